@@ -1,0 +1,26 @@
+/* Described parameters: one table feeds presets, command line, forms, help and manual pages. */
+#ifndef THUD_BASE_PARAM_H
+#define THUD_BASE_PARAM_H
+
+#include <stdbool.h>
+
+#include "base/quantity.h"
+
+enum thud_param_kind { THUD_PARAM_QUANTITY, THUD_PARAM_INTEGER, THUD_PARAM_CHOICE, THUD_PARAM_TEXT };
+
+/* Bounds are in SI. A hard bound refuses, a soft bound warns; NaN is no bound. Choices are stored as an index. */
+struct thud_param {
+    const char *name;  /* the word in presets, on the command line and on screens */
+    const char *title; /* a few words */
+    const char *help;  /* one sentence */
+    enum thud_param_kind kind;
+    enum thud_dimension dimension;
+    const char *unit; /* shown unit, e.g. "kN/mm" */
+    double fallback;  /* default in SI, or index of the default choice; NaN: must be given */
+    double least, most;
+    bool least_open, most_open; /* the bound itself is refused */
+    double soft_least, soft_most;
+    const char *const *choices; /* NULL-terminated */
+};
+
+#endif

@@ -1,0 +1,55 @@
+/* Numbers with units, as people type them, to and from SI. */
+#ifndef THUD_BASE_QUANTITY_H
+#define THUD_BASE_QUANTITY_H
+
+#include <stddef.h>
+
+#include "base/status.h"
+
+enum thud_dimension {
+    THUD_NUMBER = 0, /* no unit; `5 %` is 0.05 */
+    THUD_RATIO,      /* as THUD_NUMBER, shown in per cent where the parameter's unit is "%" */
+    THUD_LENGTH,
+    THUD_AREA,
+    THUD_MASS,
+    THUD_FORCE,
+    THUD_STIFFNESS,       /* N/m */
+    THUD_POWER_STIFFNESS, /* N/m^n: the exponent is part of the unit as typed, `0.36 kN/mm^2.65` */
+    THUD_PRESSURE,
+    THUD_TIME,
+    THUD_VELOCITY,
+    THUD_ACCELERATION,
+    THUD_DIMENSIONS
+};
+
+/* Value in SI and, for THUD_POWER_STIFFNESS, the exponent its unit was typed with (else 0). */
+struct thud_quantity {
+    double value;
+    double exponent;
+};
+
+/* Reads `text` as a quantity of the dimension. A missing unit is an error unless the dimension is THUD_NUMBER or
+ * THUD_RATIO or `bare_unit` (a unit taken for bare numbers, NULL for none) is given. A decimal comma, a wrong dimension (named), a word,
+ * infinities and NaN are refused with what is allowed. Errors: THUD_INPUT. */
+enum thud_status thud_quantity_parse(const char *text, enum thud_dimension dimension, const char *bare_unit,
+                                     struct thud_quantity *out, struct thud_error *err);
+
+/* Writes the SI value in `unit` (which may carry an exponent) with all its digits (shortest text that reads back the same). */
+void thud_quantity_format(double value_si, const char *unit, char *text, size_t size);
+
+/* Factor from `unit` to SI; 0 when the unit is unknown. `exponent` (may be NULL) gets the unit's exponent for N/m^n units. */
+double thud_unit_factor(const char *unit, enum thud_dimension *dimension, double *exponent);
+
+/* "m, cm, mm, in, ft": the units of a dimension, for messages and help. */
+const char *thud_dimension_units(enum thud_dimension dimension);
+const char *thud_dimension_name(enum thud_dimension dimension); /* "a length" */
+
+/* Locale-free numbers (the program keeps LC_NUMERIC at "C"). `end` gets the first character not read; returns 0 on success, -1 on no number,
+ * -2 when out of range. Hexadecimal, `inf` and `nan` are no numbers. */
+int thud_number_parse(const char *text, const char **end, double *out);
+/* Shortest decimal text that reads back as the same double. */
+void thud_number_format(double value, char *text, size_t size);
+
+#define THUD_GRAVITY 9.80665 /* m/s2, standard gravity */
+
+#endif

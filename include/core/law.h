@@ -1,0 +1,92 @@
+/* Impact laws. A law is one const table in its own file, registered by one word in src/core/law_list.h.
+ *
+ * Every law of the field is, between two switches, of the form
+ *     F = f0 + k d + c v + K d^p + D d^r v           (d indentation > 0, v = d' , v > 0 approaching)
+ * which is called a branch here. So a law only says which branch holds; force, derivatives, integration and energy are written
+ * once. Public functions take SI units. */
+#ifndef THUD_CORE_LAW_H
+#define THUD_CORE_LAW_H
+
+#include <stdbool.h>
+
+#include "base/param.h"
+#include "base/status.h"
+
+#define THUD_LAW_PARAMS_MAX 16
+#define THUD_LAW_CONSTANTS_MAX 8
+
+struct thud_branch {
+    double f0_n, k_npm, c_nspm;
+    double K, p; /* K d^p */
+    double D, r; /* D d^r v */
+};
+
+enum thud_phase { THUD_APPROACH, THUD_RESTITUTION };
+
+/* What is fixed for one contact. */
+struct thud_law_setup {
+    double mass_kg;     /* effective mass m1 m2/(m1 + m2) */
+    double thickness_m; /* of the bumper; 0 where there is none */
+    double value[THUD_LAW_PARAMS_MAX];       /* parameters in SI, in the order of the law's table */
+    double constant[THUD_LAW_CONSTANTS_MAX]; /* filled by the law's prepare */
+};
+
+/* What one contact remembers from its first touch on. Only the run writes it. */
+struct thud_law_memory {
+    double v_imp_mps;  /* closing velocity at first touch, as it was */
+    double damp;       /* the law's own damping factor for this contact, set by touch or turn */
+};
+
+enum {
+    THUD_LAW_LINEAR = 1,     /* every branch is linear: contact is propagated exactly */
+    THUD_LAW_TURNS = 2,      /* approach and restitution have different branches */
+    THUD_LAW_PULLS = 4,      /* force may be negative; the contact ends at d = 0 */
+    THUD_LAW_IMPULSIVE = 8,  /* no force: an impulse at touch (stereomechanical) */
+    THUD_LAW_SILENT = 16,    /* no contact at all (none) */
+    THUD_LAW_DEGREE_ONE = 32 /* force is of degree one in (d, v): scaling symmetry */
+};
+
+struct thud_law {
+    const char *name, *title, *reference;
+    const char *summary; /* the force in one line, for `thud laws` and the manual */
+    unsigned flags;
+    const struct thud_param *params;
+    int nparams;
+
+    /* Checks values against each other and fills setup->constant. Errors: THUD_INPUT with key. */
+    enum thud_status (*prepare)(struct thud_law_setup *setup, struct thud_error *err);
+    /* At first touch with closing velocity v (>= 0); fills the memory. */
+    void (*touch)(const struct thud_law_setup *setup, double v_mps, struct thud_law_memory *memory);
+    /* At each turn from approach to restitution at indentation d; NULL where nothing changes. */
+    void (*turn)(const struct thud_law_setup *setup, double d_m, struct thud_law_memory *memory);
+    /* The branch that holds in a phase on one side of the knee. */
+    struct thud_branch (*branch)(const struct thud_law_setup *setup, const struct thud_law_memory *memory,
+                                 enum thud_phase phase, bool past_knee);
+    /* Indentation at which the branch changes (the bumper's delta_u); NULL where there is none. */
+    double (*knee)(const struct thud_law_setup *setup);
+    /* Energy stored under the elastic curve at indentation d, J. */
+    double (*elastic_energy)(const struct thud_law_setup *setup, double d_m);
+    /* Nominal restitution as asked for, and the one two free bodies really part with at closing velocity v. */
+    double (*nominal)(const struct thud_law_setup *setup);
+    double (*restitution)(const struct thud_law_setup *setup, double v_mps);
+    /* true where the indentation left at release stays as residual (the paper's concrete with residual = keep); NULL: never. */
+    bool (*keeps_residual)(const struct thud_law_setup *setup);
+};
+
+/* The list. */
+int thud_law_count(void);
+const struct thud_law *thud_law_at(int index);
+const struct thud_law *thud_law_find(const char *name); /* NULL when unknown */
+int thud_law_param(const struct thud_law *law, const char *name); /* index, or -1 */
+
+/* Fills value[] with the defaults of the table (NaN where a value must be given). */
+void thud_law_defaults(const struct thud_law *law, struct thud_law_setup *setup);
+
+/* Force of a branch, and its partial derivatives (each may be NULL); d <= 0 gives the linear part only. Not cut at 0. */
+double thud_branch_force(const struct thud_branch *branch, double d_m, double v_mps, double *df_dd, double *df_dv);
+
+/* Branch at (d, phase) without a run: picks the side of the knee. */
+struct thud_branch thud_law_branch_at(const struct thud_law *law, const struct thud_law_setup *setup,
+                                      const struct thud_law_memory *memory, enum thud_phase phase, double d_m);
+
+#endif

@@ -1,0 +1,68 @@
+/* The numbers a run needs, made from a scene by study/assemble. Const once made.
+ *
+ * Modal coordinates: every structure has as many modes as floors, Phi^T M Phi = I. All structures' modes stand one after the other:
+ * q (nmodes), u (ndof), nmodes = ndof. A floor's displacement is the dot product of its row of Phi with its structure's slice of q.
+ *     q'' + 2 zeta omega q' + omega^2 q = -gamma a_g - sum_c g_c F_c        (g_c: row of contact c, indentation = g_c . q - clearance)
+ * A structure whose damping couples its modes (isolated building) has a dense block D instead of 2 zeta omega. */
+#ifndef THUD_CORE_MODEL_H
+#define THUD_CORE_MODEL_H
+
+#include <stdbool.h>
+
+#include "base/status.h"
+#include "core/law.h"
+
+struct thud_model_structure {
+    int first, n;          /* its slice of dofs and modes */
+    const double *phi;     /* (n x n), floor-major: phi[i * n + j] floor i, mode j */
+    const double *damping; /* (n x n) modal damping matrix where it couples modes, else NULL */
+    const double *stiffness_npm; /* (n) storeys; NULL for a rigid body */
+};
+
+struct thud_model_contact {
+    int interface, left_floor, right_floor; /* from 1; 0 for a wall */
+    int left_dof, right_dof;                /* -1 for a wall */
+    double clearance_m;
+    const struct thud_law *law;
+    struct thud_law_setup setup;
+};
+
+struct thud_model {
+    int nstructures, ndof, ncontacts;
+    struct thud_model_structure *structure; /* (nstructures) */
+    struct thud_model_contact *contact;     /* (ncontacts) */
+    int *dof_structure;                     /* (ndof) */
+    double *mass_kg;                        /* (ndof) */
+    double *omega, *zeta, *gamma;           /* (ndof): by mode; gamma = Phi^T M 1 */
+    double *g;                              /* (ncontacts x ndof): g_c */
+    double *w;                              /* (ncontacts x ncontacts): g_a . g_b, 1/kg */
+    double *q0, *qd0;                       /* (ndof) at t = 0 */
+};
+
+/* What assemble hands over; arrays are copied. A wall has n = 0. */
+struct thud_model_input {
+    int nstructures;
+    const struct thud_structure_input {
+        int n;
+        const double *mass_kg;       /* (n) */
+        const double *stiffness_npm; /* (n) storey i between floors i - 1 and i; NULL: a free rigid body */
+        double damping;              /* ratio in every mode (of the superstructure for an isolated building) */
+        bool isolated;               /* floor 0 is the base slab, stiffness[0] the isolator */
+        double isolation_damping;    /* of the isolator: c = 2 zeta sqrt(k total mass) */
+        double velocity_mps;         /* of every floor at t = 0 */
+    } *structure;
+    int ncontacts;
+    const struct thud_contact_input {
+        int interface, left_floor, right_floor; /* from 1; 0 for a wall */
+        int left_structure, right_structure;
+        double clearance_m;
+        const struct thud_law *law;
+        struct thud_law_setup setup; /* value[] and thickness given; mass and constants are filled here */
+    } *contact;
+};
+
+/* Errors: THUD_INPUT (a law's parameters), THUD_MEMORY. */
+enum thud_status thud_model_create(const struct thud_model_input *input, struct thud_model **out, struct thud_error *err);
+void thud_model_free(struct thud_model *model);
+
+#endif

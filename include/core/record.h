@@ -1,0 +1,28 @@
+/* A ground motion: acceleration at equal steps, linear between the samples, zero before the first and after the last. */
+#ifndef THUD_CORE_RECORD_H
+#define THUD_CORE_RECORD_H
+
+#include <stddef.h>
+
+#include "base/status.h"
+
+struct thud_record {
+    char file[512];    /* as given by the user */
+    char format[32];   /* "PEER AT2", "CSV", ... */
+    char station[96];
+    char component[64];
+    char event[96];
+    double dt_s;
+    size_t samples;
+    double *a_mps2; /* (samples), already scaled and signed */
+};
+
+/* Copies `samples` values. Errors: THUD_INPUT when dt is not positive or a value is not finite, THUD_MEMORY. */
+enum thud_status thud_record_create(const double *a_mps2, size_t samples, double dt_s, struct thud_record **out,
+                                    struct thud_error *err);
+void thud_record_free(struct thud_record *record);
+
+double thud_record_peak(const struct thud_record *record); /* largest |a|, m/s2 */
+void thud_record_scale(struct thud_record *record, double factor);
+
+#endif

@@ -1,0 +1,85 @@
+/* What a run answers. Every peak is that of the continuous history (both sides of jumps, maxima inside steps). SI units. */
+#ifndef THUD_CORE_RESULT_H
+#define THUD_CORE_RESULT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+struct thud_peak {
+    double value;  /* largest absolute value */
+    double time_s; /* when */
+};
+
+struct thud_floor_result {
+    struct thud_peak acceleration; /* total, m/s2 */
+    struct thud_peak displacement; /* relative to the ground, m */
+    struct thud_peak velocity;     /* relative to the ground, m/s */
+    struct thud_peak drift;        /* interstorey deflection, m; 0 for a rigid body */
+};
+
+struct thud_contact_result {
+    int interface, left_floor, right_floor; /* from 1, left to right; floor 0: a wall */
+    int impacts;
+    struct thud_peak force;       /* N */
+    struct thud_peak indentation; /* m */
+    double impulse_ns, contact_time_s, residual_m, dissipated_j;
+    double approach_mps, separation_mps; /* of the last impact */
+    double nominal_restitution;          /* as asked for */
+};
+
+/* One impact, from first touch to release. */
+struct thud_impact {
+    int contact; /* index into contacts, from 0 */
+    double start_s, duration_s, approach_mps, separation_mps, force_n, indentation_m, impulse_ns, dissipated_j;
+};
+
+struct thud_energy {
+    double input_j, kinetic_j, strain_j, viscous_j, contact_j; /* at the end; contact: dissipated by the contacts so far */
+    double initial_j;                                          /* kinetic at the start */
+    double stored_j;                                           /* elastic energy in contacts still closed */
+    double error_ratio; /* |initial + input - all the others| over the largest energy seen */
+};
+
+struct thud_structure_result {
+    int floors;
+    struct thud_floor_result *floor; /* (floors), lowest first; an isolated building's floor 1 is its base slab */
+    struct thud_peak base_shear;     /* N */
+    double *period_s;                /* (floors), longest first; INFINITY for a free rigid body */
+};
+
+struct thud_work {
+    long steps, force_evaluations, events;
+    long rejected;      /* steps taken again */
+    long samples_fast;  /* record samples passed by the free-flight recurrence */
+};
+
+struct thud_result {
+    int nstructures, ncontacts;
+    struct thud_structure_result *structure; /* (nstructures) */
+    struct thud_contact_result *contact;     /* (ncontacts) */
+    struct thud_energy energy;
+    struct thud_work work;
+    double end_s;             /* where the run ended */
+    const char *method;       /* the method that was used */
+    const char *reason;       /* why `auto` picked it; "" when it was named */
+};
+
+/* Sampled histories, one row per time; at jumps the time appears twice. Columns: a_g, then per floor u, v, a_total (ndof each), then per contact
+ * force and indentation, then energies input, kinetic, strain, viscous, contact. */
+struct thud_history {
+    int ndof, ncontacts, columns;
+    size_t rows, capacity;
+    double *time_s; /* (rows) */
+    double *value;  /* (rows x columns), row-major */
+};
+enum { THUD_HISTORY_ENERGIES = 5 };
+/* Column of a quantity. */
+int thud_history_ground(void);
+int thud_history_displacement(const struct thud_history *h, int dof);
+int thud_history_velocity(const struct thud_history *h, int dof);
+int thud_history_acceleration(const struct thud_history *h, int dof);
+int thud_history_force(const struct thud_history *h, int contact);
+int thud_history_indentation(const struct thud_history *h, int contact);
+int thud_history_energy(const struct thud_history *h, int which); /* 0 input ... 4 contact */
+
+#endif

@@ -1,0 +1,42 @@
+/* One run: a model, a ground motion, a method; advanced in slices, so that it can be cancelled, shown and shared. */
+#ifndef THUD_CORE_RUN_H
+#define THUD_CORE_RUN_H
+
+#include <stdbool.h>
+
+#include "base/status.h"
+#include "core/method.h"
+#include "core/model.h"
+#include "core/record.h"
+#include "core/result.h"
+
+struct thud_run_options {
+    const struct thud_method *method; /* NULL: auto */
+    double tolerance;                 /* 1e-6: every peak within 1e-5 of the converged value */
+    double step_s;                    /* fixed-step methods; NaN: a tenth of what the method's limit and the events allow */
+    bool locate;                      /* fixed-step methods: locate events */
+    double tail_s;                    /* after the record; the duration where there is none */
+    bool keep_impacts;                /* list impacts one by one */
+    bool keep_history;                /* record histories */
+    double history_step_s;            /* between rows outside contacts; 0: the record's step */
+    bool no_ledger;                   /* leave the energy ledger out (a saving) */
+};
+void thud_run_options_init(struct thud_run_options *options);
+
+/* `model` and `record` (NULL: no ground motion) must outlive the run. Errors: THUD_INPUT, THUD_MEMORY. */
+enum thud_status thud_run_create(const struct thud_model *model, const struct thud_record *record,
+                                 const struct thud_run_options *options, struct thud_run **out, struct thud_error *err);
+
+/* Goes on by at most `budget` segments. Errors: THUD_DIVERGED with time, floor and limit (what was found before stays readable),
+ * THUD_MEMORY. */
+enum thud_status thud_run_advance(struct thud_run *run, long budget, bool *done, struct thud_error *err);
+
+double thud_run_time(const struct thud_run *run);
+double thud_run_end(const struct thud_run *run);
+/* Valid until the run is freed or advanced. */
+const struct thud_result *thud_run_result(const struct thud_run *run);
+const struct thud_impact *thud_run_impacts(const struct thud_run *run, int *count);
+const struct thud_history *thud_run_history(const struct thud_run *run);
+void thud_run_free(struct thud_run *run);
+
+#endif
