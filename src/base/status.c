@@ -1,0 +1,69 @@
+#include "base/status.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+static void copy(char *to, size_t size, const char *from)
+{
+    snprintf(to, size, "%s", from ? from : "");
+}
+
+enum thud_status thud_error_set(struct thud_error *err, enum thud_status status, const char *fmt, ...)
+{
+    if (err) {
+        memset(err, 0, sizeof *err);
+        err->status = status;
+        va_list args;
+        va_start(args, fmt);
+        vsnprintf(err->what, sizeof err->what, fmt, args);
+        va_end(args);
+    }
+    return status;
+}
+
+void thud_error_place(struct thud_error *err, const char *file, int line, int column)
+{
+    if (!err)
+        return;
+    if (file)
+        copy(err->file, sizeof err->file, file);
+    err->line = line;
+    err->column = column;
+}
+
+void thud_error_key(struct thud_error *err, const char *key)
+{
+    if (err)
+        copy(err->key, sizeof err->key, key);
+}
+
+void thud_error_allow(struct thud_error *err, const char *fmt, ...)
+{
+    if (!err)
+        return;
+    va_list args;
+    va_start(args, fmt);
+    vsnprintf(err->allowed, sizeof err->allowed, fmt, args);
+    va_end(args);
+}
+
+char *thud_error_text(const struct thud_error *err, char *text, unsigned long size)
+{
+    if (size == 0)
+        return text;
+    char place[640] = "";
+    size_t n = 0;
+    if (err->file[0])
+        n += (size_t)snprintf(place, sizeof place, "%s:", err->file);
+    if (err->line > 0)
+        n += (size_t)snprintf(place + n, sizeof place - n, "%d:", err->line);
+    if (err->line > 0 && err->column > 0)
+        snprintf(place + n, sizeof place - n, "%d:", err->column);
+    snprintf(text, size, "%s%s%s%s%s%s%s%s", place, place[0] ? " " : "", err->key, err->key[0] ? ": " : "", err->what,
+             err->allowed[0] ? " (" : "", err->allowed, err->allowed[0] ? ")" : "");
+    for (char *c = text; *c; c++)
+        if ((unsigned char)*c < 0x20 || *c == 0x7f)
+            *c = '?';
+    return text;
+}
