@@ -5,6 +5,7 @@
 #include <stddef.h>
 
 #include "base/status.h"
+#include "base/text.h"
 
 /* The whole file with a terminating NUL after it (free with free()). Refuses folders, devices that never end and files over `limit` bytes. Errors: THUD_INPUT,
  * THUD_MEMORY. */
@@ -13,14 +14,6 @@ enum thud_status thud_file_read(const char *path, size_t limit, char **text, siz
 /* Writes a temporary beside `path`, syncs and renames; on failure `path` is as it was and the temporary is gone. Errors: THUD_OUTPUT. */
 enum thud_status thud_file_write(const char *path, const char *text, size_t size, struct thud_error *err);
 
-/* A growing text, for what is written in one go. After a failed allocation `failed` is set and appends do nothing. */
-struct thud_text {
-    char *data;
-    size_t size, capacity;
-    int failed;
-};
-void thud_text_append(struct thud_text *text, const char *fmt, ...) THUD_PRINTF(2, 3);
-void thud_text_clear(struct thud_text *text);
 /* thud_file_write of the whole text; THUD_MEMORY when it had failed. Clears it. */
 enum thud_status thud_text_write(struct thud_text *text, const char *path, struct thud_error *err);
 
