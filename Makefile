@@ -2,49 +2,122 @@
 VARIANT  ?= release
 CC       ?= cc
 PREFIX   ?= /usr/local
-DESTDIR  ?=
+FUZZ_SECONDS ?= 30
 B        := build/$(VARIANT)
+VERSION  := $(or $(shell sed -n 's/.*THUD_VERSION "\(.*\)".*/\1/p' include/base/version.h 2>/dev/null),0.0.0)
 
-WARN     := -Wall -Wextra -Wpedantic -Wshadow -Wconversion $(if $(CI),-Werror)
+# Flags.  CFLAGS, CPPFLAGS and LDFLAGS stay the user's; they come last.
 release  := -O3 -DNDEBUG
 debug    := -O0 -g3
 asan     := -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
 coverage := -O0 -g --coverage
-LIBS     := yaml-0.1 lapacke lapack ncursesw
-CPPFLAGS += -Iinclude -Isrc -D_POSIX_C_SOURCE=200809L $(shell pkg-config --cflags $(LIBS) 2>/dev/null)
-CFLAGS   += -std=c17 -ffp-contract=off -fno-math-errno $(WARN) $($(VARIANT)) -MMD -MP -pthread
-LDLIBS   += -lcsv $(shell pkg-config --libs $(LIBS) 2>/dev/null) -lm
+analyze  := -O1 -fanalyzer -Werror
+fuzz     := -O1 -g -fno-omit-frame-pointer -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all
+WARN     := -Wall -Wextra -Wpedantic -Wshadow -Wconversion $(if $(CI),-Werror)
+PKG      := yaml-0.1 ncursesw
+PKG_I    := $(shell pkg-config --cflags-only-I $(PKG) 2>/dev/null)
+PKG_L    := $(shell pkg-config --libs $(PKG) 2>/dev/null)
+LAPACK   := $(or $(shell pkg-config --libs lapacke lapack 2>/dev/null),-llapacke)
+COMPILE  := $(CC) -Iinclude -Isrc -D_XOPEN_SOURCE=700 $(PKG_I) -std=c17 -pthread -ffp-contract=off -fno-math-errno \
+            $(WARN) $($(VARIANT)) $(CPPFLAGS) $(CFLAGS)
+LINK     := $(CC) -pthread $($(VARIANT)) $(CFLAGS) $(LDFLAGS)
+LDLIBS   += -lcsv $(PKG_L) $(LAPACK) -lm
 
-LAYERS   := base core study io plot app cli tui
-SRC      := $(wildcard $(LAYERS:%=src/%/*.c))
-OBJ      := $(SRC:%.c=$(B)/%.o)
-LIB      := $(B)/libthud.a
-UNIT     := $(patsubst tests/unit/%.c,$(B)/unit/%,$(filter-out tests/unit/main.c,$(wildcard tests/unit/*.c)))
+# Two libraries: libthud.a computes and touches nothing outside itself, libthud-program.a is the program around it.
+objects   = $(patsubst %.c,$(B)/%.o,$(sort $(wildcard $(1))))
+CORE     := $(call objects,src/base/*.c src/core/*.c src/study/*.c)
+PROGRAM  := $(call objects,src/io/*.c src/plot/*.c src/app/*.c src/cli/*.c src/tui/*.c)
+UNIT     := $(patsubst tests/unit/%.c,$(B)/unit/%,$(wildcard tests/unit/test_*.c))
+HELPERS  := $(call objects,$(filter-out tests/unit/test_%,$(wildcard tests/unit/*.c)))
+FUZZERS  := $(patsubst tests/fuzz/%.c,$(B)/fuzz/%,$(wildcard tests/fuzz/fuzz_*.c))
+LIBS     := $(B)/libthud-program.a $(B)/libthud.a
+EXE      := $(if $(wildcard src/main.c),$(B)/thud)
+THUD     := $(if $(filter release,$(VARIANT)),$(EXE:$(B)/%=%),$(EXE))
 
-.PHONY: all test demo help clean deps asan valgrind lint coverage fuzz bench
-all: thud
+.PHONY: all help deps demo test units debug asan valgrind coverage lint fuzz fuzzers bench install uninstall dist deb clean FORCE
+all: $(THUD) $(LIBS) ## build ./thud (VARIANT=debug, asan, coverage build into build/VARIANT)
 
-thud: $(B)/thud
+help: ## this list
+	@sed -n 's/^\([a-z]*\):.*## \(.*\)/  make \1\t\2/p' Makefile | expand -t 18
+	@echo '  variables         VARIANT=$(VARIANT) CC=$(CC) PREFIX=$(PREFIX) DESTDIR= CI=1 (warnings are errors) CFLAGS= FUZZ_SECONDS=$(FUZZ_SECONDS)'
+
+# A file that changes when its text does, so that what depends on it is made again.
+keep = @mkdir -p $(@D) && printf '%s\n' '$(1)' | cmp -s - $@ || printf '%s\n' '$(1)' >$@
+$(B)/flags: FORCE
+	$(call keep,$(COMPILE) $(LDLIBS))
+$(B)/files: FORCE
+	$(call keep,$(CORE) $(PROGRAM) $(HELPERS))
+$(B)/commit: FORCE
+	$(call keep,$(shell git describe --always --dirty --exclude '*' 2>/dev/null))
+$(B)/headers: $(B)/flags
+	@tests/tools/need.sh $(CC) && touch $@
+
+thud: build/release/thud
 	cp $< $@
-$(B)/thud: $(B)/src/main.o $(LIB)
-	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS)
-$(LIB): $(OBJ)
-	rm -f $@ && $(AR) rcs $@ $^
-$(B)/%.o: %.c
+$(B)/thud: $(B)/src/main.o $(LIBS) | $(B)/presets $(B)/records
+	$(LINK) -o $@ $^ $(LDLIBS)
+$(B)/presets $(B)/records:
+	@mkdir -p $(B) && ln -sfn ../../$(@F) $@
+$(B)/libthud.a: $(CORE)
+$(B)/libthud-program.a: $(PROGRAM)
+$(B)/libtests.a: $(HELPERS)
+$(B)/lib%.a: $(B)/files
+	rm -f $@ && $(AR) rcs $@ $(filter %.o,$^)
+$(B)/%.o: %.c $(B)/flags | $(B)/headers
 	@mkdir -p $(@D)
-	$(CC) $(CPPFLAGS) $(CFLAGS) -c -o $@ $<
-$(B)/unit/%: $(B)/tests/unit/%.o $(B)/tests/unit/main.o $(LIB)
+	$(COMPILE) $(BUILD_ID) -MMD -MP -c -o $@ $<
+$(B)/src/%/version.o: BUILD_ID = -DTHUD_COMMIT='"$(shell cat $(B)/commit)"' -DTHUD_VARIANT='"$(VARIANT)"'
+$(call objects,src/*/version.c): $(B)/commit
+$(B)/unit/%: $(B)/tests/unit/%.o $(B)/libtests.a $(LIBS)
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(shell pkg-config --libs check) $(LDLIBS)
-
-deps:
-	@tests/tools/install-deps.sh build
-test:
-	@tests/tools/install-deps.sh test
-	@$(MAKE) --no-print-directory thud units
-	@tests/tools/run.sh $(B)
-units: $(UNIT)
+	$(LINK) -o $@ $^ $(shell pkg-config --libs check) $(LDLIBS)
+$(B)/fuzz/%: $(B)/tests/fuzz/%.o $(LIBS)
+	@mkdir -p $(@D)
+	$(LINK) -fsanitize=fuzzer -o $@ $^ $(LDLIBS)
 .SECONDARY:
-clean:
-	rm -rf build thud
--include $(shell find build -name '*.d' 2>/dev/null)
+.DELETE_ON_ERROR:
+
+deps: ## install what building needs (Debian; says what, sudo only when needed)
+	@tests/tools/install-deps.sh build
+demo: deps ## install what is missing, build, run the paper's towers, write the figures into ./demo
+	@$(MAKE) --no-print-directory VARIANT=release all
+	@./thud run towers -o demo && echo "The histories and figures are in $(CURDIR)/demo"
+
+test: ## install what the tests need, build, run every test
+	@tests/tools/install-deps.sh test
+	@$(MAKE) --no-print-directory all units
+	@THUD=$(if $(THUD),$(abspath $(THUD))) MAKEFLAGS= tests/tools/run.sh $(B)
+units: $(UNIT)
+	@:
+debug: ## build/debug/thud: no optimisation, asserts on
+	@$(MAKE) --no-print-directory VARIANT=debug all
+asan: ## every test under the address and undefined-behaviour sanitizers
+	@CK_FORK=no $(MAKE) --no-print-directory VARIANT=asan test
+valgrind: ## the unit tests under valgrind's memcheck
+	@$(MAKE) --no-print-directory VARIANT=debug units
+	@CK_FORK=no UNIT_ONLY=1 WRAP='valgrind -q --leak-check=full --error-exitcode=99' tests/tools/run.sh build/debug
+coverage: ## lines and branches that the tests pass through, by layer and file
+	@find build/coverage -name '*.gcda' -delete 2>/dev/null; $(MAKE) --no-print-directory VARIANT=coverage test
+	@tests/tools/coverage.sh build/coverage
+lint: ## clang-tidy, cppcheck, gcc's analyzer, clang-format, mandoc, shellcheck (those installed)
+	@tests/tools/lint.sh $(MAKE)
+fuzz: ## fuzz each reader for FUZZ_SECONDS from the corpus in tests/fuzz/corpus (needs clang)
+	@$(MAKE) --no-print-directory VARIANT=fuzz CC=clang fuzzers
+	@tests/tools/fuzz.sh build/fuzz $(FUZZ_SECONDS)
+fuzzers: $(FUZZERS)
+bench: all ## speed against accuracy of every method
+	@./thud bench
+
+install: all ## program, presets, records, manual pages, completions under DESTDIR PREFIX
+	@tests/tools/install.sh install '$(DESTDIR)$(PREFIX)'
+uninstall: ## remove what install put there
+	@tests/tools/install.sh uninstall '$(DESTDIR)$(PREFIX)'
+dist: ## build/thud-VERSION.tar.gz of what is committed
+	@mkdir -p build && git archive --format=tar --prefix=thud-$(VERSION)/ HEAD | gzip -n9 >build/thud-$(VERSION).tar.gz
+	@echo build/thud-$(VERSION).tar.gz
+deb: all ## a Debian package in build/
+	@tests/tools/deb.sh $(VERSION) build
+clean: ## remove everything made
+	rm -rf build thud demo
+
+-include $(shell find $(B) -name '*.d' 2>/dev/null)

@@ -12,9 +12,9 @@ if ! command -v apt-get >/dev/null 2>&1; then
     echo "Please install:$missing" >&2
     exit 1
 fi
-echo "Installing:$missing" >&2
 run=""
 if [ "$(id -u)" != 0 ]; then run=sudo; fi
+echo "Installing${run:+ (with sudo)}:$missing" >&2
 $run apt-get update -qq >/dev/null
 # shellcheck disable=SC2086
-DEBIAN_FRONTEND=noninteractive $run apt-get install -y -qq --no-install-recommends $missing >/dev/null
+$run env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $missing >/dev/null

@@ -1,0 +1,73 @@
+#!/bin/sh
+# The rules of the house, and proof that each check can fail.  TAP.
+set -u
+BUILD=${BUILD:-build/release}
+CC=${CC:-cc}
+tools=tests/tools
+tmp=$(mktemp -d) || exit 1
+trap 'rm -rf "$tmp"' EXIT
+
+sh $tools/check-includes.sh .
+sh $tools/check-pure.sh "$BUILD/libthud.a"
+sh $tools/check-tree.sh .
+
+finds() { # WHAT PATTERN COMMAND...: the command fails and its output shows the pattern
+    what=$1
+    pattern=$2
+    shift 2
+    if "$@" >"$tmp/out" 2>&1; then
+        echo "not ok - $what (nothing was reported)"
+    elif grep -q -e "$pattern" "$tmp/out"; then
+        echo "ok - $what"
+    else
+        echo "not ok - $what (reported something else)"
+        sed 's/^/# /' "$tmp/out"
+    fi
+}
+plant() { # FILE TEXT: a temporary tree with one wrong file
+    rm -rf "$tmp/tree"
+    mkdir -p "$tmp/tree/include/core" "$tmp/tree/$(dirname "$1")"
+    : >"$tmp/tree/include/core/model.h"
+    printf '%b' "$2" >"$tmp/tree/$1"
+}
+
+plant src/core/bad.c '#include "io/file.h"\n'
+finds "an include against the arrows is found" "bad.c.*against" sh $tools/check-includes.sh "$tmp/tree"
+plant include/plot/bad.h '# include "io/file.h"\n'
+finds "a header's include across the arrows is found" "bad.h.*against" sh $tools/check-includes.sh "$tmp/tree"
+plant src/study/bad.c '#include "core/segment.h"\n'
+finds "a foreign private header is found" "bad.c.*private" sh $tools/check-includes.sh "$tmp/tree"
+plant src/io/bad.c '#include "file.h"\n'
+finds "an include without a layer is found" "bad.c.*name its layer" sh $tools/check-includes.sh "$tmp/tree"
+
+impure() { # WHAT PATTERN CODE
+    printf '%s\n' "$3" >"$tmp/bad.c"
+    $CC -O1 -c -o "$tmp/bad.o" "$tmp/bad.c" && rm -f "$tmp/bad.a" && ar rc "$tmp/bad.a" "$tmp/bad.o"
+    finds "$1" "$2" sh $tools/check-pure.sh "$tmp/bad.a"
+}
+impure "a call that prints is found" "uses p" '#include <stdio.h>
+void thud_bad(int a) { printf("%d", a); }'
+impure "a look at the environment is found" "uses getenv" '#include <stdlib.h>
+char *thud_bad(void) { return getenv("HOME"); }'
+impure "a writable global is found" "count.*can be written" 'int count; int thud_bad(void) { return ++count; }'
+impure "a writable static is found" "count.*can be written" 'int thud_bad(void) { static int count = 3; return ++count; }'
+
+plant README.md "see /wo""rk/notes\n"
+finds "a machine path is found" "README.md:1" sh $tools/check-tree.sh "$tmp/tree"
+plant src/core/a.c "/* TO""DO */\n"
+finds "a note to oneself is found" "a.c:1" sh $tools/check-tree.sh "$tmp/tree"
+plant src/core/a.c "int a; \n"
+finds "a trailing blank is found" "a.c:1" sh $tools/check-tree.sh "$tmp/tree"
+plant src/core/a.c "$(seq 501)\n"
+finds "a file over 500 lines is found" "a.c: 501" sh $tools/check-tree.sh "$tmp/tree"
+
+# the core library links by itself: no part of it leans on the layers to its right
+if nm "$BUILD/libthud.a" 2>/dev/null | grep -q -E '__(asan|gcov|ubsan|sanitizer)_'; then
+    echo "ok - the core library links by itself # SKIP built with instruments"
+elif echo 'int main(void) { return 0; }' >"$tmp/main.c" &&
+    $CC -o "$tmp/main" "$tmp/main.c" -Wl,--whole-archive "$BUILD/libthud.a" -Wl,--no-whole-archive -llapacke -lm >"$tmp/out" 2>&1; then
+    echo "ok - the core library links by itself"
+else
+    echo "not ok - the core library links by itself"
+    sed 's/^/# /' "$tmp/out"
+fi

@@ -1,0 +1,39 @@
+#!/bin/sh
+# What must not stand in the tree: machine paths, notes to oneself, trailing blanks, long files.  TAP.
+# usage: check-tree.sh [TREE]
+set -u
+cd "${1:-.}" || exit 2
+status=0
+if git rev-parse --git-dir >/dev/null 2>&1 && [ -n "$(git ls-files)" ]; then
+    files=$(git ls-files --cached --others --exclude-standard)
+else
+    files=$(find . -type f ! -path './build/*' ! -path './.git/*' ! -path ./thud ! -path './demo/*')
+fi
+# records, the fuzzers' corpus and reference data are as they came
+text=$(printf '%s\n' "$files" | grep -v -E '^(\./)?(records/|tests/fuzz/corpus/|tests/data/)' | while read -r f; do [ -f "$f" ] && echo "$f"; done)
+sources=$(printf '%s\n' "$text" | grep -E '(\.[ch]|\.sh|\.yaml|\.md|Makefile)$')
+
+report() { # WHAT FINDINGS
+    if [ -z "$2" ]; then echo "ok - $1"; else
+        echo "not ok - $1"
+        printf '%s\n' "$2" | head -20 | sed 's/^/# /'
+        status=1
+    fi
+}
+search() { # PATTERN: where it stands (patterns are written so that they do not match this file)
+    printf '%s\n' "$text" | tr '\n' '\0' | xargs -0 grep -n -I -E -e "$1" /dev/null
+}
+
+report "no machine path" "$(search '(^|[^[:alnum:]_.])/(work|home|root|Users|mnt)/[[:alnum:]_]')"
+report "no note to oneself" "$(search '\<(T[O]DO|F[I]XME|X[X]X|H[A]CK)\>')"
+report "no trailing blank" "$(search '[[:blank:]]+$')"
+report "no carriage return" "$(search "$(printf '\r')")"
+report "no conflict mark" "$(search '^(<{7}|>{7})( |$)')"
+report "no file over 500 lines" "$(printf '%s\n' "$sources" | while read -r f; do
+    n=$(wc -l <"$f")
+    if [ "$n" -gt 500 ]; then echo "$f: $n lines"; fi
+done)"
+report "every file ends with a newline" "$(printf '%s\n' "$sources" | while read -r f; do
+    if [ -s "$f" ] && [ -n "$(tail -c 1 "$f")" ]; then echo "$f"; fi
+done)"
+exit $status

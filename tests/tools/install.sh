@@ -1,0 +1,30 @@
+#!/bin/sh
+# Puts thud under a prefix, or takes away what it put there.  usage: install.sh install|uninstall PREFIX
+set -eu
+what=$1
+prefix=$2
+
+file() { # MODE FROM TO
+    if [ "$what" = install ]; then
+        mkdir -p "$(dirname "$prefix/$3")"
+        install -m "$1" "$2" "$prefix/$3"
+    else
+        rm -f "$prefix/$3"
+    fi
+}
+
+file 755 thud bin/thud
+for f in presets/*.yaml records/*; do
+    if [ -f "$f" ]; then file 644 "$f" "share/thud/$f"; fi
+done
+for f in man/*.[1-8]; do
+    if [ -f "$f" ]; then file 644 "$f" "share/man/man${f##*.}/${f##*/}"; fi
+done
+for f in README.md CHANGELOG.md LICENSE; do
+    if [ -f "$f" ]; then file 644 "$f" "share/doc/thud/$f"; fi
+done
+if [ "$what" = uninstall ]; then
+    for d in share/thud/presets share/thud/records share/thud share/doc/thud; do
+        rmdir "$prefix/$d" 2>/dev/null || true # a folder with files of others stays
+    done
+fi
