@@ -24,6 +24,7 @@ for layer in base core study io plot app cli tui main; do
     wrong=""
     for f in $files; do
         [ -f "$f" ] || continue
+        # shellcheck disable=SC2013 # a header's name has no blanks
         for header in $(sed -n 's/^[ \t]*#[ \t]*include[ \t]*"\([^"]*\)".*/\1/p' "$f"); do
             to=${header%%/*}
             if [ "$to" = "$header" ]; then

@@ -6,11 +6,9 @@
 set -u
 if [ "${1:-}" = --one ]; then # LOG_FOLDER PROGRAM: run one, keep its output and a line of counts
     label=$(basename "$3")
-    case $3 in
-    *.sh) timeout -k 10 "$TEST_SECONDS" sh "$3" >"$2/$label.out" 2>&1 </dev/null ;;
-    # shellcheck disable=SC2086
-    *) timeout -k 10 "$TEST_SECONDS" ${WRAP:-} "$3" >"$2/$label.out" 2>&1 </dev/null ;;
-    esac
+    case $3 in *.sh) before=sh ;; *) before=${WRAP:-} ;; esac
+    # shellcheck disable=SC2086 # several words
+    timeout -k 10 "$TEST_SECONDS" $before "$3" >"$2/$label.out" 2>&1 </dev/null
     status=$?
     awk -v label="$label" -v status="$status" -v counts="$2/$label.counts" '
         /^ok .*# *[Ss][Kk][Ii][Pp]/ { skipped++; next }
