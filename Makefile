@@ -34,7 +34,7 @@ LIBS     := $(B)/libthud-program.a $(B)/libthud.a
 EXE      := $(if $(wildcard src/main.c),$(B)/thud)
 THUD     := $(if $(filter release,$(VARIANT)),$(EXE:$(B)/%=%),$(EXE))
 
-.PHONY: all help deps demo test units debug asan valgrind coverage lint fuzz fuzzers bench install uninstall dist deb clean FORCE
+.PHONY: all help deps demo test units debug asan valgrind coverage lint objects fuzz fuzzers bench install uninstall dist deb clean FORCE
 all: $(THUD) $(LIBS) ## build ./thud (VARIANT=debug, asan, coverage build into build/VARIANT)
 
 help: ## this list
@@ -100,7 +100,8 @@ coverage: ## lines and branches that the tests pass through, by layer and file
 	@find build/coverage -name '*.gcda' -delete 2>/dev/null; $(MAKE) --no-print-directory VARIANT=coverage test
 	@tests/tools/coverage.sh build/coverage
 lint: ## clang-tidy, cppcheck, gcc's analyzer, clang-format, mandoc, shellcheck (those installed)
-	@tests/tools/lint.sh $(MAKE)
+	@FLAGS='$(wordlist 2,99,$(COMPILE))' tests/tools/lint.sh $(MAKE)
+objects: $(CORE) $(PROGRAM) $(patsubst %.c,$(B)/%.o,$(wildcard src/main.c))
 fuzz: ## fuzz each reader for FUZZ_SECONDS from the corpus in tests/fuzz/corpus (needs clang)
 	@$(MAKE) --no-print-directory VARIANT=fuzz CC=clang fuzzers
 	@tests/tools/fuzz.sh build/fuzz $(FUZZ_SECONDS)

@@ -6,7 +6,7 @@
 set -u
 if [ "${1:-}" = --one ]; then # LOG_FOLDER PROGRAM: run one, keep its output and a line of counts
     label=$(basename "$3")
-    case $3 in *.sh) before=sh ;; *) before=${WRAP:-} ;; esac
+    case $3 in *.sh) before="sh" ;; *) before=${WRAP:-} ;; esac
     # shellcheck disable=SC2086 # several words
     timeout -k 10 "$TEST_SECONDS" $before "$3" >"$2/$label.out" 2>&1 </dev/null
     status=$?
