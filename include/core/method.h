@@ -1,4 +1,5 @@
-/* Time-stepping methods. A method is one const table in its own file, registered by one word in src/core/method_list.h. */
+/* Time-stepping methods. A method is one const table in its own file, registered by one word in src/core/method_list.h.
+ */
 #ifndef THUD_CORE_METHOD_H
 #define THUD_CORE_METHOD_H
 
@@ -13,20 +14,21 @@ enum {
     THUD_METHOD_LOCATES = 2,    /* locates events unless told not to */
     THUD_METHOD_CAN_LOCATE = 4, /* event location may be turned on */
     THUD_METHOD_IMPLICIT = 8,
-    THUD_METHOD_EXHIBIT = 16    /* shown for what goes wrong, never picked */
+    THUD_METHOD_EXHIBIT = 16 /* shown for what goes wrong, never picked */
 };
 
 struct thud_method {
     const char *name, *title, *reference;
     const char *summary; /* one line */
     unsigned flags;
-    int order;           /* on smooth problems; 0: exact in free flight */
-    double stability;    /* largest stable omega dt of an undamped oscillator; INFINITY: no limit */
-    const char *limits;  /* one line in words */
+    int order;          /* on smooth problems; 0: exact in free flight */
+    double stability;   /* largest stable omega dt of an undamped oscillator; INFINITY: no limit */
+    const char *limits; /* one line in words */
 
     /* Private state of the method (may stay NULL). */
     enum thud_status (*create)(struct thud_run *run, void **state, struct thud_error *err);
-    /* Proposes the next piece of motion as a segment from the run's state (see src/core/segment.h); the run locates events in it and commits. */
+    /* Proposes the next piece of motion as a segment from the run's state (see src/core/segment.h); the run locates
+     * events in it and commits. */
     enum thud_status (*step)(struct thud_run *run, void *state, struct thud_error *err);
     /* Told after the run committed up to tau into the segment; `switched`: a contact changed its state. May be NULL. */
     void (*committed)(struct thud_run *run, void *state, double tau_s, bool switched);

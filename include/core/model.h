@@ -1,9 +1,10 @@
 /* The numbers a run needs, made from a scene by study/assemble. Const once made.
  *
- * Modal coordinates: every structure has as many modes as floors, Phi^T M Phi = I. All structures' modes stand one after the other:
- * q (nmodes), u (ndof), nmodes = ndof. A floor's displacement is the dot product of its row of Phi with its structure's slice of q.
- *     q'' + 2 zeta omega q' + omega^2 q = -gamma a_g - sum_c g_c F_c        (g_c: row of contact c, indentation = g_c . q - clearance)
- * A structure whose damping couples its modes (isolated building) has a dense block D instead of 2 zeta omega. */
+ * Modal coordinates: every structure has as many modes as floors, Phi^T M Phi = I. All structures' modes stand one
+ * after the other: q (nmodes), u (ndof), nmodes = ndof. A floor's displacement is the dot product of its row of Phi
+ * with its structure's slice of q. q'' + 2 zeta omega q' + omega^2 q = -gamma a_g - sum_c g_c F_c        (g_c: row of
+ * contact c, indentation = g_c . q - clearance) A structure whose damping couples its modes (isolated building) has a
+ * dense block D instead of 2 zeta omega. */
 #ifndef THUD_CORE_MODEL_H
 #define THUD_CORE_MODEL_H
 
@@ -13,9 +14,9 @@
 #include "core/law.h"
 
 struct thud_model_structure {
-    int first, n;          /* its slice of dofs and modes */
-    const double *phi;     /* (n x n), floor-major: phi[i * n + j] floor i, mode j */
-    const double *damping; /* (n x n) modal damping matrix where it couples modes, else NULL */
+    int first, n;                /* its slice of dofs and modes */
+    const double *phi;           /* (n x n), floor-major: phi[i * n + j] floor i, mode j */
+    const double *damping;       /* (n x n) modal damping matrix where it couples modes, else NULL */
     const double *stiffness_npm; /* (n) storeys; NULL for a rigid body */
 };
 
@@ -50,7 +51,7 @@ struct thud_model_input {
         bool isolated;               /* floor 0 is the base slab, stiffness[0] the isolator */
         double isolation_damping;    /* of the isolator: c = 2 zeta sqrt(k total mass) */
         double velocity_mps;         /* of every floor at t = 0 */
-    } *structure;
+    } * structure;
     int ncontacts;
     const struct thud_contact_input {
         int interface, left_floor, right_floor; /* from 1; 0 for a wall */
@@ -58,11 +59,12 @@ struct thud_model_input {
         double clearance_m;
         const struct thud_law *law;
         struct thud_law_setup setup; /* value[] and thickness given; mass and constants are filled here */
-    } *contact;
+    } * contact;
 };
 
 /* Errors: THUD_INPUT (a law's parameters), THUD_MEMORY. */
-enum thud_status thud_model_create(const struct thud_model_input *input, struct thud_model **out, struct thud_error *err);
+enum thud_status thud_model_create(const struct thud_model_input *input, struct thud_model **out,
+                                   struct thud_error *err);
 void thud_model_free(struct thud_model *model);
 
 #endif

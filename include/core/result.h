@@ -1,4 +1,5 @@
-/* What a run answers. Every peak is that of the continuous history (both sides of jumps, maxima inside steps). SI units. */
+/* What a run answers. Every peak is that of the continuous history (both sides of jumps, maxima inside steps). SI
+ * units. */
 #ifndef THUD_CORE_RESULT_H
 #define THUD_CORE_RESULT_H
 
@@ -34,9 +35,10 @@ struct thud_impact {
 };
 
 struct thud_energy {
-    double input_j, kinetic_j, strain_j, viscous_j, contact_j; /* at the end; contact: dissipated by the contacts so far */
-    double initial_j;                                          /* kinetic at the start */
-    double stored_j;                                           /* elastic energy in contacts still closed */
+    double input_j, kinetic_j, strain_j, viscous_j,
+        contact_j;      /* at the end; contact: dissipated by the contacts so far */
+    double initial_j;   /* kinetic at the start */
+    double stored_j;    /* elastic energy in contacts still closed */
     double error_ratio; /* |initial + input - all the others| over the largest energy seen */
 };
 
@@ -49,8 +51,8 @@ struct thud_structure_result {
 
 struct thud_work {
     long steps, force_evaluations, events;
-    long rejected;      /* steps taken again */
-    long samples_fast;  /* record samples passed by the free-flight recurrence */
+    long rejected;     /* steps taken again */
+    long samples_fast; /* record samples passed by the free-flight recurrence */
 };
 
 struct thud_result {
@@ -59,13 +61,13 @@ struct thud_result {
     struct thud_contact_result *contact;     /* (ncontacts) */
     struct thud_energy energy;
     struct thud_work work;
-    double end_s;             /* where the run ended */
-    const char *method;       /* the method that was used */
-    const char *reason;       /* why `auto` picked it; "" when it was named */
+    double end_s;       /* where the run ended */
+    const char *method; /* the method that was used */
+    const char *reason; /* why `auto` picked it; "" when it was named */
 };
 
-/* Sampled histories, one row per time; at jumps the time appears twice. Columns: a_g, then per floor u, v, a_total (ndof each), then per contact
- * force and indentation, then energies input, kinetic, strain, viscous, contact. */
+/* Sampled histories, one row per time; at jumps the time appears twice. Columns: a_g, then per floor u, v, a_total
+ * (ndof each), then per contact force and indentation, then energies input, kinetic, strain, viscous, contact. */
 struct thud_history {
     int ndof, ncontacts, columns;
     size_t rows, capacity;

@@ -13,13 +13,13 @@
 struct thud_run_options {
     const struct thud_method *method; /* NULL: auto */
     double tolerance;                 /* 1e-6: every peak within 1e-5 of the converged value */
-    double step_s;                    /* fixed-step methods; NaN: a tenth of what the method's limit and the events allow */
-    bool locate;                      /* fixed-step methods: locate events */
-    double tail_s;                    /* after the record; the duration where there is none */
-    bool keep_impacts;                /* list impacts one by one */
-    bool keep_history;                /* record histories */
-    double history_step_s;            /* between rows outside contacts; 0: the record's step */
-    bool no_ledger;                   /* leave the energy ledger out (a saving) */
+    double step_s;         /* fixed-step methods; NaN: a tenth of what the method's limit and the events allow */
+    bool locate;           /* fixed-step methods: locate events */
+    double tail_s;         /* after the record; the duration where there is none */
+    bool keep_impacts;     /* list impacts one by one */
+    bool keep_history;     /* record histories */
+    double history_step_s; /* between rows outside contacts; 0: the record's step */
+    bool no_ledger;        /* leave the energy ledger out (a saving) */
 };
 void thud_run_options_init(struct thud_run_options *options);
 
@@ -27,8 +27,8 @@ void thud_run_options_init(struct thud_run_options *options);
 enum thud_status thud_run_create(const struct thud_model *model, const struct thud_record *record,
                                  const struct thud_run_options *options, struct thud_run **out, struct thud_error *err);
 
-/* Goes on by at most `budget` segments. Errors: THUD_DIVERGED with time, floor and limit (what was found before stays readable),
- * THUD_MEMORY. */
+/* Goes on by at most `budget` segments. Errors: THUD_DIVERGED with time, floor and limit (what was found before stays
+ * readable), THUD_MEMORY. */
 enum thud_status thud_run_advance(struct thud_run *run, long budget, bool *done, struct thud_error *err);
 
 double thud_run_time(const struct thud_run *run);

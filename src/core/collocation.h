@@ -1,0 +1,24 @@
+/* Nonlinear and stuck contacts. The structures' motion under any force polynomial is known exactly, so only the contact
+ * forces are unknown: each is a polynomial in time that satisfies its law at the Radau points of the step (or d' = 0
+ * where the contact sticks). Implicit, stiffly accurate, of order 2 n - 1 at the step's end; the force equation's own
+ * residual between the points is the error measure. */
+#ifndef THUD_CORE_COLLOCATION_H
+#define THUD_CORE_COLLOCATION_H
+
+#include "base/status.h"
+
+struct thud_run;
+struct thud_collocation;
+
+enum thud_status thud_collocation_create(const struct thud_run *run, struct thud_collocation **out,
+                                         struct thud_error *err);
+void thud_collocation_free(struct thud_collocation *collocation);
+
+/* Fills run->seg with a step accurate to the run's tolerance. Errors: THUD_DIVERGED (no step is small enough),
+ * THUD_MEMORY. */
+enum thud_status thud_collocation_step(struct thud_run *run, struct thud_collocation *collocation,
+                                       struct thud_error *err);
+/* A contact has just closed: begin with a short step. */
+void thud_collocation_touched(struct thud_collocation *collocation);
+
+#endif

@@ -1,0 +1,320 @@
+/* The states of a contact, the events that end them, and what follows. Only the run changes them. */
+#include <math.h>
+#include <string.h>
+
+#include "core/poly.h"
+#include "core/run_private.h"
+
+enum event {
+    EVENT_TOUCH,
+    EVENT_GONE,     /* indentation back to 0 */
+    EVENT_RELEASE,  /* the force would begin to pull */
+    EVENT_REENGAGE, /* the force cut at 0 would push again */
+    EVENT_TURN,     /* approach to restitution or back */
+    EVENT_KNEE,
+    EVENT_HOLD_UP, /* stuck: pushed further in */
+    EVENT_HOLD_DOWN
+};
+
+/* Indentations closer to 0 than this are not contact: rounding of displacements of meters. */
+static const double touch_noise_m = 1e-16;
+
+static const struct thud_law *law_of(const struct thud_run *run, int c)
+{
+    return run->model->contact[c].law;
+}
+
+static void renew_branch(struct thud_run *run, int c)
+{
+    struct thud_contact_state *s = &run->contact[c];
+    s->branch = law_of(run, c)->branch(&run->model->contact[c].setup, &s->memory, s->phase, s->past_knee);
+}
+
+static void set_mode(struct thud_run *run, struct thud_contact_state *s, enum thud_contact_mode mode)
+{
+    run->nactive -= thud_contact_acts(s);
+    s->mode = mode;
+    run->nactive += thud_contact_acts(s);
+}
+
+void thud_contact_start(struct thud_run *run)
+{
+    for (int c = 0; c < run->model->ncontacts; c++) {
+        struct thud_contact_state *s = &run->contact[c];
+        const struct thud_law *law = law_of(run, c);
+        memset(s, 0, sizeof *s);
+        s->knee_m = law->knee ? law->knee(&run->model->contact[c].setup) : INFINITY;
+        s->zeros.indentation = fabs(thud_contact_indentation(run, c)) <= touch_noise_m;
+    }
+}
+
+struct found {
+    double s;
+    int contact, event;
+};
+
+static void consider(struct found *found, double s, int contact, enum event event)
+{
+    if (s < found->s)
+        *found = (struct found){s, contact, event};
+}
+
+/* Function whose sign is that of a non-pulling law's force: out (terms); false where the force cannot reach 0 before
+ * the indentation does. */
+static bool push_polynomial(const struct thud_contact_state *s, const double *d, int terms, double h, double *out)
+{
+    const struct thud_branch *b = &s->branch;
+    bool power = b->K != 0;
+    double factor, slope;
+    if (!power && b->D == 0) {
+        if (b->c_nspm == 0)
+            return false;
+        for (int k = 0; k < terms; k++)
+            out[k] = b->k_npm * d[k] + (k + 1 < terms ? b->c_nspm * (k + 1) / h * d[k + 1] : 0);
+        out[0] += b->f0_n;
+        return true;
+    }
+    if (power && (b->D == 0 || b->p != b->r))
+        return false;
+    factor = power ? b->K : b->k_npm; /* F = (elastic force) (1 + slope/factor v) */
+    slope = b->D;
+    for (int k = 0; k < terms; k++)
+        out[k] = k + 1 < terms ? slope * (k + 1) / h * d[k + 1] : 0;
+    out[0] += factor;
+    return true;
+}
+
+static void closed_events(const struct thud_run *run, int c, const double *d, double s_end, struct found *found)
+{
+    const struct thud_contact_state *s = &run->contact[c];
+    const struct thud_law *law = law_of(run, c);
+    const struct thud_segment *seg = &run->seg;
+    double p[THUD_SEGMENT_TERMS];
+    int n = seg->terms;
+    bool pulls = law->flags & THUD_LAW_PULLS;
+    if (!pulls && push_polynomial(s, d, n, seg->h_s, p))
+        consider(found, thud_poly_first_above(p, n, s_end, -1, s->zeros.force, 0), c, EVENT_RELEASE);
+    consider(found, thud_poly_first_above(d, n, s_end, -1, s->zeros.indentation, 0), c, EVENT_GONE);
+    if (law->flags & THUD_LAW_TURNS) {
+        for (int k = 0; k + 1 < n; k++)
+            p[k] = (k + 1) * d[k + 1];
+        double sign = s->phase == THUD_APPROACH ? -1 : 1;
+        consider(found, thud_poly_first_above(p, n - 1, s_end, sign, s->zeros.rate, 0), c, EVENT_TURN);
+    }
+    if (s->knee_m < INFINITY) {
+        memcpy(p, d, (size_t)n * sizeof *p);
+        p[0] -= s->knee_m;
+        double sign = s->past_knee ? -1 : 1;
+        consider(found, thud_poly_first_above(p, n, s_end, sign, s->zeros.knee, 0), c, EVENT_KNEE);
+    }
+}
+
+static void slack_events(const struct thud_run *run, int c, const double *d, double s_end, struct found *found)
+{
+    const struct thud_contact_state *s = &run->contact[c];
+    double p[THUD_SEGMENT_TERMS];
+    int n = run->seg.terms;
+    if (push_polynomial(s, d, n, run->seg.h_s, p))
+        consider(found, thud_poly_first_above(p, n, s_end, 1, s->zeros.force, 0), c, EVENT_REENGAGE);
+    consider(found, thud_poly_first_above(d, n, s_end, -1, s->zeros.indentation, 0), c, EVENT_GONE);
+}
+
+static void stuck_events(const struct thud_run *run, int c, double s_end, struct found *found)
+{
+    const struct thud_contact_state *s = &run->contact[c];
+    double p[THUD_SEGMENT_TERMS];
+    int n = run->seg.terms;
+    for (int k = 0; k < n; k++)
+        p[k] = run->seg.force[k * run->model->ncontacts + c];
+    double f0 = p[0];
+    p[0] = f0 - s->hold_low;
+    consider(found, thud_poly_first_above(p, n, s_end, -1, s->zeros.force, 0), c, EVENT_HOLD_DOWN);
+    if (s->hold_high < INFINITY) {
+        p[0] = f0 - s->hold_high;
+        consider(found, thud_poly_first_above(p, n, s_end, 1, 0, 0), c, EVENT_HOLD_UP);
+    }
+}
+
+double thud_contact_next_event(struct thud_run *run, double s_end, int *contact, int *event)
+{
+    struct found found = {INFINITY, -1, -1};
+    for (int c = 0; c < run->model->ncontacts; c++) {
+        const struct thud_contact_state *s = &run->contact[c];
+        double *d = run->indentation + c * THUD_SEGMENT_TERMS, limit = fmin(s_end, found.s);
+        thud_segment_indentation(run, &run->seg, c, d);
+        if (s->mode == THUD_OPEN) {
+            if (!(law_of(run, c)->flags & THUD_LAW_SILENT))
+                consider(&found,
+                         thud_poly_first_above(d, run->seg.terms, limit, 1, s->zeros.indentation, touch_noise_m), c,
+                         EVENT_TOUCH);
+        } else if (s->mode == THUD_CLOSED) {
+            closed_events(run, c, d, limit, &found);
+        } else if (s->mode == THUD_SLACK) {
+            slack_events(run, c, d, limit, &found);
+        } else {
+            stuck_events(run, c, limit, &found);
+        }
+    }
+    *contact = found.contact;
+    *event = found.event;
+    return found.s;
+}
+
+/* Force that the elastic curve would reach at the closing velocity v: the scale on which errors of this contact's force
+ * count. */
+static double expected_force(const struct thud_run *run, int c, double v)
+{
+    const struct thud_model_contact *p = &run->model->contact[c];
+    double energy = 0.5 * p->setup.mass_kg * v * v, d = 1e-9;
+    if (!p->law->elastic_energy)
+        return 0;
+    while (d < 10 && p->law->elastic_energy(&p->setup, d) < energy)
+        d *= 1.25;
+    struct thud_branch b = thud_law_branch_at(p->law, &p->setup, &run->contact[c].memory, THUD_APPROACH, d);
+    return thud_branch_force(&b, d, 0, NULL, NULL);
+}
+
+static void touch(struct thud_run *run, int c)
+{
+    struct thud_contact_state *s = &run->contact[c];
+    const struct thud_law *law = law_of(run, c);
+    double v = fmax(thud_contact_rate(run, c), 0);
+    memset(&s->memory, 0, sizeof s->memory);
+    law->touch(&run->model->contact[c].setup, v, &s->memory);
+    s->phase = THUD_APPROACH;
+    s->past_knee = false;
+    set_mode(run, s, THUD_CLOSED);
+    s->zeros = (struct thud_zeros){.indentation = 1, .rate = v == 0, .force = v == 0};
+    s->expected_force_n = expected_force(run, c, v);
+    s->impact = (struct thud_impact){.contact = c, .start_s = thud_run_now(run), .approach_mps = v};
+    run->result.contact[c].impacts++;
+    run->result.contact[c].approach_mps = v;
+    run->result.contact[c].separation_mps = 0;
+    renew_branch(run, c);
+}
+
+/* The force has come to its end. */
+static void note_release(struct thud_run *run, int c)
+{
+    struct thud_contact_state *s = &run->contact[c];
+    s->impact.separation_mps = -thud_contact_rate(run, c);
+    s->impact.duration_s = thud_run_now(run) - s->impact.start_s;
+    run->result.contact[c].separation_mps = s->impact.separation_mps;
+}
+
+static enum thud_status open_contact(struct thud_run *run, int c, int zeros, struct thud_error *err)
+{
+    struct thud_contact_state *s = &run->contact[c];
+    set_mode(run, s, THUD_OPEN);
+    s->zeros = (struct thud_zeros){.indentation = zeros};
+    return thud_impacts_add(run, &s->impact, err);
+}
+
+static enum thud_status release(struct thud_run *run, int c, struct thud_error *err)
+{
+    struct thud_contact_state *s = &run->contact[c];
+    const struct thud_law *law = law_of(run, c);
+    note_release(run, c);
+    if (law->keeps_residual && law->keeps_residual(&run->model->contact[c].setup)) {
+        s->residual_m += fmax(thud_contact_indentation(run, c), 0);
+        run->result.contact[c].residual_m = s->residual_m;
+        return open_contact(run, c, 1, err);
+    }
+    set_mode(run, s, THUD_SLACK);
+    s->zeros = (struct thud_zeros){.force = 1};
+    return THUD_OK;
+}
+
+/* Force of the contact at rest (d' = 0) on one of its branches. */
+static double rest_force(const struct thud_run *run, int c, enum thud_phase phase, double d)
+{
+    const struct thud_contact_state *s = &run->contact[c];
+    struct thud_branch b = law_of(run, c)->branch(&run->model->contact[c].setup, &s->memory, phase, s->past_knee);
+    return thud_branch_force(&b, d, 0, NULL, NULL);
+}
+
+static void go_on(struct thud_run *run, int c, enum thud_phase phase, int rate_zeros)
+{
+    struct thud_contact_state *s = &run->contact[c];
+    set_mode(run, s, THUD_CLOSED);
+    if (phase == THUD_RESTITUTION && law_of(run, c)->turn)
+        law_of(run, c)->turn(&run->model->contact[c].setup, thud_contact_indentation(run, c), &s->memory);
+    s->phase = phase;
+    s->zeros = (struct thud_zeros){.rate = rate_zeros};
+    renew_branch(run, c);
+}
+
+/* At d' = 0. Where the branches meet, the other phase begins. Where they do not (rubber past delta_u, unloading as
+ * printed) and each would turn the motion back to the other, the contact sticks (Filippov's sliding mode). */
+static void turn(struct thud_run *run, int c)
+{
+    struct thud_contact_state *s = &run->contact[c];
+    enum thud_phase next = s->phase == THUD_APPROACH ? THUD_RESTITUTION : THUD_APPROACH;
+    double d = thud_contact_indentation(run, c);
+    double approach = rest_force(run, c, THUD_APPROACH, d), restitution = rest_force(run, c, THUD_RESTITUTION, d);
+    if (approach - restitution > 1e-12 * approach) {
+        double *force = run->force_now;
+        thud_contact_forces(run, force);
+        force[c] = next == THUD_RESTITUTION ? restitution : approach;
+        double a = thud_contact_acceleration(run, c, force);
+        if (next == THUD_RESTITUTION ? a > 0 : a < 0) {
+            set_mode(run, s, THUD_STUCK);
+            s->hold_low = restitution;
+            s->hold_high = approach;
+            s->zeros = (struct thud_zeros){0};
+            return;
+        }
+    }
+    go_on(run, c, next, 1);
+}
+
+static void knee(struct thud_run *run, int c)
+{
+    struct thud_contact_state *s = &run->contact[c];
+    s->past_knee = !s->past_knee;
+    s->zeros.knee = 1;
+    renew_branch(run, c);
+}
+
+static enum thud_status hold_ends(struct thud_run *run, int c, enum event event, struct thud_error *err)
+{
+    if (law_of(run, c)->flags & THUD_LAW_IMPULSIVE) { /* sustained pushing has ended: d, d' and d'' are 0 */
+        note_release(run, c);
+        return open_contact(run, c, 3, err);
+    }
+    go_on(run, c, event == EVENT_HOLD_UP ? THUD_APPROACH : THUD_RESTITUTION, 2);
+    return THUD_OK;
+}
+
+enum thud_status thud_contact_switch(struct thud_run *run, int contact, int event, struct thud_error *err)
+{
+    struct thud_contact_state *s = &run->contact[contact];
+    run->result.work.events++;
+    switch ((enum event)event) {
+    case EVENT_TOUCH:
+        if (law_of(run, contact)->flags & THUD_LAW_IMPULSIVE)
+            return thud_contact_impulse(run, contact, err);
+        touch(run, contact);
+        return THUD_OK;
+    case EVENT_GONE:
+        if (s->mode == THUD_CLOSED)
+            note_release(run, contact);
+        return open_contact(run, contact, 1, err);
+    case EVENT_RELEASE:
+        return release(run, contact, err);
+    case EVENT_REENGAGE:
+        set_mode(run, s, THUD_CLOSED);
+        s->zeros = (struct thud_zeros){.force = 1};
+        return THUD_OK;
+    case EVENT_TURN:
+        turn(run, contact);
+        return THUD_OK;
+    case EVENT_KNEE:
+        knee(run, contact);
+        return THUD_OK;
+    case EVENT_HOLD_UP:
+    case EVENT_HOLD_DOWN:
+        break;
+    }
+    return hold_ends(run, contact, (enum event)event, err);
+}

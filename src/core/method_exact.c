@@ -1,0 +1,71 @@
+/* No stepping error in free flight and in linear contact (power series to rounding); collocation of the forces in
+ * nonlinear contact. */
+#include <math.h>
+
+#include "core/collocation.h"
+#include "core/run_private.h"
+
+static enum thud_status create(struct thud_run *run, void **state, struct thud_error *err)
+{
+    struct thud_collocation *collocation;
+    enum thud_status status = thud_collocation_create(run, &collocation, err);
+    *state = collocation;
+    return status;
+}
+
+static bool is_linear(const struct thud_run *run)
+{
+    for (int c = 0; c < run->model->ncontacts; c++) {
+        const struct thud_contact_state *s = &run->contact[c];
+        if (s->mode == THUD_STUCK || (s->mode == THUD_CLOSED && (s->branch.K != 0 || s->branch.D != 0)))
+            return false;
+    }
+    return true;
+}
+
+static enum thud_status step(struct thud_run *run, void *state, struct thud_error *err)
+{
+    if (run->nactive > 0 && !is_linear(run))
+        return thud_collocation_step(run, state, err);
+    const struct thud_model *m = run->model;
+    thud_segment_begin(run, &run->seg, thud_run_remaining(run));
+    double tail = thud_taylor_linear(run, &run->seg);
+    while (tail > 1e-16) {
+        double factor = 0.9 * pow(0.5e-16 / tail, 1.0 / (THUD_SEGMENT_TERMS - 4));
+        thud_segment_shorten(&run->seg, m->ndof, m->ncontacts, factor);
+        tail = thud_segment_tail(&run->seg, m->ndof);
+    }
+    run->result.work.force_evaluations += run->nactive;
+    return THUD_OK;
+}
+
+static void committed(struct thud_run *run, void *state, double tau_s, bool switched)
+{
+    (void)tau_s;
+    if (switched && run->nactive > 0)
+        for (int c = 0; c < run->model->ncontacts; c++)
+            if (run->contact[c].mode == THUD_CLOSED && run->contact[c].zeros.indentation > 0)
+                thud_collocation_touched(state);
+}
+
+static void release(void *state)
+{
+    thud_collocation_free(state);
+}
+
+const struct thud_method thud_method_exact = {
+    .name = "exact",
+    .title = "Exact propagation with located events",
+    .reference =
+        "Nigam and Jennings 1969 (free flight); Radau IIA collocation, Hairer and Wanner 1996 (nonlinear contact)",
+    .summary =
+        "modes advanced in closed form, contacts located, nonlinear contact forces by collocation to the tolerance",
+    .flags = THUD_METHOD_LOCATES | THUD_METHOD_CAN_LOCATE | THUD_METHOD_IMPLICIT,
+    .order = 0,
+    .stability = INFINITY,
+    .limits = "none known; the step follows the contact forces alone",
+    .create = create,
+    .step = step,
+    .committed = committed,
+    .free = release,
+};

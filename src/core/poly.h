@@ -1,0 +1,19 @@
+/* Polynomials c[0] + c[1] s + ... on 0 <= s <= 1: first crossings and largest values, found with bounds, so that
+ * a grazing or a double root inside a step is not missed. */
+#ifndef THUD_CORE_POLY_H
+#define THUD_CORE_POLY_H
+
+/* p(s); `n` is the number of coefficients. */
+double thud_poly_value(const double *c, int n, double s);
+/* p, p', p'' at s. */
+void thud_poly_value3(const double *c, int n, double s, double out[3]);
+
+/* First s in [0, s_end] from which on sign * p is above 0; INFINITY if there is none. The lowest `zeros` coefficients
+ * are taken as exactly 0 (the event that has just been handled), so that only what comes after it is found. Values
+ * below `noise` are not above 0. */
+double thud_poly_first_above(const double *c, int n, double s_end, double sign, int zeros, double noise);
+
+/* Largest |p| on [0, s_end] if it is above `least`, else `least`; *where (left alone in that case) gets its s. */
+double thud_poly_peak(const double *c, int n, double s_end, double least, double *where);
+
+#endif

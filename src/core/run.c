@@ -1,0 +1,315 @@
+#include "core/run.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/run_private.h"
+
+/* A response beyond this is a run that has blown up. */
+static const double absurd_m = 1e5;
+enum { STALLS_MAX = 60, FLIGHT_SLICE = 4096 };
+
+void thud_run_options_init(struct thud_run_options *options)
+{
+    *options = (struct thud_run_options){.tolerance = 1e-6, .step_s = NAN, .locate = true, .tail_s = 5};
+}
+
+double thud_run_remaining(const struct thud_run *run)
+{
+    return fmin(run->grid_dt_s - run->offset_s, run->end_s - thud_run_now(run));
+}
+
+/* The grid of the ground motion; without one, pieces that suit the fastest mode. */
+static void set_times(struct thud_run *run)
+{
+    const struct thud_record *r = run->record;
+    double fastest = 0;
+    for (int j = 0; j < run->model->ndof; j++)
+        fastest = fmax(fastest, run->model->omega[j]);
+    run->end_s = run->options.tail_s + (r ? (double)(r->samples - 1) * r->dt_s : 0);
+    run->grid_dt_s = r ? r->dt_s : fastest > 0 ? fmin(run->end_s, 1.2 / fastest) : run->end_s;
+    if (!(run->options.history_step_s > 0))
+        run->options.history_step_s = r ? r->dt_s : run->end_s / 2000;
+}
+
+static bool allocate_doubles(struct thud_run *run)
+{
+    size_t n = (size_t)run->model->ndof, nc = (size_t)run->model->ncontacts, terms = THUD_SEGMENT_TERMS;
+    size_t sizes[] = {n, n, (terms + 1) * n, terms * nc, nc * terms, (terms + 8) * n + 8 + nc, nc * nc, nc};
+    double **where[] = {&run->q,           &run->qd,      &run->seg.q, &run->seg.force,
+                        &run->indentation, &run->scratch, &run->hold,  &run->force_now};
+    size_t total = 0;
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
+        total += sizes[i];
+    double *next = run->block = calloc(total + 1, sizeof *next);
+    if (!next)
+        return false;
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        *where[i] = next;
+        next += sizes[i];
+    }
+    return true;
+}
+
+static bool allocate_result(struct thud_run *run)
+{
+    const struct thud_model *m = run->model;
+    struct thud_result *r = &run->result;
+    size_t ns = (size_t)m->nstructures, nc = (size_t)m->ncontacts, n = (size_t)m->ndof;
+    char *next = run->result_block = calloc(1, ns * sizeof *r->structure + nc * sizeof *r->contact +
+                                                   n * (sizeof(struct thud_floor_result) + sizeof(double)) + 1);
+    if (!next)
+        return false;
+    r->nstructures = m->nstructures;
+    r->ncontacts = m->ncontacts;
+    r->structure = (void *)next;
+    next += ns * sizeof *r->structure;
+    r->contact = (void *)next;
+    next += nc * sizeof *r->contact;
+    for (int s = 0; s < m->nstructures; s++) {
+        const struct thud_model_structure *p = &m->structure[s];
+        r->structure[s].floors = p->n;
+        r->structure[s].floor = (void *)next;
+        next += (size_t)p->n * sizeof(struct thud_floor_result);
+        r->structure[s].period_s = (void *)next;
+        next += (size_t)p->n * sizeof(double);
+        for (int j = 0; j < p->n; j++)
+            r->structure[s].period_s[j] = 2 * acos(-1) / m->omega[p->first + j];
+    }
+    for (int c = 0; c < m->ncontacts; c++) {
+        const struct thud_model_contact *p = &m->contact[c];
+        r->contact[c].interface = p->interface;
+        r->contact[c].left_floor = p->left_floor;
+        r->contact[c].right_floor = p->right_floor;
+        r->contact[c].nominal_restitution = p->law->nominal ? p->law->nominal(&p->setup) : NAN;
+    }
+    return true;
+}
+
+static void pick_method(struct thud_run *run)
+{
+    run->method = run->options.method;
+    run->result.reason = "";
+    if (!run->method) {
+        run->method = thud_method_find("exact");
+        run->result.reason = run->model->ncontacts == 0
+                                 ? "no contact is possible: modes alone, in closed form"
+                                 : "exact between events, tolerance needed in nonlinear contact only";
+    }
+    run->result.method = run->method->name;
+}
+
+static enum thud_status check_options(const struct thud_run_options *o, const struct thud_record *record,
+                                      struct thud_error *err)
+{
+    if (!(o->tolerance >= 1e-13 && o->tolerance <= 0.1)) {
+        thud_error_set(err, THUD_INPUT, "%g is out of bounds", o->tolerance);
+        thud_error_key(err, "tolerance");
+        thud_error_allow(err, "1e-13 to 0.1");
+        return THUD_INPUT;
+    }
+    if (!(o->tail_s >= 0) || (!record && !(o->tail_s > 0))) {
+        thud_error_set(err, THUD_INPUT, "%g s is too short", o->tail_s);
+        thud_error_key(err, "tail");
+        thud_error_allow(err,
+                         record ? "0 s or more" : "without a ground motion it is the duration and must be above 0");
+        return THUD_INPUT;
+    }
+    return THUD_OK;
+}
+
+enum thud_status thud_run_create(const struct thud_model *model, const struct thud_record *record,
+                                 const struct thud_run_options *options, struct thud_run **out, struct thud_error *err)
+{
+    *out = NULL;
+    enum thud_status status = check_options(options, record, err);
+    if (status != THUD_OK)
+        return status;
+    struct thud_run *run = calloc(1, sizeof *run);
+    if (!run)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    run->model = model;
+    run->record = record;
+    run->options = *options;
+    pick_method(run);
+    set_times(run);
+    run->contact = calloc((size_t)model->ncontacts + 1, sizeof *run->contact);
+    status = THUD_MEMORY;
+    if (run->contact && allocate_doubles(run) && allocate_result(run)) {
+        memcpy(run->q, model->q0, (size_t)model->ndof * sizeof *run->q);
+        memcpy(run->qd, model->qd0, (size_t)model->ndof * sizeof *run->qd);
+        thud_contact_start(run);
+        thud_ledger_start(run);
+        status = run->options.keep_history ? thud_history_start(run, err) : THUD_OK;
+        if (status == THUD_OK)
+            status = thud_flight_create(run, err);
+        if (status == THUD_OK && run->method->create)
+            status = run->method->create(run, &run->method_state, err);
+    } else {
+        thud_error_set(err, THUD_MEMORY, "out of memory");
+    }
+    if (status != THUD_OK) {
+        thud_run_free(run);
+        return status;
+    }
+    *out = run;
+    return THUD_OK;
+}
+
+void thud_run_free(struct thud_run *run)
+{
+    if (!run)
+        return;
+    if (run->method_state && run->method->free)
+        run->method->free(run->method_state);
+    thud_flight_free(run->flight);
+    free(run->contact);
+    free(run->block);
+    free(run->result_block);
+    free(run->impacts);
+    free(run->history.time_s);
+    free(run->history.value);
+    free(run);
+}
+
+/* Which floor has blown up, as an error; THUD_OK while none has. */
+static enum thud_status check_finite(struct thud_run *run, struct thud_error *err)
+{
+    const struct thud_model *m = run->model;
+    double sum = 0;
+    for (int j = 0; j < m->ndof; j++)
+        sum += run->q[j] * run->q[j] + run->qd[j] * run->qd[j];
+    if (sum < absurd_m * absurd_m) /* q is u sqrt(m): far below what any floor may have, and false for NaN */
+        return THUD_OK;
+    for (int i = 0; i < m->ndof; i++) {
+        double u = thud_model_floor(m, i, run->q), v = thud_model_floor(m, i, run->qd);
+        if (fabs(u) < absurd_m && isfinite(v))
+            continue;
+        run->failed = true;
+        int s = m->dof_structure[i];
+        thud_error_set(err, THUD_DIVERGED, "the response blew up at t = %.6g s, structure %d, floor %d",
+                       thud_run_now(run), s + 1, i - m->structure[s].first + 1);
+        thud_error_key(err, run->method->name);
+        if (run->method->flags & THUD_METHOD_FIXED_STEP)
+            thud_error_allow(err, "%s; step used %g s", run->method->limits, run->options.step_s);
+        return THUD_DIVERGED;
+    }
+    return THUD_OK;
+}
+
+/* Puts the run at s of its segment; `limit` is the s of the next kink or the end. */
+static void commit(struct thud_run *run, double s, double limit)
+{
+    if (s <= 0)
+        return;
+    double to_end = run->end_s - thud_run_now(run), to_kink = run->grid_dt_s - run->offset_s;
+    thud_segment_state(&run->seg, run->model->ndof, s, run->q, run->qd);
+    if (s < limit || s * run->seg.h_s < to_kink * (1 - 1e-13)) {
+        run->offset_s += s * run->seg.h_s;
+    } else {
+        run->grid++;
+        run->offset_s = 0;
+    }
+    if (s >= limit && to_end <= to_kink * (1 + 1e-13))
+        run->done = run->done || run->end_s - thud_run_now(run) <= 1e-12 * run->end_s;
+    for (int c = 0; c < run->model->ncontacts; c++)
+        run->contact[c].zeros = (struct thud_zeros){0};
+}
+
+static enum thud_status stalled(struct thud_run *run, int contact, struct thud_error *err)
+{
+    run->failed = true;
+    const struct thud_contact_result *c = &run->result.contact[contact];
+    return thud_error_set(err, THUD_DIVERGED, "contact between floors %d and %d switches without end at t = %.9g s",
+                          c->left_floor, c->right_floor, thud_run_now(run));
+}
+
+/* One proposed segment: events located, read out, committed, contacts switched. */
+static enum thud_status segment(struct thud_run *run, struct thud_error *err)
+{
+    enum thud_status status = run->method->step(run, run->method_state, err);
+    if (status != THUD_OK)
+        return status;
+    run->result.work.steps++;
+    int contact = -1, event = -1;
+    double remaining = thud_run_remaining(run);
+    double limit = run->seg.h_s >= remaining * (1 - 1e-13) ? fmin(1, remaining / run->seg.h_s) : 1;
+    double s = thud_contact_next_event(run, limit, &contact, &event);
+    bool switched = s <= limit && run->options.locate;
+    double s_end = switched ? s : limit;
+    if (s_end > 0) {
+        run->stalls = 0;
+        thud_peaks_segment(run, s_end);
+        if (run->options.keep_history)
+            status = thud_history_segment(run, s_end, err);
+        thud_ledger_segment(run, s_end);
+        if (status != THUD_OK)
+            return status;
+    } else if (run->stalls++ > STALLS_MAX) {
+        return stalled(run, contact, err);
+    }
+    commit(run, s_end, limit);
+    status = check_finite(run, err);
+    if (status == THUD_OK && switched)
+        status = thud_contact_switch(run, contact, event, err);
+    if (status == THUD_OK && run->method->committed)
+        run->method->committed(run, run->method_state, s_end * run->seg.h_s, switched);
+    return status;
+}
+
+static void finish(struct thud_run *run)
+{
+    struct thud_result *r = &run->result;
+    thud_ledger_finish(run);
+    r->end_s = thud_run_now(run);
+    for (int s = 0; s < r->nstructures; s++) {
+        const struct thud_model_structure *p = &run->model->structure[s];
+        if (p->n == 0 || !p->stiffness_npm)
+            continue;
+        struct thud_peak drift = r->structure[s].floor[0].drift;
+        r->structure[s].base_shear = (struct thud_peak){drift.value * p->stiffness_npm[0], drift.time_s};
+    }
+}
+
+enum thud_status thud_run_advance(struct thud_run *run, long budget, bool *done, struct thud_error *err)
+{
+    enum thud_status status = THUD_OK;
+    while (budget-- > 0 && !run->done && status == THUD_OK) {
+        long passed = 0;
+        if (run->flight && run->nactive == 0)
+            status = thud_flight_go(run, FLIGHT_SLICE, &passed, err);
+        run->done = run->end_s - thud_run_now(run) <= 1e-12 * run->end_s;
+        if (passed == 0 && status == THUD_OK)
+            status = segment(run, err);
+    }
+    finish(run);
+    *done = run->done;
+    return status;
+}
+
+double thud_run_time(const struct thud_run *run)
+{
+    return thud_run_now(run);
+}
+
+double thud_run_end(const struct thud_run *run)
+{
+    return run->end_s;
+}
+
+const struct thud_result *thud_run_result(const struct thud_run *run)
+{
+    return &run->result;
+}
+
+const struct thud_impact *thud_run_impacts(const struct thud_run *run, int *count)
+{
+    *count = run->nimpacts;
+    return run->impacts;
+}
+
+const struct thud_history *thud_run_history(const struct thud_run *run)
+{
+    return &run->history;
+}

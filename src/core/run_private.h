@@ -1,0 +1,144 @@
+/* The run from inside: for the files of core only. */
+#ifndef THUD_CORE_RUN_PRIVATE_H
+#define THUD_CORE_RUN_PRIVATE_H
+
+#include "core/run.h"
+#include "core/segment.h"
+
+enum thud_contact_mode {
+    THUD_OPEN,   /* no contact */
+    THUD_CLOSED, /* in contact, force by the law's branch */
+    THUD_SLACK,  /* indented, but the law's force would pull and is cut at 0 */
+    THUD_STUCK   /* held with d' = 0 by the force that keeps it so */
+};
+
+/* Why a function that an event watches starts at 0: that many of its lowest Taylor coefficients are 0 but for rounding.
+ */
+struct thud_zeros {
+    int indentation, rate, knee, force;
+};
+
+struct thud_contact_state {
+    enum thud_contact_mode mode;
+    enum thud_phase phase;
+    bool past_knee;
+    struct thud_branch branch;
+    struct thud_law_memory memory;
+    struct thud_zeros zeros;
+    double knee_m;              /* INFINITY where there is none */
+    double hold_low, hold_high; /* STUCK: the force interval in which it holds */
+    double expected_force_n;    /* of this contact, from its closing velocity: scale of the error measure */
+    double residual_m;
+    struct thud_impact impact; /* the one going on */
+};
+
+struct thud_flight;
+struct thud_ledger {
+    double initial_j, input_j, viscous_j, contact_work_j, largest_j;
+};
+
+struct thud_run {
+    const struct thud_model *model;
+    const struct thud_record *record;
+    struct thud_run_options options;
+    const struct thud_method *method;
+    void *method_state;
+
+    /* Time is grid * grid_dt_s + offset_s; the ground motion has its kinks at the grid. */
+    double grid_dt_s, offset_s, end_s;
+    long grid;
+    bool done, failed;
+    double *q, *qd; /* (ndof) modal state */
+    struct thud_contact_state *contact;
+    int nactive; /* contacts CLOSED or STUCK */
+    int stalls;  /* events in a row without progress in time */
+
+    struct thud_segment seg;
+    double *indentation; /* (ncontacts x THUD_SEGMENT_TERMS): polynomials of the segment, scaled like it */
+    double *scratch;     /* (THUD_SEGMENT_TERMS x ndof + 8 x ndof) for one function at a time */
+    double *hold;        /* (ncontacts x ncontacts) */
+    double *force_now;   /* (ncontacts) */
+    struct thud_flight *flight;
+    double *block; /* everything above that is an array of doubles */
+
+    struct thud_ledger ledger;
+    struct thud_result result;
+    void *result_block;
+    struct thud_impact *impacts;
+    int nimpacts, impacts_capacity;
+    struct thud_history history;
+    double next_row_s;
+};
+
+static inline double thud_run_now(const struct thud_run *run)
+{
+    return (double)run->grid * run->grid_dt_s + run->offset_s;
+}
+
+/* Time to the next kink of the ground motion or the end. */
+double thud_run_remaining(const struct thud_run *run);
+/* Ground acceleration at the two ends of grid interval i. */
+static inline void thud_run_ground(const struct thud_run *run, long i, double *a0, double *a1)
+{
+    const struct thud_record *r = run->record;
+    bool inside = r && (size_t)(i + 1) < r->samples;
+    *a0 = inside ? r->a_mps2[i] : 0;
+    *a1 = inside ? r->a_mps2[i + 1] : 0;
+}
+
+/* Left floor's value minus the right floor's, from modal values. */
+double thud_model_gap_sum(const struct thud_model *model, int c, const double *modal);
+/* A floor's value from modal values. */
+double thud_model_floor(const struct thud_model *model, int dof, const double *modal);
+
+static inline double thud_run_shift(const struct thud_run *run, int c)
+{
+    return run->model->contact[c].clearance_m + run->contact[c].residual_m;
+}
+static inline bool thud_contact_acts(const struct thud_contact_state *s)
+{
+    return s->mode == THUD_CLOSED || s->mode == THUD_STUCK;
+}
+
+/* contact.c */
+void thud_contact_start(struct thud_run *run);
+/* Indentation polynomials of all contacts into run->indentation; earliest event in [0, s_end] of the segment: its s
+ * (INFINITY: none), the contact and what it is. */
+double thud_contact_next_event(struct thud_run *run, double s_end, int *contact, int *event);
+/* Acts on an event at the run's state (already committed). */
+enum thud_status thud_contact_switch(struct thud_run *run, int contact, int event, struct thud_error *err);
+/* For methods that do not locate: acts on whatever the committed state shows. */
+enum thud_status thud_contact_catch_up(struct thud_run *run, bool *switched, struct thud_error *err);
+/* Force of contact c (cut at 0 where the law does not pull) at indentation d and rate v, by its present branch. */
+double thud_contact_force(const struct thud_run *run, int c, double d, double v);
+
+/* contact_forces.c: at the run's state */
+double thud_contact_indentation(const struct thud_run *run, int c);
+double thud_contact_rate(const struct thud_run *run, int c);
+/* Forces of all contacts into force (ncontacts); that of STUCK ones from the condition d'' = 0. */
+void thud_contact_forces(const struct thud_run *run, double *force);
+/* Second rate of the indentation of contact c under these forces. */
+double thud_contact_acceleration(const struct thud_run *run, int c, const double *force);
+/* contact_impulse.c: impulses of all stereomechanical contacts that touch now. */
+enum thud_status thud_contact_impulse(struct thud_run *run, int contact, struct thud_error *err);
+
+/* peaks.c, ledger.c, history.c: what is read from a segment before it is committed up to s. */
+void thud_peaks_segment(struct thud_run *run, double s);
+void thud_ledger_start(struct thud_run *run);
+void thud_ledger_segment(struct thud_run *run, double s);
+void thud_ledger_finish(struct thud_run *run);
+double thud_run_kinetic(const struct thud_run *run);
+double thud_run_strain(const struct thud_run *run);
+enum thud_status thud_history_segment(struct thud_run *run, double s, struct thud_error *err);
+enum thud_status thud_history_now(struct thud_run *run, struct thud_error *err);
+enum thud_status thud_history_start(struct thud_run *run, struct thud_error *err);
+enum thud_status thud_impacts_add(struct thud_run *run, const struct thud_impact *impact, struct thud_error *err);
+
+/* flight.c: free flight over whole grid intervals by recurrence. */
+enum thud_status thud_flight_create(struct thud_run *run, struct thud_error *err);
+void thud_flight_free(struct thud_flight *flight);
+/* Goes over at most `most` grid intervals in which neither contact nor a new peak is possible; *passed: how many.
+ * Errors: THUD_MEMORY. */
+enum thud_status thud_flight_go(struct thud_run *run, long most, long *passed, struct thud_error *err);
+
+#endif

@@ -1,0 +1,154 @@
+/* Motion of the model as power series in time: exact to rounding for constant or polynomial forces, and for linear
+ * contact. */
+#include <math.h>
+#include <string.h>
+
+#include "core/run_private.h"
+
+void thud_segment_begin(struct thud_run *run, struct thud_segment *seg, double h_s)
+{
+    double a0, a1;
+    thud_run_ground(run, run->grid, &a0, &a1);
+    double slope = (a1 - a0) / run->grid_dt_s;
+    seg->h_s = h_s;
+    seg->a0 = a0 + slope * run->offset_s;
+    seg->a1 = slope * h_s;
+    seg->terms = THUD_SEGMENT_TERMS;
+    memset(seg->force, 0, THUD_SEGMENT_TERMS * (size_t)run->model->ncontacts * sizeof(double));
+}
+
+static void first_terms(const struct thud_model *m, struct thud_segment *seg, const double *q, const double *qd)
+{
+    for (int j = 0; j < m->ndof; j++) {
+        seg->q[j] = q[j];
+        seg->q[m->ndof + j] = seg->h_s * qd[j];
+    }
+}
+
+/* Order k + 2 of every mode from orders k and k + 1 and the force of order k. */
+static void next_order(const struct thud_model *m, struct thud_segment *seg, int k)
+{
+    int n = m->ndof;
+    double h = seg->h_s, scale = h * h / ((k + 1) * (k + 2));
+    const double *q = seg->q + k * n, *q1 = q + n, *force = seg->force + k * m->ncontacts;
+    double *q2 = seg->q + (k + 2) * n;
+    double ground = k == 0 ? seg->a0 : k == 1 ? seg->a1 : 0, rate = (k + 1) / h;
+    for (int j = 0; j < n; j++)
+        q2[j] = -m->omega[j] * (m->omega[j] * q[j] + 2 * m->zeta[j] * rate * q1[j]) - m->gamma[j] * ground;
+    for (int s = 0; s < m->nstructures; s++) {
+        const struct thud_model_structure *p = &m->structure[s];
+        for (int i = 0; p->damping && i < p->n; i++)
+            for (int j = 0; j < p->n; j++)
+                q2[p->first + i] -= p->damping[i * p->n + j] * rate * q1[p->first + j];
+    }
+    for (int c = 0; c < m->ncontacts; c++) {
+        if (force[c] == 0.0)
+            continue;
+        const double *g = m->g + c * n;
+        for (int j = 0; j < n; j++)
+            q2[j] -= g[j] * force[c];
+    }
+    for (int j = 0; j < n; j++)
+        q2[j] *= scale;
+}
+
+static double largest(const double *x, int n)
+{
+    double most = 0;
+    for (int i = 0; i < n; i++)
+        most = fmax(most, fabs(x[i]));
+    return most;
+}
+
+double thud_segment_tail(const struct thud_segment *seg, int n)
+{
+    double all = largest(seg->q, 3 * n), last = largest(seg->q + (seg->terms - 2) * n, 2 * n);
+    return last == 0 ? 0 : last / all;
+}
+
+double thud_taylor_given(const struct thud_model *model, struct thud_segment *seg, const double *q, const double *qd)
+{
+    first_terms(model, seg, q, qd);
+    for (int k = 0; k + 2 < seg->terms; k++)
+        next_order(model, seg, k);
+    return thud_segment_tail(seg, model->ndof);
+}
+
+void thud_taylor_load(const struct thud_model *model, struct thud_segment *seg, const double *load, int order)
+{
+    int n = model->ndof;
+    memset(seg->q, 0, (size_t)seg->terms * (size_t)n * sizeof(double));
+    for (int k = order; k + 2 < seg->terms; k++) {
+        next_order(model, seg, k);
+        for (int j = 0; j < n && k == order; j++)
+            seg->q[(k + 2) * n + j] += load[j] * seg->h_s * seg->h_s / ((k + 1) * (k + 2));
+    }
+}
+
+/* Force of order k of every closed contact, from the indentation's orders k and k + 1. */
+static void linear_forces(const struct thud_run *run, struct thud_segment *seg, int k)
+{
+    const struct thud_model *m = run->model;
+    for (int c = 0; c < m->ncontacts; c++) {
+        const struct thud_contact_state *s = &run->contact[c];
+        if (s->mode != THUD_CLOSED)
+            continue;
+        double d = thud_model_gap_sum(m, c, seg->q + k * m->ndof), f = 0;
+        if (k == 0) {
+            d -= thud_run_shift(run, c);
+            f = s->branch.f0_n;
+            if (s->zeros.indentation > 0)
+                d = 0; /* just touched: the motion says so only to rounding, which a stiff contact would feel */
+        }
+        double d1 = thud_model_gap_sum(m, c, seg->q + (k + 1) * m->ndof);
+        seg->force[k * m->ncontacts + c] = f + s->branch.k_npm * d + s->branch.c_nspm * (k + 1) / seg->h_s * d1;
+    }
+}
+
+double thud_taylor_linear(struct thud_run *run, struct thud_segment *seg)
+{
+    const struct thud_model *m = run->model;
+    first_terms(m, seg, run->q, run->qd);
+    for (int k = 0; k + 2 < seg->terms; k++) {
+        linear_forces(run, seg, k);
+        next_order(m, seg, k);
+    }
+    for (int k = seg->terms - 2; k + 1 < seg->terms; k++)
+        linear_forces(run, seg, k);
+    return thud_segment_tail(seg, m->ndof);
+}
+
+void thud_segment_shorten(struct thud_segment *seg, int nmodes, int ncontacts, double factor)
+{
+    double scale = 1;
+    for (int k = 0; k < seg->terms; k++, scale *= factor) {
+        for (int j = 0; j < nmodes; j++)
+            seg->q[k * nmodes + j] *= scale;
+        for (int c = 0; c < ncontacts; c++)
+            seg->force[k * ncontacts + c] *= scale;
+    }
+    seg->h_s *= factor;
+    seg->a1 *= factor;
+}
+
+void thud_segment_state(const struct thud_segment *seg, int nmodes, double s, double *q, double *qd)
+{
+    for (int j = 0; j < nmodes; j++)
+        q[j] = qd[j] = 0;
+    for (int k = seg->terms - 1; k >= 0; k--) {
+        const double *c = seg->q + k * nmodes;
+        for (int j = 0; j < nmodes; j++) {
+            qd[j] = qd[j] * s + q[j];
+            q[j] = q[j] * s + c[j];
+        }
+    }
+    for (int j = 0; j < nmodes; j++)
+        qd[j] /= seg->h_s;
+}
+
+void thud_segment_indentation(const struct thud_run *run, const struct thud_segment *seg, int c, double *out)
+{
+    for (int k = 0; k < seg->terms; k++)
+        out[k] = thud_model_gap_sum(run->model, c, seg->q + k * run->model->ndof);
+    out[0] -= thud_run_shift(run, c);
+}
