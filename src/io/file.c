@@ -1,0 +1,184 @@
+#define _XOPEN_SOURCE 700 /* realpath */
+#include "io/file.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static enum thud_status refuse(struct thud_error *err, enum thud_status status, const char *path, const char *what)
+{
+    thud_error_set(err, status, "%s", what);
+    thud_error_place(err, path, 0, 0);
+    return status;
+}
+
+/* Reads until the end or until `limit` bytes are exceeded (then *size is limit + 1). */
+static enum thud_status read_all(int fd, size_t limit, size_t expected, char **text, size_t *size, struct thud_error *err,
+                                 const char *path)
+{
+    size_t capacity = expected + 2;
+    char *data = malloc(capacity);
+    *size = 0;
+    while (data && *size <= limit) {
+        if (*size + 1 >= capacity) {
+            capacity *= 2;
+            char *more = realloc(data, capacity);
+            if (!more)
+                break;
+            data = more;
+        }
+        ssize_t n = read(fd, data + *size, capacity - *size - 1);
+        if (n < 0 && errno == EINTR)
+            continue;
+        if (n < 0) {
+            int why = errno;
+            free(data);
+            return refuse(err, THUD_INPUT, path, strerror(why));
+        }
+        if (n == 0) {
+            data[*size] = '\0';
+            *text = data;
+            return THUD_OK;
+        }
+        *size += (size_t)n;
+    }
+    int large = data && *size > limit;
+    free(data);
+    if (!large)
+        return refuse(err, THUD_MEMORY, path, "out of memory");
+    refuse(err, THUD_INPUT, path, "the file is too large");
+    thud_error_allow(err, "at most %zu bytes", limit);
+    return THUD_INPUT;
+}
+
+enum thud_status thud_file_read(const char *path, size_t limit, char **text, size_t *size, struct thud_error *err)
+{
+    *text = NULL;
+    struct stat about;
+    if (stat(path, &about) != 0)
+        return refuse(err, THUD_INPUT, path, strerror(errno));
+    if (S_ISDIR(about.st_mode))
+        return refuse(err, THUD_INPUT, path, "is a folder, not a file");
+    if (!S_ISREG(about.st_mode) && !S_ISFIFO(about.st_mode))
+        return refuse(err, THUD_INPUT, path, "is a device, not a file");
+    int fd = open(path, O_RDONLY | O_CLOEXEC);
+    if (fd < 0)
+        return refuse(err, THUD_INPUT, path, strerror(errno));
+    size_t expected = 4096;
+    if (S_ISREG(about.st_mode) && about.st_size > 0)
+        expected = (unsigned long long)about.st_size > limit ? limit : (size_t)about.st_size;
+    enum thud_status status = read_all(fd, limit, expected, text, size, err, path);
+    close(fd);
+    return status;
+}
+
+/* 0, or the errno of what went wrong. */
+static int write_all(int fd, const char *text, size_t size)
+{
+    while (size > 0) {
+        ssize_t n = write(fd, text, size);
+        if (n < 0 && errno == EINTR)
+            continue;
+        if (n < 0)
+            return errno;
+        text += n;
+        size -= (size_t)n;
+    }
+    return 0;
+}
+
+/* A new file beside `path`, its name in `name`; -1 with errno when there can be none. */
+static int open_beside(const char *path, char *name, size_t size)
+{
+    for (int i = 0; i < 1000; i++) {
+        int n = snprintf(name, size, "%s.%ld-%d.part", path, (long)getpid(), i);
+        if (n < 0 || (size_t)n >= size) {
+            errno = ENAMETOOLONG;
+            return -1;
+        }
+        int fd = open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (fd >= 0 || errno != EEXIST)
+            return fd;
+    }
+    return -1;
+}
+
+static int replace(const char *path, const struct stat *old, const char *text, size_t size)
+{
+    char name[4200];
+    int fd = open_beside(path, name, sizeof name);
+    if (fd < 0)
+        return errno;
+    int why = write_all(fd, text, size);
+    if (!why && old && fchmod(fd, old->st_mode & 07777) != 0)
+        why = errno;
+    if (!why && fsync(fd) != 0)
+        why = errno;
+    if (close(fd) != 0 && !why)
+        why = errno;
+    if (!why && rename(name, path) != 0)
+        why = errno;
+    if (why)
+        unlink(name);
+    return why;
+}
+
+enum thud_status thud_file_write(const char *path, const char *text, size_t size, struct thud_error *err)
+{
+    struct stat about;
+    int there = stat(path, &about) == 0;
+    int why;
+    if (there && S_ISDIR(about.st_mode))
+        why = EISDIR;
+    else if (there && !S_ISREG(about.st_mode)) { /* a pipe or a terminal cannot be replaced */
+        int fd = open(path, O_WRONLY | O_CLOEXEC);
+        why = fd < 0 ? errno : write_all(fd, text, size);
+        if (fd >= 0 && close(fd) != 0 && !why)
+            why = errno;
+    } else {
+        char *real = there ? realpath(path, NULL) : NULL; /* a link stays a link */
+        why = replace(real ? real : path, there ? &about : NULL, text, size);
+        free(real);
+    }
+    if (!why)
+        return THUD_OK;
+    thud_error_set(err, THUD_OUTPUT, "cannot be written: %s", strerror(why));
+    thud_error_place(err, path, 0, 0);
+    return THUD_OUTPUT;
+}
+
+enum thud_status thud_text_write(struct thud_text *text, const char *path, struct thud_error *err)
+{
+    enum thud_status status = text->failed ? refuse(err, THUD_MEMORY, path, "out of memory")
+                                           : thud_file_write(path, text->data ? text->data : "", text->size, err);
+    thud_text_clear(text);
+    return status;
+}
+
+enum thud_status thud_folder_make(const char *path, struct thud_error *err)
+{
+    char part[4096];
+    size_t length = strlen(path);
+    if (length == 0 || length >= sizeof part)
+        return refuse(err, THUD_OUTPUT, path, "is no name for a folder");
+    memcpy(part, path, length + 1);
+    for (size_t i = 1; i <= length; i++) {
+        if (part[i] != '/' && part[i] != '\0')
+            continue;
+        char kept = part[i];
+        part[i] = '\0';
+        struct stat about;
+        if (mkdir(part, 0777) != 0 && (errno != EEXIST || stat(part, &about) != 0 || !S_ISDIR(about.st_mode))) {
+            int why = errno;
+            thud_error_set(err, THUD_OUTPUT, "the folder cannot be made: %s", strerror(why));
+            thud_error_place(err, part, 0, 0);
+            return THUD_OUTPUT;
+        }
+        part[i] = kept;
+    }
+    return THUD_OK;
+}
