@@ -1,0 +1,152 @@
+/* Figures as data: panels in a grid, each with axes, series, marks and perhaps a map. gnuplot and the terminal's own
+ * charts draw the same object; nothing here knows either.
+ *
+ * A figure owns everything reached from it; texts and numbers handed over are copied, one thud_figure_free gives all
+ * back. Out of memory is remembered: every function takes NULL and a failed figure and then does nothing, so a figure
+ * is built without looking at single calls and asked once, by thud_figure_check, before it is drawn. */
+#ifndef THUD_PLOT_FIGURE_H
+#define THUD_PLOT_FIGURE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "base/status.h"
+#include "base/text.h"
+
+enum thud_side { THUD_X, THUD_Y };
+
+enum thud_series_kind {
+    THUD_LINES,
+    THUD_POINTS,
+    THUD_LINES_POINTS,
+    THUD_STEPS, /* constant from one x to the next */
+    THUD_FILL,  /* a band between y and y_high */
+    THUD_BARS   /* from 0 to y */
+};
+
+/* Colours are indices into one palette told apart also by the colour-blind (Okabe and Ito 2008); an index past its end
+ * starts again. */
+enum { THUD_COLORS = 7, THUD_COLOR_GREY = -1 };
+unsigned thud_color_rgb(int color); /* 0xRRGGBB */
+
+struct thud_style {
+    enum thud_series_kind kind;
+    int color;
+    bool wide; /* drawn heavier */
+    bool thin; /* drawn lighter: many curves, or what stands behind */
+};
+
+/* Data in the axis' shown unit. NaN breaks a line. `y_high` is NULL unless the kind is THUD_FILL. */
+struct thud_series {
+    const char *name; /* in the key; empty: not there. The same name in two panels is one entry */
+    struct thud_style style;
+    size_t n;
+    double *x, *y, *y_high;
+};
+
+struct thud_tick {
+    double at;
+    const char *text;
+};
+
+struct thud_axis {
+    const char *label, *unit; /* empty unit: a plain number */
+    bool log;
+    double least, most; /* NaN: from the data */
+    double step;        /* between ticks; 0: chosen */
+    int nticks;         /* named ticks in place of numbers; 0: numbers */
+    struct thud_tick *tick;
+};
+
+/* A reference line (from == to) or band across the panel at values of one axis, behind the series. */
+struct thud_mark {
+    enum thud_side side; /* the axis that `from` and `to` are values of */
+    double from, to;
+    const char *text; /* may be empty */
+};
+
+/* A quantity over two parameters: z is (ny x nx), row-major, NaN where there is nothing. Contours at `level`. */
+struct thud_map {
+    size_t nx, ny;
+    double *x, *y, *z;
+    const char *label, *unit;
+    double centre; /* the palette's neutral value (1 for ratios); NaN: a palette from low to high */
+    double level;  /* of the contour; NaN: none */
+};
+
+struct thud_panel {
+    struct thud_figure *figure;
+    const char *title;
+    const char *note;         /* one line under the title */
+    struct thud_axis axis[2]; /* by enum thud_side */
+    int nseries, nmarks;
+    struct thud_series **series;
+    struct thud_mark *mark;
+    struct thud_map *map; /* NULL: none */
+    bool used;
+};
+
+struct thud_figure {
+    const char *name; /* of its files, without a suffix: a-z, 0-9 and `-` */
+    const char *title;
+    const char *note; /* footer; may be empty */
+    int rows, columns;
+    struct thud_panel *panel; /* (rows x columns), row-major */
+    bool failed;
+    struct thud_figure_block *blocks; /* private */
+};
+
+/* NULL when out of memory. */
+struct thud_figure *thud_figure_create(const char *name, const char *title, int rows, int columns);
+void thud_figure_free(struct thud_figure *figure);
+/* THUD_MEMORY when anything could not be kept, else THUD_OK. */
+enum thud_status thud_figure_check(const struct thud_figure *figure, struct thud_error *err);
+void thud_figure_note(struct thud_figure *figure, const char *text);
+
+/* Row and column from 0, from the top left. */
+struct thud_panel *thud_figure_panel(struct thud_figure *figure, int row, int column, const char *title);
+void thud_panel_note(struct thud_panel *panel, const char *text);
+void thud_panel_axis(struct thud_panel *panel, enum thud_side side, const char *label, const char *unit);
+void thud_panel_limits(struct thud_panel *panel, enum thud_side side, double least, double most);
+void thud_panel_log(struct thud_panel *panel, enum thud_side side);
+void thud_panel_step(struct thud_panel *panel, enum thud_side side, double step);
+void thud_panel_tick(struct thud_panel *panel, enum thud_side side, double at, const char *text);
+void thud_panel_mark(struct thud_panel *panel, enum thud_side side, double from, double to, const char *text);
+
+/* Copies n values each; x or y NULL: zeros, to be filled by the caller. NULL when out of memory. */
+struct thud_series *thud_panel_add(struct thud_panel *panel, struct thud_style style, const char *name, size_t n,
+                                   const double *x, const double *y);
+struct thud_series *thud_panel_fill(struct thud_panel *panel, struct thud_style style, const char *name, size_t n,
+                                    const double *x, const double *low, const double *high);
+/* z NULL: NaN everywhere, to be filled. NULL when out of memory. */
+struct thud_map *thud_panel_map(struct thud_panel *panel, size_t nx, const double *x, size_t ny, const double *y,
+                                const double *z, const char *label, const char *unit);
+
+/* Makes `panel` a closer look at `from` between two values of x: same series and labels; the stretch is marked in
+ * `from`. */
+void thud_panel_zoom(struct thud_panel *panel, struct thud_panel *from, double least, double most);
+
+/* What an axis shows: round limits that hold all data, marks at their place, and the distance of its ticks (0 on a log
+ * axis). */
+struct thud_range {
+    double least, most, step;
+};
+struct thud_range thud_panel_range(const struct thud_panel *panel, enum thud_side side);
+
+/* The key: every name once, in the order of first appearance. Returns how many there are, and fills at most `most`. */
+int thud_figure_key(const struct thud_figure *figure, const struct thud_series **entry, int most);
+
+/* "Gap (cm)". Returns `text`. */
+char *thud_axis_text(const struct thud_axis *axis, char *text, size_t size);
+
+/* All data of a figure as CSV with a header: panel, series, x, y, y_high (bands) or z (maps). */
+void thud_figure_csv(const struct thud_figure *figure, struct thud_text *out);
+
+/* Least and largest of z that are numbers; false when there are none. */
+bool thud_map_range(const struct thud_map *map, double *least, double *most);
+
+/* Pieces of the contour at map->level as pairs of points; returns their number, writes at most `most` (x0 y0 x1 y1
+ * each). */
+size_t thud_map_contour(const struct thud_map *map, double (*piece)[4], size_t most);
+
+#endif

@@ -1,0 +1,76 @@
+#include <stdio.h>
+
+#include "plot/figure.h"
+
+static void field(struct thud_text *out, const char *text)
+{
+    thud_text_bytes(out, "\"", 1);
+    for (; *text; text++)
+        thud_text_bytes(out, *text == '"' ? "\"\"" : text, *text == '"' ? 2 : 1);
+    thud_text_bytes(out, "\",", 2);
+}
+
+/* Which panel a row belongs to, with the meaning of its numbers. */
+static void panel_name(const struct thud_panel *panel, struct thud_text *name)
+{
+    char x[256], y[256];
+    *name = (struct thud_text){0};
+    if (*panel->title)
+        thud_text_append(name, "%s: ", panel->title);
+    thud_text_append(name, "%s against %s", thud_axis_text(&panel->axis[THUD_Y], y, sizeof y),
+                     thud_axis_text(&panel->axis[THUD_X], x, sizeof x));
+}
+
+static void row(struct thud_text *out, const struct thud_text *prefix, double x, double y, const double *third)
+{
+    thud_text_bytes(out, prefix->data, prefix->size);
+    thud_text_number(out, x);
+    thud_text_bytes(out, ",", 1);
+    thud_text_number(out, y);
+    thud_text_bytes(out, ",", 1);
+    if (third)
+        thud_text_number(out, *third);
+    thud_text_bytes(out, "\n", 1);
+}
+
+static void series_rows(struct thud_text *out, const struct thud_text *panel, const struct thud_series *series)
+{
+    struct thud_text prefix = {0};
+    field(&prefix, panel->data);
+    field(&prefix, series->name);
+    for (size_t i = 0; i < series->n && !prefix.failed; i++)
+        row(out, &prefix, series->x[i], series->y[i], series->y_high ? &series->y_high[i] : NULL);
+    out->failed |= prefix.failed;
+    thud_text_clear(&prefix);
+}
+
+static void map_rows(struct thud_text *out, const struct thud_text *panel, const struct thud_map *map)
+{
+    struct thud_text prefix = {0};
+    struct thud_axis axis = {.label = map->label, .unit = map->unit};
+    char label[256];
+    field(&prefix, panel->data);
+    field(&prefix, thud_axis_text(&axis, label, sizeof label));
+    for (size_t i = 0; i < map->nx * map->ny && !prefix.failed; i++)
+        row(out, &prefix, map->x[i % map->nx], map->y[i / map->nx], &map->z[i]);
+    out->failed |= prefix.failed;
+    thud_text_clear(&prefix);
+}
+
+void thud_figure_csv(const struct thud_figure *figure, struct thud_text *out)
+{
+    thud_text_append(out, "panel,series,x,y,y_high_or_z\n");
+    for (int p = 0; p < figure->rows * figure->columns; p++) {
+        const struct thud_panel *panel = &figure->panel[p];
+        struct thud_text name;
+        if (!panel->used)
+            continue;
+        panel_name(panel, &name);
+        out->failed |= name.failed;
+        for (int i = 0; i < panel->nseries && !out->failed; i++)
+            series_rows(out, &name, panel->series[i]);
+        if (panel->map && !out->failed)
+            map_rows(out, &name, panel->map);
+        thud_text_clear(&name);
+    }
+}

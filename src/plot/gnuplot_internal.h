@@ -1,0 +1,47 @@
+/* Shared by the files that make and run gnuplot scripts. */
+#ifndef THUD_PLOT_GNUPLOT_INTERNAL_H
+#define THUD_PLOT_GNUPLOT_INTERNAL_H
+
+#include "plot/gnuplot.h"
+
+#define THUD_GNUPLOT_DONE "thud: drawn to the end"
+
+/* Places on the picture, in px from its lower left corner. */
+struct box {
+    double left, right, bottom, top;
+    double label; /* middle of the y axis' label */
+};
+
+struct sheet {
+    const struct thud_figure *figure;
+    struct thud_text *out;
+    double width, height; /* px */
+    double em;            /* px */
+    double line;          /* px: the width of a thin line */
+    double points;        /* font size as the terminal counts it, for 1 px of em */
+    double dot;           /* point size as the terminal counts it */
+    const struct thud_series *key[24];
+    int nkeys;
+    double key_left; /* px */
+};
+
+/* Size, font and room for the key, from the options and the figure. */
+struct sheet thud_sheet(const struct thud_figure *figure, const struct thud_picture_options *options,
+                        struct thud_text *out);
+/* The frame of a panel. */
+struct box thud_sheet_frame(const struct sheet *sheet, int panel);
+
+/* Single-quoted for gnuplot, which then takes no character for anything but itself; at most `widest` px of it (0: all),
+ * control characters as spaces. */
+void thud_gnuplot_quote(struct thud_text *out, const char *text, double widest, double em);
+
+/* Data blocks of a panel, and the panel itself. */
+void thud_gnuplot_data(const struct sheet *sheet, int panel);
+void thud_gnuplot_panel(const struct sheet *sheet, int panel);
+/* How a series is drawn: "with lines lc rgb ...". */
+void thud_gnuplot_style(const struct sheet *sheet, const struct thud_series *series);
+
+enum thud_status thud_picture_check(enum thud_picture_format format, const struct thud_text *picture,
+                                    struct thud_error *err);
+
+#endif

@@ -1,0 +1,321 @@
+/* One panel of a gnuplot script: its data, axes, marks and series. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "plot/gnuplot_internal.h"
+#include "plot/reduce.h"
+
+static const char grid_color[] = "#D9D9D9";
+
+/* ---- data ---- */
+
+static void begin_block(const struct sheet *sheet, int panel, const char *what, int i)
+{
+    thud_text_append(sheet->out, "$P%d%s%d << EOD\n", panel + 1, what, i + 1);
+}
+
+/* A closed or empty block still needs a row: gnuplot refuses a block without one. */
+static void end_block(const struct sheet *sheet)
+{
+    thud_text_append(sheet->out, "NaN NaN NaN\nEOD\n");
+}
+
+static void series_block(const struct sheet *sheet, int panel, int i, const struct thud_reduce *to)
+{
+    const struct thud_series *series = sheet->figure->panel[panel].series[i];
+    size_t *index = malloc((series->n + 1) * sizeof *index);
+    if (!index) {
+        sheet->out->failed = 1;
+        return;
+    }
+    size_t n = thud_reduce(to, series->n, series->x, series->y, series->y_high, index);
+    begin_block(sheet, panel, "S", i);
+    for (size_t k = 0; k < n; k++) {
+        double x = series->x[index[k]], y = series->y[index[k]], high = series->y_high ? series->y_high[index[k]] : 0.0;
+        if (isfinite(x) && isfinite(y) && isfinite(high)) {
+            thud_text_append(sheet->out, series->y_high ? "%.7g %.7g %.7g\n" : "%.7g %.7g\n", x, y, high);
+        } else
+            thud_text_append(sheet->out, "\n"); /* breaks the line */
+    }
+    end_block(sheet);
+    free(index);
+}
+
+static double edge(const double *at, size_t n, size_t i, int side)
+{
+    if (n < 2)
+        return at[i] + 0.5 * side;
+    if (side < 0)
+        return i ? 0.5 * (at[i] + at[i - 1]) : at[0] - 0.5 * (at[1] - at[0]);
+    return i + 1 < n ? 0.5 * (at[i] + at[i + 1]) : at[i] + 0.5 * (at[i] - at[i - 1]);
+}
+
+static void map_block(const struct sheet *sheet, int panel, const struct thud_map *map)
+{
+    begin_block(sheet, panel, "M", 0);
+    for (size_t j = 0; j < map->ny; j++) {
+        for (size_t i = 0; i < map->nx; i++) {
+            double z = map->z[j * map->nx + i];
+            if (isfinite(z))
+                thud_text_append(sheet->out, "%.7g %.7g %.7g %.7g %.7g %.7g %.7g\n", map->x[i], map->y[j],
+                                 edge(map->x, map->nx, i, -1), edge(map->x, map->nx, i, 1),
+                                 edge(map->y, map->ny, j, -1), edge(map->y, map->ny, j, 1), z);
+        }
+    }
+    thud_text_append(sheet->out, "NaN NaN NaN NaN NaN NaN ");
+    end_block(sheet);
+    begin_block(sheet, panel, "C", 0);
+    size_t n = isnan(map->level) ? 0 : thud_map_contour(map, NULL, 0);
+    double(*piece)[4] = n ? malloc(n * sizeof *piece) : NULL;
+    if (n && !piece)
+        sheet->out->failed = 1;
+    else
+        thud_map_contour(map, piece, n);
+    for (size_t i = 0; piece && i < n; i++)
+        thud_text_append(sheet->out, "%.7g %.7g\n%.7g %.7g\n\n", piece[i][0], piece[i][1], piece[i][2], piece[i][3]);
+    free(piece);
+    end_block(sheet);
+}
+
+void thud_gnuplot_data(const struct sheet *sheet, int panel)
+{
+    const struct thud_panel *p = &sheet->figure->panel[panel];
+    struct thud_range x = thud_panel_range(p, THUD_X), y = thud_panel_range(p, THUD_Y);
+    struct box box = thud_sheet_frame(sheet, panel);
+    struct thud_reduce to = {x.least,
+                             x.most,
+                             y.least,
+                             y.most,
+                             (size_t)fmax(2.0, 2.0 * (box.right - box.left)),
+                             (size_t)fmax(2.0, 2.0 * (box.top - box.bottom))};
+    for (int i = 0; i < p->nseries; i++)
+        series_block(sheet, panel, i, &to);
+    if (p->map)
+        map_block(sheet, panel, p->map);
+}
+
+/* ---- axes ---- */
+
+/* 10 to a whole power, as people write it. */
+static void power_text(int power, char *text, size_t size)
+{
+    static const char *const digit[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    char plain[16];
+    snprintf(plain, sizeof plain, "%d", power);
+    snprintf(text, size, "10");
+    for (const char *c = plain; *c; c++)
+        strncat(text, *c == '-' ? "⁻" : digit[*c - '0'], size - strlen(text) - 1);
+}
+
+static void log_ticks(struct thud_text *out, const struct thud_range *range)
+{
+    int from = (int)floor(log10(range->least) - 1e-9), to = (int)ceil(log10(range->most) + 1e-9);
+    int stride = 1 + (to - from) / 9;
+    bool few = to - from <= 2;
+    const char *comma = "";
+    for (int power = from; power <= to; power++) {
+        char text[64];
+        power_text(power, text, sizeof text);
+        if ((power - from) % stride == 0)
+            thud_text_append(out, "%s'%s' 1e%d", comma, text, power);
+        else
+            thud_text_append(out, "%s'' 1e%d 1", comma, power);
+        comma = ", ";
+        for (int times = 2; times <= 9 && stride == 1; times++) {
+            if (few && (times == 2 || times == 5))
+                thud_text_append(out, ", '%g' %de%d", times * pow(10.0, power), times, power);
+            else
+                thud_text_append(out, ", '' %de%d 1", times, power);
+        }
+    }
+}
+
+/* A tick's text is a format to gnuplot: % is doubled. */
+static void named_ticks(struct thud_text *out, const struct thud_axis *axis, double em, double widest)
+{
+    for (int i = 0; i < axis->nticks; i++) {
+        struct thud_text text = {0};
+        for (const char *c = axis->tick[i].text; *c; c++)
+            thud_text_bytes(&text, *c == '%' ? "%%" : c, *c == '%' ? 2 : 1);
+        if (i)
+            thud_text_append(out, ", ");
+        thud_gnuplot_quote(out, text.data ? text.data : "", widest, em);
+        out->failed |= text.failed;
+        thud_text_append(out, " %.7g", axis->tick[i].at);
+        thud_text_clear(&text);
+    }
+}
+
+/* Labels stand where the sheet has room for them: the terminals disagree about distances in characters. */
+static void axis_label(const struct sheet *sheet, const struct thud_axis *a, enum thud_side side, const struct box *box)
+{
+    struct thud_text *out = sheet->out;
+    char text[512];
+    double length = side == THUD_X ? box->right - box->left : box->top - box->bottom;
+    thud_text_append(out, "set label %d ", 92 + (int)side);
+    thud_gnuplot_quote(out, thud_axis_text(a, text, sizeof text), length, sheet->em);
+    if (side == THUD_X)
+        thud_text_append(out, " at graph 0.5, screen %.5f center\n", (box->bottom - 2.85 * sheet->em) / sheet->height);
+    else
+        thud_text_append(out, " at screen %.5f, graph 0.5 center rotate by 90\n",
+                         (box->label + 0.2 * sheet->em) / sheet->width);
+}
+
+static void axis(const struct sheet *sheet, const struct thud_panel *panel, enum thud_side side, const struct box *box)
+{
+    struct thud_text *out = sheet->out;
+    const struct thud_axis *a = &panel->axis[side];
+    char name = side == THUD_X ? 'x' : 'y';
+    struct thud_range range = thud_panel_range(panel, side);
+    thud_text_append(out, "set %crange [%.10g:%.10g]\n%s logscale %c\n", name, range.least, range.most,
+                     a->log ? "set" : "unset", name);
+    axis_label(sheet, a, side, box);
+    thud_text_append(out, "set %ctics %s", name, side == THUD_X && sheet->points == 1.0 ? "offset 0,0.5 " : "");
+    if (a->nticks) {
+        thud_text_append(out, "(");
+        named_ticks(out, a, sheet->em, side == THUD_Y ? 0.3 * sheet->width : 0.0);
+        thud_text_append(out, ")\n");
+    } else if (a->log) {
+        thud_text_append(out, "(");
+        log_ticks(out, &range);
+        thud_text_append(out, ")\n");
+    } else
+        thud_text_append(out, "autofreq %.10g\n", range.step);
+}
+
+/* ---- what is drawn ---- */
+
+void thud_gnuplot_style(const struct sheet *sheet, const struct thud_series *series)
+{
+    static const int shape[THUD_COLORS] = {7, 9, 5, 13, 11, 15, 6};
+    static const char *const with[] = {"lines", "points", "linespoints", "steps", "filledcurves", "boxes"};
+    const struct thud_style *style = &series->style;
+    double width = style->wide ? 3.0 : style->thin ? 1.0 : 1.8;
+    thud_text_append(sheet->out, "with %s ", with[style->kind]);
+    if (style->kind == THUD_FILL || style->kind == THUD_BARS)
+        thud_text_append(sheet->out, "fs transparent solid %s noborder ", style->kind == THUD_FILL ? "0.25" : "0.8");
+    else
+        thud_text_append(sheet->out, "lw %.2g ", width);
+    if (style->kind == THUD_POINTS || style->kind == THUD_LINES_POINTS)
+        thud_text_append(sheet->out, "pt %d ps %.3g ", shape[style->color < 0 ? 0 : style->color % THUD_COLORS],
+                         sheet->dot);
+    if (style->kind == THUD_LINES_POINTS)
+        thud_text_append(sheet->out, "pi %zu ", 1 + series->n / 24);
+    thud_text_append(sheet->out, "lc rgb '#%06X'", thud_color_rgb(style->color));
+}
+
+static void marks(const struct sheet *sheet, const struct thud_panel *panel)
+{
+    struct thud_text *out = sheet->out;
+    for (int i = 0; i < panel->nmarks; i++) {
+        const struct thud_mark *mark = &panel->mark[i];
+        struct thud_range range = thud_panel_range(panel, mark->side);
+        double from = fmax(fmin(mark->from, mark->to), range.least), to = fmin(fmax(mark->from, mark->to), range.most);
+        bool across = mark->side == THUD_X;
+        if (!(from <= to))
+            continue;
+        if (mark->from == mark->to)
+            thud_text_append(out,
+                             across ? "set arrow %d from first %.9g, graph 0 to first %.9g, graph 1"
+                                    : "set arrow %d from graph 0, first %.9g to graph 1, first %.9g",
+                             i + 1, from, to);
+        else
+            thud_text_append(out,
+                             across ? "set object %d rectangle from first %.9g, graph 0 to first %.9g, graph 1"
+                                    : "set object %d rectangle from graph 0, first %.9g to graph 1, first %.9g",
+                             i + 1, from, to);
+        thud_text_append(out, mark->from == mark->to ? " nohead back lw 1.4 lc rgb '#404040'\n"
+                                                     : " back fs solid 1.0 noborder fc rgb '#E8F1F7'\n");
+        if (!*mark->text)
+            continue;
+        thud_text_append(out, "set label %d ", 100 + i);
+        thud_gnuplot_quote(out, mark->text, 0.0, sheet->em);
+        if (across)
+            thud_text_append(out, " at first %.9g, graph 0.97 left offset 0.4,0", from);
+        else if (mark->from == mark->to)
+            thud_text_append(out, " at graph 0.985, first %.9g right offset 0,0.5", from);
+        else
+            thud_text_append(out, " at graph 0.985, first %.9g right offset 0,0.7", from);
+        thud_text_append(out, " front font ',%.4g' textcolor rgb '#404040'\n", 0.85 * sheet->em * sheet->points);
+    }
+}
+
+static void map_colors(const struct sheet *sheet, const struct thud_map *map, const struct box *box)
+{
+    struct thud_text *out = sheet->out;
+    struct thud_axis label = {.label = map->label, .unit = map->unit};
+    char text[512];
+    double least = 0.0, most = 1.0;
+    if (!thud_map_range(map, &least, &most))
+        least = most = isnan(map->centre) ? 0.0 : map->centre;
+    if (!(most > least))
+        most = least + 1.0;
+    if (isnan(map->centre))
+        thud_text_append(out, "set palette defined (0 '#FFF7D6', 1 '#E69F00', 2 '#9C3A00', 3 '#2B0B00')\n");
+    else {
+        double half = fmax(fabs(most - map->centre), fabs(map->centre - least));
+        least = map->centre - half;
+        most = map->centre + half;
+        thud_text_append(out,
+                         "set palette defined (-2 '#00406B', -1 '#5AA5D0', 0 '#FFFFFF', 1 '#EFA060', 2 '#8A3300')\n");
+    }
+    thud_text_append(out, "set cbrange [%.9g:%.9g]\nset colorbox user origin %.5f,%.5f size %.5f,%.5f\nset label 94 ",
+                     least, most, (box->right + 0.8 * sheet->em) / sheet->width, box->bottom / sheet->height,
+                     1.1 * sheet->em / sheet->width, (box->top - box->bottom) / sheet->height);
+    thud_gnuplot_quote(out, thud_axis_text(&label, text, sizeof text), box->top - box->bottom, sheet->em);
+    thud_text_append(out, " at screen %.5f, graph 0.5 center rotate by 90\n",
+                     (box->right + 6.0 * sheet->em) / sheet->width);
+}
+
+static void plots(const struct sheet *sheet, int number_of)
+{
+    const struct thud_panel *panel = &sheet->figure->panel[number_of];
+    struct thud_text *out = sheet->out;
+    const char *comma = "plot ";
+    if (panel->map) {
+        thud_text_append(out, "%s$P%dM1 using 1:2:3:4:5:6:7 with boxxyerror fs solid 1.0 lw 0.3 lc palette", comma,
+                         number_of + 1);
+        comma = ", ";
+        thud_text_append(out, "%s$P%dC1 with lines lw 2.2 lc rgb '#000000'", comma, number_of + 1);
+    }
+    for (int i = 0; i < panel->nseries; i++) {
+        thud_text_append(out, "%s$P%dS%d using 1:2%s ", comma, number_of + 1, i + 1,
+                         panel->series[i]->y_high ? ":3" : "");
+        thud_gnuplot_style(sheet, panel->series[i]);
+        comma = ", ";
+    }
+    thud_text_append(out, "%s\n", *comma == 'p' ? "plot NaN" : "");
+}
+
+void thud_gnuplot_panel(const struct sheet *sheet, int number_of)
+{
+    const struct thud_panel *panel = &sheet->figure->panel[number_of];
+    struct thud_text *out = sheet->out;
+    struct box box = thud_sheet_frame(sheet, number_of);
+    if (!panel->used)
+        return;
+    thud_text_append(out, "\nreset\nset margins screen %.5f, screen %.5f, screen %.5f, screen %.5f\n",
+                     box.left / sheet->width, box.right / sheet->width, box.bottom / sheet->height,
+                     box.top / sheet->height);
+    thud_text_append(out, "unset key\nset border 31 back lw 1 lc rgb '#404040'\nset tics nomirror out scale 0.5\n");
+    thud_text_append(out, "set format '%%h'\nset grid back lt 1 lw 0.8 lc rgb '%s'\nset boxwidth 0.8 relative\n",
+                     grid_color);
+    axis(sheet, panel, THUD_X, &box);
+    axis(sheet, panel, THUD_Y, &box);
+    thud_text_append(out, "set label 90 ");
+    thud_gnuplot_quote(out, panel->title, 1.1 * (box.right - box.left), sheet->em);
+    thud_text_append(out, " at graph 0.5, screen %.5f center\n",
+                     (box.top + (*panel->note ? 1.9 : 0.8) * sheet->em) / sheet->height);
+    if (*panel->note) {
+        thud_text_append(out, "set label 91 ");
+        thud_gnuplot_quote(out, panel->note, 1.1 * (box.right - box.left), 0.85 * sheet->em);
+        thud_text_append(out, " at graph 0.5, screen %.5f center font ',%.4g' textcolor rgb '#404040'\n",
+                         (box.top + 0.7 * sheet->em) / sheet->height, 0.85 * sheet->em * sheet->points);
+    }
+    if (panel->map)
+        map_colors(sheet, panel->map, &box);
+    marks(sheet, panel);
+    plots(sheet, number_of);
+}

@@ -1,0 +1,325 @@
+/* gnuplot as a child: whole pictures, names taken literally, and a clear message for every way it can go wrong. Broken gnuplots are
+ * small shell scripts. */
+#include <check.h>
+#include <sched.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "plot/gnuplot.h"
+
+static char folder[64], fake[96], trace[96];
+
+static void make_folder(void)
+{
+    strcpy(folder, "/tmp/thud-gnuplot-XXXXXX");
+    ck_assert_ptr_nonnull(mkdtemp(folder));
+    snprintf(fake, sizeof fake, "%s/gnuplot", folder);
+    snprintf(trace, sizeof trace, "%s/trace", folder);
+}
+
+static void remove_folder(void)
+{
+    unlink(fake);
+    unlink(trace);
+    ck_assert_int_eq(rmdir(folder), 0); /* also: nothing else was left there */
+}
+
+static struct thud_figure *sample(const char *name)
+{
+    struct thud_figure *figure = thud_figure_create("sample", name, 1, 1);
+    struct thud_panel *panel = thud_figure_panel(figure, 0, 0, name);
+    const double x[] = {0.0, 1.0, 2.0}, y[] = {1.0, 3.0, 2.0};
+    thud_panel_note(panel, name);
+    thud_figure_note(figure, name);
+    thud_panel_axis(panel, THUD_X, name, name);
+    thud_panel_axis(panel, THUD_Y, name, "m");
+    thud_panel_mark(panel, THUD_Y, 1.0, 1.0, name);
+    thud_panel_tick(panel, THUD_X, 1.0, name);
+    thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES_POINTS}, name, 3, x, y);
+    return figure;
+}
+
+/* Draws the sample with a gnuplot that is this shell script. */
+static enum thud_status draw_with(const char *script, double deadline_s, struct thud_error *err)
+{
+    FILE *file = fopen(fake, "w");
+    ck_assert_ptr_nonnull(file);
+    fprintf(file, "#!/bin/sh\n%s\n", script);
+    fclose(file);
+    ck_assert_int_eq(chmod(fake, 0755), 0);
+    struct thud_picture_options options = {.program = fake, .deadline_s = deadline_s};
+    struct thud_figure *figure = sample("a");
+    struct thud_text picture = {0};
+    enum thud_status status = thud_gnuplot_draw(figure, &options, &picture, err);
+    ck_assert_ptr_null(picture.data);
+    thud_figure_free(figure);
+    return status;
+}
+
+/* As it would have to be to count. */
+#define DONE "echo 'thud: drawn to the end' >&2\n"
+
+START_TEST(draws_every_format_whole_and_the_same_twice)
+{
+    static const char *const begin[] = {"\x89PNG\r\n\x1a\n", "<?xml", "%PDF-"};
+    for (int format = 0; format < THUD_PICTURE_FORMATS; format++) {
+        struct thud_picture_options options = {.format = (enum thud_picture_format)format};
+        struct thud_figure *figure = sample("Impact force");
+        struct thud_text one = {0}, two = {0};
+        struct thud_error err;
+        ck_assert_int_eq(thud_gnuplot_draw(figure, &options, &one, &err), THUD_OK);
+        ck_assert_int_eq(memcmp(one.data, begin[format], strlen(begin[format])), 0);
+        ck_assert_int_eq(thud_gnuplot_draw(figure, &options, &two, &err), THUD_OK);
+        if (format != THUD_PDF) { /* which carries a date */
+            ck_assert_uint_eq(one.size, two.size);
+            ck_assert_int_eq(memcmp(one.data, two.data, one.size), 0);
+        }
+        thud_text_clear(&one);
+        thud_text_clear(&two);
+        thud_figure_free(figure);
+    }
+}
+END_TEST
+
+static unsigned big_endian(const char *data)
+{
+    const unsigned char *d = (const unsigned char *)data;
+    return (unsigned)d[0] << 24 | (unsigned)d[1] << 16 | (unsigned)d[2] << 8 | d[3];
+}
+
+START_TEST(size_and_font_are_as_asked)
+{
+    struct thud_picture_options options = {.width_px = 640, .height_px = 401, .font = "DejaVu Sans Mono", .font_px = 11};
+    struct thud_figure *figure = sample("a");
+    struct thud_text picture = {0}, script = {0};
+    ck_assert_int_eq(thud_gnuplot_draw(figure, &options, &picture, NULL), THUD_OK);
+    ck_assert_uint_eq(big_endian(picture.data + 16), 640); /* IHDR */
+    ck_assert_uint_eq(big_endian(picture.data + 20), 401);
+    ck_assert_int_eq(thud_gnuplot_script(figure, &options, "a.png", &script, NULL), THUD_OK);
+    ck_assert_ptr_nonnull(strstr(script.data, "font 'DejaVu Sans Mono,8.25'")); /* 11 px are 8.25 pt at 96 to the inch */
+    ck_assert_ptr_nonnull(strstr(script.data, "set output 'a.png'"));
+    thud_text_clear(&picture);
+    thud_text_clear(&script);
+    thud_figure_free(figure);
+}
+END_TEST
+
+START_TEST(names_come_out_literally_and_execute_nothing)
+{
+    char name[512], command[256];
+    snprintf(name, sizeof name, "a'b\"`touch %s`{_^@%%s $(touch %s) \\ \n# \x01 \xff &amp; <b>", trace, trace);
+    snprintf(command, sizeof command, "`touch %s`{_^@%%s $(touch", trace);
+    struct thud_picture_options options = {.format = THUD_SVG, .width_px = 6000, .height_px = 4000, .font_px = 10};
+    struct thud_figure *figure = sample(name);
+    struct thud_text picture = {0};
+    struct thud_error err = {0};
+    char text[2048];
+    ck_assert_msg(thud_gnuplot_draw(figure, &options, &picture, &err) == THUD_OK, "%s",
+                  thud_error_text(&err, text, sizeof text));
+    ck_assert_int_eq(access(trace, F_OK), -1);
+    int seen = 0; /* title, panel, two notes, two axes, mark, tick, key */
+    for (const char *at = picture.data; (at = strstr(at, command)) != NULL; at++)
+        seen++;
+    ck_assert_int_ge(seen, 9);
+    thud_text_clear(&picture);
+    thud_figure_free(figure);
+}
+END_TEST
+
+START_TEST(the_script_by_hand_draws_the_same)
+{
+    struct thud_picture_options options = {.width_px = 700, .height_px = 500};
+    struct thud_figure *figure = sample("by hand");
+    struct thud_text script = {0}, picture = {0};
+    char command[300];
+    ck_assert_int_eq(thud_gnuplot_script(figure, &options, "trace", &script, NULL), THUD_OK);
+    FILE *file = fopen(fake, "w");
+    fwrite(script.data, 1, script.size, file);
+    fclose(file);
+    snprintf(command, sizeof command, "cd %s && gnuplot -d gnuplot", folder);
+    ck_assert_int_eq(system(command), 0); /* the user's own shell, in a test only */
+    ck_assert_int_eq(thud_gnuplot_draw(figure, &options, &picture, NULL), THUD_OK);
+    file = fopen(trace, "r");
+    ck_assert_ptr_nonnull(file);
+    char *bytes = malloc(picture.size + 1);
+    ck_assert_uint_eq(fread(bytes, 1, picture.size + 1, file), picture.size);
+    ck_assert_int_eq(memcmp(bytes, picture.data, picture.size), 0);
+    fclose(file);
+    free(bytes);
+    thud_text_clear(&script);
+    thud_text_clear(&picture);
+    thud_figure_free(figure);
+}
+END_TEST
+
+START_TEST(a_missing_gnuplot_is_named)
+{
+    struct thud_picture_options options = {.program = "/nowhere/gnuplot"};
+    struct thud_figure *figure = sample("a");
+    struct thud_text picture = {0};
+    struct thud_error err = {0};
+    ck_assert_int_eq(thud_gnuplot_draw(figure, &options, &picture, &err), THUD_GNUPLOT);
+    ck_assert_ptr_nonnull(strstr(err.what, "/nowhere/gnuplot was not found"));
+    ck_assert_ptr_nonnull(strstr(err.allowed, "install"));
+    thud_figure_free(figure);
+}
+END_TEST
+
+START_TEST(a_failing_gnuplot_is_quoted)
+{
+    struct thud_error err = {0};
+    ck_assert_int_eq(draw_with("cat >/dev/null; echo '\"/dev/stdin\" line 7: invalid command' >&2; exit 1", 20, &err),
+                     THUD_GNUPLOT);
+    ck_assert_ptr_nonnull(strstr(err.what, "exit status 1"));
+    ck_assert_ptr_nonnull(strstr(err.what, "line 7: invalid command"));
+}
+END_TEST
+
+START_TEST(a_gnuplot_that_does_not_listen_raises_no_signal)
+{
+    struct thud_error err = {0};
+    signal(SIGPIPE, SIG_DFL);
+    ck_assert_int_eq(draw_with("exec <&-; exit 3", 20, &err), THUD_GNUPLOT);
+    ck_assert_ptr_nonnull(strstr(err.what, "exit status 3"));
+    ck_assert_int_eq(draw_with("kill -9 $$", 20, &err), THUD_GNUPLOT);
+    ck_assert_ptr_nonnull(strstr(err.what, "signal 9"));
+}
+END_TEST
+
+START_TEST(no_marker_and_no_picture_are_no_success)
+{
+    struct thud_error err = {0};
+    ck_assert_int_eq(draw_with("cat >/dev/null; exit 0", 20, &err), THUD_GNUPLOT);
+    ck_assert_ptr_nonnull(strstr(err.what, "before the end"));
+    ck_assert_int_eq(draw_with("cat >/dev/null\n" DONE "exit 0", 20, &err), THUD_GNUPLOT);
+    ck_assert_ptr_nonnull(strstr(err.what, "without a whole png picture (0 bytes)"));
+    ck_assert_int_eq(draw_with("cat >/dev/null\nprintf '\\211PNG\\r\\n\\032\\nhalf of it and no more'\n" DONE, 20, &err),
+                     THUD_GNUPLOT);
+    ck_assert_ptr_nonnull(strstr(err.what, "without a whole png"));
+}
+END_TEST
+
+/* A killed process has ended, or is about to: the kernel is given its turn, but not for ever. */
+static bool is_gone(long pid)
+{
+    char path[64], line[512];
+    snprintf(path, sizeof path, "/proc/%ld/stat", pid);
+    for (time_t until = time(NULL) + 10; time(NULL) < until; sched_yield()) {
+        FILE *file = fopen(path, "r");
+        if (!file)
+            return true;
+        const char *name = fgets(line, sizeof line, file) ? strrchr(line, ')') : NULL;
+        fclose(file);
+        if (!name || name[2] == 'Z' || name[2] == 'X') /* its new parent has not collected it yet */
+            return true;
+    }
+    return false;
+}
+
+/* Also what it started must be gone, and what it said is passed on. */
+START_TEST(a_hanging_gnuplot_is_ended_with_its_children)
+{
+    struct thud_error err = {0};
+    char script[300];
+    snprintf(script, sizeof script, "cat >/dev/null; echo 'waiting for a display' >&2; sleep 1000 & echo $! >%s; wait",
+             trace);
+    ck_assert_int_eq(draw_with(script, 0.2, &err), THUD_GNUPLOT);
+    ck_assert_ptr_nonnull(strstr(err.what, "did not end within 0.2 s"));
+    ck_assert_ptr_nonnull(strstr(err.what, "waiting for a display"));
+    FILE *file = fopen(trace, "r");
+    long pid = 0;
+    ck_assert_ptr_nonnull(file);
+    ck_assert_int_eq(fscanf(file, "%ld", &pid), 1);
+    fclose(file);
+    ck_assert(pid > 1);
+    ck_assert_msg(is_gone(pid), "process %ld still runs", pid);
+}
+END_TEST
+
+START_TEST(a_gnuplot_that_closes_everything_and_stays_is_ended)
+{
+    struct thud_error err = {0};
+    ck_assert_int_eq(draw_with("exec <&- >&- 2>&-; sleep 1000", 0.2, &err), THUD_GNUPLOT);
+    ck_assert_ptr_nonnull(strstr(err.what, "did not end"));
+}
+END_TEST
+
+START_TEST(a_wish_to_stop_ends_it)
+{
+    static volatile sig_atomic_t stop = 1;
+    struct thud_picture_options options = {.cancel = &stop};
+    struct thud_figure *figure = sample("a");
+    struct thud_text picture = {0};
+    ck_assert_int_eq(thud_gnuplot_draw(figure, &options, &picture, NULL), THUD_CANCELLED);
+    ck_assert_ptr_null(picture.data);
+    thud_figure_free(figure);
+}
+END_TEST
+
+START_TEST(nothing_to_show_still_draws)
+{
+    struct thud_figure *figure = thud_figure_create("empty", "", 2, 2);
+    struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "no data");
+    thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES}, "none", 0, NULL, NULL);
+    panel = thud_figure_panel(figure, 1, 1, "no map");
+    const double at[] = {1.0, 2.0};
+    thud_panel_map(panel, 2, at, 2, at, NULL, "z", "")->level = 1.0;
+    panel = thud_figure_panel(figure, 0, 1, "bars and bands");
+    thud_panel_fill(panel, (struct thud_style){.color = 1}, "band", 2, at, at, at);
+    thud_panel_add(panel, (struct thud_style){.kind = THUD_BARS}, "bars", 2, at, at);
+    thud_panel_add(panel, (struct thud_style){.kind = THUD_STEPS}, "steps", 2, at, at);
+    struct thud_text picture = {0};
+    struct thud_picture_options options = {0};
+    struct thud_error err = {0};
+    char text[2048];
+    ck_assert_msg(thud_gnuplot_draw(figure, &options, &picture, &err) == THUD_OK, "%s",
+                  thud_error_text(&err, text, sizeof text));
+    thud_text_clear(&picture);
+    thud_figure_free(figure);
+}
+END_TEST
+
+START_TEST(options_are_read_strictly)
+{
+    enum thud_picture_format format;
+    int w, h;
+    ck_assert_int_eq(thud_picture_format_parse("svg", &format, NULL), THUD_OK);
+    ck_assert_int_eq(format, THUD_SVG);
+    ck_assert_int_eq(thud_picture_format_parse("jpg", &format, NULL), THUD_USAGE);
+    ck_assert_int_eq(thud_picture_size_parse("640x400", &w, &h, NULL), THUD_OK);
+    ck_assert(w == 640 && h == 400);
+    static const char *const bad[] = {"", "640", "640x", "x400", "640x400x", "-640x400", "640x-400", " 640x400", "640 x400",
+                                      "10x10", "99999999999999999999x400", "640x400px"};
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
+        ck_assert_msg(thud_picture_size_parse(bad[i], &w, &h, NULL) == THUD_USAGE, "%s", bad[i]);
+}
+END_TEST
+
+Suite *thud_suite(void);
+Suite *thud_suite(void)
+{
+    Suite *suite = suite_create("gnuplot");
+    TCase *tcase = tcase_create("gnuplot");
+    tcase_set_timeout(tcase, 60);
+    tcase_add_checked_fixture(tcase, make_folder, remove_folder);
+    tcase_add_test(tcase, draws_every_format_whole_and_the_same_twice);
+    tcase_add_test(tcase, size_and_font_are_as_asked);
+    tcase_add_test(tcase, names_come_out_literally_and_execute_nothing);
+    tcase_add_test(tcase, the_script_by_hand_draws_the_same);
+    tcase_add_test(tcase, a_missing_gnuplot_is_named);
+    tcase_add_test(tcase, a_failing_gnuplot_is_quoted);
+    tcase_add_test(tcase, a_gnuplot_that_does_not_listen_raises_no_signal);
+    tcase_add_test(tcase, no_marker_and_no_picture_are_no_success);
+    tcase_add_test(tcase, a_hanging_gnuplot_is_ended_with_its_children);
+    tcase_add_test(tcase, a_gnuplot_that_closes_everything_and_stays_is_ended);
+    tcase_add_test(tcase, a_wish_to_stop_ends_it);
+    tcase_add_test(tcase, nothing_to_show_still_draws);
+    tcase_add_test(tcase, options_are_read_strictly);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}
