@@ -1,0 +1,71 @@
+/* What a parametric study answers, one row per run and floor and one per run and contact: what the CSV files, the
+ * figures and the screens read. SI units. */
+#ifndef THUD_STUDY_SWEEP_ROW_H
+#define THUD_STUDY_SWEEP_ROW_H
+
+#include <stddef.h>
+
+#include "study/scene.h"
+
+/* A varied key with its values, in the order in which they are run. */
+struct thud_sweep_axis {
+    char key[96];
+    const struct thud_param *param;
+    int n;
+    double *value;               /* (n) SI; the index of a choice; NaN for a text or a list */
+    char (*text)[THUD_NAME_MAX]; /* (n) as thud_scene_set takes it */
+};
+
+struct thud_sweep_row {
+    int record; /* from 0 */
+    enum thud_case which;
+    double gap_m;                /* of the first interface; NaN where there is none */
+    double value[THUD_VARY_MAX]; /* of the varied keys */
+    int structure;               /* from 0 */
+    int floor;                   /* from 1; 0: the mean over the structure's floors */
+    double acceleration_mps2, drift_m, displacement_m;
+    /* Over case `none` at the same parameters and record (floor 0: the ratio of the means); NaN for 0/0 or where `none`
+     * has no answer. */
+    double acceleration_ratio, drift_ratio, displacement_ratio;
+    /* Over no pounding at all. */
+    double acceleration_free_ratio, drift_free_ratio, displacement_free_ratio;
+};
+
+struct thud_sweep_contact_row {
+    int record;
+    enum thud_case which;
+    double gap_m;
+    double value[THUD_VARY_MAX];
+    int interface, left_floor, right_floor; /* from 1; floor 0: a wall */
+    int impacts;
+    double force_n, indentation_m, impulse_ns, contact_time_s;
+    double residual_m;     /* left by plastic deformation */
+    double residual_gap_m; /* clearance + residual at the end */
+};
+
+/* The gap that a level needs, from the motion without pounding, beside the rules of the codes. */
+struct thud_sweep_need_row {
+    int record;
+    double value[THUD_VARY_MAX]; /* of the varied keys; those that change no motion without pounding as in the first
+                                    point */
+    int interface, left_floor, right_floor;
+    double left_m, right_m; /* largest displacement of each floor */
+    double closing_m;       /* largest closing: a clearance this wide is never used up */
+    double abs_m, srss_m, ddc_m;
+    double correlation; /* of ddc */
+};
+
+/* A whole study in memory, for figures. */
+struct thud_sweep_table {
+    int nrecords, nstructures, naxes;
+    const char *const *record;          /* (nrecords) names */
+    const char *const *structure;       /* (nstructures) names */
+    const struct thud_sweep_axis *axis; /* (naxes) */
+    size_t nrows, ncontacts, nneeds;
+    const struct thud_sweep_row
+        *row; /* (nrows): by record, then parameters (the last axis fastest), case, structure, floor from 0 */
+    const struct thud_sweep_contact_row *contact; /* (ncontacts) */
+    const struct thud_sweep_need_row *need;       /* (nneeds) */
+};
+
+#endif
