@@ -29,6 +29,9 @@ CORE     := $(call objects,src/base/*.c src/core/*.c src/study/*.c)
 PROGRAM  := $(call objects,src/io/*.c src/plot/*.c src/app/*.c src/cli/*.c src/tui/*.c)
 UNIT     := $(patsubst tests/unit/%.c,$(B)/unit/%,$(wildcard tests/unit/test_*.c))
 HELPERS  := $(call objects,$(filter-out tests/unit/test_%,$(wildcard tests/unit/*.c)))
+FAULT    := $(patsubst tests/fault/%.c,$(B)/fault/%,$(wildcard tests/fault/test_*.c))
+WRAPPED  := malloc calloc realloc free strdup strndup open mkstemp close read write fsync rename mkdir stat fstat fopen fread fwrite
+comma    := ,
 FUZZERS  := $(patsubst tests/fuzz/%.c,$(B)/fuzz/%,$(wildcard tests/fuzz/fuzz_*.c))
 LIBS     := $(B)/libthud-program.a $(B)/libthud.a
 EXE      := $(if $(wildcard src/main.c),$(B)/thud)
@@ -71,6 +74,9 @@ $(call objects,src/*/version.c): $(B)/commit
 $(B)/unit/%: $(B)/tests/unit/%.o $(B)/libtests.a $(LIBS)
 	@mkdir -p $(@D)
 	$(LINK) -o $@ $^ $(shell pkg-config --libs check) $(LDLIBS)
+$(B)/fault/%: $(B)/tests/fault/%.o $(B)/tests/fault/fault.o $(B)/libtests.a $(LIBS)
+	@mkdir -p $(@D)
+	$(LINK) $(WRAPPED:%=-Wl$(comma)--wrap=%) -o $@ $^ $(shell pkg-config --libs check) $(LDLIBS)
 $(B)/fuzz/%: $(B)/tests/fuzz/%.o $(LIBS)
 	@mkdir -p $(@D)
 	$(LINK) -fsanitize=fuzzer -o $@ $^ $(LDLIBS)
@@ -87,7 +93,7 @@ test: ## install what the tests need, build, run every test
 	@tests/tools/install-deps.sh test
 	@$(MAKE) --no-print-directory all units
 	@THUD=$(if $(THUD),$(abspath $(THUD))) MAKEFLAGS= tests/tools/run.sh $(B)
-units: $(UNIT)
+units: $(UNIT) $(FAULT)
 	@:
 debug: ## build/debug/thud: no optimisation, asserts on
 	@$(MAKE) --no-print-directory VARIANT=debug all

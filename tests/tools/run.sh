@@ -40,7 +40,10 @@ THUD=${THUD:-$PWD/thud} BUILD=$build TEST_SECONDS=${TEST_SECONDS:-600} WRAP=${WR
 CK_DEFAULT_TIMEOUT=${CK_DEFAULT_TIMEOUT:-300}
 export THUD BUILD TEST_SECONDS WRAP CK_DEFAULT_TIMEOUT
 {
-    for t in tests/unit/test_*.c; do [ -f "$t" ] && printf '%s\n' "$build/unit/$(basename "$t" .c)"; done
+    for t in tests/unit/test_*.c tests/fault/test_*.c; do
+        t=${t#tests/}
+        [ -f "tests/$t" ] && printf '%s\n' "$build/${t%.c}"
+    done
     if [ -z "${UNIT_ONLY:-}" ]; then
         for t in tests/cli/test_*.sh tests/screens/test_*.sh; do [ -f "$t" ] && printf '%s\n' "$t"; done
     fi
