@@ -21,6 +21,7 @@ struct thud_collocation {
     double node[NODES], lagrange[BLOCK], check[NODES];
     double h_top; /* step of level 0 */
     double h, h_touch;
+    double ground_mps2; /* peak of the ground motion: what the structures feel anyway */
     bool just_touched;
     int nc, nmodes, loads; /* loads: 1 where modes are uncoupled, else one per contact */
     double *modal[LEVELS]; /* (loads x NODES x NODES x 2 x nmodes): q and h q' of each mode by load, power and point */
@@ -57,6 +58,7 @@ enum thud_status thud_collocation_create(const struct thud_run *run, struct thud
             x->loads = m->ncontacts;
     x->h_top = fastest > 0 ? fmin(run->grid_dt_s, 1.4 / fastest) : run->grid_dt_s;
     x->h = x->h_top;
+    x->ground_mps2 = run->record ? thud_record_peak(run->record) : 0;
     thud_radau_nodes(NODES, x->node);
     thud_lagrange_coefficients(NODES, x->node, x->lagrange);
     for (int i = 0; i < NODES; i++)
@@ -264,7 +266,7 @@ static void linearize(struct thud_run *run, struct thud_collocation *x, int leve
 static double force_scale(const struct thud_run *run, const struct thud_collocation *x, int a)
 {
     int c = x->active[a];
-    double scale = fmax(run->contact[c].expected_force_n, 1e-2 * run->result.contact[c].force.value);
+    double scale = fmax(run->contact[c].expected_force_n, x->ground_mps2 * run->model->contact[c].setup.mass_kg);
     for (int i = 0; i < NODES; i++)
         scale = fmax(scale, fabs(x->force[a * NODES + i]));
     return fmax(scale, 1e-6 * run->model->contact[c].setup.mass_kg);
@@ -345,8 +347,10 @@ static double force_error(struct thud_run *run, struct thud_collocation *x, doub
         for (int i = 0; i < NODES; i++) {
             double f = 0;
             thud_poly_value3(p, run->seg.terms, x->check[i], v);
-            if (s->mode == THUD_STUCK)
+            if (s->mode == THUD_STUCK) { /* a force that would undo the rate in one step */
+                worst = fmax(worst, run->model->contact[c].setup.mass_kg * fabs(v[1]) / (h * h * scale));
                 continue;
+            }
             for (int k = NODES - 1; k >= 0; k--)
                 f = f * x->check[i] + run->seg.force[k * run->model->ncontacts + c];
             double law = thud_branch_force(&s->branch, v[0], v[1] / h, NULL, NULL);
@@ -382,7 +386,7 @@ enum thud_status thud_collocation_step(struct thud_run *run, struct thud_colloca
     find_active(run, x);
     if (!reserve(x, x->nactive))
         return thud_error_set(err, THUD_MEMORY, "out of memory");
-    double tolerance = fmax(1e-2 * run->options.tolerance, 1e-13), remaining = thud_run_remaining(run);
+    double tolerance = fmax(0.3 * run->options.tolerance, 1e-13), remaining = thud_run_remaining(run);
     bool first = x->just_touched;
     if (first && x->h_touch > 0)
         x->h = fmin(x->h, x->h_touch);

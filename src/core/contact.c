@@ -16,9 +16,6 @@ enum event {
     EVENT_HOLD_DOWN
 };
 
-/* Indentations closer to 0 than this are not contact: rounding of displacements of meters. */
-static const double touch_noise_m = 1e-16;
-
 static const struct thud_law *law_of(const struct thud_run *run, int c)
 {
     return run->model->contact[c].law;
@@ -44,7 +41,7 @@ void thud_contact_start(struct thud_run *run)
         const struct thud_law *law = law_of(run, c);
         memset(s, 0, sizeof *s);
         s->knee_m = law->knee ? law->knee(&run->model->contact[c].setup) : INFINITY;
-        s->zeros.indentation = fabs(thud_contact_indentation(run, c)) <= touch_noise_m;
+        s->zeros.indentation = fabs(thud_contact_indentation(run, c)) <= THUD_TOUCH_NOISE_M;
     }
 }
 
@@ -145,7 +142,7 @@ double thud_contact_next_event(struct thud_run *run, double s_end, int *contact,
         if (s->mode == THUD_OPEN) {
             if (!(law_of(run, c)->flags & THUD_LAW_SILENT))
                 consider(&found,
-                         thud_poly_first_above(d, run->seg.terms, limit, 1, s->zeros.indentation, touch_noise_m), c,
+                         thud_poly_first_above(d, run->seg.terms, limit, 1, s->zeros.indentation, THUD_TOUCH_NOISE_M), c,
                          EVENT_TOUCH);
         } else if (s->mode == THUD_CLOSED) {
             closed_events(run, c, d, limit, &found);

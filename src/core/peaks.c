@@ -85,11 +85,16 @@ static void contact_peaks(struct thud_run *run, int c, double s_end)
     s->impact.force_n = thud_poly_peak(p, seg->terms, s_end, s->impact.force_n, &where);
 }
 
-void thud_peaks_segment(struct thud_run *run, double s)
+void thud_peaks_motion(struct thud_run *run, double s)
 {
     modal_acceleration(run, run->scratch);
     for (int i = 0; i < run->model->nstructures; i++)
         structure_peaks(run, i, s);
+}
+
+void thud_peaks_segment(struct thud_run *run, double s)
+{
+    thud_peaks_motion(run, s);
     for (int c = 0; c < run->model->ncontacts; c++)
         contact_peaks(run, c, s);
 }

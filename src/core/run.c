@@ -8,7 +8,7 @@
 
 /* A response beyond this is a run that has blown up. */
 static const double absurd_m = 1e5;
-enum { STALLS_MAX = 60, FLIGHT_SLICE = 4096 };
+enum { STALLS_MAX = 60 };
 
 void thud_run_options_init(struct thud_run_options *options)
 {
@@ -276,9 +276,9 @@ enum thud_status thud_run_advance(struct thud_run *run, long budget, bool *done,
 {
     enum thud_status status = THUD_OK;
     while (budget-- > 0 && !run->done && status == THUD_OK) {
-        long passed = 0;
+        int passed = 0;
         if (run->flight && run->nactive == 0)
-            status = thud_flight_go(run, FLIGHT_SLICE, &passed, err);
+            status = thud_flight_go(run, &passed, err);
         run->done = run->end_s - thud_run_now(run) <= 1e-12 * run->end_s;
         if (passed == 0 && status == THUD_OK)
             status = segment(run, err);

@@ -32,6 +32,9 @@ struct thud_contact_state {
     struct thud_impact impact; /* the one going on */
 };
 
+/* Indentations closer to 0 than this are not contact: rounding of displacements of meters. */
+#define THUD_TOUCH_NOISE_M 1e-16
+
 struct thud_flight;
 struct thud_ledger {
     double initial_j, input_j, viscous_j, contact_work_j, largest_j;
@@ -124,6 +127,7 @@ enum thud_status thud_contact_impulse(struct thud_run *run, int contact, struct 
 
 /* peaks.c, ledger.c, history.c: what is read from a segment before it is committed up to s. */
 void thud_peaks_segment(struct thud_run *run, double s);
+void thud_peaks_motion(struct thud_run *run, double s); /* floors only */
 void thud_ledger_start(struct thud_run *run);
 void thud_ledger_segment(struct thud_run *run, double s);
 void thud_ledger_finish(struct thud_run *run);
@@ -137,8 +141,7 @@ enum thud_status thud_impacts_add(struct thud_run *run, const struct thud_impact
 /* flight.c: free flight over whole grid intervals by recurrence. */
 enum thud_status thud_flight_create(struct thud_run *run, struct thud_error *err);
 void thud_flight_free(struct thud_flight *flight);
-/* Goes over at most `most` grid intervals in which neither contact nor a new peak is possible; *passed: how many.
- * Errors: THUD_MEMORY. */
-enum thud_status thud_flight_go(struct thud_run *run, long most, long *passed, struct thud_error *err);
+/* Goes over a block of grid intervals, up to the first one in which a contact closes; *passed: how many. Errors: THUD_MEMORY. */
+enum thud_status thud_flight_go(struct thud_run *run, int *passed, struct thud_error *err);
 
 #endif

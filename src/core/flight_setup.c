@@ -1,0 +1,171 @@
+/* Free flight: the tables of one interval of the ground motion. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/flight.h"
+#include "core/quadrature.h"
+
+/* Unit motions over one interval: initial q, initial q', ground acceleration falling from 1 to 0, and rising from 0
+ * to 1. */
+enum { UNIT_Q, UNIT_QD, UNIT_A0, UNIT_A1, UNITS };
+
+static bool modes_couple(const struct thud_model *m)
+{
+    for (int s = 0; s < m->nstructures; s++)
+        if (m->structure[s].damping)
+            return true;
+    return false;
+}
+
+static bool allocate(struct thud_flight *f, const struct thud_model *m)
+{
+    size_t n = (size_t)m->ndof, many = n * THUD_FLIGHT_ENDS;
+    double **by_mode[32], **by_end[] = {&f->q, &f->qd, &f->spring, &f->value[0], &f->value[1], &f->value[2], &f->value[3]};
+    double **single[] = {&f->gap, &f->energy, &f->ground, &f->after};
+    size_t count = 0, ends = sizeof by_end / sizeof *by_end, singles = sizeof single / sizeof *single;
+    for (int i = 0; i < 4; i++) {
+        by_mode[count++] = &f->e[i];
+        by_mode[count++] = &f->p[i];
+        by_mode[count++] = &f->work[i];
+    }
+    for (int i = 0; i < 7; i++)
+        by_mode[count++] = &f->viscous[i];
+    double **rest[] = {&f->shape, &f->drift_shape, &f->reach, &f->now, &f->now_rate};
+    for (size_t i = 0; i < sizeof rest / sizeof *rest; i++)
+        by_mode[count++] = rest[i];
+    size_t total = count * n + ends * many + singles * THUD_FLIGHT_ENDS + THUD_FLIGHT_QUANTITIES * (size_t)m->nstructures;
+    double *next = f->block = calloc(total, sizeof *next);
+    if (!next)
+        return false;
+    for (size_t i = 0; i < count; i++, next += n)
+        *by_mode[i] = next;
+    for (size_t i = 0; i < ends; i++, next += many)
+        *by_end[i] = next;
+    for (size_t i = 0; i < singles; i++, next += THUD_FLIGHT_ENDS)
+        *single[i] = next;
+    f->margin = next;
+    return true;
+}
+
+/* Rates of the four unit motions at one quadrature point enter the integrals of their products. */
+static void add_point(struct thud_flight *f, const struct thud_model *m, double weight, double s,
+                      double *const rate[UNITS])
+{
+    double a[2] = {1 - s, s};
+    for (int j = 0; j < f->n; j++) {
+        double w[UNITS], loss = 2 * m->zeta[j] * m->omega[j] * weight, drive = -m->gamma[j] * weight;
+        for (int u = 0; u < UNITS; u++)
+            w[u] = rate[u][j];
+        f->viscous[0][j] += loss * w[0] * w[0];
+        f->viscous[1][j] += loss * 2 * w[0] * w[1];
+        f->viscous[2][j] += loss * w[1] * w[1];
+        f->viscous[3][j] += loss * 2 * w[0] * w[2];
+        f->viscous[4][j] += loss * 2 * w[0] * w[3];
+        f->viscous[5][j] += loss * 2 * w[1] * w[2];
+        f->viscous[6][j] += loss * 2 * w[1] * w[3];
+        f->viscous_ground[0] += loss * w[2] * w[2];
+        f->viscous_ground[1] += loss * 2 * w[2] * w[3];
+        f->viscous_ground[2] += loss * w[3] * w[3];
+        f->work[0][j] += drive * a[0] * w[0];
+        f->work[1][j] += drive * a[0] * w[1];
+        f->work[2][j] += drive * a[1] * w[0];
+        f->work[3][j] += drive * a[1] * w[1];
+        f->work_ground[0] += drive * a[0] * w[2];
+        f->work_ground[1] += drive * (a[0] * w[3] + a[1] * w[2]);
+        f->work_ground[2] += drive * a[1] * w[3];
+    }
+}
+
+/* Marches the four unit motions through one interval in pieces short enough for the series. */
+static enum thud_status unit_motions(struct thud_run *run, struct thud_flight *f, struct thud_error *err)
+{
+    const struct thud_model *m = run->model;
+    size_t n = (size_t)m->ndof;
+    double fastest = 0, *state = calloc(3 * UNITS * n + n + 1, sizeof *state);
+    if (!state)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    double *q[UNITS], *qd[UNITS], *rate[UNITS], *spare = state + 3 * UNITS * n;
+    for (int u = 0; u < UNITS; u++) {
+        q[u] = state + (size_t)(3 * u) * n;
+        qd[u] = q[u] + n;
+        rate[u] = qd[u] + n;
+    }
+    for (int j = 0; j < m->ndof; j++) {
+        q[UNIT_Q][j] = qd[UNIT_QD][j] = 1;
+        fastest = fmax(fastest, m->omega[j]);
+    }
+    double dt = run->grid_dt_s;
+    int pieces = f->pieces = 1 + (int)(fastest * dt / 1.7);
+    struct thud_segment *seg = &run->seg;
+    for (int i = 0; i < pieces; i++) {
+        double s0 = (double)i / pieces, ds = 1.0 / pieces;
+        for (int point = 0; point < THUD_QUADRATURE_POINTS + 1; point++) {
+            bool last = point == THUD_QUADRATURE_POINTS;
+            double s = last ? 1 : thud_quadrature_node[point];
+            for (int u = 0; u < UNITS; u++) {
+                thud_segment_begin(run, seg, dt * ds);
+                seg->a0 = u == UNIT_A0 ? 1 - s0 : u == UNIT_A1 ? s0 : 0;
+                seg->a1 = u == UNIT_A0 ? -ds : u == UNIT_A1 ? ds : 0;
+                thud_taylor_given(m, seg, q[u], qd[u]);
+                thud_segment_state(seg, m->ndof, s, last ? q[u] : spare, last ? qd[u] : rate[u]);
+            }
+            if (!last)
+                add_point(f, m, thud_quadrature_weight[point] * ds * dt, s0 + s * ds, rate);
+        }
+    }
+    for (int u = 0; u < UNITS; u++) {
+        memcpy(u < 2 ? f->e[u] : f->p[u - 2], q[u], n * sizeof(double));
+        memcpy(u < 2 ? f->e[u + 2] : f->p[u], qd[u], n * sizeof(double));
+    }
+    free(state);
+    return THUD_OK;
+}
+
+static void shapes(struct thud_flight *f, const struct thud_model *m)
+{
+    for (int s = 0; s < m->nstructures; s++) {
+        const struct thud_model_structure *p = &m->structure[s];
+        for (int j = 0; j < p->n; j++) {
+            double most = 0, drift = 0;
+            for (int i = 0; i < p->n; i++) {
+                double below = i > 0 ? p->phi[(i - 1) * p->n + j] : 0;
+                most = fmax(most, fabs(p->phi[i * p->n + j]));
+                drift = fmax(drift, fabs(p->phi[i * p->n + j] - below));
+            }
+            f->shape[p->first + j] = most;
+            f->drift_shape[p->first + j] = drift;
+            f->reach[p->first + j] = fabs(m->gamma[p->first + j]);
+        }
+    }
+}
+
+enum thud_status thud_flight_create(struct thud_run *run, struct thud_error *err)
+{
+    run->flight = NULL;
+    if (modes_couple(run->model) || run->model->ndof == 0)
+        return THUD_OK;
+    struct thud_flight *f = calloc(1, sizeof *f);
+    if (!f || !allocate(f, run->model)) {
+        free(f);
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    }
+    f->n = run->model->ndof;
+    f->size = THUD_FLIGHT_BLOCK;
+    shapes(f, run->model);
+    enum thud_status status = unit_motions(run, f, err);
+    if (status != THUD_OK) {
+        thud_flight_free(f);
+        return status;
+    }
+    run->flight = f;
+    return THUD_OK;
+}
+
+void thud_flight_free(struct thud_flight *flight)
+{
+    if (!flight)
+        return;
+    free(flight->block);
+    free(flight);
+}
