@@ -9,7 +9,7 @@
 #include "core/radau.h"
 #include "core/run_private.h"
 
-enum { NODES = 7, LEVELS = 48, NEWTON_MAX = 12, BLOCK = NODES * NODES };
+enum { NODES = 7, LEVELS = 48, NEWTON_MAX = 12, FIXED_POINT_MAX = 12, BLOCK = NODES * NODES };
 
 /* Indentation and rate at point i from the force at point j of another contact, per step size: blocks (NODES x NODES),
  * made when first needed. */
@@ -23,6 +23,8 @@ struct thud_collocation {
     double h, h_touch;
     double ground_mps2; /* peak of the ground motion: what the structures feel anyway */
     bool just_touched;
+    bool has_source; /* run->seg holds forces that go on into this step, from s = source on */
+    double source;
     int nc, nmodes, loads; /* loads: 1 where modes are uncoupled, else one per contact */
     double *modal[LEVELS]; /* (loads x NODES x NODES x 2 x nmodes): q and h q' of each mode by load, power and point */
     struct response *pair[LEVELS]; /* (nc x nc) */
@@ -94,9 +96,11 @@ void thud_collocation_free(struct thud_collocation *x)
     free(x);
 }
 
-void thud_collocation_touched(struct thud_collocation *x)
+void thud_collocation_committed(struct thud_collocation *x, double s, bool switched, bool touched)
 {
-    x->just_touched = true;
+    x->has_source = !switched;
+    x->source = s;
+    x->just_touched = touched;
 }
 
 /* Room for n active contacts. */
@@ -272,7 +276,41 @@ static double force_scale(const struct thud_run *run, const struct thud_collocat
     return fmax(scale, 1e-6 * run->model->contact[c].setup.mass_kg);
 }
 
-/* Newton's method for the forces. false: no convergence. */
+/* Fixed-point iteration for the forces: cheap, and fast where contacts are soft on the scale of the step. */
+static enum thud_status iterate(struct thud_run *run, struct thud_collocation *x, int level, double h, double tolerance,
+                                bool *converged, struct thud_error *err)
+{
+    double before = INFINITY;
+    *converged = false;
+    for (int iteration = 0; iteration < FIXED_POINT_MAX; iteration++) {
+        double change = 0;
+        if (!motion_under_forces(run, x, level, h))
+            return thud_error_set(err, THUD_MEMORY, "out of memory");
+        for (int a = 0; a < x->nactive; a++) {
+            const struct thud_contact_state *s = &run->contact[x->active[a]];
+            double worst = 0;
+            if (s->mode == THUD_STUCK)
+                return THUD_OK;
+            for (int i = a * NODES; i < (a + 1) * NODES; i++) {
+                double f = thud_branch_force(&s->branch, x->d[i], x->v[i], NULL, NULL);
+                worst = fmax(worst, fabs(f - x->force[i]));
+                x->force[i] = f;
+            }
+            change = fmax(change, worst / force_scale(run, x, a));
+        }
+        run->result.work.force_evaluations += x->nactive * NODES;
+        if (change <= tolerance) {
+            *converged = true;
+            return THUD_OK;
+        }
+        if (!(change < 0.3 * before) && iteration > 0)
+            return THUD_OK;
+        before = change;
+    }
+    return THUD_OK;
+}
+
+/* Newton's method for the forces. */
 static enum thud_status solve(struct thud_run *run, struct thud_collocation *x, int level, double h, double tolerance,
                               bool *converged, struct thud_error *err)
 {
@@ -304,18 +342,28 @@ static enum thud_status solve(struct thud_run *run, struct thud_collocation *x, 
     return THUD_OK;
 }
 
-/* First guess: forces as at the start of the step, with the indentation going on at its rate. */
+/* First guess: the forces of the last segment go on; after a switch, the force as it is now, with the indentation going
+ * on at its rate. */
 static void guess(struct thud_run *run, struct thud_collocation *x, double h)
 {
-    thud_contact_forces(run, run->force_now);
+    const struct thud_segment *seg = &run->seg;
+    if (!x->has_source)
+        thud_contact_forces(run, run->force_now);
     for (int a = 0; a < x->nactive; a++) {
         int c = x->active[a];
+        const struct thud_contact_state *s = &run->contact[c];
+        bool deeper = s->mode == THUD_CLOSED && s->phase == THUD_APPROACH;
         double d = thud_contact_indentation(run, c), v = thud_contact_rate(run, c);
         for (int i = 0; i < NODES; i++) {
-            double f = run->force_now[c];
-            if (run->contact[c].mode == THUD_CLOSED && run->contact[c].phase == THUD_APPROACH)
-                f = fmax(f,
-                         0.5 * thud_branch_force(&run->contact[c].branch, d + 0.5 * v * h * x->node[i], v, NULL, NULL));
+            double f = 0, at = x->source + x->node[i] * h / seg->h_s;
+            if (x->has_source) {
+                for (int k = NODES - 1; k >= 0; k--)
+                    f = f * at + seg->force[k * x->nc + c];
+            } else {
+                f = run->force_now[c];
+                if (deeper)
+                    f = fmax(f, 0.5 * thud_branch_force(&s->branch, d + 0.5 * v * h * x->node[i], v, NULL, NULL));
+            }
             x->force[a * NODES + i] = f;
         }
     }
@@ -390,18 +438,22 @@ enum thud_status thud_collocation_step(struct thud_run *run, struct thud_colloca
     bool first = x->just_touched;
     if (first && x->h_touch > 0)
         x->h = fmin(x->h, x->h_touch);
-    x->just_touched = false;
     for (;;) {
         int level = level_for(x, x->h, remaining);
         double h = ldexp(x->h_top, -level), error = INFINITY;
         bool converged;
         free_motion(run, x, h);
         guess(run, x, h);
-        enum thud_status status = solve(run, x, level, h, 1e-2 * tolerance, &converged, err);
+        enum thud_status status = iterate(run, x, level, h, 1e-2 * tolerance, &converged, err);
+        if (status == THUD_OK && !converged)
+            status = solve(run, x, level, h, 1e-2 * tolerance, &converged, err);
         if (status != THUD_OK)
             return status;
+        x->has_source = x->has_source && !converged;
         if (converged) {
             write_segment(run, x, h);
+            x->has_source = true; /* should it be too long, a shorter one begins with these forces */
+            x->source = 0;
             error = force_error(run, x, h);
         }
         double factor = isfinite(error) ? 0.85 * pow(tolerance / fmax(error, 1e-3 * tolerance), 1.0 / NODES) : 0.25;

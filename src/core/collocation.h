@@ -5,6 +5,8 @@
 #ifndef THUD_CORE_COLLOCATION_H
 #define THUD_CORE_COLLOCATION_H
 
+#include <stdbool.h>
+
 #include "base/status.h"
 
 struct thud_run;
@@ -18,7 +20,8 @@ void thud_collocation_free(struct thud_collocation *collocation);
  * THUD_MEMORY. */
 enum thud_status thud_collocation_step(struct thud_run *run, struct thud_collocation *collocation,
                                        struct thud_error *err);
-/* A contact has just closed: begin with a short step. */
-void thud_collocation_touched(struct thud_collocation *collocation);
+/* Told after the run committed up to s of its segment; `touched`: a contact has just closed, so that the next step has
+ * to be short. */
+void thud_collocation_committed(struct thud_collocation *collocation, double s, bool switched, bool touched);
 
 #endif

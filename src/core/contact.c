@@ -142,8 +142,8 @@ double thud_contact_next_event(struct thud_run *run, double s_end, int *contact,
         if (s->mode == THUD_OPEN) {
             if (!(law_of(run, c)->flags & THUD_LAW_SILENT))
                 consider(&found,
-                         thud_poly_first_above(d, run->seg.terms, limit, 1, s->zeros.indentation, THUD_TOUCH_NOISE_M), c,
-                         EVENT_TOUCH);
+                         thud_poly_first_above(d, run->seg.terms, limit, 1, s->zeros.indentation, THUD_TOUCH_NOISE_M),
+                         c, EVENT_TOUCH);
         } else if (s->mode == THUD_CLOSED) {
             closed_events(run, c, d, limit, &found);
         } else if (s->mode == THUD_SLACK) {

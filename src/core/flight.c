@@ -90,14 +90,14 @@ static void margins(struct thud_flight *f, const struct thud_run *run, int inter
         const struct thud_model_structure *p = &m->structure[s];
         double sum[THUD_FLIGHT_QUANTITIES] = {0};
         for (int j = p->first; j < p->first + p->n; j++) {
-            double w = m->omega[j], z = 2 * m->zeta[j] * w, push = f->reach[j] * ground;
+            double w = m->omega[j], z = 2 * m->zeta[j] * w, reach = fabs(m->gamma[j]), push = reach * ground;
             double speed = largest_speed(f, j, w, intervals + 1) + dt * push;
             double second = (w + z) * speed + push;
-            double third = w * w * speed + z * second + f->reach[j] * slope;
-            sum[THUD_FLIGHT_DISPLACEMENT] += f->shape[j] * second;
-            sum[THUD_FLIGHT_VELOCITY] += f->shape[j] * third;
-            sum[THUD_FLIGHT_ACCELERATION] += f->shape[j] * (w * w * second + z * third);
-            sum[THUD_FLIGHT_DRIFT] += f->drift_shape[j] * second;
+            double third = w * w * speed + z * second + reach * slope;
+            sum[THUD_FLIGHT_DISPLACEMENT] += run->shape[j] * second;
+            sum[THUD_FLIGHT_VELOCITY] += run->shape[j] * third;
+            sum[THUD_FLIGHT_ACCELERATION] += run->shape[j] * (w * w * second + z * third);
+            sum[THUD_FLIGHT_DRIFT] += run->shape[m->ndof + j] * second;
         }
         for (int x = 0; x < THUD_FLIGHT_QUANTITIES; x++)
             f->margin[x * m->nstructures + s] = sum[x] * eighth;

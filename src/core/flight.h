@@ -5,7 +5,13 @@
 #include "core/run_private.h"
 
 enum { THUD_FLIGHT_BLOCK = 64, THUD_FLIGHT_ENDS = THUD_FLIGHT_BLOCK + 1 }; /* intervals in a block, and their ends */
-enum { THUD_FLIGHT_DISPLACEMENT, THUD_FLIGHT_VELOCITY, THUD_FLIGHT_ACCELERATION, THUD_FLIGHT_DRIFT, THUD_FLIGHT_QUANTITIES };
+enum {
+    THUD_FLIGHT_DISPLACEMENT,
+    THUD_FLIGHT_VELOCITY,
+    THUD_FLIGHT_ACCELERATION,
+    THUD_FLIGHT_DRIFT,
+    THUD_FLIGHT_QUANTITIES
+};
 
 struct thud_flight {
     int n;      /* modes */
@@ -17,15 +23,13 @@ struct thud_flight {
     double *viscous[7], viscous_ground[3];
     /* Work of the ground: a0 (r[0] q + r[1] q') + a1 (r[2] q + r[3] q') and the ground's own terms */
     double *work[4], work_ground[3];
-    /* For bounds: largest part of each mode in a floor's displacement and drift, and |gamma| */
-    double *shape, *drift_shape, *reach;
     double *now, *now_rate; /* (n) modal state while one interval is looked at */
 
     /* A block of intervals, by row and then by end (so that loops over time vectorize) */
-    double *q, *qd, *spring;                /* (n x ENDS) modal state, and omega^2 q + 2 zeta omega q' */
+    double *q, *qd, *spring;               /* (n x ENDS) modal state, and omega^2 q + 2 zeta omega q' */
     double *value[THUD_FLIGHT_QUANTITIES]; /* (n x ENDS) by floor */
-    double *gap, *energy;                   /* (ENDS) */
-    double *ground, *after;                 /* (ENDS) ground acceleration at the start and at the end of each interval */
+    double *gap, *energy;                  /* (ENDS) */
+    double *ground, *after;                /* (ENDS) ground acceleration at the start and at the end of each interval */
     double *margin; /* (QUANTITIES x nstructures): how far a value inside an interval may lie above those at its ends */
     char suspect[THUD_FLIGHT_ENDS]; /* intervals that may hold a new peak */
     int size;                       /* intervals to try next */

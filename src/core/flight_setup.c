@@ -21,7 +21,8 @@ static bool modes_couple(const struct thud_model *m)
 static bool allocate(struct thud_flight *f, const struct thud_model *m)
 {
     size_t n = (size_t)m->ndof, many = n * THUD_FLIGHT_ENDS;
-    double **by_mode[32], **by_end[] = {&f->q, &f->qd, &f->spring, &f->value[0], &f->value[1], &f->value[2], &f->value[3]};
+    double **by_mode[32],
+        **by_end[] = {&f->q, &f->qd, &f->spring, &f->value[0], &f->value[1], &f->value[2], &f->value[3]};
     double **single[] = {&f->gap, &f->energy, &f->ground, &f->after};
     size_t count = 0, ends = sizeof by_end / sizeof *by_end, singles = sizeof single / sizeof *single;
     for (int i = 0; i < 4; i++) {
@@ -31,10 +32,11 @@ static bool allocate(struct thud_flight *f, const struct thud_model *m)
     }
     for (int i = 0; i < 7; i++)
         by_mode[count++] = &f->viscous[i];
-    double **rest[] = {&f->shape, &f->drift_shape, &f->reach, &f->now, &f->now_rate};
+    double **rest[] = {&f->now, &f->now_rate};
     for (size_t i = 0; i < sizeof rest / sizeof *rest; i++)
         by_mode[count++] = rest[i];
-    size_t total = count * n + ends * many + singles * THUD_FLIGHT_ENDS + THUD_FLIGHT_QUANTITIES * (size_t)m->nstructures;
+    size_t total =
+        count * n + ends * many + singles * THUD_FLIGHT_ENDS + THUD_FLIGHT_QUANTITIES * (size_t)m->nstructures;
     double *next = f->block = calloc(total, sizeof *next);
     if (!next)
         return false;
@@ -122,24 +124,6 @@ static enum thud_status unit_motions(struct thud_run *run, struct thud_flight *f
     return THUD_OK;
 }
 
-static void shapes(struct thud_flight *f, const struct thud_model *m)
-{
-    for (int s = 0; s < m->nstructures; s++) {
-        const struct thud_model_structure *p = &m->structure[s];
-        for (int j = 0; j < p->n; j++) {
-            double most = 0, drift = 0;
-            for (int i = 0; i < p->n; i++) {
-                double below = i > 0 ? p->phi[(i - 1) * p->n + j] : 0;
-                most = fmax(most, fabs(p->phi[i * p->n + j]));
-                drift = fmax(drift, fabs(p->phi[i * p->n + j] - below));
-            }
-            f->shape[p->first + j] = most;
-            f->drift_shape[p->first + j] = drift;
-            f->reach[p->first + j] = fabs(m->gamma[p->first + j]);
-        }
-    }
-}
-
 enum thud_status thud_flight_create(struct thud_run *run, struct thud_error *err)
 {
     run->flight = NULL;
@@ -152,7 +136,6 @@ enum thud_status thud_flight_create(struct thud_run *run, struct thud_error *err
     }
     f->n = run->model->ndof;
     f->size = THUD_FLIGHT_BLOCK;
-    shapes(f, run->model);
     enum thud_status status = unit_motions(run, f, err);
     if (status != THUD_OK) {
         thud_flight_free(f);

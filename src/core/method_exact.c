@@ -41,11 +41,10 @@ static enum thud_status step(struct thud_run *run, void *state, struct thud_erro
 
 static void committed(struct thud_run *run, void *state, double tau_s, bool switched)
 {
-    (void)tau_s;
-    if (switched && run->nactive > 0)
-        for (int c = 0; c < run->model->ncontacts; c++)
-            if (run->contact[c].mode == THUD_CLOSED && run->contact[c].zeros.indentation > 0)
-                thud_collocation_touched(state);
+    bool touched = false;
+    for (int c = 0; c < run->model->ncontacts && switched; c++)
+        touched |= run->contact[c].mode == THUD_CLOSED && run->contact[c].zeros.indentation > 0;
+    thud_collocation_committed(state, tau_s / run->seg.h_s, switched, touched);
 }
 
 static void release(void *state)

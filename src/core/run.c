@@ -27,6 +27,7 @@ static void set_times(struct thud_run *run)
     double fastest = 0;
     for (int j = 0; j < run->model->ndof; j++)
         fastest = fmax(fastest, run->model->omega[j]);
+    run->fastest_radps = fastest;
     run->end_s = run->options.tail_s + (r ? (double)(r->samples - 1) * r->dt_s : 0);
     run->grid_dt_s = r ? r->dt_s : fastest > 0 ? fmin(run->end_s, 1.2 / fastest) : run->end_s;
     if (!(run->options.history_step_s > 0))
@@ -36,19 +37,27 @@ static void set_times(struct thud_run *run)
 static bool allocate_doubles(struct thud_run *run)
 {
     size_t n = (size_t)run->model->ndof, nc = (size_t)run->model->ncontacts, terms = THUD_SEGMENT_TERMS;
-    size_t sizes[] = {n, n, (terms + 1) * n, terms * nc, nc * terms, (terms + 8) * n + 8 + nc, nc * nc, nc};
-    double **where[] = {&run->q,           &run->qd,      &run->seg.q, &run->seg.force,
-                        &run->indentation, &run->scratch, &run->hold,  &run->force_now};
-    size_t total = 0;
-    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
-        total += sizes[i];
+    const struct {
+        double **where;
+        size_t size;
+    } part[] = {{&run->q, n},
+                {&run->qd, n},
+                {&run->seg.q, (terms + 1) * n},
+                {&run->seg.force, terms * nc},
+                {&run->indentation, terms * nc},
+                {&run->scratch, (terms + 8) * n + 8 + nc},
+                {&run->shape, 2 * n},
+                {&run->ends, 6 * n},
+                {&run->hold, nc * nc},
+                {&run->force_now, nc}};
+    size_t parts = sizeof part / sizeof *part, total = 0;
+    for (size_t i = 0; i < parts; i++)
+        total += part[i].size;
     double *next = run->block = calloc(total + 1, sizeof *next);
     if (!next)
         return false;
-    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
-        *where[i] = next;
-        next += sizes[i];
-    }
+    for (size_t i = 0; i < parts; next += part[i++].size)
+        *part[i].where = next;
     return true;
 }
 
@@ -140,6 +149,7 @@ enum thud_status thud_run_create(const struct thud_model *model, const struct th
         memcpy(run->q, model->q0, (size_t)model->ndof * sizeof *run->q);
         memcpy(run->qd, model->qd0, (size_t)model->ndof * sizeof *run->qd);
         thud_contact_start(run);
+        thud_peaks_start(run);
         thud_ledger_start(run);
         status = run->options.keep_history ? thud_history_start(run, err) : THUD_OK;
         if (status == THUD_OK)

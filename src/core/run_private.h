@@ -57,10 +57,13 @@ struct thud_run {
     int stalls;  /* events in a row without progress in time */
 
     struct thud_segment seg;
-    double *indentation; /* (ncontacts x THUD_SEGMENT_TERMS): polynomials of the segment, scaled like it */
-    double *scratch;     /* (THUD_SEGMENT_TERMS x ndof + 8 x ndof) for one function at a time */
-    double *hold;        /* (ncontacts x ncontacts) */
-    double *force_now;   /* (ncontacts) */
+    double *indentation;  /* (ncontacts x THUD_SEGMENT_TERMS): polynomials of the segment, scaled like it */
+    double *scratch;      /* (THUD_SEGMENT_TERMS x ndof + 8 x ndof) for one function at a time */
+    double fastest_radps; /* fastest mode */
+    double *shape;        /* (2 x ndof): largest part of each mode in a floor's displacement, and in its drift */
+    double *ends;         /* (6 x ndof) modal values at the two ends of a segment */
+    double *hold;         /* (ncontacts x ncontacts) */
+    double *force_now;    /* (ncontacts) */
     struct thud_flight *flight;
     double *block; /* everything above that is an array of doubles */
 
@@ -126,6 +129,7 @@ double thud_contact_acceleration(const struct thud_run *run, int c, const double
 enum thud_status thud_contact_impulse(struct thud_run *run, int contact, struct thud_error *err);
 
 /* peaks.c, ledger.c, history.c: what is read from a segment before it is committed up to s. */
+void thud_peaks_start(struct thud_run *run);
 void thud_peaks_segment(struct thud_run *run, double s);
 void thud_peaks_motion(struct thud_run *run, double s); /* floors only */
 void thud_ledger_start(struct thud_run *run);
@@ -141,7 +145,8 @@ enum thud_status thud_impacts_add(struct thud_run *run, const struct thud_impact
 /* flight.c: free flight over whole grid intervals by recurrence. */
 enum thud_status thud_flight_create(struct thud_run *run, struct thud_error *err);
 void thud_flight_free(struct thud_flight *flight);
-/* Goes over a block of grid intervals, up to the first one in which a contact closes; *passed: how many. Errors: THUD_MEMORY. */
+/* Goes over a block of grid intervals, up to the first one in which a contact closes; *passed: how many. Errors:
+ * THUD_MEMORY. */
 enum thud_status thud_flight_go(struct thud_run *run, int *passed, struct thud_error *err);
 
 #endif

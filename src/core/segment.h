@@ -6,7 +6,7 @@
 struct thud_run;
 struct thud_model;
 
-enum { THUD_SEGMENT_TERMS = 24 }; /* most coefficients of a polynomial */
+enum { THUD_SEGMENT_TERMS = 24, THUD_SEGMENT_TERMS_LEAST = 10 }; /* coefficients of a polynomial */
 
 struct thud_segment {
     double h_s;

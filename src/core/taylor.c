@@ -5,6 +5,29 @@
 
 #include "core/run_private.h"
 
+/* Terms after which (rate h)^k / k! is below rounding. */
+static int terms_for(double angle)
+{
+    double term = 1;
+    int k = 1;
+    for (; k < THUD_SEGMENT_TERMS && (term > 1e-18 || k < THUD_SEGMENT_TERMS_LEAST); k++)
+        term *= angle / k;
+    return k;
+}
+
+/* Bound of the fastest rate of the motion with the linear contacts that are closed. */
+static double fastest_rate(const struct thud_run *run)
+{
+    const struct thud_model *m = run->model;
+    double square = run->fastest_radps * run->fastest_radps, rate = 0;
+    for (int c = 0; c < m->ncontacts && run->nactive > 0; c++)
+        if (run->contact[c].mode == THUD_CLOSED) {
+            square += fabs(run->contact[c].branch.k_npm) * m->w[c * m->ncontacts + c];
+            rate += fabs(run->contact[c].branch.c_nspm) * m->w[c * m->ncontacts + c];
+        }
+    return sqrt(square) + rate;
+}
+
 void thud_segment_begin(struct thud_run *run, struct thud_segment *seg, double h_s)
 {
     double a0, a1;
@@ -13,7 +36,7 @@ void thud_segment_begin(struct thud_run *run, struct thud_segment *seg, double h
     seg->h_s = h_s;
     seg->a0 = a0 + slope * run->offset_s;
     seg->a1 = slope * h_s;
-    seg->terms = THUD_SEGMENT_TERMS;
+    seg->terms = terms_for(fastest_rate(run) * h_s);
     memset(seg->force, 0, THUD_SEGMENT_TERMS * (size_t)run->model->ncontacts * sizeof(double));
 }
 
@@ -108,6 +131,7 @@ static void linear_forces(const struct thud_run *run, struct thud_segment *seg, 
 double thud_taylor_linear(struct thud_run *run, struct thud_segment *seg)
 {
     const struct thud_model *m = run->model;
+    memset(seg->q + seg->terms * m->ndof, 0, (size_t)m->ndof * sizeof(double)); /* read as the order after the last */
     first_terms(m, seg, run->q, run->qd);
     for (int k = 0; k + 2 < seg->terms; k++) {
         linear_forces(run, seg, k);
