@@ -4,7 +4,7 @@
 
 #include "core/run_private.h"
 
-enum { THUD_FLIGHT_BLOCK = 64, THUD_FLIGHT_ENDS = THUD_FLIGHT_BLOCK + 1 }; /* intervals in a block, and their ends */
+enum { THUD_FLIGHT_BLOCK = 128, THUD_FLIGHT_ENDS = THUD_FLIGHT_BLOCK + 1 }; /* intervals in a block, and their ends */
 enum {
     THUD_FLIGHT_DISPLACEMENT,
     THUD_FLIGHT_VELOCITY,
