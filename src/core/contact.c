@@ -132,25 +132,62 @@ static void stuck_events(const struct thud_run *run, int c, double s_end, struct
     }
 }
 
+/* How far each mode may move from its value at the start of the segment. */
+static void modal_reach(struct thud_run *run)
+{
+    int n = run->model->ndof;
+    memset(run->reach, 0, (size_t)n * sizeof *run->reach);
+    for (int k = 1; k < run->seg.terms; k++)
+        for (int j = 0; j < n; j++)
+            run->reach[j] += fabs(run->seg.q[k * n + j]);
+}
+
+/* Whether an open contact may close in the segment, by what its modes can do at most. */
+static bool may_close(const struct thud_run *run, int c)
+{
+    const struct thud_model *m = run->model;
+    if (law_of(run, c)->flags & THUD_LAW_SILENT)
+        return false;
+    if (run->contact[c].zeros.indentation > 0)
+        return true;
+    double most = thud_contact_indentation(run, c);
+    const double *g = m->g + c * m->ndof;
+    for (int j = 0; j < m->ndof; j++)
+        most += fabs(g[j]) * run->reach[j];
+    return most > 0;
+}
+
+static void open_events(const struct thud_run *run, int c, double *d, double s_end, struct found *found)
+{
+    if (!may_close(run, c))
+        return;
+    int zeros = thud_segment_indentation(run, &run->seg, c, d);
+    if (run->contact[c].zeros.indentation == 0)
+        zeros = 0;
+    else if (zeros < run->contact[c].zeros.indentation)
+        zeros = run->contact[c].zeros.indentation;
+    if (zeros < run->seg.terms)
+        consider(found, thud_poly_first_above(d, run->seg.terms, s_end, 1, zeros, THUD_TOUCH_NOISE_M), c, EVENT_TOUCH);
+}
+
 double thud_contact_next_event(struct thud_run *run, double s_end, int *contact, int *event)
 {
     struct found found = {INFINITY, -1, -1};
+    modal_reach(run);
     for (int c = 0; c < run->model->ncontacts; c++) {
         const struct thud_contact_state *s = &run->contact[c];
         double *d = run->indentation + c * THUD_SEGMENT_TERMS, limit = fmin(s_end, found.s);
-        thud_segment_indentation(run, &run->seg, c, d);
         if (s->mode == THUD_OPEN) {
-            if (!(law_of(run, c)->flags & THUD_LAW_SILENT))
-                consider(&found,
-                         thud_poly_first_above(d, run->seg.terms, limit, 1, s->zeros.indentation, THUD_TOUCH_NOISE_M),
-                         c, EVENT_TOUCH);
-        } else if (s->mode == THUD_CLOSED) {
-            closed_events(run, c, d, limit, &found);
-        } else if (s->mode == THUD_SLACK) {
-            slack_events(run, c, d, limit, &found);
-        } else {
-            stuck_events(run, c, limit, &found);
+            open_events(run, c, d, limit, &found);
+            continue;
         }
+        thud_segment_indentation(run, &run->seg, c, d);
+        if (s->mode == THUD_CLOSED)
+            closed_events(run, c, d, limit, &found);
+        else if (s->mode == THUD_SLACK)
+            slack_events(run, c, d, limit, &found);
+        else
+            stuck_events(run, c, limit, &found);
     }
     *contact = found.contact;
     *event = found.event;

@@ -131,9 +131,13 @@ static bool closes(struct thud_run *run, struct thud_flight *f, int c, int t)
     start_interval(f, t);
     for (int piece = 0; piece < f->pieces && !found; piece++) {
         series(run, f, piece);
-        thud_segment_indentation(run, &run->seg, c, d);
-        int zeros = t == 0 && piece == 0 ? run->contact[c].zeros.indentation : 0;
-        found = thud_poly_first_above(d, run->seg.terms, 1, 1, zeros, THUD_TOUCH_NOISE_M) <= 1;
+        int zeros = thud_segment_indentation(run, &run->seg, c, d), least = run->contact[c].zeros.indentation;
+        if (t > 0 || piece > 0 || least == 0)
+            zeros = 0;
+        else if (zeros < least)
+            zeros = least;
+        found =
+            zeros < run->seg.terms && thud_poly_first_above(d, run->seg.terms, 1, 1, zeros, THUD_TOUCH_NOISE_M) <= 1;
         thud_segment_state(&run->seg, f->n, 1, f->now, f->now_rate);
     }
     run->grid = base;

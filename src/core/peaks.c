@@ -44,30 +44,52 @@ static void modal_acceleration(const struct thud_run *run, double *out)
 
 enum { DISPLACEMENT, VELOCITY, ACCELERATION, DRIFT, QUANTITIES };
 
-/* How far a value inside the segment may lie above those at its ends, per quantity: s^2/8 times a bound of the second
- * derivative. */
-static void margins(const struct thud_run *run, const struct thud_model_structure *p, const double *acceleration,
-                    double s_end, double margin[QUANTITIES])
+/* Bounds of the second derivatives of each mode's displacement, velocity and acceleration in the segment, times s^2/8:
+ * how far a value inside may lie above those at its ends. out (3 x nmodes). */
+static void modal_margins(const struct thud_run *run, const double *acceleration, double s_end, double *out)
 {
     const struct thud_segment *seg = &run->seg;
     int n = run->model->ndof;
-    double sum[QUANTITIES] = {0}, eighth = s_end * s_end / 8;
-    for (int j = p->first; j < p->first + p->n; j++) {
-        double second = 0, third = 0, total = 0;
-        for (int k = 2; k < seg->terms; k++) {
-            double c = k * (k - 1) * fabs(seg->q[k * n + j]);
-            second += c;
-            third += (k - 2) * c;
-            if (k + 2 < seg->terms)
-                total += k * (k - 1) * fabs(acceleration[k * n + j]);
+    double eighth = s_end * s_end / 8;
+    memset(out, 0, 3 * (size_t)n * sizeof *out);
+    for (int k = 2; k < seg->terms; k++) {
+        double second = k * (k - 1) * eighth, third = (k - 2) * second / seg->h_s;
+        const double *q = seg->q + k * n, *a = acceleration + k * n;
+        for (int j = 0; j < n; j++) {
+            double size = fabs(q[j]);
+            out[j] += second * size;
+            out[n + j] += third * size;
         }
-        sum[DISPLACEMENT] += run->shape[j] * second;
-        sum[VELOCITY] += run->shape[j] * third / seg->h_s;
-        sum[ACCELERATION] += run->shape[j] * total;
-        sum[DRIFT] += run->shape[n + j] * second;
+        for (int j = 0; j < n && k + 2 < seg->terms; j++)
+            out[2 * n + j] += second * fabs(a[j]);
     }
-    for (int x = 0; x < QUANTITIES; x++)
-        margin[x] = sum[x] * eighth;
+}
+
+/* The same for the structure's worst floor. */
+static void structure_margins(const struct thud_run *run, const struct thud_model_structure *p, const double *modal,
+                              double margin[QUANTITIES])
+{
+    int n = run->model->ndof;
+    double sum[QUANTITIES] = {0};
+    for (int j = p->first; j < p->first + p->n; j++) {
+        sum[DISPLACEMENT] += run->shape[j] * modal[j];
+        sum[VELOCITY] += run->shape[j] * modal[n + j];
+        sum[ACCELERATION] += run->shape[j] * modal[2 * n + j];
+        sum[DRIFT] += run->shape[n + j] * modal[j];
+    }
+    memcpy(margin, sum, sizeof sum);
+}
+
+/* The same for one floor. */
+static double floor_margin(const struct thud_model_structure *p, int floor, int quantity, int nmodes,
+                           const double *modal)
+{
+    const double *row = p->phi + floor * p->n, *below = floor > 0 && quantity == DRIFT ? row - p->n : NULL;
+    const double *b = modal + (quantity == DRIFT ? 0 : quantity) * nmodes + p->first;
+    double sum = 0;
+    for (int j = 0; j < p->n; j++)
+        sum += fabs(row[j] - (below ? below[j] : 0)) * b[j];
+    return sum;
 }
 
 /* Modal q, q' and total acceleration at s, out (3 x nmodes). */
@@ -118,12 +140,13 @@ static void floor_peaks(struct thud_run *run, const struct thud_model_structure 
     raise_peak(run, peak, x, quantity == VELOCITY ? n - 1 : n, s_end);
 }
 
-static void structure_peaks(struct thud_run *run, int index, double s_end, const double *start, const double *end)
+static void structure_peaks(struct thud_run *run, int index, double s_end, const double *start, const double *end,
+                            const double *modal)
 {
     const struct thud_model_structure *p = &run->model->structure[index];
     double margin[QUANTITIES], a[QUANTITIES], b[QUANTITIES], a_below = 0, b_below = 0;
     int nmodes = run->model->ndof;
-    margins(run, p, run->scratch, s_end, margin);
+    structure_margins(run, p, modal, margin);
     for (int i = 0; i < p->n; i++) {
         struct thud_floor_result *r = &run->result.structure[index].floor[i];
         struct thud_peak *peak[QUANTITIES] = {&r->displacement, &r->velocity, &r->acceleration, &r->drift};
@@ -134,8 +157,9 @@ static void structure_peaks(struct thud_run *run, int index, double s_end, const
         a_below = a[DISPLACEMENT];
         b_below = b[DISPLACEMENT];
         for (int x = 0; x < (p->stiffness_npm ? QUANTITIES : DRIFT); x++) {
-            double least = peak[x]->value - margin[x];
-            if (fabs(a[x]) > least || fabs(b[x]) > least)
+            double end_value = fmax(fabs(a[x]), fabs(b[x]));
+            if (end_value + margin[x] > peak[x]->value &&
+                end_value + floor_margin(p, i, x, nmodes, modal) > peak[x]->value)
                 floor_peaks(run, p, i, x, s_end, peak[x]);
         }
     }
@@ -180,12 +204,13 @@ void thud_peaks_start(struct thud_run *run)
 
 void thud_peaks_motion(struct thud_run *run, double s)
 {
-    double *start = run->ends, *end = start + 3 * run->model->ndof;
+    double *start = run->ends, *end = start + 3 * run->model->ndof, *modal = end + 3 * run->model->ndof;
     modal_acceleration(run, run->scratch);
     modal_values(run, run->scratch, 0, start);
     modal_values(run, run->scratch, s, end);
+    modal_margins(run, run->scratch, s, modal);
     for (int i = 0; i < run->model->nstructures; i++)
-        structure_peaks(run, i, s, start, end);
+        structure_peaks(run, i, s, start, end, modal);
 }
 
 void thud_peaks_segment(struct thud_run *run, double s)

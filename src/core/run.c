@@ -47,7 +47,8 @@ static bool allocate_doubles(struct thud_run *run)
                 {&run->indentation, terms * nc},
                 {&run->scratch, (terms + 8) * n + 8 + nc},
                 {&run->shape, 2 * n},
-                {&run->ends, 6 * n},
+                {&run->ends, 9 * n},
+                {&run->reach, n},
                 {&run->hold, nc * nc},
                 {&run->force_now, nc}};
     size_t parts = sizeof part / sizeof *part, total = 0;

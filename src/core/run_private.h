@@ -33,7 +33,7 @@ struct thud_contact_state {
 };
 
 /* Indentations closer to 0 than this are not contact: rounding of displacements of meters. */
-#define THUD_TOUCH_NOISE_M 1e-16
+#define THUD_TOUCH_NOISE_M 1e-15
 
 struct thud_flight;
 struct thud_ledger {
@@ -61,7 +61,8 @@ struct thud_run {
     double *scratch;      /* (THUD_SEGMENT_TERMS x ndof + 8 x ndof) for one function at a time */
     double fastest_radps; /* fastest mode */
     double *shape;        /* (2 x ndof): largest part of each mode in a floor's displacement, and in its drift */
-    double *ends;         /* (6 x ndof) modal values at the two ends of a segment */
+    double *ends;         /* (9 x ndof) modal values at the two ends of a segment, and margins between */
+    double *reach;        /* (ndof) how far each mode may move in the segment */
     double *hold;         /* (ncontacts x ncontacts) */
     double *force_now;    /* (ncontacts) */
     struct thud_flight *flight;

@@ -34,7 +34,9 @@ void thud_segment_shorten(struct thud_segment *seg, int nmodes, int ncontacts, d
 
 /* Values of all modal coordinates and their rates at s. */
 void thud_segment_state(const struct thud_segment *seg, int nmodes, double s, double *q, double *qd);
-/* Coefficients of the indentation of contact c, out (terms). */
-void thud_segment_indentation(const struct thud_run *run, const struct thud_segment *seg, int c, double *out);
+/* Coefficients of the indentation of contact c, out (terms). Returns how many of the lowest ones are 0 but for
+ * rounding: neighbours that start together move together to high orders, and what rounding leaves of their difference
+ * is no motion. */
+int thud_segment_indentation(const struct thud_run *run, const struct thud_segment *seg, int c, double *out);
 
 #endif

@@ -170,9 +170,18 @@ void thud_segment_state(const struct thud_segment *seg, int nmodes, double s, do
         qd[j] /= seg->h_s;
 }
 
-void thud_segment_indentation(const struct thud_run *run, const struct thud_segment *seg, int c, double *out)
+int thud_segment_indentation(const struct thud_run *run, const struct thud_segment *seg, int c, double *out)
 {
-    for (int k = 0; k < seg->terms; k++)
-        out[k] = thud_model_gap_sum(run->model, c, seg->q + k * run->model->ndof);
-    out[0] -= thud_run_shift(run, c);
+    const struct thud_model *m = run->model;
+    const struct thud_model_contact *p = &m->contact[c];
+    int zeros = 0;
+    for (int k = 0; k < seg->terms; k++) {
+        const double *modal = seg->q + k * m->ndof;
+        double left = p->left_dof < 0 ? 0 : thud_model_floor(m, p->left_dof, modal);
+        double right = p->right_dof < 0 ? 0 : thud_model_floor(m, p->right_dof, modal);
+        out[k] = left - right - (k == 0 ? thud_run_shift(run, c) : 0);
+        if (zeros == k && fabs(out[k]) <= (k == 0 ? THUD_TOUCH_NOISE_M : 1e-12 * (fabs(left) + fabs(right))))
+            zeros++;
+    }
+    return zeros;
 }
