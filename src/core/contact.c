@@ -2,8 +2,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/contact.h"
 #include "core/poly.h"
-#include "core/run_private.h"
 
 enum event {
     EVENT_TOUCH,
@@ -27,8 +27,9 @@ static void renew_branch(struct thud_run *run, int c)
     s->branch = law_of(run, c)->branch(&run->model->contact[c].setup, &s->memory, s->phase, s->past_knee);
 }
 
-static void set_mode(struct thud_run *run, struct thud_contact_state *s, enum thud_contact_mode mode)
+void thud_contact_set_mode(struct thud_run *run, int c, enum thud_contact_mode mode)
 {
+    struct thud_contact_state *s = &run->contact[c];
     run->nactive -= thud_contact_acts(s);
     s->mode = mode;
     run->nactive += thud_contact_acts(s);
@@ -217,7 +218,7 @@ static void touch(struct thud_run *run, int c)
     law->touch(&run->model->contact[c].setup, v, &s->memory);
     s->phase = THUD_APPROACH;
     s->past_knee = false;
-    set_mode(run, s, THUD_CLOSED);
+    thud_contact_set_mode(run, c, THUD_CLOSED);
     s->zeros = (struct thud_zeros){.indentation = 1, .rate = v == 0, .force = v == 0};
     s->expected_force_n = expected_force(run, c, v);
     s->impact = (struct thud_impact){.contact = c, .start_s = thud_run_now(run), .approach_mps = v};
@@ -239,7 +240,7 @@ static void note_release(struct thud_run *run, int c)
 static enum thud_status open_contact(struct thud_run *run, int c, int zeros, struct thud_error *err)
 {
     struct thud_contact_state *s = &run->contact[c];
-    set_mode(run, s, THUD_OPEN);
+    thud_contact_set_mode(run, c, THUD_OPEN);
     s->zeros = (struct thud_zeros){.indentation = zeros};
     return thud_impacts_add(run, &s->impact, err);
 }
@@ -254,7 +255,7 @@ static enum thud_status release(struct thud_run *run, int c, struct thud_error *
         run->result.contact[c].residual_m = s->residual_m;
         return open_contact(run, c, 1, err);
     }
-    set_mode(run, s, THUD_SLACK);
+    thud_contact_set_mode(run, c, THUD_SLACK);
     s->zeros = (struct thud_zeros){.force = 1};
     return THUD_OK;
 }
@@ -270,7 +271,7 @@ static double rest_force(const struct thud_run *run, int c, enum thud_phase phas
 static void go_on(struct thud_run *run, int c, enum thud_phase phase, int rate_zeros)
 {
     struct thud_contact_state *s = &run->contact[c];
-    set_mode(run, s, THUD_CLOSED);
+    thud_contact_set_mode(run, c, THUD_CLOSED);
     if (phase == THUD_RESTITUTION && law_of(run, c)->turn)
         law_of(run, c)->turn(&run->model->contact[c].setup, thud_contact_indentation(run, c), &s->memory);
     s->phase = phase;
@@ -292,7 +293,7 @@ static void turn(struct thud_run *run, int c)
         force[c] = next == THUD_RESTITUTION ? restitution : approach;
         double a = thud_contact_acceleration(run, c, force);
         if (next == THUD_RESTITUTION ? a > 0 : a < 0) {
-            set_mode(run, s, THUD_STUCK);
+            thud_contact_set_mode(run, c, THUD_STUCK);
             s->hold_low = restitution;
             s->hold_high = approach;
             s->zeros = (struct thud_zeros){0};
@@ -337,7 +338,7 @@ enum thud_status thud_contact_switch(struct thud_run *run, int contact, int even
     case EVENT_RELEASE:
         return release(run, contact, err);
     case EVENT_REENGAGE:
-        set_mode(run, s, THUD_CLOSED);
+        thud_contact_set_mode(run, contact, THUD_CLOSED);
         s->zeros = (struct thud_zeros){.force = 1};
         return THUD_OK;
     case EVENT_TURN:

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/lcp.h"
 #include "core/run_private.h"
 
 /* A response beyond this is a run that has blown up. */
@@ -36,6 +37,9 @@ static void set_times(struct thud_run *run)
 
 static bool allocate_doubles(struct thud_run *run)
 {
+    bool impulsive = false;
+    for (int c = 0; c < run->model->ncontacts; c++)
+        impulsive |= (run->model->contact[c].law->flags & THUD_LAW_IMPULSIVE) != 0;
     size_t n = (size_t)run->model->ndof, nc = (size_t)run->model->ncontacts, terms = THUD_SEGMENT_TERMS;
     const struct {
         double **where;
@@ -50,7 +54,8 @@ static bool allocate_doubles(struct thud_run *run)
                 {&run->ends, 9 * n},
                 {&run->reach, n},
                 {&run->hold, nc * nc},
-                {&run->force_now, nc}};
+                {&run->force_now, nc},
+                {&run->collide, impulsive ? 3 * nc + nc * nc + thud_lcp_work((int)nc) : 0}};
     size_t parts = sizeof part / sizeof *part, total = 0;
     for (size_t i = 0; i < parts; i++)
         total += part[i].size;
@@ -145,8 +150,9 @@ enum thud_status thud_run_create(const struct thud_model *model, const struct th
     pick_method(run);
     set_times(run);
     run->contact = calloc((size_t)model->ncontacts + 1, sizeof *run->contact);
+    run->set_now = calloc((size_t)model->ncontacts + 1, sizeof *run->set_now);
     status = THUD_MEMORY;
-    if (run->contact && allocate_doubles(run) && allocate_result(run)) {
+    if (run->contact && run->set_now && allocate_doubles(run) && allocate_result(run)) {
         memcpy(run->q, model->q0, (size_t)model->ndof * sizeof *run->q);
         memcpy(run->qd, model->qd0, (size_t)model->ndof * sizeof *run->qd);
         thud_contact_start(run);
@@ -176,6 +182,7 @@ void thud_run_free(struct thud_run *run)
         run->method->free(run->method_state);
     thud_flight_free(run->flight);
     free(run->contact);
+    free(run->set_now);
     free(run->block);
     free(run->result_block);
     free(run->impacts);

@@ -65,6 +65,8 @@ struct thud_run {
     double *reach;        /* (ndof) how far each mode may move in the segment */
     double *hold;         /* (ncontacts x ncontacts) */
     double *force_now;    /* (ncontacts) */
+    double *collide;      /* of contact_impulse.c */
+    int *set_now;         /* (ncontacts) */
     struct thud_flight *flight;
     double *block; /* everything above that is an array of doubles */
 
