@@ -23,6 +23,9 @@ COMPILE  := $(CC) -Iinclude -Isrc -D_XOPEN_SOURCE=700 $(PKG_I) -std=c17 -pthread
 LINK     := $(CC) -pthread $($(VARIANT)) $(CFLAGS) $(LDFLAGS)
 LDLIBS   += -lcsv $(PKG_L) $(LAPACK) -lm
 
+# One short line for each file made; V=1 shows the commands themselves.
+say       = $(if $(V),,@printf '  %-5s %s\n' '$(1)' '$(2)';)
+
 # Two libraries: libthud.a computes and touches nothing outside itself, libthud-program.a is the program around it.
 objects   = $(patsubst %.c,$(B)/%.o,$(sort $(wildcard $(1))))
 CORE     := $(call objects,src/base/*.c src/core/*.c src/study/*.c)
@@ -42,7 +45,7 @@ all: $(THUD) $(LIBS) ## build ./thud (VARIANT=debug, asan, coverage build into b
 
 help: ## this list
 	@sed -n 's/^\([a-z]*\):.*## \(.*\)/  make \1\t\2/p' Makefile | expand -t 18
-	@echo '  variables         VARIANT=$(VARIANT) CC=$(CC) PREFIX=$(PREFIX) DESTDIR= CI=1 (warnings are errors) CFLAGS= FUZZ_SECONDS=$(FUZZ_SECONDS)'
+	@echo '  variables         VARIANT=$(VARIANT) CC=$(CC) PREFIX=$(PREFIX) DESTDIR= CI=1 (warnings are errors) V=1 (show commands) CFLAGS= FUZZ_SECONDS=$(FUZZ_SECONDS)'
 
 # A file that changes when its text does, so that what depends on it is made again.
 keep = @mkdir -p $(@D) && printf '%s\n' '$(1)' | cmp -s - $@ || printf '%s\n' '$(1)' >$@
@@ -56,30 +59,30 @@ $(B)/headers: $(B)/flags
 	@tests/tools/need.sh $(CC) && touch $@
 
 thud: build/release/thud
-	cp $< $@
+	@cp $< $@
 $(B)/thud: $(B)/src/main.o $(LIBS) | $(B)/presets $(B)/records
-	$(LINK) -o $@ $^ $(LDLIBS)
+	$(call say,LINK,$@)$(LINK) -o $@ $^ $(LDLIBS)
 $(B)/presets $(B)/records:
 	@mkdir -p $(B) && ln -sfn ../../$(@F) $@
 $(B)/libthud.a: $(CORE)
 $(B)/libthud-program.a: $(PROGRAM)
 $(B)/libtests.a: $(HELPERS)
 $(B)/lib%.a: $(B)/files
-	rm -f $@ && $(AR) rcs $@ $(filter %.o,$^)
+	@rm -f $@ && $(AR) rcs $@ $(filter %.o,$^)
 $(B)/%.o: %.c $(B)/flags | $(B)/headers
 	@mkdir -p $(@D)
-	$(COMPILE) $(BUILD_ID) -MMD -MP -c -o $@ $<
+	$(call say,CC,$<)$(COMPILE) $(BUILD_ID) -MMD -MP -c -o $@ $<
 $(B)/src/%/version.o: BUILD_ID = -DTHUD_COMMIT='"$(shell cat $(B)/commit)"' -DTHUD_VARIANT='"$(VARIANT)"'
 $(call objects,src/*/version.c): $(B)/commit
 $(B)/unit/%: $(B)/tests/unit/%.o $(B)/libtests.a $(LIBS)
 	@mkdir -p $(@D)
-	$(LINK) -o $@ $^ $(shell pkg-config --libs check) $(LDLIBS)
+	$(call say,LINK,$@)$(LINK) -o $@ $^ $(shell pkg-config --libs check) $(LDLIBS)
 $(B)/fault/%: $(B)/tests/fault/%.o $(B)/tests/fault/fault.o $(B)/libtests.a $(LIBS)
 	@mkdir -p $(@D)
-	$(LINK) $(WRAPPED:%=-Wl$(comma)--wrap=%) -o $@ $^ $(shell pkg-config --libs check) $(LDLIBS)
+	$(call say,LINK,$@)$(LINK) $(WRAPPED:%=-Wl$(comma)--wrap=%) -o $@ $^ $(shell pkg-config --libs check) $(LDLIBS)
 $(B)/fuzz/%: $(B)/tests/fuzz/%.o $(LIBS)
 	@mkdir -p $(@D)
-	$(LINK) -fsanitize=fuzzer -o $@ $^ $(LDLIBS)
+	$(call say,LINK,$@)$(LINK) -fsanitize=fuzzer -o $@ $^ $(LDLIBS)
 .SECONDARY:
 .DELETE_ON_ERROR:
 
