@@ -1,0 +1,25 @@
+/* Figures of a parametric study: amplification against what was varied, and maps where two things were. */
+#ifndef THUD_PLOT_FIGURES_SWEEP_H
+#define THUD_PLOT_FIGURES_SWEEP_H
+
+#include "plot/figure.h"
+#include "study/sweep_row.h"
+
+/* Amplification of the peak floor accelerations and interstorey deflections against the first varied key, a curve per floor, a column of panels per
+ * structure, for one record and case. `title` may be NULL: made from record and case. */
+struct thud_figure *thud_figure_by_floor(const struct thud_sweep_table *table, int record, enum thud_case which,
+                                         const char *name, const char *title);
+/* The same of the means over the floors, a curve per record. */
+struct thud_figure *thud_figure_of_means(const struct thud_sweep_table *table, enum thud_case which, const char *name,
+                                         const char *title);
+/* Largest contact force and number of impacts against the first varied key, a curve per case, for one record. */
+struct thud_figure *thud_figure_of_contacts(const struct thud_sweep_table *table, int record, const char *name);
+/* Amplification of the means over the first two varied keys (heat map with the contour at 1), for one record and case. */
+struct thud_figure *thud_figure_of_map(const struct thud_sweep_table *table, int record, enum thud_case which,
+                                       const char *name);
+
+/* All figures a study gives, counted from 0: thud_sweep_figure makes one (ask thud_figure_check). */
+int thud_sweep_figure_count(const struct thud_sweep_table *table);
+struct thud_figure *thud_sweep_figure(const struct thud_sweep_table *table, int index);
+
+#endif

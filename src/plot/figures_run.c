@@ -1,0 +1,225 @@
+#include <math.h>
+#include <stdio.h>
+
+#include "plot/figures_run_internal.h"
+
+/* ---- what all figures of runs need ---- */
+
+struct thud_shown thud_shown_force(double peak_n)
+{
+    return peak_n >= 1e6 ? (struct thud_shown){1e-6, "MN"} : (struct thud_shown){1e-3, "kN"};
+}
+
+struct thud_shown thud_shown_energy(double peak_j)
+{
+    return peak_j >= 1e6 ? (struct thud_shown){1e-6, "MJ"} : (struct thud_shown){1e-3, "kJ"};
+}
+
+int thud_source_dof(const struct thud_figure_source *source, int structure)
+{
+    int dof = 0;
+    for (int i = 0; i < structure; i++)
+        dof += source->result->structure[i].floors;
+    return dof;
+}
+
+bool thud_source_zoom(const struct thud_figure_source *source, int nsources, double *from_s, double *to_s)
+{
+    const struct thud_impact *largest = NULL;
+    double end = 0.0;
+    for (int s = 0; s < nsources; s++) {
+        end = fmax(end, source[s].result->end_s);
+        for (int i = 0; i < source[s].nimpacts; i++) {
+            if (!largest || source[s].impact[i].force_n > largest->force_n)
+                largest = &source[s].impact[i];
+        }
+    }
+    if (!largest)
+        return false;
+    double room = fmax(0.1, 2.0 * largest->duration_s);
+    *from_s = fmax(0.0, largest->start_s - room);
+    *to_s = fmin(end, largest->start_s + largest->duration_s + room);
+    double step = 0.02; /* round limits read better */
+    *from_s = step * floor(*from_s / step + 1e-9);
+    *to_s = step * ceil(*to_s / step - 1e-9);
+    return *to_s - *from_s < 0.9 * end;
+}
+
+void thud_source_line(struct thud_panel *panel, const struct thud_figure_source *source, int column, int less,
+                      double factor, const char *name, int color)
+{
+    const struct thud_history *h = source->history;
+    struct thud_style style = {.kind = THUD_LINES, .color = color};
+    struct thud_series *series = thud_panel_add(panel, style, name, h->rows, h->time_s, NULL);
+    if (!series)
+        return;
+    for (size_t i = 0; i < h->rows; i++) {
+        const double *row = h->value + i * (size_t)h->columns;
+        series->y[i] = factor * (row[column] - (less < 0 ? 0.0 : row[less]));
+    }
+}
+
+void thud_source_contact_name(const struct thud_figure_source *source, int contact, char *text, size_t size)
+{
+    const struct thud_contact_result *c = &source->result->contact[contact];
+    const struct thud_structure *left = &source->scene->structure[c->interface - 1], *right = left + 1;
+    int floor = c->left_floor ? c->left_floor : c->right_floor;
+    bool level = c->left_floor == c->right_floor || !c->left_floor || !c->right_floor;
+    if (level && source->result->nstructures <= 2)
+        snprintf(text, size, "floor %d", floor);
+    else if (level)
+        snprintf(text, size, "%s–%s, floor %d", left->name, right->name, floor);
+    else
+        snprintf(text, size, "%s %d–%s %d", left->name, c->left_floor, right->name, c->right_floor);
+}
+
+int thud_pick_largest(const double *value, int n, int most, int *index)
+{
+    int picked = 0;
+    for (int i = 0; i < n && picked < most; i++) {
+        int larger = 0; /* how many go first */
+        for (int j = 0; j < n; j++)
+            larger += value[j] > value[i] || (value[j] == value[i] && j < i);
+        if (larger < most && (value[i] > 0.0 || larger == 0))
+            index[picked++] = i;
+    }
+    return picked;
+}
+
+/* ---- histories of the floors ---- */
+
+static const struct quantity {
+    const char *label, *title, *unit;
+    double factor;
+} quantities[THUD_RUN_FIGURES] = {
+    [THUD_FIGURE_VELOCITY] = {"Velocity to the ground", "Floor velocity relative to the ground", "m/s", 1.0},
+    [THUD_FIGURE_ACCELERATION] = {"Total acceleration", "Total floor acceleration", "m/s²", 1.0},
+    [THUD_FIGURE_DISPLACEMENT] = {"Displacement to the ground", "Floor displacement relative to the ground", "cm", 100.0},
+    [THUD_FIGURE_DRIFT] = {"Interstorey deflection", "Interstorey deflection", "mm", 1000.0},
+};
+
+static double floor_peak(const struct thud_figure_source *source, int structure, int floor, enum thud_run_figure which)
+{
+    const struct thud_floor_result *f = &source->result->structure[structure].floor[floor];
+    return which == THUD_FIGURE_VELOCITY       ? f->velocity.value
+           : which == THUD_FIGURE_ACCELERATION ? f->acceleration.value
+           : which == THUD_FIGURE_DISPLACEMENT ? f->displacement.value
+                                               : f->drift.value;
+}
+
+static void floor_line(struct thud_panel *panel, const struct thud_figure_source *source, int structure, int floor,
+                       enum thud_run_figure which, const char *name, int color)
+{
+    const struct thud_history *h = source->history;
+    int dof = thud_source_dof(source, structure) + floor, column = thud_history_displacement(h, dof), less = -1;
+    if (which == THUD_FIGURE_VELOCITY)
+        column = thud_history_velocity(h, dof);
+    else if (which == THUD_FIGURE_ACCELERATION)
+        column = thud_history_acceleration(h, dof);
+    else if (which == THUD_FIGURE_DRIFT && floor > 0)
+        less = thud_history_displacement(h, dof - 1);
+    thud_source_line(panel, source, column, less, quantities[which].factor, name, color);
+}
+
+static void structure_panel(struct thud_panel *panel, const struct thud_figure_source *source, int nsources,
+                            int structure, enum thud_run_figure which)
+{
+    int floors = source->result->structure[structure].floors, index[THUD_CURVES_MAX];
+    double peak[THUD_STOREYS_MAX + 1] = {0.0};
+    char text[128];
+    for (int f = 0; f < floors; f++) {
+        for (int s = 0; s < nsources; s++)
+            peak[f] = fmax(peak[f], floor_peak(&source[s], structure, f, which));
+    }
+    int n = thud_pick_largest(peak, floors, nsources > 1 ? 1 : THUD_CURVES_MAX, index);
+    for (int s = 0; s < nsources && nsources > 1 && n > 0; s++)
+        floor_line(panel, &source[s], structure, index[0], which, source[s].name, s);
+    for (int i = 0; i < n && nsources == 1; i++) {
+        snprintf(text, sizeof text, "floor %d", index[i] + 1);
+        floor_line(panel, source, structure, index[i], which, text, index[i]);
+    }
+    if (nsources > 1 && n > 0 && floors > 1)
+        snprintf(text, sizeof text, "Floor %d, which has the largest peak", index[0] + 1);
+    else
+        snprintf(text, sizeof text, "The %d of %d floors with the largest peaks", n, floors);
+    if (nsources > 1 ? floors > 1 : n < floors)
+        thud_panel_note(panel, text);
+}
+
+/* Structures with something to show: those that have floors, and for the deflections more than a rigid body's one. */
+static bool shown(const struct thud_figure_source *source, int structure, enum thud_run_figure which)
+{
+    enum thud_structure_kind kind = source->scene->structure[structure].kind;
+    return source->result->structure[structure].floors > 0 && !(which == THUD_FIGURE_DRIFT && kind == THUD_RIGID);
+}
+
+static struct thud_figure *histories(enum thud_run_figure which, const struct thud_figure_source *source, int nsources)
+{
+    int rows = 0, row = 0, all = source->result->nstructures;
+    double from, to;
+    char title[THUD_TEXT_MAX + 64];
+    bool zoom = thud_source_zoom(source, nsources, &from, &to);
+    for (int i = 0; i < all; i++)
+        rows += shown(source, i, which);
+    snprintf(title, sizeof title, "%s: %s", source->scene->title, quantities[which].title);
+    struct thud_figure *figure = thud_figure_create(thud_run_figure_name(which), title,
+                                                    rows < THUD_ROWS_MAX ? rows : THUD_ROWS_MAX, zoom ? 2 : 1);
+    for (int i = 0; i < all && row < THUD_ROWS_MAX; i++) {
+        if (!shown(source, i, which))
+            continue;
+        struct thud_panel *panel = thud_figure_panel(figure, row, 0, source->scene->structure[i].name);
+        thud_panel_axis(panel, THUD_X, "Time", "s");
+        thud_panel_axis(panel, THUD_Y, quantities[which].label, quantities[which].unit);
+        structure_panel(panel, source, nsources, i, which);
+        if (zoom) {
+            snprintf(title, sizeof title, "%s, around the largest impact", source->scene->structure[i].name);
+            thud_panel_zoom(thud_figure_panel(figure, row, 1, title), panel, from, to);
+        }
+        row++;
+    }
+    if (rows > THUD_ROWS_MAX)
+        thud_figure_note(figure, "Only the first six structures are shown; histories.csv has all.");
+    return figure;
+}
+
+/* ---- the list ---- */
+
+const char *thud_run_figure_name(enum thud_run_figure which)
+{
+    static const char *const name[THUD_RUN_FIGURES] = {"force", "velocity", "acceleration", "displacement",
+                                                       "drift", "loop",     "envelope",     "energy"};
+    return name[which];
+}
+
+bool thud_run_figure_has(enum thud_run_figure which, const struct thud_figure_source *source, int nsources)
+{
+    bool any = false, touched = false;
+    for (int i = 0; i < source->result->nstructures; i++) {
+        bool storeys = source->scene->structure[i].kind != THUD_RIGID;
+        any = any || (shown(source, i, which) && (which != THUD_FIGURE_ENVELOPE || storeys));
+    }
+    for (int s = 0; s < nsources; s++) {
+        if (source[s].history->rows == 0)
+            return false;
+        touched = touched || source[s].nimpacts > 0;
+    }
+    if (which == THUD_FIGURE_LOOP)
+        return touched;
+    return which == THUD_FIGURE_FORCE ? source->result->ncontacts > 0 : any;
+}
+
+struct thud_figure *thud_run_figure(enum thud_run_figure which, const struct thud_figure_source *source, int nsources)
+{
+    switch (which) {
+    case THUD_FIGURE_FORCE:
+        return thud_figure_forces(source, nsources);
+    case THUD_FIGURE_LOOP:
+        return thud_figure_loops(source, nsources);
+    case THUD_FIGURE_ENVELOPE:
+        return thud_figure_envelopes(source, nsources);
+    case THUD_FIGURE_ENERGY:
+        return thud_figure_energies(source, nsources);
+    default:
+        return histories(which, source, nsources);
+    }
+}

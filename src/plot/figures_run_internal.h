@@ -1,0 +1,37 @@
+/* Shared by the files that make figures of runs. */
+#ifndef THUD_PLOT_FIGURES_RUN_INTERNAL_H
+#define THUD_PLOT_FIGURES_RUN_INTERNAL_H
+
+#include "plot/figures_run.h"
+
+enum { THUD_CURVES_MAX = THUD_COLORS, THUD_ROWS_MAX = 6 };
+
+/* A shown unit fit for values up to `peak`. */
+struct thud_shown {
+    double factor; /* shown = SI x factor */
+    const char *unit;
+};
+struct thud_shown thud_shown_force(double peak_n);
+struct thud_shown thud_shown_energy(double peak_j);
+
+int thud_source_dof(const struct thud_figure_source *source, int structure); /* its first */
+
+/* Time of the largest impact of all sources, with room around it; false where there was none. */
+bool thud_source_zoom(const struct thud_figure_source *source, int nsources, double *from_s, double *to_s);
+
+/* Adds history column(s) as a line: value = factor (column - less), less < 0: nothing taken off. */
+void thud_source_line(struct thud_panel *panel, const struct thud_figure_source *source, int column, int less,
+                      double factor, const char *name, int color);
+
+/* "floor 3", or with both structures where there are several interfaces. */
+void thud_source_contact_name(const struct thud_figure_source *source, int contact, char *text, size_t size);
+
+/* Indices of the `most` largest of n values that are > 0 (all where there are none), in their own order; returns how many. */
+int thud_pick_largest(const double *value, int n, int most, int *index);
+
+struct thud_figure *thud_figure_forces(const struct thud_figure_source *source, int nsources);
+struct thud_figure *thud_figure_loops(const struct thud_figure_source *source, int nsources);
+struct thud_figure *thud_figure_envelopes(const struct thud_figure_source *source, int nsources);
+struct thud_figure *thud_figure_energies(const struct thud_figure_source *source, int nsources);
+
+#endif

@@ -1,0 +1,335 @@
+#include <ctype.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "plot/figures_sweep.h"
+
+enum { CURVES_MAX = THUD_COLORS, COLUMNS_MAX = 4 };
+enum quantity { ACCELERATION, DRIFT };
+
+static const char *const ratio_label[] = {"Peak acceleration ratio", "Peak deflection ratio"};
+
+static double ratio(const struct thud_sweep_row *row, enum quantity q)
+{
+    return q == ACCELERATION ? row->acceleration_ratio : row->drift_ratio;
+}
+
+/* A case as a reader calls it. */
+static const char *case_title(enum thud_case which)
+{
+    return which == THUD_CASE_NONE ? "no bumper" : which == THUD_CASE_BUMPER ? "bumper" : which == THUD_CASE_CAVITY ? "bumper in a cavity" : "as written";
+}
+
+/* Only the first value of every key past the first `free` ones is drawn. */
+static bool drawn(const struct thud_sweep_table *table, const double *value, int free)
+{
+    for (int a = free; a < table->naxes; a++) {
+        if (value[a] != table->axis[a].value[0] && !(isnan(value[a]) && isnan(table->axis[a].value[0])))
+            return false;
+    }
+    return true;
+}
+
+static bool has_case(const struct thud_sweep_table *table, enum thud_case which)
+{
+    for (size_t i = 0; i < table->nrows; i++) {
+        if (table->row[i].which == which)
+            return true;
+    }
+    return false;
+}
+
+static int floors_of(const struct thud_sweep_table *table, int structure)
+{
+    int floors = 0;
+    for (size_t i = 0; i < table->nrows; i++) {
+        if (table->row[i].structure == structure && table->row[i].floor > floors)
+            floors = table->row[i].floor;
+    }
+    return floors;
+}
+
+/* Structures that have floors, at most COLUMNS_MAX of them; returns how many. */
+static int columns_of(const struct thud_sweep_table *table, int *structure)
+{
+    int n = 0;
+    for (int s = 0; s < table->nstructures && n < COLUMNS_MAX; s++) {
+        if (floors_of(table, s) > 0)
+            structure[n++] = s;
+    }
+    return n;
+}
+
+/* ---- the axis of what was varied ---- */
+
+static bool numbers(const struct thud_sweep_axis *axis)
+{
+    return axis->param && (axis->param->kind == THUD_PARAM_QUANTITY || axis->param->kind == THUD_PARAM_INTEGER);
+}
+
+static double factor_of(const struct thud_sweep_axis *axis)
+{
+    double unit = numbers(axis) && axis->param->unit && *axis->param->unit ? thud_unit_factor(axis->param->unit, NULL, NULL) : 1.0;
+    return unit > 0.0 ? 1.0 / unit : 1.0;
+}
+
+/* Where value number i stands: the number in its shown unit, or its place in the list. */
+static double place(const struct thud_sweep_axis *axis, int i)
+{
+    return numbers(axis) ? axis->value[i] * factor_of(axis) : i + 1.0;
+}
+
+static int find_value(const struct thud_sweep_axis *axis, double value)
+{
+    for (int i = 0; i < axis->n; i++) {
+        if (axis->value[i] == value)
+            return i;
+    }
+    return -1;
+}
+
+static void varied_axis(struct thud_panel *panel, enum thud_side side, const struct thud_sweep_axis *axis)
+{
+    char label[192];
+    const char *title = axis->param && axis->param->title ? axis->param->title : axis->key;
+    snprintf(label, sizeof label, "%c%s", toupper((unsigned char)title[0]), title[0] ? title + 1 : "");
+    thud_panel_axis(panel, side, label, numbers(axis) && axis->param->unit ? axis->param->unit : "");
+    for (int i = 0; !numbers(axis) && i < axis->n; i++)
+        thud_panel_tick(panel, side, i + 1.0, axis->text[i]);
+}
+
+/* What is not drawn is said. */
+static void fixed_note(struct thud_figure *figure, const struct thud_sweep_table *table, int free, const char *before)
+{
+    char text[768];
+    int n = snprintf(text, sizeof text, "%s", before);
+    for (int a = free; a < table->naxes && n > 0 && (size_t)n < sizeof text; a++)
+        n += snprintf(text + n, sizeof text - (size_t)n, " %s = %s.", table->axis[a].key, table->axis[a].text[0]);
+    thud_figure_note(figure, text);
+}
+
+/* ---- amplification ---- */
+
+static const char helps[] = "Ratio to no bumper at the same gap; below 1 the bumper helps.";
+
+static void ratio_axes(struct thud_panel *panel, const struct thud_sweep_table *table, enum quantity q)
+{
+    varied_axis(panel, THUD_X, &table->axis[0]);
+    thud_panel_axis(panel, THUD_Y, ratio_label[q], "");
+    thud_panel_mark(panel, THUD_Y, 0.0, 1.0, "bumper helps");
+    thud_panel_mark(panel, THUD_Y, 1.0, 1.0, "");
+}
+
+static void ratio_line(struct thud_panel *panel, const struct thud_sweep_table *table, struct thud_sweep_row wanted,
+                       enum quantity q, const char *name, int color)
+{
+    const struct thud_sweep_axis *axis = &table->axis[0];
+    struct thud_style style = {.kind = numbers(axis) ? THUD_LINES_POINTS : THUD_POINTS, .color = color};
+    struct thud_series *series = thud_panel_add(panel, style, name, (size_t)axis->n, NULL, NULL);
+    if (!series)
+        return;
+    for (int i = 0; i < axis->n; i++) {
+        series->x[i] = place(axis, i);
+        series->y[i] = NAN;
+    }
+    for (size_t i = 0; i < table->nrows; i++) {
+        const struct thud_sweep_row *row = &table->row[i];
+        if (row->record != wanted.record || row->which != wanted.which || row->structure != wanted.structure ||
+            row->floor != wanted.floor || !drawn(table, row->value, 1))
+            continue;
+        int at = find_value(axis, row->value[0]);
+        if (at >= 0)
+            series->y[at] = ratio(row, q);
+    }
+}
+
+struct thud_figure *thud_figure_by_floor(const struct thud_sweep_table *table, int record, enum thud_case which,
+                                         const char *name, const char *title)
+{
+    int structure[COLUMNS_MAX], columns = columns_of(table, structure);
+    char text[512];
+    snprintf(text, sizeof text, "%s: amplification by the %s, floor by floor", table->record[record], case_title(which));
+    struct thud_figure *figure = thud_figure_create(name, title ? title : text, 2, columns > 0 ? columns : 1);
+    for (int c = 0; c < columns; c++) {
+        int floors = floors_of(table, structure[c]), step = (floors + CURVES_MAX - 1) / CURVES_MAX;
+        for (int q = ACCELERATION; q <= DRIFT; q++) {
+            struct thud_panel *panel = thud_figure_panel(figure, q, c, table->structure[structure[c]]);
+            ratio_axes(panel, table, (enum quantity)q);
+            /* with more floors than curves every step-th from the top down, so that the top is there */
+            for (int f = floors - (floors - 1) / step * step; f <= floors; f += step) {
+                struct thud_sweep_row wanted = {.record = record, .which = which, .structure = structure[c], .floor = f};
+                snprintf(text, sizeof text, "floor %d", f);
+                ratio_line(panel, table, wanted, (enum quantity)q, text, f - 1);
+            }
+            snprintf(text, sizeof text, "Every %d. floor of %d", step, floors);
+            if (step > 1)
+                thud_panel_note(panel, text);
+        }
+    }
+    fixed_note(figure, table, 1, helps);
+    return figure;
+}
+
+struct thud_figure *thud_figure_of_means(const struct thud_sweep_table *table, enum thud_case which, const char *name,
+                                         const char *title)
+{
+    int structure[COLUMNS_MAX], columns = columns_of(table, structure);
+    char text[256];
+    snprintf(text, sizeof text, "Amplification by the %s, means over the floors", case_title(which));
+    struct thud_figure *figure = thud_figure_create(name, title ? title : text, 2, columns > 0 ? columns : 1);
+    for (int c = 0; c < columns; c++) {
+        for (int q = ACCELERATION; q <= DRIFT; q++) {
+            struct thud_panel *panel = thud_figure_panel(figure, q, c, table->structure[structure[c]]);
+            ratio_axes(panel, table, (enum quantity)q);
+            for (int r = 0; r < table->nrecords && r < CURVES_MAX; r++) {
+                struct thud_sweep_row wanted = {.record = r, .which = which, .structure = structure[c], .floor = 0};
+                ratio_line(panel, table, wanted, (enum quantity)q, table->record[r], r);
+            }
+        }
+    }
+    char note[256];
+    snprintf(note, sizeof note, "%s%s", helps, table->nrecords > CURVES_MAX ? " The first seven records only." : "");
+    fixed_note(figure, table, 1, note);
+    return figure;
+}
+
+/* ---- contacts ---- */
+
+static void contact_line(struct thud_panel *panel, const struct thud_sweep_table *table, int record,
+                         enum thud_case which, bool impacts)
+{
+    const struct thud_sweep_axis *axis = &table->axis[0];
+    struct thud_style style = {.kind = numbers(axis) ? THUD_LINES_POINTS : THUD_POINTS, .color = which < 0 ? 3 : (int)which};
+    struct thud_series *series = thud_panel_add(panel, style, case_title(which), (size_t)axis->n, NULL, NULL);
+    if (!series)
+        return;
+    for (int i = 0; i < axis->n; i++) {
+        series->x[i] = place(axis, i);
+        series->y[i] = NAN;
+    }
+    for (size_t i = 0; i < table->ncontacts; i++) {
+        const struct thud_sweep_contact_row *row = &table->contact[i];
+        int at = find_value(axis, row->value[0]);
+        if (row->record != record || row->which != which || at < 0 || !drawn(table, row->value, 1))
+            continue;
+        if (impacts)
+            series->y[at] = (isnan(series->y[at]) ? 0.0 : series->y[at]) + row->impacts;
+        else
+            series->y[at] = fmax(isnan(series->y[at]) ? 0.0 : series->y[at], 1e-6 * row->force_n);
+    }
+}
+
+struct thud_figure *thud_figure_of_contacts(const struct thud_sweep_table *table, int record, const char *name)
+{
+    char text[512];
+    snprintf(text, sizeof text, "%s: contacts", table->record[record]);
+    struct thud_figure *figure = thud_figure_create(name, text, 1, 2);
+    for (int i = 0; i < 2; i++) {
+        struct thud_panel *panel = thud_figure_panel(figure, 0, i, i ? "All impacts of the run" : "Largest impact force");
+        varied_axis(panel, THUD_X, &table->axis[0]);
+        thud_panel_axis(panel, THUD_Y, i ? "Impacts" : "Force", i ? "" : "MN");
+        thud_panel_limits(panel, THUD_Y, 0.0, NAN);
+        for (int which = THUD_CASE_AS_WRITTEN; which < THUD_CASES; which++) {
+            if (has_case(table, (enum thud_case)which))
+                contact_line(panel, table, record, (enum thud_case)which, i == 1);
+        }
+    }
+    fixed_note(figure, table, 1, "");
+    return figure;
+}
+
+/* ---- two parameters ---- */
+
+static void fill_map(struct thud_panel *panel, const struct thud_sweep_table *table, struct thud_sweep_row wanted,
+                     enum quantity q)
+{
+    const struct thud_sweep_axis *on_x = &table->axis[0], *on_y = &table->axis[1];
+    double *x = malloc(((size_t)on_x->n + (size_t)on_y->n) * sizeof *x), *y = x ? x + on_x->n : NULL;
+    for (int i = 0; x && i < on_x->n; i++)
+        x[i] = place(on_x, i);
+    for (int i = 0; x && i < on_y->n; i++)
+        y[i] = place(on_y, i);
+    struct thud_map *map =
+        x ? thud_panel_map(panel, (size_t)on_x->n, x, (size_t)on_y->n, y, NULL, ratio_label[q], "") : NULL;
+    free(x);
+    if (!map) {
+        if (panel)
+            panel->figure->failed = true;
+        return;
+    }
+    map->centre = map->level = 1.0;
+    for (size_t i = 0; i < table->nrows; i++) {
+        const struct thud_sweep_row *row = &table->row[i];
+        int a = find_value(on_x, row->value[0]), b = find_value(on_y, row->value[1]);
+        if (row->record == wanted.record && row->which == wanted.which && row->structure == wanted.structure &&
+            row->floor == wanted.floor && a >= 0 && b >= 0 && drawn(table, row->value, 2))
+            map->z[(size_t)b * map->nx + (size_t)a] = ratio(row, q);
+    }
+}
+
+struct thud_figure *thud_figure_of_map(const struct thud_sweep_table *table, int record, enum thud_case which,
+                                       const char *name)
+{
+    int structure[COLUMNS_MAX], columns = columns_of(table, structure);
+    char text[512];
+    snprintf(text, sizeof text, "%s: amplification by the %s, means over the floors", table->record[record], case_title(which));
+    struct thud_figure *figure = thud_figure_create(name, text, 2, columns > 0 ? columns : 1);
+    for (int c = 0; c < columns; c++) {
+        for (int q = ACCELERATION; q <= DRIFT; q++) {
+            struct thud_panel *panel = thud_figure_panel(figure, q, c, table->structure[structure[c]]);
+            varied_axis(panel, THUD_X, &table->axis[0]);
+            varied_axis(panel, THUD_Y, &table->axis[1]);
+            struct thud_sweep_row wanted = {.record = record, .which = which, .structure = structure[c], .floor = 0};
+            fill_map(panel, table, wanted, (enum quantity)q);
+        }
+    }
+    fixed_note(figure, table, 2, "Ratio to no bumper at the same gap; blue: the bumper helps; line: ratio 1; empty: no answer.");
+    return figure;
+}
+
+/* ---- the list: per case with a ratio (by floor or as map per record, then the means), then the contacts per record ---- */
+
+/* Cases that are compared to `none`; returns how many. */
+static int compared(const struct thud_sweep_table *table, enum thud_case *which)
+{
+    int n = 0;
+    for (int c = THUD_CASE_AS_WRITTEN; c < THUD_CASES; c++) {
+        if (c != THUD_CASE_NONE && has_case(table, THUD_CASE_NONE) && has_case(table, (enum thud_case)c))
+            which[n++] = (enum thud_case)c;
+    }
+    return n;
+}
+
+int thud_sweep_figure_count(const struct thud_sweep_table *table)
+{
+    enum thud_case which[THUD_CASES + 1];
+    if (table->naxes == 0 || table->nrows == 0)
+        return 0;
+    return compared(table, which) * (table->nrecords + (table->naxes == 1)) +
+           (table->naxes == 1 && table->ncontacts > 0 ? table->nrecords : 0);
+}
+
+struct thud_figure *thud_sweep_figure(const struct thud_sweep_table *table, int index)
+{
+    enum thud_case which[THUD_CASES + 1];
+    int cases = compared(table, which), per_case = table->nrecords + (table->naxes == 1);
+    int c = index / per_case, record = index % per_case;
+    char name[96], number[24] = "";
+    if (c >= cases) {
+        record = index - cases * per_case;
+        if (table->nrecords > 1)
+            snprintf(number, sizeof number, "-%d", record + 1);
+        snprintf(name, sizeof name, "contacts%s", number);
+        return thud_figure_of_contacts(table, record, name);
+    }
+    if (table->nrecords > 1 && record < table->nrecords)
+        snprintf(number, sizeof number, "-%d", record + 1);
+    const char *kind = record == table->nrecords ? "means" : table->naxes == 1 ? "floors" : "map";
+    snprintf(name, sizeof name, "%s-%s%s", kind, thud_case_name(which[c]), number);
+    if (record == table->nrecords)
+        return thud_figure_of_means(table, which[c], name, NULL);
+    return table->naxes == 1 ? thud_figure_by_floor(table, record, which[c], name, NULL)
+                             : thud_figure_of_map(table, record, which[c], name);
+}
