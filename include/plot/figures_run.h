@@ -34,8 +34,8 @@ enum thud_run_figure {
 const char *thud_run_figure_name(enum thud_run_figure which);
 /* Whether there is anything to show: no forces without contacts, no drift of rigid bodies. */
 bool thud_run_figure_has(enum thud_run_figure which, const struct thud_figure_source *source, int nsources);
-/* One source: a curve per floor or contact (the seven with the largest peaks where there are more). Several: a curve per source, of the floor or
- * contact with the largest peak. Ask thud_figure_check. */
+/* One source: a curve per floor or contact (the seven with the largest peaks where there are more). Several: a curve
+ * per source, of the floor or contact with the largest peak. Ask thud_figure_check. */
 struct thud_figure *thud_run_figure(enum thud_run_figure which, const struct thud_figure_source *source, int nsources);
 
 #endif

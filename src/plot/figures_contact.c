@@ -149,9 +149,11 @@ struct thud_figure *thud_figure_energies(const struct thud_figure_source *source
         thud_panel_axis(panel, THUD_X, "Time", "s");
         thud_panel_axis(panel, THUD_Y, "Energy", shown.unit);
         for (int e = 0; e < THUD_HISTORY_ENERGIES; e++)
-            thud_source_line(panel, &source[s], thud_history_energy(source[s].history, e), -1, shown.factor, name[e], e);
+            thud_source_line(panel, &source[s], thud_history_energy(source[s].history, e), -1, shown.factor, name[e],
+                             e);
     }
-    thud_figure_note(figure, "What was put in is moving (kinetic), stored (strain), or lost in the structures (viscous) "
-                             "and in the contacts (contact).");
+    thud_figure_note(figure,
+                     "What was put in is moving (kinetic), stored (strain), or lost in the structures (viscous) "
+                     "and in the contacts (contact).");
     return figure;
 }

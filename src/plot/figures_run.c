@@ -94,7 +94,8 @@ static const struct quantity {
 } quantities[THUD_RUN_FIGURES] = {
     [THUD_FIGURE_VELOCITY] = {"Velocity to the ground", "Floor velocity relative to the ground", "m/s", 1.0},
     [THUD_FIGURE_ACCELERATION] = {"Total acceleration", "Total floor acceleration", "m/s²", 1.0},
-    [THUD_FIGURE_DISPLACEMENT] = {"Displacement to the ground", "Floor displacement relative to the ground", "cm", 100.0},
+    [THUD_FIGURE_DISPLACEMENT] = {"Displacement to the ground", "Floor displacement relative to the ground", "cm",
+                                  100.0},
     [THUD_FIGURE_DRIFT] = {"Interstorey deflection", "Interstorey deflection", "mm", 1000.0},
 };
 

@@ -26,7 +26,8 @@ void thud_source_line(struct thud_panel *panel, const struct thud_figure_source 
 /* "floor 3", or with both structures where there are several interfaces. */
 void thud_source_contact_name(const struct thud_figure_source *source, int contact, char *text, size_t size);
 
-/* Indices of the `most` largest of n values that are > 0 (all where there are none), in their own order; returns how many. */
+/* Indices of the `most` largest of n values that are > 0 (all where there are none), in their own order; returns how
+ * many. */
 int thud_pick_largest(const double *value, int n, int most, int *index);
 
 struct thud_figure *thud_figure_forces(const struct thud_figure_source *source, int nsources);

@@ -19,7 +19,10 @@ static double ratio(const struct thud_sweep_row *row, enum quantity q)
 /* A case as a reader calls it. */
 static const char *case_title(enum thud_case which)
 {
-    return which == THUD_CASE_NONE ? "no bumper" : which == THUD_CASE_BUMPER ? "bumper" : which == THUD_CASE_CAVITY ? "bumper in a cavity" : "as written";
+    return which == THUD_CASE_NONE     ? "no bumper"
+           : which == THUD_CASE_BUMPER ? "bumper"
+           : which == THUD_CASE_CAVITY ? "bumper in a cavity"
+                                       : "as written";
 }
 
 /* Only the first value of every key past the first `free` ones is drawn. */
@@ -71,7 +74,9 @@ static bool numbers(const struct thud_sweep_axis *axis)
 
 static double factor_of(const struct thud_sweep_axis *axis)
 {
-    double unit = numbers(axis) && axis->param->unit && *axis->param->unit ? thud_unit_factor(axis->param->unit, NULL, NULL) : 1.0;
+    double unit = numbers(axis) && axis->param->unit && *axis->param->unit
+                      ? thud_unit_factor(axis->param->unit, NULL, NULL)
+                      : 1.0;
     return unit > 0.0 ? 1.0 / unit : 1.0;
 }
 
@@ -150,7 +155,8 @@ struct thud_figure *thud_figure_by_floor(const struct thud_sweep_table *table, i
 {
     int structure[COLUMNS_MAX], columns = columns_of(table, structure);
     char text[512];
-    snprintf(text, sizeof text, "%s: amplification by the %s, floor by floor", table->record[record], case_title(which));
+    snprintf(text, sizeof text, "%s: amplification by the %s, floor by floor", table->record[record],
+             case_title(which));
     struct thud_figure *figure = thud_figure_create(name, title ? title : text, 2, columns > 0 ? columns : 1);
     for (int c = 0; c < columns; c++) {
         int floors = floors_of(table, structure[c]), step = (floors + CURVES_MAX - 1) / CURVES_MAX;
@@ -159,7 +165,8 @@ struct thud_figure *thud_figure_by_floor(const struct thud_sweep_table *table, i
             ratio_axes(panel, table, (enum quantity)q);
             /* with more floors than curves every step-th from the top down, so that the top is there */
             for (int f = floors - (floors - 1) / step * step; f <= floors; f += step) {
-                struct thud_sweep_row wanted = {.record = record, .which = which, .structure = structure[c], .floor = f};
+                struct thud_sweep_row wanted = {
+                    .record = record, .which = which, .structure = structure[c], .floor = f};
                 snprintf(text, sizeof text, "floor %d", f);
                 ratio_line(panel, table, wanted, (enum quantity)q, text, f - 1);
             }
@@ -201,7 +208,8 @@ static void contact_line(struct thud_panel *panel, const struct thud_sweep_table
                          enum thud_case which, bool impacts)
 {
     const struct thud_sweep_axis *axis = &table->axis[0];
-    struct thud_style style = {.kind = numbers(axis) ? THUD_LINES_POINTS : THUD_POINTS, .color = which < 0 ? 3 : (int)which};
+    struct thud_style style = {.kind = numbers(axis) ? THUD_LINES_POINTS : THUD_POINTS,
+                               .color = which < 0 ? 3 : (int)which};
     struct thud_series *series = thud_panel_add(panel, style, case_title(which), (size_t)axis->n, NULL, NULL);
     if (!series)
         return;
@@ -227,7 +235,8 @@ struct thud_figure *thud_figure_of_contacts(const struct thud_sweep_table *table
     snprintf(text, sizeof text, "%s: contacts", table->record[record]);
     struct thud_figure *figure = thud_figure_create(name, text, 1, 2);
     for (int i = 0; i < 2; i++) {
-        struct thud_panel *panel = thud_figure_panel(figure, 0, i, i ? "All impacts of the run" : "Largest impact force");
+        struct thud_panel *panel =
+            thud_figure_panel(figure, 0, i, i ? "All impacts of the run" : "Largest impact force");
         varied_axis(panel, THUD_X, &table->axis[0]);
         thud_panel_axis(panel, THUD_Y, i ? "Impacts" : "Force", i ? "" : "MN");
         thud_panel_limits(panel, THUD_Y, 0.0, NAN);
@@ -274,7 +283,8 @@ struct thud_figure *thud_figure_of_map(const struct thud_sweep_table *table, int
 {
     int structure[COLUMNS_MAX], columns = columns_of(table, structure);
     char text[512];
-    snprintf(text, sizeof text, "%s: amplification by the %s, means over the floors", table->record[record], case_title(which));
+    snprintf(text, sizeof text, "%s: amplification by the %s, means over the floors", table->record[record],
+             case_title(which));
     struct thud_figure *figure = thud_figure_create(name, text, 2, columns > 0 ? columns : 1);
     for (int c = 0; c < columns; c++) {
         for (int q = ACCELERATION; q <= DRIFT; q++) {
@@ -285,11 +295,13 @@ struct thud_figure *thud_figure_of_map(const struct thud_sweep_table *table, int
             fill_map(panel, table, wanted, (enum quantity)q);
         }
     }
-    fixed_note(figure, table, 2, "Ratio to no bumper at the same gap; blue: the bumper helps; line: ratio 1; empty: no answer.");
+    fixed_note(figure, table, 2,
+               "Ratio to no bumper at the same gap; blue: the bumper helps; line: ratio 1; empty: no answer.");
     return figure;
 }
 
-/* ---- the list: per case with a ratio (by floor or as map per record, then the means), then the contacts per record ---- */
+/* ---- the list: per case with a ratio (by floor or as map per record, then the means), then the contacts per record
+ * ---- */
 
 /* Cases that are compared to `none`; returns how many. */
 static int compared(const struct thud_sweep_table *table, enum thud_case *which)

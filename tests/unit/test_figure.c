@@ -1,4 +1,5 @@
-/* Figures as data: limits that hold all data, a key with every name once, contours that lie on the level, traces that keep their spikes. */
+/* Figures as data: limits that hold all data, a key with every name once, contours that lie on the level, traces that
+ * keep their spikes. */
 #include <check.h>
 #include <math.h>
 #include <stdlib.h>
@@ -96,7 +97,8 @@ END_TEST
 START_TEST(a_closer_look_shares_the_series)
 {
     struct thud_figure *figure = thud_figure_create("f", "", 2, 1);
-    struct thud_panel *whole = thud_figure_panel(figure, 0, 0, "whole"), *near = thud_figure_panel(figure, 1, 0, "near");
+    struct thud_panel *whole = thud_figure_panel(figure, 0, 0, "whole"),
+                      *near = thud_figure_panel(figure, 1, 0, "near");
     const double x[] = {0.0, 1.0, 2.0, 3.0}, y[] = {0.0, 5.0, 1.0, 9.0};
     thud_panel_add(whole, line, "a", 4, x, y);
     thud_panel_zoom(near, whole, 0.5, 2.5);

@@ -38,7 +38,8 @@ static void remove_folder(void)
 static struct thud_figure *sample(size_t n)
 {
     struct thud_figure *figure = thud_figure_create("f", "", 1, 1);
-    struct thud_series *series = thud_panel_add(thud_figure_panel(figure, 0, 0, ""), (struct thud_style){0}, "a", n, NULL, NULL);
+    struct thud_series *series =
+        thud_panel_add(thud_figure_panel(figure, 0, 0, ""), (struct thud_style){0}, "a", n, NULL, NULL);
     for (size_t i = 0; i < n; i++) {
         series->x[i] = (double)i;
         series->y[i] = (double)(i * i % 17);

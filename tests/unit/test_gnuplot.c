@@ -1,5 +1,5 @@
-/* gnuplot as a child: whole pictures, names taken literally, and a clear message for every way it can go wrong. Broken gnuplots are
- * small shell scripts. */
+/* gnuplot as a child: whole pictures, names taken literally, and a clear message for every way it can go wrong. Broken
+ * gnuplots are small shell scripts. */
 #include <check.h>
 #include <sched.h>
 #include <signal.h>
@@ -94,14 +94,16 @@ static unsigned big_endian(const char *data)
 
 START_TEST(size_and_font_are_as_asked)
 {
-    struct thud_picture_options options = {.width_px = 640, .height_px = 401, .font = "DejaVu Sans Mono", .font_px = 11};
+    struct thud_picture_options options = {
+        .width_px = 640, .height_px = 401, .font = "DejaVu Sans Mono", .font_px = 11};
     struct thud_figure *figure = sample("a");
     struct thud_text picture = {0}, script = {0};
     ck_assert_int_eq(thud_gnuplot_draw(figure, &options, &picture, NULL), THUD_OK);
     ck_assert_uint_eq(big_endian(picture.data + 16), 640); /* IHDR */
     ck_assert_uint_eq(big_endian(picture.data + 20), 401);
     ck_assert_int_eq(thud_gnuplot_script(figure, &options, "a.png", &script, NULL), THUD_OK);
-    ck_assert_ptr_nonnull(strstr(script.data, "font 'DejaVu Sans Mono,8.25'")); /* 11 px are 8.25 pt at 96 to the inch */
+    ck_assert_ptr_nonnull(
+        strstr(script.data, "font 'DejaVu Sans Mono,8.25'")); /* 11 px are 8.25 pt at 96 to the inch */
     ck_assert_ptr_nonnull(strstr(script.data, "set output 'a.png'"));
     thud_text_clear(&picture);
     thud_text_clear(&script);
@@ -198,8 +200,9 @@ START_TEST(no_marker_and_no_picture_are_no_success)
     ck_assert_ptr_nonnull(strstr(err.what, "before the end"));
     ck_assert_int_eq(draw_with("cat >/dev/null\n" DONE "exit 0", 20, &err), THUD_GNUPLOT);
     ck_assert_ptr_nonnull(strstr(err.what, "without a whole png picture (0 bytes)"));
-    ck_assert_int_eq(draw_with("cat >/dev/null\nprintf '\\211PNG\\r\\n\\032\\nhalf of it and no more'\n" DONE, 20, &err),
-                     THUD_GNUPLOT);
+    ck_assert_int_eq(
+        draw_with("cat >/dev/null\nprintf '\\211PNG\\r\\n\\032\\nhalf of it and no more'\n" DONE, 20, &err),
+        THUD_GNUPLOT);
     ck_assert_ptr_nonnull(strstr(err.what, "without a whole png"));
 }
 END_TEST
@@ -293,8 +296,18 @@ START_TEST(options_are_read_strictly)
     ck_assert_int_eq(thud_picture_format_parse("jpg", &format, NULL), THUD_USAGE);
     ck_assert_int_eq(thud_picture_size_parse("640x400", &w, &h, NULL), THUD_OK);
     ck_assert(w == 640 && h == 400);
-    static const char *const bad[] = {"", "640", "640x", "x400", "640x400x", "-640x400", "640x-400", " 640x400", "640 x400",
-                                      "10x10", "99999999999999999999x400", "640x400px"};
+    static const char *const bad[] = {"",
+                                      "640",
+                                      "640x",
+                                      "x400",
+                                      "640x400x",
+                                      "-640x400",
+                                      "640x-400",
+                                      " 640x400",
+                                      "640 x400",
+                                      "10x10",
+                                      "99999999999999999999x400",
+                                      "640x400px"};
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
         ck_assert_msg(thud_picture_size_parse(bad[i], &w, &h, NULL) == THUD_USAGE, "%s", bad[i]);
 }

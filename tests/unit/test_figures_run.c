@@ -1,0 +1,191 @@
+/* Figures of runs show the histories' own numbers, converted to shown units. */
+#include <check.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "plot/figures_run.h"
+
+/* Two buildings of 3 and 9 floors and a made-up run with one impact at 5 s on floor 2. */
+enum { LEFT = 3, RIGHT = 9, DOFS = LEFT + RIGHT, CONTACTS = 3, ROWS = 1001 };
+
+struct sample {
+    struct thud_scene scene;
+    struct thud_floor_result floor[DOFS];
+    struct thud_structure_result structure[2];
+    struct thud_contact_result contact[CONTACTS];
+    struct thud_result result;
+    struct thud_history history;
+    struct thud_impact impact;
+    double time[ROWS], *value;
+    struct thud_figure_source source;
+};
+
+static double force_at(int i)
+{
+    return i > 500 && i < 520 ? 2e6 * sin((i - 500) * 3.14159265 / 20) : 0.0;
+}
+
+static struct sample *make(void)
+{
+    struct sample *s = calloc(1, sizeof *s);
+    strcpy(s->scene.title, "Two towers");
+    s->scene.nstructures = 2;
+    for (int k = 0; k < 2; k++) {
+        strcpy(s->scene.structure[k].name, k ? "B" : "A");
+        s->scene.structure[k].storeys = k ? RIGHT : LEFT;
+        for (int f = 0; f < RIGHT; f++)
+            s->scene.structure[k].height_m[f] = 3.0;
+        s->structure[k] =
+            (struct thud_structure_result){.floors = k ? RIGHT : LEFT, .floor = s->floor + (k ? LEFT : 0)};
+    }
+    for (int d = 0; d < DOFS; d++)
+        s->floor[d] =
+            (struct thud_floor_result){{d + 1.0, 0}, {0.01 * (d + 1), 0}, {0.1 * (d + 1), 0}, {1e-3 * (d + 1), 0}};
+    for (int c = 0; c < CONTACTS; c++)
+        s->contact[c] = (struct thud_contact_result){.interface = 1, .left_floor = c + 1, .right_floor = c + 1};
+    s->contact[1].impacts = 1;
+    s->contact[1].force.value = 2e6;
+    s->impact = (struct thud_impact){.contact = 1, .start_s = 5.0, .duration_s = 0.2, .force_n = 2e6};
+    s->result = (struct thud_result){
+        .nstructures = 2, .ncontacts = CONTACTS, .structure = s->structure, .contact = s->contact, .end_s = 10.0};
+    struct thud_history *h = &s->history;
+    *h = (struct thud_history){.ndof = DOFS,
+                               .ncontacts = CONTACTS,
+                               .columns = 1 + 3 * DOFS + 2 * CONTACTS + THUD_HISTORY_ENERGIES,
+                               .rows = ROWS,
+                               .time_s = s->time};
+    h->value = s->value = calloc((size_t)ROWS * (size_t)h->columns, sizeof *s->value);
+    for (int i = 0; i < ROWS; i++) {
+        double *row = s->value + i * h->columns;
+        s->time[i] = 0.01 * i;
+        for (int d = 0; d < DOFS; d++) {
+            row[thud_history_displacement(h, d)] = 0.01 * (d + 1) * sin(s->time[i]);
+            row[thud_history_velocity(h, d)] = 0.1 * (d + 1) * cos(s->time[i]);
+            row[thud_history_acceleration(h, d)] = -(d + 1) * sin(s->time[i]);
+        }
+        row[thud_history_force(h, 1)] = force_at(i);
+        row[thud_history_indentation(h, 1)] = force_at(i) > 0.0 ? force_at(i) / 1e9 : -1e-3 * abs(i - 510) / 10.0;
+        for (int e = 0; e < THUD_HISTORY_ENERGIES; e++)
+            row[thud_history_energy(h, e)] = 1e3 * (e + 1) * s->time[i];
+    }
+    s->source = (struct thud_figure_source){"bumper", &s->scene, &s->result, h, &s->impact, 1};
+    return s;
+}
+
+static void drop(struct sample *s)
+{
+    free(s->value);
+    free(s);
+}
+
+START_TEST(histories_show_floors_in_their_units)
+{
+    static const enum thud_run_figure which[] = {THUD_FIGURE_VELOCITY, THUD_FIGURE_ACCELERATION,
+                                                 THUD_FIGURE_DISPLACEMENT, THUD_FIGURE_DRIFT};
+    struct sample *s = make();
+    for (int w = 0; w < 4; w++) {
+        ck_assert(thud_run_figure_has(which[w], &s->source, 1));
+        struct thud_figure *figure = thud_run_figure(which[w], &s->source, 1);
+        ck_assert_int_eq(thud_figure_check(figure, NULL), THUD_OK);
+        ck_assert(figure->rows == 2 && figure->columns == 2);
+        const struct thud_panel *a = &figure->panel[0], *zoom = &figure->panel[1], *b = &figure->panel[2];
+        ck_assert_int_eq(a->nseries, LEFT);
+        ck_assert_int_eq(b->nseries, 7);
+        ck_assert_str_eq(b->series[0]->name, "floor 3"); /* the largest seven of nine */
+        int i = 321, dof = 1;
+        const double want[] = {0.1 * (dof + 1) * cos(3.21), -(dof + 1) * sin(3.21), 100 * 0.01 * (dof + 1) * sin(3.21),
+                               1000 * 0.01 * sin(3.21)};
+        ck_assert_msg(fabs(a->series[dof]->y[i] - want[w]) < 1e-9, "%d: %g %g", w, a->series[dof]->y[i], want[w]);
+        ck_assert(zoom->axis[THUD_X].least < 5.0 && zoom->axis[THUD_X].most > 5.2 && zoom->axis[THUD_X].most < 7.0);
+        thud_figure_free(figure);
+    }
+    drop(s);
+}
+END_TEST
+
+START_TEST(forces_and_loops_show_contacts)
+{
+    struct sample *s = make();
+    struct thud_figure *figure = thud_run_figure(THUD_FIGURE_FORCE, &s->source, 1);
+    const struct thud_panel *panel = &figure->panel[0];
+    ck_assert_int_eq(panel->nseries, 1); /* the others never touched */
+    ck_assert_str_eq(panel->series[0]->name, "floor 2");
+    ck_assert_str_eq(panel->axis[THUD_Y].unit, "MN");
+    ck_assert(fabs(panel->series[0]->y[510] - 2.0) < 1e-6);
+    thud_figure_free(figure);
+    figure = thud_run_figure(THUD_FIGURE_LOOP, &s->source, 1);
+    const struct thud_series *loop = figure->panel[0].series[0];
+    ck_assert_uint_ge(loop->n, 19);
+    ck_assert_uint_le(loop->n, 23);
+    for (size_t i = 0; i < loop->n; i++) /* 1 MN is 1 mm here, and rows out of contact are no part of it */
+        ck_assert(isnan(loop->x[i]) || fabs(loop->x[i] - loop->y[i]) < 1e-9);
+    thud_figure_free(figure);
+    s->source.nimpacts = 0;
+    ck_assert(!thud_run_figure_has(THUD_FIGURE_LOOP, &s->source, 1));
+    drop(s);
+}
+END_TEST
+
+START_TEST(several_runs_lie_over_each_other)
+{
+    struct sample *s = make();
+    struct thud_figure_source both[2] = {s->source, s->source};
+    both[0].name = "no bumper";
+    for (int w = 0; w < THUD_RUN_FIGURES; w++) {
+        struct thud_figure *figure = thud_run_figure((enum thud_run_figure)w, both, 2);
+        ck_assert_int_eq(thud_figure_check(figure, NULL), THUD_OK);
+        const struct thud_series *key[20];
+        int n = thud_figure_key(figure, key, 20);
+        if (w != THUD_FIGURE_ENERGY) {
+            ck_assert_int_eq(n, 2);
+            ck_assert_str_eq(key[0]->name, "no bumper");
+            ck_assert_str_eq(key[1]->name, "bumper");
+        }
+        thud_figure_free(figure);
+    }
+    drop(s);
+}
+END_TEST
+
+START_TEST(envelopes_stand_over_the_height)
+{
+    struct sample *s = make();
+    struct thud_figure *figure = thud_run_figure(THUD_FIGURE_ENVELOPE, &s->source, 1);
+    const struct thud_series *acceleration = figure->panel[0].series[0], *drift = figure->panel[2].series[0];
+    ck_assert_uint_eq(acceleration->n, LEFT);
+    ck_assert(acceleration->x[2] == 3.0 && acceleration->y[2] == 9.0);
+    ck_assert_uint_eq(drift->n, 2 * LEFT);
+    ck_assert(drift->y[0] == 0.0 && drift->y[1] == 3.0 && drift->x[0] == drift->x[1]);
+    thud_figure_free(figure);
+    drop(s);
+}
+END_TEST
+
+START_TEST(rigid_bodies_have_no_deflections)
+{
+    struct sample *s = make();
+    s->scene.structure[0].kind = s->scene.structure[1].kind = THUD_RIGID;
+    ck_assert(!thud_run_figure_has(THUD_FIGURE_DRIFT, &s->source, 1));
+    ck_assert(!thud_run_figure_has(THUD_FIGURE_ENVELOPE, &s->source, 1));
+    ck_assert(thud_run_figure_has(THUD_FIGURE_VELOCITY, &s->source, 1));
+    s->history.rows = 0;
+    ck_assert(!thud_run_figure_has(THUD_FIGURE_VELOCITY, &s->source, 1));
+    drop(s);
+}
+END_TEST
+
+Suite *thud_suite(void);
+Suite *thud_suite(void)
+{
+    Suite *suite = suite_create("figures_run");
+    TCase *tcase = tcase_create("figures_run");
+    tcase_add_test(tcase, histories_show_floors_in_their_units);
+    tcase_add_test(tcase, forces_and_loops_show_contacts);
+    tcase_add_test(tcase, several_runs_lie_over_each_other);
+    tcase_add_test(tcase, envelopes_stand_over_the_height);
+    tcase_add_test(tcase, rigid_bodies_have_no_deflections);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}
