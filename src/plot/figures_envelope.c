@@ -9,9 +9,9 @@ enum { QUANTITIES = 3 };
 static const struct {
     const char *label, *unit;
     double factor;
-} quantity[QUANTITIES] = {{"Peak total acceleration", "m/s²", 1.0},
-                          {"Peak displacement", "cm", 100.0},
-                          {"Peak interstorey deflection", "mm", 1000.0}};
+} quantity[QUANTITIES] = {{"Total acceleration", "m/s²", 1.0},
+                          {"Displacement", "cm", 100.0},
+                          {"Deflection", "mm", 1000.0}};
 
 /* Elevations of the floors; the base slab of an isolated building stands at 0. */
 static void elevations(const struct thud_structure *structure, int floors, double *height)
@@ -27,6 +27,17 @@ static void elevations(const struct thud_structure *structure, int floors, doubl
 static double peak_of(const struct thud_floor_result *floor, int q)
 {
     return q == 0 ? floor->acceleration.value : q == 1 ? floor->displacement.value : floor->drift.value;
+}
+
+static double largest(const struct thud_figure_source *source, int nsources, int structure, int q)
+{
+    double peak = 0.0;
+    for (int s = 0; s < nsources; s++) {
+        const struct thud_structure_result *result = &source[s].result->structure[structure];
+        for (int f = 0; f < result->floors; f++)
+            peak = fmax(peak, peak_of(&result->floor[f], q));
+    }
+    return peak > 0.0 ? peak : 1.0;
 }
 
 /* Floor values joined by lines from the ground up; a deflection belongs to its whole storey. */
@@ -67,7 +78,8 @@ struct thud_figure *thud_figure_envelopes(const struct thud_figure_source *sourc
             struct thud_panel *panel = thud_figure_panel(figure, row, q, structure->name);
             thud_panel_axis(panel, THUD_X, quantity[q].label, quantity[q].unit);
             thud_panel_axis(panel, THUD_Y, "Height", "m");
-            thud_panel_limits(panel, THUD_X, 0.0, NAN);
+            thud_panel_limits(panel, THUD_X, 0.0, 1.05 * quantity[q].factor * largest(source, nsources, i, q));
+            thud_panel_limits(panel, THUD_Y, 0.0, NAN);
             for (int s = 0; s < nsources; s++)
                 envelope(panel, &source[s], i, q, nsources > 1 ? source[s].name : "", s);
         }

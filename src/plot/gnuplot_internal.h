@@ -35,6 +35,9 @@ struct box thud_sheet_frame(const struct sheet *sheet, int panel);
  * control characters as spaces. */
 void thud_gnuplot_quote(struct thud_text *out, const char *text, double widest, double em);
 
+/* About how wide a text is, px. */
+double thud_gnuplot_width(const char *text, double em);
+
 /* Data blocks of a panel, and the panel itself. */
 void thud_gnuplot_data(const struct sheet *sheet, int panel);
 void thud_gnuplot_panel(const struct sheet *sheet, int panel);

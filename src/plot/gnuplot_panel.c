@@ -154,13 +154,17 @@ static void axis_label(const struct sheet *sheet, const struct thud_axis *a, enu
     struct thud_text *out = sheet->out;
     char text[512];
     double length = side == THUD_X ? box->right - box->left : box->top - box->bottom;
+    thud_axis_text(a, text, sizeof text);
+    /* a long one is written smaller before it is cut, so that its unit stays */
+    double em = sheet->em * fmin(1.0, fmax(0.75, 1.15 * length / thud_gnuplot_width(text, sheet->em)));
     thud_text_append(out, "set label %d ", 92 + (int)side);
-    thud_gnuplot_quote(out, thud_axis_text(a, text, sizeof text), length, sheet->em);
+    thud_gnuplot_quote(out, text, 1.2 * length, em);
     if (side == THUD_X)
-        thud_text_append(out, " at graph 0.5, screen %.5f center\n", (box->bottom - 2.85 * sheet->em) / sheet->height);
+        thud_text_append(out, " at graph 0.5, screen %.5f center", (box->bottom - 2.85 * sheet->em) / sheet->height);
     else
-        thud_text_append(out, " at screen %.5f, graph 0.5 center rotate by 90\n",
+        thud_text_append(out, " at screen %.5f, graph 0.5 center rotate by 90",
                          (box->label + 0.2 * sheet->em) / sheet->width);
+    thud_text_append(out, " font ',%.4g'\n", em * sheet->points);
 }
 
 static void axis(const struct sheet *sheet, const struct thud_panel *panel, enum thud_side side, const struct box *box)

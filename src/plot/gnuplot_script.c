@@ -63,7 +63,7 @@ static size_t character(const char *s)
 
 static const double char_em = 0.55; /* mean width of DejaVu Sans, on the safe side */
 
-static double text_px(const char *text, double em)
+double thud_gnuplot_width(const char *text, double em)
 {
     size_t n = 0;
     for (size_t step; *text; text += step ? step : 1, n++)
@@ -74,7 +74,7 @@ static double text_px(const char *text, double em)
 void thud_gnuplot_quote(struct thud_text *out, const char *text, double widest, double em)
 {
     size_t most = widest > 0.0 ? (size_t)fmax(3.0, widest / (char_em * em)) : (size_t)-1, n = 0;
-    bool cut = widest > 0.0 && text_px(text, em) > widest;
+    bool cut = widest > 0.0 && thud_gnuplot_width(text, em) > widest;
     thud_text_bytes(out, "'", 1);
     while (*text) {
         size_t size = character(text);
@@ -116,7 +116,7 @@ struct sheet thud_sheet(const struct thud_figure *figure, const struct thud_pict
         sheet.nkeys = most;
     double widest = 0.0;
     for (int i = 0; i < sheet.nkeys; i++)
-        widest = fmax(widest, text_px(sheet.key[i]->name, sheet.em));
+        widest = fmax(widest, thud_gnuplot_width(sheet.key[i]->name, sheet.em));
     widest = fmin(widest, 0.22 * sheet.width);
     sheet.key_left = sheet.width - (sheet.nkeys ? widest + 4.5 * sheet.em : 0.8 * sheet.em);
     return sheet;
@@ -132,7 +132,7 @@ struct box thud_sheet_frame(const struct sheet *sheet, int panel)
     double names = 0.0; /* room for named ticks */
     const struct thud_axis *axis = &sheet->figure->panel[panel].axis[THUD_Y];
     for (int i = 0; i < axis->nticks; i++)
-        names = fmax(names, text_px(axis->tick[i].text, sheet->em));
+        names = fmax(names, thud_gnuplot_width(axis->tick[i].text, sheet->em));
     struct box box;
     box.left = column * width + fmin(fmax(6.8 * sheet->em, names + 3.4 * sheet->em), 0.5 * width);
     box.label = column * width + (column ? 2.0 : 1.4) * sheet->em;
