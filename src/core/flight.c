@@ -88,18 +88,19 @@ static void margins(struct thud_flight *f, const struct thud_run *run, int inter
     }
     for (int s = 0; s < m->nstructures; s++) {
         const struct thud_model_structure *p = &m->structure[s];
-        double sum[THUD_FLIGHT_QUANTITIES] = {0};
+        double sum[THUD_FLIGHT_MARGINS] = {0};
         for (int j = p->first; j < p->first + p->n; j++) {
             double w = m->omega[j], z = 2 * m->zeta[j] * w, reach = fabs(m->gamma[j]), push = reach * ground;
             double speed = largest_speed(f, j, w, intervals + 1) + dt * push;
             double second = (w + z) * speed + push;
-            double third = w * w * speed + z * second + reach * slope;
+            double third = w * w * speed + z * second + reach * slope, fourth = w * w * second + z * third;
             sum[THUD_FLIGHT_DISPLACEMENT] += run->shape[j] * second;
             sum[THUD_FLIGHT_VELOCITY] += run->shape[j] * third;
-            sum[THUD_FLIGHT_ACCELERATION] += run->shape[j] * (w * w * second + z * third);
+            sum[THUD_FLIGHT_ACCELERATION] += run->shape[j] * fourth;
+            sum[THUD_FLIGHT_JERK] += run->shape[j] * (w * w * third + z * fourth);
             sum[THUD_FLIGHT_DRIFT] += run->shape[m->ndof + j] * second;
         }
-        for (int x = 0; x < THUD_FLIGHT_QUANTITIES; x++)
+        for (int x = 0; x < THUD_FLIGHT_MARGINS; x++)
             f->margin[x * m->nstructures + s] = sum[x] * eighth;
     }
 }
@@ -169,27 +170,79 @@ static int until_contact(struct thud_run *run, struct thud_flight *f, int c, int
     return intervals;
 }
 
-static double *peak_of(const struct thud_run *run, int s, int floor, int quantity)
+/* One floor's row of the block. */
+struct row {
+    int structure, floor, quantity;
+    const double *x;
+    struct thud_peak *peak;
+    double margin, slope_margin;
+};
+
+static struct row row_of(const struct thud_run *run, const struct thud_flight *f, int s, int floor, int quantity)
 {
+    /* whose margin bounds the rate's deviation from its chord: u' is v; v' is a - a_g, and a_g is linear; drift' is the difference of two v */
+    static const int rate[] = {THUD_FLIGHT_VELOCITY, THUD_FLIGHT_ACCELERATION, THUD_FLIGHT_JERK, THUD_FLIGHT_VELOCITY};
+    const struct thud_model *m = run->model;
     struct thud_floor_result *r = &run->result.structure[s].floor[floor];
     struct thud_peak *peak[] = {&r->displacement, &r->velocity, &r->acceleration, &r->drift};
-    return &peak[quantity]->value;
+    int n = m->nstructures;
+    double slope = f->margin[rate[quantity] * n + s];
+    return (struct row){s, floor, quantity, f->value[quantity] + (m->structure[s].first + floor) * ENDS, peak[quantity],
+                        f->margin[quantity * n + s], quantity == THUD_FLIGHT_DRIFT ? 2 * slope : slope};
 }
 
-/* Marks the intervals in which row x may pass both its peak so far and the largest of its own values. */
-static void mark(struct thud_flight *f, const double *x, double peak, double margin, int intervals)
+/* Rate of a row's value at end t of an interval whose ground acceleration there is `ground`. */
+static double rate_at(const struct thud_run *run, const struct thud_flight *f, const struct row *row, int t, double ground)
 {
+    const struct thud_model *m = run->model;
+    const struct thud_model_structure *p = &m->structure[row->structure];
+    const double *v = f->value[THUD_FLIGHT_VELOCITY] + (p->first + row->floor) * ENDS + t;
+    if (row->quantity == THUD_FLIGHT_DISPLACEMENT)
+        return *v;
+    if (row->quantity == THUD_FLIGHT_DRIFT)
+        return row->floor > 0 ? *v - v[-ENDS] : *v;
+    if (row->quantity == THUD_FLIGHT_VELOCITY)
+        return f->value[THUD_FLIGHT_ACCELERATION][(p->first + row->floor) * ENDS + t] - ground;
+    double jerk = 0;
+    for (int j = 0; j < p->n; j++) {
+        int k = p->first + j;
+        double second = f->spring[k * ENDS + t] - m->gamma[k] * ground;
+        jerk -= p->phi[row->floor * p->n + j] * m->omega[k] *
+                (m->omega[k] * f->qd[k * ENDS + t] + 2 * m->zeta[k] * second);
+    }
+    return jerk;
+}
+
+static void raise_to(struct thud_run *run, struct thud_peak *peak, double value, int t)
+{
+    if (fabs(value) > peak->value)
+        *peak = (struct thud_peak){fabs(value), (double)(run->grid + t) * run->grid_dt_s};
+}
+
+/* Marks the intervals inside which the row may pass both its peak so far and the largest of its own values; where it only rises or only falls, its ends
+ * say all. */
+static void mark(struct thud_run *run, struct thud_flight *f, const struct row *row, int intervals)
+{
+    const double *x = row->x;
     double most = 0;
     for (int t = 0; t <= intervals; t++) {
         double a = fabs(x[t]);
         most = a > most ? a : most;
     }
-    if (most + margin <= peak)
+    if (most + row->margin <= row->peak->value)
         return;
-    double limit = fmax(peak, most) - margin;
-    for (int t = 0; t < intervals; t++)
-        if (fabs(x[t]) > limit || fabs(x[t + 1]) > limit)
+    double limit = fmax(row->peak->value, most) - row->margin;
+    for (int t = 0; t < intervals; t++) {
+        if (fabs(x[t]) <= limit && fabs(x[t + 1]) <= limit)
+            continue;
+        double a = rate_at(run, f, row, t, f->ground[t]), b = rate_at(run, f, row, t + 1, f->after[t]);
+        if (a * b > 0 && fmin(fabs(a), fabs(b)) > row->slope_margin) {
+            raise_to(run, row->peak, x[t], t);
+            raise_to(run, row->peak, x[t + 1], t + 1);
+        } else {
             f->suspect[t] = 1;
+        }
+    }
 }
 
 static void look_at(struct thud_run *run, struct thud_flight *f, int t)
@@ -212,9 +265,10 @@ static void peaks(struct thud_run *run, struct thud_flight *f, int intervals)
     memset(f->suspect, 0, sizeof f->suspect);
     for (int s = 0; s < m->nstructures; s++)
         for (int i = 0; i < m->structure[s].n; i++)
-            for (int x = 0; x < THUD_FLIGHT_QUANTITIES; x++)
-                mark(f, f->value[x] + (m->structure[s].first + i) * ENDS, *peak_of(run, s, i, x),
-                     f->margin[x * m->nstructures + s], intervals);
+            for (int x = 0; x < (m->structure[s].stiffness_npm ? THUD_FLIGHT_QUANTITIES : THUD_FLIGHT_DRIFT); x++) {
+                struct row row = row_of(run, f, s, i, x);
+                mark(run, f, &row, intervals);
+            }
     for (int t = 0; t < intervals; t++)
         if (f->suspect[t])
             look_at(run, f, t);

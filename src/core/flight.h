@@ -10,7 +10,9 @@ enum {
     THUD_FLIGHT_VELOCITY,
     THUD_FLIGHT_ACCELERATION,
     THUD_FLIGHT_DRIFT,
-    THUD_FLIGHT_QUANTITIES
+    THUD_FLIGHT_QUANTITIES,
+    THUD_FLIGHT_JERK = THUD_FLIGHT_QUANTITIES, /* for bounds only */
+    THUD_FLIGHT_MARGINS
 };
 
 struct thud_flight {
@@ -30,7 +32,7 @@ struct thud_flight {
     double *value[THUD_FLIGHT_QUANTITIES]; /* (n x ENDS) by floor */
     double *gap, *energy;                  /* (ENDS) */
     double *ground, *after;                /* (ENDS) ground acceleration at the start and at the end of each interval */
-    double *margin; /* (QUANTITIES x nstructures): how far a value inside an interval may lie above those at its ends */
+    double *margin; /* (MARGINS x nstructures): how far a value inside an interval may lie above those at its ends */
     char suspect[THUD_FLIGHT_ENDS]; /* intervals that may hold a new peak */
     int size;                       /* intervals to try next */
     double *block;

@@ -62,7 +62,7 @@ static double rising_root(const struct search *f, double a, double b)
         double next = s - p / d;
         if (!(next > a && next < b))
             next = 0.5 * (a + b);
-        if (fabs(next - s) <= 1e-16 * fabs(next) || b - a <= 2e-16 * b)
+        if (fabs(next - s) <= 4e-16 * fabs(next) || b - a <= 4e-16 * b)
             return next;
         s = next;
     }
