@@ -51,14 +51,14 @@ static void floor_values(struct thud_flight *f, const struct thud_model *m, int 
         const struct thud_model_structure *p = &m->structure[s];
         for (int i = 0; i < p->n; i++) {
             size_t row = (size_t)(p->first + i) * ENDS;
-            for (int x = THUD_FLIGHT_DISPLACEMENT; x <= THUD_FLIGHT_ACCELERATION; x++) {
+            for (int x = THUD_FLOOR_DISPLACEMENT; x <= THUD_FLOOR_ACCELERATION; x++) {
                 double *to = f->value[x] + row;
                 memset(to, 0, (size_t)ends * sizeof *to);
                 for (int j = 0; j < p->n; j++)
                     add_row(to, from[x] + (p->first + j) * ENDS, p->phi[i * p->n + j], ends);
             }
-            const double *u = f->value[THUD_FLIGHT_DISPLACEMENT] + row;
-            double *drift = f->value[THUD_FLIGHT_DRIFT] + row;
+            const double *u = f->value[THUD_FLOOR_DISPLACEMENT] + row;
+            double *drift = f->value[THUD_FLOOR_DRIFT] + row;
             for (int t = 0; t < ends; t++)
                 drift[t] = !p->stiffness_npm ? 0 : i > 0 ? u[t] - (u - ENDS)[t] : u[t];
         }
@@ -94,11 +94,11 @@ static void margins(struct thud_flight *f, const struct thud_run *run, int inter
             double speed = largest_speed(f, j, w, intervals + 1) + dt * push;
             double second = (w + z) * speed + push;
             double third = w * w * speed + z * second + reach * slope, fourth = w * w * second + z * third;
-            sum[THUD_FLIGHT_DISPLACEMENT] += run->shape[j] * second;
-            sum[THUD_FLIGHT_VELOCITY] += run->shape[j] * third;
-            sum[THUD_FLIGHT_ACCELERATION] += run->shape[j] * fourth;
+            sum[THUD_FLOOR_DISPLACEMENT] += run->shape[j] * second;
+            sum[THUD_FLOOR_VELOCITY] += run->shape[j] * third;
+            sum[THUD_FLOOR_ACCELERATION] += run->shape[j] * fourth;
             sum[THUD_FLIGHT_JERK] += run->shape[j] * (w * w * third + z * fourth);
-            sum[THUD_FLIGHT_DRIFT] += run->shape[m->ndof + j] * second;
+            sum[THUD_FLOOR_DRIFT] += run->shape[m->ndof + j] * second;
         }
         for (int x = 0; x < THUD_FLIGHT_MARGINS; x++)
             f->margin[x * m->nstructures + s] = sum[x] * eighth;
@@ -153,8 +153,8 @@ static int until_contact(struct thud_run *run, struct thud_flight *f, int c, int
     const struct thud_model_contact *p = &m->contact[c];
     if (p->law->flags & THUD_LAW_SILENT)
         return intervals;
-    const double *left = p->left_dof < 0 ? NULL : f->value[THUD_FLIGHT_DISPLACEMENT] + (size_t)p->left_dof * ENDS;
-    const double *right = p->right_dof < 0 ? NULL : f->value[THUD_FLIGHT_DISPLACEMENT] + (size_t)p->right_dof * ENDS;
+    const double *left = p->left_dof < 0 ? NULL : f->value[THUD_FLOOR_DISPLACEMENT] + (size_t)p->left_dof * ENDS;
+    const double *right = p->right_dof < 0 ? NULL : f->value[THUD_FLOOR_DISPLACEMENT] + (size_t)p->right_dof * ENDS;
     double margin = left ? f->margin[m->dof_structure[p->left_dof]] : 0, most = -INFINITY;
     margin += right ? f->margin[m->dof_structure[p->right_dof]] : 0;
     double limit = thud_run_shift(run, c) - margin;
@@ -178,37 +178,42 @@ struct row {
     double margin, slope_margin;
 };
 
-static struct row row_of(const struct thud_run *run, const struct thud_flight *f, int s, int floor, int quantity)
+static struct row row_of(struct thud_run *run, const struct thud_flight *f, int s, int floor, int quantity)
 {
-    /* whose margin bounds the rate's deviation from its chord: u' is v; v' is a - a_g, and a_g is linear; drift' is the difference of two v */
-    static const int rate[] = {THUD_FLIGHT_VELOCITY, THUD_FLIGHT_ACCELERATION, THUD_FLIGHT_JERK, THUD_FLIGHT_VELOCITY};
+    /* whose margin bounds the rate's deviation from its chord: u' is v; v' is a - a_g, and a_g is linear; drift' is the
+     * difference of two v */
+    static const int rate[] = {THUD_FLOOR_VELOCITY, THUD_FLOOR_ACCELERATION, THUD_FLIGHT_JERK, THUD_FLOOR_VELOCITY};
     const struct thud_model *m = run->model;
-    struct thud_floor_result *r = &run->result.structure[s].floor[floor];
-    struct thud_peak *peak[] = {&r->displacement, &r->velocity, &r->acceleration, &r->drift};
     int n = m->nstructures;
     double slope = f->margin[rate[quantity] * n + s];
-    return (struct row){s, floor, quantity, f->value[quantity] + (m->structure[s].first + floor) * ENDS, peak[quantity],
-                        f->margin[quantity * n + s], quantity == THUD_FLIGHT_DRIFT ? 2 * slope : slope};
+    return (struct row){s,
+                        floor,
+                        quantity,
+                        f->value[quantity] + (m->structure[s].first + floor) * ENDS,
+                        thud_floor_peak(run, s, floor, quantity),
+                        f->margin[quantity * n + s],
+                        quantity == THUD_FLOOR_DRIFT ? 2 * slope : slope};
 }
 
 /* Rate of a row's value at end t of an interval whose ground acceleration there is `ground`. */
-static double rate_at(const struct thud_run *run, const struct thud_flight *f, const struct row *row, int t, double ground)
+static double rate_at(const struct thud_run *run, const struct thud_flight *f, const struct row *row, int t,
+                      double ground)
 {
     const struct thud_model *m = run->model;
     const struct thud_model_structure *p = &m->structure[row->structure];
-    const double *v = f->value[THUD_FLIGHT_VELOCITY] + (p->first + row->floor) * ENDS + t;
-    if (row->quantity == THUD_FLIGHT_DISPLACEMENT)
+    const double *v = f->value[THUD_FLOOR_VELOCITY] + (p->first + row->floor) * ENDS + t;
+    if (row->quantity == THUD_FLOOR_DISPLACEMENT)
         return *v;
-    if (row->quantity == THUD_FLIGHT_DRIFT)
+    if (row->quantity == THUD_FLOOR_DRIFT)
         return row->floor > 0 ? *v - v[-ENDS] : *v;
-    if (row->quantity == THUD_FLIGHT_VELOCITY)
-        return f->value[THUD_FLIGHT_ACCELERATION][(p->first + row->floor) * ENDS + t] - ground;
+    if (row->quantity == THUD_FLOOR_VELOCITY)
+        return f->value[THUD_FLOOR_ACCELERATION][(p->first + row->floor) * ENDS + t] - ground;
     double jerk = 0;
     for (int j = 0; j < p->n; j++) {
         int k = p->first + j;
         double second = f->spring[k * ENDS + t] - m->gamma[k] * ground;
-        jerk -= p->phi[row->floor * p->n + j] * m->omega[k] *
-                (m->omega[k] * f->qd[k * ENDS + t] + 2 * m->zeta[k] * second);
+        jerk -=
+            p->phi[row->floor * p->n + j] * m->omega[k] * (m->omega[k] * f->qd[k * ENDS + t] + 2 * m->zeta[k] * second);
     }
     return jerk;
 }
@@ -219,8 +224,8 @@ static void raise_to(struct thud_run *run, struct thud_peak *peak, double value,
         *peak = (struct thud_peak){fabs(value), (double)(run->grid + t) * run->grid_dt_s};
 }
 
-/* Marks the intervals inside which the row may pass both its peak so far and the largest of its own values; where it only rises or only falls, its ends
- * say all. */
+/* Marks the intervals inside which the row may pass both its peak so far and the largest of its own values; where it
+ * only rises or only falls, its ends say all. */
 static void mark(struct thud_run *run, struct thud_flight *f, const struct row *row, int intervals)
 {
     const double *x = row->x;
@@ -245,6 +250,25 @@ static void mark(struct thud_run *run, struct thud_flight *f, const struct row *
     }
 }
 
+static void rows_do(struct thud_run *run, struct thud_flight *f, int arg,
+                    void (*act)(struct thud_run *run, struct thud_flight *f, const struct row *row, int arg))
+{
+    const struct thud_model *m = run->model;
+    for (int s = 0; s < m->nstructures; s++)
+        for (int i = 0; i < m->structure[s].n; i++)
+            for (int x = 0; x < (m->structure[s].stiffness_npm ? THUD_FLOOR_QUANTITIES : THUD_FLOOR_DRIFT); x++) {
+                struct row row = row_of(run, f, s, i, x);
+                act(run, f, &row, arg);
+            }
+}
+
+static void read_row(struct thud_run *run, struct thud_flight *f, const struct row *row, int t)
+{
+    (void)f;
+    if (fmax(fabs(row->x[t]), fabs(row->x[t + 1])) + row->margin > row->peak->value)
+        thud_peaks_floor(run, row->structure, row->floor, row->quantity, 1);
+}
+
 static void look_at(struct thud_run *run, struct thud_flight *f, int t)
 {
     long base = run->grid;
@@ -252,8 +276,10 @@ static void look_at(struct thud_run *run, struct thud_flight *f, int t)
     start_interval(f, t);
     for (int piece = 0; piece < f->pieces; piece++) {
         series(run, f, piece);
-        thud_peaks_motion(run, 1);
-        thud_segment_state(&run->seg, f->n, 1, f->now, f->now_rate);
+        thud_peaks_prepare(run);
+        rows_do(run, f, t, read_row);
+        if (piece + 1 < f->pieces)
+            thud_segment_state(&run->seg, f->n, 1, f->now, f->now_rate);
     }
     run->grid = base;
     run->offset_s = 0;
@@ -261,14 +287,8 @@ static void look_at(struct thud_run *run, struct thud_flight *f, int t)
 
 static void peaks(struct thud_run *run, struct thud_flight *f, int intervals)
 {
-    const struct thud_model *m = run->model;
     memset(f->suspect, 0, sizeof f->suspect);
-    for (int s = 0; s < m->nstructures; s++)
-        for (int i = 0; i < m->structure[s].n; i++)
-            for (int x = 0; x < (m->structure[s].stiffness_npm ? THUD_FLIGHT_QUANTITIES : THUD_FLIGHT_DRIFT); x++) {
-                struct row row = row_of(run, f, s, i, x);
-                mark(run, f, &row, intervals);
-            }
+    rows_do(run, f, intervals, mark);
     for (int t = 0; t < intervals; t++)
         if (f->suspect[t])
             look_at(run, f, t);

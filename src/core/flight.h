@@ -6,14 +6,9 @@
 
 enum { THUD_FLIGHT_BLOCK = 128, THUD_FLIGHT_ENDS = THUD_FLIGHT_BLOCK + 1 }; /* intervals in a block, and their ends */
 enum {
-    THUD_FLIGHT_DISPLACEMENT,
-    THUD_FLIGHT_VELOCITY,
-    THUD_FLIGHT_ACCELERATION,
-    THUD_FLIGHT_DRIFT,
-    THUD_FLIGHT_QUANTITIES,
-    THUD_FLIGHT_JERK = THUD_FLIGHT_QUANTITIES, /* for bounds only */
+    THUD_FLIGHT_JERK = THUD_FLOOR_QUANTITIES,
     THUD_FLIGHT_MARGINS
-};
+}; /* the rate of the acceleration: for bounds only */
 
 struct thud_flight {
     int n;      /* modes */
@@ -28,10 +23,10 @@ struct thud_flight {
     double *now, *now_rate; /* (n) modal state while one interval is looked at */
 
     /* A block of intervals, by row and then by end (so that loops over time vectorize) */
-    double *q, *qd, *spring;               /* (n x ENDS) modal state, and omega^2 q + 2 zeta omega q' */
-    double *value[THUD_FLIGHT_QUANTITIES]; /* (n x ENDS) by floor */
-    double *gap, *energy;                  /* (ENDS) */
-    double *ground, *after;                /* (ENDS) ground acceleration at the start and at the end of each interval */
+    double *q, *qd, *spring;              /* (n x ENDS) modal state, and omega^2 q + 2 zeta omega q' */
+    double *value[THUD_FLOOR_QUANTITIES]; /* (n x ENDS) by floor */
+    double *gap, *energy;                 /* (ENDS) */
+    double *ground, *after;               /* (ENDS) ground acceleration at the start and at the end of each interval */
     double *margin; /* (MARGINS x nstructures): how far a value inside an interval may lie above those at its ends */
     char suspect[THUD_FLIGHT_ENDS]; /* intervals that may hold a new peak */
     int size;                       /* intervals to try next */

@@ -35,8 +35,7 @@ static bool allocate(struct thud_flight *f, const struct thud_model *m)
     double **rest[] = {&f->now, &f->now_rate};
     for (size_t i = 0; i < sizeof rest / sizeof *rest; i++)
         by_mode[count++] = rest[i];
-    size_t total =
-        count * n + ends * many + singles * THUD_FLIGHT_ENDS + THUD_FLIGHT_MARGINS * (size_t)m->nstructures;
+    size_t total = count * n + ends * many + singles * THUD_FLIGHT_ENDS + THUD_FLIGHT_MARGINS * (size_t)m->nstructures;
     double *next = f->block = calloc(total, sizeof *next);
     if (!next)
         return false;

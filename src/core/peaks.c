@@ -29,9 +29,16 @@ static void floor_polynomial(const struct thud_model_structure *p, int floor, co
     }
 }
 
-/* Modal total acceleration q'' + gamma a_g, (terms - 2 x nmodes). */
-static void modal_acceleration(const struct thud_run *run, double *out)
+struct thud_peak *thud_floor_peak(struct thud_run *run, int structure, int floor, int quantity)
 {
+    struct thud_floor_result *r = &run->result.structure[structure].floor[floor];
+    struct thud_peak *peak[] = {&r->displacement, &r->velocity, &r->acceleration, &r->drift};
+    return peak[quantity];
+}
+
+void thud_peaks_prepare(struct thud_run *run)
+{
+    double *out = run->scratch;
     const struct thud_model *m = run->model;
     const struct thud_segment *seg = &run->seg;
     double inverse = 1 / (seg->h_s * seg->h_s);
@@ -41,8 +48,6 @@ static void modal_acceleration(const struct thud_run *run, double *out)
             out[k * m->ndof + j] = scale * seg->q[(k + 2) * m->ndof + j] + m->gamma[j] * ground;
     }
 }
-
-enum { DISPLACEMENT, VELOCITY, ACCELERATION, DRIFT, QUANTITIES };
 
 /* Bounds of the second derivatives of each mode's displacement, velocity and acceleration in the segment, times s^2/8:
  * how far a value inside may lie above those at its ends. out (3 x nmodes). */
@@ -67,15 +72,15 @@ static void modal_margins(const struct thud_run *run, const double *acceleration
 
 /* The same for the structure's worst floor. */
 static void structure_margins(const struct thud_run *run, const struct thud_model_structure *p, const double *modal,
-                              double margin[QUANTITIES])
+                              double margin[THUD_FLOOR_QUANTITIES])
 {
     int n = run->model->ndof;
-    double sum[QUANTITIES] = {0};
+    double sum[THUD_FLOOR_QUANTITIES] = {0};
     for (int j = p->first; j < p->first + p->n; j++) {
-        sum[DISPLACEMENT] += run->shape[j] * modal[j];
-        sum[VELOCITY] += run->shape[j] * modal[n + j];
-        sum[ACCELERATION] += run->shape[j] * modal[2 * n + j];
-        sum[DRIFT] += run->shape[n + j] * modal[j];
+        sum[THUD_FLOOR_DISPLACEMENT] += run->shape[j] * modal[j];
+        sum[THUD_FLOOR_VELOCITY] += run->shape[j] * modal[n + j];
+        sum[THUD_FLOOR_ACCELERATION] += run->shape[j] * modal[2 * n + j];
+        sum[THUD_FLOOR_DRIFT] += run->shape[n + j] * modal[j];
     }
     memcpy(margin, sum, sizeof sum);
 }
@@ -84,8 +89,8 @@ static void structure_margins(const struct thud_run *run, const struct thud_mode
 static double floor_margin(const struct thud_model_structure *p, int floor, int quantity, int nmodes,
                            const double *modal)
 {
-    const double *row = p->phi + floor * p->n, *below = floor > 0 && quantity == DRIFT ? row - p->n : NULL;
-    const double *b = modal + (quantity == DRIFT ? 0 : quantity) * nmodes + p->first;
+    const double *row = p->phi + floor * p->n, *below = floor > 0 && quantity == THUD_FLOOR_DRIFT ? row - p->n : NULL;
+    const double *b = modal + (quantity == THUD_FLOOR_DRIFT ? 0 : quantity) * nmodes + p->first;
     double sum = 0;
     for (int j = 0; j < p->n; j++)
         sum += fabs(row[j] - (below ? below[j] : 0)) * b[j];
@@ -111,56 +116,55 @@ static void floor_values(const struct thud_model_structure *p, int floor, int nm
     const double *row = p->phi + floor * p->n;
     out[0] = out[1] = out[2] = 0;
     for (int j = 0; j < p->n; j++) {
-        out[DISPLACEMENT] += row[j] * modal[p->first + j];
-        out[VELOCITY] += row[j] * modal[nmodes + p->first + j];
-        out[ACCELERATION] += row[j] * modal[2 * nmodes + p->first + j];
+        out[THUD_FLOOR_DISPLACEMENT] += row[j] * modal[p->first + j];
+        out[THUD_FLOOR_VELOCITY] += row[j] * modal[nmodes + p->first + j];
+        out[THUD_FLOOR_ACCELERATION] += row[j] * modal[2 * nmodes + p->first + j];
     }
 }
 
-static void floor_peaks(struct thud_run *run, const struct thud_model_structure *p, int floor, int quantity,
-                        double s_end, struct thud_peak *peak)
+void thud_peaks_floor(struct thud_run *run, int structure, int floor, int quantity, double s_end)
 {
     const struct thud_segment *seg = &run->seg;
+    const struct thud_model_structure *p = &run->model->structure[structure];
+    struct thud_peak *peak = thud_floor_peak(run, structure, floor, quantity);
     double x[THUD_SEGMENT_TERMS], u[THUD_SEGMENT_TERMS];
     int n = seg->terms, nmodes = run->model->ndof;
-    if (quantity == ACCELERATION) {
+    if (quantity == THUD_FLOOR_ACCELERATION) {
         floor_polynomial(p, floor, run->scratch, nmodes, n - 2, x);
         raise_peak(run, peak, x, n - 2, s_end);
         return;
     }
     floor_polynomial(p, floor, seg->q, nmodes, n, x);
-    if (quantity == VELOCITY)
+    if (quantity == THUD_FLOOR_VELOCITY)
         for (int k = 0; k + 1 < n; k++)
             x[k] = (k + 1) / seg->h_s * x[k + 1];
-    if (quantity == DRIFT && floor > 0) {
+    if (quantity == THUD_FLOOR_DRIFT && floor > 0) {
         floor_polynomial(p, floor - 1, seg->q, nmodes, n, u);
         for (int k = 0; k < n; k++)
             x[k] -= u[k];
     }
-    raise_peak(run, peak, x, quantity == VELOCITY ? n - 1 : n, s_end);
+    raise_peak(run, peak, x, quantity == THUD_FLOOR_VELOCITY ? n - 1 : n, s_end);
 }
 
 static void structure_peaks(struct thud_run *run, int index, double s_end, const double *start, const double *end,
                             const double *modal)
 {
     const struct thud_model_structure *p = &run->model->structure[index];
-    double margin[QUANTITIES], a[QUANTITIES], b[QUANTITIES], a_below = 0, b_below = 0;
+    double margin[THUD_FLOOR_QUANTITIES], a[THUD_FLOOR_QUANTITIES], b[THUD_FLOOR_QUANTITIES], a_below = 0, b_below = 0;
     int nmodes = run->model->ndof;
     structure_margins(run, p, modal, margin);
     for (int i = 0; i < p->n; i++) {
-        struct thud_floor_result *r = &run->result.structure[index].floor[i];
-        struct thud_peak *peak[QUANTITIES] = {&r->displacement, &r->velocity, &r->acceleration, &r->drift};
         floor_values(p, i, nmodes, start, a);
         floor_values(p, i, nmodes, end, b);
-        a[DRIFT] = a[DISPLACEMENT] - a_below;
-        b[DRIFT] = b[DISPLACEMENT] - b_below;
-        a_below = a[DISPLACEMENT];
-        b_below = b[DISPLACEMENT];
-        for (int x = 0; x < (p->stiffness_npm ? QUANTITIES : DRIFT); x++) {
+        a[THUD_FLOOR_DRIFT] = a[THUD_FLOOR_DISPLACEMENT] - a_below;
+        b[THUD_FLOOR_DRIFT] = b[THUD_FLOOR_DISPLACEMENT] - b_below;
+        a_below = a[THUD_FLOOR_DISPLACEMENT];
+        b_below = b[THUD_FLOOR_DISPLACEMENT];
+        for (int x = 0; x < (p->stiffness_npm ? THUD_FLOOR_QUANTITIES : THUD_FLOOR_DRIFT); x++) {
             double end_value = fmax(fabs(a[x]), fabs(b[x]));
-            if (end_value + margin[x] > peak[x]->value &&
-                end_value + floor_margin(p, i, x, nmodes, modal) > peak[x]->value)
-                floor_peaks(run, p, i, x, s_end, peak[x]);
+            double peak = thud_floor_peak(run, index, i, x)->value;
+            if (end_value + margin[x] > peak && end_value + floor_margin(p, i, x, nmodes, modal) > peak)
+                thud_peaks_floor(run, index, i, x, s_end);
         }
     }
 }
@@ -202,10 +206,10 @@ void thud_peaks_start(struct thud_run *run)
     }
 }
 
-void thud_peaks_motion(struct thud_run *run, double s)
+static void motion_peaks(struct thud_run *run, double s)
 {
     double *start = run->ends, *end = start + 3 * run->model->ndof, *modal = end + 3 * run->model->ndof;
-    modal_acceleration(run, run->scratch);
+    thud_peaks_prepare(run);
     modal_values(run, run->scratch, 0, start);
     modal_values(run, run->scratch, s, end);
     modal_margins(run, run->scratch, s, modal);
@@ -215,7 +219,7 @@ void thud_peaks_motion(struct thud_run *run, double s)
 
 void thud_peaks_segment(struct thud_run *run, double s)
 {
-    thud_peaks_motion(run, s);
+    motion_peaks(run, s);
     for (int c = 0; c < run->model->ncontacts; c++)
         contact_peaks(run, c, s);
 }

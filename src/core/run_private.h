@@ -134,7 +134,13 @@ enum thud_status thud_contact_impulse(struct thud_run *run, int contact, struct 
 /* peaks.c, ledger.c, history.c: what is read from a segment before it is committed up to s. */
 void thud_peaks_start(struct thud_run *run);
 void thud_peaks_segment(struct thud_run *run, double s);
-void thud_peaks_motion(struct thud_run *run, double s); /* floors only */
+enum { THUD_FLOOR_DISPLACEMENT, THUD_FLOOR_VELOCITY, THUD_FLOOR_ACCELERATION, THUD_FLOOR_DRIFT, THUD_FLOOR_QUANTITIES };
+struct thud_peak *thud_floor_peak(struct thud_run *run, int structure, int floor, int quantity);
+/* The modes' total acceleration q'' + gamma a_g of the segment into run->scratch, (terms - 2 x nmodes): before
+ * thud_peaks_floor. */
+void thud_peaks_prepare(struct thud_run *run);
+/* Peak of one quantity of one floor over the segment up to s. */
+void thud_peaks_floor(struct thud_run *run, int structure, int floor, int quantity, double s);
 void thud_ledger_start(struct thud_run *run);
 void thud_ledger_segment(struct thud_run *run, double s);
 void thud_ledger_finish(struct thud_run *run);
