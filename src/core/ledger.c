@@ -1,6 +1,7 @@
 /* The energy ledger: work done by the ground, lost in the structures' damping and in the contacts, each by quadrature
  * of its own power, against the energy that the state holds. What is left over is the error. */
 #include <math.h>
+#include <string.h>
 
 #include "core/poly.h"
 #include "core/quadrature.h"
@@ -67,10 +68,22 @@ void thud_ledger_start(struct thud_run *run)
     run->ledger.largest_j = run->ledger.initial_j;
 }
 
+/* Modal rates at s, out (nmodes). */
+static void modal_rates(const struct thud_segment *seg, int n, double s, double *out)
+{
+    memset(out, 0, (size_t)n * sizeof *out);
+    for (int k = seg->terms - 1; k >= 1; k--) {
+        double factor = k / seg->h_s;
+        const double *q = seg->q + k * n;
+        for (int j = 0; j < n; j++)
+            out[j] = out[j] * s + factor * q[j];
+    }
+}
+
 void thud_ledger_segment(struct thud_run *run, double s)
 {
     const struct thud_model *m = run->model;
-    double *q = run->scratch, *qd = q + m->ndof;
+    double *qd = run->scratch;
     for (int c = 0; c < m->ncontacts; c++)
         if (thud_contact_acts(&run->contact[c]))
             contact_work(run, c, s);
@@ -78,8 +91,8 @@ void thud_ledger_segment(struct thud_run *run, double s)
         return;
     double dt = s * run->seg.h_s;
     for (int i = 0; i < THUD_QUADRATURE_POINTS; i++) {
-        thud_segment_state(&run->seg, m->ndof, s * thud_quadrature_node[i], q, qd);
-        double ground = run->seg.a0 + run->seg.a1 * s * thud_quadrature_node[i], input = 0;
+        double at = s * thud_quadrature_node[i], ground = run->seg.a0 + run->seg.a1 * at, input = 0;
+        modal_rates(&run->seg, m->ndof, at, qd);
         for (int j = 0; j < m->ndof; j++)
             input -= m->gamma[j] * qd[j];
         run->ledger.input_j += thud_quadrature_weight[i] * dt * ground * input;

@@ -1,0 +1,202 @@
+/* The core's mathematical parts against closed forms: modes, quadrature, Radau points, complementarity problems. */
+#include <check.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include "core/lcp.h"
+#include "core/modes.h"
+#include "core/quadrature.h"
+#include "core/radau.h"
+
+static const double pi = 3.14159265358979323846;
+
+/* Uniform shear building: omega_j = 2 sqrt(k/m) sin((2 j - 1) pi / (2 (2 n + 1))). */
+START_TEST(uniform_building)
+{
+    enum { N = 100 };
+    static double mass[N], k[N], omega[N], phi[N * N], work[4 * N + N * N];
+    for (int i = 0; i < N; i++) {
+        mass[i] = 320e3;
+        k[i] = 6e8;
+    }
+    ck_assert_int_eq(thud_modes_shear(N, mass, k, omega, phi, work, NULL), THUD_OK);
+    for (int j = 0; j < N; j++) {
+        double expected = 2 * sqrt(6e8 / 320e3) * sin((2 * j + 1) * pi / (2 * (2 * N + 1)));
+        ck_assert_double_eq_tol(omega[j] / expected, 1, 1e-10);
+    }
+    double mass_sum = 0; /* sum of the effective masses is the mass */
+    for (int j = 0; j < N; j++) {
+        double gamma = 0, norm = 0;
+        for (int i = 0; i < N; i++) {
+            gamma += phi[i * N + j] * mass[i];
+            norm += phi[i * N + j] * mass[i] * phi[i * N + j];
+        }
+        ck_assert_double_eq_tol(norm, 1, 1e-12);
+        ck_assert(phi[j] > 0);
+        mass_sum += gamma * gamma;
+    }
+    ck_assert_double_eq_tol(mass_sum / (N * 320e3), 1, 1e-12);
+}
+END_TEST
+
+START_TEST(the_papers_buildings)
+{
+    static const double six[] = {10.799, 31.685, 50.497, 66.052, 77.481, 84.341}, four[] = {15.790, 45.099, 68.062, 82.063};
+    double mass[6] = {320e3, 320e3, 320e3, 320e3, 320e3, 250e3}, k[6] = {6e8, 6e8, 6e8, 6e8, 6e8, 6e8};
+    double omega[6], phi[36], work[60];
+    ck_assert_int_eq(thud_modes_shear(6, mass, k, omega, phi, work, NULL), THUD_OK);
+    for (int j = 0; j < 6; j++)
+        ck_assert_double_eq_tol(omega[j], six[j], 5.1e-4);
+    ck_assert_double_eq_tol(2 * pi / omega[0], 0.58184, 5.1e-6);
+    ck_assert_int_eq(thud_modes_shear(4, mass + 2, k, omega, phi, work, NULL), THUD_OK);
+    for (int j = 0; j < 4; j++)
+        ck_assert_double_eq_tol(omega[j], four[j], 5.1e-4);
+    ck_assert_double_eq_tol(2 * pi / omega[0], 0.39791, 5.1e-6);
+}
+END_TEST
+
+/* Two masses on an isolator: C = [c_b + c_s, -c_s; -c_s, c_s] in the floors' coordinates. */
+START_TEST(isolated_damping)
+{
+    double mass[] = {4e5, 3e5}, k[] = {2e7, 6e8}, omega[2], phi[4], work[12], d[4];
+    ck_assert_int_eq(thud_modes_shear(2, mass, k, omega, phi, work, NULL), THUD_OK);
+    ck_assert_int_eq(thud_modes_isolated_damping(2, mass, k, 0.05, 0.15, phi, d, NULL), THUD_OK);
+    double cb = 2 * 0.15 * sqrt(k[0] * 7e5), cs = 2 * 0.05 * sqrt(k[1] * mass[1]);
+    double c[] = {cb + cs, -cs, -cs, cs};
+    for (int a = 0; a < 2; a++)
+        for (int b = 0; b < 2; b++) {
+            double sum = 0;
+            for (int i = 0; i < 2; i++)
+                for (int j = 0; j < 2; j++)
+                    sum += phi[i * 2 + a] * c[i * 2 + j] * phi[j * 2 + b];
+            ck_assert_double_eq_tol(d[a * 2 + b], sum, 1e-9 * fabs(cb / mass[1]));
+        }
+}
+END_TEST
+
+START_TEST(quadrature_is_exact_to_degree_19)
+{
+    for (int degree = 0; degree <= 20; degree++) {
+        double sum = 0;
+        for (int i = 0; i < THUD_QUADRATURE_POINTS; i++)
+            sum += thud_quadrature_weight[i] * pow(thud_quadrature_node[i], degree);
+        double error = fabs(sum * (degree + 1) - 1);
+        if (degree <= 19)
+            ck_assert_double_lt(error, 1e-14);
+        else
+            ck_assert_double_gt(error, 1e-13);
+    }
+}
+END_TEST
+
+/* Radau IIA with 2 and 3 stages has its points in closed form; with n points polynomials to degree 2 n - 2 are integrated exactly. */
+START_TEST(radau_points)
+{
+    double node[10], coefficient[100];
+    thud_radau_nodes(2, node);
+    ck_assert_double_eq_tol(node[0], 1.0 / 3, 1e-15);
+    thud_radau_nodes(3, node);
+    ck_assert_double_eq_tol(node[0], (4 - sqrt(6)) / 10, 1e-15);
+    ck_assert_double_eq_tol(node[1], (4 + sqrt(6)) / 10, 1e-15);
+    for (int n = 1; n <= 9; n++) {
+        thud_radau_nodes(n, node);
+        thud_lagrange_coefficients(n, node, coefficient);
+        for (int i = 0; i < n; i++) {
+            ck_assert(node[i] > (i > 0 ? node[i - 1] : 0));
+            for (int j = 0; j < n; j++) { /* Lagrange polynomial i is 1 at point i and 0 at the others */
+                double value = 0;
+                for (int m = n - 1; m >= 0; m--)
+                    value = value * node[j] + coefficient[m * n + i];
+                ck_assert_double_eq_tol(value, i == j, 1e-9);
+            }
+        }
+        for (int degree = 0; degree <= 2 * n - 1; degree++) {
+            double sum = 0;
+            for (int i = 0; i < n; i++) {
+                double weight = 0;
+                for (int m = 0; m < n; m++)
+                    weight += coefficient[m * n + i] / (m + 1);
+                sum += weight * pow(node[i], degree);
+            }
+            double error = fabs(sum * (degree + 1) - 1);
+            if (degree <= 2 * n - 2)
+                ck_assert_double_lt(error, 1e-10);
+            else if (n <= 5)
+                ck_assert_double_gt(error, 1e-7);
+        }
+    }
+}
+END_TEST
+
+static void check_lcp(int n, const double *m, const double *q, const double *z, double tolerance)
+{
+    for (int i = 0; i < n; i++) {
+        double w = q[i];
+        for (int j = 0; j < n; j++)
+            w += m[i * n + j] * z[j];
+        ck_assert_double_ge(z[i], 0);
+        ck_assert_double_ge(w, -tolerance);
+        ck_assert_double_le(fabs(w * z[i]), tolerance * (1 + fabs(z[i])));
+    }
+}
+
+START_TEST(complementarity_small)
+{
+    double z[2], work[64];
+    ck_assert_int_eq(thud_lcp_solve(1, (double[]){4}, (double[]){-2}, z, work, NULL), THUD_OK);
+    ck_assert_double_eq(z[0], 0.5);
+    ck_assert_int_eq(thud_lcp_solve(1, (double[]){4}, (double[]){2}, z, work, NULL), THUD_OK);
+    ck_assert_double_eq(z[0], 0);
+    /* q1 pushes, and its push alone relieves the second */
+    ck_assert_int_eq(thud_lcp_solve(2, (double[]){2, 1, 1, 2}, (double[]){-4, -1}, z, work, NULL), THUD_OK);
+    ck_assert_double_eq_tol(z[0], 2, 1e-15);
+    ck_assert_double_eq(z[1], 0);
+    ck_assert_int_eq(thud_lcp_solve(2, (double[]){2, 1, 1, 2}, (double[]){-3, -3}, z, work, NULL), THUD_OK);
+    ck_assert_double_eq_tol(z[0], 1, 1e-15);
+    ck_assert_double_eq_tol(z[1], 1, 1e-15);
+    ck_assert_int_eq(thud_lcp_solve(1, (double[]){-1}, (double[]){-1}, z, work, NULL), THUD_DIVERGED);
+}
+END_TEST
+
+START_TEST(complementarity_random)
+{
+    enum { N = 40 };
+    static double a[N * N], m[N * N], q[N], z[N];
+    double *work = malloc(thud_lcp_work(N) * sizeof *work);
+    unsigned seed = 7;
+    for (int trial = 0; trial < 60; trial++) {
+        int n = 1 + trial % N;
+        for (int i = 0; i < n * n; i++) {
+            seed = seed * 1664525u + 1013904223u;
+            a[i] = (double)(seed >> 8) / 8388608.0 - 1;
+        }
+        for (int i = 0; i < n; i++) {
+            seed = seed * 1664525u + 1013904223u;
+            q[i] = (double)(seed >> 8) / 8388608.0 - 1;
+            for (int j = 0; j < n; j++) {
+                m[i * n + j] = i == j ? 0.05 : 0;
+                for (int k = 0; k < n; k++)
+                    m[i * n + j] += a[i * n + k] * a[j * n + k];
+            }
+        }
+        ck_assert_int_eq(thud_lcp_solve(n, m, q, z, work, NULL), THUD_OK);
+        check_lcp(n, m, q, z, 1e-9);
+    }
+    free(work);
+}
+END_TEST
+
+Suite *thud_suite(void)
+{
+    Suite *suite = suite_create("core parts");
+    TCase *tc = tcase_create("core parts");
+    tcase_add_test(tc, uniform_building);
+    tcase_add_test(tc, the_papers_buildings);
+    tcase_add_test(tc, isolated_damping);
+    tcase_add_test(tc, quadrature_is_exact_to_degree_19);
+    tcase_add_test(tc, radau_points);
+    tcase_add_test(tc, complementarity_small);
+    tcase_add_test(tc, complementarity_random);
+    suite_add_tcase(suite, tc);
+    return suite;
+}
