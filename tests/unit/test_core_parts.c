@@ -41,7 +41,8 @@ END_TEST
 
 START_TEST(the_papers_buildings)
 {
-    static const double six[] = {10.799, 31.685, 50.497, 66.052, 77.481, 84.341}, four[] = {15.790, 45.099, 68.062, 82.063};
+    static const double six[] = {10.799, 31.685, 50.497, 66.052, 77.481, 84.341},
+                        four[] = {15.790, 45.099, 68.062, 82.063};
     double mass[6] = {320e3, 320e3, 320e3, 320e3, 320e3, 250e3}, k[6] = {6e8, 6e8, 6e8, 6e8, 6e8, 6e8};
     double omega[6], phi[36], work[60];
     ck_assert_int_eq(thud_modes_shear(6, mass, k, omega, phi, work, NULL), THUD_OK);
@@ -89,7 +90,8 @@ START_TEST(quadrature_is_exact_to_degree_19)
 }
 END_TEST
 
-/* Radau IIA with 2 and 3 stages has its points in closed form; with n points polynomials to degree 2 n - 2 are integrated exactly. */
+/* Radau IIA with 2 and 3 stages has its points in closed form; with n points polynomials to degree 2 n - 2 are
+ * integrated exactly. */
 START_TEST(radau_points)
 {
     double node[10], coefficient[100];
