@@ -1,5 +1,5 @@
-/* Writing and reading files while memory, reads, writes and renames fail one after the other: what was on disk stays whole, nothing is left
- * beside it, and the status says what happened. */
+/* Writing and reading files while memory, reads, writes and renames fail one after the other: what was on disk stays
+ * whole, nothing is left beside it, and the status says what happened. */
 #include <check.h>
 #include <dirent.h>
 #include <stdlib.h>

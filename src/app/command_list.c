@@ -1,0 +1,97 @@
+#include "app/command.h"
+
+#include <stddef.h>
+#include <string.h>
+
+static const struct thud_command commands[THUD_COMMANDS] = {
+    [THUD_COMMAND_SCREEN] = {"", "[PRESET]", "the terminal interface", THUD_WORD_PRESET},
+    [THUD_COMMAND_RUN] = {"run", "PRESET", "one scene, one answer", THUD_WORD_PRESET},
+    [THUD_COMMAND_SWEEP] = {"sweep", "PRESET", "a parametric study; by itself the preset's own", THUD_WORD_PRESET},
+    [THUD_COMMAND_FIGURES] = {"figures", "[NAME...]", "the paper's figures, or all", THUD_WORD_FIGURE},
+    [THUD_COMMAND_BENCH] = {"bench", "[PRESET]", "speed against accuracy of every method", THUD_WORD_PRESET},
+    [THUD_COMMAND_STABILITY] = {"stability", "[PRESET]", "where methods fail", THUD_WORD_PRESET},
+    [THUD_COMMAND_VERIFY] = {"verify", "[PRESET...]", "presets against their stored expectations", THUD_WORD_PRESET},
+    [THUD_COMMAND_RECORD] = {"record", "VERB [FILE...]", "info, import or list: ground motions", THUD_WORD_RECORD_VERB},
+    [THUD_COMMAND_LAWS] = {"laws", "", "impact laws and the restitution they really give", THUD_WORD_NONE},
+    [THUD_COMMAND_METHODS] = {"methods", "", "time-stepping methods, their order and limits", THUD_WORD_NONE},
+    [THUD_COMMAND_HELP] = {"help", "[COMMAND]", "this list, or the options of a command", THUD_WORD_COMMAND},
+};
+
+enum {
+    RUN = 1 << THUD_COMMAND_RUN,
+    SWEEP = 1 << THUD_COMMAND_SWEEP,
+    RECORD = 1 << THUD_COMMAND_RECORD,
+    STUDY = RUN | SWEEP,
+    FILES = STUDY | 1 << THUD_COMMAND_FIGURES | 1 << THUD_COMMAND_BENCH | 1 << THUD_COMMAND_STABILITY | RECORD,
+    LISTS = 1 << THUD_COMMAND_LAWS | 1 << THUD_COMMAND_METHODS,
+    VERIFY = 1 << THUD_COMMAND_VERIFY,
+    SCREEN = 1 << THUD_COMMAND_SCREEN,
+    ALL = (1 << THUD_COMMANDS) - 1
+};
+
+static const struct thud_option options[] = {
+    {"set", "KEY=VALUE", "set a value of the preset: gap=12cm", THUD_WORD_KEY, true, STUDY | SCREEN},
+    {"case", "CASE", "none, bumper or cavity; else the preset as written", THUD_WORD_CASE, false, STUDY},
+    {"record", "FILE", "the ground motion", THUD_WORD_FILE, false, STUDY | SCREEN},
+    {"peak", "ACCELERATION", "scale the ground motion to this peak, e.g. \"0.821 g\"", THUD_WORD_TEXT, false,
+     STUDY | SCREEN},
+    {"dt", "TIME", "step of a record that does not say it", THUD_WORD_TEXT, false, STUDY | RECORD | SCREEN},
+    {"unit", "UNIT", "unit of a record that does not say it", THUD_WORD_TEXT, false, STUDY | RECORD | SCREEN},
+    {"method", "NAME", "one of `thud methods`, or auto", THUD_WORD_METHOD, false, STUDY | SCREEN},
+    {"step", "TIME", "step of a fixed-step method, e.g. 1e-4s", THUD_WORD_TEXT, false, STUDY | SCREEN},
+    {"tolerance", "NUMBER", "1e-6: every peak within 1e-5 of the converged one", THUD_WORD_TEXT, false, STUDY | SCREEN},
+    {"vary", "KEY=FROM:TO:STEP", "vary a value; several make a grid", THUD_WORD_KEY, true, SWEEP},
+    {"records", "FILE,FILE", "run each of these ground motions", THUD_WORD_FILE, false, SWEEP},
+    {"cases", "CASE,CASE", "run each of these cases", THUD_WORD_CASE, false, SWEEP},
+    {"update", NULL, "write new expectations and show the difference", THUD_WORD_NONE, false, VERIFY},
+    {"json", NULL, "JSON on standard output", THUD_WORD_NONE, false, STUDY | RECORD | LISTS | VERIFY},
+    {"csv", NULL, "CSV on standard output", THUD_WORD_NONE, false, STUDY},
+    {"o", "DIR", "write files into this folder: CSV, PNG, gnuplot scripts", THUD_WORD_FOLDER, false, FILES},
+    {"j", "N", "runs at a time; results do not depend on it", THUD_WORD_TEXT, false, FILES | VERIFY},
+    {"quiet", NULL, "no progress on standard error", THUD_WORD_NONE, false, FILES | VERIFY},
+    {"ascii", NULL, "draw with ASCII characters only", THUD_WORD_NONE, false, SCREEN},
+    {"no-color", NULL, "use no colour", THUD_WORD_NONE, false, SCREEN},
+    {"help", NULL, "the options of the command", THUD_WORD_NONE, false, ALL},
+    {"version", NULL, "the version, and how the program was built", THUD_WORD_NONE, false, SCREEN},
+};
+
+const struct thud_command *thud_command_at(enum thud_command_id id)
+{
+    return &commands[id];
+}
+
+enum thud_command_id thud_command_find(const char *name)
+{
+    for (int i = 0; i < THUD_COMMANDS; i++)
+        if (commands[i].name[0] && strcmp(commands[i].name, name) == 0)
+            return (enum thud_command_id)i;
+    return THUD_COMMANDS;
+}
+
+int thud_option_count(void)
+{
+    return (int)(sizeof options / sizeof *options);
+}
+
+const struct thud_option *thud_option_at(int index)
+{
+    return &options[index];
+}
+
+const struct thud_option *thud_option_find(enum thud_command_id command, const char *name)
+{
+    for (int i = 0; i < thud_option_count(); i++)
+        if (thud_option_belongs(&options[i], command) && strcmp(options[i].name, name) == 0)
+            return &options[i];
+    return NULL;
+}
+
+const char *thud_word_list_name(enum thud_word word)
+{
+    static const char *const names[THUD_WORDS] = {
+        [THUD_WORD_PRESET] = "presets",   [THUD_WORD_KEY] = "keys",       [THUD_WORD_CASE] = "cases",
+        [THUD_WORD_METHOD] = "methods",   [THUD_WORD_FIGURE] = "figures", [THUD_WORD_RECORD_VERB] = "verbs",
+        [THUD_WORD_COMMAND] = "commands",
+    };
+    return names[word];
+}

@@ -1,0 +1,91 @@
+/* Help fits a screen of 80 x 24, options are found by the commands that know them and by no others, and every shell is
+ * told of each of them. */
+#include <check.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "cli/help.h"
+
+static void fits_a_screen(const char *text)
+{
+    int lines = 0;
+    for (const char *at = text; *at; lines++) {
+        size_t length = strcspn(at, "\n");
+        ck_assert_msg(length <= 80, "%zu columns: %.*s", length, (int)length, at);
+        at += length + (at[length] == '\n');
+    }
+    ck_assert_int_le(lines, 24);
+}
+
+START_TEST(help_fits_a_screen)
+{
+    struct thud_text text = {0};
+    thud_help_all(&text);
+    fits_a_screen(text.data);
+    thud_text_clear(&text);
+    for (int c = 0; c < THUD_COMMANDS; c++) {
+        thud_help_command(&text, (enum thud_command_id)c);
+        fits_a_screen(text.data);
+        ck_assert_ptr_nonnull(strstr(text.data, thud_command_at((enum thud_command_id)c)->summary));
+        thud_text_clear(&text);
+    }
+}
+END_TEST
+
+START_TEST(commands_are_found_by_name)
+{
+    ck_assert_int_eq(thud_command_find("sweep"), THUD_COMMAND_SWEEP);
+    ck_assert_int_eq(thud_command_find("sweeps"), THUD_COMMANDS);
+    ck_assert_int_eq(thud_command_find(""), THUD_COMMANDS);
+    ck_assert_int_eq(thud_command_find("towers"), THUD_COMMANDS);
+}
+END_TEST
+
+START_TEST(an_option_belongs_to_its_commands_only)
+{
+    ck_assert_ptr_nonnull(thud_option_find(THUD_COMMAND_SWEEP, "vary"));
+    ck_assert_ptr_null(thud_option_find(THUD_COMMAND_RUN, "vary"));
+    ck_assert_ptr_nonnull(thud_option_find(THUD_COMMAND_VERIFY, "update"));
+    ck_assert_ptr_null(thud_option_find(THUD_COMMAND_RUN, "update"));
+    ck_assert_ptr_null(thud_option_find(THUD_COMMAND_RUN, "se"));
+    for (int c = 0; c < THUD_COMMANDS; c++)
+        ck_assert_ptr_nonnull(thud_option_find((enum thud_command_id)c, "help"));
+}
+END_TEST
+
+START_TEST(every_shell_is_told_of_every_option)
+{
+    static const char *const shells[] = {"bash", "zsh", "fish"};
+    for (int s = 0; s < 3; s++) {
+        struct thud_text text = {0};
+        ck_assert(thud_completion(&text, shells[s]));
+        for (int i = 0; i < thud_option_count(); i++) {
+            const char *name = thud_option_at(i)->name;
+            char wanted[64];
+            snprintf(wanted, sizeof wanted, name[1] ? "--%s" : "-%s", name);
+            if (s == 2)
+                snprintf(wanted, sizeof wanted, name[1] ? "-l %s " : "-s %s ", name);
+            ck_assert_msg(strstr(text.data, wanted) != NULL, "%s: %s", shells[s], wanted);
+        }
+        for (int c = 1; c < THUD_COMMANDS; c++)
+            ck_assert_ptr_nonnull(strstr(text.data, thud_command_at((enum thud_command_id)c)->name));
+        thud_text_clear(&text);
+    }
+    struct thud_text none = {0};
+    ck_assert(!thud_completion(&none, "csh"));
+    ck_assert_ptr_null(none.data);
+}
+END_TEST
+
+Suite *thud_suite(void);
+Suite *thud_suite(void)
+{
+    Suite *suite = suite_create("help");
+    TCase *tcase = tcase_create("help");
+    tcase_add_test(tcase, help_fits_a_screen);
+    tcase_add_test(tcase, commands_are_found_by_name);
+    tcase_add_test(tcase, an_option_belongs_to_its_commands_only);
+    tcase_add_test(tcase, every_shell_is_told_of_every_option);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}
