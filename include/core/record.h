@@ -12,6 +12,7 @@ struct thud_record {
     char station[96];
     char component[64];
     char event[96];
+    char note[160]; /* how the samples were found in the file, for a person to see; may be empty */
     double dt_s;
     size_t samples;
     double *a_mps2; /* (samples), already scaled and signed */

@@ -47,7 +47,7 @@ struct thud_record_choice {
     double dt_s;              /* for files that do not say; NaN: not given */
     char unit[16];            /* for files that do not say; empty: not given */
     char channel[32];         /* file with several; empty: not given */
-    int column;               /* 0: not given */
+    int column;               /* from 1; 0: not given; -1 (`all`): the values of every line one after another */
     int skip;                 /* lines; -1: not given */
 };
 
