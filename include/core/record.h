@@ -1,4 +1,5 @@
-/* A ground motion: acceleration at equal steps, linear between the samples, zero before the first and after the last. */
+/* A ground motion: acceleration at equal steps, linear between the samples, zero before the first and after the last.
+ */
 #ifndef THUD_CORE_RECORD_H
 #define THUD_CORE_RECORD_H
 
@@ -7,8 +8,8 @@
 #include "base/status.h"
 
 struct thud_record {
-    char file[512];    /* as given by the user */
-    char format[32];   /* "PEER AT2", "CSV", ... */
+    char file[512];  /* as given by the user */
+    char format[32]; /* "PEER AT2", "CSV", ... */
     char station[96];
     char component[64];
     char event[96];

@@ -11,13 +11,14 @@
 /* Nothing said, nothing scaled. */
 void thud_record_choice_init(struct thud_record_choice *choice);
 
-/* Reads `path` with what `choice` says of it (dt, unit, channel, column, skip), then applies factor, peak and sign. What a file does not say
- * is asked for by its option's name. Errors: THUD_INPUT with file and line, THUD_MEMORY. */
-enum thud_status thud_record_file_read(const char *path, const struct thud_record_choice *choice, struct thud_record **out,
-                                       struct thud_error *err);
+/* Reads `path` with what `choice` says of it (dt, unit, channel, column, skip), then applies factor, peak and sign.
+ * What a file does not say is asked for by its option's name. Errors: THUD_INPUT with file and line, THUD_MEMORY. */
+enum thud_status thud_record_file_read(const char *path, const struct thud_record_choice *choice,
+                                       struct thud_record **out, struct thud_error *err);
 
 /* The same from memory; `name` stands for the path. */
-enum thud_status thud_record_parse(const char *text, size_t size, const char *name, const struct thud_record_choice *choice,
-                                   struct thud_record **out, struct thud_error *err);
+enum thud_status thud_record_parse(const char *text, size_t size, const char *name,
+                                   const struct thud_record_choice *choice, struct thud_record **out,
+                                   struct thud_error *err);
 
 #endif

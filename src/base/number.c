@@ -30,6 +30,10 @@ int thud_number_parse(const char *text, const char **end, double *out)
 
 void thud_number_format(double value, char *text, size_t size)
 {
+    if (value == rint(value) && fabs(value) < 1e15) { /* 40, not 4e+01; and no -0 */
+        snprintf(text, size, "%.0f", value + 0.0);
+        return;
+    }
     for (int digits = 1; digits <= 17; digits++) {
         snprintf(text, size, "%.*g", digits, value);
         if (strtod(text, NULL) == value)

@@ -33,7 +33,8 @@ static void end_row(int end, void *data)
     ((struct csv_lines *)data)->done = true;
 }
 
-enum thud_status csv_lines_open(struct csv_lines *lines, struct record_cursor cursor, char separator, struct thud_error *err)
+enum thud_status csv_lines_open(struct csv_lines *lines, struct record_cursor cursor, char separator,
+                                struct thud_error *err)
 {
     memset(lines, 0, sizeof *lines);
     lines->cursor = cursor;
@@ -60,7 +61,8 @@ static enum thud_status refuse(const struct csv_lines *lines, struct thud_error 
     if (lines->failed || csv_error((struct csv_parser *)&lines->parser) == CSV_ENOMEM)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     record_refuse(lines->cursor.source, lines->line, 0, err,
-                  lines->many ? "more than %d columns" : "a quotation mark stands inside a field or has no partner", CSV_FIELDS_MAX);
+                  lines->many ? "more than %d columns" : "a quotation mark stands inside a field or has no partner",
+                  CSV_FIELDS_MAX);
     return THUD_INPUT;
 }
 
@@ -69,7 +71,8 @@ static bool feed(struct csv_lines *lines, const char *text, size_t size)
     return csv_parse(&lines->parser, text, size, end_field, end_row, lines) == size && !lines->failed && !lines->many;
 }
 
-enum thud_status csv_lines_next(struct csv_lines *lines, enum csv_what *what, struct record_line *line, struct thud_error *err)
+enum thud_status csv_lines_next(struct csv_lines *lines, enum csv_what *what, struct record_line *line,
+                                struct thud_error *err)
 {
     lines->fields = 0;
     lines->size = 0;

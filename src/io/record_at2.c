@@ -1,4 +1,5 @@
-/* PEER AT2: a few lines of text, among them `NPTS= 4000, DT= .01000 SEC` (or the numbers before the words), then g, five to a line. */
+/* PEER AT2: a few lines of text, among them `NPTS= 4000, DT= .01000 SEC` (or the numbers before the words), then g,
+ * five to a line. */
 #include <math.h>
 #include <string.h>
 
@@ -93,7 +94,8 @@ static enum thud_status read_header(const struct record_source *source, struct r
     for (int first = 1; record_next(&at, &line) && line.number < count_line->number; first = 0) {
         if ((record_find(&line, "VELOCITY") || record_find(&line, "DISPLACEMENT")) && !record_find(&line, "ACC") &&
             record_find(&line, "UNITS"))
-            return record_refuse(source, line.number, 0, err, "this file holds velocities or displacements, not accelerations");
+            return record_refuse(source, line.number, 0, err,
+                                 "this file holds velocities or displacements, not accelerations");
         if (first && !record_find(&line, "PEER"))
             record_copy(raw->event, sizeof raw->event, line.at, line.at + line.length);
         else if (line.number == 2 && !raw->event[0])
@@ -116,7 +118,8 @@ static enum thud_status read_at2(const struct record_source *source, const struc
     if (status)
         return status;
     double stated = NAN, dt = NAN;
-    if (!numbers_first(&header, &stated, &dt) && !(number_after(&header, "NPTS", &stated) && number_after(&header, "DT", &dt)))
+    if (!numbers_first(&header, &stated, &dt) &&
+        !(number_after(&header, "NPTS", &stated) && number_after(&header, "DT", &dt)))
         return record_refuse(source, header.number, 0, err, "no numbers with NPTS and DT");
     size_t count;
     status = record_count(source, &header, stated, &count, err);
@@ -125,8 +128,8 @@ static enum thud_status read_at2(const struct record_source *source, const struc
     while (!status && record_next(&cursor, &line))
         status = record_add_line(raw, source, &line, 0, (size_t)-1, err);
     if (!status && raw->count != count) {
-        record_refuse(source, header.number, 0, err, "the header tells of %zu samples, the file holds %zu%s", count, raw->count,
-                      raw->count < count ? " (cut off?)" : "");
+        record_refuse(source, header.number, 0, err, "the header tells of %zu samples, the file holds %zu%s", count,
+                      raw->count, raw->count < count ? " (cut off?)" : "");
         thud_error_allow(err, "--skip %d with --dt and --unit reads what is there", header.number);
         return THUD_INPUT;
     }

@@ -8,11 +8,13 @@
 static bool recognize(const struct record_source *source)
 {
     struct record_line line;
-    return record_table_first(source, &line) && !memchr(line.at, ',', line.length) && !memchr(line.at, ';', line.length);
+    return record_table_first(source, &line) && !memchr(line.at, ',', line.length) &&
+           !memchr(line.at, ';', line.length);
 }
 
 /* The numbers of a line; false with where and why when it holds something else. */
-static bool numbers(const struct record_line *line, double *value, size_t *count, const char **at, enum record_scan *scan)
+static bool numbers(const struct record_line *line, double *value, size_t *count, const char **at,
+                    enum record_scan *scan)
 {
     const char *end = line->at + line->length;
     *at = line->at;

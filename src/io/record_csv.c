@@ -30,7 +30,8 @@ static const char *comma_in_number(const char *s, const char *end)
 }
 
 /* The numbers' decimal sign is a comma: `0,02;0,5`, `0,02 0,5`, or `0,5` alone with never a point in sight. */
-static bool decimal_comma(const struct record_source *source, char sep, const struct thud_record_choice *choice, int *where)
+static bool decimal_comma(const struct record_source *source, char sep, const struct thud_record_choice *choice,
+                          int *where)
 {
     struct record_line line, first;
     if (!record_table_first(source, &first))
@@ -47,7 +48,8 @@ static bool decimal_comma(const struct record_source *source, char sep, const st
         const char *blank = comma ? memchr(comma, ' ', (size_t)(end - comma)) : NULL;
         if (!blank && comma)
             blank = memchr(comma, '\t', (size_t)(end - comma));
-        if (sep == ',' && blank && blank[-1] != ',' && comma_in_number(blank, end) && !memchr(line.at, '.', line.length))
+        if (sep == ',' && blank && blank[-1] != ',' && comma_in_number(blank, end) &&
+            !memchr(line.at, '.', line.length))
             return true;
         size_t commas = 0;
         for (const char *s = line.at; s < end; s++)
@@ -60,11 +62,13 @@ static bool decimal_comma(const struct record_source *source, char sep, const st
 static enum thud_status refuse_comma(const struct record_source *source, int line, struct thud_error *err)
 {
     record_refuse(source, line, 0, err, "a comma for the decimal point");
-    thud_error_allow(err, "write 0.5, not 0,5: `sed 's/,/./g'` where the comma is not the separator; --column N where it is");
+    thud_error_allow(
+        err, "write 0.5, not 0,5: `sed 's/,/./g'` where the comma is not the separator; --column N where it is");
     return THUD_INPUT;
 }
 
-/* The numbers of a row; false when one of its fields is no number (*bad). An empty field at the end is a separator too many. */
+/* The numbers of a row; false when one of its fields is no number (*bad). An empty field at the end is a separator too
+ * many. */
 static bool numbers(const struct csv_lines *lines, double *value, size_t *count, size_t *bad, enum record_scan *scan)
 {
     *count = lines->fields;
@@ -82,8 +86,8 @@ static bool numbers(const struct csv_lines *lines, double *value, size_t *count,
     return true;
 }
 
-static enum thud_status read_row(struct record_table *table, const struct csv_lines *lines, const struct record_line *line,
-                                 struct record_raw *raw, struct thud_error *err)
+static enum thud_status read_row(struct record_table *table, const struct csv_lines *lines,
+                                 const struct record_line *line, struct record_raw *raw, struct thud_error *err)
 {
     double value[CSV_FIELDS_MAX];
     size_t count, bad;
@@ -92,7 +96,11 @@ static enum thud_status read_row(struct record_table *table, const struct csv_li
         return record_table_row(table, value, count, lines->line, err);
     const char *word = csv_lines_field(lines, bad);
     if (table->rows > 0 || scan == RECORD_RANGE)
-        return record_refuse(table->source, lines->line, 0, err, scan == RECORD_RANGE ? "`%.40s` is too large a number" : *word ? "`%.40s` is not a number" : "an empty field%s", word);
+        return record_refuse(table->source, lines->line, 0, err,
+                             scan == RECORD_RANGE ? "`%.40s` is too large a number"
+                             : *word              ? "`%.40s` is not a number"
+                                                  : "an empty field%s",
+                             word);
     enum thud_status status = THUD_OK;
     table->names = 0;
     for (size_t i = 0; i < lines->fields && !status; i++)

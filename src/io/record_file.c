@@ -62,8 +62,8 @@ static const struct record_format *find_format(const struct record_source *sourc
     return NULL;
 }
 
-static enum thud_status ask(const struct record_source *source, const char *option, const char *example, const char *what,
-                            const char *allowed, struct thud_error *err)
+static enum thud_status ask(const struct record_source *source, const char *option, const char *example,
+                            const char *what, const char *allowed, struct thud_error *err)
 {
     record_refuse(source, 0, 0, err, "%s: give it with --%s %s", what, option, example);
     thud_error_key(err, option);
@@ -88,10 +88,11 @@ static enum thud_status settle(const struct record_source *source, const struct 
         return THUD_INPUT;
     }
     if (!isnan(unit) && !isnan(raw->factor) && !raw->factor_from_prose && !same(unit, raw->factor))
-        return record_refuse(source, raw->factor_line, 0, err, "the file states another unit than --unit %s", choice->unit);
+        return record_refuse(source, raw->factor_line, 0, err, "the file states another unit than --unit %s",
+                             choice->unit);
     if (!isnan(choice->dt_s) && !isnan(raw->dt_s) && !raw->dt_from_prose && !same(choice->dt_s, raw->dt_s))
-        return record_refuse(source, raw->dt_line, 0, err, "the file states a time step of %.9g s, --dt says %.9g s", raw->dt_s,
-                             choice->dt_s);
+        return record_refuse(source, raw->dt_line, 0, err, "the file states a time step of %.9g s, --dt says %.9g s",
+                             raw->dt_s, choice->dt_s);
     if (!isnan(unit))
         raw->factor = unit;
     if (!isnan(choice->dt_s) && (raw->dt_from_prose || isnan(raw->dt_s)))
@@ -101,7 +102,8 @@ static enum thud_status settle(const struct record_source *source, const struct 
     if (!(raw->dt_s > 0) || !isfinite(raw->dt_s))
         return record_refuse(source, raw->dt_line, 0, err, "a time step of %g s", raw->dt_s);
     if (isnan(raw->factor))
-        return ask(source, "unit", "UNIT", "the file does not say the unit of its accelerations", record_unit_allowed, err);
+        return ask(source, "unit", "UNIT", "the file does not say the unit of its accelerations", record_unit_allowed,
+                   err);
     return THUD_OK;
 }
 
@@ -117,7 +119,8 @@ static void convert(struct record_raw *raw)
         raw->value[i] = (raw->value[i] - mean) * raw->factor;
 }
 
-static enum thud_status apply_choice(struct thud_record *record, const struct thud_record_choice *choice, struct thud_error *err)
+static enum thud_status apply_choice(struct thud_record *record, const struct thud_record_choice *choice,
+                                     struct thud_error *err)
 {
     double factor = choice->factor * (choice->sign < 0 ? -1 : 1);
     if (!isnan(choice->peak_mps2)) {
@@ -143,7 +146,8 @@ static enum thud_status build(const struct record_source *source, const struct r
                               struct thud_error *err)
 {
     if (raw->count < 2)
-        return record_refuse(source, 0, 0, err, "%zu sample%s: too few for a ground motion", raw->count, raw->count == 1 ? "" : "s");
+        return record_refuse(source, 0, 0, err, "%zu sample%s: too few for a ground motion", raw->count,
+                             raw->count == 1 ? "" : "s");
     enum thud_status status = settle(source, choice, raw, err);
     if (status)
         return status;
@@ -168,8 +172,9 @@ static enum thud_status build(const struct record_source *source, const struct r
     return status;
 }
 
-enum thud_status thud_record_parse(const char *text, size_t size, const char *name, const struct thud_record_choice *choice,
-                                   struct thud_record **out, struct thud_error *err)
+enum thud_status thud_record_parse(const char *text, size_t size, const char *name,
+                                   const struct thud_record_choice *choice, struct thud_record **out,
+                                   struct thud_error *err)
 {
     *out = NULL;
     struct record_source source = {.name = name, .text = text, .size = size, .skip = choice->skip};
@@ -183,7 +188,8 @@ enum thud_status thud_record_parse(const char *text, size_t size, const char *na
     const struct record_format *format = find_format(&source);
     if (!format) {
         record_refuse(&source, 0, 0, err, "no accelerogram is recognized in it");
-        thud_error_allow(err, "CSV, plain columns, PEER AT2, COSMOS V2, CSMIP V2, USGS SMC, K-NET, KiK-net, ESM, GeoNet V2A");
+        thud_error_allow(
+            err, "CSV, plain columns, PEER AT2, COSMOS V2, CSMIP V2, USGS SMC, K-NET, KiK-net, ESM, GeoNet V2A");
         return THUD_INPUT;
     }
     struct record_raw raw = {.dt_s = NAN, .factor = NAN};
@@ -194,8 +200,8 @@ enum thud_status thud_record_parse(const char *text, size_t size, const char *na
     return status;
 }
 
-enum thud_status thud_record_file_read(const char *path, const struct thud_record_choice *choice, struct thud_record **out,
-                                       struct thud_error *err)
+enum thud_status thud_record_file_read(const char *path, const struct thud_record_choice *choice,
+                                       struct thud_record **out, struct thud_error *err)
 {
     *out = NULL;
     char *text;

@@ -6,7 +6,8 @@
 
 #include "io/record_source.h"
 
-/* `recognize` looks at content only. `read` fills `raw` (empty, with dt and factor NaN); it may leave dt and factor for the user to give. */
+/* `recognize` looks at content only. `read` fills `raw` (empty, with dt and factor NaN); it may leave dt and factor for
+ * the user to give. */
 struct record_format {
     const char *name;
     bool plain; /* says nothing of itself: also what is left after --skip is read so */
@@ -15,8 +16,7 @@ struct record_format {
                              struct record_raw *raw, struct thud_error *err);
 };
 
-#define RECORD_FORMATS(X)                                                                                                \
-    X(at2) X(at2_bare) X(csv) X(columns)
+#define RECORD_FORMATS(X)    X(at2) X(at2_bare) X(csv) X(columns)
 #define RECORD_DECLARE(name) extern const struct record_format record_format_##name;
 RECORD_FORMATS(RECORD_DECLARE)
 #undef RECORD_DECLARE

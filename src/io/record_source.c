@@ -117,8 +117,8 @@ static size_t digits(const char *s, const char *end)
     return n;
 }
 
-/* Length of an exponent at `s`, 0 for none; *letter tells whether it has its letter. Without one, only a sign and exactly three digits after a decimal
- * point are an exponent: anything else there is the next field. */
+/* Length of an exponent at `s`, 0 for none; *letter tells whether it has its letter. Without one, only a sign and
+ * exactly three digits after a decimal point are an exponent: anything else there is the next field. */
 static size_t exponent(const char *s, const char *end, bool point, bool *letter)
 {
     *letter = s < end && strchr("eEdD", *s) && *s;
@@ -130,7 +130,9 @@ static size_t exponent(const char *s, const char *end, bool point, bool *letter)
     if (*letter)
         return count ? n + count : 0;
     const char *after = s + n + count;
-    return point && sign && count == 3 && (after >= end || (*after != '.' && !isalpha((unsigned char)*after))) ? n + count : 0;
+    return point && sign && count == 3 && (after >= end || (*after != '.' && !isalpha((unsigned char)*after)))
+               ? n + count
+               : 0;
 }
 
 enum record_scan record_scan(const char **at, const char *end, double *value)
@@ -196,15 +198,16 @@ static bool by_width(const struct record_line *line, size_t width, size_t most, 
         const char *at = line->at + from;
         const char *end = line->at + (line->length - from < width ? line->length : from + width);
         double extra;
-        if (*count == 64 || record_scan(&at, end, &value[*count]) != RECORD_NUMBER || record_scan(&at, end, &extra) != RECORD_NONE)
+        if (*count == 64 || record_scan(&at, end, &value[*count]) != RECORD_NUMBER ||
+            record_scan(&at, end, &extra) != RECORD_NONE)
             return false;
         ++*count;
     }
     return true;
 }
 
-enum thud_status record_add_line(struct record_raw *raw, const struct record_source *source, const struct record_line *line,
-                                 size_t width, size_t most, struct thud_error *err)
+enum thud_status record_add_line(struct record_raw *raw, const struct record_source *source,
+                                 const struct record_line *line, size_t width, size_t most, struct thud_error *err)
 {
     double value[64];
     size_t count = 0;

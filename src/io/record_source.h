@@ -1,4 +1,5 @@
-/* What every reader of record files stands on: lines with their numbers, numbers as instruments print them, a growing list of samples. */
+/* What every reader of record files stands on: lines with their numbers, numbers as instruments print them, a growing
+ * list of samples. */
 #ifndef THUD_IO_RECORD_SOURCE_H
 #define THUD_IO_RECORD_SOURCE_H
 
@@ -64,7 +65,8 @@ enum thud_status record_add(struct record_raw *raw, double value, struct thud_er
 enum thud_status record_refuse(const struct record_source *source, int line, int column, struct thud_error *err,
                                const char *fmt, ...) THUD_PRINTF(5, 6);
 
-/* One number at `*at`, which moves behind it. Takes what Fortran prints: no leading zero, D exponents, an exponent without a letter
+/* One number at `*at`, which moves behind it. Takes what Fortran prints: no leading zero, D exponents, an exponent
+ * without a letter
  * (`1.234-100`), a sign that touches the number before it. */
 enum record_scan { RECORD_NUMBER, RECORD_NONE, RECORD_WORD, RECORD_RANGE, RECORD_TOUCHING };
 enum record_scan record_scan(const char **at, const char *end, double *value);
@@ -72,14 +74,15 @@ enum record_scan record_scan(const char **at, const char *end, double *value);
 enum thud_status record_refuse_scan(const struct record_source *source, const struct record_line *line, const char *at,
                                     enum record_scan scan, struct thud_error *err);
 
-/* All numbers of a line, in fields of `width` characters (0: apart by blanks or signs). Lines an editor has changed are read by blanks.
- * At most `most` numbers are added. */
-enum thud_status record_add_line(struct record_raw *raw, const struct record_source *source, const struct record_line *line,
-                                 size_t width, size_t most, struct thud_error *err);
+/* All numbers of a line, in fields of `width` characters (0: apart by blanks or signs). Lines an editor has changed are
+ * read by blanks. At most `most` numbers are added. */
+enum thud_status record_add_line(struct record_raw *raw, const struct record_source *source,
+                                 const struct record_line *line, size_t width, size_t most, struct thud_error *err);
 /* Lines until `count` samples are there; a file that ends early is refused with both counts. */
 enum thud_status record_add_block(struct record_raw *raw, struct record_cursor *cursor, size_t width, size_t count,
                                   struct thud_error *err);
-/* A count from a header, with the bound the file's size sets (a sample takes at least one character and one between). */
+/* A count from a header, with the bound the file's size sets (a sample takes at least one character and one between).
+ */
 enum thud_status record_count(const struct record_source *source, const struct record_line *line, double value,
                               size_t *count, struct thud_error *err);
 

@@ -44,8 +44,8 @@ enum thud_status record_table_row(struct record_table *table, const double *valu
     if (table->in_last != table->columns || count > table->columns) {
         int odd = table->in_last != table->columns ? (int)table->lines.value[table->rows - 1] : line;
         size_t has = table->in_last != table->columns ? table->in_last : count;
-        record_refuse(table->source, odd, 0, err, "%zu value%s in this line, %zu in the lines before it", has, has == 1 ? "" : "s",
-                      table->columns);
+        record_refuse(table->source, odd, 0, err, "%zu value%s in this line, %zu in the lines before it", has,
+                      has == 1 ? "" : "s", table->columns);
         if (table->rows < 10)
             thud_error_allow(err, "--skip %d when the samples begin here", odd - 1);
         return THUD_INPUT;
@@ -77,10 +77,12 @@ void record_table_prose(struct record_table *table, const struct record_line *li
     keep(line, "event", raw->event, sizeof raw->event);
 }
 
-enum thud_status record_table_name(struct record_table *table, size_t i, const char *name, int line, struct thud_error *err)
+enum thud_status record_table_name(struct record_table *table, size_t i, const char *name, int line,
+                                   struct thud_error *err)
 {
     const char *word = name + (*name == '-' || *name == '+');
-    if (strcasecmp(word, "nan") == 0 || strcasecmp(word, "inf") == 0 || strcasecmp(word, "infinity") == 0 || *word == '*')
+    if (strcasecmp(word, "nan") == 0 || strcasecmp(word, "inf") == 0 || strcasecmp(word, "infinity") == 0 ||
+        (*word == '*' && strspn(word, "*") == strlen(word) && word[1]))
         return record_refuse(table->source, line, 0, err, "`%.40s` is not a number", name);
     if (i < TABLE_COLUMNS_MAX) {
         record_copy(table->name[i], sizeof table->name[i], name, name + strlen(name));
@@ -105,14 +107,14 @@ static bool name_begins(const struct record_table *table, size_t i, const char *
 
 static bool name_is_time(const struct record_table *table, size_t i)
 {
-    return name_begins(table, i, "time", false) || name_begins(table, i, "t", true) || name_begins(table, i, "sec", true) ||
-           name_begins(table, i, "seconds", true);
+    return name_begins(table, i, "time", false) || name_begins(table, i, "t", true) ||
+           name_begins(table, i, "sec", true) || name_begins(table, i, "seconds", true);
 }
 
 static bool name_is_other(const struct record_table *table, size_t i)
 {
-    return name_begins(table, i, "vel", false) || name_begins(table, i, "dis", false) || name_begins(table, i, "v", true) ||
-           name_begins(table, i, "d", true) || name_begins(table, i, "u", true);
+    return name_begins(table, i, "vel", false) || name_begins(table, i, "dis", false) ||
+           name_begins(table, i, "v", true) || name_begins(table, i, "d", true) || name_begins(table, i, "u", true);
 }
 
 static double name_unit(const struct record_table *table, size_t i)
@@ -142,8 +144,8 @@ static double cell(const struct record_table *table, size_t row, size_t column)
     return table->cells.value[row * table->columns + column];
 }
 
-/* The step of a column that climbs in equal steps, 0 when it does not; *odd is the first row that breaks it. Printing rounds, so a
- * fiftieth of a step is let pass. */
+/* The step of a column that climbs in equal steps, 0 when it does not; *odd is the first row that breaks it. Printing
+ * rounds, so a fiftieth of a step is let pass. */
 static double equal_step(const struct record_table *table, size_t column, size_t *odd)
 {
     size_t rows = table->rows;
@@ -180,11 +182,14 @@ static int time_column(const struct record_table *table, bool *by_name)
             return (int)i;
     *by_name = false;
     size_t odd;
-    return table->columns > 1 && !named(table, 0) && table->in_last == table->columns && equal_step(table, 0, &odd) > 0 ? 0 : -1;
+    return table->columns > 1 && !named(table, 0) && table->in_last == table->columns && equal_step(table, 0, &odd) > 0
+               ? 0
+               : -1;
 }
 
-static enum thud_status take_step(struct record_table *table, int column, bool by_name, const struct thud_record_choice *choice,
-                                  struct record_raw *raw, struct thud_error *err)
+static enum thud_status take_step(struct record_table *table, int column, bool by_name,
+                                  const struct thud_record_choice *choice, struct record_raw *raw,
+                                  struct thud_error *err)
 {
     if (column < 0 || table->rows < 2)
         return THUD_OK;
@@ -199,8 +204,19 @@ static enum thud_status take_step(struct record_table *table, int column, bool b
         thud_error_allow(err, "resample the record, or give --dt when the samples are equally spaced all the same");
         return THUD_INPUT;
     }
-    raw->dt_s = step * time_factor(table, (size_t)column);
-    raw->dt_line = (int)table->lines.value[0];
+    step *= time_factor(table, (size_t)column);
+    double told =
+        table->prose.dt_line ? table->prose.dt_s : step; /* a time column is rounded, a comment may have all digits */
+    if (fabs(told - step) <= 1e-6 * step) {
+        raw->dt_s = told;
+        raw->dt_line = table->prose.dt_line ? table->prose.dt_line : (int)table->lines.value[0];
+    } else if (isnan(choice->dt_s)) {
+        record_refuse(table->source, table->prose.dt_line, 0, err,
+                      "this line tells of a time step of %.6g s, the time column of %.6g s", told, step);
+        thud_error_key(err, "dt");
+        thud_error_allow(err, "--dt says which");
+        return THUD_INPUT;
+    }
     return THUD_OK;
 }
 
@@ -211,10 +227,13 @@ static enum thud_status ask_column(const struct record_table *table, int time, s
     char list[360] = "";
     size_t n = 0;
     for (size_t i = 0; i < table->columns && n < sizeof list - 60; i++)
-        n += (size_t)snprintf(list + n, sizeof list - n, "%s%zu%s%.40s", i ? ", " : ": ", i + 1, named(table, i) ? " " : "",
-                              (int)i == time && !named(table, i) ? " time" : named(table, i) ? table->name[i] : "");
-    record_refuse(table->source, (int)table->lines.value[0], 0, err, "which of the %zu columns is the acceleration is not said%s",
-                  table->columns, list);
+        n += (size_t)snprintf(list + n, sizeof list - n, "%s%zu%s%.40s", i ? ", " : ": ", i + 1,
+                              named(table, i) ? " " : "",
+                              (int)i == time && !named(table, i) ? " time"
+                              : named(table, i)                  ? table->name[i]
+                                                                 : "");
+    record_refuse(table->source, (int)table->lines.value[0], 0, err,
+                  "which of the %zu columns is the acceleration is not said%s", table->columns, list);
     thud_error_key(err, "column");
     if (time < 0)
         thud_error_allow(err, "--column N, or --column all when each line goes on where the one before ended");
@@ -236,7 +255,8 @@ static int only_candidate(const struct record_table *table, int time)
     return found;
 }
 
-/* Several values to a line and a short line at the very end: no table ends so, a list does. A file that was cut off lacks its last line end. */
+/* Several values to a line and a short line at the very end: no table ends so, a list does. A file that was cut off
+ * lacks its last line end. */
 static bool is_list(const struct record_table *table, int time)
 {
     const struct record_source *source = table->source;
@@ -246,15 +266,16 @@ static bool is_list(const struct record_table *table, int time)
 }
 
 /* *column from 0; -1: all of them, row by row. */
-static enum thud_status choose(const struct record_table *table, const struct thud_record_choice *choice, int time, int *column,
-                               struct thud_error *err)
+static enum thud_status choose(const struct record_table *table, const struct thud_record_choice *choice, int time,
+                               int *column, struct thud_error *err)
 {
     int line = (int)table->lines.value[0];
     if (choice->column > 0) {
         *column = choice->column - 1;
         if ((size_t)choice->column <= table->columns && *column != time)
             return THUD_OK;
-        record_refuse(table->source, line, 0, err, *column == time ? "column %d is the time" : "there is no column %d", choice->column);
+        record_refuse(table->source, line, 0, err, *column == time ? "column %d is the time" : "there is no column %d",
+                      choice->column);
         thud_error_key(err, "column");
         thud_error_allow(err, "1 to %zu", table->columns);
         return THUD_INPUT;
@@ -276,7 +297,8 @@ static enum thud_status choose(const struct record_table *table, const struct th
     return *column >= 0 ? THUD_OK : ask_column(table, time, err);
 }
 
-static enum thud_status take_column(struct record_table *table, int column, struct record_raw *raw, struct thud_error *err)
+static enum thud_status take_column(struct record_table *table, int column, struct record_raw *raw,
+                                    struct thud_error *err)
 {
     if (column < 0) {
         free(raw->value);
@@ -308,13 +330,16 @@ enum thud_status record_table_finish(struct record_table *table, const struct th
         status = take_step(table, time, by_name, choice, raw, err);
     if (status)
         return status;
+    if (!isnan(choice->dt_s) && isnan(raw->dt_s))
+        table->prose.dt_line = 0; /* the user has decided */
     if (column >= 0 && name_unit(table, (size_t)column) != 0)
         raw->factor = name_unit(table, (size_t)column);
     record_prose_apply(&table->prose, raw);
     if (column < 0)
         snprintf(raw->note, sizeof raw->note, "%zu values to a line, row by row", table->columns);
     else if (time >= 0)
-        snprintf(raw->note, sizeof raw->note, "column %d of %zu, times in column %d", column + 1, table->columns, time + 1);
+        snprintf(raw->note, sizeof raw->note, "column %d of %zu, times in column %d", column + 1, table->columns,
+                 time + 1);
     else if (table->columns > 1)
         snprintf(raw->note, sizeof raw->note, "column %d of %zu", column + 1, table->columns);
     return take_column(table, column, raw, err);

@@ -1,4 +1,5 @@
-/* Tables of numbers (CSV, plain columns): which column is the acceleration, where the time step and the unit come from. */
+/* Tables of numbers (CSV, plain columns): which column is the acceleration, where the time step and the unit come from.
+ */
 #ifndef THUD_IO_RECORD_TABLE_H
 #define THUD_IO_RECORD_TABLE_H
 
@@ -25,7 +26,8 @@ enum thud_status record_table_row(struct record_table *table, const double *valu
 /* A comment or a line before the numbers: prose, and `station: NAME` and the like. */
 void record_table_prose(struct record_table *table, const struct record_line *line, struct record_raw *raw);
 /* A row of words before the numbers: the columns' names. Words that stand for a number that is none are refused. */
-enum thud_status record_table_name(struct record_table *table, size_t i, const char *name, int line, struct thud_error *err);
+enum thud_status record_table_name(struct record_table *table, size_t i, const char *name, int line,
+                                   struct thud_error *err);
 /* Chooses and fills `raw`. Errors: THUD_INPUT asking for --column, --dt. */
 enum thud_status record_table_finish(struct record_table *table, const struct thud_record_choice *choice,
                                      struct record_raw *raw, struct thud_error *err);

@@ -16,10 +16,12 @@ static const struct {
 static const struct {
     const char *name;
     double factor;
-} words[] = {{"gals", 0.01}, {"gal", 0.01}, {"%g", THUD_GRAVITY / 100}, {"mg", THUD_GRAVITY / 1000}, {"g", THUD_GRAVITY}};
+} words[] = {
+    {"gals", 0.01}, {"gal", 0.01}, {"%g", THUD_GRAVITY / 100}, {"mg", THUD_GRAVITY / 1000}, {"g", THUD_GRAVITY}};
 /* what follows a length to make it an acceleration, longest first */
-static const char *const tails[] = {"/sec/sec", "/sec**2", "/sec^2", "/sec2", "/s/s",  "/s**2", "/s^2",  "/s2",  "/s\xc2\xb2",
-                                    "/s\xb2",   "/(s^2)",  "ps2",    " s^-2", ".s^-2", "*s^-2", " s-2", ".s-2", "s-2"};
+static const char *const tails[] = {"/sec/sec", "/sec**2", "/sec^2",     "/sec2",  "/s/s",   "/s**2",
+                                    "/s^2",     "/s2",     "/s\xc2\xb2", "/s\xb2", "/(s^2)", "ps2",
+                                    " s^-2",    ".s^-2",   "*s^-2",      " s-2",   ".s-2",   "s-2"};
 
 static bool starts(const char *s, const char *end, const char *word)
 {
@@ -67,7 +69,8 @@ static bool unit_said(const char *line, const char *at, const char *end, size_t 
     if (length > 2)
         return true;
     const char *after = at + length;
-    if (at > line && ((at[-1] == '(' && after < end && *after == ')') || (at[-1] == '[' && after < end && *after == ']')))
+    if (at > line &&
+        ((at[-1] == '(' && after < end && *after == ')') || (at[-1] == '[' && after < end && *after == ']')))
         return true;
     const char *before = at;
     while (before > line && strchr(" \t:=", before[-1]))
@@ -138,7 +141,8 @@ static double seconds_after(const struct record_line *line, const char *word)
 void record_prose_read(struct record_prose *prose, const struct record_line *line)
 {
     read_unit(prose, line);
-    static const char *const names[] = {"dt", "delta t", "delta_t", "time step", "timestep", "sampling interval", "time interval"};
+    static const char *const names[] = {"dt",       "delta t",           "delta_t",      "time step",
+                                        "timestep", "sampling interval", "time interval"};
     for (size_t i = 0; i < sizeof names / sizeof *names && !prose->dt_line; i++) {
         double dt = seconds_after(line, names[i]);
         if (dt > 0) {
