@@ -1,7 +1,7 @@
 /* The shipped surrogates are what their own comment lines say: made again from those lines they give the same bytes.
  * Their peaks are those of the motions they stand in for, and they read without an option. */
 #include <check.h>
-#include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
