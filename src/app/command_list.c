@@ -46,7 +46,7 @@ static const struct thud_option options[] = {
     {"update", NULL, "write new expectations and show the difference", THUD_WORD_NONE, false, VERIFY},
     {"json", NULL, "JSON on standard output", THUD_WORD_NONE, false, STUDY | RECORD | LISTS | VERIFY},
     {"csv", NULL, "CSV on standard output", THUD_WORD_NONE, false, STUDY},
-    {"o", "DIR", "write files into this folder: CSV, PNG, gnuplot scripts", THUD_WORD_FOLDER, false, FILES},
+    {"o", "DIR", "folder to write CSV, PNG and gnuplot scripts into", THUD_WORD_FOLDER, false, FILES},
     {"j", "N", "runs at a time; results do not depend on it", THUD_WORD_TEXT, false, FILES | VERIFY},
     {"quiet", NULL, "no progress on standard error", THUD_WORD_NONE, false, FILES | VERIFY},
     {"ascii", NULL, "draw with ASCII characters only", THUD_WORD_NONE, false, SCREEN},
