@@ -1,0 +1,28 @@
+/* report.md: the paper's study in words, tables and figures. */
+#ifndef THUD_APP_PAPER_REPORT_H
+#define THUD_APP_PAPER_REPORT_H
+
+#include "base/text.h"
+#include "plot/figures_paper.h"
+#include "study/scene.h"
+#include "study/sweep_row.h"
+
+struct thud_paper_record {
+    const char *name, *file;
+    double peak_mps2, dt_s;
+    size_t samples;
+    bool surrogate; /* a synthetic motion shipped with the program */
+};
+
+struct thud_paper_study {
+    const struct thud_scene *scene;         /* the preset the study was made from */
+    const struct thud_sweep_table *table;   /* cases none, bumper, cavity over the gap */
+    const struct thud_paper_record *record; /* (table->nrecords) */
+    const struct thud_paper_pair *pair;     /* (THUD_PAPER_PAIRS) */
+    const char *suffix;                     /* of the pictures: "png" */
+};
+
+/* Look at out->failed. */
+void thud_paper_report(const struct thud_paper_study *study, struct thud_text *out);
+
+#endif
