@@ -1,3 +1,4 @@
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -34,7 +35,8 @@ void thud_number_format(double value, char *text, size_t size)
         snprintf(text, size, "%.0f", value + 0.0);
         return;
     }
-    for (int digits = 1; digits <= 17; digits++) {
+    /* %g leaves trailing zeros out, so 15 digits, which any normal double has, also print the shorter ones */
+    for (int digits = fabs(value) < DBL_MIN ? 1 : 15; digits <= 17; digits++) {
         snprintf(text, size, "%.*g", digits, value);
         if (strtod(text, NULL) == value)
             return;

@@ -1,3 +1,4 @@
+#include <math.h>
 #include <stdio.h>
 
 #include "plot/figure.h"
@@ -21,15 +22,22 @@ static void panel_name(const struct thud_panel *panel, struct thud_text *name)
                      thud_axis_text(&panel->axis[THUD_X], x, sizeof x));
 }
 
+/* What is no number stays empty. */
+static void value(struct thud_text *out, double number)
+{
+    if (!isnan(number))
+        thud_text_number(out, number);
+}
+
 static void row(struct thud_text *out, const struct thud_text *prefix, double x, double y, const double *third)
 {
     thud_text_bytes(out, prefix->data, prefix->size);
-    thud_text_number(out, x);
+    value(out, x);
     thud_text_bytes(out, ",", 1);
-    thud_text_number(out, y);
+    value(out, y);
     thud_text_bytes(out, ",", 1);
     if (third)
-        thud_text_number(out, *third);
+        value(out, *third);
     thud_text_bytes(out, "\n", 1);
 }
 
