@@ -7,6 +7,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/closing.h"
 #include "core/poly.h"
 
 enum { ENDS = THUD_FLIGHT_ENDS, SHORT_BLOCK = 8 };
@@ -386,6 +387,8 @@ enum thud_status thud_flight_go(struct thud_run *run, int *passed, struct thud_e
     if (intervals == 0)
         return THUD_OK;
     peaks(run, f, intervals);
+    if (run->closing)
+        thud_closing_flight(run, f, intervals);
     enum thud_status status = run->options.keep_history ? rows(run, f, intervals, err) : THUD_OK;
     if (!run->options.no_ledger)
         add_energies(f, run, intervals);

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/closing.h"
 #include "core/lcp.h"
 #include "core/run_private.h"
 
@@ -259,6 +260,8 @@ static enum thud_status segment(struct thud_run *run, struct thud_error *err)
     if (s_end > 0) {
         run->stalls = 0;
         thud_peaks_segment(run, s_end);
+        if (run->closing)
+            thud_closing_segment(run, s_end);
         if (run->options.keep_history)
             status = thud_history_segment(run, s_end, err);
         thud_ledger_segment(run, s_end);

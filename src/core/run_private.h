@@ -67,6 +67,7 @@ struct thud_run {
     double *force_now;    /* (ncontacts) */
     double *collide;      /* of contact_impulse.c */
     int *set_now;         /* (ncontacts) */
+    double *closing;      /* (ncontacts) largest so far of left less right displacement; NULL: not asked for */
     struct thud_flight *flight;
     double *block; /* everything above that is an array of doubles */
 

@@ -1,0 +1,36 @@
+/* The motion without contact of a model, made once and kept: the answer for every clearance wide enough, and the
+ * beginning of every run that comes to a contact only later. Read-only once made, so any number of runs may start from
+ * it at once. */
+#ifndef THUD_CORE_TRUNK_H
+#define THUD_CORE_TRUNK_H
+
+#include <stdbool.h>
+
+#include "core/run.h"
+
+struct thud_trunk;
+
+/* The motion of `model` without its contacts; their laws and clearances do not matter. Model and record must outlive
+ * it. Errors: as thud_run_create. */
+enum thud_status thud_trunk_create(const struct thud_model *model, const struct thud_record *record,
+                                   const struct thud_run_options *options, struct thud_trunk **out,
+                                   struct thud_error *err);
+/* As thud_run_advance; what follows holds once it is done. */
+enum thud_status thud_trunk_advance(struct thud_trunk *trunk, long budget, bool *done, struct thud_error *err);
+void thud_trunk_free(struct thud_trunk *trunk);
+
+/* The contact-free answer. */
+const struct thud_result *thud_trunk_result(const struct thud_trunk *trunk);
+/* Largest u_left - u_right of contact c (from 0) over the whole motion, at least 0: a clearance this wide is never used
+ * up. */
+double thud_trunk_closing(const struct thud_trunk *trunk, int c);
+
+/* A run of `model` (same structures and pairs of floors as the trunk's), begun at the last kept moment before which no
+ * contact can close. Its motion and peaks are those of a run from t = 0, bit for bit; its energies and counts of work
+ * begin where it begins. *shared_s: that moment, 0 where nothing could be shared (histories are kept, or the method
+ * steps through free flight). Errors: as thud_run_create. */
+enum thud_status thud_trunk_run(const struct thud_trunk *trunk, const struct thud_model *model,
+                                const struct thud_record *record, const struct thud_run_options *options,
+                                struct thud_run **out, double *shared_s, struct thud_error *err);
+
+#endif

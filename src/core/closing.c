@@ -1,0 +1,67 @@
+#include "core/closing.h"
+
+#include <math.h>
+
+#include "core/poly.h"
+
+enum { ENDS = THUD_FLIGHT_ENDS };
+
+/* Raises the closing of contact c by its polynomial in the run's segment. */
+static void raise_closing(struct thud_run *run, int c, double s)
+{
+    double d[THUD_SEGMENT_TERMS], where, size = 0;
+    int terms = run->seg.terms;
+    thud_segment_indentation(run, &run->seg, c, d);
+    d[0] += thud_run_shift(run, c);
+    for (int k = 0; k < terms; k++)
+        size += fabs(d[k]);
+    d[0] += size; /* so that the largest value is the largest absolute one */
+    run->closing[c] = fmax(run->closing[c], thud_poly_peak(d, terms, s, run->closing[c] + size, &where) - size);
+}
+
+void thud_closing_segment(struct thud_run *run, double s)
+{
+    for (int c = 0; c < run->model->ncontacts; c++)
+        raise_closing(run, c, s);
+}
+
+static void look_at(struct thud_run *run, struct thud_flight *f, int c, int t)
+{
+    long base = run->grid;
+    run->grid += t;
+    for (int j = 0; j < f->n; j++) {
+        f->now[j] = f->q[j * ENDS + t];
+        f->now_rate[j] = f->qd[j * ENDS + t];
+    }
+    for (int piece = 0; piece < f->pieces; piece++) {
+        run->offset_s = piece * run->grid_dt_s / f->pieces;
+        thud_segment_begin(run, &run->seg, run->grid_dt_s / f->pieces);
+        thud_taylor_given(run->model, &run->seg, f->now, f->now_rate);
+        raise_closing(run, c, 1);
+        thud_segment_state(&run->seg, f->n, 1, f->now, f->now_rate);
+    }
+    run->grid = base;
+    run->offset_s = 0;
+}
+
+void thud_closing_flight(struct thud_run *run, struct thud_flight *f, int intervals)
+{
+    const struct thud_model *m = run->model;
+    for (int c = 0; c < m->ncontacts; c++) {
+        const struct thud_model_contact *p = &m->contact[c];
+        const double *left = f->value[THUD_FLIGHT_DISPLACEMENT] + (ptrdiff_t)p->left_dof * ENDS;
+        const double *right = f->value[THUD_FLIGHT_DISPLACEMENT] + (ptrdiff_t)p->right_dof * ENDS;
+        double margin = p->left_dof < 0 ? 0 : f->margin[m->dof_structure[p->left_dof]], most = -INFINITY;
+        margin += p->right_dof < 0 ? 0 : f->margin[m->dof_structure[p->right_dof]];
+        for (int t = 0; t <= intervals; t++) {
+            f->gap[t] = (p->left_dof < 0 ? 0 : left[t]) - (p->right_dof < 0 ? 0 : right[t]);
+            most = fmax(most, f->gap[t]);
+        }
+        if (most + margin <= run->closing[c])
+            continue;
+        double limit = fmax(run->closing[c], most) - margin;
+        for (int t = 0; t < intervals; t++)
+            if (f->gap[t] > limit || f->gap[t + 1] > limit)
+                look_at(run, f, c, t);
+    }
+}
