@@ -27,6 +27,10 @@ const char *thud_picture_suffix(enum thud_picture_format format); /* "png" */
 enum thud_status thud_picture_format_parse(const char *text, enum thud_picture_format *out, struct thud_error *err);
 /* "1800x1200". Errors: THUD_USAGE. */
 enum thud_status thud_picture_size_parse(const char *text, int *width_px, int *height_px, struct thud_error *err);
+/* "DejaVu Serif" or "DejaVu Serif,28": the name is copied to `name`, *font_px stays where no size is given. Errors:
+ * THUD_USAGE. */
+enum thud_status thud_picture_font_parse(const char *text, char *name, size_t size, double *font_px,
+                                         struct thud_error *err);
 
 /* The script with all data inside. `output` is the file it writes when run by hand (a plain name; NULL: standard
  * output). Traces are reduced to what the picture can show. Errors: THUD_MEMORY. */

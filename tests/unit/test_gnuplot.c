@@ -310,6 +310,17 @@ START_TEST(options_are_read_strictly)
                                       "640x400px"};
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
         ck_assert_msg(thud_picture_size_parse(bad[i], &w, &h, NULL) == THUD_USAGE, "%s", bad[i]);
+    char font[32];
+    double px = 0.0;
+    ck_assert_int_eq(thud_picture_font_parse("DejaVu Serif", font, sizeof font, &px, NULL), THUD_OK);
+    ck_assert(strcmp(font, "DejaVu Serif") == 0 && px == 0.0);
+    ck_assert_int_eq(thud_picture_font_parse("DejaVu Sans Mono,28.5", font, sizeof font, &px, NULL), THUD_OK);
+    ck_assert(strcmp(font, "DejaVu Sans Mono") == 0 && px == 28.5);
+    static const char *const no_font[] = {"",    ",12",  "A,",    "A,b",   "A,12,",
+                                          "A,0", "A,-3", "A,1e9", "A,nan", "A name with far too many characters"};
+    for (size_t i = 0; i < sizeof no_font / sizeof *no_font; i++)
+        ck_assert_msg(thud_picture_font_parse(no_font[i], font, sizeof font, &px, NULL) == THUD_USAGE, "%s",
+                      no_font[i]);
 }
 END_TEST
 
