@@ -78,32 +78,47 @@ static double largest_speed(const struct thud_flight *f, int j, double omega, in
     return sqrt(most);
 }
 
-/* Bounds of the second derivatives in the block, times dt^2/8. */
-static void margins(struct thud_flight *f, const struct thud_run *run, int intervals)
+/* Bounds of the derivatives of the modes of one structure in the block, by order (from 2 on), summed into margins:
+ * dt^2/8 times the second derivative of a value bounds how far it may lie above its ends, dt^4/384 times the fourth how
+ * far above the cubic. */
+static void structure_margins(struct thud_flight *f, const struct thud_run *run, int s, double ground, double slope,
+                              int ends)
 {
     const struct thud_model *m = run->model;
-    double dt = run->grid_dt_s, ground = 0, slope = 0, eighth = dt * dt / 8;
+    const struct thud_model_structure *p = &m->structure[s];
+    double dt = run->grid_dt_s, chord[THUD_FLOOR_QUANTITIES] = {0}, cubic[THUD_FLOOR_QUANTITIES] = {0};
+    for (int j = p->first; j < p->first + p->n; j++) {
+        double w2 = m->omega[j] * m->omega[j], z = 2 * m->zeta[j] * m->omega[j], reach = fabs(m->gamma[j]);
+        double speed = largest_speed(f, j, m->omega[j], ends) + dt * reach * ground, bound[7];
+        bound[2] = (m->omega[j] + z) * speed + reach * ground;
+        bound[3] = w2 * speed + z * bound[2] + reach * slope;
+        for (int k = 4; k < 7; k++)
+            bound[k] = w2 * bound[k - 2] + z * bound[k - 1];
+        double most = run->shape[j], drift = run->shape[m->ndof + j];
+        for (int k = 0; k < 2; k++) { /* the acceleration is -(omega^2 q + 2 zeta omega q') */
+            double *sum = k == 0 ? chord : cubic;
+            const double *d = bound + 2 + 2 * k;
+            sum[THUD_FLOOR_DISPLACEMENT] += most * d[0];
+            sum[THUD_FLOOR_VELOCITY] += most * d[1];
+            sum[THUD_FLOOR_ACCELERATION] += most * (w2 * d[0] + z * d[1]);
+            sum[THUD_FLOOR_DRIFT] += drift * d[0];
+        }
+    }
+    for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++) {
+        f->margin[x * m->nstructures + s] = chord[x] * dt * dt / 8;
+        f->cubic_margin[x * m->nstructures + s] = cubic[x] * dt * dt * dt * dt / 384;
+    }
+}
+
+static void margins(struct thud_flight *f, const struct thud_run *run, int intervals)
+{
+    double ground = 0, slope = 0;
     for (int t = 0; t < intervals; t++) {
         ground = fmax(ground, fmax(fabs(f->ground[t]), fabs(f->after[t])));
-        slope = fmax(slope, fabs(f->after[t] - f->ground[t]) / dt);
+        slope = fmax(slope, fabs(f->after[t] - f->ground[t]) / run->grid_dt_s);
     }
-    for (int s = 0; s < m->nstructures; s++) {
-        const struct thud_model_structure *p = &m->structure[s];
-        double sum[THUD_FLIGHT_MARGINS] = {0};
-        for (int j = p->first; j < p->first + p->n; j++) {
-            double w = m->omega[j], z = 2 * m->zeta[j] * w, reach = fabs(m->gamma[j]), push = reach * ground;
-            double speed = largest_speed(f, j, w, intervals + 1) + dt * push;
-            double second = (w + z) * speed + push;
-            double third = w * w * speed + z * second + reach * slope, fourth = w * w * second + z * third;
-            sum[THUD_FLOOR_DISPLACEMENT] += run->shape[j] * second;
-            sum[THUD_FLOOR_VELOCITY] += run->shape[j] * third;
-            sum[THUD_FLOOR_ACCELERATION] += run->shape[j] * fourth;
-            sum[THUD_FLIGHT_JERK] += run->shape[j] * (w * w * third + z * fourth);
-            sum[THUD_FLOOR_DRIFT] += run->shape[m->ndof + j] * second;
-        }
-        for (int x = 0; x < THUD_FLIGHT_MARGINS; x++)
-            f->margin[x * m->nstructures + s] = sum[x] * eighth;
-    }
+    for (int s = 0; s < run->model->nstructures; s++)
+        structure_margins(f, run, s, ground, slope, intervals + 1);
 }
 
 /* Motion of one piece of interval t as a series, from f->now. */
@@ -176,25 +191,8 @@ struct row {
     int structure, floor, quantity;
     const double *x;
     struct thud_peak *peak;
-    double margin, slope_margin;
+    double margin, cubic_margin;
 };
-
-static struct row row_of(struct thud_run *run, const struct thud_flight *f, int s, int floor, int quantity)
-{
-    /* whose margin bounds the rate's deviation from its chord: u' is v; v' is a - a_g, and a_g is linear; drift' is the
-     * difference of two v */
-    static const int rate[] = {THUD_FLOOR_VELOCITY, THUD_FLOOR_ACCELERATION, THUD_FLIGHT_JERK, THUD_FLOOR_VELOCITY};
-    const struct thud_model *m = run->model;
-    int n = m->nstructures;
-    double slope = f->margin[rate[quantity] * n + s];
-    return (struct row){s,
-                        floor,
-                        quantity,
-                        f->value[quantity] + (m->structure[s].first + floor) * ENDS,
-                        thud_floor_peak(run, s, floor, quantity),
-                        f->margin[quantity * n + s],
-                        quantity == THUD_FLOOR_DRIFT ? 2 * slope : slope};
-}
 
 /* Rate of a row's value at end t of an interval whose ground acceleration there is `ground`. */
 static double rate_at(const struct thud_run *run, const struct thud_flight *f, const struct row *row, int t,
@@ -219,58 +217,24 @@ static double rate_at(const struct thud_run *run, const struct thud_flight *f, c
     return jerk;
 }
 
-static void raise_to(struct thud_run *run, struct thud_peak *peak, double value, int t)
+/* Largest |p| on [0, 1] of the cubic with values x0, x1 and rates (by s) r0, r1 at the ends. */
+static double cubic_peak(double x0, double x1, double r0, double r1)
 {
-    if (fabs(value) > peak->value)
-        *peak = (struct thud_peak){fabs(value), (double)(run->grid + t) * run->grid_dt_s};
+    double c2 = 3 * (x1 - x0) - 2 * r0 - r1, c3 = 2 * (x0 - x1) + r0 + r1;
+    double most = fmax(fabs(x0), fabs(x1)), root = c2 * c2 - 3 * c3 * r0;
+    if (root < 0)
+        return most;
+    root = sqrt(root);
+    double u = -(c2 + (c2 < 0 ? -root : root)); /* 3 c3 s^2 + 2 c2 s + r0 = 0, without cancellation */
+    double s[2] = {u / (3 * c3), r0 / u};
+    for (int i = 0; i < 2; i++)
+        if (s[i] > 0 && s[i] < 1)
+            most = fmax(most, fabs(x0 + s[i] * (r0 + s[i] * (c2 + s[i] * c3))));
+    return most;
 }
 
-/* Marks the intervals inside which the row may pass both its peak so far and the largest of its own values; where it
- * only rises or only falls, its ends say all. */
-static void mark(struct thud_run *run, struct thud_flight *f, const struct row *row, int intervals)
-{
-    const double *x = row->x;
-    double most = 0;
-    for (int t = 0; t <= intervals; t++) {
-        double a = fabs(x[t]);
-        most = a > most ? a : most;
-    }
-    if (most + row->margin <= row->peak->value)
-        return;
-    double limit = fmax(row->peak->value, most) - row->margin;
-    for (int t = 0; t < intervals; t++) {
-        if (fabs(x[t]) <= limit && fabs(x[t + 1]) <= limit)
-            continue;
-        double a = rate_at(run, f, row, t, f->ground[t]), b = rate_at(run, f, row, t + 1, f->after[t]);
-        if (a * b > 0 && fmin(fabs(a), fabs(b)) > row->slope_margin) {
-            raise_to(run, row->peak, x[t], t);
-            raise_to(run, row->peak, x[t + 1], t + 1);
-        } else {
-            f->suspect[t] = 1;
-        }
-    }
-}
-
-static void rows_do(struct thud_run *run, struct thud_flight *f, int arg,
-                    void (*act)(struct thud_run *run, struct thud_flight *f, const struct row *row, int arg))
-{
-    const struct thud_model *m = run->model;
-    for (int s = 0; s < m->nstructures; s++)
-        for (int i = 0; i < m->structure[s].n; i++)
-            for (int x = 0; x < (m->structure[s].stiffness_npm ? THUD_FLOOR_QUANTITIES : THUD_FLOOR_DRIFT); x++) {
-                struct row row = row_of(run, f, s, i, x);
-                act(run, f, &row, arg);
-            }
-}
-
-static void read_row(struct thud_run *run, struct thud_flight *f, const struct row *row, int t)
-{
-    (void)f;
-    if (fmax(fabs(row->x[t]), fabs(row->x[t + 1])) + row->margin > row->peak->value)
-        thud_peaks_floor(run, row->structure, row->floor, row->quantity, 1);
-}
-
-static void look_at(struct thud_run *run, struct thud_flight *f, int t)
+/* Motion of interval t as series, one piece after the other; in each the rows that may peak in it are read. */
+static void look_at(struct thud_run *run, struct thud_flight *f, int t, int from)
 {
     long base = run->grid;
     run->grid += t;
@@ -278,7 +242,9 @@ static void look_at(struct thud_run *run, struct thud_flight *f, int t)
     for (int piece = 0; piece < f->pieces; piece++) {
         series(run, f, piece);
         thud_peaks_prepare(run);
-        rows_do(run, f, t, read_row);
+        for (int i = from; i < f->suspects; i++)
+            if (f->suspect[i].t == t)
+                thud_peaks_floor(run, f->suspect[i].structure, f->suspect[i].floor, f->suspect[i].quantity, 1);
         if (piece + 1 < f->pieces)
             thud_segment_state(&run->seg, f->n, 1, f->now, f->now_rate);
     }
@@ -286,13 +252,63 @@ static void look_at(struct thud_run *run, struct thud_flight *f, int t)
     run->offset_s = 0;
 }
 
+static void read_suspects(struct thud_run *run, struct thud_flight *f)
+{
+    for (int i = 0; i < f->suspects; i++) {
+        bool seen = false;
+        for (int k = 0; k < i && !seen; k++)
+            seen = f->suspect[k].t == f->suspect[i].t;
+        if (!seen)
+            look_at(run, f, f->suspect[i].t, i);
+    }
+    f->suspects = 0;
+}
+
+/* Notes the intervals inside which the row may pass both its peak so far and what it surely reaches in the block. */
+static void note_suspects(struct thud_run *run, struct thud_flight *f, const struct row *row, int intervals)
+{
+    const double *x = row->x;
+    double most = 0, dt = run->grid_dt_s;
+    for (int t = 0; t <= intervals; t++) {
+        double a = fabs(x[t]);
+        most = a > most ? a : most;
+    }
+    if (most + row->margin <= row->peak->value)
+        return;
+    double limit = fmax(row->peak->value, most), near = limit - row->margin;
+    for (int t = 0; t < intervals; t++) {
+        f->upper[t] = 0;
+        if (fabs(x[t]) <= near && fabs(x[t + 1]) <= near)
+            continue;
+        double r0 = rate_at(run, f, row, t, f->ground[t]), r1 = rate_at(run, f, row, t + 1, f->after[t]);
+        f->upper[t] = cubic_peak(x[t], x[t + 1], dt * r0, dt * r1) + row->cubic_margin;
+        limit = fmax(limit, f->upper[t] - 2 * row->cubic_margin);
+    }
+    for (int t = 0; t < intervals; t++) {
+        if (f->upper[t] < limit || f->upper[t] <= row->peak->value)
+            continue;
+        if (f->suspects == f->suspects_capacity)
+            read_suspects(run, f);
+        f->suspect[f->suspects++] = (struct thud_suspect){t, row->structure, row->floor, row->quantity};
+    }
+}
+
 static void peaks(struct thud_run *run, struct thud_flight *f, int intervals)
 {
-    memset(f->suspect, 0, sizeof f->suspect);
-    rows_do(run, f, intervals, mark);
-    for (int t = 0; t < intervals; t++)
-        if (f->suspect[t])
-            look_at(run, f, t);
+    const struct thud_model *m = run->model;
+    for (int s = 0; s < m->nstructures; s++)
+        for (int i = 0; i < m->structure[s].n; i++)
+            for (int x = 0; x < (m->structure[s].stiffness_npm ? THUD_FLOOR_QUANTITIES : THUD_FLOOR_DRIFT); x++) {
+                struct row row = {s,
+                                  i,
+                                  x,
+                                  f->value[x] + (m->structure[s].first + i) * ENDS,
+                                  thud_floor_peak(run, s, i, x),
+                                  f->margin[x * m->nstructures + s],
+                                  f->cubic_margin[x * m->nstructures + s]};
+                note_suspects(run, f, &row, intervals);
+            }
+    read_suspects(run, f);
 }
 
 static double sum(const double *x, int n)

@@ -5,10 +5,10 @@
 #include "core/run_private.h"
 
 enum { THUD_FLIGHT_BLOCK = 128, THUD_FLIGHT_ENDS = THUD_FLIGHT_BLOCK + 1 }; /* intervals in a block, and their ends */
-enum {
-    THUD_FLIGHT_JERK = THUD_FLOOR_QUANTITIES,
-    THUD_FLIGHT_MARGINS
-}; /* the rate of the acceleration: for bounds only */
+/* An interval inside which one floor's value may peak. */
+struct thud_suspect {
+    int t, structure, floor, quantity;
+};
 
 struct thud_flight {
     int n;      /* modes */
@@ -27,9 +27,13 @@ struct thud_flight {
     double *value[THUD_FLOOR_QUANTITIES]; /* (n x ENDS) by floor */
     double *gap, *energy;                 /* (ENDS) */
     double *ground, *after;               /* (ENDS) ground acceleration at the start and at the end of each interval */
-    double *margin; /* (MARGINS x nstructures): how far a value inside an interval may lie above those at its ends */
-    char suspect[THUD_FLIGHT_ENDS]; /* intervals that may hold a new peak */
-    int size;                       /* intervals to try next */
+    /* (QUANTITIES x nstructures): how far a value inside an interval may lie above those at its ends; above the cubic
+     * through values and rates at its ends */
+    double *margin, *cubic_margin;
+    double *upper; /* (ENDS) largest value of that cubic, for one row */
+    struct thud_suspect *suspect;
+    int suspects, suspects_capacity;
+    int size; /* intervals to try next */
     double *block;
 };
 

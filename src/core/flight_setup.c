@@ -23,7 +23,7 @@ static bool allocate(struct thud_flight *f, const struct thud_model *m)
     size_t n = (size_t)m->ndof, many = n * THUD_FLIGHT_ENDS;
     double **by_mode[32],
         **by_end[] = {&f->q, &f->qd, &f->spring, &f->value[0], &f->value[1], &f->value[2], &f->value[3]};
-    double **single[] = {&f->gap, &f->energy, &f->ground, &f->after};
+    double **single[] = {&f->gap, &f->energy, &f->ground, &f->after, &f->upper};
     size_t count = 0, ends = sizeof by_end / sizeof *by_end, singles = sizeof single / sizeof *single;
     for (int i = 0; i < 4; i++) {
         by_mode[count++] = &f->e[i];
@@ -35,7 +35,8 @@ static bool allocate(struct thud_flight *f, const struct thud_model *m)
     double **rest[] = {&f->now, &f->now_rate};
     for (size_t i = 0; i < sizeof rest / sizeof *rest; i++)
         by_mode[count++] = rest[i];
-    size_t total = count * n + ends * many + singles * THUD_FLIGHT_ENDS + THUD_FLIGHT_MARGINS * (size_t)m->nstructures;
+    size_t total =
+        count * n + ends * many + singles * THUD_FLIGHT_ENDS + 2 * THUD_FLOOR_QUANTITIES * (size_t)m->nstructures;
     double *next = f->block = calloc(total, sizeof *next);
     if (!next)
         return false;
@@ -46,7 +47,10 @@ static bool allocate(struct thud_flight *f, const struct thud_model *m)
     for (size_t i = 0; i < singles; i++, next += THUD_FLIGHT_ENDS)
         *single[i] = next;
     f->margin = next;
-    return true;
+    f->cubic_margin = next + THUD_FLOOR_QUANTITIES * m->nstructures;
+    f->suspects_capacity = 8 * m->ndof;
+    f->suspect = calloc((size_t)f->suspects_capacity, sizeof *f->suspect);
+    return f->suspect != NULL;
 }
 
 /* Rates of the four unit motions at one quadrature point enter the integrals of their products. */
@@ -130,7 +134,7 @@ enum thud_status thud_flight_create(struct thud_run *run, struct thud_error *err
         return THUD_OK;
     struct thud_flight *f = calloc(1, sizeof *f);
     if (!f || !allocate(f, run->model)) {
-        free(f);
+        thud_flight_free(f);
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
     f->n = run->model->ndof;
@@ -148,6 +152,7 @@ void thud_flight_free(struct thud_flight *flight)
 {
     if (!flight)
         return;
+    free(flight->suspect);
     free(flight->block);
     free(flight);
 }
