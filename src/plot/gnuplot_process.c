@@ -309,7 +309,9 @@ enum thud_status thud_gnuplot_draw(const struct thud_figure *figure, const struc
         status = start_failed(program, number, err);
     else {
         run(&child, &script);
-        status = judge(&child, options, seconds, err);
+        /* a C library may start the child before it looks for the program: then the child ends with 127 */
+        bool missing = child.state == ENDED && WIFEXITED(child.status) && WEXITSTATUS(child.status) == 127;
+        status = missing ? start_failed(program, ENOENT, err) : judge(&child, options, seconds, err);
     }
     thud_text_clear(&child.messages);
     thud_text_clear(&script);
