@@ -1,0 +1,94 @@
+#include "base/unit.h"
+
+#include <math.h>
+#include <string.h>
+
+static const struct {
+    const char *text;
+    struct thud_unit unit;
+} units[] = {
+#define UNIT(text, dimension, shift, factor) {text, {dimension, shift, factor, 0}},
+#include "base/unit_table.h"
+#undef UNIT
+};
+
+static const struct {
+    const char *name, *units;
+} dimensions[THUD_DIMENSIONS] = {
+    [THUD_NUMBER] = {"a number", ""},
+    [THUD_RATIO] = {"a ratio", "%"},
+    [THUD_LENGTH] = {"a length", "m, cm, mm, in, ft"},
+    [THUD_AREA] = {"an area", "m2, cm2, mm2"},
+    [THUD_MASS] = {"a mass", "t, kg, Mg"},
+    [THUD_FORCE] = {"a force", "N, kN, MN"},
+    [THUD_STIFFNESS] = {"a stiffness", "N/m, kN/m, MN/m, N/mm, kN/mm, MN/mm"},
+    [THUD_POWER_STIFFNESS] = {"a stiffness of a power law", "N/m^n, kN/m^n, MN/m^n, N/mm^n, kN/mm^n, MN/mm^n with the number for n"},
+    [THUD_PRESSURE] = {"a pressure", "Pa, kPa, MPa, GPa, N/mm2, kN/mm2, N/m2, kN/m2, MN/m2"},
+    [THUD_TIME] = {"a time", "s, ms"},
+    [THUD_VELOCITY] = {"a velocity", "m/s, cm/s, mm/s"},
+    [THUD_ACCELERATION] = {"an acceleration", "m/s2, cm/s2, mm/s2, g, gal"},
+};
+
+const char *thud_dimension_units(enum thud_dimension dimension)
+{
+    return dimensions[dimension].units;
+}
+
+const char *thud_dimension_name(enum thud_dimension dimension)
+{
+    return dimensions[dimension].name;
+}
+
+static bool find_listed(const char *text, size_t length, struct thud_unit *unit)
+{
+    for (size_t i = 0; i < sizeof units / sizeof *units; i++)
+        if (strlen(units[i].text) == length && memcmp(units[i].text, text, length) == 0) {
+            *unit = units[i].unit;
+            return true;
+        }
+    return false;
+}
+
+/* FORCE/LENGTH^n, n between 0 and 10. */
+static bool find_power(const char *text, struct thud_unit *unit)
+{
+    const char *slash = strchr(text, '/'), *caret = strchr(text, '^'), *end;
+    struct thud_unit force, length;
+    double n;
+    if (!slash || !caret || caret < slash || !find_listed(text, (size_t)(slash - text), &force) ||
+        force.dimension != THUD_FORCE || !find_listed(slash + 1, (size_t)(caret - slash - 1), &length) ||
+        length.dimension != THUD_LENGTH)
+        return false;
+    if (caret[1] == '+' || thud_number_parse(caret + 1, &end, &n) != 0 || *end || !(n > 0) || n > 10)
+        return false;
+    *unit = (struct thud_unit){THUD_POWER_STIFFNESS, 0, 1, n};
+    double shift = force.shift - n * length.shift;
+    if (shift == rint(shift))
+        unit->shift = (int)shift;
+    else
+        unit->factor = pow(10, force.shift) * pow(pow(10, -length.shift), n);
+    unit->factor *= pow(length.factor, -n);
+    return true;
+}
+
+bool thud_unit_find(const char *text, struct thud_unit *unit)
+{
+    if (!*text) {
+        *unit = (struct thud_unit){THUD_NUMBER, 0, 1, 0};
+        return true;
+    }
+    return find_listed(text, strlen(text), unit) || find_power(text, unit);
+}
+
+double thud_unit_factor(const char *unit, enum thud_dimension *dimension, double *exponent)
+{
+    struct thud_unit found;
+    if (!thud_unit_find(unit, &found))
+        return 0;
+    if (dimension)
+        *dimension = found.dimension;
+    if (exponent)
+        *exponent = found.exponent;
+    /* 1/100 and not 0.01 * 1: correctly rounded */
+    return found.shift < 0 ? found.factor / pow(10, -found.shift) : found.factor * pow(10, found.shift);
+}
