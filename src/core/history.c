@@ -1,4 +1,5 @@
 /* Histories and the list of impacts: the only arrays of a run that grow. */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -122,14 +123,23 @@ static enum thud_status row_at(struct thud_run *run, double s, struct thud_error
     return THUD_OK;
 }
 
+/* Parts that a segment in contact is shown in: close enough for a smooth curve of an impact of 25 ms, and some also of the shortest. */
+static int contact_rows(double duration_s, double step_s)
+{
+    enum { LEAST = 6, MOST = 200 };
+    const double close_s = 2.5e-4;
+    double parts = ceil(duration_s / fmin(step_s, close_s));
+    return parts > LEAST ? parts < MOST ? (int)parts : MOST : LEAST;
+}
+
 enum thud_status thud_history_segment(struct thud_run *run, double s, struct thud_error *err)
 {
-    enum { CONTACT_ROWS = 6 };
     double t0 = thud_run_now(run), h = run->seg.h_s, step = run->options.history_step_s;
     enum thud_status status = THUD_OK;
     if (run->nactive > 0) {
-        for (int i = 0; i <= CONTACT_ROWS && status == THUD_OK; i++)
-            status = row_at(run, s * i / CONTACT_ROWS, err);
+        int rows = contact_rows(s * h, step);
+        for (int i = 0; i <= rows && status == THUD_OK; i++)
+            status = row_at(run, s * i / rows, err);
         while (run->next_row_s <= t0 + s * h)
             run->next_row_s += step;
         return status;

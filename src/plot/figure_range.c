@@ -63,6 +63,10 @@ static struct thud_range round_linear(struct thud_range range, const struct thud
         range.most = 1.0;
     }
     double width = range.most - range.least;
+    if (fabs(range.least) < 1e-6 * width && isnan(axis->least))
+        range.least = 0.0; /* what rounding left of a 0 */
+    if (fabs(range.most) < 1e-6 * width && isnan(axis->most))
+        range.most = 0.0;
     if (width <= 1e-12 * fmax(fabs(range.least), fabs(range.most))) {
         double room = range.most != 0.0 ? 0.1 * fabs(range.most) : 1.0;
         range.least -= room;

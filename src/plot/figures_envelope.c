@@ -9,9 +9,8 @@ enum { QUANTITIES = 3 };
 static const struct {
     const char *label, *unit;
     double factor;
-} quantity[QUANTITIES] = {{"Total acceleration", "m/s²", 1.0},
-                          {"Displacement", "cm", 100.0},
-                          {"Deflection", "mm", 1000.0}};
+} quantity[QUANTITIES] = {
+    {"Total acceleration", "m/s²", 1.0}, {"Displacement", "cm", 100.0}, {"Deflection", "mm", 1000.0}};
 
 /* Elevations of the floors; the base slab of an isolated building stands at 0. */
 static void elevations(const struct thud_structure *structure, int floors, double *height)

@@ -106,6 +106,7 @@ enum thud_status thud_figure_paper3(struct thud_figure **out, struct thud_error 
         paper_axis(panel[p], THUD_Y, FORCE);
     }
     thud_panel_limits(panel[0], THUD_X, -10.0, 150.0);
+    thud_panel_limits(panel[1], THUD_X, 0.0, 50.0);
     thud_panel_mark(panel[1], THUD_X, 40.0, 40.0, "ultimate strain");
     enum thud_status status = THUD_OK;
     for (int i = 0; i < 3 && status == THUD_OK; i++) {
@@ -124,8 +125,8 @@ enum thud_status thud_figure_paper3(struct thud_figure **out, struct thud_error 
         thud_answer_clear(&answer);
     }
     thud_figure_note(
-        figure, "Two free bodies of 320 t closing at 1.2 m/s; bumper 5 cm of Table 1. Eq. (5) as printed: past the "
-                "ultimate strain the force drops where the motion turns.");
+        figure, "Bumper of Table 1 between two free bodies of 320 t closing at 1.2 m/s. Eq. (5) as printed: the force "
+                "drops where the motion turns.");
     return finish(figure, status, out, err);
 }
 

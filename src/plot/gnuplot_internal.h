@@ -37,6 +37,8 @@ void thud_gnuplot_quote(struct thud_text *out, const char *text, double widest, 
 
 /* About how wide a text is, px. */
 double thud_gnuplot_width(const char *text, double em);
+/* The em, made up to a quarter smaller where the text needs it to fit. */
+double thud_gnuplot_fit(const char *text, double widest, double em);
 
 /* Data blocks of a panel, and the panel itself. */
 void thud_gnuplot_data(const struct sheet *sheet, int panel);

@@ -156,7 +156,7 @@ static void axis_label(const struct sheet *sheet, const struct thud_axis *a, enu
     double length = side == THUD_X ? box->right - box->left : box->top - box->bottom;
     thud_axis_text(a, text, sizeof text);
     /* a long one is written smaller before it is cut, so that its unit stays */
-    double em = sheet->em * fmin(1.0, fmax(0.75, 1.15 * length / thud_gnuplot_width(text, sheet->em)));
+    double em = thud_gnuplot_fit(text, 1.15 * length, sheet->em);
     thud_text_append(out, "set label %d ", 92 + (int)side);
     thud_gnuplot_quote(out, text, 1.2 * length, em);
     if (side == THUD_X)
@@ -237,7 +237,8 @@ static void marks(const struct sheet *sheet, const struct thud_panel *panel)
         thud_text_append(out, "set label %d ", 100 + i);
         thud_gnuplot_quote(out, mark->text, 0.0, sheet->em);
         if (across)
-            thud_text_append(out, " at first %.9g, graph 0.97 left offset 0.4,0", from);
+            thud_text_append(out, " at first %.9g, graph 0.97 %s", from,
+                             2.0 * from > range.least + range.most ? "right offset -0.4,0" : "left offset 0.4,0");
         else if (mark->from == mark->to)
             thud_text_append(out, " at graph 0.985, first %.9g right offset 0,0.5", from);
         else

@@ -21,7 +21,7 @@ static size_t character(const char *s)
     return n;
 }
 
-static const double char_em = 0.55; /* mean width of DejaVu Sans, on the safe side */
+static const double char_em = 0.53; /* mean width of DejaVu Sans, on the safe side */
 
 double thud_gnuplot_width(const char *text, double em)
 {
@@ -29,6 +29,12 @@ double thud_gnuplot_width(const char *text, double em)
     for (size_t step; *text; text += step ? step : 1, n++)
         step = character(text);
     return char_em * em * (double)n;
+}
+
+double thud_gnuplot_fit(const char *text, double widest, double em)
+{
+    double width = thud_gnuplot_width(text, em);
+    return width > widest ? em * fmax(0.75, widest / width) : em;
 }
 
 void thud_gnuplot_quote(struct thud_text *out, const char *text, double widest, double em)
@@ -122,24 +128,26 @@ static void terminal(const struct sheet *sheet, const struct thud_picture_option
     thud_text_append(out, "\n");
 }
 
+/* A line of text across the sheet. */
+static void wide_label(const struct sheet *sheet, int number, const char *text, double height, double em)
+{
+    if (!*text)
+        return;
+    em = thud_gnuplot_fit(text, 0.96 * sheet->width, em);
+    thud_text_append(sheet->out, "set label %d ", number);
+    thud_gnuplot_quote(sheet->out, text, 0.96 * sheet->width, em);
+    thud_text_append(sheet->out, " at screen 0.5, screen %.5f center font ',%.4g' textcolor rgb '%s'\n", height,
+                     em * sheet->points, number == 1 ? "black" : "#404040");
+}
+
 /* Title, footer and key on a plot that shows nothing else. */
 static void surroundings(const struct sheet *sheet)
 {
     struct thud_text *out = sheet->out;
     thud_text_append(out, "\nreset\nset margins screen 0, screen 1, screen 0, screen 1\nunset border\nunset tics\n");
     thud_text_append(out, "set xrange [0:1]\nset yrange [0:1]\n");
-    if (*sheet->figure->title) {
-        thud_text_append(out, "set label 1 ");
-        thud_gnuplot_quote(out, sheet->figure->title, 0.96 * sheet->width, 1.2 * sheet->em);
-        thud_text_append(out, " at screen 0.5, screen %.5f center font ',%.4g'\n",
-                         1.0 - 1.3 * sheet->em / sheet->height, 1.2 * sheet->em * sheet->points);
-    }
-    if (*sheet->figure->note) {
-        thud_text_append(out, "set label 2 ");
-        thud_gnuplot_quote(out, sheet->figure->note, 0.96 * sheet->width, 0.85 * sheet->em);
-        thud_text_append(out, " at screen 0.5, screen %.5f center font ',%.4g' textcolor rgb '#404040'\n",
-                         1.0 * sheet->em / sheet->height, 0.85 * sheet->em * sheet->points);
-    }
+    wide_label(sheet, 1, sheet->figure->title, 1.0 - 1.3 * sheet->em / sheet->height, 1.2 * sheet->em);
+    wide_label(sheet, 2, sheet->figure->note, sheet->em / sheet->height, 0.85 * sheet->em);
     thud_text_append(
         out, "set key at screen %.5f, screen %.5f left top Left reverse samplen 2 spacing 1.25 noautotitle\n",
         (sheet->key_left + 0.4 * sheet->em) / sheet->width, thud_sheet_frame(sheet, 0).top / sheet->height);
