@@ -16,7 +16,11 @@ struct record_format {
                              struct record_raw *raw, struct thud_error *err);
 };
 
-#define RECORD_FORMATS(X)    X(at2) X(at2_bare) X(csv) X(columns)
+/* The first that recognizes a file reads it. */
+/* clang-format off */
+#define RECORD_FORMATS(X) \
+    X(at2) X(knet) X(kiknet) X(esm) X(cosmos) X(smc) X(csmip) X(geonet) X(at2_bare) X(csv) X(columns)
+/* clang-format on */
 #define RECORD_DECLARE(name) extern const struct record_format record_format_##name;
 RECORD_FORMATS(RECORD_DECLARE)
 #undef RECORD_DECLARE

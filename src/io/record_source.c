@@ -71,9 +71,13 @@ void record_copy(char *to, size_t size, const char *from, const char *end)
         from++;
     while (end > from && (is_blank(end[-1]) || end[-1] == ','))
         end--;
-    size_t n = (size_t)(end - from) < size - 1 ? (size_t)(end - from) : size - 1;
-    for (size_t i = 0; i < n; i++) /* what cannot be shown would spoil a terminal */
-        to[i] = (unsigned char)from[i] < 0x20 || from[i] == 0x7f ? '?' : from[i];
+    size_t n = 0;
+    for (; from < end && n + 1 < size; from++) {
+        if (is_blank(*from) && is_blank(from[-1])) /* not the first: blanks at the ends are gone */
+            continue;
+        /* what cannot be shown would spoil a terminal */
+        to[n++] = (unsigned char)*from < 0x20 || *from == 0x7f ? (*from == '\t' ? ' ' : '?') : *from;
+    }
     to[n] = '\0';
 }
 

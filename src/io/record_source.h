@@ -39,7 +39,7 @@ bool record_next(struct record_cursor *cursor, struct record_line *line);
 /* Finds `word` in a line, any case; NULL when it is not there. */
 const char *record_find(const struct record_line *line, const char *word);
 bool record_begins(const struct record_line *line, const char *word);
-/* Copies a part of a line, blanks at both ends dropped. */
+/* Copies a part of a line, blanks at both ends dropped, several in a row made one, what cannot be shown made `?`. */
 void record_copy(char *to, size_t size, const char *from, const char *end);
 
 /* What a file holds, before it becomes a record. Texts may be empty. */
