@@ -165,6 +165,29 @@ static void means(const struct thud_paper_study *study, enum thud_case which, co
     thud_text_append(out, "\n![Fig. %d](fig%d.%s)\n", figure, figure, study->suffix);
 }
 
+/* The widest gap that any level needs, for each ground motion, beside the rules of the codes. */
+static void needs(const struct thud_paper_study *study, struct thud_text *out)
+{
+    const struct thud_sweep_table *table = study->table;
+    if (table->nneeds == 0)
+        return;
+    thud_text_append(
+        out, "\n## The gap at which nothing touches\n\nLargest closing of two floors that move without touching each "
+             "other, at the level that needs most, and what the rules of the codes ask for there.\n\n"
+             "| ground motion | floor | needed (cm) | ABS (cm) | SRSS (cm) | DDC (cm) |\n|---|---|---|---|---|---|\n");
+    for (int r = 0; r < table->nrecords; r++) {
+        const struct thud_sweep_need_row *most = NULL;
+        for (size_t i = 0; i < table->nneeds; i++) {
+            const struct thud_sweep_need_row *row = &table->need[i];
+            if (row->record == r && (!most || row->closing_m > most->closing_m))
+                most = row;
+        }
+        if (most)
+            thud_text_append(out, "| %s | %d | %.2f | %.2f | %.2f | %.2f |\n", table->record[r], most->left_floor,
+                             1e2 * most->closing_m, 1e2 * most->abs_m, 1e2 * most->srss_m, 1e2 * most->ddc_m);
+    }
+}
+
 /* What the paper says in words, each with what was found. */
 static void statements(const struct thud_paper_study *study, struct thud_text *out)
 {
@@ -238,6 +261,7 @@ void thud_paper_report(const struct thud_paper_study *study, struct thud_text *o
     by_floor(study, out);
     means(study, THUD_CASE_BUMPER, "All ground motions, means over the floors", 8, out);
     means(study, THUD_CASE_CAVITY, "The same with the bumper in a cavity", 10, out);
+    needs(study, out);
     statements(study, out);
     thud_text_append(out, "%s", differences);
     record_difference(study, out);
