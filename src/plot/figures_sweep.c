@@ -150,6 +150,19 @@ static void ratio_line(struct thud_panel *panel, const struct thud_sweep_table *
     }
 }
 
+/* All panels on one scale, so that what moves more is seen to move more. */
+static void same_scale(struct thud_figure *figure)
+{
+    double least = INFINITY, most = -INFINITY;
+    for (int p = 0; figure && p < figure->rows * figure->columns; p++) {
+        struct thud_range range = thud_panel_range(&figure->panel[p], THUD_Y);
+        least = fmin(least, range.least);
+        most = fmax(most, range.most);
+    }
+    for (int p = 0; figure && p < figure->rows * figure->columns; p++)
+        thud_panel_limits(&figure->panel[p], THUD_Y, least, most);
+}
+
 struct thud_figure *thud_figure_by_floor(const struct thud_sweep_table *table, int record, enum thud_case which,
                                          const char *name, const char *title)
 {
@@ -175,6 +188,7 @@ struct thud_figure *thud_figure_by_floor(const struct thud_sweep_table *table, i
                 thud_panel_note(panel, text);
         }
     }
+    same_scale(figure);
     fixed_note(figure, table, 1, helps);
     return figure;
 }
@@ -198,6 +212,7 @@ struct thud_figure *thud_figure_of_means(const struct thud_sweep_table *table, e
     }
     char note[256];
     snprintf(note, sizeof note, "%s%s", helps, table->nrecords > CURVES_MAX ? " The first seven records only." : "");
+    same_scale(figure);
     fixed_note(figure, table, 1, note);
     return figure;
 }
