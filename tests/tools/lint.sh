@@ -14,7 +14,7 @@ lint() { # TOOL FILES CHECK: the check reads file names, one a line, and fails w
     elif out=$(printf '%s\n' "$2" | "$3" 2>&1); then
         echo "$1: clean"
     else
-        printf '%s\n%s: FAILED\n' "$(printf '%s\n' "$out" | tail -60)" "$1"
+        printf '%s\n%s: FAILED\n' "$(printf '%s\n' "$out" | tail -200)" "$1"
         status=1
     fi
 }
