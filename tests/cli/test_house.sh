@@ -52,6 +52,8 @@ char *thud_bad(void) { return getenv("HOME"); }'
 impure "a writable global is found" "count.*can be written" 'int count; int thud_bad(void) { return ++count; }'
 impure "a writable static is found" "count.*can be written" 'int thud_bad(void) { static int count = 3; return ++count; }'
 
+plant notes.txt "remember\n"
+finds "a strange file at the top is found" "notes.txt" sh $tools/check-tree.sh "$tmp/tree"
 plant README.md "see /wo""rk/notes\n"
 finds "a machine path is found" "README.md:1" sh $tools/check-tree.sh "$tmp/tree"
 plant src/core/a.c "/* TO""DO */\n"

@@ -5,7 +5,7 @@ set -u
 cd "${1:-.}" || exit 2
 status=0
 if git rev-parse --git-dir >/dev/null 2>&1 && [ -n "$(git ls-files)" ]; then
-    files=$(git ls-files --cached --others --exclude-standard)
+    files=$(git ls-files)
 else
     files=$(find . -type f ! -path './build/*' ! -path './.git/*' ! -path ./thud ! -path './demo/*')
 fi
@@ -24,6 +24,8 @@ search() { # PATTERN: where it stands (patterns are written so that they do not 
     printf '%s\n' "$text" | tr '\n' '\0' | xargs -0 grep -n -I -E -e "$1" /dev/null
 }
 
+top=$(printf '%s\n' "$files" | sed 's|^\./||; s|/.*||' | sort -u | grep -v -x -E '\..*|Makefile|src|include|presets|records|tests|man|README\.md|LICENSE|CHANGELOG\.md')
+report "nothing strange at the top of the tree" "$top"
 report "no machine path" "$(search '(^|[^[:alnum:]_.])/(work|home|root|Users|mnt)/[[:alnum:]_]')"
 report "no note to oneself" "$(search '\<(T[O]DO|F[I]XME|X[X]X|H[A]CK)\>')"
 report "no trailing blank" "$(search '[[:blank:]]+$')"
