@@ -1,0 +1,10 @@
+/* The impact laws, in the order they are listed: one word each, the end of the table's name thud_law_WORD. */
+THUD_LAW(none)
+THUD_LAW(linear)
+THUD_LAW(kelvin_voigt)
+THUD_LAW(kelvin_voigt_no_tension)
+THUD_LAW(hertz)
+THUD_LAW(hertz_damp)
+THUD_LAW(jankowski)
+THUD_LAW(rubber)
+THUD_LAW(stereomechanical)

@@ -1,0 +1,33 @@
+/* Newton's impact: no force, but an impulse p = (1 + e) m v at d = 0. */
+#include "core/law_common.h"
+
+enum { RESTITUTION };
+
+static const struct thud_param params[] = {THUD_PARAM_RESTITUTION(0.6)};
+
+static double nominal(const struct thud_law_setup *setup)
+{
+    return setup->value[RESTITUTION];
+}
+
+static double restitution(const struct thud_law_setup *setup, double v_mps)
+{
+    (void)v_mps;
+    return setup->value[RESTITUTION];
+}
+
+const struct thud_law thud_law_stereomechanical = {
+    .name = "stereomechanical",
+    .title = "impulse with restitution",
+    .reference = "Newton; Papadrakakis and Mouzakis 1995",
+    .summary = "no force: at d = 0, v > 0 an impulse (1 + e) m v on each side",
+    .flags = THUD_LAW_IMPULSIVE | THUD_LAW_DEGREE_ONE,
+    .params = params,
+    .nparams = sizeof params / sizeof params[0],
+    .prepare = thud_law_prepare_nothing,
+    .touch = thud_law_touch_plain,
+    .branch = thud_law_branch_none,
+    .elastic_energy = thud_law_energy_none,
+    .nominal = nominal,
+    .restitution = restitution,
+};
