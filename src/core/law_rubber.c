@@ -185,6 +185,8 @@ static double nominal(const struct thud_law_setup *setup)
 static double restitution(const struct thud_law_setup *setup, double v_mps)
 {
     struct thud_rubber_curve curve = curve_of(setup);
+    if (setup->value[IMPACT_SPEED] == SPEED_ENERGY)
+        v_mps = fmax(v_mps, least_energy_speed); /* what holds at any small speed holds at rest */
     double energy = 0.5 * setup->mass_kg * v_mps * v_mps;
     double d = thud_rubber_curve_indentation(&curve, energy), ratio = 1;
     if (setup->value[UNLOADING] == UNLOADING_PAPER && d > curve.knee_m)
