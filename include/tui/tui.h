@@ -1,0 +1,28 @@
+/* The terminal interface. */
+#ifndef THUD_TUI_TUI_H
+#define THUD_TUI_TUI_H
+
+#include <stdbool.h>
+
+#include "base/status.h"
+#include "base/text.h"
+#include "io/paths.h"
+
+struct thud_tui_options {
+    const char *preset;             /* name or path; NULL: the first one shipped, `towers` */
+    const struct thud_paths *paths; /* where presets and records are found */
+    const char *output;             /* folder for pictures and tables; NULL: the working folder */
+    bool ascii;                     /* no glyph beyond ASCII, also where the terminal has them */
+    bool color;                     /* false: none (--no-color, NO_COLOR) */
+};
+
+/* Runs until the user quits; the terminal is then as it was. A signal that ends it is raised again after that. Errors:
+ * THUD_USAGE (no terminal), THUD_INPUT (the preset), THUD_MEMORY. */
+enum thud_status thud_tui_main(const struct thud_tui_options *options, struct thud_error *err);
+
+/* All keys, by screen, one per line: "WHERE<tab>KEY<tab>WHAT", for help and manual. */
+void thud_tui_keys_text(struct thud_text *out);
+
+struct thud_tui;
+
+#endif

@@ -1,0 +1,249 @@
+/* What the keys do on every screen. */
+#include <stdio.h>
+#include <string.h>
+
+#include "tui/state.h"
+
+static int pane_count(struct thud_tui *tui)
+{
+    struct thud_rect rect[THUD_PANES_MAX], area = {0, 2, tui->canvas.width, tui->canvas.height - 5};
+    return thud_view_of(tui->screen)->layout(tui, area, rect);
+}
+
+void thud_tui_go(struct thud_tui *tui, enum thud_screen screen)
+{
+    if (screen == THUD_SCREEN_HELP && tui->screen != THUD_SCREEN_HELP)
+        tui->before_help = tui->screen;
+    tui->screen = screen;
+    tui->message[0] = '\0';
+    tui->form.screen = (int)screen;
+    thud_tui_draw(tui); /* the fields have to be known before the next key */
+    thud_tui_changed(tui);
+}
+
+static bool on_value(const struct thud_tui *tui)
+{
+    const struct thud_field *field = thud_form_focus(&tui->form);
+    return field && field->kind == THUD_FIELD_VALUE;
+}
+
+static bool steps(const struct thud_tui *tui)
+{
+    const struct thud_field *field = thud_form_focus(&tui->form);
+    const struct thud_param *param =
+        field && field->kind == THUD_FIELD_VALUE ? thud_scene_param(&tui->doc.scene, field->path, &(int){0}) : NULL;
+    return param && param->kind != THUD_PARAM_TEXT;
+}
+
+/* Why an action cannot be done now, in words; NULL: it can. */
+const char *thud_tui_cannot(struct thud_tui *tui, enum thud_action action)
+{
+    const struct thud_view *view = thud_view_of(tui->screen);
+    switch (action) {
+    case THUD_DO_UNDO:
+        return tui->doc.undo.at > 0 ? NULL : "Nothing to undo";
+    case THUD_DO_REDO:
+        return tui->doc.undo.at < tui->doc.undo.count ? NULL : "Nothing to do again";
+    case THUD_DO_EDIT:
+        return thud_form_focus(&tui->form) ? NULL : "There is nothing to edit in this pane";
+    case THUD_DO_EDIT_OLD:
+    case THUD_DO_TOGGLE:
+        return on_value(tui) ? NULL : "The cursor is on no value";
+    case THUD_DO_STEP_UP:
+    case THUD_DO_STEP_DOWN:
+    case THUD_DO_LEAP_UP:
+    case THUD_DO_LEAP_DOWN:
+        return steps(tui) ? NULL : "The cursor is on no number";
+    case THUD_DO_SAVE:
+        return thud_doc_unsaved(&tui->doc) ? NULL : "Nothing to save: the file has all of this";
+    case THUD_DO_PICTURE:
+    case THUD_DO_EXPORT:
+        return view->figure && view->figure(tui) ? NULL : "There is no figure on this screen now";
+    case THUD_DO_PICTURES:
+        return tui->live.running || tui->ran_revision != tui->doc.revision ? "There are no results yet: r runs" : NULL;
+    default:
+        return view->cannot ? view->cannot(tui, action) : NULL;
+    }
+}
+
+static void undo(struct thud_tui *tui, bool back)
+{
+    const char *what = back ? thud_doc_undo(&tui->doc) : thud_doc_redo(&tui->doc);
+    if (!what)
+        return;
+    thud_tui_say(tui, THUD_ROLE_PLAIN, "%s: %s", back ? "Undone" : "Done again", what);
+    if (tui->pair > tui->doc.scene.nstructures - 2)
+        tui->pair = tui->doc.scene.nstructures > 1 ? tui->doc.scene.nstructures - 2 : 0;
+    thud_tui_changed(tui);
+}
+
+static void back(struct thud_tui *tui)
+{
+    if (thud_tui_cancel(tui))
+        return;
+    if (tui->screen == THUD_SCREEN_HELP)
+        thud_tui_go(tui, tui->before_help);
+    tui->message[0] = '\0';
+}
+
+static bool move(struct thud_tui *tui, enum thud_action action)
+{
+    struct thud_form *form = &tui->form;
+    switch (action) {
+    case THUD_DO_UP:
+        thud_form_move(form, 0, -1);
+        return true;
+    case THUD_DO_DOWN:
+        thud_form_move(form, 0, 1);
+        return true;
+    case THUD_DO_LEFT:
+        thud_form_move(form, -1, 0);
+        return true;
+    case THUD_DO_RIGHT:
+        thud_form_move(form, 1, 0);
+        return true;
+    case THUD_DO_PAGE_UP:
+    case THUD_DO_PAGE_DOWN:
+        thud_form_page(form, action == THUD_DO_PAGE_UP ? -1 : 1);
+        return true;
+    case THUD_DO_FIRST:
+    case THUD_DO_LAST:
+        thud_form_edge(form, action == THUD_DO_LAST);
+        return true;
+    case THUD_DO_NEXT_PANE:
+    case THUD_DO_PREVIOUS_PANE:
+        thud_form_pane(form, action == THUD_DO_NEXT_PANE ? 1 : -1, pane_count(tui));
+        return true;
+    default:
+        return false;
+    }
+}
+
+static bool values(struct thud_tui *tui, enum thud_action action)
+{
+    switch (action) {
+    case THUD_DO_EDIT:
+    case THUD_DO_EDIT_OLD:
+        thud_tui_edit(tui, NULL);
+        return true;
+    case THUD_DO_TOGGLE:
+        thud_tui_toggle(tui);
+        return true;
+    case THUD_DO_STEP_UP:
+    case THUD_DO_STEP_DOWN:
+        thud_tui_step_value(tui, action == THUD_DO_STEP_UP ? 1 : -1);
+        return true;
+    case THUD_DO_LEAP_UP:
+    case THUD_DO_LEAP_DOWN:
+        thud_tui_step_value(tui, action == THUD_DO_LEAP_UP ? 10 : -10);
+        return true;
+    case THUD_DO_UNDO:
+    case THUD_DO_REDO:
+        undo(tui, action == THUD_DO_UNDO);
+        return true;
+    default:
+        return false;
+    }
+}
+
+static bool files(struct thud_tui *tui, enum thud_action action)
+{
+    switch (action) {
+    case THUD_DO_SAVE:
+        thud_tui_save(tui, NULL, false);
+        return true;
+    case THUD_DO_SAVE_AS:
+        thud_tui_prompt(tui, THUD_TYPE_SAVE_AS, tui->doc.path);
+        return true;
+    case THUD_DO_OPEN:
+        thud_tui_list_presets(tui);
+        return true;
+    case THUD_DO_PICTURE:
+        thud_tui_picture(tui);
+        return true;
+    case THUD_DO_PICTURES:
+        thud_tui_pictures(tui);
+        return true;
+    case THUD_DO_EXPORT:
+        thud_tui_export(tui);
+        return true;
+    default:
+        return false;
+    }
+}
+
+static void rest(struct thud_tui *tui, enum thud_action action)
+{
+    switch (action) {
+    case THUD_DO_RUN:
+        thud_tui_run(tui);
+        break;
+    case THUD_DO_FIND:
+        thud_tui_list_fields(tui);
+        break;
+    case THUD_DO_COMMAND:
+        thud_tui_prompt(tui, THUD_TYPE_COMMAND, "");
+        break;
+    case THUD_DO_HELP:
+        thud_tui_go(tui, THUD_SCREEN_HELP);
+        break;
+    case THUD_DO_QUIT:
+        if (tui->screen == THUD_SCREEN_HELP)
+            thud_tui_go(tui, tui->before_help);
+        else
+            thud_tui_quit(tui, false);
+        break;
+    case THUD_DO_BACK:
+        back(tui);
+        break;
+    case THUD_DO_NEXT_SCREEN:
+        thud_tui_go(tui, (enum thud_screen)(((int)tui->screen + 1) % THUD_SCREENS));
+        break;
+    case THUD_DO_PREVIOUS_SCREEN:
+        thud_tui_go(tui, (enum thud_screen)(((int)tui->screen + THUD_SCREENS - 1) % THUD_SCREENS));
+        break;
+    case THUD_DO_GO:
+        tui->go = true;
+        thud_tui_say(tui, THUD_ROLE_PLAIN, "g and the number of a screen, 1 to %d", THUD_SCREENS);
+        break;
+    case THUD_DO_MOUSE:
+        tui->mouse = !tui->mouse;
+        tui->backend->mouse(tui->backend, tui->mouse);
+        thud_tui_say(tui, THUD_ROLE_PLAIN, tui->mouse ? "Mouse on: a click moves the cursor" : "Mouse off");
+        break;
+    case THUD_DO_REPAINT:
+        tui->backend->repaint(tui->backend);
+        break;
+    default:
+        break;
+    }
+}
+
+void thud_tui_act(struct thud_tui *tui, enum thud_action action)
+{
+    const struct thud_view *view = thud_view_of(tui->screen);
+    const char *why = thud_tui_cannot(tui, action);
+    tui->message[0] = '\0';
+    if (why) {
+        thud_tui_say(tui, THUD_ROLE_WARN, "%s", why);
+        return;
+    }
+    if ((view->act && view->act(tui, action)) || move(tui, action) || values(tui, action) || files(tui, action))
+        return;
+    rest(tui, action);
+}
+
+void thud_tui_click(struct thud_tui *tui)
+{
+    struct thud_rect rect[THUD_PANES_MAX], area = {0, 2, tui->canvas.width, tui->canvas.height - 5};
+    int n = thud_view_of(tui->screen)->layout(tui, area, rect), x = tui->backend->click_x, y = tui->backend->click_y;
+    for (int i = 0; i < n && tui->mode == THUD_MODE_NORMAL; i++) {
+        if (x < rect[i].x || y < rect[i].y || x >= rect[i].x + rect[i].w || y >= rect[i].y + rect[i].h)
+            continue;
+        int row = y - rect[i].y - 1 + tui->form.scroll[tui->screen][i];
+        const struct thud_field *field = thud_form_at(&tui->form, i, x - rect[i].x - 1, row);
+        if (field)
+            thud_form_focus_on(&tui->form, (int)tui->screen, field->path);
+        tui->form.pane[tui->screen] = i;
+    }
+}

@@ -1,0 +1,262 @@
+/* Prompts, lists and questions, and the work with files that they are for. */
+#include <dirent.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "tui/state.h"
+
+void thud_tui_prompt(struct thud_tui *tui, enum thud_typing typing, const char *text)
+{
+    tui->mode = THUD_MODE_TYPING;
+    tui->typing = typing;
+    thud_line_set(&tui->line, text);
+}
+
+void thud_tui_prompt_done(struct thud_tui *tui)
+{
+    char text[THUD_LINE_MAX];
+    snprintf(text, sizeof text, "%s", tui->line.text);
+    tui->mode = THUD_MODE_NORMAL;
+    tui->message[0] = '\0';
+    if (tui->typing == THUD_TYPE_COMMAND)
+        thud_tui_command(tui, text);
+    else if (tui->typing == THUD_TYPE_FILTER)
+        thud_tui_filter_records(tui, text);
+    else if (*text)
+        thud_tui_save(tui, text, false);
+}
+
+void thud_tui_choose(struct thud_tui *tui, enum thud_choosing choosing, const char *title)
+{
+    tui->mode = THUD_MODE_CHOOSING;
+    tui->choosing = choosing;
+    thud_chooser_begin(&tui->chooser, title);
+}
+
+/* Shows the screen on which a key of the scene stands, with the cursor on it. */
+static void go_to_field(struct thud_tui *tui, const char *key)
+{
+    int number = 0, last = tui->doc.scene.nstructures - 2;
+    enum thud_screen screen = THUD_SCREEN_RESULTS;
+    if (sscanf(key, "structures.%d", &number) == 1) {
+        screen = THUD_SCREEN_MODEL;
+        if (number - 1 < tui->pair || number - 1 > tui->pair + 1)
+            tui->pair = number - 1 > last ? last : number - 1;
+    } else if (sscanf(key, "interfaces.%d", &number) == 1) {
+        screen = THUD_SCREEN_CONTACT;
+        tui->pair = number - 1;
+    } else if (strncmp(key, "record.", 7) == 0) {
+        screen = THUD_SCREEN_RECORD;
+    }
+    if (tui->pair < 0)
+        tui->pair = 0;
+    thud_form_focus_on(&tui->form, (int)screen, key);
+    thud_tui_go(tui, screen);
+}
+
+void thud_tui_chosen(struct thud_tui *tui)
+{
+    const struct thud_choice *choice = thud_chooser_marked(&tui->chooser);
+    if (!choice)
+        return;
+    tui->mode = THUD_MODE_NORMAL;
+    char value[128];
+    snprintf(value, sizeof value, "%s", choice->value);
+    if (tui->choosing == THUD_CHOOSE_VALUE)
+        thud_tui_set(tui, tui->target, value);
+    else if (tui->choosing == THUD_CHOOSE_PRESET)
+        thud_tui_open(tui, value, false);
+    else
+        go_to_field(tui, value);
+}
+
+void thud_tui_ask(struct thud_tui *tui, enum thud_asking asking, const char *fmt, ...)
+{
+    va_list args;
+    va_start(args, fmt);
+    vsnprintf(tui->message, sizeof tui->message, fmt, args);
+    va_end(args);
+    tui->message_role = THUD_ROLE_WARN;
+    tui->mode = THUD_MODE_ASKING;
+    tui->asking = asking;
+}
+
+void thud_tui_answered(struct thud_tui *tui, int key)
+{
+    if (key != 'y' && key != 'Y' && key != 'n' && key != 'N' && key != THUD_KEY_ESC)
+        return;
+    char target[sizeof tui->target];
+    snprintf(target, sizeof target, "%s", tui->target);
+    tui->mode = THUD_MODE_NORMAL;
+    tui->message[0] = '\0';
+    if (key != 'y' && key != 'Y')
+        return;
+    if (tui->asking == THUD_ASK_QUIT)
+        thud_tui_quit(tui, true);
+    else if (tui->asking == THUD_ASK_OPEN)
+        thud_tui_open(tui, target, true);
+    else
+        thud_tui_save(tui, tui->asking == THUD_ASK_DISK ? NULL : target, true);
+}
+
+static bool exists(const char *path)
+{
+    FILE *file = fopen(path, "r");
+    if (file)
+        fclose(file);
+    return file != NULL;
+}
+
+/* The file of another name: `.yaml` is added where a bare name was typed. */
+static void save_path(const char *typed, char *path, size_t size)
+{
+    const char *slash = strrchr(typed, '/'), *name = slash ? slash + 1 : typed;
+    snprintf(path, size, "%s%s", typed, strchr(name, '.') ? "" : ".yaml");
+}
+
+void thud_tui_save(struct thud_tui *tui, const char *path, bool sure)
+{
+    char to[512] = "", before[512];
+    if (path)
+        save_path(path, to, sizeof to);
+    snprintf(before, sizeof before, "%s", tui->doc.path);
+    bool other = path && strcmp(to, before) != 0;
+    snprintf(tui->target, sizeof tui->target, "%s", to);
+    if (!sure && other && exists(to)) {
+        thud_tui_ask(tui, THUD_ASK_OVERWRITE, "%s exists. Write over it?", to);
+        return;
+    }
+    if (!sure && !other && thud_doc_disk_changed(&tui->doc)) {
+        thud_tui_ask(tui, THUD_ASK_DISK, "%s was changed by someone else since it was read. Write over it?", before);
+        return;
+    }
+    struct thud_error err;
+    if (thud_doc_save(&tui->doc, other ? to : NULL, &err) != THUD_OK)
+        thud_tui_say_error(tui, &err);
+    else
+        thud_tui_say(tui, THUD_ROLE_GOOD, "Saved %s, comments kept", tui->doc.path);
+}
+
+void thud_tui_open(struct thud_tui *tui, const char *name, bool sure)
+{
+    struct thud_error err;
+    if (!sure && thud_doc_unsaved(&tui->doc)) {
+        snprintf(tui->target, sizeof tui->target, "%s", name);
+        thud_tui_ask(tui, THUD_ASK_OPEN, "%s has unsaved changes. Open %s and lose them?", tui->doc.scene.name, name);
+        return;
+    }
+    thud_live_clear(&tui->live); /* its runs look at the record, which goes with the preset */
+    tui->ran_revision = 0;
+    if (thud_doc_open(&tui->doc, name, &err) != THUD_OK) {
+        thud_tui_say_error(tui, &err);
+        thud_tui_changed(tui);
+        return;
+    }
+    thud_tui_say(tui, THUD_ROLE_GOOD, "Opened %s: %s", tui->doc.path, tui->doc.scene.title);
+    thud_tui_opened(tui);
+}
+
+void thud_tui_quit(struct thud_tui *tui, bool sure)
+{
+    if (!sure && thud_doc_unsaved(&tui->doc)) {
+        thud_tui_ask(tui, THUD_ASK_QUIT, "%s has unsaved changes. Quit and lose them? (w saves)", tui->doc.scene.name);
+        return;
+    }
+    tui->quit = true;
+}
+
+static int by_name(const void *a, const void *b)
+{
+    return strcmp(((const struct thud_choice *)a)->value, ((const struct thud_choice *)b)->value);
+}
+
+void thud_tui_list_presets(struct thud_tui *tui)
+{
+    DIR *folder = opendir(tui->doc.paths->presets);
+    if (!folder) {
+        thud_tui_say(tui, THUD_ROLE_ERROR, "! the presets' folder %s cannot be read; :open PATH opens any file",
+                     tui->doc.paths->presets);
+        return;
+    }
+    thud_tui_choose(tui, THUD_CHOOSE_PRESET, "Open a preset (:open PATH for any other file)");
+    for (struct dirent *entry; (entry = readdir(folder)) != NULL;) {
+        char name[128];
+        size_t n = strlen(entry->d_name);
+        if (n < 6 || n > 120 || strcmp(entry->d_name + n - 5, ".yaml") != 0)
+            continue;
+        snprintf(name, sizeof name, "%.*s", (int)n - 5, entry->d_name);
+        thud_chooser_add(&tui->chooser, name, "%s", name);
+    }
+    closedir(folder);
+    if (tui->chooser.n > 1)
+        qsort(tui->chooser.choice, (size_t)tui->chooser.n, sizeof *tui->chooser.choice, by_name);
+    thud_chooser_mark(&tui->chooser, tui->doc.scene.name);
+}
+
+/* Adds the keys of one part of the scene whose words the table knows. */
+static void add_fields(struct thud_tui *tui, const char *prefix, const char *const *word)
+{
+    for (; *word; word++) {
+        char key[THUD_PATH_MAX], value[96] = "";
+        int floor;
+        snprintf(key, sizeof key, "%s.%s", prefix, *word);
+        const struct thud_param *param = thud_scene_param(&tui->doc.scene, key, &floor);
+        if (!param)
+            continue;
+        thud_scene_get(&tui->doc.scene, key, value, sizeof value, NULL);
+        thud_chooser_add(&tui->chooser, key, "%-36s %.40s", key, value);
+    }
+}
+
+static void add_law(struct thud_tui *tui, const char *prefix, const struct thud_law *law)
+{
+    for (int i = 0; law && i < law->nparams; i++) {
+        const char *const word[] = {law->params[i].name, NULL};
+        add_fields(tui, prefix, word);
+    }
+}
+
+void thud_tui_list_fields(struct thud_tui *tui)
+{
+    static const char *const of_building[] = {"name",
+                                              "kind",
+                                              "storeys",
+                                              "damping",
+                                              "mass.1",
+                                              "stiffness.1",
+                                              "height.1",
+                                              "base-mass",
+                                              "isolation-stiffness",
+                                              "isolation-damping",
+                                              NULL};
+    static const char *const of_body[] = {"name", "kind", "mass", "height", "velocity", NULL};
+    static const char *const of_record[] = {"file", "peak",    "factor", "sign", "dt",
+                                            "unit", "channel", "column", "skip", NULL};
+    static const char *const of_analysis[] = {"method", "tolerance", "step", "locate", "tail", NULL};
+    static const char *const bumper[] = {"law", "thickness", "cavity", NULL}, *const law[] = {"law", NULL},
+                             *const gap[] = {"gap", NULL};
+    const struct thud_scene *scene = &tui->doc.scene;
+    char prefix[64];
+    thud_tui_choose(tui, THUD_CHOOSE_FIELD, "Find a field");
+    for (int i = 0; i + 1 < scene->nstructures; i++) {
+        snprintf(prefix, sizeof prefix, "interfaces.%d", i + 1);
+        add_fields(tui, prefix, gap);
+        snprintf(prefix, sizeof prefix, "interfaces.%d.contact", i + 1);
+        add_fields(tui, prefix, law);
+        add_law(tui, prefix, scene->interface[i].contact.law);
+        if (!scene->interface[i].has_bumper)
+            continue;
+        snprintf(prefix, sizeof prefix, "interfaces.%d.bumper", i + 1);
+        add_fields(tui, prefix, bumper);
+        add_law(tui, prefix, scene->interface[i].bumper.law);
+    }
+    for (int i = 0; i < scene->nstructures; i++) {
+        snprintf(prefix, sizeof prefix, "structures.%d", i + 1);
+        bool building = scene->structure[i].kind == THUD_SHEAR || scene->structure[i].kind == THUD_ISOLATED;
+        add_fields(tui, prefix, building ? of_building : of_body);
+    }
+    add_fields(tui, "record", of_record);
+    add_fields(tui, "analysis", of_analysis);
+}

@@ -1,0 +1,84 @@
+/* A canvas of cells that all drawing goes to; a back end shows it. No terminal here. */
+#ifndef THUD_TUI_CANVAS_H
+#define THUD_TUI_CANVAS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "base/status.h"
+
+/* What a cell is for; the terminal turns roles into colours where it may. A role is never the only sign of anything. */
+enum thud_role {
+    THUD_ROLE_PLAIN,
+    THUD_ROLE_TITLE,
+    THUD_ROLE_BORDER,
+    THUD_ROLE_MUTED,
+    THUD_ROLE_VALUE,
+    THUD_ROLE_GOOD,
+    THUD_ROLE_WARN,
+    THUD_ROLE_ERROR,
+    THUD_ROLE_KEY,
+    THUD_ROLE_SERIES, /* and the next seven */
+    THUD_ROLES = THUD_ROLE_SERIES + 8
+};
+enum { THUD_BOLD = 1, THUD_REVERSE = 2, THUD_UNDERLINE = 4 };
+
+struct thud_look {
+    unsigned char role, attr;
+};
+
+struct thud_cell {
+    uint32_t glyph; /* one code point, one column wide */
+    struct thud_look style;
+};
+
+struct thud_canvas {
+    int width, height;
+    struct thud_cell *cell; /* (height x width) */
+    bool ascii;             /* every glyph is brought down to ASCII when it is put */
+    int cursor_x, cursor_y; /* -1: no cursor */
+};
+
+/* A window on a canvas: what is drawn outside it vanishes. `scroll` rows are above its top. */
+struct thud_pane {
+    struct thud_canvas *canvas;
+    int x, y, w, h;
+    int scroll;
+};
+
+/* Empty after it. On THUD_MEMORY the canvas is as it was. */
+enum thud_status thud_canvas_resize(struct thud_canvas *canvas, int width, int height, struct thud_error *err);
+void thud_canvas_clear(struct thud_canvas *canvas);
+void thud_canvas_free(struct thud_canvas *canvas);
+/* Rows without trailing blanks, each ended by a newline (free with free()); NULL when out of memory. */
+char *thud_canvas_text(const struct thud_canvas *canvas);
+
+struct thud_pane thud_canvas_pane(struct thud_canvas *canvas);
+struct thud_pane thud_pane_inside(const struct thud_pane *pane, int x, int y, int w, int h);
+
+void thud_pane_glyph(const struct thud_pane *pane, int x, int y, struct thud_look style, uint32_t glyph);
+/* Puts UTF-8 text and returns the columns it took (also where it was cut off). Control characters and what is not one
+ * column wide show as `?`. */
+int thud_pane_put(const struct thud_pane *pane, int x, int y, struct thud_look style, const char *text);
+int thud_pane_print(const struct thud_pane *pane, int x, int y, struct thud_look style, const char *fmt, ...)
+    THUD_PRINTF(5, 6);
+/* Ends at column x (exclusive). */
+void thud_pane_right(const struct thud_pane *pane, int x, int y, struct thud_look style, const char *text);
+/* A frame with a title in its upper edge; returns the inside. */
+struct thud_pane thud_pane_frame(const struct thud_pane *pane, const char *title, bool focused);
+/* A block of text, wrapped at blanks; returns the rows it took. */
+int thud_pane_wrap(const struct thud_pane *pane, int x, int y, int w, struct thud_look style, const char *text);
+
+/* Reads one code point and steps over it; bytes that are no UTF-8 give '?'. 0 at the end. */
+uint32_t thud_utf8_next(const char **text);
+/* Writes a code point with a NUL; returns the bytes without it. */
+int thud_utf8_put(uint32_t code, char out[5]);
+int thud_utf8_columns(const char *text);
+
+static inline struct thud_look thud_look(int role, int attr)
+{
+    return (struct thud_look){(unsigned char)role, (unsigned char)attr};
+}
+
+#endif

@@ -1,0 +1,183 @@
+#include <math.h>
+
+#include "tui/chart.h"
+#include "tui/dots.h"
+
+/* What the parts of one drawing share. */
+struct drawing {
+    struct thud_dots dots;
+    const struct thud_chart_frame *frame;
+};
+
+static double dot_x(const struct drawing *d, double x)
+{
+    return thud_chart_along(&d->frame->x, d->frame->x_log, x) * (d->dots.width - 1);
+}
+
+static double dot_y(const struct drawing *d, double y)
+{
+    return (1.0 - thud_chart_along(&d->frame->y, d->frame->y_log, y)) * (d->dots.height - 1);
+}
+
+/* Every sample is joined to the next, so no spike is lost, however narrow. */
+static void draw_lines(struct drawing *d, const double *xs, const double *ys, size_t n, bool steps,
+                       struct thud_look look)
+{
+    double x0 = NAN, y0 = NAN;
+    for (size_t i = 0; i < n; i++) {
+        double x = dot_x(d, xs[i]), y = dot_y(d, ys[i]);
+        if (steps) {
+            thud_dots_line(&d->dots, x0, y0, x, y0, 1, look);
+            thud_dots_line(&d->dots, x, y0, x, y, 1, look);
+        } else if (!(fabs(x - x0) < 0.4 && fabs(y - y0) < 0.4 && i + 1 < n)) {
+            thud_dots_line(&d->dots, x0, y0, x, y, 1, look);
+        } else {
+            continue; /* within the same dot: wait for a step that shows */
+        }
+        x0 = x;
+        y0 = y;
+    }
+}
+
+static void draw_points(struct drawing *d, const struct thud_series *series, struct thud_look look)
+{
+    for (size_t i = 0; i < series->n; i++) {
+        double x = dot_x(d, series->x[i]) / d->dots.across, y = dot_y(d, series->y[i]) / d->dots.down;
+        if (isfinite(x) && isfinite(y) && fabs(x) < 1e6 && fabs(y) < 1e6)
+            thud_pane_glyph(&d->dots.pane, (int)floor(x + 0.25), (int)floor(y + 0.25), look, 0x25cf);
+    }
+}
+
+static void draw_bars(struct drawing *d, const struct thud_series *series, struct thud_look look)
+{
+    double base = dot_y(d, d->frame->y_log ? d->frame->y.least : 0.0);
+    for (size_t i = 0; i < series->n; i++) {
+        double x = dot_x(d, series->x[i]);
+        thud_dots_line(&d->dots, x, base, x, dot_y(d, series->y[i]), 1, look);
+    }
+}
+
+static void draw_series(struct drawing *d, const struct thud_series *series, struct thud_look look)
+{
+    enum thud_series_kind kind = series->style.kind;
+    if (kind == THUD_BARS)
+        draw_bars(d, series, look);
+    else if (kind != THUD_POINTS)
+        draw_lines(d, series->x, series->y, series->n, kind == THUD_STEPS, look);
+    if (kind == THUD_FILL && series->y_high)
+        draw_lines(d, series->x, series->y_high, series->n, false, look);
+    if (series->n == 1 && kind != THUD_BARS)
+        draw_points(d, series, look);
+    thud_dots_put(&d->dots);
+    if (kind == THUD_POINTS || kind == THUD_LINES_POINTS)
+        draw_points(d, series, look);
+}
+
+/* The series' number at its highest point, so that curves are told apart without colour. */
+static void label_series(struct drawing *d, const struct thud_series *series, int index, struct thud_look look)
+{
+    double best = -1.0, px = NAN, py = NAN;
+    for (size_t i = 0; i < series->n; i++) {
+        double x = dot_x(d, series->x[i]), y = dot_y(d, series->y[i]);
+        double height = d->dots.height - y;
+        if (x >= 0.0 && x < d->dots.width && y >= -0.5 && y < d->dots.height && height > best) {
+            best = height;
+            px = x;
+            py = y;
+        }
+    }
+    if (isnan(px) || index > 8)
+        return;
+    int row = (int)(py / d->dots.down), column = (int)(px / d->dots.across);
+    thud_pane_glyph(&d->dots.pane, column, row > 0 ? row - 1 : 0, thud_look(look.role, THUD_BOLD),
+                    (uint32_t)('1' + index));
+}
+
+static void draw_mark(struct drawing *d, const struct thud_mark *mark)
+{
+    struct thud_look look = thud_look(THUD_ROLE_MUTED, 0);
+    double edge[2] = {mark->from, mark->to};
+    for (int i = 0; i < 2; i++) {
+        double at = mark->side == THUD_X ? dot_x(d, edge[i]) : dot_y(d, edge[i]);
+        if (mark->side == THUD_X)
+            thud_dots_line(&d->dots, at, 0.0, at, d->dots.height - 1.0, 2, look);
+        else
+            thud_dots_line(&d->dots, 0.0, at, d->dots.width - 1.0, at, 3, look);
+    }
+    thud_dots_put(&d->dots);
+    if (!mark->text || !*mark->text)
+        return;
+    double x = mark->side == THUD_X ? dot_x(d, mark->to) / d->dots.across + 1.0 : 1.0;
+    double y = mark->side == THUD_Y ? dot_y(d, 0.5 * (mark->from + mark->to)) / d->dots.down : 0.0;
+    if (x >= 0.0 && x < d->dots.pane.w && y >= 0.0 && y < d->dots.pane.h)
+        thud_pane_put(&d->dots.pane, (int)x, (int)y, look, mark->text);
+}
+
+static size_t nearest(const double *at, size_t n, double value)
+{
+    size_t best = 0;
+    for (size_t i = 1; i < n; i++)
+        if (fabs(at[i] - value) < fabs(at[best] - value))
+            best = i;
+    return best;
+}
+
+static double value_at(const struct thud_range *range, bool log, double along)
+{
+    return log ? range->least * pow(range->most / range->least, along)
+               : range->least + along * (range->most - range->least);
+}
+
+/* Five shades from low to high. */
+static void draw_map(struct drawing *d, const struct thud_map *map)
+{
+    static const uint32_t shade[] = {0x00b7, 0x2591, 0x2592, 0x2593, 0x2588};
+    double low, high;
+    if (!thud_map_range(map, &low, &high))
+        return;
+    const struct thud_pane *pane = &d->dots.pane;
+    for (int row = 0; row < pane->h; row++)
+        for (int column = 0; column < pane->w; column++) {
+            double x = value_at(&d->frame->x, d->frame->x_log, (column + 0.5) / pane->w);
+            double y = value_at(&d->frame->y, d->frame->y_log, 1.0 - (row + 0.5) / pane->h);
+            double z = map->z[nearest(map->y, map->ny, y) * map->nx + nearest(map->x, map->nx, x)];
+            if (!isfinite(z))
+                continue;
+            int level = high > low ? (int)(4.999 * (z - low) / (high - low)) : 0;
+            bool above = !isnan(map->centre) && z > map->centre;
+            thud_pane_glyph(pane, column, row, thud_look(above ? THUD_ROLE_WARN : THUD_ROLE_SERIES, 0), shade[level]);
+        }
+}
+
+static void draw_cursor(struct drawing *d, double at)
+{
+    double x = dot_x(d, at) / d->dots.across;
+    if (!(x >= 0.0 && x < d->dots.pane.w))
+        return;
+    for (int y = 0; y < d->dots.pane.h; y++)
+        thud_pane_glyph(&d->dots.pane, (int)x, y, thud_look(THUD_ROLE_KEY, 0), 0x2506);
+}
+
+void thud_chart_draw(const struct thud_pane *pane, const struct thud_panel *panel, const struct thud_chart *chart)
+{
+    struct thud_chart_frame frame;
+    if (!thud_chart_axes(pane, panel, &frame)) {
+        thud_pane_put(pane, 0, 0, thud_look(THUD_ROLE_MUTED, 0), "more room is needed for this chart");
+        return;
+    }
+    struct drawing d = {.frame = &frame};
+    if (thud_dots_init(&d.dots, &frame.plot, NULL) != THUD_OK)
+        return;
+    if (panel->map)
+        draw_map(&d, panel->map);
+    for (int i = 0; i < panel->nmarks; i++)
+        draw_mark(&d, &panel->mark[i]);
+    if (!isnan(chart->cursor))
+        draw_cursor(&d, chart->cursor);
+    for (int i = 0; i < panel->nseries; i++)
+        draw_series(&d, panel->series[i], thud_chart_look(panel->series[i], i));
+    for (int i = 0; panel->nseries > 1 && i < panel->nseries; i++)
+        if (panel->series[i]->name && *panel->series[i]->name)
+            label_series(&d, panel->series[i], i, thud_chart_look(panel->series[i], i));
+    thud_dots_clear(&d.dots);
+}

@@ -1,0 +1,26 @@
+/* A figure's panel drawn in a pane: the same data that gnuplot draws. */
+#ifndef THUD_TUI_CHART_H
+#define THUD_TUI_CHART_H
+
+#include "plot/figure.h"
+#include "tui/canvas.h"
+
+struct thud_chart {
+    double cursor; /* x of an upright line; NaN: none */
+};
+
+void thud_chart_draw(const struct thud_pane *pane, const struct thud_panel *panel, const struct thud_chart *chart);
+
+/* Where the plot proper stands in its pane, and what it shows. */
+struct thud_chart_frame {
+    struct thud_pane plot;
+    struct thud_range x, y;
+    bool x_log, y_log;
+};
+/* Draws title, key, axes and their labels; false when the pane is too small for a plot. */
+bool thud_chart_axes(const struct thud_pane *pane, const struct thud_panel *panel, struct thud_chart_frame *frame);
+/* 0 to 1 along an axis. */
+double thud_chart_along(const struct thud_range *range, bool log, double value);
+struct thud_look thud_chart_look(const struct thud_series *series, int index);
+
+#endif

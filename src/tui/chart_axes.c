@@ -1,0 +1,193 @@
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "tui/chart.h"
+
+enum { TICKS_MAX = 64, TICK_TEXT = 16 };
+
+struct ticks {
+    int n;
+    double at[TICKS_MAX];
+    char text[TICKS_MAX][TICK_TEXT];
+};
+
+double thud_chart_along(const struct thud_range *range, bool log, double value)
+{
+    if (!log)
+        return (value - range->least) / (range->most - range->least);
+    if (!(value > 0.0))
+        return NAN;
+    return log10(value / range->least) / log10(range->most / range->least);
+}
+
+static void add_tick(struct ticks *ticks, double at, const char *text)
+{
+    if (ticks->n == TICKS_MAX)
+        return;
+    ticks->at[ticks->n] = at;
+    snprintf(ticks->text[ticks->n++], TICK_TEXT, "%s", text);
+}
+
+/* The range's own ticks, or every second, fifth, tenth ... where there are more than `most`. */
+static void number_ticks(struct ticks *ticks, const struct thud_range *range, int most)
+{
+    static const double times[] = {1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0};
+    double step = range->step;
+    if (!(step > 0.0))
+        return;
+    for (size_t i = 0; i < sizeof times / sizeof *times && (range->most - range->least) / step + 1.0 > most; i++)
+        step = range->step * times[i];
+    double first = ceil(range->least / step - 1e-6);
+    for (int i = 0; i < TICKS_MAX; i++) {
+        double at = (first + i) * step;
+        if (at > range->most + 1e-6 * step)
+            return;
+        char text[TICK_TEXT];
+        snprintf(text, sizeof text, "%.6g", fabs(at) < 1e-9 * step ? 0.0 : at);
+        add_tick(ticks, at, text);
+    }
+}
+
+static void decade_ticks(struct ticks *ticks, const struct thud_range *range)
+{
+    int first = (int)ceil(log10(range->least) - 1e-9), last = (int)floor(log10(range->most) + 1e-9);
+    for (int i = first; i <= last; i++) {
+        char text[TICK_TEXT];
+        snprintf(text, sizeof text, i >= -2 && i <= 4 ? "%g" : "%.0e", pow(10.0, i));
+        add_tick(ticks, pow(10.0, i), text);
+    }
+}
+
+static void make_ticks(const struct thud_axis *axis, const struct thud_range *range, int most, struct ticks *ticks)
+{
+    ticks->n = 0;
+    if (axis->nticks > 0)
+        for (int i = 0; i < axis->nticks; i++)
+            add_tick(ticks, axis->tick[i].at, axis->tick[i].text);
+    else if (axis->log)
+        decade_ticks(ticks, range);
+    else
+        number_ticks(ticks, range, most > 2 ? most : 2);
+}
+
+struct thud_look thud_chart_look(const struct thud_series *series, int index)
+{
+    int color = series->style.color;
+    if (color == THUD_COLOR_GREY)
+        return thud_look(THUD_ROLE_MUTED, 0);
+    if (color < 0)
+        color = index;
+    return thud_look(THUD_ROLE_SERIES + color % 8, series->style.wide ? THUD_BOLD : 0);
+}
+
+/* "1 left  2 right", each in its colour; returns the columns it takes, drawn only where `draw`. */
+static int key_line(const struct thud_pane *pane, const struct thud_panel *panel, int x, int y, bool draw)
+{
+    int at = x;
+    for (int i = 0; i < panel->nseries; i++) {
+        const struct thud_series *series = panel->series[i];
+        if (!series->name || !*series->name)
+            continue;
+        char text[80];
+        snprintf(text, sizeof text, "%c %.70s", i < 9 ? '1' + i : '+', series->name);
+        if (draw)
+            thud_pane_put(pane, at, y, thud_chart_look(series, i), text);
+        at += thud_utf8_columns(text) + 2;
+    }
+    return at - x;
+}
+
+/* Title and key; returns the rows they took. */
+static int head(const struct thud_pane *pane, const struct thud_panel *panel)
+{
+    const struct thud_axis *axis = &panel->axis[THUD_Y];
+    char text[256], unit[96];
+    const char *title = panel->title && *panel->title ? panel->title : axis->label ? axis->label : "";
+    thud_axis_text(axis, unit, sizeof unit);
+    bool both = *unit && strcmp(title, axis->label ? axis->label : "") != 0;
+    snprintf(text, sizeof text, "%s%s%s", both ? title : *unit ? unit : title, both ? ": " : "", both ? unit : "");
+    int at = thud_pane_put(pane, 0, 0, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), text) + 3;
+    int width = key_line(pane, panel, 0, 0, false);
+    if (width == 0)
+        return 1;
+    if (at + width <= pane->w) {
+        key_line(pane, panel, at, 0, true);
+        return 1;
+    }
+    if (pane->h < 8)
+        return 1;
+    key_line(pane, panel, 0, 1, true);
+    return 2;
+}
+
+static void y_axis(const struct thud_chart_frame *frame, const struct thud_pane *pane, const struct ticks *ticks)
+{
+    struct thud_look look = thud_look(THUD_ROLE_BORDER, 0);
+    int x = frame->plot.x - pane->x - 1, top = frame->plot.y - pane->y, last = -9;
+    for (int y = 0; y < frame->plot.h; y++)
+        thud_pane_glyph(pane, x, top + y, look, 0x2502);
+    for (int i = 0; i < ticks->n; i++) {
+        double along = thud_chart_along(&frame->y, frame->y_log, ticks->at[i]);
+        if (!(along > -1e-6 && along < 1.0 + 1e-6))
+            continue;
+        int y = (int)lround((1.0 - along) * (frame->plot.h - 1));
+        if (last >= 0 && last - y < 2)
+            continue;
+        last = y;
+        thud_pane_glyph(pane, x, top + y, look, 0x2524);
+        thud_pane_right(pane, x - 1, top + y, thud_look(THUD_ROLE_PLAIN, 0), ticks->text[i]);
+    }
+}
+
+static void x_axis(const struct thud_chart_frame *frame, const struct thud_pane *pane, const struct ticks *ticks,
+                   const struct thud_axis *axis)
+{
+    struct thud_look look = thud_look(THUD_ROLE_BORDER, 0);
+    int left = frame->plot.x - pane->x, y = frame->plot.y - pane->y + frame->plot.h;
+    char unit[96];
+    thud_axis_text(axis, unit, sizeof unit);
+    int room = pane->w - thud_utf8_columns(axis->unit && *axis->unit ? axis->unit : unit) - 1, taken = 0;
+    thud_pane_glyph(pane, left - 1, y, look, 0x2514);
+    for (int x = 0; x < frame->plot.w; x++)
+        thud_pane_glyph(pane, left + x, y, look, 0x2500);
+    for (int i = 0; i < ticks->n; i++) {
+        double along = thud_chart_along(&frame->x, frame->x_log, ticks->at[i]);
+        if (!(along > -1e-6 && along < 1.0 + 1e-6))
+            continue;
+        int at = left + (int)lround(along * (frame->plot.w - 1)), width = thud_utf8_columns(ticks->text[i]);
+        thud_pane_glyph(pane, at, y, look, 0x252c);
+        int start = at - width / 2 < taken ? at : at - width / 2;
+        if (start < taken || start + width > room)
+            continue;
+        thud_pane_put(pane, start, y + 1, thud_look(THUD_ROLE_PLAIN, 0), ticks->text[i]);
+        taken = start + width + 2;
+    }
+    const char *label = taken + thud_utf8_columns(unit) < pane->w || !axis->unit || !*axis->unit ? unit : axis->unit;
+    thud_pane_right(pane, pane->w, y + 1, thud_look(THUD_ROLE_MUTED, 0), label);
+}
+
+bool thud_chart_axes(const struct thud_pane *pane, const struct thud_panel *panel, struct thud_chart_frame *frame)
+{
+    if (pane->w < 16 || pane->h < 5)
+        return false;
+    struct ticks x_ticks, y_ticks;
+    frame->x = thud_panel_range(panel, THUD_X);
+    frame->y = thud_panel_range(panel, THUD_Y);
+    frame->x_log = panel->axis[THUD_X].log;
+    frame->y_log = panel->axis[THUD_Y].log;
+    make_ticks(&panel->axis[THUD_X], &frame->x, pane->w / 6, &x_ticks);
+    make_ticks(&panel->axis[THUD_Y], &frame->y, (pane->h - 2) / 2, &y_ticks);
+    int labels = 1;
+    for (int i = 0; i < y_ticks.n; i++) {
+        int width = thud_utf8_columns(y_ticks.text[i]);
+        labels = width > labels ? width : labels;
+    }
+    int top = head(pane, panel), left = labels + 2;
+    frame->plot = thud_pane_inside(pane, left, top, pane->w - left, pane->h - top - 2);
+    if (frame->plot.w < 6 || frame->plot.h < 2)
+        return false;
+    y_axis(frame, pane, &y_ticks);
+    x_axis(frame, pane, &x_ticks, &panel->axis[THUD_X]);
+    return true;
+}

@@ -1,0 +1,164 @@
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "io/record_file.h"
+#include "tui/doc.h"
+
+static struct thud_stamp stamp_of(const char *path)
+{
+    struct stat info;
+    if (stat(path, &info) != 0)
+        return (struct thud_stamp){0};
+    return (struct thud_stamp){info.st_mtim.tv_sec, info.st_mtim.tv_nsec, info.st_size, (long long)info.st_ino};
+}
+
+static bool same_stamp(struct thud_stamp a, struct thud_stamp b)
+{
+    return a.seconds == b.seconds && a.nanoseconds == b.nanoseconds && a.size == b.size && a.number == b.number;
+}
+
+static void forget_record(struct thud_doc *doc)
+{
+    thud_record_free(doc->record);
+    doc->record = NULL;
+    doc->record_tried = false;
+}
+
+/* The preset as read becomes the base: what saving starts from. */
+static void take(struct thud_doc *doc, struct thud_preset *preset, const char *path)
+{
+    thud_preset_free(doc->preset);
+    doc->preset = preset;
+    snprintf(doc->path, sizeof doc->path, "%s", path);
+    doc->stamp = stamp_of(path);
+    doc->saved = *thud_preset_scene(preset);
+}
+
+enum thud_status thud_doc_open(struct thud_doc *doc, const char *name, struct thud_error *err)
+{
+    char path[512];
+    struct thud_preset *preset;
+    enum thud_status status = thud_paths_preset(doc->paths, name, path, sizeof path, err);
+    if (status == THUD_OK)
+        status = thud_preset_read(path, &preset, err);
+    if (status != THUD_OK)
+        return status;
+    take(doc, preset, path);
+    doc->scene = doc->saved;
+    thud_undo_clear(&doc->undo);
+    forget_record(doc);
+    doc->revision++;
+    return THUD_OK;
+}
+
+void thud_doc_free(struct thud_doc *doc)
+{
+    forget_record(doc);
+    thud_undo_clear(&doc->undo);
+    thud_preset_free(doc->preset);
+    doc->preset = NULL;
+}
+
+bool thud_doc_unsaved(const struct thud_doc *doc)
+{
+    return memcmp(&doc->scene, &doc->saved, sizeof doc->scene) != 0;
+}
+
+bool thud_doc_disk_changed(const struct thud_doc *doc)
+{
+    return !same_stamp(doc->stamp, stamp_of(doc->path));
+}
+
+enum thud_status thud_doc_save(struct thud_doc *doc, const char *path, struct thud_error *err)
+{
+    char to[512];
+    snprintf(to, sizeof to, "%s", path ? path : doc->path);
+    enum thud_status status = thud_preset_save(doc->preset, &doc->scene, to, err);
+    if (status != THUD_OK)
+        return status;
+    struct thud_preset *preset;
+    status = thud_preset_read(to, &preset, err);
+    if (status != THUD_OK)
+        return status;
+    take(doc, preset, to);
+    snprintf(doc->scene.name, sizeof doc->scene.name, "%s", doc->saved.name);
+    return THUD_OK;
+}
+
+enum thud_status thud_doc_recover(struct thud_doc *doc, char *path, struct thud_error *err)
+{
+    snprintf(path, 512, "%.500s.recovered", doc->path);
+    enum thud_status status = thud_preset_save(doc->preset, &doc->scene, path, err);
+    if (status != THUD_OUTPUT)
+        return status;
+    const char *folder = getenv("TMPDIR");
+    snprintf(path, 512, "%.300s/%.100s-%ld.recovered", folder && *folder ? folder : "/tmp", doc->scene.name,
+             (long)getpid());
+    return thud_preset_save(doc->preset, &doc->scene, path, err);
+}
+
+enum thud_status thud_doc_change(struct thud_doc *doc, const struct thud_scene *next, const char *what,
+                                 struct thud_error *err)
+{
+    enum thud_status status = thud_scene_check(next, err);
+    if (status == THUD_OK)
+        status = thud_undo_note(&doc->undo, &doc->scene, next, what, err);
+    if (status != THUD_OK)
+        return status;
+    doc->scene = *next;
+    doc->revision++;
+    return THUD_OK;
+}
+
+enum thud_status thud_doc_set(struct thud_doc *doc, const char *key, const char *text, struct thud_error *err)
+{
+    struct thud_scene next = doc->scene;
+    char before[96] = "", after[96] = "", what[300];
+    thud_scene_get(&doc->scene, key, before, sizeof before, NULL);
+    enum thud_status status = thud_scene_set(&next, key, text, err);
+    if (status != THUD_OK)
+        return status;
+    thud_scene_get(&next, key, after, sizeof after, NULL);
+    snprintf(what, sizeof what, "%s %.60s -> %.60s", key, before, after);
+    return thud_doc_change(doc, &next, what, err);
+}
+
+const char *thud_doc_undo(struct thud_doc *doc)
+{
+    const char *what = thud_undo_back(&doc->undo, &doc->scene);
+    doc->revision += what != NULL;
+    return what;
+}
+
+const char *thud_doc_redo(struct thud_doc *doc)
+{
+    const char *what = thud_undo_forward(&doc->undo, &doc->scene);
+    doc->revision += what != NULL;
+    return what;
+}
+
+enum thud_status thud_doc_record(struct thud_doc *doc, const struct thud_record **out, struct thud_error *err)
+{
+    const struct thud_record_choice *choice = &doc->scene.record;
+    *out = NULL;
+    if (!doc->record_tried || memcmp(choice, &doc->record_choice, sizeof *choice) != 0) {
+        forget_record(doc);
+        doc->record_choice = *choice;
+        doc->record_tried = true;
+        doc->record_error = (struct thud_error){0};
+        char path[512];
+        if (*choice->file &&
+            thud_paths_record(doc->paths, doc->path, choice->file, path, sizeof path, &doc->record_error) == THUD_OK)
+            thud_record_file_read(path, choice, &doc->record, &doc->record_error);
+    }
+    if (doc->record_error.status != THUD_OK) {
+        *err = doc->record_error;
+        return doc->record_error.status;
+    }
+    *out = doc->record;
+    return THUD_OK;
+}

@@ -1,0 +1,55 @@
+/* The preset that is open: the scene, what can be undone, the file it came from, the ground motion it names. */
+#ifndef THUD_TUI_DOC_H
+#define THUD_TUI_DOC_H
+
+#include "core/record.h"
+#include "io/paths.h"
+#include "io/preset.h"
+#include "study/scene.h"
+#include "tui/undo.h"
+
+struct thud_stamp {
+    long long seconds, nanoseconds, size, number; /* of a file when it was read or written; all 0: there was none */
+};
+
+struct thud_doc {
+    const struct thud_paths *paths;
+    char path[512];
+    struct thud_preset *preset;
+    struct thud_scene scene, saved;
+    struct thud_undo undo;
+    struct thud_stamp stamp;
+    unsigned long revision;                  /* grows with every change of the scene */
+    struct thud_record *record;              /* NULL: none */
+    struct thud_record_choice record_choice; /* what `record` was read with */
+    bool record_tried;
+    struct thud_error record_error; /* status THUD_OK: it was read */
+};
+
+/* Reads a preset by name or path in place of what is open, which stays on failure. Errors: THUD_INPUT, THUD_MEMORY. */
+enum thud_status thud_doc_open(struct thud_doc *doc, const char *name, struct thud_error *err);
+void thud_doc_free(struct thud_doc *doc);
+
+bool thud_doc_unsaved(const struct thud_doc *doc);
+/* How many words of the file a save would change is not known before; this says whether the file is another one now. */
+bool thud_doc_disk_changed(const struct thud_doc *doc);
+/* Writes to `path` (NULL: where it came from), comments kept, and reads the result as the new base. Errors:
+ * THUD_OUTPUT, THUD_INPUT. */
+enum thud_status thud_doc_save(struct thud_doc *doc, const char *path, struct thud_error *err);
+/* Beside the preset, `NAME.recovered`, or in TMPDIR where that cannot be written; `path` (512) says where. */
+enum thud_status thud_doc_recover(struct thud_doc *doc, char *path, struct thud_error *err);
+
+/* Checks `next`, notes the step back and puts it in place. Errors: THUD_INPUT (the scene is as it was), THUD_MEMORY. */
+enum thud_status thud_doc_change(struct thud_doc *doc, const struct thud_scene *next, const char *what,
+                                 struct thud_error *err);
+/* thud_scene_set as a change, with "key old -> new" as what. */
+enum thud_status thud_doc_set(struct thud_doc *doc, const char *key, const char *text, struct thud_error *err);
+/* One step; what it was, NULL when there is none. */
+const char *thud_doc_undo(struct thud_doc *doc);
+const char *thud_doc_redo(struct thud_doc *doc);
+
+/* The ground motion as the scene names it now, read again only where the choice changed. NULL with THUD_OK: none is
+ * named. */
+enum thud_status thud_doc_record(struct thud_doc *doc, const struct thud_record **out, struct thud_error *err);
+
+#endif

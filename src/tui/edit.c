@@ -1,0 +1,267 @@
+/* Changing values: typed, stepped, toggled, chosen. */
+#include <ctype.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/method.h"
+#include "tui/state.h"
+
+static bool ends_with(const char *text, const char *end)
+{
+    size_t n = strlen(text), m = strlen(end);
+    return n >= m && strcmp(text + n - m, end) == 0;
+}
+
+/* The unit a field is shown in: that of its text now, else its table's. */
+static void shown_unit(const struct thud_tui *tui, const char *key, const struct thud_param *param, char *unit,
+                       size_t size)
+{
+    char text[128];
+    const char *end;
+    double number;
+    snprintf(unit, size, "%s", param->unit ? param->unit : "");
+    if (thud_scene_get(&tui->doc.scene, key, text, sizeof text, NULL) != THUD_OK ||
+        thud_number_parse(text, &end, &number) != 0)
+        return;
+    while (*end == ' ')
+        end++;
+    if (*end)
+        snprintf(unit, size, "%s", end);
+}
+
+/* What was typed, with the shown unit where it has none. */
+static void with_unit(const struct thud_tui *tui, const char *key, const char *typed, char *text, size_t size)
+{
+    const struct thud_param *param = thud_scene_param(&tui->doc.scene, key, &(int){0});
+    const char *end;
+    double number;
+    while (*typed == ' ')
+        typed++;
+    snprintf(text, size, "%s", typed);
+    for (size_t n = strlen(text); n > 0 && text[n - 1] == ' '; n--)
+        text[n - 1] = '\0';
+    if (!param || param->kind != THUD_PARAM_QUANTITY || thud_number_parse(text, &end, &number) != 0 || *end)
+        return;
+    char unit[48];
+    shown_unit(tui, key, param, unit, sizeof unit);
+    size_t n = strlen(text);
+    snprintf(text + n, size - n, "%s%s", *unit ? " " : "", unit);
+}
+
+/* Soft bounds warn. */
+static void warn(struct thud_tui *tui, const char *key)
+{
+    const struct thud_param *param = thud_scene_param(&tui->doc.scene, key, &(int){0});
+    char text[128], least[48] = "", most[48] = "";
+    struct thud_quantity value;
+    if (!param || param->kind != THUD_PARAM_QUANTITY ||
+        thud_scene_get(&tui->doc.scene, key, text, sizeof text, NULL) != THUD_OK ||
+        thud_quantity_parse(text, param->dimension, param->unit, &value, NULL) != THUD_OK)
+        return;
+    bool low = value.value<param->soft_least, high = value.value> param->soft_most;
+    if (!low && !high)
+        return;
+    const char *unit = param->unit ? param->unit : "";
+    thud_quantity_format(param->soft_least, unit, least, sizeof least);
+    thud_quantity_format(param->soft_most, unit, most, sizeof most);
+    thud_tui_say(tui, THUD_ROLE_WARN, "! %s %s is unusual: %s %s is common. It is taken as it is", param->name, text,
+                 low ? "at least" : "at most", low ? least : most);
+}
+
+/* An exponent keeps the number of its stiffness, so the force at delta_u changes: said, with a way out. */
+static bool set_exponent(struct thud_tui *tui, const char *key, const char *text, struct thud_error *err)
+{
+    struct thud_scene next = tui->doc.scene;
+    char stiffness[THUD_PATH_MAX], before[64] = "", after[64] = "", what[300], number[64];
+    snprintf(stiffness, sizeof stiffness, "%.*sstiffness", (int)(strlen(key) - strlen("exponent")), key);
+    thud_scene_get(&next, key, before, sizeof before, NULL);
+    if (thud_scene_set(&next, key, text, err) != THUD_OK)
+        return false;
+    thud_scene_get(&next, key, after, sizeof after, NULL);
+    char *caret =
+        thud_scene_get(&tui->doc.scene, stiffness, number, sizeof number, NULL) == THUD_OK ? strchr(number, '^') : NULL;
+    if (caret) {
+        snprintf(caret + 1, sizeof number - (size_t)(caret + 1 - number), "%s", after);
+        if (thud_scene_set(&next, stiffness, number, err) != THUD_OK)
+            return false;
+    }
+    snprintf(what, sizeof what, "%s %s -> %s", key, before, after);
+    double force = thud_tui_force_at_knee(&tui->doc.scene, tui->pair);
+    if (thud_doc_change(&tui->doc, &next, what, err) != THUD_OK)
+        return false;
+    double now = thud_tui_force_at_knee(&tui->doc.scene, tui->pair);
+    tui->kept_before_n = force;
+    tui->kept_interface = tui->pair;
+    if (isfinite(force) && isfinite(now)) {
+        char a[24], b[24];
+        thud_tui_say(tui, THUD_ROLE_WARN,
+                     "! exponent %s -> %s keeps the number of the stiffness: F(delta_u) is now %s MN (was %s MN). f "
+                     "keeps F instead, u undoes",
+                     before, after, thud_tui_number(1e-6 * now, a), thud_tui_number(1e-6 * force, b));
+    }
+    return true;
+}
+
+bool thud_tui_set(struct thud_tui *tui, const char *key, const char *text)
+{
+    struct thud_error err = {0};
+    char full[THUD_LINE_MAX + 64];
+    with_unit(tui, key, text, full, sizeof full);
+    tui->message[0] = '\0';
+    tui->kept_before_n = NAN;
+    bool done = ends_with(key, "bumper.exponent") ? set_exponent(tui, key, full, &err)
+                                                  : thud_doc_set(&tui->doc, key, full, &err) == THUD_OK;
+    if (!done) {
+        thud_tui_say_error(tui, &err);
+        return false;
+    }
+    if (!*tui->message)
+        warn(tui, key);
+    thud_tui_changed(tui);
+    return true;
+}
+
+static void offer_laws(struct thud_tui *tui)
+{
+    for (int i = 0; i < thud_law_count(); i++)
+        thud_chooser_add(&tui->chooser, thud_law_at(i)->name, "%-26s %s", thud_law_at(i)->name,
+                         thud_law_at(i)->summary);
+}
+
+static void offer_methods(struct thud_tui *tui)
+{
+    thud_chooser_add(&tui->chooser, "auto", "%-22s %s", "auto", "the cheapest that reaches the tolerance");
+    for (int i = 0; i < thud_method_count(); i++)
+        thud_chooser_add(&tui->chooser, thud_method_at(i)->name, "%-22s %s", thud_method_at(i)->name,
+                         thud_method_at(i)->summary);
+}
+
+/* A value with a closed list of words: a list to choose from. False: it has none. */
+static bool choose_value(struct thud_tui *tui, const char *key, const struct thud_param *param)
+{
+    bool law = ends_with(key, ".law"), method = strcmp(key, "analysis.method") == 0;
+    if (!law && !method && (param->kind != THUD_PARAM_CHOICE || !param->choices))
+        return false;
+    char now[128] = "";
+    thud_scene_get(&tui->doc.scene, key, now, sizeof now, NULL);
+    snprintf(tui->target, sizeof tui->target, "%s", key);
+    thud_tui_choose(tui, THUD_CHOOSE_VALUE, key);
+    if (law)
+        offer_laws(tui);
+    else if (method)
+        offer_methods(tui);
+    else
+        for (int i = 0; param->choices[i]; i++)
+            thud_chooser_add(&tui->chooser, param->choices[i], "%s", param->choices[i]);
+    thud_chooser_mark(&tui->chooser, now);
+    return true;
+}
+
+void thud_tui_edit(struct thud_tui *tui, const char *start)
+{
+    const struct thud_field *field = thud_form_focus(&tui->form);
+    if (!field)
+        return;
+    if (field->kind == THUD_FIELD_ROW) {
+        const struct thud_view *view = thud_view_of(tui->screen);
+        if (view->row)
+            view->row(tui, field);
+        return;
+    }
+    const struct thud_param *param = thud_scene_param(&tui->doc.scene, field->path, &(int){0});
+    if (!param || choose_value(tui, field->path, param))
+        return;
+    char old[THUD_LINE_MAX] = "";
+    if (!start)
+        thud_scene_get(&tui->doc.scene, field->path, old, sizeof old, NULL);
+    snprintf(tui->target, sizeof tui->target, "%s", field->path);
+    thud_line_set(&tui->line, start ? start : old);
+    tui->message[0] = '\0';
+    tui->mode = THUD_MODE_TYPING;
+    tui->typing = THUD_TYPE_FIELD;
+}
+
+bool thud_tui_accept(struct thud_tui *tui)
+{
+    char old[THUD_LINE_MAX] = "";
+    thud_scene_get(&tui->doc.scene, tui->target, old, sizeof old, NULL);
+    if (strcmp(old, tui->line.text) != 0 && !thud_tui_set(tui, tui->target, tui->line.text))
+        return false; /* what was typed stays in the editor, the message says what is wrong */
+    tui->mode = THUD_MODE_NORMAL;
+    thud_tui_draw(tui);
+    return true;
+}
+
+static void step_choice(struct thud_tui *tui, const char *key, const struct thud_param *param, int steps)
+{
+    char now[128] = "";
+    int n = 0, at = 0;
+    thud_scene_get(&tui->doc.scene, key, now, sizeof now, NULL);
+    for (; param->choices[n]; n++)
+        if (strcmp(param->choices[n], now) == 0)
+            at = n;
+    if (n > 0)
+        thud_tui_set(tui, key, param->choices[((at + steps) % n + n) % n]);
+}
+
+/* A step is one in the second digit of the number as shown. */
+void thud_tui_step_value(struct thud_tui *tui, int steps)
+{
+    const struct thud_field *field = thud_form_focus(&tui->form);
+    if (!field || field->kind != THUD_FIELD_VALUE)
+        return;
+    char key[THUD_PATH_MAX], text[128], unit[48], number[64];
+    snprintf(key, sizeof key, "%s", field->path);
+    const struct thud_param *param = thud_scene_param(&tui->doc.scene, key, &(int){0});
+    if (!param || param->kind == THUD_PARAM_TEXT || ends_with(key, ".law") || strcmp(key, "analysis.method") == 0)
+        return;
+    if (param->kind == THUD_PARAM_CHOICE) {
+        if (param->choices)
+            step_choice(tui, key, param, steps > 0 ? 1 : -1);
+        return;
+    }
+    const char *end;
+    double value;
+    if (thud_scene_get(&tui->doc.scene, key, text, sizeof text, NULL) != THUD_OK ||
+        thud_number_parse(text, &end, &value) != 0) {
+        thud_tui_say(tui, THUD_ROLE_WARN, "%s has no number yet: type one", param->name);
+        return;
+    }
+    bool whole = param->kind == THUD_PARAM_INTEGER;
+    double step = whole ? 1.0 : value != 0.0 ? pow(10.0, floor(log10(fabs(value)) + 1e-9) - 1.0) : 0.1;
+    double next = step * round(value / step + steps);
+    snprintf(number, sizeof number, "%.12g", fabs(next) < 1e-9 * step ? 0.0 : next);
+    shown_unit(tui, key, param, unit, sizeof unit);
+    if (whole)
+        *unit = '\0';
+    snprintf(text, sizeof text, "%s%s%s", number, *unit ? " " : "", unit);
+    thud_tui_set(tui, key, text);
+}
+
+void thud_tui_toggle(struct thud_tui *tui)
+{
+    const struct thud_field *field = thud_form_focus(&tui->form);
+    const struct thud_param *param = field ? thud_scene_param(&tui->doc.scene, field->path, &(int){0}) : NULL;
+    if (!param)
+        return;
+    if (param->kind == THUD_PARAM_CHOICE && param->choices)
+        step_choice(tui, field->path, param, 1);
+    else
+        thud_tui_say(tui, THUD_ROLE_WARN, "%s is no choice: Enter edits it", param->name);
+}
+
+/* The value under the cursor, for every floor of its structure. */
+void thud_tui_all_floors(struct thud_tui *tui)
+{
+    const struct thud_field *field = thud_form_focus(&tui->form);
+    char text[128], key[THUD_PATH_MAX];
+    if (!field || thud_scene_get(&tui->doc.scene, field->path, text, sizeof text, NULL) != THUD_OK)
+        return;
+    snprintf(key, sizeof key, "%s", field->path);
+    char *dot = strrchr(key, '.');
+    if (dot && isdigit((unsigned char)dot[1]))
+        *dot = '\0';
+    thud_tui_set(tui, key, text);
+}

@@ -1,0 +1,238 @@
+#include <math.h>
+#include <stdio.h>
+
+#include "tui/figures.h"
+
+const char *thud_plot_title(enum thud_plot plot)
+{
+    static const char *const title[] = {
+#define THUD_PLOT(name, words, file) words,
+#include "tui/plot_list.h"
+#undef THUD_PLOT
+    };
+    return title[plot];
+}
+
+static const char *file_name(enum thud_plot plot)
+{
+    static const char *const name[] = {
+#define THUD_PLOT(name, words, file) file,
+#include "tui/plot_list.h"
+#undef THUD_PLOT
+    };
+    return name[plot];
+}
+
+char *thud_dof_name(const struct thud_model *model, const struct thud_scene *scene, int dof, char *text, size_t size)
+{
+    int s = model->dof_structure[dof];
+    snprintf(text, size, "%.40s, floor %d", scene->structure[s].name, dof - model->structure[s].first + 1);
+    return text;
+}
+
+/* "A 4 and B 4". */
+static void contact_name(const struct thud_model *model, const struct thud_scene *scene, int contact, char *text,
+                         size_t size)
+{
+    const struct thud_model_contact *c = &model->contact[contact];
+    snprintf(text, size, "%.30s %d and %.30s %d", scene->structure[c->interface - 1].name, c->left_floor,
+             scene->structure[c->interface].name, c->right_floor);
+}
+
+static const struct thud_history *history_of(const struct thud_live *live, int which)
+{
+    const struct thud_live_case *c = &live->which[which];
+    return c->state == THUD_LIVE_DONE && live->history ? thud_run_history(c->run) : NULL;
+}
+
+/* A column of the history, less another one where `minus` is not negative, times a factor. */
+static void add_history(struct thud_panel *panel, const struct thud_history *h, int which, int column, int minus,
+                        double factor)
+{
+    struct thud_style style = {.kind = THUD_LINES, .color = which};
+    struct thud_series *series =
+        thud_panel_add(panel, style, thud_live_name((enum thud_live_which)which), h->rows, NULL, NULL);
+    for (size_t i = 0; series && i < h->rows; i++) {
+        const double *row = h->value + i * (size_t)h->columns;
+        series->x[i] = h->time_s[i];
+        series->y[i] = factor * (row[column] - (minus >= 0 ? row[minus] : 0.0));
+    }
+}
+
+/* The lower neighbour of a dof in its structure; -1 for the lowest. */
+static int below(const struct thud_model *model, int dof)
+{
+    return dof > model->structure[model->dof_structure[dof]].first ? dof - 1 : -1;
+}
+
+static void add_case(struct thud_panel *panel, const struct thud_live *live, int which, enum thud_plot plot,
+                     const struct thud_sight *sight)
+{
+    const struct thud_history *h = history_of(live, which);
+    const struct thud_model *model = live->which[which].model;
+    if (!h)
+        return;
+    int minus = -1;
+    if (plot == THUD_PLOT_FORCE) {
+        if (sight->contact < h->ncontacts && which != THUD_LIVE_FREE)
+            add_history(panel, h, which, thud_history_force(h, sight->contact), -1, 1e-6);
+    } else if (plot == THUD_PLOT_CLOSING) {
+        const struct thud_model_contact *contact = &model->contact[sight->contact];
+        int left = contact->left_dof, right = contact->right_dof;
+        if (left >= 0)
+            add_history(panel, h, which, thud_history_velocity(h, left),
+                        right >= 0 ? thud_history_velocity(h, right) : -1, 1.0);
+        else if (right >= 0)
+            add_history(panel, h, which, thud_history_velocity(h, right), -1, -1.0);
+    } else if (plot == THUD_PLOT_ACCELERATION) {
+        add_history(panel, h, which, thud_history_acceleration(h, sight->dof), -1, 1.0);
+    } else {
+        if (plot == THUD_PLOT_DRIFT && below(model, sight->dof) >= 0)
+            minus = thud_history_displacement(h, below(model, sight->dof));
+        add_history(panel, h, which, thud_history_displacement(h, sight->dof), minus, 1e3);
+    }
+}
+
+static struct thud_figure *histories(const struct thud_live *live, const struct thud_scene *scene, enum thud_plot plot,
+                                     const struct thud_sight *sight, const char **why)
+{
+    static const struct {
+        const char *label, *unit;
+    } axis[] = {[THUD_PLOT_FORCE] = {"Force", "MN"},
+                [THUD_PLOT_CLOSING] = {"Closing velocity", "m/s"},
+                [THUD_PLOT_ACCELERATION] = {"Acceleration", "m/s2"},
+                [THUD_PLOT_DRIFT] = {"Drift", "mm"},
+                [THUD_PLOT_DISPLACEMENT] = {"Displacement", "mm"}};
+    const struct thud_model *model = live->which[THUD_LIVE_NONE].model;
+    bool of_contact = plot == THUD_PLOT_FORCE || plot == THUD_PLOT_CLOSING;
+    *why = of_contact && sight->contact < 0 ? "No two floors can meet here"
+           : !of_contact && sight->dof < 0  ? "There is no floor"
+                                            : NULL;
+    if (*why)
+        return NULL;
+    char title[160], where[96];
+    if (of_contact)
+        contact_name(model, scene, sight->contact, where, sizeof where);
+    else
+        thud_dof_name(model, scene, sight->dof, where, sizeof where);
+    snprintf(title, sizeof title, "%s, %s", thud_plot_title(plot), where);
+    struct thud_figure *figure = thud_figure_create(file_name(plot), title, 1, 1);
+    struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "");
+    thud_panel_axis(panel, THUD_X, "Time", "s");
+    thud_panel_axis(panel, THUD_Y, axis[plot].label, axis[plot].unit);
+    for (int which = 0; which < THUD_LIVE_CASES; which++)
+        add_case(panel, live, which, plot, sight);
+    return figure;
+}
+
+static struct thud_figure *loops(const struct thud_live *live, const struct thud_sight *sight, const char **why)
+{
+    if (sight->contact < 0) {
+        *why = "No two floors can meet here";
+        return NULL;
+    }
+    struct thud_figure *figure = thud_figure_create(file_name(THUD_PLOT_LOOP), thud_plot_title(THUD_PLOT_LOOP), 1, 1);
+    struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "");
+    thud_panel_axis(panel, THUD_X, "Indentation", "mm");
+    thud_panel_axis(panel, THUD_Y, "Force", "MN");
+    for (int which = THUD_LIVE_NONE; which < THUD_LIVE_CASES; which++) {
+        const struct thud_history *h = history_of(live, which);
+        if (!h)
+            continue;
+        int force = thud_history_force(h, sight->contact), depth = thud_history_indentation(h, sight->contact);
+        struct thud_series *series = thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = which},
+                                                    thud_live_name((enum thud_live_which)which), h->rows, NULL, NULL);
+        for (size_t i = 0; series && i < h->rows; i++) {
+            const double *row = h->value + i * (size_t)h->columns;
+            bool touching = row[force] != 0.0;
+            series->x[i] = touching ? 1e3 * row[depth] : NAN;
+            series->y[i] = touching ? 1e-6 * row[force] : NAN;
+        }
+    }
+    return figure;
+}
+
+/* One panel a structure (at most four), floor numbers upward. */
+static struct thud_figure *envelopes(const struct thud_live *live, const struct thud_scene *scene, enum thud_plot plot)
+{
+    bool drift = plot == THUD_PLOT_ENVELOPE_DRIFT;
+    int n = scene->nstructures < 4 ? scene->nstructures : 4;
+    struct thud_figure *figure = thud_figure_create(file_name(plot), thud_plot_title(plot), 1, n);
+    for (int s = 0; s < n; s++) {
+        struct thud_panel *panel = thud_figure_panel(figure, 0, s, scene->structure[s].name);
+        thud_panel_axis(panel, THUD_X, drift ? "Drift" : "Acceleration", drift ? "mm" : "m/s2");
+        thud_panel_axis(panel, THUD_Y, "Floor", "");
+        for (int which = 0; which < THUD_LIVE_CASES; which++) {
+            const struct thud_result *result = thud_live_result(live, (enum thud_live_which)which);
+            int floors = result && s < result->nstructures ? result->structure[s].floors : 0;
+            if (floors == 0)
+                continue;
+            struct thud_style style = {.kind = THUD_LINES_POINTS, .color = which};
+            struct thud_series *series =
+                thud_panel_add(panel, style, thud_live_name((enum thud_live_which)which), (size_t)floors, NULL, NULL);
+            for (int i = 0; series && i < floors; i++) {
+                series->x[i] = drift ? 1e3 * result->structure[s].floor[i].drift.value
+                                     : result->structure[s].floor[i].acceleration.value;
+                series->y[i] = i + 1;
+            }
+        }
+    }
+    return figure;
+}
+
+static struct thud_figure *energies(const struct thud_live *live, const struct thud_sight *sight, const char **why)
+{
+    static const char *const name[] = {"input", "kinetic", "strain", "viscous", "contact"};
+    const struct thud_history *h = history_of(live, (int)sight->which);
+    if (!h) {
+        *why = "This case has no results";
+        return NULL;
+    }
+    char title[96];
+    snprintf(title, sizeof title, "Energies, %s", thud_live_name(sight->which));
+    struct thud_figure *figure = thud_figure_create(file_name(THUD_PLOT_ENERGY), title, 1, 1);
+    struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "");
+    thud_panel_axis(panel, THUD_X, "Time", "s");
+    thud_panel_axis(panel, THUD_Y, "Energy", "kJ");
+    for (int e = 0; e < THUD_HISTORY_ENERGIES; e++) {
+        struct thud_series *series =
+            thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = e}, name[e], h->rows, NULL, NULL);
+        for (size_t i = 0; series && i < h->rows; i++) {
+            series->x[i] = h->time_s[i];
+            series->y[i] = 1e-3 * h->value[i * (size_t)h->columns + (size_t)thud_history_energy(h, e)];
+        }
+    }
+    return figure;
+}
+
+struct thud_figure *thud_plot_make(const struct thud_live *live, const struct thud_scene *scene, enum thud_plot plot,
+                                   const struct thud_sight *sight, const char **why)
+{
+    struct thud_figure *figure;
+    *why = NULL;
+    if (live->running || live->which[THUD_LIVE_NONE].state != THUD_LIVE_DONE) {
+        *why = live->running                                           ? "running"
+               : live->which[THUD_LIVE_NONE].state == THUD_LIVE_FAILED ? "FAILED"
+                                                                       : "no results: r runs";
+        return NULL;
+    }
+    bool envelope = plot == THUD_PLOT_ENVELOPE_ACCELERATION || plot == THUD_PLOT_ENVELOPE_DRIFT;
+    if (!envelope && !live->history) {
+        *why = "the histories are not there yet";
+        return NULL;
+    }
+    if (envelope)
+        figure = envelopes(live, scene, plot);
+    else if (plot == THUD_PLOT_LOOP)
+        figure = loops(live, sight, why);
+    else if (plot == THUD_PLOT_ENERGY)
+        figure = energies(live, sight, why);
+    else
+        figure = histories(live, scene, plot, sight, why);
+    if (figure && thud_figure_check(figure, NULL) == THUD_OK)
+        return figure;
+    thud_figure_free(figure);
+    if (!*why)
+        *why = "no memory for the figure";
+    return NULL;
+}

@@ -1,0 +1,30 @@
+/* Figures of the live cases, as data for the terminal's charts and for gnuplot. */
+#ifndef THUD_TUI_FIGURES_H
+#define THUD_TUI_FIGURES_H
+
+#include "plot/figure.h"
+#include "study/scene.h"
+#include "tui/live.h"
+
+enum thud_plot {
+#define THUD_PLOT(name, words, file) THUD_PLOT_##name,
+#include "tui/plot_list.h"
+#undef THUD_PLOT
+    THUD_PLOTS
+};
+const char *thud_plot_title(enum thud_plot plot);
+
+/* What is looked at: a contact of the model (from 0, -1: none) and a floor by its dof. */
+struct thud_sight {
+    int contact, dof;
+    enum thud_live_which which; /* for figures of one case */
+};
+
+/* NULL when there is nothing to show (`why` says it), or no memory. */
+struct thud_figure *thud_plot_make(const struct thud_live *live, const struct thud_scene *scene, enum thud_plot plot,
+                                   const struct thud_sight *sight, const char **why);
+
+/* "A 4" for a dof of the model. Returns `text`. */
+char *thud_dof_name(const struct thud_model *model, const struct thud_scene *scene, int dof, char *text, size_t size);
+
+#endif

@@ -1,0 +1,22 @@
+/* What the impact laws of one interface do. */
+#ifndef THUD_TUI_LAW_FIGURE_H
+#define THUD_TUI_LAW_FIGURE_H
+
+#include "plot/figure.h"
+#include "study/scene.h"
+
+/* Force at the bumper's delta_u, N; NaN where there is no such thing. */
+double thud_tui_force_at_knee(const struct thud_scene *scene, int interface);
+/* Mass of the lowest floor of structure `s`, kg; infinite for a wall. */
+double thud_tui_pair_mass(const struct thud_scene *scene, int s);
+
+/* What came of two free bodies of the lowest floors' masses meeting at `speed`. */
+struct thud_meeting {
+    double speed_mps, force_n, indentation_m, restitution;
+};
+enum { THUD_MEETINGS = 3 };
+/* Force against indentation at three speeds. NULL on failure, with the reason. */
+struct thud_figure *thud_tui_law_figure(const struct thud_scene *scene, int pair,
+                                        struct thud_meeting meeting[THUD_MEETINGS], struct thud_error *err);
+
+#endif

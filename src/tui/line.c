@@ -1,0 +1,106 @@
+#include <stdio.h>
+#include <string.h>
+
+#include "tui/line.h"
+
+void thud_line_set(struct thud_line *line, const char *text)
+{
+    snprintf(line->text, sizeof line->text, "%s", text);
+    line->cursor = (int)strlen(line->text);
+}
+
+static bool continuation(char c)
+{
+    return ((unsigned char)c & 0xc0) == 0x80;
+}
+
+static int before(const struct thud_line *line, int at)
+{
+    do
+        at--;
+    while (at > 0 && continuation(line->text[at]));
+    return at < 0 ? 0 : at;
+}
+
+static int after(const struct thud_line *line, int at)
+{
+    if (!line->text[at])
+        return at;
+    do
+        at++;
+    while (continuation(line->text[at]));
+    return at;
+}
+
+static void cut(struct thud_line *line, int from, int to)
+{
+    memmove(line->text + from, line->text + to, strlen(line->text + to) + 1);
+    line->cursor = from;
+}
+
+static bool insert(struct thud_line *line, int key)
+{
+    char utf8[5];
+    int n = thud_utf8_put((uint32_t)key, utf8);
+    size_t size = strlen(line->text);
+    if (size + (size_t)n >= sizeof line->text)
+        return true;
+    char *at = line->text + line->cursor;
+    memmove(at + n, at, size - (size_t)line->cursor + 1);
+    memcpy(at, utf8, (size_t)n);
+    line->cursor += n;
+    return true;
+}
+
+bool thud_line_key(struct thud_line *line, int key)
+{
+    switch (key) {
+    case THUD_KEY_LEFT:
+        line->cursor = before(line, line->cursor);
+        return true;
+    case THUD_KEY_RIGHT:
+        line->cursor = after(line, line->cursor);
+        return true;
+    case THUD_KEY_HOME:
+    case THUD_CTRL('a'):
+        line->cursor = 0;
+        return true;
+    case THUD_KEY_END:
+    case THUD_CTRL('e'):
+        line->cursor = (int)strlen(line->text);
+        return true;
+    case THUD_KEY_BACKSPACE:
+        cut(line, before(line, line->cursor), line->cursor);
+        return true;
+    case THUD_KEY_DELETE:
+        cut(line, line->cursor, after(line, line->cursor));
+        return true;
+    case THUD_CTRL('u'):
+        thud_line_set(line, "");
+        return true;
+    default:
+        return key >= ' ' && key != THUD_KEY_BACKSPACE && key < 0x110000 ? insert(line, key) : false;
+    }
+}
+
+void thud_line_draw(const struct thud_line *line, const struct thud_pane *pane, int x, int y, int w,
+                    struct thud_look style)
+{
+    if (w < 1)
+        return;
+    char head[THUD_LINE_MAX];
+    snprintf(head, sizeof head, "%.*s", line->cursor, line->text);
+    int at = thud_utf8_columns(head), first = at >= w ? at - w + 1 : 0;
+    const char *text = line->text;
+    for (int i = 0; i < first; i++)
+        thud_utf8_next(&text);
+    for (int i = 0; i < w; i++) {
+        uint32_t c = thud_utf8_next(&text);
+        thud_pane_glyph(pane, x + i, y, style, c ? c : ' ');
+    }
+    int row = y - pane->scroll;
+    if (x + at - first >= pane->w || row < 0 || row >= pane->h)
+        return;
+    pane->canvas->cursor_x = pane->x + x + at - first;
+    pane->canvas->cursor_y = pane->y + row;
+}

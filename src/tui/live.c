@@ -1,0 +1,188 @@
+#include <math.h>
+#include <string.h>
+
+#include "study/answer.h"
+#include "tui/live.h"
+
+enum { SEGMENTS = 400, HISTORY_BYTES = 48 << 20 };
+
+const char *thud_live_name(enum thud_live_which which)
+{
+    static const char *const name[] = {"no pounding", "no bumper", "bumper"};
+    return name[which];
+}
+
+static void case_clear(struct thud_live_case *c)
+{
+    thud_run_free(c->run);
+    thud_model_free(c->model);
+    *c = (struct thud_live_case){0};
+}
+
+void thud_live_clear(struct thud_live *live)
+{
+    for (int i = 0; i < THUD_LIVE_CASES; i++)
+        case_clear(&live->which[i]);
+    live->running = live->history = false;
+}
+
+void thud_live_fail(struct thud_live *live, const struct thud_error *why)
+{
+    thud_live_clear(live);
+    for (int i = 0; i < THUD_LIVE_CASES; i++) {
+        live->which[i].state = THUD_LIVE_FAILED;
+        live->which[i].error = *why;
+    }
+}
+
+static bool any_bumper(const struct thud_scene *scene)
+{
+    for (int i = 0; i + 1 < scene->nstructures; i++)
+        if (scene->interface[i].has_bumper)
+            return true;
+    return false;
+}
+
+/* The scene of a case; false where it has none. */
+static bool case_scene(const struct thud_scene *scene, enum thud_live_which which, struct thud_scene *out)
+{
+    *out = *scene;
+    if (which == THUD_LIVE_BUMPER)
+        return any_bumper(scene);
+    for (int i = 0; i + 1 < out->nstructures; i++) {
+        out->interface[i].has_bumper = false;
+        if (which == THUD_LIVE_FREE) {
+            out->interface[i].contact.law = thud_law_find("none");
+            memset(out->interface[i].contact.value, 0, sizeof out->interface[i].contact.value);
+        }
+    }
+    return true;
+}
+
+/* Rows no closer than the memory set aside allows. */
+static double history_step(const struct thud_model *model, const struct thud_record *record, double tail_s)
+{
+    double columns = 1.0 + 3.0 * model->ndof + 2.0 * model->ncontacts + THUD_HISTORY_ENERGIES + 1.0;
+    double rows = HISTORY_BYTES / (8.0 * columns);
+    double span = tail_s + (record ? record->dt_s * (double)record->samples : 0.0);
+    double least = record ? record->dt_s : 1e-3;
+    return fmax(least, span / rows);
+}
+
+static enum thud_status case_start(struct thud_live_case *c, const struct thud_scene *scene,
+                                   const struct thud_record *record, bool history)
+{
+    struct thud_run_options options;
+    enum thud_status status = thud_scene_options(scene, &options, &c->error);
+    if (status == THUD_OK)
+        status = thud_scene_assemble(scene, &c->model, &c->error);
+    if (status != THUD_OK)
+        return status;
+    options.keep_impacts = true;
+    options.keep_history = history;
+    options.history_step_s = history_step(c->model, record, options.tail_s);
+    return thud_run_create(c->model, record, &options, &c->run, &c->error);
+}
+
+void thud_live_start(struct thud_live *live, const struct thud_scene *scene, const struct thud_record *record,
+                     bool history)
+{
+    thud_live_clear(live);
+    live->history = history;
+    for (int i = 0; i < THUD_LIVE_CASES; i++) {
+        struct thud_live_case *c = &live->which[i];
+        struct thud_scene of_case;
+        if (!case_scene(scene, (enum thud_live_which)i, &of_case)) {
+            c->state = THUD_LIVE_ABSENT;
+        } else if (case_start(c, &of_case, record, history) == THUD_OK) {
+            c->state = THUD_LIVE_RUNNING;
+            live->running = true;
+        } else {
+            c->state = THUD_LIVE_FAILED;
+        }
+    }
+}
+
+static void case_advance(struct thud_live_case *c)
+{
+    bool done = false;
+    if (thud_run_advance(c->run, SEGMENTS, &done, &c->error) != THUD_OK) {
+        c->failed_s = thud_run_time(c->run);
+        c->state = THUD_LIVE_FAILED;
+    } else if (done) {
+        c->state = THUD_LIVE_DONE;
+    }
+}
+
+bool thud_live_advance(struct thud_live *live)
+{
+    for (int i = 0; i < THUD_LIVE_CASES; i++) {
+        if (live->which[i].state != THUD_LIVE_RUNNING)
+            continue;
+        case_advance(&live->which[i]);
+        return true;
+    }
+    live->running = false;
+    return false;
+}
+
+double thud_live_progress(const struct thud_live *live)
+{
+    double done = 0.0, all = 0.0;
+    for (int i = 0; i < THUD_LIVE_CASES; i++) {
+        const struct thud_live_case *c = &live->which[i];
+        if (!c->run)
+            continue;
+        double end = thud_run_end(c->run);
+        all += 1.0;
+        done += c->state != THUD_LIVE_RUNNING ? 1.0 : end > 0.0 ? fmin(1.0, thud_run_time(c->run) / end) : 0.0;
+    }
+    return all > 0.0 ? done / all : 1.0;
+}
+
+const struct thud_result *thud_live_result(const struct thud_live *live, enum thud_live_which which)
+{
+    return live->which[which].state == THUD_LIVE_DONE ? thud_run_result(live->which[which].run) : NULL;
+}
+
+double thud_live_floor(const struct thud_live *live, enum thud_live_which which, int structure, int floor,
+                       enum thud_peak_kind kind)
+{
+    const struct thud_result *result = thud_live_result(live, which);
+    if (!result || structure >= result->nstructures || floor >= result->structure[structure].floors)
+        return NAN;
+    const struct thud_floor_result *f = &result->structure[structure].floor[floor];
+    switch (kind) {
+    case THUD_PEAK_ACCELERATION:
+        return f->acceleration.value;
+    case THUD_PEAK_DRIFT:
+        return f->drift.value;
+    case THUD_PEAK_DISPLACEMENT:
+        return f->displacement.value;
+    default:
+        return f->velocity.value;
+    }
+}
+
+double thud_live_peak(const struct thud_live *live, enum thud_live_which which, int structure, enum thud_peak_kind kind)
+{
+    const struct thud_result *result = thud_live_result(live, which);
+    double most = NAN;
+    for (int i = 0; result && structure < result->nstructures && i < result->structure[structure].floors; i++)
+        most = fmax(most, thud_live_floor(live, which, structure, i, kind));
+    return most;
+}
+
+double thud_live_force(const struct thud_live *live, enum thud_live_which which, int interface, int *impacts)
+{
+    const struct thud_result *result = thud_live_result(live, which);
+    double most = result ? 0.0 : NAN;
+    *impacts = 0;
+    for (int i = 0; result && i < result->ncontacts; i++) {
+        if (interface && result->contact[i].interface != interface)
+            continue;
+        most = fmax(most, result->contact[i].force.value);
+        *impacts += result->contact[i].impacts;
+    }
+    return most;
+}

@@ -1,0 +1,57 @@
+/* The three cases of a scene, run in slices after every change: no pounding, no bumper, bumper as written. */
+#ifndef THUD_TUI_LIVE_H
+#define THUD_TUI_LIVE_H
+
+#include "core/record.h"
+#include "core/run.h"
+#include "study/scene.h"
+
+enum thud_live_which { THUD_LIVE_FREE, THUD_LIVE_NONE, THUD_LIVE_BUMPER, THUD_LIVE_CASES };
+const char *thud_live_name(enum thud_live_which which); /* "no pounding", ... */
+
+enum thud_live_state {
+    THUD_LIVE_EMPTY,  /* not run for the scene as it is now */
+    THUD_LIVE_ABSENT, /* the scene has no such case (no bumper) */
+    THUD_LIVE_RUNNING,
+    THUD_LIVE_DONE,
+    THUD_LIVE_FAILED
+};
+
+struct thud_live_case {
+    enum thud_live_state state;
+    struct thud_model *model;
+    struct thud_run *run;
+    struct thud_error error;
+    double failed_s;
+};
+
+struct thud_live {
+    struct thud_live_case which[THUD_LIVE_CASES];
+    bool running;
+    bool history; /* histories were kept */
+};
+
+/* Drops what was found before and begins anew; `record` must stay until the next start or clear. A scene that cannot be
+ * assembled leaves its cases FAILED. */
+void thud_live_start(struct thud_live *live, const struct thud_scene *scene, const struct thud_record *record,
+                     bool history);
+/* All cases FAILED for this reason. */
+void thud_live_fail(struct thud_live *live, const struct thud_error *why);
+/* Goes on for a short while (about a millisecond); false when there is no more to do. */
+bool thud_live_advance(struct thud_live *live);
+double thud_live_progress(const struct thud_live *live); /* 0 to 1 */
+void thud_live_clear(struct thud_live *live);
+
+/* What a case found, NULL unless it is DONE. */
+const struct thud_result *thud_live_result(const struct thud_live *live, enum thud_live_which which);
+
+/* Largest peaks over the floors of structure `s` (from 0). NaN where the case is not DONE. */
+enum thud_peak_kind { THUD_PEAK_ACCELERATION, THUD_PEAK_DRIFT, THUD_PEAK_DISPLACEMENT, THUD_PEAK_VELOCITY };
+double thud_live_peak(const struct thud_live *live, enum thud_live_which which, int structure,
+                      enum thud_peak_kind kind);
+double thud_live_floor(const struct thud_live *live, enum thud_live_which which, int structure, int floor,
+                       enum thud_peak_kind kind);
+/* Largest force over the contacts of interface `interface` (from 1; 0: all), and the number of impacts. */
+double thud_live_force(const struct thud_live *live, enum thud_live_which which, int interface, int *impacts);
+
+#endif

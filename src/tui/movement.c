@@ -1,0 +1,231 @@
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "tui/dots.h"
+#include "tui/movement.h"
+
+/* The row at or before a time. */
+static size_t row_before(const struct thud_history *h, double t)
+{
+    size_t low = 0, high = h->rows;
+    while (high - low > 1) {
+        size_t middle = low + (high - low) / 2;
+        if (h->time_s[middle] <= t)
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+double thud_history_at(const struct thud_history *h, int column, double t)
+{
+    if (h->rows == 0)
+        return 0.0;
+    size_t row = row_before(h, t), next = row + 1 < h->rows ? row + 1 : row;
+    double a = h->value[row * (size_t)h->columns + (size_t)column],
+           b = h->value[next * (size_t)h->columns + (size_t)column];
+    double width = h->time_s[next] - h->time_s[row];
+    double along = width > 0.0 ? fmin(1.0, fmax(0.0, (t - h->time_s[row]) / width)) : 0.0;
+    return a + along * (b - a);
+}
+
+struct stage {
+    struct thud_dots dots;
+    const struct thud_scene *scene;
+    const struct thud_model *model;
+    const struct thud_history *history;
+    double t;
+    bool bumper;
+    double body;                      /* width of a building, dots */
+    double scale;                     /* dots per metre across */
+    double storey;                    /* dots per metre up */
+    double ground;                    /* row of the ground, dots */
+    double left[THUD_STRUCTURES_MAX]; /* left edge at rest, dots */
+};
+
+/* Largest displacement of a structure's floors, m. */
+static double reach(const struct thud_history *h, const struct thud_model *model, int s)
+{
+    double most = 0.0;
+    const struct thud_model_structure *structure = &model->structure[s];
+    for (int i = structure->first; i < structure->first + structure->n; i++) {
+        int column = thud_history_displacement(h, i);
+        for (size_t row = 0; row < h->rows; row++)
+            most = fmax(most, fabs(h->value[row * (size_t)h->columns + (size_t)column]));
+    }
+    return most;
+}
+
+static double height_of(const struct thud_structure *structure, int floors)
+{
+    double height = 0.0;
+    if (structure->kind == THUD_WALL)
+        return isfinite(structure->height_m[0]) ? structure->height_m[0] : 0.0;
+    for (int i = 0; i < floors && i < structure->storeys; i++)
+        height += structure->height_m[i];
+    return height;
+}
+
+static double bounded_gap(const struct thud_scene *scene, int i)
+{
+    return fmax(0.0, scene->interface[i].gap_m);
+}
+
+/* Scales such that everything stays inside for the whole run. */
+static bool set_stage(struct stage *stage)
+{
+    const struct thud_scene *scene = stage->scene;
+    int n = scene->nstructures;
+    double across = 0.0, top = 0.0;
+    for (int s = 0; s < n; s++) {
+        across += s + 1 < n ? bounded_gap(scene, s) : 0.0;
+        top = fmax(top, height_of(&scene->structure[s], scene->structure[s].storeys));
+    }
+    double margin = fmax(reach(stage->history, stage->model, 0), reach(stage->history, stage->model, n - 1));
+    across += 2.0 * margin;
+    stage->body = floor(stage->dots.width / (2.2 * n));
+    double room = stage->dots.width - n * stage->body - 2.0;
+    if (stage->body < 3.0 || room < 4.0 || stage->dots.height < 8)
+        return false;
+    stage->scale = across > 0.0 ? room / across : 0.0;
+    stage->ground = stage->dots.height - 2.0;
+    stage->storey = top > 0.0 ? (stage->ground - 1.0) / top : (stage->ground - 1.0) / 3.0;
+    double at = 1.0 + stage->scale * margin;
+    for (int s = 0; s < n; s++) {
+        stage->left[s] = at;
+        at += stage->body + (s + 1 < n ? stage->scale * bounded_gap(scene, s) : 0.0);
+    }
+    return true;
+}
+
+static double displacement(const struct stage *stage, int dof)
+{
+    return dof < 0 ? 0.0
+                   : stage->scale *
+                         thud_history_at(stage->history, thud_history_displacement(stage->history, dof), stage->t);
+}
+
+static void draw_box(struct stage *stage, double x0, double y0, double x1, double y1, struct thud_look look)
+{
+    thud_dots_line(&stage->dots, x0, y0, x1, y0, 1, look);
+    thud_dots_line(&stage->dots, x0, y1, x1, y1, 1, look);
+    thud_dots_line(&stage->dots, x0, y0, x0, y1, 1, look);
+    thud_dots_line(&stage->dots, x1, y0, x1, y1, 1, look);
+}
+
+static void draw_building(struct stage *stage, int s)
+{
+    const struct thud_structure *structure = &stage->scene->structure[s];
+    const struct thud_model_structure *part = &stage->model->structure[s];
+    struct thud_look look = thud_look(THUD_ROLE_SERIES + s % 7, 0);
+    double y0 = stage->ground, x0 = stage->left[s], right = stage->body - 1.0;
+    if (structure->kind == THUD_WALL) {
+        double top = height_of(structure, 0), y = top > 0.0 ? stage->ground - stage->storey * top : 1.0;
+        draw_box(stage, x0, fmax(1.0, y), x0 + right, y0, look);
+        return;
+    }
+    if (structure->kind == THUD_RIGID) {
+        double x = x0 + displacement(stage, part->first);
+        double y = stage->ground - fmax(4.0, fmin(stage->ground - 1.0, stage->storey * structure->height_m[0]));
+        draw_box(stage, x, y, x + right, y0 - 1.0, look);
+        return;
+    }
+    double before = 0.0;
+    for (int i = 0; i < part->n; i++) {
+        int storeys = structure->kind == THUD_ISOLATED ? i : i + 1;
+        double x = displacement(stage, part->first + i),
+               y = stage->ground - stage->storey * height_of(structure, storeys) - (storeys == 0);
+        thud_dots_line(&stage->dots, x0 + before, y0, x0 + x, y, 1, look);
+        thud_dots_line(&stage->dots, x0 + right + before, y0, x0 + right + x, y, 1, look);
+        thud_dots_line(&stage->dots, x0 + x, y, x0 + right + x, y, 1, look);
+        before = x;
+        y0 = y;
+    }
+}
+
+/* Height of a contact above the ground, dots, taken on the side that is no wall. */
+static double contact_row(const struct stage *stage, const struct thud_model_contact *contact)
+{
+    int left = contact->interface - 1, s = contact->left_floor > 0 ? left : left + 1;
+    int floor = contact->left_floor > 0 ? contact->left_floor : contact->right_floor;
+    const struct thud_structure *structure = &stage->scene->structure[s];
+    int storeys = structure->kind == THUD_ISOLATED ? floor - 1 : floor;
+    double height =
+        structure->kind == THUD_RIGID ? 0.5 * fmin(structure->height_m[0], 3.0) : height_of(structure, storeys);
+    return fmax(1.0, stage->ground - stage->storey * height);
+}
+
+/* Bumpers stand out from the structure on the right, as far as the other one lets them. */
+static void draw_contact(struct stage *stage, int index, int *worst, double *force)
+{
+    const struct thud_model_contact *contact = &stage->model->contact[index];
+    const struct thud_interface *at = &stage->scene->interface[contact->interface - 1];
+    int left = contact->interface - 1;
+    double y = contact_row(stage, contact);
+    double a = stage->left[left] + stage->body - 1.0 + displacement(stage, contact->left_dof);
+    double b = stage->left[left + 1] + displacement(stage, contact->right_dof);
+    double now = thud_history_at(stage->history, thud_history_force(stage->history, index), stage->t);
+    bool flash = now > 0.0;
+    struct thud_look look = thud_look(flash ? THUD_ROLE_ERROR : THUD_ROLE_MUTED, flash ? THUD_BOLD : 0);
+    if (stage->bumper && at->has_bumper) {
+        double out = stage->scale * (at->bumper_thickness_m - at->bumper_cavity_m);
+        thud_dots_line(&stage->dots, fmax(a, b - out), y, b, y, 1, look);
+    }
+    if (flash && now > *force) {
+        *force = now;
+        *worst = index;
+    }
+}
+
+static void flashes(struct stage *stage)
+{
+    for (int i = 0; i < stage->model->ncontacts; i++) {
+        const struct thud_model_contact *contact = &stage->model->contact[i];
+        if (!(thud_history_at(stage->history, thud_history_force(stage->history, i), stage->t) > 0.0))
+            continue;
+        double a = stage->left[contact->interface - 1] + stage->body - 1.0 + displacement(stage, contact->left_dof);
+        thud_pane_glyph(&stage->dots.pane, (int)((a + 1.0) / stage->dots.across),
+                        (int)(contact_row(stage, contact) / stage->dots.down),
+                        thud_look(THUD_ROLE_ERROR, THUD_BOLD | THUD_REVERSE), '*');
+    }
+}
+
+static void say_contact(struct stage *stage, const struct thud_pane *pane, int worst, double force)
+{
+    if (worst < 0) {
+        thud_pane_put(pane, 0, 0, thud_look(THUD_ROLE_MUTED, 0), "no contact now");
+        return;
+    }
+    const struct thud_model_contact *contact = &stage->model->contact[worst];
+    double depth = thud_history_at(stage->history, thud_history_indentation(stage->history, worst), stage->t);
+    int floor = contact->left_floor > 0 ? contact->left_floor : contact->right_floor;
+    thud_pane_print(pane, 0, 0, thud_look(THUD_ROLE_ERROR, THUD_BOLD), "* floor %d  F %.2f MN  d %.1f mm", floor,
+                    1e-6 * force, 1e3 * depth);
+}
+
+void thud_movement_draw(const struct thud_pane *pane, const struct thud_scene *scene, const struct thud_model *model,
+                        const struct thud_history *history, bool bumper, double t)
+{
+    struct stage stage = {.scene = scene, .model = model, .history = history, .t = t, .bumper = bumper};
+    struct thud_pane area = thud_pane_inside(pane, 0, 1, pane->w, pane->h - 1);
+    int worst = -1;
+    double force = 0.0;
+    if (area.w < 12 || area.h < 4 || history->rows == 0 || thud_dots_init(&stage.dots, &area, NULL) != THUD_OK)
+        return;
+    if (set_stage(&stage)) {
+        for (int i = 0; i < model->ncontacts; i++)
+            draw_contact(&stage, i, &worst, &force);
+        for (int s = 0; s < scene->nstructures; s++)
+            draw_building(&stage, s);
+        struct thud_look ground = thud_look(THUD_ROLE_BORDER, 0);
+        thud_dots_line(&stage.dots, 0.0, stage.ground + 1.0, stage.dots.width - 1.0, stage.ground + 1.0, 1, ground);
+        thud_dots_put(&stage.dots);
+        flashes(&stage);
+        say_contact(&stage, pane, worst, force);
+    } else {
+        thud_pane_put(pane, 0, 0, thud_look(THUD_ROLE_MUTED, 0), "more room is needed");
+    }
+    thud_dots_clear(&stage.dots);
+}

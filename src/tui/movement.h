@@ -1,0 +1,17 @@
+/* The buildings moving, drawn from a history. */
+#ifndef THUD_TUI_MOVEMENT_H
+#define THUD_TUI_MOVEMENT_H
+
+#include "core/model.h"
+#include "core/result.h"
+#include "study/scene.h"
+#include "tui/canvas.h"
+
+/* Stick buildings at time `t`, displacements and gaps to one scale, heights to another; contacts flash with force and
+ * indentation. `bumper`: the bumpers are there. Draws nothing where there is no room. */
+void thud_movement_draw(const struct thud_pane *pane, const struct thud_scene *scene, const struct thud_model *model,
+                        const struct thud_history *history, bool bumper, double t);
+/* Value of a column at a time, linear between rows. */
+double thud_history_at(const struct thud_history *history, int column, double t);
+
+#endif

@@ -1,0 +1,10 @@
+/* The figures of the Plots screen: THUD_PLOT(enumerator, title, name of its files). */
+THUD_PLOT(FORCE, "Impact force", "impact-force")
+THUD_PLOT(CLOSING, "Closing velocity", "closing-velocity")
+THUD_PLOT(ACCELERATION, "Floor acceleration", "acceleration")
+THUD_PLOT(DRIFT, "Storey drift", "drift")
+THUD_PLOT(DISPLACEMENT, "Floor displacement", "displacement")
+THUD_PLOT(LOOP, "Force against indentation", "loop")
+THUD_PLOT(ENVELOPE_ACCELERATION, "Peak accelerations over height", "envelope-acceleration")
+THUD_PLOT(ENVELOPE_DRIFT, "Peak drifts over height", "envelope-drift")
+THUD_PLOT(ENERGY, "Energies", "energy")

@@ -1,0 +1,26 @@
+/* What a ground motion looks like. */
+#ifndef THUD_TUI_RECORD_FIGURE_H
+#define THUD_TUI_RECORD_FIGURE_H
+
+#include "core/intensity.h"
+#include "plot/figure.h"
+#include "study/scene.h"
+#include "tui/canvas.h"
+#include "tui/live.h"
+
+enum thud_record_curve {
+    THUD_RECORD_ACCELERATION,
+    THUD_RECORD_VELOCITY,
+    THUD_RECORD_DISPLACEMENT,
+    THUD_RECORD_SPECTRUM,
+    THUD_RECORD_CURVES
+};
+const char *thud_record_curve_title(enum thud_record_curve curve);
+/* NULL when out of memory. */
+struct thud_figure *thud_record_figure(const struct thud_record *record, const struct thud_scene *scene,
+                                       const struct thud_live *live, enum thud_record_curve curve);
+/* Draws the measures from row `y` on; returns the row after them. */
+int thud_record_measures(const struct thud_intensity *intensity, const struct thud_record *record,
+                         const struct thud_pane *pane, int y);
+
+#endif

@@ -1,0 +1,110 @@
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "tui/backend.h"
+
+static void script_size(struct thud_backend *backend, int *width, int *height)
+{
+    const struct thud_script *script = backend->state;
+    *width = script->width;
+    *height = script->height;
+}
+
+static void script_show(struct thud_backend *backend, const struct thud_canvas *canvas)
+{
+    (void)canvas;
+    ((struct thud_script *)backend->state)->shows++;
+}
+
+static int named_key(struct thud_script *script, const char *name)
+{
+    static const struct {
+        const char *name;
+        int key;
+    } table[] = {
+        {"Enter", THUD_KEY_ENTER},
+        {"Esc", THUD_KEY_ESC},
+        {"Tab", THUD_KEY_TAB},
+        {"S-Tab", THUD_KEY_BACKTAB},
+        {"Up", THUD_KEY_UP},
+        {"Down", THUD_KEY_DOWN},
+        {"Left", THUD_KEY_LEFT},
+        {"Right", THUD_KEY_RIGHT},
+        {"Home", THUD_KEY_HOME},
+        {"End", THUD_KEY_END},
+        {"PgUp", THUD_KEY_PAGE_UP},
+        {"PgDn", THUD_KEY_PAGE_DOWN},
+        {"Del", THUD_KEY_DELETE},
+        {"BS", THUD_KEY_BACKSPACE},
+        {"F1", THUD_KEY_F1},
+        {"F2", THUD_KEY_F2},
+        {"Hangup", THUD_KEY_HANGUP},
+        {"lt", '<'},
+        {"Space", ' '},
+    };
+    if (sscanf(name, "Size %dx%d", &script->width, &script->height) == 2)
+        return THUD_KEY_RESIZE;
+    if (strncmp(name, "C-", 2) == 0 && name[2])
+        return THUD_CTRL(name[2]);
+    if (strncmp(name, "A-", 2) == 0 && name[2])
+        return THUD_KEY_ALT + name[2];
+    for (size_t i = 0; i < sizeof table / sizeof *table; i++)
+        if (strcmp(table[i].name, name) == 0)
+            return table[i].key;
+    return THUD_KEY_NONE;
+}
+
+static int script_key(struct thud_backend *backend, int timeout_ms)
+{
+    (void)timeout_ms;
+    struct thud_script *script = backend->state;
+    if (!script->at || !*script->at)
+        return THUD_KEY_NONE;
+    const char *close = *script->at == '<' ? strchr(script->at, '>') : NULL;
+    if (!close || close - script->at > 30)
+        return (int)thud_utf8_next(&script->at);
+    char name[32];
+    size_t size = (size_t)(close - script->at) - 1;
+    memcpy(name, script->at + 1, size);
+    name[size] = '\0';
+    script->at = close + 1;
+    return named_key(script, name);
+}
+
+static double script_now(struct thud_backend *backend)
+{
+    struct thud_script *script = backend->state;
+    script->now += script->tick;
+    return script->now;
+}
+
+static int script_signal(struct thud_backend *backend)
+{
+    return ((struct thud_script *)backend->state)->signal;
+}
+
+static void script_repaint(struct thud_backend *backend)
+{
+    (void)backend;
+}
+
+static void script_mouse(struct thud_backend *backend, bool on)
+{
+    (void)backend;
+    (void)on;
+}
+
+void thud_script_open(struct thud_backend *backend, struct thud_script *script, int width, int height, bool utf8)
+{
+    *script = (struct thud_script){.width = width, .height = height};
+    *backend = (struct thud_backend){.state = script,
+                                     .utf8 = utf8,
+                                     .size = script_size,
+                                     .show = script_show,
+                                     .key = script_key,
+                                     .now = script_now,
+                                     .signal = script_signal,
+                                     .repaint = script_repaint,
+                                     .mouse = script_mouse};
+}

@@ -1,0 +1,172 @@
+/* Everything the terminal interface knows while it runs, and what its parts share. */
+#ifndef THUD_TUI_STATE_H
+#define THUD_TUI_STATE_H
+
+#include "plot/figure.h"
+#include "tui/chooser.h"
+#include "tui/doc.h"
+#include "tui/form.h"
+#include "tui/keys.h"
+#include "tui/law_figure.h"
+#include "tui/line.h"
+#include "tui/live.h"
+#include "tui/tui.h"
+
+enum thud_screen {
+#define THUD_SCREEN(name, title) THUD_SCREEN_##name,
+#include "tui/screen_list.h"
+#undef THUD_SCREEN
+    THUD_SCREENS
+};
+
+enum thud_mode { THUD_MODE_NORMAL, THUD_MODE_TYPING, THUD_MODE_CHOOSING, THUD_MODE_ASKING };
+enum thud_typing { THUD_TYPE_FIELD, THUD_TYPE_COMMAND, THUD_TYPE_SAVE_AS, THUD_TYPE_FILTER };
+enum thud_choosing { THUD_CHOOSE_VALUE, THUD_CHOOSE_PRESET, THUD_CHOOSE_FIELD };
+enum thud_asking { THUD_ASK_QUIT, THUD_ASK_OVERWRITE, THUD_ASK_DISK, THUD_ASK_OPEN };
+
+enum { THUD_PANES_MAX = 6 };
+struct thud_rect {
+    int x, y, w, h;
+};
+
+/* A screen: its panes, how they share the area, what each draws, and its own actions. */
+struct thud_view {
+    const char *title;
+    int where; /* its bit in the key table */
+    /* How many panes there are in `area`, and where. Called again whenever the size changed. */
+    int (*layout)(struct thud_tui *tui, struct thud_rect area, struct thud_rect *pane);
+    /* Draws pane `index` (its frame's inside) and registers its fields; returns the rows it would need. */
+    int (*draw)(struct thud_tui *tui, int index, struct thud_pane *pane);
+    void (*pane_title)(struct thud_tui *tui, int index, char *text, size_t size);
+    /* True where the action was the screen's. */
+    bool (*act)(struct thud_tui *tui, enum thud_action action);
+    /* Why an action of its own cannot be done now; NULL: it can. May be NULL. */
+    const char *(*cannot)(struct thud_tui *tui, enum thud_action action);
+    /* Enter on a line that can be chosen. May be NULL. */
+    void (*row)(struct thud_tui *tui, const struct thud_field *field);
+    /* The figure on show, for PNG and CSV; NULL where there is none. May be NULL. */
+    const struct thud_figure *(*figure)(struct thud_tui *tui);
+    /* Work of its own in slices of about a millisecond: `busy` says whether there is any, `work` does a piece (false:
+     * none was left). May be NULL. */
+    bool (*busy)(struct thud_tui *tui);
+    bool (*work)(struct thud_tui *tui);
+    /* Time until `tick` has to be called, s; negative: never. May be NULL. */
+    double (*pause)(struct thud_tui *tui);
+    void (*tick)(struct thud_tui *tui);
+    void (*free)(struct thud_tui *tui); /* may be NULL */
+};
+const struct thud_view *thud_view_of(enum thud_screen screen);
+
+struct thud_peaks { /* what the strip shows, kept to show what a change did */
+    bool known;
+    enum thud_live_which which;
+    double acceleration[2], drift[2], force;
+};
+
+struct thud_model_state;
+struct thud_plots_state;
+struct thud_record_state;
+
+struct thud_tui {
+    struct thud_tui_options options;
+    struct thud_backend *backend;
+    struct thud_canvas canvas;
+    struct thud_doc doc;
+    struct thud_live live;
+    struct thud_form form;
+    struct thud_chooser chooser;
+    struct thud_line line;
+
+    enum thud_screen screen, before_help;
+    enum thud_mode mode;
+    enum thud_typing typing;
+    enum thud_choosing choosing;
+    enum thud_asking asking;
+    char target[512]; /* the field being edited, or the path asked about */
+    int pair;         /* the interface shown on Model and Contact, from 0 */
+    bool go;          /* `g` was pressed */
+    bool mouse;
+    bool dirty; /* the screen must be drawn */
+    bool quit, hangup;
+    bool was_running; /* the live run was going at the last look */
+
+    char message[640];
+    enum thud_role message_role;
+
+    bool live_on;
+    double started_s, elapsed_s; /* of the live run */
+    unsigned long ran_revision;  /* what the live cases belong to; 0: nothing */
+    struct thud_peaks before;    /* the bumper's peaks before the last change */
+    double drawn_s;              /* when the screen was drawn */
+
+    double kept_force_n, kept_before_n; /* F(delta_u) after and before a change of the exponent; NaN: none */
+    int kept_interface;
+    struct thud_figure *law_figure; /* force-indentation loops of the interface shown */
+    struct thud_meeting meeting[THUD_MEETINGS];
+    struct thud_error law_error;
+    unsigned long law_revision; /* what they belong to; 0: nothing */
+    int law_pair;
+    struct thud_plots_state *plots;
+    struct thud_record_state *record;
+    int results_case, results_sort;
+    int help_top;
+};
+
+/* tui.c */
+void thud_tui_say(struct thud_tui *tui, enum thud_role role, const char *fmt, ...) THUD_PRINTF(3, 4);
+void thud_tui_say_error(struct thud_tui *tui, const struct thud_error *err);
+
+/* act.c */
+void thud_tui_click(struct thud_tui *tui);
+void thud_tui_act(struct thud_tui *tui, enum thud_action action);
+const char *thud_tui_cannot(struct thud_tui *tui, enum thud_action action);
+void thud_tui_go(struct thud_tui *tui, enum thud_screen screen);
+
+/* recompute.c */
+void thud_tui_opened(struct thud_tui *tui);  /* another preset stands in the document */
+void thud_tui_ran(struct thud_tui *tui);     /* the live run has ended */
+void thud_tui_changed(struct thud_tui *tui); /* the scene or what is shown changed: run again where live */
+void thud_tui_run(struct thud_tui *tui);
+bool thud_tui_cancel(struct thud_tui *tui); /* false: nothing was running */
+
+/* edit.c */
+void thud_tui_edit(struct thud_tui *tui, const char *start);
+void thud_tui_step_value(struct thud_tui *tui, int steps);
+void thud_tui_toggle(struct thud_tui *tui);
+bool thud_tui_accept(struct thud_tui *tui); /* the text of the field being edited; false: it was refused */
+bool thud_tui_set(struct thud_tui *tui, const char *key, const char *text); /* with messages and warnings */
+void thud_tui_all_floors(struct thud_tui *tui);
+
+/* ask.c: prompts, choosers, questions */
+void thud_tui_prompt(struct thud_tui *tui, enum thud_typing typing, const char *text);
+void thud_tui_prompt_done(struct thud_tui *tui);
+void thud_tui_choose(struct thud_tui *tui, enum thud_choosing choosing, const char *title);
+void thud_tui_chosen(struct thud_tui *tui);
+void thud_tui_ask(struct thud_tui *tui, enum thud_asking asking, const char *fmt, ...) THUD_PRINTF(3, 4);
+void thud_tui_answered(struct thud_tui *tui, int key);
+void thud_tui_save(struct thud_tui *tui, const char *path, bool sure);
+void thud_tui_open(struct thud_tui *tui, const char *name, bool sure);
+void thud_tui_quit(struct thud_tui *tui, bool sure);
+void thud_tui_filter_records(struct thud_tui *tui, const char *text); /* view_record.c */
+void thud_tui_list_presets(struct thud_tui *tui);
+void thud_tui_list_fields(struct thud_tui *tui);
+
+/* view_plots.c */
+void thud_tui_show_impact(struct thud_tui *tui, enum thud_live_which which, int contact, double time_s);
+void thud_tui_show_floor(struct thud_tui *tui, int structure, int floor); /* from 0 */
+
+/* command.c */
+void thud_tui_command(struct thud_tui *tui, const char *text);
+void thud_tui_commands_text(struct thud_text *out); /* ":word arguments" a line */
+
+/* output.c */
+void thud_tui_picture(struct thud_tui *tui);
+void thud_tui_pictures(struct thud_tui *tui);
+void thud_tui_export(struct thud_tui *tui);
+
+/* frame.c */
+void thud_tui_draw(struct thud_tui *tui);
+/* Three significant digits, `.` where there is no number. Returns `text`. */
+char *thud_tui_number(double value, char text[24]);
+
+#endif

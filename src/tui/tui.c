@@ -1,0 +1,223 @@
+#include <signal.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "tui/loop.h"
+
+static const double slice_s = 0.012, redraw_s = 0.05, live_limit_s = 1.0;
+
+void thud_tui_say(struct thud_tui *tui, enum thud_role role, const char *fmt, ...)
+{
+    va_list args;
+    va_start(args, fmt);
+    vsnprintf(tui->message, sizeof tui->message, fmt, args);
+    va_end(args);
+    tui->message_role = role;
+    tui->dirty = true;
+}
+
+void thud_tui_say_error(struct thud_tui *tui, const struct thud_error *err)
+{
+    char text[600];
+    thud_tui_say(tui, THUD_ROLE_ERROR, "! %s", thud_error_text(err, text, sizeof text));
+}
+
+enum thud_status thud_tui_create(const struct thud_tui_options *options, struct thud_backend *backend,
+                                 struct thud_tui **out, struct thud_error *err)
+{
+    struct thud_tui *tui = calloc(1, sizeof *tui);
+    if (!tui)
+        return thud_error_set(err, THUD_MEMORY, "no memory for the screens");
+    tui->backend = backend;
+    tui->doc.paths = options->paths;
+    tui->canvas.ascii = !backend->utf8;
+    tui->live_on = tui->dirty = true;
+    tui->options = *options;
+    enum thud_status status = thud_doc_open(&tui->doc, options->preset ? options->preset : "towers", err);
+    if (status == THUD_OK)
+        status = thud_canvas_resize(&tui->canvas, 1, 1, err);
+    if (status != THUD_OK) {
+        thud_tui_free(tui);
+        return status;
+    }
+    thud_tui_opened(tui);
+    *out = tui;
+    return THUD_OK;
+}
+
+void thud_tui_free(struct thud_tui *tui)
+{
+    if (!tui)
+        return;
+    thud_live_clear(&tui->live);
+    for (int i = 0; i < THUD_SCREENS; i++)
+        if (thud_view_of((enum thud_screen)i)->free)
+            thud_view_of((enum thud_screen)i)->free(tui);
+    thud_doc_free(&tui->doc);
+    thud_form_free(&tui->form);
+    thud_chooser_free(&tui->chooser);
+    thud_canvas_free(&tui->canvas);
+    free(tui);
+}
+
+static void typing_key(struct thud_tui *tui, int key)
+{
+    enum thud_action action = thud_key_action(THUD_AT_TYPING, key);
+    bool field = tui->typing == THUD_TYPE_FIELD;
+    if (action == THUD_DO_CANCEL) {
+        tui->mode = THUD_MODE_NORMAL;
+        tui->message[0] = '\0';
+    } else if (action == THUD_DO_ACCEPT && !field) {
+        thud_tui_prompt_done(tui);
+    } else if (action == THUD_DO_ACCEPT) {
+        thud_tui_accept(tui);
+    } else if (action == THUD_DO_ACCEPT_NEXT || action == THUD_DO_ACCEPT_PREVIOUS) {
+        if (field && thud_tui_accept(tui))
+            thud_form_next(&tui->form, action == THUD_DO_ACCEPT_NEXT ? 1 : -1);
+    } else {
+        thud_line_key(&tui->line, key);
+    }
+}
+
+static void choosing_key(struct thud_tui *tui, int key)
+{
+    enum thud_action action = thud_key_action(THUD_AT_CHOOSING, key);
+    if (action == THUD_DO_CANCEL)
+        tui->mode = THUD_MODE_NORMAL;
+    else if (action == THUD_DO_ACCEPT)
+        thud_tui_chosen(tui);
+    else
+        thud_chooser_key(&tui->chooser, key);
+}
+
+/* A digit after g goes to that screen; a first digit on a field starts a new value; the rest are actions. */
+static void normal_key(struct thud_tui *tui, int key)
+{
+    const struct thud_field *field = thud_form_focus(&tui->form);
+    int digit = key >= '1' && key <= '9'                                ? key - '1'
+                : key > THUD_KEY_ALT + '0' && key <= THUD_KEY_ALT + '9' ? key - THUD_KEY_ALT - '1'
+                                                                        : -1;
+    if (digit >= 0 && (tui->go || key >= THUD_KEY_ALT)) {
+        if (digit < THUD_SCREENS)
+            thud_tui_go(tui, (enum thud_screen)digit);
+        else
+            thud_tui_say(tui, THUD_ROLE_WARN, "There is no screen %d: 1 to %d", digit + 1, THUD_SCREENS);
+        tui->go = false;
+        return;
+    }
+    tui->go = false;
+    if (((key >= '0' && key <= '9') || key == '.') && field && field->kind == THUD_FIELD_VALUE) {
+        char start[2] = {(char)key, '\0'};
+        thud_tui_edit(tui, start);
+        return;
+    }
+    enum thud_action action = thud_key_action(thud_view_of(tui->screen)->where, key);
+    if (action != THUD_DO_NOTHING)
+        thud_tui_act(tui, action);
+}
+
+void thud_tui_key(struct thud_tui *tui, int key)
+{
+    tui->dirty = true;
+    if (key == THUD_KEY_RESIZE)
+        return;
+    if (key == THUD_KEY_HANGUP) {
+        tui->hangup = tui->quit = true;
+    } else if (key == THUD_KEY_CLICK) {
+        thud_tui_click(tui);
+    } else if (tui->mode == THUD_MODE_TYPING) {
+        typing_key(tui, key);
+    } else if (tui->mode == THUD_MODE_CHOOSING) {
+        choosing_key(tui, key);
+    } else if (tui->mode == THUD_MODE_ASKING) {
+        thud_tui_answered(tui, key);
+    } else {
+        normal_key(tui, key);
+    }
+}
+
+/* Works for one slice; what takes long says so. */
+static void work(struct thud_tui *tui)
+{
+    double start = tui->backend->now(tui->backend), now = start;
+    const struct thud_view *view = thud_view_of(tui->screen);
+    for (int i = 0; i < 64 && now - start < slice_s; i++) {
+        if (tui->live.running) {
+            thud_live_advance(&tui->live);
+        } else if (!view->work || !view->work(tui)) {
+            break;
+        }
+        now = tui->backend->now(tui->backend);
+    }
+    if (tui->live.running && tui->live_on && now - tui->started_s > live_limit_s) {
+        tui->live_on = false;
+        thud_tui_say(tui, THUD_ROLE_WARN, "A run takes over %g s: after an edit, r runs (:live turns this back)",
+                     live_limit_s);
+    }
+    if (!tui->live.running && tui->was_running) {
+        tui->elapsed_s = now - tui->started_s;
+        thud_tui_ran(tui);
+        tui->dirty = true;
+    }
+    tui->was_running = tui->live.running;
+    tui->dirty = tui->dirty || now - tui->drawn_s >= redraw_s;
+}
+
+bool thud_tui_turn(struct thud_tui *tui, bool wait)
+{
+    const struct thud_view *view = thud_view_of(tui->screen);
+    bool busy = tui->live.running || tui->was_running || (view->busy && view->busy(tui));
+    double pause = view->pause ? view->pause(tui) : -1.0;
+    if (tui->dirty && (!busy || tui->backend->now(tui->backend) - tui->drawn_s >= redraw_s))
+        thud_tui_draw(tui);
+    int timeout = busy || !wait ? 0 : pause >= 0.0 ? (int)(1e3 * pause) + 1 : -1;
+    int key = tui->backend->key(tui->backend, timeout);
+    if (key != THUD_KEY_NONE)
+        thud_tui_key(tui, key);
+    else if (busy)
+        work(tui);
+    else if (pause >= 0.0 && view->tick)
+        view->tick(tui);
+    return key != THUD_KEY_NONE || busy;
+}
+
+/* Ended by a signal or a lost terminal: what was not saved goes to a file beside the preset. */
+static void rescue(struct thud_tui *tui)
+{
+    char path[512];
+    struct thud_error err;
+    if (!thud_doc_unsaved(&tui->doc))
+        return;
+    if (thud_doc_recover(&tui->doc, path, &err) == THUD_OK)
+        fprintf(stderr, "thud: unsaved changes are kept in %s\n", path);
+}
+
+enum thud_status thud_tui_main(const struct thud_tui_options *options, struct thud_error *err)
+{
+    struct thud_backend backend;
+    struct thud_tui *tui;
+    enum thud_status status = thud_term_open(&backend, options->ascii, options->color, err);
+    if (status != THUD_OK)
+        return status;
+    status = thud_tui_create(options, &backend, &tui, err);
+    if (status != THUD_OK) {
+        thud_term_close(&backend);
+        return status;
+    }
+    int number = 0;
+    while (!tui->quit && (number = backend.signal(&backend)) == 0)
+        thud_tui_turn(tui, true);
+    if (tui->hangup && !number)
+        number = SIGHUP;
+    thud_term_close(&backend);
+    if (number)
+        rescue(tui);
+    thud_tui_free(tui);
+    if (number) {
+        signal(number, SIG_DFL);
+        raise(number);
+    }
+    return THUD_OK;
+}

@@ -1,0 +1,249 @@
+/* Record: the ground motions at hand, the one chosen, and what it is like. */
+#include <dirent.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "tui/chart.h"
+#include "tui/field.h"
+#include "tui/record_figure.h"
+
+enum { LIST, CURVE, DATA };
+enum { FILES_MAX = 2000 };
+
+struct thud_record_state {
+    char (*file)[THUD_TEXT_MAX]; /* (nfiles), sorted */
+    int nfiles;
+    char filter[96];
+    enum thud_record_curve curve;
+    struct thud_figure *figure;
+    const struct thud_record *of; /* what the figure was made from */
+    unsigned long revision;
+    enum thud_record_curve made;
+    struct thud_intensity intensity;
+    unsigned long measured_revision;
+    const struct thud_record *measured; /* what the intensities are of */
+};
+
+static int by_name(const void *a, const void *b)
+{
+    return strcmp(a, b);
+}
+
+static bool is_record(const char *folder, const char *name)
+{
+    char path[1024];
+    struct stat info;
+    size_t n = strlen(name);
+    if (*name == '.' || n >= THUD_TEXT_MAX || (n > 3 && strcmp(name + n - 3, ".md") == 0))
+        return false;
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    return stat(path, &info) == 0 && S_ISREG(info.st_mode);
+}
+
+static void list_files(struct thud_tui *tui, struct thud_record_state *r)
+{
+    DIR *folder = opendir(tui->doc.paths->records);
+    r->file = calloc(FILES_MAX, sizeof *r->file);
+    if (folder && r->file)
+        for (struct dirent *entry; r->nfiles < FILES_MAX && (entry = readdir(folder)) != NULL;)
+            if (is_record(tui->doc.paths->records, entry->d_name))
+                snprintf(r->file[r->nfiles++], THUD_TEXT_MAX, "%s", entry->d_name);
+    if (folder)
+        closedir(folder);
+    if (r->nfiles > 1)
+        qsort(r->file, (size_t)r->nfiles, sizeof *r->file, by_name);
+}
+
+static struct thud_record_state *state(struct thud_tui *tui)
+{
+    if (!tui->record) {
+        tui->record = calloc(1, sizeof *tui->record);
+        if (tui->record) { /* the cursor starts on the record in use */
+            const char *now = tui->doc.scene.record.file, *slash = strrchr(now, '/');
+            char path[THUD_PATH_MAX];
+            list_files(tui, tui->record);
+            snprintf(path, sizeof path, "record %.100s", *now ? slash ? slash + 1 : now : "none");
+            thud_form_focus_on(&tui->form, THUD_SCREEN_RECORD, path);
+        }
+    }
+    return tui->record;
+}
+
+void thud_tui_filter_records(struct thud_tui *tui, const char *text)
+{
+    if (state(tui))
+        snprintf(tui->record->filter, sizeof tui->record->filter, "%.90s", text);
+}
+
+static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect *pane)
+{
+    (void)tui;
+    int left = area.w * 2 / 5 < 46 ? area.w * 2 / 5 : 46, data = area.h >= 18 ? 9 : area.h / 2;
+    pane[LIST] = (struct thud_rect){area.x, area.y, left, area.h};
+    pane[CURVE] = (struct thud_rect){area.x + left, area.y, area.w - left, area.h - data};
+    pane[DATA] = (struct thud_rect){area.x + left, area.y + area.h - data, area.w - left, data};
+    return 3;
+}
+
+static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
+{
+    struct thud_record_state *r = state(tui);
+    const struct thud_record *record = tui->doc.record;
+    if (index == LIST)
+        snprintf(text, size, "Records%s%.40s", r && *r->filter ? " with " : "", r ? r->filter : "");
+    else if (index == CURVE)
+        snprintf(text, size, "%s", r ? thud_record_curve_title(r->curve) : "");
+    else
+        snprintf(text, size, "%.60s", record && *record->station ? record->station : "Ground motion");
+}
+
+static int draw_list(struct thud_tui *tui, const struct thud_pane *pane)
+{
+    struct thud_record_state *r = state(tui);
+    int y = 0;
+    thud_field_line(tui, LIST, pane, y++, -1, "record none",
+                    *tui->doc.scene.record.file ? "  (no ground motion)" : "* (no ground motion)");
+    for (int i = 0; r && i < r->nfiles; i++) {
+        char path[THUD_PATH_MAX], text[THUD_TEXT_MAX + 8];
+        if (*r->filter && !strstr(r->file[i], r->filter))
+            continue;
+        const char *now = tui->doc.scene.record.file, *slash = strrchr(now, '/');
+        snprintf(path, sizeof path, "record %.100s", r->file[i]);
+        snprintf(text, sizeof text, "%s %s", strcmp(slash ? slash + 1 : now, r->file[i]) == 0 ? "*" : " ", r->file[i]);
+        thud_field_line(tui, LIST, pane, y++, i, path, text);
+    }
+    if (y == 1)
+        thud_field_note(pane, y++, "no other file here");
+    return y;
+}
+
+static void refresh(struct thud_tui *tui)
+{
+    struct thud_record_state *r = state(tui);
+    if (!r || (r->of == tui->doc.record && r->revision == tui->doc.revision && r->made == r->curve && r->figure))
+        return;
+    thud_figure_free(r->figure);
+    r->figure = tui->doc.record ? thud_record_figure(tui->doc.record, &tui->doc.scene, &tui->live, r->curve) : NULL;
+    r->of = tui->doc.record;
+    r->revision = tui->doc.revision;
+    r->made = r->curve;
+}
+
+static int draw_curve(struct thud_tui *tui, const struct thud_pane *pane)
+{
+    struct thud_chart chart = {.cursor = NAN};
+    char text[600];
+    refresh(tui);
+    if (tui->record && tui->record->figure)
+        thud_chart_draw(pane, &tui->record->figure->panel[0], &chart);
+    else if (tui->doc.record_error.status != THUD_OK)
+        thud_pane_wrap(pane, 1, 0, pane->w - 2, thud_look(THUD_ROLE_ERROR, 0),
+                       thud_error_text(&tui->doc.record_error, text, sizeof text));
+    else
+        thud_field_note(pane, 0, "no ground motion");
+    return pane->h;
+}
+
+static int draw_data(struct thud_tui *tui, const struct thud_pane *pane)
+{
+    static const char *const key[] = {"file", "peak", "factor", "sign", "dt", "unit", "channel", "column", "skip"};
+    struct thud_record_state *r = state(tui);
+    const struct thud_record *record = tui->doc.record;
+    int y = 0;
+    if (r && record && (r->measured != record || r->measured_revision != tui->doc.revision)) {
+        r->intensity = thud_intensity_of(record);
+        r->measured = record;
+        r->measured_revision = tui->doc.revision;
+    }
+    if (r && record)
+        y = thud_record_measures(&r->intensity, record, pane, 0);
+    for (size_t i = 0; i < sizeof key / sizeof *key; i++) {
+        char path[THUD_PATH_MAX];
+        snprintf(path, sizeof path, "record.%s", key[i]);
+        if (thud_scene_param(&tui->doc.scene, path, &(int){0}))
+            thud_field_row(tui, DATA, pane, y++, key[i], path);
+    }
+    return y;
+}
+
+static int draw(struct thud_tui *tui, int index, struct thud_pane *pane)
+{
+    return index == LIST ? draw_list(tui, pane) : index == CURVE ? draw_curve(tui, pane) : draw_data(tui, pane);
+}
+
+static bool act(struct thud_tui *tui, enum thud_action action)
+{
+    switch (action) {
+    case THUD_DO_FILTER:
+        thud_tui_prompt(tui, THUD_TYPE_FILTER, tui->record ? tui->record->filter : "");
+        return true;
+    case THUD_DO_SIGN:
+        thud_tui_set(tui, "record.sign", tui->doc.scene.record.sign < 0 ? "+" : "-");
+        return true;
+    case THUD_DO_QUANTITY:
+        if (state(tui))
+            tui->record->curve = (enum thud_record_curve)(((int)tui->record->curve + 1) % THUD_RECORD_CURVES);
+        return true;
+    default:
+        return false;
+    }
+}
+
+static const char *cannot(struct thud_tui *tui, enum thud_action action)
+{
+    if (action == THUD_DO_SIGN || action == THUD_DO_QUANTITY)
+        return tui->doc.record ? NULL : "There is no ground motion";
+    return NULL;
+}
+
+static void row(struct thud_tui *tui, const struct thud_field *field)
+{
+    struct thud_record_state *r = state(tui);
+    if (!r || field->index >= r->nfiles)
+        return;
+    struct thud_scene next = tui->doc.scene;
+    const char *file = field->index < 0 ? "" : r->file[field->index];
+    char what[200];
+    struct thud_error err;
+    memset(next.record.file, 0, sizeof next.record.file);
+    snprintf(next.record.file, sizeof next.record.file, "%s", file);
+    snprintf(what, sizeof what, "record.file %.60s -> %.60s",
+             *tui->doc.scene.record.file ? tui->doc.scene.record.file : "none", *file ? file : "none");
+    if (thud_doc_change(&tui->doc, &next, what, &err) != THUD_OK) {
+        thud_tui_say_error(tui, &err);
+        return;
+    }
+    thud_tui_changed(tui);
+}
+
+static const struct thud_figure *figure(struct thud_tui *tui)
+{
+    refresh(tui);
+    return tui->record ? tui->record->figure : NULL;
+}
+
+static void release(struct thud_tui *tui)
+{
+    if (!tui->record)
+        return;
+    thud_figure_free(tui->record->figure);
+    free(tui->record->file);
+    free(tui->record);
+    tui->record = NULL;
+}
+
+const struct thud_view thud_view_record = {
+    .title = "Record",
+    .where = THUD_AT_RECORD,
+    .layout = layout,
+    .draw = draw,
+    .pane_title = pane_title,
+    .act = act,
+    .cannot = cannot,
+    .row = row,
+    .figure = figure,
+    .free = release,
+};

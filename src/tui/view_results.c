@@ -1,0 +1,223 @@
+/* Results: peaks by floor and case, impacts, energies, how it was computed. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "tui/field.h"
+
+enum { PEAKS, IMPACTS, HOW };
+enum { IMPACTS_MAX = 2000 };
+enum { BY_TIME, BY_FORCE, BY_FLOOR, SORTS };
+
+static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect *pane)
+{
+    (void)tui;
+    int lower = area.h >= 18 ? 10 : area.h / 2, left = area.w - 38;
+    if (area.h >= 30)
+        lower = 15;
+    pane[PEAKS] = (struct thud_rect){area.x, area.y, area.w, area.h - lower};
+    pane[IMPACTS] = (struct thud_rect){area.x, area.y + area.h - lower, left, lower};
+    pane[HOW] = (struct thud_rect){area.x + left, area.y + area.h - lower, area.w - left, lower};
+    return 3;
+}
+
+static enum thud_live_which shown(const struct thud_tui *tui)
+{
+    return (enum thud_live_which)tui->results_case;
+}
+
+static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
+{
+    static const char *const sort[] = {"by time", "by force", "by floor"};
+    if (index == PEAKS)
+        snprintf(text, size, "Peaks: no pounding / no bumper / bumper, ratio bumper : no bumper");
+    else if (index == IMPACTS)
+        snprintf(text, size, "Impacts, %s, %s", thud_live_name(shown(tui)), sort[tui->results_sort]);
+    else
+        snprintf(text, size, "How, and energy (%s)", thud_live_name(shown(tui)));
+}
+
+/* Four numbers of one quantity in 24 columns. */
+static void quantity(struct thud_tui *tui, const struct thud_pane *pane, int x, int y, int s, int floor,
+                     enum thud_peak_kind kind, double factor)
+{
+    double value[THUD_LIVE_CASES];
+    for (int i = 0; i < THUD_LIVE_CASES; i++) {
+        char number[24];
+        value[i] = factor * thud_live_floor(&tui->live, (enum thud_live_which)i, s, floor, kind);
+        bool failed = tui->live.which[i].state == THUD_LIVE_FAILED,
+             absent = tui->live.which[i].state == THUD_LIVE_ABSENT;
+        thud_pane_put(pane, x + 7 * i, y, thud_look(failed ? THUD_ROLE_ERROR : THUD_ROLE_VALUE, 0),
+                      failed   ? "FAIL"
+                      : absent ? "–"
+                               : thud_tui_number(value[i], number));
+    }
+    double ratio = value[THUD_LIVE_BUMPER] / value[THUD_LIVE_NONE];
+    if (isfinite(ratio))
+        thud_pane_print(pane, x + 21, y, thud_look(ratio < 1.0 ? THUD_ROLE_GOOD : THUD_ROLE_WARN, 0), "%.3f", ratio);
+}
+
+static int floor_count(const struct thud_structure *structure)
+{
+    return structure->kind == THUD_WALL    ? 0
+           : structure->kind == THUD_RIGID ? 1
+                                           : structure->storeys + (structure->kind == THUD_ISOLATED);
+}
+
+static int draw_peaks(struct thud_tui *tui, const struct thud_pane *pane)
+{
+    static const struct {
+        const char *head;
+        enum thud_peak_kind kind;
+        double factor;
+    } column[] = {{"acceleration m/s²", THUD_PEAK_ACCELERATION, 1.0},
+                  {"drift mm", THUD_PEAK_DRIFT, 1e3},
+                  {"displacement mm", THUD_PEAK_DISPLACEMENT, 1e3},
+                  {"velocity m/s", THUD_PEAK_VELOCITY, 1.0}};
+    int columns = (pane->w - 12) / 29 < 4 ? (pane->w - 12) / 29 : 4, y = 1;
+    for (int c = 0; c < columns; c++)
+        thud_pane_put(pane, 12 + 29 * c, 0, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), column[c].head);
+    for (int s = 0; s < tui->doc.scene.nstructures; s++)
+        for (int floor = floor_count(&tui->doc.scene.structure[s]) - 1; floor >= 0; floor--, y++) {
+            char key[THUD_PATH_MAX], text[32];
+            snprintf(key, sizeof key, "floor %d %d", s, floor);
+            snprintf(text, sizeof text, "%.6s %d", tui->doc.scene.structure[s].name, floor + 1);
+            thud_field_line(tui, PEAKS, pane, y, s * 1000 + floor, key, text);
+            for (int c = 0; c < columns; c++)
+                quantity(tui, pane, 12 + 29 * c, y, s, floor, column[c].kind, column[c].factor);
+        }
+    return y;
+}
+
+struct row {
+    struct thud_impact impact;
+    int floor;
+};
+
+static int by_force(const void *a, const void *b)
+{
+    double x = ((const struct row *)a)->impact.force_n, y = ((const struct row *)b)->impact.force_n;
+    return (x < y) - (x > y);
+}
+
+static int by_floor(const void *a, const void *b)
+{
+    const struct row *x = a, *y = b;
+    if (x->impact.contact != y->impact.contact)
+        return x->impact.contact - y->impact.contact;
+    return (x->impact.start_s > y->impact.start_s) - (x->impact.start_s < y->impact.start_s);
+}
+
+static int draw_impacts(struct thud_tui *tui, const struct thud_pane *pane)
+{
+    const struct thud_live_case *c = &tui->live.which[shown(tui)];
+    if (c->state != THUD_LIVE_DONE) {
+        thud_field_note(pane, 0, "%s",
+                        c->state == THUD_LIVE_ABSENT   ? "there is no bumper"
+                        : c->state == THUD_LIVE_FAILED ? "FAILED"
+                                                       : "no results yet");
+        return 1;
+    }
+    int count;
+    const struct thud_impact *impact = thud_run_impacts(c->run, &count);
+    const struct thud_result *result = thud_run_result(c->run);
+    struct row *row = malloc((size_t)(count > 0 ? count : 1) * sizeof *row);
+    if (!row)
+        return 0;
+    for (int i = 0; i < count; i++)
+        row[i] = (struct row){impact[i], result->contact[impact[i].contact].left_floor};
+    if (tui->results_sort != BY_TIME)
+        qsort(row, (size_t)count, sizeof *row, tui->results_sort == BY_FORCE ? by_force : by_floor);
+    thud_pane_put(pane, 1, 0, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), "t s       fl.  v m/s   F MN");
+    int n = count < IMPACTS_MAX ? count : IMPACTS_MAX;
+    for (int i = 0; i < n; i++) {
+        char key[48], text[96], v[24], f[24];
+        snprintf(key, sizeof key, "impact %.9g %d", row[i].impact.start_s, row[i].impact.contact);
+        snprintf(text, sizeof text, "%-9.3f %-4d %-7s %-7s", row[i].impact.start_s, row[i].floor,
+                 thud_tui_number(row[i].impact.approach_mps, v), thud_tui_number(1e-6 * row[i].impact.force_n, f));
+        thud_field_line(tui, IMPACTS, pane, i + 1, i, key, text);
+    }
+    if (count == 0)
+        thud_field_note(pane, 1, "none: the structures do not meet");
+    if (n < count)
+        thud_field_note(pane, n + 1, "and %d more (:run -o DIR writes them all)", count - n);
+    free(row);
+    return n + 1 + (n < count || count == 0);
+}
+
+static int draw_energy(const struct thud_result *result, const struct thud_pane *pane, int y)
+{
+    const struct thud_energy *e = &result->energy;
+    const struct {
+        const char *name;
+        double value;
+    } row[] = {{"input", e->input_j + e->initial_j},
+               {"viscous", e->viscous_j},
+               {"contacts", e->contact_j},
+               {"kinetic", e->kinetic_j},
+               {"strain", e->strain_j + e->stored_j}};
+    char a[24];
+    for (size_t i = 0; i < sizeof row / sizeof *row; i++)
+        thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_PLAIN, 0), "%-17s %s kJ", row[i].name,
+                        thud_tui_number(1e-3 * row[i].value, a));
+    thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_PLAIN, 0), "%-17s %.1e", "energy error", e->error_ratio);
+    return y;
+}
+
+static int draw_how(struct thud_tui *tui, const struct thud_pane *pane)
+{
+    static const char *const key[] = {"method", "tolerance", "step", "locate", "tail"};
+    int y = 0;
+    for (size_t i = 0; i < sizeof key / sizeof *key; i++) {
+        char path[THUD_PATH_MAX];
+        snprintf(path, sizeof path, "analysis.%s", key[i]);
+        thud_field_row(tui, HOW, pane, y++, key[i], path);
+    }
+    const struct thud_result *result = thud_live_result(&tui->live, shown(tui));
+    if (!result)
+        return y;
+    thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_MUTED, 0), "used %s", result->method ? result->method : "?");
+    thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_MUTED, 0), "%ld steps, %ld events", result->work.steps,
+                    result->work.events);
+    if (result->reason && *result->reason)
+        y += thud_pane_wrap(pane, 1, y, pane->w - 2, thud_look(THUD_ROLE_MUTED, 0), result->reason);
+    return draw_energy(result, pane, y);
+}
+
+static int draw(struct thud_tui *tui, int index, struct thud_pane *pane)
+{
+    return index == PEAKS ? draw_peaks(tui, pane) : index == IMPACTS ? draw_impacts(tui, pane) : draw_how(tui, pane);
+}
+
+static bool act(struct thud_tui *tui, enum thud_action action)
+{
+    if (action == THUD_DO_SORT)
+        tui->results_sort = (tui->results_sort + 1) % SORTS;
+    else if (action == THUD_DO_CASE)
+        tui->results_case = (tui->results_case + 1) % THUD_LIVE_CASES;
+    else
+        return false;
+    return true;
+}
+
+/* Enter on an impact shows it in the plots; on a floor, that floor. */
+static void row(struct thud_tui *tui, const struct thud_field *field)
+{
+    double time = NAN;
+    int contact = 0, s, floor;
+    if (sscanf(field->path, "impact %lf %d", &time, &contact) == 2)
+        thud_tui_show_impact(tui, shown(tui), contact, time);
+    else if (sscanf(field->path, "floor %d %d", &s, &floor) == 2)
+        thud_tui_show_floor(tui, s, floor);
+}
+
+const struct thud_view thud_view_results = {
+    .title = "Results",
+    .where = THUD_AT_RESULTS,
+    .layout = layout,
+    .draw = draw,
+    .pane_title = pane_title,
+    .act = act,
+    .row = row,
+};

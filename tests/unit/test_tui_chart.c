@@ -1,0 +1,142 @@
+/* Charts in cells: whole pictures, and that no spike is lost. */
+#include <check.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "tui/chart.h"
+
+static const struct thud_chart bare = {.cursor = NAN};
+
+static char *draw(const struct thud_panel *panel, int w, int h, bool ascii)
+{
+    struct thud_canvas canvas = {.ascii = ascii};
+    ck_assert_int_eq(thud_canvas_resize(&canvas, w, h, NULL), THUD_OK);
+    struct thud_pane page = thud_canvas_pane(&canvas);
+    thud_chart_draw(&page, panel, &bare);
+    char *text = thud_canvas_text(&canvas);
+    thud_canvas_free(&canvas);
+    ck_assert_ptr_nonnull(text);
+    return text;
+}
+
+static struct thud_panel *one_panel(struct thud_figure **figure, const char *x, const char *y)
+{
+    *figure = thud_figure_create("test", "test", 1, 1);
+    struct thud_panel *panel = thud_figure_panel(*figure, 0, 0, "");
+    thud_panel_axis(panel, THUD_X, x, "s");
+    thud_panel_axis(panel, THUD_Y, y, "mm");
+    return panel;
+}
+
+START_TEST(a_straight_line_in_ascii)
+{
+    struct thud_figure *figure;
+    struct thud_panel *panel = one_panel(&figure, "Time", "Drift");
+    const double x[] = {0.0, 10.0}, y[] = {0.0, 10.0};
+    thud_panel_limits(panel, THUD_X, 0.0, 10.0);
+    thud_panel_limits(panel, THUD_Y, 0.0, 10.0);
+    thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES}, "", 2, x, y);
+    char *text = draw(panel, 24, 8, true);
+    /* ten half rows over twenty columns: two columns each */
+    ck_assert_str_eq(text, "Drift (mm)\n"
+                           "10 +                ..''\n"
+                           "   |            ..''\n"
+                           "   |        ..''\n"
+                           "   |    ..''\n"
+                           " 0 +..''\n"
+                           "   ++-------+------+----\n"
+                           "    0       4      8   s\n");
+    free(text);
+    thud_figure_free(figure);
+}
+END_TEST
+
+/* One sample of 6000 stands out, for 25 ms of 30 s in the mean: its column reaches the top. */
+START_TEST(a_spike_is_seen)
+{
+    enum { N = 6000 };
+    static double x[N], y[N];
+    for (int at = 7; at < N; at += 997) {
+        struct thud_figure *figure;
+        struct thud_panel *panel = one_panel(&figure, "Time", "Force");
+        for (int i = 0; i < N; i++) {
+            x[i] = 30.0 * i / (N - 1);
+            y[i] = i == at ? 10.0 : 0.1 * sin(0.01 * i);
+        }
+        thud_panel_limits(panel, THUD_Y, 0.0, 10.0);
+        thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES}, "", N, x, y);
+        char *text = draw(panel, 60, 12, true);
+        char *top = strchr(text, '\n') + 1, *end = strchr(top, '\n');
+        *end = '\0';
+        ck_assert_msg(strpbrk(top + 5, "'.:") != NULL, "sample %d is lost: %s", at, top);
+        free(text);
+        thud_figure_free(figure);
+    }
+}
+END_TEST
+
+START_TEST(curves_are_told_apart_without_colour)
+{
+    struct thud_figure *figure;
+    struct thud_panel *panel = one_panel(&figure, "Time", "Force");
+    const double x[] = {0.0, 1.0, 2.0}, a[] = {0.0, 3.0, 0.0}, b[] = {1.0, 1.0, 1.0};
+    thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = 0}, "bare", 3, x, a);
+    thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = 1}, "bumper", 3, x, b);
+    char *text = draw(panel, 60, 14, false);
+    ck_assert_ptr_nonnull(strstr(text, "1 bare  2 bumper"));
+    char *plot = strchr(text, '\n');
+    ck_assert_ptr_nonnull(strchr(plot, '1'));
+    ck_assert_ptr_nonnull(strchr(plot, '2'));
+    free(text);
+    thud_figure_free(figure);
+}
+END_TEST
+
+START_TEST(decades_are_labelled)
+{
+    struct thud_figure *figure;
+    struct thud_panel *panel = one_panel(&figure, "Error", "Time");
+    const double x[] = {1e-8, 1e-2}, y[] = {1.0, 1000.0};
+    thud_panel_log(panel, THUD_X);
+    thud_panel_log(panel, THUD_Y);
+    thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES_POINTS}, "", 2, x, y);
+    char *text = draw(panel, 70, 16, true);
+    ck_assert_ptr_nonnull(strstr(text, "1e-08"));
+    ck_assert_ptr_nonnull(strstr(text, "1000 +"));
+    ck_assert_ptr_nonnull(strchr(text, 'o'));
+    free(text);
+    thud_figure_free(figure);
+}
+END_TEST
+
+/* Nothing, one point, a constant, NaN and infinities, every size: no trap, no cell outside. */
+START_TEST(hard_data_and_every_size)
+{
+    const double x[] = {0.0, 1.0, NAN, 2.0, 3.0, 1e300}, y[] = {NAN, 1.0, 5.0, INFINITY, -INFINITY, 1e300};
+    for (int n = 0; n <= 6; n++) {
+        struct thud_figure *figure;
+        struct thud_panel *panel = one_panel(&figure, "Time", "Force");
+        thud_panel_add(panel, (struct thud_style){.kind = (enum thud_series_kind)n}, "s", (size_t)n, x, y);
+        thud_panel_mark(panel, THUD_Y, 1.0, 1.0, "one");
+        for (int w = 1; w < 40; w += 3)
+            for (int h = 1; h < 14; h++)
+                free(draw(panel, w, h, w % 2 == 0));
+        thud_figure_free(figure);
+    }
+}
+END_TEST
+
+Suite *thud_suite(void);
+Suite *thud_suite(void)
+{
+    Suite *suite = suite_create("tui chart");
+    TCase *chart = tcase_create("chart");
+    tcase_add_test(chart, a_straight_line_in_ascii);
+    tcase_add_test(chart, a_spike_is_seen);
+    tcase_add_test(chart, curves_are_told_apart_without_colour);
+    tcase_add_test(chart, decades_are_labelled);
+    tcase_add_test(chart, hard_data_and_every_size);
+    suite_add_tcase(suite, chart);
+    return suite;
+}

@@ -1,0 +1,32 @@
+/* A terminal interface without a terminal: keys from a script, the screen as text. */
+#ifndef TUI_FIXTURE_H
+#define TUI_FIXTURE_H
+
+#include "tui/loop.h"
+
+struct fixture {
+    struct thud_tui *tui;
+    struct thud_backend backend;
+    struct thud_script script;
+    struct thud_paths paths;
+    char folder[64]; /* a temporary one, with `towers.yaml`, `bodies.yaml` and `pulse.csv` in it */
+};
+
+extern const char *const fixture_towers; /* the text of towers.yaml */
+
+/* Fails the test where it cannot. */
+void fixture_open(struct fixture *f, const char *preset, int width, int height, bool utf8);
+void fixture_close(struct fixture *f);
+/* Feeds keys (see script.c) and works until there is nothing more to do. */
+void fixture_keys(struct fixture *f, const char *keys);
+/* The screen as it is now (free with free()). */
+char *fixture_text(struct fixture *f);
+bool fixture_shows(struct fixture *f, const char *text);
+/* Both fail the test with the whole screen. */
+void fixture_expect(struct fixture *f, const char *text);
+void fixture_expect_not(struct fixture *f, const char *text);
+/* The file of a name in the fixture's folder (free with free()). */
+char *fixture_file(struct fixture *f, const char *name);
+void fixture_write(struct fixture *f, const char *name, const char *text);
+
+#endif
