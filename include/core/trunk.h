@@ -25,6 +25,9 @@ const struct thud_result *thud_trunk_result(const struct thud_trunk *trunk);
  * up. */
 double thud_trunk_closing(const struct thud_trunk *trunk, int c);
 
+/* Whether runs can share its beginning: the exact method, whose free flight is the same whatever the clearances. */
+bool thud_trunk_shares(const struct thud_trunk *trunk);
+
 /* A run of `model` (same structures and pairs of floors as the trunk's), begun at the last kept moment before which no
  * contact can close. Its motion and peaks are those of a run from t = 0, bit for bit; its energies and counts of work
  * begin where it begins. *shared_s: that moment, 0 where nothing could be shared (histories are kept, or the method

@@ -10,16 +10,19 @@
 enum thud_status thud_scene_assemble(const struct thud_scene *scene, struct thud_model **out, struct thud_error *err);
 
 /* Run options from scene->analysis. Errors: THUD_INPUT (unknown method). */
-enum thud_status thud_scene_options(const struct thud_scene *scene, struct thud_run_options *out, struct thud_error *err);
+enum thud_status thud_scene_options(const struct thud_scene *scene, struct thud_run_options *out,
+                                    struct thud_error *err);
 
 /* A finished run together with its model (the run keeps pointing to the model and to the caller's record). */
 struct thud_answer {
     struct thud_model *model;
     struct thud_run *run;
 };
-/* Assembles, creates and advances to the end. `options` NULL: from the scene. On THUD_DIVERGED the answer is kept for what came before. */
+/* Assembles, creates and advances to the end. `options` NULL: from the scene. On THUD_DIVERGED the answer is kept for
+ * what came before. */
 enum thud_status thud_scene_answer(const struct thud_scene *scene, const struct thud_record *record,
-                                   const struct thud_run_options *options, struct thud_answer *out, struct thud_error *err);
+                                   const struct thud_run_options *options, struct thud_answer *out,
+                                   struct thud_error *err);
 void thud_answer_clear(struct thud_answer *answer);
 
 #endif

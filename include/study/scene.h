@@ -1,5 +1,5 @@
-/* What a person describes: a plain value (copy, compare and undo with `=`; fully zeroed by thud_scene_init so that memcmp compares).
- * SI units. Lists run from the lowest floor up. */
+/* What a person describes: a plain value (copy, compare and undo with `=`; fully zeroed by thud_scene_init so that
+ * memcmp compares). SI units. Lists run from the lowest floor up. */
 #ifndef THUD_STUDY_SCENE_H
 #define THUD_STUDY_SCENE_H
 
@@ -19,7 +19,8 @@ struct thud_structure {
     int storeys; /* rigid: 1, wall: 0 */
     double mass_kg[THUD_STOREYS_MAX];
     double stiffness_npm[THUD_STOREYS_MAX];
-    double height_m[THUD_STOREYS_MAX]; /* storey heights; rigid: [0] its elevation; wall: [0] its top, INFINITY when not given */
+    double height_m[THUD_STOREYS_MAX]; /* storey heights; rigid: [0] its elevation; wall: [0] its top, INFINITY when not
+                                          given */
     double damping;                    /* ratio, the same in every mode */
     double base_mass_kg, isolation_stiffness_npm, isolation_damping; /* isolated only */
     double velocity_mps;                                             /* rigid only: at t = 0, to the right */
@@ -61,7 +62,8 @@ struct thud_analysis {
 
 enum thud_case { THUD_CASE_AS_WRITTEN = -1, THUD_CASE_NONE, THUD_CASE_BUMPER, THUD_CASE_CAVITY, THUD_CASES };
 
-/* A study: up to THUD_VARY_MAX keys over ranges or lists, cases and records (the records themselves on the command line). */
+/* A study: up to THUD_VARY_MAX keys over ranges or lists, cases and records (the records themselves on the command
+ * line). */
 enum { THUD_VARY_MAX = 4 };
 struct thud_vary {
     char key[96];
@@ -88,8 +90,9 @@ struct thud_scene {
 /* An empty scene with defaults. */
 void thud_scene_init(struct thud_scene *scene);
 
-/* Sets one value by its path (`structures.1.mass`, `interfaces.1.gap`, `gap`, `contact.restitution`, `bumper.thickness`, `analysis.tolerance`,
- * `record.peak`; lists `[320 t, 250 t]` or one value for every floor; one floor by `structures.1.mass.2`). Errors: THUD_INPUT with key and what is allowed. */
+/* Sets one value by its path (`structures.1.mass`, `interfaces.1.gap`, `gap`, `contact.restitution`,
+ * `bumper.thickness`, `analysis.tolerance`, `record.peak`; lists `[320 t, 250 t]` or one value for every floor; one
+ * floor by `structures.1.mass.2`). Errors: THUD_INPUT with key and what is allowed. */
 enum thud_status thud_scene_set(struct thud_scene *scene, const char *path, const char *text, struct thud_error *err);
 /* The value as text in its shown unit. */
 enum thud_status thud_scene_get(const struct thud_scene *scene, const char *path, char *text, unsigned long size,
@@ -97,11 +100,12 @@ enum thud_status thud_scene_get(const struct thud_scene *scene, const char *path
 /* The described parameter behind a path, its index among the floors in *floor (-1: all); NULL when unknown. */
 const struct thud_param *thud_scene_param(const struct thud_scene *scene, const char *path, int *floor);
 
-/* Checks values against each other (thickness - cavity <= gap, lists as long as the storeys, ...). Errors: THUD_INPUT with key. */
+/* Checks values against each other (thickness - cavity <= gap, lists as long as the storeys, ...). Errors: THUD_INPUT
+ * with key. */
 enum thud_status thud_scene_check(const struct thud_scene *scene, struct thud_error *err);
 
-/* The scene of a case: `none` drops every bumper, `bumper` sets it flush, `cavity` thickness (1 - max-strain) deep. THUD_INPUT when a case
- * needs a bumper and there is none. */
+/* The scene of a case: `none` drops every bumper, `bumper` sets it flush, `cavity` thickness (1 - max-strain) deep.
+ * THUD_INPUT when a case needs a bumper and there is none. */
 enum thud_status thud_scene_case(const struct thud_scene *scene, enum thud_case which, struct thud_scene *out,
                                  struct thud_error *err);
 const char *thud_case_name(enum thud_case which); /* "none", "bumper", "cavity", "as-written" */

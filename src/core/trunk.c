@@ -161,6 +161,11 @@ const struct thud_result *thud_trunk_result(const struct thud_trunk *trunk)
     return &trunk->run->result;
 }
 
+bool thud_trunk_shares(const struct thud_trunk *trunk)
+{
+    return trunk->shares;
+}
+
 double thud_trunk_closing(const struct thud_trunk *trunk, int c)
 {
     return trunk->closing[c];

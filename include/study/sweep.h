@@ -1,0 +1,140 @@
+/* Parametric studies: a scene, its records, a grid of varied keys and the cases. A study is made of points (one record,
+ * one set of parameters), numbered from 0 in a fixed order; a point holds a run for each case. Points are independent
+ * of each other, but those that share their structures and record share one motion without pounding (their base), which
+ * saves most of the work (see enum thud_sweep_saving). Work goes in slices, so that a study can be cancelled, shown and
+ * shared among threads; everything here may be used by several threads at once as long as each task is one thread's
+ * own. */
+#ifndef THUD_STUDY_SWEEP_H
+#define THUD_STUDY_SWEEP_H
+
+#include <stdbool.h>
+
+#include "base/text.h"
+#include "core/record.h"
+#include "study/sweep_row.h"
+
+/* None of these changes an answer (model.md, section 7). They hold for the exact method; other methods make every run.
+ */
+enum thud_sweep_saving {
+    THUD_SWEEP_FREE = 1,   /* clearances at least as wide as the largest closings take the contact-free answer */
+    THUD_SWEEP_START = 2,  /* a run begins where the first contact could be */
+    THUD_SWEEP_LEVELS = 4, /* contacts that nothing can close (between walls, of silent laws) are left out */
+    THUD_SWEEP_ALL = 7
+};
+
+enum { THUD_SWEEP_CASES_MAX = THUD_CASES + 1 };
+
+struct thud_sweep_plan {
+    struct thud_scene scene;
+    int nrecords;
+    const struct thud_record *const
+        *record; /* (nrecords) scaled as the scene's record choice says; NULL: no ground motion */
+    int naxes;
+    struct thud_sweep_axis
+        axis[THUD_VARY_MAX]; /* those that change the motion without pounding come first; the last runs fastest */
+    int nouter;              /* how many do */
+    int ncases;
+    enum thud_case cases[THUD_SWEEP_CASES_MAX];
+    unsigned savings;
+};
+
+/* A plan of the scene alone: no axes, no records, case as written. */
+void thud_sweep_plan_init(struct thud_sweep_plan *plan, const struct thud_scene *scene);
+void thud_sweep_plan_clear(struct thud_sweep_plan *plan);
+/* Adds an axis: `KEY=FROM:TO:STEP` or `KEY=V1,V2,...`; a unit at the end stands for all. Errors: THUD_USAGE, THUD_INPUT
+ * with key, THUD_MEMORY. */
+enum thud_status thud_sweep_vary(struct thud_sweep_plan *plan, const char *text, struct thud_error *err);
+/* Cases by name, `none,bumper`. Errors: THUD_USAGE. */
+enum thud_status thud_sweep_cases(struct thud_sweep_plan *plan, const char *text, struct thud_error *err);
+/* Axes and cases of the scene's own study. Errors: as thud_sweep_vary. */
+enum thud_status thud_sweep_study(struct thud_sweep_plan *plan, bool axes, bool cases, struct thud_error *err);
+
+long thud_sweep_points(const struct thud_sweep_plan *plan);
+long thud_sweep_runs(const struct thud_sweep_plan *plan); /* points x cases */
+/* Bases are numbered like points: point p stands on base p / thud_sweep_points_per_base. */
+long thud_sweep_points_per_base(const struct thud_sweep_plan *plan);
+/* Record and index on each axis (naxes) of a point; returns the record. */
+int thud_sweep_place(const struct thud_sweep_plan *plan, long point, int *at);
+/* The scene of a point, before its case. Errors: THUD_INPUT. */
+enum thud_status thud_sweep_scene(const struct thud_sweep_plan *plan, long point, struct thud_scene *out,
+                                  struct thud_error *err);
+
+/* The motion without pounding under a set of points, and what each level needs by it. */
+struct thud_sweep_base;
+enum thud_status thud_sweep_base_create(const struct thud_sweep_plan *plan, long index, struct thud_sweep_base **out,
+                                        struct thud_error *err);
+/* Errors: THUD_DIVERGED, THUD_MEMORY. The base may be shared once done. */
+enum thud_status thud_sweep_base_advance(struct thud_sweep_base *base, long budget, bool *done, struct thud_error *err);
+void thud_sweep_base_free(struct thud_sweep_base *base);
+
+/* What became of a run. */
+struct thud_sweep_effort {
+    enum thud_status status; /* THUD_OK; THUD_INPUT: not possible (a bumper wider than the gap); THUD_DIVERGED */
+    bool made;               /* false: answered without a run */
+    bool reference;          /* not asked for: case `none`, run for the ratios */
+    double shared_s, end_s;  /* motion taken from the base, and the whole */
+    int left_out;            /* contacts left out */
+    long steps, events;
+};
+
+struct thud_sweep_floor {
+    double acceleration_mps2, drift_m, displacement_m;
+};
+struct thud_sweep_contact {
+    int impacts;
+    double force_n, indentation_m, impulse_ns, contact_time_s, residual_m, residual_gap_m;
+};
+struct thud_sweep_level {
+    int interface, left_floor, right_floor;
+    double left_m, right_m, closing_m, correlation;
+};
+
+/* A finished point: plain numbers, one allocation (free with free()). */
+struct thud_sweep_point {
+    long index;
+    double gap_m;
+    int nstructures, nfloors, ncontacts;
+    int ncases; /* those of the plan, and `none` after them where it had to be added */
+    enum thud_case which[THUD_SWEEP_CASES_MAX + 1]; /* (ncases) */
+    struct thud_sweep_effort effort[THUD_SWEEP_CASES_MAX + 1];
+    int floors[THUD_STRUCTURES_MAX]; /* (nstructures) */
+    struct thud_sweep_floor
+        *floor; /* ((ncases + 1) x nfloors): NaN where a case has no answer; the last is no pounding */
+    struct thud_sweep_contact *contact; /* (ncases x ncontacts) */
+    struct thud_sweep_level *level;     /* (ncontacts) */
+};
+
+/* A point in the making. The base (done) and the plan must outlive it. */
+struct thud_sweep_task;
+enum thud_status thud_sweep_task_create(const struct thud_sweep_plan *plan, const struct thud_sweep_base *base,
+                                        long point, struct thud_sweep_task **out, struct thud_error *err);
+/* A run that fails is a run without an answer: `err` is set and tells why, but THUD_OK comes back. Errors: THUD_MEMORY.
+ */
+enum thud_status thud_sweep_task_advance(struct thud_sweep_task *task, long budget, bool *done, struct thud_error *err);
+/* Hands over the point of a task that is done. */
+struct thud_sweep_point *thud_sweep_task_take(struct thud_sweep_task *task);
+void thud_sweep_task_free(struct thud_sweep_task *task);
+
+/* Rows of a point; each returns how many there are and fills them where `row` is not NULL. */
+int thud_sweep_rows(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point,
+                    struct thud_sweep_row *row);
+int thud_sweep_contact_rows(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point,
+                            struct thud_sweep_contact_row *row);
+/* Only the first point of a base has any. */
+int thud_sweep_need_rows(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point,
+                         struct thud_sweep_need_row *row);
+
+/* A point as one line of text without a newline, and back. Reading errors: THUD_INPUT, THUD_MEMORY. */
+void thud_sweep_point_write(const struct thud_sweep_point *point, struct thud_text *out);
+enum thud_status thud_sweep_point_read(const char *line, struct thud_sweep_point **out, struct thud_error *err);
+/* Identifies a plan: equal for equal scenes, records, axes and cases. */
+unsigned long long thud_sweep_fingerprint(const struct thud_sweep_plan *plan);
+
+/* Sums over points: what a study cost and what was saved. */
+struct thud_sweep_total {
+    long points, asked, made, references, free, impossible, diverged, shared_runs, left_out, steps, events;
+    double shared_s, end_s; /* of the runs made */
+};
+void thud_sweep_total_add(struct thud_sweep_total *total, const struct thud_sweep_point *point);
+
+#endif

@@ -1,0 +1,166 @@
+/* Rows of a point: ratios per floor and of the means, contacts, needed gaps. */
+#include <math.h>
+#include <string.h>
+
+#include "study/spacing.h"
+#include "study/sweep_private.h"
+
+static double over(double a, double b)
+{
+    return b > 0 ? a / b : NAN;
+}
+
+static struct thud_sweep_floor mean(const struct thud_sweep_floor *floor, int n)
+{
+    struct thud_sweep_floor sum = {0};
+    for (int i = 0; i < n; i++) {
+        sum.acceleration_mps2 += floor[i].acceleration_mps2;
+        sum.drift_m += floor[i].drift_m;
+        sum.displacement_m += floor[i].displacement_m;
+    }
+    return (struct thud_sweep_floor){sum.acceleration_mps2 / n, sum.drift_m / n, sum.displacement_m / n};
+}
+
+/* What the ratios are to: case `none`, or the scene as written where that has no bumper. */
+static int reference_case(const struct thud_sweep_point *point)
+{
+    int written = 0;
+    for (int k = 0; k < point->ncases; k++) {
+        if (point->which[k] == THUD_CASE_NONE)
+            return k;
+        if (point->which[k] == THUD_CASE_AS_WRITTEN)
+            written = k;
+    }
+    return written;
+}
+
+static int fill_values(const struct thud_sweep_plan *plan, long point, double *value)
+{
+    int at[THUD_VARY_MAX], record = thud_sweep_place(plan, point, at);
+    for (int i = 0; i < THUD_VARY_MAX; i++)
+        value[i] = i < plan->naxes ? plan->axis[i].value[at[i]] : 0;
+    return record;
+}
+
+static bool is_answered(const struct thud_sweep_point *point, int k)
+{
+    return !point->effort[k].reference && point->effort[k].status == THUD_OK;
+}
+
+static void fill_row(struct thud_sweep_row *row, struct thud_sweep_floor x, struct thud_sweep_floor none,
+                     struct thud_sweep_floor free)
+{
+    row->acceleration_mps2 = x.acceleration_mps2;
+    row->drift_m = x.drift_m;
+    row->displacement_m = x.displacement_m;
+    row->acceleration_ratio = over(x.acceleration_mps2, none.acceleration_mps2);
+    row->drift_ratio = over(x.drift_m, none.drift_m);
+    row->displacement_ratio = over(x.displacement_m, none.displacement_m);
+    row->acceleration_free_ratio = over(x.acceleration_mps2, free.acceleration_mps2);
+    row->drift_free_ratio = over(x.drift_m, free.drift_m);
+    row->displacement_free_ratio = over(x.displacement_m, free.displacement_m);
+}
+
+int thud_sweep_rows(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point,
+                    struct thud_sweep_row *row)
+{
+    int count = 0;
+    struct thud_sweep_row head = {.gap_m = point->gap_m};
+    head.record = fill_values(plan, point->index, head.value);
+    const struct thud_sweep_floor *none = point->floor + (ptrdiff_t)reference_case(point) * point->nfloors;
+    const struct thud_sweep_floor *free = point->floor + (ptrdiff_t)point->ncases * point->nfloors;
+    for (int k = 0; k < point->ncases; k++) {
+        const struct thud_sweep_floor *x = point->floor + (ptrdiff_t)k * point->nfloors;
+        if (!is_answered(point, k))
+            continue;
+        head.which = point->which[k];
+        for (int s = 0, first = 0; s < point->nstructures; first += point->floors[s], s++) {
+            int n = point->floors[s];
+            head.structure = s;
+            for (int i = 0; n > 0 && i <= n; i++, count++) {
+                if (!row)
+                    continue;
+                row[count] = head;
+                row[count].floor = i;
+                if (i == 0)
+                    fill_row(&row[count], mean(x + first, n), mean(none + first, n), mean(free + first, n));
+                else
+                    fill_row(&row[count], x[first + i - 1], none[first + i - 1], free[first + i - 1]);
+            }
+        }
+    }
+    return count;
+}
+
+int thud_sweep_contact_rows(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point,
+                            struct thud_sweep_contact_row *row)
+{
+    int count = 0;
+    struct thud_sweep_contact_row head = {.gap_m = point->gap_m};
+    head.record = fill_values(plan, point->index, head.value);
+    for (int k = 0; k < point->ncases; k++) {
+        if (!is_answered(point, k))
+            continue;
+        head.which = point->which[k];
+        for (int c = 0; c < point->ncontacts; c++, count++) {
+            const struct thud_sweep_contact *x = &point->contact[k * point->ncontacts + c];
+            const struct thud_sweep_level *level = &point->level[c];
+            if (!row)
+                continue;
+            row[count] = head;
+            row[count].interface = level->interface;
+            row[count].left_floor = level->left_floor;
+            row[count].right_floor = level->right_floor;
+            row[count].impacts = x->impacts;
+            row[count].force_n = x->force_n;
+            row[count].indentation_m = x->indentation_m;
+            row[count].impulse_ns = x->impulse_ns;
+            row[count].contact_time_s = x->contact_time_s;
+            row[count].residual_m = x->residual_m;
+            row[count].residual_gap_m = x->residual_gap_m;
+        }
+    }
+    return count;
+}
+
+int thud_sweep_need_rows(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point,
+                         struct thud_sweep_need_row *row)
+{
+    if (point->index % thud_sweep_points_per_base(plan) != 0)
+        return 0;
+    for (int c = 0; row && c < point->ncontacts; c++) {
+        const struct thud_sweep_level *x = &point->level[c];
+        row[c] = (struct thud_sweep_need_row){.interface = x->interface,
+                                              .left_floor = x->left_floor,
+                                              .right_floor = x->right_floor,
+                                              .left_m = x->left_m,
+                                              .right_m = x->right_m,
+                                              .closing_m = x->closing_m,
+                                              .abs_m = thud_spacing_abs(x->left_m, x->right_m),
+                                              .srss_m = thud_spacing_srss(x->left_m, x->right_m),
+                                              .ddc_m = thud_spacing_ddc(x->left_m, x->right_m, x->correlation),
+                                              .correlation = x->correlation};
+        row[c].record = fill_values(plan, point->index, row[c].value);
+    }
+    return point->ncontacts;
+}
+
+void thud_sweep_total_add(struct thud_sweep_total *total, const struct thud_sweep_point *point)
+{
+    total->points++;
+    for (int k = 0; k < point->ncases; k++) {
+        const struct thud_sweep_effort *e = &point->effort[k];
+        total->asked += !e->reference;
+        total->references += e->reference;
+        total->impossible += e->status == THUD_INPUT && !e->reference;
+        total->diverged += e->status == THUD_DIVERGED;
+        total->made += e->made;
+        total->free += e->status == THUD_OK && !e->made;
+        total->shared_runs += e->shared_s > 0;
+        total->left_out += e->left_out;
+        total->steps += e->steps;
+        total->events += e->events;
+        total->shared_s += e->shared_s;
+        total->end_s += e->made ? e->end_s : 0;
+    }
+}

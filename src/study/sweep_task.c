@@ -1,0 +1,264 @@
+/* One point of a study: its runs one after the other, in slices. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "study/sweep_private.h"
+
+struct thud_sweep_task {
+    const struct thud_sweep_plan *plan;
+    const struct thud_sweep_base *base;
+    struct thud_scene *scene, *cased;
+    struct thud_sweep_point *point;
+    int which; /* case at work */
+    struct thud_model *model;
+    struct thud_run *run;
+};
+
+struct thud_sweep_point *thud_sweep_point_create(int ncases, int nfloors, int ncontacts)
+{
+    struct thud_sweep_point *point;
+    size_t floors = (size_t)(ncases + 1) * (size_t)nfloors, contacts = (size_t)ncases * (size_t)ncontacts;
+    size_t head = (sizeof *point + 15) / 16 * 16;
+    char *block = calloc(1, head + floors * sizeof *point->floor + contacts * sizeof *point->contact +
+                                (size_t)ncontacts * sizeof *point->level);
+    if (!block)
+        return NULL;
+    point = (void *)block;
+    point->ncases = ncases;
+    point->nfloors = nfloors;
+    point->ncontacts = ncontacts;
+    point->floor = (void *)(block + head);
+    point->contact = (void *)(point->floor + floors);
+    point->level = (void *)(point->contact + contacts);
+    return point;
+}
+
+static bool has_case(const struct thud_sweep_plan *plan, enum thud_case which)
+{
+    for (int i = 0; i < plan->ncases; i++)
+        if (plan->cases[i] == which)
+            return true;
+    return false;
+}
+
+/* Floors' peaks of a result into case k of the point (k = ncases: no pounding). */
+static void take_floors(struct thud_sweep_point *point, int k, const struct thud_result *result)
+{
+    struct thud_sweep_floor *to = point->floor + (size_t)k * (size_t)point->nfloors;
+    for (int s = 0; s < result->nstructures; s++)
+        for (int i = 0; i < result->structure[s].floors; i++) {
+            const struct thud_floor_result *f = &result->structure[s].floor[i];
+            *to++ = (struct thud_sweep_floor){f->acceleration.value, f->drift.value, f->displacement.value};
+        }
+}
+
+static void take_contacts(struct thud_sweep_point *point, int k, const struct thud_model *model,
+                          const struct thud_result *result)
+{
+    for (int c = 0; c < point->ncontacts; c++) {
+        const struct thud_contact_result *r = &result->contact[c];
+        point->contact[k * point->ncontacts + c] =
+            (struct thud_sweep_contact){r->impacts,
+                                        r->force.value,
+                                        r->indentation.value,
+                                        r->impulse_ns,
+                                        r->contact_time_s,
+                                        r->residual_m,
+                                        model->contact[c].clearance_m + r->residual_m};
+    }
+}
+
+static void no_answer(struct thud_sweep_task *task, enum thud_status status)
+{
+    struct thud_sweep_point *point = task->point;
+    point->effort[task->which].status = status;
+    for (int i = 0; i < point->nfloors; i++)
+        point->floor[task->which * point->nfloors + i] = (struct thud_sweep_floor){NAN, NAN, NAN};
+}
+
+enum thud_status thud_sweep_task_create(const struct thud_sweep_plan *plan, const struct thud_sweep_base *base,
+                                        long index, struct thud_sweep_task **out, struct thud_error *err)
+{
+    *out = NULL;
+    struct thud_sweep_task *task = calloc(1, sizeof *task);
+    struct thud_scene *scenes = malloc(2 * sizeof *scenes);
+    enum thud_status status = THUD_MEMORY;
+    if (task && scenes) {
+        task->plan = plan;
+        task->base = base;
+        task->scene = scenes;
+        task->cased = scenes + 1;
+        status = thud_sweep_scene(plan, index, task->scene, err);
+    }
+    if (status == THUD_OK) {
+        bool reference = !has_case(plan, THUD_CASE_NONE) && thud_sweep_has_bumper(task->scene);
+        struct thud_sweep_point *point = task->point =
+            thud_sweep_point_create(plan->ncases + reference, base->model->ndof, base->model->ncontacts);
+        status = point ? THUD_OK : THUD_MEMORY;
+        for (int i = 0; point && i < point->ncases; i++) {
+            point->which[i] = i < plan->ncases ? plan->cases[i] : THUD_CASE_NONE;
+            point->effort[i].reference = i >= plan->ncases;
+        }
+    }
+    if (status != THUD_OK) {
+        if (!task || !task->scene)
+            free(scenes);
+        thud_sweep_task_free(task);
+        return status == THUD_MEMORY ? thud_error_set(err, status, "out of memory") : status;
+    }
+    struct thud_sweep_point *point = task->point;
+    point->index = index;
+    point->gap_m = task->scene->nstructures > 1 ? task->scene->interface[0].gap_m : NAN;
+    point->nstructures = base->model->nstructures;
+    for (int s = 0; s < point->nstructures; s++)
+        point->floors[s] = base->model->structure[s].n;
+    take_floors(point, point->ncases, thud_trunk_result(base->trunk));
+    memcpy(point->level, base->level, (size_t)point->ncontacts * sizeof *point->level);
+    *out = task;
+    return THUD_OK;
+}
+
+/* Whether the motion without pounding never uses up the clearance of contact c. */
+static bool never_closes(const struct thud_sweep_task *task, int c)
+{
+    const struct thud_model_contact *p = &task->model->contact[c];
+    return (p->law->flags & THUD_LAW_SILENT) || thud_trunk_closing(task->base->trunk, c) <= p->clearance_m;
+}
+
+/* Walls and silent laws part the row of structures into groups that know nothing of each other; where no contact of a
+ * group closes without pounding, none of it ever does. Returns how many contacts of law are left out; *left: how many
+ * remain. */
+static int leave_out(struct thud_sweep_task *task, bool drop, int *left)
+{
+    struct thud_model *m = task->model;
+    int group[THUD_STRUCTURES_MAX] = {0}, dropped = 0;
+    bool closes[THUD_STRUCTURES_MAX] = {false}, open[THUD_STRUCTURES_MAX] = {false};
+    for (int c = 0; c < m->ncontacts; c++)
+        open[m->contact[c].interface] |= !(m->contact[c].law->flags & THUD_LAW_SILENT);
+    for (int i = 1; i < m->nstructures; i++) /* interface i joins structures i - 1 and i */
+        group[i] = group[i - 1] + (i > 1 && (m->structure[i - 1].n == 0 || !open[i]));
+    for (int c = 0; c < m->ncontacts; c++)
+        closes[group[m->contact[c].interface]] |= !never_closes(task, c);
+    *left = 0;
+    for (int c = 0; c < m->ncontacts; c++) {
+        if (m->contact[c].law->flags & THUD_LAW_SILENT)
+            continue;
+        if (closes[group[m->contact[c].interface]]) {
+            ++*left;
+            continue;
+        }
+        dropped++;
+        if (drop)
+            m->contact[c].law = thud_law_find("none");
+    }
+    return dropped;
+}
+
+static bool same_shape(const struct thud_model *a, const struct thud_model *b)
+{
+    return a->ndof == b->ndof && a->ncontacts == b->ncontacts;
+}
+
+/* The answer without a run where the trunk has it; else a run. */
+static enum thud_status start_run(struct thud_sweep_task *task, const struct thud_run_options *options,
+                                  struct thud_error *err)
+{
+    const struct thud_sweep_base *base = task->base;
+    struct thud_sweep_effort *effort = &task->point->effort[task->which];
+    unsigned savings = thud_trunk_shares(base->trunk) && same_shape(task->model, base->model) ? task->plan->savings : 0;
+    int left = 0, dropped = 0;
+    if (savings & (THUD_SWEEP_FREE | THUD_SWEEP_LEVELS))
+        dropped = leave_out(task, savings & THUD_SWEEP_LEVELS, &left);
+    if ((savings & THUD_SWEEP_FREE) && left == 0) {
+        const struct thud_result *result = thud_trunk_result(base->trunk);
+        take_floors(task->point, task->which, result);
+        take_contacts(task->point, task->which, task->model, result);
+        effort->end_s = result->end_s;
+        return THUD_OK;
+    }
+    effort->made = true;
+    effort->left_out = savings & THUD_SWEEP_LEVELS ? dropped : 0;
+    if (savings & THUD_SWEEP_START)
+        return thud_trunk_run(base->trunk, task->model, base->record, options, &task->run, &effort->shared_s, err);
+    return thud_run_create(task->model, base->record, options, &task->run, err);
+}
+
+static enum thud_status begin(struct thud_sweep_task *task, struct thud_error *err)
+{
+    struct thud_run_options options;
+    enum thud_status status = thud_scene_case(task->scene, task->point->which[task->which], task->cased, err);
+    if (status == THUD_OK)
+        status = thud_scene_check(task->cased, err);
+    if (status == THUD_OK)
+        status = thud_scene_assemble(task->cased, &task->model, err);
+    if (status == THUD_OK && !same_shape(task->model, task->base->model))
+        status = thud_error_set(err, THUD_INPUT, "floors and contacts differ from those of the study's first case");
+    if (status == THUD_OK)
+        status = thud_scene_options(task->cased, &options, err);
+    if (status == THUD_OK) {
+        options.no_ledger = true;
+        status = start_run(task, &options, err);
+    }
+    return status;
+}
+
+static void finish(struct thud_sweep_task *task)
+{
+    struct thud_sweep_effort *effort = &task->point->effort[task->which];
+    const struct thud_result *result = thud_run_result(task->run);
+    take_floors(task->point, task->which, result);
+    take_contacts(task->point, task->which, task->model, result);
+    effort->end_s = result->end_s;
+    effort->steps = result->work.steps;
+    effort->events = result->work.events;
+}
+
+static void next_case(struct thud_sweep_task *task)
+{
+    thud_run_free(task->run);
+    thud_model_free(task->model);
+    task->run = NULL;
+    task->model = NULL;
+    task->which++;
+}
+
+enum thud_status thud_sweep_task_advance(struct thud_sweep_task *task, long budget, bool *done, struct thud_error *err)
+{
+    while (budget > 0 && task->which < task->point->ncases) {
+        bool ended = false;
+        enum thud_status status = task->run ? THUD_OK : begin(task, err);
+        if (status == THUD_OK && task->run) {
+            status = thud_run_advance(task->run, budget, &ended, err);
+            budget = ended ? budget / 2 : 0;
+            if (status == THUD_OK && ended)
+                finish(task);
+        }
+        if (status == THUD_MEMORY)
+            return status;
+        if (status != THUD_OK)
+            no_answer(task, status);
+        if (status != THUD_OK || !task->run || ended)
+            next_case(task);
+    }
+    *done = task->which == task->point->ncases;
+    return THUD_OK;
+}
+
+struct thud_sweep_point *thud_sweep_task_take(struct thud_sweep_task *task)
+{
+    struct thud_sweep_point *point = task->point;
+    task->point = NULL;
+    return point;
+}
+
+void thud_sweep_task_free(struct thud_sweep_task *task)
+{
+    if (!task)
+        return;
+    thud_run_free(task->run);
+    thud_model_free(task->model);
+    free(task->scene);
+    free(task->point);
+    free(task);
+}
