@@ -1,0 +1,65 @@
+#include "io/output.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+static enum thud_status failed(const struct thud_output *out, int why, struct thud_error *err)
+{
+    thud_error_set(err, THUD_OUTPUT, "cannot be written: %s", strerror(why));
+    thud_error_place(err, out->path, 0, 0);
+    return THUD_OUTPUT;
+}
+
+enum thud_status thud_output_open(const char *path, struct thud_output *out, struct thud_error *err)
+{
+    out->fd = -1;
+    if (strlen(path) >= sizeof out->path)
+        return thud_error_set(err, THUD_OUTPUT, "the name of the file is too long");
+    strcpy(out->path, path);
+    snprintf(out->part, sizeof out->part, "%s.%ld.part", path, (long)getpid());
+    out->fd = open(out->part, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    return out->fd >= 0 ? THUD_OK : failed(out, errno, err);
+}
+
+enum thud_status thud_output_drain(struct thud_output *out, struct thud_text *text, size_t least,
+                                   struct thud_error *err)
+{
+    if (text->failed)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    if (text->size < least || text->size == 0)
+        return THUD_OK;
+    for (size_t done = 0; done < text->size;) {
+        ssize_t n = write(out->fd, text->data + done, text->size - done);
+        if (n < 0 && errno != EINTR)
+            return failed(out, errno, err);
+        done += n > 0 ? (size_t)n : 0;
+    }
+    text->size = 0;
+    return THUD_OK;
+}
+
+enum thud_status thud_output_commit(struct thud_output *out, struct thud_error *err)
+{
+    int why = fsync(out->fd) != 0 ? errno : 0;
+    if (close(out->fd) != 0 && !why)
+        why = errno;
+    out->fd = -1;
+    if (!why && rename(out->part, out->path) != 0)
+        why = errno;
+    if (!why)
+        return THUD_OK;
+    unlink(out->part);
+    return failed(out, why, err);
+}
+
+void thud_output_abandon(struct thud_output *out)
+{
+    if (out->fd < 0)
+        return;
+    close(out->fd);
+    unlink(out->part);
+    out->fd = -1;
+}

@@ -1,0 +1,172 @@
+#include "io/sweep_csv.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+const char *thud_sweep_csv_name(enum thud_sweep_csv which)
+{
+    static const char *const name[] = {"sweep.csv", "contacts.csv", "needed-gaps.csv"};
+    return name[which];
+}
+
+/* Suffix of a column by what it holds. */
+static const char *suffix(const struct thud_param *param)
+{
+    static const char *const by_dimension[THUD_DIMENSIONS] = {
+        [THUD_LENGTH] = "_m", [THUD_AREA] = "_m2",       [THUD_MASS] = "_kg",
+        [THUD_FORCE] = "_n",  [THUD_STIFFNESS] = "_npm", [THUD_PRESSURE] = "_pa",
+        [THUD_TIME] = "_s",   [THUD_VELOCITY] = "_mps",  [THUD_ACCELERATION] = "_mps2"};
+    const char *s = param->kind == THUD_PARAM_QUANTITY ? by_dimension[param->dimension] : NULL;
+    return s ? s : "";
+}
+
+static bool is_gap(const char *key)
+{
+    return strcmp(key, "gap") == 0 || strcmp(key, "interfaces.1.gap") == 0;
+}
+
+/* Varied keys that no other column shows. `outer`: only those that change the motion without pounding. */
+static bool shown(const struct thud_sweep_plan *plan, int axis, bool outer)
+{
+    return outer ? axis < plan->nouter : !is_gap(plan->axis[axis].key);
+}
+
+static void put_text(struct thud_text *out, const char *text)
+{
+    if (!strpbrk(text, ",\"\r\n")) {
+        thud_text_append(out, "%s", text);
+        return;
+    }
+    thud_text_append(out, "\"");
+    for (; *text; text++)
+        thud_text_append(out, *text == '"' ? "\"\"" : "%c", *text);
+    thud_text_append(out, "\"");
+}
+
+static void put_number(struct thud_text *out, double value)
+{
+    thud_text_append(out, ",");
+    if (!isnan(value))
+        thud_text_number(out, value);
+}
+
+static void put_numbers(struct thud_text *out, const double *value, size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+        put_number(out, value[i]);
+}
+
+static void put_axes(const struct thud_sweep_plan *plan, long point, bool outer, struct thud_text *out)
+{
+    int at[THUD_VARY_MAX];
+    thud_sweep_place(plan, point, at);
+    for (int i = 0; i < plan->naxes; i++) {
+        const struct thud_sweep_axis *axis = &plan->axis[i];
+        if (!shown(plan, i, outer))
+            continue;
+        if (!isnan(axis->value[at[i]]) && axis->param->kind != THUD_PARAM_CHOICE) {
+            put_number(out, axis->value[at[i]]);
+        } else {
+            thud_text_append(out, ",");
+            put_text(out, axis->text[at[i]]);
+        }
+    }
+    thud_text_append(out, "\n");
+}
+
+static void put_record(const struct thud_sweep_plan *plan, int record, struct thud_text *out)
+{
+    if (record < plan->nrecords && plan->record[record])
+        put_text(out, plan->record[record]->file);
+}
+
+void thud_sweep_csv_header(const struct thud_sweep_plan *plan, enum thud_sweep_csv which, struct thud_text *out)
+{
+    static const char *const columns[] = {
+        "record,case,gap_m,structure,floor,acceleration_mps2,drift_m,displacement_m,acceleration_ratio,drift_ratio,"
+        "displacement_ratio,acceleration_free_ratio,drift_free_ratio,displacement_free_ratio",
+        "record,case,gap_m,interface,left_floor,right_floor,impacts,force_n,indentation_m,impulse_ns,contact_time_s,"
+        "residual_m,residual_gap_m",
+        "record,interface,left_floor,right_floor,left_displacement_m,right_displacement_m,closing_m,abs_m,srss_m,ddc_m,"
+        "correlation"};
+    thud_text_append(out, "%s", columns[which]);
+    for (int i = 0; i < plan->naxes; i++)
+        if (shown(plan, i, which == THUD_SWEEP_CSV_NEEDS))
+            thud_text_append(out, ",%s%s", plan->axis[i].key, suffix(plan->axis[i].param));
+    thud_text_append(out, "\n");
+}
+
+static void put_floor(const struct thud_sweep_plan *plan, long point, const struct thud_sweep_row *row,
+                      struct thud_text *out)
+{
+    put_record(plan, row->record, out);
+    thud_text_append(out, ",%s", thud_case_name(row->which));
+    put_number(out, row->gap_m);
+    thud_text_append(out, ",");
+    put_text(out, plan->scene.structure[row->structure].name);
+    thud_text_append(out, ",%d", row->floor);
+    const double x[] = {row->acceleration_mps2,       row->drift_m,          row->displacement_m,
+                        row->acceleration_ratio,      row->drift_ratio,      row->displacement_ratio,
+                        row->acceleration_free_ratio, row->drift_free_ratio, row->displacement_free_ratio};
+    put_numbers(out, x, sizeof x / sizeof *x);
+    put_axes(plan, point, false, out);
+}
+
+static void put_contact(const struct thud_sweep_plan *plan, long point, const struct thud_sweep_contact_row *row,
+                        struct thud_text *out)
+{
+    put_record(plan, row->record, out);
+    thud_text_append(out, ",%s", thud_case_name(row->which));
+    put_number(out, row->gap_m);
+    thud_text_append(out, ",%d,%d,%d,%d", row->interface, row->left_floor, row->right_floor, row->impacts);
+    const double x[] = {row->force_n,        row->indentation_m, row->impulse_ns,
+                        row->contact_time_s, row->residual_m,    row->residual_gap_m};
+    put_numbers(out, x, sizeof x / sizeof *x);
+    put_axes(plan, point, false, out);
+}
+
+static void put_need(const struct thud_sweep_plan *plan, long point, const struct thud_sweep_need_row *row,
+                     struct thud_text *out)
+{
+    put_record(plan, row->record, out);
+    thud_text_append(out, ",%d,%d,%d", row->interface, row->left_floor, row->right_floor);
+    const double x[] = {row->left_m, row->right_m, row->closing_m,  row->abs_m,
+                        row->srss_m, row->ddc_m,   row->correlation};
+    put_numbers(out, x, sizeof x / sizeof *x);
+    put_axes(plan, point, true, out);
+}
+
+enum thud_status thud_sweep_csv_rows(const struct thud_sweep_plan *plan, enum thud_sweep_csv which,
+                                     const struct thud_sweep_point *point, struct thud_text *out,
+                                     struct thud_error *err)
+{
+    size_t count;
+    void *rows;
+    if (which == THUD_SWEEP_CSV_FLOORS) {
+        count = (size_t)thud_sweep_rows(plan, point, NULL);
+        struct thud_sweep_row *row = rows = malloc((count + 1) * sizeof *row);
+        if (row)
+            thud_sweep_rows(plan, point, row);
+        for (size_t i = 0; row && i < count; i++)
+            put_floor(plan, point->index, &row[i], out);
+    } else if (which == THUD_SWEEP_CSV_CONTACTS) {
+        count = (size_t)thud_sweep_contact_rows(plan, point, NULL);
+        struct thud_sweep_contact_row *row = rows = malloc((count + 1) * sizeof *row);
+        if (row)
+            thud_sweep_contact_rows(plan, point, row);
+        for (size_t i = 0; row && i < count; i++)
+            put_contact(plan, point->index, &row[i], out);
+    } else {
+        count = (size_t)thud_sweep_need_rows(plan, point, NULL);
+        struct thud_sweep_need_row *row = rows = malloc((count + 1) * sizeof *row);
+        if (row)
+            thud_sweep_need_rows(plan, point, row);
+        for (size_t i = 0; row && i < count; i++)
+            put_need(plan, point->index, &row[i], out);
+    }
+    if (!rows)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    free(rows);
+    return THUD_OK;
+}

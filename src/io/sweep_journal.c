@@ -1,0 +1,222 @@
+#include "io/sweep_journal.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "io/file.h"
+#include "io/sweep_journal_private.h"
+
+static enum thud_status failed(const struct thud_sweep_journal *journal, enum thud_status status, const char *what,
+                               struct thud_error *err)
+{
+    thud_error_set(err, status, "%s", what);
+    thud_error_place(err, journal->path, 0, 0);
+    return status;
+}
+
+enum thud_status thud_sweep_shard_parse(const char *text, struct thud_sweep_shard *out, struct thud_error *err)
+{
+    char rest;
+    if (sscanf(text, "%d/%d%c", &out->index, &out->count, &rest) == 2 && out->count >= 1 && out->index >= 1 &&
+        out->index <= out->count)
+        return THUD_OK;
+    thud_error_set(err, THUD_USAGE, "`%.40s` is no part of a study", text);
+    thud_error_key(err, "shard");
+    thud_error_allow(err, "K/N, K from 1 to N, e.g. 2/3");
+    return THUD_USAGE;
+}
+
+long thud_sweep_shard_points(const struct thud_sweep_plan *plan, struct thud_sweep_shard shard)
+{
+    long points = thud_sweep_points(plan);
+    return points >= shard.index ? (points - shard.index) / shard.count + 1 : 0;
+}
+
+static enum thud_status make(const char *folder, const char *mode, struct thud_sweep_journal **out,
+                             struct thud_error *err)
+{
+    struct thud_sweep_journal *journal = *out = calloc(1, sizeof *journal);
+    if (!journal)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    snprintf(journal->path, sizeof journal->path, "%s/sweep.journal", folder);
+    journal->file = fopen(journal->path, mode);
+    return THUD_OK;
+}
+
+/* One writer at a time; the lock goes with the process. */
+static enum thud_status lock(struct thud_sweep_journal *journal, struct thud_error *err)
+{
+    struct flock whole = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
+    if (fcntl(fileno(journal->file), F_SETLK, &whole) == 0 || (errno != EACCES && errno != EAGAIN))
+        return THUD_OK;
+    return failed(journal, THUD_OUTPUT, "another sweep is writing into this folder", err);
+}
+
+/* Counts the whole lines and cuts off what comes after them. */
+static enum thud_status find_end(struct thud_sweep_journal *journal, struct thud_error *err)
+{
+    struct thud_sweep_point *point;
+    struct thud_error damage;
+    enum thud_status status;
+    thud_sweep_journal_rewind(journal);
+    while ((status = thud_sweep_journal_next(journal, &point, &damage)) == THUD_OK && point) {
+        journal->done++;
+        journal->end = ftello(journal->file);
+        free(point);
+    }
+    if (status == THUD_MEMORY)
+        return thud_error_set(err, status, "out of memory");
+    fflush(journal->file);
+    if (ftruncate(fileno(journal->file), journal->end) != 0)
+        return failed(journal, THUD_OUTPUT, strerror(errno), err);
+    return THUD_OK;
+}
+
+static enum thud_status create(struct thud_sweep_journal *journal, const struct thud_sweep_plan *plan,
+                               const char *preset, struct thud_error *err)
+{
+    struct thud_text text = {0};
+    thud_sweep_head_write(plan, preset, journal->shard, &text);
+    enum thud_status status = thud_text_write(&text, journal->path, err);
+    if (status != THUD_OK)
+        return status;
+    journal->file = fopen(journal->path, "r+");
+    return journal->file ? THUD_OK : failed(journal, THUD_OUTPUT, strerror(errno), err);
+}
+
+static enum thud_status open_journal(struct thud_sweep_journal *journal, const struct thud_sweep_plan *plan,
+                                     const char *preset, struct thud_error *err)
+{
+    struct thud_sweep_head head = {0};
+    enum thud_status status = journal->file ? THUD_OK : create(journal, plan, preset, err);
+    if (status == THUD_OK)
+        status = lock(journal, err);
+    if (status == THUD_OK)
+        status = thud_sweep_head_read(journal, &head, err);
+    if (status == THUD_OK && (head.fingerprint != thud_sweep_fingerprint(plan) ||
+                              head.shard.index != journal->shard.index || head.shard.count != journal->shard.count)) {
+        status = failed(journal, THUD_INPUT, "the folder holds the beginning of another study", err);
+        thud_error_allow(err, "the same study, another folder, or this file removed");
+    }
+    thud_sweep_head_clear(&head);
+    return status == THUD_OK ? find_end(journal, err) : status;
+}
+
+enum thud_status thud_sweep_journal_open(const char *folder, const struct thud_sweep_plan *plan, const char *preset,
+                                         struct thud_sweep_shard shard, struct thud_sweep_journal **out, long *done,
+                                         struct thud_error *err)
+{
+    enum thud_status status = make(folder, "r+", out, err);
+    *done = 0;
+    if (status != THUD_OK)
+        return status;
+    (*out)->shard = shard;
+    if (!(*out)->file && errno != ENOENT)
+        status = failed(*out, THUD_OUTPUT, strerror(errno), err);
+    if (status == THUD_OK)
+        status = open_journal(*out, plan, preset, err);
+    if (status != THUD_OK) {
+        thud_sweep_journal_close(*out, false);
+        *out = NULL;
+        return status;
+    }
+    *done = (*out)->done;
+    return THUD_OK;
+}
+
+enum thud_status thud_sweep_journal_add(struct thud_sweep_journal *journal, const struct thud_sweep_point *point,
+                                        struct thud_error *err)
+{
+    struct thud_text *line = &journal->line;
+    line->size = 0;
+    thud_sweep_point_write(point, line);
+    thud_text_append(line, "\n");
+    if (line->failed)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    int fd = fileno(journal->file);
+    ssize_t n = pwrite(fd, line->data, line->size, journal->end);
+    if (n != (ssize_t)line->size) {
+        int why = n < 0 ? errno : ENOSPC;
+        if (ftruncate(fd, journal->end) != 0)
+            why = errno;
+        return failed(journal, THUD_OUTPUT, strerror(why), err);
+    }
+    journal->end += n;
+    journal->done++;
+    return THUD_OK;
+}
+
+void thud_sweep_journal_rewind(struct thud_sweep_journal *journal)
+{
+    fseeko(journal->file, journal->start, SEEK_SET);
+    journal->read = 0;
+    journal->line_number = journal->head_lines;
+    if (journal->end < journal->start)
+        journal->end = journal->start;
+}
+
+enum thud_status thud_sweep_journal_next(struct thud_sweep_journal *journal, struct thud_sweep_point **out,
+                                         struct thud_error *err)
+{
+    *out = NULL;
+    ssize_t n = getline(&journal->buffer, &journal->capacity, journal->file);
+    if (n <= 0)
+        return THUD_OK;
+    journal->line_number++;
+    enum thud_status status = THUD_INPUT;
+    if (journal->buffer[n - 1] == '\n') {
+        journal->buffer[n - 1] = '\0';
+        status = thud_sweep_point_read(journal->buffer, out, err);
+    } else {
+        thud_error_set(err, status, "the last line is torn");
+    }
+    if (status == THUD_OK && (*out)->index != thud_sweep_shard_point(journal->shard, journal->read)) {
+        free(*out);
+        *out = NULL;
+        status = thud_error_set(err, THUD_INPUT, "a point is missing");
+    }
+    journal->read++;
+    if (status != THUD_OK)
+        thud_error_place(err, journal->path, journal->line_number, 0);
+    return status;
+}
+
+void thud_sweep_journal_close(struct thud_sweep_journal *journal, bool remove)
+{
+    if (!journal)
+        return;
+    if (remove)
+        unlink(journal->path);
+    if (journal->file)
+        fclose(journal->file);
+    thud_text_clear(&journal->line);
+    free(journal->buffer);
+    free(journal);
+}
+
+enum thud_status thud_sweep_journal_read(const char *folder, struct thud_sweep_journal **out,
+                                         struct thud_sweep_head *head, struct thud_error *err)
+{
+    *head = (struct thud_sweep_head){0};
+    enum thud_status status = make(folder, "r", out, err);
+    if (status != THUD_OK)
+        return status;
+    if (!(*out)->file)
+        status = failed(*out, THUD_INPUT, strerror(errno), err);
+    if (status == THUD_OK)
+        status = thud_sweep_head_read(*out, head, err);
+    if (status != THUD_OK) {
+        thud_sweep_head_clear(head);
+        thud_sweep_journal_close(*out, false);
+        *out = NULL;
+        return status;
+    }
+    (*out)->shard = head->shard;
+    thud_sweep_journal_rewind(*out);
+    return THUD_OK;
+}
