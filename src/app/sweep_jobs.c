@@ -1,0 +1,292 @@
+#include "app/sweep_jobs.h"
+
+#include <pthread.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+enum { THREADS_MAX = 256, SLICE = 64, SHOW_MS = 100 };
+
+/* A base in use by points that are next to each other. */
+struct shared_base {
+    long index;
+    struct thud_sweep_base *base; /* NULL while it is made */
+    int users;
+    struct shared_base *next;
+};
+
+struct work {
+    const struct thud_sweep_jobs *jobs;
+    pthread_mutex_t lock;
+    pthread_cond_t room, ready, made; /* for workers; for the taker; for users of a base */
+    long next, taken;                 /* counts of points handed out and taken */
+    long window;                      /* how far handing out may be ahead */
+    struct thud_sweep_point **ring;   /* (window) finished points by count % window */
+    struct shared_base *bases;
+    bool stop;
+    enum thud_status status;
+    struct thud_error error;
+};
+
+static bool cancelled(const struct work *w)
+{
+    return w->jobs->cancel && *w->jobs->cancel;
+}
+
+static bool stopped(struct work *w)
+{
+    pthread_mutex_lock(&w->lock);
+    bool stop = w->stop;
+    pthread_mutex_unlock(&w->lock);
+    return stop || cancelled(w);
+}
+
+/* The first failure ends the work. The lock is held. */
+static void fail(struct work *w, enum thud_status status, const struct thud_error *error)
+{
+    if (w->status == THUD_OK) {
+        w->status = status;
+        if (error)
+            w->error = *error;
+    }
+    w->stop = true;
+    pthread_cond_broadcast(&w->room);
+    pthread_cond_broadcast(&w->made);
+    pthread_cond_broadcast(&w->ready);
+}
+
+static enum thud_status make_base(struct work *w, long index, struct thud_sweep_base **out, struct thud_error *err)
+{
+    bool done = false;
+    enum thud_status status = thud_sweep_base_create(w->jobs->plan, index, out, err);
+    while (status == THUD_OK && !done) {
+        status = thud_sweep_base_advance(*out, SLICE, &done, err);
+        if (status == THUD_OK && !done && stopped(w))
+            status = THUD_CANCELLED;
+    }
+    if (status != THUD_OK) {
+        thud_sweep_base_free(*out);
+        *out = NULL;
+    }
+    return status;
+}
+
+/* Bases that no point to come stands on go. The lock is held. */
+static void drop_bases(struct work *w)
+{
+    const struct thud_sweep_jobs *jobs = w->jobs;
+    long least = (jobs->first + w->next * jobs->step) / thud_sweep_points_per_base(jobs->plan);
+    for (struct shared_base **p = &w->bases; *p;) {
+        struct shared_base *b = *p;
+        if (b->users > 0 || (b->index >= least && w->next < jobs->count)) {
+            p = &b->next;
+            continue;
+        }
+        *p = b->next;
+        thud_sweep_base_free(b->base);
+        free(b);
+    }
+}
+
+/* The base of a point, made by the first who needs it; NULL when the work stops. The lock is held before and after. */
+static struct shared_base *borrow(struct work *w, long index)
+{
+    struct shared_base *b = w->bases;
+    while (b && b->index != index)
+        b = b->next;
+    if (b) {
+        b->users++;
+        while (!b->base && !w->stop)
+            pthread_cond_wait(&w->made, &w->lock);
+    } else {
+        struct thud_error error = {0};
+        struct thud_sweep_base *base = NULL;
+        b = calloc(1, sizeof *b);
+        if (!b) {
+            fail(w, THUD_MEMORY, NULL);
+            return NULL;
+        }
+        *b = (struct shared_base){.index = index, .users = 1, .next = w->bases};
+        w->bases = b;
+        pthread_mutex_unlock(&w->lock);
+        enum thud_status status = make_base(w, index, &base, &error);
+        pthread_mutex_lock(&w->lock);
+        b->base = base;
+        if (status != THUD_OK)
+            fail(w, status, &error);
+        pthread_cond_broadcast(&w->made);
+    }
+    if (b->base)
+        return b;
+    b->users--;
+    return NULL;
+}
+
+static enum thud_status make_point(struct work *w, const struct thud_sweep_base *base, long index,
+                                   struct thud_sweep_point **out, struct thud_error *err)
+{
+    struct thud_sweep_task *task;
+    bool done = false;
+    enum thud_status status = thud_sweep_task_create(w->jobs->plan, base, index, &task, err);
+    while (status == THUD_OK && !done) {
+        status = thud_sweep_task_advance(task, SLICE * 16, &done, err);
+        if (status == THUD_OK && !done && stopped(w))
+            status = THUD_CANCELLED;
+    }
+    if (status == THUD_OK)
+        *out = thud_sweep_task_take(task);
+    thud_sweep_task_free(task);
+    return status;
+}
+
+static void *worker(void *context)
+{
+    struct work *w = context;
+    const struct thud_sweep_jobs *jobs = w->jobs;
+    long per_base = thud_sweep_points_per_base(jobs->plan);
+    pthread_mutex_lock(&w->lock);
+    for (;;) {
+        while (!w->stop && w->next < jobs->count && w->next >= w->taken + w->window)
+            pthread_cond_wait(&w->room, &w->lock);
+        if (w->stop || w->next >= jobs->count)
+            break;
+        long i = w->next++, index = jobs->first + i * jobs->step;
+        struct shared_base *base = borrow(w, index / per_base);
+        if (!base)
+            break;
+        pthread_mutex_unlock(&w->lock);
+        struct thud_error error = {0};
+        struct thud_sweep_point *point = NULL;
+        enum thud_status status = make_point(w, base->base, index, &point, &error);
+        pthread_mutex_lock(&w->lock);
+        base->users--;
+        drop_bases(w);
+        if (status != THUD_OK) {
+            fail(w, status, &error);
+            break;
+        }
+        w->ring[i % w->window] = point;
+        if (i == w->taken)
+            pthread_cond_signal(&w->ready);
+    }
+    pthread_mutex_unlock(&w->lock);
+    return NULL;
+}
+
+static double seconds_since(const struct timespec *start)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)(now.tv_sec - start->tv_sec) + 1e-9 * (double)(now.tv_nsec - start->tv_nsec);
+}
+
+/* Waits until the next point is there, but no longer than until progress is shown again. The lock is held. */
+static void wait_a_little(struct work *w)
+{
+    struct timespec until;
+    clock_gettime(CLOCK_REALTIME, &until);
+    until.tv_nsec += SHOW_MS * 1000000L;
+    until.tv_sec += until.tv_nsec / 1000000000L;
+    until.tv_nsec %= 1000000000L;
+    pthread_cond_timedwait(&w->ready, &w->lock, &until);
+}
+
+/* Hands the points over in their order until all are or the work stops. */
+static void take_all(struct work *w)
+{
+    const struct thud_sweep_jobs *jobs = w->jobs;
+    struct timespec start;
+    double shown = 0;
+    clock_gettime(CLOCK_MONOTONIC, &start);
+    pthread_mutex_lock(&w->lock);
+    while (w->taken < jobs->count && !w->stop) {
+        if (cancelled(w)) {
+            fail(w, THUD_CANCELLED, NULL);
+            break;
+        }
+        struct thud_sweep_point **slot = &w->ring[w->taken % w->window], *point = *slot;
+        if (!point)
+            wait_a_little(w);
+        struct thud_error error = {0};
+        enum thud_status status = THUD_OK;
+        *slot = point ? NULL : *slot;
+        long taken = w->taken + (point != NULL);
+        pthread_mutex_unlock(&w->lock);
+        if (point)
+            status = jobs->take(jobs->context, point, &error);
+        double elapsed = seconds_since(&start);
+        if (jobs->progress && (elapsed - shown >= 1e-3 * SHOW_MS || taken == jobs->count)) {
+            shown = elapsed;
+            jobs->progress(jobs->context, taken, jobs->count, elapsed);
+        }
+        pthread_mutex_lock(&w->lock);
+        if (status != THUD_OK)
+            fail(w, status, &error);
+        w->taken = taken;
+        pthread_cond_broadcast(&w->room);
+    }
+    pthread_mutex_unlock(&w->lock);
+}
+
+static int thread_count(const struct thud_sweep_jobs *jobs)
+{
+    long n = jobs->threads > 0 ? jobs->threads : sysconf(_SC_NPROCESSORS_ONLN);
+    if (n > jobs->count)
+        n = jobs->count;
+    return n < 1 ? 1 : n > THREADS_MAX ? THREADS_MAX : (int)n;
+}
+
+/* Threads that take no signals: those are for the one that called. Returns how many could be started. */
+static int start(struct work *w, pthread_t *thread, int wanted)
+{
+    sigset_t all, before;
+    int started = 0;
+    sigfillset(&all);
+    pthread_sigmask(SIG_BLOCK, &all, &before);
+    while (started < wanted && pthread_create(&thread[started], NULL, worker, w) == 0)
+        started++;
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
+    return started;
+}
+
+enum thud_status thud_sweep_jobs_run(const struct thud_sweep_jobs *jobs, struct thud_error *err)
+{
+    pthread_t thread[THREADS_MAX];
+    int threads = thread_count(jobs);
+    struct work w = {.jobs = jobs, .window = 4L * threads + 4};
+    w.ring = calloc((size_t)w.window, sizeof(struct thud_sweep_point *));
+    if (!w.ring)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    pthread_mutex_init(&w.lock, NULL);
+    pthread_cond_init(&w.room, NULL);
+    pthread_cond_init(&w.ready, NULL);
+    pthread_cond_init(&w.made, NULL);
+    int started = start(&w, thread, threads);
+    if (started > 0)
+        take_all(&w);
+    else if (jobs->count > 0)
+        w.status = thud_error_set(&w.error, THUD_MEMORY, "no thread could be started");
+    for (int i = 0; i < started; i++)
+        pthread_join(thread[i], NULL);
+    for (long i = 0; i < w.window; i++)
+        free(w.ring[i]);
+    w.next = jobs->count;
+    drop_bases(&w);
+    pthread_cond_destroy(&w.made);
+    pthread_cond_destroy(&w.ready);
+    pthread_cond_destroy(&w.room);
+    pthread_mutex_destroy(&w.lock);
+    free(w.ring);
+    if (cancelled(&w) && w.status == THUD_OK && w.taken < jobs->count)
+        w.status = THUD_CANCELLED;
+    if (w.status == THUD_OK)
+        return THUD_OK;
+    if (w.status == THUD_CANCELLED)
+        return thud_error_set(err, THUD_CANCELLED, "stopped on request");
+    if (w.status == THUD_MEMORY && !w.error.what[0])
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    if (err)
+        *err = w.error;
+    return w.status;
+}
