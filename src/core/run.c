@@ -301,7 +301,7 @@ enum thud_status thud_run_advance(struct thud_run *run, long budget, bool *done,
         if (run->flight && run->nactive == 0)
             status = thud_flight_go(run, &passed, err);
         run->done = run->end_s - thud_run_now(run) <= 1e-12 * run->end_s;
-        if (passed == 0 && status == THUD_OK)
+        if (passed == 0 && !run->done && status == THUD_OK)
             status = segment(run, err);
     }
     finish(run);
