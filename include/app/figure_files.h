@@ -5,9 +5,9 @@
 #include "base/status.h"
 #include "plot/gnuplot.h"
 
-/* Makes the folder, then writes script and data first, so that they are there also when the picture fails; each file
- * whole or not at all. An older picture is left as it was on failure. Errors: THUD_OUTPUT, THUD_GNUPLOT,
- * THUD_CANCELLED, THUD_MEMORY. */
+/* `options` NULL: all chosen. Makes the folder, then writes script and data first, so that they are there also when the
+ * picture fails; each file whole or not at all. An older picture is left as it was on failure. Errors: THUD_OUTPUT,
+ * THUD_GNUPLOT, THUD_CANCELLED, THUD_MEMORY. */
 enum thud_status thud_figure_save(const struct thud_figure *figure, const char *folder,
                                   const struct thud_picture_options *options, struct thud_error *err);
 

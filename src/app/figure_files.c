@@ -61,6 +61,9 @@ static enum thud_status write_picture(const struct thud_figure *figure, const ch
 static enum thud_status save(const struct thud_figure *figure, const char *folder,
                              const struct thud_picture_options *options, bool draw, struct thud_error *err)
 {
+    static const struct thud_picture_options chosen;
+    if (!options)
+        options = &chosen;
     enum thud_status status = thud_figure_check(figure, err);
     if (status == THUD_OK)
         status = thud_folder_make(*folder ? folder : ".", err);

@@ -66,6 +66,7 @@ START_TEST(three_files_in_a_folder_of_any_name)
 {
     struct thud_picture_options options = {0};
     struct thud_figure *figure = sample(10);
+    ck_assert_int_eq(thud_figure_save(figure, folder, NULL, NULL), THUD_OK);
     ck_assert_int_eq(thud_figure_save(figure, folder, &options, NULL), THUD_OK);
     ck_assert(there("f.png") && there("f.gp") && there("f.csv"));
     ck_assert_int_eq(files(), 3);
