@@ -1,0 +1,12 @@
+/* The version, in one place. */
+#ifndef THUD_BASE_VERSION_H
+#define THUD_BASE_VERSION_H
+
+#include "base/text.h"
+
+#define THUD_VERSION "0.1.0"
+
+/* "thud 0.1.0", and how it was built. */
+void thud_version_text(struct thud_text *out);
+
+#endif

@@ -1,0 +1,14 @@
+/* Pieces of JSON text. */
+#ifndef THUD_IO_JSON_H
+#define THUD_IO_JSON_H
+
+#include "base/text.h"
+
+/* A quoted string; control characters escaped, bytes that are no UTF-8 replaced. */
+void thud_json_string(struct thud_text *out, const char *text);
+/* A number that reads back the same; null where it is not finite. */
+void thud_json_number(struct thud_text *out, double value);
+/* "key": value */
+void thud_json_field(struct thud_text *out, const char *key, double value);
+
+#endif

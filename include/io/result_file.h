@@ -1,0 +1,30 @@
+/* Results as JSON and CSV, base SI units, numbers that read back the same. */
+#ifndef THUD_IO_RESULT_FILE_H
+#define THUD_IO_RESULT_FILE_H
+
+#include "base/text.h"
+#include "core/record.h"
+#include "core/result.h"
+#include "study/scene.h"
+
+/* What a finished run is shown with. */
+struct thud_report {
+    const struct thud_scene *scene; /* of the case that was run */
+    const char *which;              /* "none", "bumper", "cavity", "as-written" */
+    const struct thud_record *record; /* NULL: no ground motion */
+    const struct thud_result *result;
+    const struct thud_history *history; /* may be NULL */
+    const struct thud_impact *impact;   /* (nimpacts) */
+    int nimpacts;
+};
+
+/* The result of `thud run --json`. */
+void thud_result_json(const struct thud_report *report, struct thud_text *out);
+/* One row per structure and floor. */
+void thud_result_csv(const struct thud_report *report, struct thud_text *out);
+/* histories.csv: time, ground acceleration, every floor, every contact; at jumps the time stands twice. */
+void thud_history_csv(const struct thud_report *report, struct thud_text *out);
+/* impacts.csv: one row per impact. */
+void thud_impacts_csv(const struct thud_report *report, struct thud_text *out);
+
+#endif

@@ -1,0 +1,128 @@
+#include "cli/args.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/nearest.h"
+
+static enum thud_status unknown_option(enum thud_command_id command, const char *word, struct thud_error *err)
+{
+    const char *names[64];
+    int n = 0;
+    for (int i = 0; i < thud_option_count() && n < 64; i++)
+        if (thud_option_belongs(thud_option_at(i), command))
+            names[n++] = thud_option_at(i)->name;
+    const char *nearest = thud_nearest(word, names, n), *name = thud_command_at(command)->name;
+    thud_error_set(err, THUD_USAGE, "thud%s%s has no option --%.60s", name[0] ? " " : "", name, word);
+    if (nearest)
+        thud_error_allow(err, "did you mean %s%s? `thud %s%s--help` lists them", nearest[1] ? "--" : "-", nearest, name,
+                         name[0] ? " " : "");
+    else
+        thud_error_allow(err, "`thud %s%s--help` lists them", name, name[0] ? " " : "");
+    return THUD_USAGE;
+}
+
+/* One option, its value in the same word or in the next one. */
+static enum thud_status take_option(struct thud_args *args, int argc, char **argv, int *i, struct thud_error *err)
+{
+    const char *word = argv[*i], *value = NULL;
+    char name[64];
+    bool is_long = word[1] == '-';
+    const char *start = word + (is_long ? 2 : 1), *sign = is_long ? strchr(start, '=') : NULL;
+    size_t length = sign ? (size_t)(sign - start) : is_long ? strlen(start) : 1;
+    if (length >= sizeof name)
+        length = sizeof name - 1;
+    memcpy(name, start, length);
+    name[length] = '\0';
+    const struct thud_option *option = thud_option_find(args->command, name);
+    if (!option)
+        return unknown_option(args->command, name, err);
+    if (sign)
+        value = sign + 1;
+    else if (!is_long && start[1])
+        value = start + 1;
+    if (!option->argument && value)
+        return thud_error_set(err, THUD_USAGE, "%s takes no value", word);
+    if (option->argument && !value) {
+        if (*i + 1 >= argc)
+            return thud_error_set(err, THUD_USAGE, "%s needs a value: %s", word, option->argument);
+        value = argv[++*i];
+    }
+    if (args->ngiven == THUD_GIVEN_MAX)
+        return thud_error_set(err, THUD_USAGE, "more than %d options", THUD_GIVEN_MAX);
+    args->given[args->ngiven].option = option;
+    args->given[args->ngiven++].value = value;
+    return THUD_OK;
+}
+
+enum thud_status thud_args_parse(int argc, char **argv, struct thud_args *args, struct thud_error *err)
+{
+    memset(args, 0, sizeof *args);
+    args->command = THUD_COMMAND_SCREEN;
+    int first = 1;
+    if (argc > 1 && argv[1][0] != '-' && thud_command_find(argv[1]) != THUD_COMMANDS && argv[1][0]) {
+        args->command = thud_command_find(argv[1]);
+        first = 2;
+    }
+    bool only_operands = false;
+    for (int i = first; i < argc; i++) {
+        const char *word = argv[i];
+        if (!only_operands && strcmp(word, "--") == 0) {
+            only_operands = true;
+        } else if (!only_operands && word[0] == '-' && word[1]) {
+            enum thud_status status = take_option(args, argc, argv, &i, err);
+            if (status != THUD_OK)
+                return status;
+        } else if (args->noperands == THUD_OPERANDS_MAX) {
+            return thud_error_set(err, THUD_USAGE, "more than %d names", THUD_OPERANDS_MAX);
+        } else {
+            args->operand[args->noperands++] = word;
+        }
+    }
+    return THUD_OK;
+}
+
+const char *thud_args_value(const struct thud_args *args, const char *name)
+{
+    for (int i = args->ngiven - 1; i >= 0; i--)
+        if (strcmp(args->given[i].option->name, name) == 0)
+            return args->given[i].value;
+    return NULL;
+}
+
+bool thud_args_has(const struct thud_args *args, const char *name)
+{
+    for (int i = 0; i < args->ngiven; i++)
+        if (strcmp(args->given[i].option->name, name) == 0)
+            return true;
+    return false;
+}
+
+const char *thud_args_repeated(const struct thud_args *args, const char *name, int i)
+{
+    for (int k = 0; k < args->ngiven; k++)
+        if (strcmp(args->given[k].option->name, name) == 0 && i-- == 0)
+            return args->given[k].value;
+    return NULL;
+}
+
+enum thud_status thud_args_integer(const struct thud_args *args, const char *name, int least, int most, int fallback,
+                                   int *out, struct thud_error *err)
+{
+    const char *text = thud_args_value(args, name);
+    *out = fallback;
+    if (!text)
+        return THUD_OK;
+    char *end;
+    errno = 0;
+    long value = strtol(text, &end, 10);
+    if (errno || end == text || *end || value < least || value > most) {
+        thud_error_set(err, THUD_USAGE, "`%.40s` is not a number that fits", text);
+        thud_error_key(err, name);
+        thud_error_allow(err, "%d to %d", least, most);
+        return THUD_USAGE;
+    }
+    *out = (int)value;
+    return THUD_OK;
+}

@@ -1,0 +1,103 @@
+/* thud laws: the impact laws, each with its parameters and the restitution it really gives. */
+#include <math.h>
+
+#include "base/param.h"
+#include "cli/commands.h"
+#include "core/law.h"
+#include "io/json.h"
+
+/* Default of a parameter in its shown unit. */
+static void add_fallback(const struct thud_param *p, struct thud_text *out)
+{
+    char text[64];
+    if (p->kind == THUD_PARAM_CHOICE) {
+        thud_text_append(out, "%s", p->choices[(int)p->fallback]);
+    } else if (isnan(p->fallback)) {
+        thud_text_append(out, "not given");
+    } else if (p->unit && p->unit[0] && p->dimension != THUD_POWER_STIFFNESS) {
+        thud_quantity_format(p->fallback, p->unit, text, sizeof text);
+        thud_text_append(out, "%s", text);
+    } else {
+        thud_text_number(out, p->fallback);
+    }
+}
+
+static void add_choices(const struct thud_param *p, struct thud_text *out)
+{
+    for (int i = 0; p->choices[i]; i++)
+        thud_text_append(out, "%s%s", i > 0 ? " | " : "", p->choices[i]);
+}
+
+static void table(struct thud_text *out)
+{
+    for (int i = 0; i < thud_law_count(); i++) {
+        const struct thud_law *law = thud_law_at(i);
+        thud_text_append(out, "%s%s: %s\n  %s\n  %s\n", i > 0 ? "\n" : "", law->name, law->title, law->summary, law->reference);
+        for (int k = 0; k < law->nparams; k++) {
+            const struct thud_param *p = &law->params[k];
+            thud_text_append(out, "    %-18s %-9s ", p->name, p->kind == THUD_PARAM_CHOICE ? "" : p->unit ? p->unit : "");
+            add_fallback(p, out);
+            if (p->kind == THUD_PARAM_CHOICE) {
+                thud_text_append(out, "  (");
+                add_choices(p, out);
+                thud_text_append(out, ")");
+            }
+            thud_text_append(out, "  %s\n", p->title);
+        }
+    }
+}
+
+static void add_param(const struct thud_param *p, struct thud_text *out)
+{
+    thud_text_append(out, "{\"name\": \"%s\", \"title\": ", p->name);
+    thud_json_string(out, p->title);
+    thud_text_append(out, ", \"help\": ");
+    thud_json_string(out, p->help ? p->help : "");
+    thud_text_append(out, ", \"unit\": \"%s\", ", p->unit ? p->unit : "");
+    if (p->kind == THUD_PARAM_CHOICE) {
+        thud_text_append(out, "\"default\": \"%s\", \"choices\": [", p->choices[(int)p->fallback]);
+        for (int i = 0; p->choices[i]; i++)
+            thud_text_append(out, "%s\"%s\"", i > 0 ? ", " : "", p->choices[i]);
+        thud_text_append(out, "]}");
+        return;
+    }
+    thud_json_field(out, "default_si", p->fallback);
+    thud_text_append(out, ", ");
+    thud_json_field(out, "least_si", p->least);
+    thud_text_append(out, ", ");
+    thud_json_field(out, "most_si", p->most);
+    thud_text_append(out, "}");
+}
+
+static void json(struct thud_text *out)
+{
+    thud_text_append(out, "[");
+    for (int i = 0; i < thud_law_count(); i++) {
+        const struct thud_law *law = thud_law_at(i);
+        thud_text_append(out, "%s\n  {\"name\": \"%s\", \"title\": ", i > 0 ? "," : "", law->name);
+        thud_json_string(out, law->title);
+        thud_text_append(out, ", \"summary\": ");
+        thud_json_string(out, law->summary);
+        thud_text_append(out, ", \"reference\": ");
+        thud_json_string(out, law->reference);
+        thud_text_append(out, ", \"parameters\": [");
+        for (int k = 0; k < law->nparams; k++) {
+            thud_text_append(out, "%s\n    ", k > 0 ? "," : "");
+            add_param(&law->params[k], out);
+        }
+        thud_text_append(out, "]}");
+    }
+    thud_text_append(out, "\n]\n");
+}
+
+enum thud_status thud_command_laws(const struct thud_args *args, struct thud_error *err)
+{
+    struct thud_text text = {0};
+    if (args->noperands > 0)
+        return thud_error_set(err, THUD_USAGE, "thud laws takes no name");
+    if (thud_args_has(args, "json"))
+        json(&text);
+    else
+        table(&text);
+    return thud_cli_print(&text, err);
+}

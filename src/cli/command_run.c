@@ -1,0 +1,95 @@
+/* thud run: one scene, one answer. */
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "app/result_table.h"
+#include "cli/commands.h"
+#include "cli/scene_options.h"
+#include "io/file.h"
+
+static enum thud_status write_text(struct thud_text *text, const char *folder, const char *name, struct thud_error *err)
+{
+    char path[1024];
+    enum thud_status status = THUD_OK;
+    if (snprintf(path, sizeof path, "%s/%s", folder, name) >= (int)sizeof path)
+        status = thud_error_set(err, THUD_OUTPUT, "%.200s: the path is too long", folder);
+    else if (text->failed)
+        status = thud_error_set(err, THUD_MEMORY, "out of memory");
+    else
+        status = thud_file_write(path, text->data, text->size, err);
+    thud_text_clear(text);
+    return status;
+}
+
+static enum thud_status write_folder(const struct thud_report *report, const char *folder, struct thud_error *err)
+{
+    struct thud_text text = {0};
+    enum thud_status status = thud_folder_make(folder, err);
+    if (status != THUD_OK)
+        return status;
+    thud_result_json(report, &text);
+    status = write_text(&text, folder, "result.json", err);
+    if (status != THUD_OK)
+        return status;
+    thud_history_csv(report, &text);
+    status = write_text(&text, folder, "histories.csv", err);
+    if (status != THUD_OK)
+        return status;
+    thud_impacts_csv(report, &text);
+    return write_text(&text, folder, "impacts.csv", err);
+}
+
+static enum thud_status deliver(const struct thud_args *args, const struct thud_report *report, struct thud_error *err)
+{
+    const char *folder = thud_args_value(args, "o");
+    enum thud_status status = folder ? write_folder(report, folder, err) : THUD_OK;
+    struct thud_text text = {0};
+    if (status != THUD_OK)
+        return status;
+    if (thud_args_has(args, "json"))
+        thud_result_json(report, &text);
+    else if (thud_args_has(args, "csv"))
+        thud_result_csv(report, &text);
+    else if (!thud_args_has(args, "quiet"))
+        thud_result_table(report, &text);
+    return thud_cli_print(&text, err);
+}
+
+static enum thud_status run(const struct thud_args *args, struct thud_session *session, struct thud_scene *scene,
+                            struct thud_error *err)
+{
+    struct thud_run_options options;
+    struct thud_answer answer = {0};
+    enum thud_case which;
+    enum thud_status status = thud_scene_options_case(args, &which, err);
+    if (status == THUD_OK)
+        status = thud_scene_options(&session->scene, &options, err);
+    if (status != THUD_OK)
+        return status;
+    options.keep_history = options.keep_impacts = thud_args_has(args, "o");
+    status = thud_session_run(session, which, &options, scene, &answer, err);
+    if (status == THUD_OK) {
+        struct thud_report report = thud_session_report(session, scene, which, &answer);
+        status = deliver(args, &report, err);
+    }
+    thud_answer_clear(&answer);
+    return status;
+}
+
+enum thud_status thud_command_run(const struct thud_args *args, struct thud_error *err)
+{
+    struct thud_session *session = calloc(1, sizeof *session);
+    struct thud_scene *scene = calloc(1, sizeof *scene);
+    enum thud_status status = THUD_MEMORY;
+    if (session && scene)
+        status = thud_scene_options_open(args, session, err);
+    else
+        thud_error_set(err, THUD_MEMORY, "out of memory");
+    if (status == THUD_OK) {
+        status = run(args, session, scene, err);
+        thud_session_close(session);
+    }
+    free(scene);
+    free(session);
+    return status;
+}

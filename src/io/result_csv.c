@@ -1,0 +1,97 @@
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "io/result_file.h"
+
+/* A field of text, quoted where commas, quotes or line ends need it. */
+static void add_name(struct thud_text *out, const char *name)
+{
+    if (!strpbrk(name, ",\"\r\n")) {
+        thud_text_append(out, "%s", name);
+        return;
+    }
+    thud_text_append(out, "\"");
+    for (; *name; name++)
+        thud_text_append(out, *name == '"' ? "\"\"" : "%c", *name);
+    thud_text_append(out, "\"");
+}
+
+static void add_number(struct thud_text *out, double value)
+{
+    thud_text_append(out, ",");
+    if (isfinite(value))
+        thud_text_number(out, value);
+}
+
+void thud_result_csv(const struct thud_report *report, struct thud_text *out)
+{
+    thud_text_append(out, "structure,floor,acceleration_mps2,acceleration_time_s,displacement_m,displacement_time_s,"
+                          "velocity_mps,velocity_time_s,drift_m,drift_time_s\n");
+    for (int s = 0; s < report->result->nstructures; s++)
+        for (int i = 0; i < report->result->structure[s].floors; i++) {
+            const struct thud_floor_result *f = &report->result->structure[s].floor[i];
+            const struct thud_peak peak[] = {f->acceleration, f->displacement, f->velocity, f->drift};
+            add_name(out, report->scene->structure[s].name);
+            thud_text_append(out, ",%d", i + 1);
+            for (size_t k = 0; k < sizeof peak / sizeof *peak; k++) {
+                add_number(out, peak[k].value);
+                add_number(out, peak[k].time_s);
+            }
+            thud_text_append(out, "\n");
+        }
+}
+
+/* Column name such as A.3.displacement_m. */
+static void add_floor_columns(const struct thud_report *report, const char *quantity, struct thud_text *out)
+{
+    for (int s = 0; s < report->result->nstructures; s++)
+        for (int i = 0; i < report->result->structure[s].floors; i++) {
+            char name[THUD_NAME_MAX + 64];
+            snprintf(name, sizeof name, "%s.%d.%s", report->scene->structure[s].name, i + 1, quantity);
+            thud_text_append(out, ",");
+            add_name(out, name);
+        }
+}
+
+static void add_contact_columns(const struct thud_report *report, const char *quantity, struct thud_text *out)
+{
+    for (int c = 0; c < report->result->ncontacts; c++) {
+        const struct thud_contact_result *r = &report->result->contact[c];
+        thud_text_append(out, ",contact.%d.%d-%d.%s", r->interface, r->left_floor, r->right_floor, quantity);
+    }
+}
+
+void thud_history_csv(const struct thud_report *report, struct thud_text *out)
+{
+    const struct thud_history *h = report->history;
+    thud_text_append(out, "time_s,ground_mps2");
+    add_floor_columns(report, "displacement_m", out);
+    add_floor_columns(report, "velocity_mps", out);
+    add_floor_columns(report, "acceleration_mps2", out);
+    add_contact_columns(report, "force_n", out);
+    add_contact_columns(report, "indentation_m", out);
+    thud_text_append(out, ",energy.input_j,energy.kinetic_j,energy.strain_j,energy.viscous_j,energy.contact_j\n");
+    for (size_t i = 0; i < h->rows; i++) {
+        thud_text_number(out, h->time_s[i]);
+        for (int k = 0; k < h->columns; k++)
+            add_number(out, h->value[i * (size_t)h->columns + (size_t)k]);
+        thud_text_append(out, "\n");
+    }
+}
+
+void thud_impacts_csv(const struct thud_report *report, struct thud_text *out)
+{
+    thud_text_append(out, "interface,left_floor,right_floor,start_s,duration_s,approach_mps,separation_mps,force_n,"
+                          "indentation_m,impulse_ns,energy_lost_j\n");
+    for (int i = 0; i < report->nimpacts; i++) {
+        const struct thud_impact *p = &report->impact[i];
+        const struct thud_contact_result *c = &report->result->contact[p->contact];
+        const double value[] = {p->start_s, p->duration_s,    p->approach_mps, p->separation_mps,
+                                p->force_n, p->indentation_m, p->impulse_ns,   p->dissipated_j};
+        thud_text_append(out, "%d,%d,%d", c->interface, c->left_floor, c->right_floor);
+        for (size_t k = 0; k < sizeof value / sizeof *value; k++)
+            add_number(out, value[k]);
+        thud_text_append(out, "\n");
+    }
+}

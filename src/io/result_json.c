@@ -1,0 +1,145 @@
+#include "io/json.h"
+#include "io/result_file.h"
+
+static const char *kind_name(enum thud_structure_kind kind)
+{
+    static const char *const names[] = {"shear", "rigid", "isolated", "wall"};
+    return names[kind];
+}
+
+static void add_record(const struct thud_report *report, struct thud_text *out)
+{
+    const struct thud_record *r = report->record;
+    if (!r) {
+        thud_text_append(out, "  \"record\": null,\n");
+        return;
+    }
+    thud_text_append(out, "  \"record\": {\"file\": ");
+    thud_json_string(out, r->file);
+    thud_text_append(out, ", ");
+    thud_json_field(out, "peak_mps2", thud_record_peak(r));
+    thud_text_append(out, ", ");
+    thud_json_field(out, "dt_s", r->dt_s);
+    thud_text_append(out, ", \"samples\": %zu},\n", r->samples);
+}
+
+static void add_method(const struct thud_report *report, struct thud_text *out)
+{
+    const struct thud_result *r = report->result;
+    thud_text_append(out, "  \"method\": {\"name\": ");
+    thud_json_string(out, r->method);
+    thud_text_append(out, ", \"reason\": ");
+    thud_json_string(out, r->reason);
+    thud_text_append(out, ", ");
+    thud_json_field(out, "tolerance", report->scene->analysis.tolerance);
+    thud_text_append(out, ", ");
+    thud_json_field(out, "step_s", report->scene->analysis.step_s);
+    thud_text_append(out, ", \"steps\": %ld, \"force_evaluations\": %ld, \"events\": %ld, \"rejected\": %ld, "
+                     "\"samples_in_free_flight\": %ld},\n",
+                     r->work.steps, r->work.force_evaluations, r->work.events, r->work.rejected, r->work.samples_fast);
+}
+
+static void add_floor(int floor, const struct thud_floor_result *f, struct thud_text *out)
+{
+    const struct {
+        const char *value, *time;
+        struct thud_peak peak;
+    } field[] = {{"acceleration_mps2", "acceleration_time_s", f->acceleration},
+                 {"displacement_m", "displacement_time_s", f->displacement},
+                 {"velocity_mps", "velocity_time_s", f->velocity},
+                 {"drift_m", "drift_time_s", f->drift}};
+    thud_text_append(out, "      {\"floor\": %d", floor);
+    for (size_t i = 0; i < sizeof field / sizeof *field; i++) {
+        thud_text_append(out, ", ");
+        thud_json_field(out, field[i].value, field[i].peak.value);
+        thud_text_append(out, ", ");
+        thud_json_field(out, field[i].time, field[i].peak.time_s);
+    }
+    thud_text_append(out, "}");
+}
+
+static void add_structure(const struct thud_report *report, int s, struct thud_text *out)
+{
+    const struct thud_structure_result *r = &report->result->structure[s];
+    thud_text_append(out, "    {\"name\": ");
+    thud_json_string(out, report->scene->structure[s].name);
+    thud_text_append(out, ", \"kind\": \"%s\", \"periods_s\": [", kind_name(report->scene->structure[s].kind));
+    for (int i = 0; i < r->floors; i++) {
+        thud_text_append(out, "%s", i > 0 ? ", " : "");
+        thud_json_number(out, r->period_s[i]);
+    }
+    thud_text_append(out, "], ");
+    thud_json_field(out, "base_shear_n", r->base_shear.value);
+    thud_text_append(out, ", ");
+    thud_json_field(out, "base_shear_time_s", r->base_shear.time_s);
+    thud_text_append(out, ", \"floors\": [");
+    for (int i = 0; i < r->floors; i++) {
+        thud_text_append(out, "%s\n", i > 0 ? "," : "");
+        add_floor(i + 1, &r->floor[i], out);
+    }
+    thud_text_append(out, "]}");
+}
+
+static void add_contact(const struct thud_contact_result *c, struct thud_text *out)
+{
+    const struct {
+        const char *key;
+        double value;
+    } field[] = {{"force_n", c->force.value},
+                 {"force_time_s", c->force.time_s},
+                 {"indentation_m", c->indentation.value},
+                 {"indentation_time_s", c->indentation.time_s},
+                 {"impulse_ns", c->impulse_ns},
+                 {"contact_time_s", c->contact_time_s},
+                 {"residual_m", c->residual_m},
+                 {"dissipated_j", c->dissipated_j},
+                 {"approach_mps", c->approach_mps},
+                 {"separation_mps", c->separation_mps},
+                 {"nominal_restitution", c->nominal_restitution}};
+    thud_text_append(out, "    {\"interface\": %d, \"left_floor\": %d, \"right_floor\": %d, \"impacts\": %d", c->interface,
+                     c->left_floor, c->right_floor, c->impacts);
+    for (size_t i = 0; i < sizeof field / sizeof *field; i++) {
+        thud_text_append(out, ", ");
+        thud_json_field(out, field[i].key, field[i].value);
+    }
+    thud_text_append(out, "}");
+}
+
+static void add_energy(const struct thud_energy *e, struct thud_text *out)
+{
+    const struct {
+        const char *key;
+        double value;
+    } field[] = {{"initial_j", e->initial_j}, {"input_j", e->input_j},     {"kinetic_j", e->kinetic_j},
+                 {"strain_j", e->strain_j},   {"viscous_j", e->viscous_j}, {"contact_j", e->contact_j},
+                 {"stored_j", e->stored_j},   {"error_ratio", e->error_ratio}};
+    thud_text_append(out, "  \"energy\": {");
+    for (size_t i = 0; i < sizeof field / sizeof *field; i++) {
+        thud_text_append(out, "%s", i > 0 ? ", " : "");
+        thud_json_field(out, field[i].key, field[i].value);
+    }
+    thud_text_append(out, "}");
+}
+
+void thud_result_json(const struct thud_report *report, struct thud_text *out)
+{
+    const struct thud_result *r = report->result;
+    thud_text_append(out, "{\n  \"preset\": ");
+    thud_json_string(out, report->scene->name);
+    thud_text_append(out, ", \"case\": \"%s\",\n", report->which);
+    add_record(report, out);
+    add_method(report, out);
+    thud_text_append(out, "  \"structures\": [");
+    for (int s = 0; s < r->nstructures; s++) {
+        thud_text_append(out, "%s\n", s > 0 ? "," : "");
+        add_structure(report, s, out);
+    }
+    thud_text_append(out, "],\n  \"contacts\": [");
+    for (int c = 0; c < r->ncontacts; c++) {
+        thud_text_append(out, "%s\n", c > 0 ? "," : "");
+        add_contact(&r->contact[c], out);
+    }
+    thud_text_append(out, "],\n");
+    add_energy(&r->energy, out);
+    thud_text_append(out, "\n}\n");
+}
