@@ -1,0 +1,82 @@
+/* thud help: the commands, the options of one, and for shells the words that may stand where. */
+#include <dirent.h>
+#include <string.h>
+
+#include "cli/commands.h"
+#include "cli/help.h"
+#include "core/method.h"
+#include "io/paths.h"
+#include "study/scene.h"
+
+static void add_presets(struct thud_text *out)
+{
+    struct thud_paths paths;
+    thud_paths_find(&paths);
+    DIR *folder = opendir(paths.presets);
+    struct dirent *entry;
+    while (folder && (entry = readdir(folder))) {
+        const char *end = strstr(entry->d_name, ".yaml");
+        if (end && !end[5])
+            thud_text_append(out, "%.*s\n", (int)(end - entry->d_name), entry->d_name);
+    }
+    if (folder)
+        closedir(folder);
+}
+
+static void add_words(enum thud_word word, struct thud_text *out)
+{
+    static const char *const keys = "gap\ncontact.law\ncontact.stiffness\ncontact.restitution\nbumper.thickness\n"
+                                    "bumper.cavity\nbumper.stiffness\nbumper.restitution\nrecord.file\nrecord.peak\n"
+                                    "record.sign\nanalysis.method\nanalysis.tolerance\nanalysis.tail\n"
+                                    "structures.1.mass\nstructures.1.stiffness\nstructures.1.storeys\n";
+    if (word == THUD_WORD_PRESET)
+        add_presets(out);
+    else if (word == THUD_WORD_KEY)
+        thud_text_append(out, "%s", keys);
+    else if (word == THUD_WORD_FIGURE)
+        thud_text_append(out, "fig3\nfig4\nfig5\nfig7\nfig8\nfig10\nall\n");
+    else if (word == THUD_WORD_RECORD_VERB)
+        thud_text_append(out, "info\nimport\nconvert\nlist\nsynthesize\nspectrum\n");
+    for (int i = 0; word == THUD_WORD_CASE && i < THUD_CASES; i++)
+        thud_text_append(out, "%s\n", thud_case_name((enum thud_case)i));
+    for (int i = -1; word == THUD_WORD_METHOD && i < thud_method_count(); i++)
+        thud_text_append(out, "%s\n", i < 0 ? "auto" : thud_method_at(i)->name);
+    for (int i = 1; word == THUD_WORD_COMMAND && i < THUD_COMMANDS; i++)
+        thud_text_append(out, "%s\n", thud_command_at((enum thud_command_id)i)->name);
+}
+
+static enum thud_status words(const char *list, struct thud_text *out, struct thud_error *err)
+{
+    for (int i = 0; i < THUD_WORDS; i++) {
+        const char *name = thud_word_list_name((enum thud_word)i);
+        if (name && strcmp(name, list) == 0) {
+            add_words((enum thud_word)i, out);
+            return THUD_OK;
+        }
+    }
+    return thud_error_set(err, THUD_USAGE, "there is no list of `%.40s`", list);
+}
+
+enum thud_status thud_command_help(const struct thud_args *args, struct thud_error *err)
+{
+    struct thud_text text = {0};
+    enum thud_status status = THUD_OK;
+    const char *list = thud_args_value(args, "words"), *shell = thud_args_value(args, "completion");
+    enum thud_command_id id = args->noperands > 0 ? thud_command_find(args->operand[0]) : THUD_COMMAND_SCREEN;
+    if (list) {
+        status = words(list, &text, err);
+    } else if (shell) {
+        if (!thud_completion(&text, shell))
+            status = thud_error_set(err, THUD_USAGE, "no completion for `%.40s` (bash, zsh, fish)", shell);
+    } else if (id == THUD_COMMANDS) {
+        status = thud_error_set(err, THUD_USAGE, "thud has no command %.40s; see `thud help`", args->operand[0]);
+    } else if (args->noperands == 0) {
+        thud_help_all(&text);
+    } else {
+        thud_help_command(&text, id);
+    }
+    if (status == THUD_OK)
+        return thud_cli_print(&text, err);
+    thud_text_clear(&text);
+    return status;
+}
