@@ -21,7 +21,6 @@ struct thud_collocation {
     double node[NODES], lagrange[BLOCK], check[NODES];
     double h_top; /* step of level 0 */
     double h, h_touch;
-    double ground_mps2; /* peak of the ground motion: what the structures feel anyway */
     bool just_touched;
     bool has_source; /* run->seg holds forces that go on into this step, from s = source on */
     double source;
@@ -60,7 +59,6 @@ enum thud_status thud_collocation_create(const struct thud_run *run, struct thud
             x->loads = m->ncontacts;
     x->h_top = fastest > 0 ? fmin(run->grid_dt_s, 1.4 / fastest) : run->grid_dt_s;
     x->h = x->h_top;
-    x->ground_mps2 = run->record ? thud_record_peak(run->record) : 0;
     thud_radau_nodes(NODES, x->node);
     thud_lagrange_coefficients(NODES, x->node, x->lagrange);
     for (int i = 0; i < NODES; i++)
@@ -270,7 +268,7 @@ static void linearize(struct thud_run *run, struct thud_collocation *x, int leve
 static double force_scale(const struct thud_run *run, const struct thud_collocation *x, int a)
 {
     int c = x->active[a];
-    double scale = fmax(run->contact[c].expected_force_n, x->ground_mps2 * run->model->contact[c].setup.mass_kg);
+    double scale = fmax(run->contact[c].expected_force_n, run->ground_mps2 * run->model->contact[c].setup.mass_kg);
     for (int i = 0; i < NODES; i++)
         scale = fmax(scale, fabs(x->force[a * NODES + i]));
     return fmax(scale, 1e-6 * run->model->contact[c].setup.mass_kg);
@@ -383,28 +381,42 @@ static void write_segment(struct thud_run *run, struct thud_collocation *x, doub
     thud_taylor_given(m, &run->seg, run->q, run->qd);
 }
 
-/* Largest difference between the force polynomial and the law between the points, over the force scale. */
-static double force_error(struct thud_run *run, struct thud_collocation *x, double h)
+/* Error of contact a's force: the largest difference between its polynomial and the law between the points, over the
+ * force scale. Where a force begins without a smooth start (d^(1/4), d^(3/2)) no step is short enough for that; while
+ * it is far from its largest what counts is the impulse that the difference makes up. */
+static double contact_error(struct thud_run *run, const struct thud_collocation *x, int a, double h)
 {
-    double p[THUD_SEGMENT_TERMS], v[3], worst = 0;
-    for (int a = 0; a < x->nactive; a++) {
-        int c = x->active[a];
-        const struct thud_contact_state *s = &run->contact[c];
-        double scale = force_scale(run, x, a);
-        thud_segment_indentation(run, &run->seg, c, p);
-        for (int i = 0; i < NODES; i++) {
-            double f = 0;
-            thud_poly_value3(p, run->seg.terms, x->check[i], v);
-            if (s->mode == THUD_STUCK) { /* a force that would undo the rate in one step */
-                worst = fmax(worst, run->model->contact[c].setup.mass_kg * fabs(v[1]) / (h * h * scale));
-                continue;
-            }
-            for (int k = NODES - 1; k >= 0; k--)
-                f = f * x->check[i] + run->seg.force[k * run->model->ncontacts + c];
-            double law = thud_branch_force(&s->branch, v[0], v[1] / h, NULL, NULL);
-            worst = fmax(worst, fabs(law - f) / scale);
-        }
+    int c = x->active[a];
+    const struct thud_contact_state *s = &run->contact[c];
+    double p[THUD_SEGMENT_TERMS], v[3], difference = 0, largest = 0, mass = run->model->contact[c].setup.mass_kg;
+    double scale = force_scale(run, x, a);
+    thud_segment_indentation(run, &run->seg, c, p);
+    for (int i = 0; i < NODES; i++) {
+        double f = 0;
+        thud_poly_value3(p, run->seg.terms, x->check[i], v);
+        for (int k = NODES - 1; k >= 0; k--)
+            f = f * x->check[i] + run->seg.force[k * run->model->ncontacts + c];
+        if (s->mode == THUD_STUCK) /* the force that would undo the rate in one step, but for rounding */
+            difference = fmax(difference, mass * fmax(fabs(v[1]) - 1e-15, 0) / (h * h));
+        else
+            difference = fmax(difference, fabs(thud_branch_force(&s->branch, v[0], v[1] / h, NULL, NULL) - f));
+        largest = fmax(largest, fabs(f));
     }
+    double error = difference / scale;
+    if (s->mode == THUD_CLOSED && largest + difference < 0.3 * fmax(s->expected_force_n, run->ground_mps2 * mass)) {
+        double impulse =
+            fmax(mass * s->memory.v_imp_mps, run->fastest_radps > 0 ? run->ground_mps2 * mass / run->fastest_radps : 0);
+        if (impulse > 0)
+            error = fmin(error, 10 * difference * h / impulse);
+    }
+    return error;
+}
+
+static double force_error(struct thud_run *run, const struct thud_collocation *x, double h)
+{
+    double worst = 0;
+    for (int a = 0; a < x->nactive; a++)
+        worst = fmax(worst, contact_error(run, x, a, h));
     run->result.work.force_evaluations += x->nactive * NODES;
     return worst;
 }

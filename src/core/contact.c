@@ -117,6 +117,13 @@ static void slack_events(const struct thud_run *run, int c, const double *d, dou
     consider(found, thud_poly_first_above(d, n, s_end, -1, s->zeros.indentation, 0), c, EVENT_GONE);
 }
 
+/* Just stuck: a force that is at one end of its interval but for the accuracy of its polynomial is taken to start there. */
+static int at_bound(const struct thud_run *run, int c, double distance)
+{
+    double scale = run->model->contact[c].setup.mass_kg * run->ground_mps2;
+    return run->contact[c].zeros.force > 0 && fabs(distance) <= 10 * run->options.tolerance * scale;
+}
+
 static void stuck_events(const struct thud_run *run, int c, double s_end, struct found *found)
 {
     const struct thud_contact_state *s = &run->contact[c];
@@ -126,10 +133,10 @@ static void stuck_events(const struct thud_run *run, int c, double s_end, struct
         p[k] = run->seg.force[k * run->model->ncontacts + c];
     double f0 = p[0];
     p[0] = f0 - s->hold_low;
-    consider(found, thud_poly_first_above(p, n, s_end, -1, s->zeros.force, 0), c, EVENT_HOLD_DOWN);
+    consider(found, thud_poly_first_above(p, n, s_end, -1, at_bound(run, c, p[0]), 0), c, EVENT_HOLD_DOWN);
     if (s->hold_high < INFINITY) {
         p[0] = f0 - s->hold_high;
-        consider(found, thud_poly_first_above(p, n, s_end, 1, 0, 0), c, EVENT_HOLD_UP);
+        consider(found, thud_poly_first_above(p, n, s_end, 1, at_bound(run, c, p[0]), 0), c, EVENT_HOLD_UP);
     }
 }
 
@@ -296,7 +303,7 @@ static void turn(struct thud_run *run, int c)
             thud_contact_set_mode(run, c, THUD_STUCK);
             s->hold_low = restitution;
             s->hold_high = approach;
-            s->zeros = (struct thud_zeros){0};
+            s->zeros = (struct thud_zeros){.force = 1};
             return;
         }
     }

@@ -10,7 +10,7 @@
 /* A closing slower than this is taken as the end of a row of ever smaller bounces: the contact comes to rest. */
 static double rest_speed(const struct thud_run *run)
 {
-    return fmax(1e-2 * run->options.tolerance, 1e-12);
+    return fmax(1e-4 * run->options.tolerance, 1e-12);
 }
 
 /* Contacts that take part: the one that touches now, those that are held, and those that are at zero distance. */
@@ -99,7 +99,7 @@ static void settle(struct thud_run *run, int c)
     thud_contact_set_mode(run, c, THUD_STUCK);
     s->hold_low = 0;
     s->hold_high = INFINITY;
-    s->zeros = (struct thud_zeros){0};
+    s->zeros = (struct thud_zeros){.force = 1};
     s->impact = (struct thud_impact){.contact = c, .start_s = thud_run_now(run)};
 }
 

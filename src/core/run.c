@@ -147,6 +147,7 @@ enum thud_status thud_run_create(const struct thud_model *model, const struct th
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     run->model = model;
     run->record = record;
+    run->ground_mps2 = record ? thud_record_peak(record) : 0;
     run->options = *options;
     pick_method(run);
     set_times(run);

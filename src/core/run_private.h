@@ -51,6 +51,7 @@ struct thud_run {
     double grid_dt_s, offset_s, end_s;
     long grid;
     bool done, failed;
+    double ground_mps2; /* peak of the ground motion: what the structures feel anyway */
     double *q, *qd; /* (ndof) modal state */
     struct thud_contact_state *contact;
     int nactive; /* contacts CLOSED or STUCK */
