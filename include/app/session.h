@@ -1,4 +1,5 @@
-/* The verbs that the command line and the terminal interface share: open a preset, change values, read its ground motion, run a case. */
+/* The verbs that the command line and the terminal interface share: open a preset, change values, read its ground
+ * motion, run a case. */
 #ifndef THUD_APP_SESSION_H
 #define THUD_APP_SESSION_H
 
@@ -11,9 +12,9 @@
 struct thud_session {
     struct thud_paths paths;
     char preset_path[512];
-    struct thud_preset *preset; /* as read */
-    struct thud_scene scene;    /* with the changes made since */
-    struct thud_record *record; /* of scene.record; NULL: none, or not read yet */
+    struct thud_preset *preset;            /* as read */
+    struct thud_scene scene;               /* with the changes made since */
+    struct thud_record *record;            /* of scene.record; NULL: none, or not read yet */
     struct thud_record_choice record_read; /* the choice that `record` was read with */
 };
 

@@ -10,7 +10,8 @@ static void add_head(const struct thud_report *report, struct thud_text *out)
     thud_text_append(out, "%s, case %s: %s\n", scene->name, report->which, scene->title);
     if (report->record)
         thud_text_append(out, "ground motion  %s, peak %.4g g, %zu samples every %.4g s\n", report->record->file,
-                         thud_record_peak(report->record) / THUD_GRAVITY, report->record->samples, report->record->dt_s);
+                         thud_record_peak(report->record) / THUD_GRAVITY, report->record->samples,
+                         report->record->dt_s);
     else
         thud_text_append(out, "ground motion  none\n");
     for (int i = 0; i + 1 < scene->nstructures; i++) {
@@ -86,13 +87,14 @@ static void add_foot(const struct thud_report *report, struct thud_text *out)
     thud_text_append(out,
                      "\nenergy         input %.5g kJ, initial %.5g, kinetic %.5g, strain %.5g,\n"
                      "               viscous %.5g, contact %.5g, stored in contacts %.5g; unaccounted %.1e\n",
-                     1e-3 * e->input_j, 1e-3 * e->initial_j, 1e-3 * e->kinetic_j, 1e-3 * e->strain_j, 1e-3 * e->viscous_j,
-                     1e-3 * e->contact_j, 1e-3 * e->stored_j, e->error_ratio);
+                     1e-3 * e->input_j, 1e-3 * e->initial_j, 1e-3 * e->kinetic_j, 1e-3 * e->strain_j,
+                     1e-3 * e->viscous_j, 1e-3 * e->contact_j, 1e-3 * e->stored_j, e->error_ratio);
     thud_text_append(out, "method         %s", r->method);
     if (r->reason[0])
         thud_text_append(out, " (%s)", r->reason);
     thud_text_append(out, "\n               tolerance %g, %ld steps, %ld force evaluations, %ld events, to %.5g s\n",
-                     report->scene->analysis.tolerance, r->work.steps, r->work.force_evaluations, r->work.events, r->end_s);
+                     report->scene->analysis.tolerance, r->work.steps, r->work.force_evaluations, r->work.events,
+                     r->end_s);
 }
 
 void thud_result_table(const struct thud_report *report, struct thud_text *out)

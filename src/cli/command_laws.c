@@ -32,10 +32,14 @@ static void table(struct thud_text *out)
 {
     for (int i = 0; i < thud_law_count(); i++) {
         const struct thud_law *law = thud_law_at(i);
-        thud_text_append(out, "%s%s: %s\n  %s\n  %s\n", i > 0 ? "\n" : "", law->name, law->title, law->summary, law->reference);
+        thud_text_append(out, "%s%s: %s\n  %s\n  %s\n", i > 0 ? "\n" : "", law->name, law->title, law->summary,
+                         law->reference);
         for (int k = 0; k < law->nparams; k++) {
             const struct thud_param *p = &law->params[k];
-            thud_text_append(out, "    %-18s %-9s ", p->name, p->kind == THUD_PARAM_CHOICE ? "" : p->unit ? p->unit : "");
+            thud_text_append(out, "    %-18s %-9s ", p->name,
+                             p->kind == THUD_PARAM_CHOICE ? ""
+                             : p->unit                    ? p->unit
+                                                          : "");
             add_fallback(p, out);
             if (p->kind == THUD_PARAM_CHOICE) {
                 thud_text_append(out, "  (");

@@ -1,12 +1,13 @@
-/* The commands. Each is one file command_NAME.c and one line in command_words.h; each prints its own messages through thud_cli_fail and returns what is
- * to become of the program. */
+/* The commands. Each is one file command_NAME.c and one line in command_words.h; each prints its own messages through
+ * thud_cli_fail and returns what is to become of the program. */
 #ifndef THUD_CLI_COMMANDS_H
 #define THUD_CLI_COMMANDS_H
 
 #include "base/text.h"
 #include "cli/args.h"
 
-#define THUD_COMMAND(ID, name) enum thud_status thud_command_##name(const struct thud_args *args, struct thud_error *err);
+#define THUD_COMMAND(ID, name)                                                                                         \
+    enum thud_status thud_command_##name(const struct thud_args *args, struct thud_error *err);
 #include "cli/command_words.h"
 #undef THUD_COMMAND
 

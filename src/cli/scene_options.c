@@ -5,10 +5,11 @@
 /* Option and the key of the scene that it sets. */
 static const struct {
     const char *option, *key;
-} keys[] = {{"peak", "record.peak"},       {"dt", "record.dt"},         {"unit", "record.unit"},
-            {"channel", "record.channel"}, {"column", "record.column"}, {"skip", "record.skip"},
-            {"method", "analysis.method"}, {"step", "analysis.step"},   {"locate", "analysis.locate"},
-            {"tolerance", "analysis.tolerance"}};
+} keys[] = {{"peak", "record.peak"},       {"dt", "record.dt"},
+            {"unit", "record.unit"},       {"channel", "record.channel"},
+            {"column", "record.column"},   {"skip", "record.skip"},
+            {"method", "analysis.method"}, {"step", "analysis.step"},
+            {"locate", "analysis.locate"}, {"tolerance", "analysis.tolerance"}};
 
 static enum thud_status apply(const struct thud_args *args, struct thud_session *session, struct thud_error *err)
 {
@@ -30,11 +31,13 @@ static enum thud_status apply(const struct thud_args *args, struct thud_session 
     return status;
 }
 
-enum thud_status thud_scene_options_open(const struct thud_args *args, struct thud_session *session, struct thud_error *err)
+enum thud_status thud_scene_options_open(const struct thud_args *args, struct thud_session *session,
+                                         struct thud_error *err)
 {
     if (args->noperands != 1) {
         const char *name = thud_command_at(args->command)->name;
-        thud_error_set(err, THUD_USAGE, args->noperands == 0 ? "thud %s needs a preset" : "thud %s takes one preset", name);
+        thud_error_set(err, THUD_USAGE, args->noperands == 0 ? "thud %s needs a preset" : "thud %s takes one preset",
+                       name);
         thud_error_allow(err, "a name such as towers, or a file");
         return THUD_USAGE;
     }

@@ -5,9 +5,10 @@
 #include "app/session.h"
 #include "cli/args.h"
 
-/* Opens the preset that is the command's only operand and applies --record, --peak, --dt, ..., --tolerance and then every --set. The session is
- * closed on failure. Errors: THUD_USAGE, THUD_INPUT, THUD_MEMORY. */
-enum thud_status thud_scene_options_open(const struct thud_args *args, struct thud_session *session, struct thud_error *err);
+/* Opens the preset that is the command's only operand and applies --record, --peak, --dt, ..., --tolerance and then
+ * every --set. The session is closed on failure. Errors: THUD_USAGE, THUD_INPUT, THUD_MEMORY. */
+enum thud_status thud_scene_options_open(const struct thud_args *args, struct thud_session *session,
+                                         struct thud_error *err);
 
 /* --case; THUD_CASE_AS_WRITTEN without it. Errors: THUD_USAGE. */
 enum thud_status thud_scene_options_case(const struct thud_args *args, enum thud_case *out, struct thud_error *err);

@@ -117,7 +117,8 @@ static void slack_events(const struct thud_run *run, int c, const double *d, dou
     consider(found, thud_poly_first_above(d, n, s_end, -1, s->zeros.indentation, 0), c, EVENT_GONE);
 }
 
-/* Just stuck: a force that is at one end of its interval but for the accuracy of its polynomial is taken to start there. */
+/* Just stuck: a force that is at one end of its interval but for the accuracy of its polynomial is taken to start
+ * there. */
 static int at_bound(const struct thud_run *run, int c, double distance)
 {
     double scale = run->model->contact[c].setup.mass_kg * run->ground_mps2;

@@ -10,7 +10,7 @@
 /* A closing slower than this is taken as the end of a row of ever smaller bounces: the contact comes to rest. */
 static double rest_speed(const struct thud_run *run)
 {
-    return fmax(1e-4 * run->options.tolerance, 1e-12);
+    return fmax(1e-4 * run->options.tolerance, 1e-11);
 }
 
 /* Contacts that take part: the one that touches now, those that are held, and those that are at zero distance. */

@@ -123,7 +123,8 @@ static enum thud_status row_at(struct thud_run *run, double s, struct thud_error
     return THUD_OK;
 }
 
-/* Parts that a segment in contact is shown in: close enough for a smooth curve of an impact of 25 ms, and some also of the shortest. */
+/* Parts that a segment in contact is shown in: close enough for a smooth curve of an impact of 25 ms, and some also of
+ * the shortest. */
 static int contact_rows(double duration_s, double step_s)
 {
     enum { LEAST = 6, MOST = 200 };

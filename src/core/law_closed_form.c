@@ -37,8 +37,8 @@ static double cut_excess(double xi, const void *decay)
     return xi * half_angle(xi) - *(const double *)decay;
 }
 
-/* xi half_angle(xi) = decay. It grows from 0 like pi xi/2 and never lies above that; it lies above xi for xi <= 1 and above ln xi
- * beyond, which brackets the root. */
+/* xi half_angle(xi) = decay. It grows from 0 like pi xi/2 and never lies above that; it lies above xi for xi <= 1 and
+ * above ln xi beyond, which brackets the root. */
 static double xi_of_decay(double decay)
 {
     if (decay <= 0)
@@ -51,10 +51,11 @@ double thud_kelvin_voigt_cut_xi(double e)
     return xi_of_decay(-0.5 * log(e));
 }
 
-/* With cos(phi) = xi and theta = omega sqrt(1 - xi^2) t every derivative of d adds phi to an angle: d ~ sin(theta), v ~ sin(phi - theta),
- * F ~ sin(2 phi - theta), F' ~ -sin(3 phi - theta), each times exp(-xi omega t). Largest d at theta = phi, release at 2 phi, largest F at
- * 3 phi - pi where that is > 0 (xi < 1/2), else at first touch. */
-struct thud_pair_collision thud_kelvin_voigt_cut_collision(double stiffness_npm, double xi, double mass_kg, double v_mps)
+/* With cos(phi) = xi and theta = omega sqrt(1 - xi^2) t every derivative of d adds phi to an angle: d ~ sin(theta), v ~
+ * sin(phi - theta), F ~ sin(2 phi - theta), F' ~ -sin(3 phi - theta), each times exp(-xi omega t). Largest d at theta =
+ * phi, release at 2 phi, largest F at 3 phi - pi where that is > 0 (xi < 1/2), else at first touch. */
+struct thud_pair_collision thud_kelvin_voigt_cut_collision(double stiffness_npm, double xi, double mass_kg,
+                                                           double v_mps)
 {
     double omega = sqrt(stiffness_npm / mass_kg), b = half_angle(xi);
     struct thud_pair_collision out;
@@ -69,8 +70,9 @@ struct thud_pair_collision thud_kelvin_voigt_cut_collision(double stiffness_npm,
     return out;
 }
 
-/* p(y) = y - 1 + exp(-y) without cancellation. On a curve F_A with F = F_A (1 + C v) the energy per mass between rest and speed v, times
- * C^2, is p(y) with C v = exp(-y) - 1: one function serves approach (y < 0) and restitution (y > 0). */
+/* p(y) = y - 1 + exp(-y) without cancellation. On a curve F_A with F = F_A (1 + C v) the energy per mass between rest
+ * and speed v, times C^2, is p(y) with C v = exp(-y) - 1: one function serves approach (y < 0) and restitution (y > 0).
+ */
 static double energy_of(double y)
 {
     if (fabs(y) > 0.7)

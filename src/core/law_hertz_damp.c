@@ -1,5 +1,6 @@
-/* Hertz with damping in proportion to the elastic force, in approach and restitution alike. The damping is set by the closing speed at
- * first touch: approach needs it before any energy is stored, so it cannot be taken from the energy at the turn. */
+/* Hertz with damping in proportion to the elastic force, in approach and restitution alike. The damping is set by the
+ * closing speed at first touch: approach needs it before any energy is stored, so it cannot be taken from the energy at
+ * the turn. */
 #include "core/law_closed_form.h"
 #include "core/law_common.h"
 
@@ -84,7 +85,8 @@ static double restitution(const struct thud_law_setup *setup, double v_mps)
 const struct thud_law thud_law_hertz_damp = {
     .name = "hertz-damp",
     .title = "Hertz with nonlinear damping",
-    .reference = "Lankarani and Nikravesh 1990; Muthukumar and DesRoches 2006; Hunt and Crossley 1975; Ye et al. 2009; Flores et al. 2011",
+    .reference = "Lankarani and Nikravesh 1990; Muthukumar and DesRoches 2006; Hunt and Crossley 1975; Ye et al. 2009; "
+                 "Flores et al. 2011",
     .summary = "F = k d^n (1 + s v/v0), s from e by the formula chosen",
     .params = params,
     .nparams = sizeof params / sizeof params[0],

@@ -1,4 +1,5 @@
-/* The paper's concrete, eqs. (1)-(3): spring and dashpot until the force is gone; what indentation is left then may stay. */
+/* The paper's concrete, eqs. (1)-(3): spring and dashpot until the force is gone; what indentation is left then may
+ * stay. */
 #include "core/law_closed_form.h"
 #include "core/law_common.h"
 

@@ -1,5 +1,5 @@
-/* The paper's bumper, eqs. (4)-(7): a power curve up to the knee delta_u = max-strain thickness, a stiff line beyond, and damping in
- * restitution only, C set by the closing speed. */
+/* The paper's bumper, eqs. (4)-(7): a power curve up to the knee delta_u = max-strain thickness, a stiff line beyond,
+ * and damping in restitution only, C set by the closing speed. */
 #include "core/law_closed_form.h"
 #include "core/law_common.h"
 
@@ -24,8 +24,8 @@ enum { SPEED_TOUCH, SPEED_ENERGY };
 static const char *const unloading_choices[] = {"paper", "continuous", NULL};
 static const char *const speed_choices[] = {"touch", "energy", NULL};
 
-/* With impact-speed = energy the reference speed falls with the indentation and the rate of restitution stays that of the elastic contact, so
- * no floor is needed: this only keeps a division by 0 out. */
+/* With impact-speed = energy the reference speed falls with the indentation and the rate of restitution stays that of
+ * the elastic contact, so no floor is needed: this only keeps a division by 0 out. */
 static const double least_energy_speed = 1e-9;
 
 /* clang-format off */

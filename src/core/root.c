@@ -4,8 +4,8 @@
 #include <float.h>
 #include <math.h>
 
-/* Secant through the bracket's ends, with the standing end's value halved when it stands twice (Illinois), and bisection whenever two
- * such steps have not halved the bracket: never slower than three times bisection. */
+/* Secant through the bracket's ends, with the standing end's value halved when it stands twice (Illinois), and
+ * bisection whenever two such steps have not halved the bracket: never slower than three times bisection. */
 double thud_root(double (*f)(double x, const void *context), const void *context, double lo, double hi)
 {
     double f_lo = f(lo, context), f_hi = f(hi, context);

@@ -52,7 +52,7 @@ struct thud_run {
     long grid;
     bool done, failed;
     double ground_mps2; /* peak of the ground motion: what the structures feel anyway */
-    double *q, *qd; /* (ndof) modal state */
+    double *q, *qd;     /* (ndof) modal state */
     struct thud_contact_state *contact;
     int nactive; /* contacts CLOSED or STUCK */
     int stalls;  /* events in a row without progress in time */

@@ -34,7 +34,8 @@ static void add_method(const struct thud_report *report, struct thud_text *out)
     thud_json_field(out, "tolerance", report->scene->analysis.tolerance);
     thud_text_append(out, ", ");
     thud_json_field(out, "step_s", report->scene->analysis.step_s);
-    thud_text_append(out, ", \"steps\": %ld, \"force_evaluations\": %ld, \"events\": %ld, \"rejected\": %ld, "
+    thud_text_append(out,
+                     ", \"steps\": %ld, \"force_evaluations\": %ld, \"events\": %ld, \"rejected\": %ld, "
                      "\"samples_in_free_flight\": %ld},\n",
                      r->work.steps, r->work.force_evaluations, r->work.events, r->work.rejected, r->work.samples_fast);
 }
@@ -96,8 +97,8 @@ static void add_contact(const struct thud_contact_result *c, struct thud_text *o
                  {"approach_mps", c->approach_mps},
                  {"separation_mps", c->separation_mps},
                  {"nominal_restitution", c->nominal_restitution}};
-    thud_text_append(out, "    {\"interface\": %d, \"left_floor\": %d, \"right_floor\": %d, \"impacts\": %d", c->interface,
-                     c->left_floor, c->right_floor, c->impacts);
+    thud_text_append(out, "    {\"interface\": %d, \"left_floor\": %d, \"right_floor\": %d, \"impacts\": %d",
+                     c->interface, c->left_floor, c->right_floor, c->impacts);
     for (size_t i = 0; i < sizeof field / sizeof *field; i++) {
         thud_text_append(out, ", ");
         thud_json_field(out, field[i].key, field[i].value);
@@ -110,8 +111,8 @@ static void add_energy(const struct thud_energy *e, struct thud_text *out)
     const struct {
         const char *key;
         double value;
-    } field[] = {{"initial_j", e->initial_j}, {"input_j", e->input_j},     {"kinetic_j", e->kinetic_j},
-                 {"strain_j", e->strain_j},   {"viscous_j", e->viscous_j}, {"contact_j", e->contact_j},
+    } field[] = {{"initial_j", e->initial_j}, {"input_j", e->input_j},        {"kinetic_j", e->kinetic_j},
+                 {"strain_j", e->strain_j},   {"viscous_j", e->viscous_j},    {"contact_j", e->contact_j},
                  {"stored_j", e->stored_j},   {"error_ratio", e->error_ratio}};
     thud_text_append(out, "  \"energy\": {");
     for (size_t i = 0; i < sizeof field / sizeof *field; i++) {
