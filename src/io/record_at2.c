@@ -37,21 +37,6 @@ static bool recognize(const struct record_source *source)
     return source->skip <= 0 && find_count_line(source, &cursor, &line);
 }
 
-/* The number behind `word`, over blanks, `=` and `:`. */
-static bool number_after(const struct record_line *line, const char *word, double *value)
-{
-    const char *end = line->at + line->length, *s = record_find(line, word);
-    if (!s)
-        return false;
-    s += strlen(word);
-    while (s < end && strchr(" \t=:", *s))
-        s++;
-    const char *stop = s; /* a unit may touch it: `.01SEC` */
-    while (stop < end && *stop && strchr("+-.0123456789", *stop))
-        stop++;
-    return record_scan(&s, stop, value) == RECORD_NUMBER;
-}
-
 /* Both numbers before the words: `4000 0.0100 NPTS, DT`. */
 static bool numbers_first(const struct record_line *line, double *count, double *dt)
 {
@@ -117,9 +102,12 @@ static enum thud_status read_at2(const struct record_source *source, const struc
     enum thud_status status = read_header(source, &cursor, &header, raw, err);
     if (status)
         return status;
-    double stated = NAN, dt = NAN;
-    if (!numbers_first(&header, &stated, &dt) &&
-        !(number_after(&header, "NPTS", &stated) && number_after(&header, "DT", &dt)))
+    double stated, dt;
+    if (!numbers_first(&header, &stated, &dt)) {
+        stated = record_number_after(&header, "NPTS");
+        dt = record_number_after(&header, "DT");
+    }
+    if (isnan(stated) || isnan(dt))
         return record_refuse(source, header.number, 0, err, "no numbers with NPTS and DT");
     size_t count;
     status = record_count(source, &header, stated, &count, err);

@@ -69,30 +69,3 @@ enum thud_status record_channels_read(const struct record_source *source, const 
         snprintf(raw->note, sizeof raw->note, "channel %d of %d", which + 1, channels->count);
     return record_add_block(raw, &cursor, channel->width, channel->count, err);
 }
-
-/* A number and nothing of the word that may touch it (`100Hz`). */
-static double number_at(const char *s, const char *end)
-{
-    while (s < end && strchr(" \t=:", *s) && *s)
-        s++;
-    const char *stop = s;
-    while (stop < end && *stop && strchr("+-.0123456789", *stop))
-        stop++;
-    if (stop + 1 < end && strchr("eEdD", *stop) && *stop && strchr("+-0123456789", stop[1]) && stop[1]) {
-        for (stop++; stop < end && *stop && strchr("+-0123456789", *stop);)
-            stop++;
-    }
-    double value;
-    return record_scan(&s, stop, &value) == RECORD_NUMBER ? value : NAN;
-}
-
-double record_number_after(const struct record_line *line, const char *word)
-{
-    const char *s = record_find(line, word);
-    return s ? number_at(s + strlen(word), line->at + line->length) : NAN;
-}
-
-double record_number_first(const struct record_line *line)
-{
-    return number_at(line->at, line->at + line->length);
-}

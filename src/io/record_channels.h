@@ -29,9 +29,4 @@ enum thud_status record_channels_read(const struct record_source *source, const 
                                       const struct thud_record_choice *choice, struct record_raw *raw,
                                       struct thud_error *err);
 
-/* The number behind `word` in a line (over blanks, `=` and `:`), NaN when there is none. */
-double record_number_after(const struct record_line *line, const char *word);
-/* The first number of a line, NaN when it does not begin with one. */
-double record_number_first(const struct record_line *line);
-
 #endif

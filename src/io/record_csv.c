@@ -29,6 +29,26 @@ static const char *comma_in_number(const char *s, const char *end)
     return NULL;
 }
 
+static size_t commas(const struct record_line *line)
+{
+    size_t n = 0;
+    for (size_t i = 0; i < line->length; i++)
+        n += line->at[i] == ',';
+    return n;
+}
+
+/* The line of names before the numbers has as many commas: they separate. */
+static bool header_agrees(const struct record_source *source, const struct record_line *first)
+{
+    struct record_cursor cursor = record_start(source);
+    struct record_line line;
+    bool agrees = false;
+    while (record_next(&cursor, &line) && line.number < first->number)
+        if (line.length && !record_is_comment(&line))
+            agrees = commas(&line) == commas(first);
+    return agrees;
+}
+
 /* The numbers' decimal sign is a comma: `0,02;0,5`, `0,02 0,5`, or `0,5` alone with never a point in sight. */
 static bool decimal_comma(const struct record_source *source, char sep, const struct thud_record_choice *choice,
                           int *where)
@@ -37,7 +57,7 @@ static bool decimal_comma(const struct record_source *source, char sep, const st
     if (!record_table_first(source, &first))
         return false;
     struct record_cursor cursor = record_start(source);
-    bool whole = sep == ',' && choice->column == 0;
+    bool whole = sep == ',' && choice->column == 0 && !header_agrees(source, &first);
     for (int i = 0; i < first.number + 60 && record_next(&cursor, &line); i++) {
         if (line.number < first.number || record_is_comment(&line) || line.length == 0)
             continue;
@@ -51,10 +71,7 @@ static bool decimal_comma(const struct record_source *source, char sep, const st
         if (sep == ',' && blank && blank[-1] != ',' && comma_in_number(blank, end) &&
             !memchr(line.at, '.', line.length))
             return true;
-        size_t commas = 0;
-        for (const char *s = line.at; s < end; s++)
-            commas += *s == ',';
-        whole = whole && commas % 2 == 1 && comma && !memchr(line.at, '.', line.length);
+        whole = whole && commas(&line) % 2 == 1 && comma && !memchr(line.at, '.', line.length);
     }
     return whole && *where > 0;
 }

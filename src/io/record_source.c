@@ -194,6 +194,40 @@ enum thud_status record_refuse_scan(const struct record_source *source, const st
     return record_refuse(source, line->number, (int)(at - line->at) + 1, err, "`%s` %s", word, what);
 }
 
+double record_number_at(const char **at, const char *end)
+{
+    const char *s = *at;
+    while (s < end && strchr(" \t=:", *s) && *s)
+        s++;
+    const char *stop = s;
+    while (stop < end && *stop && strchr("+-.0123456789", *stop))
+        stop++;
+    if (stop + 1 < end && strchr("eEdD", *stop) && *stop && strchr("+-0123456789", stop[1]) && stop[1]) {
+        for (stop++; stop < end && *stop && strchr("+-0123456789", *stop);)
+            stop++;
+    }
+    double value;
+    if (record_scan(&s, stop, &value) != RECORD_NUMBER)
+        return NAN;
+    *at = s;
+    return value;
+}
+
+double record_number_after(const struct record_line *line, const char *word)
+{
+    const char *s = record_find(line, word);
+    if (!s)
+        return NAN;
+    s += strlen(word);
+    return record_number_at(&s, line->at + line->length);
+}
+
+double record_number_first(const struct record_line *line)
+{
+    const char *s = line->at;
+    return record_number_at(&s, line->at + line->length);
+}
+
 /* The fields of `width` characters; false when one of them does not hold exactly one number. */
 static bool by_width(const struct record_line *line, size_t width, size_t most, double *value, size_t *count)
 {
@@ -222,7 +256,7 @@ enum thud_status record_add_line(struct record_raw *raw, const struct record_sou
         return status;
     }
     const char *at = line->at, *end = line->at + line->length;
-    while (count++ < most && !status) {
+    for (count = 0; count < most && !status; count++) {
         enum record_scan scan = record_scan(&at, end, value);
         if (scan == RECORD_NONE)
             return THUD_OK;

@@ -74,6 +74,14 @@ enum record_scan record_scan(const char **at, const char *end, double *value);
 enum thud_status record_refuse_scan(const struct record_source *source, const struct record_line *line, const char *at,
                                     enum record_scan scan, struct thud_error *err);
 
+/* The number at `*at`, which moves behind it, over blanks, `=` and `:`; a word may touch its end (`100Hz`, `.01SEC`).
+ * NaN: none. */
+double record_number_at(const char **at, const char *end);
+/* The number behind `word` in a line (over blanks, `=` and `:`), NaN when there is none. */
+double record_number_after(const struct record_line *line, const char *word);
+/* The first number of a line, NaN when it does not begin with one. */
+double record_number_first(const struct record_line *line);
+
 /* All numbers of a line, in fields of `width` characters (0: apart by blanks or signs). Lines an editor has changed are
  * read by blanks. At most `most` numbers are added. */
 enum thud_status record_add_line(struct record_raw *raw, const struct record_source *source,

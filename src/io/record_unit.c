@@ -125,15 +125,12 @@ static double seconds_after(const struct record_line *line, const char *word)
         s += strlen(word);
         rest.at = s;
         rest.length = (size_t)(end - s);
-        while (s < end && strchr(" \t:=,(s)", *s) && *s)
-            s++;
-        double value;
-        const char *stop = s;
-        if (!whole || record_scan(&stop, end, &value) != RECORD_NUMBER)
+        double value = whole ? record_number_at(&s, end) : NAN;
+        if (isnan(value))
             continue;
-        while (stop < end && *stop == ' ')
-            stop++;
-        return starts(stop, end, "ms") ? value / 1000 : value;
+        while (s < end && *s == ' ')
+            s++;
+        return starts(s, end, "ms") ? value / 1000 : value;
     }
     return NAN;
 }

@@ -1,0 +1,162 @@
+/* Files that are damaged or say too little: each refusal names line and reason, or the option to give. */
+#include "record_text.h"
+
+START_TEST(no_record_at_all)
+{
+    refuses("", 0, "", "empty");
+    refuses("\n\n\n", 0, "", "no accelerogram");
+    refuses("words alone\n", 0, "", "no accelerogram");
+    refuses("<!DOCTYPE html>\n<p>1 2 3\n", 1, "", "web page");
+    refuses("PK\x03\x04 rest", 0, "", "compressed");
+    refuses("\xff\xfe"
+            "1",
+            1, "", "UTF-16");
+    refuses("time_s,acceleration_mps2\n0,1\n", 0, "", "too few");
+    ck_assert_int_eq(thud_record_parse("1\n2\n\0\1\2\n", 9, "file", &choice, &record, &err), THUD_INPUT);
+    ck_assert_int_eq(err.line, 3);
+    ck_assert_ptr_nonnull(strstr(err.what, "not text"));
+    ck_assert_int_eq(thud_record_file_read("/", &choice, &record, &err), THUD_INPUT);
+    ck_assert_ptr_nonnull(strstr(err.what, "folder"));
+    ck_assert_int_eq(thud_record_file_read("/dev/zero", &choice, &record, &err), THUD_INPUT);
+    ck_assert_int_eq(thud_record_file_read("no/such/file", &choice, &record, &err), THUD_INPUT);
+    ck_assert_str_eq(err.file, "no/such/file");
+}
+END_TEST
+
+START_TEST(numbers_that_are_none)
+{
+    refuses("time_s,acceleration_mps2\n0,0.1\n0.01,NaN\n0.02,0.3\n", 3, "", "`NaN` is not a number");
+    refuses("time_s,acceleration_mps2\n0,nan\n0.01,1\n0.02,0.3\n", 2, "", "`nan` is not a number");
+    refuses("time_s,acceleration_mps2\n0,inf\n0.01,1\n", 2, "", "not a number");
+    refuses("0 inf\n0.01 1\n", 1, "", "not a number");
+    refuses("time_s,acceleration_mps2\n0,1e999\n0.01,1\n", 2, "", "too large");
+    refuses("time_s,acceleration_mps2\n0,1\n0.01,\n0.02,2\n", 3, "", "1 value");
+    refuses("time_s,a (g),b\n0,1,2\n0.01,,3\n0.02,2,1\n", 3, "", "empty field");
+    refuses("1\n2\n3x\n4\n", 3, "", "`3x` is not a number");
+    refuses("1\n2\n0x10\n", 3, "", "is not a number");
+    refuses("1.5\n2.5\n1.2.3\n", 3, "", "touch");
+    refuses("1.5\n2.5\n1E-021.5\n", 3, "", "touch"); /* 1E-02 and 1.5, or 1E-021 and .5 */
+    refuses("1.5\n2.5\n********\n", 3, "", "is not a number");
+    refuses("PEER\nA\nUNITS OF G\nNPTS= 3, DT= .01 SEC\n1 2\n*******\n", 6, "", "is not a number");
+    refuses("time_s,acceleration_mps2\n0,1\n0.01,\"2\n0.02,3\n", 3, "", "quotation mark");
+    refuses("time_s,acceleration_mps2\n0,1\n0.01,2\"3\n0.02,3\n", 3, "", "quotation mark");
+}
+END_TEST
+
+START_TEST(commas_for_points)
+{
+    refuses("0,01;0,5\n0,02;0,6\n", 1, "", "0.5, not 0,5");
+    refuses("t;a\n0,01;0,5\n0,02;0,6\n", 2, "", "a comma");
+    refuses("0,01 0,5\n0,02 0,6\n", 1, "", "a comma");
+    refuses("0,01\t0,5\n0,02\t0,6\n", 1, "", "a comma");
+    refuses("0,0123\n0,0456\n-0,0789\n", 1, "", "a comma");
+    refuses("time,acc (g)\n0,00,0,0123\n0,02,0,0456\n", 2, "", "a comma");
+    choice.column = 2; /* the user knows that it separates */
+    choice.dt_s = 1;
+    strcpy(choice.unit, "m/s2");
+    const double whole[] = {5, 7, 6};
+    reads("1,5\n4,7\n9,6\n", "CSV", 1, 3, whole);
+}
+END_TEST
+
+START_TEST(asked_for_by_name)
+{
+    refuses("0.1\n0.2\n0.3\n", 0, "dt", "--dt");
+    choice.dt_s = 0.01;
+    refuses("0.1\n0.2\n0.3\n", 0, "unit", "--unit");
+    strcpy(choice.unit, "furlong");
+    refuses("0.1\n0.2\n0.3\n", 0, "unit", "cm/s2");
+    strcpy(choice.unit, "g");
+    refuses("0.1 0.2\n0.3 0.2\n", 1, "column", "--column");
+    refuses("0.1 0.2 0.5\n0.3 0.2 0.5\n", 1, "column", "--column all");
+    refuses("time_s,x (g),y (g)\n0,1,2\n0.01,2,3\n0.02,3,4\n", 2, "column", "2 x (g), 3 y (g)");
+    strcpy(choice.channel, "z");
+    refuses("time_s,x (g),y (g)\n0,1,2\n0.01,2,3\n0.02,3,4\n", 2, "channel", "y (g)");
+    choice.channel[0] = '\0';
+    choice.column = 1;
+    refuses("time_s,x (g),y (g)\n0,1,2\n0.01,2,3\n0.02,3,4\n", 2, "column", "is the time");
+    choice.column = 4;
+    refuses("time_s,x (g),y (g)\n0,1,2\n0.01,2,3\n0.02,3,4\n", 2, "column", "no column 4");
+    choice.column = 0;
+    refuses("0.02 0.5\n1 2 3 4 5\n6 7 8 9 1\n", 2, "", "--skip 1");
+    refuses("1 2 3\n4 5 6\n7 8", 1, "column", "--column"); /* cut off: no line end */
+    choice.column = 1;
+    refuses("1 2 3\n4 5 6\n7 8\n", 3, "", "2 values in the last line");
+    choice.column = 0;
+    refuses("1\n2\n3 4\n5\n", 3, "", "2 values");
+    refuses("1 2\n3 4\n5\n6 7\n", 3, "", "1 value");
+}
+END_TEST
+
+START_TEST(what_the_file_says_stands)
+{
+    const char *at2 = "PEER\nA\nUNITS OF G\nNPTS= 2, DT= .01 SEC\n1 2\n";
+    choice.dt_s = 0.02;
+    refuses(at2, 4, "", "0.01 s, --dt says 0.02 s");
+    choice.dt_s = 0.01;
+    strcpy(choice.unit, "m/s2");
+    refuses(at2, 3, "", "another unit");
+    strcpy(choice.unit, "g");
+    const double a[] = {G(1), G(2)};
+    reads(at2, "PEER AT2", 0.01, 2, a);
+    choice.unit[0] = '\0';
+    const double b[] = {1, 2};
+    choice.dt_s = 0.02; /* prose may be about something else: the option decides */
+    reads("# dt=0.01 for the other file; Acc. in m/s2\n1\n2\n", "plain columns", 0.02, 2, b);
+    choice.dt_s = NAN;
+    refuses("# dt=0.01\ntime_s,acceleration_mps2\n0,1\n0.02,2\n0.04,3\n", 1, "dt", "0.01 s, the time column of 0.02 s");
+    refuses("# Acc. in m/s2\n# acc. in cm/s2, dt = 1 s\n1\n2\n", 0, "unit", "--unit");
+    refuses("time_s,acceleration_mps2\n0,1\n0.01,2\n0.02,2\n0.05,3\n0.06,1\n", 5, "", "equal steps");
+}
+END_TEST
+
+START_TEST(counts_that_differ)
+{
+    refuses("PEER\nA\nUNITS OF G\nNPTS= 4, DT= .01 SEC\n1 2 3\n", 4, "", "4 samples, the file holds 3 (cut off?)");
+    refuses("PEER\nA\nUNITS OF G\nNPTS= 2, DT= .01 SEC\n1 2 3\n", 4, "", "--skip 4");
+    refuses("PEER\nA\nUNITS OF G\nNPTS= 99999999999, DT= .01 SEC\n1 2 3\n", 4, "", "has only");
+    refuses("PEER\nA\nUNITS OF G\nNPTS= -3, DT= .01 SEC\n1 2 3\n", 4, "", "-3 samples");
+    refuses("PEER\nA\nUNITS OF G\nNPTS= 2.5, DT= .01 SEC\n1 2 3\n", 4, "", "2.5 samples");
+    refuses("PEER\nA\nUNITS OF G\nNPTS= 3, DT= 0 SEC\n1 2 3\n", 4, "", "time step of 0 s");
+    refuses("PEER\nA\nUNITS OF G\nNPTS= 3, DT= -1 SEC\n1 2 3\n", 4, "", "time step of -1 s");
+    refuses("PEER\nA\nUNITS OF G\nNPTS=, DT= SEC\n1 2 3\n", 4, "", "no numbers");
+    refuses("PEER\nA\nVELOCITY TIME SERIES IN UNITS OF CM/S\nNPTS= 3, DT= .01 SEC\n1 2 3\n", 3, "", "velocities");
+    refuses("PEER\nA\nno unit\nNPTS= 3, DT= .01 SEC\n1 2 3\n", 0, "unit", "--unit");
+    choice.skip = 4;
+    const double a[] = {G(1), G(2), G(3)}; /* the skipped lines still tell unit and step */
+    reads("PEER\nA\nUNITS OF G\nNPTS= 4, DT= .01 SEC\n1\n2\n3\n", "plain columns", 0.01, 3, a);
+    choice.skip = 99;
+    refuses("1\n2\n", 0, "", "no accelerogram");
+    choice.skip = -1;
+    char text[400];
+    memcpy(text, esm, sizeof esm);
+    memcpy(strstr(text, "NDATA: 3"), "NDATA: 4", 8);
+    refuses(text, 11, "", "4 samples, the file holds 3");
+    memcpy(text, esm, sizeof esm);
+    memcpy(strstr(text, "cm/s^2"), "cm/s  ", 6);
+    refuses(text, 6, "", "not a unit of acceleration");
+    memcpy(text, esm, sizeof esm);
+    memcpy(strstr(text, "ACCELERATION"), "VELOCITY    ", 12);
+    refuses(text, 7, "", "VELOCITY");
+    refuses("Origin Time x\nScale Factor      3920(gal)/0\nMemo.\n1 2 3\n", 2, "", "scale factor");
+    refuses("Origin Time x\nSampling Freq(Hz) 100Hz\nScale Factor      3920(gal)/10\n1 2 3\n", 4, "", "Memo.");
+    refuses(
+        "Origin Time x\nSampling Freq(Hz) 100Hz\nDuration Time(s)  50\nScale Factor      3920(gal)/10\nMemo.\n1 2 3\n",
+        6, "", "cut off");
+}
+END_TEST
+
+Suite *thud_suite(void)
+{
+    Suite *suite = suite_create("record refusals");
+    TCase *all = tcase_create("all");
+    tcase_add_checked_fixture(all, setup, teardown);
+    tcase_add_test(all, no_record_at_all);
+    tcase_add_test(all, numbers_that_are_none);
+    tcase_add_test(all, commas_for_points);
+    tcase_add_test(all, asked_for_by_name);
+    tcase_add_test(all, what_the_file_says_stands);
+    tcase_add_test(all, counts_that_differ);
+    suite_add_tcase(suite, all);
+    return suite;
+}
