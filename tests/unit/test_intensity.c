@@ -74,10 +74,10 @@ END_TEST
 START_TEST(quiet_and_silent)
 {
     const double quiet[] = {0, 0.3, -0.2, 0.1}, silent[] = {0, 0, 0};
-    ck_assert_double_eq(of(quiet, 4, 0.1).bracketed_s, 1e-15);
+    ck_assert_double_eq(of(quiet, 4, 0.1).bracketed_s, 0);
     struct thud_intensity m = of(silent, 3, 0.1);
-    ck_assert_double_eq(m.pga_mps2, 1e-15);
-    ck_assert_double_eq(m.arias_mps, 1e-15);
+    ck_assert_double_eq(m.pga_mps2, 0);
+    ck_assert_double_eq(m.arias_mps, 0);
     ck_assert(isnan(m.d5_95_s) && isnan(m.d5_75_s) && isnan(m.predominant_s));
 }
 END_TEST

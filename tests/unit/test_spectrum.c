@@ -102,6 +102,7 @@ END_TEST
 START_TEST(limits_of_stiff_and_soft)
 {
     struct thud_record *record = ragged(400, 0.02);
+    record->a_mps2[0] = record->a_mps2[399] = 0; /* no jumps: the stiffest oscillator would overshoot */
     double peak = thud_record_peak(record);
     ck_assert_double_eq(thud_spectrum_at(record, 0, 0.05).acceleration_mps2, peak);
     ck_assert_double_eq(thud_spectrum_at(record, 0, 0.05).displacement_m, 0);
