@@ -2,16 +2,15 @@
 #ifndef THUD_CLI_MANUAL_H
 #define THUD_CLI_MANUAL_H
 
-#include "base/param.h"
+#include <stdbool.h>
+
 #include "base/text.h"
 
-/* A list of parameters, each with its meaning, unit, bounds and default. */
-void thud_manual_params(struct thud_text *out, const struct thud_param *params, int n);
+/* One part: "units", "laws". It stands in man/thud-preset.5 between the comments `begin NAME` and `end NAME`, where
+ * tests/tools/manual.sh puts it and the tests compare it. false: there is no such part. */
+bool thud_manual_part(struct thud_text *out, const char *name);
 
-/* The units of every dimension. */
-void thud_manual_units(struct thud_text *out);
-
-/* Every law with its force, its parameters and its reference. */
-void thud_manual_laws(struct thud_text *out);
+/* The names of the parts, by index from 0; NULL after the last. */
+const char *thud_manual_part_name(int index);
 
 #endif

@@ -1,8 +1,10 @@
 #include "cli/manual.h"
 
 #include <math.h>
+#include <stddef.h>
 #include <string.h>
 
+#include "base/param.h"
 #include "core/law.h"
 
 enum { COLUMNS = 76 };
@@ -95,7 +97,7 @@ static void put_default(struct thud_text *out, const struct thud_param *param)
     thud_text_append(out, ".");
 }
 
-void thud_manual_params(struct thud_text *out, const struct thud_param *params, int n)
+static void put_params(struct thud_text *out, const struct thud_param *params, int n)
 {
     if (n == 0)
         return;
@@ -115,7 +117,7 @@ void thud_manual_params(struct thud_text *out, const struct thud_param *params, 
     thud_text_append(out, ".El\n");
 }
 
-void thud_manual_units(struct thud_text *out)
+static void units(struct thud_text *out)
 {
     thud_text_append(out, ".Bl -tag -width Ds -compact\n");
     for (int d = THUD_RATIO; d < THUD_DIMENSIONS; d++) {
@@ -127,7 +129,7 @@ void thud_manual_units(struct thud_text *out)
     thud_text_append(out, ".El\n");
 }
 
-void thud_manual_laws(struct thud_text *out)
+static void laws(struct thud_text *out)
 {
     for (int i = 0; i < thud_law_count(); i++) {
         const struct thud_law *law = thud_law_at(i);
@@ -139,6 +141,28 @@ void thud_manual_laws(struct thud_text *out)
         else
             fill(out, about.data);
         thud_text_clear(&about);
-        thud_manual_params(out, law->params, law->nparams);
+        put_params(out, law->params, law->nparams);
     }
+}
+
+static const struct {
+    const char *name;
+    void (*write)(struct thud_text *out);
+} parts[] = {{"units", units}, {"laws", laws}};
+enum { PARTS = sizeof parts / sizeof *parts };
+
+bool thud_manual_part(struct thud_text *out, const char *name)
+{
+    for (int i = 0; i < PARTS; i++) {
+        if (strcmp(parts[i].name, name) == 0) {
+            parts[i].write(out);
+            return true;
+        }
+    }
+    return false;
+}
+
+const char *thud_manual_part_name(int index)
+{
+    return index < PARTS ? parts[index].name : NULL;
 }

@@ -1,20 +1,27 @@
-/* thud(1) against the tables: it describes every command and option there is, and none there is not. */
+/* The manual against the tables: thud(1) describes every command and option there is and none there is not; the parts
+ * of thud-preset(5) that come from the tables are what the tables say now. */
 #include <check.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "app/command.h"
+#include "cli/manual.h"
 
-static char page[64 * 1024];
+static char page[256 * 1024];
 
-static void read_page(void)
+static void read_file(const char *path)
 {
-    FILE *file = fopen("man/thud.1", "r");
+    FILE *file = fopen(path, "r");
     ck_assert_ptr_nonnull(file);
     size_t size = fread(page, 1, sizeof page - 1, file);
     fclose(file);
     page[size] = '\0';
+}
+
+static void read_page(void)
+{
+    read_file("man/thud.1");
 }
 
 /* The line `.It MACRO WORD` with nothing longer in place of WORD. */
@@ -67,6 +74,24 @@ START_TEST(every_described_option_exists)
 }
 END_TEST
 
+START_TEST(the_preset_page_says_what_the_tables_say)
+{
+    read_file("man/thud-preset.5");
+    const char *name;
+    for (int i = 0; (name = thud_manual_part_name(i)) != NULL; i++) {
+        struct thud_text part = {0};
+        thud_text_append(&part, ".\\\" begin %s\n", name);
+        ck_assert(thud_manual_part(&part, name));
+        thud_text_append(&part, ".\\\" end %s\n", name);
+        ck_assert_msg(strstr(page, part.data) != NULL,
+                      "man/thud-preset.5: the part `%s` is out of date (tests/tools/manual.sh makes it anew)", name);
+        thud_text_clear(&part);
+    }
+    struct thud_text none = {0};
+    ck_assert(!thud_manual_part(&none, "nothing"));
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -76,6 +101,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, every_command_is_described);
     tcase_add_test(tcase, every_option_is_described);
     tcase_add_test(tcase, every_described_option_exists);
+    tcase_add_test(tcase, the_preset_page_says_what_the_tables_say);
     suite_add_tcase(suite, tcase);
     return suite;
 }
