@@ -43,7 +43,6 @@ static const struct thud_option options[] = {
     {"skip", "N", "lines to skip at a record's start", THUD_WORD_TEXT, false, STUDY | RECORD},
     {"method", "NAME", "one of `thud methods`, or auto", THUD_WORD_METHOD, false, STUDY | SCREEN},
     {"step", "TIME", "step of a fixed-step method, e.g. 1e-4s", THUD_WORD_TEXT, false, STUDY | SCREEN},
-    {"locate", "on|off", "fixed-step methods: find contacts inside steps", THUD_WORD_TEXT, false, STUDY},
     {"tolerance", "NUMBER", "1e-6: every peak within 1e-5 of the converged one", THUD_WORD_TEXT, false, STUDY | SCREEN},
     {"vary", "KEY=FROM:TO:STEP", "vary a value; several make a grid", THUD_WORD_KEY, true, SWEEP},
     {"records", "FILE,FILE", "run each of these ground motions", THUD_WORD_FILE, false, SWEEP | FIGURES},
