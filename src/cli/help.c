@@ -16,6 +16,13 @@ void thud_help_all(struct thud_text *out)
                           "Manual pages: thud(1), thud-preset(5), thud-model(7).\n");
 }
 
+/* A study takes all that a run takes; what a run's help says of its scene is not said again. */
+static bool said_by_run(const struct thud_option *option, enum thud_command_id id)
+{
+    return id == THUD_COMMAND_SWEEP && option->argument && thud_option_belongs(option, THUD_COMMAND_RUN) &&
+           !thud_option_belongs(option, THUD_COMMAND_FIGURES);
+}
+
 void thud_help_command(struct thud_text *out, enum thud_command_id id)
 {
     const struct thud_command *command = thud_command_at(id);
@@ -23,11 +30,13 @@ void thud_help_command(struct thud_text *out, enum thud_command_id id)
                      command->operands, command->operands[0] ? " " : "", command->summary);
     for (int i = 0; i < thud_option_count(); i++) {
         const struct thud_option *option = thud_option_at(i);
-        if (!thud_option_belongs(option, id))
+        if (!thud_option_belongs(option, id) || said_by_run(option, id))
             continue;
         char usage[64];
         snprintf(usage, sizeof usage, "%s%s%s%s", option->name[1] ? "--" : "-", option->name,
                  option->argument ? " " : "", option->argument ? option->argument : "");
         thud_text_append(out, "  %-25s %s%s\n", usage, option->help, option->repeatable ? " (repeatable)" : "");
     }
+    if (id == THUD_COMMAND_SWEEP)
+        thud_text_append(out, "\nand what `thud run --help` says of the scene, its ground motion and its method\n");
 }
