@@ -7,7 +7,7 @@
 #include "core/law.h"
 
 #define THUD_KN_PER_MM   1e6
-#define THUD_KN_PER_MM15 31622776.601683795 /* kN/mm^1.5 in N/m^1.5 */
+#define THUD_KN_PER_MM15 31622776.601683792 /* kN/mm^1.5 in N/m^1.5 */
 
 /* clang-format off */
 #define THUD_PARAM_STIFFNESS                                                                        \
