@@ -1,9 +1,10 @@
-/* thud help: the commands, the options of one, and for shells the words that may stand where. */
+/* thud help: the commands, the options of one; for shells the words that may stand where, for the manual what the tables say. */
 #include <dirent.h>
 #include <string.h>
 
 #include "cli/commands.h"
 #include "cli/help.h"
+#include "cli/manual.h"
 #include "core/method.h"
 #include "io/paths.h"
 #include "study/scene.h"
@@ -62,12 +63,16 @@ enum thud_status thud_command_help(const struct thud_args *args, struct thud_err
     struct thud_text text = {0};
     enum thud_status status = THUD_OK;
     const char *list = thud_args_value(args, "words"), *shell = thud_args_value(args, "completion");
+    const char *part = thud_args_value(args, "mdoc");
     enum thud_command_id id = args->noperands > 0 ? thud_command_find(args->operand[0]) : THUD_COMMAND_SCREEN;
     if (list) {
         status = words(list, &text, err);
     } else if (shell) {
         if (!thud_completion(&text, shell))
             status = thud_error_set(err, THUD_USAGE, "no completion for `%.40s` (bash, zsh, fish)", shell);
+    } else if (part) {
+        if (!thud_manual_part(&text, part))
+            status = thud_error_set(err, THUD_USAGE, "the manual has no part `%.40s`", part);
     } else if (id == THUD_COMMANDS) {
         status = thud_error_set(err, THUD_USAGE, "thud has no command %.40s; see `thud help`", args->operand[0]);
     } else if (args->noperands == 0) {
