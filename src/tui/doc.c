@@ -123,7 +123,9 @@ enum thud_status thud_doc_set(struct thud_doc *doc, const char *key, const char 
     if (status != THUD_OK)
         return status;
     thud_scene_get(&next, key, after, sizeof after, NULL);
-    snprintf(what, sizeof what, "%s %.60s -> %.60s", key, before, after);
+    const char *only = "interfaces.1.";
+    bool bare = doc->scene.nstructures == 2 && strncmp(key, only, strlen(only)) == 0;
+    snprintf(what, sizeof what, "%.100s %.60s -> %.60s", bare ? key + strlen(only) : key, before, after);
     return thud_doc_change(doc, &next, what, err);
 }
 

@@ -4,7 +4,7 @@
 
 #include "tui/field.h"
 
-enum { LABEL = 18 };
+enum { LABEL = 19 };
 
 void thud_field_value(struct thud_tui *tui, int index, const struct thud_pane *pane, int x, int y, int w,
                       const char *key, bool unit)

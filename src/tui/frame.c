@@ -183,7 +183,7 @@ static void bottom_lines(struct thud_tui *tui, const struct thud_pane *page, int
     struct thud_pane lines = thud_pane_inside(page, 0, page->h - rows, page->w, rows);
     char words[1024];
     field_words(tui, words, sizeof words);
-    struct thud_look said = thud_look(tui->message_role, THUD_BOLD), muted = thud_look(THUD_ROLE_PLAIN, 0);
+    struct thud_look said = thud_look((int)tui->message_role, THUD_BOLD), muted = thud_look(THUD_ROLE_PLAIN, 0);
     struct thud_pane upper = thud_pane_inside(&lines, 0, 0, lines.w, rows - 1);
     if (tui->mode == THUD_MODE_TYPING && tui->typing != THUD_TYPE_FIELD) {
         int at = 1 + thud_pane_put(&upper, 1, upper.h - 1, thud_look(THUD_ROLE_KEY, THUD_BOLD), prompt_words(tui));

@@ -44,6 +44,7 @@ static void spectrum(struct thud_panel *panel, const struct thud_record *record,
     thud_panel_axis(panel, THUD_Y, "Sa", "g");
     thud_panel_log(panel, THUD_X);
     thud_panel_limits(panel, THUD_X, 0.05, 5.0);
+    thud_panel_limits(panel, THUD_Y, 0.0, NAN);
     struct thud_series *series = thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES}, "", POINTS, NULL, NULL);
     for (int i = 0; series && i < POINTS; i++) {
         series->x[i] = point[i].period_s;

@@ -13,7 +13,7 @@ enum { PEAKS = 2, PEAK_ROWS = 7 };
 static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect *pane)
 {
     (void)tui;
-    int strip = area.h >= 18 ? PEAK_ROWS + 1 : area.h / 3, half = area.w / 2;
+    int strip = area.h >= 30 ? 2 * PEAK_ROWS : area.h >= 18 ? PEAK_ROWS + 1 : area.h / 3, half = area.w / 2;
     pane[0] = (struct thud_rect){area.x, area.y, half, area.h - strip};
     pane[1] = (struct thud_rect){area.x + half, area.y, area.w - half, area.h - strip};
     pane[PEAKS] = (struct thud_rect){area.x, area.y + area.h - strip, area.w, strip};

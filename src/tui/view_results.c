@@ -159,9 +159,9 @@ static int draw_energy(const struct thud_result *result, const struct thud_pane 
                {"strain", e->strain_j + e->stored_j}};
     char a[24];
     for (size_t i = 0; i < sizeof row / sizeof *row; i++)
-        thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_PLAIN, 0), "%-17s %s kJ", row[i].name,
+        thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_PLAIN, 0), "%-18s %s kJ", row[i].name,
                         thud_tui_number(1e-3 * row[i].value, a));
-    thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_PLAIN, 0), "%-17s %.1e", "energy error", e->error_ratio);
+    thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_PLAIN, 0), "%-18s %.1e", "energy error", e->error_ratio);
     return y;
 }
 
