@@ -22,6 +22,8 @@ void thud_tui_prompt_done(struct thud_tui *tui)
     tui->message[0] = '\0';
     if (tui->typing == THUD_TYPE_COMMAND)
         thud_tui_command(tui, text);
+    else if (tui->typing == THUD_TYPE_STUDY)
+        thud_tui_sweep_typed(tui, text);
     else if (tui->typing == THUD_TYPE_FILTER)
         thud_tui_filter_records(tui, text);
     else if (*text)

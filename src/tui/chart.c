@@ -69,7 +69,8 @@ static void draw_series(struct drawing *d, const struct thud_series *series, str
     if (series->n == 1 && kind != THUD_BARS)
         draw_points(d, series, look);
     thud_dots_put(&d->dots);
-    if (kind == THUD_POINTS || kind == THUD_LINES_POINTS)
+    bool roomy = 3 * series->n <= (size_t)d->dots.pane.w; /* else the points would hide the line */
+    if (kind == THUD_POINTS || (kind == THUD_LINES_POINTS && roomy))
         draw_points(d, series, look);
 }
 

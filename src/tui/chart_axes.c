@@ -81,21 +81,27 @@ struct thud_look thud_chart_look(const struct thud_series *series, int index)
     return thud_look(THUD_ROLE_SERIES + color % 8, series->style.wide ? THUD_BOLD : 0);
 }
 
-/* "1 left  2 right", each in its colour; returns the columns it takes, drawn only where `draw`. */
-static int key_line(const struct thud_pane *pane, const struct thud_panel *panel, int x, int y, bool draw)
+/* "1 left  2 right", each in its colour, in at most `rows` rows from (x, y) on; returns the rows it takes, drawn only
+ * where `draw`. */
+static int key_lines(const struct thud_pane *pane, const struct thud_panel *panel, int x, int y, int rows, bool draw)
 {
-    int at = x;
+    int at = x, row = 0;
     for (int i = 0; i < panel->nseries; i++) {
         const struct thud_series *series = panel->series[i];
         if (!series->name || !*series->name)
             continue;
         char text[80];
         snprintf(text, sizeof text, "%c %.70s", i < 9 ? '1' + i : '+', series->name);
-        if (draw)
-            thud_pane_put(pane, at, y, thud_chart_look(series, i), text);
-        at += thud_utf8_columns(text) + 2;
+        int width = thud_utf8_columns(text);
+        if (at > 0 && at + width > pane->w) {
+            at = 0;
+            row++;
+        }
+        if (draw && row < rows)
+            thud_pane_put(pane, at, y + row, thud_chart_look(series, i), text);
+        at += width + 2;
     }
-    return at - x;
+    return at == x && row == 0 ? 0 : row + 1;
 }
 
 /* Title and key; returns the rows they took. */
@@ -106,19 +112,15 @@ static int head(const struct thud_pane *pane, const struct thud_panel *panel)
     const char *title = panel->title && *panel->title ? panel->title : axis->label ? axis->label : "";
     thud_axis_text(axis, unit, sizeof unit);
     bool both = *unit && strcmp(title, axis->label ? axis->label : "") != 0;
-    snprintf(text, sizeof text, "%s%s%s", both ? title : *unit ? unit : title, both ? ": " : "", both ? unit : "");
+    snprintf(text, sizeof text, "%.120s%s%s", both ? title : *unit ? unit : title, both ? ": " : "", both ? unit : "");
     int at = thud_pane_put(pane, 0, 0, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), text) + 3;
-    int width = key_line(pane, panel, 0, 0, false);
-    if (width == 0)
-        return 1;
-    if (at + width <= pane->w) {
-        key_line(pane, panel, at, 0, true);
+    if (key_lines(pane, panel, at, 0, 1, false) <= 1) {
+        key_lines(pane, panel, at, 0, 1, true);
         return 1;
     }
-    if (pane->h < 8)
-        return 1;
-    key_line(pane, panel, 0, 1, true);
-    return 2;
+    int most = pane->h / 5, rows = key_lines(pane, panel, 0, 1, most, false);
+    key_lines(pane, panel, 0, 1, most, true);
+    return 1 + (rows < most ? rows : most);
 }
 
 static void y_axis(const struct thud_chart_frame *frame, const struct thud_pane *pane, const struct ticks *ticks)

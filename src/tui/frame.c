@@ -40,12 +40,16 @@ static bool any_failed(const struct thud_tui *tui)
 }
 
 /* Returns the column it starts at. */
-static int run_status(const struct thud_tui *tui, const struct thud_pane *row)
+static int run_status(struct thud_tui *tui, const struct thud_pane *row)
 {
     char text[64];
     int role = THUD_ROLE_MUTED;
-    if (tui->live.running) {
-        int tenths = (int)(10.0 * thud_live_progress(&tui->live));
+    double own = -1.0;
+    for (int i = 0; i < THUD_SCREENS && own < 0.0; i++)
+        if (thud_view_of((enum thud_screen)i)->progress)
+            own = thud_view_of((enum thud_screen)i)->progress(tui);
+    if (tui->live.running || own >= 0.0) {
+        int tenths = (int)(10.0 * (tui->live.running ? thud_live_progress(&tui->live) : own));
         char bar[16] = "..........";
         memset(bar, '#', (size_t)(tenths < 0 ? 0 : tenths > 10 ? 10 : tenths));
         snprintf(text, sizeof text, "[%s] Esc stops ", bar);
@@ -174,7 +178,9 @@ static void bottom_keys(struct thud_tui *tui, const struct thud_pane *row)
 /* The prompt of what is typed outside a field. */
 static const char *prompt_words(const struct thud_tui *tui)
 {
-    static const char *const words[] = {"", ":", "save as: ", "file name contains: "};
+    static const char *const words[] = {"", ":", "save as: ", "file name contains: ", ""};
+    if (tui->typing == THUD_TYPE_STUDY)
+        return tui->target;
     return words[tui->typing];
 }
 

@@ -34,8 +34,10 @@ THUD_KEY(PLOTS, NEXT_FIGURE, THUD_KEY_DOWN, 'j', "Down", "~Up/Down figure", "the
 THUD_KEY(PLOTS, PREVIOUS_FIGURE, THUD_KEY_UP, 'k', "Up", "", "the figure before")
 THUD_KEY(PLOTS, NEXT_CONTACT, ']', 0, "]", "~[ ] floor", "the contact or floor above")
 THUD_KEY(PLOTS, PREVIOUS_CONTACT, '[', 0, "[", "", "the contact or floor below")
-THUD_KEY_AGAIN(SWEEP, QUANTITY, 'c', 0, "c", "curve",
-               "amplification of accelerations or of deflections, of one structure or the other")
+THUD_KEY_AGAIN(SWEEP, QUANTITY, 'c', 0, "c", "figure", "the next figure of the study")
+THUD_KEY_AGAIN(SWEEP, NEXT_CONTACT, ']', 0, "]", "~[ ] panel",
+               "the next panel of the figure alone, after the last all of them")
+THUD_KEY_AGAIN(SWEEP, PREVIOUS_CONTACT, '[', 0, "[", "", "the panel before")
 THUD_KEY_AGAIN(BENCH, QUANTITY, 'c', 0, "c", "curve", "work or wall time against error")
 THUD_KEY(FORMS, EDIT, THUD_KEY_ENTER, 0, "Enter", "edit", "edit the field, or choose what the cursor is on")
 THUD_KEY(FORMS, EDIT_OLD, THUD_KEY_F2, 0, "F2", "", "edit the field from its old text (a digit starts a new one)")

@@ -3,11 +3,11 @@
 #include <string.h>
 
 #include "app/figure_files.h"
+#include "app/run_figures.h"
 #include "io/file.h"
-#include "plot/figures_run.h"
 #include "tui/state.h"
 
-static const char *folder_of(const struct thud_tui *tui)
+const char *thud_tui_folder(const struct thud_tui *tui)
 {
     return tui->options.output ? tui->options.output : ".";
 }
@@ -16,22 +16,27 @@ void thud_tui_picture(struct thud_tui *tui)
 {
     struct thud_error err;
     const struct thud_figure *figure = thud_view_of(tui->screen)->figure(tui);
-    if (thud_figure_save(figure, folder_of(tui), NULL, &err) != THUD_OK)
+    if (thud_figure_save(figure, thud_tui_folder(tui), NULL, &err) != THUD_OK)
         thud_tui_say_error(tui, &err);
     else
-        thud_tui_say(tui, THUD_ROLE_GOOD, "Written %s/%s.png, .gp (draws it again) and .csv", folder_of(tui),
+        thud_tui_say(tui, THUD_ROLE_GOOD, "Written %s/%s.png, .gp (draws it again) and .csv", thud_tui_folder(tui),
                      figure->name);
 }
 
 void thud_tui_export(struct thud_tui *tui)
 {
+    const struct thud_view *view = thud_view_of(tui->screen);
+    if (view->export_csv) {
+        view->export_csv(tui);
+        return;
+    }
     struct thud_error err;
     struct thud_text csv = {0};
     char path[512];
     const struct thud_figure *figure = thud_view_of(tui->screen)->figure(tui);
-    snprintf(path, sizeof path, "%s/%s.csv", folder_of(tui), figure->name);
+    snprintf(path, sizeof path, "%s/%s.csv", thud_tui_folder(tui), figure->name);
     thud_figure_csv(figure, &csv);
-    enum thud_status status = thud_folder_make(folder_of(tui), &err);
+    enum thud_status status = thud_folder_make(thud_tui_folder(tui), &err);
     if (status == THUD_OK)
         status = thud_text_write(&csv, path, &err);
     else
@@ -50,11 +55,7 @@ static int sources(const struct thud_tui *tui, struct thud_figure_source source[
         const struct thud_live_case *c = &tui->live.which[i];
         if (c->state != THUD_LIVE_DONE)
             continue;
-        source[n] = (struct thud_figure_source){.name = thud_live_name((enum thud_live_which)i),
-                                                .scene = &tui->doc.scene,
-                                                .result = thud_run_result(c->run),
-                                                .history = thud_run_history(c->run)};
-        source[n].impact = thud_run_impacts(c->run, &source[n].nimpacts);
+        source[n] = thud_run_source(thud_live_name((enum thud_live_which)i), &tui->doc.scene, c->run);
         n++;
     }
     return n;
@@ -78,23 +79,23 @@ static bool with_histories(struct thud_tui *tui)
 
 void thud_tui_pictures(struct thud_tui *tui)
 {
+    const struct thud_view *view = thud_view_of(tui->screen);
+    if (view->pictures) {
+        view->pictures(tui);
+        return;
+    }
     struct thud_error err = {0};
     enum thud_status status = THUD_OK;
-    int n = 0;
     if (!with_histories(tui))
         return;
     struct thud_figure_source source[THUD_LIVE_CASES];
     int count = sources(tui, source);
-    for (int i = 0; count > 0 && i < THUD_RUN_FIGURES && status == THUD_OK; i++) {
-        if (!thud_run_figure_has((enum thud_run_figure)i, source, count))
-            continue;
-        struct thud_figure *figure = thud_run_figure((enum thud_run_figure)i, source, count);
-        status = thud_figure_save(figure, folder_of(tui), NULL, &err);
-        thud_figure_free(figure);
-        n += status == THUD_OK;
-    }
+    if (count == 0)
+        return;
+    status = thud_run_figures_save(source, count, thud_tui_folder(tui), NULL, &err);
     if (status != THUD_OK)
         thud_tui_say_error(tui, &err);
     else
-        thud_tui_say(tui, THUD_ROLE_GOOD, "Written %d figures into %s: .png, .gp and .csv of each", n, folder_of(tui));
+        thud_tui_say(tui, THUD_ROLE_GOOD, "Written all figures into %s: .png, .gp and .csv of each",
+                     thud_tui_folder(tui));
 }

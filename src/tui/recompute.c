@@ -47,6 +47,10 @@ static void start(struct thud_tui *tui)
 
 void thud_tui_opened(struct thud_tui *tui)
 {
+    for (int i = 0; i < THUD_SCREENS; i++) /* what the screens keep belongs to the preset before */
+        if (thud_view_of((enum thud_screen)i)->free)
+            thud_view_of((enum thud_screen)i)->free(tui);
+    tui->law_revision = 0;
     tui->pair = 0;
     tui->before = (struct thud_peaks){0};
     tui->kept_before_n = NAN;

@@ -20,7 +20,7 @@ enum thud_screen {
 };
 
 enum thud_mode { THUD_MODE_NORMAL, THUD_MODE_TYPING, THUD_MODE_CHOOSING, THUD_MODE_ASKING };
-enum thud_typing { THUD_TYPE_FIELD, THUD_TYPE_COMMAND, THUD_TYPE_SAVE_AS, THUD_TYPE_FILTER };
+enum thud_typing { THUD_TYPE_FIELD, THUD_TYPE_COMMAND, THUD_TYPE_SAVE_AS, THUD_TYPE_FILTER, THUD_TYPE_STUDY };
 enum thud_choosing { THUD_CHOOSE_VALUE, THUD_CHOOSE_PRESET, THUD_CHOOSE_FIELD };
 enum thud_asking { THUD_ASK_QUIT, THUD_ASK_OVERWRITE, THUD_ASK_DISK, THUD_ASK_OPEN };
 
@@ -53,6 +53,10 @@ struct thud_view {
     /* Time until `tick` has to be called, s; negative: never. May be NULL. */
     double (*pause)(struct thud_tui *tui);
     void (*tick)(struct thud_tui *tui);
+    double (*progress)(struct thud_tui *tui); /* of its own work, 0 to 1; NULL where it has none */
+    /* In place of all figures of the live cases, and of the figure's data. May be NULL. */
+    void (*pictures)(struct thud_tui *tui);
+    void (*export_csv)(struct thud_tui *tui);
     void (*free)(struct thud_tui *tui); /* may be NULL */
 };
 const struct thud_view *thud_view_of(enum thud_screen screen);
@@ -66,6 +70,7 @@ struct thud_peaks { /* what the strip shows, kept to show what a change did */
 struct thud_model_state;
 struct thud_plots_state;
 struct thud_record_state;
+struct thud_sweep_state;
 
 struct thud_tui {
     struct thud_tui_options options;
@@ -108,6 +113,7 @@ struct thud_tui {
     int law_pair;
     struct thud_plots_state *plots;
     struct thud_record_state *record;
+    struct thud_sweep_state *sweep;
     int results_case, results_sort;
     int help_top;
 };
@@ -147,6 +153,7 @@ void thud_tui_answered(struct thud_tui *tui, int key);
 void thud_tui_save(struct thud_tui *tui, const char *path, bool sure);
 void thud_tui_open(struct thud_tui *tui, const char *name, bool sure);
 void thud_tui_quit(struct thud_tui *tui, bool sure);
+void thud_tui_sweep_typed(struct thud_tui *tui, const char *text);    /* view_sweep.c */
 void thud_tui_filter_records(struct thud_tui *tui, const char *text); /* view_record.c */
 void thud_tui_list_presets(struct thud_tui *tui);
 void thud_tui_list_fields(struct thud_tui *tui);
@@ -160,6 +167,7 @@ void thud_tui_command(struct thud_tui *tui, const char *text);
 void thud_tui_commands_text(struct thud_text *out); /* ":word arguments" a line */
 
 /* output.c */
+const char *thud_tui_folder(const struct thud_tui *tui); /* where pictures and tables go */
 void thud_tui_picture(struct thud_tui *tui);
 void thud_tui_pictures(struct thud_tui *tui);
 void thud_tui_export(struct thud_tui *tui);

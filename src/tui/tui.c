@@ -138,15 +138,26 @@ void thud_tui_key(struct thud_tui *tui, int key)
     }
 }
 
+/* A screen with work of its own, shown or not; NULL: none has any. */
+static const struct thud_view *busy_view(struct thud_tui *tui)
+{
+    for (int i = 0; i < THUD_SCREENS; i++) {
+        const struct thud_view *view = thud_view_of((enum thud_screen)i);
+        if (view->busy && view->busy(tui))
+            return view;
+    }
+    return NULL;
+}
+
 /* Works for one slice; what takes long says so. */
 static void work(struct thud_tui *tui)
 {
     double start = tui->backend->now(tui->backend), now = start;
-    const struct thud_view *view = thud_view_of(tui->screen);
+    const struct thud_view *view = busy_view(tui);
     for (int i = 0; i < 64 && now - start < slice_s; i++) {
         if (tui->live.running) {
             thud_live_advance(&tui->live);
-        } else if (!view->work || !view->work(tui)) {
+        } else if (!view || !view->work(tui)) {
             break;
         }
         now = tui->backend->now(tui->backend);
@@ -168,7 +179,7 @@ static void work(struct thud_tui *tui)
 bool thud_tui_turn(struct thud_tui *tui, bool wait)
 {
     const struct thud_view *view = thud_view_of(tui->screen);
-    bool busy = tui->live.running || tui->was_running || (view->busy && view->busy(tui));
+    bool busy = tui->live.running || tui->was_running || busy_view(tui) != NULL;
     double pause = view->pause ? view->pause(tui) : -1.0;
     if (tui->dirty && (!busy || tui->backend->now(tui->backend) - tui->drawn_s >= redraw_s))
         thud_tui_draw(tui);

@@ -6,6 +6,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "io/record_file.h"
 #include "tui/chart.h"
 #include "tui/field.h"
 #include "tui/record_figure.h"
@@ -208,7 +209,8 @@ static void row(struct thud_tui *tui, const struct thud_field *field)
     const char *file = field->index < 0 ? "" : r->file[field->index];
     char what[200];
     struct thud_error err;
-    memset(next.record.file, 0, sizeof next.record.file);
+    thud_record_choice_init(&next.record); /* what was said of the old file does not hold for another */
+    next.record.sign = tui->doc.scene.record.sign;
     snprintf(next.record.file, sizeof next.record.file, "%s", file);
     snprintf(what, sizeof what, "record.file %.60s -> %.60s",
              *tui->doc.scene.record.file ? tui->doc.scene.record.file : "none", *file ? file : "none");

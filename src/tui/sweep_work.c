@@ -1,0 +1,220 @@
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "io/record_file.h"
+#include "tui/sweep_work.h"
+
+enum { SEGMENTS = 400 };
+
+static void drop_tasks(struct thud_sweep_work *work)
+{
+    if (work->task)
+        thud_sweep_task_free(work->task);
+    if (work->base)
+        thud_sweep_base_free(work->base);
+    work->task = NULL;
+    work->base = NULL;
+    work->base_done = false;
+}
+
+void thud_sweep_work_stop(struct thud_sweep_work *work)
+{
+    drop_tasks(work);
+    work->running = false;
+}
+
+void thud_sweep_work_clear(struct thud_sweep_work *work)
+{
+    thud_sweep_work_stop(work);
+    thud_sweep_plan_clear(&work->plan);
+    for (int i = 0; i < work->nrecords; i++)
+        thud_record_free(work->record[i]);
+    for (int i = 0; i < THUD_SWEEP_CSVS; i++)
+        thud_text_clear(&work->csv[i]);
+    free(work->row);
+    free(work->contact);
+    free(work->need);
+    memset(work, 0, sizeof *work);
+}
+
+/* Reads one ground motion; one named here carries nothing of what the preset says of its own but the sign. */
+static enum thud_status add_record(struct thud_sweep_work *work, const struct thud_scene *scene, const char *file,
+                                   const struct thud_paths *paths, const char *preset_path, struct thud_error *err)
+{
+    struct thud_record_choice choice = scene->record;
+    char path[1024];
+    if (work->nrecords == THUD_STUDY_RECORDS_MAX)
+        return thud_error_set(err, THUD_INPUT, "more than %d records", THUD_STUDY_RECORDS_MAX);
+    if (strcmp(file, scene->record.file) != 0) {
+        thud_record_choice_init(&choice);
+        choice.sign = scene->record.sign;
+    }
+    enum thud_status status = thud_paths_record(paths, preset_path, file, path, sizeof path, err);
+    if (status == THUD_OK)
+        status = thud_record_file_read(path, &choice, &work->record[work->nrecords], err);
+    if (status != THUD_OK)
+        return status;
+    const char *slash = strrchr(file, '/');
+    snprintf(work->record_name[work->nrecords], sizeof work->record_name[0], "%.90s", slash ? slash + 1 : file);
+    work->record_names[work->nrecords] = work->record_name[work->nrecords];
+    work->nrecords++;
+    return THUD_OK;
+}
+
+static enum thud_status read_records(struct thud_sweep_work *work, const struct thud_scene *scene, const char *words,
+                                     const struct thud_paths *paths, const char *preset_path, struct thud_error *err)
+{
+    char list[512], *rest = list;
+    snprintf(list, sizeof list, "%s", *words ? words : scene->record.file);
+    enum thud_status status = THUD_OK;
+    for (char *file; status == THUD_OK && (file = strtok_r(rest, ",", &rest)) != NULL;) {
+        file += strspn(file, " ");
+        for (size_t n = strlen(file); n > 0 && file[n - 1] == ' '; n--)
+            file[n - 1] = '\0';
+        if (*file)
+            status = add_record(work, scene, file, paths, preset_path, err);
+    }
+    return status;
+}
+
+static enum thud_status make_plan(struct thud_sweep_work *work, const struct thud_study_words *words,
+                                  struct thud_error *err)
+{
+    enum thud_status status = THUD_OK;
+    for (int i = 0; i < 2 && status == THUD_OK; i++)
+        if (*words->vary[i])
+            status = thud_sweep_vary(&work->plan, words->vary[i], err);
+    if (status == THUD_OK && *words->cases)
+        status = thud_sweep_cases(&work->plan, words->cases, err);
+    work->plan.nrecords = work->nrecords;
+    work->plan.record = work->nrecords ? (const struct thud_record *const *)work->record : NULL;
+    return status;
+}
+
+/* An array with room for `more` after `n`. */
+static void *grown(void *array, size_t n, size_t more, size_t size)
+{
+    return realloc(array, (n + more + 1) * size);
+}
+
+/* The rows of a finished point, for figures and files. */
+static enum thud_status keep_point(struct thud_sweep_work *work, const struct thud_sweep_point *point,
+                                   struct thud_error *err)
+{
+    const struct thud_sweep_plan *plan = &work->plan;
+    size_t rows = (size_t)thud_sweep_rows(plan, point, NULL),
+           contacts = (size_t)thud_sweep_contact_rows(plan, point, NULL);
+    size_t needs = (size_t)thud_sweep_need_rows(plan, point, NULL);
+    void *row = grown(work->row, work->nrows, rows, sizeof *work->row);
+    work->row = row ? row : work->row;
+    void *contact = grown(work->contact, work->ncontacts, contacts, sizeof *work->contact);
+    work->contact = contact ? contact : work->contact;
+    void *need = grown(work->need, work->nneeds, needs, sizeof *work->need);
+    work->need = need ? need : work->need;
+    if (!row || !contact || !need)
+        return thud_error_set(err, THUD_MEMORY, "no memory for the study's rows");
+    work->nrows += (size_t)thud_sweep_rows(plan, point, work->row + work->nrows);
+    work->ncontacts += (size_t)thud_sweep_contact_rows(plan, point, work->contact + work->ncontacts);
+    work->nneeds += (size_t)thud_sweep_need_rows(plan, point, work->need + work->nneeds);
+    thud_sweep_total_add(&work->total, point);
+    for (int i = 0; i < THUD_SWEEP_CSVS; i++) {
+        enum thud_status status = thud_sweep_csv_rows(plan, (enum thud_sweep_csv)i, point, &work->csv[i], err);
+        if (status != THUD_OK)
+            return status;
+    }
+    return THUD_OK;
+}
+
+static void make_table(struct thud_sweep_work *work)
+{
+    work->table = (struct thud_sweep_table){
+        .nrecords = work->nrecords > 0 ? work->nrecords : 1,
+        .nstructures = work->plan.scene.nstructures,
+        .naxes = work->plan.naxes,
+        .record = work->record_names,
+        .structure = work->structure_names,
+        .axis = work->plan.axis,
+        .nrows = work->nrows,
+        .ncontacts = work->ncontacts,
+        .nneeds = work->nneeds,
+        .row = work->row,
+        .contact = work->contact,
+        .need = work->need,
+    };
+}
+
+enum thud_status thud_sweep_work_start(struct thud_sweep_work *work, const struct thud_scene *scene,
+                                       const struct thud_study_words *words, const struct thud_paths *paths,
+                                       const char *preset_path, struct thud_error *err)
+{
+    thud_sweep_work_clear(work);
+    thud_sweep_plan_init(&work->plan, scene);
+    work->record_names[0] = "";
+    enum thud_status status = read_records(work, scene, words->records, paths, preset_path, err);
+    if (status == THUD_OK)
+        status = make_plan(work, words, err);
+    if (status != THUD_OK) {
+        thud_sweep_work_clear(work);
+        return status;
+    }
+    for (int i = 0; i < scene->nstructures; i++)
+        work->structure_names[i] = work->plan.scene.structure[i].name;
+    for (int i = 0; i < THUD_SWEEP_CSVS; i++)
+        thud_sweep_csv_header(&work->plan, (enum thud_sweep_csv)i, &work->csv[i]);
+    work->points = thud_sweep_points(&work->plan);
+    work->base_index = -1;
+    work->running = true;
+    make_table(work);
+    return THUD_OK;
+}
+
+/* The base under the next point, made where it is another one. */
+static enum thud_status advance_base(struct thud_sweep_work *work, struct thud_error *err)
+{
+    long index = work->next / thud_sweep_points_per_base(&work->plan);
+    if (work->base && index != work->base_index)
+        drop_tasks(work);
+    if (!work->base) {
+        enum thud_status status = thud_sweep_base_create(&work->plan, index, &work->base, err);
+        if (status != THUD_OK)
+            return status;
+        work->base_index = index;
+        work->base_done = false;
+    }
+    return thud_sweep_base_advance(work->base, SEGMENTS, &work->base_done, err);
+}
+
+static enum thud_status advance_task(struct thud_sweep_work *work, struct thud_error *err)
+{
+    bool done = false;
+    enum thud_status status = THUD_OK;
+    if (!work->task)
+        status = thud_sweep_task_create(&work->plan, work->base, work->next, &work->task, err);
+    if (status == THUD_OK)
+        status = thud_sweep_task_advance(work->task, SEGMENTS, &done, err);
+    if (status != THUD_OK || !done)
+        return status;
+    struct thud_sweep_point *point = thud_sweep_task_take(work->task);
+    thud_sweep_task_free(work->task);
+    work->task = NULL;
+    status = point ? keep_point(work, point, err) : thud_error_set(err, THUD_MEMORY, "no memory for a point");
+    free(point);
+    work->next++;
+    make_table(work);
+    return status;
+}
+
+enum thud_status thud_sweep_work_advance(struct thud_sweep_work *work, struct thud_error *err)
+{
+    if (work->next >= work->points) {
+        work->complete = true;
+        thud_sweep_work_stop(work);
+        return THUD_OK;
+    }
+    bool other = work->base && work->next / thud_sweep_points_per_base(&work->plan) != work->base_index;
+    enum thud_status status = work->base_done && !other ? advance_task(work, err) : advance_base(work, err);
+    if (status != THUD_OK)
+        thud_sweep_work_stop(work);
+    return status;
+}

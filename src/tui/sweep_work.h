@@ -1,0 +1,47 @@
+/* A study in the making, in slices: what the Sweep screen shows while it fills. */
+#ifndef THUD_TUI_SWEEP_WORK_H
+#define THUD_TUI_SWEEP_WORK_H
+
+#include "io/paths.h"
+#include "io/sweep_csv.h"
+#include "study/sweep.h"
+
+enum { THUD_STUDY_RECORDS_MAX = 16 };
+
+/* What is asked for, in the command line's words. */
+struct thud_study_words {
+    char vary[2][192]; /* "gap=5 cm:25 cm:0.5 cm"; the second may be empty */
+    char cases[96];    /* "none,bumper" */
+    char records[512]; /* files, with commas; empty: the scene's own */
+};
+
+struct thud_sweep_work {
+    bool running, complete;
+    struct thud_sweep_plan plan;
+    struct thud_record *record[THUD_STUDY_RECORDS_MAX];
+    char record_name[THUD_STUDY_RECORDS_MAX][96];
+    const char *record_names[THUD_STUDY_RECORDS_MAX], *structure_names[THUD_STRUCTURES_MAX];
+    int nrecords;
+    struct thud_sweep_base *base;
+    bool base_done;
+    long base_index, next, points;
+    struct thud_sweep_task *task;
+    struct thud_sweep_row *row;
+    struct thud_sweep_contact_row *contact;
+    struct thud_sweep_need_row *need;
+    size_t nrows, ncontacts, nneeds;
+    struct thud_text csv[THUD_SWEEP_CSVS];
+    struct thud_sweep_total total;
+    struct thud_sweep_table table; /* of what is done */
+};
+
+/* Begins anew. Errors: THUD_USAGE, THUD_INPUT, THUD_MEMORY; nothing is running then. */
+enum thud_status thud_sweep_work_start(struct thud_sweep_work *work, const struct thud_scene *scene,
+                                       const struct thud_study_words *words, const struct thud_paths *paths,
+                                       const char *preset_path, struct thud_error *err);
+/* A short piece (about a millisecond); `running` goes false at the end. Errors end the study, what is done stays. */
+enum thud_status thud_sweep_work_advance(struct thud_sweep_work *work, struct thud_error *err);
+void thud_sweep_work_stop(struct thud_sweep_work *work); /* keeps what is done */
+void thud_sweep_work_clear(struct thud_sweep_work *work);
+
+#endif
