@@ -1,4 +1,5 @@
-/* thud help: the commands, the options of one; for shells the words that may stand where, for the manual what the tables say. */
+/* thud help: the commands, the options of one; for shells the words that may stand where, for the manual what the
+ * tables say. */
 #include <dirent.h>
 #include <string.h>
 

@@ -1,0 +1,131 @@
+#include <math.h>
+#include <stdio.h>
+
+#include "app/bench_jobs.h"
+
+static const char *state_word(const struct thud_bench_point *p)
+{
+    static const char *const words[] = {"not run", "", "FAILED", "skipped"};
+    return words[p->state];
+}
+
+static void add_reference(struct thud_bench *bench, struct thud_text *out)
+{
+    double error = thud_bench_reference_error(bench);
+    thud_text_append(out, "reference: %s at its tightest, against %s: ", thud_bench_reference_name(bench, 0),
+                     thud_bench_reference_name(bench, 1));
+    if (isnan(error))
+        thud_text_append(out, "not confirmed\n");
+    else if (error > 0)
+        thud_text_append(out, "they agree to %.1f digits (largest relative difference %.1e)\n", -log10(error), error);
+    else
+        thud_text_append(out, "they agree to all digits\n");
+}
+
+void thud_bench_table(struct thud_bench *bench, struct thud_text *out)
+{
+    int curve = -1;
+    add_reference(bench, out);
+    for (int i = 0; i < thud_bench_count(bench); i++) {
+        const struct thud_bench_point *p = thud_bench_point(bench, i);
+        char name[64];
+        if (p->curve != curve) {
+            thud_bench_curve_name(p, name, sizeof name);
+            thud_text_append(
+                out,
+                "\n%s\n%9s  time ms  spread    error  accel.   drift    force    impact s  missed    steps    forces\n",
+                name, p->method->flags & THUD_METHOD_FIXED_STEP ? "step s" : "tolerance");
+            curve = p->curve;
+        }
+        if (p->state != THUD_BENCH_DONE) {
+            thud_text_append(out, "%9.0e  %s %s\n", p->setting, state_word(p), p->message);
+            continue;
+        }
+        thud_text_append(out, "%9.0e %8.3g %7.2g  %7.1e %7.1e  %7.1e  %7.1e  %7.1e  %3d+%-3d %8ld %9ld\n", p->setting,
+                         1e3 * p->seconds, 1e3 * p->spread, p->error.all, p->error.acceleration, p->error.drift,
+                         p->error.force, p->error.impact_time_s, p->error.missed, p->error.extra, p->work.steps,
+                         p->work.force_evaluations);
+    }
+}
+
+static void add_field(struct thud_text *out, double value)
+{
+    thud_text_append(out, ",");
+    if (isfinite(value))
+        thud_text_number(out, value);
+}
+
+void thud_bench_csv(struct thud_bench *bench, struct thud_text *out)
+{
+    static const char *const states[] = {"not-run", "done", "failed", "skipped"};
+    thud_text_append(out, "method,located,setting,state,seconds,spread_s,repeats,error,error_acceleration,error_drift,"
+                          "error_force,impact_time_s,missed,extra,steps,force_evaluations,events\n");
+    for (int i = 0; i < thud_bench_count(bench); i++) {
+        const struct thud_bench_point *p = thud_bench_point(bench, i);
+        bool done = p->state == THUD_BENCH_DONE;
+        const double value[] = {p->error.all, p->error.acceleration, p->error.drift, p->error.force,
+                                p->error.impact_time_s};
+        thud_text_append(out, "%s,%d", p->method->name, p->locate);
+        add_field(out, p->setting);
+        thud_text_append(out, ",%s", states[p->state]);
+        add_field(out, done ? p->seconds : NAN);
+        add_field(out, done ? p->spread : NAN);
+        thud_text_append(out, ",%d", done ? p->repeats : 0);
+        for (size_t k = 0; k < sizeof value / sizeof *value; k++)
+            add_field(out, done ? value[k] : NAN);
+        thud_text_append(out, ",%d,%d,%ld,%ld,%ld\n", p->error.missed, p->error.extra, p->work.steps,
+                         p->work.force_evaluations, p->work.events);
+    }
+}
+
+/* One curve into both panels of its column. */
+static void add_curve(struct thud_bench *bench, int first, int last, struct thud_panel *const panel[2], int color)
+{
+    char name[64];
+    double x[64], time[64], work[64];
+    size_t n = 0;
+    for (int i = first; i < last && n < 64; i++) {
+        const struct thud_bench_point *p = thud_bench_point(bench, i);
+        if (p->state != THUD_BENCH_DONE || !(p->error.all > 0) || p->error.all > 100)
+            continue;
+        x[n] = fmax(p->error.all, 1e-13);
+        time[n] = 1e3 * p->seconds;
+        work[n++] = (double)p->work.steps + (double)p->work.force_evaluations;
+    }
+    thud_bench_curve_name(thud_bench_point(bench, first), name, sizeof name);
+    struct thud_style style = {.kind = THUD_LINES_POINTS, .color = color};
+    if (n > 0) {
+        thud_panel_add(panel[0], style, name, n, x, time);
+        thud_panel_add(panel[1], style, name, n, x, work);
+    }
+}
+
+struct thud_figure *thud_bench_figure(struct thud_bench *bench, const char *title)
+{
+    static const char *const titles[2][2] = {{"Time, events not located", "Time, events located"},
+                                             {"Work, events not located", "Work, events located"}};
+    struct thud_figure *figure = thud_figure_create("bench", title, 2, 2);
+    struct thud_panel *panel[2][2];
+    double trust = thud_bench_reference_error(bench);
+    for (int row = 0; row < 2; row++)
+        for (int column = 0; column < 2; column++) {
+            struct thud_panel *p = panel[column][row] = thud_figure_panel(figure, row, column, titles[row][column]);
+            thud_panel_axis(p, THUD_X, "Largest relative error of the peaks", "");
+            thud_panel_axis(p, THUD_Y, row == 0 ? "Time" : "Steps and force evaluations", row == 0 ? "ms" : "");
+            thud_panel_log(p, THUD_X);
+            thud_panel_log(p, THUD_Y);
+            if (isfinite(trust) && trust > 0)
+                thud_panel_mark(p, THUD_X, fmax(trust, 1e-13), fmax(trust, 1e-13), "reference");
+        }
+    int count = thud_bench_count(bench), color[2] = {1, 1};
+    for (int first = 0, last; first < count; first = last) {
+        const struct thud_bench_point *p = thud_bench_point(bench, first);
+        for (last = first; last < count && thud_bench_point(bench, last)->curve == p->curve;)
+            last++;
+        bool exact = p->method->order == 0 && p->locate;
+        for (int column = 0; column < 2; column++)
+            if (exact || column == p->locate)
+                add_curve(bench, first, last, panel[column], exact ? 0 : color[column]++);
+    }
+    return figure;
+}
