@@ -1,8 +1,9 @@
 #!/bin/sh
-# Puts thud under a prefix, or takes away what it put there.  usage: install.sh install|uninstall PREFIX
+# Puts thud under a prefix, or takes away what it put there.  THUD: the program.  usage: install.sh install|uninstall PREFIX
 set -eu
 what=$1
 prefix=$2
+thud=${THUD:-./thud}
 
 file() { # MODE FROM TO
     if [ "$what" = install ]; then
@@ -13,7 +14,17 @@ file() { # MODE FROM TO
     fi
 }
 
-file 755 thud bin/thud
+completion() { # SHELL TO: made by the program from its own tables
+    if [ "$what" = install ]; then "$thud" help --completion "$1" >"$made"; fi
+    file 644 "$made" "$2"
+}
+made=$(mktemp)
+trap 'rm -f "$made"' EXIT
+
+file 755 "$thud" bin/thud
+completion bash share/bash-completion/completions/thud
+completion zsh share/zsh/site-functions/_thud
+completion fish share/fish/vendor_completions.d/thud.fish
 for f in presets/*.yaml records/*; do
     if [ -f "$f" ]; then file 644 "$f" "share/thud/$f"; fi
 done
