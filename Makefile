@@ -110,7 +110,7 @@ coverage: ## lines and branches that the tests pass through, by layer and file
 	@find build/coverage -name '*.gcda' -delete 2>/dev/null; $(MAKE) --no-print-directory VARIANT=coverage test
 	@tests/tools/coverage.sh build/coverage
 lint: ## clang-tidy, cppcheck, gcc's analyzer, clang-format, mandoc, shellcheck (those installed)
-	@FLAGS='$(wordlist 2,99,$(COMPILE))' tests/tools/lint.sh $(MAKE)
+	@FLAGS='$(filter-out -DNDEBUG,$(wordlist 2,99,$(COMPILE)))' tests/tools/lint.sh $(MAKE)
 objects: $(CORE) $(PROGRAM) $(patsubst %.c,$(B)/%.o,$(wildcard src/main.c))
 fuzz: ## fuzz each reader for FUZZ_SECONDS from the corpus in tests/fuzz/corpus (needs clang)
 	@$(MAKE) --no-print-directory VARIANT=fuzz CC=clang fuzzers

@@ -1,5 +1,6 @@
 #include "base/quantity.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -143,6 +144,7 @@ static int shortest(double value, char *text, size_t size)
             break;
     }
     char *e = strchr(text, 'e');
+    assert(e); /* "%e" writes one for every finite number */
     *e = '\0';
     return (int)strtol(e + 1, NULL, 10);
 }

@@ -1,0 +1,65 @@
+#!/bin/sh
+# Installed under a prefix thud finds its presets and records from anywhere; uninstalled nothing of it is left.  TAP.
+set -u
+if [ ! -f src/main.c ]; then
+    echo "ok - installing # SKIP there is no program yet"
+    exit 0
+fi
+tmp=$(mktemp -d) || exit 1
+trap 'rm -rf "$tmp"' EXIT
+prefix=$tmp/stage/usr
+
+ok() { # WHAT STATUS
+    if [ "$2" -eq 0 ]; then echo "ok - $1"; else
+        echo "not ok - $1"
+        sed 's/^/# /' "$tmp/out"
+    fi
+}
+
+tests/tools/install.sh install "$prefix" >"$tmp/out" 2>&1
+ok "it installs" $?
+(cd "$tmp" && "$prefix/bin/thud" run rigid-concrete --json) >"$tmp/there" 2>"$tmp/out"
+ok "the installed program runs a preset from another folder" $?
+"$THUD" run rigid-concrete --json >"$tmp/here" 2>"$tmp/out"
+cmp "$tmp/here" "$tmp/there" >"$tmp/out" 2>&1
+ok "it gives the same answer as in the tree" $?
+(cd "$tmp" && "$prefix/bin/thud" run towers --quiet) >"$tmp/out" 2>&1
+ok "it finds the towers' ground motion" $?
+
+for f in man/*.[1-8]; do
+    [ -f "$prefix/share/man/man${f##*.}/${f##*/}" ] || echo "$f"
+done >"$tmp/out"
+test ! -s "$tmp/out"
+ok "every manual page is installed" $?
+
+script=$prefix/share/bash-completion/completions/thud
+if ! command -v bash >/dev/null 2>&1; then echo "ok - bash completes commands # SKIP no bash"; else
+    PATH="$prefix/bin:$PATH" bash -c '. "$0"; COMP_WORDS=(thud run towers --case c); COMP_CWORD=4
+        _thud thud c --case; echo "${COMPREPLY[*]}"
+        COMP_WORDS=(thud run to); COMP_CWORD=2; _thud thud to run; echo " ${COMPREPLY[*]} "
+        COMP_WORDS=(thud sw); COMP_CWORD=1; _thud thud sw thud; echo "${COMPREPLY[*]}"
+        COMP_WORDS=(thud sweep towers --va); COMP_CWORD=3; _thud thud --va towers; echo "${COMPREPLY[*]}"' "$script" >"$tmp/out" 2>&1
+    sed -n 1p "$tmp/out" | grep -q -x cavity && sed -n 2p "$tmp/out" | grep -q ' towers ' &&
+        sed -n 3p "$tmp/out" | grep -q -x sweep && sed -n 4p "$tmp/out" | grep -q -x -e --vary
+    ok "bash completes commands, presets, options and their values" $?
+fi
+for shell in zsh fish; do
+    case $shell in
+    zsh) check="-n $prefix/share/zsh/site-functions/_thud" ;;
+    fish) check="--no-execute $prefix/share/fish/vendor_completions.d/thud.fish" ;;
+    esac
+    # shellcheck disable=SC2086 # two words
+    if command -v $shell >/dev/null 2>&1; then
+        $shell $check >"$tmp/out" 2>&1
+        ok "$shell reads its completions" $?
+    else
+        echo "ok - $shell reads its completions # SKIP no $shell"
+    fi
+done
+
+echo "a user's own" >"$prefix/share/thud/presets/mine.yaml"
+tests/tools/install.sh uninstall "$prefix" >"$tmp/out" 2>&1
+ok "it uninstalls" $?
+find "$prefix" -type f >"$tmp/out"
+[ "$(cat "$tmp/out")" = "$prefix/share/thud/presets/mine.yaml" ]
+ok "what it did not install stays, and nothing else" $?
