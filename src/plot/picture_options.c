@@ -7,7 +7,7 @@
 #include "plot/gnuplot.h"
 
 static const char *const suffixes[THUD_PICTURE_FORMATS] = {"png", "svg", "pdf"};
-enum { SIZE_LEAST = 200, SIZE_MOST = 20000 };
+enum { SIZE_LEAST = 200, SIZE_MOST = 10000 };
 static const double font_least_px = 4.0, font_most_px = 400.0;
 
 const char *thud_picture_suffix(enum thud_picture_format format)
