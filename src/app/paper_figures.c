@@ -1,0 +1,116 @@
+#include "app/paper_figures.h"
+
+#include <assert.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "app/figure_files.h"
+#include "io/file.h"
+#include "plot/figures_sweep.h"
+
+enum { FIG3, FIG4, FIG5, FIG7, FIG8, FIG10 };
+static const char *const names[THUD_PAPER_FIGURES] = {"fig3", "fig4", "fig5", "fig7", "fig8", "fig10"};
+enum { NEED_STUDY = 1 << FIG7 | 1 << FIG8 | 1 << FIG10 | THUD_PAPER_REPORT };
+
+const char *thud_paper_figure_name(int index)
+{
+    return names[index];
+}
+
+bool thud_paper_needs_study(unsigned which)
+{
+    return (which & NEED_STUDY) != 0;
+}
+
+enum thud_status thud_paper_figures_parse(int n, const char *const *name, unsigned *which, struct thud_error *err)
+{
+    *which = n == 0 ? THUD_PAPER_ALL | THUD_PAPER_REPORT : 0;
+    for (int i = 0; i < n; i++) {
+        unsigned found = strcmp(name[i], "all") ? 0 : THUD_PAPER_ALL | THUD_PAPER_REPORT;
+        for (int k = 0; k < THUD_PAPER_FIGURES; k++)
+            found |= strcmp(name[i], names[k]) ? 0 : 1u << k;
+        if (!found) {
+            thud_error_set(err, THUD_USAGE, "\"%s\" is no figure", name[i]);
+            thud_error_allow(err, "fig3, fig4, fig5, fig7, fig8, fig10, all");
+            return THUD_USAGE;
+        }
+        *which |= found;
+    }
+    return THUD_OK;
+}
+
+static enum thud_status make(int index, const struct thud_paper_study *study, struct thud_figure **out,
+                             struct thud_error *err)
+{
+    char title[256];
+    switch (index) {
+    case FIG3:
+        return thud_figure_paper3(out, err);
+    case FIG4:
+        return thud_figure_paper4(out, err);
+    case FIG5:
+        return thud_figure_paper5(out, err);
+    case FIG7:
+        snprintf(title, sizeof title, "%s: peak response with a 5 cm bumper over that without",
+                 study->table->record[0]);
+        *out = thud_figure_by_floor(study->table, 0, THUD_CASE_BUMPER, names[index], title);
+        break;
+    case FIG8:
+        *out = thud_figure_of_means(study->table, THUD_CASE_BUMPER, names[index],
+                                    "Mean peak response over the floors with a 5 cm bumper over that without");
+        break;
+    default:
+        *out = thud_figure_of_means(study->table, THUD_CASE_CAVITY, names[index],
+                                    "The same with the bumper in a cavity as deep as it cannot be compressed (1 cm)");
+    }
+    return thud_figure_check(*out, err);
+}
+
+static enum thud_status write_report(const struct thud_paper_study *study, const char *folder,
+                                     const struct thud_picture_options *options, struct thud_error *err)
+{
+    struct thud_paper_pair pair[THUD_PAPER_PAIRS];
+    struct thud_paper_study whole = *study;
+    struct thud_text text = {0};
+    char path[4096];
+    enum thud_status status = thud_paper_pairs(pair, err);
+    if (status != THUD_OK)
+        return status;
+    whole.pair = pair;
+    whole.suffix = thud_picture_suffix(options->format);
+    thud_paper_report(&whole, &text);
+    int n = snprintf(path, sizeof path, "%s/report.md", *folder ? folder : ".");
+    if (n < 0 || (size_t)n >= sizeof path)
+        status = thud_error_set(err, THUD_OUTPUT, "the path to report.md is too long");
+    else
+        status = thud_text_write(&text, path, err);
+    thud_text_clear(&text);
+    return status;
+}
+
+enum thud_status thud_paper_figures_save(unsigned which, const struct thud_paper_study *study, const char *folder,
+                                         const struct thud_picture_options *options, struct thud_error *err)
+{
+    assert(study || !thud_paper_needs_study(which));
+    enum thud_status status = THUD_OK;
+    for (int i = 0; i < THUD_PAPER_FIGURES && (status == THUD_OK || status == THUD_GNUPLOT); i++) {
+        struct thud_figure *figure = NULL;
+        if (!(which >> i & 1u))
+            continue;
+        enum thud_status made = make(i, study, &figure, err);
+        if (made != THUD_OK) {
+            thud_figure_free(figure);
+            return made;
+        }
+        status = thud_figure_deliver(figure, folder, options, status, err);
+    }
+    struct thud_error now = {0};
+    if (!(which & THUD_PAPER_REPORT) || (status != THUD_OK && status != THUD_GNUPLOT))
+        return status;
+    enum thud_status written = write_report(study, folder, options, &now);
+    if (written == THUD_OK)
+        return status;
+    if (err)
+        *err = now;
+    return written;
+}
