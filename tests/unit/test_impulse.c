@@ -1,0 +1,168 @@
+/* Stereomechanical contact against closed forms: bounces down to rest, holding, blows passed on. */
+#include <check.h>
+#include <math.h>
+#include <string.h>
+
+#include "core/run.h"
+
+static const struct thud_law *newton(double e, struct thud_law_setup *setup)
+{
+    const struct thud_law *law = thud_law_find("stereomechanical");
+    memset(setup, 0, sizeof *setup);
+    thud_law_defaults(law, setup);
+    setup->value[thud_law_param(law, "restitution")] = e;
+    return law;
+}
+
+/* A row of `n` rigid bodies (a wall at the right end where wall is set), all contacts with clearance `gap`. */
+static struct thud_model *row(int n, const double *mass, const double *speed, bool wall, double gap, double e)
+{
+    struct thud_structure_input body[8];
+    struct thud_contact_input contact[8];
+    for (int i = 0; i < n; i++)
+        body[i] = (struct thud_structure_input){.n = 1, .mass_kg = &mass[i], .velocity_mps = speed[i]};
+    body[n] = (struct thud_structure_input){.n = 0};
+    int contacts = wall ? n : n - 1;
+    for (int i = 0; i < contacts; i++) {
+        contact[i] = (struct thud_contact_input){.interface = i + 1,
+                                                 .left_floor = 1,
+                                                 .right_floor = i + 1 < n,
+                                                 .left_structure = i,
+                                                 .right_structure = i + 1,
+                                                 .clearance_m = gap};
+        contact[i].law = newton(e, &contact[i].setup);
+    }
+    struct thud_model_input input = {n + wall, body, contacts, contact};
+    struct thud_model *model = NULL;
+    ck_assert_int_eq(thud_model_create(&input, &model, NULL), THUD_OK);
+    return model;
+}
+
+static struct thud_run *finish(const struct thud_model *model, const struct thud_record *record, double tail)
+{
+    struct thud_run_options options;
+    struct thud_run *run;
+    struct thud_error err = {0};
+    bool done = false;
+    thud_run_options_init(&options);
+    options.keep_impacts = options.keep_history = true;
+    options.tail_s = tail;
+    ck_assert_int_eq(thud_run_create(model, record, &options, &run, &err), THUD_OK);
+    ck_assert_msg(thud_run_advance(run, 1000000, &done, &err) == THUD_OK, "%s", err.what);
+    ck_assert(done);
+    return run;
+}
+
+/* A ball thrown at a wall by a ground that accelerates by 10 m/s2 for 4 s and then back: first touch after sqrt(2 h/a),
+ * bounces shorter by e each, at rest after (1 + e)/(1 - e) times the first time, held with m a until the ground turns.
+ */
+START_TEST(bounces_down_to_rest)
+{
+    enum { N = 501 };
+    static double a[N];
+    for (int i = 0; i < N; i++)
+        a[i] = i < 400 ? -10 : 10;
+    struct thud_record record = {.dt_s = 0.01, .samples = N, .a_mps2 = a};
+    double mass = 1000, speed = 0, e = 0.5, t0 = sqrt(0.2);
+    struct thud_model *model = row(1, &mass, &speed, true, 1.0, e);
+    struct thud_run *run = finish(model, &record, 0);
+    int n;
+    const struct thud_impact *impact = thud_run_impacts(run, &n);
+    double at = t0, v = 10 * t0;
+    for (int i = 0; i < 12; i++) {
+        ck_assert_double_eq_tol(impact[i].start_s, at, 1e-12);
+        ck_assert_double_eq_tol(impact[i].approach_mps, v, 1e-10);
+        ck_assert_double_eq_tol(impact[i].separation_mps, e * v, 1e-10);
+        ck_assert_double_eq_tol(impact[i].impulse_ns, mass * (1 + e) * v, 1e-6);
+        v *= e;
+        at += 2 * v / 10;
+    }
+    const struct thud_impact *held = &impact[n - 1];
+    ck_assert_double_eq_tol(held->start_s, t0 * (1 + e) / (1 - e), 1e-8);
+    ck_assert_double_eq_tol(held->start_s + held->duration_s, 3.995, 1e-9); /* where the ground passes through 0 */
+    const struct thud_contact_result *c = &thud_run_result(run)->contact[0];
+    ck_assert_double_eq_tol(c->force.value, mass * 10, 1e-2);
+    ck_assert_double_eq_tol(
+        c->impulse_ns, mass * (1 + e) * 10 * t0 / (1 - e) + mass * 10 * (3.99 - held->start_s) + mass * 0.025, 1e-3);
+    ck_assert_double_lt(thud_run_result(run)->energy.error_ratio, 1e-12);
+    thud_run_free(run);
+    thud_model_free(model);
+}
+END_TEST
+
+/* Three equal bodies that touch, the first one moving: with all contacts at once and e = 1 the impulses are 4/3 and 2/3
+ * of m v. */
+START_TEST(blow_passed_on_at_once)
+{
+    double mass[] = {1000, 1000, 1000}, speed[] = {3, 0, 0};
+    struct thud_model *model = row(3, mass, speed, false, 0, 1);
+    struct thud_run *run = finish(model, NULL, 1);
+    const struct thud_history *h = thud_run_history(run);
+    const double *last = h->value + (h->rows - 1) * (size_t)h->columns;
+    static const double want[] = {-1, 2, 2};
+    for (int i = 0; i < 3; i++)
+        ck_assert_double_eq_tol(last[thud_history_velocity(h, i)], want[i], 1e-12);
+    ck_assert_double_lt(thud_run_result(run)->energy.error_ratio, 1e-13);
+    thud_run_free(run);
+    thud_model_free(model);
+}
+END_TEST
+
+/* One body caught between two equal ones: by symmetry it stays, and each outer one leaves with e times its speed. */
+START_TEST(caught_between_two)
+{
+    double mass[] = {5000, 1000, 5000}, speed[] = {2, 0, -2};
+    struct thud_model *model = row(3, mass, speed, false, 0.25, 0.3);
+    struct thud_run *run = finish(model, NULL, 1);
+    const struct thud_history *h = thud_run_history(run);
+    const double *last = h->value + (h->rows - 1) * (size_t)h->columns;
+    ck_assert_double_eq_tol(last[thud_history_velocity(h, 0)], -0.6, 1e-12);
+    ck_assert_double_eq_tol(last[thud_history_velocity(h, 1)], 0, 1e-12);
+    ck_assert_double_eq_tol(last[thud_history_velocity(h, 2)], 0.6, 1e-12);
+    ck_assert_int_eq(thud_run_result(run)->contact[0].impacts, 1);
+    ck_assert_int_eq(thud_run_result(run)->contact[1].impacts, 1);
+    thud_run_free(run);
+    thud_model_free(model);
+}
+END_TEST
+
+/* Momentum is kept, and what the contacts say they lost is what the bodies have lost, whatever masses and restitution.
+ */
+START_TEST(momentum_and_energy_in_a_row)
+{
+    static const double restitutions[] = {0.01, 0.4, 0.9, 1};
+    for (size_t k = 0; k < 4; k++) {
+        double mass[] = {1e3, 2e6, 5e2, 7e4, 1e3}, speed[] = {4, 0.5, 0, -1, -2}, momentum = 0, energy = 0;
+        struct thud_model *model = row(5, mass, speed, false, 0.1, restitutions[k]);
+        struct thud_run *run = finish(model, NULL, 3);
+        const struct thud_result *r = thud_run_result(run);
+        const struct thud_history *h = thud_run_history(run);
+        const double *last = h->value + (h->rows - 1) * (size_t)h->columns;
+        for (int i = 0; i < 5; i++) {
+            momentum += mass[i] * (last[thud_history_velocity(h, i)] - speed[i]);
+            energy += 0.5 * mass[i] * (speed[i] * speed[i] - pow(last[thud_history_velocity(h, i)], 2));
+        }
+        ck_assert_double_eq_tol(momentum / 1e6, 0, 1e-12);
+        ck_assert_double_eq_tol(r->energy.contact_j, energy, 1e-9 * r->energy.initial_j);
+        ck_assert_double_lt(r->energy.error_ratio, 1e-12);
+        if (restitutions[k] == 1)
+            ck_assert_double_eq_tol(energy, 0, 1e-9 * r->energy.initial_j);
+        else
+            ck_assert_double_gt(energy, 0);
+        thud_run_free(run);
+        thud_model_free(model);
+    }
+}
+END_TEST
+
+Suite *thud_suite(void)
+{
+    Suite *suite = suite_create("impulse");
+    TCase *tc = tcase_create("impulse");
+    tcase_add_test(tc, bounces_down_to_rest);
+    tcase_add_test(tc, blow_passed_on_at_once);
+    tcase_add_test(tc, caught_between_two);
+    tcase_add_test(tc, momentum_and_energy_in_a_row);
+    suite_add_tcase(suite, tc);
+    return suite;
+}
