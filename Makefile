@@ -73,6 +73,7 @@ $(B)/lib%.a: $(B)/files
 $(B)/%.o: %.c $(B)/flags | $(B)/headers
 	@mkdir -p $(@D)
 	$(call say,CC,$<)$(COMPILE) $(BUILD_ID) -MMD -MP -c -o $@ $<
+$(B)/src/io/paths.o: BUILD_ID = -DTHUD_DATADIR='"$(PREFIX)/share/thud"'
 $(B)/src/%/version.o: BUILD_ID = -DTHUD_COMMIT='"$(shell cat $(B)/commit)"' -DTHUD_VARIANT='"$(VARIANT)"'
 $(call objects,src/*/version.c): $(B)/commit
 $(B)/unit/%: $(B)/tests/unit/%.o $(B)/libtests.a $(LIBS)
