@@ -52,6 +52,7 @@ void thud_tui_opened(struct thud_tui *tui)
             thud_view_of((enum thud_screen)i)->free(tui);
     tui->law_revision = 0;
     tui->pair = 0;
+    tui->results_case = THUD_LIVE_BUMPER;
     tui->before = (struct thud_peaks){0};
     tui->kept_before_n = NAN;
     tui->live_on = true;

@@ -32,9 +32,7 @@ void thud_sweep_work_clear(struct thud_sweep_work *work)
         thud_record_free(work->record[i]);
     for (int i = 0; i < THUD_SWEEP_CSVS; i++)
         thud_text_clear(&work->csv[i]);
-    free(work->row);
-    free(work->contact);
-    free(work->need);
+    thud_sweep_collector_clear(&work->rows);
     memset(work, 0, sizeof *work);
 }
 
@@ -92,56 +90,16 @@ static enum thud_status make_plan(struct thud_sweep_work *work, const struct thu
     return status;
 }
 
-/* An array with room for `more` after `n`. */
-static void *grown(void *array, size_t n, size_t more, size_t size)
-{
-    return realloc(array, (n + more + 1) * size);
-}
-
 /* The rows of a finished point, for figures and files. */
 static enum thud_status keep_point(struct thud_sweep_work *work, const struct thud_sweep_point *point,
                                    struct thud_error *err)
 {
-    const struct thud_sweep_plan *plan = &work->plan;
-    size_t rows = (size_t)thud_sweep_rows(plan, point, NULL),
-           contacts = (size_t)thud_sweep_contact_rows(plan, point, NULL);
-    size_t needs = (size_t)thud_sweep_need_rows(plan, point, NULL);
-    void *row = grown(work->row, work->nrows, rows, sizeof *work->row);
-    work->row = row ? row : work->row;
-    void *contact = grown(work->contact, work->ncontacts, contacts, sizeof *work->contact);
-    work->contact = contact ? contact : work->contact;
-    void *need = grown(work->need, work->nneeds, needs, sizeof *work->need);
-    work->need = need ? need : work->need;
-    if (!row || !contact || !need)
-        return thud_error_set(err, THUD_MEMORY, "no memory for the study's rows");
-    work->nrows += (size_t)thud_sweep_rows(plan, point, work->row + work->nrows);
-    work->ncontacts += (size_t)thud_sweep_contact_rows(plan, point, work->contact + work->ncontacts);
-    work->nneeds += (size_t)thud_sweep_need_rows(plan, point, work->need + work->nneeds);
-    thud_sweep_total_add(&work->total, point);
-    for (int i = 0; i < THUD_SWEEP_CSVS; i++) {
-        enum thud_status status = thud_sweep_csv_rows(plan, (enum thud_sweep_csv)i, point, &work->csv[i], err);
-        if (status != THUD_OK)
-            return status;
-    }
-    return THUD_OK;
-}
-
-static void make_table(struct thud_sweep_work *work)
-{
-    work->table = (struct thud_sweep_table){
-        .nrecords = work->nrecords > 0 ? work->nrecords : 1,
-        .nstructures = work->plan.scene.nstructures,
-        .naxes = work->plan.naxes,
-        .record = work->record_names,
-        .structure = work->structure_names,
-        .axis = work->plan.axis,
-        .nrows = work->nrows,
-        .ncontacts = work->ncontacts,
-        .nneeds = work->nneeds,
-        .row = work->row,
-        .contact = work->contact,
-        .need = work->need,
-    };
+    enum thud_status status = thud_sweep_collector_add(&work->rows, &work->plan, point, err);
+    for (int i = 0; i < THUD_SWEEP_CSVS && status == THUD_OK; i++)
+        status = thud_sweep_csv_rows(&work->plan, (enum thud_sweep_csv)i, point, &work->csv[i], err);
+    if (status == THUD_OK)
+        thud_sweep_total_add(&work->total, point);
+    return status;
 }
 
 enum thud_status thud_sweep_work_start(struct thud_sweep_work *work, const struct thud_scene *scene,
@@ -158,14 +116,12 @@ enum thud_status thud_sweep_work_start(struct thud_sweep_work *work, const struc
         thud_sweep_work_clear(work);
         return status;
     }
-    for (int i = 0; i < scene->nstructures; i++)
-        work->structure_names[i] = work->plan.scene.structure[i].name;
+    thud_sweep_collector_init(&work->rows, &work->plan, work->record_names);
     for (int i = 0; i < THUD_SWEEP_CSVS; i++)
         thud_sweep_csv_header(&work->plan, (enum thud_sweep_csv)i, &work->csv[i]);
     work->points = thud_sweep_points(&work->plan);
     work->base_index = -1;
     work->running = true;
-    make_table(work);
     return THUD_OK;
 }
 
@@ -201,7 +157,6 @@ static enum thud_status advance_task(struct thud_sweep_work *work, struct thud_e
     status = point ? keep_point(work, point, err) : thud_error_set(err, THUD_MEMORY, "no memory for a point");
     free(point);
     work->next++;
-    make_table(work);
     return status;
 }
 

@@ -2,6 +2,7 @@
 #ifndef THUD_TUI_SWEEP_WORK_H
 #define THUD_TUI_SWEEP_WORK_H
 
+#include "app/sweep_table.h"
 #include "io/paths.h"
 #include "io/sweep_csv.h"
 #include "study/sweep.h"
@@ -20,19 +21,15 @@ struct thud_sweep_work {
     struct thud_sweep_plan plan;
     struct thud_record *record[THUD_STUDY_RECORDS_MAX];
     char record_name[THUD_STUDY_RECORDS_MAX][96];
-    const char *record_names[THUD_STUDY_RECORDS_MAX], *structure_names[THUD_STRUCTURES_MAX];
+    const char *record_names[THUD_STUDY_RECORDS_MAX];
     int nrecords;
     struct thud_sweep_base *base;
     bool base_done;
     long base_index, next, points;
     struct thud_sweep_task *task;
-    struct thud_sweep_row *row;
-    struct thud_sweep_contact_row *contact;
-    struct thud_sweep_need_row *need;
-    size_t nrows, ncontacts, nneeds;
+    struct thud_sweep_collector rows; /* of what is done */
     struct thud_text csv[THUD_SWEEP_CSVS];
     struct thud_sweep_total total;
-    struct thud_sweep_table table; /* of what is done */
 };
 
 /* Begins anew. Errors: THUD_USAGE, THUD_INPUT, THUD_MEMORY; nothing is running then. */

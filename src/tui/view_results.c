@@ -24,7 +24,8 @@ static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect 
 
 static enum thud_live_which shown(const struct thud_tui *tui)
 {
-    return (enum thud_live_which)tui->results_case;
+    enum thud_live_which which = (enum thud_live_which)tui->results_case;
+    return tui->live.which[which].state == THUD_LIVE_ABSENT ? THUD_LIVE_NONE : which;
 }
 
 static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
@@ -195,7 +196,7 @@ static bool act(struct thud_tui *tui, enum thud_action action)
     if (action == THUD_DO_SORT)
         tui->results_sort = (tui->results_sort + 1) % SORTS;
     else if (action == THUD_DO_CASE)
-        tui->results_case = (tui->results_case + 1) % THUD_LIVE_CASES;
+        tui->results_case = ((int)shown(tui) + 1) % THUD_LIVE_CASES;
     else
         return false;
     return true;

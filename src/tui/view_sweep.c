@@ -96,16 +96,16 @@ static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect 
 static void refresh(struct thud_tui *tui)
 {
     struct thud_sweep_state *s = state(tui);
-    if (!s || (s->shown && s->shown_rows == s->work.nrows && s->shown_figure == s->figure))
+    if (!s || (s->shown && s->shown_rows == s->work.rows.table.nrows && s->shown_figure == s->figure))
         return;
     thud_figure_free(s->shown);
     s->shown = NULL;
-    int count = s->work.nrows > 0 ? thud_sweep_figure_count(&s->work.table) : 0;
+    int count = s->work.rows.table.nrows > 0 ? thud_sweep_figure_count(&s->work.rows.table) : 0;
     if (count == 0)
         return;
     s->figure %= count;
-    s->shown = thud_sweep_figure(&s->work.table, s->figure);
-    s->shown_rows = s->work.nrows;
+    s->shown = thud_sweep_figure(&s->work.rows.table, s->figure);
+    s->shown_rows = s->work.rows.table.nrows;
     s->shown_figure = s->figure;
     if (thud_figure_check(s->shown, NULL) != THUD_OK) {
         thud_figure_free(s->shown);
@@ -121,7 +121,7 @@ static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
         return;
     }
     refresh(tui);
-    int count = s->work.nrows > 0 ? thud_sweep_figure_count(&s->work.table) : 0;
+    int count = s->work.rows.table.nrows > 0 ? thud_sweep_figure_count(&s->work.rows.table) : 0;
     if (s->shown)
         snprintf(text, size, "%d/%d %.100s", s->figure + 1, count, s->shown->title);
     else
@@ -299,9 +299,9 @@ static double progress(struct thud_tui *tui)
 static void pictures(struct thud_tui *tui)
 {
     struct thud_error err;
-    if (!tui->sweep || tui->sweep->work.nrows == 0)
+    if (!tui->sweep || tui->sweep->work.rows.table.nrows == 0)
         thud_tui_say(tui, THUD_ROLE_WARN, "There is no study yet: r runs it");
-    else if (thud_sweep_figures_save(&tui->sweep->work.table, thud_tui_folder(tui), NULL, &err) != THUD_OK)
+    else if (thud_sweep_figures_save(&tui->sweep->work.rows.table, thud_tui_folder(tui), NULL, &err) != THUD_OK)
         thud_tui_say_error(tui, &err);
     else
         thud_tui_say(tui, THUD_ROLE_GOOD, "Written all figures of the study into %s", thud_tui_folder(tui));
