@@ -192,17 +192,17 @@ static void flashes(struct stage *stage)
     }
 }
 
+/* The contact with the largest force now, in the first row. */
 static void say_contact(struct stage *stage, const struct thud_pane *pane, int worst, double force)
 {
-    if (worst < 0) {
-        thud_pane_put(pane, 0, 0, thud_look(THUD_ROLE_MUTED, 0), "no contact now");
+    if (worst < 0)
         return;
-    }
     const struct thud_model_contact *contact = &stage->model->contact[worst];
     double depth = thud_history_at(stage->history, thud_history_indentation(stage->history, worst), stage->t);
     int floor = contact->left_floor > 0 ? contact->left_floor : contact->right_floor;
-    thud_pane_print(pane, 0, 0, thud_look(THUD_ROLE_ERROR, THUD_BOLD), "* floor %d  F %.2f MN  d %.1f mm", floor,
-                    1e-6 * force, 1e3 * depth);
+    char text[80];
+    snprintf(text, sizeof text, "*%d %.3g MN %.3g mm", floor, 1e-6 * force, 1e3 * depth);
+    thud_pane_right(pane, pane->w, 0, thud_look(THUD_ROLE_ERROR, THUD_BOLD), text);
 }
 
 void thud_movement_draw(const struct thud_pane *pane, const struct thud_scene *scene, const struct thud_model *model,
@@ -225,7 +225,7 @@ void thud_movement_draw(const struct thud_pane *pane, const struct thud_scene *s
         flashes(&stage);
         say_contact(&stage, pane, worst, force);
     } else {
-        thud_pane_put(pane, 0, 0, thud_look(THUD_ROLE_MUTED, 0), "more room is needed");
+        thud_pane_put(pane, 0, 1, thud_look(THUD_ROLE_MUTED, 0), "more room is needed");
     }
     thud_dots_clear(&stage.dots);
 }

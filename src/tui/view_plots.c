@@ -121,8 +121,7 @@ static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
                  p->figure ? p->figure->title : thud_plot_title(p->plot),
                  p->span_s > 0.0 && over_time(p->plot) ? ", zoom" : "");
     else if (index == MOVE)
-        snprintf(text, size, "%s t=%.3f s x%g%s", thud_live_name(p->sight.which), p->time_s, p->speed,
-                 p->playing ? "" : " paused");
+        snprintf(text, size, "t=%.3f s x%g%s", p->time_s, p->speed, p->playing ? "" : " paused");
     else
         snprintf(text, size, "Parameters and changes");
 }
@@ -157,6 +156,7 @@ static int draw_movement(struct thud_tui *tui, const struct thud_pane *pane)
         thud_field_note(pane, 0, "no histories to move by");
         return 1;
     }
+    thud_pane_put(pane, 0, 0, thud_look(THUD_ROLE_MUTED, 0), thud_live_name(state(tui)->sight.which));
     thud_movement_draw(pane, &tui->doc.scene, c->model, thud_run_history(c->run),
                        state(tui)->sight.which == THUD_LIVE_BUMPER, state(tui)->time_s);
     return pane->h;
