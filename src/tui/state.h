@@ -71,6 +71,7 @@ struct thud_model_state;
 struct thud_plots_state;
 struct thud_record_state;
 struct thud_sweep_state;
+struct thud_bench_screen;
 
 struct thud_tui {
     struct thud_tui_options options;
@@ -114,6 +115,7 @@ struct thud_tui {
     struct thud_plots_state *plots;
     struct thud_record_state *record;
     struct thud_sweep_state *sweep;
+    struct thud_bench_screen *bench;
     int results_case, results_sort;
     int help_top;
 };

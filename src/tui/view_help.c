@@ -92,9 +92,9 @@ const struct thud_view thud_view_help = {
 static const struct {
     int where;
     const char *name;
-} places[] = {{THUD_AT_MODEL, "Model"},     {THUD_AT_CONTACT, "Contact"},  {THUD_AT_RECORD, "Record"},
-              {THUD_AT_RESULTS, "Results"}, {THUD_AT_PLOTS, "Plots"},      {THUD_AT_SWEEP, "Sweep"},
-              {THUD_AT_TYPING, "typing"},   {THUD_AT_CHOOSING, "choosing"}};
+} places[] = {{THUD_AT_MODEL, "Model"},     {THUD_AT_CONTACT, "Contact"}, {THUD_AT_RECORD, "Record"},
+              {THUD_AT_RESULTS, "Results"}, {THUD_AT_PLOTS, "Plots"},     {THUD_AT_SWEEP, "Sweep"},
+              {THUD_AT_BENCH, "Bench"},     {THUD_AT_TYPING, "typing"},   {THUD_AT_CHOOSING, "choosing"}};
 
 void thud_tui_keys_text(struct thud_text *out)
 {
