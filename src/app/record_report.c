@@ -1,0 +1,220 @@
+/* Measures, spectra and lists of ground motions as text, JSON and CSV. */
+#include <dirent.h>
+#include <errno.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "app/record_verbs.h"
+#include "base/quantity.h"
+#include "io/json.h"
+#include "io/record_file.h"
+
+static void row(struct thud_text *out, const char *name, const char *fmt, ...) THUD_PRINTF(3, 4);
+static void row(struct thud_text *out, const char *name, const char *fmt, ...)
+{
+    char text[400];
+    va_list args;
+    va_start(args, fmt);
+    vsnprintf(text, sizeof text, fmt, args);
+    va_end(args);
+    if (text[0])
+        thud_text_append(out, "  %-21s %s\n", name, text);
+}
+
+static void seconds(struct thud_text *out, const char *name, double value, const char *more)
+{
+    if (isnan(value))
+        row(out, name, "none: the record is all zeros");
+    else
+        row(out, name, "%.4g s%s", value, more);
+}
+
+void thud_record_info_table(const struct thud_record *record, const struct thud_intensity *m, struct thud_text *out)
+{
+    thud_text_append(out, "%s\n", record->file);
+    row(out, "format", "%s%s%s%s", record->format, record->note[0] ? " (" : "", record->note, record->note[0] ? ")" : "");
+    row(out, "event", "%s", record->event);
+    row(out, "station", "%s", record->station);
+    row(out, "component", "%s", record->component);
+    row(out, "samples", "%zu, every %.9g s, %.9g s long", record->samples, record->dt_s, m->duration_s);
+    row(out, "PGA", "%.4f g at %.4g s (%.4g m/s2)", m->pga_mps2 / THUD_GRAVITY, m->pga_time_s, m->pga_mps2);
+    row(out, "PGV", "%.4g m/s at %.4g s", m->pgv_mps, m->pgv_time_s);
+    row(out, "PGD", "%.4g m at %.4g s", m->pgd_m, m->pgd_time_s);
+    row(out, "Arias intensity", "%.4g m/s", m->arias_mps);
+    char more[80] = "";
+    if (!isnan(m->t5_s))
+        snprintf(more, sizeof more, ", from %.4g s to %.4g s", m->t5_s, m->t95_s);
+    seconds(out, "D5-95", m->d5_95_s, more);
+    seconds(out, "D5-75", m->d5_75_s, "");
+    row(out, "CAV", "%.4g m/s", m->cav_mps);
+    seconds(out, "bracketed duration", m->bracketed_s, " above 0.05 g");
+    seconds(out, "predominant period", m->predominant_s, ", of the largest Sa at 5 % damping");
+}
+
+static void text_field(struct thud_text *out, const char *key, const char *value)
+{
+    thud_text_append(out, "\"%s\": ", key);
+    thud_json_string(out, value);
+    thud_text_append(out, ", ");
+}
+
+static void number_field(struct thud_text *out, const char *key, double value)
+{
+    thud_json_field(out, key, value);
+    thud_text_append(out, ", ");
+}
+
+void thud_record_info_json(const struct thud_record *record, const struct thud_intensity *m, struct thud_text *out)
+{
+    thud_text_append(out, "{");
+    text_field(out, "file", record->file);
+    text_field(out, "format", record->format);
+    text_field(out, "note", record->note);
+    text_field(out, "event", record->event);
+    text_field(out, "station", record->station);
+    text_field(out, "component", record->component);
+    thud_text_append(out, "\"samples\": %zu, ", record->samples);
+    number_field(out, "dt_s", record->dt_s);
+    number_field(out, "duration_s", m->duration_s);
+    number_field(out, "pga_mps2", m->pga_mps2);
+    number_field(out, "pga_time_s", m->pga_time_s);
+    number_field(out, "pgv_mps", m->pgv_mps);
+    number_field(out, "pgv_time_s", m->pgv_time_s);
+    number_field(out, "pgd_m", m->pgd_m);
+    number_field(out, "pgd_time_s", m->pgd_time_s);
+    number_field(out, "arias_mps", m->arias_mps);
+    number_field(out, "d5_95_s", m->d5_95_s);
+    number_field(out, "d5_75_s", m->d5_75_s);
+    number_field(out, "cav_mps", m->cav_mps);
+    number_field(out, "bracketed_s", m->bracketed_s);
+    thud_json_field(out, "predominant_s", m->predominant_s);
+    thud_text_append(out, "}");
+}
+
+void thud_spectrum_csv(const struct thud_record *record, const struct thud_spectrum_point *point, size_t count, double damping,
+                       struct thud_text *out)
+{
+    thud_text_append(out, "# record: %s\n# damping: ", record->file);
+    thud_text_number(out, damping);
+    thud_text_append(out, "\nperiod_s,acceleration_mps2,velocity_mps,displacement_m\n");
+    for (size_t i = 0; i < count; i++) {
+        const double value[] = {point[i].period_s, point[i].acceleration_mps2, point[i].velocity_mps, point[i].displacement_m};
+        for (int k = 0; k < 4; k++) {
+            thud_text_number(out, value[k]);
+            thud_text_append(out, k < 3 ? "," : "\n");
+        }
+    }
+}
+
+void thud_spectrum_json(const struct thud_record *record, const struct thud_spectrum_point *point, size_t count, double damping,
+                        struct thud_text *out)
+{
+    thud_text_append(out, "{");
+    text_field(out, "file", record->file);
+    number_field(out, "damping", damping);
+    thud_text_append(out, "\"points\": [");
+    for (size_t i = 0; i < count; i++) {
+        thud_text_append(out, "%s\n  {", i ? "," : "");
+        number_field(out, "period_s", point[i].period_s);
+        number_field(out, "acceleration_mps2", point[i].acceleration_mps2);
+        number_field(out, "velocity_mps", point[i].velocity_mps);
+        thud_json_field(out, "displacement_m", point[i].displacement_m);
+        thud_text_append(out, "}");
+    }
+    thud_text_append(out, "\n]}\n");
+}
+
+/* ---- list ---- */
+
+static int by_name(const void *a, const void *b)
+{
+    return strcmp(*(char *const *)a, *(char *const *)b);
+}
+
+static void list_file(const char *path, const char *name, bool json, int *shown, struct thud_text *out)
+{
+    struct thud_record_treatment treatment;
+    struct thud_record *record;
+    struct thud_error err = {0};
+    thud_record_treatment_init(&treatment);
+    enum thud_status status = thud_record_file_read(path, &treatment.choice, &record, &err);
+    bool asks = status && err.key[0]; /* a record, but one that needs an option */
+    if (status && !asks)
+        return;
+    double peak = record ? thud_record_peak(record) : NAN;
+    if (json) {
+        thud_text_append(out, "%s\n  {", *shown ? "," : "");
+        text_field(out, "file", path);
+        text_field(out, "format", record ? record->format : "");
+        text_field(out, "needs", asks ? err.key : "");
+        thud_text_append(out, "\"samples\": %zu, ", record ? record->samples : 0);
+        number_field(out, "dt_s", record ? record->dt_s : NAN);
+        thud_json_field(out, "pga_mps2", peak);
+        thud_text_append(out, "}");
+    } else if (record)
+        thud_text_append(out, "%-44s %-14s %8zu  %7.6g s  %7.4f g\n", name, record->format, record->samples, record->dt_s,
+                         peak / THUD_GRAVITY);
+    else
+        thud_text_append(out, "%-44s needs --%s\n", name, err.key);
+    ++*shown;
+    thud_record_free(record);
+}
+
+static char **names_in(const char *folder, size_t *count)
+{
+    DIR *dir = opendir(folder);
+    char **names = NULL;
+    *count = 0;
+    if (!dir)
+        return NULL;
+    for (const struct dirent *entry; (entry = readdir(dir)) != NULL;) {
+        if (entry->d_name[0] == '.')
+            continue;
+        char **more = realloc(names, (*count + 1) * sizeof *names);
+        if (!more)
+            break;
+        names = more;
+        names[*count] = strdup(entry->d_name);
+        if (names[*count])
+            ++*count;
+    }
+    closedir(dir);
+    if (names)
+        qsort(names, *count, sizeof *names, by_name);
+    return names;
+}
+
+enum thud_status thud_record_list(const char *folder, bool json, struct thud_text *out, struct thud_error *err)
+{
+    size_t count;
+    int shown = 0;
+    errno = 0;
+    char **names = names_in(folder, &count);
+    if (!names && errno) {
+        thud_error_set(err, THUD_INPUT, "%s", strerror(errno));
+        thud_error_place(err, folder, 0, 0);
+        return THUD_INPUT;
+    }
+    if (json)
+        thud_text_append(out, "[");
+    else
+        thud_text_append(out, "%s\n", folder);
+    for (size_t i = 0; i < count; i++) {
+        char path[2048];
+        struct stat about;
+        int n = snprintf(path, sizeof path, "%s/%s", folder, names[i]);
+        const char *suffix = strrchr(names[i], '.');
+        bool prose = suffix && strcmp(suffix, ".md") == 0;
+        if (n > 0 && (size_t)n < sizeof path && !prose && stat(path, &about) == 0 && S_ISREG(about.st_mode))
+            list_file(path, names[i], json, &shown, out);
+        free(names[i]);
+    }
+    free(names);
+    if (json)
+        thud_text_append(out, "\n]\n");
+    return THUD_OK;
+}
