@@ -21,4 +21,9 @@ enum thud_status thud_record_parse(const char *text, size_t size, const char *na
                                    const struct thud_record_choice *choice, struct thud_record **out,
                                    struct thud_error *err);
 
+/* Factor, peak and sign of the choice. Errors: THUD_INPUT (zeros cannot be scaled to a peak, or the result is not
+ * finite). */
+enum thud_status thud_record_choice_apply(struct thud_record *record, const struct thud_record_choice *choice,
+                                          struct thud_error *err);
+
 #endif

@@ -6,7 +6,8 @@
 #include "core/spectrum.h"
 #include "plot/figure.h"
 
-/* Acceleration, velocity and displacement over time, one above the other. `name` is that of the files. Ask thud_figure_check. */
+/* Acceleration, velocity and displacement over time, one above the other. `name` is that of the files. Ask
+ * thud_figure_check. */
 struct thud_figure *thud_figure_of_motion(const struct thud_record *record, const char *name, const char *title);
 
 /* A period to be marked. */
@@ -15,7 +16,8 @@ struct thud_period_mark {
     char text[80];
 };
 
-/* Sa, Sv and Sd over the period on a log axis; marks outside of the periods shown are left out. Ask thud_figure_check. */
+/* Sa, Sv and Sd over the period on a log axis; marks outside of the periods shown are left out. Ask thud_figure_check.
+ */
 struct thud_figure *thud_figure_of_spectrum(const struct thud_spectrum_point *point, size_t count, double damping,
                                             const struct thud_period_mark *mark, int nmarks, const char *name,
                                             const char *title);

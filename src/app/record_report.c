@@ -36,7 +36,8 @@ static void seconds(struct thud_text *out, const char *name, double value, const
 void thud_record_info_table(const struct thud_record *record, const struct thud_intensity *m, struct thud_text *out)
 {
     thud_text_append(out, "%s\n", record->file);
-    row(out, "format", "%s%s%s%s", record->format, record->note[0] ? " (" : "", record->note, record->note[0] ? ")" : "");
+    row(out, "format", "%s%s%s%s", record->format, record->note[0] ? " (" : "", record->note,
+        record->note[0] ? ")" : "");
     row(out, "event", "%s", record->event);
     row(out, "station", "%s", record->station);
     row(out, "component", "%s", record->component);
@@ -95,14 +96,15 @@ void thud_record_info_json(const struct thud_record *record, const struct thud_i
     thud_text_append(out, "}");
 }
 
-void thud_spectrum_csv(const struct thud_record *record, const struct thud_spectrum_point *point, size_t count, double damping,
-                       struct thud_text *out)
+void thud_spectrum_csv(const struct thud_record *record, const struct thud_spectrum_point *point, size_t count,
+                       double damping, struct thud_text *out)
 {
     thud_text_append(out, "# record: %s\n# damping: ", record->file);
     thud_text_number(out, damping);
     thud_text_append(out, "\nperiod_s,acceleration_mps2,velocity_mps,displacement_m\n");
     for (size_t i = 0; i < count; i++) {
-        const double value[] = {point[i].period_s, point[i].acceleration_mps2, point[i].velocity_mps, point[i].displacement_m};
+        const double value[] = {point[i].period_s, point[i].acceleration_mps2, point[i].velocity_mps,
+                                point[i].displacement_m};
         for (int k = 0; k < 4; k++) {
             thud_text_number(out, value[k]);
             thud_text_append(out, k < 3 ? "," : "\n");
@@ -110,8 +112,8 @@ void thud_spectrum_csv(const struct thud_record *record, const struct thud_spect
     }
 }
 
-void thud_spectrum_json(const struct thud_record *record, const struct thud_spectrum_point *point, size_t count, double damping,
-                        struct thud_text *out)
+void thud_spectrum_json(const struct thud_record *record, const struct thud_spectrum_point *point, size_t count,
+                        double damping, struct thud_text *out)
 {
     thud_text_append(out, "{");
     text_field(out, "file", record->file);
@@ -156,8 +158,8 @@ static void list_file(const char *path, const char *name, bool json, int *shown,
         thud_json_field(out, "pga_mps2", peak);
         thud_text_append(out, "}");
     } else if (record)
-        thud_text_append(out, "%-44s %-14s %8zu  %7.6g s  %7.4f g\n", name, record->format, record->samples, record->dt_s,
-                         peak / THUD_GRAVITY);
+        thud_text_append(out, "%-44s %-14s %8zu  %7.6g s  %7.4f g\n", name, record->format, record->samples,
+                         record->dt_s, peak / THUD_GRAVITY);
     else
         thud_text_append(out, "%-44s needs --%s\n", name, err.key);
     ++*shown;

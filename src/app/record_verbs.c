@@ -18,41 +18,22 @@ void thud_record_treatment_init(struct thud_record_treatment *treatment)
     treatment->from_s = treatment->to_s = treatment->resample_s = NAN;
 }
 
-static enum thud_status find(const char *name, char *path, size_t size)
+/* As given, or in the records folder. */
+static void find(const char *name, char *path, size_t size)
 {
     struct thud_paths paths;
     snprintf(path, size, "%s", name);
     if (access(path, F_OK) == 0 || strchr(name, '/'))
-        return THUD_OK;
+        return;
     thud_paths_find(&paths);
     char shipped[1024];
     int n = snprintf(shipped, sizeof shipped, "%s/%s", paths.records, name);
     if (n > 0 && (size_t)n < sizeof shipped && access(shipped, F_OK) == 0)
         snprintf(path, size, "%s", shipped);
-    return THUD_OK;
 }
 
-static enum thud_status scale(struct thud_record *record, const struct thud_record_choice *choice, struct thud_error *err)
-{
-    double factor = choice->factor * (choice->sign < 0 ? -1 : 1);
-    if (!isnan(choice->peak_mps2)) {
-        double peak = thud_record_peak(record);
-        if (!(peak > 0)) {
-            thud_error_set(err, THUD_INPUT, "a record of nothing but zeros cannot be scaled to a peak");
-            thud_error_place(err, record->file, 0, 0);
-            thud_error_key(err, "peak");
-            return THUD_INPUT;
-        }
-        factor *= choice->peak_mps2 / peak;
-    }
-    if (factor != 1)
-        thud_record_scale(record, factor);
-    return isfinite(thud_record_peak(record))
-               ? THUD_OK
-               : thud_error_set(err, THUD_INPUT, "scaled by %g, the record is no longer finite", factor);
-}
-
-static enum thud_status treat(struct thud_record **record, const struct thud_record_treatment *treatment, struct thud_error *err)
+static enum thud_status treat(struct thud_record **record, const struct thud_record_treatment *treatment,
+                              struct thud_error *err)
 {
     enum thud_status status = THUD_OK;
     if (!isnan(treatment->from_s) || !isnan(treatment->to_s))
@@ -67,11 +48,11 @@ static enum thud_status treat(struct thud_record **record, const struct thud_rec
             *record = other;
         }
     }
-    return status ? status : scale(*record, &treatment->choice, err);
+    return status ? status : thud_record_choice_apply(*record, &treatment->choice, err);
 }
 
-enum thud_status thud_record_open(const char *name, const struct thud_record_treatment *treatment, struct thud_record **out,
-                                  struct thud_error *err)
+enum thud_status thud_record_open(const char *name, const struct thud_record_treatment *treatment,
+                                  struct thud_record **out, struct thud_error *err)
 {
     char path[1024];
     *out = NULL;
@@ -80,9 +61,8 @@ enum thud_status thud_record_open(const char *name, const struct thud_record_tre
     choice.sign = 1;
     choice.peak_mps2 = NAN;
     struct thud_record *record = NULL;
-    enum thud_status status = find(name, path, sizeof path);
-    if (!status)
-        status = thud_record_file_read(path, &choice, &record, err);
+    find(name, path, sizeof path);
+    enum thud_status status = thud_record_file_read(path, &choice, &record, err);
     if (!status)
         status = treat(&record, treatment, err);
     if (status) {
@@ -111,24 +91,26 @@ void thud_record_treatment_describe(const struct thud_record_treatment *t, struc
         thud_text_append(out, "sign: -\n");
 }
 
-int thud_scene_periods(const struct thud_scene *scene, struct thud_period_mark *mark, int most, struct thud_error *err)
+enum thud_status thud_scene_periods(const struct thud_scene *scene, struct thud_period_mark *mark, int most, int *count,
+                                    struct thud_error *err)
 {
     struct thud_model *model;
-    if (thud_scene_assemble(scene, &model, err) != THUD_OK)
-        return -1;
-    int count = 0;
-    for (int s = 0; s < model->nstructures && count < most; s++) {
+    *count = 0;
+    enum thud_status status = thud_scene_assemble(scene, &model, err);
+    if (status)
+        return status;
+    for (int s = 0; s < model->nstructures && *count < most; s++) {
         const struct thud_model_structure *structure = &model->structure[s];
         double lowest = INFINITY;
         for (int k = 0; k < structure->n; k++)
             lowest = fmin(lowest, model->omega[structure->first + k]);
         if (!(lowest > 0) || isinf(lowest))
             continue;
-        mark[count].period_s = 2 * acos(-1.0) / lowest;
-        snprintf(mark[count++].text, sizeof mark->text, "%s", scene->structure[s].name);
+        mark[*count].period_s = 2 * acos(-1.0) / lowest;
+        snprintf(mark[(*count)++].text, sizeof mark->text, "%s", scene->structure[s].name);
     }
     thud_model_free(model);
-    return count;
+    return THUD_OK;
 }
 
 void thud_record_file_stem(const char *path, char *stem, size_t size)

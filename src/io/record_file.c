@@ -119,8 +119,8 @@ static void convert(struct record_raw *raw)
         raw->value[i] = (raw->value[i] - mean) * raw->factor;
 }
 
-static enum thud_status apply_choice(struct thud_record *record, const struct thud_record_choice *choice,
-                                     struct thud_error *err)
+enum thud_status thud_record_choice_apply(struct thud_record *record, const struct thud_record_choice *choice,
+                                          struct thud_error *err)
 {
     double factor = choice->factor * (choice->sign < 0 ? -1 : 1);
     if (!isnan(choice->peak_mps2)) {
@@ -164,7 +164,7 @@ static enum thud_status build(const struct record_source *source, const struct r
     memcpy(record->component, raw->component, sizeof record->component);
     memcpy(record->event, raw->event, sizeof record->event);
     memcpy(record->note, raw->note, sizeof record->note);
-    status = apply_choice(record, choice, err);
+    status = thud_record_choice_apply(record, choice, err);
     if (status) {
         thud_record_free(record);
         *out = NULL;

@@ -1,0 +1,247 @@
+/* thud record: info, spectrum, convert (or import), list, synthesize. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "app/figure_files.h"
+#include "app/record_verbs.h"
+#include "app/session.h"
+#include "cli/commands.h"
+#include "cli/picture_options.h"
+#include "cli/record_options.h"
+#include "io/file.h"
+#include "io/paths.h"
+#include "io/record_write.h"
+
+/* To the file of -o, else to standard output. */
+static enum thud_status deliver(const struct thud_args *args, struct thud_text *text, struct thud_error *err)
+{
+    const char *path = thud_args_value(args, "o");
+    return path ? thud_text_write(text, path, err) : thud_cli_print(text, err);
+}
+
+static enum thud_status need_files(const struct thud_args *args, const char *verb, int most, struct thud_error *err)
+{
+    int files = args->noperands - 1;
+    if (files >= 1 && files <= most)
+        return THUD_OK;
+    thud_error_set(err, THUD_USAGE, files < 1 ? "thud record %s needs a file" : "thud record %s takes one file", verb);
+    return THUD_USAGE;
+}
+
+static enum thud_status draw(const struct thud_args *args, struct thud_figure *figure, struct thud_error *err)
+{
+    struct thud_picture_choice picture;
+    enum thud_status status = thud_picture_options_read(args, &picture, err);
+    if (status) {
+        thud_figure_free(figure);
+        return status;
+    }
+    return thud_figure_deliver(figure, thud_args_value(args, "o"), &picture.options, THUD_OK, err);
+}
+
+static void title_of(const struct thud_record *record, char *title, size_t size)
+{
+    const char *name = strrchr(record->file, '/');
+    snprintf(title, size, "%s%s%s",
+             record->event[0] ? record->event
+             : name           ? name + 1
+                              : record->file,
+             record->component[0] ? ", " : "", record->component);
+}
+
+static enum thud_status info_of(const struct thud_args *args, const char *file,
+                                const struct thud_record_treatment *treatment, struct thud_text *text,
+                                struct thud_error *err)
+{
+    struct thud_record *record;
+    enum thud_status status = thud_record_open(file, treatment, &record, err);
+    if (status)
+        return status;
+    struct thud_intensity intensity = thud_intensity_of(record);
+    if (thud_args_has(args, "json"))
+        thud_record_info_json(record, &intensity, text);
+    else
+        thud_record_info_table(record, &intensity, text);
+    if (thud_args_has(args, "o")) {
+        char stem[128], name[160], title[640];
+        thud_record_file_stem(file, stem, sizeof stem);
+        snprintf(name, sizeof name, "%s-motion", stem);
+        title_of(record, title, sizeof title);
+        status = draw(args, thud_figure_of_motion(record, name, title), err);
+    }
+    thud_record_free(record);
+    return status;
+}
+
+static enum thud_status info(const struct thud_args *args, struct thud_error *err)
+{
+    struct thud_record_treatment treatment;
+    struct thud_text text = {0};
+    bool json = thud_args_has(args, "json"), list = json && args->noperands > 2;
+    enum thud_status status = need_files(args, "info", THUD_OPERANDS_MAX, err);
+    if (!status)
+        status = thud_record_options_read(args, &treatment, err);
+    for (int i = 1; i < args->noperands && !status; i++) {
+        if (list)
+            thud_text_append(&text, i == 1 ? "[" : ",\n ");
+        status = info_of(args, args->operand[i], &treatment, &text, err);
+    }
+    if (json)
+        thud_text_append(&text, list ? "]\n" : "\n");
+    if (status) {
+        thud_text_clear(&text);
+        return status;
+    }
+    return thud_cli_print(&text, err);
+}
+
+/* The first periods of --preset's structures; none without it. */
+static enum thud_status marks_of(const struct thud_args *args, struct thud_period_mark *mark, int *count,
+                                 struct thud_error *err)
+{
+    const char *preset = thud_args_value(args, "preset");
+    *count = 0;
+    if (!preset)
+        return THUD_OK;
+    struct thud_session *session = calloc(1, sizeof *session);
+    if (!session)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    enum thud_status status = thud_session_open(session, preset, err);
+    if (!status)
+        status = thud_scene_periods(&session->scene, mark, THUD_STRUCTURES_MAX, count, err);
+    thud_session_close(session);
+    free(session);
+    return status;
+}
+
+static enum thud_status spectrum_of(const struct thud_args *args, const struct thud_record *record,
+                                    const struct thud_spectrum_choice *choice, struct thud_spectrum_point *point,
+                                    struct thud_error *err)
+{
+    struct thud_period_mark mark[THUD_STRUCTURES_MAX];
+    struct thud_text text = {0};
+    int nmarks;
+    size_t count = (size_t)choice->count;
+    enum thud_status status = marks_of(args, mark, &nmarks, err);
+    if (status)
+        return status;
+    thud_spectrum_fill(record, choice->damping, choice->from_s, choice->to_s, count, point);
+    if (thud_args_has(args, "json"))
+        thud_spectrum_json(record, point, count, choice->damping, &text);
+    else
+        thud_spectrum_csv(record, point, count, choice->damping, &text);
+    if (thud_args_has(args, "o")) {
+        char stem[128], name[160], title[640];
+        thud_record_file_stem(record->file, stem, sizeof stem);
+        snprintf(name, sizeof name, "%s-spectrum", stem);
+        title_of(record, title, sizeof title);
+        status = draw(args, thud_figure_of_spectrum(point, count, choice->damping, mark, nmarks, name, title), err);
+    }
+    if (status || thud_args_has(args, "quiet")) {
+        thud_text_clear(&text);
+        return status;
+    }
+    return thud_cli_print(&text, err);
+}
+
+static enum thud_status spectrum(const struct thud_args *args, struct thud_error *err)
+{
+    struct thud_record_treatment treatment;
+    struct thud_spectrum_choice choice;
+    struct thud_record *record = NULL;
+    enum thud_status status = need_files(args, "spectrum", 1, err);
+    if (!status)
+        status = thud_record_options_read(args, &treatment, err);
+    if (!status)
+        status = thud_spectrum_options_read(args, &choice, err);
+    if (!status)
+        status = thud_record_open(args->operand[1], &treatment, &record, err);
+    if (status)
+        return status;
+    struct thud_spectrum_point *point = malloc((size_t)choice.count * sizeof *point);
+    if (point)
+        status = spectrum_of(args, record, &choice, point, err);
+    else
+        status = thud_error_set(err, THUD_MEMORY, "out of memory");
+    free(point);
+    thud_record_free(record);
+    return status;
+}
+
+static enum thud_status convert(const struct thud_args *args, struct thud_error *err)
+{
+    struct thud_record_treatment treatment;
+    struct thud_record *record = NULL;
+    struct thud_text text = {0}, comment = {0};
+    enum thud_status status = need_files(args, args->operand[0], 1, err);
+    if (!status)
+        status = thud_record_options_read(args, &treatment, err);
+    if (!status)
+        status = thud_record_open(args->operand[1], &treatment, &record, err);
+    if (status)
+        return status;
+    const char *name = strrchr(record->file, '/');
+    thud_text_append(&comment, "from %s, %s\n", name ? name + 1 : record->file, record->format);
+    thud_record_treatment_describe(&treatment, &comment);
+    if (comment.failed)
+        text.failed = 1;
+    else
+        thud_record_csv(record, comment.data, &text);
+    thud_text_clear(&comment);
+    thud_record_free(record);
+    return deliver(args, &text, err);
+}
+
+static enum thud_status list(const struct thud_args *args, struct thud_error *err)
+{
+    struct thud_text text = {0};
+    struct thud_paths paths;
+    thud_paths_find(&paths);
+    bool json = thud_args_has(args, "json");
+    if (args->noperands > 2)
+        return thud_error_set(err, THUD_USAGE, "thud record list takes one folder");
+    enum thud_status status =
+        thud_record_list(args->noperands > 1 ? args->operand[1] : paths.records, json, &text, err);
+    if (status) {
+        thud_text_clear(&text);
+        return status;
+    }
+    return thud_cli_print(&text, err);
+}
+
+static enum thud_status synthesize(const struct thud_args *args, struct thud_error *err)
+{
+    struct thud_synthesis synthesis;
+    struct thud_text text = {0};
+    const char *title = thud_args_value(args, "event");
+    if (args->noperands > 1)
+        return thud_error_set(err, THUD_USAGE, "thud record synthesize takes no file: -o says where to write");
+    enum thud_status status = thud_synthesis_options_read(args, &synthesis, err);
+    if (!status)
+        status = thud_surrogate_csv(&synthesis, title ? title : "", &text, err);
+    if (status) {
+        thud_text_clear(&text);
+        return status;
+    }
+    return deliver(args, &text, err);
+}
+
+enum thud_status thud_command_record(const struct thud_args *args, struct thud_error *err)
+{
+    static const struct {
+        const char *verb;
+        enum thud_status (*run)(const struct thud_args *args, struct thud_error *err);
+    } verbs[] = {{"info", info},      {"spectrum", spectrum}, {"convert", convert},
+                 {"import", convert}, {"list", list},         {"synthesize", synthesize}};
+    for (size_t i = 0; i < sizeof verbs / sizeof *verbs && args->noperands > 0; i++)
+        if (strcmp(args->operand[0], verbs[i].verb) == 0)
+            return verbs[i].run(args, err);
+    if (args->noperands == 0)
+        thud_error_set(err, THUD_USAGE, "thud record needs a verb");
+    else
+        thud_error_set(err, THUD_USAGE, "thud record has no verb `%.40s`", args->operand[0]);
+    thud_error_allow(err, "info, spectrum, convert, import, list, synthesize");
+    return THUD_USAGE;
+}

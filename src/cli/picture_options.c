@@ -1,0 +1,25 @@
+#include "cli/picture_options.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum thud_status thud_picture_options_read(const struct thud_args *args, struct thud_picture_choice *choice,
+                                           struct thud_error *err)
+{
+    memset(choice, 0, sizeof *choice);
+    struct thud_picture_options *options = &choice->options;
+    const char *format = thud_args_value(args, "format"), *size = thud_args_value(args, "size"),
+               *font = thud_args_value(args, "font"), *program = getenv("THUD_GNUPLOT");
+    enum thud_status status = THUD_OK;
+    if (format)
+        status = thud_picture_format_parse(format, &options->format, err);
+    if (!status && size)
+        status = thud_picture_size_parse(size, &options->width_px, &options->height_px, err);
+    if (!status && font) {
+        status = thud_picture_font_parse(font, choice->font, sizeof choice->font, &options->font_px, err);
+        options->font = choice->font;
+    }
+    if (program && program[0])
+        options->program = program;
+    return status;
+}

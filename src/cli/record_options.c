@@ -1,0 +1,170 @@
+#include "cli/record_options.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/quantity.h"
+
+/* What was typed is wrong usage, and the message begins with the option. */
+static enum thud_status blame(const char *option, struct thud_error *err)
+{
+    char key[64];
+    snprintf(key, sizeof key, "--%s", option);
+    thud_error_key(err, key);
+    if (err)
+        err->status = THUD_USAGE;
+    return THUD_USAGE;
+}
+
+static enum thud_status refuse(const char *option, const char *text, const char *allowed, struct thud_error *err)
+{
+    thud_error_set(err, THUD_USAGE, "`%.60s` will not do", text);
+    thud_error_allow(err, "%s", allowed);
+    return blame(option, err);
+}
+
+/* A quantity with its unit; *out stays as it is when the option was not given. */
+static enum thud_status quantity(const struct thud_args *args, const char *option, enum thud_dimension dimension,
+                                 double *out, struct thud_error *err)
+{
+    const char *text = thud_args_value(args, option);
+    struct thud_quantity value;
+    if (!text)
+        return THUD_OK;
+    if (thud_quantity_parse(text, dimension, NULL, &value, err) != THUD_OK)
+        return blame(option, err);
+    *out = value.value;
+    return THUD_OK;
+}
+
+static enum thud_status word(const struct thud_args *args, const char *option, char *to, size_t size,
+                             struct thud_error *err)
+{
+    const char *text = thud_args_value(args, option);
+    if (!text)
+        return THUD_OK;
+    if (!text[0] || strlen(text) >= size)
+        return refuse(option, text, "a short word", err);
+    memcpy(to, text, strlen(text) + 1);
+    return THUD_OK;
+}
+
+static enum thud_status places(const struct thud_args *args, struct thud_record_choice *choice, struct thud_error *err)
+{
+    const char *column = thud_args_value(args, "column");
+    enum thud_status status = thud_args_integer(args, "skip", 0, 1000000, -1, &choice->skip, err);
+    if (!status && column && strcmp(column, "all") == 0)
+        choice->column = -1;
+    else if (!status)
+        status = thud_args_integer(args, "column", 1, 10000, 0, &choice->column, err);
+    return status;
+}
+
+static enum thud_status choices(const struct thud_args *args, struct thud_record_treatment *treatment,
+                                struct thud_error *err)
+{
+    const char *sign = thud_args_value(args, "sign"), *baseline = thud_args_value(args, "baseline");
+    if (sign && strcmp(sign, "+") != 0 && strcmp(sign, "-") != 0)
+        return refuse("sign", sign, "+ or -", err);
+    treatment->choice.sign = sign && *sign == '-' ? -1 : 1;
+    if (baseline && strcmp(baseline, "mean") != 0 && strcmp(baseline, "linear") != 0)
+        return refuse("baseline", baseline, "mean or linear", err);
+    if (baseline)
+        treatment->baseline = *baseline == 'm' ? THUD_BASELINE_MEAN : THUD_BASELINE_LINEAR;
+    return THUD_OK;
+}
+
+enum thud_status thud_record_options_read(const struct thud_args *args, struct thud_record_treatment *treatment,
+                                          struct thud_error *err)
+{
+    thud_record_treatment_init(treatment);
+    struct thud_record_choice *choice = &treatment->choice;
+    const struct {
+        const char *option;
+        enum thud_dimension dimension;
+        double *to;
+    } quantities[] = {{"dt", THUD_TIME, &choice->dt_s},         {"peak", THUD_ACCELERATION, &choice->peak_mps2},
+                      {"factor", THUD_NUMBER, &choice->factor}, {"from", THUD_TIME, &treatment->from_s},
+                      {"to", THUD_TIME, &treatment->to_s},      {"resample", THUD_TIME, &treatment->resample_s}};
+    enum thud_status status = THUD_OK;
+    for (size_t i = 0; i < sizeof quantities / sizeof *quantities && !status; i++)
+        status = quantity(args, quantities[i].option, quantities[i].dimension, quantities[i].to, err);
+    if (!status && !isnan(choice->peak_mps2) && !(choice->peak_mps2 > 0))
+        return refuse("peak", thud_args_value(args, "peak"), "more than 0; --sign - turns the motion round", err);
+    if (!status)
+        status = word(args, "unit", choice->unit, sizeof choice->unit, err);
+    if (!status)
+        status = word(args, "channel", choice->channel, sizeof choice->channel, err);
+    if (!status)
+        status = places(args, choice, err);
+    return status ? status : choices(args, treatment, err);
+}
+
+/* FROM:TO:COUNT */
+static enum thud_status periods(const char *text, struct thud_spectrum_choice *choice, struct thud_error *err)
+{
+    static const char allowed[] = "FROM:TO:COUNT such as 0.02s:10s:200, above 0, 2 to 10000 of them";
+    char part[2][40];
+    const char *first = strchr(text, ':'), *second = first ? strchr(first + 1, ':') : NULL, *end;
+    if (!second || first - text >= 40 || second - first >= 40)
+        return refuse("periods", text, allowed, err);
+    snprintf(part[0], sizeof part[0], "%.*s", (int)(first - text), text);
+    snprintf(part[1], sizeof part[1], "%.*s", (int)(second - first - 1), first + 1);
+    struct thud_quantity from, to;
+    double count;
+    if (thud_quantity_parse(part[0], THUD_TIME, NULL, &from, err) ||
+        thud_quantity_parse(part[1], THUD_TIME, NULL, &to, err))
+        return blame("periods", err);
+    if (thud_number_parse(second + 1, &end, &count) || *end || !(from.value > 0) || !(to.value > from.value) ||
+        count < 2 || count > THUD_PERIODS_MAX || count != floor(count))
+        return refuse("periods", text, allowed, err);
+    choice->from_s = from.value;
+    choice->to_s = to.value;
+    choice->count = (int)count;
+    return THUD_OK;
+}
+
+enum thud_status thud_spectrum_options_read(const struct thud_args *args, struct thud_spectrum_choice *choice,
+                                            struct thud_error *err)
+{
+    *choice = (struct thud_spectrum_choice){.damping = 0.05, .from_s = 0.02, .to_s = 10, .count = 200};
+    const char *text = thud_args_value(args, "periods");
+    enum thud_status status = quantity(args, "damping", THUD_RATIO, &choice->damping, err);
+    if (!status && !(choice->damping >= 0 && choice->damping < 1))
+        return refuse("damping", thud_args_value(args, "damping"), "from 0 up to, not including, 1", err);
+    return !status && text ? periods(text, choice, err) : status;
+}
+
+/* Hz, deg and 1/s are no units of structures: they are dropped here when they are the parameter's own. */
+static enum thud_status parameter(const struct thud_args *args, const struct thud_synthesis_param *param, double *to,
+                                  struct thud_error *err)
+{
+    const char *text = thud_args_value(args, param->name);
+    if (!text || param->dimension != THUD_NUMBER || !param->unit[0])
+        return quantity(args, param->name, param->dimension, to, err);
+    const char *end;
+    double value;
+    if (thud_number_parse(text, &end, &value) == 0) {
+        end += strspn(end, " ");
+        if (!*end || strcmp(end, param->unit) == 0) {
+            *to = value;
+            return THUD_OK;
+        }
+    }
+    char allowed[80];
+    snprintf(allowed, sizeof allowed, "a number of %s", param->unit);
+    return refuse(param->name, text, allowed, err);
+}
+
+enum thud_status thud_synthesis_options_read(const struct thud_args *args, struct thud_synthesis *synthesis,
+                                             struct thud_error *err)
+{
+    thud_synthesis_init(synthesis);
+    enum thud_status status = THUD_OK;
+    for (size_t i = 0; i < thud_synthesis_param_count && !status; i++) {
+        const struct thud_synthesis_param *param = &thud_synthesis_params[i];
+        status = parameter(args, param, thud_synthesis_field(synthesis, param), err);
+    }
+    return status;
+}

@@ -1,0 +1,27 @@
+/* The options of `thud record`. */
+#ifndef THUD_CLI_RECORD_OPTIONS_H
+#define THUD_CLI_RECORD_OPTIONS_H
+
+#include "app/record_verbs.h"
+#include "cli/args.h"
+#include "core/synthesize.h"
+
+enum { THUD_PERIODS_MAX = 10000 };
+
+/* How a file is read and what is done to it. Errors: THUD_USAGE, with the option as key. */
+enum thud_status thud_record_options_read(const struct thud_args *args, struct thud_record_treatment *treatment,
+                                          struct thud_error *err);
+
+/* --damping and --periods. Errors: THUD_USAGE. */
+struct thud_spectrum_choice {
+    double damping, from_s, to_s;
+    int count;
+};
+enum thud_status thud_spectrum_options_read(const struct thud_args *args, struct thud_spectrum_choice *choice,
+                                            struct thud_error *err);
+
+/* The parameters of a surrogate, each an option of its name. Errors: THUD_USAGE. */
+enum thud_status thud_synthesis_options_read(const struct thud_args *args, struct thud_synthesis *synthesis,
+                                             struct thud_error *err);
+
+#endif
