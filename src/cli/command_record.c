@@ -139,11 +139,10 @@ static enum thud_status spectrum_of(const struct thud_args *args, const struct t
         title_of(record, title, sizeof title);
         status = draw(args, thud_figure_of_spectrum(point, count, choice->damping, mark, nmarks, name, title), err);
     }
-    if (status || thud_args_has(args, "quiet")) {
-        thud_text_clear(&text);
-        return status;
-    }
-    return thud_cli_print(&text, err);
+    if (!status)
+        return thud_cli_print(&text, err);
+    thud_text_clear(&text);
+    return status;
 }
 
 static enum thud_status spectrum(const struct thud_args *args, struct thud_error *err)
@@ -215,10 +214,10 @@ static enum thud_status synthesize(const struct thud_args *args, struct thud_err
 {
     struct thud_synthesis synthesis;
     struct thud_text text = {0};
-    const char *title = thud_args_value(args, "event");
+    const char *title;
     if (args->noperands > 1)
         return thud_error_set(err, THUD_USAGE, "thud record synthesize takes no file: -o says where to write");
-    enum thud_status status = thud_synthesis_options_read(args, &synthesis, err);
+    enum thud_status status = thud_synthesis_options_read(args, &synthesis, &title, err);
     if (!status)
         status = thud_surrogate_csv(&synthesis, title ? title : "", &text, err);
     if (status) {

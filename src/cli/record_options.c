@@ -137,34 +137,65 @@ enum thud_status thud_spectrum_options_read(const struct thud_args *args, struct
 }
 
 /* Hz, deg and 1/s are no units of structures: they are dropped here when they are the parameter's own. */
-static enum thud_status parameter(const struct thud_args *args, const struct thud_synthesis_param *param, double *to,
+static enum thud_status parameter(const struct thud_synthesis_param *param, const char *text, double *to,
                                   struct thud_error *err)
 {
-    const char *text = thud_args_value(args, param->name);
-    if (!text || param->dimension != THUD_NUMBER || !param->unit[0])
-        return quantity(args, param->name, param->dimension, to, err);
     const char *end;
-    double value;
-    if (thud_number_parse(text, &end, &value) == 0) {
+    struct thud_quantity value;
+    if (param->dimension == THUD_NUMBER && param->unit[0] && thud_number_parse(text, &end, &value.value) == 0) {
         end += strspn(end, " ");
         if (!*end || strcmp(end, param->unit) == 0) {
-            *to = value;
+            *to = value.value;
             return THUD_OK;
         }
     }
-    char allowed[80];
-    snprintf(allowed, sizeof allowed, "a number of %s", param->unit);
-    return refuse(param->name, text, allowed, err);
+    if (thud_quantity_parse(text, param->dimension, NULL, &value, err) != THUD_OK) {
+        thud_error_key(err, param->name);
+        return THUD_USAGE;
+    }
+    *to = value.value;
+    return THUD_OK;
+}
+
+static enum thud_status unknown(const char *key, size_t length, struct thud_error *err)
+{
+    char list[400] = "event";
+    size_t n = strlen(list);
+    for (size_t i = 0; i < thud_synthesis_param_count && n < sizeof list; i++)
+        n += (size_t)snprintf(list + n, sizeof list - n, ", %s", thud_synthesis_params[i].name);
+    thud_error_set(err, THUD_USAGE, "a surrogate has no value `%.*s`", (int)(length < 40 ? length : 40), key);
+    thud_error_key(err, "--set");
+    thud_error_allow(err, "%s", list);
+    return THUD_USAGE;
+}
+
+static enum thud_status assign(const char *assignment, struct thud_synthesis *synthesis, const char **event,
+                               struct thud_error *err)
+{
+    const char *sign = strchr(assignment, '=');
+    size_t length = sign ? (size_t)(sign - assignment) : strlen(assignment);
+    if (sign && length == 5 && strncmp(assignment, "event", length) == 0) {
+        *event = sign + 1;
+        return THUD_OK;
+    }
+    for (size_t i = 0; sign && i < thud_synthesis_param_count; i++) {
+        const struct thud_synthesis_param *param = &thud_synthesis_params[i];
+        if (strlen(param->name) == length && strncmp(param->name, assignment, length) == 0)
+            return parameter(param, sign + 1, thud_synthesis_field(synthesis, param), err);
+    }
+    return unknown(assignment, length, err);
 }
 
 enum thud_status thud_synthesis_options_read(const struct thud_args *args, struct thud_synthesis *synthesis,
-                                             struct thud_error *err)
+                                             const char **event, struct thud_error *err)
 {
     thud_synthesis_init(synthesis);
-    enum thud_status status = THUD_OK;
-    for (size_t i = 0; i < thud_synthesis_param_count && !status; i++) {
-        const struct thud_synthesis_param *param = &thud_synthesis_params[i];
-        status = parameter(args, param, thud_synthesis_field(synthesis, param), err);
-    }
+    *event = NULL;
+    enum thud_status status = quantity(args, "peak", THUD_ACCELERATION, &synthesis->peak_mps2, err);
+    if (!status)
+        status = quantity(args, "dt", THUD_TIME, &synthesis->dt_s, err);
+    const char *assignment;
+    for (int i = 0; !status && (assignment = thud_args_repeated(args, "set", i)); i++)
+        status = assign(assignment, synthesis, event, err);
     return status;
 }

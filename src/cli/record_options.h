@@ -20,8 +20,9 @@ struct thud_spectrum_choice {
 enum thud_status thud_spectrum_options_read(const struct thud_args *args, struct thud_spectrum_choice *choice,
                                             struct thud_error *err);
 
-/* The parameters of a surrogate, each an option of its name. Errors: THUD_USAGE. */
+/* The values of a surrogate from --set KEY=VALUE (the parameters' names, and `event`, a text), --peak and --dt. *event
+ * stays NULL when it is not given. Errors: THUD_USAGE. */
 enum thud_status thud_synthesis_options_read(const struct thud_args *args, struct thud_synthesis *synthesis,
-                                             struct thud_error *err);
+                                             const char **event, struct thud_error *err);
 
 #endif
