@@ -44,11 +44,14 @@ static enum thud_status draw(const struct thud_args *args, struct thud_figure *f
 static void title_of(const struct thud_record *record, char *title, size_t size)
 {
     const char *name = strrchr(record->file, '/');
-    snprintf(title, size, "%s%s%s",
-             record->event[0] ? record->event
-             : name           ? name + 1
-                              : record->file,
-             record->component[0] ? ", " : "", record->component);
+    const char *part[] = {record->event, record->station, record->component};
+    size_t n = 0;
+    title[0] = '\0';
+    for (int i = 0; i < 3; i++)
+        if (part[i][0] && n < size)
+            n += (size_t)snprintf(title + n, size - n, "%s%s", n ? ", " : "", part[i]);
+    if (n == 0)
+        snprintf(title, size, "%s", name ? name + 1 : record->file);
 }
 
 static enum thud_status info_of(const struct thud_args *args, const char *file,

@@ -46,8 +46,10 @@ enum thud_status record_table_row(struct record_table *table, const double *valu
         size_t has = table->in_last != table->columns ? table->in_last : count;
         record_refuse(table->source, odd, 0, err, "%zu value%s in this line, %zu in the lines before it", has,
                       has == 1 ? "" : "s", table->columns);
-        if (table->rows < 10)
+        if (table->rows < 10 && count > table->columns) { /* a line of another kind before the samples */
+            thud_error_key(err, "skip");
             thud_error_allow(err, "--skip %d when the samples begin here", odd - 1);
+        }
         return THUD_INPUT;
     }
     enum thud_status status = record_add(&table->lines, line, err);

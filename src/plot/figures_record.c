@@ -1,5 +1,6 @@
 #include "plot/figures_record.h"
 
+#include <math.h>
 #include <stdio.h>
 
 #include "base/quantity.h"
@@ -46,6 +47,7 @@ struct thud_figure *thud_figure_of_spectrum(const struct thud_spectrum_point *po
         thud_panel_axis(panel, THUD_Y, label[k], unit[k]);
         thud_panel_log(panel, THUD_X);
         thud_panel_limits(panel, THUD_X, point[0].period_s, point[count - 1].period_s);
+        thud_panel_limits(panel, THUD_Y, 0, NAN);
         struct thud_series *series =
             thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = k}, "", count, NULL, NULL);
         for (size_t i = 0; series && i < count; i++) {

@@ -78,12 +78,12 @@ START_TEST(asked_for_by_name)
     choice.column = 4;
     refuses("time_s,x (g),y (g)\n0,1,2\n0.01,2,3\n0.02,3,4\n", 2, "column", "no column 4");
     choice.column = 0;
-    refuses("0.02 0.5\n1 2 3 4 5\n6 7 8 9 1\n", 2, "", "--skip 1");
+    refuses("0.02 0.5\n1 2 3 4 5\n6 7 8 9 1\n", 2, "skip", "--skip 1");
     refuses("1 2 3\n4 5 6\n7 8", 1, "column", "--column"); /* cut off: no line end */
     choice.column = 1;
     refuses("1 2 3\n4 5 6\n7 8\n", 3, "", "2 values in the last line");
     choice.column = 0;
-    refuses("1\n2\n3 4\n5\n", 3, "", "2 values");
+    refuses("1\n2\n3 4\n5\n", 3, "skip", "2 values");
     refuses("1 2\n3 4\n5\n6 7\n", 3, "", "1 value");
 }
 END_TEST
