@@ -23,4 +23,14 @@ struct thud_param {
     const char *const *choices; /* NULL-terminated */
 };
 
+/* What is allowed, in words: "> 0, up to 1e6 t", "paper, exact"; empty where anything is. */
+void thud_param_allowed(const struct thud_param *param, char *text, unsigned long size);
+/* Holds a value against the hard bounds; `text` is it as typed. Errors: THUD_INPUT. */
+enum thud_status thud_param_check(const struct thud_param *param, double value, const char *text,
+                                  struct thud_error *err);
+/* Whether a value lies outside the soft bounds; if so `text` gets the usual range. */
+bool thud_param_unusual(const struct thud_param *param, double value, char *text, unsigned long size);
+/* Index of a choice by its word, -1 when there is none. */
+int thud_param_choice(const struct thud_param *param, const char *word);
+
 #endif

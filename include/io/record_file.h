@@ -8,9 +8,6 @@
 #include "core/record.h"
 #include "study/scene.h"
 
-/* Nothing said, nothing scaled. */
-void thud_record_choice_init(struct thud_record_choice *choice);
-
 /* Reads `path` with what `choice` says of it (dt, unit, channel, column, skip), then applies factor, peak and sign.
  * What a file does not say is asked for by its option's name. Errors: THUD_INPUT with file and line, THUD_MEMORY. */
 enum thud_status thud_record_file_read(const char *path, const struct thud_record_choice *choice,

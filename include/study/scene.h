@@ -87,30 +87,71 @@ struct thud_scene {
     struct thud_study_choice study;
 };
 
+/* ---- making one ---- */
+
 /* An empty scene with defaults. */
 void thud_scene_init(struct thud_scene *scene);
+/* No file, nothing said, nothing scaled. */
+void thud_record_choice_init(struct thud_record_choice *choice);
+/* Of a kind, with one storey where it has storeys; what must be given is NaN. The name is empty. */
+void thud_structure_init(struct thud_structure *structure, enum thud_structure_kind kind);
+/* A law with the defaults of its table (NaN where a value must be given). */
+void thud_law_choice_init(struct thud_law_choice *choice, const struct thud_law *law);
+/* The paper's interface (Table 1), without bumper at a gap of 10 cm; and its bumper, no thicker than the gap. */
+void thud_interface_init(struct thud_interface *interface);
+void thud_interface_add_bumper(struct thud_interface *interface);
+
+/* ---- its parameters ---- */
+
+enum thud_group {
+    THUD_GROUP_SCENE,
+    THUD_GROUP_RECORD,
+    THUD_GROUP_STRUCTURE,
+    THUD_GROUP_INTERFACE,
+    THUD_GROUP_CONTACT, /* `law`, before the law's own */
+    THUD_GROUP_BUMPER,  /* `law`, thickness and cavity, before the law's own */
+    THUD_GROUP_ANALYSIS,
+    THUD_GROUP_STUDY,
+    THUD_GROUPS
+};
+/* The described parameters of a group, in the order of presets; *count of them. */
+const struct thud_param *thud_group_params(enum thud_group group, int *count);
+/* "structures", "record", ...: the key of the group in presets; empty for THUD_GROUP_SCENE. */
+const char *thud_group_key(enum thud_group group);
+/* Whether structures of the kind have this parameter of THUD_GROUP_STRUCTURE (by index). */
+bool thud_structure_has(enum thud_structure_kind kind, int param);
 
 /* Sets one value by its path (`structures.1.mass`, `interfaces.1.gap`, `gap`, `contact.restitution`,
  * `bumper.thickness`, `analysis.tolerance`, `record.peak`; lists `[320 t, 250 t]` or one value for every floor; one
- * floor by `structures.1.mass.2`). Errors: THUD_INPUT with key and what is allowed. */
+ * floor by `structures.1.mass.2`). The empty text takes back what need not be given. The exponent typed in a unit must
+ * be the law's; setting the exponent keeps the number of its stiffness in the shown unit. Errors: THUD_INPUT with key
+ * and what is allowed. */
 enum thud_status thud_scene_set(struct thud_scene *scene, const char *path, const char *text, struct thud_error *err);
-/* The value as text in its shown unit. */
+/* The value as text in its shown unit; empty where it is not given. */
 enum thud_status thud_scene_get(const struct thud_scene *scene, const char *path, char *text, unsigned long size,
                                 struct thud_error *err);
+/* The same in another unit of its dimension (NULL: the shown one); an exponent in it is replaced by the law's. */
+enum thud_status thud_scene_get_in(const struct thud_scene *scene, const char *path, const char *unit, char *text,
+                                   unsigned long size, struct thud_error *err);
 /* The described parameter behind a path, its index among the floors in *floor (-1: all); NULL when unknown. */
 const struct thud_param *thud_scene_param(const struct thud_scene *scene, const char *path, int *floor);
 
-/* Checks values against each other (thickness - cavity <= gap, lists as long as the storeys, ...). Errors: THUD_INPUT
- * with key. */
+/* Checks values against each other (thickness - cavity <= gap, nothing missing, ...). Errors: THUD_INPUT with key. */
 enum thud_status thud_scene_check(const struct thud_scene *scene, struct thud_error *err);
+/* The n-th (from 0) value that is unusual, as a message with key; false when there are no more. */
+bool thud_scene_warning(const struct thud_scene *scene, int n, struct thud_error *out);
+
+/* ---- cases ---- */
 
 /* The scene of a case: `none` drops every bumper, `bumper` sets it flush, `cavity` thickness (1 - max-strain) deep.
  * THUD_INPUT when a case needs a bumper and there is none. */
 enum thud_status thud_scene_case(const struct thud_scene *scene, enum thud_case which, struct thud_scene *out,
                                  struct thud_error *err);
 const char *thud_case_name(enum thud_case which); /* "none", "bumper", "cavity", "as-written" */
+/* Errors: THUD_INPUT. */
+enum thud_status thud_case_find(const char *name, enum thud_case *out, struct thud_error *err);
 
-/* gap - (thickness - cavity) with a bumper, gap without. */
+/* gap - (thickness - cavity) with a bumper, gap without; never below 0 by rounding. */
 double thud_interface_clearance(const struct thud_interface *interface);
 
 #endif

@@ -84,13 +84,14 @@ static bool fits(struct thud_unit *unit, enum thud_dimension dimension)
         return true;
     }
     if (unit->dimension == THUD_POWER_STIFFNESS)
-        return (dimension == THUD_STIFFNESS && unit->exponent == 1) || (dimension == THUD_PRESSURE && unit->exponent == 2);
+        return (dimension == THUD_STIFFNESS && unit->exponent == 1) ||
+               (dimension == THUD_PRESSURE && unit->exponent == 2);
     return (unit->dimension == THUD_NUMBER || unit->dimension == THUD_RATIO) &&
            (dimension == THUD_NUMBER || dimension == THUD_RATIO);
 }
 
-static enum thud_status find_unit(const char *text, const char *name, enum thud_dimension dimension, struct thud_unit *unit,
-                                  struct thud_error *err)
+static enum thud_status find_unit(const char *text, const char *name, enum thud_dimension dimension,
+                                  struct thud_unit *unit, struct thud_error *err)
 {
     if (!thud_unit_find(name, unit))
         thud_error_set(err, THUD_INPUT, "\"%.80s\" has no known unit; give %s", text, thud_dimension_name(dimension));

@@ -14,16 +14,6 @@ enum { FILE_LIMIT = 256 << 20 };
 #define ENTRY(name) &record_format_##name,
 static const struct record_format *const formats[] = {RECORD_FORMATS(ENTRY)};
 
-void thud_record_choice_init(struct thud_record_choice *choice)
-{
-    memset(choice, 0, sizeof *choice);
-    choice->peak_mps2 = NAN;
-    choice->factor = 1;
-    choice->sign = 1;
-    choice->dt_s = NAN;
-    choice->skip = -1;
-}
-
 static bool begins_with(const struct record_source *source, const char *bytes, size_t size)
 {
     return source->size >= size && memcmp(source->text, bytes, size) == 0;

@@ -140,13 +140,20 @@ START_TEST(digits_are_never_lost)
         enum thud_dimension dimension;
         const char *unit;
     } rows[] = {
-        {"1.23456789 cm", THUD_LENGTH, "cm"}, {"7 cm", THUD_LENGTH, "cm"},
-        {"320 t", THUD_MASS, "t"},            {"0.36 kN/mm^2.65", THUD_POWER_STIFFNESS, "kN/mm^2.65"},
-        {"5 %", THUD_RATIO, "%"},             {"0.821 g", THUD_ACCELERATION, "g"},
-        {"12 in", THUD_LENGTH, "in"},         {"0.001 mm", THUD_LENGTH, "mm"},
-        {"-0.5 m/s", THUD_VELOCITY, "m/s"},   {"1e-13", THUD_NUMBER, ""},
-        {"1e20 kN/mm", THUD_STIFFNESS, "kN/mm"}, {"0 cm", THUD_LENGTH, "cm"},
-        {"2500 kN/mm", THUD_STIFFNESS, "kN/mm"}, {"0.01", THUD_NUMBER, ""},
+        {"1.23456789 cm", THUD_LENGTH, "cm"},
+        {"7 cm", THUD_LENGTH, "cm"},
+        {"320 t", THUD_MASS, "t"},
+        {"0.36 kN/mm^2.65", THUD_POWER_STIFFNESS, "kN/mm^2.65"},
+        {"5 %", THUD_RATIO, "%"},
+        {"0.821 g", THUD_ACCELERATION, "g"},
+        {"12 in", THUD_LENGTH, "in"},
+        {"0.001 mm", THUD_LENGTH, "mm"},
+        {"-0.5 m/s", THUD_VELOCITY, "m/s"},
+        {"1e-13", THUD_NUMBER, ""},
+        {"1e20 kN/mm", THUD_STIFFNESS, "kN/mm"},
+        {"0 cm", THUD_LENGTH, "cm"},
+        {"2500 kN/mm", THUD_STIFFNESS, "kN/mm"},
+        {"0.01", THUD_NUMBER, ""},
     };
     char text[64];
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
@@ -167,8 +174,8 @@ static double random_double(uint64_t *state)
 
 START_TEST(any_value_reads_back_the_same_in_any_unit)
 {
-    static const char *const units[] = {"cm", "mm", "in", "ft", "m",   "t",  "kN/mm", "kN/mm^2.65", "N/mm^1.5", "g",
-                                        "gal", "ms", "%",  "",   "cm2", "GPa", "cm/s"};
+    static const char *const units[] = {"cm", "mm",  "in", "ft", "m", "t",   "kN/mm", "kN/mm^2.65", "N/mm^1.5",
+                                        "g",  "gal", "ms", "%",  "",  "cm2", "GPa",   "cm/s"};
     uint64_t state = 88172645463325252u;
     for (int i = 0; i < 20000; i++) {
         const char *unit = units[(size_t)i % (sizeof units / sizeof *units)];

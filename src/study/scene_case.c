@@ -1,0 +1,77 @@
+/* Cases: the same scene without bumper, with it flush on the wall, or set in a cavity. */
+#include <math.h>
+#include <string.h>
+
+#include "study/scene.h"
+#include "study/scene_words.h"
+
+static const char *const names[THUD_CASES + 1] = {"as-written", "none", "bumper", "cavity"};
+
+const char *thud_case_name(enum thud_case which)
+{
+    return names[which + 1];
+}
+
+enum thud_status thud_case_find(const char *name, enum thud_case *out, struct thud_error *err)
+{
+    static const struct thud_words words = {{"none", "bumper", "cavity"}, 3};
+    for (int i = 0; i <= THUD_CASES; i++) {
+        if (strcmp(names[i], name) == 0) {
+            *out = (enum thud_case)(i - 1);
+            return THUD_OK;
+        }
+    }
+    return thud_words_unknown(&words, "case", name, err);
+}
+
+/* NaN where the law has no max-strain. */
+static double max_strain(const struct thud_law_choice *bumper)
+{
+    int i = bumper->law ? thud_law_param(bumper->law, "max-strain") : -1;
+    return i < 0 ? NAN : bumper->value[i];
+}
+
+enum thud_status thud_scene_case(const struct thud_scene *scene, enum thud_case which, struct thud_scene *out,
+                                 struct thud_error *err)
+{
+    int bumpers = 0;
+    for (int i = 0; i + 1 < scene->nstructures; i++) {
+        const struct thud_interface *at = &scene->interface[i];
+        bumpers += at->has_bumper;
+        if (which == THUD_CASE_CAVITY && at->has_bumper && isnan(max_strain(&at->bumper))) {
+            thud_error_set(
+                err, THUD_INPUT,
+                "the cavity's depth is thickness (1 - max-strain), and the bumper's law %s has no max-strain",
+                at->bumper.law ? at->bumper.law->name : "");
+            thud_error_key(err, "case");
+            return THUD_INPUT;
+        }
+    }
+    if (bumpers == 0 && (which == THUD_CASE_BUMPER || which == THUD_CASE_CAVITY)) {
+        thud_error_set(err, THUD_INPUT, "the scene has no bumper for the case \"%s\"", thud_case_name(which));
+        thud_error_key(err, "case");
+        thud_error_allow(err, "none, or add one, e.g. bumper.law=rubber");
+        return THUD_INPUT;
+    }
+    if (out != scene)
+        memcpy(out, scene, sizeof *out);
+    for (int i = 0; i + 1 < out->nstructures; i++) {
+        struct thud_interface *at = &out->interface[i];
+        if (which == THUD_CASE_NONE)
+            at->has_bumper = false;
+        else if (which == THUD_CASE_BUMPER && at->has_bumper)
+            at->bumper_cavity_m = 0;
+        else if (which == THUD_CASE_CAVITY && at->has_bumper)
+            at->bumper_cavity_m = at->bumper_thickness_m * (1 - max_strain(&at->bumper));
+    }
+    return THUD_OK;
+}
+
+double thud_interface_clearance(const struct thud_interface *interface)
+{
+    double clearance = interface->gap_m;
+    if (interface->has_bumper)
+        clearance -= interface->bumper_thickness_m - interface->bumper_cavity_m;
+    /* 5 cm - (5 cm - 1 cm) + ... may miss 0 by the last digit */
+    return fabs(clearance) < 1e-12 ? 0 : clearance;
+}

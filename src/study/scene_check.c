@@ -1,0 +1,289 @@
+/* Values held against each other, and what is allowed but unusual. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "study/scene_slot.h"
+
+static const double rounding_m = 1e-12;
+
+static enum thud_status missing(const struct thud_param *param, struct thud_error *err, const char *key)
+{
+    const char *units = param->kind == THUD_PARAM_QUANTITY ? thud_dimension_units(param->dimension) : "";
+    thud_error_set(err, THUD_INPUT, "%s is not given", param->title);
+    if (*units)
+        thud_error_allow(err, "%s in %s", thud_dimension_name(param->dimension), units);
+    thud_error_key(err, key);
+    return THUD_INPUT;
+}
+
+static enum thud_status refuse(struct thud_error *err, const char *key, const char *allowed)
+{
+    thud_error_key(err, key);
+    if (allowed)
+        thud_error_allow(err, "%s", allowed);
+    return THUD_INPUT;
+}
+
+static enum thud_status check_names(const struct thud_scene *scene, int s, struct thud_error *err)
+{
+    char key[64];
+    for (int i = 0; i < s; i++)
+        if (strcmp(scene->structure[i].name, scene->structure[s].name) == 0) {
+            snprintf(key, sizeof key, "structures.%d.name", s + 1);
+            thud_error_set(err, THUD_INPUT, "\"%s\" is the name of structure %d too", scene->structure[s].name, i + 1);
+            return refuse(err, key, "every structure has its own name");
+        }
+    return THUD_OK;
+}
+
+static enum thud_status check_value(const struct thud_param *param, double value, const char *key,
+                                    struct thud_error *err)
+{
+    char text[96];
+    if (isnan(value))
+        return missing(param, err, key);
+    thud_quantity_format(value, param->unit, text, sizeof text);
+    enum thud_status status = thud_param_check(param, value, text, err);
+    if (status != THUD_OK)
+        thud_error_key(err, key);
+    return status;
+}
+
+static enum thud_status check_structure(const struct thud_scene *scene, int s, struct thud_error *err)
+{
+    const struct thud_structure *structure = &scene->structure[s];
+    const struct thud_place *places = thud_group_places(THUD_GROUP_STRUCTURE);
+    int count;
+    const struct thud_param *params = thud_group_params(THUD_GROUP_STRUCTURE, &count);
+    for (int i = 0; i < count; i++) {
+        if (!thud_structure_has(structure->kind, i))
+            continue;
+        const double *value = (const double *)(const void *)((const char *)structure + places[i].offset);
+        int n = places[i].store == THUD_STORE_FLOORS                                        ? structure->storeys
+                : places[i].store == THUD_STORE_NUMBER && places[i].absent == THUD_REQUIRED ? 1
+                                                                                            : 0;
+        for (int floor = 0; floor < n; floor++) {
+            char key[96];
+            snprintf(key, sizeof key, n > 1 ? "structures.%d.%s.%d" : "structures.%d.%s", s + 1, params[i].name,
+                     floor + 1);
+            if (isnan(value[floor]))
+                snprintf(key, sizeof key, "structures.%d.%s", s + 1, params[i].name);
+            enum thud_status status = check_value(&params[i], value[floor], key, err);
+            if (status != THUD_OK)
+                return status;
+        }
+    }
+    return check_names(scene, s, err);
+}
+
+static enum thud_status check_law(const struct thud_law_choice *choice, double thickness_m, int interface,
+                                  const char *part, struct thud_error *err)
+{
+    char key[160];
+    if (!choice->law) {
+        snprintf(key, sizeof key, "interfaces.%d.%s.law", interface + 1, part);
+        thud_error_set(err, THUD_INPUT, "the impact law is not given");
+        return refuse(err, key, "one of `thud laws`");
+    }
+    for (int i = 0; i < choice->law->nparams; i++) {
+        const struct thud_param *param = &choice->law->params[i];
+        snprintf(key, sizeof key, "interfaces.%d.%s.%s", interface + 1, part, param->name);
+        enum thud_status status = isnan(choice->value[i]) && isnan(param->fallback)
+                                      ? THUD_OK
+                                      : check_value(param, choice->value[i], key, err);
+        if (status != THUD_OK)
+            return status;
+    }
+    struct thud_law_setup setup = {.mass_kg = 1, .thickness_m = thickness_m};
+    struct thud_error why = {0};
+    memcpy(setup.value, choice->value, sizeof setup.value);
+    enum thud_status status = choice->law->prepare ? choice->law->prepare(&setup, &why) : THUD_OK;
+    if (status == THUD_OK)
+        return THUD_OK;
+    snprintf(key, sizeof key, "interfaces.%d.%s.%.60s", interface + 1, part, why.key[0] ? why.key : "law");
+    thud_error_key(&why, key);
+    if (err)
+        *err = why;
+    return status;
+}
+
+static enum thud_status check_bumper(const struct thud_interface *at, int interface, struct thud_error *err)
+{
+    char key[96], gap[48], room[48], text[48];
+    int count;
+    const struct thud_param *params = thud_group_params(THUD_GROUP_BUMPER, &count);
+    snprintf(key, sizeof key, "interfaces.%d.bumper.thickness", interface + 1);
+    enum thud_status status =
+        check_value(&params[1], at->bumper_thickness_m > 0 ? at->bumper_thickness_m : NAN, key, err);
+    if (status != THUD_OK)
+        return status;
+    double out = at->bumper_thickness_m - at->bumper_cavity_m;
+    thud_quantity_format(at->gap_m, "cm", gap, sizeof gap);
+    thud_quantity_format(at->bumper_thickness_m, "cm", room, sizeof room);
+    thud_quantity_format(at->bumper_cavity_m, "cm", text, sizeof text);
+    if (out <= 0) {
+        snprintf(key, sizeof key, "interfaces.%d.bumper.cavity", interface + 1);
+        thud_error_set(err, THUD_INPUT, "the cavity, %s, is as deep as the bumper is thick, %s", text, room);
+        return refuse(err, key, "0 to less than the thickness");
+    }
+    if (out > at->gap_m + rounding_m) {
+        char much[48];
+        snprintf(key, sizeof key, "interfaces.%d.bumper.thickness", interface + 1);
+        thud_quantity_format(rint(out * 1e9) / 1e9, "cm", much, sizeof much);
+        thud_error_set(err, THUD_INPUT, "the bumper sticks out by %s into a gap of %s", much, gap);
+        return refuse(err, key, "thickness - cavity <= gap");
+    }
+    return THUD_OK;
+}
+
+static enum thud_status check_interface(const struct thud_scene *scene, int i, struct thud_error *err)
+{
+    const struct thud_interface *at = &scene->interface[i];
+    char key[64];
+    int count;
+    snprintf(key, sizeof key, "interfaces.%d.gap", i + 1);
+    enum thud_status status = check_value(thud_group_params(THUD_GROUP_INTERFACE, &count), at->gap_m, key, err);
+    if (status == THUD_OK)
+        status = check_law(&at->contact, 0, i, "contact", err);
+    if (status == THUD_OK && at->has_bumper)
+        status = check_bumper(at, i, err);
+    if (status == THUD_OK && at->has_bumper)
+        status = check_law(&at->bumper, at->bumper_thickness_m, i, "bumper", err);
+    return status;
+}
+
+static enum thud_status check_study(const struct thud_scene *scene, struct thud_error *err)
+{
+    const struct thud_study_choice *study = &scene->study;
+    for (int i = 0; i < study->nvary; i++) {
+        const struct thud_vary *vary = &study->vary[i];
+        struct thud_slot slot;
+        enum thud_status status = thud_slot_find(scene, vary->key, &slot, err);
+        if (status != THUD_OK)
+            return refuse(err, "study.vary", NULL);
+        const char *absent = isnan(vary->from) ? "from" : isnan(vary->to) ? "to" : isnan(vary->step) ? "step" : NULL;
+        char key[32];
+        if (absent) {
+            snprintf(key, sizeof key, "study.%s", absent);
+            thud_error_set(err, THUD_INPUT, "the varied key %s has no \"%s\"", vary->key, absent);
+            return refuse(err, key, "from, to and step");
+        }
+        if (vary->from > vary->to) {
+            thud_error_set(err, THUD_INPUT, "the last value is below the first one");
+            return refuse(err, "study.to", "from <= to");
+        }
+        if ((vary->to - vary->from) / vary->step > 1e6) {
+            thud_error_set(err, THUD_INPUT, "the step makes more than a million values");
+            return refuse(err, "study.step", NULL);
+        }
+    }
+    return THUD_OK;
+}
+
+enum thud_status thud_scene_check(const struct thud_scene *scene, struct thud_error *err)
+{
+    bool moves = false;
+    enum thud_status status = THUD_OK;
+    if (scene->nstructures < 1) {
+        thud_error_set(err, THUD_INPUT, "there is no structure");
+        return refuse(err, "structures", "a list of 1 to 20");
+    }
+    for (int s = 0; s < scene->nstructures && status == THUD_OK; s++) {
+        status = check_structure(scene, s, err);
+        moves = moves || scene->structure[s].kind != THUD_WALL;
+    }
+    if (status == THUD_OK && !moves) {
+        thud_error_set(err, THUD_INPUT, "there are only walls, so nothing moves");
+        return refuse(err, "structures", "at least one shear, rigid or isolated");
+    }
+    for (int i = 0; i + 1 < scene->nstructures && status == THUD_OK; i++)
+        status = check_interface(scene, i, err);
+    if (status == THUD_OK && !scene->record.file[0] && !(scene->analysis.tail_s > 0)) {
+        thud_error_set(err, THUD_INPUT, "without a ground motion the tail is the duration, and it is 0");
+        return refuse(err, "analysis.tail", "> 0 s, up to 100 s");
+    }
+    return status == THUD_OK ? check_study(scene, err) : status;
+}
+
+/* ---- what is unusual ---- */
+
+struct search {
+    int wanted, found;
+    struct thud_error *out;
+};
+
+static bool look(struct search *search, const struct thud_param *param, double value, const char *key)
+{
+    char usual[160], text[64];
+    if (!thud_param_unusual(param, value, usual, sizeof usual) || search->found++ != search->wanted)
+        return false;
+    thud_quantity_format(value, strchr(param->unit, '^') ? "" : param->unit, text, sizeof text);
+    thud_error_set(search->out, THUD_OK, "%s is unusual", text);
+    thud_error_allow(search->out, "usually %s", usual);
+    thud_error_key(search->out, key);
+    return true;
+}
+
+static bool look_group(struct search *search, enum thud_group group, const void *base, unsigned kind, int storeys,
+                       const char *prefix)
+{
+    int count;
+    const struct thud_param *params = thud_group_params(group, &count);
+    const struct thud_place *places = thud_group_places(group);
+    for (int i = 0; i < count; i++) {
+        if (kind && !(places[i].kinds & kind))
+            continue;
+        const double *value = (const double *)(const void *)((const char *)base + places[i].offset);
+        int n = places[i].store == THUD_STORE_FLOORS ? storeys : places[i].store == THUD_STORE_NUMBER ? 1 : 0;
+        for (int floor = 0; floor < n; floor++) {
+            char key[96];
+            snprintf(key, sizeof key, n > 1 ? "%s.%s.%d" : "%s.%s", prefix, params[i].name, floor + 1);
+            if (floor > 0 && value[floor] == value[floor - 1])
+                continue; /* said once */
+            if (look(search, &params[i], value[floor], key))
+                return true;
+        }
+    }
+    return false;
+}
+
+static bool look_law(struct search *search, const struct thud_law_choice *choice, const char *prefix)
+{
+    for (int i = 0; choice->law && i < choice->law->nparams; i++) {
+        char key[128];
+        snprintf(key, sizeof key, "%s.%s", prefix, choice->law->params[i].name);
+        if (choice->law->params[i].kind == THUD_PARAM_QUANTITY &&
+            look(search, &choice->law->params[i], choice->value[i], key))
+            return true;
+    }
+    return false;
+}
+
+static bool look_interface(struct search *search, const struct thud_interface *at, int i)
+{
+    char key[64];
+    if (at->has_bumper) {
+        snprintf(key, sizeof key, "interfaces.%d.bumper", i + 1);
+        return look_group(search, THUD_GROUP_BUMPER, at, 0, 0, key) || look_law(search, &at->bumper, key);
+    }
+    snprintf(key, sizeof key, "interfaces.%d.contact", i + 1);
+    return look_law(search, &at->contact, key);
+}
+
+bool thud_scene_warning(const struct thud_scene *scene, int n, struct thud_error *out)
+{
+    struct search search = {n, 0, out};
+    for (int s = 0; s < scene->nstructures; s++) {
+        const struct thud_structure *at = &scene->structure[s];
+        char key[64];
+        snprintf(key, sizeof key, "structures.%d", s + 1);
+        if (look_group(&search, THUD_GROUP_STRUCTURE, at, 1u << at->kind, at->storeys, key))
+            return true;
+    }
+    for (int i = 0; i + 1 < scene->nstructures; i++)
+        if (look_interface(&search, &scene->interface[i], i))
+            return true;
+    return look_group(&search, THUD_GROUP_RECORD, scene, 0, 0, "record") ||
+           look_group(&search, THUD_GROUP_ANALYSIS, scene, 0, 0, "analysis");
+}

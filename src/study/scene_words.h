@@ -1,0 +1,21 @@
+/* The words that could stand where an unknown one does, for its message. */
+#ifndef THUD_STUDY_SCENE_WORDS_H
+#define THUD_STUDY_SCENE_WORDS_H
+
+#include "base/status.h"
+
+enum { THUD_WORDS_KNOWN = 64 };
+
+struct thud_words {
+    const char *known[THUD_WORDS_KNOWN];
+    int count;
+};
+
+void thud_words_add(struct thud_words *words, const char *word);
+
+/* `unknown WHAT "WORD"; did you mean "KNOWN"?`, the question only where one is near; allowed: all of them.
+ * Returns THUD_INPUT. */
+enum thud_status thud_words_unknown(const struct thud_words *words, const char *what, const char *word,
+                                    struct thud_error *err);
+
+#endif
