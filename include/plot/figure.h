@@ -83,6 +83,7 @@ struct thud_panel {
     struct thud_series **series;
     struct thud_mark *mark;
     struct thud_map *map; /* NULL: none */
+    bool closer;          /* another panel's series, seen closer */
     bool used;
 };
 
@@ -139,7 +140,8 @@ int thud_figure_key(const struct thud_figure *figure, const struct thud_series *
 /* "Gap (cm)". Returns `text`. */
 char *thud_axis_text(const struct thud_axis *axis, char *text, size_t size);
 
-/* All data of a figure as CSV with a header: panel, series, x, y, y_high (bands) or z (maps). */
+/* All data of a figure as CSV with a header: panel, series, x, y, y_high (bands) or z (maps). Where all panels have the
+ * same axes, x and y are headed by their names and units; else these stand with the panel. */
 void thud_figure_csv(const struct thud_figure *figure, struct thud_text *out);
 
 /* Least and largest of z that are numbers; false when there are none. */

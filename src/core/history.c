@@ -133,6 +133,17 @@ static int contact_rows(double duration_s, double step_s)
     return parts > LEAST ? parts < MOST ? (int)parts : MOST : LEAST;
 }
 
+/* The time of the row after one at t: after a contact closer for a while, since impacts wake the higher modes; else on
+ * the grid of the step. */
+static double next_row(const struct thud_run *run, double t)
+{
+    const double close_s = 5e-3;
+    double step = run->options.history_step_s;
+    if (t < run->close_rows_until_s && step > close_s)
+        return t + close_s;
+    return step * floor(t / step + 1.0 + 1e-9);
+}
+
 enum thud_status thud_history_segment(struct thud_run *run, double s, struct thud_error *err)
 {
     double t0 = thud_run_now(run), h = run->seg.h_s, step = run->options.history_step_s;
@@ -141,15 +152,17 @@ enum thud_status thud_history_segment(struct thud_run *run, double s, struct thu
         int rows = contact_rows(s * h, step);
         for (int i = 0; i <= rows && status == THUD_OK; i++)
             status = row_at(run, s * i / rows, err);
+        const double while_s = 0.4;
+        run->close_rows_until_s = t0 + s * h + while_s;
         while (run->next_row_s <= t0 + s * h)
-            run->next_row_s += step;
+            run->next_row_s = next_row(run, run->next_row_s);
         return status;
     }
     double fuzz = 1e-9 * step;
     while (run->next_row_s <= t0 + s * h + fuzz && status == THUD_OK) {
         double at = (run->next_row_s - t0) / h;
         status = row_at(run, at < 0 ? 0 : at > s ? s : at, err);
-        run->next_row_s += step;
+        run->next_row_s = next_row(run, run->next_row_s);
     }
     return status;
 }

@@ -79,6 +79,7 @@ struct thud_run {
     int nimpacts, impacts_capacity;
     struct thud_history history;
     double next_row_s;
+    double close_rows_until_s; /* rows stand closer for a while after a contact */
 };
 
 static inline double thud_run_now(const struct thud_run *run)

@@ -243,6 +243,7 @@ void thud_panel_zoom(struct thud_panel *panel, struct thud_panel *from, double l
     panel->axis[THUD_X] = from->axis[THUD_X];
     panel->axis[THUD_Y] = from->axis[THUD_Y];
     thud_panel_limits(panel, THUD_X, least, most);
+    panel->closer = true;
     for (int i = 0; i < from->nseries; i++) {
         struct thud_series **list = grow(panel->figure, panel->series, panel->nseries, sizeof *list);
         if (!list)

@@ -1,5 +1,6 @@
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "plot/figure.h"
 
@@ -11,15 +12,51 @@ static void field(struct thud_text *out, const char *text)
     thud_text_bytes(out, "\",", 2);
 }
 
-/* Which panel a row belongs to, with the meaning of its numbers. */
-static void panel_name(const struct thud_panel *panel, struct thud_text *name)
+/* Which panel a row belongs to; with the meaning of its numbers where the header cannot say it. */
+static void panel_name(const struct thud_panel *panel, bool same, struct thud_text *name)
 {
     char x[256], y[256];
     *name = (struct thud_text){0};
-    if (*panel->title)
-        thud_text_append(name, "%s: ", panel->title);
-    thud_text_append(name, "%s against %s", thud_axis_text(&panel->axis[THUD_Y], y, sizeof y),
-                     thud_axis_text(&panel->axis[THUD_X], x, sizeof x));
+    thud_text_append(name, "%s", panel->title);
+    if (!same)
+        thud_text_append(name, "%s%s against %s", *panel->title ? ": " : "",
+                         thud_axis_text(&panel->axis[THUD_Y], y, sizeof y),
+                         thud_axis_text(&panel->axis[THUD_X], x, sizeof x));
+}
+
+static bool same_axis(const struct thud_axis *a, const struct thud_axis *b)
+{
+    return !strcmp(a->label, b->label) && !strcmp(a->unit, b->unit);
+}
+
+/* The first panel in use when all the others have its axes, else NULL. */
+static const struct thud_panel *common(const struct thud_figure *figure)
+{
+    const struct thud_panel *first = NULL;
+    for (int p = 0; p < figure->rows * figure->columns; p++) {
+        const struct thud_panel *panel = &figure->panel[p];
+        if (!panel->used)
+            continue;
+        if (!first)
+            first = panel;
+        if (!same_axis(&first->axis[THUD_X], &panel->axis[THUD_X]) ||
+            !same_axis(&first->axis[THUD_Y], &panel->axis[THUD_Y]))
+            return NULL;
+    }
+    return first;
+}
+
+static void header(const struct thud_panel *panel, struct thud_text *out)
+{
+    char text[256];
+    thud_text_append(out, "panel,series,");
+    for (int side = 0; side < 2; side++) {
+        if (panel)
+            field(out, thud_axis_text(&panel->axis[side], text, sizeof text));
+        else
+            thud_text_append(out, side == THUD_X ? "x," : "y,");
+    }
+    thud_text_append(out, "y_high_or_z\n");
 }
 
 /* What is no number stays empty. */
@@ -67,13 +104,14 @@ static void map_rows(struct thud_text *out, const struct thud_text *panel, const
 
 void thud_figure_csv(const struct thud_figure *figure, struct thud_text *out)
 {
-    thud_text_append(out, "panel,series,x,y,y_high_or_z\n");
+    const struct thud_panel *same = common(figure);
+    header(same, out);
     for (int p = 0; p < figure->rows * figure->columns; p++) {
         const struct thud_panel *panel = &figure->panel[p];
         struct thud_text name;
-        if (!panel->used)
+        if (!panel->used || panel->closer)
             continue;
-        panel_name(panel, &name);
+        panel_name(panel, same != NULL, &name);
         out->failed |= name.failed;
         for (int i = 0; i < panel->nseries && !out->failed; i++)
             series_rows(out, &name, panel->series[i]);

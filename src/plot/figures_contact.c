@@ -70,6 +70,7 @@ struct thud_figure *thud_figure_forces(const struct thud_figure_source *source, 
     contact_note(panel, source, nsources, n, index);
     if (zoom)
         thud_panel_zoom(thud_figure_panel(figure, 1, 0, "Around the largest impact"), panel, from, to);
+    thud_figure_shorten(figure);
     return figure;
 }
 

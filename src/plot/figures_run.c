@@ -59,6 +59,49 @@ void thud_source_line(struct thud_panel *panel, const struct thud_figure_source 
     }
 }
 
+/* Last time at which anything differs from where it ends by more than a share of the peak. */
+static double last_change(const struct thud_panel *panel, double share)
+{
+    double peak = 0.0, last = 0.0;
+    for (int i = 0; i < panel->nseries; i++) {
+        for (size_t k = 0; k < panel->series[i]->n; k++)
+            peak = fmax(peak, fabs(panel->series[i]->y[k]));
+    }
+    for (int i = 0; i < panel->nseries; i++) {
+        const struct thud_series *series = panel->series[i];
+        size_t k = series->n;
+        double ends = k > 0 ? series->y[k - 1] : 0.0;
+        while (k > 0 && !(fabs(series->y[k - 1] - ends) > share * peak))
+            k--;
+        last = fmax(last, k > 0 ? series->x[k - 1] : 0.0);
+    }
+    return last;
+}
+
+void thud_figure_shorten(struct thud_figure *figure)
+{
+    double last = 0.0, end = 0.0;
+    char text[128];
+    if (thud_figure_check(figure, NULL) != THUD_OK)
+        return;
+    int panels = figure->rows * figure->columns;
+    for (int p = 0; p < panels; p++) {
+        if (figure->panel[p].used && !figure->panel[p].closer) {
+            last = fmax(last, last_change(&figure->panel[p], 0.05));
+            end = fmax(end, thud_panel_range(&figure->panel[p], THUD_X).most);
+        }
+    }
+    double step = last > 20.0 ? 5.0 : last > 2.0 ? 1.0 : 0.1, until = step * ceil(1.1 * last / step);
+    if (!(until > 0.0) || until > 0.75 * end)
+        return;
+    for (int p = 0; p < panels; p++) {
+        if (figure->panel[p].used && !figure->panel[p].closer)
+            thud_panel_limits(&figure->panel[p], THUD_X, 0.0, until);
+    }
+    snprintf(text, sizeof text, "After %g s of %.4g s nothing changes by more than 5 %% of the peaks.", until, end);
+    thud_figure_note(figure, text);
+}
+
 void thud_source_contact_name(const struct thud_figure_source *source, int contact, char *text, size_t size)
 {
     const struct thud_contact_result *c = &source->result->contact[contact];
@@ -178,6 +221,7 @@ static struct thud_figure *histories(enum thud_run_figure which, const struct th
         }
         row++;
     }
+    thud_figure_shorten(figure);
     if (rows > THUD_ROWS_MAX)
         thud_figure_note(figure, "Only the first six structures are shown; histories.csv has all.");
     return figure;

@@ -23,6 +23,10 @@ bool thud_source_zoom(const struct thud_figure_source *source, int nsources, dou
 void thud_source_line(struct thud_panel *panel, const struct thud_figure_source *source, int column, int less,
                       double factor, const char *name, int color);
 
+/* Ends the panels that show a whole run where nothing changes by more than a twentieth of the peaks for the rest, if
+ * that is a good part; the figure's note says so. */
+void thud_figure_shorten(struct thud_figure *figure);
+
 /* "floor 3", or with both structures where there are several interfaces. */
 void thud_source_contact_name(const struct thud_figure_source *source, int contact, char *text, size_t size);
 

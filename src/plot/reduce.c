@@ -28,21 +28,20 @@ struct column {
     bool open;
 };
 
-static size_t close_column(struct column *column, size_t *index, size_t picked)
+/* Its extremes in the order they came; where the trace begins or ends (or breaks) also that point. */
+static size_t close_column(struct column *column, bool begins, bool ends, size_t *index, size_t picked)
 {
     if (!column->open)
         return picked;
-    const size_t want[4] = {column->first, column->low, column->high, column->last};
-    /* in the order they came; at most four, so sorting by looking is enough */
-    for (size_t at = column->first; at <= column->last;) {
-        index[picked++] = at;
-        size_t next = column->last + 1;
-        for (int i = 0; i < 4; i++) {
-            if (want[i] > at && want[i] < next)
-                next = want[i];
-        }
-        at = next;
-    }
+    size_t one = column->low < column->high ? column->low : column->high;
+    size_t two = column->low < column->high ? column->high : column->low;
+    if (begins && column->first < one)
+        index[picked++] = column->first;
+    index[picked++] = one;
+    if (two != one)
+        index[picked++] = two;
+    if (ends && column->last > two)
+        index[picked++] = column->last;
     column->open = false;
     return picked;
 }
@@ -53,6 +52,7 @@ static size_t reduce_rising(const struct thud_reduce *to, size_t n, const double
     const double *top = y_high ? y_high : y;
     size_t picked = 0, begin = 0, end = n;
     struct column column = {0};
+    bool begins = true;
     for (size_t i = 0; i < n; i++) { /* one neighbour beyond each limit */
         if (x[i] < to->least)
             begin = i;
@@ -65,7 +65,9 @@ static size_t reduce_rising(const struct thud_reduce *to, size_t n, const double
         bool broken = isnan(x[i]) || isnan(y[i]) || isnan(top[i]);
         double number = broken ? 0.0 : cell(x[i], to->least, to->most, to->columns);
         if (broken || !column.open || number != column.number) {
-            picked = close_column(&column, index, picked);
+            bool was_open = column.open;
+            picked = close_column(&column, begins, broken, index, picked);
+            begins = broken || (begins && !was_open);
             if (broken)
                 index[picked++] = i;
             else
@@ -78,7 +80,7 @@ static size_t reduce_rising(const struct thud_reduce *to, size_t n, const double
             column.high = i;
         column.last = i;
     }
-    return close_column(&column, index, picked);
+    return close_column(&column, begins, true, index, picked);
 }
 
 static size_t reduce_loop(const struct thud_reduce *to, size_t n, const double *x, const double *y, size_t *index)
