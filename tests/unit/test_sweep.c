@@ -1,0 +1,508 @@
+/* Parametric studies: the plan and its numbering, rows against single answers, ratios by hand, savings that change
+ * nothing, needed gaps against a search by runs. */
+#include <check.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "study/answer.h"
+#include "study/spacing.h"
+#include "study/sweep.h"
+#include "towers.h"
+
+static struct thud_scene *scene;
+static struct thud_record *motion;
+static const struct thud_record *records[2];
+static struct thud_sweep_plan *plan;
+static struct thud_error error;
+
+static void set_up(void)
+{
+    scene = malloc(sizeof *scene);
+    plan = malloc(sizeof *plan);
+    thud_test_towers(scene);
+    records[0] = motion = thud_test_motion(1);
+    records[1] = NULL;
+    thud_sweep_plan_init(plan, scene);
+    plan->record = records;
+    plan->nrecords = 1;
+}
+
+static void tear_down(void)
+{
+    thud_sweep_plan_clear(plan);
+    thud_record_free(motion);
+    free(plan);
+    free(scene);
+}
+
+static void vary(const char *text)
+{
+    ck_assert_msg(thud_sweep_vary(plan, text, &error) == THUD_OK, "%s: %s", error.key, error.what);
+}
+
+static void refused(const char *text, enum thud_status status, const char *key)
+{
+    ck_assert_msg(thud_sweep_vary(plan, text, &error) == status, "%s", text);
+    ck_assert_str_eq(error.key, key);
+    ck_assert_int_gt((int)strlen(error.what), 0);
+}
+
+static struct thud_sweep_base *make_base(long index)
+{
+    struct thud_sweep_base *base;
+    ck_assert_msg(thud_sweep_base_create(plan, index, &base, &error) == THUD_OK, "%s", error.what);
+    for (bool done = false; !done;)
+        ck_assert_int_eq(thud_sweep_base_advance(base, 5, &done, &error), THUD_OK);
+    return base;
+}
+
+static struct thud_sweep_point *make_point(const struct thud_sweep_base *base, long index)
+{
+    struct thud_sweep_task *task;
+    ck_assert_int_eq(thud_sweep_task_create(plan, base, index, &task, &error), THUD_OK);
+    for (bool done = false; !done;)
+        ck_assert_int_eq(thud_sweep_task_advance(task, 7, &done, &error), THUD_OK);
+    struct thud_sweep_point *point = thud_sweep_task_take(task);
+    thud_sweep_task_free(task);
+    return point;
+}
+
+/* All points of the plan as text. */
+static struct thud_text whole(struct thud_sweep_total *total)
+{
+    struct thud_text text = {0};
+    long per_base = thud_sweep_points_per_base(plan);
+    struct thud_sweep_base *base = NULL;
+    memset(total, 0, sizeof *total);
+    for (long i = 0; i < thud_sweep_points(plan); i++) {
+        if (i % per_base == 0) {
+            thud_sweep_base_free(base);
+            base = make_base(i / per_base);
+        }
+        struct thud_sweep_point *point = make_point(base, i);
+        thud_sweep_total_add(total, point);
+        /* what a run cost is no answer */
+        for (int k = 0; k < point->ncases; k++) {
+            enum thud_status status = point->effort[k].status;
+            point->effort[k] = (struct thud_sweep_effort){.status = status};
+        }
+        thud_sweep_point_write(point, &text);
+        thud_text_append(&text, "\n");
+        free(point);
+    }
+    thud_sweep_base_free(base);
+    return text;
+}
+
+START_TEST(ranges_and_lists)
+{
+    vary("gap=5 cm:25 cm:0.5 cm");
+    vary("bumper.thickness=2, 3.5,5 cm");
+    ck_assert_int_eq(plan->axis[0].n, 41);
+    ck_assert_str_eq(plan->axis[0].text[9], "9.5 cm");
+    ck_assert(plan->axis[0].value[9] == 0.095);
+    ck_assert(plan->axis[0].value[40] == 0.25);
+    ck_assert_int_eq(plan->axis[1].n, 3);
+    ck_assert(plan->axis[1].value[0] == 0.02 && plan->axis[1].value[1] == 0.035 && plan->axis[1].value[2] == 0.05);
+    ck_assert_int_eq(thud_sweep_points(plan), 123);
+    ck_assert_int_eq(thud_sweep_points_per_base(plan), 123);
+}
+END_TEST
+
+START_TEST(units_of_ranges)
+{
+    vary("gap=5:25:5 cm");
+    ck_assert_int_eq(plan->axis[0].n, 5);
+    ck_assert(plan->axis[0].value[4] == 0.25);
+    thud_sweep_plan_clear(plan);
+    vary("gap=50 mm:0.1 m:1 cm");
+    ck_assert_int_eq(plan->axis[0].n, 6);
+    ck_assert_double_eq_tol(plan->axis[0].value[3], 0.08, 1e-15);
+    thud_sweep_plan_clear(plan);
+    vary("gap=10 cm:5 cm:-1 cm");
+    ck_assert_int_eq(plan->axis[0].n, 6);
+    ck_assert(plan->axis[0].value[5] == 0.05);
+    thud_sweep_plan_clear(plan);
+    vary("gap=10 cm:10.9 cm:0.5 cm");
+    ck_assert_int_eq(plan->axis[0].n, 2);
+}
+END_TEST
+
+START_TEST(what_cannot_be_varied)
+{
+    refused("gap", THUD_USAGE, "vary");
+    refused("=3 cm", THUD_USAGE, "vary");
+    refused("gap=", THUD_USAGE, "vary");
+    refused("gap=5 cm:25 cm", THUD_USAGE, "gap");
+    refused("gap=5 cm:25 cm:0 cm", THUD_USAGE, "gap");
+    refused("gap=5 cm:25 cm:-1 cm", THUD_USAGE, "gap");
+    refused("gap=5 cm:25 cm:1 furlong", THUD_USAGE, "gap");
+    refused("gap=5 cm:25 cm:1 cm:2 cm", THUD_USAGE, "gap");
+    refused("gap=5 cm,,6 cm", THUD_USAGE, "gap");
+    refused("gap=1 cm:1 km:1 nm", THUD_USAGE, "gap");
+    ck_assert_int_eq(thud_sweep_vary(plan, "gap=5,6", &error), THUD_INPUT);
+    ck_assert_int_eq(thud_sweep_vary(plan, "gap=5 kg", &error), THUD_INPUT);
+    ck_assert_int_eq(thud_sweep_vary(plan, "nonsense=5 cm", &error), THUD_INPUT);
+    refused("record.file=a.csv", THUD_USAGE, "record.file");
+    refused("analysis.tolerance=1e-6", THUD_USAGE, "analysis.tolerance");
+    ck_assert_int_eq(plan->naxes, 0);
+    vary("gap=5 cm");
+    refused("gap=6 cm", THUD_USAGE, "gap");
+    ck_assert_int_eq(plan->naxes, 1);
+}
+END_TEST
+
+START_TEST(cases_by_name)
+{
+    ck_assert_int_eq(thud_sweep_cases(plan, "none, cavity", &error), THUD_OK);
+    ck_assert_int_eq(plan->ncases, 2);
+    ck_assert_int_eq(plan->cases[1], THUD_CASE_CAVITY);
+    ck_assert_int_eq(thud_sweep_cases(plan, "none,nothing", &error), THUD_USAGE);
+    ck_assert_int_eq(thud_sweep_cases(plan, "none,none", &error), THUD_USAGE);
+    ck_assert_int_eq(thud_sweep_cases(plan, "", &error), THUD_USAGE);
+}
+END_TEST
+
+START_TEST(points_are_numbered_with_structures_outside)
+{
+    records[1] = motion;
+    plan->nrecords = 2;
+    vary("gap=5 cm,10 cm,15 cm");
+    vary("structures.1.stiffness=500 MN/m,600 MN/m");
+    ck_assert_int_eq(thud_sweep_points(plan), 12);
+    ck_assert_int_eq(thud_sweep_points_per_base(plan), 3);
+    ck_assert_str_eq(plan->axis[0].key, "structures.1.stiffness");
+    int at[THUD_VARY_MAX];
+    ck_assert_int_eq(thud_sweep_place(plan, 6 + 3 + 2, at), 1);
+    ck_assert_int_eq(at[0], 1);
+    ck_assert_int_eq(at[1], 2);
+    struct thud_scene *out = malloc(sizeof *out);
+    ck_assert_int_eq(thud_sweep_scene(plan, 6 + 2, out, &error), THUD_OK);
+    ck_assert(out->structure[0].stiffness_npm[3] == 500e6);
+    ck_assert(out->structure[1].stiffness_npm[3] == 600e6);
+    ck_assert(out->interface[0].gap_m == 0.15);
+    free(out);
+}
+END_TEST
+
+/* Every number of the rows against a run of its own, ratios and means by hand. */
+START_TEST(rows_are_those_of_single_runs)
+{
+    vary("gap=6 cm");
+    ck_assert_int_eq(thud_sweep_cases(plan, "bumper,cavity", &error), THUD_OK);
+    struct thud_sweep_base *base = make_base(0);
+    struct thud_sweep_point *point = make_point(base, 0);
+    struct thud_sweep_row row[24];
+    struct thud_sweep_contact_row contact[8];
+    ck_assert_int_eq(point->ncases, 3); /* `none` was added for the ratios */
+    ck_assert_int_eq(thud_sweep_rows(plan, point, NULL), 24);
+    ck_assert_int_eq(thud_sweep_rows(plan, point, row), 24);
+    ck_assert_int_eq(thud_sweep_contact_rows(plan, point, contact), 8);
+    struct thud_answer answer[4];
+    struct thud_scene *now = malloc(2 * sizeof *now);
+    *now = *scene;
+    now->interface[0].gap_m = 0.06;
+    static const enum thud_case which[] = {THUD_CASE_BUMPER, THUD_CASE_CAVITY, THUD_CASE_NONE, THUD_CASE_NONE};
+    for (int k = 0; k < 4; k++) {
+        if (k == 3)
+            now->interface[0].gap_m = 10;
+        ck_assert_int_eq(thud_scene_case(now, which[k], now + 1, &error), THUD_OK);
+        ck_assert_int_eq(thud_scene_answer(now + 1, motion, NULL, &answer[k], &error), THUD_OK);
+    }
+    for (int k = 0, i = 0; k < 2; k++)
+        for (int s = 0; s < 2; s++) {
+            const struct thud_floor_result *floor[4];
+            double sum[4] = {0}, drift[4] = {0};
+            int n = s == 0 ? 4 : 6;
+            for (int a = 0; a < 4; a++) {
+                floor[a] = thud_run_result(answer[a].run)->structure[s].floor;
+                for (int f = 0; f < n; f++) {
+                    sum[a] += floor[a][f].acceleration.value;
+                    drift[a] += floor[a][f].drift.value;
+                }
+            }
+            ck_assert_int_eq(row[i].which, which[k]);
+            ck_assert_int_eq(row[i].floor, 0);
+            ck_assert_double_eq_tol(row[i].acceleration_mps2, sum[k] / n, 1e-12 * sum[k]);
+            ck_assert_double_eq_tol(row[i].acceleration_ratio, sum[k] / sum[2], 1e-13);
+            ck_assert_double_eq_tol(row[i].drift_ratio, drift[k] / drift[2], 1e-13);
+            ck_assert_double_eq_tol(row[i].drift_free_ratio, drift[k] / drift[3], 1e-13);
+            i++;
+            for (int f = 0; f < n; f++, i++) {
+                ck_assert_int_eq(row[i].structure, s);
+                ck_assert_int_eq(row[i].floor, f + 1);
+                ck_assert(row[i].gap_m == 0.06 && row[i].value[0] == 0.06);
+                ck_assert(row[i].acceleration_mps2 == floor[k][f].acceleration.value);
+                ck_assert(row[i].drift_m == floor[k][f].drift.value);
+                ck_assert(row[i].displacement_m == floor[k][f].displacement.value);
+                ck_assert(row[i].acceleration_ratio == floor[k][f].acceleration.value / floor[2][f].acceleration.value);
+                ck_assert(row[i].displacement_ratio == floor[k][f].displacement.value / floor[2][f].displacement.value);
+                ck_assert(row[i].acceleration_free_ratio ==
+                          floor[k][f].acceleration.value / floor[3][f].acceleration.value);
+            }
+        }
+    int impacts = 0;
+    for (int k = 0; k < 2; k++)
+        for (int c = 0; c < 4; c++) {
+            const struct thud_contact_result *r = &thud_run_result(answer[k].run)->contact[c];
+            const struct thud_sweep_contact_row *x = &contact[4 * k + c];
+            ck_assert_int_eq(x->impacts, r->impacts);
+            ck_assert(x->force_n == r->force.value && x->impulse_ns == r->impulse_ns);
+            ck_assert_double_eq_tol(x->residual_gap_m, (k == 0 ? 0.01 : 0.02) + r->residual_m, 1e-15);
+            impacts += x->impacts;
+        }
+    ck_assert_int_gt(impacts, 0);
+    for (int k = 0; k < 4; k++)
+        thud_answer_clear(&answer[k]);
+    free(now);
+    free(point);
+    thud_sweep_base_free(base);
+}
+END_TEST
+
+/* Ratios of a point filled by hand: the mean's ratio is that of the means, not the mean of the ratios. */
+START_TEST(ratios_by_hand)
+{
+    vary("gap=6 cm");
+    ck_assert_int_eq(thud_sweep_cases(plan, "none,bumper", &error), THUD_OK);
+    struct thud_sweep_floor floor[6] = {{2, 0.1, 1}, {8, 0, 1}, {3, 0.2, 2}, {4, 0, 1}, {1, 0.05, 4}, {16, 0, 1}};
+    struct thud_sweep_point point = {.ncases = 2,
+                                     .which = {THUD_CASE_NONE, THUD_CASE_BUMPER},
+                                     .nstructures = 1,
+                                     .nfloors = 2,
+                                     .floors = {2},
+                                     .floor = floor};
+    struct thud_sweep_row row[6];
+    ck_assert_int_eq(thud_sweep_rows(plan, &point, row), 6);
+    ck_assert(row[0].acceleration_mps2 == 5 && row[0].acceleration_ratio == 1);
+    ck_assert(row[3].acceleration_mps2 == 3.5 && row[3].acceleration_ratio == 0.7);
+    ck_assert(row[4].acceleration_ratio == 1.5 && row[5].acceleration_ratio == 0.5);
+    ck_assert(row[4].drift_ratio == 2 && isnan(row[5].drift_ratio));
+    ck_assert(row[4].displacement_free_ratio == 0.5 && row[5].acceleration_free_ratio == 0.25);
+    point.effort[1].status = THUD_DIVERGED; /* no answer, no row */
+    ck_assert_int_eq(thud_sweep_rows(plan, &point, row), 3);
+}
+END_TEST
+
+START_TEST(savings_change_no_number)
+{
+    vary("gap=5 cm,7 cm,9 cm,14 cm,30 cm");
+    vary("structures.2.stiffness=600 MN/m,400 MN/m");
+    ck_assert_int_eq(thud_sweep_cases(plan, "none,bumper,cavity", &error), THUD_OK);
+    struct thud_sweep_total total;
+    struct thud_text all = whole(&total);
+    ck_assert_int_eq(total.asked, 30);
+    ck_assert_int_eq(total.made + total.free, 30);
+    ck_assert_int_gt(total.free, 3);
+    ck_assert_int_gt(total.made, 10);
+    ck_assert_int_gt(total.shared_runs, 10);
+    for (unsigned savings = 0; savings < THUD_SWEEP_ALL; savings++) {
+        plan->savings = savings;
+        struct thud_text text = whole(&total);
+        ck_assert_str_eq(text.data, all.data);
+        ck_assert_int_eq(total.free > 0, (savings & THUD_SWEEP_FREE) != 0);
+        ck_assert_int_eq(total.shared_runs > 0, (savings & THUD_SWEEP_START) != 0);
+        thud_text_clear(&text);
+    }
+    thud_text_clear(&all);
+}
+END_TEST
+
+/* A wall between two pairs: what happens on one side does not concern the other, whose contacts are left out where
+ * nothing closes them. */
+START_TEST(levels_that_cannot_touch_are_left_out)
+{
+    plan->scene.nstructures = 3;
+    plan->scene.structure[2] = plan->scene.structure[1];
+    memset(&plan->scene.structure[1], 0, sizeof plan->scene.structure[1]);
+    strcpy(plan->scene.structure[1].name, "W");
+    plan->scene.structure[1].kind = THUD_WALL;
+    plan->scene.structure[1].height_m[0] = INFINITY;
+    plan->scene.interface[0].has_bumper = false;
+    plan->scene.interface[1] = plan->scene.interface[0];
+    plan->scene.interface[0].gap_m = 1;
+    vary("interfaces.2.gap=3 cm,5 cm,2 m");
+    struct thud_sweep_total total;
+    struct thud_text all = whole(&total);
+    ck_assert_int_eq(total.free, 1);
+    ck_assert_int_eq(total.made, 2);
+    ck_assert_int_eq(total.left_out, 8); /* four floors of A, twice */
+    plan->savings = 0;
+    struct thud_text none = whole(&total);
+    ck_assert_int_eq(total.made, 3);
+    ck_assert_int_eq(total.left_out, 0);
+    ck_assert_str_eq(none.data, all.data);
+    thud_text_clear(&all);
+    thud_text_clear(&none);
+}
+END_TEST
+
+START_TEST(identical_neighbours_need_no_run)
+{
+    plan->scene.structure[0] = plan->scene.structure[1];
+    plan->scene.interface[0].gap_m = 0.05;
+    ck_assert_int_eq(thud_sweep_cases(plan, "none,bumper", &error), THUD_OK);
+    struct thud_sweep_total total;
+    struct thud_text text = whole(&total);
+    ck_assert_int_eq(total.made, 0);
+    thud_text_clear(&text);
+}
+END_TEST
+
+/* Whether any contact closes at this gap without bumper. */
+static bool touches(double gap)
+{
+    struct thud_scene *now = malloc(2 * sizeof *now);
+    struct thud_answer answer;
+    bool any = false;
+    *now = *scene;
+    now->interface[0].gap_m = gap;
+    ck_assert_int_eq(thud_scene_case(now, THUD_CASE_NONE, now + 1, &error), THUD_OK);
+    ck_assert_int_eq(thud_scene_answer(now + 1, motion, NULL, &answer, &error), THUD_OK);
+    for (int c = 0; c < 4; c++)
+        any |= thud_run_result(answer.run)->contact[c].impacts > 0;
+    thud_answer_clear(&answer);
+    free(now);
+    return any;
+}
+
+START_TEST(needed_gap_is_where_contacts_end)
+{
+    struct thud_sweep_base *base = make_base(0);
+    struct thud_sweep_point *point = make_point(base, 0);
+    struct thud_sweep_need_row need[4];
+    ck_assert_int_eq(thud_sweep_need_rows(plan, point, need), 4);
+    double widest = 0, low = 0, high = 1;
+    for (int c = 0; c < 4; c++) {
+        widest = fmax(widest, need[c].closing_m);
+        ck_assert_double_le(need[c].closing_m, need[c].abs_m * (1 + 1e-12));
+        ck_assert(need[c].abs_m == need[c].left_m + need[c].right_m);
+        ck_assert_double_eq_tol(need[c].srss_m, sqrt(pow(need[c].left_m, 2) + pow(need[c].right_m, 2)), 1e-15);
+        ck_assert_double_lt(need[c].ddc_m, need[c].srss_m);
+        ck_assert_int_eq(need[c].left_floor, c + 1);
+    }
+    /* periods of model.md, section 5 */
+    ck_assert_double_eq_tol(need[0].correlation, thud_spacing_correlation(0.39791, 0.05, 0.58184, 0.05), 1e-5);
+    for (int i = 0; i < 40; i++) {
+        double middle = 0.5 * (low + high);
+        if (touches(middle))
+            low = middle;
+        else
+            high = middle;
+    }
+    ck_assert_double_eq_tol(widest, high, 1e-10);
+    free(point);
+    thud_sweep_base_free(base);
+}
+END_TEST
+
+START_TEST(varied_peak_scales_the_motion)
+{
+    vary("record.peak=2 m/s2,4 m/s2");
+    struct thud_sweep_base *one = make_base(0), *two = make_base(1);
+    struct thud_sweep_point *a = make_point(one, 0), *b = make_point(two, 1);
+    for (int c = 0; c < 4; c++)
+        ck_assert_double_eq_tol(b->level[c].closing_m, 2 * a->level[c].closing_m, 1e-12);
+    free(a);
+    free(b);
+    thud_sweep_base_free(one);
+    thud_sweep_base_free(two);
+}
+END_TEST
+
+START_TEST(impossible_points_have_no_rows)
+{
+    vary("gap=4 cm,6 cm");
+    ck_assert_int_eq(thud_sweep_cases(plan, "none,bumper", &error), THUD_OK);
+    struct thud_sweep_base *base = make_base(0);
+    struct thud_sweep_point *narrow = make_point(base, 0), *wide = make_point(base, 1);
+    ck_assert_int_eq(narrow->effort[1].status, THUD_INPUT);
+    ck_assert_int_eq(thud_sweep_rows(plan, narrow, NULL), 12);
+    ck_assert_int_eq(thud_sweep_rows(plan, wide, NULL), 24);
+    free(narrow);
+    free(wide);
+    thud_sweep_base_free(base);
+}
+END_TEST
+
+START_TEST(points_as_text_and_back)
+{
+    vary("gap=4 cm,6 cm");
+    ck_assert_int_eq(thud_sweep_cases(plan, "none,bumper", &error), THUD_OK);
+    struct thud_sweep_base *base = make_base(0);
+    for (int i = 0; i < 2; i++) {
+        struct thud_sweep_point *point = make_point(base, i), *back;
+        struct thud_text text = {0}, again = {0};
+        thud_sweep_point_write(point, &text);
+        ck_assert_int_eq(thud_sweep_point_read(text.data, &back, &error), THUD_OK);
+        thud_sweep_point_write(back, &again);
+        ck_assert_str_eq(text.data, again.data);
+        for (int f = 0; f < 30; f++)
+            ck_assert(memcmp(&point->floor[f], &back->floor[f], sizeof *back->floor) == 0 ||
+                      isnan(back->floor[f].drift_m));
+        free(back);
+        /* any byte that changes, and any end that is missing, is found */
+        for (size_t at = 0; at < text.size; at += 7) {
+            char kept = text.data[at];
+            text.data[at] = kept == '1' ? '2' : '1';
+            ck_assert_int_eq(thud_sweep_point_read(text.data, &back, &error), THUD_INPUT);
+            text.data[at] = '\0';
+            ck_assert_int_eq(thud_sweep_point_read(text.data, &back, &error), THUD_INPUT);
+            text.data[at] = kept;
+        }
+        thud_text_clear(&text);
+        thud_text_clear(&again);
+        free(point);
+    }
+    thud_sweep_base_free(base);
+}
+END_TEST
+
+START_TEST(fingerprints_tell_plans_apart)
+{
+    vary("gap=4 cm,6 cm");
+    unsigned long long first = thud_sweep_fingerprint(plan);
+    struct thud_sweep_plan *other = malloc(sizeof *other);
+    thud_sweep_plan_init(other, scene);
+    other->record = records;
+    other->nrecords = 1;
+    ck_assert_int_eq(thud_sweep_vary(other, "gap=4 cm,6 cm", &error), THUD_OK);
+    ck_assert(thud_sweep_fingerprint(other) == first);
+    other->savings = 0;
+    ck_assert(thud_sweep_fingerprint(other) == first);
+    other->scene.interface[0].bumper.value[0] *= 1 + 1e-15;
+    ck_assert(thud_sweep_fingerprint(other) != first);
+    other->scene = *scene;
+    motion->a_mps2[700] += 1e-9;
+    ck_assert(thud_sweep_fingerprint(other) != first);
+    thud_sweep_plan_clear(other);
+    free(other);
+}
+END_TEST
+
+Suite *thud_suite(void);
+Suite *thud_suite(void)
+{
+    Suite *suite = suite_create("sweep");
+    TCase *tcase = tcase_create("sweep");
+    tcase_add_checked_fixture(tcase, set_up, tear_down);
+    tcase_add_test(tcase, ranges_and_lists);
+    tcase_add_test(tcase, units_of_ranges);
+    tcase_add_test(tcase, what_cannot_be_varied);
+    tcase_add_test(tcase, cases_by_name);
+    tcase_add_test(tcase, points_are_numbered_with_structures_outside);
+    tcase_add_test(tcase, rows_are_those_of_single_runs);
+    tcase_add_test(tcase, ratios_by_hand);
+    tcase_add_test(tcase, savings_change_no_number);
+    tcase_add_test(tcase, levels_that_cannot_touch_are_left_out);
+    tcase_add_test(tcase, identical_neighbours_need_no_run);
+    tcase_add_test(tcase, needed_gap_is_where_contacts_end);
+    tcase_add_test(tcase, varied_peak_scales_the_motion);
+    tcase_add_test(tcase, impossible_points_have_no_rows);
+    tcase_add_test(tcase, points_as_text_and_back);
+    tcase_add_test(tcase, fingerprints_tell_plans_apart);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}
