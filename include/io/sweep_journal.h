@@ -31,6 +31,7 @@ enum thud_status thud_sweep_journal_open(const char *folder, const struct thud_s
 /* Adds the next point. On failure the journal is as before. Errors: THUD_OUTPUT, THUD_MEMORY. */
 enum thud_status thud_sweep_journal_add(struct thud_sweep_journal *journal, const struct thud_sweep_point *point,
                                         struct thud_error *err);
+long thud_sweep_journal_done(const struct thud_sweep_journal *journal);
 /* Reads from the first point on. */
 void thud_sweep_journal_rewind(struct thud_sweep_journal *journal);
 /* The next point (free with free()); NULL at the end of what is done. Errors: THUD_INPUT, THUD_MEMORY. */

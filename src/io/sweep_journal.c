@@ -151,6 +151,11 @@ enum thud_status thud_sweep_journal_add(struct thud_sweep_journal *journal, cons
     return THUD_OK;
 }
 
+long thud_sweep_journal_done(const struct thud_sweep_journal *journal)
+{
+    return journal->done;
+}
+
 void thud_sweep_journal_rewind(struct thud_sweep_journal *journal)
 {
     fseeko(journal->file, journal->start, SEEK_SET);
