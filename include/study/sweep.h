@@ -134,7 +134,11 @@ unsigned long long thud_sweep_fingerprint(const struct thud_sweep_plan *plan);
 struct thud_sweep_total {
     long points, asked, made, references, free, impossible, diverged, shared_runs, left_out, steps, events;
     double shared_s, end_s; /* of the runs made */
+    /* The first run that is not possible, and the first that diverged: point and index of its case; -1: none */
+    long impossible_point, diverged_point;
+    int impossible_case, diverged_case;
 };
+void thud_sweep_total_init(struct thud_sweep_total *total);
 void thud_sweep_total_add(struct thud_sweep_total *total, const struct thud_sweep_point *point);
 
 #endif

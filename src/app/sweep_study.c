@@ -49,6 +49,7 @@ enum thud_status thud_sweep_outcome_init(const struct thud_sweep_plan *plan, str
 {
     int n = plan->nrecords > 0 ? plan->nrecords : 1;
     memset(out, 0, sizeof *out);
+    thud_sweep_total_init(&out->total);
     out->names = calloc((size_t)n, sizeof *out->names);
     if (!out->names)
         return thud_error_set(err, THUD_MEMORY, "out of memory");

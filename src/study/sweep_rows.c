@@ -145,6 +145,19 @@ int thud_sweep_need_rows(const struct thud_sweep_plan *plan, const struct thud_s
     return point->ncontacts;
 }
 
+void thud_sweep_total_init(struct thud_sweep_total *total)
+{
+    *total = (struct thud_sweep_total){.impossible_point = -1, .diverged_point = -1};
+}
+
+static void note(long *point, int *which, const struct thud_sweep_point *p, int k)
+{
+    if (*point >= 0)
+        return;
+    *point = p->index;
+    *which = k;
+}
+
 void thud_sweep_total_add(struct thud_sweep_total *total, const struct thud_sweep_point *point)
 {
     total->points++;
@@ -154,6 +167,10 @@ void thud_sweep_total_add(struct thud_sweep_total *total, const struct thud_swee
         total->references += e->reference;
         total->impossible += e->status == THUD_INPUT && !e->reference;
         total->diverged += e->status == THUD_DIVERGED;
+        if (e->status == THUD_INPUT && !e->reference)
+            note(&total->impossible_point, &total->impossible_case, point, k);
+        if (e->status == THUD_DIVERGED)
+            note(&total->diverged_point, &total->diverged_case, point, k);
         total->made += e->made;
         total->free += e->status == THUD_OK && !e->made;
         total->shared_runs += e->shared_s > 0;

@@ -75,7 +75,7 @@ static struct thud_text whole(struct thud_sweep_total *total)
     struct thud_text text = {0};
     long per_base = thud_sweep_points_per_base(plan);
     struct thud_sweep_base *base = NULL;
-    memset(total, 0, sizeof *total);
+    thud_sweep_total_init(total);
     for (long i = 0; i < thud_sweep_points(plan); i++) {
         if (i % per_base == 0) {
             thud_sweep_base_free(base);

@@ -1,0 +1,249 @@
+#include "app/sweep_report.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "study/sweep_best.h"
+
+enum { PLACE = 80 };
+
+/* The last part of a path. */
+static const char *short_name(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    return slash && slash[1] ? slash + 1 : *path ? path : "-";
+}
+
+/* A value of an axis as a reader writes it: `14 cm`. */
+static void put_value(const struct thud_sweep_axis *axis, double value, char *text, size_t size)
+{
+    for (int i = 0; i < axis->n; i++)
+        if (axis->value[i] == value) {
+            snprintf(text, size, "%s", axis->text[i]);
+            return;
+        }
+    snprintf(text, size, "-");
+}
+
+/* The varied keys of a row; `but`: an axis left out, -1 for none. */
+static const char *place(const struct thud_sweep_plan *plan, const double *value, int but, char text[PLACE])
+{
+    size_t used = 0;
+    text[0] = '\0';
+    for (int a = 0; a < plan->naxes && used < PLACE; a++) {
+        char one[THUD_NAME_MAX];
+        if (a == but)
+            continue;
+        put_value(&plan->axis[a], value[a], one, sizeof one);
+        used += (size_t)snprintf(text + used, PLACE - used, "%s%s", used > 0 ? ", " : "", one);
+    }
+    return text;
+}
+
+/* Least and largest of one ratio, and the rows they are of. */
+struct span {
+    const struct thud_sweep_row *least, *most;
+};
+
+static double mean_ratio(const struct thud_sweep_row *row, bool drift)
+{
+    return drift ? row->drift_ratio : row->acceleration_ratio;
+}
+
+static void widen(struct span *span, const struct thud_sweep_row *row, bool drift)
+{
+    double x = mean_ratio(row, drift);
+    if (isnan(x))
+        return;
+    if (!span->least || x < mean_ratio(span->least, drift))
+        span->least = row;
+    if (!span->most || x > mean_ratio(span->most, drift))
+        span->most = row;
+}
+
+static void put_structure(const struct thud_sweep_plan *plan, const struct thud_sweep_table *table, int record,
+                          enum thud_case which, int structure, struct thud_text *out)
+{
+    struct span mean = {0}, floor = {0}, drift = {0};
+    char at[PLACE];
+    for (size_t i = 0; i < table->nrows; i++) {
+        const struct thud_sweep_row *row = &table->row[i];
+        if (row->record != record || row->which != which || row->structure != structure)
+            continue;
+        widen(row->floor == 0 ? &mean : &floor, row, false);
+        if (row->floor == 0)
+            widen(&drift, row, true);
+    }
+    if (!mean.least || !floor.most)
+        return;
+    thud_text_append(out, "  %-8s %-10.10s %6.3f to %6.3f  %6.3f on floor %-3d", thud_case_name(which),
+                     plan->scene.structure[structure].name, mean.least->acceleration_ratio,
+                     mean.most->acceleration_ratio, floor.most->acceleration_ratio, floor.most->floor);
+    if (drift.least)
+        thud_text_append(out, "  %6.3f to %6.3f", drift.least->drift_ratio, drift.most->drift_ratio);
+    else
+        thud_text_append(out, "  %16s", "");
+    thud_text_append(out, "  %s\n", place(plan, floor.most->value, -1, at));
+}
+
+static void put_need(const struct thud_sweep_table *table, int record, struct thud_text *out)
+{
+    const struct thud_sweep_need_row *worst = NULL;
+    for (size_t i = 0; i < table->nneeds; i++)
+        if (table->need[i].record == record && (!worst || table->need[i].closing_m > worst->closing_m))
+            worst = &table->need[i];
+    if (!worst)
+        return;
+    thud_text_append(
+        out, "  needed gap %.2f cm (interface %d, floors %d and %d); ABS %.2f, SRSS %.2f, DDC %.2f cm (rho %.3f)\n",
+        100 * worst->closing_m, worst->interface, worst->left_floor, worst->right_floor, 100 * worst->abs_m,
+        100 * worst->srss_m, 100 * worst->ddc_m, worst->correlation);
+}
+
+static bool has_rows(const struct thud_sweep_table *table, int record, enum thud_case which)
+{
+    for (size_t i = 0; i < table->nrows; i++)
+        if (table->row[i].record == record && table->row[i].which == which)
+            return true;
+    return false;
+}
+
+void thud_sweep_report(const struct thud_sweep_plan *plan, const struct thud_sweep_outcome *outcome,
+                       struct thud_text *out)
+{
+    const struct thud_sweep_table *table = &outcome->rows.table;
+    if (outcome->too_many)
+        return;
+    for (int r = 0; r < table->nrecords; r++) {
+        thud_text_append(out, "%s\n", short_name(table->record[r]));
+        put_need(table, r, out);
+        bool head = false;
+        for (int k = 0; k < plan->ncases; k++) {
+            enum thud_case which = plan->cases[k];
+            if (which == THUD_CASE_NONE || !has_rows(table, r, which))
+                continue;
+            if (!head)
+                thud_text_append(
+                    out, "  over case none        mean acceleration  worst floor         mean deflection  worst at\n");
+            head = true;
+            for (int s = 0; s < table->nstructures; s++)
+                put_structure(plan, table, r, which, s, out);
+        }
+    }
+}
+
+/* Why a case of a point is not possible, in the scene's own words. */
+static void put_reason(const struct thud_sweep_plan *plan, long point, int k, struct thud_text *out)
+{
+    struct thud_error why = {0};
+    struct thud_scene *scene = malloc(2 * sizeof *scene);
+    if (!scene)
+        return;
+    if (thud_sweep_scene(plan, point, scene, &why) == THUD_OK &&
+        thud_scene_case(scene, plan->cases[k], scene + 1, &why) == THUD_OK)
+        (void)thud_scene_check(scene + 1, &why);
+    char text[1600];
+    if (why.what[0])
+        thud_text_append(out, "    %s\n", thud_error_text(&why, text, sizeof text));
+    free(scene);
+}
+
+static void put_missing(const struct thud_sweep_plan *plan, const char *what, long count, long point, int k,
+                        bool reason, struct thud_text *out)
+{
+    int at[THUD_VARY_MAX];
+    if (count == 0)
+        return;
+    thud_text_append(out, "%ld runs %s, first case %s", count, what,
+                     k < plan->ncases ? thud_case_name(plan->cases[k]) : "none");
+    int record = thud_sweep_place(plan, point, at);
+    for (int a = 0; a < plan->naxes; a++)
+        thud_text_append(out, ", %s %s", plan->axis[a].key, plan->axis[a].text[at[a]]);
+    if (record < plan->nrecords && plan->record[record])
+        thud_text_append(out, ", %s", short_name(plan->record[record]->file));
+    thud_text_append(out, "\n");
+    if (reason && k < plan->ncases)
+        put_reason(plan, point, k, out);
+}
+
+void thud_sweep_report_work(const struct thud_sweep_plan *plan, const struct thud_sweep_total *total,
+                            struct thud_text *out)
+{
+    thud_text_append(out, "%ld runs", total->asked);
+    if (total->references > 0)
+        thud_text_append(out, " and %ld of case none for the ratios", total->references);
+    thud_text_append(out, ": %ld made, %ld answered by the motion without pounding\n", total->made, total->free);
+    if (total->shared_runs > 0)
+        thud_text_append(out, "%ld runs began where a contact could first be: %.0f of %.0f s were shared\n",
+                         total->shared_runs, total->shared_s, total->end_s);
+    if (total->left_out > 0)
+        thud_text_append(out, "%ld contacts that nothing can close were left out\n", total->left_out);
+    put_missing(plan, "are not possible", total->impossible, total->impossible_point, total->impossible_case, true,
+                out);
+    put_missing(plan, "have no answer (the integration failed)", total->diverged, total->diverged_point,
+                total->diverged_case, false, out);
+}
+
+static void put_best(const struct thud_sweep_plan *plan, const struct thud_sweep_table *table, int axis,
+                     const struct thud_sweep_best *best, struct thud_text *out)
+{
+    char at[PLACE], value[THUD_NAME_MAX], low[THUD_NAME_MAX], high[THUD_NAME_MAX], flat[2 * THUD_NAME_MAX + 8];
+    put_value(&plan->axis[axis], best->best, value, sizeof value);
+    put_value(&plan->axis[axis], best->flat_least, low, sizeof low);
+    put_value(&plan->axis[axis], best->flat_most, high, sizeof high);
+    snprintf(flat, sizeof flat, "%s to %s", low, high);
+    thud_text_append(out, "  %-20.20s %-8s %-14.14s %-10s %6.3f %6.3f  %-20s %6.3f\n",
+                     best->record < 0 ? "worst of all" : short_name(table->record[best->record]),
+                     thud_case_name(best->which), place(plan, best->other, axis, at), value, best->ratio,
+                     best->drift_ratio, flat, best->worst_ratio);
+}
+
+static void put_best_csv(const struct thud_sweep_plan *plan, const struct thud_sweep_table *table, int axis,
+                         const struct thud_sweep_best *best, struct thud_text *out)
+{
+    const double x[] = {best->best,       best->ratio,     best->drift_ratio,
+                        best->flat_least, best->flat_most, best->worst_ratio};
+    thud_text_append(out, "%s,%s", best->record < 0 ? "worst of all" : table->record[best->record],
+                     thud_case_name(best->which));
+    for (int a = 0; a < plan->naxes; a++)
+        if (a != axis) {
+            thud_text_append(out, ",");
+            thud_text_number(out, best->other[a]);
+        }
+    for (size_t i = 0; i < sizeof x / sizeof *x; i++) {
+        thud_text_append(out, ",");
+        thud_text_number(out, x[i]);
+    }
+    thud_text_append(out, "\n");
+}
+
+enum thud_status thud_sweep_report_best(const struct thud_sweep_plan *plan, const struct thud_sweep_table *table,
+                                        int axis, bool csv, struct thud_text *out, struct thud_error *err)
+{
+    struct thud_sweep_best *best;
+    long n = thud_sweep_best(table, axis, &best);
+    if (n < 0)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    if (csv) {
+        thud_text_append(out, "record,case");
+        for (int a = 0; a < plan->naxes; a++)
+            if (a != axis)
+                thud_text_append(out, ",%s", plan->axis[a].key);
+        thud_text_append(out, ",best,acceleration_ratio,drift_ratio,flat_from,flat_to,worst_acceleration_ratio\n");
+    } else {
+        thud_text_append(out, "\nbest %s (least of the larger mean acceleration ratio; flat: within %d %% of it)\n",
+                         plan->axis[axis].key, THUD_SWEEP_BEST_PER_CENT);
+        thud_text_append(out, "  %-20s %-8s %-14s %-10s %6s %6s  %-20s %6s\n", "record", "case", "at", "best", "ratio",
+                         "drift", "flat", "worst");
+    }
+    for (long i = 0; i < n; i++) {
+        if (csv)
+            put_best_csv(plan, table, axis, &best[i], out);
+        else
+            put_best(plan, table, axis, &best[i], out);
+    }
+    free(best);
+    return THUD_OK;
+}

@@ -1,0 +1,268 @@
+/* thud sweep: a parametric study. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "app/record_list.h"
+#include "app/sweep_report.h"
+#include "cli/commands.h"
+#include "cli/interrupt.h"
+#include "cli/picture_options.h"
+#include "cli/scene_options.h"
+#include "cli/sweep_output.h"
+#include "io/file.h"
+
+struct sweep {
+    const struct thud_args *args;
+    struct thud_session session;
+    struct thud_record_list records;
+    struct thud_sweep_plan plan;
+    struct thud_sweep_study study;
+    struct thud_sweep_outcome outcome;
+    struct thud_sweep_output output;
+    struct thud_picture_choice pictures;
+    char *preset;
+    int best; /* axis, -1: not asked for */
+};
+
+/* Settings given for all files of --records. */
+static enum thud_status read_records(struct sweep *s, struct thud_error *err)
+{
+    static const char *const keys[] = {"peak", "dt", "unit", "channel", "column", "skip"};
+    const char *common[sizeof keys / sizeof *keys][2], *text = thud_args_value(s->args, "records");
+    int n = 0;
+    if (!text)
+        return thud_record_list_own(&s->session, &s->records, err);
+    if (thud_args_value(s->args, "record"))
+        return thud_error_set(err, THUD_USAGE, "--record and --records together");
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
+        common[n][0] = keys[i];
+        common[n][1] = thud_args_value(s->args, keys[i]);
+        n += common[n][1] != NULL;
+    }
+    return thud_record_list_read(&s->session, text, common, n, &s->records, err);
+}
+
+static enum thud_status choose_savings(struct sweep *s, struct thud_error *err)
+{
+    static const struct {
+        const char *name;
+        unsigned bit;
+    } saving[] = {
+        {"free", THUD_SWEEP_FREE}, {"start", THUD_SWEEP_START}, {"levels", THUD_SWEEP_LEVELS}, {"all", THUD_SWEEP_ALL}};
+    const char *word;
+    for (int i = 0; (word = thud_args_repeated(s->args, "without", i)) != NULL; i++) {
+        unsigned bit = 0;
+        for (size_t k = 0; k < sizeof saving / sizeof *saving; k++)
+            if (strcmp(word, saving[k].name) == 0)
+                bit = saving[k].bit;
+        if (!bit) {
+            thud_error_set(err, THUD_USAGE, "`%.40s` is no saving", word);
+            thud_error_key(err, "--without");
+            thud_error_allow(err, "free, start, levels, all");
+            return THUD_USAGE;
+        }
+        s->plan.savings &= ~bit;
+    }
+    return THUD_OK;
+}
+
+static enum thud_status fill_plan(struct sweep *s, struct thud_error *err)
+{
+    const char *cases = thud_args_value(s->args, "cases"), *vary;
+    bool own_axes = !thud_args_has(s->args, "vary"), own_cases = !cases && !thud_args_has(s->args, "case");
+    thud_sweep_plan_init(&s->plan, &s->session.scene);
+    s->plan.record = (const struct thud_record *const *)s->records.record;
+    s->plan.nrecords = s->records.n;
+    enum thud_status status = THUD_OK;
+    if (own_axes && s->session.scene.study.nvary == 0) {
+        thud_error_set(err, THUD_USAGE, "the preset has no study of its own");
+        thud_error_allow(err, "--vary KEY=FROM:TO:STEP, e.g. --vary gap=5cm:25cm:0.5cm");
+        return THUD_USAGE;
+    }
+    for (int i = 0; status == THUD_OK && (vary = thud_args_repeated(s->args, "vary", i)) != NULL; i++)
+        status = thud_sweep_vary(&s->plan, vary, err);
+    if (status == THUD_OK)
+        status = thud_sweep_study(&s->plan, own_axes, own_cases, err);
+    if (status == THUD_OK && !own_cases)
+        status = thud_sweep_cases(&s->plan, cases ? cases : thud_args_value(s->args, "case"), err);
+    return status == THUD_OK ? choose_savings(s, err) : status;
+}
+
+static enum thud_status find_best(struct sweep *s, struct thud_error *err)
+{
+    const char *key = thud_args_value(s->args, "best");
+    s->best = -1;
+    for (int i = 0; key && i < s->plan.naxes; i++)
+        if (strcmp(s->plan.axis[i].key, key) == 0)
+            s->best = i;
+    if (!key || s->best >= 0)
+        return THUD_OK;
+    thud_error_set(err, THUD_USAGE, "`%.60s` is not varied", key);
+    thud_error_key(err, "--best");
+    thud_error_allow(err, "one of the keys of --vary");
+    return THUD_USAGE;
+}
+
+static void show_progress(void *context, long done, long count, double elapsed_s)
+{
+    (void)context;
+    fprintf(stderr, "\r\033[K%ld of %ld points", done, count);
+    if (done > 0 && done < count)
+        fprintf(stderr, ", %.0f s left", elapsed_s / (double)done * (double)(count - done));
+    fflush(stderr);
+}
+
+static enum thud_status fill_study(struct sweep *s, struct thud_error *err)
+{
+    const struct thud_args *args = s->args;
+    struct thud_sweep_study *study = &s->study;
+    study->plan = &s->plan;
+    study->preset = s->preset;
+    study->folder = thud_args_value(args, "o");
+    study->shard = (struct thud_sweep_shard){1, 1};
+    study->figures = true;
+    study->cancel = thud_interrupt_watch();
+    study->context = &s->output;
+    study->emit = thud_sweep_output_point;
+    if (isatty(STDERR_FILENO) && !thud_args_has(args, "quiet"))
+        study->progress = show_progress;
+    s->output.plan = &s->plan;
+    s->output.format = thud_args_has(args, "json")  ? THUD_SWEEP_OUTPUT_JSON
+                       : thud_args_has(args, "csv") ? THUD_SWEEP_OUTPUT_CSV
+                                                    : THUD_SWEEP_OUTPUT_TABLE;
+    enum thud_status status = thud_args_integer(args, "j", 1, 256, 0, &study->threads, err);
+    const char *shard = thud_args_value(args, "shard");
+    if (status == THUD_OK && shard)
+        status = thud_sweep_shard_parse(shard, &study->shard, err);
+    if (status == THUD_OK && (shard || thud_args_has(args, "merge")) && !study->folder)
+        status = thud_error_set(err, THUD_USAGE, "%s needs a folder: -o DIR", shard ? "--shard" : "--merge");
+    if (status == THUD_OK)
+        status = thud_picture_options_read(args, &s->pictures, err);
+    study->pictures = &s->pictures.options;
+    return status == THUD_OK ? find_best(s, err) : status;
+}
+
+static enum thud_status put_best(struct sweep *s, struct thud_text *text, struct thud_error *err)
+{
+    enum thud_status status = THUD_OK;
+    if (s->best < 0)
+        return status;
+    if (s->outcome.too_many)
+        return thud_error_set(err, THUD_USAGE, "the study has too many rows to look for the best value");
+    if (s->study.folder) {
+        struct thud_text csv = {0};
+        char path[4096];
+        snprintf(path, sizeof path, "%.4000s/best.csv", s->study.folder);
+        status = thud_sweep_report_best(&s->plan, &s->outcome.rows.table, s->best, true, &csv, err);
+        if (status == THUD_OK)
+            status = thud_text_write(&csv, path, err);
+        thud_text_clear(&csv);
+    }
+    if (status == THUD_OK && s->output.format == THUD_SWEEP_OUTPUT_TABLE)
+        status = thud_sweep_report_best(&s->plan, &s->outcome.rows.table, s->best, false, text, err);
+    return status;
+}
+
+/* What is said at the end: the table on standard output, or only the work on standard error where rows are there. */
+static enum thud_status conclude(struct sweep *s, struct thud_error *err)
+{
+    const struct thud_sweep_total *total = &s->outcome.total;
+    struct thud_text text = {0};
+    bool table = s->output.format == THUD_SWEEP_OUTPUT_TABLE, quiet = thud_args_has(s->args, "quiet");
+    enum thud_status status = thud_sweep_output_end(&s->output, err);
+    if (table)
+        thud_sweep_report(&s->plan, &s->outcome, &text);
+    if (status == THUD_OK)
+        status = put_best(s, &text, err);
+    if (!quiet || total->impossible > 0 || total->diverged > 0) {
+        if (table && text.size > 0)
+            thud_text_append(&text, "\n");
+        thud_sweep_report_work(&s->plan, total, &text);
+    }
+    if (s->outcome.too_many)
+        thud_text_append(&text, "more than %d rows: no figures, no table\n", THUD_SWEEP_ROWS_MAX);
+    if (table && status == THUD_OK)
+        status = thud_cli_print(&text, err);
+    else if (text.data)
+        fputs(text.data, stderr);
+    thud_text_clear(&text);
+    if (status == THUD_OK && s->outcome.pictures != THUD_OK) {
+        *err = s->outcome.picture_error;
+        status = s->outcome.pictures;
+    }
+    if (status == THUD_OK && total->diverged > 0)
+        status = thud_error_set(err, THUD_DIVERGED, "%ld of %ld runs have no answer", total->diverged, total->asked);
+    if (status == THUD_OK && total->impossible > 0 && total->impossible == total->asked)
+        status = thud_error_set(err, THUD_INPUT, "none of the runs is possible");
+    return status;
+}
+
+static enum thud_status finish(struct sweep *s, enum thud_status status, struct thud_error *err)
+{
+    if (s->study.progress)
+        fputs("\r\033[K", stderr);
+    if (s->study.shard.count > 1 && status == THUD_OK) {
+        if (!thud_args_has(s->args, "quiet"))
+            fprintf(stderr, "part %d of %d is whole: thud sweep --merge DIR... -o DIR joins the parts\n",
+                    s->study.shard.index, s->study.shard.count);
+        return status;
+    }
+    if (status == THUD_CANCELLED && s->output.begun)
+        (void)thud_sweep_output_end(&s->output, NULL); /* what is done is printed */
+    return status == THUD_OK ? conclude(s, err) : status;
+}
+
+static enum thud_status make(struct sweep *s, struct thud_error *err)
+{
+    unsigned long size;
+    enum thud_status status = thud_scene_options_open(s->args, &s->session, err);
+    if (status != THUD_OK)
+        return status;
+    status = read_records(s, err);
+    if (status == THUD_OK)
+        status = fill_plan(s, err);
+    if (status == THUD_OK)
+        status = thud_preset_text(s->session.preset, &s->session.scene, &s->preset, &size, err);
+    if (status == THUD_OK)
+        status = fill_study(s, err);
+    if (status == THUD_OK)
+        status = finish(s, thud_sweep_study_run(&s->study, &s->outcome, err), err);
+    thud_sweep_outcome_clear(&s->outcome);
+    thud_sweep_plan_clear(&s->plan);
+    thud_record_list_clear(&s->records);
+    thud_session_close(&s->session);
+    free(s->preset);
+    return status;
+}
+
+static enum thud_status merge(struct sweep *s, struct thud_error *err)
+{
+    struct thud_sweep_parts *parts;
+    if (s->args->noperands == 0)
+        return thud_error_set(err, THUD_USAGE, "thud sweep --merge needs the folders of the parts");
+    enum thud_status status = thud_sweep_parts_plan(s->args->operand[0], &parts, err);
+    if (status != THUD_OK)
+        return status;
+    s->plan = parts->plan;
+    status = fill_study(s, err);
+    if (status == THUD_OK)
+        status =
+            finish(s, thud_sweep_study_merge(&s->study, s->args->operand, s->args->noperands, &s->outcome, err), err);
+    thud_sweep_outcome_clear(&s->outcome);
+    thud_sweep_parts_free(parts);
+    return status;
+}
+
+enum thud_status thud_command_sweep(const struct thud_args *args, struct thud_error *err)
+{
+    struct sweep *s = calloc(1, sizeof *s);
+    if (!s)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    s->args = args;
+    enum thud_status status = thud_args_has(args, "merge") ? merge(s, err) : make(s, err);
+    thud_text_clear(&s->output.text);
+    free(s);
+    return status;
+}

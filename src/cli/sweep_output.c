@@ -1,0 +1,126 @@
+#include "cli/sweep_output.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "io/sweep_csv.h"
+
+static enum thud_status print(struct thud_text *text, struct thud_error *err)
+{
+    if (text->failed)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    if (text->size > 0 && (fwrite(text->data, 1, text->size, stdout) != text->size || fflush(stdout) != 0))
+        return thud_error_set(err, THUD_OUTPUT, "standard output: %s", strerror(errno));
+    text->size = 0;
+    return THUD_OK;
+}
+
+/* Next field of a line of CSV, with its end replaced; quotes taken off in place. *quoted: it had some. */
+static char *next_field(char **line, bool *quoted)
+{
+    char *from = *line, *to = from, *in = from;
+    *quoted = *in == '"';
+    if (*quoted) {
+        for (in++; *in && !(*in == '"' && in[1] != '"'); in++) {
+            in += *in == '"';
+            *to++ = *in;
+        }
+        in += *in == '"';
+    } else {
+        in += strcspn(in, ",\n");
+        to = in;
+    }
+    *line = *in == ',' ? in + 1 : NULL;
+    *to = '\0';
+    return from;
+}
+
+static void put_text(struct thud_text *out, const char *text)
+{
+    thud_text_append(out, "\"");
+    for (; *text; text++) {
+        if ((unsigned char)*text < ' ')
+            thud_text_append(out, "\\u%04x", (unsigned char)*text);
+        else
+            thud_text_append(out, *text == '"' || *text == '\\' ? "\\%c" : "%c", *text);
+    }
+    thud_text_append(out, "\"");
+}
+
+static bool is_number(const char *text)
+{
+    const char *end;
+    double value;
+    return thud_number_parse(text, &end, &value) == 0 && *end == '\0';
+}
+
+/* Lines of CSV as JSON objects under the names of the header. Record, case and structure are texts whatever they look
+ * like. */
+static void put_objects(struct thud_sweep_output *o, char *lines, struct thud_text *out)
+{
+    static const char *const texts[] = {"record", "case", "structure"};
+    while (*lines) {
+        struct thud_text head = {0};
+        thud_sweep_csv_header(o->plan, THUD_SWEEP_CSV_FLOORS, &head);
+        char *end = strchr(lines, '\n'), *names = head.data, *line = lines;
+        thud_text_append(out, o->row ? ",\n  {" : "\n  {");
+        o->row = true;
+        for (bool first = true; line && names && !head.failed; first = false) {
+            bool quoted, ignored, text = false;
+            const char *name = next_field(&names, &ignored), *field = next_field(&line, &quoted);
+            for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
+                text |= strcmp(name, texts[i]) == 0;
+            thud_text_append(out, first ? "" : ", ");
+            put_text(out, name);
+            thud_text_append(out, ": ");
+            if (quoted || text || (*field && !is_number(field)))
+                put_text(out, field);
+            else
+                thud_text_append(out, "%s", *field ? field : "null");
+        }
+        thud_text_append(out, "}");
+        thud_text_clear(&head);
+        lines = end ? end + 1 : lines + strlen(lines);
+    }
+}
+
+static void begin(struct thud_sweep_output *o)
+{
+    if (o->begun)
+        return;
+    o->begun = true;
+    if (o->format == THUD_SWEEP_OUTPUT_CSV) {
+        thud_sweep_csv_header(o->plan, THUD_SWEEP_CSV_FLOORS, &o->text);
+    } else {
+        thud_text_append(&o->text, "{\"preset\": ");
+        put_text(&o->text, o->plan->scene.name);
+        thud_text_append(&o->text, ", \"rows\": [");
+    }
+}
+
+enum thud_status thud_sweep_output_point(void *context, const struct thud_sweep_point *point, struct thud_error *err)
+{
+    struct thud_sweep_output *o = context;
+    struct thud_text rows = {0};
+    if (o->format == THUD_SWEEP_OUTPUT_TABLE)
+        return THUD_OK;
+    begin(o);
+    struct thud_text *to = o->format == THUD_SWEEP_OUTPUT_CSV ? &o->text : &rows;
+    enum thud_status status = thud_sweep_csv_rows(o->plan, THUD_SWEEP_CSV_FLOORS, point, to, err);
+    if (rows.data && !rows.failed)
+        put_objects(o, rows.data, &o->text);
+    o->text.failed |= rows.failed;
+    thud_text_clear(&rows);
+    return status == THUD_OK ? print(&o->text, err) : status;
+}
+
+enum thud_status thud_sweep_output_end(struct thud_sweep_output *output, struct thud_error *err)
+{
+    if (output->format == THUD_SWEEP_OUTPUT_TABLE)
+        return THUD_OK;
+    begin(output);
+    if (output->format == THUD_SWEEP_OUTPUT_JSON)
+        thud_text_append(&output->text, "\n]}\n");
+    return print(&output->text, err);
+}
