@@ -13,7 +13,7 @@
 struct thud_run_options {
     const struct thud_method *method; /* NULL: auto */
     double tolerance;                 /* 1e-6: every peak within 1e-5 of the converged value */
-    double step_s;         /* fixed-step methods; NaN: a tenth of what the method's limit and the events allow */
+    double step_s;         /* fixed-step methods; NaN: a twentieth of the shortest period of a mode or contact */
     bool locate;           /* fixed-step methods: locate events */
     double tail_s;         /* after the record; the duration where there is none */
     bool keep_impacts;     /* list impacts one by one */

@@ -5,17 +5,6 @@
 #include "core/contact.h"
 #include "core/poly.h"
 
-enum event {
-    EVENT_TOUCH,
-    EVENT_GONE,     /* indentation back to 0 */
-    EVENT_RELEASE,  /* the force would begin to pull */
-    EVENT_REENGAGE, /* the force cut at 0 would push again */
-    EVENT_TURN,     /* approach to restitution or back */
-    EVENT_KNEE,
-    EVENT_HOLD_UP, /* stuck: pushed further in */
-    EVENT_HOLD_DOWN
-};
-
 static const struct thud_law *law_of(const struct thud_run *run, int c)
 {
     return run->model->contact[c].law;
@@ -51,7 +40,7 @@ struct found {
     int contact, event;
 };
 
-static void consider(struct found *found, double s, int contact, enum event event)
+static void consider(struct found *found, double s, int contact, enum thud_event event)
 {
     if (s < found->s)
         *found = (struct found){s, contact, event};
@@ -82,7 +71,9 @@ static bool push_polynomial(const struct thud_contact_state *s, const double *d,
     return true;
 }
 
-static void closed_events(const struct thud_run *run, int c, const double *d, double s_end, struct found *found)
+/* `still`: lowest orders of the indentation that are no motion, see thud_segment_indentation. */
+static void closed_events(const struct thud_run *run, int c, const double *d, int still, double s_end,
+                          struct found *found)
 {
     const struct thud_contact_state *s = &run->contact[c];
     const struct thud_law *law = law_of(run, c);
@@ -90,20 +81,24 @@ static void closed_events(const struct thud_run *run, int c, const double *d, do
     double p[THUD_SEGMENT_TERMS];
     int n = seg->terms;
     bool pulls = law->flags & THUD_LAW_PULLS;
+    if (s->zeros.indentation == 0)
+        still = 0; /* only where it has just touched */
+    int indentation = s->zeros.indentation > still ? s->zeros.indentation : still;
+    int rate = s->zeros.rate > still - 1 ? s->zeros.rate : still - 1;
     if (!pulls && push_polynomial(s, d, n, seg->h_s, p))
-        consider(found, thud_poly_first_above(p, n, s_end, -1, s->zeros.force, 0), c, EVENT_RELEASE);
-    consider(found, thud_poly_first_above(d, n, s_end, -1, s->zeros.indentation, 0), c, EVENT_GONE);
+        consider(found, thud_poly_first_above(p, n, s_end, -1, s->zeros.force, 0), c, THUD_EVENT_RELEASE);
+    consider(found, thud_poly_first_above(d, n, s_end, -1, indentation, 0), c, THUD_EVENT_GONE);
     if (law->flags & THUD_LAW_TURNS) {
         for (int k = 0; k + 1 < n; k++)
             p[k] = (k + 1) * d[k + 1];
         double sign = s->phase == THUD_APPROACH ? -1 : 1;
-        consider(found, thud_poly_first_above(p, n - 1, s_end, sign, s->zeros.rate, 0), c, EVENT_TURN);
+        consider(found, thud_poly_first_above(p, n - 1, s_end, sign, rate, 0), c, THUD_EVENT_TURN);
     }
     if (s->knee_m < INFINITY) {
         memcpy(p, d, (size_t)n * sizeof *p);
         p[0] -= s->knee_m;
         double sign = s->past_knee ? -1 : 1;
-        consider(found, thud_poly_first_above(p, n, s_end, sign, s->zeros.knee, 0), c, EVENT_KNEE);
+        consider(found, thud_poly_first_above(p, n, s_end, sign, s->zeros.knee, 0), c, THUD_EVENT_KNEE);
     }
 }
 
@@ -113,8 +108,8 @@ static void slack_events(const struct thud_run *run, int c, const double *d, dou
     double p[THUD_SEGMENT_TERMS];
     int n = run->seg.terms;
     if (push_polynomial(s, d, n, run->seg.h_s, p))
-        consider(found, thud_poly_first_above(p, n, s_end, 1, s->zeros.force, 0), c, EVENT_REENGAGE);
-    consider(found, thud_poly_first_above(d, n, s_end, -1, s->zeros.indentation, 0), c, EVENT_GONE);
+        consider(found, thud_poly_first_above(p, n, s_end, 1, s->zeros.force, 0), c, THUD_EVENT_REENGAGE);
+    consider(found, thud_poly_first_above(d, n, s_end, -1, s->zeros.indentation, 0), c, THUD_EVENT_GONE);
 }
 
 /* Just stuck: a force that is at one end of its interval but for the accuracy of its polynomial is taken to start
@@ -134,10 +129,10 @@ static void stuck_events(const struct thud_run *run, int c, double s_end, struct
         p[k] = run->seg.force[k * run->model->ncontacts + c];
     double f0 = p[0];
     p[0] = f0 - s->hold_low;
-    consider(found, thud_poly_first_above(p, n, s_end, -1, at_bound(run, c, p[0]), 0), c, EVENT_HOLD_DOWN);
+    consider(found, thud_poly_first_above(p, n, s_end, -1, at_bound(run, c, p[0]), 0), c, THUD_EVENT_HOLD_DOWN);
     if (s->hold_high < INFINITY) {
         p[0] = f0 - s->hold_high;
-        consider(found, thud_poly_first_above(p, n, s_end, 1, at_bound(run, c, p[0]), 0), c, EVENT_HOLD_UP);
+        consider(found, thud_poly_first_above(p, n, s_end, 1, at_bound(run, c, p[0]), 0), c, THUD_EVENT_HOLD_UP);
     }
 }
 
@@ -176,7 +171,8 @@ static void open_events(const struct thud_run *run, int c, double *d, double s_e
     else if (zeros < run->contact[c].zeros.indentation)
         zeros = run->contact[c].zeros.indentation;
     if (zeros < run->seg.terms)
-        consider(found, thud_poly_first_above(d, run->seg.terms, s_end, 1, zeros, THUD_TOUCH_NOISE_M), c, EVENT_TOUCH);
+        consider(found, thud_poly_first_above(d, run->seg.terms, s_end, 1, zeros, THUD_TOUCH_NOISE_M), c,
+                 THUD_EVENT_TOUCH);
 }
 
 double thud_contact_next_event(struct thud_run *run, double s_end, int *contact, int *event)
@@ -190,9 +186,9 @@ double thud_contact_next_event(struct thud_run *run, double s_end, int *contact,
             open_events(run, c, d, limit, &found);
             continue;
         }
-        thud_segment_indentation(run, &run->seg, c, d);
+        int still = thud_segment_indentation(run, &run->seg, c, d);
         if (s->mode == THUD_CLOSED)
-            closed_events(run, c, d, limit, &found);
+            closed_events(run, c, d, still, limit, &found);
         else if (s->mode == THUD_SLACK)
             slack_events(run, c, d, limit, &found);
         else
@@ -295,7 +291,7 @@ static void turn(struct thud_run *run, int c)
     enum thud_phase next = s->phase == THUD_APPROACH ? THUD_RESTITUTION : THUD_APPROACH;
     double d = thud_contact_indentation(run, c);
     double approach = rest_force(run, c, THUD_APPROACH, d), restitution = rest_force(run, c, THUD_RESTITUTION, d);
-    if (approach - restitution > 1e-12 * approach) {
+    if (run->locates && approach - restitution > 1e-12 * approach) {
         double *force = run->force_now;
         thud_contact_forces(run, force);
         force[c] = next == THUD_RESTITUTION ? restitution : approach;
@@ -319,13 +315,13 @@ static void knee(struct thud_run *run, int c)
     renew_branch(run, c);
 }
 
-static enum thud_status hold_ends(struct thud_run *run, int c, enum event event, struct thud_error *err)
+static enum thud_status hold_ends(struct thud_run *run, int c, enum thud_event event, struct thud_error *err)
 {
     if (law_of(run, c)->flags & THUD_LAW_IMPULSIVE) { /* sustained pushing has ended: d, d' and d'' are 0 */
         note_release(run, c);
         return open_contact(run, c, 3, err);
     }
-    go_on(run, c, event == EVENT_HOLD_UP ? THUD_APPROACH : THUD_RESTITUTION, 2);
+    go_on(run, c, event == THUD_EVENT_HOLD_UP ? THUD_APPROACH : THUD_RESTITUTION, 2);
     return THUD_OK;
 }
 
@@ -333,31 +329,31 @@ enum thud_status thud_contact_switch(struct thud_run *run, int contact, int even
 {
     struct thud_contact_state *s = &run->contact[contact];
     run->result.work.events++;
-    switch ((enum event)event) {
-    case EVENT_TOUCH:
+    switch ((enum thud_event)event) {
+    case THUD_EVENT_TOUCH:
         if (law_of(run, contact)->flags & THUD_LAW_IMPULSIVE)
             return thud_contact_impulse(run, contact, err);
         touch(run, contact);
         return THUD_OK;
-    case EVENT_GONE:
+    case THUD_EVENT_GONE:
         if (s->mode == THUD_CLOSED)
             note_release(run, contact);
         return open_contact(run, contact, 1, err);
-    case EVENT_RELEASE:
+    case THUD_EVENT_RELEASE:
         return release(run, contact, err);
-    case EVENT_REENGAGE:
+    case THUD_EVENT_REENGAGE:
         thud_contact_set_mode(run, contact, THUD_CLOSED);
         s->zeros = (struct thud_zeros){.force = 1};
         return THUD_OK;
-    case EVENT_TURN:
+    case THUD_EVENT_TURN:
         turn(run, contact);
         return THUD_OK;
-    case EVENT_KNEE:
+    case THUD_EVENT_KNEE:
         knee(run, contact);
         return THUD_OK;
-    case EVENT_HOLD_UP:
-    case EVENT_HOLD_DOWN:
+    case THUD_EVENT_HOLD_UP:
+    case THUD_EVENT_HOLD_DOWN:
         break;
     }
-    return hold_ends(run, contact, (enum event)event, err);
+    return hold_ends(run, contact, (enum thud_event)event, err);
 }

@@ -23,21 +23,34 @@ double thud_contact_force(const struct thud_run *run, int c, double d, double v)
     return f < 0 && !(run->model->contact[c].law->flags & THUD_LAW_PULLS) ? 0 : f;
 }
 
-/* Second rate of modal coordinates without contact forces, out (ndof). */
-static void free_acceleration(const struct thud_run *run, double *out)
+void thud_model_acceleration(const struct thud_model *m, const double *q, const double *qd, double ground, double *out)
 {
-    const struct thud_model *m = run->model;
-    double a0, a1;
-    thud_run_ground(run, run->grid, &a0, &a1);
-    double ground = a0 + (a1 - a0) * (run->offset_s / run->grid_dt_s);
     for (int j = 0; j < m->ndof; j++)
-        out[j] = -m->omega[j] * (m->omega[j] * run->q[j] + 2 * m->zeta[j] * run->qd[j]) - m->gamma[j] * ground;
+        out[j] = -m->omega[j] * (m->omega[j] * q[j] + 2 * m->zeta[j] * qd[j]) - m->gamma[j] * ground;
     for (int s = 0; s < m->nstructures; s++) {
         const struct thud_model_structure *p = &m->structure[s];
         for (int i = 0; p->damping && i < p->n; i++)
             for (int j = 0; j < p->n; j++)
-                out[p->first + i] -= p->damping[i * p->n + j] * run->qd[p->first + j];
+                out[p->first + i] -= p->damping[i * p->n + j] * qd[p->first + j];
     }
+}
+
+void thud_model_push(const struct thud_model *m, const double *force, double *qdd)
+{
+    for (int c = 0; c < m->ncontacts; c++) {
+        if (force[c] == 0.0)
+            continue;
+        const double *g = m->g + c * m->ndof;
+        for (int j = 0; j < m->ndof; j++)
+            qdd[j] -= g[j] * force[c];
+    }
+}
+
+static void free_acceleration(const struct thud_run *run, double *out)
+{
+    double a0, a1;
+    thud_run_ground(run, run->grid, &a0, &a1);
+    thud_model_acceleration(run->model, run->q, run->qd, a0 + (a1 - a0) * (run->offset_s / run->grid_dt_s), out);
 }
 
 static double acceleration(const struct thud_run *run, int c, const double *free, const double *force)
@@ -55,13 +68,12 @@ double thud_contact_acceleration(const struct thud_run *run, int c, const double
     return acceleration(run, c, run->scratch, force);
 }
 
-/* Forces of the stuck contacts so that none of them accelerates: W_ss f = a_s. */
-static void hold_forces(const struct thud_run *run, double *force)
+/* W_ss f = a_s: the stuck contacts' forces so that none of them accelerates. */
+void thud_contact_hold(const struct thud_run *run, const double *free, double *force)
 {
     const struct thud_model *m = run->model;
     int n = 0, nc = m->ncontacts;
-    double *free = run->scratch, *rhs = free + m->ndof, *w = run->hold;
-    free_acceleration(run, free);
+    double *rhs = run->scratch + m->ndof, *w = run->hold;
     for (int c = 0; c < nc; c++)
         if (run->contact[c].mode == THUD_STUCK)
             rhs[n++] = acceleration(run, c, free, force);
@@ -91,6 +103,8 @@ void thud_contact_forces(const struct thud_run *run, double *force)
         if (run->contact[c].mode == THUD_CLOSED)
             force[c] = thud_contact_force(run, c, thud_contact_indentation(run, c), thud_contact_rate(run, c));
     }
-    if (stuck)
-        hold_forces(run, force);
+    if (!stuck)
+        return;
+    free_acceleration(run, run->scratch);
+    thud_contact_hold(run, run->scratch, force);
 }

@@ -92,6 +92,25 @@ static void fill_energy(const struct thud_run *run, double *row, const double *q
     memcpy(row + thud_history_energy(h, 0), e, sizeof e);
 }
 
+/* Modal total accelerations at s, as in thud_peaks_prepare; the row has its forces and the ground. */
+static void accelerations(const struct thud_run *run, double s, const double *row, const double *q, const double *qd,
+                          double *out)
+{
+    const struct thud_model *m = run->model;
+    const struct thud_segment *seg = &run->seg;
+    if (run->method->order > 0) {
+        thud_model_acceleration(m, q, qd, 0, out);
+        thud_model_push(m, row + thud_history_force(&run->history, 0), out);
+        return;
+    }
+    for (int j = 0; j < m->ndof; j++) {
+        double sum = 0;
+        for (int k = seg->terms - 3; k >= 0; k--)
+            sum = sum * s + (k + 1) * (k + 2) * seg->q[(k + 2) * m->ndof + j];
+        out[j] = sum / (seg->h_s * seg->h_s) + m->gamma[j] * row[thud_history_ground()];
+    }
+}
+
 /* A row at s of the present segment. Ledger values are those at the segment's start. */
 static enum thud_status row_at(struct thud_run *run, double s, struct thud_error *err)
 {
@@ -106,20 +125,15 @@ static enum thud_status row_at(struct thud_run *run, double s, struct thud_error
     fill_motion(run, row, q, qd);
     fill_energy(run, row, q, qd);
     row[0] = seg->a0 + seg->a1 * s;
-    for (int j = 0; j < m->ndof; j++) {
-        double sum = 0;
-        for (int k = seg->terms - 3; k >= 0; k--)
-            sum = sum * s + (k + 1) * (k + 2) * seg->q[(k + 2) * m->ndof + j];
-        a[j] = sum / (seg->h_s * seg->h_s) + m->gamma[j] * row[0];
-    }
-    for (int i = 0; i < m->ndof; i++)
-        row[thud_history_acceleration(h, i)] = thud_model_floor(m, i, a);
     for (int c = 0; c < m->ncontacts; c++) {
         double f = 0;
         for (int k = seg->terms - 1; k >= 0; k--)
             f = f * s + seg->force[k * m->ncontacts + c];
         row[thud_history_force(h, c)] = f;
     }
+    accelerations(run, s, row, q, qd, a);
+    for (int i = 0; i < m->ndof; i++)
+        row[thud_history_acceleration(h, i)] = thud_model_floor(m, i, a);
     return THUD_OK;
 }
 

@@ -46,7 +46,7 @@ static void contact_work(struct thud_run *run, int c, double s_end)
     for (int i = 0; i < THUD_QUADRATURE_POINTS; i++) {
         thud_poly_value3(d, run->seg.terms, s_end * thud_quadrature_node[i], v);
         double rate = v[1] / run->seg.h_s, force = 0;
-        if (s->mode == THUD_STUCK)
+        if (s->mode == THUD_STUCK || !run->locates) /* what the step really applied */
             for (int k = run->seg.terms - 1; k >= 0; k--)
                 force = force * s_end * thud_quadrature_node[i] + run->seg.force[k * run->model->ncontacts + c];
         else
@@ -57,7 +57,8 @@ static void contact_work(struct thud_run *run, int c, double s_end)
     s->impact.impulse_ns += impulse * dt;
     s->impact.dissipated_j += work * dt;
     run->result.contact[c].impulse_ns += impulse * dt;
-    run->result.contact[c].contact_time_s += dt;
+    if (thud_contact_acts(s))
+        run->result.contact[c].contact_time_s += dt;
     run->result.contact[c].dissipated_j += work * dt;
     run->ledger.contact_work_j += work * dt;
 }
@@ -85,7 +86,7 @@ void thud_ledger_segment(struct thud_run *run, double s)
     const struct thud_model *m = run->model;
     double *qd = run->scratch;
     for (int c = 0; c < m->ncontacts; c++)
-        if (thud_contact_acts(&run->contact[c]))
+        if (thud_contact_felt(run, c))
             contact_work(run, c, s);
     if (run->options.no_ledger)
         return;

@@ -36,8 +36,28 @@ struct thud_peak *thud_floor_peak(struct thud_run *run, int structure, int floor
     return peak[quantity];
 }
 
+/* The same from the equations of motion: the polynomials of a stepping method have the state that the method gives, but
+ * their second derivative strays between the ends of the step by as much as the acceleration changes in it. */
+static void acceleration_by_forces(struct thud_run *run)
+{
+    const struct thud_model *m = run->model;
+    const struct thud_segment *seg = &run->seg;
+    int n = m->ndof;
+    for (int k = 0; k + 2 < seg->terms; k++) {
+        double *out = run->scratch + k * n, rate = (k + 1) / seg->h_s, *qd = run->scratch + seg->terms * n;
+        for (int j = 0; j < n; j++)
+            qd[j] = rate * seg->q[(k + 1) * n + j];
+        thud_model_acceleration(m, seg->q + k * n, qd, 0, out);
+        thud_model_push(m, seg->force + k * m->ncontacts, out);
+    }
+}
+
 void thud_peaks_prepare(struct thud_run *run)
 {
+    if (run->method->order > 0) {
+        acceleration_by_forces(run);
+        return;
+    }
     double *out = run->scratch;
     const struct thud_model *m = run->model;
     const struct thud_segment *seg = &run->seg;
@@ -169,22 +189,38 @@ static void structure_peaks(struct thud_run *run, int index, double s_end, const
     }
 }
 
+static void indentation_peak(struct thud_run *run, int c, double s_end)
+{
+    const struct thud_segment *seg = &run->seg;
+    struct thud_impact *impact = &run->contact[c].impact;
+    struct thud_peak *peak = &run->result.contact[c].indentation;
+    const double *d = run->indentation + c * THUD_SEGMENT_TERMS;
+    double where = 0;
+    if (run->locates) {
+        raise_peak(run, peak, d, seg->terms, s_end);
+        impact->indentation_m = thud_poly_peak(d, seg->terms, s_end, impact->indentation_m, &where);
+        return;
+    }
+    for (int end = 0; end <= 1; end++) { /* the step may reach far out of contact, to the other side of 0 */
+        double value = thud_poly_value(d, seg->terms, end * s_end);
+        impact->indentation_m = fmax(impact->indentation_m, value);
+        if (value > peak->value)
+            *peak = (struct thud_peak){value, thud_run_now(run) + end * s_end * seg->h_s};
+    }
+}
+
 static void contact_peaks(struct thud_run *run, int c, double s_end)
 {
     const struct thud_segment *seg = &run->seg;
     struct thud_contact_state *s = &run->contact[c];
-    struct thud_contact_result *result = &run->result.contact[c];
     double p[THUD_SEGMENT_TERMS], where = 0;
-    if (s->mode == THUD_OPEN)
-        return;
-    const double *d = run->indentation + c * THUD_SEGMENT_TERMS;
-    raise_peak(run, &result->indentation, d, seg->terms, s_end);
-    s->impact.indentation_m = thud_poly_peak(d, seg->terms, s_end, s->impact.indentation_m, &where);
-    if (!thud_contact_acts(s))
+    if (s->mode != THUD_OPEN)
+        indentation_peak(run, c, s_end);
+    if (!thud_contact_felt(run, c))
         return;
     for (int k = 0; k < seg->terms; k++)
         p[k] = seg->force[k * run->model->ncontacts + c];
-    raise_peak(run, &result->force, p, seg->terms, s_end);
+    raise_peak(run, &run->result.contact[c].force, p, seg->terms, s_end);
     s->impact.force_n = thud_poly_peak(p, seg->terms, s_end, s->impact.force_n, &where);
 }
 

@@ -8,8 +8,6 @@
 #include "core/lcp.h"
 #include "core/run_private.h"
 
-/* A response beyond this is a run that has blown up. */
-static const double absurd_m = 1e5;
 enum { STALLS_MAX = 60 };
 
 void thud_run_options_init(struct thud_run_options *options)
@@ -22,7 +20,8 @@ double thud_run_remaining(const struct thud_run *run)
     return fmin(run->grid_dt_s - run->offset_s, run->end_s - thud_run_now(run));
 }
 
-/* The grid of the ground motion; without one, pieces that suit the fastest mode. */
+/* The grid of the ground motion; without one, pieces that suit the series of the fastest mode, or none for methods that
+ * have a step of their own. */
 static void set_times(struct thud_run *run)
 {
     const struct thud_record *r = run->record;
@@ -31,7 +30,8 @@ static void set_times(struct thud_run *run)
         fastest = fmax(fastest, run->model->omega[j]);
     run->fastest_radps = fastest;
     run->end_s = run->options.tail_s + (r ? (double)(r->samples - 1) * r->dt_s : 0);
-    run->grid_dt_s = r ? r->dt_s : fastest > 0 ? fmin(run->end_s, 1.2 / fastest) : run->end_s;
+    bool series = run->method->order == 0 && fastest > 0;
+    run->grid_dt_s = r ? r->dt_s : series ? fmin(run->end_s, 1.2 / fastest) : run->end_s;
     if (!(run->options.history_step_s > 0))
         run->options.history_step_s = r ? r->dt_s : run->end_s / 2000;
 }
@@ -114,32 +114,15 @@ static void pick_method(struct thud_run *run)
                                  : "exact between events, tolerance needed in nonlinear contact only";
     }
     run->result.method = run->method->name;
-}
-
-static enum thud_status check_options(const struct thud_run_options *o, const struct thud_record *record,
-                                      struct thud_error *err)
-{
-    if (!(o->tolerance >= 1e-13 && o->tolerance <= 0.1)) {
-        thud_error_set(err, THUD_INPUT, "%g is out of bounds", o->tolerance);
-        thud_error_key(err, "tolerance");
-        thud_error_allow(err, "1e-13 to 0.1");
-        return THUD_INPUT;
-    }
-    if (!(o->tail_s >= 0) || (!record && !(o->tail_s > 0))) {
-        thud_error_set(err, THUD_INPUT, "%g s is too short", o->tail_s);
-        thud_error_key(err, "tail");
-        thud_error_allow(err,
-                         record ? "0 s or more" : "without a ground motion it is the duration and must be above 0");
-        return THUD_INPUT;
-    }
-    return THUD_OK;
+    bool may_choose = run->method->flags & THUD_METHOD_FIXED_STEP;
+    run->locates = run->method->flags & THUD_METHOD_CAN_LOCATE && (run->options.locate || !may_choose);
 }
 
 enum thud_status thud_run_create(const struct thud_model *model, const struct thud_record *record,
                                  const struct thud_run_options *options, struct thud_run **out, struct thud_error *err)
 {
     *out = NULL;
-    enum thud_status status = check_options(options, record, err);
+    enum thud_status status = thud_run_check_options(options, record, err);
     if (status != THUD_OK)
         return status;
     struct thud_run *run = calloc(1, sizeof *run);
@@ -160,8 +143,11 @@ enum thud_status thud_run_create(const struct thud_model *model, const struct th
         thud_contact_start(run);
         thud_peaks_start(run);
         thud_ledger_start(run);
+        thud_run_set_bound(run);
+        if (isnan(run->options.step_s) && run->method->flags & THUD_METHOD_FIXED_STEP)
+            run->options.step_s = thud_run_default_step(run);
         status = run->options.keep_history ? thud_history_start(run, err) : THUD_OK;
-        if (status == THUD_OK)
+        if (status == THUD_OK && run->method->order == 0) /* the others show how they fare in free flight */
             status = thud_flight_create(run, err);
         if (status == THUD_OK && run->method->create)
             status = run->method->create(run, &run->method_state, err);
@@ -193,31 +179,6 @@ void thud_run_free(struct thud_run *run)
     free(run);
 }
 
-/* Which floor has blown up, as an error; THUD_OK while none has. */
-static enum thud_status check_finite(struct thud_run *run, struct thud_error *err)
-{
-    const struct thud_model *m = run->model;
-    double sum = 0;
-    for (int j = 0; j < m->ndof; j++)
-        sum += run->q[j] * run->q[j] + run->qd[j] * run->qd[j];
-    if (sum < absurd_m * absurd_m) /* q is u sqrt(m): far below what any floor may have, and false for NaN */
-        return THUD_OK;
-    for (int i = 0; i < m->ndof; i++) {
-        double u = thud_model_floor(m, i, run->q), v = thud_model_floor(m, i, run->qd);
-        if (fabs(u) < absurd_m && isfinite(v))
-            continue;
-        run->failed = true;
-        int s = m->dof_structure[i];
-        thud_error_set(err, THUD_DIVERGED, "the response blew up at t = %.6g s, structure %d, floor %d",
-                       thud_run_now(run), s + 1, i - m->structure[s].first + 1);
-        thud_error_key(err, run->method->name);
-        if (run->method->flags & THUD_METHOD_FIXED_STEP)
-            thud_error_allow(err, "%s; step used %g s", run->method->limits, run->options.step_s);
-        return THUD_DIVERGED;
-    }
-    return THUD_OK;
-}
-
 /* Puts the run at s of its segment; `limit` is the s of the next kink or the end. */
 static void commit(struct thud_run *run, double s, double limit)
 {
@@ -245,36 +206,67 @@ static enum thud_status stalled(struct thud_run *run, int contact, struct thud_e
                           c->left_floor, c->right_floor, thud_run_now(run));
 }
 
+/* The first event of the proposed segment, where events are located: its s, else INFINITY. */
+static double next_event(struct thud_run *run, double limit, int *contact, int *event)
+{
+    if (run->locates)
+        return thud_contact_next_event(run, limit, contact, event);
+    thud_contact_read(run);
+    return INFINITY;
+}
+
+/* Peaks, histories and energies of the segment up to s. */
+static enum thud_status read_segment(struct thud_run *run, double s, struct thud_error *err)
+{
+    enum thud_status status = THUD_OK;
+    thud_peaks_segment(run, s);
+    if (run->closing)
+        thud_closing_segment(run, s);
+    if (run->options.keep_history)
+        status = thud_history_segment(run, s, err);
+    thud_ledger_segment(run, s);
+    return status;
+}
+
+/* A method that can blow up has its step looked at before anything is read from it. */
+static enum thud_status check_proposal(struct thud_run *run, struct thud_error *err)
+{
+    if (run->method->order == 0)
+        return THUD_OK;
+    double *q = run->scratch, *qd = q + run->model->ndof;
+    thud_segment_state(&run->seg, run->model->ndof, 1, q, qd);
+    return thud_run_check_state(run, q, qd, err);
+}
+
 /* One proposed segment: events located, read out, committed, contacts switched. */
 static enum thud_status segment(struct thud_run *run, struct thud_error *err)
 {
     enum thud_status status = run->method->step(run, run->method_state, err);
+    if (status == THUD_OK)
+        status = check_proposal(run, err);
     if (status != THUD_OK)
         return status;
     run->result.work.steps++;
     int contact = -1, event = -1;
     double remaining = thud_run_remaining(run);
     double limit = run->seg.h_s >= remaining * (1 - 1e-13) ? fmin(1, remaining / run->seg.h_s) : 1;
-    double s = thud_contact_next_event(run, limit, &contact, &event);
-    bool switched = s <= limit && run->options.locate;
+    double s = next_event(run, limit, &contact, &event);
+    bool switched = s <= limit;
     double s_end = switched ? s : limit;
     if (s_end > 0) {
         run->stalls = 0;
-        thud_peaks_segment(run, s_end);
-        if (run->closing)
-            thud_closing_segment(run, s_end);
-        if (run->options.keep_history)
-            status = thud_history_segment(run, s_end, err);
-        thud_ledger_segment(run, s_end);
+        status = read_segment(run, s_end, err);
         if (status != THUD_OK)
             return status;
     } else if (run->stalls++ > STALLS_MAX) {
         return stalled(run, contact, err);
     }
     commit(run, s_end, limit);
-    status = check_finite(run, err);
+    status = thud_run_check_state(run, run->q, run->qd, err);
     if (status == THUD_OK && switched)
         status = thud_contact_switch(run, contact, event, err);
+    if (status == THUD_OK && !run->locates)
+        status = thud_contact_catch_up(run, &switched, err);
     if (status == THUD_OK && run->method->committed)
         run->method->committed(run, run->method_state, s_end * run->seg.h_s, switched);
     return status;

@@ -51,6 +51,8 @@ struct thud_run {
     double grid_dt_s, offset_s, end_s;
     long grid;
     bool done, failed;
+    bool locates;       /* events are located; else contacts catch up at the ends of steps */
+    double speed_bound; /* sqrt(2 E) that initial motion and ground can give at most, in modal coordinates */
     double ground_mps2; /* peak of the ground motion: what the structures feel anyway */
     double *q, *qd;     /* (ndof) modal state */
     struct thud_contact_state *contact;
@@ -119,7 +121,10 @@ void thud_contact_start(struct thud_run *run);
 double thud_contact_next_event(struct thud_run *run, double s_end, int *contact, int *event);
 /* Acts on an event at the run's state (already committed). */
 enum thud_status thud_contact_switch(struct thud_run *run, int contact, int event, struct thud_error *err);
-/* For methods that do not locate: acts on whatever the committed state shows. */
+/* contact_catch_up.c, for runs that do not locate: the indentation polynomials of the segment that will be read; what
+ * the committed state shows is acted on; whether the segment holds a force of contact c. */
+void thud_contact_read(struct thud_run *run);
+bool thud_contact_felt(const struct thud_run *run, int c);
 enum thud_status thud_contact_catch_up(struct thud_run *run, bool *switched, struct thud_error *err);
 /* Force of contact c (cut at 0 where the law does not pull) at indentation d and rate v, by its present branch. */
 double thud_contact_force(const struct thud_run *run, int c, double d, double v);
@@ -131,8 +136,29 @@ double thud_contact_rate(const struct thud_run *run, int c);
 void thud_contact_forces(const struct thud_run *run, double *force);
 /* Second rate of the indentation of contact c under these forces. */
 double thud_contact_acceleration(const struct thud_run *run, int c, const double *force);
+/* Second rate of the modal coordinates without contact forces, out (ndof). */
+void thud_model_acceleration(const struct thud_model *model, const double *q, const double *qd, double ground,
+                             double *out);
+/* From that to the second rate with these contact forces. */
+void thud_model_push(const struct thud_model *model, const double *force, double *qdd);
+/* Fills the forces of the STUCK contacts from d'' = 0, given the accelerations without contact forces and the other
+ * contacts' forces. `free` may be run->scratch, whose next ncontacts values are used. */
+void thud_contact_hold(const struct thud_run *run, const double *free, double *force);
 /* contact_impulse.c: impulses of all stereomechanical contacts that touch now. */
 enum thud_status thud_contact_impulse(struct thud_run *run, int contact, struct thud_error *err);
+
+/* run_limits.c: what a run may ask for, and what its response may not pass. */
+enum thud_status thud_run_check_options(const struct thud_run_options *options, const struct thud_record *record,
+                                        struct thud_error *err);
+/* The step of a fixed-step method that was given none: a twentieth of the shortest period, of a mode or of a contact at
+ * a closing of 1 m/s, and not above the record's step. */
+double thud_run_default_step(const struct thud_run *run);
+/* The same shortest period, s. */
+double thud_run_shortest_period(const struct thud_run *run);
+/* Fills run->speed_bound. */
+void thud_run_set_bound(struct thud_run *run);
+/* THUD_DIVERGED when this state (q, qd) holds far more energy than can ever have come in. */
+enum thud_status thud_run_check_state(struct thud_run *run, const double *q, const double *qd, struct thud_error *err);
 
 /* peaks.c, ledger.c, history.c: what is read from a segment before it is committed up to s. */
 void thud_peaks_start(struct thud_run *run);

@@ -1,0 +1,259 @@
+#include "core/alpha_step.h"
+
+#include <lapacke.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/modal_operator.h"
+
+enum { NEWTON_MAX = 40 };
+
+struct alpha {
+    struct thud_alpha p;
+    struct thud_modal_operator *op;
+    double h_made;                       /* step that the operator and the responses belong to */
+    struct thud_motion start, end, work; /* accelerations by the equations of motion, also where the scheme's differ */
+    double *a0, *a1;                     /* (ndof) the scheme's own accelerations */
+    double *rhs;                         /* (ndof) */
+    double *response;                    /* (ncontacts x ndof): -da1/dF */
+    double *w;                           /* (ncontacts x ncontacts): of the indentations' second rates */
+    double *d, *v, *a, *change, *matrix; /* Newton's system, by active contact */
+    double *applied;                     /* (ncontacts) lagged: force at the end of the step before */
+    int *active;
+    lapack_int *pivot;
+    bool fresh;         /* a0 is to be taken from the equations of motion */
+    double ground_mps2; /* at the end of the step before */
+    double *block;
+};
+
+enum thud_status thud_alpha_create(struct thud_run *run, struct thud_alpha parameters, void **state,
+                                   struct thud_error *err)
+{
+    const struct thud_model *m = run->model;
+    size_t n = (size_t)m->ndof, nc = (size_t)m->ncontacts;
+    struct alpha *x = calloc(1, sizeof *x);
+    *state = NULL;
+    if (!x)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    enum thud_status status = thud_modal_operator_create(m, &x->op, err);
+    x->block = calloc(3 * thud_motion_size(m) + 3 * n + nc * n + 2 * nc * nc + 5 * nc + 1, sizeof(double));
+    x->active = calloc(nc + 1, sizeof *x->active);
+    x->pivot = calloc(nc + 1, sizeof *x->pivot);
+    if (status != THUD_OK || !x->block || !x->active || !x->pivot) {
+        thud_alpha_free(x);
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    }
+    double *next = thud_motion_place(&x->start, m, x->block);
+    next = thud_motion_place(&x->end, m, next);
+    next = thud_motion_place(&x->work, m, next);
+    double **vectors[] = {&x->a0, &x->a1, &x->rhs};
+    for (int i = 0; i < 3; i++, next += n)
+        *vectors[i] = next;
+    double **contacts[] = {&x->d, &x->v, &x->a, &x->change, &x->applied};
+    for (int i = 0; i < 5; i++, next += nc)
+        *contacts[i] = next;
+    x->w = next;
+    x->matrix = x->w + nc * nc;
+    x->response = x->matrix + nc * nc;
+    x->p = parameters;
+    x->fresh = true;
+    *state = x;
+    return THUD_OK;
+}
+
+void thud_alpha_free(void *state)
+{
+    struct alpha *x = state;
+    if (!x)
+        return;
+    thud_modal_operator_free(x->op);
+    free(x->block);
+    free(x->active);
+    free(x->pivot);
+    free(x);
+}
+
+/* Operator and responses for steps of length h; kept while steps differ by rounding only. */
+static void prepare(const struct thud_model *m, struct alpha *x, double h)
+{
+    if (fabs(h - x->h_made) <= 1e-11 * h)
+        return;
+    const struct thud_alpha *p = &x->p;
+    double share = 1 - p->af;
+    x->h_made = h;
+    thud_modal_operator_set(x->op, m, 1 - p->am, share * p->gamma * h, share * p->beta * h * h);
+    for (int c = 0; c < m->ncontacts; c++) {
+        double *r = x->response + c * m->ndof;
+        thud_modal_operator_apply(x->op, m, m->g + c * m->ndof, r);
+        for (int j = 0; j < m->ndof; j++)
+            r[j] *= share;
+        for (int a = 0; a < m->ncontacts; a++)
+            x->w[a * m->ncontacts + c] = thud_model_gap_sum(m, a, r);
+    }
+}
+
+static void start_step(struct thud_run *run, struct alpha *x)
+{
+    const struct thud_model *m = run->model;
+    size_t bytes = (size_t)m->ndof * sizeof(double);
+    memcpy(x->start.q, run->q, bytes);
+    memcpy(x->start.qd, run->qd, bytes);
+    thud_step_motion(run, &x->start, 0);
+    if (x->p.lagged) { /* what acts now is the force of the step before */
+        for (int c = 0; c < m->ncontacts; c++) {
+            x->end.force[c] = x->start.force[c];
+            x->start.force[c] = x->applied[c];
+        }
+        thud_model_acceleration(m, run->q, run->qd, thud_step_ground(run, 0), x->start.qdd);
+        thud_model_push(m, x->start.force, x->start.qdd);
+    }
+    /* The scheme's own acceleration belongs to a time a little off the step's end where am or af are not 0: it goes on
+     * from step to step, but not over a jump of the forces (a contact switched, the record ended), which it would
+     * smear. For Newmark it is that of the equations of motion anyway. */
+    double ground = thud_step_ground(run, 0);
+    bool newmark = x->p.am == 0.0 && x->p.af == 0.0;
+    if (x->fresh || newmark || fabs(ground - x->ground_mps2) > 1e-9 * (fabs(ground) + fabs(x->ground_mps2)))
+        memcpy(x->a0, x->start.qdd, bytes);
+}
+
+/* The end of the step if no contact force acted there: q, qd, a1. */
+static void predict(struct thud_run *run, struct alpha *x, double h)
+{
+    const struct thud_model *m = run->model;
+    const struct thud_alpha *p = &x->p;
+    for (int j = 0; j < m->ndof; j++) {
+        x->end.q[j] = run->q[j] + h * run->qd[j] + h * h * (0.5 - p->beta) * x->a0[j];
+        x->end.qd[j] = run->qd[j] + h * (1 - p->gamma) * x->a0[j];
+    }
+    x->ground_mps2 = thud_step_ground(run, h);
+    thud_model_acceleration(m, x->end.q, x->end.qd, x->ground_mps2, x->rhs);
+    for (int j = 0; j < m->ndof; j++)
+        x->rhs[j] = (1 - p->af) * x->rhs[j] + p->af * x->start.qdd[j] - p->am * x->a0[j];
+    thud_modal_operator_apply(x->op, m, x->rhs, x->a1);
+    for (int j = 0; j < m->ndof; j++) {
+        x->end.q[j] += p->beta * h * h * x->a1[j];
+        x->end.qd[j] += p->gamma * h * x->a1[j];
+    }
+}
+
+static bool counts(const struct thud_run *run, int c)
+{
+    if (run->locates)
+        return thud_contact_acts(&run->contact[c]);
+    return !(run->model->contact[c].law->flags & (THUD_LAW_SILENT | THUD_LAW_IMPULSIVE));
+}
+
+/* Indentation, its rate and second rate of contact a at the step's end under the forces now tried. */
+static void contact_end(const struct thud_run *run, const struct alpha *x, int a, double h, double *d, double *v,
+                        double *acc)
+{
+    const struct thud_model *m = run->model;
+    double pull = 0;
+    for (int c = 0; c < m->ncontacts; c++)
+        pull += x->w[a * m->ncontacts + c] * x->end.force[c];
+    *d = x->d[a] - x->p.beta * h * h * pull;
+    *v = x->v[a] - x->p.gamma * h * pull;
+    *acc = x->a[a] - pull;
+}
+
+/* One Newton step for n active contacts; returns the largest change relative to the forces. */
+static double newton(struct thud_run *run, struct alpha *x, int n, double h)
+{
+    int nc = run->model->ncontacts;
+    double largest = 0;
+    for (int i = 0; i < n; i++) {
+        int a = x->active[i];
+        double d, v, acc, fd = 0, fv = 0, own = 1;
+        contact_end(run, x, a, h, &d, &v, &acc);
+        double by_d = x->p.beta * h * h, by_v = x->p.gamma * h, by_a = 0;
+        if (run->contact[a].mode == THUD_STUCK && run->locates) { /* held: no second rate */
+            own = 0;
+            by_a = -1;
+            x->change[i] = acc;
+        } else {
+            x->change[i] = x->end.force[a] - thud_step_force(run, a, d, v, &fd, &fv);
+        }
+        for (int k = 0; k < n; k++)
+            x->matrix[k * n + i] = (fd * by_d + fv * by_v + by_a) * x->w[a * nc + x->active[k]] + (k == i ? own : 0);
+    }
+    if (LAPACKE_dgesv_work(LAPACK_COL_MAJOR, n, 1, x->matrix, n, x->pivot, x->change, n) != 0)
+        return NAN;
+    for (int i = 0; i < n; i++) {
+        int a = x->active[i];
+        double before = fabs(x->end.force[a]);
+        x->end.force[a] -= x->change[i];
+        double scale = fmax(fmax(before, fabs(x->end.force[a])), 1e-9 * run->model->contact[a].setup.mass_kg);
+        largest = fmax(largest, fabs(x->change[i]) / scale);
+    }
+    return largest;
+}
+
+/* Contact forces of the step's end. Where the law jumps (nothing located) there may be no solution: the last try is
+ * taken, as a program does that only sees its iterations run out, and counted as rejected. */
+static void solve_forces(struct thud_run *run, struct alpha *x, double h)
+{
+    int n = 0;
+    for (int c = 0; c < run->model->ncontacts; c++) {
+        if (!counts(run, c))
+            continue;
+        x->d[c] = thud_model_gap_sum(run->model, c, x->end.q) - thud_run_shift(run, c);
+        x->v[c] = thud_model_gap_sum(run->model, c, x->end.qd);
+        x->a[c] = thud_model_gap_sum(run->model, c, x->a1);
+        x->active[n++] = c;
+        x->end.force[c] = x->start.force[c];
+    }
+    if (n == 0)
+        return;
+    double before = INFINITY;
+    for (int i = 0; i < NEWTON_MAX; i++) {
+        double change = newton(run, x, n, h);
+        if (!isfinite(change))
+            break;
+        if (change <= 1e-14 || (change < 1e-10 && change >= 0.5 * before))
+            return;
+        before = change;
+    }
+    run->result.work.rejected++;
+}
+
+enum thud_status thud_alpha_step(struct thud_run *run, void *state, struct thud_error *err)
+{
+    (void)err;
+    struct alpha *x = state;
+    const struct thud_model *m = run->model;
+    double h = thud_step_length(run);
+    prepare(m, x, h);
+    start_step(run, x);
+    predict(run, x, h);
+    if (!x->p.lagged) {
+        memset(x->end.force, 0, (size_t)m->ncontacts * sizeof *x->end.force);
+        solve_forces(run, x, h);
+    }
+    for (int c = 0; c < m->ncontacts; c++) {
+        if (x->end.force[c] == 0.0)
+            continue;
+        const double *r = x->response + c * m->ndof;
+        for (int j = 0; j < m->ndof; j++) {
+            double change = r[j] * x->end.force[c];
+            x->a1[j] -= change;
+            x->end.q[j] -= x->p.beta * h * h * change;
+            x->end.qd[j] -= x->p.gamma * h * change;
+        }
+    }
+    thud_model_acceleration(m, x->end.q, x->end.qd, x->ground_mps2, x->end.qdd);
+    thud_model_push(m, x->end.force, x->end.qdd);
+    thud_step_write(run, h, &x->start, &x->end, &x->work);
+    return THUD_OK;
+}
+
+void thud_alpha_committed(struct thud_run *run, void *state, double tau_s, bool switched)
+{
+    struct alpha *x = state;
+    double *now = x->a0;
+    (void)tau_s;
+    x->fresh = run->locates && switched; /* nothing located: the program does not know that anything happened */
+    x->a0 = x->a1;
+    x->a1 = now;
+    memcpy(x->applied, x->end.force, (size_t)run->model->ncontacts * sizeof *x->applied);
+}

@@ -1,0 +1,23 @@
+#include "core/alpha_step.h"
+
+#include <math.h>
+
+static enum thud_status create(struct thud_run *run, void **state, struct thud_error *err)
+{
+    return thud_alpha_create(run, (struct thud_alpha){.gamma = 0.5}, state, err);
+}
+
+const struct thud_method thud_method_central_difference = {
+    .name = "central-difference",
+    .title = "Central difference (velocity Verlet)",
+    .reference = "Newmark 1959 with beta 0, gamma 1/2; Stoermer 1907, Verlet 1967",
+    .summary = "explicit in the displacements; keeps the energy of a spring in the mean",
+    .flags = THUD_METHOD_FIXED_STEP | THUD_METHOD_LOCATES | THUD_METHOD_CAN_LOCATE,
+    .order = 2,
+    .stability = 2,
+    .limits = "stable while omega dt < 2, contacts closed",
+    .create = create,
+    .step = thud_alpha_step,
+    .committed = thud_alpha_committed,
+    .free = thud_alpha_free,
+};

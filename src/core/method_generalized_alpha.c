@@ -1,0 +1,27 @@
+#include "core/alpha_step.h"
+
+#include <math.h>
+
+static enum thud_status create(struct thud_run *run, void **state, struct thud_error *err)
+{
+    const double rho = 0.8, am = (2 * rho - 1) / (rho + 1), af = rho / (rho + 1);
+    return thud_alpha_create(
+        run,
+        (struct thud_alpha){.am = am, .af = af, .beta = 0.25 * (1 - am + af) * (1 - am + af), .gamma = 0.5 - am + af},
+        state, err);
+}
+
+const struct thud_method thud_method_generalized_alpha = {
+    .name = "generalized-alpha",
+    .title = "Generalized-alpha, spectral radius 0.8",
+    .reference = "Chung and Hulbert 1993",
+    .summary = "implicit; damps high frequencies most, low ones least",
+    .flags = THUD_METHOD_FIXED_STEP | THUD_METHOD_LOCATES | THUD_METHOD_CAN_LOCATE | THUD_METHOD_IMPLICIT,
+    .order = 2,
+    .stability = INFINITY,
+    .limits = "none in linear structures; in contact a large step damps or gains at random",
+    .create = create,
+    .step = thud_alpha_step,
+    .committed = thud_alpha_committed,
+    .free = thud_alpha_free,
+};

@@ -1,0 +1,23 @@
+#include "core/alpha_step.h"
+
+#include <math.h>
+
+static enum thud_status create(struct thud_run *run, void **state, struct thud_error *err)
+{
+    return thud_alpha_create(run, (struct thud_alpha){.af = 0.1, .beta = 0.3025, .gamma = 0.6}, state, err);
+}
+
+const struct thud_method thud_method_hht = {
+    .name = "hht",
+    .title = "Hilber, Hughes and Taylor, alpha -0.1",
+    .reference = "Hilber, Hughes and Taylor 1977",
+    .summary = "implicit; damps what the step cannot resolve",
+    .flags = THUD_METHOD_FIXED_STEP | THUD_METHOD_LOCATES | THUD_METHOD_CAN_LOCATE | THUD_METHOD_IMPLICIT,
+    .order = 2,
+    .stability = INFINITY,
+    .limits = "none in linear structures; in contact a large step damps or gains at random",
+    .create = create,
+    .step = thud_alpha_step,
+    .committed = thud_alpha_committed,
+    .free = thud_alpha_free,
+};

@@ -1,0 +1,23 @@
+#include "core/alpha_step.h"
+
+#include <math.h>
+
+static enum thud_status create(struct thud_run *run, void **state, struct thud_error *err)
+{
+    return thud_alpha_create(run, (struct thud_alpha){.beta = 0.25, .gamma = 0.5, .lagged = true}, state, err);
+}
+
+const struct thud_method thud_method_lagged = {
+    .name = "lagged",
+    .title = "Contact force lagged by one step",
+    .reference = "Newmark 1959, beta 1/4, with the contact force of the step before",
+    .summary = "an exhibit: every impact gains energy",
+    .flags = THUD_METHOD_FIXED_STEP | THUD_METHOD_EXHIBIT,
+    .order = 2,
+    .stability = INFINITY,
+    .limits = "every elastic impact leaves exp(pi omega dt / 2) times as fast as it came",
+    .create = create,
+    .step = thud_alpha_step,
+    .committed = thud_alpha_committed,
+    .free = thud_alpha_free,
+};

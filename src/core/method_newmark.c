@@ -1,0 +1,23 @@
+#include "core/alpha_step.h"
+
+#include <math.h>
+
+static enum thud_status create(struct thud_run *run, void **state, struct thud_error *err)
+{
+    return thud_alpha_create(run, (struct thud_alpha){.beta = 0.25, .gamma = 0.5}, state, err);
+}
+
+const struct thud_method thud_method_newmark = {
+    .name = "newmark",
+    .title = "Newmark, average acceleration",
+    .reference = "Newmark 1959, beta 1/4, gamma 1/2",
+    .summary = "implicit; keeps the energy of linear structures exactly",
+    .flags = THUD_METHOD_FIXED_STEP | THUD_METHOD_LOCATES | THUD_METHOD_CAN_LOCATE | THUD_METHOD_IMPLICIT,
+    .order = 2,
+    .stability = INFINITY,
+    .limits = "none in linear structures; in contact a large step gains energy",
+    .create = create,
+    .step = thud_alpha_step,
+    .committed = thud_alpha_committed,
+    .free = thud_alpha_free,
+};

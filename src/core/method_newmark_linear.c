@@ -1,0 +1,23 @@
+#include "core/alpha_step.h"
+
+#include <math.h>
+
+static enum thud_status create(struct thud_run *run, void **state, struct thud_error *err)
+{
+    return thud_alpha_create(run, (struct thud_alpha){.beta = 1.0 / 6, .gamma = 0.5}, state, err);
+}
+
+const struct thud_method thud_method_newmark_linear = {
+    .name = "newmark-linear",
+    .title = "Newmark, linear acceleration",
+    .reference = "Newmark 1959, beta 1/6, gamma 1/2",
+    .summary = "implicit; smaller period error than average acceleration, but stable for small steps only",
+    .flags = THUD_METHOD_FIXED_STEP | THUD_METHOD_LOCATES | THUD_METHOD_CAN_LOCATE | THUD_METHOD_IMPLICIT,
+    .order = 2,
+    .stability = 3.4641016151377544,
+    .limits = "stable while omega dt < 2 sqrt(3), contacts closed",
+    .create = create,
+    .step = thud_alpha_step,
+    .committed = thud_alpha_committed,
+    .free = thud_alpha_free,
+};

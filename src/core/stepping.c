@@ -1,0 +1,154 @@
+#include "core/stepping.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Two orders more than the quintic has: the acceleration, read from it by the equations of motion, is a quintic too. */
+enum { TERMS = 8, POINTS = 5 };
+
+size_t thud_motion_size(const struct thud_model *model)
+{
+    return THUD_MOTION_VECTORS * (size_t)model->ndof + (size_t)model->ncontacts;
+}
+
+double *thud_motion_place(struct thud_motion *motion, const struct thud_model *model, double *block)
+{
+    motion->q = block;
+    motion->qd = block + model->ndof;
+    motion->qdd = block + 2 * model->ndof;
+    motion->force = block + 3 * model->ndof;
+    return motion->force + model->ncontacts;
+}
+
+double thud_step_length(const struct thud_run *run)
+{
+    double remaining = thud_run_remaining(run);
+    return remaining / fmax(1, ceil(remaining / run->options.step_s * (1 - 1e-9)));
+}
+
+double thud_step_ground(const struct thud_run *run, double after)
+{
+    double a0, a1;
+    thud_run_ground(run, run->grid, &a0, &a1);
+    return a0 + (a1 - a0) * ((run->offset_s + after) / run->grid_dt_s);
+}
+
+/* The law where nothing is located: what the contact remembers counts if it is closed, else it touches just now. */
+static double unlocated_force(struct thud_run *run, int c, double d, double v, double *df_dd, double *df_dv)
+{
+    const struct thud_model_contact *p = &run->model->contact[c];
+    const struct thud_contact_state *s = &run->contact[c];
+    struct thud_law_memory memory = s->memory;
+    *df_dd = *df_dv = 0;
+    if (d <= 0 || p->law->flags & (THUD_LAW_SILENT | THUD_LAW_IMPULSIVE))
+        return 0;
+    if (s->mode == THUD_OPEN) {
+        memset(&memory, 0, sizeof memory);
+        p->law->touch(&p->setup, fmax(v, 0), &memory);
+    }
+    enum thud_phase phase = p->law->flags & THUD_LAW_TURNS && v < 0 ? THUD_RESTITUTION : THUD_APPROACH;
+    struct thud_branch branch = thud_law_branch_at(p->law, &p->setup, &memory, phase, d);
+    double force = thud_branch_force(&branch, d, v, df_dd, df_dv);
+    if (force >= 0 || p->law->flags & THUD_LAW_PULLS)
+        return force;
+    *df_dd = *df_dv = 0;
+    return 0;
+}
+
+double thud_step_force(struct thud_run *run, int c, double d, double v, double *df_dd, double *df_dv)
+{
+    double dummy[2];
+    df_dd = df_dd ? df_dd : &dummy[0];
+    df_dv = df_dv ? df_dv : &dummy[1];
+    if (!run->locates) {
+        run->result.work.force_evaluations++;
+        return unlocated_force(run, c, d, v, df_dd, df_dv);
+    }
+    *df_dd = *df_dv = 0;
+    if (run->contact[c].mode != THUD_CLOSED)
+        return 0;
+    run->result.work.force_evaluations++;
+    return thud_branch_force(&run->contact[c].branch, d, v, df_dd, df_dv);
+}
+
+void thud_step_motion(struct thud_run *run, struct thud_motion *x, double after)
+{
+    const struct thud_model *m = run->model;
+    bool stuck = false;
+    thud_model_acceleration(m, x->q, x->qd, thud_step_ground(run, after), x->qdd);
+    memset(x->force, 0, (size_t)m->ncontacts * sizeof *x->force);
+    if (run->locates && run->nactive == 0)
+        return;
+    for (int c = 0; c < m->ncontacts; c++) {
+        stuck |= run->contact[c].mode == THUD_STUCK;
+        if (run->locates && run->contact[c].mode != THUD_CLOSED)
+            continue;
+        double d = thud_model_gap_sum(m, c, x->q) - thud_run_shift(run, c), v = thud_model_gap_sum(m, c, x->qd);
+        x->force[c] = thud_step_force(run, c, d, v, NULL, NULL);
+    }
+    if (stuck)
+        thud_contact_hold(run, x->qdd, x->force);
+    thud_model_push(m, x->force, x->qdd);
+}
+
+static void write_motion(const struct thud_run *run, const struct thud_motion *start, const struct thud_motion *end)
+{
+    int n = run->model->ndof;
+    double *c = run->seg.q, h = run->seg.h_s;
+    memset(c + 6 * n, 0, (TERMS - 6) * (size_t)n * sizeof *c);
+    for (int j = 0; j < n; j++) {
+        double d = end->q[j] - start->q[j], v0 = h * start->qd[j], v1 = h * end->qd[j];
+        double a0 = h * h * start->qdd[j], a1 = h * h * end->qdd[j];
+        c[j] = start->q[j];
+        c[n + j] = v0;
+        c[2 * n + j] = 0.5 * a0;
+        c[3 * n + j] = 10 * d - 6 * v0 - 4 * v1 - 1.5 * a0 + 0.5 * a1;
+        c[4 * n + j] = -15 * d + 8 * v0 + 7 * v1 + 1.5 * a0 - a1;
+        c[5 * n + j] = 6 * d - 3 * (v0 + v1) - 0.5 * (a0 - a1);
+    }
+}
+
+/* Coefficients of the quartic through values at s = 0, 1/4, 1/2, 3/4, 1. */
+static void quartic(const double *f, double *c, int stride)
+{
+    c[0] = f[0];
+    c[stride] = (-25 * f[0] + 48 * f[1] - 36 * f[2] + 16 * f[3] - 3 * f[4]) / 3;
+    c[2 * stride] = (70 * f[0] - 208 * f[1] + 228 * f[2] - 112 * f[3] + 22 * f[4]) / 3;
+    c[3 * stride] = (-80 * f[0] + 288 * f[1] - 384 * f[2] + 224 * f[3] - 48 * f[4]) / 3;
+    c[4 * stride] = (32 * f[0] - 128 * f[1] + 192 * f[2] - 128 * f[3] + 32 * f[4]) / 3;
+}
+
+static void write_forces(struct thud_run *run, const struct thud_motion *start, const struct thud_motion *end,
+                         struct thud_motion *work)
+{
+    int nc = run->model->ncontacts;
+    double *value = run->indentation; /* not in use yet: (ncontacts x THUD_SEGMENT_TERMS) */
+    for (int c = 0; c < nc; c++) {
+        value[c * THUD_SEGMENT_TERMS] = start->force[c];
+        value[c * THUD_SEGMENT_TERMS + POINTS - 1] = end->force[c];
+    }
+    for (int i = 1; i < POINTS - 1; i++) {
+        double s = (double)i / (POINTS - 1);
+        thud_segment_state(&run->seg, run->model->ndof, s, work->q, work->qd);
+        thud_step_motion(run, work, s * run->seg.h_s);
+        for (int c = 0; c < nc; c++)
+            value[c * THUD_SEGMENT_TERMS + i] = work->force[c];
+    }
+    for (int c = 0; c < nc; c++)
+        quartic(value + c * THUD_SEGMENT_TERMS, run->seg.force + c, nc);
+}
+
+void thud_step_write(struct thud_run *run, double h, const struct thud_motion *start, const struct thud_motion *end,
+                     struct thud_motion *work)
+{
+    int nc = run->model->ncontacts;
+    thud_segment_begin(run, &run->seg, h);
+    run->seg.terms = TERMS;
+    write_motion(run, start, end);
+    if (run->locates && run->nactive > 0)
+        write_forces(run, start, end, work);
+    for (int c = 0; c < nc && !run->locates; c++) {
+        run->seg.force[c] = start->force[c];
+        run->seg.force[nc + c] = end->force[c] - start->force[c];
+    }
+}
