@@ -3,7 +3,7 @@
 #include <math.h>
 
 #include "base/quantity.h"
-#include "core/spectrum.h"
+#include "core/oscillator.h"
 
 #define PI 3.14159265358979323846
 
@@ -137,29 +137,66 @@ static double bracketed(const struct thud_record *record)
     return isnan(first) ? 0 : (last - first) * record->dt_s;
 }
 
-/* Coarse search over periods, then finer around the best. */
-static double predominant(const struct thud_record *record)
+/* ---- predominant period ---- */
+
+enum { LANES = 4, COARSE = 20 * LANES, FINE = 6 * LANES };
+
+/* Largest total acceleration of four oscillators side by side, looked at `finest` radians or less apart: enough to tell
+ * which is the largest, and a long record takes well under a second. */
+static void four_peaks(const struct thud_record *record, const double *period, double finest, double *peak)
 {
-    enum { COARSE = 121, FINE = 21 };
-    double from = 0.02, to = 10, best = NAN, largest = 0;
-    for (int pass = 0; pass < 2; pass++) {
-        int count = pass ? FINE : COARSE;
-        double low = from, high = to;
-        for (int i = 0; i < count; i++) {
-            double period = low * pow(high / low, (double)i / (count - 1));
-            double sa = thud_spectrum_at(record, period, 0.05).acceleration_mps2;
-            if (sa > largest) {
-                largest = sa;
-                best = period;
+    double damping = 0.05, shortest = fmin(fmin(period[0], period[1]), fmin(period[2], period[3]));
+    int parts = (int)fmin(ceil(2 * PI / shortest * record->dt_s / finest), 1000);
+    struct thud_oscillator o[LANES];
+    double x[LANES] = {0}, v[LANES] = {0}, c[LANES], k[LANES];
+    for (int l = 0; l < LANES; l++) {
+        double omega = 2 * PI / period[l];
+        thud_oscillator_init(&o[l], omega, damping, record->dt_s / parts);
+        c[l] = 2 * damping * omega;
+        k[l] = omega * omega;
+        peak[l] = 0;
+    }
+    for (size_t i = 0; i + 1 < record->samples; i++) {
+        double before = record->a_mps2[i], slope = (record->a_mps2[i + 1] - before) / parts;
+        for (int part = 1; part <= parts; part++) {
+            double after = record->a_mps2[i] + slope * part;
+            for (int l = 0; l < LANES; l++) {
+                double x0 = x[l], v0 = v[l];
+                x[l] = o[l].xx * x0 + o[l].xv * v0 + o[l].xa0 * before + o[l].xa1 * after;
+                v[l] = o[l].vx * x0 + o[l].vv * v0 + o[l].va0 * before + o[l].va1 * after;
+                double total = fabs(c[l] * v[l] + k[l] * x[l]);
+                peak[l] = total > peak[l] ? total : peak[l];
             }
+            before = after;
         }
-        double ratio = pow(high / low, 1.0 / (count - 1));
-        from = best / ratio;
-        to = best * ratio;
-        if (isnan(best))
-            break;
+    }
+}
+
+/* The best of `count` periods in geometric steps; NaN when none moves. */
+static double best_period(const struct thud_record *record, double from, double to, int count, double finest)
+{
+    double best = NAN, largest = 0;
+    for (int i = 0; i < count; i += LANES) {
+        double period[LANES], peak[LANES];
+        for (int l = 0; l < LANES; l++)
+            period[l] = from * pow(to / from, (double)(i + l) / (count - 1));
+        four_peaks(record, period, finest, peak);
+        for (int l = 0; l < LANES; l++)
+            if (peak[l] > largest) {
+                largest = peak[l];
+                best = period[l];
+            }
     }
     return best;
+}
+
+static double predominant(const struct thud_record *record)
+{
+    const double from = 0.02, to = 10, ratio = pow(to / from, 1.0 / (COARSE - 1));
+    double best = best_period(record, from, to, COARSE, 0.5);
+    if (isnan(best))
+        return best;
+    return best_period(record, fmax(from, best / ratio), fmin(to, best * ratio), FINE, 0.2);
 }
 
 struct thud_intensity thud_intensity_of(const struct thud_record *record)

@@ -6,6 +6,7 @@
 #include "base/quantity.h"
 #include "core/intensity.h"
 #include "core/record_edit.h"
+#include "core/spectrum.h"
 
 static const double pi = 3.14159265358979323846;
 
@@ -107,6 +108,23 @@ START_TEST(sine)
 }
 END_TEST
 
+/* No period of a dense search by the exact spectrum has a clearly larger acceleration. */
+START_TEST(predominant_is_the_largest)
+{
+    double a[600];
+    unsigned state = 7;
+    for (int i = 0; i < 600; i++) {
+        state = state * 1664525u + 1013904223u;
+        a[i] = sin(0.3 * i) + (double)(state >> 8) / 8388608.0 - 1;
+    }
+    struct thud_record *record = make(a, 600, 0.01);
+    double found = thud_spectrum_at(record, thud_intensity_of(record).predominant_s, 0.05).acceleration_mps2;
+    for (double period = 0.02; period < 10; period *= 1.01)
+        ck_assert_double_le(thud_spectrum_at(record, period, 0.05).acceleration_mps2, 1.02 * found);
+    thud_record_free(record);
+}
+END_TEST
+
 START_TEST(motion_of_a_parabola)
 {
     /* a = 6 t - 3 over one second: v = 3 t^2 - 3 t, u = t^3 - 1.5 t^2, exactly */
@@ -192,6 +210,7 @@ Suite *thud_suite(void)
     tcase_add_test(all, quiet_and_silent);
     tcase_add_test(all, bracket_takes_first_and_last);
     tcase_add_test(all, sine);
+    tcase_add_test(all, predominant_is_the_largest);
     tcase_add_test(all, motion_of_a_parabola);
     tcase_add_test(all, trimmed);
     tcase_add_test(all, baseline_taken_off);
