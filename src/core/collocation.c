@@ -264,14 +264,17 @@ static void linearize(struct thud_run *run, struct thud_collocation *x, int leve
     run->result.work.force_evaluations += n;
 }
 
-/* Scale on which an error of contact a's force counts. */
+/* Scale on which an error of contact a's force counts: the largest force it has had, has now, or will have by its
+ * closing velocity. */
 static double force_scale(const struct thud_run *run, const struct thud_collocation *x, int a)
 {
     int c = x->active[a];
-    double scale = fmax(run->contact[c].expected_force_n, run->ground_mps2 * run->model->contact[c].setup.mass_kg);
+    double scale = run->result.contact[c].force.value;
     for (int i = 0; i < NODES; i++)
         scale = fmax(scale, fabs(x->force[a * NODES + i]));
-    return fmax(scale, 1e-6 * run->model->contact[c].setup.mass_kg);
+    if (run->contact[c].phase == THUD_APPROACH)
+        scale = fmax(scale, run->contact[c].expected_force_n);
+    return fmax(scale, 1e-9 * run->model->contact[c].setup.mass_kg);
 }
 
 /* Fixed-point iteration for the forces: cheap, and fast where contacts are soft on the scale of the step. */
@@ -381,15 +384,24 @@ static void write_segment(struct thud_run *run, struct thud_collocation *x, doub
     thud_taylor_given(m, &run->seg, run->q, run->qd);
 }
 
+/* Whether a contact is so young that its force has no smooth past: most of the indentation at the end of the step is
+ * made in it, with the speed hardly lost. */
+static bool has_just_begun(const double *indentation, int terms)
+{
+    double start[3], end[3];
+    thud_poly_value3(indentation, terms, 0, start);
+    thud_poly_value3(indentation, terms, 1, end);
+    return start[0] < 0.5 * end[0] && end[1] > 0.5 * start[1];
+}
+
 /* Error of contact a's force: the largest difference between its polynomial and the law between the points, over the
- * force scale. Where a force begins without a smooth start (d^(1/4), d^(3/2)) no step is short enough for that; while
- * it is far from its largest what counts is the impulse that the difference makes up. */
+ * force scale. Where a force begins without a smooth start (d^(1/4), d^(3/2)) no step is short enough for that; there
+ * what counts is the impulse that the difference makes up. */
 static double contact_error(struct thud_run *run, const struct thud_collocation *x, int a, double h)
 {
     int c = x->active[a];
     const struct thud_contact_state *s = &run->contact[c];
-    double p[THUD_SEGMENT_TERMS], v[3], difference = 0, largest = 0, mass = run->model->contact[c].setup.mass_kg;
-    double scale = force_scale(run, x, a);
+    double p[THUD_SEGMENT_TERMS], v[3], difference = 0, mass = run->model->contact[c].setup.mass_kg;
     thud_segment_indentation(run, &run->seg, c, p);
     for (int i = 0; i < NODES; i++) {
         double f = 0;
@@ -400,14 +412,13 @@ static double contact_error(struct thud_run *run, const struct thud_collocation 
             difference = fmax(difference, mass * fmax(fabs(v[1]) - 1e-15, 0) / (h * h));
         else
             difference = fmax(difference, fabs(thud_branch_force(&s->branch, v[0], v[1] / h, NULL, NULL) - f));
-        largest = fmax(largest, fabs(f));
     }
-    double error = difference / scale;
-    if (s->mode == THUD_CLOSED && largest + difference < 0.3 * fmax(s->expected_force_n, run->ground_mps2 * mass)) {
-        double impulse =
-            fmax(mass * s->memory.v_imp_mps, run->fastest_radps > 0 ? run->ground_mps2 * mass / run->fastest_radps : 0);
-        if (impulse > 0)
-            error = fmin(error, 10 * difference * h / impulse);
+    double error = difference / force_scale(run, x, a);
+    if (s->mode == THUD_CLOSED && s->phase == THUD_APPROACH && has_just_begun(p, run->seg.terms)) {
+        double ground = run->fastest_radps > 0 ? run->ground_mps2 / run->fastest_radps : 0;
+        double speed = s->memory.v_imp_mps < 1e-7 * ground ? ground : s->memory.v_imp_mps; /* pushed, or thrown */
+        if (speed > 0)
+            error = fmin(error, 10 * difference * h / (mass * speed));
     }
     return error;
 }
@@ -446,7 +457,7 @@ enum thud_status thud_collocation_step(struct thud_run *run, struct thud_colloca
     find_active(run, x);
     if (!reserve(x, x->nactive))
         return thud_error_set(err, THUD_MEMORY, "out of memory");
-    double tolerance = fmax(0.3 * run->options.tolerance, 1e-13), remaining = thud_run_remaining(run);
+    double tolerance = fmax(0.1 * run->options.tolerance, 1e-13), remaining = thud_run_remaining(run);
     bool first = x->just_touched;
     if (first && x->h_touch > 0)
         x->h = fmin(x->h, x->h_touch);
