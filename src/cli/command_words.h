@@ -1,5 +1,6 @@
 /* One line per command that is there. */
 THUD_COMMAND(RUN, run)
+THUD_COMMAND(FIGURES, figures)
 THUD_COMMAND(RECORD, record)
 THUD_COMMAND(LAWS, laws)
 THUD_COMMAND(METHODS, methods)

@@ -137,7 +137,8 @@ static double energy_peak(const struct thud_figure_source *source)
 
 struct thud_figure *thud_figure_energies(const struct thud_figure_source *source, int nsources)
 {
-    static const char *const name[THUD_HISTORY_ENERGIES] = {"input", "kinetic", "strain", "viscous", "contact"};
+    static const char *const name[THUD_HISTORY_ENERGIES] = {"put in", "motion", "strain", "lost by damping",
+                                                            "lost in contact"};
     char text[THUD_TEXT_MAX + 64];
     int rows = nsources < THUD_ROWS_MAX ? nsources : THUD_ROWS_MAX;
     snprintf(text, sizeof text, "%s: Energy", source->scene->title);
@@ -154,8 +155,6 @@ struct thud_figure *thud_figure_energies(const struct thud_figure_source *source
             thud_source_line(panel, &source[s], thud_history_energy(source[s].history, e), -1, shown.factor, name[e],
                              e);
     }
-    thud_figure_note(figure,
-                     "What was put in is moving (kinetic), stored (strain), or lost in the structures (viscous) "
-                     "and in the contacts (contact).");
+    thud_figure_shorten(figure);
     return figure;
 }

@@ -1,0 +1,69 @@
+/* thud figures: the paper's figures, and with `all` the report. */
+#include <stdio.h>
+#include <unistd.h>
+
+#include "app/paper_figures.h"
+#include "app/paper_study.h"
+#include "cli/commands.h"
+#include "cli/interrupt.h"
+#include "cli/picture_options.h"
+
+static void show_progress(void *context, long done, long count, double elapsed_s)
+{
+    (void)context;
+    double left_s = done > 0 ? elapsed_s * (double)(count - done) / (double)done : 0.0;
+    fprintf(stderr, "\r%ld of %ld points, %.0f s left ", done, count, left_s);
+    if (done == count)
+        fputs("\r\033[K", stderr);
+}
+
+static enum thud_status make_study(const struct thud_args *args, struct thud_paper_work **work,
+                                   struct thud_paper_study *study, struct thud_error *err)
+{
+    struct thud_paper_request request = {.records = thud_args_value(args, "records"),
+                                         .peaks = thud_args_value(args, "peak"),
+                                         .dt = thud_args_value(args, "dt"),
+                                         .unit = thud_args_value(args, "unit"),
+                                         .cancel = thud_interrupt_watch()};
+    enum thud_status status = thud_args_integer(args, "j", 1, 256, 0, &request.threads, err);
+    if (!thud_args_has(args, "quiet") && isatty(STDERR_FILENO))
+        request.progress = show_progress;
+    return status == THUD_OK ? thud_paper_work_make(&request, work, study, err) : status;
+}
+
+/* What was written, one file a line. */
+static enum thud_status list_files(unsigned which, const char *folder, const struct thud_picture_options *options,
+                                   struct thud_error *err)
+{
+    struct thud_text text = {0};
+    for (int i = 0; i < THUD_PAPER_FIGURES; i++) {
+        if (which >> i & 1u)
+            thud_text_append(&text, "%s/%s.%s\n", folder, thud_paper_figure_name(i),
+                             thud_picture_suffix(options->format));
+    }
+    if (which & THUD_PAPER_REPORT)
+        thud_text_append(&text, "%s/report.md\n", folder);
+    return thud_cli_print(&text, err);
+}
+
+enum thud_status thud_command_figures(const struct thud_args *args, struct thud_error *err)
+{
+    struct thud_picture_choice picture;
+    struct thud_paper_work *work = NULL;
+    struct thud_paper_study study;
+    unsigned which = 0;
+    const char *folder = thud_args_value(args, "o");
+    if (!folder)
+        folder = "figures";
+    enum thud_status status = thud_paper_figures_parse(args->noperands, args->operand, &which, err);
+    if (status == THUD_OK)
+        status = thud_picture_options_read(args, &picture, err);
+    if (status == THUD_OK && thud_paper_needs_study(which))
+        status = make_study(args, &work, &study, err);
+    if (status == THUD_OK)
+        status = thud_paper_figures_save(which, work ? &study : NULL, folder, &picture.options, err);
+    thud_paper_work_free(work);
+    if (status == THUD_OK && !thud_args_has(args, "quiet"))
+        status = list_files(which, folder, &picture.options, err);
+    return status;
+}

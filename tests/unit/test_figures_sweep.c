@@ -1,0 +1,215 @@
+/* Figures of a study show the table's own numbers in the right panel, on the right curve. */
+#include <check.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "plot/figures_sweep.h"
+
+enum { RECORDS = 2, GAPS = 5, DEPTHS = 3, CASES = 3 };
+static const int floors[] = {4, 0, 9}; /* a wall between two buildings */
+
+static const struct thud_param length = {
+    .name = "gap", .title = "gap", .kind = THUD_PARAM_QUANTITY, .dimension = THUD_LENGTH, .unit = "cm"};
+static const struct thud_param choice = {.name = "law", .title = "impact law", .kind = THUD_PARAM_CHOICE};
+
+/* A number that says where it comes from. */
+static double mark(int record, int which, int a, int b, int structure, int floor)
+{
+    return 0.5 + 1e-1 * record + 1e-2 * which + 1e-3 * a + 2e-5 * b + 1e-6 * structure + 1e-7 * floor;
+}
+
+struct sample {
+    struct thud_sweep_table table;
+    struct thud_sweep_axis axis[2];
+    double gap[GAPS], depth[DEPTHS];
+    char text[GAPS][THUD_NAME_MAX];
+    struct thud_sweep_row row[20000];
+    struct thud_sweep_contact_row contact[500];
+};
+
+static void fill(struct sample *s, int naxes)
+{
+    static const char *const records[] = {"Kobe", "Northridge"}, *const structures[] = {"A", "wall", "B"};
+    memset(s, 0, sizeof *s);
+    for (int i = 0; i < GAPS; i++) {
+        s->gap[i] = 0.05 * (i + 1);
+        strcpy(s->text[i], "text of it");
+    }
+    for (int i = 0; i < DEPTHS; i++)
+        s->depth[i] = 0.01 * i;
+    s->axis[0] = (struct thud_sweep_axis){"gap", &length, GAPS, s->gap, s->text};
+    s->axis[1] = (struct thud_sweep_axis){"bumper.cavity", &length, DEPTHS, s->depth, s->text};
+    s->table = (struct thud_sweep_table){.nrecords = RECORDS,
+                                         .nstructures = 3,
+                                         .naxes = naxes,
+                                         .record = records,
+                                         .structure = structures,
+                                         .axis = s->axis,
+                                         .row = s->row,
+                                         .contact = s->contact};
+    for (int r = 0; r < RECORDS; r++)
+        for (int a = 0; a < GAPS; a++)
+            for (int b = 0; b < (naxes > 1 ? DEPTHS : 1); b++)
+                for (int c = 0; c < CASES; c++) {
+                    for (int st = 0; st < 3; st++)
+                        for (int f = 0; f <= floors[st] && floors[st]; f++)
+                            s->row[s->table.nrows++] =
+                                (struct thud_sweep_row){.record = r,
+                                                        .which = (enum thud_case)c,
+                                                        .gap_m = s->gap[a],
+                                                        .value = {s->gap[a], s->depth[b]},
+                                                        .structure = st,
+                                                        .floor = f,
+                                                        .acceleration_ratio = mark(r, c, a, b, st, f),
+                                                        .drift_ratio = -mark(r, c, a, b, st, f)};
+                    for (int k = 0; k < 2; k++)
+                        s->contact[s->table.ncontacts++] =
+                            (struct thud_sweep_contact_row){.record = r,
+                                                            .which = (enum thud_case)c,
+                                                            .value = {s->gap[a], s->depth[b]},
+                                                            .impacts = a + k,
+                                                            .force_n = 1e6 * (a + 10 * k)};
+                }
+}
+
+static bool near(double a, double b)
+{
+    return fabs(a - b) < 1e-12;
+}
+
+START_TEST(every_floor_has_its_curve)
+{
+    struct sample *s = malloc(sizeof *s);
+    fill(s, 1);
+    struct thud_figure *figure = thud_figure_by_floor(&s->table, 1, THUD_CASE_BUMPER, "x", NULL);
+    ck_assert_int_eq(thud_figure_check(figure, NULL), THUD_OK);
+    ck_assert_int_eq(figure->columns, 2); /* the wall has none */
+    ck_assert_str_eq(figure->panel[1].title, "B");
+    for (int q = 0; q < 2; q++) {
+        const struct thud_panel *a = &figure->panel[2 * q];
+        ck_assert_int_eq(a->nseries, 4);
+        for (int f = 1; f <= 4; f++) {
+            const struct thud_series *series = a->series[f - 1];
+            char name[32];
+            snprintf(name, sizeof name, "floor %d", f);
+            ck_assert_str_eq(series->name, name);
+            for (int i = 0; i < GAPS; i++) {
+                ck_assert(near(series->x[i], 5.0 * (i + 1))); /* cm */
+                ck_assert(near(series->y[i], (q ? -1.0 : 1.0) * mark(1, 1, i, 0, 0, f)));
+            }
+        }
+    }
+    /* nine floors on at most seven curves, the top one among them */
+    const struct thud_panel *b = &figure->panel[1];
+    ck_assert_int_le(b->nseries, THUD_COLORS);
+    ck_assert_str_eq(b->series[b->nseries - 1]->name, "floor 9");
+    ck_assert_str_ne(b->note, "");
+    thud_figure_free(figure);
+    free(s);
+}
+END_TEST
+
+START_TEST(means_have_a_curve_per_record)
+{
+    struct sample *s = malloc(sizeof *s);
+    fill(s, 1);
+    struct thud_figure *figure = thud_figure_of_means(&s->table, THUD_CASE_CAVITY, "fig10", "T");
+    const struct thud_panel *b = &figure->panel[1];
+    ck_assert_int_eq(b->nseries, 2);
+    ck_assert_str_eq(b->series[1]->name, "Northridge");
+    for (int i = 0; i < GAPS; i++)
+        ck_assert(near(b->series[1]->y[i], mark(1, 2, i, 0, 2, 0)));
+    thud_figure_free(figure);
+    free(s);
+}
+END_TEST
+
+START_TEST(maps_are_the_right_way_round)
+{
+    struct sample *s = malloc(sizeof *s);
+    fill(s, 2);
+    struct thud_figure *figure = thud_figure_of_map(&s->table, 0, THUD_CASE_BUMPER, "map");
+    const struct thud_map *map = figure->panel[1].map;
+    ck_assert(map->nx == GAPS && map->ny == DEPTHS);
+    for (int b = 0; b < DEPTHS; b++)
+        for (int a = 0; a < GAPS; a++)
+            ck_assert(near(map->z[b * GAPS + a], mark(0, 1, a, b, 2, 0)));
+    ck_assert(near(map->y[2], 2.0) && near(map->x[4], 25.0));
+    thud_figure_free(figure);
+    free(s);
+}
+END_TEST
+
+START_TEST(contacts_are_summed_and_compared)
+{
+    struct sample *s = malloc(sizeof *s);
+    fill(s, 1);
+    struct thud_figure *figure = thud_figure_of_contacts(&s->table, 0, "contacts");
+    const struct thud_series *force = figure->panel[0].series[2], *impacts = figure->panel[1].series[2];
+    ck_assert_int_eq(figure->panel[0].nseries, 3);
+    ck_assert(near(force->y[3], 13.0) && near(impacts->y[3], 7.0));
+    thud_figure_free(figure);
+    free(s);
+}
+END_TEST
+
+START_TEST(the_list_holds_each_figure_once)
+{
+    for (int naxes = 1; naxes <= 2; naxes++) {
+        struct sample *s = malloc(sizeof *s);
+        fill(s, naxes);
+        int n = thud_sweep_figure_count(&s->table);
+        ck_assert_int_eq(n, naxes == 1 ? 2 * (RECORDS + 1) + RECORDS : 2 * RECORDS);
+        char names[16][64];
+        for (int i = 0; i < n; i++) {
+            struct thud_figure *figure = thud_sweep_figure(&s->table, i);
+            ck_assert_int_eq(thud_figure_check(figure, NULL), THUD_OK);
+            snprintf(names[i], sizeof names[i], "%s", figure->name);
+            for (int j = 0; j < i; j++)
+                ck_assert_str_ne(names[i], names[j]);
+            thud_figure_free(figure);
+        }
+        s->table.nrows = 0;
+        ck_assert_int_eq(thud_sweep_figure_count(&s->table), 0);
+        free(s);
+    }
+}
+END_TEST
+
+START_TEST(words_stand_where_there_are_no_numbers)
+{
+    struct sample *s = malloc(sizeof *s);
+    fill(s, 1);
+    s->axis[0].param = &choice;
+    for (int i = 0; i < GAPS; i++)
+        s->gap[i] = i;
+    for (size_t i = 0; i < s->table.nrows; i++)
+        s->row[i].value[0] = floor(s->row[i].gap_m / 0.05 - 0.5);
+    struct thud_figure *figure = thud_figure_of_means(&s->table, THUD_CASE_BUMPER, "x", NULL);
+    const struct thud_axis *axis = &figure->panel[0].axis[THUD_X];
+    ck_assert_int_eq(axis->nticks, GAPS);
+    ck_assert_str_eq(axis->tick[0].text, "text of it");
+    ck_assert_str_eq(axis->label, "Impact law");
+    ck_assert(near(figure->panel[0].series[0]->x[2], 3.0));
+    ck_assert(near(figure->panel[0].series[0]->y[2], mark(0, 1, 2, 0, 0, 0)));
+    thud_figure_free(figure);
+    free(s);
+}
+END_TEST
+
+Suite *thud_suite(void);
+Suite *thud_suite(void)
+{
+    Suite *suite = suite_create("figures_sweep");
+    TCase *tcase = tcase_create("figures_sweep");
+    tcase_add_test(tcase, every_floor_has_its_curve);
+    tcase_add_test(tcase, means_have_a_curve_per_record);
+    tcase_add_test(tcase, maps_are_the_right_way_round);
+    tcase_add_test(tcase, contacts_are_summed_and_compared);
+    tcase_add_test(tcase, the_list_holds_each_figure_once);
+    tcase_add_test(tcase, words_stand_where_there_are_no_numbers);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}
