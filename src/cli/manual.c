@@ -6,6 +6,7 @@
 
 #include "base/param.h"
 #include "core/law.h"
+#include "study/scene.h"
 
 enum { COLUMNS = 76 };
 
@@ -15,7 +16,8 @@ static void fill(struct thud_text *out, const char *text)
     size_t column = 0;
     for (const char *word = text; *word;) {
         size_t length = strcspn(word, " ");
-        bool sentence_ends = length > 0 && word[length - 1] == '.' && word[length] != '\0';
+        bool dots = length > 1 && word[length - 2] == '.';
+        bool sentence_ends = !dots && length > 0 && word[length - 1] == '.' && word[length] != '\0';
         if (column > 0 && column + 1 + length > COLUMNS) {
             thud_text_append(out, "\n");
             column = 0;
@@ -44,45 +46,24 @@ static void put_value(struct thud_text *out, const struct thud_param *param, dou
     thud_text_append(out, "%s", text);
 }
 
-static void put_range(struct thud_text *out, const struct thud_param *param, double least, double most, bool open_least,
-                      bool open_most)
-{
-    if (!isnan(least)) {
-        thud_text_append(out, open_least ? "more than " : isnan(most) ? "at least " : "from ");
-        put_value(out, param, least);
-    }
-    if (!isnan(most)) {
-        thud_text_append(out, isnan(least) ? open_most ? "less than " : "at most "
-                              : open_most  ? ", less than "
-                                           : " to ");
-        put_value(out, param, most);
-    }
-}
-
 static void put_bounds(struct thud_text *out, const struct thud_param *param)
 {
-    if (param->kind == THUD_PARAM_CHOICE) {
-        for (int i = 0; param->choices[i]; i++)
-            thud_text_append(out, "%s%s",
-                             i == 0                  ? "One of "
-                             : param->choices[i + 1] ? ", "
-                                                     : " or ",
-                             param->choices[i]);
-        thud_text_append(out, ". ");
-        return;
-    }
+    char allowed[256];
+    thud_param_allowed(param, allowed, sizeof allowed);
     if (param->unit && param->unit[0])
         thud_text_append(out, "Unit %s. ", param->unit);
-    if (!isnan(param->least) || !isnan(param->most)) {
-        thud_text_append(out, "Allowed: ");
-        put_range(out, param, param->least, param->most, param->least_open, param->most_open);
-        thud_text_append(out, ". ");
-    }
-    if (!isnan(param->soft_least) || !isnan(param->soft_most)) {
-        thud_text_append(out, "Usual: ");
-        put_range(out, param, param->soft_least, param->soft_most, false, false);
-        thud_text_append(out, ". ");
-    }
+    if (allowed[0])
+        thud_text_append(out, "Allowed: %s. ", allowed);
+    if (isnan(param->soft_least) && isnan(param->soft_most))
+        return;
+    thud_text_append(out, isnan(param->soft_least) ? "Usual: up to " : "Usual: from ");
+    if (!isnan(param->soft_least))
+        put_value(out, param, param->soft_least);
+    if (!isnan(param->soft_least) && !isnan(param->soft_most))
+        thud_text_append(out, " to ");
+    if (!isnan(param->soft_most))
+        put_value(out, param, param->soft_most);
+    thud_text_append(out, ". ");
 }
 
 static void put_default(struct thud_text *out, const struct thud_param *param)
@@ -97,7 +78,26 @@ static void put_default(struct thud_text *out, const struct thud_param *param)
     thud_text_append(out, ".");
 }
 
-static void put_params(struct thud_text *out, const struct thud_param *params, int n)
+/* The kinds of structure that have a parameter, where not all of them do. */
+static void put_kinds(struct thud_text *out, int param)
+{
+    int count;
+    const struct thud_param *params = thud_group_params(THUD_GROUP_STRUCTURE, &count);
+    int kind = 0;
+    while (strcmp(params[kind].name, "kind") != 0)
+        kind++;
+    int have = 0;
+    for (int k = 0; k <= THUD_WALL; k++)
+        have += thud_structure_has((enum thud_structure_kind)k, param);
+    if (have > THUD_WALL)
+        return;
+    thud_text_append(out, " Pq ");
+    for (int k = 0, n = 0; k <= THUD_WALL; k++)
+        if (thud_structure_has((enum thud_structure_kind)k, param))
+            thud_text_append(out, "%s%s", n++ ? ", " : "", params[kind].choices[k]);
+}
+
+static void put_params(struct thud_text *out, const struct thud_param *params, int n, bool of_structures)
 {
     if (n == 0)
         return;
@@ -107,7 +107,10 @@ static void put_params(struct thud_text *out, const struct thud_param *params, i
         thud_text_append(&item, "%s ", params[i].help);
         put_bounds(&item, &params[i]);
         put_default(&item, &params[i]);
-        thud_text_append(out, ".It Cm %s\n", params[i].name);
+        thud_text_append(out, ".It Cm %s", params[i].name);
+        if (of_structures)
+            put_kinds(out, i);
+        thud_text_append(out, "\n");
         if (item.failed)
             out->failed = 1;
         else
@@ -129,6 +132,18 @@ static void units(struct thud_text *out)
     thud_text_append(out, ".El\n");
 }
 
+static void keys(struct thud_text *out)
+{
+    for (int g = 0; g < THUD_GROUPS; g++) {
+        int count;
+        const struct thud_param *params = thud_group_params((enum thud_group)g, &count);
+        const char *key = thud_group_key((enum thud_group)g);
+        if (key[0])
+            thud_text_append(out, ".Ss %s\n", key);
+        put_params(out, params, count, g == THUD_GROUP_STRUCTURE);
+    }
+}
+
 static void laws(struct thud_text *out)
 {
     for (int i = 0; i < thud_law_count(); i++) {
@@ -141,14 +156,14 @@ static void laws(struct thud_text *out)
         else
             fill(out, about.data);
         thud_text_clear(&about);
-        put_params(out, law->params, law->nparams);
+        put_params(out, law->params, law->nparams, false);
     }
 }
 
 static const struct {
     const char *name;
     void (*write)(struct thud_text *out);
-} parts[] = {{"units", units}, {"laws", laws}};
+} parts[] = {{"units", units}, {"keys", keys}, {"laws", laws}};
 enum { PARTS = sizeof parts / sizeof *parts };
 
 bool thud_manual_part(struct thud_text *out, const char *name)
