@@ -7,11 +7,10 @@
 #include "app/paper_report.h"
 
 struct thud_paper_request {
-    const char *records; /* files with commas between; NULL: the motions that come with the program */
-    const char *peaks; /* as many peaks with commas between, `-` for as recorded; NULL: those of the paper's Table 2 for
-                          the first three files */
-    const char *dt, *unit; /* for files that do not say; may be NULL */
-    int threads;           /* 0: the processors that are online */
+    const char *records; /* as thud_record_list_read takes them; NULL: the motions that come with the program. The first
+                            three are scaled to the peaks of the paper's Table 2 unless they or `peak` say otherwise */
+    const char *peak, *dt, *unit; /* for all of them; may be NULL */
+    int threads;                  /* 0: the processors that are online */
     const volatile sig_atomic_t *cancel;
     void *context;
     void (*progress)(void *context, long done, long count, double elapsed_s); /* may be NULL */

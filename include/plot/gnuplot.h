@@ -4,6 +4,7 @@
 #define THUD_PLOT_GNUPLOT_H
 
 #include <signal.h>
+#include <stdbool.h>
 
 #include "base/status.h"
 #include "base/text.h"
@@ -20,6 +21,7 @@ struct thud_picture_options {
     const char *program;                 /* NULL: `gnuplot` from PATH */
     double deadline_s;                   /* 0: 20 */
     const volatile sig_atomic_t *cancel; /* not NULL: drawing stops when it becomes other than 0 */
+    bool no_data;                        /* where a figure is saved: no CSV of it, its data stand in another file */
 };
 
 const char *thud_picture_suffix(enum thud_picture_format format); /* "png" */

@@ -69,7 +69,7 @@ static enum thud_status save(const struct thud_figure *figure, const char *folde
         status = thud_folder_make(*folder ? folder : ".", err);
     if (status == THUD_OK)
         status = write_script(figure, folder, options, err);
-    if (status == THUD_OK)
+    if (status == THUD_OK && !options->no_data)
         status = write_data(figure, folder, err);
     if (status == THUD_OK && draw)
         status = write_picture(figure, folder, options, err);

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "app/record_list.h"
 #include "app/session.h"
 #include "app/sweep_jobs.h"
 #include "app/sweep_table.h"
@@ -24,118 +25,119 @@ struct thud_paper_work {
     int nrecords;
     struct thud_record *record[RECORDS_MAX];
     const char *name[RECORDS_MAX];
-    char text[RECORDS_MAX][THUD_TEXT_MAX]; /* file names, for names */
+    char text[RECORDS_MAX][512]; /* names */
     struct thud_paper_record about[RECORDS_MAX];
 };
 
 /* ---- ground motions ---- */
 
-/* The i-th part between commas; false past the last. */
-static bool part(const char *list, int i, char *text, size_t size)
+/* The list with the peaks of Table 2 for those of the first three files that have none of their own. */
+static void with_peaks(const struct thud_paper_request *request, struct thud_text *out)
 {
-    for (; i > 0 && list; i--) {
-        list = strchr(list, ',');
-        if (list)
-            list++;
+    const char *item = request->records;
+    for (int i = 0; item; i++) {
+        size_t n = strcspn(item, ",");
+        struct thud_text one = {0};
+        thud_text_bytes(&one, item, n);
+        bool scaled =
+            request->peak || i >= TABLE_2 || one.failed || strstr(one.data, ":peak=") || strstr(one.data, ":factor=");
+        thud_text_append(out, "%s%s", i ? "," : "", one.data ? one.data : "");
+        if (!scaled)
+            thud_text_append(out, ":peak=%s", shipped[i].peak);
+        out->failed |= one.failed;
+        thud_text_clear(&one);
+        item = item[n] ? item + n + 1 : NULL;
     }
-    if (!list)
-        return false;
-    size_t n = strcspn(list, ",");
-    while (n > 0 && *list == ' ') {
-        list++;
-        n--;
-    }
-    snprintf(text, size, "%.*s", (int)(n < size ? n : size - 1), list);
-    return true;
 }
 
-static enum thud_status assign(struct thud_session *session, const char *key, const char *value, struct thud_error *err)
+/* Hands the records of a list over; those past RECORDS_MAX are refused. */
+static enum thud_status keep_records(struct thud_paper_work *work, struct thud_record_list *list,
+                                     struct thud_error *err)
 {
-    char text[THUD_TEXT_MAX + 32];
-    snprintf(text, sizeof text, "%s=%s", key, value);
-    return thud_session_assign(session, text, err);
-}
-
-/* What was asked for about file number i. */
-static enum thud_status choose(struct thud_paper_work *work, const struct thud_paper_request *request, int i,
-                               struct thud_error *err)
-{
-    char peak[64] = "-";
     enum thud_status status = THUD_OK;
-    thud_session_choose_record(&work->session, work->text[i]);
-    if (request->peaks && !part(request->peaks, i, peak, sizeof peak))
-        return thud_error_set(err, THUD_USAGE, "--peak has fewer parts than --records has files");
-    if (!request->peaks && i < TABLE_2)
-        snprintf(peak, sizeof peak, "%s", shipped[i].peak);
-    if (strcmp(peak, "-") != 0)
-        status = assign(&work->session, "record.peak", peak, err);
-    if (status == THUD_OK && request->dt)
-        status = assign(&work->session, "record.dt", request->dt, err);
-    if (status == THUD_OK && request->unit)
-        status = assign(&work->session, "record.unit", request->unit, err);
+    for (int i = 0; i < list->n && status == THUD_OK; i++) {
+        if (work->nrecords == RECORDS_MAX) {
+            status = thud_error_set(err, THUD_USAGE, "--records: more than %d files", RECORDS_MAX);
+            continue;
+        }
+        work->record[work->nrecords++] = list->record[i];
+        list->record[i] = NULL;
+    }
+    thud_record_list_clear(list);
     return status;
 }
 
-static void describe(struct thud_paper_work *work, int i, bool given)
+static enum thud_status given_records(struct thud_paper_work *work, const struct thud_paper_request *request,
+                                      struct thud_error *err)
 {
-    const struct thud_record *record = work->record[i];
-    char *text = work->text[i];
-    if (given) { /* the file's name without folders and suffix */
-        const char *slash = strrchr(text, '/');
-        if (slash)
-            memmove(text, slash + 1, strlen(slash + 1) + 1);
-    } else
-        snprintf(text, sizeof work->text[i], "%s", shipped[i].name);
-    char *dot = given ? strrchr(text, '.') : NULL;
-    if (dot && dot != text)
-        *dot = '\0';
-    work->name[i] = text;
-    const char *file = strrchr(record->file, '/');
-    work->about[i] = (struct thud_paper_record){
-        text, file ? file + 1 : record->file, thud_record_peak(record), record->dt_s, record->samples, !given};
+    const char *common[3][2];
+    int n = 0;
+    struct thud_text text = {0};
+    struct thud_record_list list = {0};
+    const char *const setting[3][2] = {{"peak", request->peak}, {"dt", request->dt}, {"unit", request->unit}};
+    for (int i = 0; i < 3; i++) {
+        common[n][0] = setting[i][0];
+        common[n][1] = setting[i][1];
+        n += setting[i][1] != NULL;
+    }
+    with_peaks(request, &text);
+    enum thud_status status = text.failed ? thud_error_set(err, THUD_MEMORY, "out of memory")
+                                          : thud_record_list_read(&work->session, text.data, common, n, &list, err);
+    thud_text_clear(&text);
+    return status == THUD_OK ? keep_records(work, &list, err) : status;
 }
 
-static enum thud_status read_record(struct thud_paper_work *work, const struct thud_paper_request *request, int i,
+/* Opens a preset; the first one's scene is that of the study. */
+static enum thud_status open_preset(struct thud_paper_work *work, int i, const struct thud_paper_request *request,
                                     struct thud_error *err)
 {
-    enum thud_status status =
-        thud_session_open(&work->session, request->records ? shipped[0].preset : shipped[i].preset, err);
+    struct thud_record_list list = {0};
+    enum thud_status status = thud_session_open(&work->session, shipped[i].preset, err);
     if (status != THUD_OK)
         return status;
-    if (request->records)
-        status = choose(work, request, i, err);
-    if (status == THUD_OK)
-        status = thud_session_read_record(&work->session, err);
-    if (status == THUD_OK && !work->session.record)
-        status = thud_error_set(err, THUD_INPUT, "the preset %s names no ground motion", shipped[i].preset);
-    if (status == THUD_OK) {
-        work->record[i] = work->session.record;
-        work->session.record = NULL;
-        work->nrecords = i + 1;
-        describe(work, i, request->records != NULL);
-        if (i == 0)
-            thud_sweep_plan_init(&work->plan, &work->session.scene);
+    if (i == 0) {
+        thud_sweep_plan_init(&work->plan, &work->session.scene);
         work->planned = true;
+    }
+    if (request->records)
+        status = given_records(work, request, err);
+    else {
+        status = thud_record_list_own(&work->session, &list, err);
+        if (status == THUD_OK && list.n == 0)
+            status = thud_error_set(err, THUD_INPUT, "the preset %s names no ground motion", shipped[i].preset);
+        if (status == THUD_OK)
+            status = keep_records(work, &list, err);
     }
     thud_session_close(&work->session);
     return status;
+}
+
+/* Name as shown: the file's without folders and suffix. */
+static void describe(struct thud_paper_work *work, int i, bool given)
+{
+    const struct thud_record *record = work->record[i];
+    const char *slash = strrchr(record->file, '/'), *file = slash ? slash + 1 : record->file;
+    snprintf(work->text[i], sizeof work->text[i], "%s", given ? file : shipped[i].name);
+    char *dot = given ? strrchr(work->text[i], '.') : NULL;
+    if (dot && dot != work->text[i])
+        *dot = '\0';
+    work->name[i] = work->text[i];
+    work->about[i] = (struct thud_paper_record){work->text[i],
+                                                file,
+                                                thud_record_peak(record),
+                                                record->dt_s,
+                                                record->samples,
+                                                !given || strstr(file, "surrogate")};
 }
 
 static enum thud_status read_records(struct thud_paper_work *work, const struct thud_paper_request *request,
                                      struct thud_error *err)
 {
     enum thud_status status = THUD_OK;
-    char text[THUD_TEXT_MAX];
-    for (int i = 0; status == THUD_OK; i++) {
-        bool more = request->records ? part(request->records, i, text, sizeof text) : i < TABLE_2;
-        if (!more)
-            return THUD_OK;
-        if (i == RECORDS_MAX)
-            return thud_error_set(err, THUD_USAGE, "--records: more than %d files", RECORDS_MAX);
-        if (request->records)
-            snprintf(work->text[i], sizeof work->text[i], "%s", text);
-        status = read_record(work, request, i, err);
-    }
+    for (int i = 0; i < (request->records ? 1 : TABLE_2) && status == THUD_OK; i++)
+        status = open_preset(work, i, request, err);
+    for (int i = 0; i < work->nrecords && status == THUD_OK; i++)
+        describe(work, i, request->records != NULL);
     return status;
 }
 

@@ -21,7 +21,7 @@ static enum thud_status make_study(const struct thud_args *args, struct thud_pap
                                    struct thud_paper_study *study, struct thud_error *err)
 {
     struct thud_paper_request request = {.records = thud_args_value(args, "records"),
-                                         .peaks = thud_args_value(args, "peak"),
+                                         .peak = thud_args_value(args, "peak"),
                                          .dt = thud_args_value(args, "dt"),
                                          .unit = thud_args_value(args, "unit"),
                                          .cancel = thud_interrupt_watch()};

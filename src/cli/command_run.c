@@ -3,7 +3,10 @@
 #include <stdlib.h>
 
 #include "app/result_table.h"
+#include "app/run_figures.h"
 #include "cli/commands.h"
+#include "cli/interrupt.h"
+#include "cli/picture_options.h"
 #include "cli/scene_options.h"
 #include "io/file.h"
 
@@ -55,13 +58,26 @@ static enum thud_status deliver(const struct thud_args *args, const struct thud_
     return thud_cli_print(&text, err);
 }
 
+/* Their data stand in histories.csv. */
+static enum thud_status draw(const struct thud_args *args, struct thud_picture_choice *picture,
+                             const struct thud_scene *scene, const struct thud_answer *answer, struct thud_error *err)
+{
+    struct thud_figure_source source = thud_run_source("", scene, answer->run);
+    picture->options.no_data = true;
+    picture->options.cancel = thud_interrupt_watch();
+    return thud_run_figures_save(&source, 1, thud_args_value(args, "o"), &picture->options, err);
+}
+
 static enum thud_status run(const struct thud_args *args, struct thud_session *session, struct thud_scene *scene,
                             struct thud_error *err)
 {
     struct thud_run_options options;
     struct thud_answer answer = {0};
+    struct thud_picture_choice picture;
     enum thud_case which;
     enum thud_status status = thud_scene_options_case(args, &which, err);
+    if (status == THUD_OK)
+        status = thud_picture_options_read(args, &picture, err);
     if (status == THUD_OK)
         status = thud_scene_options(&session->scene, &options, err);
     if (status != THUD_OK)
@@ -71,6 +87,8 @@ static enum thud_status run(const struct thud_args *args, struct thud_session *s
     if (status == THUD_OK) {
         struct thud_report report = thud_session_report(session, scene, which, &answer);
         status = deliver(args, &report, err);
+        if (status == THUD_OK && options.keep_history)
+            status = draw(args, &picture, scene, &answer, err);
     }
     thud_answer_clear(&answer);
     return status;
