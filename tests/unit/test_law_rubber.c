@@ -1,0 +1,205 @@
+/* The bumper: what may be given, knees, both unloadings, both ways to set the speed. */
+#include <check.h>
+#include <math.h>
+#include <string.h>
+
+#include "core/law.h"
+#include "core/law_closed_form.h"
+
+static const struct thud_law *rubber(void)
+{
+    return thud_law_find("rubber");
+}
+
+static void set(struct thud_law_setup *setup, const char *name, double value)
+{
+    setup->value[thud_law_param(rubber(), name)] = value;
+}
+
+static struct thud_law_setup bumper(void)
+{
+    struct thud_law_setup setup = {.mass_kg = 160e3, .thickness_m = 0.05};
+    thud_law_defaults(rubber(), &setup);
+    set(&setup, "stiffness", 0.36e3 * pow(1000, 2.65));
+    return setup;
+}
+
+static void check_refused(struct thud_law_setup *setup, const char *key, const char *allowed)
+{
+    struct thud_error err;
+    ck_assert_int_eq(rubber()->prepare(setup, &err), THUD_INPUT);
+    ck_assert_int_eq(err.status, THUD_INPUT);
+    ck_assert_str_eq(err.key, key);
+    ck_assert_ptr_nonnull(strstr(err.allowed, allowed));
+    ck_assert(err.what[0]);
+    ck_assert_int_eq(rubber()->prepare(setup, NULL), THUD_INPUT);
+}
+
+/* Stiffness, or the three values of eq. (6): one of the two, whole. */
+START_TEST(stiffness_given_once)
+{
+    static const char *const three[] = {"alpha", "area", "material-stiffness"};
+    struct thud_law_setup setup = bumper();
+    ck_assert_int_eq(rubber()->prepare(&setup, NULL), THUD_OK);
+    for (int i = 0; i < 3; i++) {
+        struct thud_law_setup both = setup, part = setup;
+        set(&both, three[i], 1);
+        check_refused(&both, three[i], "stiffness");
+        set(&part, "stiffness", NAN);
+        for (int j = 0; j < 3; j++)
+            set(&part, three[j], j == i ? NAN : 1);
+        check_refused(&part, three[i], "alpha");
+    }
+    set(&setup, "stiffness", NAN);
+    check_refused(&setup, "stiffness", "alpha, area");
+    setup = bumper();
+    setup.thickness_m = 0;
+    check_refused(&setup, "thickness", "> 0");
+}
+END_TEST
+
+/* Eq. (6): alpha A K_r is the force at a strain of 1. */
+START_TEST(stiffness_from_material)
+{
+    struct thud_law_setup setup = bumper();
+    struct thud_law_memory memory;
+    set(&setup, "stiffness", NAN);
+    set(&setup, "alpha", 2.2);
+    set(&setup, "area", 1.5);
+    set(&setup, "material-stiffness", 3e6);
+    for (double n = 1.5; n < 4; n += 1.15) {
+        set(&setup, "exponent", n);
+        ck_assert_int_eq(rubber()->prepare(&setup, NULL), THUD_OK);
+        rubber()->touch(&setup, 1, &memory);
+        struct thud_branch b = rubber()->branch(&setup, &memory, THUD_APPROACH, false);
+        ck_assert_double_eq_tol(thud_branch_force(&b, 0.05, 0.3, NULL, NULL) / (2.2 * 1.5 * 3e6), 1, 1e-13);
+    }
+}
+END_TEST
+
+static double at_knee(const struct thud_law_setup *setup, enum thud_phase phase, bool past, double v)
+{
+    struct thud_law_memory memory;
+    rubber()->touch(setup, 1, &memory);
+    struct thud_branch b = rubber()->branch(setup, &memory, phase, past);
+    return thud_branch_force(&b, rubber()->knee(setup), v, NULL, NULL);
+}
+
+/* Force is continuous at the knee in approach, and in restitution by either unloading. */
+START_TEST(knee)
+{
+    for (int unloading = 0; unloading < 2; unloading++) {
+        struct thud_law_setup setup = bumper();
+        set(&setup, "unloading", unloading);
+        ck_assert_int_eq(rubber()->prepare(&setup, NULL), THUD_OK);
+        ck_assert_double_eq_tol(rubber()->knee(&setup), 0.04, 1e-17);
+        for (double v = -0.5; v < 0.6; v += 0.25)
+            for (int phase = 0; phase < 2; phase++) {
+                double below = at_knee(&setup, (enum thud_phase)phase, false, v);
+                double above = at_knee(&setup, (enum thud_phase)phase, true, v);
+                ck_assert_double_eq_tol(above, below, 1e-8 * 6335e3);
+            }
+    }
+    struct thud_law_setup setup = bumper();
+    struct thud_law_memory memory;
+    rubber()->prepare(&setup, NULL);
+    rubber()->touch(&setup, 1, &memory);
+    /* at the knee itself the curve below holds */
+    ck_assert(thud_law_branch_at(rubber(), &setup, &memory, THUD_APPROACH, rubber()->knee(&setup)).K > 0);
+    double beyond = nextafter(rubber()->knee(&setup), 1);
+    ck_assert(thud_law_branch_at(rubber(), &setup, &memory, THUD_APPROACH, beyond).K == 0);
+}
+END_TEST
+
+/* Past the knee eq. (5) as printed drops at the turn; continuous unloading starts where approach ended. */
+START_TEST(turn_past_the_knee)
+{
+    struct thud_law_setup setup = bumper();
+    struct thud_law_memory memory;
+    double d = 0.045, f[2][2];
+    for (int unloading = 0; unloading < 2; unloading++) {
+        set(&setup, "unloading", unloading);
+        rubber()->prepare(&setup, NULL);
+        rubber()->touch(&setup, 1, &memory);
+        for (int phase = 0; phase < 2; phase++) {
+            struct thud_branch b = thud_law_branch_at(rubber(), &setup, &memory, (enum thud_phase)phase, d);
+            f[unloading][phase] = thud_branch_force(&b, d, 0, NULL, NULL);
+        }
+    }
+    double k = 0.36e3 * pow(1000, 2.65), line = k * pow(0.04, 2.65) + 2.5e9 * (d - 0.04), curve = k * pow(d, 2.65);
+    ck_assert_double_eq_tol(f[0][0] / line, 1, 1e-13);
+    ck_assert_double_eq_tol(f[0][1] / curve, 1, 1e-13);
+    ck_assert_double_eq_tol(f[1][0] / line, 1, 1e-13);
+    ck_assert_double_eq_tol(f[1][1] / line, 1, 1e-13);
+}
+END_TEST
+
+/* continuous: F_A (1 + C v) on both sides of the knee. */
+START_TEST(continuous_unloading)
+{
+    struct thud_law_setup setup = bumper();
+    struct thud_law_memory memory;
+    set(&setup, "unloading", 1);
+    set(&setup, "damping", 1);
+    rubber()->prepare(&setup, NULL);
+    rubber()->touch(&setup, 2, &memory);
+    struct thud_rubber_curve curve = thud_rubber_curve(0.36e3 * pow(1000, 2.65), 2.65, 0.04, 2.5e9);
+    for (double d = 0.001; d < 0.08; d += 0.003)
+        for (double v = -1; v < 0.1; v += 0.2) {
+            struct thud_branch b = thud_law_branch_at(rubber(), &setup, &memory, THUD_RESTITUTION, d);
+            double expected = thud_rubber_curve_force(&curve, d) * (1 + thud_rubber_cv(0.5) / 2 * v);
+            ck_assert_double_eq_tol(thud_branch_force(&b, d, v, NULL, NULL), expected, 1e-7);
+        }
+}
+END_TEST
+
+/* energy: what a free pair that stores U(d) had as closing speed; touch: the turn changes nothing. */
+START_TEST(speed_from_energy)
+{
+    struct thud_law_setup setup = bumper();
+    struct thud_law_memory grazing, straight;
+    rubber()->prepare(&setup, NULL);
+    rubber()->touch(&setup, 1e-6, &grazing);
+    double before = grazing.damp;
+    rubber()->turn(&setup, 0.02, &grazing);
+    ck_assert_double_eq(grazing.damp, before);
+    set(&setup, "impact-speed", 1);
+    for (int damping = 0; damping < 2; damping++) {
+        set(&setup, "damping", damping);
+        rubber()->prepare(&setup, NULL);
+        for (double d = 0.001; d < 0.06; d *= 1.5) {
+            double v = sqrt(2 * rubber()->elastic_energy(&setup, d) / setup.mass_kg);
+            rubber()->touch(&setup, 1e-6, &grazing);
+            rubber()->turn(&setup, d, &grazing);
+            rubber()->touch(&setup, fmax(v, 1e-3), &straight);
+            if (v > 1e-3)
+                ck_assert_double_eq_tol(grazing.damp / straight.damp, 1, 1e-13);
+            ck_assert_double_eq(grazing.v_imp_mps, 1e-6);
+        }
+        rubber()->turn(&setup, 0, &grazing); /* a turn at no indentation: no division by 0 */
+        ck_assert(isfinite(grazing.damp));
+    }
+    /* at the exact damping restitution is the one asked for at any speed, and in the limit at rest */
+    set(&setup, "unloading", 1);
+    rubber()->prepare(&setup, NULL);
+    for (double v = 10; v > 1e-12; v /= 10)
+        ck_assert_double_eq_tol(rubber()->restitution(&setup, v), 0.5, 1e-12);
+    ck_assert_double_eq_tol(rubber()->restitution(&setup, 0), 0.5, 1e-12);
+}
+END_TEST
+
+Suite *thud_suite(void);
+Suite *thud_suite(void)
+{
+    Suite *suite = suite_create("rubber");
+    TCase *tests = tcase_create("rubber");
+    tcase_set_timeout(tests, 0);
+    tcase_add_test(tests, stiffness_given_once);
+    tcase_add_test(tests, stiffness_from_material);
+    tcase_add_test(tests, knee);
+    tcase_add_test(tests, turn_past_the_knee);
+    tcase_add_test(tests, continuous_unloading);
+    tcase_add_test(tests, speed_from_energy);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
