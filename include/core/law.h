@@ -17,8 +17,8 @@
 
 struct thud_branch {
     double f0_n, k_npm, c_nspm;
-    double K, p; /* K d^p */
-    double D, r; /* D d^r v */
+    double K, p; /* K d^p, p > 0 */
+    double D, r; /* D d^r v, r > 0 */
 };
 
 enum thud_phase { THUD_APPROACH, THUD_RESTITUTION };
@@ -82,7 +82,8 @@ int thud_law_param(const struct thud_law *law, const char *name); /* index, or -
 /* Fills value[] with the defaults of the table (NaN where a value must be given). */
 void thud_law_defaults(const struct thud_law *law, struct thud_law_setup *setup);
 
-/* Force of a branch, and its partial derivatives (each may be NULL); d <= 0 gives the linear part only. Not cut at 0. */
+/* Force of a branch, and its partial derivatives (each may be NULL); d <= 0 gives the linear part only. Not cut at 0. At d = 0 the
+ * derivatives are those from the right: df_dd is infinite there for a power below 1 (jankowski at v != 0). */
 double thud_branch_force(const struct thud_branch *branch, double d_m, double v_mps, double *df_dd, double *df_dv);
 
 /* Branch at (d, phase) without a run: picks the side of the knee. */

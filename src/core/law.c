@@ -60,7 +60,7 @@ static double power(double d, double p)
 /* Slope of a d^p as d falls to 0. */
 static double slope_at_zero(double a, double p)
 {
-    if (a == 0 || p == 0 || p > 1)
+    if (a == 0 || p > 1)
         return 0;
     return p == 1 ? a : copysign(INFINITY, a);
 }

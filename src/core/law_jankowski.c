@@ -36,7 +36,11 @@ static struct thud_branch branch(const struct thud_law_setup *setup, const struc
     (void)past_knee;
     double n = setup->value[EXPONENT];
     struct thud_branch out = {.K = setup->value[STIFFNESS], .p = n};
-    if (phase == THUD_APPROACH) {
+    if (phase == THUD_RESTITUTION)
+        return out;
+    if (n == 1) { /* the damper's power is 0: a plain dashpot, whose force starts with a jump */
+        out.c_nspm = setup->constant[D];
+    } else {
         out.D = setup->constant[D];
         out.r = 0.5 * (n - 1);
     }

@@ -316,6 +316,21 @@ START_TEST(hertz_damp_below_the_floor)
 }
 END_TEST
 
+/* The law's own branch against the printed force, approach and restitution. */
+static void check_jankowski_force(struct thud_law_setup *setup, const struct equation *q)
+{
+    const struct thud_law *law = thud_law_find("jankowski");
+    struct thud_law_memory memory;
+    ck_assert_int_eq(law->prepare(setup, NULL), THUD_OK);
+    law->touch(setup, 0.4, &memory);
+    for (int phase = 0; phase < 2; phase++)
+        for (double d = 1e-6; d < 0.1; d *= 3) {
+            struct thud_branch b = law->branch(setup, &memory, (enum thud_phase)phase, false);
+            double v = phase ? -0.3 : 0.3;
+            CLOSE(thud_branch_force(&b, d, v, NULL, NULL), force(q, d, v, !phase, false), 1e-12);
+        }
+}
+
 START_TEST(jankowski)
 {
     static const double es[] = {0.3, 0.6, 0.95}, ns[] = {1.5, 1, 2.65};
@@ -339,6 +354,7 @@ START_TEST(jankowski)
             set("jankowski", &setup, "damping", 0);
             CLOSE(restitution("jankowski", &setup, 0.4), out.e, 1e-6);
         }
+        check_jankowski_force(&setup, &q);
     }
 }
 END_TEST

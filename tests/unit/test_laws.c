@@ -246,8 +246,10 @@ START_TEST(edges)
     check_edge(b, 1, 4, 15, 2, 3);
     b.p = b.r = 0; /* no power at all */
     check_edge(b, 0, 4, 13, 2, 3);
-    b.D = 7; /* a dashpot written as a power */
-    check_edge(b, 2, 4, 1 + 4 + 12 + 28, 2, 3 + 7);
+    b.D = 7;
+    b.r = 1;
+    check_edge(b, 2, 4, 1 + 4 + 12 + 56, 2 + 28, 3 + 14);
+    check_edge(b, 0, 4, 13, 2 + 28, 3);
 }
 END_TEST
 
