@@ -3,6 +3,7 @@
 #include <dirent.h>
 #include <stdbool.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -13,112 +14,156 @@
 #define THUD_DATADIR "/usr/local/share/thud"
 #endif
 
-enum { NAMES_MAX = 128 };
+enum { NAMES_MAX = 256, NAME_BYTES = 64 };
 
 static bool is_folder(const char *path)
 {
-    struct stat st;
-    return stat(path, &st) == 0 && S_ISDIR(st.st_mode);
+    struct stat about;
+    return stat(path, &about) == 0 && S_ISDIR(about.st_mode);
 }
 
-static bool is_file(const char *path)
+/* Something that can be read as a file; what it is, reading it will say. */
+static bool is_there(const char *path)
 {
-    struct stat st;
-    return stat(path, &st) == 0 && !S_ISDIR(st.st_mode);
+    struct stat about;
+    return stat(path, &about) == 0 && !S_ISDIR(about.st_mode);
 }
 
-/* Folder of the running program, empty when the system does not tell. */
-static void program_folder(char *path, size_t size)
+/* The folder that holds presets/ and records/: beside the program, under its prefix, or as built. */
+static void find_data(char *folder, size_t size)
 {
-    ssize_t n = readlink("/proc/self/exe", path, size - 1);
-    path[n > 0 ? n : 0] = '\0';
-    char *slash = strrchr(path, '/');
-    if (slash)
+    static const char *const beside[] = {"", "/../share/thud"};
+    char program[400], presets[512];
+    ssize_t n = readlink("/proc/self/exe", program, sizeof program - 1);
+    char *slash = NULL;
+    if (n > 0) {
+        program[n] = '\0';
+        slash = strrchr(program, '/');
+    }
+    for (size_t i = 0; slash && i < sizeof beside / sizeof *beside; i++) {
         *slash = '\0';
+        snprintf(presets, sizeof presets, "%s%s/presets", program, beside[i]);
+        if (is_folder(presets)) {
+            snprintf(folder, size, "%s%s", program, beside[i]);
+            return;
+        }
+    }
+    snprintf(folder, size, "%s", THUD_DATADIR);
 }
 
 void thud_paths_find(struct thud_paths *paths)
 {
-    char program[400];
-    program_folder(program, sizeof program);
-    snprintf(paths->presets, sizeof paths->presets, "%s/presets", program);
-    snprintf(paths->records, sizeof paths->records, "%s/records", program);
-    if (is_folder(paths->presets))
-        return;
-    snprintf(paths->presets, sizeof paths->presets, "%s/presets", THUD_DATADIR);
-    snprintf(paths->records, sizeof paths->records, "%s/records", THUD_DATADIR);
+    char folder[480];
+    find_data(folder, sizeof folder);
+    snprintf(paths->presets, sizeof paths->presets, "%s/presets", folder);
+    snprintf(paths->records, sizeof paths->records, "%s/records", folder);
 }
 
-/* Names of the presets of a folder, without their ending; returns how many. */
-static int preset_names(const char *folder, char name[NAMES_MAX][64])
+static bool fits(int written, unsigned long size)
+{
+    return written >= 0 && (unsigned long)written < size;
+}
+
+/* Names of the files in a folder, without `ending`; for what may have been meant. */
+struct names {
+    char text[NAMES_MAX][NAME_BYTES];
+    const char *list[NAMES_MAX];
+    int n;
+};
+
+static void read_names(const char *folder, const char *ending, struct names *names)
 {
     DIR *dir = opendir(folder);
     struct dirent *entry;
-    int n = 0;
-    while (dir && n < NAMES_MAX && (entry = readdir(dir))) {
+    size_t tail = strlen(ending);
+    while (dir && names->n < NAMES_MAX && (entry = readdir(dir)) != NULL) {
         size_t length = strlen(entry->d_name);
-        if (length > 5 && length - 5 < sizeof name[0] && strcmp(entry->d_name + length - 5, ".yaml") == 0)
-            snprintf(name[n++], sizeof name[0], "%.*s", (int)(length - 5), entry->d_name);
+        if (entry->d_name[0] == '.' || length <= tail || length - tail >= NAME_BYTES ||
+            strcmp(entry->d_name + length - tail, ending) != 0)
+            continue;
+        snprintf(names->text[names->n], NAME_BYTES, "%.*s", (int)(length - tail), entry->d_name);
+        names->list[names->n] = names->text[names->n];
+        names->n++;
     }
     if (dir)
         closedir(dir);
-    return n;
 }
 
-static enum thud_status unknown_preset(const struct thud_paths *paths, const char *name, struct thud_error *err)
+static int by_name(const void *a, const void *b)
 {
-    static const char *const none = "a file, or a name such as towers";
-    char known[NAMES_MAX][64];
-    const char *list[NAMES_MAX];
-    int n = preset_names(paths->presets, known);
-    for (int i = 0; i < n; i++)
-        list[i] = known[i];
-    const char *nearest = thud_nearest(name, list, n);
-    thud_error_set(err, THUD_INPUT, "there is no preset or file `%.200s`", name);
-    if (nearest)
-        thud_error_allow(err, "did you mean %s?", nearest);
+    return strcmp(*(const char *const *)a, *(const char *const *)b);
+}
+
+static enum thud_status not_found(const char *what, const char *name, const char *folder, const char *ending,
+                                  struct thud_error *err)
+{
+    struct names *names = calloc(1, sizeof *names);
+    const char *near = NULL;
+    char list[sizeof err->allowed] = "";
+    size_t n = 0;
+    if (names) {
+        read_names(folder, ending, names);
+        qsort(names->list, (size_t)names->n, sizeof *names->list, by_name);
+        near = thud_nearest(name, names->list, names->n);
+    }
+    for (int i = 0; names && i < names->n && n < sizeof list; i++)
+        n += (size_t)snprintf(list + n, sizeof list - n, "%s%s", i ? ", " : "", names->list[i]);
+    if (near)
+        thud_error_set(err, THUD_INPUT, "no %s \"%.200s\"; did you mean \"%s\"?", what, name, near);
     else
-        thud_error_allow(err, "%s", none);
+        thud_error_set(err, THUD_INPUT, "no %s \"%.200s\"", what, name);
+    if (n > 0 && n < sizeof list)
+        thud_error_allow(err, "a file, or one of %s", list);
+    else
+        thud_error_allow(err, "a file, or a name in %.200s", folder);
+    free(names);
     return THUD_INPUT;
 }
 
-static enum thud_status keep(const char *from, char *path, unsigned long size, struct thud_error *err)
+static enum thud_status too_long(struct thud_error *err)
 {
-    if ((size_t)snprintf(path, size, "%s", from) >= size)
-        return thud_error_set(err, THUD_INPUT, "%.100s...: the path is too long", from);
-    return THUD_OK;
+    return thud_error_set(err, THUD_INPUT, "the file's name is too long");
 }
 
 enum thud_status thud_paths_preset(const struct thud_paths *paths, const char *name, char *path, unsigned long size,
                                    struct thud_error *err)
 {
-    char shipped[1024];
-    bool is_name = !strchr(name, '/') && name[0];
-    snprintf(shipped, sizeof shipped, "%s/%.400s.yaml", paths->presets, name);
-    if (is_name && is_file(shipped))
-        return keep(shipped, path, size, err);
-    if (is_file(name))
-        return keep(name, path, size, err);
-    return unknown_preset(paths, name, err);
+    static const char *const endings[] = {".yaml", ""};
+    bool plain = *name && !strchr(name, '/');
+    for (size_t i = 0; plain && i < sizeof endings / sizeof *endings; i++) {
+        if (*endings[i] == '\0' && is_there(name))
+            break; /* towers.yaml: from the working folder first */
+        if (!fits(snprintf(path, size, "%s/%s%s", paths->presets, name, endings[i]), size))
+            return too_long(err);
+        if (is_there(path))
+            return THUD_OK;
+    }
+    if (!fits(snprintf(path, size, "%s", name), size))
+        return too_long(err);
+    if (is_there(path))
+        return THUD_OK;
+    return not_found("preset", name, paths->presets, ".yaml", err);
 }
 
 enum thud_status thud_paths_record(const struct thud_paths *paths, const char *preset_path, const char *name,
                                    char *path, unsigned long size, struct thud_error *err)
 {
-    char at[2048];
-    if (is_file(name))
-        return keep(name, path, size, err);
+    if (!fits(snprintf(path, size, "%s", name), size))
+        return too_long(err);
+    if (is_there(path))
+        return THUD_OK;
     const char *slash = preset_path ? strrchr(preset_path, '/') : NULL;
-    if (slash && name[0] != '/') {
-        snprintf(at, sizeof at, "%.*s/%.1000s", (int)(slash - preset_path), preset_path, name);
-        if (is_file(at))
-            return keep(at, path, size, err);
+    if (name[0] != '/') {
+        if (slash && !fits(snprintf(path, size, "%.*s/%s", (int)(slash - preset_path), preset_path, name), size))
+            return too_long(err);
+        if (slash && is_there(path))
+            return THUD_OK;
+        if (!fits(snprintf(path, size, "%s/%s", paths->records, name), size))
+            return too_long(err);
+        if (is_there(path))
+            return THUD_OK;
     }
-    snprintf(at, sizeof at, "%s/%.1000s", paths->records, name);
-    if (name[0] != '/' && is_file(at))
-        return keep(at, path, size, err);
-    thud_error_set(err, THUD_INPUT, "there is no ground motion `%.200s`", name);
+    not_found("ground motion", name, paths->records, "", err);
     thud_error_key(err, "record.file");
-    thud_error_allow(err, "looked for from here, beside the preset, and in %.120s", paths->records);
     return THUD_INPUT;
 }
