@@ -10,7 +10,7 @@
 
 struct thud_tui_options {
     const char *preset;             /* name or path; NULL: the first one shipped, `towers` */
-    const struct thud_paths *paths; /* where presets and records are found */
+    const struct thud_paths *paths; /* where presets and records are found; NULL: looked for */
     const char *output;             /* folder for pictures and tables; NULL: the working folder */
     bool ascii;                     /* no glyph beyond ASCII, also where the terminal has them */
     bool color;                     /* false: none (--no-color, NO_COLOR) */

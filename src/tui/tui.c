@@ -209,10 +209,16 @@ enum thud_status thud_tui_main(const struct thud_tui_options *options, struct th
 {
     struct thud_backend backend;
     struct thud_tui *tui;
+    struct thud_paths paths;
+    struct thud_tui_options all = *options;
+    if (!all.paths) {
+        thud_paths_find(&paths);
+        all.paths = &paths;
+    }
     enum thud_status status = thud_term_open(&backend, options->ascii, options->color, err);
     if (status != THUD_OK)
         return status;
-    status = thud_tui_create(options, &backend, &tui, err);
+    status = thud_tui_create(&all, &backend, &tui, err);
     if (status != THUD_OK) {
         thud_term_close(&backend);
         return status;

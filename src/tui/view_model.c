@@ -209,6 +209,12 @@ static int draw_peaks(struct thud_tui *tui, struct thud_pane *pane)
     for (int kind = 0; kind < 2; kind++)
         for (int s = 0; s < 2 && tui->pair + s < tui->doc.scene.nstructures; s++, y++) {
             char label[32];
+            if (tui->doc.scene.structure[tui->pair + s].kind == THUD_WALL) {
+                if (kind == 0)
+                    thud_field_note(pane, y, "%.20s moves with the ground",
+                                    tui->doc.scene.structure[tui->pair + s].name);
+                continue;
+            }
             snprintf(label, sizeof label, "%.7s %s", tui->doc.scene.structure[tui->pair + s].name,
                      kind ? "drift" : "accel");
             for (int i = 0; i < THUD_LIVE_CASES; i++)
