@@ -197,68 +197,57 @@ void thud_tui_list_presets(struct thud_tui *tui)
     thud_chooser_mark(&tui->chooser, tui->doc.scene.name);
 }
 
-/* Adds the keys of one part of the scene whose words the table knows. */
-static void add_fields(struct thud_tui *tui, const char *prefix, const char *const *word)
+/* Adds the parameters of a group under a prefix; of those by floor the lowest floor's. */
+static void add_group(struct thud_tui *tui, enum thud_group group, const char *prefix, int structure)
 {
-    for (; *word; word++) {
+    int count;
+    const struct thud_param *param = thud_group_params(group, &count);
+    const struct thud_scene *scene = &tui->doc.scene;
+    for (int i = 0; i < count; i++) {
+        bool building = structure >= 0 && (scene->structure[structure].kind == THUD_SHEAR ||
+                                           scene->structure[structure].kind == THUD_ISOLATED);
+        bool by_floor = building && (strcmp(param[i].name, "mass") == 0 || strcmp(param[i].name, "stiffness") == 0 ||
+                                     strcmp(param[i].name, "height") == 0);
         char key[THUD_PATH_MAX], value[96] = "";
-        int floor;
-        snprintf(key, sizeof key, "%s.%s", prefix, *word);
-        const struct thud_param *param = thud_scene_param(&tui->doc.scene, key, &floor);
-        if (!param)
+        if (structure >= 0 && !thud_structure_has(scene->structure[structure].kind, i))
             continue;
-        thud_scene_get(&tui->doc.scene, key, value, sizeof value, NULL);
-        thud_chooser_add(&tui->chooser, key, "%-36s %.40s", key, value);
+        snprintf(key, sizeof key, "%s.%s%s", prefix, param[i].name, by_floor ? ".1" : "");
+        if (thud_scene_get(scene, key, value, sizeof value, NULL) == THUD_OK)
+            thud_chooser_add(&tui->chooser, key, "%-36s %.40s", key, value);
     }
 }
 
 static void add_law(struct thud_tui *tui, const char *prefix, const struct thud_law *law)
 {
     for (int i = 0; law && i < law->nparams; i++) {
-        const char *const word[] = {law->params[i].name, NULL};
-        add_fields(tui, prefix, word);
+        char key[THUD_PATH_MAX], value[96] = "";
+        snprintf(key, sizeof key, "%s.%s", prefix, law->params[i].name);
+        if (thud_scene_get(&tui->doc.scene, key, value, sizeof value, NULL) == THUD_OK)
+            thud_chooser_add(&tui->chooser, key, "%-36s %.40s", key, value);
     }
 }
 
 void thud_tui_list_fields(struct thud_tui *tui)
 {
-    static const char *const of_building[] = {"name",
-                                              "kind",
-                                              "storeys",
-                                              "damping",
-                                              "mass.1",
-                                              "stiffness.1",
-                                              "height.1",
-                                              "base-mass",
-                                              "isolation-stiffness",
-                                              "isolation-damping",
-                                              NULL};
-    static const char *const of_body[] = {"name", "kind", "mass", "height", "velocity", NULL};
-    static const char *const of_record[] = {"file", "peak",    "factor", "sign", "dt",
-                                            "unit", "channel", "column", "skip", NULL};
-    static const char *const of_analysis[] = {"method", "tolerance", "step", "locate", "tail", NULL};
-    static const char *const bumper[] = {"law", "thickness", "cavity", NULL}, *const law[] = {"law", NULL},
-                             *const gap[] = {"gap", NULL};
     const struct thud_scene *scene = &tui->doc.scene;
     char prefix[64];
     thud_tui_choose(tui, THUD_CHOOSE_FIELD, "Find a field");
     for (int i = 0; i + 1 < scene->nstructures; i++) {
         snprintf(prefix, sizeof prefix, "interfaces.%d", i + 1);
-        add_fields(tui, prefix, gap);
+        add_group(tui, THUD_GROUP_INTERFACE, prefix, -1);
         snprintf(prefix, sizeof prefix, "interfaces.%d.contact", i + 1);
-        add_fields(tui, prefix, law);
+        add_group(tui, THUD_GROUP_CONTACT, prefix, -1);
         add_law(tui, prefix, scene->interface[i].contact.law);
         if (!scene->interface[i].has_bumper)
             continue;
         snprintf(prefix, sizeof prefix, "interfaces.%d.bumper", i + 1);
-        add_fields(tui, prefix, bumper);
+        add_group(tui, THUD_GROUP_BUMPER, prefix, -1);
         add_law(tui, prefix, scene->interface[i].bumper.law);
     }
     for (int i = 0; i < scene->nstructures; i++) {
         snprintf(prefix, sizeof prefix, "structures.%d", i + 1);
-        bool building = scene->structure[i].kind == THUD_SHEAR || scene->structure[i].kind == THUD_ISOLATED;
-        add_fields(tui, prefix, building ? of_building : of_body);
+        add_group(tui, THUD_GROUP_STRUCTURE, prefix, i);
     }
-    add_fields(tui, "record", of_record);
-    add_fields(tui, "analysis", of_analysis);
+    add_group(tui, THUD_GROUP_RECORD, "record", -1);
+    add_group(tui, THUD_GROUP_ANALYSIS, "analysis", -1);
 }

@@ -52,22 +52,18 @@ static void run_step(struct thud_tui *tui, char *rest)
 /* The scene becomes that of a case, as `run --case` takes it. */
 static void run_case(struct thud_tui *tui, char *rest)
 {
-    for (int i = 0; i < THUD_CASES; i++) {
-        struct thud_scene next;
-        struct thud_error err;
-        char what[64];
-        if (strcmp(rest, thud_case_name((enum thud_case)i)) != 0)
-            continue;
-        snprintf(what, sizeof what, "case %s", rest);
-        if (thud_scene_case(&tui->doc.scene, (enum thud_case)i, &next, &err) != THUD_OK ||
-            thud_doc_change(&tui->doc, &next, what, &err) != THUD_OK)
-            thud_tui_say_error(tui, &err);
-        else
-            thud_tui_say(tui, THUD_ROLE_PLAIN, "The scene is now that of case %s (u undoes)", rest);
-        thud_tui_changed(tui);
-        return;
-    }
-    thud_tui_say(tui, THUD_ROLE_WARN, "! case \"%s\" is unknown: none, bumper or cavity", rest);
+    struct thud_scene next;
+    struct thud_error err;
+    enum thud_case which;
+    char what[64];
+    snprintf(what, sizeof what, "case %.50s", rest);
+    if (thud_case_find(rest, &which, &err) != THUD_OK ||
+        thud_scene_case(&tui->doc.scene, which, &next, &err) != THUD_OK ||
+        thud_doc_change(&tui->doc, &next, what, &err) != THUD_OK)
+        thud_tui_say_error(tui, &err);
+    else
+        thud_tui_say(tui, THUD_ROLE_PLAIN, "The scene is now that of case %s (u undoes)", rest);
+    thud_tui_changed(tui);
 }
 
 static void run_run(struct thud_tui *tui, char *rest)

@@ -54,53 +54,35 @@ static void with_unit(const struct thud_tui *tui, const char *key, const char *t
 static void warn(struct thud_tui *tui, const char *key)
 {
     const struct thud_param *param = thud_scene_param(&tui->doc.scene, key, &(int){0});
-    char text[128], least[48] = "", most[48] = "";
+    char text[128], usual[96];
     struct thud_quantity value;
     if (!param || param->kind != THUD_PARAM_QUANTITY ||
         thud_scene_get(&tui->doc.scene, key, text, sizeof text, NULL) != THUD_OK ||
-        thud_quantity_parse(text, param->dimension, param->unit, &value, NULL) != THUD_OK)
+        thud_quantity_parse(text, param->dimension, param->unit, &value, NULL) != THUD_OK ||
+        !thud_param_unusual(param, value.value, usual, sizeof usual))
         return;
-    bool low = value.value<param->soft_least, high = value.value> param->soft_most;
-    if (!low && !high)
-        return;
-    const char *unit = param->unit ? param->unit : "";
-    thud_quantity_format(param->soft_least, unit, least, sizeof least);
-    thud_quantity_format(param->soft_most, unit, most, sizeof most);
-    thud_tui_say(tui, THUD_ROLE_WARN, "! %s %s is unusual: %s %s is common. It is taken as it is", param->name, text,
-                 low ? "at least" : "at most", low ? least : most);
+    thud_tui_say(tui, THUD_ROLE_WARN, "! %s %s is unusual (usual: %s). It is taken as it is", param->name, text, usual);
 }
 
 /* An exponent keeps the number of its stiffness, so the force at delta_u changes: said, with a way out. */
 static bool set_exponent(struct thud_tui *tui, const char *key, const char *text, struct thud_error *err)
 {
-    struct thud_scene next = tui->doc.scene;
-    char stiffness[THUD_PATH_MAX], before[64] = "", after[64] = "", what[300], number[64];
-    snprintf(stiffness, sizeof stiffness, "%.*sstiffness", (int)(strlen(key) - strlen("exponent")), key);
-    thud_scene_get(&next, key, before, sizeof before, NULL);
-    if (thud_scene_set(&next, key, text, err) != THUD_OK)
+    int interface = tui->pair;
+    if (sscanf(key, "interfaces.%d", &interface) == 1)
+        interface--;
+    double before = thud_tui_force_at_knee(&tui->doc.scene, interface);
+    if (thud_doc_set(&tui->doc, key, text, err) != THUD_OK)
         return false;
-    thud_scene_get(&next, key, after, sizeof after, NULL);
-    char *caret =
-        thud_scene_get(&tui->doc.scene, stiffness, number, sizeof number, NULL) == THUD_OK ? strchr(number, '^') : NULL;
-    if (caret) {
-        snprintf(caret + 1, sizeof number - (size_t)(caret + 1 - number), "%s", after);
-        if (thud_scene_set(&next, stiffness, number, err) != THUD_OK)
-            return false;
-    }
-    snprintf(what, sizeof what, "%s %s -> %s", key, before, after);
-    double force = thud_tui_force_at_knee(&tui->doc.scene, tui->pair);
-    if (thud_doc_change(&tui->doc, &next, what, err) != THUD_OK)
-        return false;
-    double now = thud_tui_force_at_knee(&tui->doc.scene, tui->pair);
-    tui->kept_before_n = force;
-    tui->kept_interface = tui->pair;
-    if (isfinite(force) && isfinite(now)) {
-        char a[24], b[24];
+    double now = thud_tui_force_at_knee(&tui->doc.scene, interface);
+    tui->kept_before_n = before;
+    tui->kept_interface = interface;
+    char a[24], b[24];
+    if (isfinite(before) && isfinite(now) && before != now)
         thud_tui_say(tui, THUD_ROLE_WARN,
-                     "! exponent %s -> %s keeps the number of the stiffness: F(delta_u) is now %s MN (was %s MN). f "
-                     "keeps F instead, u undoes",
-                     before, after, thud_tui_number(1e-6 * now, a), thud_tui_number(1e-6 * force, b));
-    }
+                     "! %s keeps the number of the stiffness: F(delta_u) is now %s MN (was %s MN). f keeps F "
+                     "instead, u undoes",
+                     thud_undo_what(&tui->doc.undo, 0), thud_tui_number(1e-6 * now, a),
+                     thud_tui_number(1e-6 * before, b));
     return true;
 }
 

@@ -108,23 +108,6 @@ static void top_lines(struct thud_tui *tui, const struct thud_pane *page)
     }
 }
 
-/* "0 < mass <= 1e6 t": what a parameter allows. */
-static int bounds(const struct thud_param *param, char *text, size_t size)
-{
-    double factor = param->unit && *param->unit ? thud_unit_factor(param->unit, NULL, NULL) : 1.0;
-    if (!(factor > 0.0))
-        factor = 1.0;
-    char least[32] = "", most[32] = "";
-    const char *unit = param->unit && factor != 0.0 ? param->unit : "";
-    if (!isnan(param->least) && isfinite(param->least))
-        snprintf(least, sizeof least, "%.6g %s ", param->least / factor, param->least_open ? "<" : "<=");
-    if (!isnan(param->most) && isfinite(param->most))
-        snprintf(most, sizeof most, " %s %.6g", param->most_open ? "<" : "<=", param->most / factor);
-    if (!*least && !*most)
-        return 0;
-    return snprintf(text, size, " %s%s%s%s%s.", least, param->name, most, *unit ? " " : "", unit);
-}
-
 /* Meaning, unit, bounds and default of the field under the cursor. */
 static void field_words(struct thud_tui *tui, char *text, size_t size)
 {
@@ -139,9 +122,10 @@ static void field_words(struct thud_tui *tui, char *text, size_t size)
     size_t n = (size_t)snprintf(text, size, "%s", param->help && *param->help ? param->help : param->title);
     if (n < size && param->kind == THUD_PARAM_QUANTITY && param->dimension >= THUD_LENGTH)
         n += (size_t)snprintf(text + n, size - n, " Units %s.", thud_dimension_units(param->dimension));
-    if (n < size && (param->kind == THUD_PARAM_QUANTITY || param->kind == THUD_PARAM_INTEGER))
-        n += (size_t)bounds(param, text + n, size - n);
-    char number[64] = "";
+    char number[64] = "", allowed[160];
+    thud_param_allowed(param, allowed, sizeof allowed);
+    if (n < size && *allowed)
+        n += (size_t)snprintf(text + n, size - n, " Allowed: %s.", allowed);
     if (param->kind == THUD_PARAM_QUANTITY && !isnan(param->fallback) && param->dimension != THUD_POWER_STIFFNESS)
         thud_quantity_format(param->fallback, param->unit ? param->unit : "", number, sizeof number);
     if (n < size && *number)

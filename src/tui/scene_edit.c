@@ -111,13 +111,8 @@ void thud_tui_toggle_bumper(struct thud_tui *tui, int i)
     struct thud_scene next = tui->doc.scene;
     struct thud_interface *interface = &next.interface[i];
     interface->has_bumper = !interface->has_bumper;
-    if (interface->has_bumper && !interface->bumper.law) { /* there has been none yet: the paper's */
-        struct thud_law_setup setup = {0};
-        interface->bumper.law = thud_law_find("rubber");
-        thud_law_defaults(interface->bumper.law, &setup);
-        memcpy(interface->bumper.value, setup.value, sizeof setup.value);
-        interface->bumper_thickness_m = fmin(0.05, interface->gap_m);
-    }
+    if (interface->has_bumper && !interface->bumper.law) /* there has been none yet: the paper's */
+        thud_interface_add_bumper(interface);
     char what[80];
     snprintf(what, sizeof what, "bumper %s", interface->has_bumper ? "off -> on" : "on -> off");
     change(tui, &next, what);

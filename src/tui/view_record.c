@@ -6,7 +6,6 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#include "io/record_file.h"
 #include "tui/chart.h"
 #include "tui/field.h"
 #include "tui/record_figure.h"

@@ -8,7 +8,7 @@
 
 enum { PEAKS, IMPACTS, HOW };
 enum { IMPACTS_MAX = 2000 };
-enum { BY_TIME, BY_FORCE, BY_FLOOR, SORTS };
+enum { SORTS = 3 };
 
 static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect *pane)
 {
@@ -96,6 +96,12 @@ struct row {
     int floor;
 };
 
+static int by_time(const void *a, const void *b)
+{
+    double x = ((const struct row *)a)->impact.start_s, y = ((const struct row *)b)->impact.start_s;
+    return (x > y) - (x < y);
+}
+
 static int by_force(const void *a, const void *b)
 {
     double x = ((const struct row *)a)->impact.force_n, y = ((const struct row *)b)->impact.force_n;
@@ -128,8 +134,9 @@ static int draw_impacts(struct thud_tui *tui, const struct thud_pane *pane)
         return 0;
     for (int i = 0; i < count; i++)
         row[i] = (struct row){impact[i], result->contact[impact[i].contact].left_floor};
-    if (tui->results_sort != BY_TIME)
-        qsort(row, (size_t)count, sizeof *row, tui->results_sort == BY_FORCE ? by_force : by_floor);
+    int (*const order[SORTS])(const void *, const void *) = {by_time, by_force, by_floor};
+    if (count > 1)
+        qsort(row, (size_t)count, sizeof *row, order[tui->results_sort]);
     thud_pane_put(pane, 1, 0, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), "t s       fl.  v m/s   F MN");
     int n = count < IMPACTS_MAX ? count : IMPACTS_MAX;
     for (int i = 0; i < n; i++) {
