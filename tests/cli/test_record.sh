@@ -1,0 +1,101 @@
+#!/bin/sh
+# thud record: every verb, what it writes, and what it says when something is missing or wrong.  TAP.
+set -u
+THUD=${THUD:-$PWD/thud}
+export THUD
+if ! [ -x "$THUD" ]; then
+    echo "ok - thud record # SKIP there is no $THUD yet"
+    exit 0
+fi
+tmp=$(mktemp -d) || exit 1
+trap 'rm -rf "$tmp"' EXIT
+
+is() { # WHAT CONDITION...: a test of the shell
+    what=$1
+    shift
+    if "$@"; then echo "ok - $what"; else
+        echo "not ok - $what"
+        sed 's/^/# /' "$tmp/out" "$tmp/err" | head -20
+    fi
+}
+gives() { # STATUS ARGUMENTS...: runs, keeps out and err
+    wanted=$1
+    shift
+    "$THUD" record "$@" >"$tmp/out" 2>"$tmp/err"
+    got=$?
+    [ "$got" -eq "$wanted" ]
+}
+says() { grep -q -e "$1" "$tmp/err"; }
+shows() { grep -q -e "$1" "$tmp/out"; }
+
+is "list exits 0" gives 0 list records
+is "list shows the three surrogates" test "$(grep -c surrogate "$tmp/out")" -eq 3
+is "list without a folder finds them too" gives 0 list
+is "they are the same three" shows san-fernando-surrogate.csv
+is "list as JSON" gives 0 list records --json
+is "its peaks are there" shows '"pga_mps2": 8.05125965'
+
+is "info of a shipped record by its name alone" gives 0 info kobe-surrogate.csv
+is "its PGA" shows 'PGA  *0.8210 g at 6.49 s'
+is "its samples" shows '4001, every 0.01 s, 40 s long'
+is "info as JSON" gives 0 info records/kobe-surrogate.csv --json
+for key in format samples dt_s duration_s pga_mps2 pgv_mps pgd_m arias_mps d5_95_s d5_75_s cav_mps bracketed_s predominant_s; do
+    is "JSON has $key" shows "\"$key\":"
+done
+is "scaled, turned round and cut" gives 0 info kobe-surrogate.csv --peak "1 g" --sign - --from 2s --to 12s
+is "PGA after scaling" shows 'PGA  *1.0000 g at 4.49 s'
+is "length after cutting" shows '10 s long'
+
+# every surrogate from the command in the folder's README
+# shellcheck disable=SC2016
+sed -n '/^    thud record synthesize/,/-surrogate.csv$/{s/^ *thud /"$THUD" /;p;}' records/README.md >"$tmp/commands"
+(cd "$tmp" && sh ./commands) >"$tmp/out" 2>"$tmp/err"
+for name in kobe northridge san-fernando; do
+    is "$name made again by the README's command, byte for byte" cmp -s "records/$name-surrogate.csv" "$tmp/$name-surrogate.csv"
+done
+is "another seed is another motion" gives 0 synthesize --set seed=7
+is "an unknown value of a surrogate is wrong usage" gives 2 synthesize --set pulse-lenght=3
+is "and the known ones are named" says pulse-period
+
+printf '0.1\n-0.2\n0.3\n' >"$tmp/bare.txt"
+is "a bare column asks" gives 3 info "$tmp/bare.txt"
+is "for --dt" says '--dt'
+is "still asks" gives 3 info "$tmp/bare.txt" --dt 0.01s
+is "for --unit" says '--unit'
+is "and then reads" gives 0 info "$tmp/bare.txt" --dt 0.01s --unit m/s2
+is "a step without a unit is wrong usage" gives 2 info "$tmp/bare.txt" --dt 0.01 --unit m/s2
+printf '0.1\n-0.2\n0.3x\n' >"$tmp/bad.txt"
+is "a bad number is bad input" gives 3 info "$tmp/bad.txt" --dt 1s --unit g
+is "with file and line" says 'bad.txt:3'
+is "a missing file is bad input" gives 3 info "$tmp/none.csv"
+is "a folder is bad input" gives 3 info "$tmp"
+is "an unknown verb is wrong usage" gives 2 inof kobe-surrogate.csv
+is "no verb is wrong usage" gives 2
+is "no file is wrong usage" gives 2 info
+
+is "convert" gives 0 convert "$tmp/bare.txt" --dt 0.01s --unit m/s2 -o "$tmp/once.csv"
+is "what it wrote reads without an option" gives 0 convert "$tmp/once.csv" -o "$tmp/twice.csv"
+is "and carries the same numbers" test "$(grep -v '^#' "$tmp/once.csv")" = "$(grep -v '^#' "$tmp/twice.csv")"
+is "import is convert" gives 0 import "$tmp/once.csv"
+is "to standard output without -o" shows '^0.02,0.3$'
+is "resampled at half the step" gives 0 convert "$tmp/once.csv" --resample 0.005s
+is "the middle is between" shows '^0.005,-0.05'
+is "the resampling is written down" shows '^# resampled at: 0.005 s'
+is "a folder that is not there cannot be written to" gives 6 convert "$tmp/once.csv" -o "$tmp/no/such/file.csv"
+
+is "spectrum" gives 0 spectrum kobe-surrogate.csv --periods 0.1s:1s:10 --damping "2 %"
+is "ten periods" test "$(grep -c '^[0-9]' "$tmp/out")" -eq 10
+is "the damping is written down" shows '^# damping: 0.02'
+is "a damping of 100 % is wrong usage" gives 2 spectrum kobe-surrogate.csv --damping 1
+is "periods the wrong way round are wrong usage" gives 2 spectrum kobe-surrogate.csv --periods 1s:0.1s:10
+
+if command -v gnuplot >/dev/null 2>&1; then
+    is "spectrum with a preset's periods, drawn" gives 0 spectrum kobe-surrogate.csv --preset towers -o "$tmp/drawn"
+    is "histories drawn" gives 0 info kobe-surrogate.csv -o "$tmp/drawn"
+    for file in kobe-surrogate-spectrum kobe-surrogate-motion; do
+        is "$file.png is a picture" test "$(head -c 4 "$tmp/drawn/$file.png" 2>/dev/null | od -An -tx1 | tr -d ' ')" = 89504e47
+    done
+    is "both towers are marked" grep -sq '"B"' "$tmp/drawn/kobe-surrogate-spectrum.gp"
+else
+    echo "ok - pictures of a record # SKIP no gnuplot"
+fi
