@@ -205,7 +205,7 @@ enum thud_status thud_record_list(const char *folder, bool json, struct thud_tex
         thud_text_append(out, "[");
     else
         thud_text_append(out, "%s\n", folder);
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = 0; names && i < count; i++) {
         char path[2048];
         struct stat about;
         int n = snprintf(path, sizeof path, "%s/%s", folder, names[i]);

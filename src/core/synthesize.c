@@ -52,7 +52,7 @@ void thud_synthesis_init(struct thud_synthesis *s)
 
 double *thud_synthesis_field(struct thud_synthesis *synthesis, const struct thud_synthesis_param *param)
 {
-    return (double *)((char *)synthesis + param->offset);
+    return (double *)(void *)((char *)synthesis + param->offset);
 }
 
 static double shown(const struct thud_synthesis *s, const struct thud_synthesis_param *param)

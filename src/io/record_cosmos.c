@@ -49,7 +49,7 @@ static enum thud_status read_header(struct record_cursor *cursor, const struct r
         return record_refuse(cursor->source, head->number, 0, err, "how many lines this header has is not said");
     struct record_line line;
     enum thud_status status = THUD_OK;
-    for (double i = 0; i < lines && !status; i++) {
+    for (int i = 0; i < (int)lines && !status; i++) {
         if (!record_next(cursor, &line))
             return record_refuse(cursor->source, cursor->line, 0, err, "the file ends in a header (cut off?)");
         if (list)

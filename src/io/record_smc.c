@@ -1,5 +1,6 @@
 /* USGS SMC: 11 lines of text, 48 integers in 10 columns, 50 reals in 15, comments with `|`, samples in fields of 10,
  * cm/s2. */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -56,8 +57,8 @@ static enum thud_status read_numbers(struct record_cursor *cursor, size_t width,
     if (!status && list.count != expected)
         status = record_refuse(cursor->source, cursor->line, 0, err,
                                "%zu numbers in the header that ends here, not %zu", list.count, expected);
-    if (!status)
-        memcpy(value, list.value, expected * sizeof *value);
+    for (size_t i = 0; !status && list.value && i < expected; i++)
+        value[i] = list.value[i];
     free(list.value);
     return status;
 }
@@ -85,11 +86,12 @@ static enum thud_status read_smc(const struct record_source *source, const struc
     }
     raw->factor = 0.01;
     raw->factor_line = 1;
-    double comments = integer[15] == unknown_integer ? 0 : integer[15];
-    for (double i = 0; i < comments; i++)
+    double stated = integer[15] == unknown_integer ? 0 : integer[15];
+    int comments = (int)fmin(fmax(stated, 0), 1e6);
+    for (int i = 0; i < comments; i++)
         if (!record_next(&cursor, &line) || line.length == 0 || line.at[0] != '|')
             return record_refuse(source, cursor.line, 0, err,
-                                 "the header tells of %g comment lines with `|`, this is none", comments);
+                                 "the header tells of %d comment lines with `|`, this is none", comments);
     return record_add_block(raw, &cursor, 10, count, err);
 }
 

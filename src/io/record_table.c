@@ -325,7 +325,7 @@ enum thud_status record_table_finish(struct record_table *table, const struct th
 {
     if (table->rows == 0)
         return record_refuse(table->source, 0, 0, err, "there are no numbers in it");
-    bool by_name;
+    bool by_name = false;
     int column = -1, time = choice->column < 0 ? -1 : time_column(table, &by_name);
     enum thud_status status = choose(table, choice, time, &column, err);
     if (!status)

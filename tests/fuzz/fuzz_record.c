@@ -1,4 +1,5 @@
-/* Any bytes at all as a record file: a record whose samples are finite, or a refusal with a message. The first byte says which options the user gave. */
+/* Any bytes at all as a record file: a record whose samples are finite, or a refusal with a message. The first byte
+ * says which options the user gave. */
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
