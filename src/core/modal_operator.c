@@ -84,3 +84,17 @@ void thud_modal_operator_apply(const struct thud_modal_operator *op, const struc
         block += p->n * p->n;
     }
 }
+
+void thud_modal_forward(const struct thud_model *model, double x, double y, double z, const double *in, double *out)
+{
+    for (int j = 0; j < model->ndof; j++) {
+        double w = model->omega[j];
+        out[j] = (x + w * (2 * y * model->zeta[j] + z * w)) * in[j];
+    }
+    for (int s = 0; s < model->nstructures; s++) {
+        const struct thud_model_structure *p = &model->structure[s];
+        for (int i = 0; p->damping && i < p->n; i++)
+            for (int j = 0; j < p->n; j++)
+                out[p->first + i] += y * p->damping[i * p->n + j] * in[p->first + j];
+    }
+}

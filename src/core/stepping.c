@@ -61,7 +61,7 @@ double thud_step_force(struct thud_run *run, int c, double d, double v, double *
     df_dd = df_dd ? df_dd : &dummy[0];
     df_dv = df_dv ? df_dv : &dummy[1];
     if (!run->locates) {
-        run->result.work.force_evaluations++;
+        run->result.work.force_evaluations += d > 0;
         return unlocated_force(run, c, d, v, df_dd, df_dv);
     }
     *df_dd = *df_dv = 0;

@@ -1,0 +1,112 @@
+#include "core/dormand_prince.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "core/runge_kutta.h"
+
+static const struct thud_tableau tableau = {
+    .stages = 7,
+    .c = {0, 1.0 / 5, 3.0 / 10, 4.0 / 5, 8.0 / 9, 1, 1},
+    .a = {{0},
+          {1.0 / 5},
+          {3.0 / 40, 9.0 / 40},
+          {44.0 / 45, -56.0 / 15, 32.0 / 9},
+          {19372.0 / 6561, -25360.0 / 2187, 64448.0 / 6561, -212.0 / 729},
+          {9017.0 / 3168, -355.0 / 33, 46732.0 / 5247, 49.0 / 176, -5103.0 / 18656},
+          {35.0 / 384, 0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84}},
+};
+/* Weights of the end less those of the embedded method of order 4. */
+static const double difference[7] = {71.0 / 57600,      0,          -71.0 / 16695, 71.0 / 1920,
+                                     -17253.0 / 339200, 22.0 / 525, -1.0 / 40};
+
+struct dormand_prince {
+    struct thud_rk rk;
+    double h;     /* to try next */
+    double speed; /* modal speed in which errors are measured */
+};
+
+/* Largest speed of the ground, m/s: the trapezoidal sum of its acceleration. */
+static double ground_speed(const struct thud_record *r)
+{
+    double v = 0, most = 0;
+    for (size_t i = 0; r && i + 1 < r->samples; i++) {
+        v += 0.5 * r->dt_s * (r->a_mps2[i] + r->a_mps2[i + 1]);
+        most = fmax(most, fabs(v));
+    }
+    return most;
+}
+
+enum thud_status thud_dormand_prince_create(struct thud_run *run, void **state, struct thud_error *err)
+{
+    struct dormand_prince *x = *state = calloc(1, sizeof *x);
+    if (!x || thud_rk_init(&x->rk, run, &tableau, err) != THUD_OK) {
+        free(x);
+        *state = NULL;
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    }
+    double mass = 0;
+    for (int j = 0; j < run->model->ndof; j++)
+        mass += run->model->gamma[j] * run->model->gamma[j];
+    x->h = thud_run_default_step(run);
+    x->speed = sqrt(mass) * ground_speed(run->record) + sqrt(2 * (thud_run_kinetic(run) + thud_run_strain(run)));
+    return THUD_OK;
+}
+
+void thud_dormand_prince_free(void *state)
+{
+    struct dormand_prince *x = state;
+    if (!x)
+        return;
+    thud_rk_clear(&x->rk);
+    free(x);
+}
+
+/* Error of the step in energy terms, sqrt(sum of (error of q')^2 + omega^2 (error of q)^2), over the absolute scale:
+ * the speed of all floors moving with the ground at its fastest, and that of the initial motion. A free body's
+ * displacement counts at 1 rad/s. */
+static double error_of(const struct thud_run *run, const struct dormand_prince *x, double h)
+{
+    const struct thud_model *m = run->model;
+    double sum = 0;
+    for (int j = 0; j < m->ndof; j++) {
+        double q = 0, qd = 0, w = fmax(m->omega[j], 1);
+        for (int i = 0; i < tableau.stages; i++) {
+            q += difference[i] * x->rk.stage[i].qd[j];
+            qd += difference[i] * x->rk.stage[i].qdd[j];
+        }
+        sum += qd * qd + w * w * q * q;
+    }
+    return h * sqrt(sum) / fmax(x->speed, 1e-9);
+}
+
+enum thud_status thud_dormand_prince_step(struct thud_run *run, void *state, struct thud_error *err)
+{
+    static const double share = 1e-2; /* of the tolerance, for one step: errors add up, and impacts make them grow */
+    struct dormand_prince *x = state;
+    double tolerance = share * run->options.tolerance, remaining = thud_run_remaining(run);
+    thud_rk_start(run, &x->rk);
+    for (;;) {
+        double h = remaining / fmax(1, ceil(remaining / x->h * (1 - 1e-9)));
+        thud_rk_stages(run, &x->rk, h);
+        double error = error_of(run, x, h);
+        double factor = isfinite(error) ? 0.9 * pow(tolerance / fmax(error, 1e-10 * tolerance), 0.2) : 0.1;
+        factor = fmin(5, fmax(0.1, factor));
+        if (error <= tolerance) {
+            x->h = factor > 1 ? fmax(x->h, factor * h) : factor * h; /* a step cut short to end at a kink says little */
+            thud_rk_write(run, &x->rk, h);
+            return THUD_OK;
+        }
+        x->h = fmin(factor, 0.9) * h;
+        run->result.work.rejected++;
+        if (h < 1e-14 * run->end_s)
+            return thud_error_set(err, THUD_DIVERGED, "no step is short enough at t = %.6g s", thud_run_now(run));
+    }
+}
+
+void thud_dormand_prince_committed(struct thud_run *run, void *state, double tau_s, bool switched)
+{
+    struct dormand_prince *x = state;
+    (void)tau_s;
+    thud_rk_committed(run, &x->rk, switched);
+}

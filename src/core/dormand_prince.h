@@ -1,0 +1,12 @@
+/* The pair of orders 5 and 4 of Dormand and Prince (1980) with a step that follows the run's tolerance. */
+#ifndef THUD_CORE_DORMAND_PRINCE_H
+#define THUD_CORE_DORMAND_PRINCE_H
+
+#include "core/method.h"
+
+enum thud_status thud_dormand_prince_create(struct thud_run *run, void **state, struct thud_error *err);
+enum thud_status thud_dormand_prince_step(struct thud_run *run, void *state, struct thud_error *err);
+void thud_dormand_prince_committed(struct thud_run *run, void *state, double tau_s, bool switched);
+void thud_dormand_prince_free(void *state);
+
+#endif

@@ -1,0 +1,57 @@
+#include <stdlib.h>
+
+#include "core/runge_kutta.h"
+
+static const struct thud_tableau tableau = {
+    .stages = 5,
+    .c = {0, 0.5, 0.5, 1, 1},
+    .a = {{0}, {0.5}, {0, 0.5}, {0, 0, 1}, {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6}},
+};
+
+static enum thud_status create(struct thud_run *run, void **state, struct thud_error *err)
+{
+    struct thud_rk *rk = *state = calloc(1, sizeof *rk);
+    enum thud_status status = rk ? thud_rk_init(rk, run, &tableau, err) : THUD_MEMORY;
+    if (status == THUD_OK)
+        return status;
+    free(rk);
+    *state = NULL;
+    return thud_error_set(err, THUD_MEMORY, "out of memory");
+}
+
+static enum thud_status step(struct thud_run *run, void *state, struct thud_error *err)
+{
+    double h = thud_step_length(run);
+    (void)err;
+    thud_rk_start(run, state);
+    thud_rk_stages(run, state, h);
+    thud_rk_write(run, state, h);
+    return THUD_OK;
+}
+
+static void committed(struct thud_run *run, void *state, double tau_s, bool switched)
+{
+    (void)tau_s;
+    thud_rk_committed(run, state, switched);
+}
+
+static void release(void *state)
+{
+    thud_rk_clear(state);
+    free(state);
+}
+
+const struct thud_method thud_method_rk4 = {
+    .name = "rk4",
+    .title = "Runge-Kutta of order 4",
+    .reference = "Kutta 1901",
+    .summary = "explicit, four evaluations a step; of order 4 only where impacts are located",
+    .flags = THUD_METHOD_FIXED_STEP | THUD_METHOD_LOCATES | THUD_METHOD_CAN_LOCATE,
+    .order = 4,
+    .stability = 2.8284271247461903,
+    .limits = "stable while omega dt < 2 sqrt(2), contacts closed",
+    .create = create,
+    .step = step,
+    .committed = committed,
+    .free = release,
+};
