@@ -19,6 +19,7 @@ struct thud_paper_study {
     const struct thud_sweep_table *table;   /* cases none, bumper, cavity over the gap */
     const struct thud_paper_record *record; /* (table->nrecords) */
     const struct thud_paper_pair *pair;     /* (THUD_PAPER_PAIRS) */
+    int unanswered;                         /* runs whose integration failed */
     const char *suffix;                     /* of the pictures: "png" */
 };
 

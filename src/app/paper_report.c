@@ -265,4 +265,10 @@ void thud_paper_report(const struct thud_paper_study *study, struct thud_text *o
     statements(study, out);
     thud_text_append(out, "%s", differences);
     record_difference(study, out);
+    if (study->unanswered > 0)
+        thud_text_append(
+            out,
+            "- **Runs without an answer.** In %d of the runs the integration failed; the curves have gaps there, and "
+            "the tables leave these gaps out.\n",
+            study->unanswered);
 }

@@ -22,7 +22,7 @@ struct thud_paper_work {
     struct thud_sweep_plan plan;
     bool planned;
     struct thud_sweep_collector collector;
-    int nrecords;
+    int nrecords, unanswered;
     struct thud_record *record[RECORDS_MAX];
     const char *name[RECORDS_MAX];
     char text[RECORDS_MAX][512]; /* names */
@@ -152,6 +152,8 @@ static enum thud_status take(void *context, struct thud_sweep_point *point, stru
 {
     struct taker *taker = context;
     enum thud_status status = thud_sweep_collector_add(&taker->work->collector, &taker->work->plan, point, err);
+    for (int i = 0; i < point->ncases; i++)
+        taker->work->unanswered += point->effort[i].status == THUD_DIVERGED;
     free(point);
     return status;
 }
@@ -198,8 +200,10 @@ enum thud_status thud_paper_work_make(const struct thud_paper_request *request, 
         thud_paper_work_free(work);
         return status;
     }
-    *study =
-        (struct thud_paper_study){.scene = &work->plan.scene, .table = &work->collector.table, .record = work->about};
+    *study = (struct thud_paper_study){.scene = &work->plan.scene,
+                                       .table = &work->collector.table,
+                                       .record = work->about,
+                                       .unanswered = work->unanswered};
     *out = work;
     return THUD_OK;
 }

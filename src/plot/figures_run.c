@@ -88,7 +88,10 @@ void thud_figure_shorten(struct thud_figure *figure)
     for (int p = 0; p < panels; p++) {
         if (figure->panel[p].used && !figure->panel[p].closer) {
             last = fmax(last, last_change(&figure->panel[p], 0.05));
-            end = fmax(end, thud_panel_range(&figure->panel[p], THUD_X).most);
+            for (int i = 0; i < figure->panel[p].nseries; i++) {
+                const struct thud_series *series = figure->panel[p].series[i];
+                end = fmax(end, series->n > 0 ? series->x[series->n - 1] : 0.0);
+            }
         }
     }
     double step = last > 20.0 ? 5.0 : last > 2.0 ? 1.0 : 0.1, until = step * ceil(1.1 * last / step);
