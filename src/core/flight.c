@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "core/closing.h"
+#include "core/horizon.h"
 #include "core/poly.h"
 
 enum { ENDS = THUD_FLIGHT_ENDS, SHORT_BLOCK = 8 };
@@ -393,6 +394,15 @@ enum thud_status thud_flight_go(struct thud_run *run, int *passed, struct thud_e
     long left = (long)floor(run->end_s / run->grid_dt_s * (1 + 1e-12)) - run->grid;
     if (!may_fly(run) || left <= 0)
         return THUD_OK;
+    if (run->horizon) {
+        long jumped = thud_horizon_jump(run->horizon, run);
+        *passed = jumped > 0;
+        run->result.work.samples_jumped += jumped;
+        if (jumped > 0)
+            return THUD_OK;
+        int stride = thud_horizon_stride(run->grid);
+        f->size = f->size < stride ? f->size : stride;
+    }
     int tried = left < f->size ? (int)left : f->size, intervals = tried;
     march(f, run, tried);
     floor_values(f, run->model, tried + 1);
@@ -405,6 +415,8 @@ enum thud_status thud_flight_go(struct thud_run *run, int *passed, struct thud_e
     peaks(run, f, intervals);
     if (run->closing)
         thud_closing_flight(run, f, intervals);
+    if (run->horizon_to_fill)
+        thud_horizon_record(run->horizon_to_fill, run, f, intervals);
     enum thud_status status = run->options.keep_history ? rows(run, f, intervals, err) : THUD_OK;
     if (!run->options.no_ledger)
         add_energies(f, run, intervals);

@@ -36,6 +36,7 @@ struct thud_contact_state {
 #define THUD_TOUCH_NOISE_M 1e-15
 
 struct thud_flight;
+struct thud_horizon;
 struct thud_ledger {
     double initial_j, input_j, viscous_j, contact_work_j, largest_j;
 };
@@ -70,6 +71,8 @@ struct thud_run {
     double *force_now;    /* (ncontacts) */
     double *collide;      /* of contact_impulse.c */
     int *set_now;         /* (ncontacts) */
+    const struct thud_horizon *horizon;    /* of the motion without contact; NULL: not known */
+    struct thud_horizon *horizon_to_fill; /* in the run without contact; NULL: not asked for */
     double *closing;      /* (ncontacts) largest so far of left less right displacement; NULL: not asked for */
     struct thud_flight *flight;
     double *block; /* everything above that is an array of doubles */

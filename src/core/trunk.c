@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/run_private.h"
+#include "core/horizon.h"
 
 enum { KEPT_MAX = 192 };
 
@@ -24,6 +24,7 @@ struct thud_trunk {
     bool shares;     /* free flight is the same whatever the clearances */
     struct moment kept[KEPT_MAX];
     int nkept;
+    struct thud_horizon *horizon;
     long apart, next; /* intervals between kept moments, and the next one to keep */
 };
 
@@ -96,6 +97,8 @@ enum thud_status thud_trunk_advance(struct thud_trunk *trunk, long budget, bool 
         if (status == THUD_OK && trunk->shares && !*done)
             status = keep(trunk, err);
     }
+    if (*done && trunk->horizon)
+        thud_horizon_close(trunk->horizon, trunk->run);
     return status;
 }
 
@@ -135,6 +138,8 @@ enum thud_status thud_trunk_create(const struct thud_model *model, const struct 
     if (status == THUD_OK) {
         trunk->run->closing = trunk->closing;
         trunk->shares = trunk->run->method == thud_method_find("exact");
+        trunk->horizon = trunk->shares ? thud_horizon_create(&trunk->model) : NULL;
+        trunk->run->horizon_to_fill = trunk->horizon;
     }
     if (status != THUD_OK) {
         thud_trunk_free(trunk);
@@ -151,6 +156,7 @@ void thud_trunk_free(struct thud_trunk *trunk)
     for (int i = 0; i < trunk->nkept; i++)
         drop(&trunk->kept[i]);
     thud_run_free(trunk->run);
+    thud_horizon_free(trunk->horizon);
     free(trunk->model.contact);
     free(trunk->closing);
     free(trunk);
@@ -205,6 +211,8 @@ enum thud_status thud_trunk_run(const struct thud_trunk *trunk, const struct thu
     if (status != THUD_OK || !trunk->shares || options->keep_history)
         return status;
     assert((*out)->end_s == trunk->run->end_s && (*out)->grid_dt_s == trunk->run->grid_dt_s);
+    if (options->no_ledger && (*out)->method == trunk->run->method)
+        (*out)->horizon = trunk->horizon;
     int last = -1;
     while (last + 1 < trunk->nkept && before_contact(trunk, &trunk->kept[last + 1], model))
         last++;

@@ -1,0 +1,196 @@
+#include "core/horizon.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { STRIDE = THUD_FLIGHT_BLOCK, ENDS = THUD_FLIGHT_ENDS };
+
+struct thud_horizon {
+    int n, nc, row; /* modes, contacts, doubles of one block: 2 n + 4 n + nc */
+    double *block;  /* (capacity x row): q, q' at its start; what its floors' values do not pass; largest closings */
+    long count, capacity;
+    double *end;         /* (2 n) q, q' at the end of the last block */
+    bool closed, failed; /* blocks are STRIDE intervals each, but for the last */
+    long end_grid;
+};
+
+struct thud_horizon *thud_horizon_create(const struct thud_model *model)
+{
+    struct thud_horizon *h = calloc(1, sizeof *h);
+    if (!h)
+        return NULL;
+    h->n = model->ndof;
+    h->nc = model->ncontacts;
+    h->row = 6 * h->n + h->nc;
+    h->end = calloc(2 * (size_t)h->n + 1, sizeof *h->end);
+    for (int j = 0; j < h->n; j++)
+        h->failed = h->failed || !(model->omega[j] > 0); /* a free body's difference does not decay */
+    if (!h->end) {
+        free(h);
+        return NULL;
+    }
+    return h;
+}
+
+void thud_horizon_free(struct thud_horizon *horizon)
+{
+    if (!horizon)
+        return;
+    free(horizon->block);
+    free(horizon->end);
+    free(horizon);
+}
+
+static double *new_block(struct thud_horizon *h)
+{
+    if (h->count == h->capacity) {
+        long more = h->capacity ? 2 * h->capacity : 64;
+        double *p = realloc(h->block, (size_t)more * (size_t)h->row * sizeof *p);
+        if (!p)
+            return NULL;
+        h->block = p;
+        h->capacity = more;
+    }
+    return h->block + h->count++ * h->row;
+}
+
+static double largest(const double *x, int n)
+{
+    double most = 0;
+    for (int t = 0; t < n; t++) {
+        double a = fabs(x[t]);
+        most = a > most ? a : most;
+    }
+    return most;
+}
+
+void thud_horizon_record(struct thud_horizon *h, const struct thud_run *run, const struct thud_flight *f, int intervals)
+{
+    const struct thud_model *m = run->model;
+    if (h->failed || run->grid != h->count * STRIDE)
+        h->failed = true;
+    double *block = h->failed ? NULL : new_block(h);
+    if (!block) {
+        h->failed = true;
+        return;
+    }
+    for (int j = 0; j < h->n; j++) {
+        block[j] = f->q[j * ENDS];
+        block[h->n + j] = f->qd[j * ENDS];
+        h->end[j] = f->q[j * ENDS + intervals];
+        h->end[h->n + j] = f->qd[j * ENDS + intervals];
+    }
+    double *value = block + 2 * h->n, *closing = value + 4 * h->n;
+    for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++)
+        for (int i = 0; i < h->n; i++)
+            value[x * h->n + i] =
+                largest(f->value[x] + i * ENDS, intervals + 1) + f->margin[x * m->nstructures + m->dof_structure[i]];
+    for (int c = 0; c < h->nc; c++) {
+        const struct thud_model_contact *p = &m->contact[c];
+        const double *u = f->value[THUD_FLOOR_DISPLACEMENT];
+        double most = -INFINITY, margin = 0;
+        margin += p->left_dof < 0 ? 0 : f->margin[m->dof_structure[p->left_dof]];
+        margin += p->right_dof < 0 ? 0 : f->margin[m->dof_structure[p->right_dof]];
+        for (int t = 0; t <= intervals; t++)
+            most = fmax(most, (p->left_dof < 0 ? 0 : u[p->left_dof * ENDS + t]) -
+                                  (p->right_dof < 0 ? 0 : u[p->right_dof * ENDS + t]));
+        closing[c] = most + margin;
+    }
+    h->end_grid = run->grid + intervals;
+}
+
+/* From each block on: the largest of it and all that follow. */
+void thud_horizon_close(struct thud_horizon *h, const struct thud_run *run)
+{
+    (void)run;
+    for (long b = h->count - 2; b >= 0; b--) {
+        double *block = h->block + b * h->row + 2 * h->n, *next = block + h->row;
+        for (int i = 0; i < 4 * h->n + h->nc; i++)
+            block[i] = fmax(block[i], next[i]);
+    }
+    h->closed = !h->failed && h->count > 0;
+}
+
+int thud_horizon_stride(long grid)
+{
+    return (int)(STRIDE - grid % STRIDE);
+}
+
+/* Largest |x| that a mode's free vibration from (q, q') comes to: its envelope at the start. */
+static double amplitude(const struct thud_model *m, int j, double q, double qd)
+{
+    double damped = m->omega[j] * sqrt(1 - m->zeta[j] * m->zeta[j]);
+    double v = (qd + m->zeta[j] * m->omega[j] * q) / damped;
+    return sqrt(q * q + v * v);
+}
+
+/* Whether one floor keeps below its peaks: `later` of the motion without contact, plus what the difference may add. */
+static bool floor_is_done(struct thud_run *run, const double *later, const double *amplitudes, int s, int floor)
+{
+    const struct thud_model *m = run->model;
+    const struct thud_model_structure *p = &m->structure[s];
+    const double *row = p->phi + floor * p->n, *below = floor > 0 ? row - p->n : NULL;
+    double add[THUD_FLOOR_QUANTITIES] = {0};
+    int n = m->ndof;
+    for (int j = 0; j < p->n; j++) {
+        double w = m->omega[p->first + j], a = amplitudes[p->first + j], part = fabs(row[j]) * a;
+        add[THUD_FLOOR_DISPLACEMENT] += part;
+        add[THUD_FLOOR_VELOCITY] += part * w;
+        add[THUD_FLOOR_ACCELERATION] += part * w * w * (1 + 2 * m->zeta[p->first + j]);
+        add[THUD_FLOOR_DRIFT] += fabs(row[j] - (below ? below[j] : 0)) * a;
+    }
+    for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++)
+        if (later[x * n + p->first + floor] + add[x] > thud_floor_peak(run, s, floor, x)->value)
+            return false;
+    return true;
+}
+
+static bool nothing_comes(struct thud_run *run, const double *later, const double *closing, const double *amplitudes)
+{
+    const struct thud_model *m = run->model;
+    for (int c = 0; c < m->ncontacts; c++) {
+        const double *g = m->g + c * m->ndof;
+        double add = 0;
+        if (m->contact[c].law->flags & THUD_LAW_SILENT)
+            continue;
+        for (int j = 0; j < m->ndof; j++)
+            add += fabs(g[j]) * amplitudes[j];
+        if (closing[c] + add >= thud_run_shift(run, c))
+            return false;
+    }
+    for (int s = 0; s < m->nstructures; s++)
+        for (int i = 0; i < m->structure[s].n; i++)
+            if (!floor_is_done(run, later, amplitudes, s, i))
+                return false;
+    return true;
+}
+
+/* Free vibration of the difference over `time`, added to the motion without contact. */
+static void put_at_end(const struct thud_horizon *h, struct thud_run *run, const double *start, double time)
+{
+    const struct thud_model *m = run->model;
+    for (int j = 0; j < h->n; j++) {
+        double dq = run->q[j] - start[j], dv = run->qd[j] - start[h->n + j];
+        double zw = m->zeta[j] * m->omega[j], w = m->omega[j] * sqrt(1 - m->zeta[j] * m->zeta[j]);
+        double fade = exp(-zw * time), c = cos(w * time), s = sin(w * time);
+        run->q[j] = h->end[j] + fade * (dq * c + (dv + zw * dq) / w * s);
+        run->qd[j] = h->end[h->n + j] + fade * (dv * c - (zw * dv + m->omega[j] * m->omega[j] * dq) / w * s);
+    }
+}
+
+long thud_horizon_jump(const struct thud_horizon *h, struct thud_run *run)
+{
+    long grid = run->grid, b = grid / STRIDE;
+    if (!h->closed || grid % STRIDE != 0 || b >= h->count || grid >= h->end_grid)
+        return 0;
+    const double *start = h->block + b * h->row, *later = start + 2 * h->n;
+    double *amplitudes = run->reach;
+    for (int j = 0; j < h->n; j++)
+        amplitudes[j] = amplitude(run->model, j, run->q[j] - start[j], run->qd[j] - start[h->n + j]);
+    if (!nothing_comes(run, later, later + 4 * h->n, amplitudes))
+        return 0;
+    put_at_end(h, run, start, (double)(h->end_grid - grid) * run->grid_dt_s);
+    run->grid = h->end_grid;
+    return h->end_grid - grid;
+}
