@@ -350,6 +350,7 @@ static void add_energies(struct thud_flight *f, struct thud_run *run, int interv
 static enum thud_status rows(struct thud_run *run, struct thud_flight *f, int intervals, struct thud_error *err)
 {
     long base = run->grid;
+    const struct thud_ledger before = run->ledger; /* goes on with the rows, and then by the whole block */
     enum thud_status status = THUD_OK;
     for (int t = 0; t < intervals && status == THUD_OK; t++) {
         run->grid = base + t;
@@ -357,11 +358,13 @@ static enum thud_status rows(struct thud_run *run, struct thud_flight *f, int in
         for (int piece = 0; piece < f->pieces && status == THUD_OK; piece++) {
             series(run, f, piece);
             status = thud_history_segment(run, 1, err);
+            thud_ledger_segment(run, 1);
             thud_segment_state(&run->seg, f->n, 1, f->now, f->now_rate);
         }
     }
     run->grid = base;
     run->offset_s = 0;
+    run->ledger = before;
     return status;
 }
 

@@ -137,6 +137,20 @@ static enum thud_status row_at(struct thud_run *run, double s, struct thud_error
     return THUD_OK;
 }
 
+/* A row out of contact, with the ledger at its own time. Not where a step feels a contact it does not see: the work of
+ * contacts is booked once. */
+static enum thud_status free_row(struct thud_run *run, double s, struct thud_error *err)
+{
+    for (int c = 0; c < run->model->ncontacts; c++)
+        if (thud_contact_felt(run, c))
+            return row_at(run, s, err);
+    const struct thud_ledger before = run->ledger;
+    thud_ledger_segment(run, s);
+    enum thud_status status = row_at(run, s, err);
+    run->ledger = before;
+    return status;
+}
+
 /* Parts that a segment in contact is shown in: close enough for a smooth curve of an impact of 25 ms, and some also of
  * the shortest. */
 static int contact_rows(double duration_s, double step_s)
@@ -175,7 +189,7 @@ enum thud_status thud_history_segment(struct thud_run *run, double s, struct thu
     double fuzz = 1e-9 * step;
     while (run->next_row_s <= t0 + s * h + fuzz && status == THUD_OK) {
         double at = (run->next_row_s - t0) / h;
-        status = row_at(run, at < 0 ? 0 : at > s ? s : at, err);
+        status = free_row(run, at < 0 ? 0 : at > s ? s : at, err);
         run->next_row_s = next_row(run, run->next_row_s);
     }
     return status;

@@ -1,0 +1,91 @@
+/* The histories' energies balance at every row out of contact, and histories change no answer. */
+#include <check.h>
+#include <math.h>
+
+#include "core/run.h"
+
+enum { SAMPLES = 600 };
+
+static struct thud_model *towers(void)
+{
+    static const double mass[3] = {320e3, 320e3, 250e3}, stiffness[3] = {600e6, 600e6, 600e6};
+    struct thud_structure_input structure[2] = {
+        {.n = 2, .mass_kg = mass + 1, .stiffness_npm = stiffness, .damping = 0.05},
+        {.n = 3, .mass_kg = mass, .stiffness_npm = stiffness, .damping = 0.05}};
+    struct thud_contact_input contact[2] = {{.interface = 1, .left_floor = 1, .right_floor = 1, .right_structure = 1},
+                                            {.interface = 1, .left_floor = 2, .right_floor = 2, .right_structure = 1}};
+    for (int c = 0; c < 2; c++) {
+        contact[c].clearance_m = 0.01;
+        contact[c].law = thud_law_find("kelvin-voigt-no-tension");
+        thud_law_defaults(contact[c].law, &contact[c].setup);
+        contact[c].setup.value[thud_law_param(contact[c].law, "stiffness")] = 2500e6;
+        contact[c].setup.value[thud_law_param(contact[c].law, "restitution")] = 0.6;
+    }
+    struct thud_model_input input = {.nstructures = 2, .structure = structure, .ncontacts = 2, .contact = contact};
+    struct thud_model *model;
+    ck_assert_int_eq(thud_model_create(&input, &model, NULL), THUD_OK);
+    return model;
+}
+
+static struct thud_run *go(const struct thud_model *model, const struct thud_record *record, bool history)
+{
+    struct thud_run_options options;
+    struct thud_run *run;
+    bool done = false;
+    thud_run_options_init(&options);
+    options.tail_s = 2.0;
+    options.tolerance = 1e-9;
+    options.keep_history = history;
+    ck_assert_int_eq(thud_run_create(model, record, &options, &run, NULL), THUD_OK);
+    while (!done)
+        ck_assert_int_eq(thud_run_advance(run, 100000, &done, NULL), THUD_OK);
+    return run;
+}
+
+START_TEST(energies_balance_row_by_row)
+{
+    double a[SAMPLES];
+    for (int i = 0; i < SAMPLES; i++)
+        a[i] = 5.0 * sin(0.32 * i) + 2.0 * sin(0.11 * i * i / 40.0);
+    struct thud_record *record;
+    ck_assert_int_eq(thud_record_create(a, SAMPLES, 0.02, &record, NULL), THUD_OK);
+    struct thud_model *model = towers();
+    struct thud_run *run = go(model, record, true), *bare = go(model, record, false);
+    const struct thud_history *h = thud_run_history(run);
+    double largest = 0.0, worst = 0.0;
+    int rows = 0;
+    ck_assert_int_gt(thud_run_result(run)->contact[1].impacts, 3);
+    for (int pass = 0; pass < 2; pass++) {
+        for (size_t i = 0; i < h->rows; i++) {
+            const double *row = h->value + i * (size_t)h->columns;
+            const double *e = row + thud_history_energy(h, 0);
+            largest = fmax(largest, fabs(e[0]));
+            bool open = row[thud_history_force(h, 0)] == 0.0 && row[thud_history_force(h, 1)] == 0.0 &&
+                        row[thud_history_indentation(h, 0)] < 0.0 && row[thud_history_indentation(h, 1)] < 0.0;
+            if (pass && open) {
+                worst = fmax(worst, fabs(e[0] - e[1] - e[2] - e[3] - e[4]));
+                rows++;
+            }
+        }
+    }
+    ck_assert_int_gt(rows, SAMPLES / 2);
+    ck_assert_msg(worst < 1e-7 * largest, "%g of %g J", worst, largest);
+    const struct thud_energy *with = &thud_run_result(run)->energy, *without = &thud_run_result(bare)->energy;
+    ck_assert(with->input_j == without->input_j && with->viscous_j == without->viscous_j);
+    ck_assert(with->error_ratio < 1e-7);
+    thud_run_free(run);
+    thud_run_free(bare);
+    thud_model_free(model);
+    thud_record_free(record);
+}
+END_TEST
+
+Suite *thud_suite(void);
+Suite *thud_suite(void)
+{
+    Suite *suite = suite_create("history_energy");
+    TCase *tcase = tcase_create("history_energy");
+    tcase_add_test(tcase, energies_balance_row_by_row);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}
