@@ -85,7 +85,7 @@ static double largest(const double *x, int n)
 
 double thud_segment_tail(const struct thud_segment *seg, int n)
 {
-    double all = largest(seg->q, 3 * n), last = largest(seg->q + (seg->terms - 2) * n, 2 * n);
+    double all = largest(seg->q, seg->terms * n), last = largest(seg->q + (seg->terms - 2) * n, 2 * n);
     return last == 0 ? 0 : last / all;
 }
 
