@@ -4,7 +4,6 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "base/quantity.h"
 #include "io/paths.h"
@@ -19,17 +18,14 @@ void thud_record_treatment_init(struct thud_record_treatment *treatment)
 }
 
 /* As given, or in the records folder. */
-static void find(const char *name, char *path, size_t size)
+static enum thud_status find(const char *name, char *path, size_t size, struct thud_error *err)
 {
     struct thud_paths paths;
-    snprintf(path, size, "%s", name);
-    if (access(path, F_OK) == 0 || strchr(name, '/'))
-        return;
     thud_paths_find(&paths);
-    char shipped[1024];
-    int n = snprintf(shipped, sizeof shipped, "%s/%s", paths.records, name);
-    if (n > 0 && (size_t)n < sizeof shipped && access(shipped, F_OK) == 0)
-        snprintf(path, size, "%s", shipped);
+    enum thud_status status = thud_paths_record(&paths, NULL, name, path, size, err);
+    if (status)
+        thud_error_key(err, ""); /* here it is no key of a preset */
+    return status;
 }
 
 static enum thud_status treat(struct thud_record **record, const struct thud_record_treatment *treatment,
@@ -61,8 +57,9 @@ enum thud_status thud_record_open(const char *name, const struct thud_record_tre
     choice.sign = 1;
     choice.peak_mps2 = NAN;
     struct thud_record *record = NULL;
-    find(name, path, sizeof path);
-    enum thud_status status = thud_record_file_read(path, &choice, &record, err);
+    enum thud_status status = find(name, path, sizeof path, err);
+    if (!status)
+        status = thud_record_file_read(path, &choice, &record, err);
     if (!status)
         status = treat(&record, treatment, err);
     if (status) {

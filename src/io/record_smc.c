@@ -69,7 +69,7 @@ static enum thud_status read_smc(const struct record_source *source, const struc
     (void)choice;
     struct record_cursor cursor = record_start(source);
     struct record_line line = {.number = TEXT_LINES + 3};
-    double integer[INTEGERS], real[REALS];
+    double integer[INTEGERS] = {0}, real[REALS] = {0};
     enum thud_status status = read_text(source, &cursor, raw, err);
     if (!status)
         status = read_numbers(&cursor, 10, INTEGER_LINES, INTEGERS, integer, err);
