@@ -137,16 +137,20 @@ static int by_name(const void *a, const void *b)
     return strcmp(*(char *const *)a, *(char *const *)b);
 }
 
-static void list_file(const char *path, const char *name, bool json, int *shown, struct thud_text *out)
+/* A file that is no record is passed over. Errors: THUD_MEMORY. */
+static enum thud_status list_file(const char *path, const char *name, bool json, int *shown, struct thud_text *out,
+                                  struct thud_error *failure)
 {
     struct thud_record_treatment treatment;
     struct thud_record *record;
     struct thud_error err = {0};
     thud_record_treatment_init(&treatment);
     enum thud_status status = thud_record_file_read(path, &treatment.choice, &record, &err);
+    if (status == THUD_MEMORY)
+        return thud_error_set(failure, THUD_MEMORY, "out of memory");
     bool asks = status && err.key[0]; /* a record, but one that needs an option */
     if (status && !asks)
-        return;
+        return THUD_OK;
     double peak = record ? thud_record_peak(record) : NAN;
     if (json) {
         thud_text_append(out, "%s\n  {", *shown ? "," : "");
@@ -164,59 +168,80 @@ static void list_file(const char *path, const char *name, bool json, int *shown,
         thud_text_append(out, "%-44s needs --%s\n", name, err.key);
     ++*shown;
     thud_record_free(record);
+    return THUD_OK;
 }
 
-static char **names_in(const char *folder, size_t *count)
+static void free_names(char **names, size_t count)
+{
+    for (size_t i = 0; names && i < count; i++)
+        free(names[i]);
+    free(names);
+}
+
+/* The names in a folder, in order. Errors: THUD_INPUT, THUD_MEMORY. */
+static enum thud_status names_in(const char *folder, char ***names, size_t *count, struct thud_error *err)
 {
     DIR *dir = opendir(folder);
-    char **names = NULL;
+    *names = NULL;
     *count = 0;
-    if (!dir)
-        return NULL;
-    for (const struct dirent *entry; (entry = readdir(dir)) != NULL;) {
+    if (!dir) {
+        thud_error_set(err, THUD_INPUT, "%s", strerror(errno));
+        thud_error_place(err, folder, 0, 0);
+        return THUD_INPUT;
+    }
+    bool failed = false;
+    for (const struct dirent *entry; !failed && (entry = readdir(dir)) != NULL;) {
         if (entry->d_name[0] == '.')
             continue;
-        char **more = realloc(names, (*count + 1) * sizeof *names);
-        if (!more)
-            break;
-        names = more;
-        names[*count] = strdup(entry->d_name);
-        if (names[*count])
-            ++*count;
+        char *name = strdup(entry->d_name);
+        char **more = name ? realloc(*names, (*count + 1) * sizeof **names) : NULL;
+        if (more) {
+            *names = more;
+            more[(*count)++] = name;
+        } else {
+            free(name);
+            failed = true;
+        }
     }
     closedir(dir);
-    if (names)
-        qsort(names, *count, sizeof *names, by_name);
-    return names;
+    if (failed) {
+        free_names(*names, *count);
+        *names = NULL;
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    }
+    if (*names)
+        qsort(*names, *count, sizeof **names, by_name);
+    return THUD_OK;
+}
+
+/* Something to read that is not prose. */
+static bool may_be_record(const char *path)
+{
+    struct stat about;
+    const char *suffix = strrchr(path, '.');
+    return !(suffix && strcmp(suffix, ".md") == 0) && stat(path, &about) == 0 && S_ISREG(about.st_mode);
 }
 
 enum thud_status thud_record_list(const char *folder, bool json, struct thud_text *out, struct thud_error *err)
 {
     size_t count;
     int shown = 0;
-    errno = 0;
-    char **names = names_in(folder, &count);
-    if (!names && errno) {
-        thud_error_set(err, THUD_INPUT, "%s", strerror(errno));
-        thud_error_place(err, folder, 0, 0);
-        return THUD_INPUT;
-    }
+    char **names;
+    enum thud_status status = names_in(folder, &names, &count, err);
+    if (status)
+        return status;
     if (json)
         thud_text_append(out, "[");
     else
         thud_text_append(out, "%s\n", folder);
-    for (size_t i = 0; names && i < count; i++) {
+    for (size_t i = 0; names && i < count && !status; i++) {
         char path[2048];
-        struct stat about;
         int n = snprintf(path, sizeof path, "%s/%s", folder, names[i]);
-        const char *suffix = strrchr(names[i], '.');
-        bool prose = suffix && strcmp(suffix, ".md") == 0;
-        if (n > 0 && (size_t)n < sizeof path && !prose && stat(path, &about) == 0 && S_ISREG(about.st_mode))
-            list_file(path, names[i], json, &shown, out);
-        free(names[i]);
+        if (n > 0 && (size_t)n < sizeof path && may_be_record(path))
+            status = list_file(path, names[i], json, &shown, out, err);
     }
-    free(names);
+    free_names(names, count);
     if (json)
         thud_text_append(out, "\n]\n");
-    return THUD_OK;
+    return status;
 }
