@@ -11,11 +11,11 @@
 enum { PATH_BYTES = 128, KEY_BYTES = 60 };
 
 /* Completes an error with the place of a node. */
-static enum thud_status at(const struct thud_preset *preset, int node, struct thud_error *err)
+static enum thud_status at(const struct thud_preset *preset, int node, enum thud_status status, struct thud_error *err)
 {
     const struct thud_yaml_node *n = &preset->tree.node[node];
     thud_error_place(err, preset->name, n->line, n->column);
-    return THUD_INPUT;
+    return status;
 }
 
 static enum thud_status refuse(const struct thud_preset *preset, int node, const char *path, const char *what,
@@ -25,7 +25,7 @@ static enum thud_status refuse(const struct thud_preset *preset, int node, const
     thud_error_key(err, path);
     if (allowed)
         thud_error_allow(err, "%s", allowed);
-    return at(preset, node, err);
+    return at(preset, node, THUD_INPUT, err);
 }
 
 static enum thud_yaml_kind kind_of(const struct thud_preset *preset, int node)
@@ -38,9 +38,8 @@ static enum thud_yaml_kind kind_of(const struct thud_preset *preset, int node)
 static enum thud_status set_text(struct thud_preset *preset, const char *path, int node, const char *text,
                                  struct thud_error *err)
 {
-    if (thud_scene_set(&preset->scene, path, text, err) == THUD_OK)
-        return THUD_OK;
-    return at(preset, node, err);
+    enum thud_status status = thud_scene_set(&preset->scene, path, text, err);
+    return status == THUD_OK ? THUD_OK : at(preset, node, status, err);
 }
 
 static enum thud_status set_scalar(struct thud_preset *preset, const char *path, int node, struct thud_error *err)
@@ -182,7 +181,7 @@ static enum thud_status set_keys(struct thud_preset *preset, int node, const cha
         snprintf(full, sizeof full, "%s.%.*s", path, KEY_BYTES, key);
         if (!thud_scene_param(&preset->scene, full, &floor)) {
             thud_scene_get(&preset->scene, full, unused, sizeof unused, err); /* says what is wrong with the key */
-            return at(preset, i, err);
+            return at(preset, i, THUD_INPUT, err);
         }
         if (wanted(preset, full, key))
             status = set_value(preset, full, tree->node[i].next, err);
@@ -416,7 +415,7 @@ enum thud_status thud_preset_walk(struct thud_preset *preset, struct thud_error 
     struct thud_error why = {0};
     status = thud_scene_check(&preset->scene, &why);
     if (status != THUD_OK) {
-        at(preset, thud_preset_node(preset, why.key), &why);
+        at(preset, thud_preset_node(preset, why.key), status, &why);
         if (err)
             *err = why;
     }

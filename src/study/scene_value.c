@@ -257,19 +257,22 @@ static enum thud_status set(struct thud_scene *scene, const struct thud_slot *sl
     return THUD_OK;
 }
 
-/* A copy without blanks around it; NULL when it is too long or memory is short. */
-static char *trimmed(const char *text)
+/* A copy without blanks around it. Errors: THUD_INPUT when it is too long, THUD_MEMORY. */
+static enum thud_status trimmed(const char *text, char **out, struct thud_error *err)
 {
     text += strspn(text, " \t");
     size_t length = strlen(text);
     while (length > 0 && (text[length - 1] == ' ' || text[length - 1] == '\t'))
         length--;
-    char *copy = length < TEXT_LIMIT ? malloc(length + 1) : NULL;
+    if (length >= TEXT_LIMIT)
+        return thud_error_set(err, THUD_INPUT, "the text is too long");
+    char *copy = malloc(length + 1);
     if (!copy)
-        return NULL;
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
     memcpy(copy, text, length);
     copy[length] = '\0';
-    return copy;
+    *out = copy;
+    return THUD_OK;
 }
 
 enum thud_status thud_scene_set(struct thud_scene *scene, const char *path, const char *text, struct thud_error *err)
@@ -278,10 +281,9 @@ enum thud_status thud_scene_set(struct thud_scene *scene, const char *path, cons
     enum thud_status status = thud_slot_find(scene, path, &slot, err);
     if (status != THUD_OK)
         return status;
-    char *clean = trimmed(text);
-    if (!clean)
-        status = thud_error_set(err, THUD_INPUT, "the text is too long");
-    else if (*clean || !unset(scene, &slot))
+    char *clean = NULL;
+    status = trimmed(text, &clean, err);
+    if (status == THUD_OK && (*clean || !unset(scene, &slot)))
         status = set(scene, &slot, clean, err);
     free(clean);
     if (status != THUD_OK)
