@@ -3,6 +3,16 @@
 const char *const thud_damping_choices[] = {"paper", "exact", NULL};
 const struct thud_branch thud_branch_none = {0};
 
+enum thud_status thud_law_check_hertz_stiffness(double stiffness, double exponent, struct thud_error *err)
+{
+    if (stiffness != THUD_HERTZ_STIFFNESS || exponent == 1.5)
+        return THUD_OK;
+    thud_error_set(err, THUD_INPUT, "the default is for exponent 1.5, not %g: give the stiffness too", exponent);
+    thud_error_key(err, "stiffness");
+    thud_error_allow(err, "a number of kN/mm^%g", exponent);
+    return THUD_INPUT;
+}
+
 enum thud_status thud_law_prepare_nothing(struct thud_law_setup *setup, struct thud_error *err)
 {
     (void)setup;

@@ -18,11 +18,12 @@
      .soft_least = 100 * THUD_KN_PER_MM, .soft_most = 10000 * THUD_KN_PER_MM}
 
 /* The paper has none; this one is near what was found for concrete on concrete. */
+#define THUD_HERTZ_STIFFNESS (87 * THUD_KN_PER_MM15)
 #define THUD_PARAM_HERTZ_STIFFNESS                                                                  \
     {.name = "stiffness", .title = "contact stiffness",                                             \
      .help = "Force at an indentation of 1 mm; the exponent is part of the unit.",                  \
      .kind = THUD_PARAM_QUANTITY, .dimension = THUD_POWER_STIFFNESS, .unit = "kN/mm^1.5",           \
-     .fallback = 87 * THUD_KN_PER_MM15, .least = 0, .most = NAN, .least_open = true,                \
+     .fallback = THUD_HERTZ_STIFFNESS, .least = 0, .most = NAN, .least_open = true,                \
      .soft_least = NAN, .soft_most = NAN}
 
 #define THUD_PARAM_RESTITUTION(value)                                                               \
@@ -58,6 +59,8 @@ extern const char *const thud_damping_choices[];
 /* The branch of no force at all. */
 extern const struct thud_branch thud_branch_none;
 
+/* THUD_INPUT where the exponent is not the 1.5 that the default of THUD_PARAM_HERTZ_STIFFNESS is for, and no other value was given. */
+enum thud_status thud_law_check_hertz_stiffness(double stiffness, double exponent, struct thud_error *err);
 /* prepare of a law whose values need no second look. */
 enum thud_status thud_law_prepare_nothing(struct thud_law_setup *setup, struct thud_error *err);
 /* touch of a law that remembers no damping of its own. */

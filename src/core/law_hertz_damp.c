@@ -45,9 +45,8 @@ static double formula(int which, double e)
 
 static enum thud_status prepare(struct thud_law_setup *setup, struct thud_error *err)
 {
-    (void)err;
     setup->constant[S] = formula((int)setup->value[FORMULA], setup->value[RESTITUTION]);
-    return THUD_OK;
+    return thud_law_check_hertz_stiffness(setup->value[STIFFNESS], setup->value[EXPONENT], err);
 }
 
 static void touch(const struct thud_law_setup *setup, double v_mps, struct thud_law_memory *memory)

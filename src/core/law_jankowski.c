@@ -26,7 +26,7 @@ static enum thud_status prepare(struct thud_law_setup *setup, struct thud_error 
         return THUD_INPUT;
     }
     setup->constant[D] = 2 * setup->constant[XI] * sqrt(setup->value[STIFFNESS] * setup->mass_kg);
-    return THUD_OK;
+    return thud_law_check_hertz_stiffness(setup->value[STIFFNESS], n, err);
 }
 
 static struct thud_branch branch(const struct thud_law_setup *setup, const struct thud_law_memory *memory,

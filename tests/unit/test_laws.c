@@ -331,8 +331,30 @@ START_TEST(jankowski_exponent)
     ck_assert_str_eq(err.key, "damping");
     ck_assert_ptr_nonnull(strstr(err.allowed, "exact"));
     set(law, &setup, "damping", 1);
+    set(law, &setup, "stiffness", 1e10);
     ck_assert_int_eq(law->prepare(&setup, &err), THUD_OK);
     ck_assert_double_eq_tol(law->restitution(&setup, 1), 0.6, 1e-14);
+}
+END_TEST
+
+/* The default stiffness holds for the default exponent only. */
+START_TEST(stiffness_goes_with_exponent)
+{
+    static const char *const names[] = {"hertz-damp", "jankowski"};
+    for (int i = 0; i < 2; i++) {
+        const struct thud_law *law = thud_law_find(names[i]);
+        struct thud_law_setup setup = setup_of(law);
+        struct thud_error err;
+        if (i == 1)
+            set(law, &setup, "damping", 1);
+        ck_assert_int_eq(law->prepare(&setup, &err), THUD_OK);
+        set(law, &setup, "exponent", 2);
+        ck_assert_int_eq(law->prepare(&setup, &err), THUD_INPUT);
+        ck_assert_str_eq(err.key, "stiffness");
+        ck_assert_str_eq(err.allowed, "a number of kN/mm^2");
+        set(law, &setup, "stiffness", typed("87 kN/mm^2", THUD_POWER_STIFFNESS));
+        ck_assert_int_eq(law->prepare(&setup, &err), THUD_OK);
+    }
 }
 END_TEST
 
@@ -353,6 +375,7 @@ Suite *thud_suite(void)
     tcase_add_test(tests, touch_and_floor);
     tcase_add_test(tests, plain_restitution);
     tcase_add_test(tests, jankowski_exponent);
+    tcase_add_test(tests, stiffness_goes_with_exponent);
     suite_add_tcase(suite, tests);
     return suite;
 }
