@@ -59,7 +59,8 @@ extern const char *const thud_damping_choices[];
 /* The branch of no force at all. */
 extern const struct thud_branch thud_branch_none;
 
-/* THUD_INPUT where the exponent is not the 1.5 that the default of THUD_PARAM_HERTZ_STIFFNESS is for, and no other value was given. */
+/* THUD_INPUT where the exponent is not the 1.5 that the default of THUD_PARAM_HERTZ_STIFFNESS is for, and no other
+ * value was given. */
 enum thud_status thud_law_check_hertz_stiffness(double stiffness, double exponent, struct thud_error *err);
 /* prepare of a law whose values need no second look. */
 enum thud_status thud_law_prepare_nothing(struct thud_law_setup *setup, struct thud_error *err);

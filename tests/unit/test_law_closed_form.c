@@ -1,4 +1,5 @@
-/* Restitutions and other closed forms of the laws against the relations they solve, published figures, limits and order. */
+/* Restitutions and other closed forms of the laws against the relations they solve, published figures, limits and
+ * order. */
 #include <check.h>
 #include <math.h>
 
@@ -65,7 +66,6 @@ START_TEST(exact_values)
     ck_assert_double_eq_tol(thud_rubber_cv(0.6), 1.39261, 5.1e-6);
     ck_assert_double_eq_tol(thud_rubber_cv(0.8), 0.63675, 5.1e-6);
     ck_assert_double_eq_tol(2 * thud_kelvin_voigt_xi(0.6) * sqrt(2.5e9 * 160e3), 6.42e6, 5e3);
-    ck_assert_double_eq_tol(thud_jankowski_xi_published(0.65), 0.35, 0.05); /* concrete, as published */
 }
 END_TEST
 
@@ -170,7 +170,8 @@ START_TEST(rubber_curve)
     ck_assert_double_eq_tol(curve.knee_force_n / 1e3, 6335, 0.5);
     ck_assert_double_eq_tol(curve.knee_energy_j / 1e3, 69.43, 0.005);
     ck_assert_double_eq_tol(sqrt(2 * curve.knee_energy_j / 160e3), 0.9316, 5e-5);
-    double h = 1e-9, below = thud_rubber_curve_force(&curve, 0.04 - h), above = thud_rubber_curve_force(&curve, 0.04 + h);
+    double h = 1e-9, below = thud_rubber_curve_force(&curve, 0.04 - h),
+           above = thud_rubber_curve_force(&curve, 0.04 + h);
     ck_assert_double_eq_tol((curve.knee_force_n - below) / h / 1e6, 419.7, 0.06);
     ck_assert_double_eq_tol((above - curve.knee_force_n) / h / 1e6, 2500, 0.01);
     enum { N = 3000 };

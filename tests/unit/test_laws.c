@@ -48,7 +48,7 @@ static const struct thud_law *ready(const char *name, double v, struct thud_law_
 
 START_TEST(list)
 {
-    static const char *const names[] = {"none",  "linear",     "kelvin-voigt", "kelvin-voigt-no-tension", "hertz",
+    static const char *const names[] = {"none",       "linear",    "kelvin-voigt", "kelvin-voigt-no-tension", "hertz",
                                         "hertz-damp", "jankowski", "rubber",       "stereomechanical"};
     ck_assert_int_eq(thud_law_count(), 9);
     for (int i = 0; i < 9; i++) {
@@ -128,7 +128,8 @@ START_TEST(defaults)
     ck_assert_double_nan(value_of(rubber, &setup, "stiffness"));
     ck_assert(!rubber->keeps_residual);
     thud_law_defaults(hertz, &setup);
-    ck_assert_double_eq_tol(value_of(hertz, &setup, "stiffness") / typed("87 kN/mm^1.5", THUD_POWER_STIFFNESS), 1, 1e-15);
+    ck_assert_double_eq_tol(value_of(hertz, &setup, "stiffness") / typed("87 kN/mm^1.5", THUD_POWER_STIFFNESS), 1,
+                            1e-15);
 }
 END_TEST
 
@@ -212,8 +213,12 @@ START_TEST(derivatives)
             for (double v = -2; v < 3; v += 1) {
                 double fd, fv, h = 1e-6 * d, none = thud_branch_force(&b, d, v, &fd, &fv);
                 ck_assert_double_eq_tol(none, -3 + 5 * d + 7 * v + 11 * pow(d, b.p) + 13 * pow(d, b.r) * v, 1e-12);
-                double by_d = (thud_branch_force(&b, d + h, v, NULL, NULL) - thud_branch_force(&b, d - h, v, NULL, NULL)) / (2 * h);
-                double by_v = (thud_branch_force(&b, d, v + h, NULL, NULL) - thud_branch_force(&b, d, v - h, NULL, NULL)) / (2 * h);
+                double by_d =
+                    (thud_branch_force(&b, d + h, v, NULL, NULL) - thud_branch_force(&b, d - h, v, NULL, NULL)) /
+                    (2 * h);
+                double by_v =
+                    (thud_branch_force(&b, d, v + h, NULL, NULL) - thud_branch_force(&b, d, v - h, NULL, NULL)) /
+                    (2 * h);
                 ck_assert_double_eq_tol(fd, by_d, 1e-7 * (1 + fabs(fd)) / fmin(d, 1));
                 ck_assert_double_eq_tol(fv, by_v, 1e-7 * (1 + fabs(fv)) / fmin(d, 1));
             }
