@@ -174,14 +174,16 @@ int thud_segment_indentation(const struct thud_run *run, const struct thud_segme
 {
     const struct thud_model *m = run->model;
     const struct thud_model_contact *p = &m->contact[c];
-    static const double noise = 1e-12, rate_noise = 2e-14; /* a rate is a state, not a sum of large terms that cancel */
+    static const double nothing_m = 1e-20, noise = 1e-12,
+                        rate_noise = 2e-14; /* a rate is a state, not a sum of large terms that cancel */
     int zeros = 0;
     for (int k = 0; k < seg->terms; k++) {
         const double *modal = seg->q + k * m->ndof;
         double left = p->left_dof < 0 ? 0 : thud_model_floor(m, p->left_dof, modal);
         double right = p->right_dof < 0 ? 0 : thud_model_floor(m, p->right_dof, modal);
         out[k] = left - right - (k == 0 ? thud_run_shift(run, c) : 0);
-        double least = k == 0 ? THUD_TOUCH_NOISE_M : (k == 1 ? rate_noise : noise) * (fabs(left) + fabs(right));
+        double least =
+            k == 0 ? THUD_TOUCH_NOISE_M : fmax(nothing_m, (k == 1 ? rate_noise : noise) * (fabs(left) + fabs(right)));
         if (zeros == k && fabs(out[k]) <= least)
             zeros++;
     }
