@@ -1,0 +1,144 @@
+#!/bin/sh
+# The terminal interface in a real terminal (tmux).  TAP.  Waits for text by polling with a deadline, never for a time.
+set -u
+THUD=${THUD:-./thud}
+root=$(pwd)
+case $THUD in /*) ;; *) THUD=$root/$THUD ;; esac
+tmp=$(mktemp -d) || exit 1
+socket=$tmp/tmux
+sessions=0
+n=0
+mux() { LC_ALL=C.UTF-8 tmux -S "$socket" -f /dev/null "$@"; }
+cleanup() {
+    mux kill-server 2>/dev/null
+    rm -rf "$tmp"
+}
+trap cleanup EXIT
+trap 'exit 1' INT TERM HUP
+
+ok() {
+    n=$((n + 1))
+    echo "ok $n - $1"
+}
+bad() {
+    n=$((n + 1))
+    echo "not ok $n - $1"
+    mux capture-pane -p -t s 2>/dev/null | sed 's/^/# /'
+}
+screen() { mux capture-pane -p -t s; }
+# wait_for WHAT PATTERN: until the screen shows the pattern, at most ten seconds
+wait_for() {
+    tries=200
+    while [ $tries -gt 0 ]; do
+        if screen 2>/dev/null | grep -q -e "$2"; then
+            ok "$1"
+            return 0
+        fi
+        tries=$((tries - 1))
+        sleep 0.05
+    done
+    bad "$1 (no $2)"
+    return 1
+}
+keys() { mux send-keys -t s "$@"; }
+# start COLUMNS ROWS: a shell that says when it is ready for a command
+start() {
+    mux kill-server 2>/dev/null
+    sessions=$((sessions + 1)) # a server that is still going down must not be met again
+    socket=$tmp/tmux$sessions
+    mux new-session -d -s s -x "$1" -y "$2" "env PS1='ready> ' ENV= sh"
+    tries=200
+    until screen 2>/dev/null | grep -q 'ready>' || [ $tries -eq 0 ]; do
+        tries=$((tries - 1))
+        sleep 0.05
+    done
+}
+command() { keys -l "$1" && keys Enter; }
+
+cp "$root/presets/towers.yaml" "$tmp/mine.yaml"
+
+start 80 24
+command "echo before; $THUD $tmp/mine.yaml"
+wait_for "the first screen shows the model" 'Left: A'
+wait_for "the three cases have run" 'ok *$'
+keys g 2
+wait_for "g2 shows the contact" 'Bare contact'
+keys 7 Enter
+wait_for "an edit is taken and marked" 'mine \[+\]'
+keys u
+wait_for "undo says what it took back" 'Undone: .*gap'
+keys M-5
+wait_for "Alt-5 shows the plots" '1 no bumper'
+keys Space
+wait_for "the buildings move" 'x0.25 ─'
+keys Space
+wait_for "and stop" 'paused'
+mux resize-window -t s -x 60 -y 16
+wait_for "a smaller terminal shows one pane" '^┌.*┐ *$'
+mux resize-window -t s -x 20 -y 5
+wait_for "a very small one says what is needed" '40x10'
+mux resize-window -t s -x 130 -y 40
+wait_for "a larger one shows the parameters too" 'Parameters and changes'
+mux resize-window -t s -x 80 -y 24
+keys M-1
+wait_for "back on the model" 'Peaks'
+keys C-z
+wait_for "Ctrl-Z gives the shell back" 'ready>'
+command "fg; echo status=\$?"
+wait_for "fg draws everything again" 'Left: A'
+keys Escape Escape q
+wait_for "q quits with status 0" 'status=0'
+wait_for "and what stood there before is there again" 'before'
+command "stty -a | grep -q ' icanon' && stty -a | grep -q ' echo ' && echo sa''ne"
+wait_for "the terminal is as it was" '^sane'
+
+for pair in TERM=143 INT=130 HUP=129 SEGV=139 ABRT=134; do
+    start 80 24
+    command "(ulimit -c 0; exec $THUD $tmp/mine.yaml)"
+    wait_for "${pair%=*}: running" 'Left: A'
+    keys g 2
+    wait_for "${pair%=*}: contact" 'Bare contact'
+    keys 9 Enter
+    wait_for "${pair%=*}: edited" '\[+\]'
+    pid=$(mux list-panes -t s -F '#{pane_pid}')
+    child=$(pgrep -P "$pid" | head -n 1)
+    kill "-${pair%=*}" "$child"
+    tries=200
+    while kill -0 "$child" 2>/dev/null && [ $tries -gt 0 ]; do
+        tries=$((tries - 1))
+        sleep 0.05
+    done
+    command "echo status=\$?"
+    wait_for "${pair%=*} ends it with status ${pair#*=}" "status=${pair#*=}"
+    command "stty -a | grep -q ' icanon' && stty -a | grep -q ' echo ' && echo sa''ne"
+    wait_for "${pair%=*}: the terminal is as it was" '^sane'
+    rm -f "$tmp/mine.yaml.recovered"
+done
+
+start 80 24
+mux pipe-pane -t s "cat >$tmp/raw"
+command "LC_ALL=C NO_COLOR=1 TERM=vt100 $THUD towers"
+wait_for "LC_ALL=C draws in ASCII" '+ Left: A'
+keys g 5
+wait_for "also the plots" 'Impact force'
+keys q
+wait_for "quit" 'ready>'
+if LC_ALL=C tr -d '\001-\177' <"$tmp/raw" | grep -q .; then bad "no byte above 0x7f"; else ok "no byte above 0x7f"; fi
+
+start 80 24
+mux pipe-pane -t s "cat >$tmp/raw"
+command "NO_COLOR=1 $THUD towers"
+wait_for "NO_COLOR: running" 'Left: A'
+keys q
+wait_for "NO_COLOR: quit" 'ready>'
+if LC_ALL=C grep -q "$(printf '\033')\[[0-9;]*3[0-7]m" "$tmp/raw"; then bad "NO_COLOR: no colour is written"; else ok "NO_COLOR: no colour is written"; fi
+
+"$THUD" towers </dev/null >"$tmp/out" 2>"$tmp/err"
+status=$?
+if [ $status -eq 2 ] && [ ! -s "$tmp/out" ] && [ "$(wc -l <"$tmp/err")" -eq 1 ] && ! LC_ALL=C grep -q "$(printf '\033')" "$tmp/err"; then
+    ok "without a terminal: one line and status 2"
+else bad "without a terminal: status $status, $(cat "$tmp/err")"; fi
+start 80 24
+command "TERM=dumb $THUD towers; echo status=\$?"
+wait_for "TERM=dumb: status 2" 'status=2'
+echo "1..$n"
