@@ -14,7 +14,7 @@ static void add_fallback(const struct thud_param *p, struct thud_text *out)
         thud_text_append(out, "%s", p->choices[(int)p->fallback]);
     } else if (isnan(p->fallback)) {
         thud_text_append(out, "not given");
-    } else if (p->unit && p->unit[0] && p->dimension != THUD_POWER_STIFFNESS) {
+    } else if (p->unit && p->unit[0]) {
         thud_quantity_format(p->fallback, p->unit, text, sizeof text);
         thud_text_append(out, "%s", text);
     } else {

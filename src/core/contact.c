@@ -43,7 +43,7 @@ struct found {
 static void consider(struct found *found, double s, int contact, enum thud_event event)
 {
     if (s < found->s)
-        *found = (struct found){s, contact, event};
+        *found = (struct found){s, contact, (int)event};
 }
 
 /* Function whose sign is that of a non-pulling law's force: out (terms); false where the force cannot reach 0 before
