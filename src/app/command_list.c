@@ -29,17 +29,20 @@ enum {
     LISTS = 1 << THUD_COMMAND_LAWS | 1 << THUD_COMMAND_METHODS,
     VERIFY = 1 << THUD_COMMAND_VERIFY,
     SCREEN = 1 << THUD_COMMAND_SCREEN,
+    MEASURE = 1 << THUD_COMMAND_BENCH | 1 << THUD_COMMAND_STABILITY,
     ALL = (1 << THUD_COMMANDS) - 1
 };
 
 static const struct thud_option options[] = {
-    {"set", "KEY=VALUE", "set a value: gap=12cm", THUD_WORD_KEY, true, STUDY | RECORD | SCREEN},
-    {"case", "CASE", "none, bumper or cavity; else the preset as written", THUD_WORD_CASE, false, STUDY},
-    {"record", "FILE", "the ground motion", THUD_WORD_FILE, false, STUDY | SCREEN},
+    {"set", "KEY=VALUE", "set a value: gap=12cm", THUD_WORD_KEY, true, STUDY | MEASURE | RECORD | SCREEN},
+    {"case", "CASE", "none, bumper or cavity; else the preset as written", THUD_WORD_CASE, false, STUDY | MEASURE},
+    {"record", "FILE", "the ground motion", THUD_WORD_FILE, false, STUDY | MEASURE | SCREEN},
     {"peak", "ACCELERATION", "scale the ground motion to this peak, e.g. \"0.821 g\"", THUD_WORD_TEXT, false,
-     STUDY | FIGURES | RECORD | SCREEN},
-    {"dt", "TIME", "step of a record that does not say it", THUD_WORD_TEXT, false, STUDY | FIGURES | RECORD | SCREEN},
-    {"unit", "UNIT", "unit of a record that does not say it", THUD_WORD_TEXT, false, STUDY | FIGURES | RECORD | SCREEN},
+     STUDY | MEASURE | FIGURES | RECORD | SCREEN},
+    {"dt", "TIME", "step of a record that does not say it", THUD_WORD_TEXT, false,
+     STUDY | MEASURE | FIGURES | RECORD | SCREEN},
+    {"unit", "UNIT", "unit of a record that does not say it", THUD_WORD_TEXT, false,
+     STUDY | MEASURE | FIGURES | RECORD | SCREEN},
     {"channel", "NAME", "channel of a record with several, by number or name", THUD_WORD_TEXT, false, STUDY | RECORD},
     {"column", "N", "column of the acceleration in a table, or all", THUD_WORD_TEXT, false, STUDY | RECORD},
     {"skip", "N", "lines to skip at a record's start", THUD_WORD_TEXT, false, STUDY | RECORD},

@@ -51,9 +51,19 @@ static enum thud_status bench(const struct thud_args *args, struct thud_session 
     struct thud_bench_jobs jobs = {.repeats = 7, .patience_s = 30, .cancel = thud_interrupt_watch()};
     if (isatty(STDERR_FILENO) && !thud_args_has(args, "quiet"))
         jobs.progress = show_progress;
-    enum thud_status status = thud_session_read_record(session, err);
+    enum thud_case which;
+    struct thud_scene *scene = malloc(sizeof *scene);
+    enum thud_status status = scene ? thud_scene_options_case(args, &which, err) : THUD_MEMORY;
+    if (status == THUD_OK) {
+        *scene = session->scene;
+        if (which != THUD_CASE_AS_WRITTEN)
+            status = thud_scene_case(&session->scene, which, scene, err);
+    }
     if (status == THUD_OK)
-        status = thud_bench_create(&session->scene, session->record, true, &plan, err);
+        status = thud_session_read_record(session, err);
+    if (status == THUD_OK)
+        status = thud_bench_create(scene, session->record, true, &plan, err);
+    free(scene);
     if (status != THUD_OK)
         return status;
     status = thud_bench_jobs_run(plan, &jobs, err);
