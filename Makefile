@@ -38,8 +38,7 @@ WRAPPED  := malloc calloc realloc free strdup strndup open mkstemp close read wr
 comma    := ,
 FUZZERS  := $(patsubst tests/fuzz/%.c,$(B)/fuzz/%,$(wildcard tests/fuzz/fuzz_*.c))
 LIBS     := $(B)/libthud-program.a $(B)/libthud.a
-EXE      := $(if $(wildcard src/main.c),$(B)/thud)
-THUD     := $(if $(filter release,$(VARIANT)),$(EXE:$(B)/%=%),$(EXE))
+THUD     := $(if $(filter release,$(VARIANT)),thud,$(B)/thud)
 
 .PHONY: all help deps demo test units debug asan valgrind coverage lint objects fuzz fuzzers bench install uninstall dist deb clean FORCE
 all: $(THUD) $(LIBS) ## build ./thud (VARIANT=debug, asan, coverage build into build/VARIANT)
@@ -97,7 +96,7 @@ demo: deps ## install what is missing, build, run the paper's towers, write the 
 test: ## install what the tests need, build, run every test
 	@tests/tools/install-deps.sh test
 	@$(MAKE) --no-print-directory all units
-	@THUD=$(if $(THUD),$(abspath $(THUD))) MAKEFLAGS= tests/tools/run.sh $(B)
+	@THUD=$(abspath $(THUD)) MAKEFLAGS= tests/tools/run.sh $(B)
 units: $(UNIT) $(FAULT)
 	@:
 debug: ## build/debug/thud: no optimisation, asserts on
@@ -112,7 +111,7 @@ coverage: ## lines and branches that the tests pass through, by layer and file
 	@tests/tools/coverage.sh build/coverage
 lint: ## clang-tidy, cppcheck, gcc's analyzer, clang-format, mandoc, shellcheck (those installed)
 	@FLAGS='$(filter-out -DNDEBUG,$(wordlist 2,99,$(COMPILE)))' tests/tools/lint.sh $(MAKE)
-objects: $(CORE) $(PROGRAM) $(patsubst %.c,$(B)/%.o,$(wildcard src/main.c))
+objects: $(CORE) $(PROGRAM) $(B)/src/main.o
 fuzz: ## fuzz each reader for FUZZ_SECONDS from the corpus in tests/fuzz/corpus (needs clang)
 	@$(MAKE) --no-print-directory VARIANT=fuzz CC=clang fuzzers
 	@tests/tools/fuzz.sh build/fuzz $(FUZZ_SECONDS)
