@@ -348,7 +348,7 @@ struct thud_figure *thud_sweep_figure(const struct thud_sweep_table *table, int 
         record = index - cases * per_case;
         if (table->nrecords > 1)
             snprintf(number, sizeof number, "-%d", record + 1);
-        snprintf(name, sizeof name, "contacts%s", number);
+        snprintf(name, sizeof name, "contact-forces%s", number);
         return thud_figure_of_contacts(table, record, name);
     }
     if (table->nrecords > 1 && record < table->nrecords)

@@ -97,6 +97,17 @@ static double value_of(const struct thud_param *param, const char *text)
     return NAN;
 }
 
+/* `14cm` as `14 cm`: the number that ends before `end` with this unit. */
+static void with_unit(char text[TEXT], const char *end, const char *unit)
+{
+    char number[TEXT], whole[2 * TEXT];
+    snprintf(number, sizeof number, "%.*s", (int)(end - text), text);
+    number[strcspn(number, " ")] = '\0';
+    int length = snprintf(whole, sizeof whole, "%s%s%s", number, *unit ? " " : "", unit);
+    if (length < TEXT)
+        memcpy(text, whole, (size_t)length + 1);
+}
+
 /* V1,V2,...: a bare number takes the unit of the last one. */
 static enum thud_status list(struct thud_sweep_axis *axis, const char *text, struct thud_error *err)
 {
@@ -117,9 +128,8 @@ static enum thud_status list(struct thud_sweep_axis *axis, const char *text, str
     for (int i = 0; i < axis->n; i++) {
         char *t = axis->text[i];
         const char *own = unit_of(t);
-        size_t used = strlen(t);
-        if (unit && own && !*own && axis->param->kind == THUD_PARAM_QUANTITY)
-            snprintf(t + used, TEXT - used, "%s%s", *unit ? " " : "", unit);
+        if (unit && own && axis->param->kind == THUD_PARAM_QUANTITY)
+            with_unit(t, own, *own ? own : unit);
         axis->value[i] = value_of(axis->param, t);
     }
     return THUD_OK;

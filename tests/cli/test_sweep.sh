@@ -1,0 +1,170 @@
+#!/bin/sh
+# thud sweep: the same bytes whatever the threads, parts, interruptions and savings; wrong words and full disks leave nothing half written.  TAP.
+set -u
+THUD=${THUD:-./thud}
+tmp=$(mktemp -d) || exit 1
+trap 'chmod -R u+w "$tmp"; rm -rf "$tmp"' EXIT
+THUD_GNUPLOT=$tmp/no-gnuplot # pictures have their own tests
+export THUD_GNUPLOT
+n=0
+
+check() { # WHAT COMMAND...: the command succeeds
+    n=$((n + 1))
+    what=$1
+    shift
+    if "$@"; then echo "ok $n - $what"; else
+        echo "not ok $n - $what"
+        sed 's/^/# /' "$tmp/err" 2>/dev/null | head -20
+    fi
+}
+status() { # WANTED COMMAND...: the command ends with this status; its output in out and err
+    wanted=$1
+    shift
+    "$@" >"$tmp/out" 2>"$tmp/err"
+    got=$?
+    [ $got -eq "$wanted" ] || { echo "# status $got, not $wanted: $*"; return 1; }
+}
+says() { # PATTERN: one message, which shows the pattern
+    [ "$(grep -c . "$tmp/err")" -eq 1 ] && grep -q -e "$1" "$tmp/err" && [ ! -s "$tmp/out" ]
+}
+same() { # A B: the study's files are equal in two folders
+    for file in sweep.csv contacts.csv needed-gaps.csv; do cmp "$1/$file" "$2/$file" || return 1; done
+}
+whole() { # DIR: nothing half written is in it
+    [ -z "$(find "$1" -name '*.part' -o -name '*.tmp')" ]
+}
+
+# 9 gaps x 2 stiffnesses x 3 cases
+study() { "$THUD" sweep towers --vary gap=6cm:22cm:2cm --vary 'structures.1.stiffness=500 MN/m,600 MN/m' --cases none,bumper,cavity "$@"; }
+
+status 5 study -j 1 -o "$tmp/one"
+check "a study is whole although gnuplot is missing" test -s "$tmp/one/sweep.csv"
+check "and says so" grep -q gnuplot "$tmp/err"
+check "a whole study leaves no journal" test ! -e "$tmp/one/sweep.journal"
+status 5 study -j 2 -o "$tmp/two"
+check "two threads give the same bytes as one" same "$tmp/one" "$tmp/two"
+study -j 2 --csv --quiet >"$tmp/stdout.csv" 2>"$tmp/err"
+check "standard output gets the same bytes as the file" cmp "$tmp/stdout.csv" "$tmp/one/sweep.csv"
+check "the header is the agreed one" sh -c "head -1 '$tmp/stdout.csv' | grep -q '^record,case,gap_m,structure,floor,acceleration_mps2,drift_m,displacement_m,acceleration_ratio,drift_ratio'"
+check "a row for every run and floor" test "$(wc -l <"$tmp/stdout.csv")" -eq $((1 + 9 * 2 * 3 * 12))
+study --csv --quiet --without all >"$tmp/slow.csv" 2>"$tmp/err"
+check "without any saving the numbers are the same" cmp "$tmp/slow.csv" "$tmp/one/sweep.csv"
+status 0 study
+check "the table says what was made and what was saved" grep -q "54 runs: .* made, .* answered by the motion without pounding" "$tmp/out"
+study --json --quiet >"$tmp/rows.json" 2>"$tmp/err"
+check "a JSON object for every row" test "$(grep -c '"record"' "$tmp/rows.json")" -eq 648
+
+# a row equals what `thud run` says
+row=$(grep ',bumper,0.12,' "$tmp/one/sweep.csv" | grep ',600000000$' | grep ',B,2,' | cut -d, -f6)
+"$THUD" run towers --set gap=12cm --case bumper --json >"$tmp/run.json" 2>"$tmp/err"
+check "a row says what thud run says" sh -c "grep -q '\"acceleration_mps2\": *$row\b' '$tmp/run.json'"
+
+# parts
+for k in 1 2 3; do status 0 study --shard $k/3 -o "$tmp/part$k"; done
+status 5 "$THUD" sweep --merge "$tmp/part3" "$tmp/part1" "$tmp/part2" -o "$tmp/joined"
+check "joined parts give the same bytes as one run" same "$tmp/one" "$tmp/joined"
+status 3 "$THUD" sweep --merge "$tmp/part3" "$tmp/part1" -o "$tmp/fewer"
+check "a missing part is told" says "part 3 of 3"
+check "and nothing is written" test ! -e "$tmp/fewer/sweep.csv"
+sed '$d' "$tmp/part2/sweep.journal" >"$tmp/short" && mkdir "$tmp/part2s" && cp "$tmp/short" "$tmp/part2s/sweep.journal"
+status 3 "$THUD" sweep --merge "$tmp/part1" "$tmp/part2s" "$tmp/part3" -o "$tmp/fewer"
+check "an unfinished part is told with what it has" says "5 of its 6 points"
+status 0 study --shard 2/3 -o "$tmp/part2s"
+status 5 "$THUD" sweep --merge "$tmp/part1" "$tmp/part2s" "$tmp/part3" -o "$tmp/joined2"
+check "and can be finished" same "$tmp/one" "$tmp/joined2"
+"$THUD" sweep towers --vary gap=6cm,8cm --shard 1/3 -o "$tmp/other" 2>/dev/null
+status 3 "$THUD" sweep --merge "$tmp/other" "$tmp/part2" "$tmp/part3" -o "$tmp/fewer"
+check "parts of different studies are not joined" says "another study"
+
+# interruptions: a study so large that the signal finds some points done and some missing
+slow() { "$THUD" sweep towers --vary gap=6cm:14cm:0.04cm --cases none,bumper --tolerance 1e-10 --without all "$@"; }
+status 5 slow -j 2 -o "$tmp/undisturbed"
+wait_for_points() { # DIR COUNT: until the journal holds that many lines more than at its start, or the sweep has ended
+    while kill -0 "$pid" 2>/dev/null && [ "$(grep -s -c '^[0-9]' "$1/sweep.journal" || true)" -lt "$2" ]; do :; done
+}
+interrupt() { # SIGNAL DIR COUNT
+    "$THUD" sweep towers --vary gap=6cm:14cm:0.04cm --cases none,bumper --tolerance 1e-10 --without all -j 2 -o "$2" >"$tmp/out" 2>"$tmp/err" &
+    pid=$!
+    wait_for_points "$2" "$3"
+    kill -s "$1" $pid 2>/dev/null
+    wait $pid
+    got=$?
+}
+interrupt INT "$tmp/stopped" 2
+check "an interrupted study ends with status 130" test $got -eq 130
+check "says what is done and what is missing" grep -q "of 201 points are done, [0-9]* are missing" "$tmp/err"
+check "leaves no half-written file" whole "$tmp/stopped"
+check "and no results yet" test ! -e "$tmp/stopped/sweep.csv"
+status 5 slow -j 1 -o "$tmp/stopped"
+check "the same command goes on to the same bytes" same "$tmp/undisturbed" "$tmp/stopped"
+for count in 1 3 5; do
+    interrupt KILL "$tmp/killed" $count
+done
+printf '7 2 2 10 4 0.13 ' >>"$tmp/killed/sweep.journal" # a torn line, as a power cut may leave
+status 5 slow -j 2 -o "$tmp/killed"
+check "a killed study goes on to the same bytes" same "$tmp/undisturbed" "$tmp/killed"
+interrupt KILL "$tmp/changed" 1
+status 3 "$THUD" sweep towers --vary gap=6cm:14cm:0.04cm --cases none,bumper -o "$tmp/changed"
+check "a folder with another study's beginning is refused" says "another study"
+
+# wrong words
+refused() { # STATUS PATTERN FOLDER: how the last command ended, what it said, and that it wrote nothing
+    [ "$got" -eq "$1" ] && says "$2" && [ ! -e "$3" ]
+}
+wrong() { # STATUS PATTERN ARGUMENTS...
+    wanted=$1
+    pattern=$2
+    shift 2
+    status "$wanted" "$THUD" sweep "$@" -o "$tmp/wrong"
+    check "refused: $*" refused "$wanted" "$pattern" "$tmp/wrong"
+}
+wrong 2 "KEY=FROM:TO:STEP" towers --vary gap
+wrong 2 "gap" towers --vary gap=5cm:25cm
+wrong 2 "step" towers --vary gap=5cm:25cm:0cm
+wrong 2 "step" towers --vary gap=25cm:5cm:1cm
+wrong 2 "unit" towers --vary gap=5cm:25cm:1parsec
+wrong 3 "gap" towers --vary gap=5,6,7
+wrong 3 "gapp" towers --vary gapp=5cm,6cm
+wrong 2 "twice" towers --vary gap=5cm,6cm --vary gap=7cm
+wrong 2 "case" towers --cases none,soft
+wrong 2 "part" towers --shard 4/3
+wrong 2 "varied" towers --best bumper.thickness
+wrong 2 "saving" towers --without gravity
+wrong 2 "fits" towers -j 0
+wrong 3 "nowhere.AT2" towers --records nowhere.AT2
+status 2 "$THUD" sweep towers --shard 1/2
+check "a part needs a folder" says "-o DIR"
+status 2 "$THUD" sweep --merge -o "$tmp/wrong"
+check "joining needs parts" refused 2 "folders" "$tmp/wrong"
+
+# places that cannot be written
+status 6 "$THUD" sweep towers --vary gap=8cm -o "$tmp/one/sweep.csv/folder"
+check "a folder below a file" refused 6 "folder" "$tmp/one/sweep.csv/folder"
+if [ "$(id -u)" -ne 0 ]; then
+    mkdir "$tmp/locked" && chmod a-w "$tmp/locked"
+    status 6 "$THUD" sweep towers --vary gap=8cm -o "$tmp/locked"
+    check "a folder without permission" says "locked"
+fi
+# a disk that is full: no file may grow past one block (a write beyond it fails as on a full disk)
+mkdir "$tmp/full"
+(trap '' XFSZ && ulimit -f 8 && "$THUD" sweep towers --vary gap=6cm:12cm:1cm -o "$tmp/full") >"$tmp/out" 2>"$tmp/err"
+check "a full disk ends with status 6" test $? -eq 6
+check "leaves no results" test ! -e "$tmp/full/sweep.csv"
+check "and nothing half written" whole "$tmp/full"
+status 5 "$THUD" sweep towers --vary gap=6cm:12cm:1cm -o "$tmp/full"
+"$THUD" sweep towers --vary gap=6cm:12cm:1cm -o "$tmp/room" >/dev/null 2>&1
+check "with room again it goes on" same "$tmp/full" "$tmp/room"
+if [ -w /dev/full ]; then
+    "$THUD" sweep towers --vary gap=8cm --csv >/dev/full 2>"$tmp/err"
+    check "a full standard output ends with status 6" test $? -eq 6
+fi
+
+# more than one record, each with settings of its own; points that are not possible
+status 0 "$THUD" sweep towers --vary gap=8cm,12cm --cases bumper --records 'kobe-surrogate.csv:peak=0.4 g,northridge-surrogate.csv' --csv
+check "every record has its rows" test "$(grep -c '^northridge-surrogate.csv,bumper' "$tmp/out")" -eq 24
+check "ratios need no case none among the cases" sh -c "! cut -d, -f9 '$tmp/out' | grep -q '^$'"
+status 0 "$THUD" sweep towers --vary gap=4cm,8cm --cases none,bumper
+check "points that are not possible are told" grep -q "1 runs are not possible" "$tmp/out"
+status 0 "$THUD" sweep towers --vary gap=8cm,12cm --vary bumper.thickness=2cm:6cm:2cm --cases bumper --best bumper.thickness
+check "the best value for each gap" test "$(grep -c '^  kobe-surrogate.csv  *bumper  *[0-9]* cm' "$tmp/out")" -eq 2
+echo "1..$n"
