@@ -223,7 +223,7 @@ static enum thud_status make(struct sweep *s, struct thud_error *err)
     status = read_records(s, err);
     if (status == THUD_OK)
         status = fill_plan(s, err);
-    if (status == THUD_OK)
+    if (status == THUD_OK && thud_args_has(s->args, "o"))
         status = thud_preset_text(s->session.preset, &s->session.scene, &s->preset, &size, err);
     if (status == THUD_OK)
         status = fill_study(s, err);
