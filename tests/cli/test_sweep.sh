@@ -77,7 +77,7 @@ status 3 "$THUD" sweep --merge "$tmp/other" "$tmp/part2" "$tmp/part3" -o "$tmp/f
 check "parts of different studies are not joined" says "another study"
 
 # interruptions: a study so large that the signal finds some points done and some missing
-slow() { "$THUD" sweep towers --vary gap=6cm:14cm:0.04cm --cases none,bumper --without all "$@"; }
+slow() { "$THUD" sweep towers --vary gap=6cm:14cm:0.08cm --cases none,bumper --without all "$@"; }
 status 5 slow -j 2 -o "$tmp/undisturbed"
 wait_for_points() { # DIR COUNT: until the journal holds that many points, or the sweep has ended
     while kill -0 "$pid" 2>/dev/null; do
@@ -86,7 +86,7 @@ wait_for_points() { # DIR COUNT: until the journal holds that many points, or th
     done
 }
 interrupt() { # SIGNAL DIR COUNT
-    "$THUD" sweep towers --vary gap=6cm:14cm:0.04cm --cases none,bumper --without all -j 2 -o "$2" >"$tmp/out" 2>"$tmp/err" &
+    "$THUD" sweep towers --vary gap=6cm:14cm:0.08cm --cases none,bumper --without all -j 2 -o "$2" >"$tmp/out" 2>"$tmp/err" &
     pid=$!
     wait_for_points "$2" "$3"
     kill -s "$1" $pid 2>/dev/null
@@ -95,7 +95,7 @@ interrupt() { # SIGNAL DIR COUNT
 }
 interrupt INT "$tmp/stopped" 2
 check "an interrupted study ends with status 130" test $got -eq 130
-check "says what is done and what is missing" grep -q "of 201 points are done, [0-9]* are missing" "$tmp/err"
+check "says what is done and what is missing" grep -q "of 101 points are done, [0-9]* are missing" "$tmp/err"
 check "leaves no half-written file" whole "$tmp/stopped"
 check "and no results yet" test ! -e "$tmp/stopped/sweep.csv"
 status 5 slow -j 1 -o "$tmp/stopped"
@@ -107,7 +107,7 @@ printf '7 2 2 10 4 0.13 ' >>"$tmp/killed/sweep.journal" # a torn line, as a powe
 status 5 slow -j 2 -o "$tmp/killed"
 check "a killed study goes on to the same bytes" same "$tmp/undisturbed" "$tmp/killed"
 interrupt KILL "$tmp/changed" 1
-status 3 "$THUD" sweep towers --vary gap=6cm:14cm:0.04cm --cases none,bumper -o "$tmp/changed"
+status 3 "$THUD" sweep towers --vary gap=6cm:14cm:0.08cm --cases none,cavity -o "$tmp/changed"
 check "a folder with another study's beginning is refused" says "another study"
 
 # wrong words
