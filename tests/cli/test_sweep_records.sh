@@ -1,5 +1,6 @@
 #!/bin/sh
 # What the paper says of its towers, on the real ground motions where they are at hand (THUD_SHARED, or ../shared/records).  TAP.
+# shellcheck disable=SC2016 # programs of awk
 set -u
 THUD=${THUD:-./thud}
 for records in ${THUD_SHARED:+"$THUD_SHARED/records"} ../shared/records ../../shared/records; do
