@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/largest.h"
 #include "core/poly.h"
 #include "core/radau.h"
 #include "core/run_private.h"
@@ -53,7 +54,7 @@ enum thud_status thud_collocation_create(const struct thud_run *run, struct thud
     x->loads = 1;
     double fastest = 0;
     for (int j = 0; j < m->ndof; j++)
-        fastest = fmax(fastest, m->omega[j]);
+        fastest = thud_larger(fastest, m->omega[j]);
     for (int s = 0; s < m->nstructures; s++)
         if (m->structure[s].damping)
             x->loads = m->ncontacts;
@@ -271,10 +272,10 @@ static double force_scale(const struct thud_run *run, const struct thud_collocat
     int c = x->active[a];
     double scale = run->result.contact[c].force.value;
     for (int i = 0; i < NODES; i++)
-        scale = fmax(scale, fabs(x->force[a * NODES + i]));
+        scale = thud_larger(scale, fabs(x->force[a * NODES + i]));
     if (run->contact[c].phase == THUD_APPROACH)
-        scale = fmax(scale, run->contact[c].expected_force_n);
-    return fmax(scale, 1e-9 * run->model->contact[c].setup.mass_kg);
+        scale = thud_larger(scale, run->contact[c].expected_force_n);
+    return thud_larger(scale, 1e-9 * run->model->contact[c].setup.mass_kg);
 }
 
 /* Fixed-point iteration for the forces: cheap, and fast where contacts are soft on the scale of the step. */
@@ -294,10 +295,10 @@ static enum thud_status iterate(struct thud_run *run, struct thud_collocation *x
                 return THUD_OK;
             for (int i = a * NODES; i < (a + 1) * NODES; i++) {
                 double f = thud_branch_force(&s->branch, x->d[i], x->v[i], NULL, NULL);
-                worst = fmax(worst, fabs(f - x->force[i]));
+                worst = thud_larger(worst, fabs(f - x->force[i]));
                 x->force[i] = f;
             }
-            change = fmax(change, worst / force_scale(run, x, a));
+            change = thud_larger(change, worst / force_scale(run, x, a));
         }
         run->result.work.force_evaluations += x->nactive * NODES;
         if (change <= tolerance) {
@@ -329,7 +330,7 @@ static enum thud_status solve(struct thud_run *run, struct thud_collocation *x, 
             double scale = force_scale(run, x, a);
             for (int i = 0; i < NODES; i++) {
                 x->force[a * NODES + i] -= x->residual[a * NODES + i];
-                change = fmax(change, fabs(x->residual[a * NODES + i]) / scale);
+                change = thud_larger(change, fabs(x->residual[a * NODES + i]) / scale);
             }
         }
         if (!isfinite(change))
@@ -363,7 +364,8 @@ static void guess(struct thud_run *run, struct thud_collocation *x, double h)
             } else {
                 f = run->force_now[c];
                 if (deeper)
-                    f = fmax(f, 0.5 * thud_branch_force(&s->branch, d + 0.5 * v * h * x->node[i], v, NULL, NULL));
+                    f = thud_larger(f,
+                                    0.5 * thud_branch_force(&s->branch, d + 0.5 * v * h * x->node[i], v, NULL, NULL));
             }
             x->force[a * NODES + i] = f;
         }
@@ -409,9 +411,9 @@ static double contact_error(struct thud_run *run, const struct thud_collocation 
         for (int k = NODES - 1; k >= 0; k--)
             f = f * x->check[i] + run->seg.force[k * run->model->ncontacts + c];
         if (s->mode == THUD_STUCK) /* the force that would undo the rate in one step, but for rounding */
-            difference = fmax(difference, mass * fmax(fabs(v[1]) - 1e-15, 0) / (h * h));
+            difference = thud_larger(difference, mass * thud_larger(fabs(v[1]) - 1e-15, 0) / (h * h));
         else
-            difference = fmax(difference, fabs(thud_branch_force(&s->branch, v[0], v[1] / h, NULL, NULL) - f));
+            difference = thud_larger(difference, fabs(thud_branch_force(&s->branch, v[0], v[1] / h, NULL, NULL) - f));
     }
     double error = difference / force_scale(run, x, a);
     if (s->mode == THUD_CLOSED && s->phase == THUD_APPROACH && has_just_begun(p, run->seg.terms)) {
@@ -427,7 +429,7 @@ static double force_error(struct thud_run *run, const struct thud_collocation *x
 {
     double worst = 0;
     for (int a = 0; a < x->nactive; a++)
-        worst = fmax(worst, contact_error(run, x, a, h));
+        worst = thud_larger(worst, contact_error(run, x, a, h));
     run->result.work.force_evaluations += x->nactive * NODES;
     return worst;
 }
@@ -457,7 +459,7 @@ enum thud_status thud_collocation_step(struct thud_run *run, struct thud_colloca
     find_active(run, x);
     if (!reserve(x, x->nactive))
         return thud_error_set(err, THUD_MEMORY, "out of memory");
-    double tolerance = fmax(0.1 * run->options.tolerance, 1e-13), remaining = thud_run_remaining(run);
+    double tolerance = thud_larger(0.1 * run->options.tolerance, 1e-13), remaining = thud_run_remaining(run);
     bool first = x->just_touched;
     if (first && x->h_touch > 0)
         x->h = fmin(x->h, x->h_touch);
@@ -479,8 +481,9 @@ enum thud_status thud_collocation_step(struct thud_run *run, struct thud_colloca
             x->source = 0;
             error = force_error(run, x, h);
         }
-        double factor = isfinite(error) ? 0.85 * pow(tolerance / fmax(error, 1e-3 * tolerance), 1.0 / NODES) : 0.25;
-        x->h = h * fmin(4, fmax(0.1, factor));
+        double factor =
+            isfinite(error) ? 0.85 * pow(tolerance / thud_larger(error, 1e-3 * tolerance), 1.0 / NODES) : 0.25;
+        x->h = h * fmin(4, thud_larger(0.1, factor));
         if (error <= tolerance) {
             if (first)
                 x->h_touch = x->h;

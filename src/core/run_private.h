@@ -71,9 +71,9 @@ struct thud_run {
     double *force_now;    /* (ncontacts) */
     double *collide;      /* of contact_impulse.c */
     int *set_now;         /* (ncontacts) */
-    const struct thud_horizon *horizon;    /* of the motion without contact; NULL: not known */
+    const struct thud_horizon *horizon;   /* of the motion without contact; NULL: not known */
     struct thud_horizon *horizon_to_fill; /* in the run without contact; NULL: not asked for */
-    double *closing;      /* (ncontacts) largest so far of left less right displacement; NULL: not asked for */
+    double *closing; /* (ncontacts) largest so far of left less right displacement; NULL: not asked for */
     struct thud_flight *flight;
     double *block; /* everything above that is an array of doubles */
 

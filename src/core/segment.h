@@ -20,8 +20,8 @@ struct thud_segment {
 void thud_segment_begin(struct thud_run *run, struct thud_segment *seg, double h_s);
 
 /* Taylor coefficients of the motion from (q, qd) under seg->a0, a1 and the forces in seg->force. Exact to rounding
- * where omega h is about 1.5 or less. Returns the size of the last terms over the largest. */
-double thud_taylor_given(const struct thud_model *model, struct thud_segment *seg, const double *q, const double *qd);
+ * where omega h is about 1.5 or less. */
+void thud_taylor_given(const struct thud_model *model, struct thud_segment *seg, const double *q, const double *qd);
 /* Motion from rest under the modal load load[j] s^order alone (seg->a0, a1 and seg->force must be 0). */
 void thud_taylor_load(const struct thud_model *model, struct thud_segment *seg, const double *load, int order);
 /* The same from the run's state with the linear branches of its closed contacts, whose forces are found along with it.

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/largest.h"
 #include "core/run_private.h"
 
 /* Terms after which (rate h)^k / k! is below rounding. */
@@ -79,7 +80,7 @@ static double largest(const double *x, int n)
 {
     double most = 0;
     for (int i = 0; i < n; i++)
-        most = fmax(most, fabs(x[i]));
+        most = thud_larger(most, fabs(x[i]));
     return most;
 }
 
@@ -89,12 +90,11 @@ double thud_segment_tail(const struct thud_segment *seg, int n)
     return last == 0 ? 0 : last / all;
 }
 
-double thud_taylor_given(const struct thud_model *model, struct thud_segment *seg, const double *q, const double *qd)
+void thud_taylor_given(const struct thud_model *model, struct thud_segment *seg, const double *q, const double *qd)
 {
     first_terms(model, seg, q, qd);
     for (int k = 0; k + 2 < seg->terms; k++)
         next_order(model, seg, k);
-    return thud_segment_tail(seg, model->ndof);
 }
 
 void thud_taylor_load(const struct thud_model *model, struct thud_segment *seg, const double *load, int order)
