@@ -31,6 +31,8 @@ double thud_history_at(const struct thud_history *h, int column, double t)
     return a + along * (b - a);
 }
 
+static const double touch_n = 1.0; /* less is no contact that anybody would see */
+
 struct stage {
     struct thud_dots dots;
     const struct thud_scene *scene;
@@ -167,7 +169,7 @@ static void draw_contact(struct stage *stage, int index, int *worst, double *for
     double a = stage->left[left] + stage->body - 1.0 + displacement(stage, contact->left_dof);
     double b = stage->left[left + 1] + displacement(stage, contact->right_dof);
     double now = thud_history_at(stage->history, thud_history_force(stage->history, index), stage->t);
-    bool flash = now > 0.0;
+    bool flash = now > touch_n;
     struct thud_look look = thud_look(flash ? THUD_ROLE_ERROR : THUD_ROLE_MUTED, flash ? THUD_BOLD : 0);
     if (stage->bumper && at->has_bumper) {
         double out = stage->scale * (at->bumper_thickness_m - at->bumper_cavity_m);
@@ -183,7 +185,7 @@ static void flashes(struct stage *stage)
 {
     for (int i = 0; i < stage->model->ncontacts; i++) {
         const struct thud_model_contact *contact = &stage->model->contact[i];
-        if (!(thud_history_at(stage->history, thud_history_force(stage->history, i), stage->t) > 0.0))
+        if (!(thud_history_at(stage->history, thud_history_force(stage->history, i), stage->t) > touch_n))
             continue;
         double a = stage->left[contact->interface - 1] + stage->body - 1.0 + displacement(stage, contact->left_dof);
         thud_pane_glyph(&stage->dots.pane, (int)((a + 1.0) / stage->dots.across),

@@ -86,6 +86,8 @@ void thud_tui_pictures(struct thud_tui *tui)
     }
     struct thud_error err = {0};
     enum thud_status status = THUD_OK;
+    thud_tui_say(tui, THUD_ROLE_PLAIN, "Writing all figures into %s ...", thud_tui_folder(tui));
+    thud_tui_draw(tui);
     if (!with_histories(tui))
         return;
     struct thud_figure_source source[THUD_LIVE_CASES];

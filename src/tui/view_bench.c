@@ -29,7 +29,7 @@ static struct thud_bench_screen *state(struct thud_tui *tui)
 static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect *pane)
 {
     (void)tui;
-    int left = area.w >= 110 ? 58 : area.w / 2;
+    int left = area.w >= 110 ? 42 : area.w / 2;
     pane[TABLE] = (struct thud_rect){area.x, area.y, left, area.h};
     pane[CHART] = (struct thud_rect){area.x + left, area.y, area.w - left, area.h};
     return 2;
@@ -90,18 +90,20 @@ static int draw_table(struct thud_tui *tui, const struct thud_pane *pane)
     const char *how = work->running ? "running, Esc stops" : work->complete ? "done" : "stopped: what is done stays";
     thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), "%s%s", how,
                     s->revision == tui->doc.revision ? "" : " (before edits)");
+    if (work->running && work->run)
+        thud_field_note(pane, y++, "%s: %.1f of %.1f s of motion", work->reference < 2 ? "reference" : "this run",
+                        thud_run_time(work->run), thud_run_end(work->run));
     double trust = work->reference == 2 ? thud_bench_reference_error(work->bench) : NAN;
     if (isfinite(trust))
         thud_field_note(pane, y++, "reference good to %.1e", trust);
-    int column = pane->w >= 50 ? 26 : 15;
-    thud_pane_put(pane, 1, y, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), "method");
-    thud_pane_put(pane, column, y++, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), "setting error      ms");
+    thud_pane_put(pane, 3, y++, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), "setting  error       ms");
     for (int i = 0; i < thud_bench_count(work->bench); i++) {
         struct thud_bench_point *point = thud_bench_point(work->bench, i);
         char name[64], line[160], text[64], key[32];
         thud_bench_curve_name(point, name, sizeof name);
-        snprintf(line, sizeof line, "%-*.*s %.0e %s", column - 2, column - 2, name, point->setting,
-                 verdict(point, text));
+        if (i == 0 || thud_bench_point(work->bench, i - 1)->curve != point->curve)
+            thud_pane_put(pane, 1, y++, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), name);
+        snprintf(line, sizeof line, "  %.0e    %s", point->setting, verdict(point, text));
         snprintf(key, sizeof key, "point %d", i);
         thud_field_line(tui, TABLE, pane, y++, i, key, line);
     }

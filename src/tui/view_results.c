@@ -200,9 +200,11 @@ static int draw(struct thud_tui *tui, int index, struct thud_pane *pane)
 
 static bool act(struct thud_tui *tui, enum thud_action action)
 {
-    if (action == THUD_DO_SORT)
+    if (action == THUD_DO_SORT) {
         tui->results_sort = (tui->results_sort + 1) % SORTS;
-    else if (action == THUD_DO_CASE)
+        if (tui->form.pane[THUD_SCREEN_RESULTS] == IMPACTS) /* the first of the new order */
+            tui->form.focus[THUD_SCREEN_RESULTS][0] = '\0';
+    } else if (action == THUD_DO_CASE)
         tui->results_case = ((int)shown(tui) + 1) % THUD_LIVE_CASES;
     else
         return false;
