@@ -50,7 +50,9 @@ static enum thud_status set_scalar(struct thud_preset *preset, const char *path,
         return refuse(preset, node, path, "the text is too long", NULL, err);
     if (n->length == 0 && !n->quoted)
         return refuse(preset, node, path, "nothing is given", "a value, or leave the key out", err);
-    if (text[0] == '[')
+    int floor;
+    const struct thud_param *param = thud_scene_param(&preset->scene, path, &floor);
+    if (text[0] == '[' && param && param->kind != THUD_PARAM_TEXT)
         return refuse(preset, node, path, "a list must not stand in quotes", NULL, err);
     return set_text(preset, path, node, text, err);
 }

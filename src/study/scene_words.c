@@ -1,6 +1,7 @@
 #include "study/scene_words.h"
 
 #include <stdio.h>
+#include <string.h>
 
 #include "base/nearest.h"
 
@@ -13,7 +14,8 @@ void thud_words_add(struct thud_words *words, const char *word)
 enum thud_status thud_words_unknown(const struct thud_words *words, const char *what, const char *word,
                                     struct thud_error *err)
 {
-    const char *nearest = thud_nearest(word, words->known, words->count);
+    /* a word of one or two letters is near to everything */
+    const char *nearest = strlen(word) > 2 ? thud_nearest(word, words->known, words->count) : NULL;
     char list[sizeof err->allowed] = "";
     size_t n = 0;
     for (int i = 0; i < words->count && n < sizeof list; i++)
