@@ -68,6 +68,15 @@ static enum thud_status draw(const struct thud_args *args, struct thud_picture_c
     return thud_run_figures_save(&source, 1, thud_args_value(args, "o"), &picture->options, err);
 }
 
+/* Numbers that are no results are not shown without a word. */
+static void warn(const struct thud_result *result)
+{
+    static const double balanced = 1e-2;
+    if (result->energy.error_ratio > balanced)
+        fprintf(stderr, "thud: warning: %.2g %% of the energy is unaccounted for; at this step %s gives no results\n",
+                100 * result->energy.error_ratio, result->method);
+}
+
 static enum thud_status run(const struct thud_args *args, struct thud_session *session, struct thud_scene *scene,
                             struct thud_error *err)
 {
@@ -86,6 +95,7 @@ static enum thud_status run(const struct thud_args *args, struct thud_session *s
     status = thud_session_run(session, which, &options, scene, &answer, err);
     if (status == THUD_OK) {
         struct thud_report report = thud_session_report(session, scene, which, &answer);
+        warn(report.result);
         status = deliver(args, &report, err);
         if (status == THUD_OK && options.keep_history)
             status = draw(args, &picture, scene, &answer, err);
