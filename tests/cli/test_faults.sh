@@ -57,4 +57,4 @@ survives methods
 survives run rigid-concrete
 survives run towers --json
 survives record list
-survives sweep rigid-bumper --vary gap=0cm:2cm:1cm --csv -j 2
+survives sweep rigid-bumper --vary gap=5cm:7cm:1cm --csv -j 2
