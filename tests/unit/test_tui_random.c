@@ -96,7 +96,7 @@ START_TEST(every_size)
     struct fixture f;
     fixture_open(&f, "towers", 80, 24, true);
     for (int screen = 0; screen < THUD_SCREENS; screen++) {
-        char keys[8];
+        char keys[24];
         snprintf(keys, sizeof keys, "<A-%d>", screen + 1);
         f.script.width = 80;
         f.script.height = 24;

@@ -125,7 +125,7 @@ START_TEST(every_screen_in_ascii)
     fixture_close(&f);
     fixture_open(&f, "towers", 80, 24, false);
     for (int i = 0; i < THUD_SCREENS; i++) {
-        char keys[8];
+        char keys[24];
         snprintf(keys, sizeof keys, "<A-%d>", i + 1);
         fixture_keys(&f, keys);
         char *text = fixture_text(&f);
