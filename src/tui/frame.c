@@ -147,6 +147,9 @@ static void bottom_keys(struct thud_tui *tui, const struct thud_pane *row)
         if (!(key->where & where) || !*key->label || key->action == THUD_DO_HELP || key->action == THUD_DO_QUIT ||
             thud_key_action(where, key->key) != key->action || (normal && thud_tui_cannot(tui, key->action)))
             continue;
+        bool between_fields = key->action == THUD_DO_ACCEPT_NEXT || key->action == THUD_DO_ACCEPT_PREVIOUS;
+        if (between_fields && tui->typing != THUD_TYPE_FIELD)
+            continue;
         bool alone = *key->label == '~';
         char text[64];
         snprintf(text, sizeof text, "%s%s%s", alone ? "" : key->written, alone ? "" : " ", key->label + alone);
