@@ -112,6 +112,12 @@ for pair in TERM=143 INT=130 HUP=129 SEGV=139 ABRT=134; do
     wait_for "${pair%=*} ends it with status ${pair#*=}" "status=${pair#*=}"
     command "stty -a | grep -q ' icanon' && stty -a | grep -q ' echo ' && echo sa''ne"
     wait_for "${pair%=*}: the terminal is as it was" '^sane'
+    case $pair in
+    TERM* | HUP* | INT*)
+        if grep -q 'gap: 9 cm' "$tmp/mine.yaml.recovered"; then ok "${pair%=*}: the edit is in the recovery file"; else bad "${pair%=*}: no recovery file"; fi
+        if cmp -s "$root/presets/towers.yaml" "$tmp/mine.yaml"; then ok "${pair%=*}: the preset is as it was"; else bad "${pair%=*}: the preset changed"; fi
+        ;;
+    esac
     rm -f "$tmp/mine.yaml.recovered"
 done
 
