@@ -107,8 +107,8 @@ valgrind: ## the unit tests under valgrind's memcheck
 	@$(MAKE) --no-print-directory VARIANT=debug units
 	@CK_FORK=no UNIT_ONLY=1 WRAP='valgrind -q --leak-check=full --error-exitcode=99' tests/tools/run.sh build/debug
 coverage: ## lines and branches that the tests pass through, by layer and file
-	@find build/coverage -name '*.gcda' -delete 2>/dev/null; $(MAKE) --no-print-directory VARIANT=coverage test
-	@tests/tools/coverage.sh build/coverage
+	@find build/coverage -name '*.gcda' -delete 2>/dev/null; $(MAKE) --no-print-directory VARIANT=coverage test; tests=$$?; \
+	    tests/tools/coverage.sh build/coverage && exit $$tests
 lint: ## clang-tidy, cppcheck, gcc's analyzer, clang-format, mandoc, shellcheck (those installed)
 	@FLAGS='$(filter-out -DNDEBUG,$(wordlist 2,99,$(COMPILE)))' tests/tools/lint.sh $(MAKE)
 objects: $(CORE) $(PROGRAM) $(B)/src/main.o
