@@ -13,6 +13,9 @@ struct thud_pair {
     double duration_s;
     const struct thud_law *law;
     struct thud_law_setup setup; /* value[] and thickness_m */
+    const struct thud_method *method; /* NULL: auto, to 1e-9 */
+    double method_step_s;             /* of a fixed-step method */
+    bool locate;
 };
 
 /* Table 1 of Polycarpou and Komodromos (2011): two bodies of 320 t closing at 0.5 m/s, concrete on concrete (k 2500
@@ -28,5 +31,8 @@ void thud_pair_set(struct thud_pair *pair, const char *param, double value);
  * thud_run_create and thud_run_advance. */
 enum thud_status thud_pair_run(const struct thud_pair *pair, double step_s, struct thud_answer *out,
                                struct thud_error *err);
+
+/* Speed at which the bodies part at the end of a pair's run. */
+double thud_pair_separation(const struct thud_answer *answer);
 
 #endif

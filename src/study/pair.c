@@ -38,6 +38,13 @@ void thud_pair_rubber(struct thud_pair *pair)
     thud_pair_set(pair, "restitution", 0.5);
 }
 
+double thud_pair_separation(const struct thud_answer *answer)
+{
+    const struct thud_history *h = thud_run_history(answer->run);
+    const double *last = h->value + (h->rows - 1) * (size_t)h->columns;
+    return last[thud_history_velocity(h, 1)] - last[thud_history_velocity(h, 0)];
+}
+
 static enum thud_status assemble(const struct thud_pair *pair, struct thud_model **model, struct thud_error *err)
 {
     struct thud_structure_input bodies[2] = {
@@ -64,6 +71,11 @@ enum thud_status thud_pair_run(const struct thud_pair *pair, double step_s, stru
     thud_run_options_init(&options);
     options.tolerance = tolerance;
     options.tail_s = pair->duration_s;
+    options.method = pair->method;
+    if (pair->method && pair->method->flags & THUD_METHOD_FIXED_STEP) {
+        options.step_s = pair->method_step_s;
+        options.locate = pair->locate;
+    }
     options.keep_impacts = options.keep_history = true;
     options.history_step_s = step_s;
     enum thud_status status = assemble(pair, &out->model, err);

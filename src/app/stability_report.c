@@ -1,0 +1,199 @@
+#include "app/stability_report.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static const char *const kinds[THUD_STABILITY_KINDS] = {"free vibration", "wall spring", "scene"};
+
+static void name_of(const struct thud_stepping *how, char *text, size_t size)
+{
+    bool said = how->locate && how->method->flags & THUD_METHOD_FIXED_STEP;
+    snprintf(text, size, "%s%s", how->method->name, said ? ", located" : "");
+}
+
+static bool same(const struct thud_stepping *a, const struct thud_stepping *b)
+{
+    return a->method == b->method && a->locate == b->locate;
+}
+
+static void add_number(struct thud_text *out, double value)
+{
+    if (isfinite(value))
+        thud_text_append(out, " %9.4g", value);
+    else
+        thud_text_append(out, " %9s", isnan(value) ? "-" : "blown up");
+}
+
+static void add_verdicts(const struct thud_stability *s, int kind, struct thud_text *out)
+{
+    static const char signs[] = "-.+X";
+    const struct thud_stability_cell *c = s->cell;
+    thud_text_append(out, "\n%s: . bounded, + growing, X blown up; limit: omega dt of a linear system\n%-34s %6s ",
+                     kinds[kind], "omega dt", "limit");
+    for (int i = 0, shown = 0; i < s->ncells && !(shown && !same(&c[i].how, &c[i - 1].how)); i++)
+        if (!isnan(c[i].omega_dt)) {
+            thud_text_append(out, " %5.4g", c[i].omega_dt);
+            shown = 1;
+        }
+    for (int i = 0; i < s->ncells; i++) {
+        if (i == 0 || !same(&c[i].how, &c[i - 1].how)) {
+            char name[64];
+            name_of(&c[i].how, name, sizeof name);
+            thud_text_append(out, "\n%-34s ", name);
+            if (isfinite(c[i].how.method->stability))
+                thud_text_append(out, "%6.4g ", c[i].how.method->stability);
+            else
+                thud_text_append(out, "%6s ", "none");
+        }
+        if (isnan(c[i].omega_dt))
+            thud_text_append(out, " %s (steps of its own)", thud_verdict_word(c[i].verdict[kind]));
+        else
+            thud_text_append(out, " %5c", signs[c[i].verdict[kind]]);
+    }
+    thud_text_append(out, "\n");
+}
+
+static void add_energies(const struct thud_stability *s, struct thud_text *out)
+{
+    const struct thud_stability_energy *e = s->energy;
+    thud_text_append(out, "\nenergy after 50 s on a wall spring over that at the start, by omega_c dt\n%-34s", "");
+    for (int i = 0, shown = 0; i < s->nenergies && !(shown && !same(&e[i].how, &e[i - 1].how)); i++)
+        if (!isnan(e[i].omega_dt)) {
+            thud_text_append(out, " %9.4g", e[i].omega_dt);
+            shown = 1;
+        }
+    for (int i = 0; i < s->nenergies; i++) {
+        if (i == 0 || !same(&e[i].how, &e[i - 1].how)) {
+            char name[64];
+            name_of(&e[i].how, name, sizeof name);
+            thud_text_append(out, "\n%-34s", name);
+        }
+        add_number(out, e[i].ratio);
+    }
+    thud_text_append(out, "\n");
+}
+
+/* By law and speed: the exact method beside the worst and the best of the others at 1 ms, neither located. */
+static void add_restitutions(const struct thud_stability *s, struct thud_text *out)
+{
+    static const char *const shown[] = {"exact", "newmark", "central-difference", "rk4", "lagged"};
+    enum { SHOWN = sizeof shown / sizeof *shown };
+    const struct thud_stability_restitution *r = s->restitution;
+    thud_text_append(out, "\nrestitution of two free bodies, steps of 1 ms, not located\n%-26s %5s %9s", "law", "m/s",
+                     "the law's");
+    for (int k = 0; k < SHOWN; k++)
+        thud_text_append(out, " %9.9s", shown[k]);
+    for (int i = 0; i < s->nrestitutions; i++) {
+        if (i == 0 || r[i].law != r[i - 1].law || r[i].closing_mps != r[i - 1].closing_mps)
+            thud_text_append(out, "\n%-26s %5.3g %9.4f", r[i].law->name, r[i].closing_mps, r[i].expected);
+        for (int k = 0; k < SHOWN; k++)
+            if (strcmp(r[i].how.method->name, shown[k]) == 0 && (k == 0 || (!r[i].how.locate && r[i].how.setting == 1e-3)))
+                add_number(out, r[i].obtained);
+    }
+    thud_text_append(out, "\n");
+}
+
+static void add_exhibits(const struct thud_stability *s, struct thud_text *out)
+{
+    thud_text_append(out, "\nwhere a naive method goes wrong\n");
+    for (int i = 0; i < s->nexhibits; i++) {
+        const struct thud_exhibit *e = &s->exhibit[i];
+        if (!e->name)
+            continue;
+        thud_text_append(out, "%s: %s\n    %s: right %.6g, ", e->name, e->scene, e->quantity, e->right);
+        if (isfinite(e->wrong))
+            thud_text_append(out, "naive %.6g", e->wrong);
+        else
+            thud_text_append(out, "naive blows up");
+        thud_text_append(out, " (%s), thud %.6g\n", e->naive, e->thud);
+    }
+}
+
+void thud_stability_table(const struct thud_stability *s, struct thud_text *out)
+{
+    for (int kind = 0; kind < THUD_STABILITY_KINDS; kind++)
+        if (kind != THUD_STABILITY_SCENE || s->peak_m)
+            add_verdicts(s, kind, out);
+    add_energies(s, out);
+    add_restitutions(s, out);
+    add_exhibits(s, out);
+}
+
+const char *thud_stability_file(int which)
+{
+    static const char *const names[THUD_STABILITY_FILES] = {"verdicts", "energies", "restitutions", "exhibits"};
+    return names[which];
+}
+
+static void add_field(struct thud_text *out, double value)
+{
+    thud_text_append(out, ",");
+    if (isfinite(value))
+        thud_text_number(out, value);
+    else if (isinf(value))
+        thud_text_append(out, "inf");
+}
+
+static void add_how(struct thud_text *out, const struct thud_stepping *how)
+{
+    thud_text_append(out, "%s,%d", how->method->name, how->locate);
+}
+
+static void exhibits_csv(const struct thud_stability *s, struct thud_text *out)
+{
+    thud_text_append(out, "name,scene,quantity,naive,right,wrong,thud\n");
+    for (int i = 0; i < s->nexhibits && s->exhibit[i].name; i++) {
+        const struct thud_exhibit *e = &s->exhibit[i];
+        thud_text_append(out, "%s,\"%s\",\"%s\",\"%s\"", e->name, e->scene, e->quantity, e->naive);
+        add_field(out, e->right);
+        add_field(out, e->wrong);
+        add_field(out, e->thud);
+        thud_text_append(out, "\n");
+    }
+}
+
+static void verdicts_csv(const struct thud_stability *s, struct thud_text *out)
+{
+    thud_text_append(out, "method,located,omega_dt,limit,free,free_growth,wall,wall_growth,scene,scene_growth\n");
+    for (int i = 0; i < s->ncells; i++) {
+        const struct thud_stability_cell *c = &s->cell[i];
+        add_how(out, &c->how);
+        add_field(out, c->omega_dt);
+        add_field(out, c->how.method->stability);
+        for (int k = 0; k < THUD_STABILITY_KINDS; k++) {
+            thud_text_append(out, ",%s", thud_verdict_word(c->verdict[k]));
+            add_field(out, c->verdict[k] ? c->growth[k] : NAN);
+        }
+        thud_text_append(out, "\n");
+    }
+}
+
+void thud_stability_csv(const struct thud_stability *s, int which, struct thud_text *out)
+{
+    if (which == 0)
+        verdicts_csv(s, out);
+    if (which == 1)
+        thud_text_append(out, "method,located,omega_dt,energy_ratio\n");
+    for (int i = 0; which == 1 && i < s->nenergies; i++) {
+        add_how(out, &s->energy[i].how);
+        add_field(out, s->energy[i].omega_dt);
+        add_field(out, s->energy[i].ratio);
+        thud_text_append(out, "\n");
+    }
+    if (which == 2)
+        thud_text_append(out, "law,closing_mps,method,located,setting,expected,obtained\n");
+    for (int i = 0; which == 2 && i < s->nrestitutions; i++) {
+        const struct thud_stability_restitution *r = &s->restitution[i];
+        thud_text_append(out, "%s", r->law->name);
+        add_field(out, r->closing_mps);
+        thud_text_append(out, ",");
+        add_how(out, &r->how);
+        add_field(out, r->how.setting);
+        add_field(out, r->expected);
+        add_field(out, r->obtained);
+        thud_text_append(out, "\n");
+    }
+    if (which == 3)
+        exhibits_csv(s, out);
+}

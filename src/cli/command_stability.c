@@ -1,0 +1,88 @@
+/* thud stability: where methods fail. */
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#include "app/figure_files.h"
+#include "app/stability_report.h"
+#include "cli/commands.h"
+#include "cli/interrupt.h"
+#include "cli/picture_options.h"
+#include "cli/scene_options.h"
+#include "io/file.h"
+
+static enum thud_status save(const struct thud_stability *stability, const char *folder, const char *title,
+                             const struct thud_picture_options *options, struct thud_error *err)
+{
+    enum thud_status status = thud_folder_make(folder, err);
+    for (int i = 0; status == THUD_OK && i < THUD_STABILITY_FILES; i++) {
+        struct thud_text text = {0};
+        char path[1024];
+        snprintf(path, sizeof path, "%.1000s/%s.csv", folder, thud_stability_file(i));
+        thud_stability_csv(stability, i, &text);
+        status = thud_text_write(&text, path, err);
+    }
+    if (status != THUD_OK)
+        return status;
+    status = thud_figure_deliver(thud_stability_map(stability, title), folder, options, status, err);
+    return thud_figure_deliver(thud_stability_energies(stability), folder, options, status, err);
+}
+
+static enum thud_status work(const struct thud_args *args, struct thud_stability *stability, struct thud_error *err)
+{
+    const volatile sig_atomic_t *cancel = thud_interrupt_watch();
+    bool progress = isatty(STDERR_FILENO) && !thud_args_has(args, "quiet");
+    enum thud_status status = THUD_OK;
+    int jobs = thud_stability_jobs(stability);
+    while (status == THUD_OK && stability->done < jobs) {
+        if (*cancel)
+            status = thud_error_set(err, THUD_CANCELLED, "cancelled");
+        else
+            status = thud_stability_next(stability, err);
+        if (progress)
+            fprintf(stderr, "\r\033[K%d of %d", stability->done, jobs);
+    }
+    if (progress)
+        fputs("\r\033[K", stderr);
+    return status;
+}
+
+static enum thud_status stability(const struct thud_args *args, struct thud_session *session, struct thud_error *err)
+{
+    struct thud_stability *plan = NULL;
+    struct thud_picture_choice picture;
+    struct thud_text text = {0};
+    const char *folder = thud_args_value(args, "o");
+    enum thud_status status = thud_picture_options_read(args, &picture, err);
+    if (status == THUD_OK)
+        status = thud_session_read_record(session, err);
+    if (status == THUD_OK)
+        status = thud_stability_create(&session->scene, session->record, &plan, err);
+    if (status == THUD_OK)
+        status = work(args, plan, err);
+    if (status == THUD_OK || (plan && status == THUD_CANCELLED)) {
+        thud_stability_table(plan, &text);
+        enum thud_status delivered = thud_cli_print(&text, err);
+        if (delivered == THUD_OK && folder)
+            delivered = save(plan, folder, session->scene.title, &picture.options, err);
+        if (delivered != THUD_OK)
+            status = delivered;
+    }
+    thud_stability_free(plan);
+    return status;
+}
+
+enum thud_status thud_command_stability(const struct thud_args *args, struct thud_error *err)
+{
+    struct thud_session *session = calloc(1, sizeof *session);
+    if (!session)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    enum thud_status status = thud_scene_options_open(args, session, err);
+    if (status == THUD_OK) {
+        status = stability(args, session, err);
+        thud_session_close(session);
+    }
+    free(session);
+    return status;
+}

@@ -1,0 +1,277 @@
+#include "study/stability.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "study/stability_private.h"
+
+static const double duration_s = 50;
+/* On both sides of 2, 2 sqrt(2) and 2 sqrt(3), the limits of the linear system. */
+static const double omega_dts[] = {0.12, 0.5, 1, 1.95, 2.05, 2.78, 2.88, 3.4, 3.53, 5, 10};
+static const double energy_omega_dts[] = {0.12, 0.5, 2, 5};
+static const double closings_mps[] = {0.05, 0.5, 2};
+static const double pair_steps_s[] = {5e-3, 1e-3, 1e-4};
+static const double free_tolerance = 1e-6;
+static const double wall_radps = 62.83185307179586; /* ten times the mass's own */
+enum {
+    OMEGA_DTS = sizeof omega_dts / sizeof *omega_dts,
+    ENERGY_OMEGA_DTS = sizeof energy_omega_dts / sizeof *energy_omega_dts,
+    CLOSINGS = sizeof closings_mps / sizeof *closings_mps,
+    PAIR_STEPS = sizeof pair_steps_s / sizeof *pair_steps_s
+};
+
+const char *thud_verdict_word(enum thud_verdict verdict)
+{
+    static const char *const words[] = {"-", "bounded", "growing", "blown up"};
+    return words[verdict];
+}
+
+/* Calls back for every method, located and not, at each setting (one of its own where it takes no step). */
+struct planner {
+    struct thud_stability *stability;
+    const struct thud_law *law;
+    double closing_mps;
+};
+typedef void add_fn(const struct planner *p, struct thud_stepping how, double setting);
+
+static void each(const struct planner *p, const double *setting, int n, add_fn *add)
+{
+    for (int i = 0; i < thud_method_count(); i++) {
+        const struct thud_method *m = thud_method_at(i);
+        bool fixed = m->flags & THUD_METHOD_FIXED_STEP;
+        bool locates = m->flags & THUD_METHOD_LOCATES;
+        bool both = fixed && m->flags & (THUD_METHOD_LOCATES | THUD_METHOD_CAN_LOCATE);
+        for (int locate = 0; locate <= both; locate++)
+            for (int k = 0; k < (fixed ? n : 1); k++)
+                add(p, (struct thud_stepping){m, fixed ? locate == 1 : locates, free_tolerance},
+                    fixed ? setting[k] : NAN);
+    }
+}
+
+static void add_cell(const struct planner *p, struct thud_stepping how, double setting)
+{
+    p->stability->cell[p->stability->ncells++] = (struct thud_stability_cell){.how = how, .omega_dt = setting};
+}
+
+static void add_energy(const struct planner *p, struct thud_stepping how, double setting)
+{
+    p->stability->energy[p->stability->nenergies++] = (struct thud_stability_energy){.how = how, .omega_dt = setting};
+}
+
+static void add_restitution(const struct planner *p, struct thud_stepping how, double setting)
+{
+    if (!isnan(setting))
+        how.setting = setting;
+    p->stability->restitution[p->stability->nrestitutions++] =
+        (struct thud_stability_restitution){.how = how, .law = p->law, .closing_mps = p->closing_mps};
+}
+
+static void plan(struct thud_stability *s)
+{
+    struct planner planner = {.stability = s};
+    each(&planner, omega_dts, OMEGA_DTS, add_cell);
+    each(&planner, energy_omega_dts, ENERGY_OMEGA_DTS, add_energy);
+    for (int i = 0; i < thud_law_count(); i++) {
+        planner.law = thud_law_at(i);
+        for (int k = 0; k < CLOSINGS && !(planner.law->flags & THUD_LAW_SILENT); k++) {
+            planner.closing_mps = closings_mps[k];
+            each(&planner, pair_steps_s, PAIR_STEPS, add_restitution);
+        }
+    }
+    s->nexhibits = thud_exhibit_count();
+}
+
+/* The scene by the exact method: what the others are held against. */
+static enum thud_status measure_scene(struct thud_stability *s, const struct thud_scene *scene, struct thud_error *err)
+{
+    struct thud_answer answer;
+    enum thud_status status = thud_scene_options(scene, &s->options, err);
+    if (status != THUD_OK)
+        return status;
+    s->options.method = thud_method_find("exact");
+    status = thud_scene_answer(scene, s->record, &s->options, &answer, err);
+    if (status == THUD_OK) {
+        s->model = answer.model;
+        answer.model = NULL;
+        s->peak_m = calloc((size_t)s->model->ndof, sizeof *s->peak_m);
+        if (!s->peak_m)
+            status = thud_error_set(err, THUD_MEMORY, "out of memory");
+    }
+    if (status == THUD_OK)
+        for (int i = 0; i < s->model->ndof; i++) {
+            const struct thud_model_structure *p = &s->model->structure[s->model->dof_structure[i]];
+            s->peak_m[i] = thud_run_result(answer.run)
+                               ->structure[s->model->dof_structure[i]]
+                               .floor[i - p->first]
+                               .displacement.value;
+            s->fastest_radps = fmax(s->fastest_radps, s->model->omega[i]);
+        }
+    thud_answer_clear(&answer);
+    return status;
+}
+
+enum thud_status thud_stability_create(const struct thud_scene *scene, const struct thud_record *record,
+                                       struct thud_stability **out, struct thud_error *err)
+{
+    struct thud_stability *s = calloc(1, sizeof *s);
+    size_t rows = 2 * (size_t)thud_method_count();
+    enum thud_status status = THUD_OK;
+    *out = NULL;
+    if (s) {
+        s->record = record;
+        s->cell = calloc(rows * OMEGA_DTS, sizeof *s->cell);
+        s->energy = calloc(rows * ENERGY_OMEGA_DTS, sizeof *s->energy);
+        s->restitution =
+            calloc(rows * PAIR_STEPS * CLOSINGS * (size_t)thud_law_count(), sizeof *s->restitution);
+        s->exhibit = calloc((size_t)thud_exhibit_count(), sizeof *s->exhibit);
+    }
+    if (!s || !s->cell || !s->energy || !s->restitution || !s->exhibit)
+        status = thud_error_set(err, THUD_MEMORY, "out of memory");
+    if (status == THUD_OK) {
+        plan(s);
+        if (scene)
+            status = measure_scene(s, scene, err);
+    }
+    if (status != THUD_OK) {
+        thud_stability_free(s);
+        return status;
+    }
+    *out = s;
+    return THUD_OK;
+}
+
+void thud_stability_free(struct thud_stability *s)
+{
+    if (!s)
+        return;
+    thud_model_free(s->model);
+    free(s->peak_m);
+    free(s->cell);
+    free(s->energy);
+    free(s->restitution);
+    free(s->exhibit);
+    free(s);
+}
+
+int thud_stability_jobs(const struct thud_stability *s)
+{
+    return s->ncells + s->nenergies + s->nrestitutions + s->nexhibits;
+}
+
+static void judge(struct thud_stability_cell *cell, int kind, enum thud_status status, double growth)
+{
+    static const double most[THUD_STABILITY_KINDS] = {1.1, 1.1, 2};
+    cell->growth[kind] = status == THUD_DIVERGED ? INFINITY : growth;
+    cell->verdict[kind] = cell->growth[kind] < most[kind] ? THUD_BOUNDED
+                          : cell->growth[kind] < 100      ? THUD_GROWING
+                                                          : THUD_BLOWN_UP;
+}
+
+static struct thud_stepping at_step(struct thud_stepping how, double omega_dt, double omega_radps)
+{
+    if (!isnan(omega_dt))
+        how.setting = omega_dt / omega_radps;
+    return how;
+}
+
+static enum thud_status run_bouncer(struct thud_stability_cell *cell, int kind, struct thud_error *err)
+{
+    struct thud_bouncer bouncer;
+    struct thud_answer answer;
+    double half = NAN, omega = thud_bouncer_omega_radps;
+    thud_bouncer_init(&bouncer);
+    if (kind == THUD_STABILITY_WALL)
+        thud_bouncer_spring(&bouncer, omega = wall_radps);
+    enum thud_status status = thud_bouncer_run(&bouncer, NULL, at_step(cell->how, cell->omega_dt, omega), duration_s,
+                                               &answer, &half, err);
+    if (thud_trial_failed(status))
+        return status;
+    judge(cell, kind, status, thud_run_result(answer.run)->structure[0].floor[0].displacement.value / half);
+    thud_answer_clear(&answer);
+    return THUD_OK;
+}
+
+static enum thud_status run_scene(struct thud_stability *s, struct thud_stability_cell *cell, struct thud_error *err)
+{
+    struct thud_run_options options = s->options;
+    struct thud_run *run;
+    double growth = 0;
+    options.method = cell->how.method;
+    options.locate = cell->how.locate;
+    if (!isnan(cell->omega_dt))
+        options.step_s = cell->omega_dt / s->fastest_radps;
+    enum thud_status status = thud_run_create(s->model, s->record, &options, &run, err);
+    if (status != THUD_OK)
+        return status;
+    for (bool done = false; status == THUD_OK && !done;)
+        status = thud_run_advance(run, 1000, &done, err);
+    const struct thud_result *r = thud_run_result(run);
+    for (int i = 0; i < s->model->ndof; i++) {
+        int k = s->model->dof_structure[i];
+        double peak = r->structure[k].floor[i - s->model->structure[k].first].displacement.value;
+        growth = fmax(growth, peak / s->peak_m[i]);
+    }
+    judge(cell, THUD_STABILITY_SCENE, status, growth);
+    thud_run_free(run);
+    return thud_trial_failed(status) ? status : THUD_OK;
+}
+
+static enum thud_status run_cell(struct thud_stability *s, struct thud_stability_cell *cell, struct thud_error *err)
+{
+    enum thud_status status = run_bouncer(cell, THUD_STABILITY_FREE, err);
+    if (status == THUD_OK)
+        status = run_bouncer(cell, THUD_STABILITY_WALL, err);
+    if (status == THUD_OK && s->peak_m && s->fastest_radps > 0)
+        status = run_scene(s, cell, err);
+    return status;
+}
+
+static enum thud_status run_energy(struct thud_stability_energy *e, struct thud_error *err)
+{
+    struct thud_bouncer bouncer;
+    struct thud_answer answer;
+    thud_bouncer_init(&bouncer);
+    thud_bouncer_spring(&bouncer, wall_radps);
+    enum thud_status status =
+        thud_bouncer_run(&bouncer, NULL, at_step(e->how, e->omega_dt, wall_radps), duration_s, &answer, NULL, err);
+    if (thud_trial_failed(status))
+        return status;
+    e->ratio = status == THUD_DIVERGED ? INFINITY : thud_energy_ratio(&answer);
+    thud_answer_clear(&answer);
+    return THUD_OK;
+}
+
+static enum thud_status run_restitution(struct thud_stability_restitution *r, struct thud_error *err)
+{
+    struct thud_pair pair;
+    thud_pair_rubber(&pair);
+    if (r->law != pair.law) {
+        pair.law = r->law;
+        thud_law_defaults(r->law, &pair.setup);
+    }
+    pair.closing_mps = r->closing_mps;
+    pair.duration_s = 2; /* slow bumpers take long */
+    pair.setup.mass_kg = pair.mass_kg[0] / 2;
+    struct thud_law_setup setup = pair.setup;
+    enum thud_status status = r->law->prepare(&setup, err);
+    if (status != THUD_OK)
+        return status;
+    r->expected = r->law->restitution(&setup, r->closing_mps);
+    return thud_pair_restitution(&pair, r->how, &r->obtained, err);
+}
+
+enum thud_status thud_stability_next(struct thud_stability *s, struct thud_error *err)
+{
+    int i = s->done;
+    enum thud_status status;
+    if (i < s->ncells)
+        status = run_cell(s, &s->cell[i], err);
+    else if ((i -= s->ncells) < s->nenergies)
+        status = run_energy(&s->energy[i], err);
+    else if ((i -= s->nenergies) < s->nrestitutions)
+        status = run_restitution(&s->restitution[i], err);
+    else
+        status = thud_exhibit_run(i - s->nrestitutions, &s->exhibit[i - s->nrestitutions], err);
+    s->done += status == THUD_OK;
+    return status;
+}

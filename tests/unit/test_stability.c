@@ -1,0 +1,194 @@
+/* Where methods fail: each statement of the exhibits, by closed forms and conserved quantities. */
+#include <check.h>
+#include <math.h>
+#include <string.h>
+
+#include "study/stability.h"
+#include "towers.h"
+
+static struct thud_exhibit exhibit(const char *name)
+{
+    struct thud_exhibit e = {0};
+    for (int i = 0; i < thud_exhibit_count(); i++) {
+        struct thud_error err = {0};
+        ck_assert_msg(thud_exhibit_run(i, &e, &err) == THUD_OK, "%s", err.what);
+        if (strcmp(e.name, name) == 0)
+            return e;
+    }
+    ck_abort_msg("no exhibit is called %s", name);
+    return e;
+}
+
+#define NEAR(actual, expected, tolerance) ck_assert_double_eq_tol(actual, expected, tolerance)
+
+START_TEST(lagged_force_makes_energy)
+{
+    struct thud_exhibit e = exhibit("lagged-force");
+    NEAR(e.wrong, exp(acos(-1) * 0.125 / 2), 5e-3);
+    NEAR(e.thud, 1, 1e-9);
+}
+END_TEST
+
+START_TEST(trapezoidal_rule_gains_in_contact)
+{
+    struct thud_exhibit e = exhibit("trapezoidal-growth");
+    ck_assert(e.wrong > 10);
+    NEAR(e.thud, 1, 1e-8);
+}
+END_TEST
+
+START_TEST(graze_is_not_missed)
+{
+    struct thud_exhibit e = exhibit("grazing-contact");
+    ck_assert(e.wrong == 0);
+    ck_assert(e.thud == 1);
+}
+END_TEST
+
+START_TEST(both_roots_of_a_step_are_found)
+{
+    struct thud_exhibit e = exhibit("double-root");
+    ck_assert(e.wrong == 0);
+    /* energy: v^2 + (omega gap)^2 = v0^2 */
+    double v0 = 1.05 * 0.02 * 2 * acos(-1), w = 0.02 * 2 * acos(-1);
+    NEAR(e.right, sqrt(v0 * v0 - w * w), 1e-12);
+    NEAR(e.thud, e.right, 1e-9 * e.right);
+}
+END_TEST
+
+START_TEST(touch_at_the_start_is_an_event)
+{
+    struct thud_exhibit e = exhibit("event-at-the-start");
+    ck_assert(e.wrong < 0.95);
+    NEAR(e.thud, 1, 1e-9);
+}
+END_TEST
+
+START_TEST(slow_touch_does_not_glue)
+{
+    struct thud_exhibit e = exhibit("slow-first-touch");
+    ck_assert(e.wrong < 1e-3);
+    NEAR(e.thud, 0.5, 1e-6);
+}
+END_TEST
+
+START_TEST(force_jump_sticks)
+{
+    struct thud_exhibit e = exhibit("force-jump");
+    ck_assert(fabs(e.wrong - 1) > 0.02);
+    NEAR(e.thud, 1, 1e-6);
+}
+END_TEST
+
+START_TEST(endless_bounces_end)
+{
+    struct thud_exhibit e = exhibit("bounces-without-end");
+    ck_assert(!(fabs(e.wrong) < 0.01));
+    NEAR(e.thud, 0, 1e-6);
+}
+END_TEST
+
+START_TEST(dead_collision_is_dead)
+{
+    struct thud_exhibit e = exhibit("restitution-near-0");
+    ck_assert(fabs(e.wrong - 1e-3) > 0.01);
+    NEAR(e.thud, 1e-3, 1e-8);
+}
+END_TEST
+
+START_TEST(stiff_contact_keeps_energy)
+{
+    struct thud_exhibit e = exhibit("stiffness-1e13");
+    ck_assert(fabs(e.wrong - 1) > 0.02);
+    NEAR(e.thud, 1, 1e-8);
+}
+END_TEST
+
+START_TEST(light_body_leaves_as_it_must)
+{
+    struct thud_exhibit e = exhibit("mass-ratio-1e6");
+    ck_assert(fabs(e.wrong - 1) > 0.02);
+    NEAR(e.thud, 1, 1e-8);
+}
+END_TEST
+
+START_TEST(twins_hardly_meet)
+{
+    struct thud_exhibit e = exhibit("nearly-identical");
+    ck_assert(fabs(e.wrong - 1) > 1e-4);
+    NEAR(e.thud, 1, 3e-6); /* of the order of their difference */
+}
+END_TEST
+
+static struct thud_stability *judged(void)
+{
+    static struct thud_scene scene;
+    struct thud_stability *s = NULL;
+    struct thud_record *record = thud_test_motion(1);
+    thud_test_towers(&scene);
+    ck_assert_int_eq(thud_stability_create(&scene, record, &s, NULL), THUD_OK);
+    while (s->done < s->ncells + s->nenergies)
+        ck_assert_int_eq(thud_stability_next(s, NULL), THUD_OK);
+    thud_record_free(record);
+    return s;
+}
+
+START_TEST(free_vibration_is_bounded_up_to_the_limit)
+{
+    struct thud_stability *s = judged();
+    int beyond = 0;
+    for (int i = 0; i < s->ncells; i++) {
+        const struct thud_stability_cell *c = &s->cell[i];
+        bool stable = isnan(c->omega_dt) || c->omega_dt < c->how.method->stability;
+        ck_assert_msg((c->verdict[THUD_STABILITY_FREE] == THUD_BOUNDED) == stable, "%s at omega dt %g: %s",
+                      c->how.method->name, c->omega_dt, thud_verdict_word(c->verdict[THUD_STABILITY_FREE]));
+        beyond += !stable;
+        if (strcmp(c->how.method->name, "exact") == 0)
+            for (int k = 0; k < THUD_STABILITY_KINDS; k++)
+                ck_assert_int_eq(c->verdict[k], THUD_BOUNDED);
+    }
+    ck_assert_int_gt(beyond, 10);
+    thud_stability_free(s);
+}
+END_TEST
+
+START_TEST(exact_alone_keeps_the_energy)
+{
+    struct thud_stability *s = judged();
+    int off = 0;
+    for (int i = 0; i < s->nenergies; i++) {
+        const struct thud_stability_energy *e = &s->energy[i];
+        if (strcmp(e->how.method->name, "exact") == 0)
+            NEAR(e->ratio, 1, 1e-6);
+        else if (e->omega_dt > 1.5 && !e->how.locate)
+            off += !(fabs(e->ratio - 1) < 0.02);
+    }
+    ck_assert_int_gt(off, 10);
+    thud_stability_free(s);
+}
+END_TEST
+
+Suite *thud_suite(void)
+{
+    Suite *suite = suite_create("stability");
+    TCase *exhibits = tcase_create("exhibits"), *maps = tcase_create("maps");
+    tcase_add_test(exhibits, lagged_force_makes_energy);
+    tcase_add_test(exhibits, trapezoidal_rule_gains_in_contact);
+    tcase_add_test(exhibits, graze_is_not_missed);
+    tcase_add_test(exhibits, both_roots_of_a_step_are_found);
+    tcase_add_test(exhibits, touch_at_the_start_is_an_event);
+    tcase_add_test(exhibits, slow_touch_does_not_glue);
+    tcase_add_test(exhibits, force_jump_sticks);
+    tcase_add_test(exhibits, endless_bounces_end);
+    tcase_add_test(exhibits, dead_collision_is_dead);
+    tcase_add_test(exhibits, stiff_contact_keeps_energy);
+    tcase_add_test(exhibits, light_body_leaves_as_it_must);
+    tcase_add_test(exhibits, twins_hardly_meet);
+    tcase_set_timeout(exhibits, 60);
+    tcase_set_timeout(maps, 300);
+    tcase_add_test(maps, free_vibration_is_bounded_up_to_the_limit);
+    tcase_add_test(maps, exact_alone_keeps_the_energy);
+    suite_add_tcase(suite, exhibits);
+    suite_add_tcase(suite, maps);
+    return suite;
+}
