@@ -13,8 +13,8 @@ enum { THUD_STABILITY_FILES = 4 };
 const char *thud_stability_file(int which);
 void thud_stability_csv(const struct thud_stability *stability, int which, struct thud_text *out);
 
-/* Methods against omega dt: maps of the verdicts, and the energy kept. Ask thud_figure_check. */
-struct thud_figure *thud_stability_map(const struct thud_stability *stability, const char *title);
+/* Methods against omega dt: a map of the verdicts of a kind, and the energy kept. Ask thud_figure_check. */
+struct thud_figure *thud_stability_map(const struct thud_stability *stability, int kind);
 struct thud_figure *thud_stability_energies(const struct thud_stability *stability);
 
 #endif

@@ -12,7 +12,7 @@ struct thud_pair {
     double closing_mps;
     double duration_s;
     const struct thud_law *law;
-    struct thud_law_setup setup; /* value[] and thickness_m */
+    struct thud_law_setup setup;      /* value[] and thickness_m */
     const struct thud_method *method; /* NULL: auto, to 1e-9 */
     double method_step_s;             /* of a fixed-step method */
     bool locate;

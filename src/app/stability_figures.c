@@ -71,44 +71,51 @@ static void add_limits(const struct grid *g, struct thud_panel *panel)
             y[n++] = g->rows - 1 - row + (end == 0 ? -0.5 : 0.5);
         }
     }
-    thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = 1, .wide = true},
+    thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = 0, .wide = true},
                    "limit of the linear system", n, x, y);
 }
 
-struct thud_figure *thud_stability_map(const struct thud_stability *s, const char *title)
+struct thud_figure *thud_stability_map(const struct thud_stability *s, int kind)
 {
-    static const char *const titles[THUD_STABILITY_KINDS] = {"Free vibration, 50 s", "Bouncing on a wall spring, 50 s",
-                                                             "The scene"};
+    static const char *const names[THUD_STABILITY_KINDS] = {"stability-free", "stability-wall", "stability-scene"};
+    static const char *const titles[THUD_STABILITY_KINDS] = {"An undamped oscillator for 50 s",
+                                                             "A mass bouncing on a wall spring for 50 s",
+                                                             "The scene, in its fastest mode's omega dt"};
     struct grid g;
     double z[ROWS_MAX * COLUMNS_MAX], x[COLUMNS_MAX], y[ROWS_MAX];
-    int kinds = s->peak_m ? THUD_STABILITY_KINDS : THUD_STABILITY_SCENE;
     fill(s, &g);
-    struct thud_figure *figure = thud_figure_create("stability", title, 1, kinds);
+    struct thud_figure *figure = thud_figure_create(names[kind], titles[kind], 1, 1);
+    struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "");
     for (int k = 0; k < g.columns; k++)
         x[k] = k;
     for (int row = 0; row < g.rows; row++)
         y[row] = row;
-    for (int kind = 0; kind < kinds; kind++) {
-        struct thud_panel *panel = thud_figure_panel(figure, 0, kind, titles[kind]);
-        for (int row = 0; row < g.rows; row++)
-            for (int k = 0; k < g.columns; k++) {
-                const struct thud_stability_cell *c = g.cell[row][k];
-                z[(g.rows - 1 - row) * g.columns + k] = c && c->verdict[kind] ? (double)c->verdict[kind] - 1 : NAN;
-            }
-        thud_panel_axis(panel, THUD_X, "omega dt", "");
-        thud_panel_axis(panel, THUD_Y, kind == 0 ? "Method" : "", "");
-        add_labels(&g, panel);
-        thud_panel_map(panel, (size_t)g.columns, x, (size_t)g.rows, y, z, "0 bounded, 1 growing, 2 blown up", "");
-        add_limits(&g, panel);
-    }
+    for (int row = 0; row < g.rows; row++)
+        for (int k = 0; k < g.columns; k++) {
+            const struct thud_stability_cell *c = g.cell[row][k];
+            z[(g.rows - 1 - row) * g.columns + k] = c && c->verdict[kind] ? (double)c->verdict[kind] - 1 : NAN;
+        }
+    thud_panel_axis(panel, THUD_X, "omega dt", "");
+    thud_panel_axis(panel, THUD_Y, "", "");
+    add_labels(&g, panel);
+    thud_panel_map(panel, (size_t)g.columns, x, (size_t)g.rows, y, z, "0 bounded, 1 growing, 2 blown up", "");
+    add_limits(&g, panel);
     return figure;
+}
+
+/* The same in both panels: its place among the fixed-step ones. */
+static int color_of(const struct thud_method *method)
+{
+    int color = 0;
+    for (int i = 0; thud_method_at(i) != method; i++)
+        color += (thud_method_at(i)->flags & THUD_METHOD_FIXED_STEP) != 0;
+    return color;
 }
 
 struct thud_figure *thud_stability_energies(const struct thud_stability *s)
 {
     struct thud_figure *figure =
         thud_figure_create("stability-energy", "Energy after 50 s of bouncing on a wall spring", 1, 2);
-    int color[2] = {0, 0};
     for (int located = 0; located < 2; located++) {
         struct thud_panel *panel =
             thud_figure_panel(figure, 0, located, located ? "Impacts located" : "Impacts not located");
@@ -129,11 +136,13 @@ struct thud_figure *thud_stability_energies(const struct thud_stability *s)
                     x[n] = s->energy[last].omega_dt;
                     y[n++] = fmin(1e4, fmax(1e-4, s->energy[last].ratio)); /* at the rim: beyond it */
                 }
-            if (n > 0 && e->how.locate == (located == 1))
-                thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES_POINTS, .color = color[located]++},
+            if (n > 0 && e->how.locate == (located == 1) && !(e->how.method->flags & THUD_METHOD_EXHIBIT))
+                thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES_POINTS, .color = color_of(e->how.method)},
                                e->how.method->name, n, x, y);
         }
     }
-    thud_figure_note(figure, "At the upper and lower rim: 1e4 or more (or blown up), 1e-4 or less.");
+    thud_figure_note(
+        figure,
+        "At the upper and lower rim: 1e4 or more (or blown up), 1e-4 or less. Lagged forces blow up everywhere.");
     return figure;
 }

@@ -88,7 +88,8 @@ static void add_restitutions(const struct thud_stability *s, struct thud_text *o
         if (i == 0 || r[i].law != r[i - 1].law || r[i].closing_mps != r[i - 1].closing_mps)
             thud_text_append(out, "\n%-26s %5.3g %9.4f", r[i].law->name, r[i].closing_mps, r[i].expected);
         for (int k = 0; k < SHOWN; k++)
-            if (strcmp(r[i].how.method->name, shown[k]) == 0 && (k == 0 || (!r[i].how.locate && r[i].how.setting == 1e-3)))
+            if (strcmp(r[i].how.method->name, shown[k]) == 0 &&
+                (k == 0 || (!r[i].how.locate && r[i].how.setting == 1e-3)))
                 add_number(out, r[i].obtained);
     }
     thud_text_append(out, "\n");

@@ -12,7 +12,7 @@
 #include "cli/scene_options.h"
 #include "io/file.h"
 
-static enum thud_status save(const struct thud_stability *stability, const char *folder, const char *title,
+static enum thud_status save(const struct thud_stability *stability, const char *folder,
                              const struct thud_picture_options *options, struct thud_error *err)
 {
     enum thud_status status = thud_folder_make(folder, err);
@@ -25,7 +25,9 @@ static enum thud_status save(const struct thud_stability *stability, const char 
     }
     if (status != THUD_OK)
         return status;
-    status = thud_figure_deliver(thud_stability_map(stability, title), folder, options, status, err);
+    for (int kind = 0; kind < THUD_STABILITY_KINDS; kind++)
+        if (kind != THUD_STABILITY_SCENE || stability->peak_m)
+            status = thud_figure_deliver(thud_stability_map(stability, kind), folder, options, status, err);
     return thud_figure_deliver(thud_stability_energies(stability), folder, options, status, err);
 }
 
@@ -65,7 +67,7 @@ static enum thud_status stability(const struct thud_args *args, struct thud_sess
         thud_stability_table(plan, &text);
         enum thud_status delivered = thud_cli_print(&text, err);
         if (delivered == THUD_OK && folder)
-            delivered = save(plan, folder, session->scene.title, &picture.options, err);
+            delivered = save(plan, folder, &picture.options, err);
         if (delivered != THUD_OK)
             status = delivered;
     }

@@ -42,7 +42,8 @@ static enum thud_status trapezoidal(struct thud_exhibit *out, struct thud_error 
 {
     struct thud_bouncer bouncer;
     double omega = 62.83185307179586;
-    struct thud_stepping how[2] = {thud_stepping_of("newmark", 5 / omega, false), thud_stepping_of("exact", tight, true)};
+    struct thud_stepping how[2] = {thud_stepping_of("newmark", 5 / omega, false),
+                                   thud_stepping_of("exact", tight, true)};
     *out = (struct thud_exhibit){.name = "trapezoidal-growth",
                                  .scene = "undamped mass bouncing on a wall spring for 50 s, omega_c dt 5",
                                  .quantity = "energy at the end over the start",

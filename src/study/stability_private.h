@@ -8,7 +8,7 @@
 /* One floor on a spring of 1 Hz (or free), thrown towards a wall on its right. */
 struct thud_bouncer {
     double mass_kg, velocity_mps, clearance_m;
-    bool free; /* no spring */
+    bool free;                  /* no spring */
     const struct thud_law *law; /* of the wall; NULL: no wall */
     struct thud_law_setup setup;
 };

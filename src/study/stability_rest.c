@@ -114,7 +114,8 @@ static enum thud_status zeno(struct thud_exhibit *out, struct thud_error *err)
 {
     struct thud_bouncer b;
     *out = (struct thud_exhibit){.name = "bounces-without-end",
-                                 .scene = "a body thrown up from a floor it falls back to, e 0.5: endless bounces in 0.1 s",
+                                 .scene =
+                                     "a body thrown up from a floor it falls back to, e 0.5: endless bounces in 0.1 s",
                                  .quantity = "depth in the floor at the end, mm",
                                  .naive = "Runge-Kutta of order 4, 10 ms, not located",
                                  .right = 0};
@@ -126,8 +127,8 @@ static enum thud_status zeno(struct thud_exhibit *out, struct thud_error *err)
 
 enum thud_status thud_exhibit_rest(int index, struct thud_exhibit *out, struct thud_error *err)
 {
-    enum thud_status (*const show[THUD_EXHIBITS_REST])(struct thud_exhibit *, struct thud_error *) = {
-        slow_touch, sticking, zeno};
+    enum thud_status (*const show[THUD_EXHIBITS_REST])(struct thud_exhibit *, struct thud_error *) = {slow_touch,
+                                                                                                      sticking, zeno};
     return show[index](out, err);
 }
 

@@ -33,8 +33,7 @@ static enum thud_status grazing(struct thud_exhibit *out, struct thud_error *err
                                  .quantity = "impacts",
                                  .naive = "Runge-Kutta of order 4, not located",
                                  .right = 1};
-    enum thud_status status =
-        throw_at_wall(1.0001, thud_stepping_of("rk4", 0.02, false), &out->wrong, &speed, err);
+    enum thud_status status = throw_at_wall(1.0001, thud_stepping_of("rk4", 0.02, false), &out->wrong, &speed, err);
     return status == THUD_OK ? throw_at_wall(1.0001, thud_stepping_of("exact", tight, true), &out->thud, &speed, err)
                              : status;
 }
@@ -48,9 +47,8 @@ static enum thud_status double_root(struct thud_exhibit *out, struct thud_error 
                                  .naive = "Runge-Kutta of order 4, signs at step ends",
                                  .right = omega * gap * sqrt(reach * reach - 1)};
     enum thud_status status = throw_at_wall(reach, thud_stepping_of("rk4", 0.1, false), &impacts, &out->wrong, err);
-    return status == THUD_OK
-               ? throw_at_wall(reach, thud_stepping_of("exact", tight, true), &impacts, &out->thud, err)
-               : status;
+    return status == THUD_OK ? throw_at_wall(reach, thud_stepping_of("exact", tight, true), &impacts, &out->thud, err)
+                             : status;
 }
 
 /* Largest displacement of two buildings side by side, nearly twins, over that of one alone. */
@@ -111,7 +109,7 @@ static enum thud_status twins(struct thud_exhibit *out, struct thud_error *err)
 
 enum thud_status thud_exhibit_touch(int index, struct thud_exhibit *out, struct thud_error *err)
 {
-    enum thud_status (*const show[THUD_EXHIBITS_TOUCH])(struct thud_exhibit *, struct thud_error *) = {
-        grazing, double_root, twins};
+    enum thud_status (*const show[THUD_EXHIBITS_TOUCH])(struct thud_exhibit *,
+                                                        struct thud_error *) = {grazing, double_root, twins};
     return show[index](out, err);
 }
