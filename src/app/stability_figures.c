@@ -71,8 +71,7 @@ static void add_limits(const struct grid *g, struct thud_panel *panel)
             y[n++] = g->rows - 1 - row + (end == 0 ? -0.5 : 0.5);
         }
     }
-    thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = 0, .wide = true},
-                   "limit of the linear system", n, x, y);
+    thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = 0, .wide = true}, "", n, x, y);
 }
 
 struct thud_figure *thud_stability_map(const struct thud_stability *s, int kind)
@@ -100,6 +99,8 @@ struct thud_figure *thud_stability_map(const struct thud_stability *s, int kind)
     add_labels(&g, panel);
     thud_panel_map(panel, (size_t)g.columns, x, (size_t)g.rows, y, z, "0 bounded, 1 growing, 2 blown up", "");
     add_limits(&g, panel);
+    thud_figure_note(figure,
+                     "Blue line: the limit of the linear system. Methods without a step are the same in every column.");
     return figure;
 }
 

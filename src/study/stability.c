@@ -8,7 +8,7 @@
 
 static const double duration_s = 50;
 /* On both sides of 2, 2 sqrt(2) and 2 sqrt(3), the limits of the linear system. */
-static const double omega_dts[] = {0.12, 0.5, 1, 1.95, 2.05, 2.78, 2.88, 3.4, 3.53, 5, 10};
+static const double omega_dts[] = {0.12, 0.5, 1, 1.9, 2.1, 2.7, 2.9, 3.4, 3.6, 5, 10};
 static const double energy_omega_dts[] = {0.12, 0.5, 2, 5};
 static const double closings_mps[] = {0.05, 0.5, 2};
 static const double pair_steps_s[] = {5e-3, 1e-3, 1e-4};
