@@ -116,8 +116,9 @@ fuzz: ## fuzz each reader for FUZZ_SECONDS from the corpus in tests/fuzz/corpus 
 	@$(MAKE) --no-print-directory VARIANT=fuzz CC=clang fuzzers
 	@tests/tools/fuzz.sh build/fuzz $(FUZZ_SECONDS)
 fuzzers: $(FUZZERS)
-bench: all ## speed against accuracy of every method
-	@./thud bench
+bench: all ## speed against accuracy of every method, and the paper's study; charts into build/bench
+	@./thud bench -o build/bench
+	@tests/bench/study.sh
 
 install: all ## program, presets, records, manual pages, completions under DESTDIR PREFIX
 	@tests/tools/install.sh install '$(DESTDIR)$(PREFIX)'

@@ -32,14 +32,16 @@ static enum thud_status apply(const struct thud_args *args, struct thud_session 
 enum thud_status thud_scene_options_open(const struct thud_args *args, struct thud_session *session,
                                          struct thud_error *err)
 {
-    if (args->noperands != 1) {
+    bool measures = args->command == THUD_COMMAND_BENCH || args->command == THUD_COMMAND_STABILITY;
+    const char *preset = args->noperands > 0 ? args->operand[0] : measures ? "towers" : NULL;
+    if (!preset || args->noperands > 1) {
         const char *name = thud_command_at(args->command)->name;
         thud_error_set(err, THUD_USAGE, args->noperands == 0 ? "thud %s needs a preset" : "thud %s takes one preset",
                        name);
         thud_error_allow(err, "a name such as towers, or a file");
         return THUD_USAGE;
     }
-    enum thud_status status = thud_session_open(session, args->operand[0], err);
+    enum thud_status status = thud_session_open(session, preset, err);
     if (status == THUD_OK)
         status = apply(args, session, err);
     if (status != THUD_OK)

@@ -81,7 +81,9 @@ static enum thud_status settle(const struct record_source *source, const struct 
         return record_refuse(source, raw->factor_line, 0, err, "the file states another unit than --unit %s",
                              choice->unit);
     if (!isnan(choice->dt_s) && !isnan(raw->dt_s) && !raw->dt_from_prose && !same(choice->dt_s, raw->dt_s))
-        return record_refuse(source, raw->dt_line, 0, err, "the file states a time step of %.9g s, --dt says %.9g s",
+        return record_refuse(source, raw->dt_line, 0, err,
+                             "the file states a time step of %.9g s, --dt says %.9g s (leave it out; of several files, "
+                             "FILE:dt=0.005s says it for one)",
                              raw->dt_s, choice->dt_s);
     if (!isnan(unit))
         raw->factor = unit;
