@@ -123,9 +123,10 @@ static void draw_building(struct stage *stage, int s)
     const struct thud_model_structure *part = &stage->model->structure[s];
     struct thud_look look = thud_look(THUD_ROLE_SERIES + s % 7, 0);
     double y0 = stage->ground, x0 = stage->left[s], right = stage->body - 1.0;
-    if (structure->kind == THUD_WALL) {
-        double top = height_of(structure, 0), y = top > 0.0 ? stage->ground - stage->storey * top : 1.0;
-        draw_box(stage, x0, fmax(1.0, y), x0 + right, y0, look);
+    if (structure->kind == THUD_WALL) { /* without a height it has no end */
+        bool endless = !isfinite(structure->height_m[0]);
+        double top = endless ? 1.0 : stage->ground - fmax(2.0, stage->storey * structure->height_m[0]);
+        draw_box(stage, x0, fmax(1.0, top), x0 + right, y0, look);
         return;
     }
     if (structure->kind == THUD_RIGID) {

@@ -215,7 +215,7 @@ static int draw_peaks(struct thud_tui *tui, struct thud_pane *pane)
                                     tui->doc.scene.structure[tui->pair + s].name);
                 continue;
             }
-            snprintf(label, sizeof label, "%.7s %s", tui->doc.scene.structure[tui->pair + s].name,
+            snprintf(label, sizeof label, "%.6s %s", tui->doc.scene.structure[tui->pair + s].name,
                      kind ? "drift" : "accel");
             for (int i = 0; i < THUD_LIVE_CASES; i++)
                 value[i] = (kind ? 1e3 : 1.0) * thud_live_peak(&tui->live, (enum thud_live_which)i, tui->pair + s,

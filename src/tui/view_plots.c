@@ -204,6 +204,12 @@ static void set_time(struct thud_tui *tui, double t)
     state(tui)->time_s = fmax(0.0, fmin(end, t));
 }
 
+/* The floor of a contact that is no wall's. */
+static int floor_of(const struct thud_contact_result *contact)
+{
+    return contact->left_floor > 0 ? contact->left_floor : contact->right_floor;
+}
+
 /* To the nearest impact of the case after or before the cursor; `largest`: to the one with the largest force. */
 static void to_impact(struct thud_tui *tui, int direction, bool largest)
 {
@@ -226,7 +232,7 @@ static void to_impact(struct thud_tui *tui, int direction, bool largest)
     p->fresh = false;
     thud_tui_say(tui, THUD_ROLE_PLAIN, "Impact at %.4f s for %.1f ms: floor %d, %.3g m/s, %.3g MN, %.3g mm",
                  impact[best].start_s, 1e3 * impact[best].duration_s,
-                 thud_run_result(c->run)->contact[impact[best].contact].left_floor, impact[best].approach_mps,
+                 floor_of(&thud_run_result(c->run)->contact[impact[best].contact]), impact[best].approach_mps,
                  1e-6 * impact[best].force_n, 1e3 * impact[best].indentation_m);
 }
 

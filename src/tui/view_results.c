@@ -93,7 +93,7 @@ static int draw_peaks(struct thud_tui *tui, const struct thud_pane *pane)
 
 struct row {
     struct thud_impact impact;
-    int floor;
+    int interface, floor; /* from 1 */
 };
 
 static int by_time(const void *a, const void *b)
@@ -116,6 +116,17 @@ static int by_floor(const void *a, const void *b)
     return (x->impact.start_s > y->impact.start_s) - (x->impact.start_s < y->impact.start_s);
 }
 
+/* What there is room for on a wide terminal. */
+static void impact_rest(const struct thud_impact *impact, char *text, size_t size)
+{
+    char d[24], ms[24], e[24], lost[24];
+    double ratio = impact->approach_mps > 0.0 ? impact->separation_mps / impact->approach_mps : NAN;
+    size_t n = strlen(text);
+    snprintf(text + n, size - n, " %-7s %-7s %-7s %s", thud_tui_number(1e3 * impact->indentation_m, d),
+             thud_tui_number(1e3 * impact->duration_s, ms), isnan(ratio) ? "-" : thud_tui_number(ratio, e),
+             thud_tui_number(1e-3 * impact->dissipated_j, lost));
+}
+
 static int draw_impacts(struct thud_tui *tui, const struct thud_pane *pane)
 {
     const struct thud_live_case *c = &tui->live.which[shown(tui)];
@@ -132,18 +143,30 @@ static int draw_impacts(struct thud_tui *tui, const struct thud_pane *pane)
     struct row *row = malloc((size_t)(count > 0 ? count : 1) * sizeof *row);
     if (!row)
         return 0;
-    for (int i = 0; i < count; i++)
-        row[i] = (struct row){impact[i], result->contact[impact[i].contact].left_floor};
+    for (int i = 0; i < count; i++) {
+        const struct thud_contact_result *contact = &result->contact[impact[i].contact];
+        row[i] = (struct row){impact[i], contact->interface,
+                              contact->left_floor ? contact->left_floor : contact->right_floor};
+    }
     int (*const order[SORTS])(const void *, const void *) = {by_time, by_force, by_floor};
     if (count > 1)
         qsort(row, (size_t)count, sizeof *row, order[tui->results_sort]);
-    thud_pane_put(pane, 1, 0, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), "t s       fl.  v m/s   F MN");
+    bool wide = pane->w >= 66;
+    thud_pane_print(pane, 1, 0, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), "t s       fl.  v m/s   F MN    %s",
+                    wide ? "d mm    ms      e       kJ lost" : "");
     int n = count < IMPACTS_MAX ? count : IMPACTS_MAX;
     for (int i = 0; i < n; i++) {
-        char key[48], text[96], v[24], f[24];
+        char key[48], text[160], v[24], f[24], place[24];
+        bool several = tui->doc.scene.nstructures > 2;
+        if (several)
+            snprintf(place, sizeof place, "%d:%d", row[i].interface, row[i].floor);
+        else
+            snprintf(place, sizeof place, "%d", row[i].floor);
         snprintf(key, sizeof key, "impact %.9g %d", row[i].impact.start_s, row[i].impact.contact);
-        snprintf(text, sizeof text, "%-9.3f %-4d %-7s %-7s", row[i].impact.start_s, row[i].floor,
+        snprintf(text, sizeof text, "%-9.3f %-4s %-7s %-7s", row[i].impact.start_s, place,
                  thud_tui_number(row[i].impact.approach_mps, v), thud_tui_number(1e-6 * row[i].impact.force_n, f));
+        if (wide)
+            impact_rest(&row[i].impact, text, sizeof text);
         thud_field_line(tui, IMPACTS, pane, i + 1, i, key, text);
     }
     if (count == 0)
