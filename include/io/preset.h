@@ -21,6 +21,8 @@ enum thud_status thud_preset_text(const struct thud_preset *preset, const struct
 /* Writes a temporary beside `path`, syncs and renames. THUD_OUTPUT when it cannot. */
 enum thud_status thud_preset_save(const struct thud_preset *preset, const struct thud_scene *scene, const char *path,
                                   struct thud_error *err);
+/* Completes an error with the place of a key in the file, or of the nearest thing around it. */
+void thud_preset_place(const struct thud_preset *preset, const char *key, struct thud_error *err);
 void thud_preset_free(struct thud_preset *preset);
 
 #endif

@@ -61,6 +61,8 @@ enum thud_status thud_session_read_record(struct thud_session *session, struct t
         return THUD_OK;
     enum thud_status status =
         thud_paths_record(&session->paths, session->preset_path, choice->file, path, sizeof path, err);
+    if (status != THUD_OK && strcmp(choice->file, thud_preset_scene(session->preset)->record.file) == 0)
+        thud_preset_place(session->preset, "record.file", err); /* the preset says so, no option */
     if (status == THUD_OK)
         status = thud_record_file_read(path, choice, &session->record, err);
     if (status == THUD_OK)

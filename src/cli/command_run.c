@@ -77,6 +77,17 @@ static void warn(const struct thud_result *result)
                 100 * result->energy.error_ratio, result->method);
 }
 
+/* What is allowed but unusual, one line each. */
+static void warn_unusual(const struct thud_args *args, const struct thud_session *session, const struct thud_scene *scene)
+{
+    struct thud_error unusual;
+    char line[1400];
+    for (int i = 0; !thud_args_has(args, "quiet") && thud_scene_warning(scene, i, &unusual); i++) {
+        thud_error_place(&unusual, session->preset_path, 0, 0);
+        fprintf(stderr, "%s\n", thud_error_text(&unusual, line, sizeof line));
+    }
+}
+
 static enum thud_status run(const struct thud_args *args, struct thud_session *session, struct thud_scene *scene,
                             struct thud_error *err)
 {
@@ -94,6 +105,7 @@ static enum thud_status run(const struct thud_args *args, struct thud_session *s
     options.keep_history = options.keep_impacts = thud_args_has(args, "o");
     status = thud_session_run(session, which, &options, scene, &answer, err);
     if (status == THUD_OK) {
+        warn_unusual(args, session, scene);
         struct thud_report report = thud_session_report(session, scene, which, &answer);
         warn(report.result);
         status = deliver(args, &report, err);

@@ -79,7 +79,7 @@ static void read_names(const char *folder, const char *ending, struct names *nam
     while (dir && names->n < NAMES_MAX && (entry = readdir(dir)) != NULL) {
         size_t length = strlen(entry->d_name);
         if (entry->d_name[0] == '.' || length <= tail || length - tail >= NAME_BYTES ||
-            strcmp(entry->d_name + length - tail, ending) != 0)
+            strcmp(entry->d_name + length - tail, ending) != 0 || strcmp(entry->d_name, "README.md") == 0)
             continue;
         snprintf(names->text[names->n], NAME_BYTES, "%.*s", (int)(length - tail), entry->d_name);
         names->list[names->n] = names->text[names->n];

@@ -83,6 +83,12 @@ const struct thud_scene *thud_preset_scene(const struct thud_preset *preset)
     return &preset->scene;
 }
 
+void thud_preset_place(const struct thud_preset *preset, const char *key, struct thud_error *err)
+{
+    const struct thud_yaml_node *node = &preset->tree.node[thud_preset_node(preset, key)];
+    thud_error_place(err, preset->name, node->line, node->column);
+}
+
 void thud_preset_free(struct thud_preset *preset)
 {
     if (!preset)

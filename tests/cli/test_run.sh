@@ -1,0 +1,131 @@
+#!/bin/sh
+# thud run: the figures of free bodies, the three forms of the answer, its files, its options, its exit statuses.  TAP.
+set -u
+THUD=${THUD:-$PWD/thud}
+tmp=$(mktemp -d) || exit 1
+trap 'rm -rf "$tmp"' EXIT
+
+is() { # WHAT CONDITION...
+    what=$1
+    shift
+    if "$@"; then echo "ok - $what"; else
+        echo "not ok - $what"
+        head -20 "$tmp/out" "$tmp/err" | sed 's/^/# /'
+    fi
+}
+gives() { # STATUS ARGUMENTS...: runs, keeps out and err
+    wanted=$1
+    shift
+    "$THUD" "$@" >"$tmp/out" 2>"$tmp/err"
+    got=$?
+    [ "$got" -eq "$wanted" ]
+}
+says() { grep -q -e "$1" "$tmp/err"; }
+shows() { grep -q -e "$1" "$tmp/out"; }
+silent() { [ ! -s "$tmp/err" ]; }
+number() { # KEY: the first number of that name in the JSON on out
+    tr -s ',{}[]' '\n' <"$tmp/out" | sed -n "s/^ *\"$1\": *//p" | head -1
+}
+near() { # A B RELATIVE
+    awk -v a="$1" -v b="$2" -v r="$3" 'BEGIN { d = a - b; if (d < 0) d = -d; if (b < 0) b = -b; exit !(a != "" && d <= r * b) }'
+}
+
+# free bodies against an independent solver (to 1e-4)
+gives 0 run rigid-concrete --json
+is "concrete: force" near "$(number force_n)" 8379.6e3 1e-4
+is "concrete: indentation" near "$(number indentation_m)" 3.1807e-3 1e-4
+is "concrete: duration" near "$(number contact_time_s)" 22.850e-3 1e-4
+is "concrete: residual" near "$(number residual_m)" 0.8118e-3 1e-4
+is "concrete: restitution" near "$(awk -v a="$(number separation_mps)" -v b="$(number approach_mps)" 'BEGIN { print a / b }')" 0.63229 1e-4
+is "no ground motion is null" shows '"record": null'
+gives 0 run rigid-bumper --json
+is "rubber: force" near "$(number force_n)" 2566.5e3 1e-4
+is "rubber: indentation" near "$(number indentation_m)" 28.443e-3 1e-4
+is "rubber: restitution" near "$(number separation_mps)" 0.254765 1e-4
+gives 0 run rigid-bumper --json --set structures.1.velocity=1m/s --set bumper.damping=exact --set bumper.unloading=continuous
+is "rubber, exact and continuous: restitution 0.5" near "$(number separation_mps)" 0.5 1e-6
+gives 0 run rigid-bumper --json --case none
+is "case none: the gap is open, so nothing touches for 0.1 s" near "$(number approach_mps)" 0.5 1e-6
+gives 0 run rigid-bumper --json --set "gap=100 cm"
+is "a gap too wide for the time is no contact" [ "$(number impacts)" = 0 ]
+
+# the three forms
+is "table" gives 0 run towers
+is "table: nothing on standard error" silent
+is "table: a row per floor, contact, and the balance" shows "base shear"
+is "table: restitution" shows "real nominal"
+is "table: energy" shows "^energy"
+is "table: method and why" shows "^method .*(.*)"
+cp "$tmp/out" "$tmp/table"
+is "json" gives 0 run towers --json
+is "json: the preset" shows '"preset": "towers"'
+is "json: 10 floors" [ "$(grep -o '"floor":' "$tmp/out" | wc -l)" -eq 10 ]
+is "json: 4 contacts" [ "$(grep -o '"interface":' "$tmp/out" | wc -l)" -eq 4 ]
+is "json: the period of the towers" near "$(sed -n 's/.*"periods_s": \[\([0-9.]*\).*/\1/p' "$tmp/out" | head -1)" 0.39791 1e-4
+is "json: energy is kept" awk -v e="$(number error_ratio)" 'BEGIN { exit !(e < 1e-6) }'
+is "json: no number that is none" [ -z "$(grep -E '[: ](nan|inf|-inf)' "$tmp/out")" ]
+cp "$tmp/out" "$tmp/json"
+gives 0 run towers --json -j 2
+is "json: the same bytes again" cmp -s "$tmp/out" "$tmp/json"
+LC_ALL=de_DE.UTF-8 gives 0 run towers --json
+is "json: the same bytes in another locale" cmp -s "$tmp/out" "$tmp/json"
+is "csv" gives 0 run towers --csv
+is "csv: a heading and rows" [ "$(wc -l <"$tmp/out")" -ge 11 ]
+is "quiet: nothing" gives 0 run towers --quiet
+is "quiet: indeed" [ ! -s "$tmp/out" ]
+
+# options
+gives 0 run towers --json --set "record.peak=0.4 g"
+force=$(number force_n)
+gives 0 run towers --json --peak "0.4 g"
+is "--peak is --set record.peak" [ "$(number force_n)" = "$force" ]
+is "--peak scales" near "$(number peak_mps2)" 3.92266 1e-12
+gives 0 run towers --json --case cavity
+cavity=$(number acceleration_mps2)
+gives 0 run towers --json --set "bumper.cavity=1 cm"
+is "--case cavity is a cavity of 1 cm" near "$(number acceleration_mps2)" "$cavity" 1e-6
+gives 0 run towers --json --case bumper
+is "--case bumper says so" shows '"case": "bumper"'
+gives 0 run towers --json --method exact
+is "--method is named" shows '"name": "exact"'
+printf '%s\n' 0.1 0.5 -0.8 0.3 0.0 >"$tmp/column.txt"
+gives 0 run towers --json --record "$tmp/column.txt" --dt "0.01 s" --unit g
+is "--record, --dt, --unit" near "$(number peak_mps2)" 7.84532 1e-12
+is "an unusual value is told and taken" gives 0 run rigid-concrete --set contact.restitution=0.99
+is "as a message with its key" says "interfaces.1.contact.restitution: 0.99 is unusual (usually 0.3 to 0.95)"
+gives 0 run rigid-concrete --set contact.restitution=0.99 --quiet
+is "and quietly not" silent
+
+# files
+is "-o" gives 0 run rigid-bumper -o "$tmp/a/b"
+is "-o: an impact a row" [ "$(wc -l <"$tmp/a/b/impacts.csv")" -eq 2 ]
+is "-o: histories have the peak force" near "$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i ~ /force/) c = i; next } $c > m { m = $c } END { print m }' "$tmp/a/b/histories.csv")" 2566.5e3 1e-3
+is "-o: nothing half written stays" [ -z "$(find "$tmp/a" -name '*.part')" ]
+
+# exit statuses
+is "no preset: usage" gives 2 run
+is "and it says so" says "needs a preset"
+is "two presets: usage" gives 2 run towers towers
+is "unknown option: usage" gives 2 run towers --tolerence 1e-6
+is "with the nearest" says "tolerance"
+is "an option without its value: usage" gives 2 run towers --peak
+is "unknown case: usage" gives 2 run towers --case nine
+is "unknown command: usage" gives 2 rnu towers
+is "--set without =: usage" gives 2 run towers --set gap
+is "unknown preset: input" gives 3 run towres
+is "with the nearest preset" says 'did you mean "towers"'
+is "a wrong value: input" gives 3 run towers --set gap=5
+is "with its key and units" says "gap: \"5\" has no unit; give a length (m, cm"
+is "unknown record: input" gives 3 run towers --record nowhere.csv
+is "help" gives 0 help run
+is "help fits a screen" [ "$(wc -l <"$tmp/out")" -le 24 ]
+is "version" gives 0 --version
+if [ -w /dev/full ]; then
+    "$THUD" run towers --json >/dev/full 2>"$tmp/err"
+    is "a full disk: output" [ $? -eq 6 ]
+fi
+: >"$tmp/file"
+is "a folder that cannot be made: output" gives 6 run rigid-bumper -o "$tmp/file/x"
+# shellcheck disable=SC2069
+sh -c '"$0" run towers --json; echo $? >"$1"' "$THUD" "$tmp/status" 2>"$tmp/err" | head -c 10 >/dev/null
+is "a closed pipe is no crash" grep -q -E '^(0|6|141)$' "$tmp/status"
