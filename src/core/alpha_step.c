@@ -22,8 +22,8 @@ struct alpha {
     double *applied;                     /* (ncontacts) lagged: force at the end of the step before */
     int *active;
     lapack_int *pivot;
-    bool fresh;         /* a0 is to be taken from the equations of motion */
-    double ground_mps2; /* at the end of the step before */
+    bool fresh;                      /* a0 is to be taken from the equations of motion */
+    double ground_mps2, before_mps2; /* ground acceleration at the end of the step, and of the one before */
     double *block;
 };
 
@@ -113,7 +113,7 @@ static void start_step(struct thud_run *run, struct alpha *x)
      * smear. For Newmark it is that of the equations of motion anyway. */
     double ground = thud_step_ground(run, 0);
     bool newmark = x->p.am == 0.0 && x->p.af == 0.0;
-    if (x->fresh || newmark || fabs(ground - x->ground_mps2) > 1e-9 * (fabs(ground) + fabs(x->ground_mps2)))
+    if (x->fresh || newmark || fabs(ground - x->before_mps2) > 1e-9 * (fabs(ground) + fabs(x->before_mps2)))
         memcpy(x->a0, x->start.qdd, bytes);
 }
 
@@ -253,6 +253,7 @@ void thud_alpha_committed(struct thud_run *run, void *state, double tau_s, bool 
     double *now = x->a0;
     (void)tau_s;
     x->fresh = run->locates && switched; /* nothing located: the program does not know that anything happened */
+    x->before_mps2 = x->ground_mps2;
     x->a0 = x->a1;
     x->a1 = now;
     memcpy(x->applied, x->end.force, (size_t)run->model->ncontacts * sizeof *x->applied);

@@ -84,7 +84,7 @@ enum thud_status thud_dormand_prince_step(struct thud_run *run, void *state, str
 {
     static const double share = 1e-2; /* of the tolerance, for one step: errors add up, and impacts make them grow */
     struct dormand_prince *x = state;
-    double tolerance = share * run->options.tolerance, remaining = thud_run_remaining(run);
+    double tolerance = share * run->options.tolerance, remaining = thud_step_room(run);
     thud_rk_start(run, &x->rk);
     for (;;) {
         double h = remaining / fmax(1, ceil(remaining / x->h * (1 - 1e-9)));

@@ -53,6 +53,7 @@ struct thud_run {
     long grid;
     bool done, failed;
     bool locates;       /* events are located; else contacts catch up at the ends of steps */
+    double step_cap_s;  /* a stepping method's next step is to be no longer */
     double speed_bound; /* sqrt(2 E) that initial motion and ground can give at most, in modal coordinates */
     double ground_mps2; /* peak of the ground motion: what the structures feel anyway */
     double *q, *qd;     /* (ndof) modal state */

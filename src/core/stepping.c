@@ -20,9 +20,14 @@ double *thud_motion_place(struct thud_motion *motion, const struct thud_model *m
     return motion->force + model->ncontacts;
 }
 
+double thud_step_room(const struct thud_run *run)
+{
+    return fmin(thud_run_remaining(run), run->step_cap_s);
+}
+
 double thud_step_length(const struct thud_run *run)
 {
-    double remaining = thud_run_remaining(run);
+    double remaining = thud_step_room(run);
     return remaining / fmax(1, ceil(remaining / run->options.step_s * (1 - 1e-9)));
 }
 

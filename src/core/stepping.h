@@ -16,7 +16,9 @@ enum { THUD_MOTION_VECTORS = 3 };
 size_t thud_motion_size(const struct thud_model *model);
 double *thud_motion_place(struct thud_motion *motion, const struct thud_model *model, double *block);
 
-/* Fixed-step methods: equal steps to the next kink of the ground motion or the end, none longer than the option. */
+/* The longest step now: to the next kink of the ground motion or the end, or what the run asks for. */
+double thud_step_room(const struct thud_run *run);
+/* Fixed-step methods: equal steps over that room, none longer than the option. */
 double thud_step_length(const struct thud_run *run);
 
 /* Ground acceleration `after` seconds from now, in the present interval of the ground motion. */
