@@ -5,6 +5,9 @@
 #include "core/contact.h"
 #include "core/poly.h"
 
+/* More than rounding leaves of an indentation at first touch. */
+static const double pressed_m = 1e-12;
+
 static const struct thud_law *law_of(const struct thud_run *run, int c)
 {
     return run->model->contact[c].law;
@@ -223,7 +226,8 @@ static void touch(struct thud_run *run, int c)
     s->phase = THUD_APPROACH;
     s->past_knee = false;
     thud_contact_set_mode(run, c, THUD_CLOSED);
-    s->zeros = (struct thud_zeros){.indentation = 1, .rate = v == 0, .force = v == 0};
+    bool pressed = thud_contact_indentation(run, c) > pressed_m; /* from the start: the clearance is negative */
+    s->zeros = (struct thud_zeros){.indentation = !pressed, .rate = v == 0, .force = v == 0 && !pressed};
     s->expected_force_n = expected_force(run, c, v);
     s->impact = (struct thud_impact){.contact = c, .start_s = thud_run_now(run), .approach_mps = v};
     run->result.contact[c].impacts++;

@@ -2,6 +2,7 @@
  * made from the structure without its contacts; that is why it stays stable for the structure and not in contact.
  *     v1 = v0 + h A1 a0,   q1 = q0 + h v0 + h^2 (1/2 + gamma) A1 a0,   A1 = (I + gamma h D + beta h^2 Omega^2)^-1
  *     (I - A3) a1 + A3 a0 = (1 - af) r(q1, v1) + af r(q0, v0),   A3 = A1 (am + af gamma h D + af beta h^2 Omega^2)
+ * Its roots are those of a scheme of order 2, but the velocity is a backward difference: the state is of order 1.
  * The acceleration a is the scheme's own and goes on from step to step. Nothing is located: a contact that is held
  * would need a force that acts through A1, which the scheme does not have. */
 #include <math.h>
@@ -97,9 +98,9 @@ const struct thud_method thud_method_kr_alpha = {
     .name = "kr-alpha",
     .title = "KR-alpha, spectral radius 0.5",
     .reference = "Kolay and Ricles 2014",
-    .summary = "explicit, with matrices of the structure in place of numbers; impacts are not located",
+    .summary = "explicit, with matrices of the structure in place of numbers; period right to order 2, but velocities lag",
     .flags = THUD_METHOD_FIXED_STEP,
-    .order = 2,
+    .order = 1,
     .stability = INFINITY,
     .limits = "none in linear structures; stiff contacts, which its matrices do not know, make it unstable",
     .create = create,
