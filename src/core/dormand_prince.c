@@ -107,6 +107,7 @@ enum thud_status thud_dormand_prince_step(struct thud_run *run, void *state, str
 void thud_dormand_prince_committed(struct thud_run *run, void *state, double tau_s, bool switched)
 {
     struct dormand_prince *x = state;
-    (void)tau_s;
+    if (tau_s <= 0) /* an event at the very start: another step would see another end of the same motion */
+        x->h = fmin(x->h, run->seg.h_s);
     thud_rk_committed(run, &x->rk, switched);
 }

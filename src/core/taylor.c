@@ -76,7 +76,7 @@ static void next_order(const struct thud_model *m, struct thud_segment *seg, int
         q2[j] *= scale;
 }
 
-static double largest(const double *x, int n)
+static double largest_of(const double *x, int n)
 {
     double most = 0;
     for (int i = 0; i < n; i++)
@@ -86,7 +86,7 @@ static double largest(const double *x, int n)
 
 double thud_segment_tail(const struct thud_segment *seg, int n)
 {
-    double all = largest(seg->q, seg->terms * n), last = largest(seg->q + (seg->terms - 2) * n, 2 * n);
+    double all = largest_of(seg->q, seg->terms * n), last = largest_of(seg->q + (seg->terms - 2) * n, 2 * n);
     return last == 0 ? 0 : last / all;
 }
 
@@ -170,22 +170,34 @@ void thud_segment_state(const struct thud_segment *seg, int nmodes, double s, do
         qd[j] /= seg->h_s;
 }
 
+/* What rounding may leave of the difference of two neighbours' terms of order k. A stepping method's higher terms are
+ * differences of its end states, whose rounding is that of the largest term. */
+static double term_noise(const struct thud_run *run, int k, const double *size, double largest)
+{
+    static const double nothing_m = 1e-20, noise = 1e-12,
+                        rate_noise = 2e-14, /* a rate is a state, not a sum of large terms that cancel */
+        step_noise = 2e-14;
+    if (k == 0)
+        return THUD_TOUCH_NOISE_M;
+    double least = fmax(nothing_m, (k == 1 ? rate_noise : noise) * size[k]);
+    return run->method->order > 0 && k > 1 ? fmax(least, step_noise * largest) : least;
+}
+
 int thud_segment_indentation(const struct thud_run *run, const struct thud_segment *seg, int c, double *out)
 {
     const struct thud_model *m = run->model;
     const struct thud_model_contact *p = &m->contact[c];
-    static const double nothing_m = 1e-20, noise = 1e-12,
-                        rate_noise = 2e-14; /* a rate is a state, not a sum of large terms that cancel */
+    double size[THUD_SEGMENT_TERMS], largest = 0;
     int zeros = 0;
     for (int k = 0; k < seg->terms; k++) {
         const double *modal = seg->q + k * m->ndof;
         double left = p->left_dof < 0 ? 0 : thud_model_floor(m, p->left_dof, modal);
         double right = p->right_dof < 0 ? 0 : thud_model_floor(m, p->right_dof, modal);
         out[k] = left - right - (k == 0 ? thud_run_shift(run, c) : 0);
-        double least =
-            k == 0 ? THUD_TOUCH_NOISE_M : fmax(nothing_m, (k == 1 ? rate_noise : noise) * (fabs(left) + fabs(right)));
-        if (zeros == k && fabs(out[k]) <= least)
-            zeros++;
+        size[k] = fabs(left) + fabs(right);
+        largest = size[k] > largest ? size[k] : largest;
     }
+    while (zeros < seg->terms && fabs(out[zeros]) <= term_noise(run, zeros, size, largest))
+        zeros++;
     return zeros;
 }

@@ -103,13 +103,14 @@ START_TEST(through_impacts_at_a_linear_wall)
 }
 END_TEST
 
-/* Hertz's force begins as d^1.5: no method of one step sees more than order 2.5 in the step that begins there. */
+/* Hertz's force begins as d^1.5, which costs the step that begins there an error of order 2.5 in the velocity: the
+ * fourth order is lost, the second not. */
 START_TEST(through_impacts_at_a_hertz_wall)
 {
     struct thud_model *model = bouncing("hertz");
     for (int i = 0; i < LOCATING; i++) {
-        double order = fmin(2.5, thud_method_find(locating[i])->order);
-        check_order(locating[i], order_seen(model, NULL, locating[i], 5e-4, 4, true, 6.3), order - 0.3, order + 0.4);
+        double order = order_seen(model, NULL, locating[i], 5e-4, 4, true, 6.3);
+        check_order(locating[i], order, thud_method_find(locating[i])->order > 2 ? 2.1 : 1.8, 3.0);
     }
     thud_model_free(model);
 }
