@@ -98,7 +98,8 @@ const struct thud_method thud_method_kr_alpha = {
     .name = "kr-alpha",
     .title = "KR-alpha, spectral radius 0.5",
     .reference = "Kolay and Ricles 2014",
-    .summary = "explicit, with matrices of the structure in place of numbers; period right to order 2, but velocities lag",
+    .summary =
+        "explicit, with matrices of the structure in place of numbers; period right to order 2, but velocities lag",
     .flags = THUD_METHOD_FIXED_STEP,
     .order = 1,
     .stability = INFINITY,
