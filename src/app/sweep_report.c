@@ -200,12 +200,15 @@ static void put_best(const struct thud_sweep_plan *plan, const struct thud_sweep
                      best->drift_ratio, flat, best->worst_ratio);
 }
 
-static void put_best_csv(const struct thud_sweep_plan *plan, const struct thud_sweep_table *table, int axis,
-                         const struct thud_sweep_best *best, struct thud_text *out)
+static void put_best_csv(const struct thud_sweep_plan *plan, int axis, const struct thud_sweep_best *best,
+                         struct thud_text *out)
 {
     const double x[] = {best->best,       best->ratio,     best->drift_ratio,
                         best->flat_least, best->flat_most, best->worst_ratio};
-    thud_text_append(out, "%s,%s", best->record < 0 ? "worst of all" : table->record[best->record],
+    thud_text_append(out, "%s,%s",
+                     best->record < 0                                              ? "worst of all"
+                     : best->record < plan->nrecords && plan->record[best->record] ? plan->record[best->record]->file
+                                                                                   : "",
                      thud_case_name(best->which));
     for (int a = 0; a < plan->naxes; a++)
         if (a != axis) {
@@ -240,7 +243,7 @@ enum thud_status thud_sweep_report_best(const struct thud_sweep_plan *plan, cons
     }
     for (long i = 0; i < n; i++) {
         if (csv)
-            put_best_csv(plan, table, axis, &best[i], out);
+            put_best_csv(plan, axis, &best[i], out);
         else
             put_best(plan, table, axis, &best[i], out);
     }

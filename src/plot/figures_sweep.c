@@ -318,12 +318,24 @@ struct thud_figure *thud_figure_of_map(const struct thud_sweep_table *table, int
 /* ---- the list: per case with a ratio (by floor or as map per record, then the means), then the contacts per record
  * ---- */
 
-/* Cases that are compared to `none`; returns how many. */
+/* Whether ratios of the scene as written are to something else than itself. */
+static bool has_ratios(const struct thud_sweep_table *table)
+{
+    for (size_t i = 0; i < table->nrows; i++) {
+        const struct thud_sweep_row *row = &table->row[i];
+        if (row->which == THUD_CASE_AS_WRITTEN && isfinite(row->acceleration_ratio) && row->acceleration_ratio != 1)
+            return true;
+    }
+    return false;
+}
+
+/* Cases that are compared to `none`, which need not be among them; returns how many. */
 static int compared(const struct thud_sweep_table *table, enum thud_case *which)
 {
     int n = 0;
     for (int c = THUD_CASE_AS_WRITTEN; c < THUD_CASES; c++) {
-        if (c != THUD_CASE_NONE && has_case(table, THUD_CASE_NONE) && has_case(table, (enum thud_case)c))
+        bool to_none = c > THUD_CASE_NONE || (c == THUD_CASE_AS_WRITTEN && has_ratios(table));
+        if (to_none && has_case(table, (enum thud_case)c))
             which[n++] = (enum thud_case)c;
     }
     return n;
