@@ -11,6 +11,16 @@ struct thud_paths {
 };
 void thud_paths_find(struct thud_paths *paths);
 
+/* Names of the files in a folder, sorted. */
+enum { THUD_FILES_MAX = 256, THUD_FILE_NAME_MAX = 64 };
+struct thud_file_names {
+    char text[THUD_FILES_MAX][THUD_FILE_NAME_MAX];
+    const char *list[THUD_FILES_MAX];
+    int n;
+};
+/* Every preset of the presets folder by its name, without `.yaml`. */
+void thud_paths_presets(const struct thud_paths *paths, struct thud_file_names *names);
+
 /* A name (`towers`) or a path to an existing file. Errors: THUD_INPUT naming the nearest preset. */
 enum thud_status thud_paths_preset(const struct thud_paths *paths, const char *name, char *path, unsigned long size,
                                    struct thud_error *err);

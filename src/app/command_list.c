@@ -72,7 +72,7 @@ static const struct thud_option options[] = {
     {"format", "FORMAT", "of pictures: png, svg or pdf", THUD_WORD_TEXT, false, FILES},
     {"size", "WIDTHxHEIGHT", "of pictures, in pixels", THUD_WORD_TEXT, false, PICTURES},
     {"font", "NAME[,PIXELS]", "of pictures", THUD_WORD_TEXT, false, PICTURES},
-    {"j", "N", "runs at a time; results do not depend on it", THUD_WORD_TEXT, false, PICTURES | VERIFY},
+    {"j", "N", "runs at a time; results do not depend on it", THUD_WORD_TEXT, false, PICTURES},
     {"quiet", NULL, "no progress on standard error", THUD_WORD_NONE, false, PICTURES | VERIFY},
     {"ascii", NULL, "draw with ASCII characters only", THUD_WORD_NONE, false, SCREEN},
     {"no-color", NULL, "use no colour", THUD_WORD_NONE, false, SCREEN},

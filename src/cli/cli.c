@@ -64,7 +64,7 @@ static enum thud_status dispatch(int argc, char **argv, thud_screen_function *sc
 }
 
 /* A message about a file begins with the file, as compilers' do; any other with the program's name. */
-static void complain(const struct thud_error *err)
+void thud_cli_complain(const struct thud_error *err)
 {
     char text[1600];
     fprintf(stderr, "%s%s\n", err->file[0] ? "" : "thud: ", thud_error_text(err, text, sizeof text));
@@ -77,7 +77,7 @@ int thud_cli_main(int argc, char **argv, thud_screen_function *screen)
     setlocale(LC_NUMERIC, "C");
     enum thud_status status = dispatch(argc, argv, screen, &err);
     if (status != THUD_OK && err.what[0])
-        complain(&err);
+        thud_cli_complain(&err);
     if (fclose(stdout) != 0 && status == THUD_OK) {
         fprintf(stderr, "thud: standard output: %s\n", strerror(errno));
         status = THUD_OUTPUT;

@@ -1,6 +1,5 @@
 /* thud help: the commands, the options of one; for shells the words that may stand where, for the manual what the
  * tables say. */
-#include <dirent.h>
 #include <string.h>
 
 #include "cli/commands.h"
@@ -13,16 +12,11 @@
 static void add_presets(struct thud_text *out)
 {
     struct thud_paths paths;
+    struct thud_file_names names;
     thud_paths_find(&paths);
-    DIR *folder = opendir(paths.presets);
-    struct dirent *entry;
-    while (folder && (entry = readdir(folder))) {
-        const char *end = strstr(entry->d_name, ".yaml");
-        if (end && !end[5])
-            thud_text_append(out, "%.*s\n", (int)(end - entry->d_name), entry->d_name);
-    }
-    if (folder)
-        closedir(folder);
+    thud_paths_presets(&paths, &names);
+    for (int i = 0; i < names.n; i++)
+        thud_text_append(out, "%s\n", names.list[i]);
 }
 
 static void add_words(enum thud_word word, struct thud_text *out)

@@ -14,4 +14,7 @@
 /* Writes the text to standard output and clears it. Errors: THUD_OUTPUT, THUD_MEMORY. */
 enum thud_status thud_cli_print(struct thud_text *text, struct thud_error *err);
 
+/* Writes the message to standard error. */
+void thud_cli_complain(const struct thud_error *err);
+
 #endif

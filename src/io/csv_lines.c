@@ -98,3 +98,15 @@ enum thud_status csv_lines_next(struct csv_lines *lines, enum csv_what *what, st
     *what = CSV_ROW;
     return THUD_OK;
 }
+
+void csv_put_text(struct thud_text *out, const char *text)
+{
+    if (!strpbrk(text, ",\"\r\n")) {
+        thud_text_append(out, "%s", text);
+        return;
+    }
+    thud_text_append(out, "\"");
+    for (; *text; text++)
+        thud_text_append(out, *text == '"' ? "\"\"" : "%c", *text);
+    thud_text_append(out, "\"");
+}

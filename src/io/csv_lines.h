@@ -7,6 +7,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "base/text.h"
 #include "io/record_source.h"
 
 enum { CSV_FIELDS_MAX = 64 };
@@ -32,5 +33,8 @@ enum csv_what { CSV_ROW, CSV_COMMENT, CSV_END };
 enum thud_status csv_lines_next(struct csv_lines *lines, enum csv_what *what, struct record_line *line,
                                 struct thud_error *err);
 const char *csv_lines_field(const struct csv_lines *lines, size_t i);
+
+/* Writes a field, in quotation marks where it needs them. */
+void csv_put_text(struct thud_text *out, const char *text);
 
 #endif

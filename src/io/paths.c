@@ -14,8 +14,6 @@
 #define THUD_DATADIR "/usr/local/share/thud"
 #endif
 
-enum { NAMES_MAX = 256, NAME_BYTES = 64 };
-
 static bool is_folder(const char *path)
 {
     struct stat about;
@@ -64,46 +62,46 @@ static bool fits(int written, unsigned long size)
     return written >= 0 && (unsigned long)written < size;
 }
 
-/* Names of the files in a folder, without `ending`; for what may have been meant. */
-struct names {
-    char text[NAMES_MAX][NAME_BYTES];
-    const char *list[NAMES_MAX];
-    int n;
-};
-
-static void read_names(const char *folder, const char *ending, struct names *names)
-{
-    DIR *dir = opendir(folder);
-    struct dirent *entry;
-    size_t tail = strlen(ending);
-    while (dir && names->n < NAMES_MAX && (entry = readdir(dir)) != NULL) {
-        size_t length = strlen(entry->d_name);
-        if (entry->d_name[0] == '.' || length <= tail || length - tail >= NAME_BYTES ||
-            strcmp(entry->d_name + length - tail, ending) != 0 || strcmp(entry->d_name, "README.md") == 0)
-            continue;
-        snprintf(names->text[names->n], NAME_BYTES, "%.*s", (int)(length - tail), entry->d_name);
-        names->list[names->n] = names->text[names->n];
-        names->n++;
-    }
-    if (dir)
-        closedir(dir);
-}
-
 static int by_name(const void *a, const void *b)
 {
     return strcmp(*(const char *const *)a, *(const char *const *)b);
 }
 
+/* Without `ending`; for what may have been meant. */
+static void read_names(const char *folder, const char *ending, struct thud_file_names *names)
+{
+    DIR *dir = opendir(folder);
+    struct dirent *entry;
+    size_t tail = strlen(ending);
+    while (dir && names->n < THUD_FILES_MAX && (entry = readdir(dir)) != NULL) {
+        size_t length = strlen(entry->d_name);
+        if (entry->d_name[0] == '.' || length <= tail || length - tail >= THUD_FILE_NAME_MAX ||
+            strcmp(entry->d_name + length - tail, ending) != 0 || strcmp(entry->d_name, "README.md") == 0)
+            continue;
+        snprintf(names->text[names->n], THUD_FILE_NAME_MAX, "%.*s", (int)(length - tail), entry->d_name);
+        names->list[names->n] = names->text[names->n];
+        names->n++;
+    }
+    if (dir)
+        closedir(dir);
+    qsort(names->list, (size_t)names->n, sizeof *names->list, by_name);
+}
+
+void thud_paths_presets(const struct thud_paths *paths, struct thud_file_names *names)
+{
+    names->n = 0;
+    read_names(paths->presets, ".yaml", names);
+}
+
 static enum thud_status not_found(const char *what, const char *name, const char *folder, const char *ending,
                                   struct thud_error *err)
 {
-    struct names *names = calloc(1, sizeof *names);
+    struct thud_file_names *names = calloc(1, sizeof *names);
     const char *near = NULL;
     char list[sizeof err->allowed] = "";
     size_t n = 0;
     if (names) {
         read_names(folder, ending, names);
-        qsort(names->list, (size_t)names->n, sizeof *names->list, by_name);
         near = thud_nearest(name, names->list, names->n);
     }
     for (int i = 0; names && i < names->n && n < sizeof list; i++)

@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "io/csv_lines.h"
+
 const char *thud_sweep_csv_name(enum thud_sweep_csv which)
 {
     static const char *const name[] = {"sweep.csv", "contacts.csv", "needed-gaps.csv"};
@@ -32,18 +34,6 @@ static bool shown(const struct thud_sweep_plan *plan, int axis, bool outer)
     return outer ? axis < plan->nouter : !is_gap(plan->axis[axis].key);
 }
 
-static void put_text(struct thud_text *out, const char *text)
-{
-    if (!strpbrk(text, ",\"\r\n")) {
-        thud_text_append(out, "%s", text);
-        return;
-    }
-    thud_text_append(out, "\"");
-    for (; *text; text++)
-        thud_text_append(out, *text == '"' ? "\"\"" : "%c", *text);
-    thud_text_append(out, "\"");
-}
-
 static void put_number(struct thud_text *out, double value)
 {
     thud_text_append(out, ",");
@@ -69,7 +59,7 @@ static void put_axes(const struct thud_sweep_plan *plan, long point, bool outer,
             put_number(out, axis->value[at[i]]);
         } else {
             thud_text_append(out, ",");
-            put_text(out, axis->text[at[i]]);
+            csv_put_text(out, axis->text[at[i]]);
         }
     }
     thud_text_append(out, "\n");
@@ -78,7 +68,7 @@ static void put_axes(const struct thud_sweep_plan *plan, long point, bool outer,
 static void put_record(const struct thud_sweep_plan *plan, int record, struct thud_text *out)
 {
     if (record < plan->nrecords && plan->record[record])
-        put_text(out, plan->record[record]->file);
+        csv_put_text(out, plan->record[record]->file);
 }
 
 void thud_sweep_csv_header(const struct thud_sweep_plan *plan, enum thud_sweep_csv which, struct thud_text *out)
@@ -104,7 +94,7 @@ static void put_floor(const struct thud_sweep_plan *plan, long point, const stru
     thud_text_append(out, ",%s", thud_case_name(row->which));
     put_number(out, row->gap_m);
     thud_text_append(out, ",");
-    put_text(out, plan->scene.structure[row->structure].name);
+    csv_put_text(out, plan->scene.structure[row->structure].name);
     thud_text_append(out, ",%d", row->floor);
     const double x[] = {row->acceleration_mps2,       row->drift_m,          row->displacement_m,
                         row->acceleration_ratio,      row->drift_ratio,      row->displacement_ratio,

@@ -1,0 +1,113 @@
+/* thud verify: presets against their stored expectations. */
+#include <stdio.h>
+#include <unistd.h>
+
+#include "app/verify_preset.h"
+#include "cli/commands.h"
+#include "io/paths.h"
+
+/* Over all presets. */
+struct total {
+    int presets, count[THUD_GONE + 1];
+    enum thud_status status; /* the first thing that went wrong with a preset */
+};
+
+static void show_progress(const struct thud_args *args, const char *name)
+{
+    if (!thud_args_has(args, "quiet") && isatty(STDERR_FILENO))
+        fprintf(stderr, "\r\033[K%s", name);
+}
+
+/* The difference is shown before anything is written. */
+static enum thud_status deliver(const struct thud_args *args, struct thud_verification *v, struct total *total,
+                                struct thud_error *err)
+{
+    struct thud_text text = {0};
+    bool json = thud_args_has(args, "json");
+    if (json) {
+        thud_text_append(&text, total->presets > 0 ? ",\n  " : "\n  ");
+        thud_verify_json(v, &text);
+    } else {
+        thud_verify_table(v, args->noperands == 1 && !v->update, &text);
+    }
+    total->presets++;
+    for (int i = 0; i <= THUD_GONE; i++)
+        total->count[i] += v->count[i];
+    show_progress(args, "");
+    enum thud_status status = thud_cli_print(&text, err);
+    if (status != THUD_OK || !v->update)
+        return status;
+    status = thud_verify_write(v, err);
+    if (status == THUD_OK && !json) {
+        thud_text_append(&text, "  %s: %s\n", v->path, v->written ? "written" : "as it was");
+        status = thud_cli_print(&text, err);
+    }
+    return status;
+}
+
+/* A preset that cannot be verified is told and the next one taken; what is wrong with the machine ends it all. */
+static enum thud_status one(const struct thud_args *args, const char *preset, struct total *total,
+                            struct thud_error *err)
+{
+    struct thud_verification v;
+    struct thud_error own = {0};
+    show_progress(args, preset);
+    enum thud_status status = thud_verify_preset(preset, thud_args_has(args, "update"), &v, &own);
+    if (status == THUD_OK) {
+        status = deliver(args, &v, total, err);
+        thud_verify_clear(&v);
+        return status;
+    }
+    show_progress(args, "");
+    if (status != THUD_INPUT && status != THUD_DIVERGED) {
+        if (err)
+            *err = own;
+        return status;
+    }
+    thud_cli_complain(&own);
+    if (total->status == THUD_OK)
+        total->status = status;
+    return THUD_OK;
+}
+
+static enum thud_status finish(const struct thud_args *args, const struct total *total, struct thud_error *err)
+{
+    struct thud_text text = {0};
+    int wrong = total->count[THUD_MOVED] + total->count[THUD_GONE];
+    if (thud_args_has(args, "json"))
+        thud_text_append(&text, "\n]\n");
+    else if (total->presets != 1)
+        thud_text_append(&text, "%d presets: %d hold, %d moved, %d gone\n", total->presets, total->count[THUD_HOLDS],
+                         total->count[THUD_MOVED], total->count[THUD_GONE]);
+    enum thud_status status = thud_cli_print(&text, err);
+    if (status != THUD_OK || total->status != THUD_OK)
+        return status != THUD_OK ? status : total->status;
+    return wrong > 0 && !thud_args_has(args, "update") ? THUD_CHECK : THUD_OK;
+}
+
+enum thud_status thud_command_verify(const struct thud_args *args, struct thud_error *err)
+{
+    struct total total = {.status = THUD_OK};
+    struct thud_paths paths;
+    struct thud_file_names names;
+    thud_paths_find(&paths);
+    names.n = 0;
+    if (args->noperands == 0)
+        thud_paths_presets(&paths, &names);
+    int n = args->noperands > 0 ? args->noperands : names.n;
+    if (n == 0) {
+        thud_error_set(err, THUD_INPUT, "there is no preset");
+        thud_error_place(err, paths.presets, 0, 0);
+        return THUD_INPUT;
+    }
+    enum thud_status status = THUD_OK;
+    if (thud_args_has(args, "json"))
+        status = fputs("[", stdout) < 0 ? thud_error_set(err, THUD_OUTPUT, "standard output") : THUD_OK;
+    for (int i = 0; i < n && status == THUD_OK; i++) {
+        char path[640];
+        if (args->noperands == 0)
+            snprintf(path, sizeof path, "%s/%s.yaml", paths.presets, names.list[i]);
+        status = one(args, args->noperands > 0 ? args->operand[i] : path, &total, err);
+    }
+    return status == THUD_OK ? finish(args, &total, err) : status;
+}
