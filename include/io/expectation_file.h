@@ -18,7 +18,8 @@ enum thud_status thud_expectation_parse(const char *text, size_t size, const cha
 /* How a file came to be, for its comment lines. */
 struct thud_expectation_origin {
     const char *preset, *own, *independent; /* names of the preset and of the methods */
-    double own_tolerance, independent_tolerance;
+    const char *own_setting;                /* "tolerance 1e-6" */
+    double independent_tolerance;
 };
 void thud_expectation_text(const struct thud_expectation_origin *origin, const struct thud_expectations *agreed,
                            const struct thud_expectations *disputed, struct thud_text *out);

@@ -80,12 +80,24 @@ static enum thud_status compare(struct thud_verification *v, const struct work *
     return THUD_OK;
 }
 
+static void setting_text(const struct work *work, char *text, size_t size)
+{
+    const struct thud_analysis *a = &work->session.scene.analysis;
+    const struct thud_method *method = thud_method_find(work->method);
+    if (!method || !(method->flags & THUD_METHOD_FIXED_STEP))
+        snprintf(text, size, "tolerance %g", a->tolerance);
+    else if (isnan(a->step_s))
+        snprintf(text, size, "with the step it takes by itself");
+    else
+        snprintf(text, size, "step %g s", a->step_s);
+}
+
 static enum thud_status renew(struct thud_verification *v, struct work *work, struct thud_error *err)
 {
-    struct thud_expectation_origin origin = {.preset = v->name,
-                                             .own = work->method,
-                                             .own_tolerance = work->session.scene.analysis.tolerance,
-                                             .independent_tolerance = tight_tolerance};
+    char setting[64];
+    setting_text(work, setting, sizeof setting);
+    struct thud_expectation_origin origin = {
+        .preset = v->name, .own = work->method, .own_setting = setting, .independent_tolerance = tight_tolerance};
     enum thud_status status =
         run_cases(work, thud_verify_independent(work->method), &work->independent, &origin.independent, err);
     if (status == THUD_OK)

@@ -147,11 +147,11 @@ void thud_expectation_text(const struct thud_expectation_origin *origin, const s
 {
     thud_text_append(out,
                      "# What `thud verify %s` expects, in SI units. Made by thud %s with --update.\n"
-                     "# Values of %s (events located, tolerance %g), confirmed by %s (tolerance %g).\n"
+                     "# Values of %s (events located, tolerance %g), confirmed by %s (%s).\n"
                      "# tolerance: the largest relative change (absolute where 0 is expected), ten times the two\n"
                      "# methods' difference and at least 1e-6; 0: exactly.\n%s\n",
                      origin->preset, THUD_VERSION, origin->independent, origin->independent_tolerance, origin->own,
-                     origin->own_tolerance, header);
+                     origin->own_setting, header);
     for (size_t i = 0; i < agreed->n; i++) {
         const struct thud_expectation *e = &agreed->item[i];
         thud_text_append(out, "%s,", thud_case_name(e->which));

@@ -143,7 +143,7 @@ START_TEST(only_what_both_methods_give_is_expected)
     ck_assert(agreed.item[0].value == 2.0002); /* of the independent one, and what it stands for holds with room */
     for (size_t i = 0; i < agreed.n; i++)
         ck_assert_int_eq(thud_verify_check(&agreed.item[i], &own).verdict, THUD_HOLDS);
-    struct thud_expectation_origin origin = {"p", "exact", "dormand-prince", 1e-6, 1e-12};
+    struct thud_expectation_origin origin = {"p", "exact", "dormand-prince", "tolerance 1e-6", 1e-12};
     thud_expectation_text(&origin, &agreed, &disputed, &text);
     ck_assert_ptr_nonnull(strstr(text.data, "\n# none contact.1.2-1.impacts: exact 4, dormand-prince 5\n"));
     ck_assert_int_eq(thud_expectation_parse(text.data, text.size, "x", &read, NULL), THUD_OK);
