@@ -102,15 +102,17 @@ static void indent_by(struct thud_emit *emit, int indent)
 }
 
 /* As the program takes it when nothing is said. */
-static bool as_anyway(struct thud_section section, const char *path, const char *text)
+static bool as_anyway(struct thud_emit *emit, struct thud_section section, const char *path, const char *text)
 {
     if (section.group != THUD_GROUP_RECORD && section.group != THUD_GROUP_ANALYSIS &&
         section.group != THUD_GROUP_STUDY && section.group != THUD_GROUP_SCENE)
         return false;
     struct thud_scene *fresh = malloc(sizeof *fresh);
     char usual[64] = "";
-    if (!fresh)
+    if (!fresh) {
+        emit->out->failed = 1;
         return false;
+    }
     thud_scene_init(fresh);
     thud_scene_get(fresh, path, usual, sizeof usual, NULL);
     free(fresh);
@@ -128,7 +130,7 @@ void thud_emit_section(struct thud_emit *emit, const struct thud_scene *scene, s
     for (int i = 0; text && i < n; i++) {
         snprintf(path, sizeof path, "%s%s%s", prefix, *prefix ? "." : "", key[i]);
         if (thud_scene_get(scene, path, text, THUD_VALUE_MAX, NULL) != THUD_OK || !*text ||
-            as_anyway(section, path, text))
+            as_anyway(emit, section, path, text))
             continue;
         if (emit->flow)
             thud_text_append(emit->out, "%s", first ? "" : ", ");

@@ -26,19 +26,22 @@ static void strip(const struct thud_scene *scene, struct thud_scene *out)
     memset(out->name, 0, sizeof out->name);
 }
 
-/* Whether a text reads as the scene. */
-static bool reads_as(const struct thud_preset *preset, const struct thud_text *text, const struct thud_scene *wanted)
+/* Whether a text reads as the scene. Errors: THUD_MEMORY. */
+static enum thud_status reads_as(const struct thud_preset *preset, const struct thud_text *text,
+                                 const struct thud_scene *wanted, bool *same)
 {
-    struct thud_preset *again;
+    struct thud_preset *again = NULL;
     struct thud_scene *read = malloc(sizeof *read);
-    bool same = false;
-    if (read && thud_preset_parse(text->data, text->size, preset->name, &again, NULL) == THUD_OK) {
+    *same = false;
+    enum thud_status status =
+        read ? thud_preset_parse(text->data, text->size, preset->name, &again, NULL) : THUD_MEMORY;
+    if (status == THUD_OK) {
         strip(&again->scene, read);
-        same = memcmp(read, wanted, sizeof *read) == 0;
-        thud_preset_free(again);
+        *same = memcmp(read, wanted, sizeof *read) == 0;
     }
+    thud_preset_free(again);
     free(read);
-    return same;
+    return status == THUD_MEMORY ? status : THUD_OK;
 }
 
 /* The comments before the first key, then the scene. */
@@ -63,9 +66,14 @@ static bool write_changes(const struct thud_preset *preset, const struct thud_sc
     bool applied = ok && thud_patch_apply(&patches, preset->text, preset->size, out);
     bool readable = thud_scene_check(scene, NULL) == THUD_OK;
     thud_patch_clear(&patches);
-    if (ok && (!applied || (readable && !reads_as(preset, out, scene))))
+    if (!ok || out->failed)
+        return false;
+    bool same = applied;
+    if (applied && readable && reads_as(preset, out, scene, &same) != THUD_OK)
+        return false;
+    if (!same)
         write_whole(preset, scene, newline, out);
-    return ok && !out->failed;
+    return !out->failed;
 }
 
 enum thud_status thud_preset_text(const struct thud_preset *preset, const struct thud_scene *scene, char **text,

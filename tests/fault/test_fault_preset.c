@@ -44,12 +44,48 @@ START_TEST(a_preset_and_its_answer)
 }
 END_TEST
 
+/* A changed preset as text: right to the last byte, or out of memory; never written in a poorer way for want of it. */
+START_TEST(a_preset_saved)
+{
+    static struct thud_scene scene;
+    struct thud_preset *preset;
+    struct thud_error err = {0};
+    char *text, *right = NULL;
+    unsigned long size, right_size = 0;
+    bool fired;
+    long n = 0, lost;
+    ck_assert_int_eq(thud_preset_read("presets/towers.yaml", &preset, &err), THUD_OK);
+    scene = *thud_preset_scene(preset);
+    ck_assert_int_eq(thud_scene_set(&scene, "gap", "12 cm", &err), THUD_OK);
+    ck_assert_int_eq(thud_scene_set(&scene, "structures.1.storeys", "5", &err), THUD_OK);
+    ck_assert_int_eq(thud_scene_set(&scene, "analysis.step", "1 ms", &err), THUD_OK);
+    scene.interface[0].has_bumper = false;
+    ck_assert_int_eq(thud_preset_text(preset, &scene, &right, &right_size, &err), THUD_OK);
+    do {
+        lost = thud_fault_live();
+        thud_fault_arm(THUD_FAULT_MEMORY, ++n);
+        enum thud_status status = thud_preset_text(preset, &scene, &text, &size, &err);
+        fired = thud_fault_end();
+        if (status == THUD_OK) {
+            ck_assert_msg(size == right_size && memcmp(text, right, size) == 0, "allocation %ld: other bytes", n);
+            free(text);
+        } else
+            ck_assert_int_eq(status, THUD_MEMORY);
+        ck_assert_msg(thud_fault_live() == lost, "allocation %ld leaves something", n);
+    } while (fired);
+    ck_assert_int_gt(n, 20);
+    free(right);
+    thud_preset_free(preset);
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
     Suite *suite = suite_create("fault_preset");
     TCase *tcase = tcase_create("fault_preset");
     tcase_add_loop_test(tcase, a_preset_and_its_answer, 0, sizeof paths / sizeof *paths);
+    tcase_add_test(tcase, a_preset_saved);
     suite_add_tcase(suite, tcase);
     return suite;
 }
