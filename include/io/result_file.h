@@ -6,6 +6,7 @@
 #include "core/record.h"
 #include "core/result.h"
 #include "study/scene.h"
+#include "study/sensitivity.h"
 
 /* What a finished run is shown with. */
 struct thud_report {
@@ -16,6 +17,7 @@ struct thud_report {
     const struct thud_history *history; /* may be NULL */
     const struct thud_impact *impact;   /* (nimpacts) */
     int nimpacts;
+    const struct thud_sensitivity *sensitivity; /* NULL: not asked for */
 };
 
 /* The result of `thud run --json`. */

@@ -4,6 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "app/sensitivity_table.h"
+
 static void add_head(const struct thud_report *report, struct thud_text *out)
 {
     const struct thud_scene *scene = report->scene;
@@ -104,4 +106,6 @@ void thud_result_table(const struct thud_report *report, struct thud_text *out)
         add_structure(report, s, out);
     add_contacts(report, out);
     add_foot(report, out);
+    if (report->sensitivity)
+        thud_sensitivity_table(report, out);
 }

@@ -10,6 +10,8 @@
 #include "cli/scene_options.h"
 #include "io/file.h"
 
+static const double small_change = 1e-3; /* of --sensitivity */
+
 static enum thud_status write_text(struct thud_text *text, const char *folder, const char *name, struct thud_error *err)
 {
     char path[1024];
@@ -108,7 +110,13 @@ static enum thud_status run(const struct thud_args *args, struct thud_session *s
         warn_unusual(args, session, scene);
         struct thud_report report = thud_session_report(session, scene, which, &answer);
         warn(report.result);
-        status = deliver(args, &report, err);
+        struct thud_sensitivity *sensitivity = NULL;
+        if (thud_args_has(args, "sensitivity"))
+            status = thud_sensitivity_run(scene, session->record, small_change, report.result, &sensitivity, err);
+        report.sensitivity = sensitivity;
+        if (status == THUD_OK)
+            status = deliver(args, &report, err);
+        thud_sensitivity_free(sensitivity);
         if (status == THUD_OK && options.keep_history)
             status = draw(args, &picture, scene, &answer, err);
     }

@@ -122,6 +122,44 @@ static void add_energy(const struct thud_energy *e, struct thud_text *out)
     thud_text_append(out, "}");
 }
 
+/* Each peak's relative spread, by what was changed. */
+static void add_spread(const char *peak, const struct thud_spread *spread, struct thud_text *out)
+{
+    thud_text_append(out, ", \"%s\": {", peak);
+    for (int i = 0; i < THUD_CHANGES; i++) {
+        thud_text_append(out, "%s", i > 0 ? ", " : "");
+        thud_json_field(out, thud_change_name(i), spread->by[i]);
+    }
+    thud_text_append(out, "}");
+}
+
+static void add_sensitivity(const struct thud_report *report, struct thud_text *out)
+{
+    static const char *const floor_peaks[THUD_FLOOR_SPREADS] = {"acceleration", "displacement", "velocity", "drift"};
+    static const char *const contact_peaks[THUD_CONTACT_SPREADS] = {"force", "indentation"};
+    const struct thud_sensitivity *s = report->sensitivity;
+    thud_text_append(out, ",\n  \"sensitivity\": {");
+    thud_json_field(out, "change", s->change);
+    thud_text_append(out, ", \"runs\": %d, \"floors\": [", s->runs);
+    for (int k = 0, row = 0; k < report->result->nstructures; k++)
+        for (int i = 0; i < report->result->structure[k].floors; i++, row++) {
+            thud_text_append(out, "%s\n    {\"structure\": %d, \"floor\": %d", row > 0 ? "," : "", k + 1, i + 1);
+            for (int q = 0; q < THUD_FLOOR_SPREADS; q++)
+                add_spread(floor_peaks[q], &s->floor[row][q], out);
+            thud_text_append(out, "}");
+        }
+    thud_text_append(out, "], \"contacts\": [");
+    for (int c = 0; c < s->ncontacts; c++) {
+        thud_text_append(out, "%s\n    {\"interface\": %d, \"left_floor\": %d, \"right_floor\": %d", c > 0 ? "," : "",
+                         report->result->contact[c].interface, report->result->contact[c].left_floor,
+                         report->result->contact[c].right_floor);
+        for (int q = 0; q < THUD_CONTACT_SPREADS; q++)
+            add_spread(contact_peaks[q], &s->contact[c][q], out);
+        thud_text_append(out, "}");
+    }
+    thud_text_append(out, "]}");
+}
+
 void thud_result_json(const struct thud_report *report, struct thud_text *out)
 {
     const struct thud_result *r = report->result;
@@ -142,5 +180,7 @@ void thud_result_json(const struct thud_report *report, struct thud_text *out)
     }
     thud_text_append(out, "],\n");
     add_energy(&r->energy, out);
+    if (report->sensitivity)
+        add_sensitivity(report, out);
     thud_text_append(out, "\n}\n");
 }

@@ -1,0 +1,90 @@
+/* Small changes of the inputs: exact ratios where there is no contact, and the scaling symmetry where there is. */
+#include <check.h>
+#include <math.h>
+
+#include "study/sensitivity.h"
+#include "towers.h"
+
+static const double change = 1e-3;
+
+static struct thud_sensitivity *measured(double gap_m, struct thud_answer *answer, struct thud_record *record)
+{
+    static struct thud_scene scene;
+    struct thud_sensitivity *s = NULL;
+    struct thud_error err = {0};
+    thud_test_towers(&scene);
+    scene.interface[0].has_bumper = false;
+    scene.interface[0].gap_m = gap_m;
+    scene.analysis.tolerance = 1e-9;
+    ck_assert_int_eq(thud_scene_answer(&scene, record, NULL, answer, &err), THUD_OK);
+    ck_assert_msg(thud_sensitivity_run(&scene, record, change, thud_run_result(answer->run), &s, &err) == THUD_OK, "%s",
+                  err.what);
+    return s;
+}
+
+START_TEST(without_contact_only_the_motion_counts)
+{
+    struct thud_record *record = thud_test_motion(1);
+    struct thud_answer answer;
+    struct thud_sensitivity *s = measured(5, &answer, record);
+    ck_assert_int_eq(s->nfloors, 10);
+    ck_assert_int_eq(s->runs, 7);
+    for (int i = 0; i < s->nfloors; i++)
+        for (int q = 0; q < THUD_FLOOR_SPREADS; q++) {
+            ck_assert(s->floor[i][q].by[THUD_CHANGE_GAP] == 0);
+            ck_assert_double_eq_tol(s->floor[i][q].by[THUD_CHANGE_SCALE], change, 1e-9);
+            ck_assert(s->floor[i][q].by[THUD_CHANGE_STIFFNESS] > 0);
+        }
+    for (int c = 0; c < s->ncontacts; c++)
+        ck_assert(thud_spread_most(&s->contact[c][0]) == 0);
+    thud_sensitivity_free(s);
+    thud_answer_clear(&answer);
+    thud_record_free(record);
+}
+END_TEST
+
+/* The response to lambda a at gap g is lambda times that to a at gap g/lambda. */
+START_TEST(gap_and_motion_trade_against_each_other)
+{
+    static struct thud_scene scene;
+    struct thud_record *record = thud_test_motion(1);
+    struct thud_answer answer, traded[2];
+    struct thud_sensitivity *s = measured(0.1, &answer, record);
+    double lambda[2] = {1 - change, 1 + change};
+    int moved = 0, row = 0;
+    for (int k = 0; k < 2; k++) {
+        thud_test_towers(&scene);
+        scene.interface[0].has_bumper = false;
+        scene.interface[0].gap_m = 0.1 / lambda[k];
+        scene.analysis.tolerance = 1e-9;
+        ck_assert_int_eq(thud_scene_answer(&scene, record, NULL, &traded[k], NULL), THUD_OK);
+    }
+    const struct thud_result *r = thud_run_result(answer.run);
+    for (int b = 0; b < r->nstructures; b++)
+        for (int i = 0; i < r->structure[b].floors; i++, row++) {
+            double before = r->structure[b].floor[i].acceleration.value, most = 0;
+            for (int k = 0; k < 2; k++) {
+                double after = thud_run_result(traded[k].run)->structure[b].floor[i].acceleration.value;
+                most = fmax(most, fabs(lambda[k] * after / before - 1));
+            }
+            ck_assert_double_eq_tol(s->floor[row][0].by[THUD_CHANGE_SCALE], most, 1e-7);
+            moved += fabs(most - change) > 1e-5;
+        }
+    ck_assert_int_gt(moved, 3); /* there are contacts that matter */
+    for (int k = 0; k < 2; k++)
+        thud_answer_clear(&traded[k]);
+    thud_sensitivity_free(s);
+    thud_answer_clear(&answer);
+    thud_record_free(record);
+}
+END_TEST
+
+Suite *thud_suite(void)
+{
+    Suite *suite = suite_create("sensitivity");
+    TCase *tcase = tcase_create("sensitivity");
+    tcase_add_test(tcase, without_contact_only_the_motion_counts);
+    tcase_add_test(tcase, gap_and_motion_trade_against_each_other);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}
