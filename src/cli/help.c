@@ -30,7 +30,8 @@ void thud_help_command(struct thud_text *out, enum thud_command_id id)
                      command->operands, command->operands[0] ? " " : "", command->summary);
     for (int i = 0; i < thud_option_count(); i++) {
         const struct thud_option *option = thud_option_at(i);
-        if (!thud_option_belongs(option, id) || said_by_run(option, id))
+        /* whoever reads this has found --help, and the list must fit a screen */
+        if (!thud_option_belongs(option, id) || said_by_run(option, id) || strcmp(option->name, "help") == 0)
             continue;
         char usage[64];
         snprintf(usage, sizeof usage, "%s%s%s%s", option->name[1] ? "--" : "-", option->name,
