@@ -128,7 +128,7 @@ static void add_spread(const char *peak, const struct thud_spread *spread, struc
     thud_text_append(out, ", \"%s\": {", peak);
     for (int i = 0; i < THUD_CHANGES; i++) {
         thud_text_append(out, "%s", i > 0 ? ", " : "");
-        thud_json_field(out, thud_change_name(i), spread->by[i]);
+        thud_json_field(out, thud_change_name((enum thud_change)i), spread->by[i]);
     }
     thud_text_append(out, "}");
 }

@@ -124,10 +124,11 @@ enum thud_status thud_sensitivity_run(const struct thud_scene *scene, const stru
     for (int i = 0; status == THUD_OK && i < 2 * THUD_CHANGES; i++) {
         struct thud_answer answer;
         struct thud_record *scaled = NULL;
+        enum thud_change what = (enum thud_change)(i / 2);
         double factor = i % 2 ? 1 + change : 1 - change;
-        status = run_changed(scene, record, i / 2, factor, changed, &answer, &scaled, err);
+        status = run_changed(scene, record, what, factor, changed, &answer, &scaled, err);
         if (status == THUD_OK)
-            compare(s, i / 2, result, thud_run_result(answer.run));
+            compare(s, what, result, thud_run_result(answer.run));
         thud_answer_clear(&answer);
         thud_record_free(scaled);
     }
