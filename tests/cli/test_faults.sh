@@ -58,3 +58,4 @@ survives run rigid-concrete
 survives run towers --json
 survives record list
 survives sweep rigid-bumper --vary gap=5cm:7cm:1cm --csv -j 2
+survives verify rigid-bumper rigid-concrete
