@@ -40,11 +40,11 @@ FUZZERS  := $(patsubst tests/fuzz/%.c,$(B)/fuzz/%,$(wildcard tests/fuzz/fuzz_*.c
 LIBS     := $(B)/libthud-program.a $(B)/libthud.a
 THUD     := $(if $(filter release,$(VARIANT)),thud,$(B)/thud)
 
-.PHONY: all help deps demo test units debug asan valgrind coverage lint objects fuzz fuzzers bench install uninstall dist deb clean FORCE
+.PHONY: all help deps demo test units debug asan valgrind coverage lint objects fuzz fuzzers bench bench-peers install uninstall dist deb clean FORCE
 all: $(THUD) $(LIBS) ## build ./thud (VARIANT=debug, asan, coverage build into build/VARIANT)
 
 help: ## this list
-	@sed -n 's/^\([a-z]*\):.*## \(.*\)/  make \1\t\2/p' Makefile | expand -t 18
+	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1\t\2/p' Makefile | expand -t 18
 	@echo '  variables         VARIANT=$(VARIANT) CC=$(CC) PREFIX=$(PREFIX) DESTDIR= CI=1 (warnings are errors) V=1 (show commands) CFLAGS= FUZZ_SECONDS=$(FUZZ_SECONDS)'
 
 # A file that changes when its text does, so that what depends on it is made again.
@@ -119,6 +119,8 @@ fuzzers: $(FUZZERS)
 bench: all ## speed against accuracy of every method, and the paper's study; charts into build/bench
 	@./thud bench -o build/bench
 	@tests/bench/study.sh
+bench-peers: all ## the towers by other integrators (SUNDIALS CVODE, where installed), for measuring only
+	@sh tests/bench/peers/peers.sh $(B) '$(CC)' $(LDLIBS)
 
 install: all ## program, presets, records, manual pages, completions under DESTDIR PREFIX
 	@tests/tools/install.sh install '$(DESTDIR)$(PREFIX)'
