@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "app/stability_report.h"
 #include "study/stability.h"
 #include "towers.h"
 
@@ -168,6 +169,38 @@ START_TEST(exact_alone_keeps_the_energy)
 }
 END_TEST
 
+/* Every table and figure of a study stopped half-way: rows for what there is, and no number out of nothing. */
+START_TEST(what_is_done_is_shown)
+{
+    struct thud_stability *s = NULL;
+    struct thud_text text = {0};
+    ck_assert_int_eq(thud_stability_create(NULL, NULL, &s, NULL), THUD_OK);
+    for (int i = 0; i < 20; i++)
+        ck_assert_int_eq(thud_stability_next(s, NULL), THUD_OK);
+    ck_assert_int_lt(s->done, thud_stability_jobs(s));
+    thud_stability_table(s, &text);
+    ck_assert(strstr(text.data, "central-difference, located") != NULL);
+    ck_assert(strstr(text.data, "nan") == NULL);
+    thud_text_clear(&text);
+    int rows[THUD_STABILITY_FILES] = {s->ncells, s->nenergies, s->nrestitutions, 0};
+    for (int which = 0; which < THUD_STABILITY_FILES; which++) {
+        int lines = 0;
+        thud_stability_csv(s, which, &text);
+        for (size_t i = 0; i < text.size; i++)
+            lines += text.data[i] == '\n';
+        ck_assert_int_eq(lines, rows[which] + 1);
+        thud_text_clear(&text);
+    }
+    struct thud_figure *map = thud_stability_map(s, THUD_STABILITY_WALL), *energies = thud_stability_energies(s);
+    ck_assert_int_eq(thud_figure_check(map, NULL), THUD_OK);
+    ck_assert_int_eq(thud_figure_check(energies, NULL), THUD_OK);
+    ck_assert_int_eq((int)map->panel[0].map->nx, 11);
+    thud_figure_free(map);
+    thud_figure_free(energies);
+    thud_stability_free(s);
+}
+END_TEST
+
 Suite *thud_suite(void)
 {
     Suite *suite = suite_create("stability");
@@ -187,6 +220,7 @@ Suite *thud_suite(void)
     tcase_set_timeout(exhibits, 60);
     tcase_set_timeout(maps, 300);
     tcase_add_test(maps, free_vibration_is_bounded_up_to_the_limit);
+    tcase_add_test(maps, what_is_done_is_shown);
     tcase_add_test(maps, exact_alone_keeps_the_energy);
     suite_add_tcase(suite, exhibits);
     suite_add_tcase(suite, maps);
