@@ -1,0 +1,258 @@
+/* The methods beside each other: where each is stable, what impacts do to its energy, and how close they come to the
+ * exact propagation of whole towers. */
+#include <check.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "march.h"
+
+/* A free oscillation of 3000 steps of `angle` each: whether it stays bounded. If not, the run must say so. */
+static bool bounded(const char *method, double angle)
+{
+    const double omega = 20;
+    struct thud_model *model = march_mass_and_wall(1, omega, 0, 1, 0, NULL);
+    struct march m = march_run(model, NULL, method, angle / omega, 0, true, 3000 * angle / omega);
+    enum thud_status status = m.status;
+    if (status != THUD_OK) {
+        ck_assert_int_eq(status, THUD_DIVERGED);
+        ck_assert_ptr_nonnull(strstr(m.err.what, "t = "));
+        ck_assert_ptr_nonnull(strstr(m.err.what, "floor 1"));
+        ck_assert_ptr_nonnull(strstr(m.err.allowed, "step used"));
+        ck_assert_str_eq(m.err.key, method);
+        ck_assert_double_lt(m.result->structure[0].floor[0].velocity.value, 1e3); /* and no absurd peaks */
+    }
+    march_free(&m);
+    thud_model_free(model);
+    return status == THUD_OK;
+}
+
+/* The same with a mass pressed against a softer wall, u = u0 (1 - cos): the contact's stiffness counts. Where that
+ * grows it soon leaves the wall, and may go on bounded. */
+static bool bounded_in_contact(const char *method, double angle)
+{
+    const double total = sqrt(1600 + 400), u0 = 400.0 / 2000;
+    struct march_law law = march_law("linear", "stiffness", 400.0, NULL);
+    struct thud_model *model = march_mass_and_wall(1, 40, 0, 0, -1, &law);
+    struct march m = march_run(model, NULL, method, angle / total, 0, true, 3000 * angle / total);
+    bool small = m.status == THUD_OK && m.result->structure[0].floor[0].displacement.value < 1.05 * 2 * u0;
+    march_free(&m);
+    thud_model_free(model);
+    return small;
+}
+
+START_TEST(stability_limits_from_both_sides)
+{
+    int limited = 0;
+    for (int i = 0; i < thud_method_count(); i++) {
+        const struct thud_method *method = thud_method_at(i);
+        if (!(method->flags & THUD_METHOD_FIXED_STEP))
+            continue;
+        if (isinf(method->stability)) {
+            for (double angle = 0.1; angle < 200; angle *= 3)
+                ck_assert_msg(bounded(method->name, angle), "%s at %g", method->name, angle);
+            continue;
+        }
+        limited++;
+        double below = 0.99 * method->stability, above = 1.01 * method->stability;
+        ck_assert_msg(bounded(method->name, below), "%s", method->name);
+        ck_assert_msg(!bounded(method->name, above), "%s", method->name);
+        ck_assert_msg(bounded_in_contact(method->name, below), "%s", method->name);
+        ck_assert_msg(!bounded_in_contact(method->name, above), "%s", method->name);
+    }
+    ck_assert_int_eq(limited, 3);
+}
+END_TEST
+
+/* Energy at the end over that at the start: one mass between its spring and a wall spring, 50 s, nothing lost, nothing
+ * located. INFINITY: blown up. */
+static double energy_kept(const char *method, double angle)
+{
+    const double contact = 88.4, omega = 15.79, gap = 0.02;
+    struct march_law law = march_law("linear", "stiffness", contact * contact, NULL);
+    struct thud_model *model = march_mass_and_wall(1, omega, 0, 1, gap, &law);
+    struct march m = march_run(model, NULL, method, angle / contact, 0, false, 50);
+    double kept = INFINITY;
+    if (m.status == THUD_OK) {
+        double u = march_displacement(&m, 0), v = march_velocity(&m, 0), d = fmax(u - gap, 0);
+        kept = v * v + omega * omega * u * u + contact * contact * d * d;
+    }
+    march_free(&m);
+    thud_model_free(model);
+    return kept;
+}
+
+START_TEST(energy_after_fifty_seconds_of_impacts)
+{
+    const struct {
+        const char *method;
+        double angle, least, most;
+    } table[] = {
+        {"newmark", 0.12, 0.97, 1.03},
+        {"central-difference", 0.12, 0.97, 1.03},
+        {"rk4", 0.12, 0.98, 1.01},
+        {"hht", 0.12, 0.95, 0.995},
+        {"generalized-alpha", 0.12, 0.97, 1.03},
+        {"kr-alpha", 0.12, 1.05, 1.25},
+        {"newmark", 0.5, 0.8, 1.2},
+        {"central-difference", 0.5, 0.85, 1.2},
+        {"rk4", 0.5, 0.5, 0.85},
+        {"hht", 0.5, 0.2, 0.6},
+        {"generalized-alpha", 0.5, 0.8, 1.2},
+        {"kr-alpha", 0.5, 100, 9000},
+        {"rk4", 2, 0, 0.3},
+        {"hht", 2, 0, 0.3},
+        {"newmark", 2, 0.5, 3},
+        {"central-difference", 2, INFINITY, INFINITY},
+        {"kr-alpha", 2, INFINITY, INFINITY},
+        {"newmark", 5, 10, INFINITY},
+        {"rk4", 5, INFINITY, INFINITY},
+        {"central-difference", 5, INFINITY, INFINITY},
+        {"kr-alpha", 5, INFINITY, INFINITY},
+    };
+    for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
+        double kept = energy_kept(table[i].method, table[i].angle);
+        ck_assert_msg(kept >= table[i].least && kept <= table[i].most, "%s at %g: %g, not %g to %g", table[i].method,
+                      table[i].angle, kept, table[i].least, table[i].most);
+    }
+}
+END_TEST
+
+/* Two free bodies: the force lagged by one step is a negative damping omega^2 dt / 2, so that elastic bodies part
+ * exp(pi omega dt / 2) times as fast as they met. The same step without the lag keeps the energy. */
+START_TEST(a_lagged_force_throws_back_faster)
+{
+    const double omega = 100;
+    struct march_law law = march_law("linear", "stiffness", omega * omega * 0.5, NULL);
+    struct thud_model *model = march_two_bodies(1, 1, 1, 1e-3, &law);
+    for (double angle = 0.125; angle > 0.01; angle /= 10) {
+        double step = angle / omega, want = exp(acos(-1) * angle / 2);
+        struct march lagged = march_run(model, NULL, "lagged", step, 0, true, 0.1);
+        struct march newmark = march_run(model, NULL, "newmark", step, 0, false, 0.1);
+        double rebound = march_velocity(&lagged, 1) - march_velocity(&lagged, 0);
+        double fair = march_velocity(&newmark, 1) - march_velocity(&newmark, 0);
+        ck_assert_double_eq_tol(rebound, want, 0.15 * (want - 1));
+        ck_assert_double_eq_tol(fair, 1, 0.15 * (want - 1));
+        march_free(&lagged);
+        march_free(&newmark);
+    }
+    thud_model_free(model);
+}
+END_TEST
+
+static struct march_law rubber(void)
+{
+    return march_law("rubber", "stiffness", 0.36e3 * pow(1000, 2.65), "exponent", 2.65, "restitution", 0.5,
+                     "max-strain", 0.8, "post-yield", 2.5e9, "thickness", 0.05, NULL);
+}
+static struct march_law concrete(void)
+{
+    return march_law("kelvin-voigt-no-tension", "stiffness", 2.5e9, "restitution", 0.6, NULL);
+}
+
+static void towers_agree(const struct thud_record *record, double gap, const struct march_law *law, const char *method,
+                         double step, double tolerance, double apart)
+{
+    const int storeys[] = {4, 6};
+    struct thud_model *model = march_row(2, storeys, false, gap, law);
+    struct march want = march_run(model, record, "exact", 0, 1e-8, true, 2);
+    struct march got = march_run(model, record, method, step, tolerance, true, 2);
+    ck_assert_int_eq(want.status, THUD_OK);
+    ck_assert_msg(got.status == THUD_OK, "%s: %s", method, got.err.what);
+    double found = march_peaks_apart(got.result, want.result, 0.05);
+    ck_assert_int_gt(want.result->contact[3].impacts, 0);
+    ck_assert_msg(found < apart, "%s, gap %g: %.2e", method, gap, found);
+    march_free(&want);
+    march_free(&got);
+    thud_model_free(model);
+}
+
+/* Deep enough for the bumpers to bottom out and stick. */
+START_TEST(dormand_prince_on_towers)
+{
+    struct thud_record *record = march_motion(1.5);
+    struct march_law laws[] = {rubber(), concrete()};
+    for (double gap = 0.01; gap < 0.06; gap += 0.02)
+        for (int i = 0; i < 2; i++)
+            towers_agree(record, gap, &laws[i], "dormand-prince", 0, 1e-6, 1e-5);
+    thud_record_free(record);
+}
+END_TEST
+
+START_TEST(fixed_steps_on_towers)
+{
+    struct thud_record *record = march_motion(1.5);
+    struct march_law laws[] = {rubber(), concrete()};
+    for (int i = 0; i < 2; i++) {
+        towers_agree(record, 0.02, &laws[i], "rk4", 5e-4, 0, 1e-5);
+        towers_agree(record, 0.02, &laws[i], "newmark", 1e-4, 0, 5e-4);
+        towers_agree(record, 0.02, &laws[i], "central-difference", 1e-4, 0, 5e-4);
+        towers_agree(record, 0.02, &laws[i], "hht", 1e-4, 0, 1e-3);
+        towers_agree(record, 0.02, &laws[i], "generalized-alpha", 1e-4, 0, 5e-4);
+    }
+    thud_record_free(record);
+}
+END_TEST
+
+/* Everything that does not locate still comes near: 10 %. */
+START_TEST(what_does_not_locate_comes_near)
+{
+    struct thud_record *record = march_motion(1.5);
+    struct march_law law = rubber();
+    towers_agree(record, 0.03, &law, "dormand-prince-unlocated", 0, 1e-5, 0.1);
+    towers_agree(record, 0.03, &law, "kr-alpha", 1e-4, 0, 0.1);
+    towers_agree(record, 0.03, &law, "lagged", 2e-5, 0, 0.1);
+    thud_record_free(record);
+}
+END_TEST
+
+/* The work is counted: a step a step, an implicit step no more Newton steps than it needs. */
+START_TEST(work_is_counted)
+{
+    struct march_law law = march_law("linear", "stiffness", 1e4, NULL);
+    struct thud_model *model = march_mass_and_wall(1, 10, 0, 0, -0.5, &law); /* out of contact only after a while */
+    struct march rk = march_run(model, NULL, "rk4", 1e-4, 0, false, 1e-3);
+    ck_assert_int_eq(rk.result->work.steps, 10);
+    ck_assert_int_eq(rk.result->work.force_evaluations,
+                     4 * 10 + 2); /* a step ends where the next starts, but for the touch */
+    ck_assert_int_eq(rk.result->work.rejected, 0);
+    struct march cd = march_run(model, NULL, "newmark", 1e-4, 0, false, 1e-3);
+    ck_assert_int_eq(cd.result->work.steps, 10);
+    ck_assert_int_le(cd.result->work.force_evaluations, 4 * 10);
+    march_free(&rk);
+    march_free(&cd);
+    thud_model_free(model);
+}
+END_TEST
+
+START_TEST(steps_are_checked_and_chosen)
+{
+    struct thud_model *model = march_mass_and_wall(1, 10, 0, 1, 0, NULL);
+    struct march m = march_run(model, NULL, "newmark", 1e-12, 0, true, 1);
+    ck_assert_int_eq(m.status, THUD_INPUT);
+    ck_assert_str_eq(m.err.key, "step");
+    m = march_run(model, NULL, "newmark", 0, 0, true, 10); /* a twentieth of the period of 0.628 s */
+    ck_assert_int_eq(m.result->work.steps, (long)ceil(10 / (2 * acos(-1) / 10 / 20)));
+    march_free(&m);
+    thud_model_free(model);
+}
+END_TEST
+
+Suite *thud_suite(void);
+Suite *thud_suite(void)
+{
+    Suite *suite = suite_create("methods");
+    TCase *tcase = tcase_create("methods");
+    tcase_set_timeout(tcase, 120);
+    tcase_add_test(tcase, stability_limits_from_both_sides);
+    tcase_add_test(tcase, energy_after_fifty_seconds_of_impacts);
+    tcase_add_test(tcase, a_lagged_force_throws_back_faster);
+    tcase_add_test(tcase, dormand_prince_on_towers);
+    tcase_add_test(tcase, fixed_steps_on_towers);
+    tcase_add_test(tcase, what_does_not_locate_comes_near);
+    tcase_add_test(tcase, work_is_counted);
+    tcase_add_test(tcase, steps_are_checked_and_chosen);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}
