@@ -74,6 +74,18 @@ static bool push_polynomial(const struct thud_contact_state *s, const double *d,
     return true;
 }
 
+/* Touched without speed and only then pushed together: how many of the lowest orders the accuracy of the contact force
+ * does not resolve. What it leaves there would open the contact again, and without end. */
+static int unresolved(const struct thud_run *run, const double *d, int terms, int still)
+{
+    double largest = 0, resolved = fmax(run->options.tolerance, 1e-6);
+    for (int k = 0; k < terms; k++)
+        largest = fmax(largest, fabs(d[k]));
+    while (still < terms && fabs(d[still]) <= resolved * largest)
+        still++;
+    return still < terms ? still : terms - 1;
+}
+
 /* `still`: lowest orders of the indentation that are no motion, see thud_segment_indentation. */
 static void closed_events(const struct thud_run *run, int c, const double *d, int still, double s_end,
                           struct found *found)
@@ -86,6 +98,8 @@ static void closed_events(const struct thud_run *run, int c, const double *d, in
     bool pulls = law->flags & THUD_LAW_PULLS;
     if (s->zeros.indentation == 0)
         still = 0; /* only where it has just touched */
+    else if (s->zeros.rate > 0)
+        still = unresolved(run, d, n, still);
     int indentation = s->zeros.indentation > still ? s->zeros.indentation : still;
     int rate = s->zeros.rate > still - 1 ? s->zeros.rate : still - 1;
     if (!pulls && push_polynomial(s, d, n, seg->h_s, p))
@@ -227,13 +241,15 @@ static void touch(struct thud_run *run, int c)
     s->past_knee = false;
     thud_contact_set_mode(run, c, THUD_CLOSED);
     bool pressed = thud_contact_indentation(run, c) > pressed_m; /* from the start: the clearance is negative */
-    s->zeros = (struct thud_zeros){.indentation = !pressed, .rate = v == 0, .force = v == 0 && !pressed};
+    renew_branch(run, c);
+    /* k d + c d' begins at 0 with d'; what is asked of d^p (K + D d') is K + D d', which does not */
+    bool from_zero = v == 0 && !pressed && s->branch.K == 0 && s->branch.D == 0;
+    s->zeros = (struct thud_zeros){.indentation = !pressed, .rate = v == 0, .force = from_zero};
     s->expected_force_n = expected_force(run, c, v);
     s->impact = (struct thud_impact){.contact = c, .start_s = thud_run_now(run), .approach_mps = v};
     run->result.contact[c].impacts++;
     run->result.contact[c].approach_mps = v;
     run->result.contact[c].separation_mps = 0;
-    renew_branch(run, c);
 }
 
 /* The force has come to its end. */

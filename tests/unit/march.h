@@ -2,6 +2,8 @@
 #ifndef THUD_TESTS_MARCH_H
 #define THUD_TESTS_MARCH_H
 
+#include <stdio.h>
+
 #include "core/run.h"
 
 enum { MARCH_FLOORS_MAX = 100 };
@@ -24,6 +26,11 @@ struct thud_model *march_two_bodies(double left_mass, double right_mass, double 
 struct thud_model *march_row(int n, const int *storeys, bool isolated, double gap, const struct march_law *law);
 /* 0.02 s samples of two bursts in 8 s, peak about 8 m/s2 times factor. */
 struct thud_record *march_motion(double factor);
+
+/* A file of the folder with real records, THUD_SHARED or shared beside the checkout; NULL where it is not at hand. */
+FILE *march_shared(const char *name);
+/* The real Kobe record scaled to 0.821 g; NULL where it is not at hand. */
+struct thud_record *march_kobe(void);
 
 struct march {
     enum thud_status status;

@@ -1,0 +1,387 @@
+/* The exact method against itself at another tolerance, symmetries, closed forms and an independent solver. */
+#include <check.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/run_private.h"
+#include "march.h"
+
+static const int towers[] = {4, 6}, mirrored[] = {6, 4}, twins[] = {5, 5};
+
+static struct march_law rubber(void)
+{
+    return march_law("rubber", "stiffness", 0.36e3 * pow(1000, 2.65), "exponent", 2.65, "restitution", 0.5,
+                     "max-strain", 0.8, "post-yield", 2.5e9, "thickness", 0.05, NULL);
+}
+static struct march_law concrete(void)
+{
+    return march_law("kelvin-voigt-no-tension", "stiffness", 2.5e9, "restitution", 0.6, NULL);
+}
+
+static struct march exact(const struct thud_model *model, const struct thud_record *record, double tolerance,
+                          double tail)
+{
+    struct march m = march_run(model, record, "exact", 0, tolerance, true, tail);
+    ck_assert_msg(m.status == THUD_OK, "%s", m.err.what);
+    return m;
+}
+
+/* What the answer may ask of itself, for gaps from 0 on. */
+START_TEST(tolerance_keeps_its_promise)
+{
+    struct thud_record *record = march_motion(1.5);
+    struct march_law laws[] = {rubber(), concrete(), march_law("hertz", "stiffness", 2.5e10, NULL),
+                               march_law("jankowski", "stiffness", 2.5e10, "restitution", 0.6, NULL),
+                               march_law("hertz-damp", "stiffness", 2.5e10, "restitution", 0.6, NULL)};
+    for (size_t i = 0; i < sizeof laws / sizeof *laws; i++)
+        for (double gap = 0; gap < 0.05; gap += 0.02) {
+            struct thud_model *model = march_row(2, towers, false, gap, &laws[i]);
+            struct march a = exact(model, record, 1e-6, 2), b = exact(model, record, 5e-7, 2);
+            struct march fine = exact(model, record, 1e-8, 2);
+            double halved = march_peaks_apart(a.result, b.result, 0.01);
+            double converged = march_peaks_apart(a.result, fine.result, 0.01);
+            ck_assert_int_gt(a.result->contact[3].impacts, 0);
+            ck_assert_msg(halved < 1e-5 && converged < 1e-5, "%s, gap %g: %.1e, %.1e", laws[i].law->name, gap, halved,
+                          converged);
+            ck_assert_msg(fine.result->energy.error_ratio < 1e-7, "%s, gap %g: energy %.1e", laws[i].law->name, gap,
+                          fine.result->energy.error_ratio);
+            march_free(&a);
+            march_free(&b);
+            march_free(&fine);
+            thud_model_free(model);
+        }
+    thud_record_free(record);
+}
+END_TEST
+
+START_TEST(mirror_image)
+{
+    struct thud_record *record = march_motion(1.5), *back = march_motion(-1.5);
+    struct march_law laws[] = {rubber(), concrete()};
+    for (int i = 0; i < 2; i++) {
+        struct thud_model *model = march_row(2, towers, false, 0.02, &laws[i]);
+        struct thud_model *other = march_row(2, mirrored, false, 0.02, &laws[i]);
+        struct march a = exact(model, record, 1e-8, 2), b = exact(other, back, 1e-8, 2);
+        for (int s = 0; s < 2; s++)
+            for (int f = 0; f < towers[s]; f++) {
+                const struct thud_floor_result *x = &a.result->structure[s].floor[f];
+                const struct thud_floor_result *y = &b.result->structure[1 - s].floor[f];
+                ck_assert_double_eq_tol(x->acceleration.value / y->acceleration.value, 1, 1e-7);
+                ck_assert_double_eq_tol(x->drift.value / y->drift.value, 1, 1e-7);
+            }
+        for (int c = 0; c < 4; c++) {
+            ck_assert_int_eq(a.result->contact[c].impacts, b.result->contact[c].impacts);
+            ck_assert_double_eq_tol(a.result->contact[c].force.value / b.result->contact[c].force.value, 1, 1e-7);
+        }
+        march_free(&a);
+        march_free(&b);
+        thud_model_free(model);
+        thud_model_free(other);
+    }
+    thud_record_free(record);
+    thud_record_free(back);
+}
+END_TEST
+
+/* The response to lambda a_g at gap g is lambda times that to a_g at gap g / lambda, for laws of degree one. */
+START_TEST(scaling_of_laws_of_degree_one)
+{
+    const double lambda = 3;
+    struct thud_record *record = march_motion(0.5), *strong = march_motion(0.5 * lambda);
+    struct march_law laws[] = {concrete(), march_law("linear", "stiffness", 2.5e9, NULL),
+                               march_law("kelvin-voigt", "stiffness", 2.5e9, "restitution", 0.6, NULL),
+                               march_law("stereomechanical", "restitution", 0.6, NULL)};
+    for (int i = 0; i < 4; i++) {
+        ck_assert_int_ne(laws[i].law->flags & THUD_LAW_DEGREE_ONE, 0);
+        struct thud_model *wide = march_row(2, towers, false, 0.03, &laws[i]);
+        struct thud_model *narrow = march_row(2, towers, false, 0.03 / lambda, &laws[i]);
+        struct march a = exact(wide, strong, 1e-8, 2), b = exact(narrow, record, 1e-8, 2);
+        ck_assert_int_gt(a.result->contact[3].impacts, 0);
+        for (int s = 0; s < 2; s++)
+            for (int f = 0; f < towers[s]; f++) {
+                const struct thud_floor_result *x = &a.result->structure[s].floor[f];
+                const struct thud_floor_result *y = &b.result->structure[s].floor[f];
+                ck_assert_double_eq_tol(x->displacement.value / y->displacement.value, lambda, 1e-8);
+                ck_assert_double_eq_tol(x->acceleration.value / y->acceleration.value, lambda, 1e-8);
+            }
+        for (int c = 0; c < 4; c++) {
+            if (!(laws[i].law->flags &
+                  THUD_LAW_IMPULSIVE)) /* whose row of bounces ends at a speed that does not scale */
+                ck_assert_int_eq(a.result->contact[c].impacts, b.result->contact[c].impacts);
+            ck_assert_double_eq_tol(a.result->contact[c].residual_m, lambda * b.result->contact[c].residual_m, 1e-10);
+        }
+        march_free(&a);
+        march_free(&b);
+        thud_model_free(wide);
+        thud_model_free(narrow);
+    }
+    thud_record_free(record);
+    thud_record_free(strong);
+}
+END_TEST
+
+START_TEST(identical_neighbours_never_touch)
+{
+    struct thud_record *record = march_motion(1);
+    struct march_law laws[] = {rubber(), concrete()};
+    for (int i = 0; i < 2; i++)
+        for (int isolated = 0; isolated < 2; isolated++) {
+            struct thud_model *model = march_row(2, twins, isolated, 0, &laws[i]);
+            for (int k = 0; k < thud_method_count(); k++) {
+                struct march m = march_run(model, record, thud_method_at(k)->name, 0, 0, true, 1);
+                ck_assert_int_eq(m.status, THUD_OK);
+                for (int c = 0; c < model->ncontacts; c++)
+                    ck_assert_msg(m.result->contact[c].impacts == 0, "%s", thud_method_at(k)->name);
+                march_free(&m);
+            }
+            thud_model_free(model);
+        }
+    thud_record_free(record);
+}
+END_TEST
+
+START_TEST(a_gap_too_wide_to_close_changes_no_bit)
+{
+    struct thud_record *record = march_motion(1);
+    struct march_law none = march_law("none", NULL), law = rubber();
+    struct thud_model *free = march_row(2, towers, false, 2, &none), *wide = march_row(2, towers, false, 2, &law);
+    struct march a = exact(free, record, 1e-6, 2), b = exact(wide, record, 1e-6, 2);
+    for (int s = 0; s < 2; s++)
+        ck_assert_mem_eq(a.result->structure[s].floor, b.result->structure[s].floor,
+                         (size_t)towers[s] * sizeof *a.result->structure[s].floor);
+    ck_assert_mem_eq(a.run->q, b.run->q, (size_t)free->ndof * sizeof(double));
+    march_free(&a);
+    march_free(&b);
+    thud_model_free(free);
+    thud_model_free(wide);
+    thud_record_free(record);
+}
+END_TEST
+
+/* An undamped swing of 5 cm against a wall 1e-9 m nearer or farther than that: depth from the energy. */
+START_TEST(grazing)
+{
+    const double omega = 10, amplitude = 0.05, by = 1e-9;
+    struct march_law law = march_law("linear", "stiffness", 1e4, NULL);
+    for (int near = 0; near < 2; near++) {
+        double gap = amplitude + (near ? -by : by);
+        struct thud_model *model = march_mass_and_wall(1, omega, 0, amplitude * omega, gap, &law);
+        struct march m = exact(model, NULL, 1e-6, 0.5);
+        ck_assert_int_eq(m.result->contact[0].impacts, near);
+        if (near) /* (omega amplitude)^2 = omega^2 (gap + d)^2 + 1e4 d^2 */
+            ck_assert_double_eq_tol(m.result->contact[0].indentation.value,
+                                    by * (1 - 1e4 * by / (2 * omega * omega * amplitude)), 1e-15);
+        march_free(&m);
+        thud_model_free(model);
+    }
+}
+END_TEST
+
+/* A contact of 1e13 N/m (N/m^1.5): the whole impact lasts 0.4 ms (3 ms), inside one interval of the ground motion. */
+START_TEST(touch_and_release_in_one_step)
+{
+    double zero[100] = {0};
+    struct thud_record *record = NULL;
+    ck_assert_int_eq(thud_record_create(zero, 100, 0.02, &record, NULL), THUD_OK);
+    for (int law_index = 0; law_index < 3; law_index++) {
+        const char *name = (const char *[]){"linear", "kelvin-voigt-no-tension", "hertz"}[law_index];
+        struct march_law law = march_law(name, "stiffness", 1e13, NULL);
+        struct thud_model *model = march_two_bodies(320e3, 320e3, 0.5, 0.001, &law);
+        struct march m = exact(model, record, 1e-9, 0);
+        double e = law.law->restitution(&model->contact[0].setup, 0.5);
+        ck_assert_int_eq(m.result->contact[0].impacts, 1);
+        ck_assert_double_eq_tol(march_velocity(&m, 1) - march_velocity(&m, 0), 0.5 * e, 1e-8);
+        ck_assert_double_eq_tol(march_velocity(&m, 1) + march_velocity(&m, 0), 0.5, 1e-12);
+        ck_assert_double_lt(m.result->contact[0].contact_time_s, 5e-3);
+        ck_assert_double_lt(m.result->energy.error_ratio, 1e-8);
+        march_free(&m);
+        thud_model_free(model);
+    }
+    thud_record_free(record);
+}
+END_TEST
+
+/* Bumpers pressed past their largest strain, unloading as printed: contacts stick on the way, the answer converges. */
+START_TEST(sticking_beyond_the_largest_strain)
+{
+    struct thud_record *record = march_motion(3.5);
+    struct march_law law = rubber();
+    struct thud_model *model = march_row(2, towers, false, 0, &law);
+    struct thud_run_options options;
+    struct thud_run *run = NULL;
+    bool done = false;
+    int stuck = 0;
+    thud_run_options_init(&options);
+    ck_assert_int_eq(thud_run_create(model, record, &options, &run, NULL), THUD_OK);
+    while (!done) {
+        ck_assert_int_eq(thud_run_advance(run, 1, &done, NULL), THUD_OK);
+        for (int c = 0; c < 4; c++)
+            if (run->contact[c].mode == THUD_STUCK) {
+                stuck++;
+                ck_assert_double_gt(thud_contact_indentation(run, c), run->contact[c].knee_m);
+                ck_assert_double_lt(fabs(thud_contact_rate(run, c)), 1e-9);
+            }
+    }
+    ck_assert_int_gt(stuck, 0);
+    ck_assert_double_lt(thud_run_result(run)->energy.error_ratio, 1e-6);
+    thud_run_free(run);
+    struct march a = exact(model, record, 1e-6, 2), rk4 = march_run(model, record, "rk4", 2.5e-4, 0, true, 2);
+    double apart = march_peaks_apart(a.result, rk4.result, 0.05);
+    ck_assert_msg(apart < 2e-5, "%.1e", apart);
+    march_free(&a);
+    march_free(&rk4);
+    thud_model_free(model);
+    thud_record_free(record);
+}
+END_TEST
+
+/* Elastic collision of 1 kg with 1000 t, either way round: velocities by momentum and energy. */
+START_TEST(mass_ratio_of_a_million)
+{
+    struct march_law law = march_law("linear", "stiffness", 1e4, NULL);
+    for (int heavy_left = 0; heavy_left < 2; heavy_left++) {
+        double a = heavy_left ? 1e6 : 1, b = heavy_left ? 1 : 1e6;
+        struct thud_model *model = march_two_bodies(a, b, 1, 0.01, &law);
+        struct march m = exact(model, NULL, 1e-6, 0.2);
+        ck_assert_int_eq(m.result->contact[0].impacts, 1);
+        ck_assert_double_eq_tol(march_velocity(&m, 0), (a - b) / (a + b), 1e-12);
+        ck_assert_double_eq_tol(march_velocity(&m, 1), 2 * a / (a + b), 1e-12);
+        march_free(&m);
+        thud_model_free(model);
+    }
+}
+END_TEST
+
+/* Without damping nothing is lost but in the contacts; with elastic contacts nothing at all. */
+START_TEST(nothing_lost_without_damping)
+{
+    struct march_law law = march_law("hertz", "stiffness", 1e6, NULL);
+    struct thud_model *model = march_mass_and_wall(1, 10, 0, 1, 0.02, &law);
+    struct march m = exact(model, NULL, 1e-9, 30);
+    double u = march_displacement(&m, 0), v = march_velocity(&m, 0), d = fmax(u - 0.02, 0);
+    ck_assert_int_gt(m.result->contact[0].impacts, 50);
+    ck_assert_double_eq_tol(v * v + 100 * u * u + 0.8 * 1e6 * pow(d, 2.5), 1, 1e-7);
+    ck_assert_double_eq_tol(m.result->energy.viscous_j, 0, 1e-300);
+    march_free(&m);
+    thud_model_free(model);
+}
+END_TEST
+
+START_TEST(from_one_storey_to_a_hundred_and_ten_in_a_row)
+{
+    const int low[] = {1, 2}, high[] = {100, 80}, row[] = {1, 2, 3, 4, 5, 6, 5, 4, 3, 2};
+    const struct {
+        int n;
+        const int *storeys;
+        double gap;
+    } scene[] = {{2, low, 0.002}, {2, high, 0.005}, {10, row, 0.004}};
+    struct thud_record *record = march_motion(1);
+    struct march_law laws[] = {rubber(), concrete()};
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 2; k++) {
+            struct thud_model *model = march_row(scene[i].n, scene[i].storeys, false, scene[i].gap, &laws[k]);
+            struct march a = exact(model, record, 1e-6, 1), b = exact(model, record, 1e-7, 1);
+            int impacts = 0;
+            for (int c = 0; c < model->ncontacts; c++)
+                impacts += a.result->contact[c].impacts;
+            ck_assert_int_gt(impacts, 2);
+            double apart = march_peaks_apart(a.result, b.result, 0.05);
+            ck_assert_msg(apart < 1e-5, "scene %d, law %d: %.1e", i, k, apart);
+            ck_assert_double_lt(b.result->energy.error_ratio, 1e-6);
+            march_free(&a);
+            march_free(&b);
+            thud_model_free(model);
+        }
+    thud_record_free(record);
+}
+END_TEST
+
+/* The towers under the real Kobe record, by an independent solver of order 4 at 1e-5 s with bisected events: good to
+ * 1e-5, printed with 7 digits. */
+START_TEST(towers_under_the_real_kobe)
+{
+    struct thud_record *record = march_kobe();
+    FILE *file = march_shared("reference-towers.csv");
+    struct march_law laws[] = {concrete(), rubber(), rubber()};
+    const char *const names[] = {"none", "bumper", "cavity"};
+    const double out[] = {0, 0.05, 0.04};
+    char line[256], name[16], structure;
+    double gap, acceleration, drift, force;
+    int floor, rows = 0, of = -1;
+    struct march m = {0};
+    struct thud_model *model = NULL;
+    double gap_of = -1;
+    while (record && file && fgets(line, sizeof line, file)) {
+        if (sscanf(line, "%lf,%15[a-z],%c,%d,%lf,%lf,%lf", &gap, name, &structure, &floor, &acceleration, &drift,
+                   &force) < 6)
+            continue;
+        int which = strcmp(name, names[0]) == 0 ? 0 : strcmp(name, names[1]) == 0 ? 1 : 2;
+        if (which != of || gap != gap_of) {
+            march_free(&m);
+            thud_model_free(model);
+            double clearance = gap - out[which];
+            model = march_row(2, towers, false, clearance < 1e-12 ? 0 : clearance, &laws[which]);
+            m = exact(model, record, 1e-6, 5);
+            of = which;
+            gap_of = gap;
+        }
+        const struct thud_floor_result *f = &m.result->structure[structure - 'A'].floor[floor - 1];
+        ck_assert_msg(fabs(f->acceleration.value / acceleration - 1) < 1e-5 && fabs(f->drift.value / drift - 1) < 1e-5,
+                      "%s", line);
+        if (structure == 'A' && force > 0)
+            ck_assert_msg(fabs(m.result->contact[floor - 1].force.value / force - 1) < 1e-5, "%s", line);
+        rows++;
+    }
+    ck_assert(!record || !file || rows >= 90);
+    march_free(&m);
+    thud_model_free(model);
+    thud_record_free(record);
+    if (file)
+        fclose(file);
+}
+END_TEST
+
+/* Dormand and Prince's method against the exact one, there too. */
+START_TEST(dormand_prince_under_the_real_kobe)
+{
+    struct thud_record *record = march_kobe();
+    struct march_law laws[] = {concrete(), rubber()};
+    for (int i = 0; record && i < 2; i++)
+        for (double gap = 0.02; gap < 0.09; gap += 0.03) {
+            struct thud_model *model = march_row(2, towers, false, gap, &laws[i]);
+            struct march a = exact(model, record, 1e-8, 5);
+            struct march b = march_run(model, record, "dormand-prince", 0, 1e-6, true, 5);
+            ck_assert_int_eq(b.status, THUD_OK);
+            double apart = march_peaks_apart(b.result, a.result, 0.01);
+            ck_assert_msg(apart < 1e-5, "law %d, gap %g: %.1e", i, gap, apart);
+            march_free(&a);
+            march_free(&b);
+            thud_model_free(model);
+        }
+    thud_record_free(record);
+}
+END_TEST
+
+Suite *thud_suite(void);
+Suite *thud_suite(void)
+{
+    Suite *suite = suite_create("exact");
+    TCase *tcase = tcase_create("exact");
+    tcase_set_timeout(tcase, 120);
+    tcase_add_test(tcase, tolerance_keeps_its_promise);
+    tcase_add_test(tcase, mirror_image);
+    tcase_add_test(tcase, scaling_of_laws_of_degree_one);
+    tcase_add_test(tcase, identical_neighbours_never_touch);
+    tcase_add_test(tcase, a_gap_too_wide_to_close_changes_no_bit);
+    tcase_add_test(tcase, grazing);
+    tcase_add_test(tcase, touch_and_release_in_one_step);
+    tcase_add_test(tcase, sticking_beyond_the_largest_strain);
+    tcase_add_test(tcase, mass_ratio_of_a_million);
+    tcase_add_test(tcase, nothing_lost_without_damping);
+    tcase_add_test(tcase, from_one_storey_to_a_hundred_and_ten_in_a_row);
+    tcase_add_test(tcase, towers_under_the_real_kobe);
+    tcase_add_test(tcase, dormand_prince_under_the_real_kobe);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}
