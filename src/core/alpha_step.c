@@ -174,11 +174,15 @@ static double newton(struct thud_run *run, struct alpha *x, int n, double h)
         } else {
             x->change[i] = x->end.force[a] - thud_step_force(run, a, d, v, &fd, &fv);
         }
+        double by_slope = by_d > 0 ? fd * by_d : 0; /* the slope may be without bound at d = 0 */
         for (int k = 0; k < n; k++)
-            x->matrix[k * n + i] = (fd * by_d + fv * by_v + by_a) * x->w[a * nc + x->active[k]] + (k == i ? own : 0);
+            x->matrix[k * n + i] = (by_slope + fv * by_v + by_a) * x->w[a * nc + x->active[k]] + (k == i ? own : 0);
     }
     if (LAPACKE_dgesv_work(LAPACK_COL_MAJOR, n, 1, x->matrix, n, x->pivot, x->change, n) != 0)
         return NAN;
+    for (int i = 0; i < n; i++)
+        if (!isfinite(x->change[i]))
+            return NAN;
     for (int i = 0; i < n; i++) {
         int a = x->active[i];
         double before = fabs(x->end.force[a]);

@@ -8,7 +8,10 @@
 #include "core/lcp.h"
 #include "core/run_private.h"
 
-enum { STALLS_MAX = 60 };
+/* Events in a row at one moment before that moment is passed over, for each contact and besides; and how often, each
+ * time for twice as long as the last. */
+enum { STALLS_EACH = 4, STALLS_MORE = 12, PASSES_MAX = 36 };
+static const double first_pass_s = 1e-13;
 
 void thud_run_options_init(struct thud_run_options *options)
 {
@@ -215,12 +218,45 @@ static void commit(struct thud_run *run, double s, double limit)
         run->contact[c].zeros = (struct thud_zeros){0};
 }
 
+struct proposal {
+    double s, limit; /* of the event or, without one, the limit; and that of the next kink or the end */
+    int contact, event;
+    bool switched, passed;
+};
+
 static enum thud_status stalled(struct thud_run *run, int contact, struct thud_error *err)
 {
     run->failed = true;
     const struct thud_contact_result *c = &run->result.contact[contact];
     return thud_error_set(err, THUD_DIVERGED, "contact between floors %d and %d switches without end at t = %.9g s",
                           c->left_floor, c->right_floor, thud_run_now(run));
+}
+
+/* Contacts that switch without end at one moment: their motion there is below what the method or rounding resolves
+ * (neighbours that stand together at rest, a bounce that has died down). A moment later, nothing switched, it shows
+ * which way they go. */
+static enum thud_status pass_over(struct thud_run *run, struct proposal *p, struct thud_error *err)
+{
+    if (run->passes >= PASSES_MAX)
+        return stalled(run, p->contact, err);
+    p->switched = false;
+    p->passed = true;
+    p->s = fmin(p->limit, ldexp(first_pass_s, run->passes++) / run->seg.h_s);
+    run->stalls = 0;
+    return THUD_OK;
+}
+
+/* Counts the events at one moment, and what it took to leave it. */
+static enum thud_status watch_progress(struct thud_run *run, struct proposal *p, struct thud_error *err)
+{
+    if (p->s > 0) {
+        run->stalls = 0;
+        if (p->s * run->seg.h_s > 4 * ldexp(first_pass_s, run->passes))
+            run->passes = 0;
+        return THUD_OK;
+    }
+    run->stalls++;
+    return run->stalls > STALLS_MORE + STALLS_EACH * run->model->ncontacts ? pass_over(run, p, err) : THUD_OK;
 }
 
 /* The first event of the proposed segment, where events are located: its s, else INFINITY. */
@@ -254,12 +290,6 @@ static enum thud_status check_proposal(struct thud_run *run, struct thud_error *
     thud_segment_state(&run->seg, run->model->ndof, 1, q, qd);
     return thud_run_check_state(run, q, qd, err);
 }
-
-struct proposal {
-    double s, limit; /* of the event or, without one, the limit; and that of the next kink or the end */
-    int contact, event;
-    bool switched;
-};
 
 /* A step of the method, checked, with its first event. */
 static enum thud_status propose(struct thud_run *run, struct proposal *p, struct thud_error *err)
@@ -299,14 +329,11 @@ static enum thud_status segment(struct thud_run *run, struct thud_error *err)
     if (status != THUD_OK)
         return status;
     run->result.work.steps++;
-    if (p.s > 0) {
-        run->stalls = 0;
+    status = watch_progress(run, &p, err);
+    if (status == THUD_OK && p.s > 0)
         status = read_segment(run, p.s, err);
-        if (status != THUD_OK)
-            return status;
-    } else if (run->stalls++ > STALLS_MAX) {
-        return stalled(run, p.contact, err);
-    }
+    if (status != THUD_OK)
+        return status;
     bool switched = p.switched;
     commit(run, p.s, p.limit);
     status = thud_run_check_state(run, run->q, run->qd, err);
@@ -315,7 +342,7 @@ static enum thud_status segment(struct thud_run *run, struct thud_error *err)
     if (status == THUD_OK && !run->locates)
         status = thud_contact_catch_up(run, &switched, err);
     if (status == THUD_OK && run->method->committed)
-        run->method->committed(run, run->method_state, p.s * run->seg.h_s, switched);
+        run->method->committed(run, run->method_state, p.s * run->seg.h_s, switched || p.passed);
     return status;
 }
 

@@ -60,6 +60,7 @@ struct thud_run {
     struct thud_contact_state *contact;
     int nactive; /* contacts CLOSED or STUCK */
     int stalls;  /* events in a row without progress in time */
+    int passes;  /* moments passed over in a row because their events had no end */
 
     struct thud_segment seg;
     double *indentation;  /* (ncontacts x THUD_SEGMENT_TERMS): polynomials of the segment, scaled like it */

@@ -207,6 +207,43 @@ START_TEST(what_does_not_locate_comes_near)
 }
 END_TEST
 
+/* Every law in every method, also from clearance 0 and at rest, where rounding decides who touches first; the located
+ * ones with coarse steps still near the exact peaks. */
+static void every_method(const struct march_law *law, double gap, bool isolated)
+{
+    const int storeys[] = {4, 6};
+    struct thud_record *record = march_motion(1.5);
+    struct thud_model *model = march_row(2, storeys, isolated, gap, law);
+    struct march want = march_run(model, record, "exact", 0, 0, true, 2);
+    for (int i = 0; i < thud_method_count(); i++) {
+        const struct thud_method *method = thud_method_at(i);
+        struct march m = march_run(model, record, method->name, 0, 0, true, 2);
+        ck_assert_msg(m.status == THUD_OK, "%s, %s, gap %g: %s", method->name, law->law->name, gap, m.err.what);
+        double peak = m.result->structure[0].floor[3].displacement.value;
+        double ratio = peak / want.result->structure[0].floor[3].displacement.value;
+        ck_assert_msg(!(method->flags & THUD_METHOD_LOCATES) || fabs(ratio - 1) < 0.1, "%s, %s, gap %g: %g",
+                      method->name, law->law->name, gap, ratio);
+        march_free(&m);
+    }
+    march_free(&want);
+    thud_model_free(model);
+    thud_record_free(record);
+}
+
+START_TEST(every_law_in_every_method)
+{
+    for (int i = 0; i < thud_law_count(); i++) {
+        const char *name = thud_law_at(i)->name;
+        struct march_law law = thud_law_param(thud_law_at(i), "stiffness") < 0 ? march_law(name, NULL)
+                               : strcmp(name, "rubber") == 0                   ? rubber()
+                                                             : march_law(name, "stiffness", 2.5e9, NULL);
+        for (int isolated = 0; isolated < 2; isolated++)
+            for (double gap = 0; gap < 0.03; gap += 0.02)
+                every_method(&law, gap, isolated);
+    }
+}
+END_TEST
+
 /* The work is counted: a step a step, an implicit step no more Newton steps than it needs. */
 START_TEST(work_is_counted)
 {
@@ -251,6 +288,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, dormand_prince_on_towers);
     tcase_add_test(tcase, fixed_steps_on_towers);
     tcase_add_test(tcase, what_does_not_locate_comes_near);
+    tcase_add_test(tcase, every_law_in_every_method);
     tcase_add_test(tcase, work_is_counted);
     tcase_add_test(tcase, steps_are_checked_and_chosen);
     suite_add_tcase(suite, tcase);
