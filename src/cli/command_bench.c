@@ -48,7 +48,7 @@ static enum thud_status deliver(const struct thud_args *args, struct thud_bench 
 static enum thud_status bench(const struct thud_args *args, struct thud_session *session, struct thud_error *err)
 {
     struct thud_bench *plan = NULL;
-    struct thud_bench_jobs jobs = {.repeats = 7, .patience_s = 30, .cancel = thud_interrupt_watch()};
+    struct thud_bench_jobs jobs = {.repeats = 7, .patience_s = 12, .cancel = thud_interrupt_watch()};
     if (isatty(STDERR_FILENO) && !thud_args_has(args, "quiet"))
         jobs.progress = show_progress;
     enum thud_case which;
