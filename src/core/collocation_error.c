@@ -1,0 +1,94 @@
+/* How far the force polynomials of a step are from the laws. */
+#include <math.h>
+
+#include "core/collocation_private.h"
+#include "core/largest.h"
+#include "core/poly.h"
+
+/* Scale on which an error of contact a's force counts: the largest force it has had, has now, or will have by its
+ * closing velocity. */
+double thud_collocation_scale(const struct thud_run *run, const struct thud_collocation *x, int a)
+{
+    int c = x->active[a];
+    double scale = run->result.contact[c].force.value;
+    for (int i = 0; i < THUD_NODES; i++)
+        scale = thud_larger(scale, fabs(x->force[a * THUD_NODES + i]));
+    if (run->contact[c].phase == THUD_APPROACH)
+        scale = thud_larger(scale, run->contact[c].expected_force_n);
+    return thud_larger(scale, run->model->contact[c].setup.mass_kg * thud_larger(1e-6 * run->ground_mps2, 1e-9));
+}
+
+/* Whether a contact is so young that its force has no smooth past: most of the indentation at the end of the step is
+ * made in it, with the speed hardly lost. */
+static bool has_just_begun(const double *indentation, int terms)
+{
+    double start[3], end[3];
+    thud_poly_value3(indentation, terms, 0, start);
+    thud_poly_value3(indentation, terms, 1, end);
+    return start[0] < 0.5 * end[0] && end[1] > 0.5 * start[1];
+}
+
+/* How far rounding alone may put a force off: indentation and rate are differences of the floors' own. */
+static double force_noise(const struct thud_run *run, int c, double fd, double fv)
+{
+    static const double part = 2e-15;
+    const struct thud_model_contact *p = &run->model->contact[c];
+    double d = thud_run_shift(run, c), v = 0;
+    for (int side = 0; side < 2; side++) {
+        int dof = side == 0 ? p->left_dof : p->right_dof;
+        d += dof < 0 ? 0 : fabs(thud_model_floor(run->model, dof, run->q));
+        v += dof < 0 ? 0 : fabs(thud_model_floor(run->model, dof, run->qd));
+    }
+    return part * (fabs(fd) * d + fabs(fv) * v);
+}
+
+/* Largest difference between the polynomial of contact a's force and the law, between the points. */
+static double force_difference(struct thud_run *run, const struct thud_collocation *x, int c, const double *p, double h)
+{
+    const struct thud_contact_state *s = &run->contact[c];
+    double v[3], worst = 0, mass = run->model->contact[c].setup.mass_kg;
+    for (int i = 0; i < THUD_NODES; i++) {
+        double f = 0, fd, fv;
+        thud_poly_value3(p, run->seg.terms, x->check[i], v);
+        for (int k = THUD_NODES - 1; k >= 0; k--)
+            f = f * x->check[i] + run->seg.force[k * run->model->ncontacts + c];
+        if (s->mode == THUD_STUCK) { /* the force that would undo the rate in one step, but for rounding */
+            worst = thud_larger(worst, mass * thud_larger(fabs(v[1]) - 1e-15, 0) / (h * h));
+            continue;
+        }
+        double difference = fabs(thud_branch_force(&s->branch, v[0], v[1] / h, &fd, &fv) - f);
+        if (difference > worst && isfinite(fd))
+            difference -= force_noise(run, c, fd, fv);
+        worst = thud_larger(worst, difference);
+    }
+    return worst;
+}
+
+/* Error of contact a's force: the largest difference between its polynomial and the law between the points, over the
+ * force scale. Where a force begins without a smooth start (d^(1/4), d^(3/2)) no step is short enough for that; there
+ * what counts is the impulse that the difference makes up. */
+static double contact_error(struct thud_run *run, const struct thud_collocation *x, int a, double h)
+{
+    int c = x->active[a];
+    const struct thud_contact_state *s = &run->contact[c];
+    double p[THUD_SEGMENT_TERMS], mass = run->model->contact[c].setup.mass_kg;
+    thud_segment_indentation(run, &run->seg, c, p);
+    double difference = force_difference(run, x, c, p, h);
+    double error = difference / thud_collocation_scale(run, x, a);
+    if (s->mode == THUD_CLOSED && s->phase == THUD_APPROACH && has_just_begun(p, run->seg.terms)) {
+        double ground = run->fastest_radps > 0 ? run->ground_mps2 / run->fastest_radps : 0;
+        double speed = s->memory.v_imp_mps < 1e-7 * ground ? ground : s->memory.v_imp_mps; /* pushed, or thrown */
+        if (speed > 0)
+            error = fmin(error, 10 * difference * h / (mass * speed));
+    }
+    return error;
+}
+
+double thud_collocation_error(struct thud_run *run, const struct thud_collocation *x, double h)
+{
+    double worst = 0;
+    for (int a = 0; a < x->nactive; a++)
+        worst = thud_larger(worst, contact_error(run, x, a, h));
+    run->result.work.force_evaluations += x->nactive * THUD_NODES;
+    return worst;
+}
