@@ -117,6 +117,13 @@ START_TEST(a_run_of_impulses)
 }
 END_TEST
 
+START_TEST(every_method)
+{
+    for (int i = 0; i < thud_method_count(); i++)
+        survives("rubber", 0.05, thud_method_at(i)->name);
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -126,6 +133,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, a_run_through_linear_contact);
     tcase_add_test(tcase, a_run_through_the_bumper);
     tcase_add_test(tcase, a_run_of_impulses);
+    tcase_add_test(tcase, every_method);
     suite_add_tcase(suite, tcase);
     return suite;
 }
