@@ -29,23 +29,25 @@ struct thud_quantity {
 };
 
 /* Reads `text` as a quantity of the dimension. A missing unit is an error unless the dimension is THUD_NUMBER or
- * THUD_RATIO or `bare_unit` (a unit taken for bare numbers, NULL for none) is given. A decimal comma, a wrong dimension (named), a word,
- * infinities and NaN are refused with what is allowed. Errors: THUD_INPUT. */
+ * THUD_RATIO or `bare_unit` (a unit taken for bare numbers, NULL for none) is given. A decimal comma, a wrong dimension
+ * (named), a word, infinities and NaN are refused with what is allowed. Errors: THUD_INPUT. */
 enum thud_status thud_quantity_parse(const char *text, enum thud_dimension dimension, const char *bare_unit,
                                      struct thud_quantity *out, struct thud_error *err);
 
-/* Writes the SI value in `unit` (which may carry an exponent) with all its digits (shortest text that reads back the same). */
+/* Writes the SI value in `unit` (which may carry an exponent) with all its digits (shortest text that reads back the
+ * same). */
 void thud_quantity_format(double value_si, const char *unit, char *text, size_t size);
 
-/* Factor from `unit` to SI; 0 when the unit is unknown. `exponent` (may be NULL) gets the unit's exponent for N/m^n units. */
+/* Factor from `unit` to SI; 0 when the unit is unknown. `exponent` (may be NULL) gets the unit's exponent for N/m^n
+ * units. */
 double thud_unit_factor(const char *unit, enum thud_dimension *dimension, double *exponent);
 
 /* "m, cm, mm, in, ft": the units of a dimension, for messages and help. */
 const char *thud_dimension_units(enum thud_dimension dimension);
 const char *thud_dimension_name(enum thud_dimension dimension); /* "a length" */
 
-/* Locale-free numbers (the program keeps LC_NUMERIC at "C"). `end` gets the first character not read; returns 0 on success, -1 on no number,
- * -2 when out of range. Hexadecimal, `inf` and `nan` are no numbers. */
+/* Locale-free numbers (the program keeps LC_NUMERIC at "C"). `end` gets the first character not read; returns 0 on
+ * success, -1 on no number, -2 when out of range. Hexadecimal, `inf` and `nan` are no numbers. */
 int thud_number_parse(const char *text, const char **end, double *out);
 /* Shortest decimal text that reads back as the same double. */
 void thud_number_format(double value, char *text, size_t size);

@@ -11,14 +11,14 @@
 /* The first seven are the program's exit statuses; the rest are mapped to one of them by the program. */
 enum thud_status {
     THUD_OK = 0,
-    THUD_CHECK = 1,     /* a check did not hold */
-    THUD_USAGE = 2,     /* wrong usage, or no terminal */
-    THUD_INPUT = 3,     /* bad input */
-    THUD_DIVERGED = 4,  /* the integration failed */
-    THUD_GNUPLOT = 5,   /* gnuplot is missing or failed */
-    THUD_OUTPUT = 6,    /* output could not be written */
-    THUD_MEMORY = 7,    /* out of memory */
-    THUD_CANCELLED = 8  /* stopped on request; what was done is kept */
+    THUD_CHECK = 1,    /* a check did not hold */
+    THUD_USAGE = 2,    /* wrong usage, or no terminal */
+    THUD_INPUT = 3,    /* bad input */
+    THUD_DIVERGED = 4, /* the integration failed */
+    THUD_GNUPLOT = 5,  /* gnuplot is missing or failed */
+    THUD_OUTPUT = 6,   /* output could not be written */
+    THUD_MEMORY = 7,   /* out of memory */
+    THUD_CANCELLED = 8 /* stopped on request; what was done is kept */
 };
 
 /* One message: FILE:LINE:COLUMN: KEY: what is wrong (what is allowed). Unused parts are empty or 0. */
@@ -33,7 +33,8 @@ struct thud_error {
 };
 
 /* Each returns `status`, so that a caller can write `return thud_error_set(...)`. `err` may be NULL. */
-enum thud_status thud_error_set(struct thud_error *err, enum thud_status status, const char *fmt, ...) THUD_PRINTF(3, 4);
+enum thud_status thud_error_set(struct thud_error *err, enum thud_status status, const char *fmt, ...)
+    THUD_PRINTF(3, 4);
 
 /* Add a part to an error already set. */
 void thud_error_place(struct thud_error *err, const char *file, int line, int column);

@@ -6,8 +6,8 @@
 
 #include "base/status.h"
 
-/* Starts as `{0}`. `data` is NUL-terminated once something was appended. After a failed allocation `failed` is set and appends do nothing,
- * so it is enough to look at the end. */
+/* Starts as `{0}`. `data` is NUL-terminated once something was appended. After a failed allocation `failed` is set and
+ * appends do nothing, so it is enough to look at the end. */
 struct thud_text {
     char *data;
     size_t size, capacity;

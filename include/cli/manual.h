@@ -6,8 +6,8 @@
 
 #include "base/text.h"
 
-/* One part: "units", "keys", "laws". It stands in man/thud-preset.5 between the comments `begin NAME` and `end NAME`, where
- * tests/tools/manual.sh puts it and the tests compare it. false: there is no such part. */
+/* One part: "units", "keys", "laws". It stands in man/thud-preset.5 between the comments `begin NAME` and `end NAME`,
+ * where tests/tools/manual.sh puts it and the tests compare it. false: there is no such part. */
 bool thud_manual_part(struct thud_text *out, const char *name);
 
 /* The names of the parts, by index from 0; NULL after the last. */

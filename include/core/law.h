@@ -2,8 +2,8 @@
  *
  * Every law of the field is, between two switches, of the form
  *     F = f0 + k d + c v + K d^p + D d^r v           (d indentation > 0, v = d' , v > 0 approaching)
- * which is called a branch here. So a law only says which branch holds; force, derivatives, integration and energy are written
- * once. Public functions take SI units. */
+ * which is called a branch here. So a law only says which branch holds; force, derivatives, integration and energy are
+ * written once. Public functions take SI units. */
 #ifndef THUD_CORE_LAW_H
 #define THUD_CORE_LAW_H
 
@@ -12,7 +12,7 @@
 #include "base/param.h"
 #include "base/status.h"
 
-#define THUD_LAW_PARAMS_MAX 16
+#define THUD_LAW_PARAMS_MAX    16
 #define THUD_LAW_CONSTANTS_MAX 8
 
 struct thud_branch {
@@ -25,16 +25,16 @@ enum thud_phase { THUD_APPROACH, THUD_RESTITUTION };
 
 /* What is fixed for one contact. */
 struct thud_law_setup {
-    double mass_kg;     /* effective mass m1 m2/(m1 + m2) */
-    double thickness_m; /* of the bumper; 0 where there is none */
+    double mass_kg;                          /* effective mass m1 m2/(m1 + m2) */
+    double thickness_m;                      /* of the bumper; 0 where there is none */
     double value[THUD_LAW_PARAMS_MAX];       /* parameters in SI, in the order of the law's table */
     double constant[THUD_LAW_CONSTANTS_MAX]; /* filled by the law's prepare */
 };
 
 /* What one contact remembers from its first touch on. Only the run writes it. */
 struct thud_law_memory {
-    double v_imp_mps;  /* closing velocity at first touch, as it was */
-    double damp;       /* the law's own damping factor for this contact, set by touch or turn */
+    double v_imp_mps; /* closing velocity at first touch, as it was */
+    double damp;      /* the law's own damping factor for this contact, set by touch or turn */
 };
 
 enum {
@@ -69,21 +69,23 @@ struct thud_law {
     /* Nominal restitution as asked for, and the one two free bodies really part with at closing velocity v. */
     double (*nominal)(const struct thud_law_setup *setup);
     double (*restitution)(const struct thud_law_setup *setup, double v_mps);
-    /* true where the indentation left at release stays as residual (the paper's concrete with residual = keep); NULL: never. */
+    /* true where the indentation left at release stays as residual (the paper's concrete with residual = keep); NULL:
+     * never. */
     bool (*keeps_residual)(const struct thud_law_setup *setup);
 };
 
 /* The list. */
 int thud_law_count(void);
 const struct thud_law *thud_law_at(int index);
-const struct thud_law *thud_law_find(const char *name); /* NULL when unknown */
+const struct thud_law *thud_law_find(const char *name);           /* NULL when unknown */
 int thud_law_param(const struct thud_law *law, const char *name); /* index, or -1 */
 
 /* Fills value[] with the defaults of the table (NaN where a value must be given). */
 void thud_law_defaults(const struct thud_law *law, struct thud_law_setup *setup);
 
-/* Force of a branch, and its partial derivatives (each may be NULL); d <= 0 gives the linear part only. Not cut at 0. At d = 0 the
- * derivatives are those from the right: df_dd is infinite there for a power below 1 (jankowski at v != 0). */
+/* Force of a branch, and its partial derivatives (each may be NULL); d <= 0 gives the linear part only. Not cut at 0.
+ * At d = 0 the derivatives are those from the right: df_dd is infinite there for a power below 1 (jankowski at v != 0).
+ */
 double thud_branch_force(const struct thud_branch *branch, double d_m, double v_mps, double *df_dd, double *df_dv);
 
 /* Branch at (d, phase) without a run: picks the side of the knee. */

@@ -51,7 +51,7 @@ struct thud_structure_result {
 
 struct thud_work {
     long steps, force_evaluations, events;
-    long rejected;     /* steps taken again */
+    long rejected;       /* steps taken again */
     long samples_fast;   /* record samples passed by the free-flight recurrence */
     long samples_jumped; /* record samples left out because nothing could come of them */
 };

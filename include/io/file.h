@@ -7,11 +7,12 @@
 #include "base/status.h"
 #include "base/text.h"
 
-/* The whole file with a terminating NUL after it (free with free()). Refuses folders, devices that never end and files over `limit` bytes. Errors: THUD_INPUT,
- * THUD_MEMORY. */
+/* The whole file with a terminating NUL after it (free with free()). Refuses folders, devices that never end and files
+ * over `limit` bytes. Errors: THUD_INPUT, THUD_MEMORY. */
 enum thud_status thud_file_read(const char *path, size_t limit, char **text, size_t *size, struct thud_error *err);
 
-/* Writes a temporary beside `path`, syncs and renames; on failure `path` is as it was and the temporary is gone. Errors: THUD_OUTPUT. */
+/* Writes a temporary beside `path`, syncs and renames; on failure `path` is as it was and the temporary is gone.
+ * Errors: THUD_OUTPUT. */
 enum thud_status thud_file_write(const char *path, const char *text, size_t size, struct thud_error *err);
 
 /* thud_file_write of the whole text; THUD_MEMORY when it had failed. Clears it. */

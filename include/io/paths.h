@@ -25,7 +25,7 @@ void thud_paths_presets(const struct thud_paths *paths, struct thud_file_names *
 enum thud_status thud_paths_preset(const struct thud_paths *paths, const char *name, char *path, unsigned long size,
                                    struct thud_error *err);
 /* A record's path: as given (from the working folder), beside the preset, or in the records folder, in this order. */
-enum thud_status thud_paths_record(const struct thud_paths *paths, const char *preset_path, const char *name, char *path,
-                                   unsigned long size, struct thud_error *err);
+enum thud_status thud_paths_record(const struct thud_paths *paths, const char *preset_path, const char *name,
+                                   char *path, unsigned long size, struct thud_error *err);
 
 #endif

@@ -14,8 +14,8 @@ enum thud_status thud_preset_parse(const char *text, unsigned long size, const c
                                    struct thud_error *err);
 const struct thud_scene *thud_preset_scene(const struct thud_preset *preset);
 
-/* The file's bytes with the values of `scene` in place of those that differ (comments and layout kept; free with free()). What cannot be done
- * by replacing spans (a structure added) rewrites the smallest enclosing block. */
+/* The file's bytes with the values of `scene` in place of those that differ (comments and layout kept; free with
+ * free()). What cannot be done by replacing spans (a structure added) rewrites the smallest enclosing block. */
 enum thud_status thud_preset_text(const struct thud_preset *preset, const struct thud_scene *scene, char **text,
                                   unsigned long *size, struct thud_error *err);
 /* Writes a temporary beside `path`, syncs and renames. THUD_OUTPUT when it cannot. */

@@ -10,8 +10,8 @@
 
 /* What a finished run is shown with. */
 struct thud_report {
-    const struct thud_scene *scene; /* of the case that was run */
-    const char *which;              /* "none", "bumper", "cavity", "as-written" */
+    const struct thud_scene *scene;   /* of the case that was run */
+    const char *which;                /* "none", "bumper", "cavity", "as-written" */
     const struct thud_record *record; /* NULL: no ground motion */
     const struct thud_result *result;
     const struct thud_history *history; /* may be NULL */

@@ -80,7 +80,8 @@ static void warn(const struct thud_result *result)
 }
 
 /* What is allowed but unusual, one line each. */
-static void warn_unusual(const struct thud_args *args, const struct thud_session *session, const struct thud_scene *scene)
+static void warn_unusual(const struct thud_args *args, const struct thud_session *session,
+                         const struct thud_scene *scene)
 {
     struct thud_error unusual;
     char line[1400];

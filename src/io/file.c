@@ -16,8 +16,8 @@ static enum thud_status refuse(struct thud_error *err, enum thud_status status, 
 }
 
 /* Reads until the end or until `limit` bytes are exceeded (then *size is limit + 1). */
-static enum thud_status read_all(int fd, size_t limit, size_t expected, char **text, size_t *size, struct thud_error *err,
-                                 const char *path)
+static enum thud_status read_all(int fd, size_t limit, size_t expected, char **text, size_t *size,
+                                 struct thud_error *err, const char *path)
 {
     size_t capacity = expected + 2;
     char *data = malloc(capacity);

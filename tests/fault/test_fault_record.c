@@ -1,4 +1,5 @@
-/* Reading a ground motion while memory and reads fail one after the other: nothing is left allocated, and the status says which it was. */
+/* Reading a ground motion while memory and reads fail one after the other: nothing is left allocated, and the status
+ * says which it was. */
 #include <check.h>
 #include <math.h>
 #include <stdlib.h>

@@ -1,4 +1,5 @@
-/* Any words after `thud`, one a line: what is taken names options that the command has, each with the value it needs; what is refused says why. */
+/* Any words after `thud`, one a line: what is taken names options that the command has, each with the value it needs;
+ * what is refused says why. */
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>

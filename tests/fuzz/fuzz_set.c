@@ -1,5 +1,5 @@
-/* Any lines KEY=VALUE set in a scene: what is taken reads back as a text that sets the same value again; what is refused says why and changes
- * nothing. */
+/* Any lines KEY=VALUE set in a scene: what is taken reads back as a text that sets the same value again; what is
+ * refused says why and changes nothing. */
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
