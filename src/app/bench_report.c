@@ -81,7 +81,7 @@ void thud_bench_csv(struct thud_bench *bench, struct thud_text *out)
 /* One curve into both panels of its column. */
 static void add_curve(struct thud_bench *bench, int first, int last, struct thud_panel *const panel[2], int color)
 {
-    char name[64];
+    const char *name = thud_bench_point(bench, first)->method->name;
     double x[64], time[64], work[64];
     size_t n = 0;
     for (int i = first; i < last && n < 64; i++) {
@@ -92,8 +92,8 @@ static void add_curve(struct thud_bench *bench, int first, int last, struct thud
         time[n] = 1e3 * p->seconds;
         work[n++] = (double)p->work.steps + (double)p->work.force_evaluations;
     }
-    thud_bench_curve_name(thud_bench_point(bench, first), name, sizeof name);
-    struct thud_style style = {.kind = THUD_LINES_POINTS, .color = color};
+    struct thud_style style = {
+        .kind = THUD_LINES_POINTS, .color = color, .wide = color == 0, .thin = color >= THUD_COLORS};
     if (n > 0) {
         thud_panel_add(panel[0], style, name, n, x, time);
         thud_panel_add(panel[1], style, name, n, x, work);

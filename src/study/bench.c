@@ -99,7 +99,7 @@ struct thud_bench_point *thud_bench_point(struct thud_bench *bench, int i)
 
 void thud_bench_curve_name(const struct thud_bench_point *point, char *text, unsigned long size)
 {
-    bool said = point->locate && !(point->method->flags & THUD_METHOD_LOCATES);
+    bool said = point->locate && point->method->flags & THUD_METHOD_FIXED_STEP;
     snprintf(text, size, "%s%s", point->method->name, said ? ", located" : "");
 }
 
