@@ -100,6 +100,15 @@ static void add_curve(struct thud_bench *bench, int first, int last, struct thud
     }
 }
 
+/* The same colour for a method wherever it stands; `exact`, the first of the list, is 0. */
+static int color_of(const struct thud_method *method)
+{
+    int i = 0;
+    while (i < thud_method_count() && thud_method_at(i) != method)
+        i++;
+    return i;
+}
+
 struct thud_figure *thud_bench_figure(struct thud_bench *bench, const char *title)
 {
     static const char *const titles[2][2] = {{"Time, events not located", "Time, events located"},
@@ -117,7 +126,7 @@ struct thud_figure *thud_bench_figure(struct thud_bench *bench, const char *titl
             if (isfinite(trust) && trust > 0)
                 thud_panel_mark(p, THUD_X, fmax(trust, 1e-13), fmax(trust, 1e-13), "reference");
         }
-    int count = thud_bench_count(bench), color[2] = {1, 1};
+    int count = thud_bench_count(bench);
     for (int first = 0, last; first < count; first = last) {
         const struct thud_bench_point *p = thud_bench_point(bench, first);
         for (last = first; last < count && thud_bench_point(bench, last)->curve == p->curve;)
@@ -125,7 +134,7 @@ struct thud_figure *thud_bench_figure(struct thud_bench *bench, const char *titl
         bool exact = p->method->order == 0 && p->locate;
         for (int column = 0; column < 2; column++)
             if (exact || column == p->locate)
-                add_curve(bench, first, last, panel[column], exact ? 0 : color[column]++);
+                add_curve(bench, first, last, panel[column], color_of(p->method));
     }
     return figure;
 }
