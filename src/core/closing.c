@@ -48,16 +48,7 @@ void thud_closing_flight(struct thud_run *run, struct thud_flight *f, int interv
 {
     const struct thud_model *m = run->model;
     for (int c = 0; c < m->ncontacts; c++) {
-        const struct thud_model_contact *p = &m->contact[c];
-        const double *u = f->value[THUD_FLOOR_DISPLACEMENT];
-        const double *left = p->left_dof < 0 ? NULL : u + (size_t)p->left_dof * ENDS;
-        const double *right = p->right_dof < 0 ? NULL : u + (size_t)p->right_dof * ENDS;
-        double margin = left ? f->margin[m->dof_structure[p->left_dof]] : 0, most = -INFINITY;
-        margin += right ? f->margin[m->dof_structure[p->right_dof]] : 0;
-        for (int t = 0; t <= intervals; t++) {
-            f->gap[t] = (left ? left[t] : 0) - (right ? right[t] : 0);
-            most = fmax(most, f->gap[t]);
-        }
+        double margin, most = thud_flight_gap(f, m, c, intervals + 1, &margin);
         if (most + margin <= run->closing[c])
             continue;
         double limit = fmax(run->closing[c], most) - margin;

@@ -20,13 +20,10 @@ enum thud_status thud_collocation_create(const struct thud_run *run, struct thud
     x->nc = m->ncontacts;
     x->nmodes = m->ndof;
     x->loads = 1;
-    double fastest = 0;
-    for (int j = 0; j < m->ndof; j++)
-        fastest = thud_larger(fastest, m->omega[j]);
     for (int s = 0; s < m->nstructures; s++)
         if (m->structure[s].damping)
             x->loads = m->ncontacts;
-    x->h_top = fastest > 0 ? fmin(run->grid_dt_s, 1.4 / fastest) : run->grid_dt_s;
+    x->h_top = run->fastest_radps > 0 ? fmin(run->grid_dt_s, 1.4 / run->fastest_radps) : run->grid_dt_s;
     x->h = x->h_top;
     thud_radau_nodes(THUD_NODES, x->node);
     thud_lagrange_coefficients(THUD_NODES, x->node, x->lagrange);
@@ -76,7 +73,7 @@ static bool reserve(struct thud_collocation *x, int n)
     if (n <= x->capacity)
         return true;
     size_t size = (size_t)n * THUD_NODES;
-    double *block = thud_collocation_allocate(7 * size, sizeof *block),
+    double *block = thud_collocation_allocate(6 * size, sizeof *block),
            *matrix = thud_collocation_allocate(size * size, sizeof *matrix);
     lapack_int *pivot = thud_collocation_allocate(size, sizeof *pivot);
     if (!block || !matrix || !pivot) {
@@ -94,7 +91,6 @@ static bool reserve(struct thud_collocation *x, int n)
     x->d = block + 3 * size;
     x->v = block + 4 * size;
     x->residual = block + 5 * size;
-    x->previous = block + 6 * size;
     x->matrix = matrix;
     x->pivot = pivot;
     x->capacity = n;

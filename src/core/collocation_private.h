@@ -31,7 +31,7 @@ struct thud_collocation {
     /* The system: unknowns are the forces of the active contacts at the points */
     int *active; /* (nc) */
     int nactive, capacity;
-    double *force, *d0, *v0, *d, *v, *residual, *matrix, *previous; /* (nactive x THUD_NODES); matrix square */
+    double *force, *d0, *v0, *d, *v, *residual, *matrix; /* (nactive x THUD_NODES); matrix square */
     lapack_int *pivot;
 };
 

@@ -163,22 +163,29 @@ static bool closes(struct thud_run *run, struct thud_flight *f, int c, int t)
     return found;
 }
 
-/* Intervals until contact c closes, at most `intervals`. */
-static int until_contact(struct thud_run *run, struct thud_flight *f, int c, int intervals)
+double thud_flight_gap(struct thud_flight *f, const struct thud_model *model, int c, int ends, double *margin)
 {
-    const struct thud_model *m = run->model;
-    const struct thud_model_contact *p = &m->contact[c];
-    if (p->law->flags & THUD_LAW_SILENT)
-        return intervals;
-    const double *left = p->left_dof < 0 ? NULL : f->value[THUD_FLOOR_DISPLACEMENT] + (size_t)p->left_dof * ENDS;
-    const double *right = p->right_dof < 0 ? NULL : f->value[THUD_FLOOR_DISPLACEMENT] + (size_t)p->right_dof * ENDS;
-    double margin = left ? f->margin[m->dof_structure[p->left_dof]] : 0, most = -INFINITY;
-    margin += right ? f->margin[m->dof_structure[p->right_dof]] : 0;
-    double limit = thud_run_shift(run, c) - margin;
-    for (int t = 0; t <= intervals; t++) {
+    const struct thud_model_contact *p = &model->contact[c];
+    const double *u = f->value[THUD_FLOOR_DISPLACEMENT];
+    const double *left = p->left_dof < 0 ? NULL : u + (size_t)p->left_dof * ENDS;
+    const double *right = p->right_dof < 0 ? NULL : u + (size_t)p->right_dof * ENDS;
+    double most = -INFINITY;
+    *margin = left ? f->margin[model->dof_structure[p->left_dof]] : 0;
+    *margin += right ? f->margin[model->dof_structure[p->right_dof]] : 0;
+    for (int t = 0; t < ends; t++) {
         f->gap[t] = (left ? left[t] : 0) - (right ? right[t] : 0);
         most = f->gap[t] > most ? f->gap[t] : most;
     }
+    return most;
+}
+
+/* Intervals until contact c closes, at most `intervals`. */
+static int until_contact(struct thud_run *run, struct thud_flight *f, int c, int intervals)
+{
+    if (run->model->contact[c].law->flags & THUD_LAW_SILENT)
+        return intervals;
+    double margin, most = thud_flight_gap(f, run->model, c, intervals + 1, &margin);
+    double limit = thud_run_shift(run, c) - margin;
     if (most <= limit)
         return intervals;
     for (int t = 0; t < intervals; t++)

@@ -37,4 +37,8 @@ struct thud_flight {
     double *block;
 };
 
+/* Left less right displacement of contact c at the ends of a marched block into f->gap; returns the largest, *margin:
+ * how far one inside an interval may lie above those at its ends. */
+double thud_flight_gap(struct thud_flight *f, const struct thud_model *model, int c, int ends, double *margin);
+
 #endif

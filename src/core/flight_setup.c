@@ -87,7 +87,7 @@ static enum thud_status unit_motions(struct thud_run *run, struct thud_flight *f
 {
     const struct thud_model *m = run->model;
     size_t n = (size_t)m->ndof;
-    double fastest = 0, *state = calloc(3 * UNITS * n + n + 1, sizeof *state);
+    double *state = calloc(3 * UNITS * n + n + 1, sizeof *state);
     if (!state)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     double *q[UNITS], *qd[UNITS], *rate[UNITS], *spare = state + 3 * UNITS * n;
@@ -98,10 +98,9 @@ static enum thud_status unit_motions(struct thud_run *run, struct thud_flight *f
     }
     for (int j = 0; j < m->ndof; j++) {
         q[UNIT_Q][j] = qd[UNIT_QD][j] = 1;
-        fastest = fmax(fastest, m->omega[j]);
     }
     double dt = run->grid_dt_s;
-    int pieces = f->pieces = 1 + (int)(fastest * dt / 1.7);
+    int pieces = f->pieces = 1 + (int)(run->fastest_radps * dt / 1.7);
     struct thud_segment *seg = &run->seg;
     for (int i = 0; i < pieces; i++) {
         double s0 = (double)i / pieces, ds = 1.0 / pieces;

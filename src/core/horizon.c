@@ -65,7 +65,7 @@ static double largest(const double *x, int n)
     return most;
 }
 
-void thud_horizon_record(struct thud_horizon *h, const struct thud_run *run, const struct thud_flight *f, int intervals)
+void thud_horizon_record(struct thud_horizon *h, const struct thud_run *run, struct thud_flight *f, int intervals)
 {
     const struct thud_model *m = run->model;
     if (h->failed || run->grid != h->count * STRIDE)
@@ -87,14 +87,7 @@ void thud_horizon_record(struct thud_horizon *h, const struct thud_run *run, con
             value[x * h->n + i] =
                 largest(f->value[x] + i * ENDS, intervals + 1) + f->margin[x * m->nstructures + m->dof_structure[i]];
     for (int c = 0; c < h->nc; c++) {
-        const struct thud_model_contact *p = &m->contact[c];
-        const double *u = f->value[THUD_FLOOR_DISPLACEMENT];
-        double most = -INFINITY, margin = 0;
-        margin += p->left_dof < 0 ? 0 : f->margin[m->dof_structure[p->left_dof]];
-        margin += p->right_dof < 0 ? 0 : f->margin[m->dof_structure[p->right_dof]];
-        for (int t = 0; t <= intervals; t++)
-            most = fmax(most, (p->left_dof < 0 ? 0 : u[p->left_dof * ENDS + t]) -
-                                  (p->right_dof < 0 ? 0 : u[p->right_dof * ENDS + t]));
+        double margin, most = thud_flight_gap(f, m, c, intervals + 1, &margin);
         closing[c] = most + margin;
     }
     h->end_grid = run->grid + intervals;

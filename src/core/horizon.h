@@ -14,7 +14,7 @@ void thud_horizon_free(struct thud_horizon *horizon);
 
 /* Of the run without contact: keeps the block just marched and what its values cannot pass. A failed allocation ends
  * the keeping. */
-void thud_horizon_record(struct thud_horizon *horizon, const struct thud_run *run, const struct thud_flight *f,
+void thud_horizon_record(struct thud_horizon *horizon, const struct thud_run *run, struct thud_flight *f,
                          int intervals);
 /* After the last block: its end, and what comes after each block. */
 void thud_horizon_close(struct thud_horizon *horizon, const struct thud_run *run);

@@ -181,7 +181,6 @@ void thud_ledger_finish(struct thud_run *run);
 double thud_run_kinetic(const struct thud_run *run);
 double thud_run_strain(const struct thud_run *run);
 enum thud_status thud_history_segment(struct thud_run *run, double s, struct thud_error *err);
-enum thud_status thud_history_now(struct thud_run *run, struct thud_error *err);
 enum thud_status thud_history_start(struct thud_run *run, struct thud_error *err);
 enum thud_status thud_impacts_add(struct thud_run *run, const struct thud_impact *impact, struct thud_error *err);
 
