@@ -45,7 +45,7 @@ struct thud_command {
 
 struct thud_option {
     const char *name;     /* without dashes; one letter: a single dash */
-    const char *argument; /* as in the usage line; NULL: a switch */
+    const char *argument; /* as in the usage line; NULL: a switch; "[=VALUE]": may be left out */
     const char *help;     /* one line */
     enum thud_word word;  /* of its argument */
     bool repeatable;
@@ -63,6 +63,12 @@ const struct thud_option *thud_option_find(enum thud_command_id command, const c
 static inline bool thud_option_belongs(const struct thud_option *option, enum thud_command_id command)
 {
     return (option->commands & 1u << command) != 0;
+}
+
+/* Whether the option can stand alone: then only `--name=value` gives it a value. */
+static inline bool thud_option_stands_alone(const struct thud_option *option)
+{
+    return !option->argument || option->argument[0] == '[';
 }
 
 /* The word of a kind as it stands in `thud help --words`: "presets", "keys", ...; NULL for those with no list. */

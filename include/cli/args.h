@@ -13,7 +13,7 @@ struct thud_args {
     const char *operand[THUD_OPERANDS_MAX];
     struct {
         const struct thud_option *option;
-        const char *value; /* NULL for a switch */
+        const char *value; /* NULL for a switch, and where it was left out */
     } given[THUD_GIVEN_MAX];
 };
 

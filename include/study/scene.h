@@ -74,6 +74,7 @@ struct thud_study_choice {
     struct thud_vary vary[THUD_VARY_MAX];
     int ncases;
     enum thud_case cases[THUD_CASES];
+    double sensitivity; /* relative change of the inputs; 0: no spread is asked for */
 };
 
 struct thud_scene {

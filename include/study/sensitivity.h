@@ -13,6 +13,16 @@ struct thud_spread {
     double by[THUD_CHANGES];
 };
 double thud_spread_most(const struct thud_spread *spread);
+/* How many leading digits of a number mean anything when it changes by this much of itself: the change is below one of
+ * the last of them, whatever the number; at most 15. */
+int thud_spread_digits(double spread);
+
+/* Changes gaps or stiffnesses of a case's scene: every interface's gap, but never less than a bumper takes; every
+ * storey's and isolator's stiffness. The scale is the ground motion's, which no scene holds. */
+void thud_change_scene(struct thud_scene *scene, enum thud_change change, double factor);
+
+/* The relative change that the scene's study asks for, else 0.1 %. */
+double thud_scene_change(const struct thud_scene *scene);
 
 /* Peaks of a floor and of a contact, in this order. */
 enum { THUD_FLOOR_SPREADS = 4 };   /* acceleration, displacement, velocity, drift */
@@ -26,8 +36,7 @@ struct thud_sensitivity {
     struct thud_spread (*contact)[THUD_CONTACT_SPREADS]; /* (ncontacts) */
 };
 
-/* `result`: of `scene` (that of a case) as it is. Gap: every interface's, but never less than a bumper takes; scale:
- * the ground motion's; stiffness: every storey's and isolator's. Errors: THUD_MEMORY, those of thud_scene_answer. */
+/* `result`: of `scene` (that of a case) as it is. Errors: THUD_MEMORY, those of thud_scene_answer. */
 enum thud_status thud_sensitivity_run(const struct thud_scene *scene, const struct thud_record *record, double change,
                                       const struct thud_result *result, struct thud_sensitivity **out,
                                       struct thud_error *err);

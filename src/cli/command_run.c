@@ -10,8 +10,6 @@
 #include "cli/scene_options.h"
 #include "io/file.h"
 
-static const double small_change = 1e-3; /* of --sensitivity */
-
 static enum thud_status write_text(struct thud_text *text, const char *folder, const char *name, struct thud_error *err)
 {
     char path[1024];
@@ -113,7 +111,8 @@ static enum thud_status run(const struct thud_args *args, struct thud_session *s
         warn(report.result);
         struct thud_sensitivity *sensitivity = NULL;
         if (thud_args_has(args, "sensitivity"))
-            status = thud_sensitivity_run(scene, session->record, small_change, report.result, &sensitivity, err);
+            status = thud_sensitivity_run(scene, session->record, thud_scene_change(scene), report.result, &sensitivity,
+                                          err);
         report.sensitivity = sensitivity;
         if (status == THUD_OK)
             status = deliver(args, &report, err);

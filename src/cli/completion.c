@@ -37,7 +37,7 @@ static void bash(struct thud_text *out)
                           "    case $prev in\n");
     for (int i = 0; i < thud_option_count(); i++) {
         const struct thud_option *option = thud_option_at(i);
-        if (!option->argument)
+        if (thud_option_stands_alone(option))
             continue;
         thud_text_append(out, "    %s%s)%s COMPREPLY=($(", dashes(option), option->name,
                          option->word == THUD_WORD_KEY ? " compopt -o nospace;" : "");
@@ -91,11 +91,13 @@ static void zsh_words(struct thud_text *out, enum thud_word word)
 
 static void zsh_option(struct thud_text *out, const struct thud_option *option)
 {
-    thud_text_append(out, " \\\n            '%s%s%s[", option->repeatable ? "*" : "", dashes(option), option->name);
+    bool maybe = option->argument && thud_option_stands_alone(option);
+    thud_text_append(out, " \\\n            '%s%s%s%s[", option->repeatable ? "*" : "", dashes(option), option->name,
+                     maybe ? "=-" : "");
     zsh_text(out, option->help);
     thud_text_append(out, "]");
     if (option->argument) {
-        thud_text_append(out, ":");
+        thud_text_append(out, maybe ? "::" : ":");
         zsh_text(out, option->argument);
         thud_text_append(out, ":");
         zsh_words(out, option->word);

@@ -19,8 +19,8 @@ void thud_help_all(struct thud_text *out)
 /* A study takes all that a run takes; what a run's help says of its scene is not said again. */
 static bool said_by_run(const struct thud_option *option, enum thud_command_id id)
 {
-    return id == THUD_COMMAND_SWEEP && option->argument && thud_option_belongs(option, THUD_COMMAND_RUN) &&
-           !thud_option_belongs(option, THUD_COMMAND_FIGURES);
+    return id == THUD_COMMAND_SWEEP && !thud_option_stands_alone(option) &&
+           thud_option_belongs(option, THUD_COMMAND_RUN) && !thud_option_belongs(option, THUD_COMMAND_FIGURES);
 }
 
 void thud_help_command(struct thud_text *out, enum thud_command_id id)
@@ -35,7 +35,7 @@ void thud_help_command(struct thud_text *out, enum thud_command_id id)
             continue;
         char usage[64];
         snprintf(usage, sizeof usage, "%s%s%s%s", option->name[1] ? "--" : "-", option->name,
-                 option->argument ? " " : "", option->argument ? option->argument : "");
+                 thud_option_stands_alone(option) ? "" : " ", option->argument ? option->argument : "");
         thud_text_append(out, "  %-25s %s%s\n", usage, option->help, option->repeatable ? " (repeatable)" : "");
     }
     if (id == THUD_COMMAND_SWEEP)

@@ -5,9 +5,16 @@
 /* Option and the key of the scene that it sets. */
 static const struct {
     const char *option, *key;
-} keys[] = {{"peak", "record.peak"},       {"dt", "record.dt"},         {"unit", "record.unit"},
-            {"channel", "record.channel"}, {"column", "record.column"}, {"skip", "record.skip"},
-            {"method", "analysis.method"}, {"step", "analysis.step"},   {"tolerance", "analysis.tolerance"}};
+} keys[] = {{"peak", "record.peak"},
+            {"dt", "record.dt"},
+            {"unit", "record.unit"},
+            {"channel", "record.channel"},
+            {"column", "record.column"},
+            {"skip", "record.skip"},
+            {"method", "analysis.method"},
+            {"step", "analysis.step"},
+            {"tolerance", "analysis.tolerance"},
+            {"sensitivity", "study.sensitivity"}};
 
 static enum thud_status apply(const struct thud_args *args, struct thud_session *session, struct thud_error *err)
 {

@@ -130,7 +130,7 @@ static void add_spread(const char *peak, const struct thud_spread *spread, struc
         thud_text_append(out, "%s", i > 0 ? ", " : "");
         thud_json_field(out, thud_change_name((enum thud_change)i), spread->by[i]);
     }
-    thud_text_append(out, "}");
+    thud_text_append(out, ", \"digits\": %d}", thud_spread_digits(thud_spread_most(spread)));
 }
 
 static void add_sensitivity(const struct thud_report *report, struct thud_text *out)

@@ -9,12 +9,26 @@ const char *thud_change_name(enum thud_change change)
     return names[change];
 }
 
+double thud_scene_change(const struct thud_scene *scene)
+{
+    static const double small = 1e-3;
+    return scene->study.sensitivity > 0 ? scene->study.sensitivity : small;
+}
+
 double thud_spread_most(const struct thud_spread *spread)
 {
     double most = 0;
     for (int i = 0; i < THUD_CHANGES; i++)
         most = fmax(most, spread->by[i]);
     return most;
+}
+
+int thud_spread_digits(double spread)
+{
+    enum { DIGITS_MAX = 15 };
+    static const double slack = 0.02; /* 0.1 % more of everything is three digits, rounding or not */
+    double digits = spread > 0 ? floor(slack - log10(spread)) : DIGITS_MAX;
+    return digits < 0 ? 0 : digits > DIGITS_MAX ? DIGITS_MAX : (int)digits;
 }
 
 static enum thud_status allocate(const struct thud_result *result, struct thud_sensitivity **out,
@@ -64,6 +78,14 @@ static void change_stiffness(struct thud_scene *scene, double factor)
     }
 }
 
+void thud_change_scene(struct thud_scene *scene, enum thud_change change, double factor)
+{
+    if (change == THUD_CHANGE_GAP)
+        change_gaps(scene, factor);
+    if (change == THUD_CHANGE_STIFFNESS)
+        change_stiffness(scene, factor);
+}
+
 static void widen(struct thud_spread *spread, enum thud_change change, struct thud_peak before, struct thud_peak after)
 {
     double most = fmax(fabs(before.value), fabs(after.value));
@@ -97,10 +119,7 @@ static enum thud_status run_changed(const struct thud_scene *scene, const struct
     enum thud_status status = THUD_OK;
     *changed = *scene;
     *answer = (struct thud_answer){0};
-    if (change == THUD_CHANGE_GAP)
-        change_gaps(changed, factor);
-    if (change == THUD_CHANGE_STIFFNESS)
-        change_stiffness(changed, factor);
+    thud_change_scene(changed, change, factor);
     if (change == THUD_CHANGE_SCALE && record) {
         status = thud_record_create(record->a_mps2, record->samples, record->dt_s, scaled, err);
         if (status == THUD_OK)

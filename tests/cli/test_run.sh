@@ -88,6 +88,16 @@ gives 0 run towers --json --case bumper
 is "--case bumper says so" shows '"case": "bumper"'
 gives 0 run towers --json --method exact
 is "--method is named" shows '"name": "exact"'
+is "--sensitivity stands alone before a preset" gives 0 run --sensitivity towers
+is "and takes 0.1 %" shows "under 0.1 % more or less gap"
+is "it counts the digits that mean anything" shows "digits* means* anything, the fewest of all"
+is "--sensitivity=CHANGE" gives 0 run towers --sensitivity=0.5%
+is "takes the change" shows "under 0.5 % more or less gap"
+is "a digit that means nothing is said to" shows "peak force of contact 1-1 of interface 1: no digit means anything"
+is "the change of the preset's study" gives 0 run towers --sensitivity --set study.sensitivity=0.2%
+is "holds where none is given" shows "under 0.2 % more or less gap"
+is "a change too large is refused" gives 3 run towers --sensitivity=50%
+is "with what is allowed" says "0 % to 10 %"
 printf '%s\n' 0.1 0.5 -0.8 0.3 0.0 >"$tmp/column.txt"
 gives 0 run towers --json --record "$tmp/column.txt" --dt "0.01 s" --unit g
 is "--record, --dt, --unit" near "$(number peak_mps2)" 7.84532 1e-12

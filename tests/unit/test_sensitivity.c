@@ -79,12 +79,30 @@ START_TEST(gap_and_motion_trade_against_each_other)
 }
 END_TEST
 
+/* The change stays below one unit of the last digit that means anything, whatever the number, and no digit more could
+ * be promised. */
+START_TEST(digits_outlast_the_change)
+{
+    static const double spread[] = {1e-9, 2e-5, 9e-4, 1e-3, 5e-3, 0.08, 0.1, 0.3, 1, 7};
+    for (size_t i = 0; i < sizeof spread / sizeof *spread; i++) {
+        int digits = thud_spread_digits(spread[i]);
+        double largest = 10, unit = pow(10, 1 - digits); /* of numbers from 1 to 10 */
+        ck_assert(digits == 0 || spread[i] * largest <= 1.05 * unit);
+        ck_assert(spread[i] * largest > 0.1 * unit);
+    }
+    ck_assert_int_eq(thud_spread_digits(0.3), 0);
+    ck_assert_int_eq(thud_spread_digits(1.0000001e-3), 3);
+    ck_assert_int_ge(thud_spread_digits(0), 15);
+}
+END_TEST
+
 Suite *thud_suite(void)
 {
     Suite *suite = suite_create("sensitivity");
     TCase *tcase = tcase_create("sensitivity");
     tcase_add_test(tcase, without_contact_only_the_motion_counts);
     tcase_add_test(tcase, gap_and_motion_trade_against_each_other);
+    tcase_add_test(tcase, digits_outlast_the_change);
     suite_add_tcase(suite, tcase);
     return suite;
 }
