@@ -53,7 +53,7 @@ void thud_closing_flight(struct thud_run *run, struct thud_flight *f, int interv
             continue;
         double limit = fmax(run->closing[c], most) - margin;
         for (int t = 0; t < intervals; t++)
-            if (f->gap[t] > limit || f->gap[t + 1] > limit)
+            if (f->gap[t] >= limit || f->gap[t + 1] >= limit)
                 look_at(run, f, c, t);
     }
 }

@@ -286,7 +286,7 @@ static void note_suspects(struct thud_run *run, struct thud_flight *f, const str
     double limit = fmax(row->peak->value, most), near = limit - row->margin;
     for (int t = 0; t < intervals; t++) {
         f->upper[t] = 0;
-        if (fabs(x[t]) <= near && fabs(x[t + 1]) <= near)
+        if (fabs(x[t]) < near && fabs(x[t + 1]) < near)
             continue;
         double r0 = rate_at(run, f, row, t, f->ground[t]), r1 = rate_at(run, f, row, t + 1, f->after[t]);
         f->upper[t] = cubic_peak(x[t], x[t + 1], dt * r0, dt * r1) + row->cubic_margin;

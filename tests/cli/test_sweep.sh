@@ -54,6 +54,10 @@ check "the table says what was made and what was saved" grep -q "54 runs: .* mad
 study --json --quiet >"$tmp/rows.json" 2>"$tmp/err"
 check "a JSON object for every row" test "$(grep -c '"record"' "$tmp/rows.json")" -eq 648
 
+"$THUD" sweep rigid-bumper --vary gap=5cm:7cm:1cm --cases none,bumper --csv --quiet >"$tmp/free.csv" 2>"$tmp/err"
+"$THUD" sweep rigid-bumper --vary gap=5cm:7cm:1cm --cases none,bumper --csv --quiet --without all >"$tmp/slow.csv" 2>"$tmp/err"
+check "so they are for free bodies without a ground motion" cmp "$tmp/free.csv" "$tmp/slow.csv"
+
 # a row equals what `thud run` says
 row=$(grep ',bumper,0.12,' "$tmp/one/sweep.csv" | grep ',600000000$' | grep ',B,2,' | cut -d, -f6)
 "$THUD" run towers --set gap=12cm --case bumper --json >"$tmp/run.json" 2>"$tmp/err"

@@ -197,6 +197,41 @@ START_TEST(the_needed_gap_is_exact)
 }
 END_TEST
 
+/* Without a ground motion free bodies go straight on: displacement and closing are speed times time. */
+START_TEST(free_bodies_without_a_ground_motion)
+{
+    static const double mass[] = {320e3};
+    const double speed[] = {0.5, -0.25}, tail = 0.4;
+    struct thud_structure_input structure[2] = {
+        {.n = 1, .mass_kg = mass, .velocity_mps = speed[0]},
+        {.n = 1, .mass_kg = mass, .velocity_mps = speed[1]}};
+    struct thud_contact_input contact = {.interface = 1,
+                                         .left_floor = 1,
+                                         .right_floor = 1,
+                                         .right_structure = 1,
+                                         .clearance_m = 10,
+                                         .law = thud_law_find("linear")};
+    thud_law_defaults(contact.law, &contact.setup);
+    struct thud_model_input input = {2, structure, 1, &contact};
+    struct thud_model *model;
+    struct thud_trunk *trunk;
+    struct thud_run_options o = options();
+    o.tail_s = tail;
+    ck_assert_int_eq(thud_model_create(&input, &model, NULL), THUD_OK);
+    ck_assert_int_eq(thud_trunk_create(model, NULL, &o, &trunk, NULL), THUD_OK);
+    for (bool done = false; !done;)
+        ck_assert_int_eq(thud_trunk_advance(trunk, 1, &done, NULL), THUD_OK);
+    const struct thud_result *r = thud_trunk_result(trunk);
+    for (int s = 0; s < 2; s++) {
+        ck_assert_double_eq_tol(r->structure[s].floor[0].displacement.value, fabs(speed[s]) * tail, 1e-15);
+        ck_assert_double_eq_tol(r->structure[s].floor[0].velocity.value, fabs(speed[s]), 1e-15);
+    }
+    ck_assert_double_eq_tol(thud_trunk_closing(trunk, 0), (speed[0] - speed[1]) * tail, 1e-15);
+    thud_trunk_free(trunk);
+    thud_model_free(model);
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -207,6 +242,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, modes_that_couple_share_as_well);
     tcase_add_test(tcase, largest_closings_are_those_of_the_history);
     tcase_add_test(tcase, the_needed_gap_is_exact);
+    tcase_add_test(tcase, free_bodies_without_a_ground_motion);
     suite_add_tcase(suite, tcase);
     return suite;
 }
