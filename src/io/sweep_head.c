@@ -1,10 +1,12 @@
 /* The head of a study's journal: lines `cases`, `vary`, `record`, then the preset. */
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/version.h"
 #include "io/sweep_journal_private.h"
 
-enum { FORMAT = 1 };
+enum { FORMAT = 2 };
 
 static void put_body(const struct thud_sweep_plan *plan, const char *preset, struct thud_text *out)
 {
@@ -26,19 +28,60 @@ void thud_sweep_head_write(const struct thud_sweep_plan *plan, const char *prese
 {
     struct thud_text body = {0};
     put_body(plan, preset, &body);
-    thud_text_append(out, "thud-sweep-journal %d %016llx %d %d %zu\n", FORMAT, thud_sweep_fingerprint(plan),
-                     shard.index, shard.count, body.size);
+    thud_text_append(out, "thud-sweep-journal %d %s %016llx %d %d %zu\n", FORMAT, THUD_VERSION,
+                     thud_sweep_fingerprint(plan), shard.index, shard.count, body.size);
     if (body.data)
         thud_text_bytes(out, body.data, body.size);
     out->failed |= body.failed;
     thud_text_clear(&body);
 }
 
+static enum thud_status refuse(const struct thud_sweep_journal *journal, struct thud_error *err)
+{
+    thud_error_place(err, journal->path, 1, 0);
+    return THUD_INPUT;
+}
+
 static enum thud_status damaged(const struct thud_sweep_journal *journal, struct thud_error *err)
 {
     thud_error_set(err, THUD_INPUT, "is no journal of a study that this program can read");
-    thud_error_place(err, journal->path, 1, 0);
-    return THUD_INPUT;
+    thud_error_allow(err, "remove it to begin anew");
+    return refuse(journal, err);
+}
+
+/* Another version may answer in other digits; a study is of one. */
+static enum thud_status check_version(const struct thud_sweep_journal *journal, const char *version,
+                                      struct thud_error *err)
+{
+    if (strcmp(version, THUD_VERSION) == 0)
+        return THUD_OK;
+    thud_error_set(err, THUD_INPUT, "the study was begun by thud %s, this is thud %s", version, THUD_VERSION);
+    thud_error_allow(err, "that version to go on, another folder or this file removed to begin anew");
+    return refuse(journal, err);
+}
+
+/* The first line: format, version, fingerprint, part, size of the body. */
+static enum thud_status read_start(struct thud_sweep_journal *journal, struct thud_sweep_head *head, size_t *size,
+                                   struct thud_error *err)
+{
+    enum { LARGEST = 64 << 20 };
+    char line[160], version[32];
+    int format, used = 0;
+    rewind(journal->file);
+    if (!fgets(line, sizeof line, journal->file) || sscanf(line, "thud-sweep-journal %9d%n", &format, &used) != 1)
+        return damaged(journal, err);
+    if (format != FORMAT) {
+        thud_error_set(err, THUD_INPUT, "the study was begun by another version of thud (journal %d, not %d)", format,
+                       FORMAT);
+        thud_error_allow(err, "that version to go on, another folder or this file removed to begin anew");
+        return refuse(journal, err);
+    }
+    char newline;
+    if (sscanf(line + used, " %31s %16llx %9d %9d %9zu%c", version, &head->fingerprint, &head->shard.index,
+               &head->shard.count, size, &newline) != 6 ||
+        newline != '\n' || *size > LARGEST || head->shard.index < 1 || head->shard.index > head->shard.count)
+        return damaged(journal, err);
+    return check_version(journal, version, err);
 }
 
 /* Takes the body apart in place. */
@@ -69,16 +112,10 @@ static bool split(struct thud_sweep_head *head)
 enum thud_status thud_sweep_head_read(struct thud_sweep_journal *journal, struct thud_sweep_head *head,
                                       struct thud_error *err)
 {
-    enum { LARGEST = 64 << 20 };
-    int format;
     size_t size;
-    char newline;
-    rewind(journal->file);
-    if (fscanf(journal->file, "thud-sweep-journal %d %16llx %d %d %zu%c", &format, &head->fingerprint,
-               &head->shard.index, &head->shard.count, &size, &newline) != 6 ||
-        newline != '\n' || format != FORMAT || size > LARGEST || head->shard.index < 1 ||
-        head->shard.index > head->shard.count)
-        return damaged(journal, err);
+    enum thud_status status = read_start(journal, head, &size, err);
+    if (status != THUD_OK)
+        return status;
     head->text = malloc(size + 1);
     if (!head->text)
         return thud_error_set(err, THUD_MEMORY, "out of memory");

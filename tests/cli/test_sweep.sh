@@ -113,6 +113,13 @@ check "a killed study goes on to the same bytes" same "$tmp/undisturbed" "$tmp/k
 interrupt KILL "$tmp/changed" 1
 status 3 "$THUD" sweep towers --vary gap=6cm:14cm:0.08cm --cases none,cavity -o "$tmp/changed"
 check "a folder with another study's beginning is refused" says "another study"
+for edit in '1s/^\(thud-sweep-journal [0-9]*\) [^ ]*/\1 0.0.1/' '1s/journal [0-9]*/journal 1/'; do
+    mkdir -p "$tmp/version" && sed "$edit" "$tmp/part1/sweep.journal" >"$tmp/version/sweep.journal"
+    cp "$tmp/version/sweep.journal" "$tmp/before"
+    status 3 study --shard 1/3 -o "$tmp/version"
+    check "another version's study is not gone on with" says "version/sweep.journal:1: the study was begun by .*another folder"
+    check "and stays as it is" cmp "$tmp/before" "$tmp/version/sweep.journal"
+done
 
 # wrong words
 refused() { # STATUS PATTERN FOLDER: how the last command ended, what it said, and that it wrote nothing
