@@ -72,6 +72,9 @@ struct thud_law {
     /* true where the indentation left at release stays as residual (the paper's concrete with residual = keep); NULL:
      * never. */
     bool (*keeps_residual)(const struct thud_law_setup *setup);
+    /* The n-th (from 0) thing that is unusual about the values together, as a message with the parameter as key; false
+     * when there are no more. NULL: there is none. */
+    bool (*unusual)(const struct thud_law_setup *setup, int n, struct thud_error *out);
 };
 
 /* The list. */

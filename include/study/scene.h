@@ -154,5 +154,7 @@ enum thud_status thud_case_find(const char *name, enum thud_case *out, struct th
 
 /* gap - (thickness - cavity) with a bumper, gap without; never below 0 by rounding. */
 double thud_interface_clearance(const struct thud_interface *interface);
+/* Of the bumper; NaN where there is none, or its law has no max-strain. */
+double thud_interface_max_strain(const struct thud_interface *interface);
 
 #endif

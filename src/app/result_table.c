@@ -49,6 +49,12 @@ static void add_structure(const struct thud_report *report, int s, struct thud_t
     }
 }
 
+/* Four digits, and all those before the point: no 1.23e+03. */
+static void add_ms(double seconds, struct thud_text *out)
+{
+    thud_text_append(out, seconds < 1 ? "%9.4g " : "%9.0f ", 1e3 * seconds);
+}
+
 static void add_contact(const struct thud_contact_result *c, struct thud_text *out)
 {
     char pair[32], floors[2][12] = {"wall", "wall"};
@@ -61,9 +67,10 @@ static void add_contact(const struct thud_contact_result *c, struct thud_text *o
         thud_text_append(out, "%3d %-7s       0  no contact\n", c->interface, pair);
         return;
     }
-    thud_text_append(out, "%3d %-7s %7d %9.4g %8.3f %10.4g %9.3g %8.3g ", c->interface, pair, c->impacts,
-                     1e-6 * c->force.value, c->force.time_s, 1e3 * c->indentation.value, 1e3 * c->contact_time_s,
-                     1e3 * c->residual_m);
+    thud_text_append(out, "%3d %-7s %7d %9.4g %8.3f %10.4g ", c->interface, pair, c->impacts,
+                     1e-6 * c->force.value, c->force.time_s, 1e3 * c->indentation.value);
+    add_ms(c->contact_time_s, out);
+    thud_text_append(out, "%8.3g ", 1e3 * c->residual_m);
     if (c->approach_mps > 0 && c->separation_mps > 0)
         thud_text_append(out, "%6.4f", c->separation_mps / c->approach_mps);
     else

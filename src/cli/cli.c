@@ -9,6 +9,7 @@
 #include "base/version.h"
 #include "cli/commands.h"
 #include "cli/help.h"
+#include "cli/interrupt.h"
 
 typedef enum thud_status command_function(const struct thud_args *args, struct thud_error *err);
 
@@ -82,5 +83,6 @@ int thud_cli_main(int argc, char **argv, thud_screen_function *screen)
         fprintf(stderr, "thud: standard output: %s\n", strerror(errno));
         status = THUD_OUTPUT;
     }
-    return thud_exit_status(status);
+    int number = status == THUD_CANCELLED ? thud_interrupt_signal() : 0;
+    return number ? 128 + number : thud_exit_status(status);
 }

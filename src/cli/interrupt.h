@@ -4,7 +4,10 @@
 
 #include <signal.h>
 
-/* From now on INT, TERM and HUP set the flag instead of ending the program; a second one ends it. */
+/* From now on INT, TERM and HUP set the flag to their number instead of ending the program; a second one ends it. A HUP
+ * that is ignored (nohup) stays so. */
 const volatile sig_atomic_t *thud_interrupt_watch(void);
+/* The signal that came; 0: none. */
+int thud_interrupt_signal(void);
 
 #endif

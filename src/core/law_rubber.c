@@ -199,6 +199,29 @@ static double restitution(const struct thud_law_setup *setup, double v_mps)
     return thud_rubber_restitution(memory.damp * v_mps, ratio);
 }
 
+/* A force at the largest strain that no bumper has, and a line that is softer than the curve before it. */
+static bool unusual(const struct thud_law_setup *setup, int n, struct thud_error *out)
+{
+    static const double least_n = 0.1e6, most_n = 100e6;
+    struct thud_rubber_curve curve = curve_of(setup);
+    double tangent = curve.k * curve.n * pow(curve.knee_m, curve.n - 1);
+    bool force = curve.knee_force_n < least_n || curve.knee_force_n > most_n;
+    bool soft = curve.post_yield_npm < tangent;
+    if (n < 0 || n >= (int)force + (int)soft)
+        return false;
+    if (force && n == 0) {
+        thud_error_set(out, THUD_OK, "a force of %.3g MN at the largest strain is unusual", 1e-6 * curve.knee_force_n);
+        thud_error_allow(out, "usually %g to %g MN", 1e-6 * least_n, 1e-6 * most_n);
+        thud_error_key(out, params[isnan(setup->value[STIFFNESS]) ? MATERIAL_STIFFNESS : STIFFNESS].name);
+        return true;
+    }
+    thud_error_set(out, THUD_OK, "%.4g kN/mm past the largest strain is softer than the rubber just before it",
+                   curve.post_yield_npm / THUD_KN_PER_MM);
+    thud_error_allow(out, "usually at least the slope there, %.4g kN/mm", tangent / THUD_KN_PER_MM);
+    thud_error_key(out, params[POST_YIELD].name);
+    return true;
+}
+
 const struct thud_law thud_law_rubber = {
     .name = "rubber",
     .title = "rubber bumper with hysteretic damping",
@@ -215,4 +238,5 @@ const struct thud_law thud_law_rubber = {
     .elastic_energy = elastic_energy,
     .nominal = nominal,
     .restitution = restitution,
+    .unusual = unusual,
 };

@@ -66,6 +66,14 @@ static enum thud_status number(const struct csv_lines *lines, const struct recor
     return THUD_OK;
 }
 
+static bool has_control(const char *text)
+{
+    for (; *text; text++)
+        if ((unsigned char)*text < ' ' || *text == 0x7f)
+            return true;
+    return false;
+}
+
 static enum thud_status take(const struct csv_lines *lines, const struct record_line *line,
                              struct thud_expectations *out, struct thud_error *err)
 {
@@ -78,7 +86,7 @@ static enum thud_status take(const struct csv_lines *lines, const struct record_
     const char *name = csv_lines_field(lines, QUANTITY);
     if (thud_case_find(csv_lines_field(lines, 0), &one.which, NULL) != THUD_OK)
         return refuse(lines, line, CASE, "is no case", "as-written, none, bumper, cavity", err);
-    if (!*name || strlen(name) >= sizeof one.name)
+    if (!*name || strlen(name) >= sizeof one.name || has_control(name))
         return refuse(lines, line, QUANTITY, "is no quantity", "a name such as A.4.acceleration_mps2", err);
     snprintf(one.name, sizeof one.name, "%s", name);
     enum thud_status status = number(lines, line, VALUE, &one.value, err);
@@ -109,6 +117,22 @@ static enum thud_status read_rows(struct csv_lines *lines, struct thud_expectati
     return status;
 }
 
+/* A byte 0 would end a text before its end. */
+static enum thud_status refuse_zero(const struct record_source *source, struct thud_error *err)
+{
+    const char *zero = memchr(source->text, '\0', source->size);
+    if (!zero)
+        return THUD_OK;
+    int line = 1, at = 1;
+    for (const char *p = source->text; p < zero; p++) {
+        line += *p == '\n';
+        at = *p == '\n' ? 1 : at + 1;
+    }
+    record_refuse(source, line, at, err, "a byte 0 stands here");
+    thud_error_allow(err, "UTF-8 text");
+    return THUD_INPUT;
+}
+
 enum thud_status thud_expectation_parse(const char *text, size_t size, const char *name, struct thud_expectations *out,
                                         struct thud_error *err)
 {
@@ -119,7 +143,9 @@ enum thud_status thud_expectation_parse(const char *text, size_t size, const cha
         source.text += 3;
         source.size -= 3;
     }
-    enum thud_status status = csv_lines_open(&lines, record_start(&source), ',', err);
+    enum thud_status status = refuse_zero(&source, err);
+    if (status == THUD_OK)
+        status = csv_lines_open(&lines, record_start(&source), ',', err);
     if (status != THUD_OK)
         return status;
     status = read_rows(&lines, out, err);

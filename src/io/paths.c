@@ -27,19 +27,24 @@ static bool is_there(const char *path)
     return stat(path, &about) == 0 && !S_ISDIR(about.st_mode);
 }
 
-/* The folder that holds presets/ and records/: beside the program, under its prefix, or as built. */
+/* Cuts a path's last part off; false where there is none. */
+static bool cut(char *path)
+{
+    char *slash = strrchr(path, '/');
+    if (slash)
+        *slash = '\0';
+    return slash != NULL;
+}
+
+/* The folder that holds presets/ and records/: beside the program, under its prefix (its folder's parent), or as
+ * built. */
 static void find_data(char *folder, size_t size)
 {
-    static const char *const beside[] = {"", "/../share/thud"};
+    static const char *const beside[] = {"", "/share/thud"};
     char program[400], presets[512];
     ssize_t n = readlink("/proc/self/exe", program, sizeof program - 1);
-    char *slash = NULL;
-    if (n > 0) {
-        program[n] = '\0';
-        slash = strrchr(program, '/');
-    }
-    for (size_t i = 0; slash && i < sizeof beside / sizeof *beside; i++) {
-        *slash = '\0';
+    program[n > 0 ? n : 0] = '\0';
+    for (size_t i = 0; i < sizeof beside / sizeof *beside && cut(program); i++) {
         snprintf(presets, sizeof presets, "%s%s/presets", program, beside[i]);
         if (is_folder(presets)) {
             snprintf(folder, size, "%s%s", program, beside[i]);

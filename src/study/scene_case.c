@@ -24,10 +24,10 @@ enum thud_status thud_case_find(const char *name, enum thud_case *out, struct th
     return thud_words_unknown(&words, "case", name, err);
 }
 
-/* NaN where the law has no max-strain. */
-static double max_strain(const struct thud_law_choice *bumper)
+double thud_interface_max_strain(const struct thud_interface *interface)
 {
-    int i = bumper->law ? thud_law_param(bumper->law, "max-strain") : -1;
+    const struct thud_law_choice *bumper = &interface->bumper;
+    int i = interface->has_bumper && bumper->law ? thud_law_param(bumper->law, "max-strain") : -1;
     return i < 0 ? NAN : bumper->value[i];
 }
 
@@ -38,7 +38,7 @@ enum thud_status thud_scene_case(const struct thud_scene *scene, enum thud_case 
     for (int i = 0; i + 1 < scene->nstructures; i++) {
         const struct thud_interface *at = &scene->interface[i];
         bumpers += at->has_bumper;
-        if (which == THUD_CASE_CAVITY && at->has_bumper && isnan(max_strain(&at->bumper))) {
+        if (which == THUD_CASE_CAVITY && at->has_bumper && isnan(thud_interface_max_strain(at))) {
             thud_error_set(
                 err, THUD_INPUT,
                 "the cavity's depth is thickness (1 - max-strain), and the bumper's law %s has no max-strain",
@@ -62,7 +62,7 @@ enum thud_status thud_scene_case(const struct thud_scene *scene, enum thud_case 
         else if (which == THUD_CASE_BUMPER && at->has_bumper)
             at->bumper_cavity_m = 0;
         else if (which == THUD_CASE_CAVITY && at->has_bumper)
-            at->bumper_cavity_m = at->bumper_thickness_m * (1 - max_strain(&at->bumper));
+            at->bumper_cavity_m = at->bumper_thickness_m * (1 - thud_interface_max_strain(at));
     }
     return THUD_OK;
 }

@@ -1,4 +1,4 @@
-/* Values held against each other, and what is allowed but unusual. */
+/* Values held against each other. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -204,86 +204,4 @@ enum thud_status thud_scene_check(const struct thud_scene *scene, struct thud_er
         return refuse(err, "analysis.tail", "> 0 s, up to 100 s");
     }
     return status == THUD_OK ? check_study(scene, err) : status;
-}
-
-/* ---- what is unusual ---- */
-
-struct search {
-    int wanted, found;
-    struct thud_error *out;
-};
-
-static bool look(struct search *search, const struct thud_param *param, double value, const char *key)
-{
-    char usual[160], text[64];
-    if (!thud_param_unusual(param, value, usual, sizeof usual) || search->found++ != search->wanted)
-        return false;
-    thud_quantity_format(value, strchr(param->unit, '^') ? "" : param->unit, text, sizeof text);
-    thud_error_set(search->out, THUD_OK, "%s is unusual", text);
-    thud_error_allow(search->out, "usually %s", usual);
-    thud_error_key(search->out, key);
-    return true;
-}
-
-static bool look_group(struct search *search, enum thud_group group, const void *base, unsigned kind, int storeys,
-                       const char *prefix)
-{
-    int count;
-    const struct thud_param *params = thud_group_params(group, &count);
-    const struct thud_place *places = thud_group_places(group);
-    for (int i = 0; i < count; i++) {
-        if (kind && !(places[i].kinds & kind))
-            continue;
-        const double *value = (const double *)(const void *)((const char *)base + places[i].offset);
-        int n = places[i].store == THUD_STORE_FLOORS ? storeys : places[i].store == THUD_STORE_NUMBER ? 1 : 0;
-        for (int floor = 0; floor < n; floor++) {
-            char key[96];
-            snprintf(key, sizeof key, n > 1 ? "%s.%s.%d" : "%s.%s", prefix, params[i].name, floor + 1);
-            if (floor > 0 && value[floor] == value[floor - 1])
-                continue; /* said once */
-            if (look(search, &params[i], value[floor], key))
-                return true;
-        }
-    }
-    return false;
-}
-
-static bool look_law(struct search *search, const struct thud_law_choice *choice, const char *prefix)
-{
-    for (int i = 0; choice->law && i < choice->law->nparams; i++) {
-        char key[128];
-        snprintf(key, sizeof key, "%s.%s", prefix, choice->law->params[i].name);
-        if (choice->law->params[i].kind == THUD_PARAM_QUANTITY &&
-            look(search, &choice->law->params[i], choice->value[i], key))
-            return true;
-    }
-    return false;
-}
-
-static bool look_interface(struct search *search, const struct thud_interface *at, int i)
-{
-    char key[64];
-    if (at->has_bumper) {
-        snprintf(key, sizeof key, "interfaces.%d.bumper", i + 1);
-        return look_group(search, THUD_GROUP_BUMPER, at, 0, 0, key) || look_law(search, &at->bumper, key);
-    }
-    snprintf(key, sizeof key, "interfaces.%d.contact", i + 1);
-    return look_law(search, &at->contact, key);
-}
-
-bool thud_scene_warning(const struct thud_scene *scene, int n, struct thud_error *out)
-{
-    struct search search = {n, 0, out};
-    for (int s = 0; s < scene->nstructures; s++) {
-        const struct thud_structure *at = &scene->structure[s];
-        char key[64];
-        snprintf(key, sizeof key, "structures.%d", s + 1);
-        if (look_group(&search, THUD_GROUP_STRUCTURE, at, 1u << at->kind, at->storeys, key))
-            return true;
-    }
-    for (int i = 0; i + 1 < scene->nstructures; i++)
-        if (look_interface(&search, &scene->interface[i], i))
-            return true;
-    return look_group(&search, THUD_GROUP_RECORD, scene, 0, 0, "record") ||
-           look_group(&search, THUD_GROUP_ANALYSIS, scene, 0, 0, "analysis");
 }

@@ -110,6 +110,10 @@ done
 printf '7 2 2 10 4 0.13 ' >>"$tmp/killed/sweep.journal" # a torn line, as a power cut may leave
 status 5 slow -j 2 -o "$tmp/killed"
 check "a killed study goes on to the same bytes" same "$tmp/undisturbed" "$tmp/killed"
+for pair in TERM=143 HUP=129; do
+    interrupt ${pair%=*} "$tmp/told" 1
+    check "a sweep ended by ${pair%=*} ends with status ${pair#*=}" test $got -eq ${pair#*=}
+done
 interrupt KILL "$tmp/changed" 1
 status 3 "$THUD" sweep towers --vary gap=6cm:14cm:0.08cm --cases none,cavity -o "$tmp/changed"
 check "a folder with another study's beginning is refused" says "another study"

@@ -369,6 +369,34 @@ START_TEST(unusual_values_are_told)
 }
 END_TEST
 
+/* What only values together make unusual; the paper's bumper has 6.33 MN and 419.7 kN/mm at its largest strain. */
+START_TEST(unusual_combinations_are_told)
+{
+    static const struct {
+        const char *path, *value, *key, *said, *usual;
+    } odd[] = {
+        {"bumper.stiffness", "0.005 kN/mm^2.65", "interfaces.1.bumper.stiffness", "0.088 MN", "0.1 to 100 MN"},
+        {"bumper.post-yield", "400 kN/mm", "interfaces.1.bumper.post-yield", "400 kN/mm", "419.7 kN/mm"},
+        {"bumper.cavity", "1.5 cm", "interfaces.1.bumper.cavity", "1.5 cm", "1 cm"},
+        {"structures.2.height", "3.5 m", "interfaces.1", "the same level", "heights"}};
+    struct thud_error err;
+    for (size_t i = 0; i < sizeof odd / sizeof *odd; i++) {
+        towers();
+        set(odd[i].path, odd[i].value);
+        ck_assert_msg(thud_scene_warning(&scene, 0, &err), "%s", odd[i].path);
+        ck_assert_str_eq(err.key, odd[i].key);
+        ck_assert_msg(strstr(err.what, odd[i].said) && strstr(err.allowed, odd[i].usual), "%s (%s)", err.what,
+                      err.allowed);
+        ck_assert(!thud_scene_warning(&scene, 1, &err));
+        holds();
+    }
+    towers();
+    set("bumper.post-yield", "420 kN/mm");
+    set("bumper.cavity", "1 cm");
+    ck_assert(!thud_scene_warning(&scene, 0, &err));
+}
+END_TEST
+
 /* Every parameter of the tables is found by its path, has words, and its fallback is allowed. */
 START_TEST(the_tables_are_whole)
 {
@@ -413,6 +441,7 @@ Suite *thud_suite(void)
     tcase_add_test(tests, checks_hold_values_against_each_other);
     tcase_add_test(tests, cases_are_the_scene_with_another_bumper);
     tcase_add_test(tests, unusual_values_are_told);
+    tcase_add_test(tests, unusual_combinations_are_told);
     tcase_add_test(tests, the_tables_are_whole);
     suite_add_tcase(suite, tests);
     return suite;

@@ -212,6 +212,7 @@ START_TEST(names_the_place_of_what_is_wrong)
                  {"none,a,1 m,0\n", 1, 8},
                  {"none,a,1,0\nnope,a,1,0\n", 2, 1},
                  {"none,,1,0\n", 1, 6},
+                 {"none,a\001b,1,0\n", 1, 6},
                  {"none,\"a,1,0\n", 1, 0},
                  {"# nothing\n", 0, 0},
                  {"", 0, 0},
@@ -225,6 +226,35 @@ START_TEST(names_the_place_of_what_is_wrong)
         ck_assert_msg(err.line == wrong[i].line && err.column == wrong[i].column, "%zu: %d:%d %s", i, err.line,
                       err.column, err.what);
     }
+}
+END_TEST
+
+START_TEST(a_byte_0_is_refused_where_it_stands)
+{
+    static const char text[] = "none,a,1,0\nnone,b\0c,1,0\n";
+    struct thud_expectations list;
+    struct thud_error err = {0};
+    ck_assert_int_eq(thud_expectation_parse(text, sizeof text - 1, "x", &list, &err), THUD_INPUT);
+    ck_assert_int_eq(err.line, 2);
+    ck_assert_int_eq(err.column, 7);
+}
+END_TEST
+
+/* A reader of CSV takes blanks off fields that no quotation marks hold. */
+START_TEST(blanks_at_the_ends_of_a_name_are_kept)
+{
+    static const char text[] = "none,\" a \",1,0\n";
+    struct thud_expectation_origin origin = {"p", "exact", "dormand-prince", "tolerance 1e-6", 1e-12};
+    struct thud_expectations list, again, none = {0};
+    struct thud_text written = {0};
+    ck_assert_int_eq(thud_expectation_parse(text, sizeof text - 1, "x", &list, NULL), THUD_OK);
+    ck_assert_str_eq(list.item[0].name, " a ");
+    thud_expectation_text(&origin, &list, &none, &written);
+    ck_assert_int_eq(thud_expectation_parse(written.data, written.size, "x", &again, NULL), THUD_OK);
+    ck_assert_str_eq(again.item[0].name, " a ");
+    thud_expectations_clear(&list);
+    thud_expectations_clear(&again);
+    thud_text_clear(&written);
 }
 END_TEST
 
@@ -252,6 +282,8 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, the_confirming_method_is_another_one);
     tcase_add_test(tcase, reads_what_editors_make_of_a_file);
     tcase_add_test(tcase, names_the_place_of_what_is_wrong);
+    tcase_add_test(tcase, a_byte_0_is_refused_where_it_stands);
+    tcase_add_test(tcase, blanks_at_the_ends_of_a_name_are_kept);
     tcase_add_test(tcase, stands_beside_its_preset);
     suite_add_tcase(suite, tcase);
     return suite;
