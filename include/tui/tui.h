@@ -7,9 +7,11 @@
 #include "base/status.h"
 #include "base/text.h"
 #include "io/paths.h"
+#include "study/scene.h"
 
 struct thud_tui_options {
     const char *preset;             /* name or path; NULL: the first one shipped, `towers` */
+    const struct thud_scene *scene; /* what options made of the preset, as a change not saved; NULL: as it is written */
     const struct thud_paths *paths; /* where presets and records are found; NULL: looked for */
     const char *output;             /* folder for pictures and tables; NULL: the working folder */
     bool ascii;                     /* no glyph beyond ASCII, also where the terminal has them */

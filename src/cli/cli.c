@@ -6,10 +6,12 @@
 #include <string.h>
 
 #include "app/exit_status.h"
+#include "base/nearest.h"
 #include "base/version.h"
 #include "cli/commands.h"
 #include "cli/help.h"
 #include "cli/interrupt.h"
+#include "cli/scene_options.h"
 
 typedef enum thud_status command_function(const struct thud_args *args, struct thud_error *err);
 
@@ -47,6 +49,51 @@ static enum thud_status version(struct thud_error *err)
     return thud_cli_print(&text, err);
 }
 
+/* A bare first word that is no preset: a command was meant, or a preset's name was mistyped. */
+static enum thud_status unknown_word(const char *word, const struct thud_paths *paths, struct thud_error *err)
+{
+    const char *commands_and_presets[THUD_COMMANDS + THUD_FILES_MAX];
+    struct thud_file_names presets;
+    int n = 0;
+    for (int i = THUD_COMMAND_SCREEN + 1; i < THUD_COMMANDS; i++)
+        commands_and_presets[n++] = thud_command_at((enum thud_command_id)i)->name;
+    int ncommands = n;
+    thud_paths_presets(paths, &presets);
+    for (int i = 0; i < presets.n; i++)
+        commands_and_presets[n++] = presets.list[i];
+    const char *near = thud_nearest(word, commands_and_presets, n);
+    bool command = false;
+    for (int i = 0; near && i < ncommands; i++)
+        command = command || near == commands_and_presets[i];
+    thud_error_set(err, THUD_USAGE, "\"%.60s\" is neither a command nor a preset", word);
+    if (near)
+        thud_error_allow(err, "did you mean `thud %s%s`? `thud help` lists the commands", near,
+                         command ? " ..." : "");
+    else
+        thud_error_allow(err, "`thud help` lists the commands, `thud help --words presets` the presets");
+    return THUD_USAGE;
+}
+
+/* The terminal interface, with the scene that the options make of the preset. */
+static enum thud_status open_screen(const struct thud_args *args, thud_screen_function *screen, struct thud_error *err)
+{
+    const char *word = args->noperands > 0 ? args->operand[0] : "";
+    char path[1024];
+    struct thud_session session;
+    struct thud_paths paths;
+    thud_paths_find(&paths);
+    if (*word && !strpbrk(word, "/.") && thud_paths_preset(&paths, word, path, sizeof path, err) != THUD_OK)
+        return unknown_word(word, &paths, err);
+    if (args->noperands > 1)
+        return thud_error_set(err, THUD_USAGE, "the terminal interface opens one preset");
+    enum thud_status status = thud_scene_options_open(args, &session, err);
+    if (status != THUD_OK)
+        return status;
+    status = screen(args, &session, err);
+    thud_session_close(&session);
+    return status;
+}
+
 static enum thud_status dispatch(int argc, char **argv, thud_screen_function *screen, struct thud_error *err)
 {
     struct thud_args args;
@@ -58,7 +105,7 @@ static enum thud_status dispatch(int argc, char **argv, thud_screen_function *sc
     if (thud_args_has(&args, "version"))
         return version(err);
     if (args.command == THUD_COMMAND_SCREEN)
-        return screen(&args, err);
+        return open_screen(&args, screen, err);
     if (!commands[args.command])
         return thud_error_set(err, THUD_USAGE, "thud %s is not there yet", thud_command_at(args.command)->name);
     return commands[args.command](&args, err);

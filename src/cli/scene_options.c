@@ -39,8 +39,9 @@ static enum thud_status apply(const struct thud_args *args, struct thud_session 
 enum thud_status thud_scene_options_open(const struct thud_args *args, struct thud_session *session,
                                          struct thud_error *err)
 {
-    bool measures = args->command == THUD_COMMAND_BENCH || args->command == THUD_COMMAND_STABILITY;
-    const char *preset = args->noperands > 0 ? args->operand[0] : measures ? "towers" : NULL;
+    bool has_default = args->command == THUD_COMMAND_BENCH || args->command == THUD_COMMAND_STABILITY ||
+                       args->command == THUD_COMMAND_SCREEN;
+    const char *preset = args->noperands > 0 ? args->operand[0] : has_default ? "towers" : NULL;
     if (!preset || args->noperands > 1) {
         const char *name = thud_command_at(args->command)->name;
         thud_error_set(err, THUD_USAGE, args->noperands == 0 ? "thud %s needs a preset" : "thud %s takes one preset",

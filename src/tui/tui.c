@@ -36,6 +36,8 @@ enum thud_status thud_tui_create(const struct thud_tui_options *options, struct 
     tui->live_on = tui->dirty = true;
     tui->options = *options;
     enum thud_status status = thud_doc_open(&tui->doc, options->preset ? options->preset : "towers", err);
+    if (status == THUD_OK && options->scene)
+        status = thud_doc_change(&tui->doc, options->scene, "the options given at the start", err);
     if (status == THUD_OK)
         status = thud_canvas_resize(&tui->canvas, 1, 1, err);
     if (status != THUD_OK) {

@@ -92,6 +92,14 @@ wait_for "and what stood there before is there again" 'before'
 command "stty -a | grep -q ' icanon' && stty -a | grep -q ' echo ' && echo sa''ne"
 wait_for "the terminal is as it was" '^sane'
 
+start 80 24
+command "$THUD $tmp/mine.yaml --set gap=7cm --tolerance 1e-8"
+wait_for "options of the command line are a change not yet saved" 'mine \[+\]'
+keys g 2
+wait_for "and stand in the fields" 'gap *▸\{0,1\}7 cm'
+keys u
+wait_for "they can be taken back" 'gap *▸\{0,1\}10 cm'
+
 for pair in TERM=143 INT=130 HUP=129 SEGV=139 ABRT=134; do
     start 80 24
     command "(ulimit -c 0; exec $THUD $tmp/mine.yaml)"
