@@ -137,6 +137,9 @@ enum thud_status thud_scene_get_in(const struct thud_scene *scene, const char *p
 /* The described parameter behind a path, its index among the floors in *floor (-1: all); NULL when unknown. */
 const struct thud_param *thud_scene_param(const struct thud_scene *scene, const char *path, int *floor);
 
+/* The i-th varied key of the scene's study as `thud sweep --vary` takes it: "gap=5 cm:25 cm:0.5 cm". */
+void thud_study_vary_text(const struct thud_scene *scene, int i, char *text, unsigned long size);
+
 /* Checks values against each other (thickness - cavity <= gap, nothing missing, ...). Errors: THUD_INPUT with key. */
 enum thud_status thud_scene_check(const struct thud_scene *scene, struct thud_error *err);
 /* The n-th (from 0) value that is unusual, as a message with key; false when there are no more. */

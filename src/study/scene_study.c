@@ -172,3 +172,12 @@ void thud_study_get(const struct thud_scene *scene, const struct thud_slot *slot
                                  item, list && i == n - 1 ? "]" : "");
     }
 }
+
+void thud_study_vary_text(const struct thud_scene *scene, int i, char *text, unsigned long size)
+{
+    char from[64] = "", to[64] = "", step[64] = "";
+    get_item(scene, "from", i, from, sizeof from);
+    get_item(scene, "to", i, to, sizeof to);
+    get_item(scene, "step", i, step, sizeof step);
+    snprintf(text, size, "%s=%s:%s:%s", scene->study.vary[i].key, from, to, step);
+}

@@ -289,15 +289,8 @@ enum thud_status thud_sweep_study(struct thud_sweep_plan *plan, bool axes, bool 
 {
     const struct thud_study_choice *study = &plan->scene.study;
     for (int i = 0; axes && i < study->nvary; i++) {
-        const struct thud_vary *vary = &study->vary[i];
-        int floor;
-        const struct thud_param *param = thud_scene_param(&plan->scene, vary->key, &floor);
-        char from[TEXT], to[TEXT], step[TEXT], text[sizeof vary->key + 3 * TEXT + 4];
-        const char *unit = param && param->unit ? param->unit : "";
-        thud_quantity_format(vary->from, unit, from, sizeof from);
-        thud_quantity_format(vary->to, unit, to, sizeof to);
-        thud_quantity_format(vary->step, unit, step, sizeof step);
-        snprintf(text, sizeof text, "%s=%s:%s:%s", vary->key, from, to, step);
+        char text[sizeof study->vary[i].key + 3 * TEXT + 4];
+        thud_study_vary_text(&plan->scene, i, text, sizeof text);
         enum thud_status status = thud_sweep_vary(plan, text, err);
         if (status != THUD_OK)
             return status;

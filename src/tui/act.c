@@ -10,6 +10,16 @@ static int pane_count(struct thud_tui *tui)
     return thud_view_of(tui->screen)->layout(tui, area, rect);
 }
 
+int thud_tui_where(const struct thud_tui *tui)
+{
+    if (tui->mode == THUD_MODE_TYPING)
+        return THUD_AT_TYPING;
+    if (tui->mode == THUD_MODE_CHOOSING)
+        return THUD_AT_CHOOSING;
+    const struct thud_view *view = thud_view_of(tui->screen);
+    return view->place ? view->place(tui) : view->where;
+}
+
 void thud_tui_go(struct thud_tui *tui, enum thud_screen screen)
 {
     if (screen == THUD_SCREEN_HELP && tui->screen != THUD_SCREEN_HELP)

@@ -182,3 +182,23 @@ void thud_chart_draw(const struct thud_pane *pane, const struct thud_panel *pane
             label_series(&d, panel->series[i], i, thud_chart_look(panel->series[i], i));
     thud_dots_clear(&d.dots);
 }
+
+void thud_chart_figure(const struct thud_pane *pane, const struct thud_figure *figure, int only)
+{
+    struct thud_chart chart = {.cursor = NAN};
+    int count = figure->rows * figure->columns;
+    if (only < 0 && count > 1 && (pane->w / figure->columns < 34 || pane->h / figure->rows < 9))
+        only = 0; /* too little room for all of them */
+    for (int i = 0; i < count; i++) {
+        int row = i / figure->columns, column = i % figure->columns;
+        struct thud_pane part = *pane;
+        if (!figure->panel[i].used || (only >= 0 && only != i))
+            continue;
+        if (only < 0) {
+            int x = column * pane->w / figure->columns, y = row * pane->h / figure->rows;
+            part = thud_pane_inside(pane, x, y, (column + 1) * pane->w / figure->columns - x,
+                                    (row + 1) * pane->h / figure->rows - y);
+        }
+        thud_chart_draw(&part, &figure->panel[i], &chart);
+    }
+}

@@ -10,6 +10,8 @@ struct thud_chart {
 };
 
 void thud_chart_draw(const struct thud_pane *pane, const struct thud_panel *panel, const struct thud_chart *chart);
+/* All panels of a figure in their grid, or one of them (from 0; -1: all, where there is room). */
+void thud_chart_figure(const struct thud_pane *pane, const struct thud_figure *figure, int only);
 
 /* Where the plot proper stands in its pane, and what it shows. */
 struct thud_chart_frame {

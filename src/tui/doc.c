@@ -1,4 +1,5 @@
 #include <math.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -101,6 +102,13 @@ enum thud_status thud_doc_recover(struct thud_doc *doc, char *path, struct thud_
     return thud_preset_save(doc->preset, &doc->scene, path, err);
 }
 
+/* Name, title and study change no run: what is known of the scene stays known. */
+static bool runs_alike(const struct thud_scene *a, const struct thud_scene *b)
+{
+    size_t from = offsetof(struct thud_scene, record), to = offsetof(struct thud_scene, study);
+    return memcmp((const char *)a + from, (const char *)b + from, to - from) == 0;
+}
+
 enum thud_status thud_doc_change(struct thud_doc *doc, const struct thud_scene *next, const char *what,
                                  struct thud_error *err)
 {
@@ -109,8 +117,8 @@ enum thud_status thud_doc_change(struct thud_doc *doc, const struct thud_scene *
         status = thud_undo_note(&doc->undo, &doc->scene, next, what, err);
     if (status != THUD_OK)
         return status;
+    doc->revision += !runs_alike(&doc->scene, next);
     doc->scene = *next;
-    doc->revision++;
     return THUD_OK;
 }
 
@@ -129,18 +137,22 @@ enum thud_status thud_doc_set(struct thud_doc *doc, const char *key, const char 
     return thud_doc_change(doc, &next, what, err);
 }
 
+static const char *step(struct thud_doc *doc, const char *go(struct thud_undo *undo, struct thud_scene *scene))
+{
+    struct thud_scene before = doc->scene;
+    const char *what = go(&doc->undo, &doc->scene);
+    doc->revision += !runs_alike(&before, &doc->scene);
+    return what;
+}
+
 const char *thud_doc_undo(struct thud_doc *doc)
 {
-    const char *what = thud_undo_back(&doc->undo, &doc->scene);
-    doc->revision += what != NULL;
-    return what;
+    return step(doc, thud_undo_back);
 }
 
 const char *thud_doc_redo(struct thud_doc *doc)
 {
-    const char *what = thud_undo_forward(&doc->undo, &doc->scene);
-    doc->revision += what != NULL;
-    return what;
+    return step(doc, thud_undo_forward);
 }
 
 enum thud_status thud_doc_record(struct thud_doc *doc, const struct thud_record **out, struct thud_error *err)

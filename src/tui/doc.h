@@ -19,7 +19,7 @@ struct thud_doc {
     struct thud_scene scene, saved;
     struct thud_undo undo;
     struct thud_stamp stamp;
-    unsigned long revision;                  /* grows with every change of the scene */
+    unsigned long revision;                  /* grows with every change that changes a run */
     struct thud_record *record;              /* NULL: none */
     struct thud_record_choice record_choice; /* what `record` was read with */
     bool record_tried;

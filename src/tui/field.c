@@ -45,7 +45,10 @@ void thud_field_line(struct thud_tui *tui, int index, const struct thud_pane *pa
     bool focus = thud_form_focused(&tui->form, index, path);
     if (focus)
         thud_pane_glyph(pane, 0, y, thud_look(THUD_ROLE_KEY, THUD_BOLD), 0x25b8);
-    thud_pane_put(pane, 1, y, thud_look(THUD_ROLE_PLAIN, focus ? THUD_REVERSE : 0), text);
+    struct thud_look look = thud_look(THUD_ROLE_PLAIN, focus ? THUD_REVERSE : 0);
+    thud_pane_put(pane, 1, y, look, text);
+    if (thud_utf8_columns(text) > pane->w - 1)
+        thud_pane_glyph(pane, pane->w - 1, y, look, 0x2026);
 }
 
 void thud_field_note(const struct thud_pane *pane, int y, const char *fmt, ...)

@@ -134,9 +134,7 @@ static void field_words(struct thud_tui *tui, char *text, size_t size)
 
 static void bottom_keys(struct thud_tui *tui, const struct thud_pane *row)
 {
-    int where = tui->mode == THUD_MODE_TYPING     ? THUD_AT_TYPING
-                : tui->mode == THUD_MODE_CHOOSING ? THUD_AT_CHOOSING
-                                                  : thud_view_of(tui->screen)->where;
+    int where = thud_tui_where(tui);
     bool normal = tui->mode == THUD_MODE_NORMAL;
     const char *always = normal ? "? help  q quit " : "";
     int at = 1, room = row->w - thud_utf8_columns(always);

@@ -34,6 +34,7 @@ THUD_KEY(PLOTS, NEXT_FIGURE, THUD_KEY_DOWN, 'j', "Down", "~Up/Down figure", "the
 THUD_KEY(PLOTS, PREVIOUS_FIGURE, THUD_KEY_UP, 'k', "Up", "", "the figure before")
 THUD_KEY(PLOTS, NEXT_CONTACT, ']', 0, "]", "~[ ] floor", "the contact or floor above")
 THUD_KEY(PLOTS, PREVIOUS_CONTACT, '[', 0, "[", "", "the contact or floor below")
+THUD_KEY_AGAIN(PLOTS_SIDE, TOGGLE_BUMPER, 'B', 0, "B", "", "put the bumper in or take it out")
 THUD_KEY_AGAIN(SWEEP, QUANTITY, 'c', 0, "c", "figure", "the next figure of the study")
 THUD_KEY_AGAIN(SWEEP, NEXT_CONTACT, ']', 0, "]", "~[ ] panel",
                "the next panel of the figure alone, after the last all of them")

@@ -31,6 +31,23 @@ double thud_history_at(const struct thud_history *h, int column, double t)
     return a + along * (b - a);
 }
 
+/* A force; where it jumps just there (a law may let go of much of it at the largest indentation), the larger side. */
+static double force_at(const struct thud_history *h, int contact, double t)
+{
+    const double moment_s = 1e-9;
+    int column = thud_history_force(h, contact);
+    double most = thud_history_at(h, column, t);
+    if (h->rows == 0)
+        return 0.0;
+    size_t row = row_before(h, t + moment_s);
+    while (fabs(h->time_s[row] - t) <= moment_s) {
+        most = fmax(most, h->value[row * (size_t)h->columns + (size_t)column]);
+        if (row-- == 0)
+            break;
+    }
+    return most;
+}
+
 static const double touch_n = 1.0; /* less is no contact that anybody would see */
 
 struct stage {
@@ -169,7 +186,7 @@ static void draw_contact(struct stage *stage, int index, int *worst, double *for
     double y = contact_row(stage, contact);
     double a = stage->left[left] + stage->body - 1.0 + displacement(stage, contact->left_dof);
     double b = stage->left[left + 1] + displacement(stage, contact->right_dof);
-    double now = thud_history_at(stage->history, thud_history_force(stage->history, index), stage->t);
+    double now = force_at(stage->history, index, stage->t);
     bool flash = now > touch_n;
     struct thud_look look = thud_look(flash ? THUD_ROLE_ERROR : THUD_ROLE_MUTED, flash ? THUD_BOLD : 0);
     if (stage->bumper && at->has_bumper) {
@@ -186,7 +203,7 @@ static void flashes(struct stage *stage)
 {
     for (int i = 0; i < stage->model->ncontacts; i++) {
         const struct thud_model_contact *contact = &stage->model->contact[i];
-        if (!(thud_history_at(stage->history, thud_history_force(stage->history, i), stage->t) > touch_n))
+        if (!(force_at(stage->history, i, stage->t) > touch_n))
             continue;
         double a = stage->left[contact->interface - 1] + stage->body - 1.0 + displacement(stage, contact->left_dof);
         thud_pane_glyph(&stage->dots.pane, (int)((a + 1.0) / stage->dots.across),

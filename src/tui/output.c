@@ -23,6 +23,22 @@ void thud_tui_picture(struct thud_tui *tui)
                      figure->name);
 }
 
+void thud_tui_write(struct thud_tui *tui, struct thud_text *text, const char *name)
+{
+    struct thud_error err;
+    char path[600];
+    snprintf(path, sizeof path, "%s/%s", thud_tui_folder(tui), name);
+    enum thud_status status = thud_folder_make(thud_tui_folder(tui), &err);
+    if (status == THUD_OK)
+        status = thud_text_write(text, path, &err);
+    else
+        thud_text_clear(text);
+    if (status != THUD_OK)
+        thud_tui_say_error(tui, &err);
+    else
+        thud_tui_say(tui, THUD_ROLE_GOOD, "Written %s", path);
+}
+
 void thud_tui_export(struct thud_tui *tui)
 {
     const struct thud_view *view = thud_view_of(tui->screen);
@@ -30,21 +46,12 @@ void thud_tui_export(struct thud_tui *tui)
         view->export_csv(tui);
         return;
     }
-    struct thud_error err;
     struct thud_text csv = {0};
-    char path[512];
-    const struct thud_figure *figure = thud_view_of(tui->screen)->figure(tui);
-    snprintf(path, sizeof path, "%s/%s.csv", thud_tui_folder(tui), figure->name);
+    char name[128];
+    const struct thud_figure *figure = view->figure(tui);
+    snprintf(name, sizeof name, "%.100s.csv", figure->name);
     thud_figure_csv(figure, &csv);
-    enum thud_status status = thud_folder_make(thud_tui_folder(tui), &err);
-    if (status == THUD_OK)
-        status = thud_text_write(&csv, path, &err);
-    else
-        thud_text_clear(&csv);
-    if (status != THUD_OK)
-        thud_tui_say_error(tui, &err);
-    else
-        thud_tui_say(tui, THUD_ROLE_GOOD, "Written %s", path);
+    thud_tui_write(tui, &csv, name);
 }
 
 /* The cases that have an answer, with the bumper's last: what `thud run -o` draws of one, over each other. */

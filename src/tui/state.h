@@ -33,6 +33,8 @@ struct thud_rect {
 struct thud_view {
     const char *title;
     int where; /* its bit in the key table */
+    /* The bit that holds now, where it depends on the pane with the cursor. May be NULL. */
+    int (*place)(const struct thud_tui *tui);
     /* How many panes there are in `area`, and where. Called again whenever the size changed. */
     int (*layout)(struct thud_tui *tui, struct thud_rect area, struct thud_rect *pane);
     /* Draws pane `index` (its frame's inside) and registers its fields; returns the rows it would need. */
@@ -59,6 +61,15 @@ struct thud_view {
     void (*export_csv)(struct thud_tui *tui);
     void (*free)(struct thud_tui *tui); /* may be NULL */
 };
+/* A screen's table, from the functions that every screen has under these names in its file; what more it has follows.
+ */
+#define THUD_VIEW(name, words, place, ...)                                                                             \
+    const struct thud_view thud_view_##name = {.title = words,                                                         \
+                                               .where = THUD_AT_##place,                                               \
+                                               .layout = layout,                                                       \
+                                               .draw = draw,                                                           \
+                                               .pane_title = pane_title,                                               \
+                                               __VA_ARGS__}
 const struct thud_view *thud_view_of(enum thud_screen screen);
 
 struct thud_peaks { /* what the strip shows, kept to show what a change did */
@@ -125,6 +136,7 @@ void thud_tui_say(struct thud_tui *tui, enum thud_role role, const char *fmt, ..
 void thud_tui_say_error(struct thud_tui *tui, const struct thud_error *err);
 
 /* act.c */
+int thud_tui_where(const struct thud_tui *tui); /* the bit in the key table that holds now */
 void thud_tui_click(struct thud_tui *tui);
 void thud_tui_act(struct thud_tui *tui, enum thud_action action);
 const char *thud_tui_cannot(struct thud_tui *tui, enum thud_action action);
@@ -173,6 +185,8 @@ const char *thud_tui_folder(const struct thud_tui *tui); /* where pictures and t
 void thud_tui_picture(struct thud_tui *tui);
 void thud_tui_pictures(struct thud_tui *tui);
 void thud_tui_export(struct thud_tui *tui);
+/* Writes `text` into the folder under this name, clears it, and says what came of it. */
+void thud_tui_write(struct thud_tui *tui, struct thud_text *text, const char *name);
 
 /* frame.c */
 void thud_tui_draw(struct thud_tui *tui);

@@ -80,7 +80,7 @@ static enum thud_status make_plan(struct thud_sweep_work *work, const struct thu
                                   struct thud_error *err)
 {
     enum thud_status status = THUD_OK;
-    for (int i = 0; i < 2 && status == THUD_OK; i++)
+    for (int i = 0; i < THUD_VARY_MAX && status == THUD_OK; i++)
         if (*words->vary[i])
             status = thud_sweep_vary(&work->plan, words->vary[i], err);
     if (status == THUD_OK && *words->cases)

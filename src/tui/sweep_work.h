@@ -6,15 +6,9 @@
 #include "io/paths.h"
 #include "io/sweep_csv.h"
 #include "study/sweep.h"
+#include "tui/sweep_words.h"
 
 enum { THUD_STUDY_RECORDS_MAX = 16 };
-
-/* What is asked for, in the command line's words. */
-struct thud_study_words {
-    char vary[2][192]; /* "gap=5 cm:25 cm:0.5 cm"; the second may be empty */
-    char cases[96];    /* "none,bumper" */
-    char records[512]; /* files, with commas; empty: the scene's own */
-};
 
 struct thud_sweep_work {
     bool running, complete;

@@ -66,7 +66,7 @@ void thud_tui_free(struct thud_tui *tui)
 
 static void typing_key(struct thud_tui *tui, int key)
 {
-    enum thud_action action = thud_key_action(THUD_AT_TYPING, key);
+    enum thud_action action = thud_key_action(thud_tui_where(tui), key);
     bool field = tui->typing == THUD_TYPE_FIELD;
     if (action == THUD_DO_CANCEL) {
         tui->mode = THUD_MODE_NORMAL;
@@ -85,7 +85,7 @@ static void typing_key(struct thud_tui *tui, int key)
 
 static void choosing_key(struct thud_tui *tui, int key)
 {
-    enum thud_action action = thud_key_action(THUD_AT_CHOOSING, key);
+    enum thud_action action = thud_key_action(thud_tui_where(tui), key);
     if (action == THUD_DO_CANCEL)
         tui->mode = THUD_MODE_NORMAL;
     else if (action == THUD_DO_ACCEPT)
@@ -115,7 +115,7 @@ static void normal_key(struct thud_tui *tui, int key)
         thud_tui_edit(tui, start);
         return;
     }
-    enum thud_action action = thud_key_action(thud_view_of(tui->screen)->where, key);
+    enum thud_action action = thud_key_action(thud_tui_where(tui), key);
     if (action != THUD_DO_NOTHING)
         thud_tui_act(tui, action);
 }
@@ -230,6 +230,12 @@ enum thud_status thud_tui_main(const struct thud_tui_options *options, struct th
         thud_tui_turn(tui, true);
     if (tui->hangup && !number)
         number = SIGHUP;
+    sigset_t fatal, before; /* a second one, as a closing terminal sends, must not cut off the rescue */
+    sigemptyset(&fatal);
+    sigaddset(&fatal, SIGHUP);
+    sigaddset(&fatal, SIGINT);
+    sigaddset(&fatal, SIGTERM);
+    pthread_sigmask(SIG_BLOCK, &fatal, &before);
     thud_term_close(&backend);
     if (number)
         rescue(tui);
@@ -238,5 +244,6 @@ enum thud_status thud_tui_main(const struct thud_tui_options *options, struct th
         signal(number, SIG_DFL);
         raise(number);
     }
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
     return THUD_OK;
 }

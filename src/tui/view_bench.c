@@ -209,20 +209,9 @@ static double progress(struct thud_tui *tui)
 
 static void export_csv(struct thud_tui *tui)
 {
-    struct thud_error err;
     struct thud_text csv = {0};
-    char path[600];
-    snprintf(path, sizeof path, "%s/bench.csv", thud_tui_folder(tui));
     thud_bench_csv(tui->bench->work.bench, &csv);
-    enum thud_status status = thud_folder_make(thud_tui_folder(tui), &err);
-    if (status == THUD_OK)
-        status = thud_text_write(&csv, path, &err);
-    else
-        thud_text_clear(&csv);
-    if (status != THUD_OK)
-        thud_tui_say_error(tui, &err);
-    else
-        thud_tui_say(tui, THUD_ROLE_GOOD, "Written %s", path);
+    thud_tui_write(tui, &csv, "bench.csv");
 }
 
 static void pictures(struct thud_tui *tui)
@@ -243,20 +232,5 @@ static void release(struct thud_tui *tui)
     tui->bench = NULL;
 }
 
-const struct thud_view thud_view_bench = {
-    .title = "Bench",
-    .where = THUD_AT_BENCH,
-    .layout = layout,
-    .draw = draw,
-    .pane_title = pane_title,
-    .act = act,
-    .cannot = cannot,
-    .row = row,
-    .figure = figure,
-    .busy = busy,
-    .work = work,
-    .progress = progress,
-    .pictures = pictures,
-    .export_csv = export_csv,
-    .free = release,
-};
+THUD_VIEW(bench, "Bench", BENCH, .act = act, .cannot = cannot, .row = row, .figure = figure, .busy = busy, .work = work,
+          .progress = progress, .pictures = pictures, .export_csv = export_csv, .free = release);

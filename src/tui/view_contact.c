@@ -166,14 +166,4 @@ static void release(struct thud_tui *tui)
     tui->law_figure = NULL;
 }
 
-const struct thud_view thud_view_contact = {
-    .title = "Contact",
-    .where = THUD_AT_CONTACT,
-    .layout = layout,
-    .draw = draw,
-    .pane_title = pane_title,
-    .act = act,
-    .cannot = cannot,
-    .figure = figure,
-    .free = release,
-};
+THUD_VIEW(contact, "Contact", CONTACT, .act = act, .cannot = cannot, .figure = figure, .free = release);

@@ -82,13 +82,7 @@ static int draw(struct thud_tui *tui, int index, struct thud_pane *pane)
     return y;
 }
 
-const struct thud_view thud_view_help = {
-    .title = "Help",
-    .where = THUD_AT_HELP,
-    .layout = layout,
-    .draw = draw,
-    .pane_title = pane_title,
-};
+THUD_VIEW(help, "Help", HELP, .act = NULL);
 
 static const struct {
     int where;

@@ -4,8 +4,8 @@
 #include <string.h>
 
 #include "core/model.h"
-#include "tui/dots.h"
 #include "tui/field.h"
+#include "tui/peaks_strip.h"
 #include "tui/scene_edit.h"
 
 enum { PEAKS = 2, PEAK_ROWS = 7 };
@@ -37,8 +37,8 @@ static const char *first_period(const struct thud_tui *tui, int s, char text[32]
 static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
 {
     const struct thud_scene *scene = &tui->doc.scene;
-    if (index == PEAKS) { /* the heads of the columns stand in the frame, as there are few rows */
-        snprintf(text, size, "Peaks              no pounding  no bumper    bumper       ratio");
+    if (index == PEAKS) {
+        snprintf(text, size, "%s", thud_peaks_strip_title());
         return;
     }
     int s = tui->pair + index;
@@ -67,8 +67,7 @@ static int modes(struct thud_tui *tui, const struct thud_pane *pane, int y, int 
         if (!(omega > 0.0))
             continue;
         size_t n = strlen(periods), m = strlen(masses);
-        snprintf(periods + n, sizeof periods - n, "%*s", n == 2 ? 8 : 8,
-                 thud_tui_number(2.0 * acos(-1.0) / omega, number));
+        snprintf(periods + n, sizeof periods - n, "%8s", thud_tui_number(2.0 * acos(-1.0) / omega, number));
         snprintf(masses + m, sizeof masses - m, "%*.1f", m == 3 ? 7 : 8, 100.0 * gamma * gamma / total);
     }
     if (strlen(periods) < 4)
@@ -144,106 +143,10 @@ static int draw_structure(struct thud_tui *tui, int index, const struct thud_pan
     return y;
 }
 
-static const int column_x[] = {20, 33, 46, 59};
-
-/* One line of the strip: the three cases, the ratio, and what the last change did to the bumper's number. */
-static void peak_row(struct thud_tui *tui, const struct thud_pane *pane, int y, const char *label, const char *unit,
-                     const double value[THUD_LIVE_CASES], double before)
-{
-    thud_pane_put(pane, 1, y, thud_look(THUD_ROLE_PLAIN, 0), label);
-    thud_pane_put(pane, 14, y, thud_look(THUD_ROLE_MUTED, 0), unit);
-    enum thud_live_which last =
-        tui->live.which[THUD_LIVE_BUMPER].state == THUD_LIVE_ABSENT ? THUD_LIVE_NONE : THUD_LIVE_BUMPER;
-    for (int i = 0; i < THUD_LIVE_CASES; i++) {
-        char number[24], old[24], text[64];
-        bool absent = tui->live.which[i].state == THUD_LIVE_ABSENT,
-             failed = tui->live.which[i].state == THUD_LIVE_FAILED;
-        thud_tui_number(value[i], number);
-        snprintf(text, sizeof text, "%s", absent ? "–" : failed ? "FAILED" : number);
-        bool moved =
-            i == (int)last && !isnan(before) && !isnan(value[i]) && strcmp(thud_tui_number(before, old), number) != 0;
-        if (moved)
-            snprintf(text, sizeof text, "%s→%s", old, number);
-        thud_pane_put(pane, column_x[i], y,
-                      thud_look(failed ? THUD_ROLE_ERROR : THUD_ROLE_VALUE, moved ? THUD_BOLD : 0), text);
-    }
-    double ratio = value[THUD_LIVE_BUMPER] / value[THUD_LIVE_NONE];
-    if (isfinite(ratio))
-        thud_pane_print(pane, column_x[3], y, thud_look(ratio < 1.0 ? THUD_ROLE_GOOD : THUD_ROLE_WARN, 0), "%.3f",
-                        ratio);
-}
-
-/* The impacts of the last case as upright lines, over the time of the run. */
-static void impact_strip(struct thud_tui *tui, const struct thud_pane *pane)
-{
-    enum thud_live_which which =
-        tui->live.which[THUD_LIVE_BUMPER].state == THUD_LIVE_DONE ? THUD_LIVE_BUMPER : THUD_LIVE_NONE;
-    const struct thud_live_case *c = &tui->live.which[which];
-    if (c->state != THUD_LIVE_DONE || pane->w < 8 || pane->h < 3)
-        return;
-    int count;
-    const struct thud_impact *impact = thud_run_impacts(c->run, &count);
-    double most = 0.0, end = thud_run_end(c->run);
-    for (int i = 0; i < count; i++)
-        most = fmax(most, impact[i].force_n);
-    thud_pane_print(pane, 0, 0, thud_look(THUD_ROLE_MUTED, 0), "force, %s", thud_live_name(which));
-    struct thud_pane area = thud_pane_inside(pane, 0, 1, pane->w, pane->h - 1);
-    struct thud_dots dots;
-    if (!(most > 0.0) || !(end > 0.0) || thud_dots_init(&dots, &area, NULL) != THUD_OK)
-        return;
-    struct thud_look look = thud_look(THUD_ROLE_SERIES + 1, 0);
-    thud_dots_line(&dots, 0.0, dots.height - 1.0, dots.width - 1.0, dots.height - 1.0, 2, look);
-    for (int i = 0; i < count; i++) {
-        double x = impact[i].start_s / end * (dots.width - 1);
-        thud_dots_line(&dots, x, dots.height - 1.0, x, (1.0 - impact[i].force_n / most) * (dots.height - 1), 1, look);
-    }
-    thud_dots_put(&dots);
-    thud_dots_clear(&dots);
-}
-
-static int draw_peaks(struct thud_tui *tui, struct thud_pane *pane)
-{
-    double value[THUD_LIVE_CASES];
-    int y = 0, impacts[THUD_LIVE_CASES];
-    bool compare = tui->before.known;
-    for (int kind = 0; kind < 2; kind++)
-        for (int s = 0; s < 2 && tui->pair + s < tui->doc.scene.nstructures; s++, y++) {
-            char label[32];
-            if (tui->doc.scene.structure[tui->pair + s].kind == THUD_WALL) {
-                if (kind == 0)
-                    thud_field_note(pane, y, "%.20s moves with the ground",
-                                    tui->doc.scene.structure[tui->pair + s].name);
-                continue;
-            }
-            snprintf(label, sizeof label, "%.6s %s", tui->doc.scene.structure[tui->pair + s].name,
-                     kind ? "drift" : "accel");
-            for (int i = 0; i < THUD_LIVE_CASES; i++)
-                value[i] = (kind ? 1e3 : 1.0) * thud_live_peak(&tui->live, (enum thud_live_which)i, tui->pair + s,
-                                                               kind ? THUD_PEAK_DRIFT : THUD_PEAK_ACCELERATION);
-            double before = kind ? 1e3 * tui->before.drift[s] : tui->before.acceleration[s];
-            peak_row(tui, pane, y, label, kind ? "mm" : "m/s²", value, compare ? before : NAN);
-        }
-    for (int i = 0; i < THUD_LIVE_CASES; i++)
-        value[i] = 1e-6 * thud_live_force(&tui->live, (enum thud_live_which)i, tui->pair + 1, &impacts[i]);
-    peak_row(tui, pane, y, "force", "MN", value, compare ? 1e-6 * tui->before.force : NAN);
-    for (int i = THUD_LIVE_NONE; i < THUD_LIVE_CASES; i++)
-        if (tui->live.which[i].state == THUD_LIVE_DONE)
-            thud_pane_print(pane, column_x[i], y + 1, thud_look(THUD_ROLE_MUTED, 0), "%d impact%s", impacts[i],
-                            impacts[i] == 1 ? "" : "s");
-    if (tui->pair + 1 < tui->doc.scene.nstructures) {
-        char number[24];
-        double clearance = thud_interface_clearance(&tui->doc.scene.interface[tui->pair]);
-        thud_field_note(pane, y + 1, "clearance %s mm", thud_tui_number(1e3 * clearance, number));
-    }
-    struct thud_pane strip = thud_pane_inside(pane, 68, 0, pane->w - 69, pane->h);
-    impact_strip(tui, &strip);
-    return y + 2;
-}
-
 static int draw(struct thud_tui *tui, int index, struct thud_pane *pane)
 {
     if (index == PEAKS)
-        return draw_peaks(tui, pane);
+        return thud_peaks_strip_draw(tui, pane);
     if (tui->pair + index >= tui->doc.scene.nstructures) {
         thud_field_note(pane, 0, "A adds one");
         return 1;
@@ -322,12 +225,4 @@ static const char *cannot(struct thud_tui *tui, enum thud_action action)
     }
 }
 
-const struct thud_view thud_view_model = {
-    .title = "Model",
-    .where = THUD_AT_MODEL,
-    .layout = layout,
-    .draw = draw,
-    .pane_title = pane_title,
-    .act = act,
-    .cannot = cannot,
-};
+THUD_VIEW(model, "Model", MODEL, .act = act, .cannot = cannot);

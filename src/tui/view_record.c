@@ -236,15 +236,4 @@ static void release(struct thud_tui *tui)
     tui->record = NULL;
 }
 
-const struct thud_view thud_view_record = {
-    .title = "Record",
-    .where = THUD_AT_RECORD,
-    .layout = layout,
-    .draw = draw,
-    .pane_title = pane_title,
-    .act = act,
-    .cannot = cannot,
-    .row = row,
-    .figure = figure,
-    .free = release,
-};
+THUD_VIEW(record, "Record", RECORD, .act = act, .cannot = cannot, .row = row, .figure = figure, .free = release);

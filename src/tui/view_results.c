@@ -245,12 +245,4 @@ static void row(struct thud_tui *tui, const struct thud_field *field)
         thud_tui_show_floor(tui, s, floor);
 }
 
-const struct thud_view thud_view_results = {
-    .title = "Results",
-    .where = THUD_AT_RESULTS,
-    .layout = layout,
-    .draw = draw,
-    .pane_title = pane_title,
-    .act = act,
-    .row = row,
-};
+THUD_VIEW(results, "Results", RESULTS, .act = act, .row = row);

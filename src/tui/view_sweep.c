@@ -12,10 +12,12 @@
 #include "tui/sweep_work.h"
 
 enum { FORM, CHART };
-enum { VARY_1, VARY_2, CASES, RECORDS, WORDS };
+enum { CASES = THUD_VARY_MAX, RECORDS, WORDS };
 
 struct thud_sweep_state {
-    struct thud_study_words words;
+    struct thud_study_words words;  /* as shown and run */
+    struct thud_study_choice study; /* the scene's, when the words were taken from it */
+    struct thud_study_words ran;    /* what the study on show was made with */
     struct thud_sweep_work work;
     unsigned long revision; /* of the scene the study was made with */
     int figure, panel;      /* which is shown; panel -1: all */
@@ -25,63 +27,73 @@ struct thud_sweep_state {
     int typed; /* the line being typed */
 };
 
-static const char *const word_name[WORDS] = {"vary", "vary too", "cases", "records"};
-
-static char *word_of(struct thud_sweep_state *s, int index, size_t *size)
+static const char *word_name(int index)
 {
-    *size = index == CASES     ? sizeof s->words.cases
-            : index == RECORDS ? sizeof s->words.records
-                               : sizeof s->words.vary[0];
-    return index == CASES ? s->words.cases : index == RECORDS ? s->words.records : s->words.vary[index];
+    return index == 0 ? "vary" : index < CASES ? "vary too" : index == CASES ? "cases" : "records";
 }
 
-/* The preset's own study, in the command line's words; else the paper's. */
-static void first_words(const struct thud_scene *scene, struct thud_study_words *words)
+static char *word_of(struct thud_study_words *words, int index, size_t *size)
 {
-    bool bumper = false;
-    for (int i = 0; i + 1 < scene->nstructures; i++)
-        bumper = bumper || scene->interface[i].has_bumper;
-    for (int i = 0; i < scene->study.nvary && i < 2; i++) {
-        const struct thud_vary *vary = &scene->study.vary[i];
-        const struct thud_param *param = thud_scene_param(scene, vary->key, &(int){0});
-        const char *unit = param && param->unit ? param->unit : "";
-        char from[64], to[64], step[64];
-        thud_quantity_format(vary->from, unit, from, sizeof from);
-        thud_quantity_format(vary->to, unit, to, sizeof to);
-        thud_quantity_format(vary->step, unit, step, sizeof step);
-        snprintf(words->vary[i], sizeof words->vary[i], "%.60s=%.40s:%.40s:%.40s", vary->key, from, to, step);
-    }
-    if (scene->study.nvary == 0)
-        snprintf(words->vary[0], sizeof words->vary[0], "gap=5 cm:25 cm:1 cm");
-    for (int i = 0; i < scene->study.ncases; i++) {
-        size_t n = strlen(words->cases);
-        snprintf(words->cases + n, sizeof words->cases - n, "%s%s", i ? "," : "",
-                 thud_case_name(scene->study.cases[i]));
-    }
-    if (scene->study.ncases == 0)
-        snprintf(words->cases, sizeof words->cases, "%s", bumper ? "none,bumper" : "none");
+    *size = index == CASES ? sizeof words->cases : index == RECORDS ? sizeof words->records : sizeof words->vary[0];
+    return index == CASES ? words->cases : index == RECORDS ? words->records : words->vary[index];
 }
 
+/* The words follow the scene's study, also when that is undone. */
 static struct thud_sweep_state *state(struct thud_tui *tui)
 {
-    if (!tui->sweep) {
+    const struct thud_study_choice *study = &tui->doc.scene.study;
+    bool first = !tui->sweep;
+    if (first)
         tui->sweep = calloc(1, sizeof *tui->sweep);
-        if (tui->sweep) {
-            first_words(&tui->doc.scene, &tui->sweep->words);
-            tui->sweep->panel = -1;
-        }
+    if (tui->sweep && (first || memcmp(&tui->sweep->study, study, sizeof *study) != 0)) {
+        tui->sweep->study = *study;
+        thud_study_words_of(&tui->doc.scene, &tui->sweep->words);
     }
+    if (tui->sweep && first)
+        tui->sweep->panel = -1;
     return tui->sweep;
 }
 
+/* Axes behind one that was emptied move up. */
+static void close_up(struct thud_study_words *words)
+{
+    for (int i = 0, n = 0; i < THUD_VARY_MAX; i++) {
+        if (!*words->vary[i])
+            continue;
+        if (i != n) {
+            memcpy(words->vary[n], words->vary[i], sizeof words->vary[n]);
+            words->vary[i][0] = '\0';
+        }
+        n++;
+    }
+}
+
+/* Refused words stay in the prompt. Those that a preset can say become its study, to be saved with it. */
 void thud_tui_sweep_typed(struct thud_tui *tui, const char *text)
 {
     struct thud_sweep_state *s = state(tui);
     size_t size;
     if (!s)
         return;
-    char *word = word_of(s, s->typed, &size);
+    struct thud_study_words words = s->words;
+    struct thud_scene next = tui->doc.scene;
+    struct thud_error err = {0};
+    char *word = word_of(&words, s->typed, &size), what[200];
     snprintf(word, size, "%s", text);
+    close_up(&words);
+    snprintf(what, sizeof what, "study: %s %.120s", word_name(s->typed), *text ? text : "(none)");
+    enum thud_status status = s->typed == RECORDS ? THUD_OK : thud_study_words_keep(&words, &next, &err);
+    if (status == THUD_OK)
+        status = thud_doc_change(&tui->doc, &next, what, &err);
+    if (status != THUD_OK) {
+        thud_tui_say_error(tui, &err);
+        thud_tui_prompt(tui, THUD_TYPE_STUDY, text);
+        return;
+    }
+    s->words = words;
+    s->study = tui->doc.scene.study;
+    if (!thud_study_words_fit(&words))
+        thud_tui_say(tui, THUD_ROLE_WARN, "r runs it; a preset keeps ranges, no lists of values: w does not save this");
 }
 
 static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect *pane)
@@ -128,6 +140,15 @@ static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
         snprintf(text, size, "Amplification");
 }
 
+static bool same_words(struct thud_study_words *a, struct thud_study_words *b)
+{
+    size_t size;
+    for (int i = 0; i < WORDS; i++)
+        if (strcmp(word_of(a, i, &size), word_of(b, i, &size)) != 0)
+            return false;
+    return true;
+}
+
 static int draw_progress(struct thud_tui *tui, struct thud_sweep_state *s, const struct thud_pane *pane, int y)
 {
     struct thud_sweep_work *work = &s->work;
@@ -144,8 +165,10 @@ static int draw_progress(struct thud_tui *tui, struct thud_sweep_state *s, const
         thud_field_note(pane, y++, "%ld not possible (bumper > gap)", work->total.impossible);
     if (work->total.diverged)
         thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_ERROR, THUD_BOLD), "%ld FAILED", work->total.diverged);
-    if (s->revision != tui->doc.revision) {
-        thud_pane_put(pane, 1, y++, thud_look(THUD_ROLE_WARN, THUD_BOLD), "! of the scene before edits");
+    bool scene = s->revision == tui->doc.revision, words = same_words(&s->words, &s->ran);
+    if (!scene || !words) {
+        thud_pane_put(pane, 1, y++, thud_look(THUD_ROLE_WARN, THUD_BOLD),
+                      scene ? "! of the study before edits" : "! of the scene before edits");
         thud_field_note(pane, y++, "r runs it again");
     }
     return y;
@@ -158,34 +181,19 @@ static int draw_form(struct thud_tui *tui, const struct thud_pane *pane)
     for (int i = 0; s && i < WORDS; i++) {
         char key[32], text[600];
         size_t size;
-        const char *word = word_of(s, i, &size);
+        const char *word = word_of(&s->words, i, &size);
+        if (i >= 2 && i < CASES && !*word && !*s->words.vary[i - 1])
+            continue; /* one empty line for one more key is enough */
         snprintf(key, sizeof key, "study %d", i);
-        thud_pane_put(pane, 1, y++, thud_look(THUD_ROLE_MUTED, 0), word_name[i]);
-        snprintf(text, sizeof text, " %s", *word ? word : i == RECORDS ? "(the scene's own)" : "-");
+        thud_pane_put(pane, 1, y++, thud_look(THUD_ROLE_MUTED, 0), word_name(i));
+        snprintf(text, sizeof text, " %s",
+                 *word          ? word
+                 : i == RECORDS ? "(the scene's own)"
+                 : i == CASES   ? "(as written)"
+                                : "-");
         thud_field_line(tui, FORM, pane, y++, i, key, text);
     }
     return s ? draw_progress(tui, s, pane, y + 1) : y;
-}
-
-/* All panels in their grid, or one of them. */
-static void draw_figure(const struct thud_pane *pane, const struct thud_figure *figure, int only)
-{
-    struct thud_chart chart = {.cursor = NAN};
-    int count = figure->rows * figure->columns;
-    if (only < 0 && count > 1 && (pane->w / figure->columns < 34 || pane->h / figure->rows < 9))
-        only = 0; /* too little room for all of them */
-    for (int i = 0; i < count; i++) {
-        int row = i / figure->columns, column = i % figure->columns;
-        struct thud_pane part = *pane;
-        if (!figure->panel[i].used || (only >= 0 && only != i))
-            continue;
-        if (only < 0) {
-            int x = column * pane->w / figure->columns, y = row * pane->h / figure->rows;
-            part = thud_pane_inside(pane, x, y, (column + 1) * pane->w / figure->columns - x,
-                                    (row + 1) * pane->h / figure->rows - y);
-        }
-        thud_chart_draw(&part, &figure->panel[i], &chart);
-    }
 }
 
 static int draw(struct thud_tui *tui, int index, struct thud_pane *pane)
@@ -195,7 +203,7 @@ static int draw(struct thud_tui *tui, int index, struct thud_pane *pane)
         return draw_form(tui, pane);
     refresh(tui);
     if (s->shown)
-        draw_figure(pane, s->shown, s->panel);
+        thud_chart_figure(pane, s->shown, s->panel);
     else
         thud_field_note(pane, 0, s->work.points ? "nothing to show yet" : "r runs the study");
     return pane->h;
@@ -213,6 +221,7 @@ static void start(struct thud_tui *tui)
     if (thud_sweep_work_start(&s->work, &tui->doc.scene, &s->words, tui->doc.paths, tui->doc.path, &err) != THUD_OK)
         thud_tui_say_error(tui, &err);
     s->revision = tui->doc.revision;
+    s->ran = s->words;
 }
 
 static bool act(struct thud_tui *tui, enum thud_action action)
@@ -262,12 +271,13 @@ static void row(struct thud_tui *tui, const struct thud_field *field)
     if (!s)
         return;
     s->typed = field->index;
-    snprintf(tui->target, sizeof tui->target, "%s: ", word_name[field->index]);
-    static const char *const example[WORDS] = {
-        "KEY=FROM:TO:STEP or KEY=V1,V2,...: gap=5 cm:25 cm:1 cm", "a second key, for a grid; empty: none",
-        "of none, bumper, cavity, as-written, with commas", "files with commas; empty: the scene's own"};
-    thud_tui_say(tui, THUD_ROLE_PLAIN, "%s", example[field->index]);
-    thud_tui_prompt(tui, THUD_TYPE_STUDY, word_of(s, field->index, &size));
+    snprintf(tui->target, sizeof tui->target, "%s: ", word_name(field->index));
+    thud_tui_say(tui, THUD_ROLE_PLAIN, "%s",
+                 field->index == 0         ? "KEY=FROM:TO:STEP or KEY=V1,V2,...: gap=5 cm:25 cm:1 cm"
+                 : field->index < CASES    ? "one more key, for a grid; empty: none"
+                 : field->index == RECORDS ? "files with commas; empty: the scene's own"
+                                           : "of none, bumper, cavity, as-written, with commas");
+    thud_tui_prompt(tui, THUD_TYPE_STUDY, word_of(&s->words, field->index, &size));
 }
 
 static const struct thud_figure *figure(struct thud_tui *tui)
@@ -335,20 +345,5 @@ static void release(struct thud_tui *tui)
     tui->sweep = NULL;
 }
 
-const struct thud_view thud_view_sweep = {
-    .title = "Sweep",
-    .where = THUD_AT_SWEEP,
-    .layout = layout,
-    .draw = draw,
-    .pane_title = pane_title,
-    .act = act,
-    .cannot = cannot,
-    .row = row,
-    .figure = figure,
-    .busy = busy,
-    .work = work,
-    .progress = progress,
-    .pictures = pictures,
-    .export_csv = export_csv,
-    .free = release,
-};
+THUD_VIEW(sweep, "Sweep", SWEEP, .act = act, .cannot = cannot, .row = row, .figure = figure, .busy = busy, .work = work,
+          .progress = progress, .pictures = pictures, .export_csv = export_csv, .free = release);

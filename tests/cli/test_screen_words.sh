@@ -22,9 +22,9 @@ says() { # WHAT STATUS MESSAGE ARGUMENTS...
 
 says "no preset: towers, and no terminal" 2 "no terminal"
 says "a preset, and no terminal" 2 "no terminal" towers
-says "a mistyped command" 2 'did you mean `thud sweep ...`?' swep
-says "a mistyped command with a preset behind it" 2 'did you mean `thud run ...`?' rnu towers
-says "a mistyped preset" 2 'did you mean `thud towers`?' tower
+says "a mistyped command" 2 'thud sweep ...' swep
+says "a mistyped command with a preset behind it" 2 'thud run ...' rnu towers
+says "a mistyped preset" 2 'thud towers' tower
 says "a word like nothing there is" 2 '"xyzzyx" is neither a command nor a preset' xyzzyx
 says "a file that is not there" 3 'no preset "./nosuch.yaml"' ./nosuch.yaml
 says "an option's value that is refused" 3 'gap: "5" has no unit' towers --set gap=5

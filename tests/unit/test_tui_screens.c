@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "study/answer.h"
+#include "tui/plots.h"
 #include "tui_fixture.h"
 
 static struct fixture f;
@@ -310,6 +311,54 @@ START_TEST(the_whole_plots_of_two_bodies)
 }
 END_TEST
 
+/* On a wide terminal the values stand beside the figure, and an edit there changes both at once. */
+START_TEST(values_are_edited_beside_the_figure)
+{
+    fixture_keys(&f, "<Size 130x40><A-5>");
+    fixture_expect(&f, "x0.25 paused");
+    fixture_keys(&f, "+"); /* with the cursor on the figure: faster */
+    fixture_expect(&f, "x0.5 paused");
+    fixture_keys(&f, "<S-Tab>");
+    ck_assert_str_eq(thud_form_focus(&f.tui->form)->path, "interfaces.1.gap");
+    fixture_keys(&f, "+<Down><Down>0.7<Enter>");
+    fixture_expect(&f, "x0.5 paused");
+    ck_assert_double_eq_tol(f.tui->doc.scene.interface[0].gap_m, 0.021, 1e-15);
+    const struct thud_law_choice *contact = &f.tui->doc.scene.interface[0].contact;
+    ck_assert_double_eq(contact->value[thud_law_param(contact->law, "restitution")], 0.7);
+    fixture_keys(&f, "B");
+    ck_assert(!f.tui->doc.scene.interface[0].has_bumper);
+    fixture_expect(&f, "[ ] off");
+    fixture_expect(&f, "bumper on -> off");
+    fixture_expect(&f, "1/9 Impact force");
+    fixture_keys(&f, "<Size 80x24>"); /* the pane is gone, and its keys with it */
+    fixture_expect_not(&f, "[ ] off");
+    fixture_keys(&f, "+");
+    fixture_expect(&f, "x1 paused");
+}
+END_TEST
+
+/* Where the law lets go of much of its force at once, the larger side of the jump is said. */
+START_TEST(the_largest_force_is_said_at_its_moment)
+{
+    char force[24], expected[48];
+    int impacts;
+    fixture_keys(&f, "<A-5>L");
+    const struct thud_result *result = thud_live_result(&f.tui->live, THUD_LIVE_BUMPER);
+    ck_assert_ptr_nonnull(result);
+    int worst = 0;
+    for (int i = 1; i < result->ncontacts; i++)
+        if (result->contact[i].force.value > result->contact[worst].force.value)
+            worst = i;
+    snprintf(force, sizeof force, "%.3g", 1e-6 * thud_live_force(&f.tui->live, THUD_LIVE_BUMPER, 0, &impacts));
+    snprintf(expected, sizeof expected, "*%d %s MN", result->contact[worst].left_floor, force);
+    fixture_keys(&f, "<A-1><A-5>");
+    fixture_expect(&f, "t=");
+    f.tui->plots->time_s = result->contact[worst].force.time_s;
+    fixture_keys(&f, "");
+    fixture_expect(&f, expected);
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -329,6 +378,8 @@ Suite *thud_suite(void)
     tcase_add_test(screens, an_impact_is_opened);
     tcase_add_test(screens, the_movement_plays_and_ends);
     tcase_add_test(screens, every_figure_is_drawn);
+    tcase_add_test(screens, values_are_edited_beside_the_figure);
+    tcase_add_test(screens, the_largest_force_is_said_at_its_moment);
     tcase_add_test(screens, help_names_every_key);
     tcase_add_test(screens, the_whole_screen_of_two_bodies);
     tcase_add_test(screens, the_whole_plots_of_two_bodies);

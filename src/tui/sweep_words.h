@@ -1,0 +1,26 @@
+/* A study in the command line's words, and those words as the preset's own study. */
+#ifndef THUD_TUI_SWEEP_WORDS_H
+#define THUD_TUI_SWEEP_WORDS_H
+
+#include <stdbool.h>
+
+#include "study/scene.h"
+
+struct thud_study_words {
+    char vary[THUD_VARY_MAX][320]; /* "gap=5 cm:25 cm:0.5 cm"; empty: no more */
+    char cases[96];                /* "none,bumper"; empty: as written */
+    char records[512];             /* files, with commas; empty: the scene's own */
+};
+
+/* What the preset's study says, else the paper's. `records` stays as it is. */
+void thud_study_words_of(const struct thud_scene *scene, struct thud_study_words *words);
+
+/* Whether the words can be told by a preset, which knows ranges but no lists of values. */
+bool thud_study_words_fit(const struct thud_study_words *words);
+
+/* Makes the words the scene's study, after trying every value they name. Words that do not fit are only tried. Errors:
+ * THUD_USAGE, THUD_INPUT, THUD_MEMORY; the scene is then as it was. */
+enum thud_status thud_study_words_keep(const struct thud_study_words *words, struct thud_scene *scene,
+                                       struct thud_error *err);
+
+#endif

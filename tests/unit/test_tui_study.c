@@ -1,0 +1,130 @@
+/* The study of the Sweep screen is the preset's own: typed, refused, undone, saved, and run again from the file. */
+#include <check.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "study/sweep.h"
+#include "tui/sweep_words.h"
+#include "tui_fixture.h"
+
+static struct fixture f;
+
+static void setup(void)
+{
+    fixture_open(&f, "towers", 80, 24, true);
+}
+
+static void teardown(void)
+{
+    fixture_close(&f);
+}
+
+static const struct thud_study_choice *study(void)
+{
+    return &f.tui->doc.scene.study;
+}
+
+START_TEST(a_range_becomes_the_presets_study)
+{
+    unsigned long revision = f.tui->doc.revision;
+    fixture_keys(&f, "<A-6><Enter><C-u>gap=2:4:0.5 cm<Enter>");
+    ck_assert_int_eq(study()->nvary, 1);
+    ck_assert_str_eq(study()->vary[0].key, "gap");
+    ck_assert_double_eq_tol(study()->vary[0].from, 0.02, 1e-15);
+    ck_assert_double_eq_tol(study()->vary[0].to, 0.04, 1e-15);
+    ck_assert_double_eq_tol(study()->vary[0].step, 0.005, 1e-15);
+    ck_assert_uint_eq(f.tui->doc.revision, revision); /* no run depends on it: none is made again */
+    fixture_expect(&f, "towers [+]");
+    fixture_keys(&f, "<Down><Enter>contact.restitution=0.5:0.7:0.1<Enter>");
+    ck_assert_int_eq(study()->nvary, 2);
+    fixture_keys(&f, "u");
+    ck_assert_int_eq(study()->nvary, 1);
+    fixture_keys(&f, "<C-r>");
+    fixture_expect(&f, "contact.restitution=0.5:0");
+    fixture_keys(&f, "<Home><Enter><C-u><Enter>"); /* the first one goes, the second moves up */
+    ck_assert_int_eq(study()->nvary, 1);
+    ck_assert_str_eq(study()->vary[0].key, "contact.restitution");
+}
+END_TEST
+
+START_TEST(what_is_saved_is_the_same_study)
+{
+    fixture_keys(&f, "<A-6><Enter><C-u>gap=1 cm:3 cm:1 cm<Enter>");
+    fixture_keys(&f, "<Down><Enter>bumper.stiffness=0.3:0.4:0.1 kN/mm^2.65<Enter>");
+    fixture_keys(&f, "<Down><Down><Enter><C-u>none,bumper<Enter>w");
+    fixture_expect(&f, "Saved");
+    char *text = fixture_file(&f, "towers.yaml");
+    ck_assert_ptr_nonnull(strstr(text, "# concrete to concrete"));
+    free(text);
+    struct thud_preset *preset;
+    struct thud_error err = {0};
+    ck_assert_int_eq(thud_preset_read(f.tui->doc.path, &preset, &err), THUD_OK);
+    ck_assert_mem_eq(&thud_preset_scene(preset)->study, study(), sizeof *study());
+    struct thud_sweep_plan plan; /* as the command line plans it */
+    thud_sweep_plan_init(&plan, thud_preset_scene(preset));
+    ck_assert_int_eq(thud_sweep_study(&plan, true, true, &err), THUD_OK);
+    fixture_keys(&f, "r");
+    fixture_expect(&f, "6 of 6 points");
+    ck_assert_int_eq((int)thud_sweep_points(&plan), 6);
+    ck_assert_int_eq(plan.ncases, 2);
+    thud_sweep_plan_clear(&plan);
+    thud_preset_free(preset);
+}
+END_TEST
+
+START_TEST(wrong_words_are_refused)
+{
+    static const char *const words[] = {"gap",
+                                        "gap=",
+                                        "gap=1 cm:2 cm",
+                                        "gap=1 t:2 t:1 t",
+                                        "nokey=1:2:1",
+                                        "gap=3 cm:1 cm:1 cm",
+                                        "record.file=a:b:c",
+                                        "gap=600 cm:700 cm:50 cm"};
+    fixture_keys(&f, "<A-6>");
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
+        fixture_keys(&f, "<Enter><C-u>");
+        fixture_keys(&f, words[i]);
+        fixture_keys(&f, "<Enter>");
+        ck_assert_msg(f.tui->mode == THUD_MODE_TYPING, "%s was taken", words[i]);
+        fixture_expect(&f, " ! ");
+        fixture_expect(&f, words[i]); /* stays in the prompt */
+        fixture_keys(&f, "<Esc>");
+        ck_assert_int_eq(study()->nvary, 0);
+    }
+    ck_assert_int_eq(f.tui->doc.undo.count, 0);
+}
+END_TEST
+
+/* A list of values runs, but no preset can say it. */
+START_TEST(a_list_is_run_but_not_kept)
+{
+    fixture_keys(&f, "<A-6><Enter><C-u>gap=1 cm,3 cm<Enter>");
+    fixture_expect(&f, "no lists of values");
+    ck_assert_int_eq(study()->nvary, 0);
+    fixture_keys(&f, "r");
+    fixture_expect(&f, "2 of 2 points");
+    fixture_expect_not(&f, "before edits");
+    fixture_keys(&f, "<Enter><C-u>gap=1 cm:2 cm:1 cm<Enter>");
+    fixture_expect(&f, "of the study before edits");
+    fixture_keys(&f, "<A-2>3<Enter><A-6>");
+    fixture_expect(&f, "of the scene before edits");
+}
+END_TEST
+
+Suite *thud_suite(void);
+Suite *thud_suite(void)
+{
+    Suite *suite = suite_create("tui study");
+    TCase *words = tcase_create("study");
+    tcase_set_timeout(words, 60.0);
+    tcase_add_checked_fixture(words, setup, teardown);
+    tcase_add_test(words, a_range_becomes_the_presets_study);
+    tcase_add_test(words, what_is_saved_is_the_same_study);
+    tcase_add_test(words, wrong_words_are_refused);
+    tcase_add_test(words, a_list_is_run_but_not_kept);
+    suite_add_tcase(suite, words);
+    return suite;
+}
