@@ -33,6 +33,7 @@ enum thud_word {
     THUD_WORD_FIGURE,
     THUD_WORD_RECORD_VERB,
     THUD_WORD_COMMAND,
+    THUD_WORD_COST,
     THUD_WORDS
 };
 

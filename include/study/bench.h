@@ -38,7 +38,9 @@ void thud_bench_free(struct thud_bench *bench);
 
 int thud_bench_count(const struct thud_bench *bench);
 struct thud_bench_point *thud_bench_point(struct thud_bench *bench, int i);
-/* "rk4, located" */
+/* Leaves only the curves of these methods. */
+void thud_bench_only(struct thud_bench *bench, const struct thud_method *const *method, int methods);
+/* As thud_stepping_name. */
 void thud_bench_curve_name(const struct thud_bench_point *point, char *text, unsigned long size);
 
 /* Runs of the reference: 0 the program's own tightest, 1 an independent one. Each is created, advanced by the caller
@@ -51,8 +53,8 @@ enum thud_status thud_bench_reference_finish(struct thud_bench *bench, int which
 double thud_bench_reference_error(const struct thud_bench *bench);
 const char *thud_bench_reference_name(const struct thud_bench *bench, int which);
 
-/* A point's run, and its verdict once advanced to the end (status THUD_OK) or to its failure. The run stays the
- * caller's. */
+/* A point's run, and its verdict against the reference (of the reference's own method: against the independent one)
+ * once advanced to the end (status THUD_OK) or to its failure. The run stays the caller's. */
 enum thud_status thud_bench_start(struct thud_bench *bench, int i, struct thud_run **out, struct thud_error *err);
 enum thud_status thud_bench_judge(struct thud_bench *bench, int i, const struct thud_run *run, enum thud_status status,
                                   const struct thud_error *failure, struct thud_error *err);

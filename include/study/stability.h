@@ -12,6 +12,9 @@ struct thud_stepping {
     double setting; /* step in s of a fixed-step method, else the tolerance */
 };
 
+/* "rk4, located"; methods that always locate have their name alone. The one place for names of curves. */
+void thud_stepping_name(const struct thud_stepping *how, char *text, unsigned long size);
+
 enum thud_verdict { THUD_VERDICT_NONE, THUD_BOUNDED, THUD_GROWING, THUD_BLOWN_UP };
 const char *thud_verdict_word(enum thud_verdict verdict);
 

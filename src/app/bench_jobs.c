@@ -1,34 +1,8 @@
 #include "app/bench_jobs.h"
 
-#include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
-#include <time.h>
 
-enum { REPEATS_MAX = 32, SLICE = 2000 };
-
-static double now_s(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
-static bool cancelled(const struct thud_bench_jobs *jobs)
-{
-    return jobs->cancel && *jobs->cancel;
-}
-
-static enum thud_status advance(struct thud_run *run, const struct thud_bench_jobs *jobs, struct thud_error *err)
-{
-    enum thud_status status = THUD_OK;
-    for (bool done = false; !done && status == THUD_OK;) {
-        if (cancelled(jobs))
-            return thud_error_set(err, THUD_CANCELLED, "stopped");
-        status = thud_run_advance(run, SLICE, &done, err);
-    }
-    return status;
-}
+#include "app/timing.h"
 
 static enum thud_status reference(struct thud_bench *bench, const struct thud_bench_jobs *jobs, struct thud_error *err)
 {
@@ -39,7 +13,7 @@ static enum thud_status reference(struct thud_bench *bench, const struct thud_be
             jobs->progress(jobs->context, "reference", which, 2);
         status = thud_bench_reference_start(bench, which, &run, err);
         if (status == THUD_OK && run)
-            status = advance(run, jobs, err);
+            status = thud_timing_advance(run, jobs, err);
         if (status == THUD_OK)
             status = thud_bench_reference_finish(bench, which, run, err);
         else
@@ -52,26 +26,12 @@ static enum thud_status reference(struct thud_bench *bench, const struct thud_be
 static enum thud_status once(struct thud_bench *bench, int i, const struct thud_bench_jobs *jobs, struct thud_run **run,
                              double *seconds, struct thud_error *err)
 {
-    double start = now_s();
+    double start = thud_timing_now_s();
     enum thud_status status = thud_bench_start(bench, i, run, err);
     if (status == THUD_OK)
-        status = advance(*run, jobs, err);
-    *seconds = now_s() - start;
+        status = thud_timing_advance(*run, jobs, err);
+    *seconds = thud_timing_now_s() - start;
     return status;
-}
-
-static int rising(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-static void settle_times(struct thud_bench_point *p, double *seconds, int n)
-{
-    qsort(seconds, (size_t)n, sizeof *seconds, rising);
-    p->seconds = n % 2 ? seconds[n / 2] : 0.5 * (seconds[n / 2 - 1] + seconds[n / 2]);
-    p->spread = 0.5 * (seconds[(3 * n) / 4 < n ? (3 * n) / 4 : n - 1] - seconds[n / 4]);
-    p->repeats = n;
 }
 
 /* How long the point will take, by the one before it on its curve: steps cost by their number, tolerances grow slowly.
@@ -88,7 +48,7 @@ static enum thud_status point(struct thud_bench *bench, int i, const struct thud
                               struct thud_error *err)
 {
     struct thud_bench_point *p = thud_bench_point(bench, i);
-    double seconds[REPEATS_MAX], warm, expected = expected_s(bench, i);
+    double seconds[THUD_TIMINGS_MAX], warm, expected = expected_s(bench, i);
     struct thud_run *run = NULL;
     struct thud_error failure = {0};
     if (jobs->patience_s > 0 && expected > jobs->patience_s) {
@@ -105,7 +65,8 @@ static enum thud_status point(struct thud_bench *bench, int i, const struct thud
         return status;
     }
     seconds[0] = warm;
-    int n = warm > 1 || status != THUD_OK ? 1 : 0, most = jobs->repeats < REPEATS_MAX ? jobs->repeats : REPEATS_MAX;
+    int n = warm > 1 || status != THUD_OK ? 1 : 0,
+        most = jobs->repeats < THUD_TIMINGS_MAX ? jobs->repeats : THUD_TIMINGS_MAX;
     status = thud_bench_judge(bench, i, run, status, &failure, err);
     thud_run_free(run);
     for (double spent = 0; n < most && spent < 2 && status == THUD_OK && warm <= 1; n++, spent += warm) {
@@ -114,7 +75,8 @@ static enum thud_status point(struct thud_bench *bench, int i, const struct thud
         if (status == THUD_DIVERGED)
             status = THUD_OK;
     }
-    settle_times(p, seconds, n > 0 ? n : 1);
+    p->repeats = n > 0 ? n : 1;
+    p->seconds = thud_timing_median(seconds, p->repeats, &p->spread);
     return status;
 }
 
@@ -128,7 +90,8 @@ enum thud_status thud_bench_jobs_run(struct thud_bench *bench, const struct thud
         thud_bench_curve_name(thud_bench_point(bench, i), name, sizeof name);
         if (jobs->progress)
             jobs->progress(jobs->context, name, i, count);
-        status = cancelled(jobs) ? thud_error_set(err, THUD_CANCELLED, "stopped") : point(bench, i, jobs, err);
+        status =
+            thud_timing_cancelled(jobs) ? thud_error_set(err, THUD_CANCELLED, "stopped") : point(bench, i, jobs, err);
     }
     return status;
 }

@@ -109,6 +109,21 @@ static int color_of(const struct thud_method *method)
     return i;
 }
 
+/* Panels side by side show the same stretch, so that they can be compared. */
+static void share_axis(struct thud_panel *const panel[], int n, enum thud_side side)
+{
+    double least = INFINITY, most = -INFINITY;
+    for (int i = 0; i < n; i++) {
+        if (!panel[i] || panel[i]->nseries == 0)
+            continue;
+        struct thud_range range = thud_panel_range(panel[i], side);
+        least = fmin(least, range.least);
+        most = fmax(most, range.most);
+    }
+    for (int i = 0; i < n && least < most; i++)
+        thud_panel_limits(panel[i], side, least, most);
+}
+
 struct thud_figure *thud_bench_figure(struct thud_bench *bench, const char *title)
 {
     static const char *const titles[2][2] = {{"Time, events not located", "Time, events located"},
@@ -136,5 +151,9 @@ struct thud_figure *thud_bench_figure(struct thud_bench *bench, const char *titl
             if (exact || column == p->locate)
                 add_curve(bench, first, last, panel[column], color_of(p->method));
     }
+    struct thud_panel *const all[] = {panel[0][0], panel[1][0], panel[0][1], panel[1][1]}; /* time, time, work, work */
+    share_axis(all, 4, THUD_X);
+    share_axis(all, 2, THUD_Y);
+    share_axis(all + 2, 2, THUD_Y);
     return figure;
 }

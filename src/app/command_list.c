@@ -8,7 +8,7 @@ static const struct thud_command commands[THUD_COMMANDS] = {
     [THUD_COMMAND_RUN] = {"run", "PRESET", "one scene, one answer", THUD_WORD_PRESET},
     [THUD_COMMAND_SWEEP] = {"sweep", "PRESET", "a parametric study; by itself the preset's own", THUD_WORD_PRESET},
     [THUD_COMMAND_FIGURES] = {"figures", "[NAME...]", "the paper's figures, or all", THUD_WORD_FIGURE},
-    [THUD_COMMAND_BENCH] = {"bench", "[PRESET]", "speed against accuracy of every method", THUD_WORD_PRESET},
+    [THUD_COMMAND_BENCH] = {"bench", "[PRESET]", "speed against accuracy of every method; costs", THUD_WORD_PRESET},
     [THUD_COMMAND_STABILITY] = {"stability", "[PRESET]", "where methods fail", THUD_WORD_PRESET},
     [THUD_COMMAND_VERIFY] = {"verify", "[PRESET...]", "presets against their stored expectations", THUD_WORD_PRESET},
     [THUD_COMMAND_RECORD] = {"record", "VERB [FILE...]", "info, spectrum, convert, list or synthesize",
@@ -27,6 +27,7 @@ enum {
     PICTURES = STUDY | FIGURES | 1 << THUD_COMMAND_BENCH | 1 << THUD_COMMAND_STABILITY,
     FILES = PICTURES | RECORD,
     LISTS = 1 << THUD_COMMAND_LAWS | 1 << THUD_COMMAND_METHODS,
+    BENCH = 1 << THUD_COMMAND_BENCH,
     VERIFY = 1 << THUD_COMMAND_VERIFY,
     SCREEN = 1 << THUD_COMMAND_SCREEN,
     MEASURE = 1 << THUD_COMMAND_BENCH | 1 << THUD_COMMAND_STABILITY,
@@ -67,6 +68,9 @@ static const struct thud_option options[] = {
     {"merge", NULL, "join the folders of all shards", THUD_WORD_NONE, false, SWEEP},
     {"without", "SAVING", "no free, start or levels; same numbers", THUD_WORD_TEXT, true, SWEEP},
     {"update", NULL, "write new expectations and show the difference", THUD_WORD_NONE, false, VERIFY},
+    {"cost", "AXIS", "cost by storeys, buildings, duration or impacts", THUD_WORD_COST, false, BENCH},
+    {"methods", "NAME,NAME", "only these methods", THUD_WORD_METHOD, false, BENCH},
+    {"patience", "TIME", "pass over what takes longer; else 12 s", THUD_WORD_TEXT, false, BENCH},
     {"json", NULL, "JSON on standard output", THUD_WORD_NONE, false, STUDY | RECORD | LISTS | VERIFY},
     {"csv", NULL, "CSV on standard output", THUD_WORD_NONE, false, STUDY},
     {"o", "DIR", "folder for CSV, PNG and gnuplot scripts", THUD_WORD_FOLDER, false, FILES},
@@ -120,7 +124,7 @@ const char *thud_word_list_name(enum thud_word word)
     static const char *const names[THUD_WORDS] = {
         [THUD_WORD_PRESET] = "presets",   [THUD_WORD_KEY] = "keys",       [THUD_WORD_CASE] = "cases",
         [THUD_WORD_METHOD] = "methods",   [THUD_WORD_FIGURE] = "figures", [THUD_WORD_RECORD_VERB] = "verbs",
-        [THUD_WORD_COMMAND] = "commands",
+        [THUD_WORD_COMMAND] = "commands", [THUD_WORD_COST] = "costs",
     };
     return names[word];
 }

@@ -48,9 +48,7 @@ static void add_labels(const struct grid *g, struct thud_panel *panel)
         thud_panel_tick(panel, THUD_X, k, text);
     }
     for (int row = 0; row < g->rows; row++) {
-        const struct thud_method *m = g->how[row]->method;
-        snprintf(text, sizeof text, "%s%s", m->name,
-                 g->how[row]->locate && m->flags & THUD_METHOD_FIXED_STEP ? " (located)" : "");
+        thud_stepping_name(g->how[row], text, sizeof text);
         thud_panel_tick(panel, THUD_Y, g->rows - 1 - row, text);
     }
     thud_panel_limits(panel, THUD_X, -0.5, g->columns - 0.5);

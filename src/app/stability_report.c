@@ -6,12 +6,6 @@
 
 static const char *const kinds[THUD_STABILITY_KINDS] = {"free vibration", "wall spring", "scene"};
 
-static void name_of(const struct thud_stepping *how, char *text, size_t size)
-{
-    bool said = how->locate && how->method->flags & THUD_METHOD_FIXED_STEP;
-    snprintf(text, size, "%s%s", how->method->name, said ? ", located" : "");
-}
-
 static bool same(const struct thud_stepping *a, const struct thud_stepping *b)
 {
     return a->method == b->method && a->locate == b->locate;
@@ -39,7 +33,7 @@ static void add_verdicts(const struct thud_stability *s, int kind, struct thud_t
     for (int i = 0; i < s->ncells; i++) {
         if (i == 0 || !same(&c[i].how, &c[i - 1].how)) {
             char name[64];
-            name_of(&c[i].how, name, sizeof name);
+            thud_stepping_name(&c[i].how, name, sizeof name);
             thud_text_append(out, "\n%-34s ", name);
             if (isfinite(c[i].how.method->stability))
                 thud_text_append(out, "%6.4g ", c[i].how.method->stability);
@@ -66,7 +60,7 @@ static void add_energies(const struct thud_stability *s, struct thud_text *out)
     for (int i = 0; i < s->nenergies; i++) {
         if (i == 0 || !same(&e[i].how, &e[i - 1].how)) {
             char name[64];
-            name_of(&e[i].how, name, sizeof name);
+            thud_stepping_name(&e[i].how, name, sizeof name);
             thud_text_append(out, "\n%-34s", name);
         }
         add_number(out, e[i].ratio);

@@ -1,15 +1,16 @@
-/* thud bench: speed against accuracy, every method. */
-#include <math.h>
+/* thud bench: speed against accuracy, every method; and what a run costs as its scene grows. */
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-#include "app/bench_jobs.h"
+#include "app/cost_jobs.h"
 #include "app/figure_files.h"
+#include "base/quantity.h"
 #include "cli/commands.h"
 #include "cli/interrupt.h"
+#include "cli/picture_options.h"
 #include "cli/scene_options.h"
 #include "io/file.h"
 
@@ -20,61 +21,154 @@ static void show_progress(void *context, const char *what, int done, int count)
     fflush(stderr);
 }
 
-static enum thud_status save(struct thud_bench *bench, const char *folder, const char *title, struct thud_error *err)
+/* The table on standard output; with -o also `csv` as NAME.csv and the figure, all of which are used up. */
+static enum thud_status deliver(const struct thud_args *args, struct thud_text *table, struct thud_text *csv,
+                                struct thud_figure *figure, struct thud_error *err)
 {
-    struct thud_text text = {0};
-    char path[1024];
-    snprintf(path, sizeof path, "%.1000s/bench.csv", folder);
-    enum thud_status status = thud_folder_make(folder, err);
-    if (status != THUD_OK)
-        return status;
-    thud_bench_csv(bench, &text);
-    status = thud_text_write(&text, path, err);
-    if (status != THUD_OK)
-        return status;
-    return thud_figure_deliver(thud_bench_figure(bench, title), folder, NULL, THUD_OK, err);
-}
-
-static enum thud_status deliver(const struct thud_args *args, struct thud_bench *bench, const char *title,
-                                struct thud_error *err)
-{
-    struct thud_text text = {0};
+    struct thud_picture_choice picture;
     const char *folder = thud_args_value(args, "o");
-    thud_bench_table(bench, &text);
-    enum thud_status status = thud_cli_print(&text, err);
-    return status == THUD_OK && folder ? save(bench, folder, title, err) : status;
+    char path[1200];
+    enum thud_status status = thud_picture_options_read(args, &picture, err);
+    picture.options.no_data = true; /* the table's CSV says more and has its name */
+    if (status == THUD_OK)
+        status = thud_cli_print(table, err);
+    if (status == THUD_OK && folder)
+        status = thud_figure_check(figure, err);
+    if (status == THUD_OK && folder)
+        status = thud_folder_make(folder, err);
+    if (status == THUD_OK && folder) {
+        snprintf(path, sizeof path, "%.1000s/%s.csv", folder, figure->name);
+        status = thud_text_write(csv, path, err);
+    }
+    if (folder)
+        return thud_figure_deliver(figure, folder, &picture.options, status, err);
+    thud_text_clear(csv);
+    thud_figure_free(figure);
+    return status;
 }
 
-static enum thud_status bench(const struct thud_args *args, struct thud_session *session, struct thud_error *err)
+/* --methods NAME,NAME: the curves of these alone. */
+static enum thud_status choose_methods(struct thud_bench *bench, const char *list, struct thud_error *err)
+{
+    const struct thud_method *chosen[THUD_GIVEN_MAX];
+    int n = 0;
+    while (*list) {
+        char name[64];
+        size_t length = strcspn(list, ",");
+        snprintf(name, sizeof name, "%.*s", (int)(length < sizeof name ? length : sizeof name - 1), list);
+        const struct thud_method *method = thud_method_find(name);
+        if (!method || n == THUD_GIVEN_MAX) {
+            thud_error_set(err, THUD_USAGE, "--methods: there is no method `%s`", name);
+            thud_error_allow(err, "those of `thud methods`");
+            return THUD_USAGE;
+        }
+        chosen[n++] = method;
+        list += length + (list[length] == ',');
+    }
+    thud_bench_only(bench, chosen, n);
+    return THUD_OK;
+}
+
+static enum thud_status bench(const struct thud_args *args, const struct thud_scene *scene,
+                              const struct thud_record *record, const struct thud_bench_jobs *jobs,
+                              struct thud_error *err)
 {
     struct thud_bench *plan = NULL;
+    struct thud_text table = {0}, csv = {0};
+    const char *methods = thud_args_value(args, "methods");
+    enum thud_status status = thud_bench_create(scene, record, true, &plan, err);
+    if (status == THUD_OK && methods)
+        status = choose_methods(plan, methods, err);
+    if (status == THUD_OK)
+        status = thud_bench_jobs_run(plan, jobs, err);
+    if (jobs->progress)
+        fputs("\r\033[K", stderr);
+    if (status == THUD_OK || (status == THUD_CANCELLED && plan)) {
+        thud_bench_table(plan, &table);
+        thud_bench_csv(plan, &csv);
+        enum thud_status delivered = deliver(args, &table, &csv, thud_bench_figure(plan, scene->title), err);
+        status = delivered == THUD_OK ? status : delivered;
+    }
+    thud_bench_free(plan);
+    return status;
+}
+
+static enum thud_status cost(const struct thud_args *args, const struct thud_scene *scene,
+                             const struct thud_record *record, const struct thud_bench_jobs *jobs,
+                             struct thud_error *err)
+{
+    struct thud_cost *plan = NULL;
+    struct thud_text table = {0}, csv = {0};
+    enum thud_cost_axis axis;
+    enum thud_status status = thud_cost_axis_find(thud_args_value(args, "cost"), &axis, err);
+    if (status == THUD_OK)
+        status = thud_cost_create(scene, record, axis, &plan, err);
+    if (status == THUD_OK)
+        status = thud_cost_jobs_run(plan, jobs, err);
+    if (jobs->progress)
+        fputs("\r\033[K", stderr);
+    if (status == THUD_OK || (status == THUD_CANCELLED && plan)) {
+        thud_cost_table(plan, &table);
+        thud_cost_csv(plan, &csv);
+        enum thud_status delivered = deliver(args, &table, &csv, thud_cost_figure(plan, scene->title), err);
+        status = delivered == THUD_OK ? status : delivered;
+    }
+    thud_cost_free(plan);
+    return status;
+}
+
+static enum thud_status patience(const struct thud_args *args, double *out, struct thud_error *err)
+{
+    struct thud_quantity value;
+    const char *text = thud_args_value(args, "patience");
+    if (!text)
+        return THUD_OK;
+    enum thud_status status = thud_quantity_parse(text, THUD_TIME, NULL, &value, err);
+    if (status == THUD_OK && !(value.value > 0))
+        status = thud_error_set(err, THUD_INPUT, "`%.40s` is no time to wait", text);
+    if (status != THUD_OK) {
+        thud_error_key(err, "--patience");
+        err->status = THUD_USAGE;
+        return THUD_USAGE;
+    }
+    *out = value.value;
+    return THUD_OK;
+}
+
+static enum thud_status of_case(const struct thud_args *args, struct thud_session *session, struct thud_scene *scene,
+                                struct thud_error *err)
+{
+    enum thud_case which;
+    enum thud_status status = thud_scene_options_case(args, &which, err);
+    if (status != THUD_OK)
+        return status;
+    *scene = session->scene;
+    if (which == THUD_CASE_AS_WRITTEN)
+        return THUD_OK;
+    status = thud_scene_case(&session->scene, which, scene, err);
+    snprintf(scene->title, sizeof scene->title, "%.200s, case %s", session->scene.title, thud_case_name(which));
+    return status;
+}
+
+static enum thud_status measure(const struct thud_args *args, struct thud_session *session, struct thud_error *err)
+{
     struct thud_bench_jobs jobs = {.repeats = 7, .patience_s = 12, .cancel = thud_interrupt_watch()};
+    struct thud_picture_choice unused;
+    struct thud_scene *scene = malloc(sizeof *scene);
+    if (!scene)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
     if (isatty(STDERR_FILENO) && !thud_args_has(args, "quiet"))
         jobs.progress = show_progress;
-    enum thud_case which;
-    struct thud_scene *scene = malloc(sizeof *scene);
-    enum thud_status status = scene ? thud_scene_options_case(args, &which, err) : THUD_MEMORY;
-    if (status == THUD_OK) {
-        *scene = session->scene;
-        if (which != THUD_CASE_AS_WRITTEN)
-            status = thud_scene_case(&session->scene, which, scene, err);
-    }
+    enum thud_status status = thud_picture_options_read(args, &unused, err); /* wrong ones are said before the work */
+    if (status == THUD_OK)
+        status = patience(args, &jobs.patience_s, err);
+    if (status == THUD_OK)
+        status = of_case(args, session, scene, err);
     if (status == THUD_OK)
         status = thud_session_read_record(session, err);
     if (status == THUD_OK)
-        status = thud_bench_create(scene, session->record, true, &plan, err);
+        status = (thud_args_has(args, "cost") ? cost : bench)(args, scene, session->record, &jobs, err);
     free(scene);
-    if (status != THUD_OK)
-        return status;
-    status = thud_bench_jobs_run(plan, &jobs, err);
-    if (jobs.progress)
-        fputs("\r\033[K", stderr);
-    if (status == THUD_OK || status == THUD_CANCELLED) {
-        enum thud_status delivered = deliver(args, plan, session->scene.title, err);
-        if (delivered != THUD_OK)
-            status = delivered;
-    }
-    thud_bench_free(plan);
     return status;
 }
 
@@ -85,7 +179,7 @@ enum thud_status thud_command_bench(const struct thud_args *args, struct thud_er
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     enum thud_status status = thud_scene_options_open(args, session, err);
     if (status == THUD_OK) {
-        status = bench(args, session, err);
+        status = measure(args, session, err);
         thud_session_close(session);
     }
     free(session);

@@ -22,6 +22,7 @@ static void end_block(const struct sheet *sheet)
     thud_text_append(sheet->out, "NaN NaN NaN\nEOD\n");
 }
 
+/* `to` NULL: all points. */
 static void series_block(const struct sheet *sheet, int panel, int i, const struct thud_reduce *to)
 {
     const struct thud_series *series = sheet->figure->panel[panel].series[i];
@@ -30,7 +31,9 @@ static void series_block(const struct sheet *sheet, int panel, int i, const stru
         sheet->out->failed = 1;
         return;
     }
-    size_t n = thud_reduce(to, series->n, series->x, series->y, series->y_high, index);
+    size_t n = to ? thud_reduce(to, series->n, series->x, series->y, series->y_high, index) : series->n;
+    for (size_t k = 0; !to && k < n; k++)
+        index[k] = k;
     begin_block(sheet, panel, "S", i);
     for (size_t k = 0; k < n; k++) {
         double x = series->x[index[k]], y = series->y[index[k]], high = series->y_high ? series->y_high[index[k]] : 0.0;
@@ -91,7 +94,8 @@ void thud_gnuplot_data(const struct sheet *sheet, int panel)
                              (size_t)fmax(2.0, 2.0 * (box.right - box.left)),
                              (size_t)fmax(2.0, 2.0 * (box.top - box.bottom))};
     for (int i = 0; i < p->nseries; i++)
-        series_block(sheet, panel, i, &to);
+        series_block(sheet, panel, i,
+                     p->axis[THUD_X].log || p->axis[THUD_Y].log ? NULL : &to); /* its cells are linear */
     if (p->map)
         map_block(sheet, panel, p->map);
 }
@@ -109,16 +113,18 @@ static void power_text(int power, char *text, size_t size)
         strncat(text, *c == '-' ? "⁻" : digit[*c - '0'], size - strlen(text) - 1);
 }
 
-static void log_ticks(struct thud_text *out, const struct thud_range *range)
+/* No more than `most` of them with their number. */
+static void log_ticks(struct thud_text *out, const struct thud_range *range, int most)
 {
     int from = (int)floor(log10(range->least) - 1e-9), to = (int)ceil(log10(range->most) + 1e-9);
-    int stride = 1 + (to - from) / 9;
+    int inside = (int)(floor(log10(range->most) + 1e-9) - ceil(log10(range->least) - 1e-9));
+    int stride = 1 + inside / most;
     bool few = to - from <= 2;
     const char *comma = "";
     for (int power = from; power <= to; power++) {
         char text[64];
         power_text(power, text, sizeof text);
-        if ((power - from) % stride == 0)
+        if (power % stride == 0)
             thud_text_append(out, "%s'%s' 1e%d", comma, text, power);
         else
             thud_text_append(out, "%s'' 1e%d 1", comma, power);
@@ -183,7 +189,8 @@ static void axis(const struct sheet *sheet, const struct thud_panel *panel, enum
         thud_text_append(out, ")\n");
     } else if (a->log) {
         thud_text_append(out, "(");
-        log_ticks(out, &range);
+        double room = side == THUD_X ? (box->right - box->left) / (3.5 * sheet->em) : 9;
+        log_ticks(out, &range, (int)fmin(9, fmax(2, room)));
         thud_text_append(out, ")\n");
     } else
         thud_text_append(out, "autofreq %.10g\n", range.step);
@@ -203,7 +210,8 @@ void thud_gnuplot_style(const struct sheet *sheet, const struct thud_series *ser
     else
         thud_text_append(sheet->out, "lw %.2g ", width);
     if (style->kind == THUD_POINTS || style->kind == THUD_LINES_POINTS)
-        thud_text_append(sheet->out, "pt %d ps %.3g ", shape[style->color < 0 ? 0 : style->color % THUD_COLORS],
+        thud_text_append(sheet->out, "pt %d ps %.3g ",
+                         shape[style->color < 0 ? 0 : (style->color + 3 * (style->color / THUD_COLORS)) % THUD_COLORS],
                          sheet->dot);
     if (style->kind == THUD_LINES_POINTS)
         thud_text_append(sheet->out, "pi %zu ", 1 + series->n / 24);

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "study/bench_private.h"
+#include "study/stability.h"
 
 static const double tolerances[] = {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10};
 static const double steps[] = {1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4, 5e-5, 2e-5, 1e-5};
@@ -97,10 +98,22 @@ struct thud_bench_point *thud_bench_point(struct thud_bench *bench, int i)
     return &bench->point[i];
 }
 
+void thud_bench_only(struct thud_bench *bench, const struct thud_method *const *method, int methods)
+{
+    int kept = 0;
+    for (int i = 0; i < bench->npoints; i++) {
+        bool wanted = false;
+        for (int k = 0; k < methods; k++)
+            wanted = wanted || bench->point[i].method == method[k];
+        if (wanted)
+            bench->point[kept++] = bench->point[i];
+    }
+    bench->npoints = kept;
+}
+
 void thud_bench_curve_name(const struct thud_bench_point *point, char *text, unsigned long size)
 {
-    bool said = point->locate && point->method->flags & THUD_METHOD_FIXED_STEP;
-    snprintf(text, size, "%s%s", point->method->name, said ? ", located" : "");
+    thud_stepping_name(&(struct thud_stepping){.method = point->method, .locate = point->locate}, text, size);
 }
 
 const char *thud_bench_reference_name(const struct thud_bench *bench, int which)
@@ -164,7 +177,9 @@ enum thud_status thud_bench_judge(struct thud_bench *bench, int i, const struct 
     status = thud_bench_answer_take(run, &answer, err);
     if (status != THUD_OK)
         return status;
-    p->error = thud_bench_compare(&answer, &bench->reference[0]);
+    /* no method is its own judge */
+    bool own = bench->reference[1].there && p->method == thud_method_find(reference_names[0]);
+    p->error = thud_bench_compare(&answer, &bench->reference[own]);
     p->state = THUD_BENCH_DONE;
     thud_bench_answer_clear(&answer);
     return THUD_OK;

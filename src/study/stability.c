@@ -1,6 +1,7 @@
 #include "study/stability.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "core/record_edit.h"
@@ -20,6 +21,12 @@ enum {
     CLOSINGS = sizeof closings_mps / sizeof *closings_mps,
     PAIR_STEPS = sizeof pair_steps_s / sizeof *pair_steps_s
 };
+
+void thud_stepping_name(const struct thud_stepping *how, char *text, unsigned long size)
+{
+    bool said = how->locate && how->method->flags & THUD_METHOD_FIXED_STEP;
+    snprintf(text, size, "%s%s", how->method->name, said ? ", located" : "");
+}
 
 const char *thud_verdict_word(enum thud_verdict verdict)
 {
