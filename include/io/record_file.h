@@ -8,6 +8,8 @@
 #include "core/record.h"
 #include "study/scene.h"
 
+enum { THUD_RECORD_BYTES_MAX = 256 << 20 };
+
 /* Reads `path` with what `choice` says of it (dt, unit, channel, column, skip), then applies factor, peak and sign.
  * What a file does not say is asked for by its option's name. Errors: THUD_INPUT with file and line, THUD_MEMORY. */
 enum thud_status thud_record_file_read(const char *path, const struct thud_record_choice *choice,

@@ -10,6 +10,7 @@
 
 #include "app/record_verbs.h"
 #include "base/quantity.h"
+#include "io/file.h"
 #include "io/json.h"
 #include "io/record_file.h"
 
@@ -137,35 +138,54 @@ static int by_name(const void *a, const void *b)
     return strcmp(*(char *const *)a, *(char *const *)b);
 }
 
-/* A file that is no record is passed over. Errors: THUD_MEMORY. */
-static enum thud_status list_file(const char *path, const char *name, bool json, int *shown, struct thud_text *out,
-                                  struct thud_error *failure)
+/* One entry of the list; `why`: why there is no record, "" where it only needs an option. */
+static void put_entry(const char *path, const char *name, const struct thud_record *record, const char *needs,
+                      const char *why, bool json, struct thud_text *out)
 {
-    struct thud_record_treatment treatment;
-    struct thud_record *record;
-    struct thud_error err = {0};
-    thud_record_treatment_init(&treatment);
-    enum thud_status status = thud_record_file_read(path, &treatment.choice, &record, &err);
-    if (status == THUD_MEMORY)
-        return thud_error_set(failure, THUD_MEMORY, "out of memory");
-    bool asks = status && err.key[0]; /* a record, but one that needs an option */
-    if (status && !asks)
-        return THUD_OK;
     double peak = record ? thud_record_peak(record) : NAN;
     if (json) {
-        thud_text_append(out, "%s\n  {", *shown ? "," : "");
+        thud_text_append(out, "{");
         text_field(out, "file", path);
         text_field(out, "format", record ? record->format : "");
-        text_field(out, "needs", asks ? err.key : "");
+        text_field(out, "needs", needs);
+        if (*why)
+            text_field(out, "error", why);
         thud_text_append(out, "\"samples\": %zu, ", record ? record->samples : 0);
         number_field(out, "dt_s", record ? record->dt_s : NAN);
         thud_json_field(out, "pga_mps2", peak);
         thud_text_append(out, "}");
-    } else if (record)
+    } else if (record) {
         thud_text_append(out, "%-44s %-14s %8zu  %7.6g s  %7.4f g\n", name, record->format, record->samples,
                          record->dt_s, peak / THUD_GRAVITY);
-    else
-        thud_text_append(out, "%-44s needs --%s\n", name, err.key);
+    } else if (*why) {
+        thud_text_append(out, "%-44s cannot be read: %s\n", name, why);
+    } else {
+        thud_text_append(out, "%-44s needs --%s\n", name, needs);
+    }
+}
+
+/* A file that is no record is passed over; one that cannot be read is told. Errors: THUD_MEMORY. */
+static enum thud_status list_file(const char *path, const char *name, bool json, int *shown, struct thud_text *out,
+                                  struct thud_error *failure)
+{
+    struct thud_record_treatment treatment;
+    struct thud_record *record = NULL;
+    struct thud_error err = {0};
+    char *bytes;
+    size_t size;
+    thud_record_treatment_init(&treatment);
+    enum thud_status status = thud_file_read(path, THUD_RECORD_BYTES_MAX, &bytes, &size, &err);
+    bool unreadable = status != THUD_OK;
+    if (!unreadable) {
+        status = thud_record_parse(bytes, size, path, &treatment.choice, &record, &err);
+        free(bytes);
+    }
+    if (status == THUD_MEMORY)
+        return thud_error_set(failure, THUD_MEMORY, "out of memory");
+    if (status && !unreadable && !err.key[0]) /* with a key: a record, but one that needs an option */
+        return THUD_OK;
+    thud_text_append(out, json && *shown ? ",\n  " : json ? "\n  " : "");
+    put_entry(path, name, record, err.key, unreadable ? err.what : "", json, out);
     ++*shown;
     thud_record_free(record);
     return THUD_OK;
@@ -219,7 +239,7 @@ static bool may_be_record(const char *path)
 {
     struct stat about;
     const char *suffix = strrchr(path, '.');
-    return !(suffix && strcmp(suffix, ".md") == 0) && stat(path, &about) == 0 && S_ISREG(about.st_mode);
+    return !(suffix && strcmp(suffix, ".md") == 0) && (stat(path, &about) != 0 || S_ISREG(about.st_mode));
 }
 
 enum thud_status thud_record_list(const char *folder, bool json, struct thud_text *out, struct thud_error *err)

@@ -9,7 +9,6 @@
 #include "io/record_formats.h"
 #include "io/record_unit.h"
 
-enum { FILE_LIMIT = 256 << 20 };
 
 #define ENTRY(name) &record_format_##name,
 static const struct record_format *const formats[] = {RECORD_FORMATS(ENTRY)};
@@ -198,7 +197,7 @@ enum thud_status thud_record_file_read(const char *path, const struct thud_recor
     *out = NULL;
     char *text;
     size_t size;
-    enum thud_status status = thud_file_read(path, FILE_LIMIT, &text, &size, err);
+    enum thud_status status = thud_file_read(path, THUD_RECORD_BYTES_MAX, &text, &size, err);
     if (status)
         return status;
     status = thud_record_parse(text, size, path, choice, out, err);

@@ -1,4 +1,5 @@
 /* The head of a study's journal: lines `cases`, `vary`, `record`, then the preset. */
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -49,6 +50,12 @@ static enum thud_status damaged(const struct thud_sweep_journal *journal, struct
     return refuse(journal, err);
 }
 
+static enum thud_status unreadable(const struct thud_sweep_journal *journal, struct thud_error *err)
+{
+    thud_error_set(err, THUD_INPUT, "%s", strerror(errno));
+    return refuse(journal, err);
+}
+
 /* Another version may answer in other digits; a study is of one. */
 static enum thud_status check_version(const struct thud_sweep_journal *journal, const char *version,
                                       struct thud_error *err)
@@ -68,7 +75,10 @@ static enum thud_status read_start(struct thud_sweep_journal *journal, struct th
     char line[160], version[32];
     int format, used = 0;
     rewind(journal->file);
-    if (!fgets(line, sizeof line, journal->file) || sscanf(line, "thud-sweep-journal %9d%n", &format, &used) != 1)
+    errno = 0;
+    if (!fgets(line, sizeof line, journal->file))
+        return ferror(journal->file) ? unreadable(journal, err) : damaged(journal, err);
+    if (sscanf(line, "thud-sweep-journal %9d%n", &format, &used) != 1)
         return damaged(journal, err);
     if (format != FORMAT) {
         thud_error_set(err, THUD_INPUT, "the study was begun by another version of thud (journal %d, not %d)", format,
@@ -119,8 +129,9 @@ enum thud_status thud_sweep_head_read(struct thud_sweep_journal *journal, struct
     head->text = malloc(size + 1);
     if (!head->text)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
+    errno = 0;
     if (fread(head->text, 1, size, journal->file) != size)
-        return damaged(journal, err);
+        return ferror(journal->file) ? unreadable(journal, err) : damaged(journal, err);
     head->text[size] = '\0';
     journal->start = ftello(journal->file);
     journal->head_lines = 1;

@@ -71,6 +71,8 @@ static enum thud_status find_end(struct thud_sweep_journal *journal, struct thud
     }
     if (status == THUD_MEMORY)
         return thud_error_set(err, status, "out of memory");
+    if (journal->unreadable) /* what could not be read may be whole: nothing is cut off */
+        return failed(journal, THUD_INPUT, damage.what, err);
     fflush(journal->file);
     if (ftruncate(fileno(journal->file), journal->end) != 0)
         return failed(journal, THUD_OUTPUT, strerror(errno), err);
@@ -158,6 +160,7 @@ long thud_sweep_journal_done(const struct thud_sweep_journal *journal)
 
 void thud_sweep_journal_rewind(struct thud_sweep_journal *journal)
 {
+    clearerr(journal->file);
     fseeko(journal->file, journal->start, SEEK_SET);
     journal->read = 0;
     journal->line_number = journal->head_lines;
@@ -169,7 +172,14 @@ enum thud_status thud_sweep_journal_next(struct thud_sweep_journal *journal, str
                                          struct thud_error *err)
 {
     *out = NULL;
+    errno = 0;
     ssize_t n = getline(&journal->buffer, &journal->capacity, journal->file);
+    if (n <= 0 && !feof(journal->file)) {
+        if (errno == ENOMEM)
+            return thud_error_set(err, THUD_MEMORY, "out of memory");
+        journal->unreadable = true;
+        return failed(journal, THUD_INPUT, strerror(errno), err);
+    }
     if (n <= 0)
         return THUD_OK;
     journal->line_number++;

@@ -21,7 +21,9 @@ static void look_at(const struct thud_args *args)
     must(args->noperands <= THUD_OPERANDS_MAX && args->ngiven <= THUD_GIVEN_MAX);
     for (int i = 0; i < args->ngiven; i++) {
         must(thud_option_belongs(args->given[i].option, args->command));
-        must((args->given[i].option->argument != NULL) == (args->given[i].value != NULL));
+        const char *argument = args->given[i].option->argument;
+        if (!argument || argument[0] != '[') /* one that may be left out */
+            must((argument != NULL) == (args->given[i].value != NULL));
     }
     int jobs = 1;
     if (thud_args_integer(args, "j", 1, 64, 1, &jobs, NULL) == THUD_OK)
