@@ -49,7 +49,8 @@ struct thud_sweep_head {
     int nvary;
     const char *vary[THUD_VARY_MAX]; /* "KEY=V1,V2" */
     int nrecords;
-    const char **record; /* (nrecords) names; empty: no ground motion */
+    const char **record;     /* (nrecords) names; empty: no ground motion */
+    const char *sensitivity; /* "0.001"; NULL: none */
     const char *preset;
 };
 /* Opens a journal to read it only. Errors: THUD_INPUT, THUD_MEMORY. */

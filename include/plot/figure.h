@@ -20,7 +20,7 @@ enum thud_series_kind {
     THUD_POINTS,
     THUD_LINES_POINTS,
     THUD_STEPS, /* constant from one x to the next */
-    THUD_FILL,  /* a band between y and y_high */
+    THUD_FILL,  /* a band between y and y_high; a thin one belongs to the curve of its name */
     THUD_BARS   /* from 0 to y */
 };
 
@@ -43,6 +43,12 @@ struct thud_series {
     size_t n;
     double *x, *y, *y_high;
 };
+
+/* Drawn faintly behind its curve, and not in the key. */
+static inline bool thud_series_is_shade(const struct thud_series *series)
+{
+    return series->style.kind == THUD_FILL && series->style.thin;
+}
 
 struct thud_tick {
     double at;
@@ -117,6 +123,7 @@ void thud_panel_mark(struct thud_panel *panel, enum thud_side side, double from,
 /* Copies n values each; x or y NULL: zeros, to be filled by the caller. NULL when out of memory. */
 struct thud_series *thud_panel_add(struct thud_panel *panel, struct thud_style style, const char *name, size_t n,
                                    const double *x, const double *y);
+/* The same with `low` in y. */
 struct thud_series *thud_panel_fill(struct thud_panel *panel, struct thud_style style, const char *name, size_t n,
                                     const double *x, const double *low, const double *high);
 /* z NULL: NaN everywhere, to be filled. NULL when out of memory. */

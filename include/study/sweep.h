@@ -11,6 +11,7 @@
 
 #include "base/text.h"
 #include "core/record.h"
+#include "study/sensitivity.h"
 #include "study/sweep_row.h"
 
 /* None of these changes an answer (model.md, section 7). They hold for the exact method; other methods make every run.
@@ -24,6 +25,9 @@ enum thud_sweep_saving {
 
 enum { THUD_SWEEP_CASES_MAX = THUD_CASES + 1 };
 
+/* Runs of a case at a point where its spread is asked for: as it is (variant 0), then each change less and more. */
+enum { THUD_SWEEP_VARIANTS = 1 + 2 * THUD_CHANGES };
+
 struct thud_sweep_plan {
     struct thud_scene scene;
     int nrecords;
@@ -36,6 +40,7 @@ struct thud_sweep_plan {
     int ncases;
     enum thud_case cases[THUD_SWEEP_CASES_MAX];
     unsigned savings;
+    double sensitivity; /* every run again with gaps, motion and stiffnesses changed by this much; 0: not */
 };
 
 /* A plan of the scene alone: no axes, no records, case as written. */
@@ -46,7 +51,7 @@ void thud_sweep_plan_clear(struct thud_sweep_plan *plan);
 enum thud_status thud_sweep_vary(struct thud_sweep_plan *plan, const char *text, struct thud_error *err);
 /* Cases by name, `none,bumper`. Errors: THUD_USAGE. */
 enum thud_status thud_sweep_cases(struct thud_sweep_plan *plan, const char *text, struct thud_error *err);
-/* Axes and cases of the scene's own study. Errors: as thud_sweep_vary. */
+/* Axes and cases of the scene's own study; its sensitivity in any case. Errors: as thud_sweep_vary. */
 enum thud_status thud_sweep_study(struct thud_sweep_plan *plan, bool axes, bool cases, struct thud_error *err);
 
 long thud_sweep_points(const struct thud_sweep_plan *plan);
@@ -89,6 +94,12 @@ struct thud_sweep_level {
     double left_m, right_m, closing_m, correlation;
 };
 
+/* What the changed runs of a point cost. */
+struct thud_sweep_changed {
+    int made, free, failed; /* runs; answered without one; without an answer */
+    long steps, events;
+};
+
 /* A finished point: plain numbers, one allocation (free with free()). */
 struct thud_sweep_point {
     long index;
@@ -97,10 +108,12 @@ struct thud_sweep_point {
     int ncases; /* those of the plan, and `none` after them where it had to be added */
     enum thud_case which[THUD_SWEEP_CASES_MAX + 1]; /* (ncases) */
     struct thud_sweep_effort effort[THUD_SWEEP_CASES_MAX + 1];
+    int nvariants; /* 1, or THUD_SWEEP_VARIANTS */
+    struct thud_sweep_changed changed;
     int floors[THUD_STRUCTURES_MAX]; /* (nstructures) */
     struct thud_sweep_floor
-        *floor; /* ((ncases + 1) x nfloors): NaN where a case has no answer; the last is no pounding */
-    struct thud_sweep_contact *contact; /* (ncases x ncontacts) */
+        *floor; /* (nvariants x (ncases + 1) x nfloors): NaN where a case has no answer; the last is no pounding */
+    struct thud_sweep_contact *contact; /* (nvariants x ncases x ncontacts): force NaN where a case has no answer */
     struct thud_sweep_level *level;     /* (ncontacts) */
 };
 
@@ -124,16 +137,20 @@ int thud_sweep_contact_rows(const struct thud_sweep_plan *plan, const struct thu
 int thud_sweep_need_rows(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point,
                          struct thud_sweep_need_row *row);
 
-/* A point as one line of text without a newline, and back. Reading errors: THUD_INPUT, THUD_MEMORY. */
+/* A point as one line of text without a newline, and back; one with a spread says so at its start. Reading errors:
+ * THUD_INPUT, THUD_MEMORY. */
 void thud_sweep_point_write(const struct thud_sweep_point *point, struct thud_text *out);
 enum thud_status thud_sweep_point_read(const char *line, struct thud_sweep_point **out, struct thud_error *err);
-/* Identifies a plan: equal for equal scenes, records, axes and cases. */
+/* Identifies a plan: equal for equal scenes, records, axes, cases and sensitivity. */
 unsigned long long thud_sweep_fingerprint(const struct thud_sweep_plan *plan);
 
 /* Sums over points: what a study cost and what was saved. */
 struct thud_sweep_total {
     long points, asked, made, references, free, impossible, diverged, shared_runs, left_out, steps, events;
     double shared_s, end_s; /* of the runs made */
+    struct {
+        long made, free, failed;
+    } changed; /* runs for the spread */
     /* The first run that is not possible, and the first that diverged: point and index of its case; -1: none */
     long impossible_point, diverged_point;
     int impossible_case, diverged_case;

@@ -16,6 +16,20 @@ struct thud_sweep_axis {
     char (*text)[THUD_NAME_MAX]; /* (n) as thud_scene_set takes it */
 };
 
+/* What a row measures, in the order of its fields. */
+enum thud_sweep_measure {
+    THUD_SWEEP_ACCELERATION,
+    THUD_SWEEP_DRIFT,
+    THUD_SWEEP_DISPLACEMENT,
+    THUD_SWEEP_ACCELERATION_RATIO,
+    THUD_SWEEP_DRIFT_RATIO,
+    THUD_SWEEP_DISPLACEMENT_RATIO,
+    THUD_SWEEP_ACCELERATION_FREE_RATIO,
+    THUD_SWEEP_DRIFT_FREE_RATIO,
+    THUD_SWEEP_DISPLACEMENT_FREE_RATIO,
+    THUD_SWEEP_MEASURES
+};
+
 struct thud_sweep_row {
     int record; /* from 0 */
     enum thud_case which;
@@ -29,6 +43,9 @@ struct thud_sweep_row {
     double acceleration_ratio, drift_ratio, displacement_ratio;
     /* Over no pounding at all. */
     double acceleration_free_ratio, drift_free_ratio, displacement_free_ratio;
+    /* Each over the changed runs and the one as asked for; a ratio's two runs are changed alike. NaN where no spread
+     * was asked for or one of the runs has no answer. */
+    double low[THUD_SWEEP_MEASURES], high[THUD_SWEEP_MEASURES];
 };
 
 struct thud_sweep_contact_row {
@@ -39,8 +56,9 @@ struct thud_sweep_contact_row {
     int interface, left_floor, right_floor; /* from 1; floor 0: a wall */
     int impacts;
     double force_n, indentation_m, impulse_ns, contact_time_s;
-    double residual_m;     /* left by plastic deformation */
-    double residual_gap_m; /* clearance + residual at the end */
+    double residual_m;                                                       /* left by plastic deformation */
+    double residual_gap_m;                                                   /* clearance + residual at the end */
+    double force_low_n, force_high_n, indentation_low_m, indentation_high_m; /* as low and high of a floor's row */
 };
 
 /* The gap that a level needs, from the motion without pounding, beside the rules of the codes. */
@@ -58,6 +76,7 @@ struct thud_sweep_need_row {
 /* A whole study in memory, for figures. */
 struct thud_sweep_table {
     int nrecords, nstructures, naxes;
+    double sensitivity;                 /* of the rows' spread; 0: they have none */
     const char *const *record;          /* (nrecords) names */
     const char *const *structure;       /* (nstructures) names */
     const struct thud_sweep_axis *axis; /* (naxes) */

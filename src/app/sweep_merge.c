@@ -22,6 +22,8 @@ static enum thud_status fill_plan(struct thud_sweep_parts *parts, const struct t
     }
     plan->record = parts->record;
     plan->nrecords = head->nrecords;
+    if (head->sensitivity)
+        (void)thud_number_parse(head->sensitivity, &(const char *){NULL}, &plan->sensitivity);
     enum thud_status status = thud_sweep_cases(plan, head->cases, err);
     for (int i = 0; i < head->nvary && status == THUD_OK; i++)
         status = thud_sweep_vary(plan, head->vary[i], err);

@@ -102,6 +102,38 @@ static void put_need(const struct thud_sweep_table *table, int record, struct th
         100 * worst->srss_m, 100 * worst->ddc_m, worst->correlation);
 }
 
+/* The widest spread of a ratio of a case, against the ratio. */
+static void put_spread(const struct thud_sweep_plan *plan, const struct thud_sweep_table *table, int record,
+                       enum thud_case which, struct thud_text *out)
+{
+    const struct thud_sweep_row *widest = NULL;
+    double most = 0;
+    char at[PLACE];
+    for (size_t i = 0; i < table->nrows; i++) {
+        const struct thud_sweep_row *row = &table->row[i];
+        double low = row->low[THUD_SWEEP_ACCELERATION_RATIO], high = row->high[THUD_SWEEP_ACCELERATION_RATIO];
+        double change = fmax(high / row->acceleration_ratio - 1, 1 - low / row->acceleration_ratio);
+        if (row->record != record || row->which != which || !(change > most))
+            continue;
+        widest = row;
+        most = change;
+    }
+    if (!widest)
+        return;
+    int digits = thud_spread_digits(most);
+    thud_text_append(out, "  %-8s widest spread %.3g to %.3g, of ", thud_case_name(which),
+                     widest->low[THUD_SWEEP_ACCELERATION_RATIO], widest->high[THUD_SWEEP_ACCELERATION_RATIO]);
+    if (widest->floor > 0)
+        thud_text_append(out, "%.20s floor %d", plan->scene.structure[widest->structure].name, widest->floor);
+    else
+        thud_text_append(out, "%.20s's mean", plan->scene.structure[widest->structure].name);
+    thud_text_append(out, " at %s: ", place(plan, widest->value, -1, at));
+    if (digits == 0)
+        thud_text_append(out, "no digit means anything\n");
+    else
+        thud_text_append(out, "%d digit%s anything\n", digits, digits == 1 ? " means" : "s mean");
+}
+
 static bool has_rows(const struct thud_sweep_table *table, int record, enum thud_case which)
 {
     for (size_t i = 0; i < table->nrows; i++)
@@ -130,6 +162,7 @@ void thud_sweep_report(const struct thud_sweep_plan *plan, const struct thud_swe
             head = true;
             for (int s = 0; s < table->nstructures; s++)
                 put_structure(plan, table, r, which, s, out);
+            put_spread(plan, table, r, which, out);
         }
     }
 }
@@ -175,6 +208,13 @@ void thud_sweep_report_work(const struct thud_sweep_plan *plan, const struct thu
     if (total->references > 0)
         thud_text_append(out, " and %ld of case none for the ratios", total->references);
     thud_text_append(out, ": %ld made, %ld answered by the motion without pounding\n", total->made, total->free);
+    if (plan->sensitivity > 0) {
+        thud_text_append(
+            out, "spread under %g %% less or more gap, ground motion and stiffness, one at a time: %ld more runs\n",
+            100 * plan->sensitivity, total->changed.made + total->changed.free);
+        if (total->changed.failed > 0)
+            thud_text_append(out, "%ld of them have no answer: the spread is missing there\n", total->changed.failed);
+    }
     if (total->shared_runs > 0)
         thud_text_append(out, "%ld runs began where a contact could first be: %.0f of %.0f s were shared\n",
                          total->shared_runs, total->shared_s, total->end_s);

@@ -11,6 +11,7 @@ void thud_sweep_collector_init(struct thud_sweep_collector *collector, const str
     collector->table = (struct thud_sweep_table){.nrecords = plan->nrecords > 0 ? plan->nrecords : 1,
                                                  .nstructures = plan->scene.nstructures,
                                                  .naxes = plan->naxes,
+                                                 .sensitivity = plan->sensitivity,
                                                  .record = record,
                                                  .structure = collector->structure,
                                                  .axis = plan->axis};

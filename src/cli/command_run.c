@@ -110,9 +110,9 @@ static enum thud_status run(const struct thud_args *args, struct thud_session *s
         struct thud_report report = thud_session_report(session, scene, which, &answer);
         warn(report.result);
         struct thud_sensitivity *sensitivity = NULL;
-        if (thud_args_has(args, "sensitivity"))
-            status = thud_sensitivity_run(scene, session->record, thud_scene_change(scene), report.result, &sensitivity,
-                                          err);
+        double change = thud_scene_options_change(args, scene);
+        if (change > 0)
+            status = thud_sensitivity_run(scene, session->record, change, report.result, &sensitivity, err);
         report.sensitivity = sensitivity;
         if (status == THUD_OK)
             status = deliver(args, &report, err);

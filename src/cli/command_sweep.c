@@ -85,6 +85,8 @@ static enum thud_status fill_plan(struct sweep *s, struct thud_error *err)
         status = thud_sweep_vary(&s->plan, vary, err);
     if (status == THUD_OK)
         status = thud_sweep_study(&s->plan, own_axes, own_cases, err);
+    if (thud_args_has(s->args, "sensitivity"))
+        s->plan.sensitivity = thud_scene_options_change(s->args, &s->session.scene);
     if (status == THUD_OK && !own_cases)
         status = thud_sweep_cases(&s->plan, cases ? cases : thud_args_value(s->args, "case"), err);
     return status == THUD_OK ? choose_savings(s, err) : status;

@@ -57,6 +57,13 @@ enum thud_status thud_scene_options_open(const struct thud_args *args, struct th
     return status;
 }
 
+double thud_scene_options_change(const struct thud_args *args, const struct thud_scene *scene)
+{
+    if (!thud_args_has(args, "sensitivity"))
+        return 0;
+    return thud_args_value(args, "sensitivity") ? scene->study.sensitivity : thud_scene_change(scene);
+}
+
 enum thud_status thud_scene_options_case(const struct thud_args *args, enum thud_case *out, struct thud_error *err)
 {
     const char *word = thud_args_value(args, "case");

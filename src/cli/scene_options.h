@@ -10,6 +10,9 @@
 enum thud_status thud_scene_options_open(const struct thud_args *args, struct thud_session *session,
                                          struct thud_error *err);
 
+/* --sensitivity with its value, else with that of the scene's study or 0.1 %; 0: not asked for. */
+double thud_scene_options_change(const struct thud_args *args, const struct thud_scene *scene);
+
 /* --case; THUD_CASE_AS_WRITTEN without it. Errors: THUD_USAGE. */
 enum thud_status thud_scene_options_case(const struct thud_args *args, enum thud_case *out, struct thud_error *err);
 

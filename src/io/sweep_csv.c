@@ -71,6 +71,26 @@ static void put_record(const struct thud_sweep_plan *plan, int record, struct th
         csv_put_text(out, plan->record[record]->file);
 }
 
+/* Lower and upper end of every measure, where a spread was asked for. */
+static void put_spread_header(enum thud_sweep_csv which, struct thud_text *out)
+{
+    static const char *const measures[THUD_SWEEP_MEASURES][2] = {
+        [THUD_SWEEP_ACCELERATION] = {"acceleration", "_mps2"},
+        [THUD_SWEEP_DRIFT] = {"drift", "_m"},
+        [THUD_SWEEP_DISPLACEMENT] = {"displacement", "_m"},
+        [THUD_SWEEP_ACCELERATION_RATIO] = {"acceleration_ratio", ""},
+        [THUD_SWEEP_DRIFT_RATIO] = {"drift_ratio", ""},
+        [THUD_SWEEP_DISPLACEMENT_RATIO] = {"displacement_ratio", ""},
+        [THUD_SWEEP_ACCELERATION_FREE_RATIO] = {"acceleration_free_ratio", ""},
+        [THUD_SWEEP_DRIFT_FREE_RATIO] = {"drift_free_ratio", ""},
+        [THUD_SWEEP_DISPLACEMENT_FREE_RATIO] = {"displacement_free_ratio", ""},
+    };
+    for (int q = 0; which == THUD_SWEEP_CSV_FLOORS && q < THUD_SWEEP_MEASURES; q++)
+        thud_text_append(out, ",%s_low%s,%s_high%s", measures[q][0], measures[q][1], measures[q][0], measures[q][1]);
+    if (which == THUD_SWEEP_CSV_CONTACTS)
+        thud_text_append(out, ",force_low_n,force_high_n,indentation_low_m,indentation_high_m");
+}
+
 void thud_sweep_csv_header(const struct thud_sweep_plan *plan, enum thud_sweep_csv which, struct thud_text *out)
 {
     static const char *const columns[] = {
@@ -81,6 +101,8 @@ void thud_sweep_csv_header(const struct thud_sweep_plan *plan, enum thud_sweep_c
         "record,interface,left_floor,right_floor,left_displacement_m,right_displacement_m,closing_m,abs_m,srss_m,ddc_m,"
         "correlation"};
     thud_text_append(out, "%s", columns[which]);
+    if (plan->sensitivity > 0)
+        put_spread_header(which, out);
     for (int i = 0; i < plan->naxes; i++)
         if (shown(plan, i, which == THUD_SWEEP_CSV_NEEDS))
             thud_text_append(out, ",%s%s", plan->axis[i].key, suffix(plan->axis[i].param));
@@ -100,6 +122,8 @@ static void put_floor(const struct thud_sweep_plan *plan, long point, const stru
                         row->acceleration_ratio,      row->drift_ratio,      row->displacement_ratio,
                         row->acceleration_free_ratio, row->drift_free_ratio, row->displacement_free_ratio};
     put_numbers(out, x, sizeof x / sizeof *x);
+    for (int q = 0; plan->sensitivity > 0 && q < THUD_SWEEP_MEASURES; q++)
+        put_numbers(out, (const double[]){row->low[q], row->high[q]}, 2);
     put_axes(plan, point, false, out);
 }
 
@@ -112,7 +136,10 @@ static void put_contact(const struct thud_sweep_plan *plan, long point, const st
     thud_text_append(out, ",%d,%d,%d,%d", row->interface, row->left_floor, row->right_floor, row->impacts);
     const double x[] = {row->force_n,        row->indentation_m, row->impulse_ns,
                         row->contact_time_s, row->residual_m,    row->residual_gap_m};
+    const double spread[] = {row->force_low_n, row->force_high_n, row->indentation_low_m, row->indentation_high_m};
     put_numbers(out, x, sizeof x / sizeof *x);
+    if (plan->sensitivity > 0)
+        put_numbers(out, spread, sizeof spread / sizeof *spread);
     put_axes(plan, point, false, out);
 }
 

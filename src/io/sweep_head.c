@@ -1,4 +1,5 @@
-/* The head of a study's journal: lines `cases`, `vary`, `record`, then the preset. */
+/* The head of a study's journal: lines `cases`, `vary`, `record`, `sensitivity` where it is asked for, then the preset.
+ */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -21,6 +22,10 @@ static void put_body(const struct thud_sweep_plan *plan, const char *preset, str
     }
     for (int i = 0; i < plan->nrecords; i++)
         thud_text_append(out, "\nrecord %s", plan->record[i] ? plan->record[i]->file : "");
+    if (plan->sensitivity > 0) {
+        thud_text_append(out, "\nsensitivity ");
+        thud_text_number(out, plan->sensitivity);
+    }
     thud_text_append(out, "\npreset\n%s\n", preset);
 }
 
@@ -109,6 +114,8 @@ static bool split(struct thud_sweep_head *head)
             head->vary[head->nvary++] = line + 5;
         else if (strncmp(line, "record ", 7) == 0 && head->nrecords < records)
             head->record[head->nrecords++] = line + 7;
+        else if (strncmp(line, "sensitivity ", 12) == 0)
+            head->sensitivity = line + 12;
         else if (strcmp(line, "preset") == 0) {
             head->preset = end + 1;
             return head->cases != NULL;

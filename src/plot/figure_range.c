@@ -140,7 +140,7 @@ int thud_figure_key(const struct thud_figure *figure, const struct thud_series *
         const struct thud_panel *panel = &figure->panel[p];
         for (int i = 0; i < panel->nseries; i++) {
             const struct thud_series *series = panel->series[i];
-            if (!*series->name || listed(entry, n < most ? n : most, series->name))
+            if (!*series->name || thud_series_is_shade(series) || listed(entry, n < most ? n : most, series->name))
                 continue;
             if (n < most)
                 entry[n] = series;

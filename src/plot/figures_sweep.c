@@ -127,6 +127,51 @@ static void ratio_axes(struct thud_panel *panel, const struct thud_sweep_table *
     thud_panel_mark(panel, THUD_Y, 1.0, 1.0, "");
 }
 
+static double low_of(const struct thud_sweep_row *row, enum quantity q)
+{
+    return row->low[q == ACCELERATION ? THUD_SWEEP_ACCELERATION_RATIO : THUD_SWEEP_DRIFT_RATIO];
+}
+
+static double high_of(const struct thud_sweep_row *row, enum quantity q)
+{
+    return row->high[q == ACCELERATION ? THUD_SWEEP_ACCELERATION_RATIO : THUD_SWEEP_DRIFT_RATIO];
+}
+
+/* The row of a curve at a value of the axis: its index, -1 for rows of other curves. */
+static int place_on(const struct thud_sweep_table *table, const struct thud_sweep_row *wanted,
+                    const struct thud_sweep_row *row)
+{
+    if (row->record != wanted->record || row->which != wanted->which || row->structure != wanted->structure ||
+        row->floor != wanted->floor || !drawn(table, row->value, 1))
+        return -1;
+    return find_value(&table->axis[0], row->value[0]);
+}
+
+/* The spread of a curve, behind all curves: a band, or a bar for each of the words of a list. */
+static void ratio_shade(struct thud_panel *panel, const struct thud_sweep_table *table, struct thud_sweep_row wanted,
+                        enum quantity q, const char *name, int color)
+{
+    const struct thud_sweep_axis *axis = &table->axis[0];
+    struct thud_style style = {.color = color, .thin = true};
+    size_t each = numbers(axis) ? 1 : 3;
+    if (!(table->sensitivity > 0))
+        return;
+    struct thud_series *series = thud_panel_fill(panel, style, name, each * (size_t)axis->n, NULL, NULL, NULL);
+    if (!series)
+        return;
+    for (size_t i = 0; i < series->n; i++) {
+        series->x[i] = place(axis, (int)(i / each)) + (each > 1 ? 0.2 * ((double)(i % each) - 0.5) : 0);
+        series->y[i] = series->y_high[i] = NAN;
+    }
+    for (size_t i = 0; i < table->nrows; i++) {
+        int at = place_on(table, &wanted, &table->row[i]);
+        for (size_t k = 0; at >= 0 && k < (each > 1 ? 2 : 1); k++) {
+            series->y[(size_t)at * each + k] = low_of(&table->row[i], q);
+            series->y_high[(size_t)at * each + k] = high_of(&table->row[i], q);
+        }
+    }
+}
+
 static void ratio_line(struct thud_panel *panel, const struct thud_sweep_table *table, struct thud_sweep_row wanted,
                        enum quantity q, const char *name, int color)
 {
@@ -140,14 +185,20 @@ static void ratio_line(struct thud_panel *panel, const struct thud_sweep_table *
         series->y[i] = NAN;
     }
     for (size_t i = 0; i < table->nrows; i++) {
-        const struct thud_sweep_row *row = &table->row[i];
-        if (row->record != wanted.record || row->which != wanted.which || row->structure != wanted.structure ||
-            row->floor != wanted.floor || !drawn(table, row->value, 1))
-            continue;
-        int at = find_value(axis, row->value[0]);
+        int at = place_on(table, &wanted, &table->row[i]);
         if (at >= 0)
-            series->y[at] = ratio(row, q);
+            series->y[at] = ratio(&table->row[i], q);
     }
+}
+
+/* What the shades are, where there are any. */
+static const char *shade_note(const struct thud_sweep_table *table, char text[128])
+{
+    text[0] = '\0';
+    if (table->sensitivity > 0)
+        snprintf(text, 128, " Shaded: spread under %g %% less or more gap, ground motion, stiffness, one at a time.",
+                 100 * table->sensitivity);
+    return text;
 }
 
 /* All panels on one scale, so that what moves more is seen to move more. */
@@ -177,19 +228,23 @@ struct thud_figure *thud_figure_by_floor(const struct thud_sweep_table *table, i
             struct thud_panel *panel = thud_figure_panel(figure, q, c, table->structure[structure[c]]);
             ratio_axes(panel, table, (enum quantity)q);
             /* with more floors than curves every step-th from the top down, so that the top is there */
-            for (int f = floors - (floors - 1) / step * step; f <= floors; f += step) {
+            int first = floors - (floors - 1) / step * step, curves = (floors - first) / step + 1;
+            for (int i = 0; i < 2 * curves; i++) {
+                int f = first + i % curves * step;
                 struct thud_sweep_row wanted = {
                     .record = record, .which = which, .structure = structure[c], .floor = f};
                 snprintf(text, sizeof text, "floor %d", f);
-                ratio_line(panel, table, wanted, (enum quantity)q, text, f - 1);
+                (i < curves ? ratio_shade : ratio_line)(panel, table, wanted, (enum quantity)q, text, f - 1);
             }
             snprintf(text, sizeof text, "Every %d. floor of %d", step, floors);
             if (step > 1)
                 thud_panel_note(panel, text);
         }
     }
+    char note[256], shades[128];
+    snprintf(note, sizeof note, "%s%s", helps, shade_note(table, shades));
     same_scale(figure);
-    fixed_note(figure, table, 1, helps);
+    fixed_note(figure, table, 1, note);
     return figure;
 }
 
@@ -204,14 +259,17 @@ struct thud_figure *thud_figure_of_means(const struct thud_sweep_table *table, e
         for (int q = ACCELERATION; q <= DRIFT; q++) {
             struct thud_panel *panel = thud_figure_panel(figure, q, c, table->structure[structure[c]]);
             ratio_axes(panel, table, (enum quantity)q);
-            for (int r = 0; r < table->nrecords && r < CURVES_MAX; r++) {
+            int curves = table->nrecords < CURVES_MAX ? table->nrecords : CURVES_MAX;
+            for (int i = 0; i < 2 * curves; i++) {
+                int r = i % curves;
                 struct thud_sweep_row wanted = {.record = r, .which = which, .structure = structure[c], .floor = 0};
-                ratio_line(panel, table, wanted, (enum quantity)q, table->record[r], r);
+                (i < curves ? ratio_shade : ratio_line)(panel, table, wanted, (enum quantity)q, table->record[r], r);
             }
         }
     }
-    char note[256];
-    snprintf(note, sizeof note, "%s%s", helps, table->nrecords > CURVES_MAX ? " The first seven records only." : "");
+    char note[384], shades[128];
+    snprintf(note, sizeof note, "%s%s%s", helps, shade_note(table, shades),
+             table->nrecords > CURVES_MAX ? " The first seven records only." : "");
     same_scale(figure);
     fixed_note(figure, table, 1, note);
     return figure;

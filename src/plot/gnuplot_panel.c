@@ -206,7 +206,10 @@ void thud_gnuplot_style(const struct sheet *sheet, const struct thud_series *ser
     double width = style->wide ? 3.0 : style->thin ? 1.0 : 1.8;
     thud_text_append(sheet->out, "with %s ", with[style->kind]);
     if (style->kind == THUD_FILL || style->kind == THUD_BARS)
-        thud_text_append(sheet->out, "fs transparent solid %s noborder ", style->kind == THUD_FILL ? "0.25" : "0.8");
+        thud_text_append(sheet->out, "fs transparent solid %s noborder ",
+                         style->kind == THUD_BARS ? "0.8"
+                         : style->thin            ? "0.18"
+                                                  : "0.25");
     else
         thud_text_append(sheet->out, "lw %.2g ", width);
     if (style->kind == THUD_POINTS || style->kind == THUD_LINES_POINTS)

@@ -32,19 +32,47 @@ static double record_factor(const struct thud_sweep_plan *plan, const struct thu
     return factor;
 }
 
-static enum thud_status take_record(struct thud_sweep_base *base, const struct thud_scene *scene, int which,
-                                    struct thud_error *err)
+/* `scale`: over what the plan asks for. */
+static enum thud_status take_record(const struct thud_sweep_plan *plan, struct thud_sweep_ground *ground,
+                                    const struct thud_scene *scene, int which, double scale, struct thud_error *err)
 {
-    const struct thud_sweep_plan *plan = base->plan;
-    base->record = plan->nrecords > 0 ? plan->record[which] : NULL;
-    double factor = base->record ? record_factor(plan, scene, base->record) : 1;
+    ground->record = plan->nrecords > 0 ? plan->record[which] : NULL;
+    double factor = ground->record ? scale * record_factor(plan, scene, ground->record) : 1;
     if (factor == 1)
         return THUD_OK;
     enum thud_status status =
-        thud_record_create(base->record->a_mps2, base->record->samples, base->record->dt_s, &base->scaled, err);
+        thud_record_create(ground->record->a_mps2, ground->record->samples, ground->record->dt_s, &ground->scaled, err);
     if (status == THUD_OK) {
-        thud_record_scale(base->scaled, factor);
-        base->record = base->scaled;
+        thud_record_scale(ground->scaled, factor);
+        ground->record = ground->scaled;
+    }
+    return status;
+}
+
+/* Ground g from the first point's scene; *none: scratch. */
+static enum thud_status build_ground(struct thud_sweep_base *base, int g, int record, const struct thud_scene *scene,
+                                     struct thud_scene *none, struct thud_error *err)
+{
+    struct thud_sweep_ground *ground = &base->ground[g];
+    struct thud_run_options options;
+    enum thud_change change;
+    double factor;
+    bool changed = thud_sweep_variant(base->plan, g > 0 ? g + 2 : 0, &change, &factor);
+    double scale = changed && change == THUD_CHANGE_SCALE ? factor : 1;
+    enum thud_status status = take_record(base->plan, ground, scene, record, scale, err);
+    if (status == THUD_OK)
+        status =
+            thud_scene_case(scene, thud_sweep_has_bumper(scene) ? THUD_CASE_NONE : THUD_CASE_AS_WRITTEN, none, err);
+    if (status == THUD_OK) {
+        if (changed)
+            thud_change_scene(none, change, factor);
+        status = thud_scene_assemble(none, &ground->model, err);
+    }
+    if (status == THUD_OK)
+        status = thud_scene_options(none, &options, err);
+    if (status == THUD_OK) {
+        options.no_ledger = true;
+        status = thud_trunk_create(ground->model, ground->record, &options, &ground->trunk, err);
     }
     return status;
 }
@@ -55,22 +83,10 @@ static enum thud_status build(struct thud_sweep_base *base, struct thud_scene *s
     int at[THUD_VARY_MAX];
     long point = base->index * thud_sweep_points_per_base(base->plan);
     int record = thud_sweep_place(base->plan, point, at);
-    struct thud_run_options options;
     enum thud_status status = thud_sweep_scene(base->plan, point, scene, err);
-    if (status == THUD_OK)
-        status = take_record(base, scene, record, err);
-    if (status == THUD_OK)
-        status =
-            thud_scene_case(scene, thud_sweep_has_bumper(scene) ? THUD_CASE_NONE : THUD_CASE_AS_WRITTEN, none, err);
-    if (status == THUD_OK)
-        status = thud_scene_assemble(none, &base->model, err);
-    if (status == THUD_OK)
-        status = thud_scene_options(none, &options, err);
-    if (status == THUD_OK) {
-        options.no_ledger = true;
-        status = thud_trunk_create(base->model, base->record, &options, &base->trunk, err);
-    }
-    if (status == THUD_OK && !(base->level = calloc((size_t)base->model->ncontacts + 1, sizeof *base->level)))
+    for (int g = 0; g < base->ngrounds && status == THUD_OK; g++)
+        status = build_ground(base, g, record, scene, none, err);
+    if (status == THUD_OK && !(base->level = calloc((size_t)base->ground[0].model->ncontacts + 1, sizeof *base->level)))
         status = thud_error_set(err, THUD_MEMORY, "out of memory");
     return status;
 }
@@ -85,6 +101,7 @@ enum thud_status thud_sweep_base_create(const struct thud_sweep_plan *plan, long
     if (base && scenes) {
         base->plan = plan;
         base->index = index;
+        base->ngrounds = plan->sensitivity > 0 ? THUD_SWEEP_GROUNDS : 1;
         status = build(base, scenes, scenes + 1, err);
     } else {
         thud_error_set(err, THUD_MEMORY, "out of memory");
@@ -118,9 +135,11 @@ static double first_period(const struct thud_result *result, int s)
 
 static void fill_levels(struct thud_sweep_base *base)
 {
-    const struct thud_result *result = thud_trunk_result(base->trunk);
-    for (int c = 0; c < base->model->ncontacts; c++) {
-        const struct thud_model_contact *p = &base->model->contact[c];
+    const struct thud_trunk *trunk = base->ground[0].trunk;
+    const struct thud_model *model = base->ground[0].model;
+    const struct thud_result *result = thud_trunk_result(trunk);
+    for (int c = 0; c < model->ncontacts; c++) {
+        const struct thud_model_contact *p = &model->contact[c];
         int left = p->interface - 1, right = p->interface;
         base->level[c] = (struct thud_sweep_level){
             .interface = p->interface,
@@ -128,27 +147,37 @@ static void fill_levels(struct thud_sweep_base *base)
             .right_floor = p->right_floor,
             .left_m = largest(result, left, p->left_floor),
             .right_m = largest(result, right, p->right_floor),
-            .closing_m = thud_trunk_closing(base->trunk, c),
-            .correlation = thud_spacing_correlation(first_period(result, left), first_damping(base->model, left),
-                                                    first_period(result, right), first_damping(base->model, right))};
+            .closing_m = thud_trunk_closing(trunk, c),
+            .correlation = thud_spacing_correlation(first_period(result, left), first_damping(model, left),
+                                                    first_period(result, right), first_damping(model, right))};
     }
 }
 
 enum thud_status thud_sweep_base_advance(struct thud_sweep_base *base, long budget, bool *done, struct thud_error *err)
 {
-    enum thud_status status = thud_trunk_advance(base->trunk, budget, done, err);
-    if (status == THUD_OK && *done)
+    bool whole = false;
+    *done = false;
+    if (base->ndone < base->ngrounds) {
+        enum thud_status status = thud_trunk_advance(base->ground[base->ndone].trunk, budget, &whole, err);
+        if (status != THUD_OK)
+            return status;
+        base->ndone += whole;
+    }
+    *done = base->ndone == base->ngrounds;
+    if (*done)
         fill_levels(base);
-    return status;
+    return THUD_OK;
 }
 
 void thud_sweep_base_free(struct thud_sweep_base *base)
 {
     if (!base)
         return;
-    thud_trunk_free(base->trunk);
-    thud_model_free(base->model);
-    thud_record_free(base->scaled);
+    for (int g = 0; g < base->ngrounds; g++) {
+        thud_trunk_free(base->ground[g].trunk);
+        thud_model_free(base->ground[g].model);
+        thud_record_free(base->ground[g].scaled);
+    }
     free(base->level);
     free(base);
 }

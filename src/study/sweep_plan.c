@@ -295,6 +295,7 @@ enum thud_status thud_sweep_study(struct thud_sweep_plan *plan, bool axes, bool 
         if (status != THUD_OK)
             return status;
     }
+    plan->sensitivity = study->sensitivity;
     if (cases && study->ncases > 0) {
         plan->ncases = study->ncases;
         memcpy(plan->cases, study->cases, (size_t)study->ncases * sizeof *plan->cases);

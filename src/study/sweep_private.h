@@ -6,18 +6,41 @@
 #include "study/answer.h"
 #include "study/sweep.h"
 
-struct thud_sweep_base {
-    const struct thud_sweep_plan *plan;
-    long index;
+/* The motion without pounding of one variant. */
+struct thud_sweep_ground {
     struct thud_model *model;         /* case `none`, or as written where there is no bumper */
     const struct thud_record *record; /* NULL: no ground motion */
     struct thud_record *scaled;       /* owned, where the record itself is varied */
     struct thud_trunk *trunk;
+};
+
+/* Gaps change no motion without pounding: as it is, then ground motion and stiffness less and more. */
+enum { THUD_SWEEP_GROUNDS = THUD_SWEEP_VARIANTS - 2 };
+
+struct thud_sweep_base {
+    const struct thud_sweep_plan *plan;
+    long index;
+    int ngrounds, ndone; /* ngrounds: 1, or THUD_SWEEP_GROUNDS */
+    struct thud_sweep_ground ground[THUD_SWEEP_GROUNDS];
     struct thud_sweep_level *level; /* (model->ncontacts); once done */
 };
 
+/* What a variant changes and by which factor; false for variant 0, the scene as it is. */
+static inline bool thud_sweep_variant(const struct thud_sweep_plan *plan, int variant, enum thud_change *change,
+                                      double *factor)
+{
+    *change = (enum thud_change)(variant > 0 ? (variant - 1) / 2 : 0);
+    *factor = variant % 2 ? 1 - plan->sensitivity : 1 + plan->sensitivity;
+    return variant > 0;
+}
+
+static inline const struct thud_sweep_ground *thud_sweep_ground(const struct thud_sweep_base *base, int variant)
+{
+    return &base->ground[variant > 2 ? variant - 2 : 0]; /* variants 1 and 2 change the gap */
+}
+
 /* Everything 0; NULL when out of memory. */
-struct thud_sweep_point *thud_sweep_point_create(int ncases, int nfloors, int ncontacts);
+struct thud_sweep_point *thud_sweep_point_create(int ncases, int nfloors, int ncontacts, int nvariants);
 bool thud_sweep_has_bumper(const struct thud_scene *scene);
 
 #endif

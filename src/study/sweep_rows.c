@@ -47,18 +47,61 @@ static bool is_answered(const struct thud_sweep_point *point, int k)
     return !point->effort[k].reference && point->effort[k].status == THUD_OK;
 }
 
-static void fill_row(struct thud_sweep_row *row, struct thud_sweep_floor x, struct thud_sweep_floor none,
-                     struct thud_sweep_floor free)
+/* Where a row's numbers stand in a point: the floors of a structure, or one of them. */
+struct where {
+    const struct thud_sweep_point *point;
+    int k, first, n, floor;
+};
+
+static struct thud_sweep_floor floor_of(const struct where *w, int variant, int k)
 {
-    row->acceleration_mps2 = x.acceleration_mps2;
-    row->drift_m = x.drift_m;
-    row->displacement_m = x.displacement_m;
-    row->acceleration_ratio = over(x.acceleration_mps2, none.acceleration_mps2);
-    row->drift_ratio = over(x.drift_m, none.drift_m);
-    row->displacement_ratio = over(x.displacement_m, none.displacement_m);
-    row->acceleration_free_ratio = over(x.acceleration_mps2, free.acceleration_mps2);
-    row->drift_free_ratio = over(x.drift_m, free.drift_m);
-    row->displacement_free_ratio = over(x.displacement_m, free.displacement_m);
+    const struct thud_sweep_point *p = w->point;
+    const struct thud_sweep_floor *x = p->floor + ((ptrdiff_t)variant * (p->ncases + 1) + k) * p->nfloors + w->first;
+    return w->floor > 0 ? x[w->floor - 1] : mean(x, w->n);
+}
+
+static void measure(const struct where *w, int variant, double m[THUD_SWEEP_MEASURES])
+{
+    struct thud_sweep_floor x = floor_of(w, variant, w->k), none = floor_of(w, variant, reference_case(w->point)),
+                            free = floor_of(w, variant, w->point->ncases);
+    m[THUD_SWEEP_ACCELERATION] = x.acceleration_mps2;
+    m[THUD_SWEEP_DRIFT] = x.drift_m;
+    m[THUD_SWEEP_DISPLACEMENT] = x.displacement_m;
+    m[THUD_SWEEP_ACCELERATION_RATIO] = over(x.acceleration_mps2, none.acceleration_mps2);
+    m[THUD_SWEEP_DRIFT_RATIO] = over(x.drift_m, none.drift_m);
+    m[THUD_SWEEP_DISPLACEMENT_RATIO] = over(x.displacement_m, none.displacement_m);
+    m[THUD_SWEEP_ACCELERATION_FREE_RATIO] = over(x.acceleration_mps2, free.acceleration_mps2);
+    m[THUD_SWEEP_DRIFT_FREE_RATIO] = over(x.drift_m, free.drift_m);
+    m[THUD_SWEEP_DISPLACEMENT_FREE_RATIO] = over(x.displacement_m, free.displacement_m);
+}
+
+/* NaN stays NaN. */
+static void widen(double *low, double *high, double value)
+{
+    *low = isnan(value) || value < *low ? value : *low;
+    *high = isnan(value) || value > *high ? value : *high;
+}
+
+static void fill_row(struct thud_sweep_row *row, const struct where *w)
+{
+    double m[THUD_SWEEP_MEASURES];
+    measure(w, 0, m);
+    row->acceleration_mps2 = m[THUD_SWEEP_ACCELERATION];
+    row->drift_m = m[THUD_SWEEP_DRIFT];
+    row->displacement_m = m[THUD_SWEEP_DISPLACEMENT];
+    row->acceleration_ratio = m[THUD_SWEEP_ACCELERATION_RATIO];
+    row->drift_ratio = m[THUD_SWEEP_DRIFT_RATIO];
+    row->displacement_ratio = m[THUD_SWEEP_DISPLACEMENT_RATIO];
+    row->acceleration_free_ratio = m[THUD_SWEEP_ACCELERATION_FREE_RATIO];
+    row->drift_free_ratio = m[THUD_SWEEP_DRIFT_FREE_RATIO];
+    row->displacement_free_ratio = m[THUD_SWEEP_DISPLACEMENT_FREE_RATIO];
+    for (int q = 0; q < THUD_SWEEP_MEASURES; q++)
+        row->low[q] = row->high[q] = w->point->nvariants > 1 ? m[q] : NAN;
+    for (int v = 1; v < w->point->nvariants; v++) {
+        measure(w, v, m);
+        for (int q = 0; q < THUD_SWEEP_MEASURES; q++)
+            widen(&row->low[q], &row->high[q], m[q]);
+    }
 }
 
 int thud_sweep_rows(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point,
@@ -67,10 +110,7 @@ int thud_sweep_rows(const struct thud_sweep_plan *plan, const struct thud_sweep_
     int count = 0;
     struct thud_sweep_row head = {.gap_m = point->gap_m};
     head.record = fill_values(plan, point->index, head.value);
-    const struct thud_sweep_floor *none = point->floor + (ptrdiff_t)reference_case(point) * point->nfloors;
-    const struct thud_sweep_floor *free = point->floor + (ptrdiff_t)point->ncases * point->nfloors;
     for (int k = 0; k < point->ncases; k++) {
-        const struct thud_sweep_floor *x = point->floor + (ptrdiff_t)k * point->nfloors;
         if (!is_answered(point, k))
             continue;
         head.which = point->which[k];
@@ -82,14 +122,23 @@ int thud_sweep_rows(const struct thud_sweep_plan *plan, const struct thud_sweep_
                     continue;
                 row[count] = head;
                 row[count].floor = i;
-                if (i == 0)
-                    fill_row(&row[count], mean(x + first, n), mean(none + first, n), mean(free + first, n));
-                else
-                    fill_row(&row[count], x[first + i - 1], none[first + i - 1], free[first + i - 1]);
+                fill_row(&row[count], &(struct where){point, k, first, n, i});
             }
         }
     }
     return count;
+}
+
+static void spread_contact(struct thud_sweep_contact_row *row, const struct thud_sweep_point *point, int k, int c)
+{
+    bool spread = point->nvariants > 1;
+    row->force_low_n = row->force_high_n = spread ? row->force_n : NAN;
+    row->indentation_low_m = row->indentation_high_m = spread ? row->indentation_m : NAN;
+    for (int v = 1; v < point->nvariants; v++) {
+        const struct thud_sweep_contact *x = &point->contact[((ptrdiff_t)v * point->ncases + k) * point->ncontacts + c];
+        widen(&row->force_low_n, &row->force_high_n, x->force_n);
+        widen(&row->indentation_low_m, &row->indentation_high_m, x->indentation_m);
+    }
 }
 
 int thud_sweep_contact_rows(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point,
@@ -118,6 +167,7 @@ int thud_sweep_contact_rows(const struct thud_sweep_plan *plan, const struct thu
             row[count].contact_time_s = x->contact_time_s;
             row[count].residual_m = x->residual_m;
             row[count].residual_gap_m = x->residual_gap_m;
+            spread_contact(&row[count], point, k, c);
         }
     }
     return count;
@@ -161,6 +211,11 @@ static void note(long *point, int *which, const struct thud_sweep_point *p, int 
 void thud_sweep_total_add(struct thud_sweep_total *total, const struct thud_sweep_point *point)
 {
     total->points++;
+    total->changed.made += point->changed.made;
+    total->changed.free += point->changed.free;
+    total->changed.failed += point->changed.failed;
+    total->steps += point->changed.steps;
+    total->events += point->changed.events;
     for (int k = 0; k < point->ncases; k++) {
         const struct thud_sweep_effort *e = &point->effort[k];
         total->asked += !e->reference;

@@ -10,15 +10,17 @@ struct thud_sweep_task {
     const struct thud_sweep_base *base;
     struct thud_scene *scene, *cased;
     struct thud_sweep_point *point;
-    int which; /* case at work */
+    int variant, which;              /* variant and case at work */
+    struct thud_sweep_effort effort; /* of the run at work */
     struct thud_model *model;
     struct thud_run *run;
 };
 
-struct thud_sweep_point *thud_sweep_point_create(int ncases, int nfloors, int ncontacts)
+struct thud_sweep_point *thud_sweep_point_create(int ncases, int nfloors, int ncontacts, int nvariants)
 {
     struct thud_sweep_point *point;
-    size_t floors = (size_t)(ncases + 1) * (size_t)nfloors, contacts = (size_t)ncases * (size_t)ncontacts;
+    size_t floors = (size_t)nvariants * (size_t)(ncases + 1) * (size_t)nfloors;
+    size_t contacts = (size_t)nvariants * (size_t)ncases * (size_t)ncontacts;
     size_t head = (sizeof *point + 15) / 16 * 16;
     char *block = calloc(1, head + floors * sizeof *point->floor + contacts * sizeof *point->contact +
                                 (size_t)ncontacts * sizeof *point->level);
@@ -28,6 +30,7 @@ struct thud_sweep_point *thud_sweep_point_create(int ncases, int nfloors, int nc
     point->ncases = ncases;
     point->nfloors = nfloors;
     point->ncontacts = ncontacts;
+    point->nvariants = nvariants;
     point->floor = (void *)(block + head);
     point->contact = (void *)(point->floor + floors);
     point->level = (void *)(point->contact + contacts);
@@ -42,10 +45,19 @@ static bool has_case(const struct thud_sweep_plan *plan, enum thud_case which)
     return false;
 }
 
-/* Floors' peaks of a result into case k of the point (k = ncases: no pounding). */
-static void take_floors(struct thud_sweep_point *point, int k, const struct thud_result *result)
+static struct thud_sweep_floor *floors_of(const struct thud_sweep_point *point, int variant, int k)
 {
-    struct thud_sweep_floor *to = point->floor + (size_t)k * (size_t)point->nfloors;
+    return point->floor + ((ptrdiff_t)variant * (point->ncases + 1) + k) * point->nfloors;
+}
+
+static struct thud_sweep_contact *contacts_of(const struct thud_sweep_point *point, int variant, int k)
+{
+    return point->contact + ((ptrdiff_t)variant * point->ncases + k) * point->ncontacts;
+}
+
+/* Floors' peaks of a result. */
+static void take_floors(struct thud_sweep_floor *to, const struct thud_result *result)
+{
     for (int s = 0; s < result->nstructures; s++)
         for (int i = 0; i < result->structure[s].floors; i++) {
             const struct thud_floor_result *f = &result->structure[s].floor[i];
@@ -53,34 +65,28 @@ static void take_floors(struct thud_sweep_point *point, int k, const struct thud
         }
 }
 
-static void take_contacts(struct thud_sweep_point *point, int k, const struct thud_model *model,
-                          const struct thud_result *result)
+/* The answer of the case at work. */
+static void take(struct thud_sweep_task *task, const struct thud_result *result)
 {
-    for (int c = 0; c < point->ncontacts; c++) {
+    struct thud_sweep_contact *to = contacts_of(task->point, task->variant, task->which);
+    take_floors(floors_of(task->point, task->variant, task->which), result);
+    for (int c = 0; c < task->point->ncontacts; c++) {
         const struct thud_contact_result *r = &result->contact[c];
-        point->contact[k * point->ncontacts + c] =
-            (struct thud_sweep_contact){r->impacts,
-                                        r->force.value,
-                                        r->indentation.value,
-                                        r->impulse_ns,
-                                        r->contact_time_s,
-                                        r->residual_m,
-                                        model->contact[c].clearance_m + r->residual_m};
+        to[c] = (struct thud_sweep_contact){r->impacts,
+                                            r->force.value,
+                                            r->indentation.value,
+                                            r->impulse_ns,
+                                            r->contact_time_s,
+                                            r->residual_m,
+                                            task->model->contact[c].clearance_m + r->residual_m};
     }
-}
-
-static void no_answer(struct thud_sweep_task *task, enum thud_status status)
-{
-    struct thud_sweep_point *point = task->point;
-    point->effort[task->which].status = status;
-    for (int i = 0; i < point->nfloors; i++)
-        point->floor[task->which * point->nfloors + i] = (struct thud_sweep_floor){NAN, NAN, NAN};
 }
 
 enum thud_status thud_sweep_task_create(const struct thud_sweep_plan *plan, const struct thud_sweep_base *base,
                                         long index, struct thud_sweep_task **out, struct thud_error *err)
 {
     *out = NULL;
+    const struct thud_model *model = base->ground[0].model;
     struct thud_sweep_task *task = calloc(1, sizeof *task);
     struct thud_scene *scenes = malloc(2 * sizeof *scenes);
     enum thud_status status = THUD_MEMORY;
@@ -93,8 +99,8 @@ enum thud_status thud_sweep_task_create(const struct thud_sweep_plan *plan, cons
     }
     if (status == THUD_OK) {
         bool reference = !has_case(plan, THUD_CASE_NONE) && thud_sweep_has_bumper(task->scene);
-        struct thud_sweep_point *point = task->point =
-            thud_sweep_point_create(plan->ncases + reference, base->model->ndof, base->model->ncontacts);
+        struct thud_sweep_point *point = task->point = thud_sweep_point_create(
+            plan->ncases + reference, model->ndof, model->ncontacts, plan->sensitivity > 0 ? THUD_SWEEP_VARIANTS : 1);
         status = point ? THUD_OK : THUD_MEMORY;
         for (int i = 0; point && i < point->ncases; i++) {
             point->which[i] = i < plan->ncases ? plan->cases[i] : THUD_CASE_NONE;
@@ -110,10 +116,11 @@ enum thud_status thud_sweep_task_create(const struct thud_sweep_plan *plan, cons
     struct thud_sweep_point *point = task->point;
     point->index = index;
     point->gap_m = task->scene->nstructures > 1 ? task->scene->interface[0].gap_m : NAN;
-    point->nstructures = base->model->nstructures;
+    point->nstructures = model->nstructures;
     for (int s = 0; s < point->nstructures; s++)
-        point->floors[s] = base->model->structure[s].n;
-    take_floors(point, point->ncases, thud_trunk_result(base->trunk));
+        point->floors[s] = model->structure[s].n;
+    for (int v = 0; v < point->nvariants; v++)
+        take_floors(floors_of(point, v, point->ncases), thud_trunk_result(thud_sweep_ground(base, v)->trunk));
     memcpy(point->level, base->level, (size_t)point->ncontacts * sizeof *point->level);
     *out = task;
     return THUD_OK;
@@ -123,7 +130,8 @@ enum thud_status thud_sweep_task_create(const struct thud_sweep_plan *plan, cons
 static bool never_closes(const struct thud_sweep_task *task, int c)
 {
     const struct thud_model_contact *p = &task->model->contact[c];
-    return (p->law->flags & THUD_LAW_SILENT) || thud_trunk_closing(task->base->trunk, c) <= p->clearance_m;
+    const struct thud_trunk *trunk = thud_sweep_ground(task->base, task->variant)->trunk;
+    return (p->law->flags & THUD_LAW_SILENT) || thud_trunk_closing(trunk, c) <= p->clearance_m;
 }
 
 /* Walls and silent laws part the row of structures into groups that know nothing of each other; where no contact of a
@@ -160,39 +168,73 @@ static bool same_shape(const struct thud_model *a, const struct thud_model *b)
     return a->ndof == b->ndof && a->ncontacts == b->ncontacts;
 }
 
+/* What became of the run at work; of a changed one only the sums are kept. */
+static void count_run(struct thud_sweep_task *task)
+{
+    struct thud_sweep_changed *changed = &task->point->changed;
+    struct thud_sweep_effort *kept = &task->point->effort[task->which];
+    if (task->variant == 0) {
+        bool reference = kept->reference;
+        *kept = task->effort;
+        kept->reference = reference;
+        return;
+    }
+    changed->made += task->effort.made;
+    changed->free += task->effort.status == THUD_OK && !task->effort.made;
+    changed->failed += task->effort.status != THUD_OK;
+    changed->steps += task->effort.steps;
+    changed->events += task->effort.events;
+}
+
+static void no_numbers(const struct thud_sweep_task *task)
+{
+    const struct thud_sweep_point *point = task->point;
+    for (int i = 0; i < point->nfloors; i++)
+        floors_of(point, task->variant, task->which)[i] = (struct thud_sweep_floor){NAN, NAN, NAN};
+    for (int c = 0; c < point->ncontacts && task->variant > 0; c++)
+        contacts_of(point, task->variant, task->which)[c] =
+            (struct thud_sweep_contact){.force_n = NAN, .indentation_m = NAN};
+}
+
 /* The answer without a run where the trunk has it; else a run. */
 static enum thud_status start_run(struct thud_sweep_task *task, const struct thud_run_options *options,
                                   struct thud_error *err)
 {
-    const struct thud_sweep_base *base = task->base;
-    struct thud_sweep_effort *effort = &task->point->effort[task->which];
-    unsigned savings = thud_trunk_shares(base->trunk) && same_shape(task->model, base->model) ? task->plan->savings : 0;
+    const struct thud_sweep_ground *ground = thud_sweep_ground(task->base, task->variant);
+    struct thud_sweep_effort *effort = &task->effort;
+    unsigned savings =
+        thud_trunk_shares(ground->trunk) && same_shape(task->model, ground->model) ? task->plan->savings : 0;
     int left = 0, dropped = 0;
     if (savings & (THUD_SWEEP_FREE | THUD_SWEEP_LEVELS))
         dropped = leave_out(task, savings & THUD_SWEEP_LEVELS, &left);
     if ((savings & THUD_SWEEP_FREE) && left == 0) {
-        const struct thud_result *result = thud_trunk_result(base->trunk);
-        take_floors(task->point, task->which, result);
-        take_contacts(task->point, task->which, task->model, result);
+        const struct thud_result *result = thud_trunk_result(ground->trunk);
+        take(task, result);
         effort->end_s = result->end_s;
+        count_run(task);
         return THUD_OK;
     }
     effort->made = true;
     effort->left_out = savings & THUD_SWEEP_LEVELS ? dropped : 0;
     if (savings & THUD_SWEEP_START)
-        return thud_trunk_run(base->trunk, task->model, base->record, options, &task->run, &effort->shared_s, err);
-    return thud_run_create(task->model, base->record, options, &task->run, err);
+        return thud_trunk_run(ground->trunk, task->model, ground->record, options, &task->run, &effort->shared_s, err);
+    return thud_run_create(task->model, ground->record, options, &task->run, err);
 }
 
 static enum thud_status begin(struct thud_sweep_task *task, struct thud_error *err)
 {
     struct thud_run_options options;
+    enum thud_change change;
+    double factor;
+    task->effort = (struct thud_sweep_effort){0};
     enum thud_status status = thud_scene_case(task->scene, task->point->which[task->which], task->cased, err);
     if (status == THUD_OK)
         status = thud_scene_check(task->cased, err);
+    if (status == THUD_OK && thud_sweep_variant(task->plan, task->variant, &change, &factor))
+        thud_change_scene(task->cased, change, factor);
     if (status == THUD_OK)
         status = thud_scene_assemble(task->cased, &task->model, err);
-    if (status == THUD_OK && !same_shape(task->model, task->base->model))
+    if (status == THUD_OK && !same_shape(task->model, task->base->ground[0].model))
         status = thud_error_set(err, THUD_INPUT, "floors and contacts differ from those of the study's first case");
     if (status == THUD_OK)
         status = thud_scene_options(task->cased, &options, err);
@@ -205,28 +247,42 @@ static enum thud_status begin(struct thud_sweep_task *task, struct thud_error *e
 
 static void finish(struct thud_sweep_task *task)
 {
-    struct thud_sweep_effort *effort = &task->point->effort[task->which];
     const struct thud_result *result = thud_run_result(task->run);
-    take_floors(task->point, task->which, result);
-    take_contacts(task->point, task->which, task->model, result);
-    effort->end_s = result->end_s;
-    effort->steps = result->work.steps;
-    effort->events = result->work.events;
+    take(task, result);
+    task->effort.end_s = result->end_s;
+    task->effort.steps = result->work.steps;
+    task->effort.events = result->work.events;
+    count_run(task);
 }
 
-static void next_case(struct thud_sweep_task *task)
+/* The next case, and after the last one the next variant. */
+static void next_run(struct thud_sweep_task *task)
 {
     thud_run_free(task->run);
     thud_model_free(task->model);
     task->run = NULL;
     task->model = NULL;
-    task->which++;
+    if (++task->which == task->point->ncases) {
+        task->which = 0;
+        task->variant++;
+    }
+}
+
+/* A case without an answer has no spread. */
+static bool skipped(const struct thud_sweep_task *task)
+{
+    return task->variant > 0 && task->point->effort[task->which].status != THUD_OK;
 }
 
 enum thud_status thud_sweep_task_advance(struct thud_sweep_task *task, long budget, bool *done, struct thud_error *err)
 {
-    while (budget > 0 && task->which < task->point->ncases) {
+    while (budget > 0 && task->variant < task->point->nvariants) {
         bool ended = false;
+        if (skipped(task)) {
+            no_numbers(task);
+            next_run(task);
+            continue;
+        }
         enum thud_status status = task->run ? THUD_OK : begin(task, err);
         if (status == THUD_OK && task->run) {
             status = thud_run_advance(task->run, budget, &ended, err);
@@ -236,12 +292,15 @@ enum thud_status thud_sweep_task_advance(struct thud_sweep_task *task, long budg
         }
         if (status == THUD_MEMORY)
             return status;
-        if (status != THUD_OK)
-            no_answer(task, status);
+        if (status != THUD_OK) {
+            task->effort.status = status;
+            count_run(task);
+            no_numbers(task);
+        }
         if (status != THUD_OK || !task->run || ended)
-            next_case(task);
+            next_run(task);
     }
-    *done = task->which == task->point->ncases;
+    *done = task->variant == task->point->nvariants;
     return THUD_OK;
 }
 

@@ -29,6 +29,9 @@ static void put(struct thud_text *out, double value)
     }
 }
 
+/* At the start of a line with a spread. */
+static const char spread_mark[] = "spread ";
+
 static void put_effort(struct thud_text *out, enum thud_case which, const struct thud_sweep_effort *e)
 {
     thud_text_append(out, "%d %d %d %d %d %ld %ld ", which, e->status, e->made, e->reference, e->left_out, e->steps,
@@ -37,29 +40,51 @@ static void put_effort(struct thud_text *out, enum thud_case which, const struct
     put(out, e->end_s);
 }
 
-void thud_sweep_point_write(const struct thud_sweep_point *point, struct thud_text *out)
+static void put_floors(struct thud_text *out, const struct thud_sweep_floor *floor, int n)
 {
-    size_t start = out->size;
-    thud_text_append(out, "%ld %d %d %d %d ", point->index, point->ncases, point->nstructures, point->nfloors,
-                     point->ncontacts);
-    put(out, point->gap_m);
-    for (int s = 0; s < point->nstructures; s++)
-        thud_text_append(out, "%d ", point->floors[s]);
-    for (int k = 0; k < point->ncases; k++)
-        put_effort(out, point->which[k], &point->effort[k]);
-    for (int i = 0; i < (point->ncases + 1) * point->nfloors; i++) {
-        put(out, point->floor[i].acceleration_mps2);
-        put(out, point->floor[i].drift_m);
-        put(out, point->floor[i].displacement_m);
+    for (int i = 0; i < n; i++) {
+        put(out, floor[i].acceleration_mps2);
+        put(out, floor[i].drift_m);
+        put(out, floor[i].displacement_m);
     }
-    for (int i = 0; i < point->ncases * point->ncontacts; i++) {
-        const struct thud_sweep_contact *c = &point->contact[i];
+}
+
+static void put_contacts(struct thud_text *out, const struct thud_sweep_contact *contact, int n)
+{
+    for (int i = 0; i < n; i++) {
+        const struct thud_sweep_contact *c = &contact[i];
         const double x[] = {c->force_n,        c->indentation_m, c->impulse_ns,
                             c->contact_time_s, c->residual_m,    c->residual_gap_m};
         thud_text_append(out, "%d ", c->impacts);
         for (size_t j = 0; j < sizeof x / sizeof *x; j++)
             put(out, x[j]);
     }
+}
+
+/* Peaks of the changed runs, after everything else. */
+static void put_variants(struct thud_text *out, const struct thud_sweep_point *point)
+{
+    int floors = (point->ncases + 1) * point->nfloors, contacts = point->ncases * point->ncontacts;
+    const struct thud_sweep_changed *c = &point->changed;
+    if (point->nvariants <= 1)
+        return;
+    thud_text_append(out, "%d %d %d %ld %ld ", c->made, c->free, c->failed, c->steps, c->events);
+    put_floors(out, point->floor + floors, (point->nvariants - 1) * floors);
+    put_contacts(out, point->contact + contacts, (point->nvariants - 1) * contacts);
+}
+
+void thud_sweep_point_write(const struct thud_sweep_point *point, struct thud_text *out)
+{
+    size_t start = out->size;
+    thud_text_append(out, "%s%ld %d %d %d %d ", point->nvariants > 1 ? spread_mark : "", point->index, point->ncases,
+                     point->nstructures, point->nfloors, point->ncontacts);
+    put(out, point->gap_m);
+    for (int s = 0; s < point->nstructures; s++)
+        thud_text_append(out, "%d ", point->floors[s]);
+    for (int k = 0; k < point->ncases; k++)
+        put_effort(out, point->which[k], &point->effort[k]);
+    put_floors(out, point->floor, (point->ncases + 1) * point->nfloors);
+    put_contacts(out, point->contact, point->ncases * point->ncontacts);
     for (int i = 0; i < point->ncontacts; i++) {
         const struct thud_sweep_level *l = &point->level[i];
         const double x[] = {l->left_m, l->right_m, l->closing_m, l->correlation};
@@ -67,6 +92,7 @@ void thud_sweep_point_write(const struct thud_sweep_point *point, struct thud_te
         for (size_t j = 0; j < sizeof x / sizeof *x; j++)
             put(out, x[j]);
     }
+    put_variants(out, point);
     if (!out->failed)
         thud_text_append(out, "%016llx", hash(hash_start, out->data + start, out->size - start));
 }
@@ -121,6 +147,41 @@ static void get_effort(struct reader *r, enum thud_case *which, struct thud_swee
     e->end_s = get(r);
 }
 
+static void get_floors(struct reader *r, struct thud_sweep_floor *floor, int n)
+{
+    for (int i = 0; i < n; i++) {
+        floor[i].acceleration_mps2 = get(r);
+        floor[i].drift_m = get(r);
+        floor[i].displacement_m = get(r);
+    }
+}
+
+static void get_contacts(struct reader *r, struct thud_sweep_contact *contact, int n)
+{
+    for (int i = 0; i < n; i++) {
+        struct thud_sweep_contact *c = &contact[i];
+        double *const x[] = {&c->force_n,        &c->indentation_m, &c->impulse_ns,
+                             &c->contact_time_s, &c->residual_m,    &c->residual_gap_m};
+        c->impacts = get_int(r, 0, INT_MAX);
+        for (size_t j = 0; j < sizeof x / sizeof *x; j++)
+            *x[j] = get(r);
+    }
+}
+
+static void get_variants(struct reader *r, struct thud_sweep_point *p)
+{
+    int floors = (p->ncases + 1) * p->nfloors, contacts = p->ncases * p->ncontacts;
+    if (p->nvariants <= 1)
+        return;
+    p->changed.made = get_int(r, 0, INT_MAX);
+    p->changed.free = get_int(r, 0, INT_MAX);
+    p->changed.failed = get_int(r, 0, INT_MAX);
+    p->changed.steps = get_whole(r, 0, 1L << 53);
+    p->changed.events = get_whole(r, 0, 1L << 53);
+    get_floors(r, p->floor + floors, (p->nvariants - 1) * floors);
+    get_contacts(r, p->contact + contacts, (p->nvariants - 1) * contacts);
+}
+
 static void get_rest(struct reader *r, struct thud_sweep_point *p)
 {
     p->gap_m = get(r);
@@ -128,19 +189,8 @@ static void get_rest(struct reader *r, struct thud_sweep_point *p)
         p->floors[s] = get_int(r, 0, THUD_STOREYS_MAX + 1);
     for (int k = 0; k < p->ncases; k++)
         get_effort(r, &p->which[k], &p->effort[k]);
-    for (int i = 0; i < (p->ncases + 1) * p->nfloors; i++) {
-        p->floor[i].acceleration_mps2 = get(r);
-        p->floor[i].drift_m = get(r);
-        p->floor[i].displacement_m = get(r);
-    }
-    for (int i = 0; i < p->ncases * p->ncontacts; i++) {
-        struct thud_sweep_contact *c = &p->contact[i];
-        double *const x[] = {&c->force_n,        &c->indentation_m, &c->impulse_ns,
-                             &c->contact_time_s, &c->residual_m,    &c->residual_gap_m};
-        c->impacts = get_int(r, 0, INT_MAX);
-        for (size_t j = 0; j < sizeof x / sizeof *x; j++)
-            *x[j] = get(r);
-    }
+    get_floors(r, p->floor, (p->ncases + 1) * p->nfloors);
+    get_contacts(r, p->contact, p->ncases * p->ncontacts);
     for (int i = 0; i < p->ncontacts; i++) {
         struct thud_sweep_level *l = &p->level[i];
         double *const x[] = {&l->left_m, &l->right_m, &l->closing_m, &l->correlation};
@@ -150,6 +200,7 @@ static void get_rest(struct reader *r, struct thud_sweep_point *p)
         for (size_t j = 0; j < sizeof x / sizeof *x; j++)
             *x[j] = get(r);
     }
+    get_variants(r, p);
 }
 
 enum thud_status thud_sweep_point_read(const char *line, struct thud_sweep_point **out, struct thud_error *err)
@@ -163,10 +214,13 @@ enum thud_status thud_sweep_point_read(const char *line, struct thud_sweep_point
         snprintf(sum, sizeof sum, "%016llx", hash(hash_start, line, (size_t)(last + 1 - line)));
     if (!last || strcmp(last + 1, sum) != 0)
         return thud_error_set(err, THUD_INPUT, "a line is damaged");
+    bool spread = strncmp(line, spread_mark, strlen(spread_mark)) == 0;
+    r.at += spread ? strlen(spread_mark) : 0;
     long index = get_whole(&r, 0, LONG_MAX / 2);
     int ncases = get_int(&r, 1, THUD_SWEEP_CASES_MAX + 1), nstructures = get_int(&r, 1, THUD_STRUCTURES_MAX);
     int nfloors = get_int(&r, 0, FLOORS), ncontacts = get_int(&r, 0, FLOORS);
-    struct thud_sweep_point *point = r.failed ? NULL : thud_sweep_point_create(ncases, nfloors, ncontacts);
+    struct thud_sweep_point *point =
+        r.failed ? NULL : thud_sweep_point_create(ncases, nfloors, ncontacts, spread ? THUD_SWEEP_VARIANTS : 1);
     if (!point)
         return thud_error_set(err, r.failed ? THUD_INPUT : THUD_MEMORY,
                               r.failed ? "a line is damaged" : "out of memory");
@@ -249,5 +303,6 @@ unsigned long long thud_sweep_fingerprint(const struct thud_sweep_plan *plan)
             h = hash(h, r->a_mps2, r->samples * sizeof *r->a_mps2);
         }
     }
-    return hash(h, plan->cases, (size_t)plan->ncases * sizeof *plan->cases);
+    h = hash(h, plan->cases, (size_t)plan->ncases * sizeof *plan->cases);
+    return plan->sensitivity > 0 ? hash(h, &plan->sensitivity, sizeof plan->sensitivity) : h;
 }

@@ -20,17 +20,17 @@ static double dot_y(const struct drawing *d, double y)
 }
 
 /* Every sample is joined to the next, so no spike is lost, however narrow. */
-static void draw_lines(struct drawing *d, const double *xs, const double *ys, size_t n, bool steps,
+static void draw_lines(struct drawing *d, const double *xs, const double *ys, size_t n, bool steps, int every,
                        struct thud_look look)
 {
     double x0 = NAN, y0 = NAN;
     for (size_t i = 0; i < n; i++) {
         double x = dot_x(d, xs[i]), y = dot_y(d, ys[i]);
         if (steps) {
-            thud_dots_line(&d->dots, x0, y0, x, y0, 1, look);
-            thud_dots_line(&d->dots, x, y0, x, y, 1, look);
+            thud_dots_line(&d->dots, x0, y0, x, y0, every, look);
+            thud_dots_line(&d->dots, x, y0, x, y, every, look);
         } else if (!(fabs(x - x0) < 0.4 && fabs(y - y0) < 0.4 && i + 1 < n)) {
-            thud_dots_line(&d->dots, x0, y0, x, y, 1, look);
+            thud_dots_line(&d->dots, x0, y0, x, y, every, look);
         } else {
             continue; /* within the same dot: wait for a step that shows */
         }
@@ -60,13 +60,14 @@ static void draw_bars(struct drawing *d, const struct thud_series *series, struc
 static void draw_series(struct drawing *d, const struct thud_series *series, struct thud_look look)
 {
     enum thud_series_kind kind = series->style.kind;
+    int every = thud_series_is_shade(series) ? 3 : 1; /* of the dots: a shade is seen behind its curve, no more */
     if (kind == THUD_BARS)
         draw_bars(d, series, look);
     else if (kind != THUD_POINTS)
-        draw_lines(d, series->x, series->y, series->n, kind == THUD_STEPS, look);
+        draw_lines(d, series->x, series->y, series->n, kind == THUD_STEPS, every, look);
     if (kind == THUD_FILL && series->y_high)
-        draw_lines(d, series->x, series->y_high, series->n, false, look);
-    if (series->n == 1 && kind != THUD_BARS)
+        draw_lines(d, series->x, series->y_high, series->n, false, every, look);
+    if (series->n == 1 && kind != THUD_BARS && every == 1)
         draw_points(d, series, look);
     thud_dots_put(&d->dots);
     bool roomy = 3 * series->n <= (size_t)d->dots.pane.w; /* else the points would hide the line */
@@ -178,8 +179,8 @@ void thud_chart_draw(const struct thud_pane *pane, const struct thud_panel *pane
     for (int i = 0; i < panel->nseries; i++)
         draw_series(&d, panel->series[i], thud_chart_look(panel->series[i], i));
     for (int i = 0; panel->nseries > 1 && i < panel->nseries; i++)
-        if (panel->series[i]->name && *panel->series[i]->name)
-            label_series(&d, panel->series[i], i, thud_chart_look(panel->series[i], i));
+        if (panel->series[i]->name && *panel->series[i]->name && !thud_series_is_shade(panel->series[i]))
+            label_series(&d, panel->series[i], thud_chart_number(panel, i), thud_chart_look(panel->series[i], i));
     thud_dots_clear(&d.dots);
 }
 

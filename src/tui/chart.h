@@ -23,6 +23,8 @@ struct thud_chart_frame {
 bool thud_chart_axes(const struct thud_pane *pane, const struct thud_panel *panel, struct thud_chart_frame *frame);
 /* 0 to 1 along an axis. */
 double thud_chart_along(const struct thud_range *range, bool log, double value);
+/* What a series is called in the key, from 0: its number among those that have a line there of their own. */
+int thud_chart_number(const struct thud_panel *panel, int index);
 struct thud_look thud_chart_look(const struct thud_series *series, int index);
 
 #endif

@@ -81,6 +81,14 @@ struct thud_look thud_chart_look(const struct thud_series *series, int index)
     return thud_look(THUD_ROLE_SERIES + color % 8, series->style.wide ? THUD_BOLD : 0);
 }
 
+int thud_chart_number(const struct thud_panel *panel, int index)
+{
+    int number = 0;
+    for (int i = 0; i < index; i++)
+        number += !thud_series_is_shade(panel->series[i]);
+    return number;
+}
+
 /* "1 left  2 right", each in its colour, in at most `rows` rows from (x, y) on; returns the rows it takes, drawn only
  * where `draw`. */
 static int key_lines(const struct thud_pane *pane, const struct thud_panel *panel, int x, int y, int rows, bool draw)
@@ -88,10 +96,11 @@ static int key_lines(const struct thud_pane *pane, const struct thud_panel *pane
     int at = x, row = 0;
     for (int i = 0; i < panel->nseries; i++) {
         const struct thud_series *series = panel->series[i];
-        if (!series->name || !*series->name)
+        if (!series->name || !*series->name || thud_series_is_shade(series))
             continue;
         char text[80];
-        snprintf(text, sizeof text, "%c %.70s", i < 9 ? '1' + i : '+', series->name);
+        int number = thud_chart_number(panel, i);
+        snprintf(text, sizeof text, "%c %.70s", number < 9 ? '1' + number : '+', series->name);
         int width = thud_utf8_columns(text);
         if (at > 0 && at + width > pane->w) {
             at = 0;

@@ -20,7 +20,9 @@ void thud_study_words_of(const struct thud_scene *scene, struct thud_study_words
 {
     const struct thud_study_choice *study = &scene->study;
     memset(words->vary, 0, sizeof words->vary);
-    words->cases[0] = '\0';
+    words->cases[0] = words->sensitivity[0] = '\0';
+    if (study->sensitivity > 0)
+        thud_quantity_format(study->sensitivity, "%", words->sensitivity, sizeof words->sensitivity);
     for (int i = 0; i < study->nvary; i++)
         thud_study_vary_text(scene, i, words->vary[i], sizeof words->vary[i]);
     for (int i = 0; i < study->ncases; i++) {
@@ -87,6 +89,8 @@ static enum thud_status try_out(const struct thud_study_words *words, const stru
             status = thud_sweep_vary(&plan, words->vary[i], err);
     if (status == THUD_OK && *words->cases)
         status = thud_sweep_cases(&plan, words->cases, err);
+    if (status == THUD_OK && *words->sensitivity)
+        status = thud_scene_set(&plan.scene, "study.sensitivity", words->sensitivity, err);
     thud_sweep_plan_clear(&plan);
     return status;
 }
@@ -118,6 +122,8 @@ enum thud_status thud_study_words_keep(const struct thud_study_words *words, str
     }
     if (status == THUD_OK && *cases)
         status = thud_scene_set(next, "study.cases", cases, err);
+    if (status == THUD_OK && *words->sensitivity)
+        status = thud_scene_set(next, "study.sensitivity", words->sensitivity, err);
     if (status == THUD_OK)
         scene->study = next->study;
     free(next);

@@ -10,6 +10,7 @@ struct thud_study_words {
     char vary[THUD_VARY_MAX][320]; /* "gap=5 cm:25 cm:0.5 cm"; empty: no more */
     char cases[96];                /* "none,bumper"; empty: as written */
     char records[512];             /* files, with commas; empty: the scene's own */
+    char sensitivity[32];          /* "0.1 %"; empty: no spread */
 };
 
 /* What the preset's study says, else the paper's. `records` stays as it is. */

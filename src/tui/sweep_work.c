@@ -85,6 +85,9 @@ static enum thud_status make_plan(struct thud_sweep_work *work, const struct thu
             status = thud_sweep_vary(&work->plan, words->vary[i], err);
     if (status == THUD_OK && *words->cases)
         status = thud_sweep_cases(&work->plan, words->cases, err);
+    if (status == THUD_OK && *words->sensitivity)
+        status = thud_scene_set(&work->plan.scene, "study.sensitivity", words->sensitivity, err);
+    work->plan.sensitivity = *words->sensitivity ? work->plan.scene.study.sensitivity : 0;
     work->plan.nrecords = work->nrecords;
     work->plan.record = work->nrecords ? (const struct thud_record *const *)work->record : NULL;
     return status;

@@ -12,7 +12,7 @@
 #include "tui/sweep_work.h"
 
 enum { FORM, CHART };
-enum { CASES = THUD_VARY_MAX, RECORDS, WORDS };
+enum { CASES = THUD_VARY_MAX, RECORDS, SENSITIVITY, WORDS };
 
 struct thud_sweep_state {
     struct thud_study_words words;  /* as shown and run */
@@ -29,13 +29,26 @@ struct thud_sweep_state {
 
 static const char *word_name(int index)
 {
-    return index == 0 ? "vary" : index < CASES ? "vary too" : index == CASES ? "cases" : "records";
+    static const char *const last[] = {"cases", "records", "sensitivity"};
+    return index == 0 ? "vary" : index < CASES ? "vary too" : last[index - CASES];
 }
 
 static char *word_of(struct thud_study_words *words, int index, size_t *size)
 {
-    *size = index == CASES ? sizeof words->cases : index == RECORDS ? sizeof words->records : sizeof words->vary[0];
-    return index == CASES ? words->cases : index == RECORDS ? words->records : words->vary[index];
+    switch (index) {
+    case CASES:
+        *size = sizeof words->cases;
+        return words->cases;
+    case RECORDS:
+        *size = sizeof words->records;
+        return words->records;
+    case SENSITIVITY:
+        *size = sizeof words->sensitivity;
+        return words->sensitivity;
+    default:
+        *size = sizeof words->vary[0];
+        return words->vary[index];
+    }
 }
 
 /* The words follow the scene's study, also when that is undone. */
@@ -273,10 +286,11 @@ static void row(struct thud_tui *tui, const struct thud_field *field)
     s->typed = field->index;
     snprintf(tui->target, sizeof tui->target, "%s: ", word_name(field->index));
     thud_tui_say(tui, THUD_ROLE_PLAIN, "%s",
-                 field->index == 0         ? "KEY=FROM:TO:STEP or KEY=V1,V2,...: gap=5 cm:25 cm:1 cm"
-                 : field->index < CASES    ? "one more key, for a grid; empty: none"
-                 : field->index == RECORDS ? "files with commas; empty: the scene's own"
-                                           : "of none, bumper, cavity, as-written, with commas");
+                 field->index == 0             ? "KEY=FROM:TO:STEP or KEY=V1,V2,...: gap=5 cm:25 cm:1 cm"
+                 : field->index < CASES        ? "one more key, for a grid; empty: none"
+                 : field->index == RECORDS     ? "files with commas; empty: the scene's own"
+                 : field->index == SENSITIVITY ? "spread when gap, motion, stiffness change by this: 0.1 %; empty: none"
+                                               : "of none, bumper, cavity, as-written, with commas");
     thud_tui_prompt(tui, THUD_TYPE_STUDY, word_of(&s->words, field->index, &size));
 }
 

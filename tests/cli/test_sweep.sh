@@ -80,6 +80,33 @@ check "and can be finished" same "$tmp/one" "$tmp/joined2"
 status 3 "$THUD" sweep --merge "$tmp/other" "$tmp/part2" "$tmp/part3" -o "$tmp/fewer"
 check "parts of different studies are not joined" says "another study"
 
+# the spread
+spread() { "$THUD" sweep towers --vary gap=8cm:11cm:1cm --cases bumper --sensitivity=0.2% "$@"; }
+plain() { "$THUD" sweep towers --vary gap=8cm:11cm:1cm --cases bumper "$@"; }
+status 5 spread -j 1 -o "$tmp/spread"
+check "a spread gives each measure two more columns" sh -c "head -1 '$tmp/spread/sweep.csv' | grep -q ',acceleration_low_mps2,acceleration_high_mps2,.*,drift_ratio_low,drift_ratio_high,'"
+check "and the contacts theirs" sh -c "head -1 '$tmp/spread/contacts.csv' | grep -q 'force_low_n,force_high_n,indentation_low_m,indentation_high_m'"
+plain --csv --quiet >"$tmp/plain.csv" 2>"$tmp/err"
+check "the other columns stay as they are" sh -c "cut -d, -f1-14 '$tmp/spread/sweep.csv' | cmp - '$tmp/plain.csv'"
+check "every value is within its spread" awk -F, 'NR > 1 { for (i = 0; i < 9; i++) if (!($(15 + 2 * i) <= $(6 + i) && $(6 + i) <= $(16 + 2 * i))) exit 1 }' "$tmp/spread/sweep.csv"
+sed 's/^study:/&\n  sensitivity: 0.2 %/' presets/towers.yaml >"$tmp/asks.yaml"
+status 0 "$THUD" sweep "$tmp/asks.yaml" --vary gap=8cm:11cm:1cm --cases bumper --csv --quiet
+check "a preset may ask for it" cmp "$tmp/out" "$tmp/spread/sweep.csv"
+status 0 "$THUD" sweep "$tmp/asks.yaml" --vary gap=8cm:11cm:1cm --cases bumper --csv --quiet --sensitivity=0
+check "and be told not to" cmp "$tmp/out" "$tmp/plain.csv"
+status 0 spread
+check "the table says how far a ratio goes" grep -q "widest spread .* at .* cm: .* digit.* anything" "$tmp/out"
+check "and how many runs it took" grep -q "0.2 % less or more .*: 48 more runs" "$tmp/out"
+for k in 1 2; do status 0 spread -j 2 --shard $k/2 -o "$tmp/spread$k"; done
+status 5 "$THUD" sweep --merge "$tmp/spread1" "$tmp/spread2" -o "$tmp/spreads"
+check "joined parts have the same spread" same "$tmp/spread" "$tmp/spreads"
+sed '$d' "$tmp/spread2/sweep.journal" >"$tmp/short" && mkdir "$tmp/spread2s" && cp "$tmp/short" "$tmp/spread2s/sweep.journal"
+status 0 spread --shard 2/2 -o "$tmp/spread2s"
+check "a part with a spread goes on where it was" cmp "$tmp/spread2/sweep.journal" "$tmp/spread2s/sweep.journal"
+status 0 plain --shard 1/2 -o "$tmp/plain1"
+status 3 spread --shard 1/2 -o "$tmp/plain1"
+check "a study begun without a spread is another study" says "another study"
+
 # interruptions: a study so large that the signal finds some points done and some missing
 slow() { "$THUD" sweep towers --vary gap=6cm:14cm:0.08cm --cases none,bumper --without all "$@"; }
 status 5 slow -j 2 -o "$tmp/undisturbed"

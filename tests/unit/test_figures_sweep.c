@@ -55,15 +55,19 @@ static void fill(struct sample *s, int naxes)
                 for (int c = 0; c < CASES; c++) {
                     for (int st = 0; st < 3; st++)
                         for (int f = 0; f <= floors[st] && floors[st]; f++)
-                            s->row[s->table.nrows++] =
-                                (struct thud_sweep_row){.record = r,
-                                                        .which = (enum thud_case)c,
-                                                        .gap_m = s->gap[a],
-                                                        .value = {s->gap[a], s->depth[b]},
-                                                        .structure = st,
-                                                        .floor = f,
-                                                        .acceleration_ratio = mark(r, c, a, b, st, f),
-                                                        .drift_ratio = -mark(r, c, a, b, st, f)};
+                            s->row[s->table.nrows++] = (struct thud_sweep_row){
+                                .record = r,
+                                .which = (enum thud_case)c,
+                                .gap_m = s->gap[a],
+                                .value = {s->gap[a], s->depth[b]},
+                                .structure = st,
+                                .floor = f,
+                                .acceleration_ratio = mark(r, c, a, b, st, f),
+                                .drift_ratio = -mark(r, c, a, b, st, f),
+                                .low = {[THUD_SWEEP_ACCELERATION_RATIO] = mark(r, c, a, b, st, f) - 0.01,
+                                        [THUD_SWEEP_DRIFT_RATIO] = -mark(r, c, a, b, st, f) - 0.02},
+                                .high = {[THUD_SWEEP_ACCELERATION_RATIO] = mark(r, c, a, b, st, f) + 0.03,
+                                         [THUD_SWEEP_DRIFT_RATIO] = -mark(r, c, a, b, st, f) + 0.04}};
                     for (int k = 0; k < 2; k++)
                         s->contact[s->table.ncontacts++] =
                             (struct thud_sweep_contact_row){.record = r,
@@ -107,6 +111,45 @@ START_TEST(every_floor_has_its_curve)
     ck_assert_str_eq(b->series[b->nseries - 1]->name, "floor 9");
     ck_assert_str_ne(b->note, "");
     thud_figure_free(figure);
+    free(s);
+}
+END_TEST
+
+/* All shades come before all curves, each with its curve's name, colour and ends. */
+static void check_shades(const struct thud_figure *figure)
+{
+    for (int p = 0; p < 4; p++) {
+        const struct thud_panel *panel = &figure->panel[p];
+        ck_assert_int_eq(panel->nseries % 2, 0);
+        for (int i = 0, n = panel->nseries / 2; i < n; i++) {
+            const struct thud_series *shade = panel->series[i], *curve = panel->series[n + i];
+            ck_assert(thud_series_is_shade(shade) && !thud_series_is_shade(curve));
+            ck_assert_str_eq(shade->name, curve->name);
+            ck_assert_int_eq(shade->style.color, curve->style.color);
+            for (int a = 0; a < GAPS; a++) {
+                ck_assert(near(shade->x[a], curve->x[a]));
+                ck_assert(near(curve->y[a] - shade->y[a], p < 2 ? 0.01 : 0.02));
+                ck_assert(near(shade->y_high[a] - curve->y[a], p < 2 ? 0.03 : 0.04));
+            }
+        }
+    }
+}
+
+START_TEST(a_spread_is_a_shade_behind_its_curve)
+{
+    struct sample *s = malloc(sizeof *s);
+    fill(s, 1);
+    s->table.sensitivity = 1e-3;
+    struct thud_figure *floors_shown = thud_figure_by_floor(&s->table, 0, THUD_CASE_CAVITY, "x", NULL);
+    struct thud_figure *means = thud_figure_of_means(&s->table, THUD_CASE_BUMPER, "y", NULL);
+    ck_assert_int_eq(thud_figure_check(floors_shown, NULL), THUD_OK);
+    ck_assert_int_eq(thud_figure_check(means, NULL), THUD_OK);
+    ck_assert_int_eq(floors_shown->panel[0].nseries, 8);
+    check_shades(floors_shown);
+    check_shades(means);
+    ck_assert_ptr_nonnull(strstr(means->note, "0.1 %"));
+    thud_figure_free(floors_shown);
+    thud_figure_free(means);
     free(s);
 }
 END_TEST
@@ -205,6 +248,7 @@ Suite *thud_suite(void)
     Suite *suite = suite_create("figures_sweep");
     TCase *tcase = tcase_create("figures_sweep");
     tcase_add_test(tcase, every_floor_has_its_curve);
+    tcase_add_test(tcase, a_spread_is_a_shade_behind_its_curve);
     tcase_add_test(tcase, means_have_a_curve_per_record);
     tcase_add_test(tcase, maps_are_the_right_way_round);
     tcase_add_test(tcase, contacts_are_summed_and_compared);

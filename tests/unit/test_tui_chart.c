@@ -93,6 +93,31 @@ START_TEST(curves_are_told_apart_without_colour)
 }
 END_TEST
 
+/* A shade is seen, behind its curve, and takes no number and no place in the key. */
+START_TEST(a_shade_has_no_number)
+{
+    struct thud_figure *figure;
+    struct thud_panel *panel = one_panel(&figure, "Time", "Force");
+    const double x[] = {0.0, 1.0, 2.0}, a[] = {0.0, 3.0, 0.0}, high[] = {2.0, 9.0, 2.0};
+    thud_panel_fill(panel, (struct thud_style){.thin = true}, "bare", 3, x, a, high);
+    thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = 0}, "bare", 3, x, a);
+    thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = 1}, "bumper", 3, x, a);
+    const struct thud_series *key[4];
+    ck_assert_int_eq(thud_figure_key(figure, key, 4), 2);
+    ck_assert_int_eq(key[0]->style.kind, THUD_LINES);
+    ck_assert_int_eq(thud_chart_number(panel, 1), 0);
+    ck_assert_int_eq(thud_chart_number(panel, 2), 1);
+    char *text = draw(panel, 60, 14, true);
+    ck_assert_ptr_nonnull(strstr(text, "1 bare  2 bumper"));
+    char *top = strchr(text, '\n') + 1, *end = strstr(top, "6 +"); /* only the shade goes as high */
+    ck_assert_ptr_nonnull(end);
+    *end = '\0';
+    ck_assert_ptr_nonnull(strpbrk(top, "'.:"));
+    free(text);
+    thud_figure_free(figure);
+}
+END_TEST
+
 START_TEST(decades_are_labelled)
 {
     struct thud_figure *figure;
@@ -135,6 +160,7 @@ Suite *thud_suite(void)
     tcase_add_test(chart, a_straight_line_in_ascii);
     tcase_add_test(chart, a_spike_is_seen);
     tcase_add_test(chart, curves_are_told_apart_without_colour);
+    tcase_add_test(chart, a_shade_has_no_number);
     tcase_add_test(chart, decades_are_labelled);
     tcase_add_test(chart, hard_data_and_every_size);
     suite_add_tcase(suite, chart);
