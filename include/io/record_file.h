@@ -10,7 +10,8 @@
 
 enum { THUD_RECORD_BYTES_MAX = 256 << 20 };
 
-/* Reads `path` with what `choice` says of it (dt, unit, channel, column, skip), then applies factor, peak and sign.
+/* Reads `path` with what `choice` says of it (dt, unit, channel, column, skip), then keeps the part it asks for and
+ * applies factor, peak and sign.
  * What a file does not say is asked for by its option's name. Errors: THUD_INPUT with file and line, THUD_MEMORY. */
 enum thud_status thud_record_file_read(const char *path, const struct thud_record_choice *choice,
                                        struct thud_record **out, struct thud_error *err);
@@ -20,8 +21,8 @@ enum thud_status thud_record_parse(const char *text, size_t size, const char *na
                                    const struct thud_record_choice *choice, struct thud_record **out,
                                    struct thud_error *err);
 
-/* Factor, peak and sign of the choice. Errors: THUD_INPUT (zeros cannot be scaled to a peak, or the result is not
- * finite). */
+/* The part from `from` to `to`, then factor, peak and sign of the choice. Errors: THUD_INPUT (too short a part, zeros
+ * cannot be scaled to a peak, or the result is not finite). */
 enum thud_status thud_record_choice_apply(struct thud_record *record, const struct thud_record_choice *choice,
                                           struct thud_error *err);
 

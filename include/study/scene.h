@@ -45,6 +45,7 @@ struct thud_record_choice {
     double peak_mps2;         /* scale to this peak; NaN: as recorded */
     double factor;            /* 1 unless given */
     int sign;                 /* +1 or -1 */
+    double from_s, to_s;      /* the part that is used, in the file's own time; NaN: from its beginning, to its end */
     double dt_s;              /* for files that do not say; NaN: not given */
     char unit[16];            /* for files that do not say; empty: not given */
     char channel[32];         /* file with several; empty: not given */

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/record_edit.h"
 #include "io/file.h"
 #include "io/record_formats.h"
 #include "io/record_unit.h"
@@ -113,6 +114,12 @@ static void convert(struct record_raw *raw)
 enum thud_status thud_record_choice_apply(struct thud_record *record, const struct thud_record_choice *choice,
                                           struct thud_error *err)
 {
+    if ((!isnan(choice->from_s) || !isnan(choice->to_s)) &&
+        thud_record_trim(record, choice->from_s, choice->to_s, err) != THUD_OK) {
+        thud_error_place(err, record->file, 0, 0);
+        thud_error_key(err, isnan(choice->from_s) ? "to" : "from");
+        return THUD_INPUT;
+    }
     double factor = choice->factor * (choice->sign < 0 ? -1 : 1);
     if (!isnan(choice->peak_mps2)) {
         double peak = thud_record_peak(record);

@@ -25,7 +25,8 @@ static bool same_stamp(struct thud_stamp a, struct thud_stamp b)
 static void forget_record(struct thud_doc *doc)
 {
     thud_record_free(doc->record);
-    doc->record = NULL;
+    thud_record_free(doc->whole);
+    doc->record = doc->whole = NULL;
     doc->record_tried = false;
 }
 
@@ -155,6 +156,32 @@ const char *thud_doc_redo(struct thud_doc *doc)
     return step(doc, thud_undo_forward);
 }
 
+/* The whole motion behind the part that is used, for showing; without it only the part is shown. */
+static void read_whole(struct thud_doc *doc, const char *path)
+{
+    struct thud_record_choice choice = doc->record_choice;
+    const struct thud_record *part = doc->record;
+    struct thud_error err; /* what reading the part did not say is no error of the preset's */
+    if (!part || (isnan(choice.from_s) && isnan(choice.to_s)))
+        return;
+    choice.from_s = choice.to_s = choice.peak_mps2 = NAN;
+    if (thud_record_file_read(path, &choice, &doc->whole, &err) != THUD_OK)
+        return;
+    double most = 0.0;
+    for (size_t i = 0; i < doc->whole->samples; i++)
+        if (thud_doc_uses(doc, (double)i * doc->whole->dt_s))
+            most = fmax(most, fabs(doc->whole->a_mps2[i]));
+    if (most > 0.0)
+        thud_record_scale(doc->whole, thud_record_peak(part) / most);
+}
+
+bool thud_doc_uses(const struct thud_doc *doc, double time_s)
+{
+    const struct thud_record_choice *choice = &doc->record_choice;
+    const double rounding_s = 1e-6 * (doc->record ? doc->record->dt_s : 0.0);
+    return !(time_s < choice->from_s - rounding_s) && !(time_s > choice->to_s + rounding_s);
+}
+
 enum thud_status thud_doc_record(struct thud_doc *doc, const struct thud_record **out, struct thud_error *err)
 {
     const struct thud_record_choice *choice = &doc->scene.record;
@@ -164,10 +191,11 @@ enum thud_status thud_doc_record(struct thud_doc *doc, const struct thud_record 
         doc->record_choice = *choice;
         doc->record_tried = true;
         doc->record_error = (struct thud_error){0};
-        char path[512];
+        char path[512] = "";
         if (*choice->file &&
             thud_paths_record(doc->paths, doc->path, choice->file, path, sizeof path, &doc->record_error) == THUD_OK)
             thud_record_file_read(path, choice, &doc->record, &doc->record_error);
+        read_whole(doc, path);
     }
     if (doc->record_error.status != THUD_OK) {
         *err = doc->record_error;

@@ -188,6 +188,17 @@ static void step_choice(struct thud_tui *tui, const char *key, const struct thud
         thud_tui_set(tui, key, param->choices[((at + steps) % n + n) % n]);
 }
 
+/* Where stepping starts from while nothing is given: the ends of the ground motion. NaN: nowhere. */
+static double first_value(const struct thud_tui *tui, const char *key)
+{
+    const struct thud_record *record = tui->doc.whole ? tui->doc.whole : tui->doc.record;
+    if (record && strcmp(key, "record.from") == 0)
+        return 0.0;
+    if (record && strcmp(key, "record.to") == 0)
+        return (double)(record->samples - 1) * record->dt_s;
+    return NAN;
+}
+
 /* A step is one in the second digit of the number as shown. */
 void thud_tui_step_value(struct thud_tui *tui, int steps)
 {
@@ -205,9 +216,9 @@ void thud_tui_step_value(struct thud_tui *tui, int steps)
         return;
     }
     const char *end;
-    double value;
+    double value = first_value(tui, key);
     if (thud_scene_get(&tui->doc.scene, key, text, sizeof text, NULL) != THUD_OK ||
-        thud_number_parse(text, &end, &value) != 0) {
+        (thud_number_parse(text, &end, &value) != 0 && isnan(value))) {
         thud_tui_say(tui, THUD_ROLE_WARN, "%s has no number yet: type one", param->name);
         return;
     }

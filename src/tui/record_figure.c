@@ -13,6 +13,26 @@ const char *thud_record_curve_title(enum thud_record_curve curve)
     return title[curve];
 }
 
+/* The whole motion in the file's own time: the part that is used, and what is cut off. */
+static void parts(struct thud_panel *panel, const struct thud_doc *doc)
+{
+    const struct thud_record *whole = doc->whole;
+    const double edge[2] = {doc->record_choice.from_s, doc->record_choice.to_s};
+    thud_panel_axis(panel, THUD_X, "Time in the file", "s");
+    thud_panel_axis(panel, THUD_Y, "Acceleration", "g");
+    for (int cut = 0; cut < 2; cut++) {
+        struct thud_style style = {.kind = THUD_LINES, .color = cut, .thin = cut == 1};
+        struct thud_series *series = thud_panel_add(panel, style, cut ? "cut off" : "used", whole->samples, NULL, NULL);
+        for (size_t i = 0; series && i < whole->samples; i++) {
+            series->x[i] = (double)i * whole->dt_s;
+            bool here = thud_doc_uses(doc, series->x[i]) == !cut;
+            series->y[i] = here ? whole->a_mps2[i] / THUD_GRAVITY : NAN;
+        }
+        if (!isnan(edge[cut]))
+            thud_panel_mark(panel, THUD_X, edge[cut], edge[cut], "");
+    }
+}
+
 static void history(struct thud_panel *panel, const struct thud_record *record, enum thud_record_curve curve)
 {
     static const char *const unit[] = {"g", "m/s", "m"};
@@ -58,17 +78,19 @@ static void spectrum(struct thud_panel *panel, const struct thud_record *record,
     }
 }
 
-struct thud_figure *thud_record_figure(const struct thud_record *record, const struct thud_scene *scene,
-                                       const struct thud_live *live, enum thud_record_curve curve)
+struct thud_figure *thud_record_figure(const struct thud_doc *doc, const struct thud_live *live,
+                                       enum thud_record_curve curve)
 {
     static const char *const name[] = {"ground-acceleration", "ground-velocity", "ground-displacement",
                                        "response-spectrum"};
     struct thud_figure *figure = thud_figure_create(name[curve], thud_record_curve_title(curve), 1, 1);
     struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "");
     if (curve == THUD_RECORD_SPECTRUM)
-        spectrum(panel, record, scene, live->which[THUD_LIVE_FREE].model);
+        spectrum(panel, doc->record, &doc->scene, live->which[THUD_LIVE_FREE].model);
+    else if (curve == THUD_RECORD_ACCELERATION && doc->whole)
+        parts(panel, doc);
     else
-        history(panel, record, curve);
+        history(panel, doc->record, curve);
     if (thud_figure_check(figure, NULL) == THUD_OK)
         return figure;
     thud_figure_free(figure);

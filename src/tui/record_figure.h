@@ -4,8 +4,8 @@
 
 #include "core/intensity.h"
 #include "plot/figure.h"
-#include "study/scene.h"
 #include "tui/canvas.h"
+#include "tui/doc.h"
 #include "tui/live.h"
 
 enum thud_record_curve {
@@ -16,9 +16,10 @@ enum thud_record_curve {
     THUD_RECORD_CURVES
 };
 const char *thud_record_curve_title(enum thud_record_curve curve);
-/* NULL when out of memory. */
-struct thud_figure *thud_record_figure(const struct thud_record *record, const struct thud_scene *scene,
-                                       const struct thud_live *live, enum thud_record_curve curve);
+/* Of the document's ground motion, which must be there; where a part of it is used, the acceleration shows what is
+ * cut off as well. NULL when out of memory. */
+struct thud_figure *thud_record_figure(const struct thud_doc *doc, const struct thud_live *live,
+                                       enum thud_record_curve curve);
 /* Draws the measures from row `y` on; returns the row after them. */
 int thud_record_measures(const struct thud_intensity *intensity, const struct thud_record *record,
                          const struct thud_pane *pane, int y);

@@ -112,7 +112,9 @@ enum thud_status thud_study_words_keep(const struct thud_study_words *words, str
     if (!next)
         return thud_error_set(err, THUD_MEMORY, "no memory for the study");
     *next = *scene;
-    memset(&next->study, 0, sizeof next->study);
+    next->study.nvary = next->study.ncases = 0;
+    memset(next->study.vary, 0, sizeof next->study.vary);
+    memset(next->study.cases, 0, sizeof next->study.cases);
     for (int i = PARTS; i >= 0 && status == THUD_OK; i--) { /* the keys before their ranges */
         size_t n = strlen(list[i]);
         if (n > 0 && n + 1 < sizeof list[i])

@@ -81,7 +81,7 @@ void thud_tui_filter_records(struct thud_tui *tui, const char *text)
 static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect *pane)
 {
     (void)tui;
-    int left = area.w * 2 / 5 < 46 ? area.w * 2 / 5 : 46, data = area.h >= 18 ? 9 : area.h / 2;
+    int left = area.w * 2 / 5 < 46 ? area.w * 2 / 5 : 46, data = area.h >= 18 ? 10 : area.h / 2;
     pane[LIST] = (struct thud_rect){area.x, area.y, left, area.h};
     pane[CURVE] = (struct thud_rect){area.x + left, area.y, area.w - left, area.h - data};
     pane[DATA] = (struct thud_rect){area.x + left, area.y + area.h - data, area.w - left, data};
@@ -126,7 +126,7 @@ static void refresh(struct thud_tui *tui)
     if (!r || (r->of == tui->doc.record && r->revision == tui->doc.revision && r->made == r->curve && r->figure))
         return;
     thud_figure_free(r->figure);
-    r->figure = tui->doc.record ? thud_record_figure(tui->doc.record, &tui->doc.scene, &tui->live, r->curve) : NULL;
+    r->figure = tui->doc.record ? thud_record_figure(&tui->doc, &tui->live, r->curve) : NULL;
     r->of = tui->doc.record;
     r->revision = tui->doc.revision;
     r->made = r->curve;
@@ -149,7 +149,8 @@ static int draw_curve(struct thud_tui *tui, const struct thud_pane *pane)
 
 static int draw_data(struct thud_tui *tui, const struct thud_pane *pane)
 {
-    static const char *const key[] = {"file", "peak", "factor", "sign", "dt", "unit", "channel", "column", "skip"};
+    static const char *const key[] = {"peak", "sign", "from",    "to",     "file", "factor",
+                                      "dt",   "unit", "channel", "column", "skip"};
     struct thud_record_state *r = state(tui);
     const struct thud_record *record = tui->doc.record;
     int y = 0;
@@ -163,8 +164,7 @@ static int draw_data(struct thud_tui *tui, const struct thud_pane *pane)
     for (size_t i = 0; i < sizeof key / sizeof *key; i++) {
         char path[THUD_PATH_MAX];
         snprintf(path, sizeof path, "record.%s", key[i]);
-        if (thud_scene_param(&tui->doc.scene, path, &(int){0}))
-            thud_field_row(tui, DATA, pane, y++, key[i], path);
+        thud_field_row(tui, DATA, pane, y++, key[i], path);
     }
     return y;
 }

@@ -80,6 +80,16 @@ force=$(number force_n)
 gives 0 run towers --json --peak "0.4 g"
 is "--peak is --set record.peak" [ "$(number force_n)" = "$force" ]
 is "--peak scales" near "$(number peak_mps2)" 3.92266 1e-12
+"$THUD" record convert records/kobe-surrogate.csv --from 2s --to 12s -o "$tmp/part.csv" 2>/dev/null
+gives 0 run towers --json --record "$tmp/part.csv" --peak "0.821 g"
+part=$(number force_n)
+gives 0 run towers --json --set "record.from=2 s" --set "record.to=12 s"
+is "record.from and record.to run as the part of the file does" near "$(number force_n)" "$part" 1e-9
+is "with its samples" shows '"samples": 1001'
+is "a part that ends before it begins is refused" gives 3 run towers --set "record.from=5 s" --set "record.to=4 s"
+is "with the key" says "record.to: the part of the motion ends before it begins"
+is "a part after the end is refused" gives 3 run towers --set "record.from=50 s"
+is "with the length of the record" says "the record lasts 40 s"
 gives 0 run towers --json --case cavity
 cavity=$(number acceleration_mps2)
 gives 0 run towers --json --set "bumper.cavity=1 cm"

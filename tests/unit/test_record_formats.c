@@ -245,6 +245,27 @@ START_TEST(scaled_as_asked)
 }
 END_TEST
 
+/* The part first: its own peak is what is scaled. */
+START_TEST(a_part_of_the_motion)
+{
+    const char *text = "time_s,acceleration_mps2\n0,0.9\n0.01,-0.2\n0.02,0.3\n0.03,0.1\n";
+    const double late[] = {-0.2, 0.3, 0.1}, early[] = {0.9, -0.2}, middle[] = {-4, 6};
+    choice.from_s = 0.01;
+    reads(text, "CSV", 0.01, 3, late);
+    choice.from_s = 0.005; /* between two samples: from the next one on */
+    reads(text, "CSV", 0.01, 3, late);
+    choice.from_s = NAN;
+    choice.to_s = 0.01;
+    reads(text, "CSV", 0.01, 2, early);
+    choice.from_s = 0.01;
+    choice.to_s = 0.02;
+    choice.peak_mps2 = 6;
+    reads(text, "CSV", 0.01, 2, middle);
+    choice.from_s = 0.02;
+    refuses(text, 0, "from", "two samples");
+}
+END_TEST
+
 /* Every file cut at every byte: refused or read, never a crash, and never more samples than the whole has. */
 START_TEST(cut_anywhere)
 {
@@ -285,6 +306,7 @@ Suite *thud_suite(void)
     tcase_add_test(all, cosmos_by_columns);
     tcase_add_test(all, texts_are_kept);
     tcase_add_test(all, scaled_as_asked);
+    tcase_add_test(all, a_part_of_the_motion);
     tcase_add_test(all, cut_anywhere);
     suite_add_tcase(suite, all);
     return suite;

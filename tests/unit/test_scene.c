@@ -80,6 +80,8 @@ START_TEST(values_read_back_as_set)
         {"record.peak", "0.821 g"},
         {"record.sign", "-"},
         {"record.factor", "1.5"},
+        {"record.from", "2.5 s"},
+        {"record.to", "12 s"},
         {"record.dt", "0.005 s"},
         {"record.unit", "g"},
         {"record.channel", "NS"},
@@ -125,12 +127,12 @@ END_TEST
 
 START_TEST(what_need_not_be_given_can_be_taken_back)
 {
-    static const char *const paths[] = {"record.file", "record.peak",    "record.dt",
-                                        "record.unit", "record.channel", "record.column",
-                                        "record.skip", "analysis.step",  "bumper.area"};
+    static const char *const paths[] = {"record.file",    "record.peak",   "record.dt",   "record.unit",
+                                        "record.channel", "record.column", "record.skip", "analysis.step",
+                                        "bumper.area",    "record.from",   "record.to"};
     towers();
     for (size_t i = 0; i < sizeof paths / sizeof *paths; i++) {
-        set(paths[i], i == 1 ? "1 g" : i == 2 || i == 7 ? "1 s" : i == 8 ? "1 m2" : "1");
+        set(paths[i], i == 1 ? "1 g" : i == 2 || i == 7 || i > 8 ? "1 s" : i == 8 ? "1 m2" : "1");
         set(paths[i], "");
         gets(paths[i], "");
     }
@@ -374,11 +376,10 @@ START_TEST(unusual_combinations_are_told)
 {
     static const struct {
         const char *path, *value, *key, *said, *usual;
-    } odd[] = {
-        {"bumper.stiffness", "0.005 kN/mm^2.65", "interfaces.1.bumper.stiffness", "0.088 MN", "0.1 to 100 MN"},
-        {"bumper.post-yield", "400 kN/mm", "interfaces.1.bumper.post-yield", "400 kN/mm", "419.7 kN/mm"},
-        {"bumper.cavity", "1.5 cm", "interfaces.1.bumper.cavity", "1.5 cm", "1 cm"},
-        {"structures.2.height", "3.5 m", "interfaces.1", "the same level", "heights"}};
+    } odd[] = {{"bumper.stiffness", "0.005 kN/mm^2.65", "interfaces.1.bumper.stiffness", "0.088 MN", "0.1 to 100 MN"},
+               {"bumper.post-yield", "400 kN/mm", "interfaces.1.bumper.post-yield", "400 kN/mm", "419.7 kN/mm"},
+               {"bumper.cavity", "1.5 cm", "interfaces.1.bumper.cavity", "1.5 cm", "1 cm"},
+               {"structures.2.height", "3.5 m", "interfaces.1", "the same level", "heights"}};
     struct thud_error err;
     for (size_t i = 0; i < sizeof odd / sizeof *odd; i++) {
         towers();

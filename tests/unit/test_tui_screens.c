@@ -182,6 +182,41 @@ START_TEST(records_are_listed_filtered_and_chosen)
 }
 END_TEST
 
+/* Beginning and end by keys: the answer is that of the part, what is cut off stays in sight, and undo brings it back.
+ */
+START_TEST(a_motion_is_trimmed)
+{
+    char whole[24], part[24];
+    fixture_keys(&f, "<A-3>");
+    fixture_expect_not(&f, "cut off");
+    thud_tui_number(answer_peak(THUD_CASE_NONE, 1, false), whole);
+    fixture_keys(&f, "/record.to<Enter>-"); /* 3 s, one step back */
+    ck_assert_double_eq_tol(f.tui->doc.scene.record.to_s, 2.9, 1e-12);
+    fixture_keys(&f, "<Up>+{{{{{{{{{1.25<Enter>");
+    ck_assert_double_eq_tol(f.tui->doc.scene.record.from_s, 1.25, 1e-12);
+    fixture_expect(&f, "cut off");
+    fixture_expect(&f, "166 samples");
+    ck_assert_uint_eq(f.tui->doc.record->samples, 166);
+    ck_assert_uint_eq(f.tui->doc.whole->samples, 301);
+    ck_assert_double_eq_tol(f.tui->doc.whole->a_mps2[135], f.tui->doc.record->a_mps2[10], 1e-9);
+    thud_tui_number(answer_peak(THUD_CASE_NONE, 1, false), part);
+    ck_assert_str_ne(whole, part);
+    fixture_keys(&f, "<A-1>");
+    fixture_expect(&f, part);
+    fixture_keys(&f, "<A-3>9<Enter>"); /* nothing is left of it */
+    fixture_expect(&f, " ! ");
+    ck_assert_double_eq_tol(f.tui->doc.scene.record.from_s, 1.25, 1e-12);
+    fixture_keys(&f, "<Esc>uu");
+    ck_assert(!f.tui->doc.whole || !isnan(f.tui->doc.scene.record.from_s));
+    fixture_keys(&f, "uuuuuuuuuuuuuuuuu");
+    ck_assert(isnan(f.tui->doc.scene.record.from_s) && isnan(f.tui->doc.scene.record.to_s));
+    ck_assert_ptr_null(f.tui->doc.whole);
+    fixture_expect_not(&f, "cut off");
+    fixture_keys(&f, "<A-1>");
+    fixture_expect(&f, whole);
+}
+END_TEST
+
 START_TEST(an_impact_is_opened)
 {
     fixture_keys(&f, "<A-4><Tab><Down><Enter>");
@@ -375,6 +410,7 @@ Suite *thud_suite(void)
     tcase_add_test(screens, small_terminals);
     tcase_add_test(screens, finding_a_field);
     tcase_add_test(screens, records_are_listed_filtered_and_chosen);
+    tcase_add_test(screens, a_motion_is_trimmed);
     tcase_add_test(screens, an_impact_is_opened);
     tcase_add_test(screens, the_movement_plays_and_ends);
     tcase_add_test(screens, every_figure_is_drawn);
