@@ -22,7 +22,7 @@ struct thud_tui_options {
  * THUD_USAGE (no terminal), THUD_INPUT (the preset), THUD_MEMORY. */
 enum thud_status thud_tui_main(const struct thud_tui_options *options, struct thud_error *err);
 
-/* All keys, by screen, one per line: "WHERE<tab>KEY<tab>WHAT", for help and manual. */
+/* All keys, by screen, one per line: "WHERE<tab>KEY<tab>WHAT", for the manual. */
 void thud_tui_keys_text(struct thud_text *out);
 
 struct thud_tui;

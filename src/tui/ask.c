@@ -24,6 +24,8 @@ void thud_tui_prompt_done(struct thud_tui *tui)
         thud_tui_command(tui, text);
     else if (tui->typing == THUD_TYPE_STUDY)
         thud_tui_sweep_typed(tui, text);
+    else if (tui->typing == THUD_TYPE_SEARCH)
+        thud_tui_help_typed(tui, text);
     else if (tui->typing == THUD_TYPE_FILTER)
         thud_tui_filter_records(tui, text);
     else if (*text)

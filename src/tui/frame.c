@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "tui/state.h"
+#include "tui/help_text.h"
 
 enum { LEAST_WIDTH = 40, LEAST_HEIGHT = 10, DESIGN_WIDTH = 80, DESIGN_HEIGHT = 24 };
 
@@ -119,17 +119,7 @@ static void field_words(struct thud_tui *tui, char *text, size_t size)
     const struct thud_param *param = thud_scene_param(&tui->doc.scene, field->path, &floor);
     if (!param)
         return;
-    size_t n = (size_t)snprintf(text, size, "%s", param->help && *param->help ? param->help : param->title);
-    if (n < size && param->kind == THUD_PARAM_QUANTITY && param->dimension >= THUD_LENGTH)
-        n += (size_t)snprintf(text + n, size - n, " Units %s.", thud_dimension_units(param->dimension));
-    char number[64] = "", allowed[160];
-    thud_param_allowed(param, allowed, sizeof allowed);
-    if (n < size && *allowed)
-        n += (size_t)snprintf(text + n, size - n, " Allowed: %s.", allowed);
-    if (param->kind == THUD_PARAM_QUANTITY && !isnan(param->fallback) && param->dimension != THUD_POWER_STIFFNESS)
-        thud_quantity_format(param->fallback, param->unit ? param->unit : "", number, sizeof number);
-    if (n < size && *number)
-        snprintf(text + n, size - n, " Default %s.", number);
+    thud_param_words(param, text, size);
 }
 
 static void bottom_keys(struct thud_tui *tui, const struct thud_pane *row)
@@ -163,7 +153,7 @@ static void bottom_keys(struct thud_tui *tui, const struct thud_pane *row)
 /* The prompt of what is typed outside a field. */
 static const char *prompt_words(const struct thud_tui *tui)
 {
-    static const char *const words[] = {"", ":", "save as: ", "file name contains: ", ""};
+    static const char *const words[] = {"", ":", "save as: ", "file name contains: ", "", "search: "};
     if (tui->typing == THUD_TYPE_STUDY)
         return tui->target;
     return words[tui->typing];

@@ -20,7 +20,14 @@ enum thud_screen {
 };
 
 enum thud_mode { THUD_MODE_NORMAL, THUD_MODE_TYPING, THUD_MODE_CHOOSING, THUD_MODE_ASKING };
-enum thud_typing { THUD_TYPE_FIELD, THUD_TYPE_COMMAND, THUD_TYPE_SAVE_AS, THUD_TYPE_FILTER, THUD_TYPE_STUDY };
+enum thud_typing {
+    THUD_TYPE_FIELD,
+    THUD_TYPE_COMMAND,
+    THUD_TYPE_SAVE_AS,
+    THUD_TYPE_FILTER,
+    THUD_TYPE_STUDY,
+    THUD_TYPE_SEARCH
+};
 enum thud_choosing { THUD_CHOOSE_VALUE, THUD_CHOOSE_PRESET, THUD_CHOOSE_FIELD };
 enum thud_asking { THUD_ASK_QUIT, THUD_ASK_OVERWRITE, THUD_ASK_DISK, THUD_ASK_OPEN };
 
@@ -83,6 +90,7 @@ struct thud_plots_state;
 struct thud_record_state;
 struct thud_sweep_state;
 struct thud_bench_screen;
+struct thud_help_state;
 
 struct thud_tui {
     struct thud_tui_options options;
@@ -128,7 +136,7 @@ struct thud_tui {
     struct thud_sweep_state *sweep;
     struct thud_bench_screen *bench;
     int results_case, results_sort;
-    int help_top;
+    struct thud_help_state *help;
 };
 
 /* tui.c */
@@ -169,6 +177,7 @@ void thud_tui_open(struct thud_tui *tui, const char *name, bool sure);
 void thud_tui_quit(struct thud_tui *tui, bool sure);
 void thud_tui_sweep_typed(struct thud_tui *tui, const char *text);    /* view_sweep.c */
 void thud_tui_filter_records(struct thud_tui *tui, const char *text); /* view_record.c */
+void thud_tui_help_typed(struct thud_tui *tui, const char *text);     /* view_help.c */
 void thud_tui_list_presets(struct thud_tui *tui);
 void thud_tui_list_fields(struct thud_tui *tui);
 

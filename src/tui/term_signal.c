@@ -23,6 +23,8 @@ static struct sigaction before_fatal[FATAL], before_crash[CRASH], before_stop, b
 static struct termios before_mode;
 static int have_mode, have_size;
 static char restore[256];
+static char crash_stack[1 << 16]; /* a crash may be that the stack has no room left */
+static stack_t before_stack;
 static size_t restore_size;
 
 static void wake_loop(void)
@@ -94,8 +96,10 @@ void thud_term_signal_open(void)
     make_pipe();
     for (int i = 0; i < FATAL; i++)
         catch_signal(fatal[i], on_fatal, 0, &before_fatal[i]);
+    stack_t stack = {.ss_sp = crash_stack, .ss_size = sizeof crash_stack};
+    sigaltstack(&stack, &before_stack);
     for (int i = 0; i < CRASH; i++)
-        catch_signal(crash[i], on_crash, (int)SA_RESETHAND, &before_crash[i]);
+        catch_signal(crash[i], on_crash, (int)SA_RESETHAND | SA_ONSTACK, &before_crash[i]);
     catch_signal(SIGTSTP, on_stop, 0, &before_stop);
 }
 
@@ -133,6 +137,7 @@ void thud_term_signal_close(void)
         sigaction(fatal[i], &before_fatal[i], NULL);
     for (int i = 0; i < CRASH; i++)
         sigaction(crash[i], &before_crash[i], NULL);
+    sigaltstack(&before_stack, NULL);
     sigaction(SIGTSTP, &before_stop, NULL);
     if (have_size)
         sigaction(SIGWINCH, &before_size, NULL);

@@ -1,38 +1,27 @@
-/* Help: the keys of the screen one comes from, the general ones, and the model in short. */
+/* Help: keys, fields, the model in short; scrolls, and can be searched. */
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
-#include "tui/state.h"
+#include "tui/help_text.h"
 
-static const char *const model[] = {
-    "",
-    "The model in short",
-    "  A scene is a ground motion and a row of structures, with an interface",
-    "  between each two neighbours. Displacements are relative to the ground,",
-    "  positive to the right.",
-    "  Shear building: a mass for each floor, a spring for each storey, the same",
-    "  damping ratio in every mode. Isolated building: the same on a slab on an",
-    "  isolator. Rigid body: one free mass with a velocity at the start. Wall:",
-    "  moves with the ground. Floors at the same height can meet.",
-    "",
-    "  Bare contact, linear viscoelastic without tension:",
-    "    F = k d + c d'  while that is positive;  c = 2 xi sqrt(k m),",
-    "    m = m1 m2/(m1 + m2), xi from the coefficient of restitution (COR).",
-    "    damping paper: the classical formula, which parts faster than COR says;",
-    "    damping exact: the bodies really part with COR.",
-    "  Rubber bumper: F = k d^n on approach, past the ultimate strain a line of",
-    "    stiffness post-yield; on restitution F = k d^n (1 + C d').",
-    "  clearance = gap - (thickness - cavity).",
-    "",
-    "  Three cases are run after every edit: no pounding (no contact at all), no",
-    "  bumper (bare contact at the same gap), and the bumper as written. ratio =",
-    "  bumper : no bumper; below 1 the bumper helps.",
-    "  Every peak is that of the continuous history, not of printed samples.",
-    "",
-    "  Values take units and convert: 50 mm, 5cm, 0.05 m, 320 t, 600 MN/m,",
-    "  2500 kN/mm, 0.36 kN/mm^2.65, 0.821 g, 5 %. The decimal sign is a point.",
-    "  Without a unit the one shown is meant. All digits typed are kept.",
+struct thud_help_state {
+    struct thud_help_text text;
+    enum thud_screen of; /* what the text was made for */
+    int columns;
+    char word[96]; /* what is searched for; empty: nothing */
+    int at;        /* the line of the last match; -1: none */
 };
+
+static struct thud_help_state *state(struct thud_tui *tui)
+{
+    if (!tui->help) {
+        tui->help = calloc(1, sizeof *tui->help);
+        if (tui->help)
+            tui->help->at = -1;
+    }
+    return tui->help;
+}
 
 static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect *pane)
 {
@@ -43,64 +32,110 @@ static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect 
 
 static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
 {
+    const struct thud_help_state *help = state(tui);
     (void)index;
-    snprintf(text, size, "Help for %s (Esc or q goes back)", thud_view_of(tui->before_help)->title);
+    int n = snprintf(text, size, "Help for %s", thud_view_of(tui->before_help)->title);
+    if (help && *help->word && n > 0 && (size_t)n < size)
+        snprintf(text + n, size - (size_t)n, ", \"%.40s\"%s", help->word, help->at < 0 ? " not found" : "");
 }
 
-static int keys_of(const struct thud_pane *pane, int y, int where, bool general, const char *head)
+/* A line with every match marked, the one gone to in another way than the rest. */
+static void draw_line(const struct thud_pane *pane, int y, const struct thud_help_line *line, const char *word,
+                      bool here)
 {
-    thud_pane_put(pane, 1, y++, thud_look(THUD_ROLE_TITLE, THUD_BOLD), head);
-    for (int i = 0; i < thud_key_count(); i++) {
-        const struct thud_key_entry *key = thud_key_at(i);
-        bool is_general = key->where == THUD_AT_GENERAL || key->where == THUD_AT_FORMS;
-        if (!(key->where & where) || is_general != general || thud_key_action(where, key->key) != key->action)
-            continue;
-        thud_pane_put(pane, 3, y, thud_look(THUD_ROLE_KEY, THUD_BOLD), key->written);
-        thud_pane_put(pane, 10, y++, thud_look(THUD_ROLE_PLAIN, 0), key->help);
+    int role = line->kind == THUD_HELP_HEAD ? THUD_ROLE_TITLE : THUD_ROLE_PLAIN;
+    thud_pane_put(pane, 0, y, thud_look(role, line->kind == THUD_HELP_HEAD ? THUD_BOLD : 0), line->text);
+    if (line->key > 0) {
+        char key[sizeof line->text];
+        int n = 0;
+        for (const char *at = line->text; n < line->key && *at; n++)
+            thud_utf8_next(&at);
+        snprintf(key, sizeof key, "%.*s", n, line->text);
+        thud_pane_put(pane, 0, y, thud_look(THUD_ROLE_KEY, THUD_BOLD), key);
     }
-    return y;
+    for (int at = 0; *word && (at = thud_help_line_find(line, word, at)) >= 0; at++) {
+        char before[sizeof line->text], match[96];
+        snprintf(before, sizeof before, "%.*s", at, line->text);
+        snprintf(match, sizeof match, "%.*s", (int)strlen(word), line->text + at);
+        thud_pane_put(pane, thud_utf8_columns(before), y,
+                      thud_look(THUD_ROLE_WARN, here ? THUD_REVERSE | THUD_BOLD : THUD_UNDERLINE | THUD_BOLD), match);
+    }
+    if (here)
+        thud_pane_glyph(pane, 0, y, thud_look(THUD_ROLE_KEY, THUD_BOLD), 0x25b8);
 }
 
 static int draw(struct thud_tui *tui, int index, struct thud_pane *pane)
 {
+    struct thud_help_state *help = state(tui);
     (void)index;
-    const struct thud_view *view = thud_view_of(tui->before_help);
-    char head[64];
-    snprintf(head, sizeof head, "Keys of %s", view->title);
-    int y = keys_of(pane, 0, view->where, false, head);
-    y = keys_of(pane, y + 1, view->where, true, "General keys");
-    y = keys_of(pane, y + 1, THUD_AT_TYPING, false, "While typing (every other key is text)");
-    for (size_t i = 0; i < sizeof model / sizeof *model; i++)
-        thud_pane_put(pane, 1, y++, thud_look(THUD_ROLE_PLAIN, i == 1 ? THUD_BOLD : 0), model[i]);
-    struct thud_text words = {0};
-    thud_tui_commands_text(&words);
-    thud_pane_put(pane, 1, ++y, thud_look(THUD_ROLE_TITLE, THUD_BOLD), "Commands after :");
-    y++;
-    if (words.data)
-        y += thud_pane_wrap(pane, 3, y, pane->w - 4, thud_look(THUD_ROLE_PLAIN, 0), words.data);
-    thud_text_clear(&words);
-    return y;
+    if (!help)
+        return 0;
+    if (help->text.n == 0 || help->of != tui->before_help || help->columns != pane->w) {
+        thud_help_text_make(&help->text, &tui->doc.scene, tui->before_help, pane->w - 1);
+        help->of = tui->before_help;
+        help->columns = pane->w;
+        help->at = *help->word ? thud_help_text_find(&help->text, help->word, 0, 1) : -1;
+    }
+    for (int i = 0; i < help->text.n; i++)
+        draw_line(pane, i, &help->text.line[i], help->word, i == help->at);
+    return help->text.n;
 }
 
-THUD_VIEW(help, "Help", HELP, .act = NULL);
-
-static const struct {
-    int where;
-    const char *name;
-} places[] = {{THUD_AT_MODEL, "Model"},     {THUD_AT_CONTACT, "Contact"}, {THUD_AT_RECORD, "Record"},
-              {THUD_AT_RESULTS, "Results"}, {THUD_AT_PLOTS, "Plots"},     {THUD_AT_SWEEP, "Sweep"},
-              {THUD_AT_BENCH, "Bench"},     {THUD_AT_TYPING, "typing"},   {THUD_AT_CHOOSING, "choosing"}};
-
-void thud_tui_keys_text(struct thud_text *out)
+/* To a match, with a line or two before it. */
+static void go_to(struct thud_tui *tui, int line)
 {
-    for (int i = 0; i < thud_key_count(); i++) {
-        const struct thud_key_entry *key = thud_key_at(i);
-        const char *name = key->where == THUD_AT_GENERAL ? "all screens"
-                           : key->where == THUD_AT_FORMS ? "fields"
-                                                         : NULL;
-        for (size_t j = 0; j < sizeof places / sizeof *places && !name; j++)
-            if (key->where & places[j].where)
-                name = places[j].name;
-        thud_text_append(out, "%s\t%s\t%s\n", name ? name : "", key->written, key->help);
+    int *scroll = &tui->form.scroll[THUD_SCREEN_HELP][0], height = tui->form.height[0];
+    tui->help->at = line;
+    if (line < *scroll || line >= *scroll + height)
+        *scroll = line - (height > 6 ? 2 : 0);
+}
+
+void thud_tui_help_typed(struct thud_tui *tui, const char *text)
+{
+    struct thud_help_state *help = state(tui);
+    if (!help)
+        return;
+    snprintf(help->word, sizeof help->word, "%.90s", text);
+    help->at = -1;
+    int line = *text ? thud_help_text_find(&help->text, help->word, tui->form.scroll[THUD_SCREEN_HELP][0], 1) : -1;
+    if (line >= 0)
+        go_to(tui, line);
+    else if (*text)
+        thud_tui_say(tui, THUD_ROLE_WARN, "\"%s\" is nowhere in the help", help->word);
+}
+
+static bool act(struct thud_tui *tui, enum thud_action action)
+{
+    struct thud_help_state *help = state(tui);
+    int step = action == THUD_DO_NEXT_MATCH ? 1 : -1;
+    if (!help)
+        return false;
+    switch (action) {
+    case THUD_DO_SEARCH:
+        thud_tui_prompt(tui, THUD_TYPE_SEARCH, "");
+        return true;
+    case THUD_DO_NEXT_MATCH:
+    case THUD_DO_PREVIOUS_MATCH:
+        go_to(tui, thud_help_text_find(&help->text, help->word, help->at + step, step));
+        return true;
+    default:
+        return false;
     }
 }
+
+static const char *cannot(struct thud_tui *tui, enum thud_action action)
+{
+    if (action == THUD_DO_NEXT_MATCH || action == THUD_DO_PREVIOUS_MATCH)
+        return tui->help && tui->help->at >= 0 ? NULL : "Nothing is searched for: / asks";
+    return NULL;
+}
+
+static void release(struct thud_tui *tui)
+{
+    if (tui->help)
+        thud_help_text_clear(&tui->help->text);
+    free(tui->help);
+    tui->help = NULL;
+}
+
+THUD_VIEW(help, "Help", HELP, .act = act, .cannot = cannot, .free = release);

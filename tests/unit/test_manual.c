@@ -7,6 +7,7 @@
 
 #include "app/command.h"
 #include "cli/manual.h"
+#include "tui/tui.h"
 
 static char page[256 * 1024];
 
@@ -74,6 +75,59 @@ START_TEST(every_described_option_exists)
 }
 END_TEST
 
+/* What stands below `.It Ic KEY` in the part `.Ss PLACE`, its lines joined, in `text`. */
+static void key_text(const char *place, const char *key, char *text, size_t size)
+{
+    char head[300];
+    *text = '\0';
+    snprintf(head, sizeof head, "\n.Ss %s\n", place);
+    const char *at = strstr(page, ".Sh KEYS\n"), *end;
+    if (!at || !(at = strstr(at, head)))
+        return;
+    end = strstr(at, "\n.El\n");
+    snprintf(head, sizeof head, "\n.It Ic \\&%s\n", key);
+    at = strstr(at, head);
+    if (!at || !end || at > end)
+        return;
+    size_t n = 0;
+    for (at += strlen(head); *at && *at != '.'; at++)
+        if (n + 1 < size)
+            text[n++] = *at == '\n' ? ' ' : *at;
+    text[n] = '\0';
+    if (n > 0)
+        text[n - 1] = '\0'; /* the end of the last line */
+}
+
+/* A key as mdoc writes it. */
+static void in_mdoc(const char *key, char *out)
+{
+    for (; *key; key++)
+        out += sprintf(out, *key == '-' ? "\\-" : *key == '^' ? "\\(ha" : "%c", *key);
+    *out = '\0';
+}
+
+START_TEST(every_key_is_described)
+{
+    struct thud_text keys = {0};
+    thud_tui_keys_text(&keys);
+    int found = 0, items = 0;
+    char *rest = keys.data;
+    for (char *line; (line = strtok_r(rest, "\n", &rest)) != NULL; found++) {
+        char place[40], key[40], help[200], mdoc[200], text[400];
+        ck_assert_int_eq(sscanf(line, "%39[^\t]\t%39[^\t]\t%199[^\n]", place, key, help), 3);
+        in_mdoc(key, mdoc);
+        key_text(place, mdoc, text, sizeof text);
+        ck_assert_msg(strcmp(text, help) == 0, "man/thud.1, KEYS, %s: `.It Ic \\&%s` should say\n%s", place, mdoc,
+                      help);
+    }
+    for (const char *at = strstr(page, ".Sh KEYS\n"); (at = strstr(at, "\n.It Ic ")) != NULL; at++)
+        items++;
+    ck_assert_int_ge(found, 60);
+    ck_assert_int_eq(items, found); /* none that there is no more */
+    thud_text_clear(&keys);
+}
+END_TEST
+
 START_TEST(the_preset_page_says_what_the_tables_say)
 {
     read_file("man/thud-preset.5");
@@ -101,6 +155,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, every_command_is_described);
     tcase_add_test(tcase, every_option_is_described);
     tcase_add_test(tcase, every_described_option_exists);
+    tcase_add_test(tcase, every_key_is_described);
     tcase_add_test(tcase, the_preset_page_says_what_the_tables_say);
     suite_add_tcase(suite, tcase);
     return suite;
