@@ -90,7 +90,7 @@ static void key_text(const char *place, const char *key, char *text, size_t size
     if (!at || !end || at > end)
         return;
     size_t n = 0;
-    for (at += strlen(head); *at && *at != '.'; at++)
+    for (at += strlen(head); *at && !(at[-1] == '\n' && *at == '.'); at++)
         if (n + 1 < size)
             text[n++] = *at == '\n' ? ' ' : *at;
     text[n] = '\0';
