@@ -40,7 +40,7 @@ FUZZERS  := $(patsubst tests/fuzz/%.c,$(B)/fuzz/%,$(wildcard tests/fuzz/fuzz_*.c
 LIBS     := $(B)/libthud-program.a $(B)/libthud.a
 THUD     := $(if $(filter release,$(VARIANT)),thud,$(B)/thud)
 
-.PHONY: all help deps demo test units debug asan valgrind coverage lint objects fuzz fuzzers bench bench-peers install uninstall dist deb clean FORCE
+.PHONY: all help deps demo test units debug asan valgrind coverage lint objects fuzz fuzzers soak bench bench-peers install uninstall dist deb clean FORCE
 all: $(THUD) $(LIBS) ## build ./thud (VARIANT=debug, asan, coverage build into build/VARIANT)
 
 help: ## this list
@@ -81,6 +81,8 @@ $(B)/unit/%: $(B)/tests/unit/%.o $(B)/libtests.a $(LIBS)
 $(B)/fault/%: $(B)/tests/fault/%.o $(B)/tests/fault/fault.o $(B)/libtests.a $(LIBS)
 	@mkdir -p $(@D)
 	$(call say,LINK,$@)$(LINK) $(WRAPPED:%=-Wl$(comma)--wrap=%) -o $@ $^ $(shell pkg-config --libs check) $(LDLIBS)
+$(B)/soak: $(B)/tests/soak/soak.o $(B)/libtests.a $(LIBS)
+	$(call say,LINK,$@)$(LINK) -o $@ $^ $(shell pkg-config --libs check) $(LDLIBS)
 $(B)/fuzz/%: $(B)/tests/fuzz/%.o $(LIBS)
 	@mkdir -p $(@D)
 	$(call say,LINK,$@)$(LINK) -fsanitize=fuzzer -o $@ $^ $(LDLIBS)
@@ -116,6 +118,9 @@ fuzz: ## fuzz each reader for FUZZ_SECONDS from the corpus in tests/fuzz/corpus 
 	@$(MAKE) --no-print-directory VARIANT=fuzz CC=clang fuzzers
 	@tests/tools/fuzz.sh build/fuzz $(FUZZ_SECONDS)
 fuzzers: $(FUZZERS)
+soak: all ## memory over thousands of runs and edits, studies killed at their writes, every call failing in turn (20 min)
+	@$(MAKE) --no-print-directory VARIANT=$(VARIANT) $(B)/soak
+	@tests/tools/soak.sh $(B)
 bench: all ## speed against accuracy of every method, and the paper's study; charts into build/bench
 	@./thud bench -o build/bench
 	@tests/bench/study.sh

@@ -8,6 +8,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "io/file_private.h"
+
 static enum thud_status refuse(struct thud_error *err, enum thud_status status, const char *path, const char *what)
 {
     thud_error_set(err, status, "%s", what);
@@ -90,26 +92,10 @@ static int write_all(int fd, const char *text, size_t size)
     return 0;
 }
 
-/* A new file beside `path`, its name in `name`; -1 with errno when there can be none. */
-static int open_beside(const char *path, char *name, size_t size)
-{
-    for (int i = 0; i < 1000; i++) {
-        int n = snprintf(name, size, "%s.%ld-%d.part", path, (long)getpid(), i);
-        if (n < 0 || (size_t)n >= size) {
-            errno = ENAMETOOLONG;
-            return -1;
-        }
-        int fd = open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        if (fd >= 0 || errno != EEXIST)
-            return fd;
-    }
-    return -1;
-}
-
 static int replace(const char *path, const struct stat *old, const char *text, size_t size)
 {
     char name[4200];
-    int fd = open_beside(path, name, sizeof name);
+    int fd = thud_file_open_beside(path, name, sizeof name);
     if (fd < 0)
         return errno;
     int why = write_all(fd, text, size);
@@ -179,5 +165,6 @@ enum thud_status thud_folder_make(const char *path, struct thud_error *err)
         }
         part[i] = kept;
     }
+    thud_folder_tidy(path);
     return THUD_OK;
 }

@@ -1,10 +1,11 @@
 #include "io/output.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
+
+#include "io/file_private.h"
 
 static enum thud_status failed(const struct thud_output *out, int why, struct thud_error *err)
 {
@@ -19,8 +20,7 @@ enum thud_status thud_output_open(const char *path, struct thud_output *out, str
     if (strlen(path) >= sizeof out->path)
         return thud_error_set(err, THUD_OUTPUT, "the name of the file is too long");
     strcpy(out->path, path);
-    snprintf(out->part, sizeof out->part, "%s.%ld.part", path, (long)getpid());
-    out->fd = open(out->part, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    out->fd = thud_file_open_beside(path, out->part, sizeof out->part);
     return out->fd >= 0 ? THUD_OK : failed(out, errno, err);
 }
 

@@ -1,12 +1,14 @@
 /* Loaded before the C library (LD_PRELOAD): the n-th call of a kind after main began fails, n from THUD_FAULT_AT, the
- * kind from THUD_FAULT_KIND: memory (also inside libyaml, LAPACK and the others), read, write or start. At the end the
- * number of calls is put into the file THUD_FAULT_COUNT, if set. Programs that are started see nothing of it. */
+ * kind from THUD_FAULT_KIND: memory (also inside libyaml, LAPACK and the others), read, write or start. `kill` and
+ * `tear` stand for write, but the program is killed there, before the call or after half of what it was to write. At the
+ * end the number of calls is put into the file THUD_FAULT_COUNT, if set. Programs that are started see nothing of it. */
 #define _GNU_SOURCE
 #include <dirent.h>
 #include <dlfcn.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <pthread.h>
+#include <signal.h>
 #include <spawn.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -25,6 +27,7 @@ typedef int main_function(int, char **, char **);
 static main_function *real_main;
 static int counting;
 static enum kind armed;
+static enum { FAIL, KILL, TEAR } how;
 static long count, fail_at;
 static char count_path[4096];
 
@@ -32,8 +35,16 @@ static int fails(enum kind kind, int error)
 {
     if (!counting || kind != armed || __atomic_add_fetch(&count, 1, __ATOMIC_SEQ_CST) != fail_at)
         return 0;
+    if (how == KILL || how == TEAR)
+        kill(getpid(), SIGKILL);
     errno = error;
     return 1;
+}
+
+/* Whether the next call is the one that is to be torn. */
+static int is_torn(void)
+{
+    return how == TEAR && counting && __atomic_load_n(&count, __ATOMIC_SEQ_CST) + 1 == fail_at;
 }
 
 /* ---- memory ---- */
@@ -118,12 +129,16 @@ ssize_t read(int fd, void *to, size_t size)
 ssize_t write(int fd, const void *from, size_t size)
 {
     REAL(ssize_t, "write", int, const void *, size_t);
+    if (!is_error(fd) && is_torn())
+        real(fd, from, size / 2);
     return !is_error(fd) && fails(WRITE, ENOSPC) ? -1 : real(fd, from, size);
 }
 
 ssize_t pwrite(int fd, const void *from, size_t size, off_t at)
 {
     REAL(ssize_t, "pwrite", int, const void *, size_t, off_t);
+    if (is_torn())
+        real(fd, from, size / 2, at);
     return fails(WRITE, ENOSPC) ? -1 : real(fd, from, size, at);
 }
 
@@ -267,7 +282,12 @@ static int counted_main(int argc, char **argv, char **envp)
 {
     const char *at = getenv("THUD_FAULT_AT"), *path = getenv("THUD_FAULT_COUNT");
     fail_at = at ? atol(at) : 0;
-    armed = kind_of(getenv("THUD_FAULT_KIND"));
+    const char *kind = getenv("THUD_FAULT_KIND");
+    armed = kind_of(kind);
+    if (kind && (strcmp(kind, "kill") == 0 || strcmp(kind, "tear") == 0)) {
+        armed = WRITE;
+        how = kind[0] == 'k' ? KILL : TEAR;
+    }
     if (path)
         snprintf(count_path, sizeof count_path, "%s", path);
     unsetenv("LD_PRELOAD");

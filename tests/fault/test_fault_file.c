@@ -2,8 +2,10 @@
  * whole, nothing is left beside it, and the status says what happened. */
 #include <check.h>
 #include <dirent.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include "fault.h"
@@ -141,6 +143,37 @@ START_TEST(a_folder_that_cannot_be_made_is_named)
 }
 END_TEST
 
+static void leave_part(pid_t pid, char *name, size_t size)
+{
+    snprintf(name, size, "%s/sweep.csv.thud-%ld-0.part", folder, (long)pid);
+    FILE *file = fopen(name, "w");
+    ck_assert_ptr_nonnull(file);
+    ck_assert_int_eq(fclose(file), 0);
+}
+
+/* What a killed program left goes, what a living one is writing stays; and so does everything of another name. */
+START_TEST(what_the_dead_left_is_tidied)
+{
+    char living[160], dead[160], other[160];
+    pid_t child = fork();
+    if (child == 0)
+        _exit(0);
+    ck_assert_int_gt(child, 0);
+    ck_assert_int_eq(waitpid(child, NULL, 0), child);
+    leave_part(getpid(), living, sizeof living);
+    leave_part(child, dead, sizeof dead);
+    snprintf(other, sizeof other, "%s/film.%ld.part", folder, (long)child);
+    ck_assert_int_eq(rename(dead, other), 0);
+    leave_part(child, dead, sizeof dead);
+    ck_assert_int_eq(thud_folder_make(folder, NULL), THUD_OK);
+    ck_assert_int_eq(access(living, F_OK), 0);
+    ck_assert_int_eq(access(other, F_OK), 0);
+    ck_assert_int_ne(access(dead, F_OK), 0);
+    unlink(living);
+    unlink(other);
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -151,6 +184,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, a_read_that_fails_says_so_and_leaks_nothing);
     tcase_add_test(tcase, a_text_that_ran_out_of_memory_is_not_written);
     tcase_add_test(tcase, a_folder_that_cannot_be_made_is_named);
+    tcase_add_test(tcase, what_the_dead_left_is_tidied);
     suite_add_tcase(suite, tcase);
     return suite;
 }

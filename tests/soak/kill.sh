@@ -1,0 +1,70 @@
+#!/bin/sh
+# Studies killed (SIGKILL) at a write, a sync, a rename, ..., before it or half-way through: what lies on the disk is whole, and the same command
+# goes on to the bytes of a study that nobody disturbed.  The places come from fixed seeds.  TAP.  usage: kill.sh [STUDIES [SEED]]
+set -u
+THUD=${THUD:-$PWD/thud}
+studies=${1:-100}
+seed=${2:-20110525}
+tmp=$(mktemp -d) || exit 1
+trap 'rm -rf "$tmp"' EXIT
+if ! ${CC:-cc} -shared -fPIC -O1 -o "$tmp/preload.so" tests/fault/preload.c -ldl 2>/dev/null; then
+    echo "ok - killed studies go on # SKIP no shared library can be made"
+    exit 0
+fi
+if nm "$THUD" 2>/dev/null | grep -q __asan_init; then
+    echo "ok - killed studies go on # SKIP the sanitizer has its own allocator"
+    exit 0
+fi
+THUD_GNUPLOT=$tmp/gnuplot
+export THUD_GNUPLOT
+if command -v gnuplot >/dev/null 2>&1; then # one that draws one and the same picture at once
+    THUD_GNUPLOT=gnuplot "$THUD" run rigid-bumper --quiet -o "$tmp/picture" >/dev/null 2>&1
+    cp "$(find "$tmp/picture" -name '*.png' | head -1)" "$tmp/picture.png"
+    printf '#!/bin/sh\ncat >/dev/null\ncat "%s"\necho "thud: drawn to the end" >&2\n' "$tmp/picture.png" >"$THUD_GNUPLOT"
+    chmod +x "$THUD_GNUPLOT"
+fi
+
+study() { "$THUD" sweep rigid-bumper --vary gap=5cm:9cm:0.25cm --cases none,bumper --quiet -j "$1" -o "$2"; }
+random() { # LIMIT: 1 to LIMIT, into $drawn
+    seed=$(((seed * 1103515245 + 12345) % 2147483648))
+    drawn=$((seed / 65536 % $1 + 1))
+}
+whole() { # nothing is there under its own name but the journal and what is right
+    find "$tmp/out" -type f ! -name sweep.journal ! -name '*.part' | while read -r file; do
+        cmp -s "$file" "$tmp/right/${file#"$tmp/out/"}" || echo "${file##*/}"
+    done
+}
+
+rm -rf "$tmp/right"
+study 1 "$tmp/right" >/dev/null 2>&1
+calls=$(THUD_FAULT_KIND=write THUD_FAULT_COUNT="$tmp/count" LD_PRELOAD="$tmp/preload.so" study 1 "$tmp/counted" >/dev/null 2>&1 && cat "$tmp/count")
+kills=0
+wrong=0
+complain() {
+    wrong=$((wrong + 1))
+    echo "# study $i, kill $kills ($kind at call $drawn of $calls): $1"
+}
+i=0
+while [ "$i" -lt "$studies" ]; do
+    i=$((i + 1))
+    rm -rf "$tmp/out"
+    status=137
+    while [ "$status" -eq 137 ]; do # killed again and again, until it comes to its end before
+        random 2
+        if [ "$drawn" -eq 1 ]; then kind=kill; else kind=tear; fi
+        threads=$((i % 2 + 1))
+        random "$calls"
+        THUD_FAULT_KIND=$kind THUD_FAULT_AT=$drawn LD_PRELOAD="$tmp/preload.so" study $threads "$tmp/out" >"$tmp/said" 2>&1
+        status=$?
+        [ "$status" -ne 137 ] || kills=$((kills + 1))
+        odd=$(whole)
+        [ -z "$odd" ] || complain "$odd half there"
+    done
+    [ "$status" -eq 0 ] || complain "status $status: $(head -c 300 "$tmp/said")"
+    diff -r "$tmp/right" "$tmp/out" >"$tmp/said" || complain "another answer, or something left: $(head -3 "$tmp/said")"
+done
+if [ "$wrong" -eq 0 ] && [ "$kills" -gt 0 ]; then
+    echo "ok - $studies studies killed $kills times: whole on the disk, and the same bytes in the end"
+else
+    echo "not ok - $studies studies killed $kills times: $wrong wrong"
+fi
