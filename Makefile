@@ -36,6 +36,9 @@ HELPERS  := $(call objects,$(filter-out tests/unit/test_%,$(wildcard tests/unit/
 FAULT    := $(patsubst tests/fault/%.c,$(B)/fault/%,$(wildcard tests/fault/test_*.c))
 WRAPPED  := malloc calloc realloc free strdup strndup open mkstemp close read write fsync rename mkdir stat fstat fopen fread fwrite
 comma    := ,
+HAVE_CVODE = $(shell printf '\043include <cvode/cvode.h>\n' | $(CC) -x c -fsyntax-only - 2>/dev/null && echo yes)
+PEERS     = $(B)/peer-exact $(B)/peer-export $(if $(HAVE_CVODE),$(B)/peer-cvode)
+SUNDIALS := $(patsubst %,-lsundials_%,cvode nvecserial sunmatrixdense sunlinsoldense sunnonlinsolfixedpoint)
 FUZZERS  := $(patsubst tests/fuzz/%.c,$(B)/fuzz/%,$(wildcard tests/fuzz/fuzz_*.c))
 LIBS     := $(B)/libthud-program.a $(B)/libthud.a
 THUD     := $(if $(filter release,$(VARIANT)),thud,$(B)/thud)
@@ -86,6 +89,10 @@ $(B)/soak: $(B)/tests/soak/soak.o $(B)/libtests.a $(LIBS)
 $(B)/fuzz/%: $(B)/tests/fuzz/%.o $(LIBS)
 	@mkdir -p $(@D)
 	$(call say,LINK,$@)$(LINK) -fsanitize=fuzzer -o $@ $^ $(LDLIBS)
+$(B)/bench-%: $(B)/tests/bench/%.o $(B)/tests/bench/scene.o $(LIBS) | $(B)/presets $(B)/records
+	$(call say,LINK,$@)$(LINK) -o $@ $^ $(LDLIBS)
+$(B)/peer-%: $(B)/tests/bench/peers/%.o $(B)/tests/bench/scene.o $(LIBS) | $(B)/presets $(B)/records
+	$(call say,LINK,$@)$(LINK) -o $@ $^ $(if $(filter %-cvode,$@),$(SUNDIALS)) $(LDLIBS)
 .SECONDARY:
 .DELETE_ON_ERROR:
 
@@ -124,8 +131,9 @@ soak: all ## memory over thousands of runs and edits, studies killed at their wr
 bench: all ## speed against accuracy of every method, and the paper's study; charts into build/bench
 	@./thud bench -o build/bench
 	@tests/bench/study.sh
-bench-peers: all ## the towers by other integrators (SUNDIALS CVODE, where installed), for measuring only
-	@sh tests/bench/peers/peers.sh $(B) '$(CC)' $(LDLIBS)
+bench-peers: all ## the towers by other integrators (CVODE, SciPy, OpenSeesPy, where installed), for measuring only
+	@$(MAKE) --no-print-directory $(PEERS)
+	@sh tests/bench/peers/peers.sh $(B) build/bench
 
 install: all ## program, presets, records, manual pages, completions under DESTDIR PREFIX
 	@tests/tools/install.sh install '$(DESTDIR)$(PREFIX)'

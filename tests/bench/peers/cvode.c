@@ -1,7 +1,7 @@
 /* The towers by SUNDIALS CVODE with root finding, beside thud's exact method: for measuring only. The right-hand side
  * is written here from the model's modes and the law's branches, with the force cut at 0; every switch of a contact is
- * a root and the integrator starts again there.
- * usage: cvode CASE KEY=VALUE... */
+ * a root and the integrator starts again there. Prints method, tolerance, seconds of processor time and error.
+ * usage: cvode PRESET CASE KEY=VALUE... */
 #include <cvode/cvode.h>
 #include <math.h>
 #include <nvector/nvector_serial.h>
@@ -12,11 +12,10 @@
 #include <sunlinsol/sunlinsol_dense.h>
 #include <sunmatrix/sunmatrix_dense.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
-#include <time.h>
 
-#include "app/session.h"
+#include "../scene.h"
 
-enum { MOST = 64, ROOTS = 4 };
+enum { MOST = 64, ROOTS = 4, INSIDE = 6 };
 
 struct contact {
     enum thud_phase phase;
@@ -28,8 +27,7 @@ struct problem {
     const struct thud_model *model;
     const struct thud_record *record;
     struct contact contact[MOST];
-    double peak[MOST], reference[MOST];
-    long calls;
+    double peak[MOST];
 };
 
 static double ground(const struct problem *p, double t)
@@ -63,7 +61,6 @@ static int slope(double t, N_Vector state, N_Vector out, void *data)
     const double *y = N_VGetArrayPointer(state);
     double *dy = N_VGetArrayPointer(out), a = ground(p, t), d, v;
     int n = m->ndof;
-    p->calls++;
     for (int j = 0; j < n; j++) {
         dy[j] = y[n + j];
         dy[n + j] = -2 * m->zeta[j] * m->omega[j] * y[n + j] - m->omega[j] * m->omega[j] * y[j] - m->gamma[j] * a;
@@ -117,40 +114,66 @@ static void switch_contacts(struct problem *p, const double *y, const int *found
     }
 }
 
-static void look(struct problem *p, double t, N_Vector y, N_Vector scratch)
+/* Total accelerations of the floors. */
+static void accelerations(struct problem *p, double t, N_Vector y, N_Vector scratch, double *a)
 {
     const struct thud_model *m = p->model;
     slope(t, y, scratch, p);
     const double *dy = N_VGetArrayPointer(scratch);
     for (int i = 0; i < m->ndof; i++) {
         const struct thud_model_structure *s = &m->structure[m->dof_structure[i]];
-        double a = ground(p, t);
+        a[i] = ground(p, t);
         for (int j = 0; j < s->n; j++)
-            a += s->phi[(i - s->first) * s->n + j] * dy[m->ndof + s->first + j];
-        p->peak[i] = fmax(p->peak[i], fabs(a));
+            a[i] += s->phi[(i - s->first) * s->n + j] * dy[m->ndof + s->first + j];
     }
 }
 
-static double now(void)
+/* The largest of three values at equal steps, or of the parabola through them. */
+static double vertex(double a, double b, double c)
 {
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+    double bend = a - 2 * b + c, rise = 0.5 * (c - a);
+    double most = fmax(fabs(a), fmax(fabs(b), fabs(c)));
+    return fabs(rise) < fabs(bend) ? fmax(most, fabs(b - 0.5 * rise * rise / bend)) : most;
+}
+
+/* Peaks inside a step from t0 to t1, looked for where its ends come near the largest yet. a0, a1: accelerations there.
+ */
+static void look(struct problem *p, void *cvode, double t0, double t1, N_Vector y, N_Vector scratch, const double *a0,
+                 const double *a1)
+{
+    double a[INSIDE + 1][MOST];
+    bool near = false;
+    for (int i = 0; i < p->model->ndof; i++) {
+        double end = fmax(fabs(a0[i]), fabs(a1[i]));
+        near = near || end > 0.7 * p->peak[i];
+        p->peak[i] = fmax(p->peak[i], end);
+    }
+    if (!near)
+        return;
+    memcpy(a[0], a0, sizeof a[0]);
+    memcpy(a[INSIDE], a1, sizeof a[0]);
+    for (int k = 1; k < INSIDE; k++) {
+        double t = t0 + (t1 - t0) * k / INSIDE;
+        CVodeGetDky(cvode, t, 0, y);
+        accelerations(p, t, y, scratch, a[k]);
+    }
+    for (int k = 1; k < INSIDE; k++)
+        for (int i = 0; i < p->model->ndof; i++)
+            p->peak[i] = fmax(p->peak[i], vertex(a[k - 1][i], a[k][i], a[k + 1][i]));
 }
 
 static int integrate(struct problem *p, int lmm, double tolerance, double end_s, SUNContext context)
 {
     int n = 2 * p->model->ndof, status = CV_SUCCESS, found[ROOTS * MOST];
-    N_Vector y = N_VNew_Serial(n, context), scratch = N_VNew_Serial(n, context);
+    N_Vector y = N_VNew_Serial(n, context), inside = N_VNew_Serial(n, context), scratch = N_VNew_Serial(n, context);
     void *cvode = CVodeCreate(lmm, context);
     SUNMatrix matrix = SUNDenseMatrix(n, n, context);
     SUNLinearSolver linear = SUNLinSol_Dense(y, matrix, context);
     SUNNonlinearSolver fixed = SUNNonlinSol_FixedPoint(y, 0, context);
-    double t = 0, scale = 0;
+    double t = 0, before = 0, scale = 0, a0[MOST] = {0}, a1[MOST];
     N_VConst(0, y);
     memset(p->contact, 0, sizeof p->contact);
     memset(p->peak, 0, sizeof p->peak);
-    p->calls = 0;
     CVodeInit(cvode, slope, 0, y);
     /* a centimetre in modal coordinates, gamma being the root of a modal mass */
     for (int j = 0; j < p->model->ndof; j++)
@@ -167,105 +190,53 @@ static int integrate(struct problem *p, int lmm, double tolerance, double end_s,
     CVodeSetStopTime(cvode, end_s);
     while (status >= 0 && t < end_s) {
         status = CVode(cvode, end_s, y, &t, CV_ONE_STEP);
-        look(p, t, y, scratch);
+        accelerations(p, t, y, scratch, a1);
+        look(p, cvode, before, t, inside, scratch, a0, a1);
         if (status == CV_ROOT_RETURN) {
             CVodeGetRootInfo(cvode, found);
             switch_contacts(p, N_VGetArrayPointer(y), found);
-            look(p, t, y, scratch);
+            accelerations(p, t, y, scratch, a1); /* the other side of the jump */
+            for (int i = 0; i < p->model->ndof; i++)
+                p->peak[i] = fmax(p->peak[i], fabs(a1[i]));
             CVodeReInit(cvode, t, y);
         }
+        before = t;
+        memcpy(a0, a1, sizeof a0);
     }
     SUNNonlinSolFree(fixed);
     SUNLinSolFree(linear);
     SUNMatDestroy(matrix);
     CVodeFree(&cvode);
     N_VDestroy(scratch);
+    N_VDestroy(inside);
     N_VDestroy(y);
     return status;
 }
 
-static double exact(struct problem *p, struct thud_session *session, double tolerance, double *peak, double *end_s)
-{
-    struct thud_run_options options;
-    struct thud_run *run = NULL;
-    struct thud_error err;
-    bool done = false;
-    thud_run_options_init(&options);
-    options.method = thud_method_find("exact");
-    options.tolerance = tolerance;
-    options.tail_s = session->scene.analysis.tail_s;
-    double from = now();
-    if (thud_run_create(p->model, p->record, &options, &run, &err) != THUD_OK)
-        exit(1);
-    while (!done && thud_run_advance(run, 1000, &done, &err) == THUD_OK)
-        ;
-    double seconds = now() - from;
-    *end_s = thud_run_end(run);
-    for (int i = 0; i < p->model->ndof; i++) {
-        int s = p->model->dof_structure[i];
-        peak[i] = thud_run_result(run)->structure[s].floor[i - p->model->structure[s].first].acceleration.value;
-    }
-    thud_run_free(run);
-    return seconds;
-}
-
-static void row(const struct problem *p, const char *name, double tolerance, const double *peak, double seconds,
-                long calls)
-{
-    double error = 0;
-    for (int i = 0; i < p->model->ndof; i++)
-        error = fmax(error, fabs(peak[i] / p->reference[i] - 1));
-    printf("%-14s %9.0e %9.3f ms  %9.1e", name, tolerance, 1e3 * seconds, error);
-    if (calls)
-        printf("  %9ld", calls);
-    printf("\n");
-}
-
 int main(int argc, char **argv)
 {
-    static struct thud_session session;
+    static struct bench_scene scene;
+    static struct bench_answer reference, other;
     static struct problem p;
-    static struct thud_scene scene;
-    enum thud_case which;
-    struct thud_model *model = NULL;
-    struct thud_error err = {0};
     SUNContext context;
-    double end_s, peak[MOST];
-    enum thud_status status = thud_session_open(&session, "towers", &err);
-    for (int i = 2; status == THUD_OK && i < argc; i++)
-        status = thud_session_assign(&session, argv[i], &err);
-    if (status == THUD_OK)
-        status = thud_session_read_record(&session, &err);
-    if (status == THUD_OK)
-        status = thud_case_find(argc > 1 ? argv[1] : "none", &which, &err);
-    if (status == THUD_OK)
-        status = thud_scene_case(&session.scene, which, &scene, &err);
-    if (status == THUD_OK)
-        status = thud_scene_assemble(&scene, &model, &err);
-    if (status != THUD_OK || model->ndof > MOST || !session.record || SUNContext_Create(NULL, &context) != 0) {
-        fprintf(stderr, "cvode: %s\n", err.what);
+    bench_scene_open(&scene, argc, argv);
+    p.model = scene.model;
+    p.record = scene.record;
+    if (!p.record || p.model->ndof > MOST || SUNContext_Create(NULL, &context) != 0) {
+        fprintf(stderr, "cvode: at most %d floors, and a ground motion\n", MOST);
         return 1;
     }
-    p.model = model;
-    p.record = session.record;
-    exact(&p, &session, 1e-13, p.reference, &end_s);
-    printf("%-14s %9s %12s  %9s  %9s\n", "", "tolerance", "time", "error", "slopes");
-    for (double tolerance = 1e-4; tolerance > 5e-11; tolerance /= 100) {
-        double seconds = INFINITY;
-        for (int i = 0; i < 5; i++)
-            seconds = fmin(seconds, exact(&p, &session, tolerance, peak, &end_s));
-        row(&p, "thud exact", tolerance, peak, seconds, 0);
-    }
+    bench_scene_reference(&scene, &reference, &other);
     for (int lmm = CV_ADAMS; lmm <= CV_BDF; lmm++)
-        for (double tolerance = 1e-4; tolerance > 5e-11; tolerance /= 100) {
-            double from = now();
-            if (integrate(&p, lmm, tolerance, end_s, context) < 0)
-                printf("%-14s %9.0e  failed\n", lmm == CV_BDF ? "cvode bdf" : "cvode adams", tolerance);
-            else
-                row(&p, lmm == CV_BDF ? "cvode bdf" : "cvode adams", tolerance, p.peak, now() - from, p.calls);
+        for (double tolerance = 1e-4; tolerance > 5e-11; tolerance /= 10) {
+            double from = bench_processor_s();
+            int status = integrate(&p, lmm, tolerance, reference.end_s, context);
+            if (status >= 0)
+                printf("cvode-%s,%.0e,%.6g,%.3e\n", lmm == CV_BDF ? "bdf" : "adams", tolerance,
+                       bench_processor_s() - from, bench_scene_error(&scene, p.peak, &reference));
+            fflush(stdout);
         }
     SUNContext_Free(&context);
-    thud_model_free(model);
-    thud_session_close(&session);
+    bench_scene_close(&scene);
     return 0;
 }
