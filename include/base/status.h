@@ -32,9 +32,16 @@ struct thud_error {
     char allowed[256];
 };
 
-/* Each returns `status`, so that a caller can write `return thud_error_set(...)`. `err` may be NULL. */
-enum thud_status thud_error_set(struct thud_error *err, enum thud_status status, const char *fmt, ...)
-    THUD_PRINTF(3, 4);
+/* thud_error_set(err, status, fmt, ...) writes the message and gives `status`, so that a caller can write `return
+ * thud_error_set(...)`; `err` may be NULL. A macro, so that whoever compiles or checks the caller sees that what is
+ * given is `status` and no other. `status` is evaluated twice. */
+#define thud_error_set(err, status, ...) thud_error_given(thud_error_write((err), (status), __VA_ARGS__), (status))
+int thud_error_write(struct thud_error *err, enum thud_status status, const char *fmt, ...) THUD_PRINTF(3, 4);
+static inline enum thud_status thud_error_given(int written, enum thud_status status)
+{
+    (void)written;
+    return status;
+}
 
 /* Add a part to an error already set. */
 void thud_error_place(struct thud_error *err, const char *file, int line, int column);

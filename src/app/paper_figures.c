@@ -39,17 +39,12 @@ enum thud_status thud_paper_figures_parse(int n, const char *const *name, unsign
     return THUD_OK;
 }
 
-static enum thud_status make(int index, const struct thud_paper_study *study, struct thud_figure **out,
-                             struct thud_error *err)
+static enum thud_status make_of_study(int index, const struct thud_paper_study *study, struct thud_figure **out,
+                                      struct thud_error *err)
 {
     char title[256];
+    assert(study);
     switch (index) {
-    case FIG3:
-        return thud_figure_paper3(out, err);
-    case FIG4:
-        return thud_figure_paper4(out, err);
-    case FIG5:
-        return thud_figure_paper5(out, err);
     case FIG7:
         snprintf(title, sizeof title, "%s: peak response with a 5 cm bumper over that without",
                  study->table->record[0]);
@@ -64,6 +59,21 @@ static enum thud_status make(int index, const struct thud_paper_study *study, st
                                     "The same with the bumper in a cavity as deep as it cannot be compressed (1 cm)");
     }
     return thud_figure_check(*out, err);
+}
+
+static enum thud_status make(int index, const struct thud_paper_study *study, struct thud_figure **out,
+                             struct thud_error *err)
+{
+    switch (index) {
+    case FIG3:
+        return thud_figure_paper3(out, err);
+    case FIG4:
+        return thud_figure_paper4(out, err);
+    case FIG5:
+        return thud_figure_paper5(out, err);
+    default:
+        return make_of_study(index, study, out, err);
+    }
 }
 
 static enum thud_status write_report(const struct thud_paper_study *study, const char *folder,

@@ -4,20 +4,25 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/scan.h"
 #include "io/record_file.h"
 
 static const char *const keys[] = {"peak", "factor", "sign", "dt", "unit", "channel", "column", "skip"};
 
-/* The colon before the next setting `:KEY=`; the end where there is none. A path may have colons of its own. */
-static char *next_setting(char *text)
+/* Cuts the text before its next setting `:KEY=VALUE`: gives its key and where `VALUE...` begins; NULL where there is
+ * none. A path may have colons of its own. */
+static const char *cut_setting(char *text, char **value)
 {
     for (char *p = text; (p = strchr(p, ':')) != NULL; p++)
         for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
-            size_t length = strlen(keys[i]);
-            if (strncmp(p + 1, keys[i], length) == 0 && p[1 + length] == '=')
-                return p;
+            const char *at = p + 1;
+            if (!thud_scan_word(&at, keys[i]) || *at != '=')
+                continue;
+            *p = '\0';
+            *value = p + (at - p) + 1;
+            return keys[i];
         }
-    return text + strlen(text);
+    return NULL;
 }
 
 static enum thud_status set(struct thud_scene *scene, const char *key, const char *value, struct thud_error *err)
@@ -31,9 +36,8 @@ static enum thud_status set(struct thud_scene *scene, const char *key, const cha
 static enum thud_status choose(struct thud_scene *scene, char *item, const char *(*common)[2], int ncommon,
                                struct thud_error *err)
 {
-    char *at = next_setting(item);
-    bool more = *at != '\0';
-    *at = '\0';
+    char *value = NULL;
+    const char *key = cut_setting(item, &value);
     thud_scene_init(scene);
     if (!*item || strlen(item) >= sizeof scene->record.file) {
         thud_error_set(err, THUD_USAGE, "a name is empty or too long");
@@ -45,12 +49,10 @@ static enum thud_status choose(struct thud_scene *scene, char *item, const char 
     enum thud_status status = THUD_OK;
     for (int i = 0; i < ncommon && status == THUD_OK; i++)
         status = set(scene, common[i][0], common[i][1], err);
-    while (more && status == THUD_OK) {
-        char *key = at + 1, *value = strchr(key, '=') + 1;
-        at = next_setting(value);
-        more = *at != '\0';
-        *at = value[-1] = '\0';
-        status = set(scene, key, value, err);
+    while (key && status == THUD_OK) {
+        const char *own = value, *next = cut_setting(value, &value);
+        status = set(scene, key, own, err);
+        key = next;
     }
     return status;
 }
@@ -127,7 +129,7 @@ enum thud_status thud_record_list_own(struct thud_session *session, struct thud_
 
 void thud_record_list_clear(struct thud_record_list *list)
 {
-    for (int i = 0; i < list->n; i++)
+    for (int i = 0; list->record && i < list->n; i++)
         thud_record_free(list->record[i]);
     free(list->record);
     *list = (struct thud_record_list){0};

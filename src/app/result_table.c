@@ -67,8 +67,8 @@ static void add_contact(const struct thud_contact_result *c, struct thud_text *o
         thud_text_append(out, "%3d %-7s       0  no contact\n", c->interface, pair);
         return;
     }
-    thud_text_append(out, "%3d %-7s %7d %9.4g %8.3f %10.4g ", c->interface, pair, c->impacts,
-                     1e-6 * c->force.value, c->force.time_s, 1e3 * c->indentation.value);
+    thud_text_append(out, "%3d %-7s %7d %9.4g %8.3f %10.4g ", c->interface, pair, c->impacts, 1e-6 * c->force.value,
+                     c->force.time_s, 1e3 * c->indentation.value);
     add_ms(c->contact_time_s, out);
     thud_text_append(out, "%8.3g ", 1e3 * c->residual_m);
     if (c->approach_mps > 0 && c->separation_mps > 0)

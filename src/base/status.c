@@ -9,7 +9,7 @@ static void copy(char *to, size_t size, const char *from)
     snprintf(to, size, "%s", from ? from : "");
 }
 
-enum thud_status thud_error_set(struct thud_error *err, enum thud_status status, const char *fmt, ...)
+int thud_error_write(struct thud_error *err, enum thud_status status, const char *fmt, ...)
 {
     if (err) {
         memset(err, 0, sizeof *err);
@@ -19,7 +19,7 @@ enum thud_status thud_error_set(struct thud_error *err, enum thud_status status,
         vsnprintf(err->what, sizeof err->what, fmt, args);
         va_end(args);
     }
-    return status;
+    return err != NULL;
 }
 
 void thud_error_place(struct thud_error *err, const char *file, int line, int column)

@@ -50,7 +50,7 @@ enum thud_status thud_command_figures(const struct thud_args *args, struct thud_
 {
     struct thud_picture_choice picture;
     struct thud_paper_work *work = NULL;
-    struct thud_paper_study study;
+    struct thud_paper_study study = {0};
     unsigned which = 0;
     const char *folder = thud_args_value(args, "o");
     if (!folder)

@@ -131,7 +131,9 @@ enum thud_status thud_trunk_create(const struct thud_model *model, const struct 
         trunk->ndof = model->ndof;
         trunk->ncontacts = model->ncontacts;
         trunk->apart = trunk->next = 64;
-        status = thud_run_create(&trunk->model, record, &quiet, &trunk->run, err);
+        struct thud_run *run = NULL;
+        status = thud_run_create(&trunk->model, record, &quiet, &run, err);
+        trunk->run = run;
     } else {
         thud_error_set(err, THUD_MEMORY, "out of memory");
     }

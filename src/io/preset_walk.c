@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/nearest.h"
+#include "base/scan.h"
 #include "io/preset_private.h"
 
 enum { PATH_BYTES = 128, KEY_BYTES = 60 };
@@ -106,6 +107,7 @@ static enum thud_status set_joined(struct thud_preset *preset, const char *path,
 static enum thud_status set_value(struct thud_preset *preset, const char *path, int node, struct thud_error *err)
 {
     int floor, structure;
+    const char *at = path;
     const struct thud_param *param = thud_scene_param(&preset->scene, path, &floor);
     switch (kind_of(preset, node)) {
     case THUD_YAML_SCALAR:
@@ -113,7 +115,7 @@ static enum thud_status set_value(struct thud_preset *preset, const char *path, 
     case THUD_YAML_LIST:
         if (param && strncmp(path, "study.", 6) == 0)
             return set_joined(preset, path, node, err);
-        if (param && sscanf(path, "structures.%d.", &structure) == 1 &&
+        if (param && thud_scan_word(&at, "structures.") && thud_scan_count(&at, &structure) &&
             (strcmp(param->name, "mass") == 0 || strcmp(param->name, "stiffness") == 0 ||
              strcmp(param->name, "height") == 0) &&
             preset->scene.structure[structure - 1].kind != THUD_RIGID &&

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/scan.h"
 #include "base/version.h"
 #include "io/sweep_journal_private.h"
 
@@ -72,18 +73,45 @@ static enum thud_status check_version(const struct thud_sweep_journal *journal, 
     return refuse(journal, err);
 }
 
+static bool scan_next(const char **text, int *out)
+{
+    return thud_scan_word(text, " ") && thud_scan_count(text, out);
+}
+
+static bool scan_version(const char **text, char *out, size_t size)
+{
+    size_t length = thud_scan_word(text, " ") ? strcspn(*text, " \n") : 0;
+    if (length == 0 || length >= size)
+        return false;
+    snprintf(out, size, "%.*s", (int)length, *text);
+    *text += length;
+    return true;
+}
+
+static bool scan_hexadecimal(const char **text, unsigned long long *out)
+{
+    size_t length = thud_scan_word(text, " ") ? strspn(*text, "0123456789abcdef") : 0;
+    if (length == 0 || length > 16)
+        return false;
+    *out = strtoull(*text, NULL, 16);
+    *text += length;
+    return true;
+}
+
 /* The first line: format, version, fingerprint, part, size of the body. */
 static enum thud_status read_start(struct thud_sweep_journal *journal, struct thud_sweep_head *head, size_t *size,
                                    struct thud_error *err)
 {
+    int bytes;
     enum { LARGEST = 64 << 20 };
     char line[160], version[32];
-    int format, used = 0;
+    const char *at = line;
+    int format;
     rewind(journal->file);
     errno = 0;
     if (!fgets(line, sizeof line, journal->file))
         return ferror(journal->file) ? unreadable(journal, err) : damaged(journal, err);
-    if (sscanf(line, "thud-sweep-journal %9d%n", &format, &used) != 1)
+    if (!thud_scan_word(&at, "thud-sweep-journal ") || !thud_scan_count(&at, &format))
         return damaged(journal, err);
     if (format != FORMAT) {
         thud_error_set(err, THUD_INPUT, "the study was begun by another version of thud (journal %d, not %d)", format,
@@ -91,11 +119,11 @@ static enum thud_status read_start(struct thud_sweep_journal *journal, struct th
         thud_error_allow(err, "that version to go on, another folder or this file removed to begin anew");
         return refuse(journal, err);
     }
-    char newline;
-    if (sscanf(line + used, " %31s %16llx %9d %9d %9zu%c", version, &head->fingerprint, &head->shard.index,
-               &head->shard.count, size, &newline) != 6 ||
-        newline != '\n' || *size > LARGEST || head->shard.index < 1 || head->shard.index > head->shard.count)
+    if (!scan_version(&at, version, sizeof version) || !scan_hexadecimal(&at, &head->fingerprint) ||
+        !scan_next(&at, &head->shard.index) || !scan_next(&at, &head->shard.count) || !scan_next(&at, &bytes) ||
+        strcmp(at, "\n") != 0 || bytes > LARGEST || head->shard.index < 1 || head->shard.index > head->shard.count)
         return damaged(journal, err);
+    *size = (size_t)bytes;
     return check_version(journal, version, err);
 }
 

@@ -8,6 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/scan.h"
 #include "io/file.h"
 #include "io/sweep_journal_private.h"
 
@@ -21,9 +22,9 @@ static enum thud_status failed(const struct thud_sweep_journal *journal, enum th
 
 enum thud_status thud_sweep_shard_parse(const char *text, struct thud_sweep_shard *out, struct thud_error *err)
 {
-    char rest;
-    if (sscanf(text, "%d/%d%c", &out->index, &out->count, &rest) == 2 && out->count >= 1 && out->index >= 1 &&
-        out->index <= out->count)
+    const char *at = text;
+    if (thud_scan_count(&at, &out->index) && thud_scan_word(&at, "/") && thud_scan_count(&at, &out->count) && !*at &&
+        out->index >= 1 && out->index <= out->count)
         return THUD_OK;
     thud_error_set(err, THUD_USAGE, "`%.40s` is no part of a study", text);
     thud_error_key(err, "shard");

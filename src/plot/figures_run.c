@@ -125,7 +125,7 @@ int thud_pick_largest(const double *value, int n, int most, int *index)
     for (int i = 0; i < n && picked < most; i++) {
         int larger = 0; /* how many go first */
         for (int j = 0; j < n; j++)
-            larger += value[j] > value[i] || (value[j] == value[i] && j < i);
+            larger += value[j] > value[i] || (j < i && value[j] == value[i]);
         if (larger < most && (value[i] > 0.0 || larger == 0))
             index[picked++] = i;
     }

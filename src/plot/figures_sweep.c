@@ -1,3 +1,4 @@
+#include <assert.h>
 #include <ctype.h>
 #include <math.h>
 #include <stdio.h>
@@ -224,6 +225,7 @@ struct thud_figure *thud_figure_by_floor(const struct thud_sweep_table *table, i
     struct thud_figure *figure = thud_figure_create(name, title ? title : text, 2, columns > 0 ? columns : 1);
     for (int c = 0; c < columns; c++) {
         int floors = floors_of(table, structure[c]), step = (floors + CURVES_MAX - 1) / CURVES_MAX;
+        assert(floors > 0);
         for (int q = ACCELERATION; q <= DRIFT; q++) {
             struct thud_panel *panel = thud_figure_panel(figure, q, c, table->structure[structure[c]]);
             ratio_axes(panel, table, (enum quantity)q);

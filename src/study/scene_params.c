@@ -5,22 +5,22 @@
 
 /* clang-format off */
 #define NUMBER(name_, title_, help_, dimension_, unit_, fallback_) \
-    .name = name_, .title = title_, .help = help_, .kind = THUD_PARAM_QUANTITY, .dimension = dimension_, .unit = unit_, .fallback = fallback_
+    .name = (name_), .title = (title_), .help = (help_), .kind = THUD_PARAM_QUANTITY, .dimension = (dimension_), .unit = (unit_), .fallback = (fallback_)
 #define COUNT(name_, title_, help_, fallback_) \
-    .name = name_, .title = title_, .help = help_, .kind = THUD_PARAM_INTEGER, .unit = "", .fallback = fallback_
+    .name = (name_), .title = (title_), .help = (help_), .kind = THUD_PARAM_INTEGER, .unit = "", .fallback = (fallback_)
 #define WORD(name_, title_, help_) \
-    {.name = name_, .title = title_, .help = help_, .kind = THUD_PARAM_TEXT, .unit = "", .fallback = NAN, \
+    {.name = (name_), .title = (title_), .help = (help_), .kind = THUD_PARAM_TEXT, .unit = "", .fallback = NAN, \
      .least = NAN, .most = NAN, .soft_least = NAN, .soft_most = NAN}
 #define CHOICE(name_, title_, help_, choices_, fallback_) \
-    {.name = name_, .title = title_, .help = help_, .kind = THUD_PARAM_CHOICE, .unit = "", .fallback = fallback_, \
-     .least = NAN, .most = NAN, .soft_least = NAN, .soft_most = NAN, .choices = choices_}
+    {.name = (name_), .title = (title_), .help = (help_), .kind = THUD_PARAM_CHOICE, .unit = "", .fallback = (fallback_), \
+     .least = NAN, .most = NAN, .soft_least = NAN, .soft_most = NAN, .choices = (choices_)}
 #define POSITIVE      .least = 0, .least_open = true
 #define NO_LEAST      .least = NAN
 #define NO_MOST       .most = NAN
-#define UP_TO(value)  .most = value
-#define FROM(value)   .least = value
-#define BELOW(value)  .most = value, .most_open = true
-#define USUAL(a, b)   .soft_least = a, .soft_most = b
+#define UP_TO(value)  .most = (value)
+#define FROM(value)   .least = (value)
+#define BELOW(value)  .most = (value), .most_open = true
+#define USUAL(a, b)   .soft_least = (a), .soft_most = (b)
 #define ANY_USUAL     .soft_least = NAN, .soft_most = NAN
 
 enum { SHEAR = 1 << THUD_SHEAR, RIGID = 1 << THUD_RIGID, ISOLATED = 1 << THUD_ISOLATED, WALL = 1 << THUD_WALL, STOREYS = SHEAR | ISOLATED, ALL = 15 };

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/scan.h"
 #include "study/scene_slot.h"
 #include "study/scene_words.h"
 
@@ -34,9 +35,8 @@ static bool split(const char *text, struct path *path)
 /* A number counted from 1; -1 when it is none. */
 static int number(const char *text)
 {
-    if (!*text || strspn(text, "0123456789") != strlen(text) || strlen(text) > 6)
-        return -1;
-    return (int)strtol(text, NULL, 10);
+    int count;
+    return thud_scan_count(&text, &count) && !*text ? count : -1;
 }
 
 static enum thud_status unknown(const struct thud_scene *scene, enum thud_group group, const struct thud_law *law,
@@ -45,11 +45,11 @@ static enum thud_status unknown(const struct thud_scene *scene, enum thud_group 
     struct thud_words words = {0};
     int count;
     const struct thud_param *params = thud_group_params(group, &count);
-    for (int i = 0; i < count + (law ? law->nparams : 0); i++) {
-        if (group == THUD_GROUP_STRUCTURE && !thud_structure_has(scene->structure[structure].kind, i))
-            continue;
-        thud_words_add(&words, i < count ? params[i].name : law->params[i - count].name);
-    }
+    for (int i = 0; i < count; i++)
+        if (group != THUD_GROUP_STRUCTURE || thud_structure_has(scene->structure[structure].kind, i))
+            thud_words_add(&words, params[i].name);
+    for (int i = 0; law && i < law->nparams; i++)
+        thud_words_add(&words, law->params[i].name);
     return thud_words_unknown(&words, "key", key, err);
 }
 

@@ -6,7 +6,6 @@
 #include "study/answer.h"
 #include "study/scene_slot.h"
 
-
 struct search {
     int wanted, found;
     struct thud_error *out;

@@ -119,7 +119,7 @@ static enum thud_status read_text(const struct thud_slot *slot, const char *text
         s += n;
     }
     memset(out, 0, slot->place.size);
-    memcpy(out, text, length);
+    memcpy(out, text, length + 1);
     return THUD_OK;
 }
 

@@ -16,7 +16,7 @@ enum thud_status thud_words_unknown(const struct thud_words *words, const char *
 {
     /* a word of one or two letters is near to everything */
     const char *nearest = strlen(word) > 2 ? thud_nearest(word, words->known, words->count) : NULL;
-    char list[sizeof err->allowed] = "";
+    char list[sizeof(struct thud_error){0}.allowed] = "";
     size_t n = 0;
     for (int i = 0; i < words->count && n < sizeof list; i++)
         n += (size_t)snprintf(list + n, sizeof list - n, "%s%s", i ? ", " : "", words->known[i]);

@@ -48,8 +48,8 @@ static void each(const struct planner *p, const double *setting, int n, add_fn *
         const struct thud_method *m = thud_method_at(i);
         bool fixed = m->flags & THUD_METHOD_FIXED_STEP;
         bool locates = m->flags & THUD_METHOD_LOCATES;
-        bool both = fixed && m->flags & (THUD_METHOD_LOCATES | THUD_METHOD_CAN_LOCATE);
-        for (int locate = 0; locate <= both; locate++)
+        int ways = fixed && m->flags & (THUD_METHOD_LOCATES | THUD_METHOD_CAN_LOCATE) ? 2 : 1;
+        for (int locate = 0; locate < ways; locate++)
             for (int k = 0; k < (fixed ? n : 1); k++)
                 add(p, (struct thud_stepping){m, fixed ? locate == 1 : locates, free_tolerance},
                     fixed ? setting[k] : NAN);

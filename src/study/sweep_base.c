@@ -36,12 +36,14 @@ static double record_factor(const struct thud_sweep_plan *plan, const struct thu
 static enum thud_status take_record(const struct thud_sweep_plan *plan, struct thud_sweep_ground *ground,
                                     const struct thud_scene *scene, int which, double scale, struct thud_error *err)
 {
-    ground->record = plan->nrecords > 0 ? plan->record[which] : NULL;
-    double factor = ground->record ? scale * record_factor(plan, scene, ground->record) : 1;
+    ground->record = NULL;
+    if (plan->nrecords == 0)
+        return THUD_OK;
+    const struct thud_record *record = ground->record = plan->record[which];
+    double factor = record ? scale * record_factor(plan, scene, record) : 1;
     if (factor == 1)
         return THUD_OK;
-    enum thud_status status =
-        thud_record_create(ground->record->a_mps2, ground->record->samples, ground->record->dt_s, &ground->scaled, err);
+    enum thud_status status = thud_record_create(record->a_mps2, record->samples, record->dt_s, &ground->scaled, err);
     if (status == THUD_OK) {
         thud_record_scale(ground->scaled, factor);
         ground->record = ground->scaled;

@@ -1,5 +1,6 @@
 #include "study/sweep_best.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -104,6 +105,7 @@ static bool find(const struct grid *g, int record, int which, long other, struct
         out->other[a] = NAN;
         if (a == g->axis)
             continue;
+        assert(g->n[a] > 0);
         out->other[a] = g->table->axis[a].value[other % g->n[a]];
         other /= g->n[a];
     }
@@ -118,7 +120,7 @@ long thud_sweep_best(const struct thud_sweep_table *table, int axis, struct thud
         g.others *= a == axis ? 1 : g.n[a];
     }
     size_t cells = (size_t)table->nrecords * (THUD_CASES + 1) * (size_t)g.others * (size_t)g.n[axis];
-    g.cell = malloc(cells * sizeof *g.cell);
+    g.cell = calloc(cells, sizeof *g.cell);
     *out = malloc(((size_t)table->nrecords + 1) * (THUD_CASES + 1) * (size_t)g.others * sizeof **out);
     if (!g.cell || !*out) {
         free(g.cell);

@@ -141,14 +141,15 @@ static enum thud_status range(struct thud_sweep_axis *axis, const char *text, st
     char part[3][TEXT];
     double number[3], factor[3];
     const char *unit[3], *end;
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < 3; i++) {
         if (!text || !next_part(&text, ':', part[i]) || thud_number_parse(part[i], &end, &number[i]) != 0)
             return refuse(err, axis->key, "is no range of numbers", how);
+        unit[i] = end + strspn(end, " ");
+    }
     if (text || (axis->param->kind != THUD_PARAM_QUANTITY && axis->param->kind != THUD_PARAM_INTEGER))
         return refuse(err, axis->key, "is no range of numbers", how);
     for (int i = 2; i >= 0; i--) {
         enum thud_dimension dimension;
-        unit[i] = unit_of(part[i]);
         if (!*unit[i])
             unit[i] = unit[2];
         factor[i] = *unit[i] ? thud_unit_factor(unit[i], &dimension, NULL) : 1;
@@ -338,7 +339,7 @@ int thud_sweep_place(const struct thud_sweep_plan *plan, long point, int *at)
 enum thud_status thud_sweep_scene(const struct thud_sweep_plan *plan, long point, struct thud_scene *out,
                                   struct thud_error *err)
 {
-    int at[THUD_VARY_MAX];
+    int at[THUD_VARY_MAX] = {0};
     thud_sweep_place(plan, point, at);
     *out = plan->scene;
     enum thud_status status = THUD_OK;

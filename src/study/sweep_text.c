@@ -238,6 +238,16 @@ enum thud_status thud_sweep_point_read(const char *line, struct thud_sweep_point
     return THUD_OK;
 }
 
+static unsigned long long hash_numbers(unsigned long long h, const double *x, size_t n)
+{
+    for (size_t i = 0; i < n; i++) {
+        unsigned char bytes[sizeof *x];
+        memcpy(bytes, &x[i], sizeof bytes);
+        h = hash(h, bytes, sizeof bytes);
+    }
+    return h;
+}
+
 static unsigned long long hash_text(unsigned long long h, const char *text)
 {
     return hash(h, text, strlen(text) + 1);
@@ -259,7 +269,7 @@ static unsigned long long hash_structure(unsigned long long h, const struct thud
     h = hash(h, s->mass_kg, n);
     h = hash(h, s->stiffness_npm, n);
     h = hash(h, s->height_m, n);
-    return hash(h, x, sizeof x);
+    return hash_numbers(h, x, sizeof x / sizeof *x);
 }
 
 static unsigned long long hash_interface(unsigned long long h, const struct thud_interface *i)
@@ -276,7 +286,7 @@ static unsigned long long hash_interface(unsigned long long h, const struct thud
 static unsigned long long hash_analysis(unsigned long long h, const struct thud_analysis *a)
 {
     const double x[] = {a->tolerance, a->step_s, a->tail_s, a->locate};
-    return hash(hash_text(h, a->method), x, sizeof x);
+    return hash_numbers(hash_text(h, a->method), x, sizeof x / sizeof *x);
 }
 
 unsigned long long thud_sweep_fingerprint(const struct thud_sweep_plan *plan)

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/scan.h"
 #include "tui/state.h"
 
 void thud_tui_prompt(struct thud_tui *tui, enum thud_typing typing, const char *text)
@@ -44,11 +45,12 @@ static void go_to_field(struct thud_tui *tui, const char *key)
 {
     int number = 0, last = tui->doc.scene.nstructures - 2;
     enum thud_screen screen = THUD_SCREEN_RESULTS;
-    if (sscanf(key, "structures.%d", &number) == 1) {
+    const char *at = key;
+    if (thud_scan_word(&at, "structures.") && thud_scan_count(&at, &number)) {
         screen = THUD_SCREEN_MODEL;
         if (number - 1 < tui->pair || number - 1 > tui->pair + 1)
             tui->pair = number - 1 > last ? last : number - 1;
-    } else if (sscanf(key, "interfaces.%d", &number) == 1) {
+    } else if (thud_scan_word(&at, "interfaces.") && thud_scan_count(&at, &number)) {
         screen = THUD_SCREEN_CONTACT;
         tui->pair = number - 1;
     } else if (strncmp(key, "record.", 7) == 0) {

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/scan.h"
 #include "core/method.h"
 #include "tui/state.h"
 
@@ -68,7 +69,8 @@ static void warn(struct thud_tui *tui, const char *key)
 static bool set_exponent(struct thud_tui *tui, const char *key, const char *text, struct thud_error *err)
 {
     int interface = tui->pair;
-    if (sscanf(key, "interfaces.%d", &interface) == 1)
+    const char *at = key;
+    if (thud_scan_word(&at, "interfaces.") && thud_scan_count(&at, &interface))
         interface--;
     double before = thud_tui_force_at_knee(&tui->doc.scene, interface);
     if (thud_doc_set(&tui->doc, key, text, err) != THUD_OK)

@@ -55,14 +55,14 @@ void thud_tui_delete_storey(struct thud_tui *tui, int s, int floor)
 /* The first letter no structure is called by. */
 static void new_name(const struct thud_scene *scene, char *name)
 {
-    for (char letter = 'A'; letter <= 'Z'; letter++) {
+    for (int letter = 'A'; letter <= 'Z'; letter++) {
         bool taken = false;
         for (int i = 0; i < scene->nstructures; i++)
             taken = taken || (scene->structure[i].name[0] == letter && scene->structure[i].name[1] == '\0');
         if (taken)
             continue;
         memset(name, 0, THUD_NAME_MAX);
-        name[0] = letter;
+        name[0] = (char)letter;
         return;
     }
 }

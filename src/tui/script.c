@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/scan.h"
 #include "tui/backend.h"
 
 static void script_size(struct thud_backend *backend, int *width, int *height)
@@ -43,7 +44,9 @@ static int named_key(struct thud_script *script, const char *name)
         {"lt", '<'},
         {"Space", ' '},
     };
-    if (sscanf(name, "Size %dx%d", &script->width, &script->height) == 2)
+    const char *at = name;
+    if (thud_scan_word(&at, "Size ") && thud_scan_count(&at, &script->width) && thud_scan_word(&at, "x") &&
+        thud_scan_count(&at, &script->height))
         return THUD_KEY_RESIZE;
     if (strncmp(name, "C-", 2) == 0 && name[2])
         return THUD_CTRL(name[2]);

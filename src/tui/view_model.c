@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/scan.h"
 #include "core/model.h"
 #include "tui/field.h"
 #include "tui/peaks_strip.h"
@@ -165,11 +166,12 @@ static int current(const struct thud_tui *tui)
 static int current_floor(const struct thud_tui *tui)
 {
     const struct thud_field *field = thud_form_focus(&tui->form);
-    int s, floor = 0;
-    char word[32];
-    if (!field || sscanf(field->path, "structures.%d.%31[a-z].%d", &s, word, &floor) != 3)
+    int structure, floor = 0;
+    const char *at = field ? field->path : "";
+    if (!thud_scan_word(&at, "structures.") || !thud_scan_count(&at, &structure) || !thud_scan_word(&at, "."))
         return 0;
-    return floor;
+    at += strspn(at, "abcdefghijklmnopqrstuvwxyz");
+    return thud_scan_word(&at, ".") && thud_scan_count(&at, &floor) ? floor : 0;
 }
 
 static bool act(struct thud_tui *tui, enum thud_action action)

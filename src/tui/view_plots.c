@@ -196,9 +196,11 @@ static const char *cannot(struct thud_tui *tui, enum thud_action action)
 
 static const struct thud_figure *figure(struct thud_tui *tui)
 {
-    if (thud_plots(tui))
-        refresh(tui);
-    return tui->plots ? tui->plots->figure : NULL;
+    struct thud_plots_state *p = thud_plots(tui);
+    if (!p)
+        return NULL;
+    refresh(tui);
+    return p->figure;
 }
 
 static void release(struct thud_tui *tui)

@@ -47,14 +47,14 @@ static void list_files(struct thud_tui *tui, struct thud_record_state *r)
 {
     DIR *folder = opendir(tui->doc.paths->records);
     r->file = calloc(FILES_MAX, sizeof *r->file);
-    if (folder && r->file)
+    if (folder && r->file) {
         for (struct dirent *entry; r->nfiles < FILES_MAX && (entry = readdir(folder)) != NULL;)
             if (is_record(tui->doc.paths->records, entry->d_name))
                 snprintf(r->file[r->nfiles++], THUD_TEXT_MAX, "%s", entry->d_name);
+        qsort(r->file, (size_t)r->nfiles, sizeof *r->file, by_name);
+    }
     if (folder)
         closedir(folder);
-    if (r->nfiles > 1)
-        qsort(r->file, (size_t)r->nfiles, sizeof *r->file, by_name);
 }
 
 static struct thud_record_state *state(struct thud_tui *tui)

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/scan.h"
 #include "tui/field.h"
 
 enum { PEAKS, IMPACTS, HOW };
@@ -239,9 +240,12 @@ static void row(struct thud_tui *tui, const struct thud_field *field)
 {
     double time = NAN;
     int contact = 0, s, floor;
-    if (sscanf(field->path, "impact %lf %d", &time, &contact) == 2)
-        thud_tui_show_impact(tui, shown(tui), contact, time);
-    else if (sscanf(field->path, "floor %d %d", &s, &floor) == 2)
+    const char *at = field->path;
+    if (thud_scan_word(&at, "impact ")) {
+        if (thud_number_parse(at, &at, &time) == 0 && thud_scan_word(&at, " ") && thud_scan_count(&at, &contact))
+            thud_tui_show_impact(tui, shown(tui), contact, time);
+    } else if (thud_scan_word(&at, "floor ") && thud_scan_count(&at, &s) && thud_scan_word(&at, " ") &&
+               thud_scan_count(&at, &floor))
         thud_tui_show_floor(tui, s, floor);
 }
 

@@ -1,0 +1,58 @@
+/* What is there is read and passed over; what is not leaves the text where it was. */
+#include <check.h>
+#include <stdio.h>
+
+#include "base/scan.h"
+
+START_TEST(words_are_passed_over)
+{
+    const char *text = "floor 3";
+    const char *at = text;
+    ck_assert(!thud_scan_word(&at, "floors"));
+    ck_assert_ptr_eq(at, text);
+    ck_assert(thud_scan_word(&at, "floor "));
+    ck_assert_str_eq(at, "3");
+    ck_assert(!thud_scan_word(&at, "33"));
+    ck_assert(thud_scan_word(&at, ""));
+    ck_assert_str_eq(at, "3");
+}
+END_TEST
+
+START_TEST(counts_read_what_was_written)
+{
+    const int values[] = {0, 1, 9, 10, 4096, 99999999, 999999999};
+    for (size_t i = 0; i < sizeof values / sizeof *values; i++) {
+        char text[32];
+        int n = snprintf(text, sizeof text, "%d/7", values[i]), read = -1;
+        const char *at = text;
+        ck_assert(thud_scan_count(&at, &read));
+        ck_assert_int_eq(read, values[i]);
+        ck_assert_ptr_eq(at, text + n - 2);
+    }
+}
+END_TEST
+
+START_TEST(what_is_no_count_is_left)
+{
+    const char *const texts[] = {"", "-1", "+1", " 1", "x1", ".5", "1000000000", "99999999999999999999"};
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+        const char *at = texts[i];
+        int read = 77;
+        ck_assert_msg(!thud_scan_count(&at, &read), "`%s` was read", texts[i]);
+        ck_assert_ptr_eq(at, texts[i]);
+        ck_assert_int_eq(read, 77);
+    }
+}
+END_TEST
+
+Suite *thud_suite(void);
+Suite *thud_suite(void)
+{
+    Suite *suite = suite_create("scan");
+    TCase *tcase = tcase_create("scan");
+    tcase_add_test(tcase, words_are_passed_over);
+    tcase_add_test(tcase, counts_read_what_was_written);
+    tcase_add_test(tcase, what_is_no_count_is_left);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}
