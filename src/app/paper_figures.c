@@ -80,6 +80,7 @@ static enum thud_status write_report(const struct thud_paper_study *study, const
                                      const struct thud_picture_options *options, struct thud_error *err)
 {
     struct thud_paper_pair pair[THUD_PAPER_PAIRS];
+    assert(study);
     struct thud_paper_study whole = *study;
     struct thud_text text = {0};
     char path[4096];

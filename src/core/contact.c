@@ -1,4 +1,5 @@
 /* The states of a contact, the events that end them, and what follows. Only the run changes them. */
+#include <assert.h>
 #include <math.h>
 #include <string.h>
 
@@ -55,6 +56,7 @@ static bool push_polynomial(const struct thud_contact_state *s, const double *d,
 {
     const struct thud_branch *b = &s->branch;
     bool power = b->K != 0;
+    assert(terms > 0);
     double factor, slope;
     if (!power && b->D == 0) {
         if (b->c_nspm == 0)
@@ -142,6 +144,7 @@ static void stuck_events(const struct thud_run *run, int c, double s_end, struct
     const struct thud_contact_state *s = &run->contact[c];
     double p[THUD_SEGMENT_TERMS];
     int n = run->seg.terms;
+    assert(n > 0);
     for (int k = 0; k < n; k++)
         p[k] = run->seg.force[k * run->model->ncontacts + c];
     double f0 = p[0];

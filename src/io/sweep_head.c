@@ -157,7 +157,7 @@ static bool split(struct thud_sweep_head *head)
 enum thud_status thud_sweep_head_read(struct thud_sweep_journal *journal, struct thud_sweep_head *head,
                                       struct thud_error *err)
 {
-    size_t size;
+    size_t size = 0;
     enum thud_status status = read_start(journal, head, &size, err);
     if (status != THUD_OK)
         return status;

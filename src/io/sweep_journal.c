@@ -38,15 +38,17 @@ long thud_sweep_shard_points(const struct thud_sweep_plan *plan, struct thud_swe
     return points >= shard.index ? (points - shard.index) / shard.count + 1 : 0;
 }
 
-static enum thud_status make(const char *folder, const char *mode, struct thud_sweep_journal **out,
-                             struct thud_error *err)
+/* NULL: out of memory. `file` is NULL, with errno, where it could not be opened. */
+static struct thud_sweep_journal *make(const char *folder, const char *mode, struct thud_error *err)
 {
-    struct thud_sweep_journal *journal = *out = calloc(1, sizeof *journal);
-    if (!journal)
-        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    struct thud_sweep_journal *journal = calloc(1, sizeof *journal);
+    if (!journal) {
+        thud_error_set(err, THUD_MEMORY, "out of memory");
+        return NULL;
+    }
     snprintf(journal->path, sizeof journal->path, "%s/sweep.journal", folder);
     journal->file = fopen(journal->path, mode);
-    return THUD_OK;
+    return journal;
 }
 
 /* One writer at a time; the lock goes with the process. */
@@ -88,8 +90,11 @@ static enum thud_status create(struct thud_sweep_journal *journal, const struct 
     enum thud_status status = thud_text_write(&text, journal->path, err);
     if (status != THUD_OK)
         return status;
-    journal->file = fopen(journal->path, "r+");
-    return journal->file ? THUD_OK : failed(journal, THUD_OUTPUT, strerror(errno), err);
+    FILE *file = fopen(journal->path, "r+");
+    if (!file)
+        return failed(journal, THUD_OUTPUT, strerror(errno), err);
+    journal->file = file;
+    return THUD_OK;
 }
 
 static enum thud_status open_journal(struct thud_sweep_journal *journal, const struct thud_sweep_plan *plan,
@@ -114,21 +119,23 @@ enum thud_status thud_sweep_journal_open(const char *folder, const struct thud_s
                                          struct thud_sweep_shard shard, struct thud_sweep_journal **out, long *done,
                                          struct thud_error *err)
 {
-    enum thud_status status = make(folder, "r+", out, err);
+    struct thud_sweep_journal *journal = make(folder, "r+", err);
+    *out = NULL;
     *done = 0;
-    if (status != THUD_OK)
-        return status;
-    (*out)->shard = shard;
-    if (!(*out)->file && errno != ENOENT)
-        status = failed(*out, THUD_OUTPUT, strerror(errno), err);
+    if (!journal)
+        return THUD_MEMORY;
+    journal->shard = shard;
+    enum thud_status status = THUD_OK;
+    if (!journal->file && errno != ENOENT)
+        status = failed(journal, THUD_OUTPUT, strerror(errno), err);
     if (status == THUD_OK)
-        status = open_journal(*out, plan, preset, err);
+        status = open_journal(journal, plan, preset, err);
     if (status != THUD_OK) {
-        thud_sweep_journal_close(*out, false);
-        *out = NULL;
+        thud_sweep_journal_close(journal, false);
         return status;
     }
-    *done = (*out)->done;
+    *done = journal->done;
+    *out = journal;
     return THUD_OK;
 }
 
@@ -219,20 +226,20 @@ enum thud_status thud_sweep_journal_read(const char *folder, struct thud_sweep_j
                                          struct thud_sweep_head *head, struct thud_error *err)
 {
     *head = (struct thud_sweep_head){0};
-    enum thud_status status = make(folder, "r", out, err);
-    if (status != THUD_OK)
-        return status;
-    if (!(*out)->file)
-        status = failed(*out, THUD_INPUT, strerror(errno), err);
+    struct thud_sweep_journal *journal = make(folder, "r", err);
+    *out = NULL;
+    if (!journal)
+        return THUD_MEMORY;
+    enum thud_status status = journal->file ? THUD_OK : failed(journal, THUD_INPUT, strerror(errno), err);
     if (status == THUD_OK)
-        status = thud_sweep_head_read(*out, head, err);
+        status = thud_sweep_head_read(journal, head, err);
     if (status != THUD_OK) {
         thud_sweep_head_clear(head);
-        thud_sweep_journal_close(*out, false);
-        *out = NULL;
+        thud_sweep_journal_close(journal, false);
         return status;
     }
-    (*out)->shard = head->shard;
-    thud_sweep_journal_rewind(*out);
+    journal->shard = head->shard;
+    thud_sweep_journal_rewind(journal);
+    *out = journal;
     return THUD_OK;
 }

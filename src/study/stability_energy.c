@@ -129,7 +129,6 @@ static enum thud_status touching(struct thud_exhibit *out, struct thud_error *er
 
 enum thud_status thud_exhibit_energy(int index, struct thud_exhibit *out, struct thud_error *err)
 {
-    enum thud_status (*const show[THUD_EXHIBITS_ENERGY])(struct thud_exhibit *, struct thud_error *) = {
-        lagged, trapezoidal, dead, stiff, mass_ratio, touching};
+    static thud_exhibit_fn *const show[THUD_EXHIBITS_ENERGY] = {lagged, trapezoidal, dead, stiff, mass_ratio, touching};
     return show[index](out, err);
 }

@@ -35,6 +35,7 @@ enum thud_status thud_pair_restitution(struct thud_pair *pair, struct thud_stepp
                                        struct thud_error *err);
 
 /* The exhibits, by file. */
+typedef enum thud_status thud_exhibit_fn(struct thud_exhibit *out, struct thud_error *err);
 enum thud_status thud_exhibit_energy(int index, struct thud_exhibit *out, struct thud_error *err);
 enum thud_status thud_exhibit_touch(int index, struct thud_exhibit *out, struct thud_error *err);
 enum thud_status thud_exhibit_rest(int index, struct thud_exhibit *out, struct thud_error *err);

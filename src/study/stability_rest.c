@@ -127,8 +127,7 @@ static enum thud_status zeno(struct thud_exhibit *out, struct thud_error *err)
 
 enum thud_status thud_exhibit_rest(int index, struct thud_exhibit *out, struct thud_error *err)
 {
-    enum thud_status (*const show[THUD_EXHIBITS_REST])(struct thud_exhibit *, struct thud_error *) = {slow_touch,
-                                                                                                      sticking, zeno};
+    static thud_exhibit_fn *const show[THUD_EXHIBITS_REST] = {slow_touch, sticking, zeno};
     return show[index](out, err);
 }
 

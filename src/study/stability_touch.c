@@ -109,7 +109,6 @@ static enum thud_status twins(struct thud_exhibit *out, struct thud_error *err)
 
 enum thud_status thud_exhibit_touch(int index, struct thud_exhibit *out, struct thud_error *err)
 {
-    enum thud_status (*const show[THUD_EXHIBITS_TOUCH])(struct thud_exhibit *,
-                                                        struct thud_error *) = {grazing, double_root, twins};
+    static thud_exhibit_fn *const show[THUD_EXHIBITS_TOUCH] = {grazing, double_root, twins};
     return show[index](out, err);
 }

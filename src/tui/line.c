@@ -16,10 +16,10 @@ static bool continuation(char c)
 
 static int before(const struct thud_line *line, int at)
 {
-    do
-        at--;
-    while (at > 0 && continuation(line->text[at]));
-    return at < 0 ? 0 : at;
+    while (--at > 0)
+        if (!continuation(line->text[at]))
+            return at;
+    return 0;
 }
 
 static int after(const struct thud_line *line, int at)

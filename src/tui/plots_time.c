@@ -19,6 +19,8 @@ struct thud_plots_state *thud_plots(struct thud_tui *tui)
 const struct thud_live_case *thud_plots_case(struct thud_tui *tui)
 {
     struct thud_plots_state *p = thud_plots(tui);
+    if (!p)
+        return NULL;
     const struct thud_live_case *c = &tui->live.which[p->sight.which];
     if (c->state == THUD_LIVE_ABSENT)
         p->sight.which = THUD_LIVE_NONE;
@@ -34,8 +36,9 @@ double thud_plots_end(struct thud_tui *tui)
 
 void thud_plots_set_time(struct thud_tui *tui, double t)
 {
-    double end = thud_plots_end(tui);
-    thud_plots(tui)->time_s = fmax(0.0, fmin(end, t));
+    struct thud_plots_state *p = thud_plots(tui);
+    if (p)
+        p->time_s = fmax(0.0, fmin(thud_plots_end(tui), t));
 }
 
 /* The floor of a contact that is no wall's. */
@@ -45,10 +48,11 @@ static int floor_of(const struct thud_contact_result *contact)
 }
 
 /* To the nearest impact of the case after or before the cursor; `largest`: to the one with the largest force. */
-static void to_impact(struct thud_tui *tui, int direction, bool largest)
+static void to_impact(struct thud_tui *tui, struct thud_plots_state *p, int direction, bool largest)
 {
-    struct thud_plots_state *p = thud_plots(tui);
     const struct thud_live_case *c = thud_plots_case(tui);
+    if (!c)
+        return;
     int count, best = -1;
     const struct thud_impact *impact = thud_run_impacts(c->run, &count);
     for (int i = 0; i < count; i++) {
@@ -70,9 +74,8 @@ static void to_impact(struct thud_tui *tui, int direction, bool largest)
                  1e-6 * impact[best].force_n, 1e3 * impact[best].indentation_m);
 }
 
-static void zoom(struct thud_tui *tui, double factor)
+static void zoom(struct thud_tui *tui, struct thud_plots_state *p, double factor)
 {
-    struct thud_plots_state *p = thud_plots(tui);
     double end = thud_plots_end(tui), span = (p->span_s > 0.0 ? p->span_s : end) * factor;
     p->span_s = span >= end ? 0.0 : fmax(span, 1e-3);
 }
@@ -80,6 +83,8 @@ static void zoom(struct thud_tui *tui, double factor)
 bool thud_plots_act_on_time(struct thud_tui *tui, enum thud_action action)
 {
     struct thud_plots_state *p = thud_plots(tui);
+    if (!p)
+        return false;
     double step = (p->span_s > 0.0 ? p->span_s : thud_plots_end(tui)) / 100.0;
     switch (action) {
     case THUD_DO_PLAY:
@@ -99,14 +104,14 @@ bool thud_plots_act_on_time(struct thud_tui *tui, enum thud_action action)
         return true;
     case THUD_DO_NEXT_IMPACT:
     case THUD_DO_PREVIOUS_IMPACT:
-        to_impact(tui, action == THUD_DO_NEXT_IMPACT ? 1 : -1, false);
+        to_impact(tui, p, action == THUD_DO_NEXT_IMPACT ? 1 : -1, false);
         return true;
     case THUD_DO_LARGEST_IMPACT:
-        to_impact(tui, 1, true);
+        to_impact(tui, p, 1, true);
         return true;
     case THUD_DO_ZOOM:
     case THUD_DO_UNZOOM:
-        zoom(tui, action == THUD_DO_ZOOM ? 1.0 / 3.0 : 3.0);
+        zoom(tui, p, action == THUD_DO_ZOOM ? 1.0 / 3.0 : 3.0);
         return true;
     default:
         return false;
