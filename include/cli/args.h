@@ -5,7 +5,7 @@
 #include "app/command.h"
 #include "base/status.h"
 
-enum { THUD_OPERANDS_MAX = 64, THUD_GIVEN_MAX = 256 };
+enum { THUD_OPERANDS_MAX = 64, THUD_GIVEN_MAX = 256, THUD_JOBS_MAX = 256 };
 
 struct thud_args {
     enum thud_command_id command;

@@ -1,6 +1,7 @@
 #include "cli/args.h"
 
 #include <errno.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -56,6 +57,15 @@ static enum thud_status take_option(struct thud_args *args, int argc, char **arg
     return THUD_OK;
 }
 
+/* What holds whatever the command. */
+static enum thud_status check_together(const struct thud_args *args, struct thud_error *err)
+{
+    int jobs;
+    if (thud_args_has(args, "json") && thud_args_has(args, "csv"))
+        return thud_error_set(err, THUD_USAGE, "--json and --csv together: standard output is one or the other");
+    return thud_args_integer(args, "j", 1, THUD_JOBS_MAX, 1, &jobs, err);
+}
+
 enum thud_status thud_args_parse(int argc, char **argv, struct thud_args *args, struct thud_error *err)
 {
     memset(args, 0, sizeof *args);
@@ -80,7 +90,7 @@ enum thud_status thud_args_parse(int argc, char **argv, struct thud_args *args, 
             args->operand[args->noperands++] = word;
         }
     }
-    return THUD_OK;
+    return check_together(args, err);
 }
 
 const char *thud_args_value(const struct thud_args *args, const char *name)
@@ -118,8 +128,10 @@ enum thud_status thud_args_integer(const struct thud_args *args, const char *nam
     errno = 0;
     long value = strtol(text, &end, 10);
     if (errno || end == text || *end || value < least || value > most) {
-        thud_error_set(err, THUD_USAGE, "`%.40s` is not a number that fits", text);
-        thud_error_key(err, name);
+        thud_error_set(err, THUD_USAGE, "`%.40s` is not a whole number that fits", text);
+        char key[64];
+        snprintf(key, sizeof key, "%s%s", name[1] ? "--" : "-", name);
+        thud_error_key(err, key);
         thud_error_allow(err, "%d to %d", least, most);
         return THUD_USAGE;
     }

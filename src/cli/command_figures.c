@@ -25,7 +25,7 @@ static enum thud_status make_study(const struct thud_args *args, struct thud_pap
                                          .dt = thud_args_value(args, "dt"),
                                          .unit = thud_args_value(args, "unit"),
                                          .cancel = thud_interrupt_watch()};
-    enum thud_status status = thud_args_integer(args, "j", 1, 256, 0, &request.threads, err);
+    enum thud_status status = thud_args_integer(args, "j", 1, THUD_JOBS_MAX, 0, &request.threads, err);
     if (!thud_args_has(args, "quiet") && isatty(STDERR_FILENO))
         request.progress = show_progress;
     return status == THUD_OK ? thud_paper_work_make(&request, work, study, err) : status;

@@ -134,7 +134,7 @@ static enum thud_status fill_study(struct sweep *s, struct thud_error *err)
     s->output.format = thud_args_has(args, "json")  ? THUD_SWEEP_OUTPUT_JSON
                        : thud_args_has(args, "csv") ? THUD_SWEEP_OUTPUT_CSV
                                                     : THUD_SWEEP_OUTPUT_TABLE;
-    enum thud_status status = thud_args_integer(args, "j", 1, 256, 0, &study->threads, err);
+    enum thud_status status = thud_args_integer(args, "j", 1, THUD_JOBS_MAX, 0, &study->threads, err);
     const char *shard = thud_args_value(args, "shard");
     if (status == THUD_OK && shard)
         status = thud_sweep_shard_parse(shard, &study->shard, err);

@@ -58,6 +58,8 @@ static enum thud_status number(const struct csv_lines *lines, const struct recor
     const char *text = csv_lines_field(lines, (size_t)field), *end;
     text += strspn(text, " \t");
     int failed = thud_number_parse(text, &end, out);
+    if (!*text)
+        return refuse(lines, line, field, "is empty", "a number with a decimal point, in SI units", err);
     if (failed || end[strspn(end, " \t")] || !isfinite(*out))
         return refuse(lines, line, field, failed == -2 ? "is too large a number" : "is not a number",
                       "a number with a decimal point, in SI units", err);
@@ -79,8 +81,9 @@ static enum thud_status take(const struct csv_lines *lines, const struct record_
 {
     struct thud_expectation one = {.other = NAN};
     if (lines->fields != FIELDS) {
-        record_refuse(lines->cursor.source, lines->line, 1, err, "%zu columns", lines->fields);
-        thud_error_allow(err, "%s", header);
+        record_refuse(lines->cursor.source, lines->line, 1, err, "%zu column%s, not %d", lines->fields,
+                      lines->fields == 1 ? "" : "s", FIELDS);
+        thud_error_allow(err, "%s; commas part them, and a decimal point is a point", header);
         return THUD_INPUT;
     }
     const char *name = csv_lines_field(lines, QUANTITY);

@@ -2,6 +2,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -159,7 +160,9 @@ enum thud_status thud_folder_make(const char *path, struct thud_error *err)
         struct stat about;
         if (mkdir(part, 0777) != 0 && (errno != EEXIST || stat(part, &about) != 0 || !S_ISDIR(about.st_mode))) {
             int why = errno;
-            thud_error_set(err, THUD_OUTPUT, "the folder cannot be made: %s", strerror(why));
+            bool is_file = why == EEXIST && stat(part, &about) == 0;
+            thud_error_set(err, THUD_OUTPUT, "the folder cannot be made: %s",
+                           is_file ? "there is a file of this name" : strerror(why));
             thud_error_place(err, part, 0, 0);
             return THUD_OUTPUT;
         }

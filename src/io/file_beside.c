@@ -42,8 +42,7 @@ void thud_folder_tidy(const char *folder)
     struct dirent *entry;
     char path[4400];
     while (dir && (entry = readdir(dir)) != NULL)
-        if (is_left(entry->d_name) &&
-            snprintf(path, sizeof path, "%s/%s", folder, entry->d_name) < (int)sizeof path)
+        if (is_left(entry->d_name) && snprintf(path, sizeof path, "%s/%s", folder, entry->d_name) < (int)sizeof path)
             unlink(path);
     if (dir)
         closedir(dir);

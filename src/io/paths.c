@@ -101,6 +101,11 @@ void thud_paths_presets(const struct thud_paths *paths, struct thud_file_names *
 static enum thud_status not_found(const char *what, const char *name, const char *folder, const char *ending,
                                   struct thud_error *err)
 {
+    if (is_folder(name)) {
+        thud_error_set(err, THUD_INPUT, "is a folder, not a file");
+        thud_error_place(err, name, 0, 0);
+        return THUD_INPUT;
+    }
     struct thud_file_names *names = calloc(1, sizeof *names);
     const char *near = NULL;
     char list[sizeof err->allowed] = "";

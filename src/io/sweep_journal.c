@@ -230,7 +230,11 @@ enum thud_status thud_sweep_journal_read(const char *folder, struct thud_sweep_j
     *out = NULL;
     if (!journal)
         return THUD_MEMORY;
-    enum thud_status status = journal->file ? THUD_OK : failed(journal, THUD_INPUT, strerror(errno), err);
+    enum thud_status status = THUD_OK;
+    if (!journal->file) {
+        status = failed(journal, THUD_INPUT, strerror(errno), err);
+        thud_error_allow(err, "a folder that `thud sweep --shard K/N -o` wrote");
+    }
     if (status == THUD_OK)
         status = thud_sweep_head_read(journal, head, err);
     if (status != THUD_OK) {

@@ -108,6 +108,31 @@ static void with_unit(char text[TEXT], const char *end, const char *unit)
         memcpy(text, whole, (size_t)length + 1);
 }
 
+static int by_value(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* A value that is there twice, as a decimal comma makes it: 5,5 cm is 5 cm and 5 cm. */
+static enum thud_status check_twice(const struct thud_sweep_axis *axis, struct thud_error *err)
+{
+    double *sorted = malloc((size_t)axis->n * sizeof *sorted);
+    if (!sorted)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    int n = 0;
+    for (int i = 0; i < axis->n; i++)
+        if (!isnan(axis->value[i]))
+            sorted[n++] = axis->value[i];
+    qsort(sorted, (size_t)n, sizeof *sorted, by_value);
+    bool twice = false;
+    for (int i = 1; i < n; i++)
+        twice |= sorted[i] == sorted[i - 1];
+    free(sorted);
+    return twice ? refuse(err, axis->key, "names a value twice", "each value once; a decimal point is a point: 5.5 cm")
+                 : THUD_OK;
+}
+
 /* V1,V2,...: a bare number takes the unit of the last one. */
 static enum thud_status list(struct thud_sweep_axis *axis, const char *text, struct thud_error *err)
 {
@@ -132,7 +157,7 @@ static enum thud_status list(struct thud_sweep_axis *axis, const char *text, str
             with_unit(t, own, *own ? own : unit);
         axis->value[i] = value_of(axis->param, t);
     }
-    return THUD_OK;
+    return check_twice(axis, err);
 }
 
 /* FROM:TO:STEP: values in the unit of TO, free of the rounding of sums. */
@@ -158,7 +183,9 @@ static enum thud_status range(struct thud_sweep_axis *axis, const char *text, st
     }
     double from = number[0] * factor[0] / factor[1], step = number[2] * factor[2] / factor[1];
     double count = floor((number[1] - from) / step + 1e-9) + 1;
-    if (step == 0 || !(count >= 1 && count <= VALUES_MAX))
+    if (count > VALUES_MAX && step != 0)
+        return refuse(err, axis->key, "the step makes too many values", "at most 100000 of a key");
+    if (step == 0 || !(count >= 1))
         return refuse(err, axis->key, "the step does not lead from the first value to the last", how);
     enum thud_status status = reserve(axis, (int)count, err);
     for (; status == THUD_OK && axis->n < (int)count; axis->n++) {

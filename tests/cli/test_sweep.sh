@@ -167,7 +167,10 @@ wrong 2 "KEY=FROM:TO:STEP" towers --vary gap
 wrong 2 "gap" towers --vary gap=5cm:25cm
 wrong 2 "step" towers --vary gap=5cm:25cm:0cm
 wrong 2 "step" towers --vary gap=25cm:5cm:1cm
+wrong 2 "too many values" towers --vary gap=5cm:25cm:1e-9cm
+wrong 2 "value twice.*5.5" towers --vary gap=5,5cm
 wrong 2 "unit" towers --vary gap=5cm:25cm:1parsec
+wrong 2 "together" towers --vary gap=5cm,6cm --json --csv
 wrong 3 "gap" towers --vary gap=5,6,7
 wrong 3 "gapp" towers --vary gapp=5cm,6cm
 wrong 2 "twice" towers --vary gap=5cm,6cm --vary gap=7cm
@@ -184,7 +187,7 @@ check "joining needs parts" refused 2 "folders" "$tmp/wrong"
 
 # places that cannot be written
 status 6 "$THUD" sweep towers --vary gap=8cm -o "$tmp/one/sweep.csv/folder"
-check "a folder below a file" refused 6 "folder" "$tmp/one/sweep.csv/folder"
+check "a folder below a file" refused 6 "there is a file of this name" "$tmp/one/sweep.csv/folder"
 if [ "$(id -u)" -ne 0 ]; then
     mkdir "$tmp/locked" && chmod a-w "$tmp/locked"
     status 6 "$THUD" sweep towers --vary gap=8cm -o "$tmp/locked"

@@ -1,7 +1,8 @@
 /* Loaded before the C library (LD_PRELOAD): the n-th call of a kind after main began fails, n from THUD_FAULT_AT, the
  * kind from THUD_FAULT_KIND: memory (also inside libyaml, LAPACK and the others), read, write or start. `kill` and
- * `tear` stand for write, but the program is killed there, before the call or after half of what it was to write. At the
- * end the number of calls is put into the file THUD_FAULT_COUNT, if set. Programs that are started see nothing of it. */
+ * `tear` stand for write, but the program is killed there, before the call or after half of what it was to write. At
+ * the end the number of calls is put into the file THUD_FAULT_COUNT, if set. Programs that are started see nothing of
+ * it. */
 #define _GNU_SOURCE
 #include <dirent.h>
 #include <dlfcn.h>

@@ -11,7 +11,8 @@ static struct thud_record_choice choice;
 
 static void choose(void)
 {
-    choice = (struct thud_record_choice){.peak_mps2 = NAN, .factor = 1.0, .sign = 1, .from_s = NAN, .to_s = NAN, .dt_s = NAN, .skip = -1};
+    choice = (struct thud_record_choice){
+        .peak_mps2 = NAN, .factor = 1.0, .sign = 1, .from_s = NAN, .to_s = NAN, .dt_s = NAN, .skip = -1};
 }
 
 START_TEST(a_record_that_cannot_be_read_leaves_nothing_behind)

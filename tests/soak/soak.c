@@ -1,5 +1,5 @@
-/* One process that works for a long time: runs, studies, presets, records and edits of the interface over and over. What
- * it holds in memory early it holds late.  usage: soak [FACTOR]    a line of TAP for each kind of work */
+/* One process that works for a long time: runs, studies, presets, records and edits of the interface over and over.
+ * What it holds in memory early it holds late.  usage: soak [FACTOR]    a line of TAP for each kind of work */
 #define _GNU_SOURCE
 #include <check.h>
 #include <malloc.h>
@@ -9,9 +9,9 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "../unit/tui_fixture.h"
 #include "app/session.h"
 #include "app/sweep_jobs.h"
-#include "../unit/tui_fixture.h"
 
 static double factor = 1;
 
@@ -101,7 +101,8 @@ static int one_save(long i)
 
 static struct fixture fixture;
 
-/* A value edited, computed, undone; every screen looked at in turn. What can be redone is forgotten by the next edit. */
+/* A value edited, computed, undone; every screen looked at in turn. What can be redone is forgotten by the next edit.
+ */
 static int one_edit(long i)
 {
     char keys[64];
