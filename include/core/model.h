@@ -4,7 +4,8 @@
  * after the other: q (nmodes), u (ndof), nmodes = ndof. A floor's displacement is the dot product of its row of Phi
  * with its structure's slice of q. q'' + 2 zeta omega q' + omega^2 q = -gamma a_g - sum_c g_c F_c        (g_c: row of
  * contact c, indentation = g_c . q - clearance) A structure whose damping couples its modes (isolated building) has a
- * dense block D instead of 2 zeta omega. */
+ * dense block D instead of 2 zeta omega. A mode that is left out keeps its place and its omega, but nothing moves it:
+ * its gamma, its damping and its part of every g_c are 0. */
 #ifndef THUD_CORE_MODEL_H
 #define THUD_CORE_MODEL_H
 
@@ -38,6 +39,8 @@ struct thud_model {
     double *g;                              /* (ncontacts x ndof): g_c */
     double *w;                              /* (ncontacts x ncontacts): g_a . g_b, 1/kg */
     double *q0, *qd0;                       /* (ndof) at t = 0 */
+    double *share; /* (ndof): of the ground's motion that a floor's modes carry; 1 where none is left out */
+    int left_out;  /* modes */
 };
 
 /* What assemble hands over; arrays are copied. A wall has n = 0. */
@@ -60,6 +63,7 @@ struct thud_model_input {
         const struct thud_law *law;
         struct thud_law_setup setup; /* value[] and thickness given; mass and constants are filled here */
     } * contact;
+    int modes; /* each structure's lowest ones, the others are left out; 0: all */
 };
 
 /* Errors: THUD_INPUT (a law's parameters), THUD_MEMORY. */

@@ -7,6 +7,7 @@
 #include "core/result.h"
 #include "study/scene.h"
 #include "study/sensitivity.h"
+#include "study/truncation.h"
 
 /* What a finished run is shown with. */
 struct thud_report {
@@ -18,6 +19,7 @@ struct thud_report {
     const struct thud_impact *impact;   /* (nimpacts) */
     int nimpacts;
     const struct thud_sensitivity *sensitivity; /* NULL: not asked for */
+    const struct thud_truncation *truncation;   /* NULL: no mode is left out */
 };
 
 /* The result of `thud run --json`. */

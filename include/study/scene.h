@@ -59,6 +59,7 @@ struct thud_analysis {
     double step_s; /* NaN: not given */
     double tail_s; /* free vibration after the record; without a record: the duration */
     bool locate;   /* fixed-step methods: locate events */
+    int modes;     /* each building's lowest ones alone; 0: all */
 };
 
 enum thud_case { THUD_CASE_AS_WRITTEN = -1, THUD_CASE_NONE, THUD_CASE_BUMPER, THUD_CASE_CAVITY, THUD_CASES };

@@ -106,6 +106,14 @@ static void add_foot(const struct thud_report *report, struct thud_text *out)
                      r->end_s);
 }
 
+static void add_truncation(const struct thud_truncation *t, struct thud_text *out)
+{
+    thud_text_append(out,
+                     "modes          the lowest %d of each building, %d left out: against all of them peaks differ by\n"
+                     "               up to %.3g %% (acceleration), %.3g %% (drift), %.3g %% (force)\n",
+                     t->modes, t->left_out, 100 * t->acceleration, 100 * t->drift, 100 * t->force);
+}
+
 void thud_result_table(const struct thud_report *report, struct thud_text *out)
 {
     add_head(report, out);
@@ -113,6 +121,8 @@ void thud_result_table(const struct thud_report *report, struct thud_text *out)
         add_structure(report, s, out);
     add_contacts(report, out);
     add_foot(report, out);
+    if (report->truncation)
+        add_truncation(report->truncation, out);
     if (report->sensitivity)
         thud_sensitivity_table(report, out);
 }

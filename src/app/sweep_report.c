@@ -208,6 +208,9 @@ void thud_sweep_report_work(const struct thud_sweep_plan *plan, const struct thu
     if (total->references > 0)
         thud_text_append(out, " and %ld of case none for the ratios", total->references);
     thud_text_append(out, ": %ld made, %ld answered by the motion without pounding\n", total->made, total->free);
+    if (plan->scene.analysis.modes > 0)
+        thud_text_append(out, "each building's lowest %d modes alone: thud run tells what that changes\n",
+                         plan->scene.analysis.modes);
     if (plan->sensitivity > 0) {
         thud_text_append(
             out, "spread under %g %% less or more gap, ground motion and stiffness, one at a time: %ld more runs\n",

@@ -89,6 +89,30 @@ static void warn_unusual(const struct thud_args *args, const struct thud_session
     }
 }
 
+/* What more runs tell of the answer: the error of modes left out, its sensitivity; then the answer. */
+static enum thud_status report_run(const struct thud_args *args, const struct thud_session *session,
+                                   const struct thud_scene *scene, enum thud_case which,
+                                   const struct thud_answer *answer, struct thud_error *err)
+{
+    struct thud_report report = thud_session_report(session, scene, which, answer);
+    struct thud_truncation truncation;
+    struct thud_sensitivity *sensitivity = NULL;
+    double change = thud_scene_options_change(args, scene);
+    enum thud_status status = THUD_OK;
+    warn(report.result);
+    if (answer->model->left_out > 0) {
+        status = thud_truncation_measure(scene, session->record, answer, &truncation, err);
+        report.truncation = &truncation;
+    }
+    if (status == THUD_OK && change > 0)
+        status = thud_sensitivity_run(scene, session->record, change, report.result, &sensitivity, err);
+    report.sensitivity = sensitivity;
+    if (status == THUD_OK)
+        status = deliver(args, &report, err);
+    thud_sensitivity_free(sensitivity);
+    return status;
+}
+
 static enum thud_status run(const struct thud_args *args, struct thud_session *session, struct thud_scene *scene,
                             struct thud_error *err)
 {
@@ -107,16 +131,7 @@ static enum thud_status run(const struct thud_args *args, struct thud_session *s
     status = thud_session_run(session, which, &options, scene, &answer, err);
     if (status == THUD_OK) {
         warn_unusual(args, session, scene);
-        struct thud_report report = thud_session_report(session, scene, which, &answer);
-        warn(report.result);
-        struct thud_sensitivity *sensitivity = NULL;
-        double change = thud_scene_options_change(args, scene);
-        if (change > 0)
-            status = thud_sensitivity_run(scene, session->record, change, report.result, &sensitivity, err);
-        report.sensitivity = sensitivity;
-        if (status == THUD_OK)
-            status = deliver(args, &report, err);
-        thud_sensitivity_free(sensitivity);
+        status = report_run(args, session, scene, which, &answer, err);
         if (status == THUD_OK && options.keep_history)
             status = draw(args, &picture, scene, &answer, err);
     }

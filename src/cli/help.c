@@ -16,6 +16,13 @@ void thud_help_all(struct thud_text *out)
                           "Manual pages: thud(1), thud-preset(5), thud-model(7).\n");
 }
 
+/* How a record is read, `thud record` says too. */
+static bool said_by_record(const struct thud_option *option, enum thud_command_id id)
+{
+    return id == THUD_COMMAND_RUN && option->argument && thud_option_belongs(option, THUD_COMMAND_RECORD) &&
+           !thud_option_belongs(option, THUD_COMMAND_BENCH) && !thud_option_belongs(option, THUD_COMMAND_FIGURES);
+}
+
 /* A study takes all that a run takes; what a run's help says of its scene is not said again. */
 static bool said_by_run(const struct thud_option *option, enum thud_command_id id)
 {
@@ -31,13 +38,17 @@ void thud_help_command(struct thud_text *out, enum thud_command_id id)
     for (int i = 0; i < thud_option_count(); i++) {
         const struct thud_option *option = thud_option_at(i);
         /* whoever reads this has found --help, and the list must fit a screen */
-        if (!thud_option_belongs(option, id) || said_by_run(option, id) || strcmp(option->name, "help") == 0)
+        if (!thud_option_belongs(option, id) || said_by_run(option, id) || said_by_record(option, id) ||
+            strcmp(option->name, "help") == 0)
             continue;
         char usage[64];
         snprintf(usage, sizeof usage, "%s%s%s%s", option->name[1] ? "--" : "-", option->name,
                  thud_option_stands_alone(option) ? "" : " ", option->argument ? option->argument : "");
         thud_text_append(out, "  %-25s %s%s\n", usage, option->help, option->repeatable ? " (repeatable)" : "");
     }
+    if (id == THUD_COMMAND_RUN)
+        thud_text_append(out,
+                         "\nand what `thud record --help` says of reading a record: --channel, --column, --skip\n");
     if (id == THUD_COMMAND_SWEEP)
         thud_text_append(out, "\nand what `thud run --help` says of the scene, its ground motion and its method\n");
 }

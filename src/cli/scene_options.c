@@ -14,6 +14,7 @@ static const struct {
             {"method", "analysis.method"},
             {"step", "analysis.step"},
             {"tolerance", "analysis.tolerance"},
+            {"modes", "analysis.modes"},
             {"sensitivity", "study.sensitivity"}};
 
 static enum thud_status apply(const struct thud_args *args, struct thud_session *session, struct thud_error *err)

@@ -214,7 +214,8 @@ static double rate_at(const struct thud_run *run, const struct thud_flight *f, c
     if (row->quantity == THUD_FLOOR_DRIFT)
         return row->floor > 0 ? *v - v[-ENDS] : *v;
     if (row->quantity == THUD_FLOOR_VELOCITY)
-        return f->value[THUD_FLOOR_ACCELERATION][(p->first + row->floor) * ENDS + t] - ground;
+        return f->value[THUD_FLOOR_ACCELERATION][(p->first + row->floor) * ENDS + t] -
+               m->share[p->first + row->floor] * ground;
     double jerk = 0;
     for (int j = 0; j < p->n; j++) {
         int k = p->first + j;

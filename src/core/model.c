@@ -30,7 +30,7 @@ static size_t model_bytes(const struct thud_model_input *in, size_t ndof)
     size_t nc = (size_t)in->ncontacts, bytes = room(1, sizeof(struct thud_model));
     bytes += room((size_t)in->nstructures, sizeof(struct thud_model_structure));
     bytes += room(nc, sizeof(struct thud_model_contact)) + room(ndof, sizeof(int));
-    bytes += 6 * room(ndof, sizeof(double)) + room(nc * ndof, sizeof(double)) + room(nc * nc, sizeof(double));
+    bytes += 7 * room(ndof, sizeof(double)) + room(nc * ndof, sizeof(double)) + room(nc * nc, sizeof(double));
     for (int s = 0; s < in->nstructures; s++) {
         size_t n = (size_t)in->structure[s].n;
         bytes += 2 * room(n * n, sizeof(double)) + room(n, sizeof(double));
@@ -38,8 +38,14 @@ static size_t model_bytes(const struct thud_model_input *in, size_t ndof)
     return bytes;
 }
 
+/* Modes that stay of n where `modes` are asked for. */
+static int kept_of(int n, int modes)
+{
+    return modes > 0 && modes < n ? modes : n;
+}
+
 static enum thud_status fill_shear(struct thud_model *m, struct arena *arena, struct thud_model_structure *to,
-                                   const struct thud_structure_input *in, struct thud_error *err)
+                                   const struct thud_structure_input *in, int modes, struct thud_error *err)
 {
     size_t n = (size_t)in->n;
     double *phi = take(arena, n * n * sizeof(double)), *k = take(arena, n * sizeof(double));
@@ -56,6 +62,10 @@ static enum thud_status fill_shear(struct thud_model *m, struct arena *arena, st
         to->damping = damping;
         status =
             thud_modes_isolated_damping(in->n, in->mass_kg, k, in->damping, in->isolation_damping, phi, damping, err);
+        int kept = kept_of(in->n, modes);
+        for (int i = 0; i < in->n; i++) /* a mode that is left out slows no other */
+            for (int j = i < kept ? kept : 0; j < in->n; j++)
+                damping[i * in->n + j] = 0;
     }
     return status;
 }
@@ -73,7 +83,8 @@ static void fill_rigid(struct thud_model *m, struct arena *arena, struct thud_mo
 }
 
 static enum thud_status fill_structure(struct thud_model *m, struct arena *arena, int s,
-                                       const struct thud_structure_input *in, int first, struct thud_error *err)
+                                       const struct thud_structure_input *in, int first, int modes,
+                                       struct thud_error *err)
 {
     struct thud_model_structure *to = &m->structure[s];
     *to = (struct thud_model_structure){.first = first, .n = in->n};
@@ -83,7 +94,7 @@ static enum thud_status fill_structure(struct thud_model *m, struct arena *arena
     }
     enum thud_status status = THUD_OK;
     if (in->stiffness_npm && in->n > 0)
-        status = fill_shear(m, arena, to, in, err);
+        status = fill_shear(m, arena, to, in, modes, err);
     else
         fill_rigid(m, arena, to, in);
     for (int j = 0; j < in->n && status == THUD_OK; j++) {
@@ -98,6 +109,20 @@ static enum thud_status fill_structure(struct thud_model *m, struct arena *arena
     return status;
 }
 
+/* The highest modes are not driven; floors follow the ground only as far as the others carry them. */
+static void leave_out(struct thud_model *m, const struct thud_model_structure *s, int modes)
+{
+    int kept = kept_of(s->n, modes);
+    for (int i = 0; i < s->n; i++) {
+        m->share[s->first + i] = kept < s->n ? 0 : 1;
+        for (int j = 0; j < kept && kept < s->n; j++)
+            m->share[s->first + i] += s->phi[i * s->n + j] * m->gamma[s->first + j];
+    }
+    for (int j = kept; j < s->n; j++)
+        m->gamma[s->first + j] = m->qd0[s->first + j] = 0;
+    m->left_out += s->n - kept;
+}
+
 /* 1/m of one side, 0 for a wall. */
 static double inverse_mass(const struct thud_model *m, int dof)
 {
@@ -109,17 +134,17 @@ static int contact_dof(const struct thud_model *m, int structure, int floor)
     return floor == 0 ? -1 : m->structure[structure].first + floor - 1;
 }
 
-static void add_row(const struct thud_model *m, int dof, double sign, double *g)
+static void add_row(const struct thud_model *m, int dof, double sign, int modes, double *g)
 {
     if (dof < 0)
         return;
     const struct thud_model_structure *s = &m->structure[m->dof_structure[dof]];
     const double *row = s->phi + (dof - s->first) * s->n;
-    for (int j = 0; j < s->n; j++)
+    for (int j = 0; j < kept_of(s->n, modes); j++)
         g[s->first + j] += sign * row[j];
 }
 
-static enum thud_status fill_contact(struct thud_model *m, int c, const struct thud_contact_input *in,
+static enum thud_status fill_contact(struct thud_model *m, int c, const struct thud_contact_input *in, int modes,
                                      struct thud_error *err)
 {
     struct thud_model_contact *to = &m->contact[c];
@@ -136,8 +161,8 @@ static enum thud_status fill_contact(struct thud_model *m, int c, const struct t
     to->setup.mass_kg = 1 / inverse;
     double *g = m->g + (size_t)c * (size_t)m->ndof;
     memset(g, 0, (size_t)m->ndof * sizeof *g);
-    add_row(m, to->left_dof, 1, g);
-    add_row(m, to->right_dof, -1, g);
+    add_row(m, to->left_dof, 1, modes, g);
+    add_row(m, to->right_dof, -1, modes, g);
     return in->law->prepare ? in->law->prepare(&to->setup, err) : THUD_OK;
 }
 
@@ -171,7 +196,7 @@ enum thud_status thud_model_create(const struct thud_model_input *input, struct 
     m->structure = take(&arena, (size_t)input->nstructures * sizeof *m->structure);
     m->contact = take(&arena, nc * sizeof *m->contact);
     m->dof_structure = take(&arena, n * sizeof(int));
-    double **vectors[] = {&m->mass_kg, &m->omega, &m->zeta, &m->gamma, &m->q0, &m->qd0};
+    double **vectors[] = {&m->mass_kg, &m->omega, &m->zeta, &m->gamma, &m->q0, &m->qd0, &m->share};
     for (size_t i = 0; i < sizeof vectors / sizeof *vectors; i++)
         *vectors[i] = take(&arena, n * sizeof(double));
     m->g = take(&arena, nc * n * sizeof(double));
@@ -179,9 +204,11 @@ enum thud_status thud_model_create(const struct thud_model_input *input, struct 
 
     enum thud_status status = THUD_OK;
     for (int s = 0, first = 0; s < input->nstructures && status == THUD_OK; first += input->structure[s].n, s++)
-        status = fill_structure(m, &arena, s, &input->structure[s], first, err);
+        status = fill_structure(m, &arena, s, &input->structure[s], first, input->modes, err);
+    for (int s = 0; s < input->nstructures && status == THUD_OK; s++)
+        leave_out(m, &m->structure[s], input->modes);
     for (int c = 0; c < input->ncontacts && status == THUD_OK; c++)
-        status = fill_contact(m, c, &input->contact[c], err);
+        status = fill_contact(m, c, &input->contact[c], input->modes, err);
     if (status != THUD_OK) {
         free(m);
         return status;

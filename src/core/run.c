@@ -106,6 +106,8 @@ static bool allocate_result(struct thud_run *run)
     return true;
 }
 
+static const char no_contact[] = "no contact is possible: modes alone, in closed form";
+
 /* What the scene needs, for the reason `auto` gives. */
 static const char *need(const struct thud_model *m)
 {
@@ -118,7 +120,7 @@ static const char *need(const struct thud_model *m)
     for (int j = 0; j < m->ndof; j++)
         flexible = flexible || m->omega[j] > 0;
     if (!contact)
-        return "no contact is possible: modes alone, in closed form";
+        return no_contact;
     if (nonlinear)
         return flexible ? "closed form between contacts; the tolerance holds for the nonlinear contact forces alone"
                         : "rigid bodies: free motion in closed form; the tolerance holds for the contact forces";
@@ -142,7 +144,7 @@ enum thud_status thud_run_create(const struct thud_model *model, const struct th
                                  const struct thud_run_options *options, struct thud_run **out, struct thud_error *err)
 {
     *out = NULL;
-    enum thud_status status = thud_run_check_options(options, record, err);
+    enum thud_status status = thud_run_check_options(model, options, record, err);
     if (status != THUD_OK)
         return status;
     struct thud_run *run = calloc(1, sizeof *run);
@@ -346,10 +348,21 @@ static enum thud_status segment(struct thud_run *run, struct thud_error *err)
     return status;
 }
 
+/* Whether anything has touched so far. */
+static bool has_touched(const struct thud_result *r)
+{
+    for (int c = 0; c < r->ncontacts; c++)
+        if (r->contact[c].impacts > 0 || r->contact[c].contact_time_s > 0)
+            return true;
+    return r->work.force_evaluations > 0;
+}
+
 static void finish(struct thud_run *run)
 {
     struct thud_result *r = &run->result;
     thud_ledger_finish(run);
+    if (run->done && *r->reason && r->reason != no_contact && !has_touched(r))
+        r->reason = "nothing touched: modes alone, in closed form";
     r->end_s = thud_run_now(run);
     for (int s = 0; s < r->nstructures; s++) {
         const struct thud_model_structure *p = &run->model->structure[s];

@@ -3,9 +3,15 @@
 
 #include "core/run_private.h"
 
-enum thud_status thud_run_check_options(const struct thud_run_options *o, const struct thud_record *record,
-                                        struct thud_error *err)
+enum thud_status thud_run_check_options(const struct thud_model *model, const struct thud_run_options *o,
+                                        const struct thud_record *record, struct thud_error *err)
 {
+    if (model->left_out > 0 && o->method && o->method->order > 0) {
+        thud_error_set(err, THUD_INPUT, "the method %s leaves no modes out", o->method->name);
+        thud_error_key(err, "modes");
+        thud_error_allow(err, "all modes, or the method exact or auto");
+        return THUD_INPUT;
+    }
     if (!(o->tolerance >= 1e-13 && o->tolerance <= 0.1)) {
         thud_error_set(err, THUD_INPUT, "%g is out of bounds", o->tolerance);
         thud_error_key(err, "tolerance");

@@ -153,8 +153,8 @@ void thud_contact_hold(const struct thud_run *run, const double *free, double *f
 enum thud_status thud_contact_impulse(struct thud_run *run, int contact, struct thud_error *err);
 
 /* run_limits.c: what a run may ask for, and what its response may not pass. */
-enum thud_status thud_run_check_options(const struct thud_run_options *options, const struct thud_record *record,
-                                        struct thud_error *err);
+enum thud_status thud_run_check_options(const struct thud_model *model, const struct thud_run_options *options,
+                                        const struct thud_record *record, struct thud_error *err);
 /* The step of a fixed-step method that was given none: a twentieth of the shortest period, of a mode or of a contact at
  * a closing of 1 m/s, and not above the record's step. */
 double thud_run_default_step(const struct thud_run *run);

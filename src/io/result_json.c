@@ -160,6 +160,17 @@ static void add_sensitivity(const struct thud_report *report, struct thud_text *
     thud_text_append(out, "]}");
 }
 
+static void add_truncation(const struct thud_truncation *t, struct thud_text *out)
+{
+    thud_text_append(out, ",\n  \"truncation\": {\"modes\": %d, \"left_out\": %d, ", t->modes, t->left_out);
+    thud_json_field(out, "acceleration", t->acceleration);
+    thud_text_append(out, ", ");
+    thud_json_field(out, "drift", t->drift);
+    thud_text_append(out, ", ");
+    thud_json_field(out, "force", t->force);
+    thud_text_append(out, "}");
+}
+
 void thud_result_json(const struct thud_report *report, struct thud_text *out)
 {
     const struct thud_result *r = report->result;
@@ -180,6 +191,8 @@ void thud_result_json(const struct thud_report *report, struct thud_text *out)
     }
     thud_text_append(out, "],\n");
     add_energy(&r->energy, out);
+    if (report->truncation)
+        add_truncation(report->truncation, out);
     if (report->sensitivity)
         add_sensitivity(report, out);
     thud_text_append(out, "\n}\n");

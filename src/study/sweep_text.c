@@ -286,7 +286,8 @@ static unsigned long long hash_interface(unsigned long long h, const struct thud
 static unsigned long long hash_analysis(unsigned long long h, const struct thud_analysis *a)
 {
     const double x[] = {a->tolerance, a->step_s, a->tail_s, a->locate};
-    return hash_numbers(hash_text(h, a->method), x, sizeof x / sizeof *x);
+    h = hash_numbers(hash_text(h, a->method), x, sizeof x / sizeof *x);
+    return a->modes > 0 ? hash(h, &a->modes, sizeof a->modes) : h;
 }
 
 unsigned long long thud_sweep_fingerprint(const struct thud_sweep_plan *plan)

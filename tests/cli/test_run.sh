@@ -108,6 +108,22 @@ is "the change of the preset's study" gives 0 run towers --sensitivity --set stu
 is "holds where none is given" shows "under 0.2 % more or less gap"
 is "a change too large is refused" gives 3 run towers --sensitivity=50%
 is "with what is allowed" says "0 % to 10 %"
+gives 0 run towers --json
+cp "$tmp/out" "$tmp/json"
+gives 0 run towers --json --modes 6
+is "--modes: all of them are the same bytes" cmp -s "$tmp/out" "$tmp/json"
+is "--modes: fewer" gives 0 run towers --json --modes 2
+is "with the error of it" shows '"truncation": {"modes": 2, "left_out": 6, "acceleration": 0[.]'
+gives 0 run towers --modes 2
+is "in the table too" shows "the lowest 2 of each building, 6 left out"
+is "--modes with a stepping method is refused" gives 3 run towers --modes 2 --method rk4
+is "with what is allowed" says "modes: the method rk4 leaves no modes out (all modes, or the method exact or auto)"
+is "no modes at all is refused" gives 3 run towers --modes 0
+gives 0 run towers --set gap=40cm
+is "auto says where nothing touched" shows "^method .*(nothing touched: modes alone, in closed form)"
+is "and took no step" shows " 0 steps, 0 force evaluations, 0 events"
+gives 0 run towers --case none
+is "auto says where contacts are linear" shows "^method .*(closed form between contacts and in them"
 printf '%s\n' 0.1 0.5 -0.8 0.3 0.0 >"$tmp/column.txt"
 gives 0 run towers --json --record "$tmp/column.txt" --dt "0.01 s" --unit g
 is "--record, --dt, --unit" near "$(number peak_mps2)" 7.84532 1e-12

@@ -32,7 +32,7 @@ static struct thud_model *row(int n, const double *mass, const double *speed, bo
                                                  .clearance_m = gap};
         contact[i].law = newton(e, &contact[i].setup);
     }
-    struct thud_model_input input = {n + wall, body, contacts, contact};
+    struct thud_model_input input = {n + wall, body, contacts, contact, 0};
     struct thud_model *model = NULL;
     ck_assert_int_eq(thud_model_create(&input, &model, NULL), THUD_OK);
     return model;

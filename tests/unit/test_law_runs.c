@@ -28,7 +28,7 @@ static void check(const char *name, const char *choice, int index, double e, dou
         contact.setup.value[thud_law_param(law, choice)] = index;
     if (thud_law_param(law, "restitution") >= 0)
         contact.setup.value[thud_law_param(law, "restitution")] = e;
-    struct thud_model_input input = {2, bodies, 1, &contact};
+    struct thud_model_input input = {.nstructures = 2, .structure = bodies, .ncontacts = 1, .contact = &contact};
     struct thud_model *model;
     struct thud_run *run;
     struct thud_run_options options;

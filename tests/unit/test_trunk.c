@@ -53,7 +53,7 @@ static struct thud_model *make_model(double clearance, bool isolated)
         contact[c].setup.value[thud_law_param(law, "stiffness")] = 2.5e9;
         contact[c].setup.value[thud_law_param(law, "restitution")] = 0.6;
     }
-    struct thud_model_input input = {2, structure, CONTACTS, contact};
+    struct thud_model_input input = {2, structure, CONTACTS, contact, 0};
     struct thud_model *model;
     struct thud_error error;
     ck_assert_msg(thud_model_create(&input, &model, &error) == THUD_OK, "%s", error.what);
@@ -202,9 +202,8 @@ START_TEST(free_bodies_without_a_ground_motion)
 {
     static const double mass[] = {320e3};
     const double speed[] = {0.5, -0.25}, tail = 0.4;
-    struct thud_structure_input structure[2] = {
-        {.n = 1, .mass_kg = mass, .velocity_mps = speed[0]},
-        {.n = 1, .mass_kg = mass, .velocity_mps = speed[1]}};
+    struct thud_structure_input structure[2] = {{.n = 1, .mass_kg = mass, .velocity_mps = speed[0]},
+                                                {.n = 1, .mass_kg = mass, .velocity_mps = speed[1]}};
     struct thud_contact_input contact = {.interface = 1,
                                          .left_floor = 1,
                                          .right_floor = 1,
@@ -212,7 +211,7 @@ START_TEST(free_bodies_without_a_ground_motion)
                                          .clearance_m = 10,
                                          .law = thud_law_find("linear")};
     thud_law_defaults(contact.law, &contact.setup);
-    struct thud_model_input input = {2, structure, 1, &contact};
+    struct thud_model_input input = {2, structure, 1, &contact, 0};
     struct thud_model *model;
     struct thud_trunk *trunk;
     struct thud_run_options o = options();

@@ -1,0 +1,234 @@
+/* Modes left out: the sum of those that stay by each one's own oscillator, an error that falls with every mode added,
+ * energy that stays in balance in contact, and the methods that cannot. */
+#include <check.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/oscillator.h"
+#include "study/truncation.h"
+#include "towers.h"
+
+enum { FLOORS = 10, FINE = 200 };
+
+static struct thud_scene *scene;
+static struct thud_record *motion;
+static struct thud_error error;
+
+static void set_up(void)
+{
+    scene = malloc(sizeof *scene);
+    thud_test_towers(scene);
+    scene->interface[0].has_bumper = false;
+    scene->interface[0].gap_m = 5;
+    motion = thud_test_motion(1);
+}
+
+static void tear_down(void)
+{
+    thud_record_free(motion);
+    free(scene);
+}
+
+static struct thud_answer answer_of(int modes, bool history)
+{
+    struct thud_answer answer;
+    struct thud_run_options options;
+    scene->analysis.modes = modes;
+    ck_assert_int_eq(thud_scene_options(scene, &options, &error), THUD_OK);
+    options.keep_history = history;
+    ck_assert_msg(thud_scene_answer(scene, motion, &options, &answer, &error) == THUD_OK, "%s", error.what);
+    return answer;
+}
+
+/* Sums over the kept modes of one floor at a moment. */
+struct motion {
+    double displacement, velocity, acceleration;
+};
+
+static struct motion floor_motion(const struct thud_model *m, int dof, int modes, const double *x, const double *v,
+                                  const double *a)
+{
+    const struct thud_model_structure *s = &m->structure[m->dof_structure[dof]];
+    struct motion sum = {0};
+    for (int j = 0; j < s->n && j < modes; j++) {
+        double share = s->phi[(dof - s->first) * s->n + j] * m->gamma[s->first + j];
+        sum.displacement += share * x[s->first + j];
+        sum.velocity += share * v[s->first + j];
+        sum.acceleration += share * a[s->first + j];
+    }
+    return sum;
+}
+
+/* Largest values of every floor over the ground motion, the modes of the whole model marched in small steps. */
+static void march(const struct thud_model *m, int modes, struct motion most[FLOORS])
+{
+    struct thud_oscillator oscillator[FLOORS];
+    double x[FLOORS] = {0}, v[FLOORS] = {0}, total[FLOORS] = {0};
+    memset(most, 0, FLOORS * sizeof *most);
+    for (int j = 0; j < FLOORS; j++)
+        thud_oscillator_init(&oscillator[j], m->omega[j], m->zeta[j], motion->dt_s / FINE);
+    for (size_t i = 0; i < (motion->samples - 1) * FINE; i++) {
+        const double *a = motion->a_mps2 + i / FINE;
+        double slope = (a[1] - a[0]) / FINE, a0 = a[0] + slope * (double)(i % FINE), a1 = a0 + slope;
+        for (int j = 0; j < FLOORS; j++) {
+            thud_oscillator_step(&oscillator[j], a0, a1, &x[j], &v[j]);
+            total[j] = thud_oscillator_acceleration(&oscillator[j], a1, x[j], v[j]) + a1;
+        }
+        for (int dof = 0; dof < FLOORS; dof++) {
+            struct motion now = floor_motion(m, dof, modes, x, v, total);
+            most[dof].displacement = fmax(most[dof].displacement, fabs(now.displacement));
+            most[dof].velocity = fmax(most[dof].velocity, fabs(now.velocity));
+            most[dof].acceleration = fmax(most[dof].acceleration, fabs(now.acceleration));
+        }
+    }
+}
+
+START_TEST(what_stays_is_the_sum_of_its_modes)
+{
+    scene->analysis.tail_s = 0;
+    struct thud_answer whole = answer_of(0, false);
+    for (int modes = 1; modes <= 5; modes += 2) {
+        struct thud_answer few = answer_of(modes, false);
+        struct motion most[FLOORS];
+        march(whole.model, modes, most);
+        ck_assert_int_eq(few.model->left_out, FLOORS - (modes < 4 ? modes : 4) - modes);
+        for (int s = 0, dof = 0; s < 2; s++)
+            for (int i = 0; i < few.model->structure[s].n; i++, dof++) {
+                const struct thud_floor_result *r = &thud_run_result(few.run)->structure[s].floor[i];
+                ck_assert_double_eq_tol(r->displacement.value / most[dof].displacement, 1, 1e-6);
+                ck_assert_double_eq_tol(r->velocity.value / most[dof].velocity, 1, 1e-6);
+                ck_assert_double_eq_tol(r->acceleration.value / most[dof].acceleration, 1, 1e-6);
+            }
+        thud_answer_clear(&few);
+    }
+    thud_answer_clear(&whole);
+}
+END_TEST
+
+/* Sum over time and floors of m (u - u of all modes)^2: by orthogonality that of the modes left out alone. */
+static double distance(const struct thud_answer *few, const struct thud_answer *all)
+{
+    const struct thud_history *a = thud_run_history(few->run), *b = thud_run_history(all->run);
+    double sum = 0;
+    ck_assert_uint_eq(a->rows, b->rows);
+    for (size_t i = 0; i < a->rows; i++)
+        for (int dof = 0; dof < FLOORS; dof++) {
+            int column = thud_history_displacement(a, dof);
+            double d =
+                a->value[i * (size_t)a->columns + (size_t)column] - b->value[i * (size_t)b->columns + (size_t)column];
+            sum += all->model->mass_kg[dof] * d * d;
+        }
+    return sum;
+}
+
+START_TEST(every_mode_brings_it_nearer)
+{
+    struct thud_answer all = answer_of(0, true);
+    double before = INFINITY;
+    for (int modes = 1; modes <= 6; modes++) {
+        struct thud_answer few = answer_of(modes, true);
+        double now = distance(&few, &all);
+        ck_assert(now < before);
+        ck_assert((modes == 6) == (now == 0));
+        before = now;
+        thud_answer_clear(&few);
+    }
+    thud_answer_clear(&all);
+}
+END_TEST
+
+START_TEST(all_modes_are_the_same_answer)
+{
+    scene->interface[0].gap_m = 0.05;
+    struct thud_answer all = answer_of(0, false), six = answer_of(6, false), more = answer_of(77, false);
+    const struct thud_answer *same[] = {&six, &more};
+    for (int k = 0; k < 2; k++) {
+        ck_assert_int_eq(same[k]->model->left_out, 0);
+        for (int s = 0; s < 2; s++)
+            ck_assert_int_eq(memcmp(thud_run_result(all.run)->structure[s].floor,
+                                    thud_run_result(same[k]->run)->structure[s].floor,
+                                    (size_t)all.model->structure[s].n * sizeof(struct thud_floor_result)),
+                             0);
+    }
+    thud_answer_clear(&all);
+    thud_answer_clear(&six);
+    thud_answer_clear(&more);
+}
+END_TEST
+
+/* In contact the model with fewer modes is a model like any other: its energies add up, and the change is measured. */
+START_TEST(in_contact_energy_adds_up_and_the_error_is_told)
+{
+    scene->interface[0].gap_m = 0.05;
+    for (int modes = 1; modes <= 6; modes++) {
+        struct thud_truncation t;
+        struct thud_answer few = answer_of(modes, false);
+        const struct thud_result *r = thud_run_result(few.run);
+        ck_assert_int_gt(r->contact[3].impacts, 0);
+        ck_assert(r->energy.error_ratio < 1e-10);
+        ck_assert_int_eq(thud_truncation_measure(scene, motion, &few, &t, &error), THUD_OK);
+        ck_assert_int_eq(t.modes, modes);
+        if (modes == 6)
+            ck_assert(t.acceleration == 0 && t.drift == 0 && t.force == 0);
+        else
+            ck_assert(t.acceleration > 1e-3 && t.drift > 1e-3 && t.force > 1e-3 && isfinite(t.force));
+        thud_answer_clear(&few);
+    }
+}
+END_TEST
+
+/* An isolated building's damping couples its modes; one that is left out slows none of the others. */
+START_TEST(damping_that_couples_modes_is_cut_too)
+{
+    struct thud_model *all, *few;
+    struct thud_structure *s = &scene->structure[0];
+    s->kind = THUD_ISOLATED;
+    s->base_mass_kg = 320e3;
+    s->isolation_stiffness_npm = 20e6;
+    s->isolation_damping = 0.1;
+    ck_assert_int_eq(thud_scene_assemble(scene, &all, &error), THUD_OK);
+    scene->analysis.modes = 2;
+    ck_assert_int_eq(thud_scene_assemble(scene, &few, &error), THUD_OK);
+    for (int i = 0; i < 5; i++)
+        for (int j = 0; j < 5; j++) {
+            double cut = i < 2 && j < 2 ? all->structure[0].damping[i * 5 + j] : 0;
+            ck_assert(all->structure[0].damping[i * 5 + j] != 0 && few->structure[0].damping[i * 5 + j] == cut);
+        }
+    ck_assert_int_eq(few->left_out, 3 + 4);
+    thud_model_free(all);
+    thud_model_free(few);
+}
+END_TEST
+
+START_TEST(other_methods_leave_none_out)
+{
+    scene->analysis.modes = 2;
+    for (int i = 0; i < thud_method_count(); i++) {
+        struct thud_answer answer;
+        const struct thud_method *method = thud_method_at(i);
+        strcpy(scene->analysis.method, method->name);
+        enum thud_status status = thud_scene_answer(scene, motion, NULL, &answer, &error);
+        ck_assert_int_eq(status, strcmp(method->name, "exact") == 0 ? THUD_OK : THUD_INPUT);
+        if (status != THUD_OK)
+            ck_assert_ptr_nonnull(strstr(error.what, method->name));
+        thud_answer_clear(&answer);
+    }
+}
+END_TEST
+
+Suite *thud_suite(void);
+Suite *thud_suite(void)
+{
+    Suite *suite = suite_create("truncation");
+    TCase *tcase = tcase_create("truncation");
+    tcase_add_checked_fixture(tcase, set_up, tear_down);
+    tcase_add_test(tcase, what_stays_is_the_sum_of_its_modes);
+    tcase_add_test(tcase, every_mode_brings_it_nearer);
+    tcase_add_test(tcase, all_modes_are_the_same_answer);
+    tcase_add_test(tcase, in_contact_energy_adds_up_and_the_error_is_told);
+    tcase_add_test(tcase, damping_that_couples_modes_is_cut_too);
+    tcase_add_test(tcase, other_methods_leave_none_out);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}
