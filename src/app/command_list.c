@@ -59,7 +59,7 @@ static const struct thud_option options[] = {
     {"method", "NAME", "one of `thud methods`, or auto", THUD_WORD_METHOD, false, STUDY | SCREEN},
     {"step", "TIME", "step of a fixed-step method, e.g. 1e-4s", THUD_WORD_TEXT, false, STUDY | SCREEN},
     {"tolerance", "NUMBER", "1e-6: every peak within 1e-5 of the converged one", THUD_WORD_TEXT, false, STUDY | SCREEN},
-    {"modes", "N", "each building's N lowest alone, and what that changes", THUD_WORD_TEXT, false, STUDY},
+    {"modes", "N", "each building's N lowest alone, and its error", THUD_WORD_TEXT, false, STUDY},
     {"sensitivity", "[=CHANGE]", "peaks when gap, motion or stiffness change by 0.1 %", THUD_WORD_NONE, false, STUDY},
     {"vary", "KEY=FROM:TO:STEP", "vary a value; several make a grid", THUD_WORD_KEY, true, SWEEP},
     {"records", "FILE,FILE", "run each of these ground motions", THUD_WORD_FILE, false, SWEEP | FIGURES},
