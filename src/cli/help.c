@@ -48,7 +48,7 @@ void thud_help_command(struct thud_text *out, enum thud_command_id id)
     }
     if (id == THUD_COMMAND_RUN)
         thud_text_append(out,
-                         "\nand what `thud record --help` says of reading a record: --channel, --column, --skip\n");
+                         "\nand of reading a record what `thud record --help` says: --channel, --skip, ...\n");
     if (id == THUD_COMMAND_SWEEP)
         thud_text_append(out, "\nand what `thud run --help` says of the scene, its ground motion and its method\n");
 }
