@@ -129,9 +129,9 @@ fuzzers: $(FUZZERS)
 soak: all ## memory over thousands of runs and edits, studies killed at their writes, every call failing in turn (20 min)
 	@$(MAKE) --no-print-directory VARIANT=$(VARIANT) $(B)/soak
 	@tests/tools/soak.sh $(B)
-bench: all ## speed against accuracy of every method, and the paper's study; charts into build/bench
-	@./thud bench -o build/bench
-	@tests/bench/study.sh
+bench: all ## measured speeds against their targets, in one table; charts of every method into build/bench (minutes)
+	@$(MAKE) --no-print-directory $(B)/bench-time $(B)/bench-memory
+	@sh tests/bench/targets.sh $(B) build/bench
 bench-peers: all ## the towers by other integrators (CVODE, SciPy, OpenSeesPy, where installed), for measuring only
 	@$(MAKE) --no-print-directory $(PEERS)
 	@sh tests/bench/peers/peers.sh $(B) build/bench

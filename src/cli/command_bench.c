@@ -160,6 +160,9 @@ static enum thud_status measure(const struct thud_args *args, struct thud_sessio
     if (isatty(STDERR_FILENO) && !thud_args_has(args, "quiet"))
         jobs.progress = show_progress;
     enum thud_status status = thud_picture_options_read(args, &unused, err); /* wrong ones are said before the work */
+    if (status == THUD_OK && thud_args_has(args, "cost") && thud_args_has(args, "methods"))
+        status = thud_error_set(err, THUD_USAGE,
+                                "--methods is for the bench; --cost runs the scene's own (analysis.method)");
     if (status == THUD_OK)
         status = patience(args, &jobs.patience_s, err);
     if (status == THUD_OK)

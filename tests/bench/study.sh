@@ -1,16 +1,15 @@
 #!/bin/sh
 # The paper's study (3 ground motions, 41 gaps, 3 cases): wall time with every saving and without, and what central difference at 1e-5 s would take.
-# usage: study.sh [REPEATS [cd]]   cd: central difference as well (minutes)   THUD: the program; THUD_SHARED: where records/ with the real motions is (else the shipped surrogates)
+# usage: study.sh [REPEATS [cd]]   cd: central difference as well (minutes)   THUD: the program; THUD_RECORDS: see records.sh
 set -eu
 THUD=${THUD:-./thud}
 repeats=${1:-5}
-records=kobe-surrogate.csv,northridge-surrogate.csv,san-fernando-surrogate.csv
-for folder in ${THUD_SHARED:+"$THUD_SHARED/records"} ../shared/records ../../shared/records; do
-    if [ -f "$folder/kobe-1995-kjma-000.AT2" ]; then
-        records="$folder/kobe-1995-kjma-000.AT2:peak=0.821 g,$folder/northridge-1994-sylmar-converter-142-noheader.AT2:dt=0.005 s:unit=g:peak=0.897 g,$folder/san-fernando-1971-pacoima-dam-164.AT2:peak=1.170 g"
-        break
-    fi
-done
+# shellcheck source=tests/bench/records.sh
+. "$(dirname "$0")/records.sh"
+records=$kobe,$northridge,$san_fernando
+if [ "$kobe" != kobe-surrogate.csv ]; then
+    records="$kobe:peak=0.821 g,$northridge:dt=0.005 s:unit=g:peak=0.897 g,$san_fernando:peak=1.170 g"
+fi
 tmp=$(mktemp -d)
 trap 'rm -rf "$tmp"' EXIT
 now() { date +%s%N; }

@@ -56,6 +56,8 @@ run bench rigid-concrete --cost duration
 check "a scene without a ground motion has none to make longer" [ "$code" -eq 3 ]
 run bench towers --methods exact,euler
 check "a method there is not is wrong usage" [ "$code" -eq 2 ]
+run bench rigid-concrete --cost impacts --methods rk4
+check "costs are those of the scene's own method" [ "$code" -eq 2 ]
 run bench towers --patience long
 check "a time that is none is wrong usage" [ "$code" -eq 2 ]
 run bench rigid-concrete --methods exact --size 1x1

@@ -18,7 +18,7 @@ lint() { # TOOL FILES CHECK: the check reads file names, one a line, and fails w
         status=1
     fi
 }
-by_shellcheck() { xargs shellcheck; }
+by_shellcheck() { xargs shellcheck -x; }
 by_format() { xargs clang-format --dry-run -Werror; }
 by_mandoc() { # its exit status passes over what is only style; our own pages are not installed yet
     said=$(xargs mandoc -T lint | grep -v -e 'referenced manual not found: Xr thud' -e 'outdated mandoc.db')

@@ -30,10 +30,10 @@ words() { # SCENE: its preset, case and keys; none of the peers' contacts keeps 
 }
 for scene in concrete rubber classical; do
     # shellcheck disable=SC2046 # several words
-    set -- $(words $scene)
-    rows $scene "$build/peer-exact" "$@"
-    [ -x "$build/peer-cvode" ] && [ $scene != classical ] && rows $scene "$build/peer-cvode" "$@"
-    [ $scene = rubber ] || "$build/peer-export" "$@" >"$out/$scene.json" || exit 1
+    set -- $(words "$scene")
+    rows "$scene" "$build/peer-exact" "$@"
+    [ -x "$build/peer-cvode" ] && [ "$scene" != classical ] && rows "$scene" "$build/peer-cvode" "$@"
+    [ "$scene" = rubber ] || "$build/peer-export" "$@" >"$out/$scene.json" || exit 1
 done
 [ -x "$build/peer-cvode" ] || echo "skipped: SUNDIALS CVODE is not installed (libsundials-dev)"
 if has scipy.integrate; then
@@ -48,7 +48,7 @@ else
 fi
 
 for scene in concrete rubber classical; do
-    awk -F, -v scene=$scene '
+    awk -F, -v scene="$scene" '
         BEGIN {
             title["concrete"] = "concrete: Kelvin-Voigt without tension, indentation recovered"
             title["rubber"] = "rubber bumper"
