@@ -1,6 +1,6 @@
 #!/bin/sh
 # The paper's study (3 ground motions, 41 gaps, 3 cases): wall time with every saving and without, and what central difference at 1e-5 s would take.
-# usage: study.sh [REPEATS [cd]]   cd: central difference as well (minutes)   THUD: the program; THUD_RECORDS: see records.sh
+# usage: study.sh [REPEATS [first|cd]]   first: only the first row   cd: central difference as well (minutes)   THUD: the program; THUD_RECORDS: see records.sh
 set -eu
 THUD=${THUD:-./thud}
 repeats=${1:-5}
@@ -37,6 +37,7 @@ echo "records: $records"
 echo "processors: $(nproc), load $(cut -d' ' -f1 /proc/loadavg), median of $repeats"
 printf '%-34s %10s %10s\n' "" wall processor
 row "all savings, 2 threads" -j 2
+[ "${2:-}" != first ] || exit 0
 row "all savings, 1 thread" -j 1
 row "without contact-free answers" -j 2 --without free
 row "without the shared beginning" -j 2 --without start
