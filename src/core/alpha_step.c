@@ -22,7 +22,8 @@ struct alpha {
     double *applied;                     /* (ncontacts) lagged: force at the end of the step before */
     int *active;
     lapack_int *pivot;
-    bool fresh;                      /* a0 is to be taken from the equations of motion */
+    bool fresh;                      /* a0 is to be made anew, by the equations of motion */
+    double a0_step_s;                /* step that a0 comes from */
     double ground_mps2, before_mps2; /* ground acceleration at the end of the step, and of the one before */
     double *block;
 };
@@ -93,7 +94,15 @@ static void prepare(const struct thud_model *m, struct alpha *x, double h)
     }
 }
 
-static void start_step(struct thud_run *run, struct alpha *x)
+/* The scheme's own acceleration belongs to a time this many steps behind the state's. It goes on from step to step, at
+ * the same distance in each; but not over a jump of the forces (a contact switched, the record ended), which it would
+ * smear. For Newmark it is that of the equations of motion. */
+static double offset(const struct thud_alpha *p)
+{
+    return p->am - p->af;
+}
+
+static void start_step(struct thud_run *run, struct alpha *x, double h)
 {
     const struct thud_model *m = run->model;
     size_t bytes = (size_t)m->ndof * sizeof(double);
@@ -108,13 +117,14 @@ static void start_step(struct thud_run *run, struct alpha *x)
         thud_model_acceleration(m, run->q, run->qd, thud_step_ground(run, 0), x->start.qdd);
         thud_model_push(m, x->start.force, x->start.qdd);
     }
-    /* The scheme's own acceleration belongs to a time a little off the step's end where am or af are not 0: it goes on
-     * from step to step, but not over a jump of the forces (a contact switched, the record ended), which it would
-     * smear. For Newmark it is that of the equations of motion anyway. */
     double ground = thud_step_ground(run, 0);
-    bool newmark = x->p.am == 0.0 && x->p.af == 0.0;
-    if (x->fresh || newmark || fabs(ground - x->before_mps2) > 1e-9 * (fabs(ground) + fabs(x->before_mps2)))
+    x->fresh = x->fresh || fabs(ground - x->before_mps2) > 1e-9 * (fabs(ground) + fabs(x->before_mps2));
+    if (x->fresh || offset(&x->p) == 0) {
         memcpy(x->a0, x->start.qdd, bytes);
+    } else if (fabs(h - x->a0_step_s) > 1e-11 * h) {
+        for (int j = 0; j < m->ndof; j++)
+            x->a0[j] = x->start.qdd[j] + h / x->a0_step_s * (x->a0[j] - x->start.qdd[j]);
+    }
 }
 
 /* The end of the step if no contact force acted there: q, qd, a1. */
@@ -221,14 +231,10 @@ static void solve_forces(struct thud_run *run, struct alpha *x, double h)
     run->result.work.rejected++;
 }
 
-enum thud_status thud_alpha_step(struct thud_run *run, void *state, struct thud_error *err)
+/* From the start to the end of the step with the scheme's a0 as it is. */
+static void cross(struct thud_run *run, struct alpha *x, double h)
 {
-    (void)err;
-    struct alpha *x = state;
     const struct thud_model *m = run->model;
-    double h = thud_step_length(run);
-    prepare(m, x, h);
-    start_step(run, x);
     predict(run, x, h);
     if (!x->p.lagged) {
         memset(x->end.force, 0, (size_t)m->ncontacts * sizeof *x->end.force);
@@ -247,6 +253,23 @@ enum thud_status thud_alpha_step(struct thud_run *run, void *state, struct thud_
     }
     thud_model_acceleration(m, x->end.q, x->end.qd, x->ground_mps2, x->end.qdd);
     thud_model_push(m, x->end.force, x->end.qdd);
+}
+
+enum thud_status thud_alpha_step(struct thud_run *run, void *state, struct thud_error *err)
+{
+    (void)err;
+    struct alpha *x = state;
+    double h = thud_step_length(run);
+    prepare(run->model, x, h);
+    start_step(run, x, h);
+    cross(run, x, h);
+    if (x->fresh && offset(&x->p) != 0) {
+        /* how the acceleration changes is known now: once more with a0 in its place */
+        for (int j = 0; j < run->model->ndof; j++)
+            x->a0[j] = x->start.qdd[j] + offset(&x->p) * (x->end.qdd[j] - x->start.qdd[j]);
+        cross(run, x, h);
+    }
+    x->a0_step_s = h;
     thud_step_write(run, h, &x->start, &x->end, &x->work);
     return THUD_OK;
 }

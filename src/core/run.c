@@ -248,16 +248,17 @@ static enum thud_status pass_over(struct thud_run *run, struct proposal *p, stru
     return THUD_OK;
 }
 
-/* Counts the events at one moment, and what it took to leave it. */
+/* Counts the events at one moment, or so near to it that no motion lies between, and what it took to leave it. */
 static enum thud_status watch_progress(struct thud_run *run, struct proposal *p, struct thud_error *err)
 {
-    if (p->s > 0) {
+    double moved_s = p->s * run->seg.h_s;
+    if (moved_s > first_pass_s) {
         run->stalls = 0;
-        if (p->s * run->seg.h_s > 4 * ldexp(first_pass_s, run->passes))
+        if (moved_s > 4 * ldexp(first_pass_s, run->passes))
             run->passes = 0;
         return THUD_OK;
     }
-    run->stalls++;
+    run->stalls += p->switched;
     return run->stalls > STALLS_MORE + STALLS_EACH * run->model->ncontacts ? pass_over(run, p, err) : THUD_OK;
 }
 
@@ -309,18 +310,26 @@ static enum thud_status propose(struct thud_run *run, struct proposal *p, struct
     return THUD_OK;
 }
 
-/* The same, and where a stepping method meets an event, a second step that ends just behind it: between its ends a
+/* The same, and where a stepping method meets an event, steps that end ever more closely behind it: between its ends a
  * segment is less accurate than at them, and by a bias that would add up from impact to impact. */
 static enum thud_status propose_to_event(struct thud_run *run, struct proposal *p, struct thud_error *err)
 {
-    static const double behind = 1.02;
+    static const double behind[] = {1.02, 1.0002};
     run->step_cap_s = INFINITY;
     enum thud_status status = propose(run, p, err);
-    if (status != THUD_OK || !p->switched || run->method->order == 0 || p->s <= 0 || p->s * behind >= p->limit)
-        return status;
-    run->step_cap_s = behind * p->s * run->seg.h_s;
-    run->result.work.rejected++;
-    return propose(run, p, err);
+    for (int i = 0; i < 2 && status == THUD_OK && p->switched && run->method->order > 0 && p->s > 0; i++) {
+        double cap = behind[i] * p->s * run->seg.h_s, before = run->step_cap_s;
+        if (p->s * behind[i] >= p->limit)
+            continue;
+        run->step_cap_s = cap;
+        run->result.work.rejected++;
+        status = propose(run, p, err);
+        if (status == THUD_OK && !p->switched) { /* too close: the end of this step lies before the event */
+            run->step_cap_s = before;
+            return propose(run, p, err);
+        }
+    }
+    return status;
 }
 
 /* One proposed segment: events located, read out, committed, contacts switched. */

@@ -1,6 +1,7 @@
 /* Exhibits of a body that is pushed against a wall: slow first touch, sticking, and bounces without end. */
 #include <math.h>
 
+#include "core/law_closed_form.h"
 #include "study/stability_private.h"
 
 static const double tight = 1e-9;
@@ -71,6 +72,38 @@ static enum thud_status slow_touch(struct thud_exhibit *out, struct thud_error *
     return status;
 }
 
+/* Damping of the floor of 1 mm/s makes restitution stiff, of rate F C/m: all motions soon go on at -1/C. */
+static enum thud_status stiff_restitution(struct thud_exhibit *out, struct thud_error *err)
+{
+    struct thud_stepping how[2] = {thud_stepping_of("rk4", 1e-3, true), thud_stepping_of("exact", tight, true)};
+    struct thud_bouncer b;
+    struct thud_record *record;
+    *out = (struct thud_exhibit){.name = "stiff-restitution",
+                                 .scene = "a bumper touched at 0.1 mm/s, pushed in and let go: stiff restitution",
+                                 .quantity = "speed of the way back times C",
+                                 .naive = "Runge-Kutta of order 4, 1 ms, located",
+                                 .right = 1};
+    bumper(&b);
+    b.velocity_mps = 1e-4;
+    thud_bouncer_set(&b, "damping", 1); /* exact */
+    enum thud_status status = push(25, 0, 0.02, &record, err);
+    for (int i = 0; status == THUD_OK && i < 2; i++) {
+        struct thud_answer answer;
+        double *value = i ? &out->thud : &out->wrong;
+        status = thud_bouncer_run(&b, record, how[i], 1, &answer, NULL, err);
+        if (thud_trial_failed(status))
+            break;
+        *value = INFINITY;
+        if (status == THUD_OK)
+            *value = -last_value(&answer, thud_history_velocity(thud_run_history(answer.run), 0)) *
+                     thud_rubber_cv(0.5) / 1e-3;
+        thud_answer_clear(&answer);
+        status = THUD_OK;
+    }
+    thud_record_free(record);
+    return status;
+}
+
 static enum thud_status pushed(const struct thud_bouncer *b, double a_mps2, double rise_s, struct thud_exhibit *out,
                                bool force, struct thud_stepping naive, struct thud_error *err)
 {
@@ -127,7 +160,7 @@ static enum thud_status zeno(struct thud_exhibit *out, struct thud_error *err)
 
 enum thud_status thud_exhibit_rest(int index, struct thud_exhibit *out, struct thud_error *err)
 {
-    static thud_exhibit_fn *const show[THUD_EXHIBITS_REST] = {slow_touch, sticking, zeno};
+    static thud_exhibit_fn *const show[THUD_EXHIBITS_REST] = {slow_touch, stiff_restitution, sticking, zeno};
     return show[index](out, err);
 }
 

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "app/stability_report.h"
-#include "study/stability.h"
+#include "study/stability_private.h"
 #include "towers.h"
 
 static struct thud_exhibit exhibit(const char *name)
@@ -73,6 +73,14 @@ START_TEST(slow_touch_does_not_glue)
 }
 END_TEST
 
+START_TEST(stiff_restitution_stays_finite)
+{
+    struct thud_exhibit e = exhibit("stiff-restitution");
+    ck_assert(!(fabs(e.wrong - 1) < 0.02));
+    NEAR(e.thud, 1, 1e-8);
+}
+END_TEST
+
 START_TEST(force_jump_sticks)
 {
     struct thud_exhibit e = exhibit("force-jump");
@@ -118,6 +126,68 @@ START_TEST(twins_hardly_meet)
     struct thud_exhibit e = exhibit("nearly-identical");
     ck_assert(fabs(e.wrong - 1) > 1e-4);
     NEAR(e.thud, 1, 3e-6); /* of the order of their difference */
+}
+END_TEST
+
+static const double omega_c = 62.83185307179586, bounced_s = 25;
+static const double steps[] = {0.25, 0.125, 0.0625, 0.03125, 0.015625}; /* omega_c dt */
+enum { STEPS = sizeof steps / sizeof *steps };
+
+/* Share of its energy of motion at touch that a mass bouncing on a wall spring gains by each impact and the flight
+ * behind it; impacts located. */
+static double gain(const char *method, double omega_dt)
+{
+    struct thud_bouncer bouncer;
+    struct thud_answer answer;
+    int n;
+    thud_bouncer_init(&bouncer);
+    thud_bouncer_spring(&bouncer, omega_c);
+    ck_assert_int_eq(thud_bouncer_run(&bouncer, NULL, thud_stepping_of(method, omega_dt / omega_c, true), bounced_s,
+                                      &answer, NULL, NULL),
+                     THUD_OK);
+    const struct thud_impact *impact = thud_run_impacts(answer.run, &n);
+    ck_assert_int_gt(n, 30);
+    double ratio = impact[n - 1].approach_mps / impact[0].approach_mps;
+    thud_answer_clear(&answer);
+    return (ratio * ratio - 1) / (n - 1);
+}
+
+/* The trapezoidal rule keeps the energy of a linear system at any step; so it does between impacts, and locating them
+ * must take nothing away. */
+START_TEST(located_newmark_keeps_energy)
+{
+    for (int i = 0; i < STEPS; i++)
+        NEAR(gain("newmark", steps[i]), 0, 2e-7 * steps[i]);
+}
+END_TEST
+
+/* Their damping of what a step does not resolve is of third order; a start behind each impact that were of a lower
+ * order would show. */
+START_TEST(located_alpha_methods_lose_by_their_damping_alone)
+{
+    static const char *const methods[] = {"hht", "generalized-alpha"};
+    for (int k = 0; k < 2; k++)
+        for (int i = 1; i + 1 < STEPS; i++) {
+            double order = log2(gain(methods[k], steps[i]) / gain(methods[k], steps[i + 1]));
+            ck_assert_msg(fabs(order - 3) < 0.1, "%s at %g: order %g", methods[k], steps[i], order);
+        }
+}
+END_TEST
+
+/* Central difference keeps v^2 + (omega x)^2 (1 - (omega h)^2/4), x from where the springs balance, and so gains where
+ * the step that ends a contact is shorter, theta h, by (omega h)^2 (1 - theta^2)/4 of (omega x)^2 there: with x = d +
+ * d_e, d = theta h v, and d_e the balance's place before the wall. */
+START_TEST(located_central_difference_gains_by_its_last_step_alone)
+{
+    double gap = 0.02, w = thud_bouncer_omega_radps, v = sqrt(0.5 * 0.5 - w * w * gap * gap);
+    double total = w * w + omega_c * omega_c, before = gap * w * w / total, omega = sqrt(total);
+    for (int i = 0; i < STEPS; i++) {
+        double h = steps[i] / omega_c, a = omega * h;
+        double square = pow(a, 4) / 16, mixed = pow(a, 3) * omega * before / v / 2 * 2 / sqrt(27);
+        double least = -1e-2 * (square + mixed), most = square + mixed;
+        double found = gain("central-difference", steps[i]);
+        ck_assert_msg(found > least && found < 1.1 * most, "at %g: %g, not within %g", steps[i], found, most);
+    }
 }
 END_TEST
 
@@ -204,13 +274,14 @@ END_TEST
 Suite *thud_suite(void)
 {
     Suite *suite = suite_create("stability");
-    TCase *exhibits = tcase_create("exhibits"), *maps = tcase_create("maps");
+    TCase *exhibits = tcase_create("exhibits"), *drift = tcase_create("drift"), *maps = tcase_create("maps");
     tcase_add_test(exhibits, lagged_force_makes_energy);
     tcase_add_test(exhibits, trapezoidal_rule_gains_in_contact);
     tcase_add_test(exhibits, graze_is_not_missed);
     tcase_add_test(exhibits, both_roots_of_a_step_are_found);
     tcase_add_test(exhibits, touch_at_the_start_is_an_event);
     tcase_add_test(exhibits, slow_touch_does_not_glue);
+    tcase_add_test(exhibits, stiff_restitution_stays_finite);
     tcase_add_test(exhibits, force_jump_sticks);
     tcase_add_test(exhibits, endless_bounces_end);
     tcase_add_test(exhibits, dead_collision_is_dead);
@@ -218,11 +289,16 @@ Suite *thud_suite(void)
     tcase_add_test(exhibits, light_body_leaves_as_it_must);
     tcase_add_test(exhibits, twins_hardly_meet);
     tcase_set_timeout(exhibits, 60);
+    tcase_set_timeout(drift, 60);
+    tcase_add_test(drift, located_newmark_keeps_energy);
+    tcase_add_test(drift, located_alpha_methods_lose_by_their_damping_alone);
+    tcase_add_test(drift, located_central_difference_gains_by_its_last_step_alone);
     tcase_set_timeout(maps, 300);
     tcase_add_test(maps, free_vibration_is_bounded_up_to_the_limit);
     tcase_add_test(maps, what_is_done_is_shown);
     tcase_add_test(maps, exact_alone_keeps_the_energy);
     suite_add_tcase(suite, exhibits);
+    suite_add_tcase(suite, drift);
     suite_add_tcase(suite, maps);
     return suite;
 }
