@@ -43,7 +43,7 @@ FUZZERS  := $(patsubst tests/fuzz/%.c,$(B)/fuzz/%,$(wildcard tests/fuzz/fuzz_*.c
 LIBS     := $(B)/libthud-program.a $(B)/libthud.a
 THUD     := $(if $(filter release,$(VARIANT)),thud,$(B)/thud)
 
-.PHONY: all help deps demo test units debug asan valgrind coverage lint objects fuzz fuzzers soak bench bench-peers install uninstall dist deb clean FORCE
+.PHONY: all help deps demo test units debug asan valgrind coverage lint mutants objects fuzz fuzzers soak bench bench-peers install uninstall dist deb clean FORCE
 all: $(THUD) $(LIBS) ## build ./thud (VARIANT=debug, asan, coverage build into build/VARIANT)
 
 help: ## this list
@@ -121,6 +121,9 @@ coverage: ## lines and branches that the tests pass through, by layer and file
 	    tests/tools/coverage.sh build/coverage && exit $$tests
 lint: ## clang-tidy, cppcheck, gcc's analyzer, clang-format, mandoc, shellcheck (those installed)
 	@FLAGS='$(filter-out -DNDEBUG,$(wordlist 2,99,$(COMPILE)))' tests/tools/lint.sh $(MAKE)
+mutants: ## takes one protection of the core out at a time: the tests must notice (some 8 minutes; ONLY=word: fewer)
+	@tests/tools/install-deps.sh test
+	@tests/tools/mutants.sh '$(ONLY)'
 objects: $(CORE) $(PROGRAM) $(B)/src/main.o
 fuzz: ## fuzz each reader for FUZZ_SECONDS from the corpus in tests/fuzz/corpus (needs clang)
 	@$(MAKE) --no-print-directory VARIANT=fuzz CC=clang fuzzers

@@ -80,12 +80,46 @@ START_TEST(energies_balance_row_by_row)
 }
 END_TEST
 
+/* Two bodies stopped in the middle of an elastic contact, a quarter of its period after first touch: they move
+ * together, what of the energy does not move is stored, and nothing is lost. */
+START_TEST(closed_contact_holds_energy)
+{
+    double left = 320e3, right = 200e3, k = 2.5e9, v = 0.5, gap = 0.01;
+    double together = left + right, mass = left * right / together, quarter = acos(0) / sqrt(k / mass);
+    struct thud_structure_input body[2] = {{.n = 1, .mass_kg = &left, .velocity_mps = v}, {.n = 1, .mass_kg = &right}};
+    struct thud_contact_input contact = {.interface = 1, .left_floor = 1, .right_floor = 1, .right_structure = 1};
+    contact.clearance_m = gap;
+    contact.law = thud_law_find("linear");
+    thud_law_defaults(contact.law, &contact.setup);
+    contact.setup.value[thud_law_param(contact.law, "stiffness")] = k;
+    struct thud_model_input input = {.nstructures = 2, .structure = body, .ncontacts = 1, .contact = &contact};
+    struct thud_model *model;
+    struct thud_run *run;
+    struct thud_run_options options;
+    bool done = false;
+    ck_assert_int_eq(thud_model_create(&input, &model, NULL), THUD_OK);
+    thud_run_options_init(&options);
+    options.tail_s = gap / v + quarter;
+    ck_assert_int_eq(thud_run_create(model, NULL, &options, &run, NULL), THUD_OK);
+    while (!done)
+        ck_assert_int_eq(thud_run_advance(run, 1000, &done, NULL), THUD_OK);
+    const struct thud_energy *e = &thud_run_result(run)->energy;
+    double first = 0.5 * left * v * v;
+    ck_assert_double_eq_tol(e->stored_j / first, right / together, 1e-12);
+    ck_assert_double_eq_tol(e->kinetic_j / first, left / together, 1e-12);
+    ck_assert_double_eq_tol(e->contact_j / first, 0, 1e-12);
+    thud_run_free(run);
+    thud_model_free(model);
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
     Suite *suite = suite_create("history_energy");
     TCase *tcase = tcase_create("history_energy");
     tcase_add_test(tcase, energies_balance_row_by_row);
+    tcase_add_test(tcase, closed_contact_holds_energy);
     suite_add_tcase(suite, tcase);
     return suite;
 }
