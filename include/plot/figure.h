@@ -106,6 +106,8 @@ struct thud_figure {
 /* NULL when out of memory. */
 struct thud_figure *thud_figure_create(const char *name, const char *title, int rows, int columns);
 void thud_figure_free(struct thud_figure *figure);
+/* Another one just like it; NULL when out of memory. */
+struct thud_figure *thud_figure_copy(const struct thud_figure *figure);
 /* THUD_MEMORY when anything could not be kept, else THUD_OK. */
 enum thud_status thud_figure_check(const struct thud_figure *figure, struct thud_error *err);
 void thud_figure_note(struct thud_figure *figure, const char *text);

@@ -67,9 +67,14 @@ const char *thud_tui_cannot(struct thud_tui *tui, enum thud_action action)
     case THUD_DO_SAVE:
         return thud_doc_unsaved(&tui->doc) ? NULL : "Nothing to save: the file has all of this";
     case THUD_DO_PICTURE:
+        if (tui->writing)
+            return "Figures are being written; Esc stops that";
+        return view->figure && view->figure(tui) ? NULL : "There is no figure on this screen now";
     case THUD_DO_EXPORT:
         return view->figure && view->figure(tui) ? NULL : "There is no figure on this screen now";
     case THUD_DO_PICTURES:
+        if (tui->writing)
+            return "Figures are being written; Esc stops that";
         return tui->live.running || tui->ran_revision != tui->doc.revision ? "There are no results yet: r runs" : NULL;
     default:
         return view->cannot ? view->cannot(tui, action) : NULL;
@@ -89,6 +94,10 @@ static void undo(struct thud_tui *tui, bool back)
 
 static void back(struct thud_tui *tui)
 {
+    if (tui->writing) { /* it lasts longest */
+        thud_picture_work_stop(tui->writing);
+        return;
+    }
     if (thud_tui_cancel(tui))
         return;
     if (tui->screen == THUD_SCREEN_HELP)

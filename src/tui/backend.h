@@ -37,6 +37,7 @@ struct thud_backend {
     void *state;
     bool utf8, color; /* what can be shown */
     int click_x, click_y;
+    int also; /* a file whose bytes wake key() as well; -1: none */
     void (*size)(struct thud_backend *backend, int *width, int *height);
     void (*show)(struct thud_backend *backend, const struct thud_canvas *canvas);
     /* Waits at most `timeout_ms` for a key (-1: until one comes); returns at once when a signal came. */

@@ -48,7 +48,12 @@ static int run_status(struct thud_tui *tui, const struct thud_pane *row)
     for (int i = 0; i < THUD_SCREENS && own < 0.0; i++)
         if (thud_view_of((enum thud_screen)i)->progress)
             own = thud_view_of((enum thud_screen)i)->progress(tui);
-    if (tui->live.running || own >= 0.0) {
+    if (tui->writing) {
+        int done, count;
+        thud_picture_work_look(tui->writing, &done, &count);
+        snprintf(text, sizeof text, "figures %d/%d  Esc stops ", done, count);
+        role = THUD_ROLE_WARN;
+    } else if (tui->live.running || own >= 0.0) {
         int tenths = (int)(10.0 * (tui->live.running ? thud_live_progress(&tui->live) : own));
         char bar[16] = "..........";
         memset(bar, '#', (size_t)(tenths < 0 ? 0 : tenths > 10 ? 10 : tenths));

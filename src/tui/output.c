@@ -2,7 +2,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "app/figure_files.h"
 #include "app/run_figures.h"
 #include "io/file.h"
 #include "tui/state.h"
@@ -12,15 +11,76 @@ const char *thud_tui_folder(const struct thud_tui *tui)
     return tui->options.output ? tui->options.output : ".";
 }
 
-void thud_tui_picture(struct thud_tui *tui)
+/* Takes the figures over. */
+static void begin(struct thud_tui *tui, struct thud_figure *const *figure, int count)
 {
     struct thud_error err;
-    const struct thud_figure *figure = thud_view_of(tui->screen)->figure(tui);
-    if (thud_figure_save(figure, thud_tui_folder(tui), NULL, &err) != THUD_OK)
+    if (thud_picture_work_start(figure, count, thud_tui_folder(tui), tui->options.gnuplot, &tui->writing, &err) !=
+        THUD_OK) {
         thud_tui_say_error(tui, &err);
+        return;
+    }
+    tui->backend->also = thud_picture_work_fd(tui->writing);
+    if (count == 1)
+        snprintf(tui->written, sizeof tui->written, "%s/%.100s.png, .gp (draws it again) and .csv",
+                 thud_tui_folder(tui), figure[0]->name);
     else
-        thud_tui_say(tui, THUD_ROLE_GOOD, "Written %s/%s.png, .gp (draws it again) and .csv", thud_tui_folder(tui),
-                     figure->name);
+        snprintf(tui->written, sizeof tui->written, "%d figures into %s: .png, .gp and .csv of each", count,
+                 thud_tui_folder(tui));
+    thud_tui_say(tui, THUD_ROLE_PLAIN, "Writing %s", tui->written);
+}
+
+void thud_tui_picture(struct thud_tui *tui)
+{
+    struct thud_figure *copy = thud_figure_copy(thud_view_of(tui->screen)->figure(tui));
+    if (copy)
+        begin(tui, &copy, 1);
+    else
+        thud_tui_say(tui, THUD_ROLE_ERROR, "! no memory for the figure");
+}
+
+void thud_tui_figures(struct thud_tui *tui, int count, struct thud_figure *make(const void *from, int index),
+                      const void *from)
+{
+    struct thud_figure *figure[THUD_PICTURES_MAX];
+    if (count > THUD_PICTURES_MAX)
+        count = THUD_PICTURES_MAX;
+    for (int i = 0; i < count; i++)
+        figure[i] = make(from, i);
+    begin(tui, figure, count);
+}
+
+void thud_tui_writing_look(struct thud_tui *tui)
+{
+    int done, count;
+    struct thud_error err = {0};
+    bool going = thud_picture_work_look(tui->writing, &done, &count);
+    tui->dirty = tui->dirty || done != tui->writing_done || !going;
+    tui->writing_done = done;
+    if (going)
+        return;
+    enum thud_status status = thud_picture_work_finish(tui->writing, &done, &err);
+    tui->writing = NULL;
+    tui->backend->also = -1;
+    if (status == THUD_OK)
+        thud_tui_say(tui, THUD_ROLE_GOOD, "Written %s", tui->written);
+    else if (status == THUD_CANCELLED)
+        thud_tui_say(tui, THUD_ROLE_WARN, "Stopped: %d of %d figures are written, nothing is half written", done,
+                     count);
+    else
+        thud_tui_say_error(tui, &err);
+}
+
+void thud_tui_writing_end(struct thud_tui *tui)
+{
+    int done;
+    struct thud_error err;
+    if (!tui->writing)
+        return;
+    thud_picture_work_stop(tui->writing);
+    thud_picture_work_finish(tui->writing, &done, &err);
+    tui->writing = NULL;
+    tui->backend->also = -1;
 }
 
 void thud_tui_write(struct thud_tui *tui, struct thud_text *text, const char *name)
@@ -55,56 +115,52 @@ void thud_tui_export(struct thud_tui *tui)
 }
 
 /* The cases that have an answer, with the bumper's last: what `thud run -o` draws of one, over each other. */
-static int sources(const struct thud_tui *tui, struct thud_figure_source source[THUD_LIVE_CASES])
+struct sources {
+    struct thud_figure_source source[THUD_LIVE_CASES];
+    int n, figures;
+    enum thud_run_figure figure[THUD_RUN_FIGURES];
+};
+
+static void find_sources(const struct thud_tui *tui, struct sources *s)
 {
-    int n = 0;
+    *s = (struct sources){.n = 0};
     for (int i = THUD_LIVE_NONE; i < THUD_LIVE_CASES; i++) {
         const struct thud_live_case *c = &tui->live.which[i];
-        if (c->state != THUD_LIVE_DONE)
-            continue;
-        source[n] = thud_run_source(thud_live_name((enum thud_live_which)i), &tui->doc.scene, c->run);
-        n++;
+        if (c->state == THUD_LIVE_DONE)
+            s->source[s->n++] = thud_run_source(thud_live_name((enum thud_live_which)i), &tui->doc.scene, c->run);
     }
-    return n;
+    for (int i = 0; s->n > 0 && i < THUD_RUN_FIGURES; i++)
+        if (thud_run_figure_has((enum thud_run_figure)i, s->source, s->n))
+            s->figure[s->figures++] = (enum thud_run_figure)i;
 }
 
-/* Runs again where the histories were not kept: a picture of all is worth the moment. */
-static bool with_histories(struct thud_tui *tui)
+static struct thud_figure *run_figure(const void *from, int index)
 {
-    const struct thud_record *record;
-    struct thud_error err;
-    if (tui->live.history)
-        return true;
-    thud_live_clear(&tui->live);
-    if (thud_doc_record(&tui->doc, &record, &err) != THUD_OK)
-        return false;
-    thud_live_start(&tui->live, &tui->doc.scene, record, true);
-    while (thud_live_advance(&tui->live))
-        ;
-    return true;
+    const struct sources *s = from;
+    return thud_run_figure(s->figure[index], s->source, s->n);
 }
 
 void thud_tui_pictures(struct thud_tui *tui)
 {
     const struct thud_view *view = thud_view_of(tui->screen);
-    if (view->pictures) {
+    if (view->pictures)
         view->pictures(tui);
+    else
+        thud_tui_run_pictures(tui);
+}
+
+void thud_tui_run_pictures(struct thud_tui *tui)
+{
+    struct sources sources;
+    tui->pictures_wanted = !tui->live.history;
+    if (tui->pictures_wanted) {
+        thud_tui_say(tui, THUD_ROLE_PLAIN, "Running with histories, for the figures");
+        thud_tui_run(tui);
         return;
     }
-    struct thud_error err = {0};
-    enum thud_status status = THUD_OK;
-    thud_tui_say(tui, THUD_ROLE_PLAIN, "Writing all figures into %s ...", thud_tui_folder(tui));
-    thud_tui_draw(tui);
-    if (!with_histories(tui))
-        return;
-    struct thud_figure_source source[THUD_LIVE_CASES];
-    int count = sources(tui, source);
-    if (count == 0)
-        return;
-    status = thud_run_figures_save(source, count, thud_tui_folder(tui), NULL, &err);
-    if (status != THUD_OK)
-        thud_tui_say_error(tui, &err);
+    find_sources(tui, &sources);
+    if (sources.figures > 0)
+        thud_tui_figures(tui, sources.figures, run_figure, &sources);
     else
-        thud_tui_say(tui, THUD_ROLE_GOOD, "Written all figures into %s: .png, .gp and .csv of each",
-                     thud_tui_folder(tui));
+        thud_tui_say(tui, THUD_ROLE_WARN, "There is nothing to draw");
 }

@@ -6,7 +6,7 @@
 
 static bool wants_history(const struct thud_tui *tui)
 {
-    return tui->screen == THUD_SCREEN_PLOTS;
+    return tui->screen == THUD_SCREEN_PLOTS || tui->pictures_wanted;
 }
 
 /* The peaks on show, to say afterwards what a change did. */
@@ -91,6 +91,7 @@ bool thud_tui_cancel(struct thud_tui *tui)
 {
     if (!tui->live.running)
         return false;
+    tui->pictures_wanted = false;
     thud_live_clear(&tui->live);
     tui->was_running = false;
     tui->ran_revision = 0;
@@ -100,6 +101,8 @@ bool thud_tui_cancel(struct thud_tui *tui)
 
 void thud_tui_ran(struct thud_tui *tui)
 {
+    if (tui->pictures_wanted)
+        thud_tui_run_pictures(tui);
     for (int i = 0; i < THUD_LIVE_CASES; i++) {
         const struct thud_live_case *c = &tui->live.which[i];
         if (c->state != THUD_LIVE_FAILED)

@@ -1,3 +1,4 @@
+#include <poll.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -60,10 +61,13 @@ static int named_key(struct thud_script *script, const char *name)
 
 static int script_key(struct thud_backend *backend, int timeout_ms)
 {
-    (void)timeout_ms;
     struct thud_script *script = backend->state;
-    if (!script->at || !*script->at)
+    if (!script->at || !*script->at) {
+        struct pollfd also = {backend->also, POLLIN, 0};
+        if (timeout_ms != 0 && backend->also >= 0)
+            poll(&also, 1, timeout_ms);
         return THUD_KEY_NONE;
+    }
     const char *close = *script->at == '<' ? strchr(script->at, '>') : NULL;
     if (!close || close - script->at > 30)
         return (int)thud_utf8_next(&script->at);
@@ -103,6 +107,7 @@ void thud_script_open(struct thud_backend *backend, struct thud_script *script, 
     *script = (struct thud_script){.width = width, .height = height};
     *backend = (struct thud_backend){.state = script,
                                      .utf8 = utf8,
+                                     .also = -1,
                                      .size = script_size,
                                      .show = script_show,
                                      .key = script_key,

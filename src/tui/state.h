@@ -10,6 +10,7 @@
 #include "tui/law_figure.h"
 #include "tui/line.h"
 #include "tui/live.h"
+#include "tui/picture_work.h"
 #include "tui/tui.h"
 
 enum thud_screen {
@@ -113,7 +114,11 @@ struct thud_tui {
     bool mouse;
     bool dirty; /* the screen must be drawn */
     bool quit, hangup;
-    bool was_running; /* the live run was going at the last look */
+    struct thud_picture_work *writing; /* figures being written; NULL: none */
+    int writing_done;
+    char written[700];    /* what is written then */
+    bool pictures_wanted; /* once the run has its histories */
+    bool was_running;     /* the live run was going at the last look */
 
     char message[640];
     enum thud_role message_role;
@@ -193,6 +198,12 @@ void thud_tui_commands_text(struct thud_text *out); /* ":word arguments" a line 
 const char *thud_tui_folder(const struct thud_tui *tui); /* where pictures and tables go */
 void thud_tui_picture(struct thud_tui *tui);
 void thud_tui_pictures(struct thud_tui *tui);
+void thud_tui_run_pictures(struct thud_tui *tui); /* of the live cases, run again where the histories are missing */
+/* Writes figures that `make` makes, one after the other, while the screens go on. */
+void thud_tui_figures(struct thud_tui *tui, int count, struct thud_figure *make(const void *from, int index),
+                      const void *from);
+void thud_tui_writing_look(struct thud_tui *tui); /* says so when the figures are written */
+void thud_tui_writing_end(struct thud_tui *tui);  /* stops, and waits for it */
 void thud_tui_export(struct thud_tui *tui);
 /* Writes `text` into the folder under this name, clears it, and says what came of it. */
 void thud_tui_write(struct thud_tui *tui, struct thud_text *text, const char *name);

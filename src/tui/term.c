@@ -177,8 +177,8 @@ static int term_key(struct thud_backend *backend, int timeout_ms)
     int key = take_with_alt(backend);
     if (key >= 0)
         return key;
-    struct pollfd wait[2] = {{STDIN_FILENO, POLLIN, 0}, {thud_term_signal_fd(), POLLIN, 0}};
-    int ready = poll(wait, 2, timeout_ms);
+    struct pollfd wait[3] = {{STDIN_FILENO, POLLIN, 0}, {thud_term_signal_fd(), POLLIN, 0}, {backend->also, POLLIN, 0}};
+    int ready = poll(wait, 3, timeout_ms);
     thud_term_signal_drain();
     if (ready > 0 && (wait[0].revents & (POLLHUP | POLLERR | POLLNVAL)) && !(wait[0].revents & POLLIN))
         return THUD_KEY_HANGUP;
@@ -251,9 +251,17 @@ enum thud_status thud_term_open(struct thud_backend *backend, bool ascii, bool c
     else
         color = false;
     thud_term_signal_ready();
-    *backend =
-        (struct thud_backend){&the_terminal, utf8 && !ascii, color,        0,         0, term_size, term_show, term_key,
-                              term_now,      term_signal,    term_repaint, term_mouse};
+    *backend = (struct thud_backend){.state = &the_terminal,
+                                     .utf8 = utf8 && !ascii,
+                                     .color = color,
+                                     .also = -1,
+                                     .size = term_size,
+                                     .show = term_show,
+                                     .key = term_key,
+                                     .now = term_now,
+                                     .signal = term_signal,
+                                     .repaint = term_repaint,
+                                     .mouse = term_mouse};
     return THUD_OK;
 }
 

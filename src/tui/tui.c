@@ -53,6 +53,7 @@ void thud_tui_free(struct thud_tui *tui)
 {
     if (!tui)
         return;
+    thud_tui_writing_end(tui);
     thud_live_clear(&tui->live);
     for (int i = 0; i < THUD_SCREENS; i++)
         if (thud_view_of((enum thud_screen)i)->free)
@@ -187,6 +188,8 @@ bool thud_tui_turn(struct thud_tui *tui, bool wait)
         thud_tui_draw(tui);
     int timeout = busy || !wait ? 0 : pause >= 0.0 ? (int)(1e3 * pause) + 1 : -1;
     int key = tui->backend->key(tui->backend, timeout);
+    if (tui->writing)
+        thud_tui_writing_look(tui);
     if (key != THUD_KEY_NONE)
         thud_tui_key(tui, key);
     else if (busy)

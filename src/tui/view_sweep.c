@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "app/run_figures.h"
 #include "io/file.h"
 #include "plot/figures_sweep.h"
 #include "tui/chart.h"
@@ -320,15 +319,18 @@ static double progress(struct thud_tui *tui)
     return w && w->running && w->points > 0 ? (double)w->next / (double)w->points : -1.0;
 }
 
+static struct thud_figure *study_figure(const void *from, int index)
+{
+    return thud_sweep_figure(from, index);
+}
+
 static void pictures(struct thud_tui *tui)
 {
-    struct thud_error err;
     if (!tui->sweep || tui->sweep->work.rows.table.nrows == 0)
         thud_tui_say(tui, THUD_ROLE_WARN, "There is no study yet: r runs it");
-    else if (thud_sweep_figures_save(&tui->sweep->work.rows.table, thud_tui_folder(tui), NULL, &err) != THUD_OK)
-        thud_tui_say_error(tui, &err);
     else
-        thud_tui_say(tui, THUD_ROLE_GOOD, "Written all figures of the study into %s", thud_tui_folder(tui));
+        thud_tui_figures(tui, thud_sweep_figure_count(&tui->sweep->work.rows.table), study_figure,
+                         &tui->sweep->work.rows.table);
 }
 
 static void export_csv(struct thud_tui *tui)

@@ -324,6 +324,53 @@ START_TEST(options_are_read_strictly)
 }
 END_TEST
 
+/* Every kind of thing a figure holds, copied: the same data and the same script. */
+START_TEST(a_copy_is_just_like_it)
+{
+    struct thud_figure *figure = thud_figure_create("all", "All there is", 2, 2);
+    struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "lines"), *close = thud_figure_panel(figure, 0, 1, "");
+    struct thud_panel *map = thud_figure_panel(figure, 1, 0, "map");
+    const double x[] = {1.0, 2.0, 3.0}, y[] = {1.0, 4.0, 2.0}, high[] = {2.0, 5.0, 3.0},
+                 z[] = {1.0, 2.0, 3.0, 4.0, 5.0, 6.0};
+    thud_figure_note(figure, "a note");
+    thud_panel_note(panel, "another");
+    thud_panel_axis(panel, THUD_X, "Time", "s");
+    thud_panel_axis(panel, THUD_Y, "Force", "MN");
+    thud_panel_log(panel, THUD_Y);
+    thud_panel_limits(panel, THUD_Y, 0.5, 20.0);
+    thud_panel_add(panel, (struct thud_style){.kind = THUD_STEPS, .color = 2, .wide = true}, "steps", 3, x, y);
+    thud_panel_fill(panel, (struct thud_style){.color = 1}, "band", 3, x, y, high);
+    thud_panel_mark(panel, THUD_X, 1.0, 2.0, "here");
+    thud_panel_zoom(close, panel, 1.5, 2.5);
+    thud_panel_step(map, THUD_X, 1.0);
+    thud_panel_tick(map, THUD_Y, 1.0, "one");
+    struct thud_map *m = thud_panel_map(map, 3, x, 2, y, z, "Ratio", "");
+    ck_assert_ptr_nonnull(m);
+    m->centre = 2.0;
+    m->level = 3.0;
+    struct thud_figure *copy = thud_figure_copy(figure);
+    ck_assert_ptr_nonnull(copy);
+    struct thud_text script[2] = {{0}, {0}}, csv[2] = {{0}, {0}};
+    struct thud_picture_options options = {0};
+    struct thud_error err;
+    for (int i = 0; i < 2; i++) {
+        struct thud_figure *which = i ? copy : figure;
+        ck_assert_int_eq(thud_gnuplot_script(which, &options, "all.png", &script[i], &err), THUD_OK);
+        thud_figure_csv(which, &csv[i]);
+    }
+    thud_figure_free(figure); /* nothing of the copy is the other's */
+    ck_assert_str_eq(script[0].data, script[1].data);
+    ck_assert_str_eq(csv[0].data, csv[1].data);
+    thud_panel_mark(&copy->panel[0], THUD_X, 2.5, 2.5, "");
+    ck_assert_int_eq(thud_figure_check(copy, &err), THUD_OK);
+    thud_figure_free(copy);
+    for (int i = 0; i < 2; i++) {
+        thud_text_clear(&script[i]);
+        thud_text_clear(&csv[i]);
+    }
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -332,6 +379,7 @@ Suite *thud_suite(void)
     tcase_set_timeout(tcase, 60);
     tcase_add_checked_fixture(tcase, make_folder, remove_folder);
     tcase_add_test(tcase, draws_every_format_whole_and_the_same_twice);
+    tcase_add_test(tcase, a_copy_is_just_like_it);
     tcase_add_test(tcase, size_and_font_are_as_asked);
     tcase_add_test(tcase, names_come_out_literally_and_execute_nothing);
     tcase_add_test(tcase, the_script_by_hand_draws_the_same);

@@ -123,6 +123,8 @@ void fixture_keys(struct fixture *f, const char *keys)
     for (int i = 0; i < 1000000 && (*f->script.at || thud_tui_turn(f->tui, false)) && !f->tui->quit; i++)
         if (*f->script.at)
             thud_tui_turn(f->tui, false);
+    while (f->tui->writing)
+        thud_tui_turn(f->tui, true);
     thud_tui_draw(f->tui);
 }
 

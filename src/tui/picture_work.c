@@ -1,0 +1,141 @@
+#include "tui/picture_work.h"
+
+#include <fcntl.h>
+#include <pthread.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "app/figure_files.h"
+
+struct thud_picture_work {
+    pthread_t thread;
+    int wake[2];
+    volatile sig_atomic_t cancel;
+    struct thud_picture_options options;
+    char folder[512];
+    struct thud_figure *figure[THUD_PICTURES_MAX]; /* (count); NULL once done with */
+    int count;
+    enum thud_status status; /* the thread's own until `ended` */
+    struct thud_error error;
+    pthread_mutex_t mutex; /* guards the rest */
+    int done;
+    bool ended;
+};
+
+static void tell(struct thud_picture_work *work, int done, bool ended)
+{
+    pthread_mutex_lock(&work->mutex);
+    work->done = done;
+    work->ended = ended;
+    pthread_mutex_unlock(&work->mutex);
+    ssize_t ignored = write(work->wake[1], "", 1);
+    (void)ignored;
+}
+
+static void *write_all(void *context)
+{
+    struct thud_picture_work *work = context;
+    int done = 0;
+    for (int i = 0; i < work->count && (work->status == THUD_OK || work->status == THUD_GNUPLOT); i++) {
+        struct thud_figure *figure = work->figure[i];
+        if (work->cancel) {
+            work->status = thud_error_set(&work->error, THUD_CANCELLED, "stopped");
+            break;
+        }
+        work->figure[i] = NULL;
+        work->status = thud_figure_deliver(figure, work->folder, &work->options, work->status, &work->error);
+        done += work->status == THUD_OK;
+        tell(work, done, false);
+    }
+    tell(work, done, true);
+    return NULL;
+}
+
+static void release(struct thud_picture_work *work)
+{
+    for (int i = 0; i < work->count; i++)
+        thud_figure_free(work->figure[i]);
+    for (int i = 0; i < 2; i++)
+        if (work->wake[i] >= 0)
+            close(work->wake[i]);
+    pthread_mutex_destroy(&work->mutex);
+    free(work);
+}
+
+/* Signals stay with the thread that has the terminal. */
+static bool begin(struct thud_picture_work *work)
+{
+    sigset_t all, before;
+    if (pipe(work->wake) != 0) {
+        work->wake[0] = work->wake[1] = -1;
+        return false;
+    }
+    for (int i = 0; i < 2; i++) {
+        fcntl(work->wake[i], F_SETFD, FD_CLOEXEC);
+        fcntl(work->wake[i], F_SETFL, O_NONBLOCK);
+    }
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &before);
+    bool begun = pthread_create(&work->thread, NULL, write_all, work) == 0;
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
+    return begun;
+}
+
+enum thud_status thud_picture_work_start(struct thud_figure *const *figure, int count, const char *folder,
+                                         const char *program, struct thud_picture_work **out, struct thud_error *err)
+{
+    struct thud_picture_work *work = calloc(1, sizeof *work);
+    if (!work) {
+        for (int i = 0; i < count; i++)
+            thud_figure_free(figure[i]);
+        return thud_error_set(err, THUD_MEMORY, "no memory to write figures");
+    }
+    memcpy(work->figure, figure, (size_t)count * sizeof *figure);
+    work->count = count;
+    work->wake[0] = work->wake[1] = -1;
+    strncpy(work->folder, folder, sizeof work->folder - 1);
+    work->options.cancel = &work->cancel;
+    work->options.program = program;
+    pthread_mutex_init(&work->mutex, NULL);
+    if (begin(work)) {
+        *out = work;
+        return THUD_OK;
+    }
+    release(work);
+    return thud_error_set(err, THUD_MEMORY, "the system gives no thread to write figures");
+}
+
+int thud_picture_work_fd(const struct thud_picture_work *work)
+{
+    return work->wake[0];
+}
+
+bool thud_picture_work_look(struct thud_picture_work *work, int *done, int *count)
+{
+    char bytes[64];
+    while (read(work->wake[0], bytes, sizeof bytes) > 0)
+        ;
+    pthread_mutex_lock(&work->mutex);
+    *done = work->done;
+    *count = work->count;
+    bool ended = work->ended;
+    pthread_mutex_unlock(&work->mutex);
+    return !ended;
+}
+
+void thud_picture_work_stop(struct thud_picture_work *work)
+{
+    work->cancel = 1;
+}
+
+enum thud_status thud_picture_work_finish(struct thud_picture_work *work, int *done, struct thud_error *err)
+{
+    pthread_join(work->thread, NULL);
+    *done = work->done;
+    enum thud_status status = work->status;
+    *err = work->error;
+    release(work);
+    return status;
+}

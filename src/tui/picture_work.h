@@ -1,0 +1,25 @@
+/* Figures being written while the screens go on: gnuplot takes its time, so a thread waits for it. */
+#ifndef THUD_TUI_PICTURE_WORK_H
+#define THUD_TUI_PICTURE_WORK_H
+
+#include <stdbool.h>
+
+#include "plot/gnuplot.h"
+
+enum { THUD_PICTURES_MAX = 64 };
+
+struct thud_picture_work;
+
+/* Begins to write figures (count of them, at most THUD_PICTURES_MAX) into a folder and takes them over, also on
+ * failure. `program`: gnuplot; NULL: from PATH. Errors: THUD_MEMORY. */
+enum thud_status thud_picture_work_start(struct thud_figure *const *figure, int count, const char *folder,
+                                         const char *program, struct thud_picture_work **out, struct thud_error *err);
+int thud_picture_work_fd(const struct thud_picture_work *work); /* readable when something has changed */
+/* How many are written of how many; false: it has come to its end. */
+bool thud_picture_work_look(struct thud_picture_work *work, int *done, int *count);
+void thud_picture_work_stop(struct thud_picture_work *work); /* soon; the figure in hand is left out */
+/* Waits for the end and frees. `done` figures were written whole. Errors: THUD_OUTPUT, THUD_GNUPLOT, THUD_CANCELLED,
+ * THUD_MEMORY. */
+enum thud_status thud_picture_work_finish(struct thud_picture_work *work, int *done, struct thud_error *err);
+
+#endif

@@ -1,0 +1,136 @@
+/* Pictures from the screens: written beside the work, stopped without a trace of the one in hand, failures said. */
+#include <check.h>
+#include <dirent.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "tui_fixture.h"
+
+static struct fixture f;
+static char fake[128];
+
+static void setup(void)
+{
+    fixture_open(&f, "towers", 80, 24, true);
+}
+
+static void teardown(void)
+{
+    fixture_close(&f);
+}
+
+/* A gnuplot that is this shell script; %s in it is the folder. */
+static void use_gnuplot(const char *script)
+{
+    snprintf(fake, sizeof fake, "%s/gnuplot", f.folder);
+    FILE *file = fopen(fake, "w");
+    ck_assert_ptr_nonnull(file);
+    fprintf(file, "#!/bin/sh\nfolder=%s\n%s\n", f.folder, script);
+    ck_assert_int_eq(fclose(file), 0);
+    ck_assert_int_eq(chmod(fake, 0755), 0);
+    f.tui->options.gnuplot = fake;
+}
+
+static int count_files(const char *ending)
+{
+    DIR *folder = opendir(f.folder);
+    int n = 0;
+    for (struct dirent *entry; folder && (entry = readdir(folder)) != NULL;) {
+        size_t length = strlen(entry->d_name), end = strlen(ending);
+        n += length > end && strcmp(entry->d_name + length - end, ending) == 0;
+    }
+    if (folder)
+        closedir(folder);
+    return n;
+}
+
+START_TEST(the_figure_shown)
+{
+    fixture_keys(&f, "<A-2>p");
+    fixture_expect(&f, "Written");
+    ck_assert_int_eq(count_files(".png"), 1);
+    ck_assert_int_eq(count_files(".gp"), 1);
+    ck_assert_int_eq(count_files(".csv"), 2); /* and the ground motion */
+}
+END_TEST
+
+/* From a screen whose run kept no histories, too. */
+START_TEST(all_figures)
+{
+    ck_assert(!f.tui->live.history);
+    fixture_keys(&f, "P");
+    fixture_expect(&f, "Written 8 figures");
+    ck_assert_int_eq(count_files(".png"), 8);
+    ck_assert_int_eq(count_files(".gp"), 8);
+}
+END_TEST
+
+/* The screens go on while gnuplot works: here it draws one figure and then hangs. */
+START_TEST(stopping)
+{
+    use_gnuplot("if [ ! -e $folder/one ]; then : >$folder/one; exec gnuplot \"$@\"; fi\nexec sleep 1000");
+    thud_tui_key(f.tui, 'P');
+    while (f.tui->writing_done < 1)
+        thud_tui_turn(f.tui, true);
+    thud_tui_draw(f.tui);
+    fixture_expect(&f, "figures 1/8");
+    thud_tui_key(f.tui, 'p');
+    fixture_expect_not(&f, "Written");
+    thud_tui_key(f.tui, 'g'); /* an edit is taken meanwhile */
+    thud_tui_key(f.tui, '2');
+    thud_tui_key(f.tui, '3');
+    thud_tui_key(f.tui, THUD_KEY_ENTER);
+    ck_assert_double_eq_tol(f.tui->doc.scene.interface[0].gap_m, 0.03, 1e-15);
+    ck_assert_ptr_nonnull(f.tui->writing);
+    fixture_keys(&f, "<Esc>");
+    fixture_expect(&f, "Stopped: 1 of 8");
+    ck_assert_ptr_null(f.tui->writing);
+    ck_assert_int_eq(count_files(".png"), 1);
+    ck_assert_int_eq(count_files(".part"), 0);
+}
+END_TEST
+
+START_TEST(quitting_stops_it)
+{
+    use_gnuplot("exec sleep 1000");
+    thud_tui_key(f.tui, 'P');
+    while (!f.tui->writing)
+        thud_tui_turn(f.tui, false);
+    thud_tui_free(f.tui); /* waits for the child to be gone */
+    f.tui = NULL;
+    ck_assert_int_eq(count_files(".png"), 0);
+    ck_assert_int_eq(count_files(".part"), 0);
+}
+END_TEST
+
+START_TEST(a_failed_gnuplot_is_said)
+{
+    use_gnuplot("echo broken >&2; exit 3");
+    fixture_keys(&f, "P");
+    fixture_expect(&f, "broken");
+    ck_assert_int_eq(count_files(".png"), 0);
+    ck_assert_int_eq(count_files(".gp"), 8); /* to be drawn by hand */
+    f.tui->options.gnuplot = "/nowhere/gnuplot";
+    fixture_keys(&f, "<A-2>p");
+    fixture_expect(&f, "was not found");
+}
+END_TEST
+
+Suite *thud_suite(void);
+Suite *thud_suite(void)
+{
+    Suite *suite = suite_create("tui pictures");
+    TCase *pictures = tcase_create("pictures");
+    tcase_set_timeout(pictures, 120.0);
+    tcase_add_checked_fixture(pictures, setup, teardown);
+    tcase_add_test(pictures, the_figure_shown);
+    tcase_add_test(pictures, all_figures);
+    tcase_add_test(pictures, stopping);
+    tcase_add_test(pictures, quitting_stops_it);
+    tcase_add_test(pictures, a_failed_gnuplot_is_said);
+    suite_add_tcase(suite, pictures);
+    return suite;
+}
