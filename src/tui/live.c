@@ -4,7 +4,7 @@
 #include "study/answer.h"
 #include "tui/live.h"
 
-enum { SEGMENTS = 400, HISTORY_BYTES = 48 << 20 };
+enum { SEGMENTS = 100, HISTORY_BYTES = 48 << 20 };
 
 const char *thud_live_name(enum thud_live_which which)
 {

@@ -57,10 +57,23 @@ command() { keys -l "$1" && keys Enter; }
 
 cp "$root/presets/towers.yaml" "$tmp/mine.yaml"
 
+# asleep WHAT: not woken once while the screen is looked at fifty times
+asleep() {
+    pid=$(pgrep -f -n "$THUD" || :)
+    woken=$(grep ctxt /proc/"$pid"/status)
+    tries=50
+    while [ $tries -gt 0 ]; do
+        screen >/dev/null
+        tries=$((tries - 1))
+    done
+    if [ -n "$woken" ] && [ "$woken" = "$(grep ctxt /proc/"$pid"/status)" ]; then ok "$1"; else bad "$1 ($woken)"; fi
+}
+
 start 80 24
-command "echo before; $THUD $tmp/mine.yaml"
+command "stty -g >$tmp/stty; echo before; $THUD $tmp/mine.yaml"
 wait_for "the first screen shows the model" 'Left: A'
 wait_for "the three cases have run" 'ok *$'
+asleep "no processor time while nothing happens"
 keys g 2
 wait_for "g2 shows the contact" 'Bare contact'
 keys 7 Enter
@@ -73,6 +86,7 @@ keys Space
 wait_for "the buildings move" 'x0.25 ─'
 keys Space
 wait_for "and stop" 'paused'
+asleep "no processor time while the movement is paused"
 mux resize-window -t s -x 60 -y 16
 wait_for "a smaller terminal shows one pane" '^┌.*┐ *$'
 mux resize-window -t s -x 20 -y 5
@@ -84,12 +98,17 @@ keys M-1
 wait_for "back on the model" 'Peaks'
 keys C-z
 wait_for "Ctrl-Z gives the shell back" 'ready>'
+command "stty -g | cmp -s - $tmp/stty && echo sa''ne-while-stopped"
+wait_for "the shell has the terminal as it was" '^sane-while-stopped'
+mux resize-window -t s -x 132 -y 30
 command "fg; echo status=\$?"
+wait_for "it comes back in the size that the terminal has now" 'T1 0.398 s ──────────────────────────────'
+mux resize-window -t s -x 80 -y 24
 wait_for "fg draws everything again" 'Left: A'
 keys Escape Escape q
 wait_for "q quits with status 0" 'status=0'
 wait_for "and what stood there before is there again" 'before'
-command "stty -a | grep -q ' icanon' && stty -a | grep -q ' echo ' && echo sa''ne"
+command "stty -g | cmp -s - $tmp/stty && echo sa''ne"
 wait_for "the terminal is as it was" '^sane'
 
 start 80 24
@@ -102,7 +121,7 @@ wait_for "they can be taken back" 'gap *▸\{0,1\}10 cm'
 
 for pair in TERM=143 INT=130 HUP=129 SEGV=139 ABRT=134; do
     start 80 24
-    command "(ulimit -c 0; exec $THUD $tmp/mine.yaml)"
+    command "stty -g >$tmp/stty; (ulimit -c 0; exec $THUD $tmp/mine.yaml)"
     wait_for "${pair%=*}: running" 'Left: A'
     keys g 2
     wait_for "${pair%=*}: contact" 'Bare contact'
@@ -118,7 +137,7 @@ for pair in TERM=143 INT=130 HUP=129 SEGV=139 ABRT=134; do
     done
     command "echo status=\$?"
     wait_for "${pair%=*} ends it with status ${pair#*=}" "status=${pair#*=}"
-    command "stty -a | grep -q ' icanon' && stty -a | grep -q ' echo ' && echo sa''ne"
+    command "stty -g | cmp -s - $tmp/stty && echo sa''ne"
     wait_for "${pair%=*}: the terminal is as it was" '^sane'
     case $pair in
     TERM* | HUP* | INT*)
@@ -127,6 +146,52 @@ for pair in TERM=143 INT=130 HUP=129 SEGV=139 ABRT=134; do
         ;;
     esac
     rm -f "$tmp/mine.yaml.recovered"
+done
+
+# Ctrl-C is a key of the terminal's own: the shell sees 130.  Stopped and continued from outside as well.
+start 80 24
+command "stty -g >$tmp/stty; $THUD $tmp/mine.yaml; echo status=\$?"
+wait_for "Ctrl-C: running" 'ok *$'
+child=$(pgrep -f -n "$THUD")
+kill -TSTP "$child"
+wait_for "SIGTSTP stops it" 'ready>'
+command "fg >/dev/null"
+wait_for "and it goes on" 'Left: A'
+keys C-c
+wait_for "Ctrl-C: the shell is back" '^ready> *$'
+command "echo status=\$?"
+wait_for "Ctrl-C ends it with status 130" 'status=130'
+command "stty -g | cmp -s - $tmp/stty && echo sa''ne"
+wait_for "Ctrl-C: the terminal is as it was" '^sane'
+
+# The numbers of the screens are those of the command line: every floor, two cases, three digits.
+cp "$root/presets/towers.yaml" "$tmp/mine.yaml"
+start 130 40
+command "$THUD $tmp/mine.yaml"
+wait_for "numbers: running" 'ok *$'
+keys g 4
+wait_for "numbers: results" 'tolerance holds'
+screen >"$tmp/results"
+three() { # CASE KEY FACTOR: a number a floor, as the screens write them
+    "$THUD" run "$tmp/mine.yaml" --case "$1" --json | grep -o "\"$2\": [0-9.e+-]*" | awk -v f="$3" '{
+        v = $2 * f; d = v >= 99.95 ? 0 : v >= 9.995 ? 1 : v >= 0.9995 ? 2 : v >= 0.09995 ? 3 : v >= 0.009995 ? 4 : 5; printf "%.*f\n", d, v }'
+}
+on_screen() { # COLUMN: of the rows of floors, the lowest floor of A first as in the file
+    awk -v c="$1" '$2 ~ /^[AB]$/ && $3 ~ /^[0-9]+$/ { print $2, $3, $(c) }' "$tmp/results" | sort -k1,1 -k2,2n | awk '{ print $3 }'
+}
+i=0
+for key in acceleration_mps2=1 drift_m=1000 displacement_m=1000 velocity_mps=1; do
+    for case in none bumper; do
+        column=$((5 + 4 * i))
+        [ $case = none ] || column=$((column + 1))
+        three $case "${key%=*}" "${key#*=}" >"$tmp/wanted"
+        if on_screen $column | cmp -s - "$tmp/wanted" && [ "$(wc -l <"$tmp/wanted")" -eq 10 ]; then
+            ok "${key%=*} of case $case is that of thud run"
+        else
+            bad "${key%=*} of case $case: $(on_screen $column | tr '\n' ' '), wanted $(tr '\n' ' ' <"$tmp/wanted")"
+        fi
+    done
+    i=$((i + 1))
 done
 
 start 80 24

@@ -107,6 +107,72 @@ START_TEST(a_long_run_is_seen_and_stopped)
 }
 END_TEST
 
+/* The largest peak at another gap, as the screens write it. */
+static void peak_at(const char *gap, char number[24])
+{
+    struct thud_scene kept = f.tui->doc.scene;
+    struct thud_error err;
+    ck_assert_int_eq(thud_scene_set(&f.tui->doc.scene, "gap", gap, &err), THUD_OK);
+    thud_tui_number(answer_peak(THUD_CASE_BUMPER, 0, false), number);
+    f.tui->doc.scene = kept;
+}
+
+static char forbidden[2][24];
+static int drawn_running;
+
+/* Everything that is ever shown: a number stands only for its own scene, or before the arrow of a change. */
+static void watch(struct thud_backend *backend, const struct thud_canvas *canvas)
+{
+    char *text = thud_canvas_text(canvas);
+    (void)backend;
+    ck_assert_ptr_nonnull(text);
+    drawn_running += f.tui->live.running;
+    for (int i = 0; i < 2; i++)
+        for (const char *at = text; *forbidden[i] && (at = strstr(at, forbidden[i])) != NULL; at++)
+            ck_assert_msg(strncmp(at + strlen(forbidden[i]), "→", strlen("→")) == 0, "%s is shown:\n%s", forbidden[i],
+                          text);
+    free(text);
+}
+
+/* Edits overtake runs: each is taken at once, what was being computed is given up, and no number of a scene that is no
+ * more is shown as one of the scene that is. */
+START_TEST(the_newest_edit_wins)
+{
+    char first[24], second[24], third[24];
+    peak_at("2 cm", first);
+    peak_at("1.7 cm", second);
+    peak_at("1.3 cm", third);
+    ck_assert(strcmp(first, second) != 0 && strcmp(second, third) != 0 && strcmp(first, third) != 0);
+    fixture_expect(&f, first);
+    void (*show)(struct thud_backend * backend, const struct thud_canvas *canvas) = f.backend.show;
+    f.backend.show = watch;
+    f.script.tick = 0.013; /* time passes: a slice of work is one look at the clock */
+    f.script.at = ":set gap 1.7 cm\r";
+    while (*f.script.at)
+        thud_tui_turn(f.tui, false);
+    ck_assert_double_eq_tol(f.tui->doc.scene.interface[0].gap_m, 0.017, 1e-15);
+    snprintf(forbidden[0], sizeof forbidden[0], "%s", first);
+    for (int i = 0; i < 2; i++)
+        thud_tui_turn(f.tui, false);
+    ck_assert_int_eq((int)f.tui->live.which[THUD_LIVE_BUMPER].state, THUD_LIVE_RUNNING);
+    const struct thud_run *given_up = f.tui->live.which[THUD_LIVE_FREE].run;
+    double came = thud_run_time(given_up);
+    ck_assert(came > 0.0);
+    f.script.at = ":set gap 1.3 cm\r";
+    while (*f.script.at)
+        thud_tui_turn(f.tui, false);
+    snprintf(forbidden[1], sizeof forbidden[1], "%s", second);
+    ck_assert_double_eq_tol(f.tui->doc.scene.interface[0].gap_m, 0.013, 1e-15);
+    ck_assert(thud_run_time(f.tui->live.which[THUD_LIVE_FREE].run) < came); /* begun anew */
+    f.script.tick = 0.004;
+    fixture_keys(&f, "");
+    ck_assert_int_ge(drawn_running, 2);
+    fixture_expect(&f, third);
+    memset(forbidden, 0, sizeof forbidden);
+    f.backend.show = show;
+}
+END_TEST
+
 START_TEST(live_turns_itself_off_when_slow)
 {
     f.script.tick = 0.6;
@@ -461,6 +527,7 @@ Suite *thud_suite(void)
     tcase_add_test(screens, no_old_number_after_a_failure);
     tcase_add_test(screens, a_change_shows_as_an_arrow);
     tcase_add_test(screens, a_long_run_is_seen_and_stopped);
+    tcase_add_test(screens, the_newest_edit_wins);
     tcase_add_test(screens, live_turns_itself_off_when_slow);
     tcase_add_test(screens, every_screen_in_ascii);
     tcase_add_test(screens, small_terminals);
