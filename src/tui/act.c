@@ -71,6 +71,8 @@ const char *thud_tui_cannot(struct thud_tui *tui, enum thud_action action)
             return "Figures are being written; Esc stops that";
         return view->figure && view->figure(tui) ? NULL : "There is no figure on this screen now";
     case THUD_DO_EXPORT:
+        if (view->export_csv && !view->figure)
+            return view->cannot(tui, action);
         return view->figure && view->figure(tui) ? NULL : "There is no figure on this screen now";
     case THUD_DO_PICTURES:
         if (tui->writing)

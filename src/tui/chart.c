@@ -107,12 +107,33 @@ static void draw_mark(struct drawing *d, const struct thud_mark *mark)
             thud_dots_line(&d->dots, 0.0, at, d->dots.width - 1.0, at, 3, look);
     }
     thud_dots_put(&d->dots);
-    if (!mark->text || !*mark->text)
+}
+
+static bool is_free(const struct thud_pane *pane, int x, int y, int w)
+{
+    for (int i = 0; i < w; i++)
+        if (pane->canvas->cell[(pane->y + y) * pane->canvas->width + pane->x + x + i].glyph != ' ')
+            return false;
+    return true;
+}
+
+/* Its words at the mark or in the band, in the first place where no curve goes; nowhere when there is none. */
+static void label_mark(struct drawing *d, const struct thud_mark *mark)
+{
+    const struct thud_pane *pane = &d->dots.pane;
+    int w = mark->text ? thud_utf8_columns(mark->text) : 0;
+    bool upright = mark->side == THUD_X;
+    double x = upright ? dot_x(d, mark->to) / d->dots.across + 1.0 : 1.0;
+    double low = upright ? pane->h - 1.0 : fmin(pane->h - 1.0, dot_y(d, fmin(mark->from, mark->to)) / d->dots.down);
+    double high = upright ? 0.0 : fmax(0.0, dot_y(d, fmax(mark->from, mark->to)) / d->dots.down);
+    if (w == 0 || !(x >= 0.0 && x + w <= pane->w) || !(high <= low))
         return;
-    double x = mark->side == THUD_X ? dot_x(d, mark->to) / d->dots.across + 1.0 : 1.0;
-    double y = mark->side == THUD_Y ? dot_y(d, 0.5 * (mark->from + mark->to)) / d->dots.down : 0.0;
-    if (x >= 0.0 && x < d->dots.pane.w && y >= 0.0 && y < d->dots.pane.h)
-        thud_pane_put(&d->dots.pane, (int)x, (int)y, look, mark->text);
+    for (int row = upright ? 0 : (int)low; row >= (int)high && row <= (int)low; row += upright ? 1 : -1)
+        for (int column = (int)x; column + w <= pane->w; column += upright ? pane->w : 4)
+            if (is_free(pane, column, row, w)) {
+                thud_pane_put(pane, column, row, thud_look(THUD_ROLE_MUTED, 0), mark->text);
+                return;
+            }
 }
 
 static size_t nearest(const double *at, size_t n, double value)
@@ -181,6 +202,8 @@ void thud_chart_draw(const struct thud_pane *pane, const struct thud_panel *pane
     for (int i = 0; panel->nseries > 1 && i < panel->nseries; i++)
         if (panel->series[i]->name && *panel->series[i]->name && !thud_series_is_shade(panel->series[i]))
             label_series(&d, panel->series[i], thud_chart_number(panel, i), thud_chart_look(panel->series[i], i));
+    for (int i = 0; i < panel->nmarks; i++)
+        label_mark(&d, &panel->mark[i]);
     thud_dots_clear(&d.dots);
 }
 

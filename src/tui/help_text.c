@@ -104,6 +104,18 @@ static void keys(struct thud_help_text *text, int columns, int where, bool gener
     }
 }
 
+/* Whether the help explains each of the choices by its word already. */
+static bool says_choices(const struct thud_param *param)
+{
+    for (int i = 0; param->kind == THUD_PARAM_CHOICE && param->choices[i]; i++) {
+        char word[40];
+        snprintf(word, sizeof word, "%.36s:", param->choices[i]);
+        if (!strstr(param->help, word))
+            return false;
+    }
+    return param->kind == THUD_PARAM_CHOICE;
+}
+
 void thud_param_words(const struct thud_param *param, char *words, size_t size)
 {
     char number[64] = "", range[160];
@@ -114,7 +126,7 @@ void thud_param_words(const struct thud_param *param, char *words, size_t size)
     if (n < size && param->kind == THUD_PARAM_QUANTITY && param->dimension >= THUD_LENGTH)
         n += (size_t)snprintf(words + n, size - n, " Units %s.", thud_dimension_units(param->dimension));
     thud_param_allowed(param, range, sizeof range);
-    if (n < size && *range)
+    if (n < size && *range && !says_choices(param))
         n += (size_t)snprintf(words + n, size - n, " Allowed: %s.", range);
     if (param->kind == THUD_PARAM_QUANTITY && !isnan(param->fallback) && param->dimension != THUD_POWER_STIFFNESS)
         thud_quantity_format(param->fallback, param->unit ? param->unit : "", number, sizeof number);

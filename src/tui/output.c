@@ -83,7 +83,7 @@ void thud_tui_writing_end(struct thud_tui *tui)
     tui->backend->also = -1;
 }
 
-void thud_tui_write(struct thud_tui *tui, struct thud_text *text, const char *name)
+bool thud_tui_write(struct thud_tui *tui, struct thud_text *text, const char *name)
 {
     struct thud_error err;
     char path[600];
@@ -97,6 +97,7 @@ void thud_tui_write(struct thud_tui *tui, struct thud_text *text, const char *na
         thud_tui_say_error(tui, &err);
     else
         thud_tui_say(tui, THUD_ROLE_GOOD, "Written %s", path);
+    return status == THUD_OK;
 }
 
 void thud_tui_export(struct thud_tui *tui)

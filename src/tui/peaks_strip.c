@@ -54,7 +54,8 @@ static void impact_strip(struct thud_tui *tui, const struct thud_pane *pane)
     double most = 0.0, end = thud_run_end(c->run);
     for (int i = 0; i < count; i++)
         most = fmax(most, impact[i].force_n);
-    thud_pane_print(pane, 0, 0, thud_look(THUD_ROLE_MUTED, 0), "force, %s", thud_live_name(which));
+    thud_pane_print(pane, 0, 0, thud_look(THUD_ROLE_MUTED, 0), pane->w < 18 ? "force" : "force, %s",
+                    thud_live_name(which));
     struct thud_pane area = thud_pane_inside(pane, 0, 1, pane->w, pane->h - 1);
     struct thud_dots dots;
     if (!(most > 0.0) || !(end > 0.0) || thud_dots_init(&dots, &area, NULL) != THUD_OK)

@@ -205,8 +205,8 @@ void thud_tui_figures(struct thud_tui *tui, int count, struct thud_figure *make(
 void thud_tui_writing_look(struct thud_tui *tui); /* says so when the figures are written */
 void thud_tui_writing_end(struct thud_tui *tui);  /* stops, and waits for it */
 void thud_tui_export(struct thud_tui *tui);
-/* Writes `text` into the folder under this name, clears it, and says what came of it. */
-void thud_tui_write(struct thud_tui *tui, struct thud_text *text, const char *name);
+/* Writes `text` into the folder under this name, clears it, and says what came of it; false: it could not. */
+bool thud_tui_write(struct thud_tui *tui, struct thud_text *text, const char *name);
 
 /* frame.c */
 void thud_tui_draw(struct thud_tui *tui);

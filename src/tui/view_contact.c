@@ -96,7 +96,8 @@ static int draw_check(struct thud_tui *tui, const struct thud_pane *pane)
            force = thud_tui_force_at_knee(scene, tui->pair);
     char a[24], b[24], c[24], d[24];
     int y = 0;
-    int x = 1 + thud_pane_print(pane, 1, y, thud_look(THUD_ROLE_MUTED, 0), "m %s t", thud_tui_number(1e-3 * mass, a));
+    int x = 1 + thud_pane_print(pane, 1, y, thud_look(THUD_ROLE_MUTED, 0), "eff. mass %s t",
+                                thud_tui_number(1e-3 * mass, a));
     if (isfinite(force))
         thud_pane_print(pane, x, y, thud_look(THUD_ROLE_MUTED, 0), "  F(delta_u) %s MN",
                         thud_tui_number(1e-6 * force, a));

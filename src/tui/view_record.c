@@ -81,7 +81,7 @@ void thud_tui_filter_records(struct thud_tui *tui, const char *text)
 static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect *pane)
 {
     (void)tui;
-    int left = area.w * 2 / 5 < 46 ? area.w * 2 / 5 : 46, data = area.h >= 18 ? 10 : area.h / 2;
+    int left = area.w * 2 / 5 < 46 ? area.w * 2 / 5 : 46, data = area.h >= 30 ? 17 : area.h >= 18 ? 10 : area.h / 2;
     pane[LIST] = (struct thud_rect){area.x, area.y, left, area.h};
     pane[CURVE] = (struct thud_rect){area.x + left, area.y, area.w - left, area.h - data};
     pane[DATA] = (struct thud_rect){area.x + left, area.y + area.h - data, area.w - left, data};

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/scan.h"
+#include "io/result_file.h"
 #include "tui/field.h"
 
 enum { PEAKS, IMPACTS, HOW };
@@ -249,4 +250,26 @@ static void row(struct thud_tui *tui, const struct thud_field *field)
         thud_tui_show_floor(tui, s, floor);
 }
 
-THUD_VIEW(results, "Results", RESULTS, .act = act, .row = row);
+static const char *cannot(struct thud_tui *tui, enum thud_action action)
+{
+    if (action == THUD_DO_EXPORT)
+        return thud_live_result(&tui->live, shown(tui)) ? NULL : "There are no results yet: r runs";
+    return NULL;
+}
+
+/* What `thud run --csv` and `-o` write, of the case whose impacts are shown. */
+static void export_csv(struct thud_tui *tui)
+{
+    const struct thud_live_case *c = &tui->live.which[shown(tui)];
+    struct thud_report report = {.scene = &tui->doc.scene, .result = thud_run_result(c->run)};
+    struct thud_text peaks = {0}, impacts = {0};
+    report.impact = thud_run_impacts(c->run, &report.nimpacts);
+    thud_result_csv(&report, &peaks);
+    thud_impacts_csv(&report, &impacts);
+    if (thud_tui_write(tui, &peaks, "peaks.csv") && thud_tui_write(tui, &impacts, "impacts.csv"))
+        thud_tui_say(tui, THUD_ROLE_GOOD, "Written peaks.csv and impacts.csv (%s) into %s", thud_live_name(shown(tui)),
+                     thud_tui_folder(tui));
+    thud_text_clear(&impacts);
+}
+
+THUD_VIEW(results, "Results", RESULTS, .act = act, .cannot = cannot, .row = row, .export_csv = export_csv);

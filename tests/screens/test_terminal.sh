@@ -194,6 +194,21 @@ for key in acceleration_mps2=1 drift_m=1000 displacement_m=1000 velocity_mps=1; 
     i=$((i + 1))
 done
 
+# README shows the first screen as it is (but for the time it took).
+start 80 24
+command "clear; $THUD towers"
+wait_for "README: running" 'ok *$'
+without_time() { sed -e 's/ *run [0-9.e+-]* ms  ok *$//' -e 's/ *$//'; }
+screen | without_time >"$tmp/screen"
+sed -n 's/^    \( thud  towers\|\[1 Model\]\)/\1/p; s/^    \([┌│└]\)/\1/p; s/^    \( shear:\| isolated slab\| a add\)/\1/p' "$root/README.md" |
+    without_time >"$tmp/wanted"
+if cmp -s "$tmp/screen" "$tmp/wanted" && [ "$(wc -l <"$tmp/wanted")" -eq 24 ]; then
+    ok "README: the picture of the first screen is what the program shows"
+else
+    bad "README: the picture of the first screen differs"
+    diff "$tmp/wanted" "$tmp/screen" | sed 's/^/# /'
+fi
+
 start 80 24
 mux pipe-pane -t s "cat >$tmp/raw"
 command "LC_ALL=C NO_COLOR=1 TERM=vt100 $THUD towers"

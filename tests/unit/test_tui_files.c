@@ -86,6 +86,31 @@ START_TEST(a_full_disk_loses_nothing)
 }
 END_TEST
 
+/* The tables of `thud run --csv` and `-o`, of the case that is shown. */
+START_TEST(results_as_csv)
+{
+    fixture_keys(&f, "<A-4>e");
+    fixture_expect(&f, "Written peaks.csv and impacts.csv (bumper)");
+    const struct thud_result *result = thud_live_result(&f.tui->live, THUD_LIVE_BUMPER);
+    char *peaks = fixture_file(&f, "peaks.csv"), *impacts = fixture_file(&f, "impacts.csv");
+    double acceleration = 0.0;
+    int lines = 0, count;
+    ck_assert_ptr_nonnull(peaks);
+    ck_assert_ptr_nonnull(impacts);
+    ck_assert_int_eq(sscanf(strchr(peaks, '\n'), "\nA,1,%lf", &acceleration), 1);
+    ck_assert_double_eq(acceleration, result->structure[0].floor[0].acceleration.value);
+    for (const char *at = impacts; (at = strchr(at, '\n')) != NULL; at++)
+        lines++;
+    thud_run_impacts(f.tui->live.which[THUD_LIVE_BUMPER].run, &count);
+    ck_assert_int_eq(lines, count + 1);
+    free(peaks);
+    free(impacts);
+    fixture_keys(&f, ":record nosuch.csv<Enter>");
+    fixture_keys(&f, "e");
+    fixture_expect(&f, "There are no results");
+}
+END_TEST
+
 START_TEST(quitting_asks_only_when_unsaved)
 {
     fixture_keys(&f, "<A-2>4<Enter>q");
@@ -136,6 +161,7 @@ Suite *thud_suite(void)
     tcase_add_test(files, saving_under_another_name);
     tcase_add_test(files, a_file_changed_by_others_is_asked_about);
     tcase_add_test(files, a_full_disk_loses_nothing);
+    tcase_add_test(files, results_as_csv);
     tcase_add_test(files, quitting_asks_only_when_unsaved);
     tcase_add_test(files, unsaved_edits_can_be_recovered);
     tcase_add_test(files, opening_another_preset);

@@ -1,0 +1,240 @@
+/* What is computed after every edit: the numbers shown are those of the scene that is, and of no other. */
+#include <check.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "study/answer.h"
+#include "tui_fixture.h"
+
+static struct fixture f;
+
+static void setup(void)
+{
+    fixture_open(&f, "towers", 80, 24, true);
+}
+
+static void teardown(void)
+{
+    fixture_close(&f);
+}
+
+/* The largest peak of a structure in a case, found without the screens. */
+static double answer_peak(enum thud_case which, int structure, bool drift)
+{
+    struct thud_scene scene;
+    struct thud_answer answer = {0};
+    struct thud_error err;
+    const struct thud_record *record;
+    double most = 0.0;
+    ck_assert_int_eq(thud_scene_case(&f.tui->doc.scene, which, &scene, &err), THUD_OK);
+    ck_assert_int_eq(thud_doc_record(&f.tui->doc, &record, &err), THUD_OK);
+    ck_assert_int_eq(thud_scene_answer(&scene, record, NULL, &answer, &err), THUD_OK);
+    const struct thud_structure_result *result = &thud_run_result(answer.run)->structure[structure];
+    for (int i = 0; i < result->floors; i++)
+        most = fmax(most, drift ? 1e3 * result->floor[i].drift.value : result->floor[i].acceleration.value);
+    thud_answer_clear(&answer);
+    return most;
+}
+
+START_TEST(the_numbers_are_the_answers)
+{
+    static const char *const edit[] = {"", "<A-2>1.5<Enter><A-1>", ":set structures.1.damping 10 %<Enter>",
+                                       ":peak 0.4 g<Enter>"};
+    for (size_t e = 0; e < sizeof edit / sizeof *edit; e++) {
+        fixture_keys(&f, edit[e]);
+        for (int s = 0; s < 2; s++)
+            for (int drift = 0; drift < 2; drift++) {
+                char none[24], bumper[24], row[64], number[24];
+                thud_tui_number(answer_peak(THUD_CASE_NONE, s, drift), none);
+                thud_tui_number(answer_peak(THUD_CASE_BUMPER, s, drift), bumper);
+                snprintf(row, sizeof row, "%s %s", s ? "B" : "A", drift ? "drift" : "accel");
+                char *text = fixture_text(&f), *line = strstr(text, row);
+                ck_assert_ptr_nonnull(line);
+                *strchr(line, '\n') = '\0';
+                ck_assert_msg(strstr(line, none) && strstr(line, bumper), "%s and %s are not in: %s", none, bumper,
+                              line);
+                free(text);
+                (void)number;
+            }
+    }
+}
+END_TEST
+
+/* The record goes: nothing of the old answer stays on any screen. */
+START_TEST(no_old_number_after_a_failure)
+{
+    char old[24];
+    thud_tui_number(answer_peak(THUD_CASE_NONE, 0, false), old);
+    fixture_expect(&f, old);
+    fixture_keys(&f, ":record nosuch.csv<Enter>");
+    fixture_expect(&f, "FAILED");
+    fixture_expect_not(&f, old);
+    fixture_keys(&f, "<A-4>");
+    fixture_expect(&f, "FAIL");
+    fixture_expect_not(&f, old);
+    fixture_keys(&f, "<A-1>u");
+    fixture_expect(&f, old);
+    fixture_expect_not(&f, "FAILED");
+}
+END_TEST
+
+START_TEST(a_change_shows_as_an_arrow)
+{
+    fixture_keys(&f, "<A-2>1.5<Enter><A-1>");
+    fixture_expect(&f, "→");
+}
+END_TEST
+
+/* Time passes with every look at the clock: the run is seen running, and can be stopped. */
+START_TEST(a_long_run_is_seen_and_stopped)
+{
+    char old[24];
+    thud_tui_number(answer_peak(THUD_CASE_NONE, 0, false), old);
+    f.script.tick = 0.3;
+    thud_tui_key(f.tui, 'r');
+    thud_tui_draw(f.tui);
+    fixture_expect(&f, "Esc stops");
+    fixture_expect_not(&f, old);
+    thud_tui_key(f.tui, THUD_KEY_ESC);
+    fixture_keys(&f, "");
+    fixture_expect(&f, "not run");
+    fixture_expect_not(&f, old);
+    fixture_keys(&f, "r");
+    fixture_expect(&f, old);
+}
+END_TEST
+
+/* The largest peak at another gap, as the screens write it. */
+static void peak_at(const char *gap, char number[24])
+{
+    struct thud_scene kept = f.tui->doc.scene;
+    struct thud_error err;
+    ck_assert_int_eq(thud_scene_set(&f.tui->doc.scene, "gap", gap, &err), THUD_OK);
+    thud_tui_number(answer_peak(THUD_CASE_BUMPER, 0, false), number);
+    f.tui->doc.scene = kept;
+}
+
+static char forbidden[2][24];
+static int drawn_running;
+
+/* Everything that is ever shown: a number stands only for its own scene, or before the arrow of a change. */
+static void watch(struct thud_backend *backend, const struct thud_canvas *canvas)
+{
+    char *text = thud_canvas_text(canvas);
+    (void)backend;
+    ck_assert_ptr_nonnull(text);
+    drawn_running += f.tui->live.running;
+    for (int i = 0; i < 2; i++)
+        for (const char *at = text; *forbidden[i] && (at = strstr(at, forbidden[i])) != NULL; at++)
+            ck_assert_msg(strncmp(at + strlen(forbidden[i]), "→", strlen("→")) == 0, "%s is shown:\n%s", forbidden[i],
+                          text);
+    free(text);
+}
+
+/* Edits overtake runs: each is taken at once, what was being computed is given up, and no number of a scene that is no
+ * more is shown as one of the scene that is. */
+START_TEST(the_newest_edit_wins)
+{
+    char first[24], second[24], third[24];
+    peak_at("2 cm", first);
+    peak_at("1.7 cm", second);
+    peak_at("1.3 cm", third);
+    ck_assert(strcmp(first, second) != 0 && strcmp(second, third) != 0 && strcmp(first, third) != 0);
+    fixture_expect(&f, first);
+    void (*show)(struct thud_backend * backend, const struct thud_canvas *canvas) = f.backend.show;
+    f.backend.show = watch;
+    f.script.tick = 0.013; /* time passes: a slice of work is one look at the clock */
+    f.script.at = ":set gap 1.7 cm\r";
+    while (*f.script.at)
+        thud_tui_turn(f.tui, false);
+    ck_assert_double_eq_tol(f.tui->doc.scene.interface[0].gap_m, 0.017, 1e-15);
+    snprintf(forbidden[0], sizeof forbidden[0], "%s", first);
+    for (int i = 0; i < 2; i++)
+        thud_tui_turn(f.tui, false);
+    ck_assert_int_eq((int)f.tui->live.which[THUD_LIVE_BUMPER].state, THUD_LIVE_RUNNING);
+    const struct thud_run *given_up = f.tui->live.which[THUD_LIVE_FREE].run;
+    double came = thud_run_time(given_up);
+    ck_assert(came > 0.0);
+    f.script.at = ":set gap 1.3 cm\r";
+    while (*f.script.at)
+        thud_tui_turn(f.tui, false);
+    snprintf(forbidden[1], sizeof forbidden[1], "%s", second);
+    ck_assert_double_eq_tol(f.tui->doc.scene.interface[0].gap_m, 0.013, 1e-15);
+    ck_assert(thud_run_time(f.tui->live.which[THUD_LIVE_FREE].run) < came); /* begun anew */
+    f.script.tick = 0.004;
+    fixture_keys(&f, "");
+    ck_assert_int_ge(drawn_running, 2);
+    fixture_expect(&f, third);
+    memset(forbidden, 0, sizeof forbidden);
+    f.backend.show = show;
+}
+END_TEST
+
+START_TEST(live_turns_itself_off_when_slow)
+{
+    f.script.tick = 0.6;
+    fixture_keys(&f, "r");
+    fixture_expect(&f, "r runs");
+    ck_assert(!f.tui->live_on);
+    f.script.tick = 0.0;
+    fixture_keys(&f, "<A-2>3<Enter>");
+    fixture_expect(&f, "not run");
+    fixture_keys(&f, "r<A-1>");
+    fixture_expect(&f, "ok");
+}
+END_TEST
+
+/* Beginning and end by keys: the answer is that of the part, what is cut off stays in sight, and undo brings it back.
+ */
+START_TEST(a_motion_is_trimmed)
+{
+    char whole[24], part[24];
+    fixture_keys(&f, "<A-3>");
+    fixture_expect_not(&f, "cut off");
+    thud_tui_number(answer_peak(THUD_CASE_NONE, 1, false), whole);
+    fixture_keys(&f, "/record.to<Enter>-"); /* 3 s, one step back */
+    ck_assert_double_eq_tol(f.tui->doc.scene.record.to_s, 2.9, 1e-12);
+    fixture_keys(&f, "<Up>+{{{{{{{{{1.25<Enter>");
+    ck_assert_double_eq_tol(f.tui->doc.scene.record.from_s, 1.25, 1e-12);
+    fixture_expect(&f, "cut off");
+    fixture_expect(&f, "166 samples");
+    ck_assert_uint_eq(f.tui->doc.record->samples, 166);
+    ck_assert_uint_eq(f.tui->doc.whole->samples, 301);
+    ck_assert_double_eq_tol(f.tui->doc.whole->a_mps2[135], f.tui->doc.record->a_mps2[10], 1e-9);
+    thud_tui_number(answer_peak(THUD_CASE_NONE, 1, false), part);
+    ck_assert_str_ne(whole, part);
+    fixture_keys(&f, "<A-1>");
+    fixture_expect(&f, part);
+    fixture_keys(&f, "<A-3>9<Enter>"); /* nothing is left of it */
+    fixture_expect(&f, " ! ");
+    ck_assert_double_eq_tol(f.tui->doc.scene.record.from_s, 1.25, 1e-12);
+    fixture_keys(&f, "<Esc>uu");
+    ck_assert(!f.tui->doc.whole || !isnan(f.tui->doc.scene.record.from_s));
+    fixture_keys(&f, "uuuuuuuuuuuuuuuuu");
+    ck_assert(isnan(f.tui->doc.scene.record.from_s) && isnan(f.tui->doc.scene.record.to_s));
+    ck_assert_ptr_null(f.tui->doc.whole);
+    fixture_expect_not(&f, "cut off");
+    fixture_keys(&f, "<A-1>");
+    fixture_expect(&f, whole);
+}
+END_TEST
+
+Suite *thud_suite(void);
+Suite *thud_suite(void)
+{
+    Suite *suite = suite_create("tui live");
+    TCase *live = tcase_create("live");
+    tcase_set_timeout(live, 60.0);
+    tcase_add_checked_fixture(live, setup, teardown);
+    tcase_add_test(live, the_numbers_are_the_answers);
+    tcase_add_test(live, no_old_number_after_a_failure);
+    tcase_add_test(live, a_change_shows_as_an_arrow);
+    tcase_add_test(live, a_long_run_is_seen_and_stopped);
+    tcase_add_test(live, the_newest_edit_wins);
+    tcase_add_test(live, live_turns_itself_off_when_slow);
+    tcase_add_test(live, a_motion_is_trimmed);
+    suite_add_tcase(suite, live);
+    return suite;
+}
