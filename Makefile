@@ -57,7 +57,7 @@ $(B)/flags: FORCE
 $(B)/files: FORCE
 	$(call keep,$(CORE) $(PROGRAM) $(HELPERS))
 $(B)/commit: FORCE
-	$(call keep,$(shell git describe --always --dirty --exclude '*' 2>/dev/null))
+	$(call keep,$(or $(shell git describe --always --dirty --exclude '*' 2>/dev/null),unknown))
 $(B)/headers: $(B)/flags
 	@tests/tools/need.sh $(CC) && touch $@
 
@@ -113,9 +113,9 @@ debug: ## build/debug/thud: no optimisation, asserts on
 	@$(MAKE) --no-print-directory VARIANT=debug all
 asan: ## every test under the address and undefined-behaviour sanitizers
 	@CK_FORK=no $(MAKE) --no-print-directory VARIANT=asan test
-valgrind: ## the unit tests under valgrind's memcheck
-	@$(MAKE) --no-print-directory VARIANT=debug units
-	@CK_FORK=no UNIT_ONLY=1 WRAP='valgrind -q --leak-check=full --error-exitcode=99' tests/tools/run.sh build/debug
+valgrind: ## the unit tests and the command line's under valgrind's memcheck
+	@$(MAKE) --no-print-directory VARIANT=debug units all
+	@tests/tools/valgrind.sh build/debug
 coverage: ## lines and branches that the tests pass through, by layer and file
 	@find build/coverage -name '*.gcda' -delete 2>/dev/null; $(MAKE) --no-print-directory VARIANT=coverage test; tests=$$?; \
 	    tests/tools/coverage.sh build/coverage && exit $$tests

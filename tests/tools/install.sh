@@ -35,7 +35,9 @@ for f in README.md CHANGELOG.md LICENSE; do
     if [ -f "$f" ]; then file 644 "$f" "share/doc/thud/$f"; fi
 done
 if [ "$what" = uninstall ]; then
-    for d in share/thud/presets share/thud/records share/thud share/doc/thud; do
+    for d in share/thud/presets share/thud/records share/thud share/doc/thud share/man/man1 share/man/man5 share/man/man7 \
+        share/bash-completion/completions share/bash-completion share/zsh/site-functions share/zsh \
+        share/fish/vendor_completions.d share/fish; do
         rmdir "$prefix/$d" 2>/dev/null || true # a folder with files of others stays
     done
 fi
