@@ -24,6 +24,7 @@ struct thud_bench_point {
     struct thud_bench_errors error;
     struct thud_work work;
     double seconds, spread; /* median and half the range of the middle half of the timings; filled by who times */
+    double processor_s;     /* median of processor time, which other programs do not stretch; 0: not taken */
     int repeats;
     char message[192]; /* why it failed or was skipped */
 };

@@ -22,15 +22,16 @@ static enum thud_status reference(struct thud_bench *bench, const struct thud_be
     return status;
 }
 
-/* One timed run of a point; *run is left to be judged and freed. */
+/* One timed run of a point, by the wall clock and of processor time; *run is left to be judged and freed. */
 static enum thud_status once(struct thud_bench *bench, int i, const struct thud_bench_jobs *jobs, struct thud_run **run,
-                             double *seconds, struct thud_error *err)
+                             double *seconds, double *processor_s, struct thud_error *err)
 {
-    double start = thud_timing_now_s();
+    double start = thud_timing_now_s(), begin = thud_timing_processor_s();
     enum thud_status status = thud_bench_start(bench, i, run, err);
     if (status == THUD_OK)
         status = thud_timing_advance(*run, jobs, err);
     *seconds = thud_timing_now_s() - start;
+    *processor_s = thud_timing_processor_s() - begin;
     return status;
 }
 
@@ -48,7 +49,7 @@ static enum thud_status point(struct thud_bench *bench, int i, const struct thud
                               struct thud_error *err)
 {
     struct thud_bench_point *p = thud_bench_point(bench, i);
-    double seconds[THUD_TIMINGS_MAX], warm, expected = expected_s(bench, i);
+    double seconds[THUD_TIMINGS_MAX], processor[THUD_TIMINGS_MAX], warm, unused, expected = expected_s(bench, i);
     struct thud_run *run = NULL;
     struct thud_error failure = {0};
     if (jobs->patience_s > 0 && expected > jobs->patience_s) {
@@ -57,7 +58,7 @@ static enum thud_status point(struct thud_bench *bench, int i, const struct thud
         p->seconds = expected; /* for the next one on the curve */
         return THUD_OK;
     }
-    enum thud_status status = once(bench, i, jobs, &run, &warm, &failure);
+    enum thud_status status = once(bench, i, jobs, &run, &warm, &processor[0], &failure);
     if (status != THUD_OK && status != THUD_DIVERGED) {
         thud_run_free(run);
         if (err)
@@ -70,13 +71,14 @@ static enum thud_status point(struct thud_bench *bench, int i, const struct thud
     status = thud_bench_judge(bench, i, run, status, &failure, err);
     thud_run_free(run);
     for (double spent = 0; n < most && spent < 2 && status == THUD_OK && warm <= 1; n++, spent += warm) {
-        status = once(bench, i, jobs, &run, &seconds[n], err);
+        status = once(bench, i, jobs, &run, &seconds[n], &processor[n], err);
         thud_run_free(run);
         if (status == THUD_DIVERGED)
             status = THUD_OK;
     }
     p->repeats = n > 0 ? n : 1;
     p->seconds = thud_timing_median(seconds, p->repeats, &p->spread);
+    p->processor_s = thud_timing_median(processor, p->repeats, &unused);
     return status;
 }
 

@@ -59,7 +59,7 @@ void thud_bench_csv(struct thud_bench *bench, struct thud_text *out)
 {
     static const char *const states[] = {"not-run", "done", "failed", "skipped"};
     thud_text_append(out, "method,located,setting,state,seconds,spread_s,repeats,error,error_acceleration,error_drift,"
-                          "error_force,impact_time_s,missed,extra,steps,force_evaluations,events\n");
+                          "error_force,impact_time_s,missed,extra,steps,force_evaluations,events,processor_s\n");
     for (int i = 0; i < thud_bench_count(bench); i++) {
         const struct thud_bench_point *p = thud_bench_point(bench, i);
         bool done = p->state == THUD_BENCH_DONE;
@@ -73,8 +73,10 @@ void thud_bench_csv(struct thud_bench *bench, struct thud_text *out)
         thud_text_append(out, ",%d", done ? p->repeats : 0);
         for (size_t k = 0; k < sizeof value / sizeof *value; k++)
             add_field(out, done ? value[k] : NAN);
-        thud_text_append(out, ",%d,%d,%ld,%ld,%ld\n", p->error.missed, p->error.extra, p->work.steps,
+        thud_text_append(out, ",%d,%d,%ld,%ld,%ld", p->error.missed, p->error.extra, p->work.steps,
                          p->work.force_evaluations, p->work.events);
+        add_field(out, done && p->processor_s > 0 ? p->processor_s : NAN);
+        thud_text_append(out, "\n");
     }
 }
 
