@@ -123,7 +123,7 @@ static void label_mark(struct drawing *d, const struct thud_mark *mark)
     const struct thud_pane *pane = &d->dots.pane;
     int w = mark->text ? thud_utf8_columns(mark->text) : 0;
     bool upright = mark->side == THUD_X;
-    double x = upright ? dot_x(d, mark->to) / d->dots.across + 1.0 : 1.0;
+    double x = upright ? floor((double)lround(dot_x(d, mark->to)) / d->dots.across) + 1.0 : 1.0;
     double low = upright ? pane->h - 1.0 : fmin(pane->h - 1.0, dot_y(d, fmin(mark->from, mark->to)) / d->dots.down);
     double high = upright ? 0.0 : fmax(0.0, dot_y(d, fmax(mark->from, mark->to)) / d->dots.down);
     if (w == 0 || !(x >= 0.0 && x + w <= pane->w) || !(high <= low))

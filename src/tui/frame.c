@@ -119,6 +119,8 @@ static void field_words(struct thud_tui *tui, char *text, size_t size)
     const struct thud_field *field = thud_form_focus(&tui->form);
     int floor;
     *text = '\0';
+    if (!field && thud_view_of(tui->screen)->words)
+        thud_view_of(tui->screen)->words(tui, text, size);
     if (!field || field->kind != THUD_FIELD_VALUE)
         return;
     const struct thud_param *param = thud_scene_param(&tui->doc.scene, field->path, &floor);

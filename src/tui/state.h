@@ -60,6 +60,8 @@ struct thud_view {
      * none was left). May be NULL. */
     bool (*busy)(struct thud_tui *tui);
     bool (*work)(struct thud_tui *tui);
+    /* What the lower lines say where the cursor is on no field. May be NULL. */
+    void (*words)(struct thud_tui *tui, char *text, size_t size);
     /* Time until `tick` has to be called, s; negative: never. May be NULL. */
     double (*pause)(struct thud_tui *tui);
     void (*tick)(struct thud_tui *tui);

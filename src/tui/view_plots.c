@@ -88,6 +88,53 @@ static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
         snprintf(text, size, "Parameters and changes");
 }
 
+/* While the movement plays the scale stands still: it holds all of the history. Else it fits what is shown. */
+static struct thud_range still_range(const struct thud_panel *panel, bool still)
+{
+    struct thud_panel whole = *panel;
+    const struct thud_range fits = {NAN, NAN, 0.0};
+    thud_panel_limits(&whole, THUD_X, NAN, NAN);
+    thud_panel_limits(&whole, THUD_Y, NAN, NAN);
+    return still ? thud_panel_range(&whole, THUD_Y) : fits;
+}
+
+/* Between two rows along a straight line; at a jump the larger side. NaN: nothing there. */
+static double value_at(const struct thud_series *s, double t)
+{
+    size_t low = 0, high = s->n;
+    while (high - low > 1) {
+        size_t middle = low + (high - low) / 2;
+        if (s->x[middle] <= t)
+            low = middle;
+        else
+            high = middle;
+    }
+    if (s->n == 0 || low + 1 >= s->n)
+        return s->n > 0 ? s->y[low] : NAN;
+    double along = (t - s->x[low]) / (s->x[low + 1] - s->x[low]), y = s->y[low] + along * (s->y[low + 1] - s->y[low]);
+    for (size_t i = low; i > 0 && s->x[i - 1] >= t - 1e-9; i--)
+        y = fabs(s->y[i - 1]) > fabs(y) ? s->y[i - 1] : y;
+    return y;
+}
+
+/* The curves' values at the cursor. */
+static void words(struct thud_tui *tui, char *text, size_t size)
+{
+    struct thud_plots_state *p = thud_plots(tui);
+    refresh(tui);
+    if (!p->figure || !over_time(p->plot))
+        return;
+    const struct thud_panel *panel = &p->figure->panel[0];
+    size_t n = (size_t)snprintf(text, size, "t = %.4f s:", p->time_s);
+    for (int i = 0; i < panel->nseries && n < size; i++) {
+        char number[24];
+        n += (size_t)snprintf(text + n, size - n, "%s %s %s", i ? "," : "", panel->series[i]->name,
+                              thud_tui_number(value_at(panel->series[i], p->time_s), number));
+    }
+    if (n < size)
+        snprintf(text + n, size - n, " %s", panel->axis[THUD_Y].unit);
+}
+
 static int draw_chart(struct thud_tui *tui, const struct thud_pane *pane)
 {
     struct thud_plots_state *p = thud_plots(tui);
@@ -106,6 +153,10 @@ static int draw_chart(struct thud_tui *tui, const struct thud_pane *pane)
         if (over_time(p->plot))
             thud_panel_limits(&p->figure->panel[i], THUD_X, p->span_s > 0.0 ? from : 0.0,
                               p->span_s > 0.0 ? from + p->span_s : end);
+        if (over_time(p->plot)) {
+            struct thud_range whole = still_range(&p->figure->panel[i], p->playing);
+            thud_panel_limits(&p->figure->panel[i], THUD_Y, whole.least, whole.most);
+        }
         thud_chart_draw(&part, &p->figure->panel[i], &chart);
     }
     return pane->h;
@@ -238,5 +289,5 @@ void thud_tui_show_floor(struct thud_tui *tui, int structure, int floor)
     thud_tui_go(tui, THUD_SCREEN_PLOTS);
 }
 
-THUD_VIEW(plots, "Plots", PLOTS, .place = place, .act = act, .cannot = cannot, .figure = figure,
+THUD_VIEW(plots, "Plots", PLOTS, .place = place, .act = act, .cannot = cannot, .figure = figure, .words = words,
           .pause = thud_plots_pause, .tick = thud_plots_tick, .free = release);

@@ -152,6 +152,28 @@ START_TEST(hard_data_and_every_size)
 }
 END_TEST
 
+/* Beside an upright mark wherever it stands, and in a band where no curve goes. */
+START_TEST(words_of_marks_stay_whole)
+{
+    const double x[] = {0.0, 10.0}, low[] = {0.05, 0.05}, high[] = {0.9, 1.8};
+    for (int i = 0; i <= 60; i++) {
+        struct thud_figure *figure;
+        struct thud_panel *panel = one_panel(&figure, "x", "y");
+        thud_panel_limits(panel, THUD_X, 0.0, 10.0);
+        thud_panel_limits(panel, THUD_Y, 0.0, 2.0);
+        thud_panel_mark(panel, THUD_X, 0.1 * i, 0.1 * i, "there");
+        thud_panel_mark(panel, THUD_Y, 0.0, 1.0, "within");
+        thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES}, "", 2, x, low);
+        thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES}, "", 2, x, high);
+        char *text = draw(panel, 60, 14, i % 2 == 0);
+        ck_assert_msg(strstr(text, "there") != NULL, "at %g:\n%s", 0.1 * i, text);
+        ck_assert_msg(strstr(text, "within") != NULL, "at %g:\n%s", 0.1 * i, text);
+        free(text);
+        thud_figure_free(figure);
+    }
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -159,6 +181,7 @@ Suite *thud_suite(void)
     TCase *chart = tcase_create("chart");
     tcase_add_test(chart, a_straight_line_in_ascii);
     tcase_add_test(chart, a_spike_is_seen);
+    tcase_add_test(chart, words_of_marks_stay_whole);
     tcase_add_test(chart, curves_are_told_apart_without_colour);
     tcase_add_test(chart, a_shade_has_no_number);
     tcase_add_test(chart, decades_are_labelled);

@@ -183,7 +183,7 @@ START_TEST(the_whole_plots_of_two_bodies)
                                    "|    0       0.2     0.4      0.6     0.8       s||............................|\n"
                                    "+------------------------------------------------++----------------------------+\n"
                                    "\n"
-                                   "\n"
+                                   " t = 0.0088 s: no bumper 8.38 MN\n"
                                    " Space play  +/- speed  Left/Right time  n/N impact  L largest   ? help  q quit\n";
     fixture_close(&f);
     fixture_open(&f, "bodies", 80, 24, false);
@@ -239,6 +239,40 @@ START_TEST(the_largest_force_is_said_at_its_moment)
     f.tui->plots->time_s = result->contact[worst].force.time_s;
     fixture_keys(&f, "");
     fixture_expect(&f, expected);
+    char number[24]; /* and below, with the other case at that time */
+    int all;
+    double most = thud_live_force(&f.tui->live, THUD_LIVE_BUMPER, 0, &all);
+    snprintf(expected, sizeof expected, "bumper %s MN", thud_tui_number(1e-6 * most, number));
+    fixture_expect(&f, expected);
+}
+END_TEST
+
+/* The highest number on the chart's upright axis. */
+static double scale(void)
+{
+    char *text = fixture_text(&f);
+    double most = -1.0, value;
+    for (char *line = text; line; line = strchr(line, '\n'), line += line != NULL)
+        if (sscanf(line, "│%lf ┤", &value) == 1 && value > most)
+            most = value;
+    free(text);
+    return most;
+}
+
+/* While the movement plays the scale of a closer look stands still; paused it fits what is shown. */
+START_TEST(the_scale_stands_still_while_it_plays)
+{
+    fixture_keys(&f, "<A-5>");
+    fixture_keys(&f, "<Home>zzz");
+    double fits = scale();
+    fixture_keys(&f, " ");
+    double first = scale();
+    ck_assert_double_gt(first, fits);
+    f.tui->plots->time_s = 2.0;
+    fixture_keys(&f, "");
+    ck_assert_double_eq(scale(), first);
+    fixture_keys(&f, " <Home>");
+    ck_assert_double_eq(scale(), fits);
 }
 END_TEST
 
@@ -258,6 +292,7 @@ Suite *thud_suite(void)
     tcase_add_test(screens, every_figure_is_drawn);
     tcase_add_test(screens, values_are_edited_beside_the_figure);
     tcase_add_test(screens, the_largest_force_is_said_at_its_moment);
+    tcase_add_test(screens, the_scale_stands_still_while_it_plays);
     tcase_add_test(screens, the_whole_screen_of_two_bodies);
     tcase_add_test(screens, the_whole_plots_of_two_bodies);
     suite_add_tcase(suite, screens);
