@@ -168,9 +168,11 @@ struct thud_pane thud_pane_frame(const struct thud_pane *pane, const char *title
     thud_pane_glyph(pane, 0, bottom, line, 0x2514);
     thud_pane_glyph(pane, right, bottom, line, 0x2518);
     struct thud_pane top = thud_pane_inside(pane, 1, 0, pane->w - 2, 1);
+    struct thud_look heading = thud_look(THUD_ROLE_TITLE, focused ? THUD_BOLD | THUD_REVERSE : THUD_BOLD);
     if (title && *title)
-        thud_pane_print(&top, 0, 0, thud_look(THUD_ROLE_TITLE, focused ? THUD_BOLD | THUD_REVERSE : THUD_BOLD), " %s ",
-                        title);
+        thud_pane_print(&top, 0, 0, heading, " %s ", title);
+    if (title && thud_utf8_columns(title) + 2 > top.w)
+        thud_pane_glyph(&top, top.w - 1, 0, heading, 0x2026);
     return thud_pane_inside(pane, 1, 1, pane->w - 2, pane->h - 2);
 }
 

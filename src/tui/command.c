@@ -2,12 +2,14 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/nearest.h"
 #include "tui/scene_edit.h"
 #include "tui/state.h"
 
 struct command {
     const char *word, *short_word, *usage;
     void (*run)(struct thud_tui *tui, char *rest);
+    const char *key; /* what is said is its value; NULL: `run` takes it */
 };
 
 /* "gap 5 cm", "gap=5cm" and "gap = 5 cm" are the same. */
@@ -22,31 +24,6 @@ static void run_set(struct thud_tui *tui, char *rest)
     char *value = rest + n + strspn(rest + n, " =");
     rest[n] = '\0';
     thud_tui_set(tui, key, value);
-}
-
-static void run_record(struct thud_tui *tui, char *rest)
-{
-    thud_tui_set(tui, "record.file", rest);
-}
-
-static void run_peak(struct thud_tui *tui, char *rest)
-{
-    thud_tui_set(tui, "record.peak", rest);
-}
-
-static void run_method(struct thud_tui *tui, char *rest)
-{
-    thud_tui_set(tui, "analysis.method", rest);
-}
-
-static void run_tolerance(struct thud_tui *tui, char *rest)
-{
-    thud_tui_set(tui, "analysis.tolerance", rest);
-}
-
-static void run_step(struct thud_tui *tui, char *rest)
-{
-    thud_tui_set(tui, "analysis.step", rest);
 }
 
 /* The scene becomes that of a case, as `run --case` takes it. */
@@ -109,31 +86,95 @@ static void run_help(struct thud_tui *tui, char *rest)
     thud_tui_act(tui, THUD_DO_HELP);
 }
 
+/* A line of the study, as `thud sweep` takes it, on its screen; `sweep` alone runs what stands there. */
+static void run_vary(struct thud_tui *tui, char *rest)
+{
+    thud_tui_go(tui, THUD_SCREEN_SWEEP);
+    thud_tui_sweep_word(tui, "vary", rest);
+}
+
+static void run_cases(struct thud_tui *tui, char *rest)
+{
+    thud_tui_go(tui, THUD_SCREEN_SWEEP);
+    thud_tui_sweep_word(tui, "cases", rest);
+}
+
+static void run_records(struct thud_tui *tui, char *rest)
+{
+    thud_tui_go(tui, THUD_SCREEN_SWEEP);
+    thud_tui_sweep_word(tui, "records", rest);
+}
+
+static void run_sweep(struct thud_tui *tui, char *rest)
+{
+    (void)rest;
+    thud_tui_go(tui, THUD_SCREEN_SWEEP);
+    thud_tui_act(tui, THUD_DO_RUN);
+}
+
+static void run_bench(struct thud_tui *tui, char *rest)
+{
+    (void)rest;
+    thud_tui_go(tui, THUD_SCREEN_BENCH);
+    thud_tui_act(tui, THUD_DO_RUN);
+}
+
 static const struct command table[] = {
-    {"set", "", "KEY VALUE", run_set},
-    {"case", "", "none|bumper|cavity", run_case},
-    {"record", "", "FILE", run_record},
-    {"peak", "", "\"0.821 g\"", run_peak},
-    {"method", "", "NAME", run_method},
-    {"step", "", "TIME", run_step},
-    {"tolerance", "", "NUMBER", run_tolerance},
-    {"run", "", "", run_run},
-    {"figures", "", "", run_figures},
-    {"open", "o", "PRESET", run_open},
-    {"write", "w", "[FILE]", run_write},
-    {"live", "", "[off]", run_live},
-    {"quit", "q", "[!]", run_quit},
-    {"help", "h", "", run_help},
+    {"set", "", "KEY VALUE", run_set, NULL},
+    {"case", "", "none|bumper|cavity", run_case, NULL},
+    {"record", "", "FILE", NULL, "record.file"},
+    {"peak", "", "\"0.821 g\"", NULL, "record.peak"},
+    {"factor", "", "NUMBER", NULL, "record.factor"},
+    {"sign", "", "+|-", NULL, "record.sign"},
+    {"from", "", "TIME", NULL, "record.from"},
+    {"to", "", "TIME", NULL, "record.to"},
+    {"dt", "", "TIME", NULL, "record.dt"},
+    {"unit", "", "UNIT", NULL, "record.unit"},
+    {"channel", "", "NAME", NULL, "record.channel"},
+    {"column", "", "N", NULL, "record.column"},
+    {"skip", "", "N", NULL, "record.skip"},
+    {"method", "", "NAME", NULL, "analysis.method"},
+    {"step", "", "TIME", NULL, "analysis.step"},
+    {"tolerance", "", "NUMBER", NULL, "analysis.tolerance"},
+    {"run", "", "", run_run, NULL},
+    {"vary", "", "KEY=FROM:TO:STEP", run_vary, NULL},
+    {"cases", "", "CASE,CASE", run_cases, NULL},
+    {"records", "", "FILE,FILE", run_records, NULL},
+    {"sweep", "", "", run_sweep, NULL},
+    {"bench", "", "", run_bench, NULL},
+    {"figures", "", "", run_figures, NULL},
+    {"open", "o", "PRESET", run_open, NULL},
+    {"write", "w", "[FILE]", run_write, NULL},
+    {"live", "", "[off]", run_live, NULL},
+    {"quit", "q", "[!]", run_quit, NULL},
+    {"help", "h", "", run_help, NULL},
 };
+
+/* Quotes that a shell would have taken away. */
+static char *unquoted(char *text)
+{
+    size_t n = strlen(text);
+    if (n < 2 || text[0] != '"' || text[n - 1] != '"')
+        return text;
+    text[n - 1] = '\0';
+    return text + 1;
+}
 
 static void list_words(struct thud_tui *tui, const char *word)
 {
+    enum { COMMANDS = sizeof table / sizeof *table };
+    const char *words[COMMANDS], *near;
     char text[400] = "";
-    for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
+    for (int i = 0; i < COMMANDS; i++) {
         size_t n = strlen(text);
-        snprintf(text + n, sizeof text - n, "%s%s", i ? ", " : "", table[i].word);
+        words[i] = table[i].word;
+        snprintf(text + n, sizeof text - n, "%s%s", i ? ", " : "", words[i]);
     }
-    thud_tui_say(tui, THUD_ROLE_WARN, "! \"%.40s\" is no command: %s", word, text);
+    near = thud_nearest(word, words, COMMANDS);
+    if (near)
+        thud_tui_say(tui, THUD_ROLE_WARN, "! \"%.40s\" is no command; did you mean :%s?", word, near);
+    else
+        thud_tui_say(tui, THUD_ROLE_WARN, "! \"%.40s\" is no command: %s", word, text);
 }
 
 void thud_tui_command(struct thud_tui *tui, const char *text)
@@ -151,7 +192,10 @@ void thud_tui_command(struct thud_tui *tui, const char *text)
         return;
     for (size_t i = 0; i < sizeof table / sizeof *table; i++)
         if (strcmp(first, table[i].word) == 0 || (*table[i].short_word && strcmp(first, table[i].short_word) == 0)) {
-            table[i].run(tui, rest);
+            if (table[i].key)
+                thud_tui_set(tui, table[i].key, unquoted(rest));
+            else
+                table[i].run(tui, rest);
             return;
         }
     list_words(tui, first);

@@ -166,6 +166,20 @@ static const char *prompt_words(const struct thud_tui *tui)
     return words[tui->typing];
 }
 
+/* Leaves off sentences at the end until the rest fits into so many rows. */
+static void fit_words(const struct thud_pane *lines, int rows, char *words)
+{
+    struct thud_pane nowhere = thud_pane_inside(lines, 0, 0, lines->w, 0);
+    while (thud_pane_wrap(&nowhere, 1, 0, lines->w - 2, thud_look(THUD_ROLE_PLAIN, 0), words) > rows) {
+        char *end = NULL;
+        for (char *at = words; (at = strstr(at, ". ")) != NULL; at++)
+            end = at + 1;
+        if (!end)
+            return;
+        *end = '\0';
+    }
+}
+
 static void bottom_lines(struct thud_tui *tui, const struct thud_pane *page, int rows)
 {
     struct thud_pane lines = thud_pane_inside(page, 0, page->h - rows, page->w, rows);
@@ -182,6 +196,7 @@ static void bottom_lines(struct thud_tui *tui, const struct thud_pane *page, int
         int used = *tui->message ? thud_pane_wrap(&upper, 1, 0, upper.w - 2, said, tui->message) : 0;
         if (used == 0 && upper.h > 1 && thud_utf8_columns(words) <= upper.w - 2)
             used = 1;
+        fit_words(&upper, upper.h - used, words);
         if (used < upper.h)
             thud_pane_wrap(&upper, 1, used, upper.w - 2, muted, words);
     }

@@ -182,7 +182,8 @@ void thud_tui_answered(struct thud_tui *tui, int key);
 void thud_tui_save(struct thud_tui *tui, const char *path, bool sure);
 void thud_tui_open(struct thud_tui *tui, const char *name, bool sure);
 void thud_tui_quit(struct thud_tui *tui, bool sure);
-void thud_tui_sweep_typed(struct thud_tui *tui, const char *text);    /* view_sweep.c */
+void thud_tui_sweep_typed(struct thud_tui *tui, const char *text); /* view_sweep.c */
+void thud_tui_sweep_word(struct thud_tui *tui, const char *word, const char *text);
 void thud_tui_filter_records(struct thud_tui *tui, const char *text); /* view_record.c */
 void thud_tui_help_typed(struct thud_tui *tui, const char *text);     /* view_help.c */
 void thud_tui_list_presets(struct thud_tui *tui);

@@ -108,6 +108,18 @@ void thud_tui_sweep_typed(struct thud_tui *tui, const char *text)
         thud_tui_say(tui, THUD_ROLE_WARN, "r runs it; a preset keeps ranges, no lists of values: w does not save this");
 }
 
+void thud_tui_sweep_word(struct thud_tui *tui, const char *word, const char *text)
+{
+    struct thud_sweep_state *s = state(tui);
+    for (int i = 0; s && i < WORDS; i++)
+        if (strcmp(word_name(i), word) == 0) {
+            s->typed = i;
+            snprintf(tui->target, sizeof tui->target, "%s: ", word);
+            thud_tui_sweep_typed(tui, text);
+            return;
+        }
+}
+
 static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect *pane)
 {
     (void)tui;

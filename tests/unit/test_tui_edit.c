@@ -213,6 +213,18 @@ START_TEST(the_command_line)
     ck_assert_double_eq_tol(scene()->record.peak_mps2, 0.3 * THUD_GRAVITY, 1e-12);
     fixture_keys(&f, ":case none<Enter>");
     ck_assert(!scene()->interface[0].has_bumper);
+    fixture_keys(&f, ":peak \"0.5 g\"<Enter>:sign -<Enter>:from 0.5 s<Enter>:to 2.5 s<Enter>:tolerance 1e-7<Enter>");
+    ck_assert_double_eq_tol(scene()->record.peak_mps2, 0.5 * THUD_GRAVITY, 1e-12);
+    ck_assert_int_eq(scene()->record.sign, -1);
+    ck_assert_double_eq_tol(scene()->record.from_s, 0.5, 1e-15);
+    ck_assert_double_eq_tol(scene()->record.to_s, 2.5, 1e-15);
+    ck_assert_double_eq(scene()->analysis.tolerance, 1e-7);
+    fixture_keys(&f, ":vary gap=1 cm:3 cm:1 cm<Enter>:cases none<Enter>:sweep<Enter>");
+    ck_assert_int_eq((int)f.tui->screen, THUD_SCREEN_SWEEP);
+    ck_assert_int_eq(scene()->study.nvary, 1);
+    fixture_expect(&f, "3 of 3 points");
+    fixture_keys(&f, ":bech<Enter>");
+    fixture_expect(&f, "did you mean :bench?");
     fixture_keys(&f, ":bogus 3<Enter>");
     fixture_expect(&f, "is no command");
     fixture_keys(&f, ":set nokey 3<Enter>");
