@@ -20,7 +20,8 @@ enum thud_sweep_saving {
     THUD_SWEEP_FREE = 1,   /* clearances at least as wide as the largest closings take the contact-free answer */
     THUD_SWEEP_START = 2,  /* a run begins where the first contact could be */
     THUD_SWEEP_LEVELS = 4, /* contacts that nothing can close (between walls, of silent laws) are left out */
-    THUD_SWEEP_ALL = 7
+    THUD_SWEEP_NONE = 8,   /* points that differ in the bumper alone share case `none` */
+    THUD_SWEEP_ALL = 15
 };
 
 enum { THUD_SWEEP_CASES_MAX = THUD_CASES + 1 };
@@ -76,6 +77,7 @@ void thud_sweep_base_free(struct thud_sweep_base *base);
 struct thud_sweep_effort {
     enum thud_status status; /* THUD_OK; THUD_INPUT: not possible (a bumper wider than the gap); THUD_DIVERGED */
     bool made;               /* false: answered without a run */
+    bool taken;              /* not made, but another point's (case `none`) */
     bool reference;          /* not asked for: case `none`, run for the ratios */
     double shared_s, end_s;  /* motion taken from the base, and the whole */
     int left_out;            /* contacts left out */
@@ -124,6 +126,14 @@ enum thud_status thud_sweep_task_create(const struct thud_sweep_plan *plan, cons
 /* A run that fails is a run without an answer: `err` is set and tells why, but THUD_OK comes back. Errors: THUD_MEMORY.
  */
 enum thud_status thud_sweep_task_advance(struct thud_sweep_task *task, long budget, bool *done, struct thud_error *err);
+/* The point that makes case `none` for this one: that with every bumper's key at its first value. */
+long thud_sweep_same_none(const struct thud_sweep_plan *plan, long point);
+/* Case `none` of a finished point, for the others (free with free()); NULL where there is nothing to share, or no
+ * memory. */
+struct thud_sweep_none;
+struct thud_sweep_none *thud_sweep_none_keep(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point);
+/* To a task that has not been advanced yet, from a point with the same thud_sweep_same_none. */
+void thud_sweep_task_give(struct thud_sweep_task *task, const struct thud_sweep_none *none);
 /* Hands over the point of a task that is done. */
 struct thud_sweep_point *thud_sweep_task_take(struct thud_sweep_task *task);
 void thud_sweep_task_free(struct thud_sweep_task *task);
@@ -146,7 +156,7 @@ unsigned long long thud_sweep_fingerprint(const struct thud_sweep_plan *plan);
 
 /* Sums over points: what a study cost and what was saved. */
 struct thud_sweep_total {
-    long points, asked, made, references, free, impossible, diverged, shared_runs, left_out, steps, events;
+    long points, asked, made, taken, references, free, impossible, diverged, shared_runs, left_out, steps, events;
     double shared_s, end_s; /* of the runs made */
     struct {
         long made, free, failed;

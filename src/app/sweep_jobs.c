@@ -6,7 +6,7 @@
 #include <time.h>
 #include <unistd.h>
 
-enum { THREADS_MAX = 256, SLICE = 64, SHOW_MS = 100 };
+enum { THREADS_MAX = 256, SLICE = 64, SHOW_MS = 100, NONE_SLOTS = 512 };
 
 /* A base in use by points that are next to each other. */
 struct shared_base {
@@ -24,6 +24,10 @@ struct work {
     long window;                      /* how far handing out may be ahead */
     struct thud_sweep_point **ring;   /* (window) finished points by count % window */
     struct shared_base *bases;
+    struct {
+        long of; /* thud_sweep_same_none */
+        struct thud_sweep_none *none;
+    } kept[NONE_SLOTS];
     bool stop;
     enum thud_status status;
     struct thud_error error;
@@ -123,12 +127,39 @@ static struct shared_base *borrow(struct work *w, long index)
     return NULL;
 }
 
+/* Case `none`, where a point with the same one was made before. */
+static void give_none(struct work *w, struct thud_sweep_task *task, long index)
+{
+    long of = thud_sweep_same_none(w->jobs->plan, index);
+    if (of == index)
+        return; /* the one that makes it, so that what is told of the work does not depend on who comes first */
+    pthread_mutex_lock(&w->lock);
+    if (w->kept[of % NONE_SLOTS].none && w->kept[of % NONE_SLOTS].of == of)
+        thud_sweep_task_give(task, w->kept[of % NONE_SLOTS].none);
+    pthread_mutex_unlock(&w->lock);
+}
+
+/* Keeps it for the points to come, in place of what was kept there; without memory it is made again. The lock is held.
+ */
+static void keep_none(struct work *w, const struct thud_sweep_point *point)
+{
+    long of = thud_sweep_same_none(w->jobs->plan, point->index);
+    struct thud_sweep_none **kept = &w->kept[of % NONE_SLOTS].none;
+    if (*kept && w->kept[of % NONE_SLOTS].of == of)
+        return;
+    free(*kept);
+    *kept = thud_sweep_none_keep(w->jobs->plan, point);
+    w->kept[of % NONE_SLOTS].of = of;
+}
+
 static enum thud_status make_point(struct work *w, const struct thud_sweep_base *base, long index,
                                    struct thud_sweep_point **out, struct thud_error *err)
 {
     struct thud_sweep_task *task;
     bool done = false;
     enum thud_status status = thud_sweep_task_create(w->jobs->plan, base, index, &task, err);
+    if (status == THUD_OK)
+        give_none(w, task, index);
     while (status == THUD_OK && !done) {
         status = thud_sweep_task_advance(task, SLICE * 16, &done, err);
         if (status == THUD_OK && !done && stopped(w))
@@ -166,6 +197,7 @@ static void *worker(void *context)
             fail(w, status, &error);
             break;
         }
+        keep_none(w, point);
         w->ring[i % w->window] = point;
         if (i == w->taken)
             pthread_cond_signal(&w->ready);
@@ -271,6 +303,8 @@ enum thud_status thud_sweep_jobs_run(const struct thud_sweep_jobs *jobs, struct 
         pthread_join(thread[i], NULL);
     for (long i = 0; i < w.window; i++)
         free(w.ring[i]);
+    for (int i = 0; i < NONE_SLOTS; i++)
+        free(w.kept[i].none);
     w.next = jobs->count;
     drop_bases(&w);
     pthread_cond_destroy(&w.made);

@@ -207,7 +207,10 @@ void thud_sweep_report_work(const struct thud_sweep_plan *plan, const struct thu
     thud_text_append(out, "%ld runs", total->asked);
     if (total->references > 0)
         thud_text_append(out, " and %ld of case none for the ratios", total->references);
-    thud_text_append(out, ": %ld made, %ld answered by the motion without pounding\n", total->made, total->free);
+    thud_text_append(out, ": %ld made, %ld answered by the motion without pounding", total->made, total->free);
+    if (total->taken > 0)
+        thud_text_append(out, ", %ld of case none taken from points with another bumper", total->taken);
+    thud_text_append(out, "\n");
     if (plan->scene.analysis.modes > 0)
         thud_text_append(out, "each building's lowest %d modes alone: thud run tells what that changes\n",
                          plan->scene.analysis.modes);

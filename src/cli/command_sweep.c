@@ -49,8 +49,11 @@ static enum thud_status choose_savings(struct sweep *s, struct thud_error *err)
     static const struct {
         const char *name;
         unsigned bit;
-    } saving[] = {
-        {"free", THUD_SWEEP_FREE}, {"start", THUD_SWEEP_START}, {"levels", THUD_SWEEP_LEVELS}, {"all", THUD_SWEEP_ALL}};
+    } saving[] = {{"free", THUD_SWEEP_FREE},
+                  {"start", THUD_SWEEP_START},
+                  {"levels", THUD_SWEEP_LEVELS},
+                  {"none", THUD_SWEEP_NONE},
+                  {"all", THUD_SWEEP_ALL}};
     const char *word;
     for (int i = 0; (word = thud_args_repeated(s->args, "without", i)) != NULL; i++) {
         unsigned bit = 0;
@@ -60,7 +63,7 @@ static enum thud_status choose_savings(struct sweep *s, struct thud_error *err)
         if (!bit) {
             thud_error_set(err, THUD_USAGE, "`%.40s` is no saving", word);
             thud_error_key(err, "--without");
-            thud_error_allow(err, "free, start, levels, all");
+            thud_error_allow(err, "free, start, levels, none, all");
             return THUD_USAGE;
         }
         s->plan.savings &= ~bit;

@@ -43,4 +43,23 @@ static inline const struct thud_sweep_ground *thud_sweep_ground(const struct thu
 struct thud_sweep_point *thud_sweep_point_create(int ncases, int nfloors, int ncontacts, int nvariants);
 bool thud_sweep_has_bumper(const struct thud_scene *scene);
 
+/* Of case k (k = ncases: no pounding) of a variant: (nfloors), (ncontacts). */
+static inline struct thud_sweep_floor *thud_sweep_floors(const struct thud_sweep_point *point, int variant, int k)
+{
+    return point->floor + ((ptrdiff_t)variant * (point->ncases + 1) + k) * point->nfloors;
+}
+
+static inline struct thud_sweep_contact *thud_sweep_contacts(const struct thud_sweep_point *point, int variant, int k)
+{
+    return point->contact + ((ptrdiff_t)variant * point->ncases + k) * point->ncontacts;
+}
+
+/* Whether case k of a point is one that the plan has another point make for it. */
+bool thud_sweep_takes_none(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point, int k);
+/* What is left of an effort that another point made. */
+void thud_sweep_effort_taken(struct thud_sweep_effort *effort);
+/* Puts case `none` in place; false where the point has none. */
+bool thud_sweep_none_put(const struct thud_sweep_none *none, const struct thud_sweep_plan *plan,
+                         struct thud_sweep_point *point);
+
 #endif

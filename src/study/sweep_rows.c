@@ -227,7 +227,8 @@ void thud_sweep_total_add(struct thud_sweep_total *total, const struct thud_swee
         if (e->status == THUD_DIVERGED)
             note(&total->diverged_point, &total->diverged_case, point, k);
         total->made += e->made;
-        total->free += e->status == THUD_OK && !e->made;
+        total->taken += e->taken;
+        total->free += e->status == THUD_OK && !e->made && !e->taken;
         total->shared_runs += e->shared_s > 0;
         total->left_out += e->left_out;
         total->steps += e->steps;

@@ -14,6 +14,7 @@ struct thud_sweep_task {
     struct thud_sweep_effort effort; /* of the run at work */
     struct thud_model *model;
     struct thud_run *run;
+    bool given; /* case `none` is there already */
 };
 
 struct thud_sweep_point *thud_sweep_point_create(int ncases, int nfloors, int ncontacts, int nvariants)
@@ -45,16 +46,6 @@ static bool has_case(const struct thud_sweep_plan *plan, enum thud_case which)
     return false;
 }
 
-static struct thud_sweep_floor *floors_of(const struct thud_sweep_point *point, int variant, int k)
-{
-    return point->floor + ((ptrdiff_t)variant * (point->ncases + 1) + k) * point->nfloors;
-}
-
-static struct thud_sweep_contact *contacts_of(const struct thud_sweep_point *point, int variant, int k)
-{
-    return point->contact + ((ptrdiff_t)variant * point->ncases + k) * point->ncontacts;
-}
-
 /* Floors' peaks of a result. */
 static void take_floors(struct thud_sweep_floor *to, const struct thud_result *result)
 {
@@ -68,8 +59,8 @@ static void take_floors(struct thud_sweep_floor *to, const struct thud_result *r
 /* The answer of the case at work. */
 static void take(struct thud_sweep_task *task, const struct thud_result *result)
 {
-    struct thud_sweep_contact *to = contacts_of(task->point, task->variant, task->which);
-    take_floors(floors_of(task->point, task->variant, task->which), result);
+    struct thud_sweep_contact *to = thud_sweep_contacts(task->point, task->variant, task->which);
+    take_floors(thud_sweep_floors(task->point, task->variant, task->which), result);
     for (int c = 0; c < task->point->ncontacts; c++) {
         const struct thud_contact_result *r = &result->contact[c];
         to[c] = (struct thud_sweep_contact){r->impacts,
@@ -120,7 +111,7 @@ enum thud_status thud_sweep_task_create(const struct thud_sweep_plan *plan, cons
     for (int s = 0; s < point->nstructures; s++)
         point->floors[s] = model->structure[s].n;
     for (int v = 0; v < point->nvariants; v++)
-        take_floors(floors_of(point, v, point->ncases), thud_trunk_result(thud_sweep_ground(base, v)->trunk));
+        take_floors(thud_sweep_floors(point, v, point->ncases), thud_trunk_result(thud_sweep_ground(base, v)->trunk));
     memcpy(point->level, base->level, (size_t)point->ncontacts * sizeof *point->level);
     *out = task;
     return THUD_OK;
@@ -177,6 +168,8 @@ static void count_run(struct thud_sweep_task *task)
         bool reference = kept->reference;
         *kept = task->effort;
         kept->reference = reference;
+        if (thud_sweep_takes_none(task->plan, task->point, task->which))
+            thud_sweep_effort_taken(kept);
         return;
     }
     changed->made += task->effort.made;
@@ -190,9 +183,9 @@ static void no_numbers(const struct thud_sweep_task *task)
 {
     const struct thud_sweep_point *point = task->point;
     for (int i = 0; i < point->nfloors; i++)
-        floors_of(point, task->variant, task->which)[i] = (struct thud_sweep_floor){NAN, NAN, NAN};
+        thud_sweep_floors(point, task->variant, task->which)[i] = (struct thud_sweep_floor){NAN, NAN, NAN};
     for (int c = 0; c < point->ncontacts && task->variant > 0; c++)
-        contacts_of(point, task->variant, task->which)[c] =
+        thud_sweep_contacts(point, task->variant, task->which)[c] =
             (struct thud_sweep_contact){.force_n = NAN, .indentation_m = NAN};
 }
 
@@ -283,6 +276,10 @@ enum thud_status thud_sweep_task_advance(struct thud_sweep_task *task, long budg
             next_run(task);
             continue;
         }
+        if (task->given && task->point->which[task->which] == THUD_CASE_NONE) {
+            next_run(task);
+            continue;
+        }
         enum thud_status status = task->run ? THUD_OK : begin(task, err);
         if (status == THUD_OK && task->run) {
             status = thud_run_advance(task->run, budget, &ended, err);
@@ -302,6 +299,11 @@ enum thud_status thud_sweep_task_advance(struct thud_sweep_task *task, long budg
     }
     *done = task->variant == task->point->nvariants;
     return THUD_OK;
+}
+
+void thud_sweep_task_give(struct thud_sweep_task *task, const struct thud_sweep_none *none)
+{
+    task->given = thud_sweep_none_put(none, task->plan, task->point);
 }
 
 struct thud_sweep_point *thud_sweep_task_take(struct thud_sweep_task *task)

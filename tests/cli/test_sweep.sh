@@ -58,6 +58,23 @@ check "a JSON object for every row" test "$(grep -c '"record"' "$tmp/rows.json")
 "$THUD" sweep rigid-bumper --vary gap=5cm:7cm:1cm --cases none,bumper --csv --quiet --without all >"$tmp/slow.csv" 2>"$tmp/err"
 check "so they are for free bodies without a ground motion" cmp "$tmp/free.csv" "$tmp/slow.csv"
 
+# case none is the same whatever the bumper: the first bumper's point makes it for the others, in any order of the keys and in parts too
+none() { "$THUD" sweep towers --vary gap=8cm,12cm --vary bumper.thickness=3cm,5cm,7cm --cases bumper,none "$@"; }
+status 0 none -j 1
+check "case none is made once for all bumpers" grep -q "12 runs: 8 made, .*, 4 of case none taken from" "$tmp/out"
+mv "$tmp/out" "$tmp/work"
+status 0 none -j 2
+check "what is told of it does not depend on the threads" cmp "$tmp/work" "$tmp/out"
+none --csv --quiet -j 2 >"$tmp/shared.csv" 2>"$tmp/err"
+none --csv --quiet --without none >"$tmp/each.csv" 2>"$tmp/err"
+check "with the same numbers" cmp "$tmp/shared.csv" "$tmp/each.csv"
+for k in 1 2; do status 0 none --quiet --shard $k/2 -o "$tmp/none$k"; done
+"$THUD" sweep --merge "$tmp/none1" "$tmp/none2" --quiet -o "$tmp/nones" >"$tmp/out" 2>"$tmp/err"
+check "and in parts, where it is made again" cmp "$tmp/nones/sweep.csv" "$tmp/each.csv"
+"$THUD" sweep towers --vary bumper.thickness=3cm,5cm --vary structures.1.mass=300t,320t --cases none,cavity --csv --quiet >"$tmp/shared.csv" 2>"$tmp/err"
+"$THUD" sweep towers --vary bumper.thickness=3cm,5cm --vary structures.1.mass=300t,320t --cases none,cavity --csv --quiet --without all >"$tmp/each.csv" 2>"$tmp/err"
+check "and beside keys that change everything" cmp "$tmp/shared.csv" "$tmp/each.csv"
+
 # a row equals what `thud run` says
 row=$(grep ',bumper,0.12,' "$tmp/one/sweep.csv" | grep ',600000000$' | grep ',B,2,' | cut -d, -f6)
 "$THUD" run towers --set gap=12cm --case bumper --json >"$tmp/run.json" 2>"$tmp/err"

@@ -135,6 +135,30 @@ START_TEST(points_are_numbered_with_structures_outside)
 }
 END_TEST
 
+/* Each point against every one before it: the first whose keys but the bumper's are the same. */
+START_TEST(points_that_differ_in_the_bumper_alone_share_case_none)
+{
+    vary("gap=8 cm,10 cm,12 cm");
+    vary("interfaces.1.bumper.thickness=3 cm,5 cm");
+    vary("structures.2.mass=300 t,320 t");
+    vary("contact.restitution=0.5,0.6");
+    ck_assert_int_eq(thud_sweep_points(plan), 24);
+    for (long i = 0; i < 24; i++) {
+        int own[THUD_VARY_MAX], other[THUD_VARY_MAX];
+        long first = -1;
+        thud_sweep_place(plan, i, own);
+        for (long j = 0; j <= i && first < 0; j++) {
+            bool same = true;
+            thud_sweep_place(plan, j, other);
+            for (int a = 0; a < plan->naxes; a++)
+                same = same && (own[a] == other[a] || strstr(plan->axis[a].key, "bumper"));
+            first = same ? j : -1;
+        }
+        ck_assert_int_eq(thud_sweep_same_none(plan, i), first);
+    }
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -142,6 +166,7 @@ Suite *thud_suite(void)
     TCase *tcase = tcase_create("plan");
     tcase_add_checked_fixture(tcase, set_up, tear_down);
     tcase_add_test(tcase, ranges_and_lists);
+    tcase_add_test(tcase, points_that_differ_in_the_bumper_alone_share_case_none);
     tcase_add_test(tcase, units_of_ranges);
     tcase_add_test(tcase, what_cannot_be_varied);
     tcase_add_test(tcase, cases_by_name);

@@ -1,0 +1,104 @@
+/* Case `none` leaves the bumpers out, so points that differ in a bumper alone have the same one. The first of them
+ * makes it; the others take it over where it is at hand, and make it again where not: the numbers are the same. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "study/sweep_private.h"
+
+struct thud_sweep_none {
+    int nfloors, ncontacts;
+    struct thud_sweep_effort effort;
+    struct thud_sweep_floor *floor;     /* (nfloors) */
+    struct thud_sweep_contact *contact; /* (ncontacts) */
+};
+
+static bool is_bumper(const char *key)
+{
+    const char *dot = strchr(key, '.');
+    if (strncmp(key, "interfaces.", 11) == 0)
+        dot = strchr(key + 11, '.');
+    else if (dot)
+        return strncmp(key, "bumper.", 7) == 0;
+    return dot && strncmp(dot, ".bumper.", 8) == 0;
+}
+
+long thud_sweep_same_none(const struct thud_sweep_plan *plan, long point)
+{
+    long stride = 1, rest = point;
+    for (int i = plan->naxes - 1; i >= 0; i--) {
+        long at = rest % plan->axis[i].n;
+        if (is_bumper(plan->axis[i].key))
+            point -= at * stride;
+        rest /= plan->axis[i].n;
+        stride *= plan->axis[i].n;
+    }
+    return point;
+}
+
+static bool shares(const struct thud_sweep_plan *plan)
+{
+    return (plan->savings & THUD_SWEEP_NONE) && plan->sensitivity == 0;
+}
+
+bool thud_sweep_takes_none(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point, int k)
+{
+    return shares(plan) && point->which[k] == THUD_CASE_NONE &&
+           thud_sweep_same_none(plan, point->index) != point->index;
+}
+
+void thud_sweep_effort_taken(struct thud_sweep_effort *effort)
+{
+    if (!effort->made)
+        return;
+    effort->made = false;
+    effort->taken = true;
+    effort->left_out = 0;
+    effort->steps = effort->events = 0;
+    effort->shared_s = 0;
+}
+
+static int find_none(const struct thud_sweep_point *point)
+{
+    for (int k = 0; k < point->ncases; k++)
+        if (point->which[k] == THUD_CASE_NONE)
+            return k;
+    return -1;
+}
+
+struct thud_sweep_none *thud_sweep_none_keep(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point)
+{
+    int k = shares(plan) ? find_none(point) : -1;
+    if (k < 0)
+        return NULL;
+    size_t floors = (size_t)point->nfloors * sizeof(struct thud_sweep_floor);
+    size_t contacts = (size_t)point->ncontacts * sizeof(struct thud_sweep_contact);
+    size_t head = (sizeof(struct thud_sweep_none) + 15) / 16 * 16;
+    char *block = malloc(head + floors + contacts);
+    if (!block)
+        return NULL;
+    struct thud_sweep_none *none = (void *)block;
+    none->nfloors = point->nfloors;
+    none->ncontacts = point->ncontacts;
+    none->effort = point->effort[k];
+    none->floor = (void *)(block + head);
+    none->contact = (void *)(block + head + floors);
+    memcpy(none->floor, thud_sweep_floors(point, 0, k), floors);
+    memcpy(none->contact, thud_sweep_contacts(point, 0, k), contacts);
+    return none;
+}
+
+bool thud_sweep_none_put(const struct thud_sweep_none *none, const struct thud_sweep_plan *plan,
+                         struct thud_sweep_point *point)
+{
+    int k = shares(plan) ? find_none(point) : -1;
+    if (k < 0 || point->nfloors != none->nfloors || point->ncontacts != none->ncontacts)
+        return false;
+    bool reference = point->effort[k].reference;
+    point->effort[k] = none->effort;
+    point->effort[k].reference = reference;
+    if (thud_sweep_takes_none(plan, point, k))
+        thud_sweep_effort_taken(&point->effort[k]);
+    memcpy(thud_sweep_floors(point, 0, k), none->floor, (size_t)none->nfloors * sizeof *none->floor);
+    memcpy(thud_sweep_contacts(point, 0, k), none->contact, (size_t)none->ncontacts * sizeof *none->contact);
+    return true;
+}
