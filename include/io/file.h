@@ -18,7 +18,8 @@ enum thud_status thud_file_write(const char *path, const char *text, size_t size
 /* thud_file_write of the whole text; THUD_MEMORY when it had failed. Clears it. */
 enum thud_status thud_text_write(struct thud_text *text, const char *path, struct thud_error *err);
 
-/* Makes a folder with its parents, to write into; what killed programs left half written there goes. Errors: THUD_OUTPUT.
+/* Makes a folder with its parents, to write into; what killed programs left half written there goes. Errors:
+ * THUD_OUTPUT.
  */
 enum thud_status thud_folder_make(const char *path, struct thud_error *err);
 

@@ -67,8 +67,7 @@ static enum thud_status unknown_word(const char *word, const struct thud_paths *
         command = command || near == commands_and_presets[i];
     thud_error_set(err, THUD_USAGE, "\"%.60s\" is neither a command nor a preset", word);
     if (near)
-        thud_error_allow(err, "did you mean `thud %s%s`? `thud help` lists the commands", near,
-                         command ? " ..." : "");
+        thud_error_allow(err, "did you mean `thud %s%s`? `thud help` lists the commands", near, command ? " ..." : "");
     else
         thud_error_allow(err, "`thud help` lists the commands, `thud help --words presets` the presets");
     return THUD_USAGE;

@@ -5,8 +5,9 @@
 #include "app/session.h"
 #include "cli/args.h"
 
-/* Opens the preset that is the command's only operand (where it may be left out: towers) and applies --record, --peak, --dt, ..., --tolerance and then
- * every --set. The session is closed on failure. Errors: THUD_USAGE, THUD_INPUT, THUD_MEMORY. */
+/* Opens the preset that is the command's only operand (where it may be left out: towers) and applies --record, --peak,
+ * --dt, ..., --tolerance and then every --set. The session is closed on failure. Errors: THUD_USAGE, THUD_INPUT,
+ * THUD_MEMORY. */
 enum thud_status thud_scene_options_open(const struct thud_args *args, struct thud_session *session,
                                          struct thud_error *err);
 

@@ -10,7 +10,6 @@
 #include "io/record_formats.h"
 #include "io/record_unit.h"
 
-
 #define ENTRY(name) &record_format_##name,
 static const struct record_format *const formats[] = {RECORD_FORMATS(ENTRY)};
 

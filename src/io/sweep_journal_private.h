@@ -13,7 +13,7 @@ struct thud_sweep_journal {
     off_t start, end; /* of the points' lines */
     long done, read;
     int head_lines, line_number;
-    bool unreadable; /* a read failed, which is not the end */
+    bool unreadable;       /* a read failed, which is not the end */
     struct thud_text line; /* being written */
     char *buffer;          /* of the line being read */
     size_t capacity;
