@@ -11,7 +11,7 @@ VERSION  := $(or $(shell sed -n 's/.*THUD_VERSION "\(.*\)".*/\1/p' include/base/
 release  := -O3 -DNDEBUG
 debug    := -O0 -g3
 asan     := -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
-coverage := -O0 -g --coverage
+coverage := -O1 -g -fno-early-inlining --coverage
 analyze  := -O1 -fanalyzer -Wno-analyzer-malloc-leak -Werror
 fuzz     := -O1 -g -fno-omit-frame-pointer -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all
 WARN     := -Wall -Wextra -Wpedantic -Wshadow -Wconversion $(if $(CI),-Werror)
@@ -117,10 +117,10 @@ valgrind: ## the unit tests and the command line's under valgrind's memcheck
 	@$(MAKE) --no-print-directory VARIANT=debug units all
 	@tests/tools/valgrind.sh build/debug
 coverage: ## lines and branches that the tests pass through, by layer and file
-	@find build/coverage -name '*.gcda' -delete 2>/dev/null; $(MAKE) --no-print-directory VARIANT=coverage test; tests=$$?; \
+	@find build/coverage -name '*.gcda' -delete 2>/dev/null; CK_TIMEOUT_MULTIPLIER=8 TEST_SECONDS=3000 $(MAKE) --no-print-directory VARIANT=coverage test; tests=$$?; \
 	    tests/tools/coverage.sh build/coverage && exit $$tests
-lint: ## clang-tidy, cppcheck, gcc's analyzer, clang-format, mandoc, shellcheck (those installed)
-	@FLAGS='$(filter-out -DNDEBUG,$(wordlist 2,99,$(COMPILE)))' tests/tools/lint.sh $(MAKE)
+lint: ## rules of the house and static analysis with the tools installed (LINT='format tidy': only these, see lint.sh)
+	@FLAGS='$(filter-out -DNDEBUG,$(wordlist 2,99,$(COMPILE)))' tests/tools/lint.sh $(MAKE) $(LINT)
 mutants: ## takes one protection of the core out at a time: the tests must notice (some 8 minutes; ONLY=word: fewer)
 	@tests/tools/install-deps.sh test
 	@tests/tools/mutants.sh '$(ONLY)'

@@ -59,7 +59,6 @@ struct thud_axis {
     const char *label, *unit; /* empty unit: a plain number */
     bool log;
     double least, most; /* NaN: from the data */
-    double step;        /* between ticks; 0: chosen */
     int nticks;         /* named ticks in place of numbers; 0: numbers */
     struct thud_tick *tick;
 };
@@ -118,7 +117,6 @@ void thud_panel_note(struct thud_panel *panel, const char *text);
 void thud_panel_axis(struct thud_panel *panel, enum thud_side side, const char *label, const char *unit);
 void thud_panel_limits(struct thud_panel *panel, enum thud_side side, double least, double most);
 void thud_panel_log(struct thud_panel *panel, enum thud_side side);
-void thud_panel_step(struct thud_panel *panel, enum thud_side side, double step);
 void thud_panel_tick(struct thud_panel *panel, enum thud_side side, double at, const char *text);
 void thud_panel_mark(struct thud_panel *panel, enum thud_side side, double from, double to, const char *text);
 

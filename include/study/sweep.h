@@ -56,7 +56,6 @@ enum thud_status thud_sweep_cases(struct thud_sweep_plan *plan, const char *text
 enum thud_status thud_sweep_study(struct thud_sweep_plan *plan, bool axes, bool cases, struct thud_error *err);
 
 long thud_sweep_points(const struct thud_sweep_plan *plan);
-long thud_sweep_runs(const struct thud_sweep_plan *plan); /* points x cases */
 /* Bases are numbered like points: point p stands on base p / thud_sweep_points_per_base. */
 long thud_sweep_points_per_base(const struct thud_sweep_plan *plan);
 /* Record and index on each axis (naxes) of a point; returns the record. */

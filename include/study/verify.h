@@ -38,7 +38,7 @@ struct thud_expectation {
     enum thud_case which;
     char name[THUD_MEASURE_NAME_MAX];
     double value;
-    double tolerance; /* largest change allowed, see thud_verify_change; 0: none */
+    double tolerance; /* largest change allowed, relative, absolute where 0 is expected; 0: none */
     double other;     /* of one that two methods do not agree on: what the second gave; else NaN */
 };
 struct thud_expectations {
@@ -48,9 +48,6 @@ struct thud_expectations {
 enum thud_status thud_expectations_add(struct thud_expectations *list, const struct thud_expectation *one,
                                        struct thud_error *err);
 void thud_expectations_clear(struct thud_expectations *list);
-
-/* How far `value` is from `expected`: relative, absolute where 0 is expected. NaN where either is no number. */
-double thud_verify_change(double expected, double value);
 
 /* The tolerance that two methods' values justify: ten times their difference rounded up to one digit, at least 1e-6;
  * 0 for counts that are equal. NaN: they do not agree (they differ by more than 1e-4, or in a count). */

@@ -19,6 +19,17 @@ static void add_number(struct thud_text *out, double value)
         thud_text_append(out, " %9s", isnan(value) ? "-" : "blown up");
 }
 
+/* Begins a line with the method where it is another than that before (NULL: the first); whether it did. */
+static bool new_line(const struct thud_stepping *how, const struct thud_stepping *before, struct thud_text *out)
+{
+    char name[64];
+    if (before && same(how, before))
+        return false;
+    thud_stepping_name(how, name, sizeof name);
+    thud_text_append(out, "\n%-34s", name);
+    return true;
+}
+
 static void add_verdicts(const struct thud_stability *s, int kind, struct thud_text *out)
 {
     static const char signs[] = "-.+X";
@@ -31,14 +42,11 @@ static void add_verdicts(const struct thud_stability *s, int kind, struct thud_t
             shown = 1;
         }
     for (int i = 0; i < s->ncells; i++) {
-        if (i == 0 || !same(&c[i].how, &c[i - 1].how)) {
-            char name[64];
-            thud_stepping_name(&c[i].how, name, sizeof name);
-            thud_text_append(out, "\n%-34s ", name);
+        if (new_line(&c[i].how, i ? &c[i - 1].how : NULL, out)) {
             if (isfinite(c[i].how.method->stability))
-                thud_text_append(out, "%6.4g ", c[i].how.method->stability);
+                thud_text_append(out, " %6.4g ", c[i].how.method->stability);
             else
-                thud_text_append(out, "%6s ", "none");
+                thud_text_append(out, " %6s ", "none");
         }
         if (isnan(c[i].omega_dt))
             thud_text_append(out, " %s (steps of its own)", thud_verdict_word(c[i].verdict[kind]));
@@ -58,11 +66,7 @@ static void add_energies(const struct thud_stability *s, struct thud_text *out)
             shown = 1;
         }
     for (int i = 0; i < s->nenergies; i++) {
-        if (i == 0 || !same(&e[i].how, &e[i - 1].how)) {
-            char name[64];
-            thud_stepping_name(&e[i].how, name, sizeof name);
-            thud_text_append(out, "\n%-34s", name);
-        }
+        new_line(&e[i].how, i ? &e[i - 1].how : NULL, out);
         add_number(out, e[i].ratio);
     }
     thud_text_append(out, "\n");

@@ -53,7 +53,8 @@ static double contact_period(const struct thud_model_contact *p)
     return 2 * acos(-1) * high / v;
 }
 
-double thud_run_shortest_period(const struct thud_run *run)
+/* Shortest period, of a mode or of a contact at a closing of 1 m/s, s. */
+static double shortest_period(const struct thud_run *run)
 {
     double shortest = run->fastest_radps > 0 ? 2 * acos(-1) / run->fastest_radps : INFINITY;
     for (int c = 0; c < run->model->ncontacts; c++)
@@ -64,7 +65,7 @@ double thud_run_shortest_period(const struct thud_run *run)
 
 double thud_run_default_step(const struct thud_run *run)
 {
-    double step = thud_run_shortest_period(run) / 20;
+    double step = shortest_period(run) / 20;
     return fmin(step, run->record ? run->record->dt_s : run->end_s / 20);
 }
 

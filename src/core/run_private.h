@@ -158,8 +158,6 @@ enum thud_status thud_run_check_options(const struct thud_model *model, const st
 /* The step of a fixed-step method that was given none: a twentieth of the shortest period, of a mode or of a contact at
  * a closing of 1 m/s, and not above the record's step. */
 double thud_run_default_step(const struct thud_run *run);
-/* The same shortest period, s. */
-double thud_run_shortest_period(const struct thud_run *run);
 /* Fills run->speed_bound. */
 void thud_run_set_bound(struct thud_run *run);
 /* THUD_DIVERGED when this state (q, qd) holds far more energy than can ever have come in. */

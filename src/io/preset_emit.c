@@ -60,7 +60,8 @@ static bool needs_escape(unsigned letter)
            letter == 0xfeff || letter == 0xfffe || letter == 0xffff;
 }
 
-void thud_emit_scalar(struct thud_text *out, const char *text, bool flow)
+/* A text as a YAML scalar, quoted where it must be. */
+static void emit_scalar(struct thud_text *out, const char *text, bool flow)
 {
     if (is_plain(text, flow)) {
         thud_text_append(out, "%s", text);
@@ -91,7 +92,7 @@ void thud_emit_value(struct thud_text *out, const char *path, const char *text, 
     if (list)
         thud_text_append(out, "%s", text);
     else
-        thud_emit_scalar(out, text, flow);
+        emit_scalar(out, text, flow);
 }
 
 /* ---- sections ---- */

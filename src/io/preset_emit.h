@@ -27,8 +27,6 @@ struct thud_emit {
     bool flow;
 };
 
-/* A text as a YAML scalar, quoted where it must be. */
-void thud_emit_scalar(struct thud_text *out, const char *text, bool flow);
 /* `text` as thud_scene_get gives it: a list stays one. */
 void thud_emit_value(struct thud_text *out, const char *path, const char *text, bool flow);
 

@@ -154,12 +154,6 @@ void thud_panel_log(struct thud_panel *panel, enum thud_side side)
         panel->axis[side].log = true;
 }
 
-void thud_panel_step(struct thud_panel *panel, enum thud_side side, double step)
-{
-    if (panel)
-        panel->axis[side].step = step;
-}
-
 void thud_panel_tick(struct thud_panel *panel, enum thud_side side, double at, const char *text)
 {
     if (!panel)

@@ -73,7 +73,7 @@ static struct thud_range round_linear(struct thud_range range, const struct thud
         range.most += room;
         width = 2.0 * room;
     }
-    range.step = axis->step > 0.0 ? axis->step : round_step(width, side == THUD_X ? 7 : 6);
+    range.step = round_step(width, side == THUD_X ? 7 : 6);
     if (tight)
         return range;
     /* along x a fifth of a step is round enough; along y a curve shall not lie on the frame, except at 0 */

@@ -15,7 +15,8 @@ struct thud_shown thud_shown_energy(double peak_j)
     return peak_j >= 1e6 ? (struct thud_shown){1e-6, "MJ"} : (struct thud_shown){1e-3, "kJ"};
 }
 
-int thud_source_dof(const struct thud_figure_source *source, int structure)
+/* First dof of a structure. */
+static int first_dof(const struct thud_figure_source *source, int structure)
 {
     int dof = 0;
     for (int i = 0; i < structure; i++)
@@ -158,7 +159,7 @@ static void floor_line(struct thud_panel *panel, const struct thud_figure_source
                        enum thud_run_figure which, const char *name, int color)
 {
     const struct thud_history *h = source->history;
-    int dof = thud_source_dof(source, structure) + floor, column = thud_history_displacement(h, dof), less = -1;
+    int dof = first_dof(source, structure) + floor, column = thud_history_displacement(h, dof), less = -1;
     if (which == THUD_FIGURE_VELOCITY)
         column = thud_history_velocity(h, dof);
     else if (which == THUD_FIGURE_ACCELERATION)

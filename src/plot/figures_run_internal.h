@@ -14,8 +14,6 @@ struct thud_shown {
 struct thud_shown thud_shown_force(double peak_n);
 struct thud_shown thud_shown_energy(double peak_j);
 
-int thud_source_dof(const struct thud_figure_source *source, int structure); /* its first */
-
 /* Time of the largest impact of all sources, with room around it; false where there was none. */
 bool thud_source_zoom(const struct thud_figure_source *source, int nsources, double *from_s, double *to_s);
 

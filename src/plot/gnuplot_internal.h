@@ -25,9 +25,6 @@ struct sheet {
     double key_left; /* px */
 };
 
-/* Size, font and room for the key, from the options and the figure. */
-struct sheet thud_sheet(const struct thud_figure *figure, const struct thud_picture_options *options,
-                        struct thud_text *out);
 /* The frame of a panel. */
 struct box thud_sheet_frame(const struct sheet *sheet, int panel);
 
@@ -35,8 +32,6 @@ struct box thud_sheet_frame(const struct sheet *sheet, int panel);
  * control characters as spaces. */
 void thud_gnuplot_quote(struct thud_text *out, const char *text, double widest, double em);
 
-/* About how wide a text is, px. */
-double thud_gnuplot_width(const char *text, double em);
 /* The em, made up to a quarter smaller where the text needs it to fit. */
 double thud_gnuplot_fit(const char *text, double widest, double em);
 

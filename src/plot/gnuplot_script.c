@@ -23,7 +23,8 @@ static size_t character(const char *s)
 
 static const double char_em = 0.53; /* mean width of DejaVu Sans, on the safe side */
 
-double thud_gnuplot_width(const char *text, double em)
+/* About how wide a text is, px. */
+static double width_of(const char *text, double em)
 {
     size_t n = 0;
     for (size_t step; *text; text += step ? step : 1, n++)
@@ -33,14 +34,14 @@ double thud_gnuplot_width(const char *text, double em)
 
 double thud_gnuplot_fit(const char *text, double widest, double em)
 {
-    double width = thud_gnuplot_width(text, em);
+    double width = width_of(text, em);
     return width > widest ? em * fmax(0.75, widest / width) : em;
 }
 
 void thud_gnuplot_quote(struct thud_text *out, const char *text, double widest, double em)
 {
     size_t most = widest > 0.0 ? (size_t)fmax(3.0, widest / (char_em * em)) : (size_t)-1, n = 0;
-    bool cut = widest > 0.0 && thud_gnuplot_width(text, em) > widest;
+    bool cut = widest > 0.0 && width_of(text, em) > widest;
     thud_text_bytes(out, "'", 1);
     while (*text) {
         size_t size = character(text);
@@ -61,8 +62,9 @@ void thud_gnuplot_quote(struct thud_text *out, const char *text, double widest, 
     thud_text_bytes(out, "'", 1);
 }
 
-struct sheet thud_sheet(const struct thud_figure *figure, const struct thud_picture_options *options,
-                        struct thud_text *out)
+/* Size, font and room for the key, from the options and the figure. */
+static struct sheet make_sheet(const struct thud_figure *figure, const struct thud_picture_options *options,
+                               struct thud_text *out)
 {
     struct sheet sheet = {.figure = figure, .out = out};
     sheet.width = options->width_px ? options->width_px : 1800;
@@ -82,7 +84,7 @@ struct sheet thud_sheet(const struct thud_figure *figure, const struct thud_pict
         sheet.nkeys = most;
     double widest = 0.0;
     for (int i = 0; i < sheet.nkeys; i++)
-        widest = fmax(widest, thud_gnuplot_width(sheet.key[i]->name, sheet.em));
+        widest = fmax(widest, width_of(sheet.key[i]->name, sheet.em));
     widest = fmin(widest, 0.22 * sheet.width);
     sheet.key_left = sheet.width - (sheet.nkeys ? widest + 4.5 * sheet.em : 0.8 * sheet.em);
     return sheet;
@@ -98,7 +100,7 @@ struct box thud_sheet_frame(const struct sheet *sheet, int panel)
     double names = 0.0; /* room for named ticks */
     const struct thud_axis *axis = &sheet->figure->panel[panel].axis[THUD_Y];
     for (int i = 0; i < axis->nticks; i++)
-        names = fmax(names, thud_gnuplot_width(axis->tick[i].text, sheet->em));
+        names = fmax(names, width_of(axis->tick[i].text, sheet->em));
     struct box box;
     box.left = column * width + fmin(fmax(6.8 * sheet->em, names + 3.4 * sheet->em), 0.5 * width);
     box.label = column * width + (column ? 2.0 : 1.4) * sheet->em;
@@ -167,7 +169,7 @@ enum thud_status thud_gnuplot_script(const struct thud_figure *figure, const str
     enum thud_status status = thud_figure_check(figure, err);
     if (status != THUD_OK)
         return status;
-    struct sheet sheet = thud_sheet(figure, options, script);
+    struct sheet sheet = make_sheet(figure, options, script);
     int panels = figure->rows * figure->columns;
     thud_text_append(script, "# A figure by thud; `gnuplot` and this file's name draw it again.\nset encoding utf8\n");
     for (int i = 0; i < panels; i++)

@@ -158,7 +158,7 @@ static enum thud_status zeno(struct thud_exhibit *out, struct thud_error *err)
     return pushed(&b, 9.80665, 0, out, false, thud_stepping_of("rk4", 1e-2, false), err);
 }
 
-enum thud_status thud_exhibit_rest(int index, struct thud_exhibit *out, struct thud_error *err)
+static enum thud_status rest(int index, struct thud_exhibit *out, struct thud_error *err)
 {
     static thud_exhibit_fn *const show[THUD_EXHIBITS_REST] = {slow_touch, stiff_restitution, sticking, zeno};
     return show[index](out, err);
@@ -175,5 +175,5 @@ enum thud_status thud_exhibit_run(int index, struct thud_exhibit *out, struct th
         return thud_exhibit_energy(index, out, err);
     index -= THUD_EXHIBITS_ENERGY;
     return index < THUD_EXHIBITS_TOUCH ? thud_exhibit_touch(index, out, err)
-                                       : thud_exhibit_rest(index - THUD_EXHIBITS_TOUCH, out, err);
+                                       : rest(index - THUD_EXHIBITS_TOUCH, out, err);
 }

@@ -344,11 +344,6 @@ long thud_sweep_points(const struct thud_sweep_plan *plan)
     return product(plan, 0) * (plan->nrecords > 0 ? plan->nrecords : 1);
 }
 
-long thud_sweep_runs(const struct thud_sweep_plan *plan)
-{
-    return thud_sweep_points(plan) * plan->ncases;
-}
-
 long thud_sweep_points_per_base(const struct thud_sweep_plan *plan)
 {
     return product(plan, plan->nouter);

@@ -147,7 +147,8 @@ void thud_expectations_clear(struct thud_expectations *list)
     *list = (struct thud_expectations){0};
 }
 
-double thud_verify_change(double expected, double value)
+/* How far `value` is from `expected`: relative, absolute where 0 is expected. NaN where either is no number. */
+static double change_of(double expected, double value)
 {
     return expected != 0 ? (value - expected) / fabs(expected) : value;
 }
@@ -156,7 +157,7 @@ double thud_verify_tolerance(double own, double independent, bool count)
 {
     if (count)
         return own == independent ? 0 : NAN;
-    double difference = fabs(thud_verify_change(independent, own));
+    double difference = fabs(change_of(independent, own));
     if (!(difference <= agreement))
         return NAN;
     if (10 * difference <= least_tolerance)
@@ -195,7 +196,7 @@ struct thud_check thud_verify_check(const struct thud_expectation *expected, con
     const struct thud_measure *m = thud_measures_find(measures, expected->which, expected->name);
     if (!m)
         return (struct thud_check){NAN, NAN, THUD_GONE};
-    double change = thud_verify_change(expected->value, m->value);
+    double change = change_of(expected->value, m->value);
     return (struct thud_check){m->value, change, fabs(change) <= expected->tolerance ? THUD_HOLDS : THUD_MOVED};
 }
 

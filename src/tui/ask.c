@@ -78,7 +78,7 @@ void thud_tui_chosen(struct thud_tui *tui)
         go_to_field(tui, value);
 }
 
-void thud_tui_ask(struct thud_tui *tui, enum thud_asking asking, const char *fmt, ...)
+static void ask(struct thud_tui *tui, enum thud_asking asking, const char *fmt, ...)
 {
     va_list args;
     va_start(args, fmt);
@@ -131,11 +131,11 @@ void thud_tui_save(struct thud_tui *tui, const char *path, bool sure)
     bool other = path && strcmp(to, before) != 0;
     snprintf(tui->target, sizeof tui->target, "%s", to);
     if (!sure && other && exists(to)) {
-        thud_tui_ask(tui, THUD_ASK_OVERWRITE, "%s exists. Write over it?", to);
+        ask(tui, THUD_ASK_OVERWRITE, "%s exists. Write over it?", to);
         return;
     }
     if (!sure && !other && thud_doc_disk_changed(&tui->doc)) {
-        thud_tui_ask(tui, THUD_ASK_DISK, "%s was changed by someone else since it was read. Write over it?", before);
+        ask(tui, THUD_ASK_DISK, "%s was changed by someone else since it was read. Write over it?", before);
         return;
     }
     struct thud_error err;
@@ -150,7 +150,7 @@ void thud_tui_open(struct thud_tui *tui, const char *name, bool sure)
     struct thud_error err;
     if (!sure && thud_doc_unsaved(&tui->doc)) {
         snprintf(tui->target, sizeof tui->target, "%s", name);
-        thud_tui_ask(tui, THUD_ASK_OPEN, "%s has unsaved changes. Open %s and lose them?", tui->doc.scene.name, name);
+        ask(tui, THUD_ASK_OPEN, "%s has unsaved changes. Open %s and lose them?", tui->doc.scene.name, name);
         return;
     }
     thud_live_clear(&tui->live); /* its runs look at the record, which goes with the preset */
@@ -167,7 +167,7 @@ void thud_tui_open(struct thud_tui *tui, const char *name, bool sure)
 void thud_tui_quit(struct thud_tui *tui, bool sure)
 {
     if (!sure && thud_doc_unsaved(&tui->doc)) {
-        thud_tui_ask(tui, THUD_ASK_QUIT, "%s has unsaved changes. Quit and lose them? (w saves)", tui->doc.scene.name);
+        ask(tui, THUD_ASK_QUIT, "%s has unsaved changes. Quit and lose them? (w saves)", tui->doc.scene.name);
         return;
     }
     tui->quit = true;

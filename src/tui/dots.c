@@ -27,7 +27,8 @@ void thud_dots_clear(struct thud_dots *dots)
     dots->look = NULL;
 }
 
-void thud_dots_set(struct thud_dots *dots, int x, int y, struct thud_look look)
+/* Dot coordinates run right and down from 0; what lies outside vanishes. */
+static void set_dot(struct thud_dots *dots, int x, int y, struct thud_look look)
 {
     /* the bits of U+2800, by row and column of the dot */
     static const unsigned char braille[4][2] = {{0x01, 0x08}, {0x02, 0x10}, {0x04, 0x20}, {0x40, 0x80}};
@@ -66,7 +67,7 @@ void thud_dots_line(struct thud_dots *dots, double x0, double y0, double x1, dou
     for (int i = 0; i <= n; i++) {
         double t = n ? (double)i / n : 0.0;
         if (i % every == 0)
-            thud_dots_set(dots, (int)lround(x0 + t * (x1 - x0)), (int)lround(y0 + t * (y1 - y0)), look);
+            set_dot(dots, (int)lround(x0 + t * (x1 - x0)), (int)lround(y0 + t * (y1 - y0)), look);
     }
 }
 

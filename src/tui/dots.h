@@ -14,8 +14,6 @@ struct thud_dots {
 
 /* Errors: THUD_MEMORY. */
 enum thud_status thud_dots_init(struct thud_dots *dots, const struct thud_pane *pane, struct thud_error *err);
-/* Dot coordinates run right and down from 0; what lies outside vanishes. */
-void thud_dots_set(struct thud_dots *dots, int x, int y, struct thud_look look);
 /* A straight line between two points, also far outside; NaN draws nothing. `every` > 1 draws every so many dots. */
 void thud_dots_line(struct thud_dots *dots, double x0, double y0, double x1, double y1, int every,
                     struct thud_look look);

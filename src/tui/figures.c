@@ -23,7 +23,8 @@ static const char *file_name(enum thud_plot plot)
     return name[plot];
 }
 
-char *thud_dof_name(const struct thud_model *model, const struct thud_scene *scene, int dof, char *text, size_t size)
+/* "A 4" for a dof of the model. Returns `text`. */
+static char *dof_name(const struct thud_model *model, const struct thud_scene *scene, int dof, char *text, size_t size)
 {
     int s = model->dof_structure[dof];
     snprintf(text, size, "%.40s, floor %d", scene->structure[s].name, dof - model->structure[s].first + 1);
@@ -114,7 +115,7 @@ static struct thud_figure *histories(const struct thud_live *live, const struct 
     if (of_contact)
         contact_name(model, scene, sight->contact, where, sizeof where);
     else
-        thud_dof_name(model, scene, sight->dof, where, sizeof where);
+        dof_name(model, scene, sight->dof, where, sizeof where);
     snprintf(title, sizeof title, "%s, %s", thud_plot_title(plot), where);
     struct thud_figure *figure = thud_figure_create(file_name(plot), title, 1, 1);
     struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "");

@@ -24,7 +24,4 @@ struct thud_sight {
 struct thud_figure *thud_plot_make(const struct thud_live *live, const struct thud_scene *scene, enum thud_plot plot,
                                    const struct thud_sight *sight, const char **why);
 
-/* "A 4" for a dof of the model. Returns `text`. */
-char *thud_dof_name(const struct thud_model *model, const struct thud_scene *scene, int dof, char *text, size_t size);
-
 #endif

@@ -19,7 +19,8 @@ static size_t row_before(const struct thud_history *h, double t)
     return low;
 }
 
-double thud_history_at(const struct thud_history *h, int column, double t)
+/* Value of a column at a time, linear between rows. */
+static double value_at(const struct thud_history *h, int column, double t)
 {
     if (h->rows == 0)
         return 0.0;
@@ -36,7 +37,7 @@ static double force_at(const struct thud_history *h, int contact, double t)
 {
     const double moment_s = 1e-9;
     int column = thud_history_force(h, contact);
-    double most = thud_history_at(h, column, t);
+    double most = value_at(h, column, t);
     if (h->rows == 0)
         return 0.0;
     size_t row = row_before(h, t + moment_s);
@@ -122,8 +123,7 @@ static bool set_stage(struct stage *stage)
 static double displacement(const struct stage *stage, int dof)
 {
     return dof < 0 ? 0.0
-                   : stage->scale *
-                         thud_history_at(stage->history, thud_history_displacement(stage->history, dof), stage->t);
+                   : stage->scale * value_at(stage->history, thud_history_displacement(stage->history, dof), stage->t);
 }
 
 static void draw_box(struct stage *stage, double x0, double y0, double x1, double y1, struct thud_look look)
@@ -218,7 +218,7 @@ static void say_contact(struct stage *stage, const struct thud_pane *pane, int w
     if (worst < 0)
         return;
     const struct thud_model_contact *contact = &stage->model->contact[worst];
-    double depth = thud_history_at(stage->history, thud_history_indentation(stage->history, worst), stage->t);
+    double depth = value_at(stage->history, thud_history_indentation(stage->history, worst), stage->t);
     int floor = contact->left_floor > 0 ? contact->left_floor : contact->right_floor;
     char text[80];
     snprintf(text, sizeof text, "*%d %.3g MN %.3g mm", floor, 1e-6 * force, 1e3 * depth);

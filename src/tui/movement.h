@@ -11,7 +11,5 @@
  * indentation. `bumper`: the bumpers are there. Draws nothing where there is no room. */
 void thud_movement_draw(const struct thud_pane *pane, const struct thud_scene *scene, const struct thud_model *model,
                         const struct thud_history *history, bool bumper, double t);
-/* Value of a column at a time, linear between rows. */
-double thud_history_at(const struct thud_history *history, int column, double t);
 
 #endif

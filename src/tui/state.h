@@ -88,7 +88,6 @@ struct thud_peaks { /* what the strip shows, kept to show what a change did */
     double acceleration[2], drift[2], force;
 };
 
-struct thud_model_state;
 struct thud_plots_state;
 struct thud_record_state;
 struct thud_sweep_state;
@@ -177,7 +176,6 @@ void thud_tui_prompt(struct thud_tui *tui, enum thud_typing typing, const char *
 void thud_tui_prompt_done(struct thud_tui *tui);
 void thud_tui_choose(struct thud_tui *tui, enum thud_choosing choosing, const char *title);
 void thud_tui_chosen(struct thud_tui *tui);
-void thud_tui_ask(struct thud_tui *tui, enum thud_asking asking, const char *fmt, ...) THUD_PRINTF(3, 4);
 void thud_tui_answered(struct thud_tui *tui, int key);
 void thud_tui_save(struct thud_tui *tui, const char *path, bool sure);
 void thud_tui_open(struct thud_tui *tui, const char *name, bool sure);

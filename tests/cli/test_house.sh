@@ -10,6 +10,7 @@ trap 'rm -rf "$tmp"' EXIT
 sh $tools/check-includes.sh .
 sh $tools/check-pure.sh "$BUILD/libthud.a"
 sh $tools/check-tree.sh .
+sh $tools/check-unused.sh "$BUILD"
 
 finds() { # WHAT PATTERN COMMAND...: the command fails and its output shows the pattern
     what=$1
@@ -62,6 +63,21 @@ plant src/core/a.c "int a; \n"
 finds "a trailing blank is found" "a.c:1" sh $tools/check-tree.sh "$tmp/tree"
 plant src/core/a.c "$(seq 501)\n"
 finds "a file over 500 lines is found" "a.c: 501" sh $tools/check-tree.sh "$tmp/tree"
+
+unused() { # WHAT PATTERN HEADER SOURCE [TEST]: a tree of one header, one file that is compiled and one test
+    plant src/base/bad.c "$4"
+    mkdir -p "$tmp/tree/include/base" "$tmp/tree/tests" "$tmp/built/src/base"
+    printf '%b' "$3" >"$tmp/tree/include/base/bad.h"
+    printf '%b' "${5:-}" >"$tmp/tree/tests/test_bad.c"
+    $CC -c -o "$tmp/built/src/base/bad.o" "$tmp/tree/src/base/bad.c"
+    finds "$1" "$2" sh $tools/check-unused.sh "$tmp/built" "$tmp/tree"
+}
+unused "a function without a caller is found" "thud_bad .* used by nothing" 'int thud_bad(void);\n' 'int thud_bad(void) { return 1; }\n'
+unused "one that only a test calls is found" "thud_bad .* by tests alone" 'int thud_bad(void);\n' \
+    'int thud_bad(void) { return 1; }\n' 'int main(void) { return thud_bad(); }\n'
+unused "one that should be static is found" "thud_bad .* not static" 'int thud_bad(void);\n' \
+    'int thud_bad(void) { return 1; }\nint main(void) { return thud_bad(); }\n'
+unused "a name that only its header knows is found" "bad.h: thud_gone" 'int thud_gone(void);\n' 'int main(void) { return 0; }\n'
 
 # the core library links by itself: no part of it leans on the layers to its right
 if nm "$BUILD/libthud.a" 2>/dev/null | grep -q -E '__(asan|gcov|ubsan|sanitizer)_'; then

@@ -105,6 +105,7 @@ check "a spread gives each measure two more columns" sh -c "head -1 '$tmp/spread
 check "and the contacts theirs" sh -c "head -1 '$tmp/spread/contacts.csv' | grep -q 'force_low_n,force_high_n,indentation_low_m,indentation_high_m'"
 plain --csv --quiet >"$tmp/plain.csv" 2>"$tmp/err"
 check "the other columns stay as they are" sh -c "cut -d, -f1-14 '$tmp/spread/sweep.csv' | cmp - '$tmp/plain.csv'"
+# shellcheck disable=SC2016 # awk's own fields
 check "every value is within its spread" awk -F, 'NR > 1 { for (i = 0; i < 9; i++) if (!($(15 + 2 * i) <= $(6 + i) && $(6 + i) <= $(16 + 2 * i))) exit 1 }' "$tmp/spread/sweep.csv"
 sed 's/^study:/&\n  sensitivity: 0.2 %/' presets/towers.yaml >"$tmp/asks.yaml"
 status 0 "$THUD" sweep "$tmp/asks.yaml" --vary gap=8cm:11cm:1cm --cases bumper --csv --quiet

@@ -51,7 +51,7 @@ while [ "$i" -lt "$studies" ]; do
     status=137
     while [ "$status" -eq 137 ]; do # killed again and again, until it comes to its end before
         random 2
-        if [ "$drawn" -eq 1 ]; then kind=kill; else kind=tear; fi
+        if [ "$drawn" -eq 1 ]; then kind="kill"; else kind=tear; fi
         threads=$((i % 2 + 1))
         random "$calls"
         THUD_FAULT_KIND=$kind THUD_FAULT_AT=$drawn LD_PRELOAD="$tmp/preload.so" study $threads "$tmp/out" >"$tmp/said" 2>&1

@@ -1,4 +1,5 @@
-/* The histories' energies balance at every row out of contact, and histories change no answer. */
+/* The histories' energies balance at every row out of contact, their ground is the record, and histories change no
+ * answer. */
 #include <check.h>
 #include <math.h>
 
@@ -41,6 +42,37 @@ static struct thud_run *go(const struct thud_model *model, const struct thud_rec
         ck_assert_int_eq(thud_run_advance(run, 100000, &done, NULL), THUD_OK);
     return run;
 }
+
+/* The first column is the motion that shook: straight between the samples, nothing after the last. */
+START_TEST(ground_is_the_record)
+{
+    double a[SAMPLES];
+    for (int i = 0; i < SAMPLES; i++)
+        a[i] = 5.0 * sin(0.32 * i) + 2.0 * cos(1.7 * i);
+    struct thud_record *record;
+    ck_assert_int_eq(thud_record_create(a, SAMPLES, 0.02, &record, NULL), THUD_OK);
+    struct thud_model *model = towers();
+    struct thud_run *run = go(model, record, true);
+    const struct thud_history *h = thud_run_history(run);
+    int between = 0, after = 0;
+    for (size_t i = 0; i < h->rows; i++) {
+        double at = h->time_s[i] / 0.02, part = at - floor(at + 1e-9);
+        int k = (int)floor(at + 1e-9);
+        double ground = h->value[i * (size_t)h->columns + (size_t)thud_history_ground()];
+        if (fabs(at - (SAMPLES - 1)) < 1e-6)
+            continue; /* there it jumps to nothing */
+        double wanted = k < SAMPLES - 1 ? a[k] + part * (a[k + 1] - a[k]) : 0.0;
+        ck_assert_msg(fabs(ground - wanted) < 1e-7, "%.9g s: %.12g, not %.12g", h->time_s[i], ground, wanted);
+        between += part > 0.1 && part < 0.9 && k < SAMPLES - 1;
+        after += k >= SAMPLES;
+    }
+    ck_assert_int_gt(between, 10); /* rows of contacts stand between the samples */
+    ck_assert_int_gt(after, 10);
+    thud_run_free(run);
+    thud_model_free(model);
+    thud_record_free(record);
+}
+END_TEST
 
 START_TEST(energies_balance_row_by_row)
 {
@@ -120,6 +152,7 @@ Suite *thud_suite(void)
     TCase *tcase = tcase_create("history_energy");
     tcase_add_test(tcase, energies_balance_row_by_row);
     tcase_add_test(tcase, closed_contact_holds_energy);
+    tcase_add_test(tcase, ground_is_the_record);
     suite_add_tcase(suite, tcase);
     return suite;
 }
