@@ -76,12 +76,6 @@ static enum thud_status save(const struct thud_figure *figure, const char *folde
     return status;
 }
 
-enum thud_status thud_figure_save(const struct thud_figure *figure, const char *folder,
-                                  const struct thud_picture_options *options, struct thud_error *err)
-{
-    return save(figure, folder, options, true, err);
-}
-
 enum thud_status thud_figure_deliver(struct thud_figure *figure, const char *folder,
                                      const struct thud_picture_options *options, enum thud_status before,
                                      struct thud_error *err)

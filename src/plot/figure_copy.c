@@ -7,7 +7,6 @@ static void copy_axis(struct thud_panel *to, const struct thud_panel *from, enum
     const struct thud_axis *axis = &from->axis[side];
     thud_panel_axis(to, side, axis->label, axis->unit);
     thud_panel_limits(to, side, axis->least, axis->most);
-    thud_panel_step(to, side, axis->step);
     if (axis->log)
         thud_panel_log(to, side);
     for (int i = 0; i < axis->nticks; i++)

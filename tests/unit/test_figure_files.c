@@ -65,12 +65,10 @@ static int files(void)
 START_TEST(three_files_in_a_folder_of_any_name)
 {
     struct thud_picture_options options = {0};
-    struct thud_figure *figure = sample(10);
-    ck_assert_int_eq(thud_figure_save(figure, folder, NULL, NULL), THUD_OK);
-    ck_assert_int_eq(thud_figure_save(figure, folder, &options, NULL), THUD_OK);
+    ck_assert_int_eq(thud_figure_deliver(sample(10), folder, NULL, THUD_OK, NULL), THUD_OK);
+    ck_assert_int_eq(thud_figure_deliver(sample(10), folder, &options, THUD_OK, NULL), THUD_OK);
     ck_assert(there("f.png") && there("f.gp") && there("f.csv"));
     ck_assert_int_eq(files(), 3);
-    thud_figure_free(figure);
 }
 END_TEST
 
@@ -90,15 +88,13 @@ END_TEST
 START_TEST(a_failed_picture_leaves_the_old_one)
 {
     struct thud_picture_options options = {0};
-    struct thud_figure *figure = sample(10);
-    ck_assert_int_eq(thud_figure_save(figure, folder, &options, NULL), THUD_OK);
+    ck_assert_int_eq(thud_figure_deliver(sample(10), folder, &options, THUD_OK, NULL), THUD_OK);
     struct stat before, after;
     ck_assert_int_eq(stat(in_folder("f.png"), &before), 0);
     options.program = "/bin/false";
-    ck_assert_int_eq(thud_figure_save(figure, folder, &options, NULL), THUD_GNUPLOT);
+    ck_assert_int_eq(thud_figure_deliver(sample(10), folder, &options, THUD_OK, NULL), THUD_GNUPLOT);
     ck_assert_int_eq(stat(in_folder("f.png"), &after), 0);
     ck_assert(before.st_ino == after.st_ino && before.st_size == after.st_size);
-    thud_figure_free(figure);
 }
 END_TEST
 
@@ -106,7 +102,6 @@ END_TEST
 START_TEST(a_full_disk_leaves_nothing_half_written)
 {
     struct thud_picture_options options = {0};
-    struct thud_figure *figure = sample(2000);
     struct rlimit old, small;
     struct thud_error err = {0};
     signal(SIGXFSZ, SIG_IGN);
@@ -115,24 +110,21 @@ START_TEST(a_full_disk_leaves_nothing_half_written)
     for (rlim_t room = 0; room <= 20000; room += 20000) { /* no file at all; the script but not the data */
         small.rlim_cur = room;
         ck_assert_int_eq(setrlimit(RLIMIT_FSIZE, &small), 0);
-        enum thud_status status = thud_figure_save(figure, folder, &options, &err);
+        enum thud_status status = thud_figure_deliver(sample(2000), folder, &options, THUD_OK, &err);
         ck_assert_int_eq(setrlimit(RLIMIT_FSIZE, &old), 0);
         ck_assert_int_eq(status, THUD_OUTPUT);
         ck_assert_ptr_nonnull(strstr(err.file, room ? "f.csv" : "f.gp"));
         ck_assert_int_eq(files(), room ? 1 : 0);
     }
-    thud_figure_free(figure);
 }
 END_TEST
 
 START_TEST(a_folder_that_cannot_be_is_named)
 {
     struct thud_picture_options options = {0};
-    struct thud_figure *figure = sample(3);
     struct thud_error err = {0};
-    ck_assert_int_eq(thud_figure_save(figure, "/dev/null/f", &options, &err), THUD_OUTPUT);
+    ck_assert_int_eq(thud_figure_deliver(sample(3), "/dev/null/f", &options, THUD_OK, &err), THUD_OUTPUT);
     ck_assert_ptr_nonnull(strstr(err.file, "/dev/null"));
-    thud_figure_free(figure);
     ck_assert_int_eq(thud_figure_deliver(NULL, folder, &options, THUD_OK, &err), THUD_MEMORY);
 }
 END_TEST

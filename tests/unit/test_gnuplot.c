@@ -342,7 +342,6 @@ START_TEST(a_copy_is_just_like_it)
     thud_panel_fill(panel, (struct thud_style){.color = 1}, "band", 3, x, y, high);
     thud_panel_mark(panel, THUD_X, 1.0, 2.0, "here");
     thud_panel_zoom(close, panel, 1.5, 2.5);
-    thud_panel_step(map, THUD_X, 1.0);
     thud_panel_tick(map, THUD_Y, 1.0, "one");
     struct thud_map *m = thud_panel_map(map, 3, x, 2, y, z, "Ratio", "");
     ck_assert_ptr_nonnull(m);
