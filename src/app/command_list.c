@@ -67,7 +67,7 @@ static const struct thud_option options[] = {
     {"best", "KEY", "best value of a varied key by itself", THUD_WORD_KEY, false, SWEEP},
     {"shard", "K/N", "every N-th point, from the K-th on", THUD_WORD_TEXT, false, SWEEP},
     {"merge", NULL, "join the folders of all shards", THUD_WORD_NONE, false, SWEEP},
-    {"without", "SAVING", "no free, start, levels or none; same numbers", THUD_WORD_TEXT, true, SWEEP},
+    {"without", "SAVING", "no free, start, levels or none saving", THUD_WORD_TEXT, true, SWEEP},
     {"update", NULL, "write new expectations and show the difference", THUD_WORD_NONE, false, VERIFY},
     {"cost", "AXIS", "cost by storeys, buildings, duration or impacts", THUD_WORD_COST, false, BENCH},
     {"methods", "NAME,NAME", "only these methods", THUD_WORD_METHOD, false, BENCH},
