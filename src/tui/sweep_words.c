@@ -124,7 +124,7 @@ enum thud_status thud_study_words_keep(const struct thud_study_words *words, str
     }
     if (status == THUD_OK && *cases)
         status = thud_scene_set(next, "study.cases", cases, err);
-    if (status == THUD_OK && *words->sensitivity)
+    if (status == THUD_OK)
         status = thud_scene_set(next, "study.sensitivity", words->sensitivity, err);
     if (status == THUD_OK)
         scene->study = next->study;

@@ -200,7 +200,7 @@ static int draw_energy(const struct thud_result *result, const struct thud_pane 
 
 static int draw_how(struct thud_tui *tui, const struct thud_pane *pane)
 {
-    static const char *const key[] = {"method", "tolerance", "step", "locate", "tail"};
+    static const char *const key[] = {"method", "tolerance", "step", "locate", "tail", "modes"};
     int y = 0;
     for (size_t i = 0; i < sizeof key / sizeof *key; i++) {
         char path[THUD_PATH_MAX];
@@ -215,6 +215,9 @@ static int draw_how(struct thud_tui *tui, const struct thud_pane *pane)
                     result->work.events);
     if (result->reason && *result->reason)
         y += thud_pane_wrap(pane, 1, y, pane->w - 2, thud_look(THUD_ROLE_MUTED, 0), result->reason);
+    if (tui->doc.scene.analysis.modes > 0)
+        y += thud_pane_wrap(pane, 1, y, pane->w - 2, thud_look(THUD_ROLE_WARN, THUD_BOLD),
+                            "! lowest modes alone: thud run tells what that changes");
     return draw_energy(result, pane, y);
 }
 

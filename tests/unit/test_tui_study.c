@@ -73,6 +73,31 @@ START_TEST(what_is_saved_is_the_same_study)
 }
 END_TEST
 
+START_TEST(a_spread_is_kept_and_run)
+{
+    fixture_keys(&f, "<A-6><Enter><C-u>gap=8 cm:9 cm:1 cm<Enter><Down><Down><Down><Down><Enter>90 %<Enter>");
+    ck_assert(study()->sensitivity == 0);
+    fixture_expect(&f, "too large");
+    fixture_keys(&f, "<C-u>0.2 %<Enter>w");
+    ck_assert_double_eq_tol(study()->sensitivity, 2e-3, 1e-15);
+    struct thud_preset *preset;
+    struct thud_error err = {0};
+    ck_assert_int_eq(thud_preset_read(f.tui->doc.path, &preset, &err), THUD_OK);
+    ck_assert_mem_eq(&thud_preset_scene(preset)->study, study(), sizeof *study());
+    thud_preset_free(preset);
+    fixture_keys(&f, "r");
+    fixture_expect(&f, "2 of 2 points");
+    fixture_keys(&f, "e");
+    fixture_expect(&f, "Written sweep.csv");
+    char *csv = fixture_file(&f, "sweep.csv");
+    ck_assert_ptr_nonnull(csv);
+    ck_assert_ptr_nonnull(strstr(csv, ",drift_ratio_low,drift_ratio_high,"));
+    free(csv);
+    fixture_keys(&f, "<Enter><C-u><Enter>");
+    ck_assert(study()->sensitivity == 0);
+}
+END_TEST
+
 START_TEST(wrong_words_are_refused)
 {
     static const char *const words[] = {"gap",
@@ -123,6 +148,7 @@ Suite *thud_suite(void)
     tcase_add_checked_fixture(words, setup, teardown);
     tcase_add_test(words, a_range_becomes_the_presets_study);
     tcase_add_test(words, what_is_saved_is_the_same_study);
+    tcase_add_test(words, a_spread_is_kept_and_run);
     tcase_add_test(words, wrong_words_are_refused);
     tcase_add_test(words, a_list_is_run_but_not_kept);
     suite_add_tcase(suite, words);
