@@ -210,14 +210,14 @@ static int draw_how(struct thud_tui *tui, const struct thud_pane *pane)
     const struct thud_result *result = thud_live_result(&tui->live, shown(tui));
     if (!result)
         return y;
+    if (tui->doc.scene.analysis.modes > 0)
+        y += thud_pane_wrap(pane, 1, y, pane->w - 2, thud_look(THUD_ROLE_WARN, THUD_BOLD),
+                            "! lowest modes alone: thud run tells what that changes");
     thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_MUTED, 0), "used %s", result->method ? result->method : "?");
     thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_MUTED, 0), "%ld steps, %ld events", result->work.steps,
                     result->work.events);
     if (result->reason && *result->reason)
         y += thud_pane_wrap(pane, 1, y, pane->w - 2, thud_look(THUD_ROLE_MUTED, 0), result->reason);
-    if (tui->doc.scene.analysis.modes > 0)
-        y += thud_pane_wrap(pane, 1, y, pane->w - 2, thud_look(THUD_ROLE_WARN, THUD_BOLD),
-                            "! lowest modes alone: thud run tells what that changes");
     return draw_energy(result, pane, y);
 }
 
