@@ -36,8 +36,13 @@ static void contact_name(const struct thud_model *model, const struct thud_scene
                          size_t size)
 {
     const struct thud_model_contact *c = &model->contact[contact];
-    snprintf(text, size, "%.30s %d and %.30s %d", scene->structure[c->interface - 1].name, c->left_floor,
-             scene->structure[c->interface].name, c->right_floor);
+    char left[16] = "", right[16] = ""; /* a wall has no floors */
+    if (c->left_floor > 0)
+        snprintf(left, sizeof left, " %d", c->left_floor);
+    if (c->right_floor > 0)
+        snprintf(right, sizeof right, " %d", c->right_floor);
+    snprintf(text, size, "%.30s%s and %.30s%s", scene->structure[c->interface - 1].name, left,
+             scene->structure[c->interface].name, right);
 }
 
 static const struct thud_history *history_of(const struct thud_live *live, int which)

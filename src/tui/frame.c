@@ -85,7 +85,9 @@ static void record_words(const struct thud_tui *tui, char *text, size_t size)
     char peak[32] = "", number[24];
     if (tui->doc.record)
         snprintf(peak, sizeof peak, " %s g", thud_tui_number(thud_record_peak(tui->doc.record) / THUD_GRAVITY, number));
-    snprintf(text, size, "%s%s %c", slash ? slash + 1 : choice->file, peak, choice->sign < 0 ? '-' : '+');
+    bool part = !isnan(choice->from_s) || !isnan(choice->to_s);
+    snprintf(text, size, "%s%s %c%s", slash ? slash + 1 : choice->file, peak, choice->sign < 0 ? '-' : '+',
+             part ? " part" : "");
 }
 
 static void top_lines(struct thud_tui *tui, const struct thud_pane *page)

@@ -82,6 +82,8 @@ int thud_peaks_strip_draw(struct thud_tui *tui, const struct thud_pane *pane)
                 if (kind == 0)
                     thud_field_note(pane, y, "%.20s moves with the ground",
                                     tui->doc.scene.structure[tui->pair + s].name);
+                else
+                    y--;
                 continue;
             }
             snprintf(label, sizeof label, "%.6s %s", tui->doc.scene.structure[tui->pair + s].name,

@@ -78,9 +78,10 @@ static int draw_peaks(struct thud_tui *tui, const struct thud_pane *pane)
                   {"drift mm", THUD_PEAK_DRIFT, 1e3},
                   {"displacement mm", THUD_PEAK_DISPLACEMENT, 1e3},
                   {"velocity m/s", THUD_PEAK_VELOCITY, 1.0}};
-    int columns = (pane->w - 12) / 29 < 4 ? (pane->w - 12) / 29 : 4, y = 1;
+    int left = pane->w < 41 ? 10 : 12, columns = (pane->w - left) / 29, y = 1;
+    columns = columns < 1 ? 1 : columns > 4 ? 4 : columns; /* the least terminal has room for one */
     for (int c = 0; c < columns; c++)
-        thud_pane_put(pane, 12 + 29 * c, 0, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), column[c].head);
+        thud_pane_put(pane, left + 29 * c, 0, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), column[c].head);
     for (int s = 0; s < tui->doc.scene.nstructures; s++)
         for (int floor = floor_count(&tui->doc.scene.structure[s]) - 1; floor >= 0; floor--, y++) {
             char key[THUD_PATH_MAX], text[32];
@@ -88,7 +89,7 @@ static int draw_peaks(struct thud_tui *tui, const struct thud_pane *pane)
             snprintf(text, sizeof text, "%.6s %d", tui->doc.scene.structure[s].name, floor + 1);
             thud_field_line(tui, PEAKS, pane, y, s * 1000 + floor, key, text);
             for (int c = 0; c < columns; c++)
-                quantity(tui, pane, 12 + 29 * c, y, s, floor, column[c].kind, column[c].factor);
+                quantity(tui, pane, left + 29 * c, y, s, floor, column[c].kind, column[c].factor);
         }
     return y;
 }

@@ -46,7 +46,11 @@ START_TEST(small_terminals)
     fixture_expect(&f, "Right: B");
     fixture_keys(&f, "<Tab>");
     fixture_expect(&f, "A accel");
-    fixture_keys(&f, "<Size 39x10>");
+    fixture_keys(&f, "<A-4>"); /* numbers also in the least room */
+    char number[24];
+    fixture_expect(
+        &f, thud_tui_number(thud_live_floor(&f.tui->live, THUD_LIVE_BUMPER, 0, 1, THUD_PEAK_ACCELERATION), number));
+    fixture_keys(&f, "<A-1><Size 39x10>");
     fixture_expect(&f, "40x10");
     fixture_keys(&f, "<Size 80x24>");
     fixture_expect(&f, "Right: B");
