@@ -1,10 +1,13 @@
 /* A preset read, assembled and run while one allocation after the other fails: out of memory is said, and nothing is
  * left behind. */
 #include <check.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "fault.h"
+#include "io/file.h"
 #include "io/preset.h"
 #include "study/answer.h"
 
@@ -79,6 +82,57 @@ START_TEST(a_preset_saved)
 }
 END_TEST
 
+static bool reads(const char *path, const char *wanted, size_t wanted_size)
+{
+    char *text;
+    size_t size;
+    ck_assert_int_eq(thud_file_read(path, 1 << 20, &text, &size, NULL), THUD_OK);
+    bool same = size == wanted_size && memcmp(text, wanted, size) == 0;
+    free(text);
+    return same;
+}
+
+/* On the disk: whatever fails, the old file byte for byte or the new one, alone in its folder. */
+START_TEST(a_preset_saved_on_a_disk)
+{
+    static struct thud_scene scene;
+    char folder[] = "/tmp/thud-fault-XXXXXX", path[64], *old, *new;
+    struct thud_preset *preset;
+    size_t old_size;
+    unsigned long new_size;
+    ck_assert_int_eq(thud_file_read("presets/towers.yaml", 1 << 20, &old, &old_size, NULL), THUD_OK);
+    ck_assert_ptr_nonnull(mkdtemp(folder));
+    snprintf(path, sizeof path, "%s/p.yaml", folder);
+    ck_assert_int_eq(thud_file_write(path, old, old_size, NULL), THUD_OK);
+    ck_assert_int_eq(thud_preset_read(path, &preset, NULL), THUD_OK);
+    scene = *thud_preset_scene(preset);
+    ck_assert_int_eq(thud_scene_set(&scene, "gap", "12 cm", NULL), THUD_OK);
+    ck_assert_int_eq(thud_preset_text(preset, &scene, &new, &new_size, NULL), THUD_OK);
+    for (enum thud_fault kind = THUD_FAULT_MEMORY; kind < THUD_FAULTS; kind++) {
+        bool fired = true;
+        for (long n = 1; fired; n++) {
+            struct thud_error err = {0};
+            ck_assert_int_eq(thud_file_write(path, old, old_size, NULL), THUD_OK);
+            long live = thud_fault_live();
+            thud_fault_arm(kind, n);
+            enum thud_status status = thud_preset_save(preset, &scene, path, &err);
+            fired = thud_fault_end();
+            live -= thud_fault_live();
+            ck_assert_msg(live == 0, "call %ld of kind %d leaves %ld blocks", n, (int)kind, -live);
+            ck_assert_msg(reads(path, status == THUD_OK ? new : old, status == THUD_OK ? new_size : old_size),
+                          "call %ld of kind %d: status %d and another file", n, (int)kind, (int)status);
+            ck_assert(status == THUD_OK || err.what[0]);
+            ck_assert(fired || status == THUD_OK);
+        }
+    }
+    thud_preset_free(preset);
+    free(old);
+    free(new);
+    ck_assert_int_eq(unlink(path), 0);
+    ck_assert_int_eq(rmdir(folder), 0); /* nothing else is there */
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -86,6 +140,7 @@ Suite *thud_suite(void)
     TCase *tcase = tcase_create("fault_preset");
     tcase_add_loop_test(tcase, a_preset_and_its_answer, 0, sizeof paths / sizeof *paths);
     tcase_add_test(tcase, a_preset_saved);
+    tcase_add_test(tcase, a_preset_saved_on_a_disk);
     suite_add_tcase(suite, tcase);
     return suite;
 }
