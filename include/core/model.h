@@ -36,6 +36,7 @@ struct thud_model {
     int *dof_structure;                     /* (ndof) */
     double *mass_kg;                        /* (ndof) */
     double *omega, *zeta, *gamma;           /* (ndof): by mode; gamma = Phi^T M 1 */
+    double *spring, *dashpot;               /* (ndof): omega^2 and 2 zeta omega */
     double *g;                              /* (ncontacts x ndof): g_c */
     double *w;                              /* (ncontacts x ncontacts): g_a . g_b, 1/kg */
     double *q0, *qd0;                       /* (ndof) at t = 0 */

@@ -5,10 +5,11 @@
 
 #include "core/collocation_private.h"
 #include "core/largest.h"
-#include "core/poly.h"
 #include "core/radau.h"
 
 enum { NEWTON_MAX = 12, FIXED_POINT_MAX = 12 };
+static const double longest_angle = 1.8; /* a step times the fastest mode: the series' terms are enough for that */
+static const double slowest_contraction = 0.3; /* of the fixed-point iteration, before Newton's method takes over */
 
 enum thud_status thud_collocation_create(const struct thud_run *run, struct thud_collocation **out,
                                          struct thud_error *err)
@@ -19,18 +20,21 @@ enum thud_status thud_collocation_create(const struct thud_run *run, struct thud
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     x->nc = m->ncontacts;
     x->nmodes = m->ndof;
-    x->loads = 1;
     for (int s = 0; s < m->nstructures; s++)
-        if (m->structure[s].damping)
-            x->loads = m->ncontacts;
-    x->h_top = run->fastest_radps > 0 ? fmin(run->grid_dt_s, 1.4 / run->fastest_radps) : run->grid_dt_s;
+        x->couples = x->couples || m->structure[s].damping;
+    x->loads = x->couples ? m->ncontacts : 1;
+    x->h_top = run->grid_dt_s / fmax(1, ceil(run->fastest_radps * run->grid_dt_s / longest_angle));
     x->h = x->h_top;
-    thud_radau_nodes(THUD_NODES, x->node);
-    thud_lagrange_coefficients(THUD_NODES, x->node, x->lagrange);
-    for (int i = 0; i < THUD_NODES; i++)
-        x->check[i] = 0.5 * (x->node[i] + (i > 0 ? x->node[i - 1] : 0));
+    x->contraction = slowest_contraction;
+    thud_radau_nodes(THUD_POINTS, x->node);
+    thud_lagrange_coefficients(THUD_POINTS, x->node, x->lagrange);
+    double check[THUD_POINTS];
+    for (int i = 0; i < THUD_POINTS; i++)
+        check[i] = 0.5 * (x->node[i] + (i > 0 ? x->node[i - 1] : 0));
+    thud_places_set(&x->nodes, THUD_POINTS, x->node, 1, THUD_SEGMENT_TERMS);
+    thud_places_set(&x->checks, THUD_POINTS, check, 1, THUD_SEGMENT_TERMS);
     size_t q = (THUD_SEGMENT_TERMS + 1) * (size_t)m->ndof, f = THUD_SEGMENT_TERMS * (size_t)m->ncontacts;
-    x->seg_block = thud_collocation_allocate(q + f, sizeof(double));
+    x->seg_block = thud_collocation_allocate(q + f + 2 * THUD_PLACES * (size_t)m->ndof, sizeof(double));
     x->active = thud_collocation_allocate((size_t)m->ncontacts, sizeof(int));
     if (!x->seg_block || !x->active) {
         thud_collocation_free(x);
@@ -39,6 +43,7 @@ enum thud_status thud_collocation_create(const struct thud_run *run, struct thud
     }
     x->seg.q = x->seg_block;
     x->seg.force = x->seg_block + q;
+    x->moved = x->seg.force + f;
     return THUD_OK;
 }
 
@@ -51,6 +56,7 @@ void thud_collocation_free(struct thud_collocation *x)
             free(x->pair[l][p].indentation);
         free(x->pair[l]);
         free(x->modal[l]);
+        free(x->unforced[l]);
     }
     free(x->seg_block);
     free(x->active);
@@ -65,6 +71,8 @@ void thud_collocation_committed(struct thud_collocation *x, double s, bool switc
     x->has_source = !switched;
     x->source = s;
     x->just_touched = touched;
+    if (switched)
+        x->contraction = slowest_contraction;
 }
 
 /* Room for n active contacts. */
@@ -72,10 +80,10 @@ static bool reserve(struct thud_collocation *x, int n)
 {
     if (n <= x->capacity)
         return true;
-    size_t size = (size_t)n * THUD_NODES;
-    double *block = thud_collocation_allocate(6 * size, sizeof *block),
-           *matrix = thud_collocation_allocate(size * size, sizeof *matrix);
-    lapack_int *pivot = thud_collocation_allocate(size, sizeof *pivot);
+    size_t size = (size_t)n * THUD_PLACES, unknowns = (size_t)n * THUD_POINTS;
+    double *block = thud_collocation_allocate(5 * size + unknowns, sizeof *block),
+           *matrix = thud_collocation_allocate(unknowns * unknowns, sizeof *matrix);
+    lapack_int *pivot = thud_collocation_allocate(unknowns, sizeof *pivot);
     if (!block || !matrix || !pivot) {
         free(block);
         free(matrix);
@@ -97,65 +105,58 @@ static bool reserve(struct thud_collocation *x, int n)
     return true;
 }
 
-/* Indentations and rates at the points if no contact force acted. */
-static void free_motion(struct thud_run *run, struct thud_collocation *x, double h)
+/* Indentation and rate of the a-th active contact at the points under all forces: out of what they are without. */
+static void respond(const struct thud_collocation *x, const struct thud_response *row, int a)
 {
-    double p[THUD_SEGMENT_TERMS], v[3];
-    thud_segment_begin(run, &x->seg, h);
-    thud_taylor_given(run->model, &x->seg, run->q, run->qd);
-    for (int a = 0; a < x->nactive; a++) {
-        int c = x->active[a];
-        thud_segment_indentation(run, &x->seg, c, p);
-        if (run->contact[c].zeros.indentation > 0)
-            p[0] = 0;
-        for (int i = 0; i < THUD_NODES; i++) {
-            thud_poly_value3(p, x->seg.terms, x->node[i], v);
-            x->d0[a * THUD_NODES + i] = v[0];
-            x->v0[a * THUD_NODES + i] = v[1] / h;
+    struct thud_lanes d = thud_lanes_at(x->d0 + a * THUD_PLACES), v = thud_lanes_at(x->v0 + a * THUD_PLACES);
+    for (int b = 0; b < x->nactive; b++) {
+        const double *by_d = row[x->active[b]].indentation, *by_v = row[x->active[b]].rate;
+        for (int j = 0; j < THUD_POINTS; j++) {
+            double force = x->force[b * THUD_PLACES + j];
+            thud_lanes_add(&d, force, by_d + j * THUD_PLACES);
+            thud_lanes_add(&v, force, by_v + j * THUD_PLACES);
         }
     }
+    thud_lanes_put(&d, x->d + a * THUD_PLACES);
+    thud_lanes_put(&v, x->v + a * THUD_PLACES);
 }
 
-static bool motion_under_forces(struct thud_run *run, struct thud_collocation *x, int level, double h)
+static void motion_under_forces(const struct thud_collocation *x, int level)
 {
-    int n = x->nactive * THUD_NODES;
-    memcpy(x->d, x->d0, (size_t)n * sizeof *x->d);
-    memcpy(x->v, x->v0, (size_t)n * sizeof *x->v);
     for (int a = 0; a < x->nactive; a++)
-        for (int b = 0; b < x->nactive; b++) {
-            const struct thud_response *r = thud_collocation_response(run, x, level, h, x->active[a], x->active[b]);
-            if (!r)
+        respond(x, x->pair[level] + x->active[a] * x->nc, a);
+}
+
+/* Makes the responses of the active contacts to each other at this step size. */
+static bool prepare_responses(const struct thud_run *run, struct thud_collocation *x, int level, double h)
+{
+    for (int a = 0; a < x->nactive; a++)
+        for (int b = 0; b < x->nactive; b++)
+            if (!thud_collocation_response(run, x, level, h, x->active[a], x->active[b]))
                 return false;
-            const double *f = x->force + b * THUD_NODES;
-            for (int i = 0; i < THUD_NODES; i++)
-                for (int j = 0; j < THUD_NODES; j++) {
-                    x->d[a * THUD_NODES + i] += r->indentation[i * THUD_NODES + j] * f[j];
-                    x->v[a * THUD_NODES + i] += r->rate[i * THUD_NODES + j] * f[j];
-                }
-        }
     return true;
 }
 
 /* Residual of the force equations and their derivative by the forces (column-major). */
 static void linearize(struct thud_run *run, struct thud_collocation *x, int level)
 {
-    int n = x->nactive * THUD_NODES;
+    int n = x->nactive * THUD_POINTS;
     for (int a = 0; a < x->nactive; a++) {
         const struct thud_contact_state *s = &run->contact[x->active[a]];
-        for (int i = 0; i < THUD_NODES; i++) {
-            int row = a * THUD_NODES + i;
+        for (int i = 0; i < THUD_POINTS; i++) {
+            int row = a * THUD_POINTS + i, at = a * THUD_PLACES + i;
             double fd = 0, fv = -1, own = 0;
             if (s->mode == THUD_STUCK) {
-                x->residual[row] = x->v[row];
+                x->residual[row] = x->v[at];
             } else {
                 own = 1;
-                x->residual[row] = x->force[row] - thud_branch_force(&s->branch, x->d[row], x->v[row], &fd, &fv);
+                x->residual[row] = x->force[at] - thud_branch_force(&s->branch, x->d[at], x->v[at], &fd, &fv);
             }
             for (int b = 0; b < x->nactive; b++) {
                 const struct thud_response *r = &x->pair[level][x->active[a] * x->nc + x->active[b]];
-                double *column = x->matrix + (size_t)(b * THUD_NODES) * (size_t)n + row;
-                for (int j = 0; j < THUD_NODES; j++, column += n)
-                    *column = -fd * r->indentation[i * THUD_NODES + j] - fv * r->rate[i * THUD_NODES + j];
+                double *column = x->matrix + (size_t)(b * THUD_POINTS) * (size_t)n + row;
+                for (int j = 0; j < THUD_POINTS; j++, column += n)
+                    *column = -fd * r->indentation[j * THUD_PLACES + i] - fv * r->rate[j * THUD_PLACES + i];
             }
             x->matrix[(size_t)row * (size_t)n + (size_t)row] += own;
         }
@@ -163,70 +164,76 @@ static void linearize(struct thud_run *run, struct thud_collocation *x, int leve
     run->result.work.force_evaluations += n;
 }
 
-/* Fixed-point iteration for the forces: cheap, and fast where contacts are soft on the scale of the step. */
-static enum thud_status iterate(struct thud_run *run, struct thud_collocation *x, int level, double h, double tolerance,
-                                bool *converged, struct thud_error *err)
+/* One fixed-point iteration: the forces of the laws along the motion under the last ones. Largest change, over the
+ * force scale. */
+static double renew_forces(struct thud_run *run, struct thud_collocation *x, int level)
 {
-    double before = INFINITY;
-    *converged = false;
+    double change = 0;
+    motion_under_forces(x, level);
+    for (int a = 0; a < x->nactive; a++) {
+        const struct thud_contact_state *s = &run->contact[x->active[a]];
+        double worst = 0;
+        for (int i = a * THUD_PLACES; i < a * THUD_PLACES + THUD_POINTS; i++) {
+            double f = thud_branch_force(&s->branch, x->d[i], x->v[i], NULL, NULL);
+            worst = thud_larger(worst, fabs(f - x->force[i]));
+            x->force[i] = f;
+        }
+        change = thud_larger(change, worst / thud_collocation_scale(run, x, a));
+    }
+    run->result.work.force_evaluations += x->nactive * THUD_POINTS;
+    return change;
+}
+
+/* Fixed-point iteration for the forces: cheap, and fast where contacts are soft on the scale of the step. What is left
+ * after an iteration is its change times the contraction, which is known from the step before; should it be worse, the
+ * error of the step shows it. */
+static bool iterate(struct thud_run *run, struct thud_collocation *x, int level, double tolerance)
+{
+    double before = 0;
+    for (int a = 0; a < x->nactive; a++)
+        if (run->contact[x->active[a]].mode == THUD_STUCK)
+            return false;
     for (int iteration = 0; iteration < FIXED_POINT_MAX; iteration++) {
-        double change = 0;
-        if (!motion_under_forces(run, x, level, h))
-            return thud_error_set(err, THUD_MEMORY, "out of memory");
-        for (int a = 0; a < x->nactive; a++) {
-            const struct thud_contact_state *s = &run->contact[x->active[a]];
-            double worst = 0;
-            if (s->mode == THUD_STUCK)
-                return THUD_OK;
-            for (int i = a * THUD_NODES; i < (a + 1) * THUD_NODES; i++) {
-                double f = thud_branch_force(&s->branch, x->d[i], x->v[i], NULL, NULL);
-                worst = thud_larger(worst, fabs(f - x->force[i]));
-                x->force[i] = f;
-            }
-            change = thud_larger(change, worst / thud_collocation_scale(run, x, a));
+        double change = renew_forces(run, x, level);
+        if (iteration > 0)
+            x->contraction = fmin(slowest_contraction, 4 * change / before);
+        if (change * x->contraction <= tolerance) {
+            if (iteration == 0) /* not measured this time */
+                x->contraction = fmin(slowest_contraction, 2 * x->contraction);
+            return true;
         }
-        run->result.work.force_evaluations += x->nactive * THUD_NODES;
-        if (change <= tolerance) {
-            *converged = true;
-            return THUD_OK;
-        }
-        if (!(change < 0.3 * before) && iteration > 0)
-            return THUD_OK;
+        if (iteration > 0 && !(change < slowest_contraction * before))
+            return false;
         before = change;
     }
-    return THUD_OK;
+    return false;
 }
 
 /* Newton's method for the forces. */
-static enum thud_status solve(struct thud_run *run, struct thud_collocation *x, int level, double h, double tolerance,
-                              bool *converged, struct thud_error *err)
+static bool solve(struct thud_run *run, struct thud_collocation *x, int level, double tolerance)
 {
-    int n = x->nactive * THUD_NODES;
-    *converged = false;
+    int n = x->nactive * THUD_POINTS;
     double before = INFINITY;
     for (int iteration = 0; iteration < NEWTON_MAX; iteration++) {
-        if (!motion_under_forces(run, x, level, h))
-            return thud_error_set(err, THUD_MEMORY, "out of memory");
+        motion_under_forces(x, level);
         linearize(run, x, level);
         if (LAPACKE_dgesv_work(LAPACK_COL_MAJOR, n, 1, x->matrix, n, x->pivot, x->residual, n) != 0)
-            return THUD_OK;
+            return false;
         double change = 0;
         for (int a = 0; a < x->nactive; a++) {
             double scale = thud_collocation_scale(run, x, a);
-            for (int i = 0; i < THUD_NODES; i++) {
-                x->force[a * THUD_NODES + i] -= x->residual[a * THUD_NODES + i];
-                change = thud_larger(change, fabs(x->residual[a * THUD_NODES + i]) / scale);
+            for (int i = 0; i < THUD_POINTS; i++) {
+                x->force[a * THUD_PLACES + i] -= x->residual[a * THUD_POINTS + i];
+                change = thud_larger(change, fabs(x->residual[a * THUD_POINTS + i]) / scale);
             }
         }
         if (!isfinite(change))
-            return THUD_OK;
-        if (change <= tolerance || (change < 1e-7 && change >= 0.5 * before)) { /* or no better for rounding */
-            *converged = true;
-            return THUD_OK;
-        }
+            return false;
+        if (change <= tolerance || (change < 1e-7 && change >= 0.5 * before)) /* or no better for rounding */
+            return true;
         before = change;
     }
-    return THUD_OK;
+    return false;
 }
 
 /* First guess: the forces of the last segment go on; after a switch, the force as it is now, with the indentation going
@@ -241,10 +248,10 @@ static void guess(struct thud_run *run, struct thud_collocation *x, double h)
         const struct thud_contact_state *s = &run->contact[c];
         bool deeper = s->mode == THUD_CLOSED && s->phase == THUD_APPROACH;
         double d = thud_contact_indentation(run, c), v = thud_contact_rate(run, c);
-        for (int i = 0; i < THUD_NODES; i++) {
+        for (int i = 0; i < THUD_POINTS; i++) {
             double f = 0, at = x->source + x->node[i] * h / seg->h_s;
             if (x->has_source) {
-                for (int k = THUD_NODES - 1; k >= 0; k--)
+                for (int k = THUD_POINTS - 1; k >= 0; k--)
                     f = f * at + seg->force[k * x->nc + c];
             } else {
                 f = run->force_now[c];
@@ -252,7 +259,7 @@ static void guess(struct thud_run *run, struct thud_collocation *x, double h)
                     f = thud_larger(f,
                                     0.5 * thud_branch_force(&s->branch, d + 0.5 * v * h * x->node[i], v, NULL, NULL));
             }
-            x->force[a * THUD_NODES + i] = f;
+            x->force[a * THUD_PLACES + i] = f;
         }
     }
 }
@@ -260,12 +267,12 @@ static void guess(struct thud_run *run, struct thud_collocation *x, double h)
 static void write_segment(struct thud_run *run, struct thud_collocation *x, double h)
 {
     const struct thud_model *m = run->model;
-    thud_segment_begin(run, &run->seg, h);
+    thud_collocation_begin(run, &run->seg, h);
     for (int a = 0; a < x->nactive; a++)
-        for (int p = 0; p < THUD_NODES; p++) {
+        for (int p = 0; p < THUD_POINTS; p++) {
             double f = 0;
-            for (int i = 0; i < THUD_NODES; i++)
-                f += x->lagrange[p * THUD_NODES + i] * x->force[a * THUD_NODES + i];
+            for (int i = 0; i < THUD_POINTS; i++)
+                f += x->lagrange[p * THUD_POINTS + i] * x->force[a * THUD_PLACES + i];
             run->seg.force[p * m->ncontacts + x->active[a]] = f;
         }
     thud_taylor_given(m, &run->seg, run->q, run->qd);
@@ -304,14 +311,10 @@ enum thud_status thud_collocation_step(struct thud_run *run, struct thud_colloca
     for (;;) {
         int level = level_for(x, x->h, remaining);
         double h = ldexp(x->h_top, -level), error = INFINITY;
-        bool converged;
-        free_motion(run, x, h);
+        if (!prepare_responses(run, x, level, h) || !thud_collocation_unforced(run, x, level, h))
+            return thud_error_set(err, THUD_MEMORY, "out of memory");
         guess(run, x, h);
-        enum thud_status status = iterate(run, x, level, h, 1e-2 * tolerance, &converged, err);
-        if (status == THUD_OK && !converged)
-            status = solve(run, x, level, h, 1e-2 * tolerance, &converged, err);
-        if (status != THUD_OK)
-            return status;
+        bool converged = iterate(run, x, level, 1e-2 * tolerance) || solve(run, x, level, 1e-2 * tolerance);
         x->has_source = x->has_source && !converged;
         if (converged) {
             write_segment(run, x, h);
@@ -320,7 +323,7 @@ enum thud_status thud_collocation_step(struct thud_run *run, struct thud_colloca
             error = thud_collocation_error(run, x, h);
         }
         double factor =
-            isfinite(error) ? 0.85 * pow(tolerance / thud_larger(error, 1e-3 * tolerance), 1.0 / THUD_NODES) : 0.25;
+            isfinite(error) ? 0.85 * pow(tolerance / thud_larger(error, 1e-3 * tolerance), 1.0 / THUD_POINTS) : 0.25;
         x->h = h * fmin(4, thud_larger(0.1, factor));
         if (error <= tolerance) {
             if (first)

@@ -11,8 +11,8 @@ double thud_collocation_scale(const struct thud_run *run, const struct thud_coll
 {
     int c = x->active[a];
     double scale = run->result.contact[c].force.value;
-    for (int i = 0; i < THUD_NODES; i++)
-        scale = thud_larger(scale, fabs(x->force[a * THUD_NODES + i]));
+    for (int i = 0; i < THUD_POINTS; i++)
+        scale = thud_larger(scale, fabs(x->force[a * THUD_PLACES + i]));
     if (run->contact[c].phase == THUD_APPROACH)
         scale = thud_larger(scale, run->contact[c].expected_force_n);
     return thud_larger(scale, run->model->contact[c].setup.mass_kg * thud_larger(1e-6 * run->ground_mps2, 1e-9));
@@ -46,17 +46,18 @@ static double force_noise(const struct thud_run *run, int c, double fd, double f
 static double force_difference(struct thud_run *run, const struct thud_collocation *x, int c, const double *p, double h)
 {
     const struct thud_contact_state *s = &run->contact[c];
-    double v[3], worst = 0, mass = run->model->contact[c].setup.mass_kg;
-    for (int i = 0; i < THUD_NODES; i++) {
-        double f = 0, fd, fv;
-        thud_poly_value3(p, run->seg.terms, x->check[i], v);
-        for (int k = THUD_NODES - 1; k >= 0; k--)
-            f = f * x->check[i] + run->seg.force[k * run->model->ncontacts + c];
+    double d[THUD_PLACES], v[THUD_PLACES], f[THUD_PLACES], worst = 0, mass = run->model->contact[c].setup.mass_kg;
+    thud_places_read(&x->checks, p, 1, run->seg.terms, d);
+    thud_places_slope(&x->checks, p, 1, run->seg.terms, h, v);
+    thud_places_read(&x->checks, run->seg.force + c, run->model->ncontacts, THUD_POINTS, f);
+    for (int i = 0; i < THUD_POINTS;
+         i += s->mode == THUD_STUCK ? 1 : 2) { /* a law is dear; the largest is at the start */
+        double fd, fv;
         if (s->mode == THUD_STUCK) { /* the force that would undo the rate in one step, but for rounding */
-            worst = thud_larger(worst, mass * thud_larger(fabs(v[1]) - 1e-15, 0) / (h * h));
+            worst = thud_larger(worst, mass * thud_larger(fabs(v[i]) - 1e-15 / h, 0) / h);
             continue;
         }
-        double difference = fabs(thud_branch_force(&s->branch, v[0], v[1] / h, &fd, &fv) - f);
+        double difference = fabs(thud_branch_force(&s->branch, d[i], v[i], &fd, &fv) - f[i]);
         if (difference > worst && isfinite(fd))
             difference -= force_noise(run, c, fd, fv);
         worst = thud_larger(worst, difference);
@@ -71,8 +72,8 @@ static double contact_error(struct thud_run *run, const struct thud_collocation 
 {
     int c = x->active[a];
     const struct thud_contact_state *s = &run->contact[c];
-    double p[THUD_SEGMENT_TERMS], mass = run->model->contact[c].setup.mass_kg;
-    thud_segment_indentation(run, &run->seg, c, p);
+    double *p = run->indentation + c * THUD_SEGMENT_TERMS, mass = run->model->contact[c].setup.mass_kg;
+    thud_contact_polynomial(run, c);
     double difference = force_difference(run, x, c, p, h);
     double error = difference / thud_collocation_scale(run, x, a);
     if (s->mode == THUD_CLOSED && s->phase == THUD_APPROACH && has_just_begun(p, run->seg.terms)) {
@@ -89,6 +90,6 @@ double thud_collocation_error(struct thud_run *run, const struct thud_collocatio
     double worst = 0;
     for (int a = 0; a < x->nactive; a++)
         worst = thud_larger(worst, contact_error(run, x, a, h));
-    run->result.work.force_evaluations += x->nactive * THUD_NODES;
+    run->result.work.force_evaluations += x->nactive * (THUD_POINTS + 1) / 2;
     return worst;
 }

@@ -5,40 +5,58 @@
 #include <lapacke.h>
 
 #include "core/collocation.h"
+#include "core/places.h"
 #include "core/run_private.h"
 
-enum { THUD_NODES = 7, THUD_LEVELS = 48, THUD_BLOCK = THUD_NODES * THUD_NODES };
+/* Values at the points of a contact stand THUD_PLACES apart; those past the last point are padding. */
+enum { THUD_POINTS = 7, THUD_LEVELS = 48, THUD_BLOCK = THUD_POINTS * THUD_PLACES };
 
-/* Indentation and rate at point i from the force at point j of another contact, per step size: blocks (THUD_NODES x
- * THUD_NODES), made when first needed. */
+/* Indentation and rate at point i from the force at point j of another contact, per step size: blocks (THUD_POINTS x
+ * THUD_PLACES) by [j][i], made when first needed. */
 struct thud_response {
     double *indentation, *rate;
 };
 
+/* Unit motions of the modes: initial displacement, initial rate, constant ground acceleration, one rising from 0. */
+enum { THUD_UNIT_Q, THUD_UNIT_QD, THUD_UNIT_A0, THUD_UNIT_A1, THUD_UNITS };
+
 struct thud_collocation {
-    double node[THUD_NODES], lagrange[THUD_BLOCK], check[THUD_NODES];
-    double h_top; /* step of level 0 */
+    double node[THUD_POINTS], lagrange[THUD_POINTS * THUD_POINTS];
+    struct thud_places nodes, checks; /* the points, and those between them where the error is measured */
+    double h_top;                     /* step of level 0 */
     double h, h_touch;
+    double contraction; /* of the fixed-point iteration, as last measured and with a margin */
     bool just_touched;
     bool has_source; /* run->seg holds forces that go on into this step, from s = source on */
     double source;
     int nc, nmodes, loads;      /* loads: 1 where modes are uncoupled, else one per contact */
-    double *modal[THUD_LEVELS]; /* (loads x THUD_NODES x THUD_NODES x 2 x nmodes): q and h q' of each mode by load,
+    bool couples;               /* damping couples modes */
+    double *modal[THUD_LEVELS]; /* (loads x THUD_POINTS x THUD_POINTS x 2 x nmodes): q and h q' of each mode by load,
                                    power and point */
     struct thud_response *pair[THUD_LEVELS]; /* (nc x nc) */
-    struct thud_segment seg;                 /* of unit loads, and of the motion without contact forces */
+    double *unforced[THUD_LEVELS]; /* (nmodes x THUD_UNITS x 2 x THUD_PLACES): how far each mode moves to the points,
+                                      and its rate there, in each unit motion without contact; not where modes couple */
+    double *moved;                 /* (nmodes x 2 x THUD_PLACES) the same in the step at hand */
+    struct thud_segment seg;       /* of unit loads, and of the motion without contact forces */
     double *seg_block;
     /* The system: unknowns are the forces of the active contacts at the points */
     int *active; /* (nc) */
     int nactive, capacity;
-    double *force, *d0, *v0, *d, *v, *residual, *matrix; /* (nactive x THUD_NODES); matrix square */
+    double *force, *d0, *v0, *d, *v; /* (nactive x THUD_PLACES) */
+    double *residual, *matrix;       /* (nactive x THUD_POINTS); square */
     lapack_int *pivot;
 };
+
+/* A segment whose contact forces are given: its series has to follow the modes alone. */
+void thud_collocation_begin(struct thud_run *run, struct thud_segment *seg, double h);
 
 /* collocation_response.c: of contact a's points to the forces of contact b at one step size; made when first asked for.
  * NULL: out of memory. */
 const struct thud_response *thud_collocation_response(const struct thud_run *run, struct thud_collocation *x, int level,
                                                       double h, int a, int b);
+/* Indentations and rates of the active contacts at the points if no contact force acted, into d0 and v0. false: out of
+ * memory. */
+bool thud_collocation_unforced(struct thud_run *run, struct thud_collocation *x, int level, double h);
 /* calloc of at least one element. */
 void *thud_collocation_allocate(size_t count, size_t size);
 

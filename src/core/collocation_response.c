@@ -13,7 +13,7 @@ void *thud_collocation_allocate(size_t count, size_t size)
 static bool fill_modal(const struct thud_run *run, struct thud_collocation *x, int level, double h)
 {
     size_t n = (size_t)x->nmodes;
-    double *table = thud_collocation_allocate((size_t)x->loads * THUD_BLOCK * 2 * n, sizeof *table),
+    double *table = thud_collocation_allocate((size_t)x->loads * THUD_POINTS * THUD_POINTS * 2 * n, sizeof *table),
            *ones = thud_collocation_allocate(n, sizeof *ones);
     x->modal[level] = table;
     if (!table || !ones) {
@@ -27,9 +27,9 @@ static bool fill_modal(const struct thud_run *run, struct thud_collocation *x, i
     x->seg.a0 = x->seg.a1 = 0;
     memset(x->seg.force, 0, THUD_SEGMENT_TERMS * (size_t)x->nc * sizeof(double));
     for (int load = 0; load < x->loads; load++)
-        for (int power = 0; power < THUD_NODES; power++) {
-            thud_taylor_load(run->model, &x->seg, x->loads == 1 ? ones : run->model->g + (size_t)load * n, power);
-            for (int i = 0; i < THUD_NODES; i++, table += 2 * n)
+        for (int power = 0; power < THUD_POINTS; power++) {
+            thud_taylor_load(run->model, &x->seg, !x->couples ? ones : run->model->g + (size_t)load * n, power);
+            for (int i = 0; i < THUD_POINTS; i++, table += 2 * n)
                 thud_segment_state(&x->seg, x->nmodes, x->node[i], table, table + n);
         }
     free(ones);
@@ -49,18 +49,18 @@ static bool fill_pair(const struct thud_run *run, struct thud_collocation *x, in
     r->indentation = block;
     r->rate = block + THUD_BLOCK;
     const double *ga = run->model->g + (size_t)a * n, *gb = run->model->g + (size_t)b * n;
-    const double *table = x->modal[level] + (x->loads == 1 ? 0 : (size_t)b * THUD_BLOCK * 2 * n);
-    for (int power = 0; power < THUD_NODES; power++)
-        for (int i = 0; i < THUD_NODES; i++, table += 2 * n) {
+    const double *table = x->modal[level] + (!x->couples ? 0 : (size_t)b * THUD_POINTS * THUD_POINTS * 2 * n);
+    for (int power = 0; power < THUD_POINTS; power++)
+        for (int i = 0; i < THUD_POINTS; i++, table += 2 * n) {
             double d = 0, v = 0;
             for (size_t j = 0; j < n; j++) {
-                double w = x->loads == 1 ? ga[j] * gb[j] : ga[j];
+                double w = !x->couples ? ga[j] * gb[j] : ga[j];
                 d -= w * table[j];
                 v -= w * table[n + j];
             }
-            for (int k = 0; k < THUD_NODES; k++) {
-                r->indentation[i * THUD_NODES + k] += d * x->lagrange[power * THUD_NODES + k];
-                r->rate[i * THUD_NODES + k] += v * x->lagrange[power * THUD_NODES + k];
+            for (int k = 0; k < THUD_POINTS; k++) {
+                r->indentation[k * THUD_PLACES + i] += d * x->lagrange[power * THUD_POINTS + k];
+                r->rate[k * THUD_PLACES + i] += v * x->lagrange[power * THUD_POINTS + k];
             }
         }
     return true;

@@ -181,11 +181,18 @@ static bool may_close(const struct thud_run *run, int c)
     return most > 0;
 }
 
-static void open_events(const struct thud_run *run, int c, double *d, double s_end, struct found *found)
+int thud_contact_polynomial(struct thud_run *run, int c)
+{
+    if (run->known[c] < 0)
+        run->known[c] = thud_segment_indentation(run, &run->seg, c, run->indentation + c * THUD_SEGMENT_TERMS);
+    return run->known[c];
+}
+
+static void open_events(struct thud_run *run, int c, const double *d, double s_end, struct found *found)
 {
     if (!may_close(run, c))
         return;
-    int zeros = thud_segment_indentation(run, &run->seg, c, d);
+    int zeros = thud_contact_polynomial(run, c);
     if (run->contact[c].zeros.indentation == 0)
         zeros = 0;
     else if (zeros < run->contact[c].zeros.indentation)
@@ -201,12 +208,12 @@ double thud_contact_next_event(struct thud_run *run, double s_end, int *contact,
     modal_reach(run);
     for (int c = 0; c < run->model->ncontacts; c++) {
         const struct thud_contact_state *s = &run->contact[c];
-        double *d = run->indentation + c * THUD_SEGMENT_TERMS, limit = fmin(s_end, found.s);
+        const double *d = run->indentation + c * THUD_SEGMENT_TERMS, limit = fmin(s_end, found.s);
         if (s->mode == THUD_OPEN) {
             open_events(run, c, d, limit, &found);
             continue;
         }
-        int still = thud_segment_indentation(run, &run->seg, c, d);
+        int still = thud_contact_polynomial(run, c);
         if (s->mode == THUD_CLOSED)
             closed_events(run, c, d, still, limit, &found);
         else if (s->mode == THUD_SLACK)
@@ -224,11 +231,11 @@ double thud_contact_next_event(struct thud_run *run, double s_end, int *contact,
 static double expected_force(const struct thud_run *run, int c, double v)
 {
     const struct thud_model_contact *p = &run->model->contact[c];
-    double energy = 0.5 * p->setup.mass_kg * v * v, d = 1e-9;
-    if (!p->law->elastic_energy)
+    double energy = 0.5 * p->setup.mass_kg * v * v, d = 1e-6;
+    if (!p->law->elastic_energy || energy == 0)
         return 0;
-    while (d < 10 && p->law->elastic_energy(&p->setup, d) < energy)
-        d *= 1.25;
+    for (int i = 0; i < 8; i++) /* energies rise with a power of d between 2 and 4: this is near enough for a scale */
+        d *= pow(energy / p->law->elastic_energy(&p->setup, d), 0.3);
     struct thud_branch b = thud_law_branch_at(p->law, &p->setup, &run->contact[c].memory, THUD_APPROACH, d);
     return thud_branch_force(&b, d, 0, NULL, NULL);
 }

@@ -38,35 +38,6 @@ static void add_row(double *restrict to, const double *restrict from, double fac
         to[t] += factor * from[t];
 }
 
-/* Displacement, velocity, total acceleration and drift of every floor at the ends of the intervals. */
-static void floor_values(struct thud_flight *f, const struct thud_model *m, int ends)
-{
-    for (int j = 0; j < f->n; j++) {
-        double w2 = m->omega[j] * m->omega[j], z = 2 * m->zeta[j] * m->omega[j];
-        const double *q = f->q + j * ENDS, *qd = f->qd + j * ENDS;
-        double *a = f->spring + j * ENDS;
-        for (int t = 0; t < ends; t++)
-            a[t] = -(w2 * q[t] + z * qd[t]);
-    }
-    double *const from[] = {f->q, f->qd, f->spring};
-    for (int s = 0; s < m->nstructures; s++) {
-        const struct thud_model_structure *p = &m->structure[s];
-        for (int i = 0; i < p->n; i++) {
-            size_t row = (size_t)(p->first + i) * ENDS;
-            for (int x = THUD_FLOOR_DISPLACEMENT; x <= THUD_FLOOR_ACCELERATION; x++) {
-                double *to = f->value[x] + row;
-                memset(to, 0, (size_t)ends * sizeof *to);
-                for (int j = 0; j < p->n; j++)
-                    add_row(to, from[x] + (p->first + j) * ENDS, p->phi[i * p->n + j], ends);
-            }
-            const double *u = f->value[THUD_FLOOR_DISPLACEMENT] + row;
-            double *drift = f->value[THUD_FLOOR_DRIFT] + row;
-            for (int t = 0; t < ends; t++)
-                drift[t] = !p->stiffness_npm ? 0 : i > 0 ? u[t] - (u - ENDS)[t] : u[t];
-        }
-    }
-}
-
 /* Largest energy norm sqrt(q'^2 + omega^2 q^2) of mode j at the ends. */
 static double largest_speed(const struct thud_flight *f, int j, double omega, int ends)
 {
@@ -79,51 +50,104 @@ static double largest_speed(const struct thud_flight *f, int j, double omega, in
     return sqrt(most);
 }
 
+/* One floor's values at the ends from those of its modes. */
+static void floor_row(struct thud_flight *f, const struct thud_model_structure *p, int i, int quantity,
+                      const double *from, int ends)
+{
+    double *to = f->value[quantity] + (size_t)(p->first + i) * ENDS;
+    memset(to, 0, (size_t)ends * sizeof *to);
+    for (int j = 0; j < p->n; j++)
+        add_row(to, from + (p->first + j) * ENDS, p->phi[i * p->n + j], ends);
+}
+
+/* Velocity, total acceleration and drift of a structure's floors at the ends. */
+static void other_values(struct thud_flight *f, const struct thud_model *m, const struct thud_model_structure *p,
+                         int ends)
+{
+    for (int j = p->first; j < p->first + p->n; j++) {
+        double w2 = m->omega[j] * m->omega[j], z = 2 * m->zeta[j] * m->omega[j];
+        const double *q = f->q + j * ENDS, *qd = f->qd + j * ENDS;
+        double *a = f->spring + j * ENDS;
+        for (int t = 0; t < ends; t++)
+            a[t] = -(w2 * q[t] + z * qd[t]);
+    }
+    for (int i = 0; i < p->n; i++) {
+        floor_row(f, p, i, THUD_FLOOR_VELOCITY, f->qd, ends);
+        floor_row(f, p, i, THUD_FLOOR_ACCELERATION, f->spring, ends);
+        const double *u = f->value[THUD_FLOOR_DISPLACEMENT] + (size_t)(p->first + i) * ENDS;
+        double *drift = f->value[THUD_FLOOR_DRIFT] + (size_t)(p->first + i) * ENDS;
+        for (int t = 0; t < ends; t++)
+            drift[t] = !p->stiffness_npm ? 0 : i > 0 ? u[t] - (u - ENDS)[t] : u[t];
+    }
+}
+
+static void displacements(struct thud_flight *f, const struct thud_model *m, int ends)
+{
+    for (int s = 0; s < m->nstructures; s++)
+        for (int i = 0; i < m->structure[s].n; i++)
+            floor_row(f, &m->structure[s], i, THUD_FLOOR_DISPLACEMENT, f->q, ends);
+    for (int j = 0; j < f->n; j++)
+        f->speed[j] = largest_speed(f, j, m->omega[j], ends);
+}
+
+/* The other values of structures that move enough for a new peak. */
+static void look_for_peaks(struct thud_flight *f, struct thud_run *run, double ground, int ends)
+{
+    const struct thud_model *m = run->model;
+    for (int s = 0; s < m->nstructures; s++) {
+        const struct thud_model_structure *p = &m->structure[s];
+        double energy = 0, gamma = 0;
+        for (int j = p->first; j < p->first + p->n; j++) {
+            energy += f->speed[j] * f->speed[j];
+            gamma += m->gamma[j] * m->gamma[j];
+        }
+        double speed = sqrt(energy) + run->grid_dt_s * sqrt(gamma) * ground;
+        f->looked[s] = run->horizon_to_fill || thud_reach_above_peaks(run, s, speed, 0);
+        if (f->looked[s])
+            other_values(f, m, p, ends);
+    }
+}
+
 /* Bounds of the derivatives of the modes of one structure in the block, by order (from 2 on), summed into margins:
- * dt^2/8 times the second derivative of a value bounds how far it may lie above its ends, dt^4/384 times the fourth how
- * far above the cubic. */
-static void structure_margins(struct thud_flight *f, const struct thud_run *run, int s, double ground, double slope,
-                              int ends)
+ * dt^2/8 times the second derivative of a value bounds how far it may lie above its ends. */
+static void structure_margins(struct thud_flight *f, const struct thud_run *run, int s, double ground, double slope)
 {
     const struct thud_model *m = run->model;
     const struct thud_model_structure *p = &m->structure[s];
-    double dt = run->grid_dt_s, chord[THUD_FLOOR_QUANTITIES] = {0}, cubic[THUD_FLOOR_QUANTITIES] = {0};
+    double dt = run->grid_dt_s, sum[THUD_FLOOR_QUANTITIES] = {0};
     for (int j = p->first; j < p->first + p->n; j++) {
         double w2 = m->omega[j] * m->omega[j], z = 2 * m->zeta[j] * m->omega[j], reach = fabs(m->gamma[j]);
-        double speed = largest_speed(f, j, m->omega[j], ends) + dt * reach * ground, bound[7];
+        double speed = f->speed[j] + dt * reach * ground, bound[4];
         bound[2] = (m->omega[j] + z) * speed + reach * ground;
         bound[3] = w2 * speed + z * bound[2] + reach * slope;
-        for (int k = 4; k < 7; k++)
-            bound[k] = w2 * bound[k - 2] + z * bound[k - 1];
         double most = run->shape[j], drift = run->shape[m->ndof + j];
-        for (int k = 0; k < 2; k++) { /* the acceleration is -(omega^2 q + 2 zeta omega q') */
-            double *sum = k == 0 ? chord : cubic;
-            const double *d = bound + 2 + 2 * k;
-            sum[THUD_FLOOR_DISPLACEMENT] += most * d[0];
-            sum[THUD_FLOOR_VELOCITY] += most * d[1];
-            sum[THUD_FLOOR_ACCELERATION] += most * (w2 * d[0] + z * d[1]);
-            sum[THUD_FLOOR_DRIFT] += drift * d[0];
-        }
+        sum[THUD_FLOOR_DISPLACEMENT] += most * bound[2];
+        sum[THUD_FLOOR_VELOCITY] += most * bound[3];
+        sum[THUD_FLOOR_ACCELERATION] += most * (w2 * bound[2] + z * bound[3]); /* of omega^2 q + 2 zeta omega q' */
+        sum[THUD_FLOOR_DRIFT] += drift * bound[2];
     }
-    for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++) {
-        f->margin[x * m->nstructures + s] = chord[x] * dt * dt / 8;
-        f->cubic_margin[x * m->nstructures + s] = cubic[x] * dt * dt * dt * dt / 384;
-    }
+    for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++)
+        f->margin[x * m->nstructures + s] = sum[x] * dt * dt / 8;
 }
 
-static void margins(struct thud_flight *f, const struct thud_run *run, int intervals)
+static double largest_ground(const struct thud_flight *f, int intervals)
 {
-    double ground = 0, slope = 0;
-    for (int t = 0; t < intervals; t++) {
-        ground = fmax(ground, fmax(fabs(f->ground[t]), fabs(f->after[t])));
-        slope = fmax(slope, fabs(f->after[t] - f->ground[t]) / run->grid_dt_s);
-    }
-    for (int s = 0; s < run->model->nstructures; s++)
-        structure_margins(f, run, s, ground, slope, intervals + 1);
+    double most = 0;
+    for (int t = 0; t < intervals; t++)
+        most = fmax(most, fmax(fabs(f->ground[t]), fabs(f->after[t])));
+    return most;
 }
 
-/* Motion of one piece of interval t as a series, from f->now. */
-static void series(struct thud_run *run, struct thud_flight *f, int piece)
+static void margins(struct thud_flight *f, const struct thud_run *run, double ground, int intervals)
+{
+    double slope = 0;
+    for (int t = 0; t < intervals; t++)
+        slope = fmax(slope, fabs(f->after[t] - f->ground[t]) / run->grid_dt_s);
+    for (int s = 0; s < run->model->nstructures; s++)
+        structure_margins(f, run, s, ground, slope);
+}
+
+void thud_flight_series(struct thud_run *run, struct thud_flight *f, int piece)
 {
     double h = run->grid_dt_s / f->pieces;
     run->offset_s = piece * h;
@@ -148,7 +172,7 @@ static bool closes(struct thud_run *run, struct thud_flight *f, int c, int t)
     run->grid += t;
     start_interval(f, t);
     for (int piece = 0; piece < f->pieces && !found; piece++) {
-        series(run, f, piece);
+        thud_flight_series(run, f, piece);
         int zeros = thud_segment_indentation(run, &run->seg, c, d), least = run->contact[c].zeros.indentation;
         if (t > 0 || piece > 0 || least == 0)
             zeros = 0;
@@ -192,132 +216,6 @@ static int until_contact(struct thud_run *run, struct thud_flight *f, int c, int
         if ((f->gap[t] > limit || f->gap[t + 1] > limit) && closes(run, f, c, t))
             return t;
     return intervals;
-}
-
-/* One floor's row of the block. */
-struct row {
-    int structure, floor, quantity;
-    const double *x;
-    struct thud_peak *peak;
-    double margin, cubic_margin;
-};
-
-/* Rate of a row's value at end t of an interval whose ground acceleration there is `ground`. */
-static double rate_at(const struct thud_run *run, const struct thud_flight *f, const struct row *row, int t,
-                      double ground)
-{
-    const struct thud_model *m = run->model;
-    const struct thud_model_structure *p = &m->structure[row->structure];
-    const double *v = f->value[THUD_FLOOR_VELOCITY] + (p->first + row->floor) * ENDS + t;
-    if (row->quantity == THUD_FLOOR_DISPLACEMENT)
-        return *v;
-    if (row->quantity == THUD_FLOOR_DRIFT)
-        return row->floor > 0 ? *v - v[-ENDS] : *v;
-    if (row->quantity == THUD_FLOOR_VELOCITY)
-        return f->value[THUD_FLOOR_ACCELERATION][(p->first + row->floor) * ENDS + t] -
-               m->share[p->first + row->floor] * ground;
-    double jerk = 0;
-    for (int j = 0; j < p->n; j++) {
-        int k = p->first + j;
-        double second = f->spring[k * ENDS + t] - m->gamma[k] * ground;
-        jerk -=
-            p->phi[row->floor * p->n + j] * m->omega[k] * (m->omega[k] * f->qd[k * ENDS + t] + 2 * m->zeta[k] * second);
-    }
-    return jerk;
-}
-
-/* Largest |p| on [0, 1] of the cubic with values x0, x1 and rates (by s) r0, r1 at the ends. */
-static double cubic_peak(double x0, double x1, double r0, double r1)
-{
-    double c2 = 3 * (x1 - x0) - 2 * r0 - r1, c3 = 2 * (x0 - x1) + r0 + r1;
-    double most = fmax(fabs(x0), fabs(x1)), root = c2 * c2 - 3 * c3 * r0;
-    if (root < 0)
-        return most;
-    root = sqrt(root);
-    double u = -(c2 + (c2 < 0 ? -root : root)); /* 3 c3 s^2 + 2 c2 s + r0 = 0, without cancellation */
-    double s[2] = {u / (3 * c3), r0 / u};
-    for (int i = 0; i < 2; i++)
-        if (s[i] > 0 && s[i] < 1)
-            most = fmax(most, fabs(x0 + s[i] * (r0 + s[i] * (c2 + s[i] * c3))));
-    return most;
-}
-
-/* Motion of interval t as series, one piece after the other; in each the rows that may peak in it are read. */
-static void look_at(struct thud_run *run, struct thud_flight *f, int t, int from)
-{
-    long base = run->grid;
-    run->grid += t;
-    start_interval(f, t);
-    for (int piece = 0; piece < f->pieces; piece++) {
-        series(run, f, piece);
-        thud_peaks_prepare(run);
-        for (int i = from; i < f->suspects; i++)
-            if (f->suspect[i].t == t)
-                thud_peaks_floor(run, f->suspect[i].structure, f->suspect[i].floor, f->suspect[i].quantity, 1);
-        if (piece + 1 < f->pieces)
-            thud_segment_state(&run->seg, f->n, 1, f->now, f->now_rate);
-    }
-    run->grid = base;
-    run->offset_s = 0;
-}
-
-static void read_suspects(struct thud_run *run, struct thud_flight *f)
-{
-    for (int i = 0; i < f->suspects; i++) {
-        bool seen = false;
-        for (int k = 0; k < i && !seen; k++)
-            seen = f->suspect[k].t == f->suspect[i].t;
-        if (!seen)
-            look_at(run, f, f->suspect[i].t, i);
-    }
-    f->suspects = 0;
-}
-
-/* Notes the intervals inside which the row may pass both its peak so far and what it surely reaches in the block. */
-static void note_suspects(struct thud_run *run, struct thud_flight *f, const struct row *row, int intervals)
-{
-    const double *x = row->x;
-    double most = 0, dt = run->grid_dt_s;
-    for (int t = 0; t <= intervals; t++) {
-        double a = fabs(x[t]);
-        most = a > most ? a : most;
-    }
-    if (most + row->margin <= row->peak->value)
-        return;
-    double limit = fmax(row->peak->value, most), near = limit - row->margin;
-    for (int t = 0; t < intervals; t++) {
-        f->upper[t] = 0;
-        if (fabs(x[t]) < near && fabs(x[t + 1]) < near)
-            continue;
-        double r0 = rate_at(run, f, row, t, f->ground[t]), r1 = rate_at(run, f, row, t + 1, f->after[t]);
-        f->upper[t] = cubic_peak(x[t], x[t + 1], dt * r0, dt * r1) + row->cubic_margin;
-        limit = fmax(limit, f->upper[t] - 2 * row->cubic_margin);
-    }
-    for (int t = 0; t < intervals; t++) {
-        if (f->upper[t] < limit || f->upper[t] <= row->peak->value)
-            continue;
-        if (f->suspects == f->suspects_capacity)
-            read_suspects(run, f);
-        f->suspect[f->suspects++] = (struct thud_suspect){t, row->structure, row->floor, row->quantity};
-    }
-}
-
-static void peaks(struct thud_run *run, struct thud_flight *f, int intervals)
-{
-    const struct thud_model *m = run->model;
-    for (int s = 0; s < m->nstructures; s++)
-        for (int i = 0; i < m->structure[s].n; i++)
-            for (int x = 0; x < (m->structure[s].stiffness_npm ? THUD_FLOOR_QUANTITIES : THUD_FLOOR_DRIFT); x++) {
-                struct row row = {s,
-                                  i,
-                                  x,
-                                  f->value[x] + (m->structure[s].first + i) * ENDS,
-                                  thud_floor_peak(run, s, i, x),
-                                  f->margin[x * m->nstructures + s],
-                                  f->cubic_margin[x * m->nstructures + s]};
-                note_suspects(run, f, &row, intervals);
-            }
-    read_suspects(run, f);
 }
 
 static double sum(const double *x, int n)
@@ -364,7 +262,7 @@ static enum thud_status rows(struct thud_run *run, struct thud_flight *f, int in
         run->grid = base + t;
         start_interval(f, t);
         for (int piece = 0; piece < f->pieces && status == THUD_OK; piece++) {
-            series(run, f, piece);
+            thud_flight_series(run, f, piece);
             status = thud_history_segment(run, 1, err);
             thud_ledger_segment(run, 1);
             thud_segment_state(&run->seg, f->n, 1, f->now, f->now_rate);
@@ -416,14 +314,16 @@ enum thud_status thud_flight_go(struct thud_run *run, int *passed, struct thud_e
     }
     int tried = left < f->size ? (int)left : f->size, intervals = tried;
     march(f, run, tried);
-    floor_values(f, run->model, tried + 1);
-    margins(f, run, tried);
+    double ground = largest_ground(f, tried);
+    displacements(f, run->model, tried + 1);
+    margins(f, run, ground, tried);
     for (int c = 0; c < run->model->ncontacts && intervals > 0; c++)
         intervals = until_contact(run, f, c, intervals);
     f->size = intervals < tried ? SHORT_BLOCK : THUD_FLIGHT_BLOCK;
     if (intervals == 0)
         return THUD_OK;
-    peaks(run, f, intervals);
+    look_for_peaks(f, run, ground, intervals + 1);
+    thud_flight_peaks(run, f, intervals);
     if (run->closing)
         thud_closing_flight(run, f, intervals);
     if (run->horizon_to_fill)

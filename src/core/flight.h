@@ -5,9 +5,11 @@
 #include "core/run_private.h"
 
 enum { THUD_FLIGHT_BLOCK = 128, THUD_FLIGHT_ENDS = THUD_FLIGHT_BLOCK + 1 }; /* intervals in a block, and their ends */
-/* An interval inside which one floor's value may peak. */
+/* The interval in which one floor's value peaks, its series not yet made. */
 struct thud_suspect {
-    int t, structure, floor, quantity;
+    bool waits;
+    long grid;
+    double most; /* what the peak is at most */
 };
 
 struct thud_flight {
@@ -27,18 +29,24 @@ struct thud_flight {
     double *value[THUD_FLOOR_QUANTITIES]; /* (n x ENDS) by floor */
     double *gap, *energy;                 /* (ENDS) */
     double *ground, *after;               /* (ENDS) ground acceleration at the start and at the end of each interval */
-    /* (QUANTITIES x nstructures): how far a value inside an interval may lie above those at its ends; above the cubic
-     * through values and rates at its ends */
-    double *margin, *cubic_margin;
-    double *upper; /* (ENDS) largest value of that cubic, for one row */
-    struct thud_suspect *suspect;
-    int suspects, suspects_capacity;
-    int size; /* intervals to try next */
+    double *margin; /* (QUANTITIES x nstructures): how far a value inside an interval may lie above those at its ends */
+    double *speed;  /* (n) largest sqrt(q'^2 + omega^2 q^2) of a mode in the block */
+    bool *looked;   /* (nstructures) whether its floors may have new peaks: all their values are there */
+    double *lower, *upper; /* (ENDS) what the largest value of one row in each interval is at least and at most */
+    struct thud_suspect *suspect; /* (QUANTITIES x n) */
+    double *kept;                 /* (QUANTITIES x n x 2 x n) q, q' at the start of its interval */
+    struct thud_segment seg;      /* while such an interval is looked at */
+    int size;                     /* intervals to try next */
     double *block;
 };
 
 /* Left less right displacement of contact c at the ends of a marched block into f->gap; returns the largest, *margin:
  * how far one inside an interval may lie above those at its ends. */
 double thud_flight_gap(struct thud_flight *f, const struct thud_model *model, int c, int ends, double *margin);
+
+/* flight.c: motion of one piece of the run's interval as a series, from f->now. */
+void thud_flight_series(struct thud_run *run, struct thud_flight *f, int piece);
+/* flight_peaks.c: peaks of the structures that are looked at in a marched block. */
+void thud_flight_peaks(struct thud_run *run, struct thud_flight *f, int intervals);
 
 #endif

@@ -23,7 +23,7 @@ static bool allocate(struct thud_flight *f, const struct thud_model *m)
     size_t n = (size_t)m->ndof, many = n * THUD_FLIGHT_ENDS;
     double **by_mode[32],
         **by_end[] = {&f->q, &f->qd, &f->spring, &f->value[0], &f->value[1], &f->value[2], &f->value[3]};
-    double **single[] = {&f->gap, &f->energy, &f->ground, &f->after, &f->upper};
+    double **single[] = {&f->gap, &f->energy, &f->ground, &f->after, &f->lower, &f->upper};
     size_t count = 0, ends = sizeof by_end / sizeof *by_end, singles = sizeof single / sizeof *single;
     for (int i = 0; i < 4; i++) {
         by_mode[count++] = &f->e[i];
@@ -32,11 +32,12 @@ static bool allocate(struct thud_flight *f, const struct thud_model *m)
     }
     for (int i = 0; i < 7; i++)
         by_mode[count++] = &f->viscous[i];
-    double **rest[] = {&f->now, &f->now_rate};
+    double **rest[] = {&f->now, &f->now_rate, &f->speed};
     for (size_t i = 0; i < sizeof rest / sizeof *rest; i++)
         by_mode[count++] = rest[i];
-    size_t total =
-        count * n + ends * many + singles * THUD_FLIGHT_ENDS + 2 * THUD_FLOOR_QUANTITIES * (size_t)m->nstructures;
+    size_t series = (THUD_SEGMENT_TERMS + 1) * n, forces = THUD_SEGMENT_TERMS * (size_t)m->ncontacts;
+    size_t total = count * n + ends * many + singles * THUD_FLIGHT_ENDS +
+                   THUD_FLOOR_QUANTITIES * (size_t)m->nstructures + 2 * THUD_FLOOR_QUANTITIES * n * n + series + forces;
     double *next = f->block = calloc(total, sizeof *next);
     if (!next)
         return false;
@@ -47,10 +48,12 @@ static bool allocate(struct thud_flight *f, const struct thud_model *m)
     for (size_t i = 0; i < singles; i++, next += THUD_FLIGHT_ENDS)
         *single[i] = next;
     f->margin = next;
-    f->cubic_margin = next + THUD_FLOOR_QUANTITIES * m->nstructures;
-    f->suspects_capacity = 8 * m->ndof;
-    f->suspect = calloc((size_t)f->suspects_capacity, sizeof *f->suspect);
-    return f->suspect != NULL;
+    f->kept = f->margin + THUD_FLOOR_QUANTITIES * m->nstructures;
+    f->seg.q = f->kept + 2 * THUD_FLOOR_QUANTITIES * n * n;
+    f->seg.force = f->seg.q + series;
+    f->suspect = calloc(THUD_FLOOR_QUANTITIES * n, sizeof *f->suspect);
+    f->looked = calloc((size_t)m->nstructures + 1, sizeof *f->looked);
+    return f->suspect != NULL && f->looked != NULL;
 }
 
 /* Rates of the four unit motions at one quadrature point enter the integrals of their products. */
@@ -100,7 +103,7 @@ static enum thud_status unit_motions(struct thud_run *run, struct thud_flight *f
         q[UNIT_Q][j] = qd[UNIT_QD][j] = 1;
     }
     double dt = run->grid_dt_s;
-    int pieces = f->pieces = 1 + (int)(run->fastest_radps * dt / 1.7);
+    int pieces = f->pieces = 1 + (int)(run->fastest_radps * dt / 1.8);
     struct thud_segment *seg = &run->seg;
     for (int i = 0; i < pieces; i++) {
         double s0 = (double)i / pieces, ds = 1.0 / pieces;
@@ -152,6 +155,7 @@ void thud_flight_free(struct thud_flight *flight)
     if (!flight)
         return;
     free(flight->suspect);
+    free(flight->looked);
     free(flight->block);
     free(flight);
 }

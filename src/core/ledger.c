@@ -1,9 +1,8 @@
 /* The energy ledger: work done by the ground, lost in the structures' damping and in the contacts, each by quadrature
  * of its own power, against the energy that the state holds. What is left over is the error. */
 #include <math.h>
-#include <string.h>
 
-#include "core/poly.h"
+#include "core/places.h"
 #include "core/quadrature.h"
 #include "core/run_private.h"
 
@@ -23,36 +22,21 @@ double thud_run_strain(const struct thud_run *run)
     return 0.5 * sum;
 }
 
-/* Power of the structures' damping at modal rates qd. */
-static double viscous_power(const struct thud_model *m, const double *qd)
-{
-    double sum = 0;
-    for (int j = 0; j < m->ndof; j++)
-        sum += 2 * m->zeta[j] * m->omega[j] * qd[j] * qd[j];
-    for (int s = 0; s < m->nstructures; s++) {
-        const struct thud_model_structure *p = &m->structure[s];
-        for (int i = 0; p->damping && i < p->n; i++)
-            for (int j = 0; j < p->n; j++)
-                sum += qd[p->first + i] * p->damping[i * p->n + j] * qd[p->first + j];
-    }
-    return sum;
-}
-
-static void contact_work(struct thud_run *run, int c, double s_end)
+static void contact_work(struct thud_run *run, const struct thud_places *places, int c, double dt)
 {
     struct thud_contact_state *s = &run->contact[c];
-    const double *d = run->indentation + c * THUD_SEGMENT_TERMS;
-    double work = 0, impulse = 0, dt = s_end * run->seg.h_s, v[3];
+    double d[THUD_PLACES], rate[THUD_PLACES], force[THUD_PLACES], work = 0, impulse = 0;
+    int terms = run->seg.terms;
+    bool applied = s->mode == THUD_STUCK || !run->locates; /* what the step really applied */
+    thud_places_slope(places, run->indentation + c * THUD_SEGMENT_TERMS, 1, terms, run->seg.h_s, rate);
+    if (applied)
+        thud_places_read(places, run->seg.force + c, run->model->ncontacts, terms, force);
+    else
+        thud_places_read(places, run->indentation + c * THUD_SEGMENT_TERMS, 1, terms, d);
     for (int i = 0; i < THUD_QUADRATURE_POINTS; i++) {
-        thud_poly_value3(d, run->seg.terms, s_end * thud_quadrature_node[i], v);
-        double rate = v[1] / run->seg.h_s, force = 0;
-        if (s->mode == THUD_STUCK || !run->locates) /* what the step really applied */
-            for (int k = run->seg.terms - 1; k >= 0; k--)
-                force = force * s_end * thud_quadrature_node[i] + run->seg.force[k * run->model->ncontacts + c];
-        else
-            force = thud_contact_force(run, c, v[0], rate);
-        work += thud_quadrature_weight[i] * force * rate;
-        impulse += thud_quadrature_weight[i] * force;
+        double f = applied ? force[i] : thud_contact_force(run, c, d[i], rate[i]);
+        work += thud_quadrature_weight[i] * f * rate[i];
+        impulse += thud_quadrature_weight[i] * f;
     }
     s->impact.impulse_ns += impulse * dt;
     s->impact.dissipated_j += work * dt;
@@ -69,36 +53,58 @@ void thud_ledger_start(struct thud_run *run)
     run->ledger.largest_j = run->ledger.initial_j;
 }
 
-/* Modal rates at s, out (nmodes). */
-static void modal_rates(const struct thud_segment *seg, int n, double s, double *out)
+/* Work of the damping that couples modes (isolated buildings) over the segment, per second of it, at modal rates (ndof
+ * x THUD_PLACES). */
+static double coupled_loss(const struct thud_model *m, const double *rate)
 {
-    memset(out, 0, (size_t)n * sizeof *out);
-    for (int k = seg->terms - 1; k >= 1; k--) {
-        double factor = k / seg->h_s;
-        const double *q = seg->q + k * n;
-        for (int j = 0; j < n; j++)
-            out[j] = out[j] * s + factor * q[j];
+    double sum = 0;
+    for (int s = 0; s < m->nstructures; s++) {
+        const struct thud_model_structure *p = &m->structure[s];
+        for (int i = 0; p->damping && i < p->n; i++)
+            for (int j = 0; j < p->n; j++) {
+                const double *a = rate + (p->first + i) * THUD_PLACES, *b = rate + (p->first + j) * THUD_PLACES;
+                for (int x = 0; x < THUD_QUADRATURE_POINTS; x++)
+                    sum += thud_quadrature_weight[x] * a[x] * p->damping[i * p->n + j] * b[x];
+            }
     }
+    return sum;
+}
+
+/* Work of the ground and of the structures' damping. */
+static void structure_work(struct thud_run *run, const struct thud_places *places, double s, double dt)
+{
+    const struct thud_model *m = run->model;
+    struct thud_lanes viscous = {0}, drive = {0};
+    double power[THUD_PLACES], force[THUD_PLACES], input = 0, loss = 0;
+    for (int j = 0; j < m->ndof; j++) {
+        double *rate = run->scratch + j * THUD_PLACES;
+        thud_places_slope(places, run->seg.q + j, m->ndof, run->seg.terms, run->seg.h_s, rate);
+        struct thud_lanes v = thud_lanes_at(rate);
+        for (int i = 0; i < THUD_PLACES / 2; i++)
+            viscous.pair[i] += 2 * m->zeta[j] * m->omega[j] * v.pair[i] * v.pair[i];
+        thud_lanes_add(&drive, -m->gamma[j], rate);
+    }
+    thud_lanes_put(&viscous, power);
+    thud_lanes_put(&drive, force);
+    for (int i = 0; i < THUD_QUADRATURE_POINTS; i++) {
+        double ground = run->seg.a0 + run->seg.a1 * s * thud_quadrature_node[i];
+        loss += thud_quadrature_weight[i] * power[i];
+        input += thud_quadrature_weight[i] * ground * force[i];
+    }
+    run->ledger.input_j += input * dt;
+    run->ledger.viscous_j += (loss + coupled_loss(m, run->scratch)) * dt;
 }
 
 void thud_ledger_segment(struct thud_run *run, double s)
 {
-    const struct thud_model *m = run->model;
-    double *qd = run->scratch;
-    for (int c = 0; c < m->ncontacts; c++)
-        if (thud_contact_felt(run, c))
-            contact_work(run, c, s);
-    if (run->options.no_ledger)
-        return;
+    struct thud_places places;
     double dt = s * run->seg.h_s;
-    for (int i = 0; i < THUD_QUADRATURE_POINTS; i++) {
-        double at = s * thud_quadrature_node[i], ground = run->seg.a0 + run->seg.a1 * at, input = 0;
-        modal_rates(&run->seg, m->ndof, at, qd);
-        for (int j = 0; j < m->ndof; j++)
-            input -= m->gamma[j] * qd[j];
-        run->ledger.input_j += thud_quadrature_weight[i] * dt * ground * input;
-        run->ledger.viscous_j += thud_quadrature_weight[i] * dt * viscous_power(m, qd);
-    }
+    thud_places_set(&places, THUD_QUADRATURE_POINTS, thud_quadrature_node, s, run->seg.terms);
+    for (int c = 0; c < run->model->ncontacts; c++)
+        if (thud_contact_felt(run, c))
+            contact_work(run, &places, c, dt);
+    if (!run->options.no_ledger)
+        structure_work(run, &places, s, dt);
 }
 
 void thud_ledger_finish(struct thud_run *run)

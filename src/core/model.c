@@ -30,7 +30,7 @@ static size_t model_bytes(const struct thud_model_input *in, size_t ndof)
     size_t nc = (size_t)in->ncontacts, bytes = room(1, sizeof(struct thud_model));
     bytes += room((size_t)in->nstructures, sizeof(struct thud_model_structure));
     bytes += room(nc, sizeof(struct thud_model_contact)) + room(ndof, sizeof(int));
-    bytes += 7 * room(ndof, sizeof(double)) + room(nc * ndof, sizeof(double)) + room(nc * nc, sizeof(double));
+    bytes += 9 * room(ndof, sizeof(double)) + room(nc * ndof, sizeof(double)) + room(nc * nc, sizeof(double));
     for (int s = 0; s < in->nstructures; s++) {
         size_t n = (size_t)in->structure[s].n;
         bytes += 2 * room(n * n, sizeof(double)) + room(n, sizeof(double));
@@ -104,6 +104,8 @@ static enum thud_status fill_structure(struct thud_model *m, struct arena *arena
         m->gamma[first + j] = gamma;
         m->zeta[first + j] = to->damping ? 0 : in->damping;
         m->q0[first + j] = 0;
+        m->spring[first + j] = m->omega[first + j] * m->omega[first + j];
+        m->dashpot[first + j] = 2 * m->zeta[first + j] * m->omega[first + j];
         m->qd0[first + j] = gamma * in->velocity_mps; /* Phi^T M v */
     }
     return status;
@@ -196,7 +198,8 @@ enum thud_status thud_model_create(const struct thud_model_input *input, struct 
     m->structure = take(&arena, (size_t)input->nstructures * sizeof *m->structure);
     m->contact = take(&arena, nc * sizeof *m->contact);
     m->dof_structure = take(&arena, n * sizeof(int));
-    double **vectors[] = {&m->mass_kg, &m->omega, &m->zeta, &m->gamma, &m->q0, &m->qd0, &m->share};
+    double **vectors[] = {&m->mass_kg, &m->omega, &m->zeta, &m->gamma, &m->spring,
+                          &m->dashpot, &m->q0,    &m->qd0,  &m->share};
     for (size_t i = 0; i < sizeof vectors / sizeof *vectors; i++)
         *vectors[i] = take(&arena, n * sizeof(double));
     m->g = take(&arena, nc * n * sizeof(double));

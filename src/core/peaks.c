@@ -117,16 +117,14 @@ static double floor_margin(const struct thud_model_structure *p, int floor, int 
     return sum;
 }
 
-/* Modal q, q' and total acceleration at s, out (3 x nmodes). */
-static void modal_values(const struct thud_run *run, const double *acceleration, double s, double *out)
+/* Modal total acceleration at s, out (nmodes). */
+static void modal_acceleration(const struct thud_run *run, const double *acceleration, double s, double *out)
 {
     int n = run->model->ndof;
-    thud_segment_state(&run->seg, n, s, out, out + n);
-    double *a = out + 2 * n;
-    memset(a, 0, (size_t)n * sizeof *a);
+    memset(out, 0, (size_t)n * sizeof *out);
     for (int k = run->seg.terms - 3; k >= 0; k--)
         for (int j = 0; j < n; j++)
-            a[j] = a[j] * s + acceleration[k * n + j];
+            out[j] = out[j] * s + acceleration[k * n + j];
 }
 
 /* A floor's displacement, velocity and acceleration from modal values. */
@@ -189,16 +187,24 @@ static void structure_peaks(struct thud_run *run, int index, double s_end, const
     }
 }
 
+/* Raises the largest value of the impact that goes on, and with it that of the contact. */
+static void raise_contact_peak(struct thud_run *run, struct thud_peak *peak, double *of_impact, const double *p,
+                               double s_end)
+{
+    double where = 0;
+    *of_impact = thud_poly_peak(p, run->seg.terms, s_end, *of_impact, &where);
+    if (*of_impact > peak->value)
+        *peak = (struct thud_peak){*of_impact, thud_run_now(run) + where * run->seg.h_s};
+}
+
 static void indentation_peak(struct thud_run *run, int c, double s_end)
 {
     const struct thud_segment *seg = &run->seg;
     struct thud_impact *impact = &run->contact[c].impact;
     struct thud_peak *peak = &run->result.contact[c].indentation;
     const double *d = run->indentation + c * THUD_SEGMENT_TERMS;
-    double where = 0;
     if (run->locates) {
-        raise_peak(run, peak, d, seg->terms, s_end);
-        impact->indentation_m = thud_poly_peak(d, seg->terms, s_end, impact->indentation_m, &where);
+        raise_contact_peak(run, peak, &impact->indentation_m, d, s_end);
         return;
     }
     for (int end = 0; end <= 1; end++) { /* the step may reach far out of contact, to the other side of 0 */
@@ -213,20 +219,20 @@ static void contact_peaks(struct thud_run *run, int c, double s_end)
 {
     const struct thud_segment *seg = &run->seg;
     struct thud_contact_state *s = &run->contact[c];
-    double p[THUD_SEGMENT_TERMS], where = 0;
+    double p[THUD_SEGMENT_TERMS];
     if (s->mode != THUD_OPEN)
         indentation_peak(run, c, s_end);
     if (!thud_contact_felt(run, c))
         return;
     for (int k = 0; k < seg->terms; k++)
         p[k] = seg->force[k * run->model->ncontacts + c];
-    raise_peak(run, &run->result.contact[c].force, p, seg->terms, s_end);
-    s->impact.force_n = thud_poly_peak(p, seg->terms, s_end, s->impact.force_n, &where);
+    raise_contact_peak(run, &run->result.contact[c].force, &s->impact.force_n, p, s_end);
 }
 
 void thud_peaks_start(struct thud_run *run)
 {
     const struct thud_model *m = run->model;
+    thud_reach_start(run);
     for (int s = 0; s < m->nstructures; s++) {
         const struct thud_model_structure *p = &m->structure[s];
         for (int j = 0; j < p->n; j++) {
@@ -242,15 +248,27 @@ void thud_peaks_start(struct thud_run *run)
     }
 }
 
+/* Peaks of the structures that may have one. Modal values at the end are there already, but for the acceleration. */
 static void motion_peaks(struct thud_run *run, double s)
 {
-    double *start = run->ends, *end = start + 3 * run->model->ndof, *modal = end + 3 * run->model->ndof;
-    thud_peaks_prepare(run);
-    modal_values(run, run->scratch, 0, start);
-    modal_values(run, run->scratch, s, end);
-    modal_margins(run, run->scratch, s, modal);
-    for (int i = 0; i < run->model->nstructures; i++)
+    const struct thud_model *m = run->model;
+    size_t n = (size_t)m->ndof;
+    double *start = run->ends, *end = start + 3 * n, *modal = end + 3 * n;
+    bool prepared = false;
+    for (int i = 0; i < m->nstructures; i++) {
+        if (run->method->order == 0 && !thud_reach_new_peak(run, i, s))
+            continue;
+        if (!prepared) {
+            thud_peaks_prepare(run);
+            memcpy(start, run->q, n * sizeof *start);
+            memcpy(start + n, run->qd, n * sizeof *start);
+            memcpy(start + 2 * n, run->scratch, n * sizeof *start);
+            modal_acceleration(run, run->scratch, s, end + 2 * n);
+            modal_margins(run, run->scratch, s, modal);
+            prepared = true;
+        }
         structure_peaks(run, i, s, start, end, modal);
+    }
 }
 
 void thud_peaks_segment(struct thud_run *run, double s)

@@ -100,6 +100,11 @@ double thud_poly_first_above(const double *c, int n, double s_end, double sign, 
     }
     if (sign * c[0] > noise)
         return 0;
+    double reach = 0; /* how far it may come from its start, s_end being at most 1 */
+    for (int k = 1; k < n; k++)
+        reach += fabs(c[k]);
+    if (sign * c[0] + reach <= noise)
+        return INFINITY;
     struct search f = {c, n, sign, noise, third_bound(c, n), 0};
     return first_above(&f, 0, s_end, 0);
 }

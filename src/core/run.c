@@ -55,6 +55,7 @@ static bool allocate_doubles(struct thud_run *run)
                 {&run->indentation, terms * nc},
                 {&run->scratch, (terms + 8) * n + 8 + nc},
                 {&run->shape, 2 * n},
+                {&run->most, THUD_FLOOR_QUANTITIES * n},
                 {&run->ends, 9 * n},
                 {&run->reach, n},
                 {&run->hold, nc * nc},
@@ -158,8 +159,9 @@ enum thud_status thud_run_create(const struct thud_model *model, const struct th
     set_times(run);
     run->contact = calloc((size_t)model->ncontacts + 1, sizeof *run->contact);
     run->set_now = calloc((size_t)model->ncontacts + 1, sizeof *run->set_now);
+    run->known = calloc((size_t)model->ncontacts + 1, sizeof *run->known);
     status = THUD_MEMORY;
-    if (run->contact && run->set_now && allocate_doubles(run) && allocate_result(run)) {
+    if (run->contact && run->set_now && run->known && allocate_doubles(run) && allocate_result(run)) {
         memcpy(run->q, model->q0, (size_t)model->ndof * sizeof *run->q);
         memcpy(run->qd, model->qd0, (size_t)model->ndof * sizeof *run->qd);
         thud_contact_start(run);
@@ -193,6 +195,7 @@ void thud_run_free(struct thud_run *run)
     thud_flight_free(run->flight);
     free(run->contact);
     free(run->set_now);
+    free(run->known);
     free(run->block);
     free(run->result_block);
     free(run->impacts);
@@ -207,7 +210,9 @@ static void commit(struct thud_run *run, double s, double limit)
     if (s <= 0)
         return;
     double to_end = run->end_s - thud_run_now(run), to_kink = run->grid_dt_s - run->offset_s;
-    thud_segment_state(&run->seg, run->model->ndof, s, run->q, run->qd);
+    size_t n = (size_t)run->model->ndof;
+    memcpy(run->q, run->ends + 3 * n, n * sizeof *run->q);
+    memcpy(run->qd, run->ends + 4 * n, n * sizeof *run->qd);
     if (s < limit || s * run->seg.h_s < to_kink * (1 - 1e-13)) {
         run->offset_s += s * run->seg.h_s;
     } else {
@@ -275,6 +280,8 @@ static double next_event(struct thud_run *run, double limit, int *contact, int *
 static enum thud_status read_segment(struct thud_run *run, double s, struct thud_error *err)
 {
     enum thud_status status = THUD_OK;
+    double *end = run->ends + 3 * run->model->ndof; /* q, q' at s: read by the peaks, and committed */
+    thud_segment_state(&run->seg, run->model->ndof, s, end, end + run->model->ndof);
     thud_peaks_segment(run, s);
     if (run->closing)
         thud_closing_segment(run, s);
@@ -369,6 +376,8 @@ static bool has_touched(const struct thud_result *r)
 static void finish(struct thud_run *run)
 {
     struct thud_result *r = &run->result;
+    if (run->flight)
+        thud_flight_settle(run);
     thud_ledger_finish(run);
     if (run->done && *r->reason && r->reason != no_contact && !has_touched(r))
         r->reason = "nothing touched: modes alone, in closed form";

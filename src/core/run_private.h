@@ -64,9 +64,11 @@ struct thud_run {
 
     struct thud_segment seg;
     double *indentation;  /* (ncontacts x THUD_SEGMENT_TERMS): polynomials of the segment, scaled like it */
+    int *known;           /* (ncontacts) its lowest orders that are no motion; -1 where it is not read yet */
     double *scratch;      /* (THUD_SEGMENT_TERMS x ndof + 8 x ndof) for one function at a time */
     double fastest_radps; /* fastest mode */
     double *shape;        /* (2 x ndof): largest part of each mode in a floor's displacement, and in its drift */
+    double *most;         /* (quantities x ndof): of a floor's value, for a structure's sqrt(2 energy) */
     double *ends;         /* (9 x ndof) modal values at the two ends of a segment, and margins between */
     double *reach;        /* (ndof) how far each mode may move in the segment */
     double *hold;         /* (ncontacts x ncontacts) */
@@ -124,6 +126,9 @@ void thud_contact_start(struct thud_run *run);
 /* Indentation polynomials of all contacts into run->indentation; earliest event in [0, s_end] of the segment: its s
  * (INFINITY: none), the contact and what it is. */
 double thud_contact_next_event(struct thud_run *run, double s_end, int *contact, int *event);
+/* Reads the indentation of contact c from the segment into run->indentation, once; how many of its lowest orders are no
+ * motion (see thud_segment_indentation). */
+int thud_contact_polynomial(struct thud_run *run, int c);
 /* Acts on an event at the run's state (already committed). */
 enum thud_status thud_contact_switch(struct thud_run *run, int contact, int event, struct thud_error *err);
 /* contact_catch_up.c, for runs that do not locate: the indentation polynomials of the segment that will be read; what
@@ -173,6 +178,13 @@ struct thud_peak *thud_floor_peak(struct thud_run *run, int structure, int floor
 void thud_peaks_prepare(struct thud_run *run);
 /* Peak of one quantity of one floor over the segment up to s. */
 void thud_peaks_floor(struct thud_run *run, int structure, int floor, int quantity, double s);
+/* peaks_reach.c: fills run->most. */
+void thud_reach_start(struct thud_run *run);
+/* Whether a floor of the structure may pass a peak at a modal speed sqrt(2 energy) and contact force (by mass^(1/2)).
+ */
+bool thud_reach_above_peaks(struct thud_run *run, int structure, double speed, double force);
+/* The same for the segment up to s; not for methods whose steps do not keep to the equations of motion. */
+bool thud_reach_new_peak(struct thud_run *run, int structure, double s);
 void thud_ledger_start(struct thud_run *run);
 void thud_ledger_segment(struct thud_run *run, double s);
 void thud_ledger_finish(struct thud_run *run);
@@ -185,6 +197,8 @@ enum thud_status thud_impacts_add(struct thud_run *run, const struct thud_impact
 /* flight.c: free flight over whole grid intervals by recurrence. */
 enum thud_status thud_flight_create(struct thud_run *run, struct thud_error *err);
 void thud_flight_free(struct thud_flight *flight);
+/* Reads the peaks that are only known to be there: before a result is. */
+void thud_flight_settle(struct thud_run *run);
 /* Goes over a block of grid intervals, up to the first one in which a contact closes; *passed: how many. Errors:
  * THUD_MEMORY. */
 enum thud_status thud_flight_go(struct thud_run *run, int *passed, struct thud_error *err);

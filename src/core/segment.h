@@ -16,6 +16,8 @@ struct thud_segment {
     double *force; /* (terms x ncontacts): of the contact forces; 0 where a contact does not act */
 };
 
+/* Terms after which angle^k/k! is below `least`: angle = rate times h. */
+int thud_segment_terms(double angle, double least);
 /* Sets h and the ground acceleration over the next h seconds of the run, and clears the forces. */
 void thud_segment_begin(struct thud_run *run, struct thud_segment *seg, double h_s);
 
@@ -34,9 +36,9 @@ void thud_segment_shorten(struct thud_segment *seg, int nmodes, int ncontacts, d
 
 /* Values of all modal coordinates and their rates at s. */
 void thud_segment_state(const struct thud_segment *seg, int nmodes, double s, double *q, double *qd);
-/* Coefficients of the indentation of contact c, out (terms). Returns how many of the lowest ones are 0 but for
- * rounding: neighbours that start together move together to high orders, and what rounding leaves of their difference
- * is no motion. */
+/* Coefficients of the indentation of contact c, out (terms). Where it is known to start at 0 (an event has just been
+ * there), returns how many of the lowest ones are 0 but for rounding: neighbours that start together move together to
+ * high orders, and what rounding leaves of their difference is no motion. Elsewhere 0. */
 int thud_segment_indentation(const struct thud_run *run, const struct thud_segment *seg, int c, double *out);
 
 #endif

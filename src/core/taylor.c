@@ -6,12 +6,11 @@
 #include "core/largest.h"
 #include "core/run_private.h"
 
-/* Terms after which (rate h)^k / k! is below rounding. */
-static int terms_for(double angle)
+int thud_segment_terms(double angle, double least)
 {
     double term = 1;
     int k = 1;
-    for (; k < THUD_SEGMENT_TERMS && (term > 1e-18 || k < THUD_SEGMENT_TERMS_LEAST); k++)
+    for (; k < THUD_SEGMENT_TERMS && (term > least || k < THUD_SEGMENT_TERMS_LEAST); k++)
         term *= angle / k;
     return k;
 }
@@ -37,8 +36,10 @@ void thud_segment_begin(struct thud_run *run, struct thud_segment *seg, double h
     seg->h_s = h_s;
     seg->a0 = a0 + slope * run->offset_s;
     seg->a1 = slope * h_s;
-    seg->terms = terms_for(fastest_rate(run) * h_s);
+    seg->terms = thud_segment_terms(fastest_rate(run) * h_s, 1e-18);
     memset(seg->force, 0, THUD_SEGMENT_TERMS * (size_t)run->model->ncontacts * sizeof(double));
+    for (int c = 0; c < run->model->ncontacts && seg == &run->seg; c++)
+        run->known[c] = -1;
 }
 
 static void first_terms(const struct thud_model *m, struct thud_segment *seg, const double *q, const double *qd)
@@ -49,31 +50,41 @@ static void first_terms(const struct thud_model *m, struct thud_segment *seg, co
     }
 }
 
+/* out = -(omega^2 q + 2 zeta omega rate q1) scale, by mode */
+static void structure_order(const struct thud_model *m, const double *restrict q, const double *restrict q1,
+                            double rate, double scale, double *restrict out)
+{
+    const double *restrict spring = m->spring, *restrict dashpot = m->dashpot;
+    double by_q = -scale, by_q1 = -scale * rate;
+    for (int j = 0, n = m->ndof; j < n; j++)
+        out[j] = by_q * (spring[j] * q[j]) + by_q1 * (dashpot[j] * q1[j]);
+}
+
+static void push(int n, const double *restrict g, double force, double *restrict out)
+{
+    for (int j = 0; j < n; j++)
+        out[j] -= g[j] * force;
+}
+
 /* Order k + 2 of every mode from orders k and k + 1 and the force of order k. */
 static void next_order(const struct thud_model *m, struct thud_segment *seg, int k)
 {
     int n = m->ndof;
-    double h = seg->h_s, scale = h * h / ((k + 1) * (k + 2));
+    double h = seg->h_s, scale = h * h / ((k + 1) * (k + 2)), rate = (k + 1) / h;
     const double *q = seg->q + k * n, *q1 = q + n, *force = seg->force + k * m->ncontacts;
     double *q2 = seg->q + (k + 2) * n;
-    double ground = k == 0 ? seg->a0 : k == 1 ? seg->a1 : 0, rate = (k + 1) / h;
-    for (int j = 0; j < n; j++)
-        q2[j] = -m->omega[j] * (m->omega[j] * q[j] + 2 * m->zeta[j] * rate * q1[j]) - m->gamma[j] * ground;
+    structure_order(m, q, q1, rate, scale, q2);
+    if (k < 2) /* the ground's acceleration is a straight line */
+        push(n, m->gamma, scale * (k == 0 ? seg->a0 : seg->a1), q2);
     for (int s = 0; s < m->nstructures; s++) {
         const struct thud_model_structure *p = &m->structure[s];
         for (int i = 0; p->damping && i < p->n; i++)
             for (int j = 0; j < p->n; j++)
-                q2[p->first + i] -= p->damping[i * p->n + j] * rate * q1[p->first + j];
+                q2[p->first + i] -= scale * p->damping[i * p->n + j] * rate * q1[p->first + j];
     }
-    for (int c = 0; c < m->ncontacts; c++) {
-        if (force[c] == 0.0)
-            continue;
-        const double *g = m->g + c * n;
-        for (int j = 0; j < n; j++)
-            q2[j] -= g[j] * force[c];
-    }
-    for (int j = 0; j < n; j++)
-        q2[j] *= scale;
+    for (int c = 0; c < m->ncontacts; c++)
+        if (force[c] != 0.0)
+            push(n, m->g + c * n, scale * force[c], q2);
 }
 
 static double largest_of(const double *x, int n)
@@ -183,20 +194,47 @@ static double term_noise(const struct thud_run *run, int k, const double *size, 
     return run->method->order > 0 && k > 1 ? fmax(least, step_noise * largest) : least;
 }
 
+/* Row of a floor's mode shape and its modes' place in the coordinates; a wall has none. */
+struct side {
+    const double *row;
+    int first, n;
+};
+
+static struct side side_of(const struct thud_model *m, int dof)
+{
+    if (dof < 0)
+        return (struct side){0};
+    const struct thud_model_structure *s = &m->structure[m->dof_structure[dof]];
+    return (struct side){s->phi + (dof - s->first) * s->n, s->first, s->n};
+}
+
+static double floor_term(const struct side *side, const double *modal)
+{
+    double sum = 0;
+    for (int j = 0; j < side->n; j++)
+        sum += side->row[j] * modal[side->first + j];
+    return sum;
+}
+
 int thud_segment_indentation(const struct thud_run *run, const struct thud_segment *seg, int c, double *out)
 {
     const struct thud_model *m = run->model;
-    const struct thud_model_contact *p = &m->contact[c];
+    struct side l = side_of(m, m->contact[c].left_dof), r = side_of(m, m->contact[c].right_dof);
     double size[THUD_SEGMENT_TERMS], largest = 0;
     int zeros = 0;
+    if (run->contact[c].zeros.indentation == 0) { /* nothing of it is known to be 0 */
+        for (int k = 0; k < seg->terms; k++)
+            out[k] = floor_term(&l, seg->q + k * m->ndof) - floor_term(&r, seg->q + k * m->ndof);
+        out[0] -= thud_run_shift(run, c);
+        return 0;
+    }
     for (int k = 0; k < seg->terms; k++) {
-        const double *modal = seg->q + k * m->ndof;
-        double left = p->left_dof < 0 ? 0 : thud_model_floor(m, p->left_dof, modal);
-        double right = p->right_dof < 0 ? 0 : thud_model_floor(m, p->right_dof, modal);
-        out[k] = left - right - (k == 0 ? thud_run_shift(run, c) : 0);
+        double left = floor_term(&l, seg->q + k * m->ndof), right = floor_term(&r, seg->q + k * m->ndof);
+        out[k] = left - right;
         size[k] = fabs(left) + fabs(right);
         largest = size[k] > largest ? size[k] : largest;
     }
+    out[0] -= thud_run_shift(run, c);
     while (zeros < seg->terms && fabs(out[zeros]) <= term_noise(run, zeros, size, largest))
         zeros++;
     return zeros;

@@ -57,6 +57,7 @@ static void line(struct thud_panel *panel, const struct thud_answer *answer, enu
         return;
     size_t n = 0;
     bool after = false;
+    double largest = 0;
     if (on_x == TIME) { /* what was before the first touch, at t = 0 */
         series->x[n] = -20.0;
         series->y[n++] = on_y == RELATIVE_VELOCITY ? value(h, 0, on_y) : 0.0;
@@ -67,7 +68,8 @@ static void line(struct thud_panel *panel, const struct thud_answer *answer, enu
     for (size_t i = 0; i < h->rows && !after; i++) {
         series->x[n] = value(h, i, on_x);
         series->y[n++] = value(h, i, on_y);
-        after = on_x == INDENTATION && i > 0 && value(h, i, FORCE) <= 0.0;
+        largest = fmax(largest, value(h, i, FORCE)); /* at release a force is 0 but for rounding */
+        after = on_x == INDENTATION && i > 0 && value(h, i, FORCE) <= 1e-9 * largest;
     }
     series->n = n;
 }

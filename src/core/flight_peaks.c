@@ -1,0 +1,184 @@
+/* Peaks of free flight. Bounds show which interval holds the peak of a floor's value; until a higher one comes or the
+ * result is asked for, that it is there is enough, and no series is made. */
+#include <math.h>
+#include <string.h>
+
+#include "core/flight.h"
+
+enum { ENDS = THUD_FLIGHT_ENDS };
+
+/* One floor's row of the block. */
+struct row {
+    int structure, floor, quantity;
+    const double *x;
+    struct thud_peak *peak;
+    double margin;
+};
+
+/* Rate of a row's value at end t of an interval whose ground acceleration there is `ground`. */
+static double rate_at(const struct thud_run *run, const struct thud_flight *f, const struct row *row, int t,
+                      double ground)
+{
+    const struct thud_model *m = run->model;
+    const struct thud_model_structure *p = &m->structure[row->structure];
+    const double *v = f->value[THUD_FLOOR_VELOCITY] + (p->first + row->floor) * ENDS + t;
+    if (row->quantity == THUD_FLOOR_DISPLACEMENT)
+        return *v;
+    if (row->quantity == THUD_FLOOR_DRIFT)
+        return row->floor > 0 ? *v - v[-ENDS] : *v;
+    if (row->quantity == THUD_FLOOR_VELOCITY)
+        return f->value[THUD_FLOOR_ACCELERATION][(p->first + row->floor) * ENDS + t] -
+               m->share[p->first + row->floor] * ground;
+    double jerk = 0;
+    for (int j = 0; j < p->n; j++) {
+        int k = p->first + j;
+        double second = f->spring[k * ENDS + t] - m->gamma[k] * ground;
+        jerk -=
+            p->phi[row->floor * p->n + j] * m->omega[k] * (m->omega[k] * f->qd[k * ENDS + t] + 2 * m->zeta[k] * second);
+    }
+    return jerk;
+}
+
+/* Largest |p| on [0, 1] of the cubic with values x0, x1 and rates (by s) r0, r1 at the ends. */
+static double cubic_peak(double x0, double x1, double r0, double r1)
+{
+    double c2 = 3 * (x1 - x0) - 2 * r0 - r1, c3 = 2 * (x0 - x1) + r0 + r1;
+    double most = fmax(fabs(x0), fabs(x1)), root = c2 * c2 - 3 * c3 * r0;
+    if (root < 0)
+        return most;
+    root = sqrt(root);
+    double u = -(c2 + (c2 < 0 ? -root : root)); /* 3 c3 s^2 + 2 c2 s + r0 = 0, without cancellation */
+    double s[2] = {u / (3 * c3), r0 / u};
+    for (int i = 0; i < 2; i++)
+        if (s[i] > 0 && s[i] < 1)
+            most = fmax(most, fabs(x0 + s[i] * (r0 + s[i] * (c2 + s[i] * c3))));
+    return most;
+}
+
+/* How far a row's value in interval t may lie from the cubic through values and rates at its ends: dt^4/384 times a
+ * bound of its fourth derivative there. */
+static double cubic_margin(const struct thud_run *run, const struct thud_flight *f, const struct row *row, int t)
+{
+    const struct thud_model *m = run->model;
+    const struct thud_model_structure *p = &m->structure[row->structure];
+    const double *shape = p->phi + row->floor * p->n, *below = row->floor > 0 ? shape - p->n : NULL;
+    double dt = run->grid_dt_s, slope = fabs(f->after[t] - f->ground[t]) / dt, sum = 0;
+    double ground = fmax(fabs(f->ground[t]), fabs(f->after[t]));
+    for (int i = 0; i < p->n; i++) {
+        int j = p->first + i;
+        double w = m->omega[j], w2 = w * w, z = 2 * m->zeta[j] * w, reach = fabs(m->gamma[j]), bound[7];
+        double q = f->q[j * ENDS + t], qd = f->qd[j * ENDS + t];
+        double speed = sqrt(qd * qd + w2 * q * q) + dt * reach * ground;
+        bound[2] = (w + z) * speed + reach * ground;
+        bound[3] = w2 * speed + z * bound[2] + reach * slope;
+        for (int k = 4; k < 7; k++)
+            bound[k] = w2 * bound[k - 2] + z * bound[k - 1];
+        double part = row->quantity == THUD_FLOOR_DRIFT && below ? shape[i] - below[i] : shape[i];
+        sum += fabs(part) * (row->quantity == THUD_FLOOR_VELOCITY       ? bound[5]
+                             : row->quantity == THUD_FLOOR_ACCELERATION ? w2 * bound[4] + z * bound[5]
+                                                                        : bound[4]);
+    }
+    return sum * dt * dt * dt * dt / 384;
+}
+
+/* Reads the peak of a row in the interval that was kept for it. The run's segment stays as it is: it may be the source
+ * of the next step in contact. */
+static void settle(struct thud_run *run, struct thud_flight *f, int structure, int floor, int quantity)
+{
+    size_t n = (size_t)f->n;
+    int index = quantity * f->n + run->model->structure[structure].first + floor;
+    struct thud_suspect *suspect = &f->suspect[index];
+    const struct thud_segment segment = run->seg;
+    const double offset = run->offset_s;
+    const long grid = run->grid;
+    suspect->waits = false;
+    run->seg = f->seg;
+    run->grid = suspect->grid;
+    memcpy(f->now, f->kept + (size_t)index * 2 * n, n * sizeof *f->now);
+    memcpy(f->now_rate, f->kept + ((size_t)index * 2 + 1) * n, n * sizeof *f->now_rate);
+    for (int piece = 0; piece < f->pieces; piece++) {
+        thud_flight_series(run, f, piece);
+        thud_peaks_prepare(run);
+        thud_peaks_floor(run, structure, floor, quantity, 1);
+        thud_segment_state(&run->seg, f->n, 1, f->now, f->now_rate);
+    }
+    run->seg = segment;
+    run->grid = grid;
+    run->offset_s = offset;
+}
+
+void thud_flight_settle(struct thud_run *run)
+{
+    struct thud_flight *f = run->flight;
+    for (int s = 0; s < run->model->nstructures; s++)
+        for (int i = 0; i < run->model->structure[s].n; i++)
+            for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++)
+                if (f->suspect[x * f->n + run->model->structure[s].first + i].waits)
+                    settle(run, f, s, i, x);
+}
+
+/* Keeps interval t for the row, whose peak in it is at least `least`, at most `most`. */
+static void suspect(struct thud_run *run, struct thud_flight *f, const struct row *row, int t, double least,
+                    double most)
+{
+    int index = row->quantity * f->n + run->model->structure[row->structure].first + row->floor;
+    struct thud_suspect *kept = &f->suspect[index];
+    if (kept->waits && kept->most > least)
+        settle(run, f, row->structure, row->floor, row->quantity);
+    if (most <= row->peak->value)
+        return;
+    double *q = f->kept + (size_t)index * 2 * (size_t)f->n;
+    for (int j = 0; j < f->n; j++) {
+        q[j] = f->q[j * ENDS + t];
+        q[f->n + j] = f->qd[j * ENDS + t];
+    }
+    *kept = (struct thud_suspect){true, run->grid + t, most};
+    least *= 1 - 1e-12; /* so that what is read in the end is above it */
+    if (least > row->peak->value)
+        *row->peak = (struct thud_peak){least, (double)(run->grid + t) * run->grid_dt_s};
+}
+
+/* Finds the intervals inside which the row may pass both its peak so far and what it surely reaches in the block. */
+static void find_suspects(struct thud_run *run, struct thud_flight *f, const struct row *row, int intervals)
+{
+    const double *x = row->x;
+    double most = 0, dt = run->grid_dt_s;
+    for (int t = 0; t <= intervals; t++) {
+        double a = fabs(x[t]);
+        most = a > most ? a : most;
+    }
+    if (most + row->margin <= row->peak->value)
+        return;
+    double limit = fmax(row->peak->value, most), near = limit - row->margin;
+    for (int t = 0; t < intervals; t++) {
+        f->upper[t] = 0;
+        if (fabs(x[t]) < near && fabs(x[t + 1]) < near)
+            continue;
+        double r0 = rate_at(run, f, row, t, f->ground[t]), r1 = rate_at(run, f, row, t + 1, f->after[t]);
+        double cubic = cubic_peak(x[t], x[t + 1], dt * r0, dt * r1), margin = cubic_margin(run, f, row, t);
+        f->upper[t] = cubic + margin;
+        f->lower[t] = cubic - margin;
+        limit = fmax(limit, f->lower[t]);
+    }
+    for (int t = 0; t < intervals; t++) {
+        if (f->upper[t] < limit || f->upper[t] <= row->peak->value)
+            continue;
+        suspect(run, f, row, t, f->lower[t], f->upper[t]);
+    }
+}
+
+void thud_flight_peaks(struct thud_run *run, struct thud_flight *f, int intervals)
+{
+    const struct thud_model *m = run->model;
+    for (int s = 0; s < m->nstructures; s++)
+        for (int i = 0; i < m->structure[s].n && f->looked[s]; i++)
+            for (int x = 0; x < (m->structure[s].stiffness_npm ? THUD_FLOOR_QUANTITIES : THUD_FLOOR_DRIFT); x++) {
+                struct row row = {s,
+                                  i,
+                                  x,
+                                  f->value[x] + (m->structure[s].first + i) * ENDS,
+                                  thud_floor_peak(run, s, i, x),
+                                  f->margin[x * m->nstructures + s]};
+                find_suspects(run, f, &row, intervals);
+            }
+}

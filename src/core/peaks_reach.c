@@ -1,0 +1,90 @@
+/* What a structure's energy lets its floors come to at most: where that is below the peaks so far, no floor needs to be
+ * looked at. With S = sqrt(sum of q'^2 + omega^2 q^2), whatever the damping, dS/dt is at most the size of the forces in
+ * modal coordinates; and by Cauchy and Schwarz a floor's value is at most S times a number of its own. */
+#include <math.h>
+
+#include "core/run_private.h"
+
+/* Largest factor by which damping may raise the sum of spring and damping forces over that of the springs. */
+static double damping_factor(const struct thud_model *m, const struct thud_model_structure *p, int j)
+{
+    double ratio = 2 * m->zeta[p->first + j], sum = 0;
+    for (int i = 0; p->damping && i < p->n; i++)
+        for (int k = 0; k < p->n; k++)
+            sum += p->damping[i * p->n + k] * p->damping[i * p->n + k];
+    return sqrt(1 + ratio * ratio) + (sum > 0 ? sqrt(sum) / m->omega[p->first + j] : 0);
+}
+
+void thud_reach_start(struct thud_run *run)
+{
+    const struct thud_model *m = run->model;
+    for (int s = 0; s < m->nstructures; s++) {
+        const struct thud_model_structure *p = &m->structure[s];
+        for (int i = 0; i < p->n; i++) {
+            double sum[THUD_FLOOR_QUANTITIES] = {0};
+            for (int j = 0; j < p->n; j++) {
+                double a = p->phi[i * p->n + j], below = i > 0 ? p->phi[(i - 1) * p->n + j] : 0;
+                double w = m->omega[p->first + j], f = damping_factor(m, p, j) * w;
+                sum[THUD_FLOOR_DISPLACEMENT] += a * a / (w * w);
+                sum[THUD_FLOOR_VELOCITY] += a * a;
+                sum[THUD_FLOOR_ACCELERATION] += a * a * f * f;
+                sum[THUD_FLOOR_DRIFT] += p->stiffness_npm ? (a - below) * (a - below) / (w * w) : 0;
+            }
+            for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++)
+                run->most[x * m->ndof + p->first + i] = sqrt(sum[x]);
+        }
+    }
+}
+
+bool thud_reach_above_peaks(struct thud_run *run, int structure, double speed, double force)
+{
+    const struct thud_model *m = run->model;
+    const struct thud_model_structure *p = &m->structure[structure];
+    for (int i = 0; i < p->n; i++) {
+        const struct thud_floor_result *r = &run->result.structure[structure].floor[i];
+        const double *most = run->most + p->first + i;
+        double push = most[THUD_FLOOR_VELOCITY * m->ndof] * force;
+        bool below = most[THUD_FLOOR_DISPLACEMENT * m->ndof] * speed <= r->displacement.value &&
+                     most[THUD_FLOOR_VELOCITY * m->ndof] * speed <= r->velocity.value &&
+                     most[THUD_FLOOR_ACCELERATION * m->ndof] * speed + push <= r->acceleration.value &&
+                     most[THUD_FLOOR_DRIFT * m->ndof] * speed <= r->drift.value;
+        if (!below) /* NaN: a rigid body, whose place no energy bounds */
+            return true;
+    }
+    return false;
+}
+
+/* Size of the contact forces on the structure in modal coordinates, at most, over the segment: a force on a floor of
+ * mass m is force/sqrt(m) there. */
+static double largest_force(const struct thud_run *run, const struct thud_model_structure *p)
+{
+    const struct thud_model *m = run->model;
+    double total = 0;
+    for (int c = 0; c < m->ncontacts; c++) {
+        const struct thud_model_contact *contact = &m->contact[c];
+        if (!thud_contact_acts(&run->contact[c]))
+            continue;
+        double force = 0;
+        for (int k = 0; k < run->seg.terms; k++)
+            force += fabs(run->seg.force[k * m->ncontacts + c]);
+        for (int side = 0; side < 2; side++) {
+            int dof = side == 0 ? contact->left_dof : contact->right_dof;
+            if (dof >= p->first && dof < p->first + p->n)
+                total += run->most[THUD_FLOOR_VELOCITY * m->ndof + dof] * force;
+        }
+    }
+    return total;
+}
+
+bool thud_reach_new_peak(struct thud_run *run, int structure, double s)
+{
+    const struct thud_model *m = run->model;
+    const struct thud_model_structure *p = &m->structure[structure];
+    double energy = 0, gamma = 0, force = largest_force(run, p);
+    for (int j = p->first; j < p->first + p->n; j++) {
+        energy += run->qd[j] * run->qd[j] + m->omega[j] * m->omega[j] * run->q[j] * run->q[j];
+        gamma += m->gamma[j] * m->gamma[j];
+    }
+    double ground = fmax(fabs(run->seg.a0), fabs(run->seg.a0 + run->seg.a1)) * sqrt(gamma);
+    return thud_reach_above_peaks(run, structure, sqrt(energy) + s * run->seg.h_s * (ground + force), force);
+}
