@@ -147,7 +147,11 @@ START_TEST(coupled_modes_and_one_contact)
                                          .law = law.law,
                                          .setup = law.setup};
     struct thud_model *model;
-    ck_assert_int_eq(thud_model_create(&(struct thud_model_input){2, s, 1, &contact}, &model, NULL), THUD_OK);
+    ck_assert_int_eq(
+        thud_model_create(
+            &(struct thud_model_input){.nstructures = 2, .structure = s, .ncontacts = 1, .contact = &contact}, &model,
+            NULL),
+        THUD_OK);
     struct thud_record *record = march_motion(1.5);
     struct march a = march_run(model, record, "exact", 0, 1e-9, true, 2);
     struct march b = march_run(model, record, "dormand-prince", 0, 1e-11, true, 2);
