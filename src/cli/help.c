@@ -47,8 +47,7 @@ void thud_help_command(struct thud_text *out, enum thud_command_id id)
         thud_text_append(out, "  %-25s %s%s\n", usage, option->help, option->repeatable ? " (repeatable)" : "");
     }
     if (id == THUD_COMMAND_RUN)
-        thud_text_append(out,
-                         "\nand of reading a record what `thud record --help` says: --channel, --skip, ...\n");
+        thud_text_append(out, "\nand of reading a record what `thud record --help` says: --channel, --skip, ...\n");
     if (id == THUD_COMMAND_SWEEP)
         thud_text_append(out, "\nand what `thud run --help` says of the scene, its ground motion and its method\n");
 }

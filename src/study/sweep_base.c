@@ -40,7 +40,9 @@ static enum thud_status take_record(const struct thud_sweep_plan *plan, struct t
     if (plan->nrecords == 0)
         return THUD_OK;
     const struct thud_record *record = ground->record = plan->record[which];
-    double factor = record ? scale * record_factor(plan, scene, record) : 1;
+    if (!record)
+        return THUD_OK;
+    double factor = scale * record_factor(plan, scene, record);
     if (factor == 1)
         return THUD_OK;
     enum thud_status status = thud_record_create(record->a_mps2, record->samples, record->dt_s, &ground->scaled, err);

@@ -34,8 +34,8 @@ static const char spread_mark[] = "spread ";
 
 static void put_effort(struct thud_text *out, enum thud_case which, const struct thud_sweep_effort *e)
 {
-    thud_text_append(out, "%d %d %d %d %d %ld %ld ", which, e->status, e->taken ? 2 : e->made, e->reference, e->left_out, e->steps,
-                     e->events);
+    thud_text_append(out, "%d %d %d %d %d %ld %ld ", which, e->status, e->taken ? 2 : e->made, e->reference,
+                     e->left_out, e->steps, e->events);
     put(out, e->shared_s);
     put(out, e->end_s);
 }
