@@ -85,7 +85,7 @@ static void warn_unusual(const struct thud_args *args, const struct thud_session
     char line[1400];
     for (int i = 0; !thud_args_has(args, "quiet") && thud_scene_warning(scene, i, &unusual); i++) {
         thud_error_place(&unusual, session->preset_path, 0, 0);
-        fprintf(stderr, "%s\n", thud_error_text(&unusual, line, sizeof line));
+        fprintf(stderr, "thud: warning: %s\n", thud_error_text(&unusual, line, sizeof line));
     }
 }
 
