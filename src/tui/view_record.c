@@ -147,10 +147,28 @@ static int draw_curve(struct thud_tui *tui, const struct thud_pane *pane)
     return pane->h;
 }
 
+/* All the table has; those that studies turn on come first, as there may be few rows. */
+static int draw_keys(struct thud_tui *tui, const struct thud_pane *pane, int y)
+{
+    static const char *const first[] = {"peak", "sign", "from", "to"};
+    enum { FIRST = sizeof first / sizeof *first };
+    int count;
+    const struct thud_param *param = thud_group_params(THUD_GROUP_RECORD, &count);
+    for (int i = 0; i < FIRST + count; i++) {
+        const char *key = i < FIRST ? first[i] : param[i - FIRST].name;
+        char path[THUD_PATH_MAX];
+        bool before = false;
+        for (int k = 0; k < FIRST && i >= FIRST; k++)
+            before = before || strcmp(key, first[k]) == 0;
+        snprintf(path, sizeof path, "record.%s", key);
+        if (!before)
+            thud_field_row(tui, DATA, pane, y++, key, path);
+    }
+    return y;
+}
+
 static int draw_data(struct thud_tui *tui, const struct thud_pane *pane)
 {
-    static const char *const key[] = {"peak", "sign", "from",    "to",     "file", "factor",
-                                      "dt",   "unit", "channel", "column", "skip"};
     struct thud_record_state *r = state(tui);
     const struct thud_record *record = tui->doc.record;
     int y = 0;
@@ -161,12 +179,7 @@ static int draw_data(struct thud_tui *tui, const struct thud_pane *pane)
     }
     if (r && record)
         y = thud_record_measures(&r->intensity, record, pane, 0);
-    for (size_t i = 0; i < sizeof key / sizeof *key; i++) {
-        char path[THUD_PATH_MAX];
-        snprintf(path, sizeof path, "record.%s", key[i]);
-        thud_field_row(tui, DATA, pane, y++, key[i], path);
-    }
-    return y;
+    return draw_keys(tui, pane, y);
 }
 
 static int draw(struct thud_tui *tui, int index, struct thud_pane *pane)

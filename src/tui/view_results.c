@@ -201,12 +201,12 @@ static int draw_energy(const struct thud_result *result, const struct thud_pane 
 
 static int draw_how(struct thud_tui *tui, const struct thud_pane *pane)
 {
-    static const char *const key[] = {"method", "tolerance", "step", "locate", "tail", "modes"};
-    int y = 0;
-    for (size_t i = 0; i < sizeof key / sizeof *key; i++) {
+    int y = 0, count;
+    const struct thud_param *param = thud_group_params(THUD_GROUP_ANALYSIS, &count);
+    for (int i = 0; i < count; i++) {
         char path[THUD_PATH_MAX];
-        snprintf(path, sizeof path, "analysis.%s", key[i]);
-        thud_field_row(tui, HOW, pane, y++, key[i], path);
+        snprintf(path, sizeof path, "analysis.%s", param[i].name);
+        thud_field_row(tui, HOW, pane, y++, param[i].name, path);
     }
     const struct thud_result *result = thud_live_result(&tui->live, shown(tui));
     if (!result)

@@ -57,16 +57,24 @@ command() { keys -l "$1" && keys Enter; }
 
 cp "$root/presets/towers.yaml" "$tmp/mine.yaml"
 
-# asleep WHAT: not woken once while the screen is looked at fifty times
+# asleep WHAT: not woken once while the screen is looked at fifty times (five tries: it may just be lying down)
 asleep() {
     pid=$(pgrep -f -n "$THUD" || :)
-    woken=$(grep ctxt /proc/"$pid"/status)
-    tries=50
-    while [ $tries -gt 0 ]; do
-        screen >/dev/null
-        tries=$((tries - 1))
+    nap=5
+    while [ $nap -gt 0 ]; do
+        woken=$(grep ctxt /proc/"$pid"/status)
+        tries=50
+        while [ $tries -gt 0 ]; do
+            screen >/dev/null
+            tries=$((tries - 1))
+        done
+        if [ -n "$woken" ] && [ "$woken" = "$(grep ctxt /proc/"$pid"/status)" ]; then
+            ok "$1"
+            return
+        fi
+        nap=$((nap - 1))
     done
-    if [ -n "$woken" ] && [ "$woken" = "$(grep ctxt /proc/"$pid"/status)" ]; then ok "$1"; else bad "$1 ($woken)"; fi
+    bad "$1 ($woken)"
 }
 
 start 80 24

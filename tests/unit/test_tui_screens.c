@@ -280,6 +280,47 @@ START_TEST(the_scale_stands_still_while_it_plays)
 }
 END_TEST
 
+static bool on_screen(const char *prefix, const char *name)
+{
+    char path[2][THUD_PATH_MAX];
+    snprintf(path[0], sizeof path[0], "%s.%s", prefix, name);
+    snprintf(path[1], sizeof path[1], "%s.%s.1", prefix, name);
+    for (int i = 0; i < f.tui->form.n; i++)
+        if (strcmp(f.tui->form.field[i].path, path[0]) == 0 || strcmp(f.tui->form.field[i].path, path[1]) == 0)
+            return true;
+    return false;
+}
+
+/* What a preset can say can be edited: each key of the tables is a field of its screen. */
+START_TEST(every_key_has_a_field)
+{
+    static const struct {
+        enum thud_group group;
+        int screen;
+        const char *prefix;
+    } part[] = {{THUD_GROUP_STRUCTURE, 1, "structures.1"},
+                {THUD_GROUP_INTERFACE, 2, "interfaces.1"},
+                {THUD_GROUP_CONTACT, 2, "interfaces.1.contact"},
+                {THUD_GROUP_BUMPER, 2, "interfaces.1.bumper"},
+                {THUD_GROUP_RECORD, 3, "record"},
+                {THUD_GROUP_ANALYSIS, 4, "analysis"}};
+    for (size_t i = 0; i < sizeof part / sizeof *part; i++) {
+        int count;
+        char keys[40];
+        const struct thud_param *param = thud_group_params(part[i].group, &count);
+        snprintf(keys, sizeof keys, "<Size 130x60><A-%d>", part[i].screen);
+        fixture_keys(&f, keys);
+        for (int k = 0; k < count; k++)
+            if (part[i].group != THUD_GROUP_STRUCTURE || thud_structure_has(THUD_SHEAR, k))
+                ck_assert_msg(on_screen(part[i].prefix, param[k].name), "%s.%s", part[i].prefix, param[k].name);
+    }
+    fixture_keys(&f, "<A-2>");
+    const struct thud_law *law = f.tui->doc.scene.interface[0].bumper.law;
+    for (int k = 0; k < law->nparams; k++)
+        ck_assert_msg(on_screen("interfaces.1.bumper", law->params[k].name), "%s", law->params[k].name);
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -297,6 +338,7 @@ Suite *thud_suite(void)
     tcase_add_test(screens, values_are_edited_beside_the_figure);
     tcase_add_test(screens, the_largest_force_is_said_at_its_moment);
     tcase_add_test(screens, the_scale_stands_still_while_it_plays);
+    tcase_add_test(screens, every_key_has_a_field);
     tcase_add_test(screens, the_whole_screen_of_two_bodies);
     tcase_add_test(screens, the_whole_plots_of_two_bodies);
     suite_add_tcase(suite, screens);
