@@ -78,6 +78,7 @@ $(B)/%.o: %.c $(B)/flags | $(B)/headers
 $(B)/src/io/paths.o: BUILD_ID = -DTHUD_DATADIR='"$(PREFIX)/share/thud"'
 $(B)/src/%/version.o: BUILD_ID = -DTHUD_COMMIT='"$(shell cat $(B)/commit)"' -DTHUD_VARIANT='"$(VARIANT)"'
 $(call objects,src/*/version.c): $(B)/commit
+$(B)/src/core/law_%.o: coverage := -O0 -g --coverage # branches as they are written
 $(B)/src/study/sensitivity.o: analyze += -Wno-analyzer-use-of-uninitialized-value # loses sight of calloc's zeros behind three indices
 $(B)/unit/%: $(B)/tests/unit/%.o $(B)/libtests.a $(LIBS)
 	@mkdir -p $(@D)

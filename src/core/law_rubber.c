@@ -207,7 +207,7 @@ static bool unusual(const struct thud_law_setup *setup, int n, struct thud_error
     double tangent = curve.k * curve.n * pow(curve.knee_m, curve.n - 1);
     bool force = curve.knee_force_n < least_n || curve.knee_force_n > most_n;
     bool soft = curve.post_yield_npm < tangent;
-    if (n < 0 || n >= (int)force + (int)soft)
+    if (n >= (int)force + (int)soft)
         return false;
     if (force && n == 0) {
         thud_error_set(out, THUD_OK, "a force of %.3g MN at the largest strain is unusual", 1e-6 * curve.knee_force_n);

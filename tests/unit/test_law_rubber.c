@@ -188,6 +188,57 @@ START_TEST(speed_from_energy)
 }
 END_TEST
 
+static int count_unusual(struct thud_law_setup *setup)
+{
+    struct thud_error err;
+    int n = 0;
+    ck_assert_int_eq(rubber()->prepare(setup, NULL), THUD_OK);
+    while (rubber()->unusual(setup, n, &err))
+        n++;
+    return n;
+}
+
+/* The force at the largest strain is k (0.8 * 5 cm)^2.65, the slope there 2.65 times that over 4 cm. */
+START_TEST(what_is_unusual_together)
+{
+    struct thud_error err;
+    struct thud_law_setup setup = bumper(), weak = setup, strong = setup, both = setup;
+    double force = setup.value[thud_law_param(rubber(), "stiffness")] * pow(0.04, 2.65), slope = 2.65 * force / 0.04;
+    ck_assert_int_eq(count_unusual(&setup), 0);
+    set(&setup, "post-yield", 1.001 * slope);
+    ck_assert_int_eq(count_unusual(&setup), 0);
+    set(&setup, "post-yield", 0.999 * slope);
+    ck_assert_int_eq(count_unusual(&setup), 1);
+    ck_assert(rubber()->unusual(&setup, 0, &err));
+    ck_assert_str_eq(err.key, "post-yield");
+
+    set(&weak, "stiffness", weak.value[thud_law_param(rubber(), "stiffness")] * 0.99 * 0.1e6 / force);
+    ck_assert_int_eq(count_unusual(&weak), 1);
+    ck_assert(rubber()->unusual(&weak, 0, &err));
+    ck_assert_str_eq(err.key, "stiffness");
+    ck_assert_ptr_nonnull(strstr(err.what, "0.099 MN"));
+
+    /* alpha A / t^n K, eq. (6), in place of the stiffness; far too hard, so the line after it is softer */
+    set(&strong, "stiffness", NAN);
+    set(&strong, "alpha", 1);
+    set(&strong, "area", 1);
+    set(&strong, "material-stiffness", 400e6);
+    set(&strong, "post-yield", 1e15);
+    ck_assert_int_eq(count_unusual(&strong), 1);
+    ck_assert(rubber()->unusual(&strong, 0, &err));
+    ck_assert_str_eq(err.key, "material-stiffness");
+
+    set(&both, "stiffness", both.value[thud_law_param(rubber(), "stiffness")] * 1.01 * 100e6 / force);
+    set(&both, "post-yield", slope);
+    ck_assert_int_eq(count_unusual(&both), 2);
+    ck_assert(rubber()->unusual(&both, 0, &err));
+    ck_assert_str_eq(err.key, "stiffness");
+    ck_assert_ptr_nonnull(strstr(err.what, "101 MN"));
+    ck_assert(rubber()->unusual(&both, 1, &err));
+    ck_assert_str_eq(err.key, "post-yield");
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -200,6 +251,7 @@ Suite *thud_suite(void)
     tcase_add_test(tests, turn_past_the_knee);
     tcase_add_test(tests, continuous_unloading);
     tcase_add_test(tests, speed_from_energy);
+    tcase_add_test(tests, what_is_unusual_together);
     suite_add_tcase(suite, tests);
     return suite;
 }
