@@ -264,7 +264,9 @@ static enum thud_status watch_progress(struct thud_run *run, struct proposal *p,
         return THUD_OK;
     }
     run->stalls += p->switched;
-    return run->stalls > STALLS_MORE + STALLS_EACH * run->model->ncontacts ? pass_over(run, p, err) : THUD_OK;
+    /* of two events that call for each other, now this one, now the other is passed over: one of them lets go */
+    int most = STALLS_MORE + STALLS_EACH * run->model->ncontacts + run->passes % 2;
+    return run->stalls > most ? pass_over(run, p, err) : THUD_OK;
 }
 
 /* The first event of the proposed segment, where events are located: its s, else INFINITY. */

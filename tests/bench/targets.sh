@@ -95,7 +95,7 @@ say "memory of 1000 runs over that of 250" "$(echo "$(kib sweep towers --cases n
 sh "$here/study.sh" 5 first >"$out/study.txt" 2>&1
 study() { awk -v column="$1" '/^all savings, 2 threads/ { print $column }' "$out/study.txt"; }
 say "study of 369 runs on 2 threads (wall)" "$(study 5)" s most 0.25
-say "the same, processor time of both" "$(study 7)" s most 0.5
+say "study of 369 runs (processor time)" "$(study 7)" s most 0.5
 
 echo "records: $kobe; processors: $(nproc), load $(cut -d' ' -f1 /proc/loadavg)"
 awk -F, 'NR > 1 { printf "%-44s %9s %-13s %-8s %6s  %s\n", $1, $2, $3, $4, $5, $6 }' "$table"

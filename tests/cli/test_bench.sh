@@ -1,5 +1,5 @@
 #!/bin/sh
-# shellcheck disable=SC2317 # functions are called through check
+# shellcheck disable=SC2317,SC2016 # functions are called through check; awk has dollars of its own
 # thud bench and thud bench --cost: tables, files, wrong usage, stopping.  TAP.
 set -u
 THUD=${THUD:-./thud}
@@ -48,6 +48,10 @@ check "as a chart" is_png "$dir/c/cost-impacts.png"
 run bench towers --case none --cost storeys --patience 1ms --quiet
 check "sizes that take too long are passed over" shown '200  skipped: would take'
 check "the axes are listed for shells" [ "$("$THUD" help --words costs | tr '\n' ' ')" = "storeys buildings duration impacts " ]
+
+run bench towers --cost buildings --patience 1s --quiet -o "$dir/r"
+check "rubber in a row does not chatter: at most ten events an impact" awk -F, '
+    NR > 1 && $3 == "done" { n++; if ($13 > 10 * $6) bad = 1 } END { exit bad || n < 2 }' "$dir/r/cost-buildings.csv"
 
 run bench towers --cost floors
 check "an axis there is not is wrong usage" [ "$code" -eq 2 ]
