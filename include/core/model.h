@@ -33,6 +33,7 @@ struct thud_model {
     int nstructures, ndof, ncontacts;
     struct thud_model_structure *structure; /* (nstructures) */
     struct thud_model_contact *contact;     /* (ncontacts) */
+    bool couples;                           /* the damping of a structure couples its modes */
     int *dof_structure;                     /* (ndof) */
     double *mass_kg;                        /* (ndof) */
     double *omega, *zeta, *gamma;           /* (ndof): by mode; gamma = Phi^T M 1 */

@@ -20,9 +20,7 @@ enum thud_status thud_collocation_create(const struct thud_run *run, struct thud
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     x->nc = m->ncontacts;
     x->nmodes = m->ndof;
-    for (int s = 0; s < m->nstructures; s++)
-        x->couples = x->couples || m->structure[s].damping;
-    x->loads = x->couples ? m->ncontacts : 1;
+    x->loads = m->couples ? m->ncontacts : 1;
     x->h_top = run->grid_dt_s / fmax(1, ceil(run->fastest_radps * run->grid_dt_s / longest_angle));
     x->h = x->h_top;
     x->contraction = slowest_contraction;
@@ -268,6 +266,7 @@ static void write_segment(struct thud_run *run, struct thud_collocation *x, doub
 {
     const struct thud_model *m = run->model;
     thud_collocation_begin(run, &run->seg, h);
+    run->seg.loaded = THUD_POINTS;
     for (int a = 0; a < x->nactive; a++)
         for (int p = 0; p < THUD_POINTS; p++) {
             double f = 0;

@@ -30,7 +30,6 @@ struct thud_collocation {
     bool has_source; /* run->seg holds forces that go on into this step, from s = source on */
     double source;
     int nc, nmodes, loads;      /* loads: 1 where modes are uncoupled, else one per contact */
-    bool couples;               /* damping couples modes */
     double *modal[THUD_LEVELS]; /* (loads x THUD_POINTS x THUD_POINTS x 2 x nmodes): q and h q' of each mode by load,
                                    power and point */
     struct thud_response *pair[THUD_LEVELS]; /* (nc x nc) */

@@ -28,7 +28,7 @@ static bool fill_modal(const struct thud_run *run, struct thud_collocation *x, i
     memset(x->seg.force, 0, THUD_SEGMENT_TERMS * (size_t)x->nc * sizeof(double));
     for (int load = 0; load < x->loads; load++)
         for (int power = 0; power < THUD_POINTS; power++) {
-            thud_taylor_load(run->model, &x->seg, !x->couples ? ones : run->model->g + (size_t)load * n, power);
+            thud_taylor_load(run->model, &x->seg, !run->model->couples ? ones : run->model->g + (size_t)load * n, power);
             for (int i = 0; i < THUD_POINTS; i++, table += 2 * n)
                 thud_segment_state(&x->seg, x->nmodes, x->node[i], table, table + n);
         }
@@ -49,12 +49,12 @@ static bool fill_pair(const struct thud_run *run, struct thud_collocation *x, in
     r->indentation = block;
     r->rate = block + THUD_BLOCK;
     const double *ga = run->model->g + (size_t)a * n, *gb = run->model->g + (size_t)b * n;
-    const double *table = x->modal[level] + (!x->couples ? 0 : (size_t)b * THUD_POINTS * THUD_POINTS * 2 * n);
+    const double *table = x->modal[level] + (!run->model->couples ? 0 : (size_t)b * THUD_POINTS * THUD_POINTS * 2 * n);
     for (int power = 0; power < THUD_POINTS; power++)
         for (int i = 0; i < THUD_POINTS; i++, table += 2 * n) {
             double d = 0, v = 0;
             for (size_t j = 0; j < n; j++) {
-                double w = !x->couples ? ga[j] * gb[j] : ga[j];
+                double w = !run->model->couples ? ga[j] * gb[j] : ga[j];
                 d -= w * table[j];
                 v -= w * table[n + j];
             }

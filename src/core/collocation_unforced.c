@@ -117,7 +117,7 @@ static void by_series(struct thud_run *run, struct thud_collocation *x, double h
 
 bool thud_collocation_unforced(struct thud_run *run, struct thud_collocation *x, int level, double h)
 {
-    if (x->couples) {
+    if (run->model->couples) {
         by_series(run, x, h);
         return true;
     }

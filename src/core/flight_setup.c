@@ -10,14 +10,6 @@
  * to 1. */
 enum { UNIT_Q, UNIT_QD, UNIT_A0, UNIT_A1, UNITS };
 
-static bool modes_couple(const struct thud_model *m)
-{
-    for (int s = 0; s < m->nstructures; s++)
-        if (m->structure[s].damping)
-            return true;
-    return false;
-}
-
 static bool allocate(struct thud_flight *f, const struct thud_model *m)
 {
     size_t n = (size_t)m->ndof, many = n * THUD_FLIGHT_ENDS;
@@ -132,7 +124,7 @@ static enum thud_status unit_motions(struct thud_run *run, struct thud_flight *f
 enum thud_status thud_flight_create(struct thud_run *run, struct thud_error *err)
 {
     run->flight = NULL;
-    if (modes_couple(run->model) || run->model->ndof == 0)
+    if (run->model->couples || run->model->ndof == 0)
         return THUD_OK;
     struct thud_flight *f = calloc(1, sizeof *f);
     if (!f || !allocate(f, run->model)) {

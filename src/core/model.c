@@ -103,6 +103,7 @@ static enum thud_status fill_structure(struct thud_model *m, struct arena *arena
             gamma += to->phi[i * in->n + j] * in->mass_kg[i];
         m->gamma[first + j] = gamma;
         m->zeta[first + j] = to->damping ? 0 : in->damping;
+        m->couples = m->couples || to->damping;
         m->q0[first + j] = 0;
         m->spring[first + j] = m->omega[first + j] * m->omega[first + j];
         m->dashpot[first + j] = 2 * m->zeta[first + j] * m->omega[first + j];

@@ -11,6 +11,7 @@ enum { THUD_SEGMENT_TERMS = 24, THUD_SEGMENT_TERMS_LEAST = 10 }; /* coefficients
 struct thud_segment {
     double h_s;
     int terms;     /* coefficients in use */
+    int loaded;    /* orders below this one may have contact forces */
     double a0, a1; /* ground acceleration a0 + a1 s */
     double *q;     /* (terms x nmodes): coefficients of the modal coordinates, by order */
     double *force; /* (terms x ncontacts): of the contact forces; 0 where a contact does not act */

@@ -37,6 +37,7 @@ void thud_segment_begin(struct thud_run *run, struct thud_segment *seg, double h
     seg->a0 = a0 + slope * run->offset_s;
     seg->a1 = slope * h_s;
     seg->terms = thud_segment_terms(fastest_rate(run) * h_s, 1e-18);
+    seg->loaded = 0;
     memset(seg->force, 0, THUD_SEGMENT_TERMS * (size_t)run->model->ncontacts * sizeof(double));
     for (int c = 0; c < run->model->ncontacts && seg == &run->seg; c++)
         run->known[c] = -1;
@@ -76,13 +77,13 @@ static void next_order(const struct thud_model *m, struct thud_segment *seg, int
     structure_order(m, q, q1, rate, scale, q2);
     if (k < 2) /* the ground's acceleration is a straight line */
         push(n, m->gamma, scale * (k == 0 ? seg->a0 : seg->a1), q2);
-    for (int s = 0; s < m->nstructures; s++) {
+    for (int s = 0; m->couples && s < m->nstructures; s++) {
         const struct thud_model_structure *p = &m->structure[s];
         for (int i = 0; p->damping && i < p->n; i++)
             for (int j = 0; j < p->n; j++)
                 q2[p->first + i] -= scale * p->damping[i * p->n + j] * rate * q1[p->first + j];
     }
-    for (int c = 0; c < m->ncontacts; c++)
+    for (int c = 0; k < seg->loaded && c < m->ncontacts; c++)
         if (force[c] != 0.0)
             push(n, m->g + c * n, scale * force[c], q2);
 }
@@ -144,6 +145,7 @@ double thud_taylor_linear(struct thud_run *run, struct thud_segment *seg)
     const struct thud_model *m = run->model;
     memset(seg->q + seg->terms * m->ndof, 0, (size_t)m->ndof * sizeof(double)); /* read as the order after the last */
     first_terms(m, seg, run->q, run->qd);
+    seg->loaded = run->nactive > 0 ? seg->terms : 0;
     for (int k = 0; k + 2 < seg->terms; k++) {
         linear_forces(run, seg, k);
         next_order(m, seg, k);
