@@ -124,7 +124,7 @@ coverage: ## lines and branches that the tests pass through, by layer and file
 	    tests/tools/coverage.sh build/coverage && exit $$tests
 lint: ## rules of the house and static analysis with the tools installed (LINT='format tidy': only these, see lint.sh)
 	@FLAGS='$(filter-out -DNDEBUG,$(wordlist 2,99,$(COMPILE)))' tests/tools/lint.sh $(MAKE) $(LINT)
-mutants: ## takes one protection of the core out at a time: the tests must notice (some 8 minutes; ONLY=word: fewer)
+mutants: ## takes one protection of the core out at a time: the tests must notice (two minutes on an idle machine; ONLY=word: fewer)
 	@tests/tools/install-deps.sh test
 	@tests/tools/mutants.sh '$(ONLY)'
 objects: $(CORE) $(PROGRAM) $(B)/src/main.o

@@ -2,11 +2,14 @@
 # Takes one protection after the other out of a scratch copy of the sources; the tests named beside it must then fail.
 # So each protection is known to be needed, and to be held by a test.  TAP.
 # usage: mutants.sh [WORD]    WORD: only the mutants that have it in their name
+#        mutants.sh --fit     only whether each still fits the sources
 # The lists (tests/mutants/*.txt): `mutant` what is taken out, `file`, `from` the piece of a line that stands in the
 # file just once, `to` what replaces it (nothing: the empty text), `tests` the unit tests that should notice, a test's
 # case behind a slash.
 set -u
 only=${1:-}
+fit=
+if [ "$only" = --fit ]; then fit=1 only=; fi
 tree=$PWD/build/mutants
 lists="$PWD/tests/mutants"
 unit=build/release/unit
@@ -15,7 +18,7 @@ count=0
 survivors=0
 
 mkdir -p "$tree" || exit 2
-tar cf - Makefile src include tests/unit tests/tools presets records man | tar xf - -C "$tree" || exit 2
+[ -n "$fit" ] || tar cf - Makefile src include tests/unit tests/tools presets records man | tar xf - -C "$tree" || exit 2
 here=$PWD
 cd "$tree" || exit 2
 
@@ -33,9 +36,8 @@ fails() { # TEST or TEST/CASE: runs it; how it failed into $how
     case $status in 124 | 137) how="test_$1 does not end" ;; esac
     [ $status -ne 0 ] || ! grep -q '^ok' test.log || grep -q '^not ok' test.log
 }
-restore() { # FILE: and what was made from it is made anew
-    cp -p "$here/$1" "$1"
-    rm -f "build/release/${1%.c}.o"
+restore() { # FILE: newer than all that was made from it
+    cp "$here/$1" "$1"
 }
 give_up() {
     echo "Bail out! $1"
@@ -59,16 +61,16 @@ pass() { # TEST...: with nothing taken out they pass
 try() { # one mutant: what file from to tests
     case $what in *"$only"*) ;; *) return ;; esac
     count=$((count + 1))
-    [ -f "$file" ] || give_up "$what: there is no $file"
-    found=$(grep -c -F -e "$from" "$file")
+    [ -f "$here/$file" ] || give_up "$what: there is no $file"
+    found=$(grep -c -F -e "$from" "$here/$file")
     [ "$found" = 1 ] || give_up "$what: '$from' stands in $found lines of $file, not in one"
+    [ -z "$fit" ] || return
     # shellcheck disable=SC2086 # several words
     pass $tests
     FROM=$from TO=$to awk '
         { i = index($0, ENVIRON["FROM"]) }
         i { $0 = substr($0, 1, i - 1) ENVIRON["TO"] substr($0, i + length(ENVIRON["FROM"])) }
         { print }' "$here/$file" >"$file"
-    rm -f "build/release/${file%.c}.o"
     # shellcheck disable=SC2086 # several words
     build $tests || {
         sed 's/^/# /' build.log | grep -e error | head -5
@@ -90,6 +92,7 @@ try() { # one mutant: what file from to tests
 
 files=$(sed -n "s/^file //p" "$lists"/*.txt | sort -u)
 for f in $files; do
+    [ -z "$fit" ] || break
     if [ -f "$here/$f" ]; then restore "$f"; fi
 done
 what=
