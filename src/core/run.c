@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "core/closing.h"
+#include "core/contact.h"
 #include "core/lcp.h"
 #include "core/run_private.h"
 
@@ -319,8 +320,15 @@ static enum thud_status propose(struct thud_run *run, struct proposal *p, struct
     return THUD_OK;
 }
 
-/* The same, and where a stepping method meets an event, steps that end ever more closely behind it: between its ends a
- * segment is less accurate than at them, and by a bias that would add up from impact to impact. */
+/* Where a contact begins or ends. */
+static bool is_boundary(int event)
+{
+    return event == THUD_EVENT_TOUCH || event == THUD_EVENT_GONE || event == THUD_EVENT_RELEASE;
+}
+
+/* The same, and where a stepping method meets an event, a second step that ends just behind it, and where a contact
+ * begins or ends a third that ends still closer: between its ends a segment is less accurate than at them, and by a
+ * bias that would add up from impact to impact. Turns are left at the second: nothing jumps there. */
 static enum thud_status propose_to_event(struct thud_run *run, struct proposal *p, struct thud_error *err)
 {
     static const double behind[] = {1.02, 1.0002};
@@ -328,12 +336,12 @@ static enum thud_status propose_to_event(struct thud_run *run, struct proposal *
     enum thud_status status = propose(run, p, err);
     for (int i = 0; i < 2 && status == THUD_OK && p->switched && run->method->order > 0 && p->s > 0; i++) {
         double cap = behind[i] * p->s * run->seg.h_s, before = run->step_cap_s;
-        if (p->s * behind[i] >= p->limit)
+        if (p->s * behind[i] >= p->limit || (i > 0 && !is_boundary(p->event)))
             continue;
         run->step_cap_s = cap;
         run->result.work.rejected++;
         status = propose(run, p, err);
-        if (status == THUD_OK && !p->switched) { /* too close: the end of this step lies before the event */
+        if (i > 0 && status == THUD_OK && !p->switched) { /* too close: the end of this step lies before the event */
             run->step_cap_s = before;
             return propose(run, p, err);
         }
