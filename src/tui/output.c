@@ -39,8 +39,7 @@ void thud_tui_picture(struct thud_tui *tui)
         thud_tui_say(tui, THUD_ROLE_ERROR, "! no memory for the figure");
 }
 
-void thud_tui_figures(struct thud_tui *tui, int count, struct thud_figure *make(const void *from, int index),
-                      const void *from)
+void thud_tui_figures(struct thud_tui *tui, int count, thud_tui_figure_fn *make, const void *from)
 {
     struct thud_figure *figure[THUD_PICTURES_MAX];
     if (count > THUD_PICTURES_MAX)

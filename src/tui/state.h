@@ -200,9 +200,9 @@ const char *thud_tui_folder(const struct thud_tui *tui); /* where pictures and t
 void thud_tui_picture(struct thud_tui *tui);
 void thud_tui_pictures(struct thud_tui *tui);
 void thud_tui_run_pictures(struct thud_tui *tui); /* of the live cases, run again where the histories are missing */
+typedef struct thud_figure *thud_tui_figure_fn(const void *from, int index);
 /* Writes figures that `make` makes, one after the other, while the screens go on. */
-void thud_tui_figures(struct thud_tui *tui, int count, struct thud_figure *make(const void *from, int index),
-                      const void *from);
+void thud_tui_figures(struct thud_tui *tui, int count, thud_tui_figure_fn *make, const void *from);
 void thud_tui_writing_look(struct thud_tui *tui); /* says so when the figures are written */
 void thud_tui_writing_end(struct thud_tui *tui);  /* stops, and waits for it */
 void thud_tui_export(struct thud_tui *tui);
