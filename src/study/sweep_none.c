@@ -6,10 +6,10 @@
 #include "study/sweep_private.h"
 
 struct thud_sweep_none {
-    int nfloors, ncontacts;
+    int nvariants, nfloors, ncontacts;
     struct thud_sweep_effort effort;
-    struct thud_sweep_floor *floor;     /* (nfloors) */
-    struct thud_sweep_contact *contact; /* (ncontacts) */
+    struct thud_sweep_floor *floor;     /* (nvariants x nfloors) */
+    struct thud_sweep_contact *contact; /* (nvariants x ncontacts) */
 };
 
 static bool is_bumper(const char *key)
@@ -37,7 +37,7 @@ long thud_sweep_same_none(const struct thud_sweep_plan *plan, long point)
 
 static bool shares(const struct thud_sweep_plan *plan)
 {
-    return (plan->savings & THUD_SWEEP_NONE) && plan->sensitivity == 0;
+    return (plan->savings & THUD_SWEEP_NONE) != 0;
 }
 
 bool thud_sweep_takes_none(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point, int k)
@@ -70,20 +70,24 @@ struct thud_sweep_none *thud_sweep_none_keep(const struct thud_sweep_plan *plan,
     int k = shares(plan) ? find_none(point) : -1;
     if (k < 0)
         return NULL;
-    size_t floors = (size_t)point->nfloors * sizeof(struct thud_sweep_floor);
-    size_t contacts = (size_t)point->ncontacts * sizeof(struct thud_sweep_contact);
+    size_t nfloors = (size_t)point->nfloors, ncontacts = (size_t)point->ncontacts, variants = (size_t)point->nvariants;
     size_t head = (sizeof(struct thud_sweep_none) + 15) / 16 * 16;
-    char *block = malloc(head + floors + contacts);
+    size_t floors = variants * nfloors * sizeof(struct thud_sweep_floor);
+    char *block = malloc(head + floors + variants * ncontacts * sizeof(struct thud_sweep_contact));
     if (!block)
         return NULL;
     struct thud_sweep_none *none = (void *)block;
+    none->nvariants = point->nvariants;
     none->nfloors = point->nfloors;
     none->ncontacts = point->ncontacts;
     none->effort = point->effort[k];
     none->floor = (void *)(block + head);
     none->contact = (void *)(block + head + floors);
-    memcpy(none->floor, thud_sweep_floors(point, 0, k), floors);
-    memcpy(none->contact, thud_sweep_contacts(point, 0, k), contacts);
+    for (int v = 0; v < point->nvariants; v++) {
+        memcpy(none->floor + (size_t)v * nfloors, thud_sweep_floors(point, v, k), nfloors * sizeof *none->floor);
+        memcpy(none->contact + (size_t)v * ncontacts, thud_sweep_contacts(point, v, k),
+               ncontacts * sizeof *none->contact);
+    }
     return none;
 }
 
@@ -91,14 +95,19 @@ bool thud_sweep_none_put(const struct thud_sweep_none *none, const struct thud_s
                          struct thud_sweep_point *point)
 {
     int k = shares(plan) ? find_none(point) : -1;
-    if (k < 0 || point->nfloors != none->nfloors || point->ncontacts != none->ncontacts)
+    if (k < 0 || point->nvariants != none->nvariants || point->nfloors != none->nfloors ||
+        point->ncontacts != none->ncontacts)
         return false;
     bool reference = point->effort[k].reference;
     point->effort[k] = none->effort;
     point->effort[k].reference = reference;
     if (thud_sweep_takes_none(plan, point, k))
         thud_sweep_effort_taken(&point->effort[k]);
-    memcpy(thud_sweep_floors(point, 0, k), none->floor, (size_t)none->nfloors * sizeof *none->floor);
-    memcpy(thud_sweep_contacts(point, 0, k), none->contact, (size_t)none->ncontacts * sizeof *none->contact);
+    size_t nfloors = (size_t)none->nfloors, ncontacts = (size_t)none->ncontacts;
+    for (int v = 0; v < none->nvariants; v++) {
+        memcpy(thud_sweep_floors(point, v, k), none->floor + (size_t)v * nfloors, nfloors * sizeof *none->floor);
+        memcpy(thud_sweep_contacts(point, v, k), none->contact + (size_t)v * ncontacts,
+               ncontacts * sizeof *none->contact);
+    }
     return true;
 }

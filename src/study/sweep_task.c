@@ -172,6 +172,8 @@ static void count_run(struct thud_sweep_task *task)
             thud_sweep_effort_taken(kept);
         return;
     }
+    if (thud_sweep_takes_none(task->plan, task->point, task->which))
+        return; /* counted where it is made, whether it could be taken over or not */
     changed->made += task->effort.made;
     changed->free += task->effort.status == THUD_OK && !task->effort.made;
     changed->failed += task->effort.status != THUD_OK;

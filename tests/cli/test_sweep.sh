@@ -125,6 +125,16 @@ status 0 plain --shard 1/2 -o "$tmp/plain1"
 status 3 spread --shard 1/2 -o "$tmp/plain1"
 check "a study begun without a spread is another study" says "another study"
 
+grid() { "$THUD" sweep towers --vary gap=8cm,10cm --vary bumper.thickness=3cm:5cm:1cm --cases none,bumper --sensitivity "$@"; }
+status 5 grid -j 1 -o "$tmp/grid1"
+status 5 grid -j 2 --without all -o "$tmp/grid2"
+check "a spread is the same without any saving, case none shared or not" same "$tmp/grid1" "$tmp/grid2"
+for k in 1 2; do status 0 grid --shard $k/2 -o "$tmp/grids$k"; done
+status 5 "$THUD" sweep --merge "$tmp/grids1" "$tmp/grids2" -o "$tmp/grids"
+check "and in parts" same "$tmp/grid1" "$tmp/grids"
+status 0 grid
+check "case none is made once for all bumpers, its changed runs too" grep -q ": 48 more runs" "$tmp/out"
+
 # interruptions: a study so large that the signal finds some points done and some missing
 slow() { "$THUD" sweep towers --vary gap=6cm:14cm:0.08cm --cases none,bumper --without all "$@"; }
 status 5 slow -j 2 -o "$tmp/undisturbed"
