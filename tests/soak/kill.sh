@@ -30,6 +30,7 @@ random() { # LIMIT: 1 to LIMIT, into $drawn
     drawn=$((seed / 65536 % $1 + 1))
 }
 whole() { # nothing is there under its own name but the journal and what is right
+    [ -d "$tmp/out" ] || return 0
     find "$tmp/out" -type f ! -name sweep.journal ! -name '*.part' | while read -r file; do
         cmp -s "$file" "$tmp/right/${file#"$tmp/out/"}" || echo "${file##*/}"
     done
