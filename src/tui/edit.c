@@ -122,11 +122,27 @@ static void offer_methods(struct thud_tui *tui)
                          thud_method_at(i)->summary);
 }
 
+/* Whether a value is a word of a closed list. */
+static bool is_word(const char *key, const struct thud_param *param)
+{
+    return ends_with(key, ".law") || strcmp(key, "analysis.method") == 0 ||
+           (param->kind == THUD_PARAM_CHOICE && param->choices);
+}
+
+bool thud_tui_takes_digits(const struct thud_tui *tui)
+{
+    const struct thud_field *field = thud_form_focus(&tui->form);
+    if (!field || field->kind != THUD_FIELD_VALUE)
+        return false;
+    const struct thud_param *param = thud_scene_param(&tui->doc.scene, field->path, &(int){0});
+    return !param || !is_word(field->path, param);
+}
+
 /* A value with a closed list of words: a list to choose from. False: it has none. */
 static bool choose_value(struct thud_tui *tui, const char *key, const struct thud_param *param)
 {
     bool law = ends_with(key, ".law"), method = strcmp(key, "analysis.method") == 0;
-    if (!law && !method && (param->kind != THUD_PARAM_CHOICE || !param->choices))
+    if (!is_word(key, param))
         return false;
     char now[128] = "";
     thud_scene_get(&tui->doc.scene, key, now, sizeof now, NULL);

@@ -165,6 +165,8 @@ bool thud_tui_cancel(struct thud_tui *tui); /* false: nothing was running */
 
 /* edit.c */
 void thud_tui_edit(struct thud_tui *tui, const char *start);
+/* Whether the field in focus is one whose value a digit may begin. */
+bool thud_tui_takes_digits(const struct thud_tui *tui);
 void thud_tui_step_value(struct thud_tui *tui, int steps);
 void thud_tui_toggle(struct thud_tui *tui);
 bool thud_tui_accept(struct thud_tui *tui); /* the text of the field being edited; false: it was refused */

@@ -95,14 +95,15 @@ static void choosing_key(struct thud_tui *tui, int key)
         thud_chooser_key(&tui->chooser, key);
 }
 
-/* A digit after g goes to that screen; a first digit on a field starts a new value; the rest are actions. */
+/* A digit after g, or where no value could begin with it, goes to that screen; a first digit on another field starts a
+ * new value; the rest are actions. */
 static void normal_key(struct thud_tui *tui, int key)
 {
-    const struct thud_field *field = thud_form_focus(&tui->form);
+    bool value = thud_tui_takes_digits(tui);
     int digit = key >= '1' && key <= '9'                                ? key - '1'
                 : key > THUD_KEY_ALT + '0' && key <= THUD_KEY_ALT + '9' ? key - THUD_KEY_ALT - '1'
                                                                         : -1;
-    if (digit >= 0 && (tui->go || key >= THUD_KEY_ALT)) {
+    if (digit >= 0 && (tui->go || !value || key >= THUD_KEY_ALT)) {
         if (digit < THUD_SCREENS)
             thud_tui_go(tui, (enum thud_screen)digit);
         else
@@ -111,7 +112,7 @@ static void normal_key(struct thud_tui *tui, int key)
         return;
     }
     tui->go = false;
-    if (((key >= '0' && key <= '9') || key == '.') && field && field->kind == THUD_FIELD_VALUE) {
+    if (value && ((key >= '0' && key <= '9') || key == '.')) {
         char start[2] = {(char)key, '\0'};
         thud_tui_edit(tui, start);
         return;

@@ -70,6 +70,18 @@ START_TEST(finding_a_field)
 }
 END_TEST
 
+START_TEST(a_digit_goes_to_a_screen_or_begins_a_number)
+{
+    fixture_keys(&f, "4"); /* in focus: the kind of a structure, a word */
+    ck_assert_int_eq((int)f.tui->screen, THUD_SCREEN_RESULTS);
+    fixture_keys(&f, "g1/2.stiffness<Enter>5");
+    ck_assert_int_eq((int)f.tui->screen, THUD_SCREEN_MODEL);
+    ck_assert_int_eq((int)f.tui->mode, THUD_MODE_TYPING);
+    fixture_keys(&f, "<Esc>g5");
+    ck_assert_int_eq((int)f.tui->screen, THUD_SCREEN_PLOTS);
+}
+END_TEST
+
 START_TEST(records_are_listed_filtered_and_chosen)
 {
     fixture_keys(&f, "<A-3>");
