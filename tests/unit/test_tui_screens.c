@@ -343,6 +343,7 @@ Suite *thud_suite(void)
     tcase_add_test(screens, every_screen_in_ascii);
     tcase_add_test(screens, small_terminals);
     tcase_add_test(screens, finding_a_field);
+    tcase_add_test(screens, a_digit_goes_to_a_screen_or_begins_a_number);
     tcase_add_test(screens, records_are_listed_filtered_and_chosen);
     tcase_add_test(screens, an_impact_is_opened);
     tcase_add_test(screens, the_movement_plays_and_ends);
