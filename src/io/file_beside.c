@@ -8,6 +8,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "base/scan.h"
 #include "io/file_private.h"
 
 int thud_file_open_beside(const char *path, char *name, size_t size)
@@ -28,11 +29,13 @@ int thud_file_open_beside(const char *path, char *name, size_t size)
 /* Whether a name is that of a file in the making whose maker has ended. */
 static bool is_left(const char *name)
 {
-    long pid;
-    int number, used = 0;
-    for (const char *p = name; (p = strstr(p, ".thud-")) != NULL; p++)
-        if (sscanf(p, ".thud-%9ld-%9d.part%n", &pid, &number, &used) == 2 && used > 0 && p[used] == '\0')
+    int pid, number;
+    for (const char *p = name; (p = strstr(p, ".thud-")) != NULL; p++) {
+        const char *at = p;
+        if (thud_scan_word(&at, ".thud-") && thud_scan_count(&at, &pid) && thud_scan_word(&at, "-") &&
+            thud_scan_count(&at, &number) && strcmp(at, ".part") == 0)
             return pid > 0 && kill((pid_t)pid, 0) != 0 && errno == ESRCH;
+    }
     return false;
 }
 

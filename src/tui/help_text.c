@@ -110,7 +110,7 @@ static bool says_choices(const struct thud_param *param)
     for (int i = 0; param->kind == THUD_PARAM_CHOICE && param->choices[i]; i++) {
         char word[40];
         snprintf(word, sizeof word, "%.36s:", param->choices[i]);
-        if (!strstr(param->help, word))
+        if (!param->help || !strstr(param->help, word))
             return false;
     }
     return param->kind == THUD_PARAM_CHOICE;
