@@ -3,6 +3,8 @@
 # what it gives is what it gives otherwise, and every file is the old one or the new one, whole.  TAP.
 set -u
 tmp=$(mktemp -d) || exit 1
+# a program that is killed or cannot write leaves its counts of coverage whole for the others
+export GCOV_PREFIX="$tmp/counts"
 trap 'rm -rf "$tmp"' EXIT
 POINTS=${FAULT_POINTS:-100} # calls tried for each command and kind, spread over all of them
 FILE_POINTS=${FAULT_FILE_POINTS:-10}
