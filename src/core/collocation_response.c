@@ -28,7 +28,8 @@ static bool fill_modal(const struct thud_run *run, struct thud_collocation *x, i
     memset(x->seg.force, 0, THUD_SEGMENT_TERMS * (size_t)x->nc * sizeof(double));
     for (int load = 0; load < x->loads; load++)
         for (int power = 0; power < THUD_POINTS; power++) {
-            thud_taylor_load(run->model, &x->seg, !run->model->couples ? ones : run->model->g + (size_t)load * n, power);
+            thud_taylor_load(run->model, &x->seg, !run->model->couples ? ones : run->model->g + (size_t)load * n,
+                             power);
             for (int i = 0; i < THUD_POINTS; i++, table += 2 * n)
                 thud_segment_state(&x->seg, x->nmodes, x->node[i], table, table + n);
         }
