@@ -195,6 +195,20 @@ START_TEST(fixed_steps_on_towers)
 }
 END_TEST
 
+/* Steps half as coarse as the record's: contacts may not chatter, and what is found is no more than coarse. */
+START_TEST(coarse_located_steps_on_towers)
+{
+    static const char *const name[] = {"central-difference", "newmark", "hht", "generalized-alpha"};
+    struct thud_record *record = march_motion(1.5);
+    struct march_law laws[] = {rubber(), concrete()};
+    for (int i = 0; i < 2; i++)
+        for (size_t k = 0; k < sizeof name / sizeof *name; k++)
+            for (double step = 0.01; step > 0.002; step /= 2)
+                towers_agree(record, 0.03, &laws[i], name[k], step, 0, 1);
+    thud_record_free(record);
+}
+END_TEST
+
 /* Everything that does not locate still comes near: 10 %. */
 START_TEST(what_does_not_locate_comes_near)
 {
@@ -287,6 +301,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, a_lagged_force_throws_back_faster);
     tcase_add_test(tcase, dormand_prince_on_towers);
     tcase_add_test(tcase, fixed_steps_on_towers);
+    tcase_add_test(tcase, coarse_located_steps_on_towers);
     tcase_add_test(tcase, what_does_not_locate_comes_near);
     tcase_add_test(tcase, every_law_in_every_method);
     tcase_add_test(tcase, work_is_counted);
