@@ -26,9 +26,9 @@ bad() {
     mux capture-pane -p -t s 2>/dev/null | sed 's/^/# /'
 }
 screen() { mux capture-pane -p -t s; }
-# wait_for WHAT PATTERN: until the screen shows the pattern, at most ten seconds
+# wait_for WHAT PATTERN: until the screen shows the pattern, at most half a minute
 wait_for() {
-    tries=200
+    tries=600
     while [ $tries -gt 0 ]; do
         if screen 2>/dev/null | grep -q -e "$2"; then
             ok "$1"
@@ -54,12 +54,14 @@ start() {
     done
 }
 command() { keys -l "$1" && keys Enter; }
+# The program that the shell of this terminal runs; others may run it too, elsewhere.
+program() { pgrep -P "$(mux list-panes -t s -F '#{pane_pid}')" | tail -n 1; }
 
 cp "$root/presets/towers.yaml" "$tmp/mine.yaml"
 
 # asleep WHAT: not woken once while the screen is looked at fifty times (five tries: it may just be lying down)
 asleep() {
-    pid=$(pgrep -f -n "$THUD" || :)
+    pid=$(program)
     nap=5
     while [ $nap -gt 0 ]; do
         woken=$(grep ctxt /proc/"$pid"/status)
@@ -135,8 +137,7 @@ for pair in TERM=143 INT=130 HUP=129 SEGV=139 ABRT=134; do
     wait_for "${pair%=*}: contact" 'Bare contact'
     keys 9 Enter
     wait_for "${pair%=*}: edited" '\[+\]'
-    pid=$(mux list-panes -t s -F '#{pane_pid}')
-    child=$(pgrep -P "$pid" | head -n 1)
+    child=$(program)
     kill "-${pair%=*}" "$child"
     tries=200
     while kill -0 "$child" 2>/dev/null && [ $tries -gt 0 ]; do
@@ -160,7 +161,7 @@ done
 start 80 24
 command "stty -g >$tmp/stty; $THUD $tmp/mine.yaml; echo status=\$?"
 wait_for "Ctrl-C: running" 'ok *$'
-child=$(pgrep -f -n "$THUD")
+child=$(program)
 kill -TSTP "$child"
 wait_for "SIGTSTP stops it" 'ready>'
 command "fg >/dev/null"
