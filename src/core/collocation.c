@@ -51,7 +51,8 @@ void thud_collocation_free(struct thud_collocation *x)
         return;
     for (int l = 0; l < THUD_LEVELS; l++) {
         for (int p = 0; x->pair[l] && p < x->nc * x->nc; p++)
-            free(x->pair[l][p].indentation);
+            if (!x->pair[l][p].shared)
+                free(x->pair[l][p].indentation);
         free(x->pair[l]);
         free(x->modal[l]);
         free(x->unforced[l]);

@@ -15,6 +15,7 @@ enum { THUD_POINTS = 7, THUD_LEVELS = 48, THUD_BLOCK = THUD_POINTS * THUD_PLACES
  * THUD_PLACES) by [j][i], made when first needed. */
 struct thud_response {
     double *indentation, *rate;
+    bool shared; /* the memory is another's */
 };
 
 /* Unit motions of the modes: initial displacement, initial rate, constant ground acceleration, one rising from 0. */
@@ -30,8 +31,8 @@ struct thud_collocation {
     bool has_source; /* run->seg holds forces that go on into this step, from s = source on */
     double source;
     int nc, nmodes, loads;      /* loads: 1 where modes are uncoupled, else one per contact */
-    double *modal[THUD_LEVELS]; /* (loads x THUD_POINTS x THUD_POINTS x 2 x nmodes): q and h q' of each mode by load,
-                                   power and point */
+    double *modal[THUD_LEVELS]; /* (loads x THUD_POINTS x nmodes x 2 x THUD_PLACES): q and q' of each mode at the
+                                   points, by load and power */
     struct thud_response *pair[THUD_LEVELS]; /* (nc x nc) */
     double *unforced[THUD_LEVELS]; /* (nmodes x THUD_UNITS x 2 x THUD_PLACES): how far each mode moves to the points,
                                       and its rate there, in each unit motion without contact; not where modes couple */

@@ -1,6 +1,5 @@
 /* How contacts answer to each other's forces at the points of a step. */
 #include <stdlib.h>
-#include <string.h>
 
 #include "core/collocation_private.h"
 
@@ -13,7 +12,7 @@ void *thud_collocation_allocate(size_t count, size_t size)
 static bool fill_modal(const struct thud_run *run, struct thud_collocation *x, int level, double h)
 {
     size_t n = (size_t)x->nmodes;
-    double *table = thud_collocation_allocate((size_t)x->loads * THUD_POINTS * THUD_POINTS * 2 * n, sizeof *table),
+    double *table = thud_collocation_allocate((size_t)x->loads * THUD_POINTS * n * 2 * THUD_PLACES, sizeof *table),
            *ones = thud_collocation_allocate(n, sizeof *ones);
     x->modal[level] = table;
     if (!table || !ones) {
@@ -22,16 +21,18 @@ static bool fill_modal(const struct thud_run *run, struct thud_collocation *x, i
     }
     for (size_t j = 0; j < n; j++)
         ones[j] = 1;
-    x->seg.terms = THUD_SEGMENT_TERMS;
-    x->seg.h_s = h;
-    x->seg.a0 = x->seg.a1 = 0;
-    memset(x->seg.force, 0, THUD_SEGMENT_TERMS * (size_t)x->nc * sizeof(double));
+    struct thud_segment *seg = &x->seg;
+    seg->terms = THUD_SEGMENT_TERMS;
+    seg->h_s = h;
+    seg->a0 = seg->a1 = 0;
+    seg->loaded = 0;
     for (int load = 0; load < x->loads; load++)
         for (int power = 0; power < THUD_POINTS; power++) {
-            thud_taylor_load(run->model, &x->seg, !run->model->couples ? ones : run->model->g + (size_t)load * n,
-                             power);
-            for (int i = 0; i < THUD_POINTS; i++, table += 2 * n)
-                thud_segment_state(&x->seg, x->nmodes, x->node[i], table, table + n);
+            thud_taylor_load(run->model, seg, !run->model->couples ? ones : run->model->g + (size_t)load * n, power);
+            for (int j = 0; j < x->nmodes; j++, table += 2 * THUD_PLACES) {
+                thud_places_read(&x->nodes, seg->q + j, x->nmodes, seg->terms, table);
+                thud_places_slope(&x->nodes, seg->q + j, x->nmodes, seg->terms, h, table + THUD_PLACES);
+            }
         }
     free(ones);
     return true;
@@ -49,21 +50,36 @@ static bool fill_pair(const struct thud_run *run, struct thud_collocation *x, in
         return false;
     r->indentation = block;
     r->rate = block + THUD_BLOCK;
+    const bool couples = run->model->couples;
     const double *ga = run->model->g + (size_t)a * n, *gb = run->model->g + (size_t)b * n;
-    const double *table = x->modal[level] + (!run->model->couples ? 0 : (size_t)b * THUD_POINTS * THUD_POINTS * 2 * n);
-    for (int power = 0; power < THUD_POINTS; power++)
-        for (int i = 0; i < THUD_POINTS; i++, table += 2 * n) {
-            double d = 0, v = 0;
-            for (size_t j = 0; j < n; j++) {
-                double w = !run->model->couples ? ga[j] * gb[j] : ga[j];
-                d -= w * table[j];
-                v -= w * table[n + j];
-            }
-            for (int k = 0; k < THUD_POINTS; k++) {
-                r->indentation[k * THUD_PLACES + i] += d * x->lagrange[power * THUD_POINTS + k];
-                r->rate[k * THUD_PLACES + i] += v * x->lagrange[power * THUD_POINTS + k];
-            }
+    const double *table = x->modal[level] + (couples ? (size_t)b * THUD_POINTS * n * 2 * THUD_PLACES : 0);
+    for (int power = 0; power < THUD_POINTS; power++) {
+        struct thud_lanes d = {0}, v = {0};
+        double moved[2 * THUD_PLACES];
+        for (size_t j = 0; j < n; j++, table += 2 * THUD_PLACES) {
+            double w = couples ? -ga[j] : -ga[j] * gb[j];
+            thud_lanes_add(&d, w, table);
+            thud_lanes_add(&v, w, table + THUD_PLACES);
         }
+        thud_lanes_put(&d, moved);
+        thud_lanes_put(&v, moved + THUD_PLACES);
+        for (int k = 0; k < THUD_POINTS; k++)
+            for (int i = 0; i < THUD_POINTS; i++) {
+                r->indentation[k * THUD_PLACES + i] += moved[i] * x->lagrange[power * THUD_POINTS + k];
+                r->rate[k * THUD_PLACES + i] += moved[THUD_PLACES + i] * x->lagrange[power * THUD_POINTS + k];
+            }
+    }
+    return true;
+}
+
+/* Where modes do not couple, each of two contacts answers to the other in the same way. */
+static bool mirror_pair(const struct thud_run *run, struct thud_collocation *x, int level, int a, int b)
+{
+    const struct thud_response *other = &x->pair[level][b * x->nc + a];
+    if (run->model->couples || !other->indentation)
+        return false;
+    x->pair[level][a * x->nc + b] = *other;
+    x->pair[level][a * x->nc + b].shared = true;
     return true;
 }
 
@@ -75,5 +91,5 @@ const struct thud_response *thud_collocation_response(const struct thud_run *run
     if (!x->pair[level])
         return NULL;
     struct thud_response *r = &x->pair[level][a * x->nc + b];
-    return r->indentation || fill_pair(run, x, level, h, a, b) ? r : NULL;
+    return r->indentation || mirror_pair(run, x, level, a, b) || fill_pair(run, x, level, h, a, b) ? r : NULL;
 }

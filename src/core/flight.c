@@ -101,8 +101,8 @@ static void look_for_peaks(struct thud_flight *f, struct thud_run *run, double g
             energy += f->speed[j] * f->speed[j];
             gamma += m->gamma[j] * m->gamma[j];
         }
-        double speed = sqrt(energy) + run->grid_dt_s * sqrt(gamma) * ground;
-        f->looked[s] = run->horizon_to_fill || thud_reach_above_peaks(run, s, speed, 0);
+        struct thud_reach reach = {sqrt(energy) + run->grid_dt_s * sqrt(gamma) * ground, 0};
+        f->looked[s] = run->horizon_to_fill || thud_reach_structure(run, s, &reach);
         if (f->looked[s])
             other_values(f, m, p, ends);
     }

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "core/modes.h"
+#include "core/pair.h"
 #include "core/run_private.h"
 
 /* Hands out pieces of one block. */
@@ -231,11 +232,7 @@ void thud_model_free(struct thud_model *model)
 double thud_model_floor(const struct thud_model *model, int dof, const double *modal)
 {
     const struct thud_model_structure *s = &model->structure[model->dof_structure[dof]];
-    const double *row = s->phi + (dof - s->first) * s->n, *x = modal + s->first;
-    double sum = 0;
-    for (int j = 0; j < s->n; j++)
-        sum += row[j] * x[j];
-    return sum;
+    return thud_dot(s->n, s->phi + (dof - s->first) * s->n, modal + s->first);
 }
 
 /* The two sums are made apart, so that neighbours moving alike have exactly no relative motion. */

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/pair.h"
 #include "core/poly.h"
 #include "core/run_private.h"
 
@@ -20,13 +21,8 @@ static void floor_polynomial(const struct thud_model_structure *p, int floor, co
                              int terms, double *out)
 {
     const double *row = p->phi + floor * p->n;
-    for (int k = 0; k < terms; k++) {
-        const double *x = modal + k * nmodes + p->first;
-        double sum = 0;
-        for (int j = 0; j < p->n; j++)
-            sum += row[j] * x[j];
-        out[k] = sum;
-    }
+    for (int k = 0; k < terms; k++)
+        out[k] = thud_dot(p->n, row, modal + k * nmodes + p->first);
 }
 
 struct thud_peak *thud_floor_peak(struct thud_run *run, int structure, int floor, int quantity)
@@ -132,12 +128,8 @@ static void floor_values(const struct thud_model_structure *p, int floor, int nm
                          double out[3])
 {
     const double *row = p->phi + floor * p->n;
-    out[0] = out[1] = out[2] = 0;
-    for (int j = 0; j < p->n; j++) {
-        out[THUD_FLOOR_DISPLACEMENT] += row[j] * modal[p->first + j];
-        out[THUD_FLOOR_VELOCITY] += row[j] * modal[nmodes + p->first + j];
-        out[THUD_FLOOR_ACCELERATION] += row[j] * modal[2 * nmodes + p->first + j];
-    }
+    for (int x = THUD_FLOOR_DISPLACEMENT; x <= THUD_FLOOR_ACCELERATION; x++)
+        out[x] = thud_dot(p->n, row, modal + x * nmodes + p->first);
 }
 
 void thud_peaks_floor(struct thud_run *run, int structure, int floor, int quantity, double s_end)
@@ -164,20 +156,29 @@ void thud_peaks_floor(struct thud_run *run, int structure, int floor, int quanti
     raise_peak(run, peak, x, quantity == THUD_FLOOR_VELOCITY ? n - 1 : n, s_end);
 }
 
-static void structure_peaks(struct thud_run *run, int index, double s_end, const double *start, const double *end,
-                            const double *modal)
+static void structure_peaks(struct thud_run *run, int index, double s_end, const struct thud_reach *reach,
+                            const double *start, const double *end, const double *modal)
 {
     const struct thud_model_structure *p = &run->model->structure[index];
     double margin[THUD_FLOOR_QUANTITIES], a[THUD_FLOOR_QUANTITIES], b[THUD_FLOOR_QUANTITIES], a_below = 0, b_below = 0;
-    int nmodes = run->model->ndof;
+    int nmodes = run->model->ndof, below = -1; /* the floor whose displacements a_below and b_below are */
     structure_margins(run, p, modal, margin);
     for (int i = 0; i < p->n; i++) {
+        if (!thud_reach_floor(run, index, i, reach))
+            continue;
+        if (below != i - 1) {
+            floor_values(p, i - 1, nmodes, start, a);
+            floor_values(p, i - 1, nmodes, end, b);
+            a_below = a[THUD_FLOOR_DISPLACEMENT];
+            b_below = b[THUD_FLOOR_DISPLACEMENT];
+        }
         floor_values(p, i, nmodes, start, a);
         floor_values(p, i, nmodes, end, b);
         a[THUD_FLOOR_DRIFT] = a[THUD_FLOOR_DISPLACEMENT] - a_below;
         b[THUD_FLOOR_DRIFT] = b[THUD_FLOOR_DISPLACEMENT] - b_below;
         a_below = a[THUD_FLOOR_DISPLACEMENT];
         b_below = b[THUD_FLOOR_DISPLACEMENT];
+        below = i;
         for (int x = 0; x < (p->stiffness_npm ? THUD_FLOOR_QUANTITIES : THUD_FLOOR_DRIFT); x++) {
             double end_value = fmax(fabs(a[x]), fabs(b[x]));
             double peak = thud_floor_peak(run, index, i, x)->value;
@@ -256,7 +257,8 @@ static void motion_peaks(struct thud_run *run, double s)
     double *start = run->ends, *end = start + 3 * n, *modal = end + 3 * n;
     bool prepared = false;
     for (int i = 0; i < m->nstructures; i++) {
-        if (run->method->order == 0 && !thud_reach_new_peak(run, i, s))
+        struct thud_reach reach = thud_reach_segment(run, i, s);
+        if (!thud_reach_structure(run, i, &reach))
             continue;
         if (!prepared) {
             thud_peaks_prepare(run);
@@ -267,7 +269,7 @@ static void motion_peaks(struct thud_run *run, double s)
             modal_margins(run, run->scratch, s, modal);
             prepared = true;
         }
-        structure_peaks(run, i, s, start, end, modal);
+        structure_peaks(run, i, s, &reach, start, end, modal);
     }
 }
 

@@ -36,21 +36,24 @@ void thud_reach_start(struct thud_run *run)
     }
 }
 
-bool thud_reach_above_peaks(struct thud_run *run, int structure, double speed, double force)
+bool thud_reach_floor(const struct thud_run *run, int structure, int floor, const struct thud_reach *reach)
 {
     const struct thud_model *m = run->model;
-    const struct thud_model_structure *p = &m->structure[structure];
-    for (int i = 0; i < p->n; i++) {
-        const struct thud_floor_result *r = &run->result.structure[structure].floor[i];
-        const double *most = run->most + p->first + i;
-        double push = most[THUD_FLOOR_VELOCITY * m->ndof] * force;
-        bool below = most[THUD_FLOOR_DISPLACEMENT * m->ndof] * speed <= r->displacement.value &&
-                     most[THUD_FLOOR_VELOCITY * m->ndof] * speed <= r->velocity.value &&
-                     most[THUD_FLOOR_ACCELERATION * m->ndof] * speed + push <= r->acceleration.value &&
-                     most[THUD_FLOOR_DRIFT * m->ndof] * speed <= r->drift.value;
-        if (!below) /* NaN: a rigid body, whose place no energy bounds */
+    const struct thud_floor_result *r = &run->result.structure[structure].floor[floor];
+    const double *most = run->most + m->structure[structure].first + floor;
+    double push = most[THUD_FLOOR_VELOCITY * m->ndof] * reach->force;
+    bool below = most[THUD_FLOOR_DISPLACEMENT * m->ndof] * reach->speed <= r->displacement.value &&
+                 most[THUD_FLOOR_VELOCITY * m->ndof] * reach->speed <= r->velocity.value &&
+                 most[THUD_FLOOR_ACCELERATION * m->ndof] * reach->speed + push <= r->acceleration.value &&
+                 most[THUD_FLOOR_DRIFT * m->ndof] * reach->speed <= r->drift.value;
+    return !below; /* NaN: a rigid body, whose place no energy bounds */
+}
+
+bool thud_reach_structure(const struct thud_run *run, int structure, const struct thud_reach *reach)
+{
+    for (int i = 0; i < run->model->structure[structure].n; i++)
+        if (thud_reach_floor(run, structure, i, reach))
             return true;
-    }
     return false;
 }
 
@@ -76,15 +79,17 @@ static double largest_force(const struct thud_run *run, const struct thud_model_
     return total;
 }
 
-bool thud_reach_new_peak(struct thud_run *run, int structure, double s)
+struct thud_reach thud_reach_segment(const struct thud_run *run, int structure, double s)
 {
     const struct thud_model *m = run->model;
     const struct thud_model_structure *p = &m->structure[structure];
     double energy = 0, gamma = 0, force = largest_force(run, p);
+    if (run->method->order > 0)
+        return (struct thud_reach){INFINITY, INFINITY};
     for (int j = p->first; j < p->first + p->n; j++) {
         energy += run->qd[j] * run->qd[j] + m->omega[j] * m->omega[j] * run->q[j] * run->q[j];
         gamma += m->gamma[j] * m->gamma[j];
     }
     double ground = fmax(fabs(run->seg.a0), fabs(run->seg.a0 + run->seg.a1)) * sqrt(gamma);
-    return thud_reach_above_peaks(run, structure, sqrt(energy) + s * run->seg.h_s * (ground + force), force);
+    return (struct thud_reach){sqrt(energy) + s * run->seg.h_s * (ground + force), force};
 }

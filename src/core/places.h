@@ -3,14 +3,12 @@
 #ifndef THUD_CORE_PLACES_H
 #define THUD_CORE_PLACES_H
 
+#include "core/pair.h"
 #include "core/segment.h"
 
 enum { THUD_PLACES = 8 };
 
-/* Values at all places, as pairs that every processor of the kind works on at once; left to itself, a compiler spends
- * more on shuffling such short rows than on summing them. */
-typedef double thud_pair __attribute__((vector_size(2 * sizeof(double)), aligned(sizeof(double)), may_alias));
-
+/* Values at all places. */
 struct thud_lanes {
     thud_pair pair[THUD_PLACES / 2];
 };
@@ -19,7 +17,7 @@ static inline struct thud_lanes thud_lanes_at(const double *x)
 {
     struct thud_lanes lanes;
     for (int i = 0; i < THUD_PLACES / 2; i++)
-        lanes.pair[i] = *(const thud_pair *)(x + 2 * i);
+        lanes.pair[i] = thud_pair_at(x + 2 * i);
     return lanes;
 }
 
@@ -33,7 +31,7 @@ static inline void thud_lanes_put(const struct thud_lanes *lanes, double *x)
 static inline void thud_lanes_add(struct thud_lanes *sum, double factor, const double *x)
 {
     for (int i = 0; i < THUD_PLACES / 2; i++)
-        sum->pair[i] += factor * *(const thud_pair *)(x + 2 * i);
+        sum->pair[i] += factor * thud_pair_at(x + 2 * i);
 }
 
 struct thud_places {

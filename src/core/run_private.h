@@ -180,11 +180,15 @@ void thud_peaks_prepare(struct thud_run *run);
 void thud_peaks_floor(struct thud_run *run, int structure, int floor, int quantity, double s);
 /* peaks_reach.c: fills run->most. */
 void thud_reach_start(struct thud_run *run);
-/* Whether a floor of the structure may pass a peak at a modal speed sqrt(2 energy) and contact force (by mass^(1/2)).
- */
-bool thud_reach_above_peaks(struct thud_run *run, int structure, double speed, double force);
-/* The same for the segment up to s; not for methods whose steps do not keep to the equations of motion. */
-bool thud_reach_new_peak(struct thud_run *run, int structure, double s);
+/* What a structure can come to: modal speed sqrt(2 energy), and contact force on it (by mass^(1/2)). */
+struct thud_reach {
+    double speed, force;
+};
+/* In the segment up to s; without bound for methods whose steps do not keep to the equations of motion. */
+struct thud_reach thud_reach_segment(const struct thud_run *run, int structure, double s);
+/* Whether a floor, and whether any floor of the structure, may then pass a peak. */
+bool thud_reach_floor(const struct thud_run *run, int structure, int floor, const struct thud_reach *reach);
+bool thud_reach_structure(const struct thud_run *run, int structure, const struct thud_reach *reach);
 void thud_ledger_start(struct thud_run *run);
 void thud_ledger_segment(struct thud_run *run, double s);
 void thud_ledger_finish(struct thud_run *run);

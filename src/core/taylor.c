@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "core/largest.h"
+#include "core/pair.h"
 #include "core/run_private.h"
 
 int thud_segment_terms(double angle, double least)
@@ -212,10 +213,7 @@ static struct side side_of(const struct thud_model *m, int dof)
 
 static double floor_term(const struct side *side, const double *modal)
 {
-    double sum = 0;
-    for (int j = 0; j < side->n; j++)
-        sum += side->row[j] * modal[side->first + j];
-    return sum;
+    return thud_dot(side->n, side->row, modal + side->first);
 }
 
 int thud_segment_indentation(const struct thud_run *run, const struct thud_segment *seg, int c, double *out)

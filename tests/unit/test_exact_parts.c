@@ -85,9 +85,9 @@ START_TEST(no_state_passes_what_its_energy_allows)
             }
             ck_assert_double_eq_tol(best / sqrt(norm), 1, 1e-12);
             set_peaks(m.run, floor, x, best * (1 + 1e-9));
-            ck_assert(!thud_reach_above_peaks(m.run, 1, 1, 0));
+            ck_assert(!thud_reach_structure(m.run, 1, &(struct thud_reach){1, 0}));
             set_peaks(m.run, floor, x, best * (1 - 1e-9));
-            ck_assert(thud_reach_above_peaks(m.run, 1, 1, 0));
+            ck_assert(thud_reach_structure(m.run, 1, &(struct thud_reach){1, 0}));
         }
     march_free(&m);
     thud_model_free(model);

@@ -1,0 +1,29 @@
+/* Two numbers that every processor of the kind works on at once. Left to themselves, compilers may not change the order
+ * of a sum, and spend more on shuffling short rows than on summing them. */
+#ifndef THUD_CORE_PAIR_H
+#define THUD_CORE_PAIR_H
+
+typedef double thud_pair __attribute__((vector_size(2 * sizeof(double)), aligned(sizeof(double)), may_alias));
+
+static inline thud_pair thud_pair_at(const double *x)
+{
+    return *(const thud_pair *)x;
+}
+
+/* a[0] b[0] + ... + a[n - 1] b[n - 1] */
+static inline double thud_dot(int n, const double *a, const double *b)
+{
+    thud_pair even = {0, 0}, odd = {0, 0};
+    int j = 0;
+    for (; j + 4 <= n; j += 4) {
+        even += thud_pair_at(a + j) * thud_pair_at(b + j);
+        odd += thud_pair_at(a + j + 2) * thud_pair_at(b + j + 2);
+    }
+    even += odd;
+    double sum = even[0] + even[1];
+    for (; j < n; j++)
+        sum += a[j] * b[j];
+    return sum;
+}
+
+#endif
