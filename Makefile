@@ -122,8 +122,8 @@ valgrind: ## the unit tests and the command line's under valgrind's memcheck
 coverage: ## lines and branches that the tests pass through, by layer and file
 	@find build/coverage -name '*.gcda' -delete 2>/dev/null; CK_TIMEOUT_MULTIPLIER=8 TEST_SECONDS=3000 $(MAKE) --no-print-directory VARIANT=coverage test; tests=$$?; \
 	    tests/tools/coverage.sh build/coverage && exit $$tests
-lint: ## rules of the house and static analysis with the tools installed (LINT='format tidy': only these, see lint.sh)
-	@FLAGS='$(filter-out -DNDEBUG,$(wordlist 2,99,$(COMPILE)))' tests/tools/lint.sh $(MAKE) $(LINT)
+lint: ## rules of the house and static analysis with the tools installed (ONLY='format tidy': these, see lint.sh)
+	@FLAGS='$(filter-out -DNDEBUG,$(wordlist 2,99,$(COMPILE)))' tests/tools/lint.sh $(MAKE) $(ONLY)
 mutants: ## takes one protection of the core out at a time: the tests must notice (two minutes on an idle machine; ONLY=word: fewer)
 	@tests/tools/install-deps.sh test
 	@tests/tools/mutants.sh '$(ONLY)'

@@ -137,7 +137,7 @@ void thud_peaks_floor(struct thud_run *run, int structure, int floor, int quanti
     const struct thud_segment *seg = &run->seg;
     const struct thud_model_structure *p = &run->model->structure[structure];
     struct thud_peak *peak = thud_floor_peak(run, structure, floor, quantity);
-    double x[THUD_SEGMENT_TERMS], u[THUD_SEGMENT_TERMS];
+    double x[THUD_SEGMENT_TERMS] = {0}, u[THUD_SEGMENT_TERMS] = {0};
     int n = seg->terms, nmodes = run->model->ndof;
     if (quantity == THUD_FLOOR_ACCELERATION) {
         floor_polynomial(p, floor, run->scratch, nmodes, n - 2, x);
