@@ -15,7 +15,8 @@ struct thud_text {
 };
 void thud_text_append(struct thud_text *text, const char *fmt, ...) THUD_PRINTF(2, 3);
 void thud_text_bytes(struct thud_text *text, const char *bytes, size_t size);
-void thud_text_number(struct thud_text *text, double value); /* shortest text that reads back the same */
+void thud_text_number(struct thud_text *text, double value);   /* shortest text that reads back the same */
+void thud_text_csv(struct thud_text *text, const char *field); /* in quotation marks where CSV needs them */
 void thud_text_clear(struct thud_text *text);
 
 #endif

@@ -12,7 +12,8 @@ struct thud_sweep_axis {
     char key[96];
     const struct thud_param *param;
     int n;
-    double *value;               /* (n) SI; the index of a choice; NaN for a text or a list */
+    bool words;                  /* of choices, texts or lists, which no number says */
+    double *value;               /* (n) SI; of words their places in the list, from 0 */
     char (*text)[THUD_NAME_MAX]; /* (n) as thud_scene_set takes it */
 };
 

@@ -246,25 +246,44 @@ static void put_best(const struct thud_sweep_plan *plan, const struct thud_sweep
                      best->drift_ratio, flat, best->worst_ratio);
 }
 
+static void put_csv_number(double value, struct thud_text *out)
+{
+    thud_text_append(out, ",");
+    if (!isnan(value))
+        thud_text_number(out, value);
+}
+
+/* A value of an axis: its number, or its word. */
+static void put_csv_value(const struct thud_sweep_axis *axis, double value, struct thud_text *out)
+{
+    char text[THUD_NAME_MAX];
+    if (!axis->words) {
+        put_csv_number(value, out);
+        return;
+    }
+    put_value(axis, value, text, sizeof text);
+    thud_text_append(out, ",");
+    thud_text_csv(out, text);
+}
+
 static void put_best_csv(const struct thud_sweep_plan *plan, int axis, const struct thud_sweep_best *best,
                          struct thud_text *out)
 {
-    const double x[] = {best->best,       best->ratio,     best->drift_ratio,
-                        best->flat_least, best->flat_most, best->worst_ratio};
-    thud_text_append(out, "%s,%s",
-                     best->record < 0                                              ? "worst of all"
-                     : best->record < plan->nrecords && plan->record[best->record] ? plan->record[best->record]->file
-                                                                                   : "",
-                     thud_case_name(best->which));
+    const double ratios[] = {best->ratio, best->drift_ratio}, flat[] = {best->flat_least, best->flat_most};
+    if (best->record < 0)
+        thud_text_append(out, "worst of all");
+    else if (best->record < plan->nrecords && plan->record[best->record])
+        thud_text_csv(out, plan->record[best->record]->file);
+    thud_text_append(out, ",%s", thud_case_name(best->which));
     for (int a = 0; a < plan->naxes; a++)
-        if (a != axis) {
-            thud_text_append(out, ",");
-            thud_text_number(out, best->other[a]);
-        }
-    for (size_t i = 0; i < sizeof x / sizeof *x; i++) {
-        thud_text_append(out, ",");
-        thud_text_number(out, x[i]);
-    }
+        if (a != axis)
+            put_csv_value(&plan->axis[a], best->other[a], out);
+    put_csv_value(&plan->axis[axis], best->best, out);
+    for (int i = 0; i < 2; i++)
+        put_csv_number(ratios[i], out);
+    for (int i = 0; i < 2; i++)
+        put_csv_value(&plan->axis[axis], flat[i], out);
+    put_csv_number(best->worst_ratio, out);
     thud_text_append(out, "\n");
 }
 

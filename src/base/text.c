@@ -65,6 +65,25 @@ void thud_text_number(struct thud_text *text, double value)
     thud_text_bytes(text, number, strlen(number));
 }
 
+static bool is_blank(char c)
+{
+    return c == ' ' || c == '\t';
+}
+
+void thud_text_csv(struct thud_text *text, const char *field)
+{
+    size_t n = strlen(field);
+    bool edged = n > 0 && (is_blank(field[0]) || is_blank(field[n - 1])); /* a reader takes bare blanks off */
+    if (!edged && !strpbrk(field, ",\"\r\n")) {
+        thud_text_bytes(text, field, n);
+        return;
+    }
+    thud_text_bytes(text, "\"", 1);
+    for (; *field; field++)
+        thud_text_bytes(text, *field == '"' ? "\"\"" : field, *field == '"' ? 2 : 1);
+    thud_text_bytes(text, "\"", 1);
+}
+
 void thud_text_clear(struct thud_text *text)
 {
     free(text->data);

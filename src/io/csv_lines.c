@@ -98,22 +98,3 @@ enum thud_status csv_lines_next(struct csv_lines *lines, enum csv_what *what, st
     *what = CSV_ROW;
     return THUD_OK;
 }
-
-static bool is_blank(char c)
-{
-    return c == ' ' || c == '\t';
-}
-
-void csv_put_text(struct thud_text *out, const char *text)
-{
-    size_t n = strlen(text);
-    bool edged = n > 0 && (is_blank(text[0]) || is_blank(text[n - 1])); /* a reader takes bare blanks off */
-    if (!edged && !strpbrk(text, ",\"\r\n")) {
-        thud_text_append(out, "%s", text);
-        return;
-    }
-    thud_text_append(out, "\"");
-    for (; *text; text++)
-        thud_text_append(out, *text == '"' ? "\"\"" : "%c", *text);
-    thud_text_append(out, "\"");
-}

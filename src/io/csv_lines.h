@@ -34,7 +34,4 @@ enum thud_status csv_lines_next(struct csv_lines *lines, enum csv_what *what, st
                                 struct thud_error *err);
 const char *csv_lines_field(const struct csv_lines *lines, size_t i);
 
-/* Writes a field, in quotation marks where it needs them. */
-void csv_put_text(struct thud_text *out, const char *text);
-
 #endif

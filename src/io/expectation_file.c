@@ -184,7 +184,7 @@ void thud_expectation_text(const struct thud_expectation_origin *origin, const s
     for (size_t i = 0; i < agreed->n; i++) {
         const struct thud_expectation *e = &agreed->item[i];
         thud_text_append(out, "%s,", thud_case_name(e->which));
-        csv_put_text(out, e->name);
+        thud_text_csv(out, e->name);
         thud_text_append(out, ",%.10g,%.1g\n", e->value, e->tolerance);
     }
     if (disputed->n > 0)

@@ -55,11 +55,11 @@ static void put_axes(const struct thud_sweep_plan *plan, long point, bool outer,
         const struct thud_sweep_axis *axis = &plan->axis[i];
         if (!shown(plan, i, outer))
             continue;
-        if (!isnan(axis->value[at[i]]) && axis->param->kind != THUD_PARAM_CHOICE) {
+        if (!axis->words) {
             put_number(out, axis->value[at[i]]);
         } else {
             thud_text_append(out, ",");
-            csv_put_text(out, axis->text[at[i]]);
+            thud_text_csv(out, axis->text[at[i]]);
         }
     }
     thud_text_append(out, "\n");
@@ -68,7 +68,7 @@ static void put_axes(const struct thud_sweep_plan *plan, long point, bool outer,
 static void put_record(const struct thud_sweep_plan *plan, int record, struct thud_text *out)
 {
     if (record < plan->nrecords && plan->record[record])
-        csv_put_text(out, plan->record[record]->file);
+        thud_text_csv(out, plan->record[record]->file);
 }
 
 /* Lower and upper end of every measure, where a spread was asked for. */
@@ -116,7 +116,7 @@ static void put_floor(const struct thud_sweep_plan *plan, long point, const stru
     thud_text_append(out, ",%s", thud_case_name(row->which));
     put_number(out, row->gap_m);
     thud_text_append(out, ",");
-    csv_put_text(out, plan->scene.structure[row->structure].name);
+    thud_text_csv(out, plan->scene.structure[row->structure].name);
     thud_text_append(out, ",%d", row->floor);
     const double x[] = {row->acceleration_mps2,       row->drift_m,          row->displacement_m,
                         row->acceleration_ratio,      row->drift_ratio,      row->displacement_ratio,

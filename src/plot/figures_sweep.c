@@ -30,7 +30,7 @@ static const char *case_title(enum thud_case which)
 static bool drawn(const struct thud_sweep_table *table, const double *value, int free)
 {
     for (int a = free; a < table->naxes; a++) {
-        if (value[a] != table->axis[a].value[0] && !(isnan(value[a]) && isnan(table->axis[a].value[0])))
+        if (value[a] != table->axis[a].value[0])
             return false;
     }
     return true;
@@ -70,7 +70,7 @@ static int columns_of(const struct thud_sweep_table *table, int *structure)
 
 static bool numbers(const struct thud_sweep_axis *axis)
 {
-    return axis->param && (axis->param->kind == THUD_PARAM_QUANTITY || axis->param->kind == THUD_PARAM_INTEGER);
+    return axis->param && !axis->words;
 }
 
 static double factor_of(const struct thud_sweep_axis *axis)
@@ -102,6 +102,8 @@ static void varied_axis(struct thud_panel *panel, enum thud_side side, const str
     const char *title = axis->param && axis->param->title ? axis->param->title : axis->key;
     snprintf(label, sizeof label, "%c%s", toupper((unsigned char)title[0]), title[0] ? title + 1 : "");
     thud_panel_axis(panel, side, label, numbers(axis) && axis->param->unit ? axis->param->unit : "");
+    if (!numbers(axis))
+        thud_panel_limits(panel, side, 0.5, axis->n + 0.5);
     for (int i = 0; !numbers(axis) && i < axis->n; i++)
         thud_panel_tick(panel, side, i + 1.0, axis->text[i]);
 }
@@ -343,7 +345,8 @@ static void fill_map(struct thud_panel *panel, const struct thud_sweep_table *ta
             panel->figure->failed = true;
         return;
     }
-    map->centre = map->level = 1.0;
+    map->centre = 1.0;
+    map->level = numbers(on_x) && numbers(on_y) ? 1.0 : NAN; /* nothing lies between words */
     for (size_t i = 0; i < table->nrows; i++) {
         const struct thud_sweep_row *row = &table->row[i];
         int a = find_value(on_x, row->value[0]), b = find_value(on_y, row->value[1]);
@@ -370,8 +373,10 @@ struct thud_figure *thud_figure_of_map(const struct thud_sweep_table *table, int
             fill_map(panel, table, wanted, (enum quantity)q);
         }
     }
-    fixed_note(figure, table, 2,
-               "Ratio to no bumper at the same gap; blue: the bumper helps; line: ratio 1; empty: no answer.");
+    bool line = numbers(&table->axis[0]) && numbers(&table->axis[1]);
+    snprintf(text, sizeof text, "Ratio to no bumper at the same gap; blue: the bumper helps;%s empty: no answer.",
+             line ? " line: ratio 1;" : "");
+    fixed_note(figure, table, 2, text);
     return figure;
 }
 

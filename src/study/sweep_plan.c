@@ -81,14 +81,10 @@ static enum thud_status reserve(struct thud_sweep_axis *axis, int n, struct thud
     return THUD_OK;
 }
 
-/* SI value of a text, or the index of a choice; NaN for what is no single number. */
+/* SI value of a text; NaN for what is no single number. */
 static double value_of(const struct thud_param *param, const char *text)
 {
     struct thud_quantity q;
-    if (param->kind == THUD_PARAM_CHOICE)
-        for (int i = 0; param->choices && param->choices[i]; i++)
-            if (strcmp(param->choices[i], text) == 0)
-                return i;
     if (param->kind == THUD_PARAM_QUANTITY && thud_quantity_parse(text, param->dimension, NULL, &q, NULL) == THUD_OK)
         return q.value;
     const char *end;
@@ -108,26 +104,39 @@ static void with_unit(char text[TEXT], const char *end, const char *unit)
         memcpy(text, whole, (size_t)length + 1);
 }
 
+/* Where a text is no number all are words, which have places. */
+static void number_words(struct thud_sweep_axis *axis)
+{
+    for (int i = 0; i < axis->n; i++)
+        axis->words = axis->words || isnan(axis->value[i]);
+    for (int i = 0; axis->words && i < axis->n; i++)
+        axis->value[i] = i;
+}
+
 static int by_value(const void *a, const void *b)
 {
     double x = *(const double *)a, y = *(const double *)b;
     return (x > y) - (x < y);
 }
 
+static int by_text(const void *a, const void *b)
+{
+    return strcmp(a, b);
+}
+
 /* A value that is there twice, as a decimal comma makes it: 5,5 cm is 5 cm and 5 cm. */
 static enum thud_status check_twice(const struct thud_sweep_axis *axis, struct thud_error *err)
 {
-    double *sorted = malloc((size_t)axis->n * sizeof *sorted);
+    size_t n = (size_t)axis->n, size = axis->words ? sizeof *axis->text : sizeof *axis->value;
+    int (*order)(const void *, const void *) = axis->words ? by_text : by_value;
+    char *sorted = malloc(n * size);
     if (!sorted)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
-    int n = 0;
-    for (int i = 0; i < axis->n; i++)
-        if (!isnan(axis->value[i]))
-            sorted[n++] = axis->value[i];
-    qsort(sorted, (size_t)n, sizeof *sorted, by_value);
+    memcpy(sorted, axis->words ? (const void *)axis->text : axis->value, n * size);
+    qsort(sorted, n, size, order);
     bool twice = false;
-    for (int i = 1; i < n; i++)
-        twice |= sorted[i] == sorted[i - 1];
+    for (size_t i = 1; i < n; i++)
+        twice |= order(sorted + i * size, sorted + (i - 1) * size) == 0;
     free(sorted);
     return twice ? refuse(err, axis->key, "names a value twice", "each value once; a decimal point is a point: 5.5 cm")
                  : THUD_OK;
@@ -157,6 +166,7 @@ static enum thud_status list(struct thud_sweep_axis *axis, const char *text, str
             with_unit(t, own, *own ? own : unit);
         axis->value[i] = value_of(axis->param, t);
     }
+    number_words(axis);
     return check_twice(axis, err);
 }
 
@@ -195,6 +205,8 @@ static enum thud_status range(struct thud_sweep_axis *axis, const char *text, st
             return refuse(err, axis->key, "a value is too long", how);
         axis->value[axis->n] = value_of(axis->param, axis->text[axis->n]);
     }
+    if (status == THUD_OK)
+        number_words(axis);
     return status;
 }
 

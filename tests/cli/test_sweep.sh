@@ -243,4 +243,26 @@ status 0 "$THUD" sweep towers --vary gap=4cm,8cm --cases none,bumper
 check "points that are not possible are told" grep -q "1 runs are not possible" "$tmp/out"
 status 0 "$THUD" sweep towers --vary gap=8cm,12cm --vary bumper.thickness=2cm:6cm:2cm --cases bumper --best bumper.thickness
 check "the best value for each gap" test "$(grep -c '^  kobe-surrogate.csv  *bumper  *[0-9]* cm' "$tmp/out")" -eq 2
+
+# the best value against the rows it is of; a file whose name CSV must quote
+cp records/kobe-surrogate.csv "$tmp/a,b.csv"
+best() { "$THUD" sweep towers --vary gap=8cm,12cm "$@" --cases bumper --record "$tmp/a,b.csv"; }
+# the least of the larger mean ratio of the two buildings, with the value in column COLUMN, for each gap
+by_hand() { sed 's/^"[^"]*"/file/' "$1/sweep.csv" | awk -F, -v c="$2" '
+    $5 == 0 { k = $3 "," $c; if ($9 > r[k]) r[k] = $9; gap[$3]; value[$c] }
+    END { for (g in gap) { b = ""; for (v in value) if (b == "" || r[g "," v] < r[g "," b]) b = v; print g "," b "," r[g "," b] } }' | sort; }
+stands() { sed 's/^"[^"]*"/file/' "$1/best.csv" | sed 1d | cut -d, -f3,4,5 | sort; }
+status 5 best --vary bumper.thickness=2cm:6cm:2cm --best bumper.thickness -o "$tmp/best"
+check "best.csv has what a look through the rows finds" test "$(stands "$tmp/best")" = "$(by_hand "$tmp/best" 15)"
+check "for both gaps" test "$(wc -l <"$tmp/best/best.csv")" -eq 3
+check "with the record's name as CSV wants it" grep -q "^\"$tmp/a,b.csv\",bumper,0.08," "$tmp/best/best.csv"
+status 5 best --vary contact.law=linear,hertz,kelvin-voigt --best contact.law -o "$tmp/laws"
+check "the best of words" test "$(stands "$tmp/laws")" = "$(by_hand "$tmp/laws" 15)"
+check "which stand in the table" grep -q "^  a,b.csv  *bumper  *12 cm  *linear  *0[.]" "$tmp/out"
+check "and where the worst is" grep -q "12 cm, hertz$" "$tmp/out"
+"$THUD" sweep towers --vary gap=8cm,12cm --set contact.law=hertz --cases bumper --csv 2>/dev/null | grep -c . >"$tmp/count"
+check "a law among others has the rows it has alone" test "$(grep -c ',hertz$' "$tmp/laws/sweep.csv")" -eq $(($(cat "$tmp/count") - 1))
+wrong 2 "value twice" towers --vary contact.law=linear,hertz,linear
+status 0 "$THUD" sweep towers --vary gap=8cm --vary contact.law=linear,hertz --cases bumper --json
+check "words are texts in JSON" test "$(grep -c '"contact.law": "hertz"}' "$tmp/out")" -eq 12
 echo "1..$n"

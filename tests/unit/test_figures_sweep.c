@@ -39,8 +39,9 @@ static void fill(struct sample *s, int naxes)
     }
     for (int i = 0; i < DEPTHS; i++)
         s->depth[i] = 0.01 * i;
-    s->axis[0] = (struct thud_sweep_axis){"gap", &length, GAPS, s->gap, s->text};
-    s->axis[1] = (struct thud_sweep_axis){"bumper.cavity", &length, DEPTHS, s->depth, s->text};
+    s->axis[0] = (struct thud_sweep_axis){.key = "gap", .param = &length, .n = GAPS, .value = s->gap, .text = s->text};
+    s->axis[1] = (struct thud_sweep_axis){
+        .key = "bumper.cavity", .param = &length, .n = DEPTHS, .value = s->depth, .text = s->text};
     s->table = (struct thud_sweep_table){.nrecords = RECORDS,
                                          .nstructures = 3,
                                          .naxes = naxes,
@@ -226,6 +227,7 @@ START_TEST(words_stand_where_there_are_no_numbers)
     struct sample *s = malloc(sizeof *s);
     fill(s, 1);
     s->axis[0].param = &choice;
+    s->axis[0].words = true;
     for (int i = 0; i < GAPS; i++)
         s->gap[i] = i;
     for (size_t i = 0; i < s->table.nrows; i++)
@@ -237,7 +239,36 @@ START_TEST(words_stand_where_there_are_no_numbers)
     ck_assert_str_eq(axis->label, "Impact law");
     ck_assert(near(figure->panel[0].series[0]->x[2], 3.0));
     ck_assert(near(figure->panel[0].series[0]->y[2], mark(0, 1, 2, 0, 0, 0)));
+    ck_assert(axis->least == 0.5 && axis->most == GAPS + 0.5);
     thud_figure_free(figure);
+    free(s);
+}
+END_TEST
+
+/* The same map with words on one side: the same numbers, but no line of equal ratio, for nothing lies between words. */
+START_TEST(no_line_runs_between_words)
+{
+    struct sample *s = malloc(sizeof *s);
+    fill(s, 2);
+    for (int words = 0; words <= 1; words++) {
+        if (words) {
+            s->axis[1].param = &choice;
+            s->axis[1].words = true;
+            for (int i = 0; i < DEPTHS; i++)
+                s->depth[i] = i;
+            for (size_t i = 0; i < s->table.nrows; i++)
+                s->row[i].value[1] = round(100 * s->row[i].value[1]);
+        }
+        struct thud_figure *figure = thud_figure_of_map(&s->table, 0, THUD_CASE_BUMPER, "x");
+        const struct thud_map *map = figure->panel[0].map;
+        for (int a = 0; a < GAPS; a++)
+            for (int b = 0; b < DEPTHS; b++)
+                ck_assert(near(map->z[b * GAPS + a], mark(0, 1, a, b, 0, 0)));
+        ck_assert(near(map->y[1], words ? 2.0 : 1.0));
+        ck_assert_int_eq(isnan(map->level), words);
+        ck_assert_int_eq(strstr(figure->note, "line") != NULL, !words);
+        thud_figure_free(figure);
+    }
     free(s);
 }
 END_TEST
@@ -254,6 +285,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, contacts_are_summed_and_compared);
     tcase_add_test(tcase, the_list_holds_each_figure_once);
     tcase_add_test(tcase, words_stand_where_there_are_no_numbers);
+    tcase_add_test(tcase, no_line_runs_between_words);
     suite_add_tcase(suite, tcase);
     return suite;
 }
