@@ -12,6 +12,7 @@ release  := -O3 -DNDEBUG
 debug    := -O0 -g3
 asan     := -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
 coverage := -O1 -g -fno-early-inlining --coverage
+valgrind := -O1 -g
 analyze  := -O1 -fanalyzer -Wno-analyzer-malloc-leak -fdiagnostics-plain-output -Werror
 fuzz     := -O1 -g -fno-omit-frame-pointer -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all
 WARN     := -Wall -Wextra -Wpedantic -Wshadow -Wconversion $(if $(CI),-Werror)
@@ -117,8 +118,9 @@ debug: ## build/debug/thud: no optimisation, asserts on
 asan: ## every test under the address and undefined-behaviour sanitizers
 	@CK_FORK=no $(MAKE) --no-print-directory VARIANT=asan test
 valgrind: ## the unit tests and the command line's under valgrind's memcheck
-	@$(MAKE) --no-print-directory VARIANT=debug units all
-	@tests/tools/valgrind.sh build/debug
+	@tests/tools/install-deps.sh test valgrind
+	@$(MAKE) --no-print-directory VARIANT=valgrind units all
+	@tests/tools/valgrind.sh build/valgrind
 coverage: ## lines and branches that the tests pass through, by layer and file
 	@find build/coverage -name '*.gcda' -delete 2>/dev/null; CK_TIMEOUT_MULTIPLIER=8 TEST_SECONDS=3000 $(MAKE) --no-print-directory VARIANT=coverage test; tests=$$?; \
 	    tests/tools/coverage.sh build/coverage && exit $$tests
