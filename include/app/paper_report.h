@@ -5,7 +5,7 @@
 #include "base/text.h"
 #include "plot/figures_paper.h"
 #include "study/scene.h"
-#include "study/sweep_row.h"
+#include "study/sweep_table.h"
 
 struct thud_paper_record {
     const char *name, *file;

@@ -5,7 +5,7 @@
 #include "core/run.h"
 #include "plot/figures_run.h"
 #include "plot/gnuplot.h"
-#include "study/sweep_row.h"
+#include "study/sweep_table.h"
 
 /* A finished run with history and impacts as a source of figures; everything stays where it is. */
 struct thud_figure_source thud_run_source(const char *name, const struct thud_scene *scene, const struct thud_run *run);

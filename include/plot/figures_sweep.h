@@ -3,7 +3,7 @@
 #define THUD_PLOT_FIGURES_SWEEP_H
 
 #include "plot/figure.h"
-#include "study/sweep_row.h"
+#include "study/sweep_table.h"
 
 /* Amplification of the peak floor accelerations and interstorey deflections against the first varied key, a curve per
  * floor, a column of panels per structure, for one record and case. `title` may be NULL: made from record and case. */

@@ -2,7 +2,7 @@
 #ifndef THUD_STUDY_SWEEP_BEST_H
 #define THUD_STUDY_SWEEP_BEST_H
 
-#include "study/sweep_row.h"
+#include "study/sweep_table.h"
 
 /* What is made small: the largest, over the structures, of the ratio of the mean peak accelerations. */
 struct thud_sweep_best {

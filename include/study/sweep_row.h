@@ -74,18 +74,4 @@ struct thud_sweep_need_row {
     double correlation; /* of ddc */
 };
 
-/* A whole study in memory, for figures. */
-struct thud_sweep_table {
-    int nrecords, nstructures, naxes;
-    double sensitivity;                 /* of the rows' spread; 0: they have none */
-    const char *const *record;          /* (nrecords) names */
-    const char *const *structure;       /* (nstructures) names */
-    const struct thud_sweep_axis *axis; /* (naxes) */
-    size_t nrows, ncontacts, nneeds;
-    const struct thud_sweep_row
-        *row; /* (nrows): by record, then parameters (the last axis fastest), case, structure, floor from 0 */
-    const struct thud_sweep_contact_row *contact; /* (ncontacts) */
-    const struct thud_sweep_need_row *need;       /* (nneeds) */
-};
-
 #endif

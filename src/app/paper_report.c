@@ -91,22 +91,24 @@ static struct extremes extremes_of(const struct thud_sweep_table *table, int rec
                                    int structure, int floor, bool drift)
 {
     struct extremes e = {INFINITY, NAN, -INFINITY, NAN, 0, 0, 0};
-    for (size_t i = 0; i < table->nrows; i++) {
-        const struct thud_sweep_row *row = &table->row[i];
-        double ratio = drift ? row->drift_ratio : row->acceleration_ratio;
-        if (row->record != record || row->which != which || row->structure != structure || row->floor != floor ||
-            isnan(ratio))
+    for (size_t i = 0; i < table->npoints; i++) {
+        const struct thud_sweep_digest *d = table->point[i];
+        int k = d->record == record ? thud_sweep_digest_find(d, which) : -1;
+        const struct thud_sweep_ratio *x =
+            k >= 0 ? thud_sweep_digest_ratio(d, k, structure, floor, THUD_SWEEP_VALUE) : NULL;
+        double ratio = x ? drift ? x->drift : x->acceleration : NAN;
+        if (isnan(ratio))
             continue;
         e.n++;
         e.below += ratio < 1.0;
         e.equal += ratio == 1.0;
         if (ratio < e.least) {
             e.least = ratio;
-            e.least_gap_m = row->gap_m;
+            e.least_gap_m = d->gap_m;
         }
         if (ratio > e.most) {
             e.most = ratio;
-            e.most_gap_m = row->gap_m;
+            e.most_gap_m = d->gap_m;
         }
     }
     return e;
@@ -169,23 +171,49 @@ static void means(const struct thud_paper_study *study, enum thud_case which, co
 static void needs(const struct thud_paper_study *study, struct thud_text *out)
 {
     const struct thud_sweep_table *table = study->table;
-    if (table->nneeds == 0)
+    bool any = false;
+    for (int r = 0; r < table->nrecords; r++)
+        any |= table->need && table->need[r].interface > 0;
+    if (!any)
         return;
     thud_text_append(
         out, "\n## The gap at which nothing touches\n\nLargest closing of two floors that move without touching each "
              "other, at the level that needs most, and what the rules of the codes ask for there.\n\n"
              "| ground motion | floor | needed (cm) | ABS (cm) | SRSS (cm) | DDC (cm) |\n|---|---|---|---|---|---|\n");
     for (int r = 0; r < table->nrecords; r++) {
-        const struct thud_sweep_need_row *most = NULL;
-        for (size_t i = 0; i < table->nneeds; i++) {
-            const struct thud_sweep_need_row *row = &table->need[i];
-            if (row->record == r && (!most || row->closing_m > most->closing_m))
-                most = row;
-        }
-        if (most)
+        const struct thud_sweep_need_row *most = &table->need[r];
+        if (most->interface > 0)
             thud_text_append(out, "| %s | %d | %.2f | %.2f | %.2f | %.2f |\n", table->record[r], most->left_floor,
                              1e2 * most->closing_m, 1e2 * most->abs_m, 1e2 * most->srss_m, 1e2 * most->ddc_m);
     }
+}
+
+/* Over all floors, and over all means. */
+struct overall {
+    double least[2], most[2]; /* first record, bumper: accelerations, deflections */
+    double mean[THUD_CASES];  /* sums of the mean acceleration ratios */
+    int n[THUD_CASES];
+};
+
+static void add_run(struct overall *all, const struct thud_sweep_digest *d, int k, int structure)
+{
+    enum thud_case which = d->run[k].which;
+    const struct thud_sweep_ratio *mean = thud_sweep_digest_ratio(d, k, structure, 0, THUD_SWEEP_VALUE), *x;
+    bool floors = d->record == 0 && which == THUD_CASE_BUMPER;
+    for (int f = 1; floors && (x = thud_sweep_digest_ratio(d, k, structure, f, THUD_SWEEP_VALUE)) != NULL; f++)
+        for (int q = 0; q < 2; q++) {
+            all->least[q] = fmin(all->least[q], q ? x->drift : x->acceleration);
+            all->most[q] = fmax(all->most[q], q ? x->drift : x->acceleration);
+        }
+    if (mean && which >= 0 && !isnan(mean->acceleration)) {
+        all->mean[which] += mean->acceleration;
+        all->n[which]++;
+    }
+}
+
+static double width_of(const struct overall *all, int q)
+{
+    return isinf(all->least[q]) ? 0.0 : all->most[q] - all->least[q];
 }
 
 /* What the paper says in words, each with what was found. */
@@ -196,23 +224,11 @@ static void statements(const struct thud_paper_study *study, struct thud_text *o
         return;
     struct extremes top = extremes_of(table, 0, THUD_CASE_BUMPER, 0, 4, false);
     struct extremes second = extremes_of(table, 0, THUD_CASE_BUMPER, 1, 2, false);
-    double spread[2] = {0.0, 0.0}, least[2] = {INFINITY, INFINITY}, most[2] = {0.0, 0.0}, mean[THUD_CASES] = {0.0};
-    int n[THUD_CASES] = {0};
-    for (size_t i = 0; i < table->nrows; i++) {
-        const struct thud_sweep_row *row = &table->row[i];
-        if (row->record == 0 && row->which == THUD_CASE_BUMPER && row->floor > 0) {
-            for (int q = 0; q < 2; q++) {
-                double ratio = q ? row->drift_ratio : row->acceleration_ratio;
-                least[q] = fmin(least[q], ratio);
-                most[q] = fmax(most[q], ratio);
-                spread[q] = most[q] - least[q];
-            }
-        }
-        if (row->floor == 0 && row->which >= 0 && !isnan(row->acceleration_ratio)) {
-            mean[row->which] += row->acceleration_ratio;
-            n[row->which]++;
-        }
-    }
+    struct overall all = {.least = {INFINITY, INFINITY}};
+    for (size_t i = 0; i < table->npoints; i++)
+        for (int k = 0; k < table->point[i]->nruns; k++)
+            for (int s = 0; s < table->nstructures; s++)
+                add_run(&all, table->point[i], k, s);
     thud_text_append(out, "\n## What the paper says, and what was found\n\n| the paper | here |\n|---|---|\n");
     thud_text_append(
         out,
@@ -226,13 +242,13 @@ static void statements(const struct thud_paper_study *study, struct thud_text *o
     thud_text_append(out,
                      "| deflections move less than accelerations | ratios of deflections %.3f to %.3f (width %.3f), of "
                      "accelerations %.3f to %.3f (width %.3f) |\n",
-                     least[1], most[1], spread[1], least[0], most[0], spread[0]);
-    if (n[THUD_CASE_BUMPER] && n[THUD_CASE_CAVITY])
+                     all.least[1], all.most[1], width_of(&all, 1), all.least[0], all.most[0], width_of(&all, 0));
+    if (all.n[THUD_CASE_BUMPER] && all.n[THUD_CASE_CAVITY])
         thud_text_append(
             out,
             "| the cavity lowers the ratios substantially | mean over all gaps, buildings and motions %.3f with the "
             "bumper on the wall, %.3f in the cavity |\n",
-            mean[THUD_CASE_BUMPER] / n[THUD_CASE_BUMPER], mean[THUD_CASE_CAVITY] / n[THUD_CASE_CAVITY]);
+            all.mean[THUD_CASE_BUMPER] / all.n[THUD_CASE_BUMPER], all.mean[THUD_CASE_CAVITY] / all.n[THUD_CASE_CAVITY]);
 }
 
 static void record_difference(const struct thud_paper_study *study, struct thud_text *out)

@@ -27,7 +27,7 @@ static void put_value(const struct thud_sweep_axis *axis, double value, char *te
     snprintf(text, size, "-");
 }
 
-/* The varied keys of a row; `but`: an axis left out, -1 for none. */
+/* The varied keys; `but`: an axis left out, -1 for none. */
 static const char *place(const struct thud_sweep_plan *plan, const double *value, int but, char text[PLACE])
 {
     size_t used = 0;
@@ -42,25 +42,29 @@ static const char *place(const struct thud_sweep_plan *plan, const double *value
     return text;
 }
 
-/* Least and largest of one ratio, and the rows they are of. */
-struct span {
-    const struct thud_sweep_row *least, *most;
-};
-
-static double mean_ratio(const struct thud_sweep_row *row, bool drift)
+static const char *place_of(const struct thud_sweep_plan *plan, const struct thud_sweep_digest *d, char text[PLACE])
 {
-    return drift ? row->drift_ratio : row->acceleration_ratio;
+    double value[THUD_VARY_MAX] = {0};
+    for (int a = 0; a < plan->naxes; a++)
+        value[a] = plan->axis[a].value[d->at[a]];
+    return place(plan, value, -1, text);
 }
 
-static void widen(struct span *span, const struct thud_sweep_row *row, bool drift)
+/* Least and largest of a ratio, and where the largest is. */
+struct span {
+    double least, most;
+    int floor;
+    const struct thud_sweep_digest *at; /* NULL: there is none */
+};
+
+static void widen(struct span *span, double x, const struct thud_sweep_digest *d, int floor)
 {
-    double x = mean_ratio(row, drift);
     if (isnan(x))
         return;
-    if (!span->least || x < mean_ratio(span->least, drift))
-        span->least = row;
-    if (!span->most || x > mean_ratio(span->most, drift))
-        span->most = row;
+    if (!span->at || x < span->least)
+        span->least = x;
+    if (!span->at || x > span->most)
+        *span = (struct span){span->at ? span->least : x, x, floor, d};
 }
 
 static void put_structure(const struct thud_sweep_plan *plan, const struct thud_sweep_table *table, int record,
@@ -68,33 +72,31 @@ static void put_structure(const struct thud_sweep_plan *plan, const struct thud_
 {
     struct span mean = {0}, floor = {0}, drift = {0};
     char at[PLACE];
-    for (size_t i = 0; i < table->nrows; i++) {
-        const struct thud_sweep_row *row = &table->row[i];
-        if (row->record != record || row->which != which || row->structure != structure)
-            continue;
-        widen(row->floor == 0 ? &mean : &floor, row, false);
-        if (row->floor == 0)
-            widen(&drift, row, true);
+    for (size_t i = 0; i < table->npoints; i++) {
+        const struct thud_sweep_digest *d = table->point[i];
+        const struct thud_sweep_ratio *x;
+        int k = d->record == record ? thud_sweep_digest_find(d, which) : -1;
+        for (int f = 0; k >= 0 && (x = thud_sweep_digest_ratio(d, k, structure, f, THUD_SWEEP_VALUE)) != NULL; f++) {
+            widen(f == 0 ? &mean : &floor, x->acceleration, d, f);
+            if (f == 0)
+                widen(&drift, x->drift, d, f);
+        }
     }
-    if (!mean.least || !floor.most)
+    if (!mean.at || !floor.at)
         return;
     thud_text_append(out, "  %-8s %-10.10s %6.3f to %6.3f  %6.3f on floor %-3d", thud_case_name(which),
-                     plan->scene.structure[structure].name, mean.least->acceleration_ratio,
-                     mean.most->acceleration_ratio, floor.most->acceleration_ratio, floor.most->floor);
-    if (drift.least)
-        thud_text_append(out, "  %6.3f to %6.3f", drift.least->drift_ratio, drift.most->drift_ratio);
+                     plan->scene.structure[structure].name, mean.least, mean.most, floor.most, floor.floor);
+    if (drift.at)
+        thud_text_append(out, "  %6.3f to %6.3f", drift.least, drift.most);
     else
         thud_text_append(out, "  %16s", "");
-    thud_text_append(out, "  %s\n", place(plan, floor.most->value, -1, at));
+    thud_text_append(out, "  %s\n", place_of(plan, floor.at, at));
 }
 
 static void put_need(const struct thud_sweep_table *table, int record, struct thud_text *out)
 {
-    const struct thud_sweep_need_row *worst = NULL;
-    for (size_t i = 0; i < table->nneeds; i++)
-        if (table->need[i].record == record && (!worst || table->need[i].closing_m > worst->closing_m))
-            worst = &table->need[i];
-    if (!worst)
+    const struct thud_sweep_need_row *worst = table->need ? &table->need[record] : NULL;
+    if (!worst || worst->interface == 0)
         return;
     thud_text_append(
         out, "  needed gap %.2f cm (interface %d, floors %d and %d); ABS %.2f, SRSS %.2f, DDC %.2f cm (rho %.3f)\n",
@@ -102,32 +104,48 @@ static void put_need(const struct thud_sweep_table *table, int record, struct th
         100 * worst->srss_m, 100 * worst->ddc_m, worst->correlation);
 }
 
-/* The widest spread of a ratio of a case, against the ratio. */
+/* Where the spread of a ratio is widest, against the ratio. */
+struct widest {
+    const struct thud_sweep_digest *at; /* NULL: there is none */
+    int run, structure, floor;
+    double change;
+};
+
+static void compare_spread(struct widest *widest, const struct thud_sweep_digest *d, int k, int nstructures)
+{
+    for (int s = 0; s < nstructures; s++)
+        for (int f = 0; thud_sweep_digest_ratio(d, k, s, f, THUD_SWEEP_LOW); f++) {
+            double x = thud_sweep_digest_ratio(d, k, s, f, THUD_SWEEP_VALUE)->acceleration;
+            double low = thud_sweep_digest_ratio(d, k, s, f, THUD_SWEEP_LOW)->acceleration;
+            double high = thud_sweep_digest_ratio(d, k, s, f, THUD_SWEEP_HIGH)->acceleration;
+            double change = fmax(high / x - 1, 1 - low / x);
+            if (change > widest->change)
+                *widest = (struct widest){d, k, s, f, change};
+        }
+}
+
 static void put_spread(const struct thud_sweep_plan *plan, const struct thud_sweep_table *table, int record,
                        enum thud_case which, struct thud_text *out)
 {
-    const struct thud_sweep_row *widest = NULL;
-    double most = 0;
+    struct widest w = {0};
     char at[PLACE];
-    for (size_t i = 0; i < table->nrows; i++) {
-        const struct thud_sweep_row *row = &table->row[i];
-        double low = row->low[THUD_SWEEP_ACCELERATION_RATIO], high = row->high[THUD_SWEEP_ACCELERATION_RATIO];
-        double change = fmax(high / row->acceleration_ratio - 1, 1 - low / row->acceleration_ratio);
-        if (row->record != record || row->which != which || !(change > most))
-            continue;
-        widest = row;
-        most = change;
+    for (size_t i = 0; i < table->npoints; i++) {
+        const struct thud_sweep_digest *d = table->point[i];
+        int k = d->record == record ? thud_sweep_digest_find(d, which) : -1;
+        if (k >= 0)
+            compare_spread(&w, d, k, table->nstructures);
     }
-    if (!widest)
+    if (!w.at)
         return;
-    int digits = thud_spread_digits(most);
+    int digits = thud_spread_digits(w.change);
     thud_text_append(out, "  %-8s widest spread %.3g to %.3g, of ", thud_case_name(which),
-                     widest->low[THUD_SWEEP_ACCELERATION_RATIO], widest->high[THUD_SWEEP_ACCELERATION_RATIO]);
-    if (widest->floor > 0)
-        thud_text_append(out, "%.20s floor %d", plan->scene.structure[widest->structure].name, widest->floor);
+                     thud_sweep_digest_ratio(w.at, w.run, w.structure, w.floor, THUD_SWEEP_LOW)->acceleration,
+                     thud_sweep_digest_ratio(w.at, w.run, w.structure, w.floor, THUD_SWEEP_HIGH)->acceleration);
+    if (w.floor > 0)
+        thud_text_append(out, "%.20s floor %d", plan->scene.structure[w.structure].name, w.floor);
     else
-        thud_text_append(out, "%.20s's mean", plan->scene.structure[widest->structure].name);
-    thud_text_append(out, " at %s: ", place(plan, widest->value, -1, at));
+        thud_text_append(out, "%.20s's mean", plan->scene.structure[w.structure].name);
+    thud_text_append(out, " at %s: ", place_of(plan, w.at, at));
     if (digits == 0)
         thud_text_append(out, "no digit means anything\n");
     else
@@ -136,8 +154,8 @@ static void put_spread(const struct thud_sweep_plan *plan, const struct thud_swe
 
 static bool has_rows(const struct thud_sweep_table *table, int record, enum thud_case which)
 {
-    for (size_t i = 0; i < table->nrows; i++)
-        if (table->row[i].record == record && table->row[i].which == which)
+    for (size_t i = 0; i < table->npoints; i++)
+        if (table->point[i]->record == record && thud_sweep_digest_find(table->point[i], which) >= 0)
             return true;
     return false;
 }

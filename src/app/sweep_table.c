@@ -17,49 +17,63 @@ void thud_sweep_collector_init(struct thud_sweep_collector *collector, const str
                                                  .axis = plan->axis};
 }
 
-/* Room for `more` beyond n; false when out of memory. */
-static bool reserve(void *array, size_t *room, size_t n, int more, size_t size)
+/* Room for one more point; false when out of memory. */
+static bool reserve(struct thud_sweep_collector *c)
 {
-    void **place = array;
-    size_t need = n + (size_t)(more > 0 ? more : 0), want = *room ? *room : 256;
-    if (need <= *room)
-        return true;
-    while (want < need)
-        want *= 2;
-    void *larger = realloc(*place, want * size);
+    if (!c->need)
+        c->need = calloc((size_t)c->table.nrecords, sizeof *c->need);
+    if (c->table.npoints < c->room)
+        return c->need != NULL;
+    size_t room = c->room ? 2 * c->room : 64;
+    struct thud_sweep_digest **larger = realloc(c->point, room * sizeof *larger);
     if (!larger)
         return false;
-    *place = larger;
-    *room = want;
-    return true;
+    c->point = larger;
+    c->room = room;
+    return c->need != NULL;
+}
+
+/* Keeps the level that needs the widest gap of each record. */
+static enum thud_status add_needs(struct thud_sweep_collector *c, const struct thud_sweep_plan *plan,
+                                  const struct thud_sweep_point *point, struct thud_error *err)
+{
+    int n = thud_sweep_need_rows(plan, point, NULL);
+    struct thud_sweep_need_row *row = n > 0 ? malloc((size_t)n * sizeof *row) : NULL;
+    if (n > 0 && !row)
+        return thud_error_set(err, THUD_MEMORY, "out of memory for the rows of the study");
+    n = row ? thud_sweep_need_rows(plan, point, row) : 0;
+    for (int i = 0; i < n; i++) {
+        struct thud_sweep_need_row *most = &c->need[row[i].record];
+        if (most->interface == 0 || row[i].closing_m > most->closing_m)
+            *most = row[i];
+    }
+    free(row);
+    return THUD_OK;
 }
 
 enum thud_status thud_sweep_collector_add(struct thud_sweep_collector *c, const struct thud_sweep_plan *plan,
                                           const struct thud_sweep_point *point, struct thud_error *err)
 {
-    struct thud_sweep_table *t = &c->table;
-    int rows = thud_sweep_rows(plan, point, NULL), contacts = thud_sweep_contact_rows(plan, point, NULL),
-        needs = thud_sweep_need_rows(plan, point, NULL);
-    if (!reserve(&c->row, &c->rows_room, t->nrows, rows, sizeof *c->row) ||
-        !reserve(&c->contact, &c->contacts_room, t->ncontacts, contacts, sizeof *c->contact) ||
-        !reserve(&c->need, &c->needs_room, t->nneeds, needs, sizeof *c->need))
+    struct thud_sweep_digest *digest = NULL;
+    if (!reserve(c))
         return thud_error_set(err, THUD_MEMORY, "out of memory for the rows of the study");
-    if (rows > 0)
-        t->nrows += (size_t)thud_sweep_rows(plan, point, c->row + t->nrows);
-    if (contacts > 0)
-        t->ncontacts += (size_t)thud_sweep_contact_rows(plan, point, c->contact + t->ncontacts);
-    if (needs > 0)
-        t->nneeds += (size_t)thud_sweep_need_rows(plan, point, c->need + t->nneeds);
-    t->row = c->row;
-    t->contact = c->contact;
-    t->need = c->need;
-    return THUD_OK;
+    enum thud_status status = add_needs(c, plan, point, err);
+    if (status == THUD_OK)
+        status = thud_sweep_digest_make(plan, point, &digest, err);
+    if (digest) {
+        c->point[c->table.npoints++] = digest;
+        c->table.nrows += (size_t)digest->nruns * (size_t)digest->nrows;
+    }
+    c->table.point = c->point;
+    c->table.need = c->need;
+    return status;
 }
 
 void thud_sweep_collector_clear(struct thud_sweep_collector *collector)
 {
-    free(collector->row);
-    free(collector->contact);
+    for (size_t i = 0; i < collector->table.npoints; i++)
+        free(collector->point[i]);
+    free(collector->point);
     free(collector->need);
     *collector = (struct thud_sweep_collector){0};
 }

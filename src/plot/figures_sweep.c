@@ -12,9 +12,18 @@ enum quantity { ACCELERATION, DRIFT };
 
 static const char *const ratio_label[] = {"Peak acceleration ratio", "Peak deflection ratio"};
 
-static double ratio(const struct thud_sweep_row *row, enum quantity q)
+/* The runs of a curve or a map: one of each point of a record. */
+struct wanted {
+    int record, structure, floor;
+    enum thud_case which;
+};
+
+/* A point's number for them; NaN where it has none. */
+static double ratio(const struct thud_sweep_digest *d, const struct wanted *w, enum thud_sweep_end end, enum quantity q)
 {
-    return q == ACCELERATION ? row->acceleration_ratio : row->drift_ratio;
+    int k = thud_sweep_digest_find(d, w->which);
+    const struct thud_sweep_ratio *x = k >= 0 ? thud_sweep_digest_ratio(d, k, w->structure, w->floor, end) : NULL;
+    return !x ? NAN : q == ACCELERATION ? x->acceleration : x->drift;
 }
 
 /* A case as a reader calls it. */
@@ -27,10 +36,10 @@ static const char *case_title(enum thud_case which)
 }
 
 /* Only the first value of every key past the first `free` ones is drawn. */
-static bool drawn(const struct thud_sweep_table *table, const double *value, int free)
+static bool drawn(const struct thud_sweep_table *table, const struct thud_sweep_digest *d, int free)
 {
     for (int a = free; a < table->naxes; a++) {
-        if (value[a] != table->axis[a].value[0])
+        if (d->at[a] != 0)
             return false;
     }
     return true;
@@ -38,8 +47,8 @@ static bool drawn(const struct thud_sweep_table *table, const double *value, int
 
 static bool has_case(const struct thud_sweep_table *table, enum thud_case which)
 {
-    for (size_t i = 0; i < table->nrows; i++) {
-        if (table->row[i].which == which)
+    for (size_t i = 0; i < table->npoints; i++) {
+        if (thud_sweep_digest_find(table->point[i], which) >= 0)
             return true;
     }
     return false;
@@ -47,12 +56,12 @@ static bool has_case(const struct thud_sweep_table *table, enum thud_case which)
 
 static int floors_of(const struct thud_sweep_table *table, int structure)
 {
-    int floors = 0;
-    for (size_t i = 0; i < table->nrows; i++) {
-        if (table->row[i].structure == structure && table->row[i].floor > floors)
-            floors = table->row[i].floor;
+    int most = 0;
+    for (size_t i = 0; i < table->npoints; i++) {
+        int floors = thud_sweep_digest_floors(table->point[i], structure);
+        most = floors > most ? floors : most;
     }
-    return floors;
+    return most;
 }
 
 /* Structures that have floors, at most COLUMNS_MAX of them; returns how many. */
@@ -85,15 +94,6 @@ static double factor_of(const struct thud_sweep_axis *axis)
 static double place(const struct thud_sweep_axis *axis, int i)
 {
     return numbers(axis) ? axis->value[i] * factor_of(axis) : i + 1.0;
-}
-
-static int find_value(const struct thud_sweep_axis *axis, double value)
-{
-    for (int i = 0; i < axis->n; i++) {
-        if (axis->value[i] == value)
-            return i;
-    }
-    return -1;
 }
 
 static void varied_axis(struct thud_panel *panel, enum thud_side side, const struct thud_sweep_axis *axis)
@@ -130,28 +130,14 @@ static void ratio_axes(struct thud_panel *panel, const struct thud_sweep_table *
     thud_panel_mark(panel, THUD_Y, 1.0, 1.0, "");
 }
 
-static double low_of(const struct thud_sweep_row *row, enum quantity q)
+/* Whether a point is on a curve. */
+static bool is_on(const struct thud_sweep_table *table, const struct wanted *w, const struct thud_sweep_digest *d)
 {
-    return row->low[q == ACCELERATION ? THUD_SWEEP_ACCELERATION_RATIO : THUD_SWEEP_DRIFT_RATIO];
-}
-
-static double high_of(const struct thud_sweep_row *row, enum quantity q)
-{
-    return row->high[q == ACCELERATION ? THUD_SWEEP_ACCELERATION_RATIO : THUD_SWEEP_DRIFT_RATIO];
-}
-
-/* The row of a curve at a value of the axis: its index, -1 for rows of other curves. */
-static int place_on(const struct thud_sweep_table *table, const struct thud_sweep_row *wanted,
-                    const struct thud_sweep_row *row)
-{
-    if (row->record != wanted->record || row->which != wanted->which || row->structure != wanted->structure ||
-        row->floor != wanted->floor || !drawn(table, row->value, 1))
-        return -1;
-    return find_value(&table->axis[0], row->value[0]);
+    return d->record == w->record && drawn(table, d, 1);
 }
 
 /* The spread of a curve, behind all curves: a band, or a bar for each of the words of a list. */
-static void ratio_shade(struct thud_panel *panel, const struct thud_sweep_table *table, struct thud_sweep_row wanted,
+static void ratio_shade(struct thud_panel *panel, const struct thud_sweep_table *table, const struct wanted *wanted,
                         enum quantity q, const char *name, int color)
 {
     const struct thud_sweep_axis *axis = &table->axis[0];
@@ -166,16 +152,16 @@ static void ratio_shade(struct thud_panel *panel, const struct thud_sweep_table 
         series->x[i] = place(axis, (int)(i / each)) + (each > 1 ? 0.2 * ((double)(i % each) - 0.5) : 0);
         series->y[i] = series->y_high[i] = NAN;
     }
-    for (size_t i = 0; i < table->nrows; i++) {
-        int at = place_on(table, &wanted, &table->row[i]);
-        for (size_t k = 0; at >= 0 && k < (each > 1 ? 2 : 1); k++) {
-            series->y[(size_t)at * each + k] = low_of(&table->row[i], q);
-            series->y_high[(size_t)at * each + k] = high_of(&table->row[i], q);
+    for (size_t i = 0; i < table->npoints; i++) {
+        const struct thud_sweep_digest *d = table->point[i];
+        for (size_t k = 0; is_on(table, wanted, d) && k < (each > 1 ? 2 : 1); k++) {
+            series->y[(size_t)d->at[0] * each + k] = ratio(d, wanted, THUD_SWEEP_LOW, q);
+            series->y_high[(size_t)d->at[0] * each + k] = ratio(d, wanted, THUD_SWEEP_HIGH, q);
         }
     }
 }
 
-static void ratio_line(struct thud_panel *panel, const struct thud_sweep_table *table, struct thud_sweep_row wanted,
+static void ratio_line(struct thud_panel *panel, const struct thud_sweep_table *table, const struct wanted *wanted,
                        enum quantity q, const char *name, int color)
 {
     const struct thud_sweep_axis *axis = &table->axis[0];
@@ -187,10 +173,10 @@ static void ratio_line(struct thud_panel *panel, const struct thud_sweep_table *
         series->x[i] = place(axis, i);
         series->y[i] = NAN;
     }
-    for (size_t i = 0; i < table->nrows; i++) {
-        int at = place_on(table, &wanted, &table->row[i]);
-        if (at >= 0)
-            series->y[at] = ratio(&table->row[i], q);
+    for (size_t i = 0; i < table->npoints; i++) {
+        const struct thud_sweep_digest *d = table->point[i];
+        if (is_on(table, wanted, d))
+            series->y[d->at[0]] = ratio(d, wanted, THUD_SWEEP_VALUE, q);
     }
 }
 
@@ -235,10 +221,9 @@ struct thud_figure *thud_figure_by_floor(const struct thud_sweep_table *table, i
             int first = floors - (floors - 1) / step * step, curves = (floors - first) / step + 1;
             for (int i = 0; i < 2 * curves; i++) {
                 int f = first + i % curves * step;
-                struct thud_sweep_row wanted = {
-                    .record = record, .which = which, .structure = structure[c], .floor = f};
+                struct wanted wanted = {.record = record, .which = which, .structure = structure[c], .floor = f};
                 snprintf(text, sizeof text, "floor %d", f);
-                (i < curves ? ratio_shade : ratio_line)(panel, table, wanted, (enum quantity)q, text, f - 1);
+                (i < curves ? ratio_shade : ratio_line)(panel, table, &wanted, (enum quantity)q, text, f - 1);
             }
             snprintf(text, sizeof text, "Every %d. floor of %d", step, floors);
             if (step > 1)
@@ -266,8 +251,8 @@ struct thud_figure *thud_figure_of_means(const struct thud_sweep_table *table, e
             int curves = table->nrecords < CURVES_MAX ? table->nrecords : CURVES_MAX;
             for (int i = 0; i < 2 * curves; i++) {
                 int r = i % curves;
-                struct thud_sweep_row wanted = {.record = r, .which = which, .structure = structure[c], .floor = 0};
-                (i < curves ? ratio_shade : ratio_line)(panel, table, wanted, (enum quantity)q, table->record[r], r);
+                struct wanted wanted = {.record = r, .which = which, .structure = structure[c], .floor = 0};
+                (i < curves ? ratio_shade : ratio_line)(panel, table, &wanted, (enum quantity)q, table->record[r], r);
             }
         }
     }
@@ -294,15 +279,11 @@ static void contact_line(struct thud_panel *panel, const struct thud_sweep_table
         series->x[i] = place(axis, i);
         series->y[i] = NAN;
     }
-    for (size_t i = 0; i < table->ncontacts; i++) {
-        const struct thud_sweep_contact_row *row = &table->contact[i];
-        int at = find_value(axis, row->value[0]);
-        if (row->record != record || row->which != which || at < 0 || !drawn(table, row->value, 1))
-            continue;
-        if (impacts)
-            series->y[at] = (isnan(series->y[at]) ? 0.0 : series->y[at]) + row->impacts;
-        else
-            series->y[at] = fmax(isnan(series->y[at]) ? 0.0 : series->y[at], 1e-6 * row->force_n);
+    for (size_t i = 0; i < table->npoints; i++) {
+        const struct thud_sweep_digest *d = table->point[i];
+        int k = d->record == record && d->touches && drawn(table, d, 1) ? thud_sweep_digest_find(d, which) : -1;
+        if (k >= 0)
+            series->y[d->at[0]] = impacts ? d->run[k].impacts : 1e-6 * d->run[k].force_n;
     }
 }
 
@@ -328,7 +309,7 @@ struct thud_figure *thud_figure_of_contacts(const struct thud_sweep_table *table
 
 /* ---- two parameters ---- */
 
-static void fill_map(struct thud_panel *panel, const struct thud_sweep_table *table, struct thud_sweep_row wanted,
+static void fill_map(struct thud_panel *panel, const struct thud_sweep_table *table, const struct wanted *wanted,
                      enum quantity q)
 {
     const struct thud_sweep_axis *on_x = &table->axis[0], *on_y = &table->axis[1];
@@ -347,12 +328,10 @@ static void fill_map(struct thud_panel *panel, const struct thud_sweep_table *ta
     }
     map->centre = 1.0;
     map->level = numbers(on_x) && numbers(on_y) ? 1.0 : NAN; /* nothing lies between words */
-    for (size_t i = 0; i < table->nrows; i++) {
-        const struct thud_sweep_row *row = &table->row[i];
-        int a = find_value(on_x, row->value[0]), b = find_value(on_y, row->value[1]);
-        if (row->record == wanted.record && row->which == wanted.which && row->structure == wanted.structure &&
-            row->floor == wanted.floor && a >= 0 && b >= 0 && drawn(table, row->value, 2))
-            map->z[(size_t)b * map->nx + (size_t)a] = ratio(row, q);
+    for (size_t i = 0; i < table->npoints; i++) {
+        const struct thud_sweep_digest *d = table->point[i];
+        if (d->record == wanted->record && drawn(table, d, 2))
+            map->z[(size_t)d->at[1] * map->nx + (size_t)d->at[0]] = ratio(d, wanted, THUD_SWEEP_VALUE, q);
     }
 }
 
@@ -369,8 +348,8 @@ struct thud_figure *thud_figure_of_map(const struct thud_sweep_table *table, int
             struct thud_panel *panel = thud_figure_panel(figure, q, c, table->structure[structure[c]]);
             varied_axis(panel, THUD_X, &table->axis[0]);
             varied_axis(panel, THUD_Y, &table->axis[1]);
-            struct thud_sweep_row wanted = {.record = record, .which = which, .structure = structure[c], .floor = 0};
-            fill_map(panel, table, wanted, (enum quantity)q);
+            struct wanted wanted = {.record = record, .which = which, .structure = structure[c], .floor = 0};
+            fill_map(panel, table, &wanted, (enum quantity)q);
         }
     }
     bool line = numbers(&table->axis[0]) && numbers(&table->axis[1]);
@@ -386,11 +365,23 @@ struct thud_figure *thud_figure_of_map(const struct thud_sweep_table *table, int
 /* Whether ratios of the scene as written are to something else than itself. */
 static bool has_ratios(const struct thud_sweep_table *table)
 {
-    for (size_t i = 0; i < table->nrows; i++) {
-        const struct thud_sweep_row *row = &table->row[i];
-        if (row->which == THUD_CASE_AS_WRITTEN && isfinite(row->acceleration_ratio) && row->acceleration_ratio != 1)
-            return true;
+    for (size_t i = 0; i < table->npoints; i++) {
+        const struct thud_sweep_digest *d = table->point[i];
+        const struct thud_sweep_ratio *x;
+        int k = thud_sweep_digest_find(d, THUD_CASE_AS_WRITTEN);
+        for (int s = 0; k >= 0 && s < table->nstructures; s++)
+            for (int f = 0; (x = thud_sweep_digest_ratio(d, k, s, f, THUD_SWEEP_VALUE)) != NULL; f++)
+                if (isfinite(x->acceleration) && x->acceleration != 1)
+                    return true;
     }
+    return false;
+}
+
+static bool has_contacts(const struct thud_sweep_table *table)
+{
+    for (size_t i = 0; i < table->npoints; i++)
+        if (table->point[i]->touches)
+            return true;
     return false;
 }
 
@@ -412,7 +403,7 @@ int thud_sweep_figure_count(const struct thud_sweep_table *table)
     if (table->naxes == 0 || table->nrows == 0)
         return 0;
     return compared(table, which) * (table->nrecords + (table->naxes == 1)) +
-           (table->naxes == 1 && table->ncontacts > 0 ? table->nrecords : 0);
+           (table->naxes == 1 && has_contacts(table) ? table->nrecords : 0);
 }
 
 struct thud_figure *thud_sweep_figure(const struct thud_sweep_table *table, int index)

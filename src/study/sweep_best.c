@@ -17,14 +17,6 @@ struct grid {
     struct cell *cell; /* (records x THUD_CASES + 1 x others x n[axis]) */
 };
 
-static int index_of(const struct thud_sweep_axis *axis, double value)
-{
-    for (int i = 0; i < axis->n; i++)
-        if (axis->value[i] == value)
-            return i;
-    return -1;
-}
-
 static struct cell *cell_at(const struct grid *g, int record, int which, long other, int at)
 {
     return &g->cell[((((long)record * (THUD_CASES + 1) + which + 1) * g->others) + other) * g->n[g->axis] + at];
@@ -38,22 +30,21 @@ static double larger(double a, double b)
 static void fill(const struct grid *g)
 {
     const struct thud_sweep_table *t = g->table;
-    for (size_t i = 0; i < t->nrows; i++) {
-        const struct thud_sweep_row *row = &t->row[i];
+    for (size_t i = 0; i < t->npoints; i++) {
+        const struct thud_sweep_digest *d = t->point[i];
         long other = 0;
-        int at = 0, index = 0;
-        for (int a = 0; a < t->naxes && index >= 0; a++) {
-            index = index_of(&t->axis[a], row->value[a]);
-            if (a == g->axis)
-                at = index;
-            else
-                other = other * g->n[a] + index;
+        for (int a = 0; a < t->naxes; a++)
+            other = a == g->axis ? other : other * g->n[a] + d->at[a];
+        for (int k = 0; k < d->nruns; k++) {
+            struct cell *c = cell_at(g, d->record, d->run[k].which, other, d->at[g->axis]);
+            for (int s = 0; s < t->nstructures; s++) {
+                const struct thud_sweep_ratio *mean = thud_sweep_digest_ratio(d, k, s, 0, THUD_SWEEP_VALUE);
+                if (!mean)
+                    continue;
+                c->acceleration = larger(c->acceleration, mean->acceleration);
+                c->drift = larger(c->drift, mean->drift);
+            }
         }
-        if (row->floor != 0 || index < 0 || at < 0)
-            continue;
-        struct cell *c = cell_at(g, row->record, row->which, other, at);
-        c->acceleration = larger(c->acceleration, row->acceleration_ratio);
-        c->drift = larger(c->drift, row->drift_ratio);
     }
 }
 

@@ -5,14 +5,32 @@
 
 #include "study/sweep_best.h"
 
-enum { THICKNESSES = 9, GAPS = 2, RECORDS = 2, STRUCTURES = 2, ROWS = THICKNESSES * GAPS * RECORDS * STRUCTURES };
+enum { THICKNESSES = 9, GAPS = 2, RECORDS = 2, STRUCTURES = 2, POINTS = THICKNESSES * GAPS * RECORDS };
 
 /* ratio = 0.8 + 100 (d - best)^2 for structure 0 and 0.01 less for structure 1; best = 3 cm at the first gap, 6 cm at
- * the second; in the second record 0.1 more and 1 cm to the right. */
-static struct thud_sweep_row row[ROWS];
+ * the second; in the second record 0.1 more and 1 cm to the right. A floor's own ratio counts for nothing. */
+static struct thud_sweep_digest *point[POINTS];
 static double gap[GAPS] = {0.1, 0.2}, thickness[THICKNESSES];
 static struct thud_sweep_table table;
 static struct thud_sweep_axis axis[2];
+
+static struct thud_sweep_digest *make_point(int record, int g, int i)
+{
+    struct thud_sweep_digest *d = thud_sweep_digest_create(1, STRUCTURES, (const int[STRUCTURES]){1, 1}, false);
+    double off = thickness[i] - (g == 0 ? 0.03 : 0.06) - 0.01 * record;
+    ck_assert_ptr_nonnull(d);
+    d->record = record;
+    d->at[0] = g;
+    d->at[1] = i;
+    d->gap_m = gap[g];
+    d->run[0].which = THUD_CASE_BUMPER;
+    for (int s = 0; s < STRUCTURES; s++) {
+        *thud_sweep_digest_ratio(d, 0, s, 0, THUD_SWEEP_VALUE) =
+            (struct thud_sweep_ratio){0.8 + 0.1 * record + 100 * off * off - 0.01 * s, 0.9 + 0.01 * s};
+        *thud_sweep_digest_ratio(d, 0, s, 1, THUD_SWEEP_VALUE) = (struct thud_sweep_ratio){0.1 * i, 7};
+    }
+    return d;
+}
 
 static void set_up(void)
 {
@@ -24,24 +42,20 @@ static void set_up(void)
     for (int r = 0; r < RECORDS; r++)
         for (int g = 0; g < GAPS; g++)
             for (int i = 0; i < THICKNESSES; i++)
-                for (int s = 0; s < STRUCTURES; s++) {
-                    double off = thickness[i] - (g == 0 ? 0.03 : 0.06) - 0.01 * r;
-                    row[n++] = (struct thud_sweep_row){.record = r,
-                                                       .which = THUD_CASE_BUMPER,
-                                                       .gap_m = gap[g],
-                                                       .value = {gap[g], thickness[i]},
-                                                       .structure = s,
-                                                       .acceleration_ratio = 0.8 + 0.1 * r + 100 * off * off - 0.01 * s,
-                                                       .drift_ratio = 0.9 + 0.01 * s};
-                }
+                point[n++] = make_point(r, g, i);
     table = (struct thud_sweep_table){
-        .nrecords = RECORDS, .nstructures = STRUCTURES, .naxes = 2, .axis = axis, .nrows = ROWS, .row = row};
+        .nrecords = RECORDS, .nstructures = STRUCTURES, .naxes = 2, .axis = axis, .npoints = POINTS, .point = point};
+}
+
+static void tear_down(void)
+{
+    for (int i = 0; i < POINTS; i++)
+        free(point[i]);
 }
 
 START_TEST(minimum_and_flat_part)
 {
     struct thud_sweep_best *best;
-    set_up();
     ck_assert_int_eq(thud_sweep_best(&table, 1, &best), GAPS * (RECORDS + 1));
     for (int g = 0; g < GAPS; g++)
         for (int r = 0; r <= RECORDS; r++) {
@@ -67,17 +81,17 @@ END_TEST
 START_TEST(what_has_no_answer_is_passed_over)
 {
     struct thud_sweep_best *best;
-    set_up();
     /* the first record's best value at the first gap had no answer */
-    for (int i = 0; i < ROWS; i++)
-        if (row[i].record == 0 && row[i].gap_m == gap[0] && row[i].value[1] == thickness[3])
-            row[i].acceleration_ratio = row[i].drift_ratio = NAN;
+    for (int i = 0; i < POINTS; i++)
+        if (point[i]->record == 0 && point[i]->at[0] == 0 && point[i]->at[1] == 3)
+            for (int k = 0; k < STRUCTURES; k++)
+                *thud_sweep_digest_ratio(point[i], 0, k, 0, THUD_SWEEP_VALUE) = (struct thud_sweep_ratio){NAN, NAN};
     ck_assert_int_eq(thud_sweep_best(&table, 1, &best), GAPS * (RECORDS + 1));
     ck_assert_double_eq_tol(best[0].ratio, 0.81, 1e-12);
     ck_assert_int_eq(best[0].values, THICKNESSES - 1);
     ck_assert_int_eq(best[2].values, THICKNESSES - 1);
     free(best);
-    table.nrows = 0;
+    table.npoints = 0;
     ck_assert_int_eq(thud_sweep_best(&table, 1, &best), 0);
     free(best);
 }
@@ -88,6 +102,7 @@ Suite *thud_suite(void)
 {
     Suite *suite = suite_create("sweep best");
     TCase *tcase = tcase_create("best");
+    tcase_add_checked_fixture(tcase, set_up, tear_down);
     tcase_add_test(tcase, minimum_and_flat_part);
     tcase_add_test(tcase, what_has_no_answer_is_passed_over);
     suite_add_tcase(suite, tcase);

@@ -1,0 +1,88 @@
+/* What a study keeps of a point for its figures and tables. */
+#include "study/sweep_table.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static size_t ratios_of(int nruns, int nrows, bool spread)
+{
+    return (size_t)nruns * (size_t)nrows * (spread ? 3 : 1);
+}
+
+size_t thud_sweep_digest_size(int nruns, int nstructures, int nrows, bool spread)
+{
+    return sizeof(struct thud_sweep_digest) + (size_t)nruns * sizeof(struct thud_sweep_run) +
+           ratios_of(nruns, nrows, spread) * sizeof(struct thud_sweep_ratio) + ((size_t)nstructures + 1) * sizeof(int);
+}
+
+struct thud_sweep_digest *thud_sweep_digest_create(int nruns, int nstructures, const int *floors, bool spread)
+{
+    int nrows = 0;
+    for (int s = 0; s < nstructures; s++)
+        nrows += floors[s] > 0 ? floors[s] + 1 : 0;
+    struct thud_sweep_digest *d = calloc(1, thud_sweep_digest_size(nruns, nstructures, nrows, spread));
+    if (!d)
+        return NULL;
+    d->nruns = nruns;
+    d->nrows = nrows;
+    d->spread = spread;
+    d->run = (void *)(d + 1);
+    d->ratio = (void *)(d->run + nruns);
+    d->first = (void *)(d->ratio + ratios_of(nruns, nrows, spread));
+    for (int s = 0; s < nstructures; s++)
+        d->first[s + 1] = d->first[s] + (floors[s] > 0 ? floors[s] + 1 : 0);
+    return d;
+}
+
+static void put_ratios(struct thud_sweep_digest *d, const struct thud_sweep_row *row)
+{
+    struct thud_sweep_ratio *to = d->ratio;
+    for (int i = 0; i < d->nruns * d->nrows; i++, row++) {
+        *to++ = (struct thud_sweep_ratio){row->acceleration_ratio, row->drift_ratio};
+        if (!d->spread)
+            continue;
+        *to++ = (struct thud_sweep_ratio){row->low[THUD_SWEEP_ACCELERATION_RATIO], row->low[THUD_SWEEP_DRIFT_RATIO]};
+        *to++ = (struct thud_sweep_ratio){row->high[THUD_SWEEP_ACCELERATION_RATIO], row->high[THUD_SWEEP_DRIFT_RATIO]};
+    }
+}
+
+static void put_contacts(struct thud_sweep_run *run, const struct thud_sweep_contact_row *row, int n)
+{
+    for (int c = 0; c < n; c++) {
+        run->impacts += row[c].impacts;
+        run->force_n = fmax(run->force_n, row[c].force_n);
+    }
+}
+
+enum thud_status thud_sweep_digest_make(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point,
+                                        struct thud_sweep_digest **out, struct thud_error *err)
+{
+    int rows = thud_sweep_rows(plan, point, NULL), contacts = thud_sweep_contact_rows(plan, point, NULL);
+    *out = NULL;
+    if (rows == 0)
+        return THUD_OK;
+    struct thud_sweep_row *row = malloc((size_t)rows * sizeof *row);
+    struct thud_sweep_contact_row *contact = malloc(((size_t)contacts + 1) * sizeof *contact);
+    if (row && contact) {
+        thud_sweep_rows(plan, point, row);
+        thud_sweep_contact_rows(plan, point, contact);
+        int nruns = 1;
+        for (int i = 1; i < rows; i++)
+            nruns += row[i].which != row[i - 1].which;
+        *out = thud_sweep_digest_create(nruns, point->nstructures, point->floors, point->nvariants > 1);
+    }
+    struct thud_sweep_digest *d = *out;
+    for (int k = 0; d && k < d->nruns; k++) {
+        d->run[k].which = row[k * d->nrows].which;
+        put_contacts(&d->run[k], contact + k * point->ncontacts, point->ncontacts);
+    }
+    if (d) {
+        d->record = thud_sweep_place(plan, point->index, d->at);
+        d->gap_m = point->gap_m;
+        d->touches = point->ncontacts > 0;
+        put_ratios(d, row);
+    }
+    free(row);
+    free(contact);
+    return d ? THUD_OK : thud_error_set(err, THUD_MEMORY, "out of memory for the rows of the study");
+}
