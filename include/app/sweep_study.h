@@ -16,7 +16,8 @@ struct thud_sweep_study {
     const char *folder;            /* NULL: nothing is written */
     struct thud_sweep_shard shard; /* 1 of 1: everything; a part leaves its journal only */
     int threads;
-    bool figures;
+    bool table;   /* keep what figures, tables and the best value are made of */
+    bool figures; /* only with a table */
     const struct thud_picture_options *pictures;
     const volatile sig_atomic_t *cancel;
     void *context;

@@ -96,7 +96,7 @@ enum thud_status thud_sweep_study_finish(const struct thud_sweep_study *study, s
         status = thud_output_commit(&files->output[i], err);
     abandon(files);
     free(files);
-    if (status == THUD_OK && study->figures && !out->too_many)
+    if (status == THUD_OK && study->table && study->figures && !out->too_many)
         out->pictures = thud_sweep_figures_save(&out->rows.table, study->folder, study->pictures, &out->picture_error);
     return status;
 }

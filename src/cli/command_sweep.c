@@ -146,7 +146,10 @@ static enum thud_status fill_study(struct sweep *s, struct thud_error *err)
     if (status == THUD_OK)
         status = thud_picture_options_read(args, &s->pictures, err);
     study->pictures = &s->pictures.options;
-    return status == THUD_OK ? find_best(s, err) : status;
+    if (status == THUD_OK)
+        status = find_best(s, err);
+    study->table = study->folder || s->output.format == THUD_SWEEP_OUTPUT_TABLE || s->best >= 0;
+    return status;
 }
 
 static enum thud_status put_best(struct sweep *s, struct thud_text *text, struct thud_error *err)

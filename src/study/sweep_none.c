@@ -35,9 +35,13 @@ long thud_sweep_same_none(const struct thud_sweep_plan *plan, long point)
     return point;
 }
 
+/* Without a varied bumper every point has a case `none` of its own. */
 static bool shares(const struct thud_sweep_plan *plan)
 {
-    return (plan->savings & THUD_SWEEP_NONE) != 0;
+    for (int i = 0; i < plan->naxes; i++)
+        if (is_bumper(plan->axis[i].key))
+            return (plan->savings & THUD_SWEEP_NONE) != 0;
+    return false;
 }
 
 bool thud_sweep_takes_none(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point, int k)

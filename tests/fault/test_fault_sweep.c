@@ -1,11 +1,12 @@
-/* A study's point with its spread, and what more runs tell of an answer, while one allocation after the other fails:
- * out of memory is said, or the answer is the same without what was missing; nothing is left behind. */
+/* A study's point with its spread, its table, and what more runs tell of an answer, while one allocation after the
+ * other fails: out of memory is said, or the answer is the same without what was missing; nothing is left behind. */
 #include <check.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "../unit/towers.h"
+#include "app/sweep_study_private.h"
 #include "fault.h"
 #include "study/sweep.h"
 #include "study/truncation.h"
@@ -131,6 +132,60 @@ START_TEST(an_answer_with_all_that_more_runs_tell)
 }
 END_TEST
 
+/* A study delivers points as they come; what it keeps of them is a block each where there is to be a table, else
+ * nothing. */
+START_TEST(a_point_leaves_one_block_or_none)
+{
+    enum { POINTS = 40 };
+    struct thud_sweep_point *point;
+    ck_assert_int_eq(make_point(&point), THUD_OK);
+    for (int table = 0; table < 2; table++) {
+        struct thud_sweep_study study = {.plan = plan, .table = table};
+        struct thud_sweep_outcome outcome;
+        ck_assert_int_eq(thud_sweep_outcome_init(plan, &outcome, NULL), THUD_OK);
+        ck_assert_int_eq(thud_sweep_study_deliver(&study, point, &outcome, NULL), THUD_OK);
+        long live = thud_fault_live();
+        for (int i = 0; i < POINTS; i++)
+            ck_assert_int_eq(thud_sweep_study_deliver(&study, point, &outcome, NULL), THUD_OK);
+        ck_assert_int_eq(thud_fault_live() - live, table ? POINTS : 0);
+        ck_assert_uint_eq(outcome.rows.table.npoints, table ? POINTS + 1 : 0);
+        ck_assert_int_eq(outcome.total.points, POINTS + 1);
+        thud_sweep_outcome_clear(&outcome);
+    }
+    free(point);
+}
+END_TEST
+
+/* Room is taken again and again, and each of it can be refused. */
+START_TEST(a_table_without_memory_says_so)
+{
+    enum { POINTS = 70 };
+    static const char *const names[] = {"motion"};
+    struct thud_sweep_point *point;
+    ck_assert_int_eq(make_point(&point), THUD_OK);
+    long n = 0;
+    for (bool fired = true; fired;) {
+        struct thud_sweep_collector collector;
+        enum thud_status status = THUD_OK;
+        size_t added = 0;
+        long live = thud_fault_live();
+        thud_sweep_collector_init(&collector, plan, names);
+        thud_fault_arm(THUD_FAULT_MEMORY, ++n);
+        while (status == THUD_OK && added < POINTS) {
+            status = thud_sweep_collector_add(&collector, plan, point, NULL);
+            added += status == THUD_OK;
+        }
+        fired = thud_fault_end();
+        ck_assert_msg(status == (fired ? THUD_MEMORY : THUD_OK), "allocation %ld: status %d", n, (int)status);
+        ck_assert_uint_eq(collector.table.npoints, added);
+        thud_sweep_collector_clear(&collector);
+        ck_assert_msg(thud_fault_live() == live, "allocation %ld leaves blocks", n);
+    }
+    ck_assert_int_gt(n, 3 * POINTS);
+    free(point);
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -140,6 +195,8 @@ Suite *thud_suite(void)
     tcase_set_timeout(tcase, 60);
     tcase_add_test(tcase, a_point_with_its_spread);
     tcase_add_test(tcase, an_answer_with_all_that_more_runs_tell);
+    tcase_add_test(tcase, a_point_leaves_one_block_or_none);
+    tcase_add_test(tcase, a_table_without_memory_says_so);
     suite_add_tcase(suite, tcase);
     return suite;
 }
