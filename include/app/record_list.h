@@ -4,6 +4,11 @@
 
 #include "app/session.h"
 
+enum { THUD_RECORD_SETTINGS_MAX = 16 };
+/* What can be said of a ground motion beside its file, as words of the command line and as keys of a preset's record:
+ * the i-th, NULL past the last. */
+const char *thud_record_setting(int i);
+
 struct thud_record_list {
     int n;
     struct thud_record **record; /* (n) each named in `file` as it was typed */

@@ -26,6 +26,9 @@ bool thud_args_has(const struct thud_args *args, const char *name);
 /* The i-th value of a repeatable option; NULL past the last. */
 const char *thud_args_repeated(const struct thud_args *args, const char *name, int i);
 
+/* The message is about an option: its name becomes the key. */
+void thud_args_key(const char *option, struct thud_error *err);
+
 /* A whole number in an option. Errors: THUD_USAGE. */
 enum thud_status thud_args_integer(const struct thud_args *args, const char *name, int least, int most, int fallback,
                                    int *out, struct thud_error *err);

@@ -7,20 +7,28 @@
 #include "base/scan.h"
 #include "io/record_file.h"
 
-static const char *const keys[] = {"peak", "factor", "sign", "dt", "unit", "channel", "column", "skip"};
+static const char *const settings[] = {"peak", "factor", "sign",    "from",   "to",
+                                       "dt",   "unit",   "channel", "column", "skip"};
+enum { SETTINGS = sizeof settings / sizeof *settings };
+_Static_assert(sizeof settings / sizeof *settings <= THUD_RECORD_SETTINGS_MAX, "room for all of them");
+
+const char *thud_record_setting(int i)
+{
+    return i < SETTINGS ? settings[i] : NULL;
+}
 
 /* Cuts the text before its next setting `:KEY=VALUE`: gives its key and where `VALUE...` begins; NULL where there is
  * none. A path may have colons of its own. */
 static const char *cut_setting(char *text, char **value)
 {
     for (char *p = text; (p = strchr(p, ':')) != NULL; p++)
-        for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
+        for (int i = 0; i < SETTINGS; i++) {
             const char *at = p + 1;
-            if (!thud_scan_word(&at, keys[i]) || *at != '=')
+            if (!thud_scan_word(&at, settings[i]) || *at != '=')
                 continue;
             *p = '\0';
             *value = p + (at - p) + 1;
-            return keys[i];
+            return settings[i];
         }
     return NULL;
 }

@@ -32,14 +32,17 @@ static enum thud_status treat(struct thud_record **record, const struct thud_rec
                               struct thud_error *err)
 {
     enum thud_status status = THUD_OK;
-    if (!isnan(treatment->from_s) || !isnan(treatment->to_s))
-        status = thud_record_trim(*record, treatment->from_s, treatment->to_s, err);
+    if ((!isnan(treatment->from_s) || !isnan(treatment->to_s)) &&
+        (status = thud_record_trim(*record, treatment->from_s, treatment->to_s, err)) != THUD_OK)
+        thud_error_key(err, isnan(treatment->from_s) ? "to" : "from");
     if (!status)
         thud_record_baseline(*record, treatment->baseline);
     if (!status && !isnan(treatment->resample_s)) {
         struct thud_record *other;
         status = thud_record_resample(*record, treatment->resample_s, &other, err);
-        if (!status) {
+        if (status) {
+            thud_error_key(err, "resample");
+        } else {
             thud_record_free(*record);
             *record = other;
         }

@@ -7,17 +7,37 @@
 
 #include "base/nearest.h"
 
+static const char *dashes(const char *option)
+{
+    return option[0] && option[1] ? "--" : "-";
+}
+
+/* The commands that have an option of this name: "thud run, sweep"; empty where none has. */
+static void owners(const char *word, char *text, size_t size)
+{
+    size_t n = 0;
+    text[0] = '\0';
+    for (int c = THUD_COMMAND_SCREEN + 1; c < THUD_COMMANDS && n < size; c++)
+        if (thud_option_find((enum thud_command_id)c, word))
+            n += (size_t)snprintf(text + n, size - n, "%s%s", n ? ", " : "thud ",
+                                  thud_command_at((enum thud_command_id)c)->name);
+}
+
 static enum thud_status unknown_option(enum thud_command_id command, const char *word, struct thud_error *err)
 {
     const char *names[64];
+    char others[120];
     int n = 0;
     for (int i = 0; i < thud_option_count() && n < 64; i++)
         if (thud_option_belongs(thud_option_at(i), command))
             names[n++] = thud_option_at(i)->name;
     const char *nearest = thud_nearest(word, names, n), *name = thud_command_at(command)->name;
-    thud_error_set(err, THUD_USAGE, "thud%s%s has no option --%.60s", name[0] ? " " : "", name, word);
-    if (nearest)
-        thud_error_allow(err, "did you mean %s%s? `thud %s%s--help` lists them", nearest[1] ? "--" : "-", nearest, name,
+    thud_error_set(err, THUD_USAGE, "thud%s%s has no option %s%.60s", name[0] ? " " : "", name, dashes(word), word);
+    owners(word, others, sizeof others);
+    if (others[0])
+        thud_error_allow(err, "it is one of %s; `thud %s%s--help` lists them", others, name, name[0] ? " " : "");
+    else if (nearest)
+        thud_error_allow(err, "did you mean %s%s? `thud %s%s--help` lists them", dashes(nearest), nearest, name,
                          name[0] ? " " : "");
     else
         thud_error_allow(err, "`thud %s%s--help` lists them", name, name[0] ? " " : "");
@@ -44,7 +64,7 @@ static enum thud_status take_option(struct thud_args *args, int argc, char **arg
     else if (!is_long && start[1])
         value = start + 1;
     if (!option->argument && value)
-        return thud_error_set(err, THUD_USAGE, "%s takes no value", word);
+        return thud_error_set(err, THUD_USAGE, "%s%s takes no value", dashes(name), name);
     if (!thud_option_stands_alone(option) && !value) {
         if (*i + 1 >= argc)
             return thud_error_set(err, THUD_USAGE, "%s needs a value: %s", word, option->argument);
@@ -61,6 +81,15 @@ static enum thud_status take_option(struct thud_args *args, int argc, char **arg
 static enum thud_status check_together(const struct thud_args *args, struct thud_error *err)
 {
     int jobs;
+    for (int i = 0; i < args->ngiven; i++) {
+        enum thud_word word = args->given[i].option->word;
+        if (args->given[i].value && !args->given[i].value[0] &&
+            (word == THUD_WORD_FILE || word == THUD_WORD_FOLDER || word == THUD_WORD_PRESET)) {
+            thud_error_set(err, THUD_USAGE, "a name is wanted, and it is empty");
+            thud_args_key(args->given[i].option->name, err);
+            return THUD_USAGE;
+        }
+    }
     if (thud_args_has(args, "json") && thud_args_has(args, "csv"))
         return thud_error_set(err, THUD_USAGE, "--json and --csv together: standard output is one or the other");
     return thud_args_integer(args, "j", 1, THUD_JOBS_MAX, 1, &jobs, err);
@@ -117,6 +146,13 @@ const char *thud_args_repeated(const struct thud_args *args, const char *name, i
     return NULL;
 }
 
+void thud_args_key(const char *option, struct thud_error *err)
+{
+    char key[64];
+    snprintf(key, sizeof key, "%s%.60s", dashes(option), option);
+    thud_error_key(err, key);
+}
+
 enum thud_status thud_args_integer(const struct thud_args *args, const char *name, int least, int most, int fallback,
                                    int *out, struct thud_error *err)
 {
@@ -129,9 +165,7 @@ enum thud_status thud_args_integer(const struct thud_args *args, const char *nam
     long value = strtol(text, &end, 10);
     if (errno || end == text || *end || value < least || value > most) {
         thud_error_set(err, THUD_USAGE, "`%.40s` is not a whole number that fits", text);
-        char key[64];
-        snprintf(key, sizeof key, "%s%s", name[1] ? "--" : "-", name);
-        thud_error_key(err, key);
+        thud_args_key(name, err);
         thud_error_allow(err, "%d to %d", least, most);
         return THUD_USAGE;
     }

@@ -1,5 +1,6 @@
 #include "cli/cli.h"
 
+#include <assert.h>
 #include <errno.h>
 #include <locale.h>
 #include <stdio.h>
@@ -103,11 +104,11 @@ static enum thud_status dispatch(int argc, char **argv, thud_screen_function *sc
         return help(args.command, err);
     if (thud_args_has(&args, "version"))
         return version(err);
-    if (args.command == THUD_COMMAND_SCREEN)
-        return open_screen(&args, screen, err);
-    if (!commands[args.command])
-        return thud_error_set(err, THUD_USAGE, "thud %s is not there yet", thud_command_at(args.command)->name);
-    return commands[args.command](&args, err);
+    assert(args.command == THUD_COMMAND_SCREEN || commands[args.command]);
+    status = args.command == THUD_COMMAND_SCREEN ? open_screen(&args, screen, err) : commands[args.command](&args, err);
+    if (status != THUD_OK)
+        thud_scene_options_name(&args, err);
+    return status;
 }
 
 /* A message about a file begins with the file, as compilers' do; any other with the program's name. */

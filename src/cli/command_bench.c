@@ -125,29 +125,14 @@ static enum thud_status patience(const struct thud_args *args, double *out, stru
         return THUD_OK;
     enum thud_status status = thud_quantity_parse(text, THUD_TIME, NULL, &value, err);
     if (status == THUD_OK && !(value.value > 0))
-        status = thud_error_set(err, THUD_INPUT, "`%.40s` is no time to wait", text);
+        status = thud_error_set(err, THUD_INPUT, "`%.40s` is no time to wait (more than 0 s)", text);
     if (status != THUD_OK) {
-        thud_error_key(err, "--patience");
+        thud_args_key("patience", err);
         err->status = THUD_USAGE;
         return THUD_USAGE;
     }
     *out = value.value;
     return THUD_OK;
-}
-
-static enum thud_status of_case(const struct thud_args *args, struct thud_session *session, struct thud_scene *scene,
-                                struct thud_error *err)
-{
-    enum thud_case which;
-    enum thud_status status = thud_scene_options_case(args, &which, err);
-    if (status != THUD_OK)
-        return status;
-    *scene = session->scene;
-    if (which == THUD_CASE_AS_WRITTEN)
-        return THUD_OK;
-    status = thud_scene_case(&session->scene, which, scene, err);
-    snprintf(scene->title, sizeof scene->title, "%.200s, case %s", session->scene.title, thud_case_name(which));
-    return status;
 }
 
 static enum thud_status measure(const struct thud_args *args, struct thud_session *session, struct thud_error *err)
@@ -166,7 +151,7 @@ static enum thud_status measure(const struct thud_args *args, struct thud_sessio
     if (status == THUD_OK)
         status = patience(args, &jobs.patience_s, err);
     if (status == THUD_OK)
-        status = of_case(args, session, scene, err);
+        status = thud_scene_options_of_case(args, session, scene, err);
     if (status == THUD_OK)
         status = thud_session_read_record(session, err);
     if (status == THUD_OK)

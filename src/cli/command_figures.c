@@ -31,6 +31,19 @@ static enum thud_status make_study(const struct thud_args *args, struct thud_pap
     return status == THUD_OK ? thud_paper_work_make(&request, work, study, err) : status;
 }
 
+/* What is said of ground motions that are not given would be said in vain: the surrogates have theirs. */
+static enum thud_status check_records(const struct thud_args *args, struct thud_error *err)
+{
+    static const char *const of_records[] = {"peak", "dt", "unit"};
+    for (size_t i = 0; i < sizeof of_records / sizeof *of_records && !thud_args_has(args, "records"); i++)
+        if (thud_args_has(args, of_records[i])) {
+            thud_error_set(err, THUD_USAGE, "is said of the files of --records, and there are none");
+            thud_args_key(of_records[i], err);
+            return THUD_USAGE;
+        }
+    return THUD_OK;
+}
+
 /* What was written, one file a line. */
 static enum thud_status list_files(unsigned which, const char *folder, const struct thud_picture_options *options,
                                    struct thud_error *err)
@@ -58,6 +71,9 @@ enum thud_status thud_command_figures(const struct thud_args *args, struct thud_
     enum thud_status status = thud_paper_figures_parse(args->noperands, args->operand, &which, err);
     if (status == THUD_OK)
         status = thud_picture_options_read(args, &picture, err);
+    picture.options.cancel = thud_interrupt_watch();
+    if (status == THUD_OK)
+        status = check_records(args, err);
     if (status == THUD_OK && thud_paper_needs_study(which))
         status = make_study(args, &work, &study, err);
     if (status == THUD_OK && work && study.unanswered > 0)

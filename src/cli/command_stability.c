@@ -50,7 +50,8 @@ static enum thud_status work(const struct thud_args *args, struct thud_stability
     return status;
 }
 
-static enum thud_status stability(const struct thud_args *args, struct thud_session *session, struct thud_error *err)
+static enum thud_status stability(const struct thud_args *args, struct thud_session *session, struct thud_scene *scene,
+                                  struct thud_error *err)
 {
     struct thud_stability *plan = NULL;
     struct thud_picture_choice picture;
@@ -58,9 +59,11 @@ static enum thud_status stability(const struct thud_args *args, struct thud_sess
     const char *folder = thud_args_value(args, "o");
     enum thud_status status = thud_picture_options_read(args, &picture, err);
     if (status == THUD_OK)
+        status = thud_scene_options_of_case(args, session, scene, err);
+    if (status == THUD_OK)
         status = thud_session_read_record(session, err);
     if (status == THUD_OK)
-        status = thud_stability_create(&session->scene, session->record, &plan, err);
+        status = thud_stability_create(scene, session->record, &plan, err);
     if (status == THUD_OK)
         status = work(args, plan, err);
     if (status == THUD_OK || (plan && status == THUD_CANCELLED)) {
@@ -78,13 +81,17 @@ static enum thud_status stability(const struct thud_args *args, struct thud_sess
 enum thud_status thud_command_stability(const struct thud_args *args, struct thud_error *err)
 {
     struct thud_session *session = calloc(1, sizeof *session);
-    if (!session)
-        return thud_error_set(err, THUD_MEMORY, "out of memory");
-    enum thud_status status = thud_scene_options_open(args, session, err);
+    struct thud_scene *scene = calloc(1, sizeof *scene);
+    enum thud_status status = THUD_MEMORY;
+    if (session && scene)
+        status = thud_scene_options_open(args, session, err);
+    else
+        thud_error_set(err, THUD_MEMORY, "out of memory");
     if (status == THUD_OK) {
-        status = stability(args, session, err);
+        status = stability(args, session, scene, err);
         thud_session_close(session);
     }
+    free(scene);
     free(session);
     return status;
 }

@@ -29,16 +29,15 @@ struct sweep {
 /* Settings given for all files of --records. */
 static enum thud_status read_records(struct sweep *s, struct thud_error *err)
 {
-    static const char *const keys[] = {"peak", "dt", "unit", "channel", "column", "skip"};
-    const char *common[sizeof keys / sizeof *keys][2], *text = thud_args_value(s->args, "records");
+    const char *common[THUD_RECORD_SETTINGS_MAX][2], *text = thud_args_value(s->args, "records"), *setting;
     int n = 0;
     if (!text)
         return thud_record_list_own(&s->session, &s->records, err);
     if (thud_args_value(s->args, "record"))
         return thud_error_set(err, THUD_USAGE, "--record and --records together");
-    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
-        common[n][0] = keys[i];
-        common[n][1] = thud_args_value(s->args, keys[i]);
+    for (int i = 0; (setting = thud_record_setting(i)) != NULL; i++) {
+        common[n][0] = setting;
+        common[n][1] = thud_args_value(s->args, setting);
         n += common[n][1] != NULL;
     }
     return thud_record_list_read(&s->session, text, common, n, &s->records, err);
@@ -145,6 +144,7 @@ static enum thud_status fill_study(struct sweep *s, struct thud_error *err)
         status = thud_error_set(err, THUD_USAGE, "%s needs a folder: -o DIR", shard ? "--shard" : "--merge");
     if (status == THUD_OK)
         status = thud_picture_options_read(args, &s->pictures, err);
+    s->pictures.options.cancel = study->cancel;
     study->pictures = &s->pictures.options;
     if (status == THUD_OK)
         status = find_best(s, err);

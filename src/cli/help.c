@@ -23,6 +23,15 @@ static bool said_by_record(const struct thud_option *option, enum thud_command_i
            !thud_option_belongs(option, THUD_COMMAND_BENCH) && !thud_option_belongs(option, THUD_COMMAND_FIGURES);
 }
 
+static void name_said_by_record(struct thud_text *out, enum thud_command_id id)
+{
+    thud_text_append(out, "\nand of `thud record`:");
+    for (int i = 0; i < thud_option_count(); i++)
+        if (thud_option_belongs(thud_option_at(i), id) && said_by_record(thud_option_at(i), id))
+            thud_text_append(out, " --%s", thud_option_at(i)->name);
+    thud_text_append(out, "\n");
+}
+
 /* A study takes all that a run takes; what a run's help says of its scene is not said again. */
 static bool said_by_run(const struct thud_option *option, enum thud_command_id id)
 {
@@ -47,7 +56,7 @@ void thud_help_command(struct thud_text *out, enum thud_command_id id)
         thud_text_append(out, "  %-25s %s%s\n", usage, option->help, option->repeatable ? " (repeatable)" : "");
     }
     if (id == THUD_COMMAND_RUN)
-        thud_text_append(out, "\nand of reading a record what `thud record --help` says: --channel, --skip, ...\n");
+        name_said_by_record(out, id);
     if (id == THUD_COMMAND_SWEEP)
         thud_text_append(out, "\nand what `thud run --help` says of the scene, its ground motion and its method\n");
 }

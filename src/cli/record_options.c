@@ -9,9 +9,7 @@
 /* What was typed is wrong usage, and the message begins with the option. */
 static enum thud_status blame(const char *option, struct thud_error *err)
 {
-    char key[64];
-    snprintf(key, sizeof key, "--%s", option);
-    thud_error_key(err, key);
+    thud_args_key(option, err);
     if (err)
         err->status = THUD_USAGE;
     return THUD_USAGE;

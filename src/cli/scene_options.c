@@ -1,36 +1,44 @@
 #include "cli/scene_options.h"
 
+#include <stdio.h>
 #include <string.h>
 
-/* Option and the key of the scene that it sets. */
+#include "app/record_list.h"
+
+/* Groups of the scene's keys, and the options beside those of the record that set the key of the same name in one. */
 static const struct {
-    const char *option, *key;
-} keys[] = {{"peak", "record.peak"},
-            {"dt", "record.dt"},
-            {"unit", "record.unit"},
-            {"channel", "record.channel"},
-            {"column", "record.column"},
-            {"skip", "record.skip"},
-            {"method", "analysis.method"},
-            {"step", "analysis.step"},
-            {"tolerance", "analysis.tolerance"},
-            {"modes", "analysis.modes"},
-            {"sensitivity", "study.sensitivity"}};
+    const char *group, *option;
+} of_group[] = {{"analysis", "method"},
+                {"analysis", "step"},
+                {"analysis", "tolerance"},
+                {"analysis", "modes"},
+                {"study", "sensitivity"}};
+enum { OF_GROUPS = sizeof of_group / sizeof *of_group, KEY = 64 };
+
+/* The i-th option that sets one value of the scene, and that value's key; NULL past the last. */
+static const char *option_at(int i, char key[KEY])
+{
+    int nsettings = 0;
+    while (nsettings <= i && thud_record_setting(nsettings))
+        nsettings++;
+    bool of_record = i < nsettings;
+    if (i >= nsettings + OF_GROUPS)
+        return NULL;
+    const char *option = of_record ? thud_record_setting(i) : of_group[i - nsettings].option;
+    snprintf(key, KEY, "%s.%s", of_record ? "record" : of_group[i - nsettings].group, option);
+    return option;
+}
 
 static enum thud_status apply(const struct thud_args *args, struct thud_session *session, struct thud_error *err)
 {
     enum thud_status status = THUD_OK;
+    const char *option, *value;
+    char key[KEY];
     if (thud_args_value(args, "record"))
         thud_session_choose_record(session, thud_args_value(args, "record"));
-    for (size_t i = 0; i < sizeof keys / sizeof *keys && status == THUD_OK; i++) {
-        const char *value = thud_args_value(args, keys[i].option);
-        if (value)
-            status = thud_scene_set(&session->scene, keys[i].key, value, err);
-        if (status != THUD_OK) {
-            char option[32] = "--";
-            thud_error_key(err, strncat(option, keys[i].option, sizeof option - 3));
-        }
-    }
+    for (int i = 0; status == THUD_OK && (option = option_at(i, key)) != NULL; i++)
+        if ((value = thud_args_value(args, option)) != NULL)
+            status = thud_scene_set(&session->scene, key, value, err);
     const char *assignment;
     for (int i = 0; status == THUD_OK && (assignment = thud_args_repeated(args, "set", i)); i++)
         status = thud_session_assign(session, assignment, err);
@@ -58,6 +66,40 @@ enum thud_status thud_scene_options_open(const struct thud_args *args, struct th
     return status;
 }
 
+/* Whether a message about a key may be about what an option gave: the key is that of the option's value, or the bare
+ * word that readers of files and lists of cases call it by. */
+static bool gives(const char *option, const char *wanted)
+{
+    static const char *const others[][2] = {{"record", "record.file"}, {"records", "record.file"}, {"case", "cases"}};
+    char key[KEY];
+    const char *other;
+    if (strcmp(option, wanted) == 0)
+        return true;
+    for (size_t i = 0; i < sizeof others / sizeof *others; i++)
+        if (strcmp(option, others[i][0]) == 0 && strcmp(wanted, others[i][1]) == 0)
+            return true;
+    for (int i = 0; (other = option_at(i, key)) != NULL; i++)
+        if (strcmp(option, other) == 0)
+            return strcmp(wanted, key) == 0;
+    return false;
+}
+
+void thud_scene_options_name(const struct thud_args *args, struct thud_error *err)
+{
+    size_t n = strlen(err->key);
+    const char *assignment;
+    if (n == 0 || err->column > 0) /* a column: a place inside a file, which no option wrote */
+        return;
+    for (int i = 0; (assignment = thud_args_repeated(args, "set", i)) != NULL; i++)
+        if (strncmp(assignment, err->key, n) == 0 && assignment[n] == '=')
+            return;
+    for (int i = 0; i < args->ngiven; i++)
+        if (gives(args->given[i].option->name, err->key)) {
+            thud_args_key(args->given[i].option->name, err);
+            return;
+        }
+}
+
 double thud_scene_options_change(const struct thud_args *args, const struct thud_scene *scene)
 {
     if (!thud_args_has(args, "sensitivity"))
@@ -80,4 +122,19 @@ enum thud_status thud_scene_options_case(const struct thud_args *args, enum thud
     thud_error_key(err, "--case");
     thud_error_allow(err, "none, bumper, cavity");
     return THUD_USAGE;
+}
+
+enum thud_status thud_scene_options_of_case(const struct thud_args *args, const struct thud_session *session,
+                                            struct thud_scene *scene, struct thud_error *err)
+{
+    enum thud_case which;
+    enum thud_status status = thud_scene_options_case(args, &which, err);
+    if (status != THUD_OK)
+        return status;
+    *scene = session->scene;
+    if (which == THUD_CASE_AS_WRITTEN)
+        return THUD_OK;
+    status = thud_scene_case(&session->scene, which, scene, err);
+    snprintf(scene->title, sizeof scene->title, "%.200s, case %s", session->scene.title, thud_case_name(which));
+    return status;
 }

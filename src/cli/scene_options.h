@@ -11,8 +11,16 @@
 enum thud_status thud_scene_options_open(const struct thud_args *args, struct thud_session *session,
                                          struct thud_error *err);
 
+/* A message about a key of the scene whose value came from an option is about the option, by the name that was typed.
+ */
+void thud_scene_options_name(const struct thud_args *args, struct thud_error *err);
+
 /* --sensitivity with its value, else with that of the scene's study or 0.1 %; 0: not asked for. */
 double thud_scene_options_change(const struct thud_args *args, const struct thud_scene *scene);
+
+/* The scene of --case, its name in the title; as written without it. Errors: THUD_USAGE, THUD_INPUT. */
+enum thud_status thud_scene_options_of_case(const struct thud_args *args, const struct thud_session *session,
+                                            struct thud_scene *scene, struct thud_error *err);
 
 /* --case; THUD_CASE_AS_WRITTEN without it. Errors: THUD_USAGE. */
 enum thud_status thud_scene_options_case(const struct thud_args *args, enum thud_case *out, struct thud_error *err);

@@ -202,7 +202,7 @@ enum thud_status thud_scene_check(const struct thud_scene *scene, struct thud_er
     if (status == THUD_OK && !isnan(scene->record.to_s) &&
         !(scene->record.to_s > (isnan(scene->record.from_s) ? 0 : scene->record.from_s))) {
         thud_error_set(err, THUD_INPUT, "the part of the motion ends before it begins");
-        return refuse(err, "record.to", "more than record.from");
+        return refuse(err, "record.to", "later than it begins");
     }
     if (status == THUD_OK && !scene->record.file[0] && !(scene->analysis.tail_s > 0)) {
         thud_error_set(err, THUD_INPUT, "without a ground motion the tail is the duration, and it is 0");

@@ -170,6 +170,19 @@ static enum thud_status list(struct thud_sweep_axis *axis, const char *text, str
     return check_twice(axis, err);
 }
 
+/* Parts of a range in units of different dimensions: whether the key can be in all of them, as in % and a bare ratio.
+ */
+static enum thud_status check_parts(const struct thud_sweep_axis *axis, char part[3][TEXT], struct thud_error *err)
+{
+    struct thud_quantity unused;
+    for (int i = 0; i < 3; i++)
+        if (thud_quantity_parse(part[i], axis->param->dimension, "", &unused, err) != THUD_OK) {
+            thud_error_key(err, axis->key);
+            return THUD_INPUT;
+        }
+    return THUD_OK;
+}
+
 /* FROM:TO:STEP: values in the unit of TO, free of the rounding of sums. */
 static enum thud_status range(struct thud_sweep_axis *axis, const char *text, struct thud_error *err)
 {
@@ -183,14 +196,16 @@ static enum thud_status range(struct thud_sweep_axis *axis, const char *text, st
     }
     if (text || (axis->param->kind != THUD_PARAM_QUANTITY && axis->param->kind != THUD_PARAM_INTEGER))
         return refuse(err, axis->key, "is no range of numbers", how);
+    enum thud_dimension dimension[3] = {THUD_NUMBER, THUD_NUMBER, THUD_NUMBER};
     for (int i = 2; i >= 0; i--) {
-        enum thud_dimension dimension;
         if (!*unit[i])
             unit[i] = unit[2];
-        factor[i] = *unit[i] ? thud_unit_factor(unit[i], &dimension, NULL) : 1;
+        factor[i] = *unit[i] ? thud_unit_factor(unit[i], &dimension[i], NULL) : 1;
         if (factor[i] == 0)
             return refuse(err, axis->key, "has an unknown unit", thud_dimension_units(axis->param->dimension));
     }
+    if ((dimension[0] != dimension[1] || dimension[2] != dimension[1]) && check_parts(axis, part, err) != THUD_OK)
+        return THUD_INPUT;
     double from = number[0] * factor[0] / factor[1], step = number[2] * factor[2] / factor[1];
     double count = floor((number[1] - from) / step + 1e-9) + 1;
     if (count > VALUES_MAX && step != 0)

@@ -64,6 +64,14 @@ run bench rigid-concrete --cost impacts --methods rk4
 check "costs are those of the scene's own method" [ "$code" -eq 2 ]
 run bench towers --patience long
 check "a time that is none is wrong usage" [ "$code" -eq 2 ]
+run bench rigid-concrete -j 2
+check "runs that are timed are not made side by side" [ "$code" -eq 2 ]
+check "-j is said to be an option of others" said 'no option -j (it is one of thud run, sweep, figures;'
+run stability rigid-concrete --case cavity
+check "stability takes a case: without a bumper there is no cavity" [ "$code" -eq 3 ]
+check "and says so" said 'cavity'
+run stability towers --case nine
+check "a case there is not is wrong usage" [ "$code" -eq 2 ]
 run bench rigid-concrete --methods exact --size 1x1
 check "a size out of bounds is said before the work" [ "$code" -eq 2 ]
 

@@ -52,6 +52,9 @@ run figures fig6 -o "$dir/none"
 check "a figure there is not is wrong usage" [ "$code" -eq 2 ]
 check "and the known ones are named" said "fig3, fig4"
 check "nothing is written then" [ ! -e "$dir/none" ]
+run figures fig7 --peak 1g -o "$dir/none"
+check "a peak without a record of one's own is wrong usage" [ "$code" -eq 2 ]
+check "of --peak" said '^thud: --peak: .*--records'
 run figures fig3 --format jpg -o "$dir/none"
 check "a format there is not is wrong usage" [ "$code" -eq 2 ]
 run figures fig3 --size 10x10 -o "$dir/none"

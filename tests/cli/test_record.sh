@@ -67,6 +67,12 @@ is "a step without a unit is wrong usage" gives 2 info "$tmp/bare.txt" --dt 0.01
 printf '0.1\n-0.2\n0.3x\n' >"$tmp/bad.txt"
 is "a bad number is bad input" gives 3 info "$tmp/bad.txt" --dt 1s --unit g
 is "with file and line" says 'bad.txt:3'
+is "a part without samples is bad input" gives 3 info "$tmp/bare.txt" --dt 0.01s --unit g --from 1s
+is "of --from" says '^thud: --from: '
+is "a step that is too long" gives 3 info "$tmp/bare.txt" --dt 0.01s --unit g --resample 5s
+is "is one of --resample" says '^thud: --resample: '
+is "a unit there is not" gives 3 info "$tmp/bare.txt" --dt 0.01s --unit furlong
+is "is one of --unit" says '^thud: --unit: '
 is "a missing file is bad input" gives 3 info "$tmp/none.csv"
 is "a folder is bad input" gives 3 info "$tmp"
 is "an unknown verb is wrong usage" gives 2 inof kobe-surrogate.csv

@@ -86,6 +86,13 @@ part=$(number force_n)
 gives 0 run towers --json --set "record.from=2 s" --set "record.to=12 s"
 is "record.from and record.to run as the part of the file does" near "$(number force_n)" "$part" 1e-9
 is "with its samples" shows '"samples": 1001'
+cp "$tmp/out" "$tmp/json"
+gives 0 run towers --json --from 2s --to "12 s"
+is "--from and --to are record.from and record.to" cmp -s "$tmp/out" "$tmp/json"
+gives 0 run towers --json --set record.sign=- --set record.factor=0.5 --set record.peak=1g
+cp "$tmp/out" "$tmp/json"
+gives 0 run towers --json --sign - --factor 0.5 --peak 1g
+is "--sign and --factor are record.sign and record.factor" cmp -s "$tmp/out" "$tmp/json"
 is "a part that ends before it begins is refused" gives 3 run towers --set "record.from=5 s" --set "record.to=4 s"
 is "with the key" says "record.to: the part of the motion ends before it begins"
 is "a part after the end is refused" gives 3 run towers --set "record.from=50 s"
@@ -131,6 +138,38 @@ is "an unusual value is told and taken" gives 0 run rigid-concrete --set contact
 is "as a message with its key" says "interfaces.1.contact.restitution: 0.99 is unusual (usually 0.3 to 0.95)"
 gives 0 run rigid-concrete --set contact.restitution=0.99 --quiet
 is "and quietly not" silent
+
+# a message about an option's value names the option as it was typed
+printf '%s\n' "1 2 3" "4 5 6" "7 8 9" >"$tmp/table.txt"
+table="--record $tmp/table.txt --unit g --dt 0.01s"
+# shellcheck disable=SC2086 # words
+{
+    is "wrong unit" gives 3 run towers $table --column 2 --unit furlong
+    is "names --unit" says '^thud: --unit: .*(g, mg, '
+    is "wrong column" gives 3 run towers $table --column 9
+    is "names --column, and the file" says 'table.txt:1: --column: there is no column 9 (1 to 3)'
+    is "a column that nobody gave" gives 3 run towers $table
+    is "is asked for" says 'table.txt:1: column: .*(--column N)'
+}
+is "a part that begins after the end" gives 3 run towers --from 50s
+is "names --from" says ': --from: .*(the record lasts 40 s)'
+is "a part that ends before it begins" gives 3 run towers --from 5s --to 4s
+is "names --to" says '^thud: --to: '
+is "modes of a method without" gives 3 run towers --modes 2 --method rk4
+is "names --modes" says '^thud: --modes: '
+is "no record of that name" gives 3 run towers --record nowhere.csv
+is "names --record" says '^thud: --record: no ground motion "nowhere.csv"'
+is "a key that --set gave" gives 3 run towers --peak 1g --set record.peak=3
+is "keeps its name" says '^thud: record.peak: "3" has no unit'
+sed 's/  peak: 0.821 g/  peak: 0.821/' presets/towers.yaml >"$tmp/bad.yaml"
+is "a mistake of the preset" gives 3 run "$tmp/bad.yaml" --peak 1g
+is "keeps its place and key" says 'bad.yaml:[0-9]*:[0-9]*: record.peak: '
+is "a name that is empty" gives 2 run towers --record ""
+is "is none" says '^thud: --record: '
+is "and none of a folder" gives 2 run towers -o ""
+is "either" says '^thud: -o: '
+is "an option of another command" gives 2 run towers --vary gap=5cm
+is "is said to be" says 'thud run has no option --vary (it is one of thud sweep;'
 
 # files
 is "-o" gives 0 run rigid-bumper -o "$tmp/a/b"

@@ -207,6 +207,13 @@ wrong 2 "part" towers --shard 4/3
 wrong 2 "varied" towers --best bumper.thickness
 wrong 2 "saving" towers --without gravity
 wrong 2 "fits" towers -j 0
+wrong 2 "^thud: --vary: " towers --vary gap
+wrong 2 "^thud: --cases: " towers --cases nine
+wrong 2 "^thud: --case: " towers --case nine
+wrong 2 "^thud: --shard: " towers --shard half -o "$tmp/none"
+wrong 3 "^thud: --records: no ground motion" towers --records nowhere.csv
+wrong 3 "kobe-surrogate.csv: from: " towers --records kobe-surrogate.csv:from=2s:to=1s
+wrong 3 "kobe-surrogate.csv: --from: " towers --records kobe-surrogate.csv --from 2s --to 1s
 wrong 3 "nowhere.AT2" towers --records nowhere.AT2
 status 2 "$THUD" sweep towers --shard 1/2
 check "a part needs a folder" says "-o DIR"

@@ -59,6 +59,14 @@ START_TEST(ranges_and_lists)
 }
 END_TEST
 
+START_TEST(a_ratio_and_per_cent_are_of_one_kind)
+{
+    vary("structures.1.damping=0.05:7%:0.01");
+    ck_assert_int_eq(plan->axis[0].n, 3);
+    ck_assert_double_eq_tol(plan->axis[0].value[1], 0.06, 1e-12);
+}
+END_TEST
+
 START_TEST(units_of_ranges)
 {
     vary("gap=5:25:5 cm");
@@ -88,6 +96,9 @@ START_TEST(what_cannot_be_varied)
     refused("gap=5 cm:25 cm:-1 cm", THUD_USAGE, "gap");
     refused("gap=5 cm:25 cm:1 furlong", THUD_USAGE, "gap");
     refused("gap=5 cm:25 cm:1 cm:2 cm", THUD_USAGE, "gap");
+    refused("gap=5 cm:6 t:1 cm", THUD_INPUT, "gap"); /* and not for the number of values that it would make */
+    ck_assert_ptr_nonnull(strstr(error.what, "\"6 t\" is a mass"));
+    refused("gap=5:6 cm:1", THUD_INPUT, "gap");
     refused("gap=5 cm,,6 cm", THUD_USAGE, "gap");
     refused("gap=1 cm:1 km:1 nm", THUD_USAGE, "gap");
     ck_assert_int_eq(thud_sweep_vary(plan, "gap=5,6", &error), THUD_INPUT);
@@ -168,6 +179,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, ranges_and_lists);
     tcase_add_test(tcase, points_that_differ_in_the_bumper_alone_share_case_none);
     tcase_add_test(tcase, units_of_ranges);
+    tcase_add_test(tcase, a_ratio_and_per_cent_are_of_one_kind);
     tcase_add_test(tcase, what_cannot_be_varied);
     tcase_add_test(tcase, cases_by_name);
     tcase_add_test(tcase, points_are_numbered_with_structures_outside);
