@@ -5,9 +5,10 @@
 #include "base/status.h"
 #include "plot/gnuplot.h"
 
-/* Saves and frees. A NULL figure is one that memory did not suffice for; `options` NULL: all chosen. Makes the folder,
- * then writes script and data first, so that they are there also when the picture fails; each file whole or not at all.
- * An older picture is left as it was on failure. After THUD_GNUPLOT in `before` (may be THUD_OK) the picture is not
+/* Saves and frees. A NULL figure is one that memory did not suffice for; `options` NULL: all chosen. Draws, then
+ * makes the folder and writes: the figure's files are there together or, when it was stopped or the disk is full, as
+ * they were before. Where gnuplot fails script and data are written all the same, for they can be drawn elsewhere; an
+ * older picture is then left as it was. After THUD_GNUPLOT in `before` (may be THUD_OK) the picture is not
  * tried again: only script and data are written. Returns the first failure of a series of figures: a failed disk counts
  * more than a failed gnuplot. Errors: THUD_OUTPUT, THUD_GNUPLOT, THUD_CANCELLED, THUD_MEMORY. */
 enum thud_status thud_figure_deliver(struct thud_figure *figure, const char *folder,

@@ -15,6 +15,20 @@ enum thud_status thud_file_read(const char *path, size_t limit, char **text, siz
  * Errors: THUD_OUTPUT. */
 enum thud_status thud_file_write(const char *path, const char *text, size_t size, struct thud_error *err);
 
+/* A file in the making: all of it is written, but nothing is to be seen under its name before thud_file_keep. So a
+ * group of files is there whole or not at all, but for what rename(2) may refuse. */
+struct thud_file_draft {
+    char *path, *part; /* NULL: nothing is in the making */
+};
+
+/* thud_file_write but for the renaming; a pipe or a device is written at once. Errors: THUD_OUTPUT, THUD_MEMORY; *out
+ * is then as {0}. */
+enum thud_status thud_file_draft(const char *path, const char *text, size_t size, struct thud_file_draft *out,
+                                 struct thud_error *err);
+/* Renames and ends the draft, also on failure. Errors: THUD_OUTPUT. */
+enum thud_status thud_file_keep(struct thud_file_draft *draft, struct thud_error *err);
+void thud_file_drop(struct thud_file_draft *draft);
+
 /* thud_file_write of the whole text; THUD_MEMORY when it had failed. Clears it. */
 enum thud_status thud_text_write(struct thud_text *text, const char *path, struct thud_error *err);
 

@@ -16,45 +16,49 @@ static enum thud_status path_of(const struct thud_figure *figure, const char *fo
     return thud_error_set(err, THUD_OUTPUT, "the path to %s.%s is too long", figure->name, suffix);
 }
 
-static enum thud_status write_script(const struct thud_figure *figure, const char *folder,
-                                     const struct thud_picture_options *options, struct thud_error *err)
+enum { SCRIPT, DATA, PICTURE, FILES };
+
+/* The files of one figure: all in the making before the first is to be seen. */
+struct set {
+    struct thud_text text[FILES];
+    bool has[FILES];
+};
+
+static enum thud_status make_script(const struct thud_figure *figure, const struct thud_picture_options *options,
+                                    struct set *set, struct thud_error *err)
 {
-    char path[PATH_ROOM], output[256];
-    struct thud_text text = {0};
+    char output[256];
     snprintf(output, sizeof output, "%s.%s", figure->name, thud_picture_suffix(options->format));
-    enum thud_status status = path_of(figure, folder, "gp", path, err);
-    if (status == THUD_OK)
-        status = thud_gnuplot_script(figure, options, output, &text, err);
-    if (status == THUD_OK)
-        status = thud_text_write(&text, path, err);
-    thud_text_clear(&text);
-    return status;
+    set->has[SCRIPT] = true;
+    set->has[DATA] = !options->no_data;
+    if (set->has[DATA])
+        thud_figure_csv(figure, &set->text[DATA]);
+    return thud_gnuplot_script(figure, options, output, &set->text[SCRIPT], err);
 }
 
-static enum thud_status write_data(const struct thud_figure *figure, const char *folder, struct thud_error *err)
+static enum thud_status write_set(const struct thud_figure *figure, const char *folder, const char *picture_suffix,
+                                  struct set *set, struct thud_error *err)
 {
+    const char *const suffix[FILES] = {"gp", "csv", picture_suffix};
+    struct thud_file_draft draft[FILES] = {{0}};
     char path[PATH_ROOM];
-    struct thud_text text = {0};
-    enum thud_status status = path_of(figure, folder, "csv", path, err);
-    if (status == THUD_OK) {
-        thud_figure_csv(figure, &text);
-        status = thud_text_write(&text, path, err);
+    enum thud_status status = thud_folder_make(*folder ? folder : ".", err);
+    for (int i = 0; i < FILES && status == THUD_OK; i++) {
+        const struct thud_text *text = &set->text[i];
+        if (!set->has[i])
+            continue;
+        status = path_of(figure, folder, suffix[i], path, err);
+        if (status == THUD_OK && text->failed)
+            status = thud_error_set(err, THUD_MEMORY, "out of memory");
+        if (status == THUD_OK)
+            status = thud_file_draft(path, text->data ? text->data : "", text->size, &draft[i], err);
     }
-    thud_text_clear(&text);
-    return status;
-}
-
-static enum thud_status write_picture(const struct thud_figure *figure, const char *folder,
-                                      const struct thud_picture_options *options, struct thud_error *err)
-{
-    char path[PATH_ROOM];
-    struct thud_text picture = {0};
-    enum thud_status status = path_of(figure, folder, thud_picture_suffix(options->format), path, err);
-    if (status == THUD_OK)
-        status = thud_gnuplot_draw(figure, options, &picture, err);
-    if (status == THUD_OK)
-        status = thud_text_write(&picture, path, err);
-    thud_text_clear(&picture);
+    for (int i = 0; i < FILES; i++) {
+        if (status == THUD_OK)
+            status = thud_file_keep(&draft[i], err);
+        else
+            thud_file_drop(&draft[i]);
+    }
     return status;
 }
 
@@ -62,17 +66,25 @@ static enum thud_status save(const struct thud_figure *figure, const char *folde
                              const struct thud_picture_options *options, bool draw, struct thud_error *err)
 {
     static const struct thud_picture_options chosen;
+    struct set set = {0};
+    struct thud_error unwritten = {0};
     if (!options)
         options = &chosen;
     enum thud_status status = thud_figure_check(figure, err);
     if (status == THUD_OK)
-        status = thud_folder_make(*folder ? folder : ".", err);
-    if (status == THUD_OK)
-        status = write_script(figure, folder, options, err);
-    if (status == THUD_OK && !options->no_data)
-        status = write_data(figure, folder, err);
-    if (status == THUD_OK && draw)
-        status = write_picture(figure, folder, options, err);
+        status = make_script(figure, options, &set, err);
+    if (status == THUD_OK && draw) {
+        status = thud_gnuplot_draw(figure, options, &set.text[PICTURE], err);
+        set.has[PICTURE] = status == THUD_OK;
+    }
+    if (status == THUD_OK || status == THUD_GNUPLOT) { /* by script and data the picture can be drawn elsewhere */
+        enum thud_status written = write_set(figure, folder, thud_picture_suffix(options->format), &set, &unwritten);
+        if (written != THUD_OK && err)
+            *err = unwritten;
+        status = written == THUD_OK ? status : written;
+    }
+    for (int i = 0; i < FILES; i++)
+        thud_text_clear(&set.text[i]);
     return status;
 }
 

@@ -38,12 +38,11 @@ void thud_param_allowed(const struct thud_param *param, char *text, unsigned lon
     if (size == 0)
         return;
     text[0] = '\0';
-    if (param->kind == THUD_PARAM_CHOICE) {
-        size_t n = 0;
-        for (int i = 0; param->choices[i] && n < size; i++)
-            n += (size_t)snprintf(text + n, size - n, "%s%s", i ? ", " : "", param->choices[i]);
-    } else if (param->kind != THUD_PARAM_TEXT)
+    if (param->kind == THUD_PARAM_QUANTITY || param->kind == THUD_PARAM_INTEGER)
         range(param, param->least, param->least_open, param->most, param->most_open, text, size);
+    size_t n = strlen(text);
+    for (int i = 0; param->kind != THUD_PARAM_TEXT && param->choices && param->choices[i] && n < size; i++)
+        n += (size_t)snprintf(text + n, size - n, "%s%s", n ? ", " : "", param->choices[i]);
 }
 
 enum thud_status thud_param_check(const struct thud_param *param, double value, const char *text,

@@ -23,13 +23,15 @@ static void show_progress(void *context, const char *what, int done, int count)
 
 /* The table on standard output; with -o also `csv` as NAME.csv and the figure, all of which are used up. */
 static enum thud_status deliver(const struct thud_args *args, struct thud_text *table, struct thud_text *csv,
-                                struct thud_figure *figure, struct thud_error *err)
+                                struct thud_figure *figure, const volatile sig_atomic_t *cancel, struct thud_error *err)
 {
     struct thud_picture_choice picture;
     const char *folder = thud_args_value(args, "o");
     char path[1200];
     enum thud_status status = thud_picture_options_read(args, &picture, err);
     picture.options.no_data = true; /* the table's CSV says more and has its name */
+    if (!*cancel)                   /* what was done before a wish to stop is drawn */
+        picture.options.cancel = cancel;
     if (status == THUD_OK)
         status = thud_cli_print(table, err);
     if (status == THUD_OK && folder)
@@ -86,7 +88,8 @@ static enum thud_status bench(const struct thud_args *args, const struct thud_sc
     if (status == THUD_OK || (status == THUD_CANCELLED && plan)) {
         thud_bench_table(plan, &table);
         thud_bench_csv(plan, &csv);
-        enum thud_status delivered = deliver(args, &table, &csv, thud_bench_figure(plan, scene->title), err);
+        enum thud_status delivered =
+            deliver(args, &table, &csv, thud_bench_figure(plan, scene->title), jobs->cancel, err);
         status = delivered == THUD_OK ? status : delivered;
     }
     thud_bench_free(plan);
@@ -110,7 +113,8 @@ static enum thud_status cost(const struct thud_args *args, const struct thud_sce
     if (status == THUD_OK || (status == THUD_CANCELLED && plan)) {
         thud_cost_table(plan, &table);
         thud_cost_csv(plan, &csv);
-        enum thud_status delivered = deliver(args, &table, &csv, thud_cost_figure(plan, scene->title), err);
+        enum thud_status delivered =
+            deliver(args, &table, &csv, thud_cost_figure(plan, scene->title), jobs->cancel, err);
         status = delivered == THUD_OK ? status : delivered;
     }
     thud_cost_free(plan);

@@ -31,9 +31,9 @@ static enum thud_status save(const struct thud_stability *stability, const char 
     return thud_figure_deliver(thud_stability_energies(stability), folder, options, status, err);
 }
 
-static enum thud_status work(const struct thud_args *args, struct thud_stability *stability, struct thud_error *err)
+static enum thud_status work(const struct thud_args *args, struct thud_stability *stability,
+                             const volatile sig_atomic_t *cancel, struct thud_error *err)
 {
-    const volatile sig_atomic_t *cancel = thud_interrupt_watch();
     bool progress = isatty(STDERR_FILENO) && !thud_args_has(args, "quiet");
     enum thud_status status = THUD_OK;
     int jobs = thud_stability_jobs(stability);
@@ -57,6 +57,7 @@ static enum thud_status stability(const struct thud_args *args, struct thud_sess
     struct thud_picture_choice picture;
     struct thud_text text = {0};
     const char *folder = thud_args_value(args, "o");
+    const volatile sig_atomic_t *cancel = thud_interrupt_watch();
     enum thud_status status = thud_picture_options_read(args, &picture, err);
     if (status == THUD_OK)
         status = thud_scene_options_of_case(args, session, scene, err);
@@ -65,8 +66,10 @@ static enum thud_status stability(const struct thud_args *args, struct thud_sess
     if (status == THUD_OK)
         status = thud_stability_create(scene, session->record, &plan, err);
     if (status == THUD_OK)
-        status = work(args, plan, err);
+        status = work(args, plan, cancel, err);
     if (status == THUD_OK || (plan && status == THUD_CANCELLED)) {
+        if (status == THUD_OK) /* what was done before a wish to stop is drawn */
+            picture.options.cancel = cancel;
         thud_stability_table(plan, &text);
         enum thud_status delivered = thud_cli_print(&text, err);
         if (delivered == THUD_OK && folder)

@@ -93,10 +93,11 @@ static int write_all(int fd, const char *text, size_t size)
     return 0;
 }
 
-static int replace(const char *path, const struct stat *old, const char *text, size_t size)
+/* A whole file beside `path`, its name in `name`; 0, or the errno of what went wrong. */
+static int write_beside(const char *path, const struct stat *old, const char *text, size_t size, char *name,
+                        size_t name_size)
 {
-    char name[4200];
-    int fd = thud_file_open_beside(path, name, sizeof name);
+    int fd = thud_file_open_beside(path, name, name_size);
     if (fd < 0)
         return errno;
     int why = write_all(fd, text, size);
@@ -106,35 +107,82 @@ static int replace(const char *path, const struct stat *old, const char *text, s
         why = errno;
     if (close(fd) != 0 && !why)
         why = errno;
-    if (!why && rename(name, path) != 0)
-        why = errno;
     if (why)
         unlink(name);
     return why;
 }
 
-enum thud_status thud_file_write(const char *path, const char *text, size_t size, struct thud_error *err)
+static int write_through(const char *path, const char *text, size_t size)
 {
-    struct stat about;
-    int there = stat(path, &about) == 0;
-    int why;
-    if (there && S_ISDIR(about.st_mode))
-        why = EISDIR;
-    else if (there && !S_ISREG(about.st_mode)) { /* a pipe or a terminal cannot be replaced */
-        int fd = open(path, O_WRONLY | O_CLOEXEC);
-        why = fd < 0 ? errno : write_all(fd, text, size);
-        if (fd >= 0 && close(fd) != 0 && !why)
-            why = errno;
-    } else {
-        char *real = there ? realpath(path, NULL) : NULL; /* a link stays a link */
-        why = replace(real ? real : path, there ? &about : NULL, text, size);
-        free(real);
-    }
-    if (!why)
-        return THUD_OK;
+    int fd = open(path, O_WRONLY | O_CLOEXEC);
+    int why = fd < 0 ? errno : write_all(fd, text, size);
+    if (fd >= 0 && close(fd) != 0 && !why)
+        why = errno;
+    return why;
+}
+
+static enum thud_status unwritten(const char *path, int why, struct thud_error *err)
+{
     thud_error_set(err, THUD_OUTPUT, "cannot be written: %s", strerror(why));
     thud_error_place(err, path, 0, 0);
     return THUD_OUTPUT;
+}
+
+enum thud_status thud_file_draft(const char *path, const char *text, size_t size, struct thud_file_draft *out,
+                                 struct thud_error *err)
+{
+    struct stat about;
+    bool there = stat(path, &about) == 0;
+    *out = (struct thud_file_draft){0};
+    if (there && S_ISDIR(about.st_mode))
+        return unwritten(path, EISDIR, err);
+    if (there && !S_ISREG(about.st_mode)) { /* a pipe or a terminal cannot be replaced */
+        int why = write_through(path, text, size);
+        return why ? unwritten(path, why, err) : THUD_OK;
+    }
+    char part[4200];
+    out->path = there ? realpath(path, NULL) : NULL; /* a link stays a link */
+    if (!out->path)
+        out->path = strdup(path);
+    int why = out->path ? write_beside(out->path, there ? &about : NULL, text, size, part, sizeof part) : ENOMEM;
+    if (!why && !(out->part = strdup(part))) {
+        unlink(part);
+        why = ENOMEM;
+    }
+    if (!why)
+        return THUD_OK;
+    free(out->path);
+    *out = (struct thud_file_draft){0};
+    return unwritten(path, why, err);
+}
+
+void thud_file_drop(struct thud_file_draft *draft)
+{
+    if (draft->part)
+        unlink(draft->part);
+    free(draft->part);
+    free(draft->path);
+    *draft = (struct thud_file_draft){0};
+}
+
+enum thud_status thud_file_keep(struct thud_file_draft *draft, struct thud_error *err)
+{
+    enum thud_status status = THUD_OK;
+    if (draft->part && rename(draft->part, draft->path) != 0)
+        status = unwritten(draft->path, errno, err);
+    if (status == THUD_OK) {
+        free(draft->part);
+        draft->part = NULL;
+    }
+    thud_file_drop(draft);
+    return status;
+}
+
+enum thud_status thud_file_write(const char *path, const char *text, size_t size, struct thud_error *err)
+{
+    struct thud_file_draft draft;
+    enum thud_status status = thud_file_draft(path, text, size, &draft, err);
+    return status == THUD_OK ? thud_file_keep(&draft, err) : status;
 }
 
 enum thud_status thud_text_write(struct thud_text *text, const char *path, struct thud_error *err)

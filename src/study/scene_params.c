@@ -27,6 +27,7 @@ enum { SHEAR = 1 << THUD_SHEAR, RIGID = 1 << THUD_RIGID, ISOLATED = 1 << THUD_IS
 
 static const char *const kinds[] = {"shear", "rigid", "isolated", "wall", NULL};
 static const char *const signs[] = {"+", "-", NULL};
+static const char *const columns[] = {"all", NULL};
 static const char *const switches[] = {"off", "on", NULL};
 
 static const struct thud_param scene_params[] = {
@@ -47,7 +48,8 @@ static const struct thud_param record_params[] = {
     {NUMBER("dt", "step", "Time between samples, for files that do not say it.", THUD_TIME, "s", NAN), POSITIVE, UP_TO(10), ANY_USUAL},
     WORD("unit", "unit", "Unit of the samples, for files that do not say it: g, m/s2, cm/s2, gal, ..."),
     WORD("channel", "channel", "Which motion of a file with several, by name or number."),
-    {COUNT("column", "column", "Which column of a table, from 1.", NAN), .least = 1, UP_TO(1000), ANY_USUAL},
+    {COUNT("column", "column", "Which column of a table, from 1; all: every line goes on where the one before ended.", NAN),
+     .least = 1, UP_TO(1000), ANY_USUAL, .choices = columns},
     {COUNT("skip", "skipped lines", "Lines at the beginning of the file to leave out.", NAN), .least = 0, UP_TO(100000), ANY_USUAL},
 };
 #define AT(member) offsetof(struct thud_scene, record.member)

@@ -65,6 +65,11 @@ static enum thud_status read_count(const struct thud_param *param, const char *t
     double value;
     char allowed[96];
     thud_param_allowed(param, allowed, sizeof allowed);
+    int word = param->choices ? thud_param_choice(param, text) : -1;
+    if (word >= 0) {
+        *out = -1 - word;
+        return THUD_OK;
+    }
     if (thud_number_parse(text, &end, &value) != 0 || *end || value != floor(value) || fabs(value) > 1e9) {
         thud_error_set(err, THUD_INPUT, "\"%.80s\" is not a whole number", text);
         thud_error_allow(err, "%s", allowed);
@@ -342,6 +347,8 @@ static void get(const struct thud_scene *scene, const struct thud_slot *slot, co
     case THUD_STORE_COUNT:
         if (*(const int *)at == slot->place.none)
             snprintf(text, size, "%s", "");
+        else if (*(const int *)at < 0 && param->choices)
+            snprintf(text, size, "%s", param->choices[-1 - *(const int *)at]);
         else
             snprintf(text, size, "%d", *(const int *)at);
         break;

@@ -74,6 +74,17 @@ run figures fig3 -o "$dir/failing"
 check "a failing gnuplot: exit status 5" [ "$code" -eq 5 ]
 check "with its own words" said "line 3: no such thing"
 check "and no picture" holds "$dir/failing" fig3.gp fig3.csv
+# a gnuplot that says when it has begun and then only waits, until it is stopped with its group
+mkfifo "$dir/begun"
+printf '#!/bin/sh\necho begun >"%s"\nexec tail -f /dev/null\n' "$dir/begun" >"$dir/nowhere"
+"$THUD" figures fig3 -o "$dir/stopped" >/dev/null 2>"$dir/err" &
+pid=$!
+read -r line <"$dir/begun"
+kill -TERM $pid
+wait $pid
+code=$?
+check "stopped while it draws: exit status of the signal ($line)" [ "$code" -eq 143 ]
+check "neither script nor data nor picture stay" [ -z "$(find "$dir/stopped" -type f 2>/dev/null)" ]
 unset THUD_GNUPLOT
 
 : >"$dir/file"
@@ -91,7 +102,7 @@ fi
     "$THUD" figures fig5 -o "$dir/limit" >/dev/null 2>"$dir/err"
 )
 check "a full disk: exit status 6" [ $? -eq 6 ]
-check "nothing half written" [ -z "$(find "$dir/limit" -name '*part*' -o -name '*.png' -o -size +8)" ]
+check "nothing half written, and no script without its data" [ -z "$(find "$dir/limit" -type f)" ]
 
 odd="a'b\"\`touch $dir/executed\`{_^@%s"
 run run towers --set "structures.1.name=$odd" -o "$dir/odd $odd"

@@ -151,6 +151,9 @@ table="--record $tmp/table.txt --unit g --dt 0.01s"
     is "a column that nobody gave" gives 3 run towers $table
     is "is asked for" says 'table.txt:1: column: .*(--column N)'
 }
+printf '%s\n' "0.1 0.2" "-0.3 0.4" "0.1 0.0" >"$tmp/lines.txt"
+is "lines that go on where the one before ended" gives 0 run towers --record "$tmp/lines.txt" --unit g --dt 0.01s --column all --json
+is "are read as one motion" shows '"samples": 6'
 is "a part that begins after the end" gives 3 run towers --from 50s
 is "names --from" says ': --from: .*(the record lasts 40 s)'
 is "a part that ends before it begins" gives 3 run towers --from 5s --to 4s

@@ -107,6 +107,10 @@ START_TEST(a_full_disk_leaves_nothing_half_written)
     signal(SIGXFSZ, SIG_IGN);
     ck_assert_int_eq(getrlimit(RLIMIT_FSIZE, &old), 0);
     small = old;
+    ck_assert_int_eq(thud_figure_deliver(sample(10), folder, &options, THUD_OK, NULL), THUD_OK);
+    ck_assert_int_eq(unlink(in_folder("f.csv")), 0);
+    struct stat before, after;
+    ck_assert_int_eq(stat(in_folder("f.gp"), &before), 0);
     for (rlim_t room = 0; room <= 20000; room += 20000) { /* no file at all; the script but not the data */
         small.rlim_cur = room;
         ck_assert_int_eq(setrlimit(RLIMIT_FSIZE, &small), 0);
@@ -114,8 +118,19 @@ START_TEST(a_full_disk_leaves_nothing_half_written)
         ck_assert_int_eq(setrlimit(RLIMIT_FSIZE, &old), 0);
         ck_assert_int_eq(status, THUD_OUTPUT);
         ck_assert_ptr_nonnull(strstr(err.file, room ? "f.csv" : "f.gp"));
-        ck_assert_int_eq(files(), room ? 1 : 0);
+        ck_assert_int_eq(files(), 2); /* what was there before, as it was */
+        ck_assert_int_eq(stat(in_folder("f.gp"), &after), 0);
+        ck_assert(before.st_ino == after.st_ino && before.st_size == after.st_size);
     }
+}
+END_TEST
+
+START_TEST(a_stopped_figure_leaves_no_file)
+{
+    volatile sig_atomic_t stop = 1;
+    struct thud_picture_options options = {.cancel = &stop};
+    ck_assert_int_eq(thud_figure_deliver(sample(10), folder, &options, THUD_OK, NULL), THUD_CANCELLED);
+    ck_assert_int_eq(files(), 0);
 }
 END_TEST
 
@@ -140,6 +155,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, without_gnuplot_script_and_data_are_there);
     tcase_add_test(tcase, a_failed_picture_leaves_the_old_one);
     tcase_add_test(tcase, a_full_disk_leaves_nothing_half_written);
+    tcase_add_test(tcase, a_stopped_figure_leaves_no_file);
     tcase_add_test(tcase, a_folder_that_cannot_be_is_named);
     suite_add_tcase(suite, tcase);
     return suite;

@@ -85,6 +85,7 @@ START_TEST(values_read_back_as_set)
         {"record.dt", "0.005 s"},
         {"record.unit", "g"},
         {"record.channel", "NS"},
+        {"record.column", "all"},
         {"record.column", "2"},
         {"record.skip", "3"},
         {"structures.1.name", "tower \"a\" `b` 'c'"},
