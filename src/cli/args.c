@@ -64,7 +64,7 @@ static enum thud_status take_option(struct thud_args *args, int argc, char **arg
     else if (!is_long && start[1])
         value = start + 1;
     if (!option->argument && value)
-        return thud_error_set(err, THUD_USAGE, "%s%s takes no value", dashes(name), name);
+        return thud_error_set(err, THUD_USAGE, "%s takes no value", word);
     if (!thud_option_stands_alone(option) && !value) {
         if (*i + 1 >= argc)
             return thud_error_set(err, THUD_USAGE, "%s needs a value: %s", word, option->argument);

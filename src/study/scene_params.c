@@ -48,7 +48,7 @@ static const struct thud_param record_params[] = {
     {NUMBER("dt", "step", "Time between samples, for files that do not say it.", THUD_TIME, "s", NAN), POSITIVE, UP_TO(10), ANY_USUAL},
     WORD("unit", "unit", "Unit of the samples, for files that do not say it: g, m/s2, cm/s2, gal, ..."),
     WORD("channel", "channel", "Which motion of a file with several, by name or number."),
-    {COUNT("column", "column", "Which column of a table, from 1; all: every line goes on where the one before ended.", NAN),
+    {COUNT("column", "column", "Which column of a table, from 1; all: each line goes on where the last ended.", NAN),
      .least = 1, UP_TO(1000), ANY_USUAL, .choices = columns},
     {COUNT("skip", "skipped lines", "Lines at the beginning of the file to leave out.", NAN), .least = 0, UP_TO(100000), ANY_USUAL},
 };
