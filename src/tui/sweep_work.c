@@ -2,10 +2,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "io/output.h"
 #include "io/record_file.h"
 #include "tui/sweep_work.h"
 
-enum { SEGMENTS = 400 };
+enum { SEGMENTS = 400, CHUNK = 1 << 16 };
 
 static void drop_tasks(struct thud_sweep_work *work)
 {
@@ -30,8 +31,9 @@ void thud_sweep_work_clear(struct thud_sweep_work *work)
     thud_sweep_plan_clear(&work->plan);
     for (int i = 0; i < work->nrecords; i++)
         thud_record_free(work->record[i]);
-    for (int i = 0; i < THUD_SWEEP_CSVS; i++)
-        thud_text_clear(&work->csv[i]);
+    for (long i = 0; i < work->next; i++)
+        free(work->done[i]);
+    free(work->done);
     thud_sweep_collector_clear(&work->rows);
     memset(work, 0, sizeof *work);
 }
@@ -93,16 +95,39 @@ static enum thud_status make_plan(struct thud_sweep_work *work, const struct thu
     return status;
 }
 
-/* The rows of a finished point, for figures and files. */
-static enum thud_status keep_point(struct thud_sweep_work *work, const struct thud_sweep_point *point,
-                                   struct thud_error *err)
+/* Takes a finished point, for figures and files. */
+static enum thud_status keep_point(struct thud_sweep_work *work, struct thud_sweep_point *point, struct thud_error *err)
 {
-    enum thud_status status = thud_sweep_collector_add(&work->rows, &work->plan, point, err);
-    for (int i = 0; i < THUD_SWEEP_CSVS && status == THUD_OK; i++)
-        status = thud_sweep_csv_rows(&work->plan, (enum thud_sweep_csv)i, point, &work->csv[i], err);
+    enum thud_status status = THUD_OK;
+    if (work->next == work->room) {
+        long room = work->room ? 2 * work->room : 64;
+        struct thud_sweep_point **larger = realloc(work->done, (size_t)room * sizeof *larger);
+        if (larger) {
+            work->done = larger;
+            work->room = room;
+        } else {
+            status = thud_error_set(err, THUD_MEMORY, "no memory for a point");
+        }
+    }
     if (status == THUD_OK)
-        thud_sweep_total_add(&work->total, point);
-    return status;
+        status = thud_sweep_collector_add(&work->rows, &work->plan, point, err);
+    if (status != THUD_OK) {
+        free(point);
+        return status;
+    }
+    thud_sweep_total_add(&work->total, point);
+    work->done[work->next++] = point;
+    return THUD_OK;
+}
+
+/* Case `none` of the point that makes it for this one, too. */
+static void give_none(const struct thud_sweep_work *work, struct thud_sweep_task *task)
+{
+    long of = thud_sweep_same_none(&work->plan, work->next);
+    struct thud_sweep_none *none = of < work->next ? thud_sweep_none_keep(&work->plan, work->done[of]) : NULL;
+    if (none)
+        thud_sweep_task_give(task, none);
+    free(none);
 }
 
 enum thud_status thud_sweep_work_start(struct thud_sweep_work *work, const struct thud_scene *scene,
@@ -120,8 +145,6 @@ enum thud_status thud_sweep_work_start(struct thud_sweep_work *work, const struc
         return status;
     }
     thud_sweep_collector_init(&work->rows, &work->plan, work->record_names);
-    for (int i = 0; i < THUD_SWEEP_CSVS; i++)
-        thud_sweep_csv_header(&work->plan, (enum thud_sweep_csv)i, &work->csv[i]);
     work->points = thud_sweep_points(&work->plan);
     work->base_index = -1;
     work->running = true;
@@ -148,8 +171,11 @@ static enum thud_status advance_task(struct thud_sweep_work *work, struct thud_e
 {
     bool done = false;
     enum thud_status status = THUD_OK;
-    if (!work->task)
+    if (!work->task) {
         status = thud_sweep_task_create(&work->plan, work->base, work->next, &work->task, err);
+        if (status == THUD_OK)
+            give_none(work, work->task);
+    }
     if (status == THUD_OK)
         status = thud_sweep_task_advance(work->task, SEGMENTS, &done, err);
     if (status != THUD_OK || !done)
@@ -157,10 +183,7 @@ static enum thud_status advance_task(struct thud_sweep_work *work, struct thud_e
     struct thud_sweep_point *point = thud_sweep_task_take(work->task);
     thud_sweep_task_free(work->task);
     work->task = NULL;
-    status = point ? keep_point(work, point, err) : thud_error_set(err, THUD_MEMORY, "no memory for a point");
-    free(point);
-    work->next++;
-    return status;
+    return keep_point(work, point, err);
 }
 
 enum thud_status thud_sweep_work_advance(struct thud_sweep_work *work, struct thud_error *err)
@@ -174,5 +197,37 @@ enum thud_status thud_sweep_work_advance(struct thud_sweep_work *work, struct th
     enum thud_status status = work->base_done && !other ? advance_task(work, err) : advance_base(work, err);
     if (status != THUD_OK)
         thud_sweep_work_stop(work);
+    return status;
+}
+
+static enum thud_status export_one(const struct thud_sweep_work *work, enum thud_sweep_csv which,
+                                   struct thud_output *file, struct thud_text *text, struct thud_error *err)
+{
+    enum thud_status status = THUD_OK;
+    thud_sweep_csv_header(&work->plan, which, text);
+    for (long i = 0; i < work->next && status == THUD_OK; i++) {
+        status = thud_sweep_csv_rows(&work->plan, which, work->done[i], text, err);
+        if (status == THUD_OK)
+            status = thud_output_drain(file, text, CHUNK, err);
+    }
+    if (status == THUD_OK)
+        status = thud_output_drain(file, text, 0, err);
+    return status == THUD_OK ? thud_output_commit(file, err) : status;
+}
+
+enum thud_status thud_sweep_work_export(const struct thud_sweep_work *work, const char *folder, struct thud_error *err)
+{
+    enum thud_status status = THUD_OK;
+    for (int i = 0; i < THUD_SWEEP_CSVS && status == THUD_OK; i++) {
+        char path[4096];
+        struct thud_output file = {.fd = -1};
+        struct thud_text text = {0};
+        snprintf(path, sizeof path, "%s/%s", folder, thud_sweep_csv_name((enum thud_sweep_csv)i));
+        status = thud_output_open(path, &file, err);
+        if (status == THUD_OK)
+            status = export_one(work, (enum thud_sweep_csv)i, &file, &text, err);
+        thud_output_abandon(&file);
+        thud_text_clear(&text);
+    }
     return status;
 }

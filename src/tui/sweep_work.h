@@ -22,7 +22,8 @@ struct thud_sweep_work {
     long base_index, next, points;
     struct thud_sweep_task *task;
     struct thud_sweep_collector rows; /* of what is done */
-    struct thud_text csv[THUD_SWEEP_CSVS];
+    struct thud_sweep_point **done;   /* (next, room for `room`) */
+    long room;
     struct thud_sweep_total total;
 };
 
@@ -32,6 +33,9 @@ enum thud_status thud_sweep_work_start(struct thud_sweep_work *work, const struc
                                        const char *preset_path, struct thud_error *err);
 /* A short piece (about a millisecond); `running` goes false at the end. Errors end the study, what is done stays. */
 enum thud_status thud_sweep_work_advance(struct thud_sweep_work *work, struct thud_error *err);
+/* sweep.csv, contacts.csv and needed-gaps.csv of what is done into a folder that is there. Errors: THUD_OUTPUT,
+ * THUD_MEMORY. */
+enum thud_status thud_sweep_work_export(const struct thud_sweep_work *work, const char *folder, struct thud_error *err);
 void thud_sweep_work_stop(struct thud_sweep_work *work); /* keeps what is done */
 void thud_sweep_work_clear(struct thud_sweep_work *work);
 

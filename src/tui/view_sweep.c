@@ -168,13 +168,8 @@ static void export_csv(struct thud_tui *tui)
 {
     struct thud_error err;
     enum thud_status status = thud_folder_make(thud_tui_folder(tui), &err);
-    for (int i = 0; i < THUD_SWEEP_CSVS && status == THUD_OK; i++) {
-        char path[600];
-        const struct thud_text *csv = &tui->sweep->work.csv[i];
-        snprintf(path, sizeof path, "%s/%s", thud_tui_folder(tui), thud_sweep_csv_name((enum thud_sweep_csv)i));
-        status = csv->failed ? thud_error_set(&err, THUD_MEMORY, "no memory for %s", path)
-                             : thud_file_write(path, csv->data, csv->size, &err);
-    }
+    if (status == THUD_OK)
+        status = thud_sweep_work_export(&tui->sweep->work, thud_tui_folder(tui), &err);
     if (status != THUD_OK)
         thud_tui_say_error(tui, &err);
     else

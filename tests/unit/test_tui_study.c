@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "study/sweep.h"
-#include "tui/sweep_words.h"
+#include "tui/sweep_work.h"
 #include "tui_fixture.h"
 
 static struct fixture f;
@@ -98,6 +98,45 @@ START_TEST(a_spread_is_kept_and_run)
 }
 END_TEST
 
+/* A study of the screen to its end, and the lines of its files. */
+static void make_study(struct thud_sweep_work *work, unsigned savings, char *text[THUD_SWEEP_CSVS])
+{
+    static const struct thud_study_words words = {.vary = {"bumper.thickness=1 cm,2 cm,3 cm", "gap=3 cm,6 cm,400 cm"},
+                                                  .cases = "none,bumper"};
+    struct thud_error err = {0};
+    ck_assert_int_eq(thud_sweep_work_start(work, &f.tui->doc.scene, &words, f.tui->doc.paths, f.tui->doc.path, &err),
+                     THUD_OK);
+    work->plan.savings = savings;
+    while (work->running)
+        ck_assert_int_eq(thud_sweep_work_advance(work, &err), THUD_OK);
+    ck_assert(work->complete);
+    ck_assert_int_eq(thud_sweep_work_export(work, f.folder, &err), THUD_OK);
+    for (int i = 0; i < THUD_SWEEP_CSVS; i++)
+        text[i] = fixture_file(&f, thud_sweep_csv_name((enum thud_sweep_csv)i));
+}
+
+/* Case `none` is run once for each gap that is used up, whatever the bumper's thickness; the files are the same. */
+START_TEST(no_bumper_is_run_once_for_all_thicknesses)
+{
+    static struct thud_sweep_work work;
+    char *all[THUD_SWEEP_CSVS], *none[THUD_SWEEP_CSVS];
+    make_study(&work, THUD_SWEEP_ALL, all);
+    ck_assert_int_eq(work.total.asked, 18);
+    ck_assert_int_eq(work.total.taken, 2 * 2);
+    long made = work.total.made;
+    make_study(&work, THUD_SWEEP_ALL & ~(unsigned)THUD_SWEEP_NONE, none);
+    ck_assert_int_eq(work.total.taken, 0);
+    ck_assert_int_eq(work.total.made, made + 2 * 2);
+    for (int i = 0; i < THUD_SWEEP_CSVS; i++) {
+        ck_assert_str_eq(all[i], none[i]);
+        ck_assert_int_eq(all[i][strlen(all[i]) - 1], '\n');
+        free(all[i]);
+        free(none[i]);
+    }
+    thud_sweep_work_clear(&work);
+}
+END_TEST
+
 START_TEST(wrong_words_are_refused)
 {
     static const char *const words[] = {"gap",
@@ -149,6 +188,7 @@ Suite *thud_suite(void)
     tcase_add_test(words, a_range_becomes_the_presets_study);
     tcase_add_test(words, what_is_saved_is_the_same_study);
     tcase_add_test(words, a_spread_is_kept_and_run);
+    tcase_add_test(words, no_bumper_is_run_once_for_all_thicknesses);
     tcase_add_test(words, wrong_words_are_refused);
     tcase_add_test(words, a_list_is_run_but_not_kept);
     suite_add_tcase(suite, words);
