@@ -59,7 +59,7 @@ struct thud_stability {
     struct thud_model *model;
     const struct thud_record *record;
     struct thud_run_options options;
-    double *peak_m; /* (ndof) of the scene by the exact method; NULL: no scene */
+    double *peak_m; /* (ndof) of the scene by the exact method; NULL: no scene, or none with modes */
     double fastest_radps;
 };
 

@@ -54,7 +54,7 @@ static enum thud_status point(struct thud_bench *bench, int i, const struct thud
     struct thud_error failure = {0};
     if (jobs->patience_s > 0 && expected > jobs->patience_s) {
         p->state = THUD_BENCH_SKIPPED;
-        snprintf(p->message, sizeof p->message, "would take about %.0f s", expected);
+        snprintf(p->message, sizeof p->message, "would take about %.2g s", expected);
         p->seconds = expected; /* for the next one on the curve */
         return THUD_OK;
     }

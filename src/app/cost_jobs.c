@@ -43,7 +43,7 @@ static bool too_long(struct thud_cost *cost, int i, const struct thud_bench_jobs
         return false;
     p->state = THUD_COST_SKIPPED;
     p->seconds = expected;
-    snprintf(p->message, sizeof p->message, "would take about %.0f s", expected);
+    snprintf(p->message, sizeof p->message, "would take about %.2g s", expected);
     return true;
 }
 

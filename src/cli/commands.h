@@ -1,5 +1,5 @@
-/* The commands. Each is one file command_NAME.c and one line in command_words.h; each prints its own messages through
- * thud_cli_fail and returns what is to become of the program. */
+/* The commands. Each is one file command_NAME.c and one line in command_words.h; its error is printed by cli.c, which
+ * makes the exit status of it. */
 #ifndef THUD_CLI_COMMANDS_H
 #define THUD_CLI_COMMANDS_H
 

@@ -114,6 +114,10 @@ static enum thud_status measure_scene(struct thud_stability *s, const struct thu
                                .displacement.value;
             s->fastest_radps = fmax(s->fastest_radps, s->model->omega[i]);
         }
+    if (!(s->fastest_radps > 0)) { /* bodies without a spring have no omega dt */
+        free(s->peak_m);
+        s->peak_m = NULL;
+    }
     thud_answer_clear(&answer);
     return status;
 }
@@ -238,7 +242,7 @@ static enum thud_status run_cell(struct thud_stability *s, struct thud_stability
     enum thud_status status = run_bouncer(cell, THUD_STABILITY_FREE, err);
     if (status == THUD_OK)
         status = run_bouncer(cell, THUD_STABILITY_WALL, err);
-    if (status == THUD_OK && s->peak_m && s->fastest_radps > 0)
+    if (status == THUD_OK && s->peak_m)
         status = run_scene(s, cell, err);
     return status;
 }

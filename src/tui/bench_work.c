@@ -103,7 +103,7 @@ static bool too_long(struct thud_bench_work *work)
         return false;
     point->state = THUD_BENCH_SKIPPED;
     point->seconds = expected;
-    snprintf(point->message, sizeof point->message, "would take about %.0f s", expected);
+    snprintf(point->message, sizeof point->message, "would take about %.2g s", expected);
     return true;
 }
 

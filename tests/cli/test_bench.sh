@@ -53,6 +53,12 @@ run bench towers --cost buildings --patience 1s --quiet -o "$dir/r"
 check "rubber in a row does not chatter: at most ten events an impact" awk -F, '
     NR > 1 && $3 == "done" { n++; if ($13 > 10 * $6) bad = 1 } END { exit bad || n < 2 }' "$dir/r/cost-buildings.csv"
 
+# a tower so stiff that large steps blow up, small ones take long
+run bench towers --case none --methods central-difference --patience 0.2s --set "structures.1.stiffness=600000 MN/m"
+check "a step that blows up is told with its place" shown '^ *1e-02  FAILED the response blew up at t = [0-9.]* s, structure 1, floor 2$'
+check "one that takes too long with the time it would" shown '^ *1e-05  skipped would take about [0-9.]* s$'
+check "which is more than none" [ "$(grep -c 'about 0 s' "$dir/out")" -eq 0 ]
+
 run bench towers --cost floors
 check "an axis there is not is wrong usage" [ "$code" -eq 2 ]
 check "and the known ones are named" said 'storeys, buildings, duration or impacts'
@@ -62,6 +68,9 @@ run bench towers --methods exact,euler
 check "a method there is not is wrong usage" [ "$code" -eq 2 ]
 run bench rigid-concrete --cost impacts --methods rk4
 check "costs are those of the scene's own method" [ "$code" -eq 2 ]
+run bench towers --patience 0s
+check "no time at all is wrong usage" [ "$code" -eq 2 ]
+check "and is named" said '^thud: --patience: '
 run bench towers --patience long
 check "a time that is none is wrong usage" [ "$code" -eq 2 ]
 run bench rigid-concrete -j 2

@@ -2,7 +2,7 @@
 # shellcheck disable=SC2317,SC2012 # functions are called through check
 # thud figures and the figures of thud run -o: files whole or absent, messages and exit statuses.  TAP.
 set -u
-THUD=${THUD:-./thud}
+THUD=${THUD:-$PWD/thud}
 n=0
 status=0
 check() { # WHAT CONDITION...
@@ -125,6 +125,17 @@ done
 check "the report says that the motions are synthetic" grep -q "synthetic" "$dir/all/report.md"
 "$THUD" figures fig7 fig8 fig10 -o "$dir/one" -j 1 >/dev/null 2>&1
 check "the same bytes with one thread" cmp -s "$dir/one/fig7.csv" "$dir/all/fig7.csv"
+run figures fig10 --records kobe-surrogate.csv,san-fernando-surrogate.csv:peak=0.5g -o "$dir/given"
+check "other records in place of the paper's" [ "$code" -eq 0 ]
+check "under their own names" grep -q '"san-fernando-surrogate"' "$dir/given/fig10.csv"
+check "and with none of the paper's" [ "$(grep -c -i northridge "$dir/given/fig10.csv")" -eq 0 ]
+(cd "$dir" && "$THUD" figures fig3 >"$dir/out" 2>&1)
+check "without -o they go into the folder figures" is_png "$dir/figures/fig3.png"
+run figures fig7 --records "$(yes kobe-surrogate.csv | head -40 | paste -sd,)" -o "$dir/norecord"
+check "too many records are wrong usage" [ "$code" -eq 2 ]
+run figures fig7 --records "kobe-surrogate.csv,," -o "$dir/norecord"
+check "an empty name of a record is wrong usage" [ "$code" -eq 2 ]
+check "with how they are written" said "FILE,FILE,..., each with its own settings"
 run figures fig7 --records "$dir/no-such-file" -o "$dir/norecord"
 check "a record that is not there: exit status 3" [ "$code" -eq 3 ]
 echo "1..$n"

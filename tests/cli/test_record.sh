@@ -95,6 +95,63 @@ is "the damping is written down" shows '^# damping: 0.02'
 is "a damping of 100 % is wrong usage" gives 2 spectrum kobe-surrogate.csv --damping 1
 is "periods the wrong way round are wrong usage" gives 2 spectrum kobe-surrogate.csv --periods 1s:0.1s:10
 
+gives 0 spectrum kobe-surrogate.csv --periods 0.1s:1s:10 --damping "2 %"
+grep '^[0-9]' "$tmp/out" | cut -d, -f1,2 >"$tmp/csv"
+is "spectrum as JSON" gives 0 spectrum kobe-surrogate.csv --periods 0.1s:1s:10 --damping "2 %" --json
+sed -n 's/.*"period_s": \([^,]*\), "acceleration_mps2": \([^,]*\),.*/\1,\2/p' "$tmp/out" >"$tmp/json"
+is "has the same numbers" cmp -s "$tmp/csv" "$tmp/json"
+is "and the damping" shows '"damping": 0.02,'
+is "periods that are two numbers" gives 2 spectrum kobe-surrogate.csv --periods 0.1s:1s
+is "are refused with what is wanted" says 'FROM:TO:COUNT'
+is "periods without a unit" gives 2 spectrum kobe-surrogate.csv --periods 0.1:1:10
+is "are refused with the units" says '^thud: --periods: .*give a time'
+is "two files are one too many for a spectrum" gives 2 spectrum kobe-surrogate.csv northridge-surrogate.csv
+
+# what is done to a record: told in the file, and seen in its numbers
+printf '1\n2\n3\n4\n5\n' >"$tmp/ramp.txt"
+change() { # WHAT LINE FIRST LAST OPTIONS...: what the file says of it, and the first and last samples
+    what=$1 line=$2 first=$3 last=$4
+    shift 4
+    gives 0 convert "$tmp/ramp.txt" --dt 0.5s --unit m/s2 "$@"
+    is "$what" shows "^# $line\$"
+    is "$what: the numbers" test "$(grep '^[0-9]' "$tmp/out" | sed -n '1p;$p' | cut -d, -f2 | tr '\n' ' ')" = "$first $last "
+}
+change "the mean taken out" "baseline: mean" -2 2 --baseline mean
+change "a straight line taken out" "baseline: linear" 0 0 --baseline linear
+change "a factor" "factor: 0.5" 0.5 2.5 --factor 0.5
+change "a peak" "scaled to a peak of: 0.101971621 g" 0.2 1 --peak "1 m/s2"
+change "a sign" "sign: -" -1 -5 --sign -
+for wrong in "--sign=x" "--baseline=cubic" "--peak=0 g" "--unit=" "--column=0" "--skip=-1"; do
+    is "$wrong is wrong usage" gives 2 info "$tmp/ramp.txt" --dt 0.5s "$wrong"
+    is "$wrong is named" says "^thud: ${wrong%%=*}: "
+done
+printf '1,9\n5,8\n3,7\n' >"$tmp/two.csv"
+gives 0 convert "$tmp/two.csv" --dt 0.5s --unit m/s2 --column 2
+is "another column" shows '^0,9$'
+gives 0 info "$tmp/two.csv" --dt 0.5s --unit m/s2 --column all
+is "all columns, one after the other" shows '^  samples  *6, every'
+
+# several at once, and what a list says of files that are none
+is "info of two records" gives 0 info kobe-surrogate.csv northridge-surrogate.csv --json
+is "is a list in JSON" test "$(tr -d '\n' <"$tmp/out" | grep -c '^\[{.*},* *{.*}\]$')" -eq 1
+printf '0\n0\n0\n' >"$tmp/zeros.txt"
+is "a record of zeros" gives 0 info "$tmp/zeros.txt" --dt 0.5s --unit g
+is "has no duration" shows '^  D5-95  *none: the record is all zeros'
+mkdir "$tmp/folder" && cp "$tmp/ramp.txt" records/kobe-surrogate.csv "$tmp/folder"
+printf 'Dear reader,\nno numbers here.\n' >"$tmp/folder/letter.txt"
+is "a list of a folder" gives 0 list "$tmp/folder"
+is "what needs an option says which" shows '^ramp.txt  *needs --dt$'
+is "a record stands with its peak" shows '^kobe-surrogate.csv .* 0.8210 g$'
+is "prose is passed over" test "$(grep -c letter "$tmp/out")" -eq 0
+is "as JSON" gives 0 list "$tmp/folder" --json
+is "with what it needs" shows '"file": "[^"]*ramp.txt", "format": "", "needs": "dt",'
+is "a folder there is not is bad input" gives 3 list "$tmp/nowhere"
+is "with its name" says "nowhere: No such file"
+is "two folders are one too many" gives 2 list records presets
+is "a surrogate is made of no file" gives 2 synthesize kobe-surrogate.csv
+is "a surrogate's value in a wrong unit" gives 2 synthesize --set duration=5m
+is "is named" says "^thud: duration: "
+
 if command -v gnuplot >/dev/null 2>&1; then
     is "spectrum with a preset's periods, drawn" gives 0 spectrum kobe-surrogate.csv --preset towers -o "$tmp/drawn"
     is "histories drawn" gives 0 info kobe-surrogate.csv -o "$tmp/drawn"

@@ -202,6 +202,16 @@ if [ -w /dev/full ]; then
     "$THUD" run towers --json >/dev/full 2>"$tmp/err"
     is "a full disk: output" [ $? -eq 6 ]
 fi
+gives 0 run towers --case none --method central-difference --step 5e-3s
+is "energy that is lost is warned of" says "^thud: warning: .* % of the energy is unaccounted for; at this step central-difference gives no results"
+gives 0 run towers --case none --method central-difference --step 1e-4s
+is "and none that is kept" silent
+is "a response that blows up: the integration failed" gives 4 run towers --method central-difference --step 0.01s --set "structures.1.stiffness=600000 MN/m" --json
+is "with time, place and the limit of the method" says "^thud: central-difference: the response blew up at t = .* s, structure 1, floor 2 (stable while omega dt < 2,.* step used 0.01 s, fastest mode 2595.07 rad/s)"
+"$THUD" run rigid-concrete --quiet >&- 2>"$tmp/err"
+is "a standard output that is closed: output" [ $? -eq 6 ]
+is "and it says so" says "^thud: standard output: "
+is "a name of a folder that is too long: output" gives 6 run rigid-bumper -o "$(awk 'BEGIN { while (i++ < 1500) printf "ab/" }')"
 : >"$tmp/file"
 is "a folder that cannot be made: output" gives 6 run rigid-bumper -o "$tmp/file/x"
 # shellcheck disable=SC2069

@@ -215,6 +215,9 @@ wrong 3 "^thud: --records: no ground motion" towers --records nowhere.csv
 wrong 3 "kobe-surrogate.csv: from: " towers --records kobe-surrogate.csv:from=2s:to=1s
 wrong 3 "kobe-surrogate.csv: --from: " towers --records kobe-surrogate.csv --from 2s --to 1s
 wrong 3 "nowhere.AT2" towers --records nowhere.AT2
+wrong 2 "together" towers --vary gap=8cm --record kobe-surrogate.csv --records kobe-surrogate.csv
+wrong 2 "no study of its own" rigid-concrete
+wrong 2 "part" towers --shard one
 status 2 "$THUD" sweep towers --shard 1/2
 check "a part needs a folder" says "-o DIR"
 status 2 "$THUD" sweep --merge -o "$tmp/wrong"
@@ -248,6 +251,21 @@ check "every record has its rows" test "$(grep -c '^northridge-surrogate.csv,bum
 check "ratios need no case none among the cases" sh -c "! cut -d, -f9 '$tmp/out' | grep -q '^$'"
 status 0 "$THUD" sweep towers --vary gap=4cm,8cm --cases none,bumper
 check "points that are not possible are told" grep -q "1 runs are not possible" "$tmp/out"
+check "with the first and why" grep -q "sticks out by 5 cm into a gap of 4 cm" "$tmp/out"
+status 3 "$THUD" sweep towers --vary gap=1cm,2cm --cases bumper
+check "a study in which nothing is possible is bad input" grep -q "^thud: none of the runs is possible" "$tmp/err"
+status 4 "$THUD" sweep rigid-concrete --method central-difference --step 1e-4s --vary "contact.stiffness=2500 kN/mm,1e15 kN/mm" --case as-written --csv
+check "a run that blows up has no row" test "$(cut -d, -f4 "$tmp/out" | sort | uniq -c | awk '/left/ { print $1 }')" = 2
+check "and is counted, with the first of them" grep -q "^1 runs have no answer (the integration failed), .*contact.stiffness 1e15 kN/mm" "$tmp/err"
+check "and in the message at the end" grep -q "^thud: 1 of 2 runs have no answer" "$tmp/err"
+status 0 "$THUD" sweep rigid-concrete --vary contact.restitution=0.1:0.9:1.59e-5 --case none -j 1
+check "too many rows make no table, and say so" grep -q "more than 200000 rows: no figures, no table" "$tmp/out"
+status 2 "$THUD" sweep rigid-concrete --vary contact.restitution=0.1:0.9:1.59e-5 --case none --best contact.restitution --quiet
+check "nor have they a best value" grep -q "too many rows to look for the best" "$tmp/err"
+status 0 "$THUD" sweep towers --vary gap=8cm --cases none --set structures.1.name='a "quoted" name, \tab' --json
+check "names are told apart from JSON" test "$(grep -c '"structure": "a \\"quoted\\" name, \\\\tab", "floor"' "$tmp/out")" -eq 5
+status 0 "$THUD" sweep towers --vary gap=8cm,30cm --cases bumper --modes 2
+check "left out modes are told" grep -q "^each building's lowest 2 modes alone" "$tmp/out"
 status 0 "$THUD" sweep towers --vary gap=8cm,12cm --vary bumper.thickness=2cm:6cm:2cm --cases bumper --best bumper.thickness
 check "the best value for each gap" test "$(grep -c '^  kobe-surrogate.csv  *bumper  *[0-9]* cm' "$tmp/out")" -eq 2
 

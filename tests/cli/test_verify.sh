@@ -71,6 +71,14 @@ names "$file" | cmp "$tmp/shipped" - >"$tmp/err" 2>&1
 ok "they are of the shipped quantities" $?
 gives 0 --update "$tmp/p/rigid-bumper.yaml" && grep -q 'as it was$' "$tmp/out"
 ok "once more changes nothing" $?
+sed -i '/^as-written,R/d; /^as-written,right/d' "$file"
+cp "$file" "$tmp/before"
+gives 0 --update "$tmp/p/rigid-bumper.yaml" --json && grep -q '"new": \[' "$tmp/out" && grep -q '"left_out": \[' "$tmp/out"
+ok "as JSON with what is new and what is left out" $?
+cp "$tmp/before" "$file"
+gives 0 --update "$tmp/p/rigid-bumper.yaml" && ! cmp -s "$tmp/before" "$file" &&
+    [ "$(grep -c ' new$' "$tmp/out")" -eq $(($(wc -l <"$file") - $(wc -l <"$tmp/before"))) ]
+ok "a quantity that was not expected before comes in as new" $?
 sed -i 's/stiffness: 0.36/stiffness: 0.37/' "$tmp/p/rigid-bumper.yaml"
 gives 0 --update "$tmp/p/rigid-bumper.yaml" && awk '/moved$/ && !w { seen = 1 } /written$/ { w = 1 } END { exit !(seen && w) }' "$tmp/out"
 ok "--update shows the difference before it writes" $?

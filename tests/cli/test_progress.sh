@@ -1,0 +1,66 @@
+#!/bin/sh
+# shellcheck disable=SC2317 # functions are called through check
+# Progress: on a terminal only, not with --quiet, and wiped out before what stays is written.  TAP.
+set -u
+THUD=${THUD:-$PWD/thud}
+tmp=$(mktemp -d) || exit 1
+trap 'rm -rf "$tmp"' EXIT
+n=0
+if ! command -v script >/dev/null 2>&1; then
+    echo "ok 1 - progress on a terminal # SKIP no script(1)"
+    exit 0
+fi
+check() { # WHAT CONDITION...
+    n=$((n + 1))
+    what=$1
+    shift
+    if "$@"; then echo "ok $n - $what"; else
+        echo "not ok $n - $what"
+        head -c 2000 "$tmp/seen" | od -c | head -20 | sed 's/^/# /'
+    fi
+}
+# on_terminal ARGUMENTS...: what standard error shows on a terminal into $tmp/seen, standard output into $tmp/out
+on_terminal() {
+    words="'$THUD'"
+    for word in "$@"; do words="$words '$word'"; done
+    script -qec "$words >'$tmp/out'" "$tmp/typed" >/dev/null 2>&1 </dev/null
+    code=$?
+    sed '/^Script \(started\|done\)/d' "$tmp/typed" >"$tmp/seen"
+    "$THUD" "$@" >"$tmp/piped" 2>"$tmp/err" </dev/null
+}
+esc=$(printf '\033')
+shows() { grep -q -e "$1" "$tmp/seen"; }
+# what a terminal still shows in the end: each line after its last return and wiping
+left() { tr -d '\r' <"$tmp/seen" | sed "s/.*$esc\[K//"; }
+nothing() { [ -z "$(tr -d '\r\n' <"$1")" ]; }
+stays() { # WHAT: the messages that stay, and the answer, are those of a run without a terminal
+    check "$1: it is wiped out in the end" [ "$(left)" = "$(cat "$tmp/err")" ]
+    check "$1: the answer is the same" cmp -s "$tmp/out" "$tmp/piped"
+}
+
+on_terminal sweep towers --vary gap=6cm:16cm:1cm -j 1
+check "sweep shows points and the time left" shows "[1-9][0-9]* of 11 points, [0-9]* s left"
+check "and the last point" shows "11 of 11 points"
+stays sweep
+on_terminal sweep towers --vary gap=6cm:8cm:1cm --quiet
+check "sweep --quiet shows none" nothing "$tmp/seen"
+THUD_GNUPLOT=$tmp/none # what is drawn is of no interest here
+export THUD_GNUPLOT
+on_terminal figures fig7 -o "$tmp/figures"
+check "figures shows points and the time left" shows "[0-9]* of 123 points, [0-9]* s left"
+check "it is wiped out before the message that stays" [ "$(left | grep -c .)" -eq 1 ]
+on_terminal figures fig7 --quiet -o "$tmp/figures"
+check "figures --quiet shows only the message" [ "$(grep -c . "$tmp/seen")" -eq 1 ]
+on_terminal bench rigid-bumper --methods exact --patience 0.1s
+check "bench shows the reference" shows "0 of 2  reference"
+check "and the curve" shows "[1-9][0-9]* of [0-9]*  exact"
+check "bench: it is wiped out in the end" nothing "$tmp/err"
+check "bench ends well" [ $code -eq 0 ]
+on_terminal bench rigid-concrete --cost impacts --patience 0.1s
+check "bench --cost shows how far it is" shows "[0-9]* of [0-9]*  "
+check "bench --cost: it is wiped out in the end" [ -z "$(left)" ]
+on_terminal verify rigid-concrete
+check "verify shows the preset" shows "rigid-concrete"
+stays verify
+on_terminal verify rigid-concrete --quiet
+check "verify --quiet shows none" nothing "$tmp/seen"

@@ -1,0 +1,76 @@
+#!/bin/sh
+# shellcheck disable=SC2016 # awk has dollars of its own
+# thud stability: verdicts against the limits of linear systems, tables and files that say the same, stopping.  TAP.
+set -u
+THUD=${THUD:-$PWD/thud}
+tmp=$(mktemp -d) || exit 1
+trap 'rm -rf "$tmp"' EXIT
+
+is() { # WHAT CONDITION...
+    what=$1
+    shift
+    if "$@"; then echo "ok - $what"; else
+        echo "not ok - $what"
+        head -20 "$tmp/out" "$tmp/err" | sed 's/^/# /'
+    fi
+}
+gives() { # STATUS ARGUMENTS...: runs, keeps out and err
+    wanted=$1
+    shift
+    "$THUD" stability "$@" >"$tmp/out" 2>"$tmp/err" </dev/null
+    got=$?
+    [ "$got" -eq "$wanted" ]
+}
+says() { grep -q -e "$1" "$tmp/err"; }
+shows() { grep -q -e "$1" "$tmp/out"; }
+is_png() { [ "$(od -An -tx1 -N8 "$1" 2>/dev/null | tr -d ' \n')" = 89504e470d0a1a0a ]; }
+
+# what is wrong is said before the work
+is "a preset there is not: input" gives 3 twoers
+is "two presets: usage" gives 2 towers rigid-concrete
+is "a size out of bounds: usage" gives 2 towers --size 1x1 -o "$tmp/never"
+is "a record there is not: input" gives 3 towers --record nowhere.csv -o "$tmp/never"
+is "and nothing was written" test ! -e "$tmp/never"
+
+if command -v script >/dev/null 2>&1; then # standard error on a terminal, which shows how far it is
+    script -qec "'$THUD' stability rigid-concrete -o '$tmp/s' >'$tmp/out'" "$tmp/err" >/dev/null 2>&1 </dev/null
+    is "stability" test $? -eq 0
+    is "progress on a terminal" says '1 of [1-9]'
+    is "which is wiped out in the end" test -z "$(sed '/^Script /d' "$tmp/err" | tr -d '\r\n' | sed "s/.*$(printf '\033')\[K//")"
+else
+    is "stability" gives 0 rigid-concrete -o "$tmp/s"
+fi
+# free vibration: bounded below the limit of the method, blown up above it, whatever the method
+is "no verdict is on the wrong side of its limit" awk -F, '
+    NR > 1 && $3 != "" { n++; if (($5 == "bounded") != ($4 == "inf" || $3 + 0 < $4 + 0)) bad = 1 }
+    END { exit bad || n < 100 }' "$tmp/s/verdicts.csv"
+is "the exact method has steps of its own" test "$(grep -c '^exact,1,,inf,bounded,' "$tmp/s/verdicts.csv")" -eq 1
+is "bodies without a spring are no scene to judge" test "$(cut -d, -f9 "$tmp/s/verdicts.csv" | sort -u | tr '\n' ' ')" = "- scene "
+# the table has the signs of the file, a line for each method
+sed -n '/^free vibration/,/^$/p' "$tmp/out" | sed '1,2d; /^$/d; /steps of its own/d' |
+    awk '{ printf "%s", $1; for (i = 2; i <= NF; i++) if ($i ~ /^(located|[.+X])$/) printf " %s", $i; print "" }' | tr -d ',' >"$tmp/table"
+awk -F, 'NR > 1 && $3 != "" { k = $1 ($2 == 1 ? " located" : ""); if (k != last) printf "%s%s", last ? "\n" : "", k; last = k
+    printf " %s", $5 == "bounded" ? "." : $5 == "growing" ? "+" : "X" } END { print "" }' "$tmp/s/verdicts.csv" >"$tmp/file"
+is "table and file have the same verdicts" cmp "$tmp/table" "$tmp/file"
+# by theory: average acceleration keeps the energy of a spring, the exact method has no error but rounding
+is "the exact method ends with the energy it began with" awk -F, '$1 == "exact" && ($4 - 1) ^ 2 < 1e-20 { ok = 1 } END { exit !ok }' "$tmp/s/energies.csv"
+is "its restitutions are the laws' own" awk -F, '$3 == "exact" { n++; if (($6 - $7) ^ 2 > 1e-12) bad = 1 } END { exit bad || n < 8 }' "$tmp/s/restitutions.csv"
+is "where a naive method goes wrong thud does not, in the file" awk '
+    NR > 1 { n = split($0, f, ","); right = f[n - 2]; wrong = f[n - 1]; thud = f[n]; d = thud - right; d = d < 0 ? -d : d
+        m = wrong == "inf" ? 1e9 : wrong - right; m = m < 0 ? -m : m; rows++; if (d > 1e-3 * (right ? right : 1) || m < 100 * d) bad = 1 }
+    END { exit bad || rows < 10 }' "$tmp/s/exhibits.csv"
+is "and as many in the table" test "$(sed -n '/^where a naive/,$p' "$tmp/out" | grep -c '^    .*: right .*, thud ')" -eq "$(($(wc -l <"$tmp/s/exhibits.csv") - 1))"
+for name in stability-free stability-wall stability-energy; do
+    is "$name is a picture" is_png "$tmp/s/$name.png"
+done
+is "and no picture of the scene" test ! -e "$tmp/s/stability-scene.png"
+is "nor a table" test "$(grep -c '^scene: ' "$tmp/out")" -eq 0
+is "nothing half written stays" test -z "$(find "$tmp/s" -name '*.part')"
+
+# stopped at once: the work lasts seconds (TERM, for a shell's background jobs may ignore INT until the program asks for it)
+"$THUD" stability towers -o "$tmp/i" >"$tmp/out" 2>"$tmp/err" &
+pid=$!
+kill -TERM $pid
+wait $pid
+is "stopped: the exit status of the signal" test $? -eq 143
+is "and nothing half written" test -z "$(find "$tmp/i" -name '*.part' 2>/dev/null)"
