@@ -151,6 +151,14 @@ void thud_pane_right(const struct thud_pane *pane, int x, int y, struct thud_loo
     thud_pane_put(pane, x - thud_utf8_columns(text), y, style, text);
 }
 
+bool thud_pane_is_free(const struct thud_pane *pane, int x, int y, int w)
+{
+    for (int i = 0; i < w; i++)
+        if (pane->canvas->cell[(pane->y + y) * pane->canvas->width + pane->x + x + i].glyph != ' ')
+            return false;
+    return true;
+}
+
 struct thud_pane thud_pane_frame(const struct thud_pane *pane, const char *title, bool focused)
 {
     struct thud_look line = thud_look(THUD_ROLE_BORDER, focused ? THUD_BOLD : 0);

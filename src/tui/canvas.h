@@ -63,6 +63,8 @@ void thud_pane_glyph(const struct thud_pane *pane, int x, int y, struct thud_loo
 int thud_pane_put(const struct thud_pane *pane, int x, int y, struct thud_look style, const char *text);
 int thud_pane_print(const struct thud_pane *pane, int x, int y, struct thud_look style, const char *fmt, ...)
     THUD_PRINTF(5, 6);
+/* Whether these `w` cells, all inside the pane, are blank. */
+bool thud_pane_is_free(const struct thud_pane *pane, int x, int y, int w);
 /* Ends at column x (exclusive). */
 void thud_pane_right(const struct thud_pane *pane, int x, int y, struct thud_look style, const char *text);
 /* A frame with a title in its upper edge; returns the inside. */

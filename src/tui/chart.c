@@ -109,14 +109,6 @@ static void draw_mark(struct drawing *d, const struct thud_mark *mark)
     thud_dots_put(&d->dots);
 }
 
-static bool is_free(const struct thud_pane *pane, int x, int y, int w)
-{
-    for (int i = 0; i < w; i++)
-        if (pane->canvas->cell[(pane->y + y) * pane->canvas->width + pane->x + x + i].glyph != ' ')
-            return false;
-    return true;
-}
-
 /* Its words at the mark or in the band, in the first place where no curve goes; nowhere when there is none. */
 static void label_mark(struct drawing *d, const struct thud_mark *mark)
 {
@@ -130,7 +122,7 @@ static void label_mark(struct drawing *d, const struct thud_mark *mark)
         return;
     for (int row = upright ? 0 : (int)low; row >= (int)high && row <= (int)low; row += upright ? 1 : -1)
         for (int column = (int)x; column + w <= pane->w; column += upright ? pane->w : 4)
-            if (is_free(pane, column, row, w)) {
+            if (thud_pane_is_free(pane, column, row, w)) {
                 thud_pane_put(pane, column, row, thud_look(THUD_ROLE_MUTED, 0), mark->text);
                 return;
             }

@@ -71,6 +71,20 @@ static void make_ticks(const struct thud_axis *axis, const struct thud_range *ra
         number_ticks(ticks, range, most > 2 ? most : 2);
 }
 
+/* Only the two ends of the range: round steps might leave none or one of them in so little room. */
+static void keep_ends(const struct thud_axis *axis, const struct thud_range *range, struct ticks *ticks)
+{
+    const double end[] = {range->least, range->most};
+    if (axis->nticks > 0)
+        return;
+    ticks->n = 0;
+    for (int i = 0; i < 2; i++) {
+        char text[TICK_TEXT];
+        snprintf(text, sizeof text, "%.6g", end[i]);
+        add_tick(ticks, end[i], text);
+    }
+}
+
 struct thud_look thud_chart_look(const struct thud_series *series, int index)
 {
     int color = series->style.color;
@@ -128,6 +142,10 @@ static int head(const struct thud_pane *pane, const struct thud_panel *panel)
         return 1;
     }
     int most = pane->h / 5, rows = key_lines(pane, panel, 0, 1, most, false);
+    if (most == 0) { /* what fits beside the title */
+        key_lines(pane, panel, at, 0, 1, true);
+        return 1;
+    }
     key_lines(pane, panel, 0, 1, most, true);
     return 1 + (rows < most ? rows : most);
 }
@@ -178,9 +196,32 @@ static void x_axis(const struct thud_chart_frame *frame, const struct thud_pane 
     thud_pane_right(pane, pane->w, y + 1, thud_look(THUD_ROLE_MUTED, 0), label);
 }
 
+/* Where there is no room for an axis: from where to where it goes, at the end of the title's row if that is free. */
+static void x_extent(const struct thud_pane *pane, const struct ticks *ticks, const struct thud_axis *axis)
+{
+    char text[64];
+    if (ticks->n < 2)
+        return;
+    snprintf(text, sizeof text, "%s to %s%s%s", ticks->text[0], ticks->text[ticks->n - 1],
+             axis->unit && *axis->unit ? " " : "", axis->unit ? axis->unit : "");
+    int w = thud_utf8_columns(text);
+    if (w + 1 < pane->w && thud_pane_is_free(pane, pane->w - w - 1, 0, w + 1))
+        thud_pane_right(pane, pane->w, 0, thud_look(THUD_ROLE_MUTED, 0), text);
+}
+
+static int width_of(const struct ticks *ticks)
+{
+    int most = 1;
+    for (int i = 0; i < ticks->n; i++) {
+        int width = thud_utf8_columns(ticks->text[i]);
+        most = width > most ? width : most;
+    }
+    return most;
+}
+
 bool thud_chart_axes(const struct thud_pane *pane, const struct thud_panel *panel, struct thud_chart_frame *frame)
 {
-    if (pane->w < 16 || pane->h < 5)
+    if (pane->w < 16 || pane->h < 3)
         return false;
     struct ticks x_ticks, y_ticks;
     frame->x = thud_panel_range(panel, THUD_X);
@@ -189,16 +230,19 @@ bool thud_chart_axes(const struct thud_pane *pane, const struct thud_panel *pane
     frame->y_log = panel->axis[THUD_Y].log;
     make_ticks(&panel->axis[THUD_X], &frame->x, pane->w / 6, &x_ticks);
     make_ticks(&panel->axis[THUD_Y], &frame->y, (pane->h - 2) / 2, &y_ticks);
-    int labels = 1;
-    for (int i = 0; i < y_ticks.n; i++) {
-        int width = thud_utf8_columns(y_ticks.text[i]);
-        labels = width > labels ? width : labels;
-    }
-    int top = head(pane, panel), left = labels + 2;
-    frame->plot = thud_pane_inside(pane, left, top, pane->w - left, pane->h - top - 2);
+    int top = head(pane, panel), below = pane->h - top - 2 < 2 ? 0 : 2; /* the x axis and its numbers */
+    if (below == 0)
+        keep_ends(&panel->axis[THUD_X], &frame->x, &x_ticks);
+    if (below == 0 || y_ticks.n < 2) /* one number gives no scale */
+        keep_ends(&panel->axis[THUD_Y], &frame->y, &y_ticks);
+    int left = width_of(&y_ticks) + 2;
+    frame->plot = thud_pane_inside(pane, left, top, pane->w - left, pane->h - top - below);
     if (frame->plot.w < 6 || frame->plot.h < 2)
         return false;
     y_axis(frame, pane, &y_ticks);
-    x_axis(frame, pane, &x_ticks, &panel->axis[THUD_X]);
+    if (below > 0)
+        x_axis(frame, pane, &x_ticks, &panel->axis[THUD_X]);
+    else
+        x_extent(pane, &x_ticks, &panel->axis[THUD_X]);
     return true;
 }

@@ -232,7 +232,7 @@ void thud_movement_draw(const struct thud_pane *pane, const struct thud_scene *s
     struct thud_pane area = thud_pane_inside(pane, 0, 1, pane->w, pane->h - 1);
     int worst = -1;
     double force = 0.0;
-    if (area.w < 12 || area.h < 4 || history->rows == 0 || thud_dots_init(&stage.dots, &area, NULL) != THUD_OK)
+    if (area.w < 12 || area.h < 2 || history->rows == 0 || thud_dots_init(&stage.dots, &area, NULL) != THUD_OK)
         return;
     if (set_stage(&stage)) {
         for (int i = 0; i < model->ncontacts; i++)

@@ -52,6 +52,32 @@ START_TEST(a_straight_line_in_ascii)
 }
 END_TEST
 
+/* Without room for the axis below: the title's row says from where to where it goes, or stays as it is when full. */
+START_TEST(four_rows_are_enough)
+{
+    struct thud_figure *figure;
+    struct thud_panel *panel = one_panel(&figure, "Time", "Drift");
+    const double x[] = {0.0, 10.0}, y[] = {0.0, 10.0};
+    thud_panel_limits(panel, THUD_X, 0.0, 10.0);
+    thud_panel_limits(panel, THUD_Y, 0.0, 10.0);
+    thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES}, "", 2, x, y);
+    char *text = draw(panel, 24, 4, true);
+    ck_assert_str_eq(text, "Drift (mm)     0 to 10 s\n"
+                           "10 +              ....''\n"
+                           "   |      ....''''\n"
+                           " 0 +..''''\n");
+    free(text);
+    text = draw(panel, 19, 3, true);
+    ck_assert_ptr_nonnull(strstr(text, "Drift (mm)\n"));
+    ck_assert_ptr_nonnull(strstr(text, "\n 0 +"));
+    free(text);
+    text = draw(panel, 24, 2, true);
+    ck_assert_str_eq(text, "more room is needed for\n\n");
+    free(text);
+    thud_figure_free(figure);
+}
+END_TEST
+
 /* One sample of 6000 stands out, for 25 ms of 30 s in the mean: its column reaches the top. */
 START_TEST(a_spike_is_seen)
 {
@@ -180,6 +206,7 @@ Suite *thud_suite(void)
     Suite *suite = suite_create("tui chart");
     TCase *chart = tcase_create("chart");
     tcase_add_test(chart, a_straight_line_in_ascii);
+    tcase_add_test(chart, four_rows_are_enough);
     tcase_add_test(chart, a_spike_is_seen);
     tcase_add_test(chart, words_of_marks_stay_whole);
     tcase_add_test(chart, curves_are_told_apart_without_colour);
