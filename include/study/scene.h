@@ -66,10 +66,11 @@ enum thud_case { THUD_CASE_AS_WRITTEN = -1, THUD_CASE_NONE, THUD_CASE_BUMPER, TH
 
 /* A study: up to THUD_VARY_MAX keys over ranges or lists, cases and records (the records themselves on the command
  * line). */
-enum { THUD_VARY_MAX = 4 };
+enum { THUD_VARY_MAX = 4, THUD_VARY_KEY = 96, THUD_VARY_VALUES = 320, THUD_VARY_TEXT = 512 };
 struct thud_vary {
-    char key[96];
-    double from, to, step; /* SI */
+    char key[THUD_VARY_KEY];
+    double from, to, step;         /* SI; NaN where there are values */
+    char values[THUD_VARY_VALUES]; /* "5 cm, 7.5 cm"; empty: a range. All keys of a study have them, or none has */
 };
 struct thud_study_choice {
     int nvary;
@@ -139,7 +140,8 @@ enum thud_status thud_scene_get_in(const struct thud_scene *scene, const char *p
 /* The described parameter behind a path, its index among the floors in *floor (-1: all); NULL when unknown. */
 const struct thud_param *thud_scene_param(const struct thud_scene *scene, const char *path, int *floor);
 
-/* The i-th varied key of the scene's study as `thud sweep --vary` takes it: "gap=5 cm:25 cm:0.5 cm". */
+/* The i-th varied key of the scene's study as `thud sweep --vary` takes it: "gap=5 cm:25 cm:0.5 cm" or "gap=5 cm, 7.5
+ * cm" (THUD_VARY_TEXT is room for each). */
 void thud_study_vary_text(const struct thud_scene *scene, int i, char *text, unsigned long size);
 
 /* Checks values against each other (thickness - cavity <= gap, nothing missing, ...). Errors: THUD_INPUT with key. */

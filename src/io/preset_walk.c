@@ -82,26 +82,50 @@ static enum thud_status set_floors(struct thud_preset *preset, const char *path,
     return THUD_OK;
 }
 
-/* "[a, b]" of the scalars of a list. */
+struct joined {
+    char text[2000];
+    size_t n; /* what it would be where it is too long */
+};
+
+static void join(struct joined *to, const char *text)
+{
+    if (to->n < sizeof to->text)
+        snprintf(to->text + to->n, sizeof to->text - to->n, "%s", text);
+    to->n += strlen(text);
+}
+
+/* "[a, b]" of the scalars of a list, and of lists within it down to this depth. */
+static enum thud_status join_list(struct thud_preset *preset, const char *path, int node, int depth, struct joined *to,
+                                  struct thud_error *err)
+{
+    join(to, "[");
+    if (preset->tree.node[node].children == 0)
+        return refuse(preset, node, path, "the list is empty", NULL, err);
+    for (int i = preset->tree.node[node].first; i >= 0; i = preset->tree.node[i].next) {
+        enum thud_status status = THUD_OK;
+        join(to, i == preset->tree.node[node].first ? "" : ", ");
+        if (depth > 1 && kind_of(preset, i) == THUD_YAML_LIST)
+            status = join_list(preset, path, i, depth - 1, to, err);
+        else if (kind_of(preset, i) != THUD_YAML_SCALAR)
+            return refuse(preset, i, path, "a list or keys stand where one value is wanted", NULL, err);
+        else if (strpbrk(thud_yaml_text(&preset->tree, i), ",[]"))
+            return refuse(preset, i, path, "a comma or a bracket inside a value", NULL, err);
+        else
+            join(to, thud_yaml_text(&preset->tree, i));
+        if (status != THUD_OK)
+            return status;
+    }
+    join(to, "]");
+    return THUD_OK;
+}
+
 static enum thud_status set_joined(struct thud_preset *preset, const char *path, int node, struct thud_error *err)
 {
-    char text[1024] = "[";
-    size_t n = 1;
-    for (int i = preset->tree.node[node].first; i >= 0; i = preset->tree.node[i].next) {
-        if (kind_of(preset, i) != THUD_YAML_SCALAR)
-            return refuse(preset, i, path, "a list or keys stand where one value is wanted", NULL, err);
-        if (strchr(thud_yaml_text(&preset->tree, i), ','))
-            return refuse(preset, i, path, "a comma inside a value", NULL, err);
-        if (n < sizeof text)
-            n += (size_t)snprintf(text + n, sizeof text - n, "%s%s", n > 1 ? ", " : "",
-                                  thud_yaml_text(&preset->tree, i));
-    }
-    if (n + 2 > sizeof text)
+    struct joined list = {.n = 0};
+    enum thud_status status = join_list(preset, path, node, strcmp(path, "study.values") == 0 ? 2 : 1, &list, err);
+    if (status == THUD_OK && list.n >= sizeof list.text)
         return refuse(preset, node, path, "the list is too long", NULL, err);
-    if (n == 1)
-        return refuse(preset, node, path, "the list is empty", NULL, err);
-    strcpy(text + n, "]");
-    return set_text(preset, path, node, text, err);
+    return status == THUD_OK ? set_text(preset, path, node, list.text, err) : status;
 }
 
 static enum thud_status set_value(struct thud_preset *preset, const char *path, int node, struct thud_error *err)

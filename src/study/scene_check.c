@@ -162,12 +162,18 @@ static enum thud_status check_study(const struct thud_scene *scene, struct thud_
         enum thud_status status = thud_slot_find(scene, vary->key, &slot, err);
         if (status != THUD_OK)
             return refuse(err, "study.vary", NULL);
+        if (vary->values[0])
+            continue;
+        if (slot.param->kind != THUD_PARAM_QUANTITY && slot.param->kind != THUD_PARAM_INTEGER) {
+            thud_error_set(err, THUD_INPUT, "the varied key %s has no values", vary->key);
+            return refuse(err, "study.values", "a list of its words");
+        }
         const char *absent = isnan(vary->from) ? "from" : isnan(vary->to) ? "to" : isnan(vary->step) ? "step" : NULL;
         char key[32];
         if (absent) {
             snprintf(key, sizeof key, "study.%s", absent);
             thud_error_set(err, THUD_INPUT, "the varied key %s has no \"%s\"", vary->key, absent);
-            return refuse(err, key, "from, to and step");
+            return refuse(err, key, "from, to and step, or values");
         }
         if (vary->from > vary->to) {
             thud_error_set(err, THUD_INPUT, "the last value is below the first one");

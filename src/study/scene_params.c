@@ -154,12 +154,14 @@ static const struct thud_param study_params[] = {
     WORD("from", "first value", "Of the varied key; a list where several are varied."),
     WORD("to", "last value", "Of the varied key."),
     WORD("step", "step", "Of the varied key."),
+    WORD("values", "values", "Instead of from, to and step: a list, or one list for each varied key."),
     WORD("cases", "cases", "List of none, bumper, cavity, as-written."),
     {NUMBER("sensitivity", "sensitivity", "Spread of every peak when gap, ground motion or stiffness change by this much; 0: none.",
             THUD_RATIO, "%", 0), FROM(0), UP_TO(0.1), USUAL(0, 0.02)},
 };
 static const struct thud_place study_places[] = {
-    {.store = THUD_STORE_STUDY}, {.store = THUD_STORE_STUDY}, {.store = THUD_STORE_STUDY}, {.store = THUD_STORE_STUDY}, {.store = THUD_STORE_STUDY},
+    {.store = THUD_STORE_STUDY}, {.store = THUD_STORE_STUDY}, {.store = THUD_STORE_STUDY},
+    {.store = THUD_STORE_STUDY}, {.store = THUD_STORE_STUDY}, {.store = THUD_STORE_STUDY},
     {.store = THUD_STORE_NUMBER, .offset = offsetof(struct thud_scene, study.sensitivity)},
 };
 /* clang-format on */

@@ -104,7 +104,10 @@ int thud_list_split(char *text, char **item, int most)
     text[length - 1] = '\0';
     int n = 0;
     for (char *next = text + 1; next && n <= most;) {
-        char *comma = strchr(next, ',');
+        char *comma = next;
+        for (int depth = 0; *comma && (depth > 0 || *comma != ','); comma++)
+            depth += (*comma == '[') - (*comma == ']');
+        comma = *comma ? comma : NULL;
         if (comma)
             *comma = '\0';
         next += strspn(next, " \t");

@@ -344,7 +344,7 @@ enum thud_status thud_sweep_study(struct thud_sweep_plan *plan, bool axes, bool 
 {
     const struct thud_study_choice *study = &plan->scene.study;
     for (int i = 0; axes && i < study->nvary; i++) {
-        char text[sizeof study->vary[i].key + 3 * TEXT + 4];
+        char text[THUD_VARY_TEXT];
         thud_study_vary_text(&plan->scene, i, text, sizeof text);
         enum thud_status status = thud_sweep_vary(plan, text, err);
         if (status != THUD_OK)

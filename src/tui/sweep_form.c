@@ -73,10 +73,11 @@ void thud_tui_sweep_typed(struct thud_tui *tui, const char *text)
     struct thud_scene next = tui->doc.scene;
     struct thud_error err = {0};
     char *word = word_of(&words, s->typed, &size), what[200];
+    bool kept = true;
     snprintf(word, size, "%s", text);
     close_up(&words);
     snprintf(what, sizeof what, "study: %s %.120s", word_name(s->typed), *text ? text : "(none)");
-    enum thud_status status = s->typed == RECORDS ? THUD_OK : thud_study_words_keep(&words, &next, &err);
+    enum thud_status status = s->typed == RECORDS ? THUD_OK : thud_study_words_keep(&words, &next, &kept, &err);
     if (status == THUD_OK)
         status = thud_doc_change(&tui->doc, &next, what, &err);
     if (status != THUD_OK) {
@@ -86,8 +87,8 @@ void thud_tui_sweep_typed(struct thud_tui *tui, const char *text)
     }
     s->words = words;
     s->study = tui->doc.scene.study;
-    if (!thud_study_words_fit(&words))
-        thud_tui_say(tui, THUD_ROLE_WARN, "r runs it; a preset keeps ranges, no lists of values: w does not save this");
+    if (!kept)
+        thud_tui_say(tui, THUD_ROLE_WARN, "r runs it; a preset has no room for so many values: w does not save this");
 }
 
 void thud_tui_sweep_word(struct thud_tui *tui, const char *word, const char *text)
@@ -141,7 +142,7 @@ int thud_sweep_form_draw(struct thud_tui *tui, int index, const struct thud_pane
     struct thud_sweep_state *s = thud_sweep_state(tui);
     int y = 0;
     for (int i = 0; s && i < WORDS; i++) {
-        char key[32], text[600];
+        char key[32], text[THUD_VARY_TEXT + 8];
         size_t size;
         const char *word = word_of(&s->words, i, &size);
         if (i >= 2 && i < CASES && !*word && !*s->words.vary[i - 1])

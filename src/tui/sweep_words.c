@@ -6,7 +6,7 @@
 
 #include "study/sweep.h"
 
-enum { FROM, TO, STEP, PARTS };
+enum { FROM, TO, STEP, PARTS, VARY = PARTS, VALUES, KEYS, LIST = THUD_VARY_MAX * THUD_VARY_VALUES };
 
 static bool any_bumper(const struct thud_scene *scene)
 {
@@ -36,14 +36,6 @@ void thud_study_words_of(const struct thud_scene *scene, struct thud_study_words
     snprintf(words->cases, sizeof words->cases, "%s", any_bumper(scene) ? "none,bumper" : "none");
 }
 
-bool thud_study_words_fit(const struct thud_study_words *words)
-{
-    for (int i = 0; i < THUD_VARY_MAX; i++)
-        if (*words->vary[i] && !strchr(words->vary[i], ':'))
-            return false;
-    return true;
-}
-
 /* Appends an item to a list in brackets. */
 static void add_item(char *list, size_t size, const char *item, int length)
 {
@@ -52,13 +44,11 @@ static void add_item(char *list, size_t size, const char *item, int length)
 }
 
 /* "KEY=FROM:TO:STEP" into four lists; a part without a unit takes that of the last one, as on the command line. */
-static void split(const char *vary, char list[1 + PARTS][512])
+static void split(const char *vary, char list[KEYS][LIST])
 {
     char part[PARTS][64] = {"", "", ""};
-    const char *at = strchr(vary, '='), *end;
+    const char *at = strchr(vary, '=') + 1, *end;
     double number;
-    add_item(list[PARTS], sizeof list[PARTS], vary, (int)(at - vary));
-    at++;
     for (int i = 0; i < PARTS; i++) {
         at += strspn(at, " ");
         size_t n = strcspn(at, ":");
@@ -77,57 +67,110 @@ static void split(const char *vary, char list[1 + PARTS][512])
     }
 }
 
-/* All values are tried, in a plan that is thrown away. */
+/* All values are tried, in a plan that the caller clears. */
 static enum thud_status try_out(const struct thud_study_words *words, const struct thud_scene *scene,
-                                struct thud_error *err)
+                                struct thud_sweep_plan *plan, struct thud_error *err)
 {
-    struct thud_sweep_plan plan;
     enum thud_status status = THUD_OK;
-    thud_sweep_plan_init(&plan, scene);
+    thud_sweep_plan_init(plan, scene);
     for (int i = 0; i < THUD_VARY_MAX && status == THUD_OK; i++)
         if (*words->vary[i])
-            status = thud_sweep_vary(&plan, words->vary[i], err);
+            status = thud_sweep_vary(plan, words->vary[i], err);
     if (status == THUD_OK && *words->cases)
-        status = thud_sweep_cases(&plan, words->cases, err);
+        status = thud_sweep_cases(plan, words->cases, err);
     if (status == THUD_OK && *words->sensitivity)
-        status = thud_scene_set(&plan.scene, "study.sensitivity", words->sensitivity, err);
-    thud_sweep_plan_clear(&plan);
+        status = thud_scene_set(&plan->scene, "study.sensitivity", words->sensitivity, err);
     return status;
 }
 
-enum thud_status thud_study_words_keep(const struct thud_study_words *words, struct thud_scene *scene,
-                                       struct thud_error *err)
+/* The values of a key with their units, as a list in brackets; false when it is longer than a preset has room for. */
+static bool list_values(const struct thud_sweep_plan *plan, const char *key, size_t length, char *list, size_t size)
 {
-    static const char *const key[1 + PARTS] = {"study.from", "study.to", "study.step", "study.vary"};
-    char list[1 + PARTS][512] = {"", "", "", ""}, cases[128] = "";
-    enum thud_status status = try_out(words, scene, err);
-    if (status != THUD_OK || !thud_study_words_fit(words))
-        return status;
+    char values[THUD_VARY_VALUES] = "";
+    for (int i = 0; i < plan->naxes; i++) {
+        const struct thud_sweep_axis *axis = &plan->axis[i];
+        if (strncmp(axis->key, key, length) != 0 || axis->key[length])
+            continue;
+        for (int v = 0; v < axis->n; v++) {
+            if (strlen(values) + strlen(axis->text[v]) + 4 > sizeof values)
+                return false;
+            add_item(values, sizeof values, axis->text[v], (int)strlen(axis->text[v]));
+        }
+    }
+    size_t n = strlen(values);
+    if (n == 0)
+        return false;
+    memcpy(values + n, "]", 2);
+    add_item(list, size, values, (int)strlen(values));
+    return true;
+}
+
+/* The words as lists for the keys of the preset's study; false when a preset has no room for them. */
+static bool write_lists(const struct thud_study_words *words, const struct thud_sweep_plan *plan, char list[KEYS][LIST])
+{
+    bool ranges = true, room = true;
     for (int i = 0; i < THUD_VARY_MAX; i++)
-        if (*words->vary[i])
-            split(words->vary[i], list);
+        ranges = ranges && (!*words->vary[i] || strchr(words->vary[i], ':'));
+    for (int i = 0; i < THUD_VARY_MAX; i++) {
+        const char *vary = words->vary[i];
+        if (!*vary)
+            continue;
+        size_t length = strcspn(vary, "=");
+        add_item(list[VARY], LIST, vary, (int)length);
+        if (ranges)
+            split(vary, list);
+        else
+            room = room && list_values(plan, vary, length, list[VALUES], LIST);
+    }
+    for (int k = 0; k < KEYS; k++) {
+        size_t n = strlen(list[k]);
+        if (k == VALUES && n > 0 && plan->naxes == 1)
+            memmove(list[k], list[k] + 1, n); /* one key has a list, several a list of lists */
+        else if (n > 0 && n + 1 < LIST)
+            memcpy(list[k] + n, "]", 2);
+    }
+    return room;
+}
+
+static enum thud_status set_study(struct thud_scene *scene, const struct thud_study_words *words, char list[KEYS][LIST],
+                                  struct thud_error *err)
+{
+    static const char *const key[KEYS] = {"study.from", "study.to", "study.step", "study.vary", "study.values"};
+    static const int order[KEYS] = {VARY, FROM, TO, STEP, VALUES}; /* the keys before their ranges */
+    char cases[128] = "";
+    enum thud_status status = THUD_OK;
     if (*words->cases)
         snprintf(cases, sizeof cases, "[%s]", words->cases);
-    struct thud_scene *next = malloc(sizeof *next);
-    if (!next)
-        return thud_error_set(err, THUD_MEMORY, "no memory for the study");
-    *next = *scene;
-    next->study.nvary = next->study.ncases = 0;
-    memset(next->study.vary, 0, sizeof next->study.vary);
-    memset(next->study.cases, 0, sizeof next->study.cases);
-    for (int i = PARTS; i >= 0 && status == THUD_OK; i--) { /* the keys before their ranges */
-        size_t n = strlen(list[i]);
-        if (n > 0 && n + 1 < sizeof list[i])
-            memcpy(list[i] + n, "]", 2);
-        if (n > 0)
-            status = thud_scene_set(next, key[i], list[i], err);
-    }
+    scene->study.nvary = scene->study.ncases = 0;
+    memset(scene->study.vary, 0, sizeof scene->study.vary);
+    memset(scene->study.cases, 0, sizeof scene->study.cases);
+    for (int i = 0; i < KEYS && status == THUD_OK; i++)
+        if (*list[order[i]])
+            status = thud_scene_set(scene, key[order[i]], list[order[i]], err);
     if (status == THUD_OK && *cases)
-        status = thud_scene_set(next, "study.cases", cases, err);
-    if (status == THUD_OK)
-        status = thud_scene_set(next, "study.sensitivity", words->sensitivity, err);
-    if (status == THUD_OK)
+        status = thud_scene_set(scene, "study.cases", cases, err);
+    return status == THUD_OK ? thud_scene_set(scene, "study.sensitivity", words->sensitivity, err) : status;
+}
+
+enum thud_status thud_study_words_keep(const struct thud_study_words *words, struct thud_scene *scene, bool *kept,
+                                       struct thud_error *err)
+{
+    char list[KEYS][LIST] = {"", "", "", "", ""};
+    struct thud_scene *next = malloc(sizeof *next);
+    struct thud_sweep_plan *plan = malloc(sizeof *plan);
+    enum thud_status status = THUD_MEMORY;
+    *kept = false;
+    if (next && plan) {
+        status = try_out(words, scene, plan, err);
+        *next = *scene;
+        *kept = status == THUD_OK && write_lists(words, plan, list);
+        thud_sweep_plan_clear(plan);
+    } else {
+        thud_error_set(err, THUD_MEMORY, "no memory for the study");
+    }
+    if (*kept && (status = set_study(next, words, list, err)) == THUD_OK)
         scene->study = next->study;
+    free(plan);
     free(next);
     return status;
 }

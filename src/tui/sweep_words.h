@@ -7,21 +7,19 @@
 #include "study/scene.h"
 
 struct thud_study_words {
-    char vary[THUD_VARY_MAX][320]; /* "gap=5 cm:25 cm:0.5 cm"; empty: no more */
-    char cases[96];                /* "none,bumper"; empty: as written */
-    char records[512];             /* files, with commas; empty: the scene's own */
-    char sensitivity[32];          /* "0.1 %"; empty: no spread */
+    char vary[THUD_VARY_MAX][THUD_VARY_TEXT]; /* "gap=5 cm:25 cm:0.5 cm"; empty: no more */
+    char cases[96];                           /* "none,bumper"; empty: as written */
+    char records[512];                        /* files, with commas; empty: the scene's own */
+    char sensitivity[32];                     /* "0.1 %"; empty: no spread */
 };
 
 /* What the preset's study says, else the paper's. `records` stays as it is. */
 void thud_study_words_of(const struct thud_scene *scene, struct thud_study_words *words);
 
-/* Whether the words can be told by a preset, which knows ranges but no lists of values. */
-bool thud_study_words_fit(const struct thud_study_words *words);
-
-/* Makes the words the scene's study, after trying every value they name. Words that do not fit are only tried. Errors:
- * THUD_USAGE, THUD_INPUT, THUD_MEMORY; the scene is then as it was. */
-enum thud_status thud_study_words_keep(const struct thud_study_words *words, struct thud_scene *scene,
+/* Makes the words the scene's study, after trying every value they name; a range beside a list becomes a list. Lists
+ * longer than a preset has room for are only tried, and *kept is false. Errors: THUD_USAGE, THUD_INPUT, THUD_MEMORY;
+ * the scene is then as it was. */
+enum thud_status thud_study_words_keep(const struct thud_study_words *words, struct thud_scene *scene, bool *kept,
                                        struct thud_error *err);
 
 #endif

@@ -130,6 +130,45 @@ START_TEST(one_value_changes_one_line)
 }
 END_TEST
 
+/* A range that becomes a list, two of them, and a range again; in each, what is written reads back. */
+START_TEST(a_study_of_values_and_back)
+{
+    struct thud_preset *preset = parse(preset_text, sizeof preset_text - 1);
+    static const char *const study[][3] = {
+        {"interfaces.1.gap", "[6 cm, 7.5 cm]", "  values: [6 cm, 7.5 cm]\n"},
+        {"[interfaces.1.gap, interfaces.1.contact.damping]", "[[6 cm], [paper, exact]]",
+         "  values: [[6 cm], [paper, exact]]\n"},
+        {"[interfaces.1.gap, interfaces.1.contact.damping]", "[[6 cm, 9 cm], [paper]]",
+         "  values: [[6 cm, 9 cm], [paper]]\n"},
+    };
+    size_t size;
+    char *text;
+    for (size_t i = 0; i < sizeof study / sizeof *study; i++) {
+        scene = *thud_preset_scene(preset);
+        set(&scene, "study.vary", study[i][0]);
+        set(&scene, "study.values", study[i][1]);
+        text = text_of(preset, &scene, &size);
+        thud_preset_free(preset);
+        preset = parse(text, size);
+        ck_assert_int_eq(memcmp(thud_preset_scene(preset), &scene, sizeof scene), 0);
+        ck_assert_ptr_nonnull(strstr(text, study[i][2]));
+        ck_assert_ptr_null(strstr(text, "  step:"));
+        free(text);
+    }
+    set(&scene, "study.vary", "interfaces.1.gap");
+    set(&scene, "study.from", "5 cm");
+    set(&scene, "study.to", "25 cm");
+    set(&scene, "study.step", "0.5 cm");
+    text = text_of(preset, &scene, &size);
+    struct thud_preset *read = parse(text, size);
+    ck_assert_int_eq(memcmp(thud_preset_scene(read), &scene, sizeof scene), 0);
+    ck_assert_ptr_null(strstr(text, "values"));
+    thud_preset_free(read);
+    free(text);
+    thud_preset_free(preset);
+}
+END_TEST
+
 static int count(const char *text, const char *what)
 {
     int n = 0;
@@ -403,6 +442,7 @@ Suite *thud_suite(void)
     tcase_add_test(tests, unchanged_is_the_same_bytes);
     tcase_add_loop_test(tests, one_value_changes_one_line, 0, sizeof changes / sizeof *changes);
     tcase_add_test(tests, keys_come_and_go);
+    tcase_add_test(tests, a_study_of_values_and_back);
     tcase_add_test(tests, bumpers_and_structures_come_and_go);
     tcase_add_test(tests, random_edits_read_back);
     tcase_add_test(tests, carriage_returns_and_a_missing_newline_stay);

@@ -114,6 +114,11 @@ START_TEST(values_read_back_as_set)
         {"study.cases", "[none, cavity]"},
         {"study.vary", "[gap, bumper.stiffness]"},
         {"study.from", "[5 cm, 0.3 kN/mm^2.65]"},
+        {"study.vary", "contact.damping"},
+        {"study.values", "[exact, paper]"},
+        {"study.vary", "[gap, bumper.thickness]"},
+        {"study.values", "[[5 cm, 0.12 m], [4 cm]]"},
+        {"study.from", ""}, /* no range beside them */
     };
     towers();
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
@@ -197,7 +202,8 @@ START_TEST(refusals_name_key_and_remedy)
     refuses("analysis.locate", "maybe", "unknown choice", "off, on");
     refuses("record.sign", "x", "unknown choice", "+, -");
     refuses("record.peak", "3 m", "is a length; give an acceleration", "g");
-    refuses("study.vary", "contact.damping", "not a number", "");
+    refuses("study.vary", "title", "no number and no choice", "");
+    refuses("study.values", "[5 cm]", "study.vary", "");
     refuses("study.vary", "[gap, gap]", "varied twice", "");
     refuses("study.from", "5 cm", "study.vary", "");
     refuses("study.cases", "[none, nine]", "unknown case", "cavity");
@@ -205,6 +211,21 @@ START_TEST(refusals_name_key_and_remedy)
     refuses("study.from", "5 t", "is a mass; give a length", "cm");
     refuses("study.step", "0 cm", "too small", "> 0");
     refuses("study.to", "[5 cm, 6 cm]", "2 values for 1 varied key", "");
+    refuses("study.values", "[5 cm, 6]", "\"6\" has no unit", "cm");
+    set("study.to", "6 cm");
+    refuses("study.values", "[5 cm]", "values and a range", "");
+    set("study.vary", "gap");
+    set("study.values", "[5 cm]");
+    refuses("study.to", "6 cm", "values and a range", "");
+    set("study.vary", "[gap, contact.damping]");
+    refuses("study.values", "[5 cm, 6 cm, 7 cm]", "3 lists for 2 varied keys", "");
+    refuses("study.values", "[[5 cm], [papre]]", "did you mean \"paper\"", "exact");
+    refuses("study.from", "[5 cm, paper]", "words have no range", "values: [paper]");
+    char many[2 * THUD_VARY_VALUES] = "[[1 cm";
+    for (size_t n = strlen(many); n < THUD_VARY_VALUES; n = strlen(many))
+        snprintf(many + n, sizeof many - n, ", %zu mm", n);
+    strcat(many, "], paper]");
+    refuses("study.values", many, "too long", "bytes");
     scene.nstructures = 3;
     refuses("gap", "3 cm", "does not say which", "interfaces.1.gap");
 }
@@ -317,6 +338,10 @@ START_TEST(checks_hold_values_against_each_other)
     set("study.to", "4 cm");
     set("study.step", "1 cm");
     fails("study.to", "below the first");
+    set("study.vary", "contact.damping");
+    fails("study.values", "has no values");
+    set("study.values", "exact");
+    holds();
 }
 END_TEST
 

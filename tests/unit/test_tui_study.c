@@ -162,13 +162,46 @@ START_TEST(wrong_words_are_refused)
 }
 END_TEST
 
-/* A list of values runs, but no preset can say it. */
-START_TEST(a_list_is_run_but_not_kept)
+/* With the unit of the last one, as they run; a range beside them becomes a list. */
+START_TEST(a_list_is_kept)
 {
-    fixture_keys(&f, "<A-6><Enter><C-u>gap=1 cm,3 cm<Enter>");
-    fixture_expect(&f, "no lists of values");
-    ck_assert_int_eq(study()->nvary, 0);
-    fixture_keys(&f, "r");
+    fixture_keys(&f, "<A-6><Enter><C-u>gap=3,4 cm<Enter>");
+    ck_assert_str_eq(study()->vary[0].values, "3 cm, 4 cm");
+    fixture_keys(&f, "<Down><Enter>contact.restitution=0.5:0.7:0.1<Enter>");
+    fixture_keys(&f, "<Down><Enter>contact.damping=exact,paper<Enter>w");
+    ck_assert_int_eq(study()->nvary, 3);
+    ck_assert_str_eq(study()->vary[1].values, "0.5, 0.6, 0.7");
+    struct thud_preset *preset;
+    struct thud_error err = {0};
+    ck_assert_int_eq(thud_preset_read(f.tui->doc.path, &preset, &err), THUD_OK);
+    ck_assert_mem_eq(&thud_preset_scene(preset)->study, study(), sizeof *study());
+    struct thud_sweep_plan plan;
+    thud_sweep_plan_init(&plan, thud_preset_scene(preset));
+    ck_assert_int_eq(thud_sweep_study(&plan, true, true, &err), THUD_OK);
+    ck_assert_int_eq((int)thud_sweep_points(&plan), 12);
+    thud_sweep_plan_clear(&plan);
+    thud_preset_free(preset);
+    fixture_keys(&f, "u");
+    fixture_expect(&f, "contact.restitution=0.5");
+    ck_assert_int_eq(study()->nvary, 2);
+}
+END_TEST
+
+/* More values than a preset has room for run, and are not kept. */
+START_TEST(a_list_too_long_is_run_but_not_kept)
+{
+    fixture_keys(&f, "<A-6><Enter><C-u>gap=1 cm:2 cm:1 cm<Enter>");
+    fixture_keys(&f, "<Down><Enter>contact.restitution=0.5<Enter>");
+    ck_assert_str_eq(study()->vary[0].values, "1 cm, 2 cm");
+    fixture_keys(&f, "<Home><Enter><C-u>gap=1 cm:2 cm:0.01 cm<Enter>");
+    fixture_expect(&f, "no room for so many values");
+    ck_assert_str_eq(study()->vary[0].values, "1 cm, 2 cm");
+}
+END_TEST
+
+START_TEST(edits_make_a_study_old)
+{
+    fixture_keys(&f, "<A-6><Enter><C-u>gap=1 cm,3 cm<Enter>r");
     fixture_expect(&f, "2 of 2 points");
     fixture_expect_not(&f, "before edits");
     fixture_keys(&f, "<Enter><C-u>gap=1 cm:2 cm:1 cm<Enter>");
@@ -190,7 +223,9 @@ Suite *thud_suite(void)
     tcase_add_test(words, a_spread_is_kept_and_run);
     tcase_add_test(words, no_bumper_is_run_once_for_all_thicknesses);
     tcase_add_test(words, wrong_words_are_refused);
-    tcase_add_test(words, a_list_is_run_but_not_kept);
+    tcase_add_test(words, a_list_is_kept);
+    tcase_add_test(words, a_list_too_long_is_run_but_not_kept);
+    tcase_add_test(words, edits_make_a_study_old);
     suite_add_tcase(suite, words);
     return suite;
 }
