@@ -74,7 +74,8 @@ enum thud_status thud_quantity_read(const struct thud_param *param, const struct
 /* The exponent that a stiffness of this law carries; NaN where it has none. */
 double thud_law_exponent(const struct thud_law_choice *choice, const struct thud_param *param);
 
-/* "[a, b]" taken apart, in place, lists within it kept whole: items (at most `most`) into item[]; the count, or -1 when it is no list. */
+/* "[a, b]" taken apart, in place, lists within it kept whole: items (at most `most`) into item[]; the count, or -1 when
+ * it is no list. */
 int thud_list_split(char *text, char **item, int most);
 
 #endif
