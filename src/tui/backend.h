@@ -52,8 +52,8 @@ struct thud_backend {
 enum thud_status thud_term_open(struct thud_backend *backend, bool ascii, bool color, struct thud_error *err);
 void thud_term_close(struct thud_backend *backend);
 
-/* A script: keys come from text with names in angle brackets (`5<Enter>`, `<C-r>`, `<A-2>`, `<Size 80x24>`);
- * time stands still unless told. */
+/* A script: keys come from text with names in angle brackets (`5<Enter>`, `<C-r>`, `<A-2>`, `<Size 80x24>`,
+ * `<Click 12,3>`: column and row from 0); time stands still unless told. */
 struct thud_script {
     const char *at;
     int width, height;

@@ -198,12 +198,17 @@ void thud_form_next(struct thud_form *form, int step)
 
 const struct thud_field *thud_form_at(const struct thud_form *form, int pane, int x, int y)
 {
+    const struct thud_field *nearest = NULL;
+    int least = 0;
     for (int i = 0; i < form->n; i++) {
         const struct thud_field *f = &form->field[i];
-        if (f->pane == pane && f->y == y && x >= f->x && x < f->x + f->w)
-            return f;
+        int away = x < f->x ? f->x - x : x >= f->x + f->w ? x - (f->x + f->w - 1) : 0;
+        if (f->pane == pane && f->y == y && (!nearest || away < least)) {
+            nearest = f;
+            least = away;
+        }
     }
-    return NULL;
+    return nearest;
 }
 
 void thud_form_free(struct thud_form *form)

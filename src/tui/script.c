@@ -19,8 +19,9 @@ static void script_show(struct thud_backend *backend, const struct thud_canvas *
     ((struct thud_script *)backend->state)->shows++;
 }
 
-static int named_key(struct thud_script *script, const char *name)
+static int named_key(struct thud_backend *backend, const char *name)
 {
+    struct thud_script *script = backend->state;
     static const struct {
         const char *name;
         int key;
@@ -49,6 +50,10 @@ static int named_key(struct thud_script *script, const char *name)
     if (thud_scan_word(&at, "Size ") && thud_scan_count(&at, &script->width) && thud_scan_word(&at, "x") &&
         thud_scan_count(&at, &script->height))
         return THUD_KEY_RESIZE;
+    at = name;
+    if (thud_scan_word(&at, "Click ") && thud_scan_count(&at, &backend->click_x) && thud_scan_word(&at, ",") &&
+        thud_scan_count(&at, &backend->click_y))
+        return THUD_KEY_CLICK;
     if (strncmp(name, "C-", 2) == 0 && name[2])
         return THUD_CTRL(name[2]);
     if (strncmp(name, "A-", 2) == 0 && name[2])
@@ -76,7 +81,7 @@ static int script_key(struct thud_backend *backend, int timeout_ms)
     memcpy(name, script->at + 1, size);
     name[size] = '\0';
     script->at = close + 1;
-    return named_key(script, name);
+    return named_key(backend, name);
 }
 
 static double script_now(struct thud_backend *backend)

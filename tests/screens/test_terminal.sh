@@ -203,6 +203,42 @@ for key in acceleration_mps2=1 drift_m=1000 displacement_m=1000 velocity_mps=1; 
     i=$((i + 1))
 done
 
+# Keys with names of their own, as terminals send them, and the mouse.
+start 80 24
+command "$THUD towers"
+wait_for "keys: running" 'ok *$'
+keys g 2
+key() { # KEY WHAT PATTERN
+    keys "$1"
+    wait_for "$1 $2" "$3"
+}
+key Down "goes to the next field" 'law *▸'
+key Up "back to the field before" 'gap *▸'
+key End "to the last one" 'material-stiffness *▸'
+key Home "to the first one" 'gap *▸'
+key NPage "a page down" 'impact-speed *▸'
+key PPage "a page up" 'gap *▸'
+keys BTab
+key Tab "and Shift-Tab undo each other" 'gap *▸'
+key F2 "edits the old text" 'gap *10 cm'
+keys Home Right Right DC BSpace BSpace
+key 7 "after Delete and Backspace is all there is of the number" 'gap *7cm'
+keys Left Delete
+key 8 "goes where Left leads" 'gap *8cm'
+keys Enter
+wait_for "Enter takes it" '\[+\]'
+key F1 "is help" 'Help for Contact'
+key q "leads back" 'Bare contact'
+key C-l "draws everything anew" 'gap *▸8 cm'
+click() { # COLUMN ROW (from 0): pressed and let go, as terminals report it
+    at=$(printf "\\$(printf %03o $((33 + $1)))\\$(printf %03o $((33 + $2)))")
+    keys -l "$(printf '\033[M ')$at$(printf '\033[M#')$at"
+}
+key m "turns the mouse on" 'Mouse on'
+click 5 7
+wait_for "a click on a name goes to its field" 'stiffness *▸'
+key m "turns it off again" 'Mouse off'
+
 # README shows the first screen as it is (but for the time it took).
 start 80 24
 command "clear; $THUD towers"

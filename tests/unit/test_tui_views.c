@@ -1,0 +1,259 @@
+/* What single screens do with single keys: orders of the impacts, the ground motion's curves, the study's figures and
+ * panels, clicks, walls and rows of several structures. */
+#include <check.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/spectrum.h"
+#include "tui/sweep_screen.h"
+#include "tui_fixture.h"
+
+static struct fixture f;
+
+static void setup(void)
+{
+    fixture_open(&f, "towers", 80, 24, false);
+}
+
+static void teardown(void)
+{
+    fixture_close(&f);
+}
+
+/* The impacts in the order in which they stand on the screen. */
+static int impacts_shown(const struct thud_impact *shown[], int most)
+{
+    int count, n = 0;
+    const struct thud_impact *impact = thud_run_impacts(f.tui->live.which[f.tui->results_case].run, &count);
+    for (int i = 0; i < f.tui->form.n && n < most; i++) {
+        double start;
+        int contact;
+        if (sscanf(f.tui->form.field[i].path, "impact %lf %d", &start, &contact) != 2)
+            continue;
+        for (int k = 0; k < count; k++)
+            if (impact[k].contact == contact && fabs(impact[k].start_s - start) < 1e-6)
+                shown[n] = &impact[k];
+        ck_assert_ptr_nonnull(shown[n]);
+        n++;
+    }
+    ck_assert_int_eq(n, count);
+    return n;
+}
+
+START_TEST(impacts_stand_in_three_orders)
+{
+    fixture_keys(&f, "<Size 100x60><A-4>");
+    for (int sort = 0; sort < 3; sort++) {
+        static const char *const titles[] = {"by time", "by force", "by floor"};
+        const struct thud_impact *shown[200] = {NULL};
+        fixture_expect(&f, titles[sort]);
+        int n = impacts_shown(shown, 200);
+        ck_assert_int_gt(n, 4);
+        for (int i = 1; i < n; i++) {
+            const struct thud_impact *a = shown[i - 1], *b = shown[i];
+            if (sort == 0)
+                ck_assert(a->start_s <= b->start_s);
+            else if (sort == 1)
+                ck_assert(a->force_n >= b->force_n);
+            else
+                ck_assert(a->contact < b->contact || (a->contact == b->contact && a->start_s <= b->start_s));
+        }
+        fixture_keys(&f, "s");
+    }
+    fixture_expect(&f, "by time");
+}
+END_TEST
+
+START_TEST(a_run_that_fails_says_which_case_and_when)
+{
+    fixture_keys(&f, ":set contact.stiffness 1e15 kN/mm<Enter>:method central-difference<Enter>:step 1e-3 s<Enter>");
+    fixture_expect(&f, "! FAILED (no bumper) at t = ");
+    ck_assert_int_eq((int)f.tui->live.which[THUD_LIVE_FREE].state, THUD_LIVE_DONE);
+    fixture_keys(&f, "<A-4>");
+    fixture_expect(&f, "FAIL");
+}
+END_TEST
+
+START_TEST(a_wall_moves_with_the_ground)
+{
+    fixture_keys(&f, ":set structures.2.kind wall<Enter>");
+    fixture_expect(&f, "B moves with the ground");
+    fixture_expect(&f, "A accel");
+    fixture_expect_not(&f, "B accel");
+    fixture_keys(&f, "<Size 120x40><A-5><Home>"); /* and is drawn in the movement, as an open end */
+    char *without = fixture_text(&f);
+    fixture_keys(&f, ":set structures.2.height 4 m<Enter><Home>");
+    char *with = fixture_text(&f);
+    ck_assert_str_ne(without, with);
+    free(without);
+    free(with);
+}
+END_TEST
+
+/* With a third structure an impact says between which two it was, and a field is found wherever it stands. */
+START_TEST(several_structures)
+{
+    fixture_keys(&f, "<Right>A");
+    ck_assert_int_eq(f.tui->doc.scene.nstructures, 3);
+    fixture_keys(&f, "<Size 100x40><A-4>");
+    fixture_expect(&f, " 1:1 ");
+    fixture_keys(&f, "<A-1>");
+    f.tui->pair = 0;
+    fixture_keys(&f, "/structures.3.damping<Enter>");
+    ck_assert_int_eq(f.tui->pair, 1);
+    ck_assert_str_eq(thud_form_focus(&f.tui->form)->path, "structures.3.damping");
+    fixture_keys(&f, "/interfaces.1.gap<Enter>");
+    ck_assert_int_eq(f.tui->pair, 0);
+    ck_assert_int_eq((int)f.tui->screen, THUD_SCREEN_CONTACT);
+    fixture_keys(&f, "]<A-1>D"); /* the pair to the right goes with its structure */
+    ck_assert_int_eq(f.tui->doc.scene.nstructures, 2);
+    ck_assert_int_eq(f.tui->pair, 0);
+}
+END_TEST
+
+static void click_on(const char *text)
+{
+    char *screen = fixture_text(&f), keys[40];
+    const char *at = strstr(screen, text), *line = screen;
+    int y = 0;
+    ck_assert_msg(at != NULL, "%s", text);
+    for (const char *p = screen; p < at; p++)
+        if (*p == '\n') {
+            y++;
+            line = p + 1;
+        }
+    snprintf(keys, sizeof keys, "<Click %d,%d>", (int)(at - line), y); /* the screen is ASCII */
+    free(screen);
+    fixture_keys(&f, keys);
+}
+
+START_TEST(clicks_go_to_fields)
+{
+    fixture_keys(&f, "<A-2>");
+    click_on("restitution");
+    ck_assert_str_eq(thud_form_focus(&f.tui->form)->path, "interfaces.1.contact.restitution");
+    click_on("cavity");
+    ck_assert_str_eq(thud_form_focus(&f.tui->form)->path, "interfaces.1.bumper.cavity");
+    fixture_keys(&f, "<A-1>");
+    int pane = f.tui->form.pane[THUD_SCREEN_MODEL];
+    click_on("Right: B");
+    ck_assert_int_ne(f.tui->form.pane[THUD_SCREEN_MODEL], pane);
+    fixture_keys(&f, "<Click 0,0><Click 79,23>"); /* outside of every pane nothing happens */
+    ck_assert_int_eq((int)f.tui->screen, THUD_SCREEN_MODEL);
+    fixture_keys(&f, "<Click 0,5>");
+    ck_assert_int_eq(f.tui->form.pane[THUD_SCREEN_MODEL], pane);
+}
+END_TEST
+
+/* The spectrum on the screen is that of the record: its largest value, and where it is drawn. */
+START_TEST(the_ground_motion_has_four_curves)
+{
+    fixture_keys(&f, "<A-3>");
+    static const char *const words[] = {"Acceleration (g)", "Velocity (m/s)", "Displacement (m)", "Sa (g)"};
+    for (int i = 0; i < 4; i++) {
+        fixture_expect(&f, words[i]);
+        if (i < 3)
+            fixture_keys(&f, "c");
+    }
+    fixture_expect(&f, "Period (s)");
+    fixture_keys(&f, "e");
+    fixture_expect(&f, "response-spectrum.csv");
+    char *csv = fixture_file(&f, "response-spectrum.csv");
+    ck_assert_ptr_nonnull(csv);
+    int n = 0;
+    for (const char *line = strchr(csv, '\n'); line && line[1]; line = strchr(line + 1, '\n')) {
+        double period, sa;
+        if (sscanf(line + 1, "\"\",\"\",%lf,%lf", &period, &sa) != 2)
+            continue;
+        struct thud_spectrum_point point;
+        thud_spectrum_fill(f.tui->doc.record, 0.05, period, period * (1 + 1e-9), 1, &point);
+        if (n % 10 == 0)
+            ck_assert_double_eq_tol(sa, point.acceleration_mps2 / 9.80665, 1e-6 * sa);
+        n++;
+    }
+    ck_assert_int_eq(n, 120);
+    free(csv);
+    fixture_keys(&f, "c");
+    fixture_expect(&f, words[0]);
+}
+END_TEST
+
+START_TEST(a_study_has_figures_and_panels)
+{
+    fixture_keys(&f, "<A-6>P");
+    fixture_expect(&f, "There is no study yet: r runs it");
+    fixture_keys(&f, "]");
+    fixture_expect(&f, "There is no figure yet: r runs the study");
+    fixture_keys(&f, "<Enter><C-u>gap=1 cm:2 cm:1 cm<Enter>");
+    fixture_keys(&f, "r");
+    const struct thud_sweep_state *s = f.tui->sweep;
+    fixture_expect(&f, "1/3 ");
+    fixture_keys(&f, "c");
+    fixture_expect(&f, "2/3 ");
+    ck_assert_int_eq(s->panel, -1);
+    int panels = s->shown->rows * s->shown->columns;
+    for (int i = 0; i < panels; i++) {
+        fixture_keys(&f, "]");
+        ck_assert_int_eq(s->panel, i);
+    }
+    fixture_keys(&f, "]");
+    ck_assert_int_eq(s->panel, -1); /* all of them again */
+    fixture_keys(&f, "[");
+    ck_assert_int_eq(s->panel, panels - 1);
+    fixture_keys(&f, "cc");
+    fixture_expect(&f, "1/3 ");
+    f.tui->options.gnuplot = "/nowhere/gnuplot";
+    fixture_keys(&f, "P");
+    fixture_expect(&f, "was not found");
+    char *script = fixture_file(&f, "means-bumper.gp"); /* to be drawn by hand */
+    ck_assert_ptr_nonnull(script);
+    free(script);
+}
+END_TEST
+
+/* The long forms of what keys do. */
+START_TEST(commands_of_the_command_line)
+{
+    char keys[200];
+    snprintf(keys, sizeof keys, ":set gap 3 cm<Enter>:write %s/other.yaml<Enter>", f.folder);
+    fixture_keys(&f, keys);
+    char *text = fixture_file(&f, "other.yaml");
+    ck_assert_ptr_nonnull(text);
+    ck_assert_ptr_nonnull(strstr(text, "gap: 3 cm"));
+    ck_assert_ptr_nonnull(strstr(text, "# concrete to concrete"));
+    free(text);
+    f.tui->options.gnuplot = "/nowhere/gnuplot";
+    fixture_keys(&f, ":figures<Enter>");
+    fixture_expect(&f, "was not found");
+    fixture_keys(&f, ":wrte<Enter>");
+    fixture_expect(&f, "did you mean :write?");
+    snprintf(f.paths.presets, sizeof f.paths.presets, "/nowhere");
+    fixture_keys(&f, "o");
+    fixture_expect(&f, "! the presets' folder /nowhere cannot be read");
+    fixture_keys(&f, ":set gap 4 cm<Enter>:q<Enter>n");
+    ck_assert(!f.tui->quit);
+    fixture_keys(&f, ":q<Enter>y");
+    ck_assert(f.tui->quit);
+}
+END_TEST
+
+Suite *thud_suite(void);
+Suite *thud_suite(void)
+{
+    Suite *suite = suite_create("tui views");
+    TCase *views = tcase_create("views");
+    tcase_set_timeout(views, 60.0);
+    tcase_add_checked_fixture(views, setup, teardown);
+    tcase_add_test(views, impacts_stand_in_three_orders);
+    tcase_add_test(views, a_run_that_fails_says_which_case_and_when);
+    tcase_add_test(views, a_wall_moves_with_the_ground);
+    tcase_add_test(views, several_structures);
+    tcase_add_test(views, clicks_go_to_fields);
+    tcase_add_test(views, the_ground_motion_has_four_curves);
+    tcase_add_test(views, a_study_has_figures_and_panels);
+    tcase_add_test(views, commands_of_the_command_line);
+    suite_add_tcase(suite, views);
+    return suite;
+}
