@@ -46,7 +46,7 @@ void thud_form_page(struct thud_form *form, int pages);
 void thud_form_edge(struct thud_form *form, bool last);
 void thud_form_pane(struct thud_form *form, int step, int panes);
 void thud_form_next(struct thud_form *form, int step);
-/* The field of a pane in row y that is nearest to column x, so that its label counts as well; NULL: the row has none. */
+/* The field of a pane in row y that is nearest to column x, so that a label counts as well; NULL: the row has none. */
 const struct thud_field *thud_form_at(const struct thud_form *form, int pane, int x, int y);
 void thud_form_free(struct thud_form *form);
 

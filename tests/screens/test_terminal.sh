@@ -231,7 +231,7 @@ key F1 "is help" 'Help for Contact'
 key q "leads back" 'Bare contact'
 key C-l "draws everything anew" 'gap *▸8 cm'
 click() { # COLUMN ROW (from 0): pressed and let go, as terminals report it
-    at=$(printf "\\$(printf %03o $((33 + $1)))\\$(printf %03o $((33 + $2)))")
+    at=$(printf '%b%b' "\\0$(printf %o $((33 + $1)))" "\\0$(printf %o $((33 + $2)))")
     keys -l "$(printf '\033[M ')$at$(printf '\033[M#')$at"
 }
 key m "turns the mouse on" 'Mouse on'
