@@ -131,6 +131,10 @@ long thud_sweep_same_none(const struct thud_sweep_plan *plan, long point);
  * memory. */
 struct thud_sweep_none;
 struct thud_sweep_none *thud_sweep_none_keep(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point);
+/* How many of them to keep so that none is made twice, as far as THUD_SWEEP_NONE_BYTES go; of which point it is, modulo
+ * this, gives each its place. At least 1. */
+enum { THUD_SWEEP_NONE_BYTES = 8 << 20 };
+long thud_sweep_none_slots(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point);
 /* To a task that has not been advanced yet, from a point with the same thud_sweep_same_none. */
 void thud_sweep_task_give(struct thud_sweep_task *task, const struct thud_sweep_none *none);
 /* Hands over the point of a task that is done. */

@@ -6,7 +6,7 @@
 #include <time.h>
 #include <unistd.h>
 
-enum { THREADS_MAX = 256, SLICE = 64, SHOW_MS = 100, NONE_SLOTS = 512 };
+enum { THREADS_MAX = 256, SLICE = 64, SHOW_MS = 100 };
 
 /* A base in use by points that are next to each other. */
 struct shared_base {
@@ -14,6 +14,12 @@ struct shared_base {
     struct thud_sweep_base *base; /* NULL while it is made */
     int users;
     struct shared_base *next;
+};
+
+/* A case `none` for points to come. */
+struct kept {
+    long of; /* thud_sweep_same_none */
+    struct thud_sweep_none *none;
 };
 
 struct work {
@@ -24,10 +30,8 @@ struct work {
     long window;                      /* how far handing out may be ahead */
     struct thud_sweep_point **ring;   /* (window) finished points by count % window */
     struct shared_base *bases;
-    struct {
-        long of; /* thud_sweep_same_none */
-        struct thud_sweep_none *none;
-    } kept[NONE_SLOTS];
+    struct kept *kept; /* (slots) */
+    long slots;        /* 0: nothing was kept yet */
     bool stop;
     enum thud_status status;
     struct thud_error error;
@@ -134,8 +138,9 @@ static void give_none(struct work *w, struct thud_sweep_task *task, long index)
     if (of == index)
         return; /* the one that makes it, so that what is told of the work does not depend on who comes first */
     pthread_mutex_lock(&w->lock);
-    if (w->kept[of % NONE_SLOTS].none && w->kept[of % NONE_SLOTS].of == of)
-        thud_sweep_task_give(task, w->kept[of % NONE_SLOTS].none);
+    const struct kept *kept = w->slots > 0 ? &w->kept[of % w->slots] : NULL;
+    if (kept && kept->none && kept->of == of)
+        thud_sweep_task_give(task, kept->none);
     pthread_mutex_unlock(&w->lock);
 }
 
@@ -144,12 +149,22 @@ static void give_none(struct work *w, struct thud_sweep_task *task, long index)
 static void keep_none(struct work *w, const struct thud_sweep_point *point)
 {
     long of = thud_sweep_same_none(w->jobs->plan, point->index);
-    struct thud_sweep_none **kept = &w->kept[of % NONE_SLOTS].none;
-    if (*kept && w->kept[of % NONE_SLOTS].of == of)
+    struct kept *kept = w->slots > 0 ? &w->kept[of % w->slots] : NULL;
+    if (kept && kept->none && kept->of == of)
         return;
-    free(*kept);
-    *kept = thud_sweep_none_keep(w->jobs->plan, point);
-    w->kept[of % NONE_SLOTS].of = of;
+    struct thud_sweep_none *none = thud_sweep_none_keep(w->jobs->plan, point);
+    if (none && !kept) {
+        long slots = thud_sweep_none_slots(w->jobs->plan, point);
+        w->kept = calloc((size_t)slots, sizeof *w->kept);
+        w->slots = w->kept ? slots : 0;
+        kept = w->kept ? &w->kept[of % slots] : NULL;
+    }
+    if (!kept) {
+        free(none);
+        return;
+    }
+    free(kept->none);
+    *kept = (struct kept){of, none};
 }
 
 static enum thud_status make_point(struct work *w, const struct thud_sweep_base *base, long index,
@@ -303,8 +318,9 @@ enum thud_status thud_sweep_jobs_run(const struct thud_sweep_jobs *jobs, struct 
         pthread_join(thread[i], NULL);
     for (long i = 0; i < w.window; i++)
         free(w.ring[i]);
-    for (int i = 0; i < NONE_SLOTS; i++)
+    for (long i = 0; i < w.slots; i++)
         free(w.kept[i].none);
+    free(w.kept);
     w.next = jobs->count;
     drop_bases(&w);
     pthread_cond_destroy(&w.made);

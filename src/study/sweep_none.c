@@ -69,15 +69,36 @@ static int find_none(const struct thud_sweep_point *point)
     return -1;
 }
 
+enum { HEAD = (sizeof(struct thud_sweep_none) + 15) / 16 * 16 };
+
+static size_t size_of(const struct thud_sweep_point *point)
+{
+    size_t nfloors = (size_t)point->nfloors, ncontacts = (size_t)point->ncontacts;
+    return HEAD + (size_t)point->nvariants *
+                      (nfloors * sizeof(struct thud_sweep_floor) + ncontacts * sizeof(struct thud_sweep_contact));
+}
+
+long thud_sweep_none_slots(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point)
+{
+    enum { IN_THE_MAKING = 512 }; /* more than threads have in hand */
+    long most = (long)((size_t)THUD_SWEEP_NONE_BYTES / size_of(point)), slots = 1;
+    int i = 0;
+    while (i < plan->naxes && !is_bumper(plan->axis[i].key))
+        i++;
+    for (i++; i < plan->naxes; i++) /* what is run through before the outermost bumper's key goes on */
+        slots *= plan->axis[i].n;
+    if (slots < IN_THE_MAKING)
+        slots = IN_THE_MAKING;
+    return slots < most ? slots : most > 1 ? most : 1;
+}
+
 struct thud_sweep_none *thud_sweep_none_keep(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point)
 {
     int k = shares(plan) ? find_none(point) : -1;
     if (k < 0)
         return NULL;
-    size_t nfloors = (size_t)point->nfloors, ncontacts = (size_t)point->ncontacts, variants = (size_t)point->nvariants;
-    size_t head = (sizeof(struct thud_sweep_none) + 15) / 16 * 16;
-    size_t floors = variants * nfloors * sizeof(struct thud_sweep_floor);
-    char *block = malloc(head + floors + variants * ncontacts * sizeof(struct thud_sweep_contact));
+    size_t nfloors = (size_t)point->nfloors, ncontacts = (size_t)point->ncontacts;
+    char *block = malloc(size_of(point));
     if (!block)
         return NULL;
     struct thud_sweep_none *none = (void *)block;
@@ -85,8 +106,8 @@ struct thud_sweep_none *thud_sweep_none_keep(const struct thud_sweep_plan *plan,
     none->nfloors = point->nfloors;
     none->ncontacts = point->ncontacts;
     none->effort = point->effort[k];
-    none->floor = (void *)(block + head);
-    none->contact = (void *)(block + head + floors);
+    none->floor = (void *)(block + HEAD);
+    none->contact = (void *)(none->floor + (size_t)point->nvariants * nfloors);
     for (int v = 0; v < point->nvariants; v++) {
         memcpy(none->floor + (size_t)v * nfloors, thud_sweep_floors(point, v, k), nfloors * sizeof *none->floor);
         memcpy(none->contact + (size_t)v * ncontacts, thud_sweep_contacts(point, v, k),

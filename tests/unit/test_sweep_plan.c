@@ -170,6 +170,41 @@ START_TEST(points_that_differ_in_the_bumper_alone_share_case_none)
 }
 END_TEST
 
+/* Points in their order with what is kept of those before them: each case `none` is made once. */
+START_TEST(what_is_kept_is_there_when_it_is_needed)
+{
+    static const char *const grids[][3] = {
+        {"bumper.thickness=1 cm,2 cm,3 cm", "gap=10 cm:80 cm:0.1 cm", NULL},
+        {"gap=10 cm:80 cm:0.1 cm", "bumper.thickness=1 cm,2 cm,3 cm", NULL},
+        {"contact.restitution=0.5,0.6,0.7", "bumper.thickness=1 cm,2 cm,3 cm", "gap=10 cm:70 cm:0.1 cm"},
+        {"bumper.max-strain=0.7,0.8", "gap=10 cm:70 cm:0.1 cm", "bumper.thickness=1 cm,2 cm,3 cm"}};
+    static const int different[] = {701, 701, 3 * 601, 601};
+    struct thud_sweep_point towers = {.nfloors = 10, .ncontacts = 4, .nvariants = 1};
+    for (size_t g = 0; g < sizeof grids / sizeof *grids; g++) {
+        thud_sweep_plan_clear(plan);
+        for (int a = 0; a < 3 && grids[g][a]; a++)
+            vary(grids[g][a]);
+        long slots = thud_sweep_none_slots(plan, &towers), *kept = malloc((size_t)slots * sizeof *kept);
+        int made = 0;
+        for (long i = 0; i < slots; i++)
+            kept[i] = -1;
+        for (long i = 0; i < thud_sweep_points(plan); i++) {
+            long of = thud_sweep_same_none(plan, i);
+            made += kept[of % slots] != of;
+            kept[of % slots] = of;
+        }
+        free(kept);
+        ck_assert_int_eq(made, different[g]);
+    }
+    /* what a large scene leaves takes no more room than it may */
+    struct thud_sweep_point tall = {.nfloors = 4000, .ncontacts = 3800, .nvariants = THUD_SWEEP_VARIANTS};
+    long slots = thud_sweep_none_slots(plan, &tall);
+    size_t bytes =
+        (4000 * sizeof(struct thud_sweep_floor) + 3800 * sizeof(struct thud_sweep_contact)) * THUD_SWEEP_VARIANTS;
+    ck_assert(slots >= 1 && (size_t)slots * bytes <= THUD_SWEEP_NONE_BYTES);
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -183,6 +218,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, what_cannot_be_varied);
     tcase_add_test(tcase, cases_by_name);
     tcase_add_test(tcase, points_are_numbered_with_structures_outside);
+    tcase_add_test(tcase, what_is_kept_is_there_when_it_is_needed);
     suite_add_tcase(suite, tcase);
     return suite;
 }
