@@ -3,11 +3,19 @@
 #ifndef THUD_CORE_PAIR_H
 #define THUD_CORE_PAIR_H
 
+#include <stdint.h>
+
 typedef double thud_pair __attribute__((vector_size(2 * sizeof(double)), aligned(sizeof(double)), may_alias));
 
 static inline thud_pair thud_pair_at(const double *x)
 {
     return *(const thud_pair *)x;
+}
+
+static inline thud_pair thud_pair_abs(thud_pair x)
+{
+    typedef long long bits __attribute__((vector_size(sizeof(thud_pair))));
+    return (thud_pair)((bits)x & (bits){INT64_MAX, INT64_MAX}); /* all but the sign */
 }
 
 /* a[0] b[0] + ... + a[n - 1] b[n - 1] */
