@@ -9,55 +9,76 @@
 
 #include "core/closing.h"
 #include "core/horizon.h"
+#include "core/largest.h"
+#include "core/pair.h"
 #include "core/poly.h"
 
 enum { ENDS = THUD_FLIGHT_ENDS, SHORT_BLOCK = 8 };
+
+/* Some modes side by side: each interval waits for the one before it, but not one mode for the other. */
+static void march_abreast(struct thud_flight *f, int j, int intervals)
+{
+    enum { N = THUD_FLIGHT_ABREAST };
+    double *q = f->q + j * ENDS, *qd = f->qd + j * ENDS, x[N], v[N], e[4][N], p[4][N];
+    for (int i = 0; i < N; i++) {
+        x[i] = q[i * ENDS];
+        v[i] = qd[i * ENDS];
+        for (int k = 0; k < 4; k++) {
+            e[k][i] = f->e[k][j + i];
+            p[k][i] = f->p[k][j + i];
+        }
+    }
+    for (int t = 0; t < intervals; t++) {
+        double a0 = f->ground[t], a1 = f->after[t], next[N];
+        for (int i = 0; i < N; i++)
+            next[i] = (e[0][i] * x[i] + e[1][i] * v[i]) + (p[0][i] * a0 + p[1][i] * a1);
+        for (int i = 0; i < N; i++)
+            v[i] = (e[2][i] * x[i] + e[3][i] * v[i]) + (p[2][i] * a0 + p[3][i] * a1);
+        for (int i = 0; i < N; i++) {
+            q[i * ENDS + t + 1] = x[i] = next[i];
+            qd[i * ENDS + t + 1] = v[i];
+        }
+    }
+}
 
 static void march(struct thud_flight *f, const struct thud_run *run, int intervals)
 {
     for (int t = 0; t < intervals; t++)
         thud_run_ground(run, run->grid + t, &f->ground[t], &f->after[t]);
     for (int j = 0; j < f->n; j++) {
-        double *q = f->q + j * ENDS, *qd = f->qd + j * ENDS;
-        double e0 = f->e[0][j], e1 = f->e[1][j], e2 = f->e[2][j], e3 = f->e[3][j];
-        double p0 = f->p[0][j], p1 = f->p[1][j], p2 = f->p[2][j], p3 = f->p[3][j];
-        double x = q[0] = run->q[j], v = qd[0] = run->qd[j];
-        for (int t = 0; t < intervals; t++) {
-            double a0 = f->ground[t], a1 = f->after[t];
-            double next = (e0 * x + e1 * v) + (p0 * a0 + p1 * a1);
-            v = (e2 * x + e3 * v) + (p2 * a0 + p3 * a1);
-            q[t + 1] = x = next;
-            qd[t + 1] = v;
-        }
+        f->q[j * ENDS] = run->q[j];
+        f->qd[j * ENDS] = run->qd[j];
     }
-}
-
-static void add_row(double *restrict to, const double *restrict from, double factor, int ends)
-{
-    for (int t = 0; t < ends; t++)
-        to[t] += factor * from[t];
+    for (int j = 0; j < f->n; j += THUD_FLIGHT_ABREAST)
+        march_abreast(f, j, intervals);
 }
 
 /* Largest energy norm sqrt(q'^2 + omega^2 q^2) of mode j at the ends. */
 static double largest_speed(const struct thud_flight *f, int j, double omega, int ends)
 {
     const double *q = f->q + j * ENDS, *qd = f->qd + j * ENDS;
-    double most = 0, w2 = omega * omega;
-    for (int t = 0; t < ends; t++) {
-        double e = qd[t] * qd[t] + w2 * q[t] * q[t];
-        most = e > most ? e : most;
-    }
-    return sqrt(most);
+    double w2 = omega * omega;
+    for (int t = 0; t < ends; t++)
+        f->energy[t] = qd[t] * qd[t] + w2 * q[t] * q[t];
+    return sqrt(thud_largest_size(f->energy, ends));
 }
 
-/* One floor's values at the ends from those of its modes. */
+/* One floor's values at the ends from those of its modes, by four ends at a time: rows are long enough. */
 static void floor_row(struct thud_flight *f, const struct thud_model_structure *p, int i, int quantity,
                       const double *from, int ends)
 {
     double *to = f->value[quantity] + (size_t)(p->first + i) * ENDS;
-    memset(to, 0, (size_t)ends * sizeof *to);
-    for (int j = 0; j < p->n; j++)
-        add_row(to, from + (p->first + j) * ENDS, p->phi[i * p->n + j], ends);
+    const double *row = p->phi + i * p->n;
+    for (int t = 0; t < ends; t += 4) {
+        const double *x = from + p->first * ENDS + t;
+        thud_pair a = {0, 0}, b = {0, 0};
+        for (int j = 0; j < p->n; j++, x += ENDS) {
+            a += row[j] * thud_pair_at(x);
+            b += row[j] * thud_pair_at(x + 2);
+        }
+        *(thud_pair *)(to + t) = a;
+        *(thud_pair *)(to + t + 2) = b;
+    }
 }
 
 /* Velocity, total acceleration and drift of a structure's floors at the ends. */
@@ -132,17 +153,15 @@ static void structure_margins(struct thud_flight *f, const struct thud_run *run,
 
 static double largest_ground(const struct thud_flight *f, int intervals)
 {
-    double most = 0;
-    for (int t = 0; t < intervals; t++)
-        most = fmax(most, fmax(fabs(f->ground[t]), fabs(f->after[t])));
-    return most;
+    return thud_larger(thud_largest_size(f->ground, intervals), thud_largest_size(f->after, intervals));
 }
 
 static void margins(struct thud_flight *f, const struct thud_run *run, double ground, int intervals)
 {
     double slope = 0;
     for (int t = 0; t < intervals; t++)
-        slope = fmax(slope, fabs(f->after[t] - f->ground[t]) / run->grid_dt_s);
+        slope = thud_larger(slope, fabs(f->after[t] - f->ground[t]));
+    slope /= run->grid_dt_s;
     for (int s = 0; s < run->model->nstructures; s++)
         structure_margins(f, run, s, ground, slope);
 }
@@ -193,14 +212,11 @@ double thud_flight_gap(struct thud_flight *f, const struct thud_model *model, in
     const double *u = f->value[THUD_FLOOR_DISPLACEMENT];
     const double *left = p->left_dof < 0 ? NULL : u + (size_t)p->left_dof * ENDS;
     const double *right = p->right_dof < 0 ? NULL : u + (size_t)p->right_dof * ENDS;
-    double most = -INFINITY;
     *margin = left ? f->margin[model->dof_structure[p->left_dof]] : 0;
     *margin += right ? f->margin[model->dof_structure[p->right_dof]] : 0;
-    for (int t = 0; t < ends; t++) {
+    for (int t = 0; t < ends; t++)
         f->gap[t] = (left ? left[t] : 0) - (right ? right[t] : 0);
-        most = f->gap[t] > most ? f->gap[t] : most;
-    }
-    return most;
+    return thud_largest(f->gap, ends);
 }
 
 /* Intervals until contact c closes, at most `intervals`. */

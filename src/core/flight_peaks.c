@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "core/flight.h"
+#include "core/largest.h"
 
 enum { ENDS = THUD_FLIGHT_ENDS };
 
@@ -43,7 +44,7 @@ static double rate_at(const struct thud_run *run, const struct thud_flight *f, c
 static double cubic_peak(double x0, double x1, double r0, double r1)
 {
     double c2 = 3 * (x1 - x0) - 2 * r0 - r1, c3 = 2 * (x0 - x1) + r0 + r1;
-    double most = fmax(fabs(x0), fabs(x1)), root = c2 * c2 - 3 * c3 * r0;
+    double most = thud_larger(fabs(x0), fabs(x1)), root = c2 * c2 - 3 * c3 * r0;
     if (root < 0)
         return most;
     root = sqrt(root);
@@ -51,33 +52,49 @@ static double cubic_peak(double x0, double x1, double r0, double r1)
     double s[2] = {u / (3 * c3), r0 / u};
     for (int i = 0; i < 2; i++)
         if (s[i] > 0 && s[i] < 1)
-            most = fmax(most, fabs(x0 + s[i] * (r0 + s[i] * (c2 + s[i] * c3))));
+            most = thud_larger(most, fabs(x0 + s[i] * (r0 + s[i] * (c2 + s[i] * c3))));
     return most;
+}
+
+/* Bounds of the fourth, fifth and sixth derivative of the modes of a structure in each interval of the block. */
+static void bound_derivatives(const struct thud_run *run, struct thud_flight *f, int structure, int intervals)
+{
+    const struct thud_model *m = run->model;
+    const struct thud_model_structure *p = &m->structure[structure];
+    double dt = run->grid_dt_s, *restrict fourth = f->bound[0], *restrict fifth = f->bound[1],
+           *restrict sixth = f->bound[2];
+    const double *restrict a0 = f->ground, *restrict a1 = f->after;
+    for (int j = p->first; j < p->first + p->n; j++) {
+        double w = m->omega[j], w2 = w * w, z = 2 * m->zeta[j] * w, reach = fabs(m->gamma[j]);
+        const double *restrict q = f->q + j * ENDS, *restrict qd = f->qd + j * ENDS;
+        for (int t = 0; t < intervals; t++) {
+            double strain = w * fabs(q[t]), rate = fabs(qd[t]), ground = reach * thud_larger(fabs(a0[t]), fabs(a1[t]));
+            /* above the root of the squares' sum, by an eighth at most */
+            double speed = thud_larger(strain + 0.5 * rate, rate + 0.5 * strain) + dt * ground;
+            double second = (w + z) * speed + ground;
+            double third = w2 * speed + z * second + reach * fabs(a1[t] - a0[t]) / dt;
+            fourth[j * ENDS + t] = w2 * second + z * third;
+            fifth[j * ENDS + t] = w2 * third + z * fourth[j * ENDS + t];
+            sixth[j * ENDS + t] = w2 * fourth[j * ENDS + t] + z * fifth[j * ENDS + t];
+        }
+    }
+    f->bounded[structure] = true;
 }
 
 /* How far a row's value in interval t may lie from the cubic through values and rates at its ends: dt^4/384 times a
  * bound of its fourth derivative there. */
 static double cubic_margin(const struct thud_run *run, const struct thud_flight *f, const struct row *row, int t)
 {
-    const struct thud_model *m = run->model;
-    const struct thud_model_structure *p = &m->structure[row->structure];
+    const struct thud_model_structure *p = &run->model->structure[row->structure];
     const double *shape = p->phi + row->floor * p->n, *below = row->floor > 0 ? shape - p->n : NULL;
-    double dt = run->grid_dt_s, slope = fabs(f->after[t] - f->ground[t]) / dt, sum = 0;
-    double ground = fmax(fabs(f->ground[t]), fabs(f->after[t]));
-    for (int i = 0; i < p->n; i++) {
-        int j = p->first + i;
-        double w = m->omega[j], w2 = w * w, z = 2 * m->zeta[j] * w, reach = fabs(m->gamma[j]), bound[7];
-        double q = f->q[j * ENDS + t], qd = f->qd[j * ENDS + t];
-        double speed = sqrt(qd * qd + w2 * q * q) + dt * reach * ground;
-        bound[2] = (w + z) * speed + reach * ground;
-        bound[3] = w2 * speed + z * bound[2] + reach * slope;
-        for (int k = 4; k < 7; k++)
-            bound[k] = w2 * bound[k - 2] + z * bound[k - 1];
-        double part = row->quantity == THUD_FLOOR_DRIFT && below ? shape[i] - below[i] : shape[i];
-        sum += fabs(part) * (row->quantity == THUD_FLOOR_VELOCITY       ? bound[5]
-                             : row->quantity == THUD_FLOOR_ACCELERATION ? w2 * bound[4] + z * bound[5]
-                                                                        : bound[4]);
-    }
+    bool drift = row->quantity == THUD_FLOOR_DRIFT && below;
+    /* an acceleration is omega^2 q + 2 zeta omega q' */
+    const double *bound = row->quantity == THUD_FLOOR_VELOCITY       ? f->bound[1]
+                          : row->quantity == THUD_FLOOR_ACCELERATION ? f->bound[2]
+                                                                     : f->bound[0];
+    double dt = run->grid_dt_s, sum = 0;
+    for (int i = 0; i < p->n; i++)
+        sum += fabs(drift ? shape[i] - below[i] : shape[i]) * bound[(p->first + i) * ENDS + t];
     return sum * dt * dt * dt * dt / 384;
 }
 
@@ -142,14 +159,12 @@ static void suspect(struct thud_run *run, struct thud_flight *f, const struct ro
 static void find_suspects(struct thud_run *run, struct thud_flight *f, const struct row *row, int intervals)
 {
     const double *x = row->x;
-    double most = 0, dt = run->grid_dt_s;
-    for (int t = 0; t <= intervals; t++) {
-        double a = fabs(x[t]);
-        most = a > most ? a : most;
-    }
+    double most = thud_largest_size(x, intervals + 1), dt = run->grid_dt_s;
     if (most + row->margin <= row->peak->value)
         return;
-    double limit = fmax(row->peak->value, most), near = limit - row->margin;
+    if (!f->bounded[row->structure])
+        bound_derivatives(run, f, row->structure, intervals);
+    double limit = thud_larger(row->peak->value, most), near = limit - row->margin;
     for (int t = 0; t < intervals; t++) {
         f->upper[t] = 0;
         if (fabs(x[t]) < near && fabs(x[t + 1]) < near)
@@ -158,7 +173,7 @@ static void find_suspects(struct thud_run *run, struct thud_flight *f, const str
         double cubic = cubic_peak(x[t], x[t + 1], dt * r0, dt * r1), margin = cubic_margin(run, f, row, t);
         f->upper[t] = cubic + margin;
         f->lower[t] = cubic - margin;
-        limit = fmax(limit, f->lower[t]);
+        limit = thud_larger(limit, f->lower[t]);
     }
     for (int t = 0; t < intervals; t++) {
         if (f->upper[t] < limit || f->upper[t] <= row->peak->value)
@@ -170,7 +185,8 @@ static void find_suspects(struct thud_run *run, struct thud_flight *f, const str
 void thud_flight_peaks(struct thud_run *run, struct thud_flight *f, int intervals)
 {
     const struct thud_model *m = run->model;
-    for (int s = 0; s < m->nstructures; s++)
+    for (int s = 0; s < m->nstructures; s++) {
+        f->bounded[s] = false;
         for (int i = 0; i < m->structure[s].n && f->looked[s]; i++)
             for (int x = 0; x < (m->structure[s].stiffness_npm ? THUD_FLOOR_QUANTITIES : THUD_FLOOR_DRIFT); x++) {
                 struct row row = {s,
@@ -181,4 +197,5 @@ void thud_flight_peaks(struct thud_run *run, struct thud_flight *f, int interval
                                   f->margin[x * m->nstructures + s]};
                 find_suspects(run, f, &row, intervals);
             }
+    }
 }

@@ -12,9 +12,11 @@ enum { UNIT_Q, UNIT_QD, UNIT_A0, UNIT_A1, UNITS };
 
 static bool allocate(struct thud_flight *f, const struct thud_model *m)
 {
-    size_t n = (size_t)m->ndof, many = n * THUD_FLIGHT_ENDS;
+    size_t n = (size_t)m->ndof, rows = (n + THUD_FLIGHT_ABREAST - 1) / THUD_FLIGHT_ABREAST * THUD_FLIGHT_ABREAST,
+           many = rows * THUD_FLIGHT_ENDS;
     double **by_mode[32],
-        **by_end[] = {&f->q, &f->qd, &f->spring, &f->value[0], &f->value[1], &f->value[2], &f->value[3]};
+        **by_end[] = {&f->q,        &f->qd,       &f->spring,   &f->value[0], &f->value[1],
+                     &f->value[2], &f->value[3], &f->bound[0], &f->bound[1], &f->bound[2]};
     double **single[] = {&f->gap, &f->energy, &f->ground, &f->after, &f->lower, &f->upper};
     size_t count = 0, ends = sizeof by_end / sizeof *by_end, singles = sizeof single / sizeof *single;
     for (int i = 0; i < 4; i++) {
@@ -28,12 +30,12 @@ static bool allocate(struct thud_flight *f, const struct thud_model *m)
     for (size_t i = 0; i < sizeof rest / sizeof *rest; i++)
         by_mode[count++] = rest[i];
     size_t series = (THUD_SEGMENT_TERMS + 1) * n, forces = THUD_SEGMENT_TERMS * (size_t)m->ncontacts;
-    size_t total = count * n + ends * many + singles * THUD_FLIGHT_ENDS +
+    size_t total = count * rows + ends * many + singles * THUD_FLIGHT_ENDS +
                    THUD_FLOOR_QUANTITIES * (size_t)m->nstructures + 2 * THUD_FLOOR_QUANTITIES * n * n + series + forces;
     double *next = f->block = calloc(total, sizeof *next);
     if (!next)
         return false;
-    for (size_t i = 0; i < count; i++, next += n)
+    for (size_t i = 0; i < count; i++, next += rows)
         *by_mode[i] = next;
     for (size_t i = 0; i < ends; i++, next += many)
         *by_end[i] = next;
@@ -44,7 +46,8 @@ static bool allocate(struct thud_flight *f, const struct thud_model *m)
     f->seg.q = f->kept + 2 * THUD_FLOOR_QUANTITIES * n * n;
     f->seg.force = f->seg.q + series;
     f->suspect = calloc(THUD_FLOOR_QUANTITIES * n, sizeof *f->suspect);
-    f->looked = calloc((size_t)m->nstructures + 1, sizeof *f->looked);
+    f->looked = calloc(2 * (size_t)m->nstructures + 1, sizeof *f->looked);
+    f->bounded = f->looked + m->nstructures;
     return f->suspect != NULL && f->looked != NULL;
 }
 

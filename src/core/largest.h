@@ -2,9 +2,41 @@
 #ifndef THUD_CORE_LARGEST_H
 #define THUD_CORE_LARGEST_H
 
+#include <math.h>
+
 static inline double thud_larger(double a, double b)
 {
     return b > a || b != b ? b : a;
+}
+
+/* The largest of n > 0 numbers, by four at a time: alone, each would wait for the one before it. */
+static inline double thud_largest(const double *x, int n)
+{
+    double most[4] = {x[0], x[0], x[0], x[0]};
+    int i = 1;
+    for (; i + 4 <= n; i += 4)
+        for (int k = 0; k < 4; k++)
+            most[k] = x[i + k] > most[k] ? x[i + k] : most[k];
+    for (; i < n; i++)
+        most[0] = x[i] > most[0] ? x[i] : most[0];
+    double a = most[0] > most[1] ? most[0] : most[1], b = most[2] > most[3] ? most[2] : most[3];
+    return a > b ? a : b;
+}
+
+/* The largest absolute value of n numbers. */
+static inline double thud_largest_size(const double *x, int n)
+{
+    double most[4] = {0};
+    int i = 0;
+    for (; i + 4 <= n; i += 4)
+        for (int k = 0; k < 4; k++) {
+            double size = fabs(x[i + k]);
+            most[k] = size > most[k] ? size : most[k];
+        }
+    for (; i < n; i++)
+        most[0] = fabs(x[i]) > most[0] ? fabs(x[i]) : most[0];
+    double a = most[0] > most[1] ? most[0] : most[1], b = most[2] > most[3] ? most[2] : most[3];
+    return a > b ? a : b;
 }
 
 #endif
