@@ -7,9 +7,9 @@
 #include "core/largest.h"
 #include "core/radau.h"
 
-enum { NEWTON_MAX = 12, FIXED_POINT_MAX = 12 };
+enum { NEWTON_MAX = 12, ITERATIONS_MAX = 12 };
 static const double longest_angle = 1.8; /* a step times the fastest mode: the series' terms are enough for that */
-static const double slowest_contraction = 0.3; /* of the fixed-point iteration, before Newton's method takes over */
+static const double slowest_contraction = 0.3; /* of the iteration in the order of time, before Newton's method takes over */
 
 enum thud_status thud_collocation_create(const struct thud_run *run, struct thud_collocation **out,
                                          struct thud_error *err)
@@ -80,7 +80,7 @@ static bool reserve(struct thud_collocation *x, int n)
     if (n <= x->capacity)
         return true;
     size_t size = (size_t)n * THUD_PLACES, unknowns = (size_t)n * THUD_POINTS;
-    double *block = thud_collocation_allocate(5 * size + unknowns, sizeof *block),
+    double *block = thud_collocation_allocate(5 * size + unknowns + 2 * (size_t)n, sizeof *block),
            *matrix = thud_collocation_allocate(unknowns * unknowns, sizeof *matrix);
     lapack_int *pivot = thud_collocation_allocate(unknowns, sizeof *pivot);
     if (!block || !matrix || !pivot) {
@@ -98,6 +98,8 @@ static bool reserve(struct thud_collocation *x, int n)
     x->d = block + 3 * size;
     x->v = block + 4 * size;
     x->residual = block + 5 * size;
+    x->scale = x->residual + unknowns;
+    x->change = x->scale + n;
     x->matrix = matrix;
     x->pivot = pivot;
     x->capacity = n;
@@ -163,36 +165,62 @@ static void linearize(struct thud_run *run, struct thud_collocation *x, int leve
     run->result.work.force_evaluations += n;
 }
 
-/* One fixed-point iteration: the forces of the laws along the motion under the last ones. Largest change, over the
- * force scale. */
-static double renew_forces(struct thud_run *run, struct thud_collocation *x, int level)
+/* By how much the force of the a-th active contact at point j is off: the law's along the motion under the last forces,
+ * and by how much that moves with the force itself. */
+static double correction(const struct thud_run *run, const struct thud_collocation *x, int level, int a, int j)
 {
-    double change = 0;
-    motion_under_forces(x, level);
-    for (int a = 0; a < x->nactive; a++) {
-        const struct thud_contact_state *s = &run->contact[x->active[a]];
-        double worst = 0;
-        for (int i = a * THUD_PLACES; i < a * THUD_PLACES + THUD_POINTS; i++) {
-            double f = thud_branch_force(&s->branch, x->d[i], x->v[i], NULL, NULL);
-            worst = thud_larger(worst, fabs(f - x->force[i]));
-            x->force[i] = f;
-        }
-        change = thud_larger(change, worst / thud_collocation_scale(run, x, a));
-    }
-    run->result.work.force_evaluations += x->nactive * THUD_POINTS;
-    return change;
+    int c = x->active[a], at = a * THUD_PLACES + j, own = j * THUD_PLACES + j;
+    const struct thud_response *self = &x->pair[level][c * x->nc + c];
+    double fd, fv, force = thud_branch_force(&run->contact[c].branch, x->d[at], x->v[at], &fd, &fv);
+    double slope = 1 - fd * self->indentation[own] - fv * self->rate[own];
+    return (force - x->force[at]) / (isfinite(slope) ? slope : 1);
 }
 
-/* Fixed-point iteration for the forces: cheap, and fast where contacts are soft on the scale of the step. What is left
- * after an iteration is its change times the contraction, which is known from the step before; should it be worse, the
- * error of the step shows it. */
+/* All contacts at all points feel the changes of the forces at point j. */
+static void spread(struct thud_collocation *x, int level, int j)
+{
+    for (int b = 0; b < x->nactive; b++) {
+        const struct thud_response *row = x->pair[level] + x->active[b] * x->nc;
+        struct thud_lanes d = thud_lanes_at(x->d + b * THUD_PLACES), v = thud_lanes_at(x->v + b * THUD_PLACES);
+        for (int a = 0; a < x->nactive; a++) {
+            thud_lanes_add(&d, x->change[a], row[x->active[a]].indentation + j * THUD_PLACES);
+            thud_lanes_add(&v, x->change[a], row[x->active[a]].rate + j * THUD_PLACES);
+        }
+        thud_lanes_put(&d, x->d + b * THUD_PLACES);
+        thud_lanes_put(&v, x->v + b * THUD_PLACES);
+    }
+}
+
+/* One iteration in the order of time: the forces at a point with the newest of those before it. Largest change, over
+ * the force scale. */
+static double renew_forces(struct thud_run *run, struct thud_collocation *x, int level)
+{
+    double most = 0;
+    for (int j = 0; j < THUD_POINTS; j++) {
+        for (int a = 0; a < x->nactive; a++) {
+            x->change[a] = correction(run, x, level, a, j);
+            x->force[a * THUD_PLACES + j] += x->change[a];
+            most = thud_larger(most, fabs(x->change[a]) / x->scale[a]);
+        }
+        spread(x, level, j);
+    }
+    run->result.work.force_evaluations += x->nactive * THUD_POINTS;
+    return most;
+}
+
+/* Iteration for the forces: cheap, and fast where contacts are soft on the scale of the step, as what acts later hardly
+ * shows in what was before. What is left after an iteration is its change times the contraction, which is known from
+ * the step before; should it be worse, the error of the step shows it. */
 static bool iterate(struct thud_run *run, struct thud_collocation *x, int level, double tolerance)
 {
     double before = 0;
-    for (int a = 0; a < x->nactive; a++)
+    for (int a = 0; a < x->nactive; a++) {
         if (run->contact[x->active[a]].mode == THUD_STUCK)
             return false;
-    for (int iteration = 0; iteration < FIXED_POINT_MAX; iteration++) {
+        x->scale[a] = thud_collocation_scale(run, x, a);
+    }
+    motion_under_forces(x, level);
+    for (int iteration = 0; iteration < ITERATIONS_MAX; iteration++) {
         double change = renew_forces(run, x, level);
         if (iteration > 0)
             x->contraction = fmin(slowest_contraction, 4 * change / before);
@@ -323,7 +351,7 @@ enum thud_status thud_collocation_step(struct thud_run *run, struct thud_colloca
             error = thud_collocation_error(run, x, h);
         }
         double factor =
-            isfinite(error) ? 0.85 * pow(tolerance / thud_larger(error, 1e-3 * tolerance), 1.0 / THUD_POINTS) : 0.25;
+            isfinite(error) ? 0.85 * pow(tolerance / thud_larger(error, 1e-5 * tolerance), 1.0 / THUD_POINTS) : 0.25;
         x->h = h * fmin(4, thud_larger(0.1, factor));
         if (error <= tolerance) {
             if (first)

@@ -44,6 +44,7 @@ struct thud_collocation {
     int nactive, capacity;
     double *force, *d0, *v0, *d, *v; /* (nactive x THUD_PLACES) */
     double *residual, *matrix;       /* (nactive x THUD_POINTS); square */
+    double *scale, *change;          /* (nactive) on which a change of the force counts, and the last one */
     lapack_int *pivot;
 };
 
