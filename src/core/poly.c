@@ -90,12 +90,13 @@ static double rising_root(const struct search *f, double a, double b, double s, 
         else
             a = s;
         double bend = dd / d, newton = p / d, next = s - newton / (1 - 0.5 * newton * bend);
-        if (!(next > a && next < b))
-            next = 0.5 * (a + b);
-        double moved = fabs(next - s), rest = (bend * bend + f->third / d) * moved * moved * moved;
-        if (moved <= 4e-16 * next || b - a <= 4e-16 * b || rest <= 1e-16 * next)
+        double moved = fabs(next - s), change = moved * (fabs(bend) + f->third / d * moved); /* of the slope, at most */
+        if (moved <= 4e-16 * s || b - a <= 4e-16 * b)
+            return s;
+        bool inside = next > a && next < b;
+        if (inside && change < 0.1 && (bend * bend + f->third / d) * moved * moved * moved <= 1e-16 * next)
             return next;
-        s = next;
+        s = inside ? next : 0.5 * (a + b);
         thud_poly_value3(f->c, f->n, s, v);
     }
     return s;
@@ -172,12 +173,10 @@ static void extremum(struct peak *f, double a, double b, double s, double v[3])
             b = s;
         else
             a = s;
-        double next = s - v[1] / v[2];
-        if (!(next > a && next < b))
-            next = 0.5 * (a + b);
-        double moved = fabs(next - s);
-        s = next;
-        if (moved <= 1e-12 || f->third * moved * moved <= 1e-12 * fabs(v[2]))
+        double next = s - v[1] / v[2], moved = fabs(next - s);
+        bool inside = next > a && next < b;
+        s = inside ? next : 0.5 * (a + b);
+        if (moved <= 1e-12 || b - a <= 1e-12 || (inside && f->third * moved * moved <= 1e-12 * fabs(v[2])))
             break;
         thud_poly_value3(f->c, f->n, s, v);
     }

@@ -112,6 +112,71 @@ START_TEST(peaks_against_a_grid)
 }
 END_TEST
 
+/* Coefficients that fall as a series' do: like those of a motion over one step. */
+static void series(unsigned *seed, double start, int n, double *c)
+{
+    double size = 1;
+    for (int k = 0; k < n; k++, size *= 0.9 / k) {
+        *seed = *seed * 1664525u + 1013904223u;
+        c[k] = ((double)(*seed >> 8) / 8388608.0 - 1) * (k == 0 ? start : size);
+    }
+}
+
+/* p, p' and sum |c_k| s^k by Horner's scheme in extended precision. */
+static void extended(const double *c, int n, double s, long double *p, long double *slope, long double *size)
+{
+    *p = *slope = *size = 0;
+    for (int k = n - 1; k >= 0; k--) {
+        *slope = *slope * s + *p;
+        *p = *p * s + c[k];
+        *size = *size * s + fabs(c[k]);
+    }
+}
+
+/* A crossing is as near as the rounding of p lets it be, whatever way led to it. */
+START_TEST(crossings_to_rounding)
+{
+    unsigned seed = 3;
+    int found = 0;
+    for (int trial = 0; trial < 20000; trial++) {
+        double c[20];
+        int n = 8 + trial % 13;
+        long double p, slope, size;
+        series(&seed, 0.3, n, c);
+        double s = thud_poly_first_above(c, n, 1, 1, 0, 0);
+        if (!(s > 0 && s < 1))
+            continue;
+        extended(c, n, s, &p, &slope, &size);
+        ck_assert(fabsl(p) <= 1.2e-15L * size + 4e-16L * s * fabsl(slope));
+        found++;
+    }
+    ck_assert_int_gt(found, 2000);
+}
+END_TEST
+
+/* A peak inside lies where the slope is 0, to 1e-12 of the way. */
+START_TEST(peaks_lie_where_the_slope_is_0)
+{
+    unsigned seed = 5;
+    int found = 0;
+    for (int trial = 0; trial < 20000; trial++) {
+        double c[20], derivative[19], where = 0;
+        int n = 8 + trial % 13;
+        long double slope, bend, size;
+        series(&seed, 0.3, n, c);
+        thud_poly_peak(c, n, 1, 0, &where);
+        if (!(where > 0 && where < 1))
+            continue;
+        for (int k = 1; k < n; k++)
+            derivative[k - 1] = k * c[k];
+        extended(derivative, n - 1, where, &slope, &bend, &size);
+        ck_assert(fabsl(slope) <= 2e-12L * fabsl(bend) + 2e-15L * size);
+        found++;
+    }
+    ck_assert_int_gt(found, 2000);
+}
+END_TEST
+
 Suite *thud_suite(void)
 {
     Suite *suite = suite_create("poly");
@@ -124,6 +189,8 @@ Suite *thud_suite(void)
     tcase_add_test(tc, peak_of_a_sine);
     tcase_add_test(tc, peak_is_left_alone_below_the_least);
     tcase_add_test(tc, peaks_against_a_grid);
+    tcase_add_test(tc, crossings_to_rounding);
+    tcase_add_test(tc, peaks_lie_where_the_slope_is_0);
     suite_add_tcase(suite, tc);
     return suite;
 }
