@@ -238,6 +238,8 @@ key m "turns the mouse on" 'Mouse on'
 click 5 7
 wait_for "a click on a name goes to its field" 'stiffness *▸'
 key m "turns it off again" 'Mouse off'
+keys q
+key y "quits without saving, where asked" 'ready> *$'
 
 # README shows the first screen as it is (but for the time it took).
 start 80 24
