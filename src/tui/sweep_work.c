@@ -55,6 +55,8 @@ static enum thud_status add_record(struct thud_sweep_work *work, const struct th
         status = thud_record_file_read(path, &choice, &work->record[work->nrecords], err);
     if (status != THUD_OK)
         return status;
+    struct thud_record *record = work->record[work->nrecords]; /* by the name that was given, wherever it was found */
+    snprintf(record->file, sizeof record->file, "%s", file);
     const char *slash = strrchr(file, '/');
     snprintf(work->record_name[work->nrecords], sizeof work->record_name[0], "%.90s", slash ? slash + 1 : file);
     work->record_names[work->nrecords] = work->record_name[work->nrecords];

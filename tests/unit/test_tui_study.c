@@ -130,6 +130,7 @@ START_TEST(no_bumper_is_run_once_for_all_thicknesses)
     for (int i = 0; i < THUD_SWEEP_CSVS; i++) {
         ck_assert_str_eq(all[i], none[i]);
         ck_assert_int_eq(all[i][strlen(all[i]) - 1], '\n');
+        ck_assert_ptr_nonnull(strstr(all[i], "\npulse.csv,")); /* as it was named, not where it was found */
         free(all[i]);
         free(none[i]);
     }
