@@ -109,7 +109,7 @@ wait_for "back on the model" 'Peaks'
 keys C-z
 wait_for "Ctrl-Z gives the shell back" 'ready>'
 command "stty -g | cmp -s - $tmp/stty && echo sa''ne-while-stopped"
-wait_for "the shell has the terminal as it was" '^sane-while-stopped'
+wait_for "the shell has the terminal as it was" 'sane-while-stopped'
 mux resize-window -t s -x 132 -y 30
 command "fg; echo status=\$?"
 wait_for "it comes back in the size that the terminal has now" 'T1 0.398 s ──────────────────────────────'
