@@ -16,8 +16,9 @@ static enum thud_status print(struct thud_text *text, struct thud_error *err)
     return THUD_OK;
 }
 
-/* Next field of a line of CSV, with its end replaced; quotes taken off in place. *quoted: it had some. */
-static char *next_field(char **line, bool *quoted)
+/* Next field of a line of CSV, with its end replaced; quotes taken off in place. *quoted: it had some, and may go over
+ * several lines. After the last one *line is NULL and *after what comes behind the line. */
+static char *next_field(char **line, bool *quoted, char **after)
 {
     char *from = *line, *to = from, *in = from;
     *quoted = *in == '"';
@@ -32,6 +33,7 @@ static char *next_field(char **line, bool *quoted)
         to = in;
     }
     *line = *in == ',' ? in + 1 : NULL;
+    *after = *in ? in + 1 : in;
     *to = '\0';
     return from;
 }
@@ -63,12 +65,16 @@ static void put_objects(struct thud_sweep_output *o, char *lines, struct thud_te
     while (*lines) {
         struct thud_text head = {0};
         thud_sweep_csv_header(o->plan, THUD_SWEEP_CSV_FLOORS, &head);
-        char *end = strchr(lines, '\n'), *names = head.data, *line = lines;
+        if (head.failed) {
+            out->failed = 1;
+            return;
+        }
+        char *names = head.data, *line = lines, *unused;
         thud_text_append(out, o->row ? ",\n  {" : "\n  {");
         o->row = true;
-        for (bool first = true; line && names && !head.failed; first = false) {
+        for (bool first = true; line && names; first = false) {
             bool quoted, ignored, text = false;
-            const char *name = next_field(&names, &ignored), *field = next_field(&line, &quoted);
+            const char *name = next_field(&names, &ignored, &unused), *field = next_field(&line, &quoted, &lines);
             for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
                 text |= strcmp(name, texts[i]) == 0;
             thud_text_append(out, first ? "" : ", ");
@@ -81,7 +87,6 @@ static void put_objects(struct thud_sweep_output *o, char *lines, struct thud_te
         }
         thud_text_append(out, "}");
         thud_text_clear(&head);
-        lines = end ? end + 1 : lines + strlen(lines);
     }
 }
 

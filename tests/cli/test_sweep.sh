@@ -290,4 +290,16 @@ check "a law among others has the rows it has alone" test "$(grep -c ',hertz$' "
 wrong 2 "value twice" towers --vary contact.law=linear,hertz,linear
 status 0 "$THUD" sweep towers --vary gap=8cm --vary contact.law=linear,hertz --cases bumper --json
 check "words are texts in JSON" test "$(grep -c '"contact.law": "hertz"}' "$tmp/out")" -eq 12
+cp records/kobe-surrogate.csv "$tmp/two
+lines.csv"
+status 0 "$THUD" sweep towers --vary gap=8cm --cases none --record "$tmp/two
+lines.csv" --json
+check "a record's name of two lines stands in every row" test "$(grep -c 'two.u000alines.csv", "case": "none", "gap_m": 0.08, .*"displacement_free_ratio": [0-9.]*}' "$tmp/out")" -eq 12
+
+# over several records the value whose worst record is best
+status 5 "$THUD" sweep towers --vary bumper.thickness=2cm:6cm:2cm --cases bumper --records kobe-surrogate.csv,northridge-surrogate.csv --best bumper.thickness -o "$tmp/worst"
+awk -F, '$5 == 0 { if ($9 > r[$15]) r[$15] = $9 } END { b = ""; for (v in r) if (b == "" || r[v] < r[b]) b = v; print b "," r[b] }' "$tmp/worst/sweep.csv" >"$tmp/by-hand"
+sed -n 's/^worst of all,bumper,\([^,]*,[^,]*\),.*/\1/p' "$tmp/worst/best.csv" | cmp -s - "$tmp/by-hand"
+check "the worst of all records counts as one more" test $? -eq 0
+check "in the table too" grep -q "^  worst of all  *bumper  *[0-9]* cm" "$tmp/out"
 echo "1..$n"

@@ -132,6 +132,15 @@ START_TEST(unsaved_edits_can_be_recovered)
     ck_assert_str_eq(old, fixture_towers);
     free(text);
     free(old);
+    /* where the preset's folder cannot be written, in that for temporary files */
+    ck_assert_int_eq(setenv("TMPDIR", f.folder, 1), 0);
+    snprintf(f.tui->doc.path, sizeof f.tui->doc.path, "%s/towers.yaml/towers.yaml", f.folder);
+    ck_assert_int_eq(thud_doc_recover(&f.tui->doc, path, &err), THUD_OK);
+    ck_assert_ptr_eq(strstr(path, f.folder), path);
+    text = fixture_file(&f, strrchr(path, '/') + 1);
+    ck_assert_ptr_nonnull(strstr(text, "- gap: 7 cm   # concrete to concrete"));
+    free(text);
+    unsetenv("TMPDIR");
 }
 END_TEST
 

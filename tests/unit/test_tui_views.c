@@ -213,6 +213,24 @@ START_TEST(a_study_has_figures_and_panels)
 }
 END_TEST
 
+START_TEST(what_there_is_not_is_said)
+{
+    fixture_keys(&f, "<A-9>");
+    fixture_expect(&f, "There is no screen 9: 1 to 8");
+    fixture_keys(&f, ":set gap 200 cm<Enter><A-4><Size 100x40>");
+    fixture_expect(&f, "none: the structures do not meet");
+    fixture_keys(
+        &f, ":set gap 2 cm<Enter><A-6><Enter><C-u>gap=0.5 cm:1.5 cm:1 cm<Enter>:records pulse.csv,pulse.csv<Enter>");
+    fixture_keys(&f, "r");
+    fixture_expect(&f, "4 of 4 points");
+    fixture_expect(&f, "2 not possible (bumper > gap)");
+    fixture_keys(&f, ":set gap 4 cm<Enter>:records nowhere.csv<Enter>");
+    fixture_keys(&f, "r");
+    fixture_expect(&f, "nowhere.csv");
+    fixture_expect_not(&f, "4 of 4 points");
+}
+END_TEST
+
 /* The long forms of what keys do. */
 START_TEST(commands_of_the_command_line)
 {
@@ -253,6 +271,7 @@ Suite *thud_suite(void)
     tcase_add_test(views, clicks_go_to_fields);
     tcase_add_test(views, the_ground_motion_has_four_curves);
     tcase_add_test(views, a_study_has_figures_and_panels);
+    tcase_add_test(views, what_there_is_not_is_said);
     tcase_add_test(views, commands_of_the_command_line);
     suite_add_tcase(suite, views);
     return suite;
