@@ -9,7 +9,8 @@
 
 enum { NEWTON_MAX = 12, ITERATIONS_MAX = 12 };
 static const double longest_angle = 1.8; /* a step times the fastest mode: the series' terms are enough for that */
-static const double slowest_contraction = 0.3; /* of the iteration in the order of time, before Newton's method takes over */
+static const double slowest_contraction =
+    0.3; /* of the iteration in the order of time, before Newton's method takes over */
 
 enum thud_status thud_collocation_create(const struct thud_run *run, struct thud_collocation **out,
                                          struct thud_error *err)

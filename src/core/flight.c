@@ -182,24 +182,31 @@ static void start_interval(const struct thud_flight *f, int t)
     }
 }
 
-/* Whether contact c closes in interval t. */
-static bool closes(struct thud_run *run, struct thud_flight *f, int c, int t)
+/* Whether contact c closes in the piece of interval t that the run's segment holds. */
+static bool closes_in_piece(const struct thud_run *run, int c, bool first)
 {
     double d[THUD_SEGMENT_TERMS];
+    int zeros = thud_segment_indentation(run, &run->seg, c, d), least = run->contact[c].zeros.indentation;
+    if (!first || least == 0)
+        zeros = 0;
+    else if (zeros < least)
+        zeros = least;
+    return zeros < run->seg.terms && thud_poly_first_above(d, run->seg.terms, 1, 1, zeros, THUD_TOUCH_NOISE_M) <= 1;
+}
+
+/* Whether one of the contacts that are near it closes in interval t. */
+static bool closes(struct thud_run *run, struct thud_flight *f, int t)
+{
     long base = run->grid;
     bool found = false;
     run->grid += t;
     start_interval(f, t);
     for (int piece = 0; piece < f->pieces && !found; piece++) {
         thud_flight_series(run, f, piece);
-        int zeros = thud_segment_indentation(run, &run->seg, c, d), least = run->contact[c].zeros.indentation;
-        if (t > 0 || piece > 0 || least == 0)
-            zeros = 0;
-        else if (zeros < least)
-            zeros = least;
-        found =
-            zeros < run->seg.terms && thud_poly_first_above(d, run->seg.terms, 1, 1, zeros, THUD_TOUCH_NOISE_M) <= 1;
-        thud_segment_state(&run->seg, f->n, 1, f->now, f->now_rate);
+        for (int c = 0; c < run->model->ncontacts && !found; c++)
+            found = f->near[c] && closes_in_piece(run, c, t == 0 && piece == 0);
+        if (piece + 1 < f->pieces)
+            thud_segment_state(&run->seg, f->n, 1, f->now, f->now_rate);
     }
     run->grid = base;
     run->offset_s = 0;
@@ -219,17 +226,53 @@ double thud_flight_gap(struct thud_flight *f, const struct thud_model *model, in
     return thud_largest(f->gap, ends);
 }
 
-/* Intervals until contact c closes, at most `intervals`. */
-static int until_contact(struct thud_run *run, struct thud_flight *f, int c, int intervals)
+/* Gaps above which the contacts may close in an interval; whether any comes so far in the block. */
+static bool set_limits(struct thud_run *run, struct thud_flight *f, int intervals)
 {
-    if (run->model->contact[c].law->flags & THUD_LAW_SILENT)
-        return intervals;
-    double margin, most = thud_flight_gap(f, run->model, c, intervals + 1, &margin);
-    double limit = thud_run_shift(run, c) - margin;
-    if (most <= limit)
+    bool any = false;
+    for (int c = 0; c < run->model->ncontacts; c++) {
+        f->limit[c] = INFINITY;
+        if (run->model->contact[c].law->flags & THUD_LAW_SILENT)
+            continue;
+        double margin, most = thud_flight_gap(f, run->model, c, intervals + 1, &margin);
+        if (most <= thud_run_shift(run, c) - margin)
+            continue;
+        f->limit[c] = thud_run_shift(run, c) - margin;
+        any = true;
+    }
+    return any;
+}
+
+/* Marks the contacts that may close in interval t; whether there are any. */
+static bool find_near(const struct thud_run *run, struct thud_flight *f, int t)
+{
+    const struct thud_model *m = run->model;
+    const double *u = f->value[THUD_FLOOR_DISPLACEMENT] + t;
+    bool any = false;
+    for (int c = 0; c < m->ncontacts; c++) {
+        int left = m->contact[c].left_dof, right = m->contact[c].right_dof;
+        double start = 0, end = 0;
+        if (left >= 0) {
+            start += u[left * ENDS];
+            end += u[left * ENDS + 1];
+        }
+        if (right >= 0) {
+            start -= u[right * ENDS];
+            end -= u[right * ENDS + 1];
+        }
+        f->near[c] = start > f->limit[c] || end > f->limit[c];
+        any |= f->near[c];
+    }
+    return any;
+}
+
+/* Intervals until a contact closes, at most `intervals`. */
+static int until_contact(struct thud_run *run, struct thud_flight *f, int intervals)
+{
+    if (!set_limits(run, f, intervals))
         return intervals;
     for (int t = 0; t < intervals; t++)
-        if ((f->gap[t] > limit || f->gap[t + 1] > limit) && closes(run, f, c, t))
+        if (find_near(run, f, t) && closes(run, f, t))
             return t;
     return intervals;
 }
@@ -328,14 +371,13 @@ enum thud_status thud_flight_go(struct thud_run *run, int *passed, struct thud_e
         int stride = thud_horizon_stride(run->grid);
         f->size = f->size < stride ? f->size : stride;
     }
-    int tried = left < f->size ? (int)left : f->size, intervals = tried;
+    int tried = left < f->size ? (int)left : f->size;
     march(f, run, tried);
     double ground = largest_ground(f, tried);
     displacements(f, run->model, tried + 1);
     margins(f, run, ground, tried);
-    for (int c = 0; c < run->model->ncontacts && intervals > 0; c++)
-        intervals = until_contact(run, f, c, intervals);
-    f->size = intervals < tried ? SHORT_BLOCK : THUD_FLIGHT_BLOCK;
+    int intervals = until_contact(run, f, tried);
+    f->size = intervals < tried ? SHORT_BLOCK : 2 * f->size < THUD_FLIGHT_BLOCK ? 2 * f->size : THUD_FLIGHT_BLOCK;
     if (intervals == 0)
         return THUD_OK;
     look_for_peaks(f, run, ground, intervals + 1);

@@ -4,7 +4,10 @@
 
 #include "core/run_private.h"
 
-enum { THUD_FLIGHT_BLOCK = 128, THUD_FLIGHT_ENDS = THUD_FLIGHT_BLOCK + 4 }; /* intervals in a block; their ends, by fours */
+enum {
+    THUD_FLIGHT_BLOCK = 128,
+    THUD_FLIGHT_ENDS = THUD_FLIGHT_BLOCK + 4
+};                                /* intervals in a block; their ends, by fours */
 enum { THUD_FLIGHT_ABREAST = 4 }; /* modes that march together; rows beyond the last mode stay 0 */
 /* The interval in which one floor's value peaks, its series not yet made. */
 struct thud_suspect {
@@ -34,7 +37,9 @@ struct thud_flight {
     double *margin; /* (QUANTITIES x nstructures): how far a value inside an interval may lie above those at its ends */
     double *speed;  /* (n) largest sqrt(q'^2 + omega^2 q^2) of a mode in the block */
     bool *looked;   /* (nstructures) whether its floors may have new peaks: all their values are there */
-    bool *bounded;         /* (nstructures) whether `bound` holds for the block */
+    double *limit;  /* (ncontacts) gap above which a contact may close in an interval of the block */
+    bool *near;     /* (ncontacts) whether it may in the interval looked at */
+    bool *bounded;  /* (nstructures) whether `bound` holds for the block */
     double *lower, *upper; /* (ENDS) what the largest value of one row in each interval is at least and at most */
     struct thud_suspect *suspect; /* (QUANTITIES x n) */
     double *kept;                 /* (QUANTITIES x n x 2 x n) q, q' at the start of its interval */

@@ -14,9 +14,8 @@ static bool allocate(struct thud_flight *f, const struct thud_model *m)
 {
     size_t n = (size_t)m->ndof, rows = (n + THUD_FLIGHT_ABREAST - 1) / THUD_FLIGHT_ABREAST * THUD_FLIGHT_ABREAST,
            many = rows * THUD_FLIGHT_ENDS;
-    double **by_mode[32],
-        **by_end[] = {&f->q,        &f->qd,       &f->spring,   &f->value[0], &f->value[1],
-                     &f->value[2], &f->value[3], &f->bound[0], &f->bound[1], &f->bound[2]};
+    double **by_mode[32], **by_end[] = {&f->q,        &f->qd,       &f->spring,   &f->value[0], &f->value[1],
+                                        &f->value[2], &f->value[3], &f->bound[0], &f->bound[1], &f->bound[2]};
     double **single[] = {&f->gap, &f->energy, &f->ground, &f->after, &f->lower, &f->upper};
     size_t count = 0, ends = sizeof by_end / sizeof *by_end, singles = sizeof single / sizeof *single;
     for (int i = 0; i < 4; i++) {
@@ -31,7 +30,8 @@ static bool allocate(struct thud_flight *f, const struct thud_model *m)
         by_mode[count++] = rest[i];
     size_t series = (THUD_SEGMENT_TERMS + 1) * n, forces = THUD_SEGMENT_TERMS * (size_t)m->ncontacts;
     size_t total = count * rows + ends * many + singles * THUD_FLIGHT_ENDS +
-                   THUD_FLOOR_QUANTITIES * (size_t)m->nstructures + 2 * THUD_FLOOR_QUANTITIES * n * n + series + forces;
+                   THUD_FLOOR_QUANTITIES * (size_t)m->nstructures + 2 * THUD_FLOOR_QUANTITIES * n * n + series +
+                   forces + (size_t)m->ncontacts;
     double *next = f->block = calloc(total, sizeof *next);
     if (!next)
         return false;
@@ -45,9 +45,11 @@ static bool allocate(struct thud_flight *f, const struct thud_model *m)
     f->kept = f->margin + THUD_FLOOR_QUANTITIES * m->nstructures;
     f->seg.q = f->kept + 2 * THUD_FLOOR_QUANTITIES * n * n;
     f->seg.force = f->seg.q + series;
+    f->limit = f->seg.force + forces;
     f->suspect = calloc(THUD_FLOOR_QUANTITIES * n, sizeof *f->suspect);
-    f->looked = calloc(2 * (size_t)m->nstructures + 1, sizeof *f->looked);
+    f->looked = calloc(2 * (size_t)m->nstructures + (size_t)m->ncontacts + 1, sizeof *f->looked);
     f->bounded = f->looked + m->nstructures;
+    f->near = f->bounded + m->nstructures;
     return f->suspect != NULL && f->looked != NULL;
 }
 

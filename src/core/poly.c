@@ -79,8 +79,8 @@ static double value(const struct search *f, double s)
     return f->sign * thud_poly_value(f->c, f->n, s);
 }
 
-/* Root of a function that rises on [a, b] with f(a) <= 0 < f(b), from s, where its value and derivatives are v: Halley's
- * method kept inside a shrinking bracket, until a bound of what is left says that it is there. */
+/* Root of a function that rises on [a, b] with f(a) <= 0 < f(b), from s, where its value and derivatives are v:
+ * Halley's method kept inside a shrinking bracket, until a bound of what is left says that it is there. */
 static double rising_root(const struct search *f, double a, double b, double s, double v[3])
 {
     for (int i = 0; i < 80; i++) {
