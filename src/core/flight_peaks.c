@@ -115,9 +115,11 @@ static void settle(struct thud_run *run, struct thud_flight *f, int structure, i
     memcpy(f->now_rate, f->kept + ((size_t)index * 2 + 1) * n, n * sizeof *f->now_rate);
     for (int piece = 0; piece < f->pieces; piece++) {
         thud_flight_series(run, f, piece);
-        thud_peaks_prepare(run);
+        if (quantity == THUD_FLOOR_ACCELERATION)
+            thud_peaks_prepare(run);
         thud_peaks_floor(run, structure, floor, quantity, 1);
-        thud_segment_state(&run->seg, f->n, 1, f->now, f->now_rate);
+        if (piece + 1 < f->pieces)
+            thud_segment_state(&run->seg, f->n, 1, f->now, f->now_rate);
     }
     run->seg = segment;
     run->grid = grid;
@@ -155,6 +157,20 @@ static void suspect(struct thud_run *run, struct thud_flight *f, const struct ro
         *row->peak = (struct thud_peak){least, (double)(run->grid + t) * run->grid_dt_s};
 }
 
+/* Intervals with an end at `near` or above, in order; how many. */
+static int intervals_near(const double *x, int intervals, double near, int *list)
+{
+    int count = 0;
+    bool before = fabs(x[0]) >= near;
+    for (int t = 0; t < intervals; t++) {
+        bool after = fabs(x[t + 1]) >= near;
+        list[count] = t;
+        count += before | after;
+        before = after;
+    }
+    return count;
+}
+
 /* Finds the intervals inside which the row may pass both its peak so far and what it surely reaches in the block. */
 static void find_suspects(struct thud_run *run, struct thud_flight *f, const struct row *row, int intervals)
 {
@@ -164,21 +180,20 @@ static void find_suspects(struct thud_run *run, struct thud_flight *f, const str
         return;
     if (!f->bounded[row->structure])
         bound_derivatives(run, f, row->structure, intervals);
-    double limit = thud_larger(row->peak->value, most), near = limit - row->margin;
-    for (int t = 0; t < intervals; t++) {
-        f->upper[t] = 0;
-        if (fabs(x[t]) < near && fabs(x[t + 1]) < near)
-            continue;
+    double limit = thud_larger(row->peak->value, most);
+    int list[THUD_FLIGHT_BLOCK], count = intervals_near(x, intervals, limit - row->margin, list);
+    for (int i = 0; i < count; i++) {
+        int t = list[i];
         double r0 = rate_at(run, f, row, t, f->ground[t]), r1 = rate_at(run, f, row, t + 1, f->after[t]);
         double cubic = cubic_peak(x[t], x[t + 1], dt * r0, dt * r1), margin = cubic_margin(run, f, row, t);
         f->upper[t] = cubic + margin;
         f->lower[t] = cubic - margin;
         limit = thud_larger(limit, f->lower[t]);
     }
-    for (int t = 0; t < intervals; t++) {
-        if (f->upper[t] < limit || f->upper[t] <= row->peak->value)
-            continue;
-        suspect(run, f, row, t, f->lower[t], f->upper[t]);
+    for (int i = 0; i < count; i++) {
+        int t = list[i];
+        if (f->upper[t] >= limit && f->upper[t] > row->peak->value)
+            suspect(run, f, row, t, f->lower[t], f->upper[t]);
     }
 }
 

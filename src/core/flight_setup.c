@@ -82,40 +82,45 @@ static void add_point(struct thud_flight *f, const struct thud_model *m, double 
     }
 }
 
+enum { POINTS = THUD_QUADRATURE_POINTS };
+
+/* Moves unit motion u over one piece; its rates at the quadrature points into rate (POINTS x n). */
+static void move_unit(struct thud_run *run, const struct thud_flight *f, int u, int piece, double *q, double *qd,
+                      double *rate)
+{
+    struct thud_segment *seg = &run->seg;
+    double s0 = (double)piece / f->pieces, ds = 1.0 / f->pieces;
+    thud_segment_begin(run, seg, run->grid_dt_s * ds);
+    seg->a0 = u == UNIT_A0 ? 1 - s0 : u == UNIT_A1 ? s0 : 0;
+    seg->a1 = u == UNIT_A0 ? -ds : u == UNIT_A1 ? ds : 0;
+    thud_taylor_given(run->model, seg, q, qd);
+    for (int i = 0; i < POINTS; i++)
+        thud_segment_state(seg, f->n, thud_quadrature_node[i], f->now, rate + i * f->n);
+    thud_segment_state(seg, f->n, 1, q, qd);
+}
+
 /* Marches the four unit motions through one interval in pieces short enough for the series. */
 static enum thud_status unit_motions(struct thud_run *run, struct thud_flight *f, struct thud_error *err)
 {
-    const struct thud_model *m = run->model;
-    size_t n = (size_t)m->ndof;
-    double *state = calloc(3 * UNITS * n + n + 1, sizeof *state);
+    size_t n = (size_t)run->model->ndof, size = (2 + POINTS) * n;
+    double *state = calloc(UNITS * size + 1, sizeof *state), *q[UNITS], *qd[UNITS], *rate[UNITS];
     if (!state)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
-    double *q[UNITS], *qd[UNITS], *rate[UNITS], *spare = state + 3 * UNITS * n;
-    for (int u = 0; u < UNITS; u++) {
-        q[u] = state + (size_t)(3 * u) * n;
+    for (size_t u = 0; u < UNITS; u++) {
+        q[u] = state + u * size;
         qd[u] = q[u] + n;
-        rate[u] = qd[u] + n;
     }
-    for (int j = 0; j < m->ndof; j++) {
+    for (size_t j = 0; j < n; j++)
         q[UNIT_Q][j] = qd[UNIT_QD][j] = 1;
-    }
-    double dt = run->grid_dt_s;
-    int pieces = f->pieces = 1 + (int)(run->fastest_radps * dt / 1.8);
-    struct thud_segment *seg = &run->seg;
-    for (int i = 0; i < pieces; i++) {
-        double s0 = (double)i / pieces, ds = 1.0 / pieces;
-        for (int point = 0; point < THUD_QUADRATURE_POINTS + 1; point++) {
-            bool last = point == THUD_QUADRATURE_POINTS;
-            double s = last ? 1 : thud_quadrature_node[point];
-            for (int u = 0; u < UNITS; u++) {
-                thud_segment_begin(run, seg, dt * ds);
-                seg->a0 = u == UNIT_A0 ? 1 - s0 : u == UNIT_A1 ? s0 : 0;
-                seg->a1 = u == UNIT_A0 ? -ds : u == UNIT_A1 ? ds : 0;
-                thud_taylor_given(m, seg, q[u], qd[u]);
-                thud_segment_state(seg, m->ndof, s, last ? q[u] : spare, last ? qd[u] : rate[u]);
-            }
-            if (!last)
-                add_point(f, m, thud_quadrature_weight[point] * ds * dt, s0 + s * ds, rate);
+    f->pieces = 1 + (int)(run->fastest_radps * run->grid_dt_s / 1.8);
+    for (int piece = 0; piece < f->pieces; piece++) {
+        for (int u = 0; u < UNITS; u++)
+            move_unit(run, f, u, piece, q[u], qd[u], qd[u] + n);
+        for (int i = 0; i < POINTS; i++) {
+            for (int u = 0; u < UNITS; u++)
+                rate[u] = qd[u] + n + (size_t)i * n;
+            double ds = 1.0 / f->pieces, s = (piece + thud_quadrature_node[i]) * ds;
+            add_point(f, run->model, thud_quadrature_weight[i] * ds * run->grid_dt_s, s, rate);
         }
     }
     for (int u = 0; u < UNITS; u++) {
