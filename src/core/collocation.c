@@ -32,7 +32,7 @@ enum thud_status thud_collocation_create(const struct thud_run *run, struct thud
         check[i] = 0.5 * (x->node[i] + (i > 0 ? x->node[i - 1] : 0));
     thud_places_set(&x->nodes, THUD_POINTS, x->node, 1, THUD_SEGMENT_TERMS);
     thud_places_set(&x->checks, THUD_POINTS, check, 1, THUD_SEGMENT_TERMS);
-    size_t q = (THUD_SEGMENT_TERMS + 1) * (size_t)m->ndof, f = THUD_SEGMENT_TERMS * (size_t)m->ncontacts;
+    size_t q = THUD_SEGMENT_TERMS * (size_t)m->ndof, f = THUD_SEGMENT_TERMS * (size_t)m->ncontacts;
     x->seg_block = thud_collocation_allocate(q + f + 2 * THUD_PLACES * (size_t)m->ndof, sizeof(double));
     x->active = thud_collocation_allocate((size_t)m->ncontacts, sizeof(int));
     if (!x->seg_block || !x->active) {

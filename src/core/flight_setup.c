@@ -28,7 +28,7 @@ static bool allocate(struct thud_flight *f, const struct thud_model *m)
     double **rest[] = {&f->now, &f->now_rate, &f->speed};
     for (size_t i = 0; i < sizeof rest / sizeof *rest; i++)
         by_mode[count++] = rest[i];
-    size_t series = (THUD_SEGMENT_TERMS + 1) * n, forces = THUD_SEGMENT_TERMS * (size_t)m->ncontacts;
+    size_t series = THUD_SEGMENT_TERMS * n, forces = THUD_SEGMENT_TERMS * (size_t)m->ncontacts;
     size_t total = count * rows + ends * many + singles * THUD_FLIGHT_ENDS +
                    THUD_FLOOR_QUANTITIES * (size_t)m->nstructures + 2 * THUD_FLOOR_QUANTITIES * n * n + series +
                    forces + (size_t)m->ncontacts;

@@ -33,6 +33,7 @@ static enum thud_status step(struct thud_run *run, void *state, struct thud_erro
     while (tail > 1e-16) {
         double factor = 0.9 * pow(0.5e-16 / tail, 1.0 / (THUD_SEGMENT_TERMS - 4));
         thud_segment_shorten(&run->seg, m->ndof, m->ncontacts, factor);
+        thud_contact_forget(run);
         tail = thud_segment_tail(&run->seg, m->ndof);
     }
     run->result.work.force_evaluations += run->nactive;

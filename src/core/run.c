@@ -51,7 +51,7 @@ static bool allocate_doubles(struct thud_run *run)
         size_t size;
     } part[] = {{&run->q, n},
                 {&run->qd, n},
-                {&run->seg.q, (terms + 1) * n},
+                {&run->seg.q, terms * n},
                 {&run->seg.force, terms * nc},
                 {&run->indentation, terms * nc},
                 {&run->scratch, (terms + 8) * n + 8 + nc},

@@ -129,6 +129,12 @@ double thud_contact_next_event(struct thud_run *run, double s_end, int *contact,
 /* Reads the indentation of contact c from the segment into run->indentation, once; how many of its lowest orders are no
  * motion (see thud_segment_indentation). */
 int thud_contact_polynomial(struct thud_run *run, int c);
+/* The segment has changed: nothing of it is read yet. */
+static inline void thud_contact_forget(struct thud_run *run)
+{
+    for (int c = 0; c < run->model->ncontacts; c++)
+        run->known[c] = -1;
+}
 /* Acts on an event at the run's state (already committed). */
 enum thud_status thud_contact_switch(struct thud_run *run, int contact, int event, struct thud_error *err);
 /* contact_catch_up.c, for runs that do not locate: the indentation polynomials of the segment that will be read; what

@@ -40,8 +40,8 @@ void thud_segment_begin(struct thud_run *run, struct thud_segment *seg, double h
     seg->terms = thud_segment_terms(fastest_rate(run) * h_s, 1e-18);
     seg->loaded = 0;
     memset(seg->force, 0, THUD_SEGMENT_TERMS * (size_t)run->model->ncontacts * sizeof(double));
-    for (int c = 0; c < run->model->ncontacts && seg == &run->seg; c++)
-        run->known[c] = -1;
+    if (seg == &run->seg)
+        thud_contact_forget(run);
 }
 
 static void first_terms(const struct thud_model *m, struct thud_segment *seg, const double *q, const double *qd)
@@ -121,39 +121,47 @@ void thud_taylor_load(const struct thud_model *model, struct thud_segment *seg, 
     }
 }
 
-/* Force of order k of every closed contact, from the indentation's orders k and k + 1. */
-static void linear_forces(const struct thud_run *run, struct thud_segment *seg, int k)
+/* Force of order k of every closed contact, from the indentation's orders k and k + 1; those are left where
+ * thud_contact_polynomial would put them. */
+static void linear_forces(struct thud_run *run, struct thud_segment *seg, int k)
 {
     const struct thud_model *m = run->model;
     for (int c = 0; c < m->ncontacts; c++) {
         const struct thud_contact_state *s = &run->contact[c];
+        double *d = run->indentation + c * THUD_SEGMENT_TERMS, d1 = 0, f = 0;
         if (s->mode != THUD_CLOSED)
             continue;
-        double d = thud_model_gap_sum(m, c, seg->q + k * m->ndof), f = 0;
         if (k == 0) {
-            d -= thud_run_shift(run, c);
+            d[0] = thud_model_gap_sum(m, c, seg->q) - thud_run_shift(run, c);
             f = s->branch.f0_n;
             if (s->zeros.indentation > 0)
-                d = 0; /* just touched: the motion says so only to rounding, which a stiff contact would feel */
+                d[0] = 0; /* just touched: the motion says so only to rounding, which a stiff contact would feel */
         }
-        double d1 = thud_model_gap_sum(m, c, seg->q + (k + 1) * m->ndof);
-        seg->force[k * m->ncontacts + c] = f + s->branch.k_npm * d + s->branch.c_nspm * (k + 1) / seg->h_s * d1;
+        if (k + 1 < seg->terms)
+            d1 = d[k + 1] = thud_model_gap_sum(m, c, seg->q + (k + 1) * m->ndof);
+        seg->force[k * m->ncontacts + c] = f + s->branch.k_npm * d[k] + s->branch.c_nspm * (k + 1) / seg->h_s * d1;
     }
 }
 
 double thud_taylor_linear(struct thud_run *run, struct thud_segment *seg)
 {
     const struct thud_model *m = run->model;
-    memset(seg->q + seg->terms * m->ndof, 0, (size_t)m->ndof * sizeof(double)); /* read as the order after the last */
-    first_terms(m, seg, run->q, run->qd);
-    seg->loaded = run->nactive > 0 ? seg->terms : 0;
-    for (int k = 0; k + 2 < seg->terms; k++) {
-        linear_forces(run, seg, k);
-        next_order(m, seg, k);
+    if (run->nactive == 0) {
+        thud_taylor_given(m, seg, run->q, run->qd);
+    } else {
+        first_terms(m, seg, run->q, run->qd);
+        seg->loaded = seg->terms;
+        for (int k = 0; k < seg->terms; k++) {
+            linear_forces(run, seg, k);
+            if (k + 2 < seg->terms)
+                next_order(m, seg, k);
+        }
     }
-    for (int k = seg->terms - 2; k + 1 < seg->terms; k++)
-        linear_forces(run, seg, k);
-    return thud_segment_tail(seg, m->ndof);
+    for (int c = 0; c < m->ncontacts; c++)
+        if (run->contact[c].mode == THUD_CLOSED && run->contact[c].zeros.indentation == 0)
+            run->known[c] = 0;
+    /* fewer terms than there may be are enough by the bound of the fastest rate */
+    return seg->terms < THUD_SEGMENT_TERMS ? 0 : thud_segment_tail(seg, m->ndof);
 }
 
 void thud_segment_shorten(struct thud_segment *seg, int nmodes, int ncontacts, double factor)
