@@ -22,10 +22,9 @@ double thud_collocation_scale(const struct thud_run *run, const struct thud_coll
  * made in it, with the speed hardly lost. */
 static bool has_just_begun(const double *indentation, int terms)
 {
-    double start[3], end[3];
-    thud_poly_value3(indentation, terms, 0, start);
+    double end[3];
     thud_poly_value3(indentation, terms, 1, end);
-    return start[0] < 0.5 * end[0] && end[1] > 0.5 * start[1];
+    return indentation[0] < 0.5 * end[0] && end[1] > 0.5 * indentation[1];
 }
 
 /* How far rounding alone may put a force off: indentation and rate are differences of the floors' own. */

@@ -67,21 +67,22 @@ static double slope_at_zero(double a, double p)
 
 double thud_branch_force(const struct thud_branch *branch, double d_m, double v_mps, double *df_dd, double *df_dv)
 {
-    double force = branch->f0_n + branch->k_npm * d_m + branch->c_nspm * v_mps;
-    double by_d = branch->k_npm, by_v = branch->c_nspm;
+    double force = branch->f0_n + branch->k_npm * d_m + branch->c_nspm * v_mps, elastic = 0, damper = 0;
     if (d_m > 0 && (branch->K != 0 || branch->D != 0)) {
         double dp = power(d_m, branch->p), dr = branch->r == branch->p ? dp : power(d_m, branch->r);
-        double elastic = branch->K * dp, damper = branch->D * dr;
+        elastic = branch->K * dp;
+        damper = branch->D * dr;
         force += elastic + damper * v_mps;
-        by_d += (branch->p * elastic + branch->r * damper * v_mps) / d_m;
-        by_v += damper;
-    } else if (d_m == 0) {
-        by_d += slope_at_zero(branch->K, branch->p) + slope_at_zero(branch->D * v_mps, branch->r);
     }
-    if (df_dd)
-        *df_dd = by_d;
+    if (df_dd) {
+        *df_dd = branch->k_npm;
+        if (d_m > 0)
+            *df_dd += (branch->p * elastic + branch->r * damper * v_mps) / d_m;
+        else if (d_m == 0)
+            *df_dd += slope_at_zero(branch->K, branch->p) + slope_at_zero(branch->D * v_mps, branch->r);
+    }
     if (df_dv)
-        *df_dv = by_v;
+        *df_dv = branch->c_nspm + damper;
     return force;
 }
 

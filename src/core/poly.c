@@ -67,6 +67,16 @@ static double third_bound(const double *c, int n)
     return sum[0] + sum[1] + last;
 }
 
+/* Bound of how far p' may be from c[1] on [0, 1]. */
+static double slope_bound(const double *c, int n)
+{
+    thud_pair sum = {0, 0}, k = {2, 3};
+    int i = 2;
+    for (; i + 2 <= n; i += 2, k += 2)
+        sum += k * thud_pair_abs(thud_pair_at(c + i));
+    return sum[0] + sum[1] + (i < n ? (double)i * fabs(c[i]) : 0);
+}
+
 struct search {
     const double *c;
     int n;
@@ -136,6 +146,8 @@ double thud_poly_first_above(const double *c, int n, double s_end, double sign, 
     /* how far it may come from its start, s_end being at most 1 */
     if (sign * c[0] + absolute_sum(c + 1, n - 1) <= noise)
         return INFINITY;
+    if (n > 1 && sign * c[1] <= -slope_bound(c, n)) /* falls all the way */
+        return INFINITY;
     struct search f = {c, n, sign, noise, third_bound(c, n), 0};
     return first_above(&f, 0, s_end, 0);
 }
@@ -150,7 +162,7 @@ struct peak {
 
 static void try_at(struct peak *f, double s)
 {
-    double v = fabs(thud_poly_value(f->c, f->n, s));
+    double v = fabs(s == 0 ? f->c[0] : thud_poly_value(f->c, f->n, s));
     if (v > f->best) {
         f->best = v;
         f->where = s;
@@ -210,7 +222,8 @@ double thud_poly_peak(const double *c, int n, double s_end, double least, double
     struct peak f = {c, n, third_bound(c, n), least, 0, false, 0};
     try_at(&f, 0);
     try_at(&f, s_end);
-    largest(&f, 0, s_end, 0);
+    if (n > 1 && fabs(c[1]) < slope_bound(c, n)) /* else it rises or falls all the way */
+        largest(&f, 0, s_end, 0);
     if (f.found)
         *where = f.where;
     return f.best;
