@@ -32,6 +32,10 @@ void thud_file_drop(struct thud_file_draft *draft);
 /* thud_file_write of the whole text; THUD_MEMORY when it had failed. Clears it. */
 enum thud_status thud_text_write(struct thud_text *text, const char *path, struct thud_error *err);
 
+/* thud_text_write of FOLDER/NAME; "" is the working folder. Errors: also THUD_OUTPUT for a name that is too long. */
+enum thud_status thud_text_write_in(struct thud_text *text, const char *folder, const char *name,
+                                    struct thud_error *err);
+
 /* Makes a folder with its parents, to write into; what killed programs left half written there goes. Errors:
  * THUD_OUTPUT.
  */

@@ -83,20 +83,13 @@ static enum thud_status write_report(const struct thud_paper_study *study, const
     assert(study);
     struct thud_paper_study whole = *study;
     struct thud_text text = {0};
-    char path[4096];
     enum thud_status status = thud_paper_pairs(pair, err);
     if (status != THUD_OK)
         return status;
     whole.pair = pair;
     whole.suffix = thud_picture_suffix(options->format);
     thud_paper_report(&whole, &text);
-    int n = snprintf(path, sizeof path, "%s/report.md", *folder ? folder : ".");
-    if (n < 0 || (size_t)n >= sizeof path)
-        status = thud_error_set(err, THUD_OUTPUT, "the path to report.md is too long");
-    else
-        status = thud_text_write(&text, path, err);
-    thud_text_clear(&text);
-    return status;
+    return thud_text_write_in(&text, folder, "report.md", err);
 }
 
 enum thud_status thud_paper_figures_save(unsigned which, const struct thud_paper_study *study, const char *folder,

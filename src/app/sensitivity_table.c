@@ -41,7 +41,7 @@ static bool look(struct worst *worst, const struct thud_spread *spread)
     return true;
 }
 
-static void add_worst(const struct worst *worst, struct thud_text *out)
+static void add_worst(const struct worst *worst, const char *among, struct thud_text *out)
 {
     int digits = thud_spread_digits(worst->spread);
     if (worst->spread <= 0)
@@ -50,7 +50,8 @@ static void add_worst(const struct worst *worst, struct thud_text *out)
     if (digits == 0)
         thud_text_append(out, "no digit means anything");
     else
-        thud_text_append(out, "%d digit%s anything, the fewest of all", digits, digits == 1 ? " means" : "s mean");
+        thud_text_append(out, "%d digit%s anything, the fewest of all %s", digits, digits == 1 ? " means" : "s mean",
+                         among);
     thud_text_append(out, " (%.3g %%)", 100 * worst->spread);
     if (worst->without > 1)
         thud_text_append(out, "; nor of %d other peak%s", worst->without - 1, worst->without > 2 ? "s" : "");
@@ -67,7 +68,7 @@ static void add_digits(const struct thud_report *report, struct thud_text *out)
                 if (look(&worst, &s->floor[row][q]))
                     snprintf(worst.peak, sizeof worst.peak, "peak %s of floor %d of %.64s", floor_peak[q], i + 1,
                              report->scene->structure[k].name);
-    add_worst(&worst, out);
+    add_worst(&worst, "floors", out);
     worst = (struct worst){0};
     for (int c = 0; c < s->ncontacts; c++)
         for (int q = 0; q < THUD_CONTACT_SPREADS; q++)
@@ -75,7 +76,7 @@ static void add_digits(const struct thud_report *report, struct thud_text *out)
                 snprintf(worst.peak, sizeof worst.peak, "peak %s of contact %d-%d of interface %d", contact_peak[q],
                          report->result->contact[c].left_floor, report->result->contact[c].right_floor,
                          report->result->contact[c].interface);
-    add_worst(&worst, out);
+    add_worst(&worst, "contacts", out);
 }
 
 void thud_sensitivity_table(const struct thud_report *report, struct thud_text *out)

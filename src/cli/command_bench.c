@@ -1,7 +1,6 @@
 /* thud bench: speed against accuracy, every method; and what a run costs as its scene grows. */
 #include <signal.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -27,7 +26,7 @@ static enum thud_status deliver(const struct thud_args *args, struct thud_text *
 {
     struct thud_picture_choice picture;
     const char *folder = thud_args_value(args, "o");
-    char path[1200];
+    char name[128];
     enum thud_status status = thud_picture_options_read(args, &picture, err);
     picture.options.no_data = true; /* the table's CSV says more and has its name */
     if (!*cancel)                   /* what was done before a wish to stop is drawn */
@@ -39,12 +38,12 @@ static enum thud_status deliver(const struct thud_args *args, struct thud_text *
     if (status == THUD_OK && folder)
         status = thud_folder_make(folder, err);
     if (status == THUD_OK && folder) {
-        snprintf(path, sizeof path, "%.1000s/%s.csv", folder, figure->name);
-        status = thud_text_write(csv, path, err);
+        snprintf(name, sizeof name, "%s.csv", figure->name);
+        status = thud_text_write_in(csv, folder, name, err);
     }
+    thud_text_clear(csv);
     if (folder)
         return thud_figure_deliver(figure, folder, &picture.options, status, err);
-    thud_text_clear(csv);
     thud_figure_free(figure);
     return status;
 }
@@ -139,13 +138,11 @@ static enum thud_status patience(const struct thud_args *args, double *out, stru
     return THUD_OK;
 }
 
-static enum thud_status measure(const struct thud_args *args, struct thud_session *session, struct thud_error *err)
+static enum thud_status measure(const struct thud_args *args, struct thud_session *session, struct thud_scene *scene,
+                                struct thud_error *err)
 {
     struct thud_bench_jobs jobs = {.repeats = 7, .patience_s = 12, .cancel = thud_interrupt_watch()};
     struct thud_picture_choice unused;
-    struct thud_scene *scene = malloc(sizeof *scene);
-    if (!scene)
-        return thud_error_set(err, THUD_MEMORY, "out of memory");
     if (isatty(STDERR_FILENO) && !thud_args_has(args, "quiet"))
         jobs.progress = show_progress;
     enum thud_status status = thud_picture_options_read(args, &unused, err); /* wrong ones are said before the work */
@@ -160,20 +157,10 @@ static enum thud_status measure(const struct thud_args *args, struct thud_sessio
         status = thud_session_read_record(session, err);
     if (status == THUD_OK)
         status = (thud_args_has(args, "cost") ? cost : bench)(args, scene, session->record, &jobs, err);
-    free(scene);
     return status;
 }
 
 enum thud_status thud_command_bench(const struct thud_args *args, struct thud_error *err)
 {
-    struct thud_session *session = calloc(1, sizeof *session);
-    if (!session)
-        return thud_error_set(err, THUD_MEMORY, "out of memory");
-    enum thud_status status = thud_scene_options_open(args, session, err);
-    if (status == THUD_OK) {
-        status = measure(args, session, err);
-        thud_session_close(session);
-    }
-    free(session);
-    return status;
+    return thud_scene_options_with(args, measure, err);
 }

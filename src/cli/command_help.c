@@ -1,5 +1,6 @@
 /* thud help: the commands, the options of one; for shells the words that may stand where, for the manual what the
  * tables say. */
+#include <stdio.h>
 #include <string.h>
 
 #include "cli/commands.h"
@@ -46,14 +47,20 @@ static void add_words(enum thud_word word, struct thud_text *out)
 
 static enum thud_status words(const char *list, struct thud_text *out, struct thud_error *err)
 {
+    char names[120] = "";
     for (int i = 0; i < THUD_WORDS; i++) {
         const char *name = thud_word_list_name((enum thud_word)i);
         if (name && strcmp(name, list) == 0) {
             add_words((enum thud_word)i, out);
             return THUD_OK;
         }
+        size_t n = strlen(names);
+        if (name)
+            snprintf(names + n, sizeof names - n, "%s%s", n ? ", " : "", name);
     }
-    return thud_error_set(err, THUD_USAGE, "there is no list of `%.40s`", list);
+    thud_error_set(err, THUD_USAGE, "there is no list of `%.40s`", list);
+    thud_error_allow(err, "%s", names);
+    return THUD_USAGE;
 }
 
 enum thud_status thud_command_help(const struct thud_args *args, struct thud_error *err)

@@ -10,20 +10,6 @@
 #include "cli/scene_options.h"
 #include "io/file.h"
 
-static enum thud_status write_text(struct thud_text *text, const char *folder, const char *name, struct thud_error *err)
-{
-    char path[1024];
-    enum thud_status status = THUD_OK;
-    if (snprintf(path, sizeof path, "%s/%s", folder, name) >= (int)sizeof path)
-        status = thud_error_set(err, THUD_OUTPUT, "%.200s: the path is too long", folder);
-    else if (text->failed)
-        status = thud_error_set(err, THUD_MEMORY, "out of memory");
-    else
-        status = thud_file_write(path, text->data, text->size, err);
-    thud_text_clear(text);
-    return status;
-}
-
 static enum thud_status write_folder(const struct thud_report *report, const char *folder, struct thud_error *err)
 {
     struct thud_text text = {0};
@@ -31,15 +17,15 @@ static enum thud_status write_folder(const struct thud_report *report, const cha
     if (status != THUD_OK)
         return status;
     thud_result_json(report, &text);
-    status = write_text(&text, folder, "result.json", err);
+    status = thud_text_write_in(&text, folder, "result.json", err);
     if (status != THUD_OK)
         return status;
     thud_history_csv(report, &text);
-    status = write_text(&text, folder, "histories.csv", err);
+    status = thud_text_write_in(&text, folder, "histories.csv", err);
     if (status != THUD_OK)
         return status;
     thud_impacts_csv(report, &text);
-    return write_text(&text, folder, "impacts.csv", err);
+    return thud_text_write_in(&text, folder, "impacts.csv", err);
 }
 
 static enum thud_status deliver(const struct thud_args *args, const struct thud_report *report, struct thud_error *err)
@@ -141,18 +127,5 @@ static enum thud_status run(const struct thud_args *args, struct thud_session *s
 
 enum thud_status thud_command_run(const struct thud_args *args, struct thud_error *err)
 {
-    struct thud_session *session = calloc(1, sizeof *session);
-    struct thud_scene *scene = calloc(1, sizeof *scene);
-    enum thud_status status = THUD_MEMORY;
-    if (session && scene)
-        status = thud_scene_options_open(args, session, err);
-    else
-        thud_error_set(err, THUD_MEMORY, "out of memory");
-    if (status == THUD_OK) {
-        status = run(args, session, scene, err);
-        thud_session_close(session);
-    }
-    free(scene);
-    free(session);
-    return status;
+    return thud_scene_options_with(args, run, err);
 }

@@ -18,10 +18,10 @@ static enum thud_status save(const struct thud_stability *stability, const char 
     enum thud_status status = thud_folder_make(folder, err);
     for (int i = 0; status == THUD_OK && i < THUD_STABILITY_FILES; i++) {
         struct thud_text text = {0};
-        char path[1024];
-        snprintf(path, sizeof path, "%.1000s/%s.csv", folder, thud_stability_file(i));
+        char name[64];
+        snprintf(name, sizeof name, "%s.csv", thud_stability_file(i));
         thud_stability_csv(stability, i, &text);
-        status = thud_text_write(&text, path, err);
+        status = thud_text_write_in(&text, folder, name, err);
     }
     if (status != THUD_OK)
         return status;
@@ -83,18 +83,5 @@ static enum thud_status stability(const struct thud_args *args, struct thud_sess
 
 enum thud_status thud_command_stability(const struct thud_args *args, struct thud_error *err)
 {
-    struct thud_session *session = calloc(1, sizeof *session);
-    struct thud_scene *scene = calloc(1, sizeof *scene);
-    enum thud_status status = THUD_MEMORY;
-    if (session && scene)
-        status = thud_scene_options_open(args, session, err);
-    else
-        thud_error_set(err, THUD_MEMORY, "out of memory");
-    if (status == THUD_OK) {
-        status = stability(args, session, scene, err);
-        thud_session_close(session);
-    }
-    free(scene);
-    free(session);
-    return status;
+    return thud_scene_options_with(args, stability, err);
 }

@@ -161,11 +161,9 @@ static enum thud_status put_best(struct sweep *s, struct thud_text *text, struct
         return thud_error_set(err, THUD_USAGE, "the study has too many rows to look for the best value");
     if (s->study.folder) {
         struct thud_text csv = {0};
-        char path[4096];
-        snprintf(path, sizeof path, "%.4000s/best.csv", s->study.folder);
         status = thud_sweep_report_best(&s->plan, &s->outcome.rows.table, s->best, true, &csv, err);
         if (status == THUD_OK)
-            status = thud_text_write(&csv, path, err);
+            status = thud_text_write_in(&csv, s->study.folder, "best.csv", err);
         thud_text_clear(&csv);
     }
     if (status == THUD_OK && s->output.format == THUD_SWEEP_OUTPUT_TABLE)

@@ -1,6 +1,7 @@
 #include "cli/scene_options.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "app/record_list.h"
@@ -63,6 +64,24 @@ enum thud_status thud_scene_options_open(const struct thud_args *args, struct th
         status = apply(args, session, err);
     if (status != THUD_OK)
         thud_session_close(session);
+    return status;
+}
+
+enum thud_status thud_scene_options_with(const struct thud_args *args, thud_scene_work *work, struct thud_error *err)
+{
+    struct thud_session *session = calloc(1, sizeof *session);
+    struct thud_scene *scene = calloc(1, sizeof *scene);
+    enum thud_status status = THUD_MEMORY;
+    if (session && scene)
+        status = thud_scene_options_open(args, session, err);
+    else
+        thud_error_set(err, THUD_MEMORY, "out of memory");
+    if (status == THUD_OK) {
+        status = work(args, session, scene, err);
+        thud_session_close(session);
+    }
+    free(scene);
+    free(session);
     return status;
 }
 

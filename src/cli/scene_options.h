@@ -11,6 +11,12 @@
 enum thud_status thud_scene_options_open(const struct thud_args *args, struct thud_session *session,
                                          struct thud_error *err);
 
+/* Opens the preset as above, does the work and closes it again; `scene` is room for the scene that is worked on.
+ * Errors: THUD_MEMORY, and those of both. */
+typedef enum thud_status thud_scene_work(const struct thud_args *args, struct thud_session *session,
+                                         struct thud_scene *scene, struct thud_error *err);
+enum thud_status thud_scene_options_with(const struct thud_args *args, thud_scene_work *work, struct thud_error *err);
+
 /* A message about a key of the scene whose value came from an option is about the option, by the name that was typed.
  */
 void thud_scene_options_name(const struct thud_args *args, struct thud_error *err);

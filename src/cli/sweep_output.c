@@ -1,20 +1,10 @@
 #include "cli/sweep_output.h"
 
-#include <errno.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "cli/commands.h"
 #include "io/sweep_csv.h"
-
-static enum thud_status print(struct thud_text *text, struct thud_error *err)
-{
-    if (text->failed)
-        return thud_error_set(err, THUD_MEMORY, "out of memory");
-    if (text->size > 0 && (fwrite(text->data, 1, text->size, stdout) != text->size || fflush(stdout) != 0))
-        return thud_error_set(err, THUD_OUTPUT, "standard output: %s", strerror(errno));
-    text->size = 0;
-    return THUD_OK;
-}
 
 /* Next field of a line of CSV, with its end replaced; quotes taken off in place. *quoted: it had some, and may go over
  * several lines. After the last one *line is NULL and *after what comes behind the line. */
@@ -117,7 +107,7 @@ enum thud_status thud_sweep_output_point(void *context, const struct thud_sweep_
         put_objects(o, rows.data, &o->text);
     o->text.failed |= rows.failed;
     thud_text_clear(&rows);
-    return status == THUD_OK ? print(&o->text, err) : status;
+    return status == THUD_OK ? thud_cli_print(&o->text, err) : status;
 }
 
 enum thud_status thud_sweep_output_end(struct thud_sweep_output *output, struct thud_error *err)
@@ -127,5 +117,5 @@ enum thud_status thud_sweep_output_end(struct thud_sweep_output *output, struct 
     begin(output);
     if (output->format == THUD_SWEEP_OUTPUT_JSON)
         thud_text_append(&output->text, "\n]}\n");
-    return print(&output->text, err);
+    return thud_cli_print(&output->text, err);
 }

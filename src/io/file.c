@@ -193,6 +193,17 @@ enum thud_status thud_text_write(struct thud_text *text, const char *path, struc
     return status;
 }
 
+enum thud_status thud_text_write_in(struct thud_text *text, const char *folder, const char *name,
+                                    struct thud_error *err)
+{
+    char path[4096];
+    int n = snprintf(path, sizeof path, "%s/%s", *folder ? folder : ".", name);
+    if (n >= 0 && (size_t)n < sizeof path)
+        return thud_text_write(text, path, err);
+    thud_text_clear(text);
+    return thud_error_set(err, THUD_OUTPUT, "the path to %.100s is too long", name);
+}
+
 enum thud_status thud_folder_make(const char *path, struct thud_error *err)
 {
     char part[4096];

@@ -138,7 +138,7 @@ static double energy_peak(const struct thud_figure_source *source)
 struct thud_figure *thud_figure_energies(const struct thud_figure_source *source, int nsources)
 {
     static const char *const name[THUD_HISTORY_ENERGIES] = {"put in", "motion", "strain", "lost by damping",
-                                                            "lost in contact"};
+                                                            "taken by contacts"};
     char text[THUD_TEXT_MAX + 64];
     int rows = nsources < THUD_ROWS_MAX ? nsources : THUD_ROWS_MAX;
     snprintf(text, sizeof text, "%s: Energy", source->scene->title);

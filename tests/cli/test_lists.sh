@@ -159,7 +159,7 @@ while read -r verb; do
 done <"$tmp/verbs"
 is "the verbs are verbs of thud record${wrong:+:$wrong}" [ -z "$wrong" ]
 is "a list there is not" gives 2 help --words birds
-is "says so" says 'no list of .birds.$'
+is "says so" says 'no list of .birds. (presets, keys, '
 for shell in bash zsh fish; do
     is "completion for $shell" gives 0 help --completion $shell
     if command -v $shell >/dev/null 2>&1; then is "is a script of it" $shell -n "$tmp/out"; fi

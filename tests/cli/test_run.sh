@@ -107,7 +107,7 @@ gives 0 run towers --json --method exact
 is "--method is named" shows '"name": "exact"'
 is "--sensitivity stands alone before a preset" gives 0 run --sensitivity towers
 is "and takes 0.1 %" shows "under 0.1 % more or less gap"
-is "it counts the digits that mean anything" shows "digits* means* anything, the fewest of all"
+is "it counts the digits that mean anything" shows "digits* means* anything, the fewest of all floors"
 is "--sensitivity=CHANGE" gives 0 run towers --sensitivity=0.5%
 is "takes the change" shows "under 0.5 % more or less gap"
 is "a digit that means nothing is said to" shows "peak force of contact 1-1 of interface 1: no digit means anything"

@@ -8,38 +8,11 @@
 
 #include "study/answer.h"
 #include "study/spacing.h"
-#include "study/sweep.h"
-#include "towers.h"
-
-static struct thud_scene *scene;
-static struct thud_record *motion;
-static const struct thud_record *records[2];
-static struct thud_sweep_plan *plan;
-static struct thud_error error;
+#include "study_setup.h"
 
 static void set_up(void)
 {
-    scene = malloc(sizeof *scene);
-    plan = malloc(sizeof *plan);
-    thud_test_towers(scene);
-    records[0] = motion = thud_test_motion(1);
-    records[1] = NULL;
-    thud_sweep_plan_init(plan, scene);
-    plan->record = records;
-    plan->nrecords = 1;
-}
-
-static void tear_down(void)
-{
-    thud_sweep_plan_clear(plan);
-    thud_record_free(motion);
-    free(plan);
-    free(scene);
-}
-
-static void vary(const char *text)
-{
-    ck_assert_msg(thud_sweep_vary(plan, text, &error) == THUD_OK, "%s: %s", error.key, error.what);
+    study_set_up(1);
 }
 
 static struct thud_sweep_base *make_base(long index)
@@ -390,7 +363,7 @@ Suite *thud_suite(void)
 {
     Suite *suite = suite_create("sweep");
     TCase *tcase = tcase_create("sweep");
-    tcase_add_checked_fixture(tcase, set_up, tear_down);
+    tcase_add_checked_fixture(tcase, set_up, study_tear_down);
     tcase_add_test(tcase, rows_are_those_of_single_runs);
     tcase_add_test(tcase, ratios_by_hand);
     tcase_add_test(tcase, savings_change_no_number);

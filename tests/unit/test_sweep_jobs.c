@@ -6,33 +6,13 @@
 #include <string.h>
 
 #include "app/sweep_jobs.h"
-#include "towers.h"
-
-static struct thud_scene *scene;
-static struct thud_record *motion;
-static const struct thud_record *records[1];
-static struct thud_sweep_plan *plan;
+#include "study_setup.h"
 
 static void set_up(void)
 {
-    scene = malloc(sizeof *scene);
-    plan = malloc(sizeof *plan);
-    thud_test_towers(scene);
-    records[0] = motion = thud_test_motion(0.2);
-    thud_sweep_plan_init(plan, scene);
-    plan->record = records;
-    plan->nrecords = 1;
-    ck_assert_int_eq(thud_sweep_vary(plan, "gap=5.5:9:0.5 cm", NULL), THUD_OK);
-    ck_assert_int_eq(thud_sweep_vary(plan, "structures.1.stiffness=300 MN/m,400 MN/m,500 MN/m,600 MN/m,700 MN/m", NULL),
-                     THUD_OK);
-}
-
-static void tear_down(void)
-{
-    thud_sweep_plan_clear(plan);
-    thud_record_free(motion);
-    free(plan);
-    free(scene);
+    study_set_up(0.2);
+    vary("gap=5.5:9:0.5 cm");
+    vary("structures.1.stiffness=300 MN/m,400 MN/m,500 MN/m,600 MN/m,700 MN/m");
 }
 
 struct taken {
@@ -111,7 +91,7 @@ END_TEST
 START_TEST(stopped_by_the_taker)
 {
     struct taken taken = {.stop_at = 5};
-    struct thud_error error = {0};
+    error = (struct thud_error){0};
     ck_assert_int_eq(run(4, 0, 1, &taken, &error), THUD_OUTPUT);
     ck_assert_str_eq(error.what, "no more room");
     ck_assert_int_eq(taken.next, 5);
@@ -122,7 +102,7 @@ END_TEST
 START_TEST(stopped_on_request)
 {
     struct taken taken = {.cancel = 1};
-    struct thud_error error = {0};
+    error = (struct thud_error){0};
     ck_assert_int_eq(run(2, 0, 1, &taken, &error), THUD_CANCELLED);
     ck_assert_int_eq(taken.next, 0);
 }
@@ -132,7 +112,7 @@ END_TEST
 START_TEST(stopped_by_a_base_that_fails)
 {
     struct taken taken = {0};
-    struct thud_error error = {0};
+    error = (struct thud_error){0};
     strcpy(plan->scene.analysis.method, "clairvoyance");
     ck_assert_int_eq(run(3, 0, 1, &taken, &error), THUD_INPUT);
     ck_assert_ptr_nonnull(strstr(error.what, "clairvoyance"));
@@ -145,7 +125,7 @@ Suite *thud_suite(void)
 {
     Suite *suite = suite_create("sweep jobs");
     TCase *tcase = tcase_create("jobs");
-    tcase_add_checked_fixture(tcase, set_up, tear_down);
+    tcase_add_checked_fixture(tcase, set_up, study_tear_down);
     tcase_add_test(tcase, any_number_of_threads_gives_the_same);
     tcase_add_test(tcase, some_of_the_points);
     tcase_add_test(tcase, stopped_by_the_taker);

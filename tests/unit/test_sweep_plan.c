@@ -3,38 +3,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "study/sweep.h"
-#include "towers.h"
-
-static struct thud_scene *scene;
-static struct thud_record *motion;
-static const struct thud_record *records[2];
-static struct thud_sweep_plan *plan;
-static struct thud_error error;
+#include "study_setup.h"
 
 static void set_up(void)
 {
-    scene = malloc(sizeof *scene);
-    plan = malloc(sizeof *plan);
-    thud_test_towers(scene);
-    records[0] = motion = thud_test_motion(1);
-    records[1] = NULL;
-    thud_sweep_plan_init(plan, scene);
-    plan->record = records;
-    plan->nrecords = 1;
-}
-
-static void tear_down(void)
-{
-    thud_sweep_plan_clear(plan);
-    thud_record_free(motion);
-    free(plan);
-    free(scene);
-}
-
-static void vary(const char *text)
-{
-    ck_assert_msg(thud_sweep_vary(plan, text, &error) == THUD_OK, "%s: %s", error.key, error.what);
+    study_set_up(1);
 }
 
 static void refused(const char *text, enum thud_status status, const char *key)
@@ -210,7 +183,7 @@ Suite *thud_suite(void)
 {
     Suite *suite = suite_create("sweep plan");
     TCase *tcase = tcase_create("plan");
-    tcase_add_checked_fixture(tcase, set_up, tear_down);
+    tcase_add_checked_fixture(tcase, set_up, study_tear_down);
     tcase_add_test(tcase, ranges_and_lists);
     tcase_add_test(tcase, points_that_differ_in_the_bumper_alone_share_case_none);
     tcase_add_test(tcase, units_of_ranges);

@@ -5,35 +5,14 @@
 #include <string.h>
 
 #include "study/answer.h"
-#include "study/sweep.h"
-#include "towers.h"
+#include "study_setup.h"
 
 static const double change = 2e-3;
 
-static struct thud_scene *scene;
-static struct thud_record *motion;
-static const struct thud_record *records[1];
-static struct thud_sweep_plan *plan;
-static struct thud_error error;
-
 static void set_up(void)
 {
-    scene = malloc(2 * sizeof *scene);
-    plan = malloc(sizeof *plan);
-    thud_test_towers(scene);
-    records[0] = motion = thud_test_motion(1);
-    thud_sweep_plan_init(plan, scene);
-    plan->record = records;
-    plan->nrecords = 1;
+    study_set_up(1);
     plan->sensitivity = change;
-}
-
-static void tear_down(void)
-{
-    thud_sweep_plan_clear(plan);
-    thud_record_free(motion);
-    free(plan);
-    free(scene);
 }
 
 /* The only point of a study of one gap. */
@@ -220,7 +199,7 @@ Suite *thud_suite(void)
 {
     Suite *suite = suite_create("sweep spread");
     TCase *tcase = tcase_create("spread");
-    tcase_add_checked_fixture(tcase, set_up, tear_down);
+    tcase_add_checked_fixture(tcase, set_up, study_tear_down);
     tcase_add_test(tcase, the_spread_is_that_of_runs_made_apart);
     tcase_add_test(tcase, ratios_are_of_runs_changed_alike);
     tcase_add_test(tcase, savings_change_no_spread);
