@@ -27,11 +27,13 @@ static inline double thud_dot(int n, const double *a, const double *b)
         even += thud_pair_at(a + j) * thud_pair_at(b + j);
         odd += thud_pair_at(a + j + 2) * thud_pair_at(b + j + 2);
     }
+    if (j + 2 <= n) {
+        even += thud_pair_at(a + j) * thud_pair_at(b + j);
+        j += 2;
+    }
     even += odd;
     double sum = even[0] + even[1];
-    for (; j < n; j++)
-        sum += a[j] * b[j];
-    return sum;
+    return j < n ? sum + a[j] * b[j] : sum;
 }
 
 #endif

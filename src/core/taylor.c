@@ -177,19 +177,31 @@ void thud_segment_shorten(struct thud_segment *seg, int nmodes, int ncontacts, d
     seg->a1 *= factor;
 }
 
+/* Two modes at s: on their way down the orders they stay in registers. */
+static void two_states(const struct thud_segment *seg, int nmodes, double s, int j, double *q, double *qd)
+{
+    thud_pair x = {0, 0}, v = {0, 0};
+    for (int k = seg->terms - 1; k >= 0; k--) {
+        v = v * s + x;
+        x = x * s + thud_pair_at(seg->q + k * nmodes + j);
+    }
+    *(thud_pair *)(q + j) = x;
+    *(thud_pair *)(qd + j) = v / seg->h_s;
+}
+
 void thud_segment_state(const struct thud_segment *seg, int nmodes, double s, double *q, double *qd)
 {
-    for (int j = 0; j < nmodes; j++)
-        q[j] = qd[j] = 0;
-    for (int k = seg->terms - 1; k >= 0; k--) {
-        const double *c = seg->q + k * nmodes;
-        for (int j = 0; j < nmodes; j++) {
-            qd[j] = qd[j] * s + q[j];
-            q[j] = q[j] * s + c[j];
-        }
+    double last[2] = {0}; /* of an odd number of modes */
+    for (int j = 0; j + 2 <= nmodes; j += 2)
+        two_states(seg, nmodes, s, j, q, qd);
+    for (int k = seg->terms - 1; nmodes % 2 && k >= 0; k--) {
+        last[1] = last[1] * s + last[0];
+        last[0] = last[0] * s + seg->q[k * nmodes + nmodes - 1];
     }
-    for (int j = 0; j < nmodes; j++)
-        qd[j] /= seg->h_s;
+    if (nmodes % 2) {
+        q[nmodes - 1] = last[0];
+        qd[nmodes - 1] = last[1] / seg->h_s;
+    }
 }
 
 /* What rounding may leave of the difference of two neighbours' terms of order k. A stepping method's higher terms are
