@@ -234,7 +234,10 @@ static double expected_force(const struct thud_run *run, int c, double v)
     double energy = 0.5 * p->setup.mass_kg * v * v, d = 1e-6;
     if (!p->law->elastic_energy || energy == 0)
         return 0;
-    for (int i = 0; i < 8; i++) /* energies rise with a power of d between 2 and 4: this is near enough for a scale */
+    bool linear = p->law->flags & THUD_LAW_LINEAR;
+    if (linear)
+        d *= sqrt(energy / p->law->elastic_energy(&p->setup, d));
+    for (int i = 0; i < 8 && !linear; i++) /* energies rise with a power of d from 2 to 4: near enough for a scale */
         d *= pow(energy / p->law->elastic_energy(&p->setup, d), 0.3);
     struct thud_branch b = thud_law_branch_at(p->law, &p->setup, &run->contact[c].memory, THUD_APPROACH, d);
     return thud_branch_force(&b, d, 0, NULL, NULL);

@@ -5,10 +5,16 @@
 #include "core/collocation.h"
 #include "core/run_private.h"
 
+/* Only laws that are not linear need collocation: the others never stick either. */
 static enum thud_status create(struct thud_run *run, void **state, struct thud_error *err)
 {
-    struct thud_collocation *collocation;
-    enum thud_status status = thud_collocation_create(run, &collocation, err);
+    struct thud_collocation *collocation = NULL;
+    enum thud_status status = THUD_OK;
+    bool linear = true;
+    for (int c = 0; c < run->model->ncontacts; c++)
+        linear = linear && run->model->contact[c].law->flags & (THUD_LAW_LINEAR | THUD_LAW_SILENT);
+    if (!linear)
+        status = thud_collocation_create(run, &collocation, err);
     *state = collocation;
     return status;
 }
@@ -43,6 +49,8 @@ static enum thud_status step(struct thud_run *run, void *state, struct thud_erro
 static void committed(struct thud_run *run, void *state, double tau_s, bool switched)
 {
     bool touched = false;
+    if (!state)
+        return;
     for (int c = 0; c < run->model->ncontacts && switched; c++)
         touched |= run->contact[c].mode == THUD_CLOSED && run->contact[c].zeros.indentation > 0;
     thud_collocation_committed(state, tau_s / run->seg.h_s, switched, touched);
