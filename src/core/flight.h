@@ -5,7 +5,7 @@
 #include "core/run_private.h"
 
 enum {
-    THUD_FLIGHT_BLOCK = 128,
+    THUD_FLIGHT_BLOCK = 256,
     THUD_FLIGHT_ENDS = THUD_FLIGHT_BLOCK + 4
 };                                /* intervals in a block; their ends, by fours */
 enum { THUD_FLIGHT_ABREAST = 4 }; /* modes that march together; rows beyond the last mode stay 0 */

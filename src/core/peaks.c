@@ -123,13 +123,28 @@ static void modal_acceleration(const struct thud_run *run, const double *acceler
             out[j] = out[j] * s + acceleration[k * n + j];
 }
 
-/* A floor's displacement, velocity and acceleration from modal values. */
-static void floor_values(const struct thud_model_structure *p, int floor, int nmodes, const double *modal,
-                         double out[3])
+/* A floor's displacement, velocity and acceleration at both ends of the segment, from modal values: six sums over one
+ * row. */
+static void floor_values(const struct thud_model_structure *p, int floor, int nmodes, const double *start,
+                         const double *end, double a[3], double b[3])
 {
+    enum { N = THUD_FLOOR_ACCELERATION + 1 };
     const double *row = p->phi + floor * p->n;
-    for (int x = THUD_FLOOR_DISPLACEMENT; x <= THUD_FLOOR_ACCELERATION; x++)
-        out[x] = thud_dot(p->n, row, modal + x * nmodes + p->first);
+    thud_pair sum[2 * N] = {0};
+    int j = 0;
+    for (; j + 2 <= p->n; j += 2)
+        for (int x = 0; x < N; x++) {
+            sum[x] += thud_pair_at(row + j) * thud_pair_at(start + x * nmodes + p->first + j);
+            sum[N + x] += thud_pair_at(row + j) * thud_pair_at(end + x * nmodes + p->first + j);
+        }
+    for (int x = 0; x < N; x++) {
+        a[x] = sum[x][0] + sum[x][1];
+        b[x] = sum[N + x][0] + sum[N + x][1];
+        if (j < p->n) {
+            a[x] += row[j] * start[x * nmodes + p->first + j];
+            b[x] += row[j] * end[x * nmodes + p->first + j];
+        }
+    }
 }
 
 void thud_peaks_floor(struct thud_run *run, int structure, int floor, int quantity, double s_end)
@@ -167,13 +182,11 @@ static void structure_peaks(struct thud_run *run, int index, double s_end, const
         if (!thud_reach_floor(run, index, i, reach))
             continue;
         if (below != i - 1) {
-            floor_values(p, i - 1, nmodes, start, a);
-            floor_values(p, i - 1, nmodes, end, b);
+            floor_values(p, i - 1, nmodes, start, end, a, b);
             a_below = a[THUD_FLOOR_DISPLACEMENT];
             b_below = b[THUD_FLOOR_DISPLACEMENT];
         }
-        floor_values(p, i, nmodes, start, a);
-        floor_values(p, i, nmodes, end, b);
+        floor_values(p, i, nmodes, start, end, a, b);
         a[THUD_FLOOR_DRIFT] = a[THUD_FLOOR_DISPLACEMENT] - a_below;
         b[THUD_FLOOR_DRIFT] = b[THUD_FLOOR_DISPLACEMENT] - b_below;
         a_below = a[THUD_FLOOR_DISPLACEMENT];
