@@ -368,6 +368,8 @@ enum thud_status thud_flight_go(struct thud_run *run, int *passed, struct thud_e
         run->result.work.samples_jumped += jumped;
         if (jumped > 0)
             return THUD_OK;
+    }
+    if (run->horizon || run->horizon_to_fill) {
         int stride = thud_horizon_stride(run->grid);
         f->size = f->size < stride ? f->size : stride;
     }

@@ -4,7 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { STRIDE = THUD_FLIGHT_BLOCK, ENDS = THUD_FLIGHT_ENDS };
+enum { STRIDE = 128, ENDS = THUD_FLIGHT_ENDS };
+_Static_assert((int)STRIDE <= (int)THUD_FLIGHT_BLOCK, "a flight fills whole blocks");
 
 struct thud_horizon {
     int n, nc, row; /* modes, contacts, doubles of one block: 2 n + 4 n + nc */
