@@ -1,6 +1,6 @@
 #!/bin/sh
 # What was measured against what was aimed at, in one table: met or not met.  Never fails on a time.  Times are processor time of one thread where not
-# said otherwise.  Writes FOLDER/targets.csv; reads FOLDER/peers.csv where `make bench-peers` has left one.
+# said otherwise; of times in ms and s the least of five medians.  Writes FOLDER/targets.csv; reads FOLDER/peers.csv where `make bench-peers` has left one.
 # usage: targets.sh BUILD_FOLDER FOLDER     THUD: the program   THUD_RECORDS: where the real ground motions are (else the shipped surrogates)
 set -u
 build=$1
@@ -68,19 +68,24 @@ say "OpenSeesPy / exact at 1e-3: concrete" "$(peer classical '^opensees' 1e-3)" 
 
 # ---- one run
 
-run_ms() { # CASE KEY=VALUE...: median of a run, ms
+least() { sort -n | head -n 1; }
+five() { # COMMAND...: the least of five answers: what else the machine does only ever adds to a time
+    for i in 1 2 3 4 5; do "$@"; done | least
+}
+a_run() { # CASE KEY=VALUE...: median of a run, ms
     "$build/bench-time" towers "$@" "first=30s" "record.file=$kobe" "analysis.tolerance=1e-6" | awk '{ print $1 }'
 }
+run_ms() { five a_run "$@"; }
 say "35 s of Kobe at 10 cm: concrete" "$(run_ms none gap=10cm)" ms most 0.5
 say "35 s of Kobe at 10 cm: rubber" "$(run_ms bumper gap=10cm)" ms most 1
 say "35 s of Kobe at clearance 0: concrete" "$(run_ms none gap=0cm)" ms most 4
 say "35 s of Kobe at clearance 0: rubber" "$(run_ms bumper gap=5cm)" ms most 4
-tall() { # CASE: 100 storeys against 100, s
+a_tall_run() { # CASE: 100 storeys against 100, s
     "$build/bench-time" towers "$1" structures.1.mass=320t structures.1.storeys=100 structures.2.mass=320t structures.2.storeys=100 \
-        structures.2.stiffness=420MN/m | awk '{ printf "%.3g", $1 / 1e3 }'
+        structures.2.stiffness=420MN/m | awk '{ printf "%.3g\n", $1 / 1e3 }'
 }
-say "100 storeys against 100: concrete" "$(tall none)" s most 0.5
-say "100 storeys against 100: rubber" "$(tall bumper)" s most 0.5
+say "100 storeys against 100: concrete" "$(five a_tall_run none)" s most 0.5
+say "100 storeys against 100: rubber" "$(five a_tall_run bumper)" s most 0.5
 
 # ---- memory
 
@@ -96,8 +101,8 @@ say "the same with tables" "$(grown --best gap)" times most 1.1
 
 # ---- the paper's study; the wall clock tells only where nothing else runs
 
-sh "$here/study.sh" 5 first >"$out/study.txt" 2>&1
-study() { awk -v column="$1" '/^all savings, 2 threads/ { print $column }' "$out/study.txt"; }
+for i in 1 2 3 4 5; do sh "$here/study.sh" 5 first; done >"$out/study.txt" 2>&1
+study() { awk -v column="$1" '/^all savings, 2 threads/ { print $column }' "$out/study.txt" | least; }
 say "study of 369 runs on 2 threads (wall)" "$(study 5)" s most 0.25
 say "study of 369 runs (processor time)" "$(study 7)" s most 0.5
 
