@@ -39,6 +39,7 @@ struct thud_stability_energy {
 struct thud_stability_restitution {
     const struct thud_law *law;
     struct thud_stepping how;
+    double nominal;                         /* coefficient of restitution; NaN: the law has none */
     double closing_mps, expected, obtained; /* by the law itself, by the method; NaN: blown up */
 };
 

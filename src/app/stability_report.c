@@ -72,19 +72,32 @@ static void add_energies(const struct thud_stability *s, struct thud_text *out)
     thud_text_append(out, "\n");
 }
 
-/* By law and speed: the exact method beside the worst and the best of the others at 1 ms, neither located. */
+static bool same_impact(const struct thud_stability_restitution *a, const struct thud_stability_restitution *b)
+{
+    return a->law == b->law && a->closing_mps == b->closing_mps &&
+           (a->nominal == b->nominal || (isnan(a->nominal) && isnan(b->nominal)));
+}
+
+/* By law, nominal restitution and speed: the exact method beside the worst and the best of the others at 1 ms, neither
+ * located. */
 static void add_restitutions(const struct thud_stability *s, struct thud_text *out)
 {
     static const char *const shown[] = {"exact", "newmark", "central-difference", "rk4", "lagged"};
     enum { SHOWN = sizeof shown / sizeof *shown };
     const struct thud_stability_restitution *r = s->restitution;
-    thud_text_append(out, "\nrestitution of two free bodies, steps of 1 ms, not located\n%-26s %5s %9s", "law", "m/s",
-                     "the law's");
+    thud_text_append(out, "\nrestitution of two free bodies, steps of 1 ms, not located\n%-23s %7s %5s %9s", "law",
+                     "nominal", "m/s", "the law's");
     for (int k = 0; k < SHOWN; k++)
         thud_text_append(out, " %9.9s", shown[k]);
     for (int i = 0; i < s->nrestitutions; i++) {
-        if (i == 0 || r[i].law != r[i - 1].law || r[i].closing_mps != r[i - 1].closing_mps)
-            thud_text_append(out, "\n%-26s %5.3g %9.4f", r[i].law->name, r[i].closing_mps, r[i].expected);
+        if (i == 0 || !same_impact(&r[i], &r[i - 1])) {
+            thud_text_append(out, "\n%-23s ", r[i].law->name);
+            if (isnan(r[i].nominal))
+                thud_text_append(out, "%7s", "-");
+            else
+                thud_text_append(out, "%7.3g", r[i].nominal);
+            thud_text_append(out, " %5.3g %9.4f", r[i].closing_mps, r[i].expected);
+        }
         for (int k = 0; k < SHOWN; k++)
             if (strcmp(r[i].how.method->name, shown[k]) == 0 &&
                 (k == 0 || (!r[i].how.locate && r[i].how.setting == 1e-3)))
@@ -181,10 +194,11 @@ void thud_stability_csv(const struct thud_stability *s, int which, struct thud_t
         thud_text_append(out, "\n");
     }
     if (which == 2)
-        thud_text_append(out, "law,closing_mps,method,located,setting,expected,obtained\n");
+        thud_text_append(out, "law,nominal,closing_mps,method,located,setting,expected,obtained\n");
     for (int i = 0; which == 2 && i < s->nrestitutions; i++) {
         const struct thud_stability_restitution *r = &s->restitution[i];
         thud_text_append(out, "%s", r->law->name);
+        add_field(out, r->nominal);
         add_field(out, r->closing_mps);
         thud_text_append(out, ",");
         add_how(out, &r->how);

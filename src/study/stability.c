@@ -12,6 +12,7 @@ static const double duration_s = 50;
 static const double omega_dts[] = {0.12, 0.5, 1, 1.9, 2.1, 2.7, 2.9, 3.4, 3.6, 5, 10};
 static const double energy_omega_dts[] = {0.12, 0.5, 2, 5};
 static const double closings_mps[] = {0.05, 0.5, 2};
+static const double nominals[] = {0.2, 0.5, 0.8}; /* of the laws that have a coefficient of restitution */
 static const double pair_steps_s[] = {5e-3, 1e-3, 1e-4};
 static const double free_tolerance = 1e-6;
 static const double wall_radps = 62.83185307179586; /* ten times the mass's own */
@@ -19,6 +20,7 @@ enum {
     OMEGA_DTS = sizeof omega_dts / sizeof *omega_dts,
     ENERGY_OMEGA_DTS = sizeof energy_omega_dts / sizeof *energy_omega_dts,
     CLOSINGS = sizeof closings_mps / sizeof *closings_mps,
+    NOMINALS = sizeof nominals / sizeof *nominals,
     PAIR_STEPS = sizeof pair_steps_s / sizeof *pair_steps_s
 };
 
@@ -38,7 +40,7 @@ const char *thud_verdict_word(enum thud_verdict verdict)
 struct planner {
     struct thud_stability *stability;
     const struct thud_law *law;
-    double closing_mps;
+    double nominal, closing_mps;
 };
 typedef void add_fn(const struct planner *p, struct thud_stepping how, double setting);
 
@@ -70,8 +72,20 @@ static void add_restitution(const struct planner *p, struct thud_stepping how, d
 {
     if (!isnan(setting))
         how.setting = setting;
-    p->stability->restitution[p->stability->nrestitutions++] =
-        (struct thud_stability_restitution){.how = how, .law = p->law, .closing_mps = p->closing_mps};
+    p->stability->restitution[p->stability->nrestitutions++] = (struct thud_stability_restitution){
+        .how = how, .law = p->law, .nominal = p->nominal, .closing_mps = p->closing_mps};
+}
+
+static void plan_law(struct planner *p)
+{
+    bool has_nominal = thud_law_param(p->law, "restitution") >= 0;
+    for (int e = 0; e < (has_nominal ? NOMINALS : 1); e++) {
+        p->nominal = has_nominal ? nominals[e] : NAN;
+        for (int k = 0; k < CLOSINGS; k++) {
+            p->closing_mps = closings_mps[k];
+            each(p, pair_steps_s, PAIR_STEPS, add_restitution);
+        }
+    }
 }
 
 static void plan(struct thud_stability *s)
@@ -81,10 +95,8 @@ static void plan(struct thud_stability *s)
     each(&planner, energy_omega_dts, ENERGY_OMEGA_DTS, add_energy);
     for (int i = 0; i < thud_law_count(); i++) {
         planner.law = thud_law_at(i);
-        for (int k = 0; k < CLOSINGS && !(planner.law->flags & THUD_LAW_SILENT); k++) {
-            planner.closing_mps = closings_mps[k];
-            each(&planner, pair_steps_s, PAIR_STEPS, add_restitution);
-        }
+        if (!(planner.law->flags & THUD_LAW_SILENT))
+            plan_law(&planner);
     }
     s->nexhibits = thud_exhibit_count();
 }
@@ -133,7 +145,8 @@ enum thud_status thud_stability_create(const struct thud_scene *scene, const str
         s->record = record;
         s->cell = calloc(rows * OMEGA_DTS, sizeof *s->cell);
         s->energy = calloc(rows * ENERGY_OMEGA_DTS, sizeof *s->energy);
-        s->restitution = calloc(rows * PAIR_STEPS * CLOSINGS * (size_t)thud_law_count(), sizeof *s->restitution);
+        s->restitution =
+            calloc(rows * PAIR_STEPS * CLOSINGS * NOMINALS * (size_t)thud_law_count(), sizeof *s->restitution);
         s->exhibit = calloc((size_t)thud_exhibit_count(), sizeof *s->exhibit);
     }
     if (!s || !s->cell || !s->energy || !s->restitution || !s->exhibit)
@@ -270,6 +283,8 @@ static enum thud_status run_restitution(struct thud_stability_restitution *r, st
         pair.law = r->law;
         thud_law_defaults(r->law, &pair.setup);
     }
+    if (!isnan(r->nominal))
+        thud_pair_set(&pair, "restitution", r->nominal);
     pair.closing_mps = r->closing_mps;
     pair.duration_s = 2; /* slow bumpers take long */
     pair.setup.mass_kg = pair.mass_kg[0] / 2;
