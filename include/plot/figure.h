@@ -75,8 +75,10 @@ struct thud_map {
     size_t nx, ny;
     double *x, *y, *z;
     const char *label, *unit;
-    double centre; /* the palette's neutral value (1 for ratios); NaN: a palette from low to high */
-    double level;  /* of the contour; NaN: none */
+    double centre;                 /* the palette's neutral value (1 for ratios); NaN: a palette from low to high */
+    double level;                  /* of the contour; NaN: none */
+    const char *const *class_name; /* static: what z = 0, 1, ... are called; NULL: z is a quantity */
+    int classes;
 };
 
 struct thud_panel {

@@ -74,6 +74,7 @@ static void add_limits(const struct grid *g, struct thud_panel *panel)
 
 struct thud_figure *thud_stability_map(const struct thud_stability *s, int kind)
 {
+    static const char *const verdicts[] = {"bounded", "growing", "blown up"};
     static const char *const names[THUD_STABILITY_KINDS] = {"stability-free", "stability-wall", "stability-scene"};
     static const char *const titles[THUD_STABILITY_KINDS] = {"An undamped oscillator for 50 s",
                                                              "A mass bouncing on a wall spring for 50 s",
@@ -95,7 +96,12 @@ struct thud_figure *thud_stability_map(const struct thud_stability *s, int kind)
     thud_panel_axis(panel, THUD_X, "omega dt", "");
     thud_panel_axis(panel, THUD_Y, "", "");
     add_labels(&g, panel);
-    thud_panel_map(panel, (size_t)g.columns, x, (size_t)g.rows, y, z, "0 bounded, 1 growing, 2 blown up", "");
+    struct thud_map *map =
+        thud_panel_map(panel, (size_t)g.columns, x, (size_t)g.rows, y, z, "0 bounded, 1 growing, 2 blown up", "");
+    if (map) {
+        map->class_name = verdicts;
+        map->classes = sizeof verdicts / sizeof *verdicts;
+    }
     add_limits(&g, panel);
     thud_figure_note(figure,
                      "Blue line: the limit of the linear system. Methods without a step are the same in every column.");

@@ -33,6 +33,8 @@ static void copy_panel(struct thud_panel *to, const struct thud_panel *from)
         if (map) {
             map->centre = m->centre;
             map->level = m->level;
+            map->class_name = m->class_name;
+            map->classes = m->classes;
         }
     }
     if (to)

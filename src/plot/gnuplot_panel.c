@@ -258,6 +258,26 @@ static void marks(const struct sheet *sheet, const struct thud_panel *panel)
     }
 }
 
+static void color_box(const struct sheet *sheet, const struct box *box, double least, double most)
+{
+    thud_text_append(sheet->out, "set cbrange [%.9g:%.9g]\nset colorbox user origin %.5f,%.5f size %.5f,%.5f\n", least,
+                     most, (box->right + 0.8 * sheet->em) / sheet->width, box->bottom / sheet->height,
+                     1.1 * sheet->em / sheet->width, (box->top - box->bottom) / sheet->height);
+}
+
+/* One color for each class, with its name. */
+static void class_colors(const struct sheet *sheet, const struct thud_map *map, const struct box *box)
+{
+    thud_text_append(sheet->out, "set palette maxcolors %d\nset cbtics (", map->classes);
+    for (int i = 0; i < map->classes; i++) {
+        thud_text_append(sheet->out, i > 0 ? ", " : "");
+        thud_gnuplot_quote(sheet->out, map->class_name[i], 0.0, sheet->em);
+        thud_text_append(sheet->out, " %d", i);
+    }
+    thud_text_append(sheet->out, ") scale 0\n");
+    color_box(sheet, box, -0.5, map->classes - 0.5);
+}
+
 static void map_colors(const struct sheet *sheet, const struct thud_map *map, const struct box *box)
 {
     struct thud_text *out = sheet->out;
@@ -268,6 +288,7 @@ static void map_colors(const struct sheet *sheet, const struct thud_map *map, co
         least = most = isnan(map->centre) ? 0.0 : map->centre;
     if (!(most > least))
         most = least + 1.0;
+    thud_text_append(out, "set palette maxcolors 0\nset cbtics autofreq scale default\n");
     if (isnan(map->centre))
         thud_text_append(out, "set palette defined (0 '#FFF7D6', 1 '#E69F00', 2 '#9C3A00', 3 '#2B0B00')\n");
     else {
@@ -277,9 +298,12 @@ static void map_colors(const struct sheet *sheet, const struct thud_map *map, co
         thud_text_append(out,
                          "set palette defined (-2 '#00406B', -1 '#5AA5D0', 0 '#FFFFFF', 1 '#EFA060', 2 '#8A3300')\n");
     }
-    thud_text_append(out, "set cbrange [%.9g:%.9g]\nset colorbox user origin %.5f,%.5f size %.5f,%.5f\nset label 94 ",
-                     least, most, (box->right + 0.8 * sheet->em) / sheet->width, box->bottom / sheet->height,
-                     1.1 * sheet->em / sheet->width, (box->top - box->bottom) / sheet->height);
+    if (map->class_name) {
+        class_colors(sheet, map, box);
+        return;
+    }
+    color_box(sheet, box, least, most);
+    thud_text_append(out, "set label 94 ");
     thud_gnuplot_quote(out, thud_axis_text(&label, text, sizeof text), box->top - box->bottom, sheet->em);
     thud_text_append(out, " at screen %.5f, graph 0.5 center rotate by 90\n",
                      (box->right + 6.0 * sheet->em) / sheet->width);

@@ -287,6 +287,34 @@ START_TEST(nothing_to_show_still_draws)
 }
 END_TEST
 
+/* Classes have a name each beside the colors, and a map of a quantity after them has its numbers again. */
+START_TEST(classes_are_named)
+{
+    static const char *const names[] = {"whole", "cracked"};
+    const double at[] = {1.0, 2.0}, z[] = {0.0, 1.0, 1.0, 0.0};
+    struct thud_figure *figure = thud_figure_create("classes", "", 1, 2);
+    struct thud_map *map = thud_panel_map(thud_figure_panel(figure, 0, 0, "classes"), 2, at, 2, at, z, "state", "");
+    map->class_name = names;
+    map->classes = 2;
+    thud_panel_map(thud_figure_panel(figure, 0, 1, "quantity"), 2, at, 2, at, z, "ratio", "");
+    struct thud_figure *copy = thud_figure_copy(figure);
+    struct thud_text script = {0}, picture = {0};
+    struct thud_picture_options options = {.format = THUD_SVG};
+    ck_assert_int_eq(thud_gnuplot_script(copy, &options, NULL, &script, NULL), THUD_OK);
+    const char *named = strstr(script.data, "set cbtics ('whole' 0, 'cracked' 1)");
+    ck_assert_ptr_nonnull(named);
+    ck_assert_ptr_nonnull(strstr(named, "set palette maxcolors 0"));
+    ck_assert_int_eq(thud_gnuplot_draw(copy, &options, &picture, NULL), THUD_OK);
+    ck_assert_ptr_nonnull(strstr(picture.data, "cracked"));
+    ck_assert_ptr_null(strstr(picture.data, "state"));
+    ck_assert_ptr_nonnull(strstr(picture.data, "ratio"));
+    thud_text_clear(&script);
+    thud_text_clear(&picture);
+    thud_figure_free(figure);
+    thud_figure_free(copy);
+}
+END_TEST
+
 START_TEST(options_are_read_strictly)
 {
     enum thud_picture_format format;
@@ -390,6 +418,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, a_gnuplot_that_closes_everything_and_stays_is_ended);
     tcase_add_test(tcase, a_wish_to_stop_ends_it);
     tcase_add_test(tcase, nothing_to_show_still_draws);
+    tcase_add_test(tcase, classes_are_named);
     tcase_add_test(tcase, options_are_read_strictly);
     suite_add_tcase(suite, tcase);
     return suite;
