@@ -217,7 +217,8 @@ struct thud_map *thud_panel_map(struct thud_panel *panel, size_t nx, const doubl
     struct thud_map *map = keep(figure, 1, sizeof *map);
     if (!map)
         return NULL;
-    *map = (struct thud_map){nx, ny, NULL, NULL, NULL, keep_text(figure, label), keep_text(figure, unit), NAN, NAN, NULL, 0};
+    *map = (struct thud_map){nx,  ny,  NULL, NULL, NULL, keep_text(figure, label), keep_text(figure, unit),
+                             NAN, NAN, NULL, 0};
     map->x = keep_numbers(figure, nx, x);
     map->y = keep_numbers(figure, ny, y);
     map->z = keep_numbers(figure, nx * ny, z);
