@@ -1,28 +1,9 @@
 #!/bin/sh
 # What the program says of itself: laws, methods, help, words for shells.  What is listed is there: each law and each method runs, each default and
 # each bound is the one that a scene meets.  TAP.
-set -u
-THUD=${THUD:-$PWD/thud}
-tmp=$(mktemp -d) || exit 1
-trap 'rm -rf "$tmp"' EXIT
+# shellcheck source=tests/cli/program.sh
+. "$(dirname "$0")/program.sh"
 
-is() { # WHAT CONDITION...
-    what=$1
-    shift
-    if "$@"; then echo "ok - $what"; else
-        echo "not ok - $what"
-        head -20 "$tmp/out" "$tmp/err" | sed 's/^/# /'
-    fi
-}
-gives() { # STATUS ARGUMENTS...: runs, keeps out and err
-    wanted=$1
-    shift
-    "$THUD" "$@" >"$tmp/out" 2>"$tmp/err" </dev/null
-    got=$?
-    [ "$got" -eq "$wanted" ]
-}
-says() { grep -q -e "$1" "$tmp/err"; }
-shows() { grep -q -e "$1" "$tmp/out"; }
 same() { [ -s "$1" ] && cmp -s "$1" "$2"; }
 field() { sed -n "s/.*\"$1\": \"\{0,1\}\([^,\"}]*\).*/\1/p"; }
 balanced() { # the brackets of the JSON on out, in and out of strings told apart

@@ -1,48 +1,23 @@
 #!/bin/sh
 # thud record: every verb, what it writes, and what it says when something is missing or wrong.  TAP.
-set -u
-THUD=${THUD:-$PWD/thud}
-export THUD
-if ! [ -x "$THUD" ]; then
-    echo "ok - thud record # SKIP there is no $THUD yet"
-    exit 0
-fi
-tmp=$(mktemp -d) || exit 1
-trap 'rm -rf "$tmp"' EXIT
+# shellcheck source=tests/cli/program.sh
+. "$(dirname "$0")/program.sh"
 
-is() { # WHAT CONDITION...: a test of the shell
-    what=$1
-    shift
-    if "$@"; then echo "ok - $what"; else
-        echo "not ok - $what"
-        sed 's/^/# /' "$tmp/out" "$tmp/err" | head -20
-    fi
-}
-gives() { # STATUS ARGUMENTS...: runs, keeps out and err
-    wanted=$1
-    shift
-    "$THUD" record "$@" >"$tmp/out" 2>"$tmp/err"
-    got=$?
-    [ "$got" -eq "$wanted" ]
-}
-says() { grep -q -e "$1" "$tmp/err"; }
-shows() { grep -q -e "$1" "$tmp/out"; }
-
-is "list exits 0" gives 0 list records
+is "list exits 0" gives 0 record list records
 is "list shows the three surrogates" test "$(grep -c surrogate "$tmp/out")" -eq 3
-is "list without a folder finds them too" gives 0 list
+is "list without a folder finds them too" gives 0 record list
 is "they are the same three" shows san-fernando-surrogate.csv
-is "list as JSON" gives 0 list records --json
+is "list as JSON" gives 0 record list records --json
 is "its peaks are there" shows '"pga_mps2": 8.05125965'
 
-is "info of a shipped record by its name alone" gives 0 info kobe-surrogate.csv
+is "info of a shipped record by its name alone" gives 0 record info kobe-surrogate.csv
 is "its PGA" shows 'PGA  *0.8210 g at 6.49 s'
 is "its samples" shows '4001, every 0.01 s, 40 s long'
-is "info as JSON" gives 0 info records/kobe-surrogate.csv --json
+is "info as JSON" gives 0 record info records/kobe-surrogate.csv --json
 for key in format samples dt_s duration_s pga_mps2 pgv_mps pgd_m arias_mps d5_95_s d5_75_s cav_mps bracketed_s predominant_s; do
     is "JSON has $key" shows "\"$key\":"
 done
-is "scaled, turned round and cut" gives 0 info kobe-surrogate.csv --peak "1 g" --sign - --from 2s --to 12s
+is "scaled, turned round and cut" gives 0 record info kobe-surrogate.csv --peak "1 g" --sign - --from 2s --to 12s
 is "PGA after scaling" shows 'PGA  *1.0000 g at 4.49 s'
 is "length after cutting" shows '10 s long'
 
@@ -53,66 +28,66 @@ sed -n '/^    thud record synthesize/,/-surrogate.csv$/{s/^ *thud /"$THUD" /;p;}
 for name in kobe northridge san-fernando; do
     is "$name made again by the README's command, byte for byte" cmp -s "records/$name-surrogate.csv" "$tmp/$name-surrogate.csv"
 done
-is "another seed is another motion" gives 0 synthesize --set seed=7
-is "an unknown value of a surrogate is wrong usage" gives 2 synthesize --set pulse-lenght=3
+is "another seed is another motion" gives 0 record synthesize --set seed=7
+is "an unknown value of a surrogate is wrong usage" gives 2 record synthesize --set pulse-lenght=3
 is "and the known ones are named" says pulse-period
 
 printf '0.1\n-0.2\n0.3\n' >"$tmp/bare.txt"
-is "a bare column asks" gives 3 info "$tmp/bare.txt"
+is "a bare column asks" gives 3 record info "$tmp/bare.txt"
 is "for --dt" says '--dt'
-is "still asks" gives 3 info "$tmp/bare.txt" --dt 0.01s
+is "still asks" gives 3 record info "$tmp/bare.txt" --dt 0.01s
 is "for --unit" says '--unit'
-is "and then reads" gives 0 info "$tmp/bare.txt" --dt 0.01s --unit m/s2
-is "a step without a unit is wrong usage" gives 2 info "$tmp/bare.txt" --dt 0.01 --unit m/s2
+is "and then reads" gives 0 record info "$tmp/bare.txt" --dt 0.01s --unit m/s2
+is "a step without a unit is wrong usage" gives 2 record info "$tmp/bare.txt" --dt 0.01 --unit m/s2
 printf '0.1\n-0.2\n0.3x\n' >"$tmp/bad.txt"
-is "a bad number is bad input" gives 3 info "$tmp/bad.txt" --dt 1s --unit g
+is "a bad number is bad input" gives 3 record info "$tmp/bad.txt" --dt 1s --unit g
 is "with file and line" says 'bad.txt:3'
-is "a part without samples is bad input" gives 3 info "$tmp/bare.txt" --dt 0.01s --unit g --from 1s
+is "a part without samples is bad input" gives 3 record info "$tmp/bare.txt" --dt 0.01s --unit g --from 1s
 is "of --from" says '^thud: --from: '
-is "a step that is too long" gives 3 info "$tmp/bare.txt" --dt 0.01s --unit g --resample 5s
+is "a step that is too long" gives 3 record info "$tmp/bare.txt" --dt 0.01s --unit g --resample 5s
 is "is one of --resample" says '^thud: --resample: '
-is "a unit there is not" gives 3 info "$tmp/bare.txt" --dt 0.01s --unit furlong
+is "a unit there is not" gives 3 record info "$tmp/bare.txt" --dt 0.01s --unit furlong
 is "is one of --unit" says '^thud: --unit: '
-is "a missing file is bad input" gives 3 info "$tmp/none.csv"
-is "a folder is bad input" gives 3 info "$tmp"
-is "an unknown verb is wrong usage" gives 2 inof kobe-surrogate.csv
+is "a missing file is bad input" gives 3 record info "$tmp/none.csv"
+is "a folder is bad input" gives 3 record info "$tmp"
+is "an unknown verb is wrong usage" gives 2 record inof kobe-surrogate.csv
 is "no verb is wrong usage" gives 2
-is "no file is wrong usage" gives 2 info
+is "no file is wrong usage" gives 2 record info
 
-is "convert" gives 0 convert "$tmp/bare.txt" --dt 0.01s --unit m/s2 -o "$tmp/once.csv"
-is "what it wrote reads without an option" gives 0 convert "$tmp/once.csv" -o "$tmp/twice.csv"
+is "convert" gives 0 record convert "$tmp/bare.txt" --dt 0.01s --unit m/s2 -o "$tmp/once.csv"
+is "what it wrote reads without an option" gives 0 record convert "$tmp/once.csv" -o "$tmp/twice.csv"
 is "and carries the same numbers" test "$(grep -v '^#' "$tmp/once.csv")" = "$(grep -v '^#' "$tmp/twice.csv")"
-is "import is convert" gives 0 import "$tmp/once.csv"
+is "import is convert" gives 0 record import "$tmp/once.csv"
 is "to standard output without -o" shows '^0.02,0.3$'
-is "resampled at half the step" gives 0 convert "$tmp/once.csv" --resample 0.005s
+is "resampled at half the step" gives 0 record convert "$tmp/once.csv" --resample 0.005s
 is "the middle is between" shows '^0.005,-0.05'
 is "the resampling is written down" shows '^# resampled at: 0.005 s'
-is "a folder that is not there cannot be written to" gives 6 convert "$tmp/once.csv" -o "$tmp/no/such/file.csv"
+is "a folder that is not there cannot be written to" gives 6 record convert "$tmp/once.csv" -o "$tmp/no/such/file.csv"
 
-is "spectrum" gives 0 spectrum kobe-surrogate.csv --periods 0.1s:1s:10 --damping "2 %"
+is "spectrum" gives 0 record spectrum kobe-surrogate.csv --periods 0.1s:1s:10 --damping "2 %"
 is "ten periods" test "$(grep -c '^[0-9]' "$tmp/out")" -eq 10
 is "the damping is written down" shows '^# damping: 0.02'
-is "a damping of 100 % is wrong usage" gives 2 spectrum kobe-surrogate.csv --damping 1
-is "periods the wrong way round are wrong usage" gives 2 spectrum kobe-surrogate.csv --periods 1s:0.1s:10
+is "a damping of 100 % is wrong usage" gives 2 record spectrum kobe-surrogate.csv --damping 1
+is "periods the wrong way round are wrong usage" gives 2 record spectrum kobe-surrogate.csv --periods 1s:0.1s:10
 
-gives 0 spectrum kobe-surrogate.csv --periods 0.1s:1s:10 --damping "2 %"
+gives 0 record spectrum kobe-surrogate.csv --periods 0.1s:1s:10 --damping "2 %"
 grep '^[0-9]' "$tmp/out" | cut -d, -f1,2 >"$tmp/csv"
-is "spectrum as JSON" gives 0 spectrum kobe-surrogate.csv --periods 0.1s:1s:10 --damping "2 %" --json
+is "spectrum as JSON" gives 0 record spectrum kobe-surrogate.csv --periods 0.1s:1s:10 --damping "2 %" --json
 sed -n 's/.*"period_s": \([^,]*\), "acceleration_mps2": \([^,]*\),.*/\1,\2/p' "$tmp/out" >"$tmp/json"
 is "has the same numbers" cmp -s "$tmp/csv" "$tmp/json"
 is "and the damping" shows '"damping": 0.02,'
-is "periods that are two numbers" gives 2 spectrum kobe-surrogate.csv --periods 0.1s:1s
+is "periods that are two numbers" gives 2 record spectrum kobe-surrogate.csv --periods 0.1s:1s
 is "are refused with what is wanted" says 'FROM:TO:COUNT'
-is "periods without a unit" gives 2 spectrum kobe-surrogate.csv --periods 0.1:1:10
+is "periods without a unit" gives 2 record spectrum kobe-surrogate.csv --periods 0.1:1:10
 is "are refused with the units" says '^thud: --periods: .*give a time'
-is "two files are one too many for a spectrum" gives 2 spectrum kobe-surrogate.csv northridge-surrogate.csv
+is "two files are one too many for a spectrum" gives 2 record spectrum kobe-surrogate.csv northridge-surrogate.csv
 
 # what is done to a record: told in the file, and seen in its numbers
 printf '1\n2\n3\n4\n5\n' >"$tmp/ramp.txt"
 change() { # WHAT LINE FIRST LAST OPTIONS...: what the file says of it, and the first and last samples
     what=$1 line=$2 first=$3 last=$4
     shift 4
-    gives 0 convert "$tmp/ramp.txt" --dt 0.5s --unit m/s2 "$@"
+    gives 0 record convert "$tmp/ramp.txt" --dt 0.5s --unit m/s2 "$@"
     is "$what" shows "^# $line\$"
     is "$what: the numbers" test "$(grep '^[0-9]' "$tmp/out" | sed -n '1p;$p' | cut -d, -f2 | tr '\n' ' ')" = "$first $last "
 }
@@ -122,39 +97,39 @@ change "a factor" "factor: 0.5" 0.5 2.5 --factor 0.5
 change "a peak" "scaled to a peak of: 0.101971621 g" 0.2 1 --peak "1 m/s2"
 change "a sign" "sign: -" -1 -5 --sign -
 for wrong in "--sign=x" "--baseline=cubic" "--peak=0 g" "--unit=" "--column=0" "--skip=-1"; do
-    is "$wrong is wrong usage" gives 2 info "$tmp/ramp.txt" --dt 0.5s "$wrong"
+    is "$wrong is wrong usage" gives 2 record info "$tmp/ramp.txt" --dt 0.5s "$wrong"
     is "$wrong is named" says "^thud: ${wrong%%=*}: "
 done
 printf '1,9\n5,8\n3,7\n' >"$tmp/two.csv"
-gives 0 convert "$tmp/two.csv" --dt 0.5s --unit m/s2 --column 2
+gives 0 record convert "$tmp/two.csv" --dt 0.5s --unit m/s2 --column 2
 is "another column" shows '^0,9$'
-gives 0 info "$tmp/two.csv" --dt 0.5s --unit m/s2 --column all
+gives 0 record info "$tmp/two.csv" --dt 0.5s --unit m/s2 --column all
 is "all columns, one after the other" shows '^  samples  *6, every'
 
 # several at once, and what a list says of files that are none
-is "info of two records" gives 0 info kobe-surrogate.csv northridge-surrogate.csv --json
+is "info of two records" gives 0 record info kobe-surrogate.csv northridge-surrogate.csv --json
 is "is a list in JSON" test "$(tr -d '\n' <"$tmp/out" | grep -c '^\[{.*},* *{.*}\]$')" -eq 1
 printf '0\n0\n0\n' >"$tmp/zeros.txt"
-is "a record of zeros" gives 0 info "$tmp/zeros.txt" --dt 0.5s --unit g
+is "a record of zeros" gives 0 record info "$tmp/zeros.txt" --dt 0.5s --unit g
 is "has no duration" shows '^  D5-95  *none: the record is all zeros'
 mkdir "$tmp/folder" && cp "$tmp/ramp.txt" records/kobe-surrogate.csv "$tmp/folder"
 printf 'Dear reader,\nno numbers here.\n' >"$tmp/folder/letter.txt"
-is "a list of a folder" gives 0 list "$tmp/folder"
+is "a list of a folder" gives 0 record list "$tmp/folder"
 is "what needs an option says which" shows '^ramp.txt  *needs --dt$'
 is "a record stands with its peak" shows '^kobe-surrogate.csv .* 0.8210 g$'
 is "prose is passed over" test "$(grep -c letter "$tmp/out")" -eq 0
-is "as JSON" gives 0 list "$tmp/folder" --json
+is "as JSON" gives 0 record list "$tmp/folder" --json
 is "with what it needs" shows '"file": "[^"]*ramp.txt", "format": "", "needs": "dt",'
-is "a folder there is not is bad input" gives 3 list "$tmp/nowhere"
+is "a folder there is not is bad input" gives 3 record list "$tmp/nowhere"
 is "with its name" says "nowhere: No such file"
-is "two folders are one too many" gives 2 list records presets
-is "a surrogate is made of no file" gives 2 synthesize kobe-surrogate.csv
-is "a surrogate's value in a wrong unit" gives 2 synthesize --set duration=5m
+is "two folders are one too many" gives 2 record list records presets
+is "a surrogate is made of no file" gives 2 record synthesize kobe-surrogate.csv
+is "a surrogate's value in a wrong unit" gives 2 record synthesize --set duration=5m
 is "is named" says "^thud: duration: "
 
 if command -v gnuplot >/dev/null 2>&1; then
-    is "spectrum with a preset's periods, drawn" gives 0 spectrum kobe-surrogate.csv --preset towers -o "$tmp/drawn"
-    is "histories drawn" gives 0 info kobe-surrogate.csv -o "$tmp/drawn"
+    is "spectrum with a preset's periods, drawn" gives 0 record spectrum kobe-surrogate.csv --preset towers -o "$tmp/drawn"
+    is "histories drawn" gives 0 record info kobe-surrogate.csv -o "$tmp/drawn"
     for file in kobe-surrogate-spectrum kobe-surrogate-motion; do
         is "$file.png is a picture" test "$(head -c 4 "$tmp/drawn/$file.png" 2>/dev/null | od -An -tx1 | tr -d ' ')" = 89504e47
     done

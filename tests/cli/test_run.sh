@@ -1,27 +1,8 @@
 #!/bin/sh
 # thud run: the figures of free bodies, the three forms of the answer, its files, its options, its exit statuses.  TAP.
-set -u
-THUD=${THUD:-$PWD/thud}
-tmp=$(mktemp -d) || exit 1
-trap 'rm -rf "$tmp"' EXIT
+# shellcheck source=tests/cli/program.sh
+. "$(dirname "$0")/program.sh"
 
-is() { # WHAT CONDITION...
-    what=$1
-    shift
-    if "$@"; then echo "ok - $what"; else
-        echo "not ok - $what"
-        head -20 "$tmp/out" "$tmp/err" | sed 's/^/# /'
-    fi
-}
-gives() { # STATUS ARGUMENTS...: runs, keeps out and err
-    wanted=$1
-    shift
-    "$THUD" "$@" >"$tmp/out" 2>"$tmp/err"
-    got=$?
-    [ "$got" -eq "$wanted" ]
-}
-says() { grep -q -e "$1" "$tmp/err"; }
-shows() { grep -q -e "$1" "$tmp/out"; }
 silent() { [ ! -s "$tmp/err" ]; }
 number() { # KEY: the first number of that name in the JSON on out
     tr -s ',{}[]' '\n' <"$tmp/out" | sed -n "s/^ *\"$1\": *//p" | head -1

@@ -1,0 +1,32 @@
+# Sourced by tests of the program, first of all: what a check prints (TAP), and a folder $tmp that goes in the end.
+# shellcheck shell=sh disable=SC2317 # functions are called through `is`
+set -u
+THUD=${THUD:-$PWD/thud}
+export THUD
+tmp=$(mktemp -d) || exit 1
+exec </dev/null
+trap 'rm -rf "$tmp"' EXIT
+
+is() { # WHAT CONDITION...
+    what=$1
+    shift
+    if "$@"; then echo "ok - $what"; else
+        echo "not ok - $what"
+        head -20 "$tmp/out" "$tmp/err" 2>/dev/null | sed 's/^/# /'
+    fi
+}
+run() { # ARGUMENTS...: of thud; keeps $tmp/out, $tmp/err and its exit status in $code
+    "$THUD" "$@" >"$tmp/out" 2>"$tmp/err"
+    code=$?
+}
+gives() { # STATUS ARGUMENTS...: runs, and ends so
+    wanted=$1
+    shift
+    run "$@"
+    [ "$code" -eq "$wanted" ]
+}
+says() { grep -q -e "$1" "$tmp/err"; }
+shows() { grep -q -e "$1" "$tmp/out"; }
+is_png() { # FILE: from its first byte to its last
+    [ "$(od -An -tx1 -N8 "$1" 2>/dev/null | tr -d ' \n')" = 89504e470d0a1a0a ] && tail -c 8 "$1" | head -c 4 | grep -q IEND
+}
