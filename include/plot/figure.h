@@ -24,9 +24,10 @@ enum thud_series_kind {
     THUD_BARS   /* from 0 to y */
 };
 
-/* Colours are indices into one palette told apart also by the colour-blind (Okabe and Ito 2008); an index past its end
- * starts again. */
-enum { THUD_COLORS = 7, THUD_COLOR_GREY = -1 };
+/* Colours are indices into one palette: the first seven told apart also by the colour-blind (Okabe and Ito 2008), five
+ * darker ones for figures with many curves, which points of another shape tell apart; an index past the end starts
+ * again. */
+enum { THUD_COLORS = 7, THUD_COLORS_ALL = 12, THUD_COLOR_GREY = -1 };
 unsigned thud_color_rgb(int color); /* 0xRRGGBB */
 
 struct thud_style {
@@ -143,7 +144,7 @@ struct thud_range {
 };
 struct thud_range thud_panel_range(const struct thud_panel *panel, enum thud_side side);
 
-/* The key: every name once, in the order of first appearance. Returns how many there are, and fills at most `most`. */
+/* The key: every name once, in the order of the colours and of first appearance. Returns how many there are, and fills at most `most`. */
 int thud_figure_key(const struct thud_figure *figure, const struct thud_series **entry, int most);
 
 /* "Gap (cm)". Returns `text`. */

@@ -94,8 +94,7 @@ static void add_curve(struct thud_bench *bench, int first, int last, struct thud
         time[n] = 1e3 * p->seconds;
         work[n++] = (double)p->work.steps + (double)p->work.force_evaluations;
     }
-    struct thud_style style = {
-        .kind = THUD_LINES_POINTS, .color = color, .wide = color == 0, .thin = color >= THUD_COLORS};
+    struct thud_style style = {.kind = THUD_LINES_POINTS, .color = color, .wide = color == 0};
     if (n > 0) {
         thud_panel_add(panel[0], style, name, n, x, time);
         thud_panel_add(panel[1], style, name, n, x, work);

@@ -63,7 +63,8 @@ static double *new_row(struct thud_run *run, double time, struct thud_error *err
         h->value = v;
         h->capacity = more;
     }
-    h->time_s[h->rows] = time;
+    /* never before the row above, not by the last bit either: readers of histories rely on it */
+    h->time_s[h->rows] = h->rows ? fmax(time, h->time_s[h->rows - 1]) : time;
     return h->value + h->rows++ * (size_t)h->columns;
 }
 
@@ -79,7 +80,8 @@ static void fill_motion(const struct thud_run *run, double *row, const double *q
         row[thud_history_indentation(h, c)] = thud_model_gap_sum(run->model, c, q) - thud_run_shift(run, c);
 }
 
-static void fill_energy(const struct thud_run *run, double *row, const double *q, const double *qd)
+static void fill_energy(const struct thud_run *run, const struct thud_ledger *ledger, double *row, const double *q,
+                        const double *qd)
 {
     const struct thud_history *h = &run->history;
     double kinetic = 0, strain = 0;
@@ -87,8 +89,7 @@ static void fill_energy(const struct thud_run *run, double *row, const double *q
         kinetic += 0.5 * qd[j] * qd[j];
         strain += 0.5 * run->model->omega[j] * run->model->omega[j] * q[j] * q[j];
     }
-    double e[THUD_HISTORY_ENERGIES] = {run->ledger.input_j, kinetic, strain, run->ledger.viscous_j,
-                                       run->ledger.contact_work_j};
+    double e[THUD_HISTORY_ENERGIES] = {ledger->input_j, kinetic, strain, ledger->viscous_j, ledger->contact_work_j};
     memcpy(row + thud_history_energy(h, 0), e, sizeof e);
 }
 
@@ -111,7 +112,7 @@ static void accelerations(const struct thud_run *run, double s, const double *ro
     }
 }
 
-/* A row at s of the present segment. Ledger values are those at the segment's start. */
+/* A row at s of the present segment. */
 static enum thud_status row_at(struct thud_run *run, double s, struct thud_error *err)
 {
     const struct thud_model *m = run->model;
@@ -120,10 +121,11 @@ static enum thud_status row_at(struct thud_run *run, double s, struct thud_error
     double *row = new_row(run, thud_run_now(run) + s * seg->h_s, err);
     if (!row)
         return THUD_MEMORY;
+    const struct thud_ledger ledger = thud_ledger_at(run, s); /* it uses the scratch too */
     double *q = run->scratch, *qd = q + m->ndof, *a = qd + m->ndof;
     thud_segment_state(seg, m->ndof, s, q, qd);
     fill_motion(run, row, q, qd);
-    fill_energy(run, row, q, qd);
+    fill_energy(run, &ledger, row, q, qd);
     row[0] = seg->a0 + seg->a1 * s;
     for (int c = 0; c < m->ncontacts; c++) {
         double f = 0;
@@ -135,20 +137,6 @@ static enum thud_status row_at(struct thud_run *run, double s, struct thud_error
     for (int i = 0; i < m->ndof; i++)
         row[thud_history_acceleration(h, i)] = thud_model_floor(m, i, a);
     return THUD_OK;
-}
-
-/* A row out of contact, with the ledger at its own time. Not where a step feels a contact it does not see: the work of
- * contacts is booked once. */
-static enum thud_status free_row(struct thud_run *run, double s, struct thud_error *err)
-{
-    for (int c = 0; c < run->model->ncontacts; c++)
-        if (thud_contact_felt(run, c))
-            return row_at(run, s, err);
-    const struct thud_ledger before = run->ledger;
-    thud_ledger_segment(run, s);
-    enum thud_status status = row_at(run, s, err);
-    run->ledger = before;
-    return status;
 }
 
 /* Parts that a segment in contact is shown in: close enough for a smooth curve of an impact of 25 ms, and some also of
@@ -189,7 +177,7 @@ enum thud_status thud_history_segment(struct thud_run *run, double s, struct thu
     double fuzz = 1e-9 * step;
     while (run->next_row_s <= t0 + s * h + fuzz && status == THUD_OK) {
         double at = (run->next_row_s - t0) / h;
-        status = free_row(run, at < 0 ? 0 : at > s ? s : at, err);
+        status = row_at(run, at < 0 ? 0 : at > s ? s : at, err);
         run->next_row_s = next_row(run, run->next_row_s);
     }
     return status;

@@ -22,10 +22,11 @@ double thud_run_strain(const struct thud_run *run)
     return 0.5 * sum;
 }
 
-static void contact_work(struct thud_run *run, const struct thud_places *places, int c, double dt)
+/* Work done on a contact over the segment, per second of it, and its impulse. */
+static double contact_work(const struct thud_run *run, const struct thud_places *places, int c, double *impulse)
 {
-    struct thud_contact_state *s = &run->contact[c];
-    double d[THUD_PLACES], rate[THUD_PLACES], force[THUD_PLACES], work = 0, impulse = 0;
+    const struct thud_contact_state *s = &run->contact[c];
+    double d[THUD_PLACES], rate[THUD_PLACES], force[THUD_PLACES], work = 0;
     int terms = run->seg.terms;
     bool applied = s->mode == THUD_STUCK || !run->locates; /* what the step really applied */
     thud_places_slope(places, run->indentation + c * THUD_SEGMENT_TERMS, 1, terms, run->seg.h_s, rate);
@@ -36,8 +37,15 @@ static void contact_work(struct thud_run *run, const struct thud_places *places,
     for (int i = 0; i < THUD_QUADRATURE_POINTS; i++) {
         double f = applied ? force[i] : thud_contact_force(run, c, d[i], rate[i]);
         work += thud_quadrature_weight[i] * f * rate[i];
-        impulse += thud_quadrature_weight[i] * f;
+        *impulse += thud_quadrature_weight[i] * f;
     }
+    return work;
+}
+
+static void book_contact(struct thud_run *run, const struct thud_places *places, int c, double dt)
+{
+    struct thud_contact_state *s = &run->contact[c];
+    double impulse = 0, work = contact_work(run, places, c, &impulse);
     s->impact.impulse_ns += impulse * dt;
     s->impact.dissipated_j += work * dt;
     run->result.contact[c].impulse_ns += impulse * dt;
@@ -102,9 +110,25 @@ void thud_ledger_segment(struct thud_run *run, double s)
     thud_places_set(&places, THUD_QUADRATURE_POINTS, thud_quadrature_node, s, run->seg.terms);
     for (int c = 0; c < run->model->ncontacts; c++)
         if (thud_contact_felt(run, c))
-            contact_work(run, &places, c, dt);
+            book_contact(run, &places, c, dt);
     if (!run->options.no_ledger)
         structure_work(run, &places, s, dt);
+}
+
+struct thud_ledger thud_ledger_at(struct thud_run *run, double s)
+{
+    struct thud_places places;
+    const struct thud_ledger before = run->ledger;
+    double dt = s * run->seg.h_s, impulse = 0;
+    thud_places_set(&places, THUD_QUADRATURE_POINTS, thud_quadrature_node, s, run->seg.terms);
+    for (int c = 0; c < run->model->ncontacts; c++)
+        if (thud_contact_felt(run, c))
+            run->ledger.contact_work_j += contact_work(run, &places, c, &impulse) * dt;
+    if (!run->options.no_ledger)
+        structure_work(run, &places, s, dt);
+    const struct thud_ledger at = run->ledger;
+    run->ledger = before;
+    return at;
 }
 
 void thud_ledger_finish(struct thud_run *run)

@@ -197,6 +197,7 @@ bool thud_reach_floor(const struct thud_run *run, int structure, int floor, cons
 bool thud_reach_structure(const struct thud_run *run, int structure, const struct thud_reach *reach);
 void thud_ledger_start(struct thud_run *run);
 void thud_ledger_segment(struct thud_run *run, double s);
+struct thud_ledger thud_ledger_at(struct thud_run *run, double s); /* as it will be at s; books nothing */
 void thud_ledger_finish(struct thud_run *run);
 double thud_run_kinetic(const struct thud_run *run);
 double thud_run_strain(const struct thud_run *run);

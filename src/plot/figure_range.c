@@ -78,8 +78,9 @@ static struct thud_range round_linear(struct thud_range range, const struct thud
         return range;
     /* along x a fifth of a step is round enough; along y a curve shall not lie on the frame, except at 0 */
     double unit = side == THUD_X ? 0.2 * range.step : range.step, hair = side == THUD_X ? 0.0 : 0.02 * width;
+    double bottom = range.least >= 0.0 ? 0.0 : -INFINITY; /* what is never negative needs no room there */
     if (isnan(axis->least))
-        range.least = unit * floor((range.least - (range.least == 0.0 ? 0.0 : hair)) / unit + 1e-9);
+        range.least = fmax(bottom, unit * floor((range.least - (range.least == 0.0 ? 0.0 : hair)) / unit + 1e-9));
     if (isnan(axis->most))
         range.most = unit * ceil((range.most + (range.most == 0.0 ? 0.0 : hair)) / unit - 1e-9);
     return range;
@@ -146,6 +147,13 @@ int thud_figure_key(const struct thud_figure *figure, const struct thud_series *
                 entry[n] = series;
             n++;
         }
+    }
+    for (int i = 1; i < (n < most ? n : most); i++) { /* those of one colour stay as they came */
+        const struct thud_series *moved = entry[i];
+        int to = i;
+        for (; to > 0 && entry[to - 1]->style.color > moved->style.color; to--)
+            entry[to] = entry[to - 1];
+        entry[to] = moved;
     }
     return n;
 }

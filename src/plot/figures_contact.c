@@ -142,8 +142,10 @@ struct thud_figure *thud_figure_energies(const struct thud_figure_source *source
     char text[THUD_TEXT_MAX + 64];
     int rows = nsources < THUD_ROWS_MAX ? nsources : THUD_ROWS_MAX;
     snprintf(text, sizeof text, "%s: Energy", source->scene->title);
-    struct thud_figure *figure = thud_figure_create(thud_run_figure_name(THUD_FIGURE_ENERGY), text, rows, 1);
-    double peak = 0.0;
+    double peak = 0.0, from, to;
+    bool zoom = thud_source_zoom(source, nsources, &from, &to);
+    struct thud_figure *figure =
+        thud_figure_create(thud_run_figure_name(THUD_FIGURE_ENERGY), text, rows, zoom ? 2 : 1);
     for (int s = 0; s < rows; s++)
         peak = fmax(peak, energy_peak(&source[s]));
     struct thud_shown shown = thud_shown_energy(peak);
@@ -154,6 +156,8 @@ struct thud_figure *thud_figure_energies(const struct thud_figure_source *source
         for (int e = 0; e < THUD_HISTORY_ENERGIES; e++)
             thud_source_line(panel, &source[s], thud_history_energy(source[s].history, e), -1, shown.factor, name[e],
                              e);
+        if (zoom)
+            thud_panel_zoom(thud_figure_panel(figure, s, 1, "Around the largest impact"), panel, from, to);
     }
     thud_figure_shorten(figure);
     return figure;

@@ -173,14 +173,36 @@ static void axis_label(const struct sheet *sheet, const struct thud_axis *a, enu
     thud_text_append(out, " font ',%.4g'\n", em * sheet->points);
 }
 
+/* The step along x, made longer until the numbers at it stand apart in a frame that is `ems` wide. */
+static double roomy_step(const struct thud_range *range, double ems)
+{
+    const double digit = 0.64;
+    double step = range->step;
+    for (int i = 0; i < 6; i++) {
+        size_t longest = 0;
+        for (int end = 0; end < 2; end++) {
+            char text[32];
+            double at = step * (end ? floor(range->most / step + 1e-9) : ceil(range->least / step - 1e-9));
+            size_t n = (size_t)snprintf(text, sizeof text, "%.4g", at);
+            longest = n > longest ? n : longest;
+        }
+        if ((digit * (double)longest + 0.5) * (range->most - range->least) <= ems * step)
+            break;
+        double lead = step / pow(10.0, floor(log10(step) + 1e-9));
+        step *= lead > 1.9 && lead < 2.1 ? 2.5 : 2.0; /* 1, 2, 5, 10; 2.5, 5, 10 */
+    }
+    return step;
+}
+
 static void axis(const struct sheet *sheet, const struct thud_panel *panel, enum thud_side side, const struct box *box)
 {
     struct thud_text *out = sheet->out;
     const struct thud_axis *a = &panel->axis[side];
     char name = side == THUD_X ? 'x' : 'y';
     struct thud_range range = thud_panel_range(panel, side);
-    thud_text_append(out, "set %crange [%.10g:%.10g]\n%s logscale %c\n", name, range.least, range.most,
-                     a->log ? "set" : "unset", name);
+    double hair = a->log ? 1e-7 : 0.0; /* gnuplot drops a tick that its logarithm puts outside by the last bit */
+    thud_text_append(out, "set %crange [%.10g:%.10g]\n%s logscale %c\n", name, range.least * (1.0 - hair),
+                     range.most * (1.0 + hair), a->log ? "set" : "unset", name);
     axis_label(sheet, a, side, box);
     thud_text_append(out, "set %ctics %s", name, side == THUD_X && sheet->points == 1.0 ? "offset 0,0.5 " : "");
     if (a->nticks) {
@@ -193,14 +215,15 @@ static void axis(const struct sheet *sheet, const struct thud_panel *panel, enum
         log_ticks(out, &range, (int)fmin(9, fmax(2, room)));
         thud_text_append(out, ")\n");
     } else
-        thud_text_append(out, "autofreq %.10g\n", range.step);
+        thud_text_append(out, "autofreq %.10g\n",
+                         side == THUD_X ? roomy_step(&range, (box->right - box->left) / sheet->em) : range.step);
 }
 
 /* ---- what is drawn ---- */
 
 void thud_gnuplot_style(const struct sheet *sheet, const struct thud_series *series)
 {
-    static const int shape[THUD_COLORS] = {7, 9, 5, 13, 11, 15, 6};
+    static const int shape[THUD_COLORS] = {7, 9, 5, 13, 11, 15, 6}; /* others in the second round of colours */
     static const char *const with[] = {"lines", "points", "linespoints", "steps", "filledcurves", "boxes"};
     const struct thud_style *style = &series->style;
     double width = style->wide ? 3.0 : style->thin ? 1.0 : 1.8;

@@ -21,7 +21,7 @@ static size_t character(const char *s)
     return n;
 }
 
-static const double char_em = 0.53; /* mean width of DejaVu Sans, on the safe side */
+static const double char_em = 0.55; /* mean width of DejaVu Sans, on the safe side */
 
 /* About how wide a text is, px. */
 static double width_of(const char *text, double em)

@@ -59,6 +59,38 @@ START_TEST(logarithmic_limits_are_whole_decades)
 }
 END_TEST
 
+START_TEST(colours_differ)
+{
+    for (int i = 0; i < THUD_COLORS_ALL; i++)
+        for (int j = 0; j < i; j++) {
+            int apart = 0;
+            for (int shift = 0; shift < 24; shift += 8)
+                apart += abs((int)(thud_color_rgb(i) >> shift & 255) - (int)(thud_color_rgb(j) >> shift & 255));
+            ck_assert_msg(apart > 75, "colours %d and %d: %d apart", i, j, apart);
+        }
+    ck_assert_uint_eq(thud_color_rgb(THUD_COLORS_ALL), thud_color_rgb(0));
+}
+END_TEST
+
+/* The methods of a speed chart stand in two panels: one list in the key all the same. */
+START_TEST(key_follows_the_colours)
+{
+    const struct thud_series *entry[8];
+    const double x[] = {1.0, 2.0};
+    static const char *const name[] = {"a", "c", "b"};
+    static const int color[] = {0, 9, 4};
+    struct thud_figure *figure = thud_figure_create("key", "", 1, 2);
+    for (int i = 0; i < 3; i++)
+        thud_panel_add(thud_figure_panel(figure, 0, i == 2, ""),
+                       (struct thud_style){.kind = THUD_LINES, .color = color[i]}, name[i], 2, x, x);
+    ck_assert_int_eq(thud_figure_key(figure, entry, 8), 3);
+    ck_assert_str_eq(entry[0]->name, "a");
+    ck_assert_str_eq(entry[1]->name, "b");
+    ck_assert_str_eq(entry[2]->name, "c");
+    thud_figure_free(figure);
+}
+END_TEST
+
 START_TEST(key_names_everything_once_in_order)
 {
     struct thud_figure *figure = thud_figure_create("f", "", 1, 2);
@@ -260,6 +292,8 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, limits_are_round_and_hold_the_data);
     tcase_add_test(tcase, limits_of_nothing_and_of_one_value);
     tcase_add_test(tcase, logarithmic_limits_are_whole_decades);
+    tcase_add_test(tcase, colours_differ);
+    tcase_add_test(tcase, key_follows_the_colours);
     tcase_add_test(tcase, key_names_everything_once_in_order);
     tcase_add_test(tcase, a_figure_that_could_not_be_made_is_harmless);
     tcase_add_test(tcase, a_closer_look_shares_the_series);

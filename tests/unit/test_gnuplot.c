@@ -398,6 +398,37 @@ START_TEST(a_copy_is_just_like_it)
 }
 END_TEST
 
+/* Named classes have a name each on a scale without numbers between them; the ends of a log axis lie a hair outside
+ * their ticks; the numbers of a narrow frame stand apart. */
+START_TEST(scales_can_be_read)
+{
+    static const char *const classes[] = {"low", "it's", "high"};
+    const double at[] = {0.0, 1.0, 2.0}, z[] = {0.0, 1.0, 2.0, 2.0, 1.0, 0.0, 0.0, 1.0, 2.0};
+    const double x[] = {0.0, 132.0}, y[] = {10.0, 10000.0};
+    struct thud_figure *figure = thud_figure_create("scales", "", 1, 3);
+    struct thud_map *map = thud_panel_map(thud_figure_panel(figure, 0, 0, ""), 3, at, 3, at, z, "class", "");
+    struct thud_panel *narrow = thud_figure_panel(figure, 0, 1, "");
+    map->class_name = classes;
+    map->classes = 3;
+    thud_panel_log(narrow, THUD_Y);
+    thud_panel_add(narrow, (struct thud_style){.kind = THUD_LINES}, "", 2, x, y);
+    struct thud_text script = {0};
+    struct thud_picture_options options = {.width_px = 1800, .font_px = 30};
+    ck_assert_int_eq(thud_gnuplot_script(figure, &options, "x.png", &script, NULL), THUD_OK);
+    ck_assert_ptr_nonnull(strstr(script.data, "set cbrange [-0.5:2.5]"));
+    ck_assert_ptr_nonnull(strstr(script.data, "set palette maxcolors 3\n"));
+    ck_assert_ptr_nonnull(strstr(script.data, "('low' 0, 'it''s' 1, 'high' 2)"));
+    ck_assert_ptr_nonnull(strstr(script.data, "set yrange [9.999999:10000.001]"));
+    ck_assert_ptr_nonnull(strstr(script.data, "autofreq 50\n")); /* by itself every 20 */
+    thud_text_clear(&script);
+    options.width_px = 5400;
+    ck_assert_int_eq(thud_gnuplot_script(figure, &options, "x.png", &script, NULL), THUD_OK);
+    ck_assert_ptr_nonnull(strstr(script.data, "autofreq 20\n"));
+    thud_text_clear(&script);
+    thud_figure_free(figure);
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -407,6 +438,7 @@ Suite *thud_suite(void)
     tcase_add_checked_fixture(tcase, make_folder, remove_folder);
     tcase_add_test(tcase, draws_every_format_whole_and_the_same_twice);
     tcase_add_test(tcase, a_copy_is_just_like_it);
+    tcase_add_test(tcase, scales_can_be_read);
     tcase_add_test(tcase, size_and_font_are_as_asked);
     tcase_add_test(tcase, names_come_out_literally_and_execute_nothing);
     tcase_add_test(tcase, the_script_by_hand_draws_the_same);
