@@ -49,9 +49,7 @@ static int run_status(struct thud_tui *tui, const struct thud_pane *row)
         if (thud_view_of((enum thud_screen)i)->progress)
             own = thud_view_of((enum thud_screen)i)->progress(tui);
     if (tui->writing) {
-        int done, count;
-        thud_picture_work_look(tui->writing, &done, &count);
-        snprintf(text, sizeof text, "figures %d/%d  Esc stops ", done, count);
+        snprintf(text, sizeof text, "figures %d/%d  Esc stops ", tui->writing_done, tui->writing_count);
         role = THUD_ROLE_WARN;
     } else if (tui->live.running || own >= 0.0) {
         int tenths = (int)(10.0 * (tui->live.running ? thud_live_progress(&tui->live) : own));

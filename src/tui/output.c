@@ -21,6 +21,8 @@ static void begin(struct thud_tui *tui, struct thud_figure *const *figure, int c
         return;
     }
     tui->backend->also = thud_picture_work_fd(tui->writing);
+    tui->writing_done = 0;
+    tui->writing_count = count;
     if (count == 1)
         snprintf(tui->written, sizeof tui->written, "%s/%.100s.png, .gp (draws it again) and .csv",
                  thud_tui_folder(tui), figure[0]->name);

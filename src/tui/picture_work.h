@@ -15,7 +15,8 @@ struct thud_picture_work;
 enum thud_status thud_picture_work_start(struct thud_figure *const *figure, int count, const char *folder,
                                          const char *program, struct thud_picture_work **out, struct thud_error *err);
 int thud_picture_work_fd(const struct thud_picture_work *work); /* readable when something has changed */
-/* How many are written of how many; false: it has come to its end. */
+/* How many are written of how many; false: it has come to its end. Takes what made the file readable: one place looks,
+ * and what it saw is kept. */
 bool thud_picture_work_look(struct thud_picture_work *work, int *done, int *count);
 void thud_picture_work_stop(struct thud_picture_work *work); /* soon; the figure in hand is left out */
 /* Waits for the end and frees. `done` figures were written whole. Errors: THUD_OUTPUT, THUD_GNUPLOT, THUD_CANCELLED,

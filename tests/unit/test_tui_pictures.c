@@ -1,6 +1,7 @@
 /* Pictures from the screens: written beside the work, stopped without a trace of the one in hand, failures said. */
 #include <check.h>
 #include <dirent.h>
+#include <poll.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -93,6 +94,25 @@ START_TEST(stopping)
 }
 END_TEST
 
+/* What wakes the screens is for their turn: a drawing in between must leave it there, or the end would go unseen until
+ * the next key. */
+START_TEST(a_drawing_leaves_the_end_to_be_seen)
+{
+    use_gnuplot("exit 3");
+    thud_tui_key(f.tui, 'P');
+    while (!f.tui->writing)
+        thud_tui_turn(f.tui, false);
+    struct pollfd ended = {thud_picture_work_fd(f.tui->writing), POLLIN, 0};
+    ck_assert_int_eq(poll(&ended, 1, -1), 1);
+    thud_tui_draw(f.tui);
+    fixture_expect(&f, "figures 0/8");
+    ck_assert_int_eq(poll(&ended, 1, 0), 1);
+    thud_picture_work_stop(f.tui->writing);
+    while (f.tui->writing)
+        thud_tui_turn(f.tui, true);
+}
+END_TEST
+
 START_TEST(quitting_stops_it)
 {
     use_gnuplot("exec sleep 1000");
@@ -129,6 +149,7 @@ Suite *thud_suite(void)
     tcase_add_test(pictures, the_figure_shown);
     tcase_add_test(pictures, all_figures);
     tcase_add_test(pictures, stopping);
+    tcase_add_test(pictures, a_drawing_leaves_the_end_to_be_seen);
     tcase_add_test(pictures, quitting_stops_it);
     tcase_add_test(pictures, a_failed_gnuplot_is_said);
     suite_add_tcase(suite, pictures);
