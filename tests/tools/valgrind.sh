@@ -8,12 +8,13 @@ CK_FORK=no UNIT_ONLY=1 TEST_SECONDS=2400 WRAP="$memcheck --error-exitcode=99" te
 status=$?
 
 # A program that looks like thud and keeps what memcheck says of it in a file, so that the tests see what they always see.  Where memcheck's own
-# files cannot be written (a full disk, another user in the tests of them) thud goes without it.
+# files cannot be written (a full disk, another user in the tests of them) thud goes without it; also where
+# standard output is closed, as valgrind would open it.
 logs=$PWD/$build/memcheck
 rm -rf "$logs" && mkdir -p "$logs" && chmod 777 "$logs"
 cat >"$build/memcheck-thud" <<END
 #!/bin/sh
-if [ "\$(ulimit -f)" != unlimited ] || ! [ -w "$logs" ]; then exec "$PWD/$build/thud" "\$@"; fi
+if [ "\$(ulimit -f)" != unlimited ] || ! [ -w "$logs" ] || ! { true 3>&1; } 2>/dev/null; then exec "$PWD/$build/thud" "\$@"; fi
 exec $memcheck --log-file="$logs/%p" "$PWD/$build/thud" "\$@"
 END
 chmod +x "$build/memcheck-thud"
