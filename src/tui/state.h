@@ -117,9 +117,9 @@ struct thud_tui {
     bool quit, hangup;
     struct thud_picture_work *writing; /* figures being written; NULL: none */
     int writing_done, writing_count;   /* as last looked at */
-    char written[700];    /* what is written then */
-    bool pictures_wanted; /* once the run has its histories */
-    bool was_running;     /* the live run was going at the last look */
+    char written[700];                 /* what is written then */
+    bool pictures_wanted;              /* once the run has its histories */
+    bool was_running;                  /* the live run was going at the last look */
 
     char message[640];
     enum thud_role message_role;

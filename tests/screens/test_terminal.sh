@@ -47,13 +47,21 @@ start() {
     sessions=$((sessions + 1)) # a server that is still going down must not be met again
     socket=$tmp/tmux$sessions
     mux new-session -d -s s -x "$1" -y "$2" "env PS1='ready> ' ENV= sh"
-    tries=200
-    until screen 2>/dev/null | grep -q 'ready>' || [ $tries -eq 0 ]; do
+    tries=600
+    until screen 2>/dev/null | grep -q '^ready> *$' || [ $tries -eq 0 ]; do
         tries=$((tries - 1))
         sleep 0.05
     done
 }
 command() { keys -l "$1" && keys Enter; }
+# at_shell WHAT: the shell waits for a command.  What is typed before its prompt stands may be lost, or echoed into what it prints.
+at_shell() { wait_for "$1" '^ready> *$'; }
+# as_it_was WHAT WORD: the terminal's modes are those of before
+as_it_was() {
+    at_shell "$1: the shell waits"
+    command "stty -g | cmp -s - $tmp/stty && echo sa''ne-$2"
+    wait_for "$1: the terminal is as it was" "sane-$2"
+}
 # The program that the shell of this terminal runs; others may run it too, elsewhere.
 program() { pgrep -P "$(mux list-panes -t s -F '#{pane_pid}')" | tail -n 1; }
 
@@ -107,9 +115,7 @@ mux resize-window -t s -x 80 -y 24
 keys M-1
 wait_for "back on the model" 'Peaks'
 keys C-z
-wait_for "Ctrl-Z gives the shell back" 'ready>'
-command "stty -g | cmp -s - $tmp/stty && echo sa''ne-while-stopped"
-wait_for "the shell has the terminal as it was" 'sane-while-stopped'
+as_it_was "Ctrl-Z" stopped
 mux resize-window -t s -x 132 -y 30
 command "fg; echo status=\$?"
 wait_for "it comes back in the size that the terminal has now" 'T1 0.398 s ──────────────────────────────'
@@ -117,9 +123,8 @@ mux resize-window -t s -x 80 -y 24
 wait_for "fg draws everything again" 'Left: A'
 keys Escape Escape q
 wait_for "q quits with status 0" 'status=0'
-wait_for "and what stood there before is there again" 'before'
-command "stty -g | cmp -s - $tmp/stty && echo sa''ne"
-wait_for "the terminal is as it was" '^sane'
+wait_for "and what stood there before is there again" '^before'
+as_it_was "q" ended
 
 start 80 24
 command "$THUD $tmp/mine.yaml --set gap=7cm --tolerance 1e-8"
@@ -139,15 +144,15 @@ for pair in TERM=143 INT=130 HUP=129 SEGV=139 ABRT=134; do
     wait_for "${pair%=*}: edited" '\[+\]'
     child=$(program)
     kill "-${pair%=*}" "$child"
-    tries=200
+    tries=600
     while kill -0 "$child" 2>/dev/null && [ $tries -gt 0 ]; do
         tries=$((tries - 1))
         sleep 0.05
     done
+    at_shell "${pair%=*}: the shell is back"
     command "echo status=\$?"
     wait_for "${pair%=*} ends it with status ${pair#*=}" "status=${pair#*=}"
-    command "stty -g | cmp -s - $tmp/stty && echo sa''ne"
-    wait_for "${pair%=*}: the terminal is as it was" '^sane'
+    as_it_was "${pair%=*}" ended
     case $pair in
     TERM* | HUP* | INT*)
         if grep -q 'gap: 9 cm' "$tmp/mine.yaml.recovered"; then ok "${pair%=*}: the edit is in the recovery file"; else bad "${pair%=*}: no recovery file"; fi
@@ -163,15 +168,14 @@ command "stty -g >$tmp/stty; $THUD $tmp/mine.yaml; echo status=\$?"
 wait_for "Ctrl-C: running" 'ok *$'
 child=$(program)
 kill -TSTP "$child"
-wait_for "SIGTSTP stops it" 'ready>'
+at_shell "SIGTSTP stops it"
 command "fg >/dev/null"
 wait_for "and it goes on" 'Left: A'
 keys C-c
-wait_for "Ctrl-C: the shell is back" '^ready> *$'
+at_shell "Ctrl-C: the shell is back"
 command "echo status=\$?"
 wait_for "Ctrl-C ends it with status 130" 'status=130'
-command "stty -g | cmp -s - $tmp/stty && echo sa''ne"
-wait_for "Ctrl-C: the terminal is as it was" '^sane'
+as_it_was "Ctrl-C" ended
 
 # The numbers of the screens are those of the command line: every floor, two cases, three digits.
 cp "$root/presets/towers.yaml" "$tmp/mine.yaml"
@@ -239,7 +243,8 @@ click 5 7
 wait_for "a click on a name goes to its field" 'stiffness *▸'
 key m "turns it off again" 'Mouse off'
 keys q
-key y "quits without saving, where asked" 'ready> *$'
+keys y
+at_shell "y quits without saving, where asked"
 
 # README shows the first screen as it is (but for the time it took).
 start 80 24
@@ -263,7 +268,7 @@ wait_for "LC_ALL=C draws in ASCII" '+ Left: A'
 keys g 5
 wait_for "also the plots" 'Impact force'
 keys q
-wait_for "quit" 'ready>'
+wait_for "quit" '^ready> ' # this terminal keeps what was drawn
 if LC_ALL=C tr -d '\001-\177' <"$tmp/raw" | grep -q .; then bad "no byte above 0x7f"; else ok "no byte above 0x7f"; fi
 
 start 80 24
@@ -271,7 +276,7 @@ mux pipe-pane -t s "cat >$tmp/raw"
 command "NO_COLOR=1 $THUD towers"
 wait_for "NO_COLOR: running" 'Left: A'
 keys q
-wait_for "NO_COLOR: quit" 'ready>'
+at_shell "NO_COLOR: quit"
 if LC_ALL=C grep -q "$(printf '\033')\[[0-9;]*3[0-7]m" "$tmp/raw"; then bad "NO_COLOR: no colour is written"; else ok "NO_COLOR: no colour is written"; fi
 
 "$THUD" towers </dev/null >"$tmp/out" 2>"$tmp/err"
