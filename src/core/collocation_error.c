@@ -18,6 +18,10 @@ double thud_collocation_scale(const struct thud_run *run, const struct thud_coll
     return thud_larger(scale, run->model->contact[c].setup.mass_kg * thud_larger(1e-6 * run->ground_mps2, 1e-9));
 }
 
+/* What rounding leaves of a polynomial through the points, over the force: taken for an error it would keep a step that
+ * has once become short, before a kink or after a touch, from ever growing again. */
+static const double polynomial_noise = 4e-12;
+
 /* Whether a contact is so young that its force has no smooth past: most of the indentation at the end of the step is
  * made in it, with the speed hardly lost. */
 static bool has_just_begun(const double *indentation, int terms)
@@ -73,8 +77,10 @@ static double contact_error(struct thud_run *run, const struct thud_collocation 
     const struct thud_contact_state *s = &run->contact[c];
     double *p = run->indentation + c * THUD_SEGMENT_TERMS, mass = run->model->contact[c].setup.mass_kg;
     thud_contact_polynomial(run, c);
+    if (s->zeros.indentation > 0)
+        p[0] = 0; /* just touched, as the forces at the points take it */
     double difference = force_difference(run, x, c, p, h);
-    double error = difference / thud_collocation_scale(run, x, a);
+    double error = thud_larger(difference / thud_collocation_scale(run, x, a) - polynomial_noise, 0);
     if (s->mode == THUD_CLOSED && s->phase == THUD_APPROACH && has_just_begun(p, run->seg.terms)) {
         double ground = run->fastest_radps > 0 ? run->ground_mps2 / run->fastest_radps : 0;
         double speed = s->memory.v_imp_mps < 1e-7 * ground ? ground : s->memory.v_imp_mps; /* pushed, or thrown */

@@ -1,0 +1,28 @@
+/* Random scenes by every way that must give the same answer: tolerances, methods, the mirror, other units, halved
+ * intervals, histories kept, a study with and without its savings.  usage: cross [FIRST [COUNT [WORD]]]    seeds; only
+ * the checks with this word in their names.  A line for each disagreement that the scene's own sensitivity does not
+ * explain. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "../unit/scenes_check.h"
+
+int main(int argc, char **argv)
+{
+    unsigned long long first = argc > 1 ? strtoull(argv[1], NULL, 10) : 1;
+    long count = argc > 2 ? strtol(argv[2], NULL, 10) : 500;
+    struct scenes_tally tally = {.only = argc > 3 ? argv[3] : "", .slow = true};
+    for (long i = 0; i < count; i++) {
+        clock_t before = clock();
+        scenes_check(first + (unsigned long long)i, &tally);
+        double took_s = (double)(clock() - before) / CLOCKS_PER_SEC;
+        if (took_s > 20)
+            printf("# %llu: %.0f s\n", first + (unsigned long long)i, took_s);
+        fflush(stdout);
+    }
+    scenes_tally_print(&tally, stdout);
+    return tally.wrong > 0;
+}

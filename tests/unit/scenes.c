@@ -1,0 +1,443 @@
+#include "scenes.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/trunk.h"
+
+/* ---- chance: SplitMix64 (Steele, Lea and Flood 2014) ---- */
+
+static unsigned long long state;
+
+static unsigned long long next(void)
+{
+    unsigned long long z = state += 0x9e3779b97f4a7c15ull;
+    z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9ull;
+    z = (z ^ z >> 27) * 0x94d049bb133111ebull;
+    return z ^ z >> 31;
+}
+
+static double between(double a, double b)
+{
+    return a + (b - a) * (double)(next() >> 11) * 0x1p-53;
+}
+
+static double between_log(double a, double b)
+{
+    return a * pow(b / a, between(0, 1));
+}
+
+static int below(int n)
+{
+    return (int)(next() % (unsigned long long)n);
+}
+
+static bool chance(double p)
+{
+    return between(0, 1) < p;
+}
+
+static double one_of(const double *list, int n)
+{
+    return list[below(n)];
+}
+#define ONE_OF(...) one_of((const double[]){__VA_ARGS__}, (int)(sizeof((double[]){__VA_ARGS__}) / sizeof(double)))
+
+/* ---- structures ---- */
+
+/* The stiffness that gives n equal floors on n equal storeys this first period. */
+static double storey_stiffness(int n, double mass, double period)
+{
+    double pi = acos(-1), s = pi / period / sin(pi / (2 * (2 * n + 1)));
+    return mass * s * s;
+}
+
+static void draw_floors(struct thud_structure *s, double mass, double period)
+{
+    double stiffness = storey_stiffness(s->storeys, mass, period);
+    bool uneven = chance(0.4), tall = chance(0.2), half = chance(0.1);
+    for (int i = 0; i < s->storeys; i++) {
+        s->mass_kg[i] = mass * (uneven ? between(0.5, 1.5) : 1);
+        s->stiffness_npm[i] = stiffness * (uneven ? between_log(0.5, 2) : 1);
+        s->height_m[i] = tall && i == 0 ? 4.5 : half ? 1.5 : 3;
+    }
+}
+
+static void draw_structure(struct thud_structure *s, int index, double mass, bool extreme)
+{
+    int pick = below(20);
+    thud_structure_init(s, pick < 12 ? THUD_SHEAR : pick < 15 ? THUD_RIGID : pick < 18 ? THUD_ISOLATED : THUD_WALL);
+    snprintf(s->name, sizeof s->name, "%c", 'A' + index);
+    double m = mass * (extreme ? between_log(1e-3, 1e3) : between_log(0.3, 3));
+    s->storeys = s->kind == THUD_WALL ? 0 : s->kind == THUD_RIGID ? 1 : 1 + below(chance(0.3) ? 12 : 4);
+    s->damping = ONE_OF(0, 0.001, 0.02, 0.05, 0.05, 0.05, 0.2, between(0, 0.2), 0.7);
+    if (s->kind == THUD_SHEAR || s->kind == THUD_ISOLATED)
+        draw_floors(s, m, extreme ? between_log(0.005, 20) : between_log(0.1, 2));
+    if (s->kind == THUD_RIGID) {
+        s->mass_kg[0] = m;
+        s->height_m[0] = chance(0.5) ? NAN : 3.0 * (1 + below(3));
+        s->velocity_mps = chance(0.5) ? 0 : between(-1, 1);
+    }
+    if (s->kind == THUD_WALL)
+        s->height_m[0] = chance(0.7) ? INFINITY : 3.0 * below(4);
+    if (s->kind == THUD_ISOLATED) {
+        double total = s->base_mass_kg = m * between_log(0.3, 3), w = 2 * acos(-1) / between_log(0.8, 4);
+        for (int i = 0; i < s->storeys; i++)
+            total += s->mass_kg[i];
+        s->isolation_stiffness_npm = total * w * w;
+        s->isolation_damping = ONE_OF(0, 0.1, 0.1, 0.3, 0.6);
+    }
+}
+
+/* ---- ground motion ---- */
+
+static void draw_record(struct scenes_one *one)
+{
+    int n = 2 + below(chance(0.5) ? 60 : 500), kind = below(5), quiet = chance(0.3) ? below(n) : 0;
+    double dt = ONE_OF(0.02, 0.01, 0.005, 0.0137, 0.1, 1.0 / 3, 0.02, 0.01), *a = calloc((size_t)n, sizeof *a);
+    double w = 2 * acos(-1) / between_log(0.15, 2), most = 0, walk = 0;
+    assert(a);
+    n = (n - 1) * dt > 8 ? 1 + (int)(8 / dt) : n;
+    n = n < 2 ? 2 : n;
+    for (int i = quiet < n ? quiet : 0; i < n; i++) {
+        double t = i * dt;
+        walk = 0.9 * walk + between(-1, 1);
+        a[i] = kind == 0   ? sin(w * t)
+               : kind == 1 ? walk * sin(w * t)
+               : kind == 2 ? (chance(0.1) ? between(-1, 1) : 0)
+               : kind == 3 ? (t < 0.5 * n * dt ? 1
+                              : chance(0.5)    ? -1
+                                               : 0)
+                           : walk;
+    }
+    for (int i = 0; i < n; i++)
+        most = fmax(most, fabs(a[i]));
+    double peak = chance(0.2) ? between_log(1e-6, 1e3) : between_log(0.5, 20);
+    for (int i = 0; i < n && most > 0; i++)
+        a[i] *= peak / most;
+    enum thud_status status = thud_record_create(a, (size_t)n, dt, &one->record, NULL);
+    assert(status == THUD_OK);
+    (void)status;
+    free(a);
+    strcpy(one->scene.record.file, "drawn");
+    strcpy(one->record->file, "drawn");
+    one->scene.analysis.tail_s = ONE_OF(0, 1, between(0, 2), 5 * dt, 1e-3);
+}
+
+/* ---- interfaces ---- */
+
+static void set_value(struct thud_law_choice *choice, const char *name, double value)
+{
+    int i = thud_law_param(choice->law, name);
+    if (i >= 0)
+        choice->value[i] = value;
+}
+
+/* A law whose contact of this mass takes about a quarter of the period, at indentations near `size_m`. */
+static void draw_law(struct thud_law_choice *choice, const char *name, double mass, double size_m)
+{
+    double w = 2 * acos(-1) / between_log(0.004, 0.3), k = mass * w * w;
+    thud_law_choice_init(choice, thud_law_find(name));
+    int power = thud_law_param(choice->law, "exponent");
+    double n = power >= 0 ? (chance(0.4) ? choice->value[power] : between(1, 4)) : strcmp(name, "hertz") == 0 ? 1.5 : 1;
+    set_value(choice, "exponent", n);
+    set_value(choice, "stiffness", k * pow(0.02 * size_m, 1 - n));
+    set_value(choice, "restitution", ONE_OF(1, 0.6, 0.5, 0.8, between(0.05, 1), between(0.3, 0.9)));
+    set_value(choice, "post-yield", k * between_log(0.1, 100));
+    set_value(choice, "max-strain", ONE_OF(0.8, between(0.3, 0.95)));
+    set_value(choice, "speed-floor", ONE_OF(1e-3, 1e-3, 1e-5, 0.1));
+    for (int i = 0; i < choice->law->nparams; i++) {
+        const struct thud_param *p = &choice->law->params[i];
+        int words = 0;
+        while (p->kind == THUD_PARAM_CHOICE && p->choices[words])
+            words++;
+        if (words > 0)
+            choice->value[i] = below(words);
+    }
+    if (strcmp(name, "jankowski") == 0 && n != 1.5)
+        set_value(choice, "damping", 1);
+}
+
+static const char *draw_bare_law(void)
+{
+    for (;;) {
+        const struct thud_law *law = thud_law_at(below(thud_law_count()));
+        if (strcmp(law->name, "rubber") != 0 && (!(law->flags & THUD_LAW_SILENT) || chance(0.2)))
+            return law->name;
+    }
+}
+
+/* `closing_m`: the largest without contact. */
+static void draw_interface(struct thud_interface *at, double mass, double size_m, double closing_m, const char *law)
+{
+    memset(at, 0, sizeof *at);
+    thud_interface_init(at);
+    double clearance = closing_m * ONE_OF(0, 1e-6, 0.5, 0.9, 0.999, 1, 1.001, 3, between(0, 1), between(0, 1),
+                                          between_log(1e-3, 1), between_log(0.1, 1), between_log(0.1, 1));
+    draw_law(&at->contact, law, mass, size_m);
+    at->has_bumper = chance(0.35);
+    at->gap_m = fmin(clearance, 4);
+    if (!at->has_bumper)
+        return;
+    thud_interface_add_bumper(at);
+    at->bumper_thickness_m = fmin(size_m * between_log(0.02, 1), 1);
+    draw_law(&at->bumper, chance(0.75) ? "rubber" : draw_bare_law(), mass, size_m);
+    double strain = thud_interface_max_strain(at);
+    at->bumper_cavity_m = at->bumper_thickness_m * ONE_OF(0, 0, between(0, 0.9), isfinite(strain) ? 1 - strain : 0.2);
+    at->gap_m += at->bumper_thickness_m - at->bumper_cavity_m;
+}
+
+/* The motion without contact: its largest displacement, and the largest closing of each interface. */
+static bool look_without_contact(struct scenes_one *one, double *closing)
+{
+    struct thud_model *model;
+    struct thud_trunk *trunk;
+    struct thud_run_options options;
+    bool ok = thud_scene_assemble(&one->scene, &model, NULL) == THUD_OK;
+    if (!ok)
+        return false;
+    thud_run_options_init(&options);
+    options.tail_s = one->scene.analysis.tail_s;
+    ok = thud_trunk_create(model, one->record, &options, &trunk, NULL) == THUD_OK;
+    for (bool done = false; ok && !done;)
+        ok = thud_trunk_advance(trunk, 1000, &done, NULL) == THUD_OK;
+    for (int c = 0; ok && c < model->ncontacts; c++) {
+        double *most = &closing[model->contact[c].interface - 1];
+        *most = fmax(*most, thud_trunk_closing(trunk, c));
+    }
+    one->peak_m = 0;
+    for (int s = 0; ok && s < model->nstructures; s++)
+        for (int i = 0; i < model->structure[s].n; i++)
+            one->peak_m = fmax(one->peak_m, thud_trunk_result(trunk)->structure[s].floor[i].displacement.value);
+    if (ok)
+        thud_trunk_free(trunk);
+    thud_model_free(model);
+    return ok;
+}
+
+static bool draw(struct scenes_one *one)
+{
+    struct thud_scene *scene = &one->scene;
+    double closing[THUD_STRUCTURES_MAX] = {0}, mass = between_log(1e4, 1e6);
+    bool extreme = chance(0.15);
+    thud_scene_init(scene);
+    strcpy(scene->name, "drawn");
+    scene->nstructures = chance(0.05) ? 1 : chance(0.6) ? 2 : 3 + below(4);
+    for (int s = 0; s < scene->nstructures; s++) {
+        bool same = s > 0 && chance(0.12);
+        if (same)
+            scene->structure[s] = scene->structure[s - 1];
+        else
+            draw_structure(&scene->structure[s], s, mass, extreme);
+        scene->structure[s].name[0] = (char)('A' + s);
+    }
+    if (chance(0.9))
+        draw_record(one);
+    else
+        scene->analysis.tail_s = between_log(0.1, 5);
+    for (int i = 0; i + 1 < scene->nstructures; i++) {
+        thud_interface_init(&scene->interface[i]);
+        scene->interface[i].has_bumper = false;
+    }
+    if (!look_without_contact(one, closing) || !(one->peak_m > 0))
+        return false;
+    const char *law = draw_bare_law();
+    for (int i = 0; i + 1 < scene->nstructures; i++)
+        draw_interface(&scene->interface[i], mass, fmax(one->peak_m, 1e-9), closing[i],
+                       chance(0.5) ? law : draw_bare_law());
+    return thud_scene_check(scene, NULL) == THUD_OK;
+}
+
+void scenes_draw(struct scenes_one *one, unsigned long long seed)
+{
+    state = seed * 0xd1342543de82ef95ull + 1;
+    next();
+    for (bool drawn = false; !drawn;) {
+        *one = (struct scenes_one){.seed = seed};
+        drawn = draw(one);
+        if (!drawn)
+            thud_record_free(one->record);
+    }
+}
+
+void scenes_clear(struct scenes_one *one)
+{
+    thud_record_free(one->record);
+    one->record = NULL;
+}
+
+static void replace_record(struct scenes_one *one, const double *a, size_t samples, double dt)
+{
+    struct thud_record *made;
+    enum thud_status status = thud_record_create(a, samples, dt, &made, NULL);
+    assert(status == THUD_OK);
+    (void)status;
+    one->record = made;
+}
+
+void scenes_copy(struct scenes_one *to, const struct scenes_one *from)
+{
+    *to = *from;
+    if (from->record)
+        replace_record(to, from->record->a_mps2, from->record->samples, from->record->dt_s);
+}
+
+void scenes_describe(const struct scenes_one *one, char *text, size_t size)
+{
+    static const char *const kinds[] = {"shear", "rigid", "isolated", "wall"};
+    size_t at = (size_t)snprintf(text, size, "%llu:", one->seed);
+    for (int s = 0; s < one->scene.nstructures && at < size; s++) {
+        const struct thud_structure *p = &one->scene.structure[s];
+        at += (size_t)snprintf(text + at, size - at, " %s %d (%.2g)", kinds[p->kind], p->storeys, p->damping);
+        if (s + 1 < one->scene.nstructures && at < size) {
+            const struct thud_interface *i = &one->scene.interface[s];
+            at += (size_t)snprintf(text + at, size - at, " |%s %.3g|",
+                                   i->has_bumper ? i->bumper.law->name : i->contact.law->name,
+                                   thud_interface_clearance(i));
+        }
+    }
+    if (at < size && one->record)
+        snprintf(text + at, size - at, "; %zu x %g s of %.3g, tail %g, peak %.3g m", one->record->samples,
+                 one->record->dt_s, thud_record_peak(one->record), one->scene.analysis.tail_s, one->peak_m);
+}
+
+/* ---- what must change nothing ---- */
+
+void scenes_mirror(struct scenes_one *one)
+{
+    struct thud_scene *was = malloc(sizeof *was), *s = &one->scene;
+    assert(was);
+    *was = *s;
+    for (int i = 0; i < s->nstructures; i++) {
+        s->structure[i] = was->structure[s->nstructures - 1 - i];
+        if (s->structure[i].kind == THUD_RIGID)
+            s->structure[i].velocity_mps = -s->structure[i].velocity_mps;
+    }
+    for (int i = 0; i + 1 < s->nstructures; i++)
+        s->interface[i] = was->interface[s->nstructures - 2 - i];
+    if (one->record)
+        thud_record_scale(one->record, -1);
+    free(was);
+}
+
+void scenes_halve(struct scenes_one *one)
+{
+    if (!one->record)
+        return;
+    struct thud_record *old = one->record;
+    size_t n = 2 * old->samples - 1;
+    double *a = malloc(n * sizeof *a);
+    assert(a);
+    for (size_t i = 0; i < n; i++)
+        a[i] = i % 2 == 0 ? old->a_mps2[i / 2] : 0.5 * (old->a_mps2[i / 2] + old->a_mps2[i / 2 + 1]);
+    replace_record(one, a, n, old->dt_s / 2);
+    thud_record_free(old);
+    free(a);
+}
+
+void scenes_pad(struct scenes_one *one, int zeros)
+{
+    if (!one->record)
+        return;
+    struct thud_record *old = one->record;
+    int room = (int)floor(one->scene.analysis.tail_s / old->dt_s * (1 - 1e-12)) - 1; /* the first zero ends a ramp */
+    zeros = zeros < room ? zeros : room;
+    bool ends_at_zero = old->a_mps2[old->samples - 1] == 0;
+    if (zeros <= 0 || !ends_at_zero)
+        return;
+    size_t n = old->samples + (size_t)zeros;
+    double *a = calloc(n, sizeof *a);
+    assert(a);
+    memcpy(a, old->a_mps2, old->samples * sizeof *a);
+    replace_record(one, a, n, old->dt_s);
+    one->scene.analysis.tail_s -= zeros * old->dt_s;
+    thud_record_free(old);
+    free(a);
+}
+
+static struct thud_law_choice *law_in_use(struct thud_interface *at)
+{
+    return at->has_bumper ? &at->bumper : &at->contact;
+}
+
+static double value_of(const struct thud_law_choice *choice, const char *name, double absent)
+{
+    int i = thud_law_param(choice->law, name);
+    return i >= 0 ? choice->value[i] : absent;
+}
+
+static bool is_rubber(const struct thud_law_choice *choice)
+{
+    return strcmp(choice->law->name, "rubber") == 0;
+}
+
+bool scenes_heavier(struct scenes_one *one, double factor)
+{
+    struct thud_scene *s = &one->scene;
+    for (int i = 0; i < s->nstructures; i++) {
+        struct thud_structure *p = &s->structure[i];
+        for (int f = 0; f < p->storeys; f++) {
+            p->mass_kg[f] *= factor;
+            p->stiffness_npm[f] *= factor;
+        }
+        p->base_mass_kg *= factor;
+        p->isolation_stiffness_npm *= factor;
+    }
+    for (int i = 0; i + 1 < s->nstructures; i++) {
+        struct thud_law_choice *law = law_in_use(&s->interface[i]);
+        if (is_rubber(law) && value_of(law, "damping", 0) == 0)
+            return false;
+        set_value(law, "stiffness", factor * value_of(law, "stiffness", 0));
+        set_value(law, "post-yield", factor * value_of(law, "post-yield", 0));
+    }
+    return true;
+}
+
+bool scenes_longer(struct scenes_one *one, double factor)
+{
+    struct thud_scene *s = &one->scene;
+    for (int i = 0; i < s->nstructures; i++)
+        if (s->structure[i].kind == THUD_RIGID)
+            s->structure[i].velocity_mps *= factor;
+    for (int i = 0; i + 1 < s->nstructures; i++) {
+        struct thud_interface *at = &s->interface[i];
+        struct thud_law_choice *law = law_in_use(at);
+        double n = strcmp(law->law->name, "hertz") == 0 ? 1.5 : value_of(law, "exponent", 1);
+        if (is_rubber(law) && value_of(law, "damping", 0) == 0)
+            return false;
+        set_value(law, "stiffness", pow(factor, 1 - n) * value_of(law, "stiffness", 0));
+        set_value(law, "speed-floor", factor * value_of(law, "speed-floor", 0));
+        at->gap_m *= factor;
+        at->bumper_thickness_m *= factor;
+        at->bumper_cavity_m *= factor;
+    }
+    if (one->record)
+        thud_record_scale(one->record, factor);
+    one->peak_m *= factor;
+    return true;
+}
+
+void scenes_nudge(struct scenes_one *one, int way, double eps)
+{
+    struct thud_scene *s = &one->scene;
+    double sign = way % 2 ? -1 : 1;
+    for (int i = 0; i + 1 < s->nstructures && way < 2; i++) {
+        struct thud_interface *at = &s->interface[i];
+        double out = at->has_bumper ? at->bumper_thickness_m - at->bumper_cavity_m : 0;
+        at->gap_m = fmax(at->gap_m + sign * eps * one->peak_m, out);
+    }
+    for (int i = 0; i < s->nstructures && way >= 2; i++) {
+        struct thud_structure *p = &s->structure[i];
+        double factor = 1 + sign * eps * (i % 2 ? -0.7 : 1);
+        for (int f = 0; f < p->storeys; f++)
+            p->stiffness_npm[f] *= factor;
+        p->isolation_stiffness_npm *= factor;
+        if (p->kind == THUD_RIGID) {
+            p->mass_kg[0] *= factor;
+            p->velocity_mps *= factor;
+        }
+    }
+}

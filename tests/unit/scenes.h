@@ -1,0 +1,90 @@
+/* Random scenes, and ways to run one that must not change its answer. A seed gives the same scene everywhere. */
+#ifndef THUD_TESTS_SCENES_H
+#define THUD_TESTS_SCENES_H
+
+#include "study/answer.h"
+
+/* A scene with its ground motion (NULL: none); `peak_m`: the size of its motion without contact. */
+struct scenes_one {
+    unsigned long long seed;
+    struct thud_scene scene;
+    struct thud_record *record;
+    double peak_m;
+};
+
+/* Valid by thud_scene_check. Free the record with scenes_clear. */
+void scenes_draw(struct scenes_one *one, unsigned long long seed);
+void scenes_clear(struct scenes_one *one);
+/* A copy with a record of its own. */
+void scenes_copy(struct scenes_one *to, const struct scenes_one *from);
+/* One line. */
+void scenes_describe(const struct scenes_one *one, char *text, size_t size);
+
+/* The row and the motion the other way round. */
+void scenes_mirror(struct scenes_one *one);
+/* Every interval of the record in two, half way on the line between. */
+void scenes_halve(struct scenes_one *one);
+/* `zeros` samples of nothing after the record, in place of as much of the tail; fewer where that is too short. */
+void scenes_pad(struct scenes_one *one, int zeros);
+/* Every mass, stiffness and dashpot times a power of two, which changes no bit of the motion; false where a law's
+ * damping depends on the mass. */
+bool scenes_heavier(struct scenes_one *one, double factor);
+/* Lengths, speeds and accelerations times a factor, stiffnesses so that the forces go with it; false where a law has a
+ * speed or a length of its own. */
+bool scenes_longer(struct scenes_one *one, double factor);
+/* Gaps and stiffnesses a little different: the gaps by eps times the size of the motion. Four ways. */
+enum { SCENES_NUDGES = 4 };
+void scenes_nudge(struct scenes_one *one, int way, double eps);
+
+/* A run as numbers that two runs may be compared by. */
+enum scenes_kind {
+    SCENES_ACCELERATION,
+    SCENES_DISPLACEMENT,
+    SCENES_VELOCITY,
+    SCENES_DRIFT,
+    SCENES_SHEAR,
+    SCENES_FORCE,
+    SCENES_INDENTATION,
+    SCENES_IMPULSE,
+    SCENES_LOST,
+    SCENES_FIRST, /* time of the first impact, s */
+    SCENES_TIME,  /* in contact, s */
+    SCENES_IMPACTS,
+    SCENES_KINDS
+};
+struct scenes_number {
+    enum scenes_kind kind;
+    int place; /* structure or interface, from 0 */
+    int index; /* floor or contact, from 0 */
+    double value;
+};
+struct scenes_answer {
+    enum thud_status status;
+    struct thud_error err;
+    bool stopped; /* more segments than asked for */
+    int n;
+    struct scenes_number *number; /* (n) */
+    double largest[SCENES_KINDS], natural[SCENES_KINDS];
+    double error_ratio; /* of the energies */
+    long steps;
+};
+struct scenes_options {
+    const char *method; /* NULL: exact */
+    double tolerance;
+    double step_s;
+    bool unlocated, history, no_ledger;
+    long slice; /* segments at a time; 0: 1000 */
+    long most;  /* segments; 0: no end */
+};
+void scenes_run(const struct scenes_one *one, const struct scenes_options *options, struct scenes_answer *out);
+void scenes_answer_clear(struct scenes_answer *answer);
+const char *scenes_kind_name(enum scenes_kind kind);
+
+/* Where two answers are most unlike: |a - b| over the number's own size, but no less than `least` of the largest of its
+ * kind, less what `amplify` (per number; NULL: 0) times `eps` explains. Returns the difference; *where the number. */
+double scenes_apart(const struct scenes_answer *a, const struct scenes_answer *b, double least, const double *amplify,
+                    double eps, int *where);
+/* The answer of a mirrored scene in the order of the scene itself. */
+void scenes_unmirror(const struct scenes_one *one, struct scenes_answer *answer);
+
+#endif

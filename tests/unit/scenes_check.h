@@ -1,0 +1,24 @@
+/* One random scene, answered in every way that must give the same answer. */
+#ifndef THUD_TESTS_SCENES_CHECK_H
+#define THUD_TESTS_SCENES_CHECK_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+enum { SCENES_CHECKS_MAX = 32 };
+struct scenes_tally {
+    const char *only; /* part of a check's name; "": all */
+    bool slow;        /* other methods too */
+    long scenes, pounding, wild, failed, wrong;
+    struct {
+        const char *name;
+        long made, off, skipped;
+        double worst; /* in units of what is allowed */
+    } check[SCENES_CHECKS_MAX];
+};
+
+/* Prints a line for each disagreement. */
+void scenes_check(unsigned long long seed, struct scenes_tally *tally);
+void scenes_tally_print(const struct scenes_tally *tally, FILE *out);
+
+#endif

@@ -1,0 +1,168 @@
+/* Runs of random scenes as lists of numbers, and their comparison. */
+#include <assert.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "scenes.h"
+
+static void add(struct scenes_answer *a, enum scenes_kind kind, int place, int index, double value)
+{
+    a->number[a->n++] = (struct scenes_number){kind, place, index, value};
+    if (fabs(value) > a->largest[kind])
+        a->largest[kind] = fabs(value);
+}
+
+/* Impacts of a contact that are no mere touch, and when the first of them begins. NaN, which is not compared, where one
+ * is neither strong nor weak. */
+static void add_impacts(struct scenes_answer *a, const struct thud_run *run, int c, double least_ns)
+{
+    int count, strong = 0;
+    const struct thud_impact *impact = thud_run_impacts(run, &count);
+    bool unclear = false;
+    double first = 0;
+    for (int i = 0; i < count; i++) {
+        if (impact[i].contact != c)
+            continue;
+        unclear = unclear || (impact[i].impulse_ns > 0.1 * least_ns && impact[i].impulse_ns < 10 * least_ns);
+        if (impact[i].impulse_ns > least_ns && strong++ == 0)
+            first = impact[i].start_s;
+    }
+    int interface = thud_run_result(run)->contact[c].interface - 1;
+    add(a, SCENES_FIRST, interface, c, unclear ? NAN : first);
+    add(a, SCENES_IMPACTS, interface, c, unclear ? NAN : (double)strong);
+}
+
+/* What a number of each kind may be small against: the lightest floor at the largest accelerations and speeds. */
+static void find_natural(struct scenes_answer *a, const struct thud_model *m, double end_s)
+{
+    double mass = INFINITY, speed = a->largest[SCENES_VELOCITY];
+    for (int i = 0; i < m->ndof; i++)
+        mass = fmin(mass, m->mass_kg[i]);
+    a->natural[SCENES_FORCE] = mass * a->largest[SCENES_ACCELERATION];
+    a->natural[SCENES_INDENTATION] = a->largest[SCENES_DISPLACEMENT];
+    a->natural[SCENES_IMPULSE] = mass * speed;
+    a->natural[SCENES_LOST] =
+        fmax(mass * speed * speed, 1e4 * a->largest[SCENES_FORCE] * a->largest[SCENES_INDENTATION]);
+    a->natural[SCENES_FIRST] = a->natural[SCENES_TIME] = 1e6 * end_s; /* a grazing contact lasts any time */
+}
+
+static void take(struct scenes_answer *a, const struct thud_model *model, const struct thud_run *run)
+{
+    const struct thud_result *r = thud_run_result(run);
+    int floors = 0, count;
+    for (int s = 0; s < r->nstructures; s++)
+        floors += r->structure[s].floors;
+    a->number = calloc((size_t)(4 * floors + r->nstructures + 8 * r->ncontacts + 1), sizeof *a->number);
+    assert(a->number);
+    for (int s = 0; s < r->nstructures; s++) {
+        const struct thud_structure_result *p = &r->structure[s];
+        for (int i = 0; i < p->floors; i++) {
+            add(a, SCENES_ACCELERATION, s, i, p->floor[i].acceleration.value);
+            add(a, SCENES_DISPLACEMENT, s, i, p->floor[i].displacement.value);
+            add(a, SCENES_VELOCITY, s, i, p->floor[i].velocity.value);
+            add(a, SCENES_DRIFT, s, i, p->floor[i].drift.value);
+        }
+        add(a, SCENES_SHEAR, s, 0, p->base_shear.value);
+    }
+    const struct thud_impact *impact = thud_run_impacts(run, &count);
+    double impulse = 0;
+    for (int i = 0; i < count; i++)
+        impulse = fmax(impulse, impact[i].impulse_ns);
+    for (int c = 0; c < r->ncontacts; c++) {
+        const struct thud_contact_result *p = &r->contact[c];
+        int place = p->interface - 1;
+        add(a, SCENES_FORCE, place, c, p->force.value);
+        add(a, SCENES_INDENTATION, place, c, p->indentation.value);
+        add(a, SCENES_IMPULSE, place, c, p->impulse_ns);
+        add(a, SCENES_LOST, place, c, p->dissipated_j);
+        add(a, SCENES_TIME, place, c, p->impulse_ns > 0.01 * impulse ? p->contact_time_s : NAN);
+        add_impacts(a, run, c, 1e-3 * impulse);
+    }
+    find_natural(a, model, r->end_s);
+    a->error_ratio = r->energy.error_ratio;
+    a->steps = r->work.steps;
+}
+
+void scenes_run(const struct scenes_one *one, const struct scenes_options *how, struct scenes_answer *out)
+{
+    *out = (struct scenes_answer){0};
+    struct thud_model *model = NULL;
+    struct thud_run *run = NULL;
+    struct thud_run_options options;
+    thud_run_options_init(&options);
+    options.method = thud_method_find(how->method ? how->method : "exact");
+    assert(options.method);
+    options.tolerance = how->tolerance > 0 ? how->tolerance : 1e-6;
+    options.tail_s = one->scene.analysis.tail_s;
+    options.locate = !how->unlocated;
+    options.keep_impacts = true;
+    options.keep_history = how->history;
+    options.no_ledger = how->no_ledger;
+    if (how->step_s > 0)
+        options.step_s = how->step_s;
+    long slice = how->slice > 0 ? how->slice : 1000;
+    out->status = thud_scene_assemble(&one->scene, &model, &out->err);
+    if (out->status == THUD_OK)
+        out->status = thud_run_create(model, one->record, &options, &run, &out->err);
+    for (bool done = false; out->status == THUD_OK && !done && !out->stopped;) {
+        out->status = thud_run_advance(run, slice, &done, &out->err);
+        out->stopped = how->most > 0 && thud_run_result(run)->work.steps > how->most;
+    }
+    if (run)
+        take(out, model, run);
+    thud_run_free(run);
+    thud_model_free(model);
+}
+
+void scenes_answer_clear(struct scenes_answer *answer)
+{
+    free(answer->number);
+    answer->number = NULL;
+    answer->n = 0;
+}
+
+const char *scenes_kind_name(enum scenes_kind kind)
+{
+    static const char *const names[SCENES_KINDS] = {"acceleration", "displacement", "velocity",        "drift",
+                                                    "base shear",   "force",        "indentation",     "impulse",
+                                                    "lost",         "first impact", "time in contact", "impacts"};
+    return names[kind];
+}
+
+double scenes_apart(const struct scenes_answer *a, const struct scenes_answer *b, double least, const double *amplify,
+                    double eps, int *where)
+{
+    double worst = 0;
+    *where = -1;
+    if (a->n != b->n)
+        return INFINITY;
+    for (int i = 0; i < a->n; i++) {
+        const struct scenes_number *x = &a->number[i], *y = &b->number[i];
+        if (isnan(x->value) || isnan(y->value))
+            continue;
+        double scale = fmax(fabs(y->value), least * fmax(a->largest[x->kind], b->largest[x->kind]));
+        scale = fmax(scale, least * b->natural[x->kind]);
+        double off = fabs(x->value - y->value) - (amplify ? amplify[i] * eps : 0);
+        if (x->value != y->value && !(off <= worst * scale)) {
+            worst = off / scale;
+            *where = i;
+        }
+    }
+    return worst;
+}
+
+void scenes_unmirror(const struct scenes_one *one, struct scenes_answer *answer)
+{
+    struct scenes_number *sorted = malloc(((size_t)answer->n + 1) * sizeof *sorted);
+    int structures = one->scene.nstructures, n = 0;
+    assert(sorted);
+    for (int contacts = 0; contacts < 2; contacts++)
+        for (int place = structures - 1; place >= 0; place--)
+            for (int i = 0; i < answer->n; i++)
+                if (answer->number[i].place == place && (answer->number[i].kind >= SCENES_FORCE) == (contacts > 0))
+                    sorted[n++] = answer->number[i];
+    assert(n == answer->n);
+    free(answer->number);
+    answer->number = sorted;
+}
