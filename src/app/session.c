@@ -32,7 +32,7 @@ enum thud_status thud_session_assign(struct thud_session *session, const char *a
     const char *sign = strchr(assignment, '=');
     char key[128];
     if (!sign || sign == assignment || (size_t)(sign - assignment) >= sizeof key) {
-        thud_error_set(err, THUD_USAGE, "`%.100s` changes nothing", assignment);
+        thud_error_set(err, THUD_USAGE, "\"%.100s\" changes nothing", assignment);
         thud_error_allow(err, "KEY=VALUE, e.g. gap=12cm");
         return THUD_USAGE;
     }

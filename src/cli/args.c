@@ -164,7 +164,7 @@ enum thud_status thud_args_integer(const struct thud_args *args, const char *nam
     errno = 0;
     long value = strtol(text, &end, 10);
     if (errno || end == text || *end || value < least || value > most) {
-        thud_error_set(err, THUD_USAGE, "`%.40s` is not a whole number that fits", text);
+        thud_error_set(err, THUD_USAGE, "\"%.40s\" is not a whole number that fits", text);
         thud_args_key(name, err);
         thud_error_allow(err, "%d to %d", least, most);
         return THUD_USAGE;

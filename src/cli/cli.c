@@ -106,9 +106,7 @@ static enum thud_status dispatch(int argc, char **argv, thud_screen_function *sc
         return version(err);
     assert(args.command == THUD_COMMAND_SCREEN || commands[args.command]);
     status = args.command == THUD_COMMAND_SCREEN ? open_screen(&args, screen, err) : commands[args.command](&args, err);
-    if (status != THUD_OK)
-        thud_scene_options_name(&args, err);
-    return status;
+    return status == THUD_OK ? THUD_OK : thud_scene_options_name(&args, status, err);
 }
 
 /* A message about a file begins with the file, as compilers' do; any other with the program's name. */

@@ -59,7 +59,7 @@ static enum thud_status choose_methods(struct thud_bench *bench, const char *lis
         snprintf(name, sizeof name, "%.*s", (int)(length < sizeof name ? length : sizeof name - 1), list);
         const struct thud_method *method = thud_method_find(name);
         if (!method || n == THUD_GIVEN_MAX) {
-            thud_error_set(err, THUD_USAGE, "--methods: there is no method `%s`", name);
+            thud_error_set(err, THUD_USAGE, "--methods: there is no method \"%s\"", name);
             thud_error_allow(err, "those of `thud methods`");
             return THUD_USAGE;
         }
@@ -128,7 +128,7 @@ static enum thud_status patience(const struct thud_args *args, double *out, stru
         return THUD_OK;
     enum thud_status status = thud_quantity_parse(text, THUD_TIME, NULL, &value, err);
     if (status == THUD_OK && !(value.value > 0))
-        status = thud_error_set(err, THUD_INPUT, "`%.40s` is no time to wait (more than 0 s)", text);
+        status = thud_error_set(err, THUD_INPUT, "\"%.40s\" is no time to wait (more than 0 s)", text);
     if (status != THUD_OK) {
         thud_args_key("patience", err);
         err->status = THUD_USAGE;

@@ -58,7 +58,7 @@ static enum thud_status words(const char *list, struct thud_text *out, struct th
         if (name)
             snprintf(names + n, sizeof names - n, "%s%s", n ? ", " : "", name);
     }
-    thud_error_set(err, THUD_USAGE, "there is no list of `%.40s`", list);
+    thud_error_set(err, THUD_USAGE, "there is no list of \"%.40s\"", list);
     thud_error_allow(err, "%s", names);
     return THUD_USAGE;
 }
@@ -74,12 +74,12 @@ enum thud_status thud_command_help(const struct thud_args *args, struct thud_err
         status = words(list, &text, err);
     } else if (shell) {
         if (!thud_completion(&text, shell))
-            status = thud_error_set(err, THUD_USAGE, "no completion for `%.40s` (bash, zsh, fish)", shell);
+            status = thud_error_set(err, THUD_USAGE, "no completion for \"%.40s\" (bash, zsh, fish)", shell);
     } else if (part) {
         if (!thud_manual_part(&text, part))
-            status = thud_error_set(err, THUD_USAGE, "the manual has no part `%.40s`", part);
+            status = thud_error_set(err, THUD_USAGE, "the manual has no part \"%.40s\"", part);
     } else if (id == THUD_COMMANDS) {
-        status = thud_error_set(err, THUD_USAGE, "thud has no command %.40s; see `thud help`", args->operand[0]);
+        status = thud_error_set(err, THUD_USAGE, "thud has no command \"%.40s\" (`thud help` lists them)", args->operand[0]);
     } else if (args->noperands == 0) {
         thud_help_all(&text);
     } else {

@@ -243,7 +243,7 @@ enum thud_status thud_command_record(const struct thud_args *args, struct thud_e
     if (args->noperands == 0)
         thud_error_set(err, THUD_USAGE, "thud record needs a verb");
     else
-        thud_error_set(err, THUD_USAGE, "thud record has no verb `%.40s`", args->operand[0]);
+        thud_error_set(err, THUD_USAGE, "thud record has no verb \"%.40s\"", args->operand[0]);
     thud_error_allow(err, "info, spectrum, convert, import, list, synthesize");
     return THUD_USAGE;
 }

@@ -60,7 +60,7 @@ static enum thud_status choose_savings(struct sweep *s, struct thud_error *err)
             if (strcmp(word, saving[k].name) == 0)
                 bit = saving[k].bit;
         if (!bit) {
-            thud_error_set(err, THUD_USAGE, "`%.40s` is no saving", word);
+            thud_error_set(err, THUD_USAGE, "\"%.40s\" is no saving", word);
             thud_error_key(err, "--without");
             thud_error_allow(err, "free, start, levels, none, all");
             return THUD_USAGE;
@@ -103,7 +103,7 @@ static enum thud_status find_best(struct sweep *s, struct thud_error *err)
             s->best = i;
     if (!key || s->best >= 0)
         return THUD_OK;
-    thud_error_set(err, THUD_USAGE, "`%.60s` is not varied", key);
+    thud_error_set(err, THUD_USAGE, "\"%.60s\" is not varied", key);
     thud_error_key(err, "--best");
     thud_error_allow(err, "one of the keys of --vary");
     return THUD_USAGE;

@@ -17,7 +17,7 @@ static enum thud_status blame(const char *option, struct thud_error *err)
 
 static enum thud_status refuse(const char *option, const char *text, const char *allowed, struct thud_error *err)
 {
-    thud_error_set(err, THUD_USAGE, "`%.60s` will not do", text);
+    thud_error_set(err, THUD_USAGE, "\"%.60s\" will not do", text);
     thud_error_allow(err, "%s", allowed);
     return blame(option, err);
 }
@@ -149,22 +149,24 @@ static enum thud_status parameter(const struct thud_synthesis_param *param, cons
     }
     if (thud_quantity_parse(text, param->dimension, NULL, &value, err) != THUD_OK) {
         thud_error_key(err, param->name);
-        return THUD_USAGE;
+        return THUD_INPUT;
     }
     *to = value.value;
     return THUD_OK;
 }
 
+/* `length` bytes of an assignment. Input, as an unknown key of a preset; wrong usage where it assigns nothing. */
 static enum thud_status unknown(const char *key, size_t length, struct thud_error *err)
 {
     char list[400] = "event";
     size_t n = strlen(list);
     for (size_t i = 0; i < thud_synthesis_param_count && n < sizeof list; i++)
         n += (size_t)snprintf(list + n, sizeof list - n, ", %s", thud_synthesis_params[i].name);
-    thud_error_set(err, THUD_USAGE, "a surrogate has no value `%.*s`", (int)(length < 40 ? length : 40), key);
+    enum thud_status status = key[length] == '=' ? THUD_INPUT : THUD_USAGE;
+    thud_error_set(err, status, "a surrogate has no value \"%.*s\"", (int)(length < 40 ? length : 40), key);
     thud_error_key(err, "--set");
     thud_error_allow(err, "%s", list);
-    return THUD_USAGE;
+    return status;
 }
 
 static enum thud_status assign(const char *assignment, struct thud_synthesis *synthesis, const char **event,

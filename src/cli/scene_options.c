@@ -30,6 +30,15 @@ static const char *option_at(int i, char key[KEY])
     return option;
 }
 
+/* A value that an option cannot take is wrong usage, whatever it is about. What --set says is input, as in a preset. */
+static enum thud_status of_option(enum thud_status status, struct thud_error *err)
+{
+    if (status != THUD_INPUT)
+        return status;
+    err->status = THUD_USAGE;
+    return THUD_USAGE;
+}
+
 static enum thud_status apply(const struct thud_args *args, struct thud_session *session, struct thud_error *err)
 {
     enum thud_status status = THUD_OK;
@@ -39,7 +48,7 @@ static enum thud_status apply(const struct thud_args *args, struct thud_session 
         thud_session_choose_record(session, thud_args_value(args, "record"));
     for (int i = 0; status == THUD_OK && (option = option_at(i, key)) != NULL; i++)
         if ((value = thud_args_value(args, option)) != NULL)
-            status = thud_scene_set(&session->scene, key, value, err);
+            status = of_option(thud_scene_set(&session->scene, key, value, err), err);
     const char *assignment;
     for (int i = 0; status == THUD_OK && (assignment = thud_args_repeated(args, "set", i)); i++)
         status = thud_session_assign(session, assignment, err);
@@ -103,20 +112,22 @@ static bool gives(const char *option, const char *wanted)
     return false;
 }
 
-void thud_scene_options_name(const struct thud_args *args, struct thud_error *err)
+enum thud_status thud_scene_options_name(const struct thud_args *args, enum thud_status status, struct thud_error *err)
 {
     size_t n = strlen(err->key);
     const char *assignment;
     if (n == 0 || err->column > 0) /* a column: a place inside a file, which no option wrote */
-        return;
+        return status;
     for (int i = 0; (assignment = thud_args_repeated(args, "set", i)) != NULL; i++)
         if (strncmp(assignment, err->key, n) == 0 && assignment[n] == '=')
-            return;
+            return status;
     for (int i = 0; i < args->ngiven; i++)
         if (gives(args->given[i].option->name, err->key)) {
             thud_args_key(args->given[i].option->name, err);
-            return;
+            /* a unit is not looked at before the file is read; nothing but the option can be wrong with it */
+            return strcmp(args->given[i].option->name, "unit") == 0 ? of_option(status, err) : status;
         }
+    return status;
 }
 
 double thud_scene_options_change(const struct thud_args *args, const struct thud_scene *scene)
@@ -137,7 +148,7 @@ enum thud_status thud_scene_options_case(const struct thud_args *args, enum thud
             *out = (enum thud_case)i;
             return THUD_OK;
         }
-    thud_error_set(err, THUD_USAGE, "`%.40s` is no case", word);
+    thud_error_set(err, THUD_USAGE, "\"%.40s\" is no case", word);
     thud_error_key(err, "--case");
     thud_error_allow(err, "none, bumper, cavity");
     return THUD_USAGE;

@@ -18,8 +18,8 @@ typedef enum thud_status thud_scene_work(const struct thud_args *args, struct th
 enum thud_status thud_scene_options_with(const struct thud_args *args, thud_scene_work *work, struct thud_error *err);
 
 /* A message about a key of the scene whose value came from an option is about the option, by the name that was typed.
- */
-void thud_scene_options_name(const struct thud_args *args, struct thud_error *err);
+ * Gives `status`, or THUD_USAGE where the option's value is what is wrong. */
+enum thud_status thud_scene_options_name(const struct thud_args *args, enum thud_status status, struct thud_error *err);
 
 /* --sensitivity with its value, else with that of the scene's study or 0.1 %; 0: not asked for. */
 double thud_scene_options_change(const struct thud_args *args, const struct thud_scene *scene);

@@ -94,7 +94,7 @@ static enum thud_status check(const struct thud_synthesis *s, struct thud_error 
     if (s->seed != floor(s->seed))
         return refuse(err, "seed", "must be a whole number");
     if (s->hold_s < s->rise_s)
-        return refuse(err, "hold", "must not be before `rise`");
+        return refuse(err, "hold", "must not be before rise");
     if (s->duration_s / s->dt_s > 1e7)
         return refuse(err, "duration", "more than ten million samples");
     double half = s->pulse_cycles * s->pulse_period_s / 2;

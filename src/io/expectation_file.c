@@ -46,7 +46,7 @@ static int column(const struct record_line *line, int i)
 static enum thud_status refuse(const struct csv_lines *lines, const struct record_line *line, int field,
                                const char *what, const char *allowed, struct thud_error *err)
 {
-    record_refuse(lines->cursor.source, lines->line, column(line, field), err, "`%.60s` %s",
+    record_refuse(lines->cursor.source, lines->line, column(line, field), err, "\"%.60s\" %s",
                   csv_lines_field(lines, (size_t)field), what);
     thud_error_allow(err, "%s", allowed);
     return THUD_INPUT;

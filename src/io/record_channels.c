@@ -42,7 +42,7 @@ static enum thud_status ask(const struct record_source *source, const struct rec
     for (int i = 0; i < channels->count && n < sizeof list - 70; i++)
         n += (size_t)snprintf(list + n, sizeof list - n, "%s%d %s", i ? ", " : "", i + 1, channels->of[i].name);
     if (wanted[0])
-        record_refuse(source, 0, 0, err, "there is no channel `%s`", wanted);
+        record_refuse(source, 0, 0, err, "there is no channel \"%s\"", wanted);
     else
         record_refuse(source, 0, 0, err, "%d channels, and --channel does not say which", channels->count);
     thud_error_key(err, "channel");

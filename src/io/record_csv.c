@@ -114,8 +114,8 @@ static enum thud_status read_row(struct record_table *table, const struct csv_li
     const char *word = csv_lines_field(lines, bad);
     if (table->rows > 0 || scan == RECORD_RANGE)
         return record_refuse(table->source, lines->line, 0, err,
-                             scan == RECORD_RANGE ? "`%.40s` is too large a number"
-                             : *word              ? "`%.40s` is not a number"
+                             scan == RECORD_RANGE ? "\"%.40s\" is too large a number"
+                             : *word              ? "\"%.40s\" is not a number"
                                                   : "an empty field%s",
                              word);
     enum thud_status status = THUD_OK;

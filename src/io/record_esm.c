@@ -57,10 +57,10 @@ static enum thud_status read_key(const struct record_source *source, const struc
         raw->factor = record_unit(text);
         raw->factor_line = line->number;
         if (raw->factor == 0)
-            return record_refuse(source, line->number, 0, err, "`%s` is not a unit of acceleration", text);
+            return record_refuse(source, line->number, 0, err, "\"%s\" is not a unit of acceleration", text);
     }
     if (value_of(line, "DATA_TYPE:", text, sizeof text) && text[0] && strcmp(text, "ACCELERATION") != 0)
-        return record_refuse(source, line->number, 0, err, "this file holds `%s`, not accelerations", text);
+        return record_refuse(source, line->number, 0, err, "this file holds \"%s\", not accelerations", text);
     return THUD_OK;
 }
 

@@ -71,7 +71,7 @@ static enum thud_status settle(const struct record_source *source, const struct 
 {
     double unit = choice->unit[0] ? record_unit(choice->unit) : NAN;
     if (unit == 0) {
-        thud_error_set(err, THUD_INPUT, "`%s` is not a unit of acceleration", choice->unit);
+        thud_error_set(err, THUD_INPUT, "\"%s\" is not a unit of acceleration", choice->unit);
         thud_error_key(err, "unit");
         thud_error_allow(err, "%s", record_unit_allowed);
         return THUD_INPUT;

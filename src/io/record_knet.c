@@ -78,7 +78,7 @@ static enum thud_status read_header(const struct record_source *source, struct r
         if (record_begins(&line, "Memo"))
             return THUD_OK;
     }
-    return record_refuse(source, cursor->line, 0, err, "the header does not end in a line `Memo.`");
+    return record_refuse(source, cursor->line, 0, err, "the header does not end in a line \"Memo.\"");
 }
 
 static enum thud_status read_knet(const struct record_source *source, const struct thud_record_choice *choice,

@@ -191,7 +191,7 @@ enum thud_status record_refuse_scan(const struct record_source *source, const st
     const char *what = scan == RECORD_RANGE      ? "is too large a number"
                        : scan == RECORD_TOUCHING ? "are numbers that touch and cannot be told apart"
                                                  : "is not a number";
-    return record_refuse(source, line->number, (int)(at - line->at) + 1, err, "`%s` %s", word, what);
+    return record_refuse(source, line->number, (int)(at - line->at) + 1, err, "\"%s\" %s", word, what);
 }
 
 double record_number_at(const char **at, const char *end)

@@ -85,7 +85,7 @@ enum thud_status record_table_name(struct record_table *table, size_t i, const c
     const char *word = name + (*name == '-' || *name == '+');
     if (strcasecmp(word, "nan") == 0 || strcasecmp(word, "inf") == 0 || strcasecmp(word, "infinity") == 0 ||
         (*word == '*' && strspn(word, "*") == strlen(word) && word[1]))
-        return record_refuse(table->source, line, 0, err, "`%.40s` is not a number", name);
+        return record_refuse(table->source, line, 0, err, "\"%.40s\" is not a number", name);
     if (i < TABLE_COLUMNS_MAX) {
         record_copy(table->name[i], sizeof table->name[i], name, name + strlen(name));
         table->names = i + 1;

@@ -16,7 +16,7 @@ enum thud_status thud_scene_options(const struct thud_scene *scene, struct thud_
     out->method = thud_method_find(a->method);
     if (out->method)
         return THUD_OK;
-    thud_error_set(err, THUD_INPUT, "no method is called `%s`", a->method);
+    thud_error_set(err, THUD_INPUT, "no method is called \"%s\"", a->method);
     thud_error_key(err, "method");
     thud_error_allow(err, "auto, or one of `thud methods`");
     return THUD_INPUT;

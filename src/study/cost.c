@@ -56,7 +56,7 @@ enum thud_status thud_cost_axis_find(const char *name, enum thud_cost_axis *out,
             *out = (enum thud_cost_axis)i;
             return THUD_OK;
         }
-    thud_error_set(err, THUD_USAGE, "--cost: there is no `%.40s`", name);
+    thud_error_set(err, THUD_USAGE, "--cost: there is no \"%.40s\"", name);
     thud_error_allow(err, "storeys, buildings, duration or impacts");
     return THUD_USAGE;
 }

@@ -224,7 +224,7 @@ enum thud_status thud_term_open(struct thud_backend *backend, bool ascii, bool c
         return thud_error_set(err, THUD_USAGE,
                               "no terminal: the screens need one; `thud help` lists what works without");
     if (!can_move(name))
-        return thud_error_set(err, THUD_USAGE, "TERM is '%s': the screens need a terminal with a movable cursor",
+        return thud_error_set(err, THUD_USAGE, "TERM is \"%s\": the screens need a terminal with a movable cursor",
                               name ? name : "");
     setlocale(LC_CTYPE, "");
     bool utf8 = strcmp(nl_langinfo(CODESET), "UTF-8") == 0 && strcmp(name, "linux") != 0;
@@ -232,7 +232,7 @@ enum thud_status thud_term_open(struct thud_backend *backend, bool ascii, bool c
     SCREEN *screen = newterm(NULL, stdout, stdin);
     if (!screen) {
         thud_term_signal_close();
-        return thud_error_set(err, THUD_USAGE, "TERM is '%s', which this machine does not know", name);
+        return thud_error_set(err, THUD_USAGE, "TERM is \"%s\", which this machine does not know", name);
     }
     the_terminal = (struct term){.open = true};
     set_escdelay(25);

@@ -111,7 +111,7 @@ while read -r command; do
 done <"$tmp/commands"
 is "each is in the list, and its help is the same both ways${wrong:+:$wrong}" [ -z "$wrong" ]
 is "help of a command there is not" gives 2 help fly
-is "says so" says "no command fly"
+is "says so" says "no command .fly."
 find presets -name '*.yaml' | sed 's/.*\///; s/.yaml$//' | sort >"$tmp/files"
 gives 0 help --words presets
 sort "$tmp/out" >"$tmp/words"

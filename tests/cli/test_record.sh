@@ -29,7 +29,7 @@ for name in kobe northridge san-fernando; do
     is "$name made again by the README's command, byte for byte" cmp -s "records/$name-surrogate.csv" "$tmp/$name-surrogate.csv"
 done
 is "another seed is another motion" gives 0 record synthesize --set seed=7
-is "an unknown value of a surrogate is wrong usage" gives 2 record synthesize --set pulse-lenght=3
+is "an unknown value of a surrogate is bad input, as an unknown key" gives 3 record synthesize --set pulse-lenght=3
 is "and the known ones are named" says pulse-period
 
 printf '0.1\n-0.2\n0.3\n' >"$tmp/bare.txt"
@@ -46,7 +46,7 @@ is "a part without samples is bad input" gives 3 record info "$tmp/bare.txt" --d
 is "of --from" says '^thud: --from: '
 is "a step that is too long" gives 3 record info "$tmp/bare.txt" --dt 0.01s --unit g --resample 5s
 is "is one of --resample" says '^thud: --resample: '
-is "a unit there is not" gives 3 record info "$tmp/bare.txt" --dt 0.01s --unit furlong
+is "a unit there is not" gives 2 record info "$tmp/bare.txt" --dt 0.01s --unit furlong
 is "is one of --unit" says '^thud: --unit: '
 is "a missing file is bad input" gives 3 record info "$tmp/none.csv"
 is "a folder is bad input" gives 3 record info "$tmp"
@@ -124,7 +124,7 @@ is "a folder there is not is bad input" gives 3 record list "$tmp/nowhere"
 is "with its name" says "nowhere: No such file"
 is "two folders are one too many" gives 2 record list records presets
 is "a surrogate is made of no file" gives 2 record synthesize kobe-surrogate.csv
-is "a surrogate's value in a wrong unit" gives 2 record synthesize --set duration=5m
+is "a surrogate's value in a wrong unit" gives 3 record synthesize --set duration=5m
 is "is named" says "^thud: duration: "
 
 if command -v gnuplot >/dev/null 2>&1; then

@@ -25,14 +25,14 @@ END_TEST
 
 START_TEST(numbers_that_are_none)
 {
-    refuses("time_s,acceleration_mps2\n0,0.1\n0.01,NaN\n0.02,0.3\n", 3, "", "`NaN` is not a number");
-    refuses("time_s,acceleration_mps2\n0,nan\n0.01,1\n0.02,0.3\n", 2, "", "`nan` is not a number");
+    refuses("time_s,acceleration_mps2\n0,0.1\n0.01,NaN\n0.02,0.3\n", 3, "", "\"NaN\" is not a number");
+    refuses("time_s,acceleration_mps2\n0,nan\n0.01,1\n0.02,0.3\n", 2, "", "\"nan\" is not a number");
     refuses("time_s,acceleration_mps2\n0,inf\n0.01,1\n", 2, "", "not a number");
     refuses("0 inf\n0.01 1\n", 1, "", "not a number");
     refuses("time_s,acceleration_mps2\n0,1e999\n0.01,1\n", 2, "", "too large");
     refuses("time_s,acceleration_mps2\n0,1\n0.01,\n0.02,2\n", 3, "", "1 value");
     refuses("time_s,a (g),b\n0,1,2\n0.01,,3\n0.02,2,1\n", 3, "", "empty field");
-    refuses("1\n2\n3x\n4\n", 3, "", "`3x` is not a number");
+    refuses("1\n2\n3x\n4\n", 3, "", "\"3x\" is not a number");
     refuses("1\n2\n0x10\n", 3, "", "is not a number");
     refuses("1.5\n2.5\n1.2.3\n", 3, "", "touch");
     refuses("1.5\n2.5\n1E-021.5\n", 3, "", "touch"); /* 1E-02 and 1.5, or 1E-021 and .5 */
