@@ -340,6 +340,20 @@ static void turn(struct thud_run *run, int c)
     go_on(run, c, next, 1);
 }
 
+void thud_contact_struck(struct thud_run *run, int c, double change)
+{
+    struct thud_contact_state *s = &run->contact[c];
+    double v = thud_contact_rate(run, c);
+    enum thud_phase phase = v > 0 ? THUD_APPROACH : THUD_RESTITUTION;
+    bool turns = s->mode == THUD_CLOSED && law_of(run, c)->flags & THUD_LAW_TURNS;
+    if ((!turns && s->mode != THUD_STUCK) || fabs(v) <= 1e-9 * fabs(change))
+        return;
+    if (s->mode == THUD_STUCK || phase != s->phase)
+        go_on(run, c, phase, 0);
+    else
+        s->zeros.rate = 0;
+}
+
 static void knee(struct thud_run *run, int c)
 {
     struct thud_contact_state *s = &run->contact[c];

@@ -17,5 +17,8 @@ enum thud_event {
 
 /* Changes the mode and keeps the count of acting contacts. */
 void thud_contact_set_mode(struct thud_run *run, int c, enum thud_contact_mode mode);
+/* Other contacts' impulses have changed the rate of contact c by so much, to what it is now: it goes on in the phase of
+ * that rate, with nothing of it known to be 0. */
+void thud_contact_struck(struct thud_run *run, int c, double change);
 
 #endif

@@ -7,7 +7,7 @@
 #include "core/contact.h"
 #include "core/lcp.h"
 
-/* A closing slower than this is taken as the end of a row of ever smaller bounces: the contact comes to rest. */
+/* A parting slower than this is taken as the end of a row of ever smaller bounces: the contact comes to rest. */
 static double rest_speed(const struct thud_run *run)
 {
     return fmax(1e-4 * run->options.tolerance, 1e-11);
@@ -40,7 +40,10 @@ static enum thud_status impulses(const struct thud_run *run, struct collision *x
     for (int i = 0; i < x->n; i++) {
         int c = x->set[i];
         double v = x->speed[i] = thud_contact_rate(run, c);
-        double e = v > rest_speed(run) ? m->contact[c].law->nominal(&m->contact[c].setup) : 0;
+        double e = m->contact[c].law->nominal(&m->contact[c].setup);
+        if (!(e * v >
+              rest_speed(run))) /* held from now on: at rest, or the force would have to bring it there at once */
+            e = 0;
         x->q[i] = -(1 + e) * v;
         for (int j = 0; j < x->n; j++)
             x->m[i * x->n + j] = m->w[c * m->ncontacts + x->set[j]];
@@ -103,6 +106,19 @@ static void settle(struct thud_run *run, int c)
     s->impact = (struct thud_impact){.contact = c, .start_s = thud_run_now(run)};
 }
 
+/* What the impulses do to the rates of the contacts that have forces. */
+static void strike_others(struct thud_run *run, const struct collision *x)
+{
+    const struct thud_model *m = run->model;
+    for (int c = 0; c < m->ncontacts; c++) {
+        double change = 0;
+        for (int i = 0; i < x->n; i++)
+            change -= m->w[c * m->ncontacts + x->set[i]] * x->impulse[i];
+        if (change != 0 && !(m->contact[c].law->flags & THUD_LAW_IMPULSIVE))
+            thud_contact_struck(run, c, change);
+    }
+}
+
 enum thud_status thud_contact_impulse(struct thud_run *run, int contact, struct thud_error *err)
 {
     int *set = run->set_now, n = gather(run, contact, set);
@@ -118,5 +134,6 @@ enum thud_status thud_contact_impulse(struct thud_run *run, int contact, struct 
     for (int i = 0; i < n; i++)
         if (x.impulse[i] > 0 || set[i] == contact)
             settle(run, set[i]);
+    strike_others(run, &x);
     return status;
 }

@@ -83,7 +83,7 @@ static void run_and_hold(struct subject *s, const char *name, const struct scene
     scenes_answer_clear(&a);
 }
 
-static const struct scenes_options tight = {.tolerance = 1e-10};
+static const struct scenes_options tight = {.tolerance = 1e-10, .most = 20000};
 
 static void find_amplification(struct subject *s)
 {
@@ -217,7 +217,9 @@ void scenes_check(unsigned long long seed, struct scenes_tally *tally)
     scenes_draw(&s.one, seed);
     s.linear = !tolerance_matters(&s.one);
     scenes_run(&s.one, &tight, &s.base);
-    if (s.base.status == THUD_OK) {
+    if (s.base.stopped) {
+        tally->stopped++;
+    } else if (s.base.status == THUD_OK) {
         s.amplify = calloc((size_t)s.base.n + 1, sizeof *s.amplify);
         assert(s.amplify);
         find_amplification(&s);
@@ -250,8 +252,8 @@ void scenes_check(unsigned long long seed, struct scenes_tally *tally)
 
 void scenes_tally_print(const struct scenes_tally *tally, FILE *out)
 {
-    fprintf(out, "# %ld scenes: %ld with pounding, %ld too wild to compare, %ld without an answer\n", tally->scenes,
-            tally->pounding, tally->wild, tally->failed);
+    fprintf(out, "# %ld scenes: %ld with pounding, %ld too wild to compare, %ld without an answer, %ld too long\n",
+            tally->scenes, tally->pounding, tally->wild, tally->failed, tally->stopped);
     for (int i = 0; i < SCENES_CHECKS_MAX && tally->check[i].name; i++)
         fprintf(out, "# %-20s %6ld made, %4ld skipped, %4ld off, worst %.3g of what is allowed\n", tally->check[i].name,
                 tally->check[i].made, tally->check[i].skipped, tally->check[i].off, tally->check[i].worst);

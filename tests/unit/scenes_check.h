@@ -9,7 +9,7 @@ enum { SCENES_CHECKS_MAX = 32 };
 struct scenes_tally {
     const char *only; /* part of a check's name; "": all */
     bool slow;        /* other methods too */
-    long scenes, pounding, wild, failed, wrong;
+    long scenes, pounding, wild, failed, stopped, wrong;
     struct {
         const char *name;
         long made, off, skipped;
