@@ -8,7 +8,7 @@
 
 /* Over all presets. */
 struct total {
-    int presets, count[THUD_GONE + 1];
+    int presets, refused, count[THUD_GONE + 1];
     enum thud_status status; /* the first thing that went wrong with a preset */
 };
 
@@ -65,6 +65,7 @@ static enum thud_status one(const struct thud_args *args, const char *preset, st
         return status;
     }
     thud_cli_complain(&own);
+    total->refused++;
     if (total->status == THUD_OK)
         total->status = status;
     return THUD_OK;
@@ -76,9 +77,14 @@ static enum thud_status finish(const struct thud_args *args, const struct total 
     int wrong = total->count[THUD_MOVED] + total->count[THUD_GONE];
     if (thud_args_has(args, "json"))
         thud_text_append(&text, "\n]\n");
-    else if (total->presets != 1)
-        thud_text_append(&text, "%d presets: %d hold, %d moved, %d gone\n", total->presets, total->count[THUD_HOLDS],
-                         total->count[THUD_MOVED], total->count[THUD_GONE]);
+    else if (total->presets > 1 || (total->presets == 1 && total->refused > 0)) {
+        thud_text_append(&text, "%d preset%s: %d hold, %d moved, %d gone", total->presets,
+                         total->presets == 1 ? "" : "s", total->count[THUD_HOLDS], total->count[THUD_MOVED],
+                         total->count[THUD_GONE]);
+        if (total->refused > 0)
+            thud_text_append(&text, "; %d could not be verified", total->refused);
+        thud_text_append(&text, "\n");
+    }
     enum thud_status status = thud_cli_print(&text, err);
     if (status != THUD_OK || total->status != THUD_OK)
         return status != THUD_OK ? status : total->status;

@@ -106,6 +106,10 @@ chmod 755 "$tmp/p"
 (trap '' XFSZ && ulimit -f 0 && "$THUD" verify --update "$tmp/p/rigid-concrete.yaml" 2>&1) | cat >"$tmp/out"
 cmp "$tmp/before" "$tmp/p/rigid-concrete.expected.csv" >"$tmp/err" && grep -q 'cannot be written' "$tmp/out" && [ -z "$(find "$tmp/p" -name '*.part')" ]
 ok "on a full disk the old file stays" $?
+gives 3 nowhere && [ ! -s "$tmp/out" ] && grep -q 'no preset "nowhere"' "$tmp/err"
+ok "a preset there is not: said once, nothing counted" $?
+gives 3 rigid-concrete nowhere && grep -q '^1 preset: 13 hold, 0 moved, 0 gone; 1 could not be verified$' "$tmp/out"
+ok "the others are verified all the same, and counted" $?
 "$THUD" verify >/dev/full 2>"$tmp/err"
 [ $? -eq 6 ]
 ok "output that cannot be written is told" $?
