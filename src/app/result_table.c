@@ -28,6 +28,47 @@ static void add_head(const struct thud_report *report, struct thud_text *out)
     }
 }
 
+/* Places after the point that give the largest of a column `digits` significant digits: points stand below each other,
+ * and no number has more than the largest can bear. -1: none of them is of a size to be written so. */
+static int places_of(double largest, int digits)
+{
+    if (!(largest >= 1e-4) || largest >= 1e7)
+        return -1;
+    int places = digits - 1 - (int)floor(log10(largest) + 1e-9);
+    return places > 0 ? places : 0;
+}
+
+static void add_number(struct thud_text *out, int width, int places, double value)
+{
+    if (places < 0 || !(fabs(value) < 1e9))
+        thud_text_append(out, "%*.5g", width, value);
+    else
+        thud_text_append(out, "%*.*f", width, places, value);
+}
+
+static void add_floors(const struct thud_structure_result *r, bool isolated, struct thud_text *out)
+{
+    double acceleration = 0, displacement = 0, velocity = 0, drift = 0;
+    for (int i = 0; i < r->floors; i++) {
+        acceleration = fmax(acceleration, r->floor[i].acceleration.value);
+        displacement = fmax(displacement, 1e3 * r->floor[i].displacement.value);
+        velocity = fmax(velocity, r->floor[i].velocity.value);
+        drift = fmax(drift, 1e3 * r->floor[i].drift.value);
+    }
+    for (int i = r->floors - 1; i >= 0; i--) {
+        const struct thud_floor_result *f = &r->floor[i];
+        thud_text_append(out, "%5d  ", i + 1);
+        add_number(out, 12, places_of(acceleration, 5), f->acceleration.value);
+        thud_text_append(out, " %8.3f  ", f->acceleration.time_s);
+        add_number(out, 12, places_of(displacement, 5), 1e3 * f->displacement.value);
+        thud_text_append(out, " %8.3f  ", f->displacement.time_s);
+        add_number(out, 8, places_of(velocity, 4), f->velocity.value);
+        thud_text_append(out, "  ");
+        add_number(out, 8, places_of(drift, 4), 1e3 * f->drift.value);
+        thud_text_append(out, " %8.3f%s\n", f->drift.time_s, isolated && i == 0 ? "  base" : "");
+    }
+}
+
 static void add_structure(const struct thud_report *report, int s, struct thud_text *out)
 {
     const struct thud_structure_result *r = &report->result->structure[s];
@@ -41,12 +82,7 @@ static void add_structure(const struct thud_report *report, int s, struct thud_t
         thud_text_append(out, "; base shear %.5g MN at %.3f s", 1e-6 * r->base_shear.value, r->base_shear.time_s);
     thud_text_append(out, "\nfloor  acceleration       at  displacement       at  velocity     drift       at\n"
                           "               m/s2        s            mm        s       m/s        mm        s\n");
-    for (int i = r->floors - 1; i >= 0; i--) {
-        const struct thud_floor_result *f = &r->floor[i];
-        thud_text_append(out, "%5d  %12.5g %8.3f  %12.5g %8.3f  %8.4g  %8.4g %8.3f%s\n", i + 1, f->acceleration.value,
-                         f->acceleration.time_s, 1e3 * f->displacement.value, f->displacement.time_s, f->velocity.value,
-                         1e3 * f->drift.value, f->drift.time_s, p->kind == THUD_ISOLATED && i == 0 ? "  base" : "");
-    }
+    add_floors(r, p->kind == THUD_ISOLATED, out);
 }
 
 /* Four digits, and all those before the point: no 1.23e+03. */
@@ -55,7 +91,7 @@ static void add_ms(double seconds, struct thud_text *out)
     thud_text_append(out, seconds < 1 ? "%9.4g " : "%9.0f ", 1e3 * seconds);
 }
 
-static void add_contact(const struct thud_contact_result *c, struct thud_text *out)
+static void add_contact(const struct thud_contact_result *c, int force_places, int depth_places, struct thud_text *out)
 {
     char pair[32], floors[2][12] = {"wall", "wall"};
     if (c->left_floor > 0)
@@ -67,8 +103,11 @@ static void add_contact(const struct thud_contact_result *c, struct thud_text *o
         thud_text_append(out, "%3d %-7s       0  no contact\n", c->interface, pair);
         return;
     }
-    thud_text_append(out, "%3d %-7s %7d %9.4g %8.3f %10.4g ", c->interface, pair, c->impacts, 1e-6 * c->force.value,
-                     c->force.time_s, 1e3 * c->indentation.value);
+    thud_text_append(out, "%3d %-7s %7d ", c->interface, pair, c->impacts);
+    add_number(out, 9, force_places, 1e-6 * c->force.value);
+    thud_text_append(out, " %8.3f ", c->force.time_s);
+    add_number(out, 10, depth_places, 1e3 * c->indentation.value);
+    thud_text_append(out, " ");
     add_ms(c->contact_time_s, out);
     thud_text_append(out, "%8.3g ", 1e3 * c->residual_m);
     if (c->approach_mps > 0 && c->separation_mps > 0)
@@ -85,8 +124,13 @@ static void add_contacts(const struct thud_report *report, struct thud_text *out
         return;
     thud_text_append(out, "\ncontact     impacts     force       at indentation  touching residual last impact's e\n"
                           "                           MN        s         mm        ms       mm real nominal\n");
+    double force = 0, depth = 0;
+    for (int c = 0; c < r->ncontacts; c++) {
+        force = fmax(force, 1e-6 * r->contact[c].force.value);
+        depth = fmax(depth, 1e3 * r->contact[c].indentation.value);
+    }
     for (int c = 0; c < r->ncontacts; c++)
-        add_contact(&r->contact[c], out);
+        add_contact(&r->contact[c], places_of(force, 5), places_of(depth, 4), out);
 }
 
 static void add_foot(const struct thud_report *report, struct thud_text *out)

@@ -161,6 +161,18 @@ is "-o: an impact a row" [ "$(wc -l <"$tmp/a/b/impacts.csv")" -eq 2 ]
 is "-o: histories have the peak force" near "$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i ~ /force/) c = i; next } $c > m { m = $c } END { print m }' "$tmp/a/b/histories.csv")" 2566.5e3 1e-3
 is "-o: nothing half written stays" [ -z "$(find "$tmp/a" -name '*.part')" ]
 
+# the table can be read down its columns
+aligned() { # FIRST LAST: in these columns of the floors' lines the points stand below each other, and there are such lines
+    awk -v a="$1" -v b="$2" '/^ +[0-9]+  / && NF == 8 { at = index(substr($0, a, b - a + 1), "."); if (!at) bad = 1
+        if (NR == last + 1 && at != before) bad = 1
+        before = at; last = NR; n++ } END { exit bad || n < 8 }' "$tmp/out"
+}
+gives 0 run towers
+is "accelerations with as many places each" aligned 8 19
+is "displacements" aligned 31 42
+is "velocities" aligned 54 61
+is "deflections" aligned 64 71
+
 # exit statuses
 is "no preset: usage" gives 2 run
 is "and it says so" says "needs a preset"
