@@ -186,9 +186,11 @@ static void extremum(struct peak *f, double a, double b, double s, double v[3])
         else
             a = s;
         double next = s - v[1] / v[2], moved = fabs(next - s);
+        if (!(moved > 1e-12)) /* s is the root, and may be an end of the bracket, whose middle is not */
+            break;
         bool inside = next > a && next < b;
         s = inside ? next : 0.5 * (a + b);
-        if (moved <= 1e-12 || b - a <= 1e-12 || (inside && f->third * moved * moved <= 1e-12 * fabs(v[2])))
+        if (b - a <= 1e-12 || (inside && f->third * moved * moved <= 1e-12 * fabs(v[2])))
             break;
         thud_poly_value3(f->c, f->n, s, v);
     }

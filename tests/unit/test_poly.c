@@ -177,6 +177,17 @@ START_TEST(peaks_lie_where_the_slope_is_0)
 }
 END_TEST
 
+/* Newton's step from the middle lands on the peak to the last bit, where it is an end of the bracket. */
+START_TEST(peak_met_in_one_step)
+{
+    for (int i = 1; i < 10; i++) { /* 1 + r s - s^2/2, but for a term that is nothing there */
+        double r = 0.03 * i, c[21] = {1, r, -0.5, [20] = 1e-13}, where = 0;
+        ck_assert_double_eq_tol(thud_poly_peak(c, 21, 1, 0, &where), 1 + r * r / 2, 1e-15);
+        ck_assert_double_eq_tol(where, r, 1e-12);
+    }
+}
+END_TEST
+
 Suite *thud_suite(void)
 {
     Suite *suite = suite_create("poly");
@@ -191,6 +202,7 @@ Suite *thud_suite(void)
     tcase_add_test(tc, peaks_against_a_grid);
     tcase_add_test(tc, crossings_to_rounding);
     tcase_add_test(tc, peaks_lie_where_the_slope_is_0);
+    tcase_add_test(tc, peak_met_in_one_step);
     suite_add_tcase(suite, tc);
     return suite;
 }
