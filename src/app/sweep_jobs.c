@@ -333,7 +333,7 @@ enum thud_status thud_sweep_jobs_run(const struct thud_sweep_jobs *jobs, struct 
     if (w.status == THUD_OK)
         return THUD_OK;
     if (w.status == THUD_CANCELLED)
-        return thud_error_set(err, THUD_CANCELLED, "stopped on request");
+        return thud_error_set(err, THUD_CANCELLED, "stopped");
     if (w.status == THUD_MEMORY && !w.error.what[0])
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     if (err)

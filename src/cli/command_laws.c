@@ -28,12 +28,52 @@ static void add_choices(const struct thud_param *p, struct thud_text *out)
         thud_text_append(out, "%s%s", i > 0 ? " | " : "", p->choices[i]);
 }
 
+/* The restitution that two bodies of 320 t really part with at 0.5 m/s; NaN where the law has none to choose. The
+ * stiffness is of no matter but to the rubber, which has no default: there it is the paper's. */
+static double obtained(const struct thud_law *law, int choice, int which, double nominal)
+{
+    struct thud_law_setup setup;
+    int e = thud_law_param(law, "restitution"), k = thud_law_param(law, "stiffness");
+    thud_law_defaults(law, &setup);
+    setup.mass_kg = 160e3;
+    setup.thickness_m = 0.05;
+    if (e < 0 || !law->restitution)
+        return NAN;
+    setup.value[e] = nominal;
+    if (choice >= 0)
+        setup.value[choice] = which;
+    if (k >= 0 && isnan(setup.value[k]))
+        setup.value[k] = 0.36e3 * pow(1000, law->params[thud_law_param(law, "exponent")].fallback);
+    return law->prepare && law->prepare(&setup, NULL) != THUD_OK ? NAN : law->restitution(&setup, 0.5);
+}
+
+/* A line for each way to get the damping from the restitution. */
+static void add_restitution(const struct thud_law *law, struct thud_text *out)
+{
+    static const double nominal[] = {0.3, 0.5, 0.6, 0.8};
+    int formula = thud_law_param(law, "formula"), choice = formula >= 0 ? formula : thud_law_param(law, "damping");
+    for (int which = 0; which == 0 || (choice >= 0 && law->params[choice].choices[which]); which++) {
+        if (isnan(obtained(law, choice, which, 0.5)))
+            return;
+        thud_text_append(out, "  restitution");
+        for (size_t i = 0; i < sizeof nominal / sizeof *nominal; i++)
+            thud_text_append(out, "%s %g", i ? "," : "", nominal[i]);
+        thud_text_append(out, " really gives");
+        for (size_t i = 0; i < sizeof nominal / sizeof *nominal; i++)
+            thud_text_append(out, "%s %.3f", i ? "," : "", obtained(law, choice, which, nominal[i]));
+        if (choice >= 0)
+            thud_text_append(out, " (%s %s)", law->params[choice].name, law->params[choice].choices[which]);
+        thud_text_append(out, "\n");
+    }
+}
+
 static void table(struct thud_text *out)
 {
     for (int i = 0; i < thud_law_count(); i++) {
         const struct thud_law *law = thud_law_at(i);
         thud_text_append(out, "%s%s: %s\n  %s\n  %s\n", i > 0 ? "\n" : "", law->name, law->title, law->summary,
                          law->reference);
+        add_restitution(law, out);
         for (int k = 0; k < law->nparams; k++) {
             const struct thud_param *p = &law->params[k];
             thud_text_append(out, "    %-18s %-9s ", p->name,
@@ -49,6 +89,7 @@ static void table(struct thud_text *out)
             thud_text_append(out, "  %s\n", p->title);
         }
     }
+    thud_text_append(out, "\nWhat a restitution really gives is that of two free bodies of 320 t that close at 0.5 m/s.\n");
 }
 
 static void add_param(const struct thud_param *p, struct thud_text *out)

@@ -39,7 +39,7 @@ static enum thud_status work(const struct thud_args *args, struct thud_stability
     int jobs = thud_stability_jobs(stability);
     while (status == THUD_OK && stability->done < jobs) {
         if (*cancel)
-            status = thud_error_set(err, THUD_CANCELLED, "cancelled");
+            status = thud_error_set(err, THUD_CANCELLED, "stopped");
         else
             status = thud_stability_next(stability, err);
         if (progress)
