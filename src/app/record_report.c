@@ -138,12 +138,13 @@ static int by_name(const void *a, const void *b)
     return strcmp(*(char *const *)a, *(char *const *)b);
 }
 
-/* One entry of the list; `why`: why there is no record, "" where it only needs an option. */
+/* One entry of the list, its name in so many columns, or as JSON where `width` is 0; `why`: why there is no record, ""
+ * where it only needs an option. */
 static void put_entry(const char *path, const char *name, const struct thud_record *record, const char *needs,
-                      const char *why, bool json, struct thud_text *out)
+                      const char *why, int width, struct thud_text *out)
 {
     double peak = record ? thud_record_peak(record) : NAN;
-    if (json) {
+    if (width == 0) {
         thud_text_append(out, "{");
         text_field(out, "file", path);
         text_field(out, "format", record ? record->format : "");
@@ -155,17 +156,17 @@ static void put_entry(const char *path, const char *name, const struct thud_reco
         thud_json_field(out, "pga_mps2", peak);
         thud_text_append(out, "}");
     } else if (record) {
-        thud_text_append(out, "%-44s %-14s %8zu  %7.6g s  %7.4f g\n", name, record->format, record->samples,
+        thud_text_append(out, "%-*s %-14s %8zu  %7.6g s  %7.4f g\n", width, name, record->format, record->samples,
                          record->dt_s, peak / THUD_GRAVITY);
     } else if (*why) {
-        thud_text_append(out, "%-44s cannot be read: %s\n", name, why);
+        thud_text_append(out, "%-*s cannot be read: %s\n", width, name, why);
     } else {
-        thud_text_append(out, "%-44s needs --%s\n", name, needs);
+        thud_text_append(out, "%-*s needs --%s\n", width, name, needs);
     }
 }
 
 /* A file that is no record is passed over; one that cannot be read is told. Errors: THUD_MEMORY. */
-static enum thud_status list_file(const char *path, const char *name, bool json, int *shown, struct thud_text *out,
+static enum thud_status list_file(const char *path, const char *name, int width, int *shown, struct thud_text *out,
                                   struct thud_error *failure)
 {
     struct thud_record_treatment treatment;
@@ -184,8 +185,9 @@ static enum thud_status list_file(const char *path, const char *name, bool json,
         return thud_error_set(failure, THUD_MEMORY, "out of memory");
     if (status && !unreadable && !err.key[0]) /* with a key: a record, but one that needs an option */
         return THUD_OK;
-    thud_text_append(out, json && *shown ? ",\n  " : json ? "\n  " : "");
-    put_entry(path, name, record, err.key, unreadable ? err.what : "", json, out);
+    if (width == 0)
+        thud_text_append(out, *shown ? ",\n  " : "\n  ");
+    put_entry(path, name, record, err.key, unreadable ? err.what : "", width, out);
     ++*shown;
     thud_record_free(record);
     return THUD_OK;
@@ -245,11 +247,13 @@ static bool may_be_record(const char *path)
 enum thud_status thud_record_list(const char *folder, bool json, struct thud_text *out, struct thud_error *err)
 {
     size_t count;
-    int shown = 0;
+    int shown = 0, width = 20;
     char **names;
     enum thud_status status = names_in(folder, &names, &count, err);
     if (status)
         return status;
+    for (size_t i = 0; i < count; i++)
+        width = (int)fmax(width, fmin(60, (double)strlen(names[i])));
     if (json)
         thud_text_append(out, "[");
     else
@@ -258,7 +262,7 @@ enum thud_status thud_record_list(const char *folder, bool json, struct thud_tex
         char path[2048];
         int n = snprintf(path, sizeof path, "%s/%s", folder, names[i]);
         if (n > 0 && (size_t)n < sizeof path && may_be_record(path))
-            status = list_file(path, names[i], json, &shown, out, err);
+            status = list_file(path, names[i], json ? 0 : width, &shown, out, err);
     }
     free_names(names, count);
     if (json)

@@ -117,6 +117,9 @@ printf 'Dear reader,\nno numbers here.\n' >"$tmp/folder/letter.txt"
 is "a list of a folder" gives 0 record list "$tmp/folder"
 is "what needs an option says which" shows '^ramp.txt  *needs --dt$'
 is "a record stands with its peak" shows '^kobe-surrogate.csv .* 0.8210 g$'
+cp records/kobe-surrogate.csv "$tmp/folder/a-name-of-more-than-forty-four-signs-in-all-here-now.csv"
+is "a long name" gives 0 record list "$tmp/folder"
+is "moves the columns of all" [ "$(awk '/ CSV / { print index($0, " CSV ") }' "$tmp/out" | sort -u | wc -l)" -eq 1 ]
 is "prose is passed over" test "$(grep -c letter "$tmp/out")" -eq 0
 is "as JSON" gives 0 record list "$tmp/folder" --json
 is "with what it needs" shows '"file": "[^"]*ramp.txt", "format": "", "needs": "dt",'
