@@ -43,21 +43,71 @@ static bool first_on_line(const struct saving *s, size_t at)
     return strspn(s->preset->text + start, " ") == at - start;
 }
 
-static void replace(struct saving *s, int node, struct thud_text *text)
+static int indent_of(const struct saving *s, int node)
 {
-    thud_patch_add(s->patches, node_at(s, node)->start, node_at(s, node)->end, text);
+    return node_at(s, node)->column - 1;
 }
 
-/* Takes a key with its value out of a block. */
+/* Lines of comment between the first and the last line of a node. */
+static void comments_in(const struct saving *s, int node, struct thud_text *lines)
+{
+    const char *text = s->preset->text;
+    size_t end = node_at(s, node)->end, next;
+    for (size_t at = next_line(s, node_at(s, node)->start); at < end; at = next) {
+        next = next_line(s, at);
+        if (text[at + strspn(text + at, " \t")] == '#')
+            thud_text_bytes(lines, text + at, next - at);
+    }
+}
+
+/* Lines of comment that stood in a list or in {} stand before what replaces it. */
+static void replace(struct saving *s, int node, struct thud_text *text)
+{
+    struct thud_text lines = {0}, kept = {0};
+    size_t start = node_at(s, node)->start, line = line_start(s, start);
+    if (node_at(s, node)->kind != THUD_YAML_SCALAR)
+        comments_in(s, node, &lines);
+    if (!lines.size) {
+        text->failed |= lines.failed;
+        thud_patch_add(s->patches, start, node_at(s, node)->end, text);
+        return;
+    }
+    bool first = first_on_line(s, start);
+    size_t indent = first ? start - line : strspn(s->preset->text + line, " -");
+    if (line + indent < start) /* behind a key */
+        indent += 2;
+    while (!first && s->preset->text[start - 1] == ' ')
+        start--;
+    thud_text_append(&kept, "%s", first ? "" : s->newline);
+    thud_text_bytes(&kept, lines.data, lines.size);
+    thud_text_append(&kept, "%*s", (int)indent, "");
+    thud_text_bytes(&kept, text->data ? text->data : "", text->size);
+    kept.failed |= lines.failed | text->failed;
+    thud_text_clear(&lines);
+    thud_text_clear(text);
+    thud_patch_add(s->patches, first ? line : start, node_at(s, node)->end, &kept);
+}
+
+/* Takes a key with its value out of a block; lines of comment in a list stay. */
 static void delete_key(struct saving *s, int key)
 {
-    struct thud_text nothing = {0};
+    struct thud_text lines = {0};
     int value = node_at(s, key)->next, next = node_at(s, value)->next;
     size_t start = node_at(s, key)->start;
-    if (!first_on_line(s, start) && next >= 0) /* behind the dash of a list: the next key takes its place */
-        thud_patch_add(s->patches, start, node_at(s, next)->start, &nothing);
-    else
-        thud_patch_add(s->patches, line_start(s, start), next_line(s, node_at(s, value)->end), &nothing);
+    if (node_at(s, value)->kind == THUD_YAML_LIST)
+        comments_in(s, value, &lines);
+    if (!first_on_line(s, start) && next >= 0) { /* behind the dash of a list: the next key takes its place */
+        struct thud_text text = {0};
+        if (lines.size) {
+            thud_text_append(&text, "%s", s->newline);
+            thud_text_bytes(&text, lines.data, lines.size);
+            thud_text_append(&text, "%*s", indent_of(s, key), "");
+        }
+        text.failed |= lines.failed;
+        thud_text_clear(&lines);
+        thud_patch_add(s->patches, start, node_at(s, next)->start, &text);
+    } else
+        thud_patch_add(s->patches, line_start(s, start), next_line(s, node_at(s, value)->end), &lines);
 }
 
 /* Lines behind the last one of a block. */
@@ -71,11 +121,6 @@ static void append_lines(struct saving *s, int node, struct thud_text *lines)
     text.failed |= lines->failed;
     thud_text_clear(lines);
     thud_patch_add(s->patches, at, at, &text);
-}
-
-static int indent_of(const struct saving *s, int node)
-{
-    return node_at(s, node)->column - 1;
 }
 
 /* ---- values ---- */

@@ -15,24 +15,28 @@ static void must(int holds)
         abort();
 }
 
-/* Values that stand in one place of a preset, or are left out. */
-static const char *const changes[][2] = {{"gap", "12.5 cm"},
-                                         {"analysis.tolerance", "2e-7"},
-                                         {"analysis.step", "1 ms"},
-                                         {"analysis.tail", "3 s"},
-                                         {"record.peak", "0.25 g"},
-                                         {"record.sign", "-"},
-                                         {"structures.1.mass", "123 t"},
-                                         {"structures.1.mass.1", "124 t"},
-                                         {"structures.2.stiffness", "345 MN/m"},
-                                         {"structures.2.velocity", "0.25 m/s"},
-                                         {"structures.1.damping", "3 %"},
-                                         {"interfaces.1.contact.restitution", "0.55"},
-                                         {"interfaces.1.contact.law", "linear"},
-                                         {"interfaces.1.bumper.thickness", "4.5 cm"},
-                                         {"interfaces.1.bumper.restitution", "0.45"},
-                                         {"structures.1.storeys", "3"},
-                                         {"analysis.method", "newmark"}};
+/* Values that stand in one place of a preset, or are left out; what a study varies changes with its values. */
+static const char *const changes[][4] = {
+    {"gap", "12.5 cm"},
+    {"analysis.tolerance", "2e-7"},
+    {"analysis.step", "1 ms"},
+    {"analysis.tail", "3 s"},
+    {"record.peak", "0.25 g"},
+    {"record.sign", "-"},
+    {"structures.1.mass", "123 t"},
+    {"structures.1.mass.1", "124 t"},
+    {"structures.2.stiffness", "345 MN/m"},
+    {"structures.2.velocity", "0.25 m/s"},
+    {"structures.1.damping", "3 %"},
+    {"interfaces.1.contact.restitution", "0.55"},
+    {"interfaces.1.contact.law", "linear"},
+    {"interfaces.1.bumper.thickness", "4.5 cm"},
+    {"interfaces.1.bumper.restitution", "0.45"},
+    {"structures.1.storeys", "3"},
+    {"analysis.method", "newmark"},
+    {"study.vary", "gap", "study.values", "[6 cm, 7.5 cm]"},
+    {"study.vary", "[gap, contact.damping]", "study.values", "[[6 cm, 9 cm], [paper]]"},
+    {"study.cases", "[bumper, none]"}};
 enum { CHANGES = sizeof changes / sizeof *changes };
 
 static const char *line_after(const char *line, const char *end)
@@ -74,8 +78,10 @@ static void change(const struct thud_preset *preset, const char *text, size_t si
     char *changed = NULL, *same = NULL;
     unsigned long length = 0, same_length = 0;
     wanted = *thud_preset_scene(preset);
-    if (thud_scene_set(&wanted, changes[which][0], changes[which][1], &err) != THUD_OK ||
-        thud_scene_check(&wanted, &err) != THUD_OK)
+    for (int i = 0; i < 4 && changes[which][i]; i += 2)
+        if (thud_scene_set(&wanted, changes[which][i], changes[which][i + 1], &err) != THUD_OK)
+            return;
+    if (thud_scene_check(&wanted, &err) != THUD_OK)
         return;
     must(thud_preset_text(preset, &wanted, &changed, &length, &err) == THUD_OK);
     keeps_comments(text, size, changed, length);

@@ -11,7 +11,9 @@ for f in tests/fuzz/fuzz_*.c; do
     name=$(basename "$f" .c)
     name=${name#fuzz_}
     mkdir -p "$build/corpus/$name" "tests/fuzz/corpus/$name"
-    if "$build/fuzz/fuzz_$name" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=2048 -print_final_stats=1 \
+    words=tests/fuzz/$name.dict
+    [ -f "$words" ] || words=
+    if "$build/fuzz/fuzz_$name" ${words:+"-dict=$words"} -max_total_time="$seconds" -timeout=10 -rss_limit_mb=2048 -print_final_stats=1 \
         -artifact_prefix="$build/found/$name-" "$build/corpus/$name" "tests/fuzz/corpus/$name" >"$build/$name.log" 2>&1; then
         echo "$name: $(sed -n 's/^stat::number_of_executed_units: *//p' "$build/$name.log") inputs in $seconds s, none fails"
     else

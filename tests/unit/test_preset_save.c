@@ -169,6 +169,41 @@ START_TEST(a_study_of_values_and_back)
 }
 END_TEST
 
+/* A value written anew as a whole leaves the lines of comment that stood in it, before it; also where it goes. */
+START_TEST(comments_in_a_list_stay)
+{
+    static const char body[] = "structures:\n  - kind: shear\n    mass: [320 t,\n      # the roof\n      250 t]\n"
+                               "    stiffness: 600 MN/m\n  - {kind: rigid,\n     # free\n     mass: 320 t}\n"
+                               "interfaces:\n  - gap: 6 cm\n    contact: {law: linear, stiffness: 2500 kN/mm}\n"
+                               "study:\n  vary: gap\n  values: \n    - 6 cm\n      # wider\n    - 7 cm # last\n";
+    static const char *const wanted[][3] = {
+        {"structures.1.storeys", "3", "    mass:\n      # the roof\n      [320 t, 320 t, 250 t]\n    stiffness"},
+        {"structures.2.velocity", "1 m/s",
+         "  -\n     # free\n    {name: B, kind: rigid, mass: 320 t, velocity: 1 m/s}\n"},
+        {"study.values", "[8 cm]", "  values: \n      # wider\n    [8 cm] # last\n"},
+        {"study.step", "1 cm", "  vary: gap\n      # wider\n"},
+    };
+    for (size_t i = 0; i < sizeof wanted / sizeof *wanted; i++) {
+        struct thud_preset *preset = parse(body, sizeof body - 1);
+        size_t size;
+        scene = *thud_preset_scene(preset);
+        if (strcmp(wanted[i][0], "study.step") == 0) {
+            set(&scene, "study.vary", "gap"); /* its values go */
+            set(&scene, "study.from", "5 cm");
+            set(&scene, "study.to", "7 cm");
+        }
+        set(&scene, wanted[i][0], wanted[i][1]);
+        char *text = text_of(preset, &scene, &size);
+        ck_assert_msg(strstr(text, wanted[i][2]) != NULL, "%s: %s", wanted[i][0], text);
+        struct thud_preset *read = parse(text, size);
+        ck_assert_int_eq(memcmp(thud_preset_scene(read), &scene, sizeof scene), 0);
+        thud_preset_free(read);
+        free(text);
+        thud_preset_free(preset);
+    }
+}
+END_TEST
+
 static int count(const char *text, const char *what)
 {
     int n = 0;
@@ -443,6 +478,7 @@ Suite *thud_suite(void)
     tcase_add_loop_test(tests, one_value_changes_one_line, 0, sizeof changes / sizeof *changes);
     tcase_add_test(tests, keys_come_and_go);
     tcase_add_test(tests, a_study_of_values_and_back);
+    tcase_add_test(tests, comments_in_a_list_stay);
     tcase_add_test(tests, bumpers_and_structures_come_and_go);
     tcase_add_test(tests, random_edits_read_back);
     tcase_add_test(tests, carriage_returns_and_a_missing_newline_stay);
