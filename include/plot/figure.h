@@ -144,7 +144,8 @@ struct thud_range {
 };
 struct thud_range thud_panel_range(const struct thud_panel *panel, enum thud_side side);
 
-/* The key: every name once, in the order of the colours and of first appearance. Returns how many there are, and fills at most `most`. */
+/* The key: every name once, in the order of the colours and of first appearance. Returns how many there are, and fills
+ * at most `most`. */
 int thud_figure_key(const struct thud_figure *figure, const struct thud_series **entry, int most);
 
 /* "Gap (cm)". Returns `text`. */

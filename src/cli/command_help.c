@@ -79,7 +79,8 @@ enum thud_status thud_command_help(const struct thud_args *args, struct thud_err
         if (!thud_manual_part(&text, part))
             status = thud_error_set(err, THUD_USAGE, "the manual has no part \"%.40s\"", part);
     } else if (id == THUD_COMMANDS) {
-        status = thud_error_set(err, THUD_USAGE, "thud has no command \"%.40s\" (`thud help` lists them)", args->operand[0]);
+        status =
+            thud_error_set(err, THUD_USAGE, "thud has no command \"%.40s\" (`thud help` lists them)", args->operand[0]);
     } else if (args->noperands == 0) {
         thud_help_all(&text);
     } else {

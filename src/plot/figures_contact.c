@@ -144,8 +144,7 @@ struct thud_figure *thud_figure_energies(const struct thud_figure_source *source
     snprintf(text, sizeof text, "%s: Energy", source->scene->title);
     double peak = 0.0, from, to;
     bool zoom = thud_source_zoom(source, nsources, &from, &to);
-    struct thud_figure *figure =
-        thud_figure_create(thud_run_figure_name(THUD_FIGURE_ENERGY), text, rows, zoom ? 2 : 1);
+    struct thud_figure *figure = thud_figure_create(thud_run_figure_name(THUD_FIGURE_ENERGY), text, rows, zoom ? 2 : 1);
     for (int s = 0; s < rows; s++)
         peak = fmax(peak, energy_peak(&source[s]));
     struct thud_shown shown = thud_shown_energy(peak);

@@ -70,7 +70,7 @@ say "OpenSeesPy / exact at 1e-3: concrete" "$(peer classical '^opensees' 1e-3)" 
 
 least() { sort -n | head -n 1; }
 five() { # COMMAND...: the least of five answers: what else the machine does only ever adds to a time
-    for i in 1 2 3 4 5; do "$@"; done | least
+    for _ in 1 2 3 4 5; do "$@"; done | least
 }
 a_run() { # CASE KEY=VALUE...: median of a run, ms
     "$build/bench-time" towers "$@" "first=30s" "record.file=$kobe" "analysis.tolerance=1e-6" | awk '{ print $1 }'
@@ -101,7 +101,7 @@ say "the same with tables" "$(grown --best gap)" times most 1.1
 
 # ---- the paper's study; the wall clock tells only where nothing else runs
 
-for i in 1 2 3 4 5; do sh "$here/study.sh" 5 first; done >"$out/study.txt" 2>&1
+for _ in 1 2 3 4 5; do sh "$here/study.sh" 5 first; done >"$out/study.txt" 2>&1
 study() { awk -v column="$1" '/^all savings, 2 threads/ { print $column }' "$out/study.txt" | least; }
 say "study of 369 runs on 2 threads (wall)" "$(study 5)" s most 0.25
 say "study of 369 runs (processor time)" "$(study 7)" s most 0.5
