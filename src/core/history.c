@@ -153,7 +153,7 @@ static int contact_rows(double duration_s, double step_s)
  * the grid of the step. */
 static double next_row(const struct thud_run *run, double t)
 {
-    const double close_s = 5e-3;
+    const double close_s = 2.5e-3;
     double step = run->options.history_step_s;
     if (t < run->close_rows_until_s && step > close_s)
         return t + close_s;

@@ -329,7 +329,7 @@ static void map_colors(const struct sheet *sheet, const struct thud_map *map, co
     thud_text_append(out, "set label 94 ");
     thud_gnuplot_quote(out, thud_axis_text(&label, text, sizeof text), box->top - box->bottom, sheet->em);
     thud_text_append(out, " at screen %.5f, graph 0.5 center rotate by 90\n",
-                     (box->right + 6.0 * sheet->em) / sheet->width);
+                     (box->right + 6.4 * sheet->em) / sheet->width);
 }
 
 static void plots(const struct sheet *sheet, int number_of)
