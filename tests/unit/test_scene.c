@@ -207,11 +207,17 @@ START_TEST(refusals_name_key_and_remedy)
     refuses("study.vary", "[gap, gap]", "varied twice", "");
     refuses("study.from", "5 cm", "study.vary", "");
     refuses("study.cases", "[none, nine]", "unknown case", "cavity");
+    refuses("study.cases", "[none, bumper, none]", "named twice", "");
+    refuses("study.cases", "[none, bumper", "list without end", "");
+    refuses("study.vary", "[gap, contact.damping, structures.1.damping, structures.2.damping, tail]", "too many values",
+            "up to 4");
     set("study.vary", "gap");
     refuses("study.from", "5 t", "is a mass; give a length", "cm");
     refuses("study.step", "0 cm", "too small", "> 0");
     refuses("study.to", "[5 cm, 6 cm]", "2 values for 1 varied key", "");
     refuses("study.values", "[5 cm, 6]", "\"6\" has no unit", "cm");
+    refuses("study.values", "[5 cm, , 6 cm]", "a value is empty", "");
+    refuses("study.values", "[5 cm, 6 cm", "list without end", "");
     set("study.to", "6 cm");
     refuses("study.values", "[5 cm]", "values and a range", "");
     set("study.vary", "gap");

@@ -7,20 +7,26 @@
 
 #include "core/trunk.h"
 
-enum { FLOORS_A = 2, FLOORS_B = 3, CONTACTS = 2, SAMPLES = 1500 };
+enum { FLOORS_A = 2, FLOORS_B = 3, CONTACTS = 2, SAMPLES = 1500, FINER = 20 };
 
 static struct thud_record *record;
 
-/* A motion with several bursts, so that the largest closings come late. */
-static void set_up(void)
+/* A motion of 30 s with several bursts, so that the largest closings come late; so many samples for each of the plain
+ * one. */
+static void make_record(int times)
 {
-    double a[SAMPLES];
-    for (int i = 0; i < SAMPLES; i++) {
-        double t = 0.02 * i;
+    static double a[SAMPLES * FINER];
+    for (int i = 0; i < SAMPLES * times; i++) {
+        double t = 0.02 / times * i;
         a[i] =
             4 * exp(-0.5 * pow((t - 8) / 2, 2)) * sin(9 * t) + 7 * exp(-0.5 * pow((t - 20) / 2.5, 2)) * sin(13 * t + 1);
     }
-    ck_assert_int_eq(thud_record_create(a, SAMPLES, 0.02, &record, NULL), THUD_OK);
+    ck_assert_int_eq(thud_record_create(a, (size_t)(SAMPLES * times), 0.02 / times, &record, NULL), THUD_OK);
+}
+
+static void set_up(void)
+{
+    make_record(1);
 }
 
 static void tear_down(void)
@@ -133,6 +139,17 @@ START_TEST(a_run_begun_late_answers_the_same)
 }
 END_TEST
 
+/* 30000 intervals: more moments than are kept, so that they are thinned more than once. */
+START_TEST(a_long_motion_is_kept_thinner)
+{
+    thud_record_free(record);
+    make_record(FINER);
+    compare(0.01, false, 1, true);
+    compare(0.05, false, 4.9, true);
+    compare(1, false, 25, false);
+}
+END_TEST
+
 START_TEST(modes_that_couple_share_as_well)
 {
     compare(0.02, true, 1, true);
@@ -238,6 +255,7 @@ Suite *thud_suite(void)
     TCase *tcase = tcase_create("trunk");
     tcase_add_checked_fixture(tcase, set_up, tear_down);
     tcase_add_test(tcase, a_run_begun_late_answers_the_same);
+    tcase_add_test(tcase, a_long_motion_is_kept_thinner);
     tcase_add_test(tcase, modes_that_couple_share_as_well);
     tcase_add_test(tcase, largest_closings_are_those_of_the_history);
     tcase_add_test(tcase, the_needed_gap_is_exact);
