@@ -89,7 +89,8 @@ static void table(struct thud_text *out)
             thud_text_append(out, "  %s\n", p->title);
         }
     }
-    thud_text_append(out, "\nWhat a restitution really gives is that of two free bodies of 320 t that close at 0.5 m/s.\n");
+    thud_text_append(out,
+                     "\nWhat a restitution really gives is that of two free bodies of 320 t that close at 0.5 m/s.\n");
 }
 
 static void add_param(const struct thud_param *p, struct thud_text *out)

@@ -11,6 +11,7 @@ refused() { # STATUS WORDS...: the status, one line, what was typed not between 
     is "$wanted: $*" gives "$wanted" "$@"
     is "in one line, quoted as everywhere" plainly
 }
+# shellcheck disable=SC2016 # backticks as they are
 plainly() { [ "$(wc -l <"$tmp/err")" -eq 1 ] && ! sed 's/`thud [^`]*`//g' "$tmp/err" | grep -q '`' && [ ! -s "$tmp/out" ]; }
 option() { # OPTION VALUE COMMAND...: wrong usage, said of the option
     name=$1
