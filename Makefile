@@ -135,7 +135,7 @@ fuzz: ## fuzz each reader for FUZZ_SECONDS from the corpus in tests/fuzz/corpus 
 	@tests/tools/fuzz.sh build/fuzz $(FUZZ_SECONDS)
 fuzzers: $(FUZZERS)
 soak: all ## memory over thousands of runs and edits, studies killed at their writes, every call failing in turn (20 min)
-	@$(MAKE) --no-print-directory VARIANT=$(VARIANT) $(B)/soak
+	@$(MAKE) --no-print-directory VARIANT=$(VARIANT) $(B)/soak $(B)/cross
 	@tests/tools/soak.sh $(B)
 bench: all ## measured speeds against their targets, in one table; charts of every method into build/bench (minutes)
 	@$(MAKE) --no-print-directory $(B)/bench-time $(B)/bench-memory

@@ -39,6 +39,16 @@ void thud_contact_start(struct thud_run *run)
     }
 }
 
+void thud_contact_moved(struct thud_run *run)
+{
+    for (int c = 0; c < run->model->ncontacts; c++) {
+        struct thud_contact_state *s = &run->contact[c];
+        bool still = s->mode == THUD_OPEN && s->zeros.indentation > 0 && thud_contact_rate(run, c) == 0 &&
+                     thud_contact_indentation(run, c) == 0;
+        s->zeros = (struct thud_zeros){.indentation = still};
+    }
+}
+
 struct found {
     double s;
     int contact, event;

@@ -350,8 +350,7 @@ static void commit(struct thud_run *run, const struct thud_flight *f, int interv
         run->qd[j] = f->qd[j * ENDS + intervals];
     }
     run->grid += intervals;
-    for (int c = 0; c < run->model->ncontacts; c++)
-        run->contact[c].zeros = (struct thud_zeros){0};
+    thud_contact_moved(run);
     run->result.work.samples_fast += intervals;
 }
 

@@ -222,8 +222,7 @@ static void commit(struct thud_run *run, double s, double limit)
     }
     if (s >= limit && to_end <= to_kink * (1 + 1e-13))
         run->done = run->done || run->end_s - thud_run_now(run) <= 1e-12 * run->end_s;
-    for (int c = 0; c < run->model->ncontacts; c++)
-        run->contact[c].zeros = (struct thud_zeros){0};
+    thud_contact_moved(run);
 }
 
 struct proposal {

@@ -123,6 +123,8 @@ static inline bool thud_contact_acts(const struct thud_contact_state *s)
 
 /* contact.c */
 void thud_contact_start(struct thud_run *run);
+/* The run has gone on: nothing is known to be 0 any more, but for neighbours that touch and have not moved at all. */
+void thud_contact_moved(struct thud_run *run);
 /* Indentation polynomials of all contacts into run->indentation; earliest event in [0, s_end] of the segment: its s
  * (INFINITY: none), the contact and what it is. */
 double thud_contact_next_event(struct thud_run *run, double s_end, int *contact, int *event);

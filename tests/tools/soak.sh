@@ -1,6 +1,7 @@
 #!/bin/sh
-# What takes too long for `make test`: memory over a long life, studies killed again and again, every call failing in turn.
-# usage: soak.sh BUILD_FOLDER     THUD: the program.  SOAK_FACTOR, SOAK_STUDIES: how much of it.
+# What takes too long for `make test`: memory over a long life, studies killed again and again, every call failing in turn,
+# random scenes by every way that must agree.
+# usage: soak.sh BUILD_FOLDER     THUD: the program.  SOAK_FACTOR, SOAK_STUDIES, SOAK_SCENES: how much of it.
 set -u
 build=$1
 THUD=${THUD:-$PWD/thud}
@@ -8,6 +9,8 @@ export THUD
 log=$build/soak.log
 {
     CK_FORK=no "$build/soak" "${SOAK_FACTOR:-1}"
+    "$build/cross" 1 "${SOAK_SCENES:-500}" >"$build/cross.log" && echo "ok - random scenes agree" ||
+        echo "not ok - random scenes agree (see $build/cross.log)"
     sh tests/soak/kill.sh "${SOAK_STUDIES:-100}"
     FAULT_POINTS=100000 FAULT_FILE_POINTS=100000 sh tests/cli/test_faults.sh
 } | tee "$log"

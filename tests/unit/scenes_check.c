@@ -199,12 +199,25 @@ static void check_methods(struct subject *s)
                      1e-9, false);
 }
 
+static void check_sweep(struct subject *s)
+{
+    char what[300];
+    if (!asked(s, "study") || s->one.scene.nstructures < 2)
+        return;
+    int i = find_check(s->tally, "study");
+    s->tally->check[i].made++;
+    if (scenes_sweep_agrees(&s->one, what, sizeof what))
+        return;
+    s->tally->check[i].off++;
+    report(s, "study", what);
+}
+
 static bool tolerance_matters(const struct scenes_one *one)
 {
     for (int i = 0; i + 1 < one->scene.nstructures; i++) {
         const struct thud_interface *at = &one->scene.interface[i];
         const struct thud_law *law = at->has_bumper ? at->bumper.law : at->contact.law;
-        if (!(law->flags & (THUD_LAW_LINEAR | THUD_LAW_IMPULSIVE | THUD_LAW_SILENT)))
+        if (!(law->flags & (THUD_LAW_LINEAR | THUD_LAW_SILENT)))
             return true;
     }
     return false;
@@ -235,6 +248,7 @@ void scenes_check(unsigned long long seed, struct scenes_tally *tally)
             report(&s, "energy", what);
         }
         check_same_bits(&s);
+        check_sweep(&s);
         if (s.worst_amplify <= 1e6) {
             check_tolerances(&s);
             check_symmetries(&s);

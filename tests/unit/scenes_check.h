@@ -5,6 +5,8 @@
 #include <stdbool.h>
 #include <stdio.h>
 
+#include "scenes.h"
+
 enum { SCENES_CHECKS_MAX = 32 };
 struct scenes_tally {
     const char *only; /* part of a check's name; "": all */
@@ -19,6 +21,8 @@ struct scenes_tally {
 
 /* Prints a line for each disagreement. */
 void scenes_check(unsigned long long seed, struct scenes_tally *tally);
+/* scenes_sweep.c: whether a study of the scene answers the same with and without its savings; else what is wrong. */
+bool scenes_sweep_agrees(const struct scenes_one *one, char *what, size_t size);
 void scenes_tally_print(const struct scenes_tally *tally, FILE *out);
 
 #endif

@@ -41,6 +41,16 @@ START_TEST(scenes_that_lost_a_peak)
 }
 END_TEST
 
+/* Neighbours without a clearance that stand still at first: by rounding they touched when the ground began to move, but
+ * a study knew that they need not. */
+START_TEST(neighbours_at_rest_do_not_touch)
+{
+    struct scenes_tally tally = {.only = "study"};
+    scenes_check(391, &tally);
+    ck_assert_int_eq(tally.wrong, 0);
+}
+END_TEST
+
 /* Scenes that once had no answer, or none in any time: an indentation of rounding's size at first touch held against
  * one of 0 (38); steps made tiny by the next kink, or by a touch, that never grew again (119, 196, 226); a row
  * of bounces come to rest with a speed left over, which a force had to undo at once (1094, 2110, 2668). */
@@ -65,6 +75,7 @@ Suite *thud_suite(void)
     TCase *tcase = tcase_create("cross");
     tcase_set_timeout(tcase, 60);
     tcase_add_test(tcase, drawn_scenes);
+    tcase_add_test(tcase, neighbours_at_rest_do_not_touch);
     tcase_add_loop_test(tcase, scenes_that_lost_a_peak, 0, 2);
     tcase_add_loop_test(tcase, scenes_whose_answers_differed, 0, 2);
     tcase_add_loop_test(tcase, scenes_that_had_no_answer, 0, 7);

@@ -1,0 +1,83 @@
+/* A study of a random scene: with its savings, without them, and as runs of its own. */
+#include <assert.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "scenes_check.h"
+#include "study/sweep.h"
+
+/* The finished point, what it cost left out; NULL where it has none. */
+static struct thud_sweep_point *make_point(const struct thud_sweep_plan *plan, const struct thud_sweep_base *base,
+                                           long index)
+{
+    struct thud_sweep_task *task;
+    if (thud_sweep_task_create(plan, base, index, &task, NULL) != THUD_OK)
+        return NULL;
+    for (bool done = false; !done;)
+        if (thud_sweep_task_advance(task, 100000, &done, NULL) != THUD_OK)
+            break;
+    struct thud_sweep_point *point = thud_sweep_task_take(task);
+    for (int k = 0; k < point->ncases; k++)
+        point->effort[k] = (struct thud_sweep_effort){.status = point->effort[k].status};
+    thud_sweep_task_free(task);
+    return point;
+}
+
+static struct thud_text whole(const struct thud_sweep_plan *plan)
+{
+    struct thud_text text = {0};
+    struct thud_sweep_base *base;
+    if (thud_sweep_base_create(plan, 0, &base, NULL) != THUD_OK)
+        return text;
+    for (bool done = false; !done;)
+        if (thud_sweep_base_advance(base, 1000, &done, NULL) != THUD_OK)
+            break;
+    for (long i = 0; i < thud_sweep_points(plan); i++) {
+        struct thud_sweep_point *point = make_point(plan, base, i);
+        if (!point)
+            continue;
+        thud_sweep_point_write(point, &text);
+        thud_text_append(&text, "\n");
+        free(point);
+    }
+    thud_sweep_base_free(base);
+    return text;
+}
+
+bool scenes_sweep_agrees(const struct scenes_one *one, char *what, size_t size)
+{
+    struct thud_sweep_plan *plan = malloc(sizeof *plan);
+    assert(plan);
+    thud_sweep_plan_init(plan, &one->scene);
+    const struct thud_record *record = one->record;
+    plan->record = &record;
+    plan->nrecords = record ? 1 : 0;
+    bool same = true;
+    char axis[200], last[40] = "as-written,none";
+    double gap = one->scene.interface[0].gap_m;
+    snprintf(axis, sizeof axis, "interfaces.1.gap=%.17g m,%.17g m,%.17g m", gap,
+             fmin(1.01 * gap + 1e-3 * one->peak_m, 5), fmin(3 * gap + one->peak_m, 5));
+    struct thud_error err;
+    if (thud_sweep_vary(plan, axis, &err) != THUD_OK || thud_sweep_cases(plan, last, &err) != THUD_OK) {
+        snprintf(what, size, "no study: %s", err.what);
+        same = false;
+    } else {
+        struct thud_text all = whole(plan), each = {0};
+        static const unsigned some[] = {0, THUD_SWEEP_FREE, THUD_SWEEP_START, THUD_SWEEP_LEVELS};
+        for (int i = 0; i < 4 && same; i++) {
+            plan->savings = some[i];
+            each = whole(plan);
+            same = all.data && each.data && strcmp(all.data, each.data) == 0;
+            if (!same)
+                snprintf(what, size, "savings %u and all of them differ: %s", some[i],
+                         all.data && each.data ? "" : "no points");
+            thud_text_clear(&each);
+        }
+        thud_text_clear(&all);
+    }
+    thud_sweep_plan_clear(plan);
+    free(plan);
+    return same;
+}
