@@ -9,7 +9,7 @@ export THUD
 log=$build/soak.log
 {
     CK_FORK=no "$build/soak" "${SOAK_FACTOR:-1}"
-    "$build/cross" 1 "${SOAK_SCENES:-500}" >"$build/cross.log" && echo "ok - random scenes agree" ||
+    "$build/cross" 1 "${SOAK_SCENES:-300}" halved >"$build/cross.log" && echo "ok - random scenes agree" ||
         echo "not ok - random scenes agree (see $build/cross.log)"
     sh tests/soak/kill.sh "${SOAK_STUDIES:-100}"
     FAULT_POINTS=100000 FAULT_FILE_POINTS=100000 sh tests/cli/test_faults.sh

@@ -44,7 +44,7 @@ static void find_natural(struct scenes_answer *a, const struct thud_model *m, do
     a->natural[SCENES_IMPULSE] = mass * speed;
     a->natural[SCENES_LOST] =
         fmax(mass * speed * speed, 1e4 * a->largest[SCENES_FORCE] * a->largest[SCENES_INDENTATION]);
-    a->natural[SCENES_FIRST] = a->natural[SCENES_TIME] = 1e6 * end_s; /* a grazing contact lasts any time */
+    a->natural[SCENES_FIRST] = a->natural[SCENES_TIME] = 1e8 * end_s; /* a grazing contact lasts any time */
 }
 
 static void take(struct scenes_answer *a, const struct thud_model *model, const struct thud_run *run)
@@ -76,7 +76,7 @@ static void take(struct scenes_answer *a, const struct thud_model *model, const 
         add(a, SCENES_INDENTATION, place, c, p->indentation.value);
         add(a, SCENES_IMPULSE, place, c, p->impulse_ns);
         add(a, SCENES_LOST, place, c, p->dissipated_j);
-        add(a, SCENES_TIME, place, c, p->impulse_ns > 0.01 * impulse ? p->contact_time_s : NAN);
+        add(a, SCENES_TIME, place, c, p->impulse_ns > 0.1 * impulse ? p->contact_time_s : NAN);
         add_impacts(a, run, c, 1e-3 * impulse);
     }
     find_natural(a, model, r->end_s);
