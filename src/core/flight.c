@@ -310,6 +310,7 @@ static void add_energies(struct thud_flight *f, struct thud_run *run, int interv
             e[t] += a0[t] * (w0 * q[t] + w1 * v[t]) + a1[t] * (w2 * q[t] + w3 * v[t]);
     }
     run->ledger.input_j += sum(e, intervals);
+    thud_ledger_mark(run);
 }
 
 static enum thud_status rows(struct thud_run *run, struct thud_flight *f, int intervals, struct thud_error *err)

@@ -103,6 +103,12 @@ static void structure_work(struct thud_run *run, const struct thud_places *place
     run->ledger.viscous_j += (loss + coupled_loss(m, run->scratch)) * dt;
 }
 
+void thud_ledger_mark(struct thud_run *run)
+{
+    struct thud_ledger *l = &run->ledger;
+    l->largest_j = fmax(l->largest_j, l->initial_j + l->input_j - l->viscous_j - l->contact_work_j);
+}
+
 void thud_ledger_segment(struct thud_run *run, double s)
 {
     struct thud_places places;
@@ -111,8 +117,10 @@ void thud_ledger_segment(struct thud_run *run, double s)
     for (int c = 0; c < run->model->ncontacts; c++)
         if (thud_contact_felt(run, c))
             book_contact(run, &places, c, dt);
-    if (!run->options.no_ledger)
-        structure_work(run, &places, s, dt);
+    if (run->options.no_ledger)
+        return;
+    structure_work(run, &places, s, dt);
+    thud_ledger_mark(run);
 }
 
 struct thud_ledger thud_ledger_at(struct thud_run *run, double s)

@@ -200,6 +200,9 @@ bool thud_reach_structure(const struct thud_run *run, int structure, const struc
 void thud_ledger_start(struct thud_run *run);
 void thud_ledger_segment(struct thud_run *run, double s);
 struct thud_ledger thud_ledger_at(struct thud_run *run, double s); /* as it will be at s; books nothing */
+/* What the structures hold now, as the ledger has it, may be the most so far: the energy that its error is a part of.
+ */
+void thud_ledger_mark(struct thud_run *run);
 void thud_ledger_finish(struct thud_run *run);
 double thud_run_kinetic(const struct thud_run *run);
 double thud_run_strain(const struct thud_run *run);

@@ -147,6 +147,49 @@ START_TEST(closed_contact_holds_energy)
 }
 END_TEST
 
+/* Resonance up and then down again, without damping: next to nothing of the work is left in the end, and the error is
+ * still told as a part of the most that the structure ever held. */
+START_TEST(error_is_a_part_of_the_most_there_was)
+{
+    static const char *const method[] = {"rk4", "exact"};
+    enum { PERIOD = 40, CYCLES = 10, N = 2 * PERIOD * CYCLES + 1 };
+    const double dt = 0.0125, omega = 4 * acos(0) / (PERIOD * dt), mass = 320e3;
+    double stiffness = mass * omega * omega, a[N];
+    for (int i = 0; i < N; i++)
+        a[i] = (i < N / 2 ? 1 : -1) * sin(omega * dt * i);
+    struct thud_record *record;
+    struct thud_structure_input one = {.n = 1, .mass_kg = &mass, .stiffness_npm = &stiffness};
+    struct thud_model_input input = {.nstructures = 1, .structure = &one};
+    struct thud_model *model;
+    struct thud_run_options options;
+    struct thud_run *run;
+    bool done = false;
+    ck_assert_int_eq(thud_record_create(a, N, dt, &record, NULL), THUD_OK);
+    ck_assert_int_eq(thud_model_create(&input, &model, NULL), THUD_OK);
+    thud_run_options_init(&options);
+    options.tail_s = 0;
+    options.keep_history = true;
+    options.method = thud_method_find(method[_i]);
+    options.step_s = 0.4 * dt;
+    ck_assert_int_eq(thud_run_create(model, record, &options, &run, NULL), THUD_OK);
+    while (!done)
+        ck_assert_int_eq(thud_run_advance(run, 100000, &done, NULL), THUD_OK);
+    const struct thud_history *h = thud_run_history(run);
+    const struct thud_energy *e = &thud_run_result(run)->energy;
+    double most = 0, held = e->kinetic_j + e->strain_j, left = fabs(e->input_j - held);
+    for (size_t i = 0; i < h->rows; i++) {
+        const double *row = h->value + i * (size_t)h->columns + thud_history_energy(h, 0);
+        most = fmax(most, row[1] + row[2]);
+    }
+    ck_assert_double_lt(fmax(fabs(e->input_j), held), 0.01 * most);
+    ck_assert_double_ge(e->error_ratio, left / most * (1 - 1e-6));
+    ck_assert_double_le(e->error_ratio, 2 * left / most);
+    thud_run_free(run);
+    thud_model_free(model);
+    thud_record_free(record);
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -155,6 +198,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, energies_balance_row_by_row);
     tcase_add_test(tcase, closed_contact_holds_energy);
     tcase_add_test(tcase, ground_is_the_record);
+    tcase_add_loop_test(tcase, error_is_a_part_of_the_most_there_was, 0, 2);
     suite_add_tcase(suite, tcase);
     return suite;
 }
