@@ -41,8 +41,8 @@ static enum thud_status impulses(const struct thud_run *run, struct collision *x
         int c = x->set[i];
         double v = x->speed[i] = thud_contact_rate(run, c);
         double e = m->contact[c].law->nominal(&m->contact[c].setup);
-        if (!(e * v >
-              rest_speed(run))) /* held from now on: at rest, or the force would have to bring it there at once */
+        bool held = run->contact[c].mode == THUD_STUCK; /* what rate it has is the error of the force that holds it */
+        if (held || !(e * v > rest_speed(run))) /* or the force would have to bring it to rest at once */
             e = 0;
         x->q[i] = -(1 + e) * v;
         for (int j = 0; j < x->n; j++)
@@ -75,7 +75,7 @@ static enum thud_status note(struct thud_run *run, int c, double before, double 
     r->impulse_ns += impulse;
     r->dissipated_j += lost;
     run->ledger.contact_work_j += lost;
-    if (!(before > 0))
+    if (!(before > 0) || run->contact[c].mode == THUD_STUCK)
         return THUD_OK; /* a held contact passes the blow on */
     r->impacts++;
     r->approach_mps = before;

@@ -29,6 +29,17 @@ START_TEST(scenes_whose_answers_differed)
 }
 END_TEST
 
+/* A contact at rest that once bounced off the error of its rate when its neighbour was struck (6335): held no more for
+ * the shortest time, and a peak there. */
+START_TEST(a_held_contact_does_not_bounce)
+{
+    struct scenes_tally tally = {.only = "tolerance 1e-8"};
+    scenes_check(6335, &tally);
+    ck_assert_int_eq(tally.wrong, 0);
+    ck_assert_int_eq(tally.wild, 0);
+}
+END_TEST
+
 /* Scenes that once had another peak when their record's intervals were halved or their row mirrored: one that Newton's
  * method met to the last bit was lost. */
 START_TEST(scenes_that_lost_a_peak)
@@ -76,6 +87,7 @@ Suite *thud_suite(void)
     tcase_set_timeout(tcase, 60);
     tcase_add_test(tcase, drawn_scenes);
     tcase_add_test(tcase, neighbours_at_rest_do_not_touch);
+    tcase_add_test(tcase, a_held_contact_does_not_bounce);
     tcase_add_loop_test(tcase, scenes_that_lost_a_peak, 0, 2);
     tcase_add_loop_test(tcase, scenes_whose_answers_differed, 0, 2);
     tcase_add_loop_test(tcase, scenes_that_had_no_answer, 0, 7);
