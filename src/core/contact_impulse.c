@@ -7,10 +7,11 @@
 #include "core/contact.h"
 #include "core/lcp.h"
 
-/* A parting slower than this is taken as the end of a row of ever smaller bounces: the contact comes to rest. */
+/* A parting slower than this is taken as the end of a row of ever smaller bounces: the contact comes to rest. No units
+ * of its own: the same scene in other ones, or a larger one, comes to rest at the same moment. */
 static double rest_speed(const struct thud_run *run)
 {
-    return fmax(1e-4 * run->options.tolerance, 1e-11);
+    return fmax(1e-4 * run->options.tolerance, 1e-11) * run->speed_mps;
 }
 
 /* Contacts that take part: the one that touches now, those that are held, and those that are at zero distance. */

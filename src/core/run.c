@@ -154,7 +154,6 @@ enum thud_status thud_run_create(const struct thud_model *model, const struct th
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     run->model = model;
     run->record = record;
-    run->ground_mps2 = record ? thud_record_peak(record) : 0;
     run->options = *options;
     pick_method(run);
     set_times(run);
@@ -165,6 +164,7 @@ enum thud_status thud_run_create(const struct thud_model *model, const struct th
     if (run->contact && run->set_now && run->known && allocate_doubles(run) && allocate_result(run)) {
         memcpy(run->q, model->q0, (size_t)model->ndof * sizeof *run->q);
         memcpy(run->qd, model->qd0, (size_t)model->ndof * sizeof *run->qd);
+        thud_run_set_scales(run);
         thud_contact_start(run);
         thud_peaks_start(run);
         thud_ledger_start(run);

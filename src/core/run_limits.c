@@ -69,6 +69,30 @@ double thud_run_default_step(const struct thud_run *run)
     return fmin(step, run->record ? run->record->dt_s : run->end_s / 20);
 }
 
+/* Largest speed of the ground, that of a body it does not take along: of the trapezoids under its acceleration, also
+ * where that changes sign between two samples. */
+static double ground_speed(const struct thud_record *r)
+{
+    double v = 0, most = 0;
+    for (size_t i = 0; r && i + 1 < r->samples; i++) {
+        double a = r->a_mps2[i], b = r->a_mps2[i + 1];
+        if (a * b < 0)
+            most = fmax(most, fabs(v + 0.5 * r->dt_s * a * (a / (a - b))));
+        v += 0.5 * r->dt_s * (a + b);
+        most = fmax(most, fabs(v));
+    }
+    return most;
+}
+
+void thud_run_set_scales(struct thud_run *run)
+{
+    double first = 0;
+    for (int i = 0; i < run->model->ndof; i++)
+        first = fmax(first, fabs(thud_model_floor(run->model, i, run->qd)));
+    run->ground_mps2 = run->record ? thud_record_peak(run->record) : 0;
+    run->speed_mps = first + ground_speed(run->record);
+}
+
 /* d sqrt(2 E)/dt <= |gamma| |a_g|, whatever the contacts do that give no energy: so sqrt(2 E) never passes its first
  * value plus |gamma| times the integral of |a_g|. */
 void thud_run_set_bound(struct thud_run *run)

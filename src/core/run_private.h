@@ -56,6 +56,7 @@ struct thud_run {
     double step_cap_s;  /* a stepping method's next step is to be no longer */
     double speed_bound; /* sqrt(2 E) that initial motion and ground can give at most, in modal coordinates */
     double ground_mps2; /* peak of the ground motion: what the structures feel anyway */
+    double speed_mps;   /* largest first speed of a floor and largest speed of the ground: what others are small against */
     double *q, *qd;     /* (ndof) modal state */
     struct thud_contact_state *contact;
     int nactive; /* contacts CLOSED or STUCK */
@@ -171,6 +172,8 @@ enum thud_status thud_run_check_options(const struct thud_model *model, const st
 /* The step of a fixed-step method that was given none: a twentieth of the shortest period, of a mode or of a contact at
  * a closing of 1 m/s, and not above the record's step. */
 double thud_run_default_step(const struct thud_run *run);
+/* Fills run->ground_mps2 and run->speed_mps, from the first state. */
+void thud_run_set_scales(struct thud_run *run);
 /* Fills run->speed_bound. */
 void thud_run_set_bound(struct thud_run *run);
 /* THUD_DIVERGED when this state (q, qd) holds far more energy than can ever have come in. */

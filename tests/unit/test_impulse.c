@@ -90,6 +90,31 @@ START_TEST(bounces_down_to_rest)
 }
 END_TEST
 
+/* The same throw a million times smaller, by a power of two: comes to rest at the same bounce and the same moment. */
+START_TEST(rest_has_no_size_of_its_own)
+{
+    enum { N = 201 };
+    double mass = 1000, speed = 0, end[2] = {0};
+    int impacts[2] = {0};
+    for (int small = 0; small < 2; small++) {
+        double a[N], size = small ? 0x1p-20 : 1;
+        for (int i = 0; i < N; i++)
+            a[i] = -10 * size;
+        struct thud_record record = {.dt_s = 0.01, .samples = N, .a_mps2 = a};
+        struct thud_model *model = row(1, &mass, &speed, true, size, 0.5);
+        struct thud_run *run = finish(model, &record, 0);
+        const struct thud_impact *impact = thud_run_impacts(run, &impacts[small]);
+        end[small] = impact[impacts[small] - 1].start_s;
+        ck_assert_double_eq_tol(end[small], sqrt(0.2) * 3, 1e-9);
+        thud_run_free(run);
+        thud_model_free(model);
+    }
+    ck_assert_int_gt(impacts[0], 20);
+    ck_assert_int_eq(impacts[0], impacts[1]);
+    ck_assert_double_eq(end[0], end[1]);
+}
+END_TEST
+
 /* Three equal bodies that touch, the first one moving: with all contacts at once and e = 1 the impulses are 4/3 and 2/3
  * of m v. */
 START_TEST(blow_passed_on_at_once)
@@ -160,6 +185,7 @@ Suite *thud_suite(void)
     Suite *suite = suite_create("impulse");
     TCase *tc = tcase_create("impulse");
     tcase_add_test(tc, bounces_down_to_rest);
+    tcase_add_test(tc, rest_has_no_size_of_its_own);
     tcase_add_test(tc, blow_passed_on_at_once);
     tcase_add_test(tc, caught_between_two);
     tcase_add_test(tc, momentum_and_energy_in_a_row);
