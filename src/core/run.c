@@ -113,10 +113,11 @@ static const char no_contact[] = "no contact is possible: modes alone, in closed
 /* What the scene needs, for the reason `auto` gives. */
 static const char *need(const struct thud_model *m)
 {
-    bool contact = false, nonlinear = false, flexible = false;
+    bool contact = false, nonlinear = false, impulsive = false, flexible = false;
     for (int c = 0; c < m->ncontacts; c++) {
         unsigned flags = m->contact[c].law->flags;
         contact = contact || !(flags & THUD_LAW_SILENT);
+        impulsive = impulsive || flags & THUD_LAW_IMPULSIVE;
         nonlinear = nonlinear || !(flags & (THUD_LAW_SILENT | THUD_LAW_LINEAR | THUD_LAW_IMPULSIVE));
     }
     for (int j = 0; j < m->ndof; j++)
@@ -126,6 +127,8 @@ static const char *need(const struct thud_model *m)
     if (nonlinear)
         return flexible ? "closed form between contacts; the tolerance holds for the nonlinear contact forces alone"
                         : "rigid bodies: free motion in closed form; the tolerance holds for the contact forces";
+    if (impulsive)
+        return "closed form between impulses; the tolerance only says when ever smaller bounces have come to rest";
     return "closed form between contacts and in them: the tolerance plays no part";
 }
 

@@ -112,6 +112,8 @@ is "auto says where nothing touched" shows "^method .*(nothing touched: modes al
 is "and took no step" shows " 0 steps, 0 force evaluations, 0 events"
 gives 0 run towers --case none
 is "auto says where contacts are linear" shows "^method .*(closed form between contacts and in them"
+gives 0 run rigid-concrete --set contact.law=stereomechanical
+is "auto says what the tolerance is for with impulses" shows "^method .*(closed form between impulses; the tolerance only says when"
 printf '%s\n' 0.1 0.5 -0.8 0.3 0.0 >"$tmp/column.txt"
 gives 0 run towers --json --record "$tmp/column.txt" --dt "0.01 s" --unit g
 is "--record, --dt, --unit" near "$(number peak_mps2)" 7.84532 1e-12
