@@ -198,8 +198,7 @@ static void start_at(struct thud_run *run, const struct moment *moment)
     memcpy(run->qd, moment->state + n, n * sizeof(double));
     for (int s = 0; s < run->result.nstructures; from += run->result.structure[s].floors, s++)
         memcpy(run->result.structure[s].floor, from, (size_t)run->result.structure[s].floors * sizeof *from);
-    for (int c = 0; c < run->model->ncontacts; c++)
-        run->contact[c].zeros = (struct thud_zeros){0};
+    thud_contact_moved(run);
     thud_ledger_start(run);
 }
 

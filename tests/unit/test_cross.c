@@ -53,11 +53,13 @@ START_TEST(scenes_that_lost_a_peak)
 END_TEST
 
 /* Neighbours without a clearance that stand still at first: by rounding they touched when the ground began to move, but
- * a study knew that they need not. */
+ * a study knew that they need not (391); or the other way round, where a study's run began later than the ground (255,
+ * 6335). */
 START_TEST(neighbours_at_rest_do_not_touch)
 {
+    static const unsigned long long seeds[] = {391, 255, 6335};
     struct scenes_tally tally = {.only = "study"};
-    scenes_check(391, &tally);
+    scenes_check(seeds[_i], &tally);
     ck_assert_int_eq(tally.wrong, 0);
 }
 END_TEST
@@ -86,7 +88,7 @@ Suite *thud_suite(void)
     TCase *tcase = tcase_create("cross");
     tcase_set_timeout(tcase, 60);
     tcase_add_test(tcase, drawn_scenes);
-    tcase_add_test(tcase, neighbours_at_rest_do_not_touch);
+    tcase_add_loop_test(tcase, neighbours_at_rest_do_not_touch, 0, 3);
     tcase_add_test(tcase, a_held_contact_does_not_bounce);
     tcase_add_loop_test(tcase, scenes_that_lost_a_peak, 0, 2);
     tcase_add_loop_test(tcase, scenes_whose_answers_differed, 0, 2);
