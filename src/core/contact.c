@@ -141,28 +141,31 @@ static void slack_events(const struct thud_run *run, int c, const double *d, dou
     consider(found, thud_poly_first_above(d, n, s_end, -1, s->zeros.indentation, 0), c, THUD_EVENT_GONE);
 }
 
-/* Just stuck: a force that is at one end of its interval but for the accuracy of its polynomial is taken to start
- * there. */
-static int at_bound(const struct thud_run *run, int c, double distance)
+/* How far a STUCK contact's force is from one end of its interval. Just stuck, a force that is there but for the
+ * accuracy of its polynomial is taken to start there. */
+static double from_bound(const struct thud_run *run, int c, double distance)
 {
     double scale = run->model->contact[c].setup.mass_kg * run->ground_mps2;
-    return run->contact[c].zeros.force > 0 && fabs(distance) <= 10 * run->options.tolerance * scale;
+    bool there = run->contact[c].zeros.force > 0 && fabs(distance) <= 10 * run->options.tolerance * scale;
+    return there ? 0 : distance;
 }
 
+/* The force is outside its interval when it is so by more than rounding: neighbours that move alike are held together
+ * by what rounding leaves of equal forces. */
 static void stuck_events(const struct thud_run *run, int c, double s_end, struct found *found)
 {
     const struct thud_contact_state *s = &run->contact[c];
-    double p[THUD_SEGMENT_TERMS];
+    double p[THUD_SEGMENT_TERMS], rounding = run->model->contact[c].setup.mass_kg * thud_contact_rounding(run);
     int n = run->seg.terms;
     assert(n > 0);
     for (int k = 0; k < n; k++)
         p[k] = run->seg.force[k * run->model->ncontacts + c];
     double f0 = p[0];
-    p[0] = f0 - s->hold_low;
-    consider(found, thud_poly_first_above(p, n, s_end, -1, at_bound(run, c, p[0]), 0), c, THUD_EVENT_HOLD_DOWN);
+    p[0] = from_bound(run, c, f0 - s->hold_low) + rounding;
+    consider(found, thud_poly_first_above(p, n, s_end, -1, 0, 0), c, THUD_EVENT_HOLD_DOWN);
     if (s->hold_high < INFINITY) {
-        p[0] = f0 - s->hold_high;
-        consider(found, thud_poly_first_above(p, n, s_end, 1, at_bound(run, c, p[0]), 0), c, THUD_EVENT_HOLD_UP);
+        p[0] = from_bound(run, c, f0 - s->hold_high) - rounding;
+        consider(found, thud_poly_first_above(p, n, s_end, 1, 0, 0), c, THUD_EVENT_HOLD_UP);
     }
 }
 

@@ -96,7 +96,7 @@ static void settle(struct thud_run *run, int c)
     }
     thud_contact_set_mode(run, c, THUD_OPEN);
     thud_contact_forces(run, run->force_now);
-    if (thud_contact_acceleration(run, c, run->force_now) <= 0) {
+    if (thud_contact_acceleration(run, c, run->force_now) <= -thud_contact_rounding(run)) {
         s->zeros = (struct thud_zeros){.indentation = 2};
         return;
     }

@@ -56,8 +56,9 @@ struct thud_run {
     double step_cap_s;  /* a stepping method's next step is to be no longer */
     double speed_bound; /* sqrt(2 E) that initial motion and ground can give at most, in modal coordinates */
     double ground_mps2; /* peak of the ground motion: what the structures feel anyway */
-    double speed_mps;   /* largest first speed of a floor and largest speed of the ground: what others are small against */
-    double *q, *qd;     /* (ndof) modal state */
+    double
+        speed_mps;  /* largest first speed of a floor and largest speed of the ground: what others are small against */
+    double *q, *qd; /* (ndof) modal state */
     struct thud_contact_state *contact;
     int nactive; /* contacts CLOSED or STUCK */
     int stalls;  /* events in a row without progress in time */
@@ -155,6 +156,11 @@ double thud_contact_rate(const struct thud_run *run, int c);
 void thud_contact_forces(const struct thud_run *run, double *force);
 /* Second rate of the indentation of contact c under these forces. */
 double thud_contact_acceleration(const struct thud_run *run, int c, const double *force);
+/* More than rounding makes of the second rate of an indentation that is 0. */
+static inline double thud_contact_rounding(const struct thud_run *run)
+{
+    return 1e-12 * (run->ground_mps2 + run->speed_mps * run->fastest_radps);
+}
 /* Second rate of the modal coordinates without contact forces, out (ndof). */
 void thud_model_acceleration(const struct thud_model *model, const double *q, const double *qd, double ground,
                              double *out);

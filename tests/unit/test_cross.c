@@ -66,10 +66,11 @@ END_TEST
 
 /* Scenes that once had no answer, or none in any time: an indentation of rounding's size at first touch held against
  * one of 0 (38); steps made tiny by the next kink, or by a touch, that never grew again (119, 196, 226); a row
- * of bounces come to rest with a speed left over, which a force had to undo at once (1094, 2110, 2668). */
+ * of bounces come to rest with a speed left over, which a force had to undo at once (1094, 2110, 2668); equal
+ * neighbours that rounding now held and now let go (1526, 20010). */
 START_TEST(scenes_that_had_no_answer)
 {
-    static const unsigned long long seeds[] = {38, 119, 196, 226, 1094, 2110, 2668};
+    static const unsigned long long seeds[] = {38, 119, 196, 226, 1094, 2110, 2668, 1526, 20010};
     struct scenes_one one;
     struct scenes_answer answer;
     scenes_draw(&one, seeds[_i]);
@@ -92,7 +93,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, a_held_contact_does_not_bounce);
     tcase_add_loop_test(tcase, scenes_that_lost_a_peak, 0, 2);
     tcase_add_loop_test(tcase, scenes_whose_answers_differed, 0, 2);
-    tcase_add_loop_test(tcase, scenes_that_had_no_answer, 0, 7);
+    tcase_add_loop_test(tcase, scenes_that_had_no_answer, 0, 9);
     suite_add_tcase(suite, tcase);
     return suite;
 }
