@@ -9,10 +9,13 @@
 
 /* More rows than this are not kept in memory: there are no figures and no table then. */
 enum { THUD_SWEEP_ROWS_MAX = 200000 };
+/* What the study was made of, beside its other files. */
+#define THUD_SWEEP_STUDY_FILE "study.json"
 
 struct thud_sweep_study {
     const struct thud_sweep_plan *plan;
     const char *preset;            /* YAML of plan->scene, for the journal; only with a folder */
+    struct thud_text *description; /* study.json, cleared once it is written; NULL or empty: none */
     const char *folder;            /* NULL: nothing is written */
     struct thud_sweep_shard shard; /* 1 of 1: everything; a part leaves its journal only */
     int threads;
@@ -36,7 +39,7 @@ struct thud_sweep_outcome {
     struct thud_error picture_error;
 };
 
-/* With a folder: sweep.csv, contacts.csv, needed-gaps.csv and the figures, each whole or not at all. After
+/* With a folder: study.json, sweep.csv, contacts.csv, needed-gaps.csv and the figures, each whole or not at all. After
  * THUD_CANCELLED (with the folder's or the output's state told in `err`) the same call goes on. Errors: THUD_CANCELLED,
  * THUD_OUTPUT, THUD_INPUT, THUD_MEMORY. */
 enum thud_status thud_sweep_study_run(const struct thud_sweep_study *study, struct thud_sweep_outcome *out,

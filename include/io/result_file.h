@@ -22,7 +22,7 @@ struct thud_report {
     const struct thud_truncation *truncation;   /* NULL: no mode is left out */
 };
 
-/* The result of `thud run --json`. */
+/* The result of `thud run --json`. Its "scene" is a preset that gives the run again. */
 void thud_result_json(const struct thud_report *report, struct thud_text *out);
 /* One row per structure and floor. */
 void thud_result_csv(const struct thud_report *report, struct thud_text *out);

@@ -80,7 +80,7 @@ static const struct thud_option options[] = {
     {"size", "WIDTHxHEIGHT", "of pictures, in pixels", THUD_WORD_TEXT, false, PICTURES},
     {"font", "NAME[,PIXELS]", "of pictures", THUD_WORD_TEXT, false, PICTURES},
     {"j", "N", "runs at a time; results do not depend on it", THUD_WORD_TEXT, false, STUDY | FIGURES},
-    {"quiet", NULL, "no progress on standard error", THUD_WORD_NONE, false, PICTURES | VERIFY},
+    {"quiet", NULL, "no progress and no remarks", THUD_WORD_NONE, false, PICTURES | VERIFY},
     {"ascii", NULL, "draw with ASCII characters only", THUD_WORD_NONE, false, SCREEN},
     {"no-color", NULL, "use no colour", THUD_WORD_NONE, false, SCREEN},
     {"words", "LIST", "the words of a list, for shells", THUD_WORD_TEXT, false, 1 << THUD_COMMAND_HELP},

@@ -2,10 +2,13 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "app/sweep_study_private.h"
 #include "io/file.h"
 #include "io/preset.h"
+
+enum { DESCRIPTION_MAX = 16 << 20 };
 
 static enum thud_status fill_plan(struct thud_sweep_parts *parts, const struct thud_sweep_head *head,
                                   const struct thud_scene *scene, struct thud_error *err)
@@ -119,6 +122,19 @@ static enum thud_status place(const struct thud_sweep_plan *plan, const char *fo
     return THUD_OK;
 }
 
+/* What the study was made of is the same in every part, and stands beside its journal; older ones have none. */
+static enum thud_status copy_description(const char *from, const char *folder, struct thud_error *err)
+{
+    char path[4096];
+    struct thud_text text = {0};
+    size_t size;
+    if (snprintf(path, sizeof path, "%s/" THUD_SWEEP_STUDY_FILE, from) >= (int)sizeof path || access(path, F_OK) != 0)
+        return THUD_OK;
+    enum thud_status status = thud_file_read(path, DESCRIPTION_MAX, &text.data, &size, err);
+    text.size = size;
+    return status == THUD_OK ? thud_text_write_in(&text, folder, THUD_SWEEP_STUDY_FILE, err) : status;
+}
+
 enum thud_status thud_sweep_study_merge(const struct thud_sweep_study *study, const char *const *part, int nparts,
                                         struct thud_sweep_outcome *out, struct thud_error *err)
 {
@@ -131,6 +147,8 @@ enum thud_status thud_sweep_study_merge(const struct thud_sweep_study *study, co
         status = place(study->plan, part[i], journal, nparts, &fingerprint, err);
     if (status == THUD_OK)
         status = thud_folder_make(study->folder, err);
+    if (status == THUD_OK)
+        status = copy_description(part[0], study->folder, err);
     if (status == THUD_OK)
         status = thud_sweep_study_finish(study, journal, nparts, out, err);
     for (int i = 0; i < nparts; i++)

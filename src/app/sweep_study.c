@@ -115,7 +115,10 @@ static enum thud_status make_in_folder(struct making *m, struct thud_error *err)
     if (status != THUD_OK)
         return status;
     m->out->resumed = done;
-    status = make(m, done, err);
+    if (study->description && (study->description->size > 0 || study->description->failed))
+        status = thud_text_write_in(study->description, study->folder, THUD_SWEEP_STUDY_FILE, err);
+    if (status == THUD_OK)
+        status = make(m, done, err);
     bool whole = status == THUD_OK && study->shard.count == 1;
     if (whole)
         status = thud_sweep_study_finish(study, &m->journal, 1, m->out, err);

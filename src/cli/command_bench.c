@@ -11,6 +11,7 @@
 #include "cli/interrupt.h"
 #include "cli/picture_options.h"
 #include "cli/scene_options.h"
+#include "cli/study_file.h"
 #include "io/file.h"
 
 static void show_progress(void *context, const char *what, int done, int count)
@@ -20,7 +21,8 @@ static void show_progress(void *context, const char *what, int done, int count)
     fflush(stderr);
 }
 
-/* The table on standard output; with -o also `csv` as NAME.csv and the figure, all of which are used up. */
+/* With -o `csv` as NAME.csv and the figure; then the table on standard output, whose reader may be gone before its end.
+ * All three are used up. */
 static enum thud_status deliver(const struct thud_args *args, struct thud_text *table, struct thud_text *csv,
                                 struct thud_figure *figure, const volatile sig_atomic_t *cancel, struct thud_error *err)
 {
@@ -31,21 +33,19 @@ static enum thud_status deliver(const struct thud_args *args, struct thud_text *
     picture.options.no_data = true; /* the table's CSV says more and has its name */
     if (!*cancel)                   /* what was done before a wish to stop is drawn */
         picture.options.cancel = cancel;
-    if (status == THUD_OK)
-        status = thud_cli_print(table, err);
     if (status == THUD_OK && folder)
         status = thud_figure_check(figure, err);
-    if (status == THUD_OK && folder)
-        status = thud_folder_make(folder, err);
     if (status == THUD_OK && folder) {
         snprintf(name, sizeof name, "%s.csv", figure->name);
         status = thud_text_write_in(csv, folder, name, err);
     }
     thud_text_clear(csv);
     if (folder)
-        return thud_figure_deliver(figure, folder, &picture.options, status, err);
-    thud_figure_free(figure);
-    return status;
+        status = thud_figure_deliver(figure, folder, &picture.options, status, err);
+    else
+        thud_figure_free(figure);
+    enum thud_status printed = thud_cli_print(table, status == THUD_OK ? err : NULL);
+    return status == THUD_OK ? printed : status;
 }
 
 /* --methods NAME,NAME: the curves of these alone. */
@@ -155,6 +155,8 @@ static enum thud_status measure(const struct thud_args *args, struct thud_sessio
         status = thud_scene_options_of_case(args, session, scene, err);
     if (status == THUD_OK)
         status = thud_session_read_record(session, err);
+    if (status == THUD_OK)
+        status = thud_scene_file_write(args, scene, session->record, err);
     if (status == THUD_OK)
         status = (thud_args_has(args, "cost") ? cost : bench)(args, scene, session->record, &jobs, err);
     return status;

@@ -39,7 +39,7 @@ static enum thud_status deliver(const struct thud_args *args, const struct thud_
         thud_result_json(report, &text);
     else if (thud_args_has(args, "csv"))
         thud_result_csv(report, &text);
-    else if (!thud_args_has(args, "quiet"))
+    else
         thud_result_table(report, &text);
     return thud_cli_print(&text, err);
 }

@@ -10,6 +10,7 @@
 #include "cli/interrupt.h"
 #include "cli/picture_options.h"
 #include "cli/scene_options.h"
+#include "cli/study_file.h"
 #include "io/file.h"
 
 static enum thud_status save(const struct thud_stability *stability, const char *folder,
@@ -64,6 +65,8 @@ static enum thud_status stability(const struct thud_args *args, struct thud_sess
     if (status == THUD_OK)
         status = thud_session_read_record(session, err);
     if (status == THUD_OK)
+        status = thud_scene_file_write(args, scene, session->record, err);
+    if (status == THUD_OK)
         status = thud_stability_create(scene, session->record, &plan, err);
     if (status == THUD_OK)
         status = work(args, plan, cancel, err);
@@ -71,11 +74,10 @@ static enum thud_status stability(const struct thud_args *args, struct thud_sess
         if (status == THUD_OK) /* what was done before a wish to stop is drawn */
             picture.options.cancel = cancel;
         thud_stability_table(plan, &text);
-        enum thud_status delivered = thud_cli_print(&text, err);
-        if (delivered == THUD_OK && folder)
-            delivered = save(plan, folder, &picture.options, err);
-        if (delivered != THUD_OK)
-            status = delivered;
+        enum thud_status saved = folder ? save(plan, folder, &picture.options, err) : THUD_OK;
+        enum thud_status printed = thud_cli_print(&text, saved == THUD_OK ? err : NULL);
+        if (saved != THUD_OK || printed != THUD_OK)
+            status = saved != THUD_OK ? saved : printed;
     }
     thud_stability_free(plan);
     return status;

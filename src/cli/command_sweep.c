@@ -10,6 +10,7 @@
 #include "cli/interrupt.h"
 #include "cli/picture_options.h"
 #include "cli/scene_options.h"
+#include "cli/study_file.h"
 #include "cli/sweep_output.h"
 #include "io/file.h"
 
@@ -23,7 +24,8 @@ struct sweep {
     struct thud_sweep_output output;
     struct thud_picture_choice pictures;
     char *preset;
-    int best; /* axis, -1: not asked for */
+    struct thud_text description; /* study.json */
+    int best;                     /* axis, -1: not asked for */
 };
 
 /* Settings given for all files of --records. */
@@ -124,6 +126,7 @@ static enum thud_status fill_study(struct sweep *s, struct thud_error *err)
     struct thud_sweep_study *study = &s->study;
     study->plan = &s->plan;
     study->preset = s->preset;
+    study->description = &s->description;
     study->folder = thud_args_value(args, "o");
     study->shard = (struct thud_sweep_shard){1, 1};
     study->figures = true;
@@ -231,6 +234,8 @@ static enum thud_status make(struct sweep *s, struct thud_error *err)
         status = fill_plan(s, err);
     if (status == THUD_OK && thud_args_has(s->args, "o"))
         status = thud_preset_text(s->session.preset, &s->session.scene, &s->preset, &size, err);
+    if (status == THUD_OK && thud_args_has(s->args, "o"))
+        thud_study_file_json(s->args, &s->session, &s->plan, &s->description);
     if (status == THUD_OK)
         status = fill_study(s, err);
     if (status == THUD_OK)
@@ -269,6 +274,7 @@ enum thud_status thud_command_sweep(const struct thud_args *args, struct thud_er
     s->args = args;
     enum thud_status status = thud_args_has(args, "merge") ? merge(s, err) : make(s, err);
     thud_text_clear(&s->output.text);
+    thud_text_clear(&s->description);
     free(s);
     return status;
 }

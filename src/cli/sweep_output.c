@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/version.h"
 #include "cli/commands.h"
 #include "io/sweep_csv.h"
 
@@ -90,7 +91,7 @@ static void begin(struct thud_sweep_output *o)
     } else {
         thud_text_append(&o->text, "{\"preset\": ");
         put_text(&o->text, o->plan->scene.name);
-        thud_text_append(&o->text, ", \"rows\": [");
+        thud_text_append(&o->text, ", \"version\": \"%s\", \"rows\": [", THUD_VERSION);
     }
 }
 

@@ -1,5 +1,7 @@
+#include "base/version.h"
 #include "io/json.h"
 #include "io/result_file.h"
+#include "io/scene_json.h"
 
 static const char *kind_name(enum thud_structure_kind kind)
 {
@@ -176,7 +178,7 @@ void thud_result_json(const struct thud_report *report, struct thud_text *out)
     const struct thud_result *r = report->result;
     thud_text_append(out, "{\n  \"preset\": ");
     thud_json_string(out, report->scene->name);
-    thud_text_append(out, ", \"case\": \"%s\",\n", report->which);
+    thud_text_append(out, ", \"case\": \"%s\", \"version\": \"%s\",\n", report->which, THUD_VERSION);
     add_record(report, out);
     add_method(report, out);
     thud_text_append(out, "  \"structures\": [");
@@ -195,5 +197,7 @@ void thud_result_json(const struct thud_report *report, struct thud_text *out)
         add_truncation(report->truncation, out);
     if (report->sensitivity)
         add_sensitivity(report, out);
+    thud_text_append(out, ",\n  \"scene\": ");
+    thud_scene_json(report->scene, report->record ? report->record->file : NULL, 4, out);
     thud_text_append(out, "\n}\n");
 }

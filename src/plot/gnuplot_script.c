@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/version.h"
 #include "plot/gnuplot_internal.h"
 
 enum { PDF_DPI = 200 };
@@ -171,7 +172,8 @@ enum thud_status thud_gnuplot_script(const struct thud_figure *figure, const str
         return status;
     struct sheet sheet = make_sheet(figure, options, script);
     int panels = figure->rows * figure->columns;
-    thud_text_append(script, "# A figure by thud; `gnuplot` and this file's name draw it again.\nset encoding utf8\n");
+    thud_text_append(script, "# A figure by thud " THUD_VERSION "; `gnuplot` and this file's name draw it again.\n"
+                             "set encoding utf8\n");
     for (int i = 0; i < panels; i++)
         thud_gnuplot_data(&sheet, i);
     terminal(&sheet, options);

@@ -15,6 +15,15 @@ is "no other method is run" [ "$(cut -d, -f1 "$tmp/b/bench.csv" | sort -u | tr '
 is "the CSV is that of the table, not the picture's" grep -q '^exact,1,0.01,done,' "$tmp/b/bench.csv"
 is "and has a row for each point" [ "$(rows "$tmp/b/bench.csv" '^rk4,')" -eq 20 ]
 is "the chart is a PNG" is_png "$tmp/b/bench.png"
+is "the scene and the version stand beside them" grep -q '"preset": "rigid-bumper", "version": "[0-9.]*"' "$tmp/b/scene.json"
+sed -n '/^  "scene": /,$p' "$tmp/b/scene.json" | sed '1s/^  "scene": //; $d' >"$tmp/again.yaml"
+is "that scene is a preset" "$THUD" run "$tmp/again.yaml" --quiet >"$tmp/out"
+: >"$tmp/file"
+run bench towers -o "$tmp/file"
+is "a folder that cannot be made is told before the work" [ "$code" -eq 6 ]
+is "and not after it" [ ! -s "$tmp/out" ]
+sh -c '"$0" bench rigid-concrete --methods exact -o "$1"' "$THUD" "$tmp/pipe" 2>"$tmp/err" | head -c 5 >/dev/null
+is "who reads the table's head alone has the files all the same" is_png "$tmp/pipe/bench.png"
 run bench rigid-concrete --methods exact --format svg -o "$tmp/s"
 is "or an SVG" grep -q '<svg' "$tmp/s/bench.svg"
 

@@ -28,7 +28,7 @@ says() { # PATTERN: one message, which shows the pattern
     [ "$(grep -c . "$tmp/err")" -eq 1 ] && grep -q -e "$1" "$tmp/err" && [ ! -s "$tmp/out" ]
 }
 same() { # A B: the study's files are equal in two folders
-    for file in sweep.csv contacts.csv needed-gaps.csv; do cmp "$1/$file" "$2/$file" || return 1; done
+    for file in study.json sweep.csv contacts.csv needed-gaps.csv; do cmp "$1/$file" "$2/$file" || return 1; done
 }
 whole() { # DIR: nothing half written is in it
     [ -z "$(find "$1" -name '*.part' -o -name '*.tmp')" ]
@@ -47,6 +47,13 @@ study -j 2 --csv --quiet >"$tmp/stdout.csv" 2>"$tmp/err"
 check "standard output gets the same bytes as the file" cmp "$tmp/stdout.csv" "$tmp/one/sweep.csv"
 check "the header is the agreed one" sh -c "head -1 '$tmp/stdout.csv' | grep -q '^record,case,gap_m,structure,floor,acceleration_mps2,drift_m,displacement_m,acceleration_ratio,drift_ratio'"
 check "a row for every run and floor" test "$(wc -l <"$tmp/stdout.csv")" -eq $((1 + 9 * 2 * 3 * 12))
+sed -n '/^  "scene": /,$p' "$tmp/one/study.json" | sed '1s/^  "scene": //; $d' >"$tmp/again.yaml"
+# shellcheck disable=SC2046 # one word a line
+again() { (IFS='
+' && set -f && "$THUD" sweep "$tmp/again.yaml" $(sed -n '/"options"/,/\]/p' "$tmp/one/study.json" | grep -o '"--[^]]*' | sed 's/", "/\n/; s/^"//; s/",*$//') "$@"); }
+again --csv --quiet >"$tmp/again.csv" 2>"$tmp/err"
+check "study.json holds what gives the study again" cmp "$tmp/again.csv" "$tmp/one/sweep.csv"
+check "with the version" grep -q "\"version\": \"$("$THUD" --version | sed -n 's/^thud //p')\"" "$tmp/one/study.json"
 study --csv --quiet --without all >"$tmp/slow.csv" 2>"$tmp/err"
 check "without any saving the numbers are the same" cmp "$tmp/slow.csv" "$tmp/one/sweep.csv"
 status 0 study
