@@ -1,11 +1,10 @@
 /* The numbers a run needs, made from a scene by study/assemble. Const once made.
  *
- * Modal coordinates: every structure has as many modes as floors, Phi^T M Phi = I. All structures' modes stand one
- * after the other: q (nmodes), u (ndof), nmodes = ndof. A floor's displacement is the dot product of its row of Phi
- * with its structure's slice of q. q'' + 2 zeta omega q' + omega^2 q = -gamma a_g - sum_c g_c F_c        (g_c: row of
- * contact c, indentation = g_c . q - clearance) A structure whose damping couples its modes (isolated building) has a
- * dense block D instead of 2 zeta omega. A mode that is left out keeps its place and its omega, but nothing moves it:
- * its gamma, its damping and its part of every g_c are 0. */
+ * Modal coordinates: every structure has as many modes as floors, or its lowest ones alone, Phi^T M Phi = I. All
+ * structures' modes stand one after the other, and so do their floors: q (nmodes), u (ndof). A floor's displacement is
+ * the dot product of its row of Phi with its structure's slice of q. q'' + 2 zeta omega q' + omega^2 q = -gamma a_g -
+ * sum_c g_c F_c        (g_c: row of contact c, indentation = g_c . q - clearance) A structure whose damping couples its
+ * modes (isolated building) has a dense block D instead of 2 zeta omega. */
 #ifndef THUD_CORE_MODEL_H
 #define THUD_CORE_MODEL_H
 
@@ -15,10 +14,12 @@
 #include "core/law.h"
 
 struct thud_model_structure {
-    int first, n;                /* its slice of dofs and modes */
-    const double *phi;           /* (n x n), floor-major: phi[i * n + j] floor i, mode j */
-    const double *damping;       /* (n x n) modal damping matrix where it couples modes, else NULL */
+    int first, n;                /* its slice of dofs, one per floor */
+    int first_mode, modes;       /* its slice of modes */
+    const double *phi;           /* (n x modes), floor-major: phi[i * modes + j] floor i, mode j */
+    const double *damping;       /* (modes x modes) modal damping matrix where it couples modes, else NULL */
     const double *stiffness_npm; /* (n) storeys; NULL for a rigid body */
+    const double *omega;         /* (n) natural frequencies, also of modes that are left out, rad/s */
 };
 
 struct thud_model_contact {
@@ -30,17 +31,17 @@ struct thud_model_contact {
 };
 
 struct thud_model {
-    int nstructures, ndof, ncontacts;
+    int nstructures, ndof, nmodes, ncontacts;
     struct thud_model_structure *structure; /* (nstructures) */
     struct thud_model_contact *contact;     /* (ncontacts) */
     bool couples;                           /* the damping of a structure couples its modes */
     int *dof_structure;                     /* (ndof) */
     double *mass_kg;                        /* (ndof) */
-    double *omega, *zeta, *gamma;           /* (ndof): by mode; gamma = Phi^T M 1 */
-    double *spring, *dashpot;               /* (ndof): omega^2 and 2 zeta omega */
-    double *g;                              /* (ncontacts x ndof): g_c */
+    double *omega, *zeta, *gamma;           /* (nmodes); gamma = Phi^T M 1 */
+    double *spring, *dashpot;               /* (nmodes): omega^2 and 2 zeta omega */
+    double *g;                              /* (ncontacts x nmodes): g_c */
     double *w;                              /* (ncontacts x ncontacts): g_a . g_b, 1/kg */
-    double *q0, *qd0;                       /* (ndof) at t = 0 */
+    double *q0, *qd0;                       /* (nmodes) at t = 0 */
     double *share; /* (ndof): of the ground's motion that a floor's modes carry; 1 where none is left out */
     int left_out;  /* modes */
 };

@@ -103,7 +103,7 @@ enum thud_status thud_scene_periods(const struct thud_scene *scene, struct thud_
         const struct thud_model_structure *structure = &model->structure[s];
         double lowest = INFINITY;
         for (int k = 0; k < structure->n; k++)
-            lowest = fmin(lowest, model->omega[structure->first + k]);
+            lowest = fmin(lowest, structure->omega[k]);
         if (!(lowest > 0) || isinf(lowest))
             continue;
         mark[*count].period_s = 2 * acos(-1.0) / lowest;

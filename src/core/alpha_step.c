@@ -14,9 +14,9 @@ struct alpha {
     struct thud_modal_operator *op;
     double h_made;                       /* step that the operator and the responses belong to */
     struct thud_motion start, end, work; /* accelerations by the equations of motion, also where the scheme's differ */
-    double *a0, *a1;                     /* (ndof) the scheme's own accelerations */
-    double *rhs;                         /* (ndof) */
-    double *response;                    /* (ncontacts x ndof): -da1/dF */
+    double *a0, *a1;                     /* (nmodes) the scheme's own accelerations */
+    double *rhs;                         /* (nmodes) */
+    double *response;                    /* (ncontacts x nmodes): -da1/dF */
     double *w;                           /* (ncontacts x ncontacts): of the indentations' second rates */
     double *d, *v, *a, *change, *matrix; /* Newton's system, by active contact */
     double *applied;                     /* (ncontacts) lagged: force at the end of the step before */
@@ -32,7 +32,7 @@ enum thud_status thud_alpha_create(struct thud_run *run, struct thud_alpha param
                                    struct thud_error *err)
 {
     const struct thud_model *m = run->model;
-    size_t n = (size_t)m->ndof, nc = (size_t)m->ncontacts;
+    size_t n = (size_t)m->nmodes, nc = (size_t)m->ncontacts;
     struct alpha *x = calloc(1, sizeof *x);
     *state = NULL;
     if (!x)
@@ -85,9 +85,9 @@ static void prepare(const struct thud_model *m, struct alpha *x, double h)
     x->h_made = h;
     thud_modal_operator_set(x->op, m, 1 - p->am, share * p->gamma * h, share * p->beta * h * h);
     for (int c = 0; c < m->ncontacts; c++) {
-        double *r = x->response + c * m->ndof;
-        thud_modal_operator_apply(x->op, m, m->g + c * m->ndof, r);
-        for (int j = 0; j < m->ndof; j++)
+        double *r = x->response + c * m->nmodes;
+        thud_modal_operator_apply(x->op, m, m->g + c * m->nmodes, r);
+        for (int j = 0; j < m->nmodes; j++)
             r[j] *= share;
         for (int a = 0; a < m->ncontacts; a++)
             x->w[a * m->ncontacts + c] = thud_model_gap_sum(m, a, r);
@@ -105,7 +105,7 @@ static double offset(const struct thud_alpha *p)
 static void start_step(struct thud_run *run, struct alpha *x, double h)
 {
     const struct thud_model *m = run->model;
-    size_t bytes = (size_t)m->ndof * sizeof(double);
+    size_t bytes = (size_t)m->nmodes * sizeof(double);
     memcpy(x->start.q, run->q, bytes);
     memcpy(x->start.qd, run->qd, bytes);
     thud_step_motion(run, &x->start, 0);
@@ -122,7 +122,7 @@ static void start_step(struct thud_run *run, struct alpha *x, double h)
     if (x->fresh || offset(&x->p) == 0) {
         memcpy(x->a0, x->start.qdd, bytes);
     } else if (fabs(h - x->a0_step_s) > 1e-11 * h) {
-        for (int j = 0; j < m->ndof; j++)
+        for (int j = 0; j < m->nmodes; j++)
             x->a0[j] = x->start.qdd[j] + h / x->a0_step_s * (x->a0[j] - x->start.qdd[j]);
     }
 }
@@ -132,16 +132,16 @@ static void predict(struct thud_run *run, struct alpha *x, double h)
 {
     const struct thud_model *m = run->model;
     const struct thud_alpha *p = &x->p;
-    for (int j = 0; j < m->ndof; j++) {
+    for (int j = 0; j < m->nmodes; j++) {
         x->end.q[j] = run->q[j] + h * run->qd[j] + h * h * (0.5 - p->beta) * x->a0[j];
         x->end.qd[j] = run->qd[j] + h * (1 - p->gamma) * x->a0[j];
     }
     x->ground_mps2 = thud_step_ground(run, h);
     thud_model_acceleration(m, x->end.q, x->end.qd, x->ground_mps2, x->rhs);
-    for (int j = 0; j < m->ndof; j++)
+    for (int j = 0; j < m->nmodes; j++)
         x->rhs[j] = (1 - p->af) * x->rhs[j] + p->af * x->start.qdd[j] - p->am * x->a0[j];
     thud_modal_operator_apply(x->op, m, x->rhs, x->a1);
-    for (int j = 0; j < m->ndof; j++) {
+    for (int j = 0; j < m->nmodes; j++) {
         x->end.q[j] += p->beta * h * h * x->a1[j];
         x->end.qd[j] += p->gamma * h * x->a1[j];
     }
@@ -243,8 +243,8 @@ static void cross(struct thud_run *run, struct alpha *x, double h)
     for (int c = 0; c < m->ncontacts; c++) {
         if (x->end.force[c] == 0.0)
             continue;
-        const double *r = x->response + c * m->ndof;
-        for (int j = 0; j < m->ndof; j++) {
+        const double *r = x->response + c * m->nmodes;
+        for (int j = 0; j < m->nmodes; j++) {
             double change = r[j] * x->end.force[c];
             x->a1[j] -= change;
             x->end.q[j] -= x->p.beta * h * h * change;
@@ -265,7 +265,7 @@ enum thud_status thud_alpha_step(struct thud_run *run, void *state, struct thud_
     cross(run, x, h);
     if (x->fresh && offset(&x->p) != 0) {
         /* how the acceleration changes is known now: once more with a0 in its place */
-        for (int j = 0; j < run->model->ndof; j++)
+        for (int j = 0; j < run->model->nmodes; j++)
             x->a0[j] = x->start.qdd[j] + offset(&x->p) * (x->end.qdd[j] - x->start.qdd[j]);
         cross(run, x, h);
     }

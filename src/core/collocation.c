@@ -20,7 +20,7 @@ enum thud_status thud_collocation_create(const struct thud_run *run, struct thud
     if (!x)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     x->nc = m->ncontacts;
-    x->nmodes = m->ndof;
+    x->nmodes = m->nmodes;
     x->loads = m->couples ? m->ncontacts : 1;
     x->h_top = run->grid_dt_s / fmax(1, ceil(run->fastest_radps * run->grid_dt_s / longest_angle));
     x->h = x->h_top;
@@ -32,8 +32,8 @@ enum thud_status thud_collocation_create(const struct thud_run *run, struct thud
         check[i] = 0.5 * (x->node[i] + (i > 0 ? x->node[i - 1] : 0));
     thud_places_set(&x->nodes, THUD_POINTS, x->node, 1, THUD_SEGMENT_TERMS);
     thud_places_set(&x->checks, THUD_POINTS, check, 1, THUD_SEGMENT_TERMS);
-    size_t q = THUD_SEGMENT_TERMS * (size_t)m->ndof, f = THUD_SEGMENT_TERMS * (size_t)m->ncontacts;
-    x->seg_block = thud_collocation_allocate(q + f + 2 * THUD_PLACES * (size_t)m->ndof, sizeof(double));
+    size_t q = THUD_SEGMENT_TERMS * (size_t)m->nmodes, f = THUD_SEGMENT_TERMS * (size_t)m->ncontacts;
+    x->seg_block = thud_collocation_allocate(q + f + 2 * THUD_PLACES * (size_t)m->nmodes, sizeof(double));
     x->active = thud_collocation_allocate((size_t)m->ncontacts, sizeof(int));
     if (!x->seg_block || !x->active) {
         thud_collocation_free(x);

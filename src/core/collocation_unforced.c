@@ -39,8 +39,8 @@ static bool fill_table(const struct thud_run *run, struct thud_collocation *x, i
         memset(seg->q, 0, n * sizeof *seg->q); /* how far it moves */
         for (size_t j = 0; j < n; j++) {
             double *d = table + (j * THUD_UNITS + (size_t)u) * 2 * THUD_PLACES, *v = d + THUD_PLACES;
-            thud_places_read(&x->nodes, seg->q + j, m->ndof, seg->terms, d);
-            thud_places_slope(&x->nodes, seg->q + j, m->ndof, seg->terms, h, v);
+            thud_places_read(&x->nodes, seg->q + j, m->nmodes, seg->terms, d);
+            thud_places_slope(&x->nodes, seg->q + j, m->nmodes, seg->terms, h, v);
         }
     }
     free(start);
@@ -76,9 +76,9 @@ static void add_side(const struct thud_run *run, const struct thud_collocation *
     if (dof < 0)
         return;
     const struct thud_model_structure *s = &m->structure[m->dof_structure[dof]];
-    for (int j = s->first; j < s->first + s->n; j++) {
+    for (int j = s->first_mode; j < s->first_mode + s->modes; j++) {
         const double *from = x->moved + j * 2 * THUD_PLACES;
-        double g = m->g[c * m->ndof + j];
+        double g = m->g[c * m->nmodes + j];
         thud_lanes_add(d, g, from);
         thud_lanes_add(v, g, from + THUD_PLACES);
     }

@@ -172,7 +172,7 @@ static void stuck_events(const struct thud_run *run, int c, double s_end, struct
 /* How far each mode may move from its value at the start of the segment. */
 static void modal_reach(struct thud_run *run)
 {
-    int n = run->model->ndof;
+    int n = run->model->nmodes;
     memset(run->reach, 0, (size_t)n * sizeof *run->reach);
     for (int k = 1; k < run->seg.terms; k++)
         for (int j = 0; j < n; j++)
@@ -188,8 +188,8 @@ static bool may_close(const struct thud_run *run, int c)
     if (run->contact[c].zeros.indentation > 0)
         return true;
     double most = thud_contact_indentation(run, c);
-    const double *g = m->g + c * m->ndof;
-    for (int j = 0; j < m->ndof; j++)
+    const double *g = m->g + c * m->nmodes;
+    for (int j = 0; j < m->nmodes; j++)
         most += fabs(g[j]) * run->reach[j];
     return most > 0;
 }

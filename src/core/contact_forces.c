@@ -25,13 +25,13 @@ double thud_contact_force(const struct thud_run *run, int c, double d, double v)
 
 void thud_model_acceleration(const struct thud_model *m, const double *q, const double *qd, double ground, double *out)
 {
-    for (int j = 0; j < m->ndof; j++)
+    for (int j = 0; j < m->nmodes; j++)
         out[j] = -m->omega[j] * (m->omega[j] * q[j] + 2 * m->zeta[j] * qd[j]) - m->gamma[j] * ground;
     for (int s = 0; s < m->nstructures; s++) {
         const struct thud_model_structure *p = &m->structure[s];
-        for (int i = 0; p->damping && i < p->n; i++)
-            for (int j = 0; j < p->n; j++)
-                out[p->first + i] -= p->damping[i * p->n + j] * qd[p->first + j];
+        for (int i = 0; p->damping && i < p->modes; i++)
+            for (int j = 0; j < p->modes; j++)
+                out[p->first_mode + i] -= p->damping[i * p->modes + j] * qd[p->first_mode + j];
     }
 }
 
@@ -40,8 +40,8 @@ void thud_model_push(const struct thud_model *m, const double *force, double *qd
     for (int c = 0; c < m->ncontacts; c++) {
         if (force[c] == 0.0)
             continue;
-        const double *g = m->g + c * m->ndof;
-        for (int j = 0; j < m->ndof; j++)
+        const double *g = m->g + c * m->nmodes;
+        for (int j = 0; j < m->nmodes; j++)
             qdd[j] -= g[j] * force[c];
     }
 }
@@ -73,7 +73,7 @@ void thud_contact_hold(const struct thud_run *run, const double *free, double *f
 {
     const struct thud_model *m = run->model;
     int n = 0, nc = m->ncontacts;
-    double *rhs = run->scratch + m->ndof, *w = run->hold;
+    double *rhs = run->scratch + m->nmodes, *w = run->hold;
     for (int c = 0; c < nc; c++)
         if (run->contact[c].mode == THUD_STUCK)
             rhs[n++] = acceleration(run, c, free, force);

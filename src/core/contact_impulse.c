@@ -43,7 +43,7 @@ static enum thud_status impulses(const struct thud_run *run, struct collision *x
         double v = x->speed[i] = thud_contact_rate(run, c);
         double e = m->contact[c].law->nominal(&m->contact[c].setup);
         bool held = run->contact[c].mode == THUD_STUCK; /* what rate it has is the error of the force that holds it */
-        if (held || !(e * v > rest_speed(run))) /* or the force would have to bring it to rest at once */
+        if (held || !(e * v > rest_speed(run)))         /* or the force would have to bring it to rest at once */
             e = 0;
         x->q[i] = -(1 + e) * v;
         for (int j = 0; j < x->n; j++)
@@ -56,8 +56,8 @@ static void apply(struct thud_run *run, const struct collision *x)
 {
     const struct thud_model *m = run->model;
     for (int i = 0; i < x->n; i++) {
-        const double *g = m->g + x->set[i] * m->ndof;
-        for (int j = 0; j < m->ndof; j++)
+        const double *g = m->g + x->set[i] * m->nmodes;
+        for (int j = 0; j < m->nmodes; j++)
             run->qd[j] -= g[j] * x->impulse[i];
     }
 }

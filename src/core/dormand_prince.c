@@ -46,7 +46,7 @@ enum thud_status thud_dormand_prince_create(struct thud_run *run, void **state, 
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
     double mass = 0;
-    for (int j = 0; j < run->model->ndof; j++)
+    for (int j = 0; j < run->model->nmodes; j++)
         mass += run->model->gamma[j] * run->model->gamma[j];
     x->h = thud_run_default_step(run);
     x->speed = sqrt(mass) * ground_speed(run->record) + sqrt(2 * (thud_run_kinetic(run) + thud_run_strain(run)));
@@ -69,7 +69,7 @@ static double error_of(const struct thud_run *run, const struct dormand_prince *
 {
     const struct thud_model *m = run->model;
     double sum = 0;
-    for (int j = 0; j < m->ndof; j++) {
+    for (int j = 0; j < m->nmodes; j++) {
         double q = 0, qd = 0, w = fmax(m->omega[j], 1);
         for (int i = 0; i < tableau.stages; i++) {
             q += difference[i] * x->rk.stage[i].qd[j];

@@ -68,11 +68,11 @@ static void floor_row(struct thud_flight *f, const struct thud_model_structure *
                       const double *from, int ends)
 {
     double *to = f->value[quantity] + (size_t)(p->first + i) * ENDS;
-    const double *row = p->phi + i * p->n;
+    const double *row = p->phi + i * p->modes;
     for (int t = 0; t < ends; t += 4) {
-        const double *x = from + p->first * ENDS + t;
+        const double *x = from + p->first_mode * ENDS + t;
         thud_pair a = {0, 0}, b = {0, 0};
-        for (int j = 0; j < p->n; j++, x += ENDS) {
+        for (int j = 0; j < p->modes; j++, x += ENDS) {
             a += row[j] * thud_pair_at(x);
             b += row[j] * thud_pair_at(x + 2);
         }
@@ -85,7 +85,7 @@ static void floor_row(struct thud_flight *f, const struct thud_model_structure *
 static void other_values(struct thud_flight *f, const struct thud_model *m, const struct thud_model_structure *p,
                          int ends)
 {
-    for (int j = p->first; j < p->first + p->n; j++) {
+    for (int j = p->first_mode; j < p->first_mode + p->modes; j++) {
         double w2 = m->omega[j] * m->omega[j], z = 2 * m->zeta[j] * m->omega[j];
         const double *q = f->q + j * ENDS, *qd = f->qd + j * ENDS;
         double *a = f->spring + j * ENDS;
@@ -118,7 +118,7 @@ static void look_for_peaks(struct thud_flight *f, struct thud_run *run, double g
     for (int s = 0; s < m->nstructures; s++) {
         const struct thud_model_structure *p = &m->structure[s];
         double energy = 0, gamma = 0;
-        for (int j = p->first; j < p->first + p->n; j++) {
+        for (int j = p->first_mode; j < p->first_mode + p->modes; j++) {
             energy += f->speed[j] * f->speed[j];
             gamma += m->gamma[j] * m->gamma[j];
         }
@@ -136,12 +136,12 @@ static void structure_margins(struct thud_flight *f, const struct thud_run *run,
     const struct thud_model *m = run->model;
     const struct thud_model_structure *p = &m->structure[s];
     double dt = run->grid_dt_s, sum[THUD_FLOOR_QUANTITIES] = {0};
-    for (int j = p->first; j < p->first + p->n; j++) {
+    for (int j = p->first_mode; j < p->first_mode + p->modes; j++) {
         double w2 = m->omega[j] * m->omega[j], z = 2 * m->zeta[j] * m->omega[j], reach = fabs(m->gamma[j]);
         double speed = f->speed[j] + dt * reach * ground, bound[4];
         bound[2] = (m->omega[j] + z) * speed + reach * ground;
         bound[3] = w2 * speed + z * bound[2] + reach * slope;
-        double most = run->shape[j], drift = run->shape[m->ndof + j];
+        double most = run->shape[j], drift = run->shape[m->nmodes + j];
         sum[THUD_FLOOR_DISPLACEMENT] += most * bound[2];
         sum[THUD_FLOOR_VELOCITY] += most * bound[3];
         sum[THUD_FLOOR_ACCELERATION] += most * (w2 * bound[2] + z * bound[3]); /* of omega^2 q + 2 zeta omega q' */

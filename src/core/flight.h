@@ -30,7 +30,7 @@ struct thud_flight {
 
     /* A block of intervals, by row and then by end (so that loops over time vectorize) */
     double *q, *qd, *spring;              /* (n x ENDS) modal state, and omega^2 q + 2 zeta omega q' */
-    double *value[THUD_FLOOR_QUANTITIES]; /* (n x ENDS) by floor */
+    double *value[THUD_FLOOR_QUANTITIES]; /* (ndof x ENDS) by floor */
     double *bound[3];                     /* (n x ENDS) of a mode's fourth, fifth and sixth derivative */
     double *gap, *energy;                 /* (ENDS) */
     double *ground, *after;               /* (ENDS) ground acceleration at the start and at the end of each interval */
@@ -41,8 +41,8 @@ struct thud_flight {
     bool *near;     /* (ncontacts) whether it may in the interval looked at */
     bool *bounded;  /* (nstructures) whether `bound` holds for the block */
     double *lower, *upper; /* (ENDS) what the largest value of one row in each interval is at least and at most */
-    struct thud_suspect *suspect; /* (QUANTITIES x n) */
-    double *kept;                 /* (QUANTITIES x n x 2 x n) q, q' at the start of its interval */
+    struct thud_suspect *suspect; /* (QUANTITIES x ndof) */
+    double *kept;                 /* (QUANTITIES x ndof x 2 x n) q, q' at the start of its interval */
     struct thud_segment seg;      /* while such an interval is looked at */
     int size;                     /* intervals to try next */
     double *block;

@@ -31,11 +31,11 @@ static double rate_at(const struct thud_run *run, const struct thud_flight *f, c
         return f->value[THUD_FLOOR_ACCELERATION][(p->first + row->floor) * ENDS + t] -
                m->share[p->first + row->floor] * ground;
     double jerk = 0;
-    for (int j = 0; j < p->n; j++) {
-        int k = p->first + j;
+    for (int j = 0; j < p->modes; j++) {
+        int k = p->first_mode + j;
         double second = f->spring[k * ENDS + t] - m->gamma[k] * ground;
-        jerk -=
-            p->phi[row->floor * p->n + j] * m->omega[k] * (m->omega[k] * f->qd[k * ENDS + t] + 2 * m->zeta[k] * second);
+        jerk -= p->phi[row->floor * p->modes + j] * m->omega[k] *
+                (m->omega[k] * f->qd[k * ENDS + t] + 2 * m->zeta[k] * second);
     }
     return jerk;
 }
@@ -64,7 +64,7 @@ static void bound_derivatives(const struct thud_run *run, struct thud_flight *f,
     double dt = run->grid_dt_s, *restrict fourth = f->bound[0], *restrict fifth = f->bound[1],
            *restrict sixth = f->bound[2];
     const double *restrict a0 = f->ground, *restrict a1 = f->after;
-    for (int j = p->first; j < p->first + p->n; j++) {
+    for (int j = p->first_mode; j < p->first_mode + p->modes; j++) {
         double w = m->omega[j], w2 = w * w, z = 2 * m->zeta[j] * w, reach = fabs(m->gamma[j]);
         const double *restrict q = f->q + j * ENDS, *restrict qd = f->qd + j * ENDS;
         for (int t = 0; t < intervals; t++) {
@@ -86,15 +86,15 @@ static void bound_derivatives(const struct thud_run *run, struct thud_flight *f,
 static double cubic_margin(const struct thud_run *run, const struct thud_flight *f, const struct row *row, int t)
 {
     const struct thud_model_structure *p = &run->model->structure[row->structure];
-    const double *shape = p->phi + row->floor * p->n, *below = row->floor > 0 ? shape - p->n : NULL;
+    const double *shape = p->phi + row->floor * p->modes, *below = row->floor > 0 ? shape - p->modes : NULL;
     bool drift = row->quantity == THUD_FLOOR_DRIFT && below;
     /* an acceleration is omega^2 q + 2 zeta omega q' */
     const double *bound = row->quantity == THUD_FLOOR_VELOCITY       ? f->bound[1]
                           : row->quantity == THUD_FLOOR_ACCELERATION ? f->bound[2]
                                                                      : f->bound[0];
     double dt = run->grid_dt_s, sum = 0;
-    for (int i = 0; i < p->n; i++)
-        sum += fabs(drift ? shape[i] - below[i] : shape[i]) * bound[(p->first + i) * ENDS + t];
+    for (int j = 0; j < p->modes; j++)
+        sum += fabs(drift ? shape[j] - below[j] : shape[j]) * bound[(p->first_mode + j) * ENDS + t];
     return sum * dt * dt * dt * dt / 384;
 }
 
@@ -103,7 +103,7 @@ static double cubic_margin(const struct thud_run *run, const struct thud_flight 
 static void settle(struct thud_run *run, struct thud_flight *f, int structure, int floor, int quantity)
 {
     size_t n = (size_t)f->n;
-    int index = quantity * f->n + run->model->structure[structure].first + floor;
+    int index = quantity * run->model->ndof + run->model->structure[structure].first + floor;
     struct thud_suspect *suspect = &f->suspect[index];
     const struct thud_segment segment = run->seg;
     const double offset = run->offset_s;
@@ -132,7 +132,7 @@ void thud_flight_settle(struct thud_run *run)
     for (int s = 0; s < run->model->nstructures; s++)
         for (int i = 0; i < run->model->structure[s].n; i++)
             for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++)
-                if (f->suspect[x * f->n + run->model->structure[s].first + i].waits)
+                if (f->suspect[x * run->model->ndof + run->model->structure[s].first + i].waits)
                     settle(run, f, s, i, x);
 }
 
@@ -140,7 +140,7 @@ void thud_flight_settle(struct thud_run *run)
 static void suspect(struct thud_run *run, struct thud_flight *f, const struct row *row, int t, double least,
                     double most)
 {
-    int index = row->quantity * f->n + run->model->structure[row->structure].first + row->floor;
+    int index = row->quantity * run->model->ndof + run->model->structure[row->structure].first + row->floor;
     struct thud_suspect *kept = &f->suspect[index];
     if (kept->waits && kept->most > least)
         settle(run, f, row->structure, row->floor, row->quantity);

@@ -12,10 +12,10 @@ enum { UNIT_Q, UNIT_QD, UNIT_A0, UNIT_A1, UNITS };
 
 static bool allocate(struct thud_flight *f, const struct thud_model *m)
 {
-    size_t n = (size_t)m->ndof, rows = (n + THUD_FLIGHT_ABREAST - 1) / THUD_FLIGHT_ABREAST * THUD_FLIGHT_ABREAST,
-           many = rows * THUD_FLIGHT_ENDS;
-    double **by_mode[32], **by_end[] = {&f->q,        &f->qd,       &f->spring,   &f->value[0], &f->value[1],
-                                        &f->value[2], &f->value[3], &f->bound[0], &f->bound[1], &f->bound[2]};
+    size_t n = (size_t)m->nmodes, floors = (size_t)m->ndof,
+           rows = (n + THUD_FLIGHT_ABREAST - 1) / THUD_FLIGHT_ABREAST * THUD_FLIGHT_ABREAST,
+           many = rows * THUD_FLIGHT_ENDS, high = floors * THUD_FLIGHT_ENDS;
+    double **by_mode[32], **by_end[] = {&f->q, &f->qd, &f->spring, &f->bound[0], &f->bound[1], &f->bound[2]};
     double **single[] = {&f->gap, &f->energy, &f->ground, &f->after, &f->lower, &f->upper};
     size_t count = 0, ends = sizeof by_end / sizeof *by_end, singles = sizeof single / sizeof *single;
     for (int i = 0; i < 4; i++) {
@@ -29,8 +29,8 @@ static bool allocate(struct thud_flight *f, const struct thud_model *m)
     for (size_t i = 0; i < sizeof rest / sizeof *rest; i++)
         by_mode[count++] = rest[i];
     size_t series = THUD_SEGMENT_TERMS * n, forces = THUD_SEGMENT_TERMS * (size_t)m->ncontacts;
-    size_t total = count * rows + ends * many + singles * THUD_FLIGHT_ENDS +
-                   THUD_FLOOR_QUANTITIES * (size_t)m->nstructures + 2 * THUD_FLOOR_QUANTITIES * n * n + series +
+    size_t total = count * rows + ends * many + THUD_FLOOR_QUANTITIES * high + singles * THUD_FLIGHT_ENDS +
+                   THUD_FLOOR_QUANTITIES * (size_t)m->nstructures + 2 * THUD_FLOOR_QUANTITIES * floors * n + series +
                    forces + (size_t)m->ncontacts;
     double *next = f->block = calloc(total, sizeof *next);
     if (!next)
@@ -39,14 +39,16 @@ static bool allocate(struct thud_flight *f, const struct thud_model *m)
         *by_mode[i] = next;
     for (size_t i = 0; i < ends; i++, next += many)
         *by_end[i] = next;
+    for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++, next += high)
+        f->value[x] = next;
     for (size_t i = 0; i < singles; i++, next += THUD_FLIGHT_ENDS)
         *single[i] = next;
     f->margin = next;
     f->kept = f->margin + THUD_FLOOR_QUANTITIES * m->nstructures;
-    f->seg.q = f->kept + 2 * THUD_FLOOR_QUANTITIES * n * n;
+    f->seg.q = f->kept + 2 * THUD_FLOOR_QUANTITIES * floors * n;
     f->seg.force = f->seg.q + series;
     f->limit = f->seg.force + forces;
-    f->suspect = calloc(THUD_FLOOR_QUANTITIES * n, sizeof *f->suspect);
+    f->suspect = calloc(THUD_FLOOR_QUANTITIES * floors, sizeof *f->suspect);
     f->looked = calloc(2 * (size_t)m->nstructures + (size_t)m->ncontacts + 1, sizeof *f->looked);
     f->bounded = f->looked + m->nstructures;
     f->near = f->bounded + m->nstructures;
@@ -102,7 +104,7 @@ static void move_unit(struct thud_run *run, const struct thud_flight *f, int u, 
 /* Marches the four unit motions through one interval in pieces short enough for the series. */
 static enum thud_status unit_motions(struct thud_run *run, struct thud_flight *f, struct thud_error *err)
 {
-    size_t n = (size_t)run->model->ndof, size = (2 + POINTS) * n;
+    size_t n = (size_t)run->model->nmodes, size = (2 + POINTS) * n;
     double *state = calloc(UNITS * size + 1, sizeof *state), *q[UNITS], *qd[UNITS], *rate[UNITS];
     if (!state)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
@@ -134,14 +136,14 @@ static enum thud_status unit_motions(struct thud_run *run, struct thud_flight *f
 enum thud_status thud_flight_create(struct thud_run *run, struct thud_error *err)
 {
     run->flight = NULL;
-    if (run->model->couples || run->model->ndof == 0)
+    if (run->model->couples || run->model->nmodes == 0)
         return THUD_OK;
     struct thud_flight *f = calloc(1, sizeof *f);
     if (!f || !allocate(f, run->model)) {
         thud_flight_free(f);
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
-    f->n = run->model->ndof;
+    f->n = run->model->nmodes;
     f->size = THUD_FLIGHT_BLOCK;
     enum thud_status status = unit_motions(run, f, err);
     if (status != THUD_OK) {

@@ -85,7 +85,7 @@ static void fill_energy(const struct thud_run *run, const struct thud_ledger *le
 {
     const struct thud_history *h = &run->history;
     double kinetic = 0, strain = 0;
-    for (int j = 0; j < h->ndof; j++) {
+    for (int j = 0; j < run->model->nmodes; j++) {
         kinetic += 0.5 * qd[j] * qd[j];
         strain += 0.5 * run->model->omega[j] * run->model->omega[j] * q[j] * q[j];
     }
@@ -104,10 +104,10 @@ static void accelerations(const struct thud_run *run, double s, const double *ro
         thud_model_push(m, row + thud_history_force(&run->history, 0), out);
         return;
     }
-    for (int j = 0; j < m->ndof; j++) {
+    for (int j = 0; j < m->nmodes; j++) {
         double sum = 0;
         for (int k = seg->terms - 3; k >= 0; k--)
-            sum = sum * s + (k + 1) * (k + 2) * seg->q[(k + 2) * m->ndof + j];
+            sum = sum * s + (k + 1) * (k + 2) * seg->q[(k + 2) * m->nmodes + j];
         out[j] = sum / (seg->h_s * seg->h_s) + m->gamma[j] * row[thud_history_ground()];
     }
 }
@@ -122,8 +122,8 @@ static enum thud_status row_at(struct thud_run *run, double s, struct thud_error
     if (!row)
         return THUD_MEMORY;
     const struct thud_ledger ledger = thud_ledger_at(run, s); /* it uses the scratch too */
-    double *q = run->scratch, *qd = q + m->ndof, *a = qd + m->ndof;
-    thud_segment_state(seg, m->ndof, s, q, qd);
+    double *q = run->scratch, *qd = q + m->nmodes, *a = qd + m->nmodes;
+    thud_segment_state(seg, m->nmodes, s, q, qd);
     fill_motion(run, row, q, qd);
     fill_energy(run, &ledger, row, q, qd);
     row[0] = seg->a0 + seg->a1 * s;

@@ -8,8 +8,8 @@ enum { STRIDE = 128, ENDS = THUD_FLIGHT_ENDS };
 _Static_assert((int)STRIDE <= (int)THUD_FLIGHT_BLOCK, "a flight fills whole blocks");
 
 struct thud_horizon {
-    int n, nc, row; /* modes, contacts, doubles of one block: 2 n + 4 n + nc */
-    double *block;  /* (capacity x row): q, q' at its start; what its floors' values do not pass; largest closings */
+    int n, floors, nc, row; /* modes, floors, contacts, doubles of one block: 2 n + 4 floors + nc */
+    double *block; /* (capacity x row): q, q' at its start; what its floors' values do not pass; largest closings */
     long count, capacity;
     double *end;         /* (2 n) q, q' at the end of the last block */
     bool closed, failed; /* blocks are STRIDE intervals each, but for the last */
@@ -21,9 +21,10 @@ struct thud_horizon *thud_horizon_create(const struct thud_model *model)
     struct thud_horizon *h = calloc(1, sizeof *h);
     if (!h)
         return NULL;
-    h->n = model->ndof;
+    h->n = model->nmodes;
+    h->floors = model->ndof;
     h->nc = model->ncontacts;
-    h->row = 6 * h->n + h->nc;
+    h->row = 2 * h->n + THUD_FLOOR_QUANTITIES * h->floors + h->nc;
     h->end = calloc(2 * (size_t)h->n + 1, sizeof *h->end);
     for (int j = 0; j < h->n; j++)
         h->failed = h->failed || !(model->omega[j] > 0); /* a free body's difference does not decay */
@@ -82,10 +83,10 @@ void thud_horizon_record(struct thud_horizon *h, const struct thud_run *run, str
         h->end[j] = f->q[j * ENDS + intervals];
         h->end[h->n + j] = f->qd[j * ENDS + intervals];
     }
-    double *value = block + 2 * h->n, *closing = value + 4 * h->n;
+    double *value = block + 2 * h->n, *closing = value + THUD_FLOOR_QUANTITIES * h->floors;
     for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++)
-        for (int i = 0; i < h->n; i++)
-            value[x * h->n + i] =
+        for (int i = 0; i < h->floors; i++)
+            value[x * h->floors + i] =
                 largest(f->value[x] + i * ENDS, intervals + 1) + f->margin[x * m->nstructures + m->dof_structure[i]];
     for (int c = 0; c < h->nc; c++) {
         double margin, most = thud_flight_gap(f, m, c, intervals + 1, &margin);
@@ -100,7 +101,7 @@ void thud_horizon_close(struct thud_horizon *h, const struct thud_run *run)
     (void)run;
     for (long b = h->count - 2; b >= 0; b--) {
         double *block = h->block + b * h->row + 2 * h->n, *next = block + h->row;
-        for (int i = 0; i < 4 * h->n + h->nc; i++)
+        for (int i = 0; i < THUD_FLOOR_QUANTITIES * h->floors + h->nc; i++)
             block[i] = fmax(block[i], next[i]);
     }
     h->closed = !h->failed && h->count > 0;
@@ -124,18 +125,17 @@ static bool floor_is_done(struct thud_run *run, const double *later, const doubl
 {
     const struct thud_model *m = run->model;
     const struct thud_model_structure *p = &m->structure[s];
-    const double *row = p->phi + floor * p->n, *below = floor > 0 ? row - p->n : NULL;
+    const double *row = p->phi + floor * p->modes, *below = floor > 0 ? row - p->modes : NULL;
     double add[THUD_FLOOR_QUANTITIES] = {0};
-    int n = m->ndof;
-    for (int j = 0; j < p->n; j++) {
-        double w = m->omega[p->first + j], a = amplitudes[p->first + j], part = fabs(row[j]) * a;
+    for (int j = 0; j < p->modes; j++) {
+        double w = m->omega[p->first_mode + j], a = amplitudes[p->first_mode + j], part = fabs(row[j]) * a;
         add[THUD_FLOOR_DISPLACEMENT] += part;
         add[THUD_FLOOR_VELOCITY] += part * w;
-        add[THUD_FLOOR_ACCELERATION] += part * w * w * (1 + 2 * m->zeta[p->first + j]);
+        add[THUD_FLOOR_ACCELERATION] += part * w * w * (1 + 2 * m->zeta[p->first_mode + j]);
         add[THUD_FLOOR_DRIFT] += fabs(row[j] - (below ? below[j] : 0)) * a;
     }
     for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++)
-        if (later[x * n + p->first + floor] + add[x] > thud_floor_peak(run, s, floor, x)->value)
+        if (later[x * m->ndof + p->first + floor] + add[x] > thud_floor_peak(run, s, floor, x)->value)
             return false;
     return true;
 }
@@ -144,11 +144,11 @@ static bool nothing_comes(struct thud_run *run, const double *later, const doubl
 {
     const struct thud_model *m = run->model;
     for (int c = 0; c < m->ncontacts; c++) {
-        const double *g = m->g + c * m->ndof;
+        const double *g = m->g + c * m->nmodes;
         double add = 0;
         if (m->contact[c].law->flags & THUD_LAW_SILENT)
             continue;
-        for (int j = 0; j < m->ndof; j++)
+        for (int j = 0; j < m->nmodes; j++)
             add += fabs(g[j]) * amplitudes[j];
         if (closing[c] + add >= thud_run_shift(run, c))
             return false;
@@ -182,7 +182,7 @@ long thud_horizon_jump(const struct thud_horizon *h, struct thud_run *run)
     double *amplitudes = run->reach;
     for (int j = 0; j < h->n; j++)
         amplitudes[j] = amplitude(run->model, j, run->q[j] - start[j], run->qd[j] - start[h->n + j]);
-    if (!nothing_comes(run, later, later + 4 * h->n, amplitudes))
+    if (!nothing_comes(run, later, later + THUD_FLOOR_QUANTITIES * h->floors, amplitudes))
         return 0;
     put_at_end(h, run, start, (double)(h->end_grid - grid) * run->grid_dt_s);
     run->grid = h->end_grid;

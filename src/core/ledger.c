@@ -9,7 +9,7 @@
 double thud_run_kinetic(const struct thud_run *run)
 {
     double sum = 0;
-    for (int j = 0; j < run->model->ndof; j++)
+    for (int j = 0; j < run->model->nmodes; j++)
         sum += run->qd[j] * run->qd[j];
     return 0.5 * sum;
 }
@@ -17,7 +17,7 @@ double thud_run_kinetic(const struct thud_run *run)
 double thud_run_strain(const struct thud_run *run)
 {
     double sum = 0;
-    for (int j = 0; j < run->model->ndof; j++)
+    for (int j = 0; j < run->model->nmodes; j++)
         sum += run->model->omega[j] * run->model->omega[j] * run->q[j] * run->q[j];
     return 0.5 * sum;
 }
@@ -61,18 +61,19 @@ void thud_ledger_start(struct thud_run *run)
     run->ledger.largest_j = run->ledger.initial_j;
 }
 
-/* Work of the damping that couples modes (isolated buildings) over the segment, per second of it, at modal rates (ndof
- * x THUD_PLACES). */
+/* Work of the damping that couples modes (isolated buildings) over the segment, per second of it, at modal rates
+ * (nmodes x THUD_PLACES). */
 static double coupled_loss(const struct thud_model *m, const double *rate)
 {
     double sum = 0;
     for (int s = 0; s < m->nstructures; s++) {
         const struct thud_model_structure *p = &m->structure[s];
-        for (int i = 0; p->damping && i < p->n; i++)
-            for (int j = 0; j < p->n; j++) {
-                const double *a = rate + (p->first + i) * THUD_PLACES, *b = rate + (p->first + j) * THUD_PLACES;
+        for (int i = 0; p->damping && i < p->modes; i++)
+            for (int j = 0; j < p->modes; j++) {
+                const double *a = rate + (p->first_mode + i) * THUD_PLACES,
+                             *b = rate + (p->first_mode + j) * THUD_PLACES;
                 for (int x = 0; x < THUD_QUADRATURE_POINTS; x++)
-                    sum += thud_quadrature_weight[x] * a[x] * p->damping[i * p->n + j] * b[x];
+                    sum += thud_quadrature_weight[x] * a[x] * p->damping[i * p->modes + j] * b[x];
             }
     }
     return sum;
@@ -84,9 +85,9 @@ static void structure_work(struct thud_run *run, const struct thud_places *place
     const struct thud_model *m = run->model;
     struct thud_lanes viscous = {0}, drive = {0};
     double power[THUD_PLACES], force[THUD_PLACES], input = 0, loss = 0;
-    for (int j = 0; j < m->ndof; j++) {
+    for (int j = 0; j < m->nmodes; j++) {
         double *rate = run->scratch + j * THUD_PLACES;
-        thud_places_slope(places, run->seg.q + j, m->ndof, run->seg.terms, run->seg.h_s, rate);
+        thud_places_slope(places, run->seg.q + j, m->nmodes, run->seg.terms, run->seg.h_s, rate);
         struct thud_lanes v = thud_lanes_at(rate);
         for (int i = 0; i < THUD_PLACES / 2; i++)
             viscous.pair[i] += 2 * m->zeta[j] * m->omega[j] * v.pair[i] * v.pair[i];

@@ -38,9 +38,9 @@ static enum thud_status step(struct thud_run *run, void *state, struct thud_erro
     double tail = thud_taylor_linear(run, &run->seg);
     while (tail > 1e-16) {
         double factor = 0.9 * pow(0.5e-16 / tail, 1.0 / (THUD_SEGMENT_TERMS - 4));
-        thud_segment_shorten(&run->seg, m->ndof, m->ncontacts, factor);
+        thud_segment_shorten(&run->seg, m->nmodes, m->ncontacts, factor);
         thud_contact_forget(run);
-        tail = thud_segment_tail(&run->seg, m->ndof);
+        tail = thud_segment_tail(&run->seg, m->nmodes);
     }
     run->result.work.force_evaluations += run->nactive;
     return THUD_OK;

@@ -17,7 +17,7 @@ static const double rho = 0.5;
 struct kr {
     struct thud_modal_operator *a1_operator, *end_operator; /* A1, and ((1 - am) I + (1 - af)(...))^-1 */
     struct thud_motion start, end, work;
-    double *a, *smooth, *rhs, *spare; /* (ndof); a: the scheme's acceleration */
+    double *a, *smooth, *rhs, *spare; /* (nmodes); a: the scheme's acceleration */
     double h_made;
     bool started;
     double *block;
@@ -37,7 +37,7 @@ static void release(void *state)
 static enum thud_status create(struct thud_run *run, void **state, struct thud_error *err)
 {
     const struct thud_model *m = run->model;
-    size_t n = (size_t)m->ndof;
+    size_t n = (size_t)m->nmodes;
     struct kr *x = calloc(1, sizeof *x);
     *state = NULL;
     if (x)
@@ -71,23 +71,23 @@ static enum thud_status step(struct thud_run *run, void *state, struct thud_erro
         thud_modal_operator_set(x->end_operator, m, 1 - am, (1 - af) * y, (1 - af) * z);
         x->h_made = h;
     }
-    memcpy(x->start.q, run->q, (size_t)m->ndof * sizeof(double));
-    memcpy(x->start.qd, run->qd, (size_t)m->ndof * sizeof(double));
+    memcpy(x->start.q, run->q, (size_t)m->nmodes * sizeof(double));
+    memcpy(x->start.qd, run->qd, (size_t)m->nmodes * sizeof(double));
     thud_step_motion(run, &x->start, 0);
     if (!x->started)
-        memcpy(x->a, x->start.qdd, (size_t)m->ndof * sizeof(double));
+        memcpy(x->a, x->start.qdd, (size_t)m->nmodes * sizeof(double));
     x->started = true;
     thud_modal_operator_apply(x->a1_operator, m, x->a, x->smooth);
-    for (int j = 0; j < m->ndof; j++) {
+    for (int j = 0; j < m->nmodes; j++) {
         x->end.q[j] = run->q[j] + h * run->qd[j] + h * h * (0.5 + gamma) * x->smooth[j];
         x->end.qd[j] = run->qd[j] + h * x->smooth[j];
     }
     thud_step_motion(run, &x->end, h);
-    for (int j = 0; j < m->ndof; j++)
+    for (int j = 0; j < m->nmodes; j++)
         x->spare[j] = (1 - af) * x->end.qdd[j] + af * x->start.qdd[j];
     thud_modal_forward(m, 1, y, z, x->spare, x->rhs);
     thud_modal_forward(m, am, af * y, af * z, x->a, x->spare);
-    for (int j = 0; j < m->ndof; j++)
+    for (int j = 0; j < m->nmodes; j++)
         x->rhs[j] -= x->spare[j];
     thud_modal_operator_apply(x->end_operator, m, x->rhs, x->a);
     thud_step_write(run, h, &x->start, &x->end, &x->work);

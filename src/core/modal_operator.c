@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 struct thud_modal_operator {
-    double *diagonal; /* (ndof) the inverse */
+    double *diagonal; /* (nmodes) the inverse */
     double *dense;    /* the inverse blocks of the coupled structures, one after the other, column-major */
     double *work;
     lapack_int *pivot;
@@ -13,7 +13,7 @@ struct thud_modal_operator {
 enum thud_status thud_modal_operator_create(const struct thud_model *model, struct thud_modal_operator **out,
                                             struct thud_error *err)
 {
-    size_t n = (size_t)model->ndof, dense = 0;
+    size_t n = (size_t)model->nmodes, dense = 0;
     for (int s = 0; s < model->nstructures; s++)
         if (model->structure[s].damping)
             dense += (size_t)model->structure[s].n * (size_t)model->structure[s].n;
@@ -44,7 +44,7 @@ void thud_modal_operator_free(struct thud_modal_operator *op)
 void thud_modal_operator_set(struct thud_modal_operator *op, const struct thud_model *model, double x, double y,
                              double z)
 {
-    for (int j = 0; j < model->ndof; j++) {
+    for (int j = 0; j < model->nmodes; j++) {
         double w = model->omega[j];
         op->diagonal[j] = 1 / (x + w * (2 * y * model->zeta[j] + z * w));
     }
@@ -53,48 +53,48 @@ void thud_modal_operator_set(struct thud_modal_operator *op, const struct thud_m
         const struct thud_model_structure *p = &model->structure[s];
         if (!p->damping)
             continue;
-        for (int j = 0; j < p->n; j++) {
-            double w = model->omega[p->first + j];
-            for (int i = 0; i < p->n; i++)
-                block[j * p->n + i] = y * p->damping[i * p->n + j] + (i == j ? x + z * w * w : 0);
+        for (int j = 0; j < p->modes; j++) {
+            double w = model->omega[p->first_mode + j];
+            for (int i = 0; i < p->modes; i++)
+                block[j * p->modes + i] = y * p->damping[i * p->modes + j] + (i == j ? x + z * w * w : 0);
         }
         /* x > 0 and y, z >= 0 with D symmetric and not negative: regular */
-        LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, p->n, p->n, block, p->n, op->pivot);
-        LAPACKE_dgetri_work(LAPACK_COL_MAJOR, p->n, block, p->n, op->pivot, op->work, p->n);
-        block += p->n * p->n;
+        LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, p->modes, p->modes, block, p->modes, op->pivot);
+        LAPACKE_dgetri_work(LAPACK_COL_MAJOR, p->modes, block, p->modes, op->pivot, op->work, p->modes);
+        block += p->modes * p->modes;
     }
 }
 
 void thud_modal_operator_apply(const struct thud_modal_operator *op, const struct thud_model *model, const double *in,
                                double *out)
 {
-    for (int j = 0; j < model->ndof; j++)
+    for (int j = 0; j < model->nmodes; j++)
         out[j] = op->diagonal[j] * in[j];
     const double *block = op->dense;
     for (int s = 0; s < model->nstructures; s++) {
         const struct thud_model_structure *p = &model->structure[s];
         if (!p->damping)
             continue;
-        for (int i = 0; i < p->n; i++) {
+        for (int i = 0; i < p->modes; i++) {
             double sum = 0;
-            for (int j = 0; j < p->n; j++)
-                sum += block[j * p->n + i] * in[p->first + j];
-            out[p->first + i] = sum;
+            for (int j = 0; j < p->modes; j++)
+                sum += block[j * p->modes + i] * in[p->first_mode + j];
+            out[p->first_mode + i] = sum;
         }
-        block += p->n * p->n;
+        block += p->modes * p->modes;
     }
 }
 
 void thud_modal_forward(const struct thud_model *model, double x, double y, double z, const double *in, double *out)
 {
-    for (int j = 0; j < model->ndof; j++) {
+    for (int j = 0; j < model->nmodes; j++) {
         double w = model->omega[j];
         out[j] = (x + w * (2 * y * model->zeta[j] + z * w)) * in[j];
     }
     for (int s = 0; s < model->nstructures; s++) {
         const struct thud_model_structure *p = &model->structure[s];
-        for (int i = 0; p->damping && i < p->n; i++)
-            for (int j = 0; j < p->n; j++)
-                out[p->first + i] += y * p->damping[i * p->n + j] * in[p->first + j];
+        for (int i = 0; p->damping && i < p->modes; i++)
+            for (int j = 0; j < p->modes; j++)
+                out[p->first_mode + i] += y * p->damping[i * p->modes + j] * in[p->first_mode + j];
     }
 }

@@ -26,105 +26,127 @@ static size_t room(size_t count, size_t size)
     return (count * size + 15) / 16 * 16;
 }
 
-static size_t model_bytes(const struct thud_model_input *in, size_t ndof)
-{
-    size_t nc = (size_t)in->ncontacts, bytes = room(1, sizeof(struct thud_model));
-    bytes += room((size_t)in->nstructures, sizeof(struct thud_model_structure));
-    bytes += room(nc, sizeof(struct thud_model_contact)) + room(ndof, sizeof(int));
-    bytes += 9 * room(ndof, sizeof(double)) + room(nc * ndof, sizeof(double)) + room(nc * nc, sizeof(double));
-    for (int s = 0; s < in->nstructures; s++) {
-        size_t n = (size_t)in->structure[s].n;
-        bytes += 2 * room(n * n, sizeof(double)) + room(n, sizeof(double));
-    }
-    return bytes;
-}
-
 /* Modes that stay of n where `modes` are asked for. */
 static int kept_of(int n, int modes)
 {
     return modes > 0 && modes < n ? modes : n;
 }
 
-static enum thud_status fill_shear(struct thud_model *m, struct arena *arena, struct thud_model_structure *to,
-                                   const struct thud_structure_input *in, int modes, struct thud_error *err)
+static size_t model_bytes(const struct thud_model_input *in, size_t ndof, size_t nmodes)
 {
-    size_t n = (size_t)in->n;
-    double *phi = take(arena, n * n * sizeof(double)), *k = take(arena, n * sizeof(double));
-    memcpy(k, in->stiffness_npm, n * sizeof(double));
-    to->phi = phi;
-    to->stiffness_npm = k;
-    double *work = malloc((4 * n + n * n) * sizeof *work);
-    if (!work)
-        return thud_error_set(err, THUD_MEMORY, "out of memory");
-    enum thud_status status = thud_modes_shear(in->n, in->mass_kg, k, m->omega + to->first, phi, work, err);
-    free(work);
-    if (status == THUD_OK && in->isolated && (in->damping > 0 || in->isolation_damping > 0)) {
-        double *damping = take(arena, n * n * sizeof(double));
-        to->damping = damping;
-        status =
-            thud_modes_isolated_damping(in->n, in->mass_kg, k, in->damping, in->isolation_damping, phi, damping, err);
-        int kept = kept_of(in->n, modes);
-        for (int i = 0; i < in->n; i++) /* a mode that is left out slows no other */
-            for (int j = i < kept ? kept : 0; j < in->n; j++)
-                damping[i * in->n + j] = 0;
+    size_t nc = (size_t)in->ncontacts, bytes = room(1, sizeof(struct thud_model));
+    bytes += room((size_t)in->nstructures, sizeof(struct thud_model_structure));
+    bytes += room(nc, sizeof(struct thud_model_contact)) + room(ndof, sizeof(int));
+    bytes += 2 * room(ndof, sizeof(double)) + 7 * room(nmodes, sizeof(double));
+    bytes += room(nc * nmodes, sizeof(double)) + room(nc * nc, sizeof(double));
+    for (int s = 0; s < in->nstructures; s++) {
+        size_t n = (size_t)in->structure[s].n, kept = (size_t)kept_of(in->structure[s].n, in->modes);
+        bytes += room(n * kept, sizeof(double)) + room(kept * kept, sizeof(double)) + 2 * room(n, sizeof(double));
     }
+    return bytes;
+}
+
+/* The first `kept` of a row's n values, row after row. */
+static void keep_columns(const double *from, int rows, int n, int kept, double *to)
+{
+    for (int i = 0; i < rows; i++)
+        memcpy(to + i * kept, from + i * n, (size_t)kept * sizeof *to);
+}
+
+static enum thud_status fill_isolated(struct arena *arena, struct thud_model_structure *to,
+                                      const struct thud_structure_input *in, const double *phi, double *all,
+                                      struct thud_error *err)
+{
+    size_t kept = (size_t)to->modes;
+    double *damping = take(arena, kept * kept * sizeof(double));
+    to->damping = damping;
+    enum thud_status status = thud_modes_isolated_damping(in->n, in->mass_kg, in->stiffness_npm, in->damping,
+                                                          in->isolation_damping, phi, all, err);
+    if (status == THUD_OK)
+        keep_columns(all, to->modes, in->n, to->modes, damping); /* a mode that is left out slows no other */
     return status;
 }
 
-static void fill_rigid(struct thud_model *m, struct arena *arena, struct thud_model_structure *to,
-                       const struct thud_structure_input *in)
+static enum thud_status fill_shear(struct arena *arena, struct thud_model_structure *to,
+                                   const struct thud_structure_input *in, struct thud_error *err)
+{
+    size_t n = (size_t)in->n, square = n * n;
+    double *phi = take(arena, n * (size_t)to->modes * sizeof(double)), *k = take(arena, n * sizeof(double)),
+           *omega = take(arena, n * sizeof(double));
+    memcpy(k, in->stiffness_npm, n * sizeof(double));
+    to->phi = phi;
+    to->stiffness_npm = k;
+    to->omega = omega;
+    double *all = malloc((3 * n + 3 * square) * sizeof *all);
+    if (!all)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    double *damping = all + square, *work = damping + square;
+    enum thud_status status = thud_modes_shear(in->n, in->mass_kg, k, omega, all, work, err);
+    if (status == THUD_OK)
+        keep_columns(all, in->n, in->n, to->modes, phi);
+    if (status == THUD_OK && in->isolated && (in->damping > 0 || in->isolation_damping > 0))
+        status = fill_isolated(arena, to, in, all, damping, err);
+    free(all);
+    return status;
+}
+
+static void fill_rigid(struct arena *arena, struct thud_model_structure *to, const struct thud_structure_input *in)
 {
     assert(in->n <= 1);
     if (in->n == 0)
         return;
-    double *phi = take(arena, sizeof(double));
+    double *phi = take(arena, sizeof(double)), *omega = take(arena, sizeof(double));
     phi[0] = 1 / sqrt(in->mass_kg[0]);
+    omega[0] = 0;
     to->phi = phi;
-    m->omega[to->first] = 0;
+    to->omega = omega;
 }
 
+static void fill_mode(struct thud_model *m, const struct thud_model_structure *p, const struct thud_structure_input *in,
+                      int j)
+{
+    int at = p->first_mode + j;
+    double gamma = 0;
+    for (int i = 0; i < p->n; i++)
+        gamma += p->phi[i * p->modes + j] * in->mass_kg[i];
+    m->gamma[at] = gamma;
+    m->omega[at] = p->omega[j];
+    m->zeta[at] = p->damping ? 0 : in->damping;
+    m->q0[at] = 0;
+    m->qd0[at] = gamma * in->velocity_mps; /* Phi^T M v */
+    m->spring[at] = m->omega[at] * m->omega[at];
+    m->dashpot[at] = 2 * m->zeta[at] * m->omega[at];
+}
+
+/* Floors follow the ground only as far as the modes that stay carry them. */
+static void fill_floor(struct thud_model *m, int s, const struct thud_structure_input *in, int i)
+{
+    const struct thud_model_structure *p = &m->structure[s];
+    double share = p->modes < p->n ? 0 : 1;
+    for (int j = 0; j < p->modes && p->modes < p->n; j++)
+        share += p->phi[i * p->modes + j] * m->gamma[p->first_mode + j];
+    m->share[p->first + i] = share;
+    m->mass_kg[p->first + i] = in->mass_kg[i];
+    m->dof_structure[p->first + i] = s;
+}
+
+/* m->structure[s] has its slices. */
 static enum thud_status fill_structure(struct thud_model *m, struct arena *arena, int s,
-                                       const struct thud_structure_input *in, int first, int modes,
-                                       struct thud_error *err)
+                                       const struct thud_structure_input *in, struct thud_error *err)
 {
     struct thud_model_structure *to = &m->structure[s];
-    *to = (struct thud_model_structure){.first = first, .n = in->n};
-    for (int i = 0; i < in->n; i++) {
-        m->mass_kg[first + i] = in->mass_kg[i];
-        m->dof_structure[first + i] = s;
-    }
     enum thud_status status = THUD_OK;
     if (in->stiffness_npm && in->n > 0)
-        status = fill_shear(m, arena, to, in, modes, err);
+        status = fill_shear(arena, to, in, err);
     else
-        fill_rigid(m, arena, to, in);
-    for (int j = 0; j < in->n && status == THUD_OK; j++) {
-        double gamma = 0;
-        for (int i = 0; i < in->n; i++)
-            gamma += to->phi[i * in->n + j] * in->mass_kg[i];
-        m->gamma[first + j] = gamma;
-        m->zeta[first + j] = to->damping ? 0 : in->damping;
-        m->couples = m->couples || to->damping;
-        m->q0[first + j] = 0;
-        m->spring[first + j] = m->omega[first + j] * m->omega[first + j];
-        m->dashpot[first + j] = 2 * m->zeta[first + j] * m->omega[first + j];
-        m->qd0[first + j] = gamma * in->velocity_mps; /* Phi^T M v */
-    }
+        fill_rigid(arena, to, in);
+    for (int j = 0; j < to->modes && status == THUD_OK; j++)
+        fill_mode(m, to, in, j);
+    for (int i = 0; i < to->n && status == THUD_OK; i++)
+        fill_floor(m, s, in, i);
+    m->couples = m->couples || to->damping;
+    m->left_out += to->n - to->modes;
     return status;
-}
-
-/* The highest modes are not driven; floors follow the ground only as far as the others carry them. */
-static void leave_out(struct thud_model *m, const struct thud_model_structure *s, int modes)
-{
-    int kept = kept_of(s->n, modes);
-    for (int i = 0; i < s->n; i++) {
-        m->share[s->first + i] = kept < s->n ? 0 : 1;
-        for (int j = 0; j < kept && kept < s->n; j++)
-            m->share[s->first + i] += s->phi[i * s->n + j] * m->gamma[s->first + j];
-    }
-    for (int j = kept; j < s->n; j++)
-        m->gamma[s->first + j] = m->qd0[s->first + j] = 0;
-    m->left_out += s->n - kept;
 }
 
 /* 1/m of one side, 0 for a wall. */
@@ -138,17 +160,17 @@ static int contact_dof(const struct thud_model *m, int structure, int floor)
     return floor == 0 ? -1 : m->structure[structure].first + floor - 1;
 }
 
-static void add_row(const struct thud_model *m, int dof, double sign, int modes, double *g)
+static void add_row(const struct thud_model *m, int dof, double sign, double *g)
 {
     if (dof < 0)
         return;
     const struct thud_model_structure *s = &m->structure[m->dof_structure[dof]];
-    const double *row = s->phi + (dof - s->first) * s->n;
-    for (int j = 0; j < kept_of(s->n, modes); j++)
-        g[s->first + j] += sign * row[j];
+    const double *row = s->phi + (dof - s->first) * s->modes;
+    for (int j = 0; j < s->modes; j++)
+        g[s->first_mode + j] += sign * row[j];
 }
 
-static enum thud_status fill_contact(struct thud_model *m, int c, const struct thud_contact_input *in, int modes,
+static enum thud_status fill_contact(struct thud_model *m, int c, const struct thud_contact_input *in,
                                      struct thud_error *err)
 {
     struct thud_model_contact *to = &m->contact[c];
@@ -163,10 +185,10 @@ static enum thud_status fill_contact(struct thud_model *m, int c, const struct t
     double inverse = inverse_mass(m, to->left_dof) + inverse_mass(m, to->right_dof);
     assert(inverse > 0);
     to->setup.mass_kg = 1 / inverse;
-    double *g = m->g + (size_t)c * (size_t)m->ndof;
-    memset(g, 0, (size_t)m->ndof * sizeof *g);
-    add_row(m, to->left_dof, 1, modes, g);
-    add_row(m, to->right_dof, -1, modes, g);
+    double *g = m->g + (size_t)c * (size_t)m->nmodes;
+    memset(g, 0, (size_t)m->nmodes * sizeof *g);
+    add_row(m, to->left_dof, 1, g);
+    add_row(m, to->right_dof, -1, g);
     return in->law->prepare ? in->law->prepare(&to->setup, err) : THUD_OK;
 }
 
@@ -175,45 +197,63 @@ static void fill_w(struct thud_model *m)
     for (int a = 0; a < m->ncontacts; a++)
         for (int b = 0; b < m->ncontacts; b++) {
             double sum = 0;
-            for (int j = 0; j < m->ndof; j++)
-                sum += m->g[a * m->ndof + j] * m->g[b * m->ndof + j];
+            for (int j = 0; j < m->nmodes; j++)
+                sum += m->g[a * m->nmodes + j] * m->g[b * m->nmodes + j];
             m->w[a * m->ncontacts + b] = sum;
         }
+}
+
+/* The block and its arrays, with each structure's slices. */
+static struct thud_model *lay_out(const struct thud_model_input *input, struct arena *arena)
+{
+    int ndof = 0, nmodes = 0;
+    for (int s = 0; s < input->nstructures; s++) {
+        ndof += input->structure[s].n;
+        nmodes += kept_of(input->structure[s].n, input->modes);
+    }
+    size_t floors = (size_t)ndof, modes = (size_t)nmodes, nc = (size_t)input->ncontacts;
+    arena->next = calloc(1, model_bytes(input, floors, modes));
+    if (!arena->next)
+        return NULL;
+    struct thud_model *m = take(arena, sizeof *m);
+    m->nstructures = input->nstructures;
+    m->ndof = ndof;
+    m->nmodes = nmodes;
+    m->ncontacts = input->ncontacts;
+    m->structure = take(arena, (size_t)input->nstructures * sizeof *m->structure);
+    m->contact = take(arena, nc * sizeof *m->contact);
+    m->dof_structure = take(arena, floors * sizeof(int));
+    m->mass_kg = take(arena, floors * sizeof(double));
+    m->share = take(arena, floors * sizeof(double));
+    double **by_mode[] = {&m->omega, &m->zeta, &m->gamma, &m->spring, &m->dashpot, &m->q0, &m->qd0};
+    for (size_t i = 0; i < sizeof by_mode / sizeof *by_mode; i++)
+        *by_mode[i] = take(arena, modes * sizeof(double));
+    m->g = take(arena, nc * modes * sizeof(double));
+    m->w = take(arena, nc * nc * sizeof(double));
+    struct thud_model_structure next = {0};
+    for (int s = 0; s < m->nstructures; s++) {
+        next.n = input->structure[s].n;
+        next.modes = kept_of(next.n, input->modes);
+        m->structure[s] = next;
+        next.first += next.n;
+        next.first_mode += next.modes;
+    }
+    return m;
 }
 
 enum thud_status thud_model_create(const struct thud_model_input *input, struct thud_model **out,
                                    struct thud_error *err)
 {
+    struct arena arena = {0};
+    enum thud_status status = THUD_OK;
     *out = NULL;
-    int ndof = 0;
-    for (int s = 0; s < input->nstructures; s++)
-        ndof += input->structure[s].n;
-    size_t n = (size_t)ndof, nc = (size_t)input->ncontacts;
-    struct arena arena = {calloc(1, model_bytes(input, n))};
-    struct thud_model *m = take(&arena, 0);
+    struct thud_model *m = lay_out(input, &arena);
     if (!m)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
-    take(&arena, sizeof *m);
-    m->nstructures = input->nstructures;
-    m->ndof = ndof;
-    m->ncontacts = input->ncontacts;
-    m->structure = take(&arena, (size_t)input->nstructures * sizeof *m->structure);
-    m->contact = take(&arena, nc * sizeof *m->contact);
-    m->dof_structure = take(&arena, n * sizeof(int));
-    double **vectors[] = {&m->mass_kg, &m->omega, &m->zeta, &m->gamma, &m->spring,
-                          &m->dashpot, &m->q0,    &m->qd0,  &m->share};
-    for (size_t i = 0; i < sizeof vectors / sizeof *vectors; i++)
-        *vectors[i] = take(&arena, n * sizeof(double));
-    m->g = take(&arena, nc * n * sizeof(double));
-    m->w = take(&arena, nc * nc * sizeof(double));
-
-    enum thud_status status = THUD_OK;
-    for (int s = 0, first = 0; s < input->nstructures && status == THUD_OK; first += input->structure[s].n, s++)
-        status = fill_structure(m, &arena, s, &input->structure[s], first, input->modes, err);
     for (int s = 0; s < input->nstructures && status == THUD_OK; s++)
-        leave_out(m, &m->structure[s], input->modes);
+        status = fill_structure(m, &arena, s, &input->structure[s], err);
     for (int c = 0; c < input->ncontacts && status == THUD_OK; c++)
-        status = fill_contact(m, c, &input->contact[c], input->modes, err);
+        status = fill_contact(m, c, &input->contact[c], err);
     if (status != THUD_OK) {
         free(m);
         return status;
@@ -232,7 +272,7 @@ void thud_model_free(struct thud_model *model)
 double thud_model_floor(const struct thud_model *model, int dof, const double *modal)
 {
     const struct thud_model_structure *s = &model->structure[model->dof_structure[dof]];
-    return thud_dot(s->n, s->phi + (dof - s->first) * s->n, modal + s->first);
+    return thud_dot(s->modes, s->phi + (dof - s->first) * s->modes, modal + s->first_mode);
 }
 
 /* The two sums are made apart, so that neighbours moving alike have exactly no relative motion. */

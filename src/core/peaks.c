@@ -20,9 +20,9 @@ static void raise_peak(struct thud_run *run, struct thud_peak *peak, const doubl
 static void floor_polynomial(const struct thud_model_structure *p, int floor, const double *modal, int nmodes,
                              int terms, double *out)
 {
-    const double *row = p->phi + floor * p->n;
+    const double *row = p->phi + floor * p->modes;
     for (int k = 0; k < terms; k++)
-        out[k] = thud_dot(p->n, row, modal + k * nmodes + p->first);
+        out[k] = thud_dot(p->modes, row, modal + k * nmodes + p->first_mode);
 }
 
 struct thud_peak *thud_floor_peak(struct thud_run *run, int structure, int floor, int quantity)
@@ -38,7 +38,7 @@ static void acceleration_by_forces(struct thud_run *run)
 {
     const struct thud_model *m = run->model;
     const struct thud_segment *seg = &run->seg;
-    int n = m->ndof;
+    int n = m->nmodes;
     for (int k = 0; k + 2 < seg->terms; k++) {
         double *out = run->scratch + k * n, rate = (k + 1) / seg->h_s, *qd = run->scratch + seg->terms * n;
         for (int j = 0; j < n; j++)
@@ -60,8 +60,8 @@ void thud_peaks_prepare(struct thud_run *run)
     double inverse = 1 / (seg->h_s * seg->h_s);
     for (int k = 0; k + 2 < seg->terms; k++) {
         double scale = (k + 1) * (k + 2) * inverse, ground = k == 0 ? seg->a0 : k == 1 ? seg->a1 : 0;
-        for (int j = 0; j < m->ndof; j++)
-            out[k * m->ndof + j] = scale * seg->q[(k + 2) * m->ndof + j] + m->gamma[j] * ground;
+        for (int j = 0; j < m->nmodes; j++)
+            out[k * m->nmodes + j] = scale * seg->q[(k + 2) * m->nmodes + j] + m->gamma[j] * ground;
     }
 }
 
@@ -70,7 +70,7 @@ void thud_peaks_prepare(struct thud_run *run)
 static void modal_margins(const struct thud_run *run, const double *acceleration, double s_end, double *out)
 {
     const struct thud_segment *seg = &run->seg;
-    int n = run->model->ndof;
+    int n = run->model->nmodes;
     double eighth = s_end * s_end / 8;
     memset(out, 0, 3 * (size_t)n * sizeof *out);
     for (int k = 2; k < seg->terms; k++) {
@@ -90,9 +90,9 @@ static void modal_margins(const struct thud_run *run, const double *acceleration
 static void structure_margins(const struct thud_run *run, const struct thud_model_structure *p, const double *modal,
                               double margin[THUD_FLOOR_QUANTITIES])
 {
-    int n = run->model->ndof;
+    int n = run->model->nmodes;
     double sum[THUD_FLOOR_QUANTITIES] = {0};
-    for (int j = p->first; j < p->first + p->n; j++) {
+    for (int j = p->first_mode; j < p->first_mode + p->modes; j++) {
         sum[THUD_FLOOR_DISPLACEMENT] += run->shape[j] * modal[j];
         sum[THUD_FLOOR_VELOCITY] += run->shape[j] * modal[n + j];
         sum[THUD_FLOOR_ACCELERATION] += run->shape[j] * modal[2 * n + j];
@@ -105,10 +105,11 @@ static void structure_margins(const struct thud_run *run, const struct thud_mode
 static double floor_margin(const struct thud_model_structure *p, int floor, int quantity, int nmodes,
                            const double *modal)
 {
-    const double *row = p->phi + floor * p->n, *below = floor > 0 && quantity == THUD_FLOOR_DRIFT ? row - p->n : NULL;
-    const double *b = modal + (quantity == THUD_FLOOR_DRIFT ? 0 : quantity) * nmodes + p->first;
+    const double *row = p->phi + floor * p->modes,
+                 *below = floor > 0 && quantity == THUD_FLOOR_DRIFT ? row - p->modes : NULL;
+    const double *b = modal + (quantity == THUD_FLOOR_DRIFT ? 0 : quantity) * nmodes + p->first_mode;
     double sum = 0;
-    for (int j = 0; j < p->n; j++)
+    for (int j = 0; j < p->modes; j++)
         sum += fabs(row[j] - (below ? below[j] : 0)) * b[j];
     return sum;
 }
@@ -116,7 +117,7 @@ static double floor_margin(const struct thud_model_structure *p, int floor, int 
 /* Modal total acceleration at s, out (nmodes). */
 static void modal_acceleration(const struct thud_run *run, const double *acceleration, double s, double *out)
 {
-    int n = run->model->ndof;
+    int n = run->model->nmodes;
     memset(out, 0, (size_t)n * sizeof *out);
     for (int k = run->seg.terms - 3; k >= 0; k--)
         for (int j = 0; j < n; j++)
@@ -129,20 +130,20 @@ static void floor_values(const struct thud_model_structure *p, int floor, int nm
                          const double *end, double a[3], double b[3])
 {
     enum { N = THUD_FLOOR_ACCELERATION + 1 };
-    const double *row = p->phi + floor * p->n;
+    const double *row = p->phi + floor * p->modes;
     thud_pair sum[2 * N] = {0};
     int j = 0;
-    for (; j + 2 <= p->n; j += 2)
+    for (; j + 2 <= p->modes; j += 2)
         for (int x = 0; x < N; x++) {
-            sum[x] += thud_pair_at(row + j) * thud_pair_at(start + x * nmodes + p->first + j);
-            sum[N + x] += thud_pair_at(row + j) * thud_pair_at(end + x * nmodes + p->first + j);
+            sum[x] += thud_pair_at(row + j) * thud_pair_at(start + x * nmodes + p->first_mode + j);
+            sum[N + x] += thud_pair_at(row + j) * thud_pair_at(end + x * nmodes + p->first_mode + j);
         }
     for (int x = 0; x < N; x++) {
         a[x] = sum[x][0] + sum[x][1];
         b[x] = sum[N + x][0] + sum[N + x][1];
-        if (j < p->n) {
-            a[x] += row[j] * start[x * nmodes + p->first + j];
-            b[x] += row[j] * end[x * nmodes + p->first + j];
+        if (j < p->modes) {
+            a[x] += row[j] * start[x * nmodes + p->first_mode + j];
+            b[x] += row[j] * end[x * nmodes + p->first_mode + j];
         }
     }
 }
@@ -153,7 +154,7 @@ void thud_peaks_floor(struct thud_run *run, int structure, int floor, int quanti
     const struct thud_model_structure *p = &run->model->structure[structure];
     struct thud_peak *peak = thud_floor_peak(run, structure, floor, quantity);
     double x[THUD_SEGMENT_TERMS] = {0}, u[THUD_SEGMENT_TERMS] = {0};
-    int n = seg->terms, nmodes = run->model->ndof;
+    int n = seg->terms, nmodes = run->model->nmodes;
     if (quantity == THUD_FLOOR_ACCELERATION) {
         floor_polynomial(p, floor, run->scratch, nmodes, n - 2, x);
         raise_peak(run, peak, x, n - 2, s_end);
@@ -176,7 +177,7 @@ static void structure_peaks(struct thud_run *run, int index, double s_end, const
 {
     const struct thud_model_structure *p = &run->model->structure[index];
     double margin[THUD_FLOOR_QUANTITIES], a[THUD_FLOOR_QUANTITIES], b[THUD_FLOOR_QUANTITIES], a_below = 0, b_below = 0;
-    int nmodes = run->model->ndof, below = -1; /* the floor whose displacements a_below and b_below are */
+    int nmodes = run->model->nmodes, below = -1; /* the floor whose displacements a_below and b_below are */
     structure_margins(run, p, modal, margin);
     for (int i = 0; i < p->n; i++) {
         if (!thud_reach_floor(run, index, i, reach))
@@ -249,15 +250,15 @@ void thud_peaks_start(struct thud_run *run)
     thud_reach_start(run);
     for (int s = 0; s < m->nstructures; s++) {
         const struct thud_model_structure *p = &m->structure[s];
-        for (int j = 0; j < p->n; j++) {
+        for (int j = 0; j < p->modes; j++) {
             double most = 0, drift = 0;
             for (int i = 0; i < p->n; i++) {
-                double below = i > 0 ? p->phi[(i - 1) * p->n + j] : 0;
-                most = fmax(most, fabs(p->phi[i * p->n + j]));
-                drift = fmax(drift, fabs(p->phi[i * p->n + j] - below));
+                double below = i > 0 ? p->phi[(i - 1) * p->modes + j] : 0;
+                most = fmax(most, fabs(p->phi[i * p->modes + j]));
+                drift = fmax(drift, fabs(p->phi[i * p->modes + j] - below));
             }
-            run->shape[p->first + j] = most;
-            run->shape[m->ndof + p->first + j] = drift;
+            run->shape[p->first_mode + j] = most;
+            run->shape[m->nmodes + p->first_mode + j] = drift;
         }
     }
 }
@@ -266,7 +267,7 @@ void thud_peaks_start(struct thud_run *run)
 static void motion_peaks(struct thud_run *run, double s)
 {
     const struct thud_model *m = run->model;
-    size_t n = (size_t)m->ndof;
+    size_t n = (size_t)m->nmodes;
     double *start = run->ends, *end = start + 3 * n, *modal = end + 3 * n;
     bool prepared = false;
     for (int i = 0; i < m->nstructures; i++) {

@@ -8,11 +8,11 @@
 /* Largest factor by which damping may raise the sum of spring and damping forces over that of the springs. */
 static double damping_factor(const struct thud_model *m, const struct thud_model_structure *p, int j)
 {
-    double ratio = 2 * m->zeta[p->first + j], sum = 0;
-    for (int i = 0; p->damping && i < p->n; i++)
-        for (int k = 0; k < p->n; k++)
-            sum += p->damping[i * p->n + k] * p->damping[i * p->n + k];
-    return sqrt(1 + ratio * ratio) + (sum > 0 ? sqrt(sum) / m->omega[p->first + j] : 0);
+    double ratio = 2 * m->zeta[p->first_mode + j], sum = 0;
+    for (int i = 0; p->damping && i < p->modes; i++)
+        for (int k = 0; k < p->modes; k++)
+            sum += p->damping[i * p->modes + k] * p->damping[i * p->modes + k];
+    return sqrt(1 + ratio * ratio) + (sum > 0 ? sqrt(sum) / m->omega[p->first_mode + j] : 0);
 }
 
 void thud_reach_start(struct thud_run *run)
@@ -22,9 +22,9 @@ void thud_reach_start(struct thud_run *run)
         const struct thud_model_structure *p = &m->structure[s];
         for (int i = 0; i < p->n; i++) {
             double sum[THUD_FLOOR_QUANTITIES] = {0};
-            for (int j = 0; j < p->n; j++) {
-                double a = p->phi[i * p->n + j], below = i > 0 ? p->phi[(i - 1) * p->n + j] : 0;
-                double w = m->omega[p->first + j], f = damping_factor(m, p, j) * w;
+            for (int j = 0; j < p->modes; j++) {
+                double a = p->phi[i * p->modes + j], below = i > 0 ? p->phi[(i - 1) * p->modes + j] : 0;
+                double w = m->omega[p->first_mode + j], f = damping_factor(m, p, j) * w;
                 sum[THUD_FLOOR_DISPLACEMENT] += a * a / (w * w);
                 sum[THUD_FLOOR_VELOCITY] += a * a;
                 sum[THUD_FLOOR_ACCELERATION] += a * a * f * f;
@@ -86,7 +86,7 @@ struct thud_reach thud_reach_segment(const struct thud_run *run, int structure, 
     double energy = 0, gamma = 0, force = largest_force(run, p);
     if (run->method->order > 0)
         return (struct thud_reach){INFINITY, INFINITY};
-    for (int j = p->first; j < p->first + p->n; j++) {
+    for (int j = p->first_mode; j < p->first_mode + p->modes; j++) {
         energy += run->qd[j] * run->qd[j] + m->omega[j] * m->omega[j] * run->q[j] * run->q[j];
         gamma += m->gamma[j] * m->gamma[j];
     }

@@ -30,7 +30,7 @@ static void set_times(struct thud_run *run)
 {
     const struct thud_record *r = run->record;
     double fastest = 0;
-    for (int j = 0; j < run->model->ndof; j++)
+    for (int j = 0; j < run->model->nmodes; j++)
         fastest = fmax(fastest, run->model->omega[j]);
     run->fastest_radps = fastest;
     run->end_s = run->options.tail_s + (r ? (double)(r->samples - 1) * r->dt_s : 0);
@@ -45,7 +45,7 @@ static bool allocate_doubles(struct thud_run *run)
     bool impulsive = false;
     for (int c = 0; c < run->model->ncontacts; c++)
         impulsive |= (run->model->contact[c].law->flags & THUD_LAW_IMPULSIVE) != 0;
-    size_t n = (size_t)run->model->ndof, nc = (size_t)run->model->ncontacts, terms = THUD_SEGMENT_TERMS;
+    size_t n = (size_t)run->model->nmodes, nc = (size_t)run->model->ncontacts, terms = THUD_SEGMENT_TERMS;
     const struct {
         double **where;
         size_t size;
@@ -56,7 +56,7 @@ static bool allocate_doubles(struct thud_run *run)
                 {&run->indentation, terms * nc},
                 {&run->scratch, (terms + 8) * n + 8 + nc},
                 {&run->shape, 2 * n},
-                {&run->most, THUD_FLOOR_QUANTITIES * n},
+                {&run->most, THUD_FLOOR_QUANTITIES * (size_t)run->model->ndof},
                 {&run->ends, 9 * n},
                 {&run->reach, n},
                 {&run->hold, nc * nc},
@@ -96,7 +96,7 @@ static bool allocate_result(struct thud_run *run)
         r->structure[s].period_s = (void *)next;
         next += (size_t)p->n * sizeof(double);
         for (int j = 0; j < p->n; j++)
-            r->structure[s].period_s[j] = 2 * acos(-1) / m->omega[p->first + j];
+            r->structure[s].period_s[j] = 2 * acos(-1) / p->omega[j];
     }
     for (int c = 0; c < m->ncontacts; c++) {
         const struct thud_model_contact *p = &m->contact[c];
@@ -120,7 +120,7 @@ static const char *need(const struct thud_model *m)
         impulsive = impulsive || flags & THUD_LAW_IMPULSIVE;
         nonlinear = nonlinear || !(flags & (THUD_LAW_SILENT | THUD_LAW_LINEAR | THUD_LAW_IMPULSIVE));
     }
-    for (int j = 0; j < m->ndof; j++)
+    for (int j = 0; j < m->nmodes; j++)
         flexible = flexible || m->omega[j] > 0;
     if (!contact)
         return no_contact;
@@ -149,7 +149,7 @@ enum thud_status thud_run_create(const struct thud_model *model, const struct th
                                  const struct thud_run_options *options, struct thud_run **out, struct thud_error *err)
 {
     *out = NULL;
-    enum thud_status status = thud_run_check_options(model, options, record, err);
+    enum thud_status status = thud_run_check_options(options, record, err);
     if (status != THUD_OK)
         return status;
     struct thud_run *run = calloc(1, sizeof *run);
@@ -165,8 +165,8 @@ enum thud_status thud_run_create(const struct thud_model *model, const struct th
     run->known = calloc((size_t)model->ncontacts + 1, sizeof *run->known);
     status = THUD_MEMORY;
     if (run->contact && run->set_now && run->known && allocate_doubles(run) && allocate_result(run)) {
-        memcpy(run->q, model->q0, (size_t)model->ndof * sizeof *run->q);
-        memcpy(run->qd, model->qd0, (size_t)model->ndof * sizeof *run->qd);
+        memcpy(run->q, model->q0, (size_t)model->nmodes * sizeof *run->q);
+        memcpy(run->qd, model->qd0, (size_t)model->nmodes * sizeof *run->qd);
         thud_run_set_scales(run);
         thud_contact_start(run);
         thud_peaks_start(run);
@@ -214,7 +214,7 @@ static void commit(struct thud_run *run, double s, double limit)
     if (s <= 0)
         return;
     double to_end = run->end_s - thud_run_now(run), to_kink = run->grid_dt_s - run->offset_s;
-    size_t n = (size_t)run->model->ndof;
+    size_t n = (size_t)run->model->nmodes;
     memcpy(run->q, run->ends + 3 * n, n * sizeof *run->q);
     memcpy(run->qd, run->ends + 4 * n, n * sizeof *run->qd);
     if (s < limit || s * run->seg.h_s < to_kink * (1 - 1e-13)) {
@@ -285,8 +285,8 @@ static double next_event(struct thud_run *run, double limit, int *contact, int *
 static enum thud_status read_segment(struct thud_run *run, double s, struct thud_error *err)
 {
     enum thud_status status = THUD_OK;
-    double *end = run->ends + 3 * run->model->ndof; /* q, q' at s: read by the peaks, and committed */
-    thud_segment_state(&run->seg, run->model->ndof, s, end, end + run->model->ndof);
+    double *end = run->ends + 3 * run->model->nmodes; /* q, q' at s: read by the peaks, and committed */
+    thud_segment_state(&run->seg, run->model->nmodes, s, end, end + run->model->nmodes);
     thud_peaks_segment(run, s);
     if (run->closing)
         thud_closing_segment(run, s);
@@ -301,8 +301,8 @@ static enum thud_status check_proposal(struct thud_run *run, struct thud_error *
 {
     if (run->method->order == 0)
         return THUD_OK;
-    double *q = run->scratch, *qd = q + run->model->ndof;
-    thud_segment_state(&run->seg, run->model->ndof, 1, q, qd);
+    double *q = run->scratch, *qd = q + run->model->nmodes;
+    thud_segment_state(&run->seg, run->model->nmodes, 1, q, qd);
     return thud_run_check_state(run, q, qd, err);
 }
 

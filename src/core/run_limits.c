@@ -3,15 +3,9 @@
 
 #include "core/run_private.h"
 
-enum thud_status thud_run_check_options(const struct thud_model *model, const struct thud_run_options *o,
-                                        const struct thud_record *record, struct thud_error *err)
+enum thud_status thud_run_check_options(const struct thud_run_options *o, const struct thud_record *record,
+                                        struct thud_error *err)
 {
-    if (model->left_out > 0 && o->method && o->method->order > 0) {
-        thud_error_set(err, THUD_INPUT, "the method %s leaves no modes out", o->method->name);
-        thud_error_key(err, "modes");
-        thud_error_allow(err, "all modes, or the method exact or auto");
-        return THUD_INPUT;
-    }
     if (!(o->tolerance >= 1e-13 && o->tolerance <= 0.1)) {
         thud_error_set(err, THUD_INPUT, "%g is out of bounds", o->tolerance);
         thud_error_key(err, "tolerance");
@@ -99,7 +93,7 @@ void thud_run_set_bound(struct thud_run *run)
 {
     const struct thud_model *m = run->model;
     double mass = 0, ground = 0, energy = thud_run_kinetic(run) + thud_run_strain(run);
-    for (int j = 0; j < m->ndof; j++)
+    for (int j = 0; j < m->nmodes; j++)
         mass += m->gamma[j] * m->gamma[j];
     for (int c = 0; c < m->ncontacts; c++) {
         const struct thud_model_contact *p = &m->contact[c];
@@ -134,7 +128,7 @@ enum thud_status thud_run_check_state(struct thud_run *run, const double *q, con
     static const double times = 100; /* a coarse but stable step may overshoot; more is a run that has blown up */
     const struct thud_model *m = run->model;
     double limit = times * run->speed_bound, sum = 0;
-    for (int j = 0; j < m->ndof; j++)
+    for (int j = 0; j < m->nmodes; j++)
         sum += qd[j] * qd[j] + m->omega[j] * m->omega[j] * q[j] * q[j];
     if (sum <= limit * limit) /* false for NaN */
         return THUD_OK;

@@ -58,7 +58,7 @@ struct thud_run {
     double ground_mps2; /* peak of the ground motion: what the structures feel anyway */
     double
         speed_mps;  /* largest first speed of a floor and largest speed of the ground: what others are small against */
-    double *q, *qd; /* (ndof) modal state */
+    double *q, *qd; /* (nmodes) modal state */
     struct thud_contact_state *contact;
     int nactive; /* contacts CLOSED or STUCK */
     int stalls;  /* events in a row without progress in time */
@@ -67,12 +67,12 @@ struct thud_run {
     struct thud_segment seg;
     double *indentation;  /* (ncontacts x THUD_SEGMENT_TERMS): polynomials of the segment, scaled like it */
     int *known;           /* (ncontacts) its lowest orders that are no motion; -1 where it is not read yet */
-    double *scratch;      /* (THUD_SEGMENT_TERMS x ndof + 8 x ndof) for one function at a time */
+    double *scratch;      /* (THUD_SEGMENT_TERMS x nmodes + 8 x nmodes) for one function at a time */
     double fastest_radps; /* fastest mode */
-    double *shape;        /* (2 x ndof): largest part of each mode in a floor's displacement, and in its drift */
+    double *shape;        /* (2 x nmodes): largest part of each mode in a floor's displacement, and in its drift */
     double *most;         /* (quantities x ndof): of a floor's value, for a structure's sqrt(2 energy) */
-    double *ends;         /* (9 x ndof) modal values at the two ends of a segment, and margins between */
-    double *reach;        /* (ndof) how far each mode may move in the segment */
+    double *ends;         /* (9 x nmodes) modal values at the two ends of a segment, and margins between */
+    double *reach;        /* (nmodes) how far each mode may move in the segment */
     double *hold;         /* (ncontacts x ncontacts) */
     double *force_now;    /* (ncontacts) */
     double *collide;      /* of contact_impulse.c */
@@ -161,7 +161,7 @@ static inline double thud_contact_rounding(const struct thud_run *run)
 {
     return 1e-12 * (run->ground_mps2 + run->speed_mps * run->fastest_radps);
 }
-/* Second rate of the modal coordinates without contact forces, out (ndof). */
+/* Second rate of the modal coordinates without contact forces, out (nmodes). */
 void thud_model_acceleration(const struct thud_model *model, const double *q, const double *qd, double ground,
                              double *out);
 /* From that to the second rate with these contact forces. */
@@ -173,8 +173,8 @@ void thud_contact_hold(const struct thud_run *run, const double *free, double *f
 enum thud_status thud_contact_impulse(struct thud_run *run, int contact, struct thud_error *err);
 
 /* run_limits.c: what a run may ask for, and what its response may not pass. */
-enum thud_status thud_run_check_options(const struct thud_model *model, const struct thud_run_options *options,
-                                        const struct thud_record *record, struct thud_error *err);
+enum thud_status thud_run_check_options(const struct thud_run_options *options, const struct thud_record *record,
+                                        struct thud_error *err);
 /* The step of a fixed-step method that was given none: a twentieth of the shortest period, of a mode or of a contact at
  * a closing of 1 m/s, and not above the record's step. */
 double thud_run_default_step(const struct thud_run *run);

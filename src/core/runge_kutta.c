@@ -28,8 +28,8 @@ void thud_rk_start(struct thud_run *run, struct thud_rk *rk)
     double ground = thud_step_ground(run, 0), before = rk->end_mps2;
     if (rk->first_known && fabs(ground - before) <= 1e-12 * (fabs(ground) + fabs(before)))
         return;
-    memcpy(rk->stage[0].q, run->q, (size_t)run->model->ndof * sizeof(double));
-    memcpy(rk->stage[0].qd, run->qd, (size_t)run->model->ndof * sizeof(double));
+    memcpy(rk->stage[0].q, run->q, (size_t)run->model->nmodes * sizeof(double));
+    memcpy(rk->stage[0].qd, run->qd, (size_t)run->model->nmodes * sizeof(double));
     thud_step_motion(run, &rk->stage[0], 0);
     rk->first_known = true;
     rk->end_mps2 = ground;
@@ -38,7 +38,7 @@ void thud_rk_start(struct thud_run *run, struct thud_rk *rk)
 void thud_rk_stages(struct thud_run *run, struct thud_rk *rk, double h)
 {
     const struct thud_tableau *t = rk->tableau;
-    int n = run->model->ndof;
+    int n = run->model->nmodes;
     for (int i = 1; i < t->stages; i++) {
         struct thud_motion *x = &rk->stage[i];
         memcpy(x->q, run->q, (size_t)n * sizeof *x->q);
@@ -69,7 +69,7 @@ void thud_rk_committed(const struct thud_run *run, struct thud_rk *rk, bool swit
     *first = *last;
     *last = keep;
     /* The state was read from the segment: the same but for rounding. */
-    memcpy(first->q, run->q, (size_t)run->model->ndof * sizeof(double));
-    memcpy(first->qd, run->qd, (size_t)run->model->ndof * sizeof(double));
+    memcpy(first->q, run->q, (size_t)run->model->nmodes * sizeof(double));
+    memcpy(first->qd, run->qd, (size_t)run->model->nmodes * sizeof(double));
     rk->end_mps2 = run->seg.a0 + run->seg.a1;
 }

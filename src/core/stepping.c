@@ -8,15 +8,15 @@ enum { TERMS = 8, POINTS = 5 };
 
 size_t thud_motion_size(const struct thud_model *model)
 {
-    return THUD_MOTION_VECTORS * (size_t)model->ndof + (size_t)model->ncontacts;
+    return THUD_MOTION_VECTORS * (size_t)model->nmodes + (size_t)model->ncontacts;
 }
 
 double *thud_motion_place(struct thud_motion *motion, const struct thud_model *model, double *block)
 {
     motion->q = block;
-    motion->qd = block + model->ndof;
-    motion->qdd = block + 2 * model->ndof;
-    motion->force = block + 3 * model->ndof;
+    motion->qd = block + model->nmodes;
+    motion->qdd = block + 2 * model->nmodes;
+    motion->force = block + 3 * model->nmodes;
     return motion->force + model->ncontacts;
 }
 
@@ -98,7 +98,7 @@ void thud_step_motion(struct thud_run *run, struct thud_motion *x, double after)
 
 static void write_motion(const struct thud_run *run, const struct thud_motion *start, const struct thud_motion *end)
 {
-    int n = run->model->ndof;
+    int n = run->model->nmodes;
     double *c = run->seg.q, h = run->seg.h_s;
     memset(c + 6 * n, 0, (TERMS - 6) * (size_t)n * sizeof *c);
     for (int j = 0; j < n; j++) {
@@ -134,7 +134,7 @@ static void write_forces(struct thud_run *run, const struct thud_motion *start, 
     }
     for (int i = 1; i < POINTS - 1; i++) {
         double s = (double)i / (POINTS - 1);
-        thud_segment_state(&run->seg, run->model->ndof, s, work->q, work->qd);
+        thud_segment_state(&run->seg, run->model->nmodes, s, work->q, work->qd);
         thud_step_motion(run, work, s * run->seg.h_s);
         for (int c = 0; c < nc; c++)
             value[c * THUD_SEGMENT_TERMS + i] = work->force[c];

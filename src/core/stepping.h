@@ -7,7 +7,7 @@
 
 /* Modal state and what follows from it, one block of a method's own. */
 struct thud_motion {
-    double *q, *qd, *qdd; /* (ndof) */
+    double *q, *qd, *qdd; /* (nmodes) */
     double *force;        /* (ncontacts) */
 };
 enum { THUD_MOTION_VECTORS = 3 };

@@ -46,9 +46,9 @@ void thud_segment_begin(struct thud_run *run, struct thud_segment *seg, double h
 
 static void first_terms(const struct thud_model *m, struct thud_segment *seg, const double *q, const double *qd)
 {
-    for (int j = 0; j < m->ndof; j++) {
+    for (int j = 0; j < m->nmodes; j++) {
         seg->q[j] = q[j];
-        seg->q[m->ndof + j] = seg->h_s * qd[j];
+        seg->q[m->nmodes + j] = seg->h_s * qd[j];
     }
 }
 
@@ -58,7 +58,7 @@ static void structure_order(const struct thud_model *m, const double *restrict q
 {
     const double *restrict spring = m->spring, *restrict dashpot = m->dashpot;
     double by_q = -scale, by_q1 = -scale * rate;
-    for (int j = 0, n = m->ndof; j < n; j++)
+    for (int j = 0, n = m->nmodes; j < n; j++)
         out[j] = by_q * (spring[j] * q[j]) + by_q1 * (dashpot[j] * q1[j]);
 }
 
@@ -71,7 +71,7 @@ static void push(int n, const double *restrict g, double force, double *restrict
 /* Order k + 2 of every mode from orders k and k + 1 and the force of order k. */
 static void next_order(const struct thud_model *m, struct thud_segment *seg, int k)
 {
-    int n = m->ndof;
+    int n = m->nmodes;
     double h = seg->h_s, scale = h * h / ((k + 1) * (k + 2)), rate = (k + 1) / h;
     const double *q = seg->q + k * n, *q1 = q + n, *force = seg->force + k * m->ncontacts;
     double *q2 = seg->q + (k + 2) * n;
@@ -80,9 +80,9 @@ static void next_order(const struct thud_model *m, struct thud_segment *seg, int
         push(n, m->gamma, scale * (k == 0 ? seg->a0 : seg->a1), q2);
     for (int s = 0; m->couples && s < m->nstructures; s++) {
         const struct thud_model_structure *p = &m->structure[s];
-        for (int i = 0; p->damping && i < p->n; i++)
-            for (int j = 0; j < p->n; j++)
-                q2[p->first + i] -= scale * p->damping[i * p->n + j] * rate * q1[p->first + j];
+        for (int i = 0; p->damping && i < p->modes; i++)
+            for (int j = 0; j < p->modes; j++)
+                q2[p->first_mode + i] -= scale * p->damping[i * p->modes + j] * rate * q1[p->first_mode + j];
     }
     for (int c = 0; k < seg->loaded && c < m->ncontacts; c++)
         if (force[c] != 0.0)
@@ -112,7 +112,7 @@ void thud_taylor_given(const struct thud_model *model, struct thud_segment *seg,
 
 void thud_taylor_load(const struct thud_model *model, struct thud_segment *seg, const double *load, int order)
 {
-    int n = model->ndof;
+    int n = model->nmodes;
     memset(seg->q, 0, (size_t)seg->terms * (size_t)n * sizeof(double));
     for (int k = order; k + 2 < seg->terms; k++) {
         next_order(model, seg, k);
@@ -138,7 +138,7 @@ static void linear_forces(struct thud_run *run, struct thud_segment *seg, int k)
                 d[0] = 0; /* just touched: the motion says so only to rounding, which a stiff contact would feel */
         }
         if (k + 1 < seg->terms)
-            d1 = d[k + 1] = thud_model_gap_sum(m, c, seg->q + (k + 1) * m->ndof);
+            d1 = d[k + 1] = thud_model_gap_sum(m, c, seg->q + (k + 1) * m->nmodes);
         seg->force[k * m->ncontacts + c] = f + s->branch.k_npm * d[k] + s->branch.c_nspm * (k + 1) / seg->h_s * d1;
     }
 }
@@ -161,7 +161,7 @@ double thud_taylor_linear(struct thud_run *run, struct thud_segment *seg)
         if (run->contact[c].mode == THUD_CLOSED && run->contact[c].zeros.indentation == 0)
             run->known[c] = 0;
     /* fewer terms than there may be are enough by the bound of the fastest rate */
-    return seg->terms < THUD_SEGMENT_TERMS ? 0 : thud_segment_tail(seg, m->ndof);
+    return seg->terms < THUD_SEGMENT_TERMS ? 0 : thud_segment_tail(seg, m->nmodes);
 }
 
 void thud_segment_shorten(struct thud_segment *seg, int nmodes, int ncontacts, double factor)
@@ -228,7 +228,7 @@ static struct side side_of(const struct thud_model *m, int dof)
     if (dof < 0)
         return (struct side){0};
     const struct thud_model_structure *s = &m->structure[m->dof_structure[dof]];
-    return (struct side){s->phi + (dof - s->first) * s->n, s->first, s->n};
+    return (struct side){s->phi + (dof - s->first) * s->modes, s->first_mode, s->modes};
 }
 
 static double floor_term(const struct side *side, const double *modal)
@@ -244,12 +244,12 @@ int thud_segment_indentation(const struct thud_run *run, const struct thud_segme
     int zeros = 0;
     if (run->contact[c].zeros.indentation == 0) { /* nothing of it is known to be 0 */
         for (int k = 0; k < seg->terms; k++)
-            out[k] = floor_term(&l, seg->q + k * m->ndof) - floor_term(&r, seg->q + k * m->ndof);
+            out[k] = floor_term(&l, seg->q + k * m->nmodes) - floor_term(&r, seg->q + k * m->nmodes);
         out[0] -= thud_run_shift(run, c);
         return 0;
     }
     for (int k = 0; k < seg->terms; k++) {
-        double left = floor_term(&l, seg->q + k * m->ndof), right = floor_term(&r, seg->q + k * m->ndof);
+        double left = floor_term(&l, seg->q + k * m->nmodes), right = floor_term(&r, seg->q + k * m->nmodes);
         out[k] = left - right;
         size[k] = fabs(left) + fabs(right);
         largest = size[k] > largest ? size[k] : largest;

@@ -12,12 +12,12 @@ enum { KEPT_MAX = 192 };
 /* A moment at the start of an interval of the ground motion. */
 struct moment {
     long grid;
-    double *state;                   /* (2 x ndof) q, q', then (ncontacts) largest closings so far */
+    double *state;                   /* (2 x nmodes) q, q', then (ncontacts) largest closings so far */
     struct thud_floor_result *floor; /* (ndof) peaks so far */
 };
 
 struct thud_trunk {
-    int ndof, ncontacts;
+    int ndof, nmodes, ncontacts;
     struct thud_run *run; /* at its end; for its result */
     struct thud_model model;
     double *closing; /* (ncontacts) */
@@ -71,11 +71,11 @@ static enum thud_status keep(struct thud_trunk *trunk, struct thud_error *err)
         return THUD_OK;
     if (trunk->nkept == KEPT_MAX)
         thin(trunk);
-    size_t n = (size_t)trunk->ndof, nc = (size_t)trunk->ncontacts;
+    size_t n = (size_t)trunk->nmodes, nc = (size_t)trunk->ncontacts;
     struct moment *moment = &trunk->kept[trunk->nkept];
     moment->grid = run->grid;
     moment->state = malloc((2 * n + nc + 1) * sizeof(double));
-    moment->floor = malloc((n + 1) * sizeof(struct thud_floor_result));
+    moment->floor = malloc(((size_t)trunk->ndof + 1) * sizeof(struct thud_floor_result));
     if (!moment->state || !moment->floor) {
         drop(moment);
         return thud_error_set(err, THUD_MEMORY, "out of memory");
@@ -129,6 +129,7 @@ enum thud_status thud_trunk_create(const struct thud_model *model, const struct 
         struct thud_run_options quiet = *options;
         quiet.keep_history = quiet.keep_impacts = false;
         trunk->ndof = model->ndof;
+        trunk->nmodes = model->nmodes;
         trunk->ncontacts = model->ncontacts;
         trunk->apart = trunk->next = 64;
         struct thud_run *run = NULL;
@@ -182,7 +183,7 @@ double thud_trunk_closing(const struct thud_trunk *trunk, int c)
 /* Whether no contact has closed up to the moment. */
 static bool before_contact(const struct thud_trunk *trunk, const struct moment *moment, const struct thud_model *model)
 {
-    const double *closing = moment->state + 2 * trunk->ndof;
+    const double *closing = moment->state + 2 * trunk->nmodes;
     for (int c = 0; c < trunk->ncontacts; c++)
         if (!(model->contact[c].law->flags & THUD_LAW_SILENT) && closing[c] > model->contact[c].clearance_m)
             return false;
@@ -191,7 +192,7 @@ static bool before_contact(const struct thud_trunk *trunk, const struct moment *
 
 static void start_at(struct thud_run *run, const struct moment *moment)
 {
-    size_t n = (size_t)run->model->ndof;
+    size_t n = (size_t)run->model->nmodes;
     const struct thud_floor_result *from = moment->floor;
     run->grid = moment->grid;
     memcpy(run->q, moment->state, n * sizeof(double));
@@ -206,7 +207,7 @@ enum thud_status thud_trunk_run(const struct thud_trunk *trunk, const struct thu
                                 const struct thud_record *record, const struct thud_run_options *options,
                                 struct thud_run **out, double *shared_s, struct thud_error *err)
 {
-    assert(model->ndof == trunk->ndof && model->ncontacts == trunk->ncontacts);
+    assert(model->ndof == trunk->ndof && model->nmodes == trunk->nmodes && model->ncontacts == trunk->ncontacts);
     *shared_s = 0;
     enum thud_status status = thud_run_create(model, record, options, out, err);
     if (status != THUD_OK || !trunk->shares || options->keep_history)

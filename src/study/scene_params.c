@@ -135,7 +135,7 @@ static const struct thud_param analysis_params[] = {
     {NUMBER("step", "step", "Of the methods with a fixed step; else a tenth of what the method and the contacts allow.", THUD_TIME, "ms", NAN), POSITIVE, UP_TO(10), ANY_USUAL},
     {NUMBER("tail", "tail", "Free vibration after the ground motion; without one, the duration.", THUD_TIME, "s", 5), FROM(0), UP_TO(100), ANY_USUAL},
     CHOICE("locate", "event location", "Whether methods with a fixed step find the moments of touch and release.", switches, 1),
-    {COUNT("modes", "modes", "Each building's lowest ones alone, by the exact method; where it is not given, all of them.", NAN),
+    {COUNT("modes", "modes", "Each building's lowest ones alone; where it is not given, all of them.", NAN),
      .least = 1, UP_TO(THUD_STOREYS_MAX + 1), ANY_USUAL},
 };
 #define AT(member) offsetof(struct thud_scene, analysis.member)

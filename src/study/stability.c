@@ -124,8 +124,9 @@ static enum thud_status measure_scene(struct thud_stability *s, const struct thu
                                ->structure[s->model->dof_structure[i]]
                                .floor[i - p->first]
                                .displacement.value;
-            s->fastest_radps = fmax(s->fastest_radps, s->model->omega[i]);
         }
+    for (int j = 0; status == THUD_OK && j < s->model->nmodes; j++)
+        s->fastest_radps = fmax(s->fastest_radps, s->model->omega[j]);
     if (!(s->fastest_radps > 0)) { /* bodies without a spring have no omega dt */
         free(s->peak_m);
         s->peak_m = NULL;

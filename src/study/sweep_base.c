@@ -124,7 +124,7 @@ static double first_damping(const struct thud_model *model, int s)
     const struct thud_model_structure *p = &model->structure[s];
     if (p->n == 0)
         return 0;
-    return p->damping ? p->damping[0] / (2 * model->omega[p->first]) : model->zeta[p->first];
+    return p->damping ? p->damping[0] / (2 * model->omega[p->first_mode]) : model->zeta[p->first_mode];
 }
 
 static double largest(const struct thud_result *result, int s, int floor)

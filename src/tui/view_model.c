@@ -29,7 +29,7 @@ static const char *first_period(const struct thud_tui *tui, int s, char text[32]
     *text = '\0';
     if (!model || s >= model->nstructures || model->structure[s].n == 0 || tui->ran_revision != tui->doc.revision)
         return text;
-    double omega = model->omega[model->structure[s].first];
+    double omega = model->structure[s].omega[0];
     if (omega > 0.0)
         snprintf(text, 32, " T1 %s s", thud_tui_number(2.0 * acos(-1.0) / omega, number));
     return text;
@@ -63,8 +63,8 @@ static int modes(struct thud_tui *tui, const struct thud_pane *pane, int y, int 
     char periods[160] = " T", masses[160] = " M*", number[24];
     for (int i = 0; i < structure->n; i++)
         total += model->mass_kg[structure->first + i];
-    for (int j = 0; j < structure->n && j < (pane->w - 6) / 8; j++) {
-        double omega = model->omega[structure->first + j], gamma = model->gamma[structure->first + j];
+    for (int j = 0; j < structure->modes && j < (pane->w - 6) / 8; j++) {
+        double omega = model->omega[structure->first_mode + j], gamma = model->gamma[structure->first_mode + j];
         if (!(omega > 0.0))
             continue;
         size_t n = strlen(periods), m = strlen(masses);

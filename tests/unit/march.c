@@ -187,7 +187,7 @@ double march_distance(const struct march *a, const struct march *b)
 {
     const struct thud_model *m = a->run->model;
     double sum = 0, scale = 0;
-    for (int j = 0; j < m->ndof; j++) {
+    for (int j = 0; j < m->nmodes; j++) {
         double w = m->omega[j] > 0 ? m->omega[j] : 1;
         double dq = w * (a->run->q[j] - b->run->q[j]), dv = a->run->qd[j] - b->run->qd[j];
         sum += dq * dq + dv * dv;

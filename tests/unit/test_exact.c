@@ -150,7 +150,7 @@ START_TEST(a_gap_too_wide_to_close_changes_no_bit)
     for (int s = 0; s < 2; s++)
         ck_assert_mem_eq(a.result->structure[s].floor, b.result->structure[s].floor,
                          (size_t)towers[s] * sizeof *a.result->structure[s].floor);
-    ck_assert_mem_eq(a.run->q, b.run->q, (size_t)free->ndof * sizeof(double));
+    ck_assert_mem_eq(a.run->q, b.run->q, (size_t)free->nmodes * sizeof(double));
     march_free(&a);
     march_free(&b);
     thud_model_free(free);

@@ -65,9 +65,10 @@ START_TEST(no_state_passes_what_its_energy_allows)
     for (int floor = 0; floor < towers[1]; floor++)
         for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++) {
             double part[MARCH_FLOORS_MAX], best = 0, norm = 0;
-            for (int j = 0; j < p->n; j++) { /* value = sum part[j] e[j], e the modal speeds, sum e^2 = 1 */
-                double w = model->omega[p->first + j], z = model->zeta[p->first + j], a = p->phi[floor * p->n + j];
-                double below = floor > 0 ? p->phi[(floor - 1) * p->n + j] : 0;
+            for (int j = 0; j < p->modes; j++) { /* value = sum part[j] e[j], e the modal speeds, sum e^2 = 1 */
+                double w = model->omega[p->first_mode + j], z = model->zeta[p->first_mode + j],
+                       a = p->phi[floor * p->modes + j];
+                double below = floor > 0 ? p->phi[(floor - 1) * p->modes + j] : 0;
                 part[j] = x == THUD_FLOOR_DISPLACEMENT   ? a / w
                           : x == THUD_FLOOR_VELOCITY     ? a
                           : x == THUD_FLOOR_ACCELERATION ? a * w * sqrt(1 + 4 * z * z)
@@ -76,7 +77,7 @@ START_TEST(no_state_passes_what_its_energy_allows)
             }
             for (int trial = 0; trial < 200; trial++) {
                 double e[MARCH_FLOORS_MAX], size = 0, value = 0;
-                for (int j = 0; j < p->n; j++) {
+                for (int j = 0; j < p->modes; j++) {
                     e[j] = trial == 0 ? part[j] : random_part();
                     size += e[j] * e[j];
                     value += part[j] * e[j];
@@ -118,7 +119,7 @@ START_TEST(slices_change_no_bit)
     for (int s = 0; s < 2; s++)
         ck_assert_mem_eq(a->structure[s].floor, b->structure[s].floor,
                          (size_t)towers[s] * sizeof *a->structure[s].floor);
-    ck_assert_mem_eq(whole->q, by_one->q, (size_t)model->ndof * sizeof(double));
+    ck_assert_mem_eq(whole->q, by_one->q, (size_t)model->nmodes * sizeof(double));
     thud_run_free(whole);
     thud_run_free(by_one);
     thud_model_free(model);

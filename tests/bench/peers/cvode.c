@@ -46,9 +46,9 @@ static double force(const struct problem *p, int c, const double *y, double *d, 
     const struct contact *s = &p->contact[c];
     *d = -k->clearance_m;
     *v = 0;
-    for (int j = 0; j < m->ndof; j++) {
-        *d += m->g[c * m->ndof + j] * y[j];
-        *v += m->g[c * m->ndof + j] * y[m->ndof + j];
+    for (int j = 0; j < m->nmodes; j++) {
+        *d += m->g[c * m->nmodes + j] * y[j];
+        *v += m->g[c * m->nmodes + j] * y[m->nmodes + j];
     }
     struct thud_branch b = k->law->branch(&k->setup, &s->memory, s->phase, s->past);
     return thud_branch_force(&b, *d, *v, NULL, NULL);
@@ -60,7 +60,7 @@ static int slope(double t, N_Vector state, N_Vector out, void *data)
     const struct thud_model *m = p->model;
     const double *y = N_VGetArrayPointer(state);
     double *dy = N_VGetArrayPointer(out), a = ground(p, t), d, v;
-    int n = m->ndof;
+    int n = m->nmodes;
     for (int j = 0; j < n; j++) {
         dy[j] = y[n + j];
         dy[n + j] = -2 * m->zeta[j] * m->omega[j] * y[n + j] - m->omega[j] * m->omega[j] * y[j] - m->gamma[j] * a;
@@ -123,8 +123,8 @@ static void accelerations(struct problem *p, double t, N_Vector y, N_Vector scra
     for (int i = 0; i < m->ndof; i++) {
         const struct thud_model_structure *s = &m->structure[m->dof_structure[i]];
         a[i] = ground(p, t);
-        for (int j = 0; j < s->n; j++)
-            a[i] += s->phi[(i - s->first) * s->n + j] * dy[m->ndof + s->first + j];
+        for (int j = 0; j < s->modes; j++)
+            a[i] += s->phi[(i - s->first) * s->modes + j] * dy[m->nmodes + s->first_mode + j];
     }
 }
 
@@ -164,7 +164,7 @@ static void look(struct problem *p, void *cvode, double t0, double t1, N_Vector 
 
 static int integrate(struct problem *p, int lmm, double tolerance, double end_s, SUNContext context)
 {
-    int n = 2 * p->model->ndof, status = CV_SUCCESS, found[ROOTS * MOST];
+    int n = 2 * p->model->nmodes, status = CV_SUCCESS, found[ROOTS * MOST];
     N_Vector y = N_VNew_Serial(n, context), inside = N_VNew_Serial(n, context), scratch = N_VNew_Serial(n, context);
     void *cvode = CVodeCreate(lmm, context);
     SUNMatrix matrix = SUNDenseMatrix(n, n, context);
@@ -176,7 +176,7 @@ static int integrate(struct problem *p, int lmm, double tolerance, double end_s,
     memset(p->peak, 0, sizeof p->peak);
     CVodeInit(cvode, slope, 0, y);
     /* a centimetre in modal coordinates, gamma being the root of a modal mass */
-    for (int j = 0; j < p->model->ndof; j++)
+    for (int j = 0; j < p->model->nmodes; j++)
         scale = fmax(scale, 0.01 * fabs(p->model->gamma[j]));
     CVodeSStolerances(cvode, tolerance, scale * tolerance);
     CVodeSetUserData(cvode, p);
