@@ -63,6 +63,7 @@ struct thud_result {
     struct thud_energy energy;
     struct thud_work work;
     double end_s;       /* where the run ended */
+    double step_s;      /* a fixed-step method's, from one sample of the ground motion to the next; else NaN */
     const char *method; /* the method that was used */
     const char *reason; /* why `auto` picked it; "" when it was named */
 };

@@ -133,6 +133,16 @@ static void add_contacts(const struct thud_report *report, struct thud_text *out
         add_contact(&r->contact[c], places_of(force, 5), places_of(depth, 4), out);
 }
 
+/* Steps end where the ground motion has its samples, so that the one asked for is the longest there may be. */
+static void add_step(double taken_s, double asked_s, struct thud_text *out)
+{
+    thud_text_append(out, "step %.4g s", taken_s);
+    if (isnan(asked_s))
+        thud_text_append(out, " (its own choice)");
+    else if (fabs(taken_s - asked_s) > 1e-6 * asked_s)
+        thud_text_append(out, " (for %.4g s: steps end at the motion's samples)", asked_s);
+}
+
 static void add_foot(const struct thud_report *report, struct thud_text *out)
 {
     const struct thud_result *r = report->result;
@@ -145,9 +155,13 @@ static void add_foot(const struct thud_report *report, struct thud_text *out)
     thud_text_append(out, "method         %s", r->method);
     if (r->reason[0])
         thud_text_append(out, " (%s)", r->reason);
-    thud_text_append(out, "\n               tolerance %g, %ld steps, %ld force evaluations, %ld events, to %.5g s\n",
-                     report->scene->analysis.tolerance, r->work.steps, r->work.force_evaluations, r->work.events,
-                     r->end_s);
+    thud_text_append(out, "\n               ");
+    if (isnan(r->step_s))
+        thud_text_append(out, "tolerance %g", report->scene->analysis.tolerance);
+    else
+        add_step(r->step_s, report->scene->analysis.step_s, out);
+    thud_text_append(out, ", %ld steps, %ld force evaluations, %ld events, to %.5g s\n", r->work.steps,
+                     r->work.force_evaluations, r->work.events, r->end_s);
 }
 
 static void add_truncation(const struct thud_truncation *t, struct thud_text *out)

@@ -8,6 +8,7 @@
 #include "core/contact.h"
 #include "core/lcp.h"
 #include "core/run_private.h"
+#include "core/stepping.h"
 
 /* Events in a row at one moment before that moment is passed over, for each contact and besides; and how often, each
  * time for twice as long as the last. */
@@ -145,6 +146,17 @@ static void pick_method(struct thud_run *run)
     run->locates = run->method->flags & THUD_METHOD_CAN_LOCATE && (run->options.locate || !may_choose);
 }
 
+static void set_step(struct thud_run *run)
+{
+    run->step_cap_s = INFINITY;
+    run->result.step_s = NAN;
+    if (!(run->method->flags & THUD_METHOD_FIXED_STEP))
+        return;
+    if (isnan(run->options.step_s))
+        run->options.step_s = thud_run_default_step(run);
+    run->result.step_s = thud_step_length(run);
+}
+
 enum thud_status thud_run_create(const struct thud_model *model, const struct thud_record *record,
                                  const struct thud_run_options *options, struct thud_run **out, struct thud_error *err)
 {
@@ -172,8 +184,7 @@ enum thud_status thud_run_create(const struct thud_model *model, const struct th
         thud_peaks_start(run);
         thud_ledger_start(run);
         thud_run_set_bound(run);
-        if (isnan(run->options.step_s) && run->method->flags & THUD_METHOD_FIXED_STEP)
-            run->options.step_s = thud_run_default_step(run);
+        set_step(run);
         status = run->options.keep_history ? thud_history_start(run, err) : THUD_OK;
         if (status == THUD_OK && run->method->order == 0) /* the others show how they fare in free flight */
             status = thud_flight_create(run, err);

@@ -35,7 +35,7 @@ static void add_method(const struct thud_report *report, struct thud_text *out)
     thud_text_append(out, ", ");
     thud_json_field(out, "tolerance", report->scene->analysis.tolerance);
     thud_text_append(out, ", ");
-    thud_json_field(out, "step_s", report->scene->analysis.step_s);
+    thud_json_field(out, "step_s", r->step_s);
     thud_text_append(out,
                      ", \"steps\": %ld, \"force_evaluations\": %ld, \"events\": %ld, \"rejected\": %ld, "
                      "\"samples_in_free_flight\": %ld},\n",

@@ -217,6 +217,8 @@ static int draw_how(struct thud_tui *tui, const struct thud_pane *pane)
     thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_MUTED, 0), "used %s", result->method ? result->method : "?");
     thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_MUTED, 0), "%ld steps, %ld events", result->work.steps,
                     result->work.events);
+    if (isfinite(result->step_s) && result->method)
+        thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_MUTED, 0), "of %.4g s", result->step_s);
     if (result->reason && *result->reason)
         y += thud_pane_wrap(pane, 1, y, pane->w - 2, thud_look(THUD_ROLE_MUTED, 0), result->reason);
     return draw_energy(result, pane, y);

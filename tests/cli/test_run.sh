@@ -109,6 +109,13 @@ gives 0 run towers --modes 2
 is "in the table too" shows "the lowest 2 of each building, 6 left out"
 is "--modes with a stepping method" gives 0 run towers --modes 2 --method rk4 --step 2ms
 is "with the error of it" shows "the lowest 2 of each building, 6 left out"
+is "the step that was taken" shows "^ *step 0.002 s, "
+is "its own" gives 0 run towers --method rk4
+is "is told" shows "^ *step 0.003333 s (its own choice), "
+is "one longer than the motion's samples allow" gives 0 run towers --method newmark --step 7ms
+is "is told with what it became" shows "^ *step 0.005 s (for 0.007 s: steps end at the motion's samples), "
+is "and is in JSON as it was taken" gives 0 run towers --method newmark --step 7ms --json
+is "in seconds" shows '"step_s": 0.005,'
 is "no modes at all is refused" gives 2 run towers --modes 0
 gives 0 run towers --set gap=40cm
 is "auto says where nothing touched" shows "^method .*(nothing touched: modes alone, in closed form)"
