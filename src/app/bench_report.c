@@ -22,6 +22,42 @@ static void add_reference(struct thud_bench *bench, struct thud_text *out)
         thud_text_append(out, "they agree to all digits\n");
 }
 
+/* What is told apart from results: runs whose impacts are not those of the reference, and runs without an answer, or
+ * with one that is none. */
+enum fault { THUD_BENCH_WRONG_IMPACTS, THUD_BENCH_BLOWN_UP };
+static const double no_answer = 100; /* relative error */
+
+static bool has_fault(const struct thud_bench_point *p, enum fault fault)
+{
+    bool done = p->state == THUD_BENCH_DONE;
+    return fault == THUD_BENCH_WRONG_IMPACTS ? done && p->error.missed + p->error.extra > 0
+                                             : p->state == THUD_BENCH_FAILED || (done && !(p->error.all <= no_answer));
+}
+
+/* The runs with a fault, by curve and setting; nothing where there are none. */
+static void add_list(struct thud_bench *bench, enum fault fault, const char *title, struct thud_text *out)
+{
+    int curve = -1;
+    bool any = false;
+    for (int i = 0; i < thud_bench_count(bench); i++) {
+        const struct thud_bench_point *p = thud_bench_point(bench, i);
+        char name[64];
+        if (!has_fault(p, fault))
+            continue;
+        thud_bench_curve_name(p, name, sizeof name);
+        if (!any)
+            thud_text_append(out, "\n%s:", title);
+        if (p->curve != curve)
+            thud_text_append(out, "\n  %s: %.0e", name, p->setting);
+        else
+            thud_text_append(out, " %.0e", p->setting);
+        curve = p->curve;
+        any = true;
+    }
+    if (any)
+        thud_text_append(out, "\n");
+}
+
 void thud_bench_table(struct thud_bench *bench, struct thud_text *out)
 {
     int curve = -1;
@@ -41,11 +77,16 @@ void thud_bench_table(struct thud_bench *bench, struct thud_text *out)
             thud_text_append(out, "%9.0e  %s %s\n", p->setting, state_word(p), p->message);
             continue;
         }
-        thud_text_append(out, "%9.0e %8.3g %7.2g  %7.1e %7.1e  %7.1e  %7.1e  %7.1e  %3d+%-3d %8ld %9ld\n", p->setting,
-                         1e3 * p->seconds, 1e3 * p->spread, p->error.all, p->error.acceleration, p->error.drift,
-                         p->error.force, p->error.impact_time_s, p->error.missed, p->error.extra, p->work.steps,
+        char spread[16] = "-"; /* of one timing */
+        if (p->repeats > 1)
+            snprintf(spread, sizeof spread, "%.2g", 1e3 * p->spread);
+        thud_text_append(out, "%9.0e %8.3g %7s  %7.1e %7.1e  %7.1e  %7.1e  %7.1e  %3d+%-3d %8ld %9ld\n", p->setting,
+                         1e3 * p->seconds, spread, p->error.all, p->error.acceleration, p->error.drift, p->error.force,
+                         p->error.impact_time_s, p->error.missed, p->error.extra, p->work.steps,
                          p->work.force_evaluations);
     }
+    add_list(bench, THUD_BENCH_WRONG_IMPACTS, "impacts missed or added", out);
+    add_list(bench, THUD_BENCH_BLOWN_UP, "no answer", out);
 }
 
 static void add_field(struct thud_text *out, double value)
@@ -69,7 +110,7 @@ void thud_bench_csv(struct thud_bench *bench, struct thud_text *out)
         add_field(out, p->setting);
         thud_text_append(out, ",%s", states[p->state]);
         add_field(out, done ? p->seconds : NAN);
-        add_field(out, done ? p->spread : NAN);
+        add_field(out, done && p->repeats > 1 ? p->spread : NAN);
         thud_text_append(out, ",%d", done ? p->repeats : 0);
         for (size_t k = 0; k < sizeof value / sizeof *value; k++)
             add_field(out, done ? value[k] : NAN);
@@ -84,21 +125,55 @@ void thud_bench_csv(struct thud_bench *bench, struct thud_text *out)
 static void add_curve(struct thud_bench *bench, int first, int last, struct thud_panel *const panel[2], int color)
 {
     const char *name = thud_bench_point(bench, first)->method->name;
-    double x[64], time[64], work[64];
-    size_t n = 0;
+    double x[64], time[64], work[64], ring_x[64], ring_time[64], ring_work[64];
+    size_t n = 0, rings = 0;
     for (int i = first; i < last && n < 64; i++) {
         const struct thud_bench_point *p = thud_bench_point(bench, i);
-        if (p->state != THUD_BENCH_DONE || !(p->error.all > 0) || p->error.all > 100)
+        if (p->state != THUD_BENCH_DONE || !(p->error.all > 0) || has_fault(p, THUD_BENCH_BLOWN_UP))
             continue;
         x[n] = fmax(p->error.all, 1e-13);
         time[n] = 1e3 * p->seconds;
-        work[n++] = (double)p->work.steps + (double)p->work.force_evaluations;
+        work[n] = (double)p->work.steps + (double)p->work.force_evaluations;
+        if (has_fault(p, THUD_BENCH_WRONG_IMPACTS)) {
+            ring_x[rings] = x[n];
+            ring_time[rings] = time[n];
+            ring_work[rings++] = work[n];
+        }
+        n++;
     }
     struct thud_style style = {.kind = THUD_LINES_POINTS, .color = color, .wide = color == 0};
     if (n > 0) {
         thud_panel_add(panel[0], style, name, n, x, time);
         thud_panel_add(panel[1], style, name, n, x, work);
     }
+    if (rings > 0) {
+        struct thud_style ring = {.kind = THUD_POINTS, .color = THUD_COLORS - 1, .wide = true};
+        thud_panel_add(panel[0], ring, "impacts missed or added", rings, ring_x, ring_time);
+        thud_panel_add(panel[1], ring, "impacts missed or added", rings, ring_x, ring_work);
+    }
+}
+
+/* Methods with runs that no chart can show. */
+static void add_note(struct thud_bench *bench, struct thud_figure *figure)
+{
+    struct thud_text note = {0};
+    int runs = 0, curve = -1;
+    for (int i = 0; i < thud_bench_count(bench); i++) {
+        const struct thud_bench_point *p = thud_bench_point(bench, i);
+        char name[64];
+        if (!has_fault(p, THUD_BENCH_BLOWN_UP))
+            continue;
+        thud_bench_curve_name(p, name, sizeof name);
+        if (p->curve != curve)
+            thud_text_append(&note, "%s%s at %.0e", runs ? "; " : "Blown up, and not shown: ", name, p->setting);
+        else
+            thud_text_append(&note, ", %.0e", p->setting);
+        curve = p->curve;
+        runs++;
+    }
+    if (runs > 0 && !note.failed)
+        thud_figure_note(figure, note.data);
+    thud_text_clear(&note);
 }
 
 /* The same colour for a method wherever it stands; `exact`, the first of the list, is 0. */
@@ -153,6 +228,7 @@ struct thud_figure *thud_bench_figure(struct thud_bench *bench, const char *titl
                 add_curve(bench, first, last, panel[column], color_of(p->method));
     }
     struct thud_panel *const all[] = {panel[0][0], panel[1][0], panel[0][1], panel[1][1]}; /* time, time, work, work */
+    add_note(bench, figure);
     share_axis(all, 4, THUD_X);
     share_axis(all, 2, THUD_Y);
     share_axis(all + 2, 2, THUD_Y);

@@ -1,6 +1,7 @@
 #include <math.h>
 
 #include "app/paper_report.h"
+#include "base/version.h"
 
 static const char heading[] =
     "# A parametric study of rubber shock-absorbers, computed again\n"
@@ -8,7 +9,8 @@ static const char heading[] =
     "After Polycarpou and Komodromos, *A parametric study for the investigation of the effectiveness of rubber\n"
     "shock-absorbers as a mitigation measure for earthquake-induced structural poundings*, COMPDYN 2011 (here: the "
     "paper).\n"
-    "Every figure stands beside this file as a picture, as a gnuplot script with its data inside, and as CSV.\n";
+    "Made by thud " THUD_VERSION
+    ". Every figure stands beside this file as a picture, as a gnuplot script with its data inside, and as CSV.\n";
 
 static const char differences[] =
     "\n## What differs from the paper, and why\n"

@@ -56,7 +56,8 @@ static enum thud_status take_option(struct thud_args *args, int argc, char **arg
         length = sizeof name - 1;
     memcpy(name, start, length);
     name[length] = '\0';
-    const struct thud_option *option = thud_option_find(args->command, name);
+    const char *known = strcmp(word, "-h") == 0 ? "help" : name; /* what people try first */
+    const struct thud_option *option = thud_option_find(args->command, known);
     if (!option)
         return unknown_option(args->command, name, err);
     if (sign)

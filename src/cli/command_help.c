@@ -70,7 +70,9 @@ enum thud_status thud_command_help(const struct thud_args *args, struct thud_err
     const char *list = thud_args_value(args, "words"), *shell = thud_args_value(args, "completion");
     const char *part = thud_args_value(args, "mdoc");
     enum thud_command_id id = args->noperands > 0 ? thud_command_find(args->operand[0]) : THUD_COMMAND_SCREEN;
-    if (list) {
+    if (args->noperands > 1) {
+        status = thud_error_set(err, THUD_USAGE, "thud help takes one command");
+    } else if (list) {
         status = words(list, &text, err);
     } else if (shell) {
         if (!thud_completion(&text, shell))

@@ -1,6 +1,7 @@
 /* thud run: one scene, one answer. */
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "app/result_table.h"
 #include "app/run_figures.h"
@@ -63,16 +64,34 @@ static void warn(const struct thud_result *result)
                 100 * result->energy.error_ratio, result->method);
 }
 
-/* What is allowed but unusual, one line each. */
-static void warn_unusual(const struct thud_args *args, const struct thud_session *session,
-                         const struct thud_scene *scene)
+/* Whether the preset itself has this unusual value, and no option. */
+static bool of_preset(const struct thud_session *session, const struct thud_error *unusual)
 {
+    struct thud_error own;
+    for (int i = 0; thud_scene_warning(thud_preset_scene(session->preset), i, &own); i++)
+        if (strcmp(own.key, unusual->key) == 0 && strcmp(own.what, unusual->what) == 0)
+            return true;
+    return false;
+}
+
+/* What is allowed but unusual, or without effect, one line each. */
+static void warn_unusual(const struct thud_args *args, const struct thud_session *session,
+                         const struct thud_scene *scene, const char *used)
+{
+    const struct thud_method *method = thud_method_find(used);
     struct thud_error unusual;
     char line[1400];
-    for (int i = 0; !thud_args_has(args, "quiet") && thud_scene_warning(scene, i, &unusual); i++) {
-        thud_error_place(&unusual, session->preset_path, 0, 0);
+    if (thud_args_has(args, "quiet"))
+        return;
+    for (int i = 0; thud_scene_warning(scene, i, &unusual); i++) {
+        if (of_preset(session, &unusual))
+            thud_error_place(&unusual, session->preset_path, 0, 0);
+        else
+            thud_scene_options_name(args, THUD_OK, &unusual);
         fprintf(stderr, "thud: warning: %s\n", thud_error_text(&unusual, line, sizeof line));
     }
+    if (thud_args_has(args, "step") && method && !(method->flags & THUD_METHOD_FIXED_STEP))
+        fprintf(stderr, "thud: warning: --step: %s takes steps of its own\n", used);
 }
 
 /* What more runs tell of the answer: the error of modes left out, its sensitivity; then the answer. */
@@ -116,7 +135,7 @@ static enum thud_status run(const struct thud_args *args, struct thud_session *s
     options.keep_history = options.keep_impacts = thud_args_has(args, "o");
     status = thud_session_run(session, which, &options, scene, &answer, err);
     if (status == THUD_OK) {
-        warn_unusual(args, session, scene);
+        warn_unusual(args, session, scene, thud_run_result(answer.run)->method);
         status = report_run(args, session, scene, which, &answer, err);
         if (status == THUD_OK && options.keep_history)
             status = draw(args, &picture, scene, &answer, err);

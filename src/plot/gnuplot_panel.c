@@ -226,7 +226,7 @@ void thud_gnuplot_style(const struct sheet *sheet, const struct thud_series *ser
     static const int shape[THUD_COLORS] = {7, 9, 5, 13, 11, 15, 6}; /* others in the second round of colours */
     static const char *const with[] = {"lines", "points", "linespoints", "steps", "filledcurves", "boxes"};
     const struct thud_style *style = &series->style;
-    double width = style->wide ? 3.0 : style->thin ? 1.0 : 1.8;
+    double width = style->wide && style->kind != THUD_POINTS ? 3.0 : style->thin ? 1.0 : 1.8;
     thud_text_append(sheet->out, "with %s ", with[style->kind]);
     if (style->kind == THUD_FILL || style->kind == THUD_BARS)
         thud_text_append(sheet->out, "fs transparent solid %s noborder ",
@@ -238,7 +238,8 @@ void thud_gnuplot_style(const struct sheet *sheet, const struct thud_series *ser
     if (style->kind == THUD_POINTS || style->kind == THUD_LINES_POINTS)
         thud_text_append(sheet->out, "pt %d ps %.3g ",
                          shape[style->color < 0 ? 0 : (style->color + 3 * (style->color / THUD_COLORS)) % THUD_COLORS],
-                         sheet->dot);
+                         sheet->dot *
+                             (style->kind == THUD_POINTS && style->wide ? 1.8 : 1.0)); /* rings around others */
     if (style->kind == THUD_LINES_POINTS)
         thud_text_append(sheet->out, "pi %zu ", 1 + series->n / 24);
     thud_text_append(sheet->out, "lc rgb '#%06X'", thud_color_rgb(style->color));

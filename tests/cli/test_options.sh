@@ -57,6 +57,7 @@ option --periods 1:2 record spectrum "$record"
 
 refused 2 record fly
 refused 2 help fly
+refused 2 help run sweep
 refused 2 run towers --set gap
 refused 2 record synthesize --set seed
 refused 3 run towers --set gap=5

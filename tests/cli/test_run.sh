@@ -56,6 +56,12 @@ is "csv: a heading and rows" [ "$(wc -l <"$tmp/out")" -ge 11 ]
 is "quiet: the answer alone" gives 0 run towers --quiet
 is "quiet: all of it" cmp -s "$tmp/out" "$tmp/table"
 is "quiet: no remark" silent
+gives 0 run rigid-bumper --method rk4 --step 2ms
+is "a method of fixed steps: its step, no tolerance" shows "^  *step 0.002 s, "
+gives 0 run rigid-bumper --step 2ms
+is "a step that no method takes is remarked on" says "^thud: warning: --step: exact takes steps of its own$"
+gives 0 run rigid-bumper --tolerance 0.1
+is "an unusual value of an option is the option's, not the preset's" says "^thud: warning: --tolerance: 0.1 is unusual"
 
 # options
 gives 0 run towers --json --set "record.peak=0.4 g"
@@ -218,6 +224,7 @@ is "a wrong value: input" gives 3 run towers --set gap=5
 is "with its key and units" says "gap: \"5\" has no unit; give a length (m, cm"
 is "unknown record: input" gives 3 run towers --record nowhere.csv
 is "help" gives 0 help run
+is "-h is --help" gives 0 run -h
 is "help fits a screen" [ "$(wc -l <"$tmp/out")" -le 24 ]
 is "version" gives 0 --version
 if [ -w /dev/full ]; then
