@@ -98,9 +98,43 @@ static int unresolved(const struct thud_run *run, const double *d, int terms, in
     return still < terms ? still : terms - 1;
 }
 
+/* How fast the state of contact c changes what an event watches: its rate, or what push_polynomial has. */
+static double slope_now(struct thud_run *run, int c, bool is_rate)
+{
+    const struct thud_branch *b = &run->contact[c].branch;
+    thud_contact_forces(run, run->force_now);
+    double a = thud_contact_acceleration(run, c, run->force_now);
+    if (is_rate)
+        return a;
+    bool linear = b->K == 0 && b->D == 0;
+    return linear ? b->k_npm * thud_contact_rate(run, c) + b->c_nspm * a : b->D * a;
+}
+
+/* Goes over the lowest orders of p that would give it this sign at once, when the state's own slope does not. */
+static double unless_unresolved(struct thud_run *run, int c, const double *p, int n, double s_end, double sign,
+                                int zeros, bool is_rate)
+{
+    double s = 0;
+    if (run->contact[c].zeros.indentation > 0 || sign * slope_now(run, c, is_rate) > 0)
+        return 0;
+    while (s == 0 && ++zeros < n)
+        s = thud_poly_first_above(p, n, s_end, sign, zeros, 0);
+    return s > 0 ? s : INFINITY;
+}
+
+/* When p takes this sign, which it may have just left (`zeros`). Its slope there may then be too small for the method
+ * to resolve, and wrong: that of the state itself holds, or one state of the contact would call for the other without
+ * end.
+ */
+static inline double next_crossing(struct thud_run *run, int c, const double *p, int n, double s_end, double sign,
+                                   int zeros, bool is_rate)
+{
+    double s = thud_poly_first_above(p, n, s_end, sign, zeros, 0);
+    return s == 0 && zeros > 0 ? unless_unresolved(run, c, p, n, s_end, sign, zeros, is_rate) : s;
+}
+
 /* `still`: lowest orders of the indentation that are no motion, see thud_segment_indentation. */
-static void closed_events(const struct thud_run *run, int c, const double *d, int still, double s_end,
-                          struct found *found)
+static void closed_events(struct thud_run *run, int c, const double *d, int still, double s_end, struct found *found)
 {
     const struct thud_contact_state *s = &run->contact[c];
     const struct thud_law *law = law_of(run, c);
@@ -115,13 +149,13 @@ static void closed_events(const struct thud_run *run, int c, const double *d, in
     int indentation = s->zeros.indentation > still ? s->zeros.indentation : still;
     int rate = s->zeros.rate > still - 1 ? s->zeros.rate : still - 1;
     if (!pulls && push_polynomial(s, d, n, seg->h_s, p))
-        consider(found, thud_poly_first_above(p, n, s_end, -1, s->zeros.force, 0), c, THUD_EVENT_RELEASE);
+        consider(found, next_crossing(run, c, p, n, s_end, -1, s->zeros.force, false), c, THUD_EVENT_RELEASE);
     consider(found, thud_poly_first_above(d, n, s_end, -1, indentation, 0), c, THUD_EVENT_GONE);
     if (law->flags & THUD_LAW_TURNS) {
         for (int k = 0; k + 1 < n; k++)
             p[k] = (k + 1) * d[k + 1];
         double sign = s->phase == THUD_APPROACH ? -1 : 1;
-        consider(found, thud_poly_first_above(p, n - 1, s_end, sign, rate, 0), c, THUD_EVENT_TURN);
+        consider(found, next_crossing(run, c, p, n - 1, s_end, sign, rate, true), c, THUD_EVENT_TURN);
     }
     if (s->knee_m < INFINITY) {
         memcpy(p, d, (size_t)n * sizeof *p);
@@ -131,13 +165,13 @@ static void closed_events(const struct thud_run *run, int c, const double *d, in
     }
 }
 
-static void slack_events(const struct thud_run *run, int c, const double *d, double s_end, struct found *found)
+static void slack_events(struct thud_run *run, int c, const double *d, double s_end, struct found *found)
 {
     const struct thud_contact_state *s = &run->contact[c];
     double p[THUD_SEGMENT_TERMS];
     int n = run->seg.terms;
     if (push_polynomial(s, d, n, run->seg.h_s, p))
-        consider(found, thud_poly_first_above(p, n, s_end, 1, s->zeros.force, 0), c, THUD_EVENT_REENGAGE);
+        consider(found, next_crossing(run, c, p, n, s_end, 1, s->zeros.force, false), c, THUD_EVENT_REENGAGE);
     consider(found, thud_poly_first_above(d, n, s_end, -1, s->zeros.indentation, 0), c, THUD_EVENT_GONE);
 }
 
@@ -350,7 +384,9 @@ static void turn(struct thud_run *run, int c)
             return;
         }
     }
-    go_on(run, c, next, 1);
+    double v = thud_contact_rate(run, c); /* not 0 where its polynomial has not been resolved */
+    bool gone = next == THUD_RESTITUTION ? v < -1e-12 * run->speed_mps : v > 1e-12 * run->speed_mps;
+    go_on(run, c, next, !gone);
 }
 
 void thud_contact_struck(struct thud_run *run, int c, double change)

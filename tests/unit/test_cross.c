@@ -82,6 +82,21 @@ START_TEST(scenes_that_had_no_answer)
 }
 END_TEST
 
+/* A force that falls by its branch's damping in 1e-11 s: at the very moment of a turn or of a release its polynomial
+ * has the wrong slope, and one state of the contact called for the other without end (2551). */
+START_TEST(stiff_contacts_do_not_chatter)
+{
+    struct scenes_one one;
+    struct scenes_answer answer;
+    scenes_draw(&one, 2551);
+    scenes_run(&one, &(struct scenes_options){.tolerance = 1e-4, .most = 20000}, &answer);
+    ck_assert_msg(answer.status == THUD_OK, "%s", answer.err.what);
+    ck_assert_msg(!answer.stopped, "%ld steps", answer.steps);
+    scenes_answer_clear(&answer);
+    scenes_clear(&one);
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -93,6 +108,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, a_held_contact_does_not_bounce);
     tcase_add_loop_test(tcase, scenes_that_lost_a_peak, 0, 2);
     tcase_add_loop_test(tcase, scenes_whose_answers_differed, 0, 2);
+    tcase_add_test(tcase, stiff_contacts_do_not_chatter);
     tcase_add_loop_test(tcase, scenes_that_had_no_answer, 0, 9);
     suite_add_tcase(suite, tcase);
     return suite;
