@@ -27,13 +27,15 @@ enum thud_word {
     THUD_WORD_FILE,
     THUD_WORD_FOLDER,
     THUD_WORD_PRESET, /* a name or a file */
-    THUD_WORD_KEY,
+    THUD_WORD_KEY,    /* and `=` after it */
+    THUD_WORD_VARIED, /* a key by itself */
     THUD_WORD_CASE,
     THUD_WORD_METHOD,
     THUD_WORD_FIGURE,
     THUD_WORD_RECORD_VERB,
     THUD_WORD_COMMAND,
     THUD_WORD_COST,
+    THUD_WORD_CHOICE, /* thud_option_choice */
     THUD_WORDS
 };
 
@@ -42,6 +44,7 @@ struct thud_command {
     const char *operands; /* as in the usage line, e.g. "PRESET" */
     const char *summary;  /* one line */
     enum thud_word word;  /* of its operands */
+    enum thud_word rest;  /* of those after the first, where they are others; else THUD_WORD_NONE */
 };
 
 struct thud_option {
@@ -71,6 +74,9 @@ static inline bool thud_option_stands_alone(const struct thud_option *option)
 {
     return !option->argument || option->argument[0] == '[';
 }
+
+/* The i-th value that an option of THUD_WORD_CHOICE takes; NULL past the last. */
+const char *thud_option_choice(const struct thud_option *option, int i);
 
 /* The word of a kind as it stands in `thud help --words`: "presets", "keys", ...; NULL for those with no list. */
 const char *thud_word_list_name(enum thud_word word);

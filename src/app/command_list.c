@@ -4,19 +4,25 @@
 #include <string.h>
 
 static const struct thud_command commands[THUD_COMMANDS] = {
-    [THUD_COMMAND_SCREEN] = {"", "[PRESET]", "the terminal interface", THUD_WORD_PRESET},
-    [THUD_COMMAND_RUN] = {"run", "PRESET", "one scene, one answer", THUD_WORD_PRESET},
-    [THUD_COMMAND_SWEEP] = {"sweep", "PRESET", "a parametric study; by itself the preset's own", THUD_WORD_PRESET},
+    [THUD_COMMAND_SCREEN] = {"", "[PRESET]", "the terminal interface", THUD_WORD_PRESET, THUD_WORD_NONE},
+    [THUD_COMMAND_RUN] = {"run", "PRESET", "one scene, one answer", THUD_WORD_PRESET, THUD_WORD_NONE},
+    [THUD_COMMAND_SWEEP] = {"sweep", "PRESET", "a parametric study; by itself the preset's own", THUD_WORD_PRESET,
+                            THUD_WORD_NONE},
     [THUD_COMMAND_FIGURES] = {"figures", "[NAME...]", "fig3 fig4 fig5 fig7 fig8 fig10 of the paper, or all",
-                              THUD_WORD_FIGURE},
-    [THUD_COMMAND_BENCH] = {"bench", "[PRESET]", "speed against accuracy of every method; costs", THUD_WORD_PRESET},
-    [THUD_COMMAND_STABILITY] = {"stability", "[PRESET]", "where methods fail", THUD_WORD_PRESET},
-    [THUD_COMMAND_VERIFY] = {"verify", "[PRESET...]", "presets against their stored expectations", THUD_WORD_PRESET},
+                              THUD_WORD_FIGURE, THUD_WORD_NONE},
+    [THUD_COMMAND_BENCH] = {"bench", "[PRESET]", "speed against accuracy of every method; costs", THUD_WORD_PRESET,
+                            THUD_WORD_NONE},
+    [THUD_COMMAND_STABILITY] = {"stability", "[PRESET]", "where methods fail", THUD_WORD_PRESET, THUD_WORD_NONE},
+    [THUD_COMMAND_VERIFY] = {"verify", "[PRESET...]", "presets against their stored expectations", THUD_WORD_PRESET,
+                             THUD_WORD_NONE},
     [THUD_COMMAND_RECORD] = {"record", "VERB [FILE...]", "info, spectrum, convert, list or synthesize",
-                             THUD_WORD_RECORD_VERB},
-    [THUD_COMMAND_LAWS] = {"laws", "", "impact laws and the restitution they really give", THUD_WORD_NONE},
-    [THUD_COMMAND_METHODS] = {"methods", "", "time-stepping methods, their order and limits", THUD_WORD_NONE},
-    [THUD_COMMAND_HELP] = {"help", "[COMMAND]", "this list, or the options of a command", THUD_WORD_COMMAND},
+                             THUD_WORD_RECORD_VERB, THUD_WORD_FILE},
+    [THUD_COMMAND_LAWS] = {"laws", "", "impact laws and the restitution they really give", THUD_WORD_NONE,
+                           THUD_WORD_NONE},
+    [THUD_COMMAND_METHODS] = {"methods", "", "time-stepping methods, their order and limits", THUD_WORD_NONE,
+                              THUD_WORD_NONE},
+    [THUD_COMMAND_HELP] = {"help", "[COMMAND]", "this list, or the options of a command", THUD_WORD_COMMAND,
+                           THUD_WORD_NONE},
 };
 
 enum {
@@ -43,16 +49,16 @@ static const struct thud_option options[] = {
      STUDY | MEASURE | FIGURES | RECORD | SCREEN},
     {"dt", "TIME", "step of a record that does not say it", THUD_WORD_TEXT, false,
      STUDY | MEASURE | FIGURES | RECORD | SCREEN},
-    {"unit", "UNIT", "unit of a record that does not say it", THUD_WORD_TEXT, false,
+    {"unit", "UNIT", "unit of a record that does not say it", THUD_WORD_CHOICE, false,
      STUDY | MEASURE | FIGURES | RECORD | SCREEN},
     {"channel", "NAME", "channel of a record with several, by number or name", THUD_WORD_TEXT, false, STUDY | RECORD},
     {"column", "N", "column of the acceleration in a table, or all", THUD_WORD_TEXT, false, STUDY | RECORD},
     {"skip", "N", "lines to skip at a record's start", THUD_WORD_TEXT, false, STUDY | RECORD},
     {"factor", "NUMBER", "multiply the ground motion", THUD_WORD_TEXT, false, STUDY | RECORD},
-    {"sign", "+|-", "- turns the ground motion round", THUD_WORD_TEXT, false, STUDY | RECORD},
+    {"sign", "+|-", "- turns the ground motion round", THUD_WORD_CHOICE, false, STUDY | RECORD},
     {"from", "TIME", "leave out what comes before", THUD_WORD_TEXT, false, STUDY | RECORD},
     {"to", "TIME", "leave out what comes after", THUD_WORD_TEXT, false, STUDY | RECORD},
-    {"baseline", "mean|linear", "take off the mean or a straight line", THUD_WORD_TEXT, false, RECORD},
+    {"baseline", "mean|linear", "take off the mean or a straight line", THUD_WORD_CHOICE, false, RECORD},
     {"resample", "TIME", "another step, straight between the samples", THUD_WORD_TEXT, false, RECORD},
     {"damping", "RATIO", "of the response spectrum; else 5 %", THUD_WORD_TEXT, false, RECORD},
     {"periods", "FROM:TO:COUNT", "of the response spectrum; else 0.02s:10s:200", THUD_WORD_TEXT, false, RECORD},
@@ -65,10 +71,10 @@ static const struct thud_option options[] = {
     {"vary", "KEY=FROM:TO:STEP", "vary a value; several make a grid", THUD_WORD_KEY, true, SWEEP},
     {"records", "FILE,FILE", "run each of these, e.g. a.AT2:peak=0.9g,b.csv", THUD_WORD_FILE, false, SWEEP | FIGURES},
     {"cases", "CASE,CASE", "run each of these cases", THUD_WORD_CASE, false, SWEEP},
-    {"best", "KEY", "best value of a varied key by itself", THUD_WORD_KEY, false, SWEEP},
+    {"best", "KEY", "best value of a varied key by itself", THUD_WORD_VARIED, false, SWEEP},
     {"shard", "K/N", "every N-th point, from the K-th on", THUD_WORD_TEXT, false, SWEEP},
     {"merge", NULL, "join the folders of all shards", THUD_WORD_NONE, false, SWEEP},
-    {"without", "SAVING", "no free, start, levels or none saving", THUD_WORD_TEXT, true, SWEEP},
+    {"without", "SAVING", "no free, start, levels or none saving", THUD_WORD_CHOICE, true, SWEEP},
     {"update", NULL, "write new expectations and show the difference", THUD_WORD_NONE, false, VERIFY},
     {"cost", "AXIS", "cost by storeys, buildings, duration or impacts", THUD_WORD_COST, false, BENCH},
     {"methods", "NAME,NAME", "only these methods", THUD_WORD_METHOD, false, BENCH},
@@ -76,7 +82,7 @@ static const struct thud_option options[] = {
     {"json", NULL, "JSON on standard output", THUD_WORD_NONE, false, STUDY | RECORD | LISTS | VERIFY},
     {"csv", NULL, "CSV on standard output", THUD_WORD_NONE, false, STUDY},
     {"o", "DIR", "folder for CSV, PNG and gnuplot scripts", THUD_WORD_FOLDER, false, FILES},
-    {"format", "FORMAT", "of pictures: png, svg or pdf", THUD_WORD_TEXT, false, FILES},
+    {"format", "FORMAT", "of pictures: png, svg or pdf", THUD_WORD_CHOICE, false, FILES},
     {"size", "WIDTHxHEIGHT", "of pictures, in pixels", THUD_WORD_TEXT, false, PICTURES},
     {"font", "NAME[,PIXELS]", "of pictures", THUD_WORD_TEXT, false, PICTURES},
     {"j", "N", "runs at a time; results do not depend on it", THUD_WORD_TEXT, false, STUDY | FIGURES},
@@ -85,7 +91,7 @@ static const struct thud_option options[] = {
     {"no-color", NULL, "use no colour", THUD_WORD_NONE, false, SCREEN},
     {"words", "LIST", "the words of a list, for shells", THUD_WORD_TEXT, false, 1 << THUD_COMMAND_HELP},
     {"mdoc", "PART", "a part of thud-preset(5), from the tables", THUD_WORD_TEXT, false, 1 << THUD_COMMAND_HELP},
-    {"completion", "SHELL", "a completion script: bash, zsh, fish", THUD_WORD_TEXT, false, 1 << THUD_COMMAND_HELP},
+    {"completion", "SHELL", "a completion script: bash, zsh, fish", THUD_WORD_CHOICE, false, 1 << THUD_COMMAND_HELP},
     {"help", NULL, "the options of the command", THUD_WORD_NONE, false, ALL},
     {"version", NULL, "the version, and how the program was built", THUD_WORD_NONE, false, SCREEN},
 };
@@ -121,12 +127,28 @@ const struct thud_option *thud_option_find(enum thud_command_id command, const c
     return NULL;
 }
 
+const char *thud_option_choice(const struct thud_option *option, int i)
+{
+    static const struct {
+        const char *option, *choice[6];
+    } choices[] = {{"unit", {"g", "m/s2", "cm/s2", "mm/s2", "gal"}},
+                   {"sign", {"+", "-"}},
+                   {"baseline", {"mean", "linear"}},
+                   {"without", {"free", "start", "levels", "none", "all"}},
+                   {"format", {"png", "svg", "pdf"}},
+                   {"completion", {"bash", "zsh", "fish"}}};
+    for (size_t k = 0; k < sizeof choices / sizeof *choices; k++)
+        if (strcmp(choices[k].option, option->name) == 0)
+            return choices[k].choice[i];
+    return NULL;
+}
+
 const char *thud_word_list_name(enum thud_word word)
 {
     static const char *const names[THUD_WORDS] = {
         [THUD_WORD_PRESET] = "presets",   [THUD_WORD_KEY] = "keys",       [THUD_WORD_CASE] = "cases",
         [THUD_WORD_METHOD] = "methods",   [THUD_WORD_FIGURE] = "figures", [THUD_WORD_RECORD_VERB] = "verbs",
-        [THUD_WORD_COMMAND] = "commands", [THUD_WORD_COST] = "costs",
+        [THUD_WORD_COMMAND] = "commands", [THUD_WORD_COST] = "costs",     [THUD_WORD_VARIED] = "varied",
     };
     return names[word];
 }

@@ -56,7 +56,7 @@ static enum thud_status run_cases(struct work *work, const char *method, struct 
     return status == THUD_OK ? thud_measures_add_ratios(measures, err) : status;
 }
 
-static enum thud_status read_expected(struct thud_verification *v, struct thud_error *err)
+static enum thud_status read_expected(struct thud_verification *v, const char *preset, struct thud_error *err)
 {
     if (access(v->path, F_OK) == 0)
         return thud_expectation_read(v->path, &v->expected, err);
@@ -64,7 +64,7 @@ static enum thud_status read_expected(struct thud_verification *v, struct thud_e
         return THUD_OK;
     thud_error_set(err, THUD_INPUT, "there are no expectations");
     thud_error_place(err, v->path, 0, 0);
-    thud_error_allow(err, "`thud verify --update %.64s` writes them", v->name);
+    thud_error_allow(err, "`thud verify --update %.100s` writes them", preset);
     return THUD_INPUT;
 }
 
@@ -119,7 +119,7 @@ static enum thud_status verify(struct thud_verification *v, struct work *work, s
     v->cases = work->session.scene.study.ncases > 0 ? work->session.scene.study.ncases : 1;
     enum thud_status status = thud_expectation_path(work->session.preset_path, v->path, sizeof v->path, err);
     if (status == THUD_OK)
-        status = read_expected(v, err);
+        status = read_expected(v, work->session.preset_path, err);
     if (status == THUD_OK)
         status = run_cases(work, NULL, &work->own, &work->method, err);
     if (status == THUD_OK)

@@ -21,16 +21,46 @@ static void add_presets(struct thud_text *out)
         thud_text_append(out, "%s\n", names.list[i]);
 }
 
+/* A group's keys; of a structure those of a shear building. */
+static void add_group(enum thud_group group, const char *prefix, struct thud_text *out)
+{
+    int n;
+    const struct thud_param *param = thud_group_params(group, &n);
+    for (int i = 0; i < n; i++)
+        if (group != THUD_GROUP_STRUCTURE || thud_structure_has(THUD_SHEAR, i))
+            thud_text_append(out, "%s%s\n", prefix, param[i].name);
+}
+
+static void add_law(enum thud_group group, const char *prefix, const struct thud_law *law, struct thud_text *out)
+{
+    add_group(group, prefix, out);
+    for (int i = 0; i < law->nparams; i++)
+        thud_text_append(out, "%s%s\n", prefix, law->params[i].name);
+}
+
+/* Keys as they are named in a scene like the paper's. */
+static void add_keys(struct thud_text *out)
+{
+    struct thud_interface interface;
+    thud_interface_init(&interface);
+    thud_interface_add_bumper(&interface);
+    add_group(THUD_GROUP_INTERFACE, "", out);
+    add_law(THUD_GROUP_CONTACT, "contact.", interface.contact.law, out);
+    add_law(THUD_GROUP_BUMPER, "bumper.", interface.bumper.law, out);
+    add_group(THUD_GROUP_STRUCTURE, "structures.1.", out);
+    add_group(THUD_GROUP_STRUCTURE, "structures.2.", out);
+    add_group(THUD_GROUP_RECORD, "record.", out);
+    add_group(THUD_GROUP_ANALYSIS, "analysis.", out);
+    add_group(THUD_GROUP_STUDY, "study.", out);
+    add_group(THUD_GROUP_SCENE, "", out);
+}
+
 static void add_words(enum thud_word word, struct thud_text *out)
 {
-    static const char *const keys = "gap\ncontact.law\ncontact.stiffness\ncontact.restitution\nbumper.thickness\n"
-                                    "bumper.cavity\nbumper.stiffness\nbumper.restitution\nrecord.file\nrecord.peak\n"
-                                    "record.sign\nanalysis.method\nanalysis.tolerance\nanalysis.tail\n"
-                                    "structures.1.mass\nstructures.1.stiffness\nstructures.1.storeys\n";
     if (word == THUD_WORD_PRESET)
         add_presets(out);
-    else if (word == THUD_WORD_KEY)
-        thud_text_append(out, "%s", keys);
+    else if (word == THUD_WORD_KEY || word == THUD_WORD_VARIED)
+        add_keys(out);
     else if (word == THUD_WORD_FIGURE)
         thud_text_append(out, "fig3\nfig4\nfig5\nfig7\nfig8\nfig10\nall\n");
     else if (word == THUD_WORD_RECORD_VERB)

@@ -10,7 +10,13 @@ static const char *dashes(const struct thud_option *option)
     return option->name[1] ? "--" : "-";
 }
 
-/* ---- bash */
+/* Whether names of files may stand there. */
+static bool has_files(enum thud_word word)
+{
+    return word == THUD_WORD_PRESET || word == THUD_WORD_FILE || word == THUD_WORD_FOLDER;
+}
+
+/* ---- bash: words are parted by the ends of lines, so that names may have blanks */
 
 /* A command that prints what may stand there. */
 static void bash_words(struct thud_text *out, enum thud_word word)
@@ -20,7 +26,7 @@ static void bash_words(struct thud_text *out, enum thud_word word)
         thud_text_append(out, "compgen -W \"$(\"$1\" help --words %s 2>/dev/null)\"%s -- \"$cur\"", list,
                          word == THUD_WORD_KEY ? " -S =" : "");
     if (word == THUD_WORD_PRESET)
-        thud_text_append(out, "; compgen -f -X '!*.yaml' -- \"$cur\"");
+        thud_text_append(out, "; compgen -d -- \"$cur\"; compgen -f -X '!*.yaml' -- \"$cur\"");
     else if (word == THUD_WORD_FILE)
         thud_text_append(out, "compgen -f -- \"$cur\"");
     else if (word == THUD_WORD_FOLDER)
@@ -29,37 +35,73 @@ static void bash_words(struct thud_text *out, enum thud_word word)
         thud_text_append(out, ":");
 }
 
+static void bash_choices(struct thud_text *out, const struct thud_option *option)
+{
+    const char *choice;
+    thud_text_append(out, "compgen -W $'");
+    for (int i = 0; (choice = thud_option_choice(option, i)) != NULL; i++)
+        thud_text_append(out, "%s%s", i ? "\\n" : "", choice);
+    thud_text_append(out, "' -- \"$cur\"");
+}
+
+static void bash_option(struct thud_text *out, const struct thud_option *option)
+{
+    if (thud_option_stands_alone(option))
+        return;
+    thud_text_append(out, "    %s%s)%s COMPREPLY=($(", dashes(option), option->name,
+                     option->word == THUD_WORD_KEY ? " compopt -o nospace 2>/dev/null;"
+                     : has_files(option->word)     ? " compopt -o filenames 2>/dev/null;"
+                                                   : "");
+    if (option->word == THUD_WORD_CHOICE)
+        bash_choices(out, option);
+    else
+        bash_words(out, option->word);
+    thud_text_append(out, ")); return ;;\n");
+}
+
+static void bash_operands(struct thud_text *out, enum thud_word word, const char *indent)
+{
+    thud_text_append(out, "%s%sCOMPREPLY=($(", indent, has_files(word) ? "compopt -o filenames 2>/dev/null; " : "");
+    bash_words(out, word);
+    thud_text_append(out, "))\n");
+}
+
+static void bash_command(struct thud_text *out, enum thud_command_id id)
+{
+    const struct thud_command *command = thud_command_at(id);
+    bool any = false;
+    thud_text_append(out, "    %s)\n        options=$'", command->name[0] ? command->name : "*");
+    for (int i = 0; i < thud_option_count(); i++)
+        if (thud_option_belongs(thud_option_at(i), id)) {
+            thud_text_append(out, "%s%s%s", any ? "\\n" : "", dashes(thud_option_at(i)), thud_option_at(i)->name);
+            any = true;
+        }
+    thud_text_append(out, "'\n");
+    bash_operands(out, command->word, "        ");
+    if (command->rest != THUD_WORD_NONE) {
+        thud_text_append(out, "        if [[ $COMP_CWORD -gt 2 ]]; then\n");
+        bash_operands(out, command->rest, "            ");
+        thud_text_append(out, "        fi\n");
+    }
+    thud_text_append(out, "        ;;\n");
+}
+
 static void bash(struct thud_text *out)
 {
     thud_text_append(out, "# bash completion for thud\n"
                           "_thud()\n{\n"
-                          "    local cur=$2 prev=$3 options\n"
+                          "    local IFS=$'\\n' cur=$2 prev=$3 options\n"
                           "    case $prev in\n");
-    for (int i = 0; i < thud_option_count(); i++) {
-        const struct thud_option *option = thud_option_at(i);
-        if (thud_option_stands_alone(option))
-            continue;
-        thud_text_append(out, "    %s%s)%s COMPREPLY=($(", dashes(option), option->name,
-                         option->word == THUD_WORD_KEY ? " compopt -o nospace;" : "");
-        bash_words(out, option->word);
-        thud_text_append(out, ")); return ;;\n");
-    }
+    for (int i = 0; i < thud_option_count(); i++)
+        bash_option(out, thud_option_at(i));
     thud_text_append(out, "    esac\n    case ${COMP_WORDS[1]} in\n");
-    for (int c = THUD_COMMANDS - 1; c >= 0; c--) { /* the terminal interface has no word and comes last */
-        const struct thud_command *command = thud_command_at((enum thud_command_id)c);
-        thud_text_append(out, "    %s)\n        options=\"", command->name[0] ? command->name : "*");
-        for (int i = 0; i < thud_option_count(); i++)
-            if (thud_option_belongs(thud_option_at(i), (enum thud_command_id)c))
-                thud_text_append(out, " %s%s", dashes(thud_option_at(i)), thud_option_at(i)->name);
-        thud_text_append(out, "\"\n        COMPREPLY=($(");
-        bash_words(out, command->word);
-        thud_text_append(out, "))\n        ;;\n");
-    }
+    for (int c = THUD_COMMANDS - 1; c >= 0; c--) /* the terminal interface has no word and comes last */
+        bash_command(out, (enum thud_command_id)c);
     thud_text_append(out, "    esac\n"
                           "    if [[ $cur == -* ]]; then\n"
                           "        COMPREPLY=($(compgen -W \"$options\" -- \"$cur\"))\n"
                           "    elif [[ $COMP_CWORD == 1 ]]; then\n"
-                          "        COMPREPLY=($(");
+                          "        compopt -o filenames 2>/dev/null; COMPREPLY=($(");
     bash_words(out, THUD_WORD_COMMAND);
     thud_text_append(out, "; ");
     bash_words(out, THUD_WORD_PRESET);
@@ -89,6 +131,23 @@ static void zsh_words(struct thud_text *out, enum thud_word word)
         thud_text_append(out, "_thud_words %s", list);
 }
 
+static void zsh_choices(struct thud_text *out, const struct thud_option *option)
+{
+    const char *choice;
+    for (int i = 0; (choice = thud_option_choice(option, i)) != NULL; i++)
+        thud_text_append(out, "%s%s", i ? " " : "(", choice);
+    thud_text_append(out, ")");
+}
+
+static void zsh_operands(struct thud_text *out, const char *place, const char *what, enum thud_word word)
+{
+    thud_text_append(out, " \\\n            '%s:", place);
+    zsh_text(out, what);
+    thud_text_append(out, ":");
+    zsh_words(out, word);
+    thud_text_append(out, "'");
+}
+
 static void zsh_option(struct thud_text *out, const struct thud_option *option)
 {
     bool maybe = option->argument && thud_option_stands_alone(option);
@@ -100,7 +159,10 @@ static void zsh_option(struct thud_text *out, const struct thud_option *option)
         thud_text_append(out, maybe ? "::" : ":");
         zsh_text(out, option->argument);
         thud_text_append(out, ":");
-        zsh_words(out, option->word);
+        if (option->word == THUD_WORD_CHOICE)
+            zsh_choices(out, option);
+        else
+            zsh_words(out, option->word);
     }
     thud_text_append(out, "'");
 }
@@ -131,13 +193,10 @@ static void zsh(struct thud_text *out)
         for (int i = 0; i < thud_option_count(); i++)
             if (thud_option_belongs(thud_option_at(i), (enum thud_command_id)c))
                 zsh_option(out, thud_option_at(i));
-        if (command->word != THUD_WORD_NONE) {
-            thud_text_append(out, " \\\n            '*:");
-            zsh_text(out, command->operands);
-            thud_text_append(out, ":");
-            zsh_words(out, command->word);
-            thud_text_append(out, "'");
-        }
+        if (command->word != THUD_WORD_NONE)
+            zsh_operands(out, command->rest == THUD_WORD_NONE ? "*" : "2", command->operands, command->word);
+        if (command->rest != THUD_WORD_NONE)
+            zsh_operands(out, "*", command->operands, command->rest);
         thud_text_append(out, "\n        ;;\n");
     }
     thud_text_append(out, "    esac\n}\n_thud \"$@\"\n");
@@ -167,11 +226,21 @@ static void fish_words(struct thud_text *out, enum thud_word word)
         thud_text_append(out, " -r -F");
 }
 
-/* Where a command's words and options hold. */
-static void fish_place(struct thud_text *out, const struct thud_command *command)
+static void fish_choices(struct thud_text *out, const struct thud_option *option)
+{
+    const char *choice;
+    for (int i = 0; (choice = thud_option_choice(option, i)) != NULL; i++)
+        thud_text_append(out, "%s%s", i ? " " : " -x -a '", choice);
+    thud_text_append(out, "'");
+}
+
+/* Where a command's words and options hold; `first`: -1 before the first of its own words is there, 1 after it. */
+static void fish_place(struct thud_text *out, const struct thud_command *command, int first)
 {
     if (command->name[0])
-        thud_text_append(out, "complete -c thud -n '__fish_seen_subcommand_from %s'", command->name);
+        thud_text_append(out, "complete -c thud -n '__fish_seen_subcommand_from %s%s%s%s'", command->name,
+                         first ? "; and " : "", first < 0 ? "not " : "",
+                         first ? "__fish_seen_subcommand_from (thud help --words verbs)" : "");
     else
         thud_text_append(out, "complete -c thud -n __fish_use_subcommand");
 }
@@ -187,17 +256,25 @@ static void fish(struct thud_text *out)
             thud_text_append(out, "'\n");
         }
         if (command->word != THUD_WORD_NONE) {
-            fish_place(out, command);
+            fish_place(out, command, command->rest != THUD_WORD_NONE ? -1 : 0);
             fish_words(out, command->word);
+            thud_text_append(out, "\n");
+        }
+        if (command->rest != THUD_WORD_NONE) {
+            fish_place(out, command, 1);
+            fish_words(out, command->rest);
             thud_text_append(out, "\n");
         }
         for (int i = 0; i < thud_option_count(); i++) {
             const struct thud_option *option = thud_option_at(i);
             if (!thud_option_belongs(option, (enum thud_command_id)c))
                 continue;
-            fish_place(out, command);
+            fish_place(out, command, 0);
             thud_text_append(out, " %s %s", option->name[1] ? "-l" : "-s", option->name);
-            fish_words(out, option->word);
+            if (option->word == THUD_WORD_CHOICE)
+                fish_choices(out, option);
+            else
+                fish_words(out, option->word);
             thud_text_append(out, " -d '");
             fish_text(out, option->help);
             thud_text_append(out, "'\n");

@@ -34,10 +34,19 @@ if ! command -v bash >/dev/null 2>&1; then echo "ok - bash completes commands # 
         _thud thud c --case; echo "${COMPREPLY[*]}"
         COMP_WORDS=(thud run to); COMP_CWORD=2; _thud thud to run; echo " ${COMPREPLY[*]} "
         COMP_WORDS=(thud sw); COMP_CWORD=1; _thud thud sw thud; echo "${COMPREPLY[*]}"
-        COMP_WORDS=(thud sweep towers --va); COMP_CWORD=3; _thud thud --va towers; echo "${COMPREPLY[*]}"' "$script" >"$tmp/out" 2>&1
+        COMP_WORDS=(thud sweep towers --va); COMP_CWORD=3; _thud thud --va towers; echo "${COMPREPLY[*]}"
+        mkdir -p "$1/a folder" && : >"$1/a folder/of mine.yaml" && cd "$1" || exit
+        COMP_WORDS=(thud run a); COMP_CWORD=2; _thud thud a run; echo "${#COMPREPLY[@]} ${COMPREPLY[0]}"
+        COMP_WORDS=(thud record info "a folder/"); COMP_CWORD=3; _thud thud "a folder/" info; echo "${#COMPREPLY[@]} ${COMPREPLY[0]}"
+        COMP_WORDS=(thud sweep towers --best ga); COMP_CWORD=4; _thud thud ga --best; echo "${COMPREPLY[*]}"
+        COMP_WORDS=(thud run towers --format s); COMP_CWORD=4; _thud thud s --format; echo "${COMPREPLY[*]}"' "$script" "$tmp" >"$tmp/out" 2>&1
     sed -n 1p "$tmp/out" | grep -q -x cavity && sed -n 2p "$tmp/out" | grep -q ' towers ' &&
         sed -n 3p "$tmp/out" | grep -q -x sweep && sed -n 4p "$tmp/out" | grep -q -x -e --vary
     ok "bash completes commands, presets, options and their values" $?
+    sed -n 5p "$tmp/out" | grep -q -x '1 a folder' && sed -n 6p "$tmp/out" | grep -q -x '1 a folder/of mine.yaml'
+    ok "it goes into folders, also with blanks, and names files after a verb" $?
+    sed -n 7p "$tmp/out" | grep -q -x gap && sed -n 8p "$tmp/out" | grep -q -x svg
+    ok "it knows a key by itself and the choices of an option" $?
 fi
 for shell in zsh fish; do
     case $shell in

@@ -56,7 +56,7 @@ cp "$file" "$tmp/before"
 gives 3 --update "$tmp/p/rigid-bumper.yaml" && cmp "$file" "$tmp/before" >>"$tmp/err"
 ok "a file that cannot be read is not written over" $?
 rm "$file"
-gives 3 "$tmp/p/rigid-bumper.yaml" && grep -q 'there are no expectations.*--update' "$tmp/err" && [ ! -e "$file" ]
+gives 3 "$tmp/p/rigid-bumper.yaml" && grep -q "there are no expectations.*--update $tmp/p/rigid-bumper.yaml\`" "$tmp/err" && [ ! -e "$file" ]
 ok "a preset without expectations is bad input, with the way out" $?
 gives 3 no-such-preset
 ok "a preset that is not there is bad input" $?

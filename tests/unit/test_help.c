@@ -53,6 +53,20 @@ START_TEST(an_option_belongs_to_its_commands_only)
 }
 END_TEST
 
+START_TEST(choices_are_where_they_are_promised)
+{
+    for (int i = 0; i < thud_option_count(); i++) {
+        const struct thud_option *option = thud_option_at(i);
+        const char *first = thud_option_choice(option, 0), *choice;
+        ck_assert_msg((option->word == THUD_WORD_CHOICE) == (first != NULL), "%s", option->name);
+        int n = 0;
+        while (n < 10 && (choice = thud_option_choice(option, n)) != NULL)
+            n++;
+        ck_assert_int_lt(n, 10);
+    }
+}
+END_TEST
+
 START_TEST(every_shell_is_told_of_every_option)
 {
     static const char *const shells[] = {"bash", "zsh", "fish"};
@@ -85,6 +99,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, help_fits_a_screen);
     tcase_add_test(tcase, commands_are_found_by_name);
     tcase_add_test(tcase, an_option_belongs_to_its_commands_only);
+    tcase_add_test(tcase, choices_are_where_they_are_promised);
     tcase_add_test(tcase, every_shell_is_told_of_every_option);
     suite_add_tcase(suite, tcase);
     return suite;
