@@ -339,7 +339,7 @@ enum thud_status thud_collocation_step(struct thud_run *run, struct thud_colloca
         x->h = fmin(x->h, x->h_touch);
     for (;;) {
         int level = level_for(x, x->h, remaining);
-        double h = ldexp(x->h_top, -level), error = INFINITY;
+        double want = x->h, h = ldexp(x->h_top, -level), error = INFINITY;
         if (!prepare_responses(run, x, level, h) || !thud_collocation_unforced(run, x, level, h))
             return thud_error_set(err, THUD_MEMORY, "out of memory");
         guess(run, x, h);
@@ -355,6 +355,8 @@ enum thud_status thud_collocation_step(struct thud_run *run, struct thud_colloca
             isfinite(error) ? 0.85 * pow(tolerance / thud_larger(error, 1e-5 * tolerance), 1.0 / THUD_POINTS) : 0.25;
         x->h = h * fmin(4, thud_larger(0.1, factor));
         if (error <= tolerance) {
+            if (level > 0 && 2 * h <= want) /* only short because the next kink is near */
+                x->h = thud_larger(x->h, want);
             if (first)
                 x->h_touch = x->h;
             return THUD_OK;
