@@ -8,6 +8,7 @@
 #include "core/radau.h"
 
 enum { NEWTON_MAX = 12, ITERATIONS_MAX = 12 };
+enum { PATIENCE = 16 };                  /* steps of one size before a longer one is tried */
 static const double longest_angle = 1.8; /* a step times the fastest mode: the series' terms are enough for that */
 static const double slowest_contraction =
     0.3; /* of the iteration in the order of time, before Newton's method takes over */
@@ -337,6 +338,10 @@ enum thud_status thud_collocation_step(struct thud_run *run, struct thud_colloca
     bool first = x->just_touched;
     if (first && x->h_touch > 0)
         x->h = fmin(x->h, x->h_touch);
+    if (++x->steady > PATIENCE) { /* where contacts are stiff, the error of a longer step may be the smaller one */
+        x->h *= 2;
+        x->steady = 0;
+    }
     for (;;) {
         int level = level_for(x, x->h, remaining);
         double want = x->h, h = ldexp(x->h_top, -level), error = INFINITY;
@@ -359,6 +364,8 @@ enum thud_status thud_collocation_step(struct thud_run *run, struct thud_colloca
                 x->h = thud_larger(x->h, want);
             if (first)
                 x->h_touch = x->h;
+            if (x->h >= 2 * h)
+                x->steady = 0;
             return THUD_OK;
         }
         x->h = fmin(x->h, 0.5 * h);

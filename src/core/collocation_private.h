@@ -26,6 +26,7 @@ struct thud_collocation {
     struct thud_places nodes, checks; /* the points, and those between them where the error is measured */
     double h_top;                     /* step of level 0 */
     double h, h_touch;
+    int steady;         /* steps since one that let the next be longer */
     double contraction; /* of the fixed-point iteration, as last measured and with a margin */
     bool just_touched;
     bool has_source; /* run->seg holds forces that go on into this step, from s = source on */

@@ -97,6 +97,22 @@ START_TEST(stiff_contacts_do_not_chatter)
 }
 END_TEST
 
+/* Steps that once stayed at 1/100 of what the tolerance asks for: after a sliver of time before a kink of the ground
+ * motion (171), or where stiff contacts make more of an error in a step of middle length than in a long one (1170). */
+START_TEST(steps_do_not_stay_short)
+{
+    static const unsigned long long seeds[] = {171, 1170};
+    struct scenes_one one;
+    struct scenes_answer answer;
+    scenes_draw(&one, seeds[_i]);
+    scenes_run(&one, &(struct scenes_options){.tolerance = 1e-6, .most = 20000}, &answer);
+    ck_assert_msg(answer.status == THUD_OK, "%s", answer.err.what);
+    ck_assert_int_lt(answer.steps, 6000);
+    scenes_answer_clear(&answer);
+    scenes_clear(&one);
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -108,6 +124,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, a_held_contact_does_not_bounce);
     tcase_add_loop_test(tcase, scenes_that_lost_a_peak, 0, 2);
     tcase_add_loop_test(tcase, scenes_whose_answers_differed, 0, 2);
+    tcase_add_loop_test(tcase, steps_do_not_stay_short, 0, 2);
     tcase_add_test(tcase, stiff_contacts_do_not_chatter);
     tcase_add_loop_test(tcase, scenes_that_had_no_answer, 0, 9);
     suite_add_tcase(suite, tcase);
