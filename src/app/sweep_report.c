@@ -201,13 +201,20 @@ static void put_reason(const struct thud_sweep_plan *plan, long point, int k, st
     free(scene);
 }
 
-static void put_missing(const struct thud_sweep_plan *plan, const char *what, long count, long point, int k,
-                        bool reason, struct thud_text *out)
+/* "1 run", "2 runs" */
+static void put_runs(long n, struct thud_text *out)
+{
+    thud_text_append(out, "%ld run%s", n, n == 1 ? "" : "s");
+}
+
+static void put_missing(const struct thud_sweep_plan *plan, const char *one, const char *more, const char *what,
+                        long count, long point, int k, bool reason, struct thud_text *out)
 {
     int at[THUD_VARY_MAX];
     if (count == 0)
         return;
-    thud_text_append(out, "%ld runs %s, first case %s", count, what,
+    put_runs(count, out);
+    thud_text_append(out, " %s%s, first case %s", count == 1 ? one : more, what,
                      k < plan->ncases ? thud_case_name(plan->cases[k]) : "none");
     int record = thud_sweep_place(plan, point, at);
     for (int a = 0; a < plan->naxes; a++)
@@ -222,7 +229,7 @@ static void put_missing(const struct thud_sweep_plan *plan, const char *what, lo
 void thud_sweep_report_work(const struct thud_sweep_plan *plan, const struct thud_sweep_total *total,
                             struct thud_text *out)
 {
-    thud_text_append(out, "%ld runs", total->asked);
+    put_runs(total->asked, out);
     if (total->references > 0)
         thud_text_append(out, " and %ld of case none for the ratios", total->references);
     thud_text_append(out, ": %ld made, %ld answered by the motion without pounding", total->made, total->free);
@@ -239,14 +246,16 @@ void thud_sweep_report_work(const struct thud_sweep_plan *plan, const struct thu
         if (total->changed.failed > 0)
             thud_text_append(out, "%ld of them have no answer: the spread is missing there\n", total->changed.failed);
     }
-    if (total->shared_runs > 0)
-        thud_text_append(out, "%ld runs began where a contact could first be: %.0f of %.0f s were shared\n",
-                         total->shared_runs, total->shared_s, total->end_s);
+    if (total->shared_runs > 0) {
+        put_runs(total->shared_runs, out);
+        thud_text_append(out, " began where a contact could first be: %.0f of %.0f s were shared\n", total->shared_s,
+                         total->end_s);
+    }
     if (total->left_out > 0)
         thud_text_append(out, "%ld contacts that nothing can close were left out\n", total->left_out);
-    put_missing(plan, "are not possible", total->impossible, total->impossible_point, total->impossible_case, true,
-                out);
-    put_missing(plan, "have no answer (the integration failed)", total->diverged, total->diverged_point,
+    put_missing(plan, "is", "are", " not possible", total->impossible, total->impossible_point, total->impossible_case,
+                true, out);
+    put_missing(plan, "has", "have", " no answer (the integration failed)", total->diverged, total->diverged_point,
                 total->diverged_case, false, out);
 }
 

@@ -62,6 +62,9 @@ static void warn(const struct thud_result *result)
     if (result->energy.error_ratio > balanced)
         fprintf(stderr, "thud: warning: %.2g %% of the energy is unaccounted for; at this step %s gives no results\n",
                 100 * result->energy.error_ratio, result->method);
+    else if (-result->energy.contact_j > balanced * (result->energy.initial_j + result->energy.input_j))
+        fprintf(stderr, "thud: warning: the contacts made %.3g kJ out of nothing; at this step %s gives no results\n",
+                -1e-3 * result->energy.contact_j, result->method);
 }
 
 /* Whether the preset itself has this unusual value, and no option. */

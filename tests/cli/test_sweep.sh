@@ -257,13 +257,13 @@ status 0 "$THUD" sweep towers --vary gap=8cm,12cm --cases bumper --records 'kobe
 check "every record has its rows" test "$(grep -c '^northridge-surrogate.csv,bumper' "$tmp/out")" -eq 24
 check "ratios need no case none among the cases" sh -c "! cut -d, -f9 '$tmp/out' | grep -q '^$'"
 status 0 "$THUD" sweep towers --vary gap=4cm,8cm --cases none,bumper
-check "points that are not possible are told" grep -q "1 runs are not possible" "$tmp/out"
+check "points that are not possible are told" grep -q "1 run is not possible" "$tmp/out"
 check "with the first and why" grep -q "sticks out by 5 cm into a gap of 4 cm" "$tmp/out"
 status 3 "$THUD" sweep towers --vary gap=1cm,2cm --cases bumper
 check "a study in which nothing is possible is bad input" grep -q "^thud: none of the runs is possible" "$tmp/err"
 status 4 "$THUD" sweep rigid-concrete --method central-difference --step 1e-4s --vary "contact.stiffness=2500 kN/mm,1e15 kN/mm" --case as-written --csv
 check "a run that blows up has no row" test "$(cut -d, -f4 "$tmp/out" | sort | uniq -c | awk '/left/ { print $1 }')" = 2
-check "and is counted, with the first of them" grep -q "^1 runs have no answer (the integration failed), .*contact.stiffness 1e15 kN/mm" "$tmp/err"
+check "and is counted, with the first of them" grep -q "^1 run has no answer (the integration failed), .*contact.stiffness 1e15 kN/mm" "$tmp/err"
 check "and in the message at the end" grep -q "^thud: 1 of 2 runs have no answer" "$tmp/err"
 status 0 "$THUD" sweep rigid-concrete --vary contact.restitution=0.1:0.9:1.59e-5 --case none -j 1
 check "too many rows make no table, and say so" grep -q "more than 200000 rows: no figures, no table" "$tmp/out"
