@@ -329,6 +329,15 @@ static enum thud_status open_contact(struct thud_run *run, int c, int zeros, str
     return thud_impacts_add(run, &s->impact, err);
 }
 
+/* Zeros of a force that has just left 0 to this side: none where a blow has put it beyond. */
+static int force_zeros(const struct thud_run *run, int c, double sign)
+{
+    const struct thud_branch *b = &run->contact[c].branch;
+    double d = thud_contact_indentation(run, c), v = thud_contact_rate(run, c);
+    double force = thud_branch_force(b, d, v, NULL, NULL), elastic = thud_branch_force(b, d, 0, NULL, NULL);
+    return sign * force > 1e-9 * elastic ? 0 : 1;
+}
+
 static enum thud_status release(struct thud_run *run, int c, struct thud_error *err)
 {
     struct thud_contact_state *s = &run->contact[c];
@@ -340,7 +349,7 @@ static enum thud_status release(struct thud_run *run, int c, struct thud_error *
         return open_contact(run, c, 1, err);
     }
     thud_contact_set_mode(run, c, THUD_SLACK);
-    s->zeros = (struct thud_zeros){.force = 1};
+    s->zeros = (struct thud_zeros){.force = force_zeros(run, c, -1)};
     return THUD_OK;
 }
 
@@ -394,7 +403,7 @@ void thud_contact_struck(struct thud_run *run, int c, double change)
     struct thud_contact_state *s = &run->contact[c];
     double v = thud_contact_rate(run, c);
     enum thud_phase phase = v > 0 ? THUD_APPROACH : THUD_RESTITUTION;
-    bool turns = s->mode == THUD_CLOSED && law_of(run, c)->flags & THUD_LAW_TURNS;
+    bool turns = s->mode != THUD_OPEN && law_of(run, c)->flags & THUD_LAW_TURNS;
     if ((!turns && s->mode != THUD_STUCK) || fabs(v) <= 1e-9 * fabs(change))
         return;
     if (s->mode == THUD_STUCK || phase != s->phase)
@@ -439,7 +448,7 @@ enum thud_status thud_contact_switch(struct thud_run *run, int contact, int even
         return release(run, contact, err);
     case THUD_EVENT_REENGAGE:
         thud_contact_set_mode(run, contact, THUD_CLOSED);
-        s->zeros = (struct thud_zeros){.force = 1};
+        s->zeros = (struct thud_zeros){.force = force_zeros(run, contact, 1)};
         return THUD_OK;
     case THUD_EVENT_TURN:
         turn(run, contact);

@@ -236,6 +236,25 @@ static double floor_term(const struct side *side, const double *modal)
     return thud_dot(side->n, side->row, modal + side->first);
 }
 
+/* What rounding may leave of a floor's term: its modes' parts may be large, and cancel. */
+static double floor_rounding(const struct side *side, const double *modal)
+{
+    double sum = 0;
+    for (int j = 0; j < side->n; j++)
+        sum += fabs(side->row[j] * modal[side->first + j]);
+    return 1e-14 * sum;
+}
+
+/* Whether the neighbours' terms of order k differ by no more than rounding. */
+static bool is_no_motion(const struct thud_run *run, const struct thud_segment *seg, const struct side *l,
+                         const struct side *r, int k, double difference, double noise)
+{
+    const double *modal = seg->q + k * run->model->nmodes;
+    if (fabs(difference) <= noise)
+        return true;
+    return k > 1 && fabs(difference) <= floor_rounding(l, modal) + floor_rounding(r, modal);
+}
+
 int thud_segment_indentation(const struct thud_run *run, const struct thud_segment *seg, int c, double *out)
 {
     const struct thud_model *m = run->model;
@@ -255,7 +274,8 @@ int thud_segment_indentation(const struct thud_run *run, const struct thud_segme
         largest = size[k] > largest ? size[k] : largest;
     }
     out[0] -= thud_run_shift(run, c);
-    while (zeros < seg->terms && fabs(out[zeros]) <= term_noise(run, zeros, size, largest))
+    while (zeros < seg->terms &&
+           is_no_motion(run, seg, &l, &r, zeros, out[zeros], term_noise(run, zeros, size, largest)))
         zeros++;
     return zeros;
 }

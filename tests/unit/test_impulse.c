@@ -14,6 +14,17 @@ static const struct thud_law *newton(double e, struct thud_law_setup *setup)
     return law;
 }
 
+static const struct thud_law *no_tension(double stiffness, double restitution, struct thud_law_setup *setup)
+{
+    const struct thud_law *law = thud_law_find("kelvin-voigt-no-tension");
+    memset(setup, 0, sizeof *setup);
+    thud_law_defaults(law, setup);
+    setup->value[thud_law_param(law, "stiffness")] = stiffness;
+    setup->value[thud_law_param(law, "restitution")] = restitution;
+    setup->value[thud_law_param(law, "residual")] = 1; /* it springs back */
+    return law;
+}
+
 /* A row of `n` rigid bodies (a wall at the right end where wall is set), all contacts with clearance `gap`. */
 static struct thud_model *row(int n, const double *mass, const double *speed, bool wall, double gap, double e)
 {
@@ -180,6 +191,64 @@ START_TEST(momentum_and_energy_in_a_row)
 }
 END_TEST
 
+/* By Runge-Kutta: a body of 1000 kg thrown at 1 m/s against a wall of k, c that does not pull and springs back, struck
+ * from behind by one of 500 kg at 2 m/s that starts `gap` away, with e = 0.5. The wall's impulse; *speed: the last. */
+static double struck_by_hand(double k, double c, double gap, double *speed)
+{
+    const double h = 1e-6;
+    double x = 0, v = 1, impulse = 0;
+    bool struck = false, touches = true;
+    for (int i = 0; i < 300000 && touches; i++) {
+        double dx[5] = {0}, dv[5] = {0}, force[4];
+        for (int stage = 0; stage < 4; stage++) {
+            double part = stage == 0 ? 0 : stage == 3 ? h : h / 2;
+            double xs = x + part * dx[stage], vs = v + part * dv[stage];
+            force[stage] = fmax(0, k * xs + c * vs);
+            dx[stage + 1] = vs;
+            dv[stage + 1] = -force[stage] / 1000;
+        }
+        x += h / 6 * (dx[1] + 2 * dx[2] + 2 * dx[3] + dx[4]);
+        v += h / 6 * (dv[1] + 2 * dv[2] + 2 * dv[3] + dv[4]);
+        impulse += h / 6 * (force[0] + 2 * force[1] + 2 * force[2] + force[3]);
+        if (!struck && 2 * (i + 1) * h - x >= gap) {
+            struck = true;
+            v += 1.5 * (500 / 1500.0) * (2 - v);
+        }
+        touches = x > 0;
+    }
+    *speed = v;
+    return impulse;
+}
+
+/* A contact whose force is cut at 0, as it parts, and one that pushes are struck by a blow at the body's other side:
+ * each goes on with the force that the new speed makes, at once. */
+START_TEST(blow_on_a_contact_with_a_force)
+{
+    static const double gap[] = {0.175, 0.09}; /* struck as it parts; as it pushes */
+    double mass[] = {500, 1000}, last;
+    struct thud_structure_input body[] = {
+        {.n = 1, .mass_kg = &mass[0], .velocity_mps = 2}, {.n = 1, .mass_kg = &mass[1], .velocity_mps = 1}, {.n = 0}};
+    struct thud_contact_input contact[] = {
+        {.interface = 1, .left_floor = 1, .right_floor = 1, .right_structure = 1, .clearance_m = gap[_i]},
+        {.interface = 2, .left_floor = 1, .left_structure = 1, .right_structure = 2}};
+    struct thud_model_input input = {3, body, 2, contact, 0};
+    struct thud_model *model = NULL;
+    contact[0].law = newton(0.5, &contact[0].setup);
+    contact[1].law = no_tension(1e6, 0.05, &contact[1].setup);
+    ck_assert_int_eq(thud_model_create(&input, &model, NULL), THUD_OK);
+    double xi = -log(0.05) / hypot(acos(-1), log(0.05)), c = 2 * xi * sqrt(1e6 * 1000);
+    double impulse = struck_by_hand(1e6, c, gap[_i], &last);
+    struct thud_run *run = finish(model, NULL, 0.3);
+    const struct thud_result *result = thud_run_result(run);
+    ck_assert_double_eq_tol(result->contact[1].impulse_ns / impulse, 1, 1e-4);
+    ck_assert_double_eq_tol(result->contact[1].separation_mps / -last, 1, 1e-3);
+    ck_assert_int_eq(result->contact[1].impacts, 1);
+    ck_assert_int_lt(result->work.events, 10);
+    thud_run_free(run);
+    thud_model_free(model);
+}
+END_TEST
+
 Suite *thud_suite(void)
 {
     Suite *suite = suite_create("impulse");
@@ -189,6 +258,7 @@ Suite *thud_suite(void)
     tcase_add_test(tc, blow_passed_on_at_once);
     tcase_add_test(tc, caught_between_two);
     tcase_add_test(tc, momentum_and_energy_in_a_row);
+    tcase_add_loop_test(tc, blow_on_a_contact_with_a_force, 0, 2);
     suite_add_tcase(suite, tc);
     return suite;
 }
