@@ -223,9 +223,22 @@ static enum thud_status finish(struct sweep *s, enum thud_status status, struct 
     return status == THUD_OK ? conclude(s, err) : status;
 }
 
+/* The scene for the journal, which names the ground motions itself: a name that no preset takes is left out. */
+static enum thud_status journal_preset(struct sweep *s, struct thud_error *err)
+{
+    struct thud_scene *scene = &s->session.scene;
+    struct thud_record_choice choice = scene->record;
+    unsigned long size;
+    for (const char *c = choice.file; *c; c++)
+        if ((unsigned char)*c < ' ')
+            scene->record.file[0] = '\0';
+    enum thud_status status = thud_preset_text(s->session.preset, scene, &s->preset, &size, err);
+    scene->record = choice;
+    return status;
+}
+
 static enum thud_status make(struct sweep *s, struct thud_error *err)
 {
-    unsigned long size;
     enum thud_status status = thud_scene_options_open(s->args, &s->session, err);
     if (status != THUD_OK)
         return status;
@@ -233,7 +246,7 @@ static enum thud_status make(struct sweep *s, struct thud_error *err)
     if (status == THUD_OK)
         status = fill_plan(s, err);
     if (status == THUD_OK && thud_args_has(s->args, "o"))
-        status = thud_preset_text(s->session.preset, &s->session.scene, &s->preset, &size, err);
+        status = journal_preset(s, err);
     if (status == THUD_OK && thud_args_has(s->args, "o"))
         thud_study_file_json(s->args, &s->session, &s->plan, &s->description);
     if (status == THUD_OK)

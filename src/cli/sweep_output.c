@@ -5,6 +5,7 @@
 
 #include "base/version.h"
 #include "cli/commands.h"
+#include "io/json.h"
 #include "io/sweep_csv.h"
 
 /* Next field of a line of CSV, with its end replaced; quotes taken off in place. *quoted: it had some, and may go over
@@ -27,18 +28,6 @@ static char *next_field(char **line, bool *quoted, char **after)
     *after = *in ? in + 1 : in;
     *to = '\0';
     return from;
-}
-
-static void put_text(struct thud_text *out, const char *text)
-{
-    thud_text_append(out, "\"");
-    for (; *text; text++) {
-        if ((unsigned char)*text < ' ')
-            thud_text_append(out, "\\u%04x", (unsigned char)*text);
-        else
-            thud_text_append(out, *text == '"' || *text == '\\' ? "\\%c" : "%c", *text);
-    }
-    thud_text_append(out, "\"");
 }
 
 static bool is_number(const char *text)
@@ -69,10 +58,10 @@ static void put_objects(struct thud_sweep_output *o, char *lines, struct thud_te
             for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
                 text |= strcmp(name, texts[i]) == 0;
             thud_text_append(out, first ? "" : ", ");
-            put_text(out, name);
+            thud_json_string(out, name);
             thud_text_append(out, ": ");
             if (quoted || text || (*field && !is_number(field)))
-                put_text(out, field);
+                thud_json_string(out, field);
             else
                 thud_text_append(out, "%s", *field ? field : "null");
         }
@@ -90,7 +79,7 @@ static void begin(struct thud_sweep_output *o)
         thud_sweep_csv_header(o->plan, THUD_SWEEP_CSV_FLOORS, &o->text);
     } else {
         thud_text_append(&o->text, "{\"preset\": ");
-        put_text(&o->text, o->plan->scene.name);
+        thud_json_string(&o->text, o->plan->scene.name);
         thud_text_append(&o->text, ", \"version\": \"%s\", \"rows\": [", THUD_VERSION);
     }
 }

@@ -11,6 +11,34 @@
 
 enum { FORMAT = 2 };
 
+/* A file may have ends of lines in its name. */
+static void put_record(const char *name, struct thud_text *out)
+{
+    if (!strchr(name, '\n')) {
+        thud_text_append(out, "\nrecord %s", name);
+        return;
+    }
+    thud_text_append(out, "\nrecord-escaped ");
+    for (; *name; name++)
+        if (*name == '\n' || *name == '\\')
+            thud_text_append(out, *name == '\n' ? "\\n" : "\\\\");
+        else
+            thud_text_append(out, "%c", *name);
+}
+
+/* Back to the name, in place. */
+static const char *unescape(char *text)
+{
+    char *to = text;
+    for (const char *from = text; *from; from++) {
+        bool escaped = *from == '\\' && from[1];
+        from += escaped;
+        *to++ = escaped && *from == 'n' ? '\n' : *from;
+    }
+    *to = '\0';
+    return text;
+}
+
 static void put_body(const struct thud_sweep_plan *plan, const char *preset, struct thud_text *out)
 {
     thud_text_append(out, "cases ");
@@ -22,7 +50,7 @@ static void put_body(const struct thud_sweep_plan *plan, const char *preset, str
             thud_text_append(out, "%s%s", v > 0 ? "," : "", plan->axis[i].text[v]);
     }
     for (int i = 0; i < plan->nrecords; i++)
-        thud_text_append(out, "\nrecord %s", plan->record[i] ? plan->record[i]->file : "");
+        put_record(plan->record[i] ? plan->record[i]->file : "", out);
     if (plan->sensitivity > 0) {
         thud_text_append(out, "\nsensitivity ");
         thud_text_number(out, plan->sensitivity);
@@ -131,7 +159,7 @@ static enum thud_status read_start(struct thud_sweep_journal *journal, struct th
 static bool split(struct thud_sweep_head *head)
 {
     int records = 0;
-    for (const char *p = head->text; (p = strstr(p, "\nrecord ")) != NULL; p++)
+    for (const char *p = head->text; (p = strstr(p, "\nrecord")) != NULL; p++)
         records++;
     head->record = calloc((size_t)records + 1, sizeof *head->record);
     for (char *line = head->text, *end; head->record && (end = strchr(line, '\n')) != NULL; line = end + 1) {
@@ -142,6 +170,8 @@ static bool split(struct thud_sweep_head *head)
             head->vary[head->nvary++] = line + 5;
         else if (strncmp(line, "record ", 7) == 0 && head->nrecords < records)
             head->record[head->nrecords++] = line + 7;
+        else if (strncmp(line, "record-escaped ", 15) == 0 && head->nrecords < records)
+            head->record[head->nrecords++] = unescape(line + 15);
         else if (strncmp(line, "sensitivity ", 12) == 0)
             head->sensitivity = line + 12;
         else if (strcmp(line, "preset") == 0) {

@@ -59,6 +59,16 @@ check "without any saving the numbers are the same" cmp "$tmp/slow.csv" "$tmp/on
 status 0 study
 check "the table says what was made and what was saved" grep -q "54 runs: .* made, .* answered by the motion without pounding" "$tmp/out"
 study --json --quiet >"$tmp/rows.json" 2>"$tmp/err"
+odd=$tmp/$(printf 'k\377\177 "x".csv')
+cp records/kobe-surrogate.csv "$odd"
+"$THUD" sweep towers --record "$odd" --vary gap=5cm --json --quiet 2>"$tmp/err" >"$tmp/odd.json"
+check "JSON is UTF-8 whatever a file is called" sh -c "grep -q '\"record\"' '$tmp/odd.json' && iconv -f utf-8 -t utf-8 '$tmp/odd.json'"
+odd=$tmp/$(printf 'a\nb\\n.csv')
+cp records/kobe-surrogate.csv "$odd"
+for k in 1 2; do "$THUD" sweep towers --record "$odd" --vary gap=5cm:6cm:1cm --quiet --shard $k/2 -o "$tmp/odd$k" 2>"$tmp/err"; done
+"$THUD" sweep --merge "$tmp/odd1" "$tmp/odd2" --quiet -o "$tmp/odd" >"$tmp/out" 2>"$tmp/err"
+"$THUD" sweep towers --record "$odd" --vary gap=5cm:6cm:1cm --csv --quiet >"$tmp/odd.csv" 2>"$tmp/out"
+check "a study in a folder does not mind two lines in a file's name" cmp "$tmp/odd.csv" "$tmp/odd/sweep.csv"
 check "a JSON object for every row" test "$(grep -c '"record"' "$tmp/rows.json")" -eq 648
 
 "$THUD" sweep rigid-bumper --vary gap=5cm:7cm:1cm --cases none,bumper --csv --quiet >"$tmp/free.csv" 2>"$tmp/err"
