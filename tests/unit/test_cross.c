@@ -114,6 +114,18 @@ START_TEST(steps_do_not_stay_short)
 }
 END_TEST
 
+/* Scenes in which a stepping method lost speeds, or got others, where an event lay so close to a step's start that the
+ * step to it was lost in rounding. */
+START_TEST(no_step_is_lost_in_rounding)
+{
+    static const unsigned long long seeds[] = {30226, 20477};
+    struct scenes_tally tally = {.only = "dormand-prince", .slow = true};
+    scenes_check(seeds[_i], &tally);
+    ck_assert_int_eq(tally.wrong, 0);
+    ck_assert_int_eq(tally.wild, 0);
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -126,6 +138,7 @@ Suite *thud_suite(void)
     tcase_add_loop_test(tcase, scenes_that_lost_a_peak, 0, 2);
     tcase_add_loop_test(tcase, scenes_whose_answers_differed, 0, 2);
     tcase_add_loop_test(tcase, steps_do_not_stay_short, 0, 2);
+    tcase_add_loop_test(tcase, no_step_is_lost_in_rounding, 0, 2);
     tcase_add_test(tcase, stiff_contacts_do_not_chatter);
     tcase_add_loop_test(tcase, scenes_that_had_no_answer, 0, 10);
     suite_add_tcase(suite, tcase);
