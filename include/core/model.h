@@ -74,4 +74,8 @@ enum thud_status thud_model_create(const struct thud_model_input *input, struct 
                                    struct thud_error *err);
 void thud_model_free(struct thud_model *model);
 
+/* Four times what it takes from touch at 1 m/s to the largest indentation of a spring with the law's elastic energy
+ * there, s: 2 pi sqrt(m/k) of a linear one. INFINITY for laws without a force. */
+double thud_model_contact_period(const struct thud_model_contact *contact);
+
 #endif

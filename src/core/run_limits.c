@@ -28,12 +28,10 @@ enum thud_status thud_run_check_options(const struct thud_run_options *o, const 
     return THUD_OK;
 }
 
-/* Half a contact: from touch at 1 m/s to the largest indentation of a spring with the law's elastic energy there takes
- * a quarter of the period 2 pi d / v. */
-static double contact_period(const struct thud_model_contact *p)
+double thud_model_contact_period(const struct thud_model_contact *p)
 {
     double v = 1, energy = 0.5 * p->setup.mass_kg * v * v, low = 0, high = 1e-9;
-    if (!p->law->elastic_energy)
+    if (!p->law->elastic_energy || p->law->flags & (THUD_LAW_SILENT | THUD_LAW_IMPULSIVE))
         return INFINITY;
     while (high < 1e3 && p->law->elastic_energy(&p->setup, high) < energy)
         high *= 2;
@@ -52,8 +50,7 @@ static double shortest_period(const struct thud_run *run)
 {
     double shortest = run->fastest_radps > 0 ? 2 * acos(-1) / run->fastest_radps : INFINITY;
     for (int c = 0; c < run->model->ncontacts; c++)
-        if (!(run->model->contact[c].law->flags & (THUD_LAW_SILENT | THUD_LAW_IMPULSIVE)))
-            shortest = fmin(shortest, contact_period(&run->model->contact[c]));
+        shortest = fmin(shortest, thud_model_contact_period(&run->model->contact[c]));
     return shortest;
 }
 

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/method.h"
 #include "study/answer.h"
 #include "study/scene_slot.h"
 
@@ -136,6 +137,27 @@ static bool look_levels(struct search *search, const struct thud_scene *scene)
     return false;
 }
 
+/* A step in which much of a contact goes by. */
+static bool look_step(struct search *search, const struct thud_scene *scene)
+{
+    const struct thud_method *method = thud_method_find(scene->analysis.method);
+    double step_s = scene->analysis.step_s, shortest = INFINITY;
+    struct thud_model *model;
+    if (!method || !(method->flags & THUD_METHOD_FIXED_STEP) || isnan(step_s) ||
+        thud_scene_assemble(scene, &model, NULL) != THUD_OK)
+        return false;
+    for (int c = 0; c < model->ncontacts; c++)
+        shortest = fmin(shortest, thud_model_contact_period(&model->contact[c]));
+    thud_model_free(model);
+    if (step_s <= shortest / 20 * (1 + 1e-9) || search->found++ != search->wanted)
+        return false;
+    thud_error_set(search->out, THUD_OK, "%.4g ms is long for a contact that swings in %.4g ms", 1e3 * step_s,
+                   1e3 * shortest);
+    thud_error_allow(search->out, "usually up to a twentieth of that, %.4g ms", 50 * shortest);
+    thud_error_key(search->out, "analysis.step");
+    return true;
+}
+
 bool thud_scene_warning(const struct thud_scene *scene, int n, struct thud_error *out)
 {
     struct search search = {n, 0, out};
@@ -150,5 +172,6 @@ bool thud_scene_warning(const struct thud_scene *scene, int n, struct thud_error
         if (look_interface(&search, &scene->interface[i], i))
             return true;
     return look_group(&search, THUD_GROUP_RECORD, scene, 0, 0, "record") ||
-           look_group(&search, THUD_GROUP_ANALYSIS, scene, 0, 0, "analysis") || look_levels(&search, scene);
+           look_group(&search, THUD_GROUP_ANALYSIS, scene, 0, 0, "analysis") || look_levels(&search, scene) ||
+           look_step(&search, scene);
 }

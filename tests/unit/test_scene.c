@@ -430,6 +430,22 @@ START_TEST(unusual_combinations_are_told)
 }
 END_TEST
 
+/* Concrete on concrete: 2 pi sqrt(m/k) with m of 250 t against 320 t and 2500 kN/mm is 47.08 ms. */
+START_TEST(a_step_too_long_for_a_contact_is_told)
+{
+    struct thud_error err;
+    towers();
+    ck_assert_int_eq(thud_scene_case(&scene, THUD_CASE_NONE, &scene, &err), THUD_OK);
+    set("analysis.step", "2.36 ms");
+    ck_assert(!thud_scene_warning(&scene, 0, &err)); /* nobody takes it */
+    set("analysis.method", "rk4");
+    ck_assert(thud_scene_warning(&scene, 0, &err) && strcmp(err.key, "analysis.step") == 0);
+    ck_assert_msg(strstr(err.what, "47.08 ms") && strstr(err.allowed, "2.354 ms"), "%s (%s)", err.what, err.allowed);
+    set("analysis.step", "2.35 ms");
+    ck_assert(!thud_scene_warning(&scene, 0, &err));
+}
+END_TEST
+
 /* Every parameter of the tables is found by its path, has words, and its fallback is allowed. */
 START_TEST(the_tables_are_whole)
 {
@@ -475,6 +491,7 @@ Suite *thud_suite(void)
     tcase_add_test(tests, cases_are_the_scene_with_another_bumper);
     tcase_add_test(tests, unusual_values_are_told);
     tcase_add_test(tests, unusual_combinations_are_told);
+    tcase_add_test(tests, a_step_too_long_for_a_contact_is_told);
     tcase_add_test(tests, the_tables_are_whole);
     suite_add_tcase(suite, tests);
     return suite;
