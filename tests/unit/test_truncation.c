@@ -249,6 +249,29 @@ START_TEST(other_methods_find_the_same)
 }
 END_TEST
 
+/* Two buildings of one shape, of one mode each, touch on all floors at once: two modes cannot be given four impulses.
+ * That is said, not guessed at. */
+START_TEST(blows_that_few_modes_do_not_tell_apart)
+{
+    struct thud_answer answer;
+    struct thud_interface *at = &scene->interface[0];
+    at->contact.law = thud_law_find("stereomechanical");
+    at->contact.value[thud_law_param(at->contact.law, "restitution")] = 0.6;
+    at->gap_m = 0;
+    scene->structure[1] = scene->structure[0];
+    for (int i = 0; i < scene->structure[1].storeys; i++)
+        scene->structure[1].stiffness_npm[i] *= 0.5;
+    scene->analysis.modes = 1;
+    ck_assert_int_eq(thud_scene_answer(scene, motion, NULL, &answer, &error), THUD_DIVERGED);
+    ck_assert_ptr_nonnull(strstr(error.what, "more contacts touch at once than the modes tell apart, at t = "));
+    ck_assert_str_eq(error.key, "modes");
+    thud_answer_clear(&answer);
+    scene->analysis.modes = 0;
+    ck_assert_int_eq(thud_scene_answer(scene, motion, NULL, &answer, &error), THUD_OK);
+    thud_answer_clear(&answer);
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -262,6 +285,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, damping_that_couples_modes_is_cut_too);
     tcase_add_test(tcase, what_is_left_out_costs_nothing);
     tcase_add_test(tcase, other_methods_find_the_same);
+    tcase_add_test(tcase, blows_that_few_modes_do_not_tell_apart);
     suite_add_tcase(suite, tcase);
     return suite;
 }
