@@ -328,6 +328,17 @@ static int level_for(const struct thud_collocation *x, double want, double remai
     return level;
 }
 
+static enum thud_status too_short(const struct thud_run *run, const struct thud_collocation *x, struct thud_error *err)
+{
+    int stuck = 0;
+    for (int a = 0; a < x->nactive; a++)
+        stuck += run->contact[x->active[a]].mode == THUD_STUCK;
+    if (stuck > 1 && run->model->left_out > 0) /* all modes tell any floors apart */
+        return thud_run_too_few_modes(run, err);
+    return thud_error_set(err, THUD_DIVERGED, "no step is short enough for the contact forces at t = %.6g s",
+                          thud_run_now(run));
+}
+
 enum thud_status thud_collocation_step(struct thud_run *run, struct thud_collocation *x, struct thud_error *err)
 {
     find_active(run, x);
@@ -371,7 +382,6 @@ enum thud_status thud_collocation_step(struct thud_run *run, struct thud_colloca
         x->h = fmin(x->h, 0.5 * h);
         run->result.work.rejected++;
         if (level + 1 >= THUD_LEVELS)
-            return thud_error_set(err, THUD_DIVERGED, "no step is short enough for the contact forces at t = %.6g s",
-                                  thud_run_now(run));
+            return too_short(run, x, err);
     }
 }

@@ -50,13 +50,7 @@ static enum thud_status impulses(const struct thud_run *run, struct collision *x
             x->m[i * x->n + j] = m->w[c * m->ncontacts + x->set[j]];
     }
     enum thud_status status = thud_lcp_solve(x->n, x->m, x->q, x->impulse, x->work, err);
-    if (status == THUD_DIVERGED && m->left_out > 0) { /* all modes tell any floors apart */
-        thud_error_set(err, status, "more contacts touch at once than the modes tell apart, at t = %.6g s",
-                       thud_run_now(run));
-        thud_error_key(err, "modes");
-        thud_error_allow(err, "more of them, or all");
-    }
-    return status;
+    return status == THUD_DIVERGED && m->left_out > 0 ? thud_run_too_few_modes(run, err) : status;
 }
 
 static void apply(struct thud_run *run, const struct collision *x)

@@ -248,6 +248,8 @@ struct proposal {
 static enum thud_status stalled(struct thud_run *run, int contact, struct thud_error *err)
 {
     run->failed = true;
+    if (contact < 0)
+        return thud_error_set(err, THUD_DIVERGED, "no step is long enough to go on at t = %.9g s", thud_run_now(run));
     const struct thud_contact_result *c = &run->result.contact[contact];
     return thud_error_set(err, THUD_DIVERGED, "contact between floors %d and %d switches without end at t = %.9g s",
                           c->left_floor, c->right_floor, thud_run_now(run));
@@ -267,7 +269,8 @@ static enum thud_status pass_over(struct thud_run *run, struct proposal *p, stru
     return THUD_OK;
 }
 
-/* Counts the events at one moment, or so near to it that no motion lies between, and what it took to leave it. */
+/* Counts the steps that stay at one moment, or so near to it that no motion lies between, and what it took to leave it.
+ */
 static enum thud_status watch_progress(struct thud_run *run, struct proposal *p, struct thud_error *err)
 {
     double moved_s = p->s * run->seg.h_s;
@@ -277,7 +280,7 @@ static enum thud_status watch_progress(struct thud_run *run, struct proposal *p,
             run->passes = 0;
         return THUD_OK;
     }
-    run->stalls += p->switched;
+    run->stalls++;
     /* of two events that call for each other, now this one, now the other is passed over: one of them lets go */
     int most = STALLS_MORE + STALLS_EACH * run->model->ncontacts + run->passes % 2;
     return run->stalls > most ? pass_over(run, p, err) : THUD_OK;
@@ -350,8 +353,8 @@ static enum thud_status propose_to_event(struct thud_run *run, struct proposal *
     enum thud_status status = propose(run, p, err);
     for (int i = 0; i < 2 && status == THUD_OK && p->switched && run->method->order > 0 && p->s > start; i++) {
         double cap = behind[i] * p->s * run->seg.h_s, before = run->step_cap_s;
-        if (p->s * behind[i] >= p->limit || (i > 0 && !is_boundary(p->event)))
-            continue;
+        if (p->s * behind[i] >= p->limit || (i > 0 && !is_boundary(p->event)) || p->s * run->seg.h_s <= first_pass_s)
+            continue; /* so near that a step up to it would be none */
         run->step_cap_s = cap;
         run->result.work.rejected++;
         status = propose(run, p, err);

@@ -139,3 +139,12 @@ enum thud_status thud_run_check_state(struct thud_run *run, const double *q, con
                          run->fastest_radps);
     return THUD_DIVERGED;
 }
+
+enum thud_status thud_run_too_few_modes(const struct thud_run *run, struct thud_error *err)
+{
+    thud_error_set(err, THUD_DIVERGED, "more contacts touch at once than the modes tell apart, at t = %.6g s",
+                   thud_run_now(run));
+    thud_error_key(err, "modes");
+    thud_error_allow(err, "more of them, or all");
+    return THUD_DIVERGED;
+}

@@ -185,6 +185,9 @@ void thud_run_set_bound(struct thud_run *run);
 /* THUD_DIVERGED when this state (q, qd) holds far more energy than can ever have come in. */
 enum thud_status thud_run_check_state(struct thud_run *run, const double *q, const double *qd, struct thud_error *err);
 
+/* THUD_DIVERGED: contacts hold or collide at once whose forces the modes that stay do not tell apart. */
+enum thud_status thud_run_too_few_modes(const struct thud_run *run, struct thud_error *err);
+
 /* peaks.c, ledger.c, history.c: what is read from a segment before it is committed up to s. */
 void thud_peaks_start(struct thud_run *run);
 void thud_peaks_segment(struct thud_run *run, double s);

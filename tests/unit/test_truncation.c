@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "core/oscillator.h"
+#include "scenes.h"
 #include "study/truncation.h"
 #include "towers.h"
 
@@ -266,9 +267,29 @@ START_TEST(blows_that_few_modes_do_not_tell_apart)
     ck_assert_ptr_nonnull(strstr(error.what, "more contacts touch at once than the modes tell apart, at t = "));
     ck_assert_str_eq(error.key, "modes");
     thud_answer_clear(&answer);
+    at->contact.value[thud_law_param(at->contact.law, "restitution")] = 1e-9; /* and then they are held */
+    ck_assert_int_eq(thud_scene_answer(scene, motion, NULL, &answer, &error), THUD_DIVERGED);
+    ck_assert_str_eq(error.key, "modes");
+    thud_answer_clear(&answer);
     scene->analysis.modes = 0;
     ck_assert_int_eq(thud_scene_answer(scene, motion, NULL, &answer, &error), THUD_OK);
     thud_answer_clear(&answer);
+}
+END_TEST
+
+/* Two equal buildings side by side, of one mode each, that a third one pushes: their contacts let go and are held again
+ * at one moment, and a method whose steps end at events crept on by a billionth of a nanosecond. */
+START_TEST(events_at_one_moment_do_not_stop_a_method)
+{
+    struct scenes_one one;
+    struct scenes_answer answer;
+    scenes_draw(&one, 50104);
+    one.scene.analysis.modes = 1;
+    scenes_run(&one, &(struct scenes_options){.method = "dormand-prince", .most = 20000}, &answer);
+    ck_assert_int_eq(answer.status, THUD_OK);
+    ck_assert(!answer.stopped && answer.largest[SCENES_IMPACTS] > 0);
+    scenes_answer_clear(&answer);
+    scenes_clear(&one);
 }
 END_TEST
 
@@ -286,6 +307,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, what_is_left_out_costs_nothing);
     tcase_add_test(tcase, other_methods_find_the_same);
     tcase_add_test(tcase, blows_that_few_modes_do_not_tell_apart);
+    tcase_add_test(tcase, events_at_one_moment_do_not_stop_a_method);
     suite_add_tcase(suite, tcase);
     return suite;
 }
