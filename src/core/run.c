@@ -228,7 +228,8 @@ static void commit(struct thud_run *run, double s, double limit)
     size_t n = (size_t)run->model->nmodes;
     memcpy(run->q, run->ends + 3 * n, n * sizeof *run->q);
     memcpy(run->qd, run->ends + 4 * n, n * sizeof *run->qd);
-    if (s < limit || s * run->seg.h_s < to_kink * (1 - 1e-13)) {
+    /* what many steps' rounding leaves before the kink is nothing to take a step for */
+    if (to_kink - s * run->seg.h_s > 1e-12 * run->grid_dt_s) {
         run->offset_s += s * run->seg.h_s;
     } else {
         run->grid++;

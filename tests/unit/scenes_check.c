@@ -7,8 +7,12 @@
 
 #include "scenes.h"
 
-/* Numbers below this share of the largest of their kind are not looked at by themselves. */
-static const double least = 1e-4;
+/* Numbers below this share of the largest of their kind are not looked at by themselves; the second where a tolerance,
+ * which is one of the largest force, plays its part. */
+static const double least = 1e-4, least_forced = 1e-2;
+/* The lengths below which the program takes neighbours not to touch, with a margin: what they do to an answer is what
+ * as large a change of the gaps does. And the smallest motion that these lengths leave alone. */
+static const double touch_noise_m = 1e-14, smallest_m = 1e-5;
 
 struct subject {
     struct scenes_tally *tally;
@@ -41,6 +45,7 @@ static void report(struct subject *s, const char *name, const char *what)
  * explains. */
 static void hold(struct subject *s, const char *name, const struct scenes_answer *a, double tolerance, double eps)
 {
+    double part = strstr(name, "tolerance") ? least_forced : least;
     int at, i = find_check(s->tally, name);
     char what[600];
     if (a->stopped) {
@@ -54,7 +59,7 @@ static void hold(struct subject *s, const char *name, const struct scenes_answer
         report(s, name, what);
         return;
     }
-    double off = scenes_apart(a, &s->base, least, eps > 0 ? s->amplify : NULL, eps, &at);
+    double off = scenes_apart(a, &s->base, part, eps > 0 ? s->amplify : NULL, eps + touch_noise_m / s->one.peak_m, &at);
     if (off / (tolerance > 0 ? tolerance : 1e-16) > s->tally->check[i].worst)
         s->tally->check[i].worst = off / (tolerance > 0 ? tolerance : 1e-16);
     if (off <= tolerance)
@@ -145,7 +150,7 @@ static void check_units(struct subject *s, const char *name, bool (*change)(stru
 {
     struct scenes_one other;
     struct scenes_answer a;
-    if (!asked(s, name))
+    if (!asked(s, name) || (!is_mass && fmin(factor, 1) * s->one.peak_m < smallest_m))
         return;
     scenes_copy(&other, &s->one);
     if (change(&other, factor)) {

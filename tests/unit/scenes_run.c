@@ -14,31 +14,39 @@ static void add(struct scenes_answer *a, enum scenes_kind kind, int place, int i
 }
 
 /* Impacts of a contact that are no mere touch, and when the first of them begins. NaN, which is not compared, where one
- * is neither strong nor weak. */
+ * is neither strong nor weak, or not over. */
 static void add_impacts(struct scenes_answer *a, const struct thud_run *run, int c, double least_ns)
 {
-    int count, strong = 0;
+    const struct thud_contact_result *result = &thud_run_result(run)->contact[c];
+    int count, listed = 0, strong = 0;
     const struct thud_impact *impact = thud_run_impacts(run, &count);
     bool unclear = false;
     double first = 0;
     for (int i = 0; i < count; i++) {
         if (impact[i].contact != c)
             continue;
+        listed++;
         unclear = unclear || (impact[i].impulse_ns > 0.1 * least_ns && impact[i].impulse_ns < 10 * least_ns);
         if (impact[i].impulse_ns > least_ns && strong++ == 0)
             first = impact[i].start_s;
     }
-    int interface = thud_run_result(run)->contact[c].interface - 1;
-    add(a, SCENES_FIRST, interface, c, unclear ? NAN : first);
-    add(a, SCENES_IMPACTS, interface, c, unclear ? NAN : (double)strong);
+    unclear = unclear || listed < result->impacts;
+    add(a, SCENES_FIRST, result->interface - 1, c, unclear ? NAN : first);
+    add(a, SCENES_IMPACTS, result->interface - 1, c, unclear ? NAN : (double)strong);
+}
+
+static double lightest(const struct thud_model *m)
+{
+    double mass = INFINITY;
+    for (int i = 0; i < m->ndof; i++)
+        mass = fmin(mass, m->mass_kg[i]);
+    return mass;
 }
 
 /* What a number of each kind may be small against: the lightest floor at the largest accelerations and speeds. */
 static void find_natural(struct scenes_answer *a, const struct thud_model *m, double end_s)
 {
-    double mass = INFINITY, speed = a->largest[SCENES_VELOCITY];
-    for (int i = 0; i < m->ndof; i++)
-        mass = fmin(mass, m->mass_kg[i]);
+    double mass = lightest(m), speed = a->largest[SCENES_VELOCITY];
     a->natural[SCENES_FORCE] = mass * a->largest[SCENES_ACCELERATION];
     a->natural[SCENES_INDENTATION] = a->largest[SCENES_DISPLACEMENT];
     a->natural[SCENES_IMPULSE] = mass * speed;
@@ -69,6 +77,7 @@ static void take(struct scenes_answer *a, const struct thud_model *model, const 
     double impulse = 0;
     for (int i = 0; i < count; i++)
         impulse = fmax(impulse, impact[i].impulse_ns);
+    double least_ns = fmax(1e-3 * impulse, 1e-9 * lightest(model) * a->largest[SCENES_VELOCITY]);
     for (int c = 0; c < r->ncontacts; c++) {
         const struct thud_contact_result *p = &r->contact[c];
         int place = p->interface - 1;
@@ -77,7 +86,7 @@ static void take(struct scenes_answer *a, const struct thud_model *model, const 
         add(a, SCENES_IMPULSE, place, c, p->impulse_ns);
         add(a, SCENES_LOST, place, c, p->dissipated_j);
         add(a, SCENES_TIME, place, c, p->impulse_ns > 0.1 * impulse ? p->contact_time_s : NAN);
-        add_impacts(a, run, c, 1e-3 * impulse);
+        add_impacts(a, run, c, least_ns);
     }
     find_natural(a, model, r->end_s);
     a->error_ratio = r->energy.error_ratio;

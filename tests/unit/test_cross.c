@@ -126,6 +126,22 @@ START_TEST(no_step_is_lost_in_rounding)
 }
 END_TEST
 
+/* What the rounding of many steps once left before a kink, 1e-18 s, was too short for the contact forces (40005, its
+ * intervals halved). */
+START_TEST(no_sliver_before_a_kink)
+{
+    struct scenes_one one;
+    struct scenes_answer answer;
+    scenes_draw(&one, 40005);
+    scenes_halve(&one);
+    scenes_run(&one, &(struct scenes_options){.tolerance = 1e-10, .most = 30000}, &answer);
+    ck_assert_msg(answer.status == THUD_OK, "%s", answer.err.what);
+    ck_assert(!answer.stopped);
+    scenes_answer_clear(&answer);
+    scenes_clear(&one);
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -139,6 +155,7 @@ Suite *thud_suite(void)
     tcase_add_loop_test(tcase, scenes_whose_answers_differed, 0, 2);
     tcase_add_loop_test(tcase, steps_do_not_stay_short, 0, 2);
     tcase_add_loop_test(tcase, no_step_is_lost_in_rounding, 0, 2);
+    tcase_add_test(tcase, no_sliver_before_a_kink);
     tcase_add_test(tcase, stiff_contacts_do_not_chatter);
     tcase_add_loop_test(tcase, scenes_that_had_no_answer, 0, 10);
     suite_add_tcase(suite, tcase);
