@@ -39,6 +39,23 @@ static enum thud_status of_option(enum thud_status status, struct thud_error *er
     return THUD_USAGE;
 }
 
+/* What is said of a ground motion that is not there would have no effect. */
+static enum thud_status refuse_idle(const struct thud_args *args, const struct thud_session *session,
+                                    struct thud_error *err)
+{
+    const char *setting;
+    if (session->scene.record.file[0] || thud_args_value(args, "records"))
+        return THUD_OK;
+    for (int i = 0; (setting = thud_record_setting(i)) != NULL; i++)
+        if (thud_args_value(args, setting)) {
+            thud_error_set(err, THUD_USAGE, "the scene has no ground motion");
+            thud_args_key(setting, err);
+            thud_error_allow(err, "--record FILE gives it one");
+            return THUD_USAGE;
+        }
+    return THUD_OK;
+}
+
 static enum thud_status apply(const struct thud_args *args, struct thud_session *session, struct thud_error *err)
 {
     enum thud_status status = THUD_OK;
@@ -52,7 +69,7 @@ static enum thud_status apply(const struct thud_args *args, struct thud_session 
     const char *assignment;
     for (int i = 0; status == THUD_OK && (assignment = thud_args_repeated(args, "set", i)); i++)
         status = thud_session_assign(session, assignment, err);
-    return status;
+    return status == THUD_OK ? refuse_idle(args, session, err) : status;
 }
 
 enum thud_status thud_scene_options_open(const struct thud_args *args, struct thud_session *session,

@@ -56,6 +56,8 @@ is "csv: a heading and rows" [ "$(wc -l <"$tmp/out")" -ge 11 ]
 is "quiet: the answer alone" gives 0 run towers --quiet
 is "quiet: all of it" cmp -s "$tmp/out" "$tmp/table"
 is "quiet: no remark" silent
+is "a peak for a ground motion that is not there is refused" gives 2 run rigid-concrete --peak 1g
+is "and says so" says "^thud: --peak: the scene has no ground motion (--record FILE gives it one)"
 gives 0 run rigid-bumper --method rk4 --step 2ms
 is "a method of fixed steps: its step, no tolerance" shows "^  *step 0.002 s, "
 gives 0 run rigid-bumper --step 2ms
