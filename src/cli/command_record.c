@@ -230,16 +230,46 @@ static enum thud_status synthesize(const struct thud_args *args, struct thud_err
     return deliver(args, &text, err);
 }
 
+enum { INFO = 1, SPECTRUM = 2, CONVERT = 4, LIST = 8, SYNTHESIZE = 16 };
+
+/* An option that the verb has no use for is refused. Those not named here are about how a file is read. */
+static enum thud_status check_options(const struct thud_args *args, unsigned verb, struct thud_error *err)
+{
+    static const struct {
+        const char *option;
+        unsigned verbs;
+    } own[] = {{"set", SYNTHESIZE},    {"damping", SPECTRUM},       {"periods", SPECTRUM},
+               {"preset", SPECTRUM},   {"format", INFO | SPECTRUM}, {"json", INFO | SPECTRUM | LIST},
+               {"o", ~(unsigned)LIST}, {"peak", ~(unsigned)LIST},   {"dt", ~(unsigned)LIST}};
+    for (int i = 0; i < args->ngiven; i++) {
+        const char *name = args->given[i].option->name;
+        unsigned verbs = INFO | SPECTRUM | CONVERT;
+        for (size_t k = 0; k < sizeof own / sizeof *own; k++)
+            if (strcmp(own[k].option, name) == 0)
+                verbs = own[k].verbs;
+        if (verbs & verb)
+            continue;
+        thud_error_set(err, THUD_USAGE, "thud record %s has no use for it", args->operand[0]);
+        thud_args_key(name, err);
+        return THUD_USAGE;
+    }
+    return THUD_OK;
+}
+
 enum thud_status thud_command_record(const struct thud_args *args, struct thud_error *err)
 {
     static const struct {
         const char *verb;
         enum thud_status (*run)(const struct thud_args *args, struct thud_error *err);
-    } verbs[] = {{"info", info},      {"spectrum", spectrum}, {"convert", convert},
-                 {"import", convert}, {"list", list},         {"synthesize", synthesize}};
+        unsigned bit;
+    } verbs[] = {{"info", info, INFO},          {"spectrum", spectrum, SPECTRUM},
+                 {"convert", convert, CONVERT}, {"import", convert, CONVERT},
+                 {"list", list, LIST},          {"synthesize", synthesize, SYNTHESIZE}};
     for (size_t i = 0; i < sizeof verbs / sizeof *verbs && args->noperands > 0; i++)
-        if (strcmp(args->operand[0], verbs[i].verb) == 0)
-            return verbs[i].run(args, err);
+        if (strcmp(args->operand[0], verbs[i].verb) == 0) {
+            enum thud_status status = check_options(args, verbs[i].bit, err);
+            return status == THUD_OK ? verbs[i].run(args, err) : status;
+        }
     if (args->noperands == 0)
         thud_error_set(err, THUD_USAGE, "thud record needs a verb");
     else

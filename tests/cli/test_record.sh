@@ -29,6 +29,14 @@ for name in kobe northridge san-fernando; do
     is "$name made again by the README's command, byte for byte" cmp -s "records/$name-surrogate.csv" "$tmp/$name-surrogate.csv"
 done
 is "another seed is another motion" gives 0 record synthesize --set seed=7
+is "an option that a verb has no use for is refused" gives 2 record synthesize --factor 2
+is "by its name" says "^thud: --factor: thud record synthesize has no use for it$"
+wrong=""
+for words in "info kobe-surrogate.csv --damping 3%" "convert kobe-surrogate.csv --json" "list --sign -" "list -o $tmp/x" "info kobe-surrogate.csv --set seed=1"; do
+    # shellcheck disable=SC2086 # several words
+    gives 2 record $words || wrong="$wrong, $words"
+done
+is "so are others${wrong:+:$wrong}" [ -z "$wrong" ]
 is "an unknown value of a surrogate is bad input, as an unknown key" gives 3 record synthesize --set pulse-lenght=3
 is "and the known ones are named" says pulse-period
 
