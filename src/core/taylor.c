@@ -236,12 +236,14 @@ static double floor_term(const struct side *side, const double *modal)
     return thud_dot(side->n, side->row, modal + side->first);
 }
 
-/* What rounding may leave of a floor's term: its modes' parts may be large, and cancel. */
-static double floor_rounding(const struct side *side, const double *modal)
+/* What rounding may leave of a floor's term of order k > 0: its modes' parts, and what they come from, the parts of the
+ * order below, may be large and cancel. */
+static double floor_rounding(const struct thud_segment *seg, const struct side *side, int nmodes, int k)
 {
+    const double *modal = seg->q + k * nmodes + side->first, *below = modal - nmodes;
     double sum = 0;
     for (int j = 0; j < side->n; j++)
-        sum += fabs(side->row[j] * modal[side->first + j]);
+        sum += fabs(side->row[j]) * (fabs(modal[j]) + fabs(below[j]));
     return 1e-14 * sum;
 }
 
@@ -249,10 +251,10 @@ static double floor_rounding(const struct side *side, const double *modal)
 static bool is_no_motion(const struct thud_run *run, const struct thud_segment *seg, const struct side *l,
                          const struct side *r, int k, double difference, double noise)
 {
-    const double *modal = seg->q + k * run->model->nmodes;
+    int n = run->model->nmodes;
     if (fabs(difference) <= noise)
         return true;
-    return k > 1 && fabs(difference) <= floor_rounding(l, modal) + floor_rounding(r, modal);
+    return k > 1 && fabs(difference) <= floor_rounding(seg, l, n, k) + floor_rounding(seg, r, n, k);
 }
 
 int thud_segment_indentation(const struct thud_run *run, const struct thud_segment *seg, int c, double *out)
