@@ -133,18 +133,29 @@ static inline double next_crossing(struct thud_run *run, int c, const double *p,
     return s == 0 && zeros > 0 ? unless_unresolved(run, c, p, n, s_end, sign, zeros, is_rate) : s;
 }
 
+/* The polynomial without its lowest orders: a stiff contact would make a force of what rounding has left there. */
+static const double *without(const double *d, int n, int orders, double *copy)
+{
+    if (orders == 0)
+        return d;
+    for (int k = 0; k < n; k++)
+        copy[k] = k < orders ? 0 : d[k];
+    return copy;
+}
+
 /* `still`: lowest orders of the indentation that are no motion, see thud_segment_indentation. */
 static void closed_events(struct thud_run *run, int c, const double *d, int still, double s_end, struct found *found)
 {
     const struct thud_contact_state *s = &run->contact[c];
     const struct thud_law *law = law_of(run, c);
     const struct thud_segment *seg = &run->seg;
-    double p[THUD_SEGMENT_TERMS];
+    double p[THUD_SEGMENT_TERMS], clean[THUD_SEGMENT_TERMS];
     int n = seg->terms;
     bool pulls = law->flags & THUD_LAW_PULLS;
     if (s->zeros.indentation == 0)
         still = 0; /* only where it has just touched */
-    else if (s->zeros.rate > 0)
+    d = without(d, n, still, clean);
+    if (s->zeros.indentation > 0 && s->zeros.rate > 0)
         still = unresolved(run, d, n, still);
     int indentation = s->zeros.indentation > still ? s->zeros.indentation : still;
     int rate = s->zeros.rate > still - 1 ? s->zeros.rate : still - 1;
@@ -290,11 +301,21 @@ static double expected_force(const struct thud_run *run, int c, double v)
     return thud_branch_force(&b, d, 0, NULL, NULL);
 }
 
+/* Rate at which contact c closes; 0 where rounding alone has left one. */
+static double closing_rate(const struct thud_run *run, int c)
+{
+    const struct thud_model_contact *p = &run->model->contact[c];
+    double left = p->left_dof < 0 ? 0 : thud_model_floor(run->model, p->left_dof, run->qd);
+    double right = p->right_dof < 0 ? 0 : thud_model_floor(run->model, p->right_dof, run->qd);
+    double rate = left - right;
+    return rate > THUD_RATE_NOISE * (fabs(left) + fabs(right)) ? rate : 0;
+}
+
 static void touch(struct thud_run *run, int c)
 {
     struct thud_contact_state *s = &run->contact[c];
     const struct thud_law *law = law_of(run, c);
-    double v = fmax(thud_contact_rate(run, c), 0);
+    double v = closing_rate(run, c);
     memset(&s->memory, 0, sizeof s->memory);
     law->touch(&run->model->contact[c].setup, v, &s->memory);
     s->phase = THUD_APPROACH;

@@ -34,6 +34,9 @@ struct thud_contact_state {
 
 /* Indentations closer to 0 than this are not contact: rounding of displacements of meters. */
 #define THUD_TOUCH_NOISE_M 1e-15
+/* What rounding may leave of the rates of two floors that move alike, over these: a rate is a state, not a sum of large
+ * terms that cancel. */
+#define THUD_RATE_NOISE 2e-14
 
 struct thud_flight;
 struct thud_horizon;

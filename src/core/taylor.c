@@ -128,17 +128,18 @@ static void linear_forces(struct thud_run *run, struct thud_segment *seg, int k)
     const struct thud_model *m = run->model;
     for (int c = 0; c < m->ncontacts; c++) {
         const struct thud_contact_state *s = &run->contact[c];
+        const bool touched = k == 0 && s->zeros.indentation > 0; /* the motion says so only to rounding */
         double *d = run->indentation + c * THUD_SEGMENT_TERMS, d1 = 0, f = 0;
         if (s->mode != THUD_CLOSED)
             continue;
         if (k == 0) {
             d[0] = thud_model_gap_sum(m, c, seg->q) - thud_run_shift(run, c);
             f = s->branch.f0_n;
-            if (s->zeros.indentation > 0)
-                d[0] = 0; /* just touched: the motion says so only to rounding, which a stiff contact would feel */
+            if (touched)
+                d[0] = 0; /* a stiff contact would feel the rounding, and a dashpot that of a rate */
         }
         if (k + 1 < seg->terms)
-            d1 = d[k + 1] = thud_model_gap_sum(m, c, seg->q + (k + 1) * m->nmodes);
+            d1 = d[k + 1] = touched && s->zeros.rate > 0 ? 0 : thud_model_gap_sum(m, c, seg->q + (k + 1) * m->nmodes);
         seg->force[k * m->ncontacts + c] = f + s->branch.k_npm * d[k] + s->branch.c_nspm * (k + 1) / seg->h_s * d1;
     }
 }
@@ -208,12 +209,10 @@ void thud_segment_state(const struct thud_segment *seg, int nmodes, double s, do
  * differences of its end states, whose rounding is that of the largest term. */
 static double term_noise(const struct thud_run *run, int k, const double *size, double largest)
 {
-    static const double nothing_m = 1e-20, noise = 1e-12,
-                        rate_noise = 2e-14, /* a rate is a state, not a sum of large terms that cancel */
-        step_noise = 2e-14;
+    static const double nothing_m = 1e-20, noise = 1e-12, step_noise = 2e-14;
     if (k == 0)
         return THUD_TOUCH_NOISE_M;
-    double least = fmax(nothing_m, (k == 1 ? rate_noise : noise) * size[k]);
+    double least = fmax(nothing_m, (k == 1 ? THUD_RATE_NOISE : noise) * size[k]);
     return run->method->order > 0 && k > 1 ? fmax(least, step_noise * largest) : least;
 }
 

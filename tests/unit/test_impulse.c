@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/run.h"
+#include "core/run_private.h"
 
 static const struct thud_law *newton(double e, struct thud_law_setup *setup)
 {
@@ -249,6 +249,43 @@ START_TEST(blow_on_a_contact_with_a_force)
 }
 END_TEST
 
+/* A heavy body runs into a wall with a light one at its back, which rounding has made slower by the last bits: the
+ * contact between them pulls by rounding when they touch, and is not let go for that. The light one is slowed down as
+ * the heavy one is. */
+START_TEST(a_pull_of_rounding_lets_nothing_go)
+{
+    double mass[] = {255, 5.8e6};
+    struct thud_structure_input body[] = {
+        {.n = 1, .mass_kg = &mass[0], .velocity_mps = 4}, {.n = 1, .mass_kg = &mass[1], .velocity_mps = 4}, {.n = 0}};
+    struct thud_contact_input contact[] = {
+        {.interface = 1, .left_floor = 1, .right_floor = 1, .right_structure = 1},
+        {.interface = 2, .left_floor = 1, .left_structure = 1, .right_structure = 2}};
+    struct thud_model_input input = {3, body, 2, contact, 0};
+    struct thud_model *model = NULL;
+    struct thud_run_options options;
+    contact[0].law = no_tension(3e10, 0.55, &contact[0].setup);
+    contact[1].law = no_tension(3e10, 1, &contact[1].setup);
+    ck_assert_int_eq(thud_model_create(&input, &model, NULL), THUD_OK);
+    thud_run_options_init(&options);
+    options.tail_s = 0.02;
+    for (int bits = 0; bits <= 3; bits++) {
+        struct thud_run *run;
+        bool done = false;
+        ck_assert_int_eq(thud_run_create(model, NULL, &options, &run, NULL), THUD_OK);
+        for (int i = 0; i < bits; i++)
+            run->qd[0] = nextafter(run->qd[0], 0);
+        ck_assert_int_eq(thud_run_advance(run, 10000, &done, NULL), THUD_OK);
+        const struct thud_result *r = thud_run_result(run);
+        ck_assert(done);
+        ck_assert_int_eq(r->contact[0].impacts, 1);
+        ck_assert_int_le(r->work.events, 4);
+        ck_assert_double_eq_tol(r->contact[0].force.value / (mass[0] / mass[1] * r->contact[1].force.value), 1, 0.05);
+        thud_run_free(run);
+    }
+    thud_model_free(model);
+}
+END_TEST
+
 Suite *thud_suite(void)
 {
     Suite *suite = suite_create("impulse");
@@ -259,6 +296,7 @@ Suite *thud_suite(void)
     tcase_add_test(tc, caught_between_two);
     tcase_add_test(tc, momentum_and_energy_in_a_row);
     tcase_add_loop_test(tc, blow_on_a_contact_with_a_force, 0, 2);
+    tcase_add_test(tc, a_pull_of_rounding_lets_nothing_go);
     suite_add_tcase(suite, tc);
     return suite;
 }
