@@ -2,6 +2,7 @@
 #ifndef THUD_IO_FILE_H
 #define THUD_IO_FILE_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "base/status.h"
@@ -10,6 +11,9 @@
 /* The whole file with a terminating NUL after it (free with free()). Refuses folders, devices that never end and files
  * over `limit` bytes. Errors: THUD_INPUT, THUD_MEMORY. */
 enum thud_status thud_file_read(const char *path, size_t limit, char **text, size_t *size, struct thud_error *err);
+
+/* Whether both are there and one file, by whatever names. */
+bool thud_file_is_same(const char *a, const char *b);
 
 /* Writes a temporary beside `path`, syncs and renames; on failure `path` is as it was and the temporary is gone.
  * Errors: THUD_OUTPUT. */

@@ -182,8 +182,16 @@ static enum thud_status convert(const struct thud_args *args, struct thud_error 
         status = thud_record_options_read(args, &treatment, err);
     if (!status)
         status = thud_record_open(args->operand[1], &treatment, &record, err);
-    if (status)
+    const char *to = thud_args_value(args, "o");
+    if (!status && to && thud_file_is_same(record->file, to)) {
+        status = thud_error_set(err, THUD_USAGE, "that is the ground motion that is read, and it would be lost");
+        thud_error_key(err, "-o");
+        thud_error_allow(err, "another file");
+    }
+    if (status) {
+        thud_record_free(record);
         return status;
+    }
     const char *name = strrchr(record->file, '/');
     thud_text_append(&comment, "from %s, %s\n", name ? name + 1 : record->file, record->format);
     thud_record_treatment_describe(&treatment, &comment);

@@ -128,6 +128,12 @@ static enum thud_status unwritten(const char *path, int why, struct thud_error *
     return THUD_OUTPUT;
 }
 
+bool thud_file_is_same(const char *a, const char *b)
+{
+    struct stat one, other;
+    return stat(a, &one) == 0 && stat(b, &other) == 0 && one.st_dev == other.st_dev && one.st_ino == other.st_ino;
+}
+
 enum thud_status thud_file_draft(const char *path, const char *text, size_t size, struct thud_file_draft *out,
                                  struct thud_error *err)
 {

@@ -65,6 +65,9 @@ is "no file is wrong usage" gives 2 record info
 is "convert" gives 0 record convert "$tmp/bare.txt" --dt 0.01s --unit m/s2 -o "$tmp/once.csv"
 is "what it wrote reads without an option" gives 0 record convert "$tmp/once.csv" -o "$tmp/twice.csv"
 is "and carries the same numbers" test "$(grep -v '^#' "$tmp/once.csv")" = "$(grep -v '^#' "$tmp/twice.csv")"
+ln "$tmp/twice.csv" "$tmp/other.csv"
+is "a ground motion is not written over" gives 2 record convert "$tmp/twice.csv" -o "$tmp/other.csv"
+is "which is said" says '^thud: -o: that is the ground motion that is read, and it would be lost (another file)'
 is "import is convert" gives 0 record import "$tmp/once.csv"
 is "to standard output without -o" shows '^0.02,0.3$'
 is "resampled at half the step" gives 0 record convert "$tmp/once.csv" --resample 0.005s
