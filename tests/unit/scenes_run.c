@@ -139,6 +139,15 @@ const char *scenes_kind_name(enum scenes_kind kind)
     return names[kind];
 }
 
+/* Indentations that differ by what the program takes for no contact, and times of contacts that hardly push. */
+static bool is_nothing(const struct scenes_number *x, const struct scenes_number *y, const double *natural)
+{
+    static const double touch_noise_m = 1e-14, time = 5e-10; /* 1/20 of the run, see find_natural */
+    double off = fabs(x->value - y->value);
+    return (x->kind == SCENES_INDENTATION && off < touch_noise_m) ||
+           (x->kind == SCENES_TIME && off < time * natural[SCENES_TIME]);
+}
+
 double scenes_apart(const struct scenes_answer *a, const struct scenes_answer *b, double least, const double *amplify,
                     double eps, int *where)
 {
@@ -148,7 +157,7 @@ double scenes_apart(const struct scenes_answer *a, const struct scenes_answer *b
         return INFINITY;
     for (int i = 0; i < a->n; i++) {
         const struct scenes_number *x = &a->number[i], *y = &b->number[i];
-        if (isnan(x->value) || isnan(y->value))
+        if (isnan(x->value) || isnan(y->value) || is_nothing(x, y, b->natural))
             continue;
         double scale = fmax(fabs(y->value), least * fmax(a->largest[x->kind], b->largest[x->kind]));
         scale = fmax(scale, least * b->natural[x->kind]);
