@@ -121,6 +121,28 @@ START_TEST(scaling_of_laws_of_degree_one)
 }
 END_TEST
 
+/* Whichever contact of several is the one that closes, free flight ends there. */
+START_TEST(each_contact_alone_ends_free_flight)
+{
+    struct thud_record *record = march_motion(1);
+    struct march_law law = concrete();
+    struct thud_model *model = march_row(2, towers, false, 10, &law);
+    for (int c = 0; c < model->ncontacts; c++) {
+        model->contact[c].clearance_m = 0.002 * (c + 1);
+        struct march a = exact(model, record, 1e-6, 2),
+                     b = march_run(model, record, "dormand-prince", 0, 1e-9, true, 2);
+        ck_assert_int_gt(b.result->contact[c].impacts, 0);
+        ck_assert_int_eq(a.result->contact[c].impacts, b.result->contact[c].impacts);
+        ck_assert_double_le(march_peaks_apart(a.result, b.result, 1e-3), 1e-6);
+        march_free(&a);
+        march_free(&b);
+        model->contact[c].clearance_m = 10;
+    }
+    thud_model_free(model);
+    thud_record_free(record);
+}
+END_TEST
+
 START_TEST(identical_neighbours_never_touch)
 {
     struct thud_record *record = march_motion(1);
@@ -372,6 +394,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, tolerance_keeps_its_promise);
     tcase_add_test(tcase, mirror_image);
     tcase_add_test(tcase, scaling_of_laws_of_degree_one);
+    tcase_add_test(tcase, each_contact_alone_ends_free_flight);
     tcase_add_test(tcase, identical_neighbours_never_touch);
     tcase_add_test(tcase, a_gap_too_wide_to_close_changes_no_bit);
     tcase_add_test(tcase, grazing);
