@@ -139,12 +139,14 @@ const char *scenes_kind_name(enum scenes_kind kind)
     return names[kind];
 }
 
-/* Indentations that differ by what the program takes for no contact, and times of contacts that hardly push. */
+/* Indentations that differ by what the program takes for no contact, times of contacts that hardly push, and forces of
+ * rounding, by which neighbours that move alike are held together. */
 static bool is_nothing(const struct scenes_number *x, const struct scenes_number *y, const double *natural)
 {
-    static const double touch_noise_m = 1e-14, time = 5e-10; /* 1/20 of the run, see find_natural */
+    static const double touch_noise_m = 1e-14, force = 1e-8, time = 5e-10; /* 1/20 of the run, see find_natural */
     double off = fabs(x->value - y->value);
     return (x->kind == SCENES_INDENTATION && off < touch_noise_m) ||
+           (x->kind == SCENES_FORCE && fmax(x->value, y->value) < force * natural[SCENES_FORCE]) ||
            (x->kind == SCENES_TIME && off < time * natural[SCENES_TIME]);
 }
 
