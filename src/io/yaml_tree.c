@@ -267,6 +267,20 @@ static bool is_utf16(const char *text, size_t size)
     return size >= 2 && (memcmp(text, "\xff\xfe", 2) == 0 || memcmp(text, "\xfe\xff", 2) == 0);
 }
 
+/* YAML also ends a line at a carriage return alone, where editors and our own saving see none: what is changed there
+ * would take the next line with it. */
+static enum thud_status check_line_ends(struct reading *r)
+{
+    yaml_mark_t mark = {0};
+    for (size_t i = 0; i < r->size; i++) {
+        if (r->text[i] == '\r' && (i + 1 == r->size || r->text[i + 1] != '\n'))
+            return refuse(r, mark, "the line ends with a carriage return alone", "line ends LF or CR LF");
+        mark.column = r->text[i] == '\n' ? 0 : mark.column + (((unsigned char)r->text[i] & 0xc0) != 0x80);
+        mark.line += r->text[i] == '\n';
+    }
+    return THUD_OK;
+}
+
 enum thud_status thud_yaml_read(const char *text, size_t size, const char *name, struct thud_yaml *tree,
                                 struct thud_error *err)
 {
@@ -280,7 +294,9 @@ enum thud_status thud_yaml_read(const char *text, size_t size, const char *name,
         r.size -= 3;
         r.skipped = 3;
     }
-    enum thud_status status = map_characters(&r) ? read_events(&r) : no_memory(&r);
+    enum thud_status status = check_line_ends(&r);
+    if (status == THUD_OK)
+        status = map_characters(&r) ? read_events(&r) : no_memory(&r);
     if (status == THUD_OK && tree->count == 0)
         status = refuse(&r, (yaml_mark_t){0}, "the file is empty", "a preset, see thud-preset(5)");
     free(r.byte);

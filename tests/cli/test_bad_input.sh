@@ -60,6 +60,8 @@ edit "no ground motion of that name" 's/file: kobe-surrogate.csv/file: kobe-suro
 refused "empty file" "bad.yaml:1:1: the file is empty"
 printf '\377\376a\0' >bad.yaml
 refused "UTF-16" "bad.yaml:1:1: the file is UTF-16 (UTF-8 text)"
+printf 'title: a\nrecord: b\rstructures:\n' >bad.yaml
+refused "a carriage return alone" "bad.yaml:2:10: the line ends with a carriage return alone (line ends LF or CR LF)"
 printf 'title: \001\n' >bad.yaml
 refused "control character" "bad.yaml:1:8: control characters are not allowed"
 rm bad.yaml && mkdir bad.yaml
