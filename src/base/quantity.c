@@ -132,7 +132,7 @@ enum thud_status thud_quantity_parse(const char *text, enum thud_dimension dimen
         thud_error_set(err, THUD_INPUT, "\"%.80s\" is too large a number", clean);
         return THUD_INPUT;
     }
-    *out = (struct thud_quantity){number, unit.exponent};
+    *out = (struct thud_quantity){number == 0 ? 0 : number, unit.exponent}; /* "-0 cm" is 0, whose text has no sign */
     return THUD_OK;
 }
 

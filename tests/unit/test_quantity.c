@@ -133,6 +133,13 @@ START_TEST(bare_numbers_take_the_unit_given_for_them)
 }
 END_TEST
 
+START_TEST(nothing_has_no_sign)
+{
+    ck_assert(!signbit(si("-0 cm", THUD_LENGTH)) && !signbit(si("-0.00e5", THUD_NUMBER)));
+    ck_assert(si("-1e-300 cm", THUD_LENGTH) < 0);
+}
+END_TEST
+
 START_TEST(digits_are_never_lost)
 {
     static const struct {
@@ -223,6 +230,7 @@ Suite *thud_suite(void)
     tcase_add_test(tests, power_stiffness_carries_its_exponent);
     tcase_add_test(tests, refusals_name_the_remedy);
     tcase_add_test(tests, bare_numbers_take_the_unit_given_for_them);
+    tcase_add_test(tests, nothing_has_no_sign);
     tcase_add_test(tests, digits_are_never_lost);
     tcase_add_test(tests, any_value_reads_back_the_same_in_any_unit);
     tcase_add_test(tests, named_units_exist);
