@@ -34,27 +34,34 @@ static bool has_fault(const struct thud_bench_point *p, enum fault fault)
                                              : p->state == THUD_BENCH_FAILED || (done && !(p->error.all <= no_answer));
 }
 
+/* How a list of runs is written: what stands before it, between two curves, behind a curve's name, between two runs. */
+struct list_style {
+    const char *begin, *curve, *name, *run;
+};
+
 /* The runs with a fault, by curve and setting; nothing where there are none. */
-static void add_list(struct thud_bench *bench, enum fault fault, const char *title, struct thud_text *out)
+static void put_runs(struct thud_bench *bench, enum fault fault, const struct list_style *style, struct thud_text *out)
 {
     int curve = -1;
-    bool any = false;
     for (int i = 0; i < thud_bench_count(bench); i++) {
         const struct thud_bench_point *p = thud_bench_point(bench, i);
         char name[64];
         if (!has_fault(p, fault))
             continue;
         thud_bench_curve_name(p, name, sizeof name);
-        if (!any)
-            thud_text_append(out, "\n%s:", title);
         if (p->curve != curve)
-            thud_text_append(out, "\n  %s: %.0e", name, p->setting);
+            thud_text_append(out, "%s%s%s%.0e", curve < 0 ? style->begin : style->curve, name, style->name, p->setting);
         else
-            thud_text_append(out, " %.0e", p->setting);
+            thud_text_append(out, "%s%.0e", style->run, p->setting);
         curve = p->curve;
-        any = true;
     }
-    if (any)
+}
+
+static void add_list(struct thud_bench *bench, enum fault fault, const char *begin, struct thud_text *out)
+{
+    size_t before = out->size;
+    put_runs(bench, fault, &(struct list_style){begin, "\n  ", ": ", " "}, out);
+    if (out->size > before)
         thud_text_append(out, "\n");
 }
 
@@ -85,8 +92,8 @@ void thud_bench_table(struct thud_bench *bench, struct thud_text *out)
                          p->error.impact_time_s, p->error.missed, p->error.extra, p->work.steps,
                          p->work.force_evaluations);
     }
-    add_list(bench, THUD_BENCH_WRONG_IMPACTS, "impacts missed or added", out);
-    add_list(bench, THUD_BENCH_BLOWN_UP, "no answer", out);
+    add_list(bench, THUD_BENCH_WRONG_IMPACTS, "\nimpacts missed or added:\n  ", out);
+    add_list(bench, THUD_BENCH_BLOWN_UP, "\nno answer:\n  ", out);
 }
 
 static void add_field(struct thud_text *out, double value)
@@ -156,22 +163,10 @@ static void add_curve(struct thud_bench *bench, int first, int last, struct thud
 /* Methods with runs that no chart can show. */
 static void add_note(struct thud_bench *bench, struct thud_figure *figure)
 {
+    static const struct list_style style = {"Blown up, and not shown: ", "; ", " at ", ", "};
     struct thud_text note = {0};
-    int runs = 0, curve = -1;
-    for (int i = 0; i < thud_bench_count(bench); i++) {
-        const struct thud_bench_point *p = thud_bench_point(bench, i);
-        char name[64];
-        if (!has_fault(p, THUD_BENCH_BLOWN_UP))
-            continue;
-        thud_bench_curve_name(p, name, sizeof name);
-        if (p->curve != curve)
-            thud_text_append(&note, "%s%s at %.0e", runs ? "; " : "Blown up, and not shown: ", name, p->setting);
-        else
-            thud_text_append(&note, ", %.0e", p->setting);
-        curve = p->curve;
-        runs++;
-    }
-    if (runs > 0 && !note.failed)
+    put_runs(bench, THUD_BENCH_BLOWN_UP, &style, &note);
+    if (note.size > 0 && !note.failed)
         thud_figure_note(figure, note.data);
     thud_text_clear(&note);
 }
