@@ -32,6 +32,17 @@ static enum thud_status no_memory(struct reading *r)
     return thud_error_set(r->err, THUD_MEMORY, "out of memory");
 }
 
+/* Line and column of a byte. */
+static yaml_mark_t mark_of(const struct reading *r, size_t byte)
+{
+    yaml_mark_t mark = {0};
+    for (size_t i = 0; i < byte && i < r->size; i++) {
+        mark.column = r->text[i] == '\n' ? 0 : mark.column + (((unsigned char)r->text[i] & 0xc0) != 0x80);
+        mark.line += r->text[i] == '\n';
+    }
+    return mark;
+}
+
 static size_t byte_of(const struct reading *r, yaml_mark_t mark)
 {
     size_t i = mark.index < r->characters ? mark.index : r->characters;
@@ -226,14 +237,8 @@ static enum thud_status syntax(struct reading *r, const yaml_parser_t *parser)
     yaml_mark_t mark = parser->problem_mark;
     if (parser->error == YAML_MEMORY_ERROR)
         return no_memory(r);
-    if (parser->error == YAML_READER_ERROR) {
-        mark = (yaml_mark_t){0};
-        for (size_t i = 0; i < parser->problem_offset && i < r->size; i++) {
-            mark.column = r->text[i] == '\n' ? 0 : mark.column + (((unsigned char)r->text[i] & 0xc0) != 0x80);
-            mark.line += r->text[i] == '\n';
-        }
-        return refuse(r, mark, parser->problem, "printable UTF-8 text");
-    }
+    if (parser->error == YAML_READER_ERROR)
+        return refuse(r, mark_of(r, parser->problem_offset), parser->problem, "printable UTF-8 text");
     size_t at = byte_of(r, mark) - r->skipped;
     if (at < r->size && r->text[at] == '\t')
         return refuse(r, mark, "a tab stands here", "spaces");
@@ -271,13 +276,9 @@ static bool is_utf16(const char *text, size_t size)
  * would take the next line with it. */
 static enum thud_status check_line_ends(struct reading *r)
 {
-    yaml_mark_t mark = {0};
-    for (size_t i = 0; i < r->size; i++) {
+    for (size_t i = 0; i < r->size; i++)
         if (r->text[i] == '\r' && (i + 1 == r->size || r->text[i + 1] != '\n'))
-            return refuse(r, mark, "the line ends with a carriage return alone", "line ends LF or CR LF");
-        mark.column = r->text[i] == '\n' ? 0 : mark.column + (((unsigned char)r->text[i] & 0xc0) != 0x80);
-        mark.line += r->text[i] == '\n';
-    }
+            return refuse(r, mark_of(r, i), "the line ends with a carriage return alone", "line ends LF or CR LF");
     return THUD_OK;
 }
 
