@@ -31,18 +31,24 @@ static bool has_just_begun(const double *indentation, int terms)
     return indentation[0] < 0.5 * end[0] && end[1] > 0.5 * indentation[1];
 }
 
-/* How far rounding alone may put a force off: indentation and rate are differences of the floors' own. */
-static double force_noise(const struct thud_run *run, int c, double fd, double fv)
+/* Sizes of what an indentation and a rate are differences of. */
+struct sizes {
+    double d, v;
+};
+
+static struct sizes sizes_of(const struct thud_run *run, int c)
+{
+    double left, right, left_rate, right_rate;
+    thud_model_sides(run->model, c, run->q, &left, &right);
+    thud_model_sides(run->model, c, run->qd, &left_rate, &right_rate);
+    return (struct sizes){thud_run_shift(run, c) + fabs(left) + fabs(right), fabs(left_rate) + fabs(right_rate)};
+}
+
+/* How far rounding alone may put a force off. */
+static double force_noise(const struct sizes *of, double fd, double fv)
 {
     static const double part = 2e-15;
-    const struct thud_model_contact *p = &run->model->contact[c];
-    double d = thud_run_shift(run, c), v = 0;
-    for (int side = 0; side < 2; side++) {
-        int dof = side == 0 ? p->left_dof : p->right_dof;
-        d += dof < 0 ? 0 : fabs(thud_model_floor(run->model, dof, run->q));
-        v += dof < 0 ? 0 : fabs(thud_model_floor(run->model, dof, run->qd));
-    }
-    return part * (fabs(fd) * d + fabs(fv) * v);
+    return part * (fabs(fd) * of->d + fabs(fv) * of->v);
 }
 
 /* Largest difference between the polynomial of contact a's force and the law, between the points. */
@@ -53,6 +59,7 @@ static double force_difference(struct thud_run *run, const struct thud_collocati
     thud_places_read(&x->checks, p, 1, run->seg.terms, d);
     thud_places_slope(&x->checks, p, 1, run->seg.terms, h, v);
     thud_places_read(&x->checks, run->seg.force + c, run->model->ncontacts, THUD_POINTS, f);
+    const struct sizes sizes = sizes_of(run, c);
     for (int i = 0; i < THUD_POINTS;
          i += s->mode == THUD_STUCK ? 1 : 2) { /* a law is dear; the largest is at the start */
         double fd, fv;
@@ -62,7 +69,7 @@ static double force_difference(struct thud_run *run, const struct thud_collocati
         }
         double difference = fabs(thud_branch_force(&s->branch, d[i], v[i], &fd, &fv) - f[i]);
         if (difference > worst && isfinite(fd))
-            difference -= force_noise(run, c, fd, fv);
+            difference -= force_noise(&sizes, fd, fv);
         worst = thud_larger(worst, difference);
     }
     return worst;

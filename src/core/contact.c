@@ -304,9 +304,8 @@ static double expected_force(const struct thud_run *run, int c, double v)
 /* Rate at which contact c closes; 0 where rounding alone has left one. */
 static double closing_rate(const struct thud_run *run, int c)
 {
-    const struct thud_model_contact *p = &run->model->contact[c];
-    double left = p->left_dof < 0 ? 0 : thud_model_floor(run->model, p->left_dof, run->qd);
-    double right = p->right_dof < 0 ? 0 : thud_model_floor(run->model, p->right_dof, run->qd);
+    double left, right;
+    thud_model_sides(run->model, c, run->qd, &left, &right);
     double rate = left - right;
     return rate > THUD_RATE_NOISE * (fabs(left) + fabs(right)) ? rate : 0;
 }

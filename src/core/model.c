@@ -275,11 +275,17 @@ double thud_model_floor(const struct thud_model *model, int dof, const double *m
     return thud_dot(s->modes, s->phi + (dof - s->first) * s->modes, modal + s->first_mode);
 }
 
+void thud_model_sides(const struct thud_model *model, int c, const double *modal, double *left, double *right)
+{
+    const struct thud_model_contact *p = &model->contact[c];
+    *left = p->left_dof < 0 ? 0 : thud_model_floor(model, p->left_dof, modal);
+    *right = p->right_dof < 0 ? 0 : thud_model_floor(model, p->right_dof, modal);
+}
+
 /* The two sums are made apart, so that neighbours moving alike have exactly no relative motion. */
 double thud_model_gap_sum(const struct thud_model *model, int c, const double *modal)
 {
-    const struct thud_model_contact *p = &model->contact[c];
-    double left = p->left_dof < 0 ? 0 : thud_model_floor(model, p->left_dof, modal);
-    double right = p->right_dof < 0 ? 0 : thud_model_floor(model, p->right_dof, modal);
+    double left, right;
+    thud_model_sides(model, c, modal, &left, &right);
     return left - right;
 }

@@ -112,6 +112,8 @@ static inline void thud_run_ground(const struct thud_run *run, long i, double *a
     *a1 = inside ? r->a_mps2[i + 1] : 0;
 }
 
+/* Values of contact c's two floors from modal values; 0 for a wall. */
+void thud_model_sides(const struct thud_model *model, int c, const double *modal, double *left, double *right);
 /* Left floor's value minus the right floor's, from modal values. */
 double thud_model_gap_sum(const struct thud_model *model, int c, const double *modal);
 /* A floor's value from modal values. */
