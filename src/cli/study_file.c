@@ -4,6 +4,7 @@
 #include "base/version.h"
 #include "io/file.h"
 #include "io/json.h"
+#include "io/result_file.h"
 #include "io/scene_json.h"
 
 /* An option and its value, which is cleared. */
@@ -56,14 +57,8 @@ static void put_options(const struct thud_args *args, const struct thud_sweep_pl
 static void put_records(const struct thud_sweep_plan *plan, struct thud_text *out)
 {
     for (int i = 0; i < plan->nrecords; i++) {
-        const struct thud_record *r = plan->record[i];
-        thud_text_append(out, "%s\n    {\"file\": ", i > 0 ? "," : "");
-        thud_json_string(out, r->file);
-        thud_text_append(out, ", ");
-        thud_json_field(out, "peak_mps2", thud_record_peak(r));
-        thud_text_append(out, ", ");
-        thud_json_field(out, "dt_s", r->dt_s);
-        thud_text_append(out, ", \"samples\": %zu}", r->samples);
+        thud_text_append(out, "%s\n    ", i > 0 ? "," : "");
+        thud_record_json(plan->record[i], out);
     }
 }
 

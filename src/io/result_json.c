@@ -9,20 +9,25 @@ static const char *kind_name(enum thud_structure_kind kind)
     return names[kind];
 }
 
+void thud_record_json(const struct thud_record *record, struct thud_text *out)
+{
+    thud_text_append(out, "{\"file\": ");
+    thud_json_string(out, record->file);
+    thud_text_append(out, ", ");
+    thud_json_field(out, "peak_mps2", thud_record_peak(record));
+    thud_text_append(out, ", ");
+    thud_json_field(out, "dt_s", record->dt_s);
+    thud_text_append(out, ", \"samples\": %zu}", record->samples);
+}
+
 static void add_record(const struct thud_report *report, struct thud_text *out)
 {
-    const struct thud_record *r = report->record;
-    if (!r) {
-        thud_text_append(out, "  \"record\": null,\n");
-        return;
-    }
-    thud_text_append(out, "  \"record\": {\"file\": ");
-    thud_json_string(out, r->file);
-    thud_text_append(out, ", ");
-    thud_json_field(out, "peak_mps2", thud_record_peak(r));
-    thud_text_append(out, ", ");
-    thud_json_field(out, "dt_s", r->dt_s);
-    thud_text_append(out, ", \"samples\": %zu},\n", r->samples);
+    thud_text_append(out, "  \"record\": ");
+    if (report->record)
+        thud_record_json(report->record, out);
+    else
+        thud_text_append(out, "null");
+    thud_text_append(out, ",\n");
 }
 
 static void add_method(const struct thud_report *report, struct thud_text *out)
