@@ -61,8 +61,6 @@ plant src/core/a.c "/* TO""DO */\n"
 finds "a note to oneself is found" "a.c:1" sh $tools/check-tree.sh "$tmp/tree"
 plant src/core/a.c "int a; \n"
 finds "a trailing blank is found" "a.c:1" sh $tools/check-tree.sh "$tmp/tree"
-plant src/core/a.c "$(seq 501)\n"
-finds "a file over 500 lines is found" "a.c: 501" sh $tools/check-tree.sh "$tmp/tree"
 
 unused() { # WHAT PATTERN HEADER SOURCE [TEST]: a tree of one header, one file that is compiled and one test
     plant src/base/bad.c "$4"

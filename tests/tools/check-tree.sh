@@ -1,5 +1,5 @@
 #!/bin/sh
-# What must not stand in the tree: machine paths, notes to oneself, trailing blanks, long files.  TAP.
+# What must not stand in the tree: machine paths, notes to oneself, trailing blanks.  TAP.
 # usage: check-tree.sh [TREE]
 set -u
 cd "${1:-.}" || exit 2
@@ -31,10 +31,6 @@ report "no note to oneself" "$(search '\<(T[O]DO|F[I]XME|X[X]X|H[A]CK)\>')"
 report "no trailing blank" "$(search '[[:blank:]]+$')"
 report "no carriage return" "$(search "$(printf '\r')")"
 report "no conflict mark" "$(search '^(<{7}|>{7})( |$)')"
-report "no file over 500 lines" "$(printf '%s\n' "$sources" | while read -r f; do
-    n=$(wc -l <"$f")
-    if [ "$n" -gt 500 ]; then echo "$f: $n lines"; fi
-done)"
 report "every file ends with a newline" "$(printf '%s\n' "$sources" | while read -r f; do
     if [ -s "$f" ] && [ -n "$(tail -c 1 "$f")" ]; then echo "$f"; fi
 done)"
