@@ -28,7 +28,7 @@ struct sheet {
 /* The frame of a panel. */
 struct box thud_sheet_frame(const struct sheet *sheet, int panel);
 
-/* Single-quoted for gnuplot, which then takes no character for anything but itself; at most `widest` px of it (0: all),
+/* In quotes for gnuplot, which then takes no character for anything but itself; at most `widest` px of it (0: all),
  * control characters as spaces. */
 void thud_gnuplot_quote(struct thud_text *out, const char *text, double widest, double em);
 

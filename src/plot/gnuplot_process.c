@@ -5,11 +5,13 @@
 #include <assert.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <math.h>
 #include <poll.h>
 #include <pthread.h>
 #include <spawn.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
@@ -20,13 +22,17 @@ extern char **environ;
 
 enum { PICTURE_MOST = 1 << 29, MESSAGES_MOST = 1 << 16, ENVIRONMENT_MORE = 2 };
 static const double deadline_s = 20.0;
+/* Longest time between two looks at the clock that counts, s: poll waits 0.05 s, so what is longer is mostly time in
+ * which this process was stopped (Ctrl-Z, a suspended machine) and could not listen. */
+static const double longest_turn_s = 0.25;
 
 enum { SCRIPT, PICTURE, MESSAGES, PIPES };
 
 struct child {
     pid_t pid;
-    int fd[PIPES];  /* our ends; -1 once closed */
-    double until_s; /* on the monotonic clock */
+    int fd[PIPES]; /* our ends; -1 once closed */
+    double left_s; /* until the deadline, of the time in which this process ran */
+    double seen_s; /* on the monotonic clock, when left_s was last counted down */
     struct thud_text *picture, messages;
     const volatile sig_atomic_t *cancel;
     enum { RUNNING, ENDED, LATE, CANCELLED } state;
@@ -168,9 +174,12 @@ static void drain(int *fd, struct thud_text *into, size_t most)
 
 static bool out_of_time(struct child *child)
 {
+    double now = now_s();
+    child->left_s -= fmin(now - child->seen_s, longest_turn_s);
+    child->seen_s = now;
     if (child->cancel && *child->cancel)
         child->state = CANCELLED;
-    else if (now_s() >= child->until_s)
+    else if (child->left_s <= 0.0)
         child->state = LATE;
     return child->state != RUNNING;
 }
@@ -183,7 +192,7 @@ static void converse(struct child *child, const struct thud_text *script)
         struct pollfd on[PIPES];
         for (int i = 0; i < PIPES; i++)
             on[i] = (struct pollfd){.fd = child->fd[i], .events = i == SCRIPT ? POLLOUT : POLLIN};
-        double left_ms = 1e3 * (child->until_s - now_s());
+        double left_ms = 1e3 * child->left_s;
         if (poll(on, PIPES, left_ms < 1.0 ? 1 : left_ms < 50.0 ? (int)left_ms : 50) <= 0)
             continue;
         if (on[SCRIPT].revents)
@@ -267,6 +276,15 @@ static enum thud_status start_failed(const char *program, int number, struct thu
     return THUD_GNUPLOT;
 }
 
+/* A gnuplot that fails under a limit of memory says so in many ways, or dies without a word. */
+static void tell_limit(struct thud_error *err)
+{
+    struct rlimit space;
+    if (getrlimit(RLIMIT_AS, &space) == 0 && space.rlim_cur != RLIM_INFINITY)
+        thud_error_allow(err, "the memory of this shell is limited to %.0f MB (`ulimit -v`); gnuplot needs about 300",
+                         (double)space.rlim_cur / 1e6);
+}
+
 static enum thud_status judge(const struct child *child, const struct thud_picture_options *options, double seconds,
                               struct thud_error *err)
 {
@@ -282,13 +300,16 @@ static enum thud_status judge(const struct child *child, const struct thud_pictu
     if (child->picture->failed || child->messages.failed)
         return thud_error_set(err, THUD_MEMORY, "out of memory for a picture");
     if (WIFSIGNALED(child->status))
-        return thud_error_set(err, THUD_GNUPLOT, "gnuplot was ended by signal %d%s%s", WTERMSIG(child->status), colon,
-                              words);
-    if (WEXITSTATUS(child->status) != 0)
-        return thud_error_set(err, THUD_GNUPLOT, "gnuplot failed with exit status %d%s%s", WEXITSTATUS(child->status),
-                              colon, words);
-    if (!done)
-        return thud_error_set(err, THUD_GNUPLOT, "gnuplot ended before the end of its script%s%s", colon, words);
+        thud_error_set(err, THUD_GNUPLOT, "gnuplot was ended by signal %d%s%s", WTERMSIG(child->status), colon, words);
+    else if (WEXITSTATUS(child->status) != 0)
+        thud_error_set(err, THUD_GNUPLOT, "gnuplot failed with exit status %d%s%s", WEXITSTATUS(child->status), colon,
+                       words);
+    else if (!done)
+        thud_error_set(err, THUD_GNUPLOT, "gnuplot ended before the end of its script%s%s", colon, words);
+    if (WIFSIGNALED(child->status) || WEXITSTATUS(child->status) != 0 || !done) {
+        tell_limit(err);
+        return THUD_GNUPLOT;
+    }
     return thud_picture_check(options->format, child->picture, err);
 }
 
@@ -303,14 +324,16 @@ enum thud_status thud_gnuplot_draw(const struct thud_figure *figure, const struc
         return status;
     thud_text_append(&script, "set print\nprint '%s'\n", THUD_GNUPLOT_DONE);
     double seconds = options->deadline_s > 0.0 ? options->deadline_s : deadline_s;
-    struct child child = {.picture = picture, .cancel = options->cancel, .until_s = now_s() + seconds};
+    struct child child = {.picture = picture, .cancel = options->cancel, .left_s = seconds, .seen_s = now_s()};
     int number = script.failed ? ENOMEM : start(&child, program);
     if (number)
         status = start_failed(program, number, err);
     else {
         run(&child, &script);
-        /* a C library may start the child before it looks for the program: then the child ends with 127 */
-        bool missing = child.state == ENDED && WIFEXITED(child.status) && WEXITSTATUS(child.status) == 127;
+        /* a C library may start the child before it looks for the program: then the child ends with 127, and without
+         * a word; the dynamic linker ends with 127 as well and says what it lacks */
+        bool missing = child.state == ENDED && WIFEXITED(child.status) && WEXITSTATUS(child.status) == 127 &&
+                       child.messages.size == 0;
         status = missing ? start_failed(program, ENOENT, err) : judge(&child, options, seconds, err);
     }
     thud_text_clear(&child.messages);

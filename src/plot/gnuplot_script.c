@@ -39,11 +39,20 @@ double thud_gnuplot_fit(const char *text, double widest, double em)
     return width > widest ? em * fmax(0.75, widest / width) : em;
 }
 
+/* A byte that means something within double quotes: as an octal escape. */
+static void escaped(struct thud_text *out, char byte)
+{
+    thud_text_append(out, "\\%03o", (unsigned)(unsigned char)byte);
+}
+
+/* gnuplot 5.4 does not read an apostrophe doubled at the beginning of a single-quoted text, nor two in a row: a text
+ * with an apostrophe stands in double quotes. */
 void thud_gnuplot_quote(struct thud_text *out, const char *text, double widest, double em)
 {
     size_t most = widest > 0.0 ? (size_t)fmax(3.0, widest / (char_em * em)) : (size_t)-1, n = 0;
-    bool cut = widest > 0.0 && width_of(text, em) > widest;
-    thud_text_bytes(out, "'", 1);
+    bool cut = widest > 0.0 && width_of(text, em) > widest, twice = strchr(text, '\'') != NULL;
+    const char *quote = twice ? "\"" : "'";
+    thud_text_bytes(out, quote, 1);
     while (*text) {
         size_t size = character(text);
         if (cut && ++n == most) {
@@ -54,13 +63,13 @@ void thud_gnuplot_quote(struct thud_text *out, const char *text, double widest, 
             thud_text_bytes(out, "?", 1);
         else if (size == 1 && ((unsigned char)*text < 0x20 || *text == 0x7f))
             thud_text_bytes(out, " ", 1);
-        else if (*text == '\'')
-            thud_text_bytes(out, "''", 2);
+        else if (twice && strchr("\"\\`@$", *text))
+            escaped(out, *text);
         else
             thud_text_bytes(out, text, size);
         text += size ? size : 1;
     }
-    thud_text_bytes(out, "'", 1);
+    thud_text_bytes(out, quote, 1);
 }
 
 /* Size, font and room for the key, from the options and the figure. */

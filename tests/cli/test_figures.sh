@@ -91,6 +91,10 @@ is "and have all their pictures" is_png "$tmp/odd $odd/force.png"
 for name in force velocity acceleration displacement drift loop envelope energy; do
     is "thud run -o draws $name" is_png "$tmp/odd $odd/$name.png"
 done
+for title in "'s-Gravenhage" "Den ''Haag" "'"; do
+    run run rigid-bumper --set "title=$title" --quiet -o "$tmp/quoted"
+    is "figures under the title $title" [ "$code" -eq 0 ]
+done
 run run rigid-bumper -o "$tmp/rigid"
 is "rigid bodies have no drift to draw" [ ! -e "$tmp/rigid/drift.png" ]
 is "but a loop" is_png "$tmp/rigid/loop.png"

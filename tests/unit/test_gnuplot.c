@@ -6,7 +6,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -111,10 +113,13 @@ START_TEST(size_and_font_are_as_asked)
 }
 END_TEST
 
+/* gnuplot 5.4 does not read 'a''b' where the apostrophe comes first, or two of them follow each other. */
 START_TEST(names_come_out_literally_and_execute_nothing)
 {
+    static const char *const begin[] = {"a", "a'b", "'s-", "''", "a''b", "'", "a\\", "\\'", "\"'\""};
     char name[512], command[256];
-    snprintf(name, sizeof name, "a'b\"`touch %s`{_^@%%s $(touch %s) \\ \n# \x01 \xff &amp; <b>", trace, trace);
+    snprintf(name, sizeof name, "%s\"`touch %s`{_^@%%s $(touch %s) \\ \n# \x01 \xff &amp; <b>'\\", begin[_i], trace,
+             trace);
     snprintf(command, sizeof command, "`touch %s`{_^@%%s $(touch", trace);
     struct thud_picture_options options = {.format = THUD_SVG, .width_px = 6000, .height_px = 4000, .font_px = 10};
     struct thud_figure *figure = sample(name);
@@ -249,6 +254,55 @@ START_TEST(a_gnuplot_that_closes_everything_and_stays_is_ended)
     struct thud_error err = {0};
     ck_assert_int_eq(draw_with("exec <&- >&- 2>&-; sleep 1000", 0.2, &err), THUD_GNUPLOT);
     ck_assert_ptr_nonnull(strstr(err.what, "did not end"));
+}
+END_TEST
+
+/* Draws with a gnuplot that takes a second and a deadline of four; exit status 0: it was drawn. */
+static _Noreturn void draw_slowly(void)
+{
+    struct thud_picture_options options = {.program = fake, .deadline_s = 4.0};
+    struct thud_figure *figure = sample("slow");
+    struct thud_text picture = {0};
+    _exit(thud_gnuplot_draw(figure, &options, &picture, NULL) == THUD_OK ? 0 : 1);
+}
+
+START_TEST(time_in_which_it_was_stopped_does_not_count)
+{
+    FILE *file = fopen(fake, "w");
+    ck_assert_ptr_nonnull(file);
+    fprintf(file, "#!/bin/sh\ntouch %s\nsleep 1\nexec gnuplot \"$@\"\n", trace);
+    fclose(file);
+    ck_assert_int_eq(chmod(fake, 0755), 0);
+    pid_t pid = fork();
+    if (pid == 0)
+        draw_slowly();
+    while (access(trace, F_OK) != 0)
+        nanosleep(&(struct timespec){0, 1000000}, NULL);
+    ck_assert_int_eq(kill(pid, SIGSTOP), 0);
+    nanosleep(&(struct timespec){4, 500000000}, NULL);
+    ck_assert_int_eq(kill(pid, SIGCONT), 0);
+    int status = -1;
+    ck_assert_int_eq(waitpid(pid, &status, 0), pid);
+    ck_assert_int_eq(status, 0);
+}
+END_TEST
+
+/* The dynamic linker ends with 127 too, for example under `ulimit -v`: that is another thing than no gnuplot. */
+START_TEST(a_gnuplot_that_cannot_be_loaded_is_not_missing)
+{
+    struct thud_error err = {0};
+    struct rlimit before, space = {.rlim_cur = (rlim_t)1 << 45, .rlim_max = RLIM_INFINITY};
+    ck_assert_int_eq(getrlimit(RLIMIT_AS, &before), 0);
+    space.rlim_max = before.rlim_max;
+    ck_assert_int_eq(setrlimit(RLIMIT_AS, &space), 0);
+    ck_assert_int_eq(draw_with("echo 'gnuplot: error while loading shared libraries: libqt.so: failed to map segment' "
+                               ">&2; exit 127",
+                               20, &err),
+                     THUD_GNUPLOT);
+    ck_assert_ptr_null(strstr(err.what, "not found"));
+    ck_assert_ptr_nonnull(strstr(err.what, "failed to map segment"));
+    ck_assert_ptr_nonnull(strstr(err.allowed, "ulimit -v"));
+    setrlimit(RLIMIT_AS, &before);
 }
 END_TEST
 
@@ -417,7 +471,7 @@ START_TEST(scales_can_be_read)
     ck_assert_int_eq(thud_gnuplot_script(figure, &options, "x.png", &script, NULL), THUD_OK);
     ck_assert_ptr_nonnull(strstr(script.data, "set cbrange [-0.5:2.5]"));
     ck_assert_ptr_nonnull(strstr(script.data, "set palette maxcolors 3\n"));
-    ck_assert_ptr_nonnull(strstr(script.data, "('low' 0, 'it''s' 1, 'high' 2)"));
+    ck_assert_ptr_nonnull(strstr(script.data, "('low' 0, \"it's\" 1, 'high' 2)"));
     ck_assert_ptr_nonnull(strstr(script.data, "set yrange [9.999999:10000.001]"));
     ck_assert_ptr_nonnull(strstr(script.data, "autofreq 50\n")); /* by itself every 20 */
     thud_text_clear(&script);
@@ -440,7 +494,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, a_copy_is_just_like_it);
     tcase_add_test(tcase, scales_can_be_read);
     tcase_add_test(tcase, size_and_font_are_as_asked);
-    tcase_add_test(tcase, names_come_out_literally_and_execute_nothing);
+    tcase_add_loop_test(tcase, names_come_out_literally_and_execute_nothing, 0, 9);
     tcase_add_test(tcase, the_script_by_hand_draws_the_same);
     tcase_add_test(tcase, a_missing_gnuplot_is_named);
     tcase_add_test(tcase, a_failing_gnuplot_is_quoted);
@@ -448,6 +502,8 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, no_marker_and_no_picture_are_no_success);
     tcase_add_test(tcase, a_hanging_gnuplot_is_ended_with_its_children);
     tcase_add_test(tcase, a_gnuplot_that_closes_everything_and_stays_is_ended);
+    tcase_add_test(tcase, time_in_which_it_was_stopped_does_not_count);
+    tcase_add_test(tcase, a_gnuplot_that_cannot_be_loaded_is_not_missing);
     tcase_add_test(tcase, a_wish_to_stop_ends_it);
     tcase_add_test(tcase, nothing_to_show_still_draws);
     tcase_add_test(tcase, classes_are_named);
