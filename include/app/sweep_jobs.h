@@ -19,8 +19,8 @@ struct thud_sweep_jobs {
     void (*progress)(void *context, long done, long count, double elapsed_s);
 };
 
-/* Errors: THUD_CANCELLED; those of `take`, which end the work; those of bases; THUD_MEMORY. What was taken before stays
- * taken. A run without an answer is no error (see struct thud_sweep_effort). */
+/* Errors: THUD_CANCELLED; those of `take`, which end the work; those of groups; THUD_MEMORY. What was taken before
+ * stays taken. A run without an answer is no error (see struct thud_sweep_effort). */
 enum thud_status thud_sweep_jobs_run(const struct thud_sweep_jobs *jobs, struct thud_error *err);
 
 #endif

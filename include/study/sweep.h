@@ -1,8 +1,8 @@
 /* Parametric studies: a scene, its records, a grid of varied keys and the cases. A study is made of points (one record,
  * one set of parameters), numbered from 0 in a fixed order; a point holds a run for each case. Points are independent
- * of each other, but those that share their structures and record share one motion without pounding (their base), which
- * saves most of the work (see enum thud_sweep_saving). Work goes in slices, so that a study can be cancelled, shown and
- * shared among threads; everything here may be used by several threads at once as long as each task is one thread's
+ * of each other, but those that share their structures and record share one motion without pounding (group), which
+ * saves most of the work (see enum thud_sweep_shortcut). Work goes in slices, so that a study can be cancelled, shown
+ * and shared among threads; everything here may be used by several threads at once as long as each task is one thread's
  * own. */
 #ifndef THUD_STUDY_SWEEP_H
 #define THUD_STUDY_SWEEP_H
@@ -16,11 +16,11 @@
 
 /* None of these changes an answer (model.md, section 7). They hold for the exact method; other methods make every run.
  */
-enum thud_sweep_saving {
-    THUD_SWEEP_FREE = 1,   /* clearances at least as wide as the largest closings take the contact-free answer */
-    THUD_SWEEP_START = 2,  /* a run begins where the first contact could be */
-    THUD_SWEEP_LEVELS = 4, /* contacts that nothing can close (between walls, of silent laws) are left out */
-    THUD_SWEEP_NONE = 8,   /* points that differ in the bumper alone share case `none` */
+enum thud_sweep_shortcut {
+    THUD_SWEEP_FREE = 1,      /* clearances at least as wide as the largest closings take the contact-free answer */
+    THUD_SWEEP_START = 2,     /* a run begins where the first contact could be */
+    THUD_SWEEP_LEVELS = 4,    /* contacts that nothing can close (between walls, of silent laws) are left out */
+    THUD_SWEEP_REFERENCE = 8, /* points that differ in the bumper alone share case `none` */
     THUD_SWEEP_ALL = 15
 };
 
@@ -40,7 +40,7 @@ struct thud_sweep_plan {
     int nouter;              /* how many do */
     int ncases;
     enum thud_case cases[THUD_SWEEP_CASES_MAX];
-    unsigned savings;
+    unsigned shortcuts;
     double sensitivity; /* every run again with gaps, motion and stiffnesses changed by this much; 0: not */
 };
 
@@ -56,8 +56,8 @@ enum thud_status thud_sweep_cases(struct thud_sweep_plan *plan, const char *text
 enum thud_status thud_sweep_study(struct thud_sweep_plan *plan, bool axes, bool cases, struct thud_error *err);
 
 long thud_sweep_points(const struct thud_sweep_plan *plan);
-/* Bases are numbered like points: point p stands on base p / thud_sweep_points_per_base. */
-long thud_sweep_points_per_base(const struct thud_sweep_plan *plan);
+/* Groups are numbered like points: point p stands on group p / thud_sweep_points_per_group. */
+long thud_sweep_points_per_group(const struct thud_sweep_plan *plan);
 /* Record and index on each axis (naxes) of a point; returns the record. */
 int thud_sweep_place(const struct thud_sweep_plan *plan, long point, int *at);
 /* The scene of a point, before its case. Errors: THUD_INPUT. */
@@ -65,20 +65,21 @@ enum thud_status thud_sweep_scene(const struct thud_sweep_plan *plan, long point
                                   struct thud_error *err);
 
 /* The motion without pounding under a set of points, and what each level needs by it. */
-struct thud_sweep_base;
-enum thud_status thud_sweep_base_create(const struct thud_sweep_plan *plan, long index, struct thud_sweep_base **out,
-                                        struct thud_error *err);
-/* Errors: THUD_DIVERGED, THUD_MEMORY. The base may be shared once done. */
-enum thud_status thud_sweep_base_advance(struct thud_sweep_base *base, long budget, bool *done, struct thud_error *err);
-void thud_sweep_base_free(struct thud_sweep_base *base);
+struct thud_sweep_group;
+enum thud_status thud_sweep_group_create(const struct thud_sweep_plan *plan, long index, struct thud_sweep_group **out,
+                                         struct thud_error *err);
+/* Errors: THUD_DIVERGED, THUD_MEMORY. The group may be shared once done. */
+enum thud_status thud_sweep_group_advance(struct thud_sweep_group *group, long budget, bool *done,
+                                          struct thud_error *err);
+void thud_sweep_group_free(struct thud_sweep_group *group);
 
 /* What became of a run. */
 struct thud_sweep_effort {
     enum thud_status status; /* THUD_OK; THUD_INPUT: not possible (a bumper wider than the gap); THUD_DIVERGED */
     bool made;               /* false: answered without a run */
-    bool taken;              /* not made, but another point's (case `none`) */
+    bool reused;             /* not made, but another point's (case `none`) */
     bool reference;          /* not asked for: case `none`, run for the ratios */
-    double shared_s, end_s;  /* motion taken from the base, and the whole */
+    double shared_s, end_s;  /* motion taken from the baseline, and the whole */
     int left_out;            /* contacts left out */
     long steps, events;
 };
@@ -118,25 +119,26 @@ struct thud_sweep_point {
     struct thud_sweep_level *level;     /* (ncontacts) */
 };
 
-/* A point in the making. The base (done) and the plan must outlive it. */
+/* A point in the making. The group (done) and the plan must outlive it. */
 struct thud_sweep_task;
-enum thud_status thud_sweep_task_create(const struct thud_sweep_plan *plan, const struct thud_sweep_base *base,
+enum thud_status thud_sweep_task_create(const struct thud_sweep_plan *plan, const struct thud_sweep_group *group,
                                         long point, struct thud_sweep_task **out, struct thud_error *err);
 /* A run that fails is a run without an answer: `err` is set and tells why, but THUD_OK comes back. Errors: THUD_MEMORY.
  */
 enum thud_status thud_sweep_task_advance(struct thud_sweep_task *task, long budget, bool *done, struct thud_error *err);
-/* The point that makes case `none` for this one: that with every bumper's key at its first value. */
-long thud_sweep_same_none(const struct thud_sweep_plan *plan, long point);
-/* Case `none` of a finished point, for the others (free with free()); NULL where there is nothing to share, or no
- * memory. */
-struct thud_sweep_none;
-struct thud_sweep_none *thud_sweep_none_keep(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point);
-/* How many of them to keep so that none is made twice, as far as THUD_SWEEP_NONE_BYTES go; of which point it is, modulo
- * this, gives each its place. At least 1. */
-enum { THUD_SWEEP_NONE_BYTES = 8 << 20 };
-long thud_sweep_none_slots(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point);
-/* To a task that has not been advanced yet, from a point with the same thud_sweep_same_none. */
-void thud_sweep_task_give(struct thud_sweep_task *task, const struct thud_sweep_none *none);
+/* The point that makes the reference case for this one: that with every bumper's key at its first value. */
+long thud_sweep_reference_point(const struct thud_sweep_plan *plan, long point);
+/* The reference case (`none`) of a finished point, for the others (free with free()); NULL where there is nothing to
+ * share, or no memory. */
+struct thud_sweep_reference;
+struct thud_sweep_reference *thud_sweep_reference_keep(const struct thud_sweep_plan *plan,
+                                                       const struct thud_sweep_point *point);
+/* How many of them to keep so that none is made twice, as far as THUD_SWEEP_REFERENCE_BYTES go; of which point it is,
+ * modulo this, gives each its place. At least 1. */
+enum { THUD_SWEEP_REFERENCE_BYTES = 8 << 20 };
+long thud_sweep_reference_slots(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point);
+/* To a task that has not been advanced yet, from a point with the same thud_sweep_reference_point. */
+void thud_sweep_task_share(struct thud_sweep_task *task, const struct thud_sweep_reference *reference);
 /* Hands over the point of a task that is done. */
 struct thud_sweep_point *thud_sweep_task_take(struct thud_sweep_task *task);
 void thud_sweep_task_free(struct thud_sweep_task *task);
@@ -146,7 +148,7 @@ int thud_sweep_rows(const struct thud_sweep_plan *plan, const struct thud_sweep_
                     struct thud_sweep_row *row);
 int thud_sweep_contact_rows(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point,
                             struct thud_sweep_contact_row *row);
-/* Only the first point of a base has any. */
+/* Only the first point of a group has any. */
 int thud_sweep_need_rows(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point,
                          struct thud_sweep_need_row *row);
 
@@ -159,7 +161,7 @@ unsigned long long thud_sweep_fingerprint(const struct thud_sweep_plan *plan);
 
 /* Sums over points: what a study cost and what was saved. */
 struct thud_sweep_total {
-    long points, asked, made, taken, references, free, impossible, diverged, shared_runs, left_out, steps, events;
+    long points, asked, made, reused, references, free, impossible, diverged, shared_runs, left_out, steps, events;
     double shared_s, end_s; /* of the runs made */
     struct {
         long made, free, failed;

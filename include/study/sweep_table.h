@@ -21,7 +21,7 @@ struct thud_sweep_run {
 };
 
 /* What is kept of a point: one allocation (free with free()), sized to its floors and cases. */
-struct thud_sweep_digest {
+struct thud_sweep_summary {
     int record;                     /* from 0 */
     int at[THUD_VARY_MAX];          /* place of its value on each axis */
     int nruns;                      /* cases that were asked for and have an answer */
@@ -41,28 +41,28 @@ struct thud_sweep_table {
     const struct thud_sweep_axis *axis; /* (naxes) */
     size_t nrows;                       /* of all runs */
     size_t npoints;
-    struct thud_sweep_digest *const *point; /* (npoints): by record, then parameters, the last axis fastest */
+    struct thud_sweep_summary *const *point; /* (npoints): by record, then parameters, the last axis fastest */
     const struct thud_sweep_need_row
         *need; /* (nrecords) the one that needs the widest gap; interface 0: there is none */
 };
 
-/* Bytes of a digest. */
-size_t thud_sweep_digest_size(int nruns, int nstructures, int nrows, bool spread);
+/* Bytes of a summary. */
+size_t thud_sweep_summary_size(int nruns, int nstructures, int nrows, bool spread);
 /* An empty one for structures with so many floors each; NULL when out of memory. */
-struct thud_sweep_digest *thud_sweep_digest_create(int nruns, int nstructures, const int *floors, bool spread);
+struct thud_sweep_summary *thud_sweep_summary_create(int nruns, int nstructures, const int *floors, bool spread);
 /* Of a finished point; *out is NULL where no case that was asked for has an answer. Errors: THUD_MEMORY. */
-enum thud_status thud_sweep_digest_make(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point,
-                                        struct thud_sweep_digest **out, struct thud_error *err);
+enum thud_status thud_sweep_summary_make(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point,
+                                         struct thud_sweep_summary **out, struct thud_error *err);
 
-static inline int thud_sweep_digest_floors(const struct thud_sweep_digest *d, int structure)
+static inline int thud_sweep_summary_floors(const struct thud_sweep_summary *d, int structure)
 {
     int rows = d->first[structure + 1] - d->first[structure];
     return rows > 0 ? rows - 1 : 0;
 }
 
 /* Of run k and a floor of a structure (0: the mean); NULL where there is no such floor, or no spread. */
-static inline struct thud_sweep_ratio *thud_sweep_digest_ratio(const struct thud_sweep_digest *d, int k, int structure,
-                                                               int floor, enum thud_sweep_end end)
+static inline struct thud_sweep_ratio *thud_sweep_summary_ratio(const struct thud_sweep_summary *d, int k,
+                                                                int structure, int floor, enum thud_sweep_end end)
 {
     int row = d->first[structure] + floor, ends = d->spread ? 3 : 1;
     if (row >= d->first[structure + 1] || (int)end >= ends)
@@ -71,7 +71,7 @@ static inline struct thud_sweep_ratio *thud_sweep_digest_ratio(const struct thud
 }
 
 /* The run of a case; -1: there is none. */
-static inline int thud_sweep_digest_find(const struct thud_sweep_digest *d, enum thud_case which)
+static inline int thud_sweep_summary_find(const struct thud_sweep_summary *d, enum thud_case which)
 {
     for (int k = 0; k < d->nruns; k++)
         if (d->run[k].which == which)

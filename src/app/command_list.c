@@ -74,7 +74,7 @@ static const struct thud_option options[] = {
     {"best", "KEY", "best value of a varied key by itself", THUD_WORD_VARIED, false, SWEEP},
     {"shard", "K/N", "every N-th point, from the K-th on", THUD_WORD_TEXT, false, SWEEP},
     {"merge", NULL, "join the folders of all shards", THUD_WORD_NONE, false, SWEEP},
-    {"without", "SAVING", "no free, start, levels or none saving", THUD_WORD_CHOICE, true, SWEEP},
+    {"without", "SHORTCUT", "no free, start, levels or reference", THUD_WORD_CHOICE, true, SWEEP},
     {"update", NULL, "write new expectations and show the difference", THUD_WORD_NONE, false, VERIFY},
     {"cost", "AXIS", "cost by storeys, buildings, duration or impacts", THUD_WORD_COST, false, BENCH},
     {"methods", "NAME,NAME", "only these methods", THUD_WORD_METHOD, false, BENCH},
@@ -134,7 +134,7 @@ const char *thud_option_choice(const struct thud_option *option, int i)
     } choices[] = {{"unit", {"g", "m/s2", "cm/s2", "mm/s2", "gal"}},
                    {"sign", {"+", "-"}},
                    {"baseline", {"mean", "linear"}},
-                   {"without", {"free", "start", "levels", "none", "all"}},
+                   {"without", {"free", "start", "levels", "reference", "all"}},
                    {"format", {"png", "svg", "pdf"}},
                    {"completion", {"bash", "zsh", "fish"}}};
     for (size_t k = 0; k < sizeof choices / sizeof *choices; k++)

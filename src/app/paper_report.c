@@ -94,10 +94,10 @@ static struct extremes extremes_of(const struct thud_sweep_table *table, int rec
 {
     struct extremes e = {INFINITY, NAN, -INFINITY, NAN, 0, 0, 0};
     for (size_t i = 0; i < table->npoints; i++) {
-        const struct thud_sweep_digest *d = table->point[i];
-        int k = d->record == record ? thud_sweep_digest_find(d, which) : -1;
+        const struct thud_sweep_summary *d = table->point[i];
+        int k = d->record == record ? thud_sweep_summary_find(d, which) : -1;
         const struct thud_sweep_ratio *x =
-            k >= 0 ? thud_sweep_digest_ratio(d, k, structure, floor, THUD_SWEEP_VALUE) : NULL;
+            k >= 0 ? thud_sweep_summary_ratio(d, k, structure, floor, THUD_SWEEP_VALUE) : NULL;
         double ratio = x ? drift ? x->drift : x->acceleration : NAN;
         if (isnan(ratio))
             continue;
@@ -197,12 +197,12 @@ struct overall {
     int n[THUD_CASES];
 };
 
-static void add_run(struct overall *all, const struct thud_sweep_digest *d, int k, int structure)
+static void add_run(struct overall *all, const struct thud_sweep_summary *d, int k, int structure)
 {
     enum thud_case which = d->run[k].which;
-    const struct thud_sweep_ratio *mean = thud_sweep_digest_ratio(d, k, structure, 0, THUD_SWEEP_VALUE), *x;
+    const struct thud_sweep_ratio *mean = thud_sweep_summary_ratio(d, k, structure, 0, THUD_SWEEP_VALUE), *x;
     bool floors = d->record == 0 && which == THUD_CASE_BUMPER;
-    for (int f = 1; floors && (x = thud_sweep_digest_ratio(d, k, structure, f, THUD_SWEEP_VALUE)) != NULL; f++)
+    for (int f = 1; floors && (x = thud_sweep_summary_ratio(d, k, structure, f, THUD_SWEEP_VALUE)) != NULL; f++)
         for (int q = 0; q < 2; q++) {
             all->least[q] = fmin(all->least[q], q ? x->drift : x->acceleration);
             all->most[q] = fmax(all->most[q], q ? x->drift : x->acceleration);

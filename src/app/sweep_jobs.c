@@ -8,28 +8,28 @@
 
 enum { THREADS_MAX = 256, SLICE = 64, SHOW_MS = 100 };
 
-/* A base in use by points that are next to each other. */
-struct shared_base {
+/* A group in use by points that are next to each other. */
+struct shared_group {
     long index;
-    struct thud_sweep_base *base; /* NULL while it is made */
+    struct thud_sweep_group *group; /* NULL while it is made */
     int users;
-    struct shared_base *next;
+    struct shared_group *next;
 };
 
-/* A case `none` for points to come. */
+/* A reference case for points to come. */
 struct kept {
-    long of; /* thud_sweep_same_none */
-    struct thud_sweep_none *none;
+    long of; /* thud_sweep_reference_point */
+    struct thud_sweep_reference *reference;
 };
 
 struct work {
     const struct thud_sweep_jobs *jobs;
     pthread_mutex_t lock;
-    pthread_cond_t room, ready, made; /* for workers; for the taker; for users of a base */
+    pthread_cond_t room, ready, made; /* for workers; for the taker; for users of a group */
     long next, taken;                 /* counts of points handed out and taken */
     long window;                      /* how far handing out may be ahead */
     struct thud_sweep_point **ring;   /* (window) finished points by count % window */
-    struct shared_base *bases;
+    struct shared_group *groups;
     struct kept *kept; /* (slots) */
     long slots;        /* 0: nothing was kept yet */
     bool stop;
@@ -64,117 +64,117 @@ static void fail(struct work *w, enum thud_status status, const struct thud_erro
     pthread_cond_broadcast(&w->ready);
 }
 
-static enum thud_status make_base(struct work *w, long index, struct thud_sweep_base **out, struct thud_error *err)
+static enum thud_status make_group(struct work *w, long index, struct thud_sweep_group **out, struct thud_error *err)
 {
     bool done = false;
-    enum thud_status status = thud_sweep_base_create(w->jobs->plan, index, out, err);
+    enum thud_status status = thud_sweep_group_create(w->jobs->plan, index, out, err);
     while (status == THUD_OK && !done) {
-        status = thud_sweep_base_advance(*out, SLICE, &done, err);
+        status = thud_sweep_group_advance(*out, SLICE, &done, err);
         if (status == THUD_OK && !done && stopped(w))
             status = THUD_CANCELLED;
     }
     if (status != THUD_OK) {
-        thud_sweep_base_free(*out);
+        thud_sweep_group_free(*out);
         *out = NULL;
     }
     return status;
 }
 
-/* Bases that no point to come stands on go. The lock is held. */
-static void drop_bases(struct work *w)
+/* Groups that no point to come stands on go. The lock is held. */
+static void drop_groups(struct work *w)
 {
     const struct thud_sweep_jobs *jobs = w->jobs;
-    long least = (jobs->first + w->next * jobs->step) / thud_sweep_points_per_base(jobs->plan);
-    for (struct shared_base **p = &w->bases; *p;) {
-        struct shared_base *b = *p;
+    long least = (jobs->first + w->next * jobs->step) / thud_sweep_points_per_group(jobs->plan);
+    for (struct shared_group **p = &w->groups; *p;) {
+        struct shared_group *b = *p;
         if (b->users > 0 || (b->index >= least && w->next < jobs->count)) {
             p = &b->next;
             continue;
         }
         *p = b->next;
-        thud_sweep_base_free(b->base);
+        thud_sweep_group_free(b->group);
         free(b);
     }
 }
 
-/* The base of a point, made by the first who needs it; NULL when the work stops. The lock is held before and after. */
-static struct shared_base *borrow(struct work *w, long index)
+/* The group of a point, made by the first who needs it; NULL when the work stops. The lock is held before and after. */
+static struct shared_group *borrow(struct work *w, long index)
 {
-    struct shared_base *b = w->bases;
+    struct shared_group *b = w->groups;
     while (b && b->index != index)
         b = b->next;
     if (b) {
         b->users++;
-        while (!b->base && !w->stop)
+        while (!b->group && !w->stop)
             pthread_cond_wait(&w->made, &w->lock);
     } else {
         struct thud_error error = {0};
-        struct thud_sweep_base *base = NULL;
+        struct thud_sweep_group *group = NULL;
         b = calloc(1, sizeof *b);
         if (!b) {
             fail(w, THUD_MEMORY, NULL);
             return NULL;
         }
-        *b = (struct shared_base){.index = index, .users = 1, .next = w->bases};
-        w->bases = b;
+        *b = (struct shared_group){.index = index, .users = 1, .next = w->groups};
+        w->groups = b;
         pthread_mutex_unlock(&w->lock);
-        enum thud_status status = make_base(w, index, &base, &error);
+        enum thud_status status = make_group(w, index, &group, &error);
         pthread_mutex_lock(&w->lock);
-        b->base = base;
+        b->group = group;
         if (status != THUD_OK)
             fail(w, status, &error);
         pthread_cond_broadcast(&w->made);
     }
-    if (b->base)
+    if (b->group)
         return b;
     b->users--;
     return NULL;
 }
 
-/* Case `none`, where a point with the same one was made before. */
-static void give_none(struct work *w, struct thud_sweep_task *task, long index)
+/* The reference case, where a point with the same one was made before. */
+static void share_reference(struct work *w, struct thud_sweep_task *task, long index)
 {
-    long of = thud_sweep_same_none(w->jobs->plan, index);
+    long of = thud_sweep_reference_point(w->jobs->plan, index);
     if (of == index)
         return; /* the one that makes it, so that what is told of the work does not depend on who comes first */
     pthread_mutex_lock(&w->lock);
     const struct kept *kept = w->slots > 0 ? &w->kept[of % w->slots] : NULL;
-    if (kept && kept->none && kept->of == of)
-        thud_sweep_task_give(task, kept->none);
+    if (kept && kept->reference && kept->of == of)
+        thud_sweep_task_share(task, kept->reference);
     pthread_mutex_unlock(&w->lock);
 }
 
 /* Keeps it for the points to come, in place of what was kept there; without memory it is made again. The lock is held.
  */
-static void keep_none(struct work *w, const struct thud_sweep_point *point)
+static void keep_reference(struct work *w, const struct thud_sweep_point *point)
 {
-    long of = thud_sweep_same_none(w->jobs->plan, point->index);
+    long of = thud_sweep_reference_point(w->jobs->plan, point->index);
     struct kept *kept = w->slots > 0 ? &w->kept[of % w->slots] : NULL;
-    if (kept && kept->none && kept->of == of)
+    if (kept && kept->reference && kept->of == of)
         return;
-    struct thud_sweep_none *none = thud_sweep_none_keep(w->jobs->plan, point);
-    if (none && !kept) {
-        long slots = thud_sweep_none_slots(w->jobs->plan, point);
+    struct thud_sweep_reference *reference = thud_sweep_reference_keep(w->jobs->plan, point);
+    if (reference && !kept) {
+        long slots = thud_sweep_reference_slots(w->jobs->plan, point);
         w->kept = calloc((size_t)slots, sizeof *w->kept);
         w->slots = w->kept ? slots : 0;
         kept = w->kept ? &w->kept[of % slots] : NULL;
     }
     if (!kept) {
-        free(none);
+        free(reference);
         return;
     }
-    free(kept->none);
-    *kept = (struct kept){of, none};
+    free(kept->reference);
+    *kept = (struct kept){of, reference};
 }
 
-static enum thud_status make_point(struct work *w, const struct thud_sweep_base *base, long index,
+static enum thud_status make_point(struct work *w, const struct thud_sweep_group *group, long index,
                                    struct thud_sweep_point **out, struct thud_error *err)
 {
     struct thud_sweep_task *task;
     bool done = false;
-    enum thud_status status = thud_sweep_task_create(w->jobs->plan, base, index, &task, err);
+    enum thud_status status = thud_sweep_task_create(w->jobs->plan, group, index, &task, err);
     if (status == THUD_OK)
-        give_none(w, task, index);
+        share_reference(w, task, index);
     while (status == THUD_OK && !done) {
         status = thud_sweep_task_advance(task, SLICE * 16, &done, err);
         if (status == THUD_OK && !done && stopped(w))
@@ -190,7 +190,7 @@ static void *worker(void *context)
 {
     struct work *w = context;
     const struct thud_sweep_jobs *jobs = w->jobs;
-    long per_base = thud_sweep_points_per_base(jobs->plan);
+    long per_group = thud_sweep_points_per_group(jobs->plan);
     pthread_mutex_lock(&w->lock);
     for (;;) {
         while (!w->stop && w->next < jobs->count && w->next >= w->taken + w->window)
@@ -198,21 +198,21 @@ static void *worker(void *context)
         if (w->stop || w->next >= jobs->count)
             break;
         long i = w->next++, index = jobs->first + i * jobs->step;
-        struct shared_base *base = borrow(w, index / per_base);
-        if (!base)
+        struct shared_group *group = borrow(w, index / per_group);
+        if (!group)
             break;
         pthread_mutex_unlock(&w->lock);
         struct thud_error error = {0};
         struct thud_sweep_point *point = NULL;
-        enum thud_status status = make_point(w, base->base, index, &point, &error);
+        enum thud_status status = make_point(w, group->group, index, &point, &error);
         pthread_mutex_lock(&w->lock);
-        base->users--;
-        drop_bases(w);
+        group->users--;
+        drop_groups(w);
         if (status != THUD_OK) {
             fail(w, status, &error);
             break;
         }
-        keep_none(w, point);
+        keep_reference(w, point);
         w->ring[i % w->window] = point;
         if (i == w->taken)
             pthread_cond_signal(&w->ready);
@@ -319,10 +319,10 @@ enum thud_status thud_sweep_jobs_run(const struct thud_sweep_jobs *jobs, struct 
     for (long i = 0; i < w.window; i++)
         free(w.ring[i]);
     for (long i = 0; i < w.slots; i++)
-        free(w.kept[i].none);
+        free(w.kept[i].reference);
     free(w.kept);
     w.next = jobs->count;
-    drop_bases(&w);
+    drop_groups(&w);
     pthread_cond_destroy(&w.made);
     pthread_cond_destroy(&w.ready);
     pthread_cond_destroy(&w.room);

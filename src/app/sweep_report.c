@@ -42,7 +42,7 @@ static const char *place(const struct thud_sweep_plan *plan, const double *value
     return text;
 }
 
-static const char *place_of(const struct thud_sweep_plan *plan, const struct thud_sweep_digest *d, char text[PLACE])
+static const char *place_of(const struct thud_sweep_plan *plan, const struct thud_sweep_summary *d, char text[PLACE])
 {
     double value[THUD_VARY_MAX] = {0};
     for (int a = 0; a < plan->naxes; a++)
@@ -54,10 +54,10 @@ static const char *place_of(const struct thud_sweep_plan *plan, const struct thu
 struct span {
     double least, most;
     int floor;
-    const struct thud_sweep_digest *at; /* NULL: there is none */
+    const struct thud_sweep_summary *at; /* NULL: there is none */
 };
 
-static void widen(struct span *span, double x, const struct thud_sweep_digest *d, int floor)
+static void widen(struct span *span, double x, const struct thud_sweep_summary *d, int floor)
 {
     if (isnan(x))
         return;
@@ -73,10 +73,10 @@ static void put_structure(const struct thud_sweep_plan *plan, const struct thud_
     struct span mean = {0}, floor = {0}, drift = {0};
     char at[PLACE];
     for (size_t i = 0; i < table->npoints; i++) {
-        const struct thud_sweep_digest *d = table->point[i];
+        const struct thud_sweep_summary *d = table->point[i];
         const struct thud_sweep_ratio *x;
-        int k = d->record == record ? thud_sweep_digest_find(d, which) : -1;
-        for (int f = 0; k >= 0 && (x = thud_sweep_digest_ratio(d, k, structure, f, THUD_SWEEP_VALUE)) != NULL; f++) {
+        int k = d->record == record ? thud_sweep_summary_find(d, which) : -1;
+        for (int f = 0; k >= 0 && (x = thud_sweep_summary_ratio(d, k, structure, f, THUD_SWEEP_VALUE)) != NULL; f++) {
             widen(f == 0 ? &mean : &floor, x->acceleration, d, f);
             if (f == 0)
                 widen(&drift, x->drift, d, f);
@@ -106,18 +106,18 @@ static void put_need(const struct thud_sweep_table *table, int record, struct th
 
 /* Where the spread of a ratio is widest, against the ratio. */
 struct widest {
-    const struct thud_sweep_digest *at; /* NULL: there is none */
+    const struct thud_sweep_summary *at; /* NULL: there is none */
     int run, structure, floor;
     double change;
 };
 
-static void compare_spread(struct widest *widest, const struct thud_sweep_digest *d, int k, int nstructures)
+static void compare_spread(struct widest *widest, const struct thud_sweep_summary *d, int k, int nstructures)
 {
     for (int s = 0; s < nstructures; s++)
-        for (int f = 0; thud_sweep_digest_ratio(d, k, s, f, THUD_SWEEP_LOW); f++) {
-            double x = thud_sweep_digest_ratio(d, k, s, f, THUD_SWEEP_VALUE)->acceleration;
-            double low = thud_sweep_digest_ratio(d, k, s, f, THUD_SWEEP_LOW)->acceleration;
-            double high = thud_sweep_digest_ratio(d, k, s, f, THUD_SWEEP_HIGH)->acceleration;
+        for (int f = 0; thud_sweep_summary_ratio(d, k, s, f, THUD_SWEEP_LOW); f++) {
+            double x = thud_sweep_summary_ratio(d, k, s, f, THUD_SWEEP_VALUE)->acceleration;
+            double low = thud_sweep_summary_ratio(d, k, s, f, THUD_SWEEP_LOW)->acceleration;
+            double high = thud_sweep_summary_ratio(d, k, s, f, THUD_SWEEP_HIGH)->acceleration;
             double change = fmax(high / x - 1, 1 - low / x);
             if (change > widest->change)
                 *widest = (struct widest){d, k, s, f, change};
@@ -130,8 +130,8 @@ static void put_spread(const struct thud_sweep_plan *plan, const struct thud_swe
     struct widest w = {0};
     char at[PLACE];
     for (size_t i = 0; i < table->npoints; i++) {
-        const struct thud_sweep_digest *d = table->point[i];
-        int k = d->record == record ? thud_sweep_digest_find(d, which) : -1;
+        const struct thud_sweep_summary *d = table->point[i];
+        int k = d->record == record ? thud_sweep_summary_find(d, which) : -1;
         if (k >= 0)
             compare_spread(&w, d, k, table->nstructures);
     }
@@ -139,8 +139,8 @@ static void put_spread(const struct thud_sweep_plan *plan, const struct thud_swe
         return;
     int digits = thud_spread_digits(w.change);
     thud_text_append(out, "  %-8s widest spread %.3g to %.3g, of ", thud_case_name(which),
-                     thud_sweep_digest_ratio(w.at, w.run, w.structure, w.floor, THUD_SWEEP_LOW)->acceleration,
-                     thud_sweep_digest_ratio(w.at, w.run, w.structure, w.floor, THUD_SWEEP_HIGH)->acceleration);
+                     thud_sweep_summary_ratio(w.at, w.run, w.structure, w.floor, THUD_SWEEP_LOW)->acceleration,
+                     thud_sweep_summary_ratio(w.at, w.run, w.structure, w.floor, THUD_SWEEP_HIGH)->acceleration);
     if (w.floor > 0)
         thud_text_append(out, "%.20s floor %d", plan->scene.structure[w.structure].name, w.floor);
     else
@@ -155,7 +155,7 @@ static void put_spread(const struct thud_sweep_plan *plan, const struct thud_swe
 static bool has_rows(const struct thud_sweep_table *table, int record, enum thud_case which)
 {
     for (size_t i = 0; i < table->npoints; i++)
-        if (table->point[i]->record == record && thud_sweep_digest_find(table->point[i], which) >= 0)
+        if (table->point[i]->record == record && thud_sweep_summary_find(table->point[i], which) >= 0)
             return true;
     return false;
 }
@@ -233,8 +233,8 @@ void thud_sweep_report_work(const struct thud_sweep_plan *plan, const struct thu
     if (total->references > 0)
         thud_text_append(out, " and %ld of case none for the ratios", total->references);
     thud_text_append(out, ": %ld made, %ld answered by the motion without pounding", total->made, total->free);
-    if (total->taken > 0)
-        thud_text_append(out, ", %ld of case none taken from points with another bumper", total->taken);
+    if (total->reused > 0)
+        thud_text_append(out, ", %ld of case none reused from points with another bumper", total->reused);
     thud_text_append(out, "\n");
     if (plan->scene.analysis.modes > 0)
         thud_text_append(out, "each building's lowest %d modes alone: thud run tells what that changes\n",

@@ -25,7 +25,7 @@ static bool reserve(struct thud_sweep_collector *c)
     if (c->table.npoints < c->room)
         return c->need != NULL;
     size_t room = c->room ? 2 * c->room : 64;
-    struct thud_sweep_digest **larger = realloc(c->point, room * sizeof *larger);
+    struct thud_sweep_summary **larger = realloc(c->point, room * sizeof *larger);
     if (!larger)
         return false;
     c->point = larger;
@@ -54,15 +54,15 @@ static enum thud_status add_needs(struct thud_sweep_collector *c, const struct t
 enum thud_status thud_sweep_collector_add(struct thud_sweep_collector *c, const struct thud_sweep_plan *plan,
                                           const struct thud_sweep_point *point, struct thud_error *err)
 {
-    struct thud_sweep_digest *digest = NULL;
+    struct thud_sweep_summary *summary = NULL;
     if (!reserve(c))
         return thud_error_set(err, THUD_MEMORY, "out of memory for the rows of the study");
     enum thud_status status = add_needs(c, plan, point, err);
     if (status == THUD_OK)
-        status = thud_sweep_digest_make(plan, point, &digest, err);
-    if (digest) {
-        c->point[c->table.npoints++] = digest;
-        c->table.nrows += (size_t)digest->nruns * (size_t)digest->nrows;
+        status = thud_sweep_summary_make(plan, point, &summary, err);
+    if (summary) {
+        c->point[c->table.npoints++] = summary;
+        c->table.nrows += (size_t)summary->nruns * (size_t)summary->nrows;
     }
     c->table.point = c->point;
     c->table.need = c->need;

@@ -45,29 +45,29 @@ static enum thud_status read_records(struct sweep *s, struct thud_error *err)
     return thud_record_list_read(&s->session, text, common, n, &s->records, err);
 }
 
-static enum thud_status choose_savings(struct sweep *s, struct thud_error *err)
+static enum thud_status choose_shortcuts(struct sweep *s, struct thud_error *err)
 {
     static const struct {
         const char *name;
         unsigned bit;
-    } saving[] = {{"free", THUD_SWEEP_FREE},
-                  {"start", THUD_SWEEP_START},
-                  {"levels", THUD_SWEEP_LEVELS},
-                  {"none", THUD_SWEEP_NONE},
-                  {"all", THUD_SWEEP_ALL}};
+    } shortcut[] = {{"free", THUD_SWEEP_FREE},
+                    {"start", THUD_SWEEP_START},
+                    {"levels", THUD_SWEEP_LEVELS},
+                    {"reference", THUD_SWEEP_REFERENCE},
+                    {"all", THUD_SWEEP_ALL}};
     const char *word;
     for (int i = 0; (word = thud_args_repeated(s->args, "without", i)) != NULL; i++) {
         unsigned bit = 0;
-        for (size_t k = 0; k < sizeof saving / sizeof *saving; k++)
-            if (strcmp(word, saving[k].name) == 0)
-                bit = saving[k].bit;
+        for (size_t k = 0; k < sizeof shortcut / sizeof *shortcut; k++)
+            if (strcmp(word, shortcut[k].name) == 0)
+                bit = shortcut[k].bit;
         if (!bit) {
-            thud_error_set(err, THUD_USAGE, "\"%.40s\" is no saving", word);
+            thud_error_set(err, THUD_USAGE, "\"%.40s\" is no shortcut", word);
             thud_error_key(err, "--without");
-            thud_error_allow(err, "free, start, levels, none, all");
+            thud_error_allow(err, "free, start, levels, reference, all");
             return THUD_USAGE;
         }
-        s->plan.savings &= ~bit;
+        s->plan.shortcuts &= ~bit;
     }
     return THUD_OK;
 }
@@ -93,7 +93,7 @@ static enum thud_status fill_plan(struct sweep *s, struct thud_error *err)
         s->plan.sensitivity = thud_scene_options_change(s->args, &s->session.scene);
     if (status == THUD_OK && !own_cases)
         status = thud_sweep_cases(&s->plan, cases ? cases : thud_args_value(s->args, "case"), err);
-    return status == THUD_OK ? choose_savings(s, err) : status;
+    return status == THUD_OK ? choose_shortcuts(s, err) : status;
 }
 
 static enum thud_status find_best(struct sweep *s, struct thud_error *err)

@@ -19,10 +19,11 @@ struct wanted {
 };
 
 /* A point's number for them; NaN where it has none. */
-static double ratio(const struct thud_sweep_digest *d, const struct wanted *w, enum thud_sweep_end end, enum quantity q)
+static double ratio(const struct thud_sweep_summary *d, const struct wanted *w, enum thud_sweep_end end,
+                    enum quantity q)
 {
-    int k = thud_sweep_digest_find(d, w->which);
-    const struct thud_sweep_ratio *x = k >= 0 ? thud_sweep_digest_ratio(d, k, w->structure, w->floor, end) : NULL;
+    int k = thud_sweep_summary_find(d, w->which);
+    const struct thud_sweep_ratio *x = k >= 0 ? thud_sweep_summary_ratio(d, k, w->structure, w->floor, end) : NULL;
     return !x ? NAN : q == ACCELERATION ? x->acceleration : x->drift;
 }
 
@@ -36,7 +37,7 @@ static const char *case_title(enum thud_case which)
 }
 
 /* Only the first value of every key past the first `free` ones is drawn. */
-static bool drawn(const struct thud_sweep_table *table, const struct thud_sweep_digest *d, int free)
+static bool drawn(const struct thud_sweep_table *table, const struct thud_sweep_summary *d, int free)
 {
     for (int a = free; a < table->naxes; a++) {
         if (d->at[a] != 0)
@@ -48,7 +49,7 @@ static bool drawn(const struct thud_sweep_table *table, const struct thud_sweep_
 static bool has_case(const struct thud_sweep_table *table, enum thud_case which)
 {
     for (size_t i = 0; i < table->npoints; i++) {
-        if (thud_sweep_digest_find(table->point[i], which) >= 0)
+        if (thud_sweep_summary_find(table->point[i], which) >= 0)
             return true;
     }
     return false;
@@ -58,7 +59,7 @@ static int floors_of(const struct thud_sweep_table *table, int structure)
 {
     int most = 0;
     for (size_t i = 0; i < table->npoints; i++) {
-        int floors = thud_sweep_digest_floors(table->point[i], structure);
+        int floors = thud_sweep_summary_floors(table->point[i], structure);
         most = floors > most ? floors : most;
     }
     return most;
@@ -131,7 +132,7 @@ static void ratio_axes(struct thud_panel *panel, const struct thud_sweep_table *
 }
 
 /* Whether a point is on a curve. */
-static bool is_on(const struct thud_sweep_table *table, const struct wanted *w, const struct thud_sweep_digest *d)
+static bool is_on(const struct thud_sweep_table *table, const struct wanted *w, const struct thud_sweep_summary *d)
 {
     return d->record == w->record && drawn(table, d, 1);
 }
@@ -153,7 +154,7 @@ static void ratio_shade(struct thud_panel *panel, const struct thud_sweep_table 
         series->y[i] = series->y_high[i] = NAN;
     }
     for (size_t i = 0; i < table->npoints; i++) {
-        const struct thud_sweep_digest *d = table->point[i];
+        const struct thud_sweep_summary *d = table->point[i];
         for (size_t k = 0; is_on(table, wanted, d) && k < (each > 1 ? 2 : 1); k++) {
             series->y[(size_t)d->at[0] * each + k] = ratio(d, wanted, THUD_SWEEP_LOW, q);
             series->y_high[(size_t)d->at[0] * each + k] = ratio(d, wanted, THUD_SWEEP_HIGH, q);
@@ -174,7 +175,7 @@ static void ratio_line(struct thud_panel *panel, const struct thud_sweep_table *
         series->y[i] = NAN;
     }
     for (size_t i = 0; i < table->npoints; i++) {
-        const struct thud_sweep_digest *d = table->point[i];
+        const struct thud_sweep_summary *d = table->point[i];
         if (is_on(table, wanted, d))
             series->y[d->at[0]] = ratio(d, wanted, THUD_SWEEP_VALUE, q);
     }
@@ -280,8 +281,8 @@ static void contact_line(struct thud_panel *panel, const struct thud_sweep_table
         series->y[i] = NAN;
     }
     for (size_t i = 0; i < table->npoints; i++) {
-        const struct thud_sweep_digest *d = table->point[i];
-        int k = d->record == record && d->touches && drawn(table, d, 1) ? thud_sweep_digest_find(d, which) : -1;
+        const struct thud_sweep_summary *d = table->point[i];
+        int k = d->record == record && d->touches && drawn(table, d, 1) ? thud_sweep_summary_find(d, which) : -1;
         if (k >= 0)
             series->y[d->at[0]] = impacts ? d->run[k].impacts : 1e-6 * d->run[k].force_n;
     }
@@ -329,7 +330,7 @@ static void fill_map(struct thud_panel *panel, const struct thud_sweep_table *ta
     map->centre = 1.0;
     map->level = numbers(on_x) && numbers(on_y) ? 1.0 : NAN; /* nothing lies between words */
     for (size_t i = 0; i < table->npoints; i++) {
-        const struct thud_sweep_digest *d = table->point[i];
+        const struct thud_sweep_summary *d = table->point[i];
         if (d->record == wanted->record && drawn(table, d, 2))
             map->z[(size_t)d->at[1] * map->nx + (size_t)d->at[0]] = ratio(d, wanted, THUD_SWEEP_VALUE, q);
     }
@@ -366,11 +367,11 @@ struct thud_figure *thud_figure_of_map(const struct thud_sweep_table *table, int
 static bool has_ratios(const struct thud_sweep_table *table)
 {
     for (size_t i = 0; i < table->npoints; i++) {
-        const struct thud_sweep_digest *d = table->point[i];
+        const struct thud_sweep_summary *d = table->point[i];
         const struct thud_sweep_ratio *x;
-        int k = thud_sweep_digest_find(d, THUD_CASE_AS_WRITTEN);
+        int k = thud_sweep_summary_find(d, THUD_CASE_AS_WRITTEN);
         for (int s = 0; k >= 0 && s < table->nstructures; s++)
-            for (int f = 0; (x = thud_sweep_digest_ratio(d, k, s, f, THUD_SWEEP_VALUE)) != NULL; f++)
+            for (int f = 0; (x = thud_sweep_summary_ratio(d, k, s, f, THUD_SWEEP_VALUE)) != NULL; f++)
                 if (isfinite(x->acceleration) && x->acceleration != 1)
                     return true;
     }

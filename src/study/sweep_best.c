@@ -31,14 +31,14 @@ static void fill(const struct grid *g)
 {
     const struct thud_sweep_table *t = g->table;
     for (size_t i = 0; i < t->npoints; i++) {
-        const struct thud_sweep_digest *d = t->point[i];
+        const struct thud_sweep_summary *d = t->point[i];
         long other = 0;
         for (int a = 0; a < t->naxes; a++)
             other = a == g->axis ? other : other * g->n[a] + d->at[a];
         for (int k = 0; k < d->nruns; k++) {
             struct cell *c = cell_at(g, d->record, d->run[k].which, other, d->at[g->axis]);
             for (int s = 0; s < t->nstructures; s++) {
-                const struct thud_sweep_ratio *mean = thud_sweep_digest_ratio(d, k, s, 0, THUD_SWEEP_VALUE);
+                const struct thud_sweep_ratio *mean = thud_sweep_summary_ratio(d, k, s, 0, THUD_SWEEP_VALUE);
                 if (!mean)
                     continue;
                 c->acceleration = larger(c->acceleration, mean->acceleration);

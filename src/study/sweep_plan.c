@@ -16,7 +16,7 @@ void thud_sweep_plan_init(struct thud_sweep_plan *plan, const struct thud_scene 
     plan->scene = *scene;
     plan->ncases = 1;
     plan->cases[0] = THUD_CASE_AS_WRITTEN;
-    plan->savings = THUD_SWEEP_ALL;
+    plan->shortcuts = THUD_SWEEP_ALL;
 }
 
 static void clear_axis(struct thud_sweep_axis *axis)
@@ -371,7 +371,7 @@ long thud_sweep_points(const struct thud_sweep_plan *plan)
     return product(plan, 0) * (plan->nrecords > 0 ? plan->nrecords : 1);
 }
 
-long thud_sweep_points_per_base(const struct thud_sweep_plan *plan)
+long thud_sweep_points_per_group(const struct thud_sweep_plan *plan)
 {
     return product(plan, plan->nouter);
 }

@@ -7,7 +7,7 @@
 #include "study/sweep.h"
 
 /* The motion without pounding of one variant. */
-struct thud_sweep_ground {
+struct thud_sweep_baseline {
     struct thud_model *model;         /* case `none`, or as written where there is no bumper */
     const struct thud_record *record; /* NULL: no ground motion */
     struct thud_record *scaled;       /* owned, where the record itself is varied */
@@ -15,13 +15,13 @@ struct thud_sweep_ground {
 };
 
 /* Gaps change no motion without pounding: as it is, then ground motion and stiffness less and more. */
-enum { THUD_SWEEP_GROUNDS = THUD_SWEEP_VARIANTS - 2 };
+enum { THUD_SWEEP_BASELINES = THUD_SWEEP_VARIANTS - 2 };
 
-struct thud_sweep_base {
+struct thud_sweep_group {
     const struct thud_sweep_plan *plan;
     long index;
-    int ngrounds, ndone; /* ngrounds: 1, or THUD_SWEEP_GROUNDS */
-    struct thud_sweep_ground ground[THUD_SWEEP_GROUNDS];
+    int nbaselines, ndone; /* nbaselines: 1, or THUD_SWEEP_BASELINES */
+    struct thud_sweep_baseline baseline[THUD_SWEEP_BASELINES];
     struct thud_sweep_level *level; /* (model->ncontacts); once done */
 };
 
@@ -34,9 +34,9 @@ static inline bool thud_sweep_variant(const struct thud_sweep_plan *plan, int va
     return variant > 0;
 }
 
-static inline const struct thud_sweep_ground *thud_sweep_ground(const struct thud_sweep_base *base, int variant)
+static inline const struct thud_sweep_baseline *thud_sweep_baseline(const struct thud_sweep_group *group, int variant)
 {
-    return &base->ground[variant > 2 ? variant - 2 : 0]; /* variants 1 and 2 change the gap */
+    return &group->baseline[variant > 2 ? variant - 2 : 0]; /* variants 1 and 2 change the gap */
 }
 
 /* Everything 0; NULL when out of memory. */
@@ -55,11 +55,11 @@ static inline struct thud_sweep_contact *thud_sweep_contacts(const struct thud_s
 }
 
 /* Whether case k of a point is one that the plan has another point make for it. */
-bool thud_sweep_takes_none(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point, int k);
+bool thud_sweep_reuses_reference(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point, int k);
 /* What is left of an effort that another point made. */
-void thud_sweep_effort_taken(struct thud_sweep_effort *effort);
+void thud_sweep_effort_reused(struct thud_sweep_effort *effort);
 /* Puts case `none` in place; false where the point has none. */
-bool thud_sweep_none_put(const struct thud_sweep_none *none, const struct thud_sweep_plan *plan,
-                         struct thud_sweep_point *point);
+bool thud_sweep_reference_put(const struct thud_sweep_reference *reference, const struct thud_sweep_plan *plan,
+                              struct thud_sweep_point *point);
 
 #endif

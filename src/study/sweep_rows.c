@@ -176,7 +176,7 @@ int thud_sweep_contact_rows(const struct thud_sweep_plan *plan, const struct thu
 int thud_sweep_need_rows(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point,
                          struct thud_sweep_need_row *row)
 {
-    if (point->index % thud_sweep_points_per_base(plan) != 0)
+    if (point->index % thud_sweep_points_per_group(plan) != 0)
         return 0;
     for (int c = 0; row && c < point->ncontacts; c++) {
         const struct thud_sweep_level *x = &point->level[c];
@@ -227,8 +227,8 @@ void thud_sweep_total_add(struct thud_sweep_total *total, const struct thud_swee
         if (e->status == THUD_DIVERGED)
             note(&total->diverged_point, &total->diverged_case, point, k);
         total->made += e->made;
-        total->taken += e->taken;
-        total->free += e->status == THUD_OK && !e->made && !e->taken;
+        total->reused += e->reused;
+        total->free += e->status == THUD_OK && !e->made && !e->reused;
         total->shared_runs += e->shared_s > 0;
         total->left_out += e->left_out;
         total->steps += e->steps;

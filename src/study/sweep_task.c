@@ -7,14 +7,14 @@
 
 struct thud_sweep_task {
     const struct thud_sweep_plan *plan;
-    const struct thud_sweep_base *base;
+    const struct thud_sweep_group *group;
     struct thud_scene *scene, *cased;
     struct thud_sweep_point *point;
     int variant, which;              /* variant and case at work */
     struct thud_sweep_effort effort; /* of the run at work */
     struct thud_model *model;
     struct thud_run *run;
-    bool given; /* case `none` is there already */
+    bool reference_shared; /* case `none` is there already */
 };
 
 struct thud_sweep_point *thud_sweep_point_create(int ncases, int nfloors, int ncontacts, int nvariants)
@@ -73,17 +73,17 @@ static void take(struct thud_sweep_task *task, const struct thud_result *result)
     }
 }
 
-enum thud_status thud_sweep_task_create(const struct thud_sweep_plan *plan, const struct thud_sweep_base *base,
+enum thud_status thud_sweep_task_create(const struct thud_sweep_plan *plan, const struct thud_sweep_group *group,
                                         long index, struct thud_sweep_task **out, struct thud_error *err)
 {
     *out = NULL;
-    const struct thud_model *model = base->ground[0].model;
+    const struct thud_model *model = group->baseline[0].model;
     struct thud_sweep_task *task = calloc(1, sizeof *task);
     struct thud_scene *scenes = malloc(2 * sizeof *scenes);
     enum thud_status status = THUD_MEMORY;
     if (task && scenes) {
         task->plan = plan;
-        task->base = base;
+        task->group = group;
         task->scene = scenes;
         task->cased = scenes + 1;
         status = thud_sweep_scene(plan, index, task->scene, err);
@@ -111,8 +111,9 @@ enum thud_status thud_sweep_task_create(const struct thud_sweep_plan *plan, cons
     for (int s = 0; s < point->nstructures; s++)
         point->floors[s] = model->structure[s].n;
     for (int v = 0; v < point->nvariants; v++)
-        take_floors(thud_sweep_floors(point, v, point->ncases), thud_trunk_result(thud_sweep_ground(base, v)->trunk));
-    memcpy(point->level, base->level, (size_t)point->ncontacts * sizeof *point->level);
+        take_floors(thud_sweep_floors(point, v, point->ncases),
+                    thud_trunk_result(thud_sweep_baseline(group, v)->trunk));
+    memcpy(point->level, group->level, (size_t)point->ncontacts * sizeof *point->level);
     *out = task;
     return THUD_OK;
 }
@@ -121,7 +122,7 @@ enum thud_status thud_sweep_task_create(const struct thud_sweep_plan *plan, cons
 static bool never_closes(const struct thud_sweep_task *task, int c)
 {
     const struct thud_model_contact *p = &task->model->contact[c];
-    const struct thud_trunk *trunk = thud_sweep_ground(task->base, task->variant)->trunk;
+    const struct thud_trunk *trunk = thud_sweep_baseline(task->group, task->variant)->trunk;
     return (p->law->flags & THUD_LAW_SILENT) || thud_trunk_closing(trunk, c) <= p->clearance_m;
 }
 
@@ -168,12 +169,12 @@ static void count_run(struct thud_sweep_task *task)
         bool reference = kept->reference;
         *kept = task->effort;
         kept->reference = reference;
-        if (thud_sweep_takes_none(task->plan, task->point, task->which))
-            thud_sweep_effort_taken(kept);
+        if (thud_sweep_reuses_reference(task->plan, task->point, task->which))
+            thud_sweep_effort_reused(kept);
         return;
     }
-    if (thud_sweep_takes_none(task->plan, task->point, task->which))
-        return; /* counted where it is made, whether it could be taken over or not */
+    if (thud_sweep_reuses_reference(task->plan, task->point, task->which))
+        return; /* counted where it is made, whether it could be reused or not */
     changed->made += task->effort.made;
     changed->free += task->effort.status == THUD_OK && !task->effort.made;
     changed->failed += task->effort.status != THUD_OK;
@@ -195,25 +196,26 @@ static void no_numbers(const struct thud_sweep_task *task)
 static enum thud_status start_run(struct thud_sweep_task *task, const struct thud_run_options *options,
                                   struct thud_error *err)
 {
-    const struct thud_sweep_ground *ground = thud_sweep_ground(task->base, task->variant);
+    const struct thud_sweep_baseline *baseline = thud_sweep_baseline(task->group, task->variant);
     struct thud_sweep_effort *effort = &task->effort;
-    unsigned savings =
-        thud_trunk_shares(ground->trunk) && same_shape(task->model, ground->model) ? task->plan->savings : 0;
+    unsigned shortcuts =
+        thud_trunk_shares(baseline->trunk) && same_shape(task->model, baseline->model) ? task->plan->shortcuts : 0;
     int left = 0, dropped = 0;
-    if (savings & (THUD_SWEEP_FREE | THUD_SWEEP_LEVELS))
-        dropped = leave_out(task, savings & THUD_SWEEP_LEVELS, &left);
-    if ((savings & THUD_SWEEP_FREE) && left == 0) {
-        const struct thud_result *result = thud_trunk_result(ground->trunk);
+    if (shortcuts & (THUD_SWEEP_FREE | THUD_SWEEP_LEVELS))
+        dropped = leave_out(task, shortcuts & THUD_SWEEP_LEVELS, &left);
+    if ((shortcuts & THUD_SWEEP_FREE) && left == 0) {
+        const struct thud_result *result = thud_trunk_result(baseline->trunk);
         take(task, result);
         effort->end_s = result->end_s;
         count_run(task);
         return THUD_OK;
     }
     effort->made = true;
-    effort->left_out = savings & THUD_SWEEP_LEVELS ? dropped : 0;
-    if (savings & THUD_SWEEP_START)
-        return thud_trunk_run(ground->trunk, task->model, ground->record, options, &task->run, &effort->shared_s, err);
-    return thud_run_create(task->model, ground->record, options, &task->run, err);
+    effort->left_out = shortcuts & THUD_SWEEP_LEVELS ? dropped : 0;
+    if (shortcuts & THUD_SWEEP_START)
+        return thud_trunk_run(baseline->trunk, task->model, baseline->record, options, &task->run, &effort->shared_s,
+                              err);
+    return thud_run_create(task->model, baseline->record, options, &task->run, err);
 }
 
 static enum thud_status begin(struct thud_sweep_task *task, struct thud_error *err)
@@ -229,7 +231,7 @@ static enum thud_status begin(struct thud_sweep_task *task, struct thud_error *e
         thud_change_scene(task->cased, change, factor);
     if (status == THUD_OK)
         status = thud_scene_assemble(task->cased, &task->model, err);
-    if (status == THUD_OK && !same_shape(task->model, task->base->ground[0].model))
+    if (status == THUD_OK && !same_shape(task->model, task->group->baseline[0].model))
         status = thud_error_set(err, THUD_INPUT, "floors and contacts differ from those of the study's first case");
     if (status == THUD_OK)
         status = thud_scene_options(task->cased, &options, err);
@@ -278,7 +280,7 @@ enum thud_status thud_sweep_task_advance(struct thud_sweep_task *task, long budg
             next_run(task);
             continue;
         }
-        if (task->given && task->point->which[task->which] == THUD_CASE_NONE) {
+        if (task->reference_shared && task->point->which[task->which] == THUD_CASE_NONE) {
             next_run(task);
             continue;
         }
@@ -303,9 +305,9 @@ enum thud_status thud_sweep_task_advance(struct thud_sweep_task *task, long budg
     return THUD_OK;
 }
 
-void thud_sweep_task_give(struct thud_sweep_task *task, const struct thud_sweep_none *none)
+void thud_sweep_task_share(struct thud_sweep_task *task, const struct thud_sweep_reference *reference)
 {
-    task->given = thud_sweep_none_put(none, task->plan, task->point);
+    task->reference_shared = thud_sweep_reference_put(reference, task->plan, task->point);
 }
 
 struct thud_sweep_point *thud_sweep_task_take(struct thud_sweep_task *task)

@@ -34,7 +34,7 @@ static const char spread_mark[] = "spread ";
 
 static void put_effort(struct thud_text *out, enum thud_case which, const struct thud_sweep_effort *e)
 {
-    thud_text_append(out, "%d %d %d %d %d %ld %ld ", which, e->status, e->taken ? 2 : e->made, e->reference,
+    thud_text_append(out, "%d %d %d %d %d %ld %ld ", which, e->status, e->reused ? 2 : e->made, e->reference,
                      e->left_out, e->steps, e->events);
     put(out, e->shared_s);
     put(out, e->end_s);
@@ -140,7 +140,7 @@ static void get_effort(struct reader *r, enum thud_case *which, struct thud_swee
     e->status = (enum thud_status)get_int(r, 0, THUD_CANCELLED);
     int made = get_int(r, 0, 2);
     e->made = made == 1;
-    e->taken = made == 2;
+    e->reused = made == 2;
     e->reference = get_int(r, 0, 1);
     e->left_out = get_int(r, 0, INT_MAX);
     e->steps = get_whole(r, 0, 1L << 53);

@@ -124,8 +124,8 @@ static int draw_progress(struct thud_tui *tui, struct thud_sweep_state *s, const
     thud_field_note(pane, y++, "%ld of %ld points", work->next, work->points);
     thud_field_note(pane, y++, "%ld runs made, %ld answered", work->total.made, work->total.free);
     thud_field_note(pane, y++, "  without one (no contact)");
-    if (work->total.taken)
-        thud_field_note(pane, y++, "%ld shared: they have no bumper", work->total.taken);
+    if (work->total.reused)
+        thud_field_note(pane, y++, "%ld shared: they have no bumper", work->total.reused);
     if (work->total.impossible)
         thud_field_note(pane, y++, "%ld not possible (bumper > gap)", work->total.impossible);
     if (work->total.diverged)

@@ -12,10 +12,10 @@ static void drop_tasks(struct thud_sweep_work *work)
 {
     if (work->task)
         thud_sweep_task_free(work->task);
-    if (work->base)
-        thud_sweep_base_free(work->base);
+    if (work->group)
+        thud_sweep_group_free(work->group);
     work->task = NULL;
-    work->base = NULL;
+    work->group = NULL;
     work->base_done = false;
 }
 
@@ -122,14 +122,15 @@ static enum thud_status keep_point(struct thud_sweep_work *work, struct thud_swe
     return THUD_OK;
 }
 
-/* Case `none` of the point that makes it for this one, too. */
-static void give_none(const struct thud_sweep_work *work, struct thud_sweep_task *task)
+/* The reference case of the point that makes it for this one, too. */
+static void share_reference(const struct thud_sweep_work *work, struct thud_sweep_task *task)
 {
-    long of = thud_sweep_same_none(&work->plan, work->next);
-    struct thud_sweep_none *none = of < work->next ? thud_sweep_none_keep(&work->plan, work->done[of]) : NULL;
-    if (none)
-        thud_sweep_task_give(task, none);
-    free(none);
+    long of = thud_sweep_reference_point(&work->plan, work->next);
+    struct thud_sweep_reference *reference =
+        of < work->next ? thud_sweep_reference_keep(&work->plan, work->done[of]) : NULL;
+    if (reference)
+        thud_sweep_task_share(task, reference);
+    free(reference);
 }
 
 enum thud_status thud_sweep_work_start(struct thud_sweep_work *work, const struct thud_scene *scene,
@@ -153,20 +154,20 @@ enum thud_status thud_sweep_work_start(struct thud_sweep_work *work, const struc
     return THUD_OK;
 }
 
-/* The base under the next point, made where it is another one. */
+/* The group under the next point, made where it is another one. */
 static enum thud_status advance_base(struct thud_sweep_work *work, struct thud_error *err)
 {
-    long index = work->next / thud_sweep_points_per_base(&work->plan);
-    if (work->base && index != work->base_index)
+    long index = work->next / thud_sweep_points_per_group(&work->plan);
+    if (work->group && index != work->base_index)
         drop_tasks(work);
-    if (!work->base) {
-        enum thud_status status = thud_sweep_base_create(&work->plan, index, &work->base, err);
+    if (!work->group) {
+        enum thud_status status = thud_sweep_group_create(&work->plan, index, &work->group, err);
         if (status != THUD_OK)
             return status;
         work->base_index = index;
         work->base_done = false;
     }
-    return thud_sweep_base_advance(work->base, SEGMENTS, &work->base_done, err);
+    return thud_sweep_group_advance(work->group, SEGMENTS, &work->base_done, err);
 }
 
 static enum thud_status advance_task(struct thud_sweep_work *work, struct thud_error *err)
@@ -174,9 +175,9 @@ static enum thud_status advance_task(struct thud_sweep_work *work, struct thud_e
     bool done = false;
     enum thud_status status = THUD_OK;
     if (!work->task) {
-        status = thud_sweep_task_create(&work->plan, work->base, work->next, &work->task, err);
+        status = thud_sweep_task_create(&work->plan, work->group, work->next, &work->task, err);
         if (status == THUD_OK)
-            give_none(work, work->task);
+            share_reference(work, work->task);
     }
     if (status == THUD_OK)
         status = thud_sweep_task_advance(work->task, SEGMENTS, &done, err);
@@ -195,7 +196,7 @@ enum thud_status thud_sweep_work_advance(struct thud_sweep_work *work, struct th
         thud_sweep_work_stop(work);
         return THUD_OK;
     }
-    bool other = work->base && work->next / thud_sweep_points_per_base(&work->plan) != work->base_index;
+    bool other = work->group && work->next / thud_sweep_points_per_group(&work->plan) != work->base_index;
     enum thud_status status = work->base_done && !other ? advance_task(work, err) : advance_base(work, err);
     if (status != THUD_OK)
         thud_sweep_work_stop(work);

@@ -17,7 +17,7 @@ struct thud_sweep_work {
     char record_name[THUD_STUDY_RECORDS_MAX][96];
     const char *record_names[THUD_STUDY_RECORDS_MAX];
     int nrecords;
-    struct thud_sweep_base *base;
+    struct thud_sweep_group *group;
     bool base_done;
     long base_index, next, points;
     struct thud_sweep_task *task;

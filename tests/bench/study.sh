@@ -1,5 +1,5 @@
 #!/bin/sh
-# The paper's study (3 ground motions, 41 gaps, 3 cases): wall time with every saving and without, and what central difference at 1e-5 s would take.
+# The paper's study (3 ground motions, 41 gaps, 3 cases): wall time with every shortcut and without, and what central difference at 1e-5 s would take.
 # usage: study.sh [REPEATS [first|cd]]   first: only the first row   cd: central difference as well (minutes)   THUD: the program; THUD_RECORDS: see records.sh
 set -eu
 THUD=${THUD:-./thud}
@@ -36,13 +36,13 @@ row() { # LABEL ARGUMENTS...: median wall time and processor time, what was made
 echo "records: $records"
 echo "processors: $(nproc), load $(cut -d' ' -f1 /proc/loadavg), median of $repeats"
 printf '%-34s %10s %10s\n' "" wall processor
-row "all savings, 2 threads" -j 2
+row "all shortcuts, 2 threads" -j 2
 [ "${2:-}" != first ] || exit 0
-row "all savings, 1 thread" -j 1
+row "all shortcuts, 1 thread" -j 1
 row "without contact-free answers" -j 2 --without free
 row "without the shared beginning" -j 2 --without start
 row "without levels left out" -j 2 --without levels
-row "without any saving" -j 2 --without all
+row "without any shortcut" -j 2 --without all
 
 [ "${2:-}" = cd ] || exit 0
 # central difference: one point of each record, all cases, and the rest by proportion

@@ -1,5 +1,5 @@
 #!/bin/sh
-# thud sweep: the same bytes whatever the threads, parts, interruptions and savings; wrong words and full disks leave nothing half written.  TAP.
+# thud sweep: the same bytes whatever the threads, parts, interruptions and shortcuts; wrong words and full disks leave nothing half written.  TAP.
 set -u
 THUD=${THUD:-./thud}
 tmp=$(mktemp -d) || exit 1
@@ -55,7 +55,7 @@ again --csv --quiet >"$tmp/again.csv" 2>"$tmp/err"
 check "study.json holds what gives the study again" cmp "$tmp/again.csv" "$tmp/one/sweep.csv"
 check "with the version" grep -q "\"version\": \"$("$THUD" --version | sed -n 's/^thud //p')\"" "$tmp/one/study.json"
 study --csv --quiet --without all >"$tmp/slow.csv" 2>"$tmp/err"
-check "without any saving the numbers are the same" cmp "$tmp/slow.csv" "$tmp/one/sweep.csv"
+check "without any shortcut the numbers are the same" cmp "$tmp/slow.csv" "$tmp/one/sweep.csv"
 status 0 study
 check "the table says what was made and what was saved" grep -q "54 runs: .* made, .* answered by the motion without pounding" "$tmp/out"
 study --json --quiet >"$tmp/rows.json" 2>"$tmp/err"
@@ -78,12 +78,12 @@ check "so they are for free bodies without a ground motion" cmp "$tmp/free.csv" 
 # case none is the same whatever the bumper: the first bumper's point makes it for the others, in any order of the keys and in parts too
 none() { "$THUD" sweep towers --vary gap=8cm,12cm --vary bumper.thickness=3cm,5cm,7cm --cases bumper,none "$@"; }
 status 0 none -j 1
-check "case none is made once for all bumpers" grep -q "12 runs: 8 made, .*, 4 of case none taken from" "$tmp/out"
+check "case none is made once for all bumpers" grep -q "12 runs: 8 made, .*, 4 of case none reused from" "$tmp/out"
 mv "$tmp/out" "$tmp/work"
 status 0 none -j 2
 check "what is told of it does not depend on the threads" cmp "$tmp/work" "$tmp/out"
 none --csv --quiet -j 2 >"$tmp/shared.csv" 2>"$tmp/err"
-none --csv --quiet --without none >"$tmp/each.csv" 2>"$tmp/err"
+none --csv --quiet --without reference >"$tmp/each.csv" 2>"$tmp/err"
 check "with the same numbers" cmp "$tmp/shared.csv" "$tmp/each.csv"
 for k in 1 2; do status 0 none --quiet --shard $k/2 -o "$tmp/none$k"; done
 "$THUD" sweep --merge "$tmp/none1" "$tmp/none2" --quiet -o "$tmp/nones" >"$tmp/out" 2>"$tmp/err"
@@ -145,7 +145,7 @@ check "a study begun without a spread is another study" says "another study"
 grid() { "$THUD" sweep towers --vary gap=8cm,10cm --vary bumper.thickness=3cm:5cm:1cm --cases none,bumper --sensitivity "$@"; }
 status 5 grid -j 1 -o "$tmp/grid1"
 status 5 grid -j 2 --without all -o "$tmp/grid2"
-check "a spread is the same without any saving, case none shared or not" same "$tmp/grid1" "$tmp/grid2"
+check "a spread is the same without any shortcut, case none shared or not" same "$tmp/grid1" "$tmp/grid2"
 for k in 1 2; do status 0 grid --shard $k/2 -o "$tmp/grids$k"; done
 status 5 "$THUD" sweep --merge "$tmp/grids1" "$tmp/grids2" -o "$tmp/grids"
 check "and in parts" same "$tmp/grid1" "$tmp/grids"
@@ -222,7 +222,7 @@ wrong 2 "twice" towers --vary gap=5cm,6cm --vary gap=7cm
 wrong 2 "case" towers --cases none,soft
 wrong 2 "part" towers --shard 4/3
 wrong 2 "varied" towers --best bumper.thickness
-wrong 2 "saving" towers --without gravity
+wrong 2 "shortcut" towers --without gravity
 wrong 2 "fits" towers -j 0
 wrong 2 "^thud: --vary: " towers --vary gap
 wrong 2 "^thud: --cases: " towers --cases nine

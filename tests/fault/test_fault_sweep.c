@@ -56,18 +56,18 @@ static long after(long n)
 
 static enum thud_status make_point(struct thud_sweep_point **point)
 {
-    struct thud_sweep_base *base = NULL;
+    struct thud_sweep_group *group = NULL;
     struct thud_sweep_task *task = NULL;
-    enum thud_status status = thud_sweep_base_create(plan, 0, &base, NULL);
+    enum thud_status status = thud_sweep_group_create(plan, 0, &group, NULL);
     for (bool done = false; status == THUD_OK && !done;)
-        status = thud_sweep_base_advance(base, 100, &done, NULL);
+        status = thud_sweep_group_advance(group, 100, &done, NULL);
     if (status == THUD_OK)
-        status = thud_sweep_task_create(plan, base, 0, &task, NULL);
+        status = thud_sweep_task_create(plan, group, 0, &task, NULL);
     for (bool done = false; status == THUD_OK && !done;)
         status = thud_sweep_task_advance(task, 100, &done, NULL);
     *point = status == THUD_OK ? thud_sweep_task_take(task) : NULL;
     thud_sweep_task_free(task);
-    thud_sweep_base_free(base);
+    thud_sweep_group_free(group);
     return status;
 }
 

@@ -1,4 +1,4 @@
-/* A study of a random scene: with its savings, without them, and as runs of its own. */
+/* A study of a random scene: with its shortcuts, without them, and as runs of its own. */
 #include <assert.h>
 #include <math.h>
 #include <stdio.h>
@@ -9,11 +9,11 @@
 #include "study/sweep.h"
 
 /* The finished point, what it cost left out; NULL where it has none. */
-static struct thud_sweep_point *make_point(const struct thud_sweep_plan *plan, const struct thud_sweep_base *base,
+static struct thud_sweep_point *make_point(const struct thud_sweep_plan *plan, const struct thud_sweep_group *group,
                                            long index)
 {
     struct thud_sweep_task *task;
-    if (thud_sweep_task_create(plan, base, index, &task, NULL) != THUD_OK)
+    if (thud_sweep_task_create(plan, group, index, &task, NULL) != THUD_OK)
         return NULL;
     for (bool done = false; !done;)
         if (thud_sweep_task_advance(task, 100000, &done, NULL) != THUD_OK)
@@ -28,21 +28,21 @@ static struct thud_sweep_point *make_point(const struct thud_sweep_plan *plan, c
 static struct thud_text whole(const struct thud_sweep_plan *plan)
 {
     struct thud_text text = {0};
-    struct thud_sweep_base *base;
-    if (thud_sweep_base_create(plan, 0, &base, NULL) != THUD_OK)
+    struct thud_sweep_group *group;
+    if (thud_sweep_group_create(plan, 0, &group, NULL) != THUD_OK)
         return text;
     for (bool done = false; !done;)
-        if (thud_sweep_base_advance(base, 1000, &done, NULL) != THUD_OK)
+        if (thud_sweep_group_advance(group, 1000, &done, NULL) != THUD_OK)
             break;
     for (long i = 0; i < thud_sweep_points(plan); i++) {
-        struct thud_sweep_point *point = make_point(plan, base, i);
+        struct thud_sweep_point *point = make_point(plan, group, i);
         if (!point)
             continue;
         thud_sweep_point_write(point, &text);
         thud_text_append(&text, "\n");
         free(point);
     }
-    thud_sweep_base_free(base);
+    thud_sweep_group_free(group);
     return text;
 }
 
@@ -82,11 +82,11 @@ bool scenes_sweep_agrees(const struct scenes_one *one, char *what, size_t size)
         struct thud_text all = whole(plan), each = {0};
         static const unsigned some[] = {0, THUD_SWEEP_FREE, THUD_SWEEP_START, THUD_SWEEP_LEVELS};
         for (int i = 0; i < 4 && same; i++) {
-            plan->savings = some[i];
+            plan->shortcuts = some[i];
             each = whole(plan);
             same = is_same(all.data, each.data);
             if (!same)
-                snprintf(what, size, "savings %u and all of them differ: %s", some[i],
+                snprintf(what, size, "shortcuts %u and all of them differ: %s", some[i],
                          all.data && each.data ? "" : "no points");
             thud_text_clear(&each);
         }

@@ -1,4 +1,4 @@
-/* What makes the exact method fast: each saving against the plain way. */
+/* What makes the exact method fast: each shortcut against the plain way. */
 #include <check.h>
 #include <math.h>
 #include <stdlib.h>
@@ -170,7 +170,7 @@ Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
     Suite *suite = suite_create("exact parts");
-    TCase *tc = tcase_create("savings");
+    TCase *tc = tcase_create("shortcuts");
     tcase_add_test(tc, places_against_horner);
     tcase_add_test(tc, no_state_passes_what_its_energy_allows);
     tcase_add_test(tc, slices_change_no_bit);

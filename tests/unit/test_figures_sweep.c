@@ -25,12 +25,12 @@ struct sample {
     struct thud_sweep_axis axis[2];
     double gap[GAPS], depth[DEPTHS];
     char text[GAPS][THUD_NAME_MAX];
-    struct thud_sweep_digest *point[RECORDS * GAPS * DEPTHS];
+    struct thud_sweep_summary *point[RECORDS * GAPS * DEPTHS];
 };
 
-static struct thud_sweep_digest *make_point(int record, int a, int b)
+static struct thud_sweep_summary *make_point(int record, int a, int b)
 {
-    struct thud_sweep_digest *d = thud_sweep_digest_create(CASES, 3, floors, true);
+    struct thud_sweep_summary *d = thud_sweep_summary_create(CASES, 3, floors, true);
     ck_assert_ptr_nonnull(d);
     d->record = record;
     d->at[0] = a;
@@ -42,9 +42,10 @@ static struct thud_sweep_digest *make_point(int record, int a, int b)
         for (int st = 0; st < 3; st++)
             for (int f = 0; f <= floors[st] && floors[st]; f++) {
                 double x = mark(record, c, a, b, st, f);
-                *thud_sweep_digest_ratio(d, c, st, f, THUD_SWEEP_VALUE) = (struct thud_sweep_ratio){x, -x};
-                *thud_sweep_digest_ratio(d, c, st, f, THUD_SWEEP_LOW) = (struct thud_sweep_ratio){x - 0.01, -x - 0.02};
-                *thud_sweep_digest_ratio(d, c, st, f, THUD_SWEEP_HIGH) = (struct thud_sweep_ratio){x + 0.03, -x + 0.04};
+                *thud_sweep_summary_ratio(d, c, st, f, THUD_SWEEP_VALUE) = (struct thud_sweep_ratio){x, -x};
+                *thud_sweep_summary_ratio(d, c, st, f, THUD_SWEEP_LOW) = (struct thud_sweep_ratio){x - 0.01, -x - 0.02};
+                *thud_sweep_summary_ratio(d, c, st, f, THUD_SWEEP_HIGH) =
+                    (struct thud_sweep_ratio){x + 0.03, -x + 0.04};
             }
     }
     return d;
@@ -73,7 +74,7 @@ static void fill(struct sample *s, int naxes)
     for (int r = 0; r < RECORDS; r++)
         for (int a = 0; a < GAPS; a++)
             for (int b = 0; b < (naxes > 1 ? DEPTHS : 1); b++) {
-                struct thud_sweep_digest *d = make_point(r, a, b);
+                struct thud_sweep_summary *d = make_point(r, a, b);
                 s->point[s->table.npoints++] = d;
                 s->table.nrows += (size_t)(d->nruns * d->nrows);
             }

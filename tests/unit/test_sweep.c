@@ -1,4 +1,4 @@
-/* Parametric studies: rows against single answers, ratios by hand, savings that change
+/* Parametric studies: rows against single answers, ratios by hand, shortcuts that change
  * nothing, needed gaps against a search by runs. */
 #include <check.h>
 #include <math.h>
@@ -15,19 +15,19 @@ static void set_up(void)
     study_set_up(1);
 }
 
-static struct thud_sweep_base *make_base(long index)
+static struct thud_sweep_group *make_group(long index)
 {
-    struct thud_sweep_base *base;
-    ck_assert_msg(thud_sweep_base_create(plan, index, &base, &error) == THUD_OK, "%s", error.what);
+    struct thud_sweep_group *group;
+    ck_assert_msg(thud_sweep_group_create(plan, index, &group, &error) == THUD_OK, "%s", error.what);
     for (bool done = false; !done;)
-        ck_assert_int_eq(thud_sweep_base_advance(base, 5, &done, &error), THUD_OK);
-    return base;
+        ck_assert_int_eq(thud_sweep_group_advance(group, 5, &done, &error), THUD_OK);
+    return group;
 }
 
-static struct thud_sweep_point *make_point(const struct thud_sweep_base *base, long index)
+static struct thud_sweep_point *make_point(const struct thud_sweep_group *group, long index)
 {
     struct thud_sweep_task *task;
-    ck_assert_int_eq(thud_sweep_task_create(plan, base, index, &task, &error), THUD_OK);
+    ck_assert_int_eq(thud_sweep_task_create(plan, group, index, &task, &error), THUD_OK);
     for (bool done = false; !done;)
         ck_assert_int_eq(thud_sweep_task_advance(task, 7, &done, &error), THUD_OK);
     struct thud_sweep_point *point = thud_sweep_task_take(task);
@@ -39,15 +39,15 @@ static struct thud_sweep_point *make_point(const struct thud_sweep_base *base, l
 static struct thud_text whole(struct thud_sweep_total *total)
 {
     struct thud_text text = {0};
-    long per_base = thud_sweep_points_per_base(plan);
-    struct thud_sweep_base *base = NULL;
+    long per_group = thud_sweep_points_per_group(plan);
+    struct thud_sweep_group *group = NULL;
     thud_sweep_total_init(total);
     for (long i = 0; i < thud_sweep_points(plan); i++) {
-        if (i % per_base == 0) {
-            thud_sweep_base_free(base);
-            base = make_base(i / per_base);
+        if (i % per_group == 0) {
+            thud_sweep_group_free(group);
+            group = make_group(i / per_group);
         }
-        struct thud_sweep_point *point = make_point(base, i);
+        struct thud_sweep_point *point = make_point(group, i);
         thud_sweep_total_add(total, point);
         /* what a run cost is no answer */
         for (int k = 0; k < point->ncases; k++) {
@@ -58,7 +58,7 @@ static struct thud_text whole(struct thud_sweep_total *total)
         thud_text_append(&text, "\n");
         free(point);
     }
-    thud_sweep_base_free(base);
+    thud_sweep_group_free(group);
     return text;
 }
 
@@ -67,8 +67,8 @@ START_TEST(rows_are_those_of_single_runs)
 {
     vary("gap=6 cm");
     ck_assert_int_eq(thud_sweep_cases(plan, "bumper,cavity", &error), THUD_OK);
-    struct thud_sweep_base *base = make_base(0);
-    struct thud_sweep_point *point = make_point(base, 0);
+    struct thud_sweep_group *group = make_group(0);
+    struct thud_sweep_point *point = make_point(group, 0);
     struct thud_sweep_row row[24];
     struct thud_sweep_contact_row contact[8];
     ck_assert_int_eq(point->ncases, 3); /* `none` was added for the ratios */
@@ -133,7 +133,7 @@ START_TEST(rows_are_those_of_single_runs)
         thud_answer_clear(&answer[k]);
     free(now);
     free(point);
-    thud_sweep_base_free(base);
+    thud_sweep_group_free(group);
 }
 END_TEST
 
@@ -162,7 +162,7 @@ START_TEST(ratios_by_hand)
 END_TEST
 
 /* Also where only the two lowest modes of each building are there. */
-START_TEST(savings_change_no_number)
+START_TEST(shortcuts_change_no_number)
 {
     plan->scene.analysis.modes = 2 * _i;
     vary("gap=5 cm,9 cm,14 cm,30 cm");
@@ -177,11 +177,11 @@ START_TEST(savings_change_no_number)
     ck_assert_int_gt(total.shared_runs, 10);
     static const unsigned some[] = {0, THUD_SWEEP_FREE, THUD_SWEEP_START, THUD_SWEEP_LEVELS};
     for (size_t i = 0; i < sizeof some / sizeof *some; i++) {
-        unsigned savings = plan->savings = some[i];
+        unsigned shortcuts = plan->shortcuts = some[i];
         struct thud_text text = whole(&total);
         ck_assert_str_eq(text.data, all.data);
-        ck_assert_int_eq(total.free > 0, (savings & THUD_SWEEP_FREE) != 0);
-        ck_assert_int_eq(total.shared_runs > 0, (savings & THUD_SWEEP_START) != 0);
+        ck_assert_int_eq(total.free > 0, (shortcuts & THUD_SWEEP_FREE) != 0);
+        ck_assert_int_eq(total.shared_runs > 0, (shortcuts & THUD_SWEEP_START) != 0);
         thud_text_clear(&text);
     }
     thud_text_clear(&all);
@@ -207,7 +207,7 @@ START_TEST(levels_that_cannot_touch_are_left_out)
     ck_assert_int_eq(total.free, 1);
     ck_assert_int_eq(total.made, 2);
     ck_assert_int_eq(total.left_out, 8); /* four floors of A, twice */
-    plan->savings = 0;
+    plan->shortcuts = 0;
     struct thud_text none = whole(&total);
     ck_assert_int_eq(total.made, 3);
     ck_assert_int_eq(total.left_out, 0);
@@ -248,8 +248,8 @@ static bool touches(double gap)
 
 START_TEST(needed_gap_is_where_contacts_end)
 {
-    struct thud_sweep_base *base = make_base(0);
-    struct thud_sweep_point *point = make_point(base, 0);
+    struct thud_sweep_group *group = make_group(0);
+    struct thud_sweep_point *point = make_point(group, 0);
     struct thud_sweep_need_row need[4];
     ck_assert_int_eq(thud_sweep_need_rows(plan, point, need), 4);
     double widest = 0, low = 0, high = 1;
@@ -272,21 +272,21 @@ START_TEST(needed_gap_is_where_contacts_end)
     }
     ck_assert_double_eq_tol(widest, high, 1e-10);
     free(point);
-    thud_sweep_base_free(base);
+    thud_sweep_group_free(group);
 }
 END_TEST
 
 START_TEST(varied_peak_scales_the_motion)
 {
     vary("record.peak=2 m/s2,4 m/s2");
-    struct thud_sweep_base *one = make_base(0), *two = make_base(1);
+    struct thud_sweep_group *one = make_group(0), *two = make_group(1);
     struct thud_sweep_point *a = make_point(one, 0), *b = make_point(two, 1);
     for (int c = 0; c < 4; c++)
         ck_assert_double_eq_tol(b->level[c].closing_m, 2 * a->level[c].closing_m, 1e-12);
     free(a);
     free(b);
-    thud_sweep_base_free(one);
-    thud_sweep_base_free(two);
+    thud_sweep_group_free(one);
+    thud_sweep_group_free(two);
 }
 END_TEST
 
@@ -294,14 +294,14 @@ START_TEST(impossible_points_have_no_rows)
 {
     vary("gap=4 cm,6 cm");
     ck_assert_int_eq(thud_sweep_cases(plan, "none,bumper", &error), THUD_OK);
-    struct thud_sweep_base *base = make_base(0);
-    struct thud_sweep_point *narrow = make_point(base, 0), *wide = make_point(base, 1);
+    struct thud_sweep_group *group = make_group(0);
+    struct thud_sweep_point *narrow = make_point(group, 0), *wide = make_point(group, 1);
     ck_assert_int_eq(narrow->effort[1].status, THUD_INPUT);
     ck_assert_int_eq(thud_sweep_rows(plan, narrow, NULL), 12);
     ck_assert_int_eq(thud_sweep_rows(plan, wide, NULL), 24);
     free(narrow);
     free(wide);
-    thud_sweep_base_free(base);
+    thud_sweep_group_free(group);
 }
 END_TEST
 
@@ -309,9 +309,9 @@ START_TEST(points_as_text_and_back)
 {
     vary("gap=4 cm,6 cm");
     ck_assert_int_eq(thud_sweep_cases(plan, "none,bumper", &error), THUD_OK);
-    struct thud_sweep_base *base = make_base(0);
+    struct thud_sweep_group *group = make_group(0);
     for (int i = 0; i < 2; i++) {
-        struct thud_sweep_point *point = make_point(base, i), *back;
+        struct thud_sweep_point *point = make_point(group, i), *back;
         struct thud_text text = {0}, again = {0};
         thud_sweep_point_write(point, &text);
         ck_assert_int_eq(thud_sweep_point_read(text.data, &back, &error), THUD_OK);
@@ -334,7 +334,7 @@ START_TEST(points_as_text_and_back)
         thud_text_clear(&again);
         free(point);
     }
-    thud_sweep_base_free(base);
+    thud_sweep_group_free(group);
 }
 END_TEST
 
@@ -348,7 +348,7 @@ START_TEST(fingerprints_tell_plans_apart)
     other->nrecords = 1;
     ck_assert_int_eq(thud_sweep_vary(other, "gap=4 cm,6 cm", &error), THUD_OK);
     ck_assert(thud_sweep_fingerprint(other) == first);
-    other->savings = 0;
+    other->shortcuts = 0;
     ck_assert(thud_sweep_fingerprint(other) == first);
     other->scene.interface[0].bumper.value[0] *= 1 + 1e-15;
     ck_assert(thud_sweep_fingerprint(other) != first);
@@ -368,7 +368,7 @@ Suite *thud_suite(void)
     tcase_add_checked_fixture(tcase, set_up, study_tear_down);
     tcase_add_test(tcase, rows_are_those_of_single_runs);
     tcase_add_test(tcase, ratios_by_hand);
-    tcase_add_loop_test(tcase, savings_change_no_number, 0, 2);
+    tcase_add_loop_test(tcase, shortcuts_change_no_number, 0, 2);
     tcase_add_test(tcase, levels_that_cannot_touch_are_left_out);
     tcase_add_test(tcase, identical_neighbours_need_no_run);
     tcase_add_test(tcase, needed_gap_is_where_contacts_end);

@@ -9,14 +9,14 @@ enum { THICKNESSES = 9, GAPS = 2, RECORDS = 2, STRUCTURES = 2, POINTS = THICKNES
 
 /* ratio = 0.8 + 100 (d - best)^2 for structure 0 and 0.01 less for structure 1; best = 3 cm at the first gap, 6 cm at
  * the second; in the second record 0.1 more and 1 cm to the right. A floor's own ratio counts for nothing. */
-static struct thud_sweep_digest *point[POINTS];
+static struct thud_sweep_summary *point[POINTS];
 static double gap[GAPS] = {0.1, 0.2}, thickness[THICKNESSES];
 static struct thud_sweep_table table;
 static struct thud_sweep_axis axis[2];
 
-static struct thud_sweep_digest *make_point(int record, int g, int i)
+static struct thud_sweep_summary *make_point(int record, int g, int i)
 {
-    struct thud_sweep_digest *d = thud_sweep_digest_create(1, STRUCTURES, (const int[STRUCTURES]){1, 1}, false);
+    struct thud_sweep_summary *d = thud_sweep_summary_create(1, STRUCTURES, (const int[STRUCTURES]){1, 1}, false);
     double off = thickness[i] - (g == 0 ? 0.03 : 0.06) - 0.01 * record;
     ck_assert_ptr_nonnull(d);
     d->record = record;
@@ -25,9 +25,9 @@ static struct thud_sweep_digest *make_point(int record, int g, int i)
     d->gap_m = gap[g];
     d->run[0].which = THUD_CASE_BUMPER;
     for (int s = 0; s < STRUCTURES; s++) {
-        *thud_sweep_digest_ratio(d, 0, s, 0, THUD_SWEEP_VALUE) =
+        *thud_sweep_summary_ratio(d, 0, s, 0, THUD_SWEEP_VALUE) =
             (struct thud_sweep_ratio){0.8 + 0.1 * record + 100 * off * off - 0.01 * s, 0.9 + 0.01 * s};
-        *thud_sweep_digest_ratio(d, 0, s, 1, THUD_SWEEP_VALUE) = (struct thud_sweep_ratio){0.1 * i, 7};
+        *thud_sweep_summary_ratio(d, 0, s, 1, THUD_SWEEP_VALUE) = (struct thud_sweep_ratio){0.1 * i, 7};
     }
     return d;
 }
@@ -85,7 +85,7 @@ START_TEST(what_has_no_answer_is_passed_over)
     for (int i = 0; i < POINTS; i++)
         if (point[i]->record == 0 && point[i]->at[0] == 0 && point[i]->at[1] == 3)
             for (int k = 0; k < STRUCTURES; k++)
-                *thud_sweep_digest_ratio(point[i], 0, k, 0, THUD_SWEEP_VALUE) = (struct thud_sweep_ratio){NAN, NAN};
+                *thud_sweep_summary_ratio(point[i], 0, k, 0, THUD_SWEEP_VALUE) = (struct thud_sweep_ratio){NAN, NAN};
     ck_assert_int_eq(thud_sweep_best(&table, 1, &best), GAPS * (RECORDS + 1));
     ck_assert_double_eq_tol(best[0].ratio, 0.81, 1e-12);
     ck_assert_int_eq(best[0].values, THICKNESSES - 1);

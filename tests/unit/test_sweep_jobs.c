@@ -108,7 +108,7 @@ START_TEST(stopped_on_request)
 }
 END_TEST
 
-/* A base that cannot be made ends the work with its message. */
+/* A group that cannot be made ends the work with its message. */
 START_TEST(stopped_by_a_base_that_fails)
 {
     struct taken taken = {0};

@@ -28,7 +28,7 @@ START_TEST(ranges_and_lists)
     ck_assert_int_eq(plan->axis[1].n, 3);
     ck_assert(plan->axis[1].value[0] == 0.02 && plan->axis[1].value[1] == 0.035 && plan->axis[1].value[2] == 0.05);
     ck_assert_int_eq(thud_sweep_points(plan), 123);
-    ck_assert_int_eq(thud_sweep_points_per_base(plan), 123);
+    ck_assert_int_eq(thud_sweep_points_per_group(plan), 123);
 }
 END_TEST
 
@@ -104,7 +104,7 @@ START_TEST(points_are_numbered_with_structures_outside)
     vary("gap=5 cm,10 cm,15 cm");
     vary("structures.1.stiffness=500 MN/m,600 MN/m");
     ck_assert_int_eq(thud_sweep_points(plan), 12);
-    ck_assert_int_eq(thud_sweep_points_per_base(plan), 3);
+    ck_assert_int_eq(thud_sweep_points_per_group(plan), 3);
     ck_assert_str_eq(plan->axis[0].key, "structures.1.stiffness");
     int at[THUD_VARY_MAX];
     ck_assert_int_eq(thud_sweep_place(plan, 6 + 3 + 2, at), 1);
@@ -138,7 +138,7 @@ START_TEST(points_that_differ_in_the_bumper_alone_share_case_none)
                 same = same && (own[a] == other[a] || strstr(plan->axis[a].key, "bumper"));
             first = same ? j : -1;
         }
-        ck_assert_int_eq(thud_sweep_same_none(plan, i), first);
+        ck_assert_int_eq(thud_sweep_reference_point(plan, i), first);
     }
 }
 END_TEST
@@ -157,12 +157,12 @@ START_TEST(what_is_kept_is_there_when_it_is_needed)
         thud_sweep_plan_clear(plan);
         for (int a = 0; a < 3 && grids[g][a]; a++)
             vary(grids[g][a]);
-        long slots = thud_sweep_none_slots(plan, &towers), *kept = malloc((size_t)slots * sizeof *kept);
+        long slots = thud_sweep_reference_slots(plan, &towers), *kept = malloc((size_t)slots * sizeof *kept);
         int made = 0;
         for (long i = 0; i < slots; i++)
             kept[i] = -1;
         for (long i = 0; i < thud_sweep_points(plan); i++) {
-            long of = thud_sweep_same_none(plan, i);
+            long of = thud_sweep_reference_point(plan, i);
             made += kept[of % slots] != of;
             kept[of % slots] = of;
         }
@@ -171,10 +171,10 @@ START_TEST(what_is_kept_is_there_when_it_is_needed)
     }
     /* what a large scene leaves takes no more room than it may */
     struct thud_sweep_point tall = {.nfloors = 4000, .ncontacts = 3800, .nvariants = THUD_SWEEP_VARIANTS};
-    long slots = thud_sweep_none_slots(plan, &tall);
+    long slots = thud_sweep_reference_slots(plan, &tall);
     size_t bytes =
         (4000 * sizeof(struct thud_sweep_floor) + 3800 * sizeof(struct thud_sweep_contact)) * THUD_SWEEP_VARIANTS;
-    ck_assert(slots >= 1 && (size_t)slots * bytes <= THUD_SWEEP_NONE_BYTES);
+    ck_assert(slots >= 1 && (size_t)slots * bytes <= THUD_SWEEP_REFERENCE_BYTES);
 }
 END_TEST
 

@@ -18,20 +18,20 @@ static void set_up(void)
 /* The only point of a study of one gap. */
 static struct thud_sweep_point *one_point(const char *gap, const char *cases)
 {
-    struct thud_sweep_base *base;
+    struct thud_sweep_group *group;
     struct thud_sweep_task *task;
     thud_sweep_plan_clear(plan);
     ck_assert_int_eq(thud_sweep_vary(plan, gap, &error), THUD_OK);
     ck_assert_int_eq(thud_sweep_cases(plan, cases, &error), THUD_OK);
-    ck_assert_msg(thud_sweep_base_create(plan, 0, &base, &error) == THUD_OK, "%s", error.what);
+    ck_assert_msg(thud_sweep_group_create(plan, 0, &group, &error) == THUD_OK, "%s", error.what);
     for (bool done = false; !done;)
-        ck_assert_int_eq(thud_sweep_base_advance(base, 50, &done, &error), THUD_OK);
-    ck_assert_int_eq(thud_sweep_task_create(plan, base, 0, &task, &error), THUD_OK);
+        ck_assert_int_eq(thud_sweep_group_advance(group, 50, &done, &error), THUD_OK);
+    ck_assert_int_eq(thud_sweep_task_create(plan, group, 0, &task, &error), THUD_OK);
     for (bool done = false; !done;)
         ck_assert_int_eq(thud_sweep_task_advance(task, 70, &done, &error), THUD_OK);
     struct thud_sweep_point *point = thud_sweep_task_take(task);
     thud_sweep_task_free(task);
-    thud_sweep_base_free(base);
+    thud_sweep_group_free(group);
     return point;
 }
 
@@ -116,11 +116,11 @@ START_TEST(ratios_are_of_runs_changed_alike)
 }
 END_TEST
 
-START_TEST(savings_change_no_spread)
+START_TEST(shortcuts_change_no_spread)
 {
     struct thud_sweep_row row[2][36];
     for (int i = 0; i < 2; i++) {
-        plan->savings = i ? THUD_SWEEP_ALL : 0;
+        plan->shortcuts = i ? THUD_SWEEP_ALL : 0;
         struct thud_sweep_point *point = one_point("gap=9 cm", "none,bumper,cavity");
         ck_assert_int_eq(thud_sweep_rows(plan, point, row[i]), 36);
         free(point);
@@ -202,7 +202,7 @@ Suite *thud_suite(void)
     tcase_add_checked_fixture(tcase, set_up, study_tear_down);
     tcase_add_test(tcase, the_spread_is_that_of_runs_made_apart);
     tcase_add_test(tcase, ratios_are_of_runs_changed_alike);
-    tcase_add_test(tcase, savings_change_no_spread);
+    tcase_add_test(tcase, shortcuts_change_no_spread);
     tcase_add_test(tcase, a_bumper_keeps_its_room);
     tcase_add_test(tcase, a_spread_as_text_and_back);
     tcase_add_test(tcase, a_spread_makes_another_study);

@@ -81,7 +81,7 @@ static void same(const struct thud_sweep_ratio *x, double acceleration, double d
 }
 
 /* Of each row of the point, and of nothing else. */
-static void check_rows(const struct thud_sweep_digest *d)
+static void check_rows(const struct thud_sweep_summary *d)
 {
     struct thud_sweep_row row[CASES * ROWS];
     int n = thud_sweep_rows(plan, &point, row);
@@ -91,16 +91,16 @@ static void check_rows(const struct thud_sweep_digest *d)
         for (int s = 0; s < 3; s++)
             for (int f = 0; f <= 10; f++) {
                 const struct thud_sweep_row *r = row_of(row, n, d->run[k].which, s, f);
-                ck_assert_int_eq(r != NULL, thud_sweep_digest_ratio(d, k, s, f, THUD_SWEEP_VALUE) != NULL);
-                ck_assert_int_eq(r && spread, thud_sweep_digest_ratio(d, k, s, f, THUD_SWEEP_HIGH) != NULL);
+                ck_assert_int_eq(r != NULL, thud_sweep_summary_ratio(d, k, s, f, THUD_SWEEP_VALUE) != NULL);
+                ck_assert_int_eq(r && spread, thud_sweep_summary_ratio(d, k, s, f, THUD_SWEEP_HIGH) != NULL);
                 if (!r)
                     continue;
-                same(thud_sweep_digest_ratio(d, k, s, f, THUD_SWEEP_VALUE), r->acceleration_ratio, r->drift_ratio);
+                same(thud_sweep_summary_ratio(d, k, s, f, THUD_SWEEP_VALUE), r->acceleration_ratio, r->drift_ratio);
                 if (!spread)
                     continue;
-                same(thud_sweep_digest_ratio(d, k, s, f, THUD_SWEEP_LOW), r->low[THUD_SWEEP_ACCELERATION_RATIO],
+                same(thud_sweep_summary_ratio(d, k, s, f, THUD_SWEEP_LOW), r->low[THUD_SWEEP_ACCELERATION_RATIO],
                      r->low[THUD_SWEEP_DRIFT_RATIO]);
-                same(thud_sweep_digest_ratio(d, k, s, f, THUD_SWEEP_HIGH), r->high[THUD_SWEEP_ACCELERATION_RATIO],
+                same(thud_sweep_summary_ratio(d, k, s, f, THUD_SWEEP_HIGH), r->high[THUD_SWEEP_ACCELERATION_RATIO],
                      r->high[THUD_SWEEP_DRIFT_RATIO]);
             }
 }
@@ -108,19 +108,19 @@ static void check_rows(const struct thud_sweep_digest *d)
 START_TEST(its_numbers_are_those_of_the_rows)
 {
     for (int variants = 1; variants <= THUD_SWEEP_VARIANTS; variants += THUD_SWEEP_VARIANTS - 1) {
-        struct thud_sweep_digest *d;
+        struct thud_sweep_summary *d;
         point.nvariants = variants;
-        ck_assert_int_eq(thud_sweep_digest_make(plan, &point, &d, NULL), THUD_OK);
+        ck_assert_int_eq(thud_sweep_summary_make(plan, &point, &d, NULL), THUD_OK);
         ck_assert_int_eq(d->record, 1);
         ck_assert_str_eq(plan->axis[0].key, "structures.2.damping");
         ck_assert(d->at[0] == 1 && d->at[1] == 2 && d->gap_m == 0.07 && d->touches);
-        ck_assert(thud_sweep_digest_floors(d, 0) == 4 && thud_sweep_digest_floors(d, 1) == 0 &&
-                  thud_sweep_digest_floors(d, 2) == 9);
-        ck_assert_int_eq(thud_sweep_digest_find(d, THUD_CASE_AS_WRITTEN), -1);
+        ck_assert(thud_sweep_summary_floors(d, 0) == 4 && thud_sweep_summary_floors(d, 1) == 0 &&
+                  thud_sweep_summary_floors(d, 2) == 9);
+        ck_assert_int_eq(thud_sweep_summary_find(d, THUD_CASE_AS_WRITTEN), -1);
         check_rows(d);
         for (int k = 0; k < CASES; k++) {
             const struct thud_sweep_contact *c = &contact_numbers[k * CONTACTS];
-            ck_assert_int_eq(thud_sweep_digest_find(d, point.which[k]), k);
+            ck_assert_int_eq(thud_sweep_summary_find(d, point.which[k]), k);
             ck_assert_int_eq(d->run[k].impacts, c[0].impacts + c[1].impacts);
             ck_assert(d->run[k].force_n == fmax(c[0].force_n, c[1].force_n));
         }
@@ -131,17 +131,17 @@ END_TEST
 
 START_TEST(cases_without_an_answer_take_no_room)
 {
-    struct thud_sweep_digest *d;
+    struct thud_sweep_summary *d;
     point.effort[0].status = THUD_DIVERGED;
     point.effort[2].reference = true;
-    ck_assert_int_eq(thud_sweep_digest_make(plan, &point, &d, NULL), THUD_OK);
+    ck_assert_int_eq(thud_sweep_summary_make(plan, &point, &d, NULL), THUD_OK);
     ck_assert_int_eq(d->nruns, 1);
     check_rows(d);
     /* the contacts of the one that is left, not of the first */
     ck_assert_int_eq(d->run[0].impacts, contact_numbers[CONTACTS].impacts + contact_numbers[CONTACTS + 1].impacts);
     free(d);
     point.effort[1].status = THUD_INPUT;
-    ck_assert_int_eq(thud_sweep_digest_make(plan, &point, &d, NULL), THUD_OK);
+    ck_assert_int_eq(thud_sweep_summary_make(plan, &point, &d, NULL), THUD_OK);
     ck_assert_ptr_null(d);
 }
 END_TEST
@@ -151,14 +151,14 @@ START_TEST(the_room_is_what_the_scene_needs)
 {
     const size_t number = sizeof(double);
     for (int spread = 0; spread < 2; spread++) {
-        size_t each = (spread ? 6 : 2) * number, one = thud_sweep_digest_size(1, 1, 2, spread);
-        ck_assert_uint_eq(thud_sweep_digest_size(1, 1, 3, spread) - one, each);
-        ck_assert_uint_le(thud_sweep_digest_size(2, 1, 2, spread) - one, 2 * each + 2 * number);
-        ck_assert_uint_le(thud_sweep_digest_size(1, 2, 2, spread) - one, number);
+        size_t each = (spread ? 6 : 2) * number, one = thud_sweep_summary_size(1, 1, 2, spread);
+        ck_assert_uint_eq(thud_sweep_summary_size(1, 1, 3, spread) - one, each);
+        ck_assert_uint_le(thud_sweep_summary_size(2, 1, 2, spread) - one, 2 * each + 2 * number);
+        ck_assert_uint_le(thud_sweep_summary_size(1, 2, 2, spread) - one, number);
         ck_assert_uint_le(one, 2 * each + 12 * number);
     }
     /* the towers, 4 and 6 floors: 10 floors and 2 means */
-    ck_assert_uint_le(thud_sweep_digest_size(2, 2, 12, false) / 2, 256);
+    ck_assert_uint_le(thud_sweep_summary_size(2, 2, 12, false) / 2, 256);
 }
 END_TEST
 
@@ -166,8 +166,8 @@ START_TEST(it_ends_where_its_size_says)
 {
     for (int runs = 1; runs <= 3; runs++)
         for (int spread = 0; spread < 2; spread++) {
-            struct thud_sweep_digest *d = thud_sweep_digest_create(runs, 3, floors, spread);
-            size_t size = thud_sweep_digest_size(runs, 3, ROWS, spread);
+            struct thud_sweep_summary *d = thud_sweep_summary_create(runs, 3, floors, spread);
+            size_t size = thud_sweep_summary_size(runs, 3, ROWS, spread);
             ck_assert_ptr_nonnull(d);
             ck_assert_uint_eq((size_t)((char *)(d->first + 4) - (char *)d), size);
             ck_assert_int_eq(d->first[3], ROWS);
@@ -196,7 +196,7 @@ START_TEST(a_collector_keeps_points_and_the_widest_need)
     ck_assert_uint_eq(c.table.npoints, 12);
     ck_assert_uint_eq(c.table.nrows, 12 * CASES * ROWS);
     for (size_t i = 0; i < 12; i++) {
-        const struct thud_sweep_digest *d = c.table.point[i];
+        const struct thud_sweep_summary *d = c.table.point[i];
         ck_assert_uint_eq((size_t)((d->record * 2 + d->at[0]) * 3 + d->at[1]), i);
     }
     for (int r = 0; r < 2; r++) {

@@ -1,5 +1,5 @@
 /* Modes left out: the sum of those that stay by each one's own oscillator, an error that falls with every mode added,
- * energy that stays in balance in contact, every other method, and studies with their savings. */
+ * energy that stays in balance in contact, every other method, and studies with their shortcuts. */
 #include <check.h>
 #include <math.h>
 #include <stdlib.h>

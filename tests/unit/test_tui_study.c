@@ -99,14 +99,14 @@ START_TEST(a_spread_is_kept_and_run)
 END_TEST
 
 /* A study of the screen to its end, and the lines of its files. */
-static void make_study(struct thud_sweep_work *work, unsigned savings, char *text[THUD_SWEEP_CSVS])
+static void make_study(struct thud_sweep_work *work, unsigned shortcuts, char *text[THUD_SWEEP_CSVS])
 {
     static const struct thud_study_words words = {.vary = {"bumper.thickness=1 cm,2 cm,3 cm", "gap=3 cm,6 cm,400 cm"},
                                                   .cases = "none,bumper"};
     struct thud_error err = {0};
     ck_assert_int_eq(thud_sweep_work_start(work, &f.tui->doc.scene, &words, f.tui->doc.paths, f.tui->doc.path, &err),
                      THUD_OK);
-    work->plan.savings = savings;
+    work->plan.shortcuts = shortcuts;
     while (work->running)
         ck_assert_int_eq(thud_sweep_work_advance(work, &err), THUD_OK);
     ck_assert(work->complete);
@@ -122,10 +122,10 @@ START_TEST(no_bumper_is_run_once_for_all_thicknesses)
     char *all[THUD_SWEEP_CSVS], *none[THUD_SWEEP_CSVS];
     make_study(&work, THUD_SWEEP_ALL, all);
     ck_assert_int_eq(work.total.asked, 18);
-    ck_assert_int_eq(work.total.taken, 2 * 2);
+    ck_assert_int_eq(work.total.reused, 2 * 2);
     long made = work.total.made;
-    make_study(&work, THUD_SWEEP_ALL & ~(unsigned)THUD_SWEEP_NONE, none);
-    ck_assert_int_eq(work.total.taken, 0);
+    make_study(&work, THUD_SWEEP_ALL & ~(unsigned)THUD_SWEEP_REFERENCE, none);
+    ck_assert_int_eq(work.total.reused, 0);
     ck_assert_int_eq(work.total.made, made + 2 * 2);
     for (int i = 0; i < THUD_SWEEP_CSVS; i++) {
         ck_assert_str_eq(all[i], none[i]);

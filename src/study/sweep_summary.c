@@ -9,18 +9,18 @@ static size_t ratios_of(int nruns, int nrows, bool spread)
     return (size_t)nruns * (size_t)nrows * (spread ? 3 : 1);
 }
 
-size_t thud_sweep_digest_size(int nruns, int nstructures, int nrows, bool spread)
+size_t thud_sweep_summary_size(int nruns, int nstructures, int nrows, bool spread)
 {
-    return sizeof(struct thud_sweep_digest) + (size_t)nruns * sizeof(struct thud_sweep_run) +
+    return sizeof(struct thud_sweep_summary) + (size_t)nruns * sizeof(struct thud_sweep_run) +
            ratios_of(nruns, nrows, spread) * sizeof(struct thud_sweep_ratio) + ((size_t)nstructures + 1) * sizeof(int);
 }
 
-struct thud_sweep_digest *thud_sweep_digest_create(int nruns, int nstructures, const int *floors, bool spread)
+struct thud_sweep_summary *thud_sweep_summary_create(int nruns, int nstructures, const int *floors, bool spread)
 {
     int nrows = 0;
     for (int s = 0; s < nstructures; s++)
         nrows += floors[s] > 0 ? floors[s] + 1 : 0;
-    struct thud_sweep_digest *d = calloc(1, thud_sweep_digest_size(nruns, nstructures, nrows, spread));
+    struct thud_sweep_summary *d = calloc(1, thud_sweep_summary_size(nruns, nstructures, nrows, spread));
     if (!d)
         return NULL;
     d->nruns = nruns;
@@ -34,7 +34,7 @@ struct thud_sweep_digest *thud_sweep_digest_create(int nruns, int nstructures, c
     return d;
 }
 
-static void put_ratios(struct thud_sweep_digest *d, const struct thud_sweep_row *row)
+static void put_ratios(struct thud_sweep_summary *d, const struct thud_sweep_row *row)
 {
     struct thud_sweep_ratio *to = d->ratio;
     for (int i = 0; i < d->nruns * d->nrows; i++, row++) {
@@ -54,8 +54,8 @@ static void put_contacts(struct thud_sweep_run *run, const struct thud_sweep_con
     }
 }
 
-enum thud_status thud_sweep_digest_make(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point,
-                                        struct thud_sweep_digest **out, struct thud_error *err)
+enum thud_status thud_sweep_summary_make(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point,
+                                         struct thud_sweep_summary **out, struct thud_error *err)
 {
     int rows = thud_sweep_rows(plan, point, NULL), contacts = thud_sweep_contact_rows(plan, point, NULL);
     *out = NULL;
@@ -69,9 +69,9 @@ enum thud_status thud_sweep_digest_make(const struct thud_sweep_plan *plan, cons
         int nruns = 1;
         for (int i = 1; i < rows; i++)
             nruns += row[i].which != row[i - 1].which;
-        *out = thud_sweep_digest_create(nruns, point->nstructures, point->floors, point->nvariants > 1);
+        *out = thud_sweep_summary_create(nruns, point->nstructures, point->floors, point->nvariants > 1);
     }
-    struct thud_sweep_digest *d = *out;
+    struct thud_sweep_summary *d = *out;
     for (int k = 0; d && k < d->nruns; k++) {
         d->run[k].which = row[k * d->nrows].which;
         put_contacts(&d->run[k], contact + k * point->ncontacts, point->ncontacts);

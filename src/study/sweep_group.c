@@ -33,88 +33,89 @@ static double record_factor(const struct thud_sweep_plan *plan, const struct thu
 }
 
 /* `scale`: over what the plan asks for. */
-static enum thud_status take_record(const struct thud_sweep_plan *plan, struct thud_sweep_ground *ground,
+static enum thud_status take_record(const struct thud_sweep_plan *plan, struct thud_sweep_baseline *baseline,
                                     const struct thud_scene *scene, int which, double scale, struct thud_error *err)
 {
-    ground->record = NULL;
+    baseline->record = NULL;
     if (plan->nrecords == 0)
         return THUD_OK;
-    const struct thud_record *record = ground->record = plan->record[which];
+    const struct thud_record *record = baseline->record = plan->record[which];
     if (!record)
         return THUD_OK;
     double factor = scale * record_factor(plan, scene, record);
     if (factor == 1)
         return THUD_OK;
-    enum thud_status status = thud_record_create(record->a_mps2, record->samples, record->dt_s, &ground->scaled, err);
+    enum thud_status status = thud_record_create(record->a_mps2, record->samples, record->dt_s, &baseline->scaled, err);
     if (status == THUD_OK) {
-        thud_record_scale(ground->scaled, factor);
-        ground->record = ground->scaled;
+        thud_record_scale(baseline->scaled, factor);
+        baseline->record = baseline->scaled;
     }
     return status;
 }
 
-/* Ground g from the first point's scene; *none: scratch. */
-static enum thud_status build_ground(struct thud_sweep_base *base, int g, int record, const struct thud_scene *scene,
-                                     struct thud_scene *none, struct thud_error *err)
+/* Baseline g from the first point's scene; *cased: scratch. */
+static enum thud_status build_baseline(struct thud_sweep_group *group, int g, int record,
+                                       const struct thud_scene *scene, struct thud_scene *cased, struct thud_error *err)
 {
-    struct thud_sweep_ground *ground = &base->ground[g];
+    struct thud_sweep_baseline *baseline = &group->baseline[g];
     struct thud_run_options options;
     enum thud_change change;
     double factor;
-    bool changed = thud_sweep_variant(base->plan, g > 0 ? g + 2 : 0, &change, &factor);
+    bool changed = thud_sweep_variant(group->plan, g > 0 ? g + 2 : 0, &change, &factor);
     double scale = changed && change == THUD_CHANGE_SCALE ? factor : 1;
-    enum thud_status status = take_record(base->plan, ground, scene, record, scale, err);
+    enum thud_status status = take_record(group->plan, baseline, scene, record, scale, err);
     if (status == THUD_OK)
         status =
-            thud_scene_case(scene, thud_sweep_has_bumper(scene) ? THUD_CASE_NONE : THUD_CASE_AS_WRITTEN, none, err);
+            thud_scene_case(scene, thud_sweep_has_bumper(scene) ? THUD_CASE_NONE : THUD_CASE_AS_WRITTEN, cased, err);
     if (status == THUD_OK) {
         if (changed)
-            thud_change_scene(none, change, factor);
-        status = thud_scene_assemble(none, &ground->model, err);
+            thud_change_scene(cased, change, factor);
+        status = thud_scene_assemble(cased, &baseline->model, err);
     }
     if (status == THUD_OK)
-        status = thud_scene_options(none, &options, err);
+        status = thud_scene_options(cased, &options, err);
     if (status == THUD_OK) {
         options.no_ledger = true;
-        status = thud_trunk_create(ground->model, ground->record, &options, &ground->trunk, err);
+        status = thud_trunk_create(baseline->model, baseline->record, &options, &baseline->trunk, err);
     }
     return status;
 }
 
-static enum thud_status build(struct thud_sweep_base *base, struct thud_scene *scene, struct thud_scene *none,
+static enum thud_status build(struct thud_sweep_group *group, struct thud_scene *scene, struct thud_scene *cased,
                               struct thud_error *err)
 {
     int at[THUD_VARY_MAX];
-    long point = base->index * thud_sweep_points_per_base(base->plan);
-    int record = thud_sweep_place(base->plan, point, at);
-    enum thud_status status = thud_sweep_scene(base->plan, point, scene, err);
-    for (int g = 0; g < base->ngrounds && status == THUD_OK; g++)
-        status = build_ground(base, g, record, scene, none, err);
-    if (status == THUD_OK && !(base->level = calloc((size_t)base->ground[0].model->ncontacts + 1, sizeof *base->level)))
+    long point = group->index * thud_sweep_points_per_group(group->plan);
+    int record = thud_sweep_place(group->plan, point, at);
+    enum thud_status status = thud_sweep_scene(group->plan, point, scene, err);
+    for (int g = 0; g < group->nbaselines && status == THUD_OK; g++)
+        status = build_baseline(group, g, record, scene, cased, err);
+    if (status == THUD_OK &&
+        !(group->level = calloc((size_t)group->baseline[0].model->ncontacts + 1, sizeof *group->level)))
         status = thud_error_set(err, THUD_MEMORY, "out of memory");
     return status;
 }
 
-enum thud_status thud_sweep_base_create(const struct thud_sweep_plan *plan, long index, struct thud_sweep_base **out,
-                                        struct thud_error *err)
+enum thud_status thud_sweep_group_create(const struct thud_sweep_plan *plan, long index, struct thud_sweep_group **out,
+                                         struct thud_error *err)
 {
     *out = NULL;
-    struct thud_sweep_base *base = calloc(1, sizeof *base);
+    struct thud_sweep_group *group = calloc(1, sizeof *group);
     struct thud_scene *scenes = malloc(2 * sizeof *scenes);
     enum thud_status status = THUD_MEMORY;
-    if (base && scenes) {
-        base->plan = plan;
-        base->index = index;
-        base->ngrounds = plan->sensitivity > 0 ? THUD_SWEEP_GROUNDS : 1;
-        status = build(base, scenes, scenes + 1, err);
+    if (group && scenes) {
+        group->plan = plan;
+        group->index = index;
+        group->nbaselines = plan->sensitivity > 0 ? THUD_SWEEP_BASELINES : 1;
+        status = build(group, scenes, scenes + 1, err);
     } else {
         thud_error_set(err, THUD_MEMORY, "out of memory");
     }
     free(scenes);
     if (status == THUD_OK)
-        *out = base;
+        *out = group;
     else
-        thud_sweep_base_free(base);
+        thud_sweep_group_free(group);
     return status;
 }
 
@@ -137,15 +138,15 @@ static double first_period(const struct thud_result *result, int s)
     return result->structure[s].floors > 0 ? result->structure[s].period_s[0] : INFINITY;
 }
 
-static void fill_levels(struct thud_sweep_base *base)
+static void fill_levels(struct thud_sweep_group *group)
 {
-    const struct thud_trunk *trunk = base->ground[0].trunk;
-    const struct thud_model *model = base->ground[0].model;
+    const struct thud_trunk *trunk = group->baseline[0].trunk;
+    const struct thud_model *model = group->baseline[0].model;
     const struct thud_result *result = thud_trunk_result(trunk);
     for (int c = 0; c < model->ncontacts; c++) {
         const struct thud_model_contact *p = &model->contact[c];
         int left = p->interface - 1, right = p->interface;
-        base->level[c] = (struct thud_sweep_level){
+        group->level[c] = (struct thud_sweep_level){
             .interface = p->interface,
             .left_floor = p->left_floor,
             .right_floor = p->right_floor,
@@ -157,31 +158,32 @@ static void fill_levels(struct thud_sweep_base *base)
     }
 }
 
-enum thud_status thud_sweep_base_advance(struct thud_sweep_base *base, long budget, bool *done, struct thud_error *err)
+enum thud_status thud_sweep_group_advance(struct thud_sweep_group *group, long budget, bool *done,
+                                          struct thud_error *err)
 {
     bool whole = false;
     *done = false;
-    if (base->ndone < base->ngrounds) {
-        enum thud_status status = thud_trunk_advance(base->ground[base->ndone].trunk, budget, &whole, err);
+    if (group->ndone < group->nbaselines) {
+        enum thud_status status = thud_trunk_advance(group->baseline[group->ndone].trunk, budget, &whole, err);
         if (status != THUD_OK)
             return status;
-        base->ndone += whole;
+        group->ndone += whole;
     }
-    *done = base->ndone == base->ngrounds;
+    *done = group->ndone == group->nbaselines;
     if (*done)
-        fill_levels(base);
+        fill_levels(group);
     return THUD_OK;
 }
 
-void thud_sweep_base_free(struct thud_sweep_base *base)
+void thud_sweep_group_free(struct thud_sweep_group *group)
 {
-    if (!base)
+    if (!group)
         return;
-    for (int g = 0; g < base->ngrounds; g++) {
-        thud_trunk_free(base->ground[g].trunk);
-        thud_model_free(base->ground[g].model);
-        thud_record_free(base->ground[g].scaled);
+    for (int g = 0; g < group->nbaselines; g++) {
+        thud_trunk_free(group->baseline[g].trunk);
+        thud_model_free(group->baseline[g].model);
+        thud_record_free(group->baseline[g].scaled);
     }
-    free(base->level);
-    free(base);
+    free(group->level);
+    free(group);
 }
