@@ -28,10 +28,12 @@ LDLIBS   += -lcsv $(PKG_L) $(LAPACK) -lm
 # One short line for each file made; V=1 shows the commands themselves.
 say       = $(if $(V),,@printf '  %-5s %s\n' '$(1)' '$(2)';)
 
-# Two libraries: libthud.a computes and touches nothing outside itself, libthud-program.a is the program around it.
+# Three libraries: libthud.a computes and touches nothing outside itself, libthud-io.a reads and writes files, libthud-program.a is the program around
+# them.  The first two are installed.
 objects   = $(patsubst %.c,$(B)/%.o,$(sort $(wildcard $(1))))
 CORE     := $(call objects,src/base/*.c src/core/*.c src/study/*.c)
-PROGRAM  := $(call objects,src/io/*.c src/plot/*.c src/app/*.c src/cli/*.c src/tui/*.c)
+IO       := $(call objects,src/io/*.c)
+PROGRAM  := $(call objects,src/plot/*.c src/app/*.c src/cli/*.c src/tui/*.c)
 UNIT     := $(patsubst tests/unit/%.c,$(B)/unit/%,$(wildcard tests/unit/test_*.c))
 HELPERS  := $(call objects,$(filter-out tests/unit/test_%,$(wildcard tests/unit/*.c)))
 FAULT    := $(patsubst tests/fault/%.c,$(B)/fault/%,$(wildcard tests/fault/test_*.c))
@@ -41,11 +43,11 @@ HAVE_CVODE = $(shell printf '\043include <cvode/cvode.h>\n' | $(CC) -x c -fsynta
 PEERS     = $(B)/peer-exact $(B)/peer-export $(if $(HAVE_CVODE),$(B)/peer-cvode)
 SUNDIALS := $(patsubst %,-lsundials_%,cvode nvecserial sunmatrixdense sunlinsoldense sunnonlinsolfixedpoint)
 FUZZERS  := $(patsubst tests/fuzz/%.c,$(B)/fuzz/%,$(wildcard tests/fuzz/fuzz_*.c))
-LIBS     := $(B)/libthud-program.a $(B)/libthud.a
+LIBS     := $(B)/libthud-program.a $(B)/libthud-io.a $(B)/libthud.a
 THUD     := $(if $(filter release,$(VARIANT)),thud,$(B)/thud)
 
 .PHONY: all help deps demo test units debug asan valgrind coverage lint mutants objects fuzz fuzzers soak bench bench-peers install uninstall dist deb clean FORCE
-all: $(THUD) $(LIBS) ## build ./thud (VARIANT=debug, asan, coverage build into build/VARIANT)
+all: $(THUD) $(LIBS) $(B)/thud.pc ## build ./thud (VARIANT=debug, asan, coverage build into build/VARIANT)
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1\t\2/p' Makefile | expand -t 18
@@ -56,9 +58,13 @@ keep = @mkdir -p $(@D) && printf '%s\n' '$(1)' | cmp -s - $@ || printf '%s\n' '$
 $(B)/flags: FORCE
 	$(call keep,$(COMPILE) $(LDLIBS))
 $(B)/files: FORCE
-	$(call keep,$(CORE) $(PROGRAM) $(HELPERS))
+	$(call keep,$(CORE) $(IO) $(PROGRAM) $(HELPERS))
 $(B)/commit: FORCE
 	$(call keep,$(or $(shell git describe --always --dirty --exclude '*' 2>/dev/null),unknown))
+# For programs that link the libraries; they are static, so what they need in turn stands in Libs.
+$(B)/thud.pc: FORCE
+	$(call keep,prefix=$${pcfiledir}/../..' 'Name: thud' 'Description: earthquake pounding of neighbouring buildings' 'Version: $(VERSION)' \
+	    'Cflags: -I$${prefix}/include/thud' 'Libs: -L$${prefix}/lib -lthud-io -lthud $(filter-out -lncurses% -ltinfo%,$(LDLIBS)))
 $(B)/headers: $(B)/flags
 	@tests/tools/need.sh $(CC) && touch $@
 
@@ -69,6 +75,7 @@ $(B)/thud: $(B)/src/main.o $(LIBS) | $(B)/presets $(B)/records
 $(B)/presets $(B)/records:
 	@mkdir -p $(B) && ln -sfn ../../$(@F) $@
 $(B)/libthud.a: $(CORE)
+$(B)/libthud-io.a: $(IO)
 $(B)/libthud-program.a: $(PROGRAM)
 $(B)/libtests.a: $(HELPERS)
 $(B)/lib%.a: $(B)/files
@@ -129,7 +136,7 @@ lint: ## rules of the house and static analysis with the tools installed (ONLY='
 mutants: ## takes one protection of the core out at a time: the tests must notice (two minutes on an idle machine; ONLY=word: fewer)
 	@tests/tools/install-deps.sh test
 	@tests/tools/mutants.sh '$(ONLY)'
-objects: $(CORE) $(PROGRAM) $(B)/src/main.o
+objects: $(CORE) $(IO) $(PROGRAM) $(B)/src/main.o
 fuzz: ## fuzz each reader for FUZZ_SECONDS from the corpus in tests/fuzz/corpus (needs clang)
 	@$(MAKE) --no-print-directory VARIANT=fuzz CC=clang fuzzers
 	@tests/tools/fuzz.sh build/fuzz $(FUZZ_SECONDS)
@@ -144,8 +151,8 @@ bench-peers: all ## the towers by other integrators (CVODE, SciPy, OpenSeesPy, w
 	@$(MAKE) --no-print-directory $(PEERS)
 	@sh tests/bench/peers/peers.sh $(B) build/bench
 
-install: all ## program, presets, records, manual pages, completions under DESTDIR PREFIX
-	@tests/tools/install.sh install '$(DESTDIR)$(PREFIX)'
+install: all ## program, library, presets, records, manual pages, completions under DESTDIR PREFIX
+	@BUILD=$(B) tests/tools/install.sh install '$(DESTDIR)$(PREFIX)'
 uninstall: ## remove what install put there
 	@tests/tools/install.sh uninstall '$(DESTDIR)$(PREFIX)'
 dist: ## build/thud-VERSION.tar.gz of what is committed

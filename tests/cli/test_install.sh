@@ -1,5 +1,5 @@
 #!/bin/sh
-# Installed under a prefix thud finds its presets and records from anywhere; uninstalled nothing of it is left.  TAP.
+# Installed under a prefix thud finds its presets and records from anywhere, and a C program its library; uninstalled nothing of it is left.  TAP.
 set -u
 tmp=$(mktemp -d) || exit 1
 trap 'rm -rf "$tmp"' EXIT
@@ -27,6 +27,35 @@ for f in man/*.[1-8]; do
 done >"$tmp/out"
 test ! -s "$tmp/out"
 ok "every manual page is installed" $?
+
+# a program of one's own against the installed library
+CC=${CC:-cc}
+PKG_CONFIG_PATH=$prefix/lib/pkgconfig
+export PKG_CONFIG_PATH
+for f in "$prefix"/include/thud/*/*.h; do
+    # shellcheck disable=SC2046 # several words
+    $CC -std=c17 -Wall -Wextra -Wpedantic -Werror $(pkg-config --cflags thud) -fsyntax-only -x c "$f" 2>&1 || echo "$f"
+done >"$tmp/out"
+test ! -s "$tmp/out" && [ -f "$prefix/include/thud/core/run.h" ] && [ -f "$prefix/include/thud/io/preset.h" ]
+ok "every installed header compiles by itself" $?
+[ "$(pkg-config --modversion thud)" = "$("$prefix/bin/thud" --version | sed -n '1s/thud \([0-9.]*\).*/\1/p')" ] >"$tmp/out" 2>&1
+ok "pkg-config knows the library by the program's version" $?
+if nm "$prefix/lib/libthud.a" 2>/dev/null | grep -q -E '__(asan|gcov|ubsan|sanitizer)_'; then
+    echo "ok - the example is built against the installed library # SKIP built with instruments"
+else
+    # shellcheck disable=SC2046
+    (cd "$tmp" && $CC -std=c17 -Wall -Wextra -Werror "$prefix/share/doc/thud/peaks.c" $(pkg-config --cflags --libs thud) -o peaks) >"$tmp/out" 2>&1
+    ok "the example is built against the installed library" $?
+    share=$prefix/share/thud
+    (cd "$tmp" && ./peaks "$share/presets/towers.yaml" "$share/records/kobe-surrogate.csv") >"$tmp/peaks.txt" 2>"$tmp/out"
+    "$THUD" run towers --json | sed -n 's/.*"acceleration_mps2": \([0-9.e+-]*\).*/\1/p' >"$tmp/json"
+    sed 's/.*: \(.*\) m.*/\1/' "$tmp/peaks.txt" | paste - "$tmp/json" |
+        awk '{ d = $1 / $2 - 1; if (d < 0) d = -d; if (!(d < 1e-5)) bad = 1 } END { exit bad || NR != 10 }'
+    ok "it prints the peaks that the program gives" $?
+    (cd "$tmp" && ./peaks "$share/presets/rigid-concrete.yaml" - && ! ./peaks nowhere.yaml -) >"$tmp/peaks.txt" 2>"$tmp/out"
+    [ $? -eq 0 ] && grep -q '^right floor 1: ' "$tmp/peaks.txt" && grep -q 'nowhere.yaml: No such file' "$tmp/out"
+    ok "it takes a scene without ground motion, and says what is wrong" $?
+fi
 
 script=$prefix/share/bash-completion/completions/thud
 if ! command -v bash >/dev/null 2>&1; then echo "ok - bash completes commands # SKIP no bash"; else

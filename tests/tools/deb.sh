@@ -11,6 +11,7 @@ umask 022
 
 tests/tools/install.sh install "$root/usr"
 strip --remove-section=.comment --remove-section=.note "$root/usr/bin/thud"
+strip --strip-debug "$root"/usr/lib/*.a
 mv "$root/usr/share/zsh/site-functions" "$root/usr/share/zsh/vendor-completions"
 for f in "$root"/usr/share/man/man?/*; do
     if [ -f "$f" ]; then gzip -n9 "$f"; fi

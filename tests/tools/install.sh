@@ -1,9 +1,10 @@
 #!/bin/sh
-# Puts thud under a prefix, or takes away what it put there.  THUD: the program.  usage: install.sh install|uninstall PREFIX
+# Puts thud under a prefix, or takes away what it put there.  THUD: the program.  BUILD: folder of the libraries.  usage: install.sh install|uninstall PREFIX
 set -eu
 what=$1
 prefix=$2
 thud=${THUD:-./thud}
+build=${BUILD:-build/release}
 
 file() { # MODE FROM TO
     if [ "$what" = install ]; then
@@ -34,10 +35,17 @@ done
 for f in README.md CHANGELOG.md LICENSE; do
     if [ -f "$f" ]; then file 644 "$f" "share/doc/thud/$f"; fi
 done
+for f in libthud.a libthud-io.a; do file 644 "$build/$f" "lib/$f"; done
+file 644 "$build/thud.pc" lib/pkgconfig/thud.pc
+for layer in base core study io; do # each includes only itself and those before it
+    for f in include/"$layer"/*.h; do file 644 "$f" "include/thud/$layer/${f##*/}"; done
+done
+file 644 tests/example/peaks.c share/doc/thud/peaks.c
 if [ "$what" = uninstall ]; then
     for d in share/thud/presets share/thud/records share/thud share/doc/thud share/man/man1 share/man/man5 share/man/man7 \
         share/bash-completion/completions share/bash-completion share/zsh/site-functions share/zsh \
-        share/fish/vendor_completions.d share/fish; do
+        share/fish/vendor_completions.d share/fish lib/pkgconfig include/thud/base include/thud/core include/thud/study include/thud/io \
+        include/thud; do
         rmdir "$prefix/$d" 2>/dev/null || true # a folder with files of others stays
     done
 fi
