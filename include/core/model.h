@@ -42,8 +42,9 @@ struct thud_model {
     double *g;                              /* (ncontacts x nmodes): g_c */
     double *w;                              /* (ncontacts x ncontacts): g_a . g_b, 1/kg */
     double *q0, *qd0;                       /* (nmodes) at t = 0 */
-    double *share; /* (ndof): of the ground's motion that a floor's modes carry; 1 where none is left out */
-    int left_out;  /* modes */
+    double *share;        /* (ndof): of the ground's motion that a floor's modes carry; 1 where none is left out */
+    int left_out;         /* modes */
+    double fastest_radps; /* free motion changes no faster: largest omega, or the rate of coupled damping */
 };
 
 /* What assemble hands over; arrays are copied. A wall has n = 0. */

@@ -34,7 +34,8 @@ static enum thud_status step(struct thud_run *run, void *state, struct thud_erro
     if (run->nactive > 0 && !is_linear(run))
         return thud_collocation_step(run, state, err);
     const struct thud_model *m = run->model;
-    thud_segment_begin(run, &run->seg, thud_run_remaining(run));
+    static const double longest_angle = 30; /* of the first try: the terms stay numbers, and the tail shortens it */
+    thud_segment_begin(run, &run->seg, fmin(thud_run_remaining(run), longest_angle / thud_segment_rate(run)));
     double tail = thud_taylor_linear(run, &run->seg);
     while (tail > 1e-16) {
         double factor = 0.9 * pow(0.5e-16 / tail, 1.0 / (THUD_SEGMENT_TERMS - 4));

@@ -130,6 +130,25 @@ static void fill_floor(struct thud_model *m, int s, const struct thud_structure_
     m->dof_structure[p->first + i] = s;
 }
 
+/* A bound of the rates of free motion q'' + D q' + Omega^2 q = 0: the norm of its first-order system in (Omega q, q')
+ * is at most (d + sqrt(d^2 + 4 omega^2))/2, where d is the norm of D. A dashpot on a light mass makes d, and with it
+ * the rate of the motion, far larger than any omega. Modes that D does not couple have |rates| of omega (zeta < 1). */
+static double fastest_rate(const struct thud_model_structure *p)
+{
+    double omega = p->omega[p->modes - 1], squares = 0, row = 0;
+    for (int i = 0; p->damping && i < p->modes; i++) {
+        double sum = 0;
+        for (int j = 0; j < p->modes; j++) {
+            double x = p->damping[i * p->modes + j];
+            sum += fabs(x);
+            squares += x * x;
+        }
+        row = fmax(row, sum);
+    }
+    double d = fmin(row, sqrt(squares)); /* each is a bound of the norm */
+    return d > 0 ? 0.5 * (d + sqrt(d * d + 4 * omega * omega)) : omega;
+}
+
 /* m->structure[s] has its slices. */
 static enum thud_status fill_structure(struct thud_model *m, struct arena *arena, int s,
                                        const struct thud_structure_input *in, struct thud_error *err)
@@ -145,6 +164,8 @@ static enum thud_status fill_structure(struct thud_model *m, struct arena *arena
     for (int i = 0; i < to->n && status == THUD_OK; i++)
         fill_floor(m, s, in, i);
     m->couples = m->couples || to->damping;
+    if (status == THUD_OK && to->modes > 0)
+        m->fastest_radps = fmax(m->fastest_radps, fastest_rate(to));
     m->left_out += to->n - to->modes;
     return status;
 }

@@ -30,10 +30,7 @@ double thud_run_remaining(const struct thud_run *run)
 static void set_times(struct thud_run *run)
 {
     const struct thud_record *r = run->record;
-    double fastest = 0;
-    for (int j = 0; j < run->model->nmodes; j++)
-        fastest = fmax(fastest, run->model->omega[j]);
-    run->fastest_radps = fastest;
+    const double fastest = run->fastest_radps = run->model->fastest_radps;
     run->end_s = run->options.tail_s + (r ? (double)(r->samples - 1) * r->dt_s : 0);
     bool series = run->method->order == 0 && fastest > 0;
     run->grid_dt_s = r ? r->dt_s : series ? fmin(run->end_s, 1.2 / fastest) : run->end_s;

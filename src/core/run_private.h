@@ -71,7 +71,7 @@ struct thud_run {
     double *indentation;  /* (ncontacts x THUD_SEGMENT_TERMS): polynomials of the segment, scaled like it */
     int *known;           /* (ncontacts) its lowest orders that are no motion; -1 where it is not read yet */
     double *scratch;      /* (THUD_SEGMENT_TERMS x nmodes + 8 x nmodes) for one function at a time */
-    double fastest_radps; /* fastest mode */
+    double fastest_radps; /* of the model */
     double *shape;        /* (2 x nmodes): largest part of each mode in a floor's displacement, and in its drift */
     double *most;         /* (quantities x ndof): of a floor's value, for a structure's sqrt(2 energy) */
     double *ends;         /* (9 x nmodes) modal values at the two ends of a segment, and margins between */

@@ -17,6 +17,8 @@ struct thud_segment {
     double *force; /* (terms x ncontacts): of the contact forces; 0 where a contact does not act */
 };
 
+/* Bound of the fastest rate of the run's motion with the linear contacts that are closed, 1/s. */
+double thud_segment_rate(const struct thud_run *run);
 /* Terms after which angle^k/k! is below `least`: angle = rate times h. */
 int thud_segment_terms(double angle, double least);
 /* Sets h and the ground acceleration over the next h seconds of the run, and clears the forces. */

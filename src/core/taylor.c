@@ -16,8 +16,7 @@ int thud_segment_terms(double angle, double least)
     return k;
 }
 
-/* Bound of the fastest rate of the motion with the linear contacts that are closed. */
-static double fastest_rate(const struct thud_run *run)
+double thud_segment_rate(const struct thud_run *run)
 {
     const struct thud_model *m = run->model;
     double square = run->fastest_radps * run->fastest_radps, rate = 0;
@@ -37,7 +36,7 @@ void thud_segment_begin(struct thud_run *run, struct thud_segment *seg, double h
     seg->h_s = h_s;
     seg->a0 = a0 + slope * run->offset_s;
     seg->a1 = slope * h_s;
-    seg->terms = thud_segment_terms(fastest_rate(run) * h_s, 1e-18);
+    seg->terms = thud_segment_terms(thud_segment_rate(run) * h_s, 1e-18);
     seg->loaded = 0;
     memset(seg->force, 0, THUD_SEGMENT_TERMS * (size_t)run->model->ncontacts * sizeof(double));
     if (seg == &run->seg)
