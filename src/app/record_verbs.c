@@ -1,10 +1,10 @@
 #include "app/record_verbs.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "base/ascii.h"
 #include "base/quantity.h"
 #include "io/paths.h"
 #include "io/record_file.h"
@@ -119,7 +119,7 @@ void thud_record_file_stem(const char *path, char *stem, size_t size)
     name = name ? name + 1 : path;
     size_t n = 0;
     for (; *name && *name != '.' && n + 1 < size; name++)
-        stem[n++] = isalnum((unsigned char)*name) ? (char)tolower((unsigned char)*name) : '-';
+        stem[n++] = thud_ascii_is_alnum(*name) ? thud_ascii_lower(*name) : '-';
     stem[n] = '\0';
     if (n == 0)
         snprintf(stem, size, "record");

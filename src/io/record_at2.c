@@ -105,10 +105,11 @@ static enum thud_status read_at2(const struct record_source *source, const struc
     double stated, dt;
     if (!numbers_first(&header, &stated, &dt)) {
         stated = record_number_after(&header, "NPTS");
-        dt = record_number_after(&header, "DT");
+        dt = record_seconds_after(&header, "DT");
     }
     if (isnan(stated) || isnan(dt))
-        return record_refuse(source, header.number, 0, err, "no numbers with NPTS and DT");
+        return record_refuse(source, header.number, 0, err,
+                             "no numbers with NPTS and DT, or DT in another unit than s, ms, us, min");
     size_t count;
     status = record_count(source, &header, stated, &count, err);
     raw->dt_s = dt;

@@ -3,7 +3,8 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include <strings.h>
+
+#include "base/ascii.h"
 
 struct record_channel *record_channel_add(struct record_channels *channels)
 {
@@ -24,9 +25,9 @@ static int find(const struct record_channels *channels, const char *wanted)
             const struct record_channel *channel = &channels->of[i];
             snprintf(place, sizeof place, "%d", i + 1);
             size_t word = strcspn(channel->name, " ");
-            bool hit = pass == 0   ? strcasecmp(channel->name, wanted) == 0
-                       : pass == 1 ? strlen(wanted) == word && strncasecmp(channel->name, wanted, word) == 0
-                       : pass == 2 ? strcasecmp(channel->number, wanted) == 0
+            bool hit = pass == 0   ? thud_ascii_same(channel->name, wanted)
+                       : pass == 1 ? strlen(wanted) == word && thud_ascii_begins(channel->name, word, wanted)
+                       : pass == 2 ? thud_ascii_same(channel->number, wanted)
                                    : strcmp(place, wanted) == 0;
             if (hit && wanted[0])
                 return i;

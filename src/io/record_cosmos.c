@@ -1,11 +1,11 @@
 /* COSMOS V2: text, an integer header, a real header, comments, then `42000 acceleration pts, approx 210 secs,
  * units=cm/sec2(04),Format=(1E15.6)`. Each header announces how many lines it has and in which Fortran format. Real 62
  * is the sampling interval in ms. */
-#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/ascii.h"
 #include "io/record_channels.h"
 #include "io/record_formats.h"
 #include "io/record_unit.h"
@@ -30,12 +30,12 @@ static size_t format_width(const struct record_line *line)
         s++;
     if (!s || s >= end)
         return 0;
-    for (s++; s < end && isdigit((unsigned char)*s);)
+    for (s++; s < end && thud_ascii_is_digit(*s);)
         s++;
     if (s >= end || !strchr("FEGIfegi", *s) || !*s)
         return 0;
     size_t width = 0;
-    for (s++; s < end && isdigit((unsigned char)*s) && width < 100; s++)
+    for (s++; s < end && thud_ascii_is_digit(*s) && width < 100; s++)
         width = 10 * width + (size_t)(*s - '0');
     return width;
 }

@@ -1,8 +1,8 @@
 /* CSV: comma or semicolon, header and comment lines. */
-#include <ctype.h>
 #include <math.h>
 #include <string.h>
 
+#include "base/ascii.h"
 #include "io/csv_lines.h"
 #include "io/record_formats.h"
 #include "io/record_table.h"
@@ -24,7 +24,7 @@ static bool recognize(const struct record_source *source)
 static const char *comma_in_number(const char *s, const char *end)
 {
     for (const char *c = s + 1; c + 1 < end; c++)
-        if (*c == ',' && isdigit((unsigned char)c[-1]) && isdigit((unsigned char)c[1]))
+        if (*c == ',' && thud_ascii_is_digit(c[-1]) && thud_ascii_is_digit(c[1]))
             return c;
     return NULL;
 }

@@ -1,8 +1,8 @@
 /* ESM and ITACA ASCII: `KEY: value` lines, then a value per line. */
-#include <ctype.h>
 #include <math.h>
 #include <string.h>
 
+#include "base/ascii.h"
 #include "io/record_channels.h"
 #include "io/record_formats.h"
 #include "io/record_unit.h"
@@ -11,10 +11,10 @@
 static const char *colon(const struct record_line *line)
 {
     for (size_t i = 0; i < line->length; i++) {
-        unsigned char c = (unsigned char)line->at[i];
+        char c = line->at[i];
         if (c == ':')
             return i ? line->at + i : NULL;
-        if (!isupper(c) && !isdigit(c) && !strchr("_/^", c))
+        if (!thud_ascii_is_upper(c) && !thud_ascii_is_digit(c) && !strchr("_/^", c))
             return NULL;
     }
     return NULL;

@@ -92,6 +92,14 @@ static enum thud_status settle(const struct record_source *source, const struct 
         return ask(source, "dt", "\"0.01 s\"", "the file does not say its time step", "a time", err);
     if (!(raw->dt_s > 0) || !isfinite(raw->dt_s))
         return record_refuse(source, raw->dt_line, 0, err, "a time step of %g s", raw->dt_s);
+    if (isnan(raw->factor) && raw->unknown_unit[0]) {
+        record_refuse(source, raw->factor_line, 0, err,
+                      "the unit of the accelerations, \"%s\", is not known: give it with --unit UNIT",
+                      raw->unknown_unit);
+        thud_error_key(err, "unit");
+        thud_error_allow(err, "%s; --factor multiplies what is left", record_unit_allowed);
+        return THUD_INPUT;
+    }
     if (isnan(raw->factor))
         return ask(source, "unit", "UNIT", "the file does not say the unit of its accelerations", record_unit_allowed,
                    err);

@@ -42,9 +42,15 @@ static void read_text(const struct record_line *line, int k, struct record_chann
         record_copy(channel->name, sizeof channel->name, s, stop);
     }
     if (record_begins(line, "Acceleration:")) {
-        struct record_prose prose = {0};
-        record_prose_read(&prose, line);
-        channel->factor = prose.weight ? prose.factor : NAN;
+        const char *peak = record_find(line, "peak"); /* its unit is that of the samples */
+        size_t length;
+        double factor = 0;
+        if (peak && (peak += strlen("peak")) && !isnan(record_number_at(&peak, end))) {
+            while (peak < end && *peak == ' ')
+                peak++;
+            factor = record_unit_at(peak, end, &length);
+        }
+        channel->factor = factor != 0 ? factor : NAN;
     }
 }
 

@@ -1,13 +1,12 @@
 #include "io/record_source.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
+#include "base/ascii.h"
 #include "base/quantity.h"
 
 struct record_cursor record_start(const struct record_source *source)
@@ -54,15 +53,14 @@ const char *record_find(const struct record_line *line, const char *word)
 {
     size_t n = strlen(word);
     for (size_t i = 0; i + n <= line->length; i++)
-        if (strncasecmp(line->at + i, word, n) == 0)
+        if (thud_ascii_begins(line->at + i, n, word))
             return line->at + i;
     return NULL;
 }
 
 bool record_begins(const struct record_line *line, const char *word)
 {
-    size_t n = strlen(word);
-    return line->length >= n && strncasecmp(line->at, word, n) == 0;
+    return thud_ascii_begins(line->at, line->length, word);
 }
 
 void record_copy(char *to, size_t size, const char *from, const char *end)
@@ -108,15 +106,10 @@ enum thud_status record_refuse(const struct record_source *source, int line, int
     return THUD_INPUT;
 }
 
-static bool is_digit(char c)
-{
-    return c >= '0' && c <= '9';
-}
-
 static size_t digits(const char *s, const char *end)
 {
     size_t n = 0;
-    while (s + n < end && is_digit(s[n]))
+    while (s + n < end && thud_ascii_is_digit(s[n]))
         n++;
     return n;
 }
@@ -134,9 +127,8 @@ static size_t exponent(const char *s, const char *end, bool point, bool *letter)
     if (*letter)
         return count ? n + count : 0;
     const char *after = s + n + count;
-    return point && sign && count == 3 && (after >= end || (*after != '.' && !isalpha((unsigned char)*after)))
-               ? n + count
-               : 0;
+    return point && sign && count == 3 && (after >= end || (*after != '.' && !thud_ascii_is_alpha(*after))) ? n + count
+                                                                                                            : 0;
 }
 
 enum record_scan record_scan(const char **at, const char *end, double *value)
@@ -170,9 +162,9 @@ enum record_scan record_scan(const char **at, const char *end, double *value)
     if (thud_number_parse(text, NULL, value) != 0)
         return RECORD_RANGE;
     s += n + power;
-    if (s < end && (*s == '.' || is_digit(*s)))
+    if (s < end && (*s == '.' || thud_ascii_is_digit(*s)))
         return RECORD_TOUCHING;
-    if (s < end && isalpha((unsigned char)*s))
+    if (s < end && thud_ascii_is_alpha(*s))
         return RECORD_WORD;
     *at = s;
     return RECORD_NUMBER;

@@ -1,11 +1,11 @@
 #include "io/record_table.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
+
+#include "base/ascii.h"
 
 void record_table_clear(struct record_table *table)
 {
@@ -25,7 +25,7 @@ bool record_table_first(const struct record_source *source, struct record_line *
     for (int i = 0; i < 1000 && record_next(&cursor, line); i++) {
         bool digit = false, other = false;
         for (size_t k = 0; k < line->length && !other; k++) {
-            digit = digit || isdigit((unsigned char)line->at[k]);
+            digit = digit || thud_ascii_is_digit(line->at[k]);
             other = !line->at[k] || !strchr("0123456789+-.eEdD,; \t\"", line->at[k]);
         }
         if (digit && !other && !record_is_comment(line))
@@ -83,12 +83,13 @@ enum thud_status record_table_name(struct record_table *table, size_t i, const c
                                    struct thud_error *err)
 {
     const char *word = name + (*name == '-' || *name == '+');
-    if (strcasecmp(word, "nan") == 0 || strcasecmp(word, "inf") == 0 || strcasecmp(word, "infinity") == 0 ||
+    if (thud_ascii_same(word, "nan") || thud_ascii_same(word, "inf") || thud_ascii_same(word, "infinity") ||
         (*word == '*' && strspn(word, "*") == strlen(word) && word[1]))
         return record_refuse(table->source, line, 0, err, "\"%.40s\" is not a number", name);
     if (i < TABLE_COLUMNS_MAX) {
         record_copy(table->name[i], sizeof table->name[i], name, name + strlen(name));
         table->names = i + 1;
+        table->names_line = line;
     }
     return THUD_OK;
 }
@@ -103,8 +104,8 @@ static bool named(const struct record_table *table, size_t i)
 static bool name_begins(const struct record_table *table, size_t i, const char *word, bool whole)
 {
     size_t n = strlen(word);
-    return named(table, i) && strncasecmp(table->name[i], word, n) == 0 &&
-           (!whole || !isalnum((unsigned char)table->name[i][n]));
+    return named(table, i) && thud_ascii_begins(table->name[i], strlen(table->name[i]), word) &&
+           (!whole || !thud_ascii_is_alnum(table->name[i][n]));
 }
 
 static bool name_is_time(const struct record_table *table, size_t i)
@@ -117,26 +118,6 @@ static bool name_is_other(const struct record_table *table, size_t i)
 {
     return name_begins(table, i, "vel", false) || name_begins(table, i, "dis", false) ||
            name_begins(table, i, "v", true) || name_begins(table, i, "d", true) || name_begins(table, i, "u", true);
-}
-
-static double name_unit(const struct record_table *table, size_t i)
-{
-    if (!named(table, i))
-        return 0;
-    const char *name = table->name[i], *end = name + strlen(name);
-    for (const char *s = name; s < end; s++) {
-        size_t length;
-        double factor = s == name || !isalnum((unsigned char)s[-1]) ? record_unit_at(s, end, &length) : 0;
-        if (factor != 0)
-            return factor;
-    }
-    return 0;
-}
-
-static double time_factor(const struct record_table *table, size_t i)
-{
-    const char *s = named(table, i) ? strstr(table->name[i], "ms") : NULL;
-    return s && s > table->name[i] && !isalnum((unsigned char)s[-1]) && !isalnum((unsigned char)s[2]) ? 1e-3 : 1;
 }
 
 /* ---- time ---- */
@@ -163,9 +144,13 @@ static double equal_step(const struct record_table *table, size_t column, size_t
                     break;
             return 0;
         }
-    if (!(step > 0))
-        return 0;
-    for (int digits = 1; digits < 16; digits++) { /* the number that was meant */
+    return step > 0 ? step : 0;
+}
+
+/* The number that was meant by one that was rounded. */
+static double meant_by(double step)
+{
+    for (int digits = 1; digits < 16; digits++) {
         char text[40];
         snprintf(text, sizeof text, "%.*g", digits, step);
         double meant = strtod(text, NULL);
@@ -206,7 +191,20 @@ static enum thud_status take_step(struct record_table *table, int column, bool b
         thud_error_allow(err, "resample the record, or give --dt when the samples are equally spaced all the same");
         return THUD_INPUT;
     }
-    step *= time_factor(table, (size_t)column);
+    char unknown[TABLE_NAME_MAX] = "";
+    double factor =
+        named(table, (size_t)column) ? record_name_seconds(table->name[column], unknown, sizeof unknown) : 1;
+    if (factor == 0 && isnan(choice->dt_s) && !table->prose.dt_line) {
+        record_refuse(table->source, table->names_line, 0, err,
+                      "the unit of the times in the column \"%s\" is not known: give the time step with --dt",
+                      table->name[column]);
+        thud_error_key(err, "dt");
+        thud_error_allow(err, "s, ms, us, min in the name of the column, or --dt \"0.01 s\"");
+        return THUD_INPUT;
+    }
+    if (factor == 0)
+        return THUD_OK;
+    step = meant_by(step * factor);
     double told =
         table->prose.dt_line ? table->prose.dt_s : step; /* a time column is rounded, a comment may have all digits */
     if (fabs(told - step) <= 1e-6 * step) {
@@ -284,7 +282,7 @@ static enum thud_status choose(const struct record_table *table, const struct th
     }
     if (choice->channel[0]) {
         for (size_t i = 0; i < table->columns; i++)
-            if (named(table, i) && (int)i != time && strcasecmp(table->name[i], choice->channel) == 0) {
+            if (named(table, i) && (int)i != time && thud_ascii_same(table->name[i], choice->channel)) {
                 *column = (int)i;
                 return THUD_OK;
             }
@@ -334,8 +332,14 @@ enum thud_status record_table_finish(struct record_table *table, const struct th
         return status;
     if (!isnan(choice->dt_s) && isnan(raw->dt_s))
         table->prose.dt_line = 0; /* the user has decided */
-    if (column >= 0 && name_unit(table, (size_t)column) != 0)
-        raw->factor = name_unit(table, (size_t)column);
+    if (column >= 0 && named(table, (size_t)column)) {
+        double factor = record_name_unit(table->name[column], raw->unknown_unit, sizeof raw->unknown_unit);
+        raw->factor_line = table->names_line;
+        if (factor != 0)
+            raw->factor = factor;
+        if (raw->unknown_unit[0])
+            table->prose.weight = 0; /* a comment is not to guess for it */
+    }
     record_prose_apply(&table->prose, raw);
     if (column < 0)
         snprintf(raw->note, sizeof raw->note, "%zu values to a line, row by row", table->columns);

@@ -16,6 +16,7 @@ struct record_table {
     size_t in_last; /* values in the last row */
     char name[TABLE_COLUMNS_MAX][TABLE_NAME_MAX];
     size_t names;
+    int names_line;
     struct record_prose prose;
 };
 

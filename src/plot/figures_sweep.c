@@ -1,10 +1,10 @@
 #include <assert.h>
-#include <ctype.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/ascii.h"
 #include "plot/figures_sweep.h"
 
 enum { CURVES_MAX = THUD_COLORS, COLUMNS_MAX = 4 };
@@ -101,7 +101,7 @@ static void varied_axis(struct thud_panel *panel, enum thud_side side, const str
 {
     char label[192];
     const char *title = axis->param && axis->param->title ? axis->param->title : axis->key;
-    snprintf(label, sizeof label, "%c%s", toupper((unsigned char)title[0]), title[0] ? title + 1 : "");
+    snprintf(label, sizeof label, "%c%s", thud_ascii_upper(title[0]), title[0] ? title + 1 : "");
     thud_panel_axis(panel, side, label, numbers(axis) && axis->param->unit ? axis->param->unit : "");
     if (!numbers(axis))
         thud_panel_limits(panel, side, 0.5, axis->n + 0.5);

@@ -1,9 +1,9 @@
-#include <ctype.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/ascii.h"
 #include "tui/chooser.h"
 
 void thud_chooser_begin(struct thud_chooser *chooser, const char *title)
@@ -36,7 +36,7 @@ static bool contains(const char *text, const char *part)
     size_t n = strlen(part);
     for (; *text; text++) {
         size_t i = 0;
-        while (i < n && text[i] && tolower((unsigned char)text[i]) == tolower((unsigned char)part[i]))
+        while (i < n && text[i] && thud_ascii_lower(text[i]) == thud_ascii_lower(part[i]))
             i++;
         if (i == n)
             return true;

@@ -1,10 +1,10 @@
 /* Changing values: typed, stepped, toggled, chosen. */
-#include <ctype.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/ascii.h"
 #include "base/scan.h"
 #include "core/method.h"
 #include "tui/state.h"
@@ -272,7 +272,7 @@ void thud_tui_all_floors(struct thud_tui *tui)
         return;
     snprintf(key, sizeof key, "%s", field->path);
     char *dot = strrchr(key, '.');
-    if (dot && isdigit((unsigned char)dot[1]))
+    if (dot && thud_ascii_is_digit(dot[1]))
         *dot = '\0';
     thud_tui_set(tui, key, text);
 }

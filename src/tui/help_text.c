@@ -1,11 +1,11 @@
 #include "tui/help_text.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/ascii.h"
 #include "core/method.h"
 
 enum { KEY_COLUMN = 3, HELP_COLUMN = 10, NAME_COLUMN = 3, FIELD_COLUMN = 7 };
@@ -264,7 +264,7 @@ int thud_help_line_find(const struct thud_help_line *line, const char *word, int
 {
     for (size_t at = (size_t)from; line->text[at]; at++) {
         size_t i = 0;
-        while (word[i] && tolower((unsigned char)line->text[at + i]) == tolower((unsigned char)word[i]))
+        while (word[i] && thud_ascii_lower(line->text[at + i]) == thud_ascii_lower(word[i]))
             i++;
         if (!word[i] && i > 0)
             return (int)at;

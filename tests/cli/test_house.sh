@@ -77,6 +77,22 @@ unused "one that should be static is found" "thud_bad .* not static" 'int thud_b
     'int thud_bad(void) { return 1; }\nint main(void) { return thud_bad(); }\n'
 unused "a name that only its header knows is found" "bad.h: thud_gone" 'int thud_gone(void);\n' 'int main(void) { return 0; }\n'
 
+# keywords are compared without the locale: the C library's letters are those of the user's language
+locale_bound() { # FOLDER: objects that use them
+    find "$1" -name '*.o' -exec nm -A {} + 2>/dev/null |
+        grep -E ' U (strn?casecmp|tolower|toupper|is(al(pha|num)|upper|lower|space|punct|print)|__ctype_(b|tolower|toupper)_loc)(@|$)' >"$tmp/out"
+}
+mkdir -p "$tmp/letters"
+printf '#include <strings.h>\nint thud_bad(const char *a) { return strcasecmp(a, "time"); }\n' >"$tmp/bad.c"
+$CC -O1 -c -o "$tmp/letters/bad.o" "$tmp/bad.c"
+if locale_bound "$tmp/letters"; then echo "ok - a keyword compared by the locale is found"; else echo "not ok - a keyword compared by the locale is found"; fi
+if locale_bound "$BUILD/src"; then
+    echo "not ok - keywords are compared without the locale"
+    sed 's/^/# /' "$tmp/out"
+else
+    echo "ok - keywords are compared without the locale"
+fi
+
 # the core library links by itself: no part of it leans on the layers to its right
 if nm "$BUILD/libthud.a" 2>/dev/null | grep -q -E '__(asan|gcov|ubsan|sanitizer)_'; then
     echo "ok - the core library links by itself # SKIP built with instruments"

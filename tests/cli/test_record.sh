@@ -40,6 +40,22 @@ is "so are others${wrong:+:$wrong}" [ -z "$wrong" ]
 is "an unknown value of a surrogate is bad input, as an unknown key" gives 3 record synthesize --set pulse-lenght=3
 is "and the known ones are named" says pulse-period
 
+# In Turkish the small I has no dot: keywords are read the same all the same.
+printf 'TIME (SEC),ACCELERATION (IN G)\n0,0.1\n0.01,0.2\n0.02,0.3\n' >"$tmp/capitals.csv"
+printf 'PEER\nA\nACCELERATION TIME HISTORY IN UNITS OF G\n3 0.01 NPTS, DT\n.1 .2 .3\n' >"$tmp/capitals.AT2"
+mkdir "$tmp/locale"
+if localedef -i tr_TR -f ISO-8859-9 "$tmp/locale/tr_TR" 2>"$tmp/err"; then
+    for file in capitals.csv capitals.AT2; do
+        run record info "$tmp/$file" --json
+        cp "$tmp/out" "$tmp/plain"
+        LOCPATH=$tmp/locale LC_ALL=tr_TR run record info "$tmp/$file" --json
+        is "$file is read under a Turkish locale" cmp -s "$tmp/out" "$tmp/plain"
+        is "and was read" [ -s "$tmp/plain" ]
+    done
+else
+    echo "ok - keywords under a Turkish locale # SKIP localedef cannot make one"
+fi
+
 printf '0.1\n-0.2\n0.3\n' >"$tmp/bare.txt"
 is "a bare column asks" gives 3 record info "$tmp/bare.txt"
 is "for --dt" says '--dt'

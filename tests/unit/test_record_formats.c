@@ -20,6 +20,47 @@ START_TEST(csv_in_its_spellings)
 }
 END_TEST
 
+/* What stands for the same times and accelerations, and each is read as what it says. */
+START_TEST(headers_with_units)
+{
+    static const struct {
+        const char *name;
+        double dt_s;
+    } times[] = {{"Time(msec)", 0.005},  {"t [msec]", 0.005},        {"Time (MS)", 0.005},
+                 {"timestamp_us", 5e-6}, {"t [min]", 300},           {"time", 5},
+                 {"TIME (SEC)", 5},      {"timestamp (s)", 5},       {"t, s", 5},
+                 {"time in ms", 0.005},  {"Time (\xc2\xb5s)", 5e-6}, {"Time since start (milliseconds)", 0.005}};
+    static const struct {
+        const char *name;
+        double factor;
+    } units[] = {{"(g)", THUD_GRAVITY},
+                 {"[G]", THUD_GRAVITY},
+                 {"in g", THUD_GRAVITY},
+                 {"_g", THUD_GRAVITY},
+                 {"[mg]", THUD_GRAVITY / 1000},
+                 {"(m/s2)", 1},
+                 {"_mps2", 1},
+                 {"m/(s^2)", 1},
+                 {"(N-S) (GAL)", 0.01},
+                 {"[units: cm/s/s]", 0.01},
+                 {"(m/s\xc2\xb2)", 1}};
+    char text[200];
+    for (size_t i = 0; i < sizeof times / sizeof *times; i++) {
+        snprintf(text, sizeof text, "%s;acc (m/s2)\n0;0.1\n5;-0.2\n10;0.3\n", times[i].name);
+        reads(text, "CSV", times[i].dt_s, 3, three);
+    }
+    for (size_t i = 0; i < sizeof units / sizeof *units; i++) {
+        const double a[] = {units[i].factor * 0.1, units[i].factor * -0.2, units[i].factor * 0.3};
+        snprintf(text, sizeof text, "t;acc%s%s\n0;0.1\n5;-0.2\n10;0.3\n", units[i].name[0] == '_' ? "" : " ",
+                 units[i].name);
+        reads(text, "CSV", 5, 3, a);
+    }
+    const double b[] = {G(1), G(2)};
+    reads("PEER\nA\nUNITS OF G\nNPTS= 2, DT= 10 MSEC\n1 2\n", "PEER AT2", 0.01, 2, b);
+    reads("# dt = 10 msec, acceleration in m/s2\n0.1\n-0.2\n0.3\n", "plain columns", 0.01, 3, three);
+}
+END_TEST
+
 START_TEST(columns_in_their_spellings)
 {
     reads("% Acc. in m/s2 and dt=0.01 sec.\r\n 0.1 \r\n-.2\r\n 3.0e-001\r\n", "plain columns", 0.01, 3, three);
@@ -296,6 +337,7 @@ Suite *thud_suite(void)
     TCase *all = tcase_create("all");
     tcase_add_checked_fixture(all, setup, teardown);
     tcase_add_test(all, csv_in_its_spellings);
+    tcase_add_test(all, headers_with_units);
     tcase_add_test(all, columns_in_their_spellings);
     tcase_add_test(all, at2_in_its_spellings);
     tcase_add_test(all, at2_with_touching_fields);

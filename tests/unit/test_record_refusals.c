@@ -88,6 +88,32 @@ START_TEST(asked_for_by_name)
 }
 END_TEST
 
+/* A unit that is not known in full is asked for, also where a comment tells of another. */
+START_TEST(units_that_are_not_known)
+{
+    static const char *const units[] = {"[ug]",      "[\xc2\xb5g]", "[10^-3 g]",    "[g*100]",
+                                        "[V/g]",     "[counts/g]",  "[10^-3 m/s2]", "(g/Hz)",
+                                        "(V per g)", "(counts)",    "[m/s2 * 100]"};
+    static const char *const times[] = {"Time (ks)", "t [h]", "time_h", "timestamp_ticks"};
+    char text[200];
+    for (size_t i = 0; i < sizeof units / sizeof *units; i++) {
+        snprintf(text, sizeof text, "# units: g\ntime;acc %s\n0;0.1\n5;-0.2\n10;0.3\n", units[i]);
+        refuses(text, 2, "unit", "--unit");
+        ck_assert_ptr_nonnull(strstr(err.what, "is not known"));
+    }
+    refuses("time;acc milli g\n0;0.1\n5;-0.2\n10;0.3\n", 0, "unit", "--unit");
+    for (size_t i = 0; i < sizeof times / sizeof *times; i++) {
+        snprintf(text, sizeof text, "%s;acc (g)\n0;0.1\n5;-0.2\n10;0.3\n", times[i]);
+        refuses(text, 1, "dt", "is not known");
+    }
+    refuses("PEER\nA\nUNITS OF G\nNPTS= 2, DT= .01 HOURS\n1 2\n", 4, "", "DT in another unit");
+    strcpy(choice.unit, "g");
+    choice.dt_s = 0.01;
+    const double a[] = {G(0.1), G(-0.2)};
+    reads("time (ks);acc [V/g]\n0;0.1\n5;-0.2\n", "CSV", 0.01, 2, a);
+}
+END_TEST
+
 START_TEST(what_the_file_says_stands)
 {
     const char *at2 = "PEER\nA\nUNITS OF G\nNPTS= 2, DT= .01 SEC\n1 2\n";
@@ -163,6 +189,7 @@ Suite *thud_suite(void)
     tcase_add_test(all, numbers_that_are_none);
     tcase_add_test(all, commas_for_points);
     tcase_add_test(all, asked_for_by_name);
+    tcase_add_test(all, units_that_are_not_known);
     tcase_add_test(all, what_the_file_says_stands);
     tcase_add_test(all, counts_that_differ);
     suite_add_tcase(suite, all);

@@ -2,6 +2,7 @@
 #include <check.h>
 #include <stdio.h>
 
+#include "base/ascii.h"
 #include "base/scan.h"
 
 START_TEST(words_are_passed_over)
@@ -45,11 +46,32 @@ START_TEST(what_is_no_count_is_left)
 }
 END_TEST
 
+/* Every byte, against what ASCII says of it. */
+START_TEST(letters_are_those_of_ascii)
+{
+    for (int i = 0; i < 256; i++) {
+        char c = (char)(unsigned char)i;
+        bool upper = i >= 65 && i <= 90, lower = i >= 97 && i <= 122, digit = i >= 48 && i <= 57;
+        ck_assert_int_eq(thud_ascii_is_upper(c), upper);
+        ck_assert_int_eq(thud_ascii_is_alpha(c), upper || lower);
+        ck_assert_int_eq(thud_ascii_is_digit(c), digit);
+        ck_assert_int_eq(thud_ascii_is_alnum(c), upper || lower || digit);
+        ck_assert_int_eq((unsigned char)thud_ascii_lower(c), upper ? i + 32 : i);
+        ck_assert_int_eq((unsigned char)thud_ascii_upper(c), lower ? i - 32 : i);
+    }
+    ck_assert(thud_ascii_same("TIME in", "time IN"));
+    ck_assert(!thud_ascii_same("time", "times"));
+    ck_assert(thud_ascii_begins("Unit: g", 7, "unit"));
+    ck_assert(!thud_ascii_begins("Unit", 3, "unit")); /* no further than may be read */
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
     Suite *suite = suite_create("scan");
     TCase *tcase = tcase_create("scan");
+    tcase_add_test(tcase, letters_are_those_of_ascii);
     tcase_add_test(tcase, words_are_passed_over);
     tcase_add_test(tcase, counts_read_what_was_written);
     tcase_add_test(tcase, what_is_no_count_is_left);

@@ -1,0 +1,46 @@
+#include "base/ascii.h"
+
+#include <string.h>
+
+bool thud_ascii_is_digit(char c)
+{
+    return c >= '0' && c <= '9';
+}
+
+bool thud_ascii_is_upper(char c)
+{
+    return c >= 'A' && c <= 'Z';
+}
+
+bool thud_ascii_is_alpha(char c)
+{
+    return thud_ascii_is_upper(c) || (c >= 'a' && c <= 'z');
+}
+
+bool thud_ascii_is_alnum(char c)
+{
+    return thud_ascii_is_alpha(c) || thud_ascii_is_digit(c);
+}
+
+char thud_ascii_lower(char c)
+{
+    return thud_ascii_is_upper(c) ? (char)(c - 'A' + 'a') : c;
+}
+
+char thud_ascii_upper(char c)
+{
+    return c >= 'a' && c <= 'z' ? (char)(c - 'a' + 'A') : c;
+}
+
+bool thud_ascii_begins(const char *text, size_t size, const char *word)
+{
+    size_t i = 0;
+    while (word[i] && i < size && thud_ascii_lower(text[i]) == thud_ascii_lower(word[i]))
+        i++;
+    return !word[i];
+}
+
+bool thud_ascii_same(const char *a, const char *b)
+{
+    return strlen(a) == strlen(b) && thud_ascii_begins(a, strlen(a), b);
+}
