@@ -1,5 +1,6 @@
 #!/bin/sh
-# Other integrators on the towers, beside the exact method: for measuring only.  What is not installed is left out with a line.
+# Other integrators on the towers, beside the exact method: for measuring only.  What is not installed is left out with a line.  "minimal" is plain C
+# written for this one scene (minimal.c): the measure for each method.
 # Writes FOLDER/peers.csv and prints a table: error is the largest relative one of the floors' peak accelerations, time processor time of one
 # thread; the last column how many times longer than the exact method where that is as good.
 # usage: peers.sh BUILD_FOLDER FOLDER ; PYTHON: the Python with SciPy and OpenSeesPy (else python3)
@@ -28,11 +29,19 @@ words() { # SCENE: its preset, case and keys; none of the peers' contacts keeps 
     classical) echo "towers none contact.law=kelvin-voigt contact.stiffness=2500kN/mm contact.restitution=0.6" ;;
     esac
 }
+minimal_words() { # SCENE: as the preset is written: the residual is kept
+    case $1 in
+    concrete) echo "towers none" ;;
+    rubber) echo "towers bumper" ;;
+    esac
+}
 for scene in concrete rubber classical; do
     # shellcheck disable=SC2046 # several words
     set -- $(words "$scene")
     rows "$scene" "$build/peer-exact" "$@"
     [ -x "$build/peer-cvode" ] && [ "$scene" != classical ] && rows "$scene" "$build/peer-cvode" "$@"
+    # shellcheck disable=SC2046
+    [ "$scene" = classical ] || rows "$scene" "$build/peer-minimal" $(minimal_words "$scene")
     [ "$scene" = rubber ] || "$build/peer-export" "$@" >"$out/$scene.json" || exit 1
 done
 [ -x "$build/peer-cvode" ] || echo "skipped: SUNDIALS CVODE is not installed (libsundials-dev)"
@@ -57,7 +66,7 @@ for scene in concrete rubber classical; do
         $1 != scene { next }
         $2 == "reference" {
             printf "\ntowers, %s; the reference is confirmed to %.0e\n", title[scene], trust = $5
-            printf "%-14s %9s %12s %10s %10s\n", "method", "setting", "time ms", "error", "to exact"
+            printf "%-26s %9s %12s %10s %10s\n", "method", "setting", "time ms", "error", "to exact"
             next
         }
         $2 == "exact" { seconds[++n] = $4; error[n] = $5 }
@@ -66,6 +75,9 @@ for scene in concrete rubber classical; do
             for (i = 1; i <= n; i++)
                 if ((error[i] <= $5 || error[i] <= 2 * trust) && (!best || seconds[i] < best)) best = seconds[i]
             ratio = $2 == "exact" || !best ? "" : sprintf("%.4g", $4 / best)
-            printf "%-14s %9s %12.4g %10.1e %10s\n", $2, $3, 1e3 * $4, $5, ratio
+            printf "%-26s %9s %12.4g %10.1e %10s\n", $2, $3, 1e3 * $4, $5, ratio
         }' "$csv"
+done
+for scene in concrete rubber; do
+    "$here/chart.sh" "$out" "$scene"
 done
