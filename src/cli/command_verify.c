@@ -1,9 +1,11 @@
-/* thud verify: presets against their stored expectations. */
+/* thud verify: presets against their stored expectations, or what others published against what is computed. */
 #include <stdio.h>
 #include <unistd.h>
 
+#include "app/published_report.h"
 #include "app/verify_preset.h"
 #include "cli/commands.h"
+#include "cli/record_options.h"
 #include "io/paths.h"
 
 /* Over all presets. */
@@ -91,8 +93,37 @@ static enum thud_status finish(const struct thud_args *args, const struct total 
     return wrong > 0 && !thud_args_has(args, "update") ? THUD_CHECK : THUD_OK;
 }
 
+static enum thud_status published(const struct thud_args *args, struct thud_error *err)
+{
+    struct thud_published_result result[THUD_PUBLISHED_COUNT];
+    struct thud_record_treatment motion;
+    struct thud_record_choice *choice = NULL;
+    struct thud_text text = {0};
+    if (args->noperands > 0 || thud_args_has(args, "update"))
+        return thud_error_set(err, THUD_USAGE, "--published takes neither presets nor --update");
+    enum thud_status status = thud_record_options_read(args, &motion, err);
+    if (status == THUD_OK && thud_args_has(args, "record")) {
+        choice = &motion.choice;
+        snprintf(choice->file, sizeof choice->file, "%s", thud_args_value(args, "record"));
+    }
+    for (int i = 0; i < THUD_PUBLISHED_COUNT && status == THUD_OK; i++)
+        status = thud_published_verify((enum thud_published)i, choice, &result[i], err);
+    if (status != THUD_OK)
+        return status;
+    if (thud_args_has(args, "json"))
+        thud_published_json(result, &text);
+    else
+        thud_published_table(result, &text);
+    status = thud_cli_print(&text, err);
+    return status == THUD_OK && thud_published_wrong(result) > 0 ? THUD_CHECK : status;
+}
+
 enum thud_status thud_command_verify(const struct thud_args *args, struct thud_error *err)
 {
+    if (thud_args_has(args, "published"))
+        return published(args, err);
+    if (thud_args_has(args, "record"))
+        return thud_error_set(err, THUD_USAGE, "--record goes with --published");
     struct total total = {.status = THUD_OK};
     struct thud_paths paths;
     struct thud_file_names names;

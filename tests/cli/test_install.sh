@@ -53,7 +53,8 @@ else
         awk '{ d = $1 / $2 - 1; if (d < 0) d = -d; if (!(d < 1e-5)) bad = 1 } END { exit bad || NR != 10 }'
     ok "it prints the peaks that the program gives" $?
     (cd "$tmp" && ./peaks "$share/presets/rigid-concrete.yaml" - && ! ./peaks nowhere.yaml -) >"$tmp/peaks.txt" 2>"$tmp/out"
-    [ $? -eq 0 ] && grep -q '^right floor 1: ' "$tmp/peaks.txt" && grep -q 'nowhere.yaml: No such file' "$tmp/out"
+    is=$?
+    [ $is -eq 0 ] && grep -q '^right floor 1: ' "$tmp/peaks.txt" && grep -q 'nowhere.yaml: No such file' "$tmp/out"
     ok "it takes a scene without ground motion, and says what is wrong" $?
 fi
 

@@ -119,7 +119,7 @@ done <"$tmp/commands"
 is "each is in the list, and its help is the same both ways${wrong:+:$wrong}" [ -z "$wrong" ]
 is "help of a command there is not" gives 2 help fly
 is "says so" says "no command .fly."
-find presets -name '*.yaml' | sed 's/.*\///; s/.yaml$//' | sort >"$tmp/files"
+find presets -maxdepth 1 -name '*.yaml' | sed 's/.*\///; s/.yaml$//' | sort >"$tmp/files"
 gives 0 help --words presets
 sort "$tmp/out" >"$tmp/words"
 is "the presets are those of the folder" same "$tmp/words" "$tmp/files"

@@ -26,7 +26,7 @@ file 755 "$thud" bin/thud
 completion bash share/bash-completion/completions/thud
 completion zsh share/zsh/site-functions/_thud
 completion fish share/fish/vendor_completions.d/thud.fish
-for f in presets/*.yaml presets/*.expected.csv records/*; do
+for f in presets/*.yaml presets/*.expected.csv presets/published/* records/*; do
     if [ -f "$f" ]; then file 644 "$f" "share/thud/$f"; fi
 done
 for f in man/*.[1-8]; do
@@ -42,7 +42,7 @@ for layer in base core study io; do # each includes only itself and those before
 done
 file 644 tests/example/peaks.c share/doc/thud/peaks.c
 if [ "$what" = uninstall ]; then
-    for d in share/thud/presets share/thud/records share/thud share/doc/thud share/man/man1 share/man/man5 share/man/man7 \
+    for d in share/thud/presets/published share/thud/presets share/thud/records share/thud share/doc/thud share/man/man1 share/man/man5 share/man/man7 \
         share/bash-completion/completions share/bash-completion share/zsh/site-functions share/zsh \
         share/fish/vendor_completions.d share/fish lib/pkgconfig include/thud/base include/thud/core include/thud/study include/thud/io \
         include/thud; do

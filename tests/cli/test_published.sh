@@ -1,0 +1,53 @@
+#!/bin/sh
+# Numbers that others published: what is shipped holds, what needs El Centro runs where the record is at hand (THUD_SHARED, or ../shared/records), and a
+# number that is off is found.  TAP.
+# shellcheck source=tests/cli/program.sh
+. "$(dirname "$0")/program.sh"
+
+for records in ${THUD_SHARED:+"$THUD_SHARED/records"} ../shared/records ../../shared/records; do
+    [ -d "$records" ] && break
+done
+el_centro=$records/imperial-valley-1940-el-centro-ns-chopra.csv
+
+is "what needs no record holds" gives 0 verify --published
+is "seven values of four scenes, two scenes skipped" shows '^7 published values: 7 hold, 0 differ; 2 scenes skipped$'
+is "what is missing is named" shows 'skipped: needs El Centro 1940'
+is "it says what is not validated" shows '^Not validated: the pounding of buildings'
+is "and claims no more than was run" [ "$(grep -c 'storey forces' "$tmp/out")" -eq 0 ]
+is "as JSON" gives 0 verify --published --json
+is "with the difference of each" [ "$(grep -c '"difference": [-0-9]' "$tmp/out")" -eq 7 ]
+is "with presets it makes no sense" gives 2 verify --published towers
+is "nor does a record without it" gives 2 verify towers --record records/kobe-surrogate.csv
+is "another ground motion than El Centro differs" gives 1 verify --published --record records/kobe-surrogate.csv
+is "and is described" shows 'kobe-surrogate.csv, peak 0.8210 g, 4001 samples'
+is "a record that is not there is bad input" gives 3 verify --published --record nowhere.AT2
+
+# a tree of its own, in which one number of a scene is off by a few percent
+mkdir -p "$tmp/tree/presets/published"
+cp "$THUD" "$tmp/tree/thud"
+off() { # FILE EXPRESSION: exit status 1, and one line or more that differs
+    cp presets/published/* "$tmp/tree/presets/published"
+    sed -i "$2" "$tmp/tree/presets/published/$1"
+    shift 2
+    "$tmp/tree/thud" verify --published "$@" >"$tmp/out" 2>"$tmp/err"
+    [ $? -eq 1 ] && shows ' differs$'
+}
+is "another gap is found" off ansys-vm65.yaml 's/gap: 2.54 cm/gap: 2.59 cm/'
+is "another stiffness is found" off ansys-vm65.yaml 's/0.345686/0.36/'
+is "another mass is found" off ansys-vm65.yaml 's/0.0875634/0.091/'
+is "another gravity is found" off constant-386.csv 's/9.804400/9.70/'
+if [ -f "$el_centro" ]; then
+    is "under El Centro all hold" gives 0 verify --published --record "$el_centro"
+    is "nineteen values" shows '^19 published values: 19 hold, 0 differ$'
+    is "with modes alone" shows 'base shear, mode 5  *2.622  *2.62[0-9]* kN .* holds$'
+    is "another damping is found" off chopra-13.2.6.yaml 's/damping: 5 %/damping: 5.2 %/' --record "$el_centro"
+    is "another mass of a floor is found" off nptel-3.6.yaml 's/2.5 t/2.45 t/' --record "$el_centro"
+    mkdir "$tmp/tree/records" && cp "$el_centro" "$tmp/tree/records" && cp presets/published/* "$tmp/tree/presets/published"
+    "$tmp/tree/thud" verify --published >"$tmp/out" 2>"$tmp/err"
+    is "the record is found among the ground motions by its name" shows '^19 published values: 19 hold, 0 differ$'
+    sed -i 's/storeys: 5/storeys: 4/' "$tmp/tree/presets/published/chopra-13.2.6.yaml"
+    "$tmp/tree/thud" verify --published >"$tmp/out" 2>"$tmp/err"
+    is "a scene of another kind is refused" says 'shear building of 5 storeys'
+else
+    echo "ok - under El Centro # SKIP no $el_centro (THUD_SHARED names another folder)"
+fi
