@@ -15,8 +15,8 @@ struct thud_stepping {
 /* "rk4, located"; methods that always locate have their name alone. The one place for names of curves. */
 void thud_stepping_name(const struct thud_stepping *how, char *text, unsigned long size);
 
-enum thud_verdict { THUD_VERDICT_NONE, THUD_BOUNDED, THUD_GROWING, THUD_BLOWN_UP };
-const char *thud_verdict_word(enum thud_verdict verdict);
+enum thud_stability_verdict { THUD_VERDICT_NONE, THUD_BOUNDED, THUD_GROWING, THUD_BLOWN_UP };
+const char *thud_stability_verdict_word(enum thud_stability_verdict verdict);
 
 enum { THUD_STABILITY_FREE, THUD_STABILITY_WALL, THUD_STABILITY_SCENE, THUD_STABILITY_KINDS };
 
@@ -25,7 +25,7 @@ enum { THUD_STABILITY_FREE, THUD_STABILITY_WALL, THUD_STABILITY_SCENE, THUD_STAB
 struct thud_stability_cell {
     struct thud_stepping how;
     double omega_dt; /* with the oscillator's, the wall spring's, the scene's fastest omega; NaN: of its own choice */
-    enum thud_verdict verdict[THUD_STABILITY_KINDS];
+    enum thud_stability_verdict verdict[THUD_STABILITY_KINDS];
     double growth[THUD_STABILITY_KINDS];
 };
 

@@ -59,13 +59,13 @@ enum thud_status thud_verify_confirm(const struct thud_measures *own, const stru
                                      struct thud_expectations *agreed, struct thud_expectations *disputed,
                                      struct thud_error *err);
 
-enum thud_verdict { THUD_HOLDS, THUD_MOVED, THUD_GONE };
-const char *thud_verdict_name(enum thud_verdict verdict); /* "holds", "moved", "gone" */
+enum thud_check_verdict { THUD_HOLDS, THUD_MOVED, THUD_GONE };
+const char *thud_check_verdict_name(enum thud_check_verdict verdict); /* "holds", "moved", "gone" */
 
 struct thud_check {
     double got;    /* NaN: there is no such number any more */
     double change; /* relative with its sign, absolute where 0 was expected */
-    enum thud_verdict verdict;
+    enum thud_check_verdict verdict;
 };
 struct thud_check thud_verify_check(const struct thud_expectation *expected, const struct thud_measures *measures);
 

@@ -49,7 +49,7 @@ static void add_verdicts(const struct thud_stability *s, int kind, struct thud_t
                 thud_text_append(out, " %6s ", "none");
         }
         if (isnan(c[i].omega_dt))
-            thud_text_append(out, " %s (steps of its own)", thud_verdict_word(c[i].verdict[kind]));
+            thud_text_append(out, " %s (steps of its own)", thud_stability_verdict_word(c[i].verdict[kind]));
         else
             thud_text_append(out, " %5c", signs[c[i].verdict[kind]]);
     }
@@ -174,7 +174,7 @@ static void verdicts_csv(const struct thud_stability *s, struct thud_text *out)
         add_field(out, c->omega_dt);
         add_field(out, c->how.method->stability);
         for (int k = 0; k < THUD_STABILITY_KINDS; k++) {
-            thud_text_append(out, ",%s", thud_verdict_word(c->verdict[k]));
+            thud_text_append(out, ",%s", thud_stability_verdict_word(c->verdict[k]));
             add_field(out, c->verdict[k] ? c->growth[k] : NAN);
         }
         thud_text_append(out, "\n");

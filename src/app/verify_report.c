@@ -20,7 +20,7 @@ static void add_row(const struct thud_expectation *e, const struct thud_check *c
         thud_text_append(out, "%14s %10s %8.1g  gone\n", "-", "-", e->tolerance);
     else
         thud_text_append(out, "%14.7g %+10.2g %8.1g  %s\n", check->got, check->change, e->tolerance,
-                         thud_verdict_name(check->verdict));
+                         thud_check_verdict_name(check->verdict));
 }
 
 static void add_checks(const struct thud_verification *v, bool holding, struct thud_text *out)
@@ -112,7 +112,7 @@ void thud_verify_json(const struct thud_verification *v, struct thud_text *out)
             thud_text_append(out, ", ");
             thud_json_field(out, field[k].key, field[k].value);
         }
-        thud_text_append(out, ", \"verdict\": \"%s\"}", thud_verdict_name(v->check[i].verdict));
+        thud_text_append(out, ", \"verdict\": \"%s\"}", thud_check_verdict_name(v->check[i].verdict));
     }
     thud_text_append(out, "]");
     if (v->update) {

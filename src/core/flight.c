@@ -8,9 +8,9 @@
 #include <string.h>
 
 #include "core/closing.h"
+#include "core/double_pair.h"
 #include "core/horizon.h"
 #include "core/largest.h"
-#include "core/pair.h"
 #include "core/poly.h"
 
 enum { ENDS = THUD_FLIGHT_ENDS, SHORT_BLOCK = 8 };

@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/double_pair.h"
 #include "core/modes.h"
-#include "core/pair.h"
 #include "core/run_private.h"
 
 /* Hands out pieces of one block. */

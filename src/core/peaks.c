@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/pair.h"
+#include "core/double_pair.h"
 #include "core/poly.h"
 #include "core/run_private.h"
 

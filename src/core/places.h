@@ -3,7 +3,7 @@
 #ifndef THUD_CORE_PLACES_H
 #define THUD_CORE_PLACES_H
 
-#include "core/pair.h"
+#include "core/double_pair.h"
 #include "core/segment.h"
 
 enum { THUD_PLACES = 8 };

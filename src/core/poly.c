@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdbool.h>
 
-#include "core/pair.h"
+#include "core/double_pair.h"
 
 enum { DEPTH_MAX = 48, INTERVALS_MAX = 4096 };
 

@@ -3,8 +3,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/double_pair.h"
 #include "core/largest.h"
-#include "core/pair.h"
 #include "core/run_private.h"
 
 int thud_segment_terms(double angle, double least)

@@ -30,7 +30,7 @@ void thud_stepping_name(const struct thud_stepping *how, char *text, unsigned lo
     snprintf(text, size, "%s%s", how->method->name, said ? ", located" : "");
 }
 
-const char *thud_verdict_word(enum thud_verdict verdict)
+const char *thud_stability_verdict_word(enum thud_stability_verdict verdict)
 {
     static const char *const words[] = {"-", "bounded", "growing", "blown up"};
     return words[verdict];

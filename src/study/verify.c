@@ -185,7 +185,7 @@ enum thud_status thud_verify_confirm(const struct thud_measures *own, const stru
     return status;
 }
 
-const char *thud_verdict_name(enum thud_verdict verdict)
+const char *thud_check_verdict_name(enum thud_check_verdict verdict)
 {
     static const char *const name[] = {"holds", "moved", "gone"};
     return name[verdict];

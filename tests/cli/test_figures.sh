@@ -73,7 +73,7 @@ if [ -w /dev/full ]; then
     "$THUD" figures fig3 -o "$tmp/full" >/dev/full 2>"$tmp/err"
     is "a full standard output: exit status 6" [ $? -eq 6 ]
 else
-    is "a full standard output: exit status 6 # SKIP no /dev/full" true
+    echo "ok - a full standard output: exit status 6 # SKIP no /dev/full"
 fi
 (
     ulimit -f 8 # blocks of 512 bytes: the script fits, the data do not

@@ -9,6 +9,7 @@ trap 'rm -rf "$tmp"' EXIT
 
 sh $tools/check-includes.sh .
 sh $tools/check-pure.sh "$BUILD/libthud.a"
+sh $tools/check-headers.sh .
 sh $tools/check-tree.sh .
 sh $tools/check-unused.sh "$BUILD"
 
@@ -40,6 +41,12 @@ plant src/study/bad.c '#include "core/segment.h"\n'
 finds "a foreign private header is found" "bad.c.*private" sh $tools/check-includes.sh "$tmp/tree"
 plant src/io/bad.c '#include "file.h"\n'
 finds "an include without a layer is found" "bad.c.*name its layer" sh $tools/check-includes.sh "$tmp/tree"
+
+plant include/core/first.h 'enum thud_twice { THUD_A };\n'
+printf 'enum thud_twice { THUD_B };\n' >"$tmp/tree/include/core/second.h"
+finds "two headers that do not go together are found" "^not ok - all public headers go together" sh $tools/check-headers.sh "$tmp/tree"
+plant include/core/first.h 'int thud_bad(size_t n);\n'
+finds "a header that leans on another is found" "^not ok - every public header can stand alone" sh $tools/check-headers.sh "$tmp/tree"
 
 impure() { # WHAT PATTERN CODE
     printf '%s\n' "$3" >"$tmp/bad.c"

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Runs every unit test program and every command-line test, all speaking TAP, two at a time, and counts.
-# usage: run.sh BUILD_FOLDER     last line: `N passed, N failed` and, if there are any, `, N skipped`
+# usage: run.sh BUILD_FOLDER     before the last line: what was skipped, and why; last line: `N passed, N failed` and, if there are any, `, N skipped`
 # THUD: the program under test.  WRAP: command put before each unit test.  UNIT_ONLY: no command-line tests.
 # TEST_JOBS: programs at a time.  TEST_SECONDS: what one program may take.
 set -u
@@ -10,8 +10,10 @@ if [ "${1:-}" = --one ]; then # LOG_FOLDER PROGRAM: run one, keep its output and
     # shellcheck disable=SC2086 # several words
     timeout -k 10 "$TEST_SECONDS" $before "$3" >"$2/$label.out" 2>&1 </dev/null
     status=$?
-    awk -v label="$label" -v status="$status" -v counts="$2/$label.counts" '
-        /^ok .*# *[Ss][Kk][Ii][Pp]/ { skipped++; next }
+    awk -v label="$label" -v status="$status" -v counts="$2/$label.counts" -v skips="$2/$label.skips" '
+        # a skipped test of a script, and tests that a suite leaves out (they are not in its plan)
+        /^ok .*# *[Ss][Kk][Ii][Pp]/ { skipped++; print label ": " $0 >skips; next }
+        /^# SKIP /   { left_out++; print label ": " $0 >skips; next }
         /^ok /       { passed++; next }
         /^not ok .*# *[Tt][Oo][Dd][Oo]/ { skipped++; next }
         /^not ok /   { failed++ }
@@ -22,9 +24,10 @@ if [ "${1:-}" = --one ]; then # LOG_FOLDER PROGRAM: run one, keep its output and
             if (status == 124 || status == 137) why = "did not end in time"
             else if (status > 128) why = "crashed (signal " status - 128 ")"
             else if (status != 0 && !failed) why = "exit status " status
-            else if (!run) why = "ran no test"
+            else if (!run && !left_out) why = "ran no test"
             else if (has_plan && planned != run) why = "ran " run " of " planned " tests"
             if (why) { failed++; other[++n] = "not ok - " label ": " why }
+            skipped += left_out
             print passed + 0, failed + 0, skipped + 0 >counts
             printf "%s: %d passed%s%s\n", label, passed, failed ? ", " failed " FAILED" : "", skipped ? ", " skipped " skipped" : ""
             if (failed) for (i = n > 60 ? n - 59 : 1; i <= n; i++) print "    " other[i]
@@ -48,6 +51,7 @@ export THUD BUILD TEST_SECONDS WRAP CK_DEFAULT_TIMEOUT
         for t in tests/cli/test_*.sh tests/screens/test_*.sh; do [ -f "$t" ] && printf '%s\n' "$t"; done
     fi
 } | xargs -n 1 -P "${TEST_JOBS:-2}" sh "$0" --one "$logs"
+cat "$logs"/*.skips 2>/dev/null | sed 's/: \(# SKIP\|ok[ 0-9]*-\) /: /; s/^/skipped: /'
 cat "$logs"/*.counts 2>/dev/null | awk '
     { passed += $1; failed += $2; skipped += $3 }
     END {

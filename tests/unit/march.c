@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "core/run_private.h"
+#include "suite.h"
 
 struct march_law march_law(const char *name, ...)
 {
@@ -121,25 +122,15 @@ struct thud_record *march_motion(double factor)
     return record;
 }
 
-FILE *march_shared(const char *name)
-{
-    const char *given = getenv("THUD_SHARED"), *folders[] = {given ? given : "../shared", "../../shared"};
-    FILE *file = NULL;
-    for (int i = 0; i < 2 && !file; i++) {
-        char path[600];
-        snprintf(path, sizeof path, "%s/%s", folders[i], name);
-        file = fopen(path, "r");
-    }
-    return file;
-}
+const char *const march_kobe_file = "records/kobe-1995-kjma-000.AT2";
 
 struct thud_record *march_kobe(void)
 {
     static double a[10000];
-    FILE *file = march_shared("records/kobe-1995-kjma-000.AT2");
+    char path[600], line[256];
+    FILE *file = thud_suite_shared(march_kobe_file, path, sizeof path) ? fopen(path, "r") : NULL;
     struct thud_record *record = NULL;
     size_t n = 0;
-    char line[256];
     if (!file)
         return NULL;
     for (int i = 0; i < 4; i++)

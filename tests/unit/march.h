@@ -2,8 +2,6 @@
 #ifndef THUD_TESTS_MARCH_H
 #define THUD_TESTS_MARCH_H
 
-#include <stdio.h>
-
 #include "core/run.h"
 
 enum { MARCH_FLOORS_MAX = 100 };
@@ -27,9 +25,8 @@ struct thud_model *march_row(int n, const int *storeys, bool isolated, double ga
 /* 0.02 s samples of two bursts in 8 s, peak about 8 m/s2 times factor. */
 struct thud_record *march_motion(double factor);
 
-/* A file of the folder with real records, THUD_SHARED or shared beside the checkout; NULL where it is not at hand. */
-FILE *march_shared(const char *name);
-/* The real Kobe record scaled to 0.821 g; NULL where it is not at hand. */
+/* The real Kobe record scaled to 0.821 g, and its file (see thud_suite_shared); NULL where it cannot be read. */
+extern const char *const march_kobe_file;
 struct thud_record *march_kobe(void);
 
 struct march {

@@ -1,7 +1,7 @@
 /* Collisions under the laws of springs and dashpots, integrated from the printed equations, against the laws and their
  * closed forms. */
+#include "collision.h"
 #include "core/law_closed_form.h"
-#include "pair.h"
 
 static const double pi = 3.14159265358979323846;
 

@@ -6,11 +6,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "base/quantity.h"
 #include "core/intensity.h"
 #include "io/record_file.h"
+#include "suite.h"
 
 static const struct {
     const char *file, *format;
@@ -57,29 +57,18 @@ static const struct {
     {"tottori-2000-aich04-kiknet.NS2", "KiK-net", 0, NULL, NULL, 0, 0, 28600, 0.005, 0.0057, 2.2},
 };
 
-/* The folder, or NULL. */
-static const char *shared_folder(char *path, size_t size)
+static const char *path_of(const char *file)
 {
-    const char *given = getenv("THUD_SHARED");
-    char below[400];
-    snprintf(below, sizeof below, "%s/records", given ? given : "");
-    const char *places[] = {given ? below : "../shared/records", given ? given : "../../shared/records"};
-    for (int i = 0; i < 2; i++) {
-        char file[600];
-        snprintf(file, sizeof file, "%s/%s", places[i], real[0].file);
-        if (access(file, R_OK) == 0) {
-            snprintf(path, size, "%s", places[i]);
-            return path;
-        }
-    }
-    return NULL;
+    static char path[600];
+    char name[200];
+    snprintf(name, sizeof name, "records/%s", file);
+    return thud_suite_shared(name, path, sizeof path) ? path : NULL;
 }
 
 START_TEST(matches_the_readme)
 {
-    char folder[400], path[600];
-    ck_assert_ptr_nonnull(shared_folder(folder, sizeof folder));
-    snprintf(path, sizeof path, "%s/%s", folder, real[_i].file);
+    const char *path = path_of(real[_i].file);
+    ck_assert_ptr_nonnull(path);
     struct thud_record_choice choice;
     thud_record_choice_init(&choice);
     if (real[_i].dt_s > 0)
@@ -115,9 +104,9 @@ static const struct {
 
 START_TEST(asks_by_name)
 {
-    char folder[400], path[600], option[40];
-    ck_assert_ptr_nonnull(shared_folder(folder, sizeof folder));
-    snprintf(path, sizeof path, "%s/%s", folder, silent[_i].file);
+    char option[40];
+    const char *path = path_of(silent[_i].file);
+    ck_assert_ptr_nonnull(path);
     struct thud_record_choice choice;
     thud_record_choice_init(&choice);
     struct thud_record *record;
@@ -134,13 +123,11 @@ Suite *thud_suite(void)
 {
     Suite *suite = suite_create("shared records");
     TCase *all = tcase_create("all");
-    char folder[400];
-    if (shared_folder(folder, sizeof folder)) {
+    if (path_of(real[0].file)) {
         tcase_add_loop_test(all, matches_the_readme, 0, (int)(sizeof real / sizeof *real));
         tcase_add_loop_test(all, asks_by_name, 0, (int)(sizeof silent / sizeof *silent));
     } else {
-        printf("ok 1 - real files match their README # SKIP no folder ../shared/records (THUD_SHARED names another)\n");
-        fflush(stdout);
+        thud_suite_skips("real files match their README", "no folder ../shared/records (THUD_SHARED names another)");
     }
     suite_add_tcase(suite, all);
     return suite;

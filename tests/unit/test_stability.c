@@ -212,7 +212,7 @@ START_TEST(free_vibration_is_bounded_up_to_the_limit)
         const struct thud_stability_cell *c = &s->cell[i];
         bool stable = isnan(c->omega_dt) || c->omega_dt < c->how.method->stability;
         ck_assert_msg((c->verdict[THUD_STABILITY_FREE] == THUD_BOUNDED) == stable, "%s at omega dt %g: %s",
-                      c->how.method->name, c->omega_dt, thud_verdict_word(c->verdict[THUD_STABILITY_FREE]));
+                      c->how.method->name, c->omega_dt, thud_stability_verdict_word(c->verdict[THUD_STABILITY_FREE]));
         beyond += !stable;
         if (strcmp(c->how.method->name, "exact") == 0)
             for (int k = 0; k < THUD_STABILITY_KINDS; k++)

@@ -161,6 +161,16 @@ START_TEST(decades_are_labelled)
 }
 END_TEST
 
+/* No more than w columns in each of no more than h rows; frees the text. */
+static void within(char *text, int w, int h)
+{
+    int rows = 0;
+    for (char *line = strtok(text, "\n"); line; line = strtok(NULL, "\n"), rows++)
+        ck_assert_int_le(thud_utf8_columns(line), w);
+    ck_assert_int_le(rows, h);
+    free(text);
+}
+
 /* Nothing, one point, a constant, NaN and infinities, every size: no trap, no cell outside. */
 START_TEST(hard_data_and_every_size)
 {
@@ -172,7 +182,7 @@ START_TEST(hard_data_and_every_size)
         thud_panel_mark(panel, THUD_Y, 1.0, 1.0, "one");
         for (int w = 1; w < 40; w += 3)
             for (int h = 1; h < 14; h++)
-                free(draw(panel, w, h, w % 2 == 0));
+                within(draw(panel, w, h, w % 2 == 0), w, h);
         thud_figure_free(figure);
     }
 }

@@ -1,7 +1,7 @@
 /* Two numbers that every processor of the kind works on at once. Left to themselves, compilers may not change the order
  * of a sum, and spend more on shuffling short rows than on summing them. */
-#ifndef THUD_CORE_PAIR_H
-#define THUD_CORE_PAIR_H
+#ifndef THUD_CORE_DOUBLE_PAIR_H
+#define THUD_CORE_DOUBLE_PAIR_H
 
 #include <stdint.h>
 

@@ -1,7 +1,7 @@
 /* One collision of two free bodies, integrated from the printed equations (Runge-Kutta of order 4, events by
  * bisection): the independent side of the tests of the laws. Nothing of thud computes a force in this file. */
-#ifndef THUD_TESTS_PAIR_H
-#define THUD_TESTS_PAIR_H
+#ifndef THUD_TESTS_COLLISION_H
+#define THUD_TESTS_COLLISION_H
 
 #include <check.h>
 #include <math.h>
