@@ -323,7 +323,7 @@ static enum thud_status rows(struct thud_run *run, struct thud_flight *f, int in
         start_interval(f, t);
         for (int piece = 0; piece < f->pieces && status == THUD_OK; piece++) {
             thud_flight_series(run, f, piece);
-            status = thud_history_segment(run, 1, err);
+            status = thud_history_segment(run, 1, false, err);
             thud_ledger_segment(run, 1);
             thud_segment_state(&run->seg, f->n, 1, f->now, f->now_rate);
         }
@@ -388,7 +388,11 @@ enum thud_status thud_flight_go(struct thud_run *run, int *passed, struct thud_e
         thud_closing_flight(run, f, intervals);
     if (run->horizon_to_fill)
         thud_horizon_record(run->horizon_to_fill, run, f, intervals);
-    enum thud_status status = run->options.keep_history ? rows(run, f, intervals, err) : THUD_OK;
+    enum thud_status status = THUD_OK;
+    if (run->options.keep_history) {
+        thud_flight_settle(run); /* rows stand at the peaks */
+        status = rows(run, f, intervals, err);
+    }
     if (!run->options.no_ledger)
         add_energies(f, run, intervals);
     commit(run, f, intervals);

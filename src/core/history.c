@@ -1,4 +1,5 @@
 /* Histories and the list of impacts: the only arrays of a run that grow. */
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -63,8 +64,10 @@ static double *new_row(struct thud_run *run, double time, struct thud_error *err
         h->value = v;
         h->capacity = more;
     }
-    /* never before the row above, not by the last bit either: readers of histories rely on it */
-    h->time_s[h->rows] = h->rows ? fmax(time, h->time_s[h->rows - 1]) : time;
+    /* never before the row above, and the two sides of a jump at one time, not but for the last bits either: readers of
+     * histories rely on it */
+    double above = h->rows ? h->time_s[h->rows - 1] : -INFINITY;
+    h->time_s[h->rows] = time - above <= 4 * DBL_EPSILON * fabs(time) ? above : time;
     return h->value + h->rows++ * (size_t)h->columns;
 }
 
@@ -139,14 +142,32 @@ static enum thud_status row_at(struct thud_run *run, double s, struct thud_error
     return THUD_OK;
 }
 
-/* Parts that a segment in contact is shown in: close enough for a smooth curve of an impact of 25 ms, and some also of
- * the shortest. */
-static int contact_rows(double duration_s, double step_s)
+/* Parts of a segment in contact for which the trapezoids of its rows give the force's impulse to 3e-4: their error is
+ * at most h^2/12 times the bound of the second derivative. */
+static double impulse_parts(const struct thud_run *run, int c, double s)
 {
-    enum { LEAST = 6, MOST = 200 };
+    const struct thud_segment *seg = &run->seg;
+    double bend = 0, impulse = 0, power = s;
+    for (int k = 0; k < seg->terms; k++) {
+        double f = seg->force[k * run->model->ncontacts + c];
+        bend += k * (k - 1) * fabs(f) * power;
+        impulse += f * power / (k + 1);
+        power *= s;
+    }
+    return impulse > 0 ? sqrt(bend / (12 * 3e-4 * impulse)) : 0;
+}
+
+/* Parts that a segment in contact is shown in: close enough for a smooth curve of an impact of 25 ms, and for the
+ * impulse of the shortest. */
+static int contact_rows(const struct thud_run *run, double s)
+{
+    enum { LEAST = 2, MOST = 200 };
     const double close_s = 2.5e-4;
-    double parts = ceil(duration_s / fmin(step_s, close_s));
-    return parts > LEAST ? parts < MOST ? (int)parts : MOST : LEAST;
+    double parts = s * run->seg.h_s / fmin(run->options.history_step_s, close_s);
+    for (int c = 0; c < run->model->ncontacts; c++)
+        if (thud_contact_acts(&run->contact[c]))
+            parts = fmax(parts, impulse_parts(run, c, s));
+    return parts > LEAST ? parts < MOST ? (int)ceil(parts) : MOST : LEAST;
 }
 
 /* The time of the row after one at t: after a contact closer for a while, since impacts wake the higher modes; else on
@@ -160,26 +181,108 @@ static double next_row(const struct thud_run *run, double t)
     return step * floor(t / step + 1.0 + 1e-9);
 }
 
-enum thud_status thud_history_segment(struct thud_run *run, double s, struct thud_error *err)
+static double sooner(double best, struct thud_peak peak, double after)
 {
-    double t0 = thud_run_now(run), h = run->seg.h_s, step = run->options.history_step_s;
-    enum thud_status status = THUD_OK;
-    if (run->nactive > 0) {
-        int rows = contact_rows(s * h, step);
-        for (int i = 0; i <= rows && status == THUD_OK; i++)
-            status = row_at(run, s * i / rows, err);
-        const double while_s = 0.4;
-        run->close_rows_until_s = t0 + s * h + while_s;
-        while (run->next_row_s <= t0 + s * h)
-            run->next_row_s = next_row(run, run->next_row_s);
-        return status;
+    return peak.value > 0 && peak.time_s > after && peak.time_s < best ? peak.time_s : best;
+}
+
+/* The first time after `after` at which the result has a peak so far, INFINITY where there is none: a row stands there,
+ * so that the largest value of a column is the peak. */
+static double next_peak(const struct thud_run *run, double after)
+{
+    const struct thud_result *r = &run->result;
+    double best = INFINITY;
+    for (int s = 0; s < r->nstructures; s++)
+        for (int i = 0; i < r->structure[s].floors; i++) {
+            const struct thud_floor_result *f = &r->structure[s].floor[i];
+            best = sooner(best, f->acceleration, after);
+            best = sooner(best, f->displacement, after);
+            best = sooner(best, f->velocity, after);
+            best = sooner(best, f->drift, after);
+        }
+    for (int c = 0; c < r->ncontacts; c++) {
+        best = sooner(best, r->contact[c].force, after);
+        best = sooner(best, r->contact[c].indentation, after);
     }
-    double fuzz = 1e-9 * step;
+    return best;
+}
+
+static double last_time(const struct thud_run *run)
+{
+    const struct thud_history *h = &run->history;
+    return h->rows ? h->time_s[h->rows - 1] : -INFINITY;
+}
+
+/* Rows of the peaks before t, from where the last row stands. */
+static enum thud_status peak_rows(struct thud_run *run, double t0, double t, struct thud_error *err)
+{
+    enum thud_status status = THUD_OK;
+    double fuzz = 1e-9 * run->options.history_step_s, at = next_peak(run, fmax(t0, last_time(run)));
+    while (at < t - fuzz && status == THUD_OK) {
+        status = row_at(run, (at - t0) / run->seg.h_s, err);
+        at = next_peak(run, at);
+    }
+    return status;
+}
+
+/* Rows of a segment in contact, also at both its ends. */
+static enum thud_status rows_in_contact(struct thud_run *run, double s, struct thud_error *err)
+{
+    const double while_s = 0.4;
+    double t0 = thud_run_now(run), h = run->seg.h_s;
+    int rows = contact_rows(run, s);
+    /* the force of a located contact goes on from the last segment's end unless something has switched there */
+    bool goes_on = run->method->order == 0 && !run->switched && last_time(run) >= t0;
+    enum thud_status status = THUD_OK;
+    for (int i = goes_on; i <= rows && status == THUD_OK; i++) {
+        status = peak_rows(run, t0, t0 + s * h * i / rows, err);
+        if (status == THUD_OK)
+            status = row_at(run, s * i / rows, err);
+    }
+    run->close_rows_until_s = t0 + s * h + while_s;
+    while (run->next_row_s <= t0 + s * h)
+        run->next_row_s = next_row(run, run->next_row_s);
+    return status;
+}
+
+/* Whether the ground jumps to rest at t: behind a last sample that is not 0. */
+static bool is_stop(const struct thud_run *run, double t)
+{
+    const struct thud_record *r = run->record;
+    return r && r->a_mps2[r->samples - 1] != 0 && fabs(t - (double)(r->samples - 1) * r->dt_s) < 1e-9 * r->dt_s;
+}
+
+/* Rows of a segment without contact: on the grid, and at its end where something may switch there. */
+static enum thud_status rows_in_flight(struct thud_run *run, double s, bool switches, struct thud_error *err)
+{
+    double t0 = thud_run_now(run), h = run->seg.h_s, fuzz = 1e-9 * run->options.history_step_s;
+    enum thud_status status = THUD_OK;
     while (run->next_row_s <= t0 + s * h + fuzz && status == THUD_OK) {
         double at = (run->next_row_s - t0) / h;
-        status = row_at(run, at < 0 ? 0 : at > s ? s : at, err);
+        status = peak_rows(run, t0, run->next_row_s, err);
+        if (status == THUD_OK)
+            status = row_at(run, at < 0 ? 0 : at > s ? s : at, err);
         run->next_row_s = next_row(run, run->next_row_s);
     }
+    if (status == THUD_OK)
+        status = peak_rows(run, t0, t0 + s * h, err);
+    bool stops = is_stop(run, t0 + s * h);
+    if (status == THUD_OK && (switches || stops) && last_time(run) < t0 + s * h - 1e-3 * fuzz) {
+        status = row_at(run, s, err);
+        run->row_waits = !stops;
+    }
+    return status;
+}
+
+enum thud_status thud_history_segment(struct thud_run *run, double s, bool switches, struct thud_error *err)
+{
+    if (run->row_waits && !run->switched) /* nothing has switched there: a row like any other of a step */
+        run->history.rows--;
+    run->row_waits = false;
+    if (run->switched || is_stop(run, thud_run_now(run))) /* the other side of the jump */
+        run->next_row_s = thud_run_now(run);
+    enum thud_status status = run->nactive > 0 ? rows_in_contact(run, s, err) : rows_in_flight(run, s, switches, err);
+    run->switched = false;
     return status;
 }
 

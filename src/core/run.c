@@ -294,7 +294,7 @@ static double next_event(struct thud_run *run, double limit, int *contact, int *
 }
 
 /* Peaks, histories and energies of the segment up to s. */
-static enum thud_status read_segment(struct thud_run *run, double s, struct thud_error *err)
+static enum thud_status read_segment(struct thud_run *run, double s, bool switches, struct thud_error *err)
 {
     enum thud_status status = THUD_OK;
     double *end = run->ends + 3 * run->model->nmodes; /* q, q' at s: read by the peaks, and committed */
@@ -303,7 +303,7 @@ static enum thud_status read_segment(struct thud_run *run, double s, struct thud
     if (run->closing)
         thud_closing_segment(run, s);
     if (run->options.keep_history)
-        status = thud_history_segment(run, s, err);
+        status = thud_history_segment(run, s, switches || !run->locates, err);
     thud_ledger_segment(run, s);
     return status;
 }
@@ -374,7 +374,7 @@ static enum thud_status segment(struct thud_run *run, struct thud_error *err)
     run->result.work.steps++;
     status = watch_progress(run, &p, err);
     if (status == THUD_OK && p.s > 0)
-        status = read_segment(run, p.s, err);
+        status = read_segment(run, p.s, p.switched, err);
     if (status != THUD_OK)
         return status;
     bool switched = p.switched;
@@ -384,6 +384,7 @@ static enum thud_status segment(struct thud_run *run, struct thud_error *err)
         status = thud_contact_switch(run, p.contact, p.event, err);
     if (status == THUD_OK && !run->locates)
         status = thud_contact_catch_up(run, &switched, err);
+    run->switched = run->switched || switched;
     if (status == THUD_OK && run->method->committed)
         run->method->committed(run, run->method_state, p.s * run->seg.h_s, switched || p.passed);
     return status;

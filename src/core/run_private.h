@@ -94,6 +94,8 @@ struct thud_run {
     struct thud_history history;
     double next_row_s;
     double close_rows_until_s; /* rows stand closer for a while after a contact */
+    bool switched;             /* a contact has, at the end of the last segment: rows stand on both sides of the jump */
+    bool row_waits;            /* the last row stays only if one has */
 };
 
 static inline double thud_run_now(const struct thud_run *run)
@@ -223,7 +225,8 @@ void thud_ledger_mark(struct thud_run *run);
 void thud_ledger_finish(struct thud_run *run);
 double thud_run_kinetic(const struct thud_run *run);
 double thud_run_strain(const struct thud_run *run);
-enum thud_status thud_history_segment(struct thud_run *run, double s, struct thud_error *err);
+/* Rows of the segment up to s, whose peaks are read; switches: a contact will, or may, switch there. */
+enum thud_status thud_history_segment(struct thud_run *run, double s, bool switches, struct thud_error *err);
 enum thud_status thud_history_start(struct thud_run *run, struct thud_error *err);
 enum thud_status thud_impacts_add(struct thud_run *run, const struct thud_impact *impact, struct thud_error *err);
 

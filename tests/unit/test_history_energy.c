@@ -2,12 +2,13 @@
  * record, and histories change no answer. */
 #include <check.h>
 #include <math.h>
+#include <string.h>
 
 #include "core/run.h"
 
 enum { SAMPLES = 600 };
 
-static struct thud_model *towers(void)
+static struct thud_model *towers_of(const char *law)
 {
     static const double mass[3] = {320e3, 320e3, 250e3}, stiffness[3] = {600e6, 600e6, 600e6};
     struct thud_structure_input structure[2] = {
@@ -17,15 +18,22 @@ static struct thud_model *towers(void)
                                             {.interface = 1, .left_floor = 2, .right_floor = 2, .right_structure = 1}};
     for (int c = 0; c < 2; c++) {
         contact[c].clearance_m = 0.01;
-        contact[c].law = thud_law_find("kelvin-voigt-no-tension");
+        contact[c].law = thud_law_find(law);
         thud_law_defaults(contact[c].law, &contact[c].setup);
-        contact[c].setup.value[thud_law_param(contact[c].law, "stiffness")] = 2500e6;
-        contact[c].setup.value[thud_law_param(contact[c].law, "restitution")] = 0.6;
+        if (strcmp(law, "stereomechanical"))
+            contact[c].setup.value[thud_law_param(contact[c].law, "stiffness")] = 2500e6;
+        if (strcmp(law, "hertz"))
+            contact[c].setup.value[thud_law_param(contact[c].law, "restitution")] = 0.6;
     }
     struct thud_model_input input = {.nstructures = 2, .structure = structure, .ncontacts = 2, .contact = contact};
     struct thud_model *model;
     ck_assert_int_eq(thud_model_create(&input, &model, NULL), THUD_OK);
     return model;
+}
+
+static struct thud_model *towers(void)
+{
+    return towers_of("kelvin-voigt-no-tension");
 }
 
 static struct thud_run *go(const struct thud_model *model, const struct thud_record *record, bool history)
@@ -114,6 +122,96 @@ START_TEST(energies_balance_row_by_row)
 }
 END_TEST
 
+/* What a reader makes of the columns alone: the impulse by trapezoids and the largest values are the result's, a force
+ * or a velocity that jumps has its two rows at one time, so that no ramp leads up to a touch. */
+START_TEST(columns_give_the_result)
+{
+    static const struct {
+        const char *law, *method;
+        double step_s;
+    } way[] = {{"kelvin-voigt-no-tension", NULL, NAN},
+               {"hertz", NULL, NAN},
+               {"kelvin-voigt-no-tension", "rk4", 4e-4},
+               {"kelvin-voigt-no-tension", "lagged", 5e-5},
+               {"stereomechanical", NULL, NAN}};
+    double a[SAMPLES];
+    for (int i = 0; i < SAMPLES; i++)
+        a[i] = 5.0 * sin(0.32 * i) + 2.0 * sin(0.11 * i * i / 40.0);
+    a[SAMPLES - 1] = 3.0; /* the ground stops at once */
+    struct thud_record *record;
+    struct thud_run *run;
+    struct thud_run_options options;
+    bool done = false;
+    ck_assert_int_eq(thud_record_create(a, SAMPLES, 0.02, &record, NULL), THUD_OK);
+    struct thud_model *model = towers_of(way[_i].law);
+    thud_run_options_init(&options);
+    options.tail_s = 2.0;
+    options.keep_history = options.keep_impacts = true;
+    options.method = way[_i].method ? thud_method_find(way[_i].method) : NULL;
+    options.step_s = way[_i].step_s;
+    ck_assert_int_eq(thud_run_create(model, record, &options, &run, NULL), THUD_OK);
+    while (!done)
+        ck_assert_int_eq(thud_run_advance(run, 100000, &done, NULL), THUD_OK);
+    const struct thud_history *h = thud_run_history(run);
+    const struct thud_result *r = thud_run_result(run);
+    double impulse[2] = {0}, force[2] = {0}, most[4][5] = {{0}}, ground_jump = 0;
+    int touches = 0, wide = 0;
+    for (size_t i = 0; i < h->rows; i++) {
+        const double *row = h->value + i * (size_t)h->columns, *last = i ? row - h->columns : row;
+        double dt = i ? h->time_s[i] - h->time_s[i - 1] : 0;
+        for (int c = 0; c < 2; c++) {
+            int k = thud_history_force(h, c);
+            impulse[c] += 0.5 * dt * (row[k] + last[k]);
+            force[c] = fmax(force[c], row[k]);
+            int depth = thud_history_indentation(h, c);
+            touches += last[k] <= 0 && row[k] > 0;
+            wide += last[depth] < -1e-9 && row[k] > 0 && dt > 6e-5; /* the longest step of `lagged` */
+        }
+        for (int dof = 0; dof < 5; dof++) {
+            double below = dof == 0 || dof == 2 ? 0 : row[thud_history_displacement(h, dof - 1)];
+            const double value[] = {
+                row[thud_history_displacement(h, dof)],
+                row[thud_history_velocity(h, dof)],
+                row[thud_history_acceleration(h, dof)],
+                row[thud_history_displacement(h, dof)] - below,
+            };
+            for (int q = 0; q < 4; q++)
+                most[q][dof] = fmax(most[q][dof], fabs(value[q]));
+        }
+        if (dt == 0)
+            ground_jump = fmax(ground_jump, fabs(row[0] - last[0]));
+    }
+    ck_assert_double_eq_tol(ground_jump, 3.0, 1e-9);
+    for (int c = 0; c < 2; c++) {
+        ck_assert_double_le(fabs(force[c] - r->contact[c].force.value), 1e-9 * r->contact[c].force.value);
+        if (strcmp(way[_i].law, "stereomechanical"))
+            ck_assert_msg(fabs(impulse[c] - r->contact[c].impulse_ns) < 1e-3 * r->contact[c].impulse_ns, "%g, not %g",
+                          impulse[c], r->contact[c].impulse_ns);
+    }
+    if (strcmp(way[_i].law, "stereomechanical")) {
+        ck_assert_int_gt(touches, 3);
+        ck_assert_int_eq(wide, 0);
+    }
+    for (int dof = 0; dof < 5; dof++) {
+        const struct thud_floor_result *f = &r->structure[dof >= 2].floor[dof >= 2 ? dof - 2 : dof];
+        ck_assert_double_eq_tol(most[0][dof], f->displacement.value, 1e-9 * f->displacement.value);
+        ck_assert_double_eq_tol(most[1][dof], f->velocity.value, 1e-9 * f->velocity.value);
+        ck_assert_double_eq_tol(most[2][dof], f->acceleration.value, 1e-9 * f->acceleration.value);
+        ck_assert_double_eq_tol(most[3][dof], f->drift.value, 1e-9 * f->drift.value);
+    }
+    int count = 0, found = 0;
+    const struct thud_impact *impact = thud_run_impacts(run, &count);
+    for (int i = 0; i < count; i++) /* both sides of every touch */
+        for (size_t k = 1; k < h->rows; k++)
+            found += fabs(h->time_s[k] - impact[i].start_s) < 1e-12 && h->time_s[k] == h->time_s[k - 1];
+    ck_assert_int_ge(found, count);
+    ck_assert_int_gt(count, 3);
+    thud_run_free(run);
+    thud_model_free(model);
+    thud_record_free(record);
+}
+END_TEST
+
 /* Two bodies stopped in the middle of an elastic contact, a quarter of its period after first touch: they move
  * together, what of the energy does not move is stored, and nothing is lost. */
 START_TEST(closed_contact_holds_energy)
@@ -196,6 +294,7 @@ Suite *thud_suite(void)
     Suite *suite = suite_create("history_energy");
     TCase *tcase = tcase_create("history_energy");
     tcase_add_test(tcase, energies_balance_row_by_row);
+    tcase_add_loop_test(tcase, columns_give_the_result, 0, 5);
     tcase_add_test(tcase, closed_contact_holds_energy);
     tcase_add_test(tcase, ground_is_the_record);
     tcase_add_loop_test(tcase, error_is_a_part_of_the_most_there_was, 0, 2);

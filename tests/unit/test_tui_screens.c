@@ -183,7 +183,7 @@ START_TEST(the_whole_plots_of_two_bodies)
                                    "|Force (MN)   1 no bumper                        ||no bumper *1 8.38 MN 3.01 mm|\n"
                                    "|10 +:                                           ||        ............        |\n"
                                    "|   |:                                           ||        :    ::    :        |\n"
-                                   "|   |:                                           ||        :    ::    :        |\n"
+                                   "|   |.                                           ||        :    ::    :        |\n"
                                    "| 8 +::                                          ||        :    ::    :        |\n"
                                    "|   |::                                          ||        :    ::    :        |\n"
                                    "| 6 +::                                          ||        :    ::    :        |\n"
