@@ -17,6 +17,7 @@ struct thud_record {
     double dt_s;
     size_t samples;
     double *a_mps2; /* (samples), already scaled and signed */
+    double scale;   /* what the file's samples were multiplied by, with the sign; 1: as recorded */
 };
 
 /* Copies `samples` values. Errors: THUD_INPUT when dt is not positive or a value is not finite, THUD_MEMORY. */

@@ -42,11 +42,7 @@ enum thud_status thud_session_assign(struct thud_session *session, const char *a
 
 void thud_session_choose_record(struct thud_session *session, const char *file)
 {
-    struct thud_scene fresh;
-    thud_scene_init(&fresh);
-    fresh.record.sign = session->scene.record.sign;
-    session->scene.record = fresh.record;
-    snprintf(session->scene.record.file, sizeof session->scene.record.file, "%s", file);
+    thud_record_choice_replace(&session->scene.record, file);
 }
 
 enum thud_status thud_session_read_record(struct thud_session *session, struct thud_error *err)

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "app/record_list.h"
+#include "base/scan.h"
 
 /* Groups of the scene's keys, and the options beside those of the record that set the key of the same name in one. */
 static const struct {
@@ -63,6 +64,9 @@ static enum thud_status apply(const struct thud_args *args, struct thud_session 
     char key[KEY];
     if (thud_args_value(args, "record"))
         thud_session_choose_record(session, thud_args_value(args, "record"));
+    for (int i = 0; (value = thud_args_repeated(args, "set", i)) != NULL; i++)
+        if (thud_scan_word(&value, "record.file=") && strcmp(value, session->scene.record.file) != 0)
+            thud_session_choose_record(session, value); /* before what else is said of it, in any order */
     for (int i = 0; status == THUD_OK && (option = option_at(i, key)) != NULL; i++)
         if ((value = thud_args_value(args, option)) != NULL)
             status = of_option(thud_scene_set(&session->scene, key, value, err), err);

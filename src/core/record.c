@@ -22,6 +22,7 @@ enum thud_status thud_record_create(const double *a_mps2, size_t samples, double
     memset(record, 0, sizeof *record);
     record->dt_s = dt_s;
     record->samples = samples;
+    record->scale = 1;
     record->a_mps2 = (double *)(record + 1); /* the struct ends in a pointer, so doubles are aligned behind it */
     if (samples)
         memcpy(record->a_mps2, a_mps2, samples * sizeof *a_mps2);
@@ -46,4 +47,5 @@ void thud_record_scale(struct thud_record *record, double factor)
 {
     for (size_t i = 0; i < record->samples; i++)
         record->a_mps2[i] *= factor;
+    record->scale *= factor;
 }

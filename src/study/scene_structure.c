@@ -249,6 +249,16 @@ void thud_record_choice_init(struct thud_record_choice *choice)
     choice->skip = -1;
 }
 
+void thud_record_choice_replace(struct thud_record_choice *choice, const char *file)
+{
+    int sign = choice->sign;
+    char name[THUD_TEXT_MAX];
+    snprintf(name, sizeof name, "%s", file); /* it may be the choice's own */
+    thud_record_choice_init(choice);
+    choice->sign = sign;
+    memcpy(choice->file, name, strlen(name));
+}
+
 void thud_scene_init(struct thud_scene *scene)
 {
     memset(scene, 0, sizeof *scene);

@@ -145,7 +145,7 @@ static bool values(struct thud_tui *tui, enum thud_action action)
     switch (action) {
     case THUD_DO_EDIT:
     case THUD_DO_EDIT_OLD:
-        thud_tui_edit(tui, NULL);
+        thud_tui_edit(tui, action == THUD_DO_EDIT);
         return true;
     case THUD_DO_TOGGLE:
         thud_tui_toggle(tui);
@@ -224,8 +224,7 @@ static void rest(struct thud_tui *tui, enum thud_action action)
         thud_tui_go(tui, (enum thud_screen)(((int)tui->screen + THUD_SCREENS - 1) % THUD_SCREENS));
         break;
     case THUD_DO_GO:
-        tui->go = true;
-        thud_tui_say(tui, THUD_ROLE_PLAIN, "g and the number of a screen, 1 to %d", THUD_SCREENS);
+        thud_tui_say(tui, THUD_ROLE_PLAIN, "the number of a screen, 1 to %d", THUD_SCREENS);
         break;
     case THUD_DO_MOUSE:
         tui->mouse = !tui->mouse;

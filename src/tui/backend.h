@@ -27,7 +27,10 @@ enum {
     THUD_KEY_F1,
     THUD_KEY_F2,
     THUD_KEY_RESIZE,
-    THUD_KEY_CLICK,         /* where: thud_backend.click_x, click_y */
+    THUD_KEY_CLICK,    /* where: thud_backend.click_x, click_y */
+    THUD_KEY_WHEEL_UP, /* as well */
+    THUD_KEY_WHEEL_DOWN,
+    THUD_KEY_PASTE,         /* what: thud_backend.paste */
     THUD_KEY_HANGUP,        /* no more keys will come */
     THUD_KEY_ALT = 0x400000 /* added to a code point */
 };
@@ -37,7 +40,8 @@ struct thud_backend {
     void *state;
     bool utf8, color; /* what can be shown */
     int click_x, click_y;
-    int also; /* a file whose bytes wake key() as well; -1: none */
+    const char *paste; /* lasts until the next key */
+    int also;          /* a file whose bytes wake key() as well; -1: none */
     void (*size)(struct thud_backend *backend, int *width, int *height);
     void (*show)(struct thud_backend *backend, const struct thud_canvas *canvas);
     /* Waits at most `timeout_ms` for a key (-1: until one comes); returns at once when a signal came. */
@@ -56,6 +60,7 @@ void thud_term_close(struct thud_backend *backend);
  * `<Click 12,3>`: column and row from 0); time stands still unless told. */
 struct thud_script {
     const char *at;
+    const char *paste; /* what `<Paste>` pastes */
     int width, height;
     double now;
     double tick; /* s that pass with each look at the clock */

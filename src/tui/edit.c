@@ -7,6 +7,7 @@
 #include "base/ascii.h"
 #include "base/scan.h"
 #include "core/method.h"
+#include "io/record_file.h"
 #include "tui/state.h"
 
 static bool ends_with(const char *text, const char *end)
@@ -33,7 +34,7 @@ static void shown_unit(const struct thud_tui *tui, const char *key, const struct
 }
 
 /* What was typed, with the shown unit where it has none. */
-static void with_unit(const struct thud_tui *tui, const char *key, const char *typed, char *text, size_t size)
+void thud_tui_with_unit(const struct thud_tui *tui, const char *key, const char *typed, char *text, size_t size)
 {
     const struct thud_param *param = thud_scene_param(&tui->doc.scene, key, &(int){0});
     const char *end;
@@ -88,11 +89,55 @@ static bool set_exponent(struct thud_tui *tui, const char *key, const char *text
     return true;
 }
 
+/* Why the ground motion that a choice names cannot be had; THUD_OK also where the file is there and only does not say
+ * something that a field here can (its step, unit, column, ...). */
+static enum thud_status try_record(const struct thud_tui *tui, const struct thud_record_choice *choice,
+                                   struct thud_error *err)
+{
+    char path[512];
+    struct thud_record *record;
+    enum thud_status status = thud_paths_record(tui->doc.paths, tui->doc.path, choice->file, path, sizeof path, err);
+    if (status != THUD_OK)
+        return status;
+    status = thud_record_file_read(path, choice, &record, err);
+    if (status == THUD_OK)
+        thud_record_free(record);
+    char key[sizeof err->key + 8];
+    snprintf(key, sizeof key, "record.%s", err->key);
+    return status == THUD_OK || (*err->key && thud_scene_param(&tui->doc.scene, key, &(int){0})) ? THUD_OK : status;
+}
+
+bool thud_tui_choose_record(struct thud_tui *tui, const char *file)
+{
+    struct thud_scene next = tui->doc.scene;
+    struct thud_error err = {0};
+    char what[200], number[24];
+    thud_record_choice_replace(&next.record, file);
+    enum thud_status status = *file ? try_record(tui, &next.record, &err) : THUD_OK;
+    snprintf(what, sizeof what, "record.file %.60s -> %.60s",
+             *tui->doc.scene.record.file ? tui->doc.scene.record.file : "none", *file ? file : "none");
+    if (status == THUD_OK)
+        status = thud_doc_change(&tui->doc, &next, what, &err);
+    if (status != THUD_OK) {
+        thud_tui_say_error(tui, &err);
+        return false;
+    }
+    thud_tui_changed(tui);
+    if (tui->doc.record)
+        thud_tui_say(tui, THUD_ROLE_PLAIN, "%s as recorded, %s g: peak, factor and part of the one before do not hold",
+                     file, thud_tui_number(thud_record_peak(tui->doc.record) / THUD_GRAVITY, number));
+    return true;
+}
+
 bool thud_tui_set(struct thud_tui *tui, const char *key, const char *text)
 {
     struct thud_error err = {0};
+    if (strcmp(key, "record.file") == 0) {
+        tui->message[0] = '\0';
+        return strcmp(text, tui->doc.scene.record.file) == 0 || thud_tui_choose_record(tui, text);
+    }
     char full[THUD_LINE_MAX + 64];
-    with_unit(tui, key, text, full, sizeof full);
+    thud_tui_with_unit(tui, key, text, full, sizeof full);
     tui->message[0] = '\0';
     tui->kept_before_n = NAN;
     bool done = ends_with(key, "bumper.exponent") ? set_exponent(tui, key, full, &err)
@@ -129,13 +174,12 @@ static bool is_word(const char *key, const struct thud_param *param)
            (param->kind == THUD_PARAM_CHOICE && param->choices);
 }
 
-bool thud_tui_takes_digits(const struct thud_tui *tui)
+bool thud_tui_typable(const struct thud_tui *tui, const struct thud_field *field)
 {
-    const struct thud_field *field = thud_form_focus(&tui->form);
     if (!field || field->kind != THUD_FIELD_VALUE)
         return false;
     const struct thud_param *param = thud_scene_param(&tui->doc.scene, field->path, &(int){0});
-    return !param || !is_word(field->path, param);
+    return param && !is_word(field->path, param);
 }
 
 /* A value with a closed list of words: a list to choose from. False: it has none. */
@@ -159,7 +203,7 @@ static bool choose_value(struct thud_tui *tui, const char *key, const struct thu
     return true;
 }
 
-void thud_tui_edit(struct thud_tui *tui, const char *start)
+void thud_tui_edit(struct thud_tui *tui, bool select)
 {
     const struct thud_field *field = thud_form_focus(&tui->form);
     if (!field)
@@ -174,10 +218,9 @@ void thud_tui_edit(struct thud_tui *tui, const char *start)
     if (!param || choose_value(tui, field->path, param))
         return;
     char old[THUD_LINE_MAX] = "";
-    if (!start)
-        thud_scene_get(&tui->doc.scene, field->path, old, sizeof old, NULL);
+    thud_scene_get(&tui->doc.scene, field->path, old, sizeof old, NULL);
     snprintf(tui->target, sizeof tui->target, "%s", field->path);
-    thud_line_set(&tui->line, start ? start : old);
+    (select ? thud_line_select : thud_line_set)(&tui->line, old);
     tui->message[0] = '\0';
     tui->mode = THUD_MODE_TYPING;
     tui->typing = THUD_TYPE_FIELD;
@@ -192,6 +235,30 @@ bool thud_tui_accept(struct thud_tui *tui)
     tui->mode = THUD_MODE_NORMAL;
     thud_tui_draw(tui);
     return true;
+}
+
+void thud_tui_accept_and_go(struct thud_tui *tui, enum thud_action action)
+{
+    if (!thud_tui_accept(tui))
+        return;
+    char said[sizeof tui->message];
+    snprintf(said, sizeof said, "%s", tui->message);
+    int down = action == THUD_DO_ACCEPT_DOWN ? 1 : action == THUD_DO_ACCEPT_UP ? -1 : 0;
+    int step = action == THUD_DO_ACCEPT_PREVIOUS ? -1 : 1;
+    for (int i = 0; i < tui->form.n; i++) { /* past what is chosen from a list */
+        const struct thud_field *before = thud_form_focus(&tui->form);
+        if (down)
+            thud_form_move(&tui->form, 0, down);
+        else
+            thud_form_next(&tui->form, step);
+        const struct thud_field *now = thud_form_focus(&tui->form);
+        if (now == before || thud_tui_typable(tui, now))
+            break;
+    }
+    const struct thud_field *now = thud_form_focus(&tui->form);
+    if (thud_tui_typable(tui, now) && strcmp(now->path, tui->target) != 0)
+        thud_tui_edit(tui, true);
+    snprintf(tui->message, sizeof tui->message, "%s", said); /* a warning about the last value stays */
 }
 
 static void step_choice(struct thud_tui *tui, const char *key, const struct thud_param *param, int steps)

@@ -55,7 +55,7 @@ static const struct thud_history *history_of(const struct thud_live *live, int w
 static void add_history(struct thud_panel *panel, const struct thud_history *h, int which, int column, int minus,
                         double factor)
 {
-    struct thud_style style = {.kind = THUD_LINES, .color = which};
+    struct thud_style style = {.kind = THUD_LINES, .color = thud_live_color((enum thud_live_which)which)};
     struct thud_series *series =
         thud_panel_add(panel, style, thud_live_name((enum thud_live_which)which), h->rows, NULL, NULL);
     for (size_t i = 0; series && i < h->rows; i++) {
@@ -146,8 +146,9 @@ static struct thud_figure *loops(const struct thud_live *live, const struct thud
         if (!h)
             continue;
         int force = thud_history_force(h, sight->contact), depth = thud_history_indentation(h, sight->contact);
-        struct thud_series *series = thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = which},
-                                                    thud_live_name((enum thud_live_which)which), h->rows, NULL, NULL);
+        struct thud_series *series = thud_panel_add(
+            panel, (struct thud_style){.kind = THUD_LINES, .color = thud_live_color((enum thud_live_which)which)},
+            thud_live_name((enum thud_live_which)which), h->rows, NULL, NULL);
         for (size_t i = 0; series && i < h->rows; i++) {
             const double *row = h->value + i * (size_t)h->columns;
             bool touching = row[force] != 0.0;
@@ -173,7 +174,8 @@ static struct thud_figure *envelopes(const struct thud_live *live, const struct 
             int floors = result && s < result->nstructures ? result->structure[s].floors : 0;
             if (floors == 0)
                 continue;
-            struct thud_style style = {.kind = THUD_LINES_POINTS, .color = which};
+            struct thud_style style = {.kind = THUD_LINES_POINTS,
+                                       .color = thud_live_color((enum thud_live_which)which)};
             struct thud_series *series =
                 thud_panel_add(panel, style, thud_live_name((enum thud_live_which)which), (size_t)floors, NULL, NULL);
             for (int i = 0; series && i < floors; i++) {

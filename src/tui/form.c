@@ -86,8 +86,9 @@ static void settle_focus(struct thud_form *form, int panes)
 
 bool thud_form_end(struct thud_form *form, int panes)
 {
+    const struct thud_field *drawn = thud_form_focus(form);
     settle_focus(form, panes);
-    bool moved = false;
+    bool moved = thud_form_focus(form) != drawn; /* it was drawn without the cursor */
     const struct thud_field *focus = thud_form_focus(form);
     for (int i = 0; i < panes && i < THUD_FORM_PANES; i++) {
         int *scroll = &form->scroll[form->screen][i], most = form->used[i] - form->height[i], old = *scroll;

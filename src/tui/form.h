@@ -33,8 +33,8 @@ void thud_form_begin(struct thud_form *form, int screen);
 /* Out of memory a field is only not there for the cursor. */
 void thud_form_add(struct thud_form *form, enum thud_field_kind kind, int pane, int x, int y, int w, int index,
                    const char *path);
-/* After drawing: a cursor on a field that is gone goes to the nearest; true where a pane scrolled and must be drawn
- * again. */
+/* After drawing: a cursor on a field that is gone goes to the nearest; true where that or a pane's scrolling has to be
+ * drawn. */
 bool thud_form_end(struct thud_form *form, int panes);
 const struct thud_field *thud_form_focus(const struct thud_form *form); /* NULL: there is none */
 bool thud_form_focused(const struct thud_form *form, int pane, const char *path);

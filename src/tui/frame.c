@@ -84,7 +84,11 @@ static void record_words(const struct thud_tui *tui, char *text, size_t size)
     if (tui->doc.record)
         snprintf(peak, sizeof peak, " %s g", thud_tui_number(thud_record_peak(tui->doc.record) / THUD_GRAVITY, number));
     bool part = !isnan(choice->from_s) || !isnan(choice->to_s);
-    snprintf(text, size, "%s%s %c%s", slash ? slash + 1 : choice->file, peak, choice->sign < 0 ? '-' : '+',
+    char scaled[48] = "";
+    double scale = tui->doc.record ? fabs(tui->doc.record->scale) : 1.0;
+    if (fabs(scale - 1.0) > 5e-4)
+        snprintf(scaled, sizeof scaled, " scaled x%s", thud_tui_number(scale, number));
+    snprintf(text, size, "%s%s%s %c%s", slash ? slash + 1 : choice->file, peak, scaled, choice->sign < 0 ? '-' : '+',
              part ? " part" : "");
 }
 
@@ -142,7 +146,7 @@ static void bottom_keys(struct thud_tui *tui, const struct thud_pane *row)
         if (!(key->where & where) || !*key->label || key->action == THUD_DO_HELP || key->action == THUD_DO_QUIT ||
             thud_key_action(where, key->key) != key->action || (normal && thud_tui_cannot(tui, key->action)))
             continue;
-        bool between_fields = key->action == THUD_DO_ACCEPT_NEXT || key->action == THUD_DO_ACCEPT_PREVIOUS;
+        bool between_fields = key->action == THUD_DO_ACCEPT_NEXT || key->action == THUD_DO_ACCEPT_DOWN;
         if (between_fields && tui->typing != THUD_TYPE_FIELD)
             continue;
         bool alone = *key->label == '~';
@@ -245,11 +249,20 @@ static int draw_panes(struct thud_tui *tui, const struct thud_pane *page, struct
     return n;
 }
 
-static void too_small(const struct thud_pane *page)
+bool thud_tui_too_small(struct thud_tui *tui)
+{
+    int width, height;
+    tui->backend->size(tui->backend, &width, &height);
+    return width < LEAST_WIDTH || height < LEAST_HEIGHT;
+}
+
+static void say_too_small(const struct thud_tui *tui, const struct thud_pane *page)
 {
     char text[80];
     snprintf(text, sizeof text, "thud needs %dx%d, here %dx%d", LEAST_WIDTH, LEAST_HEIGHT, page->w, page->h);
-    thud_pane_wrap(page, 0, 0, page->w, thud_look(THUD_ROLE_PLAIN, 0), text);
+    int y = thud_pane_wrap(page, 0, 0, page->w, thud_look(THUD_ROLE_PLAIN, 0), text);
+    if (tui->mode == THUD_MODE_ASKING)
+        thud_pane_wrap(page, 0, y, page->w, thud_look(THUD_ROLE_WARN, THUD_BOLD), tui->message);
 }
 
 void thud_tui_draw(struct thud_tui *tui)
@@ -263,7 +276,7 @@ void thud_tui_draw(struct thud_tui *tui)
         thud_canvas_clear(&tui->canvas);
         struct thud_pane page = thud_canvas_pane(&tui->canvas);
         if (page.w < LEAST_WIDTH || page.h < LEAST_HEIGHT) {
-            too_small(&page);
+            say_too_small(tui, &page);
             break;
         }
         int rows = page.h < 16 ? 2 : 3;

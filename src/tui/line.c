@@ -7,6 +7,13 @@ void thud_line_set(struct thud_line *line, const char *text)
 {
     snprintf(line->text, sizeof line->text, "%s", text);
     line->cursor = (int)strlen(line->text);
+    line->selected = false;
+}
+
+void thud_line_select(struct thud_line *line, const char *text)
+{
+    thud_line_set(line, text);
+    line->selected = *line->text != '\0';
 }
 
 static bool continuation(char c)
@@ -40,6 +47,8 @@ static void cut(struct thud_line *line, int from, int to)
 
 static bool insert(struct thud_line *line, int key)
 {
+    if (line->selected)
+        thud_line_set(line, "");
     char utf8[5];
     int n = thud_utf8_put((uint32_t)key, utf8);
     size_t size = strlen(line->text);
@@ -52,7 +61,14 @@ static bool insert(struct thud_line *line, int key)
     return true;
 }
 
-bool thud_line_key(struct thud_line *line, int key)
+void thud_line_type(struct thud_line *line, const char *text)
+{
+    for (uint32_t c; (c = thud_utf8_next(&text)) >= ' ';)
+        if (c != THUD_KEY_BACKSPACE)
+            insert(line, (int)c);
+}
+
+static bool edit(struct thud_line *line, int key)
 {
     switch (key) {
     case THUD_KEY_LEFT:
@@ -83,6 +99,19 @@ bool thud_line_key(struct thud_line *line, int key)
     }
 }
 
+bool thud_line_key(struct thud_line *line, int key)
+{
+    bool selected = line->selected, deletes = key == THUD_KEY_BACKSPACE || key == THUD_KEY_DELETE;
+    if (selected && deletes) {
+        thud_line_set(line, "");
+        return true;
+    }
+    if (!edit(line, key))
+        return false;
+    line->selected = false;
+    return true;
+}
+
 void thud_line_draw(const struct thud_line *line, const struct thud_pane *pane, int x, int y, int w,
                     struct thud_look style)
 {
@@ -96,7 +125,8 @@ void thud_line_draw(const struct thud_line *line, const struct thud_pane *pane, 
         thud_utf8_next(&text);
     for (int i = 0; i < w; i++) {
         uint32_t c = thud_utf8_next(&text);
-        thud_pane_glyph(pane, x + i, y, style, c ? c : ' ');
+        struct thud_look look = thud_look(style.role, c && line->selected ? style.attr | THUD_REVERSE : style.attr);
+        thud_pane_glyph(pane, x + i, y, look, c ? c : ' ');
     }
     int row = y - pane->scroll;
     if (x + at - first >= pane->w || row < 0 || row >= pane->h)

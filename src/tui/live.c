@@ -1,6 +1,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "plot/figure.h"
 #include "study/answer.h"
 #include "tui/live.h"
 
@@ -10,6 +11,12 @@ const char *thud_live_name(enum thud_live_which which)
 {
     static const char *const name[] = {"no pounding", "no bumper", "bumper"};
     return name[which];
+}
+
+int thud_live_color(enum thud_live_which which)
+{
+    static const int color[] = {THUD_COLOR_GREY, 0, 1};
+    return color[which];
 }
 
 static void case_clear(struct thud_live_case *c)

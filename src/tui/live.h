@@ -8,6 +8,8 @@
 
 enum thud_live_which { THUD_LIVE_FREE, THUD_LIVE_NONE, THUD_LIVE_BUMPER, THUD_LIVE_CASES };
 const char *thud_live_name(enum thud_live_which which); /* "no pounding", ... */
+/* As in the figures: no pounding grey, no bumper the first colour, bumper the second. */
+int thud_live_color(enum thud_live_which which);
 
 enum thud_live_state {
     THUD_LIVE_EMPTY,  /* not run for the scene as it is now */

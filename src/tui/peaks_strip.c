@@ -60,7 +60,7 @@ static void impact_strip(struct thud_tui *tui, const struct thud_pane *pane)
     struct thud_dots dots;
     if (!(most > 0.0) || !(end > 0.0) || thud_dots_init(&dots, &area, NULL) != THUD_OK)
         return;
-    struct thud_look look = thud_look(THUD_ROLE_SERIES + 1, 0);
+    struct thud_look look = thud_look(THUD_ROLE_SERIES + thud_live_color(which), 0);
     thud_dots_line(&dots, 0.0, dots.height - 1.0, dots.width - 1.0, dots.height - 1.0, 2, look);
     for (int i = 0; i < count; i++) {
         double x = impact[i].start_s / end * (dots.width - 1);

@@ -43,6 +43,9 @@ static int named_key(struct thud_backend *backend, const char *name)
         {"F1", THUD_KEY_F1},
         {"F2", THUD_KEY_F2},
         {"Hangup", THUD_KEY_HANGUP},
+        {"Paste", THUD_KEY_PASTE},
+        {"WheelUp", THUD_KEY_WHEEL_UP},
+        {"WheelDown", THUD_KEY_WHEEL_DOWN},
         {"lt", '<'},
         {"Space", ' '},
     };
@@ -76,6 +79,7 @@ static int script_key(struct thud_backend *backend, int timeout_ms)
     const char *close = *script->at == '<' ? strchr(script->at, '>') : NULL;
     if (!close || close - script->at > 30)
         return (int)thud_utf8_next(&script->at);
+    backend->paste = script->paste;
     char name[32];
     size_t size = (size_t)(close - script->at) - 1;
     memcpy(name, script->at + 1, size);

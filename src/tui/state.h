@@ -111,10 +111,9 @@ struct thud_tui {
     enum thud_asking asking;
     char target[512]; /* the field being edited, or the path asked about */
     int pair;         /* the interface shown on Model and Contact, from 0 */
-    bool go;          /* `g` was pressed */
     bool mouse;
     bool dirty; /* the screen must be drawn */
-    bool quit, hangup;
+    bool quit, hangup, interrupted;
     struct thud_picture_work *writing; /* figures being written; NULL: none */
     int writing_done, writing_count;   /* as last looked at */
     char written[700];                 /* what is written then */
@@ -164,14 +163,24 @@ void thud_tui_run(struct thud_tui *tui);
 bool thud_tui_cancel(struct thud_tui *tui); /* false: nothing was running */
 
 /* edit.c */
-void thud_tui_edit(struct thud_tui *tui, const char *start);
-/* Whether the field in focus is one whose value a digit may begin. */
-bool thud_tui_takes_digits(const struct thud_tui *tui);
+/* Edits the field in focus, or does what its row stands for; `select`: what is typed replaces the text. */
+void thud_tui_edit(struct thud_tui *tui, bool select);
+bool thud_tui_typable(const struct thud_tui *tui, const struct thud_field *field); /* its value is typed, not chosen */
+/* Takes what was typed and goes on editing where `action` (ACCEPT_NEXT, ...) leads. */
+void thud_tui_accept_and_go(struct thud_tui *tui, enum thud_action action);
+/* Another ground motion, as recorded; where it cannot be found or read the one there is stays. False: it was refused.
+ */
+bool thud_tui_choose_record(struct thud_tui *tui, const char *file);
+/* What was typed, with the shown unit of the key where it has none. */
+void thud_tui_with_unit(const struct thud_tui *tui, const char *key, const char *typed, char *text, size_t size);
 void thud_tui_step_value(struct thud_tui *tui, int steps);
 void thud_tui_toggle(struct thud_tui *tui);
 bool thud_tui_accept(struct thud_tui *tui); /* the text of the field being edited; false: it was refused */
 bool thud_tui_set(struct thud_tui *tui, const char *key, const char *text); /* with messages and warnings */
 void thud_tui_all_floors(struct thud_tui *tui);
+
+/* paste.c */
+void thud_tui_paste(struct thud_tui *tui, const char *text);
 
 /* ask.c: prompts, choosers, questions */
 void thud_tui_prompt(struct thud_tui *tui, enum thud_typing typing, const char *text);
@@ -213,6 +222,7 @@ bool thud_tui_write(struct thud_tui *tui, struct thud_text *text, const char *na
 
 /* frame.c */
 void thud_tui_draw(struct thud_tui *tui);
+bool thud_tui_too_small(struct thud_tui *tui); /* the terminal, for any screen */
 /* Three significant digits, `.` where there is no number. Returns `text`. */
 char *thud_tui_number(double value, char text[24]);
 

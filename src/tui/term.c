@@ -2,11 +2,15 @@
 #define _XOPEN_SOURCE          700
 #define _XOPEN_SOURCE_EXTENDED 1
 #include <errno.h>
+#include <fcntl.h>
 #include <langinfo.h>
 #include <locale.h>
 #include <poll.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/ioctl.h>
+#include <termios.h>
 #include <time.h>
 #include <unistd.h>
 #include <wchar.h>
@@ -14,11 +18,17 @@
 #include <curses.h>
 
 #include "tui/backend.h"
+#include "tui/decode.h"
+#include "tui/roles.h"
 #include "tui/term_signal.h"
 
+/* The bytes of one key come together: what begins like one and stays alone for so long is not the beginning of one. */
+enum { ESCAPE_MS = 25 };
+
 struct term {
-    bool open, repaint;
-    int pending; /* a key read ahead; 0: none */
+    bool open, repaint, mouse;
+    struct thud_decode decode;
+    double read_s; /* when bytes were last read */
 };
 static struct term the_terminal; /* there is one per process, as in curses itself */
 
@@ -29,18 +39,8 @@ static bool can_move(const char *term)
 
 static void color_pairs(void)
 {
-    static const struct {
-        int role;
-        short color;
-    } table[] = {
-        {THUD_ROLE_TITLE, COLOR_CYAN},         {THUD_ROLE_VALUE, COLOR_CYAN},      {THUD_ROLE_GOOD, COLOR_GREEN},
-        {THUD_ROLE_WARN, COLOR_YELLOW},        {THUD_ROLE_ERROR, COLOR_RED},       {THUD_ROLE_KEY, COLOR_YELLOW},
-        {THUD_ROLE_SERIES, COLOR_BLUE},        {THUD_ROLE_SERIES + 1, COLOR_RED},  {THUD_ROLE_SERIES + 2, COLOR_GREEN},
-        {THUD_ROLE_SERIES + 3, COLOR_MAGENTA}, {THUD_ROLE_SERIES + 4, COLOR_CYAN}, {THUD_ROLE_SERIES + 5, COLOR_YELLOW},
-        {THUD_ROLE_SERIES + 6, COLOR_WHITE},   {THUD_ROLE_SERIES + 7, COLOR_BLUE},
-    };
-    for (size_t i = 0; i < sizeof table / sizeof *table; i++)
-        init_pair((short)table[i].role, table[i].color, -1);
+    for (int role = 1; role < THUD_ROLES; role++)
+        init_pair((short)role, (short)thud_role_color(role, COLORS), -1);
 }
 
 static void term_size(struct thud_backend *backend, int *width, int *height)
@@ -49,10 +49,10 @@ static void term_size(struct thud_backend *backend, int *width, int *height)
     getmaxyx(stdscr, *height, *width);
 }
 
-static attr_t attributes(struct thud_look style)
+static attr_t attributes(struct thud_look style, bool color)
 {
     attr_t attr = 0;
-    if (style.attr & THUD_BOLD)
+    if ((style.attr & THUD_BOLD) || (color && thud_role_bold(style.role, COLORS)))
         attr |= A_BOLD;
     if (style.attr & THUD_REVERSE)
         attr |= A_REVERSE;
@@ -71,7 +71,8 @@ static void term_show(struct thud_backend *backend, const struct thud_canvas *ca
             const struct thud_cell *cell = &canvas->cell[(size_t)y * (size_t)canvas->width + (size_t)x];
             const wchar_t glyph[2] = {(wchar_t)cell->glyph, 0};
             cchar_t out;
-            setcchar(&out, glyph, attributes(cell->style), backend->color ? (short)cell->style.role : 0, NULL);
+            setcchar(&out, glyph, attributes(cell->style, backend->color), backend->color ? (short)cell->style.role : 0,
+                     NULL);
             /* writing the last cell may report an error because the cursor cannot go on; the cell is there */
             (void)mvadd_wch(y, x, &out);
         }
@@ -84,120 +85,82 @@ static void term_show(struct thud_backend *backend, const struct thud_canvas *ca
     refresh();
 }
 
-static int translate_key(wint_t code)
-{
-    switch (code) {
-    case KEY_UP:
-        return THUD_KEY_UP;
-    case KEY_DOWN:
-        return THUD_KEY_DOWN;
-    case KEY_LEFT:
-        return THUD_KEY_LEFT;
-    case KEY_RIGHT:
-        return THUD_KEY_RIGHT;
-    case KEY_HOME:
-        return THUD_KEY_HOME;
-    case KEY_END:
-        return THUD_KEY_END;
-    case KEY_PPAGE:
-        return THUD_KEY_PAGE_UP;
-    case KEY_NPAGE:
-        return THUD_KEY_PAGE_DOWN;
-    case KEY_DC:
-        return THUD_KEY_DELETE;
-    case KEY_BACKSPACE:
-        return THUD_KEY_BACKSPACE;
-    case KEY_BTAB:
-        return THUD_KEY_BACKTAB;
-    case KEY_ENTER:
-        return THUD_KEY_ENTER;
-    case KEY_F(1):
-        return THUD_KEY_F1;
-    case KEY_F(2):
-        return THUD_KEY_F2;
-    case KEY_RESIZE:
-        return THUD_KEY_RESIZE;
-    default:
-        return THUD_KEY_NONE;
-    }
-}
-
-static int click(struct thud_backend *backend)
-{
-    MEVENT event;
-    if (getmouse(&event) != OK || !(event.bstate & (BUTTON1_CLICKED | BUTTON1_PRESSED)))
-        return THUD_KEY_NONE;
-    backend->click_x = event.x;
-    backend->click_y = event.y;
-    return THUD_KEY_CLICK;
-}
-
-/* One key without waiting: -1 when there is none. */
-static int take_key(struct thud_backend *backend)
-{
-    wint_t code;
-    int kind = get_wch(&code);
-    if (kind == ERR)
-        return -1;
-    if (kind == KEY_CODE_YES)
-        return code == KEY_MOUSE ? click(backend) : translate_key(code);
-    if (code == 8)
-        return THUD_KEY_BACKSPACE;
-    if (code == '\n' || code == '\r')
-        return THUD_KEY_ENTER;
-    return (int)code;
-}
-
-/* ESC with a key right behind it is Alt and that key; where that means nothing it is taken apart again by the caller.
- */
-static int take_with_alt(struct thud_backend *backend)
-{
-    struct term *term = backend->state;
-    if (term->pending) {
-        int key = term->pending;
-        term->pending = 0;
-        return key;
-    }
-    int key = take_key(backend);
-    if (key != THUD_KEY_ESC)
-        return key;
-    int next = take_key(backend);
-    if (next < 0)
-        return key;
-    if (next >= '0' && next <= '9')
-        return THUD_KEY_ALT + next;
-    term->pending = next;
-    return key;
-}
-
-static int term_key(struct thud_backend *backend, int timeout_ms)
-{
-    if (thud_term_signal_suspend())
-        return THUD_KEY_RESIZE; /* back again: everything is drawn anew */
-    int key = take_with_alt(backend);
-    if (key >= 0)
-        return key;
-    struct pollfd wait[3] = {{STDIN_FILENO, POLLIN, 0}, {thud_term_signal_fd(), POLLIN, 0}, {backend->also, POLLIN, 0}};
-    int ready = poll(wait, 3, timeout_ms);
-    thud_term_signal_drain();
-    if (ready > 0 && (wait[0].revents & (POLLHUP | POLLERR | POLLNVAL)) && !(wait[0].revents & POLLIN))
-        return THUD_KEY_HANGUP;
-    key = take_with_alt(backend);
-    if (key >= 0)
-        return key;
-    /* readable without a key in it, twice running, is the end of the input */
-    char byte;
-    if (ready > 0 && (wait[0].revents & POLLIN) && poll(wait, 1, 0) > 0 && read(STDIN_FILENO, &byte, 1) == 0)
-        return THUD_KEY_HANGUP;
-    return THUD_KEY_NONE;
-}
-
 static double term_now(struct thud_backend *backend)
 {
     (void)backend;
     struct timespec now;
     clock_gettime(CLOCK_MONOTONIC, &now);
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+/* What goes to the terminal beside ncurses' own drawing. */
+static void tell(const char *text)
+{
+    fputs(text, stdout);
+    fflush(stdout);
+}
+
+/* Bytes that are there; false at the end of the input. */
+static bool read_bytes(struct term *term)
+{
+    char bytes[512];
+    size_t room = thud_decode_room(&term->decode);
+    if (room == 0)
+        return true;
+    ssize_t n = read(STDIN_FILENO, bytes, room < sizeof bytes ? room : sizeof bytes);
+    if (n > 0)
+        thud_decode_add(&term->decode, bytes, (size_t)n);
+    return n != 0 && !(n < 0 && errno == EIO);
+}
+
+/* ncurses draws, and so has to know how large the terminal is; keys it does not read. */
+static bool resized(void)
+{
+    struct winsize size;
+    if (!thud_term_signal_resized() || ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_row == 0 ||
+        size.ws_col == 0)
+        return false;
+    resizeterm(size.ws_row, size.ws_col);
+    return true;
+}
+
+/* A key among the bytes read so far. */
+static int take_key(struct thud_backend *backend, bool ended, bool *more)
+{
+    struct term *term = backend->state;
+    int key = thud_decode_next(&term->decode, ended, more);
+    backend->click_x = term->decode.mouse_x;
+    backend->click_y = term->decode.mouse_y;
+    backend->paste = term->decode.paste;
+    return key;
+}
+
+static int term_key(struct thud_backend *backend, int timeout_ms)
+{
+    struct term *term = backend->state;
+    bool more, suspended = thud_term_signal_suspend();
+    if (suspended)
+        tell(term->mouse ? THUD_PASTE_ON THUD_MOUSE_ON : THUD_PASTE_ON);
+    if (resized() || suspended)
+        return THUD_KEY_RESIZE; /* also when it goes on after a stop: everything is drawn anew */
+    int key = take_key(backend, false, &more);
+    if (key != THUD_KEY_NONE)
+        return key;
+    struct pollfd wait[3] = {{STDIN_FILENO, POLLIN, 0}, {thud_term_signal_fd(), POLLIN, 0}, {backend->also, POLLIN, 0}};
+    bool begun = more && (timeout_ms < 0 || timeout_ms > ESCAPE_MS);
+    int ready = poll(wait, 3, begun ? ESCAPE_MS : timeout_ms);
+    thud_term_signal_drain();
+    if (ready > 0 && (wait[0].revents & POLLIN)) {
+        if (!read_bytes(term))
+            return THUD_KEY_HANGUP;
+        term->read_s = term_now(backend);
+    } else if (ready > 0 && (wait[0].revents & (POLLHUP | POLLERR | POLLNVAL))) {
+        return THUD_KEY_HANGUP;
+    }
+    key = take_key(backend, false, &more);
+    if (key == THUD_KEY_NONE && more && 1e3 * (term_now(backend) - term->read_s) >= ESCAPE_MS)
+        key = take_key(backend, true, &more);
+    return key;
 }
 
 static int term_signal(struct thud_backend *backend)
@@ -211,10 +174,40 @@ static void term_repaint(struct thud_backend *backend)
     ((struct term *)backend->state)->repaint = true;
 }
 
+/* Clicks and the wheel, in decimal numbers where the terminal can. */
 static void term_mouse(struct thud_backend *backend, bool on)
 {
-    (void)backend;
-    mousemask(on ? BUTTON1_CLICKED | BUTTON1_PRESSED : 0, NULL);
+    ((struct term *)backend->state)->mouse = on;
+    tell(on ? THUD_MOUSE_ON : THUD_MOUSE_OFF);
+}
+
+/* The keys as this terminal's description has them. */
+static void learn_keys(struct thud_decode *decode)
+{
+    static const struct {
+        const char *capability;
+        int key;
+    } table[] = {{"kcuu1", THUD_KEY_UP},     {"kcud1", THUD_KEY_DOWN},    {"kcub1", THUD_KEY_LEFT},
+                 {"kcuf1", THUD_KEY_RIGHT},  {"khome", THUD_KEY_HOME},    {"kend", THUD_KEY_END},
+                 {"kpp", THUD_KEY_PAGE_UP},  {"knp", THUD_KEY_PAGE_DOWN}, {"kdch1", THUD_KEY_DELETE},
+                 {"kcbt", THUD_KEY_BACKTAB}, {"kf1", THUD_KEY_F1},        {"kf2", THUD_KEY_F2}};
+    thud_decode_init(decode);
+    for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
+        const char *sequence = tigetstr(table[i].capability);
+        if (sequence && sequence != (const char *)-1)
+            thud_decode_learn(decode, sequence, table[i].key);
+    }
+}
+
+/* Ctrl-C is a key here, so that it can ask about what is unsaved; Ctrl-Z and Ctrl-\ stay the terminal's own. */
+static void take_interrupt_key(void)
+{
+    struct termios mode;
+    if (tcgetattr(STDIN_FILENO, &mode) != 0)
+        return;
+    mode.c_cc[VINTR] = (cc_t)fpathconf(STDIN_FILENO, _PC_VDISABLE);
+    tcsetattr(STDIN_FILENO, TCSANOW, &mode);
+    def_prog_mode();
 }
 
 enum thud_status thud_term_open(struct thud_backend *backend, bool ascii, bool color, struct thud_error *err)
@@ -235,14 +228,14 @@ enum thud_status thud_term_open(struct thud_backend *backend, bool ascii, bool c
         return thud_error_set(err, THUD_USAGE, "TERM is \"%s\", which this machine does not know", name);
     }
     the_terminal = (struct term){.open = true};
-    set_escdelay(25);
     cbreak();
     noecho();
     nonl();
     intrflush(stdscr, FALSE);
     keypad(stdscr, TRUE);
-    nodelay(stdscr, TRUE);
-    mouseinterval(0);
+    typeahead(-1);
+    take_interrupt_key();
+    learn_keys(&the_terminal.decode);
     const char *no_color = getenv("NO_COLOR");
     if (no_color && *no_color)
         color = false;
@@ -251,6 +244,7 @@ enum thud_status thud_term_open(struct thud_backend *backend, bool ascii, bool c
     else
         color = false;
     thud_term_signal_ready();
+    tell(THUD_PASTE_ON);
     *backend = (struct thud_backend){.state = &the_terminal,
                                      .utf8 = utf8 && !ascii,
                                      .color = color,
@@ -270,7 +264,8 @@ void thud_term_close(struct thud_backend *backend)
     if (!the_terminal.open)
         return;
     the_terminal.open = false;
-    term_mouse(backend, false);
+    (void)backend;
+    tell(THUD_MOUSE_OFF THUD_PASTE_OFF);
     endwin();
     thud_term_signal_close();
 }

@@ -13,16 +13,18 @@
 #include "tui/term_signal.h"
 
 static const int fatal[] = {SIGINT, SIGTERM, SIGHUP};
-static const int crash[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGQUIT};
-enum { FATAL = 3, CRASH = 6 };
+/* All others that end a process by default. */
+static const int crash[] = {SIGSEGV, SIGBUS,  SIGFPE,    SIGILL,  SIGABRT, SIGQUIT, SIGPIPE, SIGALRM,
+                            SIGUSR1, SIGUSR2, SIGVTALRM, SIGPROF, SIGXCPU, SIGXFSZ, SIGSYS,  SIGTRAP};
+enum { FATAL = sizeof fatal / sizeof *fatal, CRASH = sizeof crash / sizeof *crash };
 
 /* Signal handlers can reach nothing but statics. */
-static volatile sig_atomic_t got_fatal, got_stop;
+static volatile sig_atomic_t got_fatal, got_stop, got_size;
 static int wake[2] = {-1, -1};
 static struct sigaction before_fatal[FATAL], before_crash[CRASH], before_stop, before_size;
 static struct termios before_mode;
 static int have_mode, have_size;
-static char restore[256];
+static char restore[512];
 static char crash_stack[1 << 16]; /* a crash may be that the stack has no room left */
 static stack_t before_stack;
 static size_t restore_size;
@@ -48,11 +50,10 @@ static void on_stop(int number)
     wake_loop();
 }
 
-/* ncurses' own handler notes the new size; the loop has to be woken as well. */
 static void on_size(int number)
 {
-    if (before_size.sa_handler != SIG_DFL && before_size.sa_handler != SIG_IGN)
-        before_size.sa_handler(number);
+    (void)number;
+    got_size = 1;
     wake_loop();
 }
 
@@ -75,6 +76,8 @@ static void catch_signal(int number, void (*handler)(int), int flags, struct sig
     action.sa_flags = flags;
     sigemptyset(&action.sa_mask);
     sigaction(number, &action, before);
+    if (handler != SIG_DFL && before->sa_handler == SIG_IGN)
+        sigaction(number, before, NULL); /* as with nohup */
 }
 
 static void make_pipe(void)
@@ -91,7 +94,7 @@ static void make_pipe(void)
 
 void thud_term_signal_open(void)
 {
-    got_fatal = got_stop = 0;
+    got_fatal = got_stop = got_size = 0;
     have_mode = tcgetattr(STDIN_FILENO, &before_mode) == 0;
     make_pipe();
     for (int i = 0; i < FATAL; i++)
@@ -122,7 +125,8 @@ static void add_capability(const char *name)
 
 void thud_term_signal_ready(void)
 {
-    restore_size = 0;
+    restore_size = sizeof THUD_MOUSE_OFF THUD_PASTE_OFF - 1;
+    memcpy(restore, THUD_MOUSE_OFF THUD_PASTE_OFF, restore_size);
     add_capability("sgr0");
     add_capability("rmkx");
     add_capability("cnorm");
@@ -161,6 +165,13 @@ void thud_term_signal_drain(void)
         ;
 }
 
+bool thud_term_signal_resized(void)
+{
+    bool came = got_size;
+    got_size = 0;
+    return came;
+}
+
 int thud_term_signal_fatal(void)
 {
     return got_fatal;
@@ -171,11 +182,14 @@ bool thud_term_signal_suspend(void)
     if (!got_stop)
         return false;
     got_stop = 0;
+    ssize_t ignored = write(STDOUT_FILENO, THUD_MOUSE_OFF THUD_PASTE_OFF, sizeof THUD_MOUSE_OFF THUD_PASTE_OFF - 1);
+    (void)ignored;
     endwin();
     struct sigaction mine;
     catch_signal(SIGTSTP, SIG_DFL, 0, &mine);
     raise(SIGTSTP);
     sigaction(SIGTSTP, &mine, NULL);
+    got_size = 1; /* it may have changed meanwhile */
     clearok(stdscr, TRUE);
     refresh();
     return true;

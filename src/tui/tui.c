@@ -76,9 +76,10 @@ static void typing_key(struct thud_tui *tui, int key)
         thud_tui_prompt_done(tui);
     } else if (action == THUD_DO_ACCEPT) {
         thud_tui_accept(tui);
-    } else if (action == THUD_DO_ACCEPT_NEXT || action == THUD_DO_ACCEPT_PREVIOUS) {
-        if (field && thud_tui_accept(tui))
-            thud_form_next(&tui->form, action == THUD_DO_ACCEPT_NEXT ? 1 : -1);
+    } else if (action == THUD_DO_ACCEPT_NEXT || action == THUD_DO_ACCEPT_PREVIOUS || action == THUD_DO_ACCEPT_DOWN ||
+               action == THUD_DO_ACCEPT_UP) {
+        if (field)
+            thud_tui_accept_and_go(tui, action);
     } else {
         thud_line_key(&tui->line, key);
     }
@@ -95,26 +96,17 @@ static void choosing_key(struct thud_tui *tui, int key)
         thud_chooser_key(&tui->chooser, key);
 }
 
-/* A digit after g, or where no value could begin with it, goes to that screen; a first digit on another field starts a
- * new value; the rest are actions. */
+/* A digit goes to its screen, always (also after g, or with Alt); the rest are actions. */
 static void normal_key(struct thud_tui *tui, int key)
 {
-    bool value = thud_tui_takes_digits(tui);
     int digit = key >= '1' && key <= '9'                                ? key - '1'
                 : key > THUD_KEY_ALT + '0' && key <= THUD_KEY_ALT + '9' ? key - THUD_KEY_ALT - '1'
                                                                         : -1;
-    if (digit >= 0 && (tui->go || !value || key >= THUD_KEY_ALT)) {
+    if (digit >= 0) {
         if (digit < THUD_SCREENS)
             thud_tui_go(tui, (enum thud_screen)digit);
         else
             thud_tui_say(tui, THUD_ROLE_WARN, "There is no screen %d: 1 to %d", digit + 1, THUD_SCREENS);
-        tui->go = false;
-        return;
-    }
-    tui->go = false;
-    if (value && ((key >= '0' && key <= '9') || key == '.')) {
-        char start[2] = {(char)key, '\0'};
-        thud_tui_edit(tui, start);
         return;
     }
     enum thud_action action = thud_key_action(thud_tui_where(tui), key);
@@ -122,15 +114,37 @@ static void normal_key(struct thud_tui *tui, int key)
         thud_tui_act(tui, action);
 }
 
+/* On a terminal too small to show anything only what leads out is heard. */
+static bool heard(struct thud_tui *tui, int key)
+{
+    return !thud_tui_too_small(tui) || tui->mode == THUD_MODE_ASKING || key == THUD_KEY_HANGUP ||
+           key == THUD_CTRL('c') || (key == 'q' && tui->mode == THUD_MODE_NORMAL);
+}
+
+/* Ctrl-C ends as the signal would, but asks first where something is unsaved. */
+static void interrupt(struct thud_tui *tui)
+{
+    if (tui->mode != THUD_MODE_ASKING)
+        tui->mode = THUD_MODE_NORMAL;
+    else if (tui->asking == THUD_ASK_QUIT)
+        return;
+    thud_tui_quit(tui, false);
+    tui->interrupted = tui->quit;
+}
+
 void thud_tui_key(struct thud_tui *tui, int key)
 {
     tui->dirty = true;
-    if (key == THUD_KEY_RESIZE)
+    if (key == THUD_KEY_RESIZE || !heard(tui, key))
         return;
     if (key == THUD_KEY_HANGUP) {
         tui->hangup = tui->quit = true;
+    } else if (key == THUD_CTRL('c')) {
+        interrupt(tui);
     } else if (key == THUD_KEY_CLICK) {
         thud_tui_click(tui);
+    } else if (key == THUD_KEY_PASTE) {
+        thud_tui_paste(tui, tui->backend->paste);
     } else if (tui->mode == THUD_MODE_TYPING) {
         typing_key(tui, key);
     } else if (tui->mode == THUD_MODE_CHOOSING) {
@@ -232,8 +246,8 @@ enum thud_status thud_tui_main(const struct thud_tui_options *options, struct th
     int number = 0;
     while (!tui->quit && (number = backend.signal(&backend)) == 0)
         thud_tui_turn(tui, true);
-    if (tui->hangup && !number)
-        number = SIGHUP;
+    if (!number)
+        number = tui->hangup ? SIGHUP : tui->interrupted ? SIGINT : 0;
     sigset_t fatal, before; /* a second one, as a closing terminal sends, must not cut off the rescue */
     sigemptyset(&fatal);
     sigaddset(&fatal, SIGHUP);
@@ -241,7 +255,7 @@ enum thud_status thud_tui_main(const struct thud_tui_options *options, struct th
     sigaddset(&fatal, SIGTERM);
     pthread_sigmask(SIG_BLOCK, &fatal, &before);
     thud_term_close(&backend);
-    if (number)
+    if (number && !tui->interrupted)
         rescue(tui);
     thud_tui_free(tui);
     if (number) {

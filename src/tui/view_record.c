@@ -217,20 +217,7 @@ static void row(struct thud_tui *tui, const struct thud_field *field)
     struct thud_record_state *r = state(tui);
     if (!r || field->index >= r->nfiles)
         return;
-    struct thud_scene next = tui->doc.scene;
-    const char *file = field->index < 0 ? "" : r->file[field->index];
-    char what[200];
-    struct thud_error err;
-    thud_record_choice_init(&next.record); /* what was said of the old file does not hold for another */
-    next.record.sign = tui->doc.scene.record.sign;
-    snprintf(next.record.file, sizeof next.record.file, "%s", file);
-    snprintf(what, sizeof what, "record.file %.60s -> %.60s",
-             *tui->doc.scene.record.file ? tui->doc.scene.record.file : "none", *file ? file : "none");
-    if (thud_doc_change(&tui->doc, &next, what, &err) != THUD_OK) {
-        thud_tui_say_error(tui, &err);
-        return;
-    }
-    thud_tui_changed(tui);
+    thud_tui_choose_record(tui, field->index < 0 ? "" : r->file[field->index]);
 }
 
 static const struct thud_figure *figure(struct thud_tui *tui)

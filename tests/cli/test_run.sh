@@ -74,6 +74,12 @@ is "--peak scales" near "$(number peak_mps2)" 3.92266 1e-12
 "$THUD" record convert records/kobe-surrogate.csv --from 2s --to 12s -o "$tmp/part.csv" 2>/dev/null
 gives 0 run towers --json --record "$tmp/part.csv" --peak "0.821 g"
 part=$(number force_n)
+gives 0 run towers --json --set "record.peak=0.5 g" --set "record.file=$tmp/part.csv"
+is "a record by --set is another record, with what else is said of it" near "$(number peak_mps2)" 4.903325 1e-12
+gives 0 run towers --json --set "record.file=northridge-surrogate.csv"
+peak=$(number peak_mps2)
+gives 0 run towers --json --record northridge-surrogate.csv
+is "and else as recorded, as by --record" [ "$(number peak_mps2)" = "$peak" ]
 gives 0 run towers --json --set "record.from=2 s" --set "record.to=12 s"
 is "record.from and record.to run as the part of the file does" near "$(number force_n)" "$part" 1e-9
 is "with its samples" shows '"samples": 1001'

@@ -61,6 +61,11 @@ as_it_was() {
     at_shell "$1: the shell waits"
     command "stty -g | cmp -s - $tmp/stty && echo sa''ne-$2"
     wait_for "$1: the terminal is as it was" "sane-$2"
+    flags=$(mux display-message -p -t s '#{mouse_any_flag}#{mouse_sgr_flag}#{keypad_flag}#{alternate_on}')
+    case $flags in
+    0000) ok "$1: mouse, keypad and screen are the shell's" ;;
+    *) bad "$1: mouse, SGR reports, keypad, alternate screen: $flags" ;;
+    esac
 }
 # The program that the shell of this terminal runs; others may run it too, elsewhere.
 program() { pgrep -P "$(mux list-panes -t s -F '#{pane_pid}')" | tail -n 1; }
@@ -94,7 +99,7 @@ wait_for "the three cases have run" 'ok *$'
 asleep "no processor time while nothing happens"
 keys g 2
 wait_for "g2 shows the contact" 'Bare contact'
-keys 7 Enter
+keys Enter 7 Enter
 wait_for "an edit is taken and marked" 'mine \[+\]'
 keys u
 wait_for "undo says what it took back" 'Undone: .*gap'
@@ -121,7 +126,11 @@ command "fg; echo status=\$?"
 wait_for "it comes back in the size that the terminal has now" 'T1 0.398 s ──────────────────────────────'
 mux resize-window -t s -x 80 -y 24
 wait_for "fg draws everything again" 'Left: A'
-keys Escape Escape q
+keys Escape
+keys Escape
+wait_for "Esc never quits" "Left: A"
+sleep 0.1
+keys q
 wait_for "q quits with status 0" 'status=0'
 wait_for "and what stood there before is there again" '^before'
 as_it_was "q" ended
@@ -134,14 +143,16 @@ wait_for "and stand in the fields" 'gap *▸\{0,1\}7 cm'
 keys u
 wait_for "they can be taken back" 'gap *▸\{0,1\}10 cm'
 
-for pair in TERM=143 INT=130 HUP=129 SEGV=139 ABRT=134; do
+for pair in TERM=143 INT=130 HUP=129 SEGV=139 ABRT=134 BUS=135 FPE=136 ILL=132 QUIT=131 PIPE=141 USR1=138 ALRM=142; do
     start 80 24
     command "stty -g >$tmp/stty; (ulimit -c 0; exec $THUD $tmp/mine.yaml)"
     wait_for "${pair%=*}: running" 'Left: A'
     keys g 2
     wait_for "${pair%=*}: contact" 'Bare contact'
-    keys 9 Enter
+    keys Enter 9 Enter
     wait_for "${pair%=*}: edited" '\[+\]'
+    keys m
+    wait_for "${pair%=*}: the mouse is on" 'Mouse on'
     child=$(program)
     kill "-${pair%=*}" "$child"
     tries=600
@@ -176,6 +187,28 @@ at_shell "Ctrl-C: the shell is back"
 command "echo status=\$?"
 wait_for "Ctrl-C ends it with status 130" 'status=130'
 as_it_was "Ctrl-C" ended
+
+start 80 24
+command "$THUD $tmp/mine.yaml; echo status=\$?"
+wait_for "Ctrl-C with edits: running" 'ok *$'
+keys 2 Enter
+keys 9 Enter
+wait_for "Ctrl-C with edits: edited" '\[+\]'
+keys C-c
+wait_for "Ctrl-C asks" 'unsaved'
+keys Escape
+wait_for "Esc stays" 'Bare contact'
+mux resize-window -t s -x 23 -y 8
+wait_for "too small" '40x10'
+keys 1 d d A Enter Tab
+keys q
+wait_for "of all keys q alone is heard there" 'unsaved'
+keys Escape
+mux resize-window -t s -x 80 -y 24
+wait_for "nothing else was" '\[2 Contact\]'
+keys q
+keys y
+at_shell "Ctrl-C with edits: the end"
 
 # The numbers of the screens are those of the command line: every floor, two cases, three digits.
 cp "$root/presets/towers.yaml" "$tmp/mine.yaml"
@@ -278,6 +311,71 @@ wait_for "NO_COLOR: running" 'Left: A'
 keys q
 at_shell "NO_COLOR: quit"
 if LC_ALL=C grep -q "$(printf '\033')\[[0-9;]*3[0-7]m" "$tmp/raw"; then bad "NO_COLOR: no colour is written"; else ok "NO_COLOR: no colour is written"; fi
+
+# Colours: every role has one, and none is black, white, or one that cannot be read on both (src/tui/roles.c).
+colors_of() { # the colour of every part of the screen, one a line; `none` where text has the terminal's own
+    mux capture-pane -e -p -t s | tr '\033' '\n' | sed -n 's/^\[\([0-9;]*\)m.*/\1/p' |
+        sed 's/\([34]8\);5;\([0-9]*\)/\1:\2/g' | tr ';' '\n' | grep -e '^3[0-7]$' -e '^4[0-8]' -e '^9[0-7]$' -e '^10[0-7]$' -e '^38:' | sort -u
+}
+# colors TERM ALLOWED: on every screen there are colours, and only these
+colors() {
+    start 80 24
+    command "TERM=$1 $THUD towers"
+    wait_for "$1: running" 'ok *$'
+    found=''
+    for key in 8 1 2 3 4 5 6 7; do # help first: q leads back from there
+        keys $key
+        wait_for "$1: screen $key" "\[$key "
+        found="$found $(colors_of | tr '\n' ' ')"
+        [ -n "$(colors_of)" ] || bad "$1: screen $key has no colour"
+    done
+    wrong=$(for c in $found; do echo "$c"; done | sort -u | grep -v -x -E -e "$2" | tr '\n' ' ')
+    if [ -z "$wrong" ]; then ok "$1: no colour but those chosen for black and for white"; else bad "$1: colours $wrong"; fi
+    keys q
+    at_shell "$1: quit"
+}
+colors tmux-256color '38:(31|243|29|166|160|130|32|136|68|169|132)'
+infocmp xterm-256color | sed -e 's/^xterm-256color|[^,]*/sixteen|a terminal of sixteen colours/' -e 's/colors#[0-9a-fx]*/colors#16/' -e 's/pairs#[0-9a-fx]*/pairs#256/' >"$tmp/sixteen.ti"
+tic -o "$tmp/terminfo" "$tmp/sixteen.ti"
+colors "sixteen TERMINFO=$tmp/terminfo" '31|35|94'
+colors screen '31|34|35'
+start 80 24
+command "TERM=tmux-256color $THUD towers"
+wait_for "borders: running" 'ok *$'
+if [ "$(mux capture-pane -e -p -t s | tr '\033' '\n' | grep -c '38;5;243m[┌│└─]')" -gt 10 ]; then ok "borders are grey"; else bad "borders are not grey"; fi
+keys q
+at_shell "borders: quit"
+
+# Sequences that mean nothing here mean nothing: no value, no screen, no storey changes.
+start 80 24
+command "$THUD $tmp/mine.yaml"
+wait_for "sequences: running" 'ok *$'
+keys 2
+wait_for "sequences: contact" 'gap *▸10 cm'
+keys -l "$(printf '\033[24~\033[1;5A\033[15~\033OR\033d\033D\033[97;5u\033]11;rgb:0/0/0\007\033[I')"
+keys Enter
+wait_for "none of them moves the cursor" 'gap *▸\{0,1\}10 cm'
+keys -l "$(printf '\033[24~\033[15~')"
+keys 6 Enter
+wait_for "none of them types" 'gap *▸6 cm'
+keys u
+wait_for "and nothing else was changed" 'Undone: gap 10 cm -> 6 cm'
+wait_for "as the name shows" 'thud  mine   '
+mux set-buffer "$(printf '5 cm')"
+keys Enter
+wait_for "an edit begins" 'Tab next'
+mux paste-buffer -p -t s
+keys Enter
+wait_for "pasted text goes into it" 'gap *▸5 cm'
+keys 4
+wait_for "sequences: results" '\[4 Results\]'
+mux set-buffer "$(printf 'quit this now\nwq 1 d d')"
+mux paste-buffer -p -t s
+wait_for "pasted prose does nothing" 'the cursor is on none'
+keys q
+wait_for "q asks" 'unsaved'
+keys y
+at_shell "sequences: the end"
 
 "$THUD" towers </dev/null >"$tmp/out" 2>"$tmp/err"
 status=$?

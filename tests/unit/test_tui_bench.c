@@ -116,7 +116,7 @@ START_TEST(it_is_stopped_and_told_from_edits)
     fixture_expect(&f, "Stopped; what is done stays");
     fixture_expect(&f, "stopped: what is done stays");
     fixture_expect_not(&f, "before edits");
-    fixture_keys(&f, "<A-2>3<Enter><A-7>");
+    fixture_keys(&f, "<A-2><Enter>3<Enter><A-7>");
     fixture_expect(&f, "(before edits)");
     fixture_keys(&f, "<Home><Enter>");
     ck_assert(fixture_shows(&f, "not run yet") || fixture_shows(&f, "errors "));

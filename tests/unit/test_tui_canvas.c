@@ -7,6 +7,7 @@
 #include "tui/chooser.h"
 #include "tui/dots.h"
 #include "tui/keys.h"
+#include "tui/roles.h"
 #include "tui/undo.h"
 
 static const struct thud_look plain = {0, 0};
@@ -186,6 +187,43 @@ START_TEST(undo_takes_every_step_back_and_forward)
 }
 END_TEST
 
+/* Relative luminance of an entry of the 256 colours from 16 on: a cube of 6 x 6 x 6, then 24 greys (xterm). */
+static double luminance(int color)
+{
+    static const int level[] = {0, 0x5f, 0x87, 0xaf, 0xd7, 0xff};
+    static const double weight[] = {0.2126, 0.7152, 0.0722};
+    int rgb[3] = {8 + 10 * (color - 232), 8 + 10 * (color - 232), 8 + 10 * (color - 232)};
+    double sum = 0.0;
+    for (int i = 0, cube = color - 16; color < 232 && i < 3; i++, cube /= 6)
+        rgb[2 - i] = level[cube % 6];
+    for (int i = 0; i < 3; i++) {
+        double c = rgb[i] / 255.0;
+        sum += weight[i] * (c <= 0.04045 ? c / 12.92 : pow((c + 0.055) / 1.055, 2.4));
+    }
+    return sum;
+}
+
+/* Every role can be read on black and on white (WCAG 2.1 asks 3:1 of large text and drawings); with few colours none of
+ * those is used that cannot be seen on one of them. */
+START_TEST(every_role_is_seen_on_black_and_on_white)
+{
+    ck_assert_double_eq_tol(luminance(231), 1.0, 1e-12);
+    ck_assert_double_eq_tol(luminance(196), 0.2126, 1e-12);
+    for (int role = 0; role < THUD_ROLES; role++) {
+        int color = thud_role_color(role, 256), few = thud_role_color(role, 16), fewer = thud_role_color(role, 8);
+        ck_assert_msg(color == -1 || color >= 16, "role %d: %d is another colour in every terminal", role, color);
+        double l = color < 0 ? 0.18 : luminance(color);
+        ck_assert_msg((l + 0.05) / 0.05 >= 3.3 && 1.05 / (l + 0.05) >= 3.3, "role %d: %.2f on black, %.2f on white",
+                      role, (l + 0.05) / 0.05, 1.05 / (l + 0.05));
+        ck_assert(few == -1 || few == 1 || few == 5 || few == 12);
+        ck_assert(fewer == -1 || fewer == 1 || fewer == 5 || (fewer == 4 && thud_role_bold(role, 8)));
+    }
+    for (int i = 0; i < 8; i++)
+        for (int j = 0; j < i; j++)
+            ck_assert_int_ne(thud_role_color(THUD_ROLE_SERIES + i, 256), thud_role_color(THUD_ROLE_SERIES + j, 256));
+}
+END_TEST
+
 /* No key means two things at one place; every entry is reached by its own key somewhere it holds. */
 START_TEST(the_key_table_is_sound)
 {
@@ -222,6 +260,7 @@ Suite *thud_suite(void)
     tcase_add_test(parts, typing_narrows_a_list);
     tcase_add_test(parts, undo_takes_every_step_back_and_forward);
     tcase_add_test(parts, the_key_table_is_sound);
+    tcase_add_test(parts, every_role_is_seen_on_black_and_on_white);
     suite_add_tcase(suite, parts);
     return suite;
 }

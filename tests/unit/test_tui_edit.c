@@ -24,12 +24,112 @@ static const struct thud_scene *scene(void)
     return &f.tui->doc.scene;
 }
 
-START_TEST(a_first_digit_replaces)
+START_TEST(the_first_key_replaces)
 {
-    fixture_keys(&f, "<A-2>3<Enter>");
+    fixture_keys(&f, "<A-2><Enter>3<Enter>");
     ck_assert_double_eq_tol(scene()->interface[0].gap_m, 0.03, 1e-15);
     fixture_expect(&f, "towers [+]");
     fixture_expect(&f, "3 cm");
+    fixture_keys(&f, "<Enter><Home>1<Enter>"); /* moving keeps the text: "13 cm" */
+    ck_assert_double_eq_tol(scene()->interface[0].gap_m, 0.13, 1e-15);
+    fixture_keys(&f, "<Enter><BS><Esc>");
+    ck_assert_double_eq_tol(scene()->interface[0].gap_m, 0.13, 1e-15);
+}
+END_TEST
+
+/* Every cell of B, row by row with Tab, and A's masses with Down: no key but the values' own and one between them. */
+START_TEST(a_building_is_typed_cell_by_cell)
+{
+    static const double mass_t[] = {301, 302, 303}, stiffness_mnpm[] = {401, 402, 403}, height_m[] = {3.1, 3.2, 3.3};
+    char keys[256] = "/structures.2.mass<Enter><Up><Up><Enter>"; /* the highest floor stands first */
+    for (int i = 2; i >= 0; i--)
+        snprintf(keys + strlen(keys), sizeof keys - strlen(keys), "%g<Tab>%g<Tab>%g%s", mass_t[i], stiffness_mnpm[i],
+                 height_m[i], i ? "<Tab>" : "<Enter>");
+    fixture_keys(&f, keys);
+    ck_assert_int_eq((int)f.tui->mode, THUD_MODE_NORMAL);
+    const struct thud_structure *b = &scene()->structure[1];
+    for (int i = 0; i < 3; i++) {
+        ck_assert_double_eq_tol(b->mass_kg[i], 1e3 * mass_t[i], 1e-6);
+        ck_assert_double_eq_tol(b->stiffness_npm[i], 1e6 * stiffness_mnpm[i], 1e-3);
+        ck_assert_double_eq_tol(b->height_m[i], height_m[i], 1e-12);
+    }
+    fixture_keys(&f, "/structures.1.mass<Enter><Up><Enter>261<Down>262<Down>");
+    ck_assert_double_eq_tol(scene()->structure[0].mass_kg[1], 261e3, 1e-6);
+    ck_assert_double_eq_tol(scene()->structure[0].mass_kg[0], 262e3, 1e-6);
+    ck_assert_int_eq((int)f.tui->mode, THUD_MODE_NORMAL); /* there is none below */
+    fixture_keys(&f, "<Enter>3 kN<Tab>");                 /* refused: it stays there */
+    ck_assert_int_eq((int)f.tui->mode, THUD_MODE_TYPING);
+    ck_assert_str_eq(f.tui->target, "structures.1.mass.1");
+}
+END_TEST
+
+static void paste(const char *keys, const char *text)
+{
+    fixture_keys(&f, keys);
+    f.script.paste = text;
+    fixture_keys(&f, "<Paste>");
+}
+
+START_TEST(a_pasted_column_fills_cells)
+{
+    struct thud_scene first = *scene();
+    const struct thud_structure *b = &scene()->structure[1];
+    paste("/structures.2.mass<Enter><Up><Up>", "311\r312 t\r313000 kg\r");
+    for (int i = 0; i < 3; i++)
+        ck_assert_double_eq_tol(b->mass_kg[i], 1e3 * (313 - i), 1e-6);
+    ck_assert_int_eq(f.tui->doc.undo.count, 1);
+    fixture_keys(&f, "u");
+    ck_assert_mem_eq(scene(), &first, sizeof first);
+    paste("", "321\t421\t3.5\n322\t422\t3.6\n323 423 3.7"); /* a table, the last row with blanks */
+    for (int i = 0; i < 3; i++) {
+        ck_assert_double_eq_tol(b->mass_kg[i], 1e3 * (323 - i), 1e-6);
+        ck_assert_double_eq_tol(b->stiffness_npm[i], 1e6 * (423 - i), 1e-3);
+        ck_assert_double_eq_tol(b->height_m[i], 3.7 - 0.1 * i, 1e-12);
+    }
+    ck_assert_int_eq(f.tui->doc.undo.count, 1);
+    first = *scene();
+    paste("", "1\r2\r3\r4\r"); /* one too many, a wrong one, prose: nothing changes */
+    fixture_expect(&f, "nothing was changed");
+    paste("", "1\r2 kN\r");
+    fixture_expect(&f, "nothing was changed");
+    paste("<A-4>", "quit now\rwqd1\r");
+    fixture_expect(&f, "the cursor is on none");
+    paste("<A-2>", "dear reader,\rq");
+    ck_assert_mem_eq(scene(), &first, sizeof first);
+    ck_assert(!f.tui->quit);
+    ck_assert_int_eq((int)f.tui->screen, THUD_SCREEN_CONTACT);
+    paste("<Enter>", "4.5 cm"); /* into the line that is typed, in place of what is selected */
+    fixture_keys(&f, "<Enter>");
+    ck_assert_double_eq_tol(scene()->interface[0].gap_m, 0.045, 1e-15);
+    paste(":", "set gap 5 cm\rq");
+    fixture_keys(&f, "<Enter>");
+    ck_assert_double_eq_tol(scene()->interface[0].gap_m, 0.05, 1e-15);
+}
+END_TEST
+
+/* Half of the pulse of the fixture: what was said of the pulse does not hold for it, by whatever way it comes. */
+START_TEST(another_record_comes_as_recorded)
+{
+    static const char *const way[] = {":record other.csv<Enter>", "<A-3>/record.file<Enter><Enter>other.csv<Enter>",
+                                      ":set record.file other.csv<Enter>", "<A-3><Tab><Down><Down><Enter>"};
+    fixture_write(&f, "other.csv", "time_s,acceleration_g\n0,0\n0.1,0.3\n0.2,-0.25\n0.3,0\n");
+    for (size_t i = 0; i < sizeof way / sizeof *way; i++) {
+        fixture_expect(&f, "scaled x0.600");
+        fixture_keys(&f, way[i]);
+        ck_assert_msg(strcmp(scene()->record.file, "other.csv") == 0, "%s: %s", way[i], scene()->record.file);
+        ck_assert(isnan(scene()->record.peak_mps2));
+        ck_assert_double_eq_tol(thud_record_peak(f.tui->doc.record), 0.3 * THUD_GRAVITY, 1e-9);
+        fixture_expect(&f, "as recorded, 0.300 g");
+        fixture_expect_not(&f, "scaled x");
+        fixture_keys(&f, "u");
+        ck_assert_double_eq_tol(scene()->record.peak_mps2, 0.6 * THUD_GRAVITY, 1e-12);
+    }
+    fixture_keys(&f, ":record nosuch.csv<Enter>"); /* a mistyped one leaves the good one */
+    fixture_expect(&f, " ! ");
+    ck_assert_str_eq(scene()->record.file, "pulse.csv");
+    fixture_keys(&f, ":record towers.yaml<Enter>");
+    fixture_expect(&f, " ! ");
+    ck_assert_str_eq(scene()->record.file, "pulse.csv");
 }
 END_TEST
 
@@ -54,6 +154,7 @@ START_TEST(units_convert)
                {"1 in<Enter>", 0.0254}};
     fixture_keys(&f, "<A-2>");
     for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
+        fixture_keys(&f, "<Enter>");
         fixture_keys(&f, row[i].keys);
         ck_assert_double_eq_tol(scene()->interface[0].gap_m, row[i].gap_m, 1e-12);
     }
@@ -62,7 +163,7 @@ END_TEST
 
 START_TEST(no_digit_is_lost)
 {
-    fixture_keys(&f, "<A-2>1.23456789<Enter>");
+    fixture_keys(&f, "<A-2><Enter>1.23456789<Enter>");
     ck_assert_double_eq_tol(scene()->interface[0].gap_m, 0.0123456789, 1e-17);
     fixture_expect(&f, "1.23456789 cm");
 }
@@ -74,6 +175,7 @@ START_TEST(wrong_input_is_refused)
     static const char *const keys[] = {"3 kN", "3 parsec", "1e99", "600", "3,5", "1.2.3"};
     fixture_keys(&f, "<A-2>");
     for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
+        fixture_keys(&f, "<Enter>");
         fixture_keys(&f, keys[i]);
         fixture_keys(&f, "<Enter>");
         ck_assert_msg(f.tui->mode == THUD_MODE_TYPING, "%s was taken", keys[i]);
@@ -88,7 +190,7 @@ END_TEST
 
 START_TEST(a_dimension_is_named)
 {
-    fixture_keys(&f, "<A-2>320 kN<Enter>");
+    fixture_keys(&f, "<A-2><Enter>320 kN<Enter>");
     fixture_expect(&f, "force");
     fixture_expect(&f, "length");
 }
@@ -104,7 +206,7 @@ END_TEST
 
 START_TEST(plus_and_minus_step)
 {
-    fixture_keys(&f, "<A-2>10<Enter>+");
+    fixture_keys(&f, "<A-2><Enter>10<Enter>+");
     ck_assert_double_eq_tol(scene()->interface[0].gap_m, 0.11, 1e-12);
     fixture_keys(&f, "--");
     ck_assert_double_eq_tol(scene()->interface[0].gap_m, 0.09, 1e-12);
@@ -117,7 +219,7 @@ END_TEST
 
 START_TEST(a_floor_for_all_floors)
 {
-    fixture_keys(&f, "/structures.2.mass<Enter>500<Enter>");
+    fixture_keys(&f, "/structures.2.mass<Enter><Enter>500<Enter>");
     ck_assert_double_eq(scene()->structure[1].mass_kg[0], 500e3);
     ck_assert_double_eq(scene()->structure[1].mass_kg[1], 320e3);
     fixture_keys(&f, "=");
@@ -129,7 +231,7 @@ END_TEST
 START_TEST(undo_goes_all_the_way_and_says_what)
 {
     struct thud_scene first = *scene();
-    fixture_keys(&f, "<A-2>3<Enter>4<Enter>B<A-1>xADa<A-3>s");
+    fixture_keys(&f, "<A-2><Enter>3<Enter><Enter>4<Enter>B<A-1>xADa<A-3>s");
     struct thud_scene last = *scene();
     int steps = f.tui->doc.undo.count;
     ck_assert_int_ge(steps, 6);
@@ -172,7 +274,7 @@ START_TEST(exponent_trap)
 {
     double k = scene()->interface[0].bumper.value[thud_law_param(scene()->interface[0].bumper.law, "stiffness")];
     double before = thud_tui_force_at_knee(scene(), 0);
-    fixture_keys(&f, "/bumper.exponent<Enter>2.7<Enter>");
+    fixture_keys(&f, "/bumper.exponent<Enter><Enter>2.7<Enter>");
     fixture_expect(&f, "keeps the number");
     fixture_expect(&f, "0.36 kN/mm^2.7");
     ck_assert_double_eq_tol(thud_tui_force_at_knee(scene(), 0) / before, pow(8.0, 0.05), 1e-9); /* delta_u is 8 mm */
@@ -241,7 +343,10 @@ Suite *thud_suite(void)
     TCase *edit = tcase_create("edit");
     tcase_set_timeout(edit, 60.0);
     tcase_add_checked_fixture(edit, setup, teardown);
-    tcase_add_test(edit, a_first_digit_replaces);
+    tcase_add_test(edit, the_first_key_replaces);
+    tcase_add_test(edit, a_building_is_typed_cell_by_cell);
+    tcase_add_test(edit, a_pasted_column_fills_cells);
+    tcase_add_test(edit, another_record_comes_as_recorded);
     tcase_add_test(edit, the_old_text_is_edited);
     tcase_add_test(edit, units_convert);
     tcase_add_test(edit, no_digit_is_lost);

@@ -25,7 +25,7 @@ static const struct thud_scene *scene(void)
 
 START_TEST(saving_keeps_comments)
 {
-    fixture_keys(&f, "<A-2>3.5<Enter>w");
+    fixture_keys(&f, "<A-2><Enter>3.5<Enter>w");
     fixture_expect(&f, "Saved");
     fixture_expect_not(&f, "[+]");
     char *text = fixture_file(&f, "towers.yaml");
@@ -41,7 +41,7 @@ END_TEST
 START_TEST(saving_under_another_name)
 {
     char keys[256];
-    snprintf(keys, sizeof keys, "<A-2>4<Enter>W<C-u>%s/other<Enter>", f.folder);
+    snprintf(keys, sizeof keys, "<A-2><Enter>4<Enter>W<C-u>%s/other<Enter>", f.folder);
     fixture_keys(&f, keys);
     fixture_expect(&f, "thud  other");
     char *text = fixture_file(&f, "other.yaml"), *old = fixture_file(&f, "towers.yaml");
@@ -61,7 +61,7 @@ END_TEST
 
 START_TEST(a_file_changed_by_others_is_asked_about)
 {
-    fixture_keys(&f, "<A-2>4<Enter>");
+    fixture_keys(&f, "<A-2><Enter>4<Enter>");
     fixture_write(&f, "towers.yaml", "# someone else's\n");
     fixture_keys(&f, "w");
     fixture_expect(&f, "changed by someone else");
@@ -79,7 +79,7 @@ END_TEST
 
 START_TEST(a_full_disk_loses_nothing)
 {
-    fixture_keys(&f, "<A-2>4<Enter>W<C-u>/dev/full/x.yaml<Enter>");
+    fixture_keys(&f, "<A-2><Enter>4<Enter>W<C-u>/dev/full/x.yaml<Enter>");
     fixture_expect(&f, " ! ");
     fixture_expect(&f, "towers [+]");
     ck_assert_double_eq_tol(scene()->interface[0].gap_m, 0.04, 1e-15);
@@ -105,7 +105,7 @@ START_TEST(results_as_csv)
     ck_assert_int_eq(lines, count + 1);
     free(peaks);
     free(impacts);
-    fixture_keys(&f, ":record nosuch.csv<Enter>");
+    fixture_take_record(&f);
     fixture_keys(&f, "e");
     fixture_expect(&f, "There are no results");
 }
@@ -113,7 +113,7 @@ END_TEST
 
 START_TEST(quitting_asks_only_when_unsaved)
 {
-    fixture_keys(&f, "<A-2>4<Enter>q");
+    fixture_keys(&f, "<A-2><Enter>4<Enter>q");
     ck_assert(!f.tui->quit);
     fixture_expect(&f, "unsaved changes");
     fixture_keys(&f, "nuq");
@@ -125,7 +125,7 @@ START_TEST(unsaved_edits_can_be_recovered)
 {
     struct thud_error err;
     char path[512];
-    fixture_keys(&f, "<A-2>7<Enter>");
+    fixture_keys(&f, "<A-2><Enter>7<Enter>");
     ck_assert_int_eq(thud_doc_recover(&f.tui->doc, path, &err), THUD_OK);
     char *text = fixture_file(&f, "towers.yaml.recovered"), *old = fixture_file(&f, "towers.yaml");
     ck_assert_ptr_nonnull(strstr(text, "- gap: 7 cm   # concrete to concrete"));
@@ -148,7 +148,7 @@ START_TEST(opening_another_preset)
 {
     fixture_keys(&f, "obodies<Enter>");
     fixture_expect(&f, "thud  bodies");
-    fixture_keys(&f, "<A-2>1<Enter>o<C-u>towers<Enter>");
+    fixture_keys(&f, "<A-2><Enter>1<Enter>o<C-u>towers<Enter>");
     fixture_expect(&f, "unsaved changes");
     fixture_keys(&f, "y");
     fixture_expect(&f, "thud  towers");

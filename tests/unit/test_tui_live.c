@@ -40,7 +40,7 @@ static double answer_peak(enum thud_case which, int structure, bool drift)
 
 START_TEST(the_numbers_are_the_answers)
 {
-    static const char *const edit[] = {"", "<A-2>1.5<Enter><A-1>", ":set structures.1.damping 10 %<Enter>",
+    static const char *const edit[] = {"", "<A-2><Enter>1.5<Enter><A-1>", ":set structures.1.damping 10 %<Enter>",
                                        ":peak 0.4 g<Enter>"};
     for (size_t e = 0; e < sizeof edit / sizeof *edit; e++) {
         fixture_keys(&f, edit[e]);
@@ -68,12 +68,13 @@ START_TEST(no_old_number_after_a_failure)
     char old[24];
     thud_tui_number(answer_peak(THUD_CASE_NONE, 0, false), old);
     fixture_expect(&f, old);
-    fixture_keys(&f, ":record nosuch.csv<Enter>");
+    fixture_take_record(&f);
     fixture_expect(&f, "FAILED");
     fixture_expect_not(&f, old);
     fixture_keys(&f, "<A-4>");
     fixture_expect(&f, "FAIL");
     fixture_expect_not(&f, old);
+    fixture_write_pulse(&f);
     fixture_keys(&f, "<A-1>u");
     fixture_expect(&f, old);
     fixture_expect_not(&f, "FAILED");
@@ -82,7 +83,7 @@ END_TEST
 
 START_TEST(a_change_shows_as_an_arrow)
 {
-    fixture_keys(&f, "<A-2>1.5<Enter><A-1>");
+    fixture_keys(&f, "<A-2><Enter>1.5<Enter><A-1>");
     fixture_expect(&f, "→");
 }
 END_TEST
@@ -179,7 +180,7 @@ START_TEST(live_turns_itself_off_when_slow)
     fixture_expect(&f, "r runs");
     ck_assert(!f.tui->live_on);
     f.script.tick = 0.0;
-    fixture_keys(&f, "<A-2>3<Enter>");
+    fixture_keys(&f, "<A-2><Enter>3<Enter>");
     fixture_expect(&f, "not run");
     fixture_keys(&f, "r<A-1>");
     fixture_expect(&f, "ok");
@@ -196,7 +197,7 @@ START_TEST(a_motion_is_trimmed)
     thud_tui_number(answer_peak(THUD_CASE_NONE, 1, false), whole);
     fixture_keys(&f, "/record.to<Enter>-"); /* 3 s, one step back */
     ck_assert_double_eq_tol(f.tui->doc.scene.record.to_s, 2.9, 1e-12);
-    fixture_keys(&f, "<Up>+{{{{{{{{{1.25<Enter>");
+    fixture_keys(&f, "<Up>+{{{{{{{{{<Enter>1.25<Enter>");
     ck_assert_double_eq_tol(f.tui->doc.scene.record.from_s, 1.25, 1e-12);
     fixture_expect(&f, "cut off");
     fixture_expect(&f, "166 samples");
@@ -207,7 +208,7 @@ START_TEST(a_motion_is_trimmed)
     ck_assert_str_ne(whole, part);
     fixture_keys(&f, "<A-1>");
     fixture_expect(&f, part);
-    fixture_keys(&f, "<A-3>9<Enter>"); /* nothing is left of it */
+    fixture_keys(&f, "<A-3><Enter>9<Enter>"); /* nothing is left of it */
     fixture_expect(&f, " ! ");
     ck_assert_double_eq_tol(f.tui->doc.scene.record.from_s, 1.25, 1e-12);
     fixture_keys(&f, "<Esc>uu");

@@ -82,6 +82,7 @@ START_TEST(stopping)
     fixture_expect_not(&f, "Written");
     thud_tui_key(f.tui, 'g'); /* an edit is taken meanwhile */
     thud_tui_key(f.tui, '2');
+    thud_tui_key(f.tui, THUD_KEY_ENTER);
     thud_tui_key(f.tui, '3');
     thud_tui_key(f.tui, THUD_KEY_ENTER);
     ck_assert_double_eq_tol(f.tui->doc.scene.interface[0].gap_m, 0.03, 1e-15);

@@ -70,15 +70,20 @@ START_TEST(finding_a_field)
 }
 END_TEST
 
-START_TEST(a_digit_goes_to_a_screen_or_begins_a_number)
+START_TEST(a_digit_goes_to_its_screen)
 {
-    fixture_keys(&f, "4"); /* in focus: the kind of a structure, a word */
-    ck_assert_int_eq((int)f.tui->screen, THUD_SCREEN_RESULTS);
-    fixture_keys(&f, "g1/2.stiffness<Enter>5");
-    ck_assert_int_eq((int)f.tui->screen, THUD_SCREEN_MODEL);
-    ck_assert_int_eq((int)f.tui->mode, THUD_MODE_TYPING);
-    fixture_keys(&f, "<Esc>g5");
-    ck_assert_int_eq((int)f.tui->screen, THUD_SCREEN_PLOTS);
+    for (int from = 0; from < THUD_SCREENS; from++)
+        for (int to = 0; to < THUD_SCREENS; to++) {
+            char keys[32];
+            snprintf(keys, sizeof keys, "<A-%d>%s%d", from + 1, to % 2 ? "" : "g", to + 1);
+            fixture_keys(&f, keys);
+            ck_assert_int_eq((int)f.tui->screen, to);
+        }
+    fixture_keys(&f, "2<Enter>5"); /* while a value is typed it is text */
+    ck_assert_int_eq((int)f.tui->screen, THUD_SCREEN_CONTACT);
+    ck_assert_str_eq(f.tui->line.text, "5");
+    fixture_keys(&f, "<Esc>9");
+    fixture_expect(&f, "There is no screen 9");
 }
 END_TEST
 
@@ -219,7 +224,7 @@ START_TEST(values_are_edited_beside_the_figure)
     fixture_expect(&f, "x0.5 paused");
     fixture_keys(&f, "<S-Tab>");
     ck_assert_str_eq(thud_form_focus(&f.tui->form)->path, "interfaces.1.gap");
-    fixture_keys(&f, "+<Down><Down>0.7<Enter>");
+    fixture_keys(&f, "+<Down><Down><Enter>0.7<Enter>");
     fixture_expect(&f, "x0.5 paused");
     ck_assert_double_eq_tol(f.tui->doc.scene.interface[0].gap_m, 0.021, 1e-15);
     const struct thud_law_choice *contact = &f.tui->doc.scene.interface[0].contact;
@@ -343,7 +348,7 @@ Suite *thud_suite(void)
     tcase_add_test(screens, every_screen_in_ascii);
     tcase_add_test(screens, small_terminals);
     tcase_add_test(screens, finding_a_field);
-    tcase_add_test(screens, a_digit_goes_to_a_screen_or_begins_a_number);
+    tcase_add_test(screens, a_digit_goes_to_its_screen);
     tcase_add_test(screens, records_are_listed_filtered_and_chosen);
     tcase_add_test(screens, an_impact_is_opened);
     tcase_add_test(screens, the_movement_plays_and_ends);

@@ -207,7 +207,7 @@ START_TEST(edits_make_a_study_old)
     fixture_expect_not(&f, "before edits");
     fixture_keys(&f, "<Enter><C-u>gap=1 cm:2 cm:1 cm<Enter>");
     fixture_expect(&f, "of the study before edits");
-    fixture_keys(&f, "<A-2>3<Enter><A-6>");
+    fixture_keys(&f, "<A-2><Enter>3<Enter><A-6>");
     fixture_expect(&f, "of the scene before edits");
 }
 END_TEST

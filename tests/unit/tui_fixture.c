@@ -72,7 +72,7 @@ void fixture_write(struct fixture *f, const char *name, const char *text)
 }
 
 /* Three seconds of a sine with a period near the towers' own. */
-static void write_pulse(struct fixture *f)
+void fixture_write_pulse(struct fixture *f)
 {
     static char text[32768];
     size_t n = (size_t)snprintf(text, sizeof text, "time_s,acceleration_g\n");
@@ -80,6 +80,14 @@ static void write_pulse(struct fixture *f)
         n += (size_t)snprintf(text + n, sizeof text - n, "%.2f,%.8f\n", 0.01 * i,
                               sin(2.0 * acos(-1.0) * 0.01 * i / 0.4));
     fixture_write(f, "pulse.csv", text);
+}
+
+void fixture_take_record(struct fixture *f)
+{
+    char path[256];
+    snprintf(path, sizeof path, "%s/pulse.csv", f->folder);
+    ck_assert_int_eq(remove(path), 0);
+    fixture_keys(f, ":sign -<Enter>"); /* it is read again */
 }
 
 void fixture_open(struct fixture *f, const char *preset, int width, int height, bool utf8)
@@ -91,7 +99,7 @@ void fixture_open(struct fixture *f, const char *preset, int width, int height, 
     ck_assert_ptr_nonnull(mkdtemp(f->folder));
     snprintf(f->paths.presets, sizeof f->paths.presets, "%s", f->folder);
     snprintf(f->paths.records, sizeof f->paths.records, "%s", f->folder);
-    write_pulse(f);
+    fixture_write_pulse(f);
     fixture_write(f, "towers.yaml", fixture_towers);
     fixture_write(f, "bodies.yaml", bodies);
     snprintf(name, sizeof name, "%s/%s.yaml", f->folder, preset);

@@ -27,6 +27,9 @@ void fixture_expect(struct fixture *f, const char *text);
 void fixture_expect_not(struct fixture *f, const char *text);
 /* The file of a name in the fixture's folder (free with free()). */
 char *fixture_file(struct fixture *f, const char *name);
+void fixture_write_pulse(struct fixture *f); /* pulse.csv */
+/* The record is gone from the disk, and looked for again. */
+void fixture_take_record(struct fixture *f);
 void fixture_write(struct fixture *f, const char *name, const char *text);
 
 #endif
