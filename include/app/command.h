@@ -14,6 +14,7 @@ enum thud_command_id {
     THUD_COMMAND_STABILITY,
     THUD_COMMAND_VERIFY,
     THUD_COMMAND_RECORD,
+    THUD_COMMAND_EXPORT,
     THUD_COMMAND_LAWS,
     THUD_COMMAND_METHODS,
     THUD_COMMAND_HELP,
@@ -33,6 +34,7 @@ enum thud_word {
     THUD_WORD_METHOD,
     THUD_WORD_FIGURE,
     THUD_WORD_RECORD_VERB,
+    THUD_WORD_PROGRAM, /* that a scene is exported to */
     THUD_WORD_COMMAND,
     THUD_WORD_COST,
     THUD_WORD_CHOICE, /* thud_option_choice */

@@ -65,6 +65,8 @@ static void add_words(enum thud_word word, struct thud_text *out)
         thud_text_append(out, "fig3\nfig4\nfig5\nfig7\nfig8\nfig10\nall\n");
     else if (word == THUD_WORD_RECORD_VERB)
         thud_text_append(out, "info\nimport\nconvert\nlist\nsynthesize\nspectrum\n");
+    else if (word == THUD_WORD_PROGRAM)
+        thud_text_append(out, "opensees\n");
     for (int i = 0; word == THUD_WORD_COST && i < THUD_COST_AXES; i++)
         thud_text_append(out, "%s\n", thud_cost_axis_info((enum thud_cost_axis)i)->name);
     for (int i = 0; word == THUD_WORD_CASE && i < THUD_CASES; i++)

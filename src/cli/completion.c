@@ -237,12 +237,15 @@ static void fish_choices(struct thud_text *out, const struct thud_option *option
 /* Where a command's words and options hold; `first`: -1 before the first of its own words is there, 1 after it. */
 static void fish_place(struct thud_text *out, const struct thud_command *command, int first)
 {
-    if (command->name[0])
-        thud_text_append(out, "complete -c thud -n '__fish_seen_subcommand_from %s%s%s%s'", command->name,
-                         first ? "; and " : "", first < 0 ? "not " : "",
-                         first ? "__fish_seen_subcommand_from (thud help --words verbs)" : "");
-    else
+    if (command->name[0]) {
+        thud_text_append(out, "complete -c thud -n '__fish_seen_subcommand_from %s", command->name);
+        if (first)
+            thud_text_append(out, "; and %s__fish_seen_subcommand_from (thud help --words %s)", first < 0 ? "not " : "",
+                             thud_word_list_name(command->word));
+        thud_text_append(out, "'");
+    } else {
         thud_text_append(out, "complete -c thud -n __fish_use_subcommand");
+    }
 }
 
 static void fish(struct thud_text *out)

@@ -10,7 +10,7 @@ void thud_help_all(struct thud_text *out)
         const struct thud_command *command = thud_command_at((enum thud_command_id)i);
         char usage[64];
         snprintf(usage, sizeof usage, "thud %s%s%s", command->name, command->name[0] ? " " : "", command->operands);
-        thud_text_append(out, "  %-25s  %s\n", usage, command->summary);
+        thud_text_append(out, "  %-26s %s\n", usage, command->summary);
     }
     thud_text_append(out, "\nA PRESET is a name (towers) or a file. Options: `thud help COMMAND`.\n"
                           "Manual pages: thud(1), thud-preset(5), thud-model(7), thud-methods(7).\n");

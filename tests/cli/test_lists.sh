@@ -124,7 +124,7 @@ gives 0 help --words presets
 sort "$tmp/out" >"$tmp/words"
 is "the presets are those of the folder" same "$tmp/words" "$tmp/files"
 wrong=""
-for list in keys cases figures verbs; do
+for list in keys cases figures verbs programs; do
     gives 0 help --words $list && [ -s "$tmp/out" ] || wrong="$wrong $list"
     cp "$tmp/out" "$tmp/$list"
 done

@@ -1,0 +1,67 @@
+/* thud export: a scene for another program. */
+#include <stdio.h>
+#include <string.h>
+
+#include "cli/commands.h"
+#include "cli/scene_options.h"
+#include "io/file.h"
+#include "io/opensees.h"
+
+static enum thud_status deliver(const struct thud_args *args, const struct thud_scene *scene, struct thud_text *text,
+                                struct thud_error *err)
+{
+    const char *folder = thud_args_value(args, "o");
+    char name[THUD_NAME_MAX + 16];
+    if (!folder)
+        return thud_cli_print(text, err);
+    snprintf(name, sizeof name, "%s.opensees.py", scene->name[0] ? scene->name : "scene");
+    enum thud_status status = thud_folder_make(folder, err);
+    if (status == THUD_OK)
+        status = thud_text_write_in(text, folder, name, err);
+    thud_text_clear(text);
+    return status;
+}
+
+static enum thud_status opensees(const struct thud_args *args, struct thud_session *session, struct thud_scene *scene,
+                                 struct thud_error *err)
+{
+    struct thud_answer answer = {0};
+    struct thud_text text = {0};
+    struct thud_model *model = NULL;
+    struct thud_run_options options;
+    enum thud_status status = thud_scene_options_of_case(args, session, scene, err);
+    if (status == THUD_OK)
+        status = thud_scene_check(scene, err);
+    if (status == THUD_OK)
+        status = thud_session_read_record(session, err);
+    if (status == THUD_OK)
+        status = thud_scene_assemble(scene, &model, err);
+    if (status == THUD_OK)
+        status = thud_opensees_check(scene, model, err);
+    thud_model_free(model);
+    if (status == THUD_OK)
+        status = thud_scene_options(scene, &options, err);
+    if (status == THUD_OK)
+        status = thud_scene_answer(scene, session->record, &options, &answer, err);
+    if (status == THUD_OK) {
+        thud_opensees_script(scene, answer.model, session->record, thud_run_result(answer.run), &text);
+        status = deliver(args, scene, &text, err);
+    }
+    thud_answer_clear(&answer);
+    return status;
+}
+
+enum thud_status thud_command_export(const struct thud_args *args, struct thud_error *err)
+{
+    struct thud_args rest = *args;
+    if (args->noperands == 0 || strcmp(args->operand[0], "opensees") != 0) {
+        thud_error_set(err, THUD_USAGE, args->noperands == 0 ? "thud export needs a program" : "no export to \"%.40s\"",
+                       args->operand[0]);
+        thud_error_allow(err, "opensees");
+        return THUD_USAGE;
+    }
+    rest.noperands--;
+    for (int i = 0; i < rest.noperands; i++)
+        rest.operand[i] = args->operand[i + 1];
+    return thud_scene_options_with(&rest, opensees, err);
+}

@@ -1,0 +1,77 @@
+#!/bin/sh
+# The script for OpenSeesPy: what it says, that it is Python, and what is refused.  Where OpenSeesPy is installed it is run.  TAP.
+# shellcheck source=tests/cli/program.sh
+. "$(dirname "$0")/program.sh"
+
+is "a scene of the classical law is exported" gives 0 export opensees rigid-concrete --set contact.law=kelvin-voigt --set gap=1mm
+cp "$tmp/out" "$tmp/rigid.py"
+# c = 2 xi sqrt(k m) with k 2500 kN/mm, m 160 t, restitution 0.6: xi 0.160493, c 6.41973e6 N s/m, by hand
+is "with its stiffness, its dashpot and its gap" shows '^ops.uniaxialMaterial("ViscoelasticGap", 3, 2500000000, 64197[0-9][0-9][0-9.]*, -0.001)$'
+is "between its two bodies" shows '^ops.element("zeroLength", 3, 1, 2, "-mat", 3, "-dir", 1)$'
+is "with its masses" [ "$(grep -c '^ops.mass([12], 320000)$' "$tmp/out")" -eq 2 ]
+is "its speed" shows '^ops.setNodeVel(1, 1, 0.5, "-commit")$'
+is "and no ground motion" [ "$(grep -c UniformExcitation "$tmp/out")" -eq 0 ]
+
+is "towers with linear contacts" gives 0 export opensees towers --case none --set contact.law=linear
+cp "$tmp/out" "$tmp/towers.py"
+is "have ten springs" [ "$(grep -c '^ops.uniaxialMaterial("Elastic", [0-9]*, 600000000)$' "$tmp/out")" -eq 10 ]
+is "six of them on floors, two on the ground, and so on" [ "$(grep -c '^ops.element("zeroLength", \(1, 1001, 1\|5, 1002, 5\|6, 5, 6\),' "$tmp/out")" -eq 3 ]
+is "four contacts without dashpots" [ "$(grep -c '"ViscoelasticGap", 1[1-4], 2500000000, 0, -0.1)$' "$tmp/out")" -eq 4 ]
+is "five percent in ten modes" shows '^ops.modalDamping(0.05, 0.05, 0.05, 0.05, 0.05, 0.05, 0.05, 0.05, 0.05, 0.05)$'
+is "every sample of the ground motion" [ "$(sed -n '/^GROUND = /,/\]$/p' "$tmp/out" | tr ',' '\n' | grep -c '[0-9]')" -eq 4001 ]
+"$THUD" run towers --case none --set contact.law=linear --json | sed -n 's/.*"force_n": \([0-9.e+-]*\),.*/\1/p' | sort -n | tail -1 >"$tmp/force"
+is "and the peaks of the run" grep -q "\"force\", [0-3], $(cat "$tmp/force")" "$tmp/towers.py"
+is "buildings of different damping" gives 0 export opensees towers --case none --set contact.law=linear --set structures.2.damping=2%
+is "have theirs in the order of the frequencies" shows '^ops.modalDamping(0.02, 0.05, 0.02, 0.05, 0.02, 0.02, 0.05, 0.02, 0.05, 0.02)$'
+is "Hertz" gives 0 export opensees rigid-concrete --set contact.law=hertz --set gap=1mm
+is "has no damping" shows '^ops.uniaxialMaterial("Hertzdamp", 3, [0-9.e+]*, 0, -0.001, 1.5)$'
+is "Hertz with damping" gives 0 export opensees rigid-concrete --set contact.law=hertz-damp --set gap=1mm
+is "has 3 (1 - 0.36)/4" shows '^ops.uniaxialMaterial("Hertzdamp", 3, [0-9.e+]*, 0.48, -0.001, 1.5)$'
+is "Jankowski's contact at no gap at all" gives 0 export opensees rigid-concrete --set contact.law=jankowski
+# (9 sqrt5/2)(1 - e^2)/(e (e (9 pi - 16) + 16)) at e 0.6: 0.45937
+is "has its published damping and its mass" shows '^ops.uniaxialMaterial("JankowskiImpact", 3, [0-9.e+]*, 0.4593[0-9]*, 160000, -1e-12, 1.5)$'
+
+is "a wall" gives 0 export opensees presets/published/ansys-vm65.yaml
+is "stands on the ground" shows '^ops.fix(1001, 1)$'
+is "to the left of the body" shows '^ops.element("zeroLength", 2, 1001, 1, "-mat", 2, "-dir", 1)$'
+is "-o writes a file" gives 0 export opensees rigid-concrete --set contact.law=hertz -o "$tmp/o"
+is "by the preset's name" [ -s "$tmp/o/rigid-concrete.opensees.py" ]
+cp presets/rigid-concrete.yaml "$tmp/words.yaml"
+sed -i "s/^title: .*/title: '\"\"\"; import os; \\\\ # \"'/; s/law: .*/law: hertz/; /stiffness:/d; /damping:/d; /residual:/d; /restitution:/d" "$tmp/words.yaml"
+is "a title that could be code" gives 0 export opensees "$tmp/words.yaml"
+cp "$tmp/out" "$tmp/words.py"
+is "is a text" shows '^TITLE = "\\"\\"\\"; import os; '
+
+refused() { # WHAT PATTERN ARGUMENTS...
+    what=$1
+    pattern=$2
+    shift 2
+    is "$what" gives 3 export opensees "$@"
+    is "with the reason" says "$pattern"
+    is "and nothing on standard output" [ ! -s "$tmp/out" ]
+}
+refused "rubber is refused" '^thud: interfaces.1.bumper.law: OpenSees has no material.*--case none' towers
+refused "a law that lets go at zero force" 'contact.law: OpenSees has no linear dashpot that lets go.*kelvin-voigt' towers --case none
+refused "an impulse" 'OpenSees knows no impulse' rigid-concrete --set contact.law=stereomechanical
+refused "an isolated building" '^thud: structures.2.kind: OpenSees has modal damping' isolated-moat
+is "a program there is not" gives 2 export sap towers
+is "is told" says 'no export to "sap" (opensees)'
+is "no program at all" gives 2 export
+is "no preset" gives 2 export opensees
+is "and two" gives 2 export opensees towers towers
+
+if ! command -v python3 >/dev/null 2>&1; then
+    echo "ok - the scripts are Python # SKIP no python3"
+else
+    PYTHONPYCACHEPREFIX=$tmp/cache
+    export PYTHONPYCACHEPREFIX
+    python3 -m py_compile "$tmp/rigid.py" "$tmp/towers.py" "$tmp/words.py" >"$tmp/out" 2>"$tmp/err"
+    is "the scripts are Python" [ $? -eq 0 ]
+    if ! python3 -c 'import openseespy.opensees' >/dev/null 2>&1; then
+        echo "ok - OpenSeesPy gives the same peaks # SKIP no openseespy"
+    else # first order in the step, for the force starts with a jump: 0.2 % at the step it takes by itself
+        python3 "$tmp/rigid.py" >"$tmp/out" 2>"$tmp/err"
+        # shellcheck disable=SC2016 # a program of awk
+        is "OpenSeesPy gives the same peaks" awk '/^largest difference/ { found = 1; if ($3 > 5e-3) exit 1 } END { exit !found }' "$tmp/out"
+    fi
+fi
