@@ -2,9 +2,13 @@
  *
  * Modal coordinates: every structure has as many modes as floors, or its lowest ones alone, Phi^T M Phi = I. All
  * structures' modes stand one after the other, and so do their floors: q (nmodes), u (ndof). A floor's displacement is
- * the dot product of its row of Phi with its structure's slice of q. q'' + 2 zeta omega q' + omega^2 q = -gamma a_g -
- * sum_c g_c F_c        (g_c: row of contact c, indentation = g_c . q - clearance) A structure whose damping couples its
- * modes (isolated building) has a dense block D instead of 2 zeta omega. */
+ * the dot product of its row of Phi with its structure's slice of q. The equations of motion:
+ *
+ *     q'' + 2 zeta omega q' + omega^2 q = -gamma a_g - sum_c g_c F_c
+ *     indentation of contact c = g_c . q - clearance
+ *
+ * where g_c is the row of contact c. A structure whose damping couples its modes (isolated building) has a dense block
+ * D instead of 2 zeta omega. */
 #ifndef THUD_CORE_MODEL_H
 #define THUD_CORE_MODEL_H
 

@@ -1,6 +1,6 @@
 /* Completion scripts. What a shell completes is looked up in the tables when the script is made, and asked of the
- * program itself (`thud help
- * --words LIST`) where it depends on the presets found. */
+ * program itself
+ * (`thud help --words LIST`) where it depends on the presets found. */
 #include <string.h>
 
 #include "cli/help.h"

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "core/modal_operator.h"
+#include "core/tolerance.h"
 
 enum { NEWTON_MAX = 40 };
 
@@ -78,7 +79,7 @@ void thud_alpha_free(void *state)
 /* Operator and responses for steps of length h; kept while steps differ by rounding only. */
 static void prepare(const struct thud_model *m, struct alpha *x, double h)
 {
-    if (fabs(h - x->h_made) <= 1e-11 * h)
+    if (fabs(h - x->h_made) <= THUD_TOL_STEP_CHANGE * h)
         return;
     const struct thud_alpha *p = &x->p;
     double share = 1 - p->af;
@@ -118,10 +119,10 @@ static void start_step(struct thud_run *run, struct alpha *x, double h)
         thud_model_push(m, x->start.force, x->start.qdd);
     }
     double ground = thud_step_ground(run, 0);
-    x->fresh = x->fresh || fabs(ground - x->before_mps2) > 1e-9 * (fabs(ground) + fabs(x->before_mps2));
+    x->fresh = x->fresh || fabs(ground - x->before_mps2) > THUD_TOL_GROUND_JUMP * (fabs(ground) + fabs(x->before_mps2));
     if (x->fresh || offset(&x->p) == 0) {
         memcpy(x->a0, x->start.qdd, bytes);
-    } else if (fabs(h - x->a0_step_s) > 1e-11 * h) {
+    } else if (fabs(h - x->a0_step_s) > THUD_TOL_STEP_CHANGE * h) {
         for (int j = 0; j < m->nmodes; j++)
             x->a0[j] = x->start.qdd[j] + h / x->a0_step_s * (x->a0[j] - x->start.qdd[j]);
     }
@@ -197,7 +198,8 @@ static double newton(struct thud_run *run, struct alpha *x, int n, double h)
         int a = x->active[i];
         double before = fabs(x->end.force[a]);
         x->end.force[a] -= x->change[i];
-        double scale = fmax(fmax(before, fabs(x->end.force[a])), 1e-9 * run->model->contact[a].setup.mass_kg);
+        double scale = fmax(fmax(before, fabs(x->end.force[a])),
+                            THUD_TOL_LEAST_ACCELERATION_MPS2 * run->model->contact[a].setup.mass_kg);
         largest = fmax(largest, fabs(x->change[i]) / scale);
     }
     return largest;
@@ -224,7 +226,7 @@ static void solve_forces(struct thud_run *run, struct alpha *x, double h)
         double change = newton(run, x, n, h);
         if (!isfinite(change))
             break;
-        if (change <= 1e-14 || (change < 1e-10 && change >= 0.5 * before))
+        if (change <= THUD_TOL_NEWTON || (change < THUD_TOL_NEWTON_STALL && change >= 0.5 * before))
             return;
         before = change;
     }

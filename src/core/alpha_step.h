@@ -1,8 +1,12 @@
 /* One-step schemes with Newmark's update, of which generalized-alpha is the widest (Chung and Hulbert 1993):
- *     (1 - am) a1 + am a0 = (1 - af) r(q1, v1) + af r(q0, v0)                  r: acceleration by the equations of
- * motion q1 = q0 + h v0 + h^2 ((1/2 - beta) a0 + beta a1),   v1 = v0 + h ((1 - gamma) a0 + gamma a1) am = af = 0 is
- * Newmark; with beta = 0 as well it is the central difference. Linear parts are solved in modal coordinates, the
- * contact forces of the step's end by Newton's method on the contacts that act. */
+ *
+ *     (1 - am) a1 + am a0 = (1 - af) r(q1, v1) + af r(q0, v0)
+ *     q1 = q0 + h v0 + h^2 ((1/2 - beta) a0 + beta a1)
+ *     v1 = v0 + h ((1 - gamma) a0 + gamma a1)
+ *
+ * where r is the acceleration by the equations of motion. am = af = 0 is Newmark; with beta = 0 as well it is the
+ * central difference. Linear parts are solved in modal coordinates, the contact forces of the step's end by Newton's
+ * method on the contacts that act. */
 #ifndef THUD_CORE_ALPHA_STEP_H
 #define THUD_CORE_ALPHA_STEP_H
 

@@ -6,6 +6,7 @@
 #include "core/collocation_private.h"
 #include "core/largest.h"
 #include "core/radau.h"
+#include "core/tolerance.h"
 
 enum { NEWTON_MAX = 12, ITERATIONS_MAX = 12 };
 enum { PATIENCE = 16 };                  /* steps of one size before a longer one is tried */
@@ -258,7 +259,8 @@ static bool solve(struct thud_run *run, struct thud_collocation *x, int level, d
         }
         if (!isfinite(change))
             return false;
-        if (change <= tolerance || (change < 1e-7 && change >= 0.5 * before)) /* or no better for rounding */
+        if (change <= tolerance ||
+            (change < THUD_TOL_COLLOCATION_STALL && change >= 0.5 * before)) /* or no better for rounding */
             return true;
         before = change;
     }
@@ -344,8 +346,8 @@ enum thud_status thud_collocation_step(struct thud_run *run, struct thud_colloca
     find_active(run, x);
     if (!reserve(x, x->nactive))
         return thud_error_set(err, THUD_MEMORY, "out of memory");
-    /* the polynomials through the points carry no more than eleven digits */
-    double tolerance = thud_larger(0.1 * run->options.tolerance, 6e-11), remaining = thud_run_remaining(run);
+    double tolerance = thud_larger(0.1 * run->options.tolerance, THUD_TOL_COLLOCATION),
+           remaining = thud_run_remaining(run);
     bool first = x->just_touched;
     if (first && x->h_touch > 0)
         x->h = fmin(x->h, x->h_touch);

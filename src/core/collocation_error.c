@@ -4,6 +4,7 @@
 #include "core/collocation_private.h"
 #include "core/largest.h"
 #include "core/poly.h"
+#include "core/tolerance.h"
 
 /* Scale on which an error of contact a's force counts: the largest force it has had, has now, or will have by its
  * closing velocity. */
@@ -15,12 +16,10 @@ double thud_collocation_scale(const struct thud_run *run, const struct thud_coll
         scale = thud_larger(scale, fabs(x->force[a * THUD_PLACES + i]));
     if (run->contact[c].phase == THUD_APPROACH)
         scale = thud_larger(scale, run->contact[c].expected_force_n);
-    return thud_larger(scale, run->model->contact[c].setup.mass_kg * thud_larger(1e-6 * run->ground_mps2, 1e-9));
+    return thud_larger(scale,
+                       run->model->contact[c].setup.mass_kg *
+                           thud_larger(THUD_TOL_GROUND_FORCE * run->ground_mps2, THUD_TOL_LEAST_ACCELERATION_MPS2));
 }
-
-/* What rounding leaves of a polynomial through the points, over the force: taken for an error it would keep a step that
- * has once become short, before a kink or after a touch, from ever growing again. */
-static const double polynomial_noise = 4e-12;
 
 /* Whether a contact is so young that its force has no smooth past: most of the indentation at the end of the step is
  * made in it, with the speed hardly lost. */
@@ -47,8 +46,7 @@ static struct sizes sizes_of(const struct thud_run *run, int c)
 /* How far rounding alone may put a force off. */
 static double force_noise(const struct sizes *of, double fd, double fv)
 {
-    static const double part = 2e-15;
-    return part * (fabs(fd) * of->d + fabs(fv) * of->v);
+    return THUD_TOL_STATE * (fabs(fd) * of->d + fabs(fv) * of->v);
 }
 
 /* Largest difference between the polynomial of contact a's force and the law, between the points. */
@@ -64,7 +62,7 @@ static double force_difference(struct thud_run *run, const struct thud_collocati
          i += s->mode == THUD_STUCK ? 1 : 2) { /* a law is dear; the largest is at the start */
         double fd, fv;
         if (s->mode == THUD_STUCK) { /* the force that would undo the rate in one step, but for rounding */
-            worst = thud_larger(worst, mass * thud_larger(fabs(v[i]) - 1e-15 / h, 0) / h);
+            worst = thud_larger(worst, mass * thud_larger(fabs(v[i]) - THUD_TOL_STICKING_M / h, 0) / h);
             continue;
         }
         double difference = fabs(thud_branch_force(&s->branch, d[i], v[i], &fd, &fv) - f[i]);
@@ -87,7 +85,7 @@ static double contact_error(struct thud_run *run, const struct thud_collocation 
     if (s->zeros.indentation > 0)
         p[0] = 0; /* just touched, as the forces at the points take it */
     double difference = force_difference(run, x, c, p, h);
-    double error = thud_larger(difference / thud_collocation_scale(run, x, a) - polynomial_noise, 0);
+    double error = thud_larger(difference / thud_collocation_scale(run, x, a) - THUD_TOL_POLYNOMIAL, 0);
     if (s->mode == THUD_CLOSED && s->phase == THUD_APPROACH && has_just_begun(p, run->seg.terms)) {
         double ground = run->fastest_radps > 0 ? run->ground_mps2 / run->fastest_radps : 0;
         double speed = s->memory.v_imp_mps < 1e-7 * ground ? ground : s->memory.v_imp_mps; /* pushed, or thrown */

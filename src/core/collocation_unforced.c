@@ -4,11 +4,12 @@
 #include <string.h>
 
 #include "core/collocation_private.h"
+#include "core/tolerance.h"
 
 void thud_collocation_begin(struct thud_run *run, struct thud_segment *seg, double h)
 {
     thud_segment_begin(run, seg, h);
-    double least = fmin(1e-15, fmax(1e-18, 1e-9 * run->options.tolerance));
+    double least = fmin(1e-15, fmax(THUD_TOL_SERIES, 1e-9 * run->options.tolerance));
     seg->terms = thud_segment_terms(run->fastest_radps * h, least);
 }
 

@@ -5,9 +5,7 @@
 
 #include "core/contact.h"
 #include "core/poly.h"
-
-/* More than rounding leaves of an indentation at first touch. */
-static const double pressed_m = 1e-12;
+#include "core/tolerance.h"
 
 static const struct thud_law *law_of(const struct thud_run *run, int c)
 {
@@ -35,7 +33,7 @@ void thud_contact_start(struct thud_run *run)
         const struct thud_law *law = law_of(run, c);
         memset(s, 0, sizeof *s);
         s->knee_m = law->knee ? law->knee(&run->model->contact[c].setup) : INFINITY;
-        s->zeros.indentation = fabs(thud_contact_indentation(run, c)) <= THUD_TOUCH_NOISE_M;
+        s->zeros.indentation = fabs(thud_contact_indentation(run, c)) <= THUD_TOL_INDENTATION_M;
     }
 }
 
@@ -90,7 +88,7 @@ static bool push_polynomial(const struct thud_contact_state *s, const double *d,
  * does not resolve. What it leaves there would open the contact again, and without end. */
 static int unresolved(const struct thud_run *run, const double *d, int terms, int still)
 {
-    double largest = 0, resolved = fmax(run->options.tolerance, 1e-6);
+    double largest = 0, resolved = fmax(run->options.tolerance, THUD_TOL_UNRESOLVED);
     for (int k = 0; k < terms; k++)
         largest = fmax(largest, fabs(d[k]));
     while (still < terms && fabs(d[still]) <= resolved * largest)
@@ -256,7 +254,7 @@ static void open_events(struct thud_run *run, int c, const double *d, double s_e
     else if (zeros < run->contact[c].zeros.indentation)
         zeros = run->contact[c].zeros.indentation;
     if (zeros < run->seg.terms)
-        consider(found, thud_poly_first_above(d, run->seg.terms, s_end, 1, zeros, THUD_TOUCH_NOISE_M), c,
+        consider(found, thud_poly_first_above(d, run->seg.terms, s_end, 1, zeros, THUD_TOL_INDENTATION_M), c,
                  THUD_EVENT_TOUCH);
 }
 
@@ -307,7 +305,7 @@ static double closing_rate(const struct thud_run *run, int c)
     double left, right;
     thud_model_sides(run->model, c, run->qd, &left, &right);
     double rate = left - right;
-    return rate > THUD_RATE_NOISE * (fabs(left) + fabs(right)) ? rate : 0;
+    return rate > THUD_TOL_RATE * (fabs(left) + fabs(right)) ? rate : 0;
 }
 
 static void touch(struct thud_run *run, int c)
@@ -320,7 +318,8 @@ static void touch(struct thud_run *run, int c)
     s->phase = THUD_APPROACH;
     s->past_knee = false;
     thud_contact_set_mode(run, c, THUD_CLOSED);
-    bool pressed = thud_contact_indentation(run, c) > pressed_m; /* from the start: the clearance is negative */
+    bool pressed =
+        thud_contact_indentation(run, c) > THUD_TOL_PRESSED_M; /* from the start: the clearance is negative */
     renew_branch(run, c);
     /* k d + c d' begins at 0 with d'; what is asked of d^p (K + D d') is K + D d', which does not */
     bool from_zero = v == 0 && !pressed && s->branch.K == 0 && s->branch.D == 0;
@@ -355,7 +354,7 @@ static int force_zeros(const struct thud_run *run, int c, double sign)
     const struct thud_branch *b = &run->contact[c].branch;
     double d = thud_contact_indentation(run, c), v = thud_contact_rate(run, c);
     double force = thud_branch_force(b, d, v, NULL, NULL), elastic = thud_branch_force(b, d, 0, NULL, NULL);
-    return sign * force > 1e-9 * elastic ? 0 : 1;
+    return sign * force > THUD_TOL_FORCE * elastic ? 0 : 1;
 }
 
 static enum thud_status release(struct thud_run *run, int c, struct thud_error *err)
@@ -400,7 +399,7 @@ static void turn(struct thud_run *run, int c)
     enum thud_phase next = s->phase == THUD_APPROACH ? THUD_RESTITUTION : THUD_APPROACH;
     double d = thud_contact_indentation(run, c);
     double approach = rest_force(run, c, THUD_APPROACH, d), restitution = rest_force(run, c, THUD_RESTITUTION, d);
-    if (run->locates && approach - restitution > 1e-12 * approach) {
+    if (run->locates && approach - restitution > THUD_TOL_BRANCH_GAP * approach) {
         double *force = run->force_now;
         thud_contact_forces(run, force);
         force[c] = next == THUD_RESTITUTION ? restitution : approach;
@@ -414,7 +413,8 @@ static void turn(struct thud_run *run, int c)
         }
     }
     double v = thud_contact_rate(run, c); /* not 0 where its polynomial has not been resolved */
-    bool gone = next == THUD_RESTITUTION ? v < -1e-12 * run->speed_mps : v > 1e-12 * run->speed_mps;
+    bool gone =
+        next == THUD_RESTITUTION ? v < -THUD_TOL_REVERSAL * run->speed_mps : v > THUD_TOL_REVERSAL * run->speed_mps;
     go_on(run, c, next, !gone);
 }
 
@@ -424,7 +424,7 @@ void thud_contact_struck(struct thud_run *run, int c, double change)
     double v = thud_contact_rate(run, c);
     enum thud_phase phase = v > 0 ? THUD_APPROACH : THUD_RESTITUTION;
     bool turns = s->mode != THUD_OPEN && law_of(run, c)->flags & THUD_LAW_TURNS;
-    if ((!turns && s->mode != THUD_STUCK) || fabs(v) <= 1e-9 * fabs(change))
+    if ((!turns && s->mode != THUD_STUCK) || fabs(v) <= THUD_TOL_IMPULSE_RATE * fabs(change))
         return;
     if (s->mode == THUD_STUCK || phase != s->phase)
         go_on(run, c, phase, 0);

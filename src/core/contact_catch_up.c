@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "core/contact.h"
+#include "core/tolerance.h"
 
 void thud_contact_read(struct thud_run *run)
 {
@@ -44,7 +45,7 @@ static int next_event(const struct thud_run *run, int c)
     unsigned flags = run->model->contact[c].law->flags;
     switch (run->contact[c].mode) {
     case THUD_OPEN:
-        if (flags & THUD_LAW_SILENT || d <= THUD_TOUCH_NOISE_M || (flags & THUD_LAW_IMPULSIVE && v <= 0))
+        if (flags & THUD_LAW_SILENT || d <= THUD_TOL_INDENTATION_M || (flags & THUD_LAW_IMPULSIVE && v <= 0))
             return -1;
         return THUD_EVENT_TOUCH;
     case THUD_STUCK: /* an impulse has brought it to rest: looked at afresh */

@@ -6,12 +6,13 @@
 
 #include "core/contact.h"
 #include "core/lcp.h"
+#include "core/tolerance.h"
 
 /* A parting slower than this is taken as the end of a row of ever smaller bounces: the contact comes to rest. No units
  * of its own: the same scene in other ones, or a larger one, comes to rest at the same moment. */
 static double rest_speed(const struct thud_run *run)
 {
-    return fmax(1e-4 * run->options.tolerance, 1e-11) * run->speed_mps;
+    return fmax(1e-4 * run->options.tolerance, THUD_TOL_REST) * run->speed_mps;
 }
 
 /* Contacts that take part: the one that touches now, those that are held, and those that are at zero distance. */
@@ -22,7 +23,7 @@ static int gather(const struct thud_run *run, int touching, int *set)
         const struct thud_contact_state *s = &run->contact[c];
         if (!(run->model->contact[c].law->flags & THUD_LAW_IMPULSIVE))
             continue;
-        bool at_zero = s->mode == THUD_OPEN && fabs(thud_contact_indentation(run, c)) <= THUD_TOUCH_NOISE_M;
+        bool at_zero = s->mode == THUD_OPEN && fabs(thud_contact_indentation(run, c)) <= THUD_TOL_INDENTATION_M;
         if (c == touching || s->mode == THUD_STUCK || at_zero)
             set[n++] = c;
     }

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "core/runge_kutta.h"
+#include "core/tolerance.h"
 
 static const struct thud_tableau tableau = {
     .stages = 7,
@@ -87,7 +88,7 @@ enum thud_status thud_dormand_prince_step(struct thud_run *run, void *state, str
     double tolerance = share * run->options.tolerance, remaining = thud_step_room(run);
     thud_rk_start(run, &x->rk);
     for (;;) {
-        double h = remaining / fmax(1, ceil(remaining / x->h * (1 - 1e-9)));
+        double h = remaining / fmax(1, ceil(remaining / x->h * (1 - THUD_TOL_STEP_COUNT)));
         thud_rk_stages(run, &x->rk, h);
         double error = error_of(run, x, h);
         double factor = isfinite(error) ? 0.9 * pow(tolerance / fmax(error, 1e-10 * tolerance), 0.2) : 0.1;
@@ -99,7 +100,7 @@ enum thud_status thud_dormand_prince_step(struct thud_run *run, void *state, str
         }
         x->h = fmin(factor, 0.9) * h;
         run->result.work.rejected++;
-        if (h < 1e-14 * run->end_s)
+        if (h < THUD_TOL_LEAST_STEP * run->end_s)
             return thud_error_set(err, THUD_DIVERGED, "no step is short enough at t = %.6g s", thud_run_now(run));
     }
 }

@@ -12,6 +12,7 @@
 #include "core/horizon.h"
 #include "core/largest.h"
 #include "core/poly.h"
+#include "core/tolerance.h"
 
 enum { ENDS = THUD_FLIGHT_ENDS, SHORT_BLOCK = 8 };
 
@@ -191,7 +192,7 @@ static bool closes_in_piece(const struct thud_run *run, int c, bool first)
         zeros = 0;
     else if (zeros < least)
         zeros = least;
-    return zeros < run->seg.terms && thud_poly_first_above(d, run->seg.terms, 1, 1, zeros, THUD_TOUCH_NOISE_M) <= 1;
+    return zeros < run->seg.terms && thud_poly_first_above(d, run->seg.terms, 1, 1, zeros, THUD_TOL_INDENTATION_M) <= 1;
 }
 
 /* Whether one of the contacts that are near it closes in interval t. */
@@ -359,7 +360,7 @@ enum thud_status thud_flight_go(struct thud_run *run, int *passed, struct thud_e
 {
     struct thud_flight *f = run->flight;
     *passed = 0;
-    long left = (long)floor(run->end_s / run->grid_dt_s * (1 + 1e-12)) - run->grid;
+    long left = (long)floor(run->end_s / run->grid_dt_s * (1 + THUD_TOL_TIME)) - run->grid;
     if (!may_fly(run) || left <= 0)
         return THUD_OK;
     if (run->horizon) {

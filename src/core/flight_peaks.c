@@ -5,6 +5,7 @@
 
 #include "core/flight.h"
 #include "core/largest.h"
+#include "core/tolerance.h"
 
 enum { ENDS = THUD_FLIGHT_ENDS };
 
@@ -152,7 +153,7 @@ static void suspect(struct thud_run *run, struct thud_flight *f, const struct ro
         q[f->n + j] = f->qd[j * ENDS + t];
     }
     *kept = (struct thud_suspect){true, run->grid + t, most};
-    least *= 1 - 1e-12; /* so that what is read in the end is above it */
+    least *= 1 - THUD_TOL_PEAK_BOUND; /* so that what is read in the end is above it */
     if (least > row->peak->value)
         *row->peak = (struct thud_peak){least, (double)(run->grid + t) * run->grid_dt_s};
 }

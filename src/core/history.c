@@ -6,6 +6,7 @@
 
 #include "core/poly.h"
 #include "core/run_private.h"
+#include "core/tolerance.h"
 
 int thud_history_ground(void)
 {
@@ -178,7 +179,7 @@ static double next_row(const struct thud_run *run, double t)
     double step = run->options.history_step_s;
     if (t < run->close_rows_until_s && step > close_s)
         return t + close_s;
-    return step * floor(t / step + 1.0 + 1e-9);
+    return step * floor(t / step + 1.0 + THUD_TOL_ROW);
 }
 
 static double sooner(double best, struct thud_peak peak, double after)
@@ -217,7 +218,7 @@ static double last_time(const struct thud_run *run)
 static enum thud_status peak_rows(struct thud_run *run, double t0, double t, struct thud_error *err)
 {
     enum thud_status status = THUD_OK;
-    double fuzz = 1e-9 * run->options.history_step_s, at = next_peak(run, fmax(t0, last_time(run)));
+    double fuzz = THUD_TOL_ROW * run->options.history_step_s, at = next_peak(run, fmax(t0, last_time(run)));
     while (at < t - fuzz && status == THUD_OK) {
         status = row_at(run, (at - t0) / run->seg.h_s, err);
         at = next_peak(run, at);
@@ -255,7 +256,7 @@ static bool is_stop(const struct thud_run *run, double t)
 /* Rows of a segment without contact: on the grid, and at its end where something may switch there. */
 static enum thud_status rows_in_flight(struct thud_run *run, double s, bool switches, struct thud_error *err)
 {
-    double t0 = thud_run_now(run), h = run->seg.h_s, fuzz = 1e-9 * run->options.history_step_s;
+    double t0 = thud_run_now(run), h = run->seg.h_s, fuzz = THUD_TOL_ROW * run->options.history_step_s;
     enum thud_status status = THUD_OK;
     while (run->next_row_s <= t0 + s * h + fuzz && status == THUD_OK) {
         double at = (run->next_row_s - t0) / h;

@@ -3,6 +3,8 @@
 #include <lapacke.h>
 #include <math.h>
 
+#include "core/tolerance.h"
+
 size_t thud_lcp_work(int n)
 {
     size_t size = (size_t)n;
@@ -48,7 +50,7 @@ enum thud_status thud_lcp_solve(int n, const double *m, const double *q, double 
             double w = q[i];
             for (int j = 0; j < n; j++)
                 w += m[i * n + j] * z[j];
-            if (basic[i] > 0 ? z[i] < 0 : w < -1e-13 * size)
+            if (basic[i] > 0 ? z[i] < 0 : w < -THUD_TOL_COMPLEMENTARITY * size)
                 wrong = i;
         }
         if (wrong < 0)

@@ -4,6 +4,7 @@
 
 #include "core/collocation.h"
 #include "core/run_private.h"
+#include "core/tolerance.h"
 
 /* Only laws that are not linear need collocation: the others never stick either. */
 static enum thud_status create(struct thud_run *run, void **state, struct thud_error *err)
@@ -37,8 +38,8 @@ static enum thud_status step(struct thud_run *run, void *state, struct thud_erro
     static const double longest_angle = 30; /* of the first try: the terms stay numbers, and the tail shortens it */
     thud_segment_begin(run, &run->seg, fmin(thud_run_remaining(run), longest_angle / thud_segment_rate(run)));
     double tail = thud_taylor_linear(run, &run->seg);
-    while (tail > 1e-16) {
-        double factor = 0.9 * pow(0.5e-16 / tail, 1.0 / (THUD_SEGMENT_TERMS - 4));
+    while (tail > THUD_TOL_SERIES_TAIL) {
+        double factor = 0.9 * pow(0.5 * THUD_TOL_SERIES_TAIL / tail, 1.0 / (THUD_SEGMENT_TERMS - 4));
         thud_segment_shorten(&run->seg, m->nmodes, m->ncontacts, factor);
         thud_contact_forget(run);
         tail = thud_segment_tail(&run->seg, m->nmodes);

@@ -4,6 +4,7 @@
 #include <stdbool.h>
 
 #include "core/double_pair.h"
+#include "core/tolerance.h"
 
 enum { DEPTH_MAX = 48, INTERVALS_MAX = 4096 };
 
@@ -101,10 +102,10 @@ static double rising_root(const struct search *f, double a, double b, double s, 
             a = s;
         double bend = dd / d, newton = p / d, next = s - newton / (1 - 0.5 * newton * bend);
         double moved = fabs(next - s), change = moved * (fabs(bend) + f->third / d * moved); /* of the slope, at most */
-        if (moved <= 4e-16 * s || b - a <= 4e-16 * b)
+        if (moved <= THUD_TOL_ROOT * s || b - a <= THUD_TOL_ROOT * b)
             return s;
         bool inside = next > a && next < b;
-        if (inside && change < 0.1 && (bend * bend + f->third / d) * moved * moved * moved <= 1e-16 * next)
+        if (inside && change < 0.1 && (bend * bend + f->third / d) * moved * moved * moved <= THUD_TOL_ROOT_REST * next)
             return next;
         s = inside ? next : 0.5 * (a + b);
         thud_poly_value3(f->c, f->n, s, v);
@@ -186,11 +187,11 @@ static void extremum(struct peak *f, double a, double b, double s, double v[3])
         else
             a = s;
         double next = s - v[1] / v[2], moved = fabs(next - s);
-        if (!(moved > 1e-12)) /* s is the root, and may be an end of the bracket, whose middle is not */
+        if (!(moved > THUD_TOL_PEAK_PLACE)) /* s is the root, and may be an end of the bracket, whose middle is not */
             break;
         bool inside = next > a && next < b;
         s = inside ? next : 0.5 * (a + b);
-        if (b - a <= 1e-12 || (inside && f->third * moved * moved <= 1e-12 * fabs(v[2])))
+        if (b - a <= THUD_TOL_PEAK_PLACE || (inside && f->third * moved * moved <= THUD_TOL_PEAK_PLACE * fabs(v[2])))
             break;
         thud_poly_value3(f->c, f->n, s, v);
     }

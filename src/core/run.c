@@ -9,11 +9,11 @@
 #include "core/lcp.h"
 #include "core/run_private.h"
 #include "core/stepping.h"
+#include "core/tolerance.h"
 
 /* Events in a row at one moment before that moment is passed over, for each contact and besides; and how often, each
  * time for twice as long as the last. */
 enum { STALLS_EACH = 4, STALLS_MORE = 12, PASSES_MAX = 36 };
-static const double first_pass_s = 1e-13;
 
 void thud_run_options_init(struct thud_run_options *options)
 {
@@ -226,14 +226,14 @@ static void commit(struct thud_run *run, double s, double limit)
     memcpy(run->q, run->ends + 3 * n, n * sizeof *run->q);
     memcpy(run->qd, run->ends + 4 * n, n * sizeof *run->qd);
     /* what many steps' rounding leaves before the kink is nothing to take a step for */
-    if (to_kink - s * run->seg.h_s > 1e-12 * run->grid_dt_s) {
+    if (to_kink - s * run->seg.h_s > THUD_TOL_TIME * run->grid_dt_s) {
         run->offset_s += s * run->seg.h_s;
     } else {
         run->grid++;
         run->offset_s = 0;
     }
-    if (s >= limit && to_end <= to_kink * (1 + 1e-13))
-        run->done = run->done || run->end_s - thud_run_now(run) <= 1e-12 * run->end_s;
+    if (s >= limit && to_end <= to_kink * (1 + THUD_TOL_SEGMENT_END))
+        run->done = run->done || run->end_s - thud_run_now(run) <= THUD_TOL_TIME * run->end_s;
     thud_contact_moved(run);
 }
 
@@ -262,7 +262,7 @@ static enum thud_status pass_over(struct thud_run *run, struct proposal *p, stru
         return stalled(run, p->contact, err);
     p->switched = false;
     p->passed = true;
-    p->s = fmin(p->limit, ldexp(first_pass_s, run->passes++) / run->seg.h_s);
+    p->s = fmin(p->limit, ldexp(THUD_TOL_MOMENT_S, run->passes++) / run->seg.h_s);
     run->stalls = 0;
     return THUD_OK;
 }
@@ -272,9 +272,9 @@ static enum thud_status pass_over(struct thud_run *run, struct proposal *p, stru
 static enum thud_status watch_progress(struct thud_run *run, struct proposal *p, struct thud_error *err)
 {
     double moved_s = p->s * run->seg.h_s;
-    if (moved_s > first_pass_s) {
+    if (moved_s > THUD_TOL_MOMENT_S) {
         run->stalls = 0;
-        if (moved_s > 4 * ldexp(first_pass_s, run->passes))
+        if (moved_s > 4 * ldexp(THUD_TOL_MOMENT_S, run->passes))
             run->passes = 0;
         return THUD_OK;
     }
@@ -327,7 +327,7 @@ static enum thud_status propose(struct thud_run *run, struct proposal *p, struct
     if (status != THUD_OK)
         return status;
     double remaining = thud_run_remaining(run);
-    p->limit = run->seg.h_s >= remaining * (1 - 1e-13) ? fmin(1, remaining / run->seg.h_s) : 1;
+    p->limit = run->seg.h_s >= remaining * (1 - THUD_TOL_SEGMENT_END) ? fmin(1, remaining / run->seg.h_s) : 1;
     p->s = next_event(run, p->limit, &p->contact, &p->event);
     p->switched = p->s <= p->limit;
     p->s = p->switched ? p->s : p->limit;
@@ -351,7 +351,8 @@ static enum thud_status propose_to_event(struct thud_run *run, struct proposal *
     enum thud_status status = propose(run, p, err);
     for (int i = 0; i < 2 && status == THUD_OK && p->switched && run->method->order > 0 && p->s > start; i++) {
         double cap = behind[i] * p->s * run->seg.h_s, before = run->step_cap_s;
-        if (p->s * behind[i] >= p->limit || (i > 0 && !is_boundary(p->event)) || p->s * run->seg.h_s <= first_pass_s)
+        if (p->s * behind[i] >= p->limit || (i > 0 && !is_boundary(p->event)) ||
+            p->s * run->seg.h_s <= THUD_TOL_MOMENT_S)
             continue; /* so near that a step up to it would be none */
         run->step_cap_s = cap;
         run->result.work.rejected++;
@@ -424,7 +425,7 @@ enum thud_status thud_run_advance(struct thud_run *run, long budget, bool *done,
         int passed = 0;
         if (run->flight && run->nactive == 0)
             status = thud_flight_go(run, &passed, err);
-        run->done = run->end_s - thud_run_now(run) <= 1e-12 * run->end_s;
+        run->done = run->end_s - thud_run_now(run) <= THUD_TOL_TIME * run->end_s;
         if (passed == 0 && !run->done && status == THUD_OK)
             status = segment(run, err);
     }

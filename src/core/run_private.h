@@ -4,6 +4,7 @@
 
 #include "core/run.h"
 #include "core/segment.h"
+#include "core/tolerance.h"
 
 enum thud_contact_mode {
     THUD_OPEN,   /* no contact */
@@ -31,12 +32,6 @@ struct thud_contact_state {
     double residual_m;
     struct thud_impact impact; /* the one going on */
 };
-
-/* Indentations closer to 0 than this are not contact: rounding of displacements of meters. */
-#define THUD_TOUCH_NOISE_M 1e-15
-/* What rounding may leave of the rates of two floors that move alike, over these: a rate is a state, not a sum of large
- * terms that cancel. */
-#define THUD_RATE_NOISE 2e-14
 
 struct thud_flight;
 struct thud_horizon;
@@ -166,7 +161,7 @@ double thud_contact_acceleration(const struct thud_run *run, int c, const double
 /* More than rounding makes of the second rate of an indentation that is 0. */
 static inline double thud_contact_rounding(const struct thud_run *run)
 {
-    return 1e-12 * (run->ground_mps2 + run->speed_mps * run->fastest_radps);
+    return THUD_TOL_ACCELERATION * (run->ground_mps2 + run->speed_mps * run->fastest_radps);
 }
 /* Second rate of the modal coordinates without contact forces, out (nmodes). */
 void thud_model_acceleration(const struct thud_model *model, const double *q, const double *qd, double ground,

@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/tolerance.h"
+
 enum thud_status thud_rk_init(struct thud_rk *rk, const struct thud_run *run, const struct thud_tableau *tableau,
                               struct thud_error *err)
 {
@@ -26,7 +28,7 @@ void thud_rk_clear(struct thud_rk *rk)
 void thud_rk_start(struct thud_run *run, struct thud_rk *rk)
 {
     double ground = thud_step_ground(run, 0), before = rk->end_mps2;
-    if (rk->first_known && fabs(ground - before) <= 1e-12 * (fabs(ground) + fabs(before)))
+    if (rk->first_known && fabs(ground - before) <= THUD_TOL_GROUND * (fabs(ground) + fabs(before)))
         return;
     memcpy(rk->stage[0].q, run->q, (size_t)run->model->nmodes * sizeof(double));
     memcpy(rk->stage[0].qd, run->qd, (size_t)run->model->nmodes * sizeof(double));

@@ -3,6 +3,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/tolerance.h"
+
 /* Two orders more than the quintic has: the acceleration, read from it by the equations of motion, is a quintic too. */
 enum { TERMS = 8, POINTS = 5 };
 
@@ -28,7 +30,7 @@ double thud_step_room(const struct thud_run *run)
 double thud_step_length(const struct thud_run *run)
 {
     double remaining = thud_step_room(run);
-    return remaining / fmax(1, ceil(remaining / run->options.step_s * (1 - 1e-9)));
+    return remaining / fmax(1, ceil(remaining / run->options.step_s * (1 - THUD_TOL_STEP_COUNT)));
 }
 
 double thud_step_ground(const struct thud_run *run, double after)

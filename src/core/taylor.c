@@ -6,6 +6,7 @@
 #include "core/double_pair.h"
 #include "core/largest.h"
 #include "core/run_private.h"
+#include "core/tolerance.h"
 
 int thud_segment_terms(double angle, double least)
 {
@@ -36,7 +37,7 @@ void thud_segment_begin(struct thud_run *run, struct thud_segment *seg, double h
     seg->h_s = h_s;
     seg->a0 = a0 + slope * run->offset_s;
     seg->a1 = slope * h_s;
-    seg->terms = thud_segment_terms(thud_segment_rate(run) * h_s, 1e-18);
+    seg->terms = thud_segment_terms(thud_segment_rate(run) * h_s, THUD_TOL_SERIES);
     seg->loaded = 0;
     memset(seg->force, 0, THUD_SEGMENT_TERMS * (size_t)run->model->ncontacts * sizeof(double));
     if (seg == &run->seg)
@@ -208,11 +209,10 @@ void thud_segment_state(const struct thud_segment *seg, int nmodes, double s, do
  * differences of its end states, whose rounding is that of the largest term. */
 static double term_noise(const struct thud_run *run, int k, const double *size, double largest)
 {
-    static const double nothing_m = 1e-20, noise = 1e-12, step_noise = 2e-14;
     if (k == 0)
-        return THUD_TOUCH_NOISE_M;
-    double least = fmax(nothing_m, (k == 1 ? THUD_RATE_NOISE : noise) * size[k]);
-    return run->method->order > 0 && k > 1 ? fmax(least, step_noise * largest) : least;
+        return THUD_TOL_INDENTATION_M;
+    double least = fmax(THUD_TOL_COEFFICIENT_M, (k == 1 ? THUD_TOL_RATE : THUD_TOL_COEFFICIENT) * size[k]);
+    return run->method->order > 0 && k > 1 ? fmax(least, THUD_TOL_STEP_COEFFICIENT * largest) : least;
 }
 
 /* Row of a floor's mode shape and its modes' place in the coordinates; a wall has none. */
@@ -242,7 +242,7 @@ static double floor_rounding(const struct thud_segment *seg, const struct side *
     double sum = 0;
     for (int j = 0; j < side->n; j++)
         sum += fabs(side->row[j]) * (fabs(modal[j]) + fabs(below[j]));
-    return 1e-14 * sum;
+    return THUD_TOL_MODAL_SUM * sum;
 }
 
 /* Whether the neighbours' terms of order k differ by no more than rounding. */

@@ -1,0 +1,111 @@
+/* The constants that stand for rounding, each with its unit, the scale it is a part of, and the reason for its size.
+ * A double carries 16 digits (epsilon = 2.2e-16). Constants that stand for the accuracy asked for (the tolerance of a
+ * run and its parts) are not here but where they are used.
+ *
+ * Why events need such constants: after an event the function that was watched is 0 but for rounding, and its sign there
+ * says nothing. A contact that opened by that sign would close at once, and so on at one instant (chattering). */
+#ifndef THUD_CORE_TOLERANCE_H
+#define THUD_CORE_TOLERANCE_H
+
+/* Time. A time is grid * dt + offset; many steps' offsets add up. */
+
+/* Part of the interval of the ground motion, and of the whole duration, below which no time is left: an offset is the
+ * sum of thousands of steps, each rounded to 1e-16 of the interval. */
+#define THUD_TOL_TIME 1e-12
+/* Part of the remaining time by which a segment may miss the end of the interval: one multiplication and one division. */
+#define THUD_TOL_SEGMENT_END 1e-13
+/* Part of a fixed step by which the number of steps in an interval may exceed a whole number: the interval of a record
+ * is given with nine digits or so. */
+#define THUD_TOL_STEP_COUNT 1e-9
+/* Part of a step below which two steps have the same matrices: the steps of one interval differ by the rounding of the
+ * remaining time over the step. */
+#define THUD_TOL_STEP_CHANGE 1e-11
+/* s. Events closer together than this are at one moment; also the first time that is passed over where they have no
+ * end. 1 m/s times it is 1e-13 m, a thousand times the rounding of a displacement of 1 m. */
+#define THUD_TOL_MOMENT_S 1e-13
+/* Part of the duration below which an adaptive step is none. */
+#define THUD_TOL_LEAST_STEP 1e-14
+/* Part of the step of a history by which a row may lie past the end of a segment and still belong to it. */
+#define THUD_TOL_ROW 1e-9
+
+/* Displacement and rate. */
+
+/* m. An indentation below this is no contact: the rounding of displacements of some metres. */
+#define THUD_TOL_INDENTATION_M 1e-15
+/* m. An indentation at contact onset above this was there from the start (negative clearance): what the rounding of
+ * event location leaves is below. */
+#define THUD_TOL_PRESSED_M 1e-12
+/* Part of the sum of two floors' rates that rounding may leave of their difference: a rate is a state, not a sum of
+ * large terms that cancel. */
+#define THUD_TOL_RATE 2e-14
+/* Part of the velocity scale of the run below which a rate at a velocity reversal is 0: an event is located to 1e-16 of
+ * the segment, and the rate there has lost four digits to cancellation at most. */
+#define THUD_TOL_REVERSAL 1e-12
+/* Part of the change of a rate by an impulse below which the rate after it is 0. */
+#define THUD_TOL_IMPULSE_RATE 1e-9
+/* Part of the acceleration scale of the run (ground + speed times fastest rate) that rounding leaves of the second rate
+ * of an indentation that is 0. */
+#define THUD_TOL_ACCELERATION 1e-12
+/* Part of the velocity scale of the run: impacts that part slower have come to rest, however strict the tolerance. */
+#define THUD_TOL_REST 1e-11
+
+/* Coefficients of the power series of an indentation that starts at 0 (`guards suppressed at an event`). */
+
+/* m. Absolute floor. */
+#define THUD_TOL_COEFFICIENT_M 1e-20
+/* Part of the two floors' coefficients of order 2 and above, which are sums of large terms that cancel. */
+#define THUD_TOL_COEFFICIENT 1e-12
+/* The same for a stepping method, of the largest coefficient: its higher coefficients are differences of the states at
+ * the two ends of a step. */
+#define THUD_TOL_STEP_COEFFICIENT 2e-14
+/* The same, of the sum of the modes' absolute parts and of those of the order below. */
+#define THUD_TOL_MODAL_SUM 1e-14
+/* Part of the largest coefficient that a collocated contact force does not resolve, however strict the tolerance. */
+#define THUD_TOL_UNRESOLVED 1e-6
+/* Terms of a series below this part of its first are left out: 1/100 of epsilon. */
+#define THUD_TOL_SERIES 1e-18
+/* Size of the last terms of a series over the largest above which the segment is shortened: half of epsilon. */
+#define THUD_TOL_SERIES_TAIL 1e-16
+
+/* Force. */
+
+/* Part of the elastic force below which a force has not left 0. */
+#define THUD_TOL_FORCE 1e-9
+/* Part of the force on the approach branch by which it must exceed that of the restitution branch for a contact to
+ * stick between the two. */
+#define THUD_TOL_BRANCH_GAP 1e-12
+/* Part of the displacements and rates that an indentation and its rate are differences of: what rounding leaves. */
+#define THUD_TOL_STATE 2e-15
+/* m. The same for the motion of a sticking contact in one step. */
+#define THUD_TOL_STICKING_M 1e-15
+/* Part of the force scale: floor of the error estimate of a polynomial through seven points. Without it the step never
+ * grows again after a contact onset. */
+#define THUD_TOL_POLYNOMIAL 4e-12
+/* Part of the force scale: a polynomial through the collocation nodes carries no more than eleven digits. */
+#define THUD_TOL_COLLOCATION 6e-11
+/* m/s2, times the effective mass: least force scale where nothing moves. */
+#define THUD_TOL_LEAST_ACCELERATION_MPS2 1e-9
+/* Part of the peak ground acceleration, times the effective mass: least force scale. */
+#define THUD_TOL_GROUND_FORCE 1e-6
+
+/* Iterations end where a change is below the first, or below the second and no smaller than half of the one before. */
+#define THUD_TOL_NEWTON       1e-14
+#define THUD_TOL_NEWTON_STALL 1e-10
+/* The same for the collocation, whose forces are known to its tolerance. */
+#define THUD_TOL_COLLOCATION_STALL 1e-7
+/* Part of the largest right-hand side below which a complementary variable is not negative. */
+#define THUD_TOL_COMPLEMENTARITY 1e-13
+/* Part of its position to which the root of a polynomial is located: two units in the last place. */
+#define THUD_TOL_ROOT 4e-16
+/* Bound of what a last step of Halley's method leaves of a root, as a part of its position: half of epsilon. */
+#define THUD_TOL_ROOT_REST 1e-16
+/* Part of a segment to which the place of a peak is found: a peak is flat there, and its value right to 1e-24. */
+#define THUD_TOL_PEAK_PLACE 1e-12
+/* Part by which a peak that is only bounded is lowered, so that the value read in the end is above it. */
+#define THUD_TOL_PEAK_BOUND 1e-12
+/* Part of two ground accelerations below which they are the same sample read in two intervals. */
+#define THUD_TOL_GROUND 1e-12
+/* The same where a scheme goes on with an acceleration of its own, which a jump of the ground motion would spoil. */
+#define THUD_TOL_GROUND_JUMP 1e-9
+
+#endif
