@@ -259,18 +259,30 @@ void thud_sweep_report_work(const struct thud_sweep_plan *plan, const struct thu
                 total->diverged_case, false, out);
 }
 
+/* What stands behind a row of the best values: why it may be none. */
+static const char *best_remark(const struct thud_sweep_best *best)
+{
+    return best->idle ? "touches nothing, or hardly" : best->at_end ? "at the end of its range" : "";
+}
+
+static const char *best_record(const struct thud_sweep_table *table, const struct thud_sweep_best *best)
+{
+    return best->record < 0 ? "worst of all" : short_name(table->record[best->record]);
+}
+
 static void put_best(const struct thud_sweep_plan *plan, const struct thud_sweep_table *table, int axis,
-                     const struct thud_sweep_best *best, struct thud_text *out)
+                     const struct thud_sweep_best *best, int width, struct thud_text *out)
 {
     char at[PLACE], value[THUD_NAME_MAX], low[THUD_NAME_MAX], high[THUD_NAME_MAX], flat[2 * THUD_NAME_MAX + 8];
     put_value(&plan->axis[axis], best->best, value, sizeof value);
     put_value(&plan->axis[axis], best->flat_least, low, sizeof low);
     put_value(&plan->axis[axis], best->flat_most, high, sizeof high);
     snprintf(flat, sizeof flat, "%s to %s", low, high);
-    thud_text_append(out, "  %-20.20s %-8s %-14.14s %-10s %6.3f %6.3f  %-20s %6.3f\n",
-                     best->record < 0 ? "worst of all" : short_name(table->record[best->record]),
-                     thud_case_name(best->which), place(plan, best->other, axis, at), value, best->ratio,
-                     best->drift_ratio, flat, best->worst_ratio);
+    const char *remark = best_remark(best);
+    thud_text_append(out, "  %-*s %-8s %-14.14s %-10s %6.3f %6.3f  %-20s %6.3f%s%s\n", width, best_record(table, best),
+                     thud_case_name(best->which), place(plan, best->other, axis, at), best->idle ? "-" : value,
+                     best->ratio, best->drift_ratio, best->idle ? "-" : flat, best->worst_ratio, *remark ? "  " : "",
+                     remark);
 }
 
 static void put_csv_number(double value, struct thud_text *out)
@@ -311,13 +323,14 @@ static void put_best_csv(const struct thud_sweep_plan *plan, int axis, const str
     for (int i = 0; i < 2; i++)
         put_csv_value(&plan->axis[axis], flat[i], out);
     put_csv_number(best->worst_ratio, out);
-    thud_text_append(out, "\n");
+    thud_text_append(out, ",%s\n", best->idle ? "touches nothing or hardly" : best_remark(best));
 }
 
 enum thud_status thud_sweep_report_best(const struct thud_sweep_plan *plan, const struct thud_sweep_table *table,
                                         int axis, bool csv, struct thud_text *out, struct thud_error *err)
 {
     struct thud_sweep_best *best;
+    int width = 20;
     long n = thud_sweep_best(table, axis, &best);
     if (n < 0)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
@@ -326,18 +339,22 @@ enum thud_status thud_sweep_report_best(const struct thud_sweep_plan *plan, cons
         for (int a = 0; a < plan->naxes; a++)
             if (a != axis)
                 thud_text_append(out, ",%s", plan->axis[a].key);
-        thud_text_append(out, ",best,acceleration_ratio,drift_ratio,flat_from,flat_to,worst_acceleration_ratio\n");
+        thud_text_append(out,
+                         ",best,acceleration_ratio,drift_ratio,flat_from,flat_to,worst_acceleration_ratio,remark\n");
     } else {
         thud_text_append(out, "\nbest %s (least of the larger mean acceleration ratio; flat: within %d %% of it)\n",
                          plan->axis[axis].key, THUD_SWEEP_BEST_PER_CENT);
-        thud_text_append(out, "  %-20s %-8s %-14s %-10s %6s %6s  %-20s %6s\n", "record", "case", "at", "best", "ratio",
-                         "drift", "flat", "worst");
+        for (long i = 0; i < n; i++)
+            width =
+                (int)strlen(best_record(table, &best[i])) > width ? (int)strlen(best_record(table, &best[i])) : width;
+        thud_text_append(out, "  %-*s %-8s %-14s %-10s %6s %6s  %-20s %6s\n", width, "record", "case", "at", "best",
+                         "ratio", "drift", "flat", "worst");
     }
     for (long i = 0; i < n; i++) {
         if (csv)
             put_best_csv(plan, axis, &best[i], out);
         else
-            put_best(plan, table, axis, &best[i], out);
+            put_best(plan, table, axis, &best[i], width, out);
     }
     free(best);
     return THUD_OK;

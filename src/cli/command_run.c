@@ -10,6 +10,7 @@
 #include "cli/picture_options.h"
 #include "cli/scene_options.h"
 #include "io/file.h"
+#include "study/remark.h"
 
 static enum thud_status write_folder(const struct thud_report *report, const char *folder, struct thud_error *err)
 {
@@ -77,13 +78,21 @@ static bool of_preset(const struct thud_session *session, const struct thud_erro
     return false;
 }
 
-/* What is allowed but unusual, or without effect, one line each. */
-static void warn_unusual(const struct thud_args *args, const struct thud_session *session,
-                         const struct thud_scene *scene, const char *used)
+static void say(const struct thud_error *what)
 {
+    char line[1400];
+    fprintf(stderr, "thud: warning: %s\n", thud_error_text(what, line, sizeof line));
+}
+
+/* What is allowed but unusual, or without effect, one line each; and what the answer shows that no building bears. */
+static void warn_unusual(const struct thud_args *args, const struct thud_session *session,
+                         const struct thud_scene *scene, const struct thud_run *run)
+{
+    const char *used = thud_run_result(run)->method;
     const struct thud_method *method = thud_method_find(used);
     struct thud_error unusual;
-    char line[1400];
+    int nimpacts;
+    const struct thud_impact *impact = thud_run_impacts(run, &nimpacts);
     if (thud_args_has(args, "quiet"))
         return;
     for (int i = 0; thud_scene_warning(scene, i, &unusual); i++) {
@@ -91,8 +100,12 @@ static void warn_unusual(const struct thud_args *args, const struct thud_session
             thud_error_place(&unusual, session->preset_path, 0, 0);
         else
             thud_scene_options_name(args, THUD_OK, &unusual);
-        fprintf(stderr, "thud: warning: %s\n", thud_error_text(&unusual, line, sizeof line));
+        say(&unusual);
     }
+    for (int i = 0; thud_scene_change_remark(thud_preset_scene(session->preset), scene, i, &unusual); i++)
+        say(&unusual);
+    for (int i = 0; thud_result_remark(scene, thud_run_result(run), impact, nimpacts, i, &unusual); i++)
+        say(&unusual);
     if (thud_args_has(args, "step") && method && !(method->flags & THUD_METHOD_FIXED_STEP))
         fprintf(stderr, "thud: warning: --step: %s takes steps of its own\n", used);
 }
@@ -135,10 +148,11 @@ static enum thud_status run(const struct thud_args *args, struct thud_session *s
         status = thud_scene_options(&session->scene, &options, err);
     if (status != THUD_OK)
         return status;
-    options.keep_history = options.keep_impacts = thud_args_has(args, "o");
+    options.keep_history = thud_args_has(args, "o");
+    options.keep_impacts = true;
     status = thud_session_run(session, which, &options, scene, &answer, err);
     if (status == THUD_OK) {
-        warn_unusual(args, session, scene, thud_run_result(answer.run)->method);
+        warn_unusual(args, session, scene, answer.run);
         status = report_run(args, session, scene, which, &answer, err);
         if (status == THUD_OK && options.keep_history)
             status = draw(args, &picture, scene, &answer, err);

@@ -13,6 +13,7 @@
 #include "cli/study_file.h"
 #include "cli/sweep_output.h"
 #include "io/file.h"
+#include "study/remark.h"
 
 struct sweep {
     const struct thud_args *args;
@@ -237,6 +238,19 @@ static enum thud_status journal_preset(struct sweep *s, struct thud_error *err)
     return status;
 }
 
+/* What the study does not change although a reader may think so. */
+static void remark(const struct sweep *s)
+{
+    struct thud_error what;
+    char line[1400];
+    if (thud_args_has(s->args, "quiet"))
+        return;
+    for (int i = 0; thud_sweep_remark(&s->plan, i, &what); i++)
+        fprintf(stderr, "thud: warning: %s\n", thud_error_text(&what, line, sizeof line));
+    for (int i = 0; thud_scene_change_remark(thud_preset_scene(s->session.preset), &s->plan.scene, i, &what); i++)
+        fprintf(stderr, "thud: warning: %s\n", thud_error_text(&what, line, sizeof line));
+}
+
 static enum thud_status make(struct sweep *s, struct thud_error *err)
 {
     enum thud_status status = thud_scene_options_open(s->args, &s->session, err);
@@ -251,6 +265,8 @@ static enum thud_status make(struct sweep *s, struct thud_error *err)
         thud_study_file_json(s->args, &s->session, &s->plan, &s->description);
     if (status == THUD_OK)
         status = fill_study(s, err);
+    if (status == THUD_OK)
+        remark(s);
     if (status == THUD_OK)
         status = finish(s, thud_sweep_study_run(&s->study, &s->outcome, err), err);
     thud_sweep_outcome_clear(&s->outcome);

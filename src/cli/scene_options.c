@@ -1,5 +1,6 @@
 #include "cli/scene_options.h"
 
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -57,6 +58,58 @@ static enum thud_status refuse_idle(const struct thud_args *args, const struct t
     return THUD_OK;
 }
 
+/* The part of a `--set` before its last `.name=`, without the number of the only interface; NULL: it is another name's.
+ */
+static const char *owner(const char *assignment, const char *name, bool one, size_t *length)
+{
+    const char *sign = strchr(assignment, '=');
+    size_t n = strlen(name), whole = sign ? (size_t)(sign - assignment) : 0;
+    if (whole <= n || strncmp(sign - n, name, n) != 0 || sign[-(ptrdiff_t)n - 1] != '.')
+        return NULL;
+    if (one && strncmp(assignment, "interfaces.1.", 13) == 0) {
+        assignment += 13;
+        whole -= 13;
+    }
+    *length = whole - n - 1;
+    return assignment;
+}
+
+/* A stiffness is written in a unit with its exponent: another exponent alone would turn 0.36 kN/mm^2.65 into 0.36
+ * kN/mm^2, as in no file. */
+static enum thud_status refuse_exponent(const struct thud_args *args, const struct thud_session *session,
+                                        struct thud_error *err)
+{
+    const struct thud_scene *before = thud_preset_scene(session->preset);
+    bool one = session->scene.nstructures == 2;
+    const char *assignment, *other;
+    for (int i = 0; (assignment = thud_args_repeated(args, "set", i)) != NULL; i++) {
+        size_t n, m;
+        const char *at = owner(assignment, "exponent", one, &n), *to;
+        bool given = false;
+        for (int k = 0; at && (other = thud_args_repeated(args, "set", k)) != NULL; k++)
+            given |= ((to = owner(other, "stiffness", one, &m)) || (to = owner(other, "law", one, &m))) && m == n &&
+                     strncmp(at, to, n) == 0;
+        char key[KEY + 64], was[96], is[96], exponents[2][32];
+        if (!at || given || n > KEY)
+            continue;
+        snprintf(key, sizeof key, "%.*s.stiffness", (int)n, at);
+        if (thud_scene_get(before, key, was, sizeof was, NULL) != THUD_OK || !*was ||
+            thud_scene_get(&session->scene, key, is, sizeof is, NULL) != THUD_OK || strcmp(was, is) == 0)
+            continue;
+        snprintf(key, sizeof key, "%.*s.exponent", (int)n, at);
+        if (thud_scene_get(before, key, exponents[0], sizeof exponents[0], NULL) != THUD_OK ||
+            thud_scene_get(&session->scene, key, exponents[1], sizeof exponents[1], NULL) != THUD_OK)
+            continue;
+        thud_error_set(err, THUD_INPUT, "the stiffness of %s has the exponent %s in its unit, not %s", was,
+                       exponents[0], exponents[1]);
+        thud_error_key(err, key);
+        thud_error_allow(err, "together with --set %.*s.stiffness=\"...%s\"", (int)n, at,
+                         strchr(is, ' ') ? strchr(is, ' ') : "");
+        return THUD_INPUT;
+    }
+    return THUD_OK;
+}
+
 static enum thud_status apply(const struct thud_args *args, struct thud_session *session, struct thud_error *err)
 {
     enum thud_status status = THUD_OK;
@@ -73,6 +126,8 @@ static enum thud_status apply(const struct thud_args *args, struct thud_session 
     const char *assignment;
     for (int i = 0; status == THUD_OK && (assignment = thud_args_repeated(args, "set", i)); i++)
         status = thud_session_assign(session, assignment, err);
+    if (status == THUD_OK)
+        status = refuse_exponent(args, session, err);
     return status == THUD_OK ? refuse_idle(args, session, err) : status;
 }
 

@@ -4,6 +4,9 @@
 #include <math.h>
 #include <stdlib.h>
 
+/* A ratio so near to 1 is that of a bumper that touches nothing, or hardly. */
+#define THUD_SWEEP_IDLE 5e-4
+
 /* Largest ratios over the structures for one run; NaN: no answer. */
 struct cell {
     double acceleration, drift;
@@ -68,13 +71,15 @@ static struct cell pick(const struct grid *g, int record, int which, long other,
 static bool find(const struct grid *g, int record, int which, long other, struct thud_sweep_best *out)
 {
     const struct thud_sweep_axis *axis = &g->table->axis[g->axis];
-    int best = -1, low, high;
+    int best = -1, low, high, first = -1, last = -1;
     *out = (struct thud_sweep_best){.record = record, .which = (enum thud_case)which, .ratio = INFINITY};
     for (int i = 0; i < axis->n; i++) {
         struct cell c = pick(g, record, which, other, i);
         if (isnan(c.acceleration))
             continue;
         out->values++;
+        first = first < 0 ? i : first;
+        last = i;
         out->worst_ratio = fmax(out->worst_ratio, c.acceleration);
         if (c.acceleration < out->ratio) {
             best = i;
@@ -84,6 +89,8 @@ static bool find(const struct grid *g, int record, int which, long other, struct
     }
     if (best < 0)
         return false;
+    out->at_end = !axis->words && out->values > 1 && (best == first || best == last);
+    out->idle = fabs(out->ratio - 1) < THUD_SWEEP_IDLE;
     double limit = out->ratio * (1 + THUD_SWEEP_BEST_PER_CENT / 100.0);
     for (low = best; low > 0 && pick(g, record, which, other, low - 1).acceleration <= limit;)
         low--;

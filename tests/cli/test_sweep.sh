@@ -313,6 +313,22 @@ status 0 "$THUD" sweep towers --vary gap=8cm --cases none --record "$tmp/two
 lines.csv" --json
 check "a record's name of two lines stands in every row" test "$(grep -c 'two.u000alines.csv", "case": "none", "gap_m": 0.08, .*"displacement_free_ratio": [0-9.]*}' "$tmp/out")" -eq 12
 
+# a best value that says what it is worth: the end of its range, a bumper that touches nothing; names in full
+status 0 "$THUD" sweep towers --vary gap=10cm,30cm --vary bumper.thickness=3cm:5cm:1cm --cases bumper --best bumper.thickness
+check "a best value at the end of its range is said to be there" grep -q "10 cm  *[35] cm .*at the end of its range$" "$tmp/out"
+check "none where nothing touches" grep -q "30 cm  *-  *1[.]000  *1[.]000  *- .*touches nothing, or hardly$" "$tmp/out"
+check "thickness without its stiffness is remarked on" grep -q "bumper.thickness: the stiffness is 0.36 kN/mm^2.65 at every thickness" "$tmp/err"
+cp records/kobe-surrogate.csv "$tmp/a-name-of-more-than-twenty-letters.csv"
+status 0 "$THUD" sweep towers --vary gap=10cm --vary bumper.thickness=4cm,5cm --cases bumper --best bumper.thickness --record "$tmp/a-name-of-more-than-twenty-letters.csv"
+check "the whole name of a record" grep -q "^  a-name-of-more-than-twenty-letters.csv bumper" "$tmp/out"
+eq6="--set bumper.stiffness= --set bumper.alpha=2 --set bumper.area=0.5m^2 --set bumper.material-stiffness=11.4438725MPa"
+# shellcheck disable=SC2086 # several words
+status 0 "$THUD" sweep towers --vary gap=10cm --vary bumper.thickness=4cm,5cm $eq6 --cases bumper --csv
+check "with eq. (6) there is nothing to remark on" grep -qv "bumper.thickness" "$tmp/err"
+grep 'A,4,' "$tmp/out" | tail -1 | cut -d, -f1-7 >"$tmp/eq6"
+"$THUD" sweep towers --vary gap=10cm --cases bumper --csv --quiet | grep 'A,4,' | cut -d, -f6 >"$tmp/given"
+check "and the stiffness is that of Table 1 at 5 cm" awk -F, -v k="$(cat "$tmp/given")" '{ exit !($6 / k - 1 < 1e-5 && $6 / k - 1 > -1e-5) }' "$tmp/eq6"
+
 # over several records the value whose worst record is best
 status 5 "$THUD" sweep towers --vary bumper.thickness=2cm:6cm:2cm --cases bumper --records kobe-surrogate.csv,northridge-surrogate.csv --best bumper.thickness -o "$tmp/worst"
 awk -F, '$5 == 0 { if ($9 > r[$15]) r[$15] = $9 } END { b = ""; for (v in r) if (b == "" || r[v] < r[b]) b = v; print b "," r[b] }' "$tmp/worst/sweep.csv" >"$tmp/by-hand"

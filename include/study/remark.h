@@ -1,0 +1,20 @@
+/* What a reader of results is told that no single value shows. */
+#ifndef THUD_STUDY_REMARK_H
+#define THUD_STUDY_REMARK_H
+
+#include "core/result.h"
+#include "study/scene.h"
+#include "study/sweep.h"
+
+/* The n-th (from 0) remark on a finished run: a bumper pressed past its largest strain or beyond its thickness, and in
+ * how many of its impacts; storeys whose drift no building bears elastically. False when there are no more. */
+bool thud_result_remark(const struct thud_scene *scene, const struct thud_result *result,
+                        const struct thud_impact *impact, int nimpacts, int n, struct thud_error *out);
+/* The n-th bumper of `scene` whose thickness or exponent is not that of `before` while its stiffness is: eq. (6) would
+ * change it. False when there are no more. */
+bool thud_scene_change_remark(const struct thud_scene *before, const struct thud_scene *scene, int n,
+                              struct thud_error *out);
+/* The same of a study's varied keys. */
+bool thud_sweep_remark(const struct thud_sweep_plan *plan, int n, struct thud_error *out);
+
+#endif

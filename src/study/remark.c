@@ -1,0 +1,172 @@
+#include "study/remark.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/scan.h"
+
+/* Elastic storeys are not for more: codes let buildings drift by 0.5 to 2.5 % where they yield. */
+static const double drift_most = 0.01;
+
+static const struct thud_contact_result *deepest(const struct thud_result *result, int interface)
+{
+    const struct thud_contact_result *most = NULL;
+    for (int c = 0; c < result->ncontacts; c++)
+        if (result->contact[c].interface == interface &&
+            (!most || result->contact[c].indentation.value > most->indentation.value))
+            most = &result->contact[c];
+    return most;
+}
+
+static bool look_bumper(const struct thud_scene *scene, int i, const struct thud_result *result,
+                        const struct thud_impact *impact, int nimpacts, struct thud_error *out)
+{
+    const struct thud_interface *at = &scene->interface[i];
+    double strain = thud_interface_max_strain(at), thickness = at->bumper_thickness_m;
+    double limit = isnan(strain) ? thickness : strain * thickness;
+    const struct thud_contact_result *most = at->has_bumper ? deepest(result, i + 1) : NULL;
+    int count = 0, past = 0;
+    if (!most || !(most->indentation.value > limit))
+        return false;
+    for (int k = 0; k < nimpacts; k++)
+        if (result->contact[impact[k].contact].interface == i + 1) {
+            count++;
+            past += impact[k].indentation_m > limit;
+        }
+    char key[64], often[96] = "", where[48] = "";
+    if (count > 0)
+        snprintf(often, sizeof often, "; past %.4g mm in %d of %d impacts", 1e3 * limit, past, count);
+    if (most->left_floor > 0 || most->right_floor > 0)
+        snprintf(where, sizeof where, " at floor %d", most->left_floor > 0 ? most->left_floor : most->right_floor);
+    snprintf(key, sizeof key, "interfaces.%d.bumper", i + 1);
+    thud_error_set(out, THUD_OK, "the bumper of %.4g mm is pressed by %.4g mm%s, %.3f s: %s%s", 1e3 * thickness,
+                   1e3 * most->indentation.value, where, most->indentation.time_s,
+                   most->indentation.value > thickness ? "more than there is of it" : "past its largest strain", often);
+    if (!isnan(strain))
+        thud_error_allow(out, "up to %.4g mm it is rubber that answers", 1e3 * limit);
+    thud_error_key(out, key);
+    return true;
+}
+
+static bool look_drift(const struct thud_structure *s, const struct thud_structure_result *r, int index,
+                       struct thud_error *out)
+{
+    double worst = 0;
+    int storey = 0, slab = s->kind == THUD_ISOLATED;
+    for (int f = slab; f < r->floors && s->kind != THUD_RIGID; f++) {
+        double ratio = r->floor[f].drift.value / s->height_m[f - slab];
+        if (ratio > worst) {
+            worst = ratio;
+            storey = f - slab + 1;
+        }
+    }
+    if (!(worst > drift_most))
+        return false;
+    char key[64];
+    snprintf(key, sizeof key, "structures.%d", index + 1);
+    thud_error_set(out, THUD_OK, "storey %d of %.40s drifts by %.3g mm, %.2g %% of its height, and is taken as elastic",
+                   storey, s->name, 1e3 * worst * s->height_m[storey - 1], 100 * worst);
+    thud_error_allow(out, "buildings yield before %g %%", 100 * drift_most);
+    thud_error_key(out, key);
+    return true;
+}
+
+bool thud_result_remark(const struct thud_scene *scene, const struct thud_result *result,
+                        const struct thud_impact *impact, int nimpacts, int n, struct thud_error *out)
+{
+    for (int i = 0; i + 1 < scene->nstructures; i++)
+        if (look_bumper(scene, i, result, impact, nimpacts, out) && n-- == 0)
+            return true;
+    for (int s = 0; s < scene->nstructures; s++)
+        if (look_drift(&scene->structure[s], &result->structure[s], s, out) && n-- == 0)
+            return true;
+    return false;
+}
+
+/* The stiffness of a bumper that is a number, and none that eq. (6) makes from its thickness; its index, else -1. */
+static int own_stiffness(const struct thud_interface *at)
+{
+    if (!at->has_bumper || !at->bumper.law || thud_law_param(at->bumper.law, "material-stiffness") < 0)
+        return -1;
+    int k = thud_law_param(at->bumper.law, "stiffness");
+    return k >= 0 && !isnan(at->bumper.value[k]) ? k : -1;
+}
+
+static void stiffness_text(const struct thud_scene *scene, int interface, char *text, size_t size)
+{
+    char key[64];
+    snprintf(key, sizeof key, "interfaces.%d.bumper.stiffness", interface + 1);
+    if (thud_scene_get(scene, key, text, size, NULL) != THUD_OK)
+        snprintf(text, size, "as it was");
+}
+
+bool thud_scene_change_remark(const struct thud_scene *before, const struct thud_scene *scene, int n,
+                              struct thud_error *out)
+{
+    for (int i = 0; i + 1 < scene->nstructures && i + 1 < before->nstructures; i++) {
+        const struct thud_interface *was = &before->interface[i], *is = &scene->interface[i];
+        int k = own_stiffness(is);
+        if (k < 0 || was->bumper.law != is->bumper.law || was->bumper_thickness_m == is->bumper_thickness_m ||
+            was->bumper.value[k] != is->bumper.value[k] || n-- > 0)
+            continue;
+        char text[96], key[64];
+        double exponent = is->bumper.value[thud_law_param(is->bumper.law, "exponent")];
+        stiffness_text(scene, i, text, sizeof text);
+        snprintf(key, sizeof key, "interfaces.%d.bumper.thickness", i + 1);
+        thud_error_set(out, THUD_OK,
+                       "%.4g cm thick now, with the stiffness of %.4g cm, %s; by eq. (6) it would be %.3g "
+                       "times that",
+                       100 * is->bumper_thickness_m, 100 * was->bumper_thickness_m, text,
+                       pow(was->bumper_thickness_m / is->bumper_thickness_m, exponent));
+        thud_error_allow(out, "alpha, area and material-stiffness in place of stiffness make it follow");
+        thud_error_key(out, key);
+        return true;
+    }
+    return false;
+}
+
+static bool ends_with(const char *text, const char *end)
+{
+    size_t n = strlen(text), m = strlen(end);
+    return n >= m && strcmp(text + n - m, end) == 0;
+}
+
+static bool varies(const struct thud_sweep_plan *plan, const char *end)
+{
+    for (int a = 0; a < plan->naxes; a++)
+        if (ends_with(plan->axis[a].key, end))
+            return true;
+    return false;
+}
+
+bool thud_sweep_remark(const struct thud_sweep_plan *plan, int n, struct thud_error *out)
+{
+    for (int a = 0; a < plan->naxes; a++) {
+        const char *key = plan->axis[a].key;
+        bool thickness = ends_with(key, "bumper.thickness"), exponent = ends_with(key, "bumper.exponent");
+        int i = 0, k;
+        const char *rest = key;
+        if (thud_scan_word(&rest, "interfaces.") && thud_scan_count(&rest, &i))
+            i--;
+        k = i >= 0 && i + 1 < plan->scene.nstructures ? own_stiffness(&plan->scene.interface[i]) : -1;
+        if ((!thickness && !exponent) || k < 0 || varies(plan, "bumper.stiffness") || n-- > 0)
+            continue;
+        char text[96];
+        stiffness_text(&plan->scene, i, text, sizeof text);
+        if (thickness)
+            thud_error_set(out, THUD_OK,
+                           "the stiffness is %s at every thickness; by eq. (6) it falls with the power of "
+                           "the thickness",
+                           text);
+        else
+            thud_error_set(out, THUD_OK,
+                           "the stiffness keeps the number of %s at every exponent, so that the force at the "
+                           "largest strain changes with it",
+                           text);
+        thud_error_allow(out, "alpha, area and material-stiffness in place of stiffness make it follow");
+        thud_error_key(out, key);
+        return true;
+    }
+    return false;
+}
