@@ -1,5 +1,9 @@
+#include <errno.h>
+#include <fcntl.h>
 #include <stdlib.h>
+#include <unistd.h>
 
+#include "base/status.h"
 #include "cli/cli.h"
 #include "tui/tui.h"
 
@@ -16,7 +20,17 @@ static enum thud_status screen(const struct thud_args *args, const struct thud_s
     return thud_tui_main(&options, err);
 }
 
+/* A standard descriptor that is closed would go to the next file that is opened, and what is printed into that file.
+ * Standard output and error are opened for reading alone, so that writing to them is the error that it was. */
+static void fill_descriptors(void)
+{
+    for (int fd = 0; fd <= 2; fd++)
+        if (fcntl(fd, F_GETFD) < 0 && errno == EBADF && open("/dev/null", O_RDONLY) != fd)
+            _exit(THUD_OUTPUT); /* nothing can be said, and nothing is to be written */
+}
+
 int main(int argc, char **argv)
 {
+    fill_descriptors();
     return thud_cli_main(argc, argv, screen);
 }

@@ -23,12 +23,17 @@ enum thud_status thud_file_write(const char *path, const char *text, size_t size
  * group of files is there whole or not at all, but for what rename(2) may refuse. */
 struct thud_file_draft {
     char *path, *part; /* NULL: nothing is in the making */
+    int fd;            /* of the part, where there is one */
 };
 
-/* thud_file_write but for the renaming; a pipe or a device is written at once. Errors: THUD_OUTPUT, THUD_MEMORY; *out
- * is then as {0}. */
-enum thud_status thud_file_draft(const char *path, const char *text, size_t size, struct thud_file_draft *out,
-                                 struct thud_error *err);
+/* Whose file a name is. A file that the user named keeps being what it is: a link stays a link to the file that is
+ * written, and a pipe or a device is written at once. A file of the program's own in a folder for results takes the
+ * place of whatever has its name, so that nothing outside of the folder is written. */
+enum thud_file_owner { THUD_FILE_NAMED, THUD_FILE_RESULT };
+
+/* thud_file_write but for the renaming. Errors: THUD_OUTPUT, THUD_MEMORY; *out is then as {0}. */
+enum thud_status thud_file_draft(const char *path, const char *text, size_t size, enum thud_file_owner owner,
+                                 struct thud_file_draft *out, struct thud_error *err);
 /* Renames and ends the draft, also on failure. Errors: THUD_OUTPUT. */
 enum thud_status thud_file_keep(struct thud_file_draft *draft, struct thud_error *err);
 void thud_file_drop(struct thud_file_draft *draft);
@@ -36,7 +41,8 @@ void thud_file_drop(struct thud_file_draft *draft);
 /* thud_file_write of the whole text; THUD_MEMORY when it had failed. Clears it. */
 enum thud_status thud_text_write(struct thud_text *text, const char *path, struct thud_error *err);
 
-/* thud_text_write of FOLDER/NAME; "" is the working folder. Errors: also THUD_OUTPUT for a name that is too long. */
+/* The whole text as a result, FOLDER/NAME; "" is the working folder. Clears it. Errors: also THUD_OUTPUT for a name
+ * that is too long. */
 enum thud_status thud_text_write_in(struct thud_text *text, const char *folder, const char *name,
                                     struct thud_error *err);
 
@@ -44,5 +50,17 @@ enum thud_status thud_text_write_in(struct thud_text *text, const char *folder, 
  * THUD_OUTPUT.
  */
 enum thud_status thud_folder_make(const char *path, struct thud_error *err);
+
+/* One study at a time writes into a folder; the lock goes with the process, and holds wherever the file system's locks
+ * do, also between containers and hosts. THUD_OUTPUT: another one does. */
+struct thud_folder_lock {
+    int fd; /* -1: not held */
+    char path[4200];
+};
+enum thud_status thud_folder_lock(const char *folder, struct thud_folder_lock *lock, struct thud_error *err);
+void thud_folder_unlock(struct thud_folder_lock *lock);
+
+/* Removes everything that is in the making: for the handler of a signal after which the program does not go on. */
+void thud_file_drop_all(void);
 
 #endif

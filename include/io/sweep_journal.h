@@ -23,8 +23,8 @@ static inline long thud_sweep_shard_point(struct thud_sweep_shard shard, long i)
 }
 
 /* Begins the journal of a study in `folder` (which exists), or goes on with it: *done points are there already.
- * `preset` is the YAML of plan->scene. Errors: THUD_INPUT (the folder holds another study), THUD_OUTPUT (also: another
- * process is at it), THUD_MEMORY. */
+ * `preset` is the YAML of plan->scene. Errors: THUD_INPUT (the folder holds another study), THUD_OUTPUT,
+ * THUD_MEMORY. Of several programs only the one that holds thud_folder_lock may. */
 enum thud_status thud_sweep_journal_open(const char *folder, const struct thud_sweep_plan *plan, const char *preset,
                                          struct thud_sweep_shard shard, struct thud_sweep_journal **out, long *done,
                                          struct thud_error *err);
@@ -43,6 +43,7 @@ void thud_sweep_journal_close(struct thud_sweep_journal *journal, bool remove);
 /* What a journal's head says, as text. */
 struct thud_sweep_head {
     unsigned long long fingerprint;
+    unsigned long long sum; /* of the text, as it stands in the file */
     struct thud_sweep_shard shard;
     char *text;        /* owns the strings below */
     const char *cases; /* "none,bumper" */

@@ -51,7 +51,7 @@ static enum thud_status write_set(const struct thud_figure *figure, const char *
         if (status == THUD_OK && text->failed)
             status = thud_error_set(err, THUD_MEMORY, "out of memory");
         if (status == THUD_OK)
-            status = thud_file_draft(path, text->data ? text->data : "", text->size, &draft[i], err);
+            status = thud_file_draft(path, text->data ? text->data : "", text->size, THUD_FILE_RESULT, &draft[i], err);
     }
     for (int i = 0; i < FILES; i++) {
         if (status == THUD_OK)

@@ -104,14 +104,13 @@ static enum thud_status make(struct making *m, long done, struct thud_error *err
     return status;
 }
 
+/* The folder is ours. */
 static enum thud_status make_in_folder(struct making *m, struct thud_error *err)
 {
     const struct thud_sweep_study *study = m->study;
     long done;
-    enum thud_status status = thud_folder_make(study->folder, err);
-    if (status == THUD_OK)
-        status =
-            thud_sweep_journal_open(study->folder, study->plan, study->preset, study->shard, &m->journal, &done, err);
+    enum thud_status status =
+        thud_sweep_journal_open(study->folder, study->plan, study->preset, study->shard, &m->journal, &done, err);
     if (status != THUD_OK)
         return status;
     m->out->resumed = done;
@@ -132,6 +131,13 @@ enum thud_status thud_sweep_study_run(const struct thud_sweep_study *study, stru
     struct making m = {.study = study, .out = out};
     enum thud_status status = thud_sweep_outcome_init(study->plan, out, err);
     if (status == THUD_OK)
-        status = study->folder ? make_in_folder(&m, err) : make(&m, 0, err);
+        status = study->folder ? thud_folder_make(study->folder, err) : make(&m, 0, err);
+    if (status == THUD_OK && study->folder) {
+        struct thud_folder_lock lock;
+        status = thud_folder_lock(study->folder, &lock, err);
+        if (status == THUD_OK)
+            status = make_in_folder(&m, err);
+        thud_folder_unlock(&lock);
+    }
     return status;
 }

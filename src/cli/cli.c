@@ -119,6 +119,7 @@ void thud_cli_complain(const struct thud_error *err)
 int thud_cli_main(int argc, char **argv, thud_screen_function *screen)
 {
     struct thud_error err = {0};
+    thud_interrupt_start();
     setlocale(LC_ALL, "");
     setlocale(LC_NUMERIC, "C");
     enum thud_status status = dispatch(argc, argv, screen, &err);

@@ -1,23 +1,46 @@
 #include "cli/interrupt.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 
-static volatile sig_atomic_t caught;
+#include "io/file.h"
 
+static volatile sig_atomic_t caught, watched;
+
+/* Where nobody looks at the flag, or has not come to it yet, the program ends here, and leaves no file half written. */
 static void note(int number)
 {
-    caught = number;
+    if (watched && !caught) {
+        caught = number;
+        return;
+    }
+    thud_file_drop_all();
+    signal(number, SIG_DFL);
+    raise(number); /* comes once this handler has returned */
+}
+
+static void handle(int number, bool also_ignored)
+{
+    struct sigaction action = {.sa_handler = note}, before;
+    sigemptyset(&action.sa_mask);
+    if (also_ignored || (sigaction(number, NULL, &before) == 0 && before.sa_handler != SIG_IGN))
+        sigaction(number, &action, NULL);
+}
+
+void thud_interrupt_start(void)
+{
+    handle(SIGINT, false);
+    handle(SIGTERM, false);
+    handle(SIGHUP, false);
+    signal(SIGXFSZ, SIG_IGN); /* a write beyond the limit fails, which is said */
 }
 
 const volatile sig_atomic_t *thud_interrupt_watch(void)
 {
-    struct sigaction action = {.sa_handler = note, .sa_flags = (int)SA_RESETHAND};
-    sigemptyset(&action.sa_mask);
-    sigaction(SIGINT, &action, NULL);
-    sigaction(SIGTERM, &action, NULL);
-    struct sigaction before;
-    if (sigaction(SIGHUP, NULL, &before) == 0 && before.sa_handler != SIG_IGN)
-        sigaction(SIGHUP, &action, NULL);
+    watched = 1;
+    handle(SIGINT, true);
+    handle(SIGTERM, true);
+    handle(SIGHUP, false);
     return &caught;
 }
 

@@ -93,22 +93,22 @@ static int write_all(int fd, const char *text, size_t size)
     return 0;
 }
 
-/* A whole file beside `path`, its name in `name`; 0, or the errno of what went wrong. */
+/* A whole file beside `path`, its name in `name`, open in *fd; 0, or the errno of what went wrong. */
 static int write_beside(const char *path, const struct stat *old, const char *text, size_t size, char *name,
-                        size_t name_size)
+                        size_t name_size, int *fd)
 {
-    int fd = thud_file_open_beside(path, name, name_size);
-    if (fd < 0)
+    *fd = thud_file_open_beside(path, name, name_size);
+    if (*fd < 0)
         return errno;
-    int why = write_all(fd, text, size);
-    if (!why && old && fchmod(fd, old->st_mode & 07777) != 0)
+    int why = write_all(*fd, text, size);
+    if (!why && old && fchmod(*fd, old->st_mode & 07777) != 0)
         why = errno;
-    if (!why && fsync(fd) != 0)
+    if (!why && fsync(*fd) != 0)
         why = errno;
-    if (close(fd) != 0 && !why)
-        why = errno;
-    if (why)
-        unlink(name);
+    if (!why)
+        return 0;
+    thud_file_remove(name);
+    close(*fd);
     return why;
 }
 
@@ -134,25 +134,28 @@ bool thud_file_is_same(const char *a, const char *b)
     return stat(a, &one) == 0 && stat(b, &other) == 0 && one.st_dev == other.st_dev && one.st_ino == other.st_ino;
 }
 
-enum thud_status thud_file_draft(const char *path, const char *text, size_t size, struct thud_file_draft *out,
-                                 struct thud_error *err)
+enum thud_status thud_file_draft(const char *path, const char *text, size_t size, enum thud_file_owner owner,
+                                 struct thud_file_draft *out, struct thud_error *err)
 {
     struct stat about;
-    bool there = stat(path, &about) == 0;
+    bool named = owner == THUD_FILE_NAMED, there = (named ? stat(path, &about) : lstat(path, &about)) == 0;
     *out = (struct thud_file_draft){0};
     if (there && S_ISDIR(about.st_mode))
         return unwritten(path, EISDIR, err);
-    if (there && !S_ISREG(about.st_mode)) { /* a pipe or a terminal cannot be replaced */
+    bool regular = there && S_ISREG(about.st_mode);
+    if (there && !regular && named) { /* a pipe or a terminal cannot be replaced */
         int why = write_through(path, text, size);
         return why ? unwritten(path, why, err) : THUD_OK;
     }
     char part[4200];
-    out->path = there ? realpath(path, NULL) : NULL; /* a link stays a link */
+    out->path = there && named ? realpath(path, NULL) : NULL; /* a link stays a link */
     if (!out->path)
         out->path = strdup(path);
-    int why = out->path ? write_beside(out->path, there ? &about : NULL, text, size, part, sizeof part) : ENOMEM;
+    int why =
+        out->path ? write_beside(out->path, regular ? &about : NULL, text, size, part, sizeof part, &out->fd) : ENOMEM;
     if (!why && !(out->part = strdup(part))) {
-        unlink(part);
+        thud_file_remove(part);
+        close(out->fd);
         why = ENOMEM;
     }
     if (!why)
@@ -162,41 +165,56 @@ enum thud_status thud_file_draft(const char *path, const char *text, size_t size
     return unwritten(path, why, err);
 }
 
-void thud_file_drop(struct thud_file_draft *draft)
+/* The draft's part is where it belongs or gone. */
+static void end_draft(struct thud_file_draft *draft)
 {
     if (draft->part)
-        unlink(draft->part);
+        close(draft->fd);
     free(draft->part);
     free(draft->path);
     *draft = (struct thud_file_draft){0};
 }
 
+void thud_file_drop(struct thud_file_draft *draft)
+{
+    if (draft->part)
+        thud_file_remove(draft->part);
+    end_draft(draft);
+}
+
 enum thud_status thud_file_keep(struct thud_file_draft *draft, struct thud_error *err)
 {
-    enum thud_status status = THUD_OK;
-    if (draft->part && rename(draft->part, draft->path) != 0)
-        status = unwritten(draft->path, errno, err);
-    if (status == THUD_OK) {
-        free(draft->part);
-        draft->part = NULL;
-    }
-    thud_file_drop(draft);
+    int why = draft->part ? thud_file_replace(draft->part, draft->path) : 0;
+    enum thud_status status = why ? unwritten(draft->path, why, err) : THUD_OK;
+    end_draft(draft);
     return status;
+}
+
+static enum thud_status write_as(const char *path, const char *text, size_t size, enum thud_file_owner owner,
+                                 struct thud_error *err)
+{
+    struct thud_file_draft draft;
+    enum thud_status status = thud_file_draft(path, text, size, owner, &draft, err);
+    return status == THUD_OK ? thud_file_keep(&draft, err) : status;
 }
 
 enum thud_status thud_file_write(const char *path, const char *text, size_t size, struct thud_error *err)
 {
-    struct thud_file_draft draft;
-    enum thud_status status = thud_file_draft(path, text, size, &draft, err);
-    return status == THUD_OK ? thud_file_keep(&draft, err) : status;
+    return write_as(path, text, size, THUD_FILE_NAMED, err);
+}
+
+static enum thud_status write_text(struct thud_text *text, const char *path, enum thud_file_owner owner,
+                                   struct thud_error *err)
+{
+    enum thud_status status = text->failed ? refuse(err, THUD_MEMORY, path, "out of memory")
+                                           : write_as(path, text->data ? text->data : "", text->size, owner, err);
+    thud_text_clear(text);
+    return status;
 }
 
 enum thud_status thud_text_write(struct thud_text *text, const char *path, struct thud_error *err)
 {
-    enum thud_status status = text->failed ? refuse(err, THUD_MEMORY, path, "out of memory")
-                                           : thud_file_write(path, text->data ? text->data : "", text->size, err);
-    thud_text_clear(text);
-    return status;
+    return write_text(text, path, THUD_FILE_NAMED, err);
 }
 
 enum thud_status thud_text_write_in(struct thud_text *text, const char *folder, const char *name,
@@ -205,7 +223,7 @@ enum thud_status thud_text_write_in(struct thud_text *text, const char *folder, 
     char path[4096];
     int n = snprintf(path, sizeof path, "%s/%s", *folder ? folder : ".", name);
     if (n >= 0 && (size_t)n < sizeof path)
-        return thud_text_write(text, path, err);
+        return write_text(text, path, THUD_FILE_RESULT, err);
     thud_text_clear(text);
     return thud_error_set(err, THUD_OUTPUT, "the path to %.100s is too long", name);
 }

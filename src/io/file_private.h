@@ -3,8 +3,12 @@
 
 #include <stddef.h>
 
-/* A new file beside `path` that is to take its place, its name in `name`; -1 with errno when there can be none. */
+/* A new file beside `path` that is to take its place, its name in `name`; -1 with errno when there can be none. It is
+ * held against tidying until its descriptor is closed: that comes after one of the two below. */
 int thud_file_open_beside(const char *path, char *name, size_t size);
+/* It takes the place of `path`; 0, or the errno of what went wrong, and it is gone. */
+int thud_file_replace(const char *name, const char *path);
+void thud_file_remove(const char *name);
 /* Removes what ended programs left in a folder under such names. */
 void thud_folder_tidy(const char *folder);
 

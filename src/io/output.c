@@ -1,7 +1,6 @@
 #include "io/output.h"
 
 #include <errno.h>
-#include <stdio.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -44,22 +43,20 @@ enum thud_status thud_output_drain(struct thud_output *out, struct thud_text *te
 enum thud_status thud_output_commit(struct thud_output *out, struct thud_error *err)
 {
     int why = fsync(out->fd) != 0 ? errno : 0;
-    if (close(out->fd) != 0 && !why)
-        why = errno;
+    if (why)
+        thud_file_remove(out->part);
+    else
+        why = thud_file_replace(out->part, out->path);
+    close(out->fd);
     out->fd = -1;
-    if (!why && rename(out->part, out->path) != 0)
-        why = errno;
-    if (!why)
-        return THUD_OK;
-    unlink(out->part);
-    return failed(out, why, err);
+    return why ? failed(out, why, err) : THUD_OK;
 }
 
 void thud_output_abandon(struct thud_output *out)
 {
     if (out->fd < 0)
         return;
+    thud_file_remove(out->part);
     close(out->fd);
-    unlink(out->part);
     out->fd = -1;
 }

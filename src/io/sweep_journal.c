@@ -12,6 +12,8 @@
 #include "io/file.h"
 #include "io/sweep_journal_private.h"
 
+#define JOURNAL "sweep.journal"
+
 static enum thud_status failed(const struct thud_sweep_journal *journal, enum thud_status status, const char *what,
                                struct thud_error *err)
 {
@@ -46,18 +48,9 @@ static struct thud_sweep_journal *make(const char *folder, const char *mode, str
         thud_error_set(err, THUD_MEMORY, "out of memory");
         return NULL;
     }
-    snprintf(journal->path, sizeof journal->path, "%s/sweep.journal", folder);
+    snprintf(journal->path, sizeof journal->path, "%s/" JOURNAL, folder);
     journal->file = fopen(journal->path, mode);
     return journal;
-}
-
-/* One writer at a time; the lock goes with the process. */
-static enum thud_status lock(struct thud_sweep_journal *journal, struct thud_error *err)
-{
-    struct flock whole = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
-    if (fcntl(fileno(journal->file), F_SETLK, &whole) == 0 || (errno != EACCES && errno != EAGAIN))
-        return THUD_OK;
-    return failed(journal, THUD_OUTPUT, "another sweep is writing into this folder", err);
 }
 
 /* Counts the whole lines and cuts off what comes after them. */
@@ -83,11 +76,11 @@ static enum thud_status find_end(struct thud_sweep_journal *journal, struct thud
 }
 
 static enum thud_status create(struct thud_sweep_journal *journal, const struct thud_sweep_plan *plan,
-                               const char *preset, struct thud_error *err)
+                               const char *folder, const char *preset, struct thud_error *err)
 {
     struct thud_text text = {0};
     thud_sweep_head_write(plan, preset, journal->shard, &text);
-    enum thud_status status = thud_text_write(&text, journal->path, err);
+    enum thud_status status = thud_text_write_in(&text, folder, JOURNAL, err);
     if (status != THUD_OK)
         return status;
     FILE *file = fopen(journal->path, "r+");
@@ -98,12 +91,10 @@ static enum thud_status create(struct thud_sweep_journal *journal, const struct 
 }
 
 static enum thud_status open_journal(struct thud_sweep_journal *journal, const struct thud_sweep_plan *plan,
-                                     const char *preset, struct thud_error *err)
+                                     const char *folder, const char *preset, struct thud_error *err)
 {
     struct thud_sweep_head head = {0};
-    enum thud_status status = journal->file ? THUD_OK : create(journal, plan, preset, err);
-    if (status == THUD_OK)
-        status = lock(journal, err);
+    enum thud_status status = journal->file ? THUD_OK : create(journal, plan, folder, preset, err);
     if (status == THUD_OK)
         status = thud_sweep_head_read(journal, &head, err);
     if (status == THUD_OK && (head.fingerprint != thud_sweep_fingerprint(plan) ||
@@ -129,7 +120,7 @@ enum thud_status thud_sweep_journal_open(const char *folder, const struct thud_s
     if (!journal->file && errno != ENOENT)
         status = failed(journal, THUD_OUTPUT, strerror(errno), err);
     if (status == THUD_OK)
-        status = open_journal(journal, plan, preset, err);
+        status = open_journal(journal, plan, folder, preset, err);
     if (status != THUD_OK) {
         thud_sweep_journal_close(journal, false);
         return status;

@@ -111,6 +111,7 @@ static int spawn(const char *program, const int ends[PIPES], pid_t *pid)
         sigemptyset(&none);
         sigemptyset(&pipes);
         sigaddset(&pipes, SIGPIPE);
+        sigaddset(&pipes, SIGXFSZ);
         posix_spawnattr_setpgroup(&attributes, 0);
         posix_spawnattr_setsigmask(&attributes, &none);
         posix_spawnattr_setsigdefault(&attributes, &pipes);

@@ -33,7 +33,7 @@ random() { # LIMIT: 1 to LIMIT, into $drawn
 }
 whole() { # nothing is there under its own name but the journal and what is right
     [ -d "$tmp/out" ] || return 0
-    find "$tmp/out" -type f ! -name sweep.journal ! -name '*.part' | while read -r file; do
+    find "$tmp/out" -type f ! -name sweep.journal ! -name sweep.lock ! -name '*.part' | while read -r file; do
         cmp -s "$file" "$tmp/right/${file#"$tmp/out/"}" || echo "${file##*/}"
     done
 }
