@@ -1,0 +1,152 @@
+/* thud stiffness: where the stiffness of a contact comes from, and how far the results move with it. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "cli/commands.h"
+#include "cli/scene_options.h"
+#include "study/stiffness.h"
+
+enum { PARTS_MAX = 3 };
+
+/* "4 m2, 15 m, 30 GPa": quantities of these dimensions, all above 0. */
+static enum thud_status read_parts(const char *option, const char *text, const enum thud_dimension *dimension, int n,
+                                   double *value, const char *allowed, struct thud_error *err)
+{
+    for (int i = 0; i < n; i++) {
+        struct thud_quantity quantity;
+        char part[64];
+        text += strspn(text, " ");
+        size_t length = strcspn(text, ",");
+        bool last = text[length] == '\0';
+        if (length >= sizeof part || last != (i == n - 1)) {
+            thud_error_set(err, THUD_USAGE, "takes %d values", n);
+            thud_args_key(option, err);
+            thud_error_allow(err, "%s", allowed);
+            return THUD_USAGE;
+        }
+        snprintf(part, sizeof part, "%.*s", (int)length, text);
+        enum thud_status status = thud_quantity_parse(part, dimension[i], NULL, &quantity, err);
+        if (status == THUD_OK && !(quantity.value > 0))
+            status = thud_error_set(err, THUD_USAGE, "\"%.40s\" is not above 0", part);
+        if (status != THUD_OK) {
+            thud_args_key(option, err);
+            if (err)
+                err->status = THUD_USAGE;
+            return THUD_USAGE;
+        }
+        value[i] = quantity.value;
+        text += length + !last;
+    }
+    return THUD_OK;
+}
+
+/* k of one slab against the same, or of the two given. */
+static enum thud_status add_slabs(const struct thud_args *args, struct thud_text *out, struct thud_error *err)
+{
+    static const enum thud_dimension dimension[] = {THUD_AREA, THUD_LENGTH, THUD_PRESSURE};
+    const char *text;
+    double k[2];
+    int n = 0;
+    for (; (text = thud_args_repeated(args, "slab", n)) != NULL; n++) {
+        double v[PARTS_MAX];
+        if (n == 2)
+            return thud_error_set(err, THUD_USAGE, "a contact has two slabs");
+        enum thud_status status =
+            read_parts("slab", text, dimension, 3, v, "AREA,LENGTH,MODULUS, e.g. 3m2,12m,30GPa", err);
+        if (status != THUD_OK)
+            return status;
+        k[n] = thud_stiffness_slab(v[0], v[1], v[2]);
+        thud_text_append(out, "slab %d            E A/L = %.4g GPa x %.4g m2 / %.4g m = %.4g kN/mm\n", n + 1,
+                         1e-9 * v[2], v[0], v[1], 1e-6 * k[n]);
+    }
+    if (n == 0)
+        return THUD_OK;
+    double both = thud_stiffness_series(k[0], k[n - 1]);
+    thud_text_append(out,
+                     "contact           %s in series: k = %.4g kN/mm\n"
+                     "                  --set contact.stiffness=%.4gkN/mm\n",
+                     n == 2 ? "the two" : "the slab against its like", 1e-6 * both, 1e-6 * both);
+    return THUD_OK;
+}
+
+/* k of a bumper by eq. (6), over the range of alpha. */
+static enum thud_status add_pad(const struct thud_args *args, struct thud_text *out, struct thud_error *err)
+{
+    static const enum thud_dimension dimension[] = {THUD_AREA, THUD_PRESSURE, THUD_LENGTH};
+    static const double alpha[] = {2, 2.25, 2.5}, exponent = 2.65, kn_per_mm = 1e6;
+    const char *text = thud_args_value(args, "pad");
+    double v[PARTS_MAX];
+    if (!text)
+        return THUD_OK;
+    enum thud_status status =
+        read_parts("pad", text, dimension, 3, v, "AREA,MODULUS,THICKNESS, e.g. 0.5m2,5MPa,5cm", err);
+    if (status != THUD_OK)
+        return status;
+    for (int i = 0; i < 3; i++) {
+        double k = thud_stiffness_rubber(alpha[i], v[0], v[1], v[2], exponent);
+        double shown = k / kn_per_mm * pow(1e-3, exponent - 1);
+        thud_text_append(out,
+                         "bumper            alpha A K_r/d^n = %.4g x %.4g m2 x %.4g MPa / (%.4g mm)^2.65 = %.4g "
+                         "kN/mm^2.65\n",
+                         alpha[i], v[0], 1e-6 * v[1], 1e3 * v[2], shown);
+    }
+    return THUD_OK;
+}
+
+static void add_rows(const struct thud_scene *scene, enum thud_stiffness which, const struct thud_stiffness_row *row,
+                     int n, struct thud_text *out)
+{
+    const char *name = which == THUD_STIFFNESS_BUMPER ? "bumper" : "contact";
+    thud_text_append(out, "\n%-10s %8s %12s", name, "impacts", "force");
+    for (int s = 0; s < scene->nstructures; s++)
+        if (scene->structure[s].kind != THUD_WALL)
+            thud_text_append(out, "  %9.9s accel  drift", scene->structure[s].name);
+    thud_text_append(out, "\n%-10s %8s %12s", "stiffness", "", "kN");
+    for (int s = 0; s < scene->nstructures; s++)
+        if (scene->structure[s].kind != THUD_WALL)
+            thud_text_append(out, "  %15s %6s", "m/s2", "mm");
+    thud_text_append(out, "\n");
+    for (int i = 0; i < n; i++) {
+        thud_text_append(out, "x %-8g %8d %12.4g", row[i].factor, row[i].impacts, 1e-3 * row[i].force_n);
+        for (int s = 0; s < scene->nstructures; s++)
+            if (scene->structure[s].kind != THUD_WALL)
+                thud_text_append(out, "  %15.4g %6.3g", row[i].acceleration_mps2[s], 1e3 * row[i].drift_m[s]);
+        thud_text_append(out, "\n");
+    }
+}
+
+static enum thud_status stiffness(const struct thud_args *args, struct thud_session *session, struct thud_scene *scene,
+                                  struct thud_error *err)
+{
+    struct thud_text text = {0};
+    enum thud_status status = add_slabs(args, &text, err);
+    bool moved = false;
+    if (status == THUD_OK)
+        status = add_pad(args, &text, err);
+    if (status == THUD_OK)
+        status = thud_scene_options_of_case(args, session, scene, err);
+    if (status == THUD_OK)
+        status = thud_scene_check(scene, err);
+    if (status == THUD_OK)
+        status = thud_session_read_record(session, err);
+    for (int which = THUD_STIFFNESS_CONTACT; status == THUD_OK && which <= (int)THUD_STIFFNESS_BUMPER; which++) {
+        struct thud_stiffness_row row[THUD_STIFFNESS_ROWS];
+        int n;
+        status = thud_stiffness_rows(scene, session->record, (enum thud_stiffness)which, row, &n, err);
+        if (status == THUD_OK && n > 0)
+            add_rows(scene, (enum thud_stiffness)which, row, n, &text);
+        moved = moved || n > 0;
+    }
+    if (status == THUD_OK && !moved)
+        thud_text_append(&text, "The laws of this scene have no stiffness.\n");
+    if (status == THUD_OK)
+        return thud_cli_print(&text, err);
+    thud_text_clear(&text);
+    return status;
+}
+
+enum thud_status thud_command_stiffness(const struct thud_args *args, struct thud_error *err)
+{
+    return thud_scene_options_with(args, stiffness, err);
+}
