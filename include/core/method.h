@@ -7,7 +7,8 @@
 
 #include "base/status.h"
 
-struct thud_run;
+struct thud_segment;
+struct thud_state;
 
 enum {
     THUD_METHOD_FIXED_STEP = 1, /* takes a step in s; else a tolerance */
@@ -25,14 +26,16 @@ struct thud_method {
     double stability;   /* largest stable omega dt of an undamped oscillator; INFINITY: no limit */
     const char *limits; /* one line in words */
 
-    /* Private state of the method (may stay NULL). */
-    enum thud_status (*create)(struct thud_run *run, void **state, struct thud_error *err);
-    /* Proposes the next piece of motion as a segment from the run's state (see src/core/segment.h); the run locates
-     * events in it and commits. */
-    enum thud_status (*step)(struct thud_run *run, void *state, struct thud_error *err);
+    /* The method's own memory (may stay NULL). Errors: THUD_MEMORY. */
+    enum thud_status (*create)(const struct thud_state *state, void **own, struct thud_error *err);
+    /* Proposes the next piece of motion from the state as a segment (see src/core/segment.h); the run locates events in
+     * it and commits. Errors: THUD_DIVERGED (no step is short enough), THUD_MEMORY. */
+    enum thud_status (*step)(const struct thud_state *state, void *own, struct thud_segment *seg,
+                             struct thud_error *err);
     /* Told after the run committed up to tau into the segment; `switched`: a contact changed its state. May be NULL. */
-    void (*committed)(struct thud_run *run, void *state, double tau_s, bool switched);
-    void (*free)(void *state);
+    void (*committed)(const struct thud_state *state, void *own, const struct thud_segment *seg, double tau_s,
+                      bool switched);
+    void (*free)(void *own);
 };
 
 int thud_method_count(void);

@@ -79,6 +79,13 @@ enum thud_status thud_model_create(const struct thud_model_input *input, struct 
                                    struct thud_error *err);
 void thud_model_free(struct thud_model *model);
 
+/* A floor's value from modal values (nmodes). */
+double thud_model_floor(const struct thud_model *model, int dof, const double *modal);
+/* Values of contact c's two floors from modal values; 0 for a wall. */
+void thud_model_sides(const struct thud_model *model, int c, const double *modal, double *left, double *right);
+/* Left floor's value minus the right floor's, from modal values. */
+double thud_model_gap_sum(const struct thud_model *model, int c, const double *modal);
+
 /* Four times what it takes from touch at 1 m/s to the largest indentation of a spring with the law's elastic energy
  * there, s: 2 pi sqrt(m/k) of a linear one. INFINITY for laws without a force. */
 double thud_model_contact_period(const struct thud_model_contact *contact);

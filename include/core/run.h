@@ -10,6 +10,8 @@
 #include "core/record.h"
 #include "core/result.h"
 
+struct thud_run;
+
 struct thud_run_options {
     const struct thud_method *method; /* NULL: auto */
     double tolerance;                 /* 1e-6: every peak within 1e-5 of the converged value */

@@ -29,13 +29,13 @@ struct alpha {
     double *block;
 };
 
-enum thud_status thud_alpha_create(struct thud_run *run, struct thud_alpha parameters, void **state,
+enum thud_status thud_alpha_create(const struct thud_state *state, struct thud_alpha parameters, void **own,
                                    struct thud_error *err)
 {
-    const struct thud_model *m = run->model;
+    const struct thud_model *m = state->model;
     size_t n = (size_t)m->nmodes, nc = (size_t)m->ncontacts;
     struct alpha *x = calloc(1, sizeof *x);
-    *state = NULL;
+    *own = NULL;
     if (!x)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     enum thud_status status = thud_modal_operator_create(m, &x->op, err);
@@ -60,13 +60,13 @@ enum thud_status thud_alpha_create(struct thud_run *run, struct thud_alpha param
     x->response = x->matrix + nc * nc;
     x->p = parameters;
     x->fresh = true;
-    *state = x;
+    *own = x;
     return THUD_OK;
 }
 
-void thud_alpha_free(void *state)
+void thud_alpha_free(void *own)
 {
-    struct alpha *x = state;
+    struct alpha *x = own;
     if (!x)
         return;
     thud_modal_operator_free(x->op);
@@ -103,22 +103,22 @@ static double offset(const struct thud_alpha *p)
     return p->am - p->af;
 }
 
-static void start_step(struct thud_run *run, struct alpha *x, double h)
+static void start_step(const struct thud_state *state, struct alpha *x, double h)
 {
-    const struct thud_model *m = run->model;
+    const struct thud_model *m = state->model;
     size_t bytes = (size_t)m->nmodes * sizeof(double);
-    memcpy(x->start.q, run->q, bytes);
-    memcpy(x->start.qd, run->qd, bytes);
-    thud_step_motion(run, &x->start, 0);
+    memcpy(x->start.q, state->q, bytes);
+    memcpy(x->start.qd, state->qd, bytes);
+    thud_step_motion(state, &x->start, 0);
     if (x->p.lagged) { /* what acts now is the force of the step before */
         for (int c = 0; c < m->ncontacts; c++) {
             x->end.force[c] = x->start.force[c];
             x->start.force[c] = x->applied[c];
         }
-        thud_model_acceleration(m, run->q, run->qd, thud_step_ground(run, 0), x->start.qdd);
+        thud_model_acceleration(m, state->q, state->qd, thud_step_ground(state, 0), x->start.qdd);
         thud_model_push(m, x->start.force, x->start.qdd);
     }
-    double ground = thud_step_ground(run, 0);
+    double ground = thud_step_ground(state, 0);
     x->fresh = x->fresh || fabs(ground - x->before_mps2) > THUD_TOL_GROUND_JUMP * (fabs(ground) + fabs(x->before_mps2));
     if (x->fresh || offset(&x->p) == 0) {
         memcpy(x->a0, x->start.qdd, bytes);
@@ -129,15 +129,15 @@ static void start_step(struct thud_run *run, struct alpha *x, double h)
 }
 
 /* The end of the step if no contact force acted there: q, qd, a1. */
-static void predict(struct thud_run *run, struct alpha *x, double h)
+static void predict(const struct thud_state *state, struct alpha *x, double h)
 {
-    const struct thud_model *m = run->model;
+    const struct thud_model *m = state->model;
     const struct thud_alpha *p = &x->p;
     for (int j = 0; j < m->nmodes; j++) {
-        x->end.q[j] = run->q[j] + h * run->qd[j] + h * h * (0.5 - p->beta) * x->a0[j];
-        x->end.qd[j] = run->qd[j] + h * (1 - p->gamma) * x->a0[j];
+        x->end.q[j] = state->q[j] + h * state->qd[j] + h * h * (0.5 - p->beta) * x->a0[j];
+        x->end.qd[j] = state->qd[j] + h * (1 - p->gamma) * x->a0[j];
     }
-    x->ground_mps2 = thud_step_ground(run, h);
+    x->ground_mps2 = thud_step_ground(state, h);
     thud_model_acceleration(m, x->end.q, x->end.qd, x->ground_mps2, x->rhs);
     for (int j = 0; j < m->nmodes; j++)
         x->rhs[j] = (1 - p->af) * x->rhs[j] + p->af * x->start.qdd[j] - p->am * x->a0[j];
@@ -148,18 +148,18 @@ static void predict(struct thud_run *run, struct alpha *x, double h)
     }
 }
 
-static bool counts(const struct thud_run *run, int c)
+static bool counts(const struct thud_state *state, int c)
 {
-    if (run->locates)
-        return thud_contact_acts(&run->contact[c]);
-    return !(run->model->contact[c].law->flags & (THUD_LAW_SILENT | THUD_LAW_IMPULSIVE));
+    if (state->locates)
+        return thud_contact_acts(&state->contact[c]);
+    return !(state->model->contact[c].law->flags & (THUD_LAW_SILENT | THUD_LAW_IMPULSIVE));
 }
 
 /* Indentation, its rate and second rate of contact a at the step's end under the forces now tried. */
-static void contact_end(const struct thud_run *run, const struct alpha *x, int a, double h, double *d, double *v,
+static void contact_end(const struct thud_state *state, const struct alpha *x, int a, double h, double *d, double *v,
                         double *acc)
 {
-    const struct thud_model *m = run->model;
+    const struct thud_model *m = state->model;
     double pull = 0;
     for (int c = 0; c < m->ncontacts; c++)
         pull += x->w[a * m->ncontacts + c] * x->end.force[c];
@@ -169,21 +169,21 @@ static void contact_end(const struct thud_run *run, const struct alpha *x, int a
 }
 
 /* One Newton step for n active contacts; returns the largest change relative to the forces. */
-static double newton(struct thud_run *run, struct alpha *x, int n, double h)
+static double newton(const struct thud_state *state, struct alpha *x, int n, double h)
 {
-    int nc = run->model->ncontacts;
+    int nc = state->model->ncontacts;
     double largest = 0;
     for (int i = 0; i < n; i++) {
         int a = x->active[i];
         double d, v, acc, fd = 0, fv = 0, own = 1;
-        contact_end(run, x, a, h, &d, &v, &acc);
+        contact_end(state, x, a, h, &d, &v, &acc);
         double by_d = x->p.beta * h * h, by_v = x->p.gamma * h, by_a = 0;
-        if (run->contact[a].mode == THUD_STUCK && run->locates) { /* held: no second rate */
+        if (state->contact[a].mode == THUD_STUCK && state->locates) { /* held: no second rate */
             own = 0;
             by_a = -1;
             x->change[i] = acc;
         } else {
-            x->change[i] = x->end.force[a] - thud_step_force(run, a, d, v, &fd, &fv);
+            x->change[i] = x->end.force[a] - thud_step_force(state, a, d, v, &fd, &fv);
         }
         double by_slope = by_d > 0 ? fd * by_d : 0; /* the slope may be without bound at d = 0 */
         for (int k = 0; k < n; k++)
@@ -199,7 +199,7 @@ static double newton(struct thud_run *run, struct alpha *x, int n, double h)
         double before = fabs(x->end.force[a]);
         x->end.force[a] -= x->change[i];
         double scale = fmax(fmax(before, fabs(x->end.force[a])),
-                            THUD_TOL_LEAST_ACCELERATION_MPS2 * run->model->contact[a].setup.mass_kg);
+                            THUD_TOL_LEAST_ACCELERATION_MPS2 * state->model->contact[a].setup.mass_kg);
         largest = fmax(largest, fabs(x->change[i]) / scale);
     }
     return largest;
@@ -207,15 +207,15 @@ static double newton(struct thud_run *run, struct alpha *x, int n, double h)
 
 /* Contact forces of the step's end. Where the law jumps (nothing located) there may be no solution: the last try is
  * taken, as a program does that only sees its iterations run out, and counted as rejected. */
-static void solve_forces(struct thud_run *run, struct alpha *x, double h)
+static void solve_forces(const struct thud_state *state, struct alpha *x, double h)
 {
     int n = 0;
-    for (int c = 0; c < run->model->ncontacts; c++) {
-        if (!counts(run, c))
+    for (int c = 0; c < state->model->ncontacts; c++) {
+        if (!counts(state, c))
             continue;
-        x->d[c] = thud_model_gap_sum(run->model, c, x->end.q) - thud_run_shift(run, c);
-        x->v[c] = thud_model_gap_sum(run->model, c, x->end.qd);
-        x->a[c] = thud_model_gap_sum(run->model, c, x->a1);
+        x->d[c] = thud_model_gap_sum(state->model, c, x->end.q) - thud_state_clearance(state, c);
+        x->v[c] = thud_model_gap_sum(state->model, c, x->end.qd);
+        x->a[c] = thud_model_gap_sum(state->model, c, x->a1);
         x->active[n++] = c;
         x->end.force[c] = x->start.force[c];
     }
@@ -223,24 +223,24 @@ static void solve_forces(struct thud_run *run, struct alpha *x, double h)
         return;
     double before = INFINITY;
     for (int i = 0; i < NEWTON_MAX; i++) {
-        double change = newton(run, x, n, h);
+        double change = newton(state, x, n, h);
         if (!isfinite(change))
             break;
         if (change <= THUD_TOL_NEWTON || (change < THUD_TOL_NEWTON_STALL && change >= 0.5 * before))
             return;
         before = change;
     }
-    run->result.work.rejected++;
+    state->work->rejected++;
 }
 
 /* From the start to the end of the step with the scheme's a0 as it is. */
-static void cross(struct thud_run *run, struct alpha *x, double h)
+static void cross(const struct thud_state *state, struct alpha *x, double h)
 {
-    const struct thud_model *m = run->model;
-    predict(run, x, h);
+    const struct thud_model *m = state->model;
+    predict(state, x, h);
     if (!x->p.lagged) {
         memset(x->end.force, 0, (size_t)m->ncontacts * sizeof *x->end.force);
-        solve_forces(run, x, h);
+        solve_forces(state, x, h);
     }
     for (int c = 0; c < m->ncontacts; c++) {
         if (x->end.force[c] == 0.0)
@@ -257,33 +257,35 @@ static void cross(struct thud_run *run, struct alpha *x, double h)
     thud_model_push(m, x->end.force, x->end.qdd);
 }
 
-enum thud_status thud_alpha_step(struct thud_run *run, void *state, struct thud_error *err)
+enum thud_status thud_alpha_step(const struct thud_state *state, void *own, struct thud_segment *seg,
+                                 struct thud_error *err)
 {
     (void)err;
-    struct alpha *x = state;
-    double h = thud_step_length(run);
-    prepare(run->model, x, h);
-    start_step(run, x, h);
-    cross(run, x, h);
+    struct alpha *x = own;
+    double h = thud_step_length(state);
+    prepare(state->model, x, h);
+    start_step(state, x, h);
+    cross(state, x, h);
     if (x->fresh && offset(&x->p) != 0) {
         /* how the acceleration changes is known now: once more with a0 in its place */
-        for (int j = 0; j < run->model->nmodes; j++)
+        for (int j = 0; j < state->model->nmodes; j++)
             x->a0[j] = x->start.qdd[j] + offset(&x->p) * (x->end.qdd[j] - x->start.qdd[j]);
-        cross(run, x, h);
+        cross(state, x, h);
     }
     x->a0_step_s = h;
-    thud_step_write(run, h, &x->start, &x->end, &x->work);
+    thud_step_write(state, seg, h, &x->start, &x->end, &x->work);
     return THUD_OK;
 }
 
-void thud_alpha_committed(struct thud_run *run, void *state, double tau_s, bool switched)
+void thud_alpha_committed(const struct thud_state *state, void *own, const struct thud_segment *seg, double tau_s,
+                          bool switched)
 {
-    struct alpha *x = state;
+    struct alpha *x = own;
     double *now = x->a0;
-    (void)tau_s;
-    x->fresh = run->locates && switched; /* nothing located: the program does not know that anything happened */
+    (void)seg, (void)tau_s;
+    x->fresh = state->locates && switched; /* nothing located: the program does not know that anything happened */
     x->before_mps2 = x->ground_mps2;
     x->a0 = x->a1;
     x->a1 = now;
-    memcpy(x->applied, x->end.force, (size_t)run->model->ncontacts * sizeof *x->applied);
+    memcpy(x->applied, x->end.force, (size_t)state->model->ncontacts * sizeof *x->applied);
 }

@@ -18,10 +18,12 @@ struct thud_alpha {
 };
 
 /* For a method's own create; its step, committed and free are those below. */
-enum thud_status thud_alpha_create(struct thud_run *run, struct thud_alpha parameters, void **state,
+enum thud_status thud_alpha_create(const struct thud_state *state, struct thud_alpha parameters, void **own,
                                    struct thud_error *err);
-enum thud_status thud_alpha_step(struct thud_run *run, void *state, struct thud_error *err);
-void thud_alpha_committed(struct thud_run *run, void *state, double tau_s, bool switched);
-void thud_alpha_free(void *state);
+enum thud_status thud_alpha_step(const struct thud_state *state, void *own, struct thud_segment *seg,
+                                 struct thud_error *err);
+void thud_alpha_committed(const struct thud_state *state, void *own, const struct thud_segment *seg, double tau_s,
+                          bool switched);
+void thud_alpha_free(void *own);
 
 #endif

@@ -14,17 +14,17 @@ static const double longest_angle = 1.8; /* a step times the fastest mode: the s
 static const double slowest_contraction =
     0.3; /* of the iteration in the order of time, before Newton's method takes over */
 
-enum thud_status thud_collocation_create(const struct thud_run *run, struct thud_collocation **out,
+enum thud_status thud_collocation_create(const struct thud_state *state, struct thud_collocation **out,
                                          struct thud_error *err)
 {
-    const struct thud_model *m = run->model;
+    const struct thud_model *m = state->model;
     struct thud_collocation *x = *out = thud_collocation_allocate(1, sizeof *x);
     if (!x)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     x->nc = m->ncontacts;
     x->nmodes = m->nmodes;
     x->loads = m->couples ? m->ncontacts : 1;
-    x->h_top = run->grid_dt_s / fmax(1, ceil(run->fastest_radps * run->grid_dt_s / longest_angle));
+    x->h_top = state->grid_dt_s / fmax(1, ceil(state->fastest_radps * state->grid_dt_s / longest_angle));
     x->h = x->h_top;
     x->contraction = slowest_contraction;
     thud_radau_nodes(THUD_POINTS, x->node);
@@ -34,17 +34,16 @@ enum thud_status thud_collocation_create(const struct thud_run *run, struct thud
         check[i] = 0.5 * (x->node[i] + (i > 0 ? x->node[i - 1] : 0));
     thud_places_set(&x->nodes, THUD_POINTS, x->node, 1, THUD_SEGMENT_TERMS);
     thud_places_set(&x->checks, THUD_POINTS, check, 1, THUD_SEGMENT_TERMS);
-    size_t q = THUD_SEGMENT_TERMS * (size_t)m->nmodes, f = THUD_SEGMENT_TERMS * (size_t)m->ncontacts;
-    x->seg_block = thud_collocation_allocate(q + f + 2 * THUD_PLACES * (size_t)m->nmodes, sizeof(double));
+    size_t f = THUD_POINTS * (size_t)m->ncontacts;
+    x->seg_block = thud_collocation_allocate(2 * THUD_PLACES * (size_t)m->nmodes + f, sizeof(double));
     x->active = thud_collocation_allocate((size_t)m->ncontacts, sizeof(int));
-    if (!x->seg_block || !x->active) {
+    if (!x->seg_block || !x->active || thud_segment_init(&x->seg, m, err) != THUD_OK) {
         thud_collocation_free(x);
         *out = NULL;
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
-    x->seg.q = x->seg_block;
-    x->seg.force = x->seg_block + q;
-    x->moved = x->seg.force + f;
+    x->last = x->seg_block;
+    x->moved = x->last + f;
     return THUD_OK;
 }
 
@@ -61,6 +60,7 @@ void thud_collocation_free(struct thud_collocation *x)
         free(x->unforced[l]);
     }
     free(x->seg_block);
+    thud_segment_clear(&x->seg);
     free(x->active);
     free(x->force);
     free(x->matrix);
@@ -132,21 +132,21 @@ static void motion_under_forces(const struct thud_collocation *x, int level)
 }
 
 /* Makes the responses of the active contacts to each other at this step size. */
-static bool prepare_responses(const struct thud_run *run, struct thud_collocation *x, int level, double h)
+static bool prepare_responses(const struct thud_state *state, struct thud_collocation *x, int level, double h)
 {
     for (int a = 0; a < x->nactive; a++)
         for (int b = 0; b < x->nactive; b++)
-            if (!thud_collocation_response(run, x, level, h, x->active[a], x->active[b]))
+            if (!thud_collocation_response(state, x, level, h, x->active[a], x->active[b]))
                 return false;
     return true;
 }
 
 /* Residual of the force equations and their derivative by the forces (column-major). */
-static void linearize(struct thud_run *run, struct thud_collocation *x, int level)
+static void linearize(const struct thud_state *state, struct thud_collocation *x, int level)
 {
     int n = x->nactive * THUD_POINTS;
     for (int a = 0; a < x->nactive; a++) {
-        const struct thud_contact_state *s = &run->contact[x->active[a]];
+        const struct thud_contact_state *s = &state->contact[x->active[a]];
         for (int i = 0; i < THUD_POINTS; i++) {
             int row = a * THUD_POINTS + i, at = a * THUD_PLACES + i;
             double fd = 0, fv = -1, own = 0;
@@ -165,16 +165,16 @@ static void linearize(struct thud_run *run, struct thud_collocation *x, int leve
             x->matrix[(size_t)row * (size_t)n + (size_t)row] += own;
         }
     }
-    run->result.work.force_evaluations += n;
+    state->work->force_evaluations += n;
 }
 
 /* By how much the force of the a-th active contact at point j is off: the law's along the motion under the last forces,
  * and by how much that moves with the force itself. */
-static double correction(const struct thud_run *run, const struct thud_collocation *x, int level, int a, int j)
+static double correction(const struct thud_state *state, const struct thud_collocation *x, int level, int a, int j)
 {
     int c = x->active[a], at = a * THUD_PLACES + j, own = j * THUD_PLACES + j;
     const struct thud_response *self = &x->pair[level][c * x->nc + c];
-    double fd, fv, force = thud_branch_force(&run->contact[c].branch, x->d[at], x->v[at], &fd, &fv);
+    double fd, fv, force = thud_branch_force(&state->contact[c].branch, x->d[at], x->v[at], &fd, &fv);
     double slope = 1 - fd * self->indentation[own] - fv * self->rate[own];
     return (force - x->force[at]) / (isfinite(slope) ? slope : 1);
 }
@@ -196,35 +196,35 @@ static void spread(struct thud_collocation *x, int level, int j)
 
 /* One iteration in the order of time: the forces at a point with the newest of those before it. Largest change, over
  * the force scale. */
-static double renew_forces(struct thud_run *run, struct thud_collocation *x, int level)
+static double renew_forces(const struct thud_state *state, struct thud_collocation *x, int level)
 {
     double most = 0;
     for (int j = 0; j < THUD_POINTS; j++) {
         for (int a = 0; a < x->nactive; a++) {
-            x->change[a] = correction(run, x, level, a, j);
+            x->change[a] = correction(state, x, level, a, j);
             x->force[a * THUD_PLACES + j] += x->change[a];
             most = thud_larger(most, fabs(x->change[a]) / x->scale[a]);
         }
         spread(x, level, j);
     }
-    run->result.work.force_evaluations += x->nactive * THUD_POINTS;
+    state->work->force_evaluations += x->nactive * THUD_POINTS;
     return most;
 }
 
 /* Iteration for the forces: cheap, and fast where contacts are soft on the scale of the step, as what acts later hardly
  * shows in what was before. What is left after an iteration is its change times the contraction, which is known from
  * the step before; should it be worse, the error of the step shows it. */
-static bool iterate(struct thud_run *run, struct thud_collocation *x, int level, double tolerance)
+static bool iterate(const struct thud_state *state, struct thud_collocation *x, int level, double tolerance)
 {
     double before = 0;
     for (int a = 0; a < x->nactive; a++) {
-        if (run->contact[x->active[a]].mode == THUD_STUCK)
+        if (state->contact[x->active[a]].mode == THUD_STUCK)
             return false;
-        x->scale[a] = thud_collocation_scale(run, x, a);
+        x->scale[a] = thud_collocation_scale(state, x, a);
     }
     motion_under_forces(x, level);
     for (int iteration = 0; iteration < ITERATIONS_MAX; iteration++) {
-        double change = renew_forces(run, x, level);
+        double change = renew_forces(state, x, level);
         if (iteration > 0)
             x->contraction = fmin(slowest_contraction, 4 * change / before);
         if (change * x->contraction <= tolerance) {
@@ -240,18 +240,18 @@ static bool iterate(struct thud_run *run, struct thud_collocation *x, int level,
 }
 
 /* Newton's method for the forces. */
-static bool solve(struct thud_run *run, struct thud_collocation *x, int level, double tolerance)
+static bool solve(const struct thud_state *state, struct thud_collocation *x, int level, double tolerance)
 {
     int n = x->nactive * THUD_POINTS;
     double before = INFINITY;
     for (int iteration = 0; iteration < NEWTON_MAX; iteration++) {
         motion_under_forces(x, level);
-        linearize(run, x, level);
+        linearize(state, x, level);
         if (LAPACKE_dgesv_work(LAPACK_COL_MAJOR, n, 1, x->matrix, n, x->pivot, x->residual, n) != 0)
             return false;
         double change = 0;
         for (int a = 0; a < x->nactive; a++) {
-            double scale = thud_collocation_scale(run, x, a);
+            double scale = thud_collocation_scale(state, x, a);
             for (int i = 0; i < THUD_POINTS; i++) {
                 x->force[a * THUD_PLACES + i] -= x->residual[a * THUD_POINTS + i];
                 change = thud_larger(change, fabs(x->residual[a * THUD_POINTS + i]) / scale);
@@ -269,23 +269,22 @@ static bool solve(struct thud_run *run, struct thud_collocation *x, int level, d
 
 /* First guess: the forces of the last segment go on; after a switch, the force as it is now, with the indentation going
  * on at its rate. */
-static void guess(struct thud_run *run, struct thud_collocation *x, double h)
+static void guess(const struct thud_state *state, struct thud_collocation *x, double h)
 {
-    const struct thud_segment *seg = &run->seg;
     if (!x->has_source)
-        thud_contact_forces(run, run->force_now);
+        thud_contact_forces(state, state->force_now);
     for (int a = 0; a < x->nactive; a++) {
         int c = x->active[a];
-        const struct thud_contact_state *s = &run->contact[c];
+        const struct thud_contact_state *s = &state->contact[c];
         bool deeper = s->mode == THUD_CLOSED && s->phase == THUD_APPROACH;
-        double d = thud_contact_indentation(run, c), v = thud_contact_rate(run, c);
+        double d = thud_contact_indentation(state, c), v = thud_contact_rate(state, c);
         for (int i = 0; i < THUD_POINTS; i++) {
-            double f = 0, at = x->source + x->node[i] * h / seg->h_s;
+            double f = 0, at = x->source + x->node[i] * h / x->last_h;
             if (x->has_source) {
                 for (int k = THUD_POINTS - 1; k >= 0; k--)
-                    f = f * at + seg->force[k * x->nc + c];
+                    f = f * at + x->last[k * x->nc + c];
             } else {
-                f = run->force_now[c];
+                f = state->force_now[c];
                 if (deeper)
                     f = thud_larger(f,
                                     0.5 * thud_branch_force(&s->branch, d + 0.5 * v * h * x->node[i], v, NULL, NULL));
@@ -295,26 +294,29 @@ static void guess(struct thud_run *run, struct thud_collocation *x, double h)
     }
 }
 
-static void write_segment(struct thud_run *run, struct thud_collocation *x, double h)
+static void write_segment(const struct thud_state *state, struct thud_segment *seg, struct thud_collocation *x,
+                          double h)
 {
-    const struct thud_model *m = run->model;
-    thud_collocation_begin(run, &run->seg, h);
-    run->seg.loaded = THUD_POINTS;
+    const struct thud_model *m = state->model;
+    thud_collocation_begin(state, seg, h);
+    seg->loaded = THUD_POINTS;
     for (int a = 0; a < x->nactive; a++)
         for (int p = 0; p < THUD_POINTS; p++) {
             double f = 0;
             for (int i = 0; i < THUD_POINTS; i++)
                 f += x->lagrange[p * THUD_POINTS + i] * x->force[a * THUD_PLACES + i];
-            run->seg.force[p * m->ncontacts + x->active[a]] = f;
+            seg->force[p * m->ncontacts + x->active[a]] = f;
         }
-    thud_taylor_given(m, &run->seg, run->q, run->qd);
+    memcpy(x->last, seg->force, THUD_POINTS * (size_t)x->nc * sizeof *x->last);
+    x->last_h = h;
+    thud_taylor_given(m, seg, state->q, state->qd);
 }
 
-static void find_active(const struct thud_run *run, struct thud_collocation *x)
+static void find_active(const struct thud_state *state, struct thud_collocation *x)
 {
     x->nactive = 0;
     for (int c = 0; c < x->nc; c++)
-        if (thud_contact_acts(&run->contact[c]))
+        if (thud_contact_acts(&state->contact[c]))
             x->active[x->nactive++] = c;
 }
 
@@ -330,24 +332,26 @@ static int level_for(const struct thud_collocation *x, double want, double remai
     return level;
 }
 
-static enum thud_status too_short(const struct thud_run *run, const struct thud_collocation *x, struct thud_error *err)
+static enum thud_status too_short(const struct thud_state *state, const struct thud_collocation *x,
+                                  struct thud_error *err)
 {
     int stuck = 0;
     for (int a = 0; a < x->nactive; a++)
-        stuck += run->contact[x->active[a]].mode == THUD_STUCK;
-    if (stuck > 1 && run->model->left_out > 0) /* all modes tell any floors apart */
-        return thud_run_too_few_modes(run, err);
+        stuck += state->contact[x->active[a]].mode == THUD_STUCK;
+    if (stuck > 1 && state->model->left_out > 0) /* all modes tell any floors apart */
+        return thud_state_too_few_modes(state, err);
     return thud_error_set(err, THUD_DIVERGED, "no step is short enough for the contact forces at t = %.6g s",
-                          thud_run_now(run));
+                          thud_state_now(state));
 }
 
-enum thud_status thud_collocation_step(struct thud_run *run, struct thud_collocation *x, struct thud_error *err)
+enum thud_status thud_collocation_step(const struct thud_state *state, struct thud_segment *seg,
+                                       struct thud_collocation *x, struct thud_error *err)
 {
-    find_active(run, x);
+    find_active(state, x);
     if (!reserve(x, x->nactive))
         return thud_error_set(err, THUD_MEMORY, "out of memory");
-    double tolerance = thud_larger(0.1 * run->options.tolerance, THUD_TOL_COLLOCATION),
-           remaining = thud_run_remaining(run);
+    double tolerance = thud_larger(0.1 * state->tolerance, THUD_TOL_COLLOCATION),
+           remaining = thud_state_remaining(state);
     bool first = x->just_touched;
     if (first && x->h_touch > 0)
         x->h = fmin(x->h, x->h_touch);
@@ -359,16 +363,16 @@ enum thud_status thud_collocation_step(struct thud_run *run, struct thud_colloca
     for (int same = 0;;) {
         int level = level_for(x, x->h, remaining);
         double want = x->h, h = ldexp(x->h_top, -level), error = INFINITY;
-        if (!prepare_responses(run, x, level, h) || !thud_collocation_unforced(run, x, level, h))
+        if (!prepare_responses(state, x, level, h) || !thud_collocation_unforced(state, x, level, h))
             return thud_error_set(err, THUD_MEMORY, "out of memory");
-        guess(run, x, h);
-        bool converged = iterate(run, x, level, 1e-2 * tolerance) || solve(run, x, level, 1e-2 * tolerance);
+        guess(state, x, h);
+        bool converged = iterate(state, x, level, 1e-2 * tolerance) || solve(state, x, level, 1e-2 * tolerance);
         x->has_source = x->has_source && !converged;
         if (converged) {
-            write_segment(run, x, h);
+            write_segment(state, seg, x, h);
             x->has_source = true; /* should it be too long, a shorter one begins with these forces */
             x->source = 0;
-            error = thud_collocation_error(run, x, h);
+            error = thud_collocation_error(state, seg, x, h);
         }
         double factor =
             isfinite(error) ? 0.85 * pow(tolerance / thud_larger(error, 1e-5 * tolerance), 1.0 / THUD_POINTS) : 0.25;
@@ -387,8 +391,8 @@ enum thud_status thud_collocation_step(struct thud_run *run, struct thud_colloca
             return THUD_OK;
         }
         x->h = fmin(x->h, 0.5 * h);
-        run->result.work.rejected++;
+        state->work->rejected++;
         if (level + 1 >= THUD_LEVELS)
-            return too_short(run, x, err);
+            return too_short(state, x, err);
     }
 }

@@ -9,17 +9,18 @@
 
 #include "base/status.h"
 
-struct thud_run;
+#include "core/segment.h"
+
 struct thud_collocation;
 
-enum thud_status thud_collocation_create(const struct thud_run *run, struct thud_collocation **out,
+enum thud_status thud_collocation_create(const struct thud_state *state, struct thud_collocation **out,
                                          struct thud_error *err);
 void thud_collocation_free(struct thud_collocation *collocation);
 
-/* Fills run->seg with a step accurate to the run's tolerance. Errors: THUD_DIVERGED (no step is small enough),
+/* Fills state->seg with a step accurate to the run's tolerance. Errors: THUD_DIVERGED (no step is small enough),
  * THUD_MEMORY. */
-enum thud_status thud_collocation_step(struct thud_run *run, struct thud_collocation *collocation,
-                                       struct thud_error *err);
+enum thud_status thud_collocation_step(const struct thud_state *state, struct thud_segment *seg,
+                                       struct thud_collocation *collocation, struct thud_error *err);
 /* Told after the run committed up to s of its segment; `touched`: a contact has just closed, so that the next step has
  * to be short. */
 void thud_collocation_committed(struct thud_collocation *collocation, double s, bool switched, bool touched);

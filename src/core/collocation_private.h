@@ -6,7 +6,6 @@
 
 #include "core/collocation.h"
 #include "core/places.h"
-#include "core/run_private.h"
 
 /* Values at the points of a contact stand THUD_PLACES apart; those past the last point are padding. */
 enum { THUD_POINTS = 7, THUD_LEVELS = 48, THUD_BLOCK = THUD_POINTS * THUD_PLACES };
@@ -29,8 +28,9 @@ struct thud_collocation {
     int steady;         /* steps since one that let the next be longer */
     double contraction; /* of the fixed-point iteration, as last measured and with a margin */
     bool just_touched;
-    bool has_source; /* run->seg holds forces that go on into this step, from s = source on */
-    double source;
+    bool has_source; /* the forces of the last segment go on into this step */
+    double *last;    /* (THUD_POINTS x nc): their coefficients, in a segment of last_h, from s = source on */
+    double last_h, source;
     int nc, nmodes, loads;      /* loads: 1 where modes are uncoupled, else one per contact */
     double *modal[THUD_LEVELS]; /* (loads x THUD_POINTS x nmodes x 2 x THUD_PLACES): q and q' of each mode at the
                                    points, by load and power */
@@ -50,21 +50,22 @@ struct thud_collocation {
 };
 
 /* A segment whose contact forces are given: its series has to follow the modes alone. */
-void thud_collocation_begin(struct thud_run *run, struct thud_segment *seg, double h);
+void thud_collocation_begin(const struct thud_state *state, struct thud_segment *seg, double h);
 
 /* collocation_response.c: of contact a's points to the forces of contact b at one step size; made when first asked for.
  * NULL: out of memory. */
-const struct thud_response *thud_collocation_response(const struct thud_run *run, struct thud_collocation *x, int level,
-                                                      double h, int a, int b);
+const struct thud_response *thud_collocation_response(const struct thud_state *state, struct thud_collocation *x,
+                                                      int level, double h, int a, int b);
 /* Indentations and rates of the active contacts at the points if no contact force acted, into d0 and v0. false: out of
  * memory. */
-bool thud_collocation_unforced(struct thud_run *run, struct thud_collocation *x, int level, double h);
+bool thud_collocation_unforced(const struct thud_state *state, struct thud_collocation *x, int level, double h);
 /* calloc of at least one element. */
 void *thud_collocation_allocate(size_t count, size_t size);
 
 /* collocation_error.c: scale on which an error of the a-th active contact's force counts, and the largest error of the
- * step in run->seg. */
-double thud_collocation_scale(const struct thud_run *run, const struct thud_collocation *x, int a);
-double thud_collocation_error(struct thud_run *run, const struct thud_collocation *x, double h);
+ * step in seg-> */
+double thud_collocation_scale(const struct thud_state *state, const struct thud_collocation *x, int a);
+double thud_collocation_error(const struct thud_state *state, struct thud_segment *seg,
+                              const struct thud_collocation *x, double h);
 
 #endif

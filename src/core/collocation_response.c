@@ -9,7 +9,7 @@ void *thud_collocation_allocate(size_t count, size_t size)
 }
 
 /* Motion of every mode at the points under unit loads s^power. */
-static bool fill_modal(const struct thud_run *run, struct thud_collocation *x, int level, double h)
+static bool fill_modal(const struct thud_state *state, struct thud_collocation *x, int level, double h)
 {
     size_t n = (size_t)x->nmodes;
     double *table = thud_collocation_allocate((size_t)x->loads * THUD_POINTS * n * 2 * THUD_PLACES, sizeof *table),
@@ -28,7 +28,8 @@ static bool fill_modal(const struct thud_run *run, struct thud_collocation *x, i
     seg->loaded = 0;
     for (int load = 0; load < x->loads; load++)
         for (int power = 0; power < THUD_POINTS; power++) {
-            thud_taylor_load(run->model, seg, !run->model->couples ? ones : run->model->g + (size_t)load * n, power);
+            thud_taylor_load(state->model, seg, !state->model->couples ? ones : state->model->g + (size_t)load * n,
+                             power);
             for (int j = 0; j < x->nmodes; j++, table += 2 * THUD_PLACES) {
                 thud_places_read(&x->nodes, seg->q + j, x->nmodes, seg->terms, table);
                 thud_places_slope(&x->nodes, seg->q + j, x->nmodes, seg->terms, h, table + THUD_PLACES);
@@ -39,10 +40,10 @@ static bool fill_modal(const struct thud_run *run, struct thud_collocation *x, i
 }
 
 /* Response of contact a to forces of contact b. A force pushes the two apart: indentation falls. */
-static bool fill_pair(const struct thud_run *run, struct thud_collocation *x, int level, double h, int a, int b)
+static bool fill_pair(const struct thud_state *state, struct thud_collocation *x, int level, double h, int a, int b)
 {
     size_t n = (size_t)x->nmodes;
-    if (!x->modal[level] && !fill_modal(run, x, level, h))
+    if (!x->modal[level] && !fill_modal(state, x, level, h))
         return false;
     struct thud_response *r = &x->pair[level][a * x->nc + b];
     double *block = thud_collocation_allocate(2 * THUD_BLOCK, sizeof *block);
@@ -50,8 +51,8 @@ static bool fill_pair(const struct thud_run *run, struct thud_collocation *x, in
         return false;
     r->indentation = block;
     r->rate = block + THUD_BLOCK;
-    const bool couples = run->model->couples;
-    const double *ga = run->model->g + (size_t)a * n, *gb = run->model->g + (size_t)b * n;
+    const bool couples = state->model->couples;
+    const double *ga = state->model->g + (size_t)a * n, *gb = state->model->g + (size_t)b * n;
     const double *table = x->modal[level] + (couples ? (size_t)b * THUD_POINTS * n * 2 * THUD_PLACES : 0);
     for (int power = 0; power < THUD_POINTS; power++) {
         struct thud_lanes d = {0}, v = {0};
@@ -73,23 +74,23 @@ static bool fill_pair(const struct thud_run *run, struct thud_collocation *x, in
 }
 
 /* Where modes do not couple, each of two contacts answers to the other in the same way. */
-static bool mirror_pair(const struct thud_run *run, struct thud_collocation *x, int level, int a, int b)
+static bool mirror_pair(const struct thud_state *state, struct thud_collocation *x, int level, int a, int b)
 {
     const struct thud_response *other = &x->pair[level][b * x->nc + a];
-    if (run->model->couples || !other->indentation)
+    if (state->model->couples || !other->indentation)
         return false;
     x->pair[level][a * x->nc + b] = *other;
     x->pair[level][a * x->nc + b].shared = true;
     return true;
 }
 
-const struct thud_response *thud_collocation_response(const struct thud_run *run, struct thud_collocation *x, int level,
-                                                      double h, int a, int b)
+const struct thud_response *thud_collocation_response(const struct thud_state *state, struct thud_collocation *x,
+                                                      int level, double h, int a, int b)
 {
     if (!x->pair[level])
         x->pair[level] = thud_collocation_allocate((size_t)x->nc * (size_t)x->nc, sizeof(struct thud_response));
     if (!x->pair[level])
         return NULL;
     struct thud_response *r = &x->pair[level][a * x->nc + b];
-    return r->indentation || mirror_pair(run, x, level, a, b) || fill_pair(run, x, level, h, a, b) ? r : NULL;
+    return r->indentation || mirror_pair(state, x, level, a, b) || fill_pair(state, x, level, h, a, b) ? r : NULL;
 }

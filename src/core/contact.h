@@ -1,24 +1,31 @@
-/* What the files that switch contacts share. */
+/* The states of a contact: what follows an event. One automaton for all laws; its guards are in core/event.c. */
 #ifndef THUD_CORE_CONTACT_H
 #define THUD_CORE_CONTACT_H
 
-#include "core/run_private.h"
+#include "core/contact_log.h"
+#include "core/event.h"
 
-enum thud_event {
-    THUD_EVENT_TOUCH,
-    THUD_EVENT_GONE,     /* indentation back to 0 */
-    THUD_EVENT_RELEASE,  /* the force would begin to pull */
-    THUD_EVENT_REENGAGE, /* the force cut at 0 would push again */
-    THUD_EVENT_TURN,     /* approach to restitution or back */
-    THUD_EVENT_KNEE,
-    THUD_EVENT_HOLD_UP, /* stuck: pushed further in */
-    THUD_EVENT_HOLD_DOWN
-};
+/* All contacts of the state open, with what is fixed for them. */
+void thud_contact_start(struct thud_state *state);
+/* The state has gone on: clears the guards suppressed at the last event, but for neighbours that touch and have not
+ * moved at all. */
+void thud_contact_moved(struct thud_state *state);
+/* Acts on an event at the state. Errors: THUD_DIVERGED (impulses of contacts that the modes do not tell apart),
+ * THUD_MEMORY. */
+enum thud_status thud_contact_switch(struct thud_state *state, struct thud_contact_log *log, int contact,
+                                     enum thud_event event, struct thud_error *err);
 
+/* contact_update.c, for runs that do not locate: acts on what the state shows. Errors: as thud_contact_switch. */
+enum thud_status thud_contact_update(struct thud_state *state, struct thud_contact_log *log, bool *switched,
+                                     struct thud_error *err);
+
+/* contact_impulse.c: impulses of all stereomechanical contacts that touch now. Errors: as thud_contact_switch. */
+enum thud_status thud_contact_impulse(struct thud_state *state, struct thud_contact_log *log, int contact,
+                                      struct thud_error *err);
 /* Changes the mode and keeps the count of acting contacts. */
-void thud_contact_set_mode(struct thud_run *run, int c, enum thud_contact_mode mode);
+void thud_contact_set_mode(struct thud_state *state, int c, enum thud_contact_mode mode);
 /* Other contacts' impulses have changed the rate of contact c by so much, to what it is now: it goes on in the phase of
- * that rate, with nothing of it known to be 0. */
-void thud_contact_struck(struct thud_run *run, int c, double change);
+ * that rate, with no guard suppressed. */
+void thud_contact_impulse_received(struct thud_state *state, int c, double change);
 
 #endif

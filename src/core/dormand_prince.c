@@ -38,25 +38,26 @@ static double ground_speed(const struct thud_record *r)
     return most;
 }
 
-enum thud_status thud_dormand_prince_create(struct thud_run *run, void **state, struct thud_error *err)
+enum thud_status thud_dormand_prince_create(const struct thud_state *state, void **own, struct thud_error *err)
 {
-    struct dormand_prince *x = *state = calloc(1, sizeof *x);
-    if (!x || thud_rk_init(&x->rk, run, &tableau, err) != THUD_OK) {
+    struct dormand_prince *x = *own = calloc(1, sizeof *x);
+    if (!x || thud_rk_init(&x->rk, state, &tableau, err) != THUD_OK) {
         free(x);
-        *state = NULL;
+        *own = NULL;
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
     double mass = 0;
-    for (int j = 0; j < run->model->nmodes; j++)
-        mass += run->model->gamma[j] * run->model->gamma[j];
-    x->h = thud_run_default_step(run);
-    x->speed = sqrt(mass) * ground_speed(run->record) + sqrt(2 * (thud_run_kinetic(run) + thud_run_strain(run)));
+    for (int j = 0; j < state->model->nmodes; j++)
+        mass += state->model->gamma[j] * state->model->gamma[j];
+    x->h = thud_state_default_step(state);
+    x->speed =
+        sqrt(mass) * ground_speed(state->record) + sqrt(2 * (thud_state_kinetic(state) + thud_state_strain(state)));
     return THUD_OK;
 }
 
-void thud_dormand_prince_free(void *state)
+void thud_dormand_prince_free(void *own)
 {
-    struct dormand_prince *x = state;
+    struct dormand_prince *x = own;
     if (!x)
         return;
     thud_rk_clear(&x->rk);
@@ -66,9 +67,9 @@ void thud_dormand_prince_free(void *state)
 /* Error of the step in energy terms, sqrt(sum of (error of q')^2 + omega^2 (error of q)^2), over the absolute scale:
  * the speed of all floors moving with the ground at its fastest, and that of the initial motion. A free body's
  * displacement counts at 1 rad/s. */
-static double error_of(const struct thud_run *run, const struct dormand_prince *x, double h)
+static double error_of(const struct thud_state *state, const struct dormand_prince *x, double h)
 {
-    const struct thud_model *m = run->model;
+    const struct thud_model *m = state->model;
     double sum = 0;
     for (int j = 0; j < m->nmodes; j++) {
         double q = 0, qd = 0, w = fmax(m->omega[j], 1);
@@ -81,34 +82,36 @@ static double error_of(const struct thud_run *run, const struct dormand_prince *
     return h * sqrt(sum) / fmax(x->speed, 1e-9);
 }
 
-enum thud_status thud_dormand_prince_step(struct thud_run *run, void *state, struct thud_error *err)
+enum thud_status thud_dormand_prince_step(const struct thud_state *state, void *own, struct thud_segment *seg,
+                                          struct thud_error *err)
 {
     static const double share = 1e-2; /* of the tolerance, for one step: errors add up, and impacts make them grow */
-    struct dormand_prince *x = state;
-    double tolerance = share * run->options.tolerance, remaining = thud_step_room(run);
-    thud_rk_start(run, &x->rk);
+    struct dormand_prince *x = own;
+    double tolerance = share * state->tolerance, remaining = thud_step_room(state);
+    thud_rk_start(state, &x->rk);
     for (;;) {
         double h = remaining / fmax(1, ceil(remaining / x->h * (1 - THUD_TOL_STEP_COUNT)));
-        thud_rk_stages(run, &x->rk, h);
-        double error = error_of(run, x, h);
+        thud_rk_stages(state, &x->rk, h);
+        double error = error_of(state, x, h);
         double factor = isfinite(error) ? 0.9 * pow(tolerance / fmax(error, 1e-10 * tolerance), 0.2) : 0.1;
         factor = fmin(5, fmax(0.1, factor));
         if (error <= tolerance) {
             x->h = factor > 1 ? fmax(x->h, factor * h) : factor * h; /* a step cut short to end at a kink says little */
-            thud_rk_write(run, &x->rk, h);
+            thud_rk_write(state, seg, &x->rk, h);
             return THUD_OK;
         }
         x->h = fmin(factor, 0.9) * h;
-        run->result.work.rejected++;
-        if (h < THUD_TOL_LEAST_STEP * run->end_s)
-            return thud_error_set(err, THUD_DIVERGED, "no step is short enough at t = %.6g s", thud_run_now(run));
+        state->work->rejected++;
+        if (h < THUD_TOL_LEAST_STEP * state->end_s)
+            return thud_error_set(err, THUD_DIVERGED, "no step is short enough at t = %.6g s", thud_state_now(state));
     }
 }
 
-void thud_dormand_prince_committed(struct thud_run *run, void *state, double tau_s, bool switched)
+void thud_dormand_prince_committed(const struct thud_state *state, void *own, const struct thud_segment *seg,
+                                   double tau_s, bool switched)
 {
-    struct dormand_prince *x = state;
+    struct dormand_prince *x = own;
     if (tau_s <= 0) /* an event at the very start: another step would see another end of the same motion */
-        x->h = fmin(x->h, run->seg.h_s);
-    thud_rk_committed(run, &x->rk, switched);
+        x->h = fmin(x->h, seg->h_s);
+    thud_rk_committed(state, seg, &x->rk, switched);
 }

@@ -4,9 +4,11 @@
 
 #include "core/method.h"
 
-enum thud_status thud_dormand_prince_create(struct thud_run *run, void **state, struct thud_error *err);
-enum thud_status thud_dormand_prince_step(struct thud_run *run, void *state, struct thud_error *err);
-void thud_dormand_prince_committed(struct thud_run *run, void *state, double tau_s, bool switched);
-void thud_dormand_prince_free(void *state);
+enum thud_status thud_dormand_prince_create(const struct thud_state *state, void **own, struct thud_error *err);
+enum thud_status thud_dormand_prince_step(const struct thud_state *state, void *own, struct thud_segment *seg,
+                                          struct thud_error *err);
+void thud_dormand_prince_committed(const struct thud_state *state, void *own, const struct thud_segment *seg,
+                                   double tau_s, bool switched);
+void thud_dormand_prince_free(void *own);
 
 #endif

@@ -45,10 +45,10 @@ static void march_abreast(struct thud_flight *f, int j, int intervals)
 static void march(struct thud_flight *f, const struct thud_run *run, int intervals)
 {
     for (int t = 0; t < intervals; t++)
-        thud_run_ground(run, run->grid + t, &f->ground[t], &f->after[t]);
+        thud_state_ground(&run->state, run->state.grid + t, &f->ground[t], &f->after[t]);
     for (int j = 0; j < f->n; j++) {
-        f->q[j * ENDS] = run->q[j];
-        f->qd[j * ENDS] = run->qd[j];
+        f->q[j * ENDS] = run->state.q[j];
+        f->qd[j * ENDS] = run->state.qd[j];
     }
     for (int j = 0; j < f->n; j += THUD_FLIGHT_ABREAST)
         march_abreast(f, j, intervals);
@@ -115,7 +115,7 @@ static void displacements(struct thud_flight *f, const struct thud_model *m, int
 /* The other values of structures that move enough for a new peak. */
 static void look_for_peaks(struct thud_flight *f, struct thud_run *run, double ground, int ends)
 {
-    const struct thud_model *m = run->model;
+    const struct thud_model *m = run->state.model;
     for (int s = 0; s < m->nstructures; s++) {
         const struct thud_model_structure *p = &m->structure[s];
         double energy = 0, gamma = 0;
@@ -123,7 +123,7 @@ static void look_for_peaks(struct thud_flight *f, struct thud_run *run, double g
             energy += f->speed[j] * f->speed[j];
             gamma += m->gamma[j] * m->gamma[j];
         }
-        struct thud_reach reach = {sqrt(energy) + run->grid_dt_s * sqrt(gamma) * ground, 0};
+        struct thud_reach reach = {sqrt(energy) + run->state.grid_dt_s * sqrt(gamma) * ground, 0};
         f->looked[s] = run->horizon_to_fill || thud_reach_structure(run, s, &reach);
         if (f->looked[s])
             other_values(f, m, p, ends);
@@ -134,15 +134,15 @@ static void look_for_peaks(struct thud_flight *f, struct thud_run *run, double g
  * dt^2/8 times the second derivative of a value bounds how far it may lie above its ends. */
 static void structure_margins(struct thud_flight *f, const struct thud_run *run, int s, double ground, double slope)
 {
-    const struct thud_model *m = run->model;
+    const struct thud_model *m = run->state.model;
     const struct thud_model_structure *p = &m->structure[s];
-    double dt = run->grid_dt_s, sum[THUD_FLOOR_QUANTITIES] = {0};
+    double dt = run->state.grid_dt_s, sum[THUD_FLOOR_QUANTITIES] = {0};
     for (int j = p->first_mode; j < p->first_mode + p->modes; j++) {
         double w2 = m->omega[j] * m->omega[j], z = 2 * m->zeta[j] * m->omega[j], reach = fabs(m->gamma[j]);
         double speed = f->speed[j] + dt * reach * ground, bound[4];
         bound[2] = (m->omega[j] + z) * speed + reach * ground;
         bound[3] = w2 * speed + z * bound[2] + reach * slope;
-        double most = run->shape[j], drift = run->shape[m->nmodes + j];
+        double most = run->bounds.shape[j], drift = run->bounds.shape[m->nmodes + j];
         sum[THUD_FLOOR_DISPLACEMENT] += most * bound[2];
         sum[THUD_FLOOR_VELOCITY] += most * bound[3];
         sum[THUD_FLOOR_ACCELERATION] += most * (w2 * bound[2] + z * bound[3]); /* of omega^2 q + 2 zeta omega q' */
@@ -162,17 +162,17 @@ static void margins(struct thud_flight *f, const struct thud_run *run, double gr
     double slope = 0;
     for (int t = 0; t < intervals; t++)
         slope = thud_larger(slope, fabs(f->after[t] - f->ground[t]));
-    slope /= run->grid_dt_s;
-    for (int s = 0; s < run->model->nstructures; s++)
+    slope /= run->state.grid_dt_s;
+    for (int s = 0; s < run->state.model->nstructures; s++)
         structure_margins(f, run, s, ground, slope);
 }
 
 void thud_flight_series(struct thud_run *run, struct thud_flight *f, int piece)
 {
-    double h = run->grid_dt_s / f->pieces;
-    run->offset_s = piece * h;
-    thud_segment_begin(run, &run->seg, h);
-    thud_taylor_given(run->model, &run->seg, f->now, f->now_rate);
+    double h = run->state.grid_dt_s / f->pieces;
+    run->state.offset_s = piece * h;
+    thud_segment_begin(&run->state, &run->seg, h);
+    thud_taylor_given(run->state.model, &run->seg, f->now, f->now_rate);
 }
 
 static void start_interval(const struct thud_flight *f, int t)
@@ -187,7 +187,7 @@ static void start_interval(const struct thud_flight *f, int t)
 static bool closes_in_piece(const struct thud_run *run, int c, bool first)
 {
     double d[THUD_SEGMENT_TERMS];
-    int zeros = thud_segment_indentation(run, &run->seg, c, d), least = run->contact[c].zeros.indentation;
+    int zeros = thud_segment_indentation(&run->state, &run->seg, c, d), least = run->state.contact[c].zeros.indentation;
     if (!first || least == 0)
         zeros = 0;
     else if (zeros < least)
@@ -198,19 +198,19 @@ static bool closes_in_piece(const struct thud_run *run, int c, bool first)
 /* Whether one of the contacts that are near it closes in interval t. */
 static bool closes(struct thud_run *run, struct thud_flight *f, int t)
 {
-    long base = run->grid;
+    long base = run->state.grid;
     bool found = false;
-    run->grid += t;
+    run->state.grid += t;
     start_interval(f, t);
     for (int piece = 0; piece < f->pieces && !found; piece++) {
         thud_flight_series(run, f, piece);
-        for (int c = 0; c < run->model->ncontacts && !found; c++)
+        for (int c = 0; c < run->state.model->ncontacts && !found; c++)
             found = f->near[c] && closes_in_piece(run, c, t == 0 && piece == 0);
         if (piece + 1 < f->pieces)
             thud_segment_state(&run->seg, f->n, 1, f->now, f->now_rate);
     }
-    run->grid = base;
-    run->offset_s = 0;
+    run->state.grid = base;
+    run->state.offset_s = 0;
     return found;
 }
 
@@ -231,14 +231,14 @@ double thud_flight_gap(struct thud_flight *f, const struct thud_model *model, in
 static bool set_limits(struct thud_run *run, struct thud_flight *f, int intervals)
 {
     bool any = false;
-    for (int c = 0; c < run->model->ncontacts; c++) {
+    for (int c = 0; c < run->state.model->ncontacts; c++) {
         f->limit[c] = INFINITY;
-        if (run->model->contact[c].law->flags & THUD_LAW_SILENT)
+        if (run->state.model->contact[c].law->flags & THUD_LAW_SILENT)
             continue;
-        double margin, most = thud_flight_gap(f, run->model, c, intervals + 1, &margin);
-        if (most <= thud_run_shift(run, c) - margin)
+        double margin, most = thud_flight_gap(f, run->state.model, c, intervals + 1, &margin);
+        if (most <= thud_state_clearance(&run->state, c) - margin)
             continue;
-        f->limit[c] = thud_run_shift(run, c) - margin;
+        f->limit[c] = thud_state_clearance(&run->state, c) - margin;
         any = true;
     }
     return any;
@@ -247,7 +247,7 @@ static bool set_limits(struct thud_run *run, struct thud_flight *f, int interval
 /* Marks the contacts that may close in interval t; whether there are any. */
 static bool find_near(const struct thud_run *run, struct thud_flight *f, int t)
 {
-    const struct thud_model *m = run->model;
+    const struct thud_model *m = run->state.model;
     const double *u = f->value[THUD_FLOOR_DISPLACEMENT] + t;
     bool any = false;
     for (int c = 0; c < m->ncontacts; c++) {
@@ -316,11 +316,11 @@ static void add_energies(struct thud_flight *f, struct thud_run *run, int interv
 
 static enum thud_status rows(struct thud_run *run, struct thud_flight *f, int intervals, struct thud_error *err)
 {
-    long base = run->grid;
+    long base = run->state.grid;
     const struct thud_ledger before = run->ledger; /* goes on with the rows, and then by the whole block */
     enum thud_status status = THUD_OK;
     for (int t = 0; t < intervals && status == THUD_OK; t++) {
-        run->grid = base + t;
+        run->state.grid = base + t;
         start_interval(f, t);
         for (int piece = 0; piece < f->pieces && status == THUD_OK; piece++) {
             thud_flight_series(run, f, piece);
@@ -329,18 +329,18 @@ static enum thud_status rows(struct thud_run *run, struct thud_flight *f, int in
             thud_segment_state(&run->seg, f->n, 1, f->now, f->now_rate);
         }
     }
-    run->grid = base;
-    run->offset_s = 0;
+    run->state.grid = base;
+    run->state.offset_s = 0;
     run->ledger = before;
     return status;
 }
 
 static bool may_fly(const struct thud_run *run)
 {
-    if (run->offset_s != 0)
+    if (run->state.offset_s != 0)
         return false;
-    for (int c = 0; c < run->model->ncontacts; c++)
-        if (run->contact[c].mode != THUD_OPEN)
+    for (int c = 0; c < run->state.model->ncontacts; c++)
+        if (run->state.contact[c].mode != THUD_OPEN)
             return false;
     return true;
 }
@@ -348,36 +348,36 @@ static bool may_fly(const struct thud_run *run)
 static void commit(struct thud_run *run, const struct thud_flight *f, int intervals)
 {
     for (int j = 0; j < f->n; j++) {
-        run->q[j] = f->q[j * ENDS + intervals];
-        run->qd[j] = f->qd[j * ENDS + intervals];
+        run->state.q[j] = f->q[j * ENDS + intervals];
+        run->state.qd[j] = f->qd[j * ENDS + intervals];
     }
-    run->grid += intervals;
-    thud_contact_moved(run);
-    run->result.work.samples_fast += intervals;
+    run->state.grid += intervals;
+    thud_contact_moved(&run->state);
+    run->work.samples_fast += intervals;
 }
 
 enum thud_status thud_flight_go(struct thud_run *run, int *passed, struct thud_error *err)
 {
     struct thud_flight *f = run->flight;
     *passed = 0;
-    long left = (long)floor(run->end_s / run->grid_dt_s * (1 + THUD_TOL_TIME)) - run->grid;
+    long left = (long)floor(run->state.end_s / run->state.grid_dt_s * (1 + THUD_TOL_TIME)) - run->state.grid;
     if (!may_fly(run) || left <= 0)
         return THUD_OK;
     if (run->horizon) {
         long jumped = thud_horizon_jump(run->horizon, run);
         *passed = jumped > 0;
-        run->result.work.samples_jumped += jumped;
+        run->work.samples_jumped += jumped;
         if (jumped > 0)
             return THUD_OK;
     }
     if (run->horizon || run->horizon_to_fill) {
-        int stride = thud_horizon_stride(run->grid);
+        int stride = thud_horizon_stride(run->state.grid);
         f->size = f->size < stride ? f->size : stride;
     }
     int tried = left < f->size ? (int)left : f->size;
     march(f, run, tried);
     double ground = largest_ground(f, tried);
-    displacements(f, run->model, tried + 1);
+    displacements(f, run->state.model, tried + 1);
     margins(f, run, ground, tried);
     int intervals = until_contact(run, f, tried);
     f->size = intervals < tried ? SHORT_BLOCK : 2 * f->size < THUD_FLIGHT_BLOCK ? 2 * f->size : THUD_FLIGHT_BLOCK;

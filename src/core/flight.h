@@ -43,7 +43,6 @@ struct thud_flight {
     double *lower, *upper; /* (ENDS) what the largest value of one row in each interval is at least and at most */
     struct thud_suspect *suspect; /* (QUANTITIES x ndof) */
     double *kept;                 /* (QUANTITIES x ndof x 2 x n) q, q' at the start of its interval */
-    struct thud_segment seg;      /* while such an interval is looked at */
     int size;                     /* intervals to try next */
     double *block;
 };

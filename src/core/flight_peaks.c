@@ -21,7 +21,7 @@ struct row {
 static double rate_at(const struct thud_run *run, const struct thud_flight *f, const struct row *row, int t,
                       double ground)
 {
-    const struct thud_model *m = run->model;
+    const struct thud_model *m = run->state.model;
     const struct thud_model_structure *p = &m->structure[row->structure];
     const double *v = f->value[THUD_FLOOR_VELOCITY] + (p->first + row->floor) * ENDS + t;
     if (row->quantity == THUD_FLOOR_DISPLACEMENT)
@@ -60,9 +60,9 @@ static double cubic_peak(double x0, double x1, double r0, double r1)
 /* Bounds of the fourth, fifth and sixth derivative of the modes of a structure in each interval of the block. */
 static void bound_derivatives(const struct thud_run *run, struct thud_flight *f, int structure, int intervals)
 {
-    const struct thud_model *m = run->model;
+    const struct thud_model *m = run->state.model;
     const struct thud_model_structure *p = &m->structure[structure];
-    double dt = run->grid_dt_s, *restrict fourth = f->bound[0], *restrict fifth = f->bound[1],
+    double dt = run->state.grid_dt_s, *restrict fourth = f->bound[0], *restrict fifth = f->bound[1],
            *restrict sixth = f->bound[2];
     const double *restrict a0 = f->ground, *restrict a1 = f->after;
     for (int j = p->first_mode; j < p->first_mode + p->modes; j++) {
@@ -86,32 +86,29 @@ static void bound_derivatives(const struct thud_run *run, struct thud_flight *f,
  * bound of its fourth derivative there. */
 static double cubic_margin(const struct thud_run *run, const struct thud_flight *f, const struct row *row, int t)
 {
-    const struct thud_model_structure *p = &run->model->structure[row->structure];
+    const struct thud_model_structure *p = &run->state.model->structure[row->structure];
     const double *shape = p->phi + row->floor * p->modes, *below = row->floor > 0 ? shape - p->modes : NULL;
     bool drift = row->quantity == THUD_FLOOR_DRIFT && below;
     /* an acceleration is omega^2 q + 2 zeta omega q' */
     const double *bound = row->quantity == THUD_FLOOR_VELOCITY       ? f->bound[1]
                           : row->quantity == THUD_FLOOR_ACCELERATION ? f->bound[2]
                                                                      : f->bound[0];
-    double dt = run->grid_dt_s, sum = 0;
+    double dt = run->state.grid_dt_s, sum = 0;
     for (int j = 0; j < p->modes; j++)
         sum += fabs(drift ? shape[j] - below[j] : shape[j]) * bound[(p->first_mode + j) * ENDS + t];
     return sum * dt * dt * dt * dt / 384;
 }
 
-/* Reads the peak of a row in the interval that was kept for it. The run's segment stays as it is: it may be the source
- * of the next step in contact. */
+/* Reads the peak of a row in the interval that was kept for it. */
 static void settle(struct thud_run *run, struct thud_flight *f, int structure, int floor, int quantity)
 {
     size_t n = (size_t)f->n;
-    int index = quantity * run->model->ndof + run->model->structure[structure].first + floor;
+    int index = quantity * run->state.model->ndof + run->state.model->structure[structure].first + floor;
     struct thud_suspect *suspect = &f->suspect[index];
-    const struct thud_segment segment = run->seg;
-    const double offset = run->offset_s;
-    const long grid = run->grid;
+    const double offset = run->state.offset_s;
+    const long grid = run->state.grid;
     suspect->waits = false;
-    run->seg = f->seg;
-    run->grid = suspect->grid;
+    run->state.grid = suspect->grid;
     memcpy(f->now, f->kept + (size_t)index * 2 * n, n * sizeof *f->now);
     memcpy(f->now_rate, f->kept + ((size_t)index * 2 + 1) * n, n * sizeof *f->now_rate);
     for (int piece = 0; piece < f->pieces; piece++) {
@@ -122,18 +119,17 @@ static void settle(struct thud_run *run, struct thud_flight *f, int structure, i
         if (piece + 1 < f->pieces)
             thud_segment_state(&run->seg, f->n, 1, f->now, f->now_rate);
     }
-    run->seg = segment;
-    run->grid = grid;
-    run->offset_s = offset;
+    run->state.grid = grid;
+    run->state.offset_s = offset;
 }
 
 void thud_flight_settle(struct thud_run *run)
 {
     struct thud_flight *f = run->flight;
-    for (int s = 0; s < run->model->nstructures; s++)
-        for (int i = 0; i < run->model->structure[s].n; i++)
+    for (int s = 0; s < run->state.model->nstructures; s++)
+        for (int i = 0; i < run->state.model->structure[s].n; i++)
             for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++)
-                if (f->suspect[x * run->model->ndof + run->model->structure[s].first + i].waits)
+                if (f->suspect[x * run->state.model->ndof + run->state.model->structure[s].first + i].waits)
                     settle(run, f, s, i, x);
 }
 
@@ -141,7 +137,7 @@ void thud_flight_settle(struct thud_run *run)
 static void suspect(struct thud_run *run, struct thud_flight *f, const struct row *row, int t, double least,
                     double most)
 {
-    int index = row->quantity * run->model->ndof + run->model->structure[row->structure].first + row->floor;
+    int index = row->quantity * run->state.model->ndof + run->state.model->structure[row->structure].first + row->floor;
     struct thud_suspect *kept = &f->suspect[index];
     if (kept->waits && kept->most > least)
         settle(run, f, row->structure, row->floor, row->quantity);
@@ -152,10 +148,10 @@ static void suspect(struct thud_run *run, struct thud_flight *f, const struct ro
         q[j] = f->q[j * ENDS + t];
         q[f->n + j] = f->qd[j * ENDS + t];
     }
-    *kept = (struct thud_suspect){true, run->grid + t, most};
+    *kept = (struct thud_suspect){true, run->state.grid + t, most};
     least *= 1 - THUD_TOL_PEAK_BOUND; /* so that what is read in the end is above it */
     if (least > row->peak->value)
-        *row->peak = (struct thud_peak){least, (double)(run->grid + t) * run->grid_dt_s};
+        *row->peak = (struct thud_peak){least, (double)(run->state.grid + t) * run->state.grid_dt_s};
 }
 
 /* Intervals with an end at `near` or above, in order; how many. */
@@ -176,7 +172,7 @@ static int intervals_near(const double *x, int intervals, double near, int *list
 static void find_suspects(struct thud_run *run, struct thud_flight *f, const struct row *row, int intervals)
 {
     const double *x = row->x;
-    double most = thud_largest_size(x, intervals + 1), dt = run->grid_dt_s;
+    double most = thud_largest_size(x, intervals + 1), dt = run->state.grid_dt_s;
     if (most + row->margin <= row->peak->value)
         return;
     if (!f->bounded[row->structure])
@@ -200,7 +196,7 @@ static void find_suspects(struct thud_run *run, struct thud_flight *f, const str
 
 void thud_flight_peaks(struct thud_run *run, struct thud_flight *f, int intervals)
 {
-    const struct thud_model *m = run->model;
+    const struct thud_model *m = run->state.model;
     for (int s = 0; s < m->nstructures; s++) {
         f->bounded[s] = false;
         for (int i = 0; i < m->structure[s].n && f->looked[s]; i++)

@@ -28,10 +28,9 @@ static bool allocate(struct thud_flight *f, const struct thud_model *m)
     double **rest[] = {&f->now, &f->now_rate, &f->speed};
     for (size_t i = 0; i < sizeof rest / sizeof *rest; i++)
         by_mode[count++] = rest[i];
-    size_t series = THUD_SEGMENT_TERMS * n, forces = THUD_SEGMENT_TERMS * (size_t)m->ncontacts;
     size_t total = count * rows + ends * many + THUD_FLOOR_QUANTITIES * high + singles * THUD_FLIGHT_ENDS +
-                   THUD_FLOOR_QUANTITIES * (size_t)m->nstructures + 2 * THUD_FLOOR_QUANTITIES * floors * n + series +
-                   forces + (size_t)m->ncontacts;
+                   THUD_FLOOR_QUANTITIES * (size_t)m->nstructures + 2 * THUD_FLOOR_QUANTITIES * floors * n +
+                   (size_t)m->ncontacts;
     double *next = f->block = calloc(total, sizeof *next);
     if (!next)
         return false;
@@ -45,9 +44,7 @@ static bool allocate(struct thud_flight *f, const struct thud_model *m)
         *single[i] = next;
     f->margin = next;
     f->kept = f->margin + THUD_FLOOR_QUANTITIES * m->nstructures;
-    f->seg.q = f->kept + 2 * THUD_FLOOR_QUANTITIES * floors * n;
-    f->seg.force = f->seg.q + series;
-    f->limit = f->seg.force + forces;
+    f->limit = f->kept + 2 * THUD_FLOOR_QUANTITIES * floors * n;
     f->suspect = calloc(THUD_FLOOR_QUANTITIES * floors, sizeof *f->suspect);
     f->looked = calloc(2 * (size_t)m->nstructures + (size_t)m->ncontacts + 1, sizeof *f->looked);
     f->bounded = f->looked + m->nstructures;
@@ -92,10 +89,10 @@ static void move_unit(struct thud_run *run, const struct thud_flight *f, int u, 
 {
     struct thud_segment *seg = &run->seg;
     double s0 = (double)piece / f->pieces, ds = 1.0 / f->pieces;
-    thud_segment_begin(run, seg, run->grid_dt_s * ds);
+    thud_segment_begin(&run->state, seg, run->state.grid_dt_s * ds);
     seg->a0 = u == UNIT_A0 ? 1 - s0 : u == UNIT_A1 ? s0 : 0;
     seg->a1 = u == UNIT_A0 ? -ds : u == UNIT_A1 ? ds : 0;
-    thud_taylor_given(run->model, seg, q, qd);
+    thud_taylor_given(run->state.model, seg, q, qd);
     for (int i = 0; i < POINTS; i++)
         thud_segment_state(seg, f->n, thud_quadrature_node[i], f->now, rate + i * f->n);
     thud_segment_state(seg, f->n, 1, q, qd);
@@ -104,7 +101,7 @@ static void move_unit(struct thud_run *run, const struct thud_flight *f, int u, 
 /* Marches the four unit motions through one interval in pieces short enough for the series. */
 static enum thud_status unit_motions(struct thud_run *run, struct thud_flight *f, struct thud_error *err)
 {
-    size_t n = (size_t)run->model->nmodes, size = (2 + POINTS) * n;
+    size_t n = (size_t)run->state.model->nmodes, size = (2 + POINTS) * n;
     double *state = calloc(UNITS * size + 1, sizeof *state), *q[UNITS], *qd[UNITS], *rate[UNITS];
     if (!state)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
@@ -114,7 +111,7 @@ static enum thud_status unit_motions(struct thud_run *run, struct thud_flight *f
     }
     for (size_t j = 0; j < n; j++)
         q[UNIT_Q][j] = qd[UNIT_QD][j] = 1;
-    f->pieces = 1 + (int)(run->fastest_radps * run->grid_dt_s / 1.8);
+    f->pieces = 1 + (int)(run->state.fastest_radps * run->state.grid_dt_s / 1.8);
     for (int piece = 0; piece < f->pieces; piece++) {
         for (int u = 0; u < UNITS; u++)
             move_unit(run, f, u, piece, q[u], qd[u], qd[u] + n);
@@ -122,7 +119,7 @@ static enum thud_status unit_motions(struct thud_run *run, struct thud_flight *f
             for (int u = 0; u < UNITS; u++)
                 rate[u] = qd[u] + n + (size_t)i * n;
             double ds = 1.0 / f->pieces, s = (piece + thud_quadrature_node[i]) * ds;
-            add_point(f, run->model, thud_quadrature_weight[i] * ds * run->grid_dt_s, s, rate);
+            add_point(f, run->state.model, thud_quadrature_weight[i] * ds * run->state.grid_dt_s, s, rate);
         }
     }
     for (int u = 0; u < UNITS; u++) {
@@ -136,14 +133,14 @@ static enum thud_status unit_motions(struct thud_run *run, struct thud_flight *f
 enum thud_status thud_flight_create(struct thud_run *run, struct thud_error *err)
 {
     run->flight = NULL;
-    if (run->model->couples || run->model->nmodes == 0)
+    if (run->state.model->couples || run->state.model->nmodes == 0)
         return THUD_OK;
     struct thud_flight *f = calloc(1, sizeof *f);
-    if (!f || !allocate(f, run->model)) {
+    if (!f || !allocate(f, run->state.model)) {
         thud_flight_free(f);
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
-    f->n = run->model->nmodes;
+    f->n = run->state.model->nmodes;
     f->size = THUD_FLIGHT_BLOCK;
     enum thud_status status = unit_motions(run, f, err);
     if (status != THUD_OK) {

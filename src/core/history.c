@@ -1,4 +1,4 @@
-/* Histories and the list of impacts: the only arrays of a run that grow. */
+/* Histories: rows of a run at chosen moments. */
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
@@ -41,8 +41,8 @@ int thud_history_energy(const struct thud_history *h, int which)
 enum thud_status thud_history_start(struct thud_run *run, struct thud_error *err)
 {
     struct thud_history *h = &run->history;
-    h->ndof = run->model->ndof;
-    h->ncontacts = run->model->ncontacts;
+    h->ndof = run->state.model->ndof;
+    h->ncontacts = run->state.model->ncontacts;
     h->columns = 1 + 3 * h->ndof + 2 * h->ncontacts + THUD_HISTORY_ENERGIES;
     run->next_row_s = 0;
     (void)err;
@@ -77,11 +77,12 @@ static void fill_motion(const struct thud_run *run, double *row, const double *q
 {
     const struct thud_history *h = &run->history;
     for (int i = 0; i < h->ndof; i++) {
-        row[thud_history_displacement(h, i)] = thud_model_floor(run->model, i, q);
-        row[thud_history_velocity(h, i)] = thud_model_floor(run->model, i, qd);
+        row[thud_history_displacement(h, i)] = thud_model_floor(run->state.model, i, q);
+        row[thud_history_velocity(h, i)] = thud_model_floor(run->state.model, i, qd);
     }
     for (int c = 0; c < h->ncontacts; c++)
-        row[thud_history_indentation(h, c)] = thud_model_gap_sum(run->model, c, q) - thud_run_shift(run, c);
+        row[thud_history_indentation(h, c)] =
+            thud_model_gap_sum(run->state.model, c, q) - thud_state_clearance(&run->state, c);
 }
 
 static void fill_energy(const struct thud_run *run, const struct thud_ledger *ledger, double *row, const double *q,
@@ -89,9 +90,9 @@ static void fill_energy(const struct thud_run *run, const struct thud_ledger *le
 {
     const struct thud_history *h = &run->history;
     double kinetic = 0, strain = 0;
-    for (int j = 0; j < run->model->nmodes; j++) {
+    for (int j = 0; j < run->state.model->nmodes; j++) {
         kinetic += 0.5 * qd[j] * qd[j];
-        strain += 0.5 * run->model->omega[j] * run->model->omega[j] * q[j] * q[j];
+        strain += 0.5 * run->state.model->omega[j] * run->state.model->omega[j] * q[j] * q[j];
     }
     double e[THUD_HISTORY_ENERGIES] = {ledger->input_j, kinetic, strain, ledger->viscous_j, ledger->contact_work_j};
     memcpy(row + thud_history_energy(h, 0), e, sizeof e);
@@ -101,7 +102,7 @@ static void fill_energy(const struct thud_run *run, const struct thud_ledger *le
 static void accelerations(const struct thud_run *run, double s, const double *row, const double *q, const double *qd,
                           double *out)
 {
-    const struct thud_model *m = run->model;
+    const struct thud_model *m = run->state.model;
     const struct thud_segment *seg = &run->seg;
     if (run->method->order > 0) {
         thud_model_acceleration(m, q, qd, 0, out);
@@ -119,10 +120,10 @@ static void accelerations(const struct thud_run *run, double s, const double *ro
 /* A row at s of the present segment. */
 static enum thud_status row_at(struct thud_run *run, double s, struct thud_error *err)
 {
-    const struct thud_model *m = run->model;
+    const struct thud_model *m = run->state.model;
     const struct thud_segment *seg = &run->seg;
     const struct thud_history *h = &run->history;
-    double *row = new_row(run, thud_run_now(run) + s * seg->h_s, err);
+    double *row = new_row(run, thud_state_now(&run->state) + s * seg->h_s, err);
     if (!row)
         return THUD_MEMORY;
     const struct thud_ledger ledger = thud_ledger_at(run, s); /* it uses the scratch too */
@@ -150,7 +151,7 @@ static double impulse_parts(const struct thud_run *run, int c, double s)
     const struct thud_segment *seg = &run->seg;
     double bend = 0, impulse = 0, power = s;
     for (int k = 0; k < seg->terms; k++) {
-        double f = seg->force[k * run->model->ncontacts + c];
+        double f = seg->force[k * run->state.model->ncontacts + c];
         bend += k * (k - 1) * fabs(f) * power;
         impulse += f * power / (k + 1);
         power *= s;
@@ -165,8 +166,8 @@ static int contact_rows(const struct thud_run *run, double s)
     enum { LEAST = 2, MOST = 200 };
     const double close_s = 2.5e-4;
     double parts = s * run->seg.h_s / fmin(run->options.history_step_s, close_s);
-    for (int c = 0; c < run->model->ncontacts; c++)
-        if (thud_contact_acts(&run->contact[c]))
+    for (int c = 0; c < run->state.model->ncontacts; c++)
+        if (thud_contact_acts(&run->state.contact[c]))
             parts = fmax(parts, impulse_parts(run, c, s));
     return parts > LEAST ? parts < MOST ? (int)ceil(parts) : MOST : LEAST;
 }
@@ -230,7 +231,7 @@ static enum thud_status peak_rows(struct thud_run *run, double t0, double t, str
 static enum thud_status rows_in_contact(struct thud_run *run, double s, struct thud_error *err)
 {
     const double while_s = 0.4;
-    double t0 = thud_run_now(run), h = run->seg.h_s;
+    double t0 = thud_state_now(&run->state), h = run->seg.h_s;
     int rows = contact_rows(run, s);
     /* the force of a located contact goes on from the last segment's end unless something has switched there */
     bool goes_on = run->method->order == 0 && !run->switched && last_time(run) >= t0;
@@ -249,14 +250,14 @@ static enum thud_status rows_in_contact(struct thud_run *run, double s, struct t
 /* Whether the ground jumps to rest at t: behind a last sample that is not 0. */
 static bool is_stop(const struct thud_run *run, double t)
 {
-    const struct thud_record *r = run->record;
+    const struct thud_record *r = run->state.record;
     return r && r->a_mps2[r->samples - 1] != 0 && fabs(t - (double)(r->samples - 1) * r->dt_s) < 1e-9 * r->dt_s;
 }
 
 /* Rows of a segment without contact: on the grid, and at its end where something may switch there. */
 static enum thud_status rows_in_flight(struct thud_run *run, double s, bool switches, struct thud_error *err)
 {
-    double t0 = thud_run_now(run), h = run->seg.h_s, fuzz = THUD_TOL_ROW * run->options.history_step_s;
+    double t0 = thud_state_now(&run->state), h = run->seg.h_s, fuzz = THUD_TOL_ROW * run->options.history_step_s;
     enum thud_status status = THUD_OK;
     while (run->next_row_s <= t0 + s * h + fuzz && status == THUD_OK) {
         double at = (run->next_row_s - t0) / h;
@@ -280,25 +281,10 @@ enum thud_status thud_history_segment(struct thud_run *run, double s, bool switc
     if (run->row_waits && !run->switched) /* nothing has switched there: a row like any other of a step */
         run->history.rows--;
     run->row_waits = false;
-    if (run->switched || is_stop(run, thud_run_now(run))) /* the other side of the jump */
-        run->next_row_s = thud_run_now(run);
-    enum thud_status status = run->nactive > 0 ? rows_in_contact(run, s, err) : rows_in_flight(run, s, switches, err);
+    if (run->switched || is_stop(run, thud_state_now(&run->state))) /* the other side of the jump */
+        run->next_row_s = thud_state_now(&run->state);
+    enum thud_status status =
+        run->state.nactive > 0 ? rows_in_contact(run, s, err) : rows_in_flight(run, s, switches, err);
     run->switched = false;
     return status;
-}
-
-enum thud_status thud_impacts_add(struct thud_run *run, const struct thud_impact *impact, struct thud_error *err)
-{
-    if (!run->options.keep_impacts)
-        return THUD_OK;
-    if (run->nimpacts == run->impacts_capacity) {
-        int more = run->impacts_capacity ? 2 * run->impacts_capacity : 256;
-        struct thud_impact *p = realloc(run->impacts, (size_t)more * sizeof *p);
-        if (!p)
-            return thud_error_set(err, THUD_MEMORY, "out of memory for the list of impacts");
-        run->impacts = p;
-        run->impacts_capacity = more;
-    }
-    run->impacts[run->nimpacts++] = *impact;
-    return THUD_OK;
 }

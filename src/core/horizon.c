@@ -69,8 +69,8 @@ static double largest(const double *x, int n)
 
 void thud_horizon_record(struct thud_horizon *h, const struct thud_run *run, struct thud_flight *f, int intervals)
 {
-    const struct thud_model *m = run->model;
-    if (h->failed || run->grid != h->count * STRIDE)
+    const struct thud_model *m = run->state.model;
+    if (h->failed || run->state.grid != h->count * STRIDE)
         h->failed = true;
     double *block = h->failed ? NULL : new_block(h);
     if (!block) {
@@ -92,7 +92,7 @@ void thud_horizon_record(struct thud_horizon *h, const struct thud_run *run, str
         double margin, most = thud_flight_gap(f, m, c, intervals + 1, &margin);
         closing[c] = most + margin;
     }
-    h->end_grid = run->grid + intervals;
+    h->end_grid = run->state.grid + intervals;
 }
 
 /* From each block on: the largest of it and all that follow. */
@@ -123,7 +123,7 @@ static double amplitude(const struct thud_model *m, int j, double q, double qd)
 /* Whether one floor keeps below its peaks: `later` of the motion without contact, plus what the difference may add. */
 static bool floor_is_done(struct thud_run *run, const double *later, const double *amplitudes, int s, int floor)
 {
-    const struct thud_model *m = run->model;
+    const struct thud_model *m = run->state.model;
     const struct thud_model_structure *p = &m->structure[s];
     const double *row = p->phi + floor * p->modes, *below = floor > 0 ? row - p->modes : NULL;
     double add[THUD_FLOOR_QUANTITIES] = {0};
@@ -142,7 +142,7 @@ static bool floor_is_done(struct thud_run *run, const double *later, const doubl
 
 static bool nothing_comes(struct thud_run *run, const double *later, const double *closing, const double *amplitudes)
 {
-    const struct thud_model *m = run->model;
+    const struct thud_model *m = run->state.model;
     for (int c = 0; c < m->ncontacts; c++) {
         const double *g = m->g + c * m->nmodes;
         double add = 0;
@@ -150,7 +150,7 @@ static bool nothing_comes(struct thud_run *run, const double *later, const doubl
             continue;
         for (int j = 0; j < m->nmodes; j++)
             add += fabs(g[j]) * amplitudes[j];
-        if (closing[c] + add >= thud_run_shift(run, c))
+        if (closing[c] + add >= thud_state_clearance(&run->state, c))
             return false;
     }
     for (int s = 0; s < m->nstructures; s++)
@@ -163,28 +163,28 @@ static bool nothing_comes(struct thud_run *run, const double *later, const doubl
 /* Free vibration of the difference over `time`, added to the motion without contact. */
 static void put_at_end(const struct thud_horizon *h, struct thud_run *run, const double *start, double time)
 {
-    const struct thud_model *m = run->model;
+    const struct thud_model *m = run->state.model;
     for (int j = 0; j < h->n; j++) {
-        double dq = run->q[j] - start[j], dv = run->qd[j] - start[h->n + j];
+        double dq = run->state.q[j] - start[j], dv = run->state.qd[j] - start[h->n + j];
         double zw = m->zeta[j] * m->omega[j], w = m->omega[j] * sqrt(1 - m->zeta[j] * m->zeta[j]);
         double fade = exp(-zw * time), c = cos(w * time), s = sin(w * time);
-        run->q[j] = h->end[j] + fade * (dq * c + (dv + zw * dq) / w * s);
-        run->qd[j] = h->end[h->n + j] + fade * (dv * c - (zw * dv + m->omega[j] * m->omega[j] * dq) / w * s);
+        run->state.q[j] = h->end[j] + fade * (dq * c + (dv + zw * dq) / w * s);
+        run->state.qd[j] = h->end[h->n + j] + fade * (dv * c - (zw * dv + m->omega[j] * m->omega[j] * dq) / w * s);
     }
 }
 
 long thud_horizon_jump(const struct thud_horizon *h, struct thud_run *run)
 {
-    long grid = run->grid, b = grid / STRIDE;
+    long grid = run->state.grid, b = grid / STRIDE;
     if (!h->closed || grid % STRIDE != 0 || b >= h->count || grid >= h->end_grid)
         return 0;
     const double *start = h->block + b * h->row, *later = start + 2 * h->n;
-    double *amplitudes = run->reach;
+    double *amplitudes = run->seg.reach;
     for (int j = 0; j < h->n; j++)
-        amplitudes[j] = amplitude(run->model, j, run->q[j] - start[j], run->qd[j] - start[h->n + j]);
+        amplitudes[j] = amplitude(run->state.model, j, run->state.q[j] - start[j], run->state.qd[j] - start[h->n + j]);
     if (!nothing_comes(run, later, later + THUD_FLOOR_QUANTITIES * h->floors, amplitudes))
         return 0;
-    put_at_end(h, run, start, (double)(h->end_grid - grid) * run->grid_dt_s);
-    run->grid = h->end_grid;
+    put_at_end(h, run, start, (double)(h->end_grid - grid) * run->state.grid_dt_s);
+    run->state.grid = h->end_grid;
     return h->end_grid - grid;
 }

@@ -6,36 +6,20 @@
 #include "core/quadrature.h"
 #include "core/run_private.h"
 
-double thud_run_kinetic(const struct thud_run *run)
-{
-    double sum = 0;
-    for (int j = 0; j < run->model->nmodes; j++)
-        sum += run->qd[j] * run->qd[j];
-    return 0.5 * sum;
-}
-
-double thud_run_strain(const struct thud_run *run)
-{
-    double sum = 0;
-    for (int j = 0; j < run->model->nmodes; j++)
-        sum += run->model->omega[j] * run->model->omega[j] * run->q[j] * run->q[j];
-    return 0.5 * sum;
-}
-
 /* Work done on a contact over the segment, per second of it, and its impulse. */
 static double contact_work(const struct thud_run *run, const struct thud_places *places, int c, double *impulse)
 {
-    const struct thud_contact_state *s = &run->contact[c];
+    const struct thud_contact_state *s = &run->state.contact[c];
     double d[THUD_PLACES], rate[THUD_PLACES], force[THUD_PLACES], work = 0;
     int terms = run->seg.terms;
-    bool applied = s->mode == THUD_STUCK || !run->locates; /* what the step really applied */
-    thud_places_slope(places, run->indentation + c * THUD_SEGMENT_TERMS, 1, terms, run->seg.h_s, rate);
+    bool applied = s->mode == THUD_STUCK || !run->state.locates; /* what the step really applied */
+    thud_places_slope(places, run->seg.indentation + c * THUD_SEGMENT_TERMS, 1, terms, run->seg.h_s, rate);
     if (applied)
-        thud_places_read(places, run->seg.force + c, run->model->ncontacts, terms, force);
+        thud_places_read(places, run->seg.force + c, run->state.model->ncontacts, terms, force);
     else
-        thud_places_read(places, run->indentation + c * THUD_SEGMENT_TERMS, 1, terms, d);
+        thud_places_read(places, run->seg.indentation + c * THUD_SEGMENT_TERMS, 1, terms, d);
     for (int i = 0; i < THUD_QUADRATURE_POINTS; i++) {
-        double f = applied ? force[i] : thud_contact_force(run, c, d[i], rate[i]);
+        double f = applied ? force[i] : thud_contact_force(&run->state, c, d[i], rate[i]);
         work += thud_quadrature_weight[i] * f * rate[i];
         *impulse += thud_quadrature_weight[i] * f;
     }
@@ -44,7 +28,7 @@ static double contact_work(const struct thud_run *run, const struct thud_places 
 
 static void book_contact(struct thud_run *run, const struct thud_places *places, int c, double dt)
 {
-    struct thud_contact_state *s = &run->contact[c];
+    struct thud_contact_state *s = &run->state.contact[c];
     double impulse = 0, work = contact_work(run, places, c, &impulse);
     s->impact.impulse_ns += impulse * dt;
     s->impact.dissipated_j += work * dt;
@@ -57,7 +41,7 @@ static void book_contact(struct thud_run *run, const struct thud_places *places,
 
 void thud_ledger_start(struct thud_run *run)
 {
-    run->ledger.initial_j = thud_run_kinetic(run) + thud_run_strain(run);
+    run->ledger.initial_j = thud_state_kinetic(&run->state) + thud_state_strain(&run->state);
     run->ledger.largest_j = run->ledger.initial_j;
 }
 
@@ -82,7 +66,7 @@ static double coupled_loss(const struct thud_model *m, const double *rate)
 /* Work of the ground and of the structures' damping. */
 static void structure_work(struct thud_run *run, const struct thud_places *places, double s, double dt)
 {
-    const struct thud_model *m = run->model;
+    const struct thud_model *m = run->state.model;
     struct thud_lanes viscous = {0}, drive = {0};
     double power[THUD_PLACES], force[THUD_PLACES], input = 0, loss = 0;
     for (int j = 0; j < m->nmodes; j++) {
@@ -115,8 +99,8 @@ void thud_ledger_segment(struct thud_run *run, double s)
     struct thud_places places;
     double dt = s * run->seg.h_s;
     thud_places_set(&places, THUD_QUADRATURE_POINTS, thud_quadrature_node, s, run->seg.terms);
-    for (int c = 0; c < run->model->ncontacts; c++)
-        if (thud_contact_felt(run, c))
+    for (int c = 0; c < run->state.model->ncontacts; c++)
+        if (thud_segment_has_force(&run->state, &run->seg, c))
             book_contact(run, &places, c, dt);
     if (run->options.no_ledger)
         return;
@@ -130,8 +114,8 @@ struct thud_ledger thud_ledger_at(struct thud_run *run, double s)
     const struct thud_ledger before = run->ledger;
     double dt = s * run->seg.h_s, impulse = 0;
     thud_places_set(&places, THUD_QUADRATURE_POINTS, thud_quadrature_node, s, run->seg.terms);
-    for (int c = 0; c < run->model->ncontacts; c++)
-        if (thud_contact_felt(run, c))
+    for (int c = 0; c < run->state.model->ncontacts; c++)
+        if (thud_segment_has_force(&run->state, &run->seg, c))
             run->ledger.contact_work_j += contact_work(run, &places, c, &impulse) * dt;
     if (!run->options.no_ledger)
         structure_work(run, &places, s, dt);
@@ -140,20 +124,26 @@ struct thud_ledger thud_ledger_at(struct thud_run *run, double s)
     return at;
 }
 
+void thud_ledger_impulses(struct thud_run *run)
+{
+    run->ledger.contact_work_j += run->log.lost_j;
+    run->log.lost_j = 0;
+}
+
 void thud_ledger_finish(struct thud_run *run)
 {
     struct thud_energy *e = &run->result.energy;
     const struct thud_ledger *l = &run->ledger;
     double stored = 0;
-    for (int c = 0; c < run->model->ncontacts; c++) {
-        const struct thud_contact_state *s = &run->contact[c];
-        const struct thud_model_contact *p = &run->model->contact[c];
+    for (int c = 0; c < run->state.model->ncontacts; c++) {
+        const struct thud_contact_state *s = &run->state.contact[c];
+        const struct thud_model_contact *p = &run->state.model->contact[c];
         if (thud_contact_acts(s) && p->law->elastic_energy)
-            stored += p->law->elastic_energy(&p->setup, fmax(thud_contact_indentation(run, c), 0));
+            stored += p->law->elastic_energy(&p->setup, fmax(thud_contact_indentation(&run->state, c), 0));
     }
     *e = (struct thud_energy){.input_j = l->input_j,
-                              .kinetic_j = thud_run_kinetic(run),
-                              .strain_j = thud_run_strain(run),
+                              .kinetic_j = thud_state_kinetic(&run->state),
+                              .strain_j = thud_state_strain(&run->state),
                               .viscous_j = l->viscous_j,
                               .contact_j = l->contact_work_j - stored,
                               .initial_j = l->initial_j,

@@ -3,64 +3,66 @@
 #include <math.h>
 
 #include "core/collocation.h"
-#include "core/run_private.h"
+#include "core/method.h"
 #include "core/tolerance.h"
 
 /* Only laws that are not linear need collocation: the others never stick either. */
-static enum thud_status create(struct thud_run *run, void **state, struct thud_error *err)
+static enum thud_status create(const struct thud_state *state, void **own, struct thud_error *err)
 {
     struct thud_collocation *collocation = NULL;
     enum thud_status status = THUD_OK;
     bool linear = true;
-    for (int c = 0; c < run->model->ncontacts; c++)
-        linear = linear && run->model->contact[c].law->flags & (THUD_LAW_LINEAR | THUD_LAW_SILENT);
+    for (int c = 0; c < state->model->ncontacts; c++)
+        linear = linear && state->model->contact[c].law->flags & (THUD_LAW_LINEAR | THUD_LAW_SILENT);
     if (!linear)
-        status = thud_collocation_create(run, &collocation, err);
-    *state = collocation;
+        status = thud_collocation_create(state, &collocation, err);
+    *own = collocation;
     return status;
 }
 
-static bool is_linear(const struct thud_run *run)
+static bool is_linear(const struct thud_state *state)
 {
-    for (int c = 0; c < run->model->ncontacts; c++) {
-        const struct thud_contact_state *s = &run->contact[c];
+    for (int c = 0; c < state->model->ncontacts; c++) {
+        const struct thud_contact_state *s = &state->contact[c];
         if (s->mode == THUD_STUCK || (s->mode == THUD_CLOSED && (s->branch.K != 0 || s->branch.D != 0)))
             return false;
     }
     return true;
 }
 
-static enum thud_status step(struct thud_run *run, void *state, struct thud_error *err)
+static enum thud_status step(const struct thud_state *state, void *own, struct thud_segment *seg,
+                             struct thud_error *err)
 {
-    if (run->nactive > 0 && !is_linear(run))
-        return thud_collocation_step(run, state, err);
-    const struct thud_model *m = run->model;
+    if (state->nactive > 0 && !is_linear(state))
+        return thud_collocation_step(state, seg, own, err);
+    const struct thud_model *m = state->model;
     static const double longest_angle = 30; /* of the first try: the terms stay numbers, and the tail shortens it */
-    thud_segment_begin(run, &run->seg, fmin(thud_run_remaining(run), longest_angle / thud_segment_rate(run)));
-    double tail = thud_taylor_linear(run, &run->seg);
+    thud_segment_begin(state, seg, fmin(thud_state_remaining(state), longest_angle / thud_segment_rate(state)));
+    double tail = thud_taylor_linear(state, seg);
     while (tail > THUD_TOL_SERIES_TAIL) {
         double factor = 0.9 * pow(0.5 * THUD_TOL_SERIES_TAIL / tail, 1.0 / (THUD_SEGMENT_TERMS - 4));
-        thud_segment_shorten(&run->seg, m->nmodes, m->ncontacts, factor);
-        thud_contact_forget(run);
-        tail = thud_segment_tail(&run->seg, m->nmodes);
+        thud_segment_shorten(seg, m->nmodes, m->ncontacts, factor);
+        thud_segment_forget(seg, m->ncontacts);
+        tail = thud_segment_tail(seg, m->nmodes);
     }
-    run->result.work.force_evaluations += run->nactive;
+    state->work->force_evaluations += state->nactive;
     return THUD_OK;
 }
 
-static void committed(struct thud_run *run, void *state, double tau_s, bool switched)
+static void committed(const struct thud_state *state, void *own, const struct thud_segment *seg, double tau_s,
+                      bool switched)
 {
     bool touched = false;
-    if (!state)
+    if (!own)
         return;
-    for (int c = 0; c < run->model->ncontacts && switched; c++)
-        touched |= run->contact[c].mode == THUD_CLOSED && run->contact[c].zeros.indentation > 0;
-    thud_collocation_committed(state, tau_s / run->seg.h_s, switched, touched);
+    for (int c = 0; c < state->model->ncontacts && switched; c++)
+        touched |= state->contact[c].mode == THUD_CLOSED && state->contact[c].zeros.indentation > 0;
+    thud_collocation_committed(own, tau_s / seg->h_s, switched, touched);
 }
 
-static void release(void *state)
+static void release(void *own)
 {
-    thud_collocation_free(state);
+    thud_collocation_free(own);
 }
 
 const struct thud_method thud_method_exact = {

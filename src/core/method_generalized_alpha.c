@@ -2,13 +2,13 @@
 
 #include <math.h>
 
-static enum thud_status create(struct thud_run *run, void **state, struct thud_error *err)
+static enum thud_status create(const struct thud_state *state, void **own, struct thud_error *err)
 {
     const double rho = 0.8, am = (2 * rho - 1) / (rho + 1), af = rho / (rho + 1);
     return thud_alpha_create(
-        run,
+        state,
         (struct thud_alpha){.am = am, .af = af, .beta = 0.25 * (1 - am + af) * (1 - am + af), .gamma = 0.5 - am + af},
-        state, err);
+        own, err);
 }
 
 const struct thud_method thud_method_generalized_alpha = {

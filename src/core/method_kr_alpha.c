@@ -23,9 +23,9 @@ struct kr {
     double *block;
 };
 
-static void release(void *state)
+static void release(void *own)
 {
-    struct kr *x = state;
+    struct kr *x = own;
     if (!x)
         return;
     thud_modal_operator_free(x->a1_operator);
@@ -34,12 +34,12 @@ static void release(void *state)
     free(x);
 }
 
-static enum thud_status create(struct thud_run *run, void **state, struct thud_error *err)
+static enum thud_status create(const struct thud_state *state, void **own, struct thud_error *err)
 {
-    const struct thud_model *m = run->model;
+    const struct thud_model *m = state->model;
     size_t n = (size_t)m->nmodes;
     struct kr *x = calloc(1, sizeof *x);
-    *state = NULL;
+    *own = NULL;
     if (x)
         x->block = calloc(3 * thud_motion_size(m) + 4 * n + 1, sizeof *x->block);
     if (!x || !x->block || thud_modal_operator_create(m, &x->a1_operator, err) != THUD_OK ||
@@ -54,35 +54,36 @@ static enum thud_status create(struct thud_run *run, void **state, struct thud_e
     x->smooth = next + n;
     x->rhs = next + 2 * n;
     x->spare = next + 3 * n;
-    *state = x;
+    *own = x;
     return THUD_OK;
 }
 
-static enum thud_status step(struct thud_run *run, void *state, struct thud_error *err)
+static enum thud_status step(const struct thud_state *state, void *own, struct thud_segment *seg,
+                             struct thud_error *err)
 {
     (void)err;
     const double am = (2 * rho - 1) / (rho + 1), af = rho / (rho + 1), gamma = 0.5 - am + af;
     const double beta = 0.25 * (0.5 + gamma) * (0.5 + gamma);
-    struct kr *x = state;
-    const struct thud_model *m = run->model;
-    double h = thud_step_length(run), y = gamma * h, z = beta * h * h;
+    struct kr *x = own;
+    const struct thud_model *m = state->model;
+    double h = thud_step_length(state), y = gamma * h, z = beta * h * h;
     if (fabs(h - x->h_made) > 1e-11 * h) {
         thud_modal_operator_set(x->a1_operator, m, 1, y, z);
         thud_modal_operator_set(x->end_operator, m, 1 - am, (1 - af) * y, (1 - af) * z);
         x->h_made = h;
     }
-    memcpy(x->start.q, run->q, (size_t)m->nmodes * sizeof(double));
-    memcpy(x->start.qd, run->qd, (size_t)m->nmodes * sizeof(double));
-    thud_step_motion(run, &x->start, 0);
+    memcpy(x->start.q, state->q, (size_t)m->nmodes * sizeof(double));
+    memcpy(x->start.qd, state->qd, (size_t)m->nmodes * sizeof(double));
+    thud_step_motion(state, &x->start, 0);
     if (!x->started)
         memcpy(x->a, x->start.qdd, (size_t)m->nmodes * sizeof(double));
     x->started = true;
     thud_modal_operator_apply(x->a1_operator, m, x->a, x->smooth);
     for (int j = 0; j < m->nmodes; j++) {
-        x->end.q[j] = run->q[j] + h * run->qd[j] + h * h * (0.5 + gamma) * x->smooth[j];
-        x->end.qd[j] = run->qd[j] + h * x->smooth[j];
+        x->end.q[j] = state->q[j] + h * state->qd[j] + h * h * (0.5 + gamma) * x->smooth[j];
+        x->end.qd[j] = state->qd[j] + h * x->smooth[j];
     }
-    thud_step_motion(run, &x->end, h);
+    thud_step_motion(state, &x->end, h);
     for (int j = 0; j < m->nmodes; j++)
         x->spare[j] = (1 - af) * x->end.qdd[j] + af * x->start.qdd[j];
     thud_modal_forward(m, 1, y, z, x->spare, x->rhs);
@@ -90,7 +91,7 @@ static enum thud_status step(struct thud_run *run, void *state, struct thud_erro
     for (int j = 0; j < m->nmodes; j++)
         x->rhs[j] -= x->spare[j];
     thud_modal_operator_apply(x->end_operator, m, x->rhs, x->a);
-    thud_step_write(run, h, &x->start, &x->end, &x->work);
+    thud_step_write(state, seg, h, &x->start, &x->end, &x->work);
     return THUD_OK;
 }
 

@@ -2,9 +2,9 @@
 
 #include <math.h>
 
-static enum thud_status create(struct thud_run *run, void **state, struct thud_error *err)
+static enum thud_status create(const struct thud_state *state, void **own, struct thud_error *err)
 {
-    return thud_alpha_create(run, (struct thud_alpha){.beta = 1.0 / 6, .gamma = 0.5}, state, err);
+    return thud_alpha_create(state, (struct thud_alpha){.beta = 1.0 / 6, .gamma = 0.5}, own, err);
 }
 
 const struct thud_method thud_method_newmark_linear = {

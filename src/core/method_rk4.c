@@ -8,37 +8,39 @@ static const struct thud_tableau tableau = {
     .a = {{0}, {0.5}, {0, 0.5}, {0, 0, 1}, {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6}},
 };
 
-static enum thud_status create(struct thud_run *run, void **state, struct thud_error *err)
+static enum thud_status create(const struct thud_state *state, void **own, struct thud_error *err)
 {
-    struct thud_rk *rk = *state = calloc(1, sizeof *rk);
-    enum thud_status status = rk ? thud_rk_init(rk, run, &tableau, err) : THUD_MEMORY;
+    struct thud_rk *rk = *own = calloc(1, sizeof *rk);
+    enum thud_status status = rk ? thud_rk_init(rk, state, &tableau, err) : THUD_MEMORY;
     if (status == THUD_OK)
         return status;
     free(rk);
-    *state = NULL;
+    *own = NULL;
     return thud_error_set(err, THUD_MEMORY, "out of memory");
 }
 
-static enum thud_status step(struct thud_run *run, void *state, struct thud_error *err)
+static enum thud_status step(const struct thud_state *state, void *own, struct thud_segment *seg,
+                             struct thud_error *err)
 {
-    double h = thud_step_length(run);
+    double h = thud_step_length(state);
     (void)err;
-    thud_rk_start(run, state);
-    thud_rk_stages(run, state, h);
-    thud_rk_write(run, state, h);
+    thud_rk_start(state, own);
+    thud_rk_stages(state, own, h);
+    thud_rk_write(state, seg, own, h);
     return THUD_OK;
 }
 
-static void committed(struct thud_run *run, void *state, double tau_s, bool switched)
+static void committed(const struct thud_state *state, void *own, const struct thud_segment *seg, double tau_s,
+                      bool switched)
 {
     (void)tau_s;
-    thud_rk_committed(run, state, switched);
+    thud_rk_committed(state, seg, own, switched);
 }
 
-static void release(void *state)
+static void release(void *own)
 {
-    thud_rk_clear(state);
-    free(state);
+    thud_rk_clear(own);
+    free(own);
 }
 
 const struct thud_method thud_method_rk4 = {

@@ -7,7 +7,6 @@
 
 #include "core/double_pair.h"
 #include "core/modes.h"
-#include "core/run_private.h"
 
 /* Hands out pieces of one block. */
 struct arena {
@@ -309,4 +308,21 @@ double thud_model_gap_sum(const struct thud_model *model, int c, const double *m
     double left, right;
     thud_model_sides(model, c, modal, &left, &right);
     return left - right;
+}
+
+double thud_model_contact_period(const struct thud_model_contact *p)
+{
+    double v = 1, energy = 0.5 * p->setup.mass_kg * v * v, low = 0, high = 1e-9;
+    if (!p->law->elastic_energy || p->law->flags & (THUD_LAW_SILENT | THUD_LAW_IMPULSIVE))
+        return INFINITY;
+    while (high < 1e3 && p->law->elastic_energy(&p->setup, high) < energy)
+        high *= 2;
+    for (int i = 0; i < 60; i++) {
+        double d = 0.5 * (low + high);
+        if (p->law->elastic_energy(&p->setup, d) < energy)
+            low = d;
+        else
+            high = d;
+    }
+    return 2 * acos(-1) * high / v;
 }

@@ -12,7 +12,7 @@ static void raise_peak(struct thud_run *run, struct thud_peak *peak, const doubl
     double value = thud_poly_peak(p, n, s_end, peak->value, &where);
     if (value > peak->value) {
         peak->value = value;
-        peak->time_s = thud_run_now(run) + where * run->seg.h_s;
+        peak->time_s = thud_state_now(&run->state) + where * run->seg.h_s;
     }
 }
 
@@ -36,7 +36,7 @@ struct thud_peak *thud_floor_peak(struct thud_run *run, int structure, int floor
  * their second derivative strays between the ends of the step by as much as the acceleration changes in it. */
 static void acceleration_by_forces(struct thud_run *run)
 {
-    const struct thud_model *m = run->model;
+    const struct thud_model *m = run->state.model;
     const struct thud_segment *seg = &run->seg;
     int n = m->nmodes;
     for (int k = 0; k + 2 < seg->terms; k++) {
@@ -55,7 +55,7 @@ void thud_peaks_prepare(struct thud_run *run)
         return;
     }
     double *out = run->scratch;
-    const struct thud_model *m = run->model;
+    const struct thud_model *m = run->state.model;
     const struct thud_segment *seg = &run->seg;
     double inverse = 1 / (seg->h_s * seg->h_s);
     for (int k = 0; k + 2 < seg->terms; k++) {
@@ -70,7 +70,7 @@ void thud_peaks_prepare(struct thud_run *run)
 static void modal_margins(const struct thud_run *run, const double *acceleration, double s_end, double *out)
 {
     const struct thud_segment *seg = &run->seg;
-    int n = run->model->nmodes;
+    int n = run->state.model->nmodes;
     double eighth = s_end * s_end / 8;
     memset(out, 0, 3 * (size_t)n * sizeof *out);
     for (int k = 2; k < seg->terms; k++) {
@@ -90,13 +90,13 @@ static void modal_margins(const struct thud_run *run, const double *acceleration
 static void structure_margins(const struct thud_run *run, const struct thud_model_structure *p, const double *modal,
                               double margin[THUD_FLOOR_QUANTITIES])
 {
-    int n = run->model->nmodes;
+    int n = run->state.model->nmodes;
     double sum[THUD_FLOOR_QUANTITIES] = {0};
     for (int j = p->first_mode; j < p->first_mode + p->modes; j++) {
-        sum[THUD_FLOOR_DISPLACEMENT] += run->shape[j] * modal[j];
-        sum[THUD_FLOOR_VELOCITY] += run->shape[j] * modal[n + j];
-        sum[THUD_FLOOR_ACCELERATION] += run->shape[j] * modal[2 * n + j];
-        sum[THUD_FLOOR_DRIFT] += run->shape[n + j] * modal[j];
+        sum[THUD_FLOOR_DISPLACEMENT] += run->bounds.shape[j] * modal[j];
+        sum[THUD_FLOOR_VELOCITY] += run->bounds.shape[j] * modal[n + j];
+        sum[THUD_FLOOR_ACCELERATION] += run->bounds.shape[j] * modal[2 * n + j];
+        sum[THUD_FLOOR_DRIFT] += run->bounds.shape[n + j] * modal[j];
     }
     memcpy(margin, sum, sizeof sum);
 }
@@ -117,7 +117,7 @@ static double floor_margin(const struct thud_model_structure *p, int floor, int 
 /* Modal total acceleration at s, out (nmodes). */
 static void modal_acceleration(const struct thud_run *run, const double *acceleration, double s, double *out)
 {
-    int n = run->model->nmodes;
+    int n = run->state.model->nmodes;
     memset(out, 0, (size_t)n * sizeof *out);
     for (int k = run->seg.terms - 3; k >= 0; k--)
         for (int j = 0; j < n; j++)
@@ -151,10 +151,10 @@ static void floor_values(const struct thud_model_structure *p, int floor, int nm
 void thud_peaks_floor(struct thud_run *run, int structure, int floor, int quantity, double s_end)
 {
     const struct thud_segment *seg = &run->seg;
-    const struct thud_model_structure *p = &run->model->structure[structure];
+    const struct thud_model_structure *p = &run->state.model->structure[structure];
     struct thud_peak *peak = thud_floor_peak(run, structure, floor, quantity);
     double x[THUD_SEGMENT_TERMS] = {0}, u[THUD_SEGMENT_TERMS] = {0};
-    int n = seg->terms, nmodes = run->model->nmodes;
+    int n = seg->terms, nmodes = run->state.model->nmodes;
     if (quantity == THUD_FLOOR_ACCELERATION) {
         floor_polynomial(p, floor, run->scratch, nmodes, n - 2, x);
         raise_peak(run, peak, x, n - 2, s_end);
@@ -175,9 +175,9 @@ void thud_peaks_floor(struct thud_run *run, int structure, int floor, int quanti
 static void structure_peaks(struct thud_run *run, int index, double s_end, const struct thud_reach *reach,
                             const double *start, const double *end, const double *modal)
 {
-    const struct thud_model_structure *p = &run->model->structure[index];
+    const struct thud_model_structure *p = &run->state.model->structure[index];
     double margin[THUD_FLOOR_QUANTITIES], a[THUD_FLOOR_QUANTITIES], b[THUD_FLOOR_QUANTITIES], a_below = 0, b_below = 0;
-    int nmodes = run->model->nmodes, below = -1; /* the floor whose displacements a_below and b_below are */
+    int nmodes = run->state.model->nmodes, below = -1; /* the floor whose displacements a_below and b_below are */
     structure_margins(run, p, modal, margin);
     for (int i = 0; i < p->n; i++) {
         if (!thud_reach_floor(run, index, i, reach))
@@ -209,16 +209,16 @@ static void raise_contact_peak(struct thud_run *run, struct thud_peak *peak, dou
     double where = 0;
     *of_impact = thud_poly_peak(p, run->seg.terms, s_end, *of_impact, &where);
     if (*of_impact > peak->value)
-        *peak = (struct thud_peak){*of_impact, thud_run_now(run) + where * run->seg.h_s};
+        *peak = (struct thud_peak){*of_impact, thud_state_now(&run->state) + where * run->seg.h_s};
 }
 
 static void indentation_peak(struct thud_run *run, int c, double s_end)
 {
     const struct thud_segment *seg = &run->seg;
-    struct thud_impact *impact = &run->contact[c].impact;
+    struct thud_impact *impact = &run->state.contact[c].impact;
     struct thud_peak *peak = &run->result.contact[c].indentation;
-    const double *d = run->indentation + c * THUD_SEGMENT_TERMS;
-    if (run->locates) {
+    const double *d = run->seg.indentation + c * THUD_SEGMENT_TERMS;
+    if (run->state.locates) {
         raise_contact_peak(run, peak, &impact->indentation_m, d, s_end);
         return;
     }
@@ -226,27 +226,28 @@ static void indentation_peak(struct thud_run *run, int c, double s_end)
         double value = thud_poly_value(d, seg->terms, end * s_end);
         impact->indentation_m = fmax(impact->indentation_m, value);
         if (value > peak->value)
-            *peak = (struct thud_peak){value, thud_run_now(run) + end * s_end * seg->h_s};
+            *peak = (struct thud_peak){value, thud_state_now(&run->state) + end * s_end * seg->h_s};
     }
 }
 
 static void contact_peaks(struct thud_run *run, int c, double s_end)
 {
     const struct thud_segment *seg = &run->seg;
-    struct thud_contact_state *s = &run->contact[c];
+    struct thud_contact_state *s = &run->state.contact[c];
     double p[THUD_SEGMENT_TERMS];
     if (s->mode != THUD_OPEN)
         indentation_peak(run, c, s_end);
-    if (!thud_contact_felt(run, c))
+    if (!thud_segment_has_force(&run->state, &run->seg, c))
         return;
     for (int k = 0; k < seg->terms; k++)
-        p[k] = seg->force[k * run->model->ncontacts + c];
+        p[k] = seg->force[k * run->state.model->ncontacts + c];
     raise_contact_peak(run, &run->result.contact[c].force, &s->impact.force_n, p, s_end);
+    s->largest_force_n = run->result.contact[c].force.value;
 }
 
 void thud_peaks_start(struct thud_run *run)
 {
-    const struct thud_model *m = run->model;
+    const struct thud_model *m = run->state.model;
     thud_reach_start(run);
     for (int s = 0; s < m->nstructures; s++) {
         const struct thud_model_structure *p = &m->structure[s];
@@ -257,8 +258,8 @@ void thud_peaks_start(struct thud_run *run)
                 most = fmax(most, fabs(p->phi[i * p->modes + j]));
                 drift = fmax(drift, fabs(p->phi[i * p->modes + j] - below));
             }
-            run->shape[p->first_mode + j] = most;
-            run->shape[m->nmodes + p->first_mode + j] = drift;
+            run->bounds.shape[p->first_mode + j] = most;
+            run->bounds.shape[m->nmodes + p->first_mode + j] = drift;
         }
     }
 }
@@ -266,9 +267,9 @@ void thud_peaks_start(struct thud_run *run)
 /* Peaks of the structures that may have one. Modal values at the end are there already, but for the acceleration. */
 static void motion_peaks(struct thud_run *run, double s)
 {
-    const struct thud_model *m = run->model;
+    const struct thud_model *m = run->state.model;
     size_t n = (size_t)m->nmodes;
-    double *start = run->ends, *end = start + 3 * n, *modal = end + 3 * n;
+    double *start = run->bounds.ends, *end = start + 3 * n, *modal = end + 3 * n;
     bool prepared = false;
     for (int i = 0; i < m->nstructures; i++) {
         struct thud_reach reach = thud_reach_segment(run, i, s);
@@ -276,8 +277,8 @@ static void motion_peaks(struct thud_run *run, double s)
             continue;
         if (!prepared) {
             thud_peaks_prepare(run);
-            memcpy(start, run->q, n * sizeof *start);
-            memcpy(start + n, run->qd, n * sizeof *start);
+            memcpy(start, run->state.q, n * sizeof *start);
+            memcpy(start + n, run->state.qd, n * sizeof *start);
             memcpy(start + 2 * n, run->scratch, n * sizeof *start);
             modal_acceleration(run, run->scratch, s, end + 2 * n);
             modal_margins(run, run->scratch, s, modal);
@@ -290,6 +291,6 @@ static void motion_peaks(struct thud_run *run, double s)
 void thud_peaks_segment(struct thud_run *run, double s)
 {
     motion_peaks(run, s);
-    for (int c = 0; c < run->model->ncontacts; c++)
+    for (int c = 0; c < run->state.model->ncontacts; c++)
         contact_peaks(run, c, s);
 }

@@ -17,7 +17,7 @@ static double damping_factor(const struct thud_model *m, const struct thud_model
 
 void thud_reach_start(struct thud_run *run)
 {
-    const struct thud_model *m = run->model;
+    const struct thud_model *m = run->state.model;
     for (int s = 0; s < m->nstructures; s++) {
         const struct thud_model_structure *p = &m->structure[s];
         for (int i = 0; i < p->n; i++) {
@@ -31,16 +31,16 @@ void thud_reach_start(struct thud_run *run)
                 sum[THUD_FLOOR_DRIFT] += p->stiffness_npm ? (a - below) * (a - below) / (w * w) : 0;
             }
             for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++)
-                run->most[x * m->ndof + p->first + i] = sqrt(sum[x]);
+                run->bounds.most[x * m->ndof + p->first + i] = sqrt(sum[x]);
         }
     }
 }
 
 bool thud_reach_floor(const struct thud_run *run, int structure, int floor, const struct thud_reach *reach)
 {
-    const struct thud_model *m = run->model;
+    const struct thud_model *m = run->state.model;
     const struct thud_floor_result *r = &run->result.structure[structure].floor[floor];
-    const double *most = run->most + m->structure[structure].first + floor;
+    const double *most = run->bounds.most + m->structure[structure].first + floor;
     double push = most[THUD_FLOOR_VELOCITY * m->ndof] * reach->force;
     bool below = most[THUD_FLOOR_DISPLACEMENT * m->ndof] * reach->speed <= r->displacement.value &&
                  most[THUD_FLOOR_VELOCITY * m->ndof] * reach->speed <= r->velocity.value &&
@@ -51,7 +51,7 @@ bool thud_reach_floor(const struct thud_run *run, int structure, int floor, cons
 
 bool thud_reach_structure(const struct thud_run *run, int structure, const struct thud_reach *reach)
 {
-    for (int i = 0; i < run->model->structure[structure].n; i++)
+    for (int i = 0; i < run->state.model->structure[structure].n; i++)
         if (thud_reach_floor(run, structure, i, reach))
             return true;
     return false;
@@ -61,11 +61,11 @@ bool thud_reach_structure(const struct thud_run *run, int structure, const struc
  * mass m is force/sqrt(m) there. */
 static double largest_force(const struct thud_run *run, const struct thud_model_structure *p)
 {
-    const struct thud_model *m = run->model;
+    const struct thud_model *m = run->state.model;
     double total = 0;
     for (int c = 0; c < m->ncontacts; c++) {
         const struct thud_model_contact *contact = &m->contact[c];
-        if (!thud_contact_acts(&run->contact[c]))
+        if (!thud_contact_acts(&run->state.contact[c]))
             continue;
         double force = 0;
         for (int k = 0; k < run->seg.terms; k++)
@@ -73,7 +73,7 @@ static double largest_force(const struct thud_run *run, const struct thud_model_
         for (int side = 0; side < 2; side++) {
             int dof = side == 0 ? contact->left_dof : contact->right_dof;
             if (dof >= p->first && dof < p->first + p->n)
-                total += run->most[THUD_FLOOR_VELOCITY * m->ndof + dof] * force;
+                total += run->bounds.most[THUD_FLOOR_VELOCITY * m->ndof + dof] * force;
         }
     }
     return total;
@@ -81,13 +81,13 @@ static double largest_force(const struct thud_run *run, const struct thud_model_
 
 struct thud_reach thud_reach_segment(const struct thud_run *run, int structure, double s)
 {
-    const struct thud_model *m = run->model;
+    const struct thud_model *m = run->state.model;
     const struct thud_model_structure *p = &m->structure[structure];
     double energy = 0, gamma = 0, force = largest_force(run, p);
     if (run->method->order > 0)
         return (struct thud_reach){INFINITY, INFINITY};
     for (int j = p->first_mode; j < p->first_mode + p->modes; j++) {
-        energy += run->qd[j] * run->qd[j] + m->omega[j] * m->omega[j] * run->q[j] * run->q[j];
+        energy += run->state.qd[j] * run->state.qd[j] + m->omega[j] * m->omega[j] * run->state.q[j] * run->state.q[j];
         gamma += m->gamma[j] * m->gamma[j];
     }
     double ground = fmax(fabs(run->seg.a0), fabs(run->seg.a0 + run->seg.a1)) * sqrt(gamma);

@@ -6,16 +6,16 @@
 
 #include "core/tolerance.h"
 
-enum thud_status thud_rk_init(struct thud_rk *rk, const struct thud_run *run, const struct thud_tableau *tableau,
+enum thud_status thud_rk_init(struct thud_rk *rk, const struct thud_state *state, const struct thud_tableau *tableau,
                               struct thud_error *err)
 {
     *rk = (struct thud_rk){.tableau = tableau};
-    double *next = rk->block = calloc((size_t)(tableau->stages + 1) * thud_motion_size(run->model) + 1, sizeof *next);
+    double *next = rk->block = calloc((size_t)(tableau->stages + 1) * thud_motion_size(state->model) + 1, sizeof *next);
     if (!next)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     for (int i = 0; i < tableau->stages; i++)
-        next = thud_motion_place(&rk->stage[i], run->model, next);
-    thud_motion_place(&rk->work, run->model, next);
+        next = thud_motion_place(&rk->stage[i], state->model, next);
+    thud_motion_place(&rk->work, state->model, next);
     return THUD_OK;
 }
 
@@ -25,26 +25,26 @@ void thud_rk_clear(struct thud_rk *rk)
     rk->block = NULL;
 }
 
-void thud_rk_start(struct thud_run *run, struct thud_rk *rk)
+void thud_rk_start(const struct thud_state *state, struct thud_rk *rk)
 {
-    double ground = thud_step_ground(run, 0), before = rk->end_mps2;
+    double ground = thud_step_ground(state, 0), before = rk->end_mps2;
     if (rk->first_known && fabs(ground - before) <= THUD_TOL_GROUND * (fabs(ground) + fabs(before)))
         return;
-    memcpy(rk->stage[0].q, run->q, (size_t)run->model->nmodes * sizeof(double));
-    memcpy(rk->stage[0].qd, run->qd, (size_t)run->model->nmodes * sizeof(double));
-    thud_step_motion(run, &rk->stage[0], 0);
+    memcpy(rk->stage[0].q, state->q, (size_t)state->model->nmodes * sizeof(double));
+    memcpy(rk->stage[0].qd, state->qd, (size_t)state->model->nmodes * sizeof(double));
+    thud_step_motion(state, &rk->stage[0], 0);
     rk->first_known = true;
     rk->end_mps2 = ground;
 }
 
-void thud_rk_stages(struct thud_run *run, struct thud_rk *rk, double h)
+void thud_rk_stages(const struct thud_state *state, struct thud_rk *rk, double h)
 {
     const struct thud_tableau *t = rk->tableau;
-    int n = run->model->nmodes;
+    int n = state->model->nmodes;
     for (int i = 1; i < t->stages; i++) {
         struct thud_motion *x = &rk->stage[i];
-        memcpy(x->q, run->q, (size_t)n * sizeof *x->q);
-        memcpy(x->qd, run->qd, (size_t)n * sizeof *x->qd);
+        memcpy(x->q, state->q, (size_t)n * sizeof *x->q);
+        memcpy(x->qd, state->qd, (size_t)n * sizeof *x->qd);
         for (int k = 0; k < i; k++) {
             double weight = h * t->a[i][k];
             const struct thud_motion *y = &rk->stage[k];
@@ -53,16 +53,17 @@ void thud_rk_stages(struct thud_run *run, struct thud_rk *rk, double h)
                 x->qd[j] += weight * y->qdd[j];
             }
         }
-        thud_step_motion(run, x, t->c[i] * h);
+        thud_step_motion(state, x, t->c[i] * h);
     }
 }
 
-void thud_rk_write(struct thud_run *run, struct thud_rk *rk, double h)
+void thud_rk_write(const struct thud_state *state, struct thud_segment *seg, struct thud_rk *rk, double h)
 {
-    thud_step_write(run, h, &rk->stage[0], &rk->stage[rk->tableau->stages - 1], &rk->work);
+    thud_step_write(state, seg, h, &rk->stage[0], &rk->stage[rk->tableau->stages - 1], &rk->work);
 }
 
-void thud_rk_committed(const struct thud_run *run, struct thud_rk *rk, bool switched)
+void thud_rk_committed(const struct thud_state *state, const struct thud_segment *seg, struct thud_rk *rk,
+                       bool switched)
 {
     struct thud_motion *first = &rk->stage[0], *last = &rk->stage[rk->tableau->stages - 1], keep = *first;
     rk->first_known = !switched;
@@ -71,7 +72,7 @@ void thud_rk_committed(const struct thud_run *run, struct thud_rk *rk, bool swit
     *first = *last;
     *last = keep;
     /* The state was read from the segment: the same but for rounding. */
-    memcpy(first->q, run->q, (size_t)run->model->nmodes * sizeof(double));
-    memcpy(first->qd, run->qd, (size_t)run->model->nmodes * sizeof(double));
-    rk->end_mps2 = run->seg.a0 + run->seg.a1;
+    memcpy(first->q, state->q, (size_t)state->model->nmodes * sizeof(double));
+    memcpy(first->qd, state->qd, (size_t)state->model->nmodes * sizeof(double));
+    rk->end_mps2 = seg->a0 + seg->a1;
 }

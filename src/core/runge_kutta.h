@@ -22,17 +22,18 @@ struct thud_rk {
 };
 
 /* Errors: THUD_MEMORY; nothing stays allocated then. */
-enum thud_status thud_rk_init(struct thud_rk *rk, const struct thud_run *run, const struct thud_tableau *tableau,
+enum thud_status thud_rk_init(struct thud_rk *rk, const struct thud_state *state, const struct thud_tableau *tableau,
                               struct thud_error *err);
 void thud_rk_clear(struct thud_rk *rk);
 
 /* The right-hand side at the run's state into stage[0]. */
-void thud_rk_start(struct thud_run *run, struct thud_rk *rk);
+void thud_rk_start(const struct thud_state *state, struct thud_rk *rk);
 /* All other stages of a step of length h. */
-void thud_rk_stages(struct thud_run *run, struct thud_rk *rk, double h);
-/* Writes run->seg from them. */
-void thud_rk_write(struct thud_run *run, struct thud_rk *rk, double h);
+void thud_rk_stages(const struct thud_state *state, struct thud_rk *rk, double h);
+/* Writes state->seg from them. */
+void thud_rk_write(const struct thud_state *state, struct thud_segment *seg, struct thud_rk *rk, double h);
 /* Keeps the end as the next start where the whole step was taken and nothing changed at its end. */
-void thud_rk_committed(const struct thud_run *run, struct thud_rk *rk, bool switched);
+void thud_rk_committed(const struct thud_state *state, const struct thud_segment *seg, struct thud_rk *rk,
+                       bool switched);
 
 #endif

@@ -3,26 +3,35 @@
 #ifndef THUD_CORE_SEGMENT_H
 #define THUD_CORE_SEGMENT_H
 
-struct thud_run;
-struct thud_model;
+#include "core/state.h"
 
 enum { THUD_SEGMENT_TERMS = 24, THUD_SEGMENT_TERMS_LEAST = 10 }; /* coefficients of a polynomial */
 
 struct thud_segment {
     double h_s;
-    int terms;     /* coefficients in use */
-    int loaded;    /* orders below this one may have contact forces */
-    double a0, a1; /* ground acceleration a0 + a1 s */
-    double *q;     /* (terms x nmodes): coefficients of the modal coordinates, by order */
-    double *force; /* (terms x ncontacts): of the contact forces; 0 where a contact does not act */
+    int terms;         /* coefficients in use */
+    int loaded;        /* orders below this one may have contact forces */
+    double a0, a1;     /* ground acceleration a0 + a1 s */
+    double *q;         /* (terms x nmodes): coefficients of the modal coordinates, by order */
+    double *force;     /* (terms x ncontacts): of the contact forces; 0 where a contact does not act */
+    bool interpolates; /* the states of a stepping method at its two ends; else a power series */
+
+    double *indentation; /* (ncontacts x THUD_SEGMENT_TERMS): where it has been read */
+    int *known;          /* (ncontacts) its lowest orders that are no motion; -1 where it has not been read */
+    double *reach;       /* (nmodes) how far each mode may move in it: thud_segment_reach */
+    double *block;
 };
 
+/* A segment of no length. Errors: THUD_MEMORY; nothing stays allocated then. */
+enum thud_status thud_segment_init(struct thud_segment *seg, const struct thud_model *model, struct thud_error *err);
+void thud_segment_clear(struct thud_segment *seg);
+
 /* Bound of the fastest rate of the run's motion with the linear contacts that are closed, 1/s. */
-double thud_segment_rate(const struct thud_run *run);
+double thud_segment_rate(const struct thud_state *state);
 /* Terms after which angle^k/k! is below `least`: angle = rate times h. */
 int thud_segment_terms(double angle, double least);
 /* Sets h and the ground acceleration over the next h seconds of the run, and clears the forces. */
-void thud_segment_begin(struct thud_run *run, struct thud_segment *seg, double h_s);
+void thud_segment_begin(const struct thud_state *state, struct thud_segment *seg, double h_s);
 
 /* Taylor coefficients of the motion from (q, qd) under seg->a0, a1 and the forces in seg->force. Exact to rounding
  * where omega h is about 1.5 or less. */
@@ -31,17 +40,27 @@ void thud_taylor_given(const struct thud_model *model, struct thud_segment *seg,
 void thud_taylor_load(const struct thud_model *model, struct thud_segment *seg, const double *load, int order);
 /* The same from the run's state with the linear branches of its closed contacts, whose forces are found along with it.
  */
-double thud_taylor_linear(struct thud_run *run, struct thud_segment *seg);
+double thud_taylor_linear(const struct thud_state *state, struct thud_segment *seg);
 /* Size of the last terms over the largest. */
 double thud_segment_tail(const struct thud_segment *seg, int nmodes);
 /* Shortens the segment to factor * h by scaling its coefficients. */
 void thud_segment_shorten(struct thud_segment *seg, int nmodes, int ncontacts, double factor);
+
+/* Reads the indentation of contact c into seg->indentation, once; returns how many of its lowest orders are no motion
+ * (see thud_segment_indentation). */
+int thud_segment_contact(const struct thud_state *state, struct thud_segment *seg, int c);
+/* The segment has changed: no indentation of it has been read yet. */
+void thud_segment_forget(struct thud_segment *seg, int ncontacts);
+/* Fills seg->reach. */
+void thud_segment_reach(struct thud_segment *seg, int nmodes);
+/* Whether the segment holds a force of contact c. */
+bool thud_segment_has_force(const struct thud_state *state, const struct thud_segment *seg, int c);
 
 /* Values of all modal coordinates and their rates at s. */
 void thud_segment_state(const struct thud_segment *seg, int nmodes, double s, double *q, double *qd);
 /* Coefficients of the indentation of contact c, out (terms). Where it is known to start at 0 (an event has just been
  * there), returns how many of the lowest ones are 0 but for rounding: neighbours that start together move together to
  * high orders, and what rounding leaves of their difference is no motion. Elsewhere 0. */
-int thud_segment_indentation(const struct thud_run *run, const struct thud_segment *seg, int c, double *out);
+int thud_segment_indentation(const struct thud_state *state, const struct thud_segment *seg, int c, double *out);
 
 #endif

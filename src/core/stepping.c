@@ -22,29 +22,29 @@ double *thud_motion_place(struct thud_motion *motion, const struct thud_model *m
     return motion->force + model->ncontacts;
 }
 
-double thud_step_room(const struct thud_run *run)
+double thud_step_room(const struct thud_state *state)
 {
-    return fmin(thud_run_remaining(run), run->step_cap_s);
+    return fmin(thud_state_remaining(state), state->step_cap_s);
 }
 
-double thud_step_length(const struct thud_run *run)
+double thud_step_length(const struct thud_state *state)
 {
-    double remaining = thud_step_room(run);
-    return remaining / fmax(1, ceil(remaining / run->options.step_s * (1 - THUD_TOL_STEP_COUNT)));
+    double remaining = thud_step_room(state);
+    return remaining / fmax(1, ceil(remaining / state->step_s * (1 - THUD_TOL_STEP_COUNT)));
 }
 
-double thud_step_ground(const struct thud_run *run, double after)
+double thud_step_ground(const struct thud_state *state, double after)
 {
     double a0, a1;
-    thud_run_ground(run, run->grid, &a0, &a1);
-    return a0 + (a1 - a0) * ((run->offset_s + after) / run->grid_dt_s);
+    thud_state_ground(state, state->grid, &a0, &a1);
+    return a0 + (a1 - a0) * ((state->offset_s + after) / state->grid_dt_s);
 }
 
 /* The law where nothing is located: what the contact remembers counts if it is closed, else it touches just now. */
-static double unlocated_force(struct thud_run *run, int c, double d, double v, double *df_dd, double *df_dv)
+static double unlocated_force(const struct thud_state *state, int c, double d, double v, double *df_dd, double *df_dv)
 {
-    const struct thud_model_contact *p = &run->model->contact[c];
-    const struct thud_contact_state *s = &run->contact[c];
+    const struct thud_model_contact *p = &state->model->contact[c];
+    const struct thud_contact_state *s = &state->contact[c];
     struct thud_law_memory memory = s->memory;
     *df_dd = *df_dv = 0;
     if (d <= 0 || p->law->flags & (THUD_LAW_SILENT | THUD_LAW_IMPULSIVE))
@@ -62,46 +62,47 @@ static double unlocated_force(struct thud_run *run, int c, double d, double v, d
     return 0;
 }
 
-double thud_step_force(struct thud_run *run, int c, double d, double v, double *df_dd, double *df_dv)
+double thud_step_force(const struct thud_state *state, int c, double d, double v, double *df_dd, double *df_dv)
 {
     double dummy[2];
     df_dd = df_dd ? df_dd : &dummy[0];
     df_dv = df_dv ? df_dv : &dummy[1];
-    if (!run->locates) {
-        run->result.work.force_evaluations += d > 0;
-        return unlocated_force(run, c, d, v, df_dd, df_dv);
+    if (!state->locates) {
+        state->work->force_evaluations += d > 0;
+        return unlocated_force(state, c, d, v, df_dd, df_dv);
     }
     *df_dd = *df_dv = 0;
-    if (run->contact[c].mode != THUD_CLOSED)
+    if (state->contact[c].mode != THUD_CLOSED)
         return 0;
-    run->result.work.force_evaluations++;
-    return thud_branch_force(&run->contact[c].branch, d, v, df_dd, df_dv);
+    state->work->force_evaluations++;
+    return thud_branch_force(&state->contact[c].branch, d, v, df_dd, df_dv);
 }
 
-void thud_step_motion(struct thud_run *run, struct thud_motion *x, double after)
+void thud_step_motion(const struct thud_state *state, struct thud_motion *x, double after)
 {
-    const struct thud_model *m = run->model;
+    const struct thud_model *m = state->model;
     bool stuck = false;
-    thud_model_acceleration(m, x->q, x->qd, thud_step_ground(run, after), x->qdd);
+    thud_model_acceleration(m, x->q, x->qd, thud_step_ground(state, after), x->qdd);
     memset(x->force, 0, (size_t)m->ncontacts * sizeof *x->force);
-    if (run->locates && run->nactive == 0)
+    if (state->locates && state->nactive == 0)
         return;
     for (int c = 0; c < m->ncontacts; c++) {
-        stuck |= run->contact[c].mode == THUD_STUCK;
-        if (run->locates && run->contact[c].mode != THUD_CLOSED)
+        stuck |= state->contact[c].mode == THUD_STUCK;
+        if (state->locates && state->contact[c].mode != THUD_CLOSED)
             continue;
-        double d = thud_model_gap_sum(m, c, x->q) - thud_run_shift(run, c), v = thud_model_gap_sum(m, c, x->qd);
-        x->force[c] = thud_step_force(run, c, d, v, NULL, NULL);
+        double d = thud_model_gap_sum(m, c, x->q) - thud_state_clearance(state, c), v = thud_model_gap_sum(m, c, x->qd);
+        x->force[c] = thud_step_force(state, c, d, v, NULL, NULL);
     }
     if (stuck)
-        thud_contact_hold(run, x->qdd, x->force);
+        thud_contact_hold(state, x->qdd, x->force);
     thud_model_push(m, x->force, x->qdd);
 }
 
-static void write_motion(const struct thud_run *run, const struct thud_motion *start, const struct thud_motion *end)
+static void write_motion(const struct thud_state *state, struct thud_segment *seg, const struct thud_motion *start,
+                         const struct thud_motion *end)
 {
-    int n = run->model->nmodes;
-    double *c = run->seg.q, h = run->seg.h_s;
+    int n = state->model->nmodes;
+    double *c = seg->q, h = seg->h_s;
     memset(c + 6 * n, 0, (TERMS - 6) * (size_t)n * sizeof *c);
     for (int j = 0; j < n; j++) {
         double d = end->q[j] - start->q[j], v0 = h * start->qd[j], v1 = h * end->qd[j];
@@ -125,37 +126,39 @@ static void quartic(const double *f, double *c, int stride)
     c[4 * stride] = (32 * f[0] - 128 * f[1] + 192 * f[2] - 128 * f[3] + 32 * f[4]) / 3;
 }
 
-static void write_forces(struct thud_run *run, const struct thud_motion *start, const struct thud_motion *end,
-                         struct thud_motion *work)
+static void write_forces(const struct thud_state *state, struct thud_segment *seg, const struct thud_motion *start,
+                         const struct thud_motion *end, struct thud_motion *work)
 {
-    int nc = run->model->ncontacts;
-    double *value = run->indentation; /* not in use yet: (ncontacts x THUD_SEGMENT_TERMS) */
-    for (int c = 0; c < nc; c++) {
-        value[c * THUD_SEGMENT_TERMS] = start->force[c];
-        value[c * THUD_SEGMENT_TERMS + POINTS - 1] = end->force[c];
-    }
+    int nc = state->model->ncontacts;
+    size_t bytes = (size_t)nc * sizeof *seg->force;
+    memcpy(seg->force, start->force, bytes); /* values at the points, and then coefficients */
     for (int i = 1; i < POINTS - 1; i++) {
         double s = (double)i / (POINTS - 1);
-        thud_segment_state(&run->seg, run->model->nmodes, s, work->q, work->qd);
-        thud_step_motion(run, work, s * run->seg.h_s);
-        for (int c = 0; c < nc; c++)
-            value[c * THUD_SEGMENT_TERMS + i] = work->force[c];
+        thud_segment_state(seg, state->model->nmodes, s, work->q, work->qd);
+        thud_step_motion(state, work, s * seg->h_s);
+        memcpy(seg->force + i * nc, work->force, bytes);
     }
-    for (int c = 0; c < nc; c++)
-        quartic(value + c * THUD_SEGMENT_TERMS, run->seg.force + c, nc);
+    memcpy(seg->force + (POINTS - 1) * nc, end->force, bytes);
+    for (int c = 0; c < nc; c++) {
+        double value[POINTS];
+        for (int i = 0; i < POINTS; i++)
+            value[i] = seg->force[i * nc + c];
+        quartic(value, seg->force + c, nc);
+    }
 }
 
-void thud_step_write(struct thud_run *run, double h, const struct thud_motion *start, const struct thud_motion *end,
-                     struct thud_motion *work)
+void thud_step_write(const struct thud_state *state, struct thud_segment *seg, double h,
+                     const struct thud_motion *start, const struct thud_motion *end, struct thud_motion *work)
 {
-    int nc = run->model->ncontacts;
-    thud_segment_begin(run, &run->seg, h);
-    run->seg.terms = TERMS;
-    write_motion(run, start, end);
-    if (run->locates && run->nactive > 0)
-        write_forces(run, start, end, work);
-    for (int c = 0; c < nc && !run->locates; c++) {
-        run->seg.force[c] = start->force[c];
-        run->seg.force[nc + c] = end->force[c] - start->force[c];
+    int nc = state->model->ncontacts;
+    thud_segment_begin(state, seg, h);
+    seg->terms = TERMS;
+    seg->interpolates = true;
+    write_motion(state, seg, start, end);
+    if (state->locates && state->nactive > 0)
+        write_forces(state, seg, start, end, work);
+    for (int c = 0; c < nc && !state->locates; c++) {
+        seg->force[c] = start->force[c];
+        seg->force[nc + c] = end->force[c] - start->force[c];
     }
 }

@@ -67,13 +67,13 @@ static void copy_floors(const struct thud_result *result, struct thud_floor_resu
 static enum thud_status keep(struct thud_trunk *trunk, struct thud_error *err)
 {
     const struct thud_run *run = trunk->run;
-    if (run->offset_s != 0 || run->grid < trunk->next)
+    if (run->state.offset_s != 0 || run->state.grid < trunk->next)
         return THUD_OK;
     if (trunk->nkept == KEPT_MAX)
         thin(trunk);
     size_t n = (size_t)trunk->nmodes, nc = (size_t)trunk->ncontacts;
     struct moment *moment = &trunk->kept[trunk->nkept];
-    moment->grid = run->grid;
+    moment->grid = run->state.grid;
     moment->state = malloc((2 * n + nc + 1) * sizeof(double));
     moment->floor = malloc(((size_t)trunk->ndof + 1) * sizeof(struct thud_floor_result));
     if (!moment->state || !moment->floor) {
@@ -81,11 +81,11 @@ static enum thud_status keep(struct thud_trunk *trunk, struct thud_error *err)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
     trunk->nkept++;
-    memcpy(moment->state, run->q, n * sizeof(double));
-    memcpy(moment->state + n, run->qd, n * sizeof(double));
+    memcpy(moment->state, run->state.q, n * sizeof(double));
+    memcpy(moment->state + n, run->state.qd, n * sizeof(double));
     memcpy(moment->state + 2 * n, trunk->closing, nc * sizeof(double));
     copy_floors(&run->result, moment->floor);
-    trunk->next = run->grid + trunk->apart;
+    trunk->next = run->state.grid + trunk->apart;
     return THUD_OK;
 }
 
@@ -192,14 +192,14 @@ static bool before_contact(const struct thud_trunk *trunk, const struct moment *
 
 static void start_at(struct thud_run *run, const struct moment *moment)
 {
-    size_t n = (size_t)run->model->nmodes;
+    size_t n = (size_t)run->state.model->nmodes;
     const struct thud_floor_result *from = moment->floor;
-    run->grid = moment->grid;
-    memcpy(run->q, moment->state, n * sizeof(double));
-    memcpy(run->qd, moment->state + n, n * sizeof(double));
+    run->state.grid = moment->grid;
+    memcpy(run->state.q, moment->state, n * sizeof(double));
+    memcpy(run->state.qd, moment->state + n, n * sizeof(double));
     for (int s = 0; s < run->result.nstructures; from += run->result.structure[s].floors, s++)
         memcpy(run->result.structure[s].floor, from, (size_t)run->result.structure[s].floors * sizeof *from);
-    thud_contact_moved(run);
+    thud_contact_moved(&run->state);
     thud_ledger_start(run);
 }
 
@@ -212,7 +212,7 @@ enum thud_status thud_trunk_run(const struct thud_trunk *trunk, const struct thu
     enum thud_status status = thud_run_create(model, record, options, out, err);
     if (status != THUD_OK || !trunk->shares || options->keep_history)
         return status;
-    assert((*out)->end_s == trunk->run->end_s && (*out)->grid_dt_s == trunk->run->grid_dt_s);
+    assert((*out)->state.end_s == trunk->run->state.end_s && (*out)->state.grid_dt_s == trunk->run->state.grid_dt_s);
     if (options->no_ledger && (*out)->method == trunk->run->method)
         (*out)->horizon = trunk->horizon;
     int last = -1;
@@ -220,7 +220,7 @@ enum thud_status thud_trunk_run(const struct thud_trunk *trunk, const struct thu
         last++;
     if (last >= 0 && (*out)->method == trunk->run->method) {
         start_at(*out, &trunk->kept[last]);
-        *shared_s = thud_run_now(*out);
+        *shared_s = thud_state_now(&(*out)->state);
     }
     return THUD_OK;
 }

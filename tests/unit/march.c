@@ -176,25 +176,25 @@ void march_free(struct march *march)
 
 double march_distance(const struct march *a, const struct march *b)
 {
-    const struct thud_model *m = a->run->model;
+    const struct thud_model *m = a->run->state.model;
     double sum = 0, scale = 0;
     for (int j = 0; j < m->nmodes; j++) {
         double w = m->omega[j] > 0 ? m->omega[j] : 1;
-        double dq = w * (a->run->q[j] - b->run->q[j]), dv = a->run->qd[j] - b->run->qd[j];
+        double dq = w * (a->run->state.q[j] - b->run->state.q[j]), dv = a->run->state.qd[j] - b->run->state.qd[j];
         sum += dq * dq + dv * dv;
-        scale += w * w * b->run->q[j] * b->run->q[j] + b->run->qd[j] * b->run->qd[j];
+        scale += w * w * b->run->state.q[j] * b->run->state.q[j] + b->run->state.qd[j] * b->run->state.qd[j];
     }
     return sqrt(sum / scale);
 }
 
 double march_displacement(const struct march *m, int dof)
 {
-    return thud_model_floor(m->run->model, dof, m->run->q);
+    return thud_model_floor(m->run->state.model, dof, m->run->state.q);
 }
 
 double march_velocity(const struct march *m, int dof)
 {
-    return thud_model_floor(m->run->model, dof, m->run->qd);
+    return thud_model_floor(m->run->state.model, dof, m->run->state.qd);
 }
 
 /* Kinds of peaks: 0 to 2 of floors, 3 of contacts. */

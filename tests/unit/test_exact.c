@@ -174,7 +174,7 @@ START_TEST(a_gap_too_wide_to_close_changes_no_bit)
     for (int s = 0; s < 2; s++)
         ck_assert_mem_eq(a.result->structure[s].floor, b.result->structure[s].floor,
                          (size_t)towers[s] * sizeof *a.result->structure[s].floor);
-    ck_assert_mem_eq(a.run->q, b.run->q, (size_t)free->nmodes * sizeof(double));
+    ck_assert_mem_eq(a.run->state.q, b.run->state.q, (size_t)free->nmodes * sizeof(double));
     march_free(&a);
     march_free(&b);
     thud_model_free(free);
@@ -241,10 +241,10 @@ START_TEST(sticking_beyond_the_largest_strain)
     while (!done) {
         ck_assert_int_eq(thud_run_advance(run, 1, &done, NULL), THUD_OK);
         for (int c = 0; c < 4; c++)
-            if (run->contact[c].mode == THUD_STUCK) {
+            if (run->state.contact[c].mode == THUD_STUCK) {
                 stuck++;
-                ck_assert_double_gt(thud_contact_indentation(run, c), run->contact[c].knee_m);
-                ck_assert_double_lt(fabs(thud_contact_rate(run, c)), 1e-9);
+                ck_assert_double_gt(thud_contact_indentation(&run->state, c), run->state.contact[c].knee_m);
+                ck_assert_double_lt(fabs(thud_contact_rate(&run->state, c)), 1e-9);
             }
     }
     ck_assert_int_gt(stuck, 0);

@@ -119,7 +119,7 @@ START_TEST(slices_change_no_bit)
     for (int s = 0; s < 2; s++)
         ck_assert_mem_eq(a->structure[s].floor, b->structure[s].floor,
                          (size_t)towers[s] * sizeof *a->structure[s].floor);
-    ck_assert_mem_eq(whole->q, by_one->q, (size_t)model->nmodes * sizeof(double));
+    ck_assert_mem_eq(whole->state.q, by_one->state.q, (size_t)model->nmodes * sizeof(double));
     thud_run_free(whole);
     thud_run_free(by_one);
     thud_model_free(model);

@@ -273,7 +273,7 @@ START_TEST(a_pull_of_rounding_lets_nothing_go)
         bool done = false;
         ck_assert_int_eq(thud_run_create(model, NULL, &options, &run, NULL), THUD_OK);
         for (int i = 0; i < bits; i++)
-            run->qd[0] = nextafter(run->qd[0], 0);
+            run->state.qd[0] = nextafter(run->state.qd[0], 0);
         ck_assert_int_eq(thud_run_advance(run, 10000, &done, NULL), THUD_OK);
         const struct thud_result *r = thud_run_result(run);
         ck_assert(done);

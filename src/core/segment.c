@@ -1,12 +1,62 @@
 /* Motion of the model as power series in time: exact to rounding for constant or polynomial forces, and for linear
  * contact. */
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "core/double_pair.h"
 #include "core/largest.h"
-#include "core/run_private.h"
+#include "core/segment.h"
 #include "core/tolerance.h"
+
+enum thud_status thud_segment_init(struct thud_segment *seg, const struct thud_model *model, struct thud_error *err)
+{
+    size_t n = (size_t)model->nmodes, nc = (size_t)model->ncontacts, terms = THUD_SEGMENT_TERMS;
+    *seg = (struct thud_segment){0};
+    seg->block = calloc((terms + 1) * n + 2 * terms * nc + 1, sizeof *seg->block);
+    seg->known = calloc(nc + 1, sizeof *seg->known);
+    if (!seg->block || !seg->known) {
+        thud_segment_clear(seg);
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    }
+    seg->q = seg->block;
+    seg->reach = seg->q + terms * n;
+    seg->force = seg->reach + n;
+    seg->indentation = seg->force + terms * nc;
+    return THUD_OK;
+}
+
+void thud_segment_clear(struct thud_segment *seg)
+{
+    free(seg->block);
+    free(seg->known);
+    *seg = (struct thud_segment){0};
+}
+
+void thud_segment_forget(struct thud_segment *seg, int ncontacts)
+{
+    for (int c = 0; c < ncontacts; c++)
+        seg->known[c] = -1;
+}
+
+void thud_segment_reach(struct thud_segment *seg, int n)
+{
+    memset(seg->reach, 0, (size_t)n * sizeof *seg->reach);
+    for (int k = 1; k < seg->terms; k++)
+        for (int j = 0; j < n; j++)
+            seg->reach[j] += fabs(seg->q[k * n + j]);
+}
+
+bool thud_segment_has_force(const struct thud_state *state, const struct thud_segment *seg, int c)
+{
+    if (state->locates || thud_contact_acts(&state->contact[c]))
+        return thud_contact_acts(&state->contact[c]);
+    const double *force = seg->force + c;
+    for (int k = 0; k < seg->terms; k++)
+        if (force[k * state->model->ncontacts] != 0)
+            return true;
+    return false;
+}
 
 int thud_segment_terms(double angle, double least)
 {
@@ -17,31 +67,31 @@ int thud_segment_terms(double angle, double least)
     return k;
 }
 
-double thud_segment_rate(const struct thud_run *run)
+double thud_segment_rate(const struct thud_state *state)
 {
-    const struct thud_model *m = run->model;
-    double square = run->fastest_radps * run->fastest_radps, rate = 0;
-    for (int c = 0; c < m->ncontacts && run->nactive > 0; c++)
-        if (run->contact[c].mode == THUD_CLOSED) {
-            square += fabs(run->contact[c].branch.k_npm) * m->w[c * m->ncontacts + c];
-            rate += fabs(run->contact[c].branch.c_nspm) * m->w[c * m->ncontacts + c];
+    const struct thud_model *m = state->model;
+    double square = state->fastest_radps * state->fastest_radps, rate = 0;
+    for (int c = 0; c < m->ncontacts && state->nactive > 0; c++)
+        if (state->contact[c].mode == THUD_CLOSED) {
+            square += fabs(state->contact[c].branch.k_npm) * m->w[c * m->ncontacts + c];
+            rate += fabs(state->contact[c].branch.c_nspm) * m->w[c * m->ncontacts + c];
         }
     return sqrt(square) + rate;
 }
 
-void thud_segment_begin(struct thud_run *run, struct thud_segment *seg, double h_s)
+void thud_segment_begin(const struct thud_state *state, struct thud_segment *seg, double h_s)
 {
     double a0, a1;
-    thud_run_ground(run, run->grid, &a0, &a1);
-    double slope = (a1 - a0) / run->grid_dt_s;
+    thud_state_ground(state, state->grid, &a0, &a1);
+    double slope = (a1 - a0) / state->grid_dt_s;
     seg->h_s = h_s;
-    seg->a0 = a0 + slope * run->offset_s;
+    seg->a0 = a0 + slope * state->offset_s;
     seg->a1 = slope * h_s;
-    seg->terms = thud_segment_terms(thud_segment_rate(run) * h_s, THUD_TOL_SERIES);
+    seg->terms = thud_segment_terms(thud_segment_rate(state) * h_s, THUD_TOL_SERIES);
     seg->loaded = 0;
-    memset(seg->force, 0, THUD_SEGMENT_TERMS * (size_t)run->model->ncontacts * sizeof(double));
-    if (seg == &run->seg)
-        thud_contact_forget(run);
+    memset(seg->force, 0, THUD_SEGMENT_TERMS * (size_t)state->model->ncontacts * sizeof(double));
+    seg->interpolates = false;
+    thud_segment_forget(seg, state->model->ncontacts);
 }
 
 static void first_terms(const struct thud_model *m, struct thud_segment *seg, const double *q, const double *qd)
@@ -122,18 +172,18 @@ void thud_taylor_load(const struct thud_model *model, struct thud_segment *seg, 
 }
 
 /* Force of order k of every closed contact, from the indentation's orders k and k + 1; those are left where
- * thud_contact_polynomial would put them. */
-static void linear_forces(struct thud_run *run, struct thud_segment *seg, int k)
+ * thud_segment_contact would put them. */
+static void linear_forces(const struct thud_state *state, struct thud_segment *seg, int k)
 {
-    const struct thud_model *m = run->model;
+    const struct thud_model *m = state->model;
     for (int c = 0; c < m->ncontacts; c++) {
-        const struct thud_contact_state *s = &run->contact[c];
+        const struct thud_contact_state *s = &state->contact[c];
         const bool touched = k == 0 && s->zeros.indentation > 0; /* the motion says so only to rounding */
-        double *d = run->indentation + c * THUD_SEGMENT_TERMS, d1 = 0, f = 0;
+        double *d = seg->indentation + c * THUD_SEGMENT_TERMS, d1 = 0, f = 0;
         if (s->mode != THUD_CLOSED)
             continue;
         if (k == 0) {
-            d[0] = thud_model_gap_sum(m, c, seg->q) - thud_run_shift(run, c);
+            d[0] = thud_model_gap_sum(m, c, seg->q) - thud_state_clearance(state, c);
             f = s->branch.f0_n;
             if (touched)
                 d[0] = 0; /* a stiff contact would feel the rounding, and a dashpot that of a rate */
@@ -144,23 +194,23 @@ static void linear_forces(struct thud_run *run, struct thud_segment *seg, int k)
     }
 }
 
-double thud_taylor_linear(struct thud_run *run, struct thud_segment *seg)
+double thud_taylor_linear(const struct thud_state *state, struct thud_segment *seg)
 {
-    const struct thud_model *m = run->model;
-    if (run->nactive == 0) {
-        thud_taylor_given(m, seg, run->q, run->qd);
+    const struct thud_model *m = state->model;
+    if (state->nactive == 0) {
+        thud_taylor_given(m, seg, state->q, state->qd);
     } else {
-        first_terms(m, seg, run->q, run->qd);
+        first_terms(m, seg, state->q, state->qd);
         seg->loaded = seg->terms;
         for (int k = 0; k < seg->terms; k++) {
-            linear_forces(run, seg, k);
+            linear_forces(state, seg, k);
             if (k + 2 < seg->terms)
                 next_order(m, seg, k);
         }
     }
     for (int c = 0; c < m->ncontacts; c++)
-        if (run->contact[c].mode == THUD_CLOSED && run->contact[c].zeros.indentation == 0)
-            run->known[c] = 0;
+        if (state->contact[c].mode == THUD_CLOSED && state->contact[c].zeros.indentation == 0)
+            seg->known[c] = 0;
     /* fewer terms than there may be are enough by the bound of the fastest rate */
     return seg->terms < THUD_SEGMENT_TERMS ? 0 : thud_segment_tail(seg, m->nmodes);
 }
@@ -207,12 +257,12 @@ void thud_segment_state(const struct thud_segment *seg, int nmodes, double s, do
 
 /* What rounding may leave of the difference of two neighbours' terms of order k. A stepping method's higher terms are
  * differences of its end states, whose rounding is that of the largest term. */
-static double term_noise(const struct thud_run *run, int k, const double *size, double largest)
+static double term_noise(bool interpolates, int k, const double *size, double largest)
 {
     if (k == 0)
         return THUD_TOL_INDENTATION_M;
     double least = fmax(THUD_TOL_COEFFICIENT_M, (k == 1 ? THUD_TOL_RATE : THUD_TOL_COEFFICIENT) * size[k]);
-    return run->method->order > 0 && k > 1 ? fmax(least, THUD_TOL_STEP_COEFFICIENT * largest) : least;
+    return interpolates && k > 1 ? fmax(least, THUD_TOL_STEP_COEFFICIENT * largest) : least;
 }
 
 /* Row of a floor's mode shape and its modes' place in the coordinates; a wall has none. */
@@ -246,25 +296,25 @@ static double floor_rounding(const struct thud_segment *seg, const struct side *
 }
 
 /* Whether the neighbours' terms of order k differ by no more than rounding. */
-static bool is_no_motion(const struct thud_run *run, const struct thud_segment *seg, const struct side *l,
+static bool is_no_motion(const struct thud_state *state, const struct thud_segment *seg, const struct side *l,
                          const struct side *r, int k, double difference, double noise)
 {
-    int n = run->model->nmodes;
+    int n = state->model->nmodes;
     if (fabs(difference) <= noise)
         return true;
     return k > 1 && fabs(difference) <= floor_rounding(seg, l, n, k) + floor_rounding(seg, r, n, k);
 }
 
-int thud_segment_indentation(const struct thud_run *run, const struct thud_segment *seg, int c, double *out)
+int thud_segment_indentation(const struct thud_state *state, const struct thud_segment *seg, int c, double *out)
 {
-    const struct thud_model *m = run->model;
+    const struct thud_model *m = state->model;
     struct side l = side_of(m, m->contact[c].left_dof), r = side_of(m, m->contact[c].right_dof);
     double size[THUD_SEGMENT_TERMS], largest = 0;
     int zeros = 0;
-    if (run->contact[c].zeros.indentation == 0) { /* nothing of it is known to be 0 */
+    if (state->contact[c].zeros.indentation == 0) { /* nothing of it is known to be 0 */
         for (int k = 0; k < seg->terms; k++)
             out[k] = floor_term(&l, seg->q + k * m->nmodes) - floor_term(&r, seg->q + k * m->nmodes);
-        out[0] -= thud_run_shift(run, c);
+        out[0] -= thud_state_clearance(state, c);
         return 0;
     }
     for (int k = 0; k < seg->terms; k++) {
@@ -273,9 +323,16 @@ int thud_segment_indentation(const struct thud_run *run, const struct thud_segme
         size[k] = fabs(left) + fabs(right);
         largest = size[k] > largest ? size[k] : largest;
     }
-    out[0] -= thud_run_shift(run, c);
+    out[0] -= thud_state_clearance(state, c);
     while (zeros < seg->terms &&
-           is_no_motion(run, seg, &l, &r, zeros, out[zeros], term_noise(run, zeros, size, largest)))
+           is_no_motion(state, seg, &l, &r, zeros, out[zeros], term_noise(seg->interpolates, zeros, size, largest)))
         zeros++;
     return zeros;
+}
+
+int thud_segment_contact(const struct thud_state *state, struct thud_segment *seg, int c)
+{
+    if (seg->known[c] < 0)
+        seg->known[c] = thud_segment_indentation(state, seg, c, seg->indentation + c * THUD_SEGMENT_TERMS);
+    return seg->known[c];
 }

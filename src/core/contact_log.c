@@ -1,0 +1,26 @@
+#include "core/contact_log.h"
+
+#include <stdlib.h>
+
+enum thud_status thud_contact_log_add(struct thud_contact_log *log, const struct thud_impact *impact,
+                                      struct thud_error *err)
+{
+    if (!log->keep_impacts)
+        return THUD_OK;
+    if (log->count == log->capacity) {
+        int more = log->capacity ? 2 * log->capacity : 256;
+        struct thud_impact *p = realloc(log->impact, (size_t)more * sizeof *p);
+        if (!p)
+            return thud_error_set(err, THUD_MEMORY, "out of memory for the list of impacts");
+        log->impact = p;
+        log->capacity = more;
+    }
+    log->impact[log->count++] = *impact;
+    return THUD_OK;
+}
+
+void thud_contact_log_clear(struct thud_contact_log *log)
+{
+    free(log->impact);
+    *log = (struct thud_contact_log){0};
+}

@@ -1,0 +1,256 @@
+/* A run before its first step and after its last one: what it needs, the method it gets, its results. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/run_private.h"
+
+void thud_run_options_init(struct thud_run_options *options)
+{
+    *options = (struct thud_run_options){.tolerance = 1e-6, .step_s = NAN, .locate = true, .tail_s = 5};
+}
+
+/* The grid of the ground motion; without one, pieces that suit the series of the fastest mode, or none for methods that
+ * have a step of their own. */
+static void set_times(struct thud_run *run)
+{
+    const struct thud_record *r = run->state.record;
+    const double fastest = run->state.fastest_radps = run->state.model->fastest_radps;
+    run->state.end_s = run->options.tail_s + (r ? (double)(r->samples - 1) * r->dt_s : 0);
+    bool series = run->method->order == 0 && fastest > 0;
+    run->state.grid_dt_s = r ? r->dt_s : series ? fmin(run->state.end_s, 1.2 / fastest) : run->state.end_s;
+    if (!(run->options.history_step_s > 0))
+        run->options.history_step_s = r ? r->dt_s : run->state.end_s / 2000;
+}
+
+static bool allocate_doubles(struct thud_run *run)
+{
+    size_t n = (size_t)run->state.model->nmodes, terms = THUD_SEGMENT_TERMS;
+    const struct {
+        double **where;
+        size_t size;
+    } part[] = {{&run->scratch, (terms + 8) * n + 8},
+                {&run->bounds.shape, 2 * n},
+                {&run->bounds.most, THUD_FLOOR_QUANTITIES * (size_t)run->state.model->ndof},
+                {&run->bounds.ends, 9 * n}};
+    size_t parts = sizeof part / sizeof *part, total = 0;
+    for (size_t i = 0; i < parts; i++)
+        total += part[i].size;
+    double *next = run->block = calloc(total + 1, sizeof *next);
+    if (!next)
+        return false;
+    for (size_t i = 0; i < parts; next += part[i++].size)
+        *part[i].where = next;
+    return true;
+}
+
+static bool allocate_result(struct thud_run *run)
+{
+    const struct thud_model *m = run->state.model;
+    struct thud_result *r = &run->result;
+    size_t ns = (size_t)m->nstructures, nc = (size_t)m->ncontacts, n = (size_t)m->ndof;
+    char *next = run->result_block = calloc(1, ns * sizeof *r->structure + nc * sizeof *r->contact +
+                                                   n * (sizeof(struct thud_floor_result) + sizeof(double)) + 1);
+    if (!next)
+        return false;
+    r->nstructures = m->nstructures;
+    r->ncontacts = m->ncontacts;
+    r->structure = (void *)next;
+    next += ns * sizeof *r->structure;
+    r->contact = (void *)next;
+    next += nc * sizeof *r->contact;
+    for (int s = 0; s < m->nstructures; s++) {
+        const struct thud_model_structure *p = &m->structure[s];
+        r->structure[s].floors = p->n;
+        r->structure[s].floor = (void *)next;
+        next += (size_t)p->n * sizeof(struct thud_floor_result);
+        r->structure[s].period_s = (void *)next;
+        next += (size_t)p->n * sizeof(double);
+        for (int j = 0; j < p->n; j++)
+            r->structure[s].period_s[j] = 2 * acos(-1) / p->omega[j];
+    }
+    for (int c = 0; c < m->ncontacts; c++) {
+        const struct thud_model_contact *p = &m->contact[c];
+        r->contact[c].interface = p->interface;
+        r->contact[c].left_floor = p->left_floor;
+        r->contact[c].right_floor = p->right_floor;
+        r->contact[c].nominal_restitution = p->law->nominal ? p->law->nominal(&p->setup) : NAN;
+    }
+    return true;
+}
+
+static const char no_contact[] = "no contact is possible: modes alone, in closed form";
+
+/* What the scene needs, for the reason `auto` gives. */
+static const char *need(const struct thud_model *m)
+{
+    bool contact = false, nonlinear = false, impulsive = false, flexible = false;
+    for (int c = 0; c < m->ncontacts; c++) {
+        unsigned flags = m->contact[c].law->flags;
+        contact = contact || !(flags & THUD_LAW_SILENT);
+        impulsive = impulsive || flags & THUD_LAW_IMPULSIVE;
+        nonlinear = nonlinear || !(flags & (THUD_LAW_SILENT | THUD_LAW_LINEAR | THUD_LAW_IMPULSIVE));
+    }
+    for (int j = 0; j < m->nmodes; j++)
+        flexible = flexible || m->omega[j] > 0;
+    if (!contact)
+        return no_contact;
+    if (nonlinear)
+        return flexible ? "closed form between contacts; the tolerance holds for the nonlinear contact forces alone"
+                        : "rigid bodies: free motion in closed form; the tolerance holds for the contact forces";
+    if (impulsive)
+        return "closed form between impulses; the tolerance only says when ever smaller bounces have come to rest";
+    return "closed form between contacts and in them: the tolerance plays no part";
+}
+
+static void pick_method(struct thud_run *run)
+{
+    run->method = run->options.method;
+    run->result.reason = "";
+    if (!run->method) { /* at every accuracy the bench puts `exact` in front; what it spends is what the scene needs */
+        run->method = thud_method_find("exact");
+        run->result.reason = need(run->state.model);
+    }
+    run->result.method = run->method->name;
+    bool may_choose = run->method->flags & THUD_METHOD_FIXED_STEP;
+    run->state.locates = run->method->flags & THUD_METHOD_CAN_LOCATE && (run->options.locate || !may_choose);
+}
+
+static void set_step(struct thud_run *run)
+{
+    struct thud_state *state = &run->state;
+    state->step_s = run->options.step_s;
+    run->result.step_s = NAN;
+    if (!(run->method->flags & THUD_METHOD_FIXED_STEP))
+        return;
+    if (isnan(state->step_s))
+        state->step_s = thud_state_default_step(state);
+    /* equal steps from one sample to the next */
+    double remaining = thud_state_remaining(state);
+    run->result.step_s = remaining / fmax(1, ceil(remaining / state->step_s * (1 - THUD_TOL_STEP_COUNT)));
+}
+
+/* State, segment and results; all memory but that of the method and of free flight. */
+static enum thud_status prepare(struct thud_run *run, const struct thud_model *model, const struct thud_record *record,
+                                struct thud_error *err)
+{
+    enum thud_status status = thud_state_init(&run->state, model, record, &run->work, err);
+    if (status == THUD_OK)
+        status = thud_segment_init(&run->seg, model, err);
+    if (status == THUD_OK && !(allocate_doubles(run) && allocate_result(run)))
+        status = thud_error_set(err, THUD_MEMORY, "out of memory");
+    return status;
+}
+
+static enum thud_status start(struct thud_run *run, struct thud_error *err)
+{
+    pick_method(run);
+    set_times(run);
+    run->state.tolerance = run->options.tolerance;
+    run->log = (struct thud_contact_log){.contact = run->result.contact, .keep_impacts = run->options.keep_impacts};
+    thud_run_set_scales(run);
+    thud_contact_start(&run->state);
+    thud_peaks_start(run);
+    thud_ledger_start(run);
+    thud_run_set_bound(run);
+    set_step(run);
+    enum thud_status status = run->options.keep_history ? thud_history_start(run, err) : THUD_OK;
+    if (status == THUD_OK && run->method->order == 0) /* the others show how they fare in free flight */
+        status = thud_flight_create(run, err);
+    if (status == THUD_OK && run->method->create)
+        status = run->method->create(&run->state, &run->own, err);
+    return status;
+}
+
+enum thud_status thud_run_create(const struct thud_model *model, const struct thud_record *record,
+                                 const struct thud_run_options *options, struct thud_run **out, struct thud_error *err)
+{
+    *out = NULL;
+    enum thud_status status = thud_run_check_options(options, record, err);
+    if (status != THUD_OK)
+        return status;
+    struct thud_run *run = calloc(1, sizeof *run);
+    if (!run)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    run->options = *options;
+    status = prepare(run, model, record, err);
+    if (status == THUD_OK)
+        status = start(run, err);
+    if (status != THUD_OK) {
+        thud_run_free(run);
+        return status;
+    }
+    *out = run;
+    return THUD_OK;
+}
+
+void thud_run_free(struct thud_run *run)
+{
+    if (!run)
+        return;
+    if (run->own && run->method->free)
+        run->method->free(run->own);
+    thud_flight_free(run->flight);
+    thud_segment_clear(&run->seg);
+    thud_state_clear(&run->state);
+    thud_contact_log_clear(&run->log);
+    free(run->block);
+    free(run->result_block);
+    free(run->history.time_s);
+    free(run->history.value);
+    free(run);
+}
+
+/* Whether anything has touched so far. */
+static bool has_touched(const struct thud_result *r)
+{
+    for (int c = 0; c < r->ncontacts; c++)
+        if (r->contact[c].impacts > 0 || r->contact[c].contact_time_s > 0)
+            return true;
+    return r->work.force_evaluations > 0;
+}
+
+void thud_run_finish(struct thud_run *run)
+{
+    struct thud_result *r = &run->result;
+    r->work = run->work;
+    if (run->flight)
+        thud_flight_settle(run);
+    thud_ledger_finish(run);
+    if (run->done && *r->reason && r->reason != no_contact && !has_touched(r))
+        r->reason = "nothing touched: modes alone, in closed form";
+    r->end_s = thud_state_now(&run->state);
+    for (int s = 0; s < r->nstructures; s++) {
+        const struct thud_model_structure *p = &run->state.model->structure[s];
+        if (p->n == 0 || !p->stiffness_npm)
+            continue;
+        struct thud_peak drift = r->structure[s].floor[0].drift;
+        r->structure[s].base_shear = (struct thud_peak){drift.value * p->stiffness_npm[0], drift.time_s};
+    }
+}
+
+double thud_run_time(const struct thud_run *run)
+{
+    return thud_state_now(&run->state);
+}
+
+double thud_run_end(const struct thud_run *run)
+{
+    return run->state.end_s;
+}
+
+const struct thud_result *thud_run_result(const struct thud_run *run)
+{
+    return &run->result;
+}
+
+const struct thud_impact *thud_run_impacts(const struct thud_run *run, int *count)
+{
+    *count = run->log.count;
+    return run->log.impact;
+}
+
+const struct thud_history *thud_run_history(const struct thud_run *run)
+{
+    return &run->history;
+}
