@@ -53,5 +53,6 @@ int thud_number_parse(const char *text, const char **end, double *out);
 void thud_number_format(double value, char *text, size_t size);
 
 #define THUD_GRAVITY 9.80665 /* m/s2, standard gravity */
+#define THUD_PI      3.14159265358979323846
 
 #endif

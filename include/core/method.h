@@ -14,8 +14,7 @@ enum {
     THUD_METHOD_FIXED_STEP = 1, /* takes a step in s; else a tolerance */
     THUD_METHOD_LOCATES = 2,    /* locates events unless told not to */
     THUD_METHOD_CAN_LOCATE = 4, /* event location may be turned on */
-    THUD_METHOD_IMPLICIT = 8,
-    THUD_METHOD_EXHIBIT = 16 /* shown for what goes wrong, never picked */
+    THUD_METHOD_EXHIBIT = 8     /* shown for what goes wrong, never picked */
 };
 
 struct thud_method {

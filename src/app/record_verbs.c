@@ -106,7 +106,7 @@ enum thud_status thud_scene_periods(const struct thud_scene *scene, struct thud_
             lowest = fmin(lowest, structure->omega[k]);
         if (!(lowest > 0) || isinf(lowest))
             continue;
-        mark[*count].period_s = 2 * acos(-1.0) / lowest;
+        mark[*count].period_s = 2 * THUD_PI / lowest;
         snprintf(mark[(*count)++].text, sizeof mark->text, "%s", scene->structure[s].name);
     }
     thud_model_free(model);

@@ -27,17 +27,6 @@ struct dormand_prince {
     double speed; /* modal speed in which errors are measured */
 };
 
-/* Largest speed of the ground, m/s: the trapezoidal sum of its acceleration. */
-static double ground_speed(const struct thud_record *r)
-{
-    double v = 0, most = 0;
-    for (size_t i = 0; r && i + 1 < r->samples; i++) {
-        v += 0.5 * r->dt_s * (r->a_mps2[i] + r->a_mps2[i + 1]);
-        most = fmax(most, fabs(v));
-    }
-    return most;
-}
-
 enum thud_status thud_dormand_prince_create(const struct thud_state *state, void **own, struct thud_error *err)
 {
     struct dormand_prince *x = *own = calloc(1, sizeof *x);
@@ -50,8 +39,8 @@ enum thud_status thud_dormand_prince_create(const struct thud_state *state, void
     for (int j = 0; j < state->model->nmodes; j++)
         mass += state->model->gamma[j] * state->model->gamma[j];
     x->h = thud_state_default_step(state);
-    x->speed =
-        sqrt(mass) * ground_speed(state->record) + sqrt(2 * (thud_state_kinetic(state) + thud_state_strain(state)));
+    x->speed = sqrt(mass) * thud_record_speed(state->record) +
+               sqrt(2 * (thud_state_kinetic(state) + thud_state_strain(state)));
     return THUD_OK;
 }
 

@@ -96,9 +96,8 @@ void thud_horizon_record(struct thud_horizon *h, const struct thud_run *run, str
 }
 
 /* From each block on: the largest of it and all that follow. */
-void thud_horizon_close(struct thud_horizon *h, const struct thud_run *run)
+void thud_horizon_close(struct thud_horizon *h)
 {
-    (void)run;
     for (long b = h->count - 2; b >= 0; b--) {
         double *block = h->block + b * h->row + 2 * h->n, *next = block + h->row;
         for (int i = 0; i < THUD_FLOOR_QUANTITIES * h->floors + h->nc; i++)

@@ -17,7 +17,7 @@ void thud_horizon_free(struct thud_horizon *horizon);
 void thud_horizon_record(struct thud_horizon *horizon, const struct thud_run *run, struct thud_flight *f,
                          int intervals);
 /* After the last block: its end, and what comes after each block. */
-void thud_horizon_close(struct thud_horizon *horizon, const struct thud_run *run);
+void thud_horizon_close(struct thud_horizon *horizon);
 
 /* Of a run with contacts, all open: puts it at the end of the last block where nothing can happen before it; returns
  * how many intervals that passes, 0 where it cannot. */

@@ -5,8 +5,6 @@
 #include "base/quantity.h"
 #include "core/oscillator.h"
 
-#define PI 3.14159265358979323846
-
 static double mean_of(const struct thud_record *record)
 {
     double sum = 0;
@@ -100,7 +98,7 @@ static void energy(const struct thud_record *record, struct thud_intensity *out)
         sum += square_part(record->a_mps2[i], record->a_mps2[i + 1], record->dt_s, 1);
         out->cav_mps += abs_step(record->a_mps2[i], record->a_mps2[i + 1], record->dt_s);
     }
-    out->arias_mps = PI / (2 * THUD_GRAVITY) * sum;
+    out->arias_mps = THUD_PI / (2 * THUD_GRAVITY) * sum;
     out->t5_s = out->t75_s = out->t95_s = out->d5_95_s = out->d5_75_s = NAN;
     if (!(sum > 0))
         return;
@@ -146,11 +144,11 @@ enum { LANES = 4, COARSE = 20 * LANES, FINE = 6 * LANES };
 static void four_peaks(const struct thud_record *record, const double *period, double finest, double *peak)
 {
     double damping = 0.05, shortest = fmin(fmin(period[0], period[1]), fmin(period[2], period[3]));
-    int parts = (int)fmin(ceil(2 * PI / shortest * record->dt_s / finest), 1000);
+    int parts = (int)fmin(ceil(2 * THUD_PI / shortest * record->dt_s / finest), 1000);
     struct thud_oscillator o[LANES];
     double x[LANES] = {0}, v[LANES] = {0}, c[LANES], k[LANES];
     for (int l = 0; l < LANES; l++) {
-        double omega = 2 * PI / period[l];
+        double omega = 2 * THUD_PI / period[l];
         thud_oscillator_init(&o[l], omega, damping, record->dt_s / parts);
         c[l] = 2 * damping * omega;
         k[l] = omega * omega;

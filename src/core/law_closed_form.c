@@ -2,19 +2,18 @@
 
 #include <math.h>
 
+#include "base/quantity.h"
 #include "core/root.h"
-
-static const double pi = 3.14159265358979323846;
 
 double thud_kelvin_voigt_xi(double e)
 {
     double l = log(e);
-    return -l / sqrt(pi * pi + l * l);
+    return -l / sqrt(THUD_PI * THUD_PI + l * l);
 }
 
 double thud_kelvin_voigt_restitution(double xi)
 {
-    return exp(-pi * xi / sqrt((1 - xi) * (1 + xi)));
+    return exp(-THUD_PI * xi / sqrt((1 - xi) * (1 + xi)));
 }
 
 /* acos(xi)/sqrt(1 - xi^2), continued through xi = 1: half the contact's duration times omega. */
@@ -43,7 +42,7 @@ static double xi_of_decay(double decay)
 {
     if (decay <= 0)
         return 0;
-    return thud_root(cut_excess, &decay, 0.99 * decay * 2 / pi, decay < 1 ? decay : 1.01 * exp(decay));
+    return thud_root(cut_excess, &decay, 0.99 * decay * 2 / THUD_PI, decay < 1 ? decay : 1.01 * exp(decay));
 }
 
 double thud_kelvin_voigt_cut_xi(double e)
@@ -65,7 +64,7 @@ struct thud_pair_collision thud_kelvin_voigt_cut_collision(double stiffness_npm,
     out.residual_m = 2 * xi * v_mps / omega * out.restitution;
     double force = 2 * xi;
     if (xi < 0.5)
-        force = exp(-xi * (3 * b - pi / sqrt((1 - xi) * (1 + xi))));
+        force = exp(-xi * (3 * b - THUD_PI / sqrt((1 - xi) * (1 + xi))));
     out.force_n = mass_kg * omega * v_mps * force;
     return out;
 }
@@ -138,7 +137,7 @@ double thud_jankowski_xi(double e, double n)
 
 double thud_jankowski_xi_published(double e)
 {
-    return 4.5 * sqrt(5.0) * (1 - e * e) / (e * (e * (9 * pi - 16) + 16));
+    return 4.5 * sqrt(5.0) * (1 - e * e) / (e * (e * (9 * THUD_PI - 16) + 16));
 }
 
 static double rubber_excess(double y, const void *context)

@@ -72,7 +72,7 @@ const struct thud_method thud_method_exact = {
         "Nigam and Jennings 1969 (free flight); Radau IIA collocation, Hairer and Wanner 1996 (nonlinear contact)",
     .summary =
         "modes advanced in closed form, contacts located, nonlinear contact forces by collocation to the tolerance",
-    .flags = THUD_METHOD_LOCATES | THUD_METHOD_CAN_LOCATE | THUD_METHOD_IMPLICIT,
+    .flags = THUD_METHOD_LOCATES | THUD_METHOD_CAN_LOCATE,
     .order = 0,
     .stability = INFINITY,
     .limits = "none known; the step follows the contact forces alone",

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/quantity.h"
 #include "core/double_pair.h"
 #include "core/modes.h"
 
@@ -324,5 +325,5 @@ double thud_model_contact_period(const struct thud_model_contact *p)
         else
             high = d;
     }
-    return 2 * acos(-1) * high / v;
+    return 2 * THUD_PI * high / v;
 }

@@ -43,6 +43,19 @@ double thud_record_peak(const struct thud_record *record)
     return peak;
 }
 
+double thud_record_speed(const struct thud_record *r)
+{
+    double v = 0, most = 0;
+    for (size_t i = 0; r && i + 1 < r->samples; i++) {
+        double a = r->a_mps2[i], b = r->a_mps2[i + 1];
+        if (a * b < 0)
+            most = fmax(most, fabs(v + 0.5 * r->dt_s * a * (a / (a - b))));
+        v += 0.5 * r->dt_s * (a + b);
+        most = fmax(most, fabs(v));
+    }
+    return most;
+}
+
 void thud_record_scale(struct thud_record *record, double factor)
 {
     for (size_t i = 0; i < record->samples; i++)

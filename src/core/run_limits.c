@@ -28,28 +28,13 @@ enum thud_status thud_run_check_options(const struct thud_run_options *o, const 
     return THUD_OK;
 }
 
-/* Largest speed of the ground, that of a body it does not take along: of the trapezoids under its acceleration, also
- * where that changes sign between two samples. */
-static double ground_speed(const struct thud_record *r)
-{
-    double v = 0, most = 0;
-    for (size_t i = 0; r && i + 1 < r->samples; i++) {
-        double a = r->a_mps2[i], b = r->a_mps2[i + 1];
-        if (a * b < 0)
-            most = fmax(most, fabs(v + 0.5 * r->dt_s * a * (a / (a - b))));
-        v += 0.5 * r->dt_s * (a + b);
-        most = fmax(most, fabs(v));
-    }
-    return most;
-}
-
 void thud_run_set_scales(struct thud_run *run)
 {
     double first = 0;
     for (int i = 0; i < run->state.model->ndof; i++)
         first = fmax(first, fabs(thud_model_floor(run->state.model, i, run->state.qd)));
     run->state.ground_mps2 = run->state.record ? thud_record_peak(run->state.record) : 0;
-    run->state.speed_mps = first + ground_speed(run->state.record);
+    run->state.speed_mps = first + thud_record_speed(run->state.record);
 }
 
 /* d sqrt(2 E)/dt <= |gamma| |a_g|, whatever the contacts do that give no energy: so sqrt(2 E) never passes its first
@@ -97,7 +82,6 @@ enum thud_status thud_run_check_state(struct thud_run *run, const double *q, con
         sum += qd[j] * qd[j] + m->omega[j] * m->omega[j] * q[j] * q[j];
     if (sum <= limit * limit) /* false for NaN */
         return THUD_OK;
-    run->failed = true;
     int i = worst_floor(m, qd), s = m->dof_structure[i];
     thud_error_set(err, THUD_DIVERGED, "the response blew up at t = %.6g s, structure %d, floor %d",
                    thud_state_now(&run->state), s + 1, i - m->structure[s].first + 1);

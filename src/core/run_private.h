@@ -34,7 +34,7 @@ struct thud_run {
     struct thud_segment seg; /* proposed */
     struct thud_progress progress;
     double speed_bound; /* sqrt(2 E) that initial motion and ground can give at most, in modal coordinates */
-    bool done, failed;
+    bool done;
     bool switched; /* a contact has, at the end of the last segment: rows stand on both sides of the jump */
 
     struct thud_peak_bounds bounds;

@@ -77,7 +77,6 @@ enum thud_status thud_run_propose(struct thud_run *run, struct thud_proposal *p,
 
 static enum thud_status stalled(struct thud_run *run, int contact, struct thud_error *err)
 {
-    run->failed = true;
     if (contact < 0)
         return thud_error_set(err, THUD_DIVERGED, "no step is long enough to go on at t = %.9g s",
                               thud_state_now(&run->state));

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/quantity.h"
 #include "core/run_private.h"
 
 void thud_run_options_init(struct thud_run_options *options)
@@ -67,7 +68,7 @@ static bool allocate_result(struct thud_run *run)
         r->structure[s].period_s = (void *)next;
         next += (size_t)p->n * sizeof(double);
         for (int j = 0; j < p->n; j++)
-            r->structure[s].period_s[j] = 2 * acos(-1) / p->omega[j];
+            r->structure[s].period_s[j] = 2 * THUD_PI / p->omega[j];
     }
     for (int c = 0; c < m->ncontacts; c++) {
         const struct thud_model_contact *p = &m->contact[c];

@@ -1,12 +1,11 @@
 #include "core/spectrum.h"
+#include "base/quantity.h"
 
 #include <assert.h>
 #include <math.h>
 #include <stdbool.h>
 
 #include "core/oscillator.h"
-
-#define PI 3.14159265358979323846
 
 /* A quantity with its first two derivatives. */
 struct jet {
@@ -80,7 +79,7 @@ struct thud_spectrum_point thud_spectrum_at(const struct thud_record *record, do
         point.acceleration_mps2 = thud_record_peak(record);
         return point;
     }
-    double omega = 2 * PI / period;
+    double omega = 2 * THUD_PI / period;
     int parts = (int)fmin(ceil(omega * record->dt_s / 0.2), 1e6); /* a part is short enough for the polynomial */
     struct thud_oscillator o;
     thud_oscillator_init(&o, omega, damping, record->dt_s / parts);

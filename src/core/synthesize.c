@@ -1,4 +1,5 @@
 #include "core/synthesize.h"
+#include "base/quantity.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -6,7 +7,6 @@
 
 #include "core/oscillator.h"
 
-#define PI          3.14159265358979323846
 #define FIELD(name) offsetof(struct thud_synthesis, name)
 
 const struct thud_synthesis_param thud_synthesis_params[] = {
@@ -107,8 +107,9 @@ static enum thud_status check(const struct thud_synthesis *s, struct thud_error 
  * t0). */
 static double pulse(const struct thud_synthesis *s, double t)
 {
-    double wp = 2 * PI / s->pulse_period_s, theta = wp * (t - s->pulse_time_s), nu = s->pulse_phase_deg * PI / 180;
-    if (fabs(theta) > PI * s->pulse_cycles)
+    double wp = 2 * THUD_PI / s->pulse_period_s, theta = wp * (t - s->pulse_time_s),
+           nu = s->pulse_phase_deg * THUD_PI / 180;
+    if (fabs(theta) > THUD_PI * s->pulse_cycles)
         return 0;
     double slow = theta / s->pulse_cycles;
     return -s->pulse_amplitude_mps / 2 * wp *
@@ -145,8 +146,8 @@ static double envelope(const struct thud_synthesis *s, double t)
 static void make_noise(const struct thud_synthesis *s, double *noise, size_t samples)
 {
     struct thud_oscillator ground, cut;
-    thud_oscillator_init(&ground, 2 * PI * s->ground_frequency_hz, s->ground_damping, s->dt_s);
-    thud_oscillator_init(&cut, 2 * PI * s->cut_frequency_hz, s->cut_damping, s->dt_s);
+    thud_oscillator_init(&ground, 2 * THUD_PI * s->ground_frequency_hz, s->ground_damping, s->dt_s);
+    thud_oscillator_init(&cut, 2 * THUD_PI * s->cut_frequency_hz, s->cut_damping, s->dt_s);
     uint64_t state = (uint64_t)s->seed;
     double w0 = 0, g0 = 0, x = 0, v = 0, z = 0, zv = 0;
     for (size_t i = 0; i < samples; i++) {

@@ -98,7 +98,7 @@ enum thud_status thud_trunk_advance(struct thud_trunk *trunk, long budget, bool 
             status = keep(trunk, err);
     }
     if (*done && trunk->horizon)
-        thud_horizon_close(trunk->horizon, trunk->run);
+        thud_horizon_close(trunk->horizon);
     return status;
 }
 

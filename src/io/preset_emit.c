@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/utf8.h"
+
 void thud_section_path(struct thud_section section, char *path, size_t size)
 {
     const char *key = thud_group_key(section.group);
@@ -54,7 +56,7 @@ static bool is_plain(const char *text, bool flow)
 }
 
 /* Letters that YAML takes for line ends or refuses, by their numbers. */
-static bool needs_escape(unsigned letter)
+static bool needs_escape(uint32_t letter)
 {
     return letter < 0x20 || (letter >= 0x7f && letter <= 0xa0) || letter == 0x2028 || letter == 0x2029 ||
            letter == 0xfeff || letter == 0xfffe || letter == 0xffff;
@@ -68,19 +70,14 @@ static void emit_scalar(struct thud_text *out, const char *text, bool flow)
         return;
     }
     thud_text_append(out, "\"");
-    for (const unsigned char *s = (const unsigned char *)text; *s;) {
-        size_t n = *s < 0x80 ? 1 : *s < 0xe0 ? 2 : *s < 0xf0 ? 3 : 4;
-        unsigned letter = n == 1   ? *s
-                          : n == 2 ? (*s & 0x1fu) << 6 | (s[1] & 0x3fu)
-                          : n == 3 ? (*s & 0xfu) << 12 | (s[1] & 0x3fu) << 6 | (s[2] & 0x3fu)
-                                   : 0x10000;
+    for (const char *next = text, *s; s = next, *s;) {
+        uint32_t letter = thud_utf8_next(&next);
         if (*s == '"' || *s == '\\')
             thud_text_append(out, "\\%c", *s);
         else if (needs_escape(letter))
-            thud_text_append(out, "\\u%04x", letter);
+            thud_text_append(out, "\\u%04x", (unsigned)letter);
         else
-            thud_text_bytes(out, (const char *)s, n);
-        s += n;
+            thud_text_bytes(out, s, (size_t)(next - s));
     }
     thud_text_append(out, "\"");
 }

@@ -4,19 +4,6 @@
 
 #include "io/result_file.h"
 
-/* A field of text, quoted where commas, quotes or line ends need it. */
-static void add_name(struct thud_text *out, const char *name)
-{
-    if (!strpbrk(name, ",\"\r\n")) {
-        thud_text_append(out, "%s", name);
-        return;
-    }
-    thud_text_append(out, "\"");
-    for (; *name; name++)
-        thud_text_append(out, *name == '"' ? "\"\"" : "%c", *name);
-    thud_text_append(out, "\"");
-}
-
 static void add_number(struct thud_text *out, double value)
 {
     thud_text_bytes(out, ",", 1);
@@ -42,7 +29,7 @@ void thud_result_csv(const struct thud_report *report, struct thud_text *out)
         for (int i = 0; i < report->result->structure[s].floors; i++) {
             const struct thud_floor_result *f = &report->result->structure[s].floor[i];
             const struct thud_peak peak[] = {f->acceleration, f->displacement, f->velocity, f->drift};
-            add_name(out, report->scene->structure[s].name);
+            thud_text_csv(out, report->scene->structure[s].name);
             thud_text_append(out, ",%d", i + 1);
             for (size_t k = 0; k < sizeof peak / sizeof *peak; k++) {
                 add_number(out, peak[k].value);
@@ -60,7 +47,7 @@ static void add_floor_columns(const struct thud_report *report, const char *quan
             char name[THUD_NAME_MAX + 64];
             snprintf(name, sizeof name, "%s.%d.%s", report->scene->structure[s].name, i + 1, quantity);
             thud_text_append(out, ",");
-            add_name(out, name);
+            thud_text_csv(out, name);
         }
 }
 

@@ -6,10 +6,8 @@
 
 static void field(struct thud_text *out, const char *text)
 {
-    thud_text_bytes(out, "\"", 1);
-    for (; *text; text++)
-        thud_text_bytes(out, *text == '"' ? "\"\"" : text, *text == '"' ? 2 : 1);
-    thud_text_bytes(out, "\",", 2);
+    thud_text_csv(out, text);
+    thud_text_bytes(out, ",", 1);
 }
 
 /* Which panel a row belongs to; with the meaning of its numbers where the header cannot say it. */

@@ -5,32 +5,18 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/utf8.h"
 #include "base/version.h"
 #include "plot/gnuplot_internal.h"
 
 enum { PDF_DPI = 200 };
-
-/* Length in bytes of the character at `s`, 1 for a byte that is not UTF-8. */
-static size_t character(const char *s)
-{
-    unsigned char c = (unsigned char)*s;
-    size_t n = c < 0x80 ? 1 : c >= 0xC2 && c < 0xE0 ? 2 : c >= 0xE0 && c < 0xF0 ? 3 : c >= 0xF0 && c < 0xF5 ? 4 : 0;
-    for (size_t i = 1; i < n; i++) {
-        if (((unsigned char)s[i] & 0xC0) != 0x80)
-            return 0;
-    }
-    return n;
-}
 
 static const double char_em = 0.55; /* mean width of DejaVu Sans, on the safe side */
 
 /* About how wide a text is, px. */
 static double width_of(const char *text, double em)
 {
-    size_t n = 0;
-    for (size_t step; *text; text += step ? step : 1, n++)
-        step = character(text);
-    return char_em * em * (double)n;
+    return char_em * em * thud_utf8_columns(text);
 }
 
 double thud_gnuplot_fit(const char *text, double widest, double em)
@@ -54,7 +40,7 @@ void thud_gnuplot_quote(struct thud_text *out, const char *text, double widest, 
     const char *quote = twice ? "\"" : "'";
     thud_text_bytes(out, quote, 1);
     while (*text) {
-        size_t size = character(text);
+        size_t size = (size_t)thud_utf8_length(text);
         if (cut && ++n == most) {
             thud_text_append(out, "…");
             break;

@@ -1,4 +1,5 @@
 #include "study/published.h"
+#include "base/quantity.h"
 
 #include <math.h>
 #include <string.h>
@@ -10,7 +11,6 @@
 
 static const double print = 5e-3;    /* relative: rounding of what is printed, and reading from it */
 static const double identity = 1e-9; /* of two ways to compute one thing: rounding */
-static const double pi = 3.14159265358979323846;
 
 static const struct thud_published_info infos[THUD_PUBLISHED_COUNT] = {
     [THUD_PUBLISHED_CHOPRA] = {"Five-storey shear frame under El Centro, and its modes",
@@ -90,7 +90,7 @@ static struct frame mode_alone(const struct thud_model *model, const struct thud
 {
     const struct thud_model_structure *s = &model->structure[0];
     double omega = model->omega[mode], gamma = model->gamma[mode];
-    double d = thud_spectrum_at(record, 2 * pi / omega, model->zeta[mode]).displacement_m;
+    double d = thud_spectrum_at(record, 2 * THUD_PI / omega, model->zeta[mode]).displacement_m;
     struct frame frame = {.top_m = fabs(gamma * s->phi[(s->n - 1) * s->modes + mode]) * d};
     double shear = 0;
     for (int i = s->n - 1; i >= 0; i--) {
@@ -185,7 +185,7 @@ static enum thud_status vm65(const struct thud_scene *scene, const struct thud_r
  * stiff. The concrete of Polycarpou and Komodromos: its dashpot c = 2 xi sqrt(k m) doubles too, since m does. */
 static enum thud_status oscillators(bool wall, double *force_n, double *indentation_m, struct thud_error *err)
 {
-    const double mass_kg = 320e3, stiffness_npm = mass_kg * pow(2 * pi / 0.7, 2), duration_s = 2;
+    const double mass_kg = 320e3, stiffness_npm = mass_kg * pow(2 * THUD_PI / 0.7, 2), duration_s = 2;
     struct thud_structure_input side[2] = {
         {.n = 1, .mass_kg = &mass_kg, .stiffness_npm = &stiffness_npm, .damping = 0.05, .velocity_mps = 0.5},
         {.n = 1, .mass_kg = &mass_kg, .stiffness_npm = &stiffness_npm, .damping = 0.05, .velocity_mps = -0.5},

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/utf8.h"
 #include "core/method.h"
 #include "study/scene_slot.h"
 #include "study/scene_words.h"
@@ -92,19 +93,9 @@ static enum thud_status read_choice(const struct thud_param *param, const char *
     return thud_words_unknown(&words, "choice", text, err);
 }
 
-/* Length of the UTF-8 sequence at `s`, 0 when it is none or a control character. */
-static size_t letter(const unsigned char *s)
+static bool is_control(char c)
 {
-    if (s[0] < 0x80)
-        return s[0] >= 0x20 && s[0] != 0x7f;
-    size_t n = s[0] >= 0xf0 && s[0] < 0xf5 ? 4 : s[0] >= 0xe0 && s[0] < 0xf0 ? 3 : s[0] >= 0xc2 && s[0] < 0xe0 ? 2 : 0;
-    for (size_t i = 1; i < n; i++)
-        if ((s[i] & 0xc0) != 0x80)
-            return 0;
-    if ((s[0] == 0xe0 && s[1] < 0xa0) || (s[0] == 0xed && s[1] > 0x9f) || (s[0] == 0xf0 && s[1] < 0x90) ||
-        (s[0] == 0xf4 && s[1] > 0x8f))
-        return 0;
-    return n;
+    return (unsigned char)c < 0x20 || c == 0x7f;
 }
 
 static enum thud_status read_text(const struct thud_slot *slot, const char *text, char *out, struct thud_error *err)
@@ -115,14 +106,11 @@ static enum thud_status read_text(const struct thud_slot *slot, const char *text
         thud_error_allow(err, "at most %zu bytes", slot->place.size - 1);
         return THUD_INPUT;
     }
-    for (const unsigned char *s = (const unsigned char *)text; *s;) {
-        size_t n = letter(s);
-        if (n == 0) {
+    for (const char *s = text; *s; s += thud_utf8_length(s))
+        if (is_control(*s) || thud_utf8_length(s) == 0) {
             thud_error_set(err, THUD_INPUT, "the text has a control character or a byte that is not UTF-8");
             return THUD_INPUT;
         }
-        s += n;
-    }
     memset(out, 0, slot->place.size);
     memcpy(out, text, length + 1);
     return THUD_OK;

@@ -7,6 +7,7 @@
 #include <stdint.h>
 
 #include "base/status.h"
+#include "base/utf8.h"
 
 /* What a cell is for; the terminal turns roles into colours where it may. A role is never the only sign of anything. */
 enum thud_role {
@@ -71,12 +72,6 @@ void thud_pane_right(const struct thud_pane *pane, int x, int y, struct thud_loo
 struct thud_pane thud_pane_frame(const struct thud_pane *pane, const char *title, bool focused);
 /* A block of text, wrapped at blanks; returns the rows it took. */
 int thud_pane_wrap(const struct thud_pane *pane, int x, int y, int w, struct thud_look style, const char *text);
-
-/* Reads one code point and steps over it; bytes that are no UTF-8 give '?'. 0 at the end. */
-uint32_t thud_utf8_next(const char **text);
-/* Writes a code point with a NUL; returns the bytes without it. */
-int thud_utf8_put(uint32_t code, char out[5]);
-int thud_utf8_columns(const char *text);
 
 static inline struct thud_look thud_look(int role, int attr)
 {

@@ -73,8 +73,7 @@ static void spectrum(struct thud_panel *panel, const struct thud_record *record,
     for (int s = 0; model && s < model->nstructures && s < 4; s++) {
         double omega = model->structure[s].n > 0 ? model->structure[s].omega[0] : 0.0;
         if (omega > 0.0)
-            thud_panel_mark(panel, THUD_X, 2.0 * acos(-1.0) / omega, 2.0 * acos(-1.0) / omega,
-                            scene->structure[s].name);
+            thud_panel_mark(panel, THUD_X, 2.0 * THUD_PI / omega, 2.0 * THUD_PI / omega, scene->structure[s].name);
     }
 }
 

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/quantity.h"
 #include "base/scan.h"
 #include "core/model.h"
 #include "tui/field.h"
@@ -31,7 +32,7 @@ static const char *first_period(const struct thud_tui *tui, int s, char text[32]
         return text;
     double omega = model->structure[s].omega[0];
     if (omega > 0.0)
-        snprintf(text, 32, " T1 %s s", thud_tui_number(2.0 * acos(-1.0) / omega, number));
+        snprintf(text, 32, " T1 %s s", thud_tui_number(2.0 * THUD_PI / omega, number));
     return text;
 }
 
@@ -68,7 +69,7 @@ static int modes(struct thud_tui *tui, const struct thud_pane *pane, int y, int 
         if (!(omega > 0.0))
             continue;
         size_t n = strlen(periods), m = strlen(masses);
-        snprintf(periods + n, sizeof periods - n, "%8s", thud_tui_number(2.0 * acos(-1.0) / omega, number));
+        snprintf(periods + n, sizeof periods - n, "%8s", thud_tui_number(2.0 * THUD_PI / omega, number));
         snprintf(masses + m, sizeof masses - m, "%*.1f", m == 3 ? 7 : 8, 100.0 * gamma * gamma / total);
     }
     if (strlen(periods) < 4)

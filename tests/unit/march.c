@@ -1,4 +1,5 @@
 #include "march.h"
+#include "base/quantity.h"
 
 #include <assert.h>
 #include <math.h>
@@ -93,7 +94,7 @@ struct thud_model *march_row(int n, const int *storeys, bool isolated, double ga
             stiffness[i][f] = 600e6;
         }
         if (isolated)
-            stiffness[i][0] = total * acos(-1) * acos(-1);
+            stiffness[i][0] = total * THUD_PI * THUD_PI;
         s[i] = (struct thud_structure_input){.n = floors,
                                              .mass_kg = mass[i],
                                              .stiffness_npm = stiffness[i],

@@ -1,4 +1,5 @@
 #include "scenes.h"
+#include "base/quantity.h"
 
 #include <assert.h>
 #include <math.h>
@@ -51,7 +52,7 @@ static double one_of(const double *list, int n)
 /* The stiffness that gives n equal floors on n equal storeys this first period. */
 static double storey_stiffness(int n, double mass, double period)
 {
-    double pi = acos(-1), s = pi / period / sin(pi / (2 * (2 * n + 1)));
+    double s = THUD_PI / period / sin(THUD_PI / (2 * (2 * n + 1)));
     return mass * s * s;
 }
 
@@ -84,7 +85,7 @@ static void draw_structure(struct thud_structure *s, int index, double mass, boo
     if (s->kind == THUD_WALL)
         s->height_m[0] = chance(0.7) ? INFINITY : 3.0 * below(4);
     if (s->kind == THUD_ISOLATED) {
-        double total = s->base_mass_kg = m * between_log(0.3, 3), w = 2 * acos(-1) / between_log(0.8, 4);
+        double total = s->base_mass_kg = m * between_log(0.3, 3), w = 2 * THUD_PI / between_log(0.8, 4);
         for (int i = 0; i < s->storeys; i++)
             total += s->mass_kg[i];
         s->isolation_stiffness_npm = total * w * w;
@@ -98,7 +99,7 @@ static void draw_record(struct scenes_one *one)
 {
     int n = 2 + below(chance(0.5) ? 60 : 500), kind = below(5), quiet = chance(0.3) ? below(n) : 0;
     double dt = ONE_OF(0.02, 0.01, 0.005, 0.0137, 0.1, 1.0 / 3, 0.02, 0.01), *a = calloc((size_t)n, sizeof *a);
-    double w = 2 * acos(-1) / between_log(0.15, 2), most = 0, walk = 0;
+    double w = 2 * THUD_PI / between_log(0.15, 2), most = 0, walk = 0;
     assert(a);
     n = (n - 1) * dt > 8 ? 1 + (int)(8 / dt) : n;
     n = n < 2 ? 2 : n;
@@ -139,7 +140,7 @@ static void set_value(struct thud_law_choice *choice, const char *name, double v
 /* A law whose contact of this mass takes about a quarter of the period, at indentations near `size_m`. */
 static void draw_law(struct thud_law_choice *choice, const char *name, double mass, double size_m)
 {
-    double w = 2 * acos(-1) / between_log(0.004, 0.3), k = mass * w * w;
+    double w = 2 * THUD_PI / between_log(0.004, 0.3), k = mass * w * w;
     thud_law_choice_init(choice, thud_law_find(name));
     int power = thud_law_param(choice->law, "exponent");
     double n = power >= 0 ? (chance(0.4) ? choice->value[power] : between(1, 4)) : strcmp(name, "hertz") == 0 ? 1.5 : 1;

@@ -3,12 +3,11 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/quantity.h"
 #include "core/lcp.h"
 #include "core/modes.h"
 #include "core/quadrature.h"
 #include "core/radau.h"
-
-static const double pi = 3.14159265358979323846;
 
 /* Uniform shear building: omega_j = 2 sqrt(k/m) sin((2 j - 1) pi / (2 (2 n + 1))). */
 START_TEST(uniform_building)
@@ -21,7 +20,7 @@ START_TEST(uniform_building)
     }
     ck_assert_int_eq(thud_modes_shear(N, mass, k, omega, phi, work, NULL), THUD_OK);
     for (int j = 0; j < N; j++) {
-        double expected = 2 * sqrt(6e8 / 320e3) * sin((2 * j + 1) * pi / (2 * (2 * N + 1)));
+        double expected = 2 * sqrt(6e8 / 320e3) * sin((2 * j + 1) * THUD_PI / (2 * (2 * N + 1)));
         ck_assert_double_eq_tol(omega[j] / expected, 1, 1e-10);
     }
     double mass_sum = 0; /* sum of the effective masses is the mass */
@@ -48,11 +47,11 @@ START_TEST(the_papers_buildings)
     ck_assert_int_eq(thud_modes_shear(6, mass, k, omega, phi, work, NULL), THUD_OK);
     for (int j = 0; j < 6; j++)
         ck_assert_double_eq_tol(omega[j], six[j], 5.1e-4);
-    ck_assert_double_eq_tol(2 * pi / omega[0], 0.58184, 5.1e-6);
+    ck_assert_double_eq_tol(2 * THUD_PI / omega[0], 0.58184, 5.1e-6);
     ck_assert_int_eq(thud_modes_shear(4, mass + 2, k, omega, phi, work, NULL), THUD_OK);
     for (int j = 0; j < 4; j++)
         ck_assert_double_eq_tol(omega[j], four[j], 5.1e-4);
-    ck_assert_double_eq_tol(2 * pi / omega[0], 0.39791, 5.1e-6);
+    ck_assert_double_eq_tol(2 * THUD_PI / omega[0], 0.39791, 5.1e-6);
 }
 END_TEST
 

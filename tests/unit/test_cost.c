@@ -5,9 +5,8 @@
 #include <string.h>
 
 #include "app/cost_jobs.h"
+#include "base/quantity.h"
 #include "towers.h"
-
-static const double pi = 3.14159265358979323846;
 
 static struct thud_scene scene;
 static struct thud_record *record;
@@ -63,7 +62,7 @@ START_TEST(storeys_make_uniform_buildings)
         ck_assert_int_eq(model->ndof, 2 * n);
         ck_assert_int_eq(model->ncontacts, n);
         for (int j = 0; j < n; j++) {
-            double omega = 2 * sqrt(k / m) * sin((2 * j + 1) * pi / (4 * n));
+            double omega = 2 * sqrt(k / m) * sin((2 * j + 1) * THUD_PI / (4 * n));
             ck_assert_double_eq_tol(model->omega[j], omega, 1e-9 * omega + 1e-7);
             ck_assert_double_eq_tol(model->omega[n + j], sqrt(0.7) * omega, 1e-9 * omega + 1e-7);
         }

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/quantity.h"
 #include "plot/figures_run.h"
 
 /* Two buildings of 3 and 9 floors and a made-up run with one impact at 5 s on floor 2. */
@@ -24,7 +25,7 @@ struct sample {
 
 static double force_at(int i)
 {
-    return i > 500 && i < 520 ? 2e6 * sin((i - 500) * 3.14159265 / 20) : 0.0;
+    return i > 500 && i < 520 ? 2e6 * sin((i - 500) * THUD_PI / 20) : 0.0;
 }
 
 static struct sample *make(void)

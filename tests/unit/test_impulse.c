@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/quantity.h"
 #include "core/run_private.h"
 
 static const struct thud_law *newton(double e, struct thud_law_setup *setup)
@@ -236,7 +237,7 @@ START_TEST(blow_on_a_contact_with_a_force)
     contact[0].law = newton(0.5, &contact[0].setup);
     contact[1].law = no_tension(1e6, 0.05, &contact[1].setup);
     ck_assert_int_eq(thud_model_create(&input, &model, NULL), THUD_OK);
-    double xi = -log(0.05) / hypot(acos(-1), log(0.05)), c = 2 * xi * sqrt(1e6 * 1000);
+    double xi = -log(0.05) / hypot(THUD_PI, log(0.05)), c = 2 * xi * sqrt(1e6 * 1000);
     double impulse = struck_by_hand(1e6, c, gap[_i], &last);
     struct thud_run *run = finish(model, NULL, 0.3);
     const struct thud_result *result = thud_run_result(run);

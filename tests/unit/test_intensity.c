@@ -8,8 +8,6 @@
 #include "core/record_edit.h"
 #include "core/spectrum.h"
 
-static const double pi = 3.14159265358979323846;
-
 static struct thud_record *make(const double *a, size_t samples, double dt)
 {
     struct thud_record *record;
@@ -31,7 +29,7 @@ START_TEST(triangle)
     struct thud_intensity m = of(a, 3, 1);
     ck_assert_double_eq(m.pga_mps2, 1);
     ck_assert_double_eq(m.pga_time_s, 1);
-    ck_assert_double_eq_tol(m.arias_mps, pi / (2 * THUD_GRAVITY) * 2 / 3, 1e-15); /* integral of a^2: 2/3 */
+    ck_assert_double_eq_tol(m.arias_mps, THUD_PI / (2 * THUD_GRAVITY) * 2 / 3, 1e-15); /* integral of a^2: 2/3 */
     ck_assert_double_eq_tol(m.cav_mps, 1, 1e-15);
     ck_assert_double_eq_tol(m.pgv_mps, 1.0 / 3, 1e-15);
     ck_assert_double_eq_tol(m.pgd_m, 1.0 / 3, 1e-15);
@@ -52,7 +50,7 @@ START_TEST(through_zero_within_a_step)
     const double a[] = {3, -1};
     struct thud_intensity m = of(a, 2, 1);
     ck_assert_double_eq_tol(m.cav_mps, 0.5 * 0.75 * 3 + 0.5 * 0.25 * 1, 1e-15);
-    ck_assert_double_eq_tol(m.arias_mps, pi / (2 * THUD_GRAVITY) * (27 + 1) / 12, 1e-15);
+    ck_assert_double_eq_tol(m.arias_mps, THUD_PI / (2 * THUD_GRAVITY) * (27 + 1) / 12, 1e-15);
 }
 END_TEST
 
@@ -62,7 +60,7 @@ START_TEST(constant)
     for (int i = 0; i <= 100; i++)
         a[i] = -2;
     struct thud_intensity m = of(a, 101, 0.1);
-    ck_assert_double_eq_tol(m.arias_mps, pi / (2 * THUD_GRAVITY) * 40, 1e-12);
+    ck_assert_double_eq_tol(m.arias_mps, THUD_PI / (2 * THUD_GRAVITY) * 40, 1e-12);
     ck_assert_double_eq_tol(m.d5_95_s, 9, 1e-9);
     ck_assert_double_eq_tol(m.d5_75_s, 7, 1e-9);
     ck_assert_double_eq_tol(m.t5_s, 0.5, 1e-9);
@@ -95,12 +93,12 @@ START_TEST(sine)
 {
     enum { N = 10001 };
     static double a[N];
-    const double dt = 0.001, period = 0.5, w = 2 * pi / period, big = 1.7; /* twenty cycles */
+    const double dt = 0.001, period = 0.5, w = 2 * THUD_PI / period, big = 1.7; /* twenty cycles */
     for (int i = 0; i < N; i++)
         a[i] = big * sin(w * i * dt);
     struct thud_intensity m = of(a, N, dt);
-    ck_assert_double_eq_tol(m.arias_mps, pi / (2 * THUD_GRAVITY) * big * big * 5, 1e-4);
-    ck_assert_double_eq_tol(m.cav_mps, big * 20 / pi, 1e-3);
+    ck_assert_double_eq_tol(m.arias_mps, THUD_PI / (2 * THUD_GRAVITY) * big * big * 5, 1e-4);
+    ck_assert_double_eq_tol(m.cav_mps, big * 20 / THUD_PI, 1e-3);
     ck_assert_double_eq_tol(m.pgv_mps, 2 * big / w, 1e-5); /* from rest: (1 - cos) */
     ck_assert_double_eq_tol(m.pgd_m, big / w * 10, 1e-4);
     ck_assert_double_eq_tol(m.d5_95_s, 9, 0.02);

@@ -3,10 +3,9 @@
 #include <check.h>
 #include <math.h>
 
+#include "base/quantity.h"
 #include "core/law.h"
 #include "core/law_closed_form.h"
-
-static const double pi = 3.14159265358979323846;
 
 /* Restitution that two free bodies with m = 160 t part with, a choice (may be NULL) and e given. */
 static double part(const char *name, const char *choice, int index, double e, double v)
@@ -111,10 +110,10 @@ START_TEST(limits)
     ck_assert_double_eq(thud_hertz_damp_s(1), 0);
     ck_assert_double_eq(thud_rubber_cv(1), 0);
     ck_assert_double_eq(thud_jankowski_xi(1, 1.5), 0);
-    ck_assert_double_eq_tol(thud_kelvin_voigt_cut_xi(e) / less, 1 / pi, 1e-6);
+    ck_assert_double_eq_tol(thud_kelvin_voigt_cut_xi(e) / less, 1 / THUD_PI, 1e-6);
     ck_assert_double_eq_tol(thud_hertz_damp_s(e) / less, 1.5, 1e-6);
     ck_assert_double_eq_tol(thud_rubber_cv(e) / less, 3, 1e-6);
-    ck_assert_double_eq_tol(thud_jankowski_xi(e, 1) / less, 2 / pi, 1e-6);
+    ck_assert_double_eq_tol(thud_jankowski_xi(e, 1) / less, 2 / THUD_PI, 1e-6);
     /* restitution is so slow in the limit of strong damping that the speed is the damping's own: e = 1/s */
     ck_assert_double_eq_tol(thud_hertz_damp_restitution(1e9) * 1e9, 1, 1e-12);
     ck_assert_double_eq_tol(thud_rubber_restitution(1e9, 1) * 1e9, 1, 1e-12);

@@ -1,15 +1,14 @@
 /* Collisions under the laws of springs and dashpots, integrated from the printed equations, against the laws and their
  * closed forms. */
+#include "base/quantity.h"
 #include "collision.h"
 #include "core/law_closed_form.h"
-
-static const double pi = 3.14159265358979323846;
 
 START_TEST(concrete_figures)
 {
     static const struct figure figures[] = {{0.5, 8379.6, 3.1807, 22.850, 0.63229, 0.8118},
                                             {1.0, 16759.2, 6.3613, 22.850, 0.63229, 1.6237}};
-    double xi = -log(0.6) / sqrt(pi * pi + log(0.6) * log(0.6));
+    double xi = -log(0.6) / sqrt(THUD_PI * THUD_PI + log(0.6) * log(0.6));
     struct equation q = {DASHPOT, 2.5e9, 1, 2 * xi * sqrt(2.5e9 * 160e3), false, INFINITY, 0, false};
     for (int i = 0; i < 2; i++) {
         struct outcome out = collide(&q, mass, mass, figures[i].v, 2e-6);
@@ -146,7 +145,7 @@ START_TEST(jankowski)
         CLOSE(out.e, e, 1e-6);
         check_balance(&out, m1, m2, 0.4);
         if (n == 1.5) {
-            double xi = 4.5 * sqrt(5) * (1 - e * e) / (e * (e * (9 * pi - 16) + 16));
+            double xi = 4.5 * sqrt(5) * (1 - e * e) / (e * (e * (9 * THUD_PI - 16) + 16));
             q.c = 2 * xi * sqrt(k * m);
             out = collide(&q, m1, m2, 0.4, 4e-6);
             set("jankowski", &setup, "damping", 0);

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/quantity.h"
 #include "core/law.h"
 
 static const double mass = 160e3; /* effective */
@@ -165,9 +166,9 @@ END_TEST
 /* Each force as printed, at d and v; v0 = 0.5. */
 static double printed(const char *name, enum thud_phase phase, double d, double v)
 {
-    double pi = acos(-1), e = 0.6, k = 2.5e9, kh = 87e3 * pow(1000, 1.5);
-    double c = -2 * log(e) / sqrt(pi * pi + log(e) * log(e)) * sqrt(k * mass);
-    double xi = 4.5 * sqrt(5) * (1 - e * e) / (e * (e * (9 * pi - 16) + 16));
+    double e = 0.6, k = 2.5e9, kh = 87e3 * pow(1000, 1.5);
+    double c = -2 * log(e) / sqrt(THUD_PI * THUD_PI + log(e) * log(e)) * sqrt(k * mass);
+    double xi = 4.5 * sqrt(5) * (1 - e * e) / (e * (e * (9 * THUD_PI - 16) + 16));
     if (strcmp(name, "linear") == 0)
         return k * d;
     if (strncmp(name, "kelvin-voigt", 12) == 0)

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/quantity.h"
 #include "march.h"
 
 /* A free oscillation of 3000 steps of `angle` each: whether it stays bounded. If not, the run must say so. */
@@ -127,7 +128,7 @@ START_TEST(a_lagged_force_throws_back_faster)
     struct march_law law = march_law("linear", "stiffness", omega * omega * 0.5, NULL);
     struct thud_model *model = march_two_bodies(1, 1, 1, 1e-3, &law);
     for (double angle = 0.125; angle > 0.01; angle /= 10) {
-        double step = angle / omega, want = exp(acos(-1) * angle / 2);
+        double step = angle / omega, want = exp(THUD_PI * angle / 2);
         struct march lagged = march_run(model, NULL, "lagged", step, 0, true, 0.1);
         struct march newmark = march_run(model, NULL, "newmark", step, 0, false, 0.1);
         double rebound = march_velocity(&lagged, 1) - march_velocity(&lagged, 0);
@@ -284,7 +285,7 @@ START_TEST(steps_are_checked_and_chosen)
     ck_assert_int_eq(m.status, THUD_INPUT);
     ck_assert_str_eq(m.err.key, "step");
     m = march_run(model, NULL, "newmark", 0, 0, true, 10); /* a twentieth of the period of 0.628 s */
-    ck_assert_int_eq(m.result->work.steps, (long)ceil(10 / (2 * acos(-1) / 10 / 20)));
+    ck_assert_int_eq(m.result->work.steps, (long)ceil(10 / (2 * THUD_PI / 10 / 20)));
     march_free(&m);
     thud_model_free(model);
 }

@@ -2,6 +2,7 @@
 #include <check.h>
 #include <math.h>
 
+#include "base/quantity.h"
 #include "core/poly.h"
 
 /* Coefficients of lead (s - r0)(s - r1)..., out (n + 1). */
@@ -75,7 +76,7 @@ START_TEST(peak_of_a_sine)
         c[k] = k % 2 ? (k % 4 == 1 ? fact : -fact) : 0; /* sin(2.5 s) */
     }
     ck_assert_double_eq_tol(thud_poly_peak(c, 24, 1, 0, &where), 1, 1e-15);
-    ck_assert_double_eq_tol(where, acos(-1) / 5, 1e-8);
+    ck_assert_double_eq_tol(where, THUD_PI / 5, 1e-8);
     ck_assert_double_eq_tol(thud_poly_peak(c, 24, 0.3, 0, &where), sin(0.75), 1e-15);
     ck_assert_double_eq(where, 0.3);
 }

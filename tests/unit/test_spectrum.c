@@ -5,13 +5,12 @@
 #include <stdint.h>
 #include <stdlib.h>
 
+#include "base/quantity.h"
 #include "core/intensity.h"
 #include "core/model.h"
 #include "core/oscillator.h"
 #include "core/run.h"
 #include "core/spectrum.h"
-
-static const double pi = 3.14159265358979323846;
 
 static struct thud_record *make(const double *a, size_t samples, double dt)
 {
@@ -42,7 +41,7 @@ START_TEST(step_without_damping)
     struct thud_record *record = make(a, 201, 0.05);
     const double periods[] = {0.1, 0.37, 1.0, 10.0 / 7};
     for (int i = 0; i < 4; i++) {
-        double w = 2 * pi / periods[i];
+        double w = 2 * THUD_PI / periods[i];
         struct thud_spectrum_point p = thud_spectrum_at(record, periods[i], 0);
         /* what follows the step's end is its mirror: at most twice as large, and nothing where it ends at rest */
         double left = 2 * fabs(sin(w * 10 / 2)), least = 2 * 3 / (w * w), after = left * 3 / (w * w);
@@ -63,9 +62,9 @@ START_TEST(step_with_damping)
     const double periods[] = {0.13, 0.5, 1.1}, dampings[] = {0.02, 0.05, 0.3};
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++) {
-            double w = 2 * pi / periods[i], z = dampings[k], root = sqrt(1 - z * z);
+            double w = 2 * THUD_PI / periods[i], z = dampings[k], root = sqrt(1 - z * z);
             struct thud_spectrum_point p = thud_spectrum_at(record, periods[i], z);
-            ck_assert_double_eq_tol(p.displacement_m * w * w / 2, 1 + exp(-z * pi / root), 1e-8);
+            ck_assert_double_eq_tol(p.displacement_m * w * w / 2, 1 + exp(-z * THUD_PI / root), 1e-8);
             ck_assert_double_eq_tol(p.velocity_mps * w / 2, exp(-z / root * atan2(root, z)), 1e-7);
         }
     thud_record_free(record);
@@ -76,13 +75,13 @@ START_TEST(sine_without_damping)
 {
     enum { N = 4001 };
     static double a[N];
-    const double big = 2 * pi, dt = 0.001; /* forcing of 1 s, four cycles */
+    const double big = 2 * THUD_PI, dt = 0.001; /* forcing of 1 s, four cycles */
     for (int i = 0; i < N; i++)
         a[i] = sin(big * i * dt);
     struct thud_record *record = make(a, N, dt);
     const double periods[] = {0.2, 0.45, 2.0 / 3, 1.7};
     for (int i = 0; i < 4; i++) {
-        double w = 2 * pi / periods[i], peak = 0;
+        double w = 2 * THUD_PI / periods[i], peak = 0;
         for (int k = 0; k <= 400000; k++) {
             double t = k * 1e-5;
             peak = fmax(peak, fabs((sin(big * t) - big / w * sin(w * t)) / (w * w - big * big)));
@@ -93,7 +92,7 @@ START_TEST(sine_without_damping)
         ck_assert_double_eq_tol(thud_spectrum_at(record, periods[i], 0).displacement_m, peak, 1e-5 * peak);
     }
     /* resonance: x = (sin wt - wt cos wt) / (2 w^2) */
-    double w = big, end = 2 * pi * 4 / (2 * w * w);
+    double w = big, end = 2 * THUD_PI * 4 / (2 * w * w);
     ck_assert_double_eq_tol(thud_spectrum_at(record, 1, 0).displacement_m, end, 1e-5 * end);
     thud_record_free(record);
 }
@@ -125,7 +124,7 @@ END_TEST
 static struct thud_spectrum_point brute(const struct thud_record *record, double period, double z)
 {
     enum { PARTS = 2000 };
-    double w = 2 * pi / period, h = record->dt_s / PARTS, x = 0, v = 0;
+    double w = 2 * THUD_PI / period, h = record->dt_s / PARTS, x = 0, v = 0;
     struct thud_spectrum_point p = {.period_s = period};
     for (size_t i = 0; i + 1 < record->samples; i++)
         for (int k = 0; k < PARTS; k++) {
@@ -164,7 +163,7 @@ END_TEST
 START_TEST(a_run_with_one_floor)
 {
     struct thud_record *record = ragged(300, 0.02);
-    const double mass = 1000, period = 0.31, w = 2 * pi / period, stiffness = mass * w * w;
+    const double mass = 1000, period = 0.31, w = 2 * THUD_PI / period, stiffness = mass * w * w;
     struct thud_structure_input structure = {.n = 1, .mass_kg = &mass, .stiffness_npm = &stiffness, .damping = 0.05};
     struct thud_model_input input = {.nstructures = 1, .structure = &structure};
     struct thud_model *model;

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "app/stability_report.h"
+#include "base/quantity.h"
 #include "study/stability_private.h"
 #include "towers.h"
 
@@ -25,7 +26,7 @@ static struct thud_exhibit exhibit(const char *name)
 START_TEST(lagged_force_makes_energy)
 {
     struct thud_exhibit e = exhibit("lagged-force");
-    NEAR(e.wrong, exp(acos(-1) * 0.125 / 2), 5e-3);
+    NEAR(e.wrong, exp(THUD_PI * 0.125 / 2), 5e-3);
     NEAR(e.thud, 1, 1e-9);
 }
 END_TEST
@@ -51,7 +52,7 @@ START_TEST(both_roots_of_a_step_are_found)
     struct thud_exhibit e = exhibit("double-root");
     ck_assert(e.wrong == 0);
     /* energy: v^2 + (omega gap)^2 = v0^2 */
-    double v0 = 1.05 * 0.02 * 2 * acos(-1), w = 0.02 * 2 * acos(-1);
+    double v0 = 1.05 * 0.02 * 2 * THUD_PI, w = 0.02 * 2 * THUD_PI;
     NEAR(e.right, sqrt(v0 * v0 - w * w), 1e-12);
     NEAR(e.thud, e.right, 1e-9 * e.right);
 }

@@ -8,8 +8,6 @@
 #include "core/intensity.h"
 #include "core/synthesize.h"
 
-static const double pi = 3.14159265358979323846;
-
 static struct thud_record *make(const struct thud_synthesis *synthesis)
 {
     struct thud_record *record;
@@ -50,9 +48,9 @@ START_TEST(pulse_of_the_formula)
         thud_record_integrate(record, v, NULL);
         size_t quiet = 10000;
         for (size_t i = quiet; i < record->samples; i += 7) {
-            double theta = 2 * pi / 1.3 * ((double)i * 0.002 - s.pulse_time_s), expected = 0;
-            if (fabs(theta) <= 1.7 * pi)
-                expected = 0.4 * (1 + cos(theta / 1.7)) * cos(theta + phases[k] * pi / 180);
+            double theta = 2 * THUD_PI / 1.3 * ((double)i * 0.002 - s.pulse_time_s), expected = 0;
+            if (fabs(theta) <= 1.7 * THUD_PI)
+                expected = 0.4 * (1 + cos(theta / 1.7)) * cos(theta + phases[k] * THUD_PI / 180);
             ck_assert_double_eq_tol(v[i] - v[quiet], expected, 2e-5 * 0.8);
         }
         thud_record_free(record);
@@ -65,8 +63,8 @@ static double power(const struct thud_record *record, double f)
 {
     double re = 0, im = 0;
     for (size_t i = 0; i < record->samples; i++) {
-        re += record->a_mps2[i] * cos(2 * pi * f * (double)i * record->dt_s);
-        im += record->a_mps2[i] * sin(2 * pi * f * (double)i * record->dt_s);
+        re += record->a_mps2[i] * cos(2 * THUD_PI * f * (double)i * record->dt_s);
+        im += record->a_mps2[i] * sin(2 * THUD_PI * f * (double)i * record->dt_s);
     }
     return re * re + im * im;
 }

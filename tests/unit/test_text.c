@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "base/utf8.h"
 
 START_TEST(grows_past_every_capacity)
 {
@@ -42,12 +43,54 @@ START_TEST(numbers_read_back_the_same)
 }
 END_TEST
 
+/* RFC 3629: the first and last characters of each length, and what is none. */
+START_TEST(utf8_characters)
+{
+    static const struct {
+        const char *text;
+        uint32_t code;
+    } good[] = {{"\x01", 1},
+                {"\x7f", 0x7f},
+                {"\xc2\x80", 0x80},
+                {"\xdf\xbf", 0x7ff},
+                {"\xe0\xa0\x80", 0x800},
+                {"\xed\x9f\xbf", 0xd7ff},
+                {"\xee\x80\x80", 0xe000},
+                {"\xef\xbf\xbf", 0xffff},
+                {"\xf0\x90\x80\x80", 0x10000},
+                {"\xf4\x8f\xbf\xbf", 0x10ffff}};
+    /* alone, cut off, longer than needed, a surrogate, beyond the last */
+    static const char *const bad[] = {"\x80",         "\xc1\xbf",         "\xc2",     "\xe0\x9f\xbf",     "\xe2\x82",
+                                      "\xed\xa0\x80", "\xf0\x8f\xbf\xbf", "\xf0\x9f", "\xf4\x90\x80\x80", "\xff"};
+    for (size_t i = 0; i < sizeof good / sizeof *good; i++) {
+        char put[5];
+        const char *at = good[i].text;
+        int n = thud_utf8_length(at);
+        ck_assert_uint_eq((size_t)n, strlen(at));
+        ck_assert_uint_eq(thud_utf8_next(&at), good[i].code);
+        ck_assert_ptr_eq(at, good[i].text + n);
+        ck_assert_int_eq(thud_utf8_put(good[i].code, put), n);
+        ck_assert_str_eq(put, good[i].text);
+    }
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        const char *at = bad[i];
+        ck_assert_int_eq(thud_utf8_length(at), 0);
+        ck_assert_uint_eq(thud_utf8_next(&at), '?');
+        ck_assert(at > bad[i]);
+        ck_assert_uint_le((size_t)(at - bad[i]), strlen(bad[i]));
+    }
+    ck_assert_int_eq(thud_utf8_length(""), 1);
+    ck_assert_int_eq(thud_utf8_columns("a\xc3\xa9\xe4\xb8\xad|"), 4);
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
     Suite *suite = suite_create("text");
     TCase *tcase = tcase_create("text");
     tcase_add_test(tcase, grows_past_every_capacity);
+    tcase_add_test(tcase, utf8_characters);
     tcase_add_test(tcase, numbers_read_back_the_same);
     suite_add_tcase(suite, tcase);
     return suite;

@@ -6,6 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "base/quantity.h"
 #include "tui_fixture.h"
 
 const char *const fixture_towers = "# two towers, for tests\n"
@@ -77,8 +78,7 @@ void fixture_write_pulse(struct fixture *f)
     static char text[32768];
     size_t n = (size_t)snprintf(text, sizeof text, "time_s,acceleration_g\n");
     for (int i = 0; i <= 300; i++)
-        n += (size_t)snprintf(text + n, sizeof text - n, "%.2f,%.8f\n", 0.01 * i,
-                              sin(2.0 * acos(-1.0) * 0.01 * i / 0.4));
+        n += (size_t)snprintf(text + n, sizeof text - n, "%.2f,%.8f\n", 0.01 * i, sin(2.0 * THUD_PI * 0.01 * i / 0.4));
     fixture_write(f, "pulse.csv", text);
 }
 

@@ -1,0 +1,17 @@
+/* Texts in UTF-8 (RFC 3629: no longer form than needed, no surrogates, nothing beyond U+10FFFF). */
+#ifndef THUD_BASE_UTF8_H
+#define THUD_BASE_UTF8_H
+
+#include <stdint.h>
+
+/* Length in bytes of the character at `text`, 1 to 4; 0 where the bytes are not UTF-8. The 0 at the end of a text has
+ * length 1. */
+int thud_utf8_length(const char *text);
+/* Reads one character and steps over it; bytes that are not UTF-8 give '?'. 0 at the end. */
+uint32_t thud_utf8_next(const char **text);
+/* Writes a character and a 0 behind it; returns its length. */
+int thud_utf8_put(uint32_t code, char out[5]);
+/* Columns of a text on the screen, where every character takes one. */
+int thud_utf8_columns(const char *text);
+
+#endif
