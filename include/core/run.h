@@ -21,7 +21,7 @@ struct thud_run_options {
     bool keep_impacts;     /* list impacts one by one */
     bool keep_history;     /* record histories */
     double history_step_s; /* between rows outside contacts; 0: the record's step */
-    bool no_ledger;        /* leave the energy ledger out (a saving) */
+    bool unjudged;         /* energy unaccounted for does not end the run: for studies of how methods fail */
 };
 void thud_run_options_init(struct thud_run_options *options);
 
@@ -30,8 +30,11 @@ enum thud_status thud_run_create(const struct thud_model *model, const struct th
                                  const struct thud_run_options *options, struct thud_run **out, struct thud_error *err);
 
 /* Goes on by at most `budget` segments. Errors: THUD_DIVERGED with time, floor and limit (what was found before stays
- * readable), THUD_MEMORY. */
+ * readable), also at the end when more of the energy is unaccounted for than thud_run_balance allows; THUD_MEMORY. */
 enum thud_status thud_run_advance(struct thud_run *run, long budget, bool *done, struct thud_error *err);
+
+/* Largest part of the energy that may be unaccounted for at the end of a run. */
+double thud_run_balance(const struct thud_run *run);
 
 double thud_run_time(const struct thud_run *run);
 double thud_run_end(const struct thud_run *run);

@@ -29,9 +29,10 @@ double thud_trunk_closing(const struct thud_trunk *trunk, int c);
 bool thud_trunk_shares(const struct thud_trunk *trunk);
 
 /* A run of `model` (same structures and pairs of floors as the trunk's), begun at the last kept moment before which no
- * contact can close. Its motion and peaks are those of a run from t = 0, bit for bit; its energies and counts of work
- * begin where it begins. *shared_s: that moment, 0 where nothing could be shared (histories are kept, or the method
- * steps through free flight). Errors: as thud_run_create. */
+ * contact can close, and ended where nothing more can come of it. Its motion and peaks are those of a run from t = 0,
+ * bit for bit; its energies and counts of work are those from where it begins to where it ends. *shared_s: that moment,
+ * 0 where nothing could be shared (histories are kept, or the method steps through free flight). Errors: as
+ * thud_run_create. */
 enum thud_status thud_trunk_run(const struct thud_trunk *trunk, const struct thud_model *model,
                                 const struct thud_record *record, const struct thud_run_options *options,
                                 struct thud_run **out, double *shared_s, struct thud_error *err);

@@ -20,9 +20,11 @@ struct thud_report {
     int nimpacts;
     const struct thud_sensitivity *sensitivity; /* NULL: not asked for */
     const struct thud_truncation *truncation;   /* NULL: no mode is left out */
+    const struct thud_error *failure;           /* why there is no answer (THUD_DIVERGED); NULL: there is one */
 };
 
-/* The result of `thud run --json`. Its "scene" is a preset that gives the run again. */
+/* The result of `thud run --json`. Its "scene" is a preset that gives the run again. A run that failed has its status,
+ * when and why, and neither peaks nor impacts. */
 void thud_result_json(const struct thud_report *report, struct thud_text *out);
 /* What a ground motion is known by, as an object on one line. */
 void thud_record_json(const struct thud_record *record, struct thud_text *out);

@@ -134,6 +134,21 @@ static enum thud_status report_run(const struct thud_args *args, const struct th
     return status;
 }
 
+/* A run that failed shows no peaks: as JSON its status, when and why, else the message alone. */
+static enum thud_status report_failure(const struct thud_args *args, const struct thud_session *session,
+                                       const struct thud_scene *scene, enum thud_case which,
+                                       const struct thud_answer *answer, const struct thud_error *failure,
+                                       struct thud_error *err)
+{
+    struct thud_text text = {0};
+    if (!thud_args_has(args, "json") || !answer->run)
+        return THUD_OK;
+    struct thud_report report = thud_session_report(session, scene, which, answer);
+    report.failure = failure;
+    thud_result_json(&report, &text);
+    return thud_cli_print(&text, err);
+}
+
 static enum thud_status run(const struct thud_args *args, struct thud_session *session, struct thud_scene *scene,
                             struct thud_error *err)
 {
@@ -156,6 +171,10 @@ static enum thud_status run(const struct thud_args *args, struct thud_session *s
         status = report_run(args, session, scene, which, &answer, err);
         if (status == THUD_OK && options.keep_history)
             status = draw(args, &picture, scene, &answer, err);
+    } else if (status == THUD_DIVERGED) {
+        struct thud_error failure = *err;
+        enum thud_status printed = report_failure(args, session, scene, which, &answer, &failure, err);
+        status = printed == THUD_OK ? status : printed;
     }
     thud_answer_clear(&answer);
     return status;

@@ -394,9 +394,9 @@ enum thud_status thud_flight_go(struct thud_run *run, int *passed, struct thud_e
         thud_flight_settle(run); /* rows stand at the peaks */
         status = rows(run, f, intervals, err);
     }
-    if (!run->options.no_ledger)
-        add_energies(f, run, intervals);
+    add_energies(f, run, intervals);
     commit(run, f, intervals);
+    thud_ledger_watch(run);
     *passed = intervals;
     return status;
 }

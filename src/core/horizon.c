@@ -183,6 +183,7 @@ long thud_horizon_jump(const struct thud_horizon *h, struct thud_run *run)
         amplitudes[j] = amplitude(run->state.model, j, run->state.q[j] - start[j], run->state.qd[j] - start[h->n + j]);
     if (!nothing_comes(run, later, later + THUD_FLOOR_QUANTITIES * h->floors, amplitudes))
         return 0;
+    thud_ledger_close(run);
     put_at_end(h, run, start, (double)(h->end_grid - grid) * run->state.grid_dt_s);
     run->state.grid = h->end_grid;
     return h->end_grid - grid;

@@ -5,6 +5,8 @@
 #include "core/closing.h"
 #include "core/run_private.h"
 
+enum { LOOKS_APART = 64 }; /* segments between two looks at the balance of energy */
+
 /* Peaks, histories and energies of the segment up to s. */
 static enum thud_status read_segment(struct thud_run *run, double s, bool switches, struct thud_error *err)
 {
@@ -49,7 +51,8 @@ static enum thud_status segment(struct thud_run *run, struct thud_error *err)
     enum thud_status status = thud_run_propose(run, &p, err);
     if (status != THUD_OK)
         return status;
-    run->work.steps++;
+    if (++run->work.steps % LOOKS_APART == 0)
+        thud_ledger_watch(run);
     status = thud_run_watch_progress(run, &p, err);
     if (status == THUD_OK && p.s > 0)
         status = read_segment(run, p.s, p.switched, err);
@@ -82,5 +85,5 @@ enum thud_status thud_run_advance(struct thud_run *run, long budget, bool *done,
     }
     thud_run_finish(run);
     *done = run->done;
-    return status;
+    return status == THUD_OK && run->done ? thud_ledger_judge(run, err) : status;
 }

@@ -11,6 +11,8 @@ struct thud_flight;
 struct thud_horizon;
 struct thud_ledger {
     double initial_j, input_j, viscous_j, contact_work_j, largest_j;
+    double balanced_s; /* the last moment looked at when no more was unaccounted for than may be */
+    bool closed;       /* nothing more comes: the balance is that of an earlier moment */
 };
 
 /* Events at one moment without end: see run.c. */
@@ -112,6 +114,12 @@ void thud_ledger_mark(struct thud_run *run);
 /* Books what impulses have lost since the last time. */
 void thud_ledger_impulses(struct thud_run *run);
 void thud_ledger_finish(struct thud_run *run);
+/* Looks at the balance now and then, so that an error can say when it was lost. */
+void thud_ledger_watch(struct thud_run *run);
+/* The balance of this moment stands for the end: the run leaves out the rest, in which nothing new happens. */
+void thud_ledger_close(struct thud_run *run);
+/* At the end: THUD_DIVERGED when more of the energy is unaccounted for than may be. */
+enum thud_status thud_ledger_judge(const struct thud_run *run, struct thud_error *err);
 /* Rows of the segment up to s, whose peaks are read; switches: a contact will, or may, switch there. */
 enum thud_status thud_history_segment(struct thud_run *run, double s, bool switches, struct thud_error *err);
 enum thud_status thud_history_start(struct thud_run *run, struct thud_error *err);

@@ -213,7 +213,7 @@ enum thud_status thud_trunk_run(const struct thud_trunk *trunk, const struct thu
     if (status != THUD_OK || !trunk->shares || options->keep_history)
         return status;
     assert((*out)->state.end_s == trunk->run->state.end_s && (*out)->state.grid_dt_s == trunk->run->state.grid_dt_s);
-    if (options->no_ledger && (*out)->method == trunk->run->method)
+    if ((*out)->method == trunk->run->method)
         (*out)->horizon = trunk->horizon;
     int last = -1;
     while (last + 1 < trunk->nkept && before_contact(trunk, &trunk->kept[last + 1], model))

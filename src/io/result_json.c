@@ -178,14 +178,22 @@ static void add_truncation(const struct thud_truncation *t, struct thud_text *ou
     thud_text_append(out, "}");
 }
 
-void thud_result_json(const struct thud_report *report, struct thud_text *out)
+static void add_status(const struct thud_report *report, struct thud_text *out)
+{
+    thud_text_append(out, "  \"status\": \"%s\"", report->failure ? "diverged" : "done");
+    if (report->failure) {
+        char why[1400];
+        thud_text_append(out, ", \"message\": ");
+        thud_json_string(out, thud_error_text(report->failure, why, sizeof why));
+        thud_text_append(out, ", ");
+        thud_json_field(out, "end_s", report->result->end_s);
+    }
+    thud_text_append(out, ",\n");
+}
+
+static void add_peaks(const struct thud_report *report, struct thud_text *out)
 {
     const struct thud_result *r = report->result;
-    thud_text_append(out, "{\n  \"preset\": ");
-    thud_json_string(out, report->scene->name);
-    thud_text_append(out, ", \"case\": \"%s\", \"version\": \"%s\",\n", report->which, THUD_VERSION);
-    add_record(report, out);
-    add_method(report, out);
     thud_text_append(out, "  \"structures\": [");
     for (int s = 0; s < r->nstructures; s++) {
         thud_text_append(out, "%s\n", s > 0 ? "," : "");
@@ -197,6 +205,19 @@ void thud_result_json(const struct thud_report *report, struct thud_text *out)
         add_contact(&r->contact[c], out);
     }
     thud_text_append(out, "],\n");
+}
+
+void thud_result_json(const struct thud_report *report, struct thud_text *out)
+{
+    const struct thud_result *r = report->result;
+    thud_text_append(out, "{\n  \"preset\": ");
+    thud_json_string(out, report->scene->name);
+    thud_text_append(out, ", \"case\": \"%s\", \"version\": \"%s\",\n", report->which, THUD_VERSION);
+    add_status(report, out);
+    add_record(report, out);
+    add_method(report, out);
+    if (!report->failure)
+        add_peaks(report, out);
     add_energy(&r->energy, out);
     if (report->truncation)
         add_truncation(report->truncation, out);

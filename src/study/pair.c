@@ -76,7 +76,7 @@ enum thud_status thud_pair_run(const struct thud_pair *pair, double step_s, stru
         options.step_s = pair->method_step_s;
         options.locate = pair->locate;
     }
-    options.keep_impacts = options.keep_history = true;
+    options.keep_impacts = options.keep_history = options.unjudged = true;
     options.history_step_s = step_s;
     enum thud_status status = assemble(pair, &out->model, err);
     if (status == THUD_OK)

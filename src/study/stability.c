@@ -225,6 +225,7 @@ static enum thud_status run_scene(struct thud_stability *s, struct thud_stabilit
     double growth = 0;
     options.method = cell->how.method;
     options.locate = cell->how.locate;
+    options.unjudged = true;
     if (!isnan(cell->omega_dt)) {
         options.step_s = cell->omega_dt / s->fastest_radps;
         /* no step passes over a sample: a longer one takes the ground motion at its own ends */

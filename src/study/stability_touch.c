@@ -74,6 +74,7 @@ static enum thud_status sway(double difference, bool contact, struct thud_steppi
     options.method = how.method;
     options.step_s = how.method->flags & THUD_METHOD_FIXED_STEP ? how.setting : NAN;
     options.tail_s = 10;
+    options.unjudged = true;
     enum thud_status status = thud_record_create(a, SAMPLES, 0.01, &record, err);
     if (status == THUD_OK)
         status = thud_model_create(&input, &answer.model, err);

@@ -61,6 +61,7 @@ static struct thud_run_options options_of(struct thud_stepping how, double tail_
     } else {
         options.tolerance = how.setting;
     }
+    options.unjudged = true; /* what it does to the energy is the finding */
     return options;
 }
 

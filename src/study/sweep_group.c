@@ -74,10 +74,8 @@ static enum thud_status build_baseline(struct thud_sweep_group *group, int g, in
     }
     if (status == THUD_OK)
         status = thud_scene_options(cased, &options, err);
-    if (status == THUD_OK) {
-        options.no_ledger = true;
+    if (status == THUD_OK)
         status = thud_trunk_create(baseline->model, baseline->record, &options, &baseline->trunk, err);
-    }
     return status;
 }
 

@@ -235,10 +235,8 @@ static enum thud_status begin(struct thud_sweep_task *task, struct thud_error *e
         status = thud_error_set(err, THUD_INPUT, "floors and contacts differ from those of the study's first case");
     if (status == THUD_OK)
         status = thud_scene_options(task->cased, &options, err);
-    if (status == THUD_OK) {
-        options.no_ledger = true;
+    if (status == THUD_OK)
         status = start_run(task, &options, err);
-    }
     return status;
 }
 

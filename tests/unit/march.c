@@ -156,6 +156,7 @@ struct march march_run(const struct thud_model *model, const struct thud_record 
     assert(options.method);
     options.locate = locate;
     options.tail_s = tail_s;
+    options.unjudged = step_s > 0; /* what a step does to the energy is for the test to say */
     if (step_s > 0)
         options.step_s = step_s;
     if (tolerance > 0)

@@ -72,7 +72,7 @@ struct scenes_options {
     const char *method; /* NULL: exact */
     double tolerance;
     double step_s;
-    bool unlocated, history, no_ledger;
+    bool unlocated, history;
     long slice; /* segments at a time; 0: 1000 */
     long most;  /* segments; 0: no end */
 };

@@ -122,9 +122,6 @@ static void check_same_bits(struct subject *s)
         run_and_hold(s, "history", &s->one, &(struct scenes_options){.tolerance = 1e-10, .history = true}, 0, 0, false);
     if (asked(s, "slices"))
         run_and_hold(s, "slices", &s->one, &(struct scenes_options){.tolerance = 1e-10, .slice = 1}, 1e-14, 0, false);
-    if (asked(s, "no ledger"))
-        run_and_hold(s, "no ledger", &s->one, &(struct scenes_options){.tolerance = 1e-10, .no_ledger = true}, 0, 0,
-                     false);
 }
 
 /* Numbers of a scene in other units, back in its own. */

@@ -107,7 +107,6 @@ void scenes_run(const struct scenes_one *one, const struct scenes_options *how, 
     options.locate = !how->unlocated;
     options.keep_impacts = true;
     options.keep_history = how->history;
-    options.no_ledger = how->no_ledger;
     if (how->step_s > 0)
         options.step_s = how->step_s;
     long slice = how->slice > 0 ? how->slice : 1000;

@@ -70,7 +70,6 @@ static struct thud_run_options options(void)
 {
     struct thud_run_options o;
     thud_run_options_init(&o);
-    o.no_ledger = true;
     return o;
 }
 
