@@ -9,8 +9,10 @@ VERSION  := $(or $(shell sed -n 's/.*THUD_VERSION "\(.*\)".*/\1/p' include/base/
 # Flags.  CFLAGS, CPPFLAGS and LDFLAGS stay the user's; they come last.  gcc's analyzer sees leaks where a block is kept in a list; the address
 # sanitizer and the failing-memory tests look for real ones.
 release  := -O3 -DNDEBUG
+check    := -O2
 debug    := -O0 -g3
 asan     := -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
+tsan     := -O1 -g -fno-omit-frame-pointer -fsanitize=thread
 coverage := -O1 -g -fno-early-inlining --coverage
 valgrind := -O1 -g
 analyze  := -O1 -fanalyzer -Wno-analyzer-malloc-leak -fdiagnostics-plain-output -Werror
@@ -34,6 +36,9 @@ objects   = $(patsubst %.c,$(B)/%.o,$(sort $(wildcard $(1))))
 CORE     := $(call objects,src/base/*.c src/core/*.c src/study/*.c)
 IO       := $(call objects,src/io/*.c)
 PROGRAM  := $(call objects,src/plot/*.c src/app/*.c src/cli/*.c src/tui/*.c)
+# The shipped program is built without assertions; the unit tests and all they call, with them.
+UNITS    := build/$(if $(filter release,$(VARIANT)),check,$(VARIANT))
+PARALLEL  = $(if $(filter -j%,$(MAKEFLAGS)),,-j$(or $(shell nproc 2>/dev/null),2))
 UNIT     := $(patsubst tests/unit/%.c,$(B)/unit/%,$(wildcard tests/unit/test_*.c))
 HELPERS  := $(call objects,$(filter-out tests/unit/test_%,$(wildcard tests/unit/*.c)))
 FAULT    := $(patsubst tests/fault/%.c,$(B)/fault/%,$(wildcard tests/fault/test_*.c))
@@ -46,7 +51,7 @@ FUZZERS  := $(patsubst tests/fuzz/%.c,$(B)/fuzz/%,$(wildcard tests/fuzz/fuzz_*.c
 LIBS     := $(B)/libthud-program.a $(B)/libthud-io.a $(B)/libthud.a
 THUD     := $(if $(filter release,$(VARIANT)),thud,$(B)/thud)
 
-.PHONY: all help deps demo test units debug asan valgrind coverage lint mutants objects fuzz fuzzers soak bench bench-peers install uninstall dist deb clean FORCE
+.PHONY: all help deps demo test units debug asan tsan valgrind coverage lint mutants objects fuzz fuzzers soak bench bench-peers install uninstall dist deb clean FORCE
 all: $(THUD) $(LIBS) $(B)/thud.pc ## build ./thud (VARIANT=debug, asan, coverage build into build/VARIANT)
 
 help: ## this list
@@ -111,19 +116,22 @@ $(B)/peer-%: $(B)/tests/bench/peers/%.o $(B)/tests/bench/scene.o $(LIBS) | $(B)/
 deps: ## install what building needs (Debian; says what, sudo only when needed)
 	@tests/tools/install-deps.sh build
 demo: deps ## install what is missing, build, run the paper's towers, write the figures into ./demo
-	@$(MAKE) --no-print-directory VARIANT=release all
+	@$(MAKE) --no-print-directory $(PARALLEL) VARIANT=release all
 	@./thud run towers -o demo && echo "The histories and figures are in $(CURDIR)/demo"
 
 test: ## install what the tests need, build, run every test
 	@tests/tools/install-deps.sh test
-	@$(MAKE) --no-print-directory all units
-	@THUD=$(abspath $(THUD)) MAKEFLAGS= tests/tools/run.sh $(B)
+	@$(MAKE) --no-print-directory $(PARALLEL) all
+	@$(MAKE) --no-print-directory $(PARALLEL) VARIANT=$(notdir $(UNITS)) units
+	@THUD="$$PWD/$(THUD)" MAKEFLAGS= tests/tools/run.sh $(B) $(UNITS)
 units: $(UNIT) $(FAULT)
 	@:
 debug: ## build/debug/thud: no optimisation, asserts on
 	@$(MAKE) --no-print-directory VARIANT=debug all
 asan: ## every test under the address and undefined-behaviour sanitizers
 	@CK_FORK=no $(MAKE) --no-print-directory VARIANT=asan test
+tsan: ## sweeps and screens under the thread sanitizer
+	@TEST_ONLY='sweep|study|bench|live|tui|terminal' CK_FORK=no $(MAKE) --no-print-directory VARIANT=tsan test
 valgrind: ## the unit tests and the command line's under valgrind's memcheck
 	@tests/tools/install-deps.sh test valgrind
 	@$(MAKE) --no-print-directory VARIANT=valgrind units all

@@ -2,6 +2,10 @@
 #ifndef THUD_BASE_STATUS_H
 #define THUD_BASE_STATUS_H
 
+#ifdef __FAST_MATH__
+#error "thud is not to be compiled with -ffast-math: NaN and infinity carry meaning, and sums keep their order"
+#endif
+
 #if defined(__GNUC__)
 #define THUD_PRINTF(fmt, args) __attribute__((format(printf, fmt, args)))
 #else
