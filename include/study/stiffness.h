@@ -5,6 +5,7 @@
 #define THUD_STUDY_STIFFNESS_H
 
 #include "core/record.h"
+#include "core/result.h"
 #include "study/scene.h"
 
 /* A slab pushed at its edge: k = E A/L, A the section's area, L the length in the direction of the impact. N/m. */
@@ -28,6 +29,8 @@ struct thud_stiffness_row {
     double acceleration_mps2[THUD_STRUCTURES_MAX],
         drift_m[THUD_STRUCTURES_MAX]; /* the largest of a structure's floors */
 };
+/* Of a finished run, with a factor of 0. */
+void thud_stiffness_row_read(const struct thud_result *result, struct thud_stiffness_row *row);
 enum { THUD_STIFFNESS_ROWS = 3 }; /* half, as it is, twice */
 
 /* Runs the scene (of a case, as it is to be run) at each factor; *n is 0 where nothing can be varied. Errors: those of

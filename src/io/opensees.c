@@ -11,6 +11,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/quantity.h"
 #include "base/version.h"
 #include "io/json.h"
 
@@ -102,7 +103,7 @@ static void head(struct thud_text *out, const struct thud_scene *scene, const st
     double step_s = INFINITY;
     for (int m = 0; m < model->nmodes; m++)
         if (model->omega[m] > 0)
-            step_s = fmin(step_s, 2 * 3.14159265358979323846 / model->omega[m] / steps_per_period);
+            step_s = fmin(step_s, 2 * THUD_PI / model->omega[m] / steps_per_period);
     for (int c = 0; c < model->ncontacts; c++)
         if (has_contact(&model->contact[c]))
             step_s = fmin(step_s, thud_model_contact_period(&model->contact[c]) / steps_per_contact);

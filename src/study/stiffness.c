@@ -48,8 +48,9 @@ bool thud_stiffness_scale(struct thud_scene *scene, enum thud_stiffness which, d
     return any;
 }
 
-static void read_row(const struct thud_result *result, struct thud_stiffness_row *row)
+void thud_stiffness_row_read(const struct thud_result *result, struct thud_stiffness_row *row)
 {
+    *row = (struct thud_stiffness_row){0};
     for (int s = 0; s < result->nstructures; s++)
         for (int i = 0; i < result->structure[s].floors; i++) {
             const struct thud_floor_result *f = &result->structure[s].floor[i];
@@ -77,8 +78,8 @@ enum thud_status thud_stiffness_rows(const struct thud_scene *scene, const struc
             break;
         status = thud_scene_answer(changed, record, NULL, &answer, err);
         if (status == THUD_OK) {
-            row[*n] = (struct thud_stiffness_row){.factor = factor[i]};
-            read_row(thud_run_result(answer.run), &row[(*n)++]);
+            thud_stiffness_row_read(thud_run_result(answer.run), &row[*n]);
+            row[(*n)++].factor = factor[i];
         }
         thud_answer_clear(&answer);
     }

@@ -1,0 +1,39 @@
+/* A document as data: headings, paragraphs, lists, tables, figures, in the order they are added; written as one HTML
+ * file that needs nothing else, and as Markdown. Texts are plain: whatever a user typed is escaped where it is written.
+ * Out of memory is remembered and asked for once, at the end. */
+#ifndef THUD_APP_DOCUMENT_H
+#define THUD_APP_DOCUMENT_H
+
+#include <stdbool.h>
+
+#include "base/text.h"
+
+struct thud_document {
+    struct thud_document_piece *piece; /* (n) */
+    size_t n, capacity;
+    bool failed;
+};
+
+void thud_document_title(struct thud_document *document, const char *text);
+void thud_document_heading(struct thud_document *document, const char *text);
+void thud_document_paragraph(struct thud_document *document, const char *fmt, ...) THUD_PRINTF(2, 3);
+/* Items that follow each other are one list. */
+void thud_document_item(struct thud_document *document, const char *fmt, ...) THUD_PRINTF(2, 3);
+/* Lines as they are, in letters of one width. */
+void thud_document_lines(struct thud_document *document, const char *text);
+/* A table: its caption, cells from left to right, thud_document_row after each row. The first row is the head, the
+ * first column the name of its row. Ends with whatever is no cell. */
+void thud_document_table(struct thud_document *document, const char *caption);
+void thud_document_cell(struct thud_document *document, const char *fmt, ...) THUD_PRINTF(2, 3);
+void thud_document_row(struct thud_document *document);
+/* A picture in SVG, also written beside the Markdown as `file`; the caption says what is to be seen. Takes the bytes of
+ * `svg`. */
+void thud_document_figure(struct thud_document *document, const char *file, const char *caption, struct thud_text *svg);
+
+void thud_document_html(const struct thud_document *document, struct thud_text *out);
+void thud_document_markdown(const struct thud_document *document, struct thud_text *out);
+/* The i-th figure from 0; NULL past the last. */
+const struct thud_text *thud_document_picture(const struct thud_document *document, int i, const char **file);
+void thud_document_clear(struct thud_document *document);
+
+#endif

@@ -1,0 +1,48 @@
+/* The gap that is enough: the largest relative displacement of neighbouring floors without pounding, which is exact for
+ * a ground motion, beside what the rules of the codes estimate from the two largest displacements alone. */
+#ifndef THUD_STUDY_NEEDED_GAP_H
+#define THUD_STUDY_NEEDED_GAP_H
+
+#include "core/record.h"
+#include "study/scene.h"
+
+/* A pair of floors that could touch. */
+struct thud_gap_level {
+    int interface, left_floor, right_floor; /* from 1; floor 0: a wall */
+    double left_m, right_m;                 /* largest displacement of each floor */
+    double closing_m;                       /* largest u_left - u_right: a clearance this wide is never used up */
+    double correlation;                     /* of DDC, from the first periods and damping ratios */
+};
+
+/* ABS      u_a + u_b
+ * SRSS     sqrt(u_a^2 + u_b^2)
+ * DDC      sqrt(u_a^2 + u_b^2 - 2 rho u_a u_b), Jeng, Kasai and Maison (1992)
+ * EN 1998  EN 1998-1:2004, 4.4.2.7(2) and (3): SRSS; times 0.7 where floors stand at the same elevations; before a wall
+ *          the displacement itself
+ * ASCE 7   ASCE/SEI 7-16, 12.12.3: SRSS of the displacements (here those of the ground motion; the code takes Cd times
+ *          the elastic ones over the importance factor) */
+enum thud_gap_rule {
+    THUD_GAP_ABS,
+    THUD_GAP_SRSS,
+    THUD_GAP_DDC,
+    THUD_GAP_EN1998,
+    THUD_GAP_ASCE7,
+    THUD_GAP_RULES,
+    THUD_GAP_EXACT = -1 /* closing_m */
+};
+const char *thud_gap_rule_name(int rule); /* "needed", "ABS", "EN 1998", ... */
+double thud_gap_value(const struct thud_gap_level *level, int rule);
+
+/* One ground motion. */
+struct thud_needed_gap {
+    int nlevels;
+    struct thud_gap_level level[]; /* (nlevels) */
+};
+/* `scene` as written; its bumpers and gaps do not matter. A bumper needs its thickness less its cavity besides. Free
+ * with free(). Errors: those of thud_scene_assemble; THUD_DIVERGED. */
+enum thud_status thud_needed_gap_run(const struct thud_scene *scene, const struct thud_record *record,
+                                     struct thud_needed_gap **out, struct thud_error *err);
+/* The widest over the levels of an interface (0: of all); -1 where there are none. *level where not NULL. */
+double thud_needed_gap_widest(const struct thud_needed_gap *gap, int interface, int rule, int *level);
+
+#endif

@@ -1,0 +1,87 @@
+/* thud report: a document about one's own buildings. */
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "app/site_report.h"
+#include "cli/commands.h"
+#include "cli/interrupt.h"
+#include "cli/picture_options.h"
+#include "cli/scene_options.h"
+
+static void show(void *context, const char *what)
+{
+    (void)context;
+    fprintf(stderr, "\r\033[K%s", what);
+}
+
+/* The command as it can be typed again. */
+static void put_word(struct thud_text *out, const char *word)
+{
+    bool plain = *word != '\0' && strspn(word, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
+                                               "_-+=./,:%@") == strlen(word);
+    if (plain) {
+        thud_text_append(out, "%s", word);
+        return;
+    }
+    thud_text_append(out, "'");
+    for (; *word; word++)
+        if (*word == '\'')
+            thud_text_append(out, "'\\''");
+        else
+            thud_text_bytes(out, word, 1);
+    thud_text_append(out, "'");
+}
+
+static void put_command(const struct thud_args *args, struct thud_text *out)
+{
+    thud_text_append(out, "thud report ");
+    put_word(out, args->operand[0]);
+    for (int i = 0; i < args->ngiven; i++) {
+        const char *name = args->given[i].option->name;
+        thud_text_append(out, " %s%s", name[1] ? "--" : "-", name);
+        if (args->given[i].value) {
+            thud_text_append(out, " ");
+            put_word(out, args->given[i].value);
+        }
+    }
+}
+
+static enum thud_status report(const struct thud_args *args, struct thud_session *session, struct thud_scene *scene,
+                               struct thud_error *err)
+{
+    struct thud_picture_choice picture;
+    struct thud_text text = {0};
+    const char *folder = thud_args_value(args, "o");
+    (void)scene;
+    if (!folder) {
+        thud_error_set(err, THUD_USAGE, "thud report needs a folder to write into");
+        thud_error_allow(err, "-o DIR");
+        return THUD_USAGE;
+    }
+    enum thud_status status = thud_picture_options_read(args, &picture, err);
+    if (status != THUD_OK)
+        return status;
+    picture.options.cancel = thud_interrupt_watch();
+    put_command(args, &text);
+    if (text.failed) {
+        thud_text_clear(&text);
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    }
+    bool progress = isatty(STDERR_FILENO) && !thud_args_has(args, "quiet");
+    struct thud_site_report_options options = {
+        .folder = folder, .command = text.data, .pictures = &picture.options, .progress = progress ? show : NULL};
+    status = thud_site_report(session, &options, err);
+    thud_text_clear(&text);
+    if (progress)
+        fputs("\r\033[K", stderr);
+    if (status != THUD_OK)
+        return status;
+    thud_text_append(&text, "%s/report.html\n%s/report.md\n", folder, folder);
+    return thud_cli_print(&text, err);
+}
+
+enum thud_status thud_command_report(const struct thud_args *args, struct thud_error *err)
+{
+    return thud_scene_options_with(args, report, err);
+}

@@ -1,0 +1,133 @@
+#include "study/needed_gap.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "core/trunk.h"
+#include "study/answer.h"
+#include "study/spacing.h"
+
+static const char *const rules[] = {"needed", "ABS", "SRSS", "DDC", "EN 1998", "ASCE 7"};
+
+const char *thud_gap_rule_name(int rule)
+{
+    return rules[rule + 1];
+}
+
+double thud_gap_value(const struct thud_gap_level *level, int rule)
+{
+    static const double aligned = 0.7; /* EN 1998-1:2004, 4.4.2.7(3) */
+    double a = level->left_m, b = level->right_m;
+    bool wall = level->left_floor == 0 || level->right_floor == 0;
+    switch (rule) {
+    case THUD_GAP_ABS:
+        return thud_spacing_abs(a, b);
+    case THUD_GAP_SRSS:
+    case THUD_GAP_ASCE7:
+        return thud_spacing_srss(a, b);
+    case THUD_GAP_DDC:
+        return thud_spacing_ddc(a, b, level->correlation);
+    case THUD_GAP_EN1998:
+        return (wall ? 1 : aligned) * thud_spacing_srss(a, b);
+    default:
+        return level->closing_m;
+    }
+}
+
+/* Damping ratio of a structure's first mode. */
+static double first_damping(const struct thud_model *model, int s)
+{
+    const struct thud_model_structure *p = &model->structure[s];
+    if (p->n == 0)
+        return 0;
+    return p->damping ? p->damping[0] / (2 * model->omega[p->first_mode]) : model->zeta[p->first_mode];
+}
+
+static double largest(const struct thud_result *result, int s, int floor)
+{
+    return floor > 0 ? result->structure[s].floor[floor - 1].displacement.value : 0;
+}
+
+static double first_period(const struct thud_result *result, int s)
+{
+    return result->structure[s].floors > 0 ? result->structure[s].period_s[0] : INFINITY;
+}
+
+static void read_levels(const struct thud_model *model, const struct thud_trunk *trunk, struct thud_gap_level *level)
+{
+    const struct thud_result *result = thud_trunk_result(trunk);
+    for (int c = 0; c < model->ncontacts; c++) {
+        const struct thud_model_contact *p = &model->contact[c];
+        int left = p->interface - 1, right = p->interface;
+        level[c] = (struct thud_gap_level){
+            .interface = p->interface,
+            .left_floor = p->left_floor,
+            .right_floor = p->right_floor,
+            .left_m = largest(result, left, p->left_floor),
+            .right_m = largest(result, right, p->right_floor),
+            .closing_m = thud_trunk_closing(trunk, c),
+            .correlation = thud_spacing_correlation(first_period(result, left), first_damping(model, left),
+                                                    first_period(result, right), first_damping(model, right))};
+    }
+}
+
+static bool has_bumper(const struct thud_scene *scene)
+{
+    for (int i = 0; i + 1 < scene->nstructures; i++)
+        if (scene->interface[i].has_bumper)
+            return true;
+    return false;
+}
+
+enum thud_status thud_needed_gap_run(const struct thud_scene *scene, const struct thud_record *record,
+                                     struct thud_needed_gap **out, struct thud_error *err)
+{
+    struct thud_model *model = NULL;
+    struct thud_trunk *trunk = NULL;
+    struct thud_run_options options;
+    struct thud_scene *bare = malloc(sizeof *bare);
+    bool done = false;
+    *out = NULL;
+    if (!bare)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    enum thud_status status =
+        thud_scene_case(scene, has_bumper(scene) ? THUD_CASE_NONE : THUD_CASE_AS_WRITTEN, bare, err);
+    if (status == THUD_OK)
+        status = thud_scene_check(bare, err);
+    if (status == THUD_OK)
+        status = thud_scene_assemble(bare, &model, err);
+    if (status == THUD_OK)
+        status = thud_scene_options(bare, &options, err);
+    if (status == THUD_OK)
+        status = thud_trunk_create(model, record, &options, &trunk, err);
+    while (status == THUD_OK && !done)
+        status = thud_trunk_advance(trunk, 1L << 20, &done, err);
+    if (status == THUD_OK) {
+        struct thud_needed_gap *gap = malloc(sizeof *gap + (size_t)model->ncontacts * sizeof *gap->level);
+        if (gap) {
+            gap->nlevels = model->ncontacts;
+            read_levels(model, trunk, gap->level);
+        } else {
+            status = thud_error_set(err, THUD_MEMORY, "out of memory");
+        }
+        *out = gap;
+    }
+    thud_trunk_free(trunk);
+    thud_model_free(model);
+    free(bare);
+    return status;
+}
+
+double thud_needed_gap_widest(const struct thud_needed_gap *gap, int interface, int rule, int *level)
+{
+    double most = -1;
+    for (int i = 0; i < gap->nlevels; i++) {
+        double x = thud_gap_value(&gap->level[i], rule);
+        if ((interface != 0 && gap->level[i].interface != interface) || x <= most)
+            continue;
+        most = x;
+        if (level)
+            *level = i;
+    }
+    return most;
+}

@@ -1,0 +1,109 @@
+#!/bin/sh
+# The report on two buildings of one's own: what it says are the numbers of single runs; it stands alone; what was typed stays a text.  TAP.
+# shellcheck source=tests/cli/program.sh
+. "$(dirname "$0")/program.sh"
+
+cat >"$tmp/own.yaml" <<'PRESET'
+title: Offices <b>5 & 7</b> "storeys" | two
+record:
+  file: kobe-surrogate.csv
+  peak: 0.4 g
+structures:
+  - name: Nr <12>
+    storeys: 5
+    mass: [410 t, 390 t, 390 t, 390 t, 300 t]
+    stiffness: [520 MN/m, 480 MN/m, 450 MN/m, 420 MN/m, 380 MN/m]
+    height: 3.2 m
+    damping: 5 %
+  - name: Nr 14
+    storeys: 7
+    mass: [350 t, 330 t, 330 t, 330 t, 330 t, 330 t, 260 t]
+    stiffness: [420 MN/m, 400 MN/m, 380 MN/m, 350 MN/m, 330 MN/m, 300 MN/m, 260 MN/m]
+    height: 3.2 m
+    damping: 5 %
+interfaces:
+  - gap: 8 cm
+    contact:
+      law: kelvin-voigt-no-tension
+    bumper:
+      law: rubber
+      thickness: 5 cm
+      stiffness: 0.36 kN/mm^2.65
+      exponent: 2.65
+PRESET
+report() { # STATUS PRESET [OPTION...]: into $tmp/r
+    wanted=$1
+    shift
+    rm -rf "$tmp/r"
+    gives "$wanted" report "$@" -o "$tmp/r"
+}
+in_text() { tr '\n' ' ' <"$tmp/r/report.md" | grep -q -e "$1"; }
+in_html() { grep -q -e "$1" "$tmp/r/report.html"; }
+force() { # RUN ARGUMENTS: the largest force in MN, three digits
+    "$THUD" run "$tmp/own.yaml" --json "$@" 2>/dev/null | sed -n 's/.*"force_n": \([0-9.e+-]*\),.*/\1/p' | sort -g | tail -1 |
+        awk '{ x = $1 / 1e6; printf x < 10 ? "%.2f" : "%.1f", x }'
+}
+count() { "$THUD" run "$tmp/own.yaml" --json "$@" 2>/dev/null | sed -n 's/.*"impacts": \([0-9]*\),.*/\1/p' | awk '{ n += $1 } END { print n }'; }
+
+is "a report" report 0 "$tmp/own.yaml"
+is "names its files" [ "$(cat "$tmp/out")" = "$tmp/r/report.html
+$tmp/r/report.md" ]
+cp -r "$tmp/r" "$tmp/first"
+is "it says how often they touch without bumper, and how hard" in_text "Without bumper they touch $(count --case none) times, .* The largest force is $(force --case none) MN"
+is "with the bumper" in_text "With the bumper they touch $(count) times, .* The largest force is $(force) MN"
+is "under the motion turned round" in_text "turned round gives a largest force of $(force --sign=-) MN with the bumper, in place of $(force) MN"
+top=$("$THUD" run "$tmp/own.yaml" --case none --csv 2>/dev/null | awk -F, '$1 == "Nr 14" && $2 == 7 { print $3 }')
+is "the table has the accelerations" in_text "| 7 | [0-9.]* | $(awk -v x="$top" 'BEGIN { printf x < 10 ? "%.3f" : "%.2f", x }') | [0-9.]* |"
+# no pounding: the gap that is said to be enough is enough, and 2 mm less is not
+needed=$(sed -n 's/.*from a gap of \([0-9.]*\) cm on.*/\1/p' "$tmp/r/report.md")
+is "the gap from which nothing touches" [ -n "$needed" ]
+is "is enough" [ "$(count --case none --set "gap=$(awk -v g="$needed" 'BEGIN { print g + 0.1 }')cm")" -eq 0 ]
+is "and no more than that" [ "$(count --case none --set "gap=$(awk -v g="$needed" 'BEGIN { print g - 0.1 }')cm")" -gt 0 ]
+is "a second method confirms it" in_text 'once more by dormand-prince.*largest relative difference is [0-9.]*e-\(0[6-9]\|1[0-9]\) '
+is "with equal impact counts" in_text 'all impact counts are equal'
+is "it says what it does not cover" in_text 'One ground motion proves nothing about a gap'
+is "how it was made" in_text "    thud report $tmp/own.yaml -o $tmp/r "
+is "and of what" in_text 'stiffness: \[420 MN/m, 400 MN/m'
+
+is "four figures" [ "$(grep -c '<figure><img alt="[A-Z][^"]*" src="data:image/svg+xml;base64,' "$tmp/r/report.html")" -eq 4 ]
+is "each whole" [ "$(sed -n 's/.*base64,\([^"]*\)".*/\1/p' "$tmp/r/report.html" | head -1 | base64 -d | grep -c -x '</svg>')" -eq 1 ]
+is "as in the files of the Markdown" [ "$(sed -n 's/.*](\(.*\.svg\))$/\1/p' "$tmp/r/report.md" | while read -r f; do cat "$tmp/r/$f"; done | grep -c -x '</svg>')" -eq 4 ]
+is "nothing is loaded from elsewhere" [ "$(sed 's/base64,[^"]*//' "$tmp/r/report.html" | grep -c -E 'https?:|<script|<link|<iframe|@import|url\(')" -eq 0 ]
+is "the title is a text" in_html '<h1>Pounding report: Offices &lt;b&gt;5 &amp; 7&lt;/b&gt; &quot;storeys&quot; | two</h1>'
+is "names are too" in_html '<th scope="row">Nr &lt;12&gt;</th>'
+is "in Markdown too" in_text '| Nr \\<12\\> |'
+sed 's/base64,[^"]*//' "$tmp/r/report.html" | sed -n '/<body>/,/<\/body>/p' | grep -o -E '</?[a-z0-9]+' | awk '
+    /^<img/ { next }
+    /^<\// { if (open[n--] != substr($0, 3)) bad = 1; next }
+    { open[++n] = substr($0, 2) }
+    END { exit bad || n != 0 || NR < 100 }'
+is "tags close in the order they open" [ $? -eq 0 ]
+is "it is told how wide paper is" in_html '@page { size: A4'
+report 0 "$tmp/own.yaml"
+is "once more gives the same bytes" diff -r "$tmp/first" "$tmp/r"
+
+is "a gap wide enough" report 0 "$tmp/own.yaml" --set gap=60cm
+is "is said to be" in_text 'the buildings do not touch at the gap as it is.*Without bumper nothing touches.*With the bumper nothing touches'
+is "a strong motion and a thin bumper" report 0 "$tmp/own.yaml" --set record.peak=1.2g --set bumper.thickness=3cm
+is "are cautioned about drifts" in_text 'Storeys of Nr 14 drift by more than 1 % of their height: .* with the bumper (storey [1-7])'
+is "and about compression" in_text 'compressed'
+sed '/    bumper:/,$d' "$tmp/own.yaml" >"$tmp/bare.yaml"
+is "no bumper" report 0 "$tmp/bare.yaml"
+is "is said, and not compared" in_text 'The scene has no bumper'
+is "a word on the command line can be typed again" report 0 "$tmp/bare.yaml" --set "title=it's two words" --set gap=9cm
+is "with its quotes" in_text "'title=it'\\\\''s two words' --set gap=9cm"
+for preset in three-in-a-row isolated-moat rigid-concrete rigid-bumper; do
+    is "a report on $preset" report 0 $preset
+done
+is "without a ground motion there is no spectrum" [ ! -e "$tmp/r/spectrum.svg" ]
+
+is "without a folder" gives 2 report towers
+is "it says what is missing" says 'needs a folder to write into (-o DIR)'
+rm -rf "$tmp/r"
+THUD_GNUPLOT=$tmp/none "$THUD" report "$tmp/own.yaml" -o "$tmp/r" >"$tmp/out" 2>"$tmp/err"
+is "without gnuplot the exit status is 5" [ $? -eq 5 ]
+is "and the report is there, with what is not drawn" in_text '\\\[Not drawn: Response spectrum'
+is "in HTML too" in_html '</html>'
+: >"$tmp/file"
+is "a folder that is a file" gives 6 report "$tmp/own.yaml" -o "$tmp/file"
+is "a scene that cannot be" gives 3 report "$tmp/own.yaml" --set gap=2cm -o "$tmp/r"

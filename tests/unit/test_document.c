@@ -1,0 +1,120 @@
+/* Documents as HTML and Markdown: the structure of both, and that no text is taken for more than a text. */
+#include <check.h>
+#include <string.h>
+
+#include "app/document.h"
+
+static struct thud_document document;
+static struct thud_text html, markdown;
+
+static void set_up(void)
+{
+    document = (struct thud_document){0};
+    html = markdown = (struct thud_text){0};
+}
+
+static void tear_down(void)
+{
+    thud_document_clear(&document);
+    thud_text_clear(&html);
+    thud_text_clear(&markdown);
+}
+
+static void write_both(void)
+{
+    ck_assert(!document.failed);
+    thud_document_html(&document, &html);
+    thud_document_markdown(&document, &markdown);
+    ck_assert(!html.failed && !markdown.failed);
+}
+
+static bool has(const struct thud_text *text, const char *part)
+{
+    return strstr(text->data, part) != NULL;
+}
+
+START_TEST(what_was_typed_stays_a_text)
+{
+    thud_document_title(&document, "<script>alert(\"1\")</script> & 'x'");
+    thud_document_paragraph(&document, "%s", "<b> *bold* [a](http://b) `c` | \\ \x01 %d");
+    write_both();
+    ck_assert(has(&html, "<title>&lt;script&gt;alert(&quot;1&quot;)&lt;/script&gt; &amp; &#39;x&#39;</title>"));
+    ck_assert(has(&html, "<h1>&lt;script&gt;"));
+    ck_assert(!has(&html, "<script") && !has(&html, "<b>"));
+    ck_assert(has(&html, "<p>&lt;b&gt; *bold* [a](http://b) `c` | \\ ? %d</p>"));
+    ck_assert_str_eq(markdown.data, "# \\<script\\>alert(\"1\")\\</script\\> \\& 'x'\n\n"
+                                    "\\<b\\> \\*bold\\* \\[a\\](http://b) \\`c\\` \\| \\\\ ? %d\n");
+}
+END_TEST
+
+START_TEST(lists_and_tables_open_and_close)
+{
+    thud_document_item(&document, "one");
+    thud_document_item(&document, "two");
+    thud_document_table(&document, "Peaks");
+    for (int i = 0; i < 6; i++) {
+        thud_document_cell(&document, "%d|", i);
+        if (i % 2)
+            thud_document_row(&document);
+    }
+    thud_document_table(&document, "Empty");
+    thud_document_heading(&document, "Next");
+    thud_document_item(&document, "- three");
+    write_both();
+    ck_assert(has(&html,
+                  "<ul>\n<li>one</li>\n<li>two</li>\n</ul>\n<table>\n<caption>Peaks</caption>\n"
+                  "<thead><tr><th scope=\"col\">0|</th><th scope=\"col\">1|</th></tr></thead>\n<tbody>\n"
+                  "<tr><th scope=\"row\">2|</th><td>3|</td></tr>\n"
+                  "<tr><th scope=\"row\">4|</th><td>5|</td></tr>\n</tbody></table>\n"
+                  "<table>\n<caption>Empty</caption>\n</table>\n<h2>Next</h2>\n<ul>\n<li>- three</li>\n</ul>\n"));
+    ck_assert_str_eq(markdown.data, "- one\n- two\n\n**Peaks**\n\n| 0\\| | 1\\| |\n|---|---:|\n| 2\\| | 3\\| |\n"
+                                    "| 4\\| | 5\\| |\n\n**Empty**\n\n\n## Next\n\n- \\- three\n");
+}
+END_TEST
+
+START_TEST(figures_are_inside_and_beside)
+{
+    /* RFC 4648, section 10 */
+    static const char *const bytes[] = {"foobar", "fooba", "foob"};
+    static const char *const coded[] = {"base64,Zm9vYmFy\"", "base64,Zm9vYmE=\"", "base64,Zm9vYg==\""};
+    const char *file = NULL;
+    for (int i = 0; i < 3; i++) {
+        struct thud_text svg = {0};
+        thud_text_append(&svg, "%s", bytes[i]);
+        thud_document_figure(&document, "a.svg", "What \"is\" seen", &svg);
+        ck_assert_ptr_null(svg.data);
+    }
+    write_both();
+    for (int i = 0; i < 3; i++) {
+        ck_assert(has(&html, coded[i]));
+        ck_assert_str_eq(thud_document_picture(&document, i, &file)->data, bytes[i]);
+        ck_assert_str_eq(file, "a.svg");
+    }
+    ck_assert_ptr_null(thud_document_picture(&document, 3, &file));
+    ck_assert(has(&html, "<img alt=\"What &quot;is&quot; seen\" src=\"data:image/svg+xml;base64,"));
+    ck_assert(has(&markdown, "![What \"is\" seen](a.svg)\n"));
+}
+END_TEST
+
+START_TEST(lines_stay_as_they_are)
+{
+    thud_document_lines(&document, "a: [1, 2]\n  b: <c>\n");
+    write_both();
+    ck_assert(has(&html, "<pre>a: [1, 2]\n  b: &lt;c&gt;\n</pre>"));
+    ck_assert_str_eq(markdown.data, "    a: [1, 2]\n      b: <c>\n");
+}
+END_TEST
+
+Suite *thud_suite(void);
+Suite *thud_suite(void)
+{
+    Suite *suite = suite_create("document");
+    TCase *tcase = tcase_create("document");
+    tcase_add_checked_fixture(tcase, set_up, tear_down);
+    tcase_add_test(tcase, what_was_typed_stays_a_text);
+    tcase_add_test(tcase, lists_and_tables_open_and_close);
+    tcase_add_test(tcase, figures_are_inside_and_beside);
+    tcase_add_test(tcase, lines_stay_as_they_are);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}
