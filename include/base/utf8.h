@@ -11,7 +11,12 @@ int thud_utf8_length(const char *text);
 uint32_t thud_utf8_next(const char **text);
 /* Writes a character and a 0 behind it; returns its length. */
 int thud_utf8_put(uint32_t code, char out[5]);
-/* Columns of a text on the screen, where every character takes one. */
+/* Columns that a character takes on the screen: 2 for those of East Asian scripts and pictures, 0 for marks that
+ * combine (Unicode Standard Annex 11). */
+int thud_utf8_width(uint32_t code);
+/* Columns of a text. */
 int thud_utf8_columns(const char *text);
+/* The text in at most `columns` columns, cut where it is longer, with `…` at the end. Returns `out`. */
+char *thud_utf8_fit(const char *text, int columns, char *out, unsigned long size);
 
 #endif

@@ -1,4 +1,5 @@
 /* What the keys do on every screen. */
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -107,9 +108,31 @@ static void back(struct thud_tui *tui)
     tui->message[0] = '\0';
 }
 
+struct thud_chart thud_tui_reading(struct thud_tui *tui)
+{
+    return (struct thud_chart){.cursor = tui->reading[tui->screen], .drawn = &tui->chart};
+}
+
+/* Moves the cursor that reads the chart in focus, by a hundredth of what is shown; false where there is no chart. */
+static bool read_on(struct thud_tui *tui, enum thud_action action)
+{
+    const struct thud_view *view = thud_view_of(tui->screen);
+    const struct thud_panel *panel = !thud_form_focus(&tui->form) && view->read ? view->read(tui) : NULL;
+    if (!panel || (action != THUD_DO_LEFT && action != THUD_DO_RIGHT))
+        return false;
+    struct thud_range x = thud_panel_range(panel, THUD_X);
+    bool log = panel->axis[THUD_X].log;
+    double *at = &tui->reading[tui->screen], along = isnan(*at) ? NAN : thud_chart_along(&x, log, *at);
+    along = isnan(along) ? 0.5 : fmin(1.0, fmax(0.0, along + (action == THUD_DO_LEFT ? -0.01 : 0.01)));
+    *at = log ? x.least * pow(x.most / x.least, along) : x.least + along * (x.most - x.least);
+    return true;
+}
+
 static bool move(struct thud_tui *tui, enum thud_action action)
 {
     struct thud_form *form = &tui->form;
+    if (read_on(tui, action))
+        return true;
     switch (action) {
     case THUD_DO_UP:
         thud_form_move(form, 0, -1);
@@ -229,7 +252,7 @@ static void rest(struct thud_tui *tui, enum thud_action action)
     case THUD_DO_MOUSE:
         tui->mouse = !tui->mouse;
         tui->backend->mouse(tui->backend, tui->mouse);
-        thud_tui_say(tui, THUD_ROLE_PLAIN, tui->mouse ? "Mouse on: a click moves the cursor" : "Mouse off");
+        thud_tui_say(tui, THUD_ROLE_PLAIN, tui->mouse ? "Mouse on: clicks and the wheel" : "Mouse off");
         break;
     case THUD_DO_REPAINT:
         tui->backend->repaint(tui->backend);
@@ -253,17 +276,60 @@ void thud_tui_act(struct thud_tui *tui, enum thud_action action)
     rest(tui, action);
 }
 
+/* The cursor of a chart goes to a column of it; false: there is no chart at that place. */
+static bool click_chart(struct thud_tui *tui, int x, int y)
+{
+    const struct thud_chart_frame *f = &tui->chart;
+    if (f->plot.w < 2 || x < f->plot.x || x >= f->plot.x + f->plot.w || y < f->plot.y || y >= f->plot.y + f->plot.h)
+        return false;
+    double along = (double)(x - f->plot.x) / (f->plot.w - 1);
+    double at =
+        f->x_log ? f->x.least * pow(f->x.most / f->x.least, along) : f->x.least + along * (f->x.most - f->x.least);
+    tui->reading[tui->screen] = at;
+    if (tui->screen == THUD_SCREEN_PLOTS)
+        thud_tui_show_time(tui, at);
+    return true;
+}
+
+/* A click on a name of a screen goes there, on a field puts the cursor on it and, when it is there, edits it. */
 void thud_tui_click(struct thud_tui *tui)
 {
     struct thud_rect rect[THUD_PANES_MAX], area = {0, 2, tui->canvas.width, tui->canvas.height - 5};
     int n = thud_view_of(tui->screen)->layout(tui, area, rect), x = tui->backend->click_x, y = tui->backend->click_y;
-    for (int i = 0; i < n && tui->mode == THUD_MODE_NORMAL; i++) {
-        if (x < rect[i].x || y < rect[i].y || x >= rect[i].x + rect[i].w || y >= rect[i].y + rect[i].h)
-            continue;
-        int row = y - rect[i].y - 1 + tui->form.scroll[tui->screen][i];
-        const struct thud_field *field = thud_form_at(&tui->form, i, x - rect[i].x - 1, row);
-        if (field)
-            thud_form_focus_on(&tui->form, (int)tui->screen, field->path);
-        tui->form.pane[tui->screen] = i;
+    bool small = thud_tui_one_pane(tui);
+    if (tui->mode == THUD_MODE_CHOOSING) {
+        if (thud_chooser_click(&tui->chooser, x, y))
+            thud_tui_chosen(tui);
+        return;
     }
+    if (tui->mode != THUD_MODE_NORMAL)
+        return;
+    if (y == 1 && thud_tui_tab_at(tui, x) >= 0) {
+        thud_tui_go(tui, (enum thud_screen)thud_tui_tab_at(tui, x));
+        return;
+    }
+    for (int i = 0; i < n; i++) {
+        struct thud_rect at = small ? area : rect[i];
+        if ((small && i != tui->form.pane[tui->screen]) || x < at.x || y < at.y || x >= at.x + at.w || y >= at.y + at.h)
+            continue;
+        int row = y - at.y - 1 + tui->form.scroll[tui->screen][i];
+        const struct thud_field *field = thud_form_at(&tui->form, i, x - at.x - 1, row);
+        bool again = field && field == thud_form_focus(&tui->form);
+        tui->form.pane[tui->screen] = i;
+        if (again)
+            thud_tui_act(tui, THUD_DO_EDIT);
+        else if (field)
+            thud_form_focus_on(&tui->form, (int)tui->screen, field->path);
+        else
+            click_chart(tui, x, y);
+        return;
+    }
+}
+
+void thud_tui_wheel(struct thud_tui *tui, int step)
+{
+    if (tui->mode == THUD_MODE_CHOOSING)
+        thud_chooser_key(&tui->chooser, step < 0 ? THUD_KEY_UP : THUD_KEY_DOWN);
+    else if (tui->mode == THUD_MODE_NORMAL)
+        thud_tui_act(tui, step < 0 ? THUD_DO_UP : THUD_DO_DOWN);
 }

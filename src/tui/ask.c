@@ -201,33 +201,69 @@ void thud_tui_list_presets(struct thud_tui *tui)
     thud_chooser_mark(&tui->chooser, tui->doc.scene.name);
 }
 
-/* Adds the parameters of a group under a prefix; of those by floor the lowest floor's. */
+/* Words that people look for and no title has. */
+static const char *also_called(const char *name)
+{
+    static const struct {
+        const char *name, *words;
+    } table[] = {{"peak", "PGA"},
+                 {"restitution", "COR e"},
+                 {"stiffness", "k"},
+                 {"gap", "separation distance"},
+                 {"damping", "xi zeta"},
+                 {"file", "record ground motion accelerogram"},
+                 {"factor", "scale"},
+                 {"law", "contact model"},
+                 {"method", "integrator solver"},
+                 {"tail", "duration"},
+                 {"mass", "weight"},
+                 {"thickness", "rubber"},
+                 {"storeys", "floors stories"},
+                 {"from", "trim"},
+                 {"to", "trim"}};
+    for (size_t i = 0; i < sizeof table / sizeof *table; i++)
+        if (strcmp(table[i].name, name) == 0)
+            return table[i].words;
+    return "";
+}
+
+static void add_field(struct thud_tui *tui, const char *key, const struct thud_param *param)
+{
+    char value[96] = "";
+    if (thud_scene_get(&tui->doc.scene, key, value, sizeof value, NULL) == THUD_OK)
+        thud_chooser_add(&tui->chooser, key, "%-32s %-18.40s %.50s %s", key, value, param->title,
+                         also_called(param->name));
+}
+
+/* Adds the parameters of a group under a prefix, those by floor for every floor. */
 static void add_group(struct thud_tui *tui, enum thud_group group, const char *prefix, int structure)
 {
     int count;
     const struct thud_param *param = thud_group_params(group, &count);
-    const struct thud_scene *scene = &tui->doc.scene;
+    const struct thud_structure *at = structure >= 0 ? &tui->doc.scene.structure[structure] : NULL;
     for (int i = 0; i < count; i++) {
-        bool building = structure >= 0 && (scene->structure[structure].kind == THUD_SHEAR ||
-                                           scene->structure[structure].kind == THUD_ISOLATED);
-        bool by_floor = building && (strcmp(param[i].name, "mass") == 0 || strcmp(param[i].name, "stiffness") == 0 ||
-                                     strcmp(param[i].name, "height") == 0);
-        char key[THUD_PATH_MAX], value[96] = "";
-        if (structure >= 0 && !thud_structure_has(scene->structure[structure].kind, i))
+        bool by_floor = at && (at->kind == THUD_SHEAR || at->kind == THUD_ISOLATED) &&
+                        (strcmp(param[i].name, "mass") == 0 || strcmp(param[i].name, "stiffness") == 0 ||
+                         strcmp(param[i].name, "height") == 0);
+        char key[THUD_PATH_MAX];
+        if (at && !thud_structure_has(at->kind, i))
             continue;
-        snprintf(key, sizeof key, "%s.%s%s", prefix, param[i].name, by_floor ? ".1" : "");
-        if (thud_scene_get(scene, key, value, sizeof value, NULL) == THUD_OK)
-            thud_chooser_add(&tui->chooser, key, "%-36s %.40s", key, value);
+        for (int floor = 1; floor <= (by_floor ? at->storeys : 1); floor++) {
+            char number[16] = "";
+            if (by_floor)
+                snprintf(number, sizeof number, ".%d", floor);
+            snprintf(key, sizeof key, "%s%s%s%s", prefix, *prefix ? "." : "", param[i].name, number);
+            add_field(tui, key, &param[i]);
+        }
     }
 }
 
 static void add_law(struct thud_tui *tui, const char *prefix, const struct thud_law *law)
 {
     for (int i = 0; law && i < law->nparams; i++) {
-        char key[THUD_PATH_MAX], value[96] = "";
+        char key[THUD_PATH_MAX];
         snprintf(key, sizeof key, "%s.%s", prefix, law->params[i].name);
-        if (thud_scene_get(&tui->doc.scene, key, value, sizeof value, NULL) == THUD_OK)
-            thud_chooser_add(&tui->chooser, key, "%-36s %.40s", key, value);
+        add_field(tui, key, &law->params[i]);
     }
 }
 

@@ -51,6 +51,8 @@ char *thud_canvas_text(const struct thud_canvas *canvas)
             last--;
         for (int x = 0; x < last; x++) {
             char utf8[5];
+            if (row[x].glyph == THUD_CELL_TAIL)
+                continue;
             int n = thud_utf8_put(row[x].glyph, utf8);
             memcpy(to, utf8, (size_t)n);
             to += n;
@@ -97,42 +99,51 @@ static uint32_t to_ascii(uint32_t glyph)
     return '?';
 }
 
-/* What takes no column, or two, would shift the rest of the row. */
-static bool one_column(uint32_t c)
+static bool shown(uint32_t c)
 {
-    if (c < 0x20 || (c >= 0x7f && c < 0xa0) || c == 0xad)
-        return false;
-    if (c < 0x300)
-        return true;
-    return !((c <= 0x36f) || (c >= 0x483 && c <= 0x489) || (c >= 0x591 && c <= 0x8ff) || (c >= 0x1100 && c <= 0x11ff) ||
-             (c >= 0x1ab0 && c <= 0x1aff) || (c >= 0x1dc0 && c <= 0x1dff) || (c >= 0x200b && c <= 0x200f) ||
-             (c >= 0x2028 && c <= 0x202e) || (c >= 0x2060 && c <= 0x206f) || (c >= 0x20d0 && c <= 0x20ff) ||
-             (c >= 0x231a && c <= 0x231b) || (c >= 0x2e80 && c <= 0xa4cf) || (c >= 0xa960 && c <= 0xa97f) ||
-             (c >= 0xac00 && c <= 0xdfff) || (c >= 0xf900 && c <= 0xfaff) || c >= 0xfe00);
+    return !(c < 0x20 || (c >= 0x7f && c < 0xa0) || c == 0xad || (c >= 0xd800 && c <= 0xf8ff) || c > 0x3ffff ||
+             (c >= 0x2028 && c <= 0x202e));
+}
+
+/* A cell is written; of a sign two columns wide that it was half of, the other half goes. */
+static void write_cell(struct thud_canvas *canvas, int x, int y, struct thud_cell cell)
+{
+    struct thud_cell *row = canvas->cell + (size_t)y * (size_t)canvas->width;
+    if (row[x].glyph == THUD_CELL_TAIL && x > 0 && cell.glyph != THUD_CELL_TAIL)
+        row[x - 1].glyph = ' ';
+    if (x + 1 < canvas->width && row[x + 1].glyph == THUD_CELL_TAIL)
+        row[x + 1].glyph = ' ';
+    row[x] = cell;
 }
 
 void thud_pane_glyph(const struct thud_pane *pane, int x, int y, struct thud_look style, uint32_t glyph)
 {
+    int width = shown(glyph) ? thud_utf8_width(glyph) : 1;
     y -= pane->scroll;
-    if (x < 0 || y < 0 || x >= pane->w || y >= pane->h)
+    if (x < 0 || y < 0 || x >= pane->w || y >= pane->h || width == 0)
         return;
+    bool cut = x + width > pane->w;
     x += pane->x;
     y += pane->y;
     struct thud_canvas *canvas = pane->canvas;
     if (x < 0 || y < 0 || x >= canvas->width || y >= canvas->height)
         return;
-    if (!one_column(glyph))
+    if (!shown(glyph) || cut || x + width > canvas->width || (canvas->ascii && width > 1))
         glyph = '?';
     if (canvas->ascii)
         glyph = to_ascii(glyph);
-    canvas->cell[(size_t)y * (size_t)canvas->width + (size_t)x] = (struct thud_cell){glyph, style};
+    write_cell(canvas, x, y, (struct thud_cell){glyph, style});
+    if (width > 1 && !cut && x + 1 < canvas->width)
+        write_cell(canvas, x + 1, y, (struct thud_cell){glyph == '?' ? ' ' : THUD_CELL_TAIL, style});
 }
 
 int thud_pane_put(const struct thud_pane *pane, int x, int y, struct thud_look style, const char *text)
 {
     int start = x;
-    for (uint32_t c; (c = thud_utf8_next(&text)) != 0; x++)
+    for (uint32_t c; (c = thud_utf8_next(&text)) != 0;) {
         thud_pane_glyph(pane, x, y, style, c);
+        x += shown(c) ? thud_utf8_width(c) : 1;
+    }
     return x - start;
 }
 
@@ -177,10 +188,9 @@ struct thud_pane thud_pane_frame(const struct thud_pane *pane, const char *title
     thud_pane_glyph(pane, right, bottom, line, 0x2518);
     struct thud_pane top = thud_pane_inside(pane, 1, 0, pane->w - 2, 1);
     struct thud_look heading = thud_look(THUD_ROLE_TITLE, focused ? THUD_BOLD | THUD_REVERSE : THUD_BOLD);
+    char fitted[256];
     if (title && *title)
-        thud_pane_print(&top, 0, 0, heading, " %s ", title);
-    if (title && thud_utf8_columns(title) + 2 > top.w)
-        thud_pane_glyph(&top, top.w - 1, 0, heading, 0x2026);
+        thud_pane_print(&top, 0, 0, heading, " %s ", thud_utf8_fit(title, top.w - 2, fitted, sizeof fitted));
     return thud_pane_inside(pane, 1, 1, pane->w - 2, pane->h - 2);
 }
 
@@ -193,8 +203,7 @@ int thud_pane_wrap(const struct thud_pane *pane, int x, int y, int w, struct thu
         while (*end && *end != '\n' && columns < w) {
             if (*end == ' ')
                 cut = end;
-            thud_utf8_next(&end);
-            columns++;
+            columns += thud_utf8_width(thud_utf8_next(&end));
         }
         if (*end && *end != '\n' && *end != ' ' && cut)
             end = cut;

@@ -29,8 +29,9 @@ struct thud_look {
     unsigned char role, attr;
 };
 
+enum { THUD_CELL_TAIL = 0x110000 };
 struct thud_cell {
-    uint32_t glyph; /* one code point, one column wide */
+    uint32_t glyph; /* one code point; THUD_CELL_TAIL: the second column of the one before */
     struct thud_look style;
 };
 

@@ -1,4 +1,5 @@
 #include <math.h>
+#include <stdio.h>
 
 #include "tui/chart.h"
 #include "tui/dots.h"
@@ -9,14 +10,17 @@ struct drawing {
     const struct thud_chart_frame *frame;
 };
 
+/* The ends of an axis lie in the middle of the first and last cell, where their ticks are. */
 static double dot_x(const struct drawing *d, double x)
 {
-    return thud_chart_along(&d->frame->x, d->frame->x_log, x) * (d->dots.width - 1);
+    return thud_chart_along(&d->frame->x, d->frame->x_log, x) * (d->dots.width - d->dots.across) +
+           0.5 * (d->dots.across - 1);
 }
 
 static double dot_y(const struct drawing *d, double y)
 {
-    return (1.0 - thud_chart_along(&d->frame->y, d->frame->y_log, y)) * (d->dots.height - 1);
+    return (1.0 - thud_chart_along(&d->frame->y, d->frame->y_log, y)) * (d->dots.height - d->dots.down) +
+           0.5 * (d->dots.down - 1);
 }
 
 /* Every sample is joined to the next, so no spike is lost, however narrow. */
@@ -173,6 +177,37 @@ static void draw_cursor(struct drawing *d, double at)
         thud_pane_glyph(&d->dots.pane, (int)x, y, thud_look(THUD_ROLE_KEY, 0), 0x2506);
 }
 
+double thud_chart_value(const struct thud_series *s, double x)
+{
+    double best = NAN;
+    for (size_t i = 0; i < s->n; i++) {
+        double y = NAN, width = i + 1 < s->n ? s->x[i + 1] - s->x[i] : 0.0;
+        if (fabs(s->x[i] - x) <= 1e-9 * fmax(1.0, fabs(x)))
+            y = s->y[i];
+        else if (width != 0.0 && (x - s->x[i]) / width > 0.0 && (x - s->x[i]) / width < 1.0)
+            y = s->style.kind == THUD_STEPS ? s->y[i] : s->y[i] + (x - s->x[i]) / width * (s->y[i + 1] - s->y[i]);
+        if (isfinite(y) && !(fabs(y) <= fabs(best)))
+            best = y;
+    }
+    return best;
+}
+
+void thud_chart_words(const struct thud_panel *panel, double x, char *text, size_t size)
+{
+    const struct thud_axis *across = &panel->axis[THUD_X], *up = &panel->axis[THUD_Y];
+    size_t n = (size_t)snprintf(text, size, "%s %.5g%s%s:", across->label ? across->label : "x", x,
+                                across->unit && *across->unit ? " " : "", across->unit ? across->unit : "");
+    for (int i = 0; i < panel->nseries && n < size; i++) {
+        const struct thud_series *s = panel->series[i];
+        double value = thud_chart_value(s, x);
+        if (isnan(value) || thud_series_is_shade(s))
+            continue;
+        n += (size_t)snprintf(text + n, size - n, "  %.40s %.3g", s->name && *s->name ? s->name : up->label, value);
+    }
+    if (n < size && up->unit)
+        snprintf(text + n, size - n, " %s", up->unit);
+}
+
 void thud_chart_draw(const struct thud_pane *pane, const struct thud_panel *panel, const struct thud_chart *chart)
 {
     struct thud_chart_frame frame;
@@ -180,6 +215,8 @@ void thud_chart_draw(const struct thud_pane *pane, const struct thud_panel *pane
         thud_pane_put(pane, 0, 0, thud_look(THUD_ROLE_MUTED, 0), "more room is needed for this chart");
         return;
     }
+    if (chart->drawn)
+        *chart->drawn = frame;
     struct drawing d = {.frame = &frame};
     if (thud_dots_init(&d.dots, &frame.plot, NULL) != THUD_OK)
         return;
@@ -189,8 +226,13 @@ void thud_chart_draw(const struct thud_pane *pane, const struct thud_panel *pane
         draw_mark(&d, &panel->mark[i]);
     if (!isnan(chart->cursor))
         draw_cursor(&d, chart->cursor);
-    for (int i = 0; i < panel->nseries; i++)
+    for (int i = 0; i < panel->nseries; i++) {
+        int number = thud_chart_number(panel, i);
+        bool named = panel->series[i]->name && *panel->series[i]->name;
+        d.dots.sign = number > 0 && number < 9 && named && !thud_series_is_shade(panel->series[i]) ? '1' + number : 0;
         draw_series(&d, panel->series[i], thud_chart_look(panel->series[i], i));
+    }
+    d.dots.sign = 0;
     for (int i = 0; panel->nseries > 1 && i < panel->nseries; i++)
         if (panel->series[i]->name && *panel->series[i]->name && !thud_series_is_shade(panel->series[i]))
             label_series(&d, panel->series[i], thud_chart_number(panel, i), thud_chart_look(panel->series[i], i));
@@ -199,9 +241,9 @@ void thud_chart_draw(const struct thud_pane *pane, const struct thud_panel *pane
     thud_dots_clear(&d.dots);
 }
 
-void thud_chart_figure(const struct thud_pane *pane, const struct thud_figure *figure, int only)
+void thud_chart_figure(const struct thud_pane *pane, const struct thud_figure *figure, int only,
+                       const struct thud_chart *chart)
 {
-    struct thud_chart chart = {.cursor = NAN};
     int count = figure->rows * figure->columns;
     if (only < 0 && count > 1 && (pane->w / figure->columns < 34 || pane->h / figure->rows < 9))
         only = 0; /* too little room for all of them */
@@ -215,6 +257,6 @@ void thud_chart_figure(const struct thud_pane *pane, const struct thud_figure *f
             part = thud_pane_inside(pane, x, y, (column + 1) * pane->w / figure->columns - x,
                                     (row + 1) * pane->h / figure->rows - y);
         }
-        thud_chart_draw(&part, &figure->panel[i], &chart);
+        thud_chart_draw(&part, &figure->panel[i], chart);
     }
 }

@@ -29,17 +29,35 @@ static void add_tick(struct ticks *ticks, double at, const char *text)
     snprintf(ticks->text[ticks->n++], TICK_TEXT, "%s", text);
 }
 
-/* The range's own ticks, or every second, fifth, tenth ... where there are more than `most`. */
-static void number_ticks(struct ticks *ticks, const struct thud_range *range, int most)
+/* Round numbers a whole number of cells apart, so that their distances are equal: a tick every `cells` cells (at least
+ * `apart`), `step` between two, over `length` cells that hold all of the range. Of all such the one that leaves the
+ * least empty; a tick less than four in all counts as much as a seventh of the range. */
+static struct thud_range fit_cells(const struct thud_range *range, int length, int apart)
 {
-    static const double times[] = {1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0};
-    double step = range->step;
-    if (!(step > 0.0))
-        return;
-    for (size_t i = 0; i < sizeof times / sizeof *times && (range->most - range->least) / step + 1.0 > most; i++)
-        step = range->step * times[i];
-    double first = ceil(range->least / step - 1e-6);
-    for (int i = 0; i < TICKS_MAX; i++) {
+    static const double times[] = {1.0, 2.0, 2.5, 5.0};
+    struct thud_range best = *range;
+    double width = range->most - range->least, least = INFINITY;
+    int power = (int)floor(log10(width)) - 2;
+    for (int i = 0; i < 4 * 4 && length > apart && width > 0.0 && isfinite(width); i++) {
+        double step = times[i % 4] * pow(10.0, power + i / 4);
+        for (int c = apart; c < length && c <= 6 * apart; c++) {
+            double cell = step / c, first = floor(range->least / cell + 1e-6);
+            double most = cell * (first + length - 1);
+            int ticks = (int)(floor(most / step + 1e-6) - ceil(first * cell / step - 1e-6)) + 1;
+            double waste = (most - first * cell) / width + (ticks < 4 ? (4 - ticks) / 7.0 : 0.0);
+            if (most < range->most - 1e-6 * width || ticks < 2 || waste >= least)
+                continue;
+            least = waste;
+            best = (struct thud_range){first * cell, most, step};
+        }
+    }
+    return best;
+}
+
+static void number_ticks(struct ticks *ticks, const struct thud_range *range)
+{
+    double step = range->step, first = ceil(range->least / step - 1e-6);
+    for (int i = 0; step > 0.0 && i < TICKS_MAX; i++) {
         double at = (first + i) * step;
         if (at > range->most + 1e-6 * step)
             return;
@@ -59,7 +77,7 @@ static void decade_ticks(struct ticks *ticks, const struct thud_range *range)
     }
 }
 
-static void make_ticks(const struct thud_axis *axis, const struct thud_range *range, int most, struct ticks *ticks)
+static void make_ticks(const struct thud_axis *axis, const struct thud_range *range, struct ticks *ticks)
 {
     ticks->n = 0;
     if (axis->nticks > 0)
@@ -68,7 +86,13 @@ static void make_ticks(const struct thud_axis *axis, const struct thud_range *ra
     else if (axis->log)
         decade_ticks(ticks, range);
     else
-        number_ticks(ticks, range, most > 2 ? most : 2);
+        number_ticks(ticks, range);
+}
+
+/* Whether the axis is one of numbers at equal distances, whose range may be stretched to whole cells. */
+static bool is_linear(const struct thud_axis *axis)
+{
+    return !axis->log && axis->nticks == 0;
 }
 
 /* Only the two ends of the range: round steps might leave none or one of them in so little room. */
@@ -161,7 +185,7 @@ static void y_axis(const struct thud_chart_frame *frame, const struct thud_pane 
         if (!(along > -1e-6 && along < 1.0 + 1e-6))
             continue;
         int y = (int)lround((1.0 - along) * (frame->plot.h - 1));
-        if (last >= 0 && last - y < 2)
+        if (last >= 0 && last - y < 2 && frame->y_log)
             continue;
         last = y;
         thud_pane_glyph(pane, x, top + y, look, 0x2524);
@@ -176,7 +200,8 @@ static void x_axis(const struct thud_chart_frame *frame, const struct thud_pane 
     int left = frame->plot.x - pane->x, y = frame->plot.y - pane->y + frame->plot.h;
     char unit[96];
     thud_axis_text(axis, unit, sizeof unit);
-    int room = pane->w - thud_utf8_columns(axis->unit && *axis->unit ? axis->unit : unit) - 1, taken = 0;
+    const char *label = pane->w > 28 || !axis->unit || !*axis->unit ? unit : axis->unit;
+    int room = pane->w - thud_utf8_columns(label) - 1, taken = 0;
     thud_pane_glyph(pane, left - 1, y, look, 0x2514);
     for (int x = 0; x < frame->plot.w; x++)
         thud_pane_glyph(pane, left + x, y, look, 0x2500);
@@ -192,7 +217,6 @@ static void x_axis(const struct thud_chart_frame *frame, const struct thud_pane 
         thud_pane_put(pane, start, y + 1, thud_look(THUD_ROLE_PLAIN, 0), ticks->text[i]);
         taken = start + width + 2;
     }
-    const char *label = taken + thud_utf8_columns(unit) < pane->w || !axis->unit || !*axis->unit ? unit : axis->unit;
     thud_pane_right(pane, pane->w, y + 1, thud_look(THUD_ROLE_MUTED, 0), label);
 }
 
@@ -224,21 +248,29 @@ bool thud_chart_axes(const struct thud_pane *pane, const struct thud_panel *pane
     if (pane->w < 16 || pane->h < 3)
         return false;
     struct ticks x_ticks, y_ticks;
+    const struct thud_axis *x_axis_of = &panel->axis[THUD_X], *y_axis_of = &panel->axis[THUD_Y];
     frame->x = thud_panel_range(panel, THUD_X);
     frame->y = thud_panel_range(panel, THUD_Y);
-    frame->x_log = panel->axis[THUD_X].log;
-    frame->y_log = panel->axis[THUD_Y].log;
-    make_ticks(&panel->axis[THUD_X], &frame->x, pane->w / 6, &x_ticks);
-    make_ticks(&panel->axis[THUD_Y], &frame->y, (pane->h - 2) / 2, &y_ticks);
+    frame->x_log = x_axis_of->log;
+    frame->y_log = y_axis_of->log;
     int top = head(pane, panel), below = pane->h - top - 2 < 2 ? 0 : 2; /* the x axis and its numbers */
-    if (below == 0)
-        keep_ends(&panel->axis[THUD_X], &frame->x, &x_ticks);
+    int rows = pane->h - top - below;
+    if (below > 0 && is_linear(y_axis_of))
+        frame->y = fit_cells(&frame->y, rows, rows < 8 ? 1 : 2);
+    make_ticks(y_axis_of, &frame->y, &y_ticks);
     if (below == 0 || y_ticks.n < 2) /* one number gives no scale */
-        keep_ends(&panel->axis[THUD_Y], &frame->y, &y_ticks);
+        keep_ends(y_axis_of, &frame->y, &y_ticks);
     int left = width_of(&y_ticks) + 2;
-    frame->plot = thud_pane_inside(pane, left, top, pane->w - left, pane->h - top - below);
+    frame->plot = thud_pane_inside(pane, left, top, pane->w - left, rows);
     if (frame->plot.w < 6 || frame->plot.h < 2)
         return false;
+    make_ticks(x_axis_of, &frame->x, &x_ticks);
+    if (below > 0 && is_linear(x_axis_of)) {
+        frame->x = fit_cells(&frame->x, frame->plot.w, width_of(&x_ticks) + 2);
+        make_ticks(x_axis_of, &frame->x, &x_ticks);
+    }
+    if (below == 0)
+        keep_ends(x_axis_of, &frame->x, &x_ticks);
     y_axis(frame, pane, &y_ticks);
     if (below > 0)
         x_axis(frame, pane, &x_ticks, &panel->axis[THUD_X]);

@@ -97,6 +97,17 @@ void thud_chooser_key(struct thud_chooser *chooser, int key)
         chooser->at = 0;
 }
 
+bool thud_chooser_click(struct thud_chooser *chooser, int x, int y)
+{
+    const struct thud_pane *lines = &chooser->drawn;
+    int row = y - lines->y, before = chooser->at;
+    if (x < lines->x || x >= lines->x + lines->w || row < 0 || row >= lines->h ||
+        chooser->top + row >= count_fitting(chooser))
+        return false;
+    chooser->at = chooser->top + row;
+    return chooser->at == before;
+}
+
 void thud_chooser_draw(struct thud_chooser *chooser, const struct thud_pane *area)
 {
     int w = area->w < 76 ? area->w : 76, h = chooser->n + 4 < area->h ? chooser->n + 4 : area->h;
@@ -107,6 +118,7 @@ void thud_chooser_draw(struct thud_chooser *chooser, const struct thud_pane *are
     struct thud_pane in = thud_pane_frame(&box, chooser->title, true);
     int at = thud_pane_put(&in, 1, 0, thud_look(THUD_ROLE_MUTED, 0), "only: ");
     int rows = in.h - 1;
+    chooser->drawn = thud_pane_inside(&in, 0, 1, in.w, rows);
     if (chooser->at < chooser->top)
         chooser->top = chooser->at;
     if (rows > 0 && chooser->at >= chooser->top + rows)

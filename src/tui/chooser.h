@@ -13,7 +13,8 @@ struct thud_chooser {
     char title[96];
     struct thud_choice *choice; /* (n) */
     int n, capacity;
-    int at, top; /* the marked line among those shown, and the first shown */
+    struct thud_pane drawn; /* the lines, as last drawn */
+    int at, top;            /* the marked line among those shown, and the first shown */
     struct thud_line filter;
 };
 
@@ -24,6 +25,8 @@ void thud_chooser_mark(struct thud_chooser *chooser, const char *value);
 void thud_chooser_key(struct thud_chooser *chooser, int key);
 const struct thud_choice *thud_chooser_marked(const struct thud_chooser *chooser); /* NULL: nothing fits */
 void thud_chooser_draw(struct thud_chooser *chooser, const struct thud_pane *area);
+/* Marks the line at a place of the canvas; true where it was marked already, so that a second click takes it. */
+bool thud_chooser_click(struct thud_chooser *chooser, int x, int y);
 void thud_chooser_free(struct thud_chooser *chooser);
 
 #endif

@@ -80,7 +80,8 @@ void thud_dots_put(struct thud_dots *dots)
             unsigned mask = dots->mask[cell];
             if (!mask)
                 continue;
-            uint32_t glyph = dots->down == 4 ? 0x2800U + mask : (uint32_t)(unsigned char)ascii[mask & 3];
+            uint32_t dot = dots->sign ? (uint32_t)dots->sign : (uint32_t)(unsigned char)ascii[mask & 3];
+            uint32_t glyph = dots->down == 4 ? 0x2800U + mask : dot;
             thud_pane_glyph(&dots->pane, x, y, dots->look[cell], glyph);
         }
     memset(dots->mask, 0, (size_t)dots->pane.w * (size_t)dots->pane.h);

@@ -10,6 +10,7 @@ struct thud_dots {
     int width, height;      /* dots in all */
     unsigned char *mask;    /* (pane.h x pane.w) */
     struct thud_look *look; /* (pane.h x pane.w) of the last dot */
+    int sign;               /* what a cell with dots shows in ASCII; 0: its dots */
 };
 
 /* Errors: THUD_MEMORY. */

@@ -23,9 +23,7 @@ void thud_field_value(struct thud_tui *tui, int index, const struct thud_pane *p
     if (m > 0 && n > m + 1 && strcmp(text + n - m, param->unit) == 0)
         text[n - m - 1] = '\0';
     char fitted[200];
-    snprintf(fitted, sizeof fitted, "%s", *text ? text : "-");
-    if (thud_utf8_columns(fitted) > w && w > 1 && (int)strlen(fitted) > w)
-        snprintf(fitted + w - 1, sizeof fitted - (size_t)w + 1, "…");
+    thud_utf8_fit(*text ? text : "-", w, fitted, sizeof fitted);
     if (focus)
         thud_pane_glyph(pane, x - 1, y, thud_look(THUD_ROLE_KEY, THUD_BOLD), 0x25b8);
     thud_pane_put(pane, x, y, thud_look(THUD_ROLE_VALUE, focus ? THUD_REVERSE : 0), fitted);
@@ -46,9 +44,8 @@ void thud_field_line(struct thud_tui *tui, int index, const struct thud_pane *pa
     if (focus)
         thud_pane_glyph(pane, 0, y, thud_look(THUD_ROLE_KEY, THUD_BOLD), 0x25b8);
     struct thud_look look = thud_look(THUD_ROLE_PLAIN, focus ? THUD_REVERSE : 0);
-    thud_pane_put(pane, 1, y, look, text);
-    if (thud_utf8_columns(text) > pane->w - 1)
-        thud_pane_glyph(pane, pane->w - 1, y, look, 0x2026);
+    char fitted[256];
+    thud_pane_put(pane, 1, y, look, thud_utf8_fit(text, pane->w - 1, fitted, sizeof fitted));
 }
 
 void thud_field_note(const struct thud_pane *pane, int y, const char *fmt, ...)

@@ -99,6 +99,17 @@ static void add_case(struct thud_panel *panel, const struct thud_live *live, int
     }
 }
 
+/* Whether these two floors stay apart in every case. */
+static bool never_meet(const struct thud_live *live, int contact)
+{
+    for (int which = THUD_LIVE_NONE; which < THUD_LIVE_CASES; which++) {
+        const struct thud_result *result = thud_live_result(live, (enum thud_live_which)which);
+        if (result && contact < result->ncontacts && result->contact[contact].impacts > 0)
+            return false;
+    }
+    return true;
+}
+
 static struct thud_figure *histories(const struct thud_live *live, const struct thud_scene *scene, enum thud_plot plot,
                                      const struct thud_sight *sight, const char **why)
 {
@@ -111,9 +122,10 @@ static struct thud_figure *histories(const struct thud_live *live, const struct 
                 [THUD_PLOT_DISPLACEMENT] = {"Displacement", "mm"}};
     const struct thud_model *model = live->which[THUD_LIVE_NONE].model;
     bool of_contact = plot == THUD_PLOT_FORCE || plot == THUD_PLOT_CLOSING;
-    *why = of_contact && sight->contact < 0 ? "No two floors can meet here"
-           : !of_contact && sight->dof < 0  ? "There is no floor"
-                                            : NULL;
+    *why = of_contact && sight->contact < 0                              ? "No two floors can meet here"
+           : plot == THUD_PLOT_FORCE && never_meet(live, sight->contact) ? "no contact at this gap"
+           : !of_contact && sight->dof < 0                               ? "There is no floor"
+                                                                         : NULL;
     if (*why)
         return NULL;
     char title[160], where[96];
@@ -135,6 +147,10 @@ static struct thud_figure *loops(const struct thud_live *live, const struct thud
 {
     if (sight->contact < 0) {
         *why = "No two floors can meet here";
+        return NULL;
+    }
+    if (never_meet(live, sight->contact)) {
+        *why = "no contact at this gap";
         return NULL;
     }
     struct thud_figure *figure = thud_figure_create(file_name(THUD_PLOT_LOOP), thud_plot_title(THUD_PLOT_LOOP), 1, 1);

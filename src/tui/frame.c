@@ -92,6 +92,34 @@ static void record_words(const struct thud_tui *tui, char *text, size_t size)
              part ? " part" : "");
 }
 
+/* Draws the screens' names, or finds the one at a column: -1 where there is none. */
+static int tabs(struct thud_tui *tui, const struct thud_pane *row, int column)
+{
+    int at = 0;
+    for (int i = 0; i < THUD_SCREENS; i++) {
+        bool here = i == (int)tui->screen, named = here || row->w >= DESIGN_WIDTH - 8;
+        char text[64];
+        if (named)
+            snprintf(text, sizeof text, "%c%d %s%c", here ? '[' : ' ', i + 1, thud_view_of((enum thud_screen)i)->title,
+                     here ? ']' : ' ');
+        else
+            snprintf(text, sizeof text, " %d ", i + 1);
+        int role = here ? THUD_ROLE_TITLE : named ? THUD_ROLE_PLAIN : THUD_ROLE_MUTED, from = at;
+        if (column < 0)
+            thud_pane_put(row, at, 0, thud_look(role, here ? THUD_BOLD | THUD_REVERSE : 0), text);
+        at += thud_utf8_columns(text);
+        if (column >= from && column < at)
+            return i;
+    }
+    return -1;
+}
+
+int thud_tui_tab_at(struct thud_tui *tui, int column)
+{
+    struct thud_pane page = thud_canvas_pane(&tui->canvas);
+    return tabs(tui, &page, column);
+}
+
 static void top_lines(struct thud_tui *tui, const struct thud_pane *page)
 {
     struct thud_pane row = thud_pane_inside(page, 0, 0, page->w, 1);
@@ -103,18 +131,7 @@ static void top_lines(struct thud_tui *tui, const struct thud_pane *page)
     struct thud_pane middle = thud_pane_inside(&row, 0, 0, run_status(tui, &row) - 1, 1);
     thud_pane_put(&middle, at + 3, 0, thud_look(THUD_ROLE_PLAIN, 0), text);
     row = thud_pane_inside(page, 0, 1, page->w, 1);
-    at = 0;
-    for (int i = 0; i < THUD_SCREENS; i++) {
-        bool here = i == (int)tui->screen;
-        snprintf(text, sizeof text, "%c%d %s%c", here ? '[' : ' ', i + 1, thud_view_of((enum thud_screen)i)->title,
-                 here ? ']' : ' ');
-        if (here || page->w >= DESIGN_WIDTH - 8)
-            at += thud_pane_put(
-                &row, at, 0, thud_look(here ? THUD_ROLE_TITLE : THUD_ROLE_PLAIN, here ? THUD_BOLD | THUD_REVERSE : 0),
-                text);
-        else
-            at += thud_pane_print(&row, at, 0, thud_look(THUD_ROLE_MUTED, 0), " %d ", i + 1);
-    }
+    tabs(tui, &row, -1);
 }
 
 /* Meaning, unit, bounds and default of the field under the cursor. */
@@ -123,8 +140,14 @@ static void field_words(struct thud_tui *tui, char *text, size_t size)
     const struct thud_field *field = thud_form_focus(&tui->form);
     int floor;
     *text = '\0';
-    if (!field && thud_view_of(tui->screen)->words)
-        thud_view_of(tui->screen)->words(tui, text, size);
+    const struct thud_view *view = thud_view_of(tui->screen);
+    const struct thud_panel *panel = !field && view->read ? view->read(tui) : NULL;
+    if (!field && view->words)
+        view->words(tui, text, size);
+    else if (panel && isnan(tui->reading[tui->screen]))
+        snprintf(text, size, "Left and Right read values off the chart");
+    else if (panel)
+        thud_chart_words(panel, tui->reading[tui->screen], text, size);
     if (!field || field->kind != THUD_FIELD_VALUE)
         return;
     const struct thud_param *param = thud_scene_param(&tui->doc.scene, field->path, &floor);
@@ -231,17 +254,23 @@ static void draw_pane(struct thud_tui *tui, const struct thud_view *view, const 
     }
 }
 
+bool thud_tui_one_pane(const struct thud_tui *tui)
+{
+    return tui->canvas.width < DESIGN_WIDTH || tui->canvas.height < DESIGN_HEIGHT;
+}
+
 /* All panes; returns how many there are. Where the terminal is small the one with the cursor takes all the room. */
 static int draw_panes(struct thud_tui *tui, const struct thud_pane *page, struct thud_rect area)
 {
     const struct thud_view *view = thud_view_of(tui->screen);
     struct thud_rect rect[THUD_PANES_MAX];
     int n = view->layout(tui, area, rect);
-    bool small = page->w < DESIGN_WIDTH || page->h < DESIGN_HEIGHT;
+    bool small = thud_tui_one_pane(tui);
     int here = tui->form.pane[tui->screen];
     if (here < 0 || here >= n)
         here = 0;
     thud_form_begin(&tui->form, (int)tui->screen);
+    tui->chart.plot.w = tui->chart.plot.h = 0;
     for (int i = 0; i < n; i++) {
         struct thud_rect hidden = {0, 0, 0, 0};
         draw_pane(tui, view, page, i, !small ? rect[i] : i == here ? area : hidden);

@@ -19,6 +19,8 @@ THUD_KEY(RECORD, SIGN, 's', 0, "s", "sign", "flip the sign of the ground motion"
 THUD_KEY(RECORD, QUANTITY, 'c', 0, "c", "curve", "acceleration, velocity, displacement or response spectrum")
 THUD_KEY(RESULTS, SORT, 's', 0, "s", "sort", "sort the impacts by time, force or floor")
 THUD_KEY(RESULTS, CASE, 'b', 0, "b", "case", "the case whose impacts and energies are shown")
+THUD_KEY_AGAIN(RESULTS, QUANTITY, 'c', 0, "c", "quantities",
+               "accelerations and drifts, or displacements and velocities (all four where there is room)")
 THUD_KEY(PLOTS, PLAY, ' ', 0, "Space", "play", "start and stop the movement")
 THUD_KEY(PLOTS, FASTER, '+', 0, "+", "", "play faster")
 THUD_KEY(PLOTS, SLOWER, '-', 0, "-", "~+/- speed", "play slower")

@@ -119,14 +119,15 @@ void thud_line_draw(const struct thud_line *line, const struct thud_pane *pane, 
         return;
     char head[THUD_LINE_MAX];
     snprintf(head, sizeof head, "%.*s", line->cursor, line->text);
-    int at = thud_utf8_columns(head), first = at >= w ? at - w + 1 : 0;
+    int at = thud_utf8_columns(head), first = 0;
     const char *text = line->text;
-    for (int i = 0; i < first; i++)
-        thud_utf8_next(&text);
-    for (int i = 0; i < w; i++) {
+    while (at - first >= w)
+        first += thud_utf8_width(thud_utf8_next(&text));
+    for (int i = 0; i < w;) {
         uint32_t c = thud_utf8_next(&text);
         struct thud_look look = thud_look(style.role, c && line->selected ? style.attr | THUD_REVERSE : style.attr);
         thud_pane_glyph(pane, x + i, y, look, c ? c : ' ');
+        i += c ? thud_utf8_width(c) : 1;
     }
     int row = y - pane->scroll;
     if (x + at - first >= pane->w || row < 0 || row >= pane->h)

@@ -19,8 +19,17 @@ int thud_live_color(enum thud_live_which which)
     return color[which];
 }
 
+static void forget_old(struct thud_live_case *c)
+{
+    thud_run_free(c->old);
+    thud_model_free(c->old_model);
+    c->old = NULL;
+    c->old_model = NULL;
+}
+
 static void case_clear(struct thud_live_case *c)
 {
+    forget_old(c);
     thud_run_free(c->run);
     thud_model_free(c->model);
     *c = (struct thud_live_case){0};
@@ -91,14 +100,34 @@ static enum thud_status case_start(struct thud_live_case *c, const struct thud_s
     return thud_run_create(c->model, record, &options, &c->run, &c->error);
 }
 
+/* The last answer goes aside; of a run that was cut off nothing stays, but of what was shown meanwhile. */
+static void keep_old(struct thud_live_case *c)
+{
+    struct thud_live_case kept = {0};
+    if (c->state == THUD_LIVE_DONE) {
+        kept.old = c->run;
+        kept.old_model = c->model;
+        c->run = NULL;
+        c->model = NULL;
+    } else if (c->state == THUD_LIVE_RUNNING) {
+        kept.old = c->old;
+        kept.old_model = c->old_model;
+        c->old = NULL;
+        c->old_model = NULL;
+    }
+    case_clear(c);
+    *c = kept;
+}
+
 void thud_live_start(struct thud_live *live, const struct thud_scene *scene, const struct thud_record *record,
                      bool history)
 {
-    thud_live_clear(live);
+    live->running = false;
     live->history = history;
     for (int i = 0; i < THUD_LIVE_CASES; i++) {
         struct thud_live_case *c = &live->which[i];
         struct thud_scene of_case;
+        keep_old(c);
         if (!case_scene(scene, (enum thud_live_which)i, &of_case)) {
             c->state = THUD_LIVE_ABSENT;
         } else if (case_start(c, &of_case, record, history) == THUD_OK) {
@@ -107,6 +136,8 @@ void thud_live_start(struct thud_live *live, const struct thud_scene *scene, con
         } else {
             c->state = THUD_LIVE_FAILED;
         }
+        if (c->state != THUD_LIVE_RUNNING)
+            forget_old(c);
     }
 }
 
@@ -119,6 +150,8 @@ static void case_advance(struct thud_live_case *c)
     } else if (done) {
         c->state = THUD_LIVE_DONE;
     }
+    if (c->state != THUD_LIVE_RUNNING)
+        forget_old(c);
 }
 
 bool thud_live_advance(struct thud_live *live)
@@ -152,10 +185,21 @@ const struct thud_result *thud_live_result(const struct thud_live *live, enum th
     return live->which[which].state == THUD_LIVE_DONE ? thud_run_result(live->which[which].run) : NULL;
 }
 
+bool thud_live_is_old(const struct thud_live *live, enum thud_live_which which)
+{
+    return live->which[which].state == THUD_LIVE_RUNNING && live->which[which].old;
+}
+
+/* What is shown of a case: its answer, or while it runs the one before. */
+static const struct thud_result *shown(const struct thud_live *live, enum thud_live_which which)
+{
+    return thud_live_is_old(live, which) ? thud_run_result(live->which[which].old) : thud_live_result(live, which);
+}
+
 double thud_live_floor(const struct thud_live *live, enum thud_live_which which, int structure, int floor,
                        enum thud_peak_kind kind)
 {
-    const struct thud_result *result = thud_live_result(live, which);
+    const struct thud_result *result = shown(live, which);
     if (!result || structure >= result->nstructures || floor >= result->structure[structure].floors)
         return NAN;
     const struct thud_floor_result *f = &result->structure[structure].floor[floor];
@@ -173,7 +217,7 @@ double thud_live_floor(const struct thud_live *live, enum thud_live_which which,
 
 double thud_live_peak(const struct thud_live *live, enum thud_live_which which, int structure, enum thud_peak_kind kind)
 {
-    const struct thud_result *result = thud_live_result(live, which);
+    const struct thud_result *result = shown(live, which);
     double most = NAN;
     for (int i = 0; result && structure < result->nstructures && i < result->structure[structure].floors; i++)
         most = fmax(most, thud_live_floor(live, which, structure, i, kind));
@@ -182,7 +226,7 @@ double thud_live_peak(const struct thud_live *live, enum thud_live_which which, 
 
 double thud_live_force(const struct thud_live *live, enum thud_live_which which, int interface, int *impacts)
 {
-    const struct thud_result *result = thud_live_result(live, which);
+    const struct thud_result *result = shown(live, which);
     double most = result ? 0.0 : NAN;
     *impacts = 0;
     for (int i = 0; result && i < result->ncontacts; i++) {

@@ -23,6 +23,8 @@ struct thud_live_case {
     enum thud_live_state state;
     struct thud_model *model;
     struct thud_run *run;
+    struct thud_run *old; /* of before the change, while RUNNING: what it found is still shown; NULL: none */
+    struct thud_model *old_model;
     struct thud_error error;
     double failed_s;
 };
@@ -47,7 +49,10 @@ void thud_live_clear(struct thud_live *live);
 /* What a case found, NULL unless it is DONE. */
 const struct thud_result *thud_live_result(const struct thud_live *live, enum thud_live_which which);
 
-/* Largest peaks over the floors of structure `s` (from 0). NaN where the case is not DONE. */
+/* Whether what a case shows is still that of before the last change. */
+bool thud_live_is_old(const struct thud_live *live, enum thud_live_which which);
+
+/* Largest peaks over the floors of structure `s` (from 0). NaN where the case is neither DONE nor old. */
 enum thud_peak_kind { THUD_PEAK_ACCELERATION, THUD_PEAK_DRIFT, THUD_PEAK_DISPLACEMENT, THUD_PEAK_VELOCITY };
 double thud_live_peak(const struct thud_live *live, enum thud_live_which which, int structure,
                       enum thud_peak_kind kind);

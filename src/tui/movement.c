@@ -1,6 +1,6 @@
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
+#include <stdlib.h>
 
 #include "tui/dots.h"
 #include "tui/movement.h"
@@ -63,6 +63,7 @@ struct stage {
     double storey;                    /* dots per metre up */
     double ground;                    /* row of the ground, dots */
     double left[THUD_STRUCTURES_MAX]; /* left edge at rest, dots */
+    double *shift;                    /* (ndof) displacements now, dots, with bodies kept out of each other */
 };
 
 /* Largest displacement of a structure's floors, m. */
@@ -105,7 +106,7 @@ static bool set_stage(struct stage *stage)
     }
     double margin = fmax(reach(stage->history, stage->model, 0), reach(stage->history, stage->model, n - 1));
     across += 2.0 * margin;
-    stage->body = floor(stage->dots.width / (2.2 * n));
+    stage->body = floor(stage->dots.width / (2.6 * n)); /* the movement is what is looked at */
     double room = stage->dots.width - n * stage->body - 2.0;
     if (stage->body < 3.0 || room < 4.0 || stage->dots.height < 8)
         return false;
@@ -122,8 +123,44 @@ static bool set_stage(struct stage *stage)
 
 static double displacement(const struct stage *stage, int dof)
 {
-    return dof < 0 ? 0.0
-                   : stage->scale * value_at(stage->history, thud_history_displacement(stage->history, dof), stage->t);
+    return dof < 0 ? 0.0 : stage->shift[dof];
+}
+
+/* Displacements to scale. Where the concrete itself is pressed in, both sides give way by half of that: what the law
+ * says is an indentation is no overlap of two buildings. */
+static void set_shifts(struct stage *stage)
+{
+    for (int i = 0; i < stage->model->ndof; i++)
+        stage->shift[i] =
+            stage->scale * value_at(stage->history, thud_history_displacement(stage->history, i), stage->t);
+    for (int i = 0; i < stage->model->ncontacts; i++) {
+        const struct thud_model_contact *c = &stage->model->contact[i];
+        double over = stage->left[c->interface - 1] + stage->body + displacement(stage, c->left_dof) -
+                      stage->left[c->interface] - displacement(stage, c->right_dof);
+        if (!(over > 0.0))
+            continue;
+        double part = c->left_dof >= 0 && c->right_dof >= 0 ? 0.5 : 1.0;
+        if (c->left_dof >= 0)
+            stage->shift[c->left_dof] -= part * over;
+        if (c->right_dof >= 0)
+            stage->shift[c->right_dof] += part * over;
+    }
+}
+
+/* A bar of a round length below the ground: "|---| 50 mm"; the gap and the bumpers are drawn to the same scale. */
+static void draw_scale(const struct stage *stage, const struct thud_pane *row)
+{
+    double width = 0.4 * row->w * stage->dots.across / stage->scale, power = pow(10.0, floor(log10(width)));
+    double length = power * (width >= 5.0 * power ? 5.0 : width >= 2.0 * power ? 2.0 : 1.0);
+    int cells = (int)lround(length * stage->scale / stage->dots.across);
+    struct thud_look look = thud_look(THUD_ROLE_MUTED, 0);
+    if (!isfinite(length) || cells < 2)
+        return;
+    for (int x = 0; x <= cells; x++)
+        thud_pane_glyph(row, x, 0, look, x == 0 ? 0x251c : x == cells ? 0x2524 : 0x2500);
+    char text[48];
+    snprintf(text, sizeof text, "%g mm across", 1e3 * length);
+    thud_pane_put(row, cells + 2, 0, look, text);
 }
 
 static void draw_box(struct stage *stage, double x0, double y0, double x1, double y1, struct thud_look look)
@@ -188,10 +225,12 @@ static void draw_contact(struct stage *stage, int index, int *worst, double *for
     double b = stage->left[left + 1] + displacement(stage, contact->right_dof);
     double now = force_at(stage->history, index, stage->t);
     bool flash = now > touch_n;
-    struct thud_look look = thud_look(flash ? THUD_ROLE_ERROR : THUD_ROLE_MUTED, flash ? THUD_BOLD : 0);
     if (stage->bumper && at->has_bumper) {
         double out = stage->scale * (at->bumper_thickness_m - at->bumper_cavity_m);
-        thud_dots_line(&stage->dots, fmax(a, b - out), y, b, y, 1, look);
+        struct thud_look rubber = thud_look(flash ? THUD_ROLE_ERROR : THUD_ROLE_SERIES + 3, THUD_BOLD);
+        double face = fmax(a + 1.0, b - out);
+        for (int thick = -1; thick <= 1 && face <= b - 1.0; thick++)
+            thud_dots_line(&stage->dots, face, y + thick, b - 1.0, y + thick, 1, rubber);
     }
     if (flash && now > *force) {
         *force = now;
@@ -229,23 +268,30 @@ void thud_movement_draw(const struct thud_pane *pane, const struct thud_scene *s
                         const struct thud_history *history, bool bumper, double t)
 {
     struct stage stage = {.scene = scene, .model = model, .history = history, .t = t, .bumper = bumper};
-    struct thud_pane area = thud_pane_inside(pane, 0, 1, pane->w, pane->h - 1);
+    bool roomy = pane->h >= 7;
+    struct thud_pane area = thud_pane_inside(pane, 0, 1, pane->w, pane->h - 1 - roomy);
+    struct thud_pane below = thud_pane_inside(pane, 1, pane->h - 1, pane->w - 1, 1);
     int worst = -1;
     double force = 0.0;
     if (area.w < 12 || area.h < 2 || history->rows == 0 || thud_dots_init(&stage.dots, &area, NULL) != THUD_OK)
         return;
-    if (set_stage(&stage)) {
-        for (int i = 0; i < model->ncontacts; i++)
-            draw_contact(&stage, i, &worst, &force);
+    stage.shift = calloc((size_t)(model->ndof > 0 ? model->ndof : 1), sizeof *stage.shift);
+    if (stage.shift && set_stage(&stage)) {
+        set_shifts(&stage);
         for (int s = 0; s < scene->nstructures; s++)
             draw_building(&stage, s);
+        for (int i = 0; i < model->ncontacts; i++)
+            draw_contact(&stage, i, &worst, &force);
         struct thud_look ground = thud_look(THUD_ROLE_BORDER, 0);
         thud_dots_line(&stage.dots, 0.0, stage.ground + 1.0, stage.dots.width - 1.0, stage.ground + 1.0, 1, ground);
         thud_dots_put(&stage.dots);
         flashes(&stage);
         say_contact(&stage, pane, worst, force);
+        if (roomy)
+            draw_scale(&stage, &below);
     } else {
         thud_pane_put(pane, 0, 1, thud_look(THUD_ROLE_MUTED, 0), "more room is needed");
     }
+    free(stage.shift);
     thud_dots_clear(&stage.dots);
 }

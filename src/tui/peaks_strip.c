@@ -7,19 +7,40 @@
 #include "tui/field.h"
 #include "tui/peaks_strip.h"
 
-static const int column_x[] = {20, 33, 46, 59};
+/* Columns of the cases, the ratio and the impacts, behind the names of the two structures shown. */
+struct strip {
+    int name, column[THUD_LIVE_CASES + 2];
+};
 
-const char *thud_peaks_strip_title(void)
+static struct strip strip_of(const struct thud_tui *tui, int w)
 {
-    return "Peaks              no pounding  no bumper    bumper       ratio";
+    int name = 1;
+    for (int s = 0; s < 2 && tui->pair + s < tui->doc.scene.nstructures; s++) {
+        int n = thud_utf8_columns(tui->doc.scene.structure[tui->pair + s].name);
+        name = n > name ? n : name;
+    }
+    int most = w >= 72 ? w - 72 + 8 : 8; /* the column of the impacts gives way, those of numbers do not */
+    struct strip strip = {.name = name < most ? name : most};
+    for (int i = 0; i < THUD_LIVE_CASES + 2; i++)
+        strip.column[i] = 20 + 13 * i + (strip.name > 6 ? strip.name - 6 : 0);
+    strip.column[THUD_LIVE_CASES + 1] -= 4;
+    return strip;
+}
+
+void thud_peaks_strip_title(const struct thud_tui *tui, int w, char *text, size_t size)
+{
+    struct strip strip = strip_of(tui, w);
+    snprintf(text, size, "%-*s%-13s%-13s%-13s%s", strip.column[0] - 1, "Peaks", "no pounding", "no bumper", "bumper",
+             "ratio");
 }
 
 /* One line of the strip: the three cases, the ratio, and what the last change did to the bumper's number. */
-static void peak_row(struct thud_tui *tui, const struct thud_pane *pane, int y, const char *label, const char *unit,
-                     const double value[THUD_LIVE_CASES], double before)
+static void peak_row(struct thud_tui *tui, const struct strip *strip, const struct thud_pane *pane, int y,
+                     const char *label, const char *unit, const double value[THUD_LIVE_CASES], double before)
 {
+    const int *column_x = strip->column;
     thud_pane_put(pane, 1, y, thud_look(THUD_ROLE_PLAIN, 0), label);
-    thud_pane_put(pane, 14, y, thud_look(THUD_ROLE_MUTED, 0), unit);
+    thud_pane_put(pane, column_x[0] - 6, y, thud_look(THUD_ROLE_MUTED, 0), unit);
     enum thud_live_which last =
         tui->live.which[THUD_LIVE_BUMPER].state == THUD_LIVE_ABSENT ? THUD_LIVE_NONE : THUD_LIVE_BUMPER;
     for (int i = 0; i < THUD_LIVE_CASES; i++) {
@@ -33,7 +54,11 @@ static void peak_row(struct thud_tui *tui, const struct thud_pane *pane, int y, 
         if (moved)
             snprintf(text, sizeof text, "%s→%s", old, number);
         thud_pane_put(pane, column_x[i], y,
-                      thud_look(failed ? THUD_ROLE_ERROR : THUD_ROLE_VALUE, moved ? THUD_BOLD : 0), text);
+                      thud_look(failed                                                  ? THUD_ROLE_ERROR
+                                : thud_live_is_old(&tui->live, (enum thud_live_which)i) ? THUD_ROLE_MUTED
+                                                                                        : THUD_ROLE_VALUE,
+                                moved ? THUD_BOLD : 0),
+                      text);
     }
     double ratio = value[THUD_LIVE_BUMPER] / value[THUD_LIVE_NONE];
     if (isfinite(ratio))
@@ -58,6 +83,8 @@ static void impact_strip(struct thud_tui *tui, const struct thud_pane *pane)
                     thud_live_name(which));
     struct thud_pane area = thud_pane_inside(pane, 0, 1, pane->w, pane->h - 1);
     struct thud_dots dots;
+    if (count == 0)
+        thud_pane_wrap(pane, 0, 1, pane->w, thud_look(THUD_ROLE_PLAIN, 0), "no contact at this gap");
     if (!(most > 0.0) || !(end > 0.0) || thud_dots_init(&dots, &area, NULL) != THUD_OK)
         return;
     struct thud_look look = thud_look(THUD_ROLE_SERIES + thud_live_color(which), 0);
@@ -72,31 +99,32 @@ static void impact_strip(struct thud_tui *tui, const struct thud_pane *pane)
 
 int thud_peaks_strip_draw(struct thud_tui *tui, const struct thud_pane *pane)
 {
+    struct strip layout = strip_of(tui, pane->w);
+    const int *column_x = layout.column;
     double value[THUD_LIVE_CASES];
     int y = 0, impacts[THUD_LIVE_CASES];
     bool compare = tui->before.known;
     for (int kind = 0; kind < 2; kind++)
         for (int s = 0; s < 2 && tui->pair + s < tui->doc.scene.nstructures; s++, y++) {
-            char label[32];
+            char label[200], name[160];
             if (tui->doc.scene.structure[tui->pair + s].kind == THUD_WALL) {
                 if (kind == 0)
-                    thud_field_note(pane, y, "%.20s moves with the ground",
-                                    tui->doc.scene.structure[tui->pair + s].name);
+                    thud_field_note(pane, y, "%s moves with the ground", tui->doc.scene.structure[tui->pair + s].name);
                 else
                     y--;
                 continue;
             }
-            snprintf(label, sizeof label, "%.6s %s", tui->doc.scene.structure[tui->pair + s].name,
-                     kind ? "drift" : "accel");
+            thud_utf8_fit(tui->doc.scene.structure[tui->pair + s].name, layout.name, name, sizeof name);
+            snprintf(label, sizeof label, "%s %s", name, kind ? "drift" : "accel");
             for (int i = 0; i < THUD_LIVE_CASES; i++)
                 value[i] = (kind ? 1e3 : 1.0) * thud_live_peak(&tui->live, (enum thud_live_which)i, tui->pair + s,
                                                                kind ? THUD_PEAK_DRIFT : THUD_PEAK_ACCELERATION);
             double before = kind ? 1e3 * tui->before.drift[s] : tui->before.acceleration[s];
-            peak_row(tui, pane, y, label, kind ? "mm" : "m/s²", value, compare ? before : NAN);
+            peak_row(tui, &layout, pane, y, label, kind ? "mm" : "m/s²", value, compare ? before : NAN);
         }
     for (int i = 0; i < THUD_LIVE_CASES; i++)
         value[i] = 1e-6 * thud_live_force(&tui->live, (enum thud_live_which)i, tui->pair + 1, &impacts[i]);
-    peak_row(tui, pane, y, "force", "MN", value, compare ? 1e-6 * tui->before.force : NAN);
+    peak_row(tui, &layout, pane, y, "force", "MN", value, compare ? 1e-6 * tui->before.force : NAN);
     for (int i = THUD_LIVE_NONE; i < THUD_LIVE_CASES; i++)
         if (tui->live.which[i].state == THUD_LIVE_DONE)
             thud_pane_print(pane, column_x[i], y + 1, thud_look(THUD_ROLE_MUTED, 0), "%d impact%s", impacts[i],
@@ -106,7 +134,8 @@ int thud_peaks_strip_draw(struct thud_tui *tui, const struct thud_pane *pane)
         double clearance = thud_interface_clearance(&tui->doc.scene.interface[tui->pair]);
         thud_field_note(pane, y + 1, "clearance %s mm", thud_tui_number(1e3 * clearance, number));
     }
-    struct thud_pane strip = thud_pane_inside(pane, 68, 0, pane->w - 69, pane->h);
+    int right = column_x[THUD_LIVE_CASES + 1];
+    struct thud_pane strip = thud_pane_inside(pane, right, 0, pane->w - right - 1, pane->h);
     impact_strip(tui, &strip);
     return y + 2;
 }

@@ -5,7 +5,8 @@
 #include "tui/state.h"
 
 /* The heads of the columns, for the frame's upper edge, as there are few rows. */
-const char *thud_peaks_strip_title(void);
+/* The heads of its columns, for a pane `w` columns wide within. */
+void thud_peaks_strip_title(const struct thud_tui *tui, int w, char *text, size_t size);
 /* Returns the rows it would need. */
 int thud_peaks_strip_draw(struct thud_tui *tui, const struct thud_pane *pane);
 

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "study/answer.h"
 #include "tui/state.h"
 
 static bool wants_history(const struct thud_tui *tui)
@@ -32,7 +33,6 @@ static void start(struct thud_tui *tui)
 {
     const struct thud_record *record;
     struct thud_error err;
-    thud_live_clear(&tui->live); /* its runs look at the record that may now be read again */
     tui->ran_revision = tui->doc.revision;
     tui->started_s = tui->backend->now(tui->backend);
     tui->was_running = true;
@@ -80,6 +80,21 @@ void thud_tui_changed(struct thud_tui *tui)
     struct thud_error err;
     thud_doc_record(&tui->doc, &record, &err);
     tui->dirty = true;
+}
+
+const struct thud_model *thud_tui_model(struct thud_tui *tui)
+{
+    const struct thud_model *model = tui->live.which[THUD_LIVE_FREE].model;
+    if (model && tui->ran_revision == tui->doc.revision)
+        return model;
+    if (tui->own_revision != tui->doc.revision) {
+        thud_model_free(tui->own_model);
+        tui->own_model = NULL;
+        tui->own_revision = tui->doc.revision;
+        if (thud_scene_assemble(&tui->doc.scene, &tui->own_model, NULL) != THUD_OK)
+            tui->own_model = NULL;
+    }
+    return tui->own_model;
 }
 
 void thud_tui_run(struct thud_tui *tui)

@@ -77,7 +77,7 @@ static void spectrum(struct thud_panel *panel, const struct thud_record *record,
     }
 }
 
-struct thud_figure *thud_record_figure(const struct thud_doc *doc, const struct thud_live *live,
+struct thud_figure *thud_record_figure(const struct thud_doc *doc, const struct thud_model *model,
                                        enum thud_record_curve curve)
 {
     static const char *const name[] = {"ground-acceleration", "ground-velocity", "ground-displacement",
@@ -85,7 +85,7 @@ struct thud_figure *thud_record_figure(const struct thud_doc *doc, const struct 
     struct thud_figure *figure = thud_figure_create(name[curve], thud_record_curve_title(curve), 1, 1);
     struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "");
     if (curve == THUD_RECORD_SPECTRUM)
-        spectrum(panel, doc->record, &doc->scene, live->which[THUD_LIVE_FREE].model);
+        spectrum(panel, doc->record, &doc->scene, model);
     else if (curve == THUD_RECORD_ACCELERATION && doc->whole)
         parts(panel, doc);
     else

@@ -3,10 +3,10 @@
 #define THUD_TUI_RECORD_FIGURE_H
 
 #include "core/intensity.h"
+#include "core/model.h"
 #include "plot/figure.h"
 #include "tui/canvas.h"
 #include "tui/doc.h"
-#include "tui/live.h"
 
 enum thud_record_curve {
     THUD_RECORD_ACCELERATION,
@@ -17,8 +17,8 @@ enum thud_record_curve {
 };
 const char *thud_record_curve_title(enum thud_record_curve curve);
 /* Of the document's ground motion, which must be there; where a part of it is used, the acceleration shows what is
- * cut off as well. NULL when out of memory. */
-struct thud_figure *thud_record_figure(const struct thud_doc *doc, const struct thud_live *live,
+ * cut off as well. The spectrum has the periods of `model` (may be NULL). NULL when out of memory. */
+struct thud_figure *thud_record_figure(const struct thud_doc *doc, const struct thud_model *model,
                                        enum thud_record_curve curve);
 /* Draws the measures from row `y` on; returns the row after them. */
 int thud_record_measures(const struct thud_intensity *intensity, const struct thud_record *record,

@@ -3,6 +3,7 @@
 #define THUD_TUI_STATE_H
 
 #include "plot/figure.h"
+#include "tui/chart.h"
 #include "tui/chooser.h"
 #include "tui/doc.h"
 #include "tui/form.h"
@@ -56,6 +57,8 @@ struct thud_view {
     void (*row)(struct thud_tui *tui, const struct thud_field *field);
     /* The figure on show, for PNG and CSV; NULL where there is none. May be NULL. */
     const struct thud_figure *(*figure)(struct thud_tui *tui);
+    /* The panel of it in which a cursor reads values; NULL where there is none now. May be NULL. */
+    const struct thud_panel *(*read)(struct thud_tui *tui);
     /* Work of its own in slices of about a millisecond: `busy` says whether there is any, `work` does a piece (false:
      * none was left). May be NULL. */
     bool (*busy)(struct thud_tui *tui);
@@ -140,7 +143,11 @@ struct thud_tui {
     struct thud_record_state *record;
     struct thud_sweep_state *sweep;
     struct thud_bench_screen *bench;
-    int results_case, results_sort;
+    struct thud_model *own_model; /* of the scene where no run has one; NULL: none */
+    unsigned long own_revision;   /* what it belongs to */
+    int results_case, results_sort, results_quantity;
+    struct thud_chart_frame chart; /* where the chart that is read stands; no cells: there is none */
+    double reading[THUD_SCREENS];  /* x of the cursor that reads a screen's chart; NaN: it is not there */
     struct thud_help_state *help;
 };
 
@@ -151,6 +158,7 @@ void thud_tui_say_error(struct thud_tui *tui, const struct thud_error *err);
 /* act.c */
 int thud_tui_where(const struct thud_tui *tui); /* the bit in the key table that holds now */
 void thud_tui_click(struct thud_tui *tui);
+void thud_tui_wheel(struct thud_tui *tui, int step); /* 1 down, -1 up */
 void thud_tui_act(struct thud_tui *tui, enum thud_action action);
 const char *thud_tui_cannot(struct thud_tui *tui, enum thud_action action);
 void thud_tui_go(struct thud_tui *tui, enum thud_screen screen);
@@ -160,6 +168,8 @@ void thud_tui_opened(struct thud_tui *tui);  /* another preset stands in the doc
 void thud_tui_ran(struct thud_tui *tui);     /* the live run has ended */
 void thud_tui_changed(struct thud_tui *tui); /* the scene or what is shown changed: run again where live */
 void thud_tui_run(struct thud_tui *tui);
+/* The model of the scene as it is, without contacts where a run has made one; NULL: it cannot be assembled. */
+const struct thud_model *thud_tui_model(struct thud_tui *tui);
 bool thud_tui_cancel(struct thud_tui *tui); /* false: nothing was running */
 
 /* edit.c */
@@ -198,8 +208,12 @@ void thud_tui_help_typed(struct thud_tui *tui, const char *text);     /* view_he
 void thud_tui_list_presets(struct thud_tui *tui);
 void thud_tui_list_fields(struct thud_tui *tui);
 
+/* act.c: the chart of the screen shown, with the cursor that reads it. */
+struct thud_chart thud_tui_reading(struct thud_tui *tui);
+
 /* view_plots.c */
 void thud_tui_show_impact(struct thud_tui *tui, enum thud_live_which which, int contact, double time_s);
+void thud_tui_show_time(struct thud_tui *tui, double time_s);
 void thud_tui_show_floor(struct thud_tui *tui, int structure, int floor); /* from 0 */
 
 /* command.c */
@@ -222,7 +236,9 @@ bool thud_tui_write(struct thud_tui *tui, struct thud_text *text, const char *na
 
 /* frame.c */
 void thud_tui_draw(struct thud_tui *tui);
-bool thud_tui_too_small(struct thud_tui *tui); /* the terminal, for any screen */
+bool thud_tui_one_pane(const struct thud_tui *tui);    /* so small that the pane with the cursor has all the room */
+int thud_tui_tab_at(struct thud_tui *tui, int column); /* the screen whose name stands there; -1: none */
+bool thud_tui_too_small(struct thud_tui *tui);         /* the terminal, for any screen */
 /* Three significant digits, `.` where there is no number. Returns `text`. */
 char *thud_tui_number(double value, char text[24]);
 

@@ -69,6 +69,8 @@ static void term_show(struct thud_backend *backend, const struct thud_canvas *ca
     for (int y = 0; y < canvas->height && y < rows; y++)
         for (int x = 0; x < canvas->width && x < columns; x++) {
             const struct thud_cell *cell = &canvas->cell[(size_t)y * (size_t)canvas->width + (size_t)x];
+            if (cell->glyph == THUD_CELL_TAIL)
+                continue;
             const wchar_t glyph[2] = {(wchar_t)cell->glyph, 0};
             cchar_t out;
             setcchar(&out, glyph, attributes(cell->style, backend->color), backend->color ? (short)cell->style.role : 0,

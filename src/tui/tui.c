@@ -1,3 +1,4 @@
+#include <math.h>
 #include <signal.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -33,7 +34,9 @@ enum thud_status thud_tui_create(const struct thud_tui_options *options, struct 
     tui->backend = backend;
     tui->doc.paths = options->paths;
     tui->canvas.ascii = !backend->utf8;
-    tui->live_on = tui->dirty = true;
+    tui->live_on = tui->dirty = tui->mouse = true;
+    for (int i = 0; i < THUD_SCREENS; i++)
+        tui->reading[i] = NAN;
     tui->options = *options;
     enum thud_status status = thud_doc_open(&tui->doc, options->preset ? options->preset : "towers", err);
     if (status == THUD_OK && options->scene)
@@ -58,6 +61,7 @@ void thud_tui_free(struct thud_tui *tui)
     for (int i = 0; i < THUD_SCREENS; i++)
         if (thud_view_of((enum thud_screen)i)->free)
             thud_view_of((enum thud_screen)i)->free(tui);
+    thud_model_free(tui->own_model);
     thud_doc_free(&tui->doc);
     thud_form_free(&tui->form);
     thud_chooser_free(&tui->chooser);
@@ -143,6 +147,8 @@ void thud_tui_key(struct thud_tui *tui, int key)
         interrupt(tui);
     } else if (key == THUD_KEY_CLICK) {
         thud_tui_click(tui);
+    } else if (key == THUD_KEY_WHEEL_UP || key == THUD_KEY_WHEEL_DOWN) {
+        thud_tui_wheel(tui, key == THUD_KEY_WHEEL_UP ? -1 : 1);
     } else if (key == THUD_KEY_PASTE) {
         thud_tui_paste(tui, tui->backend->paste);
     } else if (tui->mode == THUD_MODE_TYPING) {
@@ -243,6 +249,7 @@ enum thud_status thud_tui_main(const struct thud_tui_options *options, struct th
         thud_term_close(&backend);
         return status;
     }
+    backend.mouse(&backend, tui->mouse);
     int number = 0;
     while (!tui->quit && (number = backend.signal(&backend)) == 0)
         thud_tui_turn(tui, true);

@@ -124,7 +124,7 @@ static int draw(struct thud_tui *tui, int index, struct thud_pane *pane)
     refresh(tui);
     if (index == CHECK)
         return draw_check(tui, pane);
-    struct thud_chart chart = {.cursor = NAN};
+    struct thud_chart chart = thud_tui_reading(tui);
     char text[600];
     if (tui->law_figure)
         thud_chart_draw(pane, &tui->law_figure->panel[0], &chart);
@@ -161,10 +161,16 @@ static const struct thud_figure *figure(struct thud_tui *tui)
     return tui->law_figure;
 }
 
+static const struct thud_panel *read_panel(struct thud_tui *tui)
+{
+    return tui->form.pane[THUD_SCREEN_CONTACT] == CURVE && figure(tui) ? &tui->law_figure->panel[0] : NULL;
+}
+
 static void release(struct thud_tui *tui)
 {
     thud_figure_free(tui->law_figure);
     tui->law_figure = NULL;
 }
 
-THUD_VIEW(contact, "Contact", CONTACT, .act = act, .cannot = cannot, .figure = figure, .free = release);
+THUD_VIEW(contact, "Contact", CONTACT, .act = act, .cannot = cannot, .figure = figure, .read = read_panel,
+          .free = release);

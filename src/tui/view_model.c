@@ -23,12 +23,12 @@ static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect 
 }
 
 /* " T1 0.398 s", where it is known. */
-static const char *first_period(const struct thud_tui *tui, int s, char text[32])
+static const char *first_period(struct thud_tui *tui, int s, char text[32])
 {
-    const struct thud_model *model = tui->live.which[THUD_LIVE_FREE].model;
+    const struct thud_model *model = thud_tui_model(tui);
     char number[24];
     *text = '\0';
-    if (!model || s >= model->nstructures || model->structure[s].n == 0 || tui->ran_revision != tui->doc.revision)
+    if (!model || s >= model->nstructures || model->structure[s].n == 0)
         return text;
     double omega = model->structure[s].omega[0];
     if (omega > 0.0)
@@ -40,24 +40,25 @@ static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
 {
     const struct thud_scene *scene = &tui->doc.scene;
     if (index == PEAKS) {
-        snprintf(text, size, "%s", thud_peaks_strip_title());
+        thud_peaks_strip_title(tui, tui->canvas.width - 2, text, size);
         return;
     }
     int s = tui->pair + index;
-    char period[32];
+    char period[32], name[THUD_NAME_MAX + 4];
+    int w = tui->canvas.width, room = (w < 80 || tui->canvas.height < 24 ? w : w / 2) - 30;
     if (s < scene->nstructures)
-        snprintf(text, size, "%s: %.12s (%d of %d)%s", index ? "Right" : "Left", scene->structure[s].name, s + 1,
+        snprintf(text, size, "%s: %s (%d of %d)%s", index ? "Right" : "Left",
+                 thud_utf8_fit(scene->structure[s].name, room > 6 ? room : 6, name, sizeof name), s + 1,
                  scene->nstructures, first_period(tui, s, period));
     else
         snprintf(text, size, "no structure");
 }
 
-/* Periods and effective masses, from the model the run is made with. */
+/* Periods and effective masses. */
 static int modes(struct thud_tui *tui, const struct thud_pane *pane, int y, int s)
 {
-    const struct thud_live_case *c = &tui->live.which[THUD_LIVE_FREE];
-    const struct thud_model *model = c->model;
-    if (!model || s >= model->nstructures || model->structure[s].n == 0 || tui->ran_revision != tui->doc.revision)
+    const struct thud_model *model = thud_tui_model(tui);
+    if (!model || s >= model->nstructures || model->structure[s].n == 0)
         return y;
     const struct thud_model_structure *structure = &model->structure[s];
     double total = 0.0;

@@ -98,25 +98,6 @@ static struct thud_range still_range(const struct thud_panel *panel, bool still)
     return still ? thud_panel_range(&whole, THUD_Y) : fits;
 }
 
-/* Between two rows along a straight line; at a jump the larger side. NaN: nothing there. */
-static double value_at(const struct thud_series *s, double t)
-{
-    size_t low = 0, high = s->n;
-    while (high - low > 1) {
-        size_t middle = low + (high - low) / 2;
-        if (s->x[middle] <= t)
-            low = middle;
-        else
-            high = middle;
-    }
-    if (s->n == 0 || low + 1 >= s->n)
-        return s->n > 0 ? s->y[low] : NAN;
-    double along = (t - s->x[low]) / (s->x[low + 1] - s->x[low]), y = s->y[low] + along * (s->y[low + 1] - s->y[low]);
-    for (size_t i = low; i > 0 && s->x[i - 1] >= t - 1e-9; i--)
-        y = fabs(s->y[i - 1]) > fabs(y) ? s->y[i - 1] : y;
-    return y;
-}
-
 /* The curves' values at the cursor. */
 static void words(struct thud_tui *tui, char *text, size_t size)
 {
@@ -124,15 +105,7 @@ static void words(struct thud_tui *tui, char *text, size_t size)
     refresh(tui);
     if (!p->figure || !over_time(p->plot))
         return;
-    const struct thud_panel *panel = &p->figure->panel[0];
-    size_t n = (size_t)snprintf(text, size, "t = %.4f s:", p->time_s);
-    for (int i = 0; i < panel->nseries && n < size; i++) {
-        char number[24];
-        n += (size_t)snprintf(text + n, size - n, "%s %s %s", i ? "," : "", panel->series[i]->name,
-                              thud_tui_number(value_at(panel->series[i], p->time_s), number));
-    }
-    if (n < size)
-        snprintf(text + n, size - n, " %s", panel->axis[THUD_Y].unit);
+    thud_chart_words(&p->figure->panel[0], p->time_s, text, size);
 }
 
 static int draw_chart(struct thud_tui *tui, const struct thud_pane *pane)
@@ -145,7 +118,8 @@ static int draw_chart(struct thud_tui *tui, const struct thud_pane *pane)
         thud_field_note(pane, 0, "%s", p->why);
         return 1;
     }
-    struct thud_chart chart = {.cursor = over_time(p->plot) ? p->time_s : NAN};
+    struct thud_chart chart = {.cursor = over_time(p->plot) ? p->time_s : NAN,
+                               .drawn = over_time(p->plot) ? &tui->chart : NULL};
     double end = thud_plots_end(tui), from = fmax(0.0, fmin(p->time_s - 0.5 * p->span_s, end - p->span_s));
     for (int i = 0; i < p->figure->columns; i++) {
         struct thud_pane part =
@@ -274,6 +248,11 @@ void thud_tui_show_impact(struct thud_tui *tui, enum thud_live_which which, int 
     p->span_s = 0.5;
     p->fresh = false;
     thud_tui_go(tui, THUD_SCREEN_PLOTS);
+}
+
+void thud_tui_show_time(struct thud_tui *tui, double time_s)
+{
+    thud_plots_set_time(tui, time_s);
 }
 
 void thud_tui_show_floor(struct thud_tui *tui, int structure, int floor)

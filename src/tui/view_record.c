@@ -66,7 +66,8 @@ static struct thud_record_state *state(struct thud_tui *tui)
             char path[THUD_PATH_MAX];
             list_files(tui, tui->record);
             snprintf(path, sizeof path, "record %.100s", *now ? slash ? slash + 1 : now : "none");
-            thud_form_focus_on(&tui->form, THUD_SCREEN_RECORD, path);
+            if (!*tui->form.focus[THUD_SCREEN_RECORD]) /* else somebody was led to a field here */
+                thud_form_focus_on(&tui->form, THUD_SCREEN_RECORD, path);
         }
     }
     return tui->record;
@@ -126,7 +127,7 @@ static void refresh(struct thud_tui *tui)
     if (!r || (r->of == tui->doc.record && r->revision == tui->doc.revision && r->made == r->curve && r->figure))
         return;
     thud_figure_free(r->figure);
-    r->figure = tui->doc.record ? thud_record_figure(&tui->doc, &tui->live, r->curve) : NULL;
+    r->figure = tui->doc.record ? thud_record_figure(&tui->doc, thud_tui_model(tui), r->curve) : NULL;
     r->of = tui->doc.record;
     r->revision = tui->doc.revision;
     r->made = r->curve;
@@ -134,7 +135,7 @@ static void refresh(struct thud_tui *tui)
 
 static int draw_curve(struct thud_tui *tui, const struct thud_pane *pane)
 {
-    struct thud_chart chart = {.cursor = NAN};
+    struct thud_chart chart = thud_tui_reading(tui);
     char text[600];
     refresh(tui);
     if (tui->record && tui->record->figure)
@@ -226,6 +227,11 @@ static const struct thud_figure *figure(struct thud_tui *tui)
     return tui->record ? tui->record->figure : NULL;
 }
 
+static const struct thud_panel *read_panel(struct thud_tui *tui)
+{
+    return tui->form.pane[THUD_SCREEN_RECORD] == CURVE && figure(tui) ? &tui->record->figure->panel[0] : NULL;
+}
+
 static void release(struct thud_tui *tui)
 {
     if (!tui->record)
@@ -236,4 +242,5 @@ static void release(struct thud_tui *tui)
     tui->record = NULL;
 }
 
-THUD_VIEW(record, "Record", RECORD, .act = act, .cannot = cannot, .row = row, .figure = figure, .free = release);
+THUD_VIEW(record, "Record", RECORD, .act = act, .cannot = cannot, .row = row, .figure = figure, .read = read_panel,
+          .free = release);

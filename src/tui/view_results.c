@@ -10,7 +10,7 @@
 
 enum { PEAKS, IMPACTS, HOW };
 enum { IMPACTS_MAX = 2000 };
-enum { SORTS = 3 };
+enum { SORTS = 3, QUANTITIES = 4 };
 
 static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect *pane)
 {
@@ -51,7 +51,11 @@ static void quantity(struct thud_tui *tui, const struct thud_pane *pane, int x, 
         value[i] = factor * thud_live_floor(&tui->live, (enum thud_live_which)i, s, floor, kind);
         bool failed = tui->live.which[i].state == THUD_LIVE_FAILED,
              absent = tui->live.which[i].state == THUD_LIVE_ABSENT;
-        thud_pane_put(pane, x + 7 * i, y, thud_look(failed ? THUD_ROLE_ERROR : THUD_ROLE_VALUE, 0),
+        thud_pane_put(pane, x + 7 * i, y,
+                      thud_look(failed                                                  ? THUD_ROLE_ERROR
+                                : thud_live_is_old(&tui->live, (enum thud_live_which)i) ? THUD_ROLE_MUTED
+                                                                                        : THUD_ROLE_VALUE,
+                                0),
                       failed   ? "FAIL"
                       : absent ? "–"
                                : thud_tui_number(value[i], number));
@@ -74,22 +78,35 @@ static int draw_peaks(struct thud_tui *tui, const struct thud_pane *pane)
         const char *head;
         enum thud_peak_kind kind;
         double factor;
-    } column[] = {{"acceleration m/s²", THUD_PEAK_ACCELERATION, 1.0},
-                  {"drift mm", THUD_PEAK_DRIFT, 1e3},
-                  {"displacement mm", THUD_PEAK_DISPLACEMENT, 1e3},
-                  {"velocity m/s", THUD_PEAK_VELOCITY, 1.0}};
-    int left = pane->w < 41 ? 10 : 12, columns = (pane->w - left) / 29, y = 1;
-    columns = columns < 1 ? 1 : columns > 4 ? 4 : columns; /* the least terminal has room for one */
+    } column[QUANTITIES] = {{"acceleration m/s²", THUD_PEAK_ACCELERATION, 1.0},
+                            {"drift mm", THUD_PEAK_DRIFT, 1e3},
+                            {"displacement mm", THUD_PEAK_DISPLACEMENT, 1e3},
+                            {"velocity m/s", THUD_PEAK_VELOCITY, 1.0}};
+    int name = 1, y = 1;
+    for (int s = 0; s < tui->doc.scene.nstructures; s++) {
+        int n = thud_utf8_columns(tui->doc.scene.structure[s].name);
+        name = n > name ? n : name;
+    }
+    int spare = (pane->w - 12) % 29, most = 7 + (pane->w > 41 ? spare : 0); /* of a name; the numbers stay */
+    name = pane->w < 41 ? 4 : name < most ? name : most;
+    int left = name > 7 ? name + 5 : pane->w < 41 ? 10 : 12, columns = (pane->w - left) / 29;
+    columns = columns < 1 ? 1 : columns > QUANTITIES ? QUANTITIES : columns; /* the least terminal has room for one */
+    int first = columns == QUANTITIES ? 0 : tui->results_quantity % QUANTITIES;
     for (int c = 0; c < columns; c++)
-        thud_pane_put(pane, left + 29 * c, 0, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), column[c].head);
+        thud_pane_put(pane, left + 29 * c, 0, thud_look(THUD_ROLE_PLAIN, THUD_BOLD),
+                      column[(first + c) % QUANTITIES].head);
+    if (columns < QUANTITIES)
+        thud_pane_put(pane, 1, 0, thud_look(THUD_ROLE_KEY, 0), "c others");
     for (int s = 0; s < tui->doc.scene.nstructures; s++)
         for (int floor = floor_count(&tui->doc.scene.structure[s]) - 1; floor >= 0; floor--, y++) {
-            char key[THUD_PATH_MAX], text[32];
+            char key[THUD_PATH_MAX], text[200], fitted[THUD_NAME_MAX + 4];
             snprintf(key, sizeof key, "floor %d %d", s, floor);
-            snprintf(text, sizeof text, "%.6s %d", tui->doc.scene.structure[s].name, floor + 1);
+            snprintf(text, sizeof text, "%s %d",
+                     thud_utf8_fit(tui->doc.scene.structure[s].name, name, fitted, sizeof fitted), floor + 1);
             thud_field_line(tui, PEAKS, pane, y, s * 1000 + floor, key, text);
             for (int c = 0; c < columns; c++)
-                quantity(tui, pane, left + 29 * c, y, s, floor, column[c].kind, column[c].factor);
+                quantity(tui, pane, left + 29 * c, y, s, floor, column[(first + c) % QUANTITIES].kind,
+                         column[(first + c) % QUANTITIES].factor);
         }
     return y;
 }
@@ -235,7 +252,9 @@ static bool act(struct thud_tui *tui, enum thud_action action)
         tui->results_sort = (tui->results_sort + 1) % SORTS;
         if (tui->form.pane[THUD_SCREEN_RESULTS] == IMPACTS) /* the first of the new order */
             tui->form.focus[THUD_SCREEN_RESULTS][0] = '\0';
-    } else if (action == THUD_DO_CASE)
+    } else if (action == THUD_DO_QUANTITY)
+        tui->results_quantity = (tui->results_quantity + 2) % QUANTITIES;
+    else if (action == THUD_DO_CASE)
         tui->results_case = ((int)shown(tui) + 1) % THUD_LIVE_CASES;
     else
         return false;

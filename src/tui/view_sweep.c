@@ -62,9 +62,10 @@ static int draw(struct thud_tui *tui, int index, struct thud_pane *pane)
     if (index == FORM || !s)
         return thud_sweep_form_draw(tui, FORM, pane);
     refresh(tui);
-    if (s->shown)
-        thud_chart_figure(pane, s->shown, s->panel);
-    else
+    if (s->shown) {
+        struct thud_chart chart = thud_tui_reading(tui);
+        thud_chart_figure(pane, s->shown, s->panel, &chart);
+    } else
         thud_field_note(pane, 0, s->work.points ? "nothing to show yet" : "r runs the study");
     return pane->h;
 }
@@ -130,6 +131,15 @@ static const struct thud_figure *figure(struct thud_tui *tui)
     return tui->sweep ? tui->sweep->shown : NULL;
 }
 
+static const struct thud_panel *read_panel(struct thud_tui *tui)
+{
+    if (tui->form.pane[THUD_SCREEN_SWEEP] != CHART || !figure(tui))
+        return NULL;
+    const struct thud_figure *shown = tui->sweep->shown;
+    int panel = tui->sweep->panel < 0 ? 0 : tui->sweep->panel;
+    return panel < shown->rows * shown->columns && shown->panel[panel].used ? &shown->panel[panel] : NULL;
+}
+
 static bool busy(struct thud_tui *tui)
 {
     return tui->sweep && tui->sweep->work.running;
@@ -188,5 +198,5 @@ static void release(struct thud_tui *tui)
 }
 
 THUD_VIEW(sweep, "Sweep", SWEEP, .act = act, .cannot = cannot, .row = thud_sweep_form_row, .figure = figure,
-          .busy = busy, .work = work, .progress = progress, .pictures = pictures, .export_csv = export_csv,
-          .free = release);
+          .read = read_panel, .busy = busy, .work = work, .progress = progress, .pictures = pictures,
+          .export_csv = export_csv, .free = release);

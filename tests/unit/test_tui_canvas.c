@@ -53,7 +53,7 @@ START_TEST(a_pane_keeps_to_itself_and_scrolls)
 }
 END_TEST
 
-START_TEST(wide_and_strange_signs_take_one_column)
+START_TEST(wide_and_strange_signs_keep_their_columns)
 {
     struct thud_canvas canvas;
     open_canvas(&canvas, 9, 1, false);
@@ -61,7 +61,18 @@ START_TEST(wide_and_strange_signs_take_one_column)
     thud_pane_put(
         &page, 0, 0, plain,
         "\xc3\xa9\xe4\xb8\xad\x01\xff\xcc\x81|"); /* e acute, a wide one, control, no UTF-8, a combining one */
-    expect(&canvas, "\xc3\xa9????|\n");
+    ck_assert_int_eq(thud_utf8_columns("\xe4\xb8\xad\xcc\x81|"), 3);
+    expect(&canvas, "\xc3\xa9\xe4\xb8\xad??|\n");
+    open_canvas(&canvas, 5, 1, false);
+    page = thud_canvas_pane(&canvas);
+    thud_pane_put(&page, 0, 0, plain, "\xe4\xb8\xad\xe4\xb8\xad\xe4\xb8\xad"); /* no room for the third */
+    thud_pane_glyph(&page, 1, 0, plain, 'x');                                  /* half of the first goes */
+    expect(&canvas, " x\xe4\xb8\xad?\n");
+    char out[16];
+    ck_assert_str_eq(thud_utf8_fit("\xe4\xb8\xad\xe4\xb8\xad\xe4\xb8\xad", 5, out, sizeof out),
+                     "\xe4\xb8\xad\xe4\xb8\xad\xe2\x80\xa6");
+    ck_assert_str_eq(thud_utf8_fit("Library", 7, out, sizeof out), "Library");
+    ck_assert_str_eq(thud_utf8_fit("Library", 5, out, sizeof out), "Libr\xe2\x80\xa6");
 }
 END_TEST
 
@@ -250,7 +261,7 @@ Suite *thud_suite(void)
     TCase *canvas = tcase_create("canvas");
     tcase_add_test(canvas, text_is_cut_at_the_edges);
     tcase_add_test(canvas, a_pane_keeps_to_itself_and_scrolls);
-    tcase_add_test(canvas, wide_and_strange_signs_take_one_column);
+    tcase_add_test(canvas, wide_and_strange_signs_keep_their_columns);
     tcase_add_test(canvas, ascii_has_nothing_else);
     tcase_add_test(canvas, blanks_wrap);
     tcase_add_test(canvas, dots_join_and_clip);

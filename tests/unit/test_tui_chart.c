@@ -1,6 +1,7 @@
 /* Charts in cells: whole pictures, and that no spike is lost. */
 #include <check.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -38,15 +39,15 @@ START_TEST(a_straight_line_in_ascii)
     thud_panel_limits(panel, THUD_Y, 0.0, 10.0);
     thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES}, "", 2, x, y);
     char *text = draw(panel, 24, 8, true);
-    /* ten half rows over twenty columns: two columns each */
+    /* a row is 2.5 mm, four columns 2.5 s */
     ck_assert_str_eq(text, "Drift (mm)\n"
-                           "10 +                ..''\n"
-                           "   |            ..''\n"
-                           "   |        ..''\n"
-                           "   |    ..''\n"
-                           " 0 +..''\n"
-                           "   ++-------+------+----\n"
-                           "    0       4      8   s\n");
+                           " 10 +               ..\n"
+                           "7.5 +           ..''\n"
+                           "  5 +       ..''\n"
+                           "2.5 +   ..''\n"
+                           "  0 +.''\n"
+                           "    ++---+---+---+---+--\n"
+                           "     0  2.5  5  7.5    s\n");
     free(text);
     thud_figure_free(figure);
 }
@@ -63,9 +64,9 @@ START_TEST(four_rows_are_enough)
     thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES}, "", 2, x, y);
     char *text = draw(panel, 24, 4, true);
     ck_assert_str_eq(text, "Drift (mm)     0 to 10 s\n"
-                           "10 +              ....''\n"
-                           "   |      ....''''\n"
-                           " 0 +..''''\n");
+                           "10 +               .....\n"
+                           "   |     .....'''''\n"
+                           " 0 +.''''\n");
     free(text);
     text = draw(panel, 19, 3, true);
     ck_assert_ptr_nonnull(strstr(text, "Drift (mm)\n"));
@@ -73,6 +74,91 @@ START_TEST(four_rows_are_enough)
     free(text);
     text = draw(panel, 24, 2, true);
     ck_assert_str_eq(text, "more room is needed for\n\n");
+    free(text);
+    thud_figure_free(figure);
+}
+END_TEST
+
+/* Ticks of an axis, from the chart's text in ASCII: equally far apart, 0 among them where it is in the range, and the
+ * numbers at their distances. */
+static void uniform_rows(const char *text)
+{
+    int last = -1, apart = 0, n = 0, row = 0;
+    double before = NAN, step = NAN;
+    bool found = false;
+    for (const char *line = text; *line; line = strchr(line, '\n') + 1, row++) {
+        double value;
+        char mark;
+        if (sscanf(line, "%lf %c", &value, &mark) != 2 || mark != '+')
+            continue;
+        found = found || value == 0.0;
+        if (last >= 0 && apart)
+            ck_assert_msg(row - last == apart && fabs(before - value - step) < 1e-6 * step, "%s", text);
+        else if (last >= 0) {
+            apart = row - last;
+            step = before - value;
+        }
+        last = row;
+        before = value;
+        n++;
+    }
+    ck_assert_msg(n >= 2 && found, "%s", text);
+}
+
+START_TEST(ticks_are_uniform_and_have_zero)
+{
+    for (int i = 0; i < 400; i++) {
+        struct thud_figure *figure;
+        struct thud_panel *panel = one_panel(&figure, "Time", "Drift");
+        double low = i % 3 ? -0.013 * i * i : 0.0, high = 0.7 + 0.37 * i;
+        const double x[] = {0.0, 1.0 + 0.31 * i}, y[] = {low, high};
+        thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES}, "", 2, x, y);
+        char *text = draw(panel, 40 + i % 50, 8 + i % 23, true);
+        uniform_rows(text);
+        const char *axis = strstr(text, " ++");
+        ck_assert_ptr_nonnull(axis);
+        int last = -1, apart = 0;
+        for (int at = 2; axis[at] && axis[at] != '\n'; at++) {
+            if (axis[at] != '+')
+                continue;
+            ck_assert_msg(apart == 0 || at - last == apart, "%s", text);
+            apart = last >= 0 ? at - last : 0;
+            last = at;
+        }
+        free(text);
+        thud_figure_free(figure);
+    }
+}
+END_TEST
+
+START_TEST(values_are_read_off)
+{
+    struct thud_figure *figure;
+    struct thud_panel *panel = one_panel(&figure, "Indentation", "Force");
+    const double x[] = {0.0, 10.0, 0.0, NAN}, y[] = {0.0, 8.0, 2.0, 1.0}; /* a loop: there and back */
+    struct thud_series *s = thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES}, "bare", 4, x, y);
+    ck_assert_double_eq_tol(thud_chart_value(s, 2.5), 3.5, 1e-12); /* 2 on the way there */
+    ck_assert_double_eq_tol(thud_chart_value(s, 10.0), 8.0, 1e-12);
+    ck_assert(isnan(thud_chart_value(s, 11.0)));
+    char text[200];
+    thud_chart_words(panel, 5.0, text, sizeof text);
+    ck_assert_str_eq(text, "Indentation 5 s:  bare 5 mm");
+    thud_figure_free(figure);
+}
+END_TEST
+
+START_TEST(curves_in_ascii_have_their_own_sign)
+{
+    struct thud_figure *figure;
+    struct thud_panel *panel = one_panel(&figure, "Time", "Force");
+    const double x[] = {0.0, 2.0}, a[] = {0.0, 3.0}, b[] = {2.0, 1.0};
+    thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = 0}, "bare", 2, x, a);
+    thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = 1}, "bumper", 2, x, b);
+    char *text = draw(panel, 60, 14, true);
+    int second = 0;
+    for (const char *c = strchr(text, '\n'); *c; c++)
+        second += *c == '2';
+    ck_assert_int_gt(second, 40);
     free(text);
     thud_figure_free(figure);
 }
@@ -217,6 +303,9 @@ Suite *thud_suite(void)
     TCase *chart = tcase_create("chart");
     tcase_add_test(chart, a_straight_line_in_ascii);
     tcase_add_test(chart, four_rows_are_enough);
+    tcase_add_test(chart, ticks_are_uniform_and_have_zero);
+    tcase_add_test(chart, values_are_read_off);
+    tcase_add_test(chart, curves_in_ascii_have_their_own_sign);
     tcase_add_test(chart, a_spike_is_seen);
     tcase_add_test(chart, words_of_marks_stay_whole);
     tcase_add_test(chart, curves_are_told_apart_without_colour);

@@ -89,6 +89,24 @@ START_TEST(a_change_shows_as_an_arrow)
 END_TEST
 
 /* Time passes with every look at the clock: the run is seen running, and can be stopped. */
+/* The screen without what is dimmed: the numbers of before, while the new ones are computed. */
+static char *sure_text(const struct thud_canvas *canvas)
+{
+    struct thud_canvas copy = *canvas;
+    size_t cells = (size_t)canvas->width * (size_t)canvas->height;
+    copy.cell = malloc(cells * sizeof *copy.cell);
+    ck_assert_ptr_nonnull(copy.cell);
+    for (size_t i = 0; i < cells; i++) {
+        copy.cell[i] = canvas->cell[i];
+        if (copy.cell[i].style.role == THUD_ROLE_MUTED)
+            copy.cell[i].glyph = ' ';
+    }
+    char *text = thud_canvas_text(&copy);
+    free(copy.cell);
+    ck_assert_ptr_nonnull(text);
+    return text;
+}
+
 START_TEST(a_long_run_is_seen_and_stopped)
 {
     char old[24];
@@ -97,7 +115,9 @@ START_TEST(a_long_run_is_seen_and_stopped)
     thud_tui_key(f.tui, 'r');
     thud_tui_draw(f.tui);
     fixture_expect(&f, "Esc stops");
-    fixture_expect_not(&f, old);
+    char *sure = sure_text(&f.tui->canvas); /* it is shown as what was before, no more */
+    ck_assert_ptr_null(strstr(sure, old));
+    free(sure);
     thud_tui_key(f.tui, THUD_KEY_ESC);
     fixture_keys(&f, "");
     fixture_expect(&f, "not run");
@@ -123,9 +143,8 @@ static int drawn_running;
 /* Everything that is ever shown: a number stands only for its own scene, or before the arrow of a change. */
 static void watch(struct thud_backend *backend, const struct thud_canvas *canvas)
 {
-    char *text = thud_canvas_text(canvas);
+    char *text = sure_text(canvas);
     (void)backend;
-    ck_assert_ptr_nonnull(text);
     drawn_running += f.tui->live.running;
     for (int i = 0; i < 2; i++)
         for (const char *at = text; *forbidden[i] && (at = strstr(at, forbidden[i])) != NULL; at++)

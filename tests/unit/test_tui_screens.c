@@ -59,6 +59,12 @@ END_TEST
 
 START_TEST(finding_a_field)
 {
+    fixture_keys(&f, "/pga<Enter>");
+    ck_assert_str_eq(thud_form_focus(&f.tui->form)->path, "record.peak");
+    fixture_keys(&f, "/structures.2 COR<Esc>/bumper cor<Enter>");
+    ck_assert_str_eq(thud_form_focus(&f.tui->form)->path, "interfaces.1.bumper.restitution");
+    fixture_keys(&f, "/structures.2.mass.3<Enter>");
+    ck_assert_str_eq(thud_form_focus(&f.tui->form)->path, "structures.2.mass.3");
     fixture_keys(&f, "/restit<Enter>");
     ck_assert_int_eq((int)f.tui->screen, THUD_SCREEN_CONTACT);
     ck_assert_str_eq(thud_form_focus(&f.tui->form)->path, "interfaces.1.contact.restitution");
@@ -186,25 +192,25 @@ START_TEST(the_whole_plots_of_two_bodies)
                                    " 1 Model  2 Contact  3 Record  4 Results [5 Plots] 6 Sweep  7 Bench  8 Help\n"
                                    "+ 1/9 Impact force, L 1 and R 1 -----------------++ t=0.009 s x0.25 paused ----+\n"
                                    "|Force (MN)   1 no bumper                        ||no bumper *1 8.38 MN 3.01 mm|\n"
-                                   "|10 +:                                           ||        ............        |\n"
-                                   "|   |:                                           ||        :    ::    :        |\n"
-                                   "|   |.                                           ||        :    ::    :        |\n"
-                                   "| 8 +::                                          ||        :    ::    :        |\n"
-                                   "|   |::                                          ||        :    ::    :        |\n"
-                                   "| 6 +::                                          ||        :    ::    :        |\n"
-                                   "|   |::                                          ||        :    ::    :        |\n"
-                                   "|   |::                                          ||        :    :*    :        |\n"
-                                   "| 4 +::                                          ||        :    ::    :        |\n"
-                                   "|   |':                                          ||        :    ::    :        |\n"
-                                   "| 2 +::                                          ||        :    ::    :        |\n"
-                                   "|   |::                                          ||        :    ::    :        |\n"
-                                   "|   |::                                          ||        :    ::    :        |\n"
-                                   "| 0 +::..........................................||        :    ::    :        |\n"
-                                   "|   ++--------+-------+--------+-------+--------+||        :....::....:        |\n"
-                                   "|    0       0.2     0.4      0.6     0.8       s||............................|\n"
+                                   "|    |:                                          ||         ..........         |\n"
+                                   "| 10 +:                                          ||         :   ::   :         |\n"
+                                   "|    |:                                          ||         :   ::   :         |\n"
+                                   "|    |.                                          ||         :   ::   :         |\n"
+                                   "|7.5 +:.                                         ||         :   ::   :         |\n"
+                                   "|    |::                                         ||         :   ::   :         |\n"
+                                   "|    |::                                         ||         :   ::   :         |\n"
+                                   "|  5 +::                                         ||         :   :*   :         |\n"
+                                   "|    |::                                         ||         :   ::   :         |\n"
+                                   "|    |::                                         ||         :   ::   :         |\n"
+                                   "|2.5 +::                                         ||         :   ::   :         |\n"
+                                   "|    |::                                         ||         :   ::   :         |\n"
+                                   "|    |::                                         ||         :   ::   :         |\n"
+                                   "|  0 +::.......................................  ||         :...::...:         |\n"
+                                   "|    ++-------+-------+-------+-------+-------+--||............................|\n"
+                                   "|     0      0.2     0.4     0.6     0.8 Time (s)|| +---------+ 500 mm across  |\n"
                                    "+------------------------------------------------++----------------------------+\n"
                                    "\n"
-                                   " t = 0.0088 s: no bumper 8.38 MN\n"
+                                   " Time 0.008812 s:  no bumper 8.38 MN\n"
                                    " Space play  +/- speed  Left/Right time  n/N impact  L largest   ? help  q quit\n";
     fixture_close(&f);
     fixture_open(&f, "bodies", 80, 24, false);
@@ -338,6 +344,79 @@ START_TEST(every_key_has_a_field)
 }
 END_TEST
 
+/* At 80 columns all four quantities are reached, and names of any script and length are told apart. */
+START_TEST(every_quantity_and_long_names_at_80_columns)
+{
+    fixture_keys(
+        &f,
+        ":set structures.1.name Library North<Enter>:set structures.2.name \xe4\xb8\xad\xe5\xa4\xae Library<Enter>");
+    fixture_expect(&f, "Library North acc");
+    fixture_expect(&f, "\xe4\xb8\xad\xe5\xa4\xae Library drift");
+    fixture_keys(&f, "4");
+    fixture_expect(&f, "Library North 2");
+    fixture_expect(&f, "acceleration m/s");
+    fixture_expect(&f, "drift mm");
+    fixture_keys(&f, "c");
+    fixture_expect(&f, "displacement mm");
+    fixture_expect(&f, "velocity m/s");
+    fixture_keys(&f, "c");
+    fixture_expect(&f, "drift mm");
+}
+END_TEST
+
+START_TEST(no_contact_is_said)
+{
+    fixture_keys(&f, ":set gap 90 cm<Enter>");
+    fixture_expect(&f, "contact");
+    fixture_keys(&f, "5");
+    fixture_expect(&f, "no contact at this gap");
+}
+END_TEST
+
+/* A cursor on the curves of Contact and Record, by keys and by the mouse. */
+START_TEST(charts_are_read)
+{
+    fixture_keys(&f, "2<Tab>");
+    fixture_expect(&f, "Left and Right read values");
+    fixture_keys(&f, "<Right><Right>");
+    fixture_expect(&f, "Indentation ");
+    fixture_keys(&f, "3<Tab><Left>");
+    fixture_expect(&f, "Time 1.");
+    double before = f.tui->reading[THUD_SCREEN_RECORD];
+    char keys[64];
+    snprintf(keys, sizeof keys, "<Click %d,%d>", f.tui->chart.plot.x, f.tui->chart.plot.y);
+    fixture_keys(&f, keys);
+    ck_assert_double_lt(f.tui->reading[THUD_SCREEN_RECORD], before);
+    ck_assert_double_eq_tol(f.tui->reading[THUD_SCREEN_RECORD], 0.0, 1e-12);
+    fixture_keys(&f, "5");
+    snprintf(keys, sizeof keys, "<Click %d,%d>", f.tui->chart.plot.x, f.tui->chart.plot.y + 2);
+    fixture_keys(&f, keys);
+    fixture_expect(&f, "t=0.000 s");
+}
+END_TEST
+
+/* While a run goes on, the numbers before it stay. */
+START_TEST(old_numbers_stay_until_the_new_are_there)
+{
+    double old = thud_live_peak(&f.tui->live, THUD_LIVE_NONE, 0, THUD_PEAK_ACCELERATION);
+    fixture_keys(&f, "2<Enter>1.5");
+    thud_tui_key(f.tui, THUD_KEY_ENTER);
+    ck_assert(f.tui->live.running && thud_live_is_old(&f.tui->live, THUD_LIVE_NONE));
+    ck_assert_double_eq(thud_live_peak(&f.tui->live, THUD_LIVE_NONE, 0, THUD_PEAK_ACCELERATION), old);
+    fixture_keys(&f, "");
+    ck_assert(!thud_live_is_old(&f.tui->live, THUD_LIVE_NONE));
+    ck_assert_double_ne(thud_live_peak(&f.tui->live, THUD_LIVE_NONE, 0, THUD_PEAK_ACCELERATION), old);
+}
+END_TEST
+
+START_TEST(periods_stay_with_live_off)
+{
+    fixture_keys(&f, ":live off<Enter>:set structures.1.stiffness 150 MN/m<Enter>1");
+    fixture_expect(&f, "T1 0.431 s"); /* half the frequency of 600 MN/m */
+    fixture_expect(&f, "not run");
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -357,6 +436,11 @@ Suite *thud_suite(void)
     tcase_add_test(screens, the_largest_force_is_said_at_its_moment);
     tcase_add_test(screens, the_scale_stands_still_while_it_plays);
     tcase_add_test(screens, every_key_has_a_field);
+    tcase_add_test(screens, every_quantity_and_long_names_at_80_columns);
+    tcase_add_test(screens, no_contact_is_said);
+    tcase_add_test(screens, charts_are_read);
+    tcase_add_test(screens, old_numbers_stay_until_the_new_are_there);
+    tcase_add_test(screens, periods_stay_with_live_off);
     tcase_add_test(screens, the_whole_screen_of_two_bodies);
     tcase_add_test(screens, the_whole_plots_of_two_bodies);
     suite_add_tcase(suite, screens);
