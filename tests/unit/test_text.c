@@ -80,7 +80,7 @@ START_TEST(utf8_characters)
         ck_assert_uint_le((size_t)(at - bad[i]), strlen(bad[i]));
     }
     ck_assert_int_eq(thud_utf8_length(""), 1);
-    ck_assert_int_eq(thud_utf8_columns("a\xc3\xa9\xe4\xb8\xad|"), 4);
+    ck_assert_int_eq(thud_utf8_columns("a\xc3\xa9\xe4\xb8\xad|"), 5);
 }
 END_TEST
 
