@@ -11,8 +11,7 @@
 enum { NEWTON_MAX = 12, ITERATIONS_MAX = 12 };
 enum { PATIENCE = 16 };                  /* steps of one size before a longer one is tried */
 static const double longest_angle = 1.8; /* a step times the fastest mode: the series' terms are enough for that */
-static const double slowest_contraction =
-    0.3; /* of the iteration in the order of time, before Newton's method takes over */
+static const double slowest_contraction = 0.3; /* of the Gauss-Seidel sweeps; slower ones are left to Newton's method */
 
 enum thud_status thud_collocation_create(const struct thud_state *state, struct thud_collocation **out,
                                          struct thud_error *err)
@@ -32,10 +31,10 @@ enum thud_status thud_collocation_create(const struct thud_state *state, struct 
     double check[THUD_POINTS];
     for (int i = 0; i < THUD_POINTS; i++)
         check[i] = 0.5 * (x->node[i] + (i > 0 ? x->node[i - 1] : 0));
-    thud_places_set(&x->nodes, THUD_POINTS, x->node, 1, THUD_SEGMENT_TERMS);
-    thud_places_set(&x->checks, THUD_POINTS, check, 1, THUD_SEGMENT_TERMS);
+    thud_nodes_set(&x->nodes, THUD_POINTS, x->node, 1, THUD_SEGMENT_TERMS);
+    thud_nodes_set(&x->checks, THUD_POINTS, check, 1, THUD_SEGMENT_TERMS);
     size_t f = THUD_POINTS * (size_t)m->ncontacts;
-    x->seg_block = thud_collocation_allocate(2 * THUD_PLACES * (size_t)m->nmodes + f, sizeof(double));
+    x->seg_block = thud_collocation_allocate(2 * THUD_BATCH * (size_t)m->nmodes + f, sizeof(double));
     x->active = thud_collocation_allocate((size_t)m->ncontacts, sizeof(int));
     if (!x->seg_block || !x->active || thud_segment_init(&x->seg, m, err) != THUD_OK) {
         thud_collocation_free(x);
@@ -82,7 +81,7 @@ static bool reserve(struct thud_collocation *x, int n)
 {
     if (n <= x->capacity)
         return true;
-    size_t size = (size_t)n * THUD_PLACES, unknowns = (size_t)n * THUD_POINTS;
+    size_t size = (size_t)n * THUD_BATCH, unknowns = (size_t)n * THUD_POINTS;
     double *block = thud_collocation_allocate(5 * size + unknowns + 2 * (size_t)n, sizeof *block),
            *matrix = thud_collocation_allocate(unknowns * unknowns, sizeof *matrix);
     lapack_int *pivot = thud_collocation_allocate(unknowns, sizeof *pivot);
@@ -112,17 +111,17 @@ static bool reserve(struct thud_collocation *x, int n)
 /* Indentation and rate of the a-th active contact at the points under all forces: out of what they are without. */
 static void respond(const struct thud_collocation *x, const struct thud_response *row, int a)
 {
-    struct thud_lanes d = thud_lanes_at(x->d0 + a * THUD_PLACES), v = thud_lanes_at(x->v0 + a * THUD_PLACES);
+    struct thud_batch d = thud_batch_at(x->d0 + a * THUD_BATCH), v = thud_batch_at(x->v0 + a * THUD_BATCH);
     for (int b = 0; b < x->nactive; b++) {
         const double *by_d = row[x->active[b]].indentation, *by_v = row[x->active[b]].rate;
         for (int j = 0; j < THUD_POINTS; j++) {
-            double force = x->force[b * THUD_PLACES + j];
-            thud_lanes_add(&d, force, by_d + j * THUD_PLACES);
-            thud_lanes_add(&v, force, by_v + j * THUD_PLACES);
+            double force = x->force[b * THUD_BATCH + j];
+            thud_batch_add(&d, force, by_d + j * THUD_BATCH);
+            thud_batch_add(&v, force, by_v + j * THUD_BATCH);
         }
     }
-    thud_lanes_put(&d, x->d + a * THUD_PLACES);
-    thud_lanes_put(&v, x->v + a * THUD_PLACES);
+    thud_batch_put(&d, x->d + a * THUD_BATCH);
+    thud_batch_put(&v, x->v + a * THUD_BATCH);
 }
 
 static void motion_under_forces(const struct thud_collocation *x, int level)
@@ -148,9 +147,9 @@ static void linearize(const struct thud_state *state, struct thud_collocation *x
     for (int a = 0; a < x->nactive; a++) {
         const struct thud_contact_state *s = &state->contact[x->active[a]];
         for (int i = 0; i < THUD_POINTS; i++) {
-            int row = a * THUD_POINTS + i, at = a * THUD_PLACES + i;
+            int row = a * THUD_POINTS + i, at = a * THUD_BATCH + i;
             double fd = 0, fv = -1, own = 0;
-            if (s->mode == THUD_STUCK) {
+            if (s->mode == THUD_STICKING) {
                 x->residual[row] = x->v[at];
             } else {
                 own = 1;
@@ -160,7 +159,7 @@ static void linearize(const struct thud_state *state, struct thud_collocation *x
                 const struct thud_response *r = &x->pair[level][x->active[a] * x->nc + x->active[b]];
                 double *column = x->matrix + (size_t)(b * THUD_POINTS) * (size_t)n + row;
                 for (int j = 0; j < THUD_POINTS; j++, column += n)
-                    *column = -fd * r->indentation[j * THUD_PLACES + i] - fv * r->rate[j * THUD_PLACES + i];
+                    *column = -fd * r->indentation[j * THUD_BATCH + i] - fv * r->rate[j * THUD_BATCH + i];
             }
             x->matrix[(size_t)row * (size_t)n + (size_t)row] += own;
         }
@@ -172,7 +171,7 @@ static void linearize(const struct thud_state *state, struct thud_collocation *x
  * and by how much that moves with the force itself. */
 static double correction(const struct thud_state *state, const struct thud_collocation *x, int level, int a, int j)
 {
-    int c = x->active[a], at = a * THUD_PLACES + j, own = j * THUD_PLACES + j;
+    int c = x->active[a], at = a * THUD_BATCH + j, own = j * THUD_BATCH + j;
     const struct thud_response *self = &x->pair[level][c * x->nc + c];
     double fd, fv, force = thud_branch_force(&state->contact[c].branch, x->d[at], x->v[at], &fd, &fv);
     double slope = 1 - fd * self->indentation[own] - fv * self->rate[own];
@@ -184,25 +183,25 @@ static void spread(struct thud_collocation *x, int level, int j)
 {
     for (int b = 0; b < x->nactive; b++) {
         const struct thud_response *row = x->pair[level] + x->active[b] * x->nc;
-        struct thud_lanes d = thud_lanes_at(x->d + b * THUD_PLACES), v = thud_lanes_at(x->v + b * THUD_PLACES);
+        struct thud_batch d = thud_batch_at(x->d + b * THUD_BATCH), v = thud_batch_at(x->v + b * THUD_BATCH);
         for (int a = 0; a < x->nactive; a++) {
-            thud_lanes_add(&d, x->change[a], row[x->active[a]].indentation + j * THUD_PLACES);
-            thud_lanes_add(&v, x->change[a], row[x->active[a]].rate + j * THUD_PLACES);
+            thud_batch_add(&d, x->change[a], row[x->active[a]].indentation + j * THUD_BATCH);
+            thud_batch_add(&v, x->change[a], row[x->active[a]].rate + j * THUD_BATCH);
         }
-        thud_lanes_put(&d, x->d + b * THUD_PLACES);
-        thud_lanes_put(&v, x->v + b * THUD_PLACES);
+        thud_batch_put(&d, x->d + b * THUD_BATCH);
+        thud_batch_put(&v, x->v + b * THUD_BATCH);
     }
 }
 
-/* One iteration in the order of time: the forces at a point with the newest of those before it. Largest change, over
- * the force scale. */
+/* One Gauss-Seidel sweep over the nodes of the step, earliest first. Returns the largest change of a force, over the
+ * force scale. */
 static double renew_forces(const struct thud_state *state, struct thud_collocation *x, int level)
 {
     double most = 0;
     for (int j = 0; j < THUD_POINTS; j++) {
         for (int a = 0; a < x->nactive; a++) {
             x->change[a] = correction(state, x, level, a, j);
-            x->force[a * THUD_PLACES + j] += x->change[a];
+            x->force[a * THUD_BATCH + j] += x->change[a];
             most = thud_larger(most, fabs(x->change[a]) / x->scale[a]);
         }
         spread(x, level, j);
@@ -218,7 +217,7 @@ static bool iterate(const struct thud_state *state, struct thud_collocation *x, 
 {
     double before = 0;
     for (int a = 0; a < x->nactive; a++) {
-        if (state->contact[x->active[a]].mode == THUD_STUCK)
+        if (state->contact[x->active[a]].mode == THUD_STICKING)
             return false;
         x->scale[a] = thud_collocation_scale(state, x, a);
     }
@@ -253,7 +252,7 @@ static bool solve(const struct thud_state *state, struct thud_collocation *x, in
         for (int a = 0; a < x->nactive; a++) {
             double scale = thud_collocation_scale(state, x, a);
             for (int i = 0; i < THUD_POINTS; i++) {
-                x->force[a * THUD_PLACES + i] -= x->residual[a * THUD_POINTS + i];
+                x->force[a * THUD_BATCH + i] -= x->residual[a * THUD_POINTS + i];
                 change = thud_larger(change, fabs(x->residual[a * THUD_POINTS + i]) / scale);
             }
         }
@@ -289,7 +288,7 @@ static void guess(const struct thud_state *state, struct thud_collocation *x, do
                     f = thud_larger(f,
                                     0.5 * thud_branch_force(&s->branch, d + 0.5 * v * h * x->node[i], v, NULL, NULL));
             }
-            x->force[a * THUD_PLACES + i] = f;
+            x->force[a * THUD_BATCH + i] = f;
         }
     }
 }
@@ -304,7 +303,7 @@ static void write_segment(const struct thud_state *state, struct thud_segment *s
         for (int p = 0; p < THUD_POINTS; p++) {
             double f = 0;
             for (int i = 0; i < THUD_POINTS; i++)
-                f += x->lagrange[p * THUD_POINTS + i] * x->force[a * THUD_PLACES + i];
+                f += x->lagrange[p * THUD_POINTS + i] * x->force[a * THUD_BATCH + i];
             seg->force[p * m->ncontacts + x->active[a]] = f;
         }
     memcpy(x->last, seg->force, THUD_POINTS * (size_t)x->nc * sizeof *x->last);
@@ -337,7 +336,7 @@ static enum thud_status too_short(const struct thud_state *state, const struct t
 {
     int stuck = 0;
     for (int a = 0; a < x->nactive; a++)
-        stuck += state->contact[x->active[a]].mode == THUD_STUCK;
+        stuck += state->contact[x->active[a]].mode == THUD_STICKING;
     if (stuck > 1 && state->model->left_out > 0) /* all modes tell any floors apart */
         return thud_state_too_few_modes(state, err);
     return thud_error_set(err, THUD_DIVERGED, "no step is short enough for the contact forces at t = %.6g s",

@@ -13,7 +13,7 @@ double thud_collocation_scale(const struct thud_state *state, const struct thud_
     int c = x->active[a];
     double scale = state->contact[c].largest_force_n;
     for (int i = 0; i < THUD_POINTS; i++)
-        scale = thud_larger(scale, fabs(x->force[a * THUD_PLACES + i]));
+        scale = thud_larger(scale, fabs(x->force[a * THUD_BATCH + i]));
     if (state->contact[c].phase == THUD_APPROACH)
         scale = thud_larger(scale, state->contact[c].expected_force_n);
     return thud_larger(scale,
@@ -55,15 +55,15 @@ static double force_difference(const struct thud_state *state, struct thud_segme
                                const struct thud_collocation *x, int c, const double *p, double h)
 {
     const struct thud_contact_state *s = &state->contact[c];
-    double d[THUD_PLACES], v[THUD_PLACES], f[THUD_PLACES], worst = 0, mass = state->model->contact[c].setup.mass_kg;
-    thud_places_read(&x->checks, p, 1, seg->terms, d);
-    thud_places_slope(&x->checks, p, 1, seg->terms, h, v);
-    thud_places_read(&x->checks, seg->force + c, state->model->ncontacts, THUD_POINTS, f);
+    double d[THUD_BATCH], v[THUD_BATCH], f[THUD_BATCH], worst = 0, mass = state->model->contact[c].setup.mass_kg;
+    thud_nodes_values(&x->checks, p, 1, seg->terms, d);
+    thud_nodes_rates(&x->checks, p, 1, seg->terms, h, v);
+    thud_nodes_values(&x->checks, seg->force + c, state->model->ncontacts, THUD_POINTS, f);
     const struct sizes sizes = sizes_of(state, c);
     for (int i = 0; i < THUD_POINTS;
-         i += s->mode == THUD_STUCK ? 1 : 2) { /* a law is dear; the largest is at the start */
+         i += s->mode == THUD_STICKING ? 1 : 2) { /* a law is dear; the largest is at the start */
         double fd, fv;
-        if (s->mode == THUD_STUCK) { /* the force that would undo the rate in one step, but for rounding */
+        if (s->mode == THUD_STICKING) { /* the force that would undo the rate in one step, but for rounding */
             worst = thud_larger(worst, mass * thud_larger(fabs(v[i]) - THUD_TOL_STICKING_M / h, 0) / h);
             continue;
         }
@@ -85,7 +85,7 @@ static double contact_error(const struct thud_state *state, struct thud_segment 
     const struct thud_contact_state *s = &state->contact[c];
     double *p = seg->indentation + c * THUD_SEGMENT_TERMS, mass = state->model->contact[c].setup.mass_kg;
     thud_segment_contact(state, seg, c);
-    if (s->zeros.indentation > 0)
+    if (s->suppressed.indentation > 0)
         p[0] = 0; /* just touched, as the forces at the points take it */
     double difference = force_difference(state, seg, x, c, p, h);
     double error = thud_larger(difference / thud_collocation_scale(state, x, a) - THUD_TOL_POLYNOMIAL, 0);

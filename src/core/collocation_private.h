@@ -5,13 +5,13 @@
 #include <lapacke.h>
 
 #include "core/collocation.h"
-#include "core/places.h"
+#include "core/nodes.h"
 
-/* Values at the points of a contact stand THUD_PLACES apart; those past the last point are padding. */
-enum { THUD_POINTS = 7, THUD_LEVELS = 48, THUD_BLOCK = THUD_POINTS * THUD_PLACES };
+/* Values at the points of a contact stand THUD_BATCH apart; those past the last point are padding. */
+enum { THUD_POINTS = 7, THUD_LEVELS = 48, THUD_BLOCK = THUD_POINTS * THUD_BATCH };
 
 /* Indentation and rate at point i from the force at point j of another contact, per step size: blocks (THUD_POINTS x
- * THUD_PLACES) by [j][i], made when first needed. */
+ * THUD_BATCH) by [j][i], made when first needed. */
 struct thud_response {
     double *indentation, *rate;
     bool shared; /* the memory is another's */
@@ -22,8 +22,8 @@ enum { THUD_UNIT_Q, THUD_UNIT_QD, THUD_UNIT_A0, THUD_UNIT_A1, THUD_UNITS };
 
 struct thud_collocation {
     double node[THUD_POINTS], lagrange[THUD_POINTS * THUD_POINTS];
-    struct thud_places nodes, checks; /* the points, and those between them where the error is measured */
-    double h_top;                     /* step of level 0 */
+    struct thud_nodes nodes, checks; /* the points, and those between them where the error is measured */
+    double h_top;                    /* step of level 0 */
     double h, h_touch;
     int steady;         /* steps since one that let the next be longer */
     double contraction; /* of the fixed-point iteration, as last measured and with a margin */
@@ -32,18 +32,18 @@ struct thud_collocation {
     double *last;    /* (THUD_POINTS x nc): their coefficients, in a segment of last_h, from s = source on */
     double last_h, source;
     int nc, nmodes, loads;      /* loads: 1 where modes are uncoupled, else one per contact */
-    double *modal[THUD_LEVELS]; /* (loads x THUD_POINTS x nmodes x 2 x THUD_PLACES): q and q' of each mode at the
+    double *modal[THUD_LEVELS]; /* (loads x THUD_POINTS x nmodes x 2 x THUD_BATCH): q and q' of each mode at the
                                    points, by load and power */
     struct thud_response *pair[THUD_LEVELS]; /* (nc x nc) */
-    double *unforced[THUD_LEVELS]; /* (nmodes x THUD_UNITS x 2 x THUD_PLACES): how far each mode moves to the points,
+    double *unforced[THUD_LEVELS]; /* (nmodes x THUD_UNITS x 2 x THUD_BATCH): how far each mode moves to the points,
                                       and its rate there, in each unit motion without contact; not where modes couple */
-    double *moved;                 /* (nmodes x 2 x THUD_PLACES) the same in the step at hand */
+    double *moved;                 /* (nmodes x 2 x THUD_BATCH) the same in the step at hand */
     struct thud_segment seg;       /* of unit loads, and of the motion without contact forces */
     double *seg_block;
     /* The system: unknowns are the forces of the active contacts at the points */
     int *active; /* (nc) */
     int nactive, capacity;
-    double *force, *d0, *v0, *d, *v; /* (nactive x THUD_PLACES) */
+    double *force, *d0, *v0, *d, *v; /* (nactive x THUD_BATCH) */
     double *residual, *matrix;       /* (nactive x THUD_POINTS); square */
     double *scale, *change;          /* (nactive) on which a change of the force counts, and the last one */
     lapack_int *pivot;

@@ -12,7 +12,7 @@ void *thud_collocation_allocate(size_t count, size_t size)
 static bool fill_modal(const struct thud_state *state, struct thud_collocation *x, int level, double h)
 {
     size_t n = (size_t)x->nmodes;
-    double *table = thud_collocation_allocate((size_t)x->loads * THUD_POINTS * n * 2 * THUD_PLACES, sizeof *table),
+    double *table = thud_collocation_allocate((size_t)x->loads * THUD_POINTS * n * 2 * THUD_BATCH, sizeof *table),
            *ones = thud_collocation_allocate(n, sizeof *ones);
     x->modal[level] = table;
     if (!table || !ones) {
@@ -28,11 +28,11 @@ static bool fill_modal(const struct thud_state *state, struct thud_collocation *
     seg->loaded = 0;
     for (int load = 0; load < x->loads; load++)
         for (int power = 0; power < THUD_POINTS; power++) {
-            thud_taylor_load(state->model, seg, !state->model->couples ? ones : state->model->g + (size_t)load * n,
-                             power);
-            for (int j = 0; j < x->nmodes; j++, table += 2 * THUD_PLACES) {
-                thud_places_read(&x->nodes, seg->q + j, x->nmodes, seg->terms, table);
-                thud_places_slope(&x->nodes, seg->q + j, x->nmodes, seg->terms, h, table + THUD_PLACES);
+            thud_taylor_load(state->model, seg,
+                             !state->model->couples ? ones : state->model->jacobian + (size_t)load * n, power);
+            for (int j = 0; j < x->nmodes; j++, table += 2 * THUD_BATCH) {
+                thud_nodes_values(&x->nodes, seg->q + j, x->nmodes, seg->terms, table);
+                thud_nodes_rates(&x->nodes, seg->q + j, x->nmodes, seg->terms, h, table + THUD_BATCH);
             }
         }
     free(ones);
@@ -52,22 +52,22 @@ static bool fill_pair(const struct thud_state *state, struct thud_collocation *x
     r->indentation = block;
     r->rate = block + THUD_BLOCK;
     const bool couples = state->model->couples;
-    const double *ga = state->model->g + (size_t)a * n, *gb = state->model->g + (size_t)b * n;
-    const double *table = x->modal[level] + (couples ? (size_t)b * THUD_POINTS * n * 2 * THUD_PLACES : 0);
+    const double *ga = state->model->jacobian + (size_t)a * n, *gb = state->model->jacobian + (size_t)b * n;
+    const double *table = x->modal[level] + (couples ? (size_t)b * THUD_POINTS * n * 2 * THUD_BATCH : 0);
     for (int power = 0; power < THUD_POINTS; power++) {
-        struct thud_lanes d = {0}, v = {0};
-        double moved[2 * THUD_PLACES];
-        for (size_t j = 0; j < n; j++, table += 2 * THUD_PLACES) {
+        struct thud_batch d = {0}, v = {0};
+        double moved[2 * THUD_BATCH];
+        for (size_t j = 0; j < n; j++, table += 2 * THUD_BATCH) {
             double w = couples ? -ga[j] : -ga[j] * gb[j];
-            thud_lanes_add(&d, w, table);
-            thud_lanes_add(&v, w, table + THUD_PLACES);
+            thud_batch_add(&d, w, table);
+            thud_batch_add(&v, w, table + THUD_BATCH);
         }
-        thud_lanes_put(&d, moved);
-        thud_lanes_put(&v, moved + THUD_PLACES);
+        thud_batch_put(&d, moved);
+        thud_batch_put(&v, moved + THUD_BATCH);
         for (int k = 0; k < THUD_POINTS; k++)
             for (int i = 0; i < THUD_POINTS; i++) {
-                r->indentation[k * THUD_PLACES + i] += moved[i] * x->lagrange[power * THUD_POINTS + k];
-                r->rate[k * THUD_PLACES + i] += moved[THUD_PLACES + i] * x->lagrange[power * THUD_POINTS + k];
+                r->indentation[k * THUD_BATCH + i] += moved[i] * x->lagrange[power * THUD_POINTS + k];
+                r->rate[k * THUD_BATCH + i] += moved[THUD_BATCH + i] * x->lagrange[power * THUD_POINTS + k];
             }
     }
     return true;

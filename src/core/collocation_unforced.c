@@ -18,7 +18,7 @@ static bool fill_table(const struct thud_state *state, struct thud_collocation *
 {
     const struct thud_model *m = state->model;
     size_t n = (size_t)x->nmodes;
-    double *table = thud_collocation_allocate(n * THUD_UNITS * 2 * THUD_PLACES, sizeof *table),
+    double *table = thud_collocation_allocate(n * THUD_UNITS * 2 * THUD_BATCH, sizeof *table),
            *start = thud_collocation_allocate(2 * n, sizeof *start);
     x->unforced[level] = table;
     if (!table || !start) {
@@ -39,9 +39,9 @@ static bool fill_table(const struct thud_state *state, struct thud_collocation *
         thud_taylor_given(m, seg, start, start + n);
         memset(seg->q, 0, n * sizeof *seg->q); /* how far it moves */
         for (size_t j = 0; j < n; j++) {
-            double *d = table + (j * THUD_UNITS + (size_t)u) * 2 * THUD_PLACES, *v = d + THUD_PLACES;
-            thud_places_read(&x->nodes, seg->q + j, m->nmodes, seg->terms, d);
-            thud_places_slope(&x->nodes, seg->q + j, m->nmodes, seg->terms, h, v);
+            double *d = table + (j * THUD_UNITS + (size_t)u) * 2 * THUD_BATCH, *v = d + THUD_BATCH;
+            thud_nodes_values(&x->nodes, seg->q + j, m->nmodes, seg->terms, d);
+            thud_nodes_rates(&x->nodes, seg->q + j, m->nmodes, seg->terms, h, v);
         }
     }
     free(start);
@@ -56,32 +56,32 @@ static void move_modes(const struct thud_state *state, struct thud_collocation *
     double slope = (a1 - a0) / state->grid_dt_s;
     double part[THUD_UNITS] = {[THUD_UNIT_A0] = a0 + slope * state->offset_s, [THUD_UNIT_A1] = slope * h};
     for (int j = 0; j < x->nmodes; j++) {
-        const double *unit = x->unforced[level] + j * THUD_UNITS * 2 * THUD_PLACES;
-        struct thud_lanes d = {0}, v = {0};
+        const double *unit = x->unforced[level] + j * THUD_UNITS * 2 * THUD_BATCH;
+        struct thud_batch d = {0}, v = {0};
         part[THUD_UNIT_Q] = state->q[j];
         part[THUD_UNIT_QD] = state->qd[j];
-        for (int u = 0; u < THUD_UNITS; u++, unit += 2 * THUD_PLACES) {
-            thud_lanes_add(&d, part[u], unit);
-            thud_lanes_add(&v, part[u], unit + THUD_PLACES);
+        for (int u = 0; u < THUD_UNITS; u++, unit += 2 * THUD_BATCH) {
+            thud_batch_add(&d, part[u], unit);
+            thud_batch_add(&v, part[u], unit + THUD_BATCH);
         }
-        thud_lanes_put(&d, x->moved + j * 2 * THUD_PLACES);
-        thud_lanes_put(&v, x->moved + (j * 2 + 1) * THUD_PLACES);
+        thud_batch_put(&d, x->moved + j * 2 * THUD_BATCH);
+        thud_batch_put(&v, x->moved + (j * 2 + 1) * THUD_BATCH);
     }
 }
 
 /* Adds the modes of one side of contact c. */
 static void add_side(const struct thud_state *state, const struct thud_collocation *x, int c, int dof,
-                     struct thud_lanes *d, struct thud_lanes *v)
+                     struct thud_batch *d, struct thud_batch *v)
 {
     const struct thud_model *m = state->model;
     if (dof < 0)
         return;
     const struct thud_model_structure *s = &m->structure[m->dof_structure[dof]];
     for (int j = s->first_mode; j < s->first_mode + s->modes; j++) {
-        const double *from = x->moved + j * 2 * THUD_PLACES;
-        double g = m->g[c * m->nmodes + j];
-        thud_lanes_add(d, g, from);
-        thud_lanes_add(v, g, from + THUD_PLACES);
+        const double *from = x->moved + j * 2 * THUD_BATCH;
+        double g = m->jacobian[c * m->nmodes + j];
+        thud_batch_add(d, g, from);
+        thud_batch_add(v, g, from + THUD_BATCH);
     }
 }
 
@@ -91,13 +91,13 @@ static void by_table(const struct thud_state *state, struct thud_collocation *x,
     for (int a = 0; a < x->nactive; a++) {
         int c = x->active[a];
         const struct thud_model_contact *p = &state->model->contact[c];
-        double now = state->contact[c].zeros.indentation > 0 ? 0 : thud_contact_indentation(state, c);
-        struct thud_lanes d = {0}, v = {0};
+        double now = state->contact[c].suppressed.indentation > 0 ? 0 : thud_contact_indentation(state, c);
+        struct thud_batch d = {0}, v = {0};
         add_side(state, x, c, p->left_dof, &d, &v);
         add_side(state, x, c, p->right_dof, &d, &v);
-        thud_lanes_add(&d, now, x->nodes.power[0]);
-        thud_lanes_put(&d, x->d0 + a * THUD_PLACES);
-        thud_lanes_put(&v, x->v0 + a * THUD_PLACES);
+        thud_batch_add(&d, now, x->nodes.power[0]);
+        thud_batch_put(&d, x->d0 + a * THUD_BATCH);
+        thud_batch_put(&v, x->v0 + a * THUD_BATCH);
     }
 }
 
@@ -109,10 +109,10 @@ static void by_series(const struct thud_state *state, struct thud_collocation *x
     for (int a = 0; a < x->nactive; a++) {
         int c = x->active[a];
         thud_segment_indentation(state, &x->seg, c, p);
-        if (state->contact[c].zeros.indentation > 0)
+        if (state->contact[c].suppressed.indentation > 0)
             p[0] = 0;
-        thud_places_read(&x->nodes, p, 1, x->seg.terms, x->d0 + a * THUD_PLACES);
-        thud_places_slope(&x->nodes, p, 1, x->seg.terms, h, x->v0 + a * THUD_PLACES);
+        thud_nodes_values(&x->nodes, p, 1, x->seg.terms, x->d0 + a * THUD_BATCH);
+        thud_nodes_rates(&x->nodes, p, 1, x->seg.terms, h, x->v0 + a * THUD_BATCH);
     }
 }
 

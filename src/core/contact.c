@@ -14,7 +14,7 @@ static const struct thud_law *law_of(const struct thud_state *state, int c)
 static void renew_branch(struct thud_state *state, int c)
 {
     struct thud_contact_state *s = &state->contact[c];
-    s->branch = law_of(state, c)->branch(&state->model->contact[c].setup, &s->memory, s->phase, s->past_knee);
+    s->branch = law_of(state, c)->branch(&state->model->contact[c].setup, &s->memory, s->phase, s->past_ultimate);
 }
 
 void thud_contact_set_mode(struct thud_state *state, int c, enum thud_contact_mode mode)
@@ -31,8 +31,8 @@ void thud_contact_start(struct thud_state *state)
         struct thud_contact_state *s = &state->contact[c];
         const struct thud_law *law = law_of(state, c);
         memset(s, 0, sizeof *s);
-        s->knee_m = law->knee ? law->knee(&state->model->contact[c].setup) : INFINITY;
-        s->zeros.indentation = fabs(thud_contact_indentation(state, c)) <= THUD_TOL_INDENTATION_M;
+        s->ultimate_m = law->ultimate ? law->ultimate(&state->model->contact[c].setup) : INFINITY;
+        s->suppressed.indentation = fabs(thud_contact_indentation(state, c)) <= THUD_TOL_INDENTATION_M;
     }
 }
 
@@ -40,9 +40,9 @@ void thud_contact_moved(struct thud_state *state)
 {
     for (int c = 0; c < state->model->ncontacts; c++) {
         struct thud_contact_state *s = &state->contact[c];
-        bool still = s->mode == THUD_OPEN && s->zeros.indentation > 0 && thud_contact_rate(state, c) == 0 &&
+        bool still = s->mode == THUD_OPEN && s->suppressed.indentation > 0 && thud_contact_rate(state, c) == 0 &&
                      thud_contact_indentation(state, c) == 0;
-        s->zeros = (struct thud_zeros){.indentation = still};
+        s->suppressed = (struct thud_suppressed){.indentation = still};
     }
 }
 
@@ -72,7 +72,7 @@ static double closing_rate(const struct thud_state *state, int c)
     return rate > THUD_TOL_RATE * (fabs(left) + fabs(right)) ? rate : 0;
 }
 
-static void touch(struct thud_state *state, struct thud_contact_log *log, int c)
+static void onset(struct thud_state *state, struct thud_contact_log *log, int c)
 {
     struct thud_contact_state *s = &state->contact[c];
     const struct thud_law *law = law_of(state, c);
@@ -80,14 +80,14 @@ static void touch(struct thud_state *state, struct thud_contact_log *log, int c)
     memset(&s->memory, 0, sizeof s->memory);
     law->touch(&state->model->contact[c].setup, v, &s->memory);
     s->phase = THUD_APPROACH;
-    s->past_knee = false;
+    s->past_ultimate = false;
     thud_contact_set_mode(state, c, THUD_CLOSED);
     bool pressed =
         thud_contact_indentation(state, c) > THUD_TOL_PRESSED_M; /* from the start: the clearance is negative */
     renew_branch(state, c);
     /* k d + c d' begins at 0 with d'; what is asked of d^p (K + D d') is K + D d', which does not */
     bool from_zero = v == 0 && !pressed && s->branch.K == 0 && s->branch.D == 0;
-    s->zeros = (struct thud_zeros){.indentation = !pressed, .rate = v == 0, .force = from_zero};
+    s->suppressed = (struct thud_suppressed){.indentation = !pressed, .rate = v == 0, .force = from_zero};
     s->expected_force_n = expected_force(state, c, v);
     s->impact = (struct thud_impact){.contact = c, .start_s = thud_state_now(state), .approach_mps = v};
     log->contact[c].impacts++;
@@ -109,7 +109,7 @@ static enum thud_status open_contact(struct thud_state *state, struct thud_conta
 {
     struct thud_contact_state *s = &state->contact[c];
     thud_contact_set_mode(state, c, THUD_OPEN);
-    s->zeros = (struct thud_zeros){.indentation = zeros};
+    s->suppressed = (struct thud_suppressed){.indentation = zeros};
     return thud_contact_log_add(log, &s->impact, err);
 }
 
@@ -132,8 +132,8 @@ static enum thud_status release(struct thud_state *state, struct thud_contact_lo
         log->contact[c].residual_m = s->residual_m;
         return open_contact(state, log, c, 1, err);
     }
-    thud_contact_set_mode(state, c, THUD_SLACK);
-    s->zeros = (struct thud_zeros){.force = force_zeros(state, c, -1)};
+    thud_contact_set_mode(state, c, THUD_CLOSED_NO_FORCE);
+    s->suppressed = (struct thud_suppressed){.force = force_zeros(state, c, -1)};
     return THUD_OK;
 }
 
@@ -141,7 +141,8 @@ static enum thud_status release(struct thud_state *state, struct thud_contact_lo
 static double rest_force(const struct thud_state *state, int c, enum thud_phase phase, double d)
 {
     const struct thud_contact_state *s = &state->contact[c];
-    struct thud_branch b = law_of(state, c)->branch(&state->model->contact[c].setup, &s->memory, phase, s->past_knee);
+    struct thud_branch b =
+        law_of(state, c)->branch(&state->model->contact[c].setup, &s->memory, phase, s->past_ultimate);
     return thud_branch_force(&b, d, 0, NULL, NULL);
 }
 
@@ -152,13 +153,13 @@ static void go_on(struct thud_state *state, int c, enum thud_phase phase, int ra
     if (phase == THUD_RESTITUTION && law_of(state, c)->turn)
         law_of(state, c)->turn(&state->model->contact[c].setup, thud_contact_indentation(state, c), &s->memory);
     s->phase = phase;
-    s->zeros = (struct thud_zeros){.rate = rate_zeros};
+    s->suppressed = (struct thud_suppressed){.rate = rate_zeros};
     renew_branch(state, c);
 }
 
 /* At d' = 0. Where the branches meet, the other phase begins. Where they do not (rubber past delta_u, unloading as
  * printed) and each would turn the motion back to the other, the contact sticks (Filippov's sliding mode). */
-static void turn(struct thud_state *state, int c)
+static void reversal(struct thud_state *state, int c)
 {
     struct thud_contact_state *s = &state->contact[c];
     enum thud_phase next = s->phase == THUD_APPROACH ? THUD_RESTITUTION : THUD_APPROACH;
@@ -170,10 +171,10 @@ static void turn(struct thud_state *state, int c)
         force[c] = next == THUD_RESTITUTION ? restitution : approach;
         double a = thud_contact_acceleration(state, c, force);
         if (next == THUD_RESTITUTION ? a > 0 : a < 0) {
-            thud_contact_set_mode(state, c, THUD_STUCK);
-            s->hold_low = restitution;
-            s->hold_high = approach;
-            s->zeros = (struct thud_zeros){.force = 1};
+            thud_contact_set_mode(state, c, THUD_STICKING);
+            s->constraint_low_n = restitution;
+            s->constraint_high_n = approach;
+            s->suppressed = (struct thud_suppressed){.force = 1};
             return;
         }
     }
@@ -189,24 +190,24 @@ void thud_contact_impulse_received(struct thud_state *state, int c, double chang
     double v = thud_contact_rate(state, c);
     enum thud_phase phase = v > 0 ? THUD_APPROACH : THUD_RESTITUTION;
     bool turns = s->mode != THUD_OPEN && law_of(state, c)->flags & THUD_LAW_TURNS;
-    if ((!turns && s->mode != THUD_STUCK) || fabs(v) <= THUD_TOL_IMPULSE_RATE * fabs(change))
+    if ((!turns && s->mode != THUD_STICKING) || fabs(v) <= THUD_TOL_IMPULSE_RATE * fabs(change))
         return;
-    if (s->mode == THUD_STUCK || phase != s->phase)
+    if (s->mode == THUD_STICKING || phase != s->phase)
         go_on(state, c, phase, 0);
     else
-        s->zeros.rate = 0;
+        s->suppressed.rate = 0;
 }
 
-static void knee(struct thud_state *state, int c)
+static void change_branch(struct thud_state *state, int c)
 {
     struct thud_contact_state *s = &state->contact[c];
-    s->past_knee = !s->past_knee;
-    s->zeros.knee = 1;
+    s->past_ultimate = !s->past_ultimate;
+    s->suppressed.branch = 1;
     renew_branch(state, c);
 }
 
-static enum thud_status hold_ends(struct thud_state *state, struct thud_contact_log *log, int c, enum thud_event event,
-                                  struct thud_error *err)
+static enum thud_status unstick(struct thud_state *state, struct thud_contact_log *log, int c, enum thud_event event,
+                                struct thud_error *err)
 {
     if (law_of(state, c)->flags & THUD_LAW_IMPULSIVE) { /* sustained pushing has ended: d, d' and d'' are 0 */
         note_release(state, log, c);
@@ -225,7 +226,7 @@ enum thud_status thud_contact_switch(struct thud_state *state, struct thud_conta
     case THUD_EVENT_ONSET:
         if (law_of(state, contact)->flags & THUD_LAW_IMPULSIVE)
             return thud_contact_impulse(state, log, contact, err);
-        touch(state, log, contact);
+        onset(state, log, contact);
         return THUD_OK;
     case THUD_EVENT_SEPARATION:
         if (s->mode == THUD_CLOSED)
@@ -235,18 +236,18 @@ enum thud_status thud_contact_switch(struct thud_state *state, struct thud_conta
         return release(state, log, contact, err);
     case THUD_EVENT_REENGAGE:
         thud_contact_set_mode(state, contact, THUD_CLOSED);
-        s->zeros = (struct thud_zeros){.force = force_zeros(state, contact, 1)};
+        s->suppressed = (struct thud_suppressed){.force = force_zeros(state, contact, 1)};
         return THUD_OK;
     case THUD_EVENT_REVERSAL:
-        turn(state, contact);
+        reversal(state, contact);
         return THUD_OK;
     case THUD_EVENT_BRANCH:
-        knee(state, contact);
+        change_branch(state, contact);
         return THUD_OK;
     case THUD_EVENT_NONE:
     case THUD_EVENT_UNSTICK_IN:
     case THUD_EVENT_UNSTICK_OUT:
         break;
     }
-    return hold_ends(state, log, contact, event, err);
+    return unstick(state, log, contact, event, err);
 }

@@ -24,7 +24,7 @@ static int gather(const struct thud_state *state, int touching, int *set)
         if (!(state->model->contact[c].law->flags & THUD_LAW_IMPULSIVE))
             continue;
         bool at_zero = s->mode == THUD_OPEN && fabs(thud_contact_indentation(state, c)) <= THUD_TOL_INDENTATION_M;
-        if (c == touching || s->mode == THUD_STUCK || at_zero)
+        if (c == touching || s->mode == THUD_STICKING || at_zero)
             set[n++] = c;
     }
     return n;
@@ -43,12 +43,13 @@ static enum thud_status impulses(const struct thud_state *state, struct collisio
         int c = x->set[i];
         double v = x->speed[i] = thud_contact_rate(state, c);
         double e = m->contact[c].law->nominal(&m->contact[c].setup);
-        bool held = state->contact[c].mode == THUD_STUCK; /* what rate it has is the error of the force that holds it */
-        if (held || !(e * v > rest_speed(state)))         /* or the force would have to bring it to rest at once */
+        bool held =
+            state->contact[c].mode == THUD_STICKING; /* what rate it has is the error of the force that holds it */
+        if (held || !(e * v > rest_speed(state)))    /* or the force would have to bring it to rest at once */
             e = 0;
         x->q[i] = -(1 + e) * v;
         for (int j = 0; j < x->n; j++)
-            x->m[i * x->n + j] = m->w[c * m->ncontacts + x->set[j]];
+            x->m[i * x->n + j] = m->delassus[c * m->ncontacts + x->set[j]];
     }
     enum thud_status status = thud_lcp_solve(x->n, x->m, x->q, x->impulse, x->work, err);
     return status == THUD_DIVERGED && m->left_out > 0 ? thud_state_too_few_modes(state, err) : status;
@@ -58,7 +59,7 @@ static void apply(struct thud_state *state, const struct collision *x)
 {
     const struct thud_model *m = state->model;
     for (int i = 0; i < x->n; i++) {
-        const double *g = m->g + x->set[i] * m->nmodes;
+        const double *g = m->jacobian + x->set[i] * m->nmodes;
         for (int j = 0; j < m->nmodes; j++)
             state->qd[j] -= g[j] * x->impulse[i];
     }
@@ -79,7 +80,7 @@ static enum thud_status note(struct thud_state *state, struct thud_contact_log *
     r->impulse_ns += impulse;
     r->dissipated_j += lost;
     log->lost_j += lost;
-    if (!(before > 0) || state->contact[c].mode == THUD_STUCK)
+    if (!(before > 0) || state->contact[c].mode == THUD_STICKING)
         return THUD_OK; /* a held contact passes the blow on */
     r->impacts++;
     r->approach_mps = before;
@@ -88,36 +89,36 @@ static enum thud_status note(struct thud_state *state, struct thud_contact_log *
 }
 
 /* After the impulses: held where the structures push on and nothing bounces, else open. */
-static void settle(struct thud_state *state, int c)
+static void stick_or_separate(struct thud_state *state, int c)
 {
     struct thud_contact_state *s = &state->contact[c];
     double rate = thud_contact_rate(state, c);
     if (fabs(rate) > rest_speed(state)) {
         thud_contact_set_mode(state, c, THUD_OPEN);
-        s->zeros = (struct thud_zeros){.indentation = 1};
+        s->suppressed = (struct thud_suppressed){.indentation = 1};
         return;
     }
     thud_contact_set_mode(state, c, THUD_OPEN);
     thud_contact_forces(state, state->force_now);
     if (thud_contact_acceleration(state, c, state->force_now) <= -thud_contact_rounding(state)) {
-        s->zeros = (struct thud_zeros){.indentation = 2};
+        s->suppressed = (struct thud_suppressed){.indentation = 2};
         return;
     }
-    thud_contact_set_mode(state, c, THUD_STUCK);
-    s->hold_low = 0;
-    s->hold_high = INFINITY;
-    s->zeros = (struct thud_zeros){.force = 1};
+    thud_contact_set_mode(state, c, THUD_STICKING);
+    s->constraint_low_n = 0;
+    s->constraint_high_n = INFINITY;
+    s->suppressed = (struct thud_suppressed){.force = 1};
     s->impact = (struct thud_impact){.contact = c, .start_s = thud_state_now(state)};
 }
 
 /* What the impulses do to the rates of the contacts that have forces. */
-static void strike_others(struct thud_state *state, const struct collision *x)
+static void send_impulses(struct thud_state *state, const struct collision *x)
 {
     const struct thud_model *m = state->model;
     for (int c = 0; c < m->ncontacts; c++) {
         double change = 0;
         for (int i = 0; i < x->n; i++)
-            change -= m->w[c * m->ncontacts + x->set[i]] * x->impulse[i];
+            change -= m->delassus[c * m->ncontacts + x->set[i]] * x->impulse[i];
         if (change != 0 && !(m->contact[c].law->flags & THUD_LAW_IMPULSIVE))
             thud_contact_impulse_received(state, c, change);
     }
@@ -138,7 +139,7 @@ enum thud_status thud_contact_impulse(struct thud_state *state, struct thud_cont
             status = note(state, log, set[i], x.speed[i], x.impulse[i], err);
     for (int i = 0; i < n; i++)
         if (x.impulse[i] > 0 || set[i] == contact)
-            settle(state, set[i]);
-    strike_others(state, &x);
+            stick_or_separate(state, set[i]);
+    send_impulses(state, &x);
     return status;
 }

@@ -44,7 +44,7 @@ static void acceleration_by_forces(struct thud_run *run)
         for (int j = 0; j < n; j++)
             qd[j] = rate * seg->q[(k + 1) * n + j];
         thud_model_acceleration(m, seg->q + k * n, qd, 0, out);
-        thud_model_push(m, seg->force + k * m->ncontacts, out);
+        thud_model_apply_contact_forces(m, seg->force + k * m->ncontacts, out);
     }
 }
 
@@ -93,10 +93,10 @@ static void structure_margins(const struct thud_run *run, const struct thud_mode
     int n = run->state.model->nmodes;
     double sum[THUD_FLOOR_QUANTITIES] = {0};
     for (int j = p->first_mode; j < p->first_mode + p->modes; j++) {
-        sum[THUD_FLOOR_DISPLACEMENT] += run->bounds.shape[j] * modal[j];
-        sum[THUD_FLOOR_VELOCITY] += run->bounds.shape[j] * modal[n + j];
-        sum[THUD_FLOOR_ACCELERATION] += run->bounds.shape[j] * modal[2 * n + j];
-        sum[THUD_FLOOR_DRIFT] += run->bounds.shape[n + j] * modal[j];
+        sum[THUD_FLOOR_DISPLACEMENT] += run->bounds.mode_max[j] * modal[j];
+        sum[THUD_FLOOR_VELOCITY] += run->bounds.mode_max[j] * modal[n + j];
+        sum[THUD_FLOOR_ACCELERATION] += run->bounds.mode_max[j] * modal[2 * n + j];
+        sum[THUD_FLOOR_DRIFT] += run->bounds.mode_max[n + j] * modal[j];
     }
     memcpy(margin, sum, sizeof sum);
 }
@@ -172,7 +172,7 @@ void thud_peaks_floor(struct thud_run *run, int structure, int floor, int quanti
     raise_peak(run, peak, x, quantity == THUD_FLOOR_VELOCITY ? n - 1 : n, s_end);
 }
 
-static void structure_peaks(struct thud_run *run, int index, double s_end, const struct thud_reach *reach,
+static void structure_peaks(struct thud_run *run, int index, double s_end, const struct thud_response_bound *reach,
                             const double *start, const double *end, const double *modal)
 {
     const struct thud_model_structure *p = &run->state.model->structure[index];
@@ -180,7 +180,7 @@ static void structure_peaks(struct thud_run *run, int index, double s_end, const
     int nmodes = run->state.model->nmodes, below = -1; /* the floor whose displacements a_below and b_below are */
     structure_margins(run, p, modal, margin);
     for (int i = 0; i < p->n; i++) {
-        if (!thud_reach_floor(run, index, i, reach))
+        if (!thud_response_bound_floor(run, index, i, reach))
             continue;
         if (below != i - 1) {
             floor_values(p, i - 1, nmodes, start, end, a, b);
@@ -248,7 +248,7 @@ static void contact_peaks(struct thud_run *run, int c, double s_end)
 void thud_peaks_start(struct thud_run *run)
 {
     const struct thud_model *m = run->state.model;
-    thud_reach_start(run);
+    thud_response_bound_start(run);
     for (int s = 0; s < m->nstructures; s++) {
         const struct thud_model_structure *p = &m->structure[s];
         for (int j = 0; j < p->modes; j++) {
@@ -258,8 +258,8 @@ void thud_peaks_start(struct thud_run *run)
                 most = fmax(most, fabs(p->phi[i * p->modes + j]));
                 drift = fmax(drift, fabs(p->phi[i * p->modes + j] - below));
             }
-            run->bounds.shape[p->first_mode + j] = most;
-            run->bounds.shape[m->nmodes + p->first_mode + j] = drift;
+            run->bounds.mode_max[p->first_mode + j] = most;
+            run->bounds.mode_max[m->nmodes + p->first_mode + j] = drift;
         }
     }
 }
@@ -272,8 +272,8 @@ static void motion_peaks(struct thud_run *run, double s)
     double *start = run->bounds.ends, *end = start + 3 * n, *modal = end + 3 * n;
     bool prepared = false;
     for (int i = 0; i < m->nstructures; i++) {
-        struct thud_reach reach = thud_reach_segment(run, i, s);
-        if (!thud_reach_structure(run, i, &reach))
+        struct thud_response_bound reach = thud_response_bound_segment(run, i, s);
+        if (!thud_response_bound_structure(run, i, &reach))
             continue;
         if (!prepared) {
             thud_peaks_prepare(run);

@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/closing.h"
+#include "core/relative_displacement.h"
 #include "core/run_private.h"
 
 enum { LOOKS_APART = 64 }; /* segments between two looks at the balance of energy */
@@ -14,8 +14,8 @@ static enum thud_status read_segment(struct thud_run *run, double s, bool switch
     double *end = run->bounds.ends + 3 * run->state.model->nmodes; /* q, q' at s: read by the peaks, and committed */
     thud_segment_state(&run->seg, run->state.model->nmodes, s, end, end + run->state.model->nmodes);
     thud_peaks_segment(run, s);
-    if (run->closing)
-        thud_closing_segment(run, s);
+    if (run->relative_m)
+        thud_relative_displacement_segment(run, s);
     if (run->options.keep_history)
         status = thud_history_segment(run, s, switches || !run->state.locates, err);
     thud_ledger_segment(run, s);
@@ -77,8 +77,8 @@ enum thud_status thud_run_advance(struct thud_run *run, long budget, bool *done,
     enum thud_status status = THUD_OK;
     while (budget-- > 0 && !run->done && status == THUD_OK) {
         int passed = 0;
-        if (run->flight && run->state.nactive == 0)
-            status = thud_flight_go(run, &passed, err);
+        if (run->free_vibration && run->state.nactive == 0)
+            status = thud_free_vibration_go(run, &passed, err);
         run->done = run->state.end_s - thud_state_now(&run->state) <= THUD_TOL_TIME * run->state.end_s;
         if (passed == 0 && !run->done && status == THUD_OK)
             status = segment(run, err);

@@ -31,8 +31,8 @@ static bool allocate_doubles(struct thud_run *run)
         double **where;
         size_t size;
     } part[] = {{&run->scratch, (terms + 8) * n + 8},
-                {&run->bounds.shape, 2 * n},
-                {&run->bounds.most, THUD_FLOOR_QUANTITIES * (size_t)run->state.model->ndof},
+                {&run->bounds.mode_max, 2 * n},
+                {&run->bounds.per_speed, THUD_FLOOR_QUANTITIES * (size_t)run->state.model->ndof},
                 {&run->bounds.ends, 9 * n}};
     size_t parts = sizeof part / sizeof *part, total = 0;
     for (size_t i = 0; i < parts; i++)
@@ -88,9 +88,9 @@ static const char *need(const struct thud_model *m)
     bool contact = false, nonlinear = false, impulsive = false, flexible = false;
     for (int c = 0; c < m->ncontacts; c++) {
         unsigned flags = m->contact[c].law->flags;
-        contact = contact || !(flags & THUD_LAW_SILENT);
+        contact = contact || !(flags & THUD_LAW_NO_FORCE);
         impulsive = impulsive || flags & THUD_LAW_IMPULSIVE;
-        nonlinear = nonlinear || !(flags & (THUD_LAW_SILENT | THUD_LAW_LINEAR | THUD_LAW_IMPULSIVE));
+        nonlinear = nonlinear || !(flags & (THUD_LAW_NO_FORCE | THUD_LAW_LINEAR | THUD_LAW_IMPULSIVE));
     }
     for (int j = 0; j < m->nmodes; j++)
         flexible = flexible || m->omega[j] > 0;
@@ -157,7 +157,7 @@ static enum thud_status start(struct thud_run *run, struct thud_error *err)
     set_step(run);
     enum thud_status status = run->options.keep_history ? thud_history_start(run, err) : THUD_OK;
     if (status == THUD_OK && run->method->order == 0) /* the others show how they fare in free flight */
-        status = thud_flight_create(run, err);
+        status = thud_free_vibration_create(run, err);
     if (status == THUD_OK && run->method->create)
         status = run->method->create(&run->state, &run->own, err);
     return status;
@@ -191,7 +191,7 @@ void thud_run_free(struct thud_run *run)
         return;
     if (run->own && run->method->free)
         run->method->free(run->own);
-    thud_flight_free(run->flight);
+    thud_free_vibration_free(run->free_vibration);
     thud_segment_clear(&run->seg);
     thud_state_clear(&run->state);
     thud_contact_log_clear(&run->log);
@@ -215,8 +215,8 @@ void thud_run_finish(struct thud_run *run)
 {
     struct thud_result *r = &run->result;
     r->work = run->work;
-    if (run->flight)
-        thud_flight_settle(run);
+    if (run->free_vibration)
+        thud_free_vibration_read_deferred(run);
     thud_ledger_finish(run);
     if (run->done && *r->reason && r->reason != no_contact && !has_touched(r))
         r->reason = "nothing touched: modes alone, in closed form";

@@ -2,24 +2,24 @@
  * 1969), a block of intervals at a time. Bounds show in which intervals neither a contact nor a new peak is possible;
  * only the others are looked at as power series. The motion itself is the recurrence's in any case, so that gaps
  * that do not close change nothing. */
-#include "core/flight.h"
+#include "core/free_vibration.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "core/closing.h"
 #include "core/double_pair.h"
-#include "core/horizon.h"
+#include "core/early_end.h"
 #include "core/largest.h"
 #include "core/poly.h"
+#include "core/relative_displacement.h"
 #include "core/tolerance.h"
 
-enum { ENDS = THUD_FLIGHT_ENDS, SHORT_BLOCK = 8 };
+enum { ENDS = THUD_FREE_VIBRATION_ENDS, SHORT_BLOCK = 8 };
 
-/* Some modes side by side: each interval waits for the one before it, but not one mode for the other. */
-static void march_abreast(struct thud_flight *f, int j, int intervals)
+/* The recurrence of several modes at once: one mode alone is a chain in which each interval depends on the one before. */
+static void batched_recurrence(struct thud_free_vibration *f, int j, int intervals)
 {
-    enum { N = THUD_FLIGHT_ABREAST };
+    enum { N = THUD_FREE_VIBRATION_BATCH };
     double *q = f->q + j * ENDS, *qd = f->qd + j * ENDS, x[N], v[N], e[4][N], p[4][N];
     for (int i = 0; i < N; i++) {
         x[i] = q[i * ENDS];
@@ -42,7 +42,7 @@ static void march_abreast(struct thud_flight *f, int j, int intervals)
     }
 }
 
-static void march(struct thud_flight *f, const struct thud_run *run, int intervals)
+static void march(struct thud_free_vibration *f, const struct thud_run *run, int intervals)
 {
     for (int t = 0; t < intervals; t++)
         thud_state_ground(&run->state, run->state.grid + t, &f->ground[t], &f->after[t]);
@@ -50,12 +50,12 @@ static void march(struct thud_flight *f, const struct thud_run *run, int interva
         f->q[j * ENDS] = run->state.q[j];
         f->qd[j * ENDS] = run->state.qd[j];
     }
-    for (int j = 0; j < f->n; j += THUD_FLIGHT_ABREAST)
-        march_abreast(f, j, intervals);
+    for (int j = 0; j < f->n; j += THUD_FREE_VIBRATION_BATCH)
+        batched_recurrence(f, j, intervals);
 }
 
 /* Largest energy norm sqrt(q'^2 + omega^2 q^2) of mode j at the ends. */
-static double largest_speed(const struct thud_flight *f, int j, double omega, int ends)
+static double largest_speed(const struct thud_free_vibration *f, int j, double omega, int ends)
 {
     const double *q = f->q + j * ENDS, *qd = f->qd + j * ENDS;
     double w2 = omega * omega;
@@ -65,7 +65,7 @@ static double largest_speed(const struct thud_flight *f, int j, double omega, in
 }
 
 /* One floor's values at the ends from those of its modes, by four ends at a time: rows are long enough. */
-static void floor_row(struct thud_flight *f, const struct thud_model_structure *p, int i, int quantity,
+static void floor_row(struct thud_free_vibration *f, const struct thud_model_structure *p, int i, int quantity,
                       const double *from, int ends)
 {
     double *to = f->value[quantity] + (size_t)(p->first + i) * ENDS;
@@ -83,8 +83,8 @@ static void floor_row(struct thud_flight *f, const struct thud_model_structure *
 }
 
 /* Velocity, total acceleration and drift of a structure's floors at the ends. */
-static void other_values(struct thud_flight *f, const struct thud_model *m, const struct thud_model_structure *p,
-                         int ends)
+static void other_values(struct thud_free_vibration *f, const struct thud_model *m,
+                         const struct thud_model_structure *p, int ends)
 {
     for (int j = p->first_mode; j < p->first_mode + p->modes; j++) {
         double w2 = m->omega[j] * m->omega[j], z = 2 * m->zeta[j] * m->omega[j];
@@ -103,7 +103,7 @@ static void other_values(struct thud_flight *f, const struct thud_model *m, cons
     }
 }
 
-static void displacements(struct thud_flight *f, const struct thud_model *m, int ends)
+static void displacements(struct thud_free_vibration *f, const struct thud_model *m, int ends)
 {
     for (int s = 0; s < m->nstructures; s++)
         for (int i = 0; i < m->structure[s].n; i++)
@@ -113,7 +113,7 @@ static void displacements(struct thud_flight *f, const struct thud_model *m, int
 }
 
 /* The other values of structures that move enough for a new peak. */
-static void look_for_peaks(struct thud_flight *f, struct thud_run *run, double ground, int ends)
+static void look_for_peaks(struct thud_free_vibration *f, struct thud_run *run, double ground, int ends)
 {
     const struct thud_model *m = run->state.model;
     for (int s = 0; s < m->nstructures; s++) {
@@ -123,8 +123,8 @@ static void look_for_peaks(struct thud_flight *f, struct thud_run *run, double g
             energy += f->speed[j] * f->speed[j];
             gamma += m->gamma[j] * m->gamma[j];
         }
-        struct thud_reach reach = {sqrt(energy) + run->state.grid_dt_s * sqrt(gamma) * ground, 0};
-        f->looked[s] = run->horizon_to_fill || thud_reach_structure(run, s, &reach);
+        struct thud_response_bound reach = {sqrt(energy) + run->state.grid_dt_s * sqrt(gamma) * ground, 0};
+        f->looked[s] = run->early_end_to_fill || thud_response_bound_structure(run, s, &reach);
         if (f->looked[s])
             other_values(f, m, p, ends);
     }
@@ -132,7 +132,8 @@ static void look_for_peaks(struct thud_flight *f, struct thud_run *run, double g
 
 /* Bounds of the derivatives of the modes of one structure in the block, by order (from 2 on), summed into margins:
  * dt^2/8 times the second derivative of a value bounds how far it may lie above its ends. */
-static void structure_margins(struct thud_flight *f, const struct thud_run *run, int s, double ground, double slope)
+static void structure_margins(struct thud_free_vibration *f, const struct thud_run *run, int s, double ground,
+                              double slope)
 {
     const struct thud_model *m = run->state.model;
     const struct thud_model_structure *p = &m->structure[s];
@@ -142,7 +143,7 @@ static void structure_margins(struct thud_flight *f, const struct thud_run *run,
         double speed = f->speed[j] + dt * reach * ground, bound[4];
         bound[2] = (m->omega[j] + z) * speed + reach * ground;
         bound[3] = w2 * speed + z * bound[2] + reach * slope;
-        double most = run->bounds.shape[j], drift = run->bounds.shape[m->nmodes + j];
+        double most = run->bounds.mode_max[j], drift = run->bounds.mode_max[m->nmodes + j];
         sum[THUD_FLOOR_DISPLACEMENT] += most * bound[2];
         sum[THUD_FLOOR_VELOCITY] += most * bound[3];
         sum[THUD_FLOOR_ACCELERATION] += most * (w2 * bound[2] + z * bound[3]); /* of omega^2 q + 2 zeta omega q' */
@@ -152,12 +153,12 @@ static void structure_margins(struct thud_flight *f, const struct thud_run *run,
         f->margin[x * m->nstructures + s] = sum[x] * dt * dt / 8;
 }
 
-static double largest_ground(const struct thud_flight *f, int intervals)
+static double largest_ground(const struct thud_free_vibration *f, int intervals)
 {
     return thud_larger(thud_largest_size(f->ground, intervals), thud_largest_size(f->after, intervals));
 }
 
-static void margins(struct thud_flight *f, const struct thud_run *run, double ground, int intervals)
+static void margins(struct thud_free_vibration *f, const struct thud_run *run, double ground, int intervals)
 {
     double slope = 0;
     for (int t = 0; t < intervals; t++)
@@ -167,7 +168,7 @@ static void margins(struct thud_flight *f, const struct thud_run *run, double gr
         structure_margins(f, run, s, ground, slope);
 }
 
-void thud_flight_series(struct thud_run *run, struct thud_flight *f, int piece)
+void thud_free_vibration_series(struct thud_run *run, struct thud_free_vibration *f, int piece)
 {
     double h = run->state.grid_dt_s / f->pieces;
     run->state.offset_s = piece * h;
@@ -175,7 +176,7 @@ void thud_flight_series(struct thud_run *run, struct thud_flight *f, int piece)
     thud_taylor_given(run->state.model, &run->seg, f->now, f->now_rate);
 }
 
-static void start_interval(const struct thud_flight *f, int t)
+static void start_interval(const struct thud_free_vibration *f, int t)
 {
     for (int j = 0; j < f->n; j++) {
         f->now[j] = f->q[j * ENDS + t];
@@ -187,7 +188,8 @@ static void start_interval(const struct thud_flight *f, int t)
 static bool closes_in_piece(const struct thud_run *run, int c, bool first)
 {
     double d[THUD_SEGMENT_TERMS];
-    int zeros = thud_segment_indentation(&run->state, &run->seg, c, d), least = run->state.contact[c].zeros.indentation;
+    int zeros = thud_segment_indentation(&run->state, &run->seg, c, d),
+        least = run->state.contact[c].suppressed.indentation;
     if (!first || least == 0)
         zeros = 0;
     else if (zeros < least)
@@ -196,14 +198,14 @@ static bool closes_in_piece(const struct thud_run *run, int c, bool first)
 }
 
 /* Whether one of the contacts that are near it closes in interval t. */
-static bool closes(struct thud_run *run, struct thud_flight *f, int t)
+static bool closes(struct thud_run *run, struct thud_free_vibration *f, int t)
 {
     long base = run->state.grid;
     bool found = false;
     run->state.grid += t;
     start_interval(f, t);
     for (int piece = 0; piece < f->pieces && !found; piece++) {
-        thud_flight_series(run, f, piece);
+        thud_free_vibration_series(run, f, piece);
         for (int c = 0; c < run->state.model->ncontacts && !found; c++)
             found = f->near[c] && closes_in_piece(run, c, t == 0 && piece == 0);
         if (piece + 1 < f->pieces)
@@ -214,7 +216,8 @@ static bool closes(struct thud_run *run, struct thud_flight *f, int t)
     return found;
 }
 
-double thud_flight_gap(struct thud_flight *f, const struct thud_model *model, int c, int ends, double *margin)
+double thud_free_vibration_gap(struct thud_free_vibration *f, const struct thud_model *model, int c, int ends,
+                               double *margin)
 {
     const struct thud_model_contact *p = &model->contact[c];
     const double *u = f->value[THUD_FLOOR_DISPLACEMENT];
@@ -228,14 +231,14 @@ double thud_flight_gap(struct thud_flight *f, const struct thud_model *model, in
 }
 
 /* Gaps above which the contacts may close in an interval; whether any comes so far in the block. */
-static bool set_limits(struct thud_run *run, struct thud_flight *f, int intervals)
+static bool set_limits(struct thud_run *run, struct thud_free_vibration *f, int intervals)
 {
     bool any = false;
     for (int c = 0; c < run->state.model->ncontacts; c++) {
         f->limit[c] = INFINITY;
-        if (run->state.model->contact[c].law->flags & THUD_LAW_SILENT)
+        if (run->state.model->contact[c].law->flags & THUD_LAW_NO_FORCE)
             continue;
-        double margin, most = thud_flight_gap(f, run->state.model, c, intervals + 1, &margin);
+        double margin, most = thud_free_vibration_gap(f, run->state.model, c, intervals + 1, &margin);
         if (most <= thud_state_clearance(&run->state, c) - margin)
             continue;
         f->limit[c] = thud_state_clearance(&run->state, c) - margin;
@@ -245,7 +248,7 @@ static bool set_limits(struct thud_run *run, struct thud_flight *f, int interval
 }
 
 /* Marks the contacts that may close in interval t; whether there are any. */
-static bool find_near(const struct thud_run *run, struct thud_flight *f, int t)
+static bool find_near(const struct thud_run *run, struct thud_free_vibration *f, int t)
 {
     const struct thud_model *m = run->state.model;
     const double *u = f->value[THUD_FLOOR_DISPLACEMENT] + t;
@@ -268,7 +271,7 @@ static bool find_near(const struct thud_run *run, struct thud_flight *f, int t)
 }
 
 /* Intervals until a contact closes, at most `intervals`. */
-static int until_contact(struct thud_run *run, struct thud_flight *f, int intervals)
+static int until_contact(struct thud_run *run, struct thud_free_vibration *f, int intervals)
 {
     if (!set_limits(run, f, intervals))
         return intervals;
@@ -286,7 +289,7 @@ static double sum(const double *x, int n)
     return total;
 }
 
-static void add_energies(struct thud_flight *f, struct thud_run *run, int intervals)
+static void add_energies(struct thud_free_vibration *f, struct thud_run *run, int intervals)
 {
     double *restrict e = f->energy;
     const double *a0 = f->ground, *a1 = f->after, *gv = f->viscous_ground, *gw = f->work_ground;
@@ -314,7 +317,7 @@ static void add_energies(struct thud_flight *f, struct thud_run *run, int interv
     thud_ledger_mark(run);
 }
 
-static enum thud_status rows(struct thud_run *run, struct thud_flight *f, int intervals, struct thud_error *err)
+static enum thud_status rows(struct thud_run *run, struct thud_free_vibration *f, int intervals, struct thud_error *err)
 {
     long base = run->state.grid;
     const struct thud_ledger before = run->ledger; /* goes on with the rows, and then by the whole block */
@@ -323,7 +326,7 @@ static enum thud_status rows(struct thud_run *run, struct thud_flight *f, int in
         run->state.grid = base + t;
         start_interval(f, t);
         for (int piece = 0; piece < f->pieces && status == THUD_OK; piece++) {
-            thud_flight_series(run, f, piece);
+            thud_free_vibration_series(run, f, piece);
             status = thud_history_segment(run, 1, false, err);
             thud_ledger_segment(run, 1);
             thud_segment_state(&run->seg, f->n, 1, f->now, f->now_rate);
@@ -345,7 +348,7 @@ static bool may_fly(const struct thud_run *run)
     return true;
 }
 
-static void commit(struct thud_run *run, const struct thud_flight *f, int intervals)
+static void commit(struct thud_run *run, const struct thud_free_vibration *f, int intervals)
 {
     for (int j = 0; j < f->n; j++) {
         run->state.q[j] = f->q[j * ENDS + intervals];
@@ -356,22 +359,22 @@ static void commit(struct thud_run *run, const struct thud_flight *f, int interv
     run->work.samples_fast += intervals;
 }
 
-enum thud_status thud_flight_go(struct thud_run *run, int *passed, struct thud_error *err)
+enum thud_status thud_free_vibration_go(struct thud_run *run, int *passed, struct thud_error *err)
 {
-    struct thud_flight *f = run->flight;
+    struct thud_free_vibration *f = run->free_vibration;
     *passed = 0;
     long left = (long)floor(run->state.end_s / run->state.grid_dt_s * (1 + THUD_TOL_TIME)) - run->state.grid;
     if (!may_fly(run) || left <= 0)
         return THUD_OK;
-    if (run->horizon) {
-        long jumped = thud_horizon_jump(run->horizon, run);
+    if (run->early_end) {
+        long jumped = thud_early_end_jump(run->early_end, run);
         *passed = jumped > 0;
         run->work.samples_jumped += jumped;
         if (jumped > 0)
             return THUD_OK;
     }
-    if (run->horizon || run->horizon_to_fill) {
-        int stride = thud_horizon_stride(run->state.grid);
+    if (run->early_end || run->early_end_to_fill) {
+        int stride = thud_early_end_stride(run->state.grid);
         f->size = f->size < stride ? f->size : stride;
     }
     int tried = left < f->size ? (int)left : f->size;
@@ -380,18 +383,20 @@ enum thud_status thud_flight_go(struct thud_run *run, int *passed, struct thud_e
     displacements(f, run->state.model, tried + 1);
     margins(f, run, ground, tried);
     int intervals = until_contact(run, f, tried);
-    f->size = intervals < tried ? SHORT_BLOCK : 2 * f->size < THUD_FLIGHT_BLOCK ? 2 * f->size : THUD_FLIGHT_BLOCK;
+    f->size = intervals < tried                         ? SHORT_BLOCK
+              : 2 * f->size < THUD_FREE_VIBRATION_BLOCK ? 2 * f->size
+                                                        : THUD_FREE_VIBRATION_BLOCK;
     if (intervals == 0)
         return THUD_OK;
     look_for_peaks(f, run, ground, intervals + 1);
-    thud_flight_peaks(run, f, intervals);
-    if (run->closing)
-        thud_closing_flight(run, f, intervals);
-    if (run->horizon_to_fill)
-        thud_horizon_record(run->horizon_to_fill, run, f, intervals);
+    thud_free_vibration_peaks(run, f, intervals);
+    if (run->relative_m)
+        thud_relative_displacement_block(run, f, intervals);
+    if (run->early_end_to_fill)
+        thud_early_end_record(run->early_end_to_fill, run, f, intervals);
     enum thud_status status = THUD_OK;
     if (run->options.keep_history) {
-        thud_flight_settle(run); /* rows stand at the peaks */
+        thud_free_vibration_read_deferred(run); /* rows stand at the peaks */
         status = rows(run, f, intervals, err);
     }
     add_energies(f, run, intervals);

@@ -15,7 +15,7 @@ static double damping_factor(const struct thud_model *m, const struct thud_model
     return sqrt(1 + ratio * ratio) + (sum > 0 ? sqrt(sum) / m->omega[p->first_mode + j] : 0);
 }
 
-void thud_reach_start(struct thud_run *run)
+void thud_response_bound_start(struct thud_run *run)
 {
     const struct thud_model *m = run->state.model;
     for (int s = 0; s < m->nstructures; s++) {
@@ -31,16 +31,17 @@ void thud_reach_start(struct thud_run *run)
                 sum[THUD_FLOOR_DRIFT] += p->stiffness_npm ? (a - below) * (a - below) / (w * w) : 0;
             }
             for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++)
-                run->bounds.most[x * m->ndof + p->first + i] = sqrt(sum[x]);
+                run->bounds.per_speed[x * m->ndof + p->first + i] = sqrt(sum[x]);
         }
     }
 }
 
-bool thud_reach_floor(const struct thud_run *run, int structure, int floor, const struct thud_reach *reach)
+bool thud_response_bound_floor(const struct thud_run *run, int structure, int floor,
+                               const struct thud_response_bound *reach)
 {
     const struct thud_model *m = run->state.model;
     const struct thud_floor_result *r = &run->result.structure[structure].floor[floor];
-    const double *most = run->bounds.most + m->structure[structure].first + floor;
+    const double *most = run->bounds.per_speed + m->structure[structure].first + floor;
     double push = most[THUD_FLOOR_VELOCITY * m->ndof] * reach->force;
     bool below = most[THUD_FLOOR_DISPLACEMENT * m->ndof] * reach->speed <= r->displacement.value &&
                  most[THUD_FLOOR_VELOCITY * m->ndof] * reach->speed <= r->velocity.value &&
@@ -49,10 +50,10 @@ bool thud_reach_floor(const struct thud_run *run, int structure, int floor, cons
     return !below; /* NaN: a rigid body, whose place no energy bounds */
 }
 
-bool thud_reach_structure(const struct thud_run *run, int structure, const struct thud_reach *reach)
+bool thud_response_bound_structure(const struct thud_run *run, int structure, const struct thud_response_bound *reach)
 {
     for (int i = 0; i < run->state.model->structure[structure].n; i++)
-        if (thud_reach_floor(run, structure, i, reach))
+        if (thud_response_bound_floor(run, structure, i, reach))
             return true;
     return false;
 }
@@ -73,23 +74,23 @@ static double largest_force(const struct thud_run *run, const struct thud_model_
         for (int side = 0; side < 2; side++) {
             int dof = side == 0 ? contact->left_dof : contact->right_dof;
             if (dof >= p->first && dof < p->first + p->n)
-                total += run->bounds.most[THUD_FLOOR_VELOCITY * m->ndof + dof] * force;
+                total += run->bounds.per_speed[THUD_FLOOR_VELOCITY * m->ndof + dof] * force;
         }
     }
     return total;
 }
 
-struct thud_reach thud_reach_segment(const struct thud_run *run, int structure, double s)
+struct thud_response_bound thud_response_bound_segment(const struct thud_run *run, int structure, double s)
 {
     const struct thud_model *m = run->state.model;
     const struct thud_model_structure *p = &m->structure[structure];
     double energy = 0, gamma = 0, force = largest_force(run, p);
     if (run->method->order > 0)
-        return (struct thud_reach){INFINITY, INFINITY};
+        return (struct thud_response_bound){INFINITY, INFINITY};
     for (int j = p->first_mode; j < p->first_mode + p->modes; j++) {
         energy += run->state.qd[j] * run->state.qd[j] + m->omega[j] * m->omega[j] * run->state.q[j] * run->state.q[j];
         gamma += m->gamma[j] * m->gamma[j];
     }
     double ground = fmax(fabs(run->seg.a0), fabs(run->seg.a0 + run->seg.a1)) * sqrt(gamma);
-    return (struct thud_reach){sqrt(energy) + s * run->seg.h_s * (ground + force), force};
+    return (struct thud_response_bound){sqrt(energy) + s * run->seg.h_s * (ground + force), force};
 }

@@ -3,18 +3,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/flight.h"
+#include "core/free_vibration.h"
 #include "core/quadrature.h"
 
 /* Unit motions over one interval: initial q, initial q', ground acceleration falling from 1 to 0, and rising from 0
  * to 1. */
 enum { UNIT_Q, UNIT_QD, UNIT_A0, UNIT_A1, UNITS };
 
-static bool allocate(struct thud_flight *f, const struct thud_model *m)
+static bool allocate(struct thud_free_vibration *f, const struct thud_model *m)
 {
     size_t n = (size_t)m->nmodes, floors = (size_t)m->ndof,
-           rows = (n + THUD_FLIGHT_ABREAST - 1) / THUD_FLIGHT_ABREAST * THUD_FLIGHT_ABREAST,
-           many = rows * THUD_FLIGHT_ENDS, high = floors * THUD_FLIGHT_ENDS;
+           rows = (n + THUD_FREE_VIBRATION_BATCH - 1) / THUD_FREE_VIBRATION_BATCH * THUD_FREE_VIBRATION_BATCH,
+           many = rows * THUD_FREE_VIBRATION_ENDS, high = floors * THUD_FREE_VIBRATION_ENDS;
     double **by_mode[32], **by_end[] = {&f->q, &f->qd, &f->spring, &f->bound[0], &f->bound[1], &f->bound[2]};
     double **single[] = {&f->gap, &f->energy, &f->ground, &f->after, &f->lower, &f->upper};
     size_t count = 0, ends = sizeof by_end / sizeof *by_end, singles = sizeof single / sizeof *single;
@@ -28,7 +28,7 @@ static bool allocate(struct thud_flight *f, const struct thud_model *m)
     double **rest[] = {&f->now, &f->now_rate, &f->speed};
     for (size_t i = 0; i < sizeof rest / sizeof *rest; i++)
         by_mode[count++] = rest[i];
-    size_t total = count * rows + ends * many + THUD_FLOOR_QUANTITIES * high + singles * THUD_FLIGHT_ENDS +
+    size_t total = count * rows + ends * many + THUD_FLOOR_QUANTITIES * high + singles * THUD_FREE_VIBRATION_ENDS +
                    THUD_FLOOR_QUANTITIES * (size_t)m->nstructures + 2 * THUD_FLOOR_QUANTITIES * floors * n +
                    (size_t)m->ncontacts;
     double *next = f->block = calloc(total, sizeof *next);
@@ -40,20 +40,20 @@ static bool allocate(struct thud_flight *f, const struct thud_model *m)
         *by_end[i] = next;
     for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++, next += high)
         f->value[x] = next;
-    for (size_t i = 0; i < singles; i++, next += THUD_FLIGHT_ENDS)
+    for (size_t i = 0; i < singles; i++, next += THUD_FREE_VIBRATION_ENDS)
         *single[i] = next;
     f->margin = next;
     f->kept = f->margin + THUD_FLOOR_QUANTITIES * m->nstructures;
     f->limit = f->kept + 2 * THUD_FLOOR_QUANTITIES * floors * n;
-    f->suspect = calloc(THUD_FLOOR_QUANTITIES * floors, sizeof *f->suspect);
+    f->deferred = calloc(THUD_FLOOR_QUANTITIES * floors, sizeof *f->deferred);
     f->looked = calloc(2 * (size_t)m->nstructures + (size_t)m->ncontacts + 1, sizeof *f->looked);
     f->bounded = f->looked + m->nstructures;
     f->near = f->bounded + m->nstructures;
-    return f->suspect != NULL && f->looked != NULL;
+    return f->deferred != NULL && f->looked != NULL;
 }
 
 /* Rates of the four unit motions at one quadrature point enter the integrals of their products. */
-static void add_point(struct thud_flight *f, const struct thud_model *m, double weight, double s,
+static void add_point(struct thud_free_vibration *f, const struct thud_model *m, double weight, double s,
                       double *const rate[UNITS])
 {
     double a[2] = {1 - s, s};
@@ -84,8 +84,8 @@ static void add_point(struct thud_flight *f, const struct thud_model *m, double 
 enum { POINTS = THUD_QUADRATURE_POINTS };
 
 /* Moves unit motion u over one piece; its rates at the quadrature points into rate (POINTS x n). */
-static void move_unit(struct thud_run *run, const struct thud_flight *f, int u, int piece, double *q, double *qd,
-                      double *rate)
+static void move_unit(struct thud_run *run, const struct thud_free_vibration *f, int u, int piece, double *q,
+                      double *qd, double *rate)
 {
     struct thud_segment *seg = &run->seg;
     double s0 = (double)piece / f->pieces, ds = 1.0 / f->pieces;
@@ -99,7 +99,7 @@ static void move_unit(struct thud_run *run, const struct thud_flight *f, int u, 
 }
 
 /* Marches the four unit motions through one interval in pieces short enough for the series. */
-static enum thud_status unit_motions(struct thud_run *run, struct thud_flight *f, struct thud_error *err)
+static enum thud_status unit_motions(struct thud_run *run, struct thud_free_vibration *f, struct thud_error *err)
 {
     size_t n = (size_t)run->state.model->nmodes, size = (2 + POINTS) * n;
     double *state = calloc(UNITS * size + 1, sizeof *state), *q[UNITS], *qd[UNITS], *rate[UNITS];
@@ -130,32 +130,32 @@ static enum thud_status unit_motions(struct thud_run *run, struct thud_flight *f
     return THUD_OK;
 }
 
-enum thud_status thud_flight_create(struct thud_run *run, struct thud_error *err)
+enum thud_status thud_free_vibration_create(struct thud_run *run, struct thud_error *err)
 {
-    run->flight = NULL;
+    run->free_vibration = NULL;
     if (run->state.model->couples || run->state.model->nmodes == 0)
         return THUD_OK;
-    struct thud_flight *f = calloc(1, sizeof *f);
+    struct thud_free_vibration *f = calloc(1, sizeof *f);
     if (!f || !allocate(f, run->state.model)) {
-        thud_flight_free(f);
+        thud_free_vibration_free(f);
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
     f->n = run->state.model->nmodes;
-    f->size = THUD_FLIGHT_BLOCK;
+    f->size = THUD_FREE_VIBRATION_BLOCK;
     enum thud_status status = unit_motions(run, f, err);
     if (status != THUD_OK) {
-        thud_flight_free(f);
+        thud_free_vibration_free(f);
         return status;
     }
-    run->flight = f;
+    run->free_vibration = f;
     return THUD_OK;
 }
 
-void thud_flight_free(struct thud_flight *flight)
+void thud_free_vibration_free(struct thud_free_vibration *flight)
 {
     if (!flight)
         return;
-    free(flight->suspect);
+    free(flight->deferred);
     free(flight->looked);
     free(flight->block);
     free(flight);

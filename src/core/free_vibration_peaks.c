@@ -3,11 +3,11 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/flight.h"
+#include "core/free_vibration.h"
 #include "core/largest.h"
 #include "core/tolerance.h"
 
-enum { ENDS = THUD_FLIGHT_ENDS };
+enum { ENDS = THUD_FREE_VIBRATION_ENDS };
 
 /* One floor's row of the block. */
 struct row {
@@ -18,7 +18,7 @@ struct row {
 };
 
 /* Rate of a row's value at end t of an interval whose ground acceleration there is `ground`. */
-static double rate_at(const struct thud_run *run, const struct thud_flight *f, const struct row *row, int t,
+static double rate_at(const struct thud_run *run, const struct thud_free_vibration *f, const struct row *row, int t,
                       double ground)
 {
     const struct thud_model *m = run->state.model;
@@ -30,7 +30,7 @@ static double rate_at(const struct thud_run *run, const struct thud_flight *f, c
         return row->floor > 0 ? *v - v[-ENDS] : *v;
     if (row->quantity == THUD_FLOOR_VELOCITY)
         return f->value[THUD_FLOOR_ACCELERATION][(p->first + row->floor) * ENDS + t] -
-               m->share[p->first + row->floor] * ground;
+               m->ground_influence[p->first + row->floor] * ground;
     double jerk = 0;
     for (int j = 0; j < p->modes; j++) {
         int k = p->first_mode + j;
@@ -58,7 +58,7 @@ static double cubic_peak(double x0, double x1, double r0, double r1)
 }
 
 /* Bounds of the fourth, fifth and sixth derivative of the modes of a structure in each interval of the block. */
-static void bound_derivatives(const struct thud_run *run, struct thud_flight *f, int structure, int intervals)
+static void bound_derivatives(const struct thud_run *run, struct thud_free_vibration *f, int structure, int intervals)
 {
     const struct thud_model *m = run->state.model;
     const struct thud_model_structure *p = &m->structure[structure];
@@ -84,7 +84,8 @@ static void bound_derivatives(const struct thud_run *run, struct thud_flight *f,
 
 /* How far a row's value in interval t may lie from the cubic through values and rates at its ends: dt^4/384 times a
  * bound of its fourth derivative there. */
-static double cubic_margin(const struct thud_run *run, const struct thud_flight *f, const struct row *row, int t)
+static double cubic_margin(const struct thud_run *run, const struct thud_free_vibration *f, const struct row *row,
+                           int t)
 {
     const struct thud_model_structure *p = &run->state.model->structure[row->structure];
     const double *shape = p->phi + row->floor * p->modes, *below = row->floor > 0 ? shape - p->modes : NULL;
@@ -100,19 +101,19 @@ static double cubic_margin(const struct thud_run *run, const struct thud_flight 
 }
 
 /* Reads the peak of a row in the interval that was kept for it. */
-static void settle(struct thud_run *run, struct thud_flight *f, int structure, int floor, int quantity)
+static void read_deferred(struct thud_run *run, struct thud_free_vibration *f, int structure, int floor, int quantity)
 {
     size_t n = (size_t)f->n;
     int index = quantity * run->state.model->ndof + run->state.model->structure[structure].first + floor;
-    struct thud_suspect *suspect = &f->suspect[index];
+    struct thud_deferred_peak *deferred = &f->deferred[index];
     const double offset = run->state.offset_s;
     const long grid = run->state.grid;
-    suspect->waits = false;
-    run->state.grid = suspect->grid;
+    deferred->waits = false;
+    run->state.grid = deferred->grid;
     memcpy(f->now, f->kept + (size_t)index * 2 * n, n * sizeof *f->now);
     memcpy(f->now_rate, f->kept + ((size_t)index * 2 + 1) * n, n * sizeof *f->now_rate);
     for (int piece = 0; piece < f->pieces; piece++) {
-        thud_flight_series(run, f, piece);
+        thud_free_vibration_series(run, f, piece);
         if (quantity == THUD_FLOOR_ACCELERATION)
             thud_peaks_prepare(run);
         thud_peaks_floor(run, structure, floor, quantity, 1);
@@ -123,24 +124,24 @@ static void settle(struct thud_run *run, struct thud_flight *f, int structure, i
     run->state.offset_s = offset;
 }
 
-void thud_flight_settle(struct thud_run *run)
+void thud_free_vibration_read_deferred(struct thud_run *run)
 {
-    struct thud_flight *f = run->flight;
+    struct thud_free_vibration *f = run->free_vibration;
     for (int s = 0; s < run->state.model->nstructures; s++)
         for (int i = 0; i < run->state.model->structure[s].n; i++)
             for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++)
-                if (f->suspect[x * run->state.model->ndof + run->state.model->structure[s].first + i].waits)
-                    settle(run, f, s, i, x);
+                if (f->deferred[x * run->state.model->ndof + run->state.model->structure[s].first + i].waits)
+                    read_deferred(run, f, s, i, x);
 }
 
 /* Keeps interval t for the row, whose peak in it is at least `least`, at most `most`. */
-static void suspect(struct thud_run *run, struct thud_flight *f, const struct row *row, int t, double least,
-                    double most)
+static void defer_peak(struct thud_run *run, struct thud_free_vibration *f, const struct row *row, int t, double least,
+                       double most)
 {
     int index = row->quantity * run->state.model->ndof + run->state.model->structure[row->structure].first + row->floor;
-    struct thud_suspect *kept = &f->suspect[index];
+    struct thud_deferred_peak *kept = &f->deferred[index];
     if (kept->waits && kept->most > least)
-        settle(run, f, row->structure, row->floor, row->quantity);
+        read_deferred(run, f, row->structure, row->floor, row->quantity);
     if (most <= row->peak->value)
         return;
     double *q = f->kept + (size_t)index * 2 * (size_t)f->n;
@@ -148,7 +149,7 @@ static void suspect(struct thud_run *run, struct thud_flight *f, const struct ro
         q[j] = f->q[j * ENDS + t];
         q[f->n + j] = f->qd[j * ENDS + t];
     }
-    *kept = (struct thud_suspect){true, run->state.grid + t, most};
+    *kept = (struct thud_deferred_peak){true, run->state.grid + t, most};
     least *= 1 - THUD_TOL_PEAK_BOUND; /* so that what is read in the end is above it */
     if (least > row->peak->value)
         *row->peak = (struct thud_peak){least, (double)(run->state.grid + t) * run->state.grid_dt_s};
@@ -169,7 +170,7 @@ static int intervals_near(const double *x, int intervals, double near, int *list
 }
 
 /* Finds the intervals inside which the row may pass both its peak so far and what it surely reaches in the block. */
-static void find_suspects(struct thud_run *run, struct thud_flight *f, const struct row *row, int intervals)
+static void find_deferred(struct thud_run *run, struct thud_free_vibration *f, const struct row *row, int intervals)
 {
     const double *x = row->x;
     double most = thud_largest_size(x, intervals + 1), dt = run->state.grid_dt_s;
@@ -178,7 +179,7 @@ static void find_suspects(struct thud_run *run, struct thud_flight *f, const str
     if (!f->bounded[row->structure])
         bound_derivatives(run, f, row->structure, intervals);
     double limit = thud_larger(row->peak->value, most);
-    int list[THUD_FLIGHT_BLOCK], count = intervals_near(x, intervals, limit - row->margin, list);
+    int list[THUD_FREE_VIBRATION_BLOCK], count = intervals_near(x, intervals, limit - row->margin, list);
     for (int i = 0; i < count; i++) {
         int t = list[i];
         double r0 = rate_at(run, f, row, t, f->ground[t]), r1 = rate_at(run, f, row, t + 1, f->after[t]);
@@ -190,11 +191,11 @@ static void find_suspects(struct thud_run *run, struct thud_flight *f, const str
     for (int i = 0; i < count; i++) {
         int t = list[i];
         if (f->upper[t] >= limit && f->upper[t] > row->peak->value)
-            suspect(run, f, row, t, f->lower[t], f->upper[t]);
+            defer_peak(run, f, row, t, f->lower[t], f->upper[t]);
     }
 }
 
-void thud_flight_peaks(struct thud_run *run, struct thud_flight *f, int intervals)
+void thud_free_vibration_peaks(struct thud_run *run, struct thud_free_vibration *f, int intervals)
 {
     const struct thud_model *m = run->state.model;
     for (int s = 0; s < m->nstructures; s++) {
@@ -207,7 +208,7 @@ void thud_flight_peaks(struct thud_run *run, struct thud_flight *f, int interval
                                   f->value[x] + (m->structure[s].first + i) * ENDS,
                                   thud_floor_peak(run, s, i, x),
                                   f->margin[x * m->nstructures + s]};
-                find_suspects(run, f, &row, intervals);
+                find_deferred(run, f, &row, intervals);
             }
     }
 }
