@@ -89,7 +89,7 @@ static void onset(struct thud_state *state, struct thud_contact_log *log, int c)
     bool from_zero = v == 0 && !pressed && s->branch.K == 0 && s->branch.D == 0;
     s->suppressed = (struct thud_suppressed){.indentation = !pressed, .rate = v == 0, .force = from_zero};
     s->expected_force_n = expected_force(state, c, v);
-    s->impact = (struct thud_impact){.contact = c, .start_s = thud_state_now(state), .approach_mps = v};
+    log->now[c] = (struct thud_impact){.contact = c, .start_s = thud_state_now(state), .approach_mps = v};
     log->contact[c].impacts++;
     log->contact[c].approach_mps = v;
     log->contact[c].separation_mps = 0;
@@ -98,10 +98,9 @@ static void onset(struct thud_state *state, struct thud_contact_log *log, int c)
 /* The force has come to its end. */
 static void note_release(struct thud_state *state, struct thud_contact_log *log, int c)
 {
-    struct thud_contact_state *s = &state->contact[c];
-    s->impact.separation_mps = -thud_contact_rate(state, c);
-    s->impact.duration_s = thud_state_now(state) - s->impact.start_s;
-    log->contact[c].separation_mps = s->impact.separation_mps;
+    log->now[c].separation_mps = -thud_contact_rate(state, c);
+    log->now[c].duration_s = thud_state_now(state) - log->now[c].start_s;
+    log->contact[c].separation_mps = log->now[c].separation_mps;
 }
 
 static enum thud_status open_contact(struct thud_state *state, struct thud_contact_log *log, int c, int zeros,
@@ -110,7 +109,7 @@ static enum thud_status open_contact(struct thud_state *state, struct thud_conta
     struct thud_contact_state *s = &state->contact[c];
     thud_contact_set_mode(state, c, THUD_OPEN);
     s->suppressed = (struct thud_suppressed){.indentation = zeros};
-    return thud_contact_log_add(log, &s->impact, err);
+    return thud_contact_log_add(log, &log->now[c], err);
 }
 
 /* Zeros of a force that has just left 0 to this side: none where a blow has put it beyond. */

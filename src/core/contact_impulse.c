@@ -89,7 +89,7 @@ static enum thud_status note(struct thud_state *state, struct thud_contact_log *
 }
 
 /* After the impulses: held where the structures push on and nothing bounces, else open. */
-static void stick_or_separate(struct thud_state *state, int c)
+static void stick_or_separate(struct thud_state *state, struct thud_contact_log *log, int c)
 {
     struct thud_contact_state *s = &state->contact[c];
     double rate = thud_contact_rate(state, c);
@@ -108,7 +108,7 @@ static void stick_or_separate(struct thud_state *state, int c)
     s->constraint_low_n = 0;
     s->constraint_high_n = INFINITY;
     s->suppressed = (struct thud_suppressed){.force = 1};
-    s->impact = (struct thud_impact){.contact = c, .start_s = thud_state_now(state)};
+    log->now[c] = (struct thud_impact){.contact = c, .start_s = thud_state_now(state)};
 }
 
 /* What the impulses do to the rates of the contacts that have forces. */
@@ -139,7 +139,7 @@ enum thud_status thud_contact_impulse(struct thud_state *state, struct thud_cont
             status = note(state, log, set[i], x.speed[i], x.impulse[i], err);
     for (int i = 0; i < n; i++)
         if (x.impulse[i] > 0 || set[i] == contact)
-            stick_or_separate(state, set[i]);
+            stick_or_separate(state, log, set[i]);
     send_impulses(state, &x);
     return status;
 }

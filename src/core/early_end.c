@@ -135,7 +135,7 @@ static bool floor_is_done(struct thud_run *run, const double *later, const doubl
         add[THUD_FLOOR_DRIFT] += fabs(row[j] - (below ? below[j] : 0)) * a;
     }
     for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++)
-        if (later[x * m->ndof + p->first + floor] + add[x] > thud_floor_peak(run, s, floor, x)->value)
+        if (later[x * m->ndof + p->first + floor] + add[x] > thud_floor_peak(&run->result, s, floor, x)->value)
             return false;
     return true;
 }

@@ -124,7 +124,8 @@ static void look_for_peaks(struct thud_free_vibration *f, struct thud_run *run, 
             gamma += m->gamma[j] * m->gamma[j];
         }
         struct thud_response_bound reach = {sqrt(energy) + run->state.grid_dt_s * sqrt(gamma) * ground, 0};
-        f->looked[s] = run->early_end_to_fill || thud_response_bound_structure(run, s, &reach);
+        f->looked[s] =
+            run->early_end_to_fill || thud_response_bound_structure(&run->peaks, run->state.model, s, &reach);
         if (f->looked[s])
             other_values(f, m, p, ends);
     }
@@ -143,7 +144,7 @@ static void structure_margins(struct thud_free_vibration *f, const struct thud_r
         double speed = f->speed[j] + dt * reach * ground, bound[4];
         bound[2] = (m->omega[j] + z) * speed + reach * ground;
         bound[3] = w2 * speed + z * bound[2] + reach * slope;
-        double most = run->bounds.mode_max[j], drift = run->bounds.mode_max[m->nmodes + j];
+        double most = run->peaks.mode_max[j], drift = run->peaks.mode_max[m->nmodes + j];
         sum[THUD_FLOOR_DISPLACEMENT] += most * bound[2];
         sum[THUD_FLOOR_VELOCITY] += most * bound[3];
         sum[THUD_FLOOR_ACCELERATION] += most * (w2 * bound[2] + z * bound[3]); /* of omega^2 q + 2 zeta omega q' */

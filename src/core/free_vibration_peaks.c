@@ -115,8 +115,8 @@ static void read_deferred(struct thud_run *run, struct thud_free_vibration *f, i
     for (int piece = 0; piece < f->pieces; piece++) {
         thud_free_vibration_series(run, f, piece);
         if (quantity == THUD_FLOOR_ACCELERATION)
-            thud_peaks_prepare(run);
-        thud_peaks_floor(run, structure, floor, quantity, 1);
+            thud_peaks_prepare(&run->peaks, &run->state, &run->seg);
+        thud_peaks_floor(&run->peaks, &run->state, &run->seg, structure, floor, quantity, 1);
         if (piece + 1 < f->pieces)
             thud_segment_state(&run->seg, f->n, 1, f->now, f->now_rate);
     }
@@ -206,7 +206,7 @@ void thud_free_vibration_peaks(struct thud_run *run, struct thud_free_vibration 
                                   i,
                                   x,
                                   f->value[x] + (m->structure[s].first + i) * ENDS,
-                                  thud_floor_peak(run, s, i, x),
+                                  thud_floor_peak(&run->result, s, i, x),
                                   f->margin[x * m->nstructures + s]};
                 find_deferred(run, f, &row, intervals);
             }

@@ -30,8 +30,8 @@ static void book_contact(struct thud_run *run, const struct thud_nodes *places, 
 {
     struct thud_contact_state *s = &run->state.contact[c];
     double impulse = 0, work = contact_work(run, places, c, &impulse);
-    s->impact.impulse_ns += impulse * dt;
-    s->impact.dissipated_j += work * dt;
+    run->log.now[c].impulse_ns += impulse * dt;
+    run->log.now[c].dissipated_j += work * dt;
     run->result.contact[c].impulse_ns += impulse * dt;
     if (thud_contact_acts(s))
         run->result.contact[c].contact_time_s += dt;

@@ -3,7 +3,7 @@
  * modal coordinates; and by Cauchy and Schwarz a floor's value is at most S times a number of its own. */
 #include <math.h>
 
-#include "core/run_private.h"
+#include "core/observe_peaks.h"
 
 /* Largest factor by which damping may raise the sum of spring and damping forces over that of the springs. */
 static double damping_factor(const struct thud_model *m, const struct thud_model_structure *p, int j)
@@ -15,9 +15,9 @@ static double damping_factor(const struct thud_model *m, const struct thud_model
     return sqrt(1 + ratio * ratio) + (sum > 0 ? sqrt(sum) / m->omega[p->first_mode + j] : 0);
 }
 
-void thud_response_bound_start(struct thud_run *run)
+void thud_response_bound_start(struct thud_peaks *peaks, const struct thud_state *state)
 {
-    const struct thud_model *m = run->state.model;
+    const struct thud_model *m = state->model;
     for (int s = 0; s < m->nstructures; s++) {
         const struct thud_model_structure *p = &m->structure[s];
         for (int i = 0; i < p->n; i++) {
@@ -31,17 +31,17 @@ void thud_response_bound_start(struct thud_run *run)
                 sum[THUD_FLOOR_DRIFT] += p->stiffness_npm ? (a - below) * (a - below) / (w * w) : 0;
             }
             for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++)
-                run->bounds.per_speed[x * m->ndof + p->first + i] = sqrt(sum[x]);
+                peaks->per_speed[x * m->ndof + p->first + i] = sqrt(sum[x]);
         }
     }
 }
 
-bool thud_response_bound_floor(const struct thud_run *run, int structure, int floor,
+bool thud_response_bound_floor(struct thud_peaks *peaks, const struct thud_model *model, int structure, int floor,
                                const struct thud_response_bound *reach)
 {
-    const struct thud_model *m = run->state.model;
-    const struct thud_floor_result *r = &run->result.structure[structure].floor[floor];
-    const double *most = run->bounds.per_speed + m->structure[structure].first + floor;
+    const struct thud_model *m = model;
+    const struct thud_floor_result *r = &peaks->result->structure[structure].floor[floor];
+    const double *most = peaks->per_speed + m->structure[structure].first + floor;
     double push = most[THUD_FLOOR_VELOCITY * m->ndof] * reach->force;
     bool below = most[THUD_FLOOR_DISPLACEMENT * m->ndof] * reach->speed <= r->displacement.value &&
                  most[THUD_FLOOR_VELOCITY * m->ndof] * reach->speed <= r->velocity.value &&
@@ -50,47 +50,50 @@ bool thud_response_bound_floor(const struct thud_run *run, int structure, int fl
     return !below; /* NaN: a rigid body, whose place no energy bounds */
 }
 
-bool thud_response_bound_structure(const struct thud_run *run, int structure, const struct thud_response_bound *reach)
+bool thud_response_bound_structure(struct thud_peaks *peaks, const struct thud_model *model, int structure,
+                                   const struct thud_response_bound *reach)
 {
-    for (int i = 0; i < run->state.model->structure[structure].n; i++)
-        if (thud_response_bound_floor(run, structure, i, reach))
+    for (int i = 0; i < model->structure[structure].n; i++)
+        if (thud_response_bound_floor(peaks, model, structure, i, reach))
             return true;
     return false;
 }
 
 /* Size of the contact forces on the structure in modal coordinates, at most, over the segment: a force on a floor of
  * mass m is force/sqrt(m) there. */
-static double largest_force(const struct thud_run *run, const struct thud_model_structure *p)
+static double largest_force(struct thud_peaks *peaks, const struct thud_state *state, const struct thud_segment *seg,
+                            const struct thud_model_structure *p)
 {
-    const struct thud_model *m = run->state.model;
+    const struct thud_model *m = state->model;
     double total = 0;
     for (int c = 0; c < m->ncontacts; c++) {
         const struct thud_model_contact *contact = &m->contact[c];
-        if (!thud_contact_acts(&run->state.contact[c]))
+        if (!thud_contact_acts(&state->contact[c]))
             continue;
         double force = 0;
-        for (int k = 0; k < run->seg.terms; k++)
-            force += fabs(run->seg.force[k * m->ncontacts + c]);
+        for (int k = 0; k < seg->terms; k++)
+            force += fabs(seg->force[k * m->ncontacts + c]);
         for (int side = 0; side < 2; side++) {
             int dof = side == 0 ? contact->left_dof : contact->right_dof;
             if (dof >= p->first && dof < p->first + p->n)
-                total += run->bounds.per_speed[THUD_FLOOR_VELOCITY * m->ndof + dof] * force;
+                total += peaks->per_speed[THUD_FLOOR_VELOCITY * m->ndof + dof] * force;
         }
     }
     return total;
 }
 
-struct thud_response_bound thud_response_bound_segment(const struct thud_run *run, int structure, double s)
+struct thud_response_bound thud_response_bound_segment(struct thud_peaks *peaks, const struct thud_state *state,
+                                                       const struct thud_segment *seg, int structure, double s)
 {
-    const struct thud_model *m = run->state.model;
+    const struct thud_model *m = state->model;
     const struct thud_model_structure *p = &m->structure[structure];
-    double energy = 0, gamma = 0, force = largest_force(run, p);
-    if (run->method->order > 0)
+    double energy = 0, gamma = 0, force = largest_force(peaks, state, seg, p);
+    if (seg->interpolates)
         return (struct thud_response_bound){INFINITY, INFINITY};
     for (int j = p->first_mode; j < p->first_mode + p->modes; j++) {
-        energy += run->state.qd[j] * run->state.qd[j] + m->omega[j] * m->omega[j] * run->state.q[j] * run->state.q[j];
+        energy += state->qd[j] * state->qd[j] + m->omega[j] * m->omega[j] * state->q[j] * state->q[j];
         gamma += m->gamma[j] * m->gamma[j];
     }
-    double ground = fmax(fabs(run->seg.a0), fabs(run->seg.a0 + run->seg.a1)) * sqrt(gamma);
-    return (struct thud_response_bound){sqrt(energy) + s * run->seg.h_s * (ground + force), force};
+    double ground = fmax(fabs(seg->a0), fabs(seg->a0 + seg->a1)) * sqrt(gamma);
+    return (struct thud_response_bound){sqrt(energy) + s * seg->h_s * (ground + force), force};
 }

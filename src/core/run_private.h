@@ -3,6 +3,7 @@
 #define THUD_CORE_RUN_PRIVATE_H
 
 #include "core/contact.h"
+#include "core/observe_peaks.h"
 #include "core/run.h"
 #include "core/segment.h"
 #include "core/tolerance.h"
@@ -21,13 +22,6 @@ struct thud_progress {
     int passes; /* moments passed over in a row because their events had no end */
 };
 
-/* What peaks.c needs beside the state and the segment. */
-struct thud_peak_bounds {
-    double *mode_max;  /* (2 x nmodes): largest part of each mode in a floor's displacement, and in its drift */
-    double *per_speed; /* (quantities x ndof): of a floor's value, for a structure's sqrt(2 energy) */
-    double *ends;      /* (9 x nmodes) modal values at the two ends of a segment, and margins between */
-};
-
 struct thud_run {
     struct thud_run_options options;
     const struct thud_method *method;
@@ -39,7 +33,7 @@ struct thud_run {
     bool done;
     bool switched; /* a contact has, at the end of the last segment: rows stand on both sides of the jump */
 
-    struct thud_peak_bounds bounds;
+    struct thud_peaks peaks;
     double *scratch; /* (THUD_SEGMENT_TERMS x nmodes + 8 x nmodes) for one function at a time */
     struct thud_contact_log log;
     struct thud_ledger ledger;
@@ -55,7 +49,6 @@ struct thud_run {
     struct thud_work work;
     struct thud_result result;
     void *result_block;
-    double *block;
 };
 
 /* A segment in run->seg, and how far it is taken. */
@@ -84,28 +77,7 @@ void thud_run_set_bound(struct thud_run *run);
 /* THUD_DIVERGED when this state (q, qd) holds far more energy than can ever have come in. */
 enum thud_status thud_run_check_state(struct thud_run *run, const double *q, const double *qd, struct thud_error *err);
 
-/* peaks.c, ledger.c, history.c: what is read from a segment before it is committed up to s. */
-void thud_peaks_start(struct thud_run *run);
-void thud_peaks_segment(struct thud_run *run, double s);
-enum { THUD_FLOOR_DISPLACEMENT, THUD_FLOOR_VELOCITY, THUD_FLOOR_ACCELERATION, THUD_FLOOR_DRIFT, THUD_FLOOR_QUANTITIES };
-struct thud_peak *thud_floor_peak(struct thud_run *run, int structure, int floor, int quantity);
-/* The modes' total acceleration q'' + gamma a_g of the segment into run->scratch, (terms - 2 x nmodes): before
- * thud_peaks_floor. */
-void thud_peaks_prepare(struct thud_run *run);
-/* Peak of one quantity of one floor over the segment up to s. */
-void thud_peaks_floor(struct thud_run *run, int structure, int floor, int quantity, double s);
-/* response_bound.c: fills run->most. */
-void thud_response_bound_start(struct thud_run *run);
-/* What a structure can come to: modal speed sqrt(2 energy), and contact force on it (by mass^(1/2)). */
-struct thud_response_bound {
-    double speed, force;
-};
-/* In the segment up to s; without bound for methods whose steps do not keep to the equations of motion. */
-struct thud_response_bound thud_response_bound_segment(const struct thud_run *run, int structure, double s);
-/* Whether a floor, and whether any floor of the structure, may then pass a peak. */
-bool thud_response_bound_floor(const struct thud_run *run, int structure, int floor,
-                               const struct thud_response_bound *reach);
-bool thud_response_bound_structure(const struct thud_run *run, int structure, const struct thud_response_bound *reach);
+/* ledger.c, history.c: what is read from a segment before it is committed up to s. */
 void thud_ledger_start(struct thud_run *run);
 void thud_ledger_segment(struct thud_run *run, double s);
 struct thud_ledger thud_ledger_at(struct thud_run *run, double s); /* as it will be at s; books nothing */

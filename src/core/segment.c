@@ -84,6 +84,7 @@ void thud_segment_begin(const struct thud_state *state, struct thud_segment *seg
     double a0, a1;
     thud_state_ground(state, state->grid, &a0, &a1);
     double slope = (a1 - a0) / state->grid_dt_s;
+    seg->start_s = thud_state_now(state);
     seg->h_s = h_s;
     seg->a0 = a0 + slope * state->offset_s;
     seg->a1 = slope * h_s;

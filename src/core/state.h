@@ -37,7 +37,6 @@ struct thud_contact_state {
     double expected_force_n; /* of this contact, from its closing velocity: scale of the error measure */
     double largest_force_n;  /* so far: the same */
     double residual_m;
-    struct thud_impact impact; /* the one going on */
 };
 
 struct thud_state {

@@ -50,7 +50,7 @@ static void set_peaks(struct thud_run *run, int floor, int quantity, double valu
 {
     for (int i = 0; i < towers[1]; i++)
         for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++)
-            thud_floor_peak(run, 1, i, x)->value = i == floor && x == quantity ? value : INFINITY;
+            thud_floor_peak(&run->result, 1, i, x)->value = i == floor && x == quantity ? value : INFINITY;
 }
 
 /* The state of energy 1/2 in which one floor's value is largest reaches the bound of it, and no other state passes it.
@@ -86,9 +86,11 @@ START_TEST(no_state_passes_what_its_energy_allows)
             }
             ck_assert_double_eq_tol(best / sqrt(norm), 1, 1e-12);
             set_peaks(m.run, floor, x, best * (1 + 1e-9));
-            ck_assert(!thud_response_bound_structure(m.run, 1, &(struct thud_response_bound){1, 0}));
+            ck_assert(!thud_response_bound_structure(&m.run->peaks, m.run->state.model, 1,
+                                                     &(struct thud_response_bound){1, 0}));
             set_peaks(m.run, floor, x, best * (1 - 1e-9));
-            ck_assert(thud_response_bound_structure(m.run, 1, &(struct thud_response_bound){1, 0}));
+            ck_assert(thud_response_bound_structure(&m.run->peaks, m.run->state.model, 1,
+                                                    &(struct thud_response_bound){1, 0}));
         }
     march_free(&m);
     thud_model_free(model);

@@ -1,18 +1,20 @@
 /* Peaks of the continuous history, read from the polynomials of a segment. */
+#include "core/observe_peaks.h"
+
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "core/double_pair.h"
 #include "core/poly.h"
-#include "core/run_private.h"
 
-static void raise_peak(struct thud_run *run, struct thud_peak *peak, const double *p, int n, double s_end)
+static void raise_peak(const struct thud_segment *seg, struct thud_peak *peak, const double *p, int n, double s_end)
 {
     double where;
     double value = thud_poly_peak(p, n, s_end, peak->value, &where);
     if (value > peak->value) {
         peak->value = value;
-        peak->time_s = thud_state_now(&run->state) + where * run->seg.h_s;
+        peak->time_s = seg->start_s + where * seg->h_s;
     }
 }
 
@@ -25,22 +27,23 @@ static void floor_polynomial(const struct thud_model_structure *p, int floor, co
         out[k] = thud_dot(p->modes, row, modal + k * nmodes + p->first_mode);
 }
 
-struct thud_peak *thud_floor_peak(struct thud_run *run, int structure, int floor, int quantity)
+struct thud_peak *thud_floor_peak(struct thud_result *result, int structure, int floor, int quantity)
 {
-    struct thud_floor_result *r = &run->result.structure[structure].floor[floor];
+    struct thud_floor_result *r = &result->structure[structure].floor[floor];
     struct thud_peak *peak[] = {&r->displacement, &r->velocity, &r->acceleration, &r->drift};
     return peak[quantity];
 }
 
 /* The same from the equations of motion: the polynomials of a stepping method have the state that the method gives, but
  * their second derivative strays between the ends of the step by as much as the acceleration changes in it. */
-static void acceleration_by_forces(struct thud_run *run)
+static void acceleration_by_forces(struct thud_peaks *peaks, const struct thud_state *state,
+                                   const struct thud_segment *seg)
 {
-    const struct thud_model *m = run->state.model;
-    const struct thud_segment *seg = &run->seg;
+    const struct thud_model *m = state->model;
     int n = m->nmodes;
     for (int k = 0; k + 2 < seg->terms; k++) {
-        double *out = run->scratch + k * n, rate = (k + 1) / seg->h_s, *qd = run->scratch + seg->terms * n;
+        double *out = peaks->acceleration + k * n, rate = (k + 1) / seg->h_s,
+               *qd = peaks->acceleration + seg->terms * n;
         for (int j = 0; j < n; j++)
             qd[j] = rate * seg->q[(k + 1) * n + j];
         thud_model_acceleration(m, seg->q + k * n, qd, 0, out);
@@ -48,15 +51,14 @@ static void acceleration_by_forces(struct thud_run *run)
     }
 }
 
-void thud_peaks_prepare(struct thud_run *run)
+void thud_peaks_prepare(struct thud_peaks *peaks, const struct thud_state *state, const struct thud_segment *seg)
 {
-    if (run->method->order > 0) {
-        acceleration_by_forces(run);
+    if (seg->interpolates) {
+        acceleration_by_forces(peaks, state, seg);
         return;
     }
-    double *out = run->scratch;
-    const struct thud_model *m = run->state.model;
-    const struct thud_segment *seg = &run->seg;
+    double *out = peaks->acceleration;
+    const struct thud_model *m = state->model;
     double inverse = 1 / (seg->h_s * seg->h_s);
     for (int k = 0; k + 2 < seg->terms; k++) {
         double scale = (k + 1) * (k + 2) * inverse, ground = k == 0 ? seg->a0 : k == 1 ? seg->a1 : 0;
@@ -67,10 +69,10 @@ void thud_peaks_prepare(struct thud_run *run)
 
 /* Bounds of the second derivatives of each mode's displacement, velocity and acceleration in the segment, times s^2/8:
  * how far a value inside may lie above those at its ends. out (3 x nmodes). */
-static void modal_margins(const struct thud_run *run, const double *acceleration, double s_end, double *out)
+static void modal_margins(const struct thud_state *state, const struct thud_segment *seg, const double *acceleration,
+                          double s_end, double *out)
 {
-    const struct thud_segment *seg = &run->seg;
-    int n = run->state.model->nmodes;
+    int n = state->model->nmodes;
     double eighth = s_end * s_end / 8;
     memset(out, 0, 3 * (size_t)n * sizeof *out);
     for (int k = 2; k < seg->terms; k++) {
@@ -87,16 +89,17 @@ static void modal_margins(const struct thud_run *run, const double *acceleration
 }
 
 /* The same for the structure's worst floor. */
-static void structure_margins(const struct thud_run *run, const struct thud_model_structure *p, const double *modal,
+static void structure_margins(struct thud_peaks *peaks, const struct thud_state *state,
+                              const struct thud_model_structure *p, const double *modal,
                               double margin[THUD_FLOOR_QUANTITIES])
 {
-    int n = run->state.model->nmodes;
+    int n = state->model->nmodes;
     double sum[THUD_FLOOR_QUANTITIES] = {0};
     for (int j = p->first_mode; j < p->first_mode + p->modes; j++) {
-        sum[THUD_FLOOR_DISPLACEMENT] += run->bounds.mode_max[j] * modal[j];
-        sum[THUD_FLOOR_VELOCITY] += run->bounds.mode_max[j] * modal[n + j];
-        sum[THUD_FLOOR_ACCELERATION] += run->bounds.mode_max[j] * modal[2 * n + j];
-        sum[THUD_FLOOR_DRIFT] += run->bounds.mode_max[n + j] * modal[j];
+        sum[THUD_FLOOR_DISPLACEMENT] += peaks->mode_max[j] * modal[j];
+        sum[THUD_FLOOR_VELOCITY] += peaks->mode_max[j] * modal[n + j];
+        sum[THUD_FLOOR_ACCELERATION] += peaks->mode_max[j] * modal[2 * n + j];
+        sum[THUD_FLOOR_DRIFT] += peaks->mode_max[n + j] * modal[j];
     }
     memcpy(margin, sum, sizeof sum);
 }
@@ -115,11 +118,12 @@ static double floor_margin(const struct thud_model_structure *p, int floor, int 
 }
 
 /* Modal total acceleration at s, out (nmodes). */
-static void modal_acceleration(const struct thud_run *run, const double *acceleration, double s, double *out)
+static void modal_acceleration(const struct thud_state *state, const struct thud_segment *seg,
+                               const double *acceleration, double s, double *out)
 {
-    int n = run->state.model->nmodes;
+    int n = state->model->nmodes;
     memset(out, 0, (size_t)n * sizeof *out);
-    for (int k = run->seg.terms - 3; k >= 0; k--)
+    for (int k = seg->terms - 3; k >= 0; k--)
         for (int j = 0; j < n; j++)
             out[j] = out[j] * s + acceleration[k * n + j];
 }
@@ -148,16 +152,16 @@ static void floor_values(const struct thud_model_structure *p, int floor, int nm
     }
 }
 
-void thud_peaks_floor(struct thud_run *run, int structure, int floor, int quantity, double s_end)
+void thud_peaks_floor(struct thud_peaks *peaks, const struct thud_state *state, const struct thud_segment *seg,
+                      int structure, int floor, int quantity, double s_end)
 {
-    const struct thud_segment *seg = &run->seg;
-    const struct thud_model_structure *p = &run->state.model->structure[structure];
-    struct thud_peak *peak = thud_floor_peak(run, structure, floor, quantity);
+    const struct thud_model_structure *p = &state->model->structure[structure];
+    struct thud_peak *peak = thud_floor_peak(peaks->result, structure, floor, quantity);
     double x[THUD_SEGMENT_TERMS] = {0}, u[THUD_SEGMENT_TERMS] = {0};
-    int n = seg->terms, nmodes = run->state.model->nmodes;
+    int n = seg->terms, nmodes = state->model->nmodes;
     if (quantity == THUD_FLOOR_ACCELERATION) {
-        floor_polynomial(p, floor, run->scratch, nmodes, n - 2, x);
-        raise_peak(run, peak, x, n - 2, s_end);
+        floor_polynomial(p, floor, peaks->acceleration, nmodes, n - 2, x);
+        raise_peak(seg, peak, x, n - 2, s_end);
         return;
     }
     floor_polynomial(p, floor, seg->q, nmodes, n, x);
@@ -169,18 +173,19 @@ void thud_peaks_floor(struct thud_run *run, int structure, int floor, int quanti
         for (int k = 0; k < n; k++)
             x[k] -= u[k];
     }
-    raise_peak(run, peak, x, quantity == THUD_FLOOR_VELOCITY ? n - 1 : n, s_end);
+    raise_peak(seg, peak, x, quantity == THUD_FLOOR_VELOCITY ? n - 1 : n, s_end);
 }
 
-static void structure_peaks(struct thud_run *run, int index, double s_end, const struct thud_response_bound *reach,
-                            const double *start, const double *end, const double *modal)
+static void structure_peaks(struct thud_peaks *peaks, const struct thud_state *state, const struct thud_segment *seg,
+                            int index, double s_end, const struct thud_response_bound *reach, const double *start,
+                            const double *end, const double *modal)
 {
-    const struct thud_model_structure *p = &run->state.model->structure[index];
+    const struct thud_model_structure *p = &state->model->structure[index];
     double margin[THUD_FLOOR_QUANTITIES], a[THUD_FLOOR_QUANTITIES], b[THUD_FLOOR_QUANTITIES], a_below = 0, b_below = 0;
-    int nmodes = run->state.model->nmodes, below = -1; /* the floor whose displacements a_below and b_below are */
-    structure_margins(run, p, modal, margin);
+    int nmodes = state->model->nmodes, below = -1; /* the floor whose displacements a_below and b_below are */
+    structure_margins(peaks, state, p, modal, margin);
     for (int i = 0; i < p->n; i++) {
-        if (!thud_response_bound_floor(run, index, i, reach))
+        if (!thud_response_bound_floor(peaks, state->model, index, i, reach))
             continue;
         if (below != i - 1) {
             floor_values(p, i - 1, nmodes, start, end, a, b);
@@ -195,60 +200,58 @@ static void structure_peaks(struct thud_run *run, int index, double s_end, const
         below = i;
         for (int x = 0; x < (p->stiffness_npm ? THUD_FLOOR_QUANTITIES : THUD_FLOOR_DRIFT); x++) {
             double end_value = fmax(fabs(a[x]), fabs(b[x]));
-            double peak = thud_floor_peak(run, index, i, x)->value;
+            double peak = thud_floor_peak(peaks->result, index, i, x)->value;
             if (end_value + margin[x] > peak && end_value + floor_margin(p, i, x, nmodes, modal) > peak)
-                thud_peaks_floor(run, index, i, x, s_end);
+                thud_peaks_floor(peaks, state, seg, index, i, x, s_end);
         }
     }
 }
 
 /* Raises the largest value of the impact that goes on, and with it that of the contact. */
-static void raise_contact_peak(struct thud_run *run, struct thud_peak *peak, double *of_impact, const double *p,
-                               double s_end)
+static void raise_contact_peak(const struct thud_segment *seg, struct thud_peak *peak, double *of_impact,
+                               const double *p, double s_end)
 {
     double where = 0;
-    *of_impact = thud_poly_peak(p, run->seg.terms, s_end, *of_impact, &where);
+    *of_impact = thud_poly_peak(p, seg->terms, s_end, *of_impact, &where);
     if (*of_impact > peak->value)
-        *peak = (struct thud_peak){*of_impact, thud_state_now(&run->state) + where * run->seg.h_s};
+        *peak = (struct thud_peak){*of_impact, seg->start_s + where * seg->h_s};
 }
 
-static void indentation_peak(struct thud_run *run, int c, double s_end)
+static void indentation_peak(struct thud_peaks *peaks, const struct thud_state *state, const struct thud_segment *seg,
+                             struct thud_contact_log *log, int c, double s_end)
 {
-    const struct thud_segment *seg = &run->seg;
-    struct thud_impact *impact = &run->state.contact[c].impact;
-    struct thud_peak *peak = &run->result.contact[c].indentation;
-    const double *d = run->seg.indentation + c * THUD_SEGMENT_TERMS;
-    if (run->state.locates) {
-        raise_contact_peak(run, peak, &impact->indentation_m, d, s_end);
+    struct thud_impact *impact = &log->now[c];
+    struct thud_peak *peak = &peaks->result->contact[c].indentation;
+    const double *d = seg->indentation + c * THUD_SEGMENT_TERMS;
+    if (state->locates) {
+        raise_contact_peak(seg, peak, &impact->indentation_m, d, s_end);
         return;
     }
     for (int end = 0; end <= 1; end++) { /* the step may reach far out of contact, to the other side of 0 */
         double value = thud_poly_value(d, seg->terms, end * s_end);
         impact->indentation_m = fmax(impact->indentation_m, value);
         if (value > peak->value)
-            *peak = (struct thud_peak){value, thud_state_now(&run->state) + end * s_end * seg->h_s};
+            *peak = (struct thud_peak){value, seg->start_s + end * s_end * seg->h_s};
     }
 }
 
-static void contact_peaks(struct thud_run *run, int c, double s_end)
+static void contact_peaks(struct thud_peaks *peaks, const struct thud_state *state, const struct thud_segment *seg,
+                          struct thud_contact_log *log, int c, double s_end)
 {
-    const struct thud_segment *seg = &run->seg;
-    struct thud_contact_state *s = &run->state.contact[c];
+    const struct thud_contact_state *s = &state->contact[c];
     double p[THUD_SEGMENT_TERMS];
     if (s->mode != THUD_OPEN)
-        indentation_peak(run, c, s_end);
-    if (!thud_segment_has_force(&run->state, &run->seg, c))
+        indentation_peak(peaks, state, seg, log, c, s_end);
+    if (!thud_segment_has_force(state, seg, c))
         return;
     for (int k = 0; k < seg->terms; k++)
-        p[k] = seg->force[k * run->state.model->ncontacts + c];
-    raise_contact_peak(run, &run->result.contact[c].force, &s->impact.force_n, p, s_end);
-    s->largest_force_n = run->result.contact[c].force.value;
+        p[k] = seg->force[k * state->model->ncontacts + c];
+    raise_contact_peak(seg, &peaks->result->contact[c].force, &log->now[c].force_n, p, s_end);
 }
 
-void thud_peaks_start(struct thud_run *run)
+static void fill_mode_max(struct thud_peaks *peaks, const struct thud_state *state)
 {
-    const struct thud_model *m = run->state.model;
-    thud_response_bound_start(run);
+    const struct thud_model *m = state->model;
     for (int s = 0; s < m->nstructures; s++) {
         const struct thud_model_structure *p = &m->structure[s];
         for (int j = 0; j < p->modes; j++) {
@@ -258,39 +261,65 @@ void thud_peaks_start(struct thud_run *run)
                 most = fmax(most, fabs(p->phi[i * p->modes + j]));
                 drift = fmax(drift, fabs(p->phi[i * p->modes + j] - below));
             }
-            run->bounds.mode_max[p->first_mode + j] = most;
-            run->bounds.mode_max[m->nmodes + p->first_mode + j] = drift;
+            peaks->mode_max[p->first_mode + j] = most;
+            peaks->mode_max[m->nmodes + p->first_mode + j] = drift;
         }
     }
 }
 
 /* Peaks of the structures that may have one. Modal values at the end are there already, but for the acceleration. */
-static void motion_peaks(struct thud_run *run, double s)
+static void motion_peaks(struct thud_peaks *peaks, const struct thud_state *state, const struct thud_segment *seg,
+                         double s)
 {
-    const struct thud_model *m = run->state.model;
+    const struct thud_model *m = state->model;
     size_t n = (size_t)m->nmodes;
-    double *start = run->bounds.ends, *end = start + 3 * n, *modal = end + 3 * n;
+    double *start = peaks->ends, *end = start + 3 * n, *modal = end + 3 * n;
     bool prepared = false;
     for (int i = 0; i < m->nstructures; i++) {
-        struct thud_response_bound reach = thud_response_bound_segment(run, i, s);
-        if (!thud_response_bound_structure(run, i, &reach))
+        struct thud_response_bound reach = thud_response_bound_segment(peaks, state, seg, i, s);
+        if (!thud_response_bound_structure(peaks, state->model, i, &reach))
             continue;
         if (!prepared) {
-            thud_peaks_prepare(run);
-            memcpy(start, run->state.q, n * sizeof *start);
-            memcpy(start + n, run->state.qd, n * sizeof *start);
-            memcpy(start + 2 * n, run->scratch, n * sizeof *start);
-            modal_acceleration(run, run->scratch, s, end + 2 * n);
-            modal_margins(run, run->scratch, s, modal);
+            thud_peaks_prepare(peaks, state, seg);
+            memcpy(start, state->q, n * sizeof *start);
+            memcpy(start + n, state->qd, n * sizeof *start);
+            memcpy(start + 2 * n, peaks->acceleration, n * sizeof *start);
+            modal_acceleration(state, seg, peaks->acceleration, s, end + 2 * n);
+            modal_margins(state, seg, peaks->acceleration, s, modal);
             prepared = true;
         }
-        structure_peaks(run, i, s, &reach, start, end, modal);
+        structure_peaks(peaks, state, seg, i, s, &reach, start, end, modal);
     }
 }
 
-void thud_peaks_segment(struct thud_run *run, double s)
+void thud_peaks_segment(struct thud_peaks *peaks, const struct thud_state *state, const struct thud_segment *seg,
+                        struct thud_contact_log *log, double s)
 {
-    motion_peaks(run, s);
-    for (int c = 0; c < run->state.model->ncontacts; c++)
-        contact_peaks(run, c, s);
+    motion_peaks(peaks, state, seg, s);
+    for (int c = 0; c < state->model->ncontacts; c++)
+        contact_peaks(peaks, state, seg, log, c, s);
+}
+
+enum thud_status thud_peaks_init(struct thud_peaks *peaks, const struct thud_state *state, struct thud_result *result,
+                                 struct thud_error *err)
+{
+    size_t n = (size_t)state->model->nmodes, terms = THUD_SEGMENT_TERMS;
+    size_t floors = THUD_FLOOR_QUANTITIES * (size_t)state->model->ndof;
+    *peaks = (struct thud_peaks){.result = result};
+    peaks->block = calloc((2 + 9 + terms + 1) * n + floors + 1, sizeof *peaks->block);
+    if (!peaks->block)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    peaks->mode_max = peaks->block;
+    peaks->ends = peaks->mode_max + 2 * n;
+    peaks->acceleration = peaks->ends + 9 * n;
+    peaks->per_speed = peaks->acceleration + (terms + 1) * n;
+    fill_mode_max(peaks, state);
+    thud_response_bound_start(peaks, state);
+    return THUD_OK;
+}
+
+void thud_peaks_clear(struct thud_peaks *peaks)
+{
+    free(peaks->block);
+    *peaks = (struct thud_peaks){0};
 }
