@@ -36,7 +36,7 @@ void thud_peaks_prepare(struct thud_peaks *peaks, const struct thud_state *state
 void thud_peaks_floor(struct thud_peaks *peaks, const struct thud_state *state, const struct thud_segment *seg,
                       int structure, int floor, int quantity, double s);
 
-/* response_bound.c: fills peaks->per_speed. */
+/* Fills peaks->per_speed. */
 void thud_response_bound_start(struct thud_peaks *peaks, const struct thud_state *state);
 /* What a structure can come to: S, and contact force on it (by mass^(1/2)). */
 struct thud_response_bound {

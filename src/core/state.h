@@ -63,7 +63,7 @@ struct thud_state {
     struct thud_work *work; /* counters */
     double *free_mps2;      /* (nmodes + ncontacts) workspace of state.c */
     int *set_now;           /* (ncontacts) and */
-    double *collide;        /* workspace of contact_impulse.c */
+    double *collide;        /* workspace of contact.c */
     double *force_now;      /* (ncontacts) workspace of the functions that switch a contact */
     double *delassus;       /* (ncontacts x ncontacts) workspace of state.c */
     double *block;
