@@ -42,7 +42,7 @@ enum {
     THUD_LAW_TURNS = 2,      /* approach and restitution have different branches */
     THUD_LAW_PULLS = 4,      /* force may be negative; the contact ends at d = 0 */
     THUD_LAW_IMPULSIVE = 8,  /* no force: an impulse at touch (stereomechanical) */
-    THUD_LAW_SILENT = 16,    /* no contact at all (none) */
+    THUD_LAW_NO_FORCE = 16,  /* no contact at all (none) */
     THUD_LAW_DEGREE_ONE = 32 /* force is of degree one in (d, v): scaling symmetry */
 };
 
@@ -59,11 +59,11 @@ struct thud_law {
     void (*touch)(const struct thud_law_setup *setup, double v_mps, struct thud_law_memory *memory);
     /* At each turn from approach to restitution at indentation d; NULL where nothing changes. */
     void (*turn)(const struct thud_law_setup *setup, double d_m, struct thud_law_memory *memory);
-    /* The branch that holds in a phase on one side of the knee. */
+    /* The branch that holds in a phase on one side of the ultimate compression. */
     struct thud_branch (*branch)(const struct thud_law_setup *setup, const struct thud_law_memory *memory,
-                                 enum thud_phase phase, bool past_knee);
+                                 enum thud_phase phase, bool past_ultimate);
     /* Indentation at which the branch changes (the bumper's delta_u); NULL where there is none. */
-    double (*knee)(const struct thud_law_setup *setup);
+    double (*ultimate)(const struct thud_law_setup *setup);
     /* Energy stored under the elastic curve at indentation d, J. */
     double (*elastic_energy)(const struct thud_law_setup *setup, double d_m);
     /* Nominal restitution as asked for, and the one two free bodies really part with at closing velocity v. */
@@ -91,7 +91,7 @@ void thud_law_defaults(const struct thud_law *law, struct thud_law_setup *setup)
  */
 double thud_branch_force(const struct thud_branch *branch, double d_m, double v_mps, double *df_dd, double *df_dv);
 
-/* Branch at (d, phase) without a run: picks the side of the knee. */
+/* Branch at (d, phase) without a run: picks the side of the ultimate compression. */
 struct thud_branch thud_law_branch_at(const struct thud_law *law, const struct thud_law_setup *setup,
                                       const struct thud_law_memory *memory, enum thud_phase phase, double d_m);
 

@@ -49,13 +49,13 @@ double thud_rubber_restitution(double cv, double ratio);
 /* C of the paper's eq. (7), s/m; m in kg, v in m/s (> 0). */
 double thud_rubber_c_paper(double e, double mass_kg, double v_mps);
 
-/* The bumper's approach curve, eq. (4): k d^n up to the knee, then a line of slope post_yield. */
+/* The bumper's approach curve, eq. (4): k d^n up to the ultimate compression, then a line of slope post_yield. */
 struct thud_rubber_curve {
     double k, n; /* N/m^n */
-    double knee_m, post_yield_npm;
-    double knee_force_n, knee_energy_j;
+    double ultimate_m, post_yield_npm;
+    double ultimate_force_n, ultimate_energy_j;
 };
-struct thud_rubber_curve thud_rubber_curve(double k, double n, double knee_m, double post_yield_npm);
+struct thud_rubber_curve thud_rubber_curve(double k, double n, double ultimate_m, double post_yield_npm);
 double thud_rubber_curve_force(const struct thud_rubber_curve *curve, double d_m);
 double thud_rubber_curve_energy(const struct thud_rubber_curve *curve, double d_m);
 /* Indentation at which the curve holds the energy: the largest one of a collision with m v^2/2 = energy. */

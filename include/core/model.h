@@ -43,12 +43,12 @@ struct thud_model {
     double *mass_kg;                        /* (ndof) */
     double *omega, *zeta, *gamma;           /* (nmodes); gamma = Phi^T M 1 */
     double *spring, *dashpot;               /* (nmodes): omega^2 and 2 zeta omega */
-    double *g;                              /* (ncontacts x nmodes): g_c */
-    double *w;                              /* (ncontacts x ncontacts): g_a . g_b, 1/kg */
+    double *jacobian;                       /* (ncontacts x nmodes): contact Jacobian, rows g_c */
+    double *delassus;                       /* (ncontacts x ncontacts): Delassus matrix g_a . g_b, 1/kg */
     double *q0, *qd0;                       /* (nmodes) at t = 0 */
-    double *share;        /* (ndof): of the ground's motion that a floor's modes carry; 1 where none is left out */
-    int left_out;         /* modes */
-    double fastest_radps; /* free motion changes no faster: largest omega, or the rate of coupled damping */
+    double *ground_influence; /* (ndof): of the ground's motion that a floor's modes carry; 1 where none is left out */
+    int left_out;             /* modes */
+    double fastest_radps;     /* free motion changes no faster: largest omega, or the rate of coupled damping */
 };
 
 /* What assemble hands over; arrays are copied. A wall has n = 0. */

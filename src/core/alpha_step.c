@@ -87,7 +87,7 @@ static void prepare(const struct thud_model *m, struct alpha *x, double h)
     thud_modal_operator_set(x->op, m, 1 - p->am, share * p->gamma * h, share * p->beta * h * h);
     for (int c = 0; c < m->ncontacts; c++) {
         double *r = x->response + c * m->nmodes;
-        thud_modal_operator_apply(x->op, m, m->g + c * m->nmodes, r);
+        thud_modal_operator_apply(x->op, m, m->jacobian + c * m->nmodes, r);
         for (int j = 0; j < m->nmodes; j++)
             r[j] *= share;
         for (int a = 0; a < m->ncontacts; a++)
@@ -116,7 +116,7 @@ static void start_step(const struct thud_state *state, struct alpha *x, double h
             x->start.force[c] = x->applied[c];
         }
         thud_model_acceleration(m, state->q, state->qd, thud_step_ground(state, 0), x->start.qdd);
-        thud_model_push(m, x->start.force, x->start.qdd);
+        thud_model_apply_contact_forces(m, x->start.force, x->start.qdd);
     }
     double ground = thud_step_ground(state, 0);
     x->fresh = x->fresh || fabs(ground - x->before_mps2) > THUD_TOL_GROUND_JUMP * (fabs(ground) + fabs(x->before_mps2));
@@ -152,7 +152,7 @@ static bool counts(const struct thud_state *state, int c)
 {
     if (state->locates)
         return thud_contact_acts(&state->contact[c]);
-    return !(state->model->contact[c].law->flags & (THUD_LAW_SILENT | THUD_LAW_IMPULSIVE));
+    return !(state->model->contact[c].law->flags & (THUD_LAW_NO_FORCE | THUD_LAW_IMPULSIVE));
 }
 
 /* Indentation, its rate and second rate of contact a at the step's end under the forces now tried. */
@@ -178,7 +178,7 @@ static double newton(const struct thud_state *state, struct alpha *x, int n, dou
         double d, v, acc, fd = 0, fv = 0, own = 1;
         contact_end(state, x, a, h, &d, &v, &acc);
         double by_d = x->p.beta * h * h, by_v = x->p.gamma * h, by_a = 0;
-        if (state->contact[a].mode == THUD_STUCK && state->locates) { /* held: no second rate */
+        if (state->contact[a].mode == THUD_STICKING && state->locates) { /* held: no second rate */
             own = 0;
             by_a = -1;
             x->change[i] = acc;
@@ -254,7 +254,7 @@ static void cross(const struct thud_state *state, struct alpha *x, double h)
         }
     }
     thud_model_acceleration(m, x->end.q, x->end.qd, x->ground_mps2, x->end.qdd);
-    thud_model_push(m, x->end.force, x->end.qdd);
+    thud_model_apply_contact_forces(m, x->end.force, x->end.qdd);
 }
 
 enum thud_status thud_alpha_step(const struct thud_state *state, void *own, struct thud_segment *seg,

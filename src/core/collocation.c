@@ -1,24 +1,390 @@
+#include "core/collocation.h"
+
 #include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/collocation_private.h"
 #include "core/largest.h"
+#include "core/nodes.h"
+#include "core/poly.h"
 #include "core/radau.h"
 #include "core/tolerance.h"
+
+/* Values at the points of a contact stand THUD_BATCH apart; those past the last point are padding. */
+enum { THUD_POINTS = 7, THUD_LEVELS = 48, THUD_BLOCK = THUD_POINTS * THUD_BATCH };
+
+/* Indentation and rate at point i from the force at point j of another contact, per step size: blocks (THUD_POINTS x
+ * THUD_BATCH) by [j][i], made when first needed. */
+struct thud_response {
+    double *indentation, *rate;
+    bool shared; /* the memory is another's */
+};
+
+/* Unit motions of the modes: initial displacement, initial rate, constant ground acceleration, one rising from 0. */
+enum { THUD_UNIT_Q, THUD_UNIT_QD, THUD_UNIT_A0, THUD_UNIT_A1, THUD_UNITS };
+
+struct thud_collocation {
+    double node[THUD_POINTS], lagrange[THUD_POINTS * THUD_POINTS];
+    struct thud_nodes nodes, checks; /* the points, and those between them where the error is measured */
+    double h_top;                    /* step of level 0 */
+    double h, h_touch;
+    int steady;         /* steps since one that let the next be longer */
+    double contraction; /* of the fixed-point iteration, as last measured and with a margin */
+    bool just_touched;
+    bool has_source; /* the forces of the last segment go on into this step */
+    double *last;    /* (THUD_POINTS x nc): their coefficients, in a segment of last_h, from s = source on */
+    double last_h, source;
+    int nc, nmodes, loads;      /* loads: 1 where modes are uncoupled, else one per contact */
+    double *modal[THUD_LEVELS]; /* (loads x THUD_POINTS x nmodes x 2 x THUD_BATCH): q and q' of each mode at the
+                                   points, by load and power */
+    struct thud_response *pair[THUD_LEVELS]; /* (nc x nc) */
+    double *unforced[THUD_LEVELS]; /* (nmodes x THUD_UNITS x 2 x THUD_BATCH): how far each mode moves to the points,
+                                      and its rate there, in each unit motion without contact; not where modes couple */
+    double *moved;                 /* (nmodes x 2 x THUD_BATCH) the same in the step at hand */
+    struct thud_segment seg;       /* of unit loads, and of the motion without contact forces */
+    double *seg_block;
+    /* The system: unknowns are the forces of the active contacts at the points */
+    int *active; /* (nc) */
+    int nactive, capacity;
+    double *force, *d0, *v0, *d, *v; /* (nactive x THUD_BATCH) */
+    double *residual, *matrix;       /* (nactive x THUD_POINTS); square */
+    double *scale, *change;          /* (nactive) on which a change of the force counts, and the last one */
+    lapack_int *pivot;
+};
+
+/* How contacts would move through a step if no contact force acted. */
+
+/* calloc of at least one element. */
+static void *allocate(size_t count, size_t size)
+{
+    return calloc(count ? count : 1, size);
+}
+
+static void begin_segment(const struct thud_state *state, struct thud_segment *seg, double h)
+{
+    thud_segment_begin(state, seg, h);
+    double least = fmin(1e-15, fmax(THUD_TOL_SERIES, 1e-9 * state->tolerance));
+    seg->terms = thud_segment_terms(state->fastest_radps * h, least);
+}
+
+/* The table of a step size, where modes are uncoupled. */
+static bool fill_table(const struct thud_state *state, struct thud_collocation *x, int level, double h)
+{
+    const struct thud_model *m = state->model;
+    size_t n = (size_t)x->nmodes;
+    double *table = allocate(n * THUD_UNITS * 2 * THUD_BATCH, sizeof *table), *start = allocate(2 * n, sizeof *start);
+    x->unforced[level] = table;
+    if (!table || !start) {
+        free(start);
+        return false;
+    }
+    struct thud_segment *seg = &x->seg;
+    seg->terms = THUD_SEGMENT_TERMS;
+    seg->h_s = h;
+    memset(seg->force, 0, THUD_SEGMENT_TERMS * (size_t)x->nc * sizeof *seg->force);
+    for (int u = 0; u < THUD_UNITS; u++) {
+        for (size_t j = 0; j < n; j++) {
+            start[j] = u == THUD_UNIT_Q;
+            start[n + j] = u == THUD_UNIT_QD;
+        }
+        seg->a0 = u == THUD_UNIT_A0;
+        seg->a1 = u == THUD_UNIT_A1;
+        thud_taylor_given(m, seg, start, start + n);
+        memset(seg->q, 0, n * sizeof *seg->q); /* how far it moves */
+        for (size_t j = 0; j < n; j++) {
+            double *d = table + (j * THUD_UNITS + (size_t)u) * 2 * THUD_BATCH, *v = d + THUD_BATCH;
+            thud_nodes_values(&x->nodes, seg->q + j, m->nmodes, seg->terms, d);
+            thud_nodes_rates(&x->nodes, seg->q + j, m->nmodes, seg->terms, h, v);
+        }
+    }
+    free(start);
+    return true;
+}
+
+/* Every mode's way to the points and its rates there. */
+static void move_modes(const struct thud_state *state, struct thud_collocation *x, int level, double h)
+{
+    double a0, a1;
+    thud_state_ground(state, state->grid, &a0, &a1);
+    double slope = (a1 - a0) / state->grid_dt_s;
+    double part[THUD_UNITS] = {[THUD_UNIT_A0] = a0 + slope * state->offset_s, [THUD_UNIT_A1] = slope * h};
+    for (int j = 0; j < x->nmodes; j++) {
+        const double *unit = x->unforced[level] + j * THUD_UNITS * 2 * THUD_BATCH;
+        struct thud_batch d = {0}, v = {0};
+        part[THUD_UNIT_Q] = state->q[j];
+        part[THUD_UNIT_QD] = state->qd[j];
+        for (int u = 0; u < THUD_UNITS; u++, unit += 2 * THUD_BATCH) {
+            thud_batch_add(&d, part[u], unit);
+            thud_batch_add(&v, part[u], unit + THUD_BATCH);
+        }
+        thud_batch_put(&d, x->moved + j * 2 * THUD_BATCH);
+        thud_batch_put(&v, x->moved + (j * 2 + 1) * THUD_BATCH);
+    }
+}
+
+/* Adds the modes of one side of contact c. */
+static void add_side(const struct thud_state *state, const struct thud_collocation *x, int c, int dof,
+                     struct thud_batch *d, struct thud_batch *v)
+{
+    const struct thud_model *m = state->model;
+    if (dof < 0)
+        return;
+    const struct thud_model_structure *s = &m->structure[m->dof_structure[dof]];
+    for (int j = s->first_mode; j < s->first_mode + s->modes; j++) {
+        const double *from = x->moved + j * 2 * THUD_BATCH;
+        double g = m->jacobian[c * m->nmodes + j];
+        thud_batch_add(d, g, from);
+        thud_batch_add(v, g, from + THUD_BATCH);
+    }
+}
+
+static void by_table(const struct thud_state *state, struct thud_collocation *x, int level, double h)
+{
+    move_modes(state, x, level, h);
+    for (int a = 0; a < x->nactive; a++) {
+        int c = x->active[a];
+        const struct thud_model_contact *p = &state->model->contact[c];
+        double now = state->contact[c].suppressed.indentation > 0 ? 0 : thud_contact_indentation(state, c);
+        struct thud_batch d = {0}, v = {0};
+        add_side(state, x, c, p->left_dof, &d, &v);
+        add_side(state, x, c, p->right_dof, &d, &v);
+        thud_batch_add(&d, now, x->nodes.power[0]);
+        thud_batch_put(&d, x->d0 + a * THUD_BATCH);
+        thud_batch_put(&v, x->v0 + a * THUD_BATCH);
+    }
+}
+
+static void by_series(const struct thud_state *state, struct thud_collocation *x, double h)
+{
+    double p[THUD_SEGMENT_TERMS];
+    begin_segment(state, &x->seg, h);
+    thud_taylor_given(state->model, &x->seg, state->q, state->qd);
+    for (int a = 0; a < x->nactive; a++) {
+        int c = x->active[a];
+        thud_segment_indentation(state, &x->seg, c, p);
+        if (state->contact[c].suppressed.indentation > 0)
+            p[0] = 0;
+        thud_nodes_values(&x->nodes, p, 1, x->seg.terms, x->d0 + a * THUD_BATCH);
+        thud_nodes_rates(&x->nodes, p, 1, x->seg.terms, h, x->v0 + a * THUD_BATCH);
+    }
+}
+
+static bool fill_unforced(const struct thud_state *state, struct thud_collocation *x, int level, double h)
+{
+    if (state->model->couples) {
+        by_series(state, x, h);
+        return true;
+    }
+    if (!x->unforced[level] && !fill_table(state, x, level, h))
+        return false;
+    by_table(state, x, level, h);
+    return true;
+}
+
+/* How contacts answer to each other's forces at the points of a step. */
+
+/* Motion of every mode at the points under unit loads s^power. */
+static bool fill_modal(const struct thud_state *state, struct thud_collocation *x, int level, double h)
+{
+    size_t n = (size_t)x->nmodes;
+    double *table = allocate((size_t)x->loads * THUD_POINTS * n * 2 * THUD_BATCH, sizeof *table),
+           *ones = allocate(n, sizeof *ones);
+    x->modal[level] = table;
+    if (!table || !ones) {
+        free(ones);
+        return false;
+    }
+    for (size_t j = 0; j < n; j++)
+        ones[j] = 1;
+    struct thud_segment *seg = &x->seg;
+    seg->terms = THUD_SEGMENT_TERMS;
+    seg->h_s = h;
+    seg->a0 = seg->a1 = 0;
+    seg->loaded = 0;
+    for (int load = 0; load < x->loads; load++)
+        for (int power = 0; power < THUD_POINTS; power++) {
+            thud_taylor_load(state->model, seg,
+                             !state->model->couples ? ones : state->model->jacobian + (size_t)load * n, power);
+            for (int j = 0; j < x->nmodes; j++, table += 2 * THUD_BATCH) {
+                thud_nodes_values(&x->nodes, seg->q + j, x->nmodes, seg->terms, table);
+                thud_nodes_rates(&x->nodes, seg->q + j, x->nmodes, seg->terms, h, table + THUD_BATCH);
+            }
+        }
+    free(ones);
+    return true;
+}
+
+/* Response of contact a to forces of contact b. A force pushes the two apart: indentation falls. */
+static bool fill_pair(const struct thud_state *state, struct thud_collocation *x, int level, double h, int a, int b)
+{
+    size_t n = (size_t)x->nmodes;
+    if (!x->modal[level] && !fill_modal(state, x, level, h))
+        return false;
+    struct thud_response *r = &x->pair[level][a * x->nc + b];
+    double *block = allocate(2 * THUD_BLOCK, sizeof *block);
+    if (!block)
+        return false;
+    r->indentation = block;
+    r->rate = block + THUD_BLOCK;
+    const bool couples = state->model->couples;
+    const double *ga = state->model->jacobian + (size_t)a * n, *gb = state->model->jacobian + (size_t)b * n;
+    const double *table = x->modal[level] + (couples ? (size_t)b * THUD_POINTS * n * 2 * THUD_BATCH : 0);
+    for (int power = 0; power < THUD_POINTS; power++) {
+        struct thud_batch d = {0}, v = {0};
+        double moved[2 * THUD_BATCH];
+        for (size_t j = 0; j < n; j++, table += 2 * THUD_BATCH) {
+            double w = couples ? -ga[j] : -ga[j] * gb[j];
+            thud_batch_add(&d, w, table);
+            thud_batch_add(&v, w, table + THUD_BATCH);
+        }
+        thud_batch_put(&d, moved);
+        thud_batch_put(&v, moved + THUD_BATCH);
+        for (int k = 0; k < THUD_POINTS; k++)
+            for (int i = 0; i < THUD_POINTS; i++) {
+                r->indentation[k * THUD_BATCH + i] += moved[i] * x->lagrange[power * THUD_POINTS + k];
+                r->rate[k * THUD_BATCH + i] += moved[THUD_BATCH + i] * x->lagrange[power * THUD_POINTS + k];
+            }
+    }
+    return true;
+}
+
+/* Where modes do not couple, each of two contacts answers to the other in the same way. */
+static bool mirror_pair(const struct thud_state *state, struct thud_collocation *x, int level, int a, int b)
+{
+    const struct thud_response *other = &x->pair[level][b * x->nc + a];
+    if (state->model->couples || !other->indentation)
+        return false;
+    x->pair[level][a * x->nc + b] = *other;
+    x->pair[level][a * x->nc + b].shared = true;
+    return true;
+}
+
+static const struct thud_response *response_of(const struct thud_state *state, struct thud_collocation *x, int level,
+                                               double h, int a, int b)
+{
+    if (!x->pair[level])
+        x->pair[level] = allocate((size_t)x->nc * (size_t)x->nc, sizeof(struct thud_response));
+    if (!x->pair[level])
+        return NULL;
+    struct thud_response *r = &x->pair[level][a * x->nc + b];
+    return r->indentation || mirror_pair(state, x, level, a, b) || fill_pair(state, x, level, h, a, b) ? r : NULL;
+}
+
+/* How far the force polynomials of a step are from the laws. */
+
+/* Scale on which an error of contact a's force counts: the largest force it has had, has now, or will have by its
+ * closing velocity. */
+static double force_scale(const struct thud_state *state, const struct thud_collocation *x, int a)
+{
+    int c = x->active[a];
+    double scale = state->contact[c].largest_force_n;
+    for (int i = 0; i < THUD_POINTS; i++)
+        scale = thud_larger(scale, fabs(x->force[a * THUD_BATCH + i]));
+    if (state->contact[c].phase == THUD_APPROACH)
+        scale = thud_larger(scale, state->contact[c].expected_force_n);
+    return thud_larger(scale,
+                       state->model->contact[c].setup.mass_kg *
+                           thud_larger(THUD_TOL_GROUND_FORCE * state->ground_mps2, THUD_TOL_LEAST_ACCELERATION_MPS2));
+}
+
+/* Whether a contact is so young that its force has no smooth past: most of the indentation at the end of the step is
+ * made in it, with the speed hardly lost. */
+static bool has_just_begun(const double *indentation, int terms)
+{
+    double end[3];
+    thud_poly_value3(indentation, terms, 1, end);
+    return indentation[0] < 0.5 * end[0] && end[1] > 0.5 * indentation[1];
+}
+
+/* Sizes of what an indentation and a rate are differences of. */
+struct sizes {
+    double d, v;
+};
+
+static struct sizes sizes_of(const struct thud_state *state, int c)
+{
+    double left, right, left_rate, right_rate;
+    thud_model_sides(state->model, c, state->q, &left, &right);
+    thud_model_sides(state->model, c, state->qd, &left_rate, &right_rate);
+    return (struct sizes){thud_state_clearance(state, c) + fabs(left) + fabs(right),
+                          fabs(left_rate) + fabs(right_rate)};
+}
+
+/* How far rounding alone may put a force off. */
+static double force_noise(const struct sizes *of, double fd, double fv)
+{
+    return THUD_TOL_STATE * (fabs(fd) * of->d + fabs(fv) * of->v);
+}
+
+/* Largest difference between the polynomial of contact a's force and the law, between the points. */
+static double force_difference(const struct thud_state *state, struct thud_segment *seg,
+                               const struct thud_collocation *x, int c, const double *p, double h)
+{
+    const struct thud_contact_state *s = &state->contact[c];
+    double d[THUD_BATCH], v[THUD_BATCH], f[THUD_BATCH], worst = 0, mass = state->model->contact[c].setup.mass_kg;
+    thud_nodes_values(&x->checks, p, 1, seg->terms, d);
+    thud_nodes_rates(&x->checks, p, 1, seg->terms, h, v);
+    thud_nodes_values(&x->checks, seg->force + c, state->model->ncontacts, THUD_POINTS, f);
+    const struct sizes sizes = sizes_of(state, c);
+    for (int i = 0; i < THUD_POINTS;
+         i += s->mode == THUD_STICKING ? 1 : 2) { /* a law is dear; the largest is at the start */
+        double fd, fv;
+        if (s->mode == THUD_STICKING) { /* the force that would undo the rate in one step, but for rounding */
+            worst = thud_larger(worst, mass * thud_larger(fabs(v[i]) - THUD_TOL_STICKING_M / h, 0) / h);
+            continue;
+        }
+        double difference = fabs(thud_branch_force(&s->branch, d[i], v[i], &fd, &fv) - f[i]);
+        if (difference > worst && isfinite(fd))
+            difference -= force_noise(&sizes, fd, fv);
+        worst = thud_larger(worst, difference);
+    }
+    return worst;
+}
+
+/* Error of contact a's force: the largest difference between its polynomial and the law between the points, over the
+ * force scale. Where a force begins without a smooth start (d^(1/4), d^(3/2)) no step is short enough for that; there
+ * what counts is the impulse that the difference makes up. */
+static double contact_error(const struct thud_state *state, struct thud_segment *seg, const struct thud_collocation *x,
+                            int a, double h)
+{
+    int c = x->active[a];
+    const struct thud_contact_state *s = &state->contact[c];
+    double *p = seg->indentation + c * THUD_SEGMENT_TERMS, mass = state->model->contact[c].setup.mass_kg;
+    thud_segment_contact(state, seg, c);
+    if (s->suppressed.indentation > 0)
+        p[0] = 0; /* just touched, as the forces at the points take it */
+    double difference = force_difference(state, seg, x, c, p, h);
+    double error = thud_larger(difference / force_scale(state, x, a) - THUD_TOL_POLYNOMIAL, 0);
+    if (s->mode == THUD_CLOSED && s->phase == THUD_APPROACH && has_just_begun(p, seg->terms)) {
+        double ground = state->fastest_radps > 0 ? state->ground_mps2 / state->fastest_radps : 0;
+        double speed = s->memory.v_imp_mps < 1e-7 * ground ? ground : s->memory.v_imp_mps; /* pushed, or thrown */
+        if (speed > 0)
+            error = fmin(error, 10 * difference * h / (mass * speed));
+    }
+    return error;
+}
+
+static double error_of_step(const struct thud_state *state, struct thud_segment *seg, const struct thud_collocation *x,
+                            double h)
+{
+    double worst = 0;
+    for (int a = 0; a < x->nactive; a++)
+        worst = thud_larger(worst, contact_error(state, seg, x, a, h));
+    state->work->force_evaluations += x->nactive * (THUD_POINTS + 1) / 2;
+    return worst;
+}
 
 enum { NEWTON_MAX = 12, ITERATIONS_MAX = 12 };
 enum { PATIENCE = 16 };                  /* steps of one size before a longer one is tried */
 static const double longest_angle = 1.8; /* a step times the fastest mode: the series' terms are enough for that */
-static const double slowest_contraction =
-    0.3; /* of the iteration in the order of time, before Newton's method takes over */
+static const double slowest_contraction = 0.3; /* of the Gauss-Seidel sweeps; slower ones are left to Newton's method */
 
 enum thud_status thud_collocation_create(const struct thud_state *state, struct thud_collocation **out,
                                          struct thud_error *err)
 {
     const struct thud_model *m = state->model;
-    struct thud_collocation *x = *out = thud_collocation_allocate(1, sizeof *x);
+    struct thud_collocation *x = *out = allocate(1, sizeof *x);
     if (!x)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     x->nc = m->ncontacts;
@@ -32,11 +398,11 @@ enum thud_status thud_collocation_create(const struct thud_state *state, struct 
     double check[THUD_POINTS];
     for (int i = 0; i < THUD_POINTS; i++)
         check[i] = 0.5 * (x->node[i] + (i > 0 ? x->node[i - 1] : 0));
-    thud_places_set(&x->nodes, THUD_POINTS, x->node, 1, THUD_SEGMENT_TERMS);
-    thud_places_set(&x->checks, THUD_POINTS, check, 1, THUD_SEGMENT_TERMS);
+    thud_nodes_set(&x->nodes, THUD_POINTS, x->node, 1, THUD_SEGMENT_TERMS);
+    thud_nodes_set(&x->checks, THUD_POINTS, check, 1, THUD_SEGMENT_TERMS);
     size_t f = THUD_POINTS * (size_t)m->ncontacts;
-    x->seg_block = thud_collocation_allocate(2 * THUD_PLACES * (size_t)m->nmodes + f, sizeof(double));
-    x->active = thud_collocation_allocate((size_t)m->ncontacts, sizeof(int));
+    x->seg_block = allocate(2 * THUD_BATCH * (size_t)m->nmodes + f, sizeof(double));
+    x->active = allocate((size_t)m->ncontacts, sizeof(int));
     if (!x->seg_block || !x->active || thud_segment_init(&x->seg, m, err) != THUD_OK) {
         thud_collocation_free(x);
         *out = NULL;
@@ -82,10 +448,10 @@ static bool reserve(struct thud_collocation *x, int n)
 {
     if (n <= x->capacity)
         return true;
-    size_t size = (size_t)n * THUD_PLACES, unknowns = (size_t)n * THUD_POINTS;
-    double *block = thud_collocation_allocate(5 * size + unknowns + 2 * (size_t)n, sizeof *block),
-           *matrix = thud_collocation_allocate(unknowns * unknowns, sizeof *matrix);
-    lapack_int *pivot = thud_collocation_allocate(unknowns, sizeof *pivot);
+    size_t size = (size_t)n * THUD_BATCH, unknowns = (size_t)n * THUD_POINTS;
+    double *block = allocate(5 * size + unknowns + 2 * (size_t)n, sizeof *block),
+           *matrix = allocate(unknowns * unknowns, sizeof *matrix);
+    lapack_int *pivot = allocate(unknowns, sizeof *pivot);
     if (!block || !matrix || !pivot) {
         free(block);
         free(matrix);
@@ -112,17 +478,17 @@ static bool reserve(struct thud_collocation *x, int n)
 /* Indentation and rate of the a-th active contact at the points under all forces: out of what they are without. */
 static void respond(const struct thud_collocation *x, const struct thud_response *row, int a)
 {
-    struct thud_lanes d = thud_lanes_at(x->d0 + a * THUD_PLACES), v = thud_lanes_at(x->v0 + a * THUD_PLACES);
+    struct thud_batch d = thud_batch_at(x->d0 + a * THUD_BATCH), v = thud_batch_at(x->v0 + a * THUD_BATCH);
     for (int b = 0; b < x->nactive; b++) {
         const double *by_d = row[x->active[b]].indentation, *by_v = row[x->active[b]].rate;
         for (int j = 0; j < THUD_POINTS; j++) {
-            double force = x->force[b * THUD_PLACES + j];
-            thud_lanes_add(&d, force, by_d + j * THUD_PLACES);
-            thud_lanes_add(&v, force, by_v + j * THUD_PLACES);
+            double force = x->force[b * THUD_BATCH + j];
+            thud_batch_add(&d, force, by_d + j * THUD_BATCH);
+            thud_batch_add(&v, force, by_v + j * THUD_BATCH);
         }
     }
-    thud_lanes_put(&d, x->d + a * THUD_PLACES);
-    thud_lanes_put(&v, x->v + a * THUD_PLACES);
+    thud_batch_put(&d, x->d + a * THUD_BATCH);
+    thud_batch_put(&v, x->v + a * THUD_BATCH);
 }
 
 static void motion_under_forces(const struct thud_collocation *x, int level)
@@ -136,7 +502,7 @@ static bool prepare_responses(const struct thud_state *state, struct thud_colloc
 {
     for (int a = 0; a < x->nactive; a++)
         for (int b = 0; b < x->nactive; b++)
-            if (!thud_collocation_response(state, x, level, h, x->active[a], x->active[b]))
+            if (!response_of(state, x, level, h, x->active[a], x->active[b]))
                 return false;
     return true;
 }
@@ -148,9 +514,9 @@ static void linearize(const struct thud_state *state, struct thud_collocation *x
     for (int a = 0; a < x->nactive; a++) {
         const struct thud_contact_state *s = &state->contact[x->active[a]];
         for (int i = 0; i < THUD_POINTS; i++) {
-            int row = a * THUD_POINTS + i, at = a * THUD_PLACES + i;
+            int row = a * THUD_POINTS + i, at = a * THUD_BATCH + i;
             double fd = 0, fv = -1, own = 0;
-            if (s->mode == THUD_STUCK) {
+            if (s->mode == THUD_STICKING) {
                 x->residual[row] = x->v[at];
             } else {
                 own = 1;
@@ -160,7 +526,7 @@ static void linearize(const struct thud_state *state, struct thud_collocation *x
                 const struct thud_response *r = &x->pair[level][x->active[a] * x->nc + x->active[b]];
                 double *column = x->matrix + (size_t)(b * THUD_POINTS) * (size_t)n + row;
                 for (int j = 0; j < THUD_POINTS; j++, column += n)
-                    *column = -fd * r->indentation[j * THUD_PLACES + i] - fv * r->rate[j * THUD_PLACES + i];
+                    *column = -fd * r->indentation[j * THUD_BATCH + i] - fv * r->rate[j * THUD_BATCH + i];
             }
             x->matrix[(size_t)row * (size_t)n + (size_t)row] += own;
         }
@@ -172,7 +538,7 @@ static void linearize(const struct thud_state *state, struct thud_collocation *x
  * and by how much that moves with the force itself. */
 static double correction(const struct thud_state *state, const struct thud_collocation *x, int level, int a, int j)
 {
-    int c = x->active[a], at = a * THUD_PLACES + j, own = j * THUD_PLACES + j;
+    int c = x->active[a], at = a * THUD_BATCH + j, own = j * THUD_BATCH + j;
     const struct thud_response *self = &x->pair[level][c * x->nc + c];
     double fd, fv, force = thud_branch_force(&state->contact[c].branch, x->d[at], x->v[at], &fd, &fv);
     double slope = 1 - fd * self->indentation[own] - fv * self->rate[own];
@@ -184,25 +550,25 @@ static void spread(struct thud_collocation *x, int level, int j)
 {
     for (int b = 0; b < x->nactive; b++) {
         const struct thud_response *row = x->pair[level] + x->active[b] * x->nc;
-        struct thud_lanes d = thud_lanes_at(x->d + b * THUD_PLACES), v = thud_lanes_at(x->v + b * THUD_PLACES);
+        struct thud_batch d = thud_batch_at(x->d + b * THUD_BATCH), v = thud_batch_at(x->v + b * THUD_BATCH);
         for (int a = 0; a < x->nactive; a++) {
-            thud_lanes_add(&d, x->change[a], row[x->active[a]].indentation + j * THUD_PLACES);
-            thud_lanes_add(&v, x->change[a], row[x->active[a]].rate + j * THUD_PLACES);
+            thud_batch_add(&d, x->change[a], row[x->active[a]].indentation + j * THUD_BATCH);
+            thud_batch_add(&v, x->change[a], row[x->active[a]].rate + j * THUD_BATCH);
         }
-        thud_lanes_put(&d, x->d + b * THUD_PLACES);
-        thud_lanes_put(&v, x->v + b * THUD_PLACES);
+        thud_batch_put(&d, x->d + b * THUD_BATCH);
+        thud_batch_put(&v, x->v + b * THUD_BATCH);
     }
 }
 
-/* One iteration in the order of time: the forces at a point with the newest of those before it. Largest change, over
- * the force scale. */
+/* One Gauss-Seidel sweep over the nodes of the step, earliest first. Returns the largest change of a force, over the
+ * force scale. */
 static double renew_forces(const struct thud_state *state, struct thud_collocation *x, int level)
 {
     double most = 0;
     for (int j = 0; j < THUD_POINTS; j++) {
         for (int a = 0; a < x->nactive; a++) {
             x->change[a] = correction(state, x, level, a, j);
-            x->force[a * THUD_PLACES + j] += x->change[a];
+            x->force[a * THUD_BATCH + j] += x->change[a];
             most = thud_larger(most, fabs(x->change[a]) / x->scale[a]);
         }
         spread(x, level, j);
@@ -218,9 +584,9 @@ static bool iterate(const struct thud_state *state, struct thud_collocation *x, 
 {
     double before = 0;
     for (int a = 0; a < x->nactive; a++) {
-        if (state->contact[x->active[a]].mode == THUD_STUCK)
+        if (state->contact[x->active[a]].mode == THUD_STICKING)
             return false;
-        x->scale[a] = thud_collocation_scale(state, x, a);
+        x->scale[a] = force_scale(state, x, a);
     }
     motion_under_forces(x, level);
     for (int iteration = 0; iteration < ITERATIONS_MAX; iteration++) {
@@ -251,9 +617,9 @@ static bool solve(const struct thud_state *state, struct thud_collocation *x, in
             return false;
         double change = 0;
         for (int a = 0; a < x->nactive; a++) {
-            double scale = thud_collocation_scale(state, x, a);
+            double scale = force_scale(state, x, a);
             for (int i = 0; i < THUD_POINTS; i++) {
-                x->force[a * THUD_PLACES + i] -= x->residual[a * THUD_POINTS + i];
+                x->force[a * THUD_BATCH + i] -= x->residual[a * THUD_POINTS + i];
                 change = thud_larger(change, fabs(x->residual[a * THUD_POINTS + i]) / scale);
             }
         }
@@ -289,7 +655,7 @@ static void guess(const struct thud_state *state, struct thud_collocation *x, do
                     f = thud_larger(f,
                                     0.5 * thud_branch_force(&s->branch, d + 0.5 * v * h * x->node[i], v, NULL, NULL));
             }
-            x->force[a * THUD_PLACES + i] = f;
+            x->force[a * THUD_BATCH + i] = f;
         }
     }
 }
@@ -298,13 +664,13 @@ static void write_segment(const struct thud_state *state, struct thud_segment *s
                           double h)
 {
     const struct thud_model *m = state->model;
-    thud_collocation_begin(state, seg, h);
+    begin_segment(state, seg, h);
     seg->loaded = THUD_POINTS;
     for (int a = 0; a < x->nactive; a++)
         for (int p = 0; p < THUD_POINTS; p++) {
             double f = 0;
             for (int i = 0; i < THUD_POINTS; i++)
-                f += x->lagrange[p * THUD_POINTS + i] * x->force[a * THUD_PLACES + i];
+                f += x->lagrange[p * THUD_POINTS + i] * x->force[a * THUD_BATCH + i];
             seg->force[p * m->ncontacts + x->active[a]] = f;
         }
     memcpy(x->last, seg->force, THUD_POINTS * (size_t)x->nc * sizeof *x->last);
@@ -337,7 +703,7 @@ static enum thud_status too_short(const struct thud_state *state, const struct t
 {
     int stuck = 0;
     for (int a = 0; a < x->nactive; a++)
-        stuck += state->contact[x->active[a]].mode == THUD_STUCK;
+        stuck += state->contact[x->active[a]].mode == THUD_STICKING;
     if (stuck > 1 && state->model->left_out > 0) /* all modes tell any floors apart */
         return thud_state_too_few_modes(state, err);
     return thud_error_set(err, THUD_DIVERGED, "no step is short enough for the contact forces at t = %.6g s",
@@ -363,7 +729,7 @@ enum thud_status thud_collocation_step(const struct thud_state *state, struct th
     for (int same = 0;;) {
         int level = level_for(x, x->h, remaining);
         double want = x->h, h = ldexp(x->h_top, -level), error = INFINITY;
-        if (!prepare_responses(state, x, level, h) || !thud_collocation_unforced(state, x, level, h))
+        if (!prepare_responses(state, x, level, h) || !fill_unforced(state, x, level, h))
             return thud_error_set(err, THUD_MEMORY, "out of memory");
         guess(state, x, h);
         bool converged = iterate(state, x, level, 1e-2 * tolerance) || solve(state, x, level, 1e-2 * tolerance);
@@ -372,7 +738,7 @@ enum thud_status thud_collocation_step(const struct thud_state *state, struct th
             write_segment(state, seg, x, h);
             x->has_source = true; /* should it be too long, a shorter one begins with these forces */
             x->source = 0;
-            error = thud_collocation_error(state, seg, x, h);
+            error = error_of_step(state, seg, x, h);
         }
         double factor =
             isfinite(error) ? 0.85 * pow(tolerance / thud_larger(error, 1e-5 * tolerance), 1.0 / THUD_POINTS) : 0.25;

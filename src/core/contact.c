@@ -1,10 +1,14 @@
-/* The states of a contact, the events that end them, and what follows. Only the run changes them. */
+#include "core/contact.h"
+
 #include <assert.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
-#include "core/contact.h"
+#include "core/lcp.h"
 #include "core/tolerance.h"
+
+/* The states of a contact, the events that end them, and what follows. Only the run changes them. */
 
 static const struct thud_law *law_of(const struct thud_state *state, int c)
 {
@@ -14,7 +18,7 @@ static const struct thud_law *law_of(const struct thud_state *state, int c)
 static void renew_branch(struct thud_state *state, int c)
 {
     struct thud_contact_state *s = &state->contact[c];
-    s->branch = law_of(state, c)->branch(&state->model->contact[c].setup, &s->memory, s->phase, s->past_knee);
+    s->branch = law_of(state, c)->branch(&state->model->contact[c].setup, &s->memory, s->phase, s->past_ultimate);
 }
 
 void thud_contact_set_mode(struct thud_state *state, int c, enum thud_contact_mode mode)
@@ -31,8 +35,8 @@ void thud_contact_start(struct thud_state *state)
         struct thud_contact_state *s = &state->contact[c];
         const struct thud_law *law = law_of(state, c);
         memset(s, 0, sizeof *s);
-        s->knee_m = law->knee ? law->knee(&state->model->contact[c].setup) : INFINITY;
-        s->zeros.indentation = fabs(thud_contact_indentation(state, c)) <= THUD_TOL_INDENTATION_M;
+        s->ultimate_m = law->ultimate ? law->ultimate(&state->model->contact[c].setup) : INFINITY;
+        s->suppressed.indentation = fabs(thud_contact_indentation(state, c)) <= THUD_TOL_INDENTATION_M;
     }
 }
 
@@ -40,9 +44,9 @@ void thud_contact_moved(struct thud_state *state)
 {
     for (int c = 0; c < state->model->ncontacts; c++) {
         struct thud_contact_state *s = &state->contact[c];
-        bool still = s->mode == THUD_OPEN && s->zeros.indentation > 0 && thud_contact_rate(state, c) == 0 &&
+        bool still = s->mode == THUD_OPEN && s->suppressed.indentation > 0 && thud_contact_rate(state, c) == 0 &&
                      thud_contact_indentation(state, c) == 0;
-        s->zeros = (struct thud_zeros){.indentation = still};
+        s->suppressed = (struct thud_suppressed){.indentation = still};
     }
 }
 
@@ -72,7 +76,7 @@ static double closing_rate(const struct thud_state *state, int c)
     return rate > THUD_TOL_RATE * (fabs(left) + fabs(right)) ? rate : 0;
 }
 
-static void touch(struct thud_state *state, struct thud_contact_log *log, int c)
+static void onset(struct thud_state *state, struct thud_contact_log *log, int c)
 {
     struct thud_contact_state *s = &state->contact[c];
     const struct thud_law *law = law_of(state, c);
@@ -80,16 +84,16 @@ static void touch(struct thud_state *state, struct thud_contact_log *log, int c)
     memset(&s->memory, 0, sizeof s->memory);
     law->touch(&state->model->contact[c].setup, v, &s->memory);
     s->phase = THUD_APPROACH;
-    s->past_knee = false;
+    s->past_ultimate = false;
     thud_contact_set_mode(state, c, THUD_CLOSED);
     bool pressed =
         thud_contact_indentation(state, c) > THUD_TOL_PRESSED_M; /* from the start: the clearance is negative */
     renew_branch(state, c);
     /* k d + c d' begins at 0 with d'; what is asked of d^p (K + D d') is K + D d', which does not */
     bool from_zero = v == 0 && !pressed && s->branch.K == 0 && s->branch.D == 0;
-    s->zeros = (struct thud_zeros){.indentation = !pressed, .rate = v == 0, .force = from_zero};
+    s->suppressed = (struct thud_suppressed){.indentation = !pressed, .rate = v == 0, .force = from_zero};
     s->expected_force_n = expected_force(state, c, v);
-    s->impact = (struct thud_impact){.contact = c, .start_s = thud_state_now(state), .approach_mps = v};
+    log->now[c] = (struct thud_impact){.contact = c, .start_s = thud_state_now(state), .approach_mps = v};
     log->contact[c].impacts++;
     log->contact[c].approach_mps = v;
     log->contact[c].separation_mps = 0;
@@ -98,10 +102,9 @@ static void touch(struct thud_state *state, struct thud_contact_log *log, int c)
 /* The force has come to its end. */
 static void note_release(struct thud_state *state, struct thud_contact_log *log, int c)
 {
-    struct thud_contact_state *s = &state->contact[c];
-    s->impact.separation_mps = -thud_contact_rate(state, c);
-    s->impact.duration_s = thud_state_now(state) - s->impact.start_s;
-    log->contact[c].separation_mps = s->impact.separation_mps;
+    log->now[c].separation_mps = -thud_contact_rate(state, c);
+    log->now[c].duration_s = thud_state_now(state) - log->now[c].start_s;
+    log->contact[c].separation_mps = log->now[c].separation_mps;
 }
 
 static enum thud_status open_contact(struct thud_state *state, struct thud_contact_log *log, int c, int zeros,
@@ -109,8 +112,8 @@ static enum thud_status open_contact(struct thud_state *state, struct thud_conta
 {
     struct thud_contact_state *s = &state->contact[c];
     thud_contact_set_mode(state, c, THUD_OPEN);
-    s->zeros = (struct thud_zeros){.indentation = zeros};
-    return thud_contact_log_add(log, &s->impact, err);
+    s->suppressed = (struct thud_suppressed){.indentation = zeros};
+    return thud_contact_log_add(log, &log->now[c], err);
 }
 
 /* Zeros of a force that has just left 0 to this side: none where a blow has put it beyond. */
@@ -132,8 +135,8 @@ static enum thud_status release(struct thud_state *state, struct thud_contact_lo
         log->contact[c].residual_m = s->residual_m;
         return open_contact(state, log, c, 1, err);
     }
-    thud_contact_set_mode(state, c, THUD_SLACK);
-    s->zeros = (struct thud_zeros){.force = force_zeros(state, c, -1)};
+    thud_contact_set_mode(state, c, THUD_CLOSED_NO_FORCE);
+    s->suppressed = (struct thud_suppressed){.force = force_zeros(state, c, -1)};
     return THUD_OK;
 }
 
@@ -141,7 +144,8 @@ static enum thud_status release(struct thud_state *state, struct thud_contact_lo
 static double rest_force(const struct thud_state *state, int c, enum thud_phase phase, double d)
 {
     const struct thud_contact_state *s = &state->contact[c];
-    struct thud_branch b = law_of(state, c)->branch(&state->model->contact[c].setup, &s->memory, phase, s->past_knee);
+    struct thud_branch b =
+        law_of(state, c)->branch(&state->model->contact[c].setup, &s->memory, phase, s->past_ultimate);
     return thud_branch_force(&b, d, 0, NULL, NULL);
 }
 
@@ -152,13 +156,13 @@ static void go_on(struct thud_state *state, int c, enum thud_phase phase, int ra
     if (phase == THUD_RESTITUTION && law_of(state, c)->turn)
         law_of(state, c)->turn(&state->model->contact[c].setup, thud_contact_indentation(state, c), &s->memory);
     s->phase = phase;
-    s->zeros = (struct thud_zeros){.rate = rate_zeros};
+    s->suppressed = (struct thud_suppressed){.rate = rate_zeros};
     renew_branch(state, c);
 }
 
 /* At d' = 0. Where the branches meet, the other phase begins. Where they do not (rubber past delta_u, unloading as
  * printed) and each would turn the motion back to the other, the contact sticks (Filippov's sliding mode). */
-static void turn(struct thud_state *state, int c)
+static void reversal(struct thud_state *state, int c)
 {
     struct thud_contact_state *s = &state->contact[c];
     enum thud_phase next = s->phase == THUD_APPROACH ? THUD_RESTITUTION : THUD_APPROACH;
@@ -170,10 +174,10 @@ static void turn(struct thud_state *state, int c)
         force[c] = next == THUD_RESTITUTION ? restitution : approach;
         double a = thud_contact_acceleration(state, c, force);
         if (next == THUD_RESTITUTION ? a > 0 : a < 0) {
-            thud_contact_set_mode(state, c, THUD_STUCK);
-            s->hold_low = restitution;
-            s->hold_high = approach;
-            s->zeros = (struct thud_zeros){.force = 1};
+            thud_contact_set_mode(state, c, THUD_STICKING);
+            s->constraint_low_n = restitution;
+            s->constraint_high_n = approach;
+            s->suppressed = (struct thud_suppressed){.force = 1};
             return;
         }
     }
@@ -189,24 +193,24 @@ void thud_contact_impulse_received(struct thud_state *state, int c, double chang
     double v = thud_contact_rate(state, c);
     enum thud_phase phase = v > 0 ? THUD_APPROACH : THUD_RESTITUTION;
     bool turns = s->mode != THUD_OPEN && law_of(state, c)->flags & THUD_LAW_TURNS;
-    if ((!turns && s->mode != THUD_STUCK) || fabs(v) <= THUD_TOL_IMPULSE_RATE * fabs(change))
+    if ((!turns && s->mode != THUD_STICKING) || fabs(v) <= THUD_TOL_IMPULSE_RATE * fabs(change))
         return;
-    if (s->mode == THUD_STUCK || phase != s->phase)
+    if (s->mode == THUD_STICKING || phase != s->phase)
         go_on(state, c, phase, 0);
     else
-        s->zeros.rate = 0;
+        s->suppressed.rate = 0;
 }
 
-static void knee(struct thud_state *state, int c)
+static void change_branch(struct thud_state *state, int c)
 {
     struct thud_contact_state *s = &state->contact[c];
-    s->past_knee = !s->past_knee;
-    s->zeros.knee = 1;
+    s->past_ultimate = !s->past_ultimate;
+    s->suppressed.branch = 1;
     renew_branch(state, c);
 }
 
-static enum thud_status hold_ends(struct thud_state *state, struct thud_contact_log *log, int c, enum thud_event event,
-                                  struct thud_error *err)
+static enum thud_status unstick(struct thud_state *state, struct thud_contact_log *log, int c, enum thud_event event,
+                                struct thud_error *err)
 {
     if (law_of(state, c)->flags & THUD_LAW_IMPULSIVE) { /* sustained pushing has ended: d, d' and d'' are 0 */
         note_release(state, log, c);
@@ -225,7 +229,7 @@ enum thud_status thud_contact_switch(struct thud_state *state, struct thud_conta
     case THUD_EVENT_ONSET:
         if (law_of(state, contact)->flags & THUD_LAW_IMPULSIVE)
             return thud_contact_impulse(state, log, contact, err);
-        touch(state, log, contact);
+        onset(state, log, contact);
         return THUD_OK;
     case THUD_EVENT_SEPARATION:
         if (s->mode == THUD_CLOSED)
@@ -235,18 +239,157 @@ enum thud_status thud_contact_switch(struct thud_state *state, struct thud_conta
         return release(state, log, contact, err);
     case THUD_EVENT_REENGAGE:
         thud_contact_set_mode(state, contact, THUD_CLOSED);
-        s->zeros = (struct thud_zeros){.force = force_zeros(state, contact, 1)};
+        s->suppressed = (struct thud_suppressed){.force = force_zeros(state, contact, 1)};
         return THUD_OK;
     case THUD_EVENT_REVERSAL:
-        turn(state, contact);
+        reversal(state, contact);
         return THUD_OK;
     case THUD_EVENT_BRANCH:
-        knee(state, contact);
+        change_branch(state, contact);
         return THUD_OK;
     case THUD_EVENT_NONE:
     case THUD_EVENT_UNSTICK_IN:
     case THUD_EVENT_UNSTICK_OUT:
         break;
     }
-    return hold_ends(state, log, contact, event, err);
+    return unstick(state, log, contact, event, err);
+}
+
+/* Stereomechanical contact (Newton's law of restitution): impulses at touch, of all touching contacts together as one
+ * linear complementarity problem, and holding where the structures go on pushing. */
+
+/* A parting slower than this is taken as the end of a row of ever smaller bounces: the contact comes to rest. No units
+ * of its own: the same scene in other ones, or a larger one, comes to rest at the same moment. */
+static double rest_speed(const struct thud_state *state)
+{
+    return fmax(1e-4 * state->tolerance, THUD_TOL_REST) * state->speed_mps;
+}
+
+/* Contacts that take part: the one that touches now, those that are held, and those that are at zero distance. */
+static int gather(const struct thud_state *state, int touching, int *set)
+{
+    int n = 0;
+    for (int c = 0; c < state->model->ncontacts; c++) {
+        const struct thud_contact_state *s = &state->contact[c];
+        if (!(state->model->contact[c].law->flags & THUD_LAW_IMPULSIVE))
+            continue;
+        bool at_zero = s->mode == THUD_OPEN && fabs(thud_contact_indentation(state, c)) <= THUD_TOL_INDENTATION_M;
+        if (c == touching || s->mode == THUD_STICKING || at_zero)
+            set[n++] = c;
+    }
+    return n;
+}
+
+struct collision {
+    int n;
+    const int *set;
+    double *speed, *impulse, *m, *q, *work; /* closing speeds before, (n); M (n x n) */
+};
+
+static enum thud_status impulses(const struct thud_state *state, struct collision *x, struct thud_error *err)
+{
+    const struct thud_model *m = state->model;
+    for (int i = 0; i < x->n; i++) {
+        int c = x->set[i];
+        double v = x->speed[i] = thud_contact_rate(state, c);
+        double e = m->contact[c].law->nominal(&m->contact[c].setup);
+        bool held =
+            state->contact[c].mode == THUD_STICKING; /* what rate it has is the error of the force that holds it */
+        if (held || !(e * v > rest_speed(state)))    /* or the force would have to bring it to rest at once */
+            e = 0;
+        x->q[i] = -(1 + e) * v;
+        for (int j = 0; j < x->n; j++)
+            x->m[i * x->n + j] = m->delassus[c * m->ncontacts + x->set[j]];
+    }
+    enum thud_status status = thud_lcp_solve(x->n, x->m, x->q, x->impulse, x->work, err);
+    return status == THUD_DIVERGED && m->left_out > 0 ? thud_state_too_few_modes(state, err) : status;
+}
+
+static void apply(struct thud_state *state, const struct collision *x)
+{
+    const struct thud_model *m = state->model;
+    for (int i = 0; i < x->n; i++) {
+        const double *g = m->jacobian + x->set[i] * m->nmodes;
+        for (int j = 0; j < m->nmodes; j++)
+            state->qd[j] -= g[j] * x->impulse[i];
+    }
+}
+
+/* Puts one impact into the results. */
+static enum thud_status note(struct thud_state *state, struct thud_contact_log *log, int c, double before,
+                             double impulse, struct thud_error *err)
+{
+    struct thud_contact_result *r = &log->contact[c];
+    double after = -thud_contact_rate(state, c), lost = impulse * (before - after) / 2;
+    struct thud_impact impact = {.contact = c,
+                                 .start_s = thud_state_now(state),
+                                 .approach_mps = before,
+                                 .separation_mps = after,
+                                 .impulse_ns = impulse,
+                                 .dissipated_j = lost};
+    r->impulse_ns += impulse;
+    r->dissipated_j += lost;
+    log->lost_j += lost;
+    if (!(before > 0) || state->contact[c].mode == THUD_STICKING)
+        return THUD_OK; /* a held contact passes the blow on */
+    r->impacts++;
+    r->approach_mps = before;
+    r->separation_mps = after;
+    return thud_contact_log_add(log, &impact, err);
+}
+
+/* After the impulses: held where the structures push on and nothing bounces, else open. */
+static void stick_or_separate(struct thud_state *state, struct thud_contact_log *log, int c)
+{
+    struct thud_contact_state *s = &state->contact[c];
+    double rate = thud_contact_rate(state, c);
+    if (fabs(rate) > rest_speed(state)) {
+        thud_contact_set_mode(state, c, THUD_OPEN);
+        s->suppressed = (struct thud_suppressed){.indentation = 1};
+        return;
+    }
+    thud_contact_set_mode(state, c, THUD_OPEN);
+    thud_contact_forces(state, state->force_now);
+    if (thud_contact_acceleration(state, c, state->force_now) <= -thud_contact_rounding(state)) {
+        s->suppressed = (struct thud_suppressed){.indentation = 2};
+        return;
+    }
+    thud_contact_set_mode(state, c, THUD_STICKING);
+    s->constraint_low_n = 0;
+    s->constraint_high_n = INFINITY;
+    s->suppressed = (struct thud_suppressed){.force = 1};
+    log->now[c] = (struct thud_impact){.contact = c, .start_s = thud_state_now(state)};
+}
+
+/* What the impulses do to the rates of the contacts that have forces. */
+static void send_impulses(struct thud_state *state, const struct collision *x)
+{
+    const struct thud_model *m = state->model;
+    for (int c = 0; c < m->ncontacts; c++) {
+        double change = 0;
+        for (int i = 0; i < x->n; i++)
+            change -= m->delassus[c * m->ncontacts + x->set[i]] * x->impulse[i];
+        if (change != 0 && !(m->contact[c].law->flags & THUD_LAW_IMPULSIVE))
+            thud_contact_impulse_received(state, c, change);
+    }
+}
+
+enum thud_status thud_contact_impulse(struct thud_state *state, struct thud_contact_log *log, int contact,
+                                      struct thud_error *err)
+{
+    int *set = state->set_now, n = gather(state, contact, set);
+    double *block = state->collide;
+    struct collision x = {n, set, block, block + n, block + 2 * n, block + 2 * n + n * n, block + 3 * n + n * n};
+    enum thud_status status = impulses(state, &x, err);
+    if (status != THUD_OK)
+        return status;
+    apply(state, &x);
+    for (int i = 0; i < n && status == THUD_OK; i++)
+        if (x.impulse[i] > 0)
+            status = note(state, log, set[i], x.speed[i], x.impulse[i], err);
+    for (int i = 0; i < n; i++)
+        if (x.impulse[i] > 0 || set[i] == contact)
+            stick_or_separate(state, log, set[i]);
+    send_impulses(state, &x);
+    return status;
 }

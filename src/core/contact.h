@@ -19,7 +19,7 @@ enum thud_status thud_contact_switch(struct thud_state *state, struct thud_conta
 enum thud_status thud_contact_update(struct thud_state *state, struct thud_contact_log *log, bool *switched,
                                      struct thud_error *err);
 
-/* contact_impulse.c: impulses of all stereomechanical contacts that touch now. Errors: as thud_contact_switch. */
+/* Impulses of all stereomechanical contacts that touch now. Errors: as thud_contact_switch. */
 enum thud_status thud_contact_impulse(struct thud_state *state, struct thud_contact_log *log, int contact,
                                       struct thud_error *err);
 /* Changes the mode and keeps the count of acting contacts. */

@@ -2,6 +2,14 @@
 
 #include <stdlib.h>
 
+enum thud_status thud_contact_log_init(struct thud_contact_log *log, struct thud_contact_result *contact, int ncontacts,
+                                       bool keep_impacts, struct thud_error *err)
+{
+    *log = (struct thud_contact_log){.contact = contact, .keep_impacts = keep_impacts};
+    log->now = calloc((size_t)ncontacts + 1, sizeof *log->now);
+    return log->now ? THUD_OK : thud_error_set(err, THUD_MEMORY, "out of memory");
+}
+
 enum thud_status thud_contact_log_add(struct thud_contact_log *log, const struct thud_impact *impact,
                                       struct thud_error *err)
 {
@@ -22,5 +30,6 @@ enum thud_status thud_contact_log_add(struct thud_contact_log *log, const struct
 void thud_contact_log_clear(struct thud_contact_log *log)
 {
     free(log->impact);
+    free(log->now);
     *log = (struct thud_contact_log){0};
 }

@@ -10,11 +10,15 @@
 struct thud_contact_log {
     struct thud_contact_result *contact; /* (ncontacts), of the run's result */
     bool keep_impacts;
+    struct thud_impact *now;    /* (ncontacts) impacts that go on */
     struct thud_impact *impact; /* (count), in the order of their ends */
     int count, capacity;
     double lost_j; /* in impulses, not yet in the energy balance */
 };
 
+/* Errors: THUD_MEMORY. */
+enum thud_status thud_contact_log_init(struct thud_contact_log *log, struct thud_contact_result *contact, int ncontacts,
+                                       bool keep_impacts, struct thud_error *err);
 /* Adds an impact that is over, where impacts are kept. Errors: THUD_MEMORY. */
 enum thud_status thud_contact_log_add(struct thud_contact_log *log, const struct thud_impact *impact,
                                       struct thud_error *err);

@@ -13,11 +13,11 @@ static int closed_event(const struct thud_state *state, int c, double d, double 
     if (d <= 0)
         return THUD_EVENT_SEPARATION;
     bool pushes = thud_branch_force(&s->branch, d, v, NULL, NULL) > 0;
-    if (s->mode == THUD_SLACK)
+    if (s->mode == THUD_CLOSED_NO_FORCE)
         return pushes ? THUD_EVENT_REENGAGE : -1;
     if (law->flags & THUD_LAW_TURNS && (s->phase == THUD_APPROACH ? v < 0 : v > 0))
         return THUD_EVENT_REVERSAL;
-    if ((d > s->knee_m) != s->past_knee)
+    if ((d > s->ultimate_m) != s->past_ultimate)
         return THUD_EVENT_BRANCH;
     return !pushes && !(law->flags & THUD_LAW_PULLS) ? THUD_EVENT_RELEASE : -1;
 }
@@ -28,13 +28,13 @@ static int next_event(const struct thud_state *state, int c)
     unsigned flags = state->model->contact[c].law->flags;
     switch (state->contact[c].mode) {
     case THUD_OPEN:
-        if (flags & THUD_LAW_SILENT || d <= THUD_TOL_INDENTATION_M || (flags & THUD_LAW_IMPULSIVE && v <= 0))
+        if (flags & THUD_LAW_NO_FORCE || d <= THUD_TOL_INDENTATION_M || (flags & THUD_LAW_IMPULSIVE && v <= 0))
             return -1;
         return THUD_EVENT_ONSET;
-    case THUD_STUCK: /* an impulse has brought it to rest: looked at afresh */
+    case THUD_STICKING: /* an impulse has brought it to rest: looked at afresh */
         return THUD_EVENT_UNSTICK_OUT;
     case THUD_CLOSED:
-    case THUD_SLACK:
+    case THUD_CLOSED_NO_FORCE:
         break;
     }
     return closed_event(state, c, d, v);
@@ -43,7 +43,7 @@ static int next_event(const struct thud_state *state, int c)
 enum thud_status thud_contact_update(struct thud_state *state, struct thud_contact_log *log, bool *switched,
                                      struct thud_error *err)
 {
-    enum { EVENTS_MAX = 4 }; /* touch, turn, knee and release may all lie in one step */
+    enum { EVENTS_MAX = 4 }; /* onset, reversal, change of branch and release may all lie in one step */
     enum thud_status status = THUD_OK;
     *switched = false;
     for (int c = 0; c < state->model->ncontacts; c++) {
@@ -54,12 +54,12 @@ enum thud_status thud_contact_update(struct thud_state *state, struct thud_conta
                 break;
             *switched = true;
             status = thud_contact_switch(state, log, c, event, err);
-            if (state->contact[c].mode == THUD_OPEN || state->contact[c].mode == THUD_STUCK)
+            if (state->contact[c].mode == THUD_OPEN || state->contact[c].mode == THUD_STICKING)
                 break; /* it may touch again only at the end of another step */
         }
-        if (before == THUD_OPEN && state->contact[c].mode == THUD_STUCK)
+        if (before == THUD_OPEN && state->contact[c].mode == THUD_STICKING)
             status = status == THUD_OK ? thud_contact_switch(state, log, c, THUD_EVENT_UNSTICK_OUT, err) : status;
-        state->contact[c].zeros = (struct thud_zeros){0};
+        state->contact[c].suppressed = (struct thud_suppressed){0};
     }
     return status;
 }

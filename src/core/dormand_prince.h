@@ -2,7 +2,7 @@
 #ifndef THUD_CORE_DORMAND_PRINCE_H
 #define THUD_CORE_DORMAND_PRINCE_H
 
-#include "core/method.h"
+#include "core/segment.h"
 
 enum thud_status thud_dormand_prince_create(const struct thud_state *state, void **own, struct thud_error *err);
 enum thud_status thud_dormand_prince_step(const struct thud_state *state, void *own, struct thud_segment *seg,

@@ -1,7 +1,7 @@
 /* Each mode of a contact has guards: a function of time that is watched, the sign that it must not take, and the event
  * when it does (as the root functions of CVODE, with rootdir and gactive). The functions are polynomials of the
  * segment, so that the first crossing is found with bounds and no grazing is missed. A guard that has just fired starts
- * at 0: that many of its lowest coefficients are taken as 0 (struct thud_zeros), else rounding would decide. */
+ * at 0: that many of its lowest coefficients are taken as 0 (struct thud_suppressed), else rounding would decide. */
 #include "core/event.h"
 
 #include <assert.h>
@@ -23,10 +23,10 @@ static const struct guard {
     {THUD_CLOSED, INDENTATION, -1, THUD_EVENT_SEPARATION},
     {THUD_CLOSED, RATE, 0, THUD_EVENT_REVERSAL},
     {THUD_CLOSED, BRANCH, 0, THUD_EVENT_BRANCH},
-    {THUD_SLACK, FORCE, 1, THUD_EVENT_REENGAGE},
-    {THUD_SLACK, INDENTATION, -1, THUD_EVENT_SEPARATION},
-    {THUD_STUCK, CONSTRAINT_LOW, -1, THUD_EVENT_UNSTICK_OUT},
-    {THUD_STUCK, CONSTRAINT_HIGH, 1, THUD_EVENT_UNSTICK_IN},
+    {THUD_CLOSED_NO_FORCE, FORCE, 1, THUD_EVENT_REENGAGE},
+    {THUD_CLOSED_NO_FORCE, INDENTATION, -1, THUD_EVENT_SEPARATION},
+    {THUD_STICKING, CONSTRAINT_LOW, -1, THUD_EVENT_UNSTICK_OUT},
+    {THUD_STICKING, CONSTRAINT_HIGH, 1, THUD_EVENT_UNSTICK_IN},
 };
 
 /* A contact in the segment at hand. */
@@ -35,7 +35,7 @@ struct view {
     const struct thud_segment *seg;
     int c;
     const double *d; /* indentation; its lowest orders are 0 where rounding alone has left them */
-    struct thud_zeros zeros;
+    struct thud_suppressed suppressed;
 };
 
 /* Function whose sign is that of a non-pulling law's force: out (terms); false where the force cannot reach 0 before
@@ -67,7 +67,7 @@ static double from_end(const struct view *v, double distance)
 {
     const struct thud_state *state = v->state;
     double scale = state->model->contact[v->c].setup.mass_kg * state->ground_mps2;
-    bool there = v->zeros.force > 0 && fabs(distance) <= 10 * state->tolerance * scale;
+    bool there = v->suppressed.force > 0 && fabs(distance) <= 10 * state->tolerance * scale;
     return there ? 0 : distance;
 }
 
@@ -78,7 +78,8 @@ static void constraint_function(const struct view *v, bool high, double *out)
     double rounding = state->model->contact[v->c].setup.mass_kg * thud_contact_rounding(state);
     for (int k = 0; k < v->seg->terms; k++)
         out[k] = v->seg->force[k * state->model->ncontacts + v->c];
-    out[0] = high ? from_end(v, out[0] - s->hold_high) - rounding : from_end(v, out[0] - s->hold_low) + rounding;
+    out[0] = high ? from_end(v, out[0] - s->constraint_high_n) - rounding
+                  : from_end(v, out[0] - s->constraint_low_n) + rounding;
 }
 
 /* The polynomial that a guard watches into out (n coefficients), how many of its lowest ones are 0; false where it
@@ -92,28 +93,28 @@ static bool watched_function(const struct view *v, enum watched watched, double 
     switch (watched) {
     case INDENTATION:
         memcpy(out, v->d, (size_t)*n * sizeof *out);
-        *zeros = v->zeros.indentation;
+        *zeros = v->suppressed.indentation;
         return *zeros < *n || s->mode != THUD_OPEN;
     case FORCE:
-        *zeros = v->zeros.force;
-        return (s->mode == THUD_SLACK || !(law->flags & THUD_LAW_PULLS)) &&
+        *zeros = v->suppressed.force;
+        return (s->mode == THUD_CLOSED_NO_FORCE || !(law->flags & THUD_LAW_PULLS)) &&
                force_function(&s->branch, v->d, *n, v->seg->h_s, out);
     case RATE:
-        *zeros = v->zeros.rate;
+        *zeros = v->suppressed.rate;
         *n -= 1;
         for (int k = 0; k < *n; k++)
             out[k] = (k + 1) * v->d[k + 1];
         return law->flags & THUD_LAW_TURNS;
     case BRANCH:
-        if (s->knee_m == INFINITY)
+        if (s->ultimate_m == INFINITY)
             return false;
         memcpy(out, v->d, (size_t)*n * sizeof *out);
-        out[0] -= s->knee_m;
-        *zeros = v->zeros.knee;
+        out[0] -= s->ultimate_m;
+        *zeros = v->suppressed.branch;
         return true;
     case CONSTRAINT_LOW:
     case CONSTRAINT_HIGH:
-        if (watched == CONSTRAINT_HIGH && s->hold_high == INFINITY)
+        if (watched == CONSTRAINT_HIGH && s->constraint_high_n == INFINITY)
             return false;
         constraint_function(v, watched == CONSTRAINT_HIGH, out);
         return true;
@@ -140,7 +141,7 @@ static double slope_now(const struct view *v, bool is_rate)
 static double crossing(const struct view *v, const double *p, int n, double s_end, double sign, int zeros, bool is_rate)
 {
     double s = thud_poly_first_above(p, n, s_end, sign, zeros, 0);
-    if (s > 0 || zeros == 0 || v->state->contact[v->c].zeros.indentation > 0 || sign * slope_now(v, is_rate) > 0)
+    if (s > 0 || zeros == 0 || v->state->contact[v->c].suppressed.indentation > 0 || sign * slope_now(v, is_rate) > 0)
         return s;
     while (s == 0 && ++zeros < n)
         s = thud_poly_first_above(p, n, s_end, sign, zeros, 0);
@@ -152,7 +153,7 @@ static int sign_of(const struct thud_contact_state *s, enum watched watched)
 {
     if (watched == RATE)
         return s->phase == THUD_APPROACH ? -1 : 1;
-    return s->past_knee ? -1 : 1;
+    return s->past_ultimate ? -1 : 1;
 }
 
 /* s in [0, s_end] at which a guard fires. */
@@ -190,8 +191,8 @@ static struct view view_of(const struct thud_state *state, struct thud_segment *
 {
     const struct thud_contact_state *s = &state->contact[c];
     int still = thud_segment_contact(state, seg, c);
-    struct view v = {state, seg, c, seg->indentation + c * THUD_SEGMENT_TERMS, s->zeros};
-    if (s->zeros.indentation == 0 || (s->mode != THUD_OPEN && s->mode != THUD_CLOSED))
+    struct view v = {state, seg, c, seg->indentation + c * THUD_SEGMENT_TERMS, s->suppressed};
+    if (s->suppressed.indentation == 0 || (s->mode != THUD_OPEN && s->mode != THUD_CLOSED))
         return v; /* only where the contact has just begun or ended */
     if (s->mode == THUD_CLOSED) {
         if (still > 0) { /* a stiff contact would make a force of what rounding has left there */
@@ -199,11 +200,11 @@ static struct view view_of(const struct thud_state *state, struct thud_segment *
             memset(copy, 0, (size_t)still * sizeof *copy);
             v.d = copy;
         }
-        if (s->zeros.rate > 0)
+        if (s->suppressed.rate > 0)
             still = unresolved(state, v.d, seg->terms, still);
-        v.zeros.rate = larger(s->zeros.rate, still - 1);
+        v.suppressed.rate = larger(s->suppressed.rate, still - 1);
     }
-    v.zeros.indentation = larger(s->zeros.indentation, still);
+    v.suppressed.indentation = larger(s->suppressed.indentation, still);
     return v;
 }
 
@@ -211,12 +212,12 @@ static struct view view_of(const struct thud_state *state, struct thud_segment *
 static bool may_close(const struct thud_state *state, const struct thud_segment *seg, int c)
 {
     const struct thud_model *m = state->model;
-    if (m->contact[c].law->flags & THUD_LAW_SILENT)
+    if (m->contact[c].law->flags & THUD_LAW_NO_FORCE)
         return false;
-    if (state->contact[c].zeros.indentation > 0)
+    if (state->contact[c].suppressed.indentation > 0)
         return true;
     double most = thud_contact_indentation(state, c);
-    const double *g = m->g + c * m->nmodes;
+    const double *g = m->jacobian + c * m->nmodes;
     for (int j = 0; j < m->nmodes; j++)
         most += fabs(g[j]) * seg->reach[j];
     return most > 0;

@@ -106,7 +106,7 @@ static void accelerations(const struct thud_run *run, double s, const double *ro
     const struct thud_segment *seg = &run->seg;
     if (run->method->order > 0) {
         thud_model_acceleration(m, q, qd, 0, out);
-        thud_model_push(m, row + thud_history_force(&run->history, 0), out);
+        thud_model_apply_contact_forces(m, row + thud_history_force(&run->history, 0), out);
         return;
     }
     for (int j = 0; j < m->nmodes; j++) {

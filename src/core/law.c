@@ -89,5 +89,5 @@ double thud_branch_force(const struct thud_branch *branch, double d_m, double v_
 struct thud_branch thud_law_branch_at(const struct thud_law *law, const struct thud_law_setup *setup,
                                       const struct thud_law_memory *memory, enum thud_phase phase, double d_m)
 {
-    return law->branch(setup, memory, phase, law->knee && d_m > law->knee(setup));
+    return law->branch(setup, memory, phase, law->ultimate && d_m > law->ultimate(setup));
 }

@@ -168,37 +168,37 @@ double thud_rubber_c_paper(double e, double mass_kg, double v_mps)
     return 1.55 * (1 - e * e) / (pow(e, 0.7076) * pow(mass_kg, 0.0025) * pow(v_mps, 0.9755));
 }
 
-struct thud_rubber_curve thud_rubber_curve(double k, double n, double knee_m, double post_yield_npm)
+struct thud_rubber_curve thud_rubber_curve(double k, double n, double ultimate_m, double post_yield_npm)
 {
-    double force = k * pow(knee_m, n);
-    return (struct thud_rubber_curve){k, n, knee_m, post_yield_npm, force, force * knee_m / (n + 1)};
+    double force = k * pow(ultimate_m, n);
+    return (struct thud_rubber_curve){k, n, ultimate_m, post_yield_npm, force, force * ultimate_m / (n + 1)};
 }
 
 double thud_rubber_curve_force(const struct thud_rubber_curve *curve, double d_m)
 {
     if (d_m <= 0)
         return 0;
-    if (d_m <= curve->knee_m)
+    if (d_m <= curve->ultimate_m)
         return curve->k * pow(d_m, curve->n);
-    return curve->knee_force_n + curve->post_yield_npm * (d_m - curve->knee_m);
+    return curve->ultimate_force_n + curve->post_yield_npm * (d_m - curve->ultimate_m);
 }
 
 double thud_rubber_curve_energy(const struct thud_rubber_curve *curve, double d_m)
 {
     if (d_m <= 0)
         return 0;
-    if (d_m <= curve->knee_m)
+    if (d_m <= curve->ultimate_m)
         return curve->k * pow(d_m, curve->n + 1) / (curve->n + 1);
-    double y = d_m - curve->knee_m;
-    return curve->knee_energy_j + y * (curve->knee_force_n + 0.5 * curve->post_yield_npm * y);
+    double y = d_m - curve->ultimate_m;
+    return curve->ultimate_energy_j + y * (curve->ultimate_force_n + 0.5 * curve->post_yield_npm * y);
 }
 
 double thud_rubber_curve_indentation(const struct thud_rubber_curve *curve, double energy_j)
 {
     if (energy_j <= 0)
         return 0;
-    if (energy_j <= curve->knee_energy_j)
+    if (energy_j <= curve->ultimate_energy_j)
         return pow((curve->n + 1) * energy_j / curve->k, 1 / (curve->n + 1));
-    double more = energy_j - curve->knee_energy_j, f = curve->knee_force_n;
-    return curve->knee_m + 2 * more / (f + sqrt(f * f + 2 * curve->post_yield_npm * more));
+    double more = energy_j - curve->ultimate_energy_j, f = curve->ultimate_force_n;
+    return curve->ultimate_m + 2 * more / (f + sqrt(f * f + 2 * curve->post_yield_npm * more));
 }

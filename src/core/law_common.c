@@ -40,12 +40,12 @@ double thud_law_restitution_one(const struct thud_law_setup *setup, double v_mps
 }
 
 struct thud_branch thud_law_branch_none(const struct thud_law_setup *setup, const struct thud_law_memory *memory,
-                                        enum thud_phase phase, bool past_knee)
+                                        enum thud_phase phase, bool past_ultimate)
 {
     (void)setup;
     (void)memory;
     (void)phase;
-    (void)past_knee;
+    (void)past_ultimate;
     return thud_branch_none;
 }
 

@@ -71,7 +71,7 @@ double thud_law_nominal_one(const struct thud_law_setup *setup);
 double thud_law_restitution_one(const struct thud_law_setup *setup, double v_mps);
 /* branch of a law without force. */
 struct thud_branch thud_law_branch_none(const struct thud_law_setup *setup, const struct thud_law_memory *memory,
-                                        enum thud_phase phase, bool past_knee);
+                                        enum thud_phase phase, bool past_ultimate);
 double thud_law_energy_none(const struct thud_law_setup *setup, double d_m);
 
 /* Energy under K d^p. */

@@ -7,11 +7,11 @@ static const struct thud_param params[] = {THUD_PARAM_HERTZ_STIFFNESS};
 static const double exponent = 1.5;
 
 static struct thud_branch branch(const struct thud_law_setup *setup, const struct thud_law_memory *memory,
-                                 enum thud_phase phase, bool past_knee)
+                                 enum thud_phase phase, bool past_ultimate)
 {
     (void)memory;
     (void)phase;
-    (void)past_knee;
+    (void)past_ultimate;
     return (struct thud_branch){.K = setup->value[STIFFNESS], .p = exponent};
 }
 

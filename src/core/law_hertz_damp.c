@@ -56,10 +56,10 @@ static void touch(const struct thud_law_setup *setup, double v_mps, struct thud_
 }
 
 static struct thud_branch branch(const struct thud_law_setup *setup, const struct thud_law_memory *memory,
-                                 enum thud_phase phase, bool past_knee)
+                                 enum thud_phase phase, bool past_ultimate)
 {
     (void)phase;
-    (void)past_knee;
+    (void)past_ultimate;
     double k = setup->value[STIFFNESS], n = setup->value[EXPONENT];
     return (struct thud_branch){.K = k, .p = n, .D = k * memory->damp, .r = n};
 }

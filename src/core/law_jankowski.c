@@ -30,10 +30,10 @@ static enum thud_status prepare(struct thud_law_setup *setup, struct thud_error 
 }
 
 static struct thud_branch branch(const struct thud_law_setup *setup, const struct thud_law_memory *memory,
-                                 enum thud_phase phase, bool past_knee)
+                                 enum thud_phase phase, bool past_ultimate)
 {
     (void)memory;
-    (void)past_knee;
+    (void)past_ultimate;
     double n = setup->value[EXPONENT];
     struct thud_branch out = {.K = setup->value[STIFFNESS], .p = n};
     if (phase == THUD_RESTITUTION)

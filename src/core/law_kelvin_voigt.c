@@ -16,11 +16,11 @@ static enum thud_status prepare(struct thud_law_setup *setup, struct thud_error 
 }
 
 static struct thud_branch branch(const struct thud_law_setup *setup, const struct thud_law_memory *memory,
-                                 enum thud_phase phase, bool past_knee)
+                                 enum thud_phase phase, bool past_ultimate)
 {
     (void)memory;
     (void)phase;
-    (void)past_knee;
+    (void)past_ultimate;
     return (struct thud_branch){.k_npm = setup->value[STIFFNESS], .c_nspm = setup->constant[C]};
 }
 

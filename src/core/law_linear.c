@@ -6,11 +6,11 @@ enum { STIFFNESS };
 static const struct thud_param params[] = {THUD_PARAM_STIFFNESS};
 
 static struct thud_branch branch(const struct thud_law_setup *setup, const struct thud_law_memory *memory,
-                                 enum thud_phase phase, bool past_knee)
+                                 enum thud_phase phase, bool past_ultimate)
 {
     (void)memory;
     (void)phase;
-    (void)past_knee;
+    (void)past_ultimate;
     return (struct thud_branch){.k_npm = setup->value[STIFFNESS]};
 }
 

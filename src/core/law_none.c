@@ -18,7 +18,7 @@ const struct thud_law thud_law_none = {
     .title = "no pounding",
     .reference = "for comparison",
     .summary = "F = 0",
-    .flags = THUD_LAW_SILENT,
+    .flags = THUD_LAW_NO_FORCE,
     .prepare = thud_law_prepare_nothing,
     .touch = thud_law_touch_plain,
     .branch = thud_law_branch_none,

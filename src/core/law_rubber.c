@@ -1,4 +1,4 @@
-/* The paper's bumper, eqs. (4)-(7): a power curve up to the knee delta_u = max-strain thickness, a stiff line beyond,
+/* The paper's bumper, eqs. (4)-(7): a power curve up to the ultimate compression delta_u = max-strain thickness, a stiff line beyond,
  * and damping in restitution only, C set by the closing speed. */
 #include "core/law_closed_form.h"
 #include "core/law_common.h"
@@ -17,7 +17,7 @@ enum {
     AREA,
     MATERIAL_STIFFNESS
 };
-enum { K, KNEE, F0, CV }; /* F0: the line's force at d = 0; CV: C times the speed, for damping = exact */
+enum { K, ULTIMATE, F0, CV }; /* F0: the line's force at d = 0; CV: C times the speed, for damping = exact */
 enum { UNLOADING_PAPER, UNLOADING_CONTINUOUS };
 enum { SPEED_TOUCH, SPEED_ENERGY };
 
@@ -108,7 +108,7 @@ static enum thud_status find_stiffness(struct thud_law_setup *setup, struct thud
 
 static struct thud_rubber_curve curve_of(const struct thud_law_setup *setup)
 {
-    return thud_rubber_curve(setup->constant[K], setup->value[EXPONENT], setup->constant[KNEE],
+    return thud_rubber_curve(setup->constant[K], setup->value[EXPONENT], setup->constant[ULTIMATE],
                              setup->value[POST_YIELD]);
 }
 
@@ -123,9 +123,9 @@ static enum thud_status prepare(struct thud_law_setup *setup, struct thud_error 
     enum thud_status status = find_stiffness(setup, err);
     if (status != THUD_OK)
         return status;
-    setup->constant[KNEE] = setup->value[MAX_STRAIN] * setup->thickness_m;
+    setup->constant[ULTIMATE] = setup->value[MAX_STRAIN] * setup->thickness_m;
     struct thud_rubber_curve curve = curve_of(setup);
-    setup->constant[F0] = curve.knee_force_n - curve.post_yield_npm * curve.knee_m;
+    setup->constant[F0] = curve.ultimate_force_n - curve.post_yield_npm * curve.ultimate_m;
     setup->constant[CV] = thud_rubber_cv(setup->value[RESTITUTION]);
     return THUD_OK;
 }
@@ -162,10 +162,10 @@ static void turn(const struct thud_law_setup *setup, double d_m, struct thud_law
 }
 
 static struct thud_branch branch(const struct thud_law_setup *setup, const struct thud_law_memory *memory,
-                                 enum thud_phase phase, bool past_knee)
+                                 enum thud_phase phase, bool past_ultimate)
 {
     double k = setup->constant[K], n = setup->value[EXPONENT];
-    bool line = past_knee && (phase == THUD_APPROACH || setup->value[UNLOADING] == UNLOADING_CONTINUOUS);
+    bool line = past_ultimate && (phase == THUD_APPROACH || setup->value[UNLOADING] == UNLOADING_CONTINUOUS);
     double C = phase == THUD_RESTITUTION ? memory->damp : 0;
     if (!line)
         return (struct thud_branch){.K = k, .p = n, .D = k * C, .r = n};
@@ -173,9 +173,9 @@ static struct thud_branch branch(const struct thud_law_setup *setup, const struc
     return (struct thud_branch){.f0_n = f0, .k_npm = post_yield, .c_nspm = f0 * C, .D = post_yield * C, .p = 1, .r = 1};
 }
 
-static double knee(const struct thud_law_setup *setup)
+static double ultimate(const struct thud_law_setup *setup)
 {
-    return setup->constant[KNEE];
+    return setup->constant[ULTIMATE];
 }
 
 static double nominal(const struct thud_law_setup *setup)
@@ -191,7 +191,7 @@ static double restitution(const struct thud_law_setup *setup, double v_mps)
         v_mps = fmax(v_mps, least_energy_speed); /* what holds at any small speed holds at rest */
     double energy = 0.5 * setup->mass_kg * v_mps * v_mps;
     double d = thud_rubber_curve_indentation(&curve, energy), ratio = 1;
-    if (setup->value[UNLOADING] == UNLOADING_PAPER && d > curve.knee_m)
+    if (setup->value[UNLOADING] == UNLOADING_PAPER && d > curve.ultimate_m)
         ratio = thud_law_power_energy(curve.k, curve.n, d) / energy;
     struct thud_law_memory memory;
     touch(setup, v_mps, &memory);
@@ -204,13 +204,14 @@ static bool unusual(const struct thud_law_setup *setup, int n, struct thud_error
 {
     static const double least_n = 0.1e6, most_n = 100e6;
     struct thud_rubber_curve curve = curve_of(setup);
-    double tangent = curve.k * curve.n * pow(curve.knee_m, curve.n - 1);
-    bool force = curve.knee_force_n < least_n || curve.knee_force_n > most_n;
+    double tangent = curve.k * curve.n * pow(curve.ultimate_m, curve.n - 1);
+    bool force = curve.ultimate_force_n < least_n || curve.ultimate_force_n > most_n;
     bool soft = curve.post_yield_npm < tangent;
     if (n >= (int)force + (int)soft)
         return false;
     if (force && n == 0) {
-        thud_error_set(out, THUD_OK, "a force of %.3g MN at the largest strain is unusual", 1e-6 * curve.knee_force_n);
+        thud_error_set(out, THUD_OK, "a force of %.3g MN at the largest strain is unusual",
+                       1e-6 * curve.ultimate_force_n);
         thud_error_allow(out, "usually %g to %g MN", 1e-6 * least_n, 1e-6 * most_n);
         thud_error_key(out, params[isnan(setup->value[STIFFNESS]) ? MATERIAL_STIFFNESS : STIFFNESS].name);
         return true;
@@ -234,7 +235,7 @@ const struct thud_law thud_law_rubber = {
     .touch = touch,
     .turn = turn,
     .branch = branch,
-    .knee = knee,
+    .ultimate = ultimate,
     .elastic_energy = elastic_energy,
     .nominal = nominal,
     .restitution = restitution,

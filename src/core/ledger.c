@@ -2,22 +2,22 @@
  * of its own power, against the energy that the state holds. What is left over is the error. */
 #include <math.h>
 
-#include "core/places.h"
+#include "core/nodes.h"
 #include "core/quadrature.h"
 #include "core/run_private.h"
 
 /* Work done on a contact over the segment, per second of it, and its impulse. */
-static double contact_work(const struct thud_run *run, const struct thud_places *places, int c, double *impulse)
+static double contact_work(const struct thud_run *run, const struct thud_nodes *places, int c, double *impulse)
 {
     const struct thud_contact_state *s = &run->state.contact[c];
-    double d[THUD_PLACES], rate[THUD_PLACES], force[THUD_PLACES], work = 0;
+    double d[THUD_BATCH], rate[THUD_BATCH], force[THUD_BATCH], work = 0;
     int terms = run->seg.terms;
-    bool applied = s->mode == THUD_STUCK || !run->state.locates; /* what the step really applied */
-    thud_places_slope(places, run->seg.indentation + c * THUD_SEGMENT_TERMS, 1, terms, run->seg.h_s, rate);
+    bool applied = s->mode == THUD_STICKING || !run->state.locates; /* what the step really applied */
+    thud_nodes_rates(places, run->seg.indentation + c * THUD_SEGMENT_TERMS, 1, terms, run->seg.h_s, rate);
     if (applied)
-        thud_places_read(places, run->seg.force + c, run->state.model->ncontacts, terms, force);
+        thud_nodes_values(places, run->seg.force + c, run->state.model->ncontacts, terms, force);
     else
-        thud_places_read(places, run->seg.indentation + c * THUD_SEGMENT_TERMS, 1, terms, d);
+        thud_nodes_values(places, run->seg.indentation + c * THUD_SEGMENT_TERMS, 1, terms, d);
     for (int i = 0; i < THUD_QUADRATURE_POINTS; i++) {
         double f = applied ? force[i] : thud_contact_force(&run->state, c, d[i], rate[i]);
         work += thud_quadrature_weight[i] * f * rate[i];
@@ -26,12 +26,12 @@ static double contact_work(const struct thud_run *run, const struct thud_places 
     return work;
 }
 
-static void book_contact(struct thud_run *run, const struct thud_places *places, int c, double dt)
+static void book_contact(struct thud_run *run, const struct thud_nodes *places, int c, double dt)
 {
     struct thud_contact_state *s = &run->state.contact[c];
     double impulse = 0, work = contact_work(run, places, c, &impulse);
-    s->impact.impulse_ns += impulse * dt;
-    s->impact.dissipated_j += work * dt;
+    run->log.now[c].impulse_ns += impulse * dt;
+    run->log.now[c].dissipated_j += work * dt;
     run->result.contact[c].impulse_ns += impulse * dt;
     if (thud_contact_acts(s))
         run->result.contact[c].contact_time_s += dt;
@@ -46,7 +46,7 @@ void thud_ledger_start(struct thud_run *run)
 }
 
 /* Work of the damping that couples modes (isolated buildings) over the segment, per second of it, at modal rates
- * (nmodes x THUD_PLACES). */
+ * (nmodes x THUD_BATCH). */
 static double coupled_loss(const struct thud_model *m, const double *rate)
 {
     double sum = 0;
@@ -54,8 +54,7 @@ static double coupled_loss(const struct thud_model *m, const double *rate)
         const struct thud_model_structure *p = &m->structure[s];
         for (int i = 0; p->damping && i < p->modes; i++)
             for (int j = 0; j < p->modes; j++) {
-                const double *a = rate + (p->first_mode + i) * THUD_PLACES,
-                             *b = rate + (p->first_mode + j) * THUD_PLACES;
+                const double *a = rate + (p->first_mode + i) * THUD_BATCH, *b = rate + (p->first_mode + j) * THUD_BATCH;
                 for (int x = 0; x < THUD_QUADRATURE_POINTS; x++)
                     sum += thud_quadrature_weight[x] * a[x] * p->damping[i * p->modes + j] * b[x];
             }
@@ -64,21 +63,21 @@ static double coupled_loss(const struct thud_model *m, const double *rate)
 }
 
 /* Work of the ground and of the structures' damping. */
-static void structure_work(struct thud_run *run, const struct thud_places *places, double s, double dt)
+static void structure_work(struct thud_run *run, const struct thud_nodes *places, double s, double dt)
 {
     const struct thud_model *m = run->state.model;
-    struct thud_lanes viscous = {0}, drive = {0};
-    double power[THUD_PLACES], force[THUD_PLACES], input = 0, loss = 0;
+    struct thud_batch viscous = {0}, drive = {0};
+    double power[THUD_BATCH], force[THUD_BATCH], input = 0, loss = 0;
     for (int j = 0; j < m->nmodes; j++) {
-        double *rate = run->scratch + j * THUD_PLACES;
-        thud_places_slope(places, run->seg.q + j, m->nmodes, run->seg.terms, run->seg.h_s, rate);
-        struct thud_lanes v = thud_lanes_at(rate);
-        for (int i = 0; i < THUD_PLACES / 2; i++)
+        double *rate = run->scratch + j * THUD_BATCH;
+        thud_nodes_rates(places, run->seg.q + j, m->nmodes, run->seg.terms, run->seg.h_s, rate);
+        struct thud_batch v = thud_batch_at(rate);
+        for (int i = 0; i < THUD_BATCH / 2; i++)
             viscous.pair[i] += 2 * m->zeta[j] * m->omega[j] * v.pair[i] * v.pair[i];
-        thud_lanes_add(&drive, -m->gamma[j], rate);
+        thud_batch_add(&drive, -m->gamma[j], rate);
     }
-    thud_lanes_put(&viscous, power);
-    thud_lanes_put(&drive, force);
+    thud_batch_put(&viscous, power);
+    thud_batch_put(&drive, force);
     for (int i = 0; i < THUD_QUADRATURE_POINTS; i++) {
         double ground = run->seg.a0 + run->seg.a1 * s * thud_quadrature_node[i];
         loss += thud_quadrature_weight[i] * power[i];
@@ -96,9 +95,9 @@ void thud_ledger_mark(struct thud_run *run)
 
 void thud_ledger_segment(struct thud_run *run, double s)
 {
-    struct thud_places places;
+    struct thud_nodes places;
     double dt = s * run->seg.h_s;
-    thud_places_set(&places, THUD_QUADRATURE_POINTS, thud_quadrature_node, s, run->seg.terms);
+    thud_nodes_set(&places, THUD_QUADRATURE_POINTS, thud_quadrature_node, s, run->seg.terms);
     for (int c = 0; c < run->state.model->ncontacts; c++)
         if (thud_segment_has_force(&run->state, &run->seg, c))
             book_contact(run, &places, c, dt);
@@ -108,10 +107,10 @@ void thud_ledger_segment(struct thud_run *run, double s)
 
 struct thud_ledger thud_ledger_at(struct thud_run *run, double s)
 {
-    struct thud_places places;
+    struct thud_nodes places;
     const struct thud_ledger before = run->ledger;
     double dt = s * run->seg.h_s, impulse = 0;
-    thud_places_set(&places, THUD_QUADRATURE_POINTS, thud_quadrature_node, s, run->seg.terms);
+    thud_nodes_set(&places, THUD_QUADRATURE_POINTS, thud_quadrature_node, s, run->seg.terms);
     for (int c = 0; c < run->state.model->ncontacts; c++)
         if (thud_segment_has_force(&run->state, &run->seg, c))
             run->ledger.contact_work_j += contact_work(run, &places, c, &impulse) * dt;
@@ -179,7 +178,7 @@ double thud_run_balance(const struct thud_run *run)
     const struct thud_model *m = run->state.model;
     bool linear = true;
     for (int c = 0; c < m->ncontacts; c++)
-        linear = linear && m->contact[c].law->flags & (THUD_LAW_LINEAR | THUD_LAW_SILENT);
+        linear = linear && m->contact[c].law->flags & (THUD_LAW_LINEAR | THUD_LAW_NO_FORCE);
     if (run->method->order > 0)
         return coarse;
     return linear ? rounding : fmin(rounding + run->options.tolerance, coarse);

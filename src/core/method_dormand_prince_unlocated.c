@@ -1,6 +1,7 @@
 #include <math.h>
 
 #include "core/dormand_prince.h"
+#include "core/method.h"
 
 const struct thud_method thud_method_dormand_prince_unlocated = {
     .name = "dormand-prince-unlocated",

@@ -13,7 +13,7 @@ static enum thud_status create(const struct thud_state *state, void **own, struc
     enum thud_status status = THUD_OK;
     bool linear = true;
     for (int c = 0; c < state->model->ncontacts; c++)
-        linear = linear && state->model->contact[c].law->flags & (THUD_LAW_LINEAR | THUD_LAW_SILENT);
+        linear = linear && state->model->contact[c].law->flags & (THUD_LAW_LINEAR | THUD_LAW_NO_FORCE);
     if (!linear)
         status = thud_collocation_create(state, &collocation, err);
     *own = collocation;
@@ -24,7 +24,7 @@ static bool is_linear(const struct thud_state *state)
 {
     for (int c = 0; c < state->model->ncontacts; c++) {
         const struct thud_contact_state *s = &state->contact[c];
-        if (s->mode == THUD_STUCK || (s->mode == THUD_CLOSED && (s->branch.K != 0 || s->branch.D != 0)))
+        if (s->mode == THUD_STICKING || (s->mode == THUD_CLOSED && (s->branch.K != 0 || s->branch.D != 0)))
             return false;
     }
     return true;
@@ -56,7 +56,7 @@ static void committed(const struct thud_state *state, void *own, const struct th
     if (!own)
         return;
     for (int c = 0; c < state->model->ncontacts && switched; c++)
-        touched |= state->contact[c].mode == THUD_CLOSED && state->contact[c].zeros.indentation > 0;
+        touched |= state->contact[c].mode == THUD_CLOSED && state->contact[c].suppressed.indentation > 0;
     thud_collocation_committed(own, tau_s / seg->h_s, switched, touched);
 }
 

@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/method.h"
 #include "core/modal_operator.h"
 #include "core/stepping.h"
 

@@ -1,4 +1,5 @@
 #include "core/alpha_step.h"
+#include "core/method.h"
 
 #include <math.h>
 

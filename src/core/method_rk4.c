@@ -1,5 +1,6 @@
 #include <stdlib.h>
 
+#include "core/method.h"
 #include "core/runge_kutta.h"
 
 static const struct thud_tableau tableau = {

@@ -125,7 +125,7 @@ static void fill_floor(struct thud_model *m, int s, const struct thud_structure_
     double share = p->modes < p->n ? 0 : 1;
     for (int j = 0; j < p->modes && p->modes < p->n; j++)
         share += p->phi[i * p->modes + j] * m->gamma[p->first_mode + j];
-    m->share[p->first + i] = share;
+    m->ground_influence[p->first + i] = share;
     m->mass_kg[p->first + i] = in->mass_kg[i];
     m->dof_structure[p->first + i] = s;
 }
@@ -206,7 +206,7 @@ static enum thud_status fill_contact(struct thud_model *m, int c, const struct t
     double inverse = inverse_mass(m, to->left_dof) + inverse_mass(m, to->right_dof);
     assert(inverse > 0);
     to->setup.mass_kg = 1 / inverse;
-    double *g = m->g + (size_t)c * (size_t)m->nmodes;
+    double *g = m->jacobian + (size_t)c * (size_t)m->nmodes;
     memset(g, 0, (size_t)m->nmodes * sizeof *g);
     add_row(m, to->left_dof, 1, g);
     add_row(m, to->right_dof, -1, g);
@@ -219,8 +219,8 @@ static void fill_w(struct thud_model *m)
         for (int b = 0; b < m->ncontacts; b++) {
             double sum = 0;
             for (int j = 0; j < m->nmodes; j++)
-                sum += m->g[a * m->nmodes + j] * m->g[b * m->nmodes + j];
-            m->w[a * m->ncontacts + b] = sum;
+                sum += m->jacobian[a * m->nmodes + j] * m->jacobian[b * m->nmodes + j];
+            m->delassus[a * m->ncontacts + b] = sum;
         }
 }
 
@@ -245,12 +245,12 @@ static struct thud_model *lay_out(const struct thud_model_input *input, struct a
     m->contact = take(arena, nc * sizeof *m->contact);
     m->dof_structure = take(arena, floors * sizeof(int));
     m->mass_kg = take(arena, floors * sizeof(double));
-    m->share = take(arena, floors * sizeof(double));
+    m->ground_influence = take(arena, floors * sizeof(double));
     double **by_mode[] = {&m->omega, &m->zeta, &m->gamma, &m->spring, &m->dashpot, &m->q0, &m->qd0};
     for (size_t i = 0; i < sizeof by_mode / sizeof *by_mode; i++)
         *by_mode[i] = take(arena, modes * sizeof(double));
-    m->g = take(arena, nc * modes * sizeof(double));
-    m->w = take(arena, nc * nc * sizeof(double));
+    m->jacobian = take(arena, nc * modes * sizeof(double));
+    m->delassus = take(arena, nc * nc * sizeof(double));
     struct thud_model_structure next = {0};
     for (int s = 0; s < m->nstructures; s++) {
         next.n = input->structure[s].n;
@@ -314,7 +314,7 @@ double thud_model_gap_sum(const struct thud_model *model, int c, const double *m
 double thud_model_contact_period(const struct thud_model_contact *p)
 {
     double v = 1, energy = 0.5 * p->setup.mass_kg * v * v, low = 0, high = 1e-9;
-    if (!p->law->elastic_energy || p->law->flags & (THUD_LAW_SILENT | THUD_LAW_IMPULSIVE))
+    if (!p->law->elastic_energy || p->law->flags & (THUD_LAW_NO_FORCE | THUD_LAW_IMPULSIVE))
         return INFINITY;
     while (high < 1e3 && p->law->elastic_energy(&p->setup, high) < energy)
         high *= 2;

@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/closing.h"
+#include "core/relative_displacement.h"
 #include "core/run_private.h"
 
 enum { LOOKS_APART = 64 }; /* segments between two looks at the balance of energy */
@@ -11,11 +11,11 @@ enum { LOOKS_APART = 64 }; /* segments between two looks at the balance of energ
 static enum thud_status read_segment(struct thud_run *run, double s, bool switches, struct thud_error *err)
 {
     enum thud_status status = THUD_OK;
-    double *end = run->bounds.ends + 3 * run->state.model->nmodes; /* q, q' at s: read by the peaks, and committed */
+    double *end = run->peaks.ends + 3 * run->state.model->nmodes; /* q, q' at s: read by the peaks, and committed */
     thud_segment_state(&run->seg, run->state.model->nmodes, s, end, end + run->state.model->nmodes);
-    thud_peaks_segment(run, s);
-    if (run->closing)
-        thud_closing_segment(run, s);
+    thud_peaks_segment(&run->peaks, &run->state, &run->seg, &run->log, s);
+    if (run->relative_m)
+        thud_relative_displacement_segment(run, s);
     if (run->options.keep_history)
         status = thud_history_segment(run, s, switches || !run->state.locates, err);
     thud_ledger_segment(run, s);
@@ -30,8 +30,8 @@ static void commit(struct thud_run *run, double s, double limit)
     double to_end = run->state.end_s - thud_state_now(&run->state),
            to_kink = run->state.grid_dt_s - run->state.offset_s;
     size_t n = (size_t)run->state.model->nmodes;
-    memcpy(run->state.q, run->bounds.ends + 3 * n, n * sizeof *run->state.q);
-    memcpy(run->state.qd, run->bounds.ends + 4 * n, n * sizeof *run->state.qd);
+    memcpy(run->state.q, run->peaks.ends + 3 * n, n * sizeof *run->state.q);
+    memcpy(run->state.qd, run->peaks.ends + 4 * n, n * sizeof *run->state.qd);
     /* what many steps' rounding leaves before the kink is nothing to take a step for */
     if (to_kink - s * run->seg.h_s > THUD_TOL_TIME * run->state.grid_dt_s) {
         run->state.offset_s += s * run->seg.h_s;
@@ -41,6 +41,8 @@ static void commit(struct thud_run *run, double s, double limit)
     }
     if (s >= limit && to_end <= to_kink * (1 + THUD_TOL_SEGMENT_END))
         run->done = run->done || run->state.end_s - thud_state_now(&run->state) <= THUD_TOL_TIME * run->state.end_s;
+    for (int c = 0; c < run->state.model->ncontacts; c++)
+        run->state.contact[c].largest_force_n = run->result.contact[c].force.value;
     thud_contact_moved(&run->state);
 }
 
@@ -77,8 +79,8 @@ enum thud_status thud_run_advance(struct thud_run *run, long budget, bool *done,
     enum thud_status status = THUD_OK;
     while (budget-- > 0 && !run->done && status == THUD_OK) {
         int passed = 0;
-        if (run->flight && run->state.nactive == 0)
-            status = thud_flight_go(run, &passed, err);
+        if (run->free_vibration && run->state.nactive == 0)
+            status = thud_free_vibration_go(run, &passed, err);
         run->done = run->state.end_s - thud_state_now(&run->state) <= THUD_TOL_TIME * run->state.end_s;
         if (passed == 0 && !run->done && status == THUD_OK)
             status = segment(run, err);

@@ -3,12 +3,13 @@
 #define THUD_CORE_RUN_PRIVATE_H
 
 #include "core/contact.h"
+#include "core/observe_peaks.h"
 #include "core/run.h"
 #include "core/segment.h"
 #include "core/tolerance.h"
 
-struct thud_flight;
-struct thud_horizon;
+struct thud_free_vibration;
+struct thud_early_end;
 struct thud_ledger {
     double initial_j, input_j, viscous_j, contact_work_j, largest_j;
     double balanced_s; /* the last moment looked at when no more was unaccounted for than may be */
@@ -19,13 +20,6 @@ struct thud_ledger {
 struct thud_progress {
     int stalls; /* events in a row without progress in time */
     int passes; /* moments passed over in a row because their events had no end */
-};
-
-/* What peaks.c needs beside the state and the segment. */
-struct thud_peak_bounds {
-    double *shape; /* (2 x nmodes): largest part of each mode in a floor's displacement, and in its drift */
-    double *most;  /* (quantities x ndof): of a floor's value, for a structure's sqrt(2 energy) */
-    double *ends;  /* (9 x nmodes) modal values at the two ends of a segment, and margins between */
 };
 
 struct thud_run {
@@ -39,23 +33,22 @@ struct thud_run {
     bool done;
     bool switched; /* a contact has, at the end of the last segment: rows stand on both sides of the jump */
 
-    struct thud_peak_bounds bounds;
+    struct thud_peaks peaks;
     double *scratch; /* (THUD_SEGMENT_TERMS x nmodes + 8 x nmodes) for one function at a time */
     struct thud_contact_log log;
     struct thud_ledger ledger;
     struct thud_history history;
     double next_row_s;
-    double close_rows_until_s;            /* rows stand closer for a while after a contact */
-    bool row_waits;                       /* see history.c */
-    const struct thud_horizon *horizon;   /* of the motion without contact; NULL: not known */
-    struct thud_horizon *horizon_to_fill; /* in the run without contact; NULL: not asked for */
-    double *closing; /* (ncontacts) largest so far of left less right displacement; NULL: not asked for */
-    struct thud_flight *flight;
+    double close_rows_until_s;                /* rows stand closer for a while after a contact */
+    bool row_waits;                           /* see history.c */
+    const struct thud_early_end *early_end;   /* of the motion without contact; NULL: not known */
+    struct thud_early_end *early_end_to_fill; /* in the run without contact; NULL: not asked for */
+    double *relative_m; /* (ncontacts) largest so far of left less right displacement; NULL: not asked for */
+    struct thud_free_vibration *free_vibration;
 
     struct thud_work work;
     struct thud_result result;
     void *result_block;
-    double *block;
 };
 
 /* A segment in run->seg, and how far it is taken. */
@@ -84,27 +77,7 @@ void thud_run_set_bound(struct thud_run *run);
 /* THUD_DIVERGED when this state (q, qd) holds far more energy than can ever have come in. */
 enum thud_status thud_run_check_state(struct thud_run *run, const double *q, const double *qd, struct thud_error *err);
 
-/* peaks.c, ledger.c, history.c: what is read from a segment before it is committed up to s. */
-void thud_peaks_start(struct thud_run *run);
-void thud_peaks_segment(struct thud_run *run, double s);
-enum { THUD_FLOOR_DISPLACEMENT, THUD_FLOOR_VELOCITY, THUD_FLOOR_ACCELERATION, THUD_FLOOR_DRIFT, THUD_FLOOR_QUANTITIES };
-struct thud_peak *thud_floor_peak(struct thud_run *run, int structure, int floor, int quantity);
-/* The modes' total acceleration q'' + gamma a_g of the segment into run->scratch, (terms - 2 x nmodes): before
- * thud_peaks_floor. */
-void thud_peaks_prepare(struct thud_run *run);
-/* Peak of one quantity of one floor over the segment up to s. */
-void thud_peaks_floor(struct thud_run *run, int structure, int floor, int quantity, double s);
-/* peaks_reach.c: fills run->most. */
-void thud_reach_start(struct thud_run *run);
-/* What a structure can come to: modal speed sqrt(2 energy), and contact force on it (by mass^(1/2)). */
-struct thud_reach {
-    double speed, force;
-};
-/* In the segment up to s; without bound for methods whose steps do not keep to the equations of motion. */
-struct thud_reach thud_reach_segment(const struct thud_run *run, int structure, double s);
-/* Whether a floor, and whether any floor of the structure, may then pass a peak. */
-bool thud_reach_floor(const struct thud_run *run, int structure, int floor, const struct thud_reach *reach);
-bool thud_reach_structure(const struct thud_run *run, int structure, const struct thud_reach *reach);
+/* ledger.c, history.c: what is read from a segment before it is committed up to s. */
 void thud_ledger_start(struct thud_run *run);
 void thud_ledger_segment(struct thud_run *run, double s);
 struct thud_ledger thud_ledger_at(struct thud_run *run, double s); /* as it will be at s; books nothing */
@@ -124,13 +97,13 @@ enum thud_status thud_ledger_judge(const struct thud_run *run, struct thud_error
 enum thud_status thud_history_segment(struct thud_run *run, double s, bool switches, struct thud_error *err);
 enum thud_status thud_history_start(struct thud_run *run, struct thud_error *err);
 
-/* flight.c: free flight over whole grid intervals by recurrence. */
-enum thud_status thud_flight_create(struct thud_run *run, struct thud_error *err);
-void thud_flight_free(struct thud_flight *flight);
+/* free_vibration.c: free flight over whole grid intervals by recurrence. */
+enum thud_status thud_free_vibration_create(struct thud_run *run, struct thud_error *err);
+void thud_free_vibration_free(struct thud_free_vibration *flight);
 /* Reads the peaks that are only known to be there: before a result is. */
-void thud_flight_settle(struct thud_run *run);
+void thud_free_vibration_read_deferred(struct thud_run *run);
 /* Goes over a block of grid intervals, up to the first one in which a contact closes; *passed: how many. Errors:
  * THUD_MEMORY. */
-enum thud_status thud_flight_go(struct thud_run *run, int *passed, struct thud_error *err);
+enum thud_status thud_free_vibration_go(struct thud_run *run, int *passed, struct thud_error *err);
 
 #endif

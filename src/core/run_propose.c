@@ -88,7 +88,7 @@ static enum thud_status stalled(struct thud_run *run, int contact, struct thud_e
 /* Contacts that switch without end at one moment: their motion there is below what the method or rounding resolves
  * (neighbours that stand together at rest, a bounce that has died down). A moment later, nothing switched, it shows
  * which way they go. */
-static enum thud_status pass_over(struct thud_run *run, struct thud_proposal *p, struct thud_error *err)
+static enum thud_status skip_accumulating(struct thud_run *run, struct thud_proposal *p, struct thud_error *err)
 {
     if (run->progress.passes >= PASSES_MAX)
         return stalled(run, p->contact, err);
@@ -111,7 +111,8 @@ enum thud_status thud_run_watch_progress(struct thud_run *run, struct thud_propo
         return THUD_OK;
     }
     run->progress.stalls++;
-    /* of two events that call for each other, now this one, now the other is passed over: one of them lets go */
+    /* of two events that follow each other at one instant (chattering), now this one, now the other is passed over, so
+     * that one of the two contacts opens */
     int most = STALLS_MORE + STALLS_EACH * run->state.model->ncontacts + run->progress.passes % 2;
-    return run->progress.stalls > most ? pass_over(run, p, err) : THUD_OK;
+    return run->progress.stalls > most ? skip_accumulating(run, p, err) : THUD_OK;
 }

@@ -24,27 +24,6 @@ static void set_times(struct thud_run *run)
         run->options.history_step_s = r ? r->dt_s : run->state.end_s / 2000;
 }
 
-static bool allocate_doubles(struct thud_run *run)
-{
-    size_t n = (size_t)run->state.model->nmodes, terms = THUD_SEGMENT_TERMS;
-    const struct {
-        double **where;
-        size_t size;
-    } part[] = {{&run->scratch, (terms + 8) * n + 8},
-                {&run->bounds.shape, 2 * n},
-                {&run->bounds.most, THUD_FLOOR_QUANTITIES * (size_t)run->state.model->ndof},
-                {&run->bounds.ends, 9 * n}};
-    size_t parts = sizeof part / sizeof *part, total = 0;
-    for (size_t i = 0; i < parts; i++)
-        total += part[i].size;
-    double *next = run->block = calloc(total + 1, sizeof *next);
-    if (!next)
-        return false;
-    for (size_t i = 0; i < parts; next += part[i++].size)
-        *part[i].where = next;
-    return true;
-}
-
 static bool allocate_result(struct thud_run *run)
 {
     const struct thud_model *m = run->state.model;
@@ -88,9 +67,9 @@ static const char *need(const struct thud_model *m)
     bool contact = false, nonlinear = false, impulsive = false, flexible = false;
     for (int c = 0; c < m->ncontacts; c++) {
         unsigned flags = m->contact[c].law->flags;
-        contact = contact || !(flags & THUD_LAW_SILENT);
+        contact = contact || !(flags & THUD_LAW_NO_FORCE);
         impulsive = impulsive || flags & THUD_LAW_IMPULSIVE;
-        nonlinear = nonlinear || !(flags & (THUD_LAW_SILENT | THUD_LAW_LINEAR | THUD_LAW_IMPULSIVE));
+        nonlinear = nonlinear || !(flags & (THUD_LAW_NO_FORCE | THUD_LAW_LINEAR | THUD_LAW_IMPULSIVE));
     }
     for (int j = 0; j < m->nmodes; j++)
         flexible = flexible || m->omega[j] > 0;
@@ -138,8 +117,15 @@ static enum thud_status prepare(struct thud_run *run, const struct thud_model *m
     enum thud_status status = thud_state_init(&run->state, model, record, &run->work, err);
     if (status == THUD_OK)
         status = thud_segment_init(&run->seg, model, err);
-    if (status == THUD_OK && !(allocate_doubles(run) && allocate_result(run)))
+    size_t scratch = (THUD_SEGMENT_TERMS + 8) * (size_t)model->nmodes + 8;
+    run->scratch = status == THUD_OK ? calloc(scratch, sizeof *run->scratch) : NULL;
+    if (status == THUD_OK && !(run->scratch && allocate_result(run)))
         status = thud_error_set(err, THUD_MEMORY, "out of memory");
+    if (status == THUD_OK)
+        status = thud_peaks_init(&run->peaks, &run->state, &run->result, err);
+    if (status == THUD_OK)
+        status =
+            thud_contact_log_init(&run->log, run->result.contact, model->ncontacts, run->options.keep_impacts, err);
     return status;
 }
 
@@ -148,16 +134,14 @@ static enum thud_status start(struct thud_run *run, struct thud_error *err)
     pick_method(run);
     set_times(run);
     run->state.tolerance = run->options.tolerance;
-    run->log = (struct thud_contact_log){.contact = run->result.contact, .keep_impacts = run->options.keep_impacts};
     thud_run_set_scales(run);
     thud_contact_start(&run->state);
-    thud_peaks_start(run);
     thud_ledger_start(run);
     thud_run_set_bound(run);
     set_step(run);
     enum thud_status status = run->options.keep_history ? thud_history_start(run, err) : THUD_OK;
     if (status == THUD_OK && run->method->order == 0) /* the others show how they fare in free flight */
-        status = thud_flight_create(run, err);
+        status = thud_free_vibration_create(run, err);
     if (status == THUD_OK && run->method->create)
         status = run->method->create(&run->state, &run->own, err);
     return status;
@@ -191,11 +175,12 @@ void thud_run_free(struct thud_run *run)
         return;
     if (run->own && run->method->free)
         run->method->free(run->own);
-    thud_flight_free(run->flight);
+    thud_free_vibration_free(run->free_vibration);
     thud_segment_clear(&run->seg);
     thud_state_clear(&run->state);
     thud_contact_log_clear(&run->log);
-    free(run->block);
+    thud_peaks_clear(&run->peaks);
+    free(run->scratch);
     free(run->result_block);
     free(run->history.time_s);
     free(run->history.value);
@@ -215,8 +200,8 @@ void thud_run_finish(struct thud_run *run)
 {
     struct thud_result *r = &run->result;
     r->work = run->work;
-    if (run->flight)
-        thud_flight_settle(run);
+    if (run->free_vibration)
+        thud_free_vibration_read_deferred(run);
     thud_ledger_finish(run);
     if (run->done && *r->reason && r->reason != no_contact && !has_touched(r))
         r->reason = "nothing touched: modes alone, in closed form";

@@ -73,8 +73,8 @@ double thud_segment_rate(const struct thud_state *state)
     double square = state->fastest_radps * state->fastest_radps, rate = 0;
     for (int c = 0; c < m->ncontacts && state->nactive > 0; c++)
         if (state->contact[c].mode == THUD_CLOSED) {
-            square += fabs(state->contact[c].branch.k_npm) * m->w[c * m->ncontacts + c];
-            rate += fabs(state->contact[c].branch.c_nspm) * m->w[c * m->ncontacts + c];
+            square += fabs(state->contact[c].branch.k_npm) * m->delassus[c * m->ncontacts + c];
+            rate += fabs(state->contact[c].branch.c_nspm) * m->delassus[c * m->ncontacts + c];
         }
     return sqrt(square) + rate;
 }
@@ -84,6 +84,7 @@ void thud_segment_begin(const struct thud_state *state, struct thud_segment *seg
     double a0, a1;
     thud_state_ground(state, state->grid, &a0, &a1);
     double slope = (a1 - a0) / state->grid_dt_s;
+    seg->start_s = thud_state_now(state);
     seg->h_s = h_s;
     seg->a0 = a0 + slope * state->offset_s;
     seg->a1 = slope * h_s;
@@ -136,7 +137,7 @@ static void next_order(const struct thud_model *m, struct thud_segment *seg, int
     }
     for (int c = 0; k < seg->loaded && c < m->ncontacts; c++)
         if (force[c] != 0.0)
-            push(n, m->g + c * n, scale * force[c], q2);
+            push(n, m->jacobian + c * n, scale * force[c], q2);
 }
 
 static double largest_of(const double *x, int n)
@@ -178,7 +179,7 @@ static void linear_forces(const struct thud_state *state, struct thud_segment *s
     const struct thud_model *m = state->model;
     for (int c = 0; c < m->ncontacts; c++) {
         const struct thud_contact_state *s = &state->contact[c];
-        const bool touched = k == 0 && s->zeros.indentation > 0; /* the motion says so only to rounding */
+        const bool touched = k == 0 && s->suppressed.indentation > 0; /* the motion says so only to rounding */
         double *d = seg->indentation + c * THUD_SEGMENT_TERMS, d1 = 0, f = 0;
         if (s->mode != THUD_CLOSED)
             continue;
@@ -189,7 +190,8 @@ static void linear_forces(const struct thud_state *state, struct thud_segment *s
                 d[0] = 0; /* a stiff contact would feel the rounding, and a dashpot that of a rate */
         }
         if (k + 1 < seg->terms)
-            d1 = d[k + 1] = touched && s->zeros.rate > 0 ? 0 : thud_model_gap_sum(m, c, seg->q + (k + 1) * m->nmodes);
+            d1 = d[k + 1] =
+                touched && s->suppressed.rate > 0 ? 0 : thud_model_gap_sum(m, c, seg->q + (k + 1) * m->nmodes);
         seg->force[k * m->ncontacts + c] = f + s->branch.k_npm * d[k] + s->branch.c_nspm * (k + 1) / seg->h_s * d1;
     }
 }
@@ -209,7 +211,7 @@ double thud_taylor_linear(const struct thud_state *state, struct thud_segment *s
         }
     }
     for (int c = 0; c < m->ncontacts; c++)
-        if (state->contact[c].mode == THUD_CLOSED && state->contact[c].zeros.indentation == 0)
+        if (state->contact[c].mode == THUD_CLOSED && state->contact[c].suppressed.indentation == 0)
             seg->known[c] = 0;
     /* fewer terms than there may be are enough by the bound of the fastest rate */
     return seg->terms < THUD_SEGMENT_TERMS ? 0 : thud_segment_tail(seg, m->nmodes);
@@ -311,7 +313,7 @@ int thud_segment_indentation(const struct thud_state *state, const struct thud_s
     struct side l = side_of(m, m->contact[c].left_dof), r = side_of(m, m->contact[c].right_dof);
     double size[THUD_SEGMENT_TERMS], largest = 0;
     int zeros = 0;
-    if (state->contact[c].zeros.indentation == 0) { /* nothing of it is known to be 0 */
+    if (state->contact[c].suppressed.indentation == 0) { /* nothing of it is known to be 0 */
         for (int k = 0; k < seg->terms; k++)
             out[k] = floor_term(&l, seg->q + k * m->nmodes) - floor_term(&r, seg->q + k * m->nmodes);
         out[0] -= thud_state_clearance(state, c);

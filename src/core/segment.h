@@ -8,7 +8,7 @@
 enum { THUD_SEGMENT_TERMS = 24, THUD_SEGMENT_TERMS_LEAST = 10 }; /* coefficients of a polynomial */
 
 struct thud_segment {
-    double h_s;
+    double start_s, h_s;
     int terms;         /* coefficients in use */
     int loaded;        /* orders below this one may have contact forces */
     double a0, a1;     /* ground acceleration a0 + a1 s */

@@ -110,12 +110,12 @@ void thud_model_acceleration(const struct thud_model *m, const double *q, const 
     }
 }
 
-void thud_model_push(const struct thud_model *m, const double *force, double *qdd)
+void thud_model_apply_contact_forces(const struct thud_model *m, const double *force, double *qdd)
 {
     for (int c = 0; c < m->ncontacts; c++) {
         if (force[c] == 0.0)
             continue;
-        const double *g = m->g + c * m->nmodes;
+        const double *g = m->jacobian + c * m->nmodes;
         for (int j = 0; j < m->nmodes; j++)
             qdd[j] -= g[j] * force[c];
     }
@@ -134,7 +134,7 @@ static double acceleration(const struct thud_state *state, int c, const double *
     const struct thud_model *m = state->model;
     double a = thud_model_gap_sum(m, c, free);
     for (int b = 0; b < m->ncontacts; b++)
-        a -= m->w[c * m->ncontacts + b] * force[b];
+        a -= m->delassus[c * m->ncontacts + b] * force[b];
     return a;
 }
 
@@ -145,28 +145,28 @@ double thud_contact_acceleration(const struct thud_state *state, int c, const do
 }
 
 /* W_ss f = a_s: the stuck contacts' forces so that none of them accelerates. */
-void thud_contact_hold(const struct thud_state *state, const double *free, double *force)
+void thud_contact_constraint_forces(const struct thud_state *state, const double *free, double *force)
 {
     const struct thud_model *m = state->model;
     int n = 0, nc = m->ncontacts;
     double *rhs = state->free_mps2 + m->nmodes, *w = state->delassus;
     for (int c = 0; c < nc; c++)
-        if (state->contact[c].mode == THUD_STUCK)
+        if (state->contact[c].mode == THUD_STICKING)
             rhs[n++] = acceleration(state, c, free, force);
     if (n == 0)
         return;
     for (int a = 0, i = 0; a < nc; a++) {
-        if (state->contact[a].mode != THUD_STUCK)
+        if (state->contact[a].mode != THUD_STICKING)
             continue;
         for (int b = 0, j = 0; b < nc; b++)
-            if (state->contact[b].mode == THUD_STUCK)
-                w[i * n + j++] = m->w[a * nc + b];
+            if (state->contact[b].mode == THUD_STICKING)
+                w[i * n + j++] = m->delassus[a * nc + b];
         i++;
     }
     if (LAPACKE_dposv_work(LAPACK_COL_MAJOR, 'L', n, 1, w, n, rhs, n) != 0)
         return;
     for (int c = 0, i = 0; c < nc; c++)
-        if (state->contact[c].mode == THUD_STUCK)
+        if (state->contact[c].mode == THUD_STICKING)
             force[c] = rhs[i++];
 }
 
@@ -175,12 +175,12 @@ void thud_contact_forces(const struct thud_state *state, double *force)
     bool stuck = false;
     for (int c = 0; c < state->model->ncontacts; c++) {
         force[c] = 0;
-        stuck |= state->contact[c].mode == THUD_STUCK;
+        stuck |= state->contact[c].mode == THUD_STICKING;
         if (state->contact[c].mode == THUD_CLOSED)
             force[c] = thud_contact_force(state, c, thud_contact_indentation(state, c), thud_contact_rate(state, c));
     }
     if (!stuck)
         return;
     free_acceleration(state, state->free_mps2);
-    thud_contact_hold(state, state->free_mps2, force);
+    thud_contact_constraint_forces(state, state->free_mps2, force);
 }

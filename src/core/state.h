@@ -13,31 +13,30 @@
 #include "core/tolerance.h"
 
 enum thud_contact_mode {
-    THUD_OPEN,   /* no contact */
-    THUD_CLOSED, /* in contact, force by the law's branch */
-    THUD_SLACK,  /* indented, but the law's force would pull and is cut at 0 */
-    THUD_STUCK   /* sticking: d' = 0, kept so by a constraint force */
+    THUD_OPEN,            /* no contact */
+    THUD_CLOSED,          /* in contact, force by the law's branch */
+    THUD_CLOSED_NO_FORCE, /* indented, but the law's force would pull and is cut at 0 */
+    THUD_STICKING         /* sticking: d' = 0, kept so by a constraint force */
 };
 
 /* Guards suppressed at an event: that many of the lowest Taylor coefficients of the function that a guard watches are 0
  * but for rounding, and are taken as 0. */
-struct thud_zeros {
-    int indentation, rate, knee, force;
+struct thud_suppressed {
+    int indentation, rate, branch, force;
 };
 
 struct thud_contact_state {
     enum thud_contact_mode mode;
     enum thud_phase phase;
-    bool past_knee;
+    bool past_ultimate;
     struct thud_branch branch;
     struct thud_law_memory memory;
-    struct thud_zeros zeros;
-    double knee_m;              /* indentation at which the branch changes; INFINITY where there is none */
-    double hold_low, hold_high; /* STUCK: interval of the constraint force, N */
-    double expected_force_n;    /* of this contact, from its closing velocity: scale of the error measure */
-    double largest_force_n;     /* so far: the same */
+    struct thud_suppressed suppressed;
+    double ultimate_m; /* indentation at which the branch changes; INFINITY where there is none */
+    double constraint_low_n, constraint_high_n; /* STUCK: interval of the constraint force, N */
+    double expected_force_n; /* of this contact, from its closing velocity: scale of the error measure */
+    double largest_force_n;  /* so far: the same */
     double residual_m;
-    struct thud_impact impact; /* the one going on */
 };
 
 struct thud_state {
@@ -64,7 +63,7 @@ struct thud_state {
     struct thud_work *work; /* counters */
     double *free_mps2;      /* (nmodes + ncontacts) workspace of state.c */
     int *set_now;           /* (ncontacts) and */
-    double *collide;        /* workspace of contact_impulse.c */
+    double *collide;        /* workspace of contact.c */
     double *force_now;      /* (ncontacts) workspace of the functions that switch a contact */
     double *delassus;       /* (ncontacts x ncontacts) workspace of state.c */
     double *block;
@@ -104,7 +103,7 @@ static inline double thud_state_clearance(const struct thud_state *state, int c)
 
 static inline bool thud_contact_acts(const struct thud_contact_state *s)
 {
-    return s->mode == THUD_CLOSED || s->mode == THUD_STUCK;
+    return s->mode == THUD_CLOSED || s->mode == THUD_STICKING;
 }
 
 /* Kinetic and strain energy of the structures, J. */
@@ -137,9 +136,9 @@ static inline double thud_contact_rounding(const struct thud_state *state)
 void thud_model_acceleration(const struct thud_model *model, const double *q, const double *qd, double ground,
                              double *out);
 /* From that to the second rate with these contact forces. */
-void thud_model_push(const struct thud_model *model, const double *force, double *qdd);
+void thud_model_apply_contact_forces(const struct thud_model *model, const double *force, double *qdd);
 /* Fills the constraint forces of the STUCK contacts from d'' = 0, given the accelerations without contact forces and the
  * other contacts' forces. */
-void thud_contact_hold(const struct thud_state *state, const double *free, double *force);
+void thud_contact_constraint_forces(const struct thud_state *state, const double *free, double *force);
 
 #endif

@@ -47,7 +47,7 @@ static double unlocated_force(const struct thud_state *state, int c, double d, d
     const struct thud_contact_state *s = &state->contact[c];
     struct thud_law_memory memory = s->memory;
     *df_dd = *df_dv = 0;
-    if (d <= 0 || p->law->flags & (THUD_LAW_SILENT | THUD_LAW_IMPULSIVE))
+    if (d <= 0 || p->law->flags & (THUD_LAW_NO_FORCE | THUD_LAW_IMPULSIVE))
         return 0;
     if (s->mode == THUD_OPEN) {
         memset(&memory, 0, sizeof memory);
@@ -87,15 +87,15 @@ void thud_step_motion(const struct thud_state *state, struct thud_motion *x, dou
     if (state->locates && state->nactive == 0)
         return;
     for (int c = 0; c < m->ncontacts; c++) {
-        stuck |= state->contact[c].mode == THUD_STUCK;
+        stuck |= state->contact[c].mode == THUD_STICKING;
         if (state->locates && state->contact[c].mode != THUD_CLOSED)
             continue;
         double d = thud_model_gap_sum(m, c, x->q) - thud_state_clearance(state, c), v = thud_model_gap_sum(m, c, x->qd);
         x->force[c] = thud_step_force(state, c, d, v, NULL, NULL);
     }
     if (stuck)
-        thud_contact_hold(state, x->qdd, x->force);
-    thud_model_push(m, x->force, x->qdd);
+        thud_contact_constraint_forces(state, x->qdd, x->force);
+    thud_model_apply_contact_forces(m, x->force, x->qdd);
 }
 
 static void write_motion(const struct thud_state *state, struct thud_segment *seg, const struct thud_motion *start,

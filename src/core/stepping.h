@@ -3,7 +3,6 @@
 #ifndef THUD_CORE_STEPPING_H
 #define THUD_CORE_STEPPING_H
 
-#include "core/method.h"
 #include "core/segment.h"
 
 /* Modal state and what follows from it, one block of a method's own. */

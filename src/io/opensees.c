@@ -35,7 +35,7 @@ static bool is_law(const struct thud_model_contact *c, const char *name)
 
 static bool has_contact(const struct thud_model_contact *c)
 {
-    return !(c->law->flags & THUD_LAW_SILENT);
+    return !(c->law->flags & THUD_LAW_NO_FORCE);
 }
 
 static enum thud_status check_contact(const struct thud_model_contact *c, struct thud_error *err)

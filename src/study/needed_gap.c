@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "core/trunk.h"
+#include "core/baseline.h"
 #include "study/answer.h"
 #include "study/spacing.h"
 
@@ -53,9 +53,10 @@ static double first_period(const struct thud_result *result, int s)
     return result->structure[s].floors > 0 ? result->structure[s].period_s[0] : INFINITY;
 }
 
-static void read_levels(const struct thud_model *model, const struct thud_trunk *trunk, struct thud_gap_level *level)
+static void read_levels(const struct thud_model *model, const struct thud_baseline *baseline,
+                        struct thud_gap_level *level)
 {
-    const struct thud_result *result = thud_trunk_result(trunk);
+    const struct thud_result *result = thud_baseline_result(baseline);
     for (int c = 0; c < model->ncontacts; c++) {
         const struct thud_model_contact *p = &model->contact[c];
         int left = p->interface - 1, right = p->interface;
@@ -65,7 +66,7 @@ static void read_levels(const struct thud_model *model, const struct thud_trunk 
             .right_floor = p->right_floor,
             .left_m = largest(result, left, p->left_floor),
             .right_m = largest(result, right, p->right_floor),
-            .closing_m = thud_trunk_closing(trunk, c),
+            .closing_m = thud_baseline_relative_displacement(baseline, c),
             .correlation = thud_spacing_correlation(first_period(result, left), first_damping(model, left),
                                                     first_period(result, right), first_damping(model, right))};
     }
@@ -83,7 +84,7 @@ enum thud_status thud_needed_gap_run(const struct thud_scene *scene, const struc
                                      struct thud_needed_gap **out, struct thud_error *err)
 {
     struct thud_model *model = NULL;
-    struct thud_trunk *trunk = NULL;
+    struct thud_baseline *baseline = NULL;
     struct thud_run_options options;
     struct thud_scene *bare = malloc(sizeof *bare);
     bool done = false;
@@ -99,20 +100,20 @@ enum thud_status thud_needed_gap_run(const struct thud_scene *scene, const struc
     if (status == THUD_OK)
         status = thud_scene_options(bare, &options, err);
     if (status == THUD_OK)
-        status = thud_trunk_create(model, record, &options, &trunk, err);
+        status = thud_baseline_create(model, record, &options, &baseline, err);
     while (status == THUD_OK && !done)
-        status = thud_trunk_advance(trunk, 1L << 20, &done, err);
+        status = thud_baseline_advance(baseline, 1L << 20, &done, err);
     if (status == THUD_OK) {
         struct thud_needed_gap *gap = malloc(sizeof *gap + (size_t)model->ncontacts * sizeof *gap->level);
         if (gap) {
             gap->nlevels = model->ncontacts;
-            read_levels(model, trunk, gap->level);
+            read_levels(model, baseline, gap->level);
         } else {
             status = thud_error_set(err, THUD_MEMORY, "out of memory");
         }
         *out = gap;
     }
-    thud_trunk_free(trunk);
+    thud_baseline_free(baseline);
     thud_model_free(model);
     free(bare);
     return status;

@@ -95,7 +95,7 @@ static void plan(struct thud_stability *s)
     each(&planner, energy_omega_dts, ENERGY_OMEGA_DTS, add_energy);
     for (int i = 0; i < thud_law_count(); i++) {
         planner.law = thud_law_at(i);
-        if (!(planner.law->flags & THUD_LAW_SILENT))
+        if (!(planner.law->flags & THUD_LAW_NO_FORCE))
             plan_law(&planner);
     }
     s->nexhibits = thud_exhibit_count();

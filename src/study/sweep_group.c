@@ -75,7 +75,7 @@ static enum thud_status build_baseline(struct thud_sweep_group *group, int g, in
     if (status == THUD_OK)
         status = thud_scene_options(cased, &options, err);
     if (status == THUD_OK)
-        status = thud_trunk_create(baseline->model, baseline->record, &options, &baseline->trunk, err);
+        status = thud_baseline_create(baseline->model, baseline->record, &options, &baseline->baseline, err);
     return status;
 }
 
@@ -138,9 +138,9 @@ static double first_period(const struct thud_result *result, int s)
 
 static void fill_levels(struct thud_sweep_group *group)
 {
-    const struct thud_trunk *trunk = group->baseline[0].trunk;
+    const struct thud_baseline *baseline = group->baseline[0].baseline;
     const struct thud_model *model = group->baseline[0].model;
-    const struct thud_result *result = thud_trunk_result(trunk);
+    const struct thud_result *result = thud_baseline_result(baseline);
     for (int c = 0; c < model->ncontacts; c++) {
         const struct thud_model_contact *p = &model->contact[c];
         int left = p->interface - 1, right = p->interface;
@@ -150,7 +150,7 @@ static void fill_levels(struct thud_sweep_group *group)
             .right_floor = p->right_floor,
             .left_m = largest(result, left, p->left_floor),
             .right_m = largest(result, right, p->right_floor),
-            .closing_m = thud_trunk_closing(trunk, c),
+            .closing_m = thud_baseline_relative_displacement(baseline, c),
             .correlation = thud_spacing_correlation(first_period(result, left), first_damping(model, left),
                                                     first_period(result, right), first_damping(model, right))};
     }
@@ -162,7 +162,7 @@ enum thud_status thud_sweep_group_advance(struct thud_sweep_group *group, long b
     bool whole = false;
     *done = false;
     if (group->ndone < group->nbaselines) {
-        enum thud_status status = thud_trunk_advance(group->baseline[group->ndone].trunk, budget, &whole, err);
+        enum thud_status status = thud_baseline_advance(group->baseline[group->ndone].baseline, budget, &whole, err);
         if (status != THUD_OK)
             return status;
         group->ndone += whole;
@@ -178,7 +178,7 @@ void thud_sweep_group_free(struct thud_sweep_group *group)
     if (!group)
         return;
     for (int g = 0; g < group->nbaselines; g++) {
-        thud_trunk_free(group->baseline[g].trunk);
+        thud_baseline_free(group->baseline[g].baseline);
         thud_model_free(group->baseline[g].model);
         thud_record_free(group->baseline[g].scaled);
     }

@@ -112,7 +112,7 @@ enum thud_status thud_sweep_task_create(const struct thud_sweep_plan *plan, cons
         point->floors[s] = model->structure[s].n;
     for (int v = 0; v < point->nvariants; v++)
         take_floors(thud_sweep_floors(point, v, point->ncases),
-                    thud_trunk_result(thud_sweep_baseline(group, v)->trunk));
+                    thud_baseline_result(thud_sweep_baseline(group, v)->baseline));
     memcpy(point->level, group->level, (size_t)point->ncontacts * sizeof *point->level);
     *out = task;
     return THUD_OK;
@@ -122,8 +122,8 @@ enum thud_status thud_sweep_task_create(const struct thud_sweep_plan *plan, cons
 static bool never_closes(const struct thud_sweep_task *task, int c)
 {
     const struct thud_model_contact *p = &task->model->contact[c];
-    const struct thud_trunk *trunk = thud_sweep_baseline(task->group, task->variant)->trunk;
-    return (p->law->flags & THUD_LAW_SILENT) || thud_trunk_closing(trunk, c) <= p->clearance_m;
+    const struct thud_baseline *baseline = thud_sweep_baseline(task->group, task->variant)->baseline;
+    return (p->law->flags & THUD_LAW_NO_FORCE) || thud_baseline_relative_displacement(baseline, c) <= p->clearance_m;
 }
 
 /* Walls and silent laws part the row of structures into groups that know nothing of each other; where no contact of a
@@ -135,14 +135,14 @@ static int leave_out(struct thud_sweep_task *task, bool drop, int *left)
     int group[THUD_STRUCTURES_MAX] = {0}, dropped = 0;
     bool closes[THUD_STRUCTURES_MAX] = {false}, open[THUD_STRUCTURES_MAX] = {false};
     for (int c = 0; c < m->ncontacts; c++)
-        open[m->contact[c].interface] |= !(m->contact[c].law->flags & THUD_LAW_SILENT);
+        open[m->contact[c].interface] |= !(m->contact[c].law->flags & THUD_LAW_NO_FORCE);
     for (int i = 1; i < m->nstructures; i++) /* interface i joins structures i - 1 and i */
         group[i] = group[i - 1] + (i > 1 && (m->structure[i - 1].n == 0 || !open[i]));
     for (int c = 0; c < m->ncontacts; c++)
         closes[group[m->contact[c].interface]] |= !never_closes(task, c);
     *left = 0;
     for (int c = 0; c < m->ncontacts; c++) {
-        if (m->contact[c].law->flags & THUD_LAW_SILENT)
+        if (m->contact[c].law->flags & THUD_LAW_NO_FORCE)
             continue;
         if (closes[group[m->contact[c].interface]]) {
             ++*left;
@@ -192,19 +192,20 @@ static void no_numbers(const struct thud_sweep_task *task)
             (struct thud_sweep_contact){.force_n = NAN, .indentation_m = NAN};
 }
 
-/* The answer without a run where the trunk has it; else a run. */
+/* The answer without a run where the baseline has it; else a run. */
 static enum thud_status start_run(struct thud_sweep_task *task, const struct thud_run_options *options,
                                   struct thud_error *err)
 {
     const struct thud_sweep_baseline *baseline = thud_sweep_baseline(task->group, task->variant);
     struct thud_sweep_effort *effort = &task->effort;
-    unsigned shortcuts =
-        thud_trunk_shares(baseline->trunk) && same_shape(task->model, baseline->model) ? task->plan->shortcuts : 0;
+    unsigned shortcuts = thud_baseline_shares(baseline->baseline) && same_shape(task->model, baseline->model)
+                             ? task->plan->shortcuts
+                             : 0;
     int left = 0, dropped = 0;
     if (shortcuts & (THUD_SWEEP_FREE | THUD_SWEEP_LEVELS))
         dropped = leave_out(task, shortcuts & THUD_SWEEP_LEVELS, &left);
     if ((shortcuts & THUD_SWEEP_FREE) && left == 0) {
-        const struct thud_result *result = thud_trunk_result(baseline->trunk);
+        const struct thud_result *result = thud_baseline_result(baseline->baseline);
         take(task, result);
         effort->end_s = result->end_s;
         count_run(task);
@@ -213,8 +214,8 @@ static enum thud_status start_run(struct thud_sweep_task *task, const struct thu
     effort->made = true;
     effort->left_out = shortcuts & THUD_SWEEP_LEVELS ? dropped : 0;
     if (shortcuts & THUD_SWEEP_START)
-        return thud_trunk_run(baseline->trunk, task->model, baseline->record, options, &task->run, &effort->shared_s,
-                              err);
+        return thud_baseline_run(baseline->baseline, task->model, baseline->record, options, &task->run,
+                                 &effort->shared_s, err);
     return thud_run_create(task->model, baseline->record, options, &task->run, err);
 }
 

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/trunk.h"
+#include "core/baseline.h"
 
 /* ---- chance: SplitMix64 (Steele, Lea and Flood 2014) ---- */
 
@@ -166,7 +166,7 @@ static const char *draw_bare_law(void)
 {
     for (;;) {
         const struct thud_law *law = thud_law_at(below(thud_law_count()));
-        if (strcmp(law->name, "rubber") != 0 && (!(law->flags & THUD_LAW_SILENT) || chance(0.2)))
+        if (strcmp(law->name, "rubber") != 0 && (!(law->flags & THUD_LAW_NO_FORCE) || chance(0.2)))
             return law->name;
     }
 }
@@ -195,26 +195,26 @@ static void draw_interface(struct thud_interface *at, double mass, double size_m
 static bool look_without_contact(struct scenes_one *one, double *closing)
 {
     struct thud_model *model;
-    struct thud_trunk *trunk;
+    struct thud_baseline *baseline;
     struct thud_run_options options;
     bool ok = thud_scene_assemble(&one->scene, &model, NULL) == THUD_OK;
     if (!ok)
         return false;
     thud_run_options_init(&options);
     options.tail_s = one->scene.analysis.tail_s;
-    ok = thud_trunk_create(model, one->record, &options, &trunk, NULL) == THUD_OK;
+    ok = thud_baseline_create(model, one->record, &options, &baseline, NULL) == THUD_OK;
     for (bool done = false; ok && !done;)
-        ok = thud_trunk_advance(trunk, 1000, &done, NULL) == THUD_OK;
+        ok = thud_baseline_advance(baseline, 1000, &done, NULL) == THUD_OK;
     for (int c = 0; ok && c < model->ncontacts; c++) {
         double *most = &closing[model->contact[c].interface - 1];
-        *most = fmax(*most, thud_trunk_closing(trunk, c));
+        *most = fmax(*most, thud_baseline_relative_displacement(baseline, c));
     }
     one->peak_m = 0;
     for (int s = 0; ok && s < model->nstructures; s++)
         for (int i = 0; i < model->structure[s].n; i++)
-            one->peak_m = fmax(one->peak_m, thud_trunk_result(trunk)->structure[s].floor[i].displacement.value);
+            one->peak_m = fmax(one->peak_m, thud_baseline_result(baseline)->structure[s].floor[i].displacement.value);
     if (ok)
-        thud_trunk_free(trunk);
+        thud_baseline_free(baseline);
     thud_model_free(model);
     return ok;
 }

@@ -219,7 +219,7 @@ static bool tolerance_matters(const struct scenes_one *one)
     for (int i = 0; i + 1 < one->scene.nstructures; i++) {
         const struct thud_interface *at = &one->scene.interface[i];
         const struct thud_law *law = at->has_bumper ? at->bumper.law : at->contact.law;
-        if (!(law->flags & (THUD_LAW_LINEAR | THUD_LAW_SILENT)))
+        if (!(law->flags & (THUD_LAW_LINEAR | THUD_LAW_NO_FORCE)))
             return true;
     }
     return false;

@@ -241,9 +241,9 @@ START_TEST(sticking_beyond_the_largest_strain)
     while (!done) {
         ck_assert_int_eq(thud_run_advance(run, 1, &done, NULL), THUD_OK);
         for (int c = 0; c < 4; c++)
-            if (run->state.contact[c].mode == THUD_STUCK) {
+            if (run->state.contact[c].mode == THUD_STICKING) {
                 stuck++;
-                ck_assert_double_gt(thud_contact_indentation(&run->state, c), run->state.contact[c].knee_m);
+                ck_assert_double_gt(thud_contact_indentation(&run->state, c), run->state.contact[c].ultimate_m);
                 ck_assert_double_lt(fabs(thud_contact_rate(&run->state, c)), 1e-9);
             }
     }

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/places.h"
+#include "core/nodes.h"
 #include "core/poly.h"
 #include "core/run_private.h"
 #include "march.h"
@@ -25,21 +25,21 @@ START_TEST(places_against_horner)
 {
     enum { STRIDE = 3, COUNT = 5 };
     const double at[COUNT] = {0.03, 0.2, 0.5, 0.77, 1}, scale = 0.6, h = 0.02;
-    double c[STRIDE * THUD_SEGMENT_TERMS], plain[THUD_SEGMENT_TERMS], value[THUD_PLACES], slope[THUD_PLACES], want[3];
-    struct thud_places places;
+    double c[STRIDE * THUD_SEGMENT_TERMS], plain[THUD_SEGMENT_TERMS], value[THUD_BATCH], slope[THUD_BATCH], want[3];
+    struct thud_nodes places;
     srand(1);
     for (int terms = 2; terms <= THUD_SEGMENT_TERMS; terms++) {
-        thud_places_set(&places, COUNT, at, scale, terms);
+        thud_nodes_set(&places, COUNT, at, scale, terms);
         for (int k = 0; k < terms; k++)
             c[STRIDE * k] = plain[k] = random_part();
-        thud_places_read(&places, c, STRIDE, terms, value);
-        thud_places_slope(&places, c, STRIDE, terms, h, slope);
+        thud_nodes_values(&places, c, STRIDE, terms, value);
+        thud_nodes_rates(&places, c, STRIDE, terms, h, slope);
         for (int i = 0; i < COUNT; i++) {
             thud_poly_value3(plain, terms, scale * at[i], want);
             ck_assert_double_eq_tol(value[i], want[0], 1e-14);
             ck_assert_double_eq_tol(slope[i] * h, want[1], 1e-13);
         }
-        for (int i = COUNT; i < THUD_PLACES; i++)
+        for (int i = COUNT; i < THUD_BATCH; i++)
             ck_assert_double_eq(value[i], plain[0]);
     }
 }
@@ -50,7 +50,7 @@ static void set_peaks(struct thud_run *run, int floor, int quantity, double valu
 {
     for (int i = 0; i < towers[1]; i++)
         for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++)
-            thud_floor_peak(run, 1, i, x)->value = i == floor && x == quantity ? value : INFINITY;
+            thud_floor_peak(&run->result, 1, i, x)->value = i == floor && x == quantity ? value : INFINITY;
 }
 
 /* The state of energy 1/2 in which one floor's value is largest reaches the bound of it, and no other state passes it.
@@ -86,9 +86,11 @@ START_TEST(no_state_passes_what_its_energy_allows)
             }
             ck_assert_double_eq_tol(best / sqrt(norm), 1, 1e-12);
             set_peaks(m.run, floor, x, best * (1 + 1e-9));
-            ck_assert(!thud_reach_structure(m.run, 1, &(struct thud_reach){1, 0}));
+            ck_assert(!thud_response_bound_structure(&m.run->peaks, m.run->state.model, 1,
+                                                     &(struct thud_response_bound){1, 0}));
             set_peaks(m.run, floor, x, best * (1 - 1e-9));
-            ck_assert(thud_reach_structure(m.run, 1, &(struct thud_reach){1, 0}));
+            ck_assert(thud_response_bound_structure(&m.run->peaks, m.run->state.model, 1,
+                                                    &(struct thud_response_bound){1, 0}));
         }
     march_free(&m);
     thud_model_free(model);

@@ -129,7 +129,7 @@ START_TEST(every_law_tells_its_restitution)
     for (int i = 0; i < thud_law_count(); i++)
         for (size_t k = 0; k < sizeof ratios / sizeof *ratios; k++) {
             const struct thud_law *law = thud_law_at(i);
-            if (law->flags & THUD_LAW_SILENT)
+            if (law->flags & THUD_LAW_NO_FORCE)
                 continue;
             struct thud_pair pair;
             thud_pair_concrete(&pair);

@@ -13,7 +13,7 @@ static double part(const char *name, const char *choice, int index, double e, do
     const struct thud_law *law = thud_law_find(name);
     struct thud_law_setup setup = {.mass_kg = 160e3, .thickness_m = 0.05};
     thud_law_defaults(law, &setup);
-    if (law->knee)
+    if (law->ultimate)
         setup.value[thud_law_param(law, "stiffness")] = 0.36e3 * pow(1000, 2.65);
     if (choice)
         setup.value[thud_law_param(law, choice)] = index;
@@ -166,15 +166,15 @@ END_TEST
 START_TEST(rubber_curve)
 {
     struct thud_rubber_curve curve = thud_rubber_curve(0.36e3 * pow(1000, 2.65), 2.65, 0.04, 2.5e9);
-    ck_assert_double_eq_tol(curve.knee_force_n / 1e3, 6335, 0.5);
-    ck_assert_double_eq_tol(curve.knee_energy_j / 1e3, 69.43, 0.005);
-    ck_assert_double_eq_tol(sqrt(2 * curve.knee_energy_j / 160e3), 0.9316, 5e-5);
+    ck_assert_double_eq_tol(curve.ultimate_force_n / 1e3, 6335, 0.5);
+    ck_assert_double_eq_tol(curve.ultimate_energy_j / 1e3, 69.43, 0.005);
+    ck_assert_double_eq_tol(sqrt(2 * curve.ultimate_energy_j / 160e3), 0.9316, 5e-5);
     double h = 1e-9, below = thud_rubber_curve_force(&curve, 0.04 - h),
            above = thud_rubber_curve_force(&curve, 0.04 + h);
-    ck_assert_double_eq_tol((curve.knee_force_n - below) / h / 1e6, 419.7, 0.06);
-    ck_assert_double_eq_tol((above - curve.knee_force_n) / h / 1e6, 2500, 0.01);
+    ck_assert_double_eq_tol((curve.ultimate_force_n - below) / h / 1e6, 419.7, 0.06);
+    ck_assert_double_eq_tol((above - curve.ultimate_force_n) / h / 1e6, 2500, 0.01);
     enum { N = 3000 };
-    double d = 0, step = 0.06 / N, energy = 0; /* the knee is at a whole step */
+    double d = 0, step = 0.06 / N, energy = 0; /* the ultimate compression is at a whole step */
     for (int i = 0; i < N; i++, d += step) {
         energy += step / 6 *
                   (thud_rubber_curve_force(&curve, d) + 4 * thud_rubber_curve_force(&curve, d + step / 2) +

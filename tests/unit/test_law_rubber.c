@@ -82,17 +82,17 @@ static double at_knee(const struct thud_law_setup *setup, enum thud_phase phase,
     struct thud_law_memory memory;
     rubber()->touch(setup, 1, &memory);
     struct thud_branch b = rubber()->branch(setup, &memory, phase, past);
-    return thud_branch_force(&b, rubber()->knee(setup), v, NULL, NULL);
+    return thud_branch_force(&b, rubber()->ultimate(setup), v, NULL, NULL);
 }
 
-/* Force is continuous at the knee in approach, and in restitution by either unloading. */
+/* Force is continuous at the ultimate compression in approach, and in restitution by either unloading. */
 START_TEST(knee)
 {
     for (int unloading = 0; unloading < 2; unloading++) {
         struct thud_law_setup setup = bumper();
         set(&setup, "unloading", unloading);
         ck_assert_int_eq(rubber()->prepare(&setup, NULL), THUD_OK);
-        ck_assert_double_eq_tol(rubber()->knee(&setup), 0.04, 1e-17);
+        ck_assert_double_eq_tol(rubber()->ultimate(&setup), 0.04, 1e-17);
         for (double v = -0.5; v < 0.6; v += 0.25)
             for (int phase = 0; phase < 2; phase++) {
                 double below = at_knee(&setup, (enum thud_phase)phase, false, v);
@@ -104,14 +104,14 @@ START_TEST(knee)
     struct thud_law_memory memory;
     rubber()->prepare(&setup, NULL);
     rubber()->touch(&setup, 1, &memory);
-    /* at the knee itself the curve below holds */
-    ck_assert(thud_law_branch_at(rubber(), &setup, &memory, THUD_APPROACH, rubber()->knee(&setup)).K > 0);
-    double beyond = nextafter(rubber()->knee(&setup), 1);
+    /* at the ultimate compression itself the curve below holds */
+    ck_assert(thud_law_branch_at(rubber(), &setup, &memory, THUD_APPROACH, rubber()->ultimate(&setup)).K > 0);
+    double beyond = nextafter(rubber()->ultimate(&setup), 1);
     ck_assert(thud_law_branch_at(rubber(), &setup, &memory, THUD_APPROACH, beyond).K == 0);
 }
 END_TEST
 
-/* Past the knee eq. (5) as printed drops at the turn; continuous unloading starts where approach ended. */
+/* Past the ultimate compression eq. (5) as printed drops at the turn; continuous unloading starts where approach ended. */
 START_TEST(turn_past_the_knee)
 {
     struct thud_law_setup setup = bumper();
@@ -134,7 +134,7 @@ START_TEST(turn_past_the_knee)
 }
 END_TEST
 
-/* continuous: F_A (1 + C v) on both sides of the knee. */
+/* continuous: F_A (1 + C v) on both sides of the ultimate compression. */
 START_TEST(continuous_unloading)
 {
     struct thud_law_setup setup = bumper();

@@ -13,7 +13,7 @@ static struct thud_law_setup setup_of(const struct thud_law *law)
 {
     struct thud_law_setup setup = {.mass_kg = mass, .thickness_m = 0.05};
     thud_law_defaults(law, &setup);
-    if (law->knee) /* the one law whose stiffness has no default */
+    if (law->ultimate) /* the one law whose stiffness has no default */
         setup.value[thud_law_param(law, "stiffness")] = 0.36e3 * pow(1000, 2.65);
     return setup;
 }
@@ -152,12 +152,12 @@ START_TEST(flags)
                 struct thud_branch b = law->branch(&setup, &memory, THUD_APPROACH, d > 0.04);
                 linear &= b.K == 0 && b.D == 0;
             }
-        bool no_force = law->flags & (THUD_LAW_SILENT | THUD_LAW_IMPULSIVE);
+        bool no_force = law->flags & (THUD_LAW_NO_FORCE | THUD_LAW_IMPULSIVE);
         ck_assert_int_eq(linear, no_force || (law->flags & THUD_LAW_LINEAR) != 0);
-        ck_assert_int_eq(one, (law->flags & (THUD_LAW_DEGREE_ONE | THUD_LAW_SILENT)) != 0);
+        ck_assert_int_eq(one, (law->flags & (THUD_LAW_DEGREE_ONE | THUD_LAW_NO_FORCE)) != 0);
         ck_assert_int_eq(turns, (law->flags & THUD_LAW_TURNS) != 0);
         ck_assert_int_eq((law->flags & THUD_LAW_PULLS) != 0, strcmp(law->name, "kelvin-voigt") == 0);
-        ck_assert_int_eq((law->flags & THUD_LAW_SILENT) != 0, strcmp(law->name, "none") == 0);
+        ck_assert_int_eq((law->flags & THUD_LAW_NO_FORCE) != 0, strcmp(law->name, "none") == 0);
         ck_assert_int_eq((law->flags & THUD_LAW_IMPULSIVE) != 0, strcmp(law->name, "stereomechanical") == 0);
     }
 }

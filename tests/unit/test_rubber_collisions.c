@@ -57,7 +57,7 @@ START_TEST(rubber_figures)
 }
 END_TEST
 
-/* Speeds on both sides of the floor and of the knee, both unloadings, both ways to set the speed, unequal bodies. */
+/* Speeds on both sides of the floor and of the ultimate compression, both unloadings, both ways to set the speed, unequal bodies. */
 START_TEST(rubber_at_any_speed)
 {
     static const double vs[] = {2e-4, 1e-3, 0.05, 0.9, 1.2, 3};

@@ -1,13 +1,13 @@
-#include "core/horizon.h"
+#include "core/early_end.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { STRIDE = 128, ENDS = THUD_FLIGHT_ENDS };
-_Static_assert((int)STRIDE <= (int)THUD_FLIGHT_BLOCK, "a flight fills whole blocks");
+enum { STRIDE = 128, ENDS = THUD_FREE_VIBRATION_ENDS };
+_Static_assert((int)STRIDE <= (int)THUD_FREE_VIBRATION_BLOCK, "a flight fills whole blocks");
 
-struct thud_horizon {
+struct thud_early_end {
     int n, floors, nc, row; /* modes, floors, contacts, doubles of one block: 2 n + 4 floors + nc */
     double *block; /* (capacity x row): q, q' at its start; what its floors' values do not pass; largest closings */
     long count, capacity;
@@ -16,9 +16,9 @@ struct thud_horizon {
     long end_grid;
 };
 
-struct thud_horizon *thud_horizon_create(const struct thud_model *model)
+struct thud_early_end *thud_early_end_create(const struct thud_model *model)
 {
-    struct thud_horizon *h = calloc(1, sizeof *h);
+    struct thud_early_end *h = calloc(1, sizeof *h);
     if (!h)
         return NULL;
     h->n = model->nmodes;
@@ -35,16 +35,16 @@ struct thud_horizon *thud_horizon_create(const struct thud_model *model)
     return h;
 }
 
-void thud_horizon_free(struct thud_horizon *horizon)
+void thud_early_end_free(struct thud_early_end *early_end)
 {
-    if (!horizon)
+    if (!early_end)
         return;
-    free(horizon->block);
-    free(horizon->end);
-    free(horizon);
+    free(early_end->block);
+    free(early_end->end);
+    free(early_end);
 }
 
-static double *new_block(struct thud_horizon *h)
+static double *new_block(struct thud_early_end *h)
 {
     if (h->count == h->capacity) {
         long more = h->capacity ? 2 * h->capacity : 64;
@@ -67,7 +67,8 @@ static double largest(const double *x, int n)
     return most;
 }
 
-void thud_horizon_record(struct thud_horizon *h, const struct thud_run *run, struct thud_flight *f, int intervals)
+void thud_early_end_record(struct thud_early_end *h, const struct thud_run *run, struct thud_free_vibration *f,
+                           int intervals)
 {
     const struct thud_model *m = run->state.model;
     if (h->failed || run->state.grid != h->count * STRIDE)
@@ -89,14 +90,14 @@ void thud_horizon_record(struct thud_horizon *h, const struct thud_run *run, str
             value[x * h->floors + i] =
                 largest(f->value[x] + i * ENDS, intervals + 1) + f->margin[x * m->nstructures + m->dof_structure[i]];
     for (int c = 0; c < h->nc; c++) {
-        double margin, most = thud_flight_gap(f, m, c, intervals + 1, &margin);
+        double margin, most = thud_free_vibration_gap(f, m, c, intervals + 1, &margin);
         closing[c] = most + margin;
     }
     h->end_grid = run->state.grid + intervals;
 }
 
 /* From each block on: the largest of it and all that follow. */
-void thud_horizon_close(struct thud_horizon *h)
+void thud_early_end_close(struct thud_early_end *h)
 {
     for (long b = h->count - 2; b >= 0; b--) {
         double *block = h->block + b * h->row + 2 * h->n, *next = block + h->row;
@@ -106,7 +107,7 @@ void thud_horizon_close(struct thud_horizon *h)
     h->closed = !h->failed && h->count > 0;
 }
 
-int thud_horizon_stride(long grid)
+int thud_early_end_stride(long grid)
 {
     return (int)(STRIDE - grid % STRIDE);
 }
@@ -134,7 +135,7 @@ static bool floor_is_done(struct thud_run *run, const double *later, const doubl
         add[THUD_FLOOR_DRIFT] += fabs(row[j] - (below ? below[j] : 0)) * a;
     }
     for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++)
-        if (later[x * m->ndof + p->first + floor] + add[x] > thud_floor_peak(run, s, floor, x)->value)
+        if (later[x * m->ndof + p->first + floor] + add[x] > thud_floor_peak(&run->result, s, floor, x)->value)
             return false;
     return true;
 }
@@ -143,9 +144,9 @@ static bool nothing_comes(struct thud_run *run, const double *later, const doubl
 {
     const struct thud_model *m = run->state.model;
     for (int c = 0; c < m->ncontacts; c++) {
-        const double *g = m->g + c * m->nmodes;
+        const double *g = m->jacobian + c * m->nmodes;
         double add = 0;
-        if (m->contact[c].law->flags & THUD_LAW_SILENT)
+        if (m->contact[c].law->flags & THUD_LAW_NO_FORCE)
             continue;
         for (int j = 0; j < m->nmodes; j++)
             add += fabs(g[j]) * amplitudes[j];
@@ -160,7 +161,7 @@ static bool nothing_comes(struct thud_run *run, const double *later, const doubl
 }
 
 /* Free vibration of the difference over `time`, added to the motion without contact. */
-static void put_at_end(const struct thud_horizon *h, struct thud_run *run, const double *start, double time)
+static void put_at_end(const struct thud_early_end *h, struct thud_run *run, const double *start, double time)
 {
     const struct thud_model *m = run->state.model;
     for (int j = 0; j < h->n; j++) {
@@ -172,7 +173,7 @@ static void put_at_end(const struct thud_horizon *h, struct thud_run *run, const
     }
 }
 
-long thud_horizon_jump(const struct thud_horizon *h, struct thud_run *run)
+long thud_early_end_jump(const struct thud_early_end *h, struct thud_run *run)
 {
     long grid = run->state.grid, b = grid / STRIDE;
     if (!h->closed || grid % STRIDE != 0 || b >= h->count || grid >= h->end_grid)

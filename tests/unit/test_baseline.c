@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/trunk.h"
+#include "core/baseline.h"
 
 enum { FLOORS_A = 2, FLOORS_B = 3, CONTACTS = 2, SAMPLES = 1500, FINER = 20 };
 
@@ -80,15 +80,15 @@ static void finish(struct thud_run *run)
         ck_assert_int_eq(thud_run_advance(run, 100, &done, NULL), THUD_OK);
 }
 
-static struct thud_trunk *make_trunk(const struct thud_model *model)
+static struct thud_baseline *make_baseline(const struct thud_model *model)
 {
     struct thud_run_options o = options();
-    struct thud_trunk *trunk;
-    ck_assert_int_eq(thud_trunk_create(model, record, &o, &trunk, NULL), THUD_OK);
+    struct thud_baseline *baseline;
+    ck_assert_int_eq(thud_baseline_create(model, record, &o, &baseline, NULL), THUD_OK);
     struct thud_error error = {0};
     for (bool done = false; !done;)
-        ck_assert_msg(thud_trunk_advance(trunk, 3, &done, &error) == THUD_OK, "%s", error.what);
-    return trunk;
+        ck_assert_msg(thud_baseline_advance(baseline, 3, &done, &error) == THUD_OK, "%s", error.what);
+    return baseline;
 }
 
 static void assert_same(const struct thud_result *a, const struct thud_result *b)
@@ -109,22 +109,22 @@ static void assert_same(const struct thud_result *a, const struct thud_result *b
 static void compare(double clearance, bool isolated, double least_shared, bool contact)
 {
     struct thud_model *model = make_model(clearance, isolated), *other = make_model(0.5, isolated);
-    struct thud_trunk *trunk = make_trunk(other);
+    struct thud_baseline *baseline = make_baseline(other);
     struct thud_run_options o = options();
     struct thud_run *whole, *begun;
     double shared;
     ck_assert_int_eq(thud_run_create(model, record, &o, &whole, NULL), THUD_OK);
-    ck_assert_int_eq(thud_trunk_run(trunk, model, record, &o, &begun, &shared, NULL), THUD_OK);
+    ck_assert_int_eq(thud_baseline_run(baseline, model, record, &o, &begun, &shared, NULL), THUD_OK);
     ck_assert_double_ge(shared, least_shared);
     finish(whole);
     finish(begun);
     assert_same(thud_run_result(whole), thud_run_result(begun));
     ck_assert(contact == (thud_run_result(whole)->contact[1].impacts > 0));
     if (!contact)
-        assert_same(thud_run_result(whole), thud_trunk_result(trunk));
+        assert_same(thud_run_result(whole), thud_baseline_result(baseline));
     thud_run_free(whole);
     thud_run_free(begun);
-    thud_trunk_free(trunk);
+    thud_baseline_free(baseline);
     thud_model_free(model);
     thud_model_free(other);
 }
@@ -160,7 +160,7 @@ END_TEST
 static void against_history(bool isolated)
 {
     struct thud_model *model = make_model(10, isolated);
-    struct thud_trunk *trunk = make_trunk(model);
+    struct thud_baseline *baseline = make_baseline(model);
     struct thud_run_options o = options();
     struct thud_run *run;
     o.keep_history = true;
@@ -176,11 +176,11 @@ static void against_history(bool isolated)
             most = fmax(most, row[left] - row[right]);
         }
         ck_assert_double_gt(most, 0.01);
-        ck_assert_double_ge(thud_trunk_closing(trunk, c), most * (1 - 1e-12));
-        ck_assert_double_le(thud_trunk_closing(trunk, c), most * (1 + 1e-5));
+        ck_assert_double_ge(thud_baseline_relative_displacement(baseline, c), most * (1 - 1e-12));
+        ck_assert_double_le(thud_baseline_relative_displacement(baseline, c), most * (1 + 1e-5));
     }
     thud_run_free(run);
-    thud_trunk_free(trunk);
+    thud_baseline_free(baseline);
     thud_model_free(model);
 }
 
@@ -195,8 +195,9 @@ END_TEST
 START_TEST(the_needed_gap_is_exact)
 {
     struct thud_model *model = make_model(1, false);
-    struct thud_trunk *trunk = make_trunk(model);
-    double closing = fmax(thud_trunk_closing(trunk, 0), thud_trunk_closing(trunk, 1));
+    struct thud_baseline *baseline = make_baseline(model);
+    double closing =
+        fmax(thud_baseline_relative_displacement(baseline, 0), thud_baseline_relative_displacement(baseline, 1));
     for (int side = -1; side <= 1; side += 2) {
         struct thud_model *near = make_model(closing * (1 + side * 1e-9), false);
         struct thud_run_options o = options();
@@ -208,7 +209,7 @@ START_TEST(the_needed_gap_is_exact)
         thud_run_free(run);
         thud_model_free(near);
     }
-    thud_trunk_free(trunk);
+    thud_baseline_free(baseline);
     thud_model_free(model);
 }
 END_TEST
@@ -229,20 +230,20 @@ START_TEST(free_bodies_without_a_ground_motion)
     thud_law_defaults(contact.law, &contact.setup);
     struct thud_model_input input = {2, structure, 1, &contact, 0};
     struct thud_model *model;
-    struct thud_trunk *trunk;
+    struct thud_baseline *baseline;
     struct thud_run_options o = options();
     o.tail_s = tail;
     ck_assert_int_eq(thud_model_create(&input, &model, NULL), THUD_OK);
-    ck_assert_int_eq(thud_trunk_create(model, NULL, &o, &trunk, NULL), THUD_OK);
+    ck_assert_int_eq(thud_baseline_create(model, NULL, &o, &baseline, NULL), THUD_OK);
     for (bool done = false; !done;)
-        ck_assert_int_eq(thud_trunk_advance(trunk, 1, &done, NULL), THUD_OK);
-    const struct thud_result *r = thud_trunk_result(trunk);
+        ck_assert_int_eq(thud_baseline_advance(baseline, 1, &done, NULL), THUD_OK);
+    const struct thud_result *r = thud_baseline_result(baseline);
     for (int s = 0; s < 2; s++) {
         ck_assert_double_eq_tol(r->structure[s].floor[0].displacement.value, fabs(speed[s]) * tail, 1e-15);
         ck_assert_double_eq_tol(r->structure[s].floor[0].velocity.value, fabs(speed[s]), 1e-15);
     }
-    ck_assert_double_eq_tol(thud_trunk_closing(trunk, 0), (speed[0] - speed[1]) * tail, 1e-15);
-    thud_trunk_free(trunk);
+    ck_assert_double_eq_tol(thud_baseline_relative_displacement(baseline, 0), (speed[0] - speed[1]) * tail, 1e-15);
+    thud_baseline_free(baseline);
     thud_model_free(model);
 }
 END_TEST
@@ -250,8 +251,8 @@ END_TEST
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
-    Suite *suite = suite_create("trunk");
-    TCase *tcase = tcase_create("trunk");
+    Suite *suite = suite_create("baseline");
+    TCase *tcase = tcase_create("baseline");
     tcase_add_checked_fixture(tcase, set_up, tear_down);
     tcase_add_test(tcase, a_run_begun_late_answers_the_same);
     tcase_add_test(tcase, a_long_motion_is_kept_thinner);

@@ -1,22 +1,22 @@
-/* Tables and working space of free flight: see flight.c. */
-#ifndef THUD_CORE_FLIGHT_H
-#define THUD_CORE_FLIGHT_H
+/* Tables and working space of free flight: see free_vibration.c. */
+#ifndef THUD_CORE_FREE_VIBRATION_H
+#define THUD_CORE_FREE_VIBRATION_H
 
 #include "core/run_private.h"
 
 enum {
-    THUD_FLIGHT_BLOCK = 256,
-    THUD_FLIGHT_ENDS = THUD_FLIGHT_BLOCK + 4
-};                                /* intervals in a block; their ends, by fours */
-enum { THUD_FLIGHT_ABREAST = 4 }; /* modes that march together; rows beyond the last mode stay 0 */
+    THUD_FREE_VIBRATION_BLOCK = 256,
+    THUD_FREE_VIBRATION_ENDS = THUD_FREE_VIBRATION_BLOCK + 4
+};                                      /* intervals in a block; their ends, by fours */
+enum { THUD_FREE_VIBRATION_BATCH = 4 }; /* modes that march together; rows beyond the last mode stay 0 */
 /* The interval in which one floor's value peaks, its series not yet made. */
-struct thud_suspect {
+struct thud_deferred_peak {
     bool waits;
     long grid;
     double most; /* what the peak is at most */
 };
 
-struct thud_flight {
+struct thud_free_vibration {
     int n;      /* modes */
     int pieces; /* series needed for one interval */
     /* One interval, by mode: q = e[0] q + e[1] q' + p[0] a0 + p[1] a1, q' = e[2] q + e[3] q' + p[2] a0 + p[3] a1 */
@@ -41,19 +41,20 @@ struct thud_flight {
     bool *near;     /* (ncontacts) whether it may in the interval looked at */
     bool *bounded;  /* (nstructures) whether `bound` holds for the block */
     double *lower, *upper; /* (ENDS) what the largest value of one row in each interval is at least and at most */
-    struct thud_suspect *suspect; /* (QUANTITIES x ndof) */
-    double *kept;                 /* (QUANTITIES x ndof x 2 x n) q, q' at the start of its interval */
-    int size;                     /* intervals to try next */
+    struct thud_deferred_peak *deferred; /* (QUANTITIES x ndof) */
+    double *kept;                        /* (QUANTITIES x ndof x 2 x n) q, q' at the start of its interval */
+    int size;                            /* intervals to try next */
     double *block;
 };
 
 /* Left less right displacement of contact c at the ends of a marched block into f->gap; returns the largest, *margin:
  * how far one inside an interval may lie above those at its ends. */
-double thud_flight_gap(struct thud_flight *f, const struct thud_model *model, int c, int ends, double *margin);
+double thud_free_vibration_gap(struct thud_free_vibration *f, const struct thud_model *model, int c, int ends,
+                               double *margin);
 
-/* flight.c: motion of one piece of the run's interval as a series, from f->now. */
-void thud_flight_series(struct thud_run *run, struct thud_flight *f, int piece);
-/* flight_peaks.c: peaks of the structures that are looked at in a marched block. */
-void thud_flight_peaks(struct thud_run *run, struct thud_flight *f, int intervals);
+/* free_vibration.c: motion of one piece of the run's interval as a series, from f->now. */
+void thud_free_vibration_series(struct thud_run *run, struct thud_free_vibration *f, int piece);
+/* Peaks of the structures that are looked at in a marched block. */
+void thud_free_vibration_peaks(struct thud_run *run, struct thud_free_vibration *f, int intervals);
 
 #endif

@@ -1,10 +1,10 @@
-#include "core/closing.h"
+#include "core/relative_displacement.h"
 
 #include <math.h>
 
 #include "core/poly.h"
 
-enum { ENDS = THUD_FLIGHT_ENDS };
+enum { ENDS = THUD_FREE_VIBRATION_ENDS };
 
 /* Raises the closing of contact c by its polynomial in the run's segment. */
 static void raise_closing(struct thud_run *run, int c, double s)
@@ -16,16 +16,17 @@ static void raise_closing(struct thud_run *run, int c, double s)
     for (int k = 0; k < terms; k++)
         size += fabs(d[k]);
     d[0] += size; /* so that the largest value is the largest absolute one */
-    run->closing[c] = fmax(run->closing[c], thud_poly_peak(d, terms, s, run->closing[c] + size, &where) - size);
+    run->relative_m[c] =
+        fmax(run->relative_m[c], thud_poly_peak(d, terms, s, run->relative_m[c] + size, &where) - size);
 }
 
-void thud_closing_segment(struct thud_run *run, double s)
+void thud_relative_displacement_segment(struct thud_run *run, double s)
 {
     for (int c = 0; c < run->state.model->ncontacts; c++)
         raise_closing(run, c, s);
 }
 
-static void look_at(struct thud_run *run, struct thud_flight *f, int c, int t)
+static void look_at(struct thud_run *run, struct thud_free_vibration *f, int c, int t)
 {
     long base = run->state.grid;
     run->state.grid += t;
@@ -44,14 +45,14 @@ static void look_at(struct thud_run *run, struct thud_flight *f, int c, int t)
     run->state.offset_s = 0;
 }
 
-void thud_closing_flight(struct thud_run *run, struct thud_flight *f, int intervals)
+void thud_relative_displacement_block(struct thud_run *run, struct thud_free_vibration *f, int intervals)
 {
     const struct thud_model *m = run->state.model;
     for (int c = 0; c < m->ncontacts; c++) {
-        double margin, most = thud_flight_gap(f, m, c, intervals + 1, &margin);
-        if (most + margin <= run->closing[c])
+        double margin, most = thud_free_vibration_gap(f, m, c, intervals + 1, &margin);
+        if (most + margin <= run->relative_m[c])
             continue;
-        double limit = fmax(run->closing[c], most) - margin;
+        double limit = fmax(run->relative_m[c], most) - margin;
         for (int t = 0; t < intervals; t++)
             if (f->gap[t] >= limit || f->gap[t + 1] >= limit)
                 look_at(run, f, c, t);

@@ -1,0 +1,423 @@
+#include "core/observe_peaks.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/double_pair.h"
+#include "core/poly.h"
+
+/* What a structure's energy lets its floors come to at most: where that is below the peaks so far, no floor needs to be
+ * looked at. With S = sqrt(sum of q'^2 + omega^2 q^2), whatever the damping, dS/dt is at most the size of the forces in
+ * modal coordinates; and by Cauchy and Schwarz a floor's value is at most S times a number of its own. */
+
+/* Largest factor by which damping may raise the sum of spring and damping forces over that of the springs. */
+static double damping_factor(const struct thud_model *m, const struct thud_model_structure *p, int j)
+{
+    double ratio = 2 * m->zeta[p->first_mode + j], sum = 0;
+    for (int i = 0; p->damping && i < p->modes; i++)
+        for (int k = 0; k < p->modes; k++)
+            sum += p->damping[i * p->modes + k] * p->damping[i * p->modes + k];
+    return sqrt(1 + ratio * ratio) + (sum > 0 ? sqrt(sum) / m->omega[p->first_mode + j] : 0);
+}
+
+void thud_response_bound_start(struct thud_peaks *peaks, const struct thud_state *state)
+{
+    const struct thud_model *m = state->model;
+    for (int s = 0; s < m->nstructures; s++) {
+        const struct thud_model_structure *p = &m->structure[s];
+        for (int i = 0; i < p->n; i++) {
+            double sum[THUD_FLOOR_QUANTITIES] = {0};
+            for (int j = 0; j < p->modes; j++) {
+                double a = p->phi[i * p->modes + j], below = i > 0 ? p->phi[(i - 1) * p->modes + j] : 0;
+                double w = m->omega[p->first_mode + j], f = damping_factor(m, p, j) * w;
+                sum[THUD_FLOOR_DISPLACEMENT] += a * a / (w * w);
+                sum[THUD_FLOOR_VELOCITY] += a * a;
+                sum[THUD_FLOOR_ACCELERATION] += a * a * f * f;
+                sum[THUD_FLOOR_DRIFT] += p->stiffness_npm ? (a - below) * (a - below) / (w * w) : 0;
+            }
+            for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++)
+                peaks->per_speed[x * m->ndof + p->first + i] = sqrt(sum[x]);
+        }
+    }
+}
+
+bool thud_response_bound_floor(struct thud_peaks *peaks, const struct thud_model *model, int structure, int floor,
+                               const struct thud_response_bound *reach)
+{
+    const struct thud_model *m = model;
+    const struct thud_floor_result *r = &peaks->result->structure[structure].floor[floor];
+    const double *most = peaks->per_speed + m->structure[structure].first + floor;
+    double push = most[THUD_FLOOR_VELOCITY * m->ndof] * reach->force;
+    bool below = most[THUD_FLOOR_DISPLACEMENT * m->ndof] * reach->speed <= r->displacement.value &&
+                 most[THUD_FLOOR_VELOCITY * m->ndof] * reach->speed <= r->velocity.value &&
+                 most[THUD_FLOOR_ACCELERATION * m->ndof] * reach->speed + push <= r->acceleration.value &&
+                 most[THUD_FLOOR_DRIFT * m->ndof] * reach->speed <= r->drift.value;
+    return !below; /* NaN: a rigid body, whose place no energy bounds */
+}
+
+bool thud_response_bound_structure(struct thud_peaks *peaks, const struct thud_model *model, int structure,
+                                   const struct thud_response_bound *reach)
+{
+    for (int i = 0; i < model->structure[structure].n; i++)
+        if (thud_response_bound_floor(peaks, model, structure, i, reach))
+            return true;
+    return false;
+}
+
+/* Size of the contact forces on the structure in modal coordinates, at most, over the segment: a force on a floor of
+ * mass m is force/sqrt(m) there. */
+static double largest_force(struct thud_peaks *peaks, const struct thud_state *state, const struct thud_segment *seg,
+                            const struct thud_model_structure *p)
+{
+    const struct thud_model *m = state->model;
+    double total = 0;
+    for (int c = 0; c < m->ncontacts; c++) {
+        const struct thud_model_contact *contact = &m->contact[c];
+        if (!thud_contact_acts(&state->contact[c]))
+            continue;
+        double force = 0;
+        for (int k = 0; k < seg->terms; k++)
+            force += fabs(seg->force[k * m->ncontacts + c]);
+        for (int side = 0; side < 2; side++) {
+            int dof = side == 0 ? contact->left_dof : contact->right_dof;
+            if (dof >= p->first && dof < p->first + p->n)
+                total += peaks->per_speed[THUD_FLOOR_VELOCITY * m->ndof + dof] * force;
+        }
+    }
+    return total;
+}
+
+struct thud_response_bound thud_response_bound_segment(struct thud_peaks *peaks, const struct thud_state *state,
+                                                       const struct thud_segment *seg, int structure, double s)
+{
+    const struct thud_model *m = state->model;
+    const struct thud_model_structure *p = &m->structure[structure];
+    double energy = 0, gamma = 0, force = largest_force(peaks, state, seg, p);
+    if (seg->interpolates)
+        return (struct thud_response_bound){INFINITY, INFINITY};
+    for (int j = p->first_mode; j < p->first_mode + p->modes; j++) {
+        energy += state->qd[j] * state->qd[j] + m->omega[j] * m->omega[j] * state->q[j] * state->q[j];
+        gamma += m->gamma[j] * m->gamma[j];
+    }
+    double ground = fmax(fabs(seg->a0), fabs(seg->a0 + seg->a1)) * sqrt(gamma);
+    return (struct thud_response_bound){sqrt(energy) + s * seg->h_s * (ground + force), force};
+}
+
+/* Peaks of the continuous history, read from the polynomials of a segment. */
+
+static void raise_peak(const struct thud_segment *seg, struct thud_peak *peak, const double *p, int n, double s_end)
+{
+    double where;
+    double value = thud_poly_peak(p, n, s_end, peak->value, &where);
+    if (value > peak->value) {
+        peak->value = value;
+        peak->time_s = seg->start_s + where * seg->h_s;
+    }
+}
+
+/* Coefficients of a floor's value from those of the modes, out (terms). */
+static void floor_polynomial(const struct thud_model_structure *p, int floor, const double *modal, int nmodes,
+                             int terms, double *out)
+{
+    const double *row = p->phi + floor * p->modes;
+    for (int k = 0; k < terms; k++)
+        out[k] = thud_dot(p->modes, row, modal + k * nmodes + p->first_mode);
+}
+
+struct thud_peak *thud_floor_peak(struct thud_result *result, int structure, int floor, int quantity)
+{
+    struct thud_floor_result *r = &result->structure[structure].floor[floor];
+    struct thud_peak *peak[] = {&r->displacement, &r->velocity, &r->acceleration, &r->drift};
+    return peak[quantity];
+}
+
+/* The same from the equations of motion: the polynomials of a stepping method have the state that the method gives, but
+ * their second derivative strays between the ends of the step by as much as the acceleration changes in it. */
+static void acceleration_by_forces(struct thud_peaks *peaks, const struct thud_state *state,
+                                   const struct thud_segment *seg)
+{
+    const struct thud_model *m = state->model;
+    int n = m->nmodes;
+    for (int k = 0; k + 2 < seg->terms; k++) {
+        double *out = peaks->acceleration + k * n, rate = (k + 1) / seg->h_s,
+               *qd = peaks->acceleration + seg->terms * n;
+        for (int j = 0; j < n; j++)
+            qd[j] = rate * seg->q[(k + 1) * n + j];
+        thud_model_acceleration(m, seg->q + k * n, qd, 0, out);
+        thud_model_apply_contact_forces(m, seg->force + k * m->ncontacts, out);
+    }
+}
+
+void thud_peaks_prepare(struct thud_peaks *peaks, const struct thud_state *state, const struct thud_segment *seg)
+{
+    if (seg->interpolates) {
+        acceleration_by_forces(peaks, state, seg);
+        return;
+    }
+    double *out = peaks->acceleration;
+    const struct thud_model *m = state->model;
+    double inverse = 1 / (seg->h_s * seg->h_s);
+    for (int k = 0; k + 2 < seg->terms; k++) {
+        double scale = (k + 1) * (k + 2) * inverse, ground = k == 0 ? seg->a0 : k == 1 ? seg->a1 : 0;
+        for (int j = 0; j < m->nmodes; j++)
+            out[k * m->nmodes + j] = scale * seg->q[(k + 2) * m->nmodes + j] + m->gamma[j] * ground;
+    }
+}
+
+/* Bounds of the second derivatives of each mode's displacement, velocity and acceleration in the segment, times s^2/8:
+ * how far a value inside may lie above those at its ends. out (3 x nmodes). */
+static void modal_margins(const struct thud_state *state, const struct thud_segment *seg, const double *acceleration,
+                          double s_end, double *out)
+{
+    int n = state->model->nmodes;
+    double eighth = s_end * s_end / 8;
+    memset(out, 0, 3 * (size_t)n * sizeof *out);
+    for (int k = 2; k < seg->terms; k++) {
+        double second = k * (k - 1) * eighth, third = (k - 2) * second / seg->h_s;
+        const double *q = seg->q + k * n, *a = acceleration + k * n;
+        for (int j = 0; j < n; j++) {
+            double size = fabs(q[j]);
+            out[j] += second * size;
+            out[n + j] += third * size;
+        }
+        for (int j = 0; j < n && k + 2 < seg->terms; j++)
+            out[2 * n + j] += second * fabs(a[j]);
+    }
+}
+
+/* The same for the structure's worst floor. */
+static void structure_margins(struct thud_peaks *peaks, const struct thud_state *state,
+                              const struct thud_model_structure *p, const double *modal,
+                              double margin[THUD_FLOOR_QUANTITIES])
+{
+    int n = state->model->nmodes;
+    double sum[THUD_FLOOR_QUANTITIES] = {0};
+    for (int j = p->first_mode; j < p->first_mode + p->modes; j++) {
+        sum[THUD_FLOOR_DISPLACEMENT] += peaks->mode_max[j] * modal[j];
+        sum[THUD_FLOOR_VELOCITY] += peaks->mode_max[j] * modal[n + j];
+        sum[THUD_FLOOR_ACCELERATION] += peaks->mode_max[j] * modal[2 * n + j];
+        sum[THUD_FLOOR_DRIFT] += peaks->mode_max[n + j] * modal[j];
+    }
+    memcpy(margin, sum, sizeof sum);
+}
+
+/* The same for one floor. */
+static double floor_margin(const struct thud_model_structure *p, int floor, int quantity, int nmodes,
+                           const double *modal)
+{
+    const double *row = p->phi + floor * p->modes,
+                 *below = floor > 0 && quantity == THUD_FLOOR_DRIFT ? row - p->modes : NULL;
+    const double *b = modal + (quantity == THUD_FLOOR_DRIFT ? 0 : quantity) * nmodes + p->first_mode;
+    double sum = 0;
+    for (int j = 0; j < p->modes; j++)
+        sum += fabs(row[j] - (below ? below[j] : 0)) * b[j];
+    return sum;
+}
+
+/* Modal total acceleration at s, out (nmodes). */
+static void modal_acceleration(const struct thud_state *state, const struct thud_segment *seg,
+                               const double *acceleration, double s, double *out)
+{
+    int n = state->model->nmodes;
+    memset(out, 0, (size_t)n * sizeof *out);
+    for (int k = seg->terms - 3; k >= 0; k--)
+        for (int j = 0; j < n; j++)
+            out[j] = out[j] * s + acceleration[k * n + j];
+}
+
+/* A floor's displacement, velocity and acceleration at both ends of the segment, from modal values: six sums over one
+ * row. */
+static void floor_values(const struct thud_model_structure *p, int floor, int nmodes, const double *start,
+                         const double *end, double a[3], double b[3])
+{
+    enum { N = THUD_FLOOR_ACCELERATION + 1 };
+    const double *row = p->phi + floor * p->modes;
+    thud_pair sum[2 * N] = {0};
+    int j = 0;
+    for (; j + 2 <= p->modes; j += 2)
+        for (int x = 0; x < N; x++) {
+            sum[x] += thud_pair_at(row + j) * thud_pair_at(start + x * nmodes + p->first_mode + j);
+            sum[N + x] += thud_pair_at(row + j) * thud_pair_at(end + x * nmodes + p->first_mode + j);
+        }
+    for (int x = 0; x < N; x++) {
+        a[x] = sum[x][0] + sum[x][1];
+        b[x] = sum[N + x][0] + sum[N + x][1];
+        if (j < p->modes) {
+            a[x] += row[j] * start[x * nmodes + p->first_mode + j];
+            b[x] += row[j] * end[x * nmodes + p->first_mode + j];
+        }
+    }
+}
+
+void thud_peaks_floor(struct thud_peaks *peaks, const struct thud_state *state, const struct thud_segment *seg,
+                      int structure, int floor, int quantity, double s_end)
+{
+    const struct thud_model_structure *p = &state->model->structure[structure];
+    struct thud_peak *peak = thud_floor_peak(peaks->result, structure, floor, quantity);
+    double x[THUD_SEGMENT_TERMS] = {0}, u[THUD_SEGMENT_TERMS] = {0};
+    int n = seg->terms, nmodes = state->model->nmodes;
+    if (quantity == THUD_FLOOR_ACCELERATION) {
+        floor_polynomial(p, floor, peaks->acceleration, nmodes, n - 2, x);
+        raise_peak(seg, peak, x, n - 2, s_end);
+        return;
+    }
+    floor_polynomial(p, floor, seg->q, nmodes, n, x);
+    if (quantity == THUD_FLOOR_VELOCITY)
+        for (int k = 0; k + 1 < n; k++)
+            x[k] = (k + 1) / seg->h_s * x[k + 1];
+    if (quantity == THUD_FLOOR_DRIFT && floor > 0) {
+        floor_polynomial(p, floor - 1, seg->q, nmodes, n, u);
+        for (int k = 0; k < n; k++)
+            x[k] -= u[k];
+    }
+    raise_peak(seg, peak, x, quantity == THUD_FLOOR_VELOCITY ? n - 1 : n, s_end);
+}
+
+static void structure_peaks(struct thud_peaks *peaks, const struct thud_state *state, const struct thud_segment *seg,
+                            int index, double s_end, const struct thud_response_bound *reach, const double *start,
+                            const double *end, const double *modal)
+{
+    const struct thud_model_structure *p = &state->model->structure[index];
+    double margin[THUD_FLOOR_QUANTITIES], a[THUD_FLOOR_QUANTITIES], b[THUD_FLOOR_QUANTITIES], a_below = 0, b_below = 0;
+    int nmodes = state->model->nmodes, below = -1; /* the floor whose displacements a_below and b_below are */
+    structure_margins(peaks, state, p, modal, margin);
+    for (int i = 0; i < p->n; i++) {
+        if (!thud_response_bound_floor(peaks, state->model, index, i, reach))
+            continue;
+        if (below != i - 1) {
+            floor_values(p, i - 1, nmodes, start, end, a, b);
+            a_below = a[THUD_FLOOR_DISPLACEMENT];
+            b_below = b[THUD_FLOOR_DISPLACEMENT];
+        }
+        floor_values(p, i, nmodes, start, end, a, b);
+        a[THUD_FLOOR_DRIFT] = a[THUD_FLOOR_DISPLACEMENT] - a_below;
+        b[THUD_FLOOR_DRIFT] = b[THUD_FLOOR_DISPLACEMENT] - b_below;
+        a_below = a[THUD_FLOOR_DISPLACEMENT];
+        b_below = b[THUD_FLOOR_DISPLACEMENT];
+        below = i;
+        for (int x = 0; x < (p->stiffness_npm ? THUD_FLOOR_QUANTITIES : THUD_FLOOR_DRIFT); x++) {
+            double end_value = fmax(fabs(a[x]), fabs(b[x]));
+            double peak = thud_floor_peak(peaks->result, index, i, x)->value;
+            if (end_value + margin[x] > peak && end_value + floor_margin(p, i, x, nmodes, modal) > peak)
+                thud_peaks_floor(peaks, state, seg, index, i, x, s_end);
+        }
+    }
+}
+
+/* Raises the largest value of the impact that goes on, and with it that of the contact. */
+static void raise_contact_peak(const struct thud_segment *seg, struct thud_peak *peak, double *of_impact,
+                               const double *p, double s_end)
+{
+    double where = 0;
+    *of_impact = thud_poly_peak(p, seg->terms, s_end, *of_impact, &where);
+    if (*of_impact > peak->value)
+        *peak = (struct thud_peak){*of_impact, seg->start_s + where * seg->h_s};
+}
+
+static void indentation_peak(struct thud_peaks *peaks, const struct thud_state *state, const struct thud_segment *seg,
+                             struct thud_contact_log *log, int c, double s_end)
+{
+    struct thud_impact *impact = &log->now[c];
+    struct thud_peak *peak = &peaks->result->contact[c].indentation;
+    const double *d = seg->indentation + c * THUD_SEGMENT_TERMS;
+    if (state->locates) {
+        raise_contact_peak(seg, peak, &impact->indentation_m, d, s_end);
+        return;
+    }
+    for (int end = 0; end <= 1; end++) { /* the step may reach far out of contact, to the other side of 0 */
+        double value = thud_poly_value(d, seg->terms, end * s_end);
+        impact->indentation_m = fmax(impact->indentation_m, value);
+        if (value > peak->value)
+            *peak = (struct thud_peak){value, seg->start_s + end * s_end * seg->h_s};
+    }
+}
+
+static void contact_peaks(struct thud_peaks *peaks, const struct thud_state *state, const struct thud_segment *seg,
+                          struct thud_contact_log *log, int c, double s_end)
+{
+    const struct thud_contact_state *s = &state->contact[c];
+    double p[THUD_SEGMENT_TERMS];
+    if (s->mode != THUD_OPEN)
+        indentation_peak(peaks, state, seg, log, c, s_end);
+    if (!thud_segment_has_force(state, seg, c))
+        return;
+    for (int k = 0; k < seg->terms; k++)
+        p[k] = seg->force[k * state->model->ncontacts + c];
+    raise_contact_peak(seg, &peaks->result->contact[c].force, &log->now[c].force_n, p, s_end);
+}
+
+static void fill_mode_max(struct thud_peaks *peaks, const struct thud_state *state)
+{
+    const struct thud_model *m = state->model;
+    for (int s = 0; s < m->nstructures; s++) {
+        const struct thud_model_structure *p = &m->structure[s];
+        for (int j = 0; j < p->modes; j++) {
+            double most = 0, drift = 0;
+            for (int i = 0; i < p->n; i++) {
+                double below = i > 0 ? p->phi[(i - 1) * p->modes + j] : 0;
+                most = fmax(most, fabs(p->phi[i * p->modes + j]));
+                drift = fmax(drift, fabs(p->phi[i * p->modes + j] - below));
+            }
+            peaks->mode_max[p->first_mode + j] = most;
+            peaks->mode_max[m->nmodes + p->first_mode + j] = drift;
+        }
+    }
+}
+
+/* Peaks of the structures that may have one. Modal values at the end are there already, but for the acceleration. */
+static void motion_peaks(struct thud_peaks *peaks, const struct thud_state *state, const struct thud_segment *seg,
+                         double s)
+{
+    const struct thud_model *m = state->model;
+    size_t n = (size_t)m->nmodes;
+    double *start = peaks->ends, *end = start + 3 * n, *modal = end + 3 * n;
+    bool prepared = false;
+    for (int i = 0; i < m->nstructures; i++) {
+        struct thud_response_bound reach = thud_response_bound_segment(peaks, state, seg, i, s);
+        if (!thud_response_bound_structure(peaks, state->model, i, &reach))
+            continue;
+        if (!prepared) {
+            thud_peaks_prepare(peaks, state, seg);
+            memcpy(start, state->q, n * sizeof *start);
+            memcpy(start + n, state->qd, n * sizeof *start);
+            memcpy(start + 2 * n, peaks->acceleration, n * sizeof *start);
+            modal_acceleration(state, seg, peaks->acceleration, s, end + 2 * n);
+            modal_margins(state, seg, peaks->acceleration, s, modal);
+            prepared = true;
+        }
+        structure_peaks(peaks, state, seg, i, s, &reach, start, end, modal);
+    }
+}
+
+void thud_peaks_segment(struct thud_peaks *peaks, const struct thud_state *state, const struct thud_segment *seg,
+                        struct thud_contact_log *log, double s)
+{
+    motion_peaks(peaks, state, seg, s);
+    for (int c = 0; c < state->model->ncontacts; c++)
+        contact_peaks(peaks, state, seg, log, c, s);
+}
+
+enum thud_status thud_peaks_init(struct thud_peaks *peaks, const struct thud_state *state, struct thud_result *result,
+                                 struct thud_error *err)
+{
+    size_t n = (size_t)state->model->nmodes, terms = THUD_SEGMENT_TERMS;
+    size_t floors = THUD_FLOOR_QUANTITIES * (size_t)state->model->ndof;
+    *peaks = (struct thud_peaks){.result = result};
+    peaks->block = calloc((2 + 9 + terms + 1) * n + floors + 1, sizeof *peaks->block);
+    if (!peaks->block)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    peaks->mode_max = peaks->block;
+    peaks->ends = peaks->mode_max + 2 * n;
+    peaks->acceleration = peaks->ends + 9 * n;
+    peaks->per_speed = peaks->acceleration + (terms + 1) * n;
+    fill_mode_max(peaks, state);
+    thud_response_bound_start(peaks, state);
+    return THUD_OK;
+}
+
+void thud_peaks_clear(struct thud_peaks *peaks)
+{
+    free(peaks->block);
+    *peaks = (struct thud_peaks){0};
+}
