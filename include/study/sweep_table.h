@@ -7,9 +7,9 @@
 
 #include "study/sweep.h"
 
-/* Over case `none`, as in struct thud_sweep_row. */
+/* Over case `none`, and over no pounding, as in struct thud_sweep_row. */
 struct thud_sweep_ratio {
-    double acceleration, drift;
+    double acceleration, drift, acceleration_free, drift_free;
 };
 enum thud_sweep_end { THUD_SWEEP_VALUE, THUD_SWEEP_LOW, THUD_SWEEP_HIGH };
 
@@ -17,7 +17,8 @@ enum thud_sweep_end { THUD_SWEEP_VALUE, THUD_SWEEP_LOW, THUD_SWEEP_HIGH };
 struct thud_sweep_run {
     enum thud_case which;
     int impacts;
-    double force_n; /* largest; 0: nothing touched */
+    double force_n;       /* largest; 0: nothing touched */
+    double indentation_m; /* largest */
 };
 
 /* What is kept of a point: one allocation (free with free()), sized to its floors and cases. */
@@ -35,11 +36,12 @@ struct thud_sweep_summary {
 
 struct thud_sweep_table {
     int nrecords, nstructures, naxes;
-    double sensitivity;                 /* of the spread; 0: there is none */
-    const char *const *record;          /* (nrecords) names */
-    const char *const *structure;       /* (nstructures) names */
-    const struct thud_sweep_axis *axis; /* (naxes) */
-    size_t nrows;                       /* of all runs */
+    double sensitivity;                   /* of the spread; 0: there is none */
+    const char *const *record;            /* (nrecords) names */
+    const char *const *structure;         /* (nstructures) names */
+    const enum thud_structure_kind *kind; /* (nstructures) */
+    const struct thud_sweep_axis *axis;   /* (naxes) */
+    size_t nrows;                         /* of all runs */
     size_t npoints;
     struct thud_sweep_summary *const *point; /* (npoints): by record, then parameters, the last axis fastest */
     const struct thud_sweep_need_row

@@ -257,9 +257,9 @@ START_TEST(csv_says_what_its_numbers_are)
     thud_panel_zoom(thud_figure_panel(figure, 0, 2, "closer"), a, 0.0, 2.0); /* the same data again */
     struct thud_text text = {0};
     thud_figure_csv(figure, &text);
-    ck_assert_str_eq(text.data, "panel,series,x,y,y_high_or_z\n"
-                                "A: Force (MN) against Time (s),,1,,\n"
-                                "Speed (m/s) against Time (s),v,1,1,\n");
+    ck_assert_str_eq(text.data, "panel,series,Time (s),Force (MN),Speed (m/s)\n"
+                                "A,,1,,\n"
+                                ",v,1,,1\n");
     thud_text_clear(&text);
     thud_figure_free(figure);
 }
@@ -276,7 +276,7 @@ START_TEST(csv_holds_all_data_and_quotes_names)
     thud_panel_fill(panel, line, "band", 1, x, low, high);
     struct thud_text text = {0};
     thud_figure_csv(figure, &text);
-    ck_assert_str_eq(text.data, "panel,series,Time (s),Force (MN),y_high_or_z\n"
+    ck_assert_str_eq(text.data, "panel,series,Time (s),Force (MN),\"Force (MN), upper end\"\n"
                                 "\"A \"\"top\"\"\",\"a,b\",0.1,0.3333333333333333,\n"
                                 "\"A \"\"top\"\"\",\"a,b\",0.2,2,\n"
                                 "\"A \"\"top\"\"\",band,0.1,0.3333333333333333,4\n");
