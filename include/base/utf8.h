@@ -2,6 +2,7 @@
 #ifndef THUD_BASE_UTF8_H
 #define THUD_BASE_UTF8_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 /* Length in bytes of the character at `text`, 1 to 4; 0 where the bytes are not UTF-8. The 0 at the end of a text has
@@ -11,6 +12,9 @@ int thud_utf8_length(const char *text);
 uint32_t thud_utf8_next(const char **text);
 /* Writes a character and a 0 behind it; returns its length. */
 int thud_utf8_put(uint32_t code, char out[5]);
+/* A character that a terminal or a reader obeys in place of showing it: C0 and C1 controls, marks and embeddings of
+ * direction, what joins or has no width. */
+bool thud_utf8_is_control(uint32_t code);
 /* Columns of a text on the screen, where every character takes one. */
 int thud_utf8_columns(const char *text);
 
