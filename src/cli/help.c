@@ -13,7 +13,7 @@ void thud_help_all(struct thud_text *out)
         thud_text_append(out, "  %-26s %s\n", usage, command->summary);
     }
     thud_text_append(out, "\nA PRESET is a name (towers) or a file. Options: `thud help COMMAND`.\n"
-                          "Manual pages: thud(1), thud-preset(5), thud-model(7), thud-methods(7).\n");
+                          "Manual: thud(1), thud-preset(5), thud-output(5), thud-model(7), thud-methods(7)\n");
 }
 
 /* How a record is read, `thud record` says too. */
