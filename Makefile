@@ -18,7 +18,7 @@ valgrind := -O1 -g
 analyze  := -O1 -fanalyzer -Wno-analyzer-malloc-leak -fdiagnostics-plain-output -Werror
 fuzz     := -O1 -g -fno-omit-frame-pointer -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all
 WARN     := -Wall -Wextra -Wpedantic -Wshadow -Wconversion $(if $(CI),-Werror)
-PKG      := yaml-0.1 ncursesw
+PKG      := yaml-0.1 ncursesw zlib
 PKG_I    := $(shell pkg-config --cflags-only-I $(PKG) 2>/dev/null)
 PKG_L    := $(shell pkg-config --libs $(PKG) 2>/dev/null)
 LAPACK   := $(or $(shell pkg-config --libs lapacke lapack 2>/dev/null),-llapacke)

@@ -5,15 +5,18 @@
 #include "base/text.h"
 #include "core/intensity.h"
 #include "core/record_edit.h"
+#include "core/record_filter.h"
 #include "core/spectrum.h"
 #include "plot/figures_record.h"
 #include "study/scene.h"
 
-/* In this order: read, trim, baseline, resample, then factor, peak and sign. */
+/* In this order: read, trim, baseline, taper, filter, resample, then factor, peak and sign. */
 struct thud_record_treatment {
     struct thud_record_choice choice; /* with factor, peak and sign */
     double from_s, to_s;              /* NaN: not given */
-    enum thud_baseline baseline;
+    int baseline;                     /* THUD_BASELINE_NONE or the degree of the polynomial */
+    double taper_s;                   /* at each end; NaN: not */
+    struct thud_record_filter filter;
     double resample_s; /* NaN: not */
 };
 void thud_record_treatment_init(struct thud_record_treatment *treatment);
@@ -21,8 +24,9 @@ void thud_record_treatment_init(struct thud_record_treatment *treatment);
 /* `name` as given or, where there is no such file, in the records folder. Errors: THUD_INPUT, THUD_MEMORY. */
 enum thud_status thud_record_open(const char *name, const struct thud_record_treatment *treatment,
                                   struct thud_record **out, struct thud_error *err);
-/* What was done to it, a line each, for the comments of a file written from it; empty when nothing was. */
-void thud_record_treatment_describe(const struct thud_record_treatment *treatment, struct thud_text *out);
+/* What was done to it, a line each, for the comments of a file written from it; empty when nothing was. `dt_s` is the
+ * step that it has now. */
+void thud_record_treatment_describe(const struct thud_record_treatment *treatment, double dt_s, struct thud_text *out);
 
 void thud_record_info_table(const struct thud_record *record, const struct thud_intensity *intensity,
                             struct thud_text *out);

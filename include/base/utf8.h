@@ -2,6 +2,7 @@
 #ifndef THUD_BASE_UTF8_H
 #define THUD_BASE_UTF8_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 /* Length in bytes of the character at `text`, 1 to 4; 0 where the bytes are not UTF-8. The 0 at the end of a text has
@@ -14,7 +15,10 @@ int thud_utf8_put(uint32_t code, char out[5]);
 /* Columns that a character takes on the screen: 2 for those of East Asian scripts and pictures, 0 for marks that
  * combine (Unicode Standard Annex 11). */
 int thud_utf8_width(uint32_t code);
-/* Columns of a text. */
+/* A character that a terminal or a reader obeys in place of showing it: C0 and C1 controls, marks and embeddings of
+ * direction, what joins or has no width. */
+bool thud_utf8_is_control(uint32_t code);
+/* Columns of a text on the screen. */
 int thud_utf8_columns(const char *text);
 /* The text in at most `columns` columns, cut where it is longer, with `…` at the end. Returns `out`. */
 char *thud_utf8_fit(const char *text, int columns, char *out, unsigned long size);

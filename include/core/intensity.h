@@ -2,6 +2,7 @@
 #ifndef THUD_CORE_INTENSITY_H
 #define THUD_CORE_INTENSITY_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "core/record.h"
@@ -13,6 +14,8 @@ struct thud_intensity {
     double pga_mps2, pga_time_s;
     double pgv_mps, pgv_time_s;
     double pgd_m, pgd_time_s;
+    double end_m;              /* displacement at the last sample */
+    bool drifts;               /* the displacement is that of a baseline that is off, or of noise, not of the ground */
     double arias_mps;          /* pi/(2 g) times the integral of a^2 */
     double d5_95_s, d5_75_s;   /* between 5 % and 95 % (75 %) of the Arias intensity */
     double t5_s, t75_s, t95_s; /* when they are reached */

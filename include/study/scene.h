@@ -47,6 +47,7 @@ struct thud_record_choice {
     int sign;                 /* +1 or -1 */
     double from_s, to_s;      /* the part that is used, in the file's own time; NaN: from its beginning, to its end */
     double dt_s;              /* for files that do not say; NaN: not given */
+    double resample_s;        /* for times in unequal steps, straight between the samples; NaN: not given */
     char unit[16];            /* for files that do not say; empty: not given */
     char channel[32];         /* file with several; empty: not given */
     int column;               /* from 1; 0: not given; -1 (`all`): the values of every line one after another */

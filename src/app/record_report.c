@@ -10,7 +10,6 @@
 
 #include "app/record_verbs.h"
 #include "base/quantity.h"
-#include "io/file.h"
 #include "io/json.h"
 #include "io/record_file.h"
 
@@ -46,7 +45,12 @@ void thud_record_info_table(const struct thud_record *record, const struct thud_
     row(out, "PGA", "%.4f g at %.4g s (%.4g m/s2)", m->pga_mps2 / THUD_GRAVITY, m->pga_time_s, m->pga_mps2);
     row(out, "PGV", "%.4g m/s at %.4g s", m->pgv_mps, m->pgv_time_s);
     row(out, "PGD", "%.4g m at %.4g s", m->pgd_m, m->pgd_time_s);
-    row(out, "Arias intensity", "%.4g m/s", m->arias_mps);
+    if (m->drifts)
+        row(out, "caution",
+            "the displacement ends at %.4g m: drift of the baseline or noise, hardly the ground's (--high-pass 0.1Hz, "
+            "--baseline)",
+            m->end_m);
+    row(out, "Arias intensity", "%.4g m/s, exact for straight lines between the samples", m->arias_mps);
     char more[80] = "";
     if (!isnan(m->t5_s))
         snprintf(more, sizeof more, ", from %.4g s to %.4g s", m->t5_s, m->t95_s);
@@ -88,6 +92,8 @@ void thud_record_info_json(const struct thud_record *record, const struct thud_i
     number_field(out, "pgv_time_s", m->pgv_time_s);
     number_field(out, "pgd_m", m->pgd_m);
     number_field(out, "pgd_time_s", m->pgd_time_s);
+    number_field(out, "end_displacement_m", m->end_m);
+    thud_text_append(out, "\"pgd_is_drift\": %s, ", m->drifts ? "true" : "false");
     number_field(out, "arias_mps", m->arias_mps);
     number_field(out, "d5_95_s", m->d5_95_s);
     number_field(out, "d5_75_s", m->d5_75_s);
@@ -175,7 +181,7 @@ static enum thud_status list_file(const char *path, const char *name, int width,
     char *bytes;
     size_t size;
     thud_record_treatment_init(&treatment);
-    enum thud_status status = thud_file_read(path, THUD_RECORD_BYTES_MAX, &bytes, &size, &err);
+    enum thud_status status = thud_record_text_read(path, &bytes, &size, &err);
     bool unreadable = status != THUD_OK;
     if (!unreadable) {
         status = thud_record_parse(bytes, size, path, &treatment.choice, &record, &err);

@@ -14,7 +14,9 @@ void thud_record_treatment_init(struct thud_record_treatment *treatment)
 {
     memset(treatment, 0, sizeof *treatment);
     thud_record_choice_init(&treatment->choice);
-    treatment->from_s = treatment->to_s = treatment->resample_s = NAN;
+    treatment->from_s = treatment->to_s = treatment->resample_s = treatment->taper_s = NAN;
+    treatment->baseline = THUD_BASELINE_NONE;
+    treatment->filter = (struct thud_record_filter){.low_hz = NAN, .high_hz = NAN, .order = 4};
 }
 
 /* As given, or in the records folder. */
@@ -28,6 +30,15 @@ static enum thud_status find(const char *name, char *path, size_t size, struct t
     return status;
 }
 
+/* NULL: it stays. */
+static void replace(struct thud_record **record, struct thud_record *other)
+{
+    if (!other)
+        return;
+    thud_record_free(*record);
+    *record = other;
+}
+
 static enum thud_status treat(struct thud_record **record, const struct thud_record_treatment *treatment,
                               struct thud_error *err)
 {
@@ -37,15 +48,21 @@ static enum thud_status treat(struct thud_record **record, const struct thud_rec
         thud_error_key(err, isnan(treatment->from_s) ? "to" : "from");
     if (!status)
         thud_record_baseline(*record, treatment->baseline);
+    if (!status && !isnan(treatment->taper_s) &&
+        (status = thud_record_taper(*record, treatment->taper_s, err)) != THUD_OK)
+        thud_error_key(err, "taper");
+    struct thud_record *other = NULL;
+    if (!status && !isnan(treatment->filter.low_hz)) {
+        status = thud_record_filter_apply(*record, &treatment->filter, &other, err);
+        if (status)
+            thud_error_key(err, isnan(treatment->filter.high_hz) ? "high-pass" : "band-pass");
+        replace(record, other);
+    }
     if (!status && !isnan(treatment->resample_s)) {
-        struct thud_record *other;
         status = thud_record_resample(*record, treatment->resample_s, &other, err);
-        if (status) {
+        if (status)
             thud_error_key(err, "resample");
-        } else {
-            thud_record_free(*record);
-            *record = other;
-        }
+        replace(record, other);
     }
     return status ? status : thud_record_choice_apply(*record, &treatment->choice, err);
 }
@@ -56,6 +73,7 @@ enum thud_status thud_record_open(const char *name, const struct thud_record_tre
     char path[1024];
     *out = NULL;
     struct thud_record_choice choice = treatment->choice; /* as recorded: scaling comes last */
+    choice.resample_s = treatment->resample_s;            /* for times in unequal steps */
     choice.factor = 1;
     choice.sign = 1;
     choice.peak_mps2 = NAN;
@@ -73,14 +91,26 @@ enum thud_status thud_record_open(const char *name, const struct thud_record_tre
     return THUD_OK;
 }
 
-void thud_record_treatment_describe(const struct thud_record_treatment *t, struct thud_text *out)
+void thud_record_treatment_describe(const struct thud_record_treatment *t, double dt, struct thud_text *out)
 {
+    double pad = thud_record_filter_pad(&t->filter, dt);
     if (!isnan(t->from_s))
         thud_text_append(out, "from: %.9g s\n", t->from_s);
     if (!isnan(t->to_s))
         thud_text_append(out, "to: %.9g s\n", t->to_s);
-    if (t->baseline != THUD_BASELINE_NONE)
+    if (t->baseline > THUD_BASELINE_LINEAR)
+        thud_text_append(out, "baseline: polynomial of degree %d\n", t->baseline);
+    else if (t->baseline != THUD_BASELINE_NONE)
         thud_text_append(out, "baseline: %s\n", t->baseline == THUD_BASELINE_MEAN ? "mean" : "linear");
+    if (!isnan(t->taper_s))
+        thud_text_append(out, "tapered: %.9g s at each end, cosine\n", t->taper_s);
+    if (!isnan(t->filter.high_hz))
+        thud_text_append(out,
+                         "band-pass: %.9g Hz to %.9g Hz, Butterworth of order %d, two passes, %.4g s at each end\n",
+                         t->filter.low_hz, t->filter.high_hz, t->filter.order, pad);
+    else if (!isnan(t->filter.low_hz))
+        thud_text_append(out, "high-pass: %.9g Hz, Butterworth of order %d, two passes, %.4g s at each end\n",
+                         t->filter.low_hz, t->filter.order, pad);
     if (!isnan(t->resample_s))
         thud_text_append(out, "resampled at: %.9g s\n", t->resample_s);
     if (t->choice.factor != 1)

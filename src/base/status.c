@@ -4,6 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/text.h"
+
 static void copy(char *to, size_t size, const char *from)
 {
     snprintf(to, size, "%s", from ? from : "");
@@ -62,8 +64,6 @@ char *thud_error_text(const struct thud_error *err, char *text, unsigned long si
         snprintf(place + n, sizeof place - n, "%d:", err->column);
     snprintf(text, size, "%s%s%s%s%s%s%s%s", place, place[0] ? " " : "", err->key, err->key[0] ? ": " : "", err->what,
              err->allowed[0] ? " (" : "", err->allowed, err->allowed[0] ? ")" : "");
-    for (char *c = text; *c; c++)
-        if ((unsigned char)*c < 0x20 || *c == 0x7f)
-            *c = '?';
+    thud_text_shown(text, "");
     return text;
 }

@@ -6,6 +6,7 @@
 
 #include "base/quantity.h"
 #include "base/text.h"
+#include "base/utf8.h"
 
 /* Room for `more` bytes and the NUL after them. */
 static bool reserve(struct thud_text *text, size_t more)
@@ -70,18 +71,53 @@ static bool is_blank(char c)
     return c == ' ' || c == '\t';
 }
 
+/* Behind apostrophes, if any, begins what a spreadsheet takes for a formula. */
+static bool is_formula(const char *field)
+{
+    const char *at = field + strspn(field, "'"), *end;
+    double value;
+    if (!*at || !strchr("=+-@", *at) || !at[1])
+        return false;
+    return at > field || thud_number_parse(at, &end, &value) != 0 || *end;
+}
+
+const char *thud_text_csv_plain(const char *field)
+{
+    return *field == '\'' && is_formula(field) ? field + 1 : field;
+}
+
 void thud_text_csv(struct thud_text *text, const char *field)
 {
     size_t n = strlen(field);
     bool edged = n > 0 && (is_blank(field[0]) || is_blank(field[n - 1])); /* a reader takes bare blanks off */
-    if (!edged && !strpbrk(field, ",\"\r\n")) {
-        thud_text_bytes(text, field, n);
-        return;
-    }
-    thud_text_bytes(text, "\"", 1);
+    bool quoted = edged || strpbrk(field, ",\"\r\n");
+    if (quoted)
+        thud_text_bytes(text, "\"", 1);
+    if (is_formula(field))
+        thud_text_bytes(text, "'", 1);
     for (; *field; field++)
         thud_text_bytes(text, *field == '"' ? "\"\"" : field, *field == '"' ? 2 : 1);
-    thud_text_bytes(text, "\"", 1);
+    if (quoted)
+        thud_text_bytes(text, "\"", 1);
+}
+
+size_t thud_text_shown(char *text, const char *kept)
+{
+    char *to = text;
+    for (const char *from = text; *from;) {
+        const char *at = from;
+        uint32_t code = thud_utf8_next(&at);
+        bool keep = code < 0x80 && strchr(kept, (int)code);
+        if (thud_utf8_length(from) == 0 || (thud_utf8_is_control(code) && !keep)) {
+            *to++ = '?';
+        } else {
+            memmove(to, from, (size_t)(at - from));
+            to += at - from;
+        }
+        from = at;
+    }
+    *to = '\0';
+    return (size_t)(to - text);
 }
 
 void thud_text_clear(struct thud_text *text)

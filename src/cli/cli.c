@@ -5,6 +5,7 @@
 #include <locale.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "app/exit_status.h"
 #include "base/nearest.h"
@@ -24,6 +25,15 @@ static command_function *const commands[THUD_COMMANDS] = {
 
 enum thud_status thud_cli_print(struct thud_text *text, struct thud_error *err)
 {
+    if (text->data)
+        text->size = thud_text_shown(text->data, "\n\t");
+    return thud_cli_print_data(text, err);
+}
+
+enum thud_status thud_cli_print_data(struct thud_text *text, struct thud_error *err)
+{
+    if (text->data && isatty(STDOUT_FILENO))
+        text->size = thud_text_shown(text->data, "\n\t");
     enum thud_status status = THUD_OK;
     if (text->failed)
         status = thud_error_set(err, THUD_MEMORY, "out of memory");

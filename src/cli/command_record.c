@@ -18,7 +18,7 @@
 static enum thud_status deliver(const struct thud_args *args, struct thud_text *text, struct thud_error *err)
 {
     const char *path = thud_args_value(args, "o");
-    return path ? thud_text_write(text, path, err) : thud_cli_print(text, err);
+    return path ? thud_text_write(text, path, err) : thud_cli_print_data(text, err);
 }
 
 static enum thud_status need_files(const struct thud_args *args, const char *verb, int most, struct thud_error *err)
@@ -194,7 +194,7 @@ static enum thud_status convert(const struct thud_args *args, struct thud_error 
     }
     const char *name = strrchr(record->file, '/');
     thud_text_append(&comment, "from %s, %s\n", name ? name + 1 : record->file, record->format);
-    thud_record_treatment_describe(&treatment, &comment);
+    thud_record_treatment_describe(&treatment, record->dt_s, &comment);
     if (comment.failed)
         text.failed = 1;
     else

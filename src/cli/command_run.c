@@ -44,7 +44,8 @@ static enum thud_status deliver(const struct thud_args *args, const struct thud_
         thud_result_csv(report, &text);
     else
         thud_result_table(report, &text);
-    return thud_cli_print(&text, err);
+    bool data = thud_args_has(args, "json") || thud_args_has(args, "csv");
+    return data ? thud_cli_print_data(&text, err) : thud_cli_print(&text, err);
 }
 
 /* The bumper of a scene, for titles. */

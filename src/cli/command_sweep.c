@@ -186,7 +186,7 @@ static enum thud_status conclude(struct sweep *s, struct thud_error *err)
         thud_text_append(&text, "more than %d rows: no figures, no table\n", THUD_SWEEP_ROWS_MAX);
     if (table && status == THUD_OK)
         status = thud_cli_print(&text, err);
-    else if (text.data)
+    else if (text.data && thud_text_shown(text.data, "\n\t"))
         fputs(text.data, stderr);
     thud_text_clear(&text);
     if (status == THUD_OK && s->outcome.pictures != THUD_OK) {

@@ -16,8 +16,11 @@ struct total {
 
 static void show_progress(const struct thud_args *args, const char *name)
 {
+    char shown[700];
+    snprintf(shown, sizeof shown, "%s", name);
+    thud_text_shown(shown, "");
     if (!thud_args_has(args, "quiet") && isatty(STDERR_FILENO))
-        fprintf(stderr, "\r\033[K%s", name);
+        fprintf(stderr, "\r\033[K%s", shown);
 }
 
 /* The difference is shown before anything is written. */

@@ -13,7 +13,7 @@ void thud_help_all(struct thud_text *out)
         thud_text_append(out, "  %-26s %s\n", usage, command->summary);
     }
     thud_text_append(out, "\nA PRESET is a name (towers) or a file. Options: `thud help COMMAND`.\n"
-                          "Manual pages: thud(1), thud-preset(5), thud-model(7), thud-methods(7).\n");
+                          "Manual: thud(1), thud-preset(5), thud-output(5), thud-model(7), thud-methods(7)\n");
 }
 
 /* How a record is read, `thud record` says too. */
@@ -23,13 +23,23 @@ static bool said_by_record(const struct thud_option *option, enum thud_command_i
            !thud_option_belongs(option, THUD_COMMAND_BENCH) && !thud_option_belongs(option, THUD_COMMAND_FIGURES);
 }
 
-static void name_said_by_record(struct thud_text *out, enum thud_command_id id)
+/* What every command with a ground motion takes, `thud run` says. */
+static bool of_every_motion(const struct thud_option *option, enum thud_command_id id)
 {
-    thud_text_append(out, "\nand of `thud record`:");
+    return id == THUD_COMMAND_RECORD && option->argument && option->name[1] &&
+           thud_option_belongs(option, THUD_COMMAND_RUN) && thud_option_belongs(option, THUD_COMMAND_BENCH) &&
+           strcmp(option->name, "format") != 0;
+}
+
+/* The names of the options that another command's help explains. */
+static void name_others(struct thud_text *out, enum thud_command_id id, const char *lead,
+                        bool (*said)(const struct thud_option *option, enum thud_command_id id))
+{
+    thud_text_append(out, "\n%s:", lead);
     for (int i = 0; i < thud_option_count(); i++)
-        if (thud_option_belongs(thud_option_at(i), id) && said_by_record(thud_option_at(i), id))
+        if (thud_option_belongs(thud_option_at(i), id) && said(thud_option_at(i), id))
             thud_text_append(out, " --%s", thud_option_at(i)->name);
-    thud_text_append(out, "\nand of `thud figures`: --format --size --font\n");
+    thud_text_append(out, "\n");
 }
 
 /* A study takes all that a run takes; what a run's help says of its scene is not said again. */
@@ -56,7 +66,7 @@ void thud_help_command(struct thud_text *out, enum thud_command_id id)
         const struct thud_option *option = thud_option_at(i);
         /* whoever reads this has found --help, and the list must fit a screen */
         if (!thud_option_belongs(option, id) || said_by_run(option, id) || said_by_record(option, id) ||
-            said_by_figures(option, id) || strcmp(option->name, "help") == 0)
+            of_every_motion(option, id) || said_by_figures(option, id) || strcmp(option->name, "help") == 0)
             continue;
         char usage[64];
         snprintf(usage, sizeof usage, "%s%s%s%s", option->name[1] ? "--" : "-", option->name,
@@ -64,7 +74,11 @@ void thud_help_command(struct thud_text *out, enum thud_command_id id)
         thud_text_append(out, "  %-25s %s%s\n", usage, option->help, option->repeatable ? " (repeatable)" : "");
     }
     if (id == THUD_COMMAND_RUN)
-        name_said_by_record(out, id);
+        name_others(out, id, "and of `thud record`", said_by_record);
+    if (id == THUD_COMMAND_RUN)
+        name_others(out, id, "and of `thud figures`", said_by_figures);
+    if (id == THUD_COMMAND_RECORD)
+        name_others(out, id, "and of `thud run`", of_every_motion);
     if (id == THUD_COMMAND_SWEEP)
         thud_text_append(out, "\nand what `thud run --help` says of the scene, its ground motion and its method\n");
 }

@@ -66,11 +66,41 @@ static enum thud_status choices(const struct thud_args *args, struct thud_record
     if (sign && strcmp(sign, "+") != 0 && strcmp(sign, "-") != 0)
         return refuse("sign", sign, "+ or -", err);
     treatment->choice.sign = sign && *sign == '-' ? -1 : 1;
-    if (baseline && strcmp(baseline, "mean") != 0 && strcmp(baseline, "linear") != 0)
-        return refuse("baseline", baseline, "mean or linear", err);
-    if (baseline)
-        treatment->baseline = *baseline == 'm' ? THUD_BASELINE_MEAN : THUD_BASELINE_LINEAR;
+    if (!baseline)
+        return THUD_OK;
+    if (strcmp(baseline, "mean") == 0)
+        treatment->baseline = THUD_BASELINE_MEAN;
+    else if (strcmp(baseline, "linear") == 0)
+        treatment->baseline = THUD_BASELINE_LINEAR;
+    else if (thud_args_integer(args, "baseline", 0, THUD_BASELINE_MAX, THUD_BASELINE_NONE, &treatment->baseline, NULL))
+        return refuse("baseline", baseline, "mean, linear, or the degree of a polynomial, 0 to 8", err);
     return THUD_OK;
+}
+
+/* "0.1 Hz" from `text` on, up to `end`. */
+static bool frequency(const char *text, const char *end, double *hz)
+{
+    const char *after;
+    if (thud_number_parse(text, &after, hz) != 0)
+        return false;
+    after += strspn(after, " ");
+    return end - after == 2 && strncmp(after, "Hz", 2) == 0;
+}
+
+static enum thud_status filter(const struct thud_args *args, struct thud_record_filter *out, struct thud_error *err)
+{
+    const char *high = thud_args_value(args, "high-pass"), *band = thud_args_value(args, "band-pass");
+    const char *colon = band ? strchr(band, ':') : NULL;
+    if (high && band)
+        return refuse("high-pass", high, "--high-pass or --band-pass", err);
+    if (high && !frequency(high, high + strlen(high), &out->low_hz))
+        return refuse("high-pass", high, "a frequency such as 0.1Hz", err);
+    if (band &&
+        (!colon || !frequency(band, colon, &out->low_hz) || !frequency(colon + 1, band + strlen(band), &out->high_hz)))
+        return refuse("band-pass", band, "two frequencies such as 0.1Hz:25Hz", err);
+    if (thud_args_has(args, "order") && !high && !band)
+        return refuse("order", thud_args_value(args, "order"), "beside --high-pass or --band-pass", err);
+    return thud_args_integer(args, "order", 1, THUD_FILTER_ORDER_MAX, out->order, &out->order, err);
 }
 
 enum thud_status thud_record_options_read(const struct thud_args *args, struct thud_record_treatment *treatment,
@@ -84,7 +114,8 @@ enum thud_status thud_record_options_read(const struct thud_args *args, struct t
         double *to;
     } quantities[] = {{"dt", THUD_TIME, &choice->dt_s},         {"peak", THUD_ACCELERATION, &choice->peak_mps2},
                       {"factor", THUD_NUMBER, &choice->factor}, {"from", THUD_TIME, &treatment->from_s},
-                      {"to", THUD_TIME, &treatment->to_s},      {"resample", THUD_TIME, &treatment->resample_s}};
+                      {"to", THUD_TIME, &treatment->to_s},      {"resample", THUD_TIME, &treatment->resample_s},
+                      {"taper", THUD_TIME, &treatment->taper_s}};
     enum thud_status status = THUD_OK;
     for (size_t i = 0; i < sizeof quantities / sizeof *quantities && !status; i++)
         status = quantity(args, quantities[i].option, quantities[i].dimension, quantities[i].to, err);
@@ -96,6 +127,8 @@ enum thud_status thud_record_options_read(const struct thud_args *args, struct t
         status = word(args, "channel", choice->channel, sizeof choice->channel, err);
     if (!status)
         status = places(args, choice, err);
+    if (!status)
+        status = filter(args, &treatment->filter, err);
     return status ? status : choices(args, treatment, err);
 }
 

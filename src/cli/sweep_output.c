@@ -61,7 +61,7 @@ static void put_objects(struct thud_sweep_output *o, char *lines, struct thud_te
             thud_json_string(out, name);
             thud_text_append(out, ": ");
             if (quoted || text || (*field && !is_number(field)))
-                thud_json_string(out, field);
+                thud_json_string(out, thud_text_csv_plain(field));
             else
                 thud_text_append(out, "%s", *field ? field : "null");
         }
@@ -97,7 +97,7 @@ enum thud_status thud_sweep_output_point(void *context, const struct thud_sweep_
         put_objects(o, rows.data, &o->text);
     o->text.failed |= rows.failed;
     thud_text_clear(&rows);
-    return status == THUD_OK ? thud_cli_print(&o->text, err) : status;
+    return status == THUD_OK ? thud_cli_print_data(&o->text, err) : status;
 }
 
 enum thud_status thud_sweep_output_end(struct thud_sweep_output *output, struct thud_error *err)
@@ -107,5 +107,5 @@ enum thud_status thud_sweep_output_end(struct thud_sweep_output *output, struct 
     begin(output);
     if (output->format == THUD_SWEEP_OUTPUT_JSON)
         thud_text_append(&output->text, "\n]}\n");
-    return thud_cli_print(&output->text, err);
+    return thud_cli_print_data(&output->text, err);
 }

@@ -5,6 +5,10 @@
 #include "base/quantity.h"
 #include "core/oscillator.h"
 
+/* The displacement at the end over the largest one. Of 22 processed records of 1940 to 2019 the integral of the
+ * acceleration ends below 0.46, of those whose baseline is off or whose noise was left in at 1.00. */
+static const double drift_share = 0.5;
+
 static double mean_of(const struct thud_record *record)
 {
     double sum = 0;
@@ -52,6 +56,8 @@ static void peaks(const struct thud_record *record, struct thud_intensity *out)
         take_peak(v, t, &out->pgv_mps, &out->pgv_time_s);
         take_peak(u, t, &out->pgd_m, &out->pgd_time_s);
     }
+    out->end_m = u;
+    out->drifts = fabs(u) > drift_share * out->pgd_m;
 }
 
 /* Integral of a^2 over the first part u (0 to 1) of a step. */

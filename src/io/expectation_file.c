@@ -86,7 +86,7 @@ static enum thud_status take(const struct csv_lines *lines, const struct record_
         thud_error_allow(err, "%s; commas part them, and a decimal point is a point", header);
         return THUD_INPUT;
     }
-    const char *name = csv_lines_field(lines, QUANTITY);
+    const char *name = thud_text_csv_plain(csv_lines_field(lines, QUANTITY));
     if (thud_case_find(csv_lines_field(lines, 0), &one.which, NULL) != THUD_OK)
         return refuse(lines, line, CASE, "is no case", "as-written, none, bumper, cavity", err);
     if (!*name || strlen(name) >= sizeof one.name || has_control(name))

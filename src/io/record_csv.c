@@ -76,12 +76,22 @@ static bool decimal_comma(const struct record_source *source, char sep, const st
     return whole && *where > 0;
 }
 
-static enum thud_status refuse_comma(const struct record_source *source, int line, struct thud_error *err)
+static enum thud_status refuse_comma(const struct record_source *source, char sep, int line, struct thud_error *err)
 {
     record_refuse(source, line, 0, err, "a comma for the decimal point");
-    thud_error_allow(
-        err, "write 0.5, not 0,5: `sed 's/,/./g'` where the comma is not the separator; --column N where it is");
+    if (sep == ';')
+        thud_error_allow(err, "write 0.5, not 0,5: `sed 's/,/./g' FILE`; the semicolons stay");
+    else
+        thud_error_allow(
+            err, "write 0.5, not 0,5: `sed 's/,/./g'` where the comma is not the separator; --column N where it is");
     return THUD_INPUT;
+}
+
+/* `1,5` between semicolons, `-,5` too. */
+static bool is_comma_number(const char *word)
+{
+    size_t n = strspn(word, "+-0123456789,eE"), digits = strcspn(word, "0123456789");
+    return n > 1 && !word[n] && digits < n && strchr(word, ',') != NULL;
 }
 
 /* The numbers of a row; false when one of its fields is no number (*bad). An empty field at the end is a separator too
@@ -112,6 +122,8 @@ static enum thud_status read_row(struct record_table *table, const struct csv_li
     if (numbers(lines, value, &count, &bad, &scan))
         return record_table_row(table, value, count, lines->line, err);
     const char *word = csv_lines_field(lines, bad);
+    if (is_comma_number(word)) /* a comma that separates is in no field */
+        return refuse_comma(table->source, ';', lines->line, err);
     if (table->rows > 0 || scan == RECORD_RANGE)
         return record_refuse(table->source, lines->line, 0, err,
                              scan == RECORD_RANGE ? "\"%.40s\" is too large a number"
@@ -150,7 +162,7 @@ static enum thud_status read_csv(const struct record_source *source, const struc
     char sep = separator(source);
     int where = 0;
     if (decimal_comma(source, sep, choice, &where))
-        return refuse_comma(source, where, err);
+        return refuse_comma(source, sep, where, err);
     struct record_table table = {.source = source};
     struct record_cursor cursor = record_start(source);
     struct record_line line;

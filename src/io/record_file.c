@@ -1,13 +1,16 @@
 #include "io/record_file.h"
 
+#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "core/record_edit.h"
 #include "io/file.h"
 #include "io/record_formats.h"
+#include "io/record_gzip.h"
 #include "io/record_unit.h"
 
 #define ENTRY(name) &record_format_##name,
@@ -28,7 +31,11 @@ static enum thud_status refuse_kind(const struct record_source *source, struct t
         thud_error_allow(err, "`iconv -f UTF-16 -t UTF-8` makes it readable");
         return THUD_INPUT;
     }
-    if (begins_with(source, "\x1f\x8b", 2) || begins_with(source, "PK\x03\x04", 4))
+    if (begins_with(source, "PK\x03\x04", 4) || begins_with(source, "BZh", 3) ||
+        begins_with(source,
+                    "\xfd"
+                    "7zXZ",
+                    5))
         return record_refuse(source, 0, 0, err, "the file is compressed: unpack it first");
     int line = 1;
     for (size_t i = 0; i < source->size; i++) {
@@ -205,13 +212,49 @@ enum thud_status thud_record_parse(const char *text, size_t size, const char *na
     return status;
 }
 
+/* Text of a file that may be compressed by gzip. */
+static enum thud_status unpack(const char *path, char **text, size_t *size, struct thud_error *err)
+{
+    char *plain;
+    size_t length;
+    if (*size < 2 || memcmp(*text, "\x1f\x8b", 2) != 0)
+        return THUD_OK;
+    enum thud_status status = record_gunzip(*text, *size, THUD_RECORD_BYTES_MAX, &plain, &length, err);
+    if (status) {
+        thud_error_place(err, path, 0, 0);
+        return status;
+    }
+    free(*text);
+    *text = plain;
+    *size = length;
+    return THUD_OK;
+}
+
+enum thud_status thud_record_text_read(const char *path, char **text, size_t *size, struct thud_error *err)
+{
+    struct stat about;
+    *text = NULL;
+    int why = stat(path, &about) != 0 ? errno : 0;
+    if (why || S_ISFIFO(about.st_mode)) { /* nobody may ever write into a pipe */
+        thud_error_set(err, THUD_INPUT, "%s", why ? strerror(why) : "is a pipe, not a file");
+        thud_error_place(err, path, 0, 0);
+        return THUD_INPUT;
+    }
+    enum thud_status status = thud_file_read(path, THUD_RECORD_BYTES_MAX, text, size, err);
+    if (status == THUD_OK && (status = unpack(path, text, size, err)) != THUD_OK) {
+        free(*text);
+        *text = NULL;
+    }
+    return status;
+}
+
 enum thud_status thud_record_file_read(const char *path, const struct thud_record_choice *choice,
                                        struct thud_record **out, struct thud_error *err)
 {
     *out = NULL;
     char *text;
     size_t size;
-    enum thud_status status = thud_file_read(path, THUD_RECORD_BYTES_MAX, &text, &size, err);
+    enum thud_status status = thud_record_text_read(path, &text, &size, err);
     if (status)
         return status;
     status = thud_record_parse(text, size, path, choice, out, err);

@@ -46,7 +46,17 @@ enum thud_status record_table_row(struct record_table *table, const double *valu
         size_t has = table->in_last != table->columns ? table->in_last : count;
         record_refuse(table->source, odd, 0, err, "%zu value%s in this line, %zu in the lines before it", has,
                       has == 1 ? "" : "s", table->columns);
-        if (table->rows < 10 && count > table->columns) { /* a line of another kind before the samples */
+        double samples = table->cells.value[0], dt = table->columns == 2 ? table->cells.value[1] : 0;
+        if (samples > 0 && samples < 1 && dt >= 2) { /* the other way round */
+            samples = dt;
+            dt = table->cells.value[0];
+        }
+        if (table->columns == 2 && samples >= 2 && samples == floor(samples) && dt > 0 && dt < 1) {
+            int first = (int)table->lines.value[0];
+            thud_error_key(err, "skip");
+            thud_error_allow(err, "--skip %d --dt \"%g s\" when line %d tells of %.0f samples, one every %g s", first,
+                             dt, first, samples, dt);
+        } else if (table->rows < 10 && count > table->columns) { /* a line of another kind before the samples */
             thud_error_key(err, "skip");
             thud_error_allow(err, "--skip %d when the samples begin here", odd - 1);
         }
@@ -187,9 +197,17 @@ static enum thud_status take_step(struct record_table *table, int column, bool b
     if (!(step > 0)) {
         if (!isnan(choice->dt_s) || !by_name)
             return THUD_OK;
-        record_refuse(table->source, (int)table->lines.value[odd], 0, err, "the times do not climb in equal steps");
-        thud_error_allow(err, "resample the record, or give --dt when the samples are equally spaced all the same");
-        return THUD_INPUT;
+        for (size_t i = 1; i < table->rows; i++)
+            if (!(cell(table, i, (size_t)column) > cell(table, i - 1, (size_t)column)))
+                return record_refuse(table->source, (int)table->lines.value[i], 0, err, "the times do not climb");
+        table->unequal = !isnan(choice->resample_s);
+        if (!table->unequal) {
+            record_refuse(table->source, (int)table->lines.value[odd], 0, err, "the times do not climb in equal steps");
+            thud_error_key(err, "resample");
+            thud_error_allow(err, "`thud record convert --resample \"0.01 s\"` goes straight between the samples; --dt "
+                                  "when they are equally spaced all the same");
+            return THUD_INPUT;
+        }
     }
     char unknown[TABLE_NAME_MAX] = "";
     double factor =
@@ -203,6 +221,9 @@ static enum thud_status take_step(struct record_table *table, int column, bool b
         return THUD_INPUT;
     }
     if (factor == 0)
+        return THUD_OK;
+    table->time_s = factor;
+    if (table->unequal)
         return THUD_OK;
     step = meant_by(step * factor);
     double told =
@@ -318,6 +339,44 @@ static enum thud_status take_column(struct record_table *table, int column, stru
     return status;
 }
 
+/* Straight between the samples, from the first time on. */
+static enum thud_status resample(const struct record_table *table, int time, double dt, struct record_raw *raw,
+                                 struct thud_error *err)
+{
+    struct record_raw even = {0};
+    double first = cell(table, 0, (size_t)time),
+           duration = (cell(table, table->rows - 1, (size_t)time) - first) * table->time_s;
+    if (!(dt > 0) || dt > duration || duration / dt > 1e8) {
+        record_refuse(table->source, 0, 0, err, "cannot be resampled at %g s", dt);
+        thud_error_key(err, "resample");
+        thud_error_allow(err, "above 0, at most %g s, and at most 1e8 samples", duration);
+        return THUD_INPUT;
+    }
+    size_t samples = (size_t)floor(duration / dt + 1e-6) + 1, at = 0;
+    enum thud_status status = THUD_OK;
+    for (size_t i = 0; i < samples && !status; i++) {
+        double t = fmin((double)i * dt, duration) / table->time_s + first;
+        while (at + 2 < table->rows && cell(table, at + 1, (size_t)time) < t)
+            at++;
+        double t0 = cell(table, at, (size_t)time), t1 = cell(table, at + 1, (size_t)time);
+        double part = fmin(1, (t - t0) / (t1 - t0));
+        status = record_add(
+            &even, part == 1 ? raw->value[at + 1] : (1 - part) * raw->value[at] + part * raw->value[at + 1], err);
+    }
+    if (status) {
+        free(even.value);
+        return status;
+    }
+    free(raw->value);
+    raw->value = even.value;
+    raw->count = even.count;
+    raw->capacity = even.capacity;
+    raw->dt_s = dt;
+    size_t n = strlen(raw->note);
+    snprintf(raw->note + n, sizeof raw->note - n, "%s%zu samples in unequal steps", n ? ", " : "", table->rows);
+    return THUD_OK;
+}
+
 enum thud_status record_table_finish(struct record_table *table, const struct thud_record_choice *choice,
                                      struct record_raw *raw, struct thud_error *err)
 {
@@ -340,6 +399,8 @@ enum thud_status record_table_finish(struct record_table *table, const struct th
         if (raw->unknown_unit[0])
             table->prose.weight = 0; /* a comment is not to guess for it */
     }
+    if (table->unequal)
+        table->prose.dt_line = 0;
     record_prose_apply(&table->prose, raw);
     if (column < 0)
         snprintf(raw->note, sizeof raw->note, "%zu values to a line, row by row", table->columns);
@@ -348,5 +409,6 @@ enum thud_status record_table_finish(struct record_table *table, const struct th
                  time + 1);
     else if (table->columns > 1)
         snprintf(raw->note, sizeof raw->note, "column %d of %zu", column + 1, table->columns);
-    return take_column(table, column, raw, err);
+    status = take_column(table, column, raw, err);
+    return !status && table->unequal ? resample(table, time, choice->resample_s, raw, err) : status;
 }

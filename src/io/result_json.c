@@ -150,7 +150,9 @@ static void add_sensitivity(const struct thud_report *report, struct thud_text *
     thud_text_append(out, ", \"runs\": %d, \"floors\": [", s->runs);
     for (int k = 0, row = 0; k < report->result->nstructures; k++)
         for (int i = 0; i < report->result->structure[k].floors; i++, row++) {
-            thud_text_append(out, "%s\n    {\"structure\": %d, \"floor\": %d", row > 0 ? "," : "", k + 1, i + 1);
+            thud_text_append(out, "%s\n    {\"structure\": ", row > 0 ? "," : "");
+            thud_json_string(out, report->scene->structure[k].name);
+            thud_text_append(out, ", \"floor\": %d", i + 1);
             for (int q = 0; q < THUD_FLOOR_SPREADS; q++)
                 add_spread(floor_peaks[q], &s->floor[row][q], out);
             thud_text_append(out, "}");

@@ -245,7 +245,7 @@ void thud_record_choice_init(struct thud_record_choice *choice)
     choice->factor = 1;
     choice->sign = 1;
     choice->from_s = choice->to_s = NAN;
-    choice->dt_s = NAN;
+    choice->dt_s = choice->resample_s = NAN;
     choice->skip = -1;
 }
 

@@ -120,13 +120,51 @@ change() { # WHAT LINE FIRST LAST OPTIONS...: what the file says of it, and the 
 }
 change "the mean taken out" "baseline: mean" -2 2 --baseline mean
 change "a straight line taken out" "baseline: linear" 0 0 --baseline linear
+change "a polynomial taken out" "baseline: polynomial of degree 4" 0 0 --baseline 4
+change "tapered ends" "tapered: 1 s at each end, cosine" 0 0 --taper 1s
 change "a factor" "factor: 0.5" 0.5 2.5 --factor 0.5
 change "a peak" "scaled to a peak of: 0.101971621 g" 0.2 1 --peak "1 m/s2"
 change "a sign" "sign: -" -1 -5 --sign -
-for wrong in "--sign=x" "--baseline=cubic" "--peak=0 g" "--unit=" "--column=0" "--skip=-1"; do
+for wrong in "--sign=x" "--baseline=cubic" "--baseline=9" "--high-pass=0.1" "--high-pass=x" "--band-pass=0.1Hz" "--order=4" "--peak=0 g" "--unit=" "--column=0" "--skip=-1"; do
     is "$wrong is wrong usage" gives 2 record info "$tmp/ramp.txt" --dt 0.5s "$wrong"
     is "$wrong is named" says "^thud: ${wrong%%=*}: "
 done
+is "a filter" gives 0 record convert kobe-surrogate.csv --high-pass 0.2Hz --order 3
+is "is told in the file" shows '^# high-pass: 0.2 Hz, Butterworth of order 3, two passes, 22.5 s at each end$'
+is "as a band" gives 0 record convert kobe-surrogate.csv --band-pass "0.2 Hz:20 Hz"
+is "is" shows '^# band-pass: 0.2 Hz to 20 Hz, Butterworth of order 4, two passes, 30 s at each end$'
+is "a corner beyond half the samples" gives 3 record info kobe-surrogate.csv --high-pass 50Hz
+is "is refused by its name" says '^thud: --high-pass: .*below 50 Hz'
+is "a band the wrong way round" gives 3 record info kobe-surrogate.csv --band-pass 20Hz:2Hz
+is "a taper longer than half" gives 3 record info kobe-surrogate.csv --taper 30s
+is "is refused by its name" says '^thud: --taper: '
+awk 'BEGIN { print "time_s,acceleration_mps2"; for (i = 0; i <= 2000; i++) printf "%.2f,%.9f\n", i / 100, sin(i / 10) + 0.01 * (i / 1000 - 1) }' >"$tmp/drift.csv"
+is "a displacement that is drift" gives 0 record info "$tmp/drift.csv"
+is "is cautioned of" shows '^  caution .*the displacement ends at .*--high-pass'
+is "and in JSON" gives 0 record info "$tmp/drift.csv" --json
+is "too" shows '"pgd_is_drift": true'
+is "filtered it" gives 0 record info "$tmp/drift.csv" --high-pass 0.5Hz --json
+is "is none" shows '"pgd_is_drift": false'
+is "Arias says how it integrates" sh -c '"$THUD" record info kobe-surrogate.csv | grep -q "^  Arias intensity .*exact for straight lines between the samples"'
+gzip -c records/kobe-surrogate.csv >"$tmp/kobe.csv.gz"
+gives 0 record convert kobe-surrogate.csv
+sed 1d "$tmp/out" >"$tmp/plain"
+is "a compressed record is read" gives 0 record convert "$tmp/kobe.csv.gz"
+is "as the plain one" sh -c 'sed 1d "$1/out" | cmp -s - "$1/plain"' - "$tmp"
+head -c 9000 "$tmp/kobe.csv.gz" >"$tmp/cut.gz"
+is "cut off" gives 3 record info "$tmp/cut.gz"
+is "it is refused" says 'cut.gz: the compressed file is cut off'
+head -c 300000000 /dev/zero | gzip -1 >"$tmp/large.gz"
+is "one that grows beyond all bounds" gives 3 record info "$tmp/large.gz"
+is "too" says 'too large when it is unpacked'
+mkfifo "$tmp/pipe"
+is "a pipe is no record" gives 3 run towers --record "$tmp/pipe"
+is "and is not waited for" says 'is a pipe, not a file'
+printf 'time,acc (g)\n0,0\n0.01,1\n0.03,3\n0.1,10\n' >"$tmp/unequal.csv"
+is "unequal steps" gives 3 record convert "$tmp/unequal.csv"
+is "are refused with what to do" says '--resample "0.01 s"'
+is "which does it" gives 0 record convert "$tmp/unequal.csv" --resample 0.05s --unit g
+is "on a straight line" shows '^0.05,49.0332'
 printf '1,9\n5,8\n3,7\n' >"$tmp/two.csv"
 gives 0 record convert "$tmp/two.csv" --dt 0.5s --unit m/s2 --column 2
 is "another column" shows '^0,9$'

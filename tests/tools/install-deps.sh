@@ -1,7 +1,7 @@
 #!/bin/sh
 # Installs what is missing to build (`build`) or to test (`test`, and PACKAGES more) on Debian; says what; uses sudo only when needed.
 set -eu
-packages="gcc libc6-dev make pkg-config libyaml-dev libcsv-dev liblapacke-dev libncurses-dev gnuplot-nox fonts-dejavu-core"
+packages="gcc libc6-dev make pkg-config libyaml-dev libcsv-dev liblapacke-dev libncurses-dev zlib1g-dev gnuplot-nox fonts-dejavu-core"
 if [ "${1:-build}" = test ]; then packages="$packages check tmux procps locales ${2:-}"; fi
 missing=""
 for p in $packages; do

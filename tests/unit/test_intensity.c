@@ -139,6 +139,23 @@ START_TEST(motion_of_a_parabola)
 }
 END_TEST
 
+/* A sine of whole periods ends where it began; with a ramp of the acceleration its displacement ends at its largest. */
+START_TEST(drift_is_told)
+{
+    double a[1001];
+    for (int ramp = 0; ramp < 2; ramp++) {
+        for (int i = 0; i < 1001; i++) /* cos: velocity sin, displacement 1 - cos */
+            a[i] = cos(2 * acos(-1.0) * 5 * i / 1000) + ramp * 0.02 * (i - 500) / 500.0;
+        struct thud_record *record = make(a, 1001, 0.01);
+        struct thud_intensity m = thud_intensity_of(record);
+        ck_assert_int_eq(m.drifts, ramp);
+        if (ramp)
+            ck_assert_double_eq_tol(fabs(m.end_m), m.pgd_m, 0.05 * m.pgd_m);
+        thud_record_free(record);
+    }
+}
+END_TEST
+
 START_TEST(trimmed)
 {
     const double a[] = {0, 1, 2, 3, 4, 5};
@@ -210,6 +227,7 @@ Suite *thud_suite(void)
     tcase_add_test(all, sine);
     tcase_add_test(all, predominant_is_the_largest);
     tcase_add_test(all, motion_of_a_parabola);
+    tcase_add_test(all, drift_is_told);
     tcase_add_test(all, trimmed);
     tcase_add_test(all, baseline_taken_off);
     tcase_add_test(all, resampled);

@@ -2,6 +2,8 @@
  * and reason, what is not said is asked for. */
 #include "record_text.h"
 
+#include <unistd.h>
+
 static const double three[] = {0.1, -0.2, 0.3};
 
 START_TEST(csv_in_its_spellings)
@@ -256,6 +258,72 @@ START_TEST(cosmos_by_columns)
 }
 END_TEST
 
+/* Straight lines between samples whose times are not equally apart; only where it is asked for. */
+START_TEST(unequal_steps_are_resampled)
+{
+    const char *text = "time (ms),a (m/s2)\n10,0\n20,1\n40,-1\n45,4\n110,-9\n";
+    const double even[] = {0, 1, 0, -1, 3.8, 1.8, -0.2, -2.2, -4.2, -6.2, -8.2}; /* 4 to -9 in 65 ms: -2 in 10 ms */
+    choice.resample_s = 0.01;
+    ck_assert_int_eq(parse(text), THUD_OK);
+    ck_assert_uint_eq(record->samples, 11);
+    ck_assert_double_eq(record->dt_s, 0.01);
+    for (int i = 0; i < 4; i++)
+        ck_assert_double_eq_tol(record->a_mps2[i], even[i], 1e-12);
+    for (int i = 4; i < 11; i++)
+        ck_assert_double_eq_tol(record->a_mps2[i], 4 - 13 * (10.0 * i - 35) / 65, 1e-12);
+    ck_assert_ptr_nonnull(strstr(record->note, "5 samples in unequal steps"));
+    thud_record_free(record);
+    record = NULL;
+    choice.resample_s = 0.2;
+    refuses(text, 0, "resample", "at most 0.1 s");
+    choice.resample_s = 0.01;
+    refuses("time,a (g)\n0,1\n0.3,2\n0.3,2\n0.5,1\n", 4, "", "do not climb");
+    reads("time_s,acceleration_mps2\n0,0.1\n0.02,-0.2\n0.04,0.3\n", "CSV", 0.02, 3, three); /* left to who asked */
+}
+END_TEST
+
+/* gzip -n of "1\n2\n3\n", and what may have become of it. */
+static const unsigned char packed[] = {0x1f, 0x8b, 0x08, 0,    0, 0,    0,    0,    0,    0x03, 0x33, 0xe4, 0x32,
+                                       0xe2, 0x32, 0xe6, 0x02, 0, 0xd8, 0x54, 0x5f, 0x77, 6,    0,    0,    0};
+
+static enum thud_status read_packed(const unsigned char *bytes, size_t size)
+{
+    char path[] = "/tmp/thud-gzip-XXXXXX";
+    int fd = mkstemp(path);
+    ck_assert_int_ge(fd, 0);
+    ck_assert_int_eq(write(fd, bytes, size), (ssize_t)size);
+    close(fd);
+    enum thud_status status = thud_record_file_read(path, &choice, &record, &err);
+    unlink(path);
+    return status;
+}
+
+START_TEST(compressed_by_gzip)
+{
+    unsigned char other[2 * sizeof packed];
+    choice.dt_s = 0.01;
+    strcpy(choice.unit, "m/s2");
+    ck_assert_msg(read_packed(packed, sizeof packed) == THUD_OK, "%s", err.what);
+    ck_assert_uint_eq(record->samples, 3);
+    ck_assert_double_eq(record->a_mps2[2], 3);
+    thud_record_free(record);
+    memcpy(other, packed, sizeof packed); /* two members one after the other, as cat makes them */
+    memcpy(other + sizeof packed, packed, sizeof packed);
+    ck_assert_int_eq(read_packed(other, sizeof other), THUD_OK);
+    ck_assert_uint_eq(record->samples, 6);
+    thud_record_free(record);
+    record = NULL;
+    for (size_t size = 2; size < sizeof packed; size++) {
+        ck_assert_int_eq(read_packed(packed, size), THUD_INPUT);
+        ck_assert_msg(strstr(err.what, "cut off"), "%zu bytes: %s", size, err.what);
+    }
+    memcpy(other, packed, sizeof packed);
+    other[19] ^= 1; /* of the check sum */
+    ck_assert_int_eq(read_packed(other, sizeof packed), THUD_INPUT);
+    ck_assert_ptr_nonnull(strstr(err.what, "damaged"));
+}
+END_TEST
+
 START_TEST(texts_are_kept)
 {
     ck_assert_int_eq(parse("PEER NGA\nImperial Valley-02, 5/19/1940, El Centro Array #9, 180\nIN UNITS OF G\nNPTS= 2, "
@@ -346,6 +414,8 @@ Suite *thud_suite(void)
     tcase_add_test(all, geonet_by_columns);
     tcase_add_test(all, smc_by_columns);
     tcase_add_test(all, cosmos_by_columns);
+    tcase_add_test(all, unequal_steps_are_resampled);
+    tcase_add_test(all, compressed_by_gzip);
     tcase_add_test(all, texts_are_kept);
     tcase_add_test(all, scaled_as_asked);
     tcase_add_test(all, a_part_of_the_motion);

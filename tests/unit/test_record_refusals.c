@@ -8,6 +8,7 @@ START_TEST(no_record_at_all)
     refuses("words alone\n", 0, "", "no accelerogram");
     refuses("<!DOCTYPE html>\n<p>1 2 3\n", 1, "", "web page");
     refuses("PK\x03\x04 rest", 0, "", "compressed");
+    refuses("BZh91AY", 0, "", "compressed");
     refuses("\xff\xfe"
             "1",
             1, "", "UTF-16");
@@ -47,6 +48,11 @@ START_TEST(commas_for_points)
 {
     refuses("0,01;0,5\n0,02;0,6\n", 1, "", "0.5, not 0,5");
     refuses("t;a\n0,01;0,5\n0,02;0,6\n", 2, "", "a comma");
+    refuses("t;a\n0;-,1\n1;,6\n", 2, "", "the semicolons stay");
+    char late[800] = "t;a (g)\n"; /* whole numbers as far as anybody looks ahead */
+    for (int i = 0; i < 80; i++)
+        snprintf(late + strlen(late), sizeof late - strlen(late), i < 79 ? "%d;1\n" : "%d;1,5\n", i);
+    refuses(late, 81, "", "sed 's/,/./g' FILE");
     refuses("0,01 0,5\n0,02 0,6\n", 1, "", "a comma");
     refuses("0,01\t0,5\n0,02\t0,6\n", 1, "", "a comma");
     refuses("0,0123\n0,0456\n-0,0789\n", 1, "", "a comma");
@@ -79,6 +85,9 @@ START_TEST(asked_for_by_name)
     refuses("time_s,x (g),y (g)\n0,1,2\n0.01,2,3\n0.02,3,4\n", 2, "column", "no column 4");
     choice.column = 0;
     refuses("0.02 0.5\n1 2 3 4 5\n6 7 8 9 1\n", 2, "skip", "--skip 1");
+    refuses("4 0.02\n1\n2\n3\n4\n", 2, "skip", "--skip 1 --dt \"0.02 s\" when line 1 tells of 4 samples");
+    refuses("0.02 4\n1\n2\n3\n4\n", 2, "skip", "--skip 1 --dt \"0.02 s\" when line 1 tells of 4 samples");
+    refuses("5 0.02\n1 2 3\n4 5\n", 2, "skip", "--skip 1 --dt \"0.02 s\"");
     refuses("1 2 3\n4 5 6\n7 8", 1, "column", "--column"); /* cut off: no line end */
     choice.column = 1;
     refuses("1 2 3\n4 5 6\n7 8\n", 3, "", "2 values in the last line");
@@ -132,7 +141,7 @@ START_TEST(what_the_file_says_stands)
     choice.dt_s = NAN;
     refuses("# dt=0.01\ntime_s,acceleration_mps2\n0,1\n0.02,2\n0.04,3\n", 1, "dt", "0.01 s, the time column of 0.02 s");
     refuses("# Acc. in m/s2\n# acc. in cm/s2, dt = 1 s\n1\n2\n", 0, "unit", "--unit");
-    refuses("time_s,acceleration_mps2\n0,1\n0.01,2\n0.02,2\n0.05,3\n0.06,1\n", 5, "", "equal steps");
+    refuses("time_s,acceleration_mps2\n0,1\n0.01,2\n0.02,2\n0.05,3\n0.06,1\n", 5, "resample", "--resample \"0.01 s\"");
 }
 END_TEST
 

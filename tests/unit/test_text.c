@@ -84,6 +84,75 @@ START_TEST(utf8_characters)
 }
 END_TEST
 
+/* What a spreadsheet would compute has an apostrophe before it, and is found again under it; numbers stay. */
+START_TEST(csv_fields_are_no_formulas)
+{
+    static const struct {
+        const char *text, *field;
+    } fields[] = {{"=1+2", "'=1+2"},
+                  {"+A1", "'+A1"},
+                  {"-2+3", "'-2+3"},
+                  {"@SUM(A1)", "'@SUM(A1)"},
+                  {"=a,b", "\"'=a,b\""},
+                  {"'=1", "''=1"},
+                  {"-1.5", "-1.5"},
+                  {"+2e3", "+2e3"},
+                  {"-", "-"},
+                  {"+", "+"},
+                  {"'s", "'s"},
+                  {"a=1", "a=1"},
+                  {" =1", "\" =1\""},
+                  {"a\"b", "\"a\"\"b\""},
+                  {"", ""},
+                  {"-x", "'-x"}};
+    for (size_t i = 0; i < sizeof fields / sizeof *fields; i++) {
+        struct thud_text text = {0};
+        thud_text_csv(&text, fields[i].text);
+        ck_assert_str_eq(text.data ? text.data : "", fields[i].field);
+        if (fields[i].field[0] != '"')
+            ck_assert_str_eq(thud_text_csv_plain(fields[i].field), fields[i].text);
+        thud_text_clear(&text);
+    }
+}
+END_TEST
+
+START_TEST(what_a_terminal_obeys_is_not_shown)
+{
+    static const struct {
+        const char *text, *shown;
+    } texts[] = {{"a\x1b[31mb", "a?[31mb"}, /* ESC */
+                 {"\xc2\x9b"
+                  "31m",
+                  "?31m"}, /* CSI as one character of C1 */
+                 {"\x9b"
+                  "31m",
+                  "?31m"}, /* and as a byte, which is no UTF-8 */
+                 {"\xe2\x80\xae"
+                  "txt",
+                  "?txt"}, /* right-to-left override */
+                 {"\xe2\x81\xa6"
+                  "a\xe2\x81\xa9",
+                  "?a?"}, /* isolates */
+                 {"\xd8\x9c\xef\xbb\xbf\xe2\x80\x8b", "???"},
+                 {"\xf3\xa0\x81\x81", "?"}, /* a tag */
+                 {"\x07\x08\x7f\r", "????"},
+                 {"a\n\tb", "a\n\tb"},
+                 {"K\xc3\xb4"
+                  "be \xe7\xa5\x9e\xe6\x88\xb8 \xf0\x9f\x8f\xa2",
+                  "K\xc3\xb4"
+                  "be \xe7\xa5\x9e\xe6\x88\xb8 \xf0\x9f\x8f\xa2"}};
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+        char text[64];
+        strcpy(text, texts[i].text);
+        ck_assert_uint_eq(thud_text_shown(text, "\n\t"), strlen(texts[i].shown));
+        ck_assert_str_eq(text, texts[i].shown);
+    }
+    char line[] = "a\nb";
+    thud_text_shown(line, "");
+    ck_assert_str_eq(line, "a?b");
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -92,6 +161,8 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, grows_past_every_capacity);
     tcase_add_test(tcase, utf8_characters);
     tcase_add_test(tcase, numbers_read_back_the_same);
+    tcase_add_test(tcase, csv_fields_are_no_formulas);
+    tcase_add_test(tcase, what_a_terminal_obeys_is_not_shown);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -1,0 +1,61 @@
+#!/bin/sh
+# thud-output(5) names every column and key that is written, and none that is not.  TAP.
+# shellcheck source=tests/cli/program.sh
+. "$(dirname "$0")/program.sh"
+printf '#!/bin/sh\nexit 1\n' >"$tmp/gnuplot" # pictures play no part
+chmod +x "$tmp/gnuplot"
+THUD_GNUPLOT=$tmp/gnuplot
+export THUD_GNUPLOT
+
+page() { awk -v s="$1" '/^\.S[sh] / { on = $0 == ".Ss " s } on && /^\.It Va / { print $3 }' man/thud-output.5 | sort -u; }
+columns() { grep -v '^#' "$1" | head -1 | tr , '\n' | tr -d '"' | sed -E 's/^(A|B)\.[0-9]+\./NAME.FLOOR./; s/^contact\.[0-9]+\.[0-9]+-[0-9]+\./contact.I.L-R./; s/^bumper\.thickness(_m)?$/KEY/' | sort -u; }
+keys() { # FILE...: but those of a scene, which is a preset
+    sed '/^  "scene": /,$d' "$@" | grep -o '"[^"]*": ' | tr -d '": ' | sort -u
+}
+agree() { # SECTION: with $tmp/written
+    page "$1" >"$tmp/page"
+    diff "$tmp/page" "$tmp/written" >"$tmp/out"
+    is "$1: the manual names what is written" [ $? -eq 0 -a -s "$tmp/written" ]
+}
+csv() { columns "$2" >"$tmp/written" && agree "$1"; }
+json() {
+    section=$1
+    shift
+    keys "$@" >"$tmp/written" && agree "$section"
+}
+
+"$THUD" run towers --to 3s --quiet --sensitivity --modes 2 -o "$tmp/run" >/dev/null 2>&1
+"$THUD" run towers --to 3s --csv >"$tmp/run.csv" 2>/dev/null
+"$THUD" sweep towers --to 3s --vary gap=3cm,4cm --vary bumper.thickness=2cm,3cm --best bumper.thickness --sensitivity --quiet -o "$tmp/sweep" >/dev/null 2>&1
+"$THUD" sweep rigid-bumper --vary gap=12cm --cases none --json --quiet >"$tmp/sweep.json" 2>/dev/null
+"$THUD" bench rigid-concrete --quiet -o "$tmp/bench" >/dev/null 2>&1
+"$THUD" stability rigid-bumper --quiet -o "$tmp/stability" >/dev/null 2>&1
+"$THUD" record spectrum kobe-surrogate.csv --periods 0.1s:1s:3 >"$tmp/spectrum.csv" 2>/dev/null
+"$THUD" record convert kobe-surrogate.csv >"$tmp/record.csv" 2>/dev/null
+csv histories.csv "$tmp/run/histories.csv"
+csv impacts.csv "$tmp/run/impacts.csv"
+csv "run --csv" "$tmp/run.csv"
+for name in sweep.csv contacts.csv needed-gaps.csv; do csv $name "$tmp/sweep/$name"; done
+columns "$tmp/sweep/best.csv" >"$tmp/written" && agree best.csv
+csv bench.csv "$tmp/bench/bench.csv"
+for name in verdicts.csv energies.csv restitutions.csv exhibits.csv; do csv $name "$tmp/stability/$name"; done
+csv "record spectrum" "$tmp/spectrum.csv"
+csv "record convert" "$tmp/record.csv"
+json result.json "$tmp/run/result.json"
+is "a structure has its name in the sensitivity too" grep -q '{"structure": "B", "floor": 6, "acceleration": {"gap"' "$tmp/run/result.json"
+sed '/^  {"record"/d' "$tmp/sweep.json" >"$tmp/head.json"
+json "sweep --json" "$tmp/head.json"
+json study.json "$tmp/sweep/study.json"
+json scene.json "$tmp/bench/scene.json" "$tmp/stability/scene.json"
+"$THUD" record info kobe-surrogate.csv --json >"$tmp/info.json"
+json "record info --json" "$tmp/info.json"
+"$THUD" record spectrum kobe-surrogate.csv --periods 0.1s:1s:3 --json >"$tmp/spectrum.json"
+json "record spectrum --json" "$tmp/spectrum.json"
+"$THUD" record list records --json >"$tmp/list.json"
+json "record list --json" "$tmp/list.json"
+"$THUD" verify rigid-concrete --json >"$tmp/verify.json"
+json "verify --json" "$tmp/verify.json"
+for word in laws methods; do
+    "$THUD" $word --json >"$tmp/$word.json"
+    json "$word --json" "$tmp/$word.json"
+done
