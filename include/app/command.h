@@ -9,6 +9,8 @@ enum thud_command_id {
     THUD_COMMAND_SCREEN, /* no word: the terminal interface */
     THUD_COMMAND_RUN,
     THUD_COMMAND_SWEEP,
+    THUD_COMMAND_GAP,
+    THUD_COMMAND_FRAGILITY,
     THUD_COMMAND_FIGURES,
     THUD_COMMAND_BENCH,
     THUD_COMMAND_STABILITY,

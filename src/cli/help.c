@@ -25,18 +25,24 @@ static bool said_by_record(const struct thud_option *option, enum thud_command_i
 
 static void name_said_by_record(struct thud_text *out, enum thud_command_id id)
 {
-    thud_text_append(out, "\nand of `thud record`:");
+    thud_text_append(out, "\nof `record`:");
     for (int i = 0; i < thud_option_count(); i++)
         if (thud_option_belongs(thud_option_at(i), id) && said_by_record(thud_option_at(i), id))
             thud_text_append(out, " --%s", thud_option_at(i)->name);
     thud_text_append(out, "\n");
 }
 
+/* Commands whose help does not say again what a run's says of the scene. */
+static bool is_study(enum thud_command_id id)
+{
+    return id == THUD_COMMAND_SWEEP || id == THUD_COMMAND_GAP || id == THUD_COMMAND_FRAGILITY;
+}
+
 /* A study takes all that a run takes; what a run's help says of its scene is not said again. */
 static bool said_by_run(const struct thud_option *option, enum thud_command_id id)
 {
-    return id == THUD_COMMAND_SWEEP && !thud_option_stands_alone(option) &&
-           thud_option_belongs(option, THUD_COMMAND_RUN) && !thud_option_belongs(option, THUD_COMMAND_FIGURES);
+    return is_study(id) && !thud_option_stands_alone(option) && thud_option_belongs(option, THUD_COMMAND_RUN) &&
+           (!thud_option_belongs(option, THUD_COMMAND_FIGURES) || thud_option_belongs(option, THUD_COMMAND_RECORD));
 }
 
 void thud_help_command(struct thud_text *out, enum thud_command_id id)
@@ -57,6 +63,6 @@ void thud_help_command(struct thud_text *out, enum thud_command_id id)
     }
     if (id == THUD_COMMAND_RUN)
         name_said_by_record(out, id);
-    if (id == THUD_COMMAND_SWEEP)
-        thud_text_append(out, "\nand what `thud run --help` says of the scene, its ground motion and its method\n");
+    if (is_study(id))
+        thud_text_append(out, "and what `thud run --help` says of the scene, its ground motion and its method\n");
 }

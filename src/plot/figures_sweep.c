@@ -28,7 +28,7 @@ static double ratio(const struct thud_sweep_summary *d, const struct wanted *w, 
 }
 
 /* A case as a reader calls it. */
-static const char *case_title(enum thud_case which)
+const char *thud_case_title(enum thud_case which)
 {
     return which == THUD_CASE_NONE     ? "no bumper"
            : which == THUD_CASE_BUMPER ? "bumper"
@@ -83,7 +83,7 @@ static bool numbers(const struct thud_sweep_axis *axis)
     return axis->param && !axis->words;
 }
 
-static double factor_of(const struct thud_sweep_axis *axis)
+double thud_varied_factor(const struct thud_sweep_axis *axis)
 {
     double unit = numbers(axis) && axis->param->unit && *axis->param->unit
                       ? thud_unit_factor(axis->param->unit, NULL, NULL)
@@ -94,10 +94,10 @@ static double factor_of(const struct thud_sweep_axis *axis)
 /* Where value number i stands: the number in its shown unit, or its place in the list. */
 static double place(const struct thud_sweep_axis *axis, int i)
 {
-    return numbers(axis) ? axis->value[i] * factor_of(axis) : i + 1.0;
+    return numbers(axis) ? axis->value[i] * thud_varied_factor(axis) : i + 1.0;
 }
 
-static void varied_axis(struct thud_panel *panel, enum thud_side side, const struct thud_sweep_axis *axis)
+void thud_panel_varied(struct thud_panel *panel, enum thud_side side, const struct thud_sweep_axis *axis)
 {
     char label[192];
     const char *title = axis->param && axis->param->title ? axis->param->title : axis->key;
@@ -125,7 +125,7 @@ static const char helps[] = "Ratio to no bumper at the same gap; below 1 the bum
 
 static void ratio_axes(struct thud_panel *panel, const struct thud_sweep_table *table, enum quantity q)
 {
-    varied_axis(panel, THUD_X, &table->axis[0]);
+    thud_panel_varied(panel, THUD_X, &table->axis[0]);
     thud_panel_axis(panel, THUD_Y, ratio_label[q], "");
     thud_panel_mark(panel, THUD_Y, 0.0, 1.0, "bumper helps");
     thud_panel_mark(panel, THUD_Y, 1.0, 1.0, "");
@@ -210,7 +210,7 @@ struct thud_figure *thud_figure_by_floor(const struct thud_sweep_table *table, i
     int structure[COLUMNS_MAX], columns = columns_of(table, structure);
     char text[512];
     snprintf(text, sizeof text, "%s: amplification by the %s, floor by floor", table->record[record],
-             case_title(which));
+             thud_case_title(which));
     struct thud_figure *figure = thud_figure_create(name, title ? title : text, 2, columns > 0 ? columns : 1);
     for (int c = 0; c < columns; c++) {
         int floors = floors_of(table, structure[c]), step = (floors + CURVES_MAX - 1) / CURVES_MAX;
@@ -243,7 +243,7 @@ struct thud_figure *thud_figure_of_means(const struct thud_sweep_table *table, e
 {
     int structure[COLUMNS_MAX], columns = columns_of(table, structure);
     char text[256];
-    snprintf(text, sizeof text, "Amplification by the %s, means over the floors", case_title(which));
+    snprintf(text, sizeof text, "Amplification by the %s, means over the floors", thud_case_title(which));
     struct thud_figure *figure = thud_figure_create(name, title ? title : text, 2, columns > 0 ? columns : 1);
     for (int c = 0; c < columns; c++) {
         for (int q = ACCELERATION; q <= DRIFT; q++) {
@@ -273,7 +273,7 @@ static void contact_line(struct thud_panel *panel, const struct thud_sweep_table
     const struct thud_sweep_axis *axis = &table->axis[0];
     struct thud_style style = {.kind = numbers(axis) ? THUD_LINES_POINTS : THUD_POINTS,
                                .color = which < 0 ? 3 : (int)which};
-    struct thud_series *series = thud_panel_add(panel, style, case_title(which), (size_t)axis->n, NULL, NULL);
+    struct thud_series *series = thud_panel_add(panel, style, thud_case_title(which), (size_t)axis->n, NULL, NULL);
     if (!series)
         return;
     for (int i = 0; i < axis->n; i++) {
@@ -296,7 +296,7 @@ struct thud_figure *thud_figure_of_contacts(const struct thud_sweep_table *table
     for (int i = 0; i < 2; i++) {
         struct thud_panel *panel =
             thud_figure_panel(figure, 0, i, i ? "All impacts of the run" : "Largest impact force");
-        varied_axis(panel, THUD_X, &table->axis[0]);
+        thud_panel_varied(panel, THUD_X, &table->axis[0]);
         thud_panel_axis(panel, THUD_Y, i ? "Impacts" : "Force", i ? "" : "MN");
         thud_panel_limits(panel, THUD_Y, 0.0, NAN);
         for (int which = THUD_CASE_AS_WRITTEN; which < THUD_CASES; which++) {
@@ -342,13 +342,13 @@ struct thud_figure *thud_figure_of_map(const struct thud_sweep_table *table, int
     int structure[COLUMNS_MAX], columns = columns_of(table, structure);
     char text[512];
     snprintf(text, sizeof text, "%s: amplification by the %s, means over the floors", table->record[record],
-             case_title(which));
+             thud_case_title(which));
     struct thud_figure *figure = thud_figure_create(name, text, 2, columns > 0 ? columns : 1);
     for (int c = 0; c < columns; c++) {
         for (int q = ACCELERATION; q <= DRIFT; q++) {
             struct thud_panel *panel = thud_figure_panel(figure, q, c, table->structure[structure[c]]);
-            varied_axis(panel, THUD_X, &table->axis[0]);
-            varied_axis(panel, THUD_Y, &table->axis[1]);
+            thud_panel_varied(panel, THUD_X, &table->axis[0]);
+            thud_panel_varied(panel, THUD_Y, &table->axis[1]);
             struct wanted wanted = {.record = record, .which = which, .structure = structure[c], .floor = 0};
             fill_map(panel, table, &wanted, (enum quantity)q);
         }

@@ -86,7 +86,7 @@ void thud_sweep_point_write(const struct thud_sweep_point *point, struct thud_te
     put_floors(out, point->floor, (point->ncases + 1) * point->nfloors);
     put_contacts(out, point->contact, point->ncases * point->ncontacts);
     for (int i = 0; i < point->ncontacts; i++) {
-        const struct thud_sweep_level *l = &point->level[i];
+        const struct thud_gap_level *l = &point->level[i];
         const double x[] = {l->left_m, l->right_m, l->closing_m, l->correlation};
         thud_text_append(out, "%d %d %d ", l->interface, l->left_floor, l->right_floor);
         for (size_t j = 0; j < sizeof x / sizeof *x; j++)
@@ -194,7 +194,7 @@ static void get_rest(struct reader *r, struct thud_sweep_point *p)
     get_floors(r, p->floor, (p->ncases + 1) * p->nfloors);
     get_contacts(r, p->contact, p->ncases * p->ncontacts);
     for (int i = 0; i < p->ncontacts; i++) {
-        struct thud_sweep_level *l = &p->level[i];
+        struct thud_gap_level *l = &p->level[i];
         double *const x[] = {&l->left_m, &l->right_m, &l->closing_m, &l->correlation};
         l->interface = get_int(r, 1, THUD_STRUCTURES_MAX);
         l->left_floor = get_int(r, 0, THUD_STOREYS_MAX + 1);
@@ -299,6 +299,8 @@ unsigned long long thud_sweep_fingerprint(const struct thud_sweep_plan *plan)
     h = hash(h, &scene->record.factor,
              sizeof scene->record.factor); /* the reference of record.factor and record.sign */
     h = hash(h, &scene->record.sign, sizeof scene->record.sign);
+    if (!isnan(scene->record.period_s)) /* that of record.sa */
+        h = hash(h, &scene->record.period_s, sizeof scene->record.period_s);
     for (int s = 0; s < scene->nstructures; s++)
         h = hash_structure(h, &scene->structure[s]);
     for (int i = 0; i + 1 < scene->nstructures; i++)
