@@ -35,7 +35,8 @@ static void name_said_by_record(struct thud_text *out, enum thud_command_id id)
 /* Commands whose help does not say again what a run's says of the scene. */
 static bool is_study(enum thud_command_id id)
 {
-    return id == THUD_COMMAND_SWEEP || id == THUD_COMMAND_GAP || id == THUD_COMMAND_FRAGILITY;
+    return id == THUD_COMMAND_SWEEP || id == THUD_COMMAND_GAP || id == THUD_COMMAND_FRAGILITY ||
+           id == THUD_COMMAND_UNCERTAINTY;
 }
 
 /* A study takes all that a run takes; what a run's help says of its scene is not said again. */

@@ -108,3 +108,19 @@ printf '0.1,0.1\n0.5,0.2\n' >"$tmp/hazard.csv"
 # shellcheck disable=SC2086
 is "refused: a hazard curve that rises" gives 3 fragility towers --records "$three" $grid --hazard "$tmp/hazard.csv"
 is "by its line" says "hazard.csv:2: "
+
+# how sure
+is "thud uncertainty: table, files and figures" gives 0 uncertainty towers --set gap=12cm --samples 12 --indices -j 2 -o "$tmp/sure" --quiet
+is "a sentence with shares" shows "^The bumper lowers the mean acceleration of A in [0-9]* % of 24 samples"
+for figure in tornado sampled-ratios; do is "$figure is a picture" is_png "$tmp/sure/$figure.png"; done
+one() { "$THUD" uncertainty towers --set gap=12cm --samples 12 --indices -j 1 --csv --quiet | cmp - "$tmp/sure/uncertainty.csv"; }
+is "the same bytes with one thread" one
+strata() { awk -F, 'NR > 1 { if (NR <= 13) for (i = 1; i <= 6; i++) hit[i, int($i * 12)]++; rows++ } END { n = 0; for (k in hit) n++; exit !(rows == 24 && n == 72) }' "$tmp/sure/samples.csv"; }
+is "samples.csv: every stratum once" strata
+# a second way: an input alone at its most is a run with that value
+alone() { "$THUD" run towers --case none --set gap=12cm --set contact.stiffness="5000 kN/mm" --json | grep '"contacts"' -A 12 | tr ',' '\n' | awk '/"force_n"/ { if ($2 + 0 > m) m = $2 + 0 } END { printf "%.6e", m }'; }
+told() { awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "contact-stiffness_most") c = i } $1 == "none.force_n" { printf "%.6e", $c }' "$tmp/sure/uncertainty.csv"; }
+is "an input at its most is a run with it" test "$(alone)" = "$(told)"
+is "nothing uncertain is refused" gives 3 uncertainty rigid-concrete --uncertain gap=0 --uncertain stiffness=0 --uncertain damping=0 --uncertain contact-stiffness=1 --uncertain restitution=0
+is "an unknown input is wrong usage" gives 2 uncertainty towers --uncertain weather=5%
+is "a size that is too large too" gives 2 uncertainty towers --uncertain gap=95%
