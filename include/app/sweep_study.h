@@ -6,6 +6,7 @@
 #include "app/sweep_table.h"
 #include "io/sweep_journal.h"
 #include "plot/gnuplot.h"
+#include "study/suite.h"
 
 /* More rows than this are not kept in memory: there are no figures and no table then. */
 enum { THUD_SWEEP_ROWS_MAX = 200000 };
@@ -19,8 +20,10 @@ struct thud_sweep_study {
     const char *folder;            /* NULL: nothing is written */
     struct thud_sweep_shard shard; /* 1 of 1: everything; a part leaves its journal only */
     int threads;
-    bool table;   /* keep what figures, tables and the best value are made of */
-    bool figures; /* only with a table */
+    bool table;               /* keep what figures, tables and the best value are made of */
+    bool figures;             /* only with a table */
+    bool no_rows;             /* leave sweep.csv, contacts.csv and needed-gaps.csv out */
+    struct thud_suite *suite; /* not NULL: every point is added to it */
     const struct thud_picture_options *pictures;
     const volatile sig_atomic_t *cancel;
     void *context;

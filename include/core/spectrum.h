@@ -18,6 +18,9 @@ struct thud_spectrum_point {
 /* One oscillator; period 0 is a rigid one. damping in [0, 1), period finite and not negative (asserted). */
 struct thud_spectrum_point thud_spectrum_at(const struct thud_record *record, double period_s, double damping);
 
+/* Pseudo spectral acceleration omega^2 Sd at 5 % damping, what ground motions are scaled to; period > 0 (asserted). */
+double thud_record_sa(const struct thud_record *record, double period_s);
+
 /* `count` points, periods in geometric steps from `from_s` to `to_s` (count > 1, 0 < from_s < to_s, asserted). */
 void thud_spectrum_fill(const struct thud_record *record, double damping, double from_s, double to_s, size_t count,
                         struct thud_spectrum_point *point);

@@ -2,6 +2,9 @@
 #ifndef THUD_IO_PATHS_H
 #define THUD_IO_PATHS_H
 
+#include <stdbool.h>
+#include <stddef.h>
+
 #include "base/status.h"
 
 /* `argv0_dir` is the folder of the running program (found by the caller). */
@@ -27,5 +30,11 @@ enum thud_status thud_paths_preset(const struct thud_paths *paths, const char *n
 /* A record's path: as given (from the working folder), beside the preset, or in the records folder, in this order. */
 enum thud_status thud_paths_record(const struct thud_paths *paths, const char *preset_path, const char *name,
                                    char *path, unsigned long size, struct thud_error *err);
+
+/* The names of the files in a folder that may be ground motions, in order: not hidden, neither prose (.md) nor a list
+ * (.list). Errors: THUD_INPUT (no such folder), THUD_MEMORY. */
+enum thud_status thud_folder_names(const char *folder, char ***names, size_t *count, struct thud_error *err);
+void thud_folder_names_free(char **names, size_t count);
+bool thud_path_is_folder(const char *path);
 
 #endif

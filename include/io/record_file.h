@@ -11,7 +11,8 @@
 enum { THUD_RECORD_BYTES_MAX = 256 << 20 };
 
 /* Reads `path` with what `choice` says of it (dt, unit, channel, column, skip), then keeps the part it asks for and
- * applies factor, peak and sign.
+ * applies factor, peak or spectral acceleration, and sign (record.period must be given for
+ * `sa`: see thud_record_choice_resolve).
  * What a file does not say is asked for by its option's name. Errors: THUD_INPUT with file and line, THUD_MEMORY. */
 enum thud_status thud_record_file_read(const char *path, const struct thud_record_choice *choice,
                                        struct thud_record **out, struct thud_error *err);

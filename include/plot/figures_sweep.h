@@ -5,6 +5,13 @@
 #include "plot/figure.h"
 #include "study/sweep_table.h"
 
+/* A case as a reader calls it: "no bumper", "bumper in a cavity", ... */
+const char *thud_case_title(enum thud_case which);
+/* An axis of a panel for a varied key: its title and unit, or its words as ticks; and from its SI values to what is
+ * shown (1 for words). */
+void thud_panel_varied(struct thud_panel *panel, enum thud_side side, const struct thud_sweep_axis *axis);
+double thud_varied_factor(const struct thud_sweep_axis *axis);
+
 /* Amplification of the peak floor accelerations and interstorey deflections against the first varied key, a curve per
  * floor, a column of panels per structure, for one record and case; of case `none` over no pounding. `title` may be
  * NULL: made from record and case. */

@@ -13,6 +13,11 @@ enum thud_status thud_scene_assemble(const struct thud_scene *scene, struct thud
 enum thud_status thud_scene_options(const struct thud_scene *scene, struct thud_run_options *out,
                                     struct thud_error *err);
 
+/* Fills in the period where a spectral acceleration is asked for without one: the mean of the fundamental periods of
+ * the scene's buildings. Errors: those of thud_scene_assemble; THUD_INPUT (no building has a period). */
+enum thud_status thud_record_choice_resolve(const struct thud_scene *scene, struct thud_record_choice *choice,
+                                            struct thud_error *err);
+
 /* A finished run together with its model (the run keeps pointing to the model and to the caller's record). */
 struct thud_answer {
     struct thud_model *model;

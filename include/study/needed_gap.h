@@ -3,8 +3,10 @@
 #ifndef THUD_STUDY_NEEDED_GAP_H
 #define THUD_STUDY_NEEDED_GAP_H
 
+#include "core/baseline.h"
 #include "core/record.h"
 #include "study/scene.h"
+#include "study/statistics.h"
 
 /* A pair of floors that could touch. */
 struct thud_gap_level {
@@ -30,8 +32,13 @@ enum thud_gap_rule {
     THUD_GAP_RULES,
     THUD_GAP_EXACT = -1 /* closing_m */
 };
-const char *thud_gap_rule_name(int rule); /* "needed", "ABS", "EN 1998", ... */
+const char *thud_gap_rule_name(int rule);   /* "needed", "ABS", "EN 1998", ... */
+const char *thud_gap_rule_column(int rule); /* in CSV and JSON: "closing_m", "abs_m", "en1998_m", ... */
 double thud_gap_value(const struct thud_gap_level *level, int rule);
+
+/* Levels of a finished run without contact, (model->ncontacts). */
+void thud_gap_levels(const struct thud_model *model, const struct thud_baseline *baseline,
+                     struct thud_gap_level *level);
 
 /* One ground motion. */
 struct thud_needed_gap {
@@ -44,5 +51,16 @@ enum thud_status thud_needed_gap_run(const struct thud_scene *scene, const struc
                                      struct thud_needed_gap **out, struct thud_error *err);
 /* The widest over the levels of an interface (0: of all); -1 where there are none. *level where not NULL. */
 double thud_needed_gap_widest(const struct thud_needed_gap *gap, int interface, int rule, int *level);
+
+/* Several ground motions on one scene. */
+struct thud_gap_suite {
+    int nrecords;
+    const char *const *record;          /* (nrecords) names */
+    struct thud_needed_gap *const *gap; /* (nrecords) with the same levels */
+};
+/* Over the ground motions at a level (from 0; -1: the widest over all levels). `share`: of the ground motions for which
+ * the rule asks for less than is needed there. Errors: THUD_MEMORY. */
+enum thud_status thud_gap_suite_fractiles(const struct thud_gap_suite *suite, int level, int rule,
+                                          struct thud_fractiles *out, struct thud_error *err);
 
 #endif

@@ -43,6 +43,8 @@ struct thud_interface {
 struct thud_record_choice {
     char file[THUD_TEXT_MAX]; /* empty: no ground motion */
     double peak_mps2;         /* scale to this peak; NaN: as recorded */
+    double sa_mps2;           /* scale to this spectral acceleration; NaN: not */
+    double period_s;          /* of sa; NaN: the mean of the buildings' fundamental periods */
     double factor;            /* 1 unless given */
     int sign;                 /* +1 or -1 */
     double from_s, to_s;      /* the part that is used, in the file's own time; NaN: from its beginning, to its end */

@@ -11,6 +11,7 @@
 
 #include "base/text.h"
 #include "core/record.h"
+#include "study/needed_gap.h"
 #include "study/sensitivity.h"
 #include "study/sweep_row.h"
 
@@ -91,10 +92,6 @@ struct thud_sweep_contact {
     int impacts;
     double force_n, indentation_m, impulse_ns, contact_time_s, residual_m, residual_gap_m;
 };
-struct thud_sweep_level {
-    int interface, left_floor, right_floor;
-    double left_m, right_m, closing_m, correlation;
-};
 
 /* What the changed runs of a point cost. */
 struct thud_sweep_changed {
@@ -116,7 +113,7 @@ struct thud_sweep_point {
     struct thud_sweep_floor
         *floor; /* (nvariants x (ncases + 1) x nfloors): NaN where a case has no answer; the last is no pounding */
     struct thud_sweep_contact *contact; /* (nvariants x ncases x ncontacts): force NaN where a case has no answer */
-    struct thud_sweep_level *level;     /* (ncontacts) */
+    struct thud_gap_level *level;       /* (ncontacts) */
 };
 
 /* A point in the making. The group (done) and the plan must outlive it. */

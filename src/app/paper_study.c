@@ -81,8 +81,9 @@ static enum thud_status given_records(struct thud_paper_work *work, const struct
         n += setting[i][1] != NULL;
     }
     with_peaks(request, &text);
-    enum thud_status status = text.failed ? thud_error_set(err, THUD_MEMORY, "out of memory")
-                                          : thud_record_list_read(&work->session, text.data, common, n, &list, err);
+    enum thud_status status = text.failed
+                                  ? thud_error_set(err, THUD_MEMORY, "out of memory")
+                                  : thud_record_list_read(&work->session, text.data, common, n, false, &list, err);
     thud_text_clear(&text);
     return status == THUD_OK ? keep_records(work, &list, err) : status;
 }
@@ -102,7 +103,7 @@ static enum thud_status open_preset(struct thud_paper_work *work, int i, const s
     if (request->records)
         status = given_records(work, request, err);
     else {
-        status = thud_record_list_own(&work->session, &list, err);
+        status = thud_record_list_own(&work->session, false, &list, err);
         if (status == THUD_OK && list.n == 0)
             status = thud_error_set(err, THUD_INPUT, "the preset %s names no ground motion", shipped[i].preset);
         if (status == THUD_OK)

@@ -11,6 +11,7 @@
 #include "app/record_verbs.h"
 #include "base/quantity.h"
 #include "io/json.h"
+#include "io/paths.h"
 #include "io/record_file.h"
 
 static void row(struct thud_text *out, const char *name, const char *fmt, ...) THUD_PRINTF(3, 4);
@@ -139,11 +140,6 @@ void thud_spectrum_json(const struct thud_record *record, const struct thud_spec
 
 /* ---- list ---- */
 
-static int by_name(const void *a, const void *b)
-{
-    return strcmp(*(char *const *)a, *(char *const *)b);
-}
-
 /* One entry of the list, its name in so many columns, or as JSON where `width` is 0; `why`: why there is no record, ""
  * where it only needs an option. */
 static void put_entry(const char *path, const char *name, const struct thud_record *record, const char *needs,
@@ -199,63 +195,12 @@ static enum thud_status list_file(const char *path, const char *name, int width,
     return THUD_OK;
 }
 
-static void free_names(char **names, size_t count)
-{
-    for (size_t i = 0; names && i < count; i++)
-        free(names[i]);
-    free(names);
-}
-
-/* The names in a folder, in order. Errors: THUD_INPUT, THUD_MEMORY. */
-static enum thud_status names_in(const char *folder, char ***names, size_t *count, struct thud_error *err)
-{
-    DIR *dir = opendir(folder);
-    *names = NULL;
-    *count = 0;
-    if (!dir) {
-        thud_error_set(err, THUD_INPUT, "%s", strerror(errno));
-        thud_error_place(err, folder, 0, 0);
-        return THUD_INPUT;
-    }
-    bool failed = false;
-    for (const struct dirent *entry; !failed && (entry = readdir(dir)) != NULL;) {
-        if (entry->d_name[0] == '.')
-            continue;
-        char *name = strdup(entry->d_name);
-        char **more = name ? realloc(*names, (*count + 1) * sizeof **names) : NULL;
-        if (more) {
-            *names = more;
-            more[(*count)++] = name;
-        } else {
-            free(name);
-            failed = true;
-        }
-    }
-    closedir(dir);
-    if (failed) {
-        free_names(*names, *count);
-        *names = NULL;
-        return thud_error_set(err, THUD_MEMORY, "out of memory");
-    }
-    if (*names)
-        qsort(*names, *count, sizeof **names, by_name);
-    return THUD_OK;
-}
-
-/* Something to read that is not prose. */
-static bool may_be_record(const char *path)
-{
-    struct stat about;
-    const char *suffix = strrchr(path, '.');
-    return !(suffix && strcmp(suffix, ".md") == 0) && (stat(path, &about) != 0 || S_ISREG(about.st_mode));
-}
-
 enum thud_status thud_record_list(const char *folder, bool json, struct thud_text *out, struct thud_error *err)
 {
     size_t count;
     int shown = 0, width = 20;
     char **names;
-    enum thud_status status = names_in(folder, &names, &count, err);
+    enum thud_status status = thud_folder_names(folder, &names, &count, err);
     if (status)
         return status;
     for (size_t i = 0; i < count; i++)
@@ -267,10 +212,10 @@ enum thud_status thud_record_list(const char *folder, bool json, struct thud_tex
     for (size_t i = 0; names && i < count && !status; i++) {
         char path[2048];
         int n = snprintf(path, sizeof path, "%s/%s", folder, names[i]);
-        if (n > 0 && (size_t)n < sizeof path && may_be_record(path))
+        if (n > 0 && (size_t)n < sizeof path)
             status = list_file(path, names[i], json ? 0 : width, &shown, out, err);
     }
-    free_names(names, count);
+    thud_folder_names_free(names, count);
     if (json)
         thud_text_append(out, "\n]\n");
     return status;

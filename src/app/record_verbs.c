@@ -76,7 +76,7 @@ enum thud_status thud_record_open(const char *name, const struct thud_record_tre
     choice.resample_s = treatment->resample_s;            /* for times in unequal steps */
     choice.factor = 1;
     choice.sign = 1;
-    choice.peak_mps2 = NAN;
+    choice.peak_mps2 = choice.sa_mps2 = NAN;
     struct thud_record *record = NULL;
     enum thud_status status = find(name, path, sizeof path, err);
     if (!status)
@@ -117,6 +117,9 @@ void thud_record_treatment_describe(const struct thud_record_treatment *t, doubl
         thud_text_append(out, "factor: %.9g\n", t->choice.factor);
     if (!isnan(t->choice.peak_mps2))
         thud_text_append(out, "scaled to a peak of: %.9g g\n", t->choice.peak_mps2 / THUD_GRAVITY);
+    if (!isnan(t->choice.sa_mps2))
+        thud_text_append(out, "scaled to a spectral acceleration of: %.9g g at %.9g s\n",
+                         t->choice.sa_mps2 / THUD_GRAVITY, t->choice.period_s);
     if (t->choice.sign < 0)
         thud_text_append(out, "sign: -\n");
 }

@@ -7,7 +7,7 @@
 
 #include "app/run_figures.h"
 #include "base/quantity.h"
-#include "core/trunk.h"
+#include "core/baseline.h"
 #include "study/sweep.h"
 
 static const char *title_of(enum thud_case which)
@@ -64,23 +64,23 @@ static enum thud_status find_needs(struct thud_run_cases *cases, const struct th
                                    const struct thud_run_options *options, struct thud_error *err)
 {
     struct thud_run_options plain = *options;
-    struct thud_trunk *trunk = NULL;
+    struct thud_baseline *baseline = NULL;
     const struct thud_model *model = cases->item[0].answer.model;
     plain.keep_history = plain.keep_impacts = false;
     bool done = false;
-    enum thud_status status = thud_trunk_create(model, record, &plain, &trunk, err);
+    enum thud_status status = thud_baseline_create(model, record, &plain, &baseline, err);
     while (status == THUD_OK && !done)
-        status = thud_trunk_advance(trunk, 100000, &done, err);
+        status = thud_baseline_advance(baseline, 100000, &done, err);
     for (int c = 0; status == THUD_OK && c < model->ncontacts; c++) {
         const struct thud_model_contact *p = &model->contact[c];
-        double closing = thud_trunk_closing(trunk, c);
+        double closing = thud_baseline_relative_displacement(baseline, c);
         if (closing < cases->need_m[p->interface - 1])
             continue;
         cases->need_m[p->interface - 1] = closing;
         cases->need_left[p->interface - 1] = p->left_floor;
         cases->need_right[p->interface - 1] = p->right_floor;
     }
-    thud_trunk_free(trunk);
+    thud_baseline_free(baseline);
     return status;
 }
 

@@ -48,6 +48,7 @@ void thud_session_choose_record(struct thud_session *session, const char *file)
 enum thud_status thud_session_read_record(struct thud_session *session, struct thud_error *err)
 {
     const struct thud_record_choice *choice = &session->scene.record;
+    struct thud_record_choice resolved = *choice;
     char path[1024];
     if (session->record && memcmp(choice, &session->record_read, sizeof *choice) == 0)
         return THUD_OK;
@@ -60,7 +61,9 @@ enum thud_status thud_session_read_record(struct thud_session *session, struct t
     if (status != THUD_OK && strcmp(choice->file, thud_preset_scene(session->preset)->record.file) == 0)
         thud_preset_place(session->preset, "record.file", err); /* the preset says so, no option */
     if (status == THUD_OK)
-        status = thud_record_file_read(path, choice, &session->record, err);
+        status = thud_record_choice_resolve(&session->scene, &resolved, err);
+    if (status == THUD_OK)
+        status = thud_record_file_read(path, &resolved, &session->record, err);
     if (status == THUD_OK)
         session->record_read = *choice;
     return status;

@@ -26,8 +26,6 @@ static void abandon(struct files *files)
 static enum thud_status open_files(const struct thud_sweep_study *study, struct files *files, struct thud_error *err)
 {
     enum thud_status status = THUD_OK;
-    for (int i = 0; i < THUD_SWEEP_CSVS; i++)
-        files->output[i].fd = -1;
     for (int i = 0; i < THUD_SWEEP_CSVS && status == THUD_OK; i++) {
         char path[4096];
         if (snprintf(path, sizeof path, "%s/%s", study->folder, thud_sweep_csv_name((enum thud_sweep_csv)i)) >=
@@ -43,7 +41,7 @@ static enum thud_status put(const struct thud_sweep_study *study, const struct t
                             struct files *files, struct thud_error *err)
 {
     enum thud_status status = THUD_OK;
-    for (int i = 0; i < THUD_SWEEP_CSVS && status == THUD_OK; i++) {
+    for (int i = 0; i < THUD_SWEEP_CSVS && status == THUD_OK && !study->no_rows; i++) {
         status = thud_sweep_csv_rows(study->plan, (enum thud_sweep_csv)i, point, &files->text[i], err);
         if (status == THUD_OK)
             status = thud_output_drain(&files->output[i], &files->text[i], CHUNK, err);
@@ -87,12 +85,14 @@ enum thud_status thud_sweep_study_finish(const struct thud_sweep_study *study, s
     struct files *files = calloc(1, sizeof *files);
     if (!files)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
-    enum thud_status status = open_files(study, files, err);
+    for (int i = 0; i < THUD_SWEEP_CSVS; i++)
+        files->output[i].fd = -1;
+    enum thud_status status = study->no_rows ? THUD_OK : open_files(study, files, err);
     if (status == THUD_OK)
         status = copy_points(study, journal, n, files, out, err);
-    for (int i = 0; i < THUD_SWEEP_CSVS && status == THUD_OK; i++)
+    for (int i = 0; i < THUD_SWEEP_CSVS && status == THUD_OK && !study->no_rows; i++)
         status = thud_output_drain(&files->output[i], &files->text[i], 0, err);
-    for (int i = 0; i < THUD_SWEEP_CSVS && status == THUD_OK; i++)
+    for (int i = 0; i < THUD_SWEEP_CSVS && status == THUD_OK && !study->no_rows; i++)
         status = thud_output_commit(&files->output[i], err);
     abandon(files);
     free(files);

@@ -1,14 +1,16 @@
-/* thud sweep: a parametric study. */
+/* thud sweep and thud fragility: parametric studies. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "app/record_list.h"
+#include "app/fragility_report.h"
 #include "app/sweep_report.h"
 #include "cli/commands.h"
+#include "cli/fragility_output.h"
 #include "cli/interrupt.h"
 #include "cli/picture_options.h"
 #include "cli/progress.h"
+#include "cli/records_option.h"
 #include "cli/scene_options.h"
 #include "cli/study_file.h"
 #include "cli/sweep_output.h"
@@ -27,24 +29,10 @@ struct sweep {
     char *preset;
     struct thud_text description; /* study.json */
     int best;                     /* axis, -1: not asked for */
+    bool fragility;               /* what is told is fragility, not the rows */
+    struct thud_suite *suite;     /* of several ground motions, or for the fragility */
+    struct thud_fragility_study events;
 };
-
-/* Settings given for all files of --records. */
-static enum thud_status read_records(struct sweep *s, struct thud_error *err)
-{
-    const char *common[THUD_RECORD_SETTINGS_MAX][2], *text = thud_args_value(s->args, "records"), *setting;
-    int n = 0;
-    if (!text)
-        return thud_record_list_own(&s->session, &s->records, err);
-    if (thud_args_value(s->args, "record"))
-        return thud_error_set(err, THUD_USAGE, "--record and --records together");
-    for (int i = 0; (setting = thud_record_setting(i)) != NULL; i++) {
-        common[n][0] = setting;
-        common[n][1] = thud_args_value(s->args, setting);
-        n += common[n][1] != NULL;
-    }
-    return thud_record_list_read(&s->session, text, common, n, &s->records, err);
-}
 
 static enum thud_status choose_shortcuts(struct sweep *s, struct thud_error *err)
 {
@@ -143,6 +131,17 @@ static enum thud_status fill_study(struct sweep *s, struct thud_error *err)
     study->pictures = &s->pictures.options;
     if (status == THUD_OK)
         status = find_best(s, err);
+    study->no_rows = s->fragility;
+    if (status == THUD_OK && s->fragility)
+        status = thud_fragility_options_read(args, &s->plan, &s->events, err);
+    if (status == THUD_OK && study->shard.count == 1 && (s->fragility || (study->folder && s->plan.nrecords > 1)))
+        status = thud_suite_create(&s->plan, &s->suite, err);
+    s->events.suite = study->suite = s->suite;
+    if (s->fragility) {
+        study->emit = NULL;
+        study->figures = false;
+        return status;
+    }
     study->table = study->folder || s->output.format == THUD_SWEEP_OUTPUT_TABLE || s->best >= 0;
     return status;
 }
@@ -200,17 +199,50 @@ static enum thud_status conclude(struct sweep *s, struct thud_error *err)
     return status;
 }
 
+/* Fragility from the suite; then what the runs were. */
+static enum thud_status conclude_fragility(struct sweep *s, struct thud_error *err)
+{
+    struct thud_text text = {0}, work = {0};
+    enum thud_status status =
+        thud_fragility_deliver(s->args, &s->events, s->study.folder, s->study.pictures, &text, err);
+    if (status == THUD_OK || status == THUD_GNUPLOT) {
+        enum thud_status printed = thud_cli_print(&text, status == THUD_OK ? err : NULL);
+        status = status == THUD_OK ? printed : status;
+    }
+    if (!thud_args_has(s->args, "quiet"))
+        thud_sweep_report_work(&s->plan, &s->outcome.total, &work);
+    if (work.data)
+        fputs(work.data, stderr);
+    thud_text_clear(&work);
+    thud_text_clear(&text);
+    return status;
+}
+
+static enum thud_status write_suite(const struct sweep *s, struct thud_error *err)
+{
+    struct thud_text text = {0};
+    enum thud_status status = thud_suite_csv(s->suite, &text, err);
+    if (status == THUD_OK)
+        status = thud_text_write_in(&text, s->study.folder, "suite.csv", err);
+    thud_text_clear(&text);
+    return status;
+}
+
 static enum thud_status finish(struct sweep *s, enum thud_status status, struct thud_error *err)
 {
     thud_progress_end();
     if (s->study.shard.count > 1 && status == THUD_OK) {
         if (!thud_args_has(s->args, "quiet"))
-            fprintf(stderr, "part %d of %d is whole: thud sweep --merge DIR... -o DIR joins the parts\n",
-                    s->study.shard.index, s->study.shard.count);
+            fprintf(stderr, "part %d of %d is whole: thud %s --merge DIR... -o DIR joins the parts\n",
+                    s->study.shard.index, s->study.shard.count, thud_command_at(s->args->command)->name);
         return status;
     }
     if (status == THUD_CANCELLED && s->output.begun)
         (void)thud_sweep_output_end(&s->output, NULL); /* what is done is printed */
+    if (status == THUD_OK && s->fragility)
+        return conclude_fragility(s, err);
+    if (status == THUD_OK && s->suite && s->study.folder)
+        status = write_suite(s, err);
     return status == THUD_OK ? conclude(s, err) : status;
 }
 
@@ -246,7 +278,7 @@ static enum thud_status make(struct sweep *s, struct thud_error *err)
     enum thud_status status = thud_scene_options_open(s->args, &s->session, err);
     if (status != THUD_OK)
         return status;
-    status = read_records(s, err);
+    status = thud_records_option_read(s->args, &s->session, &s->records, err);
     if (status == THUD_OK)
         status = fill_plan(s, err);
     if (status == THUD_OK && thud_args_has(s->args, "o"))
@@ -271,7 +303,8 @@ static enum thud_status merge(struct sweep *s, struct thud_error *err)
 {
     struct thud_sweep_parts *parts;
     if (s->args->noperands == 0)
-        return thud_error_set(err, THUD_USAGE, "thud sweep --merge needs the folders of the parts");
+        return thud_error_set(err, THUD_USAGE, "thud %s --merge needs the folders of the parts",
+                              thud_command_at(s->args->command)->name);
     enum thud_status status = thud_sweep_parts_plan(s->args->operand[0], &parts, err);
     if (status != THUD_OK)
         return status;
@@ -285,15 +318,28 @@ static enum thud_status merge(struct sweep *s, struct thud_error *err)
     return status;
 }
 
-enum thud_status thud_command_sweep(const struct thud_args *args, struct thud_error *err)
+static enum thud_status study(const struct thud_args *args, bool fragility, struct thud_error *err)
 {
     struct sweep *s = calloc(1, sizeof *s);
     if (!s)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     s->args = args;
+    s->fragility = fragility;
     enum thud_status status = thud_args_has(args, "merge") ? merge(s, err) : make(s, err);
+    thud_fragility_study_clear(&s->events);
+    thud_suite_free(s->suite);
     thud_text_clear(&s->output.text);
     thud_text_clear(&s->description);
     free(s);
     return status;
+}
+
+enum thud_status thud_command_sweep(const struct thud_args *args, struct thud_error *err)
+{
+    return study(args, false, err);
+}
+
+enum thud_status thud_command_fragility(const struct thud_args *args, struct thud_error *err)
+{
+    return study(args, true, err);
 }

@@ -42,11 +42,18 @@ static void name_others(struct thud_text *out, enum thud_command_id id, const ch
     thud_text_append(out, "\n");
 }
 
+/* Commands whose help does not say again what a run's says of the scene. */
+static bool is_study(enum thud_command_id id)
+{
+    return id == THUD_COMMAND_SWEEP || id == THUD_COMMAND_GAP || id == THUD_COMMAND_FRAGILITY ||
+           id == THUD_COMMAND_UNCERTAINTY;
+}
+
 /* A study takes all that a run takes; what a run's help says of its scene is not said again. */
 static bool said_by_run(const struct thud_option *option, enum thud_command_id id)
 {
-    return id == THUD_COMMAND_SWEEP && !thud_option_stands_alone(option) &&
-           thud_option_belongs(option, THUD_COMMAND_RUN) && !thud_option_belongs(option, THUD_COMMAND_FIGURES);
+    return is_study(id) && !thud_option_stands_alone(option) && thud_option_belongs(option, THUD_COMMAND_RUN) &&
+           (!thud_option_belongs(option, THUD_COMMAND_FIGURES) || thud_option_belongs(option, THUD_COMMAND_RECORD));
 }
 
 /* How large pictures are and in what type, `thud figures` says for others that have much to say. */
@@ -74,11 +81,11 @@ void thud_help_command(struct thud_text *out, enum thud_command_id id)
         thud_text_append(out, "  %-25s %s%s\n", usage, option->help, option->repeatable ? " (repeatable)" : "");
     }
     if (id == THUD_COMMAND_RUN)
-        name_others(out, id, "and of `thud record`", said_by_record);
+        name_others(out, id, "of `record`", said_by_record);
     if (id == THUD_COMMAND_RUN)
-        name_others(out, id, "and of `thud figures`", said_by_figures);
+        name_others(out, id, "of `figures`", said_by_figures);
     if (id == THUD_COMMAND_RECORD)
-        name_others(out, id, "and of `thud run`", of_every_motion);
-    if (id == THUD_COMMAND_SWEEP)
-        thud_text_append(out, "\nand what `thud run --help` says of the scene, its ground motion and its method\n");
+        name_others(out, id, "of `run`", of_every_motion);
+    if (is_study(id))
+        thud_text_append(out, "and what `thud run --help` says of the scene, its ground motion and its method\n");
 }

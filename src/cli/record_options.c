@@ -113,6 +113,7 @@ enum thud_status thud_record_options_read(const struct thud_args *args, struct t
         enum thud_dimension dimension;
         double *to;
     } quantities[] = {{"dt", THUD_TIME, &choice->dt_s},         {"peak", THUD_ACCELERATION, &choice->peak_mps2},
+                      {"sa", THUD_ACCELERATION, &choice->sa_mps2}, {"period", THUD_TIME, &choice->period_s},
                       {"factor", THUD_NUMBER, &choice->factor}, {"from", THUD_TIME, &treatment->from_s},
                       {"to", THUD_TIME, &treatment->to_s},      {"resample", THUD_TIME, &treatment->resample_s},
                       {"taper", THUD_TIME, &treatment->taper_s}};
@@ -121,6 +122,10 @@ enum thud_status thud_record_options_read(const struct thud_args *args, struct t
         status = quantity(args, quantities[i].option, quantities[i].dimension, quantities[i].to, err);
     if (!status && !isnan(choice->peak_mps2) && !(choice->peak_mps2 > 0))
         return refuse("peak", thud_args_value(args, "peak"), "more than 0; --sign - turns the motion round", err);
+    if (!status && !isnan(choice->sa_mps2) && !(choice->sa_mps2 > 0))
+        return refuse("sa", thud_args_value(args, "sa"), "more than 0; --sign - turns the motion round", err);
+    if (!status && !isnan(choice->period_s) && !(choice->period_s > 0))
+        return refuse("period", thud_args_value(args, "period"), "more than 0", err);
     if (!status)
         status = word(args, "unit", choice->unit, sizeof choice->unit, err);
     if (!status)

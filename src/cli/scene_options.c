@@ -1,5 +1,6 @@
 #include "cli/scene_options.h"
 
+#include <math.h>
 #include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -123,6 +124,10 @@ static enum thud_status apply(const struct thud_args *args, struct thud_session 
     for (int i = 0; status == THUD_OK && (option = option_at(i, key)) != NULL; i++)
         if ((value = thud_args_value(args, option)) != NULL)
             status = of_option(thud_scene_set(&session->scene, key, value, err), err);
+    if (status == THUD_OK && thud_args_value(args, "sa") && !thud_args_value(args, "peak"))
+        session->scene.record.peak_mps2 = NAN; /* the preset's own */
+    if (status == THUD_OK && thud_args_value(args, "peak") && !thud_args_value(args, "sa"))
+        session->scene.record.sa_mps2 = NAN;
     const char *assignment;
     for (int i = 0; status == THUD_OK && (assignment = thud_args_repeated(args, "set", i)); i++)
         status = thud_session_assign(session, assignment, err);

@@ -48,6 +48,7 @@ static void put_options(const struct thud_args *args, const struct thud_sweep_pl
         thud_text_append(out, "\"");
     }
     put_given(out, args, "records", &any);
+    put_given(out, args, "signs", &any);
     for (int i = 0; thud_args_value(args, "records") && (setting = thud_record_setting(i)) != NULL; i++)
         put_given(out, args, setting, &any);
     for (size_t i = 0; i < sizeof pictures / sizeof *pictures; i++)

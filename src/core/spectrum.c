@@ -105,3 +105,11 @@ void thud_spectrum_fill(const struct thud_record *record, double damping, double
         point[i] = thud_spectrum_at(record, period, damping);
     }
 }
+
+double thud_record_sa(const struct thud_record *record, double period_s)
+{
+    static const double damping = 0.05;
+    double omega = 2 * THUD_PI / period_s;
+    assert(period_s > 0);
+    return omega * omega * thud_spectrum_at(record, period_s, damping).displacement_m;
+}

@@ -1,6 +1,7 @@
 #include "io/paths.h"
 
 #include <dirent.h>
+#include <errno.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -174,4 +175,65 @@ enum thud_status thud_paths_record(const struct thud_paths *paths, const char *p
     not_found("ground motion", name, paths->records, "", err);
     thud_error_key(err, "record.file");
     return THUD_INPUT;
+}
+
+void thud_folder_names_free(char **names, size_t count)
+{
+    for (size_t i = 0; names && i < count; i++)
+        free(names[i]);
+    free(names);
+}
+
+/* Something to read that is neither prose nor a list of ground motions. */
+static bool may_be_record(const char *folder, const char *name)
+{
+    static const char *const others[] = {".md", ".list"};
+    char path[2048];
+    struct stat about;
+    const char *suffix = strrchr(name, '.');
+    for (size_t i = 0; suffix && i < sizeof others / sizeof *others; i++)
+        if (strcmp(suffix, others[i]) == 0)
+            return false;
+    int n = snprintf(path, sizeof path, "%s/%s", folder, name);
+    return n > 0 && (size_t)n < sizeof path && (stat(path, &about) != 0 || S_ISREG(about.st_mode));
+}
+
+enum thud_status thud_folder_names(const char *folder, char ***names, size_t *count, struct thud_error *err)
+{
+    DIR *dir = opendir(folder);
+    *names = NULL;
+    *count = 0;
+    if (!dir) {
+        thud_error_set(err, THUD_INPUT, "%s", strerror(errno));
+        thud_error_place(err, folder, 0, 0);
+        return THUD_INPUT;
+    }
+    bool failed = false;
+    for (const struct dirent *entry; !failed && (entry = readdir(dir)) != NULL;) {
+        if (entry->d_name[0] == '.' || !may_be_record(folder, entry->d_name))
+            continue;
+        char *name = strdup(entry->d_name);
+        char **more = name ? realloc(*names, (*count + 1) * sizeof **names) : NULL;
+        if (more) {
+            *names = more;
+            more[(*count)++] = name;
+        } else {
+            free(name);
+            failed = true;
+        }
+    }
+    closedir(dir);
+    if (failed) {
+        thud_folder_names_free(*names, *count);
+        *names = NULL;
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    }
+    if (*names)
+        qsort(*names, *count, sizeof **names, by_name);
+    return THUD_OK;
+}
+
+bool thud_path_is_folder(const char *path)
+{
+    return is_folder(path);
 }

@@ -8,6 +8,7 @@
 #include <sys/stat.h>
 
 #include "core/record_edit.h"
+#include "core/spectrum.h"
 #include "io/file.h"
 #include "io/record_formats.h"
 #include "io/record_gzip.h"
@@ -125,6 +126,31 @@ static void convert(struct record_raw *raw)
         raw->value[i] = (raw->value[i] - mean) * raw->factor;
 }
 
+/* The factor that makes the motion's peak or spectral acceleration what is asked for. */
+static enum thud_status scale_to(const struct thud_record *record, const struct thud_record_choice *choice,
+                                 double *factor, struct thud_error *err)
+{
+    bool sa = choice->sa_mps2 > 0, peak = !isnan(choice->peak_mps2);
+    const char *key = sa ? "sa" : "peak", *what = NULL;
+    double has = NAN;
+    if (!sa && !peak)
+        return THUD_OK;
+    if (sa && peak)
+        what = "a peak and a spectral acceleration are asked for together";
+    else if (sa && !(choice->period_s > 0))
+        what = "a spectral acceleration needs a period";
+    else if (!((has = sa ? thud_record_sa(record, choice->period_s) : thud_record_peak(record)) > 0))
+        what = "a record of nothing but zeros cannot be scaled to a peak";
+    if (what) {
+        thud_error_set(err, THUD_INPUT, "%s", what);
+        thud_error_place(err, record->file, 0, 0);
+        thud_error_key(err, key);
+        return THUD_INPUT;
+    }
+    *factor *= (sa ? choice->sa_mps2 : choice->peak_mps2) / has;
+    return THUD_OK;
+}
+
 enum thud_status thud_record_choice_apply(struct thud_record *record, const struct thud_record_choice *choice,
                                           struct thud_error *err)
 {
@@ -135,16 +161,9 @@ enum thud_status thud_record_choice_apply(struct thud_record *record, const stru
         return THUD_INPUT;
     }
     double factor = choice->factor * (choice->sign < 0 ? -1 : 1);
-    if (!isnan(choice->peak_mps2)) {
-        double peak = thud_record_peak(record);
-        if (!(peak > 0)) {
-            thud_error_set(err, THUD_INPUT, "a record of nothing but zeros cannot be scaled to a peak");
-            thud_error_place(err, record->file, 0, 0);
-            thud_error_key(err, "peak");
-            return THUD_INPUT;
-        }
-        factor *= choice->peak_mps2 / peak;
-    }
+    enum thud_status status = scale_to(record, choice, &factor, err);
+    if (status != THUD_OK)
+        return status;
     if (factor != 1)
         thud_record_scale(record, factor);
     for (size_t i = 0; i < record->samples; i++)

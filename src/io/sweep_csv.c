@@ -99,7 +99,7 @@ void thud_sweep_csv_header(const struct thud_sweep_plan *plan, enum thud_sweep_c
         "record,case,gap_m,interface,left_floor,right_floor,impacts,force_n,indentation_m,impulse_ns,contact_time_s,"
         "residual_m,residual_gap_m",
         "record,interface,left_floor,right_floor,left_displacement_m,right_displacement_m,closing_m,abs_m,srss_m,ddc_m,"
-        "correlation"};
+        "correlation,en1998_m,asce7_m"};
     thud_text_append(out, "%s", columns[which]);
     if (plan->sensitivity > 0)
         put_spread_header(which, out);
@@ -148,8 +148,8 @@ static void put_need(const struct thud_sweep_plan *plan, long point, const struc
 {
     put_record(plan, row->record, out);
     thud_text_append(out, ",%d,%d,%d", row->interface, row->left_floor, row->right_floor);
-    const double x[] = {row->left_m, row->right_m, row->closing_m,  row->abs_m,
-                        row->srss_m, row->ddc_m,   row->correlation};
+    const double x[] = {row->left_m, row->right_m,     row->closing_m, row->abs_m,  row->srss_m,
+                        row->ddc_m,  row->correlation, row->en1998_m,  row->asce7_m};
     put_numbers(out, x, sizeof x / sizeof *x);
     put_axes(plan, point, true, out);
 }

@@ -35,7 +35,7 @@ static double ratio(const struct thud_sweep_summary *d, const struct wanted *w, 
 }
 
 /* A case as a reader calls it. */
-static const char *case_title(enum thud_case which)
+const char *thud_case_title(enum thud_case which)
 {
     return which == THUD_CASE_NONE     ? "no bumper"
            : which == THUD_CASE_BUMPER ? "bumper"
@@ -124,7 +124,7 @@ static bool numbers(const struct thud_sweep_axis *axis)
     return axis->param && !axis->words;
 }
 
-static double factor_of(const struct thud_sweep_axis *axis)
+double thud_varied_factor(const struct thud_sweep_axis *axis)
 {
     double unit = numbers(axis) && axis->param->unit && *axis->param->unit
                       ? thud_unit_factor(axis->param->unit, NULL, NULL)
@@ -135,12 +135,13 @@ static double factor_of(const struct thud_sweep_axis *axis)
 /* Where value number i stands: the number in its shown unit, or its place in the list. */
 static double place(const struct thud_sweep_axis *axis, int i)
 {
-    return numbers(axis) ? axis->value[i] * factor_of(axis) : i + 1.0;
+    return numbers(axis) ? axis->value[i] * thud_varied_factor(axis) : i + 1.0;
 }
 
-static void varied_axis(struct thud_panel *panel, enum thud_side side, const struct thud_sweep_table *table, int which)
+/* `table`: whose structures' names a key may stand for; NULL: it is shown by its number. */
+static void axis_of_key(struct thud_panel *panel, enum thud_side side, const struct thud_sweep_axis *axis,
+                        const struct thud_sweep_table *table)
 {
-    const struct thud_sweep_axis *axis = &table->axis[which];
     char label[192];
     const char *title = axis->param && axis->param->title ? axis->param->title : axis->key, *of = NULL;
     if (strstr(axis->key, "bumper.") && !strstr(title, "bumper"))
@@ -151,13 +152,24 @@ static void varied_axis(struct thud_panel *panel, enum thud_side side, const str
     snprintf(label, sizeof label, "%c%s", thud_ascii_upper(title[0]), title[0] ? title + 1 : "");
     if (of)
         snprintf(label, sizeof label, "%c%s: %s", thud_ascii_upper(of[0]), of + 1, title);
-    else if (sscanf(axis->key, "structures.%d.", &structure) == 1 && structure >= 1 && structure <= table->nstructures)
+    else if (table && sscanf(axis->key, "structures.%d.", &structure) == 1 && structure >= 1 &&
+             structure <= table->nstructures)
         snprintf(label, sizeof label, "%s: %s", table->structure[structure - 1], title);
     thud_panel_axis(panel, side, label, numbers(axis) && axis->param->unit ? axis->param->unit : "");
     if (!numbers(axis))
         thud_panel_limits(panel, side, 0.5, axis->n + 0.5);
     for (int i = 0; !numbers(axis) && i < axis->n; i++)
         thud_panel_tick(panel, side, i + 1.0, axis->text[i]);
+}
+
+void thud_panel_varied(struct thud_panel *panel, enum thud_side side, const struct thud_sweep_axis *axis)
+{
+    axis_of_key(panel, side, axis, NULL);
+}
+
+static void varied_axis(struct thud_panel *panel, enum thud_side side, const struct thud_sweep_table *table, int which)
+{
+    axis_of_key(panel, side, &table->axis[which], table);
 }
 
 /* Keys that are not drawn, with their values. */
@@ -351,7 +363,7 @@ struct thud_figure *thud_figure_of_pounding(const struct thud_sweep_table *table
                 struct wanted wanted = {
                     .record = record, .which = (enum thud_case)which, .structure = structure[c], .free = true};
                 if (has_case(table, wanted.which))
-                    ratio_line(panel, table, &wanted, (enum quantity)q, case_title(wanted.which),
+                    ratio_line(panel, table, &wanted, (enum quantity)q, thud_case_title(wanted.which),
                                which < 0 ? 3 : which);
             }
         }
@@ -369,7 +381,7 @@ static void contact_line(struct thud_panel *panel, const struct thud_sweep_table
     const struct thud_sweep_axis *axis = &table->axis[0];
     struct thud_style style = {.kind = numbers(axis) ? THUD_LINES_POINTS : THUD_POINTS,
                                .color = which < 0 ? 3 : (int)which};
-    struct thud_series *series = thud_panel_add(panel, style, case_title(which), (size_t)axis->n, NULL, NULL);
+    struct thud_series *series = thud_panel_add(panel, style, thud_case_title(which), (size_t)axis->n, NULL, NULL);
     if (!series)
         return;
     for (int i = 0; i < axis->n; i++) {

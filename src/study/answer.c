@@ -1,6 +1,9 @@
 #include "study/answer.h"
 
+#include <math.h>
 #include <string.h>
+
+#include "base/quantity.h"
 
 enum thud_status thud_scene_options(const struct thud_scene *scene, struct thud_run_options *out,
                                     struct thud_error *err)
@@ -49,4 +52,42 @@ void thud_answer_clear(struct thud_answer *answer)
     thud_run_free(answer->run);
     thud_model_free(answer->model);
     *answer = (struct thud_answer){0};
+}
+
+/* Mean of the fundamental periods of a model's buildings; 0: none has any. */
+static double mean_period(const struct thud_model *model)
+{
+    double sum = 0;
+    int n = 0;
+    for (int s = 0; s < model->nstructures; s++) {
+        const struct thud_model_structure *p = &model->structure[s];
+        double lowest = INFINITY;
+        for (int k = 0; k < p->n; k++)
+            lowest = fmin(lowest, p->omega[k]);
+        if (!(lowest > 0) || isinf(lowest))
+            continue;
+        sum += 2 * THUD_PI / lowest;
+        n++;
+    }
+    return n > 0 ? sum / n : 0;
+}
+
+enum thud_status thud_record_choice_resolve(const struct thud_scene *scene, struct thud_record_choice *choice,
+                                            struct thud_error *err)
+{
+    struct thud_model *model;
+    if (!(choice->sa_mps2 > 0) || choice->period_s > 0)
+        return THUD_OK;
+    enum thud_status status = thud_scene_assemble(scene, &model, err);
+    if (status != THUD_OK)
+        return status;
+    double period = mean_period(model);
+    thud_model_free(model);
+    if (!(period > 0)) {
+        thud_error_set(err, THUD_INPUT, "no building has a period to take the spectral acceleration at");
+        thud_error_key(err, "record.period");
+        return THUD_INPUT;
+    }
+    choice->period_s = period;
+    return THUD_OK;
 }

@@ -7,11 +7,19 @@
 #include "study/answer.h"
 #include "study/spacing.h"
 
-static const char *const rules[] = {"needed", "ABS", "SRSS", "DDC", "EN 1998", "ASCE 7"};
+static const struct {
+    const char *name, *column;
+} rules[] = {{"needed", "closing_m"}, {"ABS", "abs_m"},        {"SRSS", "srss_m"},
+             {"DDC", "ddc_m"},        {"EN 1998", "en1998_m"}, {"ASCE 7", "asce7_m"}};
 
 const char *thud_gap_rule_name(int rule)
 {
-    return rules[rule + 1];
+    return rules[rule + 1].name;
+}
+
+const char *thud_gap_rule_column(int rule)
+{
+    return rules[rule + 1].column;
 }
 
 double thud_gap_value(const struct thud_gap_level *level, int rule)
@@ -53,8 +61,7 @@ static double first_period(const struct thud_result *result, int s)
     return result->structure[s].floors > 0 ? result->structure[s].period_s[0] : INFINITY;
 }
 
-static void read_levels(const struct thud_model *model, const struct thud_baseline *baseline,
-                        struct thud_gap_level *level)
+void thud_gap_levels(const struct thud_model *model, const struct thud_baseline *baseline, struct thud_gap_level *level)
 {
     const struct thud_result *result = thud_baseline_result(baseline);
     for (int c = 0; c < model->ncontacts; c++) {
@@ -107,7 +114,7 @@ enum thud_status thud_needed_gap_run(const struct thud_scene *scene, const struc
         struct thud_needed_gap *gap = malloc(sizeof *gap + (size_t)model->ncontacts * sizeof *gap->level);
         if (gap) {
             gap->nlevels = model->ncontacts;
-            read_levels(model, baseline, gap->level);
+            thud_gap_levels(model, baseline, gap->level);
         } else {
             status = thud_error_set(err, THUD_MEMORY, "out of memory");
         }
@@ -131,4 +138,30 @@ double thud_needed_gap_widest(const struct thud_needed_gap *gap, int interface, 
             *level = i;
     }
     return most;
+}
+
+/* Whether a rule asks for less than is needed. */
+static bool falls_short(const struct thud_needed_gap *gap, int level, int rule)
+{
+    if (level < 0)
+        return thud_needed_gap_widest(gap, 0, rule, NULL) < thud_needed_gap_widest(gap, 0, THUD_GAP_EXACT, NULL);
+    return thud_gap_value(&gap->level[level], rule) < gap->level[level].closing_m;
+}
+
+enum thud_status thud_gap_suite_fractiles(const struct thud_gap_suite *suite, int level, int rule,
+                                          struct thud_fractiles *out, struct thud_error *err)
+{
+    double *value = malloc(((size_t)suite->nrecords + 1) * sizeof *value);
+    int shorter = 0;
+    if (!value)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    for (int r = 0; r < suite->nrecords; r++) {
+        const struct thud_needed_gap *gap = suite->gap[r];
+        value[r] = level < 0 ? thud_needed_gap_widest(gap, 0, rule, NULL) : thud_gap_value(&gap->level[level], rule);
+        shorter += falls_short(gap, level, rule);
+    }
+    *out = thud_fractiles_of(value, (size_t)suite->nrecords, INFINITY);
+    out->share = suite->nrecords > 0 ? (double)shorter / suite->nrecords : NAN;
+    free(value);
+    return THUD_OK;
 }

@@ -41,6 +41,9 @@ static const struct thud_param record_params[] = {
     WORD("file", "file", "The ground motion: looked for from the working folder, beside the preset, and in the records folder."),
     {NUMBER("peak", "peak", "Scales the motion to this largest acceleration; else it is as recorded.",
             THUD_ACCELERATION, "g", NAN), POSITIVE, UP_TO(1000), .soft_least = NAN, .soft_most = 2 * THUD_GRAVITY},
+    {NUMBER("sa", "spectral acceleration", "Scales the motion to this pseudo spectral acceleration at `period` and 5 % damping, in place of a peak.",
+            THUD_ACCELERATION, "g", NAN), POSITIVE, UP_TO(1000), ANY_USUAL},
+    {NUMBER("period", "period", "Of `sa`; where it is not given, the mean of the buildings' fundamental periods.", THUD_TIME, "s", NAN), POSITIVE, UP_TO(100), ANY_USUAL},
     CHOICE("sign", "sign", "-: the motion the other way round; in a preset as \"-\".", signs, 0),
     {NUMBER("factor", "factor", "Multiplies the motion.", THUD_NUMBER, "", 1), POSITIVE, UP_TO(1e6), ANY_USUAL},
     {NUMBER("from", "beginning", "Leaves out the motion before this time of the file; the run begins there.", THUD_TIME, "s", NAN), FROM(0), UP_TO(1e5), ANY_USUAL},
@@ -56,6 +59,8 @@ static const struct thud_param record_params[] = {
 static const struct thud_place record_places[] = {
     {.store = THUD_STORE_TEXT, .offset = AT(file), .size = THUD_TEXT_MAX},
     {.store = THUD_STORE_NUMBER, .offset = AT(peak_mps2), .absent = NAN},
+    {.store = THUD_STORE_NUMBER, .offset = AT(sa_mps2), .absent = NAN},
+    {.store = THUD_STORE_NUMBER, .offset = AT(period_s), .absent = NAN},
     {.store = THUD_STORE_SIGN, .offset = AT(sign)},
     {.store = THUD_STORE_NUMBER, .offset = AT(factor)},
     {.store = THUD_STORE_NUMBER, .offset = AT(from_s), .absent = NAN},

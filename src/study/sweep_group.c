@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "study/spacing.h"
+#include "core/spectrum.h"
 #include "study/sweep_private.h"
 
 bool thud_sweep_has_bumper(const struct thud_scene *scene)
@@ -15,8 +15,8 @@ bool thud_sweep_has_bumper(const struct thud_scene *scene)
 }
 
 /* What the varied keys of the record ask for, over what was loaded. */
-static double record_factor(const struct thud_sweep_plan *plan, const struct thud_scene *scene,
-                            const struct thud_record *record)
+static enum thud_status record_factor(const struct thud_sweep_plan *plan, const struct thud_scene *scene,
+                                      const struct thud_record *record, double *out, struct thud_error *err)
 {
     const struct thud_record_choice *now = &scene->record, *loaded = &plan->scene.record;
     double factor = 1;
@@ -24,12 +24,19 @@ static double record_factor(const struct thud_sweep_plan *plan, const struct thu
         const char *key = plan->axis[i].key;
         if (strcmp(key, "record.peak") == 0)
             factor *= now->peak_mps2 / thud_record_peak(record);
-        else if (strcmp(key, "record.factor") == 0)
+        else if (strcmp(key, "record.sa") == 0) {
+            struct thud_record_choice choice = *now;
+            enum thud_status status = thud_record_choice_resolve(scene, &choice, err);
+            if (status != THUD_OK)
+                return status;
+            factor *= choice.sa_mps2 / thud_record_sa(record, choice.period_s);
+        } else if (strcmp(key, "record.factor") == 0)
             factor *= now->factor / loaded->factor;
         else if (strcmp(key, "record.sign") == 0)
             factor *= now->sign * loaded->sign;
     }
-    return factor;
+    *out = factor;
+    return THUD_OK;
 }
 
 /* `scale`: over what the plan asks for. */
@@ -42,10 +49,12 @@ static enum thud_status take_record(const struct thud_sweep_plan *plan, struct t
     const struct thud_record *record = baseline->record = plan->record[which];
     if (!record)
         return THUD_OK;
-    double factor = scale * record_factor(plan, scene, record);
-    if (factor == 1)
-        return THUD_OK;
-    enum thud_status status = thud_record_create(record->a_mps2, record->samples, record->dt_s, &baseline->scaled, err);
+    double factor;
+    enum thud_status status = record_factor(plan, scene, record, &factor, err);
+    factor *= scale;
+    if (status != THUD_OK || factor == 1)
+        return status;
+    status = thud_record_create(record->a_mps2, record->samples, record->dt_s, &baseline->scaled, err);
     if (status == THUD_OK) {
         thud_record_scale(baseline->scaled, factor);
         baseline->record = baseline->scaled;
@@ -117,45 +126,6 @@ enum thud_status thud_sweep_group_create(const struct thud_sweep_plan *plan, lon
     return status;
 }
 
-/* Damping ratio of a structure's first mode. */
-static double first_damping(const struct thud_model *model, int s)
-{
-    const struct thud_model_structure *p = &model->structure[s];
-    if (p->n == 0)
-        return 0;
-    return p->damping ? p->damping[0] / (2 * model->omega[p->first_mode]) : model->zeta[p->first_mode];
-}
-
-static double largest(const struct thud_result *result, int s, int floor)
-{
-    return floor > 0 ? result->structure[s].floor[floor - 1].displacement.value : 0;
-}
-
-static double first_period(const struct thud_result *result, int s)
-{
-    return result->structure[s].floors > 0 ? result->structure[s].period_s[0] : INFINITY;
-}
-
-static void fill_levels(struct thud_sweep_group *group)
-{
-    const struct thud_baseline *baseline = group->baseline[0].baseline;
-    const struct thud_model *model = group->baseline[0].model;
-    const struct thud_result *result = thud_baseline_result(baseline);
-    for (int c = 0; c < model->ncontacts; c++) {
-        const struct thud_model_contact *p = &model->contact[c];
-        int left = p->interface - 1, right = p->interface;
-        group->level[c] = (struct thud_sweep_level){
-            .interface = p->interface,
-            .left_floor = p->left_floor,
-            .right_floor = p->right_floor,
-            .left_m = largest(result, left, p->left_floor),
-            .right_m = largest(result, right, p->right_floor),
-            .closing_m = thud_baseline_relative_displacement(baseline, c),
-            .correlation = thud_spacing_correlation(first_period(result, left), first_damping(model, left),
-                                                    first_period(result, right), first_damping(model, right))};
-    }
-}
-
 enum thud_status thud_sweep_group_advance(struct thud_sweep_group *group, long budget, bool *done,
                                           struct thud_error *err)
 {
@@ -169,7 +139,7 @@ enum thud_status thud_sweep_group_advance(struct thud_sweep_group *group, long b
     }
     *done = group->ndone == group->nbaselines;
     if (*done)
-        fill_levels(group);
+        thud_gap_levels(group->baseline[0].model, group->baseline[0].baseline, group->level);
     return THUD_OK;
 }
 

@@ -262,13 +262,13 @@ static void insert_axis(struct thud_sweep_plan *plan, const struct thud_sweep_ax
 static enum thud_status check_axis(const struct thud_sweep_plan *plan, const struct thud_sweep_axis *axis,
                                    struct thud_error *err)
 {
-    static const char *const scaling[] = {"record.peak", "record.factor", "record.sign"};
+    static const char *const scaling[] = {"record.peak", "record.sa", "record.factor", "record.sign"};
     bool scales = false;
     for (size_t i = 0; i < sizeof scaling / sizeof *scaling; i++)
         scales |= strcmp(axis->key, scaling[i]) == 0;
     if (strncmp(axis->key, "record.", 7) == 0 && !scales)
         return refuse(err, axis->key, "cannot be varied",
-                      "record.peak, record.factor, record.sign; other records by --records");
+                      "record.peak, record.sa, record.factor, record.sign; other records by --records");
     if (strncmp(axis->key, "study.", 6) == 0 || strncmp(axis->key, "analysis.", 9) == 0)
         return refuse(err, axis->key, "cannot be varied", "keys of structures, interfaces and record.peak");
     for (int i = 0; i < plan->naxes; i++)

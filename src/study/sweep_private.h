@@ -22,7 +22,7 @@ struct thud_sweep_group {
     long index;
     int nbaselines, ndone; /* nbaselines: 1, or THUD_SWEEP_BASELINES */
     struct thud_sweep_baseline baseline[THUD_SWEEP_BASELINES];
-    struct thud_sweep_level *level; /* (model->ncontacts); once done */
+    struct thud_gap_level *level; /* (model->ncontacts); once done */
 };
 
 /* What a variant changes and by which factor; false for variant 0, the scene as it is. */

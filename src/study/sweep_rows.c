@@ -2,7 +2,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "study/spacing.h"
 #include "study/sweep_private.h"
 
 static double over(double a, double b)
@@ -153,7 +152,7 @@ int thud_sweep_contact_rows(const struct thud_sweep_plan *plan, const struct thu
         head.which = point->which[k];
         for (int c = 0; c < point->ncontacts; c++, count++) {
             const struct thud_sweep_contact *x = &point->contact[k * point->ncontacts + c];
-            const struct thud_sweep_level *level = &point->level[c];
+            const struct thud_gap_level *level = &point->level[c];
             if (!row)
                 continue;
             row[count] = head;
@@ -179,16 +178,18 @@ int thud_sweep_need_rows(const struct thud_sweep_plan *plan, const struct thud_s
     if (point->index % thud_sweep_points_per_group(plan) != 0)
         return 0;
     for (int c = 0; row && c < point->ncontacts; c++) {
-        const struct thud_sweep_level *x = &point->level[c];
+        const struct thud_gap_level *x = &point->level[c];
         row[c] = (struct thud_sweep_need_row){.interface = x->interface,
                                               .left_floor = x->left_floor,
                                               .right_floor = x->right_floor,
                                               .left_m = x->left_m,
                                               .right_m = x->right_m,
                                               .closing_m = x->closing_m,
-                                              .abs_m = thud_spacing_abs(x->left_m, x->right_m),
-                                              .srss_m = thud_spacing_srss(x->left_m, x->right_m),
-                                              .ddc_m = thud_spacing_ddc(x->left_m, x->right_m, x->correlation),
+                                              .abs_m = thud_gap_value(x, THUD_GAP_ABS),
+                                              .srss_m = thud_gap_value(x, THUD_GAP_SRSS),
+                                              .ddc_m = thud_gap_value(x, THUD_GAP_DDC),
+                                              .en1998_m = thud_gap_value(x, THUD_GAP_EN1998),
+                                              .asce7_m = thud_gap_value(x, THUD_GAP_ASCE7),
                                               .correlation = x->correlation};
         row[c].record = fill_values(plan, point->index, row[c].value);
     }

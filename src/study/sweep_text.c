@@ -1,6 +1,7 @@
 /* A point as a line of numbers, closed by a checksum, and back. */
 #include <limits.h>
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -17,15 +18,24 @@ static unsigned long long hash(unsigned long long h, const void *data, size_t si
 }
 static const unsigned long long hash_start = 0xcbf29ce484222325ULL;
 
+/* A number as its 64 bits in hexadecimal after an `x`: exact, and many times faster to write and read than the shortest
+ * decimal, of which a study of 59,040 runs has some millions. NaN is "-", infinity "inf". */
+enum { NIBBLES = 16 };
+
 static void put(struct thud_text *out, double value)
 {
-    if (isnan(value))
-        thud_text_append(out, "- ");
-    else if (value == INFINITY)
-        thud_text_append(out, "inf ");
-    else {
-        thud_text_number(out, value);
-        thud_text_append(out, " ");
+    char text[NIBBLES + 2] = "x";
+    uint64_t bits;
+    if (isnan(value)) {
+        thud_text_bytes(out, "- ", 2);
+    } else if (value == INFINITY) {
+        thud_text_bytes(out, "inf ", 4);
+    } else {
+        memcpy(&bits, &value, sizeof bits);
+        for (int i = NIBBLES; i > 0; i--, bits >>= 4)
+            text[i] = "0123456789abcdef"[bits & 15];
+        text[NIBBLES + 1] = ' ';
+        thud_text_bytes(out, text, sizeof text);
     }
 }
 
@@ -86,7 +96,7 @@ void thud_sweep_point_write(const struct thud_sweep_point *point, struct thud_te
     put_floors(out, point->floor, (point->ncases + 1) * point->nfloors);
     put_contacts(out, point->contact, point->ncases * point->ncontacts);
     for (int i = 0; i < point->ncontacts; i++) {
-        const struct thud_sweep_level *l = &point->level[i];
+        const struct thud_gap_level *l = &point->level[i];
         const double x[] = {l->left_m, l->right_m, l->closing_m, l->correlation};
         thud_text_append(out, "%d %d %d ", l->interface, l->left_floor, l->right_floor);
         for (size_t j = 0; j < sizeof x / sizeof *x; j++)
@@ -102,28 +112,53 @@ struct reader {
     bool failed;
 };
 
-static double get(struct reader *r)
+/* 16 hexadecimal digits; false where they are not. */
+static bool get_bits(const char *text, double *value)
 {
-    double value = NAN;
-    const char *end = r->at;
-    if (r->failed)
-        return NAN;
-    if (strncmp(r->at, "- ", 2) == 0) {
-        end = r->at + 1;
-    } else if (strncmp(r->at, "inf ", 4) == 0) {
-        value = INFINITY;
-        end = r->at + 3;
-    } else if (thud_number_parse(r->at, &end, &value) != 0) {
-        r->failed = true;
+    uint64_t bits = 0;
+    for (int i = 0; i < NIBBLES; i++) {
+        char c = text[i];
+        int digit = c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : -1;
+        if (digit < 0)
+            return false;
+        bits = bits << 4 | (uint64_t)digit;
     }
+    memcpy(value, &bits, sizeof *value);
+    return isfinite(*value);
+}
+
+/* Takes the blank after a number. */
+static double past(struct reader *r, const char *end, double value)
+{
     r->failed |= *end != ' ';
     r->at = r->failed ? r->at : end + 1;
     return value;
 }
 
+static double get(struct reader *r)
+{
+    double value = NAN;
+    if (r->failed)
+        return NAN;
+    if (strncmp(r->at, "- ", 2) == 0)
+        return past(r, r->at + 1, NAN);
+    if (strncmp(r->at, "inf ", 4) == 0)
+        return past(r, r->at + 3, INFINITY);
+    if (*r->at != 'x' || !get_bits(r->at + 1, &value)) {
+        r->failed = true;
+        return NAN;
+    }
+    return past(r, r->at + 1 + NIBBLES, value);
+}
+
 static long get_whole(struct reader *r, long least, long most)
 {
-    double value = get(r);
+    const char *end = r->at;
+    double value = NAN;
+    if (!r->failed && thud_number_parse(r->at, &end, &value) != 0)
+        r->failed = true;
+    else if (!r->failed)
+        past(r, end, value);
     if (!(value >= (double)least && value <= (double)most && value == floor(value)))
         r->failed = true;
     return r->failed ? least : (long)value;
@@ -194,7 +229,7 @@ static void get_rest(struct reader *r, struct thud_sweep_point *p)
     get_floors(r, p->floor, (p->ncases + 1) * p->nfloors);
     get_contacts(r, p->contact, p->ncases * p->ncontacts);
     for (int i = 0; i < p->ncontacts; i++) {
-        struct thud_sweep_level *l = &p->level[i];
+        struct thud_gap_level *l = &p->level[i];
         double *const x[] = {&l->left_m, &l->right_m, &l->closing_m, &l->correlation};
         l->interface = get_int(r, 1, THUD_STRUCTURES_MAX);
         l->left_floor = get_int(r, 0, THUD_STOREYS_MAX + 1);
@@ -299,6 +334,8 @@ unsigned long long thud_sweep_fingerprint(const struct thud_sweep_plan *plan)
     h = hash(h, &scene->record.factor,
              sizeof scene->record.factor); /* the reference of record.factor and record.sign */
     h = hash(h, &scene->record.sign, sizeof scene->record.sign);
+    if (!isnan(scene->record.period_s)) /* that of record.sa */
+        h = hash(h, &scene->record.period_s, sizeof scene->record.period_s);
     for (int s = 0; s < scene->nstructures; s++)
         h = hash_structure(h, &scene->structure[s]);
     for (int i = 0; i + 1 < scene->nstructures; i++)

@@ -124,6 +124,8 @@ static const struct command table[] = {
     {"case", "", "none|bumper|cavity", run_case, NULL},
     {"record", "", "FILE", NULL, "record.file"},
     {"peak", "", "\"0.821 g\"", NULL, "record.peak"},
+    {"sa", "", "ACCELERATION", NULL, "record.sa"},
+    {"period", "", "TIME", NULL, "record.period"},
     {"factor", "", "NUMBER", NULL, "record.factor"},
     {"sign", "", "+|-", NULL, "record.sign"},
     {"from", "", "TIME", NULL, "record.from"},

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "io/record_file.h"
+#include "study/answer.h"
 #include "tui/doc.h"
 
 static struct thud_stamp stamp_of(const char *path)
@@ -164,7 +165,7 @@ static void read_whole(struct thud_doc *doc, const char *path)
     struct thud_error err; /* what reading the part did not say is no error of the preset's */
     if (!part || (isnan(choice.from_s) && isnan(choice.to_s)))
         return;
-    choice.from_s = choice.to_s = choice.peak_mps2 = NAN;
+    choice.from_s = choice.to_s = choice.peak_mps2 = choice.sa_mps2 = NAN;
     if (thud_record_file_read(path, &choice, &doc->whole, &err) != THUD_OK)
         return;
     double most = 0.0;
@@ -192,9 +193,11 @@ enum thud_status thud_doc_record(struct thud_doc *doc, const struct thud_record 
         doc->record_tried = true;
         doc->record_error = (struct thud_error){0};
         char path[512] = "";
+        struct thud_record_choice resolved = *choice;
         if (*choice->file &&
-            thud_paths_record(doc->paths, doc->path, choice->file, path, sizeof path, &doc->record_error) == THUD_OK)
-            thud_record_file_read(path, choice, &doc->record, &doc->record_error);
+            thud_paths_record(doc->paths, doc->path, choice->file, path, sizeof path, &doc->record_error) == THUD_OK &&
+            thud_record_choice_resolve(&doc->scene, &resolved, &doc->record_error) == THUD_OK)
+            thud_record_file_read(path, &resolved, &doc->record, &doc->record_error);
         read_whole(doc, path);
     }
     if (doc->record_error.status != THUD_OK) {

@@ -4,6 +4,7 @@
 
 #include "io/output.h"
 #include "io/record_file.h"
+#include "study/answer.h"
 #include "tui/sweep_work.h"
 
 enum { SEGMENTS = 400, CHUNK = 1 << 16 };
@@ -51,6 +52,8 @@ static enum thud_status add_record(struct thud_sweep_work *work, const struct th
         choice.sign = scene->record.sign;
     }
     enum thud_status status = thud_paths_record(paths, preset_path, file, path, sizeof path, err);
+    if (status == THUD_OK)
+        status = thud_record_choice_resolve(scene, &choice, err);
     if (status == THUD_OK)
         status = thud_record_file_read(path, &choice, &work->record[work->nrecords], err);
     if (status != THUD_OK)

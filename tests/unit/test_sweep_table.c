@@ -16,7 +16,7 @@ static struct thud_sweep_plan *plan;
 static struct thud_sweep_point point;
 static struct thud_sweep_floor floor_numbers[THUD_SWEEP_VARIANTS * (CASES + 1) * FLOORS];
 static struct thud_sweep_contact contact_numbers[THUD_SWEEP_VARIANTS * CASES * CONTACTS];
-static struct thud_sweep_level levels[CONTACTS];
+static struct thud_gap_level levels[CONTACTS];
 
 /* The same numbers every time, all different. */
 static double number(void)
@@ -43,7 +43,7 @@ static void set_up(void)
     for (size_t i = 0; i < sizeof contact_numbers / sizeof *contact_numbers; i++)
         contact_numbers[i] = (struct thud_sweep_contact){(int)(10 * number()), .force_n = number()};
     for (int c = 0; c < CONTACTS; c++)
-        levels[c] = (struct thud_sweep_level){1, c + 1, c + 1, number(), number(), number(), 0.5};
+        levels[c] = (struct thud_gap_level){1, c + 1, c + 1, number(), number(), number(), 0.5};
     point = (struct thud_sweep_point){.index = 11, /* second record, second damping, third gap */
                                       .gap_m = 0.07,
                                       .nstructures = 3,

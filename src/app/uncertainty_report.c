@@ -1,0 +1,278 @@
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "app/uncertainty_study.h"
+#include "base/version.h"
+#include "io/json.h"
+#include "study/sobol.h"
+#include "study/statistics.h"
+
+/* What is told of a quantity. */
+struct telling {
+    double nominal, low, median, high;
+    double below, share; /* share of the samples below 1 (ratios), and how many there are */
+    double least[THUD_INPUTS], most[THUD_INPUTS], first[THUD_INPUTS], total[THUD_INPUTS];
+};
+
+static int by_value(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    if (isnan(x) || isnan(y))
+        return isnan(x) - isnan(y);
+    return (x > y) - (x < y);
+}
+
+/* `room`: (rows). */
+static struct telling tell(const struct thud_uncertainty_study *study, int q, double *room)
+{
+    struct telling t = {.low = NAN, .median = NAN, .high = NAN, .below = NAN, .share = 0};
+    size_t d = (size_t)study->uncertainty->ninputs, first = thud_uncertainty_first_sample(study);
+    size_t n = thud_uncertainty_samples(study), whole = 0, below = 0;
+    t.nominal = thud_uncertainty_value(study, 0, q);
+    for (size_t i = 0; i < d; i++) {
+        t.least[i] = thud_uncertainty_value(study, 1 + 2 * i, q);
+        t.most[i] = thud_uncertainty_value(study, 2 + 2 * i, q);
+        t.first[i] = t.total[i] = NAN;
+    }
+    for (size_t r = 0; first + r < study->rows; r++)
+        room[r] = thud_uncertainty_value(study, first + r, q);
+    if (study->indices && study->samples > 0)
+        thud_sobol_indices(room, room + study->samples, room + n, study->samples, d, t.first, t.total);
+    for (size_t r = 0; r < n; r++) {
+        whole += isnan(room[r]) ? 0 : 1;
+        below += room[r] < 1;
+    }
+    if (n == 0 || whole == 0)
+        return t;
+    qsort(room, n, sizeof *room, by_value);
+    t.low = thud_quantile(room, whole, 0.05, false);
+    t.median = thud_quantile(room, whole, 0.5, false);
+    t.high = thud_quantile(room, whole, 0.95, false);
+    t.below = (double)below / (double)whole;
+    t.share = (double)whole;
+    return t;
+}
+
+/* Shown units: g, cm, MN, ratios as they are. */
+static double shown(const struct thud_quantity_of_run *q, double value)
+{
+    return q->ratio                            ? value
+           : strstr(q->column, "acceleration") ? value
+           : strstr(q->column, "drift")        ? 100 * value
+                                               : 1e-6 * value;
+}
+
+static const char *unit(const struct thud_quantity_of_run *q)
+{
+    return q->ratio ? "" : strstr(q->column, "acceleration") ? " m/s2" : strstr(q->column, "drift") ? " cm" : " MN";
+}
+
+/* The first line holds three inputs. */
+static const char *separator(int i, int n)
+{
+    return i == 0 || (i == 3 && n > 3) ? "" : ",";
+}
+
+static void put_inputs(const struct thud_uncertainty *u, struct thud_text *out)
+{
+    thud_text_append(out, "uncertain:");
+    for (int i = 0; i < u->ninputs; i++) {
+        const struct thud_input_info *info = thud_input_info(u->input[i]);
+        double size = u->inputs.size[u->input[i]];
+        if (info->way == THUD_INPUT_RELATIVE)
+            thud_text_append(out, "%s %s +-%g %%", separator(i, u->ninputs), info->name, 100 * size);
+        else if (info->way == THUD_INPUT_FACTOR)
+            thud_text_append(out, "%s %s by a factor of %g", separator(i, u->ninputs), info->name, size);
+        else
+            thud_text_append(out, "%s %s +-%g", separator(i, u->ninputs), info->name, size);
+        if (i == 2 && u->ninputs > 3)
+            thud_text_append(out, ",\n         ");
+    }
+    thud_text_append(out, "\n\n");
+}
+
+/* The input that moves a quantity most when changed alone. */
+static int strongest(const struct telling *t, int n)
+{
+    int most = 0;
+    for (int i = 1; i < n; i++)
+        if (fabs(t->most[i] - t->least[i]) > fabs(t->most[most] - t->least[most]))
+            most = i;
+    return most;
+}
+
+static void put_row(const struct thud_uncertainty *u, int q, const struct telling *t, struct thud_text *out)
+{
+    const struct thud_quantity_of_run *quantity = &u->quantity[q];
+    int most = strongest(t, u->ninputs);
+    char name[112], range[48];
+    snprintf(name, sizeof name, "%s%s", quantity->name, unit(quantity));
+    snprintf(range, sizeof range, "%.4g to %.4g", shown(quantity, fmin(t->least[most], t->most[most])),
+             shown(quantity, fmax(t->least[most], t->most[most])));
+    thud_text_append(out, "%-40.40s %8.4g", name, shown(quantity, t->nominal));
+    if (!isnan(t->median))
+        thud_text_append(out, " %8.4g %8.4g %8.4g", shown(quantity, t->low), shown(quantity, t->median),
+                         shown(quantity, t->high));
+    thud_text_append(out, "  %s: %s\n", thud_input_info(u->input[most])->name, range);
+}
+
+static void put_sentence(const struct thud_uncertainty *u, int q, const struct telling *t, struct thud_text *out)
+{
+    const struct thud_quantity_of_run *quantity = &u->quantity[q];
+    const char *what = strstr(quantity->column, "acceleration") ? "acceleration" : "drift";
+    thud_text_append(
+        out, "The %s lowers the mean %s of %s in %.0f %% of %.0f samples (ratio %.3f, 90 %% of them %.3f to %.3f).\n",
+        quantity->which == THUD_CASE_CAVITY ? "bumper in its cavity" : "bumper", what,
+        u->scene.structure[quantity->structure].name, 100 * t->below, t->share, t->median, t->low, t->high);
+}
+
+static void put_indices(const struct thud_uncertainty *u, int q, const struct telling *t, struct thud_text *out)
+{
+    thud_text_append(out, "%-40.40s", u->quantity[q].name);
+    for (int i = 0; i < u->ninputs; i++)
+        thud_text_append(out, " %s %.2f/%.2f", thud_input_info(u->input[i])->name, t->first[i], t->total[i]);
+    thud_text_append(out, "\n");
+}
+
+enum thud_status thud_uncertainty_table(const struct thud_uncertainty_study *study, struct thud_text *out,
+                                        struct thud_error *err)
+{
+    const struct thud_uncertainty *u = study->uncertainty;
+    double *room = malloc((study->rows + 1) * sizeof *room);
+    bool any = false;
+    if (!room)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    put_inputs(u, out);
+    thud_text_append(out, "%-40s %8s%s  %s\n", "", "as it is", study->samples > 0 ? "      5 %   median     95 %" : "",
+                     "moved most by");
+    for (int q = 0; q < u->nquantities; q++) {
+        struct telling t = tell(study, q, room);
+        put_row(u, q, &t, out);
+    }
+    for (int q = 0; q < u->nquantities; q++) {
+        struct telling t = tell(study, q, room);
+        if (!u->quantity[q].ratio || isnan(t.median))
+            continue;
+        thud_text_append(out, any ? "" : "\n");
+        any = true;
+        put_sentence(u, q, &t, out);
+    }
+    if (study->indices && study->samples > 0)
+        thud_text_append(out, "\nSobol indices, first/total\n");
+    for (int q = 0; q < u->nquantities && study->indices && study->samples > 0; q++) {
+        struct telling t = tell(study, q, room);
+        if (u->quantity[q].ratio)
+            put_indices(u, q, &t, out);
+    }
+    free(room);
+    return THUD_OK;
+}
+
+static void put_number(double value, struct thud_text *out)
+{
+    thud_text_append(out, ",");
+    if (!isnan(value))
+        thud_text_number(out, value);
+}
+
+enum thud_status thud_uncertainty_csv(const struct thud_uncertainty_study *study, struct thud_text *out,
+                                      struct thud_error *err)
+{
+    static const char *const each[] = {"least", "most", "first", "total"};
+    const struct thud_uncertainty *u = study->uncertainty;
+    double *room = malloc((study->rows + 1) * sizeof *room);
+    if (!room)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    thud_text_append(out, "quantity,nominal,p5,median,p95,below_1_share");
+    for (int e = 0; e < 4; e++)
+        for (int i = 0; i < u->ninputs; i++)
+            thud_text_append(out, ",%s_%s", thud_input_info(u->input[i])->name, each[e]);
+    thud_text_append(out, "\n");
+    for (int q = 0; q < u->nquantities; q++) {
+        struct telling t = tell(study, q, room);
+        const double *of[] = {t.least, t.most, t.first, t.total};
+        const double head[] = {t.nominal, t.low, t.median, t.high, u->quantity[q].ratio ? t.below : NAN};
+        thud_text_csv(out, u->quantity[q].column);
+        for (size_t i = 0; i < sizeof head / sizeof *head; i++)
+            put_number(head[i], out);
+        for (int e = 0; e < 4; e++)
+            for (int i = 0; i < u->ninputs; i++)
+                put_number(of[e][i], out);
+        thud_text_append(out, "\n");
+    }
+    free(room);
+    return THUD_OK;
+}
+
+static void put_json_inputs(const char *key, const struct thud_uncertainty *u, const double *value,
+                            struct thud_text *out)
+{
+    thud_text_append(out, ", \"%s\": {", key);
+    for (int i = 0; i < u->ninputs; i++) {
+        thud_text_append(out, i ? ", " : "");
+        thud_json_field(out, thud_input_info(u->input[i])->name, value[i]);
+    }
+    thud_text_append(out, "}");
+}
+
+enum thud_status thud_uncertainty_json(const struct thud_uncertainty_study *study, struct thud_text *out,
+                                       struct thud_error *err)
+{
+    const struct thud_uncertainty *u = study->uncertainty;
+    double *room = malloc((study->rows + 1) * sizeof *room), size[THUD_INPUTS];
+    if (!room)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    thud_text_append(out, "{\"preset\": ");
+    thud_json_string(out, u->scene.name);
+    thud_text_append(out, ", \"version\": \"%s\", \"samples\": %zu, \"seed\": %llu", THUD_VERSION,
+                     thud_uncertainty_samples(study), study->seed);
+    for (int i = 0; i < u->ninputs; i++)
+        size[i] = u->inputs.size[u->input[i]];
+    put_json_inputs("sizes", u, size, out);
+    thud_text_append(out, ", \"quantities\": [");
+    for (int q = 0; q < u->nquantities; q++) {
+        struct telling t = tell(study, q, room);
+        const double value[] = {t.nominal, t.low, t.median, t.high, u->quantity[q].ratio ? t.below : NAN};
+        static const char *const key[] = {"nominal", "p5", "median", "p95", "below_1_share"};
+        thud_text_append(out, "%s\n  {\"name\": ", q ? "," : "");
+        thud_json_string(out, u->quantity[q].column);
+        for (size_t i = 0; i < sizeof value / sizeof *value; i++) {
+            thud_text_append(out, ", ");
+            thud_json_field(out, key[i], value[i]);
+        }
+        put_json_inputs("least", u, t.least, out);
+        put_json_inputs("most", u, t.most, out);
+        if (study->indices) {
+            put_json_inputs("first", u, t.first, out);
+            put_json_inputs("total", u, t.total, out);
+        }
+        thud_text_append(out, "}");
+    }
+    thud_text_append(out, "\n]}\n");
+    free(room);
+    return THUD_OK;
+}
+
+void thud_uncertainty_samples_csv(const struct thud_uncertainty_study *study, struct thud_text *out)
+{
+    const struct thud_uncertainty *u = study->uncertainty;
+    size_t first = thud_uncertainty_first_sample(study), n = thud_uncertainty_samples(study);
+    for (int i = 0; i < u->ninputs; i++)
+        thud_text_append(out, "%s%s", i ? "," : "", thud_input_info(u->input[i])->name);
+    for (int q = 0; q < u->nquantities; q++) {
+        thud_text_append(out, ",");
+        thud_text_csv(out, u->quantity[q].column);
+    }
+    thud_text_append(out, "\n");
+    for (size_t r = first; r < first + n; r++) {
+        for (int i = 0; i < u->ninputs; i++) {
+            thud_text_append(out, i ? "," : "");
+            thud_text_number(out, study->place[r * (size_t)u->ninputs + (size_t)i]);
+        }
+        for (int q = 0; q < u->nquantities; q++)
+            put_number(thud_uncertainty_value(study, r, q), out);
+        thud_text_append(out, "\n");
+    }
+}

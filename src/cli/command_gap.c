@@ -1,0 +1,69 @@
+/* thud gap: the gap that is enough. */
+#include "app/figure_files.h"
+#include "app/gap_report.h"
+#include "cli/commands.h"
+#include "cli/interrupt.h"
+#include "cli/picture_options.h"
+#include "cli/records_option.h"
+#include "cli/scene_options.h"
+#include "io/file.h"
+#include "plot/figures_gap.h"
+
+static enum thud_status save(const struct thud_args *args, const struct thud_gap_study *study,
+                             const struct thud_scene *scene, const struct thud_record_list *records,
+                             struct thud_picture_choice *picture, struct thud_error *err)
+{
+    const char *folder = thud_args_value(args, "o");
+    struct thud_text text = {0};
+    enum thud_status status = thud_folder_make(folder, err);
+    if (status == THUD_OK) {
+        thud_gap_csv(study, records, &text);
+        status = thud_text_write_in(&text, folder, "needed-gaps.csv", err);
+    }
+    if (status == THUD_OK)
+        status = thud_gap_json(study, scene, records, &text, err);
+    if (status == THUD_OK)
+        status = thud_text_write_in(&text, folder, "needed-gaps.json", err);
+    thud_text_clear(&text);
+    picture->options.cancel = thud_interrupt_watch();
+    if (status != THUD_OK)
+        return status;
+    const char *title = scene->title[0] ? scene->title : scene->name;
+    return thud_figure_deliver(thud_figure_of_gaps(&study->suite, title), folder, &picture->options, status, err);
+}
+
+static enum thud_status gap(const struct thud_args *args, struct thud_session *session, struct thud_scene *scene,
+                            struct thud_error *err)
+{
+    struct thud_record_list records = {0};
+    struct thud_gap_study study = {0};
+    struct thud_picture_choice picture;
+    struct thud_text text = {0};
+    *scene = session->scene;
+    enum thud_status status = thud_picture_options_read(args, &picture, err);
+    if (status == THUD_OK)
+        status = thud_records_option_read(args, session, &records, err);
+    if (status == THUD_OK)
+        status = thud_gap_study_run(scene, &records, thud_interrupt_watch(), &study, err);
+    if (status == THUD_OK && thud_args_has(args, "json"))
+        status = thud_gap_json(&study, scene, &records, &text, err);
+    else if (status == THUD_OK && thud_args_has(args, "csv"))
+        thud_gap_csv(&study, &records, &text);
+    else if (status == THUD_OK)
+        status = thud_gap_report(&study, scene, &text, err);
+    if (status == THUD_OK && thud_args_has(args, "o"))
+        status = save(args, &study, scene, &records, &picture, err);
+    if (status == THUD_OK || status == THUD_GNUPLOT) {
+        enum thud_status printed = thud_cli_print(&text, status == THUD_OK ? err : NULL);
+        status = status == THUD_OK ? printed : status;
+    }
+    thud_text_clear(&text);
+    thud_gap_study_clear(&study);
+    thud_record_list_clear(&records);
+    return status;
+}
+
+enum thud_status thud_command_gap(const struct thud_args *args, struct thud_error *err)
+{
+    return thud_scene_options_with(args, gap, err);
+}

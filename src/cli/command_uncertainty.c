@@ -1,0 +1,226 @@
+/* thud uncertainty: how sure an answer is. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "app/figure_files.h"
+#include "app/uncertainty_study.h"
+#include "cli/commands.h"
+#include "cli/interrupt.h"
+#include "cli/picture_options.h"
+#include "cli/scene_options.h"
+#include "io/file.h"
+
+enum { SAMPLES = 200, SAMPLES_MAX = 1000000, SEED_MAX = 2147483647 };
+
+static void show_progress(void *context, long done, long count, double elapsed_s)
+{
+    (void)context;
+    fprintf(stderr, "\r\033[K%ld of %ld samples", done, count);
+    if (done > 0 && done < count)
+        fprintf(stderr, ", %.0f s left", elapsed_s / (double)done * (double)(count - done));
+    fflush(stderr);
+}
+
+/* The ratio, or where there is none the largest acceleration, of each structure. */
+static bool is_drawn(const struct thud_uncertainty *u, int q)
+{
+    const struct thud_quantity_of_run *x = &u->quantity[q];
+    for (int i = 0; i < u->nquantities; i++)
+        if (u->quantity[i].ratio)
+            return x->ratio;
+    return x->structure >= 0 && q % 2 == 0;
+}
+
+static void add_tornado(struct thud_panel *panel, const struct thud_uncertainty_study *study, int q)
+{
+    const struct thud_uncertainty *u = study->uncertainty;
+    double nominal = thud_uncertainty_value(study, 0, q), x[2][3 * THUD_INPUTS], y[3 * THUD_INPUTS];
+    for (int i = 0; i < u->ninputs; i++) {
+        thud_panel_tick(panel, THUD_Y, i + 1, thud_input_info(u->input[i])->name);
+        for (int end = 0; end < 2; end++) {
+            x[end][3 * i] = nominal;
+            x[end][3 * i + 1] = thud_uncertainty_value(study, (size_t)(1 + 2 * i + end), q);
+            x[end][3 * i + 2] = NAN;
+        }
+        y[3 * i] = y[3 * i + 1] = y[3 * i + 2] = i + 1;
+    }
+    thud_panel_limits(panel, THUD_Y, 0.5, u->ninputs + 0.5);
+    thud_panel_mark(panel, THUD_X, nominal, nominal, "");
+    for (int end = 0; end < 2; end++)
+        thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES_POINTS, .color = end, .wide = true},
+                       end ? "input at its most" : "input at its least", 3 * (size_t)u->ninputs, x[end], y);
+}
+
+static struct thud_figure *tornado(const struct thud_uncertainty_study *study)
+{
+    enum { COLUMNS_MAX = 4 };
+    const struct thud_uncertainty *u = study->uncertainty;
+    int drawn[COLUMNS_MAX], n = 0;
+    for (int q = 0; q < u->nquantities && n < COLUMNS_MAX; q++)
+        if (is_drawn(u, q))
+            drawn[n++] = q;
+    int columns = n > 1 ? 2 : 1;
+    struct thud_figure *figure =
+        thud_figure_create("tornado", "One input at a time", (n + columns - 1) / columns, columns);
+    for (int i = 0; i < n; i++) {
+        const struct thud_quantity_of_run *quantity = &u->quantity[drawn[i]];
+        char title[128];
+        snprintf(title, sizeof title, "%s: %s", u->scene.structure[quantity->structure].name,
+                 strstr(quantity->column, "acceleration") ? "acceleration" : "drift");
+        struct thud_panel *panel = thud_figure_panel(figure, i / columns, i % columns, title);
+        thud_panel_axis(panel, THUD_X, quantity->ratio ? "Ratio to no bumper" : "SI", "");
+        thud_panel_axis(panel, THUD_Y, "", "");
+        add_tornado(panel, study, drawn[i]);
+    }
+    return figure;
+}
+
+static int by_value(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    if (isnan(x) || isnan(y))
+        return isnan(x) - isnan(y);
+    return (x > y) - (x < y);
+}
+
+static struct thud_figure *distribution(const struct thud_uncertainty_study *study)
+{
+    const struct thud_uncertainty *u = study->uncertainty;
+    size_t n = thud_uncertainty_samples(study), first = thud_uncertainty_first_sample(study);
+    double *x = malloc(2 * (n + 1) * sizeof *x), *y = x + n;
+    struct thud_figure *figure = thud_figure_create("sampled-ratios", "All inputs at once", 1, 1);
+    struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "Share of the samples below");
+    thud_panel_axis(panel, THUD_X, "Ratio to no bumper", "");
+    thud_panel_axis(panel, THUD_Y, "Share of samples", "%");
+    thud_panel_limits(panel, THUD_Y, 0, 100);
+    thud_panel_mark(panel, THUD_X, 1, 1, "");
+    if (!x) {
+        thud_figure_free(figure);
+        return NULL;
+    }
+    for (int q = 0, color = 0; q < u->nquantities; q++) {
+        if (!u->quantity[q].ratio)
+            continue;
+        for (size_t r = 0; r < n; r++) {
+            x[r] = thud_uncertainty_value(study, first + r, q);
+            y[r] = 100.0 * (double)(r + 1) / (double)n;
+        }
+        qsort(x, n, sizeof *x, by_value);
+        thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = color++, .wide = true},
+                       u->quantity[q].name, n, x, y);
+    }
+    free(x);
+    return figure;
+}
+
+static bool has_ratios(const struct thud_uncertainty *u)
+{
+    for (int q = 0; q < u->nquantities; q++)
+        if (u->quantity[q].ratio)
+            return true;
+    return false;
+}
+
+static enum thud_status save(const struct thud_args *args, const struct thud_uncertainty_study *study,
+                             struct thud_picture_choice *picture, struct thud_error *err)
+{
+    const char *folder = thud_args_value(args, "o");
+    struct thud_text text = {0};
+    enum thud_status status = thud_folder_make(folder, err);
+    if (status == THUD_OK)
+        status = thud_uncertainty_csv(study, &text, err);
+    if (status == THUD_OK)
+        status = thud_text_write_in(&text, folder, "uncertainty.csv", err);
+    if (status == THUD_OK)
+        status = thud_uncertainty_json(study, &text, err);
+    if (status == THUD_OK)
+        status = thud_text_write_in(&text, folder, "uncertainty.json", err);
+    if (status == THUD_OK) {
+        thud_uncertainty_samples_csv(study, &text);
+        status = thud_text_write_in(&text, folder, "samples.csv", err);
+    }
+    thud_text_clear(&text);
+    picture->options.cancel = study->cancel;
+    if (status != THUD_OK)
+        return status;
+    status = thud_figure_deliver(tornado(study), folder, &picture->options, status, err);
+    return study->samples > 0 && has_ratios(study->uncertainty)
+               ? thud_figure_deliver(distribution(study), folder, &picture->options, status, err)
+               : status;
+}
+
+static enum thud_status read_options(const struct thud_args *args, struct thud_uncertainty_study *study,
+                                     struct thud_inputs *inputs, struct thud_error *err)
+{
+    int samples = SAMPLES, seed = 1;
+    const char *text;
+    enum thud_status status = thud_args_integer(args, "samples", 0, SAMPLES_MAX, SAMPLES, &samples, err);
+    if (status == THUD_OK)
+        status = thud_args_integer(args, "seed", 0, SEED_MAX, 1, &seed, err);
+    if (status == THUD_OK)
+        status = thud_args_integer(args, "j", 1, THUD_JOBS_MAX, 0, &study->threads, err);
+    thud_inputs_init(inputs);
+    for (int i = 0; status == THUD_OK && (text = thud_args_repeated(args, "uncertain", i)) != NULL; i++)
+        status = thud_inputs_set(inputs, text, err);
+    study->samples = (size_t)samples;
+    study->seed = (unsigned long long)seed;
+    study->indices = thud_args_has(args, "indices");
+    study->cancel = thud_interrupt_watch();
+    if (isatty(STDERR_FILENO) && !thud_args_has(args, "quiet"))
+        study->progress = show_progress;
+    return status;
+}
+
+static enum thud_status print(const struct thud_args *args, const struct thud_uncertainty_study *study,
+                              struct thud_error *err)
+{
+    struct thud_text text = {0};
+    enum thud_status status = thud_args_has(args, "json")  ? thud_uncertainty_json(study, &text, err)
+                              : thud_args_has(args, "csv") ? thud_uncertainty_csv(study, &text, err)
+                                                           : thud_uncertainty_table(study, &text, err);
+    if (status == THUD_OK)
+        status = thud_cli_print(&text, err);
+    thud_text_clear(&text);
+    return status;
+}
+
+static enum thud_status uncertainty(const struct thud_args *args, struct thud_session *session,
+                                    struct thud_scene *scene, struct thud_error *err)
+{
+    struct thud_uncertainty_study study = {0};
+    struct thud_uncertainty *u = NULL;
+    struct thud_picture_choice picture;
+    struct thud_inputs inputs;
+    enum thud_case which;
+    *scene = session->scene;
+    enum thud_status status = thud_picture_options_read(args, &picture, err);
+    if (status == THUD_OK)
+        status = thud_scene_options_case(args, &which, err);
+    if (status == THUD_OK)
+        status = read_options(args, &study, &inputs, err);
+    if (status == THUD_OK)
+        status = thud_session_read_record(session, err);
+    if (status == THUD_OK)
+        status = thud_uncertainty_create(scene, session->record, which, &inputs, &u, err);
+    study.uncertainty = u;
+    if (status == THUD_OK)
+        status = thud_uncertainty_study_run(&study, err);
+    if (study.progress)
+        fputs("\r\033[K", stderr);
+    enum thud_status drawn = THUD_OK;
+    if (status == THUD_OK && thud_args_has(args, "o"))
+        drawn = save(args, &study, &picture, err);
+    if (status == THUD_OK && (drawn == THUD_OK || drawn == THUD_GNUPLOT))
+        status = print(args, &study, drawn == THUD_OK ? err : NULL);
+    thud_uncertainty_study_clear(&study);
+    thud_uncertainty_free(u);
+    return status == THUD_OK ? drawn : status;
+}
+
+enum thud_status thud_command_uncertainty(const struct thud_args *args, struct thud_error *err)
+{
+    return thud_scene_options_with(args, uncertainty, err);
+}

@@ -1,0 +1,151 @@
+#include "cli/fragility_output.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "app/figure_files.h"
+#include "io/file.h"
+#include "plot/figures_fragility.h"
+
+enum { SAMPLES = 200, SAMPLES_MAX = 100000, SEED_MAX = 2147483647 };
+
+enum thud_status thud_fragility_options_read(const struct thud_args *args, const struct thud_sweep_plan *plan,
+                                             struct thud_fragility_study *out, struct thud_error *err)
+{
+    static const char *const usual[] = {"pounding", "worse"};
+    const char *event, *hazard = thud_args_value(args, "hazard");
+    int seed = 1;
+    enum thud_status status = THUD_OK;
+    *out = (struct thud_fragility_study){0};
+    for (int i = 0; status == THUD_OK && (event = thud_args_repeated(args, "event", i)) != NULL; i++) {
+        if (out->nevents == THUD_EVENTS_MAX)
+            return thud_error_set(err, THUD_USAGE, "more than %d events", THUD_EVENTS_MAX);
+        status = thud_event_parse(event, &out->event[out->nevents++], err);
+    }
+    for (size_t i = 0; status == THUD_OK && !thud_args_has(args, "event") && i < sizeof usual / sizeof *usual; i++)
+        status = thud_event_parse(usual[i], &out->event[out->nevents++], err);
+    if (status == THUD_OK)
+        status = thud_args_integer(args, "samples", 0, SAMPLES_MAX, SAMPLES, &out->samples, err);
+    if (status == THUD_OK)
+        status = thud_args_integer(args, "seed", 0, SEED_MAX, 1, &seed, err);
+    out->seed = (unsigned long long)seed;
+    int axis = -1;
+    for (int a = 0; hazard && a < plan->naxes; a++)
+        if (thud_axis_is_intensity(&plan->axis[a]))
+            axis = a;
+    if (status == THUD_OK && hazard && axis < 0) {
+        thud_error_set(err, THUD_USAGE, "a hazard curve needs a varied intensity");
+        thud_args_key("hazard", err);
+        thud_error_allow(err, "--vary record.sa=0.1g:2g:0.1g, or record.peak, record.factor");
+        return THUD_USAGE;
+    }
+    return status == THUD_OK && hazard ? thud_hazard_read(hazard, &plan->axis[axis], &out->hazard, err) : status;
+}
+
+/* The middle of every axis: where the figures are. */
+static void middle(const struct thud_sweep_plan *plan, int *at)
+{
+    memset(at, 0, THUD_VARY_MAX * sizeof *at);
+    for (int a = 0; a < plan->naxes; a++)
+        at[a] = plan->axis[a].n / 2;
+}
+
+static bool is_middle(const struct thud_sweep_plan *plan, const struct thud_fragility_line *line)
+{
+    int at[THUD_VARY_MAX];
+    middle(plan, at);
+    for (int a = 0; a < plan->naxes; a++)
+        if (a != line->axis && line->at[a] != at[a])
+            return false;
+    return true;
+}
+
+/* "Points: counts over 24 motions; shaded: 90 %. gap = 15 cm ..." */
+static void note(const struct thud_fragility_study *study, const char *what, char *text, size_t size)
+{
+    const struct thud_sweep_plan *plan = study->suite->plan;
+    int at[THUD_VARY_MAX];
+    middle(plan, at);
+    int n = snprintf(text, size, "%d ground motions.%s", study->suite->nrecords, what);
+    for (int a = 0; a < plan->naxes && plan->naxes > 1 && n > 0 && (size_t)n < size; a++)
+        n += snprintf(text + n, size - (size_t)n, "%s%s = %s", a ? ", " : " Where not varied: ", plan->axis[a].key,
+                      plan->axis[a].text[at[a]]);
+}
+
+static enum thud_status draw_event(const struct thud_fragility_study *study, int event, const char *folder,
+                                   const struct thud_picture_options *pictures, enum thud_status before,
+                                   struct thud_error *err)
+{
+    struct thud_fragility_curve curve[THUD_VARY_MAX * (THUD_SWEEP_CASES_MAX + 1)];
+    int n = 0;
+    char text[384];
+    for (size_t i = 0; i < study->n; i++) {
+        const struct thud_fragility_line *line = &study->line[i];
+        if (line->event == event && is_middle(study->suite->plan, line))
+            curve[n++] = (struct thud_fragility_curve){line->axis, line->k, &line->fragility};
+    }
+    note(study, " Points: counts; shaded: 90 % by bootstrap.", text, sizeof text);
+    return n == 0 ? before
+                  : thud_figure_deliver(
+                        thud_figure_of_fragility(study->suite->plan, study->event[event].text, curve, n, text), folder,
+                        pictures, before, err);
+}
+
+static enum thud_status draw(const struct thud_fragility_study *study, const char *folder,
+                             const struct thud_picture_options *pictures, struct thud_error *err)
+{
+    const struct thud_sweep_plan *plan = study->suite->plan;
+    enum thud_status status = THUD_OK;
+    int at[THUD_VARY_MAX];
+    char text[384];
+    middle(plan, at);
+    for (int e = 0; e < study->nevents; e++)
+        status = draw_event(study, e, folder, pictures, status, err);
+    note(study, "", text, sizeof text);
+    for (int a = 0; a < plan->naxes; a++)
+        for (int k = 0; k < plan->ncases && thud_axis_is_intensity(&plan->axis[a]); k++)
+            status =
+                thud_figure_deliver(thud_figure_of_ida(study->suite, a, k, at, text), folder, pictures, status, err);
+    return status;
+}
+
+static enum thud_status write_files(const struct thud_fragility_study *study, const char *folder,
+                                    struct thud_error *err)
+{
+    struct thud_text text = {0};
+    thud_fragility_csv(study, &text);
+    enum thud_status status = thud_text_write_in(&text, folder, "fragility.csv", err);
+    if (status == THUD_OK) {
+        thud_fragility_curves_csv(study, &text);
+        status = thud_text_write_in(&text, folder, "fragility-curves.csv", err);
+    }
+    if (status == THUD_OK) {
+        thud_fragility_json(study, &text);
+        status = thud_text_write_in(&text, folder, "fragility.json", err);
+    }
+    if (status == THUD_OK)
+        status = thud_suite_csv(study->suite, &text, err);
+    if (status == THUD_OK)
+        status = thud_text_write_in(&text, folder, "suite.csv", err);
+    thud_text_clear(&text);
+    return status;
+}
+
+enum thud_status thud_fragility_deliver(const struct thud_args *args, struct thud_fragility_study *study,
+                                        const char *folder, const struct thud_picture_options *pictures,
+                                        struct thud_text *out, struct thud_error *err)
+{
+    enum thud_status status = thud_fragility_study_make(study, err);
+    if (status == THUD_OK && folder)
+        status = write_files(study, folder, err);
+    if (status != THUD_OK)
+        return status;
+    if (thud_args_has(args, "json"))
+        thud_fragility_json(study, out);
+    else if (thud_args_has(args, "csv"))
+        thud_fragility_csv(study, out);
+    else
+        thud_fragility_table(study, out);
+    return folder ? draw(study, folder, pictures, err) : THUD_OK;
+}

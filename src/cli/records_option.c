@@ -1,0 +1,27 @@
+#include "cli/records_option.h"
+
+#include <string.h>
+
+enum thud_status thud_records_option_read(const struct thud_args *args, struct thud_session *session,
+                                          struct thud_record_list *out, struct thud_error *err)
+{
+    const char *common[THUD_RECORD_SETTINGS_MAX][2], *text = thud_args_value(args, "records"), *setting;
+    bool both = thud_args_has(args, "signs");
+    int n = 0;
+    if (both && strcmp(thud_args_value(args, "signs"), "both") != 0) {
+        thud_error_set(err, THUD_USAGE, "\"%.40s\" is not understood", thud_args_value(args, "signs"));
+        thud_error_key(err, "--signs");
+        thud_error_allow(err, "both; --sign - turns the ground motion round");
+        return THUD_USAGE;
+    }
+    if (!text)
+        return thud_record_list_own(session, both, out, err);
+    if (thud_args_value(args, "record"))
+        return thud_error_set(err, THUD_USAGE, "--record and --records together");
+    for (int i = 0; (setting = thud_record_setting(i)) != NULL; i++) {
+        common[n][0] = setting;
+        common[n][1] = thud_args_value(args, setting);
+        n += common[n][1] != NULL;
+    }
+    return thud_record_list_read(session, text, common, n, both, out, err);
+}

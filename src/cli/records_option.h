@@ -1,0 +1,13 @@
+/* --records: the ground motions of a study. */
+#ifndef THUD_CLI_RECORDS_OPTION_H
+#define THUD_CLI_RECORDS_OPTION_H
+
+#include "app/record_list.h"
+#include "cli/args.h"
+
+/* Those of --records, with what --peak, --dt, ... say of all of them; else the session's own one, or none. Errors:
+ * THUD_USAGE, THUD_INPUT, THUD_MEMORY. */
+enum thud_status thud_records_option_read(const struct thud_args *args, struct thud_session *session,
+                                          struct thud_record_list *out, struct thud_error *err);
+
+#endif

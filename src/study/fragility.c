@@ -1,0 +1,355 @@
+#include "study/fragility.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/quantity.h"
+#include "study/random.h"
+
+/* ---- the lognormal curve ---- */
+
+/* Below this the distribution function is taken by its asymptote; erfc underflows at -38. */
+static const double far_tail = -30;
+
+static double log_cdf(double eta)
+{
+    static const double half_log_2_pi = 0.91893853320467274178;
+    return eta < far_tail ? -0.5 * eta * eta - log(-eta) - half_log_2_pi : log(thud_normal_cdf(eta));
+}
+
+/* Density over distribution function. */
+static double hazard_of(double eta)
+{
+    static const double inverse_root_2_pi = 0.39894228040143267794;
+    return eta < far_tail ? -eta - 1 / eta : inverse_root_2_pi * exp(-0.5 * eta * eta) / thud_normal_cdf(eta);
+}
+
+/* eta = a + b t, t = ln x - centre. */
+struct probit {
+    double a, b, centre;
+};
+
+static bool counts(const struct thud_stripe *s)
+{
+    return s->n > 0 && s->x > 0 && isfinite(s->x);
+}
+
+static double likelihood(const struct probit *p, const struct thud_stripe *stripe, size_t n)
+{
+    double sum = 0;
+    for (size_t i = 0; i < n; i++) {
+        if (!counts(&stripe[i]))
+            continue;
+        double eta = p->a + p->b * (log(stripe[i].x) - p->centre);
+        int none = stripe[i].n - stripe[i].count;
+        sum += (stripe[i].count > 0 ? stripe[i].count * log_cdf(eta) : 0) + (none > 0 ? none * log_cdf(-eta) : 0);
+    }
+    return sum;
+}
+
+/* Newton's step; false where the curvature is singular. */
+static bool newton(const struct probit *p, const struct thud_stripe *stripe, size_t n, double step[2])
+{
+    double g[2] = {0}, h[3] = {0}; /* gradient; negative Hessian: aa, ab, bb */
+    for (size_t i = 0; i < n; i++) {
+        if (!counts(&stripe[i]))
+            continue;
+        double t = log(stripe[i].x) - p->centre, eta = p->a + p->b * t;
+        double up = hazard_of(eta), down = hazard_of(-eta), z = stripe[i].count, rest = stripe[i].n - z;
+        double slope = z * up - rest * down, curve = z * up * (up + eta) + rest * down * (down - eta);
+        g[0] += slope;
+        g[1] += slope * t;
+        h[0] += curve;
+        h[1] += curve * t;
+        h[2] += curve * t * t;
+    }
+    double det = h[0] * h[2] - h[1] * h[1];
+    if (!(det > 1e-14 * h[0] * h[2]))
+        return false;
+    step[0] = (h[2] * g[0] - h[1] * g[1]) / det;
+    step[1] = (h[0] * g[1] - h[1] * g[0]) / det;
+    return true;
+}
+
+/* The counts go from none to all (or back) at one place or over one stripe: the likelihood grows without end as beta
+ * goes to 0, so the curve is a step. */
+static bool is_step(const struct thud_stripe *stripe, size_t n, struct thud_lognormal *out)
+{
+    double none_least = INFINITY, none_most = 0, all_least = INFINITY, all_most = 0, part = NAN;
+    int parts = 0;
+    for (size_t i = 0; i < n; i++) {
+        const struct thud_stripe *s = &stripe[i];
+        if (!counts(s))
+            continue;
+        if (s->count == 0) {
+            none_least = fmin(none_least, s->x);
+            none_most = fmax(none_most, s->x);
+        } else if (s->count == s->n) {
+            all_least = fmin(all_least, s->x);
+            all_most = fmax(all_most, s->x);
+        } else if (!(s->x == part)) {
+            part = s->x;
+            parts++;
+        }
+    }
+    bool rising = none_most < all_least, falling = all_most < none_least;
+    if (parts > 1 || all_most == 0 || none_most == 0 || !(rising || falling))
+        return false;
+    double low = rising ? none_most : all_most, high = rising ? all_least : none_least;
+    if (parts == 1 && !(part > low && part < high))
+        return false;
+    *out = (struct thud_lognormal){true, falling, parts ? part : sqrt(low * high), 0};
+    return true;
+}
+
+static struct thud_lognormal fit_from(const struct thud_stripe *stripe, size_t n, struct probit *p)
+{
+    enum { STEPS = 100 };
+    struct thud_lognormal curve = {0};
+    double sum = 0, asked = 0, happened = 0, square = 0;
+    int used = 0;
+    for (size_t i = 0; i < n; i++)
+        if (counts(&stripe[i])) {
+            used++;
+            asked += stripe[i].n;
+            happened += stripe[i].count;
+            sum += log(stripe[i].x);
+        }
+    if (used < 2 || happened <= 0 || happened >= asked)
+        return curve;
+    double centre = sum / used;
+    for (size_t i = 0; i < n; i++)
+        if (counts(&stripe[i]))
+            square += pow(log(stripe[i].x) - centre, 2);
+    if (!(square > 0))
+        return curve;
+    if (is_step(stripe, n, &curve))
+        return curve;
+    if (isnan(p->b) || p->centre != centre)
+        *p = (struct probit){thud_normal_quantile(happened / asked), 0, centre};
+    double best = likelihood(p, stripe, n), step[2];
+    for (int i = 0; i < STEPS && newton(p, stripe, n, step); i++) {
+        struct probit next = *p;
+        double gain = -1, part = 1;
+        for (; part > 1e-12 && !(gain >= 0); part /= 2) {
+            next.a = p->a + part * step[0];
+            next.b = p->b + part * step[1];
+            gain = likelihood(&next, stripe, n) - best;
+        }
+        if (!(gain >= 0))
+            break;
+        *p = next;
+        best += gain;
+        if (fabs(step[0]) + fabs(step[1]) < 1e-10 * (1 + fabs(p->a) + fabs(p->b)))
+            break;
+    }
+    if (p->b == 0 || !isfinite(p->b))
+        return curve;
+    return (struct thud_lognormal){true, p->b < 0, exp(p->centre - p->a / p->b), 1 / fabs(p->b)};
+}
+
+struct thud_lognormal thud_lognormal_fit(const struct thud_stripe *stripe, size_t n)
+{
+    struct probit p = {NAN, NAN, NAN};
+    return fit_from(stripe, n, &p);
+}
+
+double thud_lognormal_at(const struct thud_lognormal *curve, double x)
+{
+    if (!curve->fitted)
+        return NAN;
+    double side = curve->falling ? -1 : 1, z = log(x / curve->theta);
+    if (curve->beta == 0)
+        return z == 0 ? 0.5 : side * z > 0 ? 1 : 0;
+    return thud_normal_cdf(side * z / curve->beta);
+}
+
+/* ---- events ---- */
+
+static enum thud_status refuse_event(const char *text, struct thud_error *err)
+{
+    thud_error_set(err, THUD_USAGE, "\"%.60s\" is no event", text);
+    thud_error_key(err, "--event");
+    thud_error_allow(err, "pounding, worse, force:5MN, acceleration:1g, drift:3cm, drift:1%%");
+    return THUD_USAGE;
+}
+
+enum thud_status thud_event_parse(const char *text, struct thud_event *out, struct thud_error *err)
+{
+    static const struct {
+        const char *word;
+        enum thud_event_kind kind;
+        enum thud_dimension dimension; /* THUD_NUMBER: no limit */
+    } events[] = {
+        {"pounding", THUD_EVENT_POUNDING, THUD_NUMBER}, {"worse", THUD_EVENT_WORSE, THUD_NUMBER},
+        {"force", THUD_EVENT_FORCE, THUD_FORCE},        {"acceleration", THUD_EVENT_ACCELERATION, THUD_ACCELERATION},
+        {"drift", THUD_EVENT_DRIFT, THUD_LENGTH},       {"drift", THUD_EVENT_DRIFT_ANGLE, THUD_RATIO}};
+    size_t word = strcspn(text, ":");
+    for (size_t i = 0; i < sizeof events / sizeof *events; i++) {
+        struct thud_quantity q;
+        if (strlen(events[i].word) != word || strncmp(text, events[i].word, word) != 0)
+            continue;
+        bool limit = events[i].dimension != THUD_NUMBER;
+        if (limit != (text[word] == ':') || strlen(text) >= sizeof out->text)
+            continue;
+        if (limit &&
+            (thud_quantity_parse(text + word + 1, events[i].dimension, NULL, &q, NULL) != THUD_OK || !(q.value > 0)))
+            continue;
+        *out = (struct thud_event){.kind = events[i].kind, .limit = limit ? q.value : 0};
+        snprintf(out->text, sizeof out->text, "%s", text);
+        return THUD_OK;
+    }
+    return refuse_event(text, err);
+}
+
+static int happens_in(const struct thud_event *event, const struct thud_suite *suite, int record, long setting, int k)
+{
+    static const double equal = 1e-9; /* relative: a ratio this near 1 is 1 */
+    static const enum thud_suite_measure measure[] = {
+        [THUD_EVENT_POUNDING] = THUD_SUITE_IMPACTS, [THUD_EVENT_WORSE] = THUD_SUITE_ACCELERATION_RATIO,
+        [THUD_EVENT_FORCE] = THUD_SUITE_FORCE,      [THUD_EVENT_ACCELERATION] = THUD_SUITE_ACCELERATION,
+        [THUD_EVENT_DRIFT] = THUD_SUITE_DRIFT,      [THUD_EVENT_DRIFT_ANGLE] = THUD_SUITE_DRIFT_ANGLE};
+    double value = thud_suite_value(suite, record, setting, k, measure[event->kind], -1);
+    double limit = event->kind == THUD_EVENT_WORSE ? 1 + equal : event->limit;
+    if (isnan(value)) /* a ratio is missing where there is nothing to compare, an answer where a run has none */
+        return -1;
+    return value > limit;
+}
+
+/* ---- counts over a suite ---- */
+
+static int by_value(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    if (isnan(x) || isnan(y))
+        return isnan(x) - isnan(y);
+    return (x > y) - (x < y);
+}
+
+/* 5 and 95 % of the numbers among n values, sorted in place; NaN where less than half are numbers. */
+static void band(double *value, size_t n, double *low, double *high)
+{
+    size_t m = n;
+    qsort(value, n, sizeof *value, by_value);
+    while (m > 0 && isnan(value[m - 1]))
+        m--;
+    *low = 2 * m >= n && m > 0 ? thud_quantile(value, m, 0.05, false) : NAN;
+    *high = 2 * m >= n && m > 0 ? thud_quantile(value, m, 0.95, false) : NAN;
+}
+
+/* Draws motions with replacement and fits again. `happens`: (records x n). */
+static enum thud_status bootstrap(const signed char *happens, int nrecords, const struct thud_fragility_ask *ask,
+                                  struct thud_fragility *f, struct thud_error *err)
+{
+    size_t samples = (size_t)ask->samples, n = f->n;
+    double *value = malloc((n + 2) * samples * sizeof *value); /* curves at each x, then theta, then beta */
+    struct thud_stripe *stripe = malloc(n * sizeof *stripe);
+    struct thud_random random = {ask->seed};
+    struct probit start = {NAN, NAN, NAN};
+    if (!value || !stripe) {
+        free(value);
+        free(stripe);
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    }
+    (void)fit_from(f->stripe, n, &start);
+    for (size_t b = 0; b < samples; b++) {
+        for (size_t i = 0; i < n; i++)
+            stripe[i] = (struct thud_stripe){f->stripe[i].x, 0, 0};
+        for (int r = 0; r < nrecords; r++) {
+            const signed char *h = happens + thud_random_below(&random, (size_t)nrecords) * n;
+            for (size_t i = 0; i < n; i++) {
+                stripe[i].n += h[i] >= 0;
+                stripe[i].count += h[i] > 0;
+            }
+        }
+        struct probit p = start;
+        struct thud_lognormal curve = fit_from(stripe, n, &p);
+        bool ever = false;
+        for (size_t i = 0; i < n; i++)
+            ever |= stripe[i].count > 0;
+        for (size_t i = 0; i < n; i++) /* where there is no curve nothing ever happened, or everything */
+            value[i * samples + b] = curve.fitted ? thud_lognormal_at(&curve, stripe[i].x) : ever;
+        value[n * samples + b] = curve.fitted ? curve.theta : NAN;
+        value[(n + 1) * samples + b] = curve.fitted ? curve.beta : NAN;
+    }
+    for (size_t i = 0; i < n; i++)
+        band(value + i * samples, samples, &f->low[i], &f->high[i]);
+    band(value + n * samples, samples, &f->theta_low, &f->theta_high);
+    band(value + (n + 1) * samples, samples, &f->beta_low, &f->beta_high);
+    free(value);
+    free(stripe);
+    return THUD_OK;
+}
+
+enum thud_status thud_fragility_make(const struct thud_suite *suite, const struct thud_fragility_ask *ask,
+                                     struct thud_fragility *out, struct thud_error *err)
+{
+    const struct thud_sweep_axis *axis = &suite->plan->axis[ask->axis];
+    size_t n = (size_t)axis->n;
+    int at[THUD_VARY_MAX];
+    *out = (struct thud_fragility){.n = n, .theta_low = NAN, .theta_high = NAN, .beta_low = NAN, .beta_high = NAN};
+    out->stripe = calloc(n, sizeof *out->stripe);
+    out->low = malloc(2 * n * sizeof *out->low);
+    signed char *happens = malloc((size_t)suite->nrecords * n);
+    if (!out->stripe || !out->low || !happens) {
+        free(happens);
+        thud_fragility_clear(out);
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    }
+    out->high = out->low + n;
+    memcpy(at, ask->at, sizeof at);
+    for (size_t i = 0; i < n; i++) {
+        at[ask->axis] = (int)i;
+        long setting = thud_suite_setting(suite->plan, at);
+        out->stripe[i].x = axis->value[i];
+        out->low[i] = out->high[i] = NAN;
+        for (int r = 0; r < suite->nrecords; r++) {
+            int h = happens_in(ask->event, suite, r, setting, ask->k);
+            happens[(size_t)r * n + i] = (signed char)h;
+            out->stripe[i].n += h >= 0;
+            out->stripe[i].count += h > 0;
+        }
+    }
+    out->curve = thud_lognormal_fit(out->stripe, n);
+    enum thud_status status = THUD_OK;
+    if (out->curve.fitted && ask->samples > 0)
+        status = bootstrap(happens, suite->nrecords, ask, out, err);
+    free(happens);
+    if (status != THUD_OK)
+        thud_fragility_clear(out);
+    return status;
+}
+
+void thud_fragility_clear(struct thud_fragility *fragility)
+{
+    free(fragility->stripe);
+    free(fragility->low);
+    *fragility = (struct thud_fragility){0};
+}
+
+/* ---- hazard ---- */
+
+double thud_hazard_rate(const struct thud_hazard *hazard, const struct thud_lognormal *curve)
+{
+    double rate = 0;
+    if (!curve->fitted || curve->falling || hazard->n == 0)
+        return NAN;
+    for (size_t i = 0; i + 1 < hazard->n; i++)
+        rate += thud_lognormal_at(curve, sqrt(hazard->x[i] * hazard->x[i + 1])) *
+                fabs(hazard->rate[i] - hazard->rate[i + 1]);
+    return rate + thud_lognormal_at(curve, hazard->x[hazard->n - 1]) * hazard->rate[hazard->n - 1];
+}
+
+double thud_hazard_probability(double rate, double years)
+{
+    return -expm1(-rate * years);
+}
+
+void thud_hazard_clear(struct thud_hazard *hazard)
+{
+    free(hazard->x);
+    free(hazard->rate);
+    *hazard = (struct thud_hazard){0};
+}

@@ -1,0 +1,322 @@
+#include "study/uncertainty.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/quantity.h"
+#include "study/answer.h"
+
+static const struct thud_input_info infos[THUD_INPUTS] = {
+    [THUD_INPUT_GAP] = {"gap", THUD_INPUT_RELATIVE, 0.05},
+    [THUD_INPUT_MOTION] = {"motion", THUD_INPUT_RELATIVE, 0},
+    [THUD_INPUT_STIFFNESS] = {"stiffness", THUD_INPUT_RELATIVE, 0.1},
+    [THUD_INPUT_DAMPING] = {"damping", THUD_INPUT_RELATIVE, 0.2},
+    [THUD_INPUT_MASS] = {"mass", THUD_INPUT_RELATIVE, 0},
+    [THUD_INPUT_CONTACT_STIFFNESS] = {"contact-stiffness", THUD_INPUT_FACTOR, 2},
+    [THUD_INPUT_RESTITUTION] = {"restitution", THUD_INPUT_ABSOLUTE, 0.1},
+    [THUD_INPUT_BUMPER_STIFFNESS] = {"bumper-stiffness", THUD_INPUT_RELATIVE, 0.2},
+    [THUD_INPUT_BUMPER_EXPONENT] = {"bumper-exponent", THUD_INPUT_ABSOLUTE, 0},
+};
+
+const struct thud_input_info *thud_input_info(enum thud_input input)
+{
+    return &infos[input];
+}
+
+void thud_inputs_init(struct thud_inputs *inputs)
+{
+    for (int i = 0; i < THUD_INPUTS; i++)
+        inputs->size[i] = infos[i].size;
+}
+
+enum thud_status thud_inputs_set(struct thud_inputs *inputs, const char *text, struct thud_error *err)
+{
+    size_t word = strcspn(text, "=");
+    struct thud_quantity q;
+    for (int i = 0; i < THUD_INPUTS && text[word]; i++) {
+        if (strlen(infos[i].name) != word || strncmp(text, infos[i].name, word) != 0)
+            continue;
+        if (thud_quantity_parse(text + word + 1, THUD_RATIO, NULL, &q, NULL) != THUD_OK)
+            break;
+        bool factor = infos[i].way == THUD_INPUT_FACTOR;
+        if (!(q.value >= (factor ? 1 : 0) && q.value <= (factor ? 100 : infos[i].way == THUD_INPUT_ABSOLUTE ? 1 : 0.9)))
+            break;
+        inputs->size[i] = q.value;
+        return THUD_OK;
+    }
+    thud_error_set(err, THUD_USAGE, "\"%.60s\" is no input with its size", text);
+    thud_error_key(err, "--uncertain");
+    thud_error_allow(err,
+                     "gap, motion, stiffness, damping, mass, bumper-stiffness: 5 %%, up to 90 %%; contact-stiffness: a "
+                     "factor from 1; restitution, bumper-exponent: 0.1, up to 1");
+    return THUD_USAGE;
+}
+
+/* A parameter of a law; NULL where the law has none of the name, or it is not given. */
+static double *law_value(struct thud_law_choice *choice, const char *name)
+{
+    for (int i = 0; choice->law && i < choice->law->nparams; i++)
+        if (strcmp(choice->law->params[i].name, name) == 0)
+            return isnan(choice->value[i]) ? NULL : &choice->value[i];
+    return NULL;
+}
+
+static double changed(enum thud_input input, double x, double size, double u)
+{
+    double t = 2 * u - 1;
+    return infos[input].way == THUD_INPUT_RELATIVE ? x * (1 + size * t)
+           : infos[input].way == THUD_INPUT_FACTOR ? x * pow(size, t)
+                                                   : x + size * t;
+}
+
+static void change_law(struct thud_law_choice *choice, const char *name, enum thud_input input, double size, double u)
+{
+    double *value = law_value(choice, name);
+    if (!value)
+        return;
+    double x = changed(input, *value, size, u);
+    if (input == THUD_INPUT_RESTITUTION)
+        x = fmin(1, fmax(0.01, x));
+    if (input == THUD_INPUT_BUMPER_EXPONENT) {
+        double *stiffness = law_value(choice, "stiffness");
+        x = fmax(1, x);
+        if (stiffness)
+            *stiffness *= pow(1000, x - *value);
+    }
+    *value = x;
+}
+
+static void change_structures(struct thud_scene *scene, enum thud_input input, double size, double u)
+{
+    for (int s = 0; s < scene->nstructures; s++) {
+        struct thud_structure *p = &scene->structure[s];
+        int n = p->kind == THUD_RIGID ? 1 : p->kind == THUD_WALL ? 0 : p->storeys;
+        if (input == THUD_INPUT_DAMPING) {
+            p->damping = changed(input, p->damping, size, u);
+            p->isolation_damping = changed(input, p->isolation_damping, size, u);
+        } else if (input == THUD_INPUT_STIFFNESS) {
+            p->isolation_stiffness_npm = changed(input, p->isolation_stiffness_npm, size, u);
+        } else {
+            p->base_mass_kg = changed(input, p->base_mass_kg, size, u);
+        }
+        for (int i = 0; i < n; i++) {
+            double *x = input == THUD_INPUT_STIFFNESS ? &p->stiffness_npm[i] : &p->mass_kg[i];
+            *x = input == THUD_INPUT_DAMPING ? *x : changed(input, *x, size, u);
+        }
+    }
+}
+
+static void change_interfaces(struct thud_scene *scene, enum thud_input input, double size, double u)
+{
+    for (int i = 0; i + 1 < scene->nstructures; i++) {
+        struct thud_interface *f = &scene->interface[i];
+        if (input == THUD_INPUT_GAP) {
+            f->gap_m = changed(input, f->gap_m, size, u);
+            if (f->has_bumper)
+                f->gap_m = fmax(f->gap_m, f->bumper_thickness_m - f->bumper_cavity_m);
+        }
+        if (input == THUD_INPUT_CONTACT_STIFFNESS)
+            change_law(&f->contact, "stiffness", input, size, u);
+        if (input == THUD_INPUT_RESTITUTION)
+            change_law(&f->contact, "restitution", input, size, u);
+        if (!f->has_bumper)
+            continue;
+        if (input == THUD_INPUT_RESTITUTION)
+            change_law(&f->bumper, "restitution", input, size, u);
+        if (input == THUD_INPUT_BUMPER_STIFFNESS)
+            change_law(&f->bumper, "stiffness", input, size, u);
+        if (input == THUD_INPUT_BUMPER_EXPONENT)
+            change_law(&f->bumper, "exponent", input, size, u);
+    }
+}
+
+void thud_input_change(struct thud_scene *scene, enum thud_input input, double size, double u, double *motion)
+{
+    if (input == THUD_INPUT_MOTION)
+        *motion = changed(input, *motion, size, u);
+    else if (input == THUD_INPUT_STIFFNESS || input == THUD_INPUT_DAMPING || input == THUD_INPUT_MASS)
+        change_structures(scene, input, size, u);
+    else
+        change_interfaces(scene, input, size, u);
+}
+
+static int active_inputs(const struct thud_inputs *inputs, const struct thud_scene *scene,
+                       enum thud_input input[THUD_INPUTS])
+{
+    int n = 0;
+    bool bumper = false, interfaces = scene->nstructures > 1;
+    for (int i = 0; i + 1 < scene->nstructures; i++)
+        bumper |= scene->interface[i].has_bumper;
+    for (int i = 0; i < THUD_INPUTS; i++) {
+        bool none = inputs->size[i] == (infos[i].way == THUD_INPUT_FACTOR ? 1 : 0);
+        bool there = i == THUD_INPUT_MOTION                                                ? scene->record.file[0]
+                     : i == THUD_INPUT_BUMPER_STIFFNESS || i == THUD_INPUT_BUMPER_EXPONENT ? bumper
+                     : i == THUD_INPUT_STIFFNESS || i == THUD_INPUT_DAMPING || i == THUD_INPUT_MASS ? true
+                                                                                                    : interfaces;
+        if (!none && there)
+            input[n++] = (enum thud_input)i;
+    }
+    return n;
+}
+
+/* ---- quantities ---- */
+
+enum { ACCELERATION, DRIFT, MEAN_ACCELERATION, MEAN_DRIFT, OF_STRUCTURE };
+
+static bool has_floors(const struct thud_structure *s)
+{
+    return s->kind != THUD_WALL;
+}
+
+static void add(struct thud_uncertainty *u, enum thud_case which, int structure, const char *what, const char *column,
+                bool ratio)
+{
+    struct thud_quantity_of_run *q = &u->quantity[u->nquantities++];
+    const char *name = structure >= 0 ? u->scene.structure[structure].name : "";
+    *q = (struct thud_quantity_of_run){.ratio = ratio, .which = which, .structure = structure};
+    snprintf(q->name, sizeof q->name, "%s: %s%s%.40s", thud_case_name(which), what, *name ? " of " : "", name);
+    snprintf(q->column, sizeof q->column, "%s%s%.40s.%s", thud_case_name(which), *name ? "." : "", name, column);
+}
+
+static void add_quantities(struct thud_uncertainty *u)
+{
+    for (int k = 0; k < u->ncases; k++) {
+        enum thud_case which = u->which[k];
+        for (int s = 0; s < u->scene.nstructures; s++) {
+            if (!has_floors(&u->scene.structure[s]))
+                continue;
+            add(u, which, s, "largest acceleration", "acceleration_mps2", false);
+            add(u, which, s, "largest drift", "drift_m", false);
+            add(u, which, s, "mean acceleration", "mean_acceleration_mps2", false);
+            add(u, which, s, "mean drift", "mean_drift_m", false);
+            if (k == 0)
+                continue;
+            add(u, which, s, "mean acceleration ratio", "acceleration_ratio", true);
+            add(u, which, s, "mean drift ratio", "drift_ratio", true);
+        }
+        add(u, which, -1, "largest force", "force_n", false);
+    }
+}
+
+enum thud_status thud_uncertainty_create(const struct thud_scene *scene, const struct thud_record *record,
+                                         enum thud_case which, const struct thud_inputs *inputs,
+                                         struct thud_uncertainty **out, struct thud_error *err)
+{
+    struct thud_uncertainty *u = calloc(1, sizeof *u);
+    bool bumper = false;
+    *out = NULL;
+    if (!u)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    u->scene = *scene;
+    u->record = record;
+    u->inputs = *inputs;
+    for (int i = 0; i + 1 < scene->nstructures; i++)
+        bumper |= scene->interface[i].has_bumper;
+    if (bumper)
+        u->which[u->ncases++] = THUD_CASE_NONE;
+    if (!bumper || which != THUD_CASE_NONE)
+        u->which[u->ncases++] = bumper && which == THUD_CASE_AS_WRITTEN ? THUD_CASE_BUMPER : which;
+    u->ninputs = active_inputs(inputs, scene, u->input);
+    u->quantity = calloc((size_t)u->ncases * ((size_t)scene->nstructures * 6 + 1), sizeof *u->quantity);
+    enum thud_status status = THUD_OK;
+    if (!u->quantity)
+        status = thud_error_set(err, THUD_MEMORY, "out of memory");
+    else if (u->ninputs == 0)
+        status = thud_error_set(err, THUD_INPUT, "no input is uncertain");
+    if (status != THUD_OK) {
+        thud_uncertainty_free(u);
+        return status;
+    }
+    add_quantities(u);
+    *out = u;
+    return THUD_OK;
+}
+
+void thud_uncertainty_free(struct thud_uncertainty *uncertainty)
+{
+    if (!uncertainty)
+        return;
+    free(uncertainty->quantity);
+    free(uncertainty);
+}
+
+/* Largest and mean peaks of a structure. */
+static void summarize(const struct thud_structure_result *s, double x[OF_STRUCTURE])
+{
+    memset(x, 0, OF_STRUCTURE * sizeof *x);
+    for (int i = 0; i < s->floors; i++) {
+        x[ACCELERATION] = fmax(x[ACCELERATION], s->floor[i].acceleration.value);
+        x[DRIFT] = fmax(x[DRIFT], s->floor[i].drift.value);
+        x[MEAN_ACCELERATION] += s->floor[i].acceleration.value / s->floors;
+        x[MEAN_DRIFT] += s->floor[i].drift.value / s->floors;
+    }
+}
+
+/* One case's quantities from *value on; `first` (nstructures x OF_STRUCTURE): those of the first case, filled by it. */
+static double *put_case(const struct thud_uncertainty *u, int k, const struct thud_result *result, double *first,
+                        double *value)
+{
+    double force = 0;
+    for (int s = 0; s < result->nstructures; s++, first += OF_STRUCTURE) {
+        double x[OF_STRUCTURE];
+        if (!has_floors(&u->scene.structure[s]))
+            continue;
+        summarize(&result->structure[s], x);
+        for (int q = 0; q < OF_STRUCTURE; q++)
+            *value++ = x[q];
+        if (k == 0) {
+            memcpy(first, x, sizeof x);
+            continue;
+        }
+        *value++ = first[MEAN_ACCELERATION] > 0 ? x[MEAN_ACCELERATION] / first[MEAN_ACCELERATION] : NAN;
+        *value++ = first[MEAN_DRIFT] > 0 ? x[MEAN_DRIFT] / first[MEAN_DRIFT] : NAN;
+    }
+    for (int c = 0; c < result->ncontacts; c++)
+        force = fmax(force, result->contact[c].force.value);
+    *value++ = force;
+    return value;
+}
+
+enum thud_status thud_uncertainty_evaluate(const struct thud_uncertainty *u, const double *place, double *value,
+                                           struct thud_error *err)
+{
+    struct thud_scene *scene = malloc(2 * sizeof *scene);
+    double first[THUD_STRUCTURES_MAX * OF_STRUCTURE], motion = 1;
+    struct thud_record *scaled = NULL;
+    double *to = value;
+    enum thud_status status = THUD_OK;
+    if (!scene)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    for (int i = 0; i < THUD_STRUCTURES_MAX * OF_STRUCTURE; i++)
+        first[i] = NAN;
+    for (int q = 0; q < u->nquantities; q++)
+        value[q] = NAN;
+    *scene = u->scene;
+    for (int i = 0; i < u->ninputs; i++)
+        thud_input_change(scene, u->input[i], u->inputs.size[u->input[i]], place[i], &motion);
+    if (u->record && motion != 1) {
+        status = thud_record_create(u->record->a_mps2, u->record->samples, u->record->dt_s, &scaled, err);
+        if (status == THUD_OK)
+            thud_record_scale(scaled, motion);
+    }
+    for (int k = 0; k < u->ncases && status == THUD_OK; k++) {
+        struct thud_answer answer = {0};
+        status = thud_scene_case(scene, u->which[k], scene + 1, err);
+        if (status == THUD_OK)
+            status = thud_scene_check(scene + 1, err);
+        if (status == THUD_OK)
+            status = thud_scene_answer(scene + 1, scaled ? scaled : u->record, NULL, &answer, err);
+        if (status == THUD_OK)
+            to = put_case(u, k, thud_run_result(answer.run), first, to);
+        thud_answer_clear(&answer);
+        if (status == THUD_DIVERGED) { /* a sample without an answer, as the rest of it */
+            status = THUD_OK;
+            break;
+        }
+    }
+    thud_record_free(scaled);
+    free(scene);
+    return status;
+}

@@ -1,0 +1,126 @@
+#!/bin/sh
+# What several ground motions say together: the gap that is enough.  TAP.
+# shellcheck source=tests/cli/program.sh
+. "$(dirname "$0")/program.sh"
+
+three=records/kobe-surrogate.csv,records/northridge-surrogate.csv,records/san-fernando-surrogate.csv
+
+# the gap that is enough
+is "thud gap: table, files and figure" gives 0 gap towers --records "$three" -o "$tmp/gap"
+is "the widest of every ground motion" shows "^kobe-surrogate.csv  *19.73  *25.39  *19.16  *18.70  *13.41  *19.16  4-4"
+is "and over them" shows "^largest  *19.73"
+is "in a sentence" shows "A gap of 14.21 cm is enough for half of the 3 ground motions"
+is "the figure is a picture" is_png "$tmp/gap/needed-gap.png"
+rules() { awk -F, 'NR > 1 { rows++; s = sqrt($5 * $5 + $6 * $6); near(s, $9); near(0.7 * s, $11); near(s, $12); near($5 + $6, $8); if ($7 > $8) bad = 1 }
+    function near(a, b) { if (a - b > 1e-12 || b - a > 1e-12) bad = 1 }
+    END { exit rows != 12 || bad }' "$tmp/gap/needed-gaps.csv"; }
+is "needed-gaps.csv holds the rules for every level" rules
+is "--csv is the same" sh -c "\"\$THUD\" gap towers --csv --records $three | cmp - \"$tmp/gap/needed-gaps.csv\""
+is "--json is JSON" sh -c "\"\$THUD\" gap towers --json --records $three | cmp - \"$tmp/gap/needed-gaps.json\""
+widest() { "$THUD" gap towers --csv | awk -F, 'NR > 1 && $7 > m { m = $7 } END { printf "%.17g", m * (1 + s) }' s="$1"; }
+touches() { "$THUD" run towers --case none --set "gap=$1 m" --json | grep -q '"impacts": [1-9]'; }
+not() { ! "$@"; }
+is "a gap a millionth narrower is used up" touches "$(widest -1e-6)"
+is "a gap wider by 1e-9 is not" not touches "$(widest 1e-9)"
+is "wrong words are wrong usage" gives 2 gap towers --vary gap=5cm
+is "needs a preset" gives 2 gap
+
+# suites of ground motions
+cp records/kobe-surrogate.csv "$tmp/b.csv"
+cp records/northridge-surrogate.csv "$tmp/a.csv"
+mkdir "$tmp/folder"
+mv "$tmp/a.csv" "$tmp/b.csv" "$tmp/folder"
+echo prose >"$tmp/folder/README.md"
+printf '# two of one file\n\n  a.csv:peak=0.3 g   # weak\na.csv:peak=0.6 g\r\nb.csv\n' >"$tmp/folder/mine.list"
+needs() { # OPTIONS...: the widest of every motion, by name
+    "$THUD" gap towers --csv "$@" 2>"$tmp/err" | awk -F, 'NR > 1 { if (!($1 in m)) order[++n] = $1; if ($7 > m[$1]) m[$1] = $7 }
+        END { for (i = 1; i <= n; i++) printf "%s %.6f\n", order[i], 100 * m[order[i]] }' >"$tmp/out"
+}
+needs --records "$tmp/folder"
+is "a folder: its files in order, without prose and lists" test "$(sed 's,.*/,,' "$tmp/out" | tr '\n' ' ')" = "a.csv 14.213525 b.csv 19.728875 "
+needs --records "$tmp/folder/mine.list"
+named() { [ "$(sed 's,.*/,,; s/ [0-9.]*$//' "$tmp/out" | tr '\n' ';')" = "a.csv;a.csv:peak=0.6 g;b.csv;" ]; }
+is "a list: comments, settings, motions of one file told apart" named
+twice() { awk '{ x[NR] = $NF } END { exit !(NR == 3 && x[2] / x[1] - 2 < 1e-4 && x[1] / x[2] - 0.5 < 1e-4 && x[1] > 1) }' "$tmp/out"; }
+is "twice the motion needs twice the gap" twice
+needs --records "$tmp/folder:peak=0.4 g" --signs both
+both() { awk '/:sign=-/ { minus++ } END { exit !(NR == 4 && minus == 2) }' "$tmp/out"; }
+is "both signs: every motion twice, by name" both
+# scaled to a spectral acceleration: what `thud record spectrum` then finds (its own damping, the total acceleration) is near it
+spectral() { "$THUD" record spectrum records/kobe-surrogate.csv --sa 0.5g --period 0.5s --periods 0.5s:1s:2 |
+    awk -F, '!/^#/ && ++row == 2 { split($0, f, ","); w = 2 * 3.14159265358979 / f[1]; sa = w * w * f[4] / 9.80665 } END { exit !(sa > 0.499999 && sa < 0.500001) }'; }
+is "--sa at --period: the spectrum has it there" spectral
+needs --sa 0.5g --period 0.5s
+awk '{ print $NF }' "$tmp/out" >"$tmp/once"
+needs --sa 1g --period 0.5s
+is "is linear" awk -v half="$(cat "$tmp/once")" '{ exit !($NF / half - 2 < 1e-5 && 2 - $NF / half < 1e-5) }' "$tmp/out"
+is "the period is the mean of the buildings' without --period" sh -c "\"\$THUD\" gap towers --csv --sa 0.5g | tail -1 >\"$tmp/mean\";
+    \"\$THUD\" gap towers --csv --sa 0.5g --period 0.4898749s | tail -1 | cut -c1-40 >\"$tmp/given\"; cut -c1-30 \"$tmp/mean\" >\"$tmp/m\"; cut -c1-30 \"$tmp/given\" | cmp - \"$tmp/m\""
+is "a study varies it" gives 0 sweep towers --vary record.sa=0.2g,0.4g --vary gap=5cm,6cm --cases none --csv --quiet
+is "peak and sa together are refused" gives 3 run towers --peak 0.3g --sa 0.4g
+is "with the key" says "together"
+is "an empty folder is refused" sh -c "mkdir \"$tmp/empty\"; ! \"\$THUD\" gap towers --records \"$tmp/empty\" 2>\"$tmp/err\""
+printf 'a.csv\nnowhere.csv\n' >"$tmp/folder/bad.list"
+is "a list says which line" gives 3 gap towers --records "$tmp/folder/bad.list"
+is "by file and number" says "bad.list:2: "
+is "--signs takes both alone" gives 2 gap towers --signs minus
+
+# how likely
+grid="--vary record.factor=0.5,1,1.5 --vary gap=5cm:21cm:4cm --cases none,bumper"
+printf '0.1,0.1\n0.5,0.01\n1,0.002\n2,0.0001\n' >"$tmp/hazard.csv"
+# shellcheck disable=SC2086 # words
+is "thud fragility: table, files and figures" gives 0 fragility towers --records "$three" $grid --hazard "$tmp/hazard.csv" -o "$tmp/fragility" --quiet
+is "in words" shows "pounding against gap (cm), 3 ground motions"
+for figure in fragility-pounding fragility-worse ida-none ida-bumper; do is "$figure is a picture" is_png "$tmp/fragility/$figure.png"; done
+# a second way: without bumper a motion pounds where the needed gap times the factor is wider than the gap
+"$THUD" gap towers --csv --records "$three" >"$tmp/needed.csv"
+counted() { awk -F, 'NR == FNR { if (FNR > 1 && $7 > m[$1]) m[$1] = $7; next }
+    FNR > 1 && $1 == "pounding" && $2 == "none" { rows++; n = 0; for (r in m) n += m[r] * $4 > $5; if (n != $7 || $6 != 3) bad = 1 }
+    END { exit rows != 2 * 15 || bad }' "$tmp/needed.csv" "$tmp/fragility/fragility.csv"; }
+is "counts are those of the needed gaps" counted
+rates() { awk -F, '$1 == "pounding" && $3 == "record.factor" && $6 != "" { rows++; d = $14 - (1 - exp(-50 * $13)); if (!($13 > 0) || d * d > 1e-20) bad = 1 } END { exit rows < 3 || bad }' "$tmp/fragility/fragility-curves.csv"; }
+is "annual rates and 50 years" rates
+# shellcheck disable=SC2086
+again() { "$THUD" fragility towers --records "$three" $grid --hazard "$tmp/hazard.csv" --quiet "$@" >"$tmp/out" 2>"$tmp/err"; }
+same() { for f in fragility.csv fragility-curves.csv suite.csv ida-none.csv; do cmp "$tmp/fragility/$f" "$1/$f" || return 1; done; }
+again -j 1 -o "$tmp/f1"
+is "the same bytes with one thread" same "$tmp/f1"
+again --shard 1/2 -o "$tmp/p1"
+again --shard 2/2 -o "$tmp/p2"
+# no words of the scene: the parts hold them
+"$THUD" fragility --merge "$tmp/p1" "$tmp/p2" -o "$tmp/merged" --hazard "$tmp/hazard.csv" --quiet >"$tmp/out" 2>"$tmp/err"
+is "and of parts joined" same "$tmp/merged"
+again --json
+is "--json is the file" cmp "$tmp/out" "$tmp/fragility/fragility.json"
+again --csv --samples 7 --seed 2
+other() { ! cmp -s "$tmp/out" "$tmp/fragility/fragility.csv" && cut -d, -f1-8 "$tmp/out" | cmp -s - "$tmp/c8"; }
+cut -d, -f1-8 "$tmp/fragility/fragility.csv" >"$tmp/c8"
+is "another seed: other bands, the same curves" other
+is "a sweep of several motions writes suite.csv" gives 0 sweep towers --records "$three" --vary gap=5cm,9cm --cases none,bumper -o "$tmp/sweep" --quiet
+medians() { awk -F, 'NR == FNR { if ($2 == "bumper" && $3 == 0.09 && $4 == "B" && $5 == 0) x[++n] = $9; next }
+    $1 == "bumper" && $2 == 0.09 && $3 == "B" { m = $20 } END { if (x[1] > x[2]) { t = x[1]; x[1] = x[2]; x[2] = t } if (x[2] > x[3]) { t = x[2]; x[2] = x[3]; x[3] = t }
+    if (x[1] > x[2]) { t = x[1]; x[1] = x[2]; x[2] = t } exit !(n == 3 && m == x[2]) }' "$tmp/sweep/sweep.csv" "$tmp/sweep/suite.csv"; }
+is "its median is the middle one" medians
+is "refused: no number varied" gives 2 fragility towers --records "$three" --vary contact.law=linear,hertz
+is "refused: an unknown event" gives 2 fragility towers --event flood
+is "refused: a hazard curve without an intensity" gives 2 fragility towers --records "$three" --vary gap=5cm,6cm --hazard "$tmp/hazard.csv"
+printf '0.1,0.1\n0.5,0.2\n' >"$tmp/hazard.csv"
+# shellcheck disable=SC2086
+is "refused: a hazard curve that rises" gives 3 fragility towers --records "$three" $grid --hazard "$tmp/hazard.csv"
+is "by its line" says "hazard.csv:2: "
+
+# how sure
+is "thud uncertainty: table, files and figures" gives 0 uncertainty towers --set gap=12cm --samples 12 --indices -j 2 -o "$tmp/sure" --quiet
+is "a sentence with shares" shows "^The bumper lowers the mean acceleration of A in [0-9]* % of 24 samples"
+for figure in tornado sampled-ratios; do is "$figure is a picture" is_png "$tmp/sure/$figure.png"; done
+one() { "$THUD" uncertainty towers --set gap=12cm --samples 12 --indices -j 1 --csv --quiet | cmp - "$tmp/sure/uncertainty.csv"; }
+is "the same bytes with one thread" one
+strata() { awk -F, 'NR > 1 { if (NR <= 13) for (i = 1; i <= 6; i++) hit[i, int($i * 12)]++; rows++ } END { n = 0; for (k in hit) n++; exit !(rows == 24 && n == 72) }' "$tmp/sure/samples.csv"; }
+is "samples.csv: every stratum once" strata
+# a second way: an input alone at its most is a run with that value
+alone() { "$THUD" run towers --case none --set gap=12cm --set contact.stiffness="5000 kN/mm" --json | grep '"contacts"' -A 12 | tr ',' '\n' | awk '/"force_n"/ { if ($2 + 0 > m) m = $2 + 0 } END { printf "%.6e", m }'; }
+told() { awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "contact-stiffness_most") c = i } $1 == "none.force_n" { printf "%.6e", $c }' "$tmp/sure/uncertainty.csv"; }
+is "an input at its most is a run with it" test "$(alone)" = "$(told)"
+is "nothing uncertain is refused" gives 3 uncertainty rigid-concrete --uncertain gap=0 --uncertain stiffness=0 --uncertain damping=0 --uncertain contact-stiffness=1 --uncertain restitution=0
+is "an unknown input is wrong usage" gives 2 uncertainty towers --uncertain weather=5%
+is "a size that is too large too" gives 2 uncertainty towers --uncertain gap=95%

@@ -1,0 +1,150 @@
+/* The gap that is enough: contact just below it and none just above, linear in the ground motion, and the codes' rules
+ * in their limits. */
+#include <check.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include "study/answer.h"
+#include "study/needed_gap.h"
+#include "study_setup.h"
+
+static void set_up(void)
+{
+    study_set_up(1);
+}
+
+static struct thud_needed_gap *gap_of(const struct thud_record *record)
+{
+    struct thud_needed_gap *gap;
+    ck_assert_msg(thud_needed_gap_run(scene, record, &gap, &error) == THUD_OK, "%s", error.what);
+    return gap;
+}
+
+/* Impacts of the scene without bumper at a gap. */
+static int impacts_at(double gap_m)
+{
+    struct thud_answer answer;
+    int impacts = 0;
+    scene->interface[0].gap_m = gap_m;
+    ck_assert_int_eq(thud_scene_case(scene, THUD_CASE_NONE, scene + 1, &error), THUD_OK);
+    ck_assert_int_eq(thud_scene_answer(scene + 1, motion, NULL, &answer, &error), THUD_OK);
+    const struct thud_result *result = thud_run_result(answer.run);
+    for (int c = 0; c < result->ncontacts; c++)
+        impacts += result->contact[c].impacts;
+    thud_answer_clear(&answer);
+    return impacts;
+}
+
+START_TEST(just_enough_and_just_not)
+{
+    struct thud_needed_gap *gap = gap_of(motion);
+    int level = -1;
+    double needed = thud_needed_gap_widest(gap, 0, THUD_GAP_EXACT, &level);
+    ck_assert_double_gt(needed, 0);
+    ck_assert(gap->level[level].closing_m == needed);
+    ck_assert_int_eq(impacts_at(needed * (1 + 1e-9)), 0);
+    ck_assert_int_gt(impacts_at(needed * (1 - 1e-6)), 0);
+    free(gap);
+}
+END_TEST
+
+START_TEST(linear_in_the_ground_motion)
+{
+    struct thud_needed_gap *one = gap_of(motion);
+    thud_record_scale(motion, 2.5);
+    struct thud_needed_gap *more = gap_of(motion);
+    for (int i = 0; i < one->nlevels; i++)
+        for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_RULES; rule++) {
+            double x = thud_gap_value(&one->level[i], rule);
+            ck_assert_double_eq_tol(thud_gap_value(&more->level[i], rule), 2.5 * x, 1e-12 * x);
+        }
+    free(one);
+    free(more);
+}
+END_TEST
+
+START_TEST(neither_gap_nor_bumper_matters)
+{
+    struct thud_needed_gap *one = gap_of(motion);
+    scene->interface[0].gap_m = 0.2;
+    thud_interface_add_bumper(&scene->interface[0]);
+    struct thud_needed_gap *other = gap_of(motion);
+    for (int i = 0; i < one->nlevels; i++)
+        ck_assert(one->level[i].closing_m == other->level[i].closing_m);
+    free(one);
+    free(other);
+}
+END_TEST
+
+/* Equal buildings move alike: nothing closes, and DDC (correlation 1) is the difference of the two peaks, 0. */
+START_TEST(equal_buildings_need_none)
+{
+    scene->structure[1] = scene->structure[0];
+    scene->structure[1].name[0] = 'Z';
+    struct thud_needed_gap *gap = gap_of(motion);
+    for (int i = 0; i < gap->nlevels; i++) {
+        const struct thud_gap_level *l = &gap->level[i];
+        ck_assert_double_le(l->closing_m, 1e-12);
+        ck_assert_double_eq_tol(l->correlation, 1, 1e-12);
+        ck_assert_double_le(thud_gap_value(l, THUD_GAP_DDC), 1e-6 * l->left_m);
+        ck_assert_double_eq_tol(thud_gap_value(l, THUD_GAP_ABS), 2 * l->left_m, 1e-12 * l->left_m);
+    }
+    free(gap);
+}
+END_TEST
+
+/* The sum of the peaks is a bound; the rules against each other. */
+START_TEST(rules_in_their_order)
+{
+    struct thud_needed_gap *gap = gap_of(motion);
+    ck_assert_int_eq(gap->nlevels, 4);
+    for (int i = 0; i < gap->nlevels; i++) {
+        const struct thud_gap_level *l = &gap->level[i];
+        double srss = hypot(l->left_m, l->right_m);
+        ck_assert_double_le(l->closing_m, thud_gap_value(l, THUD_GAP_ABS) * (1 + 1e-12));
+        ck_assert_double_eq_tol(thud_gap_value(l, THUD_GAP_SRSS), srss, 1e-15);
+        ck_assert_double_eq_tol(thud_gap_value(l, THUD_GAP_ASCE7), srss, 1e-15);
+        ck_assert_double_eq_tol(thud_gap_value(l, THUD_GAP_EN1998), 0.7 * srss, 1e-15);
+        ck_assert_double_lt(thud_gap_value(l, THUD_GAP_DDC), srss);
+    }
+    struct thud_gap_level wall = {.left_floor = 3, .left_m = 0.1};
+    ck_assert_double_eq_tol(thud_gap_value(&wall, THUD_GAP_EN1998), 0.1, 1e-15); /* no aligned floors before a wall */
+    free(gap);
+}
+END_TEST
+
+START_TEST(a_suite_of_one_motion_has_no_spread)
+{
+    struct thud_needed_gap *gap = gap_of(motion), *all[3] = {gap, gap, gap};
+    const char *const names[3] = {"a", "b", "c"};
+    struct thud_gap_suite suite = {3, names, all};
+    struct thud_fractiles f;
+    for (int level = -1; level < gap->nlevels; level++)
+        for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_RULES; rule++) {
+            ck_assert_int_eq(thud_gap_suite_fractiles(&suite, level, rule, &f, &error), THUD_OK);
+            double x =
+                level < 0 ? thud_needed_gap_widest(gap, 0, rule, NULL) : thud_gap_value(&gap->level[level], rule);
+            ck_assert(f.n == 3 && f.p16 == x && f.median == x && f.p84 == x && f.most == x);
+            ck_assert(f.share == 0 || f.share == 1);
+        }
+    ck_assert_int_eq(thud_gap_suite_fractiles(&suite, -1, THUD_GAP_ABS, &f, &error), THUD_OK);
+    ck_assert(f.share == 0); /* the sum is never too little */
+    free(gap);
+}
+END_TEST
+
+Suite *thud_suite(void);
+Suite *thud_suite(void)
+{
+    Suite *suite = suite_create("needed_gap");
+    TCase *tcase = tcase_create("needed_gap");
+    tcase_add_checked_fixture(tcase, set_up, study_tear_down);
+    tcase_add_test(tcase, just_enough_and_just_not);
+    tcase_add_test(tcase, linear_in_the_ground_motion);
+    tcase_add_test(tcase, neither_gap_nor_bumper_matters);
+    tcase_add_test(tcase, equal_buildings_need_none);
+    tcase_add_test(tcase, rules_in_their_order);
+    tcase_add_test(tcase, a_suite_of_one_motion_has_no_spread);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}

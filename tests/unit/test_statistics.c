@@ -1,0 +1,39 @@
+/* Quantiles and fractiles by hand. */
+#include <check.h>
+#include <math.h>
+
+#include "study/statistics.h"
+
+START_TEST(quantiles_by_hand)
+{
+    double x[] = {1, 2, 4, 8, 16}, y[] = {3, NAN, -1, 2};
+    ck_assert(thud_quantile(x, 5, 0.5, false) == 4);
+    ck_assert_double_eq_tol(thud_quantile(x, 5, 0.16, false), 1 + 0.64, 1e-15); /* h = 4 x 0.16 */
+    ck_assert_double_eq_tol(thud_quantile(x, 5, 0.16, true), pow(2, 0.64), 1e-15);
+    ck_assert(thud_quantile(x, 5, 1, true) == 16);
+    ck_assert(thud_quantile(x, 1, 0.3, false) == 1);
+    ck_assert(isnan(thud_quantile(x, 0, 0.5, false)));
+    struct thud_fractiles f = thud_fractiles_of(x, 5, 3);
+    ck_assert_double_eq_tol(f.p84 * f.p16, 16, 1e-14); /* symmetric about the median in logarithms */
+    ck_assert_double_eq_tol(f.share, 0.6, 1e-15);
+    f = thud_fractiles_of(y, 4, 0); /* not all positive: of the values; what has no answer is left out */
+    ck_assert_uint_eq(f.n, 3);
+    ck_assert(f.median == 2);
+    ck_assert_double_eq_tol(f.p16, -1 + 0.32 * 3, 1e-15);
+    ck_assert(f.least == -1);
+    ck_assert(f.most == 3);
+    double same[] = {7, 7, 7};
+    f = thud_fractiles_of(same, 3, 7);
+    ck_assert(f.p16 == 7 && f.median == 7 && f.p84 == 7 && f.share == 0);
+}
+END_TEST
+
+Suite *thud_suite(void);
+Suite *thud_suite(void)
+{
+    Suite *suite = suite_create("statistics");
+    TCase *tcase = tcase_create("statistics");
+    tcase_add_test(tcase, quantiles_by_hand);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}

@@ -1,0 +1,204 @@
+/* Sobol indices against closed forms, Latin hypercubes by their strata, inputs by name, and samples of a scene. */
+#include <check.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/quantity.h"
+#include "study/answer.h"
+#include "study/sobol.h"
+#include "study/uncertainty.h"
+#include "study_setup.h"
+
+static void set_up(void)
+{
+    study_set_up(1);
+}
+
+enum { D = 3 };
+static const double pi = THUD_PI;
+
+static double ishigami(const double *u)
+{
+    double x[D];
+    for (int i = 0; i < D; i++)
+        x[i] = pi * (2 * u[i] - 1);
+    return sin(x[0]) + 7 * pow(sin(x[1]), 2) + 0.1 * pow(x[2], 4) * sin(x[0]);
+}
+
+static double additive(const double *u)
+{
+    return 1 * u[0] + 2 * u[1] + 3 * u[2];
+}
+
+static void indices(double (*f)(const double *), size_t n, double first[D], double total[D])
+{
+    struct thud_random random = {7};
+    double *u = malloc(2 * n * D * sizeof *u), *a = malloc((2 + D) * n * sizeof *a), *b = a + n, *ab = b + n;
+    ck_assert_int_eq(thud_latin_hypercube(&random, n, D, u, &error), THUD_OK);
+    ck_assert_int_eq(thud_latin_hypercube(&random, n, D, u + n * D, &error), THUD_OK);
+    for (size_t r = 0; r < n; r++) {
+        a[r] = f(u + r * D);
+        b[r] = f(u + (n + r) * D);
+        for (int i = 0; i < D; i++) {
+            double mixed[D];
+            memcpy(mixed, u + r * D, sizeof mixed);
+            mixed[i] = u[(n + r) * D + (size_t)i];
+            ab[(size_t)i * n + r] = f(mixed);
+        }
+    }
+    thud_sobol_indices(a, b, ab, n, D, first, total);
+    free(u);
+    free(a);
+}
+
+/* a = 7, b = 0.1: V1 = (1 + b pi^4/5)^2/2, V2 = a^2/8, V13 = b^2 pi^8 8/225. */
+START_TEST(the_ishigami_function)
+{
+    double first[D], total[D], p4 = pow(pi, 4), v1 = 0.5 * pow(1 + 0.1 * p4 / 5, 2), v2 = 49 / 8.0;
+    double v13 = 0.01 * p4 * p4 * 8 / 225, v = v1 + v2 + v13;
+    indices(ishigami, 1 << 15, first, total);
+    ck_assert_double_eq_tol(first[0], v1 / v, 0.02);
+    ck_assert_double_eq_tol(first[1], v2 / v, 0.02);
+    ck_assert_double_eq_tol(first[2], 0, 0.02);
+    ck_assert_double_eq_tol(total[0], (v1 + v13) / v, 0.02);
+    ck_assert_double_eq_tol(total[1], v2 / v, 0.02);
+    ck_assert_double_eq_tol(total[2], v13 / v, 0.02);
+}
+END_TEST
+
+/* Of a sum every index is its share, total and first the same, and they add up to 1. */
+START_TEST(additivity)
+{
+    double first[D], total[D], sum = 0;
+    indices(additive, 1 << 14, first, total);
+    for (int i = 0; i < D; i++) {
+        ck_assert_double_eq_tol(first[i], (i + 1.0) * (i + 1.0) / 14, 0.01);
+        ck_assert_double_eq_tol(total[i], first[i], 0.01);
+        sum += first[i];
+    }
+    ck_assert_double_eq_tol(sum, 1, 0.015);
+}
+END_TEST
+
+START_TEST(nothing_varies_and_missing_rows)
+{
+    double a[] = {1, 1, NAN, 1}, b[] = {1, 1, 5, 1}, ab[] = {1, 1, 1, 1}, first, total;
+    thud_sobol_indices(a, b, ab, 4, 1, &first, &total);
+    ck_assert(isnan(first) && isnan(total));
+}
+END_TEST
+
+START_TEST(every_stratum_once)
+{
+    enum { N = 50 };
+    double u[N * D], other[N * D];
+    struct thud_random random = {3}, again = {3};
+    ck_assert_int_eq(thud_latin_hypercube(&random, N, D, u, &error), THUD_OK);
+    ck_assert_int_eq(thud_latin_hypercube(&again, N, D, other, &error), THUD_OK);
+    ck_assert(memcmp(u, other, sizeof u) == 0);
+    for (int j = 0; j < D; j++) {
+        int hit[N] = {0};
+        for (int i = 0; i < N; i++)
+            hit[(int)(u[i * D + j] * N)]++;
+        for (int i = 0; i < N; i++)
+            ck_assert_int_eq(hit[i], 1);
+    }
+}
+END_TEST
+
+START_TEST(inputs_by_name)
+{
+    struct thud_inputs inputs;
+    thud_inputs_init(&inputs);
+    ck_assert_int_eq(thud_inputs_set(&inputs, "gap=8 %", &error), THUD_OK);
+    ck_assert_double_eq_tol(inputs.size[THUD_INPUT_GAP], 0.08, 1e-15);
+    ck_assert_int_eq(thud_inputs_set(&inputs, "contact-stiffness=3", &error), THUD_OK);
+    const char *const wrong[] = {"gap",          "gap=", "gaps=5 %", "gap=5 cm", "gap=95 %", "contact-stiffness=0.5",
+                                 "restitution=2"};
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
+        ck_assert_msg(thud_inputs_set(&inputs, wrong[i], &error) == THUD_USAGE, "%s", wrong[i]);
+}
+END_TEST
+
+START_TEST(changes_of_a_scene)
+{
+    double factor = 1;
+    scene[1] = scene[0];
+    thud_input_change(scene, THUD_INPUT_STIFFNESS, 0.1, 1, &factor);
+    ck_assert_double_eq_tol(scene->structure[1].stiffness_npm[3], 1.1 * scene[1].structure[1].stiffness_npm[3], 1);
+    thud_input_change(scene, THUD_INPUT_DAMPING, 0.2, 0, &factor);
+    ck_assert_double_eq_tol(scene->structure[0].damping, 0.8 * scene[1].structure[0].damping, 1e-15);
+    thud_input_change(scene, THUD_INPUT_MASS, 0.05, 0, &factor);
+    ck_assert_double_eq_tol(scene->structure[0].mass_kg[0], 0.95 * scene[1].structure[0].mass_kg[0], 1e-6);
+    thud_input_change(scene, THUD_INPUT_GAP, 0.5, 0, &factor);
+    ck_assert_double_eq_tol(scene->interface[0].gap_m,
+                            fmax(0.5 * scene[1].interface[0].gap_m,
+                                 scene[1].interface[0].has_bumper ? scene[1].interface[0].bumper_thickness_m : 0),
+                            1e-15);
+    for (int i = 0; i < THUD_INPUTS; i++) { /* the middle is as it is */
+        struct thud_scene *same = malloc(sizeof *same);
+        *same = scene[1];
+        thud_input_change(same, (enum thud_input)i, 2, 0.5, &factor);
+        ck_assert_msg(memcmp(same, &scene[1], sizeof *same) == 0, "%s", thud_input_info((enum thud_input)i)->name);
+        free(same);
+    }
+    ck_assert(factor == 1);
+    thud_input_change(scene, THUD_INPUT_MOTION, 0.3, 1, &factor);
+    ck_assert_double_eq_tol(factor, 1.3, 1e-15);
+}
+END_TEST
+
+/* A sample is a run of the changed scene; without contact the response is linear in the motion. */
+START_TEST(samples_are_runs)
+{
+    struct thud_inputs inputs = {{0}};
+    struct thud_uncertainty *u;
+    double half = 0.5, most = 1, *x, *y;
+    inputs.size[THUD_INPUT_CONTACT_STIFFNESS] = 1;
+    inputs.size[THUD_INPUT_MOTION] = 0.5;
+    scene->interface[0].gap_m = 1;
+    snprintf(scene->record.file, sizeof scene->record.file, "motion");
+    ck_assert_int_eq(thud_uncertainty_create(scene, motion, THUD_CASE_AS_WRITTEN, &inputs, &u, &error), THUD_OK);
+    ck_assert_int_eq(u->ninputs, 1);
+    x = malloc(2 * (size_t)u->nquantities * sizeof *x);
+    y = x + u->nquantities;
+    ck_assert_int_eq(thud_uncertainty_evaluate(u, &half, x, &error), THUD_OK);
+    ck_assert_int_eq(thud_uncertainty_evaluate(u, &most, y, &error), THUD_OK);
+    struct thud_answer answer;
+    ck_assert_int_eq(thud_scene_case(scene, THUD_CASE_NONE, scene + 1, &error), THUD_OK);
+    ck_assert_int_eq(thud_scene_answer(scene + 1, motion, NULL, &answer, &error), THUD_OK);
+    const struct thud_structure_result *s = &thud_run_result(answer.run)->structure[0];
+    double largest = 0;
+    for (int i = 0; i < s->floors; i++)
+        largest = fmax(largest, s->floor[i].acceleration.value);
+    ck_assert(x[0] == largest);
+    thud_answer_clear(&answer);
+    for (int q = 0; q < u->nquantities; q++)
+        if (x[q] > 0)
+            ck_assert_double_eq_tol(y[q] / x[q], u->quantity[q].ratio ? 1 : 1.5, 1e-9);
+    free(x);
+    thud_uncertainty_free(u);
+    inputs.size[THUD_INPUT_MOTION] = 0;
+    ck_assert_int_eq(thud_uncertainty_create(scene, motion, THUD_CASE_AS_WRITTEN, &inputs, &u, &error), THUD_INPUT);
+}
+END_TEST
+
+Suite *thud_suite(void);
+Suite *thud_suite(void)
+{
+    Suite *suite = suite_create("uncertainty");
+    TCase *tcase = tcase_create("uncertainty");
+    tcase_set_timeout(tcase, 60);
+    tcase_add_checked_fixture(tcase, set_up, study_tear_down);
+    tcase_add_test(tcase, the_ishigami_function);
+    tcase_add_test(tcase, additivity);
+    tcase_add_test(tcase, nothing_varies_and_missing_rows);
+    tcase_add_test(tcase, every_stratum_once);
+    tcase_add_test(tcase, inputs_by_name);
+    tcase_add_test(tcase, changes_of_a_scene);
+    tcase_add_test(tcase, samples_are_runs);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}
