@@ -10,6 +10,7 @@ struct thud_sweep_collector {
     size_t room;
     struct thud_sweep_need_row *need; /* (table.nrecords) */
     const char *structure[THUD_STRUCTURES_MAX];
+    enum thud_structure_kind kind[THUD_STRUCTURES_MAX];
 };
 
 /* `record` (plan->nrecords, at least 1) are names as shown; they and the plan must outlive the table. */

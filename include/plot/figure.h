@@ -78,6 +78,7 @@ struct thud_map {
     const char *label, *unit;
     double centre;                 /* the palette's neutral value (1 for ratios); NaN: a palette from low to high */
     double level;                  /* of the contour; NaN: none */
+    double reach;                  /* of the palette to either side of the centre; 0: from the data */
     const char *const *class_name; /* static: what z = 0, 1, ... are called; NULL: z is a quantity */
     int classes;
 };
@@ -92,6 +93,7 @@ struct thud_panel {
     struct thud_mark *mark;
     struct thud_map *map; /* NULL: none */
     bool closer;          /* another panel's series, seen closer */
+    bool strip;           /* one of a stack of small ones with one x axis, at the lowest; its title stands inside */
     bool used;
 };
 
@@ -133,6 +135,9 @@ struct thud_series *thud_panel_fill(struct thud_panel *panel, struct thud_style 
 struct thud_map *thud_panel_map(struct thud_panel *panel, size_t nx, const double *x, size_t ny, const double *y,
                                 const double *z, const char *label, const char *unit);
 
+/* Makes all panels of a figure strips. */
+void thud_figure_strips(struct thud_figure *figure);
+
 /* Makes `panel` a closer look at `from` between two values of x: same series and labels; the stretch is marked in
  * `from`. */
 void thud_panel_zoom(struct thud_panel *panel, struct thud_panel *from, double least, double most);
@@ -151,8 +156,8 @@ int thud_figure_key(const struct thud_figure *figure, const struct thud_series *
 /* "Gap (cm)". Returns `text`. */
 char *thud_axis_text(const struct thud_axis *axis, char *text, size_t size);
 
-/* All data of a figure as CSV with a header: panel, series, x, y, y_high (bands) or z (maps). Where all panels have the
- * same axes, x and y are headed by their names and units; else these stand with the panel. */
+/* All data of a figure as CSV: panel, series, then a column for each variable (an axis, a map's quantity, the upper end
+ * of a band), headed by its name and unit; a row has numbers in those of its panel. */
 void thud_figure_csv(const struct thud_figure *figure, struct thud_text *out);
 
 /* Least and largest of z that are numbers; false when there are none. */

@@ -6,7 +6,8 @@
 #include "study/sweep_table.h"
 
 /* Amplification of the peak floor accelerations and interstorey deflections against the first varied key, a curve per
- * floor, a column of panels per structure, for one record and case. `title` may be NULL: made from record and case. */
+ * floor, a column of panels per structure, for one record and case; of case `none` over no pounding. `title` may be
+ * NULL: made from record and case. */
 struct thud_figure *thud_figure_by_floor(const struct thud_sweep_table *table, int record, enum thud_case which,
                                          const char *name, const char *title);
 /* The same of the means over the floors, a curve per record. */
@@ -14,10 +15,12 @@ struct thud_figure *thud_figure_of_means(const struct thud_sweep_table *table, e
                                          const char *title);
 /* Largest contact force and number of impacts against the first varied key, a curve per case, for one record. */
 struct thud_figure *thud_figure_of_contacts(const struct thud_sweep_table *table, int record, const char *name);
-/* Amplification of the means over the first two varied keys (heat map with the contour at 1), for one record and case.
- */
+/* Ratios of the means over the floors to no pounding, a curve per case, for one record. */
+struct thud_figure *thud_figure_of_pounding(const struct thud_sweep_table *table, int record, const char *name);
+/* Amplification of the means over the first two varied keys (heat map with the contour at 1), for one record and case;
+ * at (naxes): places of the others' values, NULL: the first. */
 struct thud_figure *thud_figure_of_map(const struct thud_sweep_table *table, int record, enum thud_case which,
-                                       const char *name);
+                                       const int *at, const char *name);
 
 /* All figures a study gives, counted from 0: thud_sweep_figure makes one (ask thud_figure_check). */
 int thud_sweep_figure_count(const struct thud_sweep_table *table);

@@ -15,11 +15,12 @@ enum thud_picture_format { THUD_PNG, THUD_SVG, THUD_PDF, THUD_PICTURE_FORMATS };
 /* Zeros mean: chosen for the figure. */
 struct thud_picture_options {
     enum thud_picture_format format;
-    int width_px, height_px;             /* PDF: 200 to the inch */
-    const char *font;                    /* NULL: DejaVu Sans */
-    double font_px;                      /* height of an em */
-    const char *program;                 /* NULL: `gnuplot` from PATH */
-    double deadline_s;                   /* 0: 20 */
+    int width_px, height_px; /* PDF: 200 to the inch */
+    double width_mm;         /* on paper: type of 8 points and lines of half a point there; before width_px */
+    const char *font;        /* NULL: DejaVu Sans */
+    double font_px;          /* height of an em */
+    const char *program;     /* NULL: `gnuplot` from PATH */
+    double deadline_s;       /* 0: 20 */
     const volatile sig_atomic_t *cancel; /* not NULL: drawing stops when it becomes other than 0 */
     bool no_data;                        /* where a figure is saved: no CSV of it, its data stand in another file */
 };
@@ -29,6 +30,8 @@ const char *thud_picture_suffix(enum thud_picture_format format); /* "png" */
 enum thud_status thud_picture_format_parse(const char *text, enum thud_picture_format *out, struct thud_error *err);
 /* "1800x1200". Errors: THUD_USAGE. */
 enum thud_status thud_picture_size_parse(const char *text, int *width_px, int *height_px, struct thud_error *err);
+/* "90mm". Errors: THUD_USAGE. */
+enum thud_status thud_picture_width_parse(const char *text, double *width_mm, struct thud_error *err);
 /* "DejaVu Serif" or "DejaVu Serif,28": the name is copied to `name`, *font_px stays where no size is given. Errors:
  * THUD_USAGE. */
 enum thud_status thud_picture_font_parse(const char *text, char *name, size_t size, double *font_px,

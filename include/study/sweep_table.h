@@ -7,9 +7,9 @@
 
 #include "study/sweep.h"
 
-/* Over case `none`, as in struct thud_sweep_row. */
+/* Over case `none`, and over no pounding, as in struct thud_sweep_row. */
 struct thud_sweep_ratio {
-    double acceleration, drift;
+    double acceleration, drift, acceleration_free, drift_free;
 };
 enum thud_sweep_end { THUD_SWEEP_VALUE, THUD_SWEEP_LOW, THUD_SWEEP_HIGH };
 
@@ -35,11 +35,12 @@ struct thud_sweep_summary {
 
 struct thud_sweep_table {
     int nrecords, nstructures, naxes;
-    double sensitivity;                 /* of the spread; 0: there is none */
-    const char *const *record;          /* (nrecords) names */
-    const char *const *structure;       /* (nstructures) names */
-    const struct thud_sweep_axis *axis; /* (naxes) */
-    size_t nrows;                       /* of all runs */
+    double sensitivity;                   /* of the spread; 0: there is none */
+    const char *const *record;            /* (nrecords) names */
+    const char *const *structure;         /* (nstructures) names */
+    const enum thud_structure_kind *kind; /* (nstructures) */
+    const struct thud_sweep_axis *axis;   /* (naxes) */
+    size_t nrows;                         /* of all runs */
     size_t npoints;
     struct thud_sweep_summary *const *point; /* (npoints): by record, then parameters, the last axis fastest */
     const struct thud_sweep_need_row

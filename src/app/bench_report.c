@@ -155,8 +155,8 @@ static void add_curve(struct thud_bench *bench, int first, int last, struct thud
     }
     if (rings > 0) {
         struct thud_style ring = {.kind = THUD_POINTS, .color = THUD_COLORS - 1, .wide = true};
-        thud_panel_add(panel[0], ring, "impacts missed or added", rings, ring_x, ring_time);
-        thud_panel_add(panel[1], ring, "impacts missed or added", rings, ring_x, ring_work);
+        thud_panel_add(panel[0], ring, "", rings, ring_x, ring_time); /* no method: the note says what it is */
+        thud_panel_add(panel[1], ring, "", rings, ring_x, ring_work);
     }
 }
 
@@ -165,6 +165,9 @@ static void add_note(struct thud_bench *bench, struct thud_figure *figure)
 {
     static const struct list_style style = {"Blown up, and not shown: ", "; ", " at ", ", "};
     struct thud_text note = {0};
+    for (int i = 0; i < thud_bench_count(bench) && note.size == 0; i++)
+        if (has_fault(thud_bench_point(bench, i), THUD_BENCH_WRONG_IMPACTS))
+            thud_text_append(&note, "Ringed: runs that missed impacts or added some. ");
     put_runs(bench, THUD_BENCH_BLOWN_UP, &style, &note);
     if (note.size > 0 && !note.failed)
         thud_figure_note(figure, note.data);

@@ -78,7 +78,7 @@ struct thud_figure *thud_stability_map(const struct thud_stability *s, int kind)
     static const char *const names[THUD_STABILITY_KINDS] = {"stability-free", "stability-wall", "stability-scene"};
     static const char *const titles[THUD_STABILITY_KINDS] = {"An undamped oscillator for 50 s",
                                                              "A mass bouncing on a wall spring for 50 s",
-                                                             "The scene, in its fastest mode's omega dt"};
+                                                             "The scene, in its fastest mode's ω Δt"};
     struct grid g;
     double z[ROWS_MAX * COLUMNS_MAX], x[COLUMNS_MAX], y[ROWS_MAX];
     fill(s, &g);
@@ -93,7 +93,7 @@ struct thud_figure *thud_stability_map(const struct thud_stability *s, int kind)
             const struct thud_stability_cell *c = g.cell[row][k];
             z[(g.rows - 1 - row) * g.columns + k] = c && c->verdict[kind] ? (double)c->verdict[kind] - 1 : NAN;
         }
-    thud_panel_axis(panel, THUD_X, "omega dt", "");
+    thud_panel_axis(panel, THUD_X, "ω Δt", "");
     thud_panel_axis(panel, THUD_Y, "", "");
     add_labels(&g, panel);
     struct thud_map *map =
@@ -124,7 +124,7 @@ struct thud_figure *thud_stability_energies(const struct thud_stability *s)
     for (int located = 0; located < 2; located++) {
         struct thud_panel *panel =
             thud_figure_panel(figure, 0, located, located ? "Impacts located" : "Impacts not located");
-        thud_panel_axis(panel, THUD_X, "omega_c dt", "");
+        thud_panel_axis(panel, THUD_X, "ω_c Δt", "");
         thud_panel_axis(panel, THUD_Y, "Energy at the end over the start", "");
         thud_panel_log(panel, THUD_X);
         thud_panel_log(panel, THUD_Y);

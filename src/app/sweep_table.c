@@ -6,14 +6,17 @@ void thud_sweep_collector_init(struct thud_sweep_collector *collector, const str
                                const char *const *record)
 {
     *collector = (struct thud_sweep_collector){0};
-    for (int i = 0; i < plan->scene.nstructures; i++)
+    for (int i = 0; i < plan->scene.nstructures; i++) {
         collector->structure[i] = plan->scene.structure[i].name;
+        collector->kind[i] = plan->scene.structure[i].kind;
+    }
     collector->table = (struct thud_sweep_table){.nrecords = plan->nrecords > 0 ? plan->nrecords : 1,
                                                  .nstructures = plan->scene.nstructures,
                                                  .naxes = plan->naxes,
                                                  .sensitivity = plan->sensitivity,
                                                  .record = record,
                                                  .structure = collector->structure,
+                                                 .kind = collector->kind,
                                                  .axis = plan->axis};
 }
 

@@ -2,7 +2,6 @@
 #include <signal.h>
 #include <stdio.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "app/cost_jobs.h"
 #include "app/figure_files.h"
@@ -10,6 +9,7 @@
 #include "cli/commands.h"
 #include "cli/interrupt.h"
 #include "cli/picture_options.h"
+#include "cli/progress.h"
 #include "cli/scene_options.h"
 #include "cli/study_file.h"
 #include "io/file.h"
@@ -17,8 +17,7 @@
 static void show_progress(void *context, const char *what, int done, int count)
 {
     (void)context;
-    fprintf(stderr, "\r\033[K%d of %d  %s", done, count, what);
-    fflush(stderr);
+    thud_progress_show("%d of %d  %s", done, count, what);
 }
 
 /* With -o `csv` as NAME.csv and the figure; then the table on standard output, whose reader may be gone before its end.
@@ -82,13 +81,13 @@ static enum thud_status bench(const struct thud_args *args, const struct thud_sc
         status = choose_methods(plan, methods, err);
     if (status == THUD_OK)
         status = thud_bench_jobs_run(plan, jobs, err);
-    if (jobs->progress)
-        fputs("\r\033[K", stderr);
+    thud_progress_end();
     if (status == THUD_OK || (status == THUD_CANCELLED && plan)) {
         thud_bench_table(plan, &table);
         thud_bench_csv(plan, &csv);
-        enum thud_status delivered =
-            deliver(args, &table, &csv, thud_bench_figure(plan, scene->title), jobs->cancel, err);
+        char text[THUD_TEXT_MAX + 64];
+        snprintf(text, sizeof text, "%s: speed against accuracy", scene->title);
+        enum thud_status delivered = deliver(args, &table, &csv, thud_bench_figure(plan, text), jobs->cancel, err);
         status = delivered == THUD_OK ? status : delivered;
     }
     thud_bench_free(plan);
@@ -107,8 +106,7 @@ static enum thud_status cost(const struct thud_args *args, const struct thud_sce
         status = thud_cost_create(scene, record, axis, &plan, err);
     if (status == THUD_OK)
         status = thud_cost_jobs_run(plan, jobs, err);
-    if (jobs->progress)
-        fputs("\r\033[K", stderr);
+    thud_progress_end();
     if (status == THUD_OK || (status == THUD_CANCELLED && plan)) {
         thud_cost_table(plan, &table);
         thud_cost_csv(plan, &csv);
@@ -143,7 +141,7 @@ static enum thud_status measure(const struct thud_args *args, struct thud_sessio
 {
     struct thud_bench_jobs jobs = {.repeats = 7, .patience_s = 12, .cancel = thud_interrupt_watch()};
     struct thud_picture_choice unused;
-    if (isatty(STDERR_FILENO) && !thud_args_has(args, "quiet"))
+    if (thud_progress_start(args))
         jobs.progress = show_progress;
     enum thud_status status = thud_picture_options_read(args, &unused, err); /* wrong ones are said before the work */
     if (status == THUD_OK && thud_args_has(args, "cost") && thud_args_has(args, "methods"))

@@ -1,21 +1,12 @@
 /* thud figures: the paper's figures, and with `all` the report. */
 #include <stdio.h>
-#include <unistd.h>
 
 #include "app/paper_figures.h"
 #include "app/paper_study.h"
 #include "cli/commands.h"
 #include "cli/interrupt.h"
 #include "cli/picture_options.h"
-
-static void show_progress(void *context, long done, long count, double elapsed_s)
-{
-    (void)context;
-    double left_s = done > 0 ? elapsed_s * (double)(count - done) / (double)done : 0.0;
-    fprintf(stderr, "\r%ld of %ld points, %.0f s left ", done, count, left_s);
-    if (done == count)
-        fputs("\r\033[K", stderr);
-}
+#include "cli/progress.h"
 
 static enum thud_status make_study(const struct thud_args *args, struct thud_paper_work **work,
                                    struct thud_paper_study *study, struct thud_error *err)
@@ -26,9 +17,12 @@ static enum thud_status make_study(const struct thud_args *args, struct thud_pap
                                          .unit = thud_args_value(args, "unit"),
                                          .cancel = thud_interrupt_watch()};
     enum thud_status status = thud_args_integer(args, "j", 1, THUD_JOBS_MAX, 0, &request.threads, err);
-    if (!thud_args_has(args, "quiet") && isatty(STDERR_FILENO))
-        request.progress = show_progress;
-    return status == THUD_OK ? thud_paper_work_make(&request, work, study, err) : status;
+    if (thud_progress_start(args))
+        request.progress = thud_progress_points;
+    if (status == THUD_OK)
+        status = thud_paper_work_make(&request, work, study, err);
+    thud_progress_end();
+    return status;
 }
 
 /* What is said of ground motions that are not given would be said in vain: the surrogates have theirs. */

@@ -46,11 +46,22 @@ static enum thud_status deliver(const struct thud_args *args, const struct thud_
     return thud_cli_print(&text, err);
 }
 
+/* The bumper of a scene, for titles. */
+static const char *case_title(const struct thud_scene *scene)
+{
+    bool bumper = false, cavity = false;
+    for (int i = 0; i + 1 < scene->nstructures; i++) {
+        bumper |= scene->interface[i].has_bumper;
+        cavity |= scene->interface[i].has_bumper && scene->interface[i].bumper_cavity_m > 0;
+    }
+    return cavity ? "bumper in a cavity" : bumper ? "bumper" : "no bumper";
+}
+
 /* Their data stand in histories.csv. */
 static enum thud_status draw(const struct thud_args *args, struct thud_picture_choice *picture,
                              const struct thud_scene *scene, const struct thud_answer *answer, struct thud_error *err)
 {
-    struct thud_figure_source source = thud_run_source("", scene, answer->run);
+    struct thud_figure_source source = thud_run_source(case_title(scene), scene, answer->run);
     picture->options.no_data = true;
     picture->options.cancel = thud_interrupt_watch();
     return thud_run_figures_save(&source, 1, thud_args_value(args, "o"), &picture->options, err);

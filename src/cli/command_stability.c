@@ -2,13 +2,13 @@
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <unistd.h>
 
 #include "app/figure_files.h"
 #include "app/stability_report.h"
 #include "cli/commands.h"
 #include "cli/interrupt.h"
 #include "cli/picture_options.h"
+#include "cli/progress.h"
 #include "cli/scene_options.h"
 #include "cli/study_file.h"
 #include "io/file.h"
@@ -35,7 +35,7 @@ static enum thud_status save(const struct thud_stability *stability, const char 
 static enum thud_status work(const struct thud_args *args, struct thud_stability *stability,
                              const volatile sig_atomic_t *cancel, struct thud_error *err)
 {
-    bool progress = isatty(STDERR_FILENO) && !thud_args_has(args, "quiet");
+    thud_progress_start(args);
     enum thud_status status = THUD_OK;
     int jobs = thud_stability_jobs(stability);
     while (status == THUD_OK && stability->done < jobs) {
@@ -43,11 +43,9 @@ static enum thud_status work(const struct thud_args *args, struct thud_stability
             status = thud_error_set(err, THUD_CANCELLED, "stopped");
         else
             status = thud_stability_next(stability, err);
-        if (progress)
-            fprintf(stderr, "\r\033[K%d of %d", stability->done, jobs);
+        thud_progress_show("%d of %d", stability->done, jobs);
     }
-    if (progress)
-        fputs("\r\033[K", stderr);
+    thud_progress_end();
     return status;
 }
 

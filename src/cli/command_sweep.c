@@ -2,13 +2,13 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "app/record_list.h"
 #include "app/sweep_report.h"
 #include "cli/commands.h"
 #include "cli/interrupt.h"
 #include "cli/picture_options.h"
+#include "cli/progress.h"
 #include "cli/scene_options.h"
 #include "cli/study_file.h"
 #include "cli/sweep_output.h"
@@ -112,15 +112,6 @@ static enum thud_status find_best(struct sweep *s, struct thud_error *err)
     return THUD_USAGE;
 }
 
-static void show_progress(void *context, long done, long count, double elapsed_s)
-{
-    (void)context;
-    fprintf(stderr, "\r\033[K%ld of %ld points", done, count);
-    if (done > 0 && done < count)
-        fprintf(stderr, ", %.0f s left", elapsed_s / (double)done * (double)(count - done));
-    fflush(stderr);
-}
-
 static enum thud_status fill_study(struct sweep *s, struct thud_error *err)
 {
     const struct thud_args *args = s->args;
@@ -134,8 +125,8 @@ static enum thud_status fill_study(struct sweep *s, struct thud_error *err)
     study->cancel = thud_interrupt_watch();
     study->context = &s->output;
     study->emit = thud_sweep_output_point;
-    if (isatty(STDERR_FILENO) && !thud_args_has(args, "quiet"))
-        study->progress = show_progress;
+    if (thud_progress_start(args))
+        study->progress = thud_progress_points;
     s->output.plan = &s->plan;
     s->output.format = thud_args_has(args, "json")  ? THUD_SWEEP_OUTPUT_JSON
                        : thud_args_has(args, "csv") ? THUD_SWEEP_OUTPUT_CSV
@@ -211,8 +202,7 @@ static enum thud_status conclude(struct sweep *s, struct thud_error *err)
 
 static enum thud_status finish(struct sweep *s, enum thud_status status, struct thud_error *err)
 {
-    if (s->study.progress)
-        fputs("\r\033[K", stderr);
+    thud_progress_end();
     if (s->study.shard.count > 1 && status == THUD_OK) {
         if (!thud_args_has(s->args, "quiet"))
             fprintf(stderr, "part %d of %d is whole: thud sweep --merge DIR... -o DIR joins the parts\n",

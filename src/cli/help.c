@@ -29,7 +29,7 @@ static void name_said_by_record(struct thud_text *out, enum thud_command_id id)
     for (int i = 0; i < thud_option_count(); i++)
         if (thud_option_belongs(thud_option_at(i), id) && said_by_record(thud_option_at(i), id))
             thud_text_append(out, " --%s", thud_option_at(i)->name);
-    thud_text_append(out, "\n");
+    thud_text_append(out, "\nand of `thud figures`: --size --font\n");
 }
 
 /* A study takes all that a run takes; what a run's help says of its scene is not said again. */
@@ -37,6 +37,13 @@ static bool said_by_run(const struct thud_option *option, enum thud_command_id i
 {
     return id == THUD_COMMAND_SWEEP && !thud_option_stands_alone(option) &&
            thud_option_belongs(option, THUD_COMMAND_RUN) && !thud_option_belongs(option, THUD_COMMAND_FIGURES);
+}
+
+/* How large pictures are and in what type, `thud figures` says for others that have much to say. */
+static bool said_by_figures(const struct thud_option *option, enum thud_command_id id)
+{
+    return (id == THUD_COMMAND_RUN || id == THUD_COMMAND_SWEEP) &&
+           (strcmp(option->name, "size") == 0 || strcmp(option->name, "font") == 0);
 }
 
 void thud_help_command(struct thud_text *out, enum thud_command_id id)
@@ -48,7 +55,7 @@ void thud_help_command(struct thud_text *out, enum thud_command_id id)
         const struct thud_option *option = thud_option_at(i);
         /* whoever reads this has found --help, and the list must fit a screen */
         if (!thud_option_belongs(option, id) || said_by_run(option, id) || said_by_record(option, id) ||
-            strcmp(option->name, "help") == 0)
+            said_by_figures(option, id) || strcmp(option->name, "help") == 0)
             continue;
         char usage[64];
         snprintf(usage, sizeof usage, "%s%s%s%s", option->name[1] ? "--" : "-", option->name,

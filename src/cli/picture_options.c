@@ -9,12 +9,17 @@ enum thud_status thud_picture_options_read(const struct thud_args *args, struct 
     memset(choice, 0, sizeof *choice);
     struct thud_picture_options *options = &choice->options;
     const char *format = thud_args_value(args, "format"), *size = thud_args_value(args, "size"),
-               *font = thud_args_value(args, "font"), *program = getenv("THUD_GNUPLOT");
+               *width = thud_args_value(args, "width"), *font = thud_args_value(args, "font"),
+               *program = getenv("THUD_GNUPLOT");
     enum thud_status status = THUD_OK;
     if (format)
         status = thud_picture_format_parse(format, &options->format, err);
     if (!status && size)
         status = thud_picture_size_parse(size, &options->width_px, &options->height_px, err);
+    if (!status && width && size)
+        status = thud_error_set(err, THUD_USAGE, "--width and --size together");
+    if (!status && width)
+        status = thud_picture_width_parse(width, &options->width_mm, err);
     if (!status && font) {
         status = thud_picture_font_parse(font, choice->font, sizeof choice->font, &options->font_px, err);
         options->font = choice->font;

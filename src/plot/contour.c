@@ -52,7 +52,10 @@ size_t thud_map_contour(const struct thud_map *map, double (*piece)[4], size_t m
             struct corner c[4] = {at(map, i, j), at(map, i + 1, j), at(map, i + 1, j + 1), at(map, i, j + 1)};
             struct corner mid = {0.25 * (c[0].x + c[1].x + c[2].x + c[3].x), 0.25 * (c[0].y + c[1].y + c[2].y + c[3].y),
                                  0.25 * (c[0].z + c[1].z + c[2].z + c[3].z)};
-            if (!isfinite(mid.z))
+            bool on = false; /* a plain that lies at the level has no line around it */
+            for (int k = 0; k < 4; k++)
+                on = on || fabs(c[k].z - map->level) <= 1e-9 * fabs(map->level);
+            if (!isfinite(mid.z) || on)
                 continue;
             for (int k = 0; k < 4; k++) {
                 double found[4];

@@ -219,7 +219,7 @@ struct thud_map *thud_panel_map(struct thud_panel *panel, size_t nx, const doubl
     if (!map)
         return NULL;
     *map = (struct thud_map){nx,  ny,  NULL, NULL, NULL, keep_text(figure, label), keep_text(figure, unit),
-                             NAN, NAN, NULL, 0};
+                             NAN, NAN, 0,    NULL, 0};
     map->x = keep_numbers(figure, nx, x);
     map->y = keep_numbers(figure, ny, y);
     map->z = keep_numbers(figure, nx * ny, z);
@@ -229,6 +229,12 @@ struct thud_map *thud_panel_map(struct thud_panel *panel, size_t nx, const doubl
         map->z[i] = NAN;
     panel->map = map;
     return map;
+}
+
+void thud_figure_strips(struct thud_figure *figure)
+{
+    for (int i = 0; figure && i < figure->rows * figure->columns; i++)
+        figure->panel[i].strip = true;
 }
 
 void thud_panel_zoom(struct thud_panel *panel, struct thud_panel *from, double least, double most)

@@ -33,12 +33,15 @@ static void copy_panel(struct thud_panel *to, const struct thud_panel *from)
         if (map) {
             map->centre = m->centre;
             map->level = m->level;
+            map->reach = m->reach;
             map->class_name = m->class_name;
             map->classes = m->classes;
         }
     }
-    if (to)
+    if (to) {
         to->closer = from->closer;
+        to->strip = from->strip;
+    }
 }
 
 struct thud_figure *thud_figure_copy(const struct thud_figure *figure)

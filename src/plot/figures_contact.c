@@ -15,7 +15,7 @@ static double peak_force(const struct thud_figure_source *source, int nsources, 
 enum { CONTACTS_MAX = 4000 };
 
 /* The contacts worth a curve; the largest force in *peak. */
-static int pick_contacts(const struct thud_figure_source *source, int nsources, int *index, double *peak)
+static int pick_contacts(const struct thud_figure_source *source, int nsources, int most, int *index, double *peak)
 {
     double force[CONTACTS_MAX];
     int n = source->result->ncontacts < CONTACTS_MAX ? source->result->ncontacts : CONTACTS_MAX;
@@ -24,7 +24,7 @@ static int pick_contacts(const struct thud_figure_source *source, int nsources, 
         force[c] = peak_force(source, nsources, c);
         *peak = fmax(*peak, force[c]);
     }
-    return thud_pick_largest(force, n, nsources > 1 ? 1 : THUD_CURVES_MAX, index);
+    return *peak > 0.0 ? thud_pick_largest(force, n, most, index) : 0;
 }
 
 /* Says which contacts are shown where it is not all that touched. */
@@ -47,30 +47,80 @@ static void contact_note(struct thud_panel *panel, const struct thud_figure_sour
     }
 }
 
+/* Every impact at its largest force. */
+static void impact_points(struct thud_panel *panel, const struct thud_figure_source *source, int contact, double factor,
+                          const char *name, int color)
+{
+    struct thud_style style = {.kind = THUD_POINTS, .color = color};
+    struct thud_series *series = thud_panel_add(panel, style, name, (size_t)source->nimpacts, NULL, NULL);
+    size_t n = 0;
+    for (int i = 0; series && i < source->nimpacts; i++)
+        if (source->impact[i].contact == contact && source->impact[i].force_n > 0.0) {
+            series->x[n] = source->impact[i].start_s + 0.5 * source->impact[i].duration_s;
+            series->y[n++] = factor * source->impact[i].force_n;
+        }
+    if (series)
+        series->n = n;
+}
+
+enum { IMPACTS_MANY = 100 };
+
+/* A strip for each contact, the highest first; where impacts are hundreds, each is a point on a log axis. */
 struct thud_figure *thud_figure_forces(const struct thud_figure_source *source, int nsources)
 {
-    int index[THUD_CURVES_MAX], n;
+    int index[THUD_CURVES_MAX], n, most = 0;
     double peak, from, to;
-    char text[THUD_TEXT_MAX + 64];
-    bool zoom = thud_source_zoom(source, nsources, &from, &to);
-    n = pick_contacts(source, nsources, index, &peak);
+    char text[3 * THUD_TEXT_MAX], what[64], name[160];
+    bool zoom = thud_source_zoom(source, nsources, &from, &to), ground = thud_source_ground(source);
+    n = pick_contacts(source, nsources, THUD_CURVES_MAX, index, &peak);
+    for (int s = 0; s < nsources; s++)
+        most = source[s].nimpacts > most ? source[s].nimpacts : most;
+    bool many = most > IMPACTS_MANY;
     struct thud_shown shown = thud_shown_force(peak);
-    snprintf(text, sizeof text, "%s: Impact force", source->scene->title);
-    struct thud_figure *figure = thud_figure_create(thud_run_figure_name(THUD_FIGURE_FORCE), text, zoom ? 2 : 1, 1);
-    struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "Whole run");
-    thud_panel_axis(panel, THUD_X, "Time", "s");
-    thud_panel_axis(panel, THUD_Y, "Impact force", shown.unit);
+    snprintf(what, sizeof what, many ? "largest force of every impact (%s)" : "impact force (%s)", shown.unit);
+    thud_source_title(source, nsources, what, text, sizeof text);
+    zoom = zoom && !many;
+    struct thud_figure *figure =
+        thud_figure_create(thud_run_figure_name(THUD_FIGURE_FORCE), text, (n > 0 ? n : 1) + ground, zoom ? 2 : 1);
+    if (ground)
+        thud_figure_ground(figure, source, from, to);
+    if (n == 0)
+        thud_figure_panel(figure, ground, 0, "no contact");
     for (int i = 0; i < n; i++) {
+        int c = index[n - 1 - i];
+        thud_source_contact_name(source, c, name, sizeof name);
+        struct thud_panel *panel = thud_figure_panel(figure, i + ground, 0, name);
+        thud_panel_axis(panel, THUD_X, "Time", "s");
+        thud_panel_axis(panel, THUD_Y, "Impact force", shown.unit);
+        if (many)
+            thud_panel_log(panel, THUD_Y);
         for (int s = 0; s < nsources; s++) {
-            thud_source_contact_name(source, index[i], text, sizeof text);
-            thud_source_line(panel, &source[s], thud_history_force(source[s].history, index[i]), -1, shown.factor,
-                             nsources > 1 ? source[s].name : text, nsources > 1 ? s : i);
+            const char *key = nsources > 1 ? source[s].name : "";
+            if (many)
+                impact_points(panel, &source[s], c, shown.factor, key, s);
+            else
+                thud_source_line(panel, &source[s], thud_history_force(source[s].history, c), -1, shown.factor, key, s);
         }
+        if (zoom)
+            thud_panel_zoom(thud_figure_panel(figure, i + ground, 1, name), panel, from, to);
     }
-    contact_note(panel, source, nsources, n, index);
-    if (zoom)
-        thud_panel_zoom(thud_figure_panel(figure, 1, 0, "Around the largest impact"), panel, from, to);
-    thud_figure_shorten(figure);
+    if (n > 0)
+        thud_figure_same_height(figure, ground);
+    thud_figure_strips(figure);
+    for (int r = ground; many && r < (n > 0 ? n : 1) + ground && figure; r++) /* the run's time for all */
+        thud_panel_limits(&figure->panel[r], THUD_X, 0.0, source->result->end_s);
+    if (many)
+        thud_panel_limits(ground && figure ? &figure->panel[0] : NULL, THUD_X, 0.0, source->result->end_s);
+    else
+        thud_figure_shorten(figure);
+    int touched = 0;
+    for (int c = 0; c < source->result->ncontacts; c++)
+        touched += peak_force(source, nsources, c) > 0.0;
+    if (n < touched) {
+        snprintf(text, sizeof text, "The %d of %d contacts with the largest forces; histories.csv has all.", n,
+                 touched);
+        thud_figure_note(figure, text);
+    }
     return figure;
 }
 
@@ -104,10 +154,10 @@ struct thud_figure *thud_figure_loops(const struct thud_figure_source *source, i
 {
     int index[THUD_CURVES_MAX], n;
     double peak;
-    char text[THUD_TEXT_MAX + 64];
-    n = pick_contacts(source, nsources, index, &peak);
+    char text[3 * THUD_TEXT_MAX];
+    n = pick_contacts(source, nsources, nsources > 1 ? 1 : THUD_CURVES_MAX, index, &peak);
     struct thud_shown shown = thud_shown_force(peak);
-    snprintf(text, sizeof text, "%s: Force against indentation", source->scene->title);
+    thud_source_title(source, nsources, "impact force against indentation", text, sizeof text);
     struct thud_figure *figure = thud_figure_create(thud_run_figure_name(THUD_FIGURE_LOOP), text, 1, 1);
     struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "Every impact of the run");
     thud_panel_axis(panel, THUD_X, "Indentation", "mm");
@@ -137,11 +187,10 @@ static double energy_peak(const struct thud_figure_source *source)
 
 struct thud_figure *thud_figure_energies(const struct thud_figure_source *source, int nsources)
 {
-    static const char *const name[THUD_HISTORY_ENERGIES] = {"put in", "motion", "strain", "lost by damping",
-                                                            "taken by contacts"};
-    char text[THUD_TEXT_MAX + 64];
+    static const char *const name[THUD_HISTORY_ENERGIES] = {"input", "kinetic", "strain", "damping", "contact"};
+    char text[3 * THUD_TEXT_MAX];
     int rows = nsources < THUD_ROWS_MAX ? nsources : THUD_ROWS_MAX;
-    snprintf(text, sizeof text, "%s: Energy", source->scene->title);
+    thud_source_title(source, nsources, "energy", text, sizeof text);
     double peak = 0.0, from, to;
     bool zoom = thud_source_zoom(source, nsources, &from, &to);
     struct thud_figure *figure = thud_figure_create(thud_run_figure_name(THUD_FIGURE_ENERGY), text, rows, zoom ? 2 : 1);

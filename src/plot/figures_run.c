@@ -1,6 +1,8 @@
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
+#include "base/quantity.h"
 #include "plot/figures_run_internal.h"
 
 /* ---- what all figures of runs need ---- */
@@ -169,31 +171,6 @@ static void floor_line(struct thud_panel *panel, const struct thud_figure_source
     thud_source_line(panel, source, column, less, quantities[which].factor, name, color);
 }
 
-static void structure_panel(struct thud_panel *panel, const struct thud_figure_source *source, int nsources,
-                            int structure, enum thud_run_figure which)
-{
-    int floors = source->result->structure[structure].floors, index[THUD_CURVES_MAX];
-    double peak[THUD_STOREYS_MAX + 1] = {0.0};
-    char text[128];
-    for (int f = 0; f < floors; f++) {
-        for (int s = 0; s < nsources; s++)
-            peak[f] = fmax(peak[f], floor_peak(&source[s], structure, f, which));
-    }
-    int n = thud_pick_largest(peak, floors, nsources > 1 ? 1 : THUD_CURVES_MAX, index);
-    for (int s = 0; s < nsources && nsources > 1 && n > 0; s++)
-        floor_line(panel, &source[s], structure, index[0], which, source[s].name, s);
-    for (int i = 0; i < n && nsources == 1; i++) {
-        snprintf(text, sizeof text, "floor %d", index[i] + 1);
-        floor_line(panel, source, structure, index[i], which, text, index[i]);
-    }
-    if (nsources > 1 && n > 0 && floors > 1)
-        snprintf(text, sizeof text, "Floor %d, which has the largest peak", index[0] + 1);
-    else
-        snprintf(text, sizeof text, "The %d of %d floors with the largest peaks", n, floors);
-    if (nsources > 1 ? floors > 1 : n < floors)
-        thud_panel_note(panel, text);
-}
-
 /* Structures with something to show: those that have floors, and for the deflections more than a rigid body's one. */
 static bool shown(const struct thud_figure_source *source, int structure, enum thud_run_figure which)
 {
@@ -201,33 +178,128 @@ static bool shown(const struct thud_figure_source *source, int structure, enum t
     return source->result->structure[structure].floors > 0 && !(which == THUD_FIGURE_DRIFT && kind == THUD_RIGID);
 }
 
-static struct thud_figure *histories(enum thud_run_figure which, const struct thud_figure_source *source, int nsources)
+/* A floor of a structure, both from 0. */
+struct place {
+    int structure, floor;
+};
+
+enum { STRIPS_MAX = 12 };
+
+/* The floors that have a strip: all, or of each structure those with the largest peaks; the top of the first structure
+ * first. */
+static int pick_floors(const struct thud_figure_source *source, int nsources, enum thud_run_figure which,
+                       struct place *place, bool *all)
 {
-    int rows = 0, row = 0, all = source->result->nstructures;
-    double from, to;
-    char title[THUD_TEXT_MAX + 64];
-    bool zoom = thud_source_zoom(source, nsources, &from, &to);
-    for (int i = 0; i < all; i++)
-        rows += shown(source, i, which);
-    snprintf(title, sizeof title, "%s: %s", source->scene->title, quantities[which].title);
-    struct thud_figure *figure = thud_figure_create(thud_run_figure_name(which), title,
-                                                    rows < THUD_ROWS_MAX ? rows : THUD_ROWS_MAX, zoom ? 2 : 1);
-    for (int i = 0; i < all && row < THUD_ROWS_MAX; i++) {
+    int nshown = 0, total = 0, n = 0;
+    for (int i = 0; i < source->result->nstructures; i++) {
+        nshown += shown(source, i, which);
+        total += shown(source, i, which) ? source->result->structure[i].floors : 0;
+    }
+    *all = total <= STRIPS_MAX;
+    int each = *all ? total : nshown > 0 && STRIPS_MAX > nshown ? STRIPS_MAX / nshown : 1;
+    for (int i = 0; i < source->result->nstructures; i++) {
+        int floors = source->result->structure[i].floors, index[THUD_STOREYS_MAX + 1];
+        double peak[THUD_STOREYS_MAX + 1] = {0.0};
         if (!shown(source, i, which))
             continue;
-        struct thud_panel *panel = thud_figure_panel(figure, row, 0, source->scene->structure[i].name);
+        for (int f = 0; f < floors; f++)
+            for (int s = 0; s < nsources; s++)
+                peak[f] = fmax(peak[f], floor_peak(&source[s], i, f, which));
+        int count = *all ? floors : thud_pick_largest(peak, floors, each, index);
+        for (int k = count - 1; k >= 0 && n < STRIPS_MAX; k--)
+            place[n++] = (struct place){i, *all ? k : index[k]};
+    }
+    return n;
+}
+
+void thud_source_title(const struct thud_figure_source *source, int nsources, const char *what, char *text, size_t size)
+{
+    const struct thud_scene *scene = source->scene;
+    const char *path = scene->record.file, *slash = strrchr(path, '/');
+    const char *file = slash && slash[1] ? slash + 1 : path, *dot = strrchr(file, '.');
+    int length = dot && dot > file && strlen(dot) <= 5 ? (int)(dot - file) : (int)strlen(file);
+    int n = snprintf(text, size, "%s: %s", scene->title, what);
+    if (*file && n > 0 && (size_t)n < size)
+        n += snprintf(text + n, size - (size_t)n, "; %.*s", length, file);
+    if (*file && isfinite(scene->record.peak_mps2) && n > 0 && (size_t)n < size)
+        n += snprintf(text + n, size - (size_t)n, " scaled to %.3g g", scene->record.peak_mps2 / THUD_GRAVITY);
+    if (nsources == 1 && *source->name && n > 0 && (size_t)n < size)
+        n += snprintf(text + n, size - (size_t)n, ", %s", source->name);
+    if (scene->nstructures == 2 && n > 0 && (size_t)n < size)
+        snprintf(text + n, size - (size_t)n, ", gap %.4g cm", 100 * scene->interface[0].gap_m);
+}
+
+static void ground_strip(struct thud_panel *panel, const struct thud_figure_source *source)
+{
+    thud_panel_axis(panel, THUD_X, "Time", "s");
+    thud_panel_axis(panel, THUD_Y, "Ground", "g");
+    thud_source_line(panel, source, thud_history_ground(), -1, 1.0 / THUD_GRAVITY, "", THUD_COLOR_GREY);
+}
+
+bool thud_source_ground(const struct thud_figure_source *source)
+{
+    return source->scene->record.file[0] != '\0';
+}
+
+void thud_figure_ground(struct thud_figure *figure, const struct thud_figure_source *source, double from, double to)
+{
+    struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "ground acceleration (g)");
+    ground_strip(panel, source);
+    if (figure && figure->columns > 1)
+        thud_panel_zoom(thud_figure_panel(figure, 0, 1, ""), panel, from, to);
+}
+
+void thud_figure_same_height(struct thud_figure *figure, int first_row)
+{
+    double least = INFINITY, most = -INFINITY;
+    for (int r = first_row; figure && r < figure->rows; r++) {
+        struct thud_range range = thud_panel_range(&figure->panel[r * figure->columns], THUD_Y);
+        least = fmin(least, range.least);
+        most = fmax(most, range.most);
+    }
+    for (int i = first_row * (figure ? figure->columns : 0); figure && i < figure->rows * figure->columns; i++)
+        thud_panel_limits(&figure->panel[i], THUD_Y, least, most);
+}
+
+static struct thud_figure *histories(enum thud_run_figure which, const struct thud_figure_source *source, int nsources)
+{
+    struct place place[STRIPS_MAX];
+    bool all, ground = thud_source_ground(source);
+    double from, to;
+    char title[3 * THUD_TEXT_MAX], what[128];
+    bool zoom = thud_source_zoom(source, nsources, &from, &to);
+    int n = pick_floors(source, nsources, which, place, &all), rows = n + ground;
+    snprintf(what, sizeof what, "%s (%s)", quantities[which].title, quantities[which].unit);
+    thud_source_title(source, nsources, what, title, sizeof title);
+    struct thud_figure *figure =
+        thud_figure_create(thud_run_figure_name(which), title, rows > 0 ? rows : 1, zoom ? 2 : 1);
+    if (ground)
+        thud_figure_ground(figure, source, from, to);
+    for (int i = 0; i < n; i++) {
+        const struct thud_structure *structure = &source->scene->structure[place[i].structure];
+        bool one = source->result->structure[place[i].structure].floors == 1;
+        char name[128];
+        if (one)
+            snprintf(name, sizeof name, "%s", structure->name);
+        else if (structure->kind == THUD_ISOLATED && place[i].floor == 0)
+            snprintf(name, sizeof name, "%s, base slab", structure->name);
+        else
+            snprintf(name, sizeof name, "%s, %s %d", structure->name, which == THUD_FIGURE_DRIFT ? "storey" : "floor",
+                     place[i].floor + 1);
+        struct thud_panel *panel = thud_figure_panel(figure, i + ground, 0, name);
         thud_panel_axis(panel, THUD_X, "Time", "s");
         thud_panel_axis(panel, THUD_Y, quantities[which].label, quantities[which].unit);
-        structure_panel(panel, source, nsources, i, which);
-        if (zoom) {
-            snprintf(title, sizeof title, "%s, around the largest impact", source->scene->structure[i].name);
-            thud_panel_zoom(thud_figure_panel(figure, row, 1, title), panel, from, to);
-        }
-        row++;
+        for (int s = 0; s < nsources; s++)
+            floor_line(panel, &source[s], place[i].structure, place[i].floor, which, nsources > 1 ? source[s].name : "",
+                       s);
+        if (zoom)
+            thud_panel_zoom(thud_figure_panel(figure, i + ground, 1, name), panel, from, to);
     }
+    thud_figure_same_height(figure, ground);
+    thud_figure_strips(figure);
     thud_figure_shorten(figure);
-    if (rows > THUD_ROWS_MAX)
-        thud_figure_note(figure, "Only the first six structures are shown; histories.csv has all.");
+    if (!all)
+        thud_figure_note(figure, "Of each structure the floors with the largest peaks; histories.csv has all.");
     return figure;
 }
 

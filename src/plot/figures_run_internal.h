@@ -21,6 +21,15 @@ bool thud_source_zoom(const struct thud_figure_source *source, int nsources, dou
 void thud_source_line(struct thud_panel *panel, const struct thud_figure_source *source, int column, int less,
                       double factor, const char *name, int color);
 
+/* "Two towers: Impact force (MN); kobe scaled to 0.821 g, bumper, gap 10 cm" */
+void thud_source_title(const struct thud_figure_source *source, int nsources, const char *what, char *text,
+                       size_t size);
+/* Whether there is a ground motion; and its strip at the top of a figure, with the closer look. */
+bool thud_source_ground(const struct thud_figure_source *source);
+void thud_figure_ground(struct thud_figure *figure, const struct thud_figure_source *source, double from, double to);
+/* The rows from `first_row` on with the same y axis. */
+void thud_figure_same_height(struct thud_figure *figure, int first_row);
+
 /* Ends the panels that show a whole run where nothing changes by more than a twentieth of the peaks for the rest, if
  * that is a good part; the figure's note says so. */
 void thud_figure_shorten(struct thud_figure *figure);

@@ -11,11 +11,14 @@ enum { CURVES_MAX = THUD_COLORS, COLUMNS_MAX = 4 };
 enum quantity { ACCELERATION, DRIFT };
 
 static const char *const ratio_label[] = {"Peak acceleration ratio", "Peak deflection ratio"};
+static const char *const quantity_title[] = {"accelerations", "deflections"};
 
 /* The runs of a curve or a map: one of each point of a record. */
 struct wanted {
     int record, structure, floor;
     enum thud_case which;
+    bool free;     /* over no pounding, and not over case `none` */
+    const int *at; /* (naxes) of the keys that are not drawn; NULL: the first values */
 };
 
 /* A point's number for them; NaN where it has none. */
@@ -24,7 +27,11 @@ static double ratio(const struct thud_sweep_summary *d, const struct wanted *w, 
 {
     int k = thud_sweep_summary_find(d, w->which);
     const struct thud_sweep_ratio *x = k >= 0 ? thud_sweep_summary_ratio(d, k, w->structure, w->floor, end) : NULL;
-    return !x ? NAN : q == ACCELERATION ? x->acceleration : x->drift;
+    if (!x)
+        return NAN;
+    if (w->free)
+        return q == ACCELERATION ? x->acceleration_free : x->drift_free;
+    return q == ACCELERATION ? x->acceleration : x->drift;
 }
 
 /* A case as a reader calls it. */
@@ -36,11 +43,30 @@ static const char *case_title(enum thud_case which)
                                        : "as written";
 }
 
-/* Only the first value of every key past the first `free` ones is drawn. */
-static bool drawn(const struct thud_sweep_table *table, const struct thud_sweep_summary *d, int free)
+/* What a figure of ratios shows, for its title. */
+static const char *amplification(enum thud_case which)
+{
+    return which == THUD_CASE_NONE     ? "amplification by pounding without bumper"
+           : which == THUD_CASE_BUMPER ? "amplification by the bumper"
+           : which == THUD_CASE_CAVITY ? "amplification by the bumper in a cavity"
+                                       : "amplification against no bumper, scene as written";
+}
+
+/* The last part of a path without its suffix: what fits a key. */
+static const char *record_name(const struct thud_sweep_table *table, int record, char text[128])
+{
+    const char *path = table->record[record], *slash = strrchr(path, '/');
+    const char *name = slash && slash[1] ? slash + 1 : path, *dot = strrchr(name, '.');
+    size_t length = dot && dot > name && strlen(dot) <= 5 && !strchr(dot, ' ') ? (size_t)(dot - name) : strlen(name);
+    snprintf(text, 128, "%.*s", (int)(length < 127 ? length : 127), name);
+    return text;
+}
+
+/* Keys past the first `free` ones are drawn at one value each. */
+static bool drawn(const struct thud_sweep_table *table, const struct thud_sweep_summary *d, int free, const int *at)
 {
     for (int a = free; a < table->naxes; a++) {
-        if (d->at[a] != 0)
+        if (d->at[a] != (at ? at[a] : 0))
             return false;
     }
     return true;
@@ -76,6 +102,21 @@ static int columns_of(const struct thud_sweep_table *table, int *structure)
     return n;
 }
 
+/* "4-storey building A" where A is a letter or two, else "Annex, 4 storeys". */
+static const char *structure_title(const struct thud_sweep_table *table, int structure, char text[160])
+{
+    const char *name = table->structure[structure];
+    bool isolated = table->kind && table->kind[structure] == THUD_ISOLATED;
+    int storeys = floors_of(table, structure) - isolated;
+    if ((table->kind && table->kind[structure] == THUD_RIGID) || storeys < 1)
+        snprintf(text, 160, "%s", name);
+    else if (strlen(name) <= 2)
+        snprintf(text, 160, "%d-storey building %s%s", storeys, name, isolated ? ", isolated" : "");
+    else
+        snprintf(text, 160, "%s, %d storey%s%s", name, storeys, storeys == 1 ? "" : "s", isolated ? ", isolated" : "");
+    return text;
+}
+
 /* ---- the axis of what was varied ---- */
 
 static bool numbers(const struct thud_sweep_axis *axis)
@@ -97,11 +138,21 @@ static double place(const struct thud_sweep_axis *axis, int i)
     return numbers(axis) ? axis->value[i] * factor_of(axis) : i + 1.0;
 }
 
-static void varied_axis(struct thud_panel *panel, enum thud_side side, const struct thud_sweep_axis *axis)
+static void varied_axis(struct thud_panel *panel, enum thud_side side, const struct thud_sweep_table *table, int which)
 {
+    const struct thud_sweep_axis *axis = &table->axis[which];
     char label[192];
-    const char *title = axis->param && axis->param->title ? axis->param->title : axis->key;
+    const char *title = axis->param && axis->param->title ? axis->param->title : axis->key, *of = NULL;
+    if (strstr(axis->key, "bumper.") && !strstr(title, "bumper"))
+        of = "bumper";
+    if (strstr(axis->key, "contact.") && !strstr(title, "contact"))
+        of = "contact";
+    int structure = 0;
     snprintf(label, sizeof label, "%c%s", thud_ascii_upper(title[0]), title[0] ? title + 1 : "");
+    if (of)
+        snprintf(label, sizeof label, "%c%s: %s", thud_ascii_upper(of[0]), of + 1, title);
+    else if (sscanf(axis->key, "structures.%d.", &structure) == 1 && structure >= 1 && structure <= table->nstructures)
+        snprintf(label, sizeof label, "%s: %s", table->structure[structure - 1], title);
     thud_panel_axis(panel, side, label, numbers(axis) && axis->param->unit ? axis->param->unit : "");
     if (!numbers(axis))
         thud_panel_limits(panel, side, 0.5, axis->n + 0.5);
@@ -109,32 +160,36 @@ static void varied_axis(struct thud_panel *panel, enum thud_side side, const str
         thud_panel_tick(panel, side, i + 1.0, axis->text[i]);
 }
 
-/* What is not drawn is said. */
-static void fixed_note(struct thud_figure *figure, const struct thud_sweep_table *table, int free, const char *before)
+/* Keys that are not drawn, with their values. */
+static void fixed_note(struct thud_figure *figure, const struct thud_sweep_table *table, int free, const int *at,
+                       const char *before)
 {
     char text[768];
     int n = snprintf(text, sizeof text, "%s", before);
     for (int a = free; a < table->naxes && n > 0 && (size_t)n < sizeof text; a++)
-        n += snprintf(text + n, sizeof text - (size_t)n, " %s = %s.", table->axis[a].key, table->axis[a].text[0]);
+        n += snprintf(text + n, sizeof text - (size_t)n, " %s = %s.", table->axis[a].key,
+                      table->axis[a].text[at ? at[a] : 0]);
     thud_figure_note(figure, text);
 }
 
 /* ---- amplification ---- */
 
 static const char helps[] = "Ratio to no bumper at the same gap; below 1 the bumper helps.";
+static const char pounds[] = "Ratio to no pounding at all; above 1 pounding harms.";
 
-static void ratio_axes(struct thud_panel *panel, const struct thud_sweep_table *table, enum quantity q)
+static void ratio_axes(struct thud_panel *panel, const struct thud_sweep_table *table, enum quantity q, bool free)
 {
-    varied_axis(panel, THUD_X, &table->axis[0]);
+    varied_axis(panel, THUD_X, table, 0);
     thud_panel_axis(panel, THUD_Y, ratio_label[q], "");
-    thud_panel_mark(panel, THUD_Y, 0.0, 1.0, "bumper helps");
+    if (!free)
+        thud_panel_mark(panel, THUD_Y, 0.0, 1.0, "bumper helps");
     thud_panel_mark(panel, THUD_Y, 1.0, 1.0, "");
 }
 
 /* Whether a point is on a curve. */
 static bool is_on(const struct thud_sweep_table *table, const struct wanted *w, const struct thud_sweep_summary *d)
 {
-    return d->record == w->record && drawn(table, d, 1);
+    return d->record == w->record && drawn(table, d, 1, w->at);
 }
 
 /* The spread of a curve, behind all curves: a band, or a bar for each of the words of a list. */
@@ -191,38 +246,43 @@ static const char *shade_note(const struct thud_sweep_table *table, char text[12
     return text;
 }
 
-/* All panels on one scale, so that what moves more is seen to move more. */
-static void same_scale(struct thud_figure *figure)
+/* The panels of a quantity (a row) on one scale, so that what moves more is seen to move more; with those of `other`
+ * too, another figure to be compared. */
+static void same_scale(struct thud_figure *figure, const struct thud_figure *other)
 {
-    double least = INFINITY, most = -INFINITY;
-    for (int p = 0; figure && p < figure->rows * figure->columns; p++) {
-        struct thud_range range = thud_panel_range(&figure->panel[p], THUD_Y);
-        least = fmin(least, range.least);
-        most = fmax(most, range.most);
+    for (int row = 0; figure && row < figure->rows; row++) {
+        double least = INFINITY, most = -INFINITY;
+        for (int p = row * figure->columns; p < (row + 1) * figure->columns; p++) {
+            struct thud_range range = thud_panel_range(&figure->panel[p], THUD_Y);
+            struct thud_range beside = other ? thud_panel_range(&other->panel[p], THUD_Y) : range;
+            least = fmin(least, fmin(range.least, beside.least));
+            most = fmax(most, fmax(range.most, beside.most));
+        }
+        for (int p = row * figure->columns; p < (row + 1) * figure->columns; p++)
+            thud_panel_limits(&figure->panel[p], THUD_Y, least, most);
     }
-    for (int p = 0; figure && p < figure->rows * figure->columns; p++)
-        thud_panel_limits(&figure->panel[p], THUD_Y, least, most);
 }
 
 struct thud_figure *thud_figure_by_floor(const struct thud_sweep_table *table, int record, enum thud_case which,
                                          const char *name, const char *title)
 {
     int structure[COLUMNS_MAX], columns = columns_of(table, structure);
-    char text[512];
-    snprintf(text, sizeof text, "%s: amplification by the %s, floor by floor", table->record[record],
-             case_title(which));
+    bool free = which == THUD_CASE_NONE;
+    char text[512], head[160];
+    snprintf(text, sizeof text, "%s: %s, floor by floor", record_name(table, record, head), amplification(which));
     struct thud_figure *figure = thud_figure_create(name, title ? title : text, 2, columns > 0 ? columns : 1);
     for (int c = 0; c < columns; c++) {
         int floors = floors_of(table, structure[c]), step = (floors + CURVES_MAX - 1) / CURVES_MAX;
         assert(floors > 0);
         for (int q = ACCELERATION; q <= DRIFT; q++) {
-            struct thud_panel *panel = thud_figure_panel(figure, q, c, table->structure[structure[c]]);
-            ratio_axes(panel, table, (enum quantity)q);
+            struct thud_panel *panel = thud_figure_panel(figure, q, c, structure_title(table, structure[c], head));
+            ratio_axes(panel, table, (enum quantity)q, free);
             /* with more floors than curves every step-th from the top down, so that the top is there */
             int first = floors - (floors - 1) / step * step, curves = (floors - first) / step + 1;
             for (int i = 0; i < 2 * curves; i++) {
                 int f = first + i % curves * step;
-                struct wanted wanted = {.record = record, .which = which, .structure = structure[c], .floor = f};
+                struct wanted wanted = {
+                    .record = record, .which = which, .structure = structure[c], .floor = f, .free = free};
                 snprintf(text, sizeof text, "floor %d", f);
                 (i < curves ? ratio_shade : ratio_line)(panel, table, &wanted, (enum quantity)q, text, f - 1);
             }
@@ -232,36 +292,72 @@ struct thud_figure *thud_figure_by_floor(const struct thud_sweep_table *table, i
         }
     }
     char note[256], shades[128];
-    snprintf(note, sizeof note, "%s%s", helps, shade_note(table, shades));
-    same_scale(figure);
-    fixed_note(figure, table, 1, note);
+    snprintf(note, sizeof note, "%s%s", free ? pounds : helps, shade_note(table, shades));
+    same_scale(figure, NULL);
+    fixed_note(figure, table, 1, NULL, note);
     return figure;
 }
 
-struct thud_figure *thud_figure_of_means(const struct thud_sweep_table *table, enum thud_case which, const char *name,
-                                         const char *title)
+static struct thud_figure *means(const struct thud_sweep_table *table, enum thud_case which, const char *name,
+                                 const char *title)
 {
     int structure[COLUMNS_MAX], columns = columns_of(table, structure);
-    char text[256];
-    snprintf(text, sizeof text, "Amplification by the %s, means over the floors", case_title(which));
+    char text[256], head[160];
+    snprintf(text, sizeof text, "A%s, means over the floors", amplification(which) + 1);
     struct thud_figure *figure = thud_figure_create(name, title ? title : text, 2, columns > 0 ? columns : 1);
     for (int c = 0; c < columns; c++) {
         for (int q = ACCELERATION; q <= DRIFT; q++) {
-            struct thud_panel *panel = thud_figure_panel(figure, q, c, table->structure[structure[c]]);
-            ratio_axes(panel, table, (enum quantity)q);
+            struct thud_panel *panel = thud_figure_panel(figure, q, c, structure_title(table, structure[c], head));
+            ratio_axes(panel, table, (enum quantity)q, false);
             int curves = table->nrecords < CURVES_MAX ? table->nrecords : CURVES_MAX;
             for (int i = 0; i < 2 * curves; i++) {
                 int r = i % curves;
                 struct wanted wanted = {.record = r, .which = which, .structure = structure[c], .floor = 0};
-                (i < curves ? ratio_shade : ratio_line)(panel, table, &wanted, (enum quantity)q, table->record[r], r);
+                (i < curves ? ratio_shade : ratio_line)(panel, table, &wanted, (enum quantity)q,
+                                                        record_name(table, r, head), r);
             }
         }
     }
     char note[384], shades[128];
     snprintf(note, sizeof note, "%s%s%s", helps, shade_note(table, shades),
              table->nrecords > CURVES_MAX ? " The first seven records only." : "");
-    same_scale(figure);
-    fixed_note(figure, table, 1, note);
+    fixed_note(figure, table, 1, NULL, note);
+    return figure;
+}
+
+struct thud_figure *thud_figure_of_means(const struct thud_sweep_table *table, enum thud_case which, const char *name,
+                                         const char *title)
+{
+    struct thud_figure *figure = means(table, which, name, title), *other = NULL;
+    enum thud_case twin = which == THUD_CASE_BUMPER ? THUD_CASE_CAVITY : THUD_CASE_BUMPER;
+    if (which >= 0 && has_case(table, twin) && !(other = means(table, twin, name, title)) && figure)
+        figure->failed = true;
+    same_scale(figure, other);
+    thud_figure_free(other);
+    return figure;
+}
+
+struct thud_figure *thud_figure_of_pounding(const struct thud_sweep_table *table, int record, const char *name)
+{
+    int structure[COLUMNS_MAX], columns = columns_of(table, structure);
+    char text[512], head[160];
+    snprintf(text, sizeof text, "%s: means over the floors, ratio to no pounding", record_name(table, record, head));
+    struct thud_figure *figure = thud_figure_create(name, text, 2, columns > 0 ? columns : 1);
+    for (int c = 0; c < columns; c++) {
+        for (int q = ACCELERATION; q <= DRIFT; q++) {
+            struct thud_panel *panel = thud_figure_panel(figure, q, c, structure_title(table, structure[c], head));
+            ratio_axes(panel, table, (enum quantity)q, true);
+            for (int which = THUD_CASE_AS_WRITTEN; which < THUD_CASES; which++) {
+                struct wanted wanted = {
+                    .record = record, .which = (enum thud_case)which, .structure = structure[c], .free = true};
+                if (has_case(table, wanted.which))
+                    ratio_line(panel, table, &wanted, (enum quantity)q, case_title(wanted.which),
+                               which < 0 ? 3 : which);
+            }
+        }
+    }
+    same_scale(figure, NULL);
+    fixed_note(figure, table, 1, NULL, pounds);
     return figure;
 }
 
@@ -282,29 +378,47 @@ static void contact_line(struct thud_panel *panel, const struct thud_sweep_table
     }
     for (size_t i = 0; i < table->npoints; i++) {
         const struct thud_sweep_summary *d = table->point[i];
-        int k = d->record == record && d->touches && drawn(table, d, 1) ? thud_sweep_summary_find(d, which) : -1;
+        int k = d->record == record && d->touches && drawn(table, d, 1, NULL) ? thud_sweep_summary_find(d, which) : -1;
         if (k >= 0)
             series->y[d->at[0]] = impacts ? d->run[k].impacts : 1e-6 * d->run[k].force_n;
     }
 }
 
+/* From 0; impacts on a log axis where they are hundreds. */
+static void contact_scale(struct thud_panel *panel, bool counts)
+{
+    double least = INFINITY, most = 0;
+    for (int i = 0; panel && i < panel->nseries; i++)
+        for (size_t k = 0; k < panel->series[i]->n; k++) {
+            double y = panel->series[i]->y[k];
+            if (y > 0) {
+                least = fmin(least, y);
+                most = fmax(most, y);
+            }
+        }
+    if (counts && most >= 200 && most > 100 * least)
+        thud_panel_log(panel, THUD_Y);
+    else
+        thud_panel_limits(panel, THUD_Y, 0.0, NAN);
+}
+
 struct thud_figure *thud_figure_of_contacts(const struct thud_sweep_table *table, int record, const char *name)
 {
-    char text[512];
-    snprintf(text, sizeof text, "%s: contacts", table->record[record]);
+    char text[512], head[160];
+    snprintf(text, sizeof text, "%s: largest impact force and number of impacts", record_name(table, record, head));
     struct thud_figure *figure = thud_figure_create(name, text, 1, 2);
     for (int i = 0; i < 2; i++) {
         struct thud_panel *panel =
             thud_figure_panel(figure, 0, i, i ? "All impacts of the run" : "Largest impact force");
-        varied_axis(panel, THUD_X, &table->axis[0]);
+        varied_axis(panel, THUD_X, table, 0);
         thud_panel_axis(panel, THUD_Y, i ? "Impacts" : "Force", i ? "" : "MN");
-        thud_panel_limits(panel, THUD_Y, 0.0, NAN);
         for (int which = THUD_CASE_AS_WRITTEN; which < THUD_CASES; which++) {
             if (has_case(table, (enum thud_case)which))
                 contact_line(panel, table, record, (enum thud_case)which, i == 1);
         }
+        contact_scale(panel, i == 1);
     }
-    fixed_note(figure, table, 1, "");
+    fixed_note(figure, table, 1, NULL, "");
     return figure;
 }
 
@@ -331,32 +445,55 @@ static void fill_map(struct thud_panel *panel, const struct thud_sweep_table *ta
     map->level = numbers(on_x) && numbers(on_y) ? 1.0 : NAN; /* nothing lies between words */
     for (size_t i = 0; i < table->npoints; i++) {
         const struct thud_sweep_summary *d = table->point[i];
-        if (d->record == wanted->record && drawn(table, d, 2))
+        if (d->record == wanted->record && drawn(table, d, 2, wanted->at))
             map->z[(size_t)d->at[1] * map->nx + (size_t)d->at[0]] = ratio(d, wanted, THUD_SWEEP_VALUE, q);
     }
 }
 
+/* One scale of colours for all panels, as far to one side of 1 as to the other. */
+static void same_colors(struct thud_figure *figure)
+{
+    double half = 0.0;
+    for (int p = 0; figure && p < figure->rows * figure->columns; p++) {
+        double least, most;
+        if (figure->panel[p].map && thud_map_range(figure->panel[p].map, &least, &most))
+            half = fmax(half, fmax(most - 1.0, 1.0 - least));
+    }
+    for (int p = 0; figure && p < figure->rows * figure->columns; p++)
+        if (figure->panel[p].map)
+            figure->panel[p].map->reach = half;
+}
+
 struct thud_figure *thud_figure_of_map(const struct thud_sweep_table *table, int record, enum thud_case which,
-                                       const char *name)
+                                       const int *at, const char *name)
 {
     int structure[COLUMNS_MAX], columns = columns_of(table, structure);
-    char text[512];
-    snprintf(text, sizeof text, "%s: amplification by the %s, means over the floors", table->record[record],
-             case_title(which));
+    bool free = which == THUD_CASE_NONE;
+    char text[768], head[160];
+    int n = snprintf(text, sizeof text, "%s: %s, means over the floors", record_name(table, record, head),
+                     amplification(which));
+    for (int a = 2; a < table->naxes && n > 0 && (size_t)n < sizeof text; a++)
+        n += snprintf(text + n, sizeof text - (size_t)n, ", %s %s", table->axis[a].key,
+                      table->axis[a].text[at ? at[a] : 0]);
     struct thud_figure *figure = thud_figure_create(name, text, 2, columns > 0 ? columns : 1);
     for (int c = 0; c < columns; c++) {
         for (int q = ACCELERATION; q <= DRIFT; q++) {
-            struct thud_panel *panel = thud_figure_panel(figure, q, c, table->structure[structure[c]]);
-            varied_axis(panel, THUD_X, &table->axis[0]);
-            varied_axis(panel, THUD_Y, &table->axis[1]);
-            struct wanted wanted = {.record = record, .which = which, .structure = structure[c], .floor = 0};
+            snprintf(text, sizeof text, "%s: %s", structure_title(table, structure[c], head), quantity_title[q]);
+            struct thud_panel *panel = thud_figure_panel(figure, q, c, text);
+            varied_axis(panel, THUD_X, table, 0);
+            varied_axis(panel, THUD_Y, table, 1);
+            struct wanted wanted = {
+                .record = record, .which = which, .structure = structure[c], .floor = 0, .free = free, .at = at};
             fill_map(panel, table, &wanted, (enum quantity)q);
         }
     }
+    same_colors(figure);
     bool line = numbers(&table->axis[0]) && numbers(&table->axis[1]);
-    snprintf(text, sizeof text, "Ratio to no bumper at the same gap; blue: the bumper helps;%s empty: no answer.",
-             line ? " line: ratio 1;" : "");
-    fixed_note(figure, table, 2, text);
+    snprintf(text, sizeof text, "%s%s%s",
+             free ? "Ratio to no pounding; red: pounding harms;"
+                  : "Ratio to no bumper at the same gap; blue: the bumper helps;",
+             line ? " line: ratio 1 where something touches;" : "", " white: no change; empty: no answer.");
+    thud_figure_note(figure, text);
     return figure;
 }
 
@@ -398,34 +535,82 @@ static int compared(const struct thud_sweep_table *table, enum thud_case *which)
     return n;
 }
 
+/* Cases of a study whose figures are amplifications; `none`, over no pounding, where there is no other. */
+static int shown_cases(const struct thud_sweep_table *table, enum thud_case *which)
+{
+    int n = compared(table, which);
+    if (n == 0 && has_case(table, THUD_CASE_NONE))
+        which[n++] = THUD_CASE_NONE;
+    return n;
+}
+
+/* Settings of the keys past the two of a map; `at` gets number i of them. */
+static int slices(const struct thud_sweep_table *table, int i, int at[THUD_VARY_MAX])
+{
+    int n = 1;
+    for (int a = table->naxes - 1; a >= 2; a--) {
+        at[a] = i / n % table->axis[a].n;
+        n *= table->axis[a].n;
+    }
+    return n;
+}
+
+enum { MAPS_MOST = 24 };
+
+/* What a study's figures are: `each` of every case and record, means of every case, then two of every record. */
+struct list {
+    int ncases, slices, each, means, last;
+    enum thud_case which[THUD_CASES + 1];
+};
+
+static struct list list_of(const struct thud_sweep_table *table)
+{
+    struct list l = {0};
+    int at[THUD_VARY_MAX];
+    if (table->naxes == 0 || table->nrows == 0)
+        return l;
+    bool one = table->naxes == 1;
+    l.ncases = shown_cases(table, l.which);
+    l.slices = one ? 1 : slices(table, 0, at);
+    if (l.slices > MAPS_MOST)
+        l.slices = MAPS_MOST;
+    l.each = table->nrecords * l.slices;
+    l.means = one && !(l.ncases == 1 && l.which[0] == THUD_CASE_NONE);
+    l.last = one && has_contacts(table) ? 2 * table->nrecords : 0;
+    return l;
+}
+
 int thud_sweep_figure_count(const struct thud_sweep_table *table)
 {
-    enum thud_case which[THUD_CASES + 1];
-    if (table->naxes == 0 || table->nrows == 0)
-        return 0;
-    return compared(table, which) * (table->nrecords + (table->naxes == 1)) +
-           (table->naxes == 1 && has_contacts(table) ? table->nrecords : 0);
+    struct list l = list_of(table);
+    return l.ncases * (l.each + l.means) + l.last;
 }
 
 struct thud_figure *thud_sweep_figure(const struct thud_sweep_table *table, int index)
 {
-    enum thud_case which[THUD_CASES + 1];
-    int cases = compared(table, which), per_case = table->nrecords + (table->naxes == 1);
-    int c = index / per_case, record = index % per_case;
-    char name[96], number[24] = "";
-    if (c >= cases) {
-        record = index - cases * per_case;
+    struct list l = list_of(table);
+    int per_case = l.each + l.means, c = per_case > 0 ? index / per_case : 0, at[THUD_VARY_MAX] = {0};
+    char name[128], number[24] = "", slice[24] = "";
+    if (per_case == 0 || c >= l.ncases) {
+        int rest = index - l.ncases * per_case, record = rest / 2;
         if (table->nrecords > 1)
             snprintf(number, sizeof number, "-%d", record + 1);
-        snprintf(name, sizeof name, "contact-forces%s", number);
-        return thud_figure_of_contacts(table, record, name);
+        snprintf(name, sizeof name, "%s%s", rest % 2 ? "pounding" : "contact-forces", number);
+        return rest % 2 ? thud_figure_of_pounding(table, record, name) : thud_figure_of_contacts(table, record, name);
     }
-    if (table->nrecords > 1 && record < table->nrecords)
+    int i = index % per_case, record = i / l.slices;
+    if (i == l.each) {
+        snprintf(name, sizeof name, "means-%s", thud_case_name(l.which[c]));
+        return thud_figure_of_means(table, l.which[c], name, NULL);
+    }
+    if (table->nrecords > 1)
         snprintf(number, sizeof number, "-%d", record + 1);
-    const char *kind = record == table->nrecords ? "means" : table->naxes == 1 ? "floors" : "map";
-    snprintf(name, sizeof name, "%s-%s%s", kind, thud_case_name(which[c]), number);
-    if (record == table->nrecords)
-        return thud_figure_of_means(table, which[c], name, NULL);
-    return table->naxes == 1 ? thud_figure_by_floor(table, record, which[c], name, NULL)
-                             : thud_figure_of_map(table, record, which[c], name);
+    if (l.slices > 1)
+        snprintf(slice, sizeof slice, "-at%d", i % l.slices + 1);
+    if (table->naxes > 1)
+        slices(table, i % l.slices, at);
+    snprintf(name, sizeof name, "%s-%s%s%s", table->naxes == 1 ? "floors" : "map", thud_case_name(l.which[c]), number,
+             slice);
+    return table->naxes == 1 ? thud_figure_by_floor(table, record, l.which[c], name, NULL)
+                             : thud_figure_of_map(table, record, l.which[c], at, name);
 }

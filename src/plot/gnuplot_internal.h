@@ -20,9 +20,15 @@ struct sheet {
     double line;          /* px: the width of a thin line */
     double points;        /* font size as the terminal counts it, for 1 px of em */
     double dot;           /* point size as the terminal counts it */
+    int rows, columns;    /* of panels: below each other where the sheet is too narrow for the figure's columns */
     const struct thud_series *key[24];
-    int nkeys;
-    double key_left; /* px */
+    int nkeys, key_rows;
+    struct {
+        int row;
+        double left; /* px */
+    } key_at[24];
+    double head, foot; /* px: above and below the panels */
+    double key_foot;   /* px: of the foot, what the x axis of strips takes above the key */
 };
 
 /* The frame of a panel. */
@@ -38,8 +44,8 @@ double thud_gnuplot_fit(const char *text, double widest, double em);
 /* Data blocks of a panel, and the panel itself. */
 void thud_gnuplot_data(const struct sheet *sheet, int panel);
 void thud_gnuplot_panel(const struct sheet *sheet, int panel);
-/* How a series is drawn: "with lines lc rgb ...". */
-void thud_gnuplot_style(const struct sheet *sheet, const struct thud_series *series);
+/* How a series is drawn: "with lines lc rgb ..."; in the key a mark stands in the middle of its line. */
+void thud_gnuplot_style(const struct sheet *sheet, const struct thud_series *series, bool key);
 
 enum thud_status thud_picture_check(enum thud_picture_format format, const struct thud_text *picture,
                                     struct thud_error *err);

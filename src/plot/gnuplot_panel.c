@@ -123,7 +123,10 @@ static void log_ticks(struct thud_text *out, const struct thud_range *range, int
     const char *comma = "";
     for (int power = from; power <= to; power++) {
         char text[64];
-        power_text(power, text, sizeof text);
+        if (from >= -2 && to <= 3) /* 0.01 to 1000 are read more easily so */
+            snprintf(text, sizeof text, "%g", pow(10.0, power));
+        else
+            power_text(power, text, sizeof text);
         if (power % stride == 0)
             thud_text_append(out, "%s'%s' 1e%d", comma, text, power);
         else
@@ -155,7 +158,8 @@ static void named_ticks(struct thud_text *out, const struct thud_axis *axis, dou
 }
 
 /* Labels stand where the sheet has room for them: the terminals disagree about distances in characters. */
-static void axis_label(const struct sheet *sheet, const struct thud_axis *a, enum thud_side side, const struct box *box)
+static void axis_label(const struct sheet *sheet, const struct thud_axis *a, enum thud_side side, int number,
+                       const struct box *box)
 {
     struct thud_text *out = sheet->out;
     char text[512];
@@ -164,13 +168,13 @@ static void axis_label(const struct sheet *sheet, const struct thud_axis *a, enu
     /* a long one is written smaller before it is cut, so that its unit stays */
     double em = thud_gnuplot_fit(text, 1.15 * length, sheet->em);
     thud_text_append(out, "set label %d ", 92 + (int)side);
-    thud_gnuplot_quote(out, text, 1.2 * length, em);
+    thud_gnuplot_quote(out, text, 1.35 * length, em);
     if (side == THUD_X)
-        thud_text_append(out, " at graph 0.5, screen %.5f center", (box->bottom - 2.85 * sheet->em) / sheet->height);
+        thud_text_append(out, " at graph 0.5, screen B%d-2.85*EY center", number);
     else
-        thud_text_append(out, " at screen %.5f, graph 0.5 center rotate by 90",
-                         (box->label + 0.2 * sheet->em) / sheet->width);
-    thud_text_append(out, " font ',%.4g'\n", em * sheet->points);
+        thud_text_append(out, " at screen L%d-%.4g*EX, graph 0.5 center rotate by 90", number,
+                         (box->left - box->label - 0.2 * sheet->em) / sheet->em);
+    thud_text_append(out, " font sprintf(',%%.4g', %.3g*PT)\n", em / sheet->em);
 }
 
 /* The step along x, made longer until the numbers at it stand apart in a frame that is `ems` wide. */
@@ -194,7 +198,15 @@ static double roomy_step(const struct thud_range *range, double ems)
     return step;
 }
 
-static void axis(const struct sheet *sheet, const struct thud_panel *panel, enum thud_side side, const struct box *box)
+/* The step along y of a strip, which has room for three numbers: one with 0 between two others. */
+static double strip_step(const struct thud_range *range)
+{
+    double reach = fmax(fabs(range->least), fabs(range->most)) * (1.0 + 1e-9), unit = pow(10.0, floor(log10(reach)));
+    return unit * (reach >= 5.0 * unit ? 5.0 : reach >= 2.0 * unit ? 2.0 : 1.0);
+}
+
+static void axis(const struct sheet *sheet, const struct thud_panel *panel, enum thud_side side, int number,
+                 const struct box *box)
 {
     struct thud_text *out = sheet->out;
     const struct thud_axis *a = &panel->axis[side];
@@ -203,7 +215,11 @@ static void axis(const struct sheet *sheet, const struct thud_panel *panel, enum
     double hair = a->log ? 1e-7 : 0.0; /* gnuplot drops a tick that its logarithm puts outside by the last bit */
     thud_text_append(out, "set %crange [%.10g:%.10g]\n%s logscale %c\n", name, range.least * (1.0 - hair),
                      range.most * (1.0 + hair), a->log ? "set" : "unset", name);
-    axis_label(sheet, a, side, box);
+    bool last = !panel->strip || number > (sheet->rows - 1) * sheet->columns;
+    if (panel->strip ? last && side == THUD_X : true)
+        axis_label(sheet, a, side, number, box);
+    if (!last && side == THUD_X)
+        thud_text_append(out, "set format x ''\n");
     thud_text_append(out, "set %ctics %s", name, side == THUD_X && sheet->points == 1.0 ? "offset 0,0.5 " : "");
     if (a->nticks) {
         thud_text_append(out, "(");
@@ -216,33 +232,50 @@ static void axis(const struct sheet *sheet, const struct thud_panel *panel, enum
         thud_text_append(out, ")\n");
     } else
         thud_text_append(out, "autofreq %.10g\n",
-                         side == THUD_X ? roomy_step(&range, (box->right - box->left) / sheet->em) : range.step);
+                         side == THUD_X ? roomy_step(&range, (box->right - box->left) / sheet->em)
+                         : panel->strip ? strip_step(&range)
+                                        : range.step);
 }
 
 /* ---- what is drawn ---- */
 
-void thud_gnuplot_style(const struct sheet *sheet, const struct thud_series *series)
+/* Lines told apart without their colours: each colour has its own dashes, long enough for a curve and too long to be
+ * lost in its spikes. What is drawn heavier, or stands behind, is solid. */
+static const char *dashes(const struct thud_style *style)
+{
+    static const char *const pattern[] = {"", "(14,5)", "(14,4,3,4)", "(4,4)", "(22,5)", "(14,4,3,4,3,4)", "(9,4)"};
+    bool solid = style->thin || style->wide || style->color < 0 || style->kind == THUD_STEPS;
+    return solid ? "" : pattern[style->color % THUD_COLORS];
+}
+
+void thud_gnuplot_style(const struct sheet *sheet, const struct thud_series *series, bool key)
 {
     static const int shape[THUD_COLORS] = {7, 9, 5, 13, 11, 15, 6}; /* others in the second round of colours */
     static const char *const with[] = {"lines", "points", "linespoints", "steps", "filledcurves", "boxes"};
-    const struct thud_style *style = &series->style;
-    double width = style->wide && style->kind != THUD_POINTS ? 3.0 : style->thin ? 1.0 : 1.8;
-    thud_text_append(sheet->out, "with %s ", with[style->kind]);
-    if (style->kind == THUD_FILL || style->kind == THUD_BARS)
+    enum { MARKS_MOST = 100 }; /* where more would touch there are none: none of the highest is left out */
+    struct thud_style style = series->style;
+    if (style.kind == THUD_LINES_POINTS && series->n > MARKS_MOST)
+        style.kind = THUD_LINES;
+    double width = style.wide && style.kind != THUD_POINTS ? 3.0 : style.thin ? 1.0 : 1.8;
+    bool bars = style.kind == THUD_BARS && !key;
+    thud_text_append(sheet->out, "with %s ", style.kind == THUD_BARS && key ? "filledcurves" : with[style.kind]);
+    if (style.kind == THUD_FILL || style.kind == THUD_BARS)
         thud_text_append(sheet->out, "fs transparent solid %s noborder ",
-                         style->kind == THUD_BARS ? "0.8"
-                         : style->thin            ? "0.18"
-                                                  : "0.25");
-    else
+                         bars || style.kind == THUD_BARS ? "0.8"
+                         : style.thin                    ? "0.18"
+                                                         : "0.25");
+    else {
         thud_text_append(sheet->out, "lw %.2g ", width);
-    if (style->kind == THUD_POINTS || style->kind == THUD_LINES_POINTS)
-        thud_text_append(sheet->out, "pt %d ps %.3g ",
-                         shape[style->color < 0 ? 0 : (style->color + 3 * (style->color / THUD_COLORS)) % THUD_COLORS],
-                         sheet->dot *
-                             (style->kind == THUD_POINTS && style->wide ? 1.8 : 1.0)); /* rings around others */
-    if (style->kind == THUD_LINES_POINTS)
-        thud_text_append(sheet->out, "pi %zu ", 1 + series->n / 24);
-    thud_text_append(sheet->out, "lc rgb '#%06X'", thud_color_rgb(style->color));
+        if (style.kind != THUD_POINTS && *dashes(&style))
+            thud_text_append(sheet->out, "dt %s ", dashes(&style));
+    }
+    if (style.kind == THUD_POINTS || style.kind == THUD_LINES_POINTS)
+        thud_text_append(sheet->out, "pt %d ps %.3g*DOT ",
+                         shape[style.color < 0 ? 0 : (style.color + 3 * (style.color / THUD_COLORS)) % THUD_COLORS],
+                         style.kind == THUD_POINTS && style.wide ? 1.8 : 1.0); /* rings around others */
+    if (key && (style.kind == THUD_POINTS || style.kind == THUD_LINES_POINTS))
+        thud_text_append(sheet->out, "pi 3 ");
+    thud_text_append(sheet->out, "lc rgb '#%06X'", thud_color_rgb(style.color));
 }
 
 static void marks(const struct sheet *sheet, const struct thud_panel *panel)
@@ -278,19 +311,19 @@ static void marks(const struct sheet *sheet, const struct thud_panel *panel)
             thud_text_append(out, " at graph 0.985, first %.9g right offset 0,0.5", from);
         else
             thud_text_append(out, " at graph 0.985, first %.9g right offset 0,0.7", from);
-        thud_text_append(out, " front font ',%.4g' textcolor rgb '#404040'\n", 0.85 * sheet->em * sheet->points);
+        thud_text_append(out, " front font sprintf(',%%.4g', 0.85*PT) textcolor rgb '#404040'\n");
     }
 }
 
-static void color_box(const struct sheet *sheet, const struct box *box, double least, double most)
+static void color_box(const struct sheet *sheet, int number, double least, double most)
 {
-    thud_text_append(sheet->out, "set cbrange [%.9g:%.9g]\nset colorbox user origin %.5f,%.5f size %.5f,%.5f\n", least,
-                     most, (box->right + 0.8 * sheet->em) / sheet->width, box->bottom / sheet->height,
-                     1.1 * sheet->em / sheet->width, (box->top - box->bottom) / sheet->height);
+    thud_text_append(sheet->out,
+                     "set cbrange [%.9g:%.9g]\nset colorbox user origin R%d+0.8*EX,B%d size 1.1*EX,T%d-B%d\n", least,
+                     most, number, number, number, number);
 }
 
 /* One color for each class, with its name. */
-static void class_colors(const struct sheet *sheet, const struct thud_map *map, const struct box *box)
+static void class_colors(const struct sheet *sheet, const struct thud_map *map, int number)
 {
     thud_text_append(sheet->out, "set palette maxcolors %d\nset cbtics (", map->classes);
     for (int i = 0; i < map->classes; i++) {
@@ -299,10 +332,10 @@ static void class_colors(const struct sheet *sheet, const struct thud_map *map, 
         thud_text_append(sheet->out, " %d", i);
     }
     thud_text_append(sheet->out, ") scale 0\n");
-    color_box(sheet, box, -0.5, map->classes - 0.5);
+    color_box(sheet, number, -0.5, map->classes - 0.5);
 }
 
-static void map_colors(const struct sheet *sheet, const struct thud_map *map, const struct box *box)
+static void map_colors(const struct sheet *sheet, const struct thud_map *map, int number, const struct box *box)
 {
     struct thud_text *out = sheet->out;
     struct thud_axis label = {.label = map->label, .unit = map->unit};
@@ -316,21 +349,20 @@ static void map_colors(const struct sheet *sheet, const struct thud_map *map, co
     if (isnan(map->centre))
         thud_text_append(out, "set palette defined (0 '#FFF7D6', 1 '#E69F00', 2 '#9C3A00', 3 '#2B0B00')\n");
     else {
-        double half = fmax(fabs(most - map->centre), fabs(map->centre - least));
+        double half = map->reach > 0.0 ? map->reach : fmax(fabs(most - map->centre), fabs(map->centre - least));
         least = map->centre - half;
         most = map->centre + half;
         thud_text_append(out,
                          "set palette defined (-2 '#00406B', -1 '#5AA5D0', 0 '#FFFFFF', 1 '#EFA060', 2 '#8A3300')\n");
     }
     if (map->class_name) {
-        class_colors(sheet, map, box);
+        class_colors(sheet, map, number);
         return;
     }
-    color_box(sheet, box, least, most);
+    color_box(sheet, number, least, most);
     thud_text_append(out, "set label 94 ");
     thud_gnuplot_quote(out, thud_axis_text(&label, text, sizeof text), box->top - box->bottom, sheet->em);
-    thud_text_append(out, " at screen %.5f, graph 0.5 center rotate by 90\n",
-                     (box->right + 6.4 * sheet->em) / sheet->width);
+    thud_text_append(out, " at screen R%d+5.9*EX, graph 0.5 center rotate by 90\n", number);
 }
 
 static void plots(const struct sheet *sheet, int number_of)
@@ -347,7 +379,7 @@ static void plots(const struct sheet *sheet, int number_of)
     for (int i = 0; i < panel->nseries; i++) {
         thud_text_append(out, "%s$P%dS%d using 1:2%s ", comma, number_of + 1, i + 1,
                          panel->series[i]->y_high ? ":3" : "");
-        thud_gnuplot_style(sheet, panel->series[i]);
+        thud_gnuplot_style(sheet, panel->series[i], false);
         comma = ", ";
     }
     thud_text_append(out, "%s\n", *comma == 'p' ? "plot NaN" : "");
@@ -360,26 +392,35 @@ void thud_gnuplot_panel(const struct sheet *sheet, int number_of)
     struct box box = thud_sheet_frame(sheet, number_of);
     if (!panel->used)
         return;
-    thud_text_append(out, "\nreset\nset margins screen %.5f, screen %.5f, screen %.5f, screen %.5f\n",
-                     box.left / sheet->width, box.right / sheet->width, box.bottom / sheet->height,
-                     box.top / sheet->height);
+    int number = number_of + 1;
+    thud_text_append(out, "\nreset\nset margins screen L%d, screen R%d, screen B%d, screen T%d\n", number, number,
+                     number, number);
     thud_text_append(out, "unset key\nset border 31 back lw 1 lc rgb '#404040'\nset tics nomirror out scale 0.5\n");
     thud_text_append(out, "set format '%%h'\nset grid back lt 1 lw 0.8 lc rgb '%s'\nset boxwidth 0.8 relative\n",
                      grid_color);
-    axis(sheet, panel, THUD_X, &box);
-    axis(sheet, panel, THUD_Y, &box);
+    axis(sheet, panel, THUD_X, number_of + 1, &box);
+    axis(sheet, panel, THUD_Y, number_of + 1, &box);
+    double room = 1.1 * (box.right - box.left), em = thud_gnuplot_fit(panel->title, room, sheet->em);
+    if (panel->strip)
+        em = 0.9 * sheet->em;
     thud_text_append(out, "set label 90 ");
-    thud_gnuplot_quote(out, panel->title, 1.1 * (box.right - box.left), sheet->em);
-    thud_text_append(out, " at graph 0.5, screen %.5f center\n",
-                     (box.top + (*panel->note ? 1.9 : 0.8) * sheet->em) / sheet->height);
+    thud_gnuplot_quote(out, panel->title, room, em);
+    if (panel->strip)
+        thud_text_append(out, " at graph 0.01, screen T%d-0.7*EY left front font sprintf(',%%.4g', 0.9*PT)\n", number);
+    else
+        thud_text_append(out, " at graph 0.5, screen T%d+%.3g*EY center font sprintf(',%%.4g', %.3g*PT)\n", number,
+                         *panel->note ? 1.9 : 0.8, em / sheet->em);
     if (*panel->note) {
         thud_text_append(out, "set label 91 ");
-        thud_gnuplot_quote(out, panel->note, 1.1 * (box.right - box.left), 0.85 * sheet->em);
-        thud_text_append(out, " at graph 0.5, screen %.5f center font ',%.4g' textcolor rgb '#404040'\n",
-                         (box.top + 0.7 * sheet->em) / sheet->height, 0.85 * sheet->em * sheet->points);
+        em = thud_gnuplot_fit(panel->note, room, 0.85 * sheet->em);
+        thud_gnuplot_quote(out, panel->note, room, em);
+        thud_text_append(out,
+                         " at graph 0.5, screen T%d+0.7*EY center font sprintf(',%%.4g', %.3g*PT) "
+                         "textcolor rgb '#404040'\n",
+                         number, em / sheet->em);
     }
     if (panel->map)
-        map_colors(sheet, panel->map, &box);
+        map_colors(sheet, panel->map, number_of + 1, &box);
     marks(sheet, panel);
     plots(sheet, number_of);
 }

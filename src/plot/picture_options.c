@@ -29,6 +29,20 @@ enum thud_status thud_picture_format_parse(const char *text, enum thud_picture_f
     return THUD_USAGE;
 }
 
+enum thud_status thud_picture_width_parse(const char *text, double *width_mm, struct thud_error *err)
+{
+    static const double least_m = 0.04, most_m = 0.6;
+    struct thud_quantity q;
+    if (thud_quantity_parse(text, THUD_LENGTH, NULL, &q, NULL) == THUD_OK && q.value >= least_m && q.value <= most_m) {
+        *width_mm = 1e3 * q.value;
+        return THUD_OK;
+    }
+    thud_error_set(err, THUD_USAGE, "\"%s\" is no width on paper", text);
+    thud_error_key(err, "--width");
+    thud_error_allow(err, "%g mm to %g mm: 90mm is a column, 190mm a page", 1e3 * least_m, 1e3 * most_m);
+    return THUD_USAGE;
+}
+
 enum thud_status thud_picture_size_parse(const char *text, int *width_px, int *height_px, struct thud_error *err)
 {
     char *end;

@@ -38,11 +38,14 @@ static void put_ratios(struct thud_sweep_summary *d, const struct thud_sweep_row
 {
     struct thud_sweep_ratio *to = d->ratio;
     for (int i = 0; i < d->nruns * d->nrows; i++, row++) {
-        *to++ = (struct thud_sweep_ratio){row->acceleration_ratio, row->drift_ratio};
+        *to++ = (struct thud_sweep_ratio){row->acceleration_ratio, row->drift_ratio, row->acceleration_free_ratio,
+                                          row->drift_free_ratio};
         if (!d->spread)
             continue;
-        *to++ = (struct thud_sweep_ratio){row->low[THUD_SWEEP_ACCELERATION_RATIO], row->low[THUD_SWEEP_DRIFT_RATIO]};
-        *to++ = (struct thud_sweep_ratio){row->high[THUD_SWEEP_ACCELERATION_RATIO], row->high[THUD_SWEEP_DRIFT_RATIO]};
+        for (const double *end = row->low; end; end = end == row->low ? row->high : NULL)
+            *to++ =
+                (struct thud_sweep_ratio){end[THUD_SWEEP_ACCELERATION_RATIO], end[THUD_SWEEP_DRIFT_RATIO],
+                                          end[THUD_SWEEP_ACCELERATION_FREE_RATIO], end[THUD_SWEEP_DRIFT_FREE_RATIO]};
     }
 }
 

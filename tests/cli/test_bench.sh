@@ -50,7 +50,7 @@ is "all that blew up are listed" sh -c "sed -n '/^no answer:/,\$p' '$tmp/out' | 
 run bench towers --case none --methods central-difference,lagged --patience 1ms --set "structures.1.stiffness=60000 MN/m" -o "$tmp/bad"
 is "methods that blew up are named on the chart" grep -q "Blown up, and not shown: central-difference at 1e-02" "$tmp/bad/bench.gp"
 run bench towers --methods exact,lagged --patience 50ms -o "$tmp/missed"
-is "an impact missed is marked on the chart" grep -q "title 'impacts missed or added'" "$tmp/missed/bench.gp"
+is "an impact missed is marked on the chart" grep -q "Ringed: runs that missed impacts or added some" "$tmp/missed/bench.gp"
 is "and its run listed" sh -c "sed -n '/^impacts missed or added:/,\$p' '$tmp/out' | grep -q '^  lagged: 1e-02'"
 is "one timing has no spread" awk -F, 'NR > 1 && $4 == "done" && ($7 == 1) != ($6 == "") { exit 1 }' "$tmp/missed/bench.csv"
 run bench rigid-concrete --methods exact -o "$tmp/none"

@@ -32,6 +32,7 @@ static struct sample *make(void)
 {
     struct sample *s = calloc(1, sizeof *s);
     strcpy(s->scene.title, "Two towers");
+    s->scene.interface[0].gap_m = 0.1;
     s->scene.nstructures = 2;
     for (int k = 0; k < 2; k++) {
         strcpy(s->scene.structure[k].name, k ? "B" : "A");
@@ -90,15 +91,17 @@ START_TEST(histories_show_floors_in_their_units)
         ck_assert(thud_run_figure_has(which[w], &s->source, 1));
         struct thud_figure *figure = thud_run_figure(which[w], &s->source, 1);
         ck_assert_int_eq(thud_figure_check(figure, NULL), THUD_OK);
-        ck_assert(figure->rows == 2 && figure->columns == 2);
-        const struct thud_panel *a = &figure->panel[0], *zoom = &figure->panel[1], *b = &figure->panel[2];
-        ck_assert_int_eq(a->nseries, LEFT);
-        ck_assert_int_eq(b->nseries, 7);
-        ck_assert_str_eq(b->series[0]->name, "floor 3"); /* the largest seven of nine */
+        ck_assert(figure->rows == DOFS && figure->columns == 2); /* a strip for each floor, the highest first */
+        const struct thud_panel *a = &figure->panel[2 * (LEFT - 2)], *zoom = &figure->panel[1];
+        ck_assert(a->strip && a->nseries == 1);
+        ck_assert_str_eq(a->title, which[w] == THUD_FIGURE_DRIFT ? "A, storey 2" : "A, floor 2");
+        ck_assert_str_eq(figure->panel[2 * LEFT].title, which[w] == THUD_FIGURE_DRIFT ? "B, storey 9" : "B, floor 9");
+        ck_assert(a->axis[THUD_Y].least == figure->panel[2 * LEFT].axis[THUD_Y].least);
+        ck_assert_ptr_nonnull(strstr(figure->title, "bumper, gap 10 cm"));
         int i = 321, dof = 1;
         const double want[] = {0.1 * (dof + 1) * cos(3.21), -(dof + 1) * sin(3.21), 100 * 0.01 * (dof + 1) * sin(3.21),
                                1000 * 0.01 * sin(3.21)};
-        ck_assert_msg(fabs(a->series[dof]->y[i] - want[w]) < 1e-9, "%d: %g %g", w, a->series[dof]->y[i], want[w]);
+        ck_assert_msg(fabs(a->series[0]->y[i] - want[w]) < 1e-9, "%d: %g %g", w, a->series[0]->y[i], want[w]);
         ck_assert(zoom->axis[THUD_X].least < 5.0 && zoom->axis[THUD_X].most > 5.2 && zoom->axis[THUD_X].most < 7.0);
         thud_figure_free(figure);
     }
@@ -111,8 +114,8 @@ START_TEST(forces_and_loops_show_contacts)
     struct sample *s = make();
     struct thud_figure *figure = thud_run_figure(THUD_FIGURE_FORCE, &s->source, 1);
     const struct thud_panel *panel = &figure->panel[0];
-    ck_assert_int_eq(panel->nseries, 1); /* the others never touched */
-    ck_assert_str_eq(panel->series[0]->name, "floor 2");
+    ck_assert_int_eq(figure->rows, 1); /* the others never touched */
+    ck_assert_str_eq(panel->title, "floor 2");
     ck_assert_str_eq(panel->axis[THUD_Y].unit, "MN");
     ck_assert(fabs(panel->series[0]->y[510] - 2.0) < 1e-6);
     thud_figure_free(figure);
@@ -155,8 +158,14 @@ START_TEST(envelopes_stand_over_the_height)
     struct sample *s = make();
     struct thud_figure *figure = thud_run_figure(THUD_FIGURE_ENVELOPE, &s->source, 1);
     const struct thud_series *acceleration = figure->panel[0].series[0], *drift = figure->panel[2].series[0];
-    ck_assert_uint_eq(acceleration->n, LEFT);
-    ck_assert(acceleration->x[2] == 3.0 && acceleration->y[2] == 9.0);
+    ck_assert_uint_eq(acceleration->n, LEFT + 1); /* and the ground */
+    ck_assert(acceleration->x[0] == 0.0 && acceleration->y[0] == 0.0);
+    ck_assert(acceleration->x[3] == 3.0 && acceleration->y[3] == 9.0);
+    const struct thud_panel *ratio = &figure->panel[3];
+    ck_assert_str_eq(ratio->axis[THUD_X].label, "Drift ratio");
+    ck_assert(fabs(ratio->series[0]->x[2] - 100 * 2e-3 / 3) < 1e-12); /* storey 2: 2 mm of 3 m */
+    ck_assert(figure->panel[0].axis[THUD_Y].most >= 27 &&
+              figure->panel[4].axis[THUD_Y].most == figure->panel[0].axis[THUD_Y].most); /* one height scale */
     ck_assert_uint_eq(drift->n, 2 * LEFT);
     ck_assert(drift->y[0] == 0.0 && drift->y[1] == 3.0 && drift->x[0] == drift->x[1]);
     thud_figure_free(figure);

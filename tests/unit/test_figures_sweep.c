@@ -42,10 +42,12 @@ static struct thud_sweep_summary *make_point(int record, int a, int b)
         for (int st = 0; st < 3; st++)
             for (int f = 0; f <= floors[st] && floors[st]; f++) {
                 double x = mark(record, c, a, b, st, f);
-                *thud_sweep_summary_ratio(d, c, st, f, THUD_SWEEP_VALUE) = (struct thud_sweep_ratio){x, -x};
-                *thud_sweep_summary_ratio(d, c, st, f, THUD_SWEEP_LOW) = (struct thud_sweep_ratio){x - 0.01, -x - 0.02};
+                *thud_sweep_summary_ratio(d, c, st, f, THUD_SWEEP_VALUE) =
+                    (struct thud_sweep_ratio){x, -x, 2 * x, -2 * x};
+                *thud_sweep_summary_ratio(d, c, st, f, THUD_SWEEP_LOW) =
+                    (struct thud_sweep_ratio){x - 0.01, -x - 0.02, 0, 0};
                 *thud_sweep_summary_ratio(d, c, st, f, THUD_SWEEP_HIGH) =
-                    (struct thud_sweep_ratio){x + 0.03, -x + 0.04};
+                    (struct thud_sweep_ratio){x + 0.03, -x + 0.04, 0, 0};
             }
     }
     return d;
@@ -99,7 +101,7 @@ START_TEST(every_floor_has_its_curve)
     struct thud_figure *figure = thud_figure_by_floor(&s->table, 1, THUD_CASE_BUMPER, "x", NULL);
     ck_assert_int_eq(thud_figure_check(figure, NULL), THUD_OK);
     ck_assert_int_eq(figure->columns, 2); /* the wall has none */
-    ck_assert_str_eq(figure->panel[1].title, "B");
+    ck_assert_str_eq(figure->panel[1].title, "9-storey building B");
     for (int q = 0; q < 2; q++) {
         const struct thud_panel *a = &figure->panel[2 * q];
         ck_assert_int_eq(a->nseries, 4);
@@ -182,7 +184,7 @@ START_TEST(maps_are_the_right_way_round)
 {
     struct sample *s = malloc(sizeof *s);
     fill(s, 2);
-    struct thud_figure *figure = thud_figure_of_map(&s->table, 0, THUD_CASE_BUMPER, "map");
+    struct thud_figure *figure = thud_figure_of_map(&s->table, 0, THUD_CASE_BUMPER, NULL, "map");
     const struct thud_map *map = figure->panel[1].map;
     ck_assert(map->nx == GAPS && map->ny == DEPTHS);
     for (int b = 0; b < DEPTHS; b++)
@@ -207,13 +209,70 @@ START_TEST(contacts_have_a_curve_for_each_case)
 }
 END_TEST
 
+/* Ratios to no pounding have a figure of every case, and are what a study without bumper shows. */
+START_TEST(pounding_is_shown_without_a_bumper)
+{
+    struct sample *s = malloc(sizeof *s);
+    fill(s, 1);
+    struct thud_figure *figure = thud_figure_of_pounding(&s->table, 1, "pounding");
+    const struct thud_panel *b = &figure->panel[1];
+    ck_assert_int_eq(b->nseries, 3);
+    ck_assert_str_eq(b->series[0]->name, "no bumper");
+    for (int i = 0; i < GAPS; i++)
+        ck_assert(near(b->series[2]->y[i], 2 * mark(1, 2, i, 0, 2, 0)));
+    thud_figure_free(figure);
+    for (size_t i = 0; i < s->table.npoints; i++)
+        s->point[i]->nruns = 1; /* case none alone */
+    ck_assert_int_eq(thud_sweep_figure_count(&s->table), RECORDS + 2 * RECORDS);
+    figure = thud_sweep_figure(&s->table, 0);
+    ck_assert_str_eq(figure->name, "floors-none-1");
+    for (int i = 0; i < GAPS; i++)
+        ck_assert(near(figure->panel[0].series[1]->y[i], 2 * mark(0, 0, i, 0, 0, 2)));
+    thud_figure_free(figure);
+    empty(s);
+}
+END_TEST
+
+/* Figures 8 and 10 are there to be compared: accelerations on the scale of both, deflections on theirs. */
+START_TEST(means_of_two_cases_share_their_axes)
+{
+    struct sample *s = malloc(sizeof *s);
+    fill(s, 1);
+    struct thud_figure *one = thud_figure_of_means(&s->table, THUD_CASE_BUMPER, "fig8", "T"),
+                       *two = thud_figure_of_means(&s->table, THUD_CASE_CAVITY, "fig10", "T");
+    for (int p = 0; p < 4; p++) {
+        const struct thud_axis *a = &one->panel[p].axis[THUD_Y], *b = &two->panel[p].axis[THUD_Y];
+        ck_assert(a->least == b->least && a->most == b->most && a->least < a->most);
+    }
+    ck_assert(one->panel[0].axis[THUD_Y].least != one->panel[2].axis[THUD_Y].least); /* these are negative here */
+    thud_figure_free(one);
+    thud_figure_free(two);
+    empty(s);
+}
+END_TEST
+
+/* A ratio of exactly 1 where nothing touches is a plain without a line around it. */
+START_TEST(no_line_runs_along_a_plain)
+{
+    const double at[] = {0, 1, 2, 3}, z[] = {0.9, 1, 1, 1, 0.9, 1, 1, 1, 1.1, 1, 1, 1, 1.1, 1.2, 1, 1};
+    struct thud_figure *figure = thud_figure_create("m", "", 1, 1);
+    struct thud_map *map = thud_panel_map(thud_figure_panel(figure, 0, 0, ""), 4, at, 4, at, z, "ratio", "");
+    map->level = 1;
+    ck_assert_uint_eq(thud_map_contour(map, NULL, 0), 0);
+    map->z[5] = 1.01;
+    map->z[1] = 1.01;
+    ck_assert_uint_gt(thud_map_contour(map, NULL, 0), 0); /* between 0.9 and 1.01 */
+    thud_figure_free(figure);
+}
+END_TEST
+
 START_TEST(the_list_holds_each_figure_once)
 {
     for (int naxes = 1; naxes <= 2; naxes++) {
         struct sample *s = malloc(sizeof *s);
         fill(s, naxes);
         int n = thud_sweep_figure_count(&s->table);
-        ck_assert_int_eq(n, naxes == 1 ? 2 * (RECORDS + 1) + RECORDS : 2 * RECORDS);
+        ck_assert_int_eq(n, naxes == 1 ? 2 * (RECORDS + 1) + 2 * RECORDS : 2 * RECORDS);
         char names[16][64];
         for (int i = 0; i < n; i++) {
             struct thud_figure *figure = thud_sweep_figure(&s->table, i);
@@ -263,7 +322,7 @@ START_TEST(no_line_runs_between_words)
             for (int i = 0; i < DEPTHS; i++)
                 s->depth[i] = i;
         }
-        struct thud_figure *figure = thud_figure_of_map(&s->table, 0, THUD_CASE_BUMPER, "x");
+        struct thud_figure *figure = thud_figure_of_map(&s->table, 0, THUD_CASE_BUMPER, NULL, "x");
         const struct thud_map *map = figure->panel[0].map;
         for (int a = 0; a < GAPS; a++)
             for (int b = 0; b < DEPTHS; b++)
@@ -287,6 +346,9 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, means_have_a_curve_per_record);
     tcase_add_test(tcase, maps_are_the_right_way_round);
     tcase_add_test(tcase, contacts_have_a_curve_for_each_case);
+    tcase_add_test(tcase, pounding_is_shown_without_a_bumper);
+    tcase_add_test(tcase, means_of_two_cases_share_their_axes);
+    tcase_add_test(tcase, no_line_runs_along_a_plain);
     tcase_add_test(tcase, the_list_holds_each_figure_once);
     tcase_add_test(tcase, words_stand_where_there_are_no_numbers);
     tcase_add_test(tcase, no_line_runs_between_words);

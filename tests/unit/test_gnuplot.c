@@ -105,11 +105,57 @@ START_TEST(size_and_font_are_as_asked)
     ck_assert_uint_eq(big_endian(picture.data + 20), 401);
     ck_assert_int_eq(thud_gnuplot_script(figure, &options, "a.png", &script, NULL), THUD_OK);
     ck_assert_ptr_nonnull(
-        strstr(script.data, "font 'DejaVu Sans Mono,8.25'")); /* 11 px are 8.25 pt at 96 to the inch */
+        strstr(script.data, "FONT = 'DejaVu Sans Mono'; PT = 8.25 ")); /* 11 px are 8.25 pt at 96 to the inch */
     ck_assert_ptr_nonnull(strstr(script.data, "set output 'a.png'"));
     thud_text_clear(&picture);
     thud_text_clear(&script);
     thud_figure_free(figure);
+}
+END_TEST
+
+/* On paper 90 mm are 1063 pixels of 300 to the inch, type of 8 points is 33.3 of them (25 pt at 96), a line of half a
+ * point 2.08; two panels have no room side by side. */
+START_TEST(a_width_on_paper)
+{
+    struct thud_picture_options options = {.width_mm = 90};
+    struct thud_figure *figure = thud_figure_create("paper", "A title that is too long for one line of a column", 1, 2);
+    const double x[] = {0, 1};
+    struct thud_text picture = {0}, script = {0};
+    double left[2], right[2], bottom[2], top[2];
+    for (int i = 0; i < 2; i++)
+        thud_panel_add(thud_figure_panel(figure, 0, i, "panel"), (struct thud_style){.color = i}, i ? "b" : "a", 2, x,
+                       x);
+    ck_assert_int_eq(thud_gnuplot_script(figure, &options, "a.png", &script, NULL), THUD_OK);
+    ck_assert_ptr_nonnull(strstr(script.data, "W = 1063;"));
+    ck_assert_ptr_nonnull(strstr(script.data, "PT = 25 "));
+    ck_assert_ptr_nonnull(strstr(script.data, "LW = 2.083 "));
+    ck_assert_ptr_nonnull(strstr(script.data, " dt (14,5) ")); /* the second curve without its colour */
+    for (int i = 0; i < 2; i++) {
+        char head[8];
+        snprintf(head, sizeof head, "L%d = ", i + 1);
+        const char *at = strstr(script.data, head);
+        int n = 0, one = 0;
+        ck_assert_ptr_nonnull(at);
+        ck_assert_int_eq(sscanf(at, "L%d = %lf; R%d = %lf; B%d = %lf; T%d = %lf", &one, &left[i], &n, &right[i], &n,
+                                &bottom[i], &n, &top[i]),
+                         8);
+        ck_assert(left[i] < right[i] && bottom[i] < top[i]);
+    }
+    ck_assert(left[0] == left[1] && top[1] < bottom[0]);
+    ck_assert_int_eq(thud_gnuplot_draw(figure, &options, &picture, NULL), THUD_OK);
+    ck_assert_uint_eq(big_endian(picture.data + 16), 1063);
+    thud_text_clear(&picture);
+    thud_text_clear(&script);
+    options.width_mm = 190; /* room for both */
+    ck_assert_int_eq(thud_gnuplot_script(figure, &options, "a.png", &script, NULL), THUD_OK);
+    ck_assert_ptr_nonnull(strstr(script.data, "W = 2244;"));
+    thud_text_clear(&script);
+    thud_figure_free(figure);
+    double mm = 0;
+    ck_assert(thud_picture_width_parse("9 cm", &mm, NULL) == THUD_OK && fabs(mm - 90) < 1e-9);
+    ck_assert_int_eq(thud_picture_width_parse("90", &mm, NULL), THUD_USAGE);
+    ck_assert_int_eq(thud_picture_width_parse("2mm", &mm, NULL), THUD_USAGE);
+    ck_assert_int_eq(thud_picture_width_parse("1 s", &mm, NULL), THUD_USAGE);
 }
 END_TEST
 
@@ -467,7 +513,7 @@ START_TEST(scales_can_be_read)
     thud_panel_log(narrow, THUD_Y);
     thud_panel_add(narrow, (struct thud_style){.kind = THUD_LINES}, "", 2, x, y);
     struct thud_text script = {0};
-    struct thud_picture_options options = {.width_px = 1800, .font_px = 30};
+    struct thud_picture_options options = {.width_px = 1800, .font_px = 28};
     ck_assert_int_eq(thud_gnuplot_script(figure, &options, "x.png", &script, NULL), THUD_OK);
     ck_assert_ptr_nonnull(strstr(script.data, "set cbrange [-0.5:2.5]"));
     ck_assert_ptr_nonnull(strstr(script.data, "set palette maxcolors 3\n"));
@@ -494,6 +540,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, a_copy_is_just_like_it);
     tcase_add_test(tcase, scales_can_be_read);
     tcase_add_test(tcase, size_and_font_are_as_asked);
+    tcase_add_test(tcase, a_width_on_paper);
     tcase_add_loop_test(tcase, names_come_out_literally_and_execute_nothing, 0, 9);
     tcase_add_test(tcase, the_script_by_hand_draws_the_same);
     tcase_add_test(tcase, a_missing_gnuplot_is_named);

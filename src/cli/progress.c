@@ -1,0 +1,61 @@
+#include "cli/progress.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <time.h>
+#include <unistd.h>
+
+static const double every_s = 5;
+
+static struct {
+    bool shown, terminal;
+    double last_s;
+} progress;
+
+static double now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+bool thud_progress_start(const struct thud_args *args)
+{
+    progress.shown = !thud_args_has(args, "quiet");
+    progress.terminal = isatty(STDERR_FILENO) != 0;
+    progress.last_s = now();
+    return progress.shown;
+}
+
+void thud_progress_show(const char *fmt, ...)
+{
+    va_list list;
+    if (!progress.shown || (!progress.terminal && now() - progress.last_s < every_s))
+        return;
+    progress.last_s = now();
+    if (progress.terminal)
+        fputs("\r\033[K", stderr);
+    va_start(list, fmt);
+    vfprintf(stderr, fmt, list);
+    va_end(list);
+    if (!progress.terminal)
+        fputs("\n", stderr);
+    fflush(stderr);
+}
+
+void thud_progress_end(void)
+{
+    if (progress.shown && progress.terminal)
+        fputs("\r\033[K", stderr);
+    progress.shown = false;
+}
+
+void thud_progress_points(void *context, long done, long count, double elapsed_s)
+{
+    (void)context;
+    if (done > 0 && done < count)
+        thud_progress_show("%ld of %ld points, %.0f s left", done, count,
+                           elapsed_s / (double)done * (double)(count - done));
+    else
+        thud_progress_show("%ld of %ld points", done, count);
+}
