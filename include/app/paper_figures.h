@@ -6,12 +6,12 @@
 #include "plot/gnuplot.h"
 
 enum {
-    THUD_PAPER_FIGURES = 6,
+    THUD_PAPER_FIGURES = 9,
     THUD_PAPER_ALL = (1 << THUD_PAPER_FIGURES) - 1,
     THUD_PAPER_REPORT = 1 << THUD_PAPER_FIGURES
 };
 
-/* "fig3", "fig4", "fig5", "fig7", "fig8", "fig10". */
+/* "fig2" to "fig10". */
 const char *thud_paper_figure_name(int index);
 /* A set of figures from their names, `all` for all of them with the report, which is also what no name means. Errors:
  * THUD_USAGE. */

@@ -5,6 +5,11 @@
 
 #include "plot/figure.h"
 
+/* Fig. 2: the bumper's force against indentation, with its parameters. */
+enum thud_status thud_figure_paper2(struct thud_figure **out, struct thud_error *err);
+/* Fig. 6: the two buildings with theirs. Fig. 9: the bumper on the wall and in a cavity. */
+enum thud_status thud_figure_paper6(struct thud_figure **out, struct thud_error *err);
+enum thud_status thud_figure_paper9(struct thud_figure **out, struct thud_error *err);
 /* Fig. 3: the rubber bumper pushed past its ultimate strain, force against time and against indentation, for three
  * restitutions. */
 enum thud_status thud_figure_paper3(struct thud_figure **out, struct thud_error *err);

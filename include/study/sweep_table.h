@@ -17,7 +17,8 @@ enum thud_sweep_end { THUD_SWEEP_VALUE, THUD_SWEEP_LOW, THUD_SWEEP_HIGH };
 struct thud_sweep_run {
     enum thud_case which;
     int impacts;
-    double force_n; /* largest; 0: nothing touched */
+    double force_n;       /* largest; 0: nothing touched */
+    double indentation_m; /* largest */
 };
 
 /* What is kept of a point: one allocation (free with free()), sized to its floors and cases. */

@@ -90,7 +90,7 @@ static const struct thud_option options[] = {
     {"sensitivity", "[=CHANGE]", "peaks when gap, motion or stiffness change by 0.1 %", THUD_WORD_NONE, false, STUDY},
     {"vary", "KEY=FROM:TO:STEP", "vary a value; several make a grid", THUD_WORD_KEY, true, SWEEP},
     {"records", "FILE,FILE", "run each of these, e.g. a.AT2:peak=0.9g,b.csv", THUD_WORD_FILE, false, SWEEP | FIGURES},
-    {"cases", "CASE,CASE", "run each of these cases", THUD_WORD_CASE, false, SWEEP},
+    {"cases", "CASE,CASE", "run each of these cases", THUD_WORD_CASE, false, STUDY},
     {"best", "KEY", "best value of a varied key by itself", THUD_WORD_VARIED, false, SWEEP},
     {"shard", "K/N", "every N-th point, from the K-th on", THUD_WORD_TEXT, false, SWEEP},
     {"merge", NULL, "join the folders of all shards", THUD_WORD_NONE, false, SWEEP},

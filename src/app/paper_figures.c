@@ -8,8 +8,9 @@
 #include "io/file.h"
 #include "plot/figures_sweep.h"
 
-enum { FIG3, FIG4, FIG5, FIG7, FIG8, FIG10 };
-static const char *const names[THUD_PAPER_FIGURES] = {"fig3", "fig4", "fig5", "fig7", "fig8", "fig10"};
+enum { FIG2, FIG3, FIG4, FIG5, FIG6, FIG7, FIG8, FIG9, FIG10 };
+static const char *const names[THUD_PAPER_FIGURES] = {"fig2", "fig3", "fig4", "fig5", "fig6",
+                                                      "fig7", "fig8", "fig9", "fig10"};
 enum { NEED_STUDY = 1 << FIG7 | 1 << FIG8 | 1 << FIG10 | THUD_PAPER_REPORT };
 
 const char *thud_paper_figure_name(int index)
@@ -31,7 +32,7 @@ enum thud_status thud_paper_figures_parse(int n, const char *const *name, unsign
             found |= strcmp(name[i], names[k]) ? 0 : 1u << k;
         if (!found) {
             thud_error_set(err, THUD_USAGE, "\"%s\" is no figure", name[i]);
-            thud_error_allow(err, "fig3, fig4, fig5, fig7, fig8, fig10, all");
+            thud_error_allow(err, "fig2 to fig10, all");
             return THUD_USAGE;
         }
         *which |= found;
@@ -46,17 +47,20 @@ static enum thud_status make_of_study(int index, const struct thud_paper_study *
     assert(study);
     switch (index) {
     case FIG7:
-        snprintf(title, sizeof title, "%s: peak response with a 5 cm bumper over that without",
+        snprintf(title, sizeof title, "%s: peak response with a 5 cm bumper, over that without, at the same gap",
                  study->table->record[0]);
         *out = thud_figure_by_floor(study->table, 0, THUD_CASE_BUMPER, names[index], title);
         break;
     case FIG8:
-        *out = thud_figure_of_means(study->table, THUD_CASE_BUMPER, names[index],
-                                    "Mean peak response over the floors with a 5 cm bumper over that without");
+        *out = thud_figure_of_means(
+            study->table, THUD_CASE_BUMPER, names[index],
+            "Mean peak response over the floors with a 5 cm bumper, over that without, at the same gap");
         break;
     default:
-        *out = thud_figure_of_means(study->table, THUD_CASE_CAVITY, names[index],
-                                    "The same with the bumper in a cavity as deep as it cannot be compressed (1 cm)");
+        *out = thud_figure_of_means(
+            study->table, THUD_CASE_CAVITY, names[index],
+            "Mean peak response over the floors with a 5 cm bumper in a 1 cm cavity, over that without, at "
+            "the same gap");
     }
     return thud_figure_check(*out, err);
 }
@@ -65,6 +69,12 @@ static enum thud_status make(int index, const struct thud_paper_study *study, st
                              struct thud_error *err)
 {
     switch (index) {
+    case FIG2:
+        return thud_figure_paper2(out, err);
+    case FIG6:
+        return thud_figure_paper6(out, err);
+    case FIG9:
+        return thud_figure_paper9(out, err);
     case FIG3:
         return thud_figure_paper3(out, err);
     case FIG4:
@@ -88,6 +98,10 @@ static enum thud_status write_report(const struct thud_paper_study *study, const
         return status;
     whole.pair = pair;
     whole.suffix = thud_picture_suffix(options->format);
+    thud_paper_study_json(&whole, &text);
+    status = thud_text_write_in(&text, folder, "study.json", err);
+    if (status != THUD_OK)
+        return status;
     thud_paper_report(&whole, &text);
     return thud_text_write_in(&text, folder, "report.md", err);
 }

@@ -1,7 +1,10 @@
 #include <math.h>
 
 #include "app/paper_report.h"
+#include "app/paper_statements.h"
 #include "base/version.h"
+#include "io/json.h"
+#include "io/scene_json.h"
 
 static const char heading[] =
     "# A parametric study of rubber shock-absorbers, computed again\n"
@@ -55,12 +58,17 @@ static void parameters(const struct thud_paper_study *study, struct thud_text *o
                              1e-3 * s->mass_kg[0], 1e-3 * s->mass_kg[s->storeys - 1], 1e-6 * s->stiffness_npm[0],
                              1e2 * s->damping);
     }
-    thud_text_append(out, "\n| ground motion | file | peak (g) | step (s) | samples | |\n|---|---|---|---|---|---|\n");
+    thud_text_append(out, "\n![Fig. 6](fig6.%s)\n\n![Fig. 2](fig2.%s)\n\n![Fig. 9](fig9.%s)\n", study->suffix,
+                     study->suffix, study->suffix);
+    thud_text_append(out, "\n| ground motion | file | peak in the file (g) | times | peak "
+                          "(g) | step (s) | samples | |\n|---|---|---|---|---|---|---|---|\n");
     for (int r = 0; r < study->table->nrecords; r++) {
         const struct thud_paper_record *record = &study->record[r];
-        thud_text_append(out, "| %s | `%s` | %.4g | %.6g | %zu | %s |\n", record->name, record->file,
+        thud_text_append(out, "| %s | `%s` | %.4g | %.5g | %.4g | %.6g | %zu | %s%s |\n", record->name, record->file,
+                         record->peak_mps2 / fabs(record->scale) / THUD_GRAVITY, record->scale,
                          record->peak_mps2 / THUD_GRAVITY, record->dt_s, record->samples,
-                         record->surrogate ? "synthetic, not the recorded motion" : "as given");
+                         record->surrogate ? "synthetic, not the recorded motion; " : "",
+                         record->scale < 0 ? "turned round" : "sign as in the file");
     }
 }
 
@@ -190,69 +198,6 @@ static void needs(const struct thud_paper_study *study, struct thud_text *out)
     }
 }
 
-/* Over all floors, and over all means. */
-struct overall {
-    double least[2], most[2]; /* first record, bumper: accelerations, deflections */
-    double mean[THUD_CASES];  /* sums of the mean acceleration ratios */
-    int n[THUD_CASES];
-};
-
-static void add_run(struct overall *all, const struct thud_sweep_summary *d, int k, int structure)
-{
-    enum thud_case which = d->run[k].which;
-    const struct thud_sweep_ratio *mean = thud_sweep_summary_ratio(d, k, structure, 0, THUD_SWEEP_VALUE), *x;
-    bool floors = d->record == 0 && which == THUD_CASE_BUMPER;
-    for (int f = 1; floors && (x = thud_sweep_summary_ratio(d, k, structure, f, THUD_SWEEP_VALUE)) != NULL; f++)
-        for (int q = 0; q < 2; q++) {
-            all->least[q] = fmin(all->least[q], q ? x->drift : x->acceleration);
-            all->most[q] = fmax(all->most[q], q ? x->drift : x->acceleration);
-        }
-    if (mean && which >= 0 && !isnan(mean->acceleration)) {
-        all->mean[which] += mean->acceleration;
-        all->n[which]++;
-    }
-}
-
-static double width_of(const struct overall *all, int q)
-{
-    return isinf(all->least[q]) ? 0.0 : all->most[q] - all->least[q];
-}
-
-/* What the paper says in words, each with what was found. */
-static void statements(const struct thud_paper_study *study, struct thud_text *out)
-{
-    const struct thud_sweep_table *table = study->table;
-    if (table->nstructures < 2 || study->scene->structure[0].storeys < 4 || study->scene->structure[1].storeys < 2)
-        return;
-    struct extremes top = extremes_of(table, 0, THUD_CASE_BUMPER, 0, 4, false);
-    struct extremes second = extremes_of(table, 0, THUD_CASE_BUMPER, 1, 2, false);
-    struct overall all = {.least = {INFINITY, INFINITY}};
-    for (size_t i = 0; i < table->npoints; i++)
-        for (int k = 0; k < table->point[i]->nruns; k++)
-            for (int s = 0; s < table->nstructures; s++)
-                add_run(&all, table->point[i], k, s);
-    thud_text_append(out, "\n## What the paper says, and what was found\n\n| the paper | here |\n|---|---|\n");
-    thud_text_append(
-        out,
-        "| %s: the acceleration of the 4-storey building's 4th floor is reduced at almost every gap | below 1 at %d "
-        "of %d gaps, equal to 1 at %d; largest %.3f |\n",
-        table->record[0], top.below, top.n, top.equal, top.most);
-    thud_text_append(out,
-                     "| %s: that of the 6-storey building's 2nd floor is amplified by up to 30 %% | by %.0f %% at a "
-                     "gap of %.4g cm |\n",
-                     table->record[0], 1e2 * (second.most - 1.0), 1e2 * second.most_gap_m);
-    thud_text_append(out,
-                     "| deflections move less than accelerations | ratios of deflections %.3f to %.3f (width %.3f), of "
-                     "accelerations %.3f to %.3f (width %.3f) |\n",
-                     all.least[1], all.most[1], width_of(&all, 1), all.least[0], all.most[0], width_of(&all, 0));
-    if (all.n[THUD_CASE_BUMPER] && all.n[THUD_CASE_CAVITY])
-        thud_text_append(
-            out,
-            "| the cavity lowers the ratios substantially | mean over all gaps, buildings and motions %.3f with the "
-            "bumper on the wall, %.3f in the cavity |\n",
-            all.mean[THUD_CASE_BUMPER] / all.n[THUD_CASE_BUMPER], all.mean[THUD_CASE_CAVITY] / all.n[THUD_CASE_CAVITY]);
-}
-
 static void record_difference(const struct thud_paper_study *study, struct thud_text *out)
 {
     int surrogates = 0;
@@ -280,7 +225,7 @@ void thud_paper_report(const struct thud_paper_study *study, struct thud_text *o
     means(study, THUD_CASE_BUMPER, "All ground motions, means over the floors", 8, out);
     means(study, THUD_CASE_CAVITY, "The same with the bumper in a cavity", 10, out);
     needs(study, out);
-    statements(study, out);
+    thud_paper_statements(study, out);
     thud_text_append(out, "%s", differences);
     record_difference(study, out);
     if (study->unanswered > 0)
@@ -289,4 +234,41 @@ void thud_paper_report(const struct thud_paper_study *study, struct thud_text *o
             "- **Runs without an answer.** In %d of the runs the integration failed; the curves have gaps there, and "
             "the tables leave these gaps out.\n",
             study->unanswered);
+}
+
+void thud_paper_study_json(const struct thud_paper_study *study, struct thud_text *out)
+{
+    const struct thud_sweep_table *table = study->table;
+    const struct thud_sweep_axis *axis = &table->axis[0];
+    thud_text_append(out, "{\n  \"preset\": ");
+    thud_json_string(out, study->scene->name);
+    thud_text_append(
+        out, ", \"version\": \"%s\",\n  \"cases\": [\"none\", \"bumper\", \"cavity\"],\n  \"vary\": ", THUD_VERSION);
+    thud_json_string(out, axis->key);
+    thud_text_append(out, ",\n  \"values\": [");
+    for (int i = 0; i < axis->n; i++) {
+        thud_text_append(out, i ? ", " : "");
+        thud_json_string(out, axis->text[i]);
+    }
+    thud_text_append(out, "],\n  \"turned_round_too\": %s,\n  \"records\": [", study->turned ? "true" : "false");
+    for (int r = 0; r < table->nrecords; r++) {
+        const struct thud_paper_record *record = &study->record[r];
+        thud_text_append(out, "%s\n    {\"name\": ", r ? "," : "");
+        thud_json_string(out, record->name);
+        thud_text_append(out, ", \"file\": ");
+        thud_json_string(out, record->file);
+        thud_text_append(out, ", ");
+        thud_json_field(out, "file_peak_mps2", record->peak_mps2 / fabs(record->scale));
+        thud_text_append(out, ", ");
+        thud_json_field(out, "scale", record->scale);
+        thud_text_append(out, ", ");
+        thud_json_field(out, "peak_mps2", record->peak_mps2);
+        thud_text_append(out, ", ");
+        thud_json_field(out, "dt_s", record->dt_s);
+        thud_text_append(out, ", \"samples\": %zu, \"synthetic\": %s}", record->samples,
+                         record->surrogate ? "true" : "false");
+    }
+    thud_text_append(out, "\n  ],\n  \"scene\": ");
+    thud_scene_json(study->scene, NULL, 4, out);
+    thud_text_append(out, "\n}\n");
 }

@@ -21,9 +21,9 @@ struct thud_paper_work {
     struct thud_session session; /* of one record after the other */
     struct thud_sweep_plan plan;
     bool planned;
-    struct thud_sweep_collector collector;
+    struct thud_sweep_collector collector, turned;
     int nrecords, unanswered;
-    struct thud_record *record[RECORDS_MAX];
+    struct thud_record *record[RECORDS_MAX], *back[RECORDS_MAX]; /* as given, and turned round */
     const char *name[RECORDS_MAX];
     char text[RECORDS_MAX][512]; /* names */
     struct thud_paper_record about[RECORDS_MAX];
@@ -122,12 +122,9 @@ static void describe(struct thud_paper_work *work, int i, bool given)
     if (dot && dot != work->text[i])
         *dot = '\0';
     work->name[i] = work->text[i];
-    work->about[i] = (struct thud_paper_record){work->text[i],
-                                                file,
-                                                thud_record_peak(record),
-                                                record->dt_s,
-                                                record->samples,
-                                                !given || strstr(file, "surrogate")};
+    work->about[i] =
+        (struct thud_paper_record){work->text[i],   file,          thud_record_peak(record),           record->dt_s,
+                                   record->samples, record->scale, !given || strstr(file, "surrogate")};
 }
 
 static enum thud_status read_records(struct thud_paper_work *work, const struct thud_paper_request *request,
@@ -146,12 +143,14 @@ static enum thud_status read_records(struct thud_paper_work *work, const struct 
 struct taker {
     struct thud_paper_work *work;
     const struct thud_paper_request *request;
+    struct thud_sweep_collector *to;
+    long before; /* points of the half that is done */
 };
 
 static enum thud_status take(void *context, struct thud_sweep_point *point, struct thud_error *err)
 {
     struct taker *taker = context;
-    enum thud_status status = thud_sweep_collector_add(&taker->work->collector, &taker->work->plan, point, err);
+    enum thud_status status = thud_sweep_collector_add(taker->to, &taker->work->plan, point, err);
     for (int i = 0; i < point->ncases; i++)
         taker->work->unanswered += point->effort[i].status == THUD_DIVERGED;
     free(point);
@@ -162,28 +161,56 @@ static void progress(void *context, long done, long count, double elapsed_s)
 {
     const struct taker *taker = context;
     if (taker->request->progress)
-        taker->request->progress(taker->request->context, done, count, elapsed_s);
+        taker->request->progress(taker->request->context, taker->before + done,
+                                 taker->request->both_signs ? 2 * count : count, elapsed_s);
 }
 
-static enum thud_status run(struct thud_paper_work *work, const struct thud_paper_request *request,
-                            struct thud_error *err)
+static enum thud_status turn_round(struct thud_paper_work *work, struct thud_error *err)
 {
-    struct taker taker = {work, request};
-    work->plan.nrecords = work->nrecords;
-    work->plan.record = (const struct thud_record *const *)work->record;
-    enum thud_status status = thud_sweep_study(&work->plan, true, true, err);
-    if (status != THUD_OK)
-        return status;
-    thud_sweep_collector_init(&work->collector, &work->plan, work->name);
+    enum thud_status status = THUD_OK;
+    for (int i = 0; i < work->nrecords && status == THUD_OK; i++) {
+        const struct thud_record *record = work->record[i];
+        status = thud_record_create(record->a_mps2, record->samples, record->dt_s, &work->back[i], err);
+        if (status == THUD_OK) {
+            memcpy(work->back[i]->file, record->file, sizeof record->file);
+            thud_record_scale(work->back[i], -1);
+        }
+    }
+    return status;
+}
+
+static enum thud_status run_half(struct thud_paper_work *work, const struct thud_paper_request *request, bool turned,
+                                 struct thud_error *err)
+{
+    struct taker taker = {.work = work, .request = request, .to = turned ? &work->turned : &work->collector};
+    long count = thud_sweep_points(&work->plan);
+    taker.before = turned ? count : 0;
+    work->plan.record = (const struct thud_record *const *)(turned ? work->back : work->record);
+    thud_sweep_collector_init(taker.to, &work->plan, work->name);
     struct thud_sweep_jobs jobs = {.plan = &work->plan,
                                    .step = 1,
-                                   .count = thud_sweep_points(&work->plan),
+                                   .count = count,
                                    .threads = request->threads,
                                    .cancel = request->cancel,
                                    .context = &taker,
                                    .take = take,
                                    .progress = progress};
     return thud_sweep_jobs_run(&jobs, err);
+}
+
+static enum thud_status run(struct thud_paper_work *work, const struct thud_paper_request *request,
+                            struct thud_error *err)
+{
+    work->plan.nrecords = work->nrecords;
+    work->plan.record = (const struct thud_record *const *)work->record;
+    enum thud_status status = thud_sweep_study(&work->plan, true, true, err);
+    if (status == THUD_OK)
+        status = run_half(work, request, false, err);
+    if (status == THUD_OK && request->both_signs)
+        status = turn_round(work, err);
+    if (status == THUD_OK && request->both_signs)
+        status = run_half(work, request, true, err);
+    return status;
 }
 
 enum thud_status thud_paper_work_make(const struct thud_paper_request *request, struct thud_paper_work **out,
@@ -202,6 +229,7 @@ enum thud_status thud_paper_work_make(const struct thud_paper_request *request, 
     }
     *study = (struct thud_paper_study){.scene = &work->plan.scene,
                                        .table = &work->collector.table,
+                                       .turned = request->both_signs ? &work->turned.table : NULL,
                                        .record = work->about,
                                        .unanswered = work->unanswered};
     *out = work;
@@ -213,9 +241,12 @@ void thud_paper_work_free(struct thud_paper_work *work)
     if (!work)
         return;
     thud_sweep_collector_clear(&work->collector);
+    thud_sweep_collector_clear(&work->turned);
     if (work->planned)
         thud_sweep_plan_clear(&work->plan);
-    for (int i = 0; i < work->nrecords; i++)
+    for (int i = 0; i < work->nrecords; i++) {
         thud_record_free(work->record[i]);
+        thud_record_free(work->back[i]);
+    }
     free(work);
 }

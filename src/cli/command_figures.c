@@ -8,13 +8,14 @@
 #include "cli/picture_options.h"
 #include "cli/progress.h"
 
-static enum thud_status make_study(const struct thud_args *args, struct thud_paper_work **work,
+static enum thud_status make_study(const struct thud_args *args, bool report, struct thud_paper_work **work,
                                    struct thud_paper_study *study, struct thud_error *err)
 {
     struct thud_paper_request request = {.records = thud_args_value(args, "records"),
                                          .peak = thud_args_value(args, "peak"),
                                          .dt = thud_args_value(args, "dt"),
                                          .unit = thud_args_value(args, "unit"),
+                                         .both_signs = report,
                                          .cancel = thud_interrupt_watch()};
     enum thud_status status = thud_args_integer(args, "j", 1, THUD_JOBS_MAX, 0, &request.threads, err);
     if (thud_progress_start(args))
@@ -49,7 +50,7 @@ static enum thud_status list_files(unsigned which, const char *folder, const str
                              thud_picture_suffix(options->format));
     }
     if (which & THUD_PAPER_REPORT)
-        thud_text_append(&text, "%s/report.md\n", folder);
+        thud_text_append(&text, "%s/report.md\n%s/study.json\n", folder, folder);
     return thud_cli_print(&text, err);
 }
 
@@ -69,7 +70,7 @@ enum thud_status thud_command_figures(const struct thud_args *args, struct thud_
     if (status == THUD_OK)
         status = check_records(args, err);
     if (status == THUD_OK && thud_paper_needs_study(which))
-        status = make_study(args, &work, &study, err);
+        status = make_study(args, (which & THUD_PAPER_REPORT) != 0, &work, &study, err);
     if (status == THUD_OK && work && study.unanswered > 0)
         fprintf(stderr, "thud: %d runs have no answer, because their integration failed; the curves have gaps there\n",
                 study.unanswered);

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "app/result_table.h"
+#include "app/run_cases.h"
 #include "app/run_figures.h"
 #include "cli/commands.h"
 #include "cli/interrupt.h"
@@ -160,9 +161,71 @@ static enum thud_status report_failure(const struct thud_args *args, const struc
     return thud_cli_print(&text, err);
 }
 
+/* Files of every case in a folder of its own, figures of all over each other. */
+static enum thud_status write_cases(const struct thud_args *args, struct thud_picture_choice *picture,
+                                    const struct thud_session *session, const struct thud_run_cases *cases,
+                                    struct thud_error *err)
+{
+    const char *folder = thud_args_value(args, "o");
+    struct thud_figure_source source[THUD_RUN_CASES_MAX];
+    enum thud_status status = THUD_OK;
+    for (int i = 0; i < cases->n && status == THUD_OK; i++) {
+        char path[4096];
+        const struct thud_run_case *item = &cases->item[i];
+        struct thud_report report = thud_session_report(session, &item->scene, item->which, &item->answer);
+        if (snprintf(path, sizeof path, "%s/%s", folder, item->folder) >= (int)sizeof path)
+            return thud_error_set(err, THUD_OUTPUT, "the folder's name is too long");
+        status = thud_folder_make(folder, err);
+        if (status == THUD_OK)
+            status = write_folder(&report, path, err);
+    }
+    if (status != THUD_OK)
+        return status;
+    picture->options.no_data = true;
+    picture->options.cancel = thud_interrupt_watch();
+    return thud_run_figures_save(source, thud_run_cases_sources(cases, source), folder, &picture->options, err);
+}
+
+static enum thud_status run_cases(const struct thud_args *args, struct thud_session *session, struct thud_error *err)
+{
+    static const char *const alone[] = {"case", "json", "csv", "sensitivity"};
+    struct thud_run_options options;
+    struct thud_run_cases *cases = NULL;
+    struct thud_picture_choice picture;
+    struct thud_text text = {0};
+    for (size_t i = 0; i < sizeof alone / sizeof *alone; i++)
+        if (thud_args_has(args, alone[i]))
+            return thud_error_set(err, THUD_USAGE, "--cases and --%s together", alone[i]);
+    enum thud_status status = thud_picture_options_read(args, &picture, err);
+    if (status == THUD_OK)
+        status = thud_scene_options(&session->scene, &options, err);
+    if (status != THUD_OK)
+        return status;
+    options.keep_history = thud_args_has(args, "o");
+    options.keep_impacts = true;
+    status = thud_run_cases_make(session, thud_args_value(args, "cases"), &options, &cases, err);
+    if (status != THUD_OK)
+        return status;
+    for (int i = 1; i < cases->n; i++)
+        warn(thud_run_result(cases->item[i].answer.run));
+    const struct thud_run_case *shown = &cases->item[cases->n - 1]; /* whose bumper stands out most */
+    for (int i = 1; i < cases->n; i++)
+        if (cases->item[i].which == THUD_CASE_BUMPER)
+            shown = &cases->item[i];
+    warn_unusual(args, session, &shown->scene, shown->answer.run);
+    thud_run_cases_table(cases, &text);
+    status = thud_cli_print(&text, err);
+    if (status == THUD_OK && options.keep_history)
+        status = write_cases(args, &picture, session, cases, err);
+    thud_run_cases_free(cases);
+    return status;
+}
+
 static enum thud_status run(const struct thud_args *args, struct thud_session *session, struct thud_scene *scene,
                             struct thud_error *err)
 {
+    if (thud_args_has(args, "cases"))
+        return run_cases(args, session, err);
     struct thud_run_options options;
     struct thud_answer answer = {0};
     struct thud_picture_choice picture;

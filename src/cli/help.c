@@ -29,7 +29,7 @@ static void name_said_by_record(struct thud_text *out, enum thud_command_id id)
     for (int i = 0; i < thud_option_count(); i++)
         if (thud_option_belongs(thud_option_at(i), id) && said_by_record(thud_option_at(i), id))
             thud_text_append(out, " --%s", thud_option_at(i)->name);
-    thud_text_append(out, "\nand of `thud figures`: --size --font\n");
+    thud_text_append(out, "\nand of `thud figures`: --format --size --font\n");
 }
 
 /* A study takes all that a run takes; what a run's help says of its scene is not said again. */
@@ -43,7 +43,8 @@ static bool said_by_run(const struct thud_option *option, enum thud_command_id i
 static bool said_by_figures(const struct thud_option *option, enum thud_command_id id)
 {
     return (id == THUD_COMMAND_RUN || id == THUD_COMMAND_SWEEP) &&
-           (strcmp(option->name, "size") == 0 || strcmp(option->name, "font") == 0);
+           (strcmp(option->name, "format") == 0 || strcmp(option->name, "size") == 0 ||
+            strcmp(option->name, "font") == 0);
 }
 
 void thud_help_command(struct thud_text *out, enum thud_command_id id)

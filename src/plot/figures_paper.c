@@ -96,6 +96,118 @@ static enum thud_status finish(struct thud_figure *figure, enum thud_status stat
     return status;
 }
 
+enum thud_status thud_figure_paper2(struct thud_figure **out, struct thud_error *err)
+{
+    struct thud_figure *figure = thud_figure_create("fig2", "The rubber bumper: force against indentation", 1, 1);
+    struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "");
+    struct thud_pair pair;
+    struct thud_answer answer = {0};
+    thud_pair_rubber(&pair);
+    pair.closing_mps = 0.6;
+    enum thud_status status = thud_pair_run(&pair, step_s, &answer, err);
+    paper_axis(panel, THUD_X, INDENTATION);
+    paper_axis(panel, THUD_Y, FORCE);
+    thud_panel_limits(panel, THUD_X, 0.0, 50.0);
+    thud_panel_limits(panel, THUD_Y, 0.0, NAN);
+    if (status == THUD_OK) {
+        const struct thud_history *h = thud_run_history(answer.run);
+        struct thud_style style[2] = {{.color = 0}, {.color = 1}};
+        struct thud_series *way[2] = {
+            thud_panel_add(panel, style[0], "approach: F = k d^n", h->rows, NULL, NULL),
+            thud_panel_add(panel, style[1], "restitution: F = k d^n (1 + C d')", h->rows + 1, NULL, NULL)};
+        size_t n[2] = {0};
+        double last = 0, foot = 0;
+        for (size_t i = 0; i < h->rows && way[0] && way[1]; i++) {
+            int back = value(h, i, RELATIVE_VELOCITY) < 0;
+            if (n[1] > 0 && last <= 0) /* it has let go */
+                break;
+            last = value(h, i, FORCE);
+            foot = value(h, i, INDENTATION);
+            if (back && n[1] == 0 && n[0] > 0) {
+                way[1]->x[n[1]] = way[0]->x[n[0] - 1];
+                way[1]->y[n[1]++] = way[0]->y[n[0] - 1];
+            }
+            way[back]->x[n[back]] = foot;
+            way[back]->y[n[back]++] = last;
+        }
+        for (int k = 0; k < 2 && way[k]; k++)
+            way[k]->n = n[k];
+    }
+    thud_panel_mark(panel, THUD_X, 40.0, 40.0, "largest strain, 0.8 of 5 cm");
+    thud_figure_note(figure,
+                     "k = 0.36 kN/mm^2.65, n = 2.65, C by Eq. (7) for a coefficient of restitution of 0.5; past "
+                     "the largest strain 2500 kN/mm. Two bodies of 320 t closing at 0.6 m/s.");
+    thud_answer_clear(&answer);
+    return finish(figure, status, out, err);
+}
+
+static void rectangle(struct thud_panel *panel, const char *name, int color, double left, double right, double bottom,
+                      double top)
+{
+    const double x[] = {left, right}, low[] = {bottom, bottom}, high[] = {top, top};
+    thud_panel_fill(panel, (struct thud_style){.color = color}, name, 2, x, low, high);
+}
+
+enum thud_status thud_figure_paper6(struct thud_figure **out, struct thud_error *err)
+{
+    static const int storeys[] = {4, 6};
+    static const double left[] = {0.0, 6.2}, width = 5.0, storey = 3.0, slab = 0.35;
+    struct thud_figure *figure = thud_figure_create("fig6", "The two buildings", 1, 1);
+    struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "");
+    thud_panel_axis(panel, THUD_X, "", "");
+    thud_panel_axis(panel, THUD_Y, "Height", "m");
+    thud_panel_limits(panel, THUD_X, -0.8, 12.0);
+    thud_panel_limits(panel, THUD_Y, 0.0, 19.5);
+    thud_panel_tick(panel, THUD_X, left[0] + 0.5 * width, "A: 4-storey building");
+    thud_panel_tick(panel, THUD_X, left[0] + width + 0.6, "gap");
+    thud_panel_tick(panel, THUD_X, left[1] + 0.5 * width, "B: 6-storey building");
+    for (int b = 0; b < 2; b++)
+        for (int i = 1; i <= storeys[b]; i++) {
+            double top = storey * i, ends[2] = {left[b], left[b] + width};
+            const double y[2] = {top - storey, top};
+            rectangle(panel, i < storeys[b] ? "floor, 320 t" : "top floor, 250 t", i < storeys[b] ? 0 : 1, ends[0],
+                      ends[1], top - slab, top);
+            for (int side = 0; side < 2; side++)
+                thud_panel_add(panel, (struct thud_style){.color = 6}, "columns, 600 MN/m in each storey", 2,
+                               (double[]){ends[side], ends[side]}, y);
+            if (i <= storeys[0] && b == 0)
+                rectangle(panel, "bumper, 5 cm of rubber (not to scale)", 2, ends[1], ends[1] + 0.45, top - slab, top);
+        }
+    thud_figure_note(figure,
+                     "Damping 5 % of critical in every mode; storeys of 3 m. Floors of both buildings are at the "
+                     "same levels and touch at A's four floors.");
+    return finish(figure, THUD_OK, out, err);
+}
+
+enum thud_status thud_figure_paper9(struct thud_figure **out, struct thud_error *err)
+{
+    static const double thickness = 5.0, gap = 10.0, cavity[] = {0.0, 1.0};
+    struct thud_figure *figure = thud_figure_create("fig9", "The bumper on the wall and in a cavity of 1 cm", 1, 2);
+    for (int p = 0; p < 2; p++) {
+        char title[96];
+        snprintf(title, sizeof title, "%s: clearance %g cm of a gap of %g cm", p ? "In a cavity" : "On the wall",
+                 gap - thickness + cavity[p], gap);
+        struct thud_panel *panel = thud_figure_panel(figure, 0, p, title);
+        thud_panel_axis(panel, THUD_X, "From the face of the wall", "cm");
+        thud_panel_axis(panel, THUD_Y, "", "");
+        thud_panel_tick(panel, THUD_Y, 5.0, "floor");
+        thud_panel_limits(panel, THUD_X, -6.0, 14.0);
+        thud_panel_limits(panel, THUD_Y, 0.0, 10.0);
+        rectangle(panel, "concrete", THUD_COLOR_GREY, -6.0, -cavity[p], 0.0, 10.0);
+        if (cavity[p] > 0) {
+            rectangle(panel, "concrete", THUD_COLOR_GREY, -cavity[p], 0.0, 0.0, 3.0);
+            rectangle(panel, "concrete", THUD_COLOR_GREY, -cavity[p], 0.0, 7.0, 10.0);
+        }
+        rectangle(panel, "rubber that can be compressed, 4 cm", 2, 1.0 - cavity[p], thickness - cavity[p], 3.0, 7.0);
+        rectangle(panel, "rubber that cannot, 1 cm", 1, -cavity[p], 1.0 - cavity[p], 3.0, 7.0);
+        rectangle(panel, "concrete", THUD_COLOR_GREY, gap, 14.0, 0.0, 10.0);
+    }
+    thud_figure_note(figure,
+                     "In a cavity as deep as it cannot be compressed the whole of what can be stands before the "
+                     "wall, and the clearance is 1 cm wider.");
+    return finish(figure, THUD_OK, out, err);
+}
+
 enum thud_status thud_figure_paper3(struct thud_figure **out, struct thud_error *err)
 {
     static const enum trace on_x[] = {TIME, INDENTATION};

@@ -180,7 +180,7 @@ static struct sheet make_sheet(const struct thud_figure *figure, const struct th
         height = fmax(4.2, fmin(9.0, 50.0 / sheet.rows)) * sheet.em;
     }
     if (sheet.columns == 1 && sheet.rows == 1)
-        height = fmin(0.62 * panel + 6.0 * sheet.em, 0.75 * panel);
+        height = fmax(0.5 * panel, 18.0 * sheet.em);
     sheet.height = options->height_px ? options->height_px : floor(sheet.head + sheet.foot + sheet.rows * height);
     sheet.points = options->format == THUD_SVG ? 1.0 : options->format == THUD_PDF ? 54.0 / PDF_DPI : 0.75;
     sheet.dot = 0.75 * (options->format == THUD_PDF   ? 0.027 * sheet.em

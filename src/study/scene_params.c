@@ -130,7 +130,7 @@ static const struct thud_place bumper_places[] = {
 };
 
 static const struct thud_param analysis_params[] = {
-    WORD("method", "method", "One of `thud methods`, or auto: the cheapest that reaches the tolerance."),
+    WORD("method", "method", "One of `thud methods`, or auto: the exact one."),
     {NUMBER("tolerance", "tolerance", "1e-6: every peak within 1e-5 of the converged value.", THUD_NUMBER, "", 1e-6), FROM(1e-13), UP_TO(0.1), USUAL(1e-12, 1e-3)},
     {NUMBER("step", "step", "Of the methods with a fixed step; else a twentieth of the shortest period of a mode or contact, and no more than the record's.", THUD_TIME, "ms", NAN), POSITIVE, UP_TO(10), ANY_USUAL},
     {NUMBER("tail", "tail", "Free vibration after the ground motion; without one, the duration.", THUD_TIME, "s", 5), FROM(0), UP_TO(100), ANY_USUAL},

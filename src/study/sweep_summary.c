@@ -54,6 +54,7 @@ static void put_contacts(struct thud_sweep_run *run, const struct thud_sweep_con
     for (int c = 0; c < n; c++) {
         run->impacts += row[c].impacts;
         run->force_n = fmax(run->force_n, row[c].force_n);
+        run->indentation_m = fmax(run->indentation_m, row[c].indentation_m);
     }
 }
 

@@ -27,9 +27,9 @@ is "the size stands in it" grep -q 'width="640" height="400"' "$tmp/svg/fig4.svg
 run figures fig4 -o "$tmp/pdf" --format pdf
 is "PDF" [ "$(head -c 5 "$tmp/pdf/fig4.pdf")" = "%PDF-" ]
 
-run figures fig6 -o "$tmp/none"
+run figures fig11 -o "$tmp/none"
 is "a figure there is not is wrong usage" [ "$code" -eq 2 ]
-is "and the known ones are named" says "fig3, fig4"
+is "and the known ones are named" says "fig2 to fig10"
 is "nothing is written then" [ ! -e "$tmp/none" ]
 run figures fig7 --peak 1g -o "$tmp/none"
 is "a peak without a record of one's own is wrong usage" [ "$code" -eq 2 ]
@@ -101,10 +101,15 @@ is "but a loop" is_png "$tmp/rigid/loop.png"
 
 run figures all -o "$tmp/all"
 is "all the paper's figures" [ "$code" -eq 0 ]
-for name in fig3 fig4 fig5 fig7 fig8 fig10; do
+for name in fig2 fig3 fig4 fig5 fig6 fig7 fig8 fig9 fig10; do
     is "$name" is_png "$tmp/all/$name.png"
     is "$name is in the report" grep -q "($name.png)" "$tmp/all/report.md"
 done
+is "every statement of the paper has its verdict" [ "$(grep -c '^| Fig[.].*[*][*]\(yes\|partly\|no\)[*][*] |$' "$tmp/all/report.md")" -eq 12 ]
+is "a coefficient that is not obtained is said to be so" grep -q "concrete 0.632 for 0.6.*[*][*]\(partly\|no\)" "$tmp/all/report.md"
+is "what the bumper does to forces stands there" grep -q "largest force larger at [0-9]* of [0-9]* gaps with pounding" "$tmp/all/report.md"
+is "study.json names the motions with their factors" [ "$(grep -c '"file_peak_mps2": .*"scale": ' "$tmp/all/study.json")" -eq 3 ]
+is "and a scene that is a preset" sh -c "sed -n '/\"scene\"/,\$p' '$tmp/all/study.json' | grep -q structures"
 is "the report says that the motions are synthetic" grep -q "synthetic" "$tmp/all/report.md"
 "$THUD" figures fig7 fig8 fig10 -o "$tmp/one" -j 1 >/dev/null 2>&1
 is "the same bytes with one thread" cmp -s "$tmp/one/fig7.csv" "$tmp/all/fig7.csv"

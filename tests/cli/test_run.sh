@@ -280,3 +280,25 @@ is "by either path" gives 0 run towers --set interfaces.1.bumper.exponent=2 --se
 is "and by eq. (6)" gives 0 run towers --set bumper.stiffness= --set bumper.exponent=2 --set bumper.alpha=2 --set bumper.area=0.5m^2 --set bumper.material-stiffness=11MPa
 gives 0 run towers --set bumper.thickness=2cm
 is "a thickness alone is remarked on" says "bumper.thickness: 2 cm thick now, with the stiffness of 5 cm, 0.36 kN/mm^2.65; by eq. (6) it would be 11.3 times that"
+
+# several cases beside each other: the numbers of each case alone, and sentences that follow from them
+is "several cases" gives 0 run towers --cases none,bumper,cavity --quiet
+cp "$tmp/out" "$tmp/cases"
+a4() { "$THUD" run towers --quiet --json "$@" | tr -s ',{}[]' '\n' | sed -n 's/^ *"acceleration_mps2": *//p' | sed -n 4p; }
+row() { awk -v c="$1" '$1 == "4" && NF >= 6 { print $c; exit }' "$tmp/cases"; }
+is "case none is that of a run alone" near "$(row 3)" "$(a4 --case none)" 1e-3
+is "and the bumper" near "$(row 4)" "$(a4 --case bumper)" 1e-3
+is "and the cavity" near "$(row 5)" "$(a4 --case cavity)" 1e-3
+is "no pounding is a gap that nothing closes" near "$(row 2)" "$(a4 --case none --set gap=90cm)" 1e-3
+is "the ratio is that of the two" near "$(row 6)" "$(awk -v a="$(row 4)" -v b="$(row 3)" 'BEGIN { print a / b }')" 2e-3
+need=$(sed -n 's/^A and B do not touch from a gap of \([0-9.]*\) cm on.*/\1/p' "$tmp/cases")
+gives 0 run towers --case none --quiet --json --set "gap=$(awk -v g="$need" 'BEGIN { print g + 0.01 }') cm"
+is "from the gap that is named on nothing touches" [ "$(tr -s ',{}[]' '\n' <"$tmp/out" | sed -n 's/^ *"impacts": *//p' | sort -n | tail -1)" = 0 ]
+gives 0 run towers --case none --quiet --json --set "gap=$(awk -v g="$need" 'BEGIN { print g - 0.01 }') cm"
+is "and just below it something does" [ "$(tr -s ',{}[]' '\n' <"$tmp/out" | sed -n 's/^ *"impacts": *//p' | sort -n | tail -1)" -gt 0 ]
+is "how often they touch is said" grep -q "^Without bumper they touch [0-9]* times, hardest with .* MN, A and B at floor 4" "$tmp/cases"
+is "and what the bumper does to floors" grep -q "^It lowers the accelerations of floors [AB] [1-6] (-[0-9]* %)" "$tmp/cases"
+gives 0 run towers --cases none,bumper -o "$tmp/cases.d" --quiet
+is "files of every case" [ -s "$tmp/cases.d/none/histories.csv" ] && [ -s "$tmp/cases.d/no-pounding/result.json" ]
+is "one figure for all" grep -q "'no pounding'" "$tmp/cases.d/acceleration.gp"
+is "cases and a case are wrong usage" gives 2 run towers --cases none,bumper --case none
