@@ -10,6 +10,9 @@
  * how many of its impacts; storeys whose drift no building bears elastically. False when there are no more. */
 bool thud_result_remark(const struct thud_scene *scene, const struct thud_result *result,
                         const struct thud_impact *impact, int nimpacts, int n, struct thud_error *out);
+/* Whether a floor (from 0) was struck by an impulse, which has no finite acceleration: what the result holds is the peak
+ * between the impulses. */
+bool thud_floor_struck(const struct thud_scene *scene, const struct thud_result *result, int structure, int floor);
 /* The n-th bumper of `scene` whose thickness or exponent is not that of `before` while its stiffness is: eq. (6) would
  * change it. False when there are no more. */
 bool thud_scene_change_remark(const struct thud_scene *before, const struct thud_scene *scene, int n,

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "app/sensitivity_table.h"
+#include "study/remark.h"
 
 static void add_head(const struct thud_report *report, struct thud_text *out)
 {
@@ -46,8 +47,9 @@ static void add_number(struct thud_text *out, int width, int places, double valu
         thud_text_append(out, "%*.*f", width, places, value);
 }
 
-static void add_floors(const struct thud_structure_result *r, bool isolated, struct thud_text *out)
+static void add_floors(const struct thud_report *report, int s, bool isolated, struct thud_text *out)
 {
+    const struct thud_structure_result *r = &report->result->structure[s];
     double acceleration = 0, displacement = 0, velocity = 0, drift = 0;
     for (int i = 0; i < r->floors; i++) {
         acceleration = fmax(acceleration, r->floor[i].acceleration.value);
@@ -58,8 +60,12 @@ static void add_floors(const struct thud_structure_result *r, bool isolated, str
     for (int i = r->floors - 1; i >= 0; i--) {
         const struct thud_floor_result *f = &r->floor[i];
         thud_text_append(out, "%5d  ", i + 1);
-        add_number(out, 12, places_of(acceleration, 5), f->acceleration.value);
-        thud_text_append(out, " %8.3f  ", f->acceleration.time_s);
+        if (thud_floor_struck(report->scene, report->result, s, i))
+            thud_text_append(out, "%12s %8s  ", "-", "-"); /* an impulse has no finite one */
+        else {
+            add_number(out, 12, places_of(acceleration, 5), f->acceleration.value);
+            thud_text_append(out, " %8.3f  ", f->acceleration.time_s);
+        }
         add_number(out, 12, places_of(displacement, 5), 1e3 * f->displacement.value);
         thud_text_append(out, " %8.3f  ", f->displacement.time_s);
         add_number(out, 8, places_of(velocity, 4), f->velocity.value);
@@ -82,7 +88,7 @@ static void add_structure(const struct thud_report *report, int s, struct thud_t
         thud_text_append(out, "; base shear %.5g MN at %.3f s", 1e-6 * r->base_shear.value, r->base_shear.time_s);
     thud_text_append(out, "\nfloor  acceleration       at  displacement       at  velocity     drift       at\n"
                           "               m/s2        s            mm        s       m/s        mm        s\n");
-    add_floors(r, p->kind == THUD_ISOLATED, out);
+    add_floors(report, s, p->kind == THUD_ISOLATED, out);
 }
 
 /* Four digits, and all those before the point: no 1.23e+03. */
@@ -104,8 +110,13 @@ static void add_contact(const struct thud_contact_result *c, int force_places, i
         return;
     }
     thud_text_append(out, "%3d %-7s %7d ", c->interface, pair, c->impacts);
-    add_number(out, 9, force_places, 1e-6 * c->force.value);
-    thud_text_append(out, " %8.3f ", c->force.time_s);
+    bool blow = !(c->force.value > 0) && c->impulse_ns > 0; /* without a force */
+    if (blow)
+        thud_text_append(out, "%9s %8s ", "-", "-");
+    else {
+        add_number(out, 9, force_places, 1e-6 * c->force.value);
+        thud_text_append(out, " %8.3f ", c->force.time_s);
+    }
     add_number(out, 10, depth_places, 1e3 * c->indentation.value);
     thud_text_append(out, " ");
     add_ms(c->contact_time_s, out);
@@ -115,6 +126,8 @@ static void add_contact(const struct thud_contact_result *c, int force_places, i
     else
         thud_text_append(out, "     -");
     thud_text_append(out, " %5.3g\n", c->nominal_restitution);
+    if (blow)
+        thud_text_append(out, "            impulse %.5g kN s in all\n", 1e-3 * c->impulse_ns);
 }
 
 static void add_contacts(const struct thud_report *report, struct thud_text *out)

@@ -8,6 +8,7 @@
 #include "app/run_figures.h"
 #include "base/quantity.h"
 #include "core/baseline.h"
+#include "study/remark.h"
 #include "study/sweep.h"
 
 static const char *title_of(enum thud_case which)
@@ -133,6 +134,8 @@ static const struct thud_result *result_of(const struct thud_run_cases *cases, i
 static double peak(const struct thud_run_cases *cases, int i, int structure, int floor, bool drift)
 {
     const struct thud_floor_result *f = &result_of(cases, i)->structure[structure].floor[floor];
+    if (!drift && thud_floor_struck(&cases->item[i].scene, result_of(cases, i), structure, floor))
+        return NAN; /* an impulse has no finite one */
     return drift ? 1e3 * f->drift.value : f->acceleration.value;
 }
 
@@ -174,8 +177,13 @@ static void put_structure(const struct thud_run_cases *cases, int s, bool drift,
     thud_text_append(out, "\n");
     for (int f = floors - 1; f >= 0; f--) {
         thud_text_append(out, "%5d", f + 1);
-        for (int i = 0; i < cases->n; i++)
-            thud_text_append(out, " %11.4g", peak(cases, i, s, f, drift));
+        for (int i = 0; i < cases->n; i++) {
+            double value = peak(cases, i, s, f, drift);
+            char text[32] = "-";
+            if (!isnan(value))
+                snprintf(text, sizeof text, "%.4g", value);
+            thud_text_append(out, " %11s", text);
+        }
         for (int i = 1; none && i < cases->n; i++)
             if (i != none) {
                 thud_text_append(out, "     ");

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "io/result_file.h"
+#include "study/remark.h"
 
 static void add_number(struct thud_text *out, double value)
 {
@@ -32,8 +33,9 @@ void thud_result_csv(const struct thud_report *report, struct thud_text *out)
             thud_text_csv(out, report->scene->structure[s].name);
             thud_text_append(out, ",%d", i + 1);
             for (size_t k = 0; k < sizeof peak / sizeof *peak; k++) {
-                add_number(out, peak[k].value);
-                add_number(out, peak[k].time_s);
+                bool none = k == 0 && thud_floor_struck(report->scene, report->result, s, i);
+                add_number(out, none ? NAN : peak[k].value);
+                add_number(out, none ? NAN : peak[k].time_s);
             }
             thud_text_append(out, "\n");
         }

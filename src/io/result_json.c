@@ -1,7 +1,10 @@
+#include <math.h>
+
 #include "base/version.h"
 #include "io/json.h"
 #include "io/result_file.h"
 #include "io/scene_json.h"
+#include "study/remark.h"
 
 static const char *kind_name(enum thud_structure_kind kind)
 {
@@ -47,7 +50,7 @@ static void add_method(const struct thud_report *report, struct thud_text *out)
                      r->work.steps, r->work.force_evaluations, r->work.events, r->work.rejected, r->work.samples_fast);
 }
 
-static void add_floor(int floor, const struct thud_floor_result *f, struct thud_text *out)
+static void add_floor(int floor, const struct thud_floor_result *f, bool struck, struct thud_text *out)
 {
     const struct {
         const char *value, *time;
@@ -59,9 +62,9 @@ static void add_floor(int floor, const struct thud_floor_result *f, struct thud_
     thud_text_append(out, "      {\"floor\": %d", floor);
     for (size_t i = 0; i < sizeof field / sizeof *field; i++) {
         thud_text_append(out, ", ");
-        thud_json_field(out, field[i].value, field[i].peak.value);
+        thud_json_field(out, field[i].value, struck && i == 0 ? NAN : field[i].peak.value);
         thud_text_append(out, ", ");
-        thud_json_field(out, field[i].time, field[i].peak.time_s);
+        thud_json_field(out, field[i].time, struck && i == 0 ? NAN : field[i].peak.time_s);
     }
     thud_text_append(out, "}");
 }
@@ -83,7 +86,7 @@ static void add_structure(const struct thud_report *report, int s, struct thud_t
     thud_text_append(out, ", \"floors\": [");
     for (int i = 0; i < r->floors; i++) {
         thud_text_append(out, "%s\n", i > 0 ? "," : "");
-        add_floor(i + 1, &r->floor[i], out);
+        add_floor(i + 1, &r->floor[i], thud_floor_struck(report->scene, report->result, s, i), out);
     }
     thud_text_append(out, "]}");
 }

@@ -19,11 +19,12 @@ struct columns {
     int n;
 };
 
-/* Column of a variable, added where it is new; -1: there is no room for it. */
-static int column_of(struct columns *columns, const struct thud_axis *axis, const char *behind)
+/* Column of a variable, added where it is new; -1: there is no room for it. `plain`: what it is called without a label. */
+static int column_of(struct columns *columns, const struct thud_axis *axis, const char *plain, const char *behind)
 {
     char text[256], label[224];
-    snprintf(text, sizeof text, "%s%s", thud_axis_text(axis, label, sizeof label), behind);
+    thud_axis_text(axis, label, sizeof label);
+    snprintf(text, sizeof text, "%s%s", *label ? label : plain, behind);
     for (int i = 0; i < columns->n; i++)
         if (!strcmp(columns->text[i], text))
             return i;
@@ -33,9 +34,19 @@ static int column_of(struct columns *columns, const struct thud_axis *axis, cons
     return columns->n++;
 }
 
+/* The same of an axis; two of a panel that are called alike have a column each. */
+static int axis_column(struct columns *columns, const struct thud_panel *panel, enum thud_side side, const char *behind)
+{
+    const struct thud_axis *x = &panel->axis[THUD_X], *y = &panel->axis[THUD_Y];
+    bool alike = side == THUD_Y && *y->label && !strcmp(x->label, y->label) && !strcmp(x->unit, y->unit);
+    char both[32];
+    snprintf(both, sizeof both, "%s%s", alike ? ", upward" : "", behind);
+    return column_of(columns, &panel->axis[side], side == THUD_X ? "x" : "y", both);
+}
+
 static int map_column(struct columns *columns, const struct thud_map *map)
 {
-    return column_of(columns, &(struct thud_axis){.label = map->label, .unit = map->unit}, "");
+    return column_of(columns, &(struct thud_axis){.label = map->label, .unit = map->unit}, "z", "");
 }
 
 static const char high[] = ", upper end";
@@ -51,11 +62,11 @@ static void find_columns(const struct thud_figure *figure, struct columns *colum
         const struct thud_panel *panel = &figure->panel[p];
         if (!is_written(panel))
             continue;
-        column_of(columns, &panel->axis[THUD_X], "");
-        column_of(columns, &panel->axis[THUD_Y], "");
+        axis_column(columns, panel, THUD_X, "");
+        axis_column(columns, panel, THUD_Y, "");
         for (int i = 0; i < panel->nseries; i++)
             if (panel->series[i]->y_high)
-                column_of(columns, &panel->axis[THUD_Y], high);
+                axis_column(columns, panel, THUD_Y, high);
         if (panel->map)
             map_column(columns, panel->map);
     }
@@ -79,8 +90,8 @@ static void series_rows(struct thud_text *out, const struct thud_panel *panel, c
                         struct columns *columns)
 {
     struct thud_text prefix = {0};
-    int at[3] = {column_of(columns, &panel->axis[THUD_X], ""), column_of(columns, &panel->axis[THUD_Y], ""),
-                 series->y_high ? column_of(columns, &panel->axis[THUD_Y], high) : -1};
+    int at[3] = {axis_column(columns, panel, THUD_X, ""), axis_column(columns, panel, THUD_Y, ""),
+                 series->y_high ? axis_column(columns, panel, THUD_Y, high) : -1};
     field(&prefix, panel->title);
     field(&prefix, series->name);
     for (size_t i = 0; i < series->n && !prefix.failed; i++)
@@ -94,7 +105,7 @@ static void map_rows(struct thud_text *out, const struct thud_panel *panel, stru
 {
     const struct thud_map *map = panel->map;
     struct thud_text prefix = {0};
-    int at[3] = {column_of(columns, &panel->axis[THUD_X], ""), column_of(columns, &panel->axis[THUD_Y], ""),
+    int at[3] = {axis_column(columns, panel, THUD_X, ""), axis_column(columns, panel, THUD_Y, ""),
                  map_column(columns, map)};
     field(&prefix, panel->title);
     field(&prefix, "");

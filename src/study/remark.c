@@ -9,6 +9,20 @@
 /* Elastic storeys are not for more: codes let buildings drift by 0.5 to 2.5 % where they yield. */
 static const double drift_most = 0.01;
 
+bool thud_floor_struck(const struct thud_scene *scene, const struct thud_result *result, int structure, int floor)
+{
+    for (int c = 0; c < result->ncontacts; c++) {
+        const struct thud_contact_result *r = &result->contact[c];
+        const struct thud_interface *at = &scene->interface[r->interface - 1];
+        const struct thud_law *law = at->has_bumper ? at->bumper.law : at->contact.law;
+        bool left = structure == r->interface - 1 && floor + 1 == r->left_floor;
+        bool right = structure == r->interface && floor + 1 == r->right_floor;
+        if (law && law->flags & THUD_LAW_IMPULSIVE && r->impulse_ns > 0 && (left || right))
+            return true;
+    }
+    return false;
+}
+
 static const struct thud_contact_result *deepest(const struct thud_result *result, int interface)
 {
     const struct thud_contact_result *most = NULL;

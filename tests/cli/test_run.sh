@@ -138,6 +138,8 @@ is "and took no step" shows " 0 steps, 0 force evaluations, 0 events"
 gives 0 run towers --case none
 is "auto says where contacts are linear" shows "^method .*(closed form between contacts and in them"
 gives 0 run rigid-concrete --set contact.law=stereomechanical
+is "an impulse has no acceleration" shows "^ *1  *-  *-  *4.*"
+is "and no force, but an impulse" shows "impulse 128 kN s in all"
 is "auto says what the tolerance is for with impulses" shows "^method .*(closed form between impulses; the tolerance only says when"
 printf '%s\n' 0.1 0.5 -0.8 0.3 0.0 >"$tmp/column.txt"
 gives 0 run towers --json --record "$tmp/column.txt" --dt "0.01 s" --unit g
@@ -302,3 +304,9 @@ gives 0 run towers --cases none,bumper -o "$tmp/cases.d" --quiet
 is "files of every case" [ -s "$tmp/cases.d/none/histories.csv" ] && [ -s "$tmp/cases.d/no-pounding/result.json" ]
 is "one figure for all" grep -q "'no pounding'" "$tmp/cases.d/acceleration.gp"
 is "cases and a case are wrong usage" gives 2 run towers --cases none,bumper --case none
+gives 0 run rigid-concrete --set contact.law=stereomechanical --json
+is "nor in JSON" shows '"acceleration_mps2": null, "acceleration_time_s": null'
+gives 0 run rigid-concrete --set contact.law=stereomechanical --csv
+is "nor in CSV" shows "^[^,]*,1,,,"
+gives 0 run towers --case none --set contact.law=stereomechanical --quiet
+is "floors that no impulse struck have theirs" shows "^    6  *[0-9.]*  *[0-9.]*  "

@@ -265,6 +265,24 @@ START_TEST(csv_says_what_its_numbers_are)
 }
 END_TEST
 
+/* Axes without a label, or called alike, have a column each. */
+START_TEST(csv_keeps_variables_apart)
+{
+    struct thud_figure *figure = thud_figure_create("f", "", 1, 2);
+    struct thud_panel *bare = thud_figure_panel(figure, 0, 0, "A"), *alike = thud_figure_panel(figure, 0, 1, "B");
+    const double one = 1.0, two = 2.0;
+    thud_panel_axis(alike, THUD_X, "Force", "MN");
+    thud_panel_axis(alike, THUD_Y, "Force", "MN");
+    thud_panel_add(bare, line, "a", 1, &one, &two);
+    thud_panel_add(alike, line, "b", 1, &one, &two);
+    struct thud_text text = {0};
+    thud_figure_csv(figure, &text);
+    ck_assert_str_eq(text.data, "panel,series,x,y,Force (MN),\"Force (MN), upward\"\nA,a,1,2,,\nB,b,,,1,2\n");
+    thud_text_clear(&text);
+    thud_figure_free(figure);
+}
+END_TEST
+
 START_TEST(csv_holds_all_data_and_quotes_names)
 {
     struct thud_figure *figure = thud_figure_create("f", "", 1, 1);
@@ -302,6 +320,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, reduced_traces_keep_every_spike);
     tcase_add_test(tcase, reduced_traces_keep_breaks_loops_and_what_crosses_the_limits);
     tcase_add_test(tcase, csv_says_what_its_numbers_are);
+    tcase_add_test(tcase, csv_keeps_variables_apart);
     tcase_add_test(tcase, csv_holds_all_data_and_quotes_names);
     suite_add_tcase(suite, tcase);
     return suite;

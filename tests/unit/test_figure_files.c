@@ -111,7 +111,7 @@ START_TEST(a_full_disk_leaves_nothing_half_written)
     ck_assert_int_eq(unlink(in_folder("f.csv")), 0);
     struct stat before, after;
     ck_assert_int_eq(stat(in_folder("f.gp"), &before), 0);
-    for (rlim_t room = 0; room <= 20000; room += 20000) { /* no file at all; the script but not the data */
+    for (rlim_t room = 0; room <= 18000; room += 18000) { /* no file at all; the script but not the data */
         small.rlim_cur = room;
         ck_assert_int_eq(setrlimit(RLIMIT_FSIZE, &small), 0);
         enum thud_status status = thud_figure_deliver(sample(2000), folder, &options, THUD_OK, &err);
