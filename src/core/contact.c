@@ -72,7 +72,34 @@ static double closing_rate(const struct thud_state *state, int c)
     return rate > THUD_TOL_RATE * (fabs(left) + fabs(right)) ? rate : 0;
 }
 
-static void touch(struct thud_state *state, struct thud_contact_log *log, int c)
+bool thud_impact_counts(const struct thud_state *state, int c, double impulse_ns)
+{
+    return impulse_ns > THUD_TOL_IMPACT * state->model->contact[c].setup.mass_kg * state->speed_mps;
+}
+
+void thud_impact_count(struct thud_state *state, struct thud_contact_log *log, int c)
+{
+    struct thud_contact_state *s = &state->contact[c];
+    struct thud_contact_result *r = &log->contact[c];
+    if (s->counted || law_of(state, c)->flags & THUD_LAW_IMPULSIVE ||
+        !thud_impact_counts(state, c, s->impact.impulse_ns))
+        return;
+    s->counted = true;
+    r->impacts++;
+    r->approach_mps = s->impact.approach_mps;
+    r->separation_mps = 0;
+    r->restitution = NAN;
+}
+
+double thud_impact_restitution(const struct thud_state *state, const struct thud_impact *impact)
+{
+    double least = THUD_TOL_CLOSING * state->speed_mps;
+    if (!(impact->approach_mps > least) || impact->separation_mps < -least)
+        return NAN;
+    return fmax(impact->separation_mps, 0) / impact->approach_mps;
+}
+
+static void touch(struct thud_state *state, int c)
 {
     struct thud_contact_state *s = &state->contact[c];
     const struct thud_law *law = law_of(state, c);
@@ -89,10 +116,9 @@ static void touch(struct thud_state *state, struct thud_contact_log *log, int c)
     bool from_zero = v == 0 && !pressed && s->branch.K == 0 && s->branch.D == 0;
     s->zeros = (struct thud_zeros){.indentation = !pressed, .rate = v == 0, .force = from_zero};
     s->expected_force_n = expected_force(state, c, v);
-    s->impact = (struct thud_impact){.contact = c, .start_s = thud_state_now(state), .approach_mps = v};
-    log->contact[c].impacts++;
-    log->contact[c].approach_mps = v;
-    log->contact[c].separation_mps = 0;
+    s->impact =
+        (struct thud_impact){.contact = c, .start_s = thud_state_now(state), .approach_mps = v, .restitution = NAN};
+    s->counted = false;
 }
 
 /* The force has come to its end. */
@@ -101,7 +127,11 @@ static void note_release(struct thud_state *state, struct thud_contact_log *log,
     struct thud_contact_state *s = &state->contact[c];
     s->impact.separation_mps = -thud_contact_rate(state, c);
     s->impact.duration_s = thud_state_now(state) - s->impact.start_s;
+    s->impact.restitution = thud_impact_restitution(state, &s->impact);
+    if (!s->counted)
+        return;
     log->contact[c].separation_mps = s->impact.separation_mps;
+    log->contact[c].restitution = s->impact.restitution;
 }
 
 static enum thud_status open_contact(struct thud_state *state, struct thud_contact_log *log, int c, int zeros,
@@ -110,7 +140,7 @@ static enum thud_status open_contact(struct thud_state *state, struct thud_conta
     struct thud_contact_state *s = &state->contact[c];
     thud_contact_set_mode(state, c, THUD_OPEN);
     s->zeros = (struct thud_zeros){.indentation = zeros};
-    return thud_contact_log_add(log, &s->impact, err);
+    return thud_impact_counts(state, c, s->impact.impulse_ns) ? thud_contact_log_add(log, &s->impact, err) : THUD_OK;
 }
 
 /* Zeros of a force that has just left 0 to this side: none where a blow has put it beyond. */
@@ -225,7 +255,7 @@ enum thud_status thud_contact_switch(struct thud_state *state, struct thud_conta
     case THUD_EVENT_ONSET:
         if (law_of(state, contact)->flags & THUD_LAW_IMPULSIVE)
             return thud_contact_impulse(state, log, contact, err);
-        touch(state, log, contact);
+        touch(state, contact);
         return THUD_OK;
     case THUD_EVENT_SEPARATION:
         if (s->mode == THUD_CLOSED)

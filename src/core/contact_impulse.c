@@ -79,11 +79,13 @@ static enum thud_status note(struct thud_state *state, struct thud_contact_log *
     r->impulse_ns += impulse;
     r->dissipated_j += lost;
     log->lost_j += lost;
-    if (!(before > 0) || state->contact[c].mode == THUD_STUCK)
+    if (!thud_impact_counts(state, c, impulse) || state->contact[c].mode == THUD_STUCK)
         return THUD_OK; /* a held contact passes the blow on */
+    impact.restitution = thud_impact_restitution(state, &impact);
     r->impacts++;
     r->approach_mps = before;
     r->separation_mps = after;
+    r->restitution = impact.restitution;
     return thud_contact_log_add(log, &impact, err);
 }
 
@@ -107,7 +109,8 @@ static void settle(struct thud_state *state, int c)
     s->hold_low = 0;
     s->hold_high = INFINITY;
     s->zeros = (struct thud_zeros){.force = 1};
-    s->impact = (struct thud_impact){.contact = c, .start_s = thud_state_now(state)};
+    s->impact = (struct thud_impact){.contact = c, .start_s = thud_state_now(state), .restitution = NAN};
+    s->counted = false;
 }
 
 /* What the impulses do to the rates of the contacts that have forces. */

@@ -38,6 +38,7 @@ struct thud_contact_state {
     double largest_force_n;     /* so far: the same */
     double residual_m;
     struct thud_impact impact; /* the one going on */
+    bool counted;              /* it is among the impacts of the contact */
 };
 
 struct thud_state {
