@@ -20,11 +20,12 @@ struct thud_floor_result {
 
 struct thud_contact_result {
     int interface, left_floor, right_floor; /* from 1, left to right; floor 0: a wall */
-    int impacts;
+    int impacts;                  /* those with an impulse above 1e-11 of effective mass times velocity scale */
     struct thud_peak force;       /* N */
     struct thud_peak indentation; /* m */
     double impulse_ns, contact_time_s, residual_m, dissipated_j;
     double approach_mps, separation_mps; /* of the last impact */
+    double restitution;                  /* of the last impact; NaN: it did not close, or did not part */
     double nominal_restitution;          /* as asked for */
 };
 
@@ -32,6 +33,7 @@ struct thud_contact_result {
 struct thud_impact {
     int contact; /* index into contacts, from 0 */
     double start_s, duration_s, approach_mps, separation_mps, force_n, indentation_m, impulse_ns, dissipated_j;
+    double restitution; /* NaN: it did not close, or did not part */
 };
 
 struct thud_energy {

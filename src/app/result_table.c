@@ -105,7 +105,7 @@ static void add_contact(const struct thud_contact_result *c, int force_places, i
     if (c->right_floor > 0)
         snprintf(floors[1], sizeof floors[1], "%d", c->right_floor);
     snprintf(pair, sizeof pair, "%s-%s", floors[0], floors[1]);
-    if (c->impacts == 0) {
+    if (c->impacts == 0 && c->contact_time_s == 0 && c->impulse_ns == 0) {
         thud_text_append(out, "%3d %-7s       0  no contact\n", c->interface, pair);
         return;
     }
@@ -121,8 +121,8 @@ static void add_contact(const struct thud_contact_result *c, int force_places, i
     thud_text_append(out, " ");
     add_ms(c->contact_time_s, out);
     thud_text_append(out, "%8.3g ", 1e3 * c->residual_m);
-    if (c->approach_mps > 0 && c->separation_mps > 0)
-        thud_text_append(out, "%6.4f", c->separation_mps / c->approach_mps);
+    if (!isnan(c->restitution))
+        thud_text_append(out, "%6.4f", c->restitution);
     else
         thud_text_append(out, "     -");
     thud_text_append(out, " %5.3g\n", c->nominal_restitution);

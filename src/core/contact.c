@@ -76,6 +76,33 @@ static double closing_rate(const struct thud_state *state, int c)
     return rate > THUD_TOL_RATE * (fabs(left) + fabs(right)) ? rate : 0;
 }
 
+bool thud_impact_counts(const struct thud_state *state, int c, double impulse_ns)
+{
+    return impulse_ns > THUD_TOL_IMPACT * state->model->contact[c].setup.mass_kg * state->speed_mps;
+}
+
+void thud_impact_count(struct thud_state *state, struct thud_contact_log *log, int c)
+{
+    struct thud_contact_state *s = &state->contact[c];
+    const struct thud_impact *now = &log->now[c];
+    struct thud_contact_result *r = &log->contact[c];
+    if (s->counted || law_of(state, c)->flags & THUD_LAW_IMPULSIVE || !thud_impact_counts(state, c, now->impulse_ns))
+        return;
+    s->counted = true;
+    r->impacts++;
+    r->approach_mps = now->approach_mps;
+    r->separation_mps = 0;
+    r->restitution = NAN;
+}
+
+double thud_impact_restitution(const struct thud_state *state, const struct thud_impact *impact)
+{
+    double least = THUD_TOL_CLOSING * state->speed_mps;
+    if (!(impact->approach_mps > least) || impact->separation_mps < -least)
+        return NAN;
+    return fmax(impact->separation_mps, 0) / impact->approach_mps;
+}
+
 static void onset(struct thud_state *state, struct thud_contact_log *log, int c)
 {
     struct thud_contact_state *s = &state->contact[c];
@@ -93,18 +120,22 @@ static void onset(struct thud_state *state, struct thud_contact_log *log, int c)
     bool from_zero = v == 0 && !pressed && s->branch.K == 0 && s->branch.D == 0;
     s->suppressed = (struct thud_suppressed){.indentation = !pressed, .rate = v == 0, .force = from_zero};
     s->expected_force_n = expected_force(state, c, v);
-    log->now[c] = (struct thud_impact){.contact = c, .start_s = thud_state_now(state), .approach_mps = v};
-    log->contact[c].impacts++;
-    log->contact[c].approach_mps = v;
-    log->contact[c].separation_mps = 0;
+    log->now[c] =
+        (struct thud_impact){.contact = c, .start_s = thud_state_now(state), .approach_mps = v, .restitution = NAN};
+    s->counted = false;
 }
 
 /* The force has come to its end. */
 static void note_release(struct thud_state *state, struct thud_contact_log *log, int c)
 {
-    log->now[c].separation_mps = -thud_contact_rate(state, c);
-    log->now[c].duration_s = thud_state_now(state) - log->now[c].start_s;
-    log->contact[c].separation_mps = log->now[c].separation_mps;
+    struct thud_impact *now = &log->now[c];
+    now->separation_mps = -thud_contact_rate(state, c);
+    now->duration_s = thud_state_now(state) - now->start_s;
+    now->restitution = thud_impact_restitution(state, now);
+    if (!state->contact[c].counted)
+        return;
+    log->contact[c].separation_mps = now->separation_mps;
+    log->contact[c].restitution = now->restitution;
 }
 
 static enum thud_status open_contact(struct thud_state *state, struct thud_contact_log *log, int c, int zeros,
@@ -113,7 +144,8 @@ static enum thud_status open_contact(struct thud_state *state, struct thud_conta
     struct thud_contact_state *s = &state->contact[c];
     thud_contact_set_mode(state, c, THUD_OPEN);
     s->suppressed = (struct thud_suppressed){.indentation = zeros};
-    return thud_contact_log_add(log, &log->now[c], err);
+    return thud_impact_counts(state, c, log->now[c].impulse_ns) ? thud_contact_log_add(log, &log->now[c], err)
+                                                                : THUD_OK;
 }
 
 /* Zeros of a force that has just left 0 to this side: none where a blow has put it beyond. */
@@ -330,11 +362,13 @@ static enum thud_status note(struct thud_state *state, struct thud_contact_log *
     r->impulse_ns += impulse;
     r->dissipated_j += lost;
     log->lost_j += lost;
-    if (!(before > 0) || state->contact[c].mode == THUD_STICKING)
+    if (!thud_impact_counts(state, c, impulse) || state->contact[c].mode == THUD_STICKING)
         return THUD_OK; /* a held contact passes the blow on */
+    impact.restitution = thud_impact_restitution(state, &impact);
     r->impacts++;
     r->approach_mps = before;
     r->separation_mps = after;
+    r->restitution = impact.restitution;
     return thud_contact_log_add(log, &impact, err);
 }
 
@@ -358,7 +392,8 @@ static void stick_or_separate(struct thud_state *state, struct thud_contact_log 
     s->constraint_low_n = 0;
     s->constraint_high_n = INFINITY;
     s->suppressed = (struct thud_suppressed){.force = 1};
-    log->now[c] = (struct thud_impact){.contact = c, .start_s = thud_state_now(state)};
+    log->now[c] = (struct thud_impact){.contact = c, .start_s = thud_state_now(state), .restitution = NAN};
+    s->counted = false;
 }
 
 /* What the impulses do to the rates of the contacts that have forces. */

@@ -5,6 +5,7 @@
 #include "core/nodes.h"
 #include "core/quadrature.h"
 #include "core/run_private.h"
+#include "core/tolerance.h"
 
 /* Work done on a contact over the segment, per second of it, and its impulse. */
 static double contact_work(const struct thud_run *run, const struct thud_nodes *places, int c, double *impulse)
@@ -33,6 +34,7 @@ static void book_contact(struct thud_run *run, const struct thud_nodes *places, 
     run->log.now[c].impulse_ns += impulse * dt;
     run->log.now[c].dissipated_j += work * dt;
     run->result.contact[c].impulse_ns += impulse * dt;
+    thud_impact_count(&run->state, &run->log, c);
     if (thud_contact_acts(s))
         run->result.contact[c].contact_time_s += dt;
     run->result.contact[c].dissipated_j += work * dt;
@@ -174,14 +176,14 @@ double thud_run_balance(const struct thud_run *run)
     /* What rounding explains: motion and linear contact are propagated to rounding, and over hundreds of random scenes,
      * the presets and their studies the ledger then stands at 1e-15 to 3e-13. What the tolerance explains: with forces
      * found to it, the ledger stood at no more than 0.06 of it. And what a coarse but stable step may lose. */
-    static const double rounding = 1e-9, coarse = 0.05;
+    static const double coarse = 0.05;
     const struct thud_model *m = run->state.model;
     bool linear = true;
     for (int c = 0; c < m->ncontacts; c++)
         linear = linear && m->contact[c].law->flags & (THUD_LAW_LINEAR | THUD_LAW_NO_FORCE);
     if (run->method->order > 0)
         return coarse;
-    return linear ? rounding : fmin(rounding + run->options.tolerance, coarse);
+    return linear ? THUD_TOL_BALANCE : fmin(THUD_TOL_BALANCE + run->options.tolerance, coarse);
 }
 
 void thud_ledger_watch(struct thud_run *run)

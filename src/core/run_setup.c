@@ -54,6 +54,7 @@ static bool allocate_result(struct thud_run *run)
         r->contact[c].interface = p->interface;
         r->contact[c].left_floor = p->left_floor;
         r->contact[c].right_floor = p->right_floor;
+        r->contact[c].restitution = NAN;
         r->contact[c].nominal_restitution = p->law->nominal ? p->law->nominal(&p->setup) : NAN;
     }
     return true;

@@ -106,6 +106,7 @@ static void add_contact(const struct thud_contact_result *c, struct thud_text *o
                  {"dissipated_j", c->dissipated_j},
                  {"approach_mps", c->approach_mps},
                  {"separation_mps", c->separation_mps},
+                 {"restitution", c->restitution},
                  {"nominal_restitution", c->nominal_restitution}};
     thud_text_append(out, "    {\"interface\": %d, \"left_floor\": %d, \"right_floor\": %d, \"impacts\": %d",
                      c->interface, c->left_floor, c->right_floor, c->impacts);

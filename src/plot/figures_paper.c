@@ -301,14 +301,9 @@ enum thud_status thud_paper_pairs(struct thud_paper_pair *out, struct thud_error
         if (status != THUD_OK)
             return status;
         const struct thud_contact_result *contact = &thud_run_result(answer.run)->contact[0];
-        out[i] = (struct thud_paper_pair){cases[i].name,
-                                          cases[i].closing_mps,
-                                          contact->force.value,
-                                          contact->indentation.value,
-                                          contact->contact_time_s,
-                                          contact->nominal_restitution,
-                                          contact->separation_mps / contact->approach_mps,
-                                          contact->residual_m};
+        out[i] = (struct thud_paper_pair){
+            cases[i].name,           cases[i].closing_mps,         contact->force.value, contact->indentation.value,
+            contact->contact_time_s, contact->nominal_restitution, contact->restitution, contact->residual_m};
         thud_answer_clear(&answer);
     }
     return THUD_OK;

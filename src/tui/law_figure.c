@@ -67,9 +67,7 @@ static enum thud_status add_speed(struct thud_panel *panel, const struct thud_sc
     enum thud_status status = thud_pair_run(&two, 1e-3, &answer, err);
     if (status == THUD_OK) {
         const struct thud_contact_result *contact = &thud_run_result(answer.run)->contact[0];
-        *meeting =
-            (struct thud_meeting){speed, contact->force.value, contact->indentation.value,
-                                  contact->approach_mps > 0.0 ? contact->separation_mps / contact->approach_mps : NAN};
+        *meeting = (struct thud_meeting){speed, contact->force.value, contact->indentation.value, contact->restitution};
         add_loop(panel, answer.run, index, speed);
     }
     thud_answer_clear(&answer);

@@ -140,10 +140,10 @@ static int by_floor(const void *a, const void *b)
 static void impact_rest(const struct thud_impact *impact, char *text, size_t size)
 {
     char d[24], ms[24], e[24], lost[24];
-    double ratio = impact->approach_mps > 0.0 ? impact->separation_mps / impact->approach_mps : NAN;
     size_t n = strlen(text);
     snprintf(text + n, size - n, " %-7s %-7s %-7s %s", thud_tui_number(1e3 * impact->indentation_m, d),
-             thud_tui_number(1e3 * impact->duration_s, ms), isnan(ratio) ? "-" : thud_tui_number(ratio, e),
+             thud_tui_number(1e3 * impact->duration_s, ms),
+             isnan(impact->restitution) ? "-" : thud_tui_number(impact->restitution, e),
              thud_tui_number(1e-3 * impact->dissipated_j, lost));
 }
 
