@@ -33,7 +33,7 @@ struct site {
     struct thud_stiffness_row row[THUD_STIFFNESS_ROWS], reversed; /* of the motion turned round */
     struct {
         const char *method;
-        int values, counts; /* compared; impact counts that differ */
+        int values, counts; /* compared, 0: it was given up; impact counts that differ */
         double difference;  /* largest relative one */
         char of[THUD_MEASURE_NAME_MAX];
     } second;

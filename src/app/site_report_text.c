@@ -819,6 +819,14 @@ static void second(struct site *site)
 {
     struct thud_document *d = &site->document;
     thud_document_heading(d, "Verification by a second method");
+    if (site->second.values == 0) {
+        thud_document_paragraph(
+            d,
+            "Not done: the scene is so stiff that %s, which was to compute it once more, takes more "
+            "steps than are given to it. Of the energy, %.1e is unaccounted for.",
+            site->second.method, site->own->result->energy.error_ratio);
+        return;
+    }
     thud_document_paragraph(
         d,
         "The scene %s was computed by %s and once more by %s, which shares no time stepping with it: "
