@@ -24,7 +24,7 @@ struct thud_file_names {
 /* Every preset of the presets folder by its name, without `.yaml`. */
 void thud_paths_presets(const struct thud_paths *paths, struct thud_file_names *names);
 
-/* A name (`towers`) or a path to an existing file. Errors: THUD_INPUT naming the nearest preset. */
+/* A name (`towers`; `mine` for mine.yaml of the working folder) or a path to an existing file. Errors: THUD_INPUT naming the nearest preset. */
 enum thud_status thud_paths_preset(const struct thud_paths *paths, const char *name, char *path, unsigned long size,
                                    struct thud_error *err);
 /* A record's path: as given (from the working folder), beside the preset, or in the records folder, in this order. */

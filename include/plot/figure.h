@@ -112,6 +112,8 @@ struct thud_figure *thud_figure_create(const char *name, const char *title, int 
 void thud_figure_free(struct thud_figure *figure);
 /* Another one just like it; NULL when out of memory. */
 struct thud_figure *thud_figure_copy(const struct thud_figure *figure);
+/* Another name for its files. */
+void thud_figure_rename(struct thud_figure *figure, const char *name);
 /* THUD_MEMORY when anything could not be kept, else THUD_OK. */
 enum thud_status thud_figure_check(const struct thud_figure *figure, struct thud_error *err);
 void thud_figure_note(struct thud_figure *figure, const char *text);

@@ -151,6 +151,10 @@ enum thud_status thud_paths_preset(const struct thud_paths *paths, const char *n
         return too_long(err);
     if (is_there(path))
         return THUD_OK;
+    if (*name && !fits(snprintf(path, size, "%s.yaml", name), size))
+        return too_long(err);
+    if (*name && is_there(path))
+        return THUD_OK;
     return not_found("preset", name, paths->presets, ".yaml", err);
 }
 

@@ -110,6 +110,12 @@ enum thud_status thud_figure_check(const struct thud_figure *figure, struct thud
     return THUD_OK;
 }
 
+void thud_figure_rename(struct thud_figure *figure, const char *name)
+{
+    if (figure)
+        figure->name = keep_text(figure, name);
+}
+
 void thud_figure_note(struct thud_figure *figure, const char *text)
 {
     if (figure)

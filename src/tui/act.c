@@ -7,7 +7,7 @@
 
 static int pane_count(struct thud_tui *tui)
 {
-    struct thud_rect rect[THUD_PANES_MAX], area = {0, 2, tui->canvas.width, tui->canvas.height - 5};
+    struct thud_rect rect[THUD_PANES_MAX], area = thud_tui_area(tui);
     return thud_view_of(tui->screen)->layout(tui, area, rect);
 }
 
@@ -294,7 +294,7 @@ static bool click_chart(struct thud_tui *tui, int x, int y)
 /* A click on a name of a screen goes there, on a field puts the cursor on it and, when it is there, edits it. */
 void thud_tui_click(struct thud_tui *tui)
 {
-    struct thud_rect rect[THUD_PANES_MAX], area = {0, 2, tui->canvas.width, tui->canvas.height - 5};
+    struct thud_rect rect[THUD_PANES_MAX], area = thud_tui_area(tui);
     int n = thud_view_of(tui->screen)->layout(tui, area, rect), x = tui->backend->click_x, y = tui->backend->click_y;
     bool small = thud_tui_one_pane(tui);
     if (tui->mode == THUD_MODE_CHOOSING) {

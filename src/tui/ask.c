@@ -12,6 +12,7 @@ void thud_tui_prompt(struct thud_tui *tui, enum thud_typing typing, const char *
 {
     tui->mode = THUD_MODE_TYPING;
     tui->typing = typing;
+    tui->history_at = tui->nhistory;
     thud_line_set(&tui->line, text);
 }
 
@@ -21,9 +22,10 @@ void thud_tui_prompt_done(struct thud_tui *tui)
     snprintf(text, sizeof text, "%s", tui->line.text);
     tui->mode = THUD_MODE_NORMAL;
     tui->message[0] = '\0';
-    if (tui->typing == THUD_TYPE_COMMAND)
+    if (tui->typing == THUD_TYPE_COMMAND) {
+        thud_tui_remember(tui, text);
         thud_tui_command(tui, text);
-    else if (tui->typing == THUD_TYPE_STUDY)
+    } else if (tui->typing == THUD_TYPE_STUDY)
         thud_tui_sweep_typed(tui, text);
     else if (tui->typing == THUD_TYPE_SEARCH)
         thud_tui_help_typed(tui, text);
@@ -91,18 +93,27 @@ static void ask(struct thud_tui *tui, enum thud_asking asking, const char *fmt, 
 
 void thud_tui_answered(struct thud_tui *tui, int key)
 {
-    if (key != 'y' && key != 'Y' && key != 'n' && key != 'N' && key != THUD_KEY_ESC)
+    bool yes = key == 'y' || key == 'Y', no = key == 'n' || key == 'N' || key == THUD_KEY_ESC;
+    bool unsaved = tui->asking == THUD_ASK_QUIT || tui->asking == THUD_ASK_OPEN;
+    bool save = unsaved && (key == 's' || key == 'S');
+    if (!yes && !no && !save)
         return;
     char target[sizeof tui->target];
     snprintf(target, sizeof target, "%s", tui->target);
     tui->mode = THUD_MODE_NORMAL;
     tui->message[0] = '\0';
-    if (key != 'y' && key != 'Y')
+    if (no)
         return;
-    if (tui->asking == THUD_ASK_QUIT)
+    if (save) {
+        tui->quit_next = tui->asking == THUD_ASK_QUIT;
+        snprintf(tui->open_next, sizeof tui->open_next, "%s", tui->asking == THUD_ASK_OPEN ? target : "");
+        thud_tui_save(tui, NULL, false);
+    } else if (tui->asking == THUD_ASK_QUIT)
         thud_tui_quit(tui, true);
     else if (tui->asking == THUD_ASK_OPEN)
         thud_tui_open(tui, target, true);
+    else if (tui->asking == THUD_ASK_RECOVER)
+        thud_tui_recover(tui, target);
     else
         thud_tui_save(tui, tui->asking == THUD_ASK_DISK ? NULL : target, true);
 }
@@ -122,6 +133,23 @@ static void save_path(const char *typed, char *path, size_t size)
     snprintf(path, size, "%s%s", typed, strchr(name, '.') ? "" : ".yaml");
 }
 
+/* The file has everything now: what was asked for after saving is done. */
+static void saved(struct thud_tui *tui)
+{
+    char next[sizeof tui->open_next];
+    if (*tui->recovered)
+        remove(tui->recovered);
+    tui->recovered[0] = '\0';
+    thud_tui_say(tui, THUD_ROLE_GOOD, "Saved %s, comments kept", tui->doc.path);
+    snprintf(next, sizeof next, "%s", tui->open_next);
+    tui->open_next[0] = '\0';
+    if (tui->quit_next)
+        tui->quit = true;
+    else if (*next)
+        thud_tui_open(tui, next, true);
+    tui->quit_next = false;
+}
+
 void thud_tui_save(struct thud_tui *tui, const char *path, bool sure)
 {
     char to[512] = "", before[512];
@@ -129,6 +157,14 @@ void thud_tui_save(struct thud_tui *tui, const char *path, bool sure)
         save_path(path, to, sizeof to);
     snprintf(before, sizeof before, "%s", tui->doc.path);
     bool other = path && strcmp(to, before) != 0;
+    if (thud_doc_is_shipped(&tui->doc, other ? to : before)) {
+        char name[THUD_NAME_MAX + 16];
+        snprintf(name, sizeof name, "my-%s.yaml", tui->doc.scene.name);
+        thud_tui_prompt(tui, THUD_TYPE_SAVE_AS, name);
+        tui->line.selected = true;
+        thud_tui_say(tui, THUD_ROLE_WARN, "Presets that come with thud stay as they are: a name for yours");
+        return;
+    }
     snprintf(tui->target, sizeof tui->target, "%s", to);
     if (!sure && other && exists(to)) {
         ask(tui, THUD_ASK_OVERWRITE, "%s exists. Write over it?", to);
@@ -142,7 +178,7 @@ void thud_tui_save(struct thud_tui *tui, const char *path, bool sure)
     if (thud_doc_save(&tui->doc, other ? to : NULL, &err) != THUD_OK)
         thud_tui_say_error(tui, &err);
     else
-        thud_tui_say(tui, THUD_ROLE_GOOD, "Saved %s, comments kept", tui->doc.path);
+        saved(tui);
 }
 
 void thud_tui_open(struct thud_tui *tui, const char *name, bool sure)
@@ -150,7 +186,7 @@ void thud_tui_open(struct thud_tui *tui, const char *name, bool sure)
     struct thud_error err;
     if (!sure && thud_doc_unsaved(&tui->doc)) {
         snprintf(tui->target, sizeof tui->target, "%s", name);
-        ask(tui, THUD_ASK_OPEN, "%s has unsaved changes. Open %s and lose them?", tui->doc.scene.name, name);
+        ask(tui, THUD_ASK_OPEN, "%s has unsaved changes, and %s is to be opened", tui->doc.scene.name, name);
         return;
     }
     thud_live_clear(&tui->live); /* its runs look at the record, which goes with the preset */
@@ -167,10 +203,53 @@ void thud_tui_open(struct thud_tui *tui, const char *name, bool sure)
 void thud_tui_quit(struct thud_tui *tui, bool sure)
 {
     if (!sure && thud_doc_unsaved(&tui->doc)) {
-        ask(tui, THUD_ASK_QUIT, "%s has unsaved changes. Quit and lose them? (w saves)", tui->doc.scene.name);
+        ask(tui, THUD_ASK_QUIT, "%s has unsaved changes", tui->doc.scene.name);
         return;
     }
     tui->quit = true;
+}
+
+/* Where unsaved edits of this preset may lie that a signal once kept; false: nowhere. */
+static bool find_recovered(const struct thud_tui *tui, char *path, size_t size)
+{
+    if (!thud_doc_is_shipped(&tui->doc, tui->doc.path))
+        snprintf(path, size, "%.490s.recovered", tui->doc.path);
+    else
+        snprintf(path, size, "%.200s.yaml.recovered", tui->doc.scene.name);
+    return exists(path);
+}
+
+void thud_tui_offer_recovery(struct thud_tui *tui)
+{
+    char path[sizeof tui->target];
+    if (!find_recovered(tui, path, sizeof path))
+        return;
+    snprintf(tui->target, sizeof tui->target, "%s", path);
+    ask(tui, THUD_ASK_RECOVER, "Unsaved changes were kept in %s. Take them?", path);
+}
+
+/* The scene of the file that was kept, as a change to be saved or undone; saving removes the file. */
+void thud_tui_recover(struct thud_tui *tui, const char *path)
+{
+    struct thud_preset *preset = NULL;
+    struct thud_error err = {0};
+    struct thud_scene *next = malloc(sizeof *next);
+    enum thud_status status =
+        next ? thud_preset_read(path, &preset, &err) : thud_error_set(&err, THUD_MEMORY, "no memory for the scene");
+    if (status == THUD_OK) {
+        *next = *thud_preset_scene(preset);
+        memcpy(next->name, tui->doc.scene.name, sizeof next->name);
+        status = thud_doc_change(&tui->doc, next, "recovered changes", &err);
+    }
+    thud_preset_free(preset);
+    free(next);
+    if (status != THUD_OK) {
+        thud_tui_say_error(tui, &err);
+        return;
+    }
+    snprintf(tui->recovered, sizeof tui->recovered, "%s", path);
+    thud_tui_say(tui, THUD_ROLE_GOOD, "Recovered: w saves, u undoes");
+    thud_tui_changed(tui);
 }
 
 static int by_name(const void *a, const void *b)
@@ -269,9 +348,16 @@ static void add_law(struct thud_tui *tui, const char *prefix, const struct thud_
 
 void thud_tui_list_fields(struct thud_tui *tui)
 {
+    thud_tui_fill_fields(tui);
+    tui->mode = THUD_MODE_CHOOSING;
+    tui->choosing = THUD_CHOOSE_FIELD;
+}
+
+void thud_tui_fill_fields(struct thud_tui *tui)
+{
     const struct thud_scene *scene = &tui->doc.scene;
     char prefix[64];
-    thud_tui_choose(tui, THUD_CHOOSE_FIELD, "Find a field");
+    thud_chooser_begin(&tui->chooser, "Find a field");
     for (int i = 0; i + 1 < scene->nstructures; i++) {
         snprintf(prefix, sizeof prefix, "interfaces.%d", i + 1);
         add_group(tui, THUD_GROUP_INTERFACE, prefix, -1);
@@ -288,6 +374,7 @@ void thud_tui_list_fields(struct thud_tui *tui)
         snprintf(prefix, sizeof prefix, "structures.%d", i + 1);
         add_group(tui, THUD_GROUP_STRUCTURE, prefix, i);
     }
+    add_group(tui, THUD_GROUP_SCENE, "", -1);
     add_group(tui, THUD_GROUP_RECORD, "record", -1);
     add_group(tui, THUD_GROUP_ANALYSIS, "analysis", -1);
 }

@@ -68,6 +68,14 @@ static void run_figures(struct thud_tui *tui, char *rest)
     thud_tui_act(tui, THUD_DO_PICTURES);
 }
 
+/* Where figures and tables go; alone it says so. */
+static void run_folder(struct thud_tui *tui, char *rest)
+{
+    if (*rest)
+        snprintf(tui->folder, sizeof tui->folder, "%s", rest);
+    thud_tui_say(tui, THUD_ROLE_PLAIN, "Figures and tables go into %s", thud_tui_folder(tui));
+}
+
 static void run_live(struct thud_tui *tui, char *rest)
 {
     tui->live_on = strcmp(rest, "off") != 0;
@@ -122,6 +130,7 @@ static void run_bench(struct thud_tui *tui, char *rest)
 static const struct command table[] = {
     {"set", "", "KEY VALUE", run_set, NULL},
     {"case", "", "none|bumper|cavity", run_case, NULL},
+    {"title", "", "TEXT", NULL, "title"},
     {"record", "", "FILE", NULL, "record.file"},
     {"peak", "", "\"0.821 g\"", NULL, "record.peak"},
     {"sa", "", "ACCELERATION", NULL, "record.sa"},
@@ -145,6 +154,7 @@ static const struct command table[] = {
     {"sweep", "", "", run_sweep, NULL},
     {"bench", "", "", run_bench, NULL},
     {"figures", "", "", run_figures, NULL},
+    {"folder", "", "[DIR]", run_folder, NULL},
     {"open", "o", "PRESET", run_open, NULL},
     {"write", "w", "[FILE]", run_write, NULL},
     {"live", "", "[off]", run_live, NULL},

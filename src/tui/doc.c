@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "io/file.h"
 #include "io/record_file.h"
 #include "study/answer.h"
 #include "tui/doc.h"
@@ -71,6 +72,14 @@ bool thud_doc_unsaved(const struct thud_doc *doc)
     return memcmp(&doc->scene, &doc->saved, sizeof doc->scene) != 0;
 }
 
+bool thud_doc_is_shipped(const struct thud_doc *doc, const char *path)
+{
+    char folder[512];
+    const char *slash = strrchr(path, '/');
+    snprintf(folder, sizeof folder, "%.*s", slash ? (int)(slash - path) + (slash == path) : 1, slash ? path : ".");
+    return thud_file_is_same(folder, doc->paths->presets);
+}
+
 bool thud_doc_disk_changed(const struct thud_doc *doc)
 {
     return !same_stamp(doc->stamp, stamp_of(doc->path));
@@ -94,7 +103,10 @@ enum thud_status thud_doc_save(struct thud_doc *doc, const char *path, struct th
 
 enum thud_status thud_doc_recover(struct thud_doc *doc, char *path, struct thud_error *err)
 {
-    snprintf(path, 512, "%.500s.recovered", doc->path);
+    if (thud_doc_is_shipped(doc, doc->path))
+        snprintf(path, 512, "%.200s.yaml.recovered", doc->scene.name); /* in the working folder */
+    else
+        snprintf(path, 512, "%.500s.recovered", doc->path);
     enum thud_status status = thud_preset_save(doc->preset, &doc->scene, path, err);
     if (status != THUD_OUTPUT)
         return status;

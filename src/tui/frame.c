@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "tui/help_text.h"
+#include "tui/verdict.h"
 
 enum { LEAST_WIDTH = 40, LEAST_HEIGHT = 10, DESIGN_WIDTH = 80, DESIGN_HEIGHT = 24 };
 
@@ -163,7 +164,9 @@ static void bottom_keys(struct thud_tui *tui, const struct thud_pane *row)
     const char *always = normal ? "? help  q quit " : "";
     int at = 1, room = row->w - thud_utf8_columns(always);
     if (tui->mode == THUD_MODE_ASKING)
-        at += thud_pane_put(row, at, 0, thud_look(THUD_ROLE_KEY, 0), "y yes   n no   Esc cancel");
+        at += thud_pane_put(row, at, 0, thud_look(THUD_ROLE_KEY, 0),
+                            tui->asking == THUD_ASK_QUIT || tui->asking == THUD_ASK_OPEN ? "s save  y lose  Esc stay"
+                                                                                         : "y yes   n no   Esc cancel");
     for (int i = 0; i < thud_key_count() && tui->mode != THUD_MODE_ASKING; i++) {
         const struct thud_key_entry *key = thud_key_at(i);
         if (!(key->where & where) || !*key->label || key->action == THUD_DO_HELP || key->action == THUD_DO_QUIT ||
@@ -254,6 +257,17 @@ static void draw_pane(struct thud_tui *tui, const struct thud_view *view, const 
     }
 }
 
+static int bottom_rows(const struct thud_canvas *canvas)
+{
+    return canvas->height < 16 ? 2 : 3;
+}
+
+struct thud_rect thud_tui_area(const struct thud_tui *tui)
+{
+    int top = thud_view_of(tui->screen)->verdict && tui->canvas.height >= 12 ? 3 : 2;
+    return (struct thud_rect){0, top, tui->canvas.width, tui->canvas.height - top - bottom_rows(&tui->canvas)};
+}
+
 bool thud_tui_one_pane(const struct thud_tui *tui)
 {
     return tui->canvas.width < DESIGN_WIDTH || tui->canvas.height < DESIGN_HEIGHT;
@@ -308,11 +322,15 @@ void thud_tui_draw(struct thud_tui *tui)
             say_too_small(tui, &page);
             break;
         }
-        int rows = page.h < 16 ? 2 : 3;
-        struct thud_rect area = {0, 2, page.w, page.h - 2 - rows};
+        int rows = bottom_rows(&tui->canvas);
+        struct thud_rect area = thud_tui_area(tui);
         int panes = draw_panes(tui, &page, area);
         bool again = thud_form_end(&tui->form, panes);
         top_lines(tui, &page);
+        if (area.y > 2) {
+            struct thud_pane verdict = thud_pane_inside(&page, 0, 2, page.w, 1);
+            thud_verdict_draw(tui, &verdict);
+        }
         if (tui->mode == THUD_MODE_CHOOSING) {
             struct thud_pane over = thud_pane_inside(&page, 0, area.y, area.w, area.h);
             thud_chooser_draw(&tui->chooser, &over);

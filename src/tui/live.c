@@ -1,8 +1,10 @@
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "plot/figure.h"
 #include "study/answer.h"
+#include "study/spacing.h"
 #include "tui/live.h"
 
 enum { SEGMENTS = 100, HISTORY_BYTES = 48 << 20 };
@@ -35,8 +37,19 @@ static void case_clear(struct thud_live_case *c)
     *c = (struct thud_live_case){0};
 }
 
+static void need_clear(struct thud_live *live)
+{
+    thud_trunk_free(live->trunk);
+    thud_model_free(live->apart);
+    live->trunk = NULL;
+    live->apart = NULL;
+}
+
 void thud_live_clear(struct thud_live *live)
 {
+    need_clear(live);
+    for (int i = 0; i < THUD_STRUCTURES_MAX; i++)
+        live->need[i] = (struct thud_live_need){NAN, NAN, NAN};
     for (int i = 0; i < THUD_LIVE_CASES; i++)
         case_clear(&live->which[i]);
     live->running = live->history = false;
@@ -73,6 +86,47 @@ static bool case_scene(const struct thud_scene *scene, enum thud_live_which whic
         }
     }
     return true;
+}
+
+/* The motion without pounding, from which the gap that is needed follows. Where it cannot be had nothing is known of it,
+ * and the cases say why. */
+static void need_start(struct thud_live *live, const struct thud_scene *scene, const struct thud_record *record)
+{
+    struct thud_scene *bare = malloc(sizeof *bare);
+    struct thud_run_options options;
+    need_clear(live);
+    for (int i = 0; i < THUD_STRUCTURES_MAX; i++)
+        live->need[i] = (struct thud_live_need){NAN, NAN, NAN};
+    if (bare) {
+        case_scene(scene, THUD_LIVE_NONE, bare);
+        if (thud_scene_assemble(bare, &live->apart, NULL) == THUD_OK &&
+            thud_scene_options(bare, &options, NULL) == THUD_OK) {
+            thud_trunk_create(live->apart, record, &options, &live->trunk, NULL);
+        }
+    }
+    free(bare);
+    if (!live->trunk)
+        need_clear(live);
+}
+
+static double largest_displacement(const struct thud_result *result, int s, int floor)
+{
+    return floor > 0 ? result->structure[s].floor[floor - 1].displacement.value : 0.0;
+}
+
+static void need_finish(struct thud_live *live)
+{
+    const struct thud_result *result = thud_trunk_result(live->trunk);
+    for (int c = 0; c < live->apart->ncontacts; c++) {
+        const struct thud_model_contact *p = &live->apart->contact[c];
+        struct thud_live_need *need = &live->need[p->interface - 1];
+        double left = largest_displacement(result, p->interface - 1, p->left_floor),
+               right = largest_displacement(result, p->interface, p->right_floor);
+        need->closing_m = fmax(need->closing_m, thud_trunk_closing(live->trunk, c)); /* fmax passes over NaN */
+        need->abs_m = fmax(need->abs_m, thud_spacing_abs(left, right));
+        need->srss_m = fmax(need->srss_m, thud_spacing_srss(left, right));
+    }
+    need_clear(live);
 }
 
 /* Rows no closer than the memory set aside allows. */
@@ -139,6 +193,8 @@ void thud_live_start(struct thud_live *live, const struct thud_scene *scene, con
         if (c->state != THUD_LIVE_RUNNING)
             forget_old(c);
     }
+    if (live->running)
+        need_start(live, scene, record);
 }
 
 static void case_advance(struct thud_live_case *c)
@@ -160,6 +216,14 @@ bool thud_live_advance(struct thud_live *live)
         if (live->which[i].state != THUD_LIVE_RUNNING)
             continue;
         case_advance(&live->which[i]);
+        return true;
+    }
+    if (live->trunk) {
+        bool done = false;
+        if (thud_trunk_advance(live->trunk, SEGMENTS, &done, NULL) != THUD_OK)
+            need_clear(live);
+        else if (done)
+            need_finish(live);
         return true;
     }
     live->running = false;

@@ -4,6 +4,7 @@
 
 #include "core/record.h"
 #include "core/run.h"
+#include "core/trunk.h"
 #include "study/scene.h"
 
 enum thud_live_which { THUD_LIVE_FREE, THUD_LIVE_NONE, THUD_LIVE_BUMPER, THUD_LIVE_CASES };
@@ -29,7 +30,16 @@ struct thud_live_case {
     double failed_s;
 };
 
+/* Between two neighbours, m: the clearance that is never used up, and what the codes' rules make of the largest
+ * displacements; the largest over the floors that can meet. NaN: not known. */
+struct thud_live_need {
+    double closing_m, abs_m, srss_m;
+};
+
 struct thud_live {
+    struct thud_model *apart; /* without pounding, with the pairs of floors; NULL once `need` is known */
+    struct thud_trunk *trunk;
+    struct thud_live_need need[THUD_STRUCTURES_MAX]; /* by interface, from 0 */
     struct thud_live_case which[THUD_LIVE_CASES];
     bool running;
     bool history; /* histories were kept */

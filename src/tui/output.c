@@ -1,6 +1,8 @@
 /* Pictures and tables of what is shown. */
+#include <ctype.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "app/run_figures.h"
 #include "io/file.h"
@@ -8,13 +10,91 @@
 
 const char *thud_tui_folder(const struct thud_tui *tui)
 {
-    return tui->options.output ? tui->options.output : ".";
+    return *tui->folder ? tui->folder : tui->options.output ? tui->options.output : ".";
+}
+
+/* Letters, digits and hyphens of a text, as file names have them. */
+static void plain(char *text)
+{
+    char *to = text;
+    for (const char *at = text; *at; at++) {
+        int c = tolower((unsigned char)*at);
+        if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'))
+            *to++ = (char)c;
+        else if (to > text && to[-1] != '-')
+            *to++ = '-';
+    }
+    while (to > text && to[-1] == '-')
+        to--;
+    *to = '\0';
+}
+
+/* A script that thud wrote says so at its beginning: the files beside it may be written again. */
+static bool is_ours(const char *stem)
+{
+    char path[700], head[200];
+    snprintf(path, sizeof path, "%s.gp", stem);
+    FILE *file = fopen(path, "r");
+    if (!file)
+        return false;
+    size_t n = fread(head, 1, sizeof head - 1, file);
+    fclose(file);
+    head[n] = '\0';
+    return strstr(head, "thud") != NULL;
+}
+
+static bool is_taken(const char *stem)
+{
+    static const char *const suffix[] = {"png", "gp", "csv"};
+    char path[700];
+    for (size_t i = 0; i < sizeof suffix / sizeof *suffix; i++) {
+        snprintf(path, sizeof path, "%s.%s", stem, suffix[i]);
+        if (access(path, F_OK) == 0)
+            return true;
+    }
+    return false;
+}
+
+/* Whether this name was given before. */
+static bool wrote(const struct thud_tui *tui, const char *name)
+{
+    char line[240];
+    snprintf(line, sizeof line, "\n%s\n", name);
+    return strstr(tui->wrote, line) != NULL;
+}
+
+/* "towers-impact-force-gap-80mm", with the case where it is of one; a number behind it where another has those files. */
+void thud_tui_file_name(struct thud_tui *tui, const char *what, const char *of_case, char *name, size_t size)
+{
+    const struct thud_scene *scene = &tui->doc.scene;
+    char gap[40] = "", stem[640], base[200];
+    if (tui->pair + 1 < scene->nstructures && tui->screen != THUD_SCREEN_SWEEP) /* a study has many */
+        snprintf(gap, sizeof gap, " gap %.6gmm", 1e3 * scene->interface[tui->pair].gap_m);
+    snprintf(base, sizeof base, "%.60s %.60s %.20s%s", scene->name, what, of_case, gap);
+    plain(base);
+    snprintf(name, size, "%s", base);
+    for (int i = 2; i < 10000; i++) {
+        snprintf(stem, sizeof stem, "%.400s/%.200s", thud_tui_folder(tui), name);
+        if (!is_taken(stem) || is_ours(stem) || wrote(tui, name))
+            break;
+        snprintf(name, size, "%.180s-%d", base, i);
+    }
+    size_t n = strlen(tui->wrote);
+    if (!wrote(tui, name))
+        snprintf(tui->wrote + n, sizeof tui->wrote - n, "\n%s\n", name);
 }
 
 /* Takes the figures over. */
 static void begin(struct thud_tui *tui, struct thud_figure *const *figure, int count)
 {
     struct thud_error err;
+    for (int i = 0; i < count; i++) {
+        char name[200];
+        if (!figure[i])
+            continue;
+        thud_tui_file_name(tui, figure[i]->name, "", name, sizeof name);
+        thud_figure_rename(figure[i], name);
+    }
     if (thud_picture_work_start(figure, count, thud_tui_folder(tui), tui->options.gnuplot, &tui->writing, &err) !=
         THUD_OK) {
         thud_tui_say_error(tui, &err);
@@ -109,11 +189,12 @@ void thud_tui_export(struct thud_tui *tui)
         return;
     }
     struct thud_text csv = {0};
-    char name[128];
+    char name[200], file[210];
     const struct thud_figure *figure = view->figure(tui);
-    snprintf(name, sizeof name, "%.100s.csv", figure->name);
+    thud_tui_file_name(tui, figure->name, "", name, sizeof name);
+    snprintf(file, sizeof file, "%s.csv", name);
     thud_figure_csv(figure, &csv);
-    thud_tui_write(tui, &csv, name);
+    thud_tui_write(tui, &csv, file);
 }
 
 /* The cases that have an answer, with the bumper's last: what `thud run -o` draws of one, over each other. */

@@ -31,9 +31,9 @@ enum thud_typing {
     THUD_TYPE_SEARCH
 };
 enum thud_choosing { THUD_CHOOSE_VALUE, THUD_CHOOSE_PRESET, THUD_CHOOSE_FIELD };
-enum thud_asking { THUD_ASK_QUIT, THUD_ASK_OVERWRITE, THUD_ASK_DISK, THUD_ASK_OPEN };
+enum thud_asking { THUD_ASK_QUIT, THUD_ASK_OVERWRITE, THUD_ASK_DISK, THUD_ASK_OPEN, THUD_ASK_RECOVER };
 
-enum { THUD_PANES_MAX = 6 };
+enum { THUD_PANES_MAX = 6, THUD_HISTORY = 50 };
 struct thud_rect {
     int x, y, w, h;
 };
@@ -41,7 +41,8 @@ struct thud_rect {
 /* A screen: its panes, how they share the area, what each draws, and its own actions. */
 struct thud_view {
     const char *title;
-    int where; /* its bit in the key table */
+    int where;    /* its bit in the key table */
+    bool verdict; /* the answer in one line stands above its panes */
     /* The bit that holds now, where it depends on the pane with the cursor. May be NULL. */
     int (*place)(const struct thud_tui *tui);
     /* How many panes there are in `area`, and where. Called again whenever the size changed. */
@@ -117,11 +118,19 @@ struct thud_tui {
     bool mouse;
     bool dirty; /* the screen must be drawn */
     bool quit, hangup, interrupted;
+    char folder[512];                  /* for pictures and tables; empty: as given at the start */
+    char wrote[8192];                  /* names of the files written so far, one a line */
+    bool quit_next;                    /* once it is saved */
+    char open_next[512];               /* likewise; empty: nothing */
+    char recovered[512];               /* the file whose changes were taken, gone once they are saved; empty: none */
     struct thud_picture_work *writing; /* figures being written; NULL: none */
     int writing_done, writing_count;   /* as last looked at */
     char written[700];                 /* what is written then */
     bool pictures_wanted;              /* once the run has its histories */
     bool was_running;                  /* the live run was going at the last look */
+
+    char history[THUD_HISTORY][THUD_LINE_MAX]; /* (nhistory) commands, the oldest first */
+    int nhistory, history_at;
 
     char message[640];
     enum thud_role message_role;
@@ -145,6 +154,8 @@ struct thud_tui {
     struct thud_bench_screen *bench;
     struct thud_model *own_model; /* of the scene where no run has one; NULL: none */
     unsigned long own_revision;   /* what it belongs to */
+    char verdict[240];            /* the answer in one line, as last known */
+    int verdict_role;
     int results_case, results_sort, results_quantity;
     struct thud_chart_frame chart; /* where the chart that is read stands; no cells: there is none */
     double reading[THUD_SCREENS];  /* x of the cursor that reads a screen's chart; NaN: it is not there */
@@ -189,6 +200,11 @@ bool thud_tui_accept(struct thud_tui *tui); /* the text of the field being edite
 bool thud_tui_set(struct thud_tui *tui, const char *key, const char *text); /* with messages and warnings */
 void thud_tui_all_floors(struct thud_tui *tui);
 
+/* prompt.c */
+/* A key that means something to a prompt beside typing; false: it is another. */
+bool thud_tui_prompt_key(struct thud_tui *tui, int key);
+void thud_tui_remember(struct thud_tui *tui, const char *text); /* a command, for the keys Up and Down */
+
 /* paste.c */
 void thud_tui_paste(struct thud_tui *tui, const char *text);
 
@@ -201,12 +217,15 @@ void thud_tui_answered(struct thud_tui *tui, int key);
 void thud_tui_save(struct thud_tui *tui, const char *path, bool sure);
 void thud_tui_open(struct thud_tui *tui, const char *name, bool sure);
 void thud_tui_quit(struct thud_tui *tui, bool sure);
+void thud_tui_offer_recovery(struct thud_tui *tui);
+void thud_tui_recover(struct thud_tui *tui, const char *path);
 void thud_tui_sweep_typed(struct thud_tui *tui, const char *text); /* view_sweep.c */
 void thud_tui_sweep_word(struct thud_tui *tui, const char *word, const char *text);
 void thud_tui_filter_records(struct thud_tui *tui, const char *text); /* view_record.c */
 void thud_tui_help_typed(struct thud_tui *tui, const char *text);     /* view_help.c */
 void thud_tui_list_presets(struct thud_tui *tui);
 void thud_tui_list_fields(struct thud_tui *tui);
+void thud_tui_fill_fields(struct thud_tui *tui); /* the lines of that list, without showing it */
 
 /* act.c: the chart of the screen shown, with the cursor that reads it. */
 struct thud_chart thud_tui_reading(struct thud_tui *tui);
@@ -222,6 +241,9 @@ void thud_tui_commands_text(struct thud_text *out); /* ":word arguments" a line 
 
 /* output.c */
 const char *thud_tui_folder(const struct thud_tui *tui); /* where pictures and tables go */
+/* A name for files of the scene as it is, without a suffix: preset, what it is, the case where it is of one, the gap. No
+ * file that thud did not write has it. */
+void thud_tui_file_name(struct thud_tui *tui, const char *what, const char *of_case, char *name, size_t size);
 void thud_tui_picture(struct thud_tui *tui);
 void thud_tui_pictures(struct thud_tui *tui);
 void thud_tui_run_pictures(struct thud_tui *tui); /* of the live cases, run again where the histories are missing */
@@ -236,6 +258,7 @@ bool thud_tui_write(struct thud_tui *tui, struct thud_text *text, const char *na
 
 /* frame.c */
 void thud_tui_draw(struct thud_tui *tui);
+struct thud_rect thud_tui_area(const struct thud_tui *tui); /* what the panes of the screen share */
 bool thud_tui_one_pane(const struct thud_tui *tui);    /* so small that the pane with the cursor has all the room */
 int thud_tui_tab_at(struct thud_tui *tui, int column); /* the screen whose name stands there; -1: none */
 bool thud_tui_too_small(struct thud_tui *tui);         /* the terminal, for any screen */

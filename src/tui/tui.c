@@ -48,6 +48,7 @@ enum thud_status thud_tui_create(const struct thud_tui_options *options, struct 
         return status;
     }
     thud_tui_opened(tui);
+    thud_tui_offer_recovery(tui);
     *out = tui;
     return THUD_OK;
 }
@@ -76,6 +77,10 @@ static void typing_key(struct thud_tui *tui, int key)
     if (action == THUD_DO_CANCEL) {
         tui->mode = THUD_MODE_NORMAL;
         tui->message[0] = '\0';
+        tui->quit_next = false; /* nothing was saved */
+        tui->open_next[0] = '\0';
+    } else if (!field && thud_tui_prompt_key(tui, key)) {
+        return;
     } else if (action == THUD_DO_ACCEPT && !field) {
         thud_tui_prompt_done(tui);
     } else if (action == THUD_DO_ACCEPT) {

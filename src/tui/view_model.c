@@ -15,7 +15,7 @@ enum { PEAKS = 2, PEAK_ROWS = 7 };
 static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect *pane)
 {
     (void)tui;
-    int strip = area.h >= 30 ? 2 * PEAK_ROWS : area.h >= 18 ? PEAK_ROWS + 1 : area.h / 3, half = area.w / 2;
+    int strip = area.h >= 29 ? 2 * PEAK_ROWS : area.h >= 17 ? PEAK_ROWS + 1 : area.h / 3, half = area.w / 2;
     pane[0] = (struct thud_rect){area.x, area.y, half, area.h - strip};
     pane[1] = (struct thud_rect){area.x + half, area.y, area.w - half, area.h - strip};
     pane[PEAKS] = (struct thud_rect){area.x, area.y + area.h - strip, area.w, strip};
@@ -77,6 +77,19 @@ static int modes(struct thud_tui *tui, const struct thud_pane *pane, int y, int 
         return y;
     strncat(periods, " s", sizeof periods - strlen(periods) - 1);
     strncat(masses, " %", sizeof masses - strlen(masses) - 1);
+    if (y + 1 == pane->h && structure->modes > 1) { /* one row is left: as many modes as have room in it */
+        int at = 1;
+        for (int j = 0; j < structure->modes; j++) {
+            double omega = model->omega[structure->first_mode + j], gamma = model->gamma[structure->first_mode + j];
+            char text[64];
+            snprintf(text, sizeof text, "T%d %s s %.1f %%", j + 1, thud_tui_number(2.0 * acos(-1.0) / omega, number),
+                     100.0 * gamma * gamma / total);
+            if (!(omega > 0.0) || at + thud_utf8_columns(text) > pane->w)
+                break;
+            at += 2 + thud_pane_put(pane, at, y, thud_look(THUD_ROLE_MUTED, 0), text);
+        }
+        return y + 1;
+    }
     thud_pane_put(pane, 0, y, thud_look(THUD_ROLE_MUTED, 0), periods);
     thud_pane_put(pane, 0, y + 1, thud_look(THUD_ROLE_MUTED, 0), masses);
     return y + 2;
@@ -229,4 +242,4 @@ static const char *cannot(struct thud_tui *tui, enum thud_action action)
     }
 }
 
-THUD_VIEW(model, "Model", MODEL, .act = act, .cannot = cannot);
+THUD_VIEW(model, "Model", MODEL, .verdict = true, .act = act, .cannot = cannot);

@@ -15,8 +15,8 @@ enum { SORTS = 3, QUANTITIES = 4 };
 static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect *pane)
 {
     (void)tui;
-    int lower = area.h >= 18 ? 10 : area.h / 2, left = area.w - 38;
-    if (area.h >= 30)
+    int lower = area.h >= 17 ? 9 : area.h / 2, left = area.w - 38;
+    if (area.h >= 29)
         lower = 15;
     pane[PEAKS] = (struct thud_rect){area.x, area.y, area.w, area.h - lower};
     pane[IMPACTS] = (struct thud_rect){area.x, area.y + area.h - lower, left, lower};
@@ -219,6 +219,7 @@ static int draw_energy(const struct thud_result *result, const struct thud_pane 
 static int draw_how(struct thud_tui *tui, const struct thud_pane *pane)
 {
     int y = 0, count;
+    thud_field_row(tui, HOW, pane, y++, "title", "title");
     const struct thud_param *param = thud_group_params(THUD_GROUP_ANALYSIS, &count);
     for (int i = 0; i < count; i++) {
         char path[THUD_PATH_MAX];
@@ -291,10 +292,15 @@ static void export_csv(struct thud_tui *tui)
     report.impact = thud_run_impacts(c->run, &report.nimpacts);
     thud_result_csv(&report, &peaks);
     thud_impacts_csv(&report, &impacts);
-    if (thud_tui_write(tui, &peaks, "peaks.csv") && thud_tui_write(tui, &impacts, "impacts.csv"))
-        thud_tui_say(tui, THUD_ROLE_GOOD, "Written peaks.csv and impacts.csv (%s) into %s", thud_live_name(shown(tui)),
-                     thud_tui_folder(tui));
+    char peaks_name[200], impacts_name[200], file[2][210];
+    thud_tui_file_name(tui, "peaks", thud_live_name(shown(tui)), peaks_name, sizeof peaks_name);
+    thud_tui_file_name(tui, "impacts", thud_live_name(shown(tui)), impacts_name, sizeof impacts_name);
+    snprintf(file[0], sizeof file[0], "%s.csv", peaks_name);
+    snprintf(file[1], sizeof file[1], "%s.csv", impacts_name);
+    if (thud_tui_write(tui, &peaks, file[0]) && thud_tui_write(tui, &impacts, file[1]))
+        thud_tui_say(tui, THUD_ROLE_GOOD, "Written %s and %s into %s", file[0], file[1], thud_tui_folder(tui));
     thud_text_clear(&impacts);
 }
 
-THUD_VIEW(results, "Results", RESULTS, .act = act, .cannot = cannot, .row = row, .export_csv = export_csv);
+THUD_VIEW(results, "Results", RESULTS, .verdict = true, .act = act, .cannot = cannot, .row = row,
+          .export_csv = export_csv);

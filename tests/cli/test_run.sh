@@ -67,6 +67,9 @@ gives 0 run rigid-bumper --tolerance 0.1
 is "an unusual value of an option is the option's, not the preset's" says "^thud: warning: --tolerance: 0.1 is unusual"
 
 # options
+cp presets/rigid-bare.yaml "$tmp/mybuildings.yaml" 2>/dev/null || cp presets/rigid-bumper.yaml "$tmp/mybuildings.yaml"
+case $THUD in /*) program=$THUD ;; *) program=$PWD/$THUD ;; esac
+is "a preset of the working folder by its name alone" sh -c "cd '$tmp' && '$program' run mybuildings >out.txt"
 gives 0 run towers --json --set "record.peak=0.4 g"
 force=$(number force_n)
 gives 0 run towers --json --peak "0.4 g"

@@ -291,7 +291,7 @@ command "clear; $THUD towers"
 wait_for "README: running" 'ok *$'
 without_time() { sed -e 's/ *run [0-9.e+-]* ms  ok *$//' -e 's/ *$//'; }
 screen | without_time >"$tmp/screen"
-sed -n 's/^    \( thud  towers\|\[1 Model\]\)/\1/p; s/^    \([┌│└]\)/\1/p; s/^    \( shear:\| isolated slab\| a add\)/\1/p' "$root/README.md" |
+sed -n 's/^    \( thud  towers\|\[1 Model\]\)/\1/p; s/^    \([┌│└]\)/\1/p; s/^    \( POUNDS\| shear:\| isolated slab\| a add\)/\1/p' "$root/README.md" |
     without_time >"$tmp/wanted"
 if cmp -s "$tmp/screen" "$tmp/wanted" && [ "$(wc -l <"$tmp/wanted")" -eq 24 ]; then
     ok "README: the picture of the first screen is what the program shows"

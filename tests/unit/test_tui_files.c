@@ -90,9 +90,10 @@ END_TEST
 START_TEST(results_as_csv)
 {
     fixture_keys(&f, "<A-4>e");
-    fixture_expect(&f, "Written peaks.csv and impacts.csv (bumper)");
+    fixture_expect(&f, "Written towers-peaks-bumper-gap-20mm.csv");
     const struct thud_result *result = thud_live_result(&f.tui->live, THUD_LIVE_BUMPER);
-    char *peaks = fixture_file(&f, "peaks.csv"), *impacts = fixture_file(&f, "impacts.csv");
+    char *peaks = fixture_file(&f, "towers-peaks-bumper-gap-20mm.csv"),
+         *impacts = fixture_file(&f, "towers-impacts-bumper-gap-20mm.csv");
     double acceleration = 0.0;
     int lines = 0, count;
     ck_assert_ptr_nonnull(peaks);
@@ -105,6 +106,21 @@ START_TEST(results_as_csv)
     ck_assert_int_eq(lines, count + 1);
     free(peaks);
     free(impacts);
+    fixture_write(&f, "towers-impact-force-gap-20mm.csv", "mine\n"); /* a name that somebody else's file has */
+    fixture_keys(&f, "5");
+    fixture_keys(&f, "e");
+    fixture_expect(&f, "towers-impact-force-gap-20mm-2.csv");
+    fixture_keys(&f, "e");
+    fixture_expect(&f, "towers-impact-force-gap-20mm-2.csv"); /* thud's own is written anew */
+    char *others = fixture_file(&f, "towers-impact-force-gap-20mm.csv");
+    ck_assert_str_eq(others, "mine\n");
+    free(others);
+    char keys[200];
+    snprintf(keys, sizeof keys, ":folder %s/shipped<Enter>e:folder %s<Enter>4", f.folder, f.folder);
+    fixture_keys(&f, keys);
+    others = fixture_file(&f, "shipped/towers-impact-force-gap-20mm.csv");
+    ck_assert_ptr_nonnull(others);
+    free(others);
     fixture_take_record(&f);
     fixture_keys(&f, "e");
     fixture_expect(&f, "There are no results");
@@ -159,6 +175,103 @@ START_TEST(opening_another_preset)
 }
 END_TEST
 
+START_TEST(shipped_presets_stay_as_they_are)
+{
+    char keys[400];
+    char *before = fixture_file(&f, "shipped/bodies.yaml");
+    fixture_keys(&f, ":open bodies<Enter>");
+    fixture_keys(&f, ":set gap 3 cm<Enter>w");
+    fixture_expect(&f, "a name for yours");
+    fixture_expect(&f, "my-bodies.yaml");
+    snprintf(keys, sizeof keys, "%s/shipped/other<Enter>", f.folder); /* nor is anything put beside them */
+    fixture_keys(&f, keys);
+    fixture_expect(&f, "a name for yours");
+    ck_assert_ptr_null(fixture_file(&f, "shipped/other.yaml"));
+    snprintf(keys, sizeof keys, "%s/mine<Enter>", f.folder); /* what is typed replaces the name */
+    fixture_keys(&f, keys);
+    fixture_expect(&f, "Saved");
+    fixture_expect(&f, "thud  mine");
+    char *after = fixture_file(&f, "shipped/bodies.yaml"), *mine = fixture_file(&f, "mine.yaml");
+    ck_assert_str_eq(before, after);
+    ck_assert_ptr_nonnull(strstr(mine, "gap: 3 cm"));
+    fixture_keys(&f, ":set gap 4 cm<Enter>w"); /* that one is */
+    fixture_expect(&f, "Saved");
+    free(before);
+    free(after);
+    free(mine);
+}
+END_TEST
+
+START_TEST(unsaved_changes_can_be_saved_on_the_way_out)
+{
+    fixture_keys(&f, ":set gap 4 cm<Enter>:open bodies<Enter>");
+    fixture_expect(&f, "s save  y lose  Esc stay");
+    fixture_keys(&f, "s");
+    fixture_expect(&f, "thud  bodies");
+    char *text = fixture_file(&f, "towers.yaml");
+    ck_assert_ptr_nonnull(strstr(text, "- gap: 4 cm"));
+    free(text);
+    char keys[300];
+    snprintf(keys, sizeof keys, ":open %s/towers.yaml<Enter>:set gap 5 cm<Enter><C-c>", f.folder);
+    fixture_keys(&f, keys);
+    fixture_expect(&f, "s save  y lose  Esc stay");
+    fixture_keys(&f, "<Esc>");
+    ck_assert(!f.tui->quit);
+    fixture_keys(&f, "qs");
+    ck_assert(f.tui->quit);
+    text = fixture_file(&f, "towers.yaml");
+    ck_assert_ptr_nonnull(strstr(text, "- gap: 5 cm"));
+    free(text);
+}
+END_TEST
+
+START_TEST(kept_changes_are_offered_at_the_start)
+{
+    struct thud_error err;
+    char path[512], name[128];
+    fixture_keys(&f, ":set gap 7 cm<Enter>");
+    ck_assert_int_eq(thud_doc_recover(&f.tui->doc, path, &err), THUD_OK);
+    thud_tui_free(f.tui);
+    snprintf(name, sizeof name, "%s/towers.yaml", f.folder);
+    struct thud_tui_options options = {.preset = name, .paths = &f.paths, .output = f.folder};
+    ck_assert_int_eq(thud_tui_create(&options, &f.backend, &f.tui, &err), THUD_OK);
+    fixture_keys(&f, "");
+    fixture_expect(&f, "Unsaved changes were kept in");
+    ck_assert_double_eq_tol(scene()->interface[0].gap_m, 0.02, 1e-15);
+    fixture_keys(&f, "y");
+    ck_assert_double_eq_tol(scene()->interface[0].gap_m, 0.07, 1e-15);
+    fixture_expect(&f, "towers [+]");
+    fixture_keys(&f, "w");
+    fixture_expect(&f, "Saved");
+    ck_assert_ptr_null(fixture_file(&f, "towers.yaml.recovered"));
+}
+END_TEST
+
+START_TEST(commands_are_completed_and_remembered)
+{
+    fixture_keys(&f, ":rec<Tab>");
+    fixture_expect(&f, "record  records");
+    ck_assert_str_eq(f.tui->line.text, "record");
+    fixture_keys(&f, "<Esc>:set structures.2.na<Tab>");
+    ck_assert_str_eq(f.tui->line.text, "set structures.2.name ");
+    fixture_keys(&f, "North<Enter>");
+    ck_assert_str_eq(scene()->structure[1].name, "North");
+    fixture_keys(&f, "<Esc>:record pul<Tab>");
+    ck_assert_str_eq(f.tui->line.text, "record pulse.csv");
+    fixture_keys(&f, "<Esc>:zz<Tab>");
+    fixture_expect(&f, "nothing begins with");
+    fixture_keys(&f, "<Esc>:title Five and seven<Enter>:<Up><Up>");
+    ck_assert_str_eq(f.tui->line.text, "set structures.2.name North");
+    fixture_keys(&f, "<Down>");
+    ck_assert_str_eq(f.tui->line.text, "title Five and seven");
+    fixture_keys(&f, "<Down>");
+    ck_assert_str_eq(f.tui->line.text, "");
+    ck_assert_str_eq(scene()->title, "Five and seven");
+    fixture_keys(&f, "<Esc>4");
+    fixture_expect(&f, "Five and seven");
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -174,6 +287,10 @@ Suite *thud_suite(void)
     tcase_add_test(files, quitting_asks_only_when_unsaved);
     tcase_add_test(files, unsaved_edits_can_be_recovered);
     tcase_add_test(files, opening_another_preset);
+    tcase_add_test(files, shipped_presets_stay_as_they_are);
+    tcase_add_test(files, unsaved_changes_can_be_saved_on_the_way_out);
+    tcase_add_test(files, kept_changes_are_offered_at_the_start);
+    tcase_add_test(files, commands_are_completed_and_remembered);
     suite_add_tcase(suite, files);
     return suite;
 }

@@ -241,6 +241,33 @@ START_TEST(a_motion_is_trimmed)
 }
 END_TEST
 
+/* The first line says what the runs found; a gap of what it needs is enough, a little less is not. */
+START_TEST(the_answer_in_one_line)
+{
+    int impacts;
+    char words[200], number[24], keys[100];
+    double force = thud_live_force(&f.tui->live, THUD_LIVE_NONE, 1, &impacts);
+    snprintf(words, sizeof words, "POUNDS at 2 cm: %d impacts, %s MN", impacts, thud_tui_number(1e-6 * force, number));
+    fixture_expect(&f, words);
+    double bumper = thud_live_force(&f.tui->live, THUD_LIVE_BUMPER, 1, &impacts);
+    snprintf(words, sizeof words, "bumper: force %+.0f %%", 100.0 * (bumper / force - 1.0));
+    fixture_expect(&f, words);
+    fixture_keys(&f, "4<Size 130x40>");
+    fixture_expect(&f, words);
+    fixture_expect(&f, "SRSS");
+    double need = f.tui->live.need[0].closing_m;
+    ck_assert_double_gt(need, 0.02);
+    ck_assert_double_ge(f.tui->live.need[0].abs_m, f.tui->live.need[0].srss_m);
+    ck_assert_double_ge(f.tui->live.need[0].abs_m, need);
+    for (int enough = 0; enough < 2; enough++) {
+        snprintf(keys, sizeof keys, "B<Esc>:case none<Enter>:set gap %.9g m<Enter>", need * (enough ? 1.001 : 0.999));
+        fixture_keys(&f, keys);
+        fixture_expect(&f, enough ? "NO CONTACT at " : "POUNDS at ");
+        ck_assert_double_eq_tol(f.tui->live.need[0].closing_m, need, 1e-12); /* it is that of no contact */
+    }
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -249,6 +276,7 @@ Suite *thud_suite(void)
     tcase_set_timeout(live, 60.0);
     tcase_add_checked_fixture(live, setup, teardown);
     tcase_add_test(live, the_numbers_are_the_answers);
+    tcase_add_test(live, the_answer_in_one_line);
     tcase_add_test(live, no_old_number_after_a_failure);
     tcase_add_test(live, a_change_shows_as_an_arrow);
     tcase_add_test(live, a_long_run_is_seen_and_stopped);

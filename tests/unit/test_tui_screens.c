@@ -155,12 +155,12 @@ START_TEST(the_whole_screen_of_two_bodies)
 {
     static const char expected[] = " thud  bodies   no ground motion                                   run 0 ms  ok\n"
                                    "[1 Model] 2 Contact  3 Record  4 Results  5 Plots  6 Sweep  7 Bench  8 Help\n"
+                                   " POUNDS at 0 cm: 1 impact, 8.38 MN\n"
                                    "┌ Left: L (1 of 2) ────────────────────┐┌ Right: R (2 of 2) ───────────────────┐\n"
                                    "│ kind   ▸rigid      name    L         ││ kind    rigid      name    R         │\n"
                                    "│ mass             320 t               ││ mass             320 t               │\n"
                                    "│ height           -                   ││ height           -                   │\n"
                                    "│ velocity at 0    0.5 m/s             ││ velocity at 0    0 m/s               │\n"
-                                   "│                                      ││                                      │\n"
                                    "│                                      ││                                      │\n"
                                    "│                                      ││                                      │\n"
                                    "│                                      ││                                      │\n"

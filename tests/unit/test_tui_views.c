@@ -159,8 +159,8 @@ START_TEST(the_ground_motion_has_four_curves)
     }
     fixture_expect(&f, "Period (s)");
     fixture_keys(&f, "e");
-    fixture_expect(&f, "response-spectrum.csv");
-    char *csv = fixture_file(&f, "response-spectrum.csv");
+    fixture_expect(&f, "towers-response-spectrum-gap-20mm.csv");
+    char *csv = fixture_file(&f, "towers-response-spectrum-gap-20mm.csv");
     ck_assert_ptr_nonnull(csv);
     int n = 0;
     for (const char *line = strchr(csv, '\n'); line && line[1]; line = strchr(line + 1, '\n')) {
@@ -207,7 +207,7 @@ START_TEST(a_study_has_figures_and_panels)
     f.tui->options.gnuplot = "/nowhere/gnuplot";
     fixture_keys(&f, "P");
     fixture_expect(&f, "was not found");
-    char *script = fixture_file(&f, "means-bumper.gp"); /* to be drawn by hand */
+    char *script = fixture_file(&f, "towers-means-bumper.gp"); /* to be drawn by hand */
     ck_assert_ptr_nonnull(script);
     free(script);
 }

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "base/quantity.h"
@@ -97,11 +98,14 @@ void fixture_open(struct fixture *f, const char *preset, int width, int height, 
     memset(f, 0, sizeof *f);
     snprintf(f->folder, sizeof f->folder, "/tmp/thud-tui-XXXXXX");
     ck_assert_ptr_nonnull(mkdtemp(f->folder));
-    snprintf(f->paths.presets, sizeof f->paths.presets, "%s", f->folder);
+    snprintf(f->paths.presets, sizeof f->paths.presets, "%s/shipped", f->folder);
+    ck_assert_int_eq(mkdir(f->paths.presets, 0777), 0);
     snprintf(f->paths.records, sizeof f->paths.records, "%s", f->folder);
     fixture_write_pulse(f);
     fixture_write(f, "towers.yaml", fixture_towers);
     fixture_write(f, "bodies.yaml", bodies);
+    fixture_write(f, "shipped/towers.yaml", fixture_towers);
+    fixture_write(f, "shipped/bodies.yaml", bodies);
     snprintf(name, sizeof name, "%s/%s.yaml", f->folder, preset);
     thud_script_open(&f->backend, &f->script, width, height, utf8);
     struct thud_tui_options options = {.preset = name, .paths = &f->paths, .output = f->folder};
@@ -110,18 +114,25 @@ void fixture_open(struct fixture *f, const char *preset, int width, int height, 
     fixture_keys(f, "");
 }
 
-void fixture_close(struct fixture *f)
+static void remove_files(const char *name)
 {
-    thud_tui_free(f->tui);
-    DIR *folder = opendir(f->folder);
+    DIR *folder = opendir(name);
     for (struct dirent *entry; folder && (entry = readdir(folder)) != NULL;) {
-        char path[512];
-        snprintf(path, sizeof path, "%s/%s", f->folder, entry->d_name);
+        char path[1024];
+        snprintf(path, sizeof path, "%s/%s", name, entry->d_name);
         if (*entry->d_name != '.')
-            remove(path);
+            unlink(path);
     }
     if (folder)
         closedir(folder);
+}
+
+void fixture_close(struct fixture *f)
+{
+    thud_tui_free(f->tui);
+    remove_files(f->paths.presets);
+    rmdir(f->paths.presets);
+    remove_files(f->folder);
     rmdir(f->folder);
 }
 
