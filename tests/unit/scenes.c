@@ -67,9 +67,35 @@ static void draw_floors(struct thud_structure *s, double mass, double period)
     }
 }
 
-static void draw_structure(struct thud_structure *s, int index, double mass, bool extreme)
+/* The least and the largest mass of a floor in a wide scene, and the largest stiffness that a preset may have. */
+static const double lightest_kg = 1e-3, heaviest_kg = 1e9, stiffest_npm = 1e12;
+
+static double within(double least, double value, double most)
 {
-    int pick = below(20);
+    return fmin(fmax(value, least), most);
+}
+
+/* Light and heavy floors in one building, dashpots up to the critical ones, and speeds at the start. */
+static void widen(struct thud_structure *s)
+{
+    bool uneven = chance(0.5);
+    s->damping = ONE_OF(0, 0.05, 1, between(0, 1), between(0, 1));
+    s->isolation_damping = ONE_OF(0, 0.1, 1, between(0, 1), between(0, 1));
+    for (int i = 0; i < s->storeys; i++) {
+        s->mass_kg[i] = within(lightest_kg, s->mass_kg[i] * (uneven ? between_log(1e-3, 1e3) : 1), heaviest_kg);
+        s->stiffness_npm[i] = fmin(s->stiffness_npm[i], stiffest_npm);
+    }
+    if (s->kind == THUD_RIGID)
+        s->velocity_mps = chance(0.3) ? 0 : (chance(0.5) ? -1 : 1) * between_log(1e-3, 50);
+    if (s->kind == THUD_ISOLATED) {
+        s->base_mass_kg = within(lightest_kg, s->base_mass_kg * between_log(1e-3, 1e3), heaviest_kg);
+        s->isolation_stiffness_npm = fmin(s->isolation_stiffness_npm, stiffest_npm);
+    }
+}
+
+static void draw_structure(struct thud_structure *s, int index, double mass, bool extreme, bool wide)
+{
+    int pick = wide ? 8 + below(12) : below(20);
     thud_structure_init(s, pick < 12 ? THUD_SHEAR : pick < 15 ? THUD_RIGID : pick < 18 ? THUD_ISOLATED : THUD_WALL);
     snprintf(s->name, sizeof s->name, "%c", 'A' + index);
     double m = mass * (extreme ? between_log(1e-3, 1e3) : between_log(0.3, 3));
@@ -91,6 +117,8 @@ static void draw_structure(struct thud_structure *s, int index, double mass, boo
         s->isolation_stiffness_npm = total * w * w;
         s->isolation_damping = ONE_OF(0, 0.1, 0.1, 0.3, 0.6);
     }
+    if (wide)
+        widen(s);
 }
 
 /* ---- ground motion ---- */
@@ -222,7 +250,9 @@ static bool look_without_contact(struct scenes_one *one, double *closing)
 static bool draw(struct scenes_one *one)
 {
     struct thud_scene *scene = &one->scene;
-    double closing[THUD_STRUCTURES_MAX] = {0}, mass = between_log(1e4, 1e6);
+    bool wide = one->seed >= SCENES_WIDE;
+    double closing[THUD_STRUCTURES_MAX] = {0},
+           mass = wide ? between_log(lightest_kg, heaviest_kg) : between_log(1e4, 1e6);
     bool extreme = chance(0.15);
     thud_scene_init(scene);
     strcpy(scene->name, "drawn");
@@ -232,7 +262,7 @@ static bool draw(struct scenes_one *one)
         if (same)
             scene->structure[s] = scene->structure[s - 1];
         else
-            draw_structure(&scene->structure[s], s, mass, extreme);
+            draw_structure(&scene->structure[s], s, mass, extreme, wide);
         scene->structure[s].name[0] = (char)('A' + s);
     }
     if (chance(0.9))

@@ -12,6 +12,10 @@ struct scenes_one {
     double peak_m;
 };
 
+/* From this seed on, scenes are wide: floors of 1e-3 kg to 1e9 kg, also in one building, damping from 0 to 1, rigid bodies
+ * with initial speeds, and more walls and isolated buildings. */
+#define SCENES_WIDE 1000000000ull
+
 /* Valid by thud_scene_check. Free the record with scenes_clear. */
 void scenes_draw(struct scenes_one *one, unsigned long long seed);
 void scenes_clear(struct scenes_one *one);

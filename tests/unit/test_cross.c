@@ -17,6 +17,19 @@ START_TEST(drawn_scenes)
 }
 END_TEST
 
+/* Light and heavy floors in one building, dashpots up to the critical ones, walls, isolated buildings and first speeds. */
+START_TEST(wide_scenes)
+{
+    static const unsigned long long seeds[] = {2,  4,  7,  8,  28, 31, 40, 43,  66,  70,  73,  74,
+                                               77, 78, 84, 94, 95, 97, 99, 100, 101, 105, 107, 108};
+    struct scenes_tally tally = {.only = ""};
+    for (size_t i = 0; i < sizeof seeds / sizeof *seeds; i++)
+        scenes_check(SCENES_WIDE + seeds[i], &tally);
+    ck_assert_int_eq(tally.wrong, 0);
+    ck_assert_int_gt(tally.pounding, 20);
+}
+END_TEST
+
 /* Scenes that once had another answer for every tolerance: a blow at one level turned round the rate of a contact at
  * another one, which then went on in the wrong phase for a step. */
 START_TEST(scenes_whose_answers_differed)
@@ -149,6 +162,7 @@ Suite *thud_suite(void)
     TCase *tcase = tcase_create("cross");
     tcase_set_timeout(tcase, 60);
     tcase_add_test(tcase, drawn_scenes);
+    tcase_add_test(tcase, wide_scenes);
     tcase_add_loop_test(tcase, neighbours_at_rest_do_not_touch, 0, 5);
     tcase_add_test(tcase, a_held_contact_does_not_bounce);
     tcase_add_loop_test(tcase, scenes_that_lost_a_peak, 0, 2);
