@@ -17,7 +17,7 @@ double thud_varied_factor(const struct thud_sweep_axis *axis);
  * NULL: made from record and case. */
 struct thud_figure *thud_figure_by_floor(const struct thud_sweep_table *table, int record, enum thud_case which,
                                          const char *name, const char *title);
-/* The same of the means over the floors, a curve per record. */
+/* The same of the means over the floors, a curve per record; of more than seven the median, and a band from 16 to 84 %. */
 struct thud_figure *thud_figure_of_means(const struct thud_sweep_table *table, enum thud_case which, const char *name,
                                          const char *title);
 /* Largest contact force and number of impacts against the first varied key, a curve per case, for one record. */

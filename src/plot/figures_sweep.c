@@ -6,6 +6,7 @@
 
 #include "base/ascii.h"
 #include "plot/figures_sweep.h"
+#include "study/statistics.h"
 
 enum { CURVES_MAX = THUD_COLORS, COLUMNS_MAX = 4 };
 enum quantity { ACCELERATION, DRIFT };
@@ -248,6 +249,40 @@ static void ratio_line(struct thud_panel *panel, const struct thud_sweep_table *
     }
 }
 
+/* Fractiles over the ground motions of a structure's mean: the band from 16 to 84 % and the median. */
+static void ratio_fractiles(struct thud_panel *panel, const struct thud_sweep_table *table, const struct wanted *wanted,
+                            enum quantity q)
+{
+    const struct thud_sweep_axis *axis = &table->axis[0];
+    size_t n = (size_t)axis->n, records = (size_t)table->nrecords;
+    double *x = malloc((4 * n + n * records) * sizeof *x), *low = x + n, *median = low + n, *high = median + n;
+    double *value = high + n; /* (n x records) */
+    if (!x) {
+        if (panel)
+            panel->figure->failed = true;
+        return;
+    }
+    for (size_t i = 0; i < n * records; i++)
+        value[i] = NAN;
+    for (size_t i = 0; i < table->npoints; i++) {
+        const struct thud_sweep_summary *d = table->point[i];
+        if (drawn(table, d, 1))
+            value[(size_t)d->at[0] * records + (size_t)d->record] = ratio(d, wanted, THUD_SWEEP_VALUE, q);
+    }
+    for (size_t i = 0; i < n; i++) {
+        struct thud_fractiles f = thud_fractiles_of(value + i * records, records, 1);
+        x[i] = place(axis, (int)i);
+        low[i] = f.p16;
+        median[i] = f.median;
+        high[i] = f.p84;
+    }
+    thud_panel_fill(panel, (struct thud_style){.color = 0, .thin = true}, "median", n, x, low, high);
+    thud_panel_add(
+        panel, (struct thud_style){.kind = numbers(axis) ? THUD_LINES_POINTS : THUD_POINTS, .color = 0, .wide = true},
+        "median", n, x, median);
+    free(x);
+}
+
 /* What the shades are, where there are any. */
 static const char *shade_note(const struct thud_sweep_table *table, char text[128])
 {
@@ -321,7 +356,12 @@ static struct thud_figure *means(const struct thud_sweep_table *table, enum thud
         for (int q = ACCELERATION; q <= DRIFT; q++) {
             struct thud_panel *panel = thud_figure_panel(figure, q, c, structure_title(table, structure[c], head));
             ratio_axes(panel, table, (enum quantity)q, false);
-            int curves = table->nrecords < CURVES_MAX ? table->nrecords : CURVES_MAX;
+            if (table->nrecords > CURVES_MAX) { /* a suite: what they say together */
+                struct wanted wanted = {.which = which, .structure = structure[c], .floor = 0};
+                ratio_fractiles(panel, table, &wanted, (enum quantity)q);
+                continue;
+            }
+            int curves = table->nrecords;
             for (int i = 0; i < 2 * curves; i++) {
                 int r = i % curves;
                 struct wanted wanted = {.record = r, .which = which, .structure = structure[c], .floor = 0};
@@ -331,8 +371,10 @@ static struct thud_figure *means(const struct thud_sweep_table *table, enum thud
         }
     }
     char note[384], shades[128];
-    snprintf(note, sizeof note, "%s%s%s", helps, shade_note(table, shades),
-             table->nrecords > CURVES_MAX ? " The first seven records only." : "");
+    if (table->nrecords > CURVES_MAX)
+        snprintf(note, sizeof note, "%s Median of %d ground motions, 16 to 84 %% shaded.", helps, table->nrecords);
+    else
+        snprintf(note, sizeof note, "%s%s", helps, shade_note(table, shades));
     fixed_note(figure, table, 1, NULL, note);
     return figure;
 }

@@ -180,6 +180,35 @@ START_TEST(means_have_a_curve_per_record)
 }
 END_TEST
 
+/* Of a suite the median stands alone; here nine motions of which two have an answer. Ratios are taken in logarithms; the
+ * drifts of this sample are below 0 and are not. */
+START_TEST(a_suite_has_its_median_and_band)
+{
+    struct sample *s = malloc(sizeof *s);
+    fill(s, 1);
+    s->table.nrecords = 9;
+    struct thud_figure *figure = thud_figure_of_means(&s->table, THUD_CASE_BUMPER, "x", NULL);
+    ck_assert_int_eq(thud_figure_check(figure, NULL), THUD_OK);
+    for (int q = 0; q < 2; q++) {
+        const struct thud_panel *b = &figure->panel[2 * q + 1];
+        ck_assert_int_eq(b->nseries, 2);
+        const struct thud_series *band = b->series[0], *median = b->series[1];
+        ck_assert(thud_series_is_shade(band));
+        ck_assert_str_eq(median->name, "median");
+        for (int a = 0; a < GAPS; a++) {
+            double low = mark(0, THUD_CASE_BUMPER, a, 0, 2, 0), high = mark(1, THUD_CASE_BUMPER, a, 0, 2, 0);
+            ck_assert_double_eq_tol(median->y[a], q == 0 ? sqrt(low * high) : -0.5 * (low + high), 1e-12);
+            ck_assert_double_eq_tol(band->y[a], q == 0 ? low * pow(high / low, 0.16) : -high + 0.16 * (high - low),
+                                    1e-12);
+            ck_assert_double_lt(band->y[a], band->y_high[a]);
+        }
+    }
+    thud_figure_free(figure);
+    s->table.nrecords = RECORDS;
+    empty(s);
+}
+END_TEST
+
 START_TEST(maps_are_the_right_way_round)
 {
     struct sample *s = malloc(sizeof *s);
@@ -344,6 +373,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, every_floor_has_its_curve);
     tcase_add_test(tcase, a_spread_is_a_shade_behind_its_curve);
     tcase_add_test(tcase, means_have_a_curve_per_record);
+    tcase_add_test(tcase, a_suite_has_its_median_and_band);
     tcase_add_test(tcase, maps_are_the_right_way_round);
     tcase_add_test(tcase, contacts_have_a_curve_for_each_case);
     tcase_add_test(tcase, pounding_is_shown_without_a_bumper);
