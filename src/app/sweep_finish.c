@@ -98,5 +98,7 @@ enum thud_status thud_sweep_study_finish(const struct thud_sweep_study *study, s
     free(files);
     if (status == THUD_OK && study->table && study->figures && !out->too_many)
         out->pictures = thud_sweep_figures_save(&out->rows.table, study->folder, study->pictures, &out->picture_error);
+    if (status == THUD_OK && study->conclude)
+        status = study->conclude(study->owner, err);
     return status;
 }

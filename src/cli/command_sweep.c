@@ -32,6 +32,9 @@ struct sweep {
     bool fragility;               /* what is told is fragility, not the rows */
     struct thud_suite *suite;     /* of several ground motions, or for the fragility */
     struct thud_fragility_study events;
+    struct thud_text told;     /* of the fragility */
+    enum thud_status pictured; /* THUD_OK, or what failed with its pictures */
+    struct thud_error picture_error;
 };
 
 static enum thud_status choose_shortcuts(struct sweep *s, struct thud_error *err)
@@ -100,6 +103,26 @@ static enum thud_status find_best(struct sweep *s, struct thud_error *err)
     return THUD_USAGE;
 }
 
+/* Fragility from the suite, and its files. That gnuplot failed is told in the end: all else is there. */
+static enum thud_status tell_fragility(void *owner, struct thud_error *err)
+{
+    struct sweep *s = owner;
+    s->pictured = thud_fragility_deliver(s->args, &s->events, s->study.folder, s->study.pictures, &s->told, err);
+    s->picture_error = err ? *err : s->picture_error;
+    return s->pictured == THUD_GNUPLOT ? THUD_OK : s->pictured;
+}
+
+static enum thud_status write_suite(void *owner, struct thud_error *err)
+{
+    const struct sweep *s = owner;
+    struct thud_text text = {0};
+    enum thud_status status = thud_suite_csv(s->suite, &text, err);
+    if (status == THUD_OK)
+        status = thud_text_write_in(&text, s->study.folder, "suite.csv", err);
+    thud_text_clear(&text);
+    return status;
+}
+
 static enum thud_status fill_study(struct sweep *s, struct thud_error *err)
 {
     const struct thud_args *args = s->args;
@@ -137,6 +160,8 @@ static enum thud_status fill_study(struct sweep *s, struct thud_error *err)
     if (status == THUD_OK && study->shard.count == 1 && (s->fragility || (study->folder && s->plan.nrecords > 1)))
         status = thud_suite_create(&s->plan, &s->suite, err);
     s->events.suite = study->suite = s->suite;
+    study->owner = s;
+    study->conclude = s->fragility ? tell_fragility : s->suite ? write_suite : NULL;
     if (s->fragility) {
         study->emit = NULL;
         study->figures = false;
@@ -199,32 +224,22 @@ static enum thud_status conclude(struct sweep *s, struct thud_error *err)
     return status;
 }
 
-/* Fragility from the suite; then what the runs were. */
+/* What was told; then what the runs were. */
 static enum thud_status conclude_fragility(struct sweep *s, struct thud_error *err)
 {
-    struct thud_text text = {0}, work = {0};
-    enum thud_status status =
-        thud_fragility_deliver(s->args, &s->events, s->study.folder, s->study.pictures, &text, err);
-    if (status == THUD_OK || status == THUD_GNUPLOT) {
-        enum thud_status printed = thud_cli_print(&text, status == THUD_OK ? err : NULL);
-        status = status == THUD_OK ? printed : status;
-    }
+    struct thud_text work = {0};
+    enum thud_status status = s->study.folder ? THUD_OK : tell_fragility(s, err);
+    if (status == THUD_OK)
+        status = thud_cli_print(&s->told, err);
     if (!thud_args_has(s->args, "quiet"))
         thud_sweep_report_work(&s->plan, &s->outcome.total, &work);
     if (work.data)
         fputs(work.data, stderr);
     thud_text_clear(&work);
-    thud_text_clear(&text);
-    return status;
-}
-
-static enum thud_status write_suite(const struct sweep *s, struct thud_error *err)
-{
-    struct thud_text text = {0};
-    enum thud_status status = thud_suite_csv(s->suite, &text, err);
-    if (status == THUD_OK)
-        status = thud_text_write_in(&text, s->study.folder, "suite.csv", err);
-    thud_text_clear(&text);
+    if (status == THUD_OK && s->pictured != THUD_OK) {
+        *err = s->picture_error;
+        status = s->pictured;
+    }
     return status;
 }
 
@@ -241,8 +256,6 @@ static enum thud_status finish(struct sweep *s, enum thud_status status, struct 
         (void)thud_sweep_output_end(&s->output, NULL); /* what is done is printed */
     if (status == THUD_OK && s->fragility)
         return conclude_fragility(s, err);
-    if (status == THUD_OK && s->suite && s->study.folder)
-        status = write_suite(s, err);
     return status == THUD_OK ? conclude(s, err) : status;
 }
 
@@ -327,6 +340,7 @@ static enum thud_status study(const struct thud_args *args, bool fragility, stru
     s->fragility = fragility;
     enum thud_status status = thud_args_has(args, "merge") ? merge(s, err) : make(s, err);
     thud_fragility_study_clear(&s->events);
+    thud_text_clear(&s->told);
     thud_suite_free(s->suite);
     thud_text_clear(&s->output.text);
     thud_text_clear(&s->description);

@@ -96,6 +96,14 @@ again --csv --samples 7 --seed 2
 other() { ! cmp -s "$tmp/out" "$tmp/fragility/fragility.csv" && cut -d, -f1-8 "$tmp/out" | cmp -s - "$tmp/c8"; }
 cut -d, -f1-8 "$tmp/fragility/fragility.csv" >"$tmp/c8"
 is "another seed: other bands, the same curves" other
+# killed while its pictures are drawn: what was run is not lost
+# shellcheck disable=SC2016 # a script's own
+printf '#!/bin/sh\nkill -9 $PPID\n' >"$tmp/gnuplot"
+chmod +x "$tmp/gnuplot"
+(THUD_GNUPLOT=$tmp/gnuplot again -o "$tmp/killed") 2>/dev/null
+is "a killed one has its runs" test -s "$tmp/killed/sweep.journal"
+again -o "$tmp/killed"
+is "and goes on to the same bytes" same "$tmp/killed"
 is "a sweep of several motions writes suite.csv" gives 0 sweep towers --records "$three" --vary gap=5cm,9cm --cases none,bumper -o "$tmp/sweep" --quiet
 medians() { awk -F, 'NR == FNR { if ($2 == "bumper" && $3 == 0.09 && $4 == "B" && $5 == 0) x[++n] = $9; next }
     $1 == "bumper" && $2 == 0.09 && $3 == "B" { m = $20 } END { if (x[1] > x[2]) { t = x[1]; x[1] = x[2]; x[2] = t } if (x[2] > x[3]) { t = x[2]; x[2] = x[3]; x[3] = t }
