@@ -266,7 +266,7 @@ static void ratio_fractiles(struct thud_panel *panel, const struct thud_sweep_ta
         value[i] = NAN;
     for (size_t i = 0; i < table->npoints; i++) {
         const struct thud_sweep_summary *d = table->point[i];
-        if (drawn(table, d, 1))
+        if (drawn(table, d, 1, wanted->at))
             value[(size_t)d->at[0] * records + (size_t)d->record] = ratio(d, wanted, THUD_SWEEP_VALUE, q);
     }
     for (size_t i = 0; i < n; i++) {

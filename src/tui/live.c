@@ -39,9 +39,9 @@ static void case_clear(struct thud_live_case *c)
 
 static void need_clear(struct thud_live *live)
 {
-    thud_trunk_free(live->trunk);
+    thud_baseline_free(live->baseline);
     thud_model_free(live->apart);
-    live->trunk = NULL;
+    live->baseline = NULL;
     live->apart = NULL;
 }
 
@@ -101,11 +101,11 @@ static void need_start(struct thud_live *live, const struct thud_scene *scene, c
         case_scene(scene, THUD_LIVE_NONE, bare);
         if (thud_scene_assemble(bare, &live->apart, NULL) == THUD_OK &&
             thud_scene_options(bare, &options, NULL) == THUD_OK) {
-            thud_trunk_create(live->apart, record, &options, &live->trunk, NULL);
+            thud_baseline_create(live->apart, record, &options, &live->baseline, NULL);
         }
     }
     free(bare);
-    if (!live->trunk)
+    if (!live->baseline)
         need_clear(live);
 }
 
@@ -116,13 +116,14 @@ static double largest_displacement(const struct thud_result *result, int s, int 
 
 static void need_finish(struct thud_live *live)
 {
-    const struct thud_result *result = thud_trunk_result(live->trunk);
+    const struct thud_result *result = thud_baseline_result(live->baseline);
     for (int c = 0; c < live->apart->ncontacts; c++) {
         const struct thud_model_contact *p = &live->apart->contact[c];
         struct thud_live_need *need = &live->need[p->interface - 1];
         double left = largest_displacement(result, p->interface - 1, p->left_floor),
                right = largest_displacement(result, p->interface, p->right_floor);
-        need->closing_m = fmax(need->closing_m, thud_trunk_closing(live->trunk, c)); /* fmax passes over NaN */
+        need->closing_m =
+            fmax(need->closing_m, thud_baseline_relative_displacement(live->baseline, c)); /* fmax passes over NaN */
         need->abs_m = fmax(need->abs_m, thud_spacing_abs(left, right));
         need->srss_m = fmax(need->srss_m, thud_spacing_srss(left, right));
     }
@@ -218,9 +219,9 @@ bool thud_live_advance(struct thud_live *live)
         case_advance(&live->which[i]);
         return true;
     }
-    if (live->trunk) {
+    if (live->baseline) {
         bool done = false;
-        if (thud_trunk_advance(live->trunk, SEGMENTS, &done, NULL) != THUD_OK)
+        if (thud_baseline_advance(live->baseline, SEGMENTS, &done, NULL) != THUD_OK)
             need_clear(live);
         else if (done)
             need_finish(live);

@@ -2,9 +2,9 @@
 #ifndef THUD_TUI_LIVE_H
 #define THUD_TUI_LIVE_H
 
+#include "core/baseline.h"
 #include "core/record.h"
 #include "core/run.h"
-#include "core/trunk.h"
 #include "study/scene.h"
 
 enum thud_live_which { THUD_LIVE_FREE, THUD_LIVE_NONE, THUD_LIVE_BUMPER, THUD_LIVE_CASES };
@@ -38,7 +38,7 @@ struct thud_live_need {
 
 struct thud_live {
     struct thud_model *apart; /* without pounding, with the pairs of floors; NULL once `need` is known */
-    struct thud_trunk *trunk;
+    struct thud_baseline *baseline;
     struct thud_live_need need[THUD_STRUCTURES_MAX]; /* by interface, from 0 */
     struct thud_live_case which[THUD_LIVE_CASES];
     bool running;
