@@ -113,7 +113,7 @@ $(B)/peer-%: $(B)/tests/bench/peers/%.o $(B)/tests/bench/scene.o $(LIBS) | $(B)/
 .SECONDARY:
 .DELETE_ON_ERROR:
 
-deps: ## install what building needs (Debian; says what, sudo only when needed)
+deps: ## install what building needs (says what; sudo only when needed)
 	@tests/tools/install-deps.sh build
 demo: deps ## install what is missing, build, run the paper's towers, write the figures into ./demo
 	@$(MAKE) --no-print-directory $(PARALLEL) VARIANT=release all

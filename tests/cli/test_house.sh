@@ -62,6 +62,14 @@ impure "a writable static is found" "count.*can be written" 'int thud_bad(void) 
 
 plant notes.txt "remember\n"
 finds "a strange file at the top is found" "notes.txt" sh $tools/check-tree.sh "$tmp/tree"
+if command -v git >/dev/null 2>&1; then
+    git -C "$tmp/tree" init -q && git -C "$tmp/tree" add include
+    finds "one that is not committed is the user's own" "^ok - nothing strange at the top" sh -c "sh $tools/check-tree.sh '$tmp/tree'; exit 1"
+    git -C "$tmp/tree" add notes.txt
+    finds "a strange file that is committed is found" "notes.txt" sh $tools/check-tree.sh "$tmp/tree"
+else
+    echo "ok - one that is not committed is the user's own # SKIP no git"
+fi
 plant README.md "see /wo""rk/notes\n"
 finds "a machine path is found" "README.md:1" sh $tools/check-tree.sh "$tmp/tree"
 plant src/core/a.c "/* TO""DO */\n"

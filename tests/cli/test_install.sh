@@ -2,6 +2,8 @@
 # Installed under a prefix thud finds its presets and records from anywhere, and a C program its library; uninstalled nothing of it is left.  TAP.
 set -u
 tmp=$(mktemp -d) || exit 1
+LC_ALL=C # messages and numbers
+export LC_ALL
 trap 'rm -rf "$tmp"' EXIT
 prefix=$tmp/stage/usr
 
@@ -30,15 +32,15 @@ ok "every manual page is installed" $?
 
 # a program of one's own against the installed library
 CC=${CC:-cc}
-PKG_CONFIG_PATH=$prefix/lib/pkgconfig
+PKG_CONFIG_PATH=stage/usr/lib/pkgconfig # from $tmp, whose own name may have blanks
 export PKG_CONFIG_PATH
 for f in "$prefix"/include/thud/*/*.h; do
     # shellcheck disable=SC2046 # several words
-    $CC -std=c17 -Wall -Wextra -Wpedantic -Werror $(pkg-config --cflags thud) -fsyntax-only -x c "$f" 2>&1 || echo "$f"
+    (cd "$tmp" && $CC -std=c17 -Wall -Wextra -Wpedantic -Werror $(pkg-config --cflags thud) -fsyntax-only -x c "$f") 2>&1 || echo "$f"
 done >"$tmp/out"
 test ! -s "$tmp/out" && [ -f "$prefix/include/thud/core/run.h" ] && [ -f "$prefix/include/thud/io/preset.h" ]
 ok "every installed header compiles by itself" $?
-[ "$(pkg-config --modversion thud)" = "$("$prefix/bin/thud" --version | sed -n '1s/thud \([0-9.]*\).*/\1/p')" ] >"$tmp/out" 2>&1
+[ "$(cd "$tmp" && pkg-config --modversion thud)" = "$("$prefix/bin/thud" --version | sed -n '1s/thud \([0-9.]*\).*/\1/p')" ] >"$tmp/out" 2>&1
 ok "pkg-config knows the library by the program's version" $?
 if nm "$prefix/lib/libthud.a" 2>/dev/null | grep -q -E '__(asan|gcov|ubsan|sanitizer)_'; then
     echo "ok - the example is built against the installed library # SKIP built with instruments"

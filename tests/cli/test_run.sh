@@ -154,14 +154,14 @@ is "and quietly not" silent
 
 # a message about an option's value names the option as it was typed
 printf '%s\n' "1 2 3" "4 5 6" "7 8 9" >"$tmp/table.txt"
-table="--record $tmp/table.txt --unit g --dt 0.01s"
+table="--unit g --dt 0.01s"
 # shellcheck disable=SC2086 # words
 {
-    is "wrong unit" gives 2 run towers $table --column 2 --unit furlong
+    is "wrong unit" gives 2 run towers --record "$tmp/table.txt" $table --column 2 --unit furlong
     is "names --unit" says '^thud: --unit: .*(g, mg, '
-    is "wrong column" gives 3 run towers $table --column 9
+    is "wrong column" gives 3 run towers --record "$tmp/table.txt" $table --column 9
     is "names --column, and the file" says 'table.txt:1: --column: there is no column 9 (1 to 3)'
-    is "a column that nobody gave" gives 3 run towers $table
+    is "a column that nobody gave" gives 3 run towers --record "$tmp/table.txt" $table
     is "is asked for" says 'table.txt:1: column: .*(--column N)'
 }
 printf '%s\n' "0.1 0.2" "-0.3 0.4" "0.1 0.0" >"$tmp/lines.txt"

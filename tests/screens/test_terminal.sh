@@ -1,17 +1,26 @@
 #!/bin/sh
 # The terminal interface in a real terminal (tmux).  TAP.  Waits for text by polling with a deadline, never for a time.
+# The terminal's shell works in a folder of its own, where `thud` is a link to the program, so no path is ever typed.
 set -u
 THUD=${THUD:-./thud}
 root=$(pwd)
 case $THUD in /*) ;; *) THUD=$root/$THUD ;; esac
 tmp=$(mktemp -d) || exit 1
+ln -s "$THUD" "$tmp/thud" || exit 1
+export tmp
 socket=$tmp/tmux
 sessions=0
+failed=0
+patience=600
 n=0
-mux() { LC_ALL=C.UTF-8 tmux -S "$socket" -f /dev/null "$@"; }
+mux() { LC_ALL=C.UTF-8 timeout 30 tmux -S "$socket" -f /dev/null "$@"; }
 cleanup() {
     mux kill-server 2>/dev/null
-    rm -rf "$tmp"
+    tries=100 # the program may just be writing its recovery file there
+    until rm -rf "$tmp" 2>/dev/null || [ $tries -eq 0 ]; do
+        tries=$((tries - 1))
+        sleep 0.05
+    done
 }
 trap cleanup EXIT
 trap 'exit 1' INT TERM HUP
@@ -26,9 +35,9 @@ bad() {
     mux capture-pane -p -t s 2>/dev/null | sed 's/^/# /'
 }
 screen() { mux capture-pane -p -t s; }
-# wait_for WHAT PATTERN: until the screen shows the pattern, at most half a minute
+# wait_for WHAT PATTERN: until the screen shows the pattern, at most half a minute; two seconds once something of this terminal has failed
 wait_for() {
-    tries=600
+    tries=$patience
     while [ $tries -gt 0 ]; do
         if screen 2>/dev/null | grep -q -e "$2"; then
             ok "$1"
@@ -38,20 +47,31 @@ wait_for() {
         sleep 0.05
     done
     bad "$1 (no $2)"
+    patience=40
     return 1
 }
 keys() { mux send-keys -t s "$@"; }
-# start COLUMNS ROWS: a shell that says when it is ready for a command
+# start COLUMNS ROWS: a shell that says when it is ready for a command.  The words after the sizes are a program and its arguments: one word would
+# go through the shell that the user logs in with, which may stay between this shell and the terminal.
 start() {
     mux kill-server 2>/dev/null
+    [ $patience -eq 600 ] || failed=$((failed + 1))
+    [ $failed -lt 3 ] || give_up "three terminals did not do what they should"
+    patience=600
     sessions=$((sessions + 1)) # a server that is still going down must not be met again
     socket=$tmp/tmux$sessions
-    mux new-session -d -s s -x "$1" -y "$2" "env PS1='ready> ' ENV= sh"
-    tries=600
-    until screen 2>/dev/null | grep -q '^ready> *$' || [ $tries -eq 0 ]; do
+    mux new-session -d -s s -x "$1" -y "$2" -c "$tmp" env "PS1=ready> " ENV= HISTFILE= sh
+    tries=$patience
+    until screen 2>/dev/null | grep -q '^ready> *$'; do
         tries=$((tries - 1))
+        [ $tries -gt 0 ] || give_up "the shell in tmux does not come up"
         sleep 0.05
     done
+}
+give_up() { # WHY: what is left would only wait for what does not come
+    bad "$1"
+    echo "Bail out! $1"
+    exit 1
 }
 command() { keys -l "$1" && keys Enter; }
 # at_shell WHAT: the shell waits for a command.  What is typed before its prompt stands may be lost, or echoed into what it prints.
@@ -59,7 +79,7 @@ at_shell() { wait_for "$1" '^ready> *$'; }
 # as_it_was WHAT WORD: the terminal's modes are those of before
 as_it_was() {
     at_shell "$1: the shell waits"
-    command "stty -g | cmp -s - $tmp/stty && echo sa''ne-$2"
+    command "stty -g | cmp -s - stty && echo sa''ne-$2"
     wait_for "$1: the terminal is as it was" "sane-$2"
     flags=$(mux display-message -p -t s '#{mouse_any_flag}#{mouse_sgr_flag}#{keypad_flag}#{alternate_on}')
     case $flags in
@@ -93,7 +113,7 @@ asleep() {
 }
 
 start 80 24
-command "stty -g >$tmp/stty; echo before; $THUD $tmp/mine.yaml"
+command "stty -g >stty; echo before; ./thud mine.yaml"
 wait_for "the first screen shows the model" 'Left: A'
 wait_for "the three cases have run" 'ok *$'
 asleep "no processor time while nothing happens"
@@ -136,7 +156,7 @@ wait_for "and what stood there before is there again" '^before'
 as_it_was "q" ended
 
 start 80 24
-command "$THUD $tmp/mine.yaml --set gap=7cm --tolerance 1e-8"
+command "./thud mine.yaml --set gap=7cm --tolerance 1e-8"
 wait_for "options of the command line are a change not yet saved" 'mine \[+\]'
 keys g 2
 wait_for "and stand in the fields" 'gap *▸\{0,1\}7 cm'
@@ -145,7 +165,7 @@ wait_for "they can be taken back" 'gap *▸\{0,1\}10 cm'
 
 for pair in TERM=143 INT=130 HUP=129 SEGV=139 ABRT=134 BUS=135 FPE=136 ILL=132 QUIT=131 PIPE=141 USR1=138 ALRM=142; do
     start 80 24
-    command "stty -g >$tmp/stty; (ulimit -c 0; exec $THUD $tmp/mine.yaml)"
+    command "stty -g >stty; (ulimit -c 0; exec ./thud mine.yaml)"
     wait_for "${pair%=*}: running" 'Left: A'
     keys g 2
     wait_for "${pair%=*}: contact" 'Bare contact'
@@ -174,7 +194,7 @@ done
 
 # Ctrl-C is a key of the terminal's own: the shell sees 130.  Stopped and continued from outside as well.
 start 80 24
-command "stty -g >$tmp/stty; $THUD $tmp/mine.yaml; echo status=\$?"
+command "stty -g >stty; ./thud mine.yaml; echo status=\$?"
 wait_for "Ctrl-C: running" 'ok *$'
 child=$(program)
 kill -TSTP "$child"
@@ -188,7 +208,7 @@ wait_for "Ctrl-C ends it with status 130" 'status=130'
 as_it_was "Ctrl-C" ended
 
 start 80 24
-command "$THUD $tmp/mine.yaml; echo status=\$?"
+command "./thud mine.yaml; echo status=\$?"
 wait_for "Ctrl-C with edits: running" 'ok *$'
 keys 2 Enter
 keys 9 Enter
@@ -212,17 +232,17 @@ at_shell "Ctrl-C with edits: the end"
 # The numbers of the screens are those of the command line: every floor, two cases, three digits.
 cp "$root/presets/towers.yaml" "$tmp/mine.yaml"
 start 130 40
-command "$THUD $tmp/mine.yaml"
+command "./thud mine.yaml"
 wait_for "numbers: running" 'ok *$'
 keys g 4
 wait_for "numbers: results" 'tolerance holds'
 screen | sed 's/▸/ /' >"$tmp/results"
 three() { # CASE KEY FACTOR: a number a floor, as the screens write them
-    "$THUD" run "$tmp/mine.yaml" --case "$1" --json | grep -o "\"$2\": [0-9.e+-]*" | awk -v f="$3" '{
+    "$THUD" run "$tmp/mine.yaml" --case "$1" --json 2>/dev/null | grep -o "\"$2\": [0-9.e+-]*" | awk -v f="$3" '{
         v = $2 * f; d = v >= 99.95 ? 0 : v >= 9.995 ? 1 : v >= 0.9995 ? 2 : v >= 0.09995 ? 3 : v >= 0.009995 ? 4 : 5; printf "%.*f\n", d, v }'
 }
-on_screen() { # COLUMN: of the rows of floors, the lowest floor of A first as in the file
-    awk -v c="$1" '$2 ~ /^[AB]$/ && $3 ~ /^[0-9]+$/ { print $2, $3, $(c) }' "$tmp/results" | sort -k1,1 -k2,2n | awk '{ print $3 }'
+on_screen() { # COLUMN: of the rows of floors (with the cursor or without), the lowest floor of A first as in the file
+    sed 's/▸/ /' "$tmp/results" | awk -v c="$1" '$2 ~ /^[AB]$/ && $3 ~ /^[0-9]+$/ { print $2, $3, $(c) }' | sort -k1,1 -k2,2n | awk '{ print $3 }'
 }
 i=0
 for key in acceleration_mps2=1 drift_m=1000 displacement_m=1000 velocity_mps=1; do
@@ -241,7 +261,7 @@ done
 
 # Keys with names of their own, as terminals send them, and the mouse.
 start 80 24
-command "$THUD towers"
+command "./thud towers"
 wait_for "keys: running" 'ok *$'
 keys g 2
 key() { # KEY WHAT PATTERN
@@ -287,7 +307,7 @@ at_shell "y quits without saving, where asked"
 
 # README shows the first screen as it is (but for the time it took).
 start 80 24
-command "clear; $THUD towers"
+command "clear; ./thud towers"
 wait_for "README: running" 'ok *$'
 without_time() { sed -e 's/ *run [0-9.e+-]* ms  ok *$//' -e 's/ *$//'; }
 screen | without_time >"$tmp/screen"
@@ -301,8 +321,9 @@ else
 fi
 
 start 80 24
-mux pipe-pane -t s "cat >$tmp/raw"
-command "LC_ALL=C NO_COLOR=1 TERM=vt100 $THUD towers"
+# shellcheck disable=SC2016 # the shell of the pipe knows it
+mux pipe-pane -t s 'cat >"$tmp/raw"'
+command "LC_ALL=C NO_COLOR=1 TERM=vt100 ./thud towers"
 wait_for "LC_ALL=C draws in ASCII" '+ Left: A'
 keys g 5
 wait_for "also the plots" 'Impact force'
@@ -311,8 +332,9 @@ wait_for "quit" '^ready> ' # this terminal keeps what was drawn
 if LC_ALL=C tr -d '\001-\177' <"$tmp/raw" | grep -q .; then bad "no byte above 0x7f"; else ok "no byte above 0x7f"; fi
 
 start 80 24
-mux pipe-pane -t s "cat >$tmp/raw"
-command "NO_COLOR=1 $THUD towers"
+# shellcheck disable=SC2016 # the shell of the pipe knows it
+mux pipe-pane -t s 'cat >"$tmp/raw"'
+command "NO_COLOR=1 ./thud towers"
 wait_for "NO_COLOR: running" 'Left: A'
 keys q
 at_shell "NO_COLOR: quit"
@@ -326,7 +348,7 @@ colors_of() { # the colour of every part of the screen, one a line; `none` where
 # colors TERM ALLOWED: on every screen there are colours, and only these
 colors() {
     start 80 24
-    command "TERM=$1 $THUD towers"
+    command "TERM=$1 ./thud towers"
     wait_for "$1: running" 'ok *$'
     found=''
     for key in 8 1 2 3 4 5 6 7; do # help first: q leads back from there
@@ -343,10 +365,10 @@ colors() {
 colors tmux-256color '38:(31|243|29|166|160|130|32|136|68|169|132)'
 infocmp xterm-256color | sed -e 's/^xterm-256color|[^,]*/sixteen|a terminal of sixteen colours/' -e 's/colors#[0-9a-fx]*/colors#16/' -e 's/pairs#[0-9a-fx]*/pairs#256/' >"$tmp/sixteen.ti"
 tic -o "$tmp/terminfo" "$tmp/sixteen.ti"
-colors "sixteen TERMINFO=$tmp/terminfo" '31|35|94'
+colors "sixteen TERMINFO=\$PWD/terminfo" '31|35|94'
 colors screen '31|34|35'
 start 80 24
-command "TERM=tmux-256color $THUD towers"
+command "TERM=tmux-256color ./thud towers"
 wait_for "borders: running" 'ok *$'
 if [ "$(mux capture-pane -e -p -t s | tr '\033' '\n' | grep -c '38;5;243m[┌│└─]')" -gt 10 ]; then ok "borders are grey"; else bad "borders are not grey"; fi
 keys q
@@ -354,7 +376,7 @@ at_shell "borders: quit"
 
 # Sequences that mean nothing here mean nothing: no value, no screen, no storey changes.
 start 80 24
-command "$THUD $tmp/mine.yaml"
+command "./thud mine.yaml"
 wait_for "sequences: running" 'ok *$'
 keys 2
 wait_for "sequences: contact" 'gap *▸10 cm'
@@ -389,6 +411,6 @@ if [ $status -eq 2 ] && [ ! -s "$tmp/out" ] && [ "$(wc -l <"$tmp/err")" -eq 1 ] 
     ok "without a terminal: one line and status 2"
 else bad "without a terminal: status $status, $(cat "$tmp/err")"; fi
 start 80 24
-command "TERM=dumb $THUD towers; echo status=\$?"
+command "TERM=dumb ./thud towers; echo status=\$?"
 wait_for "TERM=dumb: status 2" 'status=2'
 echo "1..$n"

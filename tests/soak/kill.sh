@@ -2,6 +2,8 @@
 # Studies killed (SIGKILL) at a write, a sync, a rename, ..., before it or half-way through: what lies on the disk is whole, and the same command
 # goes on to the bytes of a study that nobody disturbed.  The places come from fixed seeds.  TAP.  usage: kill.sh [STUDIES [SEED]]
 set -u
+LC_ALL=C
+export LC_ALL
 THUD=${THUD:-$PWD/thud}
 studies=${1:-100}
 seed=${2:-20110525}
@@ -9,7 +11,8 @@ tmp=$(mktemp -d) || exit 1
 # a program that is killed or cannot write leaves its counts of coverage whole for the others
 export GCOV_PREFIX="$tmp/counts"
 trap 'rm -rf "$tmp"' EXIT
-if ! ${CC:-cc} -shared -fPIC -O1 -o "$tmp/preload.so" tests/fault/preload.c -ldl 2>/dev/null; then
+preload=${BUILD:-build/release}/kill.so # LD_PRELOAD takes no blank in a path
+if ! ${CC:-cc} -shared -fPIC -O1 -o "$preload" tests/fault/preload.c -ldl 2>/dev/null; then
     echo "ok - killed studies go on # SKIP no shared library can be made"
     exit 0
 fi
@@ -40,7 +43,7 @@ whole() { # nothing is there under its own name but the journal and what is righ
 
 rm -rf "$tmp/right"
 study 1 "$tmp/right" >/dev/null 2>&1
-calls=$(THUD_FAULT_KIND=write THUD_FAULT_COUNT="$tmp/count" LD_PRELOAD="$tmp/preload.so" study 1 "$tmp/counted" >/dev/null 2>&1 && cat "$tmp/count")
+calls=$(THUD_FAULT_KIND=write THUD_FAULT_COUNT="$tmp/count" LD_PRELOAD="$preload" study 1 "$tmp/counted" >/dev/null 2>&1 && cat "$tmp/count")
 kills=0
 wrong=0
 complain() {
@@ -57,7 +60,7 @@ while [ "$i" -lt "$studies" ]; do
         if [ "$drawn" -eq 1 ]; then kind="kill"; else kind=tear; fi
         threads=$((i % 2 + 1))
         random "$calls"
-        THUD_FAULT_KIND=$kind THUD_FAULT_AT=$drawn LD_PRELOAD="$tmp/preload.so" study $threads "$tmp/out" >"$tmp/said" 2>&1
+        THUD_FAULT_KIND=$kind THUD_FAULT_AT=$drawn LD_PRELOAD="$preload" study $threads "$tmp/out" >"$tmp/said" 2>&1
         status=$?
         [ "$status" -ne 137 ] || kills=$((kills + 1))
         odd=$(whole)

@@ -3,7 +3,8 @@
 # What their objects leave undefined is held against a list of pure functions; writable data are refused.
 # usage: check-pure.sh ARCHIVE
 set -u
-archive=$1
+cd "$(dirname "$1")" || exit 2 # nm's lines begin with the name it was given, which shall have no blank
+archive=$(basename "$1")
 pure="
     acos acosh asin asinh atan atan2 atanh cbrt ceil copysign cos cosh erf erfc exp exp2 expm1 fabs floor fma fmax fmin fmod frexp
     hypot ldexp llrint llround log log10 log1p log2 logb lrint lround modf nearbyint nextafter pow remainder rint round scalbn sin

@@ -4,8 +4,8 @@
 set -u
 cd "${1:-.}" || exit 2
 status=0
-if git rev-parse --git-dir >/dev/null 2>&1 && [ -n "$(git ls-files)" ]; then
-    files=$(git ls-files)
+if [ -e .git ] && [ -n "$(git -c safe.directory='*' ls-files 2>/dev/null)" ]; then # also in a checkout of another user's
+    files=$(git -c core.quotePath=off -c safe.directory='*' ls-files)
 else
     files=$(find . -type f ! -path './build/*' ! -path './.git/*' ! -path ./thud ! -path './demo/*')
 fi

@@ -43,10 +43,10 @@ words $(find tests -name '*.[ch]') /dev/null >"$tmp/tests"
 
 objects=$(find "$build/src" -name '*.o' | while read -r o; do
     c=${o#"$build"/}
-    [ -f "${c%.o}.c" ] && echo "$o"
+    [ -f "${c%.o}.c" ] && echo "$c"
 done)
 # shellcheck disable=SC2086
-nm -A -f posix $objects | awk -v kept="$for_tests" -v words="$tmp/words" -v tests="$tmp/tests" '
+(cd "$build" && nm -A -f posix $objects) | awk -v kept="$for_tests" -v words="$tmp/words" -v tests="$tmp/tests" '
     BEGIN {
         n = split(kept, k); for (i = 1; i <= n; i++) keep[k[i]] = 1
         while ((getline line < words) > 0) { split(line, w, " "); if (w[1] ~ /\.c$/) named[w[2]]++ }

@@ -35,6 +35,12 @@ if [ "${1:-}" = --one ]; then # LOG_FOLDER PROGRAM: run one, keep its output and
     exit 0
 fi
 
+# letters stay those of the user's language; messages of the C library are English, and numbers that awk writes have a point
+[ -z "${LC_ALL:-}" ] || LANG=$LC_ALL
+LANG=${LANG:-C} LC_NUMERIC=C LC_MESSAGES=C
+export LANG LC_NUMERIC LC_MESSAGES
+unset LC_ALL LANGUAGE
+
 build=$1
 UNITS=${2:-$1}
 logs=$build/test-logs
