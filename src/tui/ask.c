@@ -113,7 +113,7 @@ void thud_tui_answered(struct thud_tui *tui, int key)
     else if (tui->asking == THUD_ASK_OPEN)
         thud_tui_open(tui, target, true);
     else if (tui->asking == THUD_ASK_RECOVER)
-        thud_tui_recover(tui, target);
+        recover(tui, target);
     else
         thud_tui_save(tui, tui->asking == THUD_ASK_DISK ? NULL : target, true);
 }
@@ -229,7 +229,7 @@ void thud_tui_offer_recovery(struct thud_tui *tui)
 }
 
 /* The scene of the file that was kept, as a change to be saved or undone; saving removes the file. */
-void thud_tui_recover(struct thud_tui *tui, const char *path)
+static void recover(struct thud_tui *tui, const char *path)
 {
     struct thud_preset *preset = NULL;
     struct thud_error err = {0};

@@ -1,10 +1,10 @@
 /* Pictures and tables of what is shown. */
-#include <ctype.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
 
 #include "app/run_figures.h"
+#include "base/ascii.h"
 #include "io/file.h"
 #include "tui/state.h"
 
@@ -18,7 +18,7 @@ static void plain(char *text)
 {
     char *to = text;
     for (const char *at = text; *at; at++) {
-        int c = tolower((unsigned char)*at);
+        int c = (unsigned char)thud_ascii_lower(*at);
         if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'))
             *to++ = (char)c;
         else if (to > text && to[-1] != '-')

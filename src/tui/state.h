@@ -218,7 +218,6 @@ void thud_tui_save(struct thud_tui *tui, const char *path, bool sure);
 void thud_tui_open(struct thud_tui *tui, const char *name, bool sure);
 void thud_tui_quit(struct thud_tui *tui, bool sure);
 void thud_tui_offer_recovery(struct thud_tui *tui);
-void thud_tui_recover(struct thud_tui *tui, const char *path);
 void thud_tui_sweep_typed(struct thud_tui *tui, const char *text); /* view_sweep.c */
 void thud_tui_sweep_word(struct thud_tui *tui, const char *word, const char *text);
 void thud_tui_filter_records(struct thud_tui *tui, const char *text); /* view_record.c */

@@ -32,7 +32,10 @@ static void say_bumper(const struct thud_tui *tui, int interface, double bare_n,
         snprintf(part, size, "bumper: %d impact%s", impacts, impacts == 1 ? "" : "s");
 }
 
-void thud_verdict_words(const struct thud_tui *tui, int columns, char *text, size_t size, bool *pounds)
+/* "POUNDS at 8 cm: 27 impacts, 21.4 MN   needs 18.9 cm (ABS 28.0, SRSS 20.0)   bumper: force -9 %". The needed gap is
+ * rounded up. Where there is no room in `columns` the rules of the codes are left off first. Empty where there is nothing to say; *pounds:
+ * whether there is contact without a bumper. */
+static void verdict_words(const struct thud_tui *tui, int columns, char *text, size_t size, bool *pounds)
 {
     const struct thud_scene *scene = &tui->doc.scene;
     int interface = tui->pair + 1, impacts;
@@ -68,7 +71,7 @@ void thud_verdict_draw(struct thud_tui *tui, const struct thud_pane *row)
 {
     char words[sizeof tui->verdict];
     bool pounds, running = tui->live.running;
-    thud_verdict_words(tui, row->w - 2, words, sizeof words, &pounds);
+    verdict_words(tui, row->w - 2, words, sizeof words, &pounds);
     if (!running) {
         memcpy(tui->verdict, words, sizeof words);
         tui->verdict_role = pounds ? THUD_ROLE_WARN : THUD_ROLE_GOOD;

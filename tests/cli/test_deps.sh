@@ -33,7 +33,7 @@ prints() { # LINE: this and nothing else; nothing is run
     [ "$code" -eq 0 ] && [ "$(cat "$tmp/out")" = "$1" ] && ! grep -q -w -e install -e add -e -S "$tmp/log"
 }
 
-libraries="libyaml-dev libcsv-dev liblapacke-dev libncurses-dev gnuplot-nox fonts-dejavu-core"
+libraries="libyaml-dev libcsv-dev liblapacke-dev libncurses-dev zlib1g-dev gnuplot-nox fonts-dejavu-core"
 apt="env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends gcc libc6-dev make pkg-config $libraries"
 machine 0 apt-get
 deps --print build
@@ -42,19 +42,19 @@ deps --print test valgrind
 is "apt, for the tests and one more" prints "$apt check tmux procps locales valgrind"
 machine 1000 dnf
 deps --print test
-is "dnf" prints "sudo dnf install -y gcc glibc-devel make pkgconf-pkg-config libyaml-devel libcsv-devel lapack-devel ncurses-devel gnuplot \
+is "dnf" prints "sudo dnf install -y gcc glibc-devel make pkgconf-pkg-config libyaml-devel libcsv-devel lapack-devel ncurses-devel zlib-devel gnuplot \
 dejavu-sans-fonts check-devel tmux procps-ng glibc-locale-source"
 machine 1000 pacman
 deps --print test
-is "pacman" prints "sudo pacman -S --noconfirm --needed gcc glibc make pkgconf libyaml lapacke ncurses gnuplot ttf-dejavu check tmux procps-ng"
+is "pacman" prints "sudo pacman -S --noconfirm --needed gcc glibc make pkgconf libyaml lapacke ncurses zlib gnuplot ttf-dejavu check tmux procps-ng"
 is "pacman: what it does not have is named" grep -q 'knows: libcsv$' "$tmp/err"
 machine 1000 zypper
 deps --print test
 is "zypper" prints "sudo zypper --non-interactive install gcc glibc-devel make pkgconf-pkg-config libyaml-devel libcsv-devel lapacke-devel \
-ncurses-devel gnuplot dejavu-fonts check-devel tmux procps glibc-i18ndata"
+ncurses-devel zlib-devel gnuplot dejavu-fonts check-devel tmux procps glibc-i18ndata"
 machine 0 apk
 deps --print test
-is "apk" prints "apk add gcc musl-dev make pkgconf yaml-dev lapack-dev ncurses-dev gnuplot font-dejavu check-dev tmux procps"
+is "apk" prints "apk add gcc musl-dev make pkgconf yaml-dev lapack-dev ncurses-dev zlib-dev gnuplot font-dejavu check-dev tmux procps"
 machine 501 brew
 deps --print test
 is "brew, never by sudo" prints "brew install make pkgconf libyaml libcsv lapack ncurses gnuplot font-dejavu check tmux"
