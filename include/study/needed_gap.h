@@ -37,7 +37,7 @@ const char *thud_gap_rule_column(int rule); /* in CSV and JSON: "closing_m", "ab
 double thud_gap_value(const struct thud_gap_level *level, int rule);
 
 /* Levels of a finished run without contact, (model->ncontacts). */
-void thud_gap_levels(const struct thud_model *model, const struct thud_baseline *baseline,
+void thud_gap_levels(const struct thud_model *model, const struct thud_baseline_motion *baseline,
                      struct thud_gap_level *level);
 
 /* One ground motion. */

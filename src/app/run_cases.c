@@ -65,7 +65,7 @@ static enum thud_status find_needs(struct thud_run_cases *cases, const struct th
                                    const struct thud_run_options *options, struct thud_error *err)
 {
     struct thud_run_options plain = *options;
-    struct thud_baseline *baseline = NULL;
+    struct thud_baseline_motion *baseline = NULL;
     const struct thud_model *model = cases->item[0].answer.model;
     plain.keep_history = plain.keep_impacts = false;
     bool done = false;

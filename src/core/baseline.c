@@ -16,7 +16,7 @@ struct moment {
     struct thud_floor_result *floor; /* (ndof) peaks so far */
 };
 
-struct thud_baseline {
+struct thud_baseline_motion {
     int ndof, nmodes, ncontacts;
     struct thud_run *run; /* at its end; for its result */
     struct thud_model model;
@@ -45,7 +45,7 @@ static void drop(struct moment *moment)
 }
 
 /* Every second one goes when there is no more room. */
-static void thin(struct thud_baseline *baseline)
+static void thin(struct thud_baseline_motion *baseline)
 {
     int left = 0;
     for (int i = 0; i < baseline->nkept; i++) {
@@ -64,7 +64,7 @@ static void copy_floors(const struct thud_result *result, struct thud_floor_resu
         memcpy(to, result->structure[s].floor, (size_t)result->structure[s].floors * sizeof *to);
 }
 
-static enum thud_status keep(struct thud_baseline *baseline, struct thud_error *err)
+static enum thud_status keep(struct thud_baseline_motion *baseline, struct thud_error *err)
 {
     const struct thud_run *run = baseline->run;
     if (run->state.offset_s != 0 || run->state.grid < baseline->next)
@@ -89,7 +89,8 @@ static enum thud_status keep(struct thud_baseline *baseline, struct thud_error *
     return THUD_OK;
 }
 
-enum thud_status thud_baseline_advance(struct thud_baseline *baseline, long budget, bool *done, struct thud_error *err)
+enum thud_status thud_baseline_advance(struct thud_baseline_motion *baseline, long budget, bool *done,
+                                       struct thud_error *err)
 {
     enum thud_status status = THUD_OK;
     for (*done = false; budget > 0 && !*done && status == THUD_OK; budget--) {
@@ -103,7 +104,7 @@ enum thud_status thud_baseline_advance(struct thud_baseline *baseline, long budg
 }
 
 /* A copy of the model whose contacts are silent. */
-static bool copy_model(struct thud_baseline *baseline, const struct thud_model *model)
+static bool copy_model(struct thud_baseline_motion *baseline, const struct thud_model *model)
 {
     baseline->model = *model;
     baseline->model.contact = calloc((size_t)model->ncontacts + 1, sizeof *model->contact);
@@ -119,11 +120,11 @@ static bool copy_model(struct thud_baseline *baseline, const struct thud_model *
 }
 
 enum thud_status thud_baseline_create(const struct thud_model *model, const struct thud_record *record,
-                                      const struct thud_run_options *options, struct thud_baseline **out,
+                                      const struct thud_run_options *options, struct thud_baseline_motion **out,
                                       struct thud_error *err)
 {
     *out = NULL;
-    struct thud_baseline *baseline = calloc(1, sizeof *baseline);
+    struct thud_baseline_motion *baseline = calloc(1, sizeof *baseline);
     enum thud_status status = THUD_MEMORY;
     if (baseline && copy_model(baseline, model)) {
         struct thud_run_options quiet = *options;
@@ -152,7 +153,7 @@ enum thud_status thud_baseline_create(const struct thud_model *model, const stru
     return THUD_OK;
 }
 
-void thud_baseline_free(struct thud_baseline *baseline)
+void thud_baseline_free(struct thud_baseline_motion *baseline)
 {
     if (!baseline)
         return;
@@ -165,23 +166,23 @@ void thud_baseline_free(struct thud_baseline *baseline)
     free(baseline);
 }
 
-const struct thud_result *thud_baseline_result(const struct thud_baseline *baseline)
+const struct thud_result *thud_baseline_result(const struct thud_baseline_motion *baseline)
 {
     return &baseline->run->result;
 }
 
-bool thud_baseline_shares(const struct thud_baseline *baseline)
+bool thud_baseline_shares(const struct thud_baseline_motion *baseline)
 {
     return baseline->shares;
 }
 
-double thud_baseline_relative_displacement(const struct thud_baseline *baseline, int c)
+double thud_baseline_relative_displacement(const struct thud_baseline_motion *baseline, int c)
 {
     return baseline->closing[c];
 }
 
 /* Whether no contact has closed up to the moment. */
-static bool before_contact(const struct thud_baseline *baseline, const struct moment *moment,
+static bool before_contact(const struct thud_baseline_motion *baseline, const struct moment *moment,
                            const struct thud_model *model)
 {
     const double *closing = moment->state + 2 * baseline->nmodes;
@@ -204,7 +205,7 @@ static void start_at(struct thud_run *run, const struct moment *moment)
     thud_ledger_start(run);
 }
 
-enum thud_status thud_baseline_run(const struct thud_baseline *baseline, const struct thud_model *model,
+enum thud_status thud_baseline_run(const struct thud_baseline_motion *baseline, const struct thud_model *model,
                                    const struct thud_record *record, const struct thud_run_options *options,
                                    struct thud_run **out, double *shared_s, struct thud_error *err)
 {

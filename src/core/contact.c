@@ -8,6 +8,10 @@
 #include "core/lcp.h"
 #include "core/tolerance.h"
 
+/* Impulses of all stereomechanical contacts that touch now. Errors: as thud_contact_switch. */
+static enum thud_status thud_contact_impulse(struct thud_state *state, struct thud_contact_log *log, int contact,
+                                             struct thud_error *err);
+
 /* The states of a contact, the events that end them, and what follows. Only the run changes them. */
 
 static const struct thud_law *law_of(const struct thud_state *state, int c)
@@ -21,7 +25,8 @@ static void renew_branch(struct thud_state *state, int c)
     s->branch = law_of(state, c)->branch(&state->model->contact[c].setup, &s->memory, s->phase, s->past_ultimate);
 }
 
-void thud_contact_set_mode(struct thud_state *state, int c, enum thud_contact_mode mode)
+/* Changes the mode and keeps the count of acting contacts. */
+static void thud_contact_set_mode(struct thud_state *state, int c, enum thud_contact_mode mode)
 {
     struct thud_contact_state *s = &state->contact[c];
     state->nactive -= thud_contact_acts(s);
@@ -76,7 +81,9 @@ static double closing_rate(const struct thud_state *state, int c)
     return rate > THUD_TOL_RATE * (fabs(left) + fabs(right)) ? rate : 0;
 }
 
-bool thud_impact_counts(const struct thud_state *state, int c, double impulse_ns)
+/* The rule for all methods and laws: an impact counts when its impulse is above THUD_TOL_IMPACT of what would stop the
+ * effective mass from the velocity scale of the run. */
+static bool thud_impact_counts(const struct thud_state *state, int c, double impulse_ns)
 {
     return impulse_ns > THUD_TOL_IMPACT * state->model->contact[c].setup.mass_kg * state->speed_mps;
 }
@@ -95,7 +102,8 @@ void thud_impact_count(struct thud_state *state, struct thud_contact_log *log, i
     r->restitution = NAN;
 }
 
-double thud_impact_restitution(const struct thud_state *state, const struct thud_impact *impact)
+/* Separation speed over closing speed; NaN where the closing speed is no more than rounding, or the bodies did not part. */
+static double thud_impact_restitution(const struct thud_state *state, const struct thud_impact *impact)
 {
     double least = THUD_TOL_CLOSING * state->speed_mps;
     if (!(impact->approach_mps > least) || impact->separation_mps < -least)
@@ -219,7 +227,9 @@ static void reversal(struct thud_state *state, int c)
     go_on(state, c, next, !gone);
 }
 
-void thud_contact_impulse_received(struct thud_state *state, int c, double change)
+/* Other contacts' impulses have changed the rate of contact c by so much, to what it is now: it goes on in the phase of
+ * that rate, with no guard suppressed. */
+static void thud_contact_impulse_received(struct thud_state *state, int c, double change)
 {
     struct thud_contact_state *s = &state->contact[c];
     double v = thud_contact_rate(state, c);
@@ -409,8 +419,8 @@ static void send_impulses(struct thud_state *state, const struct collision *x)
     }
 }
 
-enum thud_status thud_contact_impulse(struct thud_state *state, struct thud_contact_log *log, int contact,
-                                      struct thud_error *err)
+static enum thud_status thud_contact_impulse(struct thud_state *state, struct thud_contact_log *log, int contact,
+                                             struct thud_error *err)
 {
     int *set = state->set_now, n = gather(state, contact, set);
     double *block = state->collide;

@@ -19,21 +19,8 @@ enum thud_status thud_contact_switch(struct thud_state *state, struct thud_conta
 enum thud_status thud_contact_update(struct thud_state *state, struct thud_contact_log *log, bool *switched,
                                      struct thud_error *err);
 
-/* Impulses of all stereomechanical contacts that touch now. Errors: as thud_contact_switch. */
-enum thud_status thud_contact_impulse(struct thud_state *state, struct thud_contact_log *log, int contact,
-                                      struct thud_error *err);
-/* The rule for all methods and laws: an impact counts when its impulse is above THUD_TOL_IMPACT of what would stop the
- * effective mass from the velocity scale of the run. */
-bool thud_impact_counts(const struct thud_state *state, int c, double impulse_ns);
 /* Counts the impact of contact c that goes on, once, as soon as its impulse is large enough; those of impulsive laws are
  * counted as they happen. */
 void thud_impact_count(struct thud_state *state, struct thud_contact_log *log, int c);
-/* Separation speed over closing speed; NaN where the closing speed is no more than rounding, or the bodies did not part. */
-double thud_impact_restitution(const struct thud_state *state, const struct thud_impact *impact);
-/* Changes the mode and keeps the count of acting contacts. */
-void thud_contact_set_mode(struct thud_state *state, int c, enum thud_contact_mode mode);
-/* Other contacts' impulses have changed the rate of contact c by so much, to what it is now: it goes on in the phase of
- * that rate, with no guard suppressed. */
-void thud_contact_impulse_received(struct thud_state *state, int c, double change);
 
 #endif

@@ -12,6 +12,9 @@
 #include "core/relative_displacement.h"
 #include "core/tolerance.h"
 
+/* free_vibration.c: motion of one piece of the run's interval as a series, from f->now. */
+static void thud_free_vibration_series(struct thud_run *run, struct thud_free_vibration *f, int piece);
+
 /* Free flight: the tables of one interval of the ground motion. */
 
 /* Unit motions over one interval: initial q, initial q', ground acceleration falling from 1 to 0, and rising from 0
@@ -360,7 +363,8 @@ static void find_deferred(struct thud_run *run, struct thud_free_vibration *f, c
     }
 }
 
-void thud_free_vibration_peaks(struct thud_run *run, struct thud_free_vibration *f, int intervals)
+/* Peaks of the structures that are looked at in a marched block. */
+static void thud_free_vibration_peaks(struct thud_run *run, struct thud_free_vibration *f, int intervals)
 {
     const struct thud_model *m = run->state.model;
     for (int s = 0; s < m->nstructures; s++) {
@@ -538,7 +542,7 @@ static void margins(struct thud_free_vibration *f, const struct thud_run *run, d
         structure_margins(f, run, s, ground, slope);
 }
 
-void thud_free_vibration_series(struct thud_run *run, struct thud_free_vibration *f, int piece)
+static void thud_free_vibration_series(struct thud_run *run, struct thud_free_vibration *f, int piece)
 {
     double h = run->state.grid_dt_s / f->pieces;
     run->state.offset_s = piece * h;

@@ -52,9 +52,4 @@ struct thud_free_vibration {
 double thud_free_vibration_gap(struct thud_free_vibration *f, const struct thud_model *model, int c, int ends,
                                double *margin);
 
-/* free_vibration.c: motion of one piece of the run's interval as a series, from f->now. */
-void thud_free_vibration_series(struct thud_run *run, struct thud_free_vibration *f, int piece);
-/* Peaks of the structures that are looked at in a marched block. */
-void thud_free_vibration_peaks(struct thud_run *run, struct thud_free_vibration *f, int intervals);
-
 #endif

@@ -21,7 +21,8 @@ static double damping_factor(const struct thud_model *m, const struct thud_model
     return sqrt(1 + ratio * ratio) + (sum > 0 ? sqrt(sum) / m->omega[p->first_mode + j] : 0);
 }
 
-void thud_response_bound_start(struct thud_peaks *peaks, const struct thud_state *state)
+/* Fills peaks->per_speed. */
+static void thud_response_bound_start(struct thud_peaks *peaks, const struct thud_state *state)
 {
     const struct thud_model *m = state->model;
     for (int s = 0; s < m->nstructures; s++) {
@@ -42,8 +43,9 @@ void thud_response_bound_start(struct thud_peaks *peaks, const struct thud_state
     }
 }
 
-bool thud_response_bound_floor(struct thud_peaks *peaks, const struct thud_model *model, int structure, int floor,
-                               const struct thud_response_bound *reach)
+/* Whether a floor, and whether any floor of the structure, may then pass a peak. */
+static bool thud_response_bound_floor(struct thud_peaks *peaks, const struct thud_model *model, int structure,
+                                      int floor, const struct thud_response_bound *reach)
 {
     const struct thud_model *m = model;
     const struct thud_floor_result *r = &peaks->result->structure[structure].floor[floor];
@@ -88,8 +90,9 @@ static double largest_force(struct thud_peaks *peaks, const struct thud_state *s
     return total;
 }
 
-struct thud_response_bound thud_response_bound_segment(struct thud_peaks *peaks, const struct thud_state *state,
-                                                       const struct thud_segment *seg, int structure, double s)
+/* In the segment up to s; without bound for methods whose steps do not keep to the equations of motion. */
+static struct thud_response_bound thud_response_bound_segment(struct thud_peaks *peaks, const struct thud_state *state,
+                                                              const struct thud_segment *seg, int structure, double s)
 {
     const struct thud_model *m = state->model;
     const struct thud_model_structure *p = &m->structure[structure];

@@ -36,18 +36,10 @@ void thud_peaks_prepare(struct thud_peaks *peaks, const struct thud_state *state
 void thud_peaks_floor(struct thud_peaks *peaks, const struct thud_state *state, const struct thud_segment *seg,
                       int structure, int floor, int quantity, double s);
 
-/* Fills peaks->per_speed. */
-void thud_response_bound_start(struct thud_peaks *peaks, const struct thud_state *state);
 /* What a structure can come to: S, and contact force on it (by mass^(1/2)). */
 struct thud_response_bound {
     double speed, force;
 };
-/* In the segment up to s; without bound for methods whose steps do not keep to the equations of motion. */
-struct thud_response_bound thud_response_bound_segment(struct thud_peaks *peaks, const struct thud_state *state,
-                                                       const struct thud_segment *seg, int structure, double s);
-/* Whether a floor, and whether any floor of the structure, may then pass a peak. */
-bool thud_response_bound_floor(struct thud_peaks *peaks, const struct thud_model *model, int structure, int floor,
-                               const struct thud_response_bound *reach);
 bool thud_response_bound_structure(struct thud_peaks *peaks, const struct thud_model *model, int structure,
                                    const struct thud_response_bound *reach);
 

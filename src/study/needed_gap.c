@@ -61,7 +61,7 @@ static double first_period(const struct thud_result *result, int s)
     return result->structure[s].floors > 0 ? result->structure[s].period_s[0] : INFINITY;
 }
 
-void thud_gap_levels(const struct thud_model *model, const struct thud_baseline *baseline, struct thud_gap_level *level)
+void thud_gap_levels(const struct thud_model *model, const struct thud_baseline_motion *baseline, struct thud_gap_level *level)
 {
     const struct thud_result *result = thud_baseline_result(baseline);
     for (int c = 0; c < model->ncontacts; c++) {
@@ -91,7 +91,7 @@ enum thud_status thud_needed_gap_run(const struct thud_scene *scene, const struc
                                      struct thud_needed_gap **out, struct thud_error *err)
 {
     struct thud_model *model = NULL;
-    struct thud_baseline *baseline = NULL;
+    struct thud_baseline_motion *baseline = NULL;
     struct thud_run_options options;
     struct thud_scene *bare = malloc(sizeof *bare);
     bool done = false;

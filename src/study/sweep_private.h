@@ -11,7 +11,7 @@ struct thud_sweep_baseline {
     struct thud_model *model;         /* case `none`, or as written where there is no bumper */
     const struct thud_record *record; /* NULL: no ground motion */
     struct thud_record *scaled;       /* owned, where the record itself is varied */
-    struct thud_baseline *baseline;
+    struct thud_baseline_motion *baseline;
 };
 
 /* Gaps change no motion without pounding: as it is, then ground motion and stiffness less and more. */

@@ -122,7 +122,7 @@ enum thud_status thud_sweep_task_create(const struct thud_sweep_plan *plan, cons
 static bool never_closes(const struct thud_sweep_task *task, int c)
 {
     const struct thud_model_contact *p = &task->model->contact[c];
-    const struct thud_baseline *baseline = thud_sweep_baseline(task->group, task->variant)->baseline;
+    const struct thud_baseline_motion *baseline = thud_sweep_baseline(task->group, task->variant)->baseline;
     return (p->law->flags & THUD_LAW_NO_FORCE) || thud_baseline_relative_displacement(baseline, c) <= p->clearance_m;
 }
 

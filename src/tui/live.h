@@ -38,7 +38,7 @@ struct thud_live_need {
 
 struct thud_live {
     struct thud_model *apart; /* without pounding, with the pairs of floors; NULL once `need` is known */
-    struct thud_baseline *baseline;
+    struct thud_baseline_motion *baseline;
     struct thud_live_need need[THUD_STRUCTURES_MAX]; /* by interface, from 0 */
     struct thud_live_case which[THUD_LIVE_CASES];
     bool running;

@@ -223,7 +223,7 @@ static void draw_interface(struct thud_interface *at, double mass, double size_m
 static bool look_without_contact(struct scenes_one *one, double *closing)
 {
     struct thud_model *model;
-    struct thud_baseline *baseline;
+    struct thud_baseline_motion *baseline;
     struct thud_run_options options;
     bool ok = thud_scene_assemble(&one->scene, &model, NULL) == THUD_OK;
     if (!ok)

@@ -80,10 +80,10 @@ static void finish(struct thud_run *run)
         ck_assert_int_eq(thud_run_advance(run, 100, &done, NULL), THUD_OK);
 }
 
-static struct thud_baseline *make_baseline(const struct thud_model *model)
+static struct thud_baseline_motion *make_baseline(const struct thud_model *model)
 {
     struct thud_run_options o = options();
-    struct thud_baseline *baseline;
+    struct thud_baseline_motion *baseline;
     ck_assert_int_eq(thud_baseline_create(model, record, &o, &baseline, NULL), THUD_OK);
     struct thud_error error = {0};
     for (bool done = false; !done;)
@@ -109,7 +109,7 @@ static void assert_same(const struct thud_result *a, const struct thud_result *b
 static void compare(double clearance, bool isolated, double least_shared, bool contact)
 {
     struct thud_model *model = make_model(clearance, isolated), *other = make_model(0.5, isolated);
-    struct thud_baseline *baseline = make_baseline(other);
+    struct thud_baseline_motion *baseline = make_baseline(other);
     struct thud_run_options o = options();
     struct thud_run *whole, *begun;
     double shared;
@@ -160,7 +160,7 @@ END_TEST
 static void against_history(bool isolated)
 {
     struct thud_model *model = make_model(10, isolated);
-    struct thud_baseline *baseline = make_baseline(model);
+    struct thud_baseline_motion *baseline = make_baseline(model);
     struct thud_run_options o = options();
     struct thud_run *run;
     o.keep_history = true;
@@ -195,7 +195,7 @@ END_TEST
 START_TEST(the_needed_gap_is_exact)
 {
     struct thud_model *model = make_model(1, false);
-    struct thud_baseline *baseline = make_baseline(model);
+    struct thud_baseline_motion *baseline = make_baseline(model);
     double closing =
         fmax(thud_baseline_relative_displacement(baseline, 0), thud_baseline_relative_displacement(baseline, 1));
     for (int side = -1; side <= 1; side += 2) {
@@ -230,7 +230,7 @@ START_TEST(free_bodies_without_a_ground_motion)
     thud_law_defaults(contact.law, &contact.setup);
     struct thud_model_input input = {2, structure, 1, &contact, 0};
     struct thud_model *model;
-    struct thud_baseline *baseline;
+    struct thud_baseline_motion *baseline;
     struct thud_run_options o = options();
     o.tail_s = tail;
     ck_assert_int_eq(thud_model_create(&input, &model, NULL), THUD_OK);
