@@ -26,16 +26,17 @@ static bool said_by_record(const struct thud_option *option, enum thud_command_i
 /* What every command with a ground motion takes, `thud run` says. */
 static bool of_every_motion(const struct thud_option *option, enum thud_command_id id)
 {
+    bool spectral = strcmp(option->name, "sa") == 0 || strcmp(option->name, "period") == 0;
     return id == THUD_COMMAND_RECORD && option->argument && option->name[1] &&
-           thud_option_belongs(option, THUD_COMMAND_RUN) && thud_option_belongs(option, THUD_COMMAND_BENCH) &&
-           strcmp(option->name, "format") != 0;
+           thud_option_belongs(option, THUD_COMMAND_RUN) &&
+           (spectral || thud_option_belongs(option, THUD_COMMAND_BENCH)) && strcmp(option->name, "format") != 0;
 }
 
 /* The names of the options that another command's help explains. */
 static void name_others(struct thud_text *out, enum thud_command_id id, const char *lead,
                         bool (*said)(const struct thud_option *option, enum thud_command_id id))
 {
-    thud_text_append(out, "\n%s:", lead);
+    thud_text_append(out, "%s:", lead);
     for (int i = 0; i < thud_option_count(); i++)
         if (thud_option_belongs(thud_option_at(i), id) && said(thud_option_at(i), id))
             thud_text_append(out, " --%s", thud_option_at(i)->name);
@@ -81,11 +82,11 @@ void thud_help_command(struct thud_text *out, enum thud_command_id id)
         thud_text_append(out, "  %-25s %s%s\n", usage, option->help, option->repeatable ? " (repeatable)" : "");
     }
     if (id == THUD_COMMAND_RUN)
-        name_others(out, id, "of `record`", said_by_record);
+        name_others(out, id, "\nof `record`", said_by_record);
     if (id == THUD_COMMAND_RUN)
         name_others(out, id, "of `figures`", said_by_figures);
     if (id == THUD_COMMAND_RECORD)
-        name_others(out, id, "of `run`", of_every_motion);
+        name_others(out, id, "\nof `run`", of_every_motion);
     if (is_study(id))
         thud_text_append(out, "and what `thud run --help` says of the scene, its ground motion and its method\n");
 }

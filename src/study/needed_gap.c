@@ -61,7 +61,8 @@ static double first_period(const struct thud_result *result, int s)
     return result->structure[s].floors > 0 ? result->structure[s].period_s[0] : INFINITY;
 }
 
-void thud_gap_levels(const struct thud_model *model, const struct thud_baseline_motion *baseline, struct thud_gap_level *level)
+void thud_gap_levels(const struct thud_model *model, const struct thud_baseline_motion *baseline,
+                     struct thud_gap_level *level)
 {
     const struct thud_result *result = thud_baseline_result(baseline);
     for (int c = 0; c < model->ncontacts; c++) {

@@ -91,6 +91,8 @@ static void ask(struct thud_tui *tui, enum thud_asking asking, const char *fmt, 
     tui->asking = asking;
 }
 
+static void recover(struct thud_tui *tui, const char *path);
+
 void thud_tui_answered(struct thud_tui *tui, int key)
 {
     bool yes = key == 'y' || key == 'Y', no = key == 'n' || key == 'N' || key == THUD_KEY_ESC;

@@ -10,7 +10,7 @@ export THUD_GNUPLOT
 page() { awk -v s="$1" '/^\.S[sh] / { on = $0 == ".Ss " s } on && /^\.It Va / { print $3 }' man/thud-output.5 | sort -u; }
 columns() { grep -v '^#' "$1" | head -1 | tr , '\n' | tr -d '"' | sed -E 's/^(A|B)\.[0-9]+\./NAME.FLOOR./; s/^contact\.[0-9]+\.[0-9]+-[0-9]+\./contact.I.L-R./; s/^bumper\.thickness(_m)?$/KEY/' | sort -u; }
 keys() { # FILE...: but those of a scene, which is a preset
-    sed '/^  "scene": /,$d' "$@" | grep -o '"[^"]*": ' | tr -d '": ' | sort -u
+    for file in "$@"; do sed '/^  "scene": /,$d' "$file"; done | grep -o '"[^"]*": ' | tr -d '": ' | sort -u
 }
 agree() { # SECTION: with $tmp/written
     page "$1" >"$tmp/page"
@@ -41,7 +41,8 @@ csv bench.csv "$tmp/bench/bench.csv"
 for name in verdicts.csv energies.csv restitutions.csv exhibits.csv; do csv $name "$tmp/stability/$name"; done
 csv "record spectrum" "$tmp/spectrum.csv"
 csv "record convert" "$tmp/record.csv"
-json result.json "$tmp/run/result.json"
+"$THUD" run towers --method central-difference --step 0.05s --set structures.1.stiffness=6000MN/m --json >"$tmp/diverged.json" 2>/dev/null
+json result.json "$tmp/run/result.json" "$tmp/diverged.json"
 is "a structure has its name in the sensitivity too" grep -q '{"structure": "B", "floor": 6, "acceleration": {"gap"' "$tmp/run/result.json"
 sed '/^  {"record"/d' "$tmp/sweep.json" >"$tmp/head.json"
 json "sweep --json" "$tmp/head.json"

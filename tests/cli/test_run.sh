@@ -183,7 +183,7 @@ is "is none" says '^thud: --record: '
 is "and none of a folder" gives 2 run towers -o ""
 is "either" says '^thud: -o: '
 is "an option of another command" gives 2 run towers --vary gap=5cm
-is "is said to be" says 'thud run has no option --vary (it is one of thud sweep;'
+is "is said to be" says 'thud run has no option --vary (it is one of thud sweep, fragility;'
 
 # files
 is "-o" gives 0 run rigid-bumper -o "$tmp/a/b"

@@ -189,9 +189,9 @@ START_TEST(a_study_has_figures_and_panels)
     fixture_keys(&f, "<Enter><C-u>gap=1 cm:2 cm:1 cm<Enter>");
     fixture_keys(&f, "r");
     const struct thud_sweep_state *s = f.tui->sweep;
-    fixture_expect(&f, "1/3 ");
+    fixture_expect(&f, "1/4 ");
     fixture_keys(&f, "c");
-    fixture_expect(&f, "2/3 ");
+    fixture_expect(&f, "2/4 ");
     ck_assert_int_eq(s->panel, -1);
     int panels = s->shown->rows * s->shown->columns;
     for (int i = 0; i < panels; i++) {
@@ -202,8 +202,8 @@ START_TEST(a_study_has_figures_and_panels)
     ck_assert_int_eq(s->panel, -1); /* all of them again */
     fixture_keys(&f, "[");
     ck_assert_int_eq(s->panel, panels - 1);
-    fixture_keys(&f, "cc");
-    fixture_expect(&f, "1/3 ");
+    fixture_keys(&f, "ccc");
+    fixture_expect(&f, "1/4 ");
     f.tui->options.gnuplot = "/nowhere/gnuplot";
     fixture_keys(&f, "P");
     fixture_expect(&f, "was not found");
