@@ -124,7 +124,8 @@ test: ## install what the tests need, build, run every test
 	@$(MAKE) --no-print-directory $(PARALLEL) all
 	@$(MAKE) --no-print-directory $(PARALLEL) VARIANT=$(notdir $(UNITS)) units
 	@THUD="$$PWD/$(THUD)" MAKEFLAGS= tests/tools/run.sh $(B) $(UNITS)
-units: $(UNIT) $(FAULT)
+# the programs that measure and the long-lived ones are built too, so that a change of the core cannot leave them behind
+units: $(UNIT) $(FAULT) $(B)/bench-time $(B)/peer-minimal $(B)/soak $(B)/cross
 	@:
 debug: ## build/debug/thud: no optimisation, asserts on
 	@$(MAKE) --no-print-directory VARIANT=debug all

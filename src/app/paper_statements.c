@@ -182,9 +182,8 @@ void thud_paper_statements(const struct thud_paper_study *study, struct thud_tex
     char text[2][400], what[256];
     bool yes[2], partly[2];
     const char *first = table->record[0];
-    thud_text_append(out,
-                     "\n## What the paper says, and what was found\n\nRatios within 0.1 %% of 1 are no change.\n\n"
-                     "| the paper | motions as given | motions turned round | borne out |\n|---|---|---|---|\n");
+    thud_text_append(out, "\n## What the paper says, and what was found\n\nRatios within 0.1 %% of 1 are no change.\n\n"
+                          "| the paper | motions as given | motions turned round | borne out |\n|---|---|---|---|\n");
     of_pairs(study->pair, out);
 #define BOTH(fmt, ...)                                                                                                 \
     for (int i = 0; i < 2; i++) {                                                                                      \

@@ -7,8 +7,7 @@
 
 static void table(struct thud_text *out)
 {
-    thud_text_append(out,
-                     "auto: the exact method; a run says what it came to\n");
+    thud_text_append(out, "auto: the exact method; a run says what it came to\n");
     for (int i = 0; i < thud_method_count(); i++) {
         const struct thud_method *m = thud_method_at(i);
         thud_text_append(out, "\n%s: %s\n  %s\n  %s\n  ", m->name, m->title, m->summary, m->reference);

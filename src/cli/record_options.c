@@ -112,10 +112,14 @@ enum thud_status thud_record_options_read(const struct thud_args *args, struct t
         const char *option;
         enum thud_dimension dimension;
         double *to;
-    } quantities[] = {{"dt", THUD_TIME, &choice->dt_s},         {"peak", THUD_ACCELERATION, &choice->peak_mps2},
-                      {"sa", THUD_ACCELERATION, &choice->sa_mps2}, {"period", THUD_TIME, &choice->period_s},
-                      {"factor", THUD_NUMBER, &choice->factor}, {"from", THUD_TIME, &treatment->from_s},
-                      {"to", THUD_TIME, &treatment->to_s},      {"resample", THUD_TIME, &treatment->resample_s},
+    } quantities[] = {{"dt", THUD_TIME, &choice->dt_s},
+                      {"peak", THUD_ACCELERATION, &choice->peak_mps2},
+                      {"sa", THUD_ACCELERATION, &choice->sa_mps2},
+                      {"period", THUD_TIME, &choice->period_s},
+                      {"factor", THUD_NUMBER, &choice->factor},
+                      {"from", THUD_TIME, &treatment->from_s},
+                      {"to", THUD_TIME, &treatment->to_s},
+                      {"resample", THUD_TIME, &treatment->resample_s},
                       {"taper", THUD_TIME, &treatment->taper_s}};
     enum thud_status status = THUD_OK;
     for (size_t i = 0; i < sizeof quantities / sizeof *quantities && !status; i++)

@@ -78,9 +78,7 @@ struct thud_figure *thud_figure_of_gaps(const struct thud_gap_suite *suite, cons
     char text[384], note[256];
     snprintf(text, sizeof text, "The gap that is enough: %.300s", title);
     struct thud_figure *figure = thud_figure_create("needed-gap", text, 1, 2);
-    struct thud_panel *height = thud_figure_panel(figure, 0, 0,
-                                                  suite->nrecords > 1 ? "By level: medians"
-                                                                      : "By level"),
+    struct thud_panel *height = thud_figure_panel(figure, 0, 0, suite->nrecords > 1 ? "By level: medians" : "By level"),
                       *share = thud_figure_panel(figure, 0, 1, "Ground motions that a gap keeps apart");
     thud_panel_axis(height, THUD_X, "Floors, left-right", "");
     thud_panel_axis(height, THUD_Y, "Gap", "cm");

@@ -143,7 +143,7 @@ void thud_input_change(struct thud_scene *scene, enum thud_input input, double s
 }
 
 static int active_inputs(const struct thud_inputs *inputs, const struct thud_scene *scene,
-                       enum thud_input input[THUD_INPUTS])
+                         enum thud_input input[THUD_INPUTS])
 {
     int n = 0;
     bool bumper = false, interfaces = scene->nstructures > 1;

@@ -27,7 +27,7 @@ for try in 1 2 3 4 5 6; do
         ;;
     esac
     grep -q "another sweep is writing into this folder" "$tmp/err$loser" || unsaid=$((unsaid + 1))
-    grep -q "gap=$winner cm" "$tmp/together$try/study.json" && [ "$(sed -n 2p "$tmp/together$try/sweep.csv" | cut -d, -f3)" = 0.0$winner ] || mixed=$((mixed + 1))
+    grep -q "gap=$winner cm" "$tmp/together$try/study.json" && [ "$(sed -n 2p "$tmp/together$try/sweep.csv" | cut -d, -f3)" = "0.0$winner" ] || mixed=$((mixed + 1))
 done
 : >"$tmp/out"
 cp "$tmp/err7" "$tmp/err"

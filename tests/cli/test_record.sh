@@ -145,11 +145,13 @@ is "and in JSON" gives 0 record info "$tmp/drift.csv" --json
 is "too" shows '"pgd_is_drift": true'
 is "filtered it" gives 0 record info "$tmp/drift.csv" --high-pass 0.5Hz --json
 is "is none" shows '"pgd_is_drift": false'
+# shellcheck disable=SC2016 # expanded by the inner shell
 is "Arias says how it integrates" sh -c '"$THUD" record info kobe-surrogate.csv | grep -q "^  Arias intensity .*exact for straight lines between the samples"'
 gzip -c records/kobe-surrogate.csv >"$tmp/kobe.csv.gz"
 gives 0 record convert kobe-surrogate.csv
 sed 1d "$tmp/out" >"$tmp/plain"
 is "a compressed record is read" gives 0 record convert "$tmp/kobe.csv.gz"
+# shellcheck disable=SC2016 # expanded by the inner shell
 is "as the plain one" sh -c 'sed 1d "$1/out" | cmp -s - "$1/plain"' - "$tmp"
 head -c 9000 "$tmp/kobe.csv.gz" >"$tmp/cut.gz"
 is "cut off" gives 3 record info "$tmp/cut.gz"

@@ -30,6 +30,7 @@ clean "sweep of such a record" 0 sweep towers --vary gap=5cm,6cm --cases none --
 cp records/kobe-surrogate.csv "$tmp/=1+2.csv"
 (cd "$tmp" && "$THUD" sweep towers --vary gap=5cm --cases none --record "=1+2.csv" --to 2s --set "structures.1.name=@A" --set "structures.2.name=-B+1" --csv --quiet) >"$tmp/out" 2>"$tmp/err"
 is "a sweep with names that are formulas" shows "^'=1+2.csv,none,.*,'@A,"
+# shellcheck disable=SC2016 # expanded by the inner shell
 is "has no cell that is one" sh -c '! cut -d, -f1,4 "$1" | grep -q -e "^[=+@-]" -e ",[=+@-]"' - "$tmp/out"
 (cd "$tmp" && "$THUD" sweep towers --vary gap=5cm --cases none --record "=1+2.csv" --to 2s --set "structures.1.name=@A" --json --quiet) >"$tmp/out" 2>"$tmp/err"
 is "in JSON they are as they are" shows '"record": "=1+2.csv", .*"structure": "@A"'

@@ -53,6 +53,7 @@ is "--sa at --period: the spectrum has it there" spectral
 needs --sa 0.5g --period 0.5s
 awk '{ print $NF }' "$tmp/out" >"$tmp/once"
 needs --sa 1g --period 0.5s
+# shellcheck disable=SC2016 # of awk
 is "is linear" awk -v half="$(cat "$tmp/once")" '{ exit !($NF / half - 2 < 1e-5 && 2 - $NF / half < 1e-5) }' "$tmp/out"
 is "the period is the mean of the buildings' without --period" sh -c "\"\$THUD\" gap towers --csv --sa 0.5g | tail -1 >\"$tmp/mean\";
     \"\$THUD\" gap towers --csv --sa 0.5g --period 0.4898749s | tail -1 | cut -c1-40 >\"$tmp/given\"; cut -c1-30 \"$tmp/mean\" >\"$tmp/m\"; cut -c1-30 \"$tmp/given\" | cmp - \"$tmp/m\""

@@ -278,6 +278,7 @@ check "and in the message at the end" grep -q "^thud: 1 of 2 runs have no answer
 status 4 "$THUD" sweep towers --method newmark --step 5e-3s --vary gap=5cm,60cm --cases none --set "contact.stiffness=200000 kN/mm" --csv
 check "a run whose energy is unaccounted for has no row either" test "$(cut -d, -f3 "$tmp/out" | sort -u | tr '\n' ' ')" = "0.6 gap_m "
 status 0 "$THUD" sweep isolated-moat --set structures.2.mass=320t --set structures.2.base-mass=10t --set structures.2.damping=50% --set structures.2.isolation-damping=50% --vary interfaces.1.gap=25cm --csv
+# shellcheck disable=SC2016 # of awk
 check "a light slab on strong dashpots has an answer of this world" awk -F, '$5 == 1 && !($6 < 300) { exit 1 }' "$tmp/out"
 status 0 "$THUD" sweep rigid-concrete --vary contact.restitution=0.1:0.9:1.59e-5 --case none -j 1
 check "too many rows make no table, and say so" grep -q "more than 200000 rows: no figures, no table" "$tmp/out"
@@ -331,6 +332,7 @@ status 0 "$THUD" sweep towers --vary gap=10cm --vary bumper.thickness=4cm,5cm $e
 check "with eq. (6) there is nothing to remark on" grep -qv "bumper.thickness" "$tmp/err"
 grep 'A,4,' "$tmp/out" | tail -1 | cut -d, -f1-7 >"$tmp/eq6"
 "$THUD" sweep towers --vary gap=10cm --cases bumper --csv --quiet | grep 'A,4,' | cut -d, -f6 >"$tmp/given"
+# shellcheck disable=SC2016 # of awk
 check "and the stiffness is that of Table 1 at 5 cm" awk -F, -v k="$(cat "$tmp/given")" '{ exit !($6 / k - 1 < 1e-5 && $6 / k - 1 > -1e-5) }' "$tmp/eq6"
 
 # over several records the value whose worst record is best

@@ -108,6 +108,7 @@ if ! sinfo -h -o %T 2>/dev/null | grep -q idle; then
     exit 0
 fi
 array() { # waits until the array is over
+    # shellcheck disable=SC2016 # expanded where the part runs
     sbatch --wait --array="1-$parts" -o "$tmp/slurm/%a.out" --wrap './study.sh --shard $SLURM_ARRAY_TASK_ID/'"$parts"' -o s$SLURM_ARRAY_TASK_ID'
 }
 is "a part is killed half-way (Slurm)" kill_part "s$parts"

@@ -131,7 +131,7 @@ START_TEST(a_width_on_paper)
     ck_assert_ptr_nonnull(strstr(script.data, "LW = 2.083 "));
     ck_assert_ptr_nonnull(strstr(script.data, " dt (14,5) ")); /* the second curve without its colour */
     for (int i = 0; i < 2; i++) {
-        char head[8];
+        char head[24];
         snprintf(head, sizeof head, "L%d = ", i + 1);
         const char *at = strstr(script.data, head);
         int n = 0, one = 0;

@@ -9,7 +9,8 @@ struct fixture {
     struct thud_backend backend;
     struct thud_script script;
     struct thud_paths paths;
-    char folder[64]; /* a temporary one, with `towers.yaml`, `bodies.yaml` and `pulse.csv` in it, and the presets also in `shipped` */
+    char folder
+        [64]; /* a temporary one, with `towers.yaml`, `bodies.yaml` and `pulse.csv` in it, and the presets also in `shipped` */
 };
 
 extern const char *const fixture_towers; /* the text of towers.yaml */

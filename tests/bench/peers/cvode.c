@@ -47,8 +47,8 @@ static double force(const struct problem *p, int c, const double *y, double *d, 
     *d = -k->clearance_m;
     *v = 0;
     for (int j = 0; j < m->nmodes; j++) {
-        *d += m->g[c * m->nmodes + j] * y[j];
-        *v += m->g[c * m->nmodes + j] * y[m->nmodes + j];
+        *d += m->jacobian[c * m->nmodes + j] * y[j];
+        *v += m->jacobian[c * m->nmodes + j] * y[m->nmodes + j];
     }
     struct thud_branch b = k->law->branch(&k->setup, &s->memory, s->phase, s->past);
     return thud_branch_force(&b, *d, *v, NULL, NULL);
@@ -68,7 +68,7 @@ static int slope(double t, N_Vector state, N_Vector out, void *data)
     for (int c = 0; c < m->ncontacts; c++) {
         double f = p->contact[c].closed ? fmax(0, force(p, c, y, &d, &v)) : 0;
         for (int j = 0; f > 0 && j < n; j++)
-            dy[n + j] -= m->g[c * n + j] * f;
+            dy[n + j] -= m->jacobian[c * n + j] * f;
     }
     return 0;
 }

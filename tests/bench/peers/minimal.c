@@ -103,7 +103,7 @@ static bool read_scene(const struct bench_scene *from, struct scene *s)
     for (int c = 0; c < s->nc; c++) {
         if (!read_contact(&m->contact[c], &s->contact[c]))
             return false;
-        memcpy(s->g[c], m->g + c * s->n, (size_t)s->n * sizeof(double));
+        memcpy(s->g[c], m->jacobian + c * s->n, (size_t)s->n * sizeof(double));
     }
     for (int c = 0; c < s->nc; c++)
         for (int k = 0; k < s->nc; k++) {
