@@ -39,9 +39,11 @@ static bool allocate(struct thud_free_vibration *f, const struct thud_model *m)
     double **rest[] = {&f->now, &f->now_rate, &f->speed};
     for (size_t i = 0; i < sizeof rest / sizeof *rest; i++)
         by_mode[count++] = rest[i];
+    for (int s = 0; s < m->nstructures; s++)
+        f->stride = f->stride > m->structure[s].modes ? f->stride : m->structure[s].modes;
     size_t total = count * rows + ends * many + THUD_FLOOR_QUANTITIES * high + singles * THUD_FREE_VIBRATION_ENDS +
-                   THUD_FLOOR_QUANTITIES * (size_t)m->nstructures + 2 * THUD_FLOOR_QUANTITIES * floors * n +
-                   (size_t)m->ncontacts;
+                   THUD_FLOOR_QUANTITIES * (size_t)m->nstructures +
+                   2 * THUD_FLOOR_QUANTITIES * floors * (size_t)f->stride + (size_t)m->ncontacts;
     double *next = f->block = calloc(total, sizeof *next);
     if (!next)
         return false;
@@ -55,7 +57,7 @@ static bool allocate(struct thud_free_vibration *f, const struct thud_model *m)
         *single[i] = next;
     f->margin = next;
     f->kept = f->margin + THUD_FLOOR_QUANTITIES * m->nstructures;
-    f->limit = f->kept + 2 * THUD_FLOOR_QUANTITIES * floors * n;
+    f->limit = f->kept + 2 * THUD_FLOOR_QUANTITIES * floors * (size_t)f->stride;
     f->deferred = calloc(THUD_FLOOR_QUANTITIES * floors, sizeof *f->deferred);
     f->looked = calloc(2 * (size_t)m->nstructures + (size_t)m->ncontacts + 1, sizeof *f->looked);
     f->bounded = f->looked + m->nstructures;
@@ -271,15 +273,19 @@ static double cubic_margin(const struct thud_run *run, const struct thud_free_vi
 /* Reads the peak of a row in the interval that was kept for it. */
 static void read_deferred(struct thud_run *run, struct thud_free_vibration *f, int structure, int floor, int quantity)
 {
-    size_t n = (size_t)f->n;
-    int index = quantity * run->state.model->ndof + run->state.model->structure[structure].first + floor;
+    const struct thud_model_structure *p = &run->state.model->structure[structure];
+    size_t n = (size_t)f->n, modes = (size_t)p->modes;
+    int index = quantity * run->state.model->ndof + p->first + floor;
     struct thud_deferred_peak *deferred = &f->deferred[index];
     const double offset = run->state.offset_s;
     const long grid = run->state.grid;
     deferred->waits = false;
     run->state.grid = deferred->grid;
-    memcpy(f->now, f->kept + (size_t)index * 2 * n, n * sizeof *f->now);
-    memcpy(f->now_rate, f->kept + ((size_t)index * 2 + 1) * n, n * sizeof *f->now_rate);
+    const double *q = f->kept + (size_t)index * 2 * (size_t)f->stride;
+    memset(f->now, 0, n * sizeof *f->now); /* the other structures do not matter to this one's motion */
+    memset(f->now_rate, 0, n * sizeof *f->now_rate);
+    memcpy(f->now + p->first_mode, q, modes * sizeof *f->now);
+    memcpy(f->now_rate + p->first_mode, q + f->stride, modes * sizeof *f->now_rate);
     for (int piece = 0; piece < f->pieces; piece++) {
         thud_free_vibration_series(run, f, piece);
         if (quantity == THUD_FLOOR_ACCELERATION)
@@ -312,10 +318,11 @@ static void defer_peak(struct thud_run *run, struct thud_free_vibration *f, cons
         read_deferred(run, f, row->structure, row->floor, row->quantity);
     if (most <= row->peak->value)
         return;
-    double *q = f->kept + (size_t)index * 2 * (size_t)f->n;
-    for (int j = 0; j < f->n; j++) {
-        q[j] = f->q[j * ENDS + t];
-        q[f->n + j] = f->qd[j * ENDS + t];
+    const struct thud_model_structure *p = &run->state.model->structure[row->structure];
+    double *q = f->kept + (size_t)index * 2 * (size_t)f->stride;
+    for (int j = 0; j < p->modes; j++) {
+        q[j] = f->q[(p->first_mode + j) * ENDS + t];
+        q[f->stride + j] = f->qd[(p->first_mode + j) * ENDS + t];
     }
     *kept = (struct thud_deferred_peak){true, run->state.grid + t, most};
     least *= 1 - THUD_TOL_PEAK_BOUND; /* so that what is read in the end is above it */

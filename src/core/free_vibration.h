@@ -42,8 +42,9 @@ struct thud_free_vibration {
     bool *bounded;  /* (nstructures) whether `bound` holds for the block */
     double *lower, *upper; /* (ENDS) what the largest value of one row in each interval is at least and at most */
     struct thud_deferred_peak *deferred; /* (QUANTITIES x ndof) */
-    double *kept;                        /* (QUANTITIES x ndof x 2 x n) q, q' at the start of its interval */
-    int size;                            /* intervals to try next */
+    int stride;                          /* modes of the structure that has most */
+    double *kept; /* (QUANTITIES x ndof x 2 x stride) q, q' of its structure at the interval's start */
+    int size;     /* intervals to try next */
     double *block;
 };
 
