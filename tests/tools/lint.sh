@@ -31,8 +31,12 @@ by_house() { # layers, purity, what must not stand in the tree, what nothing use
 }
 by_shellcheck() { xargs shellcheck -x; }
 by_format() { xargs clang-format --dry-run -Werror; }
-by_mandoc() { # its exit status passes over what is only style; our own pages are not installed yet
-    said=$(xargs mandoc -T lint | grep -v -e 'referenced manual not found: Xr thud' -e 'outdated mandoc.db')
+by_mandoc() { # its exit status passes over what is only style; our own pages are not installed yet; groff is what man(1) shows pages with
+    pages=$(cat)
+    said=$(printf '%s\n' "$pages" | xargs mandoc -T lint | grep -v -e 'referenced manual not found: Xr thud' -e 'outdated mandoc.db')
+    ! command -v groff >/dev/null || for page in $pages; do
+        said=$said$(groff -mdoc -Tutf8 "$page" 2>&1 >/dev/null)
+    done
     printf '%s\n' "$said"
     [ -z "$said" ]
 }
