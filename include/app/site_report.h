@@ -3,12 +3,18 @@
 #ifndef THUD_APP_SITE_REPORT_H
 #define THUD_APP_SITE_REPORT_H
 
+#include "app/record_list.h"
 #include "app/session.h"
 #include "plot/gnuplot.h"
+#include "study/uncertainty.h"
 
 struct thud_site_report_options {
     const char *folder;
-    const char *command; /* as typed, to repeat it */
+    const char *command;                    /* as typed, to repeat it */
+    const struct thud_record_list *records; /* the suite of ground motions; one of them or none: there is no suite */
+    const struct thud_inputs *inputs;       /* that are uncertain */
+    size_t samples;                         /* of them; 0: none are drawn */
+    unsigned long long seed;
     const struct thud_picture_options *pictures;
     void *context;
     void (*progress)(void *context, const char *what); /* may be NULL */

@@ -32,6 +32,21 @@ size_t thud_uncertainty_first_sample(const struct thud_uncertainty_study *study)
 size_t thud_uncertainty_samples(const struct thud_uncertainty_study *study);
 double thud_uncertainty_value(const struct thud_uncertainty_study *study, size_t row, int quantity);
 
+/* What is told of a quantity; NaN where there are no samples or indices. */
+struct thud_uncertainty_told {
+    double nominal, low, median, high; /* as it is; 5, 50 and 95 % of the samples */
+    double below, count;               /* share of the samples below 1 (of ratios), and how many have an answer */
+    double least[THUD_INPUTS], most[THUD_INPUTS];  /* with each input alone at the ends of its range */
+    double first[THUD_INPUTS], total[THUD_INPUTS]; /* Sobol indices */
+};
+/* `room`: (study->rows). */
+struct thud_uncertainty_told thud_uncertainty_tell(const struct thud_uncertainty_study *study, int quantity,
+                                                   double *room);
+/* The input that moves a quantity most when changed alone. */
+int thud_uncertainty_strongest(const struct thud_uncertainty_study *study, const struct thud_uncertainty_told *told);
+/* "gap +-5 %", "contact-stiffness by a factor of 2": the i-th input in words. */
+void thud_uncertainty_input_text(const struct thud_uncertainty *uncertainty, int i, char *text, size_t size);
+
 /* Errors of all: THUD_MEMORY. */
 enum thud_status thud_uncertainty_table(const struct thud_uncertainty_study *study, struct thud_text *out,
                                         struct thud_error *err);

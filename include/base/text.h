@@ -26,4 +26,7 @@ const char *thud_text_csv_plain(const char *field);
 size_t thud_text_shown(char *text, const char *kept);
 void thud_text_clear(struct thud_text *text);
 
+/* The part of a path after its last slash; all of it where nothing follows one. */
+const char *thud_path_name(const char *path);
+
 #endif

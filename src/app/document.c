@@ -181,7 +181,8 @@ static const char style[] =
     "tabular-nums }\n"
     "thead th { border-bottom: 1px solid #333; vertical-align: bottom }\n"
     "th[scope=row], thead th:first-child { text-align: left; font-weight: normal }\n"
-    "thead th:first-child { font-weight: bold } table { break-inside: avoid }\n"
+    "thead th:first-child { font-weight: bold } table, tr { break-inside: avoid } table.long { break-inside: auto } "
+    "caption, thead, tbody tr:first-child { break-after: avoid }\n"
     "figure { margin: 1em 0; break-inside: avoid } figure img { width: 100%; height: auto; display: block }\n"
     "figcaption { font-size: .9em } pre { font: .8em/1.35 'DejaVu Sans Mono', monospace; background: #f4f4f4; padding: "
     ".6em; white-space: pre-wrap; overflow-wrap: anywhere }\n"
@@ -225,8 +226,21 @@ static void html_cell(struct thud_text *out, struct place *place, const char *te
         html_element(out, "<td>", text, "</td>");
 }
 
-static void html_piece(struct thud_text *out, struct place *place, const struct thud_document_piece *piece)
+/* A table of more rows may go over a page's end: kept together it would leave half a page empty. */
+enum { ROWS_TOGETHER = 16 };
+
+static bool is_long(const struct thud_document *document, size_t table)
 {
+    int rows = 0;
+    for (size_t i = table + 1; i < document->n && (document->piece[i].kind == CELL || document->piece[i].kind == ROW);
+         i++)
+        rows += document->piece[i].kind == ROW;
+    return rows > ROWS_TOGETHER;
+}
+
+static void html_piece(struct thud_text *out, struct place *place, const struct thud_document *document, size_t i)
+{
+    const struct thud_document_piece *piece = &document->piece[i];
     html_leave(out, place, piece->kind);
     switch (piece->kind) {
     case TITLE:
@@ -247,7 +261,8 @@ static void html_piece(struct thud_text *out, struct place *place, const struct 
         html_element(out, "<pre>", text_of(piece), "</pre>\n");
         break;
     case TABLE:
-        html_element(out, "<table>\n<caption>", text_of(piece), "</caption>\n");
+        html_element(out, is_long(document, i) ? "<table class=\"long\">\n<caption>" : "<table>\n<caption>",
+                     text_of(piece), "</caption>\n");
         *place = (struct place){.table = true};
         break;
     case CELL:
@@ -278,7 +293,7 @@ void thud_document_html(const struct thud_document *document, struct thud_text *
     thud_text_bytes(out, style, sizeof style - 1);
     thud_text_append(out, "</style>\n</head>\n<body>\n<main>\n");
     for (size_t i = 0; i < document->n; i++)
-        html_piece(out, &place, &document->piece[i]);
+        html_piece(out, &place, document, i);
     html_leave(out, &place, PARAGRAPH);
     thud_text_append(out, "</main>\n</body>\n</html>\n");
 }

@@ -7,12 +7,6 @@
 #include "base/version.h"
 #include "io/json.h"
 
-static const char *last_part(const char *path)
-{
-    const char *slash = strrchr(path, '/');
-    return slash && slash[1] ? slash + 1 : path;
-}
-
 enum thud_status thud_gap_study_run(const struct thud_scene *scene, const struct thud_record_list *records,
                                     const volatile sig_atomic_t *cancel, struct thud_gap_study *out,
                                     struct thud_error *err)
@@ -30,7 +24,7 @@ enum thud_status thud_gap_study_run(const struct thud_scene *scene, const struct
             status = thud_error_set(err, THUD_CANCELLED, "stopped");
         else
             status = thud_needed_gap_run(scene, record, &out->gap[i], err);
-        out->name[i] = record ? last_part(record->file) : "no ground motion";
+        out->name[i] = record ? thud_path_name(record->file) : "no ground motion";
         out->suite.nrecords += status == THUD_OK;
     }
     out->suite.record = out->name;

@@ -117,7 +117,7 @@ static enum thud_status open_preset(struct thud_paper_work *work, int i, const s
 static void describe(struct thud_paper_work *work, int i, bool given)
 {
     const struct thud_record *record = work->record[i];
-    const char *slash = strrchr(record->file, '/'), *file = slash ? slash + 1 : record->file;
+    const char *file = thud_path_name(record->file);
     snprintf(work->text[i], sizeof work->text[i], "%s", given ? file : shipped[i].name);
     char *dot = given ? strrchr(work->text[i], '.') : NULL;
     if (dot && dot != work->text[i])

@@ -179,6 +179,34 @@ static enum thud_status run_second(struct site *site, struct thud_error *err)
     return status;
 }
 
+/* All uncertain inputs drawn together. A scene where nothing is uncertain, or where a sample is no possible scene, has
+ * no such table. */
+static enum thud_status draw_samples(struct site *site, struct thud_error *err)
+{
+    const struct thud_site_report_options *options = site->options;
+    struct thud_error refused = {0};
+    if (options->samples == 0)
+        return THUD_OK;
+    tell(site, "samples of the uncertain inputs");
+    enum thud_status status = thud_uncertainty_create(site->scene, site->record, THUD_CASE_AS_WRITTEN, options->inputs,
+                                                      &site->uncertainty, &refused);
+    site->samples = (struct thud_uncertainty_study){.uncertainty = site->uncertainty,
+                                                    .samples = options->samples,
+                                                    .seed = options->seed,
+                                                    .cancel = options->pictures ? options->pictures->cancel : NULL};
+    if (status == THUD_OK)
+        status = thud_uncertainty_study_run(&site->samples, &refused);
+    if (status == THUD_INPUT) {
+        thud_uncertainty_study_clear(&site->samples);
+        thud_uncertainty_free(site->uncertainty);
+        site->uncertainty = NULL;
+        return THUD_OK;
+    }
+    if (status != THUD_OK && err)
+        *err = refused;
+    return status;
+}
+
 static enum thud_status compute(struct site *site, struct thud_error *err)
 {
     enum thud_status status = run_cases(site, err);
@@ -196,6 +224,12 @@ static enum thud_status compute(struct site *site, struct thud_error *err)
         status = thud_stiffness_rows(site->own->scene, site->record, site->varied, site->row, &site->nrows, err);
     if (status == THUD_OK)
         status = run_reversed(site, err);
+    if (status == THUD_OK)
+        status = draw_samples(site, err);
+    if (status == THUD_OK && site->options->records && site->options->records->n > 1)
+        tell(site, "the suite of ground motions");
+    if (status == THUD_OK)
+        status = thud_site_suite_run(site, err);
     if (status == THUD_OK)
         status = stopped(site, err);
     return status == THUD_OK ? run_second(site, err) : status;
@@ -230,6 +264,9 @@ static void clear(struct site *site)
     }
     free(site->gap);
     thud_sensitivity_free(site->sensitivity);
+    thud_uncertainty_study_clear(&site->samples);
+    thud_uncertainty_free(site->uncertainty);
+    thud_site_suite_clear(site);
     thud_document_clear(&site->document);
 }
 
@@ -246,6 +283,8 @@ enum thud_status thud_site_report(struct thud_session *session, const struct thu
     if (status == THUD_OK)
         status = thud_session_read_record(session, err);
     site->record = session->record;
+    if (!site->record && options->records && options->records->n > 0)
+        site->record = options->records->record[0];
     if (status == THUD_OK)
         status = compute(site, err);
     if (status == THUD_OK)

@@ -1,9 +1,14 @@
-/* What a report is made of: computed by site_report.c, put into words by site_report_text.c. */
+/* What a report is made of: computed by site_report.c and site_report_suite.c, put into words by site_report_text.c and
+ * its neighbours. */
 #ifndef THUD_APP_SITE_REPORT_PRIVATE_H
 #define THUD_APP_SITE_REPORT_PRIVATE_H
 
 #include "app/document.h"
+#include "app/gap_report.h"
 #include "app/site_report.h"
+#include "app/uncertainty_study.h"
+#include "plot/figure.h"
+#include "study/fragility.h"
 #include "study/needed_gap.h"
 #include "study/stiffness.h"
 #include "study/verify.h"
@@ -16,6 +21,18 @@ struct site_case {
     struct thud_scene *scene;
     struct thud_answer answer;
     const struct thud_result *result;
+};
+
+/* The suite of ground motions: every one at several scales, without and with bumper. Case k of the plan is SITE_NONE + k
+ * of the report. */
+struct site_suite {
+    struct thud_sweep_plan plan; /* its axis: the factor on the motions */
+    struct thud_suite *runs;     /* NULL: there is no suite */
+    long as_given;               /* the setting with the motions as they were given */
+    struct thud_gap_study gaps;
+    struct thud_event pounding, worse;
+    struct thud_fragility pounds[SITE_CASES - SITE_NONE], worsens; /* of each case; with the bumper */
+    double *room;                                                  /* (nrecords) scratch */
 };
 
 struct site {
@@ -31,6 +48,9 @@ struct site {
     enum thud_stiffness varied;
     int nrows;
     struct thud_stiffness_row row[THUD_STIFFNESS_ROWS], reversed; /* of the motion turned round */
+    struct thud_uncertainty *uncertainty;                         /* NULL: nothing was drawn */
+    struct thud_uncertainty_study samples;
+    struct site_suite suite;
     struct {
         const char *method;
         int values, counts; /* compared, 0: it was given up; impact counts that differ */
@@ -44,5 +64,35 @@ struct site {
 
 /* All sections, in the order of the document. Errors: THUD_MEMORY, THUD_CANCELLED; see also site->pictures. */
 enum thud_status thud_site_write(struct site *site, struct thud_error *err);
+
+/* ---- the suite ---- */
+
+/* Runs it; nothing where there is one motion or none. Errors: those of the studies. */
+enum thud_status thud_site_suite_run(struct site *site, struct thud_error *err);
+void thud_site_suite_clear(struct site *site);
+/* Its part of the answer, and its own section. */
+void thud_site_suite_answer(struct site *site);
+void thud_site_suite_section(struct site *site);
+
+/* ---- how sure it is ---- */
+
+void thud_site_samples_answer(struct site *site);
+void thud_site_sure_section(struct site *site);
+
+/* ---- words ---- */
+
+const char *thud_site_name(const struct site *site, int structure);
+bool thud_site_is_building(const struct site *site, int structure);
+/* A number with so many significant digits, and no exponent where it has a size of daily life. */
+struct thud_site_shown {
+    char text[32];
+};
+struct thud_site_shown thud_site_number(double value, int digits);
+/* "floor 4 of A and floor 4 of B"; a wall has no floors. */
+void thud_site_sides(const struct site *site, int interface, int left, int right, char *text, size_t size);
+/* The contact with the largest force; NULL where nothing touched. */
+const struct thud_contact_result *thud_site_strongest(const struct thud_result *result);
+/* `share`: of its height to its width; 0: chosen for the figure. Takes the figure. */
+void thud_site_figure(struct site *site, struct thud_figure *figure, double share, const char *caption);
 
 #endif

@@ -17,56 +17,8 @@
 static const double same_within = 0.02;
 /* A storey that drifts by more of its height would have yielded. */
 static const double drift_limit = 0.01;
-/* Picture width and letters, px: 190 mm on paper gives letters of 9 pt. */
-enum { WIDTH_PX = 1080 };
-static const double letters_px = 17;
 
-static const char *name_of(const struct site *site, int structure)
-{
-    const char *name = site->scene->structure[structure].name;
-    return name[0] ? name : "?";
-}
-
-static bool is_building(const struct site *site, int structure)
-{
-    enum thud_structure_kind kind = site->scene->structure[structure].kind;
-    return kind == THUD_SHEAR || kind == THUD_ISOLATED;
-}
-
-/* A number with so many significant digits, and no exponent where it has a size of daily life. */
-struct shown {
-    char text[32];
-};
-
-static struct shown shown(double value, int digits)
-{
-    struct shown out;
-    int places = value != 0 && fabs(value) < 1e7 ? digits - 1 - (int)floor(log10(fabs(value)) + 1e-9) : 0;
-    if (value != 0 && fabs(value) < 1e-4)
-        snprintf(out.text, sizeof out.text, "%.*g", digits, value);
-    else
-        snprintf(out.text, sizeof out.text, "%.*f", places > 0 ? places : 0, value);
-    return out;
-}
-
-/* The last part of a path. */
-static const char *base_name(const char *path)
-{
-    const char *slash = strrchr(path, '/');
-    return slash ? slash + 1 : path;
-}
-
-/* ---- what several sections ask ---- */
-
-/* The contact with the largest force; NULL where nothing touched. */
-static const struct thud_contact_result *strongest(const struct thud_result *r)
-{
-    const struct thud_contact_result *most = NULL;
-    for (int c = 0; c < r->ncontacts; c++)
-        if (r->contact[c].force.value > 0 && (!most || r->contact[c].force.value > most->force.value))
-            most = &r->contact[c];
-    return most;
-}
+/* ---- the answer ---- */
 
 static int impacts(const struct thud_result *r, int *levels)
 {
@@ -87,88 +39,54 @@ static double largest_acceleration(const struct thud_structure_result *r)
     return most;
 }
 
-/* "floor 4 of A and floor 4 of B"; a wall has no floors. */
-static void sides(const struct site *site, int interface, int left, int right, char *text, size_t size)
-{
-    char l[THUD_NAME_MAX + 24], r[THUD_NAME_MAX + 24];
-    const char *a = name_of(site, interface - 1), *b = name_of(site, interface);
-    if (left > 0)
-        snprintf(l, sizeof l, "floor %d of %s", left, a);
-    else
-        snprintf(l, sizeof l, "the wall");
-    if (right > 0)
-        snprintf(r, sizeof r, "floor %d of %s", right, b);
-    else
-        snprintf(r, sizeof r, "the wall");
-    snprintf(text, size, "%s and %s", l, r);
-}
-
 static const char *plural(int n)
 {
     return n == 1 ? "" : "s";
 }
 
-/* `share`: of its height to its width; 0: chosen for the figure. */
-static void add_figure(struct site *site, struct thud_figure *figure, double share, const char *caption)
-{
-    struct thud_document *d = &site->document;
-    struct thud_picture_options options = {0};
-    struct thud_error err = {0};
-    struct thud_text svg = {0};
-    char file[96];
-    if (site->options->pictures)
-        options = *site->options->pictures;
-    options.format = THUD_SVG;
-    if (options.width_px == 0) {
-        options.width_px = WIDTH_PX;
-        options.height_px = (int)(share * WIDTH_PX);
-    }
-    if (options.font_px == 0)
-        options.font_px = letters_px;
-    enum thud_status status = thud_figure_check(figure, &err);
-    if (status == THUD_OK && site->pictures == THUD_OK)
-        status = thud_gnuplot_draw(figure, &options, &svg, &err);
-    if (site->pictures == THUD_OK && status != THUD_OK) {
-        site->pictures = status;
-        site->picture_error = err;
-    }
-    if (site->pictures == THUD_OK) {
-        snprintf(file, sizeof file, "%s.svg", figure->name);
-        thud_document_figure(d, file, caption, &svg);
-    } else {
-        thud_document_paragraph(d, "[Not drawn: %s]", caption);
-    }
-    thud_figure_free(figure);
-}
-
-/* ---- the answer ---- */
-
 static void say_case(struct site *site, const struct site_case *one)
 {
     int levels, n = impacts(one->result, &levels);
-    const struct thud_contact_result *most = strongest(one->result);
+    const struct thud_contact_result *most = thud_site_strongest(one->result);
     char between[320];
     if (n == 0 || !most) {
         thud_document_item(&site->document, "%c%s nothing touches.", one->words[0] - 'a' + 'A', one->words + 1);
         return;
     }
-    sides(site, most->interface, most->left_floor, most->right_floor, between, sizeof between);
+    thud_site_sides(site, most->interface, most->left_floor, most->right_floor, between, sizeof between);
     thud_document_item(&site->document,
                        "%c%s they touch %d time%s, at %d level%s. The largest force is %s MN, between %s, at %.2f s.",
                        one->words[0] - 'a' + 'A', one->words + 1, n, plural(n), levels, plural(levels),
-                       shown(1e-6 * most->force.value, 3).text, between, most->force.time_s);
+                       thud_site_number(1e-6 * most->force.value, 3).text, between, most->force.time_s);
 }
 
-static double floor_value(const struct thud_floor_result *f, bool drift)
+/* What is told of every floor in every case. A result that has more is one line more: what no floor has in any case is
+ * left out. */
+enum { FLOOR_ACCELERATION, FLOOR_DRIFT };
+static double acceleration_of(const struct thud_structure_result *r, int floor)
 {
-    return drift ? f->drift.value : f->acceleration.value;
+    return r->floor[floor].acceleration.value;
 }
+static double drift_of(const struct thud_structure_result *r, int floor)
+{
+    return r->floor[floor].drift.value;
+}
+static const struct floor_table {
+    const char *caption, *row; /* "Largest drift of the storeys of %s, mm", "storey" */
+    double unit;
+    bool storeys;                                                      /* of buildings alone */
+    double (*value)(const struct thud_structure_result *r, int floor); /* SI; NaN: there is none */
+} floor_table[] = {
+    [FLOOR_ACCELERATION] = {"Largest acceleration of the floors of %s, m/s2", "floor", 1, false, acceleration_of},
+    [FLOOR_DRIFT] = {"Largest drift of the storeys of %s, mm", "storey", 1e-3, true, drift_of},
+};
+enum { FLOOR_TABLES = sizeof floor_table / sizeof *floor_table };
 
 /* With the bumper over without it; NaN where there is nothing to compare. */
-static double ratio_of(const struct site *site, int s, int floor, bool drift)
+static double ratio_of(const struct site *site, int s, int floor, int table)
 {
-    double with = floor_value(&site->cases[SITE_BUMPER].result->structure[s].floor[floor], drift);
-    double without = floor_value(&site->cases[SITE_NONE].result->structure[s].floor[floor], drift);
+    double with = floor_table[table].value(&site->cases[SITE_BUMPER].result->structure[s], floor);
+    double without = floor_table[table].value(&site->cases[SITE_NONE].result->structure[s], floor);
     return without > 0 ? with / without : NAN;
 }
 
@@ -184,7 +102,7 @@ static enum side side_of(double ratio)
 
 /* Writes "1-3, 5 of A; 2 of B": the floors whose ratio lies on a side; *furthest: the ratio furthest from 1. Returns how
  * many there are. */
-static int list_floors(const struct site *site, bool drift, enum side side, struct thud_text *out, double *furthest)
+static int list_floors(const struct site *site, int table, enum side side, struct thud_text *out, double *furthest)
 {
     int n = 0;
     *furthest = 1;
@@ -192,7 +110,7 @@ static int list_floors(const struct site *site, bool drift, enum side side, stru
         int floors = site->own->result->structure[s].floors, begun = -1;
         bool any = false;
         for (int i = 0; i <= floors; i++) {
-            double ratio = i < floors ? ratio_of(site, s, i, drift) : NAN;
+            double ratio = i < floors ? ratio_of(site, s, i, table) : NAN;
             bool inside = side_of(ratio) == side;
             if (inside && begun < 0)
                 begun = i;
@@ -208,19 +126,19 @@ static int list_floors(const struct site *site, bool drift, enum side side, stru
             any = true;
         }
         if (any)
-            thud_text_append(out, " of %s", name_of(site, s));
+            thud_text_append(out, " of %s", thud_site_name(site, s));
     }
     return n;
 }
 
-static void say_effect(struct site *site, bool drift)
+static void say_effect(struct site *site, int table)
 {
     static const char *const verb[] = {"lowers", "leaves", "raises"};
-    const char *quantity = drift ? "drifts at storeys" : "accelerations at floors";
+    const char *quantity = table == FLOOR_DRIFT ? "drifts at storeys" : "accelerations at floors";
     for (int side = LOWER; side <= (int)HIGHER; side++) {
         struct thud_text floors = {0};
         double furthest;
-        int n = list_floors(site, drift, (enum side)side, &floors, &furthest);
+        int n = list_floors(site, table, (enum side)side, &floors, &furthest);
         if (floors.failed)
             site->document.failed = true;
         else if (n > 0 && side == SAME)
@@ -236,13 +154,14 @@ static void say_effect(struct site *site, bool drift)
 /* The record's sign is a matter of chance. */
 static void say_reversed(struct site *site)
 {
-    const struct thud_contact_result *most = strongest(site->own->result);
+    const struct thud_contact_result *most = thud_site_strongest(site->own->result);
     double force = most ? most->force.value : 0;
     if (!site->record || (force == 0 && site->reversed.force_n == 0))
         return;
     thud_document_item(&site->document,
                        "The same motion turned round gives a largest force of %s MN %s, in place of %s MN.",
-                       shown(1e-6 * site->reversed.force_n, 3).text, site->own->words, shown(1e-6 * force, 3).text);
+                       thud_site_number(1e-6 * site->reversed.force_n, 3).text, site->own->words,
+                       thud_site_number(1e-6 * force, 3).text);
 }
 
 static void say_gap(struct site *site)
@@ -255,7 +174,7 @@ static void say_gap(struct site *site)
         if (!(needed >= 0))
             continue;
         const struct thud_gap_level *l = &site->gap->level[level];
-        sides(site, i, l->left_floor, l->right_floor, between, sizeof between);
+        thud_site_sides(site, i, l->left_floor, l->right_floor, between, sizeof between);
         double out = f->gap_m - thud_interface_clearance(f);
         char bumper[120] = "";
         if (out > 0)
@@ -265,7 +184,7 @@ static void say_gap(struct site *site)
             &site->document,
             "Under this motion nothing touches between %s and %s from a gap of %.1f cm on (%s decide%s); "
             "the gap is %.1f cm.",
-            name_of(site, i - 1), name_of(site, i), 100 * needed, between, bumper, 100 * f->gap_m);
+            thud_site_name(site, i - 1), thud_site_name(site, i), 100 * needed, between, bumper, 100 * f->gap_m);
     }
 }
 
@@ -278,7 +197,7 @@ static void answer(struct site *site)
     bool pounds = impacts(none->result, &levels) > 0;
     if (site->record)
         thud_document_paragraph(d, "Under %s with a peak of %.3g g the buildings %s at the gap as it is.",
-                                base_name(site->record->file), thud_record_peak(site->record) / THUD_GRAVITY,
+                                thud_path_name(site->record->file), thud_record_peak(site->record) / THUD_GRAVITY,
                                 pounds ? "pound against each other" : "do not touch");
     for (int i = SITE_NONE; i < site->ncases; i++)
         say_case(site, &site->cases[i]);
@@ -290,17 +209,19 @@ static void answer(struct site *site)
                 d,
                 "Pounding without bumper takes the largest acceleration of %s from %s g to %s g, %s times as "
                 "much.",
-                name_of(site, s), shown(b / THUD_GRAVITY, 3).text, shown(a / THUD_GRAVITY, 3).text,
-                shown(a / b, 2).text);
+                thud_site_name(site, s), thud_site_number(b / THUD_GRAVITY, 3).text,
+                thud_site_number(a / THUD_GRAVITY, 3).text, thud_site_number(a / b, 2).text);
     }
     if (site->ncases > SITE_BUMPER) {
-        say_effect(site, false);
-        say_effect(site, true);
+        say_effect(site, FLOOR_ACCELERATION);
+        say_effect(site, FLOOR_DRIFT);
     } else {
         thud_document_item(d, "The scene has no bumper; one in the preset adds the comparison.");
     }
     say_reversed(site);
     say_gap(site);
+    thud_site_suite_answer(site);
+    thud_site_samples_answer(site);
 }
 
 /* ---- the scene ---- */
@@ -323,15 +244,15 @@ static void add_structure_rows(struct site *site)
             mass += p->mass_kg[i];
             height += p->height_m[i];
         }
-        thud_document_cell(d, "%s", name_of(site, s));
+        thud_document_cell(d, "%s", thud_site_name(site, s));
         thud_document_cell(d, "%s", kinds[p->kind]);
-        thud_document_cell(d, "%d", is_building(site, s) ? p->storeys : 0);
-        if (is_building(site, s))
+        thud_document_cell(d, "%d", thud_site_is_building(site, s) ? p->storeys : 0);
+        if (thud_site_is_building(site, s))
             thud_document_cell(d, "%.4g", height);
         else
             thud_document_cell(d, "-");
         thud_document_cell(d, "%.5g", 1e-3 * mass);
-        thud_document_cell(d, is_building(site, s) ? "%.3g" : "-", 100 * p->damping);
+        thud_document_cell(d, thud_site_is_building(site, s) ? "%.3g" : "-", 100 * p->damping);
         for (int m = 0; m < 3; m++)
             if (m < r->floors && isfinite(r->period_s[m]))
                 thud_document_cell(d, "%.3f", r->period_s[m]);
@@ -346,7 +267,7 @@ static void add_floor_rows(struct site *site, int s)
     struct thud_document *d = &site->document;
     const struct thud_structure *p = &site->scene->structure[s];
     char caption[THUD_NAME_MAX + 32];
-    snprintf(caption, sizeof caption, "Storeys of %s", name_of(site, s));
+    snprintf(caption, sizeof caption, "Storeys of %s", thud_site_name(site, s));
     thud_document_table(d, caption);
     thud_document_cell(d, "storey");
     thud_document_cell(d, "mass of its floor t");
@@ -384,13 +305,13 @@ static void scene(struct site *site)
     thud_document_heading(d, "The buildings and the gap");
     add_structure_rows(site);
     for (int s = 0; s < site->scene->nstructures; s++)
-        if (is_building(site, s))
+        if (thud_site_is_building(site, s))
             add_floor_rows(site, s);
     for (int i = 0; i + 1 < site->scene->nstructures; i++) {
         const struct thud_interface *f = &site->scene->interface[i];
         law_text(site->scene, i, false, law, sizeof law);
-        thud_document_item(d, "Between %s and %s: a gap of %.4g cm. Concrete on concrete: %s.", name_of(site, i),
-                           name_of(site, i + 1), 100 * f->gap_m, law);
+        thud_document_item(d, "Between %s and %s: a gap of %.4g cm. Concrete on concrete: %s.", thud_site_name(site, i),
+                           thud_site_name(site, i + 1), 100 * f->gap_m, law);
         if (!f->has_bumper)
             continue;
         law_text(site->scene, i, true, law, sizeof law);
@@ -417,7 +338,7 @@ static void motion(struct site *site)
     thud_document_paragraph(d,
                             "%s (%s): %zu samples every %.4g s, %.4g s long; peak %.4g g at %.4g s, peak velocity %.3g "
                             "m/s, Arias intensity %.3g m/s, significant duration (5 to 95 %%) %.3g s.",
-                            base_name(site->record->file), site->record->format, site->record->samples,
+                            thud_path_name(site->record->file), site->record->format, site->record->samples,
                             site->record->dt_s, m.duration_s, m.pga_mps2 / THUD_GRAVITY, m.pga_time_s, m.pgv_mps,
                             m.arias_mps, m.d5_95_s);
     thud_document_table(d, "Spectral acceleration at the fundamental periods, with the damping of each building");
@@ -429,45 +350,54 @@ static void motion(struct site *site)
     thud_document_row(d);
     for (int s = 0; s < site->scene->nstructures; s++) {
         const struct thud_structure_result *r = &site->own->result->structure[s];
-        if (!is_building(site, s))
+        if (!thud_site_is_building(site, s))
             continue;
         double zeta = site->scene->structure[s].damping;
         struct thud_spectrum_point p = thud_spectrum_at(site->record, r->period_s[0], zeta);
-        thud_document_cell(d, "%s", name_of(site, s));
+        thud_document_cell(d, "%s", thud_site_name(site, s));
         thud_document_cell(d, "%.3f", r->period_s[0]);
         thud_document_cell(d, "%.3g", 100 * zeta);
         thud_document_cell(d, "%.3g", p.acceleration_mps2 / THUD_GRAVITY);
         thud_document_cell(d, "%.3g", 100 * p.displacement_m);
         thud_document_row(d);
         mark[nmarks].period_s = r->period_s[0];
-        snprintf(mark[nmarks].text, sizeof mark[nmarks].text, "%.40s", name_of(site, s));
+        snprintf(mark[nmarks].text, sizeof mark[nmarks].text, "%.40s", thud_site_name(site, s));
         nmarks++;
     }
-    add_figure(site, thud_figure_of_motion(site->record, "motion", base_name(site->record->file)), 0.8,
-               "Acceleration, velocity and displacement of the ground.");
+    thud_site_figure(site, thud_figure_of_motion(site->record, "motion", thud_path_name(site->record->file)), 0.8,
+                     "Acceleration, velocity and displacement of the ground.");
     point = malloc(POINTS * sizeof *point);
     if (!point) {
         d->failed = true;
         return;
     }
     thud_spectrum_fill(site->record, damping, 0.02, 10, POINTS, point);
-    add_figure(site, thud_figure_of_spectrum(point, POINTS, damping, mark, nmarks, "spectrum", "Response spectrum"),
-               0.8,
-               "Response spectrum of the ground motion at 5 % damping, with the fundamental periods of the buildings.");
+    thud_site_figure(
+        site, thud_figure_of_spectrum(point, POINTS, damping, mark, nmarks, "spectrum", "Response spectrum"), 0.8,
+        "Response spectrum of the ground motion at 5 % damping, with the fundamental periods of the buildings.");
     free(point);
 }
 
 /* ---- the cases ---- */
 
-static void add_case_table(struct site *site, int s, bool drift)
+static bool has_values(const struct site *site, int s, const struct floor_table *table)
+{
+    for (int i = 0; i < site->ncases; i++)
+        for (int f = 0; f < site->cases[i].result->structure[s].floors; f++)
+            if (!isnan(table->value(&site->cases[i].result->structure[s], f)))
+                return true;
+    return false;
+}
+
+static void add_case_table(struct site *site, int s, const struct floor_table *table)
 {
     struct thud_document *d = &site->document;
     char caption[THUD_NAME_MAX + 96];
-    snprintf(caption, sizeof caption,
-             drift ? "Largest drift of the storeys of %s, mm" : "Largest acceleration of the floors of %s, m/s2",
-             name_of(site, s));
+    if ((table->storeys && !thud_site_is_building(site, s)) || !has_values(site, s, table))
+        return;
+    snprintf(caption, sizeof caption, table->caption, thud_site_name(site, s));
     thud_document_table(d, caption);
-    thud_document_cell(d, drift ? "storey" : "floor");
+    thud_document_cell(d, "%s", table->row);
     for (int i = 0; i < site->ncases; i++)
         thud_document_cell(d, "%s", site->cases[i].name);
     thud_document_cell(d, "no bumper / no pounding");
@@ -478,11 +408,11 @@ static void add_case_table(struct site *site, int s, bool drift)
         double value[SITE_CASES];
         thud_document_cell(d, "%d", f + 1);
         for (int i = 0; i < site->ncases; i++) {
-            value[i] = floor_value(&site->cases[i].result->structure[s].floor[f], drift);
-            thud_document_cell(d, "%s", shown(drift ? 1e3 * value[i] : value[i], 4).text);
+            value[i] = table->value(&site->cases[i].result->structure[s], f);
+            thud_document_cell(d, "%s", isnan(value[i]) ? "-" : thud_site_number(value[i] / table->unit, 4).text);
         }
         for (int i = 1; i < site->ncases; i++)
-            if (value[i - 1] > 0)
+            if (value[i - 1] > 0 && value[i] >= 0)
                 thud_document_cell(d, "%.3f", value[i] / value[i - 1]);
             else
                 thud_document_cell(d, "-");
@@ -494,11 +424,42 @@ static void add_case_table(struct site *site, int s, bool drift)
 static void add_level_cell(struct site *site, int interface, int left, int right)
 {
     char between[320];
-    sides(site, interface, left, right, between, sizeof between);
+    thud_site_sides(site, interface, left, right, between, sizeof between);
     if (site->scene->nstructures == 2 && left > 0 && right > 0)
         thud_document_cell(&site->document, "%d-%d", left, right);
     else
         thud_document_cell(&site->document, "%s", between);
+}
+
+/* What is told of every contact; a column that no contact has a value for is left out. */
+static double impacts_of(const struct thud_contact_result *r)
+{
+    return r->impacts;
+}
+static double force_of(const struct thud_contact_result *r)
+{
+    return r->force.value;
+}
+static double indentation_of(const struct thud_contact_result *r)
+{
+    return r->indentation.value;
+}
+static const struct contact_column {
+    const char *name;
+    double unit;
+    int digits;                                           /* significant ones; 0: a count */
+    double (*value)(const struct thud_contact_result *r); /* SI; NaN: there is none */
+} contact_column[] = {
+    {"impacts", 1, 0, impacts_of}, {"force MN", 1e6, 4, force_of}, {"compressed mm", 1e-3, 3, indentation_of}};
+enum { CONTACT_COLUMNS = sizeof contact_column / sizeof *contact_column };
+
+static bool has_column(const struct site *site, const struct contact_column *column)
+{
+    for (int i = SITE_NONE; i < site->ncases; i++)
+        for (int c = 0; c < site->cases[i].result->ncontacts; c++)
+            if (!isnan(column->value(&site->cases[i].result->contact[c])))
+                return true;
+    return false;
 }
 
 static void add_contact_table(struct site *site)
@@ -508,21 +469,21 @@ static void add_contact_table(struct site *site)
         return;
     thud_document_table(d, "Contacts");
     thud_document_cell(d, "floors");
-    for (int i = SITE_NONE; i < site->ncases; i++) {
-        thud_document_cell(d, "%s: impacts", site->cases[i].name);
-        thud_document_cell(d, "%s: force MN", site->cases[i].name);
-        thud_document_cell(d, "%s: compressed mm", site->cases[i].name);
-    }
+    for (int i = SITE_NONE; i < site->ncases; i++)
+        for (int k = 0; k < CONTACT_COLUMNS; k++)
+            if (has_column(site, &contact_column[k]))
+                thud_document_cell(d, "%s: %s", site->cases[i].name, contact_column[k].name);
     thud_document_row(d);
     for (int c = site->own->result->ncontacts - 1; c >= 0; c--) {
         const struct thud_contact_result *p = &site->own->result->contact[c];
         add_level_cell(site, p->interface, p->left_floor, p->right_floor);
-        for (int i = SITE_NONE; i < site->ncases; i++) {
-            const struct thud_contact_result *r = &site->cases[i].result->contact[c];
-            thud_document_cell(d, "%d", r->impacts);
-            thud_document_cell(d, "%s", shown(1e-6 * r->force.value, 4).text);
-            thud_document_cell(d, "%s", shown(1e3 * r->indentation.value, 3).text);
-        }
+        for (int i = SITE_NONE; i < site->ncases; i++)
+            for (int k = 0; k < CONTACT_COLUMNS; k++) {
+                const struct contact_column *column = &contact_column[k];
+                double value = column->value(&site->cases[i].result->contact[c]) / column->unit;
+                if (has_column(site, column))
+                    thud_document_cell(d, "%s", isnan(value) ? "-" : thud_site_number(value, column->digits).text);
+            }
         thud_document_row(d);
     }
 }
@@ -538,20 +499,19 @@ static void cases(struct site *site)
     struct thud_figure_source source[SITE_CASES];
     thud_document_heading(d, "No pounding, no bumper, bumper");
     for (int s = 0; s < site->scene->nstructures; s++)
-        if (is_building(site, s) || site->scene->structure[s].kind == THUD_RIGID) {
-            add_case_table(site, s, false);
-            if (is_building(site, s))
-                add_case_table(site, s, true);
+        if (thud_site_is_building(site, s) || site->scene->structure[s].kind == THUD_RIGID) {
+            for (int i = 0; i < FLOOR_TABLES; i++)
+                add_case_table(site, s, &floor_table[i]);
         }
     add_contact_table(site);
     for (int i = 0; i < site->ncases; i++)
         source[i] = source_of(&site->cases[i]);
     if (thud_run_figure_has(THUD_FIGURE_ENVELOPE, source, site->ncases))
-        add_figure(site, thud_run_figure(THUD_FIGURE_ENVELOPE, source, site->ncases), 0,
-                   "Largest values over the height, in each case.");
+        thud_site_figure(site, thud_run_figure(THUD_FIGURE_ENVELOPE, source, site->ncases), 0,
+                         "Largest values over the height, in each case.");
     if (thud_run_figure_has(THUD_FIGURE_FORCE, &source[SITE_NONE], site->ncases - 1))
-        add_figure(site, thud_run_figure(THUD_FIGURE_FORCE, &source[SITE_NONE], site->ncases - 1), 0.62,
-                   "Force of the contact with the largest one, and its largest impact seen closer.");
+        thud_site_figure(site, thud_run_figure(THUD_FIGURE_FORCE, &source[SITE_NONE], site->ncases - 1), 0.62,
+                         "Force of the contact with the largest one, and its largest impact seen closer.");
 }
 
 /* ---- the gap that is enough ---- */
@@ -588,113 +548,14 @@ static void gap(struct site *site)
         double ruled = thud_needed_gap_widest(site->gap, 0, rule, NULL);
         if (ruled < needed)
             thud_document_item(d, "%s asks for %s cm, less than the %s cm that this motion needs.",
-                               thud_gap_rule_name(rule), shown(100 * ruled, 3).text, shown(100 * needed, 3).text);
+                               thud_gap_rule_name(rule), thud_site_number(100 * ruled, 3).text,
+                               thud_site_number(100 * needed, 3).text);
     }
     thud_document_paragraph(d,
                             "ABS: sum. SRSS: root of the sum of squares. DDC: double difference combination (Jeng, "
                             "Kasai and Maison 1992). EN 1998: EN 1998-1, 4.4.2.7, SRSS and 0.7 of it where floors are "
                             "aligned. ASCE 7: ASCE/SEI 7-16, 12.12.3, SRSS. The codes take design displacements; here "
                             "they are those of this one motion.");
-}
-
-/* ---- how sure it is ---- */
-
-static void add_sensitivity_row(struct site *site, const char *what, double peak, const char *unit,
-                                const struct thud_spread *spread)
-{
-    struct thud_document *d = &site->document;
-    thud_document_cell(d, "%s", what);
-    thud_document_cell(d, "%s %s", shown(peak, 3).text, unit);
-    for (int i = 0; i < THUD_CHANGES; i++)
-        thud_document_cell(d, "%.1f", 100 * spread->by[i]);
-    thud_document_row(d);
-}
-
-static void sensitivity(struct site *site)
-{
-    struct thud_document *d = &site->document;
-    const struct thud_sensitivity *s = site->sensitivity;
-    const struct thud_result *r = site->own->result;
-    char what[400], between[320];
-    thud_document_heading(d, "How sure it is");
-    if (!s)
-        return;
-    snprintf(what, sizeof what, "Largest change of each peak, %%, when one input is %.0f %% less or more (%s)",
-             100 * s->change, site->own->words);
-    thud_document_table(d, what);
-    thud_document_cell(d, "peak");
-    thud_document_cell(d, "value");
-    thud_document_cell(d, "gap");
-    thud_document_cell(d, "ground motion");
-    thud_document_cell(d, "storey stiffness");
-    thud_document_row(d);
-    for (int k = 0, row = 0; k < r->nstructures; row += r->structure[k].floors, k++) {
-        int a = 0, b = 0;
-        for (int i = 1; i < r->structure[k].floors; i++) {
-            a = r->structure[k].floor[i].acceleration.value > r->structure[k].floor[a].acceleration.value ? i : a;
-            b = r->structure[k].floor[i].drift.value > r->structure[k].floor[b].drift.value ? i : b;
-        }
-        if (r->structure[k].floors == 0)
-            continue;
-        snprintf(what, sizeof what, "acceleration of floor %d of %s", a + 1, name_of(site, k));
-        add_sensitivity_row(site, what, r->structure[k].floor[a].acceleration.value / THUD_GRAVITY, "g",
-                            &s->floor[row + a][0]);
-        if (!is_building(site, k))
-            continue;
-        snprintf(what, sizeof what, "drift of storey %d of %s", b + 1, name_of(site, k));
-        add_sensitivity_row(site, what, 1e3 * r->structure[k].floor[b].drift.value, "mm", &s->floor[row + b][3]);
-    }
-    const struct thud_contact_result *most = strongest(r);
-    if (most) {
-        sides(site, most->interface, most->left_floor, most->right_floor, between, sizeof between);
-        snprintf(what, sizeof what, "force between %s", between);
-        add_sensitivity_row(site, what, 1e-6 * most->force.value, "MN", &s->contact[most - r->contact][0]);
-    }
-}
-
-static void add_stiffness_row(struct site *site, const char *what, const struct thud_stiffness_row *row)
-{
-    struct thud_document *d = &site->document;
-    thud_document_cell(d, "%s", what);
-    thud_document_cell(d, "%d", row->impacts);
-    thud_document_cell(d, "%s", shown(1e-6 * row->force_n, 3).text);
-    for (int s = 0; s < site->scene->nstructures; s++)
-        if (site->scene->structure[s].kind != THUD_WALL) {
-            thud_document_cell(d, "%s", shown(row->acceleration_mps2[s] / THUD_GRAVITY, 3).text);
-            thud_document_cell(d, "%s", shown(1e3 * row->drift_m[s], 3).text);
-        }
-    thud_document_row(d);
-}
-
-static void stiffness(struct site *site)
-{
-    struct thud_document *d = &site->document;
-    char what[64];
-    const char *name = site->varied == THUD_STIFFNESS_BUMPER ? "bumper" : "contact";
-    if (site->nrows == 0)
-        return;
-    snprintf(what, sizeof what, "Stiffness of the %s, and the motion turned round", name);
-    thud_document_table(d, what);
-    thud_document_cell(d, "scene");
-    thud_document_cell(d, "impacts");
-    thud_document_cell(d, "force MN");
-    for (int s = 0; s < site->scene->nstructures; s++)
-        if (site->scene->structure[s].kind != THUD_WALL) {
-            thud_document_cell(d, "acceleration of %s g", name_of(site, s));
-            thud_document_cell(d, "drift of %s mm", name_of(site, s));
-        }
-    thud_document_row(d);
-    for (int i = 0; i < site->nrows; i++) {
-        snprintf(what, sizeof what, site->row[i].factor == 1 ? "as written" : "%g times the stiffness",
-                 site->row[i].factor);
-        add_stiffness_row(site, what, &site->row[i]);
-    }
-    if (site->record)
-        add_stiffness_row(site, "ground motion turned round", &site->reversed);
-    thud_document_paragraph(
-        d, "The stiffness of a contact is the least known number of a scene: the command thud stiffness gives an "
-           "estimate from the slabs or the rubber. Where half or twice of it changes an answer, the "
-           "answer is not known better than that.");
 }
 
 /* ---- cautions ---- */
@@ -705,7 +566,7 @@ static double drift_ratio(const struct site *site, const struct site_case *one, 
     const struct thud_structure *p = &site->scene->structure[s];
     int base = p->kind == THUD_ISOLATED; /* the slab's storey is the isolator */
     double most = 0;
-    for (int i = base; is_building(site, s) && i < one->result->structure[s].floors; i++) {
+    for (int i = base; thud_site_is_building(site, s) && i < one->result->structure[s].floors; i++) {
         double ratio = one->result->structure[s].floor[i].drift.value / p->height_m[i - base];
         if (ratio > most) {
             most = ratio;
@@ -733,7 +594,7 @@ static int caution_drifts(struct site *site)
         thud_document_item(&site->document,
                            "Storeys of %s drift by more than %.0f %% of their height: %s. A real storey yields there; "
                            "the storeys here are elastic, so that the true response differs.",
-                           name_of(site, s), 100 * drift_limit, said);
+                           thud_site_name(site, s), 100 * drift_limit, said);
         n++;
     }
     return n;
@@ -748,7 +609,7 @@ static int caution_bumpers(struct site *site)
         double strain = f->has_bumper ? r->indentation.value / f->bumper_thickness_m : 0;
         double limit = thud_interface_max_strain(f);
         char between[320];
-        sides(site, r->interface, r->left_floor, r->right_floor, between, sizeof between);
+        thud_site_sides(site, r->interface, r->left_floor, r->right_floor, between, sizeof between);
         if (strain > 1)
             thud_document_item(&site->document,
                                "The bumper between %s would be compressed by %.0f mm, more than its thickness of %.0f "
@@ -777,7 +638,7 @@ static int caution_values(struct site *site)
 
 static int caution_digits(struct site *site)
 {
-    const struct thud_contact_result *most = strongest(site->own->result);
+    const struct thud_contact_result *most = thud_site_strongest(site->own->result);
     int n = 0;
     if (most && site->sensitivity) {
         double spread = thud_spread_most(&site->sensitivity->contact[most - site->own->result->contact][0]);
@@ -847,7 +708,17 @@ static void limits(struct site *site)
 {
     struct thud_document *d = &site->document;
     thud_document_heading(d, "What this answer does not cover");
-    thud_document_item(d, "One ground motion proves nothing about a gap: another of the same size can need more.");
+    if (site->suite.runs)
+        thud_document_item(d,
+                           "%d ground motions, scaled as they were given: whether they stand for what this site has to "
+                           "expect is not judged here. The tables and figures of single floors are under one of them.",
+                           site->suite.runs->nrecords);
+    else
+        thud_document_item(d, "One ground motion proves nothing about a gap: another of the same size can need more. A "
+                              "suite (--records) adds shares and fractiles over several.");
+    if (site->uncertainty)
+        thud_document_item(d, "The samples change the inputs that are listed with their sizes, and nothing else: laws, "
+                              "rigid floors and all that is said here are as they are in every sample.");
     thud_document_item(d,
                        "Elastic storeys, rigid floors, motion in one direction, no torsion, no soil, the same ground "
                        "motion under all buildings.");
@@ -878,8 +749,9 @@ static void provenance(struct site *site)
 }
 
 typedef void section(struct site *site);
-static section *const sections[] = {answer,    scene,    motion, cases,  gap,       sensitivity,
-                                    stiffness, cautions, second, limits, provenance};
+static section *const sections[] = {
+    answer,   scene,  motion, cases,     gap, thud_site_suite_section, thud_site_sure_section,
+    cautions, second, limits, provenance};
 
 enum thud_status thud_site_write(struct site *site, struct thud_error *err)
 {

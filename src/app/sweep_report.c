@@ -9,11 +9,9 @@
 
 enum { PLACE = 80 };
 
-/* The last part of a path. */
 static const char *short_name(const char *path)
 {
-    const char *slash = strrchr(path, '/');
-    return slash && slash[1] ? slash + 1 : *path ? path : "-";
+    return *path ? thud_path_name(path) : "-";
 }
 
 /* A value of an axis as a reader writes it: `14 cm`. */

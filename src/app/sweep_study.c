@@ -46,13 +46,6 @@ enum thud_status thud_sweep_study_deliver(const struct thud_sweep_study *study, 
     return thud_sweep_collector_add(&out->rows, study->plan, point, err);
 }
 
-/* Of a path: its name in figures and tables. */
-static const char *last_part(const char *path)
-{
-    const char *slash = strrchr(path, '/');
-    return slash && slash[1] ? slash + 1 : path;
-}
-
 enum thud_status thud_sweep_outcome_init(const struct thud_sweep_plan *plan, struct thud_sweep_outcome *out,
                                          struct thud_error *err)
 {
@@ -63,7 +56,7 @@ enum thud_status thud_sweep_outcome_init(const struct thud_sweep_plan *plan, str
     if (!out->names)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     for (int i = 0; i < n; i++)
-        out->names[i] = i < plan->nrecords && plan->record[i] ? last_part(plan->record[i]->file) : "";
+        out->names[i] = i < plan->nrecords && plan->record[i] ? thud_path_name(plan->record[i]->file) : "";
     thud_sweep_collector_init(&out->rows, plan, out->names);
     return THUD_OK;
 }

@@ -9,27 +9,11 @@
 #include "study/sobol.h"
 #include "study/statistics.h"
 
-/* What is told of a quantity. */
-struct telling {
-    double nominal, low, median, high;
-    double below, share; /* share of the samples below 1 (ratios), and how many there are */
-    double least[THUD_INPUTS], most[THUD_INPUTS], first[THUD_INPUTS], total[THUD_INPUTS];
-};
-
-static int by_value(const void *a, const void *b)
+struct thud_uncertainty_told thud_uncertainty_tell(const struct thud_uncertainty_study *study, int q, double *room)
 {
-    double x = *(const double *)a, y = *(const double *)b;
-    if (isnan(x) || isnan(y))
-        return isnan(x) - isnan(y);
-    return (x > y) - (x < y);
-}
-
-/* `room`: (rows). */
-static struct telling tell(const struct thud_uncertainty_study *study, int q, double *room)
-{
-    struct telling t = {.low = NAN, .median = NAN, .high = NAN, .below = NAN, .share = 0};
+    struct thud_uncertainty_told t = {.low = NAN, .median = NAN, .high = NAN, .below = NAN};
     size_t d = (size_t)study->uncertainty->ninputs, first = thud_uncertainty_first_sample(study);
-    size_t n = thud_uncertainty_samples(study), whole = 0, below = 0;
+    size_t n = thud_uncertainty_samples(study), whole, below = 0;
     t.nominal = thud_uncertainty_value(study, 0, q);
     for (size_t i = 0; i < d; i++) {
         t.least[i] = thud_uncertainty_value(study, 1 + 2 * i, q);
@@ -40,18 +24,16 @@ static struct telling tell(const struct thud_uncertainty_study *study, int q, do
         room[r] = thud_uncertainty_value(study, first + r, q);
     if (study->indices && study->samples > 0)
         thud_sobol_indices(room, room + study->samples, room + n, study->samples, d, t.first, t.total);
-    for (size_t r = 0; r < n; r++) {
-        whole += isnan(room[r]) ? 0 : 1;
-        below += room[r] < 1;
-    }
-    if (n == 0 || whole == 0)
+    whole = thud_sort_numbers(room, n);
+    if (whole == 0)
         return t;
-    qsort(room, n, sizeof *room, by_value);
+    while (below < whole && room[below] < 1)
+        below++;
     t.low = thud_quantile(room, whole, 0.05, false);
     t.median = thud_quantile(room, whole, 0.5, false);
     t.high = thud_quantile(room, whole, 0.95, false);
     t.below = (double)below / (double)whole;
-    t.share = (double)whole;
+    t.count = (double)whole;
     return t;
 }
 
@@ -75,38 +57,46 @@ static const char *separator(int i, int n)
     return i == 0 || (i == 3 && n > 3) ? "" : ",";
 }
 
+void thud_uncertainty_input_text(const struct thud_uncertainty *u, int i, char *text, size_t size)
+{
+    const struct thud_input_info *info = thud_input_info(u->input[i]);
+    double by = u->inputs.size[u->input[i]];
+    if (info->way == THUD_INPUT_RELATIVE)
+        snprintf(text, size, "%s +-%g %%", info->name, 100 * by);
+    else if (info->way == THUD_INPUT_FACTOR)
+        snprintf(text, size, "%s by a factor of %g", info->name, by);
+    else
+        snprintf(text, size, "%s +-%g", info->name, by);
+}
+
 static void put_inputs(const struct thud_uncertainty *u, struct thud_text *out)
 {
+    char text[80];
     thud_text_append(out, "uncertain:");
     for (int i = 0; i < u->ninputs; i++) {
-        const struct thud_input_info *info = thud_input_info(u->input[i]);
-        double size = u->inputs.size[u->input[i]];
-        if (info->way == THUD_INPUT_RELATIVE)
-            thud_text_append(out, "%s %s +-%g %%", separator(i, u->ninputs), info->name, 100 * size);
-        else if (info->way == THUD_INPUT_FACTOR)
-            thud_text_append(out, "%s %s by a factor of %g", separator(i, u->ninputs), info->name, size);
-        else
-            thud_text_append(out, "%s %s +-%g", separator(i, u->ninputs), info->name, size);
+        thud_uncertainty_input_text(u, i, text, sizeof text);
+        thud_text_append(out, "%s %s", separator(i, u->ninputs), text);
         if (i == 2 && u->ninputs > 3)
             thud_text_append(out, ",\n         ");
     }
     thud_text_append(out, "\n\n");
 }
 
-/* The input that moves a quantity most when changed alone. */
-static int strongest(const struct telling *t, int n)
+int thud_uncertainty_strongest(const struct thud_uncertainty_study *study, const struct thud_uncertainty_told *told)
 {
     int most = 0;
-    for (int i = 1; i < n; i++)
-        if (fabs(t->most[i] - t->least[i]) > fabs(t->most[most] - t->least[most]))
+    for (int i = 1; i < study->uncertainty->ninputs; i++)
+        if (fabs(told->most[i] - told->least[i]) > fabs(told->most[most] - told->least[most]))
             most = i;
     return most;
 }
 
-static void put_row(const struct thud_uncertainty *u, int q, const struct telling *t, struct thud_text *out)
+static void put_row(const struct thud_uncertainty_study *study, int q, const struct thud_uncertainty_told *t,
+                    struct thud_text *out)
 {
+    const struct thud_uncertainty *u = study->uncertainty;
     const struct thud_quantity_of_run *quantity = &u->quantity[q];
-    int most = strongest(t, u->ninputs);
+    int most = thud_uncertainty_strongest(study, t);
     char name[112], range[48];
     snprintf(name, sizeof name, "%s%s", quantity->name, unit(quantity));
     snprintf(range, sizeof range, "%.4g to %.4g", shown(quantity, fmin(t->least[most], t->most[most])),
@@ -118,17 +108,19 @@ static void put_row(const struct thud_uncertainty *u, int q, const struct tellin
     thud_text_append(out, "  %s: %s\n", thud_input_info(u->input[most])->name, range);
 }
 
-static void put_sentence(const struct thud_uncertainty *u, int q, const struct telling *t, struct thud_text *out)
+static void put_sentence(const struct thud_uncertainty *u, int q, const struct thud_uncertainty_told *t,
+                         struct thud_text *out)
 {
     const struct thud_quantity_of_run *quantity = &u->quantity[q];
     const char *what = strstr(quantity->column, "acceleration") ? "acceleration" : "drift";
     thud_text_append(
         out, "The %s lowers the mean %s of %s in %.0f %% of %.0f samples (ratio %.3f, 90 %% of them %.3f to %.3f).\n",
         quantity->which == THUD_CASE_CAVITY ? "bumper in its cavity" : "bumper", what,
-        u->scene.structure[quantity->structure].name, 100 * t->below, t->share, t->median, t->low, t->high);
+        u->scene.structure[quantity->structure].name, 100 * t->below, t->count, t->median, t->low, t->high);
 }
 
-static void put_indices(const struct thud_uncertainty *u, int q, const struct telling *t, struct thud_text *out)
+static void put_indices(const struct thud_uncertainty *u, int q, const struct thud_uncertainty_told *t,
+                        struct thud_text *out)
 {
     thud_text_append(out, "%-40.40s", u->quantity[q].name);
     for (int i = 0; i < u->ninputs; i++)
@@ -148,11 +140,11 @@ enum thud_status thud_uncertainty_table(const struct thud_uncertainty_study *stu
     thud_text_append(out, "%-40s %8s%s  %s\n", "", "as it is", study->samples > 0 ? "      5 %   median     95 %" : "",
                      "moved most by");
     for (int q = 0; q < u->nquantities; q++) {
-        struct telling t = tell(study, q, room);
-        put_row(u, q, &t, out);
+        struct thud_uncertainty_told t = thud_uncertainty_tell(study, q, room);
+        put_row(study, q, &t, out);
     }
     for (int q = 0; q < u->nquantities; q++) {
-        struct telling t = tell(study, q, room);
+        struct thud_uncertainty_told t = thud_uncertainty_tell(study, q, room);
         if (!u->quantity[q].ratio || isnan(t.median))
             continue;
         thud_text_append(out, any ? "" : "\n");
@@ -162,7 +154,7 @@ enum thud_status thud_uncertainty_table(const struct thud_uncertainty_study *stu
     if (study->indices && study->samples > 0)
         thud_text_append(out, "\nSobol indices, first/total\n");
     for (int q = 0; q < u->nquantities && study->indices && study->samples > 0; q++) {
-        struct telling t = tell(study, q, room);
+        struct thud_uncertainty_told t = thud_uncertainty_tell(study, q, room);
         if (u->quantity[q].ratio)
             put_indices(u, q, &t, out);
     }
@@ -191,7 +183,7 @@ enum thud_status thud_uncertainty_csv(const struct thud_uncertainty_study *study
             thud_text_append(out, ",%s_%s", thud_input_info(u->input[i])->name, each[e]);
     thud_text_append(out, "\n");
     for (int q = 0; q < u->nquantities; q++) {
-        struct telling t = tell(study, q, room);
+        struct thud_uncertainty_told t = thud_uncertainty_tell(study, q, room);
         const double *of[] = {t.least, t.most, t.first, t.total};
         const double head[] = {t.nominal, t.low, t.median, t.high, u->quantity[q].ratio ? t.below : NAN};
         thud_text_csv(out, u->quantity[q].column);
@@ -233,7 +225,7 @@ enum thud_status thud_uncertainty_json(const struct thud_uncertainty_study *stud
     put_json_inputs("sizes", u, size, out);
     thud_text_append(out, ", \"quantities\": [");
     for (int q = 0; q < u->nquantities; q++) {
-        struct telling t = tell(study, q, room);
+        struct thud_uncertainty_told t = thud_uncertainty_tell(study, q, room);
         const double value[] = {t.nominal, t.low, t.median, t.high, u->quantity[q].ratio ? t.below : NAN};
         static const char *const key[] = {"nominal", "p5", "median", "p95", "below_1_share"};
         thud_text_append(out, "%s\n  {\"name\": ", q ? "," : "");

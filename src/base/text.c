@@ -125,3 +125,9 @@ void thud_text_clear(struct thud_text *text)
     free(text->data);
     *text = (struct thud_text){0};
 }
+
+const char *thud_path_name(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    return slash && slash[1] ? slash + 1 : path;
+}

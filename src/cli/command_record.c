@@ -192,8 +192,7 @@ static enum thud_status convert(const struct thud_args *args, struct thud_error 
         thud_record_free(record);
         return status;
     }
-    const char *name = strrchr(record->file, '/');
-    thud_text_append(&comment, "from %s, %s\n", name ? name + 1 : record->file, record->format);
+    thud_text_append(&comment, "from %s, %s\n", thud_path_name(record->file), record->format);
     thud_record_treatment_describe(&treatment, record->dt_s, &comment);
     if (comment.failed)
         text.failed = 1;

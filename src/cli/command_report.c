@@ -5,9 +5,14 @@
 
 #include "app/site_report.h"
 #include "cli/commands.h"
+#include "cli/inputs_option.h"
 #include "cli/interrupt.h"
 #include "cli/picture_options.h"
+#include "cli/records_option.h"
 #include "cli/scene_options.h"
+
+/* Samples of the uncertain inputs: a share of them is known to about 5 %. */
+enum { SAMPLES = 100 };
 
 static void show(void *context, const char *what)
 {
@@ -51,6 +56,8 @@ static enum thud_status report(const struct thud_args *args, struct thud_session
                                struct thud_error *err)
 {
     struct thud_picture_choice picture;
+    struct thud_inputs_choice inputs;
+    struct thud_record_list records = {0};
     struct thud_text text = {0};
     const char *folder = thud_args_value(args, "o");
     (void)scene;
@@ -60,18 +67,30 @@ static enum thud_status report(const struct thud_args *args, struct thud_session
         return THUD_USAGE;
     }
     enum thud_status status = thud_picture_options_read(args, &picture, err);
+    if (status == THUD_OK)
+        status = thud_inputs_option_read(args, SAMPLES, &inputs, err);
+    if (status == THUD_OK)
+        status = thud_records_option_read(args, session, &records, err);
     if (status != THUD_OK)
         return status;
     picture.options.cancel = thud_interrupt_watch();
     put_command(args, &text);
     if (text.failed) {
         thud_text_clear(&text);
+        thud_record_list_clear(&records);
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
     bool progress = isatty(STDERR_FILENO) && !thud_args_has(args, "quiet");
-    struct thud_site_report_options options = {
-        .folder = folder, .command = text.data, .pictures = &picture.options, .progress = progress ? show : NULL};
+    struct thud_site_report_options options = {.folder = folder,
+                                               .command = text.data,
+                                               .records = &records,
+                                               .inputs = &inputs.inputs,
+                                               .samples = inputs.samples,
+                                               .seed = inputs.seed,
+                                               .pictures = &picture.options,
+                                               .progress = progress ? show : NULL};
     status = thud_site_report(session, &options, err);
+    thud_record_list_clear(&records);
     thud_text_clear(&text);
     if (progress)
         fputs("\r\033[K", stderr);

@@ -8,12 +8,14 @@
 #include "app/figure_files.h"
 #include "app/uncertainty_study.h"
 #include "cli/commands.h"
+#include "cli/inputs_option.h"
 #include "cli/interrupt.h"
 #include "cli/picture_options.h"
 #include "cli/scene_options.h"
 #include "io/file.h"
+#include "study/statistics.h"
 
-enum { SAMPLES = 200, SAMPLES_MAX = 1000000, SEED_MAX = 2147483647 };
+enum { SAMPLES = 200 };
 
 static void show_progress(void *context, long done, long count, double elapsed_s)
 {
@@ -78,14 +80,6 @@ static struct thud_figure *tornado(const struct thud_uncertainty_study *study)
     return figure;
 }
 
-static int by_value(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    if (isnan(x) || isnan(y))
-        return isnan(x) - isnan(y);
-    return (x > y) - (x < y);
-}
-
 static struct thud_figure *distribution(const struct thud_uncertainty_study *study)
 {
     const struct thud_uncertainty *u = study->uncertainty;
@@ -108,7 +102,7 @@ static struct thud_figure *distribution(const struct thud_uncertainty_study *stu
             x[r] = thud_uncertainty_value(study, first + r, q);
             y[r] = 100.0 * (double)(r + 1) / (double)n;
         }
-        qsort(x, n, sizeof *x, by_value);
+        thud_sort_numbers(x, n);
         thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = color++, .wide = true},
                        u->quantity[q].name, n, x, y);
     }
@@ -155,18 +149,13 @@ static enum thud_status save(const struct thud_args *args, const struct thud_unc
 static enum thud_status read_options(const struct thud_args *args, struct thud_uncertainty_study *study,
                                      struct thud_inputs *inputs, struct thud_error *err)
 {
-    int samples = SAMPLES, seed = 1;
-    const char *text;
-    enum thud_status status = thud_args_integer(args, "samples", 0, SAMPLES_MAX, SAMPLES, &samples, err);
-    if (status == THUD_OK)
-        status = thud_args_integer(args, "seed", 0, SEED_MAX, 1, &seed, err);
+    struct thud_inputs_choice choice;
+    enum thud_status status = thud_inputs_option_read(args, SAMPLES, &choice, err);
     if (status == THUD_OK)
         status = thud_args_integer(args, "j", 1, THUD_JOBS_MAX, 0, &study->threads, err);
-    thud_inputs_init(inputs);
-    for (int i = 0; status == THUD_OK && (text = thud_args_repeated(args, "uncertain", i)) != NULL; i++)
-        status = thud_inputs_set(inputs, text, err);
-    study->samples = (size_t)samples;
-    study->seed = (unsigned long long)seed;
+    *inputs = choice.inputs;
+    study->samples = choice.samples;
+    study->seed = choice.seed;
     study->indices = thud_args_has(args, "indices");
     study->cancel = thud_interrupt_watch();
     if (isatty(STDERR_FILENO) && !thud_args_has(args, "quiet"))

@@ -47,7 +47,7 @@ static void name_others(struct thud_text *out, enum thud_command_id id, const ch
 static bool is_study(enum thud_command_id id)
 {
     return id == THUD_COMMAND_SWEEP || id == THUD_COMMAND_GAP || id == THUD_COMMAND_FRAGILITY ||
-           id == THUD_COMMAND_UNCERTAINTY;
+           id == THUD_COMMAND_UNCERTAINTY || id == THUD_COMMAND_REPORT;
 }
 
 /* A study takes all that a run takes; what a run's help says of its scene is not said again. */

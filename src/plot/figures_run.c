@@ -215,8 +215,7 @@ static int pick_floors(const struct thud_figure_source *source, int nsources, en
 void thud_source_title(const struct thud_figure_source *source, int nsources, const char *what, char *text, size_t size)
 {
     const struct thud_scene *scene = source->scene;
-    const char *path = scene->record.file, *slash = strrchr(path, '/');
-    const char *file = slash && slash[1] ? slash + 1 : path, *dot = strrchr(file, '.');
+    const char *file = thud_path_name(scene->record.file), *dot = strrchr(file, '.');
     int length = dot && dot > file && strlen(dot) <= 5 ? (int)(dot - file) : (int)strlen(file);
     int n = snprintf(text, size, "%s: %s", scene->title, what);
     if (*file && n > 0 && (size_t)n < size)

@@ -56,8 +56,7 @@ static const char *amplification(enum thud_case which)
 /* The last part of a path without its suffix: what fits a key. */
 static const char *record_name(const struct thud_sweep_table *table, int record, char text[128])
 {
-    const char *path = table->record[record], *slash = strrchr(path, '/');
-    const char *name = slash && slash[1] ? slash + 1 : path, *dot = strrchr(name, '.');
+    const char *name = thud_path_name(table->record[record]), *dot = strrchr(name, '.');
     size_t length = dot && dot > name && strlen(dot) <= 5 && !strchr(dot, ' ') ? (size_t)(dot - name) : strlen(name);
     snprintf(text, 128, "%.*s", (int)(length < 127 ? length : 127), name);
     return text;

@@ -220,21 +220,10 @@ static int happens_in(const struct thud_event *event, const struct thud_suite *s
 
 /* ---- counts over a suite ---- */
 
-static int by_value(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    if (isnan(x) || isnan(y))
-        return isnan(x) - isnan(y);
-    return (x > y) - (x < y);
-}
-
 /* 5 and 95 % of the numbers among n values, sorted in place; NaN where less than half are numbers. */
 static void band(double *value, size_t n, double *low, double *high)
 {
-    size_t m = n;
-    qsort(value, n, sizeof *value, by_value);
-    while (m > 0 && isnan(value[m - 1]))
-        m--;
+    size_t m = thud_sort_numbers(value, n);
     *low = 2 * m >= n && m > 0 ? thud_quantile(value, m, 0.05, false) : NAN;
     *high = 2 * m >= n && m > 0 ? thud_quantile(value, m, 0.95, false) : NAN;
 }

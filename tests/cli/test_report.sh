@@ -97,6 +97,31 @@ for preset in three-in-a-row isolated-moat rigid-concrete rigid-bumper; do
 done
 is "without a ground motion there is no spectrum" [ ! -e "$tmp/r/spectrum.svg" ]
 
+# a suite of motions, and samples: what is said is what the commands for each of them say
+three=records/kobe-surrogate.csv,records/northridge-surrogate.csv,records/san-fernando-surrogate.csv
+is "a report on a suite" report 0 "$tmp/own.yaml" --records "$three" --factor 0.4 --samples 20 --uncertain gap=10%
+"$THUD" gap "$tmp/own.yaml" --csv --records "$three" --factor 0.4 >"$tmp/needs.csv" 2>"$tmp/err"
+pounding() { awk -F, -v c="$1" 'NR > 1 && $7 > m[$1] { m[$1] = $7 } END { for (r in m) n += m[r] > c; print n + 0 }' "$tmp/needs.csv"; }
+is "how many motions pound" in_text "Of the suite of 3 ground motions, $(pounding 0.08) make the buildings pound without bumper"
+is "and touch the bumper" in_text "Of the suite of 3 ground motions, $(pounding 0.03) make the buildings touch the bumper"
+widths=$("$THUD" gap "$tmp/own.yaml" --records "$three" --factor 0.4 2>/dev/null | sed -n 's/^A gap of \([0-9.]*\) cm .*/\1/p')
+is "what half of them need" in_text "half of them need a gap of up to $(awk -v w="$widths" 'BEGIN { printf "%.1f", w }') cm"
+share=$("$THUD" uncertainty "$tmp/own.yaml" --samples 20 --uncertain gap=10% --quiet 2>/dev/null | sed -n 's/^The bumper lowers the mean drift of Nr 14 in \([0-9]*\) % of 20 samples.*/\1/p')
+is "in which share of the samples the bumper helps" in_text "the bumper lowers the mean drift of Nr 14 in $share % of 20 samples"
+is "their sizes are said" in_text 'gap +-10 %, stiffness +-10 %'
+is "every motion has its line" [ "$(grep -c -e '^| .*-surrogate.csv |' "$tmp/r/report.md")" -eq 3 ]
+for figure in needed-gap fragility-pounding fragility-worse ida-none ida-bumper; do
+    is "$figure is drawn" test -s "$tmp/r/$figure.svg"
+done
+is "what the suite is not is said" in_text 'whether they stand for what this site has to expect is not judged here'
+rm -rf "$tmp/first"
+cp -r "$tmp/r" "$tmp/first"
+report 0 "$tmp/own.yaml" --records "$three" --factor 0.4 --samples 20 --uncertain gap=10%
+is "and again the same bytes" diff -r "$tmp/first" "$tmp/r"
+is "no samples where none are asked for" report 0 "$tmp/own.yaml" --samples 0
+not_in_text() { ! in_text "$1"; }
+is "has no shares" not_in_text 'samples (ratio'
+
 is "without a folder" gives 2 report towers
 is "it says what is missing" says 'needs a folder to write into (-o DIR)'
 rm -rf "$tmp/r"

@@ -28,12 +28,32 @@ START_TEST(quantiles_by_hand)
 }
 END_TEST
 
+/* The ends of Wilson's interval are the shares p whose own normal deviation is the quantile: (share - p)^2 = z^2 p (1 - p) / n. */
+START_TEST(share_band_solves_its_equation)
+{
+    static const double z = 1.6448536269514722;
+    static const size_t n[] = {1, 3, 24, 1000};
+    for (size_t i = 0; i < sizeof n / sizeof *n; i++)
+        for (size_t count = 0; count <= n[i]; count += n[i] > 3 ? n[i] / 4 : 1) {
+            double low, high, share = (double)count / (double)n[i];
+            thud_share_band(count, n[i], &low, &high);
+            ck_assert(low >= 0 && low <= share + 1e-15 && share <= high + 1e-15 && high <= 1);
+            ck_assert_double_eq_tol(pow(share - low, 2), z * z * low * (1 - low) / (double)n[i], 1e-14);
+            ck_assert_double_eq_tol(pow(share - high, 2), z * z * high * (1 - high) / (double)n[i], 1e-14);
+        }
+    double low, high;
+    thud_share_band(0, 0, &low, &high);
+    ck_assert(isnan(low) && isnan(high));
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
     Suite *suite = suite_create("statistics");
     TCase *tcase = tcase_create("statistics");
     tcase_add_test(tcase, quantiles_by_hand);
+    tcase_add_test(tcase, share_band_solves_its_equation);
     suite_add_tcase(suite, tcase);
     return suite;
 }
