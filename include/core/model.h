@@ -43,9 +43,10 @@ struct thud_model {
     double *mass_kg;                        /* (ndof) */
     double *omega, *zeta, *gamma;           /* (nmodes); gamma = Phi^T M 1 */
     double *spring, *dashpot;               /* (nmodes): omega^2 and 2 zeta omega */
-    double *jacobian;                       /* (ncontacts x nmodes): contact Jacobian, rows g_c */
-    double *delassus;                       /* (ncontacts x ncontacts): Delassus matrix g_a . g_b, 1/kg */
-    double *q0, *qd0;                       /* (nmodes) at t = 0 */
+    double *mode_max;         /* (2 x nmodes): largest part of each mode in a floor's displacement, and in its drift */
+    double *jacobian;         /* (ncontacts x nmodes): contact Jacobian, rows g_c */
+    double *delassus;         /* (ncontacts x ncontacts): Delassus matrix g_a . g_b, 1/kg */
+    double *q0, *qd0;         /* (nmodes) at t = 0 */
     double *ground_influence; /* (ndof): of the ground's motion that a floor's modes carry; 1 where none is left out */
     int left_out;             /* modes */
     double fastest_radps;     /* free motion changes no faster: largest omega, or the rate of coupled damping */

@@ -18,6 +18,8 @@ struct thud_floor_result {
     struct thud_peak drift;        /* interstorey deflection, m; 0 for a rigid body */
 };
 
+enum { THUD_FLOOR_DISPLACEMENT, THUD_FLOOR_VELOCITY, THUD_FLOOR_ACCELERATION, THUD_FLOOR_DRIFT, THUD_FLOOR_QUANTITIES };
+
 struct thud_contact_result {
     int interface, left_floor, right_floor; /* from 1, left to right; floor 0: a wall */
     int impacts;                  /* those with an impulse above 1e-11 of effective mass times velocity scale */

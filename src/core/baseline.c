@@ -5,14 +5,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/early_end.h"
+#include "core/observe_relative.h"
+#include "core/run_private.h"
 
 enum { KEPT_MAX = 192 };
 
 /* A moment at the start of an interval of the ground motion. */
 struct moment {
     long grid;
-    double *state;                   /* (2 x nmodes) q, q', then (ncontacts) largest closings so far */
+    double *state;                   /* (2 x nmodes) q, q', then (ncontacts) largest relative displacements so far */
     struct thud_floor_result *floor; /* (ndof) peaks so far */
 };
 
@@ -20,8 +21,8 @@ struct thud_baseline_motion {
     int ndof, nmodes, ncontacts;
     struct thud_run *run; /* at its end; for its result */
     struct thud_model model;
-    double *closing; /* (ncontacts) */
-    bool shares;     /* free flight is the same whatever the clearances */
+    double *relative_m; /* (ncontacts) largest left less right displacement so far */
+    bool shares;        /* free flight is the same whatever the clearances */
     struct moment kept[KEPT_MAX];
     int nkept;
     struct thud_early_end *early_end;
@@ -83,7 +84,7 @@ static enum thud_status keep(struct thud_baseline_motion *baseline, struct thud_
     baseline->nkept++;
     memcpy(moment->state, run->state.q, n * sizeof(double));
     memcpy(moment->state + n, run->state.qd, n * sizeof(double));
-    memcpy(moment->state + 2 * n, baseline->closing, nc * sizeof(double));
+    memcpy(moment->state + 2 * n, baseline->relative_m, nc * sizeof(double));
     copy_floors(&run->result, moment->floor);
     baseline->next = run->state.grid + baseline->apart;
     return THUD_OK;
@@ -103,13 +104,13 @@ enum thud_status thud_baseline_advance(struct thud_baseline_motion *baseline, lo
     return status;
 }
 
-/* A copy of the model whose contacts are silent. */
+/* A copy of the model whose contacts have no force. */
 static bool copy_model(struct thud_baseline_motion *baseline, const struct thud_model *model)
 {
     baseline->model = *model;
     baseline->model.contact = calloc((size_t)model->ncontacts + 1, sizeof *model->contact);
-    baseline->closing = calloc((size_t)model->ncontacts + 1, sizeof *baseline->closing);
-    if (!baseline->model.contact || !baseline->closing)
+    baseline->relative_m = calloc((size_t)model->ncontacts + 1, sizeof *baseline->relative_m);
+    if (!baseline->model.contact || !baseline->relative_m)
         return false;
     for (int c = 0; c < model->ncontacts; c++) {
         baseline->model.contact[c] = model->contact[c];
@@ -140,10 +141,11 @@ enum thud_status thud_baseline_create(const struct thud_model *model, const stru
         thud_error_set(err, THUD_MEMORY, "out of memory");
     }
     if (status == THUD_OK) {
-        baseline->run->relative_m = baseline->closing;
+        thud_run_observe(baseline->run, &thud_observe_relative, baseline->relative_m);
         baseline->shares = baseline->run->method == thud_method_find("exact");
         baseline->early_end = baseline->shares ? thud_early_end_create(&baseline->model) : NULL;
-        baseline->run->early_end_to_fill = baseline->early_end;
+        if (baseline->early_end)
+            thud_run_observe(baseline->run, &thud_observe_early_end, baseline->early_end);
     }
     if (status != THUD_OK) {
         thud_baseline_free(baseline);
@@ -162,7 +164,7 @@ void thud_baseline_free(struct thud_baseline_motion *baseline)
     thud_run_free(baseline->run);
     thud_early_end_free(baseline->early_end);
     free(baseline->model.contact);
-    free(baseline->closing);
+    free(baseline->relative_m);
     free(baseline);
 }
 
@@ -178,16 +180,16 @@ bool thud_baseline_shares(const struct thud_baseline_motion *baseline)
 
 double thud_baseline_relative_displacement(const struct thud_baseline_motion *baseline, int c)
 {
-    return baseline->closing[c];
+    return baseline->relative_m[c];
 }
 
 /* Whether no contact has closed up to the moment. */
 static bool before_contact(const struct thud_baseline_motion *baseline, const struct moment *moment,
                            const struct thud_model *model)
 {
-    const double *closing = moment->state + 2 * baseline->nmodes;
+    const double *relative = moment->state + 2 * baseline->nmodes;
     for (int c = 0; c < baseline->ncontacts; c++)
-        if (!(model->contact[c].law->flags & THUD_LAW_NO_FORCE) && closing[c] > model->contact[c].clearance_m)
+        if (!(model->contact[c].law->flags & THUD_LAW_NO_FORCE) && relative[c] > model->contact[c].clearance_m)
             return false;
     return true;
 }
@@ -202,7 +204,7 @@ static void start_at(struct thud_run *run, const struct moment *moment)
     for (int s = 0; s < run->result.nstructures; from += run->result.structure[s].floors, s++)
         memcpy(run->result.structure[s].floor, from, (size_t)run->result.structure[s].floors * sizeof *from);
     thud_contact_moved(&run->state);
-    thud_ledger_start(run);
+    thud_ledger_start(&run->ledger, &run->state);
 }
 
 enum thud_status thud_baseline_run(const struct thud_baseline_motion *baseline, const struct thud_model *model,

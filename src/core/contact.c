@@ -88,14 +88,14 @@ static bool thud_impact_counts(const struct thud_state *state, int c, double imp
     return impulse_ns > THUD_TOL_IMPACT * state->model->contact[c].setup.mass_kg * state->speed_mps;
 }
 
-void thud_impact_count(struct thud_state *state, struct thud_contact_log *log, int c)
+void thud_impact_count(const struct thud_state *state, struct thud_contact_log *log, int c)
 {
-    struct thud_contact_state *s = &state->contact[c];
     const struct thud_impact *now = &log->now[c];
     struct thud_contact_result *r = &log->contact[c];
-    if (s->counted || law_of(state, c)->flags & THUD_LAW_IMPULSIVE || !thud_impact_counts(state, c, now->impulse_ns))
+    if (log->counted[c] || law_of(state, c)->flags & THUD_LAW_IMPULSIVE ||
+        !thud_impact_counts(state, c, now->impulse_ns))
         return;
-    s->counted = true;
+    log->counted[c] = true;
     r->impacts++;
     r->approach_mps = now->approach_mps;
     r->separation_mps = 0;
@@ -130,7 +130,7 @@ static void onset(struct thud_state *state, struct thud_contact_log *log, int c)
     s->expected_force_n = expected_force(state, c, v);
     log->now[c] =
         (struct thud_impact){.contact = c, .start_s = thud_state_now(state), .approach_mps = v, .restitution = NAN};
-    s->counted = false;
+    log->counted[c] = false;
 }
 
 /* The force has come to its end. */
@@ -140,7 +140,7 @@ static void note_release(struct thud_state *state, struct thud_contact_log *log,
     now->separation_mps = -thud_contact_rate(state, c);
     now->duration_s = thud_state_now(state) - now->start_s;
     now->restitution = thud_impact_restitution(state, now);
-    if (!state->contact[c].counted)
+    if (!log->counted[c])
         return;
     log->contact[c].separation_mps = now->separation_mps;
     log->contact[c].restitution = now->restitution;
@@ -403,7 +403,7 @@ static void stick_or_separate(struct thud_state *state, struct thud_contact_log 
     s->constraint_high_n = INFINITY;
     s->suppressed = (struct thud_suppressed){.force = 1};
     log->now[c] = (struct thud_impact){.contact = c, .start_s = thud_state_now(state), .restitution = NAN};
-    s->counted = false;
+    log->counted[c] = false;
 }
 
 /* What the impulses do to the rates of the contacts that have forces. */

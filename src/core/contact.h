@@ -21,6 +21,6 @@ enum thud_status thud_contact_update(struct thud_state *state, struct thud_conta
 
 /* Counts the impact of contact c that goes on, once, as soon as its impulse is large enough; those of impulsive laws are
  * counted as they happen. */
-void thud_impact_count(struct thud_state *state, struct thud_contact_log *log, int c);
+void thud_impact_count(const struct thud_state *state, struct thud_contact_log *log, int c);
 
 #endif

@@ -7,7 +7,8 @@ enum thud_status thud_contact_log_init(struct thud_contact_log *log, struct thud
 {
     *log = (struct thud_contact_log){.contact = contact, .keep_impacts = keep_impacts};
     log->now = calloc((size_t)ncontacts + 1, sizeof *log->now);
-    return log->now ? THUD_OK : thud_error_set(err, THUD_MEMORY, "out of memory");
+    log->counted = calloc((size_t)ncontacts + 1, sizeof *log->counted);
+    return log->now && log->counted ? THUD_OK : thud_error_set(err, THUD_MEMORY, "out of memory");
 }
 
 enum thud_status thud_contact_log_add(struct thud_contact_log *log, const struct thud_impact *impact,
@@ -31,5 +32,6 @@ void thud_contact_log_clear(struct thud_contact_log *log)
 {
     free(log->impact);
     free(log->now);
+    free(log->counted);
     *log = (struct thud_contact_log){0};
 }

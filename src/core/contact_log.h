@@ -10,10 +10,11 @@
 struct thud_contact_log {
     struct thud_contact_result *contact; /* (ncontacts), of the run's result */
     bool keep_impacts;
-    struct thud_impact *now;    /* (ncontacts) impacts that go on */
+    struct thud_impact *now;    /* (ncontacts) impacts that go on, and */
+    bool *counted;              /* (ncontacts) whether they are among the impacts of the contact */
     struct thud_impact *impact; /* (count), in the order of their ends */
     int count, capacity;
-    double lost_j; /* in impulses, not yet in the energy balance */
+    double lost_j; /* in impulses so far */
 };
 
 /* Errors: THUD_MEMORY. */

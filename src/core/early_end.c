@@ -4,12 +4,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { STRIDE = 128, ENDS = THUD_FREE_VIBRATION_ENDS };
-_Static_assert((int)STRIDE <= (int)THUD_FREE_VIBRATION_BLOCK, "a flight fills whole blocks");
+#include "core/free_vibration.h"
+#include "core/largest.h"
+#include "core/observe_peaks.h"
+
+enum { STRIDE = THUD_FREE_VIBRATION_BLOCK, ENDS = THUD_FREE_VIBRATION_ENDS };
 
 struct thud_early_end {
     int n, floors, nc, row; /* modes, floors, contacts, doubles of one block: 2 n + 4 floors + nc */
-    double *block; /* (capacity x row): q, q' at its start; what its floors' values do not pass; largest closings */
+    double *
+        block; /* (capacity x row): q, q' at its start; what its floors' values do not pass; largest relative displacements */
     long count, capacity;
     double *end;         /* (2 n) q, q' at the end of the last block */
     bool closed, failed; /* blocks are STRIDE intervals each, but for the last */
@@ -57,44 +61,37 @@ static double *new_block(struct thud_early_end *h)
     return h->block + h->count++ * h->row;
 }
 
-static double largest(const double *x, int n)
+/* Keeps the block just marched and what its values cannot pass. A failed allocation ends the keeping. */
+static enum thud_status block(void *own, const struct thud_state *state, struct thud_free_vibration *f, int intervals,
+                              struct thud_error *err)
 {
-    double most = 0;
-    for (int t = 0; t < n; t++) {
-        double a = fabs(x[t]);
-        most = a > most ? a : most;
-    }
-    return most;
-}
-
-void thud_early_end_record(struct thud_early_end *h, const struct thud_run *run, struct thud_free_vibration *f,
-                           int intervals)
-{
-    const struct thud_model *m = run->state.model;
-    if (h->failed || run->state.grid != h->count * STRIDE)
+    struct thud_early_end *h = own;
+    const struct thud_model *m = state->model;
+    (void)err;
+    h->failed = h->failed || state->grid != h->count * STRIDE;
+    double *row = h->failed ? NULL : new_block(h);
+    if (!row) {
         h->failed = true;
-    double *block = h->failed ? NULL : new_block(h);
-    if (!block) {
-        h->failed = true;
-        return;
+        return THUD_OK;
     }
-    for (int j = 0; j < h->n; j++) {
-        block[j] = f->q[j * ENDS];
-        block[h->n + j] = f->qd[j * ENDS];
-        h->end[j] = f->q[j * ENDS + intervals];
-        h->end[h->n + j] = f->qd[j * ENDS + intervals];
-    }
-    double *value = block + 2 * h->n, *closing = value + THUD_FLOOR_QUANTITIES * h->floors;
+    thud_free_vibration_end(f, 0, row, row + h->n);
+    thud_free_vibration_end(f, intervals, h->end, h->end + h->n);
+    double *value = row + 2 * h->n, *relative = value + THUD_FLOOR_QUANTITIES * h->floors;
+    for (int s = 0; s < m->nstructures; s++)
+        thud_free_vibration_values(f, m, s);
     for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++)
         for (int i = 0; i < h->floors; i++)
-            value[x * h->floors + i] =
-                largest(f->value[x] + i * ENDS, intervals + 1) + f->margin[x * m->nstructures + m->dof_structure[i]];
+            value[x * h->floors + i] = thud_largest_size(f->value[x] + i * ENDS, intervals + 1) +
+                                       f->margin[x * m->nstructures + m->dof_structure[i]];
     for (int c = 0; c < h->nc; c++) {
         double margin, most = thud_free_vibration_gap(f, m, c, intervals + 1, &margin);
-        closing[c] = most + margin;
+        relative[c] = most + margin;
     }
-    h->end_grid = run->state.grid + intervals;
+    h->end_grid = state->grid + intervals;
+    return THUD_OK;
 }
+
+const struct thud_observer thud_observe_early_end = {NULL, block};
 
 /* From each block on: the largest of it and all that follow. */
 void thud_early_end_close(struct thud_early_end *h)
@@ -107,11 +104,6 @@ void thud_early_end_close(struct thud_early_end *h)
     h->closed = !h->failed && h->count > 0;
 }
 
-int thud_early_end_stride(long grid)
-{
-    return (int)(STRIDE - grid % STRIDE);
-}
-
 /* Largest |x| that a mode's free vibration from (q, q') comes to: its envelope at the start. */
 static double amplitude(const struct thud_model *m, int j, double q, double qd)
 {
@@ -121,9 +113,9 @@ static double amplitude(const struct thud_model *m, int j, double q, double qd)
 }
 
 /* Whether one floor keeps below its peaks: `later` of the motion without contact, plus what the difference may add. */
-static bool floor_is_done(struct thud_run *run, const double *later, const double *amplitudes, int s, int floor)
+static bool floor_is_done(const struct thud_model *m, struct thud_result *result, const double *later,
+                          const double *amplitudes, int s, int floor)
 {
-    const struct thud_model *m = run->state.model;
     const struct thud_model_structure *p = &m->structure[s];
     const double *row = p->phi + floor * p->modes, *below = floor > 0 ? row - p->modes : NULL;
     double add[THUD_FLOOR_QUANTITIES] = {0};
@@ -135,14 +127,15 @@ static bool floor_is_done(struct thud_run *run, const double *later, const doubl
         add[THUD_FLOOR_DRIFT] += fabs(row[j] - (below ? below[j] : 0)) * a;
     }
     for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++)
-        if (later[x * m->ndof + p->first + floor] + add[x] > thud_floor_peak(&run->result, s, floor, x)->value)
+        if (later[x * m->ndof + p->first + floor] + add[x] > thud_floor_peak(result, s, floor, x)->value)
             return false;
     return true;
 }
 
-static bool nothing_comes(struct thud_run *run, const double *later, const double *closing, const double *amplitudes)
+static bool nothing_comes(const struct thud_state *state, struct thud_result *result, const double *later,
+                          const double *relative, const double *amplitudes)
 {
-    const struct thud_model *m = run->state.model;
+    const struct thud_model *m = state->model;
     for (int c = 0; c < m->ncontacts; c++) {
         const double *g = m->jacobian + c * m->nmodes;
         double add = 0;
@@ -150,42 +143,45 @@ static bool nothing_comes(struct thud_run *run, const double *later, const doubl
             continue;
         for (int j = 0; j < m->nmodes; j++)
             add += fabs(g[j]) * amplitudes[j];
-        if (closing[c] + add >= thud_state_clearance(&run->state, c))
+        if (relative[c] + add >= thud_state_clearance(state, c))
             return false;
     }
     for (int s = 0; s < m->nstructures; s++)
         for (int i = 0; i < m->structure[s].n; i++)
-            if (!floor_is_done(run, later, amplitudes, s, i))
+            if (!floor_is_done(m, result, later, amplitudes, s, i))
                 return false;
     return true;
 }
 
-/* Free vibration of the difference over `time`, added to the motion without contact. */
-static void put_at_end(const struct thud_early_end *h, struct thud_run *run, const double *start, double time)
+bool thud_early_end_holds(const struct thud_early_end *h, const struct thud_state *state, struct thud_result *result,
+                          double *amplitudes)
 {
-    const struct thud_model *m = run->state.model;
-    for (int j = 0; j < h->n; j++) {
-        double dq = run->state.q[j] - start[j], dv = run->state.qd[j] - start[h->n + j];
-        double zw = m->zeta[j] * m->omega[j], w = m->omega[j] * sqrt(1 - m->zeta[j] * m->zeta[j]);
-        double fade = exp(-zw * time), c = cos(w * time), s = sin(w * time);
-        run->state.q[j] = h->end[j] + fade * (dq * c + (dv + zw * dq) / w * s);
-        run->state.qd[j] = h->end[h->n + j] + fade * (dv * c - (zw * dv + m->omega[j] * m->omega[j] * dq) / w * s);
-    }
+    long grid = state->grid, b = grid / STRIDE;
+    if (!h->closed || state->offset_s != 0 || grid % STRIDE != 0 || b >= h->count || grid >= h->end_grid)
+        return false;
+    for (int c = 0; c < state->model->ncontacts; c++)
+        if (state->contact[c].mode != THUD_OPEN)
+            return false;
+    const double *start = h->block + b * h->row, *later = start + 2 * h->n;
+    for (int j = 0; j < h->n; j++)
+        amplitudes[j] = amplitude(state->model, j, state->q[j] - start[j], state->qd[j] - start[h->n + j]);
+    return nothing_comes(state, result, later, later + THUD_FLOOR_QUANTITIES * h->floors, amplitudes);
 }
 
-long thud_early_end_jump(const struct thud_early_end *h, struct thud_run *run)
+/* Free vibration of the difference, added to the motion without contact. */
+long thud_early_end_jump(const struct thud_early_end *h, struct thud_state *state)
 {
-    long grid = run->state.grid, b = grid / STRIDE;
-    if (!h->closed || grid % STRIDE != 0 || b >= h->count || grid >= h->end_grid)
-        return 0;
-    const double *start = h->block + b * h->row, *later = start + 2 * h->n;
-    double *amplitudes = run->seg.reach;
-    for (int j = 0; j < h->n; j++)
-        amplitudes[j] = amplitude(run->state.model, j, run->state.q[j] - start[j], run->state.qd[j] - start[h->n + j]);
-    if (!nothing_comes(run, later, later + THUD_FLOOR_QUANTITIES * h->floors, amplitudes))
-        return 0;
-    thud_ledger_close(run);
-    put_at_end(h, run, start, (double)(h->end_grid - grid) * run->state.grid_dt_s);
-    run->state.grid = h->end_grid;
-    return h->end_grid - grid;
+    const struct thud_model *m = state->model;
+    const double *start = h->block + state->grid / STRIDE * h->row;
+    long intervals = h->end_grid - state->grid;
+    double time = (double)intervals * state->grid_dt_s;
+    for (int j = 0; j < h->n; j++) {
+        double dq = state->q[j] - start[j], dv = state->qd[j] - start[h->n + j];
+        double zw = m->zeta[j] * m->omega[j], w = m->omega[j] * sqrt(1 - m->zeta[j] * m->zeta[j]);
+        double fade = exp(-zw * time), c = cos(w * time), s = sin(w * time);
+        state->q[j] = h->end[j] + fade * (dq * c + (dv + zw * dq) / w * s);
+        state->qd[j] = h->end[h->n + j] + fade * (dv * c - (zw * dv + m->spring[j] * dq) / w * s);
+    }
+    state->grid = h->end_grid;
+    return intervals;
 }

@@ -7,25 +7,22 @@
 #ifndef THUD_CORE_EARLY_END_H
 #define THUD_CORE_EARLY_END_H
 
-#include "core/free_vibration.h"
+#include "core/observer.h"
 
 struct thud_early_end;
 
-/* For a run without contact, which is going to fill it. NULL when out of memory. */
+/* For a run without contact, whose observer it is. NULL when out of memory. */
 struct thud_early_end *thud_early_end_create(const struct thud_model *model);
 void thud_early_end_free(struct thud_early_end *early_end);
-
-/* Of the run without contact: keeps the block just marched and what its values cannot pass. A failed allocation ends
- * the keeping. */
-void thud_early_end_record(struct thud_early_end *early_end, const struct thud_run *run, struct thud_free_vibration *f,
-                           int intervals);
-/* After the last block: its end, and what comes after each block. */
+extern const struct thud_observer thud_observe_early_end;
+/* After the last block: what comes after each block. */
 void thud_early_end_close(struct thud_early_end *early_end);
 
-/* Of a run with contacts, all open: puts it at the end of the last block where nothing can happen before it; returns
- * how many intervals that passes, 0 where it cannot. */
-long thud_early_end_jump(const struct thud_early_end *early_end, struct thud_run *run);
-/* Intervals from `grid` to the next moment at which it pays to ask. */
-int thud_early_end_stride(long grid);
+/* Whether nothing can come before the end of the record in a run with contacts that is at this state, with these
+ * results so far. amplitudes: (nmodes) workspace. */
+bool thud_early_end_holds(const struct thud_early_end *early_end, const struct thud_state *state,
+                          struct thud_result *result, double *amplitudes);
+/* Puts the state there; returns how many intervals that passes. Only where thud_early_end_holds. */
+long thud_early_end_jump(const struct thud_early_end *early_end, struct thud_state *state);
 
 #endif

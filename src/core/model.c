@@ -37,7 +37,7 @@ static size_t model_bytes(const struct thud_model_input *in, size_t ndof, size_t
     size_t nc = (size_t)in->ncontacts, bytes = room(1, sizeof(struct thud_model));
     bytes += room((size_t)in->nstructures, sizeof(struct thud_model_structure));
     bytes += room(nc, sizeof(struct thud_model_contact)) + room(ndof, sizeof(int));
-    bytes += 2 * room(ndof, sizeof(double)) + 7 * room(nmodes, sizeof(double));
+    bytes += 2 * room(ndof, sizeof(double)) + 9 * room(nmodes, sizeof(double));
     bytes += room(nc * nmodes, sizeof(double)) + room(nc * nc, sizeof(double));
     for (int s = 0; s < in->nstructures; s++) {
         size_t n = (size_t)in->structure[s].n, kept = (size_t)kept_of(in->structure[s].n, in->modes);
@@ -106,10 +106,16 @@ static void fill_mode(struct thud_model *m, const struct thud_model_structure *p
                       int j)
 {
     int at = p->first_mode + j;
-    double gamma = 0;
-    for (int i = 0; i < p->n; i++)
-        gamma += p->phi[i * p->modes + j] * in->mass_kg[i];
+    double gamma = 0, most = 0, drift = 0;
+    for (int i = 0; i < p->n; i++) {
+        double here = p->phi[i * p->modes + j], below = i > 0 ? p->phi[(i - 1) * p->modes + j] : 0;
+        gamma += here * in->mass_kg[i];
+        most = fmax(most, fabs(here));
+        drift = fmax(drift, fabs(here - below));
+    }
     m->gamma[at] = gamma;
+    m->mode_max[at] = most;
+    m->mode_max[m->nmodes + at] = drift;
     m->omega[at] = p->omega[j];
     m->zeta[at] = p->damping ? 0 : in->damping;
     m->q0[at] = 0;
@@ -249,6 +255,7 @@ static struct thud_model *lay_out(const struct thud_model_input *input, struct a
     double **by_mode[] = {&m->omega, &m->zeta, &m->gamma, &m->spring, &m->dashpot, &m->q0, &m->qd0};
     for (size_t i = 0; i < sizeof by_mode / sizeof *by_mode; i++)
         *by_mode[i] = take(arena, modes * sizeof(double));
+    m->mode_max = take(arena, 2 * modes * sizeof(double));
     m->jacobian = take(arena, nc * modes * sizeof(double));
     m->delassus = take(arena, nc * nc * sizeof(double));
     struct thud_model_structure next = {0};

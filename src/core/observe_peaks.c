@@ -5,6 +5,8 @@
 #include <string.h>
 
 #include "core/double_pair.h"
+#include "core/free_vibration.h"
+#include "core/largest.h"
 #include "core/poly.h"
 
 /* What a structure's energy lets its floors come to at most: where that is below the peaks so far, no floor needs to be
@@ -22,7 +24,7 @@ static double damping_factor(const struct thud_model *m, const struct thud_model
 }
 
 /* Fills peaks->per_speed. */
-static void thud_response_bound_start(struct thud_peaks *peaks, const struct thud_state *state)
+static void fill_response_bounds(struct thud_peaks *peaks, const struct thud_state *state)
 {
     const struct thud_model *m = state->model;
     for (int s = 0; s < m->nstructures; s++) {
@@ -44,8 +46,8 @@ static void thud_response_bound_start(struct thud_peaks *peaks, const struct thu
 }
 
 /* Whether a floor, and whether any floor of the structure, may then pass a peak. */
-static bool thud_response_bound_floor(struct thud_peaks *peaks, const struct thud_model *model, int structure,
-                                      int floor, const struct thud_response_bound *reach)
+static bool may_pass(struct thud_peaks *peaks, const struct thud_model *model, int structure, int floor,
+                     const struct thud_response_bound *reach)
 {
     const struct thud_model *m = model;
     const struct thud_floor_result *r = &peaks->result->structure[structure].floor[floor];
@@ -62,7 +64,7 @@ bool thud_response_bound_structure(struct thud_peaks *peaks, const struct thud_m
                                    const struct thud_response_bound *reach)
 {
     for (int i = 0; i < model->structure[structure].n; i++)
-        if (thud_response_bound_floor(peaks, model, structure, i, reach))
+        if (may_pass(peaks, model, structure, i, reach))
             return true;
     return false;
 }
@@ -91,8 +93,8 @@ static double largest_force(struct thud_peaks *peaks, const struct thud_state *s
 }
 
 /* In the segment up to s; without bound for methods whose steps do not keep to the equations of motion. */
-static struct thud_response_bound thud_response_bound_segment(struct thud_peaks *peaks, const struct thud_state *state,
-                                                              const struct thud_segment *seg, int structure, double s)
+static struct thud_response_bound bound_of_segment(struct thud_peaks *peaks, const struct thud_state *state,
+                                                   const struct thud_segment *seg, int structure, double s)
 {
     const struct thud_model *m = state->model;
     const struct thud_model_structure *p = &m->structure[structure];
@@ -152,7 +154,8 @@ static void acceleration_by_forces(struct thud_peaks *peaks, const struct thud_s
     }
 }
 
-void thud_peaks_prepare(struct thud_peaks *peaks, const struct thud_state *state, const struct thud_segment *seg)
+static void prepare_accelerations(struct thud_peaks *peaks, const struct thud_state *state,
+                                  const struct thud_segment *seg)
 {
     if (seg->interpolates) {
         acceleration_by_forces(peaks, state, seg);
@@ -190,17 +193,16 @@ static void modal_margins(const struct thud_state *state, const struct thud_segm
 }
 
 /* The same for the structure's worst floor. */
-static void structure_margins(struct thud_peaks *peaks, const struct thud_state *state,
-                              const struct thud_model_structure *p, const double *modal,
+static void structure_margins(const struct thud_model *m, const struct thud_model_structure *p, const double *modal,
                               double margin[THUD_FLOOR_QUANTITIES])
 {
-    int n = state->model->nmodes;
+    int n = m->nmodes;
     double sum[THUD_FLOOR_QUANTITIES] = {0};
     for (int j = p->first_mode; j < p->first_mode + p->modes; j++) {
-        sum[THUD_FLOOR_DISPLACEMENT] += peaks->mode_max[j] * modal[j];
-        sum[THUD_FLOOR_VELOCITY] += peaks->mode_max[j] * modal[n + j];
-        sum[THUD_FLOOR_ACCELERATION] += peaks->mode_max[j] * modal[2 * n + j];
-        sum[THUD_FLOOR_DRIFT] += peaks->mode_max[n + j] * modal[j];
+        sum[THUD_FLOOR_DISPLACEMENT] += m->mode_max[j] * modal[j];
+        sum[THUD_FLOOR_VELOCITY] += m->mode_max[j] * modal[n + j];
+        sum[THUD_FLOOR_ACCELERATION] += m->mode_max[j] * modal[2 * n + j];
+        sum[THUD_FLOOR_DRIFT] += m->mode_max[n + j] * modal[j];
     }
     memcpy(margin, sum, sizeof sum);
 }
@@ -253,8 +255,8 @@ static void floor_values(const struct thud_model_structure *p, int floor, int nm
     }
 }
 
-void thud_peaks_floor(struct thud_peaks *peaks, const struct thud_state *state, const struct thud_segment *seg,
-                      int structure, int floor, int quantity, double s_end)
+static void floor_peak(struct thud_peaks *peaks, const struct thud_state *state, const struct thud_segment *seg,
+                       int structure, int floor, int quantity, double s_end)
 {
     const struct thud_model_structure *p = &state->model->structure[structure];
     struct thud_peak *peak = thud_floor_peak(peaks->result, structure, floor, quantity);
@@ -284,9 +286,9 @@ static void structure_peaks(struct thud_peaks *peaks, const struct thud_state *s
     const struct thud_model_structure *p = &state->model->structure[index];
     double margin[THUD_FLOOR_QUANTITIES], a[THUD_FLOOR_QUANTITIES], b[THUD_FLOOR_QUANTITIES], a_below = 0, b_below = 0;
     int nmodes = state->model->nmodes, below = -1; /* the floor whose displacements a_below and b_below are */
-    structure_margins(peaks, state, p, modal, margin);
+    structure_margins(state->model, p, modal, margin);
     for (int i = 0; i < p->n; i++) {
-        if (!thud_response_bound_floor(peaks, state->model, index, i, reach))
+        if (!may_pass(peaks, state->model, index, i, reach))
             continue;
         if (below != i - 1) {
             floor_values(p, i - 1, nmodes, start, end, a, b);
@@ -303,7 +305,7 @@ static void structure_peaks(struct thud_peaks *peaks, const struct thud_state *s
             double end_value = fmax(fabs(a[x]), fabs(b[x]));
             double peak = thud_floor_peak(peaks->result, index, i, x)->value;
             if (end_value + margin[x] > peak && end_value + floor_margin(p, i, x, nmodes, modal) > peak)
-                thud_peaks_floor(peaks, state, seg, index, i, x, s_end);
+                floor_peak(peaks, state, seg, index, i, x, s_end);
         }
     }
 }
@@ -350,41 +352,27 @@ static void contact_peaks(struct thud_peaks *peaks, const struct thud_state *sta
     raise_contact_peak(seg, &peaks->result->contact[c].force, &log->now[c].force_n, p, s_end);
 }
 
-static void fill_mode_max(struct thud_peaks *peaks, const struct thud_state *state)
+/* Peaks of the structures that may have one. */
+static void motion_peaks(struct thud_peaks *peaks, const struct thud_observation *o)
 {
+    const struct thud_state *state = o->state;
     const struct thud_model *m = state->model;
-    for (int s = 0; s < m->nstructures; s++) {
-        const struct thud_model_structure *p = &m->structure[s];
-        for (int j = 0; j < p->modes; j++) {
-            double most = 0, drift = 0;
-            for (int i = 0; i < p->n; i++) {
-                double below = i > 0 ? p->phi[(i - 1) * p->modes + j] : 0;
-                most = fmax(most, fabs(p->phi[i * p->modes + j]));
-                drift = fmax(drift, fabs(p->phi[i * p->modes + j] - below));
-            }
-            peaks->mode_max[p->first_mode + j] = most;
-            peaks->mode_max[m->nmodes + p->first_mode + j] = drift;
-        }
-    }
-}
-
-/* Peaks of the structures that may have one. Modal values at the end are there already, but for the acceleration. */
-static void motion_peaks(struct thud_peaks *peaks, const struct thud_state *state, const struct thud_segment *seg,
-                         double s)
-{
-    const struct thud_model *m = state->model;
+    const struct thud_segment *seg = o->seg;
+    double s = o->s;
     size_t n = (size_t)m->nmodes;
     double *start = peaks->ends, *end = start + 3 * n, *modal = end + 3 * n;
     bool prepared = false;
     for (int i = 0; i < m->nstructures; i++) {
-        struct thud_response_bound reach = thud_response_bound_segment(peaks, state, seg, i, s);
+        struct thud_response_bound reach = bound_of_segment(peaks, state, seg, i, s);
         if (!thud_response_bound_structure(peaks, state->model, i, &reach))
             continue;
         if (!prepared) {
-            thud_peaks_prepare(peaks, state, seg);
+            prepare_accelerations(peaks, state, seg);
             memcpy(start, state->q, n * sizeof *start);
             memcpy(start + n, state->qd, n * sizeof *start);
             memcpy(start + 2 * n, peaks->acceleration, n * sizeof *start);
+            memcpy(end, o->q, n * sizeof *end);
+            memcpy(end + n, o->qd, n * sizeof *end);
             modal_acceleration(state, seg, peaks->acceleration, s, end + 2 * n);
             modal_margins(state, seg, peaks->acceleration, s, modal);
             prepared = true;
@@ -393,29 +381,173 @@ static void motion_peaks(struct thud_peaks *peaks, const struct thud_state *stat
     }
 }
 
-void thud_peaks_segment(struct thud_peaks *peaks, const struct thud_state *state, const struct thud_segment *seg,
-                        struct thud_contact_log *log, double s)
+static enum thud_status segment(void *own, const struct thud_observation *o, struct thud_error *err)
 {
-    motion_peaks(peaks, state, seg, s);
-    for (int c = 0; c < state->model->ncontacts; c++)
-        contact_peaks(peaks, state, seg, log, c, s);
+    struct thud_peaks *peaks = own;
+    (void)err;
+    motion_peaks(peaks, o);
+    for (int c = 0; c < o->state->model->ncontacts; c++)
+        contact_peaks(peaks, o->state, o->seg, peaks->log, c, o->s);
+    return THUD_OK;
 }
 
+/* Peaks of free vibration: bounds show in which intervals of a block the peak of a floor's value can lie; of those the
+ * series is made. */
+
+enum { ENDS = THUD_FREE_VIBRATION_ENDS };
+
+/* The values of one quantity of one floor in the block. */
+struct row {
+    int structure, floor, quantity;
+    const double *x;
+    struct thud_peak *peak;
+    double margin;       /* how far it may lie above its ends inside an interval, and */
+    double cubic_margin; /* from the cubic through values and rates at them */
+};
+
+/* Rate of a row's value at end t of an interval whose ground acceleration there is `ground`. */
+static double rate_at(const struct thud_model *m, const struct thud_free_vibration *f, const struct row *row, int t,
+                      double ground)
+{
+    const struct thud_model_structure *p = &m->structure[row->structure];
+    const double *v = f->value[THUD_FLOOR_VELOCITY] + (p->first + row->floor) * ENDS + t;
+    if (row->quantity == THUD_FLOOR_DISPLACEMENT)
+        return *v;
+    if (row->quantity == THUD_FLOOR_DRIFT)
+        return row->floor > 0 ? *v - v[-ENDS] : *v;
+    if (row->quantity == THUD_FLOOR_VELOCITY)
+        return f->value[THUD_FLOOR_ACCELERATION][(p->first + row->floor) * ENDS + t] -
+               m->ground_influence[p->first + row->floor] * ground;
+    double jerk = 0;
+    for (int j = 0; j < p->modes; j++) {
+        int k = p->first_mode + j;
+        double second = f->spring[k * ENDS + t] - m->gamma[k] * ground;
+        jerk -= p->phi[row->floor * p->modes + j] * m->omega[k] *
+                (m->omega[k] * f->qd[k * ENDS + t] + 2 * m->zeta[k] * second);
+    }
+    return jerk;
+}
+
+/* Largest |p| on [0, 1] of the cubic with values x0, x1 and rates (by s) r0, r1 at the ends. */
+static double cubic_peak(double x0, double x1, double r0, double r1)
+{
+    double c2 = 3 * (x1 - x0) - 2 * r0 - r1, c3 = 2 * (x0 - x1) + r0 + r1;
+    double most = thud_larger(fabs(x0), fabs(x1)), root = c2 * c2 - 3 * c3 * r0;
+    if (root < 0)
+        return most;
+    root = sqrt(root);
+    double u = -(c2 + (c2 < 0 ? -root : root)); /* 3 c3 s^2 + 2 c2 s + r0 = 0, without cancellation */
+    double s[2] = {u / (3 * c3), r0 / u};
+    for (int i = 0; i < 2; i++)
+        if (s[i] > 0 && s[i] < 1)
+            most = thud_larger(most, fabs(x0 + s[i] * (r0 + s[i] * (c2 + s[i] * c3))));
+    return most;
+}
+
+/* Intervals with an end at `near` or above, in order; how many. */
+static int intervals_near(const double *x, int intervals, double near, int *list)
+{
+    int count = 0;
+    bool before = fabs(x[0]) >= near;
+    for (int t = 0; t < intervals; t++) {
+        bool after = fabs(x[t + 1]) >= near;
+        list[count] = t;
+        count += before | after;
+        before = after;
+    }
+    return count;
+}
+
+/* The peak of a row in interval t. */
+static void read_interval(struct thud_peaks *peaks, const struct thud_state *state, struct thud_free_vibration *f,
+                          const struct row *row, int t)
+{
+    for (int piece = 0; piece < f->pieces; piece++) {
+        const struct thud_segment *seg = thud_free_vibration_series(f, state, t, piece);
+        if (row->quantity == THUD_FLOOR_ACCELERATION)
+            prepare_accelerations(peaks, state, seg);
+        floor_peak(peaks, state, seg, row->structure, row->floor, row->quantity, 1);
+    }
+}
+
+/* Reads the intervals inside which the row may pass both its peak so far and what it surely reaches in the block. */
+static void row_peaks(struct thud_peaks *peaks, const struct thud_state *state, struct thud_free_vibration *f,
+                      const struct row *row, int intervals)
+{
+    const struct thud_model *m = state->model;
+    const double *x = row->x;
+    double most = thud_largest_size(x, intervals + 1), upper[THUD_FREE_VIBRATION_BLOCK];
+    if (most + row->margin <= row->peak->value)
+        return;
+    double limit = thud_larger(row->peak->value, most);
+    int list[THUD_FREE_VIBRATION_BLOCK], count = intervals_near(x, intervals, limit - row->margin, list);
+    for (int i = 0; i < count; i++) {
+        int t = list[i];
+        double r0 = rate_at(m, f, row, t, f->ground[t]), r1 = rate_at(m, f, row, t + 1, f->after[t]);
+        double cubic = cubic_peak(x[t], x[t + 1], f->dt_s * r0, f->dt_s * r1);
+        upper[i] = cubic + row->cubic_margin;
+        limit = thud_larger(limit, cubic - row->cubic_margin);
+    }
+    for (int i = 0; i < count; i++)
+        if (upper[i] >= limit && upper[i] > row->peak->value)
+            read_interval(peaks, state, f, row, list[i]);
+}
+
+/* Whether a structure moves enough in the block for a new peak. */
+static bool may_pass_in_block(struct thud_peaks *peaks, const struct thud_model *m, const struct thud_free_vibration *f,
+                              int structure)
+{
+    const struct thud_model_structure *p = &m->structure[structure];
+    double energy = 0, gamma = 0;
+    for (int j = p->first_mode; j < p->first_mode + p->modes; j++) {
+        energy += f->speed[j] * f->speed[j];
+        gamma += m->gamma[j] * m->gamma[j];
+    }
+    struct thud_response_bound reach = {sqrt(energy) + f->dt_s * sqrt(gamma) * f->ground_most, 0};
+    return thud_response_bound_structure(peaks, m, structure, &reach);
+}
+
+static enum thud_status block(void *own, const struct thud_state *state, struct thud_free_vibration *f, int intervals,
+                              struct thud_error *err)
+{
+    struct thud_peaks *peaks = own;
+    const struct thud_model *m = state->model;
+    (void)err;
+    for (int s = 0; s < m->nstructures; s++) {
+        const struct thud_model_structure *p = &m->structure[s];
+        if (!may_pass_in_block(peaks, m, f, s))
+            continue;
+        thud_free_vibration_values(f, m, s);
+        for (int i = 0; i < p->n; i++)
+            for (int x = 0; x < (p->stiffness_npm ? THUD_FLOOR_QUANTITIES : THUD_FLOOR_DRIFT); x++) {
+                struct row row = {s,
+                                  i,
+                                  x,
+                                  f->value[x] + (p->first + i) * ENDS,
+                                  thud_floor_peak(peaks->result, s, i, x),
+                                  f->margin[x * m->nstructures + s],
+                                  f->cubic_margin[x * m->nstructures + s]};
+                row_peaks(peaks, state, f, &row, intervals);
+            }
+    }
+    return THUD_OK;
+}
+
+const struct thud_observer thud_observe_peaks = {segment, block};
+
 enum thud_status thud_peaks_init(struct thud_peaks *peaks, const struct thud_state *state, struct thud_result *result,
-                                 struct thud_error *err)
+                                 struct thud_contact_log *log, struct thud_error *err)
 {
     size_t n = (size_t)state->model->nmodes, terms = THUD_SEGMENT_TERMS;
     size_t floors = THUD_FLOOR_QUANTITIES * (size_t)state->model->ndof;
-    *peaks = (struct thud_peaks){.result = result};
-    peaks->block = calloc((2 + 9 + terms + 1) * n + floors + 1, sizeof *peaks->block);
+    *peaks = (struct thud_peaks){.result = result, .log = log};
+    peaks->block = calloc((9 + terms + 1) * n + floors + 1, sizeof *peaks->block);
     if (!peaks->block)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
-    peaks->mode_max = peaks->block;
-    peaks->ends = peaks->mode_max + 2 * n;
+    peaks->ends = peaks->block;
     peaks->acceleration = peaks->ends + 9 * n;
     peaks->per_speed = peaks->acceleration + (terms + 1) * n;
-    fill_mode_max(peaks, state);
-    thud_response_bound_start(peaks, state);
+    fill_response_bounds(peaks, state);
     return THUD_OK;
 }
 

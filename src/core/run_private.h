@@ -3,18 +3,14 @@
 #define THUD_CORE_RUN_PRIVATE_H
 
 #include "core/contact.h"
+#include "core/early_end.h"
+#include "core/free_vibration.h"
+#include "core/observe_history.h"
 #include "core/observe_peaks.h"
 #include "core/run.h"
-#include "core/segment.h"
 #include "core/tolerance.h"
 
-struct thud_free_vibration;
-struct thud_early_end;
-struct thud_ledger {
-    double initial_j, input_j, viscous_j, contact_work_j, largest_j;
-    double balanced_s; /* the last moment looked at when no more was unaccounted for than may be */
-    bool closed;       /* nothing more comes: the balance is that of an earlier moment */
-};
+enum { THUD_OBSERVERS_MAX = 5 };
 
 /* Events at one moment without end: see run.c. */
 struct thud_progress {
@@ -25,26 +21,26 @@ struct thud_progress {
 struct thud_run {
     struct thud_run_options options;
     const struct thud_method *method;
-    void *own; /* of the method */
+    void *own;                                  /* of the method */
+    struct thud_free_vibration *free_vibration; /* NULL: the method goes through free flight too */
+    const struct thud_early_end *early_end;     /* of the motion without contact; NULL: not known */
+
     struct thud_state state;
     struct thud_segment seg; /* proposed */
+    double *end;             /* (2 x nmodes) q, q' where it is taken to */
     struct thud_progress progress;
     double speed_bound; /* sqrt(2 E) that initial motion and ground can give at most, in modal coordinates */
     bool done;
-    bool switched; /* a contact has, at the end of the last segment: rows stand on both sides of the jump */
 
-    struct thud_peaks peaks;
-    double *scratch; /* (THUD_SEGMENT_TERMS x nmodes + 8 x nmodes) for one function at a time */
+    struct thud_listener {
+        const struct thud_observer *table;
+        void *own;
+    } observer[THUD_OBSERVERS_MAX]; /* (observers), asked in this order */
+    int observers;
     struct thud_contact_log log;
+    struct thud_peaks peaks;
+    struct thud_rows rows;
     struct thud_ledger ledger;
-    struct thud_history history;
-    double next_row_s;
-    double close_rows_until_s;                /* rows stand closer for a while after a contact */
-    bool row_waits;                           /* see history.c */
-    const struct thud_early_end *early_end;   /* of the motion without contact; NULL: not known */
-    struct thud_early_end *early_end_to_fill; /* in the run without contact; NULL: not asked for */
-    double *relative_m; /* (ncontacts) largest so far of left less right displacement; NULL: not asked for */
-    struct thud_free_vibration *free_vibration;
 
     struct thud_work work;
     struct thud_result result;
@@ -74,36 +70,16 @@ enum thud_status thud_run_check_options(const struct thud_run_options *options, 
 void thud_run_set_scales(struct thud_run *run);
 /* Fills run->speed_bound. */
 void thud_run_set_bound(struct thud_run *run);
+/* At the end: THUD_DIVERGED when more of the energy is unaccounted for than may be. */
+enum thud_status thud_run_judge(const struct thud_run *run, struct thud_error *err);
 /* THUD_DIVERGED when this state (q, qd) holds far more energy than can ever have come in. */
 enum thud_status thud_run_check_state(struct thud_run *run, const double *q, const double *qd, struct thud_error *err);
 
-/* ledger.c, history.c: what is read from a segment before it is committed up to s. */
-void thud_ledger_start(struct thud_run *run);
-void thud_ledger_segment(struct thud_run *run, double s);
-struct thud_ledger thud_ledger_at(struct thud_run *run, double s); /* as it will be at s; books nothing */
-/* What the structures hold now, as the ledger has it, may be the most so far: the energy that its error is a part of.
- */
-void thud_ledger_mark(struct thud_run *run);
-/* Books what impulses have lost since the last time. */
-void thud_ledger_impulses(struct thud_run *run);
-void thud_ledger_finish(struct thud_run *run);
-/* Looks at the balance now and then, so that an error can say when it was lost. */
-void thud_ledger_watch(struct thud_run *run);
-/* The balance of this moment stands for the end: the run leaves out the rest, in which nothing new happens. */
-void thud_ledger_close(struct thud_run *run);
-/* At the end: THUD_DIVERGED when more of the energy is unaccounted for than may be. */
-enum thud_status thud_ledger_judge(const struct thud_run *run, struct thud_error *err);
-/* Rows of the segment up to s, whose peaks are read; switches: a contact will, or may, switch there. */
-enum thud_status thud_history_segment(struct thud_run *run, double s, bool switches, struct thud_error *err);
-enum thud_status thud_history_start(struct thud_run *run, struct thud_error *err);
+/* run_fly.c: free vibration over a block of intervals, or early to the end; *passed: whether anything was. Errors: those
+ * of the observers. */
+enum thud_status thud_run_fly(struct thud_run *run, bool *passed, struct thud_error *err);
 
-/* free_vibration.c: free flight over whole grid intervals by recurrence. */
-enum thud_status thud_free_vibration_create(struct thud_run *run, struct thud_error *err);
-void thud_free_vibration_free(struct thud_free_vibration *flight);
-/* Reads the peaks that are only known to be there: before a result is. */
-void thud_free_vibration_read_deferred(struct thud_run *run);
-/* Goes over a block of grid intervals, up to the first one in which a contact closes; *passed: how many. Errors:
- * THUD_MEMORY. */
-enum thud_status thud_free_vibration_go(struct thud_run *run, int *passed, struct thud_error *err);
+/* Adds an observer, whose own stays the caller's. */
+void thud_run_observe(struct thud_run *run, const struct thud_observer *table, void *own);
 
 #endif

@@ -23,7 +23,7 @@ static enum thud_status check_proposal(struct thud_run *run, struct thud_error *
 {
     if (run->method->order == 0)
         return THUD_OK;
-    double *q = run->scratch, *qd = q + run->state.model->nmodes;
+    double *q = run->end, *qd = q + run->state.model->nmodes;
     thud_segment_state(&run->seg, run->state.model->nmodes, 1, q, qd);
     return thud_run_check_state(run, q, qd, err);
 }

@@ -1,4 +1,5 @@
 /* A run before its first step and after its last one: what it needs, the method it gets, its results. */
+#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -118,15 +119,34 @@ static enum thud_status prepare(struct thud_run *run, const struct thud_model *m
     enum thud_status status = thud_state_init(&run->state, model, record, &run->work, err);
     if (status == THUD_OK)
         status = thud_segment_init(&run->seg, model, err);
-    size_t scratch = (THUD_SEGMENT_TERMS + 8) * (size_t)model->nmodes + 8;
-    run->scratch = status == THUD_OK ? calloc(scratch, sizeof *run->scratch) : NULL;
-    if (status == THUD_OK && !(run->scratch && allocate_result(run)))
+    run->end = status == THUD_OK ? calloc(2 * (size_t)model->nmodes + 1, sizeof *run->end) : NULL;
+    if (status == THUD_OK && !(run->end && allocate_result(run)))
         status = thud_error_set(err, THUD_MEMORY, "out of memory");
-    if (status == THUD_OK)
-        status = thud_peaks_init(&run->peaks, &run->state, &run->result, err);
     if (status == THUD_OK)
         status =
             thud_contact_log_init(&run->log, run->result.contact, model->ncontacts, run->options.keep_impacts, err);
+    return status;
+}
+
+void thud_run_observe(struct thud_run *run, const struct thud_observer *table, void *own)
+{
+    assert(run->observers < THUD_OBSERVERS_MAX);
+    run->observer[run->observers++] = (struct thud_listener){table, own};
+}
+
+/* The peaks first: rows of a history stand at them, with the energies up to the segment. */
+static enum thud_status create_observers(struct thud_run *run, struct thud_error *err)
+{
+    const struct thud_model *m = run->state.model;
+    enum thud_status status = thud_peaks_init(&run->peaks, &run->state, &run->result, &run->log, err);
+    thud_run_observe(run, &thud_observe_peaks, &run->peaks);
+    if (status == THUD_OK && run->options.keep_history) {
+        status = thud_rows_init(&run->rows, m, &run->result, &run->ledger, run->options.history_step_s, err);
+        thud_run_observe(run, &thud_observe_history, &run->rows);
+    }
+    if (status == THUD_OK)
+        status = thud_ledger_init(&run->ledger, m, &run->log, thud_run_balance(run), err);
+    thud_run_observe(run, &thud_observe_energy, &run->ledger);
     return status;
 }
 
@@ -137,12 +157,13 @@ static enum thud_status start(struct thud_run *run, struct thud_error *err)
     run->state.tolerance = run->options.tolerance;
     thud_run_set_scales(run);
     thud_contact_start(&run->state);
-    thud_ledger_start(run);
     thud_run_set_bound(run);
     set_step(run);
-    enum thud_status status = run->options.keep_history ? thud_history_start(run, err) : THUD_OK;
+    enum thud_status status = create_observers(run, err);
+    if (status == THUD_OK)
+        thud_ledger_start(&run->ledger, &run->state);
     if (status == THUD_OK && run->method->order == 0) /* the others show how they fare in free flight */
-        status = thud_free_vibration_create(run, err);
+        status = thud_free_vibration_create(&run->state, &run->free_vibration, err);
     if (status == THUD_OK && run->method->create)
         status = run->method->create(&run->state, &run->own, err);
     return status;
@@ -181,10 +202,10 @@ void thud_run_free(struct thud_run *run)
     thud_state_clear(&run->state);
     thud_contact_log_clear(&run->log);
     thud_peaks_clear(&run->peaks);
-    free(run->scratch);
+    thud_rows_clear(&run->rows);
+    thud_ledger_clear(&run->ledger);
+    free(run->end);
     free(run->result_block);
-    free(run->history.time_s);
-    free(run->history.value);
     free(run);
 }
 
@@ -201,9 +222,8 @@ void thud_run_finish(struct thud_run *run)
 {
     struct thud_result *r = &run->result;
     r->work = run->work;
-    if (run->free_vibration)
-        thud_free_vibration_read_deferred(run);
-    thud_ledger_finish(run);
+    thud_ledger_finish(&run->ledger, &run->state);
+    r->energy = run->ledger.balance;
     if (run->done && *r->reason && r->reason != no_contact && !has_touched(r))
         r->reason = "nothing touched: modes alone, in closed form";
     r->end_s = thud_state_now(&run->state);
@@ -239,5 +259,5 @@ const struct thud_impact *thud_run_impacts(const struct thud_run *run, int *coun
 
 const struct thud_history *thud_run_history(const struct thud_run *run)
 {
-    return &run->history;
+    return &run->rows.history;
 }

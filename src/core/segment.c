@@ -81,12 +81,18 @@ double thud_segment_rate(const struct thud_state *state)
 
 void thud_segment_begin(const struct thud_state *state, struct thud_segment *seg, double h_s)
 {
+    thud_segment_begin_at(state, seg, state->grid, state->offset_s, h_s);
+}
+
+void thud_segment_begin_at(const struct thud_state *state, struct thud_segment *seg, long grid, double offset_s,
+                           double h_s)
+{
     double a0, a1;
-    thud_state_ground(state, state->grid, &a0, &a1);
+    thud_state_ground(state, grid, &a0, &a1);
     double slope = (a1 - a0) / state->grid_dt_s;
-    seg->start_s = thud_state_now(state);
+    seg->start_s = (double)grid * state->grid_dt_s + offset_s;
     seg->h_s = h_s;
-    seg->a0 = a0 + slope * state->offset_s;
+    seg->a0 = a0 + slope * offset_s;
     seg->a1 = slope * h_s;
     seg->terms = thud_segment_terms(thud_segment_rate(state) * h_s, THUD_TOL_SERIES);
     seg->loaded = 0;

@@ -32,6 +32,9 @@ double thud_segment_rate(const struct thud_state *state);
 int thud_segment_terms(double angle, double least);
 /* Sets h and the ground acceleration over the next h seconds of the run, and clears the forces. */
 void thud_segment_begin(const struct thud_state *state, struct thud_segment *seg, double h_s);
+/* The same from another moment on: an offset after the start of an interval of the ground motion. */
+void thud_segment_begin_at(const struct thud_state *state, struct thud_segment *seg, long grid, double offset_s,
+                           double h_s);
 
 /* Taylor coefficients of the motion from (q, qd) under seg->a0, a1 and the forces in seg->force. Exact to rounding
  * where omega h is about 1.5 or less. */

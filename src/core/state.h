@@ -37,7 +37,6 @@ struct thud_contact_state {
     double expected_force_n; /* of this contact, from its closing velocity: scale of the error measure */
     double largest_force_n;  /* so far: the same */
     double residual_m;
-    bool counted; /* the impact going on is among the impacts of the contact */
 };
 
 struct thud_state {

@@ -1,0 +1,10 @@
+/* Observer of a run without contact: largest relative displacement (left less right, m, at least 0) of the two floors
+ * of each contact. */
+#ifndef THUD_CORE_OBSERVE_RELATIVE_H
+#define THUD_CORE_OBSERVE_RELATIVE_H
+
+#include "core/observer.h"
+
+extern const struct thud_observer thud_observe_relative; /* its own: the values (ncontacts) */
+
+#endif
