@@ -33,9 +33,13 @@ static bool new_line(const struct thud_stepping *how, const struct thud_stepping
 static void add_verdicts(const struct thud_stability *s, int kind, struct thud_text *out)
 {
     static const char signs[] = "-.+X";
+    static const char *const meant[THUD_STABILITY_KINDS] = {
+        "(+ from 1.21, X from 1e4 times the energy in the second half of 50 s)",
+        "(+ from 1.21, X from 1e4 times the energy of the start, within 50 s, at the worst of several starts)",
+        "(+ from 2, X from 100 times the exact peak displacement, at the worst of three steps up to 6 % shorter)"};
     const struct thud_stability_cell *c = s->cell;
-    thud_text_append(out, "\n%s: . bounded, + growing, X blown up; limit: omega dt of a linear system\n%-34s %6s ",
-                     kinds[kind], "omega dt", "limit");
+    thud_text_append(out, "\n%s: . bounded, + growing, X blown up; limit: omega dt of a linear system\n%s\n%-34s %6s ",
+                     kinds[kind], meant[kind], "omega dt", "limit");
     for (int i = 0, shown = 0; i < s->ncells && !(shown && !same(&c[i].how, &c[i - 1].how)); i++)
         if (!isnan(c[i].omega_dt)) {
             thud_text_append(out, " %5.4g", c[i].omega_dt);
@@ -56,18 +60,39 @@ static void add_verdicts(const struct thud_stability *s, int kind, struct thud_t
     thud_text_append(out, "\n");
 }
 
+static void add_share(double value, struct thud_text *out)
+{
+    char text[16] = "X";
+    if (isnan(value))
+        snprintf(text, sizeof text, "-");
+    else if (isfinite(value))
+        snprintf(text, sizeof text, value >= 0.1 && value < 1000 ? "%.3g" : "%.0e", value);
+    thud_text_append(out, " %7s", text);
+}
+
+/* A column for each of these steps; methods that take none have one number. */
 static void add_energies(const struct thud_stability *s, struct thud_text *out)
 {
-    const struct thud_stability_energy *e = s->energy;
-    thud_text_append(out, "\nenergy after 50 s on a wall spring over that at the start, by omega_c dt\n%-34s", "");
-    for (int i = 0, shown = 0; i < s->nenergies && !(shown && !same(&e[i].how, &e[i - 1].how)); i++)
-        if (!isnan(e[i].omega_dt)) {
-            thud_text_append(out, " %9.4g", e[i].omega_dt);
-            shown = 1;
+    static const double shown[] = {0.12, 0.5, 1, 1.9, 2.7, 2.9, 3.6, 5};
+    enum { SHOWN = sizeof shown / sizeof *shown };
+    thud_text_append(out,
+                     "\nlargest energy on the wall spring within 50 s over that at the start, by omega dt; of %d starts"
+                     " the\nworst (X blown up)\n%-26s",
+                     THUD_STABILITY_STARTS, "");
+    for (int k = 0; k < SHOWN; k++)
+        thud_text_append(out, " %7.4g", shown[k]);
+    for (int i = 0; i < s->ncells; i++) {
+        const struct thud_stability_cell *c = &s->cell[i];
+        char name[64];
+        bool column = isnan(c->omega_dt);
+        for (int k = 0; k < SHOWN; k++)
+            column = column || c->omega_dt == shown[k];
+        if (i == 0 || !same(&c->how, &c[-1].how)) {
+            thud_stepping_name(&c->how, name, sizeof name);
+            thud_text_append(out, "\n%-26s", name);
         }
-    for (int i = 0; i < s->nenergies; i++) {
-        new_line(&e[i].how, i ? &e[i - 1].how : NULL, out);
-        add_number(out, e[i].ratio);
+        if (column)
+            add_share(c->verdict[THUD_STABILITY_WALL] ? c->growth[THUD_STABILITY_WALL] : NAN, out);
     }
     thud_text_append(out, "\n");
 }
@@ -186,11 +211,15 @@ void thud_stability_csv(const struct thud_stability *s, int which, struct thud_t
     if (which == 0)
         verdicts_csv(s, out);
     if (which == 1)
-        thud_text_append(out, "method,located,omega_dt,energy_ratio\n");
-    for (int i = 0; which == 1 && i < s->nenergies; i++) {
-        add_how(out, &s->energy[i].how);
-        add_field(out, s->energy[i].omega_dt);
-        add_field(out, s->energy[i].ratio);
+        thud_text_append(out, "method,located,omega_dt,largest_ratio,end_least_ratio,end_most_ratio\n");
+    for (int i = 0; which == 1 && i < s->ncells; i++) {
+        const struct thud_stability_cell *c = &s->cell[i];
+        bool done = c->verdict[THUD_STABILITY_WALL] != THUD_VERDICT_NONE;
+        add_how(out, &c->how);
+        add_field(out, c->omega_dt);
+        add_field(out, done ? c->growth[THUD_STABILITY_WALL] : NAN);
+        add_field(out, done ? c->end_least : NAN);
+        add_field(out, done ? c->end_most : NAN);
         thud_text_append(out, "\n");
     }
     if (which == 2)

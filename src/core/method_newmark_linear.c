@@ -16,7 +16,8 @@ const struct thud_method thud_method_newmark_linear = {
     .flags = THUD_METHOD_FIXED_STEP | THUD_METHOD_LOCATES | THUD_METHOD_CAN_LOCATE,
     .order = 2,
     .stability = 3.4641016151377544,
-    .limits = "stable while omega dt < 2 sqrt(3), contacts closed",
+    .limits = "stable while omega dt < 2 sqrt(3) in linear structures; where contacts open and close it may gain "
+              "energy below",
     .create = create,
     .step = thud_alpha_step,
     .committed = thud_alpha_committed,

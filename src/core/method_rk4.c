@@ -52,7 +52,8 @@ const struct thud_method thud_method_rk4 = {
     .flags = THUD_METHOD_FIXED_STEP | THUD_METHOD_LOCATES | THUD_METHOD_CAN_LOCATE,
     .order = 4,
     .stability = 2.8284271247461903,
-    .limits = "stable while omega dt < 2 sqrt(2), contacts closed",
+    .limits = "stable while omega dt < 2 sqrt(2) in linear structures; where contacts open and close it may gain "
+              "energy below",
     .create = create,
     .step = step,
     .committed = committed,

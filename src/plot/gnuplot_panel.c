@@ -46,25 +46,29 @@ static void series_block(const struct sheet *sheet, int panel, int i, const stru
     free(index);
 }
 
-static double edge(const double *at, size_t n, size_t i, int side)
+/* Where the cell of a map ends: half-way to its neighbour, on a log axis by ratio. */
+static double edge(const double *at, size_t n, size_t i, int side, bool log)
 {
     if (n < 2)
         return at[i] + 0.5 * side;
-    if (side < 0)
-        return i ? 0.5 * (at[i] + at[i - 1]) : at[0] - 0.5 * (at[1] - at[0]);
-    return i + 1 < n ? 0.5 * (at[i] + at[i + 1]) : at[i] + 0.5 * (at[i] - at[i - 1]);
+    size_t near = side < 0 ? (i ? i - 1 : 1) : i + 1 < n ? i + 1 : n - 2;
+    bool beyond = side < 0 ? i == 0 : i + 1 == n;
+    if (log)
+        return beyond ? at[i] * sqrt(at[i] / at[near]) : sqrt(at[i] * at[near]);
+    return beyond ? at[i] + 0.5 * (at[i] - at[near]) : 0.5 * (at[i] + at[near]);
 }
 
 static void map_block(const struct sheet *sheet, int panel, const struct thud_map *map)
 {
+    bool log_x = sheet->figure->panel[panel].axis[THUD_X].log, log_y = sheet->figure->panel[panel].axis[THUD_Y].log;
     begin_block(sheet, panel, "M", 0);
     for (size_t j = 0; j < map->ny; j++) {
         for (size_t i = 0; i < map->nx; i++) {
             double z = map->z[j * map->nx + i];
             if (isfinite(z))
                 thud_text_append(sheet->out, "%.7g %.7g %.7g %.7g %.7g %.7g %.7g\n", map->x[i], map->y[j],
-                                 edge(map->x, map->nx, i, -1), edge(map->x, map->nx, i, 1),
-                                 edge(map->y, map->ny, j, -1), edge(map->y, map->ny, j, 1), z);
+                                 edge(map->x, map->nx, i, -1, log_x), edge(map->x, map->nx, i, 1, log_x),
+                                 edge(map->y, map->ny, j, -1, log_y), edge(map->y, map->ny, j, 1, log_y), z);
         }
     }
     thud_text_append(sheet->out, "NaN NaN NaN NaN NaN NaN ");
@@ -227,7 +231,8 @@ static void axis(const struct sheet *sheet, const struct thud_panel *panel, enum
         thud_text_append(out, ")\n");
     } else if (a->log) {
         thud_text_append(out, "(");
-        double room = side == THUD_X ? (box->right - box->left) / (3.5 * sheet->em) : 9;
+        double room = side == THUD_X ? (box->right - box->left) / (2.5 * sheet->em)
+                                     : (box->top - box->bottom) / (1.2 * sheet->em);
         log_ticks(out, &range, (int)fmin(9, fmax(2, room)));
         thud_text_append(out, ")\n");
     } else

@@ -160,9 +160,10 @@ static struct sheet make_sheet(const struct thud_figure *figure, const struct th
     sheet.line = paper ? 0.5 * point : sheet.em / 14.0;
     bool strips = figure->panel[0].strip;
     double narrowest = strips ? 14.0 : figure->columns > 2 ? 15.0 : narrowest_em;
-    if (figure->columns > 1 && sheet.width / sheet.columns < (narrowest + (has_map(figure) ? 6.0 : 0.0)) * sheet.em) {
-        sheet.rows = figure->rows * figure->columns;
-        sheet.columns = 1;
+    /* where panels would be too narrow half as many stand side by side, or one */
+    while (sheet.columns > 1 && sheet.width / sheet.columns < (narrowest + (has_map(figure) ? 6.0 : 0.0)) * sheet.em) {
+        sheet.columns = sheet.columns % 2 == 0 && !strips ? sheet.columns / 2 : 1;
+        sheet.rows = figure->rows * figure->columns / sheet.columns;
     }
     lay_key(&sheet);
     int title = wrapped(figure->title, 0.96 * sheet.width, title_em * sheet.em, NULL);
@@ -180,7 +181,7 @@ static struct sheet make_sheet(const struct thud_figure *figure, const struct th
         height = fmax(4.2, fmin(9.0, 50.0 / sheet.rows)) * sheet.em;
     }
     if (sheet.columns == 1 && sheet.rows == 1)
-        height = fmax(0.5 * panel, 18.0 * sheet.em);
+        height = fmax(0.5 * panel, fmax(18.0, 1.35 * figure->panel[0].axis[THUD_Y].nticks + 5.0) * sheet.em);
     sheet.height = options->height_px ? options->height_px : floor(sheet.head + sheet.foot + sheet.rows * height);
     sheet.points = options->format == THUD_SVG ? 1.0 : options->format == THUD_PDF ? 54.0 / PDF_DPI : 0.75;
     sheet.dot = 0.75 * (options->format == THUD_PDF   ? 0.027 * sheet.em

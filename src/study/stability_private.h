@@ -20,10 +20,16 @@ void thud_bouncer_spring(struct thud_bouncer *bouncer, double omega_radps);
 void thud_bouncer_law(struct thud_bouncer *bouncer, const struct thud_law *law);
 void thud_bouncer_set(struct thud_bouncer *bouncer, const char *param, double value);
 
-/* As thud_scene_answer. `half_peak_m` (may be NULL): its largest displacement up to half time. */
+/* Kinetic, strain and contact energy over that at the start: the largest of the first and of the second half of the
+ * time, looked at where each step ends, and at the end. */
+struct thud_bouncer_energy {
+    double half[2], end;
+};
+
+/* As thud_scene_answer. `energy` may be NULL; INFINITY where the run diverged. */
 enum thud_status thud_bouncer_run(const struct thud_bouncer *bouncer, const struct thud_record *record,
                                   struct thud_stepping how, double duration_s, struct thud_answer *out,
-                                  double *half_peak_m, struct thud_error *err);
+                                  struct thud_bouncer_energy *energy, struct thud_error *err);
 
 /* THUD_DIVERGED is a finding, not a failure. */
 bool thud_trial_failed(enum thud_status status);
@@ -38,6 +44,6 @@ enum thud_status thud_pair_restitution(struct thud_pair *pair, struct thud_stepp
 typedef enum thud_status thud_exhibit_fn(struct thud_exhibit *out, struct thud_error *err);
 enum thud_status thud_exhibit_energy(int index, struct thud_exhibit *out, struct thud_error *err);
 enum thud_status thud_exhibit_touch(int index, struct thud_exhibit *out, struct thud_error *err);
-enum { THUD_EXHIBITS_ENERGY = 6, THUD_EXHIBITS_TOUCH = 3, THUD_EXHIBITS_REST = 4 };
+enum { THUD_EXHIBITS_ENERGY = 6, THUD_EXHIBITS_TOUCH = 2, THUD_EXHIBITS_REST = 4 };
 
 #endif

@@ -67,7 +67,7 @@ static struct thud_run_options options_of(struct thud_stepping how, double tail_
 
 enum thud_status thud_bouncer_run(const struct thud_bouncer *bouncer, const struct thud_record *record,
                                   struct thud_stepping how, double duration_s, struct thud_answer *out,
-                                  double *half_peak_m, struct thud_error *err)
+                                  struct thud_bouncer_energy *energy, struct thud_error *err)
 {
     double record_s = record ? (double)(record->samples - 1) * record->dt_s : 0;
     struct thud_run_options options = options_of(how, fmax(duration_s - record_s, 0));
@@ -76,12 +76,18 @@ enum thud_status thud_bouncer_run(const struct thud_bouncer *bouncer, const stru
     enum thud_status status = assemble(bouncer, &out->model, err);
     if (status == THUD_OK)
         status = thud_run_create(out->model, record, &options, &out->run, err);
+    if (energy)
+        *energy = (struct thud_bouncer_energy){.half = {1}, .end = 1}; /* the start itself */
     for (bool done = false; status == THUD_OK && !done;) {
-        bool early = half_peak_m && thud_run_time(out->run) < 0.5 * duration_s;
-        status = thud_run_advance(out->run, early ? 1 : 1000, &done, err);
-        if (early && status == THUD_OK)
-            *half_peak_m = thud_run_result(out->run)->structure[0].floor[0].displacement.value;
+        status = thud_run_advance(out->run, energy ? 1 : 1000, &done, err);
+        if (energy && status == THUD_OK) {
+            double *largest = &energy->half[thud_run_time(out->run) > 0.5 * duration_s];
+            energy->end = thud_energy_ratio(out);
+            *largest = fmax(*largest, energy->end);
+        }
     }
+    if (energy && status == THUD_DIVERGED)
+        *energy = (struct thud_bouncer_energy){{INFINITY, INFINITY}, INFINITY};
     if (thud_trial_failed(status))
         thud_answer_clear(out);
     return status;
