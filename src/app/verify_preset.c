@@ -17,8 +17,8 @@ struct work {
     struct thud_session session;
     struct thud_scene scene; /* of a case */
     struct thud_measures own, independent;
-    const char *method;       /* that answered by itself */
-    const char *confirmed_by; /* NULL: not asked for */
+    const char *method; /* that answered by itself */
+    void (*progress)(void *context, const char *what);
 };
 
 static enum thud_status run_case(struct work *work, enum thud_case which, const struct thud_run_options *options,
@@ -51,6 +51,12 @@ static enum thud_status run_cases(struct work *work, const char *method, struct 
     int cases = study->ncases > 0 ? study->ncases : 1;
     for (int i = 0; i < cases && status == THUD_OK; i++) {
         enum thud_case which = study->ncases > 0 ? study->cases[i] : THUD_CASE_AS_WRITTEN;
+        char what[THUD_NAME_MAX + 64];
+        snprintf(what, sizeof what, "%s, case %s, by %s", work->session.scene.name, thud_case_name(which),
+                 options.method ? options.method->name : "auto");
+        thud_text_shown(what, "");
+        if (work->progress)
+            work->progress(NULL, what);
         status = run_case(work, which, &options, measures, used, err);
     }
     return status == THUD_OK ? thud_measures_add_ratios(measures, err) : status;
@@ -127,13 +133,14 @@ static enum thud_status verify(struct thud_verification *v, struct work *work, s
     return status == THUD_OK && v->update ? renew(v, work, err) : status;
 }
 
-enum thud_status thud_verify_preset(const char *preset, bool update, struct thud_verification *out,
-                                    struct thud_error *err)
+enum thud_status thud_verify_preset(const char *preset, bool update, void (*progress)(void *context, const char *what),
+                                    struct thud_verification *out, struct thud_error *err)
 {
     *out = (struct thud_verification){.update = update};
     struct work *work = calloc(1, sizeof *work);
     if (!work)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
+    work->progress = progress;
     enum thud_status status = thud_session_open(&work->session, preset, err);
     if (status == THUD_OK)
         status = verify(out, work, err);

@@ -1,24 +1,18 @@
 /* thud report: a document about one's own buildings. */
 #include <stdio.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "app/site_report.h"
 #include "cli/commands.h"
 #include "cli/inputs_option.h"
 #include "cli/interrupt.h"
 #include "cli/picture_options.h"
+#include "cli/progress.h"
 #include "cli/records_option.h"
 #include "cli/scene_options.h"
 
 /* Samples of the uncertain inputs: a share of them is known to about 5 %. */
 enum { SAMPLES = 100 };
-
-static void show(void *context, const char *what)
-{
-    (void)context;
-    fprintf(stderr, "\r\033[K%s", what);
-}
 
 /* The command as it can be typed again. */
 static void put_word(struct thud_text *out, const char *word)
@@ -80,7 +74,6 @@ static enum thud_status report(const struct thud_args *args, struct thud_session
         thud_record_list_clear(&records);
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
-    bool progress = isatty(STDERR_FILENO) && !thud_args_has(args, "quiet");
     struct thud_site_report_options options = {.folder = folder,
                                                .command = text.data,
                                                .records = &records,
@@ -88,12 +81,11 @@ static enum thud_status report(const struct thud_args *args, struct thud_session
                                                .samples = inputs.samples,
                                                .seed = inputs.seed,
                                                .pictures = &picture.options,
-                                               .progress = progress ? show : NULL};
+                                               .progress = thud_progress_start(args) ? thud_progress_what : NULL};
     status = thud_site_report(session, &options, err);
     thud_record_list_clear(&records);
     thud_text_clear(&text);
-    if (progress)
-        fputs("\r\033[K", stderr);
+    thud_progress_end();
     if (status != THUD_OK)
         return status;
     thud_text_append(&text, "%s/report.html\n%s/report.md\n", folder, folder);

@@ -3,7 +3,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "app/figure_files.h"
 #include "app/uncertainty_study.h"
@@ -11,6 +10,7 @@
 #include "cli/inputs_option.h"
 #include "cli/interrupt.h"
 #include "cli/picture_options.h"
+#include "cli/progress.h"
 #include "cli/scene_options.h"
 #include "io/file.h"
 #include "study/statistics.h"
@@ -20,10 +20,11 @@ enum { SAMPLES = 200 };
 static void show_progress(void *context, long done, long count, double elapsed_s)
 {
     (void)context;
-    fprintf(stderr, "\r\033[K%ld of %ld samples", done, count);
     if (done > 0 && done < count)
-        fprintf(stderr, ", %.0f s left", elapsed_s / (double)done * (double)(count - done));
-    fflush(stderr);
+        thud_progress_show("%ld of %ld samples, %.0f s left", done, count,
+                           elapsed_s / (double)done * (double)(count - done));
+    else
+        thud_progress_show("%ld of %ld samples", done, count);
 }
 
 /* The ratio, or where there is none the largest acceleration, of each structure. */
@@ -56,6 +57,15 @@ static void add_tornado(struct thud_panel *panel, const struct thud_uncertainty_
                        end ? "input at its most" : "input at its least", 3 * (size_t)u->ninputs, x[end], y);
 }
 
+/* The scene, and what is drawn of it. */
+static struct thud_figure *begin(const struct thud_uncertainty *u, const char *name, const char *what, int rows,
+                                 int columns)
+{
+    char title[400];
+    snprintf(title, sizeof title, "%s: %s", u->scene.title[0] ? u->scene.title : u->scene.name, what);
+    return thud_figure_create(name, title, rows, columns);
+}
+
 static struct thud_figure *tornado(const struct thud_uncertainty_study *study)
 {
     enum { COLUMNS_MAX = 4 };
@@ -66,14 +76,15 @@ static struct thud_figure *tornado(const struct thud_uncertainty_study *study)
             drawn[n++] = q;
     int columns = n > 1 ? 2 : 1;
     struct thud_figure *figure =
-        thud_figure_create("tornado", "One input at a time", (n + columns - 1) / columns, columns);
+        begin(u, "tornado", "one uncertain input at a time", (n + columns - 1) / columns, columns);
     for (int i = 0; i < n; i++) {
         const struct thud_quantity_of_run *quantity = &u->quantity[drawn[i]];
         char title[128];
         snprintf(title, sizeof title, "%s: %s", u->scene.structure[quantity->structure].name,
                  strstr(quantity->column, "acceleration") ? "acceleration" : "drift");
         struct thud_panel *panel = thud_figure_panel(figure, i / columns, i % columns, title);
-        thud_panel_axis(panel, THUD_X, quantity->ratio ? "Ratio to no bumper" : "SI", "");
+        thud_panel_axis(panel, THUD_X, quantity->ratio ? "Ratio to no bumper" : "Largest acceleration",
+                        quantity->ratio ? "" : "m/s²");
         thud_panel_axis(panel, THUD_Y, "", "");
         add_tornado(panel, study, drawn[i]);
     }
@@ -85,10 +96,10 @@ static struct thud_figure *distribution(const struct thud_uncertainty_study *stu
     const struct thud_uncertainty *u = study->uncertainty;
     size_t n = thud_uncertainty_samples(study), first = thud_uncertainty_first_sample(study);
     double *x = malloc(2 * (n + 1) * sizeof *x), *y = x + n;
-    struct thud_figure *figure = thud_figure_create("sampled-ratios", "All inputs at once", 1, 1);
-    struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "Share of the samples below");
+    struct thud_figure *figure = begin(u, "sampled-ratios", "all inputs sampled together", 1, 1);
+    struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "");
     thud_panel_axis(panel, THUD_X, "Ratio to no bumper", "");
-    thud_panel_axis(panel, THUD_Y, "Share of samples", "%");
+    thud_panel_axis(panel, THUD_Y, "Share of the samples below", "%");
     thud_panel_limits(panel, THUD_Y, 0, 100);
     thud_panel_mark(panel, THUD_X, 1, 1, "");
     if (!x) {
@@ -103,8 +114,7 @@ static struct thud_figure *distribution(const struct thud_uncertainty_study *stu
             y[r] = 100.0 * (double)(r + 1) / (double)n;
         }
         thud_sort_numbers(x, n);
-        thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = color++, .wide = true},
-                       u->quantity[q].name, n, x, y);
+        thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = color++}, u->quantity[q].name, n, x, y);
     }
     free(x);
     return figure;
@@ -158,7 +168,7 @@ static enum thud_status read_options(const struct thud_args *args, struct thud_u
     study->seed = choice.seed;
     study->indices = thud_args_has(args, "indices");
     study->cancel = thud_interrupt_watch();
-    if (isatty(STDERR_FILENO) && !thud_args_has(args, "quiet"))
+    if (thud_progress_start(args))
         study->progress = show_progress;
     return status;
 }
@@ -197,8 +207,7 @@ static enum thud_status uncertainty(const struct thud_args *args, struct thud_se
     study.uncertainty = u;
     if (status == THUD_OK)
         status = thud_uncertainty_study_run(&study, err);
-    if (study.progress)
-        fputs("\r\033[K", stderr);
+    thud_progress_end();
     enum thud_status drawn = THUD_OK;
     if (status == THUD_OK && thud_args_has(args, "o"))
         drawn = save(args, &study, &picture, err);

@@ -1,10 +1,10 @@
 /* thud verify: presets against their stored expectations, or what others published against what is computed. */
 #include <stdio.h>
-#include <unistd.h>
 
 #include "app/published_report.h"
 #include "app/verify_preset.h"
 #include "cli/commands.h"
+#include "cli/progress.h"
 #include "cli/record_options.h"
 #include "io/paths.h"
 
@@ -13,15 +13,6 @@ struct total {
     int presets, refused, count[THUD_GONE + 1];
     enum thud_status status; /* the first thing that went wrong with a preset */
 };
-
-static void show_progress(const struct thud_args *args, const char *name)
-{
-    char shown[700];
-    snprintf(shown, sizeof shown, "%s", name);
-    thud_text_shown(shown, "");
-    if (!thud_args_has(args, "quiet") && isatty(STDERR_FILENO))
-        fprintf(stderr, "\r\033[K%s", shown);
-}
 
 /* The difference is shown before anything is written. */
 static enum thud_status deliver(const struct thud_args *args, struct thud_verification *v, struct total *total,
@@ -38,7 +29,7 @@ static enum thud_status deliver(const struct thud_args *args, struct thud_verifi
     total->presets++;
     for (int i = 0; i <= THUD_GONE; i++)
         total->count[i] += v->count[i];
-    show_progress(args, "");
+    thud_progress_wipe();
     enum thud_status status = thud_cli_print(&text, err);
     if (status != THUD_OK || !v->update)
         return status;
@@ -56,14 +47,13 @@ static enum thud_status one(const struct thud_args *args, const char *preset, st
 {
     struct thud_verification v;
     struct thud_error own = {0};
-    show_progress(args, preset);
-    enum thud_status status = thud_verify_preset(preset, thud_args_has(args, "update"), &v, &own);
+    enum thud_status status = thud_verify_preset(preset, thud_args_has(args, "update"), thud_progress_what, &v, &own);
     if (status == THUD_OK) {
         status = deliver(args, &v, total, err);
         thud_verify_clear(&v);
         return status;
     }
-    show_progress(args, "");
+    thud_progress_wipe();
     if (status != THUD_INPUT && status != THUD_DIVERGED) {
         if (err)
             *err = own;
@@ -143,11 +133,13 @@ enum thud_status thud_command_verify(const struct thud_args *args, struct thud_e
     enum thud_status status = THUD_OK;
     if (thud_args_has(args, "json"))
         status = fputs("[", stdout) < 0 ? thud_error_set(err, THUD_OUTPUT, "standard output") : THUD_OK;
+    thud_progress_start(args);
     for (int i = 0; i < n && status == THUD_OK; i++) {
         char path[640];
         if (args->noperands == 0)
             snprintf(path, sizeof path, "%s/%s.yaml", paths.presets, names.list[i]);
         status = one(args, args->noperands > 0 ? args->operand[i] : path, &total, err);
     }
+    thud_progress_end();
     return status == THUD_OK ? finish(args, &total, err) : status;
 }

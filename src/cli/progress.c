@@ -43,11 +43,22 @@ void thud_progress_show(const char *fmt, ...)
     fflush(stderr);
 }
 
-void thud_progress_end(void)
+void thud_progress_wipe(void)
 {
     if (progress.shown && progress.terminal)
         fputs("\r\033[K", stderr);
+}
+
+void thud_progress_end(void)
+{
+    thud_progress_wipe();
     progress.shown = false;
+}
+
+void thud_progress_what(void *context, const char *what)
+{
+    (void)context;
+    thud_progress_show("%s", what);
 }
 
 void thud_progress_points(void *context, long done, long count, double elapsed_s)

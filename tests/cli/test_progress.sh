@@ -61,16 +61,27 @@ check "bench ends well" [ $code -eq 0 ]
 on_terminal bench rigid-concrete --cost impacts --patience 0.1s
 check "bench --cost shows how far it is" shows "[0-9]* of [0-9]*  "
 check "bench --cost: it is wiped out in the end" [ -z "$(left)" ]
-"$THUD" sweep towers --vary gap=6cm:25cm:0.05cm --method newmark --step 2e-4s -j 1 >"$tmp/out" 2>"$tmp/err" </dev/null &
-child=$!
-for _ in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24; do
-    [ -s "$tmp/err" ] && break
-    sleep 0.5
-done
-kill "$child" 2>/dev/null
-wait "$child" 2>/dev/null
+# piped ARGUMENTS...: standard error of a run without a terminal until its first line, into $tmp/err
+piped() {
+    "$THUD" "$@" >"$tmp/out" 2>"$tmp/err" </dev/null &
+    child=$!
+    for _ in $(seq 80); do
+        [ -s "$tmp/err" ] && break
+        kill -0 "$child" 2>/dev/null || break
+        sleep 0.5
+    done
+    kill "$child" 2>/dev/null
+    wait "$child" 2>/dev/null
+}
+piped sweep towers --vary gap=6cm:25cm:0.05cm --method newmark --step 2e-4s -j 1
 check "a pipe gets a line after some seconds" grep -q "^[0-9]* of 381 points" "$tmp/err"
 check "and no codes of a terminal" [ "$(tr -d -c '\r\033' <"$tmp/err" | wc -c)" -eq 0 ]
+presets=$(dirname "$0")/../../presets
+cp "$presets/towers.expected.csv" "$tmp/slow.expected.csv"
+sed 's/method: auto/method: newmark\n  step: 2e-5 s/' "$presets/towers.yaml" >"$tmp/slow.yaml"
+set -- "$tmp/slow.yaml" "$tmp/slow.yaml" "$tmp/slow.yaml" "$tmp/slow.yaml"
+piped verify "$@" "$@" "$@" "$@"
+check "so it does of verify" grep -q "^slow, case [a-z]*, by newmark" "$tmp/err"
 on_terminal verify rigid-concrete
 check "verify shows the preset" shows "rigid-concrete"
 stays verify
