@@ -8,7 +8,11 @@
  *     indentation of contact c = g_c . q - clearance
  *
  * where g_c is the row of contact c. A structure whose damping couples its modes (isolated building) has a dense block
- * D instead of 2 zeta omega. */
+ * D instead of 2 zeta omega.
+ *
+ * Storeys that yield (bilinear, kinematic hardening) have a row each behind those of the contacts, g = e_i - e_(i-1),
+ * and a force beyond that of their elastic stiffness k: V = k d + F with F = -(1 - r) k d_p. Everything that reads
+ * rows and forces (motion, accelerations, Delassus matrix) takes them like those of the contacts. */
 #ifndef THUD_CORE_MODEL_H
 #define THUD_CORE_MODEL_H
 
@@ -34,18 +38,28 @@ struct thud_model_contact {
     struct thud_law_setup setup;
 };
 
+/* A storey that yields: V = r k d + (1 - r) k (d - d_p), |d - d_p| <= d_y. */
+struct thud_model_storey {
+    int structure, floor; /* from 0: it stands below that floor */
+    double stiffness_npm; /* k */
+    double yield_m;       /* d_y */
+    double hardening;     /* r, 0 <= r < 1 */
+};
+
 struct thud_model {
     int nstructures, ndof, nmodes, ncontacts;
+    int nstoreys, nrows;                    /* storeys that yield; rows: contacts, and these storeys behind them */
     struct thud_model_structure *structure; /* (nstructures) */
-    struct thud_model_contact *contact;     /* (ncontacts) */
+    struct thud_model_contact *contact;     /* (nrows) */
+    struct thud_model_storey *storey;       /* (nstoreys) */
     bool couples;                           /* the damping of a structure couples its modes */
     int *dof_structure;                     /* (ndof) */
     double *mass_kg;                        /* (ndof) */
     double *omega, *zeta, *gamma;           /* (nmodes); gamma = Phi^T M 1 */
     double *spring, *dashpot;               /* (nmodes): omega^2 and 2 zeta omega */
     double *mode_max;         /* (2 x nmodes): largest part of each mode in a floor's displacement, and in its drift */
-    double *jacobian;         /* (ncontacts x nmodes): contact Jacobian, rows g_c */
-    double *delassus;         /* (ncontacts x ncontacts): Delassus matrix g_a . g_b, 1/kg */
+    double *jacobian;         /* (nrows x nmodes): contact Jacobian, rows g_c */
+    double *delassus;         /* (nrows x nrows): Delassus matrix g_a . g_b, 1/kg */
     double *q0, *qd0;         /* (nmodes) at t = 0 */
     double *ground_influence; /* (ndof): of the ground's motion that a floor's modes carry; 1 where none is left out */
     int left_out;             /* modes */
@@ -63,6 +77,8 @@ struct thud_model_input {
         bool isolated;               /* floor 0 is the base slab, stiffness[0] the isolator */
         double isolation_damping;    /* of the isolator: c = 2 zeta sqrt(k total mass) */
         double velocity_mps;         /* of every floor at t = 0 */
+        const double *yield_m;   /* (n) drift at which a storey yields, INFINITY where it is elastic; NULL: all are */
+        const double *hardening; /* (n) tangent over elastic stiffness beyond it */
     } * structure;
     int ncontacts;
     const struct thud_contact_input {
@@ -82,7 +98,7 @@ void thud_model_free(struct thud_model *model);
 
 /* A floor's value from modal values (nmodes). */
 double thud_model_floor(const struct thud_model *model, int dof, const double *modal);
-/* Values of contact c's two floors from modal values; 0 for a wall. */
+/* Values of row c's two floors from modal values; 0 for a wall and the ground. */
 void thud_model_sides(const struct thud_model *model, int c, const double *modal, double *left, double *right);
 /* Left floor's value minus the right floor's, from modal values. */
 double thud_model_gap_sum(const struct thud_model *model, int c, const double *modal);

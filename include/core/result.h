@@ -40,17 +40,31 @@ struct thud_impact {
 
 struct thud_energy {
     double input_j, kinetic_j, strain_j, viscous_j,
-        contact_j;      /* at the end; contact: dissipated by the contacts so far */
-    double initial_j;   /* kinetic at the start */
-    double stored_j;    /* elastic energy in contacts still closed */
-    double error_ratio; /* |initial + input - all the others| over the largest energy seen */
+        contact_j;    /* at the end; strain: what storeys would give back; contact: dissipated by the contacts so far */
+    double initial_j; /* kinetic at the start */
+    double stored_j;  /* elastic energy in contacts still closed */
+    double hysteretic_j; /* lost in storeys that yield */
+    double error_ratio;  /* |initial + input - all the others| over the largest energy seen */
+};
+
+/* A storey that yields, the one below its floor. */
+struct thud_storey_result {
+    bool yields;
+    double yield_m, hardening; /* d_y and r */
+    double ductility;          /* peak drift over yield drift */
+    double plastic_m;          /* d_p at the end */
+    double permanent_m;        /* drift at which it carries no force, (1 - r) d_p */
+    int excursions;            /* times it yielded */
+    double hysteretic_j;       /* energy lost */
+    struct thud_peak shear;    /* N */
 };
 
 struct thud_structure_result {
     int floors;
-    struct thud_floor_result *floor; /* (floors), lowest first; an isolated building's floor 1 is its base slab */
-    struct thud_peak base_shear;     /* N */
-    double *period_s;                /* (floors), longest first; INFINITY for a free rigid body */
+    struct thud_floor_result *floor;   /* (floors), lowest first; an isolated building's floor 1 is its base slab */
+    struct thud_storey_result *storey; /* (floors); NULL where none of them yields */
+    struct thud_peak base_shear;       /* N */
+    double *period_s;                  /* (floors), longest first; INFINITY for a free rigid body */
 };
 
 struct thud_work {
@@ -73,9 +87,10 @@ struct thud_result {
 };
 
 /* Sampled histories, one row per time; at jumps the time appears twice. Columns: a_g, then per floor u, v, a_total
- * (ndof each), then per contact force and indentation, then energies input, kinetic, strain, viscous, contact. */
+ * (ndof each), then per contact force and indentation, then energies input, kinetic, strain, viscous, contact; where
+ * storeys yield, then the energy lost in them, and for each of those (nstoreys) drift, shear and plastic drift. */
 struct thud_history {
-    int ndof, ncontacts, columns;
+    int ndof, ncontacts, nstoreys, columns;
     size_t rows, capacity;
     double *time_s; /* (rows) */
     double *value;  /* (rows x columns), row-major */
@@ -89,5 +104,9 @@ int thud_history_acceleration(const struct thud_history *h, int dof);
 int thud_history_force(const struct thud_history *h, int contact);
 int thud_history_indentation(const struct thud_history *h, int contact);
 int thud_history_energy(const struct thud_history *h, int which); /* 0 input ... 4 contact */
+int thud_history_hysteretic(const struct thud_history *h);
+int thud_history_storey_drift(const struct thud_history *h, int storey);
+int thud_history_storey_shear(const struct thud_history *h, int storey);
+int thud_history_storey_plastic(const struct thud_history *h, int storey);
 
 #endif

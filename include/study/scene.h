@@ -21,7 +21,12 @@ struct thud_structure {
     double stiffness_npm[THUD_STOREYS_MAX];
     double height_m[THUD_STOREYS_MAX]; /* storey heights; rigid: [0] its elevation; wall: [0] its top, INFINITY when not
                                           given */
-    double damping;                    /* ratio, the same in every mode */
+    /* The drift at which a storey yields, or the shear (not both); 0: it is elastic. Tangent over elastic stiffness
+     * beyond. */
+    double yield_m[THUD_STOREYS_MAX];
+    double yield_shear_n[THUD_STOREYS_MAX];
+    double hardening[THUD_STOREYS_MAX];
+    double damping;                                                  /* ratio, the same in every mode */
     double base_mass_kg, isolation_stiffness_npm, isolation_damping; /* isolated only */
     double velocity_mps;                                             /* rigid only: at t = 0, to the right */
 };
@@ -107,6 +112,13 @@ void thud_record_choice_replace(struct thud_record_choice *choice, const char *f
 void thud_structure_init(struct thud_structure *structure, enum thud_structure_kind kind);
 /* A law with the defaults of its table (NaN where a value must be given). */
 void thud_law_choice_init(struct thud_law_choice *choice, const struct thud_law *law);
+/* The lists of floors and storeys: masses, stiffnesses, heights, yield drifts, yield shears, hardening. */
+enum { THUD_STRUCTURE_LISTS = 6 };
+double *thud_structure_list(struct thud_structure *structure, int which);
+/* The drift at which storey i (from 0) yields; INFINITY where it is elastic. */
+double thud_structure_yield(const struct thud_structure *structure, int i);
+/* Whether a storey of the scene yields. */
+bool thud_scene_yields(const struct thud_scene *scene);
 /* The paper's interface (Table 1), without bumper at a gap of 10 cm; and its bumper, no thicker than the gap. */
 void thud_interface_init(struct thud_interface *interface);
 void thud_interface_add_bumper(struct thud_interface *interface);

@@ -75,6 +75,35 @@ static void add_floors(const struct thud_report *report, int s, bool isolated, s
     }
 }
 
+/* The storeys that yield, from the top down; an isolated building's first storey is its isolators. */
+static void add_storeys(const struct thud_structure_result *r, struct thud_text *out)
+{
+    double permanent = 0, lost = 0, shear = 0;
+    for (int i = 0; r->storey && i < r->floors; i++) {
+        permanent = fmax(permanent, 1e3 * fabs(r->storey[i].permanent_m));
+        lost = fmax(lost, 1e-3 * r->storey[i].hysteretic_j);
+        shear = fmax(shear, 1e-6 * r->storey[i].shear.value);
+    }
+    if (r->storey)
+        thud_text_append(out,
+                         "storey  yields at  ductility  permanent drift  excursions    lost       shear       at\n"
+                         "               mm                          mm                  kJ          MN        s\n");
+    for (int i = r->floors - 1; r->storey && i >= 0; i--) {
+        const struct thud_storey_result *p = &r->storey[i];
+        if (!p->yields) {
+            thud_text_append(out, "%6d    elastic\n", i + 1);
+            continue;
+        }
+        thud_text_append(out, "%6d  %9.4g  %9.3f  ", i + 1, 1e3 * p->yield_m, p->ductility);
+        add_number(out, 15, places_of(permanent, 4), 1e3 * p->permanent_m);
+        thud_text_append(out, "  %10d  ", p->excursions);
+        add_number(out, 6, places_of(lost, 4), 1e-3 * p->hysteretic_j);
+        thud_text_append(out, "  ");
+        add_number(out, 10, places_of(shear, 5), 1e-6 * p->shear.value);
+        thud_text_append(out, " %8.3f\n", p->shear.time_s);
+    }
+}
+
 static void add_structure(const struct thud_report *report, int s, struct thud_text *out)
 {
     const struct thud_structure_result *r = &report->result->structure[s];
@@ -89,6 +118,7 @@ static void add_structure(const struct thud_report *report, int s, struct thud_t
     thud_text_append(out, "\nfloor  acceleration       at  displacement       at  velocity     drift       at\n"
                           "               m/s2        s            mm        s       m/s        mm        s\n");
     add_floors(report, s, p->kind == THUD_ISOLATED, out);
+    add_storeys(r, out);
 }
 
 /* Four digits, and all those before the point: no 1.23e+03. */
@@ -162,9 +192,12 @@ static void add_foot(const struct thud_report *report, struct thud_text *out)
     const struct thud_energy *e = &r->energy;
     thud_text_append(out,
                      "\nenergy         input %.5g kJ, initial %.5g, kinetic %.5g, strain %.5g,\n"
-                     "               viscous %.5g, contact %.5g, stored in contacts %.5g; unaccounted %.1e\n",
+                     "               viscous %.5g, contact %.5g, stored in contacts %.5g;",
                      1e-3 * e->input_j, 1e-3 * e->initial_j, 1e-3 * e->kinetic_j, 1e-3 * e->strain_j,
-                     1e-3 * e->viscous_j, 1e-3 * e->contact_j, 1e-3 * e->stored_j, e->error_ratio);
+                     1e-3 * e->viscous_j, 1e-3 * e->contact_j, 1e-3 * e->stored_j);
+    if (thud_scene_yields(report->scene))
+        thud_text_append(out, "\n               lost in storeys that yield %.5g;", 1e-3 * e->hysteretic_j);
+    thud_text_append(out, " unaccounted %.1e\n", e->error_ratio);
     thud_text_append(out, "method         %s", r->method);
     if (r->reason[0])
         thud_text_append(out, " (%s)", r->reason);

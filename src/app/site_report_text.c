@@ -560,14 +560,15 @@ static void gap(struct site *site)
 
 /* ---- cautions ---- */
 
-/* The largest drift of a building over its storey's height, and that storey (from 1). */
+/* The largest drift of a building's elastic storeys over their height, and that storey (from 1). */
 static double drift_ratio(const struct site *site, const struct site_case *one, int s, int *storey)
 {
     const struct thud_structure *p = &site->scene->structure[s];
     int base = p->kind == THUD_ISOLATED; /* the slab's storey is the isolator */
     double most = 0;
     for (int i = base; thud_site_is_building(site, s) && i < one->result->structure[s].floors; i++) {
-        double ratio = one->result->structure[s].floor[i].drift.value / p->height_m[i - base];
+        const struct thud_structure_result *r = &one->result->structure[s];
+        double ratio = r->storey && r->storey[i].yields ? 0 : r->floor[i].drift.value / p->height_m[i - base];
         if (ratio > most) {
             most = ratio;
             *storey = i + 1 - base;
@@ -720,8 +721,9 @@ static void limits(struct site *site)
         thud_document_item(d, "The samples change the inputs that are listed with their sizes, and nothing else: laws, "
                               "rigid floors and all that is said here are as they are in every sample.");
     thud_document_item(d,
-                       "Elastic storeys, rigid floors, motion in one direction, no torsion, no soil, the same ground "
-                       "motion under all buildings.");
+                       "%s storeys, rigid floors, motion in one direction, no torsion, no soil, the same ground "
+                       "motion under all buildings.",
+                       thud_scene_yields(site->scene) ? "Elastic or bilinear" : "Elastic");
     thud_document_item(d, "Contact between floors at the same elevation; stiffness and restitution of the contacts are "
                           "assumptions of the literature, not measurements on these buildings.");
 }

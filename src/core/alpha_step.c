@@ -17,10 +17,10 @@ struct alpha {
     struct thud_motion start, end, work; /* accelerations by the equations of motion, also where the scheme's differ */
     double *a0, *a1;                     /* (nmodes) the scheme's own accelerations */
     double *rhs;                         /* (nmodes) */
-    double *response;                    /* (ncontacts x nmodes): -da1/dF */
-    double *w;                           /* (ncontacts x ncontacts): of the indentations' second rates */
+    double *response;                    /* (nrows x nmodes): -da1/dF */
+    double *w;                           /* (nrows x nrows): of the indentations' second rates */
     double *d, *v, *a, *change, *matrix; /* Newton's system, by active contact */
-    double *applied;                     /* (ncontacts) lagged: force at the end of the step before */
+    double *applied;                     /* (nrows) lagged: force at the end of the step before */
     int *active;
     lapack_int *pivot;
     bool fresh;                      /* a0 is to be made anew, by the equations of motion */
@@ -33,7 +33,7 @@ enum thud_status thud_alpha_create(const struct thud_state *state, struct thud_a
                                    struct thud_error *err)
 {
     const struct thud_model *m = state->model;
-    size_t n = (size_t)m->nmodes, nc = (size_t)m->ncontacts;
+    size_t n = (size_t)m->nmodes, nc = (size_t)m->nrows;
     struct alpha *x = calloc(1, sizeof *x);
     *own = NULL;
     if (!x)
@@ -85,13 +85,13 @@ static void prepare(const struct thud_model *m, struct alpha *x, double h)
     double share = 1 - p->af;
     x->h_made = h;
     thud_modal_operator_set(x->op, m, 1 - p->am, share * p->gamma * h, share * p->beta * h * h);
-    for (int c = 0; c < m->ncontacts; c++) {
+    for (int c = 0; c < m->nrows; c++) {
         double *r = x->response + c * m->nmodes;
         thud_modal_operator_apply(x->op, m, m->jacobian + c * m->nmodes, r);
         for (int j = 0; j < m->nmodes; j++)
             r[j] *= share;
-        for (int a = 0; a < m->ncontacts; a++)
-            x->w[a * m->ncontacts + c] = thud_model_gap_sum(m, a, r);
+        for (int a = 0; a < m->nrows; a++)
+            x->w[a * m->nrows + c] = thud_model_gap_sum(m, a, r);
     }
 }
 
@@ -111,7 +111,7 @@ static void start_step(const struct thud_state *state, struct alpha *x, double h
     memcpy(x->start.qd, state->qd, bytes);
     thud_step_motion(state, &x->start, 0);
     if (x->p.lagged) { /* what acts now is the force of the step before */
-        for (int c = 0; c < m->ncontacts; c++) {
+        for (int c = 0; c < m->nrows; c++) {
             x->end.force[c] = x->start.force[c];
             x->start.force[c] = x->applied[c];
         }
@@ -150,6 +150,8 @@ static void predict(const struct thud_state *state, struct alpha *x, double h)
 
 static bool counts(const struct thud_state *state, int c)
 {
+    if (state->locates && c >= state->model->ncontacts)
+        return state->contact[c].mode == THUD_CLOSED;
     if (state->locates)
         return thud_contact_acts(&state->contact[c]);
     return !(state->model->contact[c].law->flags & (THUD_LAW_NO_FORCE | THUD_LAW_IMPULSIVE));
@@ -161,8 +163,8 @@ static void contact_end(const struct thud_state *state, const struct alpha *x, i
 {
     const struct thud_model *m = state->model;
     double pull = 0;
-    for (int c = 0; c < m->ncontacts; c++)
-        pull += x->w[a * m->ncontacts + c] * x->end.force[c];
+    for (int c = 0; c < m->nrows; c++)
+        pull += x->w[a * m->nrows + c] * x->end.force[c];
     *d = x->d[a] - x->p.beta * h * h * pull;
     *v = x->v[a] - x->p.gamma * h * pull;
     *acc = x->a[a] - pull;
@@ -171,7 +173,7 @@ static void contact_end(const struct thud_state *state, const struct alpha *x, i
 /* One Newton step for n active contacts; returns the largest change relative to the forces. */
 static double newton(const struct thud_state *state, struct alpha *x, int n, double h)
 {
-    int nc = state->model->ncontacts;
+    int nc = state->model->nrows;
     double largest = 0;
     for (int i = 0; i < n; i++) {
         int a = x->active[i];
@@ -210,7 +212,7 @@ static double newton(const struct thud_state *state, struct alpha *x, int n, dou
 static void solve_forces(const struct thud_state *state, struct alpha *x, double h)
 {
     int n = 0;
-    for (int c = 0; c < state->model->ncontacts; c++) {
+    for (int c = 0; c < state->model->nrows; c++) {
         if (!counts(state, c))
             continue;
         x->d[c] = thud_model_gap_sum(state->model, c, x->end.q) - thud_state_clearance(state, c);
@@ -239,10 +241,12 @@ static void cross(const struct thud_state *state, struct alpha *x, double h)
     const struct thud_model *m = state->model;
     predict(state, x, h);
     if (!x->p.lagged) {
-        memset(x->end.force, 0, (size_t)m->ncontacts * sizeof *x->end.force);
+        memset(x->end.force, 0, (size_t)m->nrows * sizeof *x->end.force);
+        for (int c = m->ncontacts; c < m->nrows && state->locates; c++) /* constant forces of elastic storeys */
+            x->end.force[c] = state->contact[c].mode == THUD_OPEN ? state->contact[c].branch.f0_n : 0;
         solve_forces(state, x, h);
     }
-    for (int c = 0; c < m->ncontacts; c++) {
+    for (int c = 0; c < m->nrows; c++) {
         if (x->end.force[c] == 0.0)
             continue;
         const double *r = x->response + c * m->nmodes;
@@ -287,5 +291,5 @@ void thud_alpha_committed(const struct thud_state *state, void *own, const struc
     x->before_mps2 = x->ground_mps2;
     x->a0 = x->a1;
     x->a1 = now;
-    memcpy(x->applied, x->end.force, (size_t)state->model->ncontacts * sizeof *x->applied);
+    memcpy(x->applied, x->end.force, (size_t)state->model->nrows * sizeof *x->applied);
 }

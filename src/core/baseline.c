@@ -108,12 +108,13 @@ enum thud_status thud_baseline_advance(struct thud_baseline_motion *baseline, lo
 static bool copy_model(struct thud_baseline_motion *baseline, const struct thud_model *model)
 {
     baseline->model = *model;
-    baseline->model.contact = calloc((size_t)model->ncontacts + 1, sizeof *model->contact);
+    baseline->model.contact = calloc((size_t)model->nrows + 1, sizeof *model->contact);
     baseline->relative_m = calloc((size_t)model->ncontacts + 1, sizeof *baseline->relative_m);
     if (!baseline->model.contact || !baseline->relative_m)
         return false;
-    for (int c = 0; c < model->ncontacts; c++) {
+    for (int c = 0; c < model->nrows; c++)
         baseline->model.contact[c] = model->contact[c];
+    for (int c = 0; c < model->ncontacts; c++) {
         baseline->model.contact[c].clearance_m = 0;
         baseline->model.contact[c].law = &no_law;
     }
@@ -142,7 +143,8 @@ enum thud_status thud_baseline_create(const struct thud_model *model, const stru
     }
     if (status == THUD_OK) {
         thud_run_observe(baseline->run, &thud_observe_relative, baseline->relative_m);
-        baseline->shares = baseline->run->method == thud_method_find("exact");
+        /* what storeys that yield remember is not kept */
+        baseline->shares = baseline->run->method == thud_method_find("exact") && model->nstoreys == 0;
         baseline->early_end = baseline->shares ? thud_early_end_create(&baseline->model) : NULL;
         if (baseline->early_end)
             thud_run_observe(baseline->run, &thud_observe_early_end, baseline->early_end);

@@ -148,7 +148,8 @@ static void by_table(const struct thud_state *state, struct thud_collocation *x,
         double now = state->contact[c].suppressed.indentation > 0 ? 0 : thud_contact_indentation(state, c);
         struct thud_batch d = {0}, v = {0};
         add_side(state, x, c, p->left_dof, &d, &v);
-        add_side(state, x, c, p->right_dof, &d, &v);
+        if (c < state->model->ncontacts) /* a storey's row has both of its floors in one structure's modes */
+            add_side(state, x, c, p->right_dof, &d, &v);
         thud_batch_add(&d, now, x->nodes.power[0]);
         thud_batch_put(&d, x->d0 + a * THUD_BATCH);
         thud_batch_put(&v, x->v0 + a * THUD_BATCH);
@@ -172,7 +173,7 @@ static void by_series(const struct thud_state *state, struct thud_collocation *x
 
 static bool fill_unforced(const struct thud_state *state, struct thud_collocation *x, int level, double h)
 {
-    if (state->model->couples) {
+    if (state->model->couples || state->nshifted > 0) { /* the tables have no constant forces of storeys */
         by_series(state, x, h);
         return true;
     }
@@ -325,7 +326,7 @@ static double force_difference(const struct thud_state *state, struct thud_segme
     double d[THUD_BATCH], v[THUD_BATCH], f[THUD_BATCH], worst = 0, mass = state->model->contact[c].setup.mass_kg;
     thud_nodes_values(&x->checks, p, 1, seg->terms, d);
     thud_nodes_rates(&x->checks, p, 1, seg->terms, h, v);
-    thud_nodes_values(&x->checks, seg->force + c, state->model->ncontacts, THUD_POINTS, f);
+    thud_nodes_values(&x->checks, seg->force + c, state->model->nrows, THUD_POINTS, f);
     const struct sizes sizes = sizes_of(state, c);
     for (int i = 0; i < THUD_POINTS;
          i += s->mode == THUD_STICKING ? 1 : 2) { /* a law is dear; the largest is at the start */
@@ -387,9 +388,9 @@ enum thud_status thud_collocation_create(const struct thud_state *state, struct 
     struct thud_collocation *x = *out = allocate(1, sizeof *x);
     if (!x)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
-    x->nc = m->ncontacts;
+    x->nc = m->nrows;
     x->nmodes = m->nmodes;
-    x->loads = m->couples ? m->ncontacts : 1;
+    x->loads = m->couples ? m->nrows : 1;
     x->h_top = state->grid_dt_s / fmax(1, ceil(state->fastest_radps * state->grid_dt_s / longest_angle));
     x->h = x->h_top;
     x->contraction = slowest_contraction;
@@ -400,9 +401,9 @@ enum thud_status thud_collocation_create(const struct thud_state *state, struct 
         check[i] = 0.5 * (x->node[i] + (i > 0 ? x->node[i - 1] : 0));
     thud_nodes_set(&x->nodes, THUD_POINTS, x->node, 1, THUD_SEGMENT_TERMS);
     thud_nodes_set(&x->checks, THUD_POINTS, check, 1, THUD_SEGMENT_TERMS);
-    size_t f = THUD_POINTS * (size_t)m->ncontacts;
+    size_t f = THUD_POINTS * (size_t)m->nrows;
     x->seg_block = allocate(2 * THUD_BATCH * (size_t)m->nmodes + f, sizeof(double));
-    x->active = allocate((size_t)m->ncontacts, sizeof(int));
+    x->active = allocate((size_t)m->nrows, sizeof(int));
     if (!x->seg_block || !x->active || thud_segment_init(&x->seg, m, err) != THUD_OK) {
         thud_collocation_free(x);
         *out = NULL;
@@ -671,7 +672,7 @@ static void write_segment(const struct thud_state *state, struct thud_segment *s
             double f = 0;
             for (int i = 0; i < THUD_POINTS; i++)
                 f += x->lagrange[p * THUD_POINTS + i] * x->force[a * THUD_BATCH + i];
-            seg->force[p * m->ncontacts + x->active[a]] = f;
+            seg->force[p * m->nrows + x->active[a]] = f;
         }
     memcpy(x->last, seg->force, THUD_POINTS * (size_t)x->nc * sizeof *x->last);
     x->last_h = h;

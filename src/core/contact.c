@@ -290,6 +290,10 @@ enum thud_status thud_contact_switch(struct thud_state *state, struct thud_conta
         change_branch(state, contact);
         return THUD_OK;
     case THUD_EVENT_NONE:
+    case THUD_EVENT_YIELD_UP: /* of storeys: thud_storey_switch */
+    case THUD_EVENT_YIELD_DOWN:
+    case THUD_EVENT_UNLOAD:
+        return THUD_OK;
     case THUD_EVENT_UNSTICK_IN:
     case THUD_EVENT_UNSTICK_OUT:
         break;
@@ -341,7 +345,7 @@ static enum thud_status impulses(const struct thud_state *state, struct collisio
             e = 0;
         x->q[i] = -(1 + e) * v;
         for (int j = 0; j < x->n; j++)
-            x->m[i * x->n + j] = m->delassus[c * m->ncontacts + x->set[j]];
+            x->m[i * x->n + j] = m->delassus[c * m->nrows + x->set[j]];
     }
     enum thud_status status = thud_lcp_solve(x->n, x->m, x->q, x->impulse, x->work, err);
     return status == THUD_DIVERGED && m->left_out > 0 ? thud_state_too_few_modes(state, err) : status;
@@ -413,7 +417,7 @@ static void send_impulses(struct thud_state *state, const struct collision *x)
     for (int c = 0; c < m->ncontacts; c++) {
         double change = 0;
         for (int i = 0; i < x->n; i++)
-            change -= m->delassus[c * m->ncontacts + x->set[i]] * x->impulse[i];
+            change -= m->delassus[c * m->nrows + x->set[i]] * x->impulse[i];
         if (change != 0 && !(m->contact[c].law->flags & THUD_LAW_IMPULSIVE))
             thud_contact_impulse_received(state, c, change);
     }

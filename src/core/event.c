@@ -77,7 +77,7 @@ static void constraint_function(const struct view *v, bool high, double *out)
     const struct thud_contact_state *s = &state->contact[v->c];
     double rounding = state->model->contact[v->c].setup.mass_kg * thud_contact_rounding(state);
     for (int k = 0; k < v->seg->terms; k++)
-        out[k] = v->seg->force[k * state->model->ncontacts + v->c];
+        out[k] = v->seg->force[k * state->model->nrows + v->c];
     out[0] = high ? from_end(v, out[0] - s->constraint_high_n) - rounding
                   : from_end(v, out[0] - s->constraint_low_n) + rounding;
 }
@@ -223,6 +223,45 @@ static bool may_close(const struct thud_state *state, const struct thud_segment 
     return most > 0;
 }
 
+/* Guards of storey k, beside those of contacts: while it is elastic, the distance of its drift from the bound on either
+ * side, which must not rise above 0; while it yields, the rate of its drift, which must not turn back. */
+static double storey_fires(const struct thud_state *state, struct thud_segment *seg, int k, double s_end,
+                           enum thud_event *event)
+{
+    const struct thud_model *m = state->model;
+    const struct thud_storey_state *s = &state->storey[k];
+    const double bound = m->storey[k].yield_m;
+    const int row = m->ncontacts + k, n = seg->terms;
+    double p[THUD_SEGMENT_TERMS], first = INFINITY;
+    if (s->direction == 0 && s->zeros == 0) { /* by what its modes can do at most */
+        double most = fabs(thud_contact_indentation(state, row) - s->plastic_m);
+        const double *g = m->jacobian + row * m->nmodes;
+        for (int j = 0; j < m->nmodes; j++)
+            most += fabs(g[j]) * seg->reach[j];
+        if (most <= bound)
+            return INFINITY;
+    }
+    thud_segment_contact(state, seg, row);
+    const double *d = seg->indentation + row * THUD_SEGMENT_TERMS;
+    if (s->direction != 0) {
+        for (int i = 0; i + 1 < n; i++)
+            p[i] = (i + 1) * d[i + 1];
+        *event = THUD_EVENT_UNLOAD;
+        return thud_poly_first_above(p, n - 1, s_end, -s->direction, s->zeros, 0);
+    }
+    memcpy(p, d, (size_t)n * sizeof *p);
+    for (int side = -1; side <= 1; side += 2) {
+        p[0] = d[0] - s->plastic_m - side * bound;
+        int zeros = s->zero_side == side ? s->zeros : 0;
+        double at = thud_poly_first_above(p, n, fmin(s_end, first), side, zeros, THUD_TOL_INDENTATION_M);
+        if (at < first) {
+            first = at;
+            *event = side > 0 ? THUD_EVENT_YIELD_UP : THUD_EVENT_YIELD_DOWN;
+        }
+    }
+    return first;
+}
+
 double thud_event_first(const struct thud_state *state, struct thud_segment *seg, double s_end, int *contact,
                         enum thud_event *event)
 {
@@ -243,6 +282,15 @@ double thud_event_first(const struct thud_state *state, struct thud_segment *seg
                 *contact = c;
                 *event = guards[i].event;
             }
+        }
+    }
+    for (int k = 0; k < state->model->nstoreys; k++) {
+        enum thud_event of_storey = THUD_EVENT_NONE;
+        double s = storey_fires(state, seg, k, fmin(s_end, first), &of_storey);
+        if (s < first) {
+            first = s;
+            *contact = state->model->ncontacts + k;
+            *event = of_storey;
         }
     }
     return first;

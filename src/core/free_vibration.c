@@ -140,7 +140,7 @@ enum thud_status thud_free_vibration_create(const struct thud_state *state, stru
 {
     const struct thud_model *m = state->model;
     *out = NULL;
-    if (m->couples || m->nmodes == 0)
+    if (m->couples || m->nmodes == 0 || m->nstoreys > 0)
         return THUD_OK;
     struct thud_free_vibration *f = calloc(1, sizeof *f);
     enum thud_status status = f && allocate(f, m) ? THUD_OK : thud_error_set(err, THUD_MEMORY, "out of memory");

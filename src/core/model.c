@@ -8,6 +8,7 @@
 #include "base/quantity.h"
 #include "core/double_pair.h"
 #include "core/modes.h"
+#include "core/storey.h"
 
 /* Hands out pieces of one block. */
 struct arena {
@@ -32,10 +33,26 @@ static int kept_of(int n, int modes)
     return modes > 0 && modes < n ? modes : n;
 }
 
-static size_t model_bytes(const struct thud_model_input *in, size_t ndof, size_t nmodes)
+/* Whether storey i of a structure yields: one whose stiffness stays the same beyond its yield drift is elastic. */
+static bool yields(const struct thud_structure_input *in, int i)
 {
-    size_t nc = (size_t)in->ncontacts, bytes = room(1, sizeof(struct thud_model));
+    return in->stiffness_npm && in->yield_m && isfinite(in->yield_m[i]) && in->hardening[i] < 1;
+}
+
+static int yielding_storeys(const struct thud_model_input *in)
+{
+    int count = 0;
+    for (int s = 0; s < in->nstructures; s++)
+        for (int i = 0; i < in->structure[s].n; i++)
+            count += yields(&in->structure[s], i);
+    return count;
+}
+
+static size_t model_bytes(const struct thud_model_input *in, size_t ndof, size_t nmodes, size_t nstoreys)
+{
+    size_t nc = (size_t)in->ncontacts + nstoreys, bytes = room(1, sizeof(struct thud_model));
     bytes += room((size_t)in->nstructures, sizeof(struct thud_model_structure));
+    bytes += room(nstoreys, sizeof(struct thud_model_storey));
     bytes += room(nc, sizeof(struct thud_model_contact)) + room(ndof, sizeof(int));
     bytes += 2 * room(ndof, sizeof(double)) + 9 * room(nmodes, sizeof(double));
     bytes += room(nc * nmodes, sizeof(double)) + room(nc * nc, sizeof(double));
@@ -219,14 +236,45 @@ static enum thud_status fill_contact(struct thud_model *m, int c, const struct t
     return in->law->prepare ? in->law->prepare(&to->setup, err) : THUD_OK;
 }
 
+/* The row of storey k. */
+static void fill_storey(struct thud_model *m, int k)
+{
+    const struct thud_model_storey *storey = &m->storey[k];
+    struct thud_model_contact *to = &m->contact[m->ncontacts + k];
+    int dof = m->structure[storey->structure].first + storey->floor;
+    *to = (struct thud_model_contact){.left_floor = storey->floor + 1,
+                                      .right_floor = storey->floor,
+                                      .left_dof = dof,
+                                      .right_dof = storey->floor > 0 ? dof - 1 : -1,
+                                      .law = &thud_storey_law};
+    to->setup.mass_kg = 1 / (inverse_mass(m, to->left_dof) + inverse_mass(m, to->right_dof));
+    double *g = m->jacobian + (size_t)(m->ncontacts + k) * (size_t)m->nmodes;
+    memset(g, 0, (size_t)m->nmodes * sizeof *g);
+    add_row(m, to->left_dof, 1, g);
+    add_row(m, to->right_dof, -1, g);
+}
+
+static void fill_storeys(struct thud_model *m, const struct thud_model_input *input)
+{
+    int k = 0;
+    for (int s = 0; s < input->nstructures; s++)
+        for (int i = 0; i < input->structure[s].n; i++) {
+            const struct thud_structure_input *in = &input->structure[s];
+            if (!yields(in, i))
+                continue;
+            m->storey[k] = (struct thud_model_storey){s, i, in->stiffness_npm[i], in->yield_m[i], in->hardening[i]};
+            fill_storey(m, k++);
+        }
+}
+
 static void fill_w(struct thud_model *m)
 {
-    for (int a = 0; a < m->ncontacts; a++)
-        for (int b = 0; b < m->ncontacts; b++) {
+    for (int a = 0; a < m->nrows; a++)
+        for (int b = 0; b < m->nrows; b++) {
             double sum = 0;
             for (int j = 0; j < m->nmodes; j++)
                 sum += m->jacobian[a * m->nmodes + j] * m->jacobian[b * m->nmodes + j];
-            m->delassus[a * m->ncontacts + b] = sum;
+            m->delassus[a * m->nrows + b] = sum;
         }
 }
 
@@ -238,8 +286,9 @@ static struct thud_model *lay_out(const struct thud_model_input *input, struct a
         ndof += input->structure[s].n;
         nmodes += kept_of(input->structure[s].n, input->modes);
     }
-    size_t floors = (size_t)ndof, modes = (size_t)nmodes, nc = (size_t)input->ncontacts;
-    arena->next = calloc(1, model_bytes(input, floors, modes));
+    const int nstoreys = yielding_storeys(input);
+    size_t floors = (size_t)ndof, modes = (size_t)nmodes, nc = (size_t)(input->ncontacts + nstoreys);
+    arena->next = calloc(1, model_bytes(input, floors, modes, (size_t)nstoreys));
     if (!arena->next)
         return NULL;
     struct thud_model *m = take(arena, sizeof *m);
@@ -247,8 +296,11 @@ static struct thud_model *lay_out(const struct thud_model_input *input, struct a
     m->ndof = ndof;
     m->nmodes = nmodes;
     m->ncontacts = input->ncontacts;
+    m->nstoreys = nstoreys;
+    m->nrows = m->ncontacts + nstoreys;
     m->structure = take(arena, (size_t)input->nstructures * sizeof *m->structure);
     m->contact = take(arena, nc * sizeof *m->contact);
+    m->storey = take(arena, (size_t)nstoreys * sizeof *m->storey);
     m->dof_structure = take(arena, floors * sizeof(int));
     m->mass_kg = take(arena, floors * sizeof(double));
     m->ground_influence = take(arena, floors * sizeof(double));
@@ -286,6 +338,7 @@ enum thud_status thud_model_create(const struct thud_model_input *input, struct 
         free(m);
         return status;
     }
+    fill_storeys(m, input);
     fill_w(m);
     *out = m;
     return THUD_OK;

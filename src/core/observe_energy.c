@@ -7,6 +7,7 @@
 #include "core/free_vibration.h"
 #include "core/nodes.h"
 #include "core/quadrature.h"
+#include "core/storey.h"
 
 enum { LOOKS_APART = 64 }; /* segments and blocks between two looks at the balance */
 
@@ -19,7 +20,7 @@ static double contact_work(const struct thud_observation *o, const struct thud_n
     bool applied = o->state->contact[c].mode == THUD_STICKING || !o->state->locates;
     thud_nodes_rates(places, seg->indentation + c * THUD_SEGMENT_TERMS, 1, seg->terms, seg->h_s, rate);
     if (applied)
-        thud_nodes_values(places, seg->force + c, o->state->model->ncontacts, seg->terms, force);
+        thud_nodes_values(places, seg->force + c, o->state->model->nrows, seg->terms, force);
     else
         thud_nodes_values(places, seg->indentation + c * THUD_SEGMENT_TERMS, 1, seg->terms, d);
     for (int i = 0; i < THUD_QUADRATURE_POINTS; i++) {
@@ -114,9 +115,12 @@ double thud_ledger_contact_work(const struct thud_ledger *ledger)
 
 /* What the structures hold now, as the ledger has it, may be the most so far: the energy that its error is a part of.
  */
-static void mark(struct thud_ledger *l)
+static void mark(struct thud_ledger *l, const struct thud_state *state)
 {
-    l->largest_j = fmax(l->largest_j, l->initial_j + l->input_j - l->viscous_j - thud_ledger_contact_work(l));
+    double lost = l->viscous_j + thud_ledger_contact_work(l);
+    if (state->model->nstoreys > 0)
+        lost += thud_storeys_hysteretic(state, state->q);
+    l->largest_j = fmax(l->largest_j, l->initial_j + l->input_j - lost);
 }
 
 /* Elastic energy in the contacts that are closed. */
@@ -140,8 +144,9 @@ static struct thud_energy balance(const struct thud_ledger *l, const struct thud
                             .viscous_j = l->viscous_j,
                             .contact_j = work - stored,
                             .initial_j = l->initial_j,
-                            .stored_j = stored};
-    double left = e.initial_j + e.input_j - e.kinetic_j - e.strain_j - e.viscous_j - work;
+                            .stored_j = stored,
+                            .hysteretic_j = thud_storeys_hysteretic(state, state->q)};
+    double left = e.initial_j + e.input_j - e.kinetic_j - e.strain_j - e.viscous_j - work - e.hysteretic_j;
     double largest = fmax(l->largest_j, fmax(e.kinetic_j + e.strain_j, fabs(e.input_j)));
     e.error_ratio = largest > 0 ? fabs(left) / largest : 0;
     return e;
@@ -171,7 +176,7 @@ static enum thud_status segment(void *own, const struct thud_observation *o, str
     (void)err;
     watch(own, o->state);
     add_segment(own, o, true);
-    mark(own);
+    mark(own, o->state);
     return THUD_OK;
 }
 
@@ -185,7 +190,7 @@ static enum thud_status block(void *own, const struct thud_state *state, struct 
     thud_free_vibration_work(block, intervals, &input, &viscous);
     l->input_j += input;
     l->viscous_j += viscous;
-    mark(l);
+    mark(l, state);
     return THUD_OK;
 }
 

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "core/free_vibration.h"
+#include "core/storey.h"
 #include "core/tolerance.h"
 
 int thud_history_ground(void)
@@ -38,6 +39,23 @@ int thud_history_energy(const struct thud_history *h, int which)
     return 1 + 3 * h->ndof + 2 * h->ncontacts + which;
 }
 
+int thud_history_hysteretic(const struct thud_history *h)
+{
+    return 1 + 3 * h->ndof + 2 * h->ncontacts + THUD_HISTORY_ENERGIES;
+}
+int thud_history_storey_drift(const struct thud_history *h, int storey)
+{
+    return thud_history_hysteretic(h) + 1 + storey;
+}
+int thud_history_storey_shear(const struct thud_history *h, int storey)
+{
+    return thud_history_hysteretic(h) + 1 + h->nstoreys + storey;
+}
+int thud_history_storey_plastic(const struct thud_history *h, int storey)
+{
+    return thud_history_hysteretic(h) + 1 + 2 * h->nstoreys + storey;
+}
+
 enum thud_status thud_rows_init(struct thud_rows *rows, const struct thud_model *model,
                                 const struct thud_result *result, const struct thud_ledger *ledger, double step_s,
                                 struct thud_error *err)
@@ -45,8 +63,10 @@ enum thud_status thud_rows_init(struct thud_rows *rows, const struct thud_model 
     *rows = (struct thud_rows){.result = result, .ledger = ledger, .step_s = step_s};
     rows->history.ndof = model->ndof;
     rows->history.ncontacts = model->ncontacts;
-    rows->history.columns = 1 + 3 * model->ndof + 2 * model->ncontacts + THUD_HISTORY_ENERGIES;
-    rows->work = calloc(3 * (size_t)model->nmodes + 1, sizeof *rows->work);
+    rows->history.nstoreys = model->nstoreys;
+    rows->history.columns = 1 + 3 * model->ndof + 2 * model->ncontacts + THUD_HISTORY_ENERGIES +
+                            (model->nstoreys > 0 ? 1 + 3 * model->nstoreys : 0);
+    rows->work = calloc(3 * (size_t)model->nmodes + (size_t)model->nrows + 1, sizeof *rows->work);
     return rows->work ? THUD_OK : thud_error_set(err, THUD_MEMORY, "out of memory");
 }
 
@@ -97,7 +117,19 @@ static void fill_motion(const struct thud_history *h, const struct thud_state *s
         strain += 0.5 * m->spring[j] * q[j] * q[j];
     }
     row[thud_history_energy(h, 1)] = kinetic;
-    row[thud_history_energy(h, 2)] = strain;
+    row[thud_history_energy(h, 2)] = strain + thud_storeys_strain(state, q);
+}
+
+static void fill_storeys(const struct thud_history *h, const struct thud_state *state, double *row, const double *q)
+{
+    if (h->nstoreys > 0)
+        row[thud_history_hysteretic(h)] = thud_storeys_hysteretic(state, q);
+    for (int k = 0; k < h->nstoreys; k++) {
+        double drift = thud_model_gap_sum(state->model, h->ncontacts + k, q);
+        row[thud_history_storey_drift(h, k)] = drift;
+        row[thud_history_storey_shear(h, k)] = thud_storey_shear(state, k, drift);
+        row[thud_history_storey_plastic(h, k)] = thud_storey_plastic(state, k, drift);
+    }
 }
 
 static void fill_works(const struct thud_history *h, const struct thud_ledger *ledger, double *row)
@@ -107,13 +139,13 @@ static void fill_works(const struct thud_history *h, const struct thud_ledger *l
     row[thud_history_energy(h, 4)] = thud_ledger_contact_work(ledger);
 }
 
-/* Modal total accelerations at s as the peaks have them; the row has its forces and the ground. */
-static void accelerations(const struct thud_history *h, const struct thud_model *m, const struct thud_segment *seg,
-                          double s, const double *row, const double *q, const double *qd, double *out)
+/* Modal total accelerations at s as the peaks have them, with the forces of all rows; the row has the ground. */
+static void accelerations(const struct thud_model *m, const struct thud_segment *seg, double s, const double *row,
+                          const double *force, const double *q, const double *qd, double *out)
 {
     if (seg->interpolates) {
         thud_model_acceleration(m, q, qd, 0, out);
-        thud_model_apply_contact_forces(m, row + thud_history_force(h, 0), out);
+        thud_model_apply_contact_forces(m, force, out);
         return;
     }
     for (int j = 0; j < m->nmodes; j++) {
@@ -134,22 +166,24 @@ static enum thud_status row_at(struct thud_rows *rows, const struct thud_observa
     double *row = new_row(h, seg->start_s + s * seg->h_s, err);
     if (!row)
         return THUD_MEMORY;
-    double *q = rows->work, *qd = q + m->nmodes, *a = qd + m->nmodes;
+    double *q = rows->work, *qd = q + m->nmodes, *a = qd + m->nmodes, *force = a + m->nmodes;
     struct thud_observation here = *o;
     struct thud_ledger ledger = *rows->ledger;
     here.s = s;
     thud_ledger_add(&ledger, &here);
     thud_segment_state(seg, m->nmodes, s, q, qd);
     fill_motion(h, o->state, row, q, qd);
+    fill_storeys(h, o->state, row, q);
     fill_works(h, &ledger, row);
     row[thud_history_ground()] = seg->a0 + seg->a1 * s;
-    for (int c = 0; c < m->ncontacts; c++) {
-        double f = 0;
+    for (int c = 0; c < m->nrows; c++) {
+        force[c] = 0;
         for (int k = seg->terms - 1; k >= 0; k--)
-            f = f * s + seg->force[k * m->ncontacts + c];
-        row[thud_history_force(h, c)] = f;
+            force[c] = force[c] * s + seg->force[k * m->nrows + c];
+        if (c < m->ncontacts)
+            row[thud_history_force(h, c)] = force[c];
     }
-    accelerations(h, m, seg, s, row, q, qd, a);
+    accelerations(m, seg, s, row, force, q, qd, a);
     for (int i = 0; i < m->ndof; i++)
         row[thud_history_acceleration(h, i)] = thud_model_floor(m, i, a);
     return THUD_OK;
@@ -157,11 +191,11 @@ static enum thud_status row_at(struct thud_rows *rows, const struct thud_observa
 
 /* Parts of a segment in contact for which the trapezoids of its rows give the force's impulse to 3e-4: their error is
  * at most h^2/12 times the bound of the second derivative. */
-static double impulse_parts(const struct thud_segment *seg, int ncontacts, int c, double s)
+static double impulse_parts(const struct thud_segment *seg, int nrows, int c, double s)
 {
     double bend = 0, impulse = 0, power = s;
     for (int k = 0; k < seg->terms; k++) {
-        double f = seg->force[k * ncontacts + c];
+        double f = seg->force[k * nrows + c];
         bend += k * (k - 1) * fabs(f) * power;
         impulse += f * power / (k + 1);
         power *= s;
@@ -175,11 +209,10 @@ static int contact_rows(const struct thud_rows *rows, const struct thud_observat
 {
     enum { LEAST = 2, MOST = 200 };
     const double close_s = 2.5e-4;
-    int nc = o->state->model->ncontacts;
     double parts = o->s * o->seg->h_s / fmin(rows->step_s, close_s);
-    for (int c = 0; c < nc; c++)
+    for (int c = 0; c < o->state->model->ncontacts; c++)
         if (thud_contact_acts(&o->state->contact[c]))
-            parts = fmax(parts, impulse_parts(o->seg, nc, c, o->s));
+            parts = fmax(parts, impulse_parts(o->seg, o->state->model->nrows, c, o->s));
     return parts > LEAST ? parts < MOST ? (int)ceil(parts) : MOST : LEAST;
 }
 

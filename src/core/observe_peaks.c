@@ -76,13 +76,13 @@ static double largest_force(struct thud_peaks *peaks, const struct thud_state *s
 {
     const struct thud_model *m = state->model;
     double total = 0;
-    for (int c = 0; c < m->ncontacts; c++) {
+    for (int c = 0; c < m->nrows; c++) {
         const struct thud_model_contact *contact = &m->contact[c];
-        if (!thud_contact_acts(&state->contact[c]))
+        if (c < m->ncontacts && !thud_contact_acts(&state->contact[c]))
             continue;
         double force = 0;
         for (int k = 0; k < seg->terms; k++)
-            force += fabs(seg->force[k * m->ncontacts + c]);
+            force += fabs(seg->force[k * m->nrows + c]);
         for (int side = 0; side < 2; side++) {
             int dof = side == 0 ? contact->left_dof : contact->right_dof;
             if (dof >= p->first && dof < p->first + p->n)
@@ -150,7 +150,7 @@ static void acceleration_by_forces(struct thud_peaks *peaks, const struct thud_s
         for (int j = 0; j < n; j++)
             qd[j] = rate * seg->q[(k + 1) * n + j];
         thud_model_acceleration(m, seg->q + k * n, qd, 0, out);
-        thud_model_apply_contact_forces(m, seg->force + k * m->ncontacts, out);
+        thud_model_apply_contact_forces(m, seg->force + k * m->nrows, out);
     }
 }
 
@@ -348,7 +348,7 @@ static void contact_peaks(struct thud_peaks *peaks, const struct thud_state *sta
     if (!thud_segment_has_force(state, seg, c))
         return;
     for (int k = 0; k < seg->terms; k++)
-        p[k] = seg->force[k * state->model->ncontacts + c];
+        p[k] = seg->force[k * state->model->nrows + c];
     raise_contact_peak(seg, &peaks->result->contact[c].force, &log->now[c].force_n, p, s_end);
 }
 

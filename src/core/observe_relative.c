@@ -6,7 +6,8 @@
 #include "core/poly.h"
 
 /* Raises the largest value of contact c by its polynomial in the segment up to s. */
-static void raise_value(double *largest, const struct thud_state *state, const struct thud_segment *seg, int c, double s)
+static void raise_value(double *largest, const struct thud_state *state, const struct thud_segment *seg, int c,
+                        double s)
 {
     double d[THUD_SEGMENT_TERMS], where, size = 0;
     thud_segment_indentation(state, seg, c, d);

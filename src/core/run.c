@@ -1,8 +1,10 @@
-/* The run: propose a segment, locate its first event, observe it up to there, commit, switch the contact, and so on. */
+/* The run: propose a segment, locate its first event, observe it up to there, commit, switch the contact or the storey,
+ * and so on. */
 #include <math.h>
 #include <string.h>
 
 #include "core/run_private.h"
+#include "core/storey.h"
 
 static enum thud_status observe(struct thud_run *run, const struct thud_proposal *p, struct thud_error *err)
 {
@@ -35,6 +37,7 @@ static void commit(struct thud_run *run, const struct thud_proposal *p)
     for (int c = 0; c < state->model->ncontacts; c++)
         state->contact[c].largest_force_n = run->result.contact[c].force.value;
     thud_contact_moved(state);
+    thud_storeys_moved(state);
 }
 
 /* One proposed segment: events located, read out, committed, contacts switched. */
@@ -53,7 +56,9 @@ static enum thud_status segment(struct thud_run *run, struct thud_error *err)
     if (p.s > 0)
         commit(run, &p);
     status = thud_run_check_state(run, run->state.q, run->state.qd, err);
-    if (status == THUD_OK && switched)
+    if (status == THUD_OK && switched && p.contact >= run->state.model->ncontacts)
+        thud_storey_switch(&run->state, p.contact, p.event);
+    else if (status == THUD_OK && switched)
         status = thud_contact_switch(&run->state, &run->log, p.contact, p.event, err);
     if (status == THUD_OK && !run->state.locates)
         status = thud_contact_update(&run->state, &run->log, &switched, err);

@@ -78,8 +78,8 @@ enum thud_status thud_run_check_state(struct thud_run *run, const double *q, con
     static const double times = 100; /* a coarse but stable step may overshoot; more is a run that has blown up */
     const struct thud_model *m = run->state.model;
     double limit = times * run->speed_bound, sum = 0;
-    for (int j = 0; j < m->nmodes; j++)
-        sum += qd[j] * qd[j] + m->omega[j] * m->omega[j] * q[j] * q[j];
+    for (int j = 0; j < m->nmodes; j++) /* a storey that yields may drift as far as it likes without strain */
+        sum += qd[j] * qd[j] + (m->nstoreys > 0 ? 0 : m->omega[j] * m->omega[j] * q[j] * q[j]);
     if (sum <= limit * limit) /* false for NaN */
         return THUD_OK;
     int i = worst_floor(m, qd), s = m->dof_structure[i];

@@ -50,7 +50,7 @@ struct thud_run {
 /* A segment in run->seg, and how far it is taken. */
 struct thud_proposal {
     double s, limit; /* of the event or, without one, the limit; and that of the next kink or the end */
-    int contact;     /* of the event, -1 where there is none */
+    int contact;     /* row of the event: contact or storey; -1 where there is none */
     enum thud_event event;
     bool switched, passed; /* ends with the event; or at a moment whose events have no end */
 };

@@ -12,7 +12,7 @@ static double next_event(struct thud_run *run, double limit, int *contact, enum 
 {
     if (run->state.locates)
         return thud_event_first(&run->state, &run->seg, limit, contact, event);
-    thud_segment_forget(&run->seg, run->state.model->ncontacts);
+    thud_segment_forget(&run->seg, run->state.model->nrows);
     for (int c = 0; c < run->state.model->ncontacts; c++)
         thud_segment_contact(&run->state, &run->seg, c);
     return INFINITY;
@@ -80,6 +80,12 @@ static enum thud_status stalled(struct thud_run *run, int contact, struct thud_e
     if (contact < 0)
         return thud_error_set(err, THUD_DIVERGED, "no step is long enough to go on at t = %.9g s",
                               thud_state_now(&run->state));
+    if (contact >= run->state.model->ncontacts) {
+        const struct thud_model_storey *p = &run->state.model->storey[contact - run->state.model->ncontacts];
+        return thud_error_set(err, THUD_DIVERGED,
+                              "storey %d of structure %d yields and unloads without end at t = %.9g s", p->floor + 1,
+                              p->structure + 1, thud_state_now(&run->state));
+    }
     const struct thud_contact_result *c = &run->result.contact[contact];
     return thud_error_set(err, THUD_DIVERGED, "contact between floors %d and %d switches without end at t = %.9g s",
                           c->left_floor, c->right_floor, thud_state_now(&run->state));
@@ -113,6 +119,6 @@ enum thud_status thud_run_watch_progress(struct thud_run *run, struct thud_propo
     run->progress.stalls++;
     /* of two events that follow each other at one instant (chattering), now this one, now the other is passed over, so
      * that one of the two contacts opens */
-    int most = STALLS_MORE + STALLS_EACH * run->state.model->ncontacts + run->progress.passes % 2;
+    int most = STALLS_MORE + STALLS_EACH * run->state.model->nrows + run->progress.passes % 2;
     return run->progress.stalls > most ? skip_accumulating(run, p, err) : THUD_OK;
 }

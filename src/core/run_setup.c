@@ -6,6 +6,7 @@
 
 #include "base/quantity.h"
 #include "core/run_private.h"
+#include "core/storey.h"
 
 void thud_run_options_init(struct thud_run_options *options)
 {
@@ -30,8 +31,10 @@ static bool allocate_result(struct thud_run *run)
     const struct thud_model *m = run->state.model;
     struct thud_result *r = &run->result;
     size_t ns = (size_t)m->nstructures, nc = (size_t)m->ncontacts, n = (size_t)m->ndof;
-    char *next = run->result_block = calloc(1, ns * sizeof *r->structure + nc * sizeof *r->contact +
-                                                   n * (sizeof(struct thud_floor_result) + sizeof(double)) + 1);
+    size_t storeys = m->nstoreys > 0 ? n * sizeof(struct thud_storey_result) : 0;
+    char *next = run->result_block =
+        calloc(1, ns * sizeof *r->structure + nc * sizeof *r->contact +
+                      n * (sizeof(struct thud_floor_result) + sizeof(double)) + storeys + 1);
     if (!next)
         return false;
     r->nstructures = m->nstructures;
@@ -49,6 +52,13 @@ static bool allocate_result(struct thud_run *run)
         next += (size_t)p->n * sizeof(double);
         for (int j = 0; j < p->n; j++)
             r->structure[s].period_s[j] = 2 * THUD_PI / p->omega[j];
+    }
+    struct thud_storey_result *storey = (void *)next;
+    for (int k = 0; k < m->nstoreys; k++) {
+        const struct thud_model_storey *p = &m->storey[k];
+        r->structure[p->structure].storey = storey + m->structure[p->structure].first;
+        storey[m->structure[p->structure].first + p->floor] =
+            (struct thud_storey_result){.yields = true, .yield_m = p->yield_m, .hardening = p->hardening};
     }
     for (int c = 0; c < m->ncontacts; c++) {
         const struct thud_model_contact *p = &m->contact[c];
@@ -75,6 +85,11 @@ static const char *need(const struct thud_model *m)
     }
     for (int j = 0; j < m->nmodes; j++)
         flexible = flexible || m->omega[j] > 0;
+    if (m->nstoreys > 0)
+        return nonlinear ? "closed form between events of contacts and storeys; the tolerance holds for the nonlinear "
+                           "contact "
+                           "forces alone"
+                         : "closed form between events of contacts and storeys: the tolerance plays no part";
     if (!contact)
         return no_contact;
     if (nonlinear)
@@ -157,6 +172,7 @@ static enum thud_status start(struct thud_run *run, struct thud_error *err)
     run->state.tolerance = run->options.tolerance;
     thud_run_set_scales(run);
     thud_contact_start(&run->state);
+    thud_storeys_start(&run->state);
     thud_run_set_bound(run);
     set_step(run);
     enum thud_status status = create_observers(run, err);
@@ -218,14 +234,35 @@ static bool has_touched(const struct thud_result *r)
     return r->work.force_evaluations > 0;
 }
 
+static void finish_storeys(struct thud_run *run)
+{
+    for (int k = 0; k < run->state.model->nstoreys; k++) {
+        const struct thud_model_storey *p = &run->state.model->storey[k];
+        const struct thud_storey_state *s = &run->state.storey[k];
+        struct thud_structure_result *structure = &run->result.structure[p->structure];
+        struct thud_storey_result *to = &structure->storey[p->floor];
+        struct thud_peak drift = structure->floor[p->floor].drift;
+        to->ductility = drift.value / p->yield_m;
+        to->plastic_m = s->plastic_m;
+        to->permanent_m = (1 - p->hardening) * s->plastic_m;
+        to->excursions = s->excursions;
+        to->hysteretic_j = s->hysteretic_j;
+        to->shear = s->shear; /* once it has yielded, no elastic motion comes to a larger one */
+        if (!(to->shear.value > 0))
+            to->shear = (struct thud_peak){drift.value * p->stiffness_npm, drift.time_s};
+    }
+}
+
 void thud_run_finish(struct thud_run *run)
 {
     struct thud_result *r = &run->result;
     r->work = run->work;
     thud_ledger_finish(&run->ledger, &run->state);
     r->energy = run->ledger.balance;
+    finish_storeys(run);
     if (run->done && *r->reason && r->reason != no_contact && !has_touched(r))
-        r->reason = "nothing touched: modes alone, in closed form";
+        r->reason = run->state.model->nstoreys > 0 ? "nothing touched: closed form between events of storeys that yield"
+                                                   : "nothing touched: modes alone, in closed form";
     r->end_s = thud_state_now(&run->state);
     for (int s = 0; s < r->nstructures; s++) {
         const struct thud_model_structure *p = &run->state.model->structure[s];
@@ -233,6 +270,8 @@ void thud_run_finish(struct thud_run *run)
             continue;
         struct thud_peak drift = r->structure[s].floor[0].drift;
         r->structure[s].base_shear = (struct thud_peak){drift.value * p->stiffness_npm[0], drift.time_s};
+        if (r->structure[s].storey && r->structure[s].storey[0].yields)
+            r->structure[s].base_shear = r->structure[s].storey[0].shear;
     }
 }
 

@@ -11,7 +11,7 @@
 
 enum thud_status thud_segment_init(struct thud_segment *seg, const struct thud_model *model, struct thud_error *err)
 {
-    size_t n = (size_t)model->nmodes, nc = (size_t)model->ncontacts, terms = THUD_SEGMENT_TERMS;
+    size_t n = (size_t)model->nmodes, nc = (size_t)model->nrows, terms = THUD_SEGMENT_TERMS;
     *seg = (struct thud_segment){0};
     seg->block = calloc((terms + 1) * n + 2 * terms * nc + 1, sizeof *seg->block);
     seg->known = calloc(nc + 1, sizeof *seg->known);
@@ -33,9 +33,9 @@ void thud_segment_clear(struct thud_segment *seg)
     *seg = (struct thud_segment){0};
 }
 
-void thud_segment_forget(struct thud_segment *seg, int ncontacts)
+void thud_segment_forget(struct thud_segment *seg, int nrows)
 {
-    for (int c = 0; c < ncontacts; c++)
+    for (int c = 0; c < nrows; c++)
         seg->known[c] = -1;
 }
 
@@ -53,7 +53,7 @@ bool thud_segment_has_force(const struct thud_state *state, const struct thud_se
         return thud_contact_acts(&state->contact[c]);
     const double *force = seg->force + c;
     for (int k = 0; k < seg->terms; k++)
-        if (force[k * state->model->ncontacts] != 0)
+        if (force[k * state->model->nrows] != 0)
             return true;
     return false;
 }
@@ -71,12 +71,22 @@ double thud_segment_rate(const struct thud_state *state)
 {
     const struct thud_model *m = state->model;
     double square = state->fastest_radps * state->fastest_radps, rate = 0;
-    for (int c = 0; c < m->ncontacts && state->nactive > 0; c++)
+    for (int c = 0; c < m->nrows && !thud_state_is_free(state); c++)
         if (state->contact[c].mode == THUD_CLOSED) {
-            square += fabs(state->contact[c].branch.k_npm) * m->delassus[c * m->ncontacts + c];
-            rate += fabs(state->contact[c].branch.c_nspm) * m->delassus[c * m->ncontacts + c];
+            square += fabs(state->contact[c].branch.k_npm) * m->delassus[c * m->nrows + c];
+            rate += fabs(state->contact[c].branch.c_nspm) * m->delassus[c * m->nrows + c];
         }
     return sqrt(square) + rate;
+}
+
+/* Elastic storeys with a plastic drift. */
+static void constant_forces(const struct thud_state *state, struct thud_segment *seg)
+{
+    const struct thud_model *m = state->model;
+    for (int k = 0; k < m->nstoreys && state->nshifted > 0; k++)
+        if (state->storey[k].direction == 0 || !state->locates)
+            seg->force[m->ncontacts + k] = state->contact[m->ncontacts + k].branch.f0_n;
+    seg->loaded = state->nshifted > 0;
 }
 
 void thud_segment_begin(const struct thud_state *state, struct thud_segment *seg, double h_s)
@@ -96,9 +106,10 @@ void thud_segment_begin_at(const struct thud_state *state, struct thud_segment *
     seg->a1 = slope * h_s;
     seg->terms = thud_segment_terms(thud_segment_rate(state) * h_s, THUD_TOL_SERIES);
     seg->loaded = 0;
-    memset(seg->force, 0, THUD_SEGMENT_TERMS * (size_t)state->model->ncontacts * sizeof(double));
+    memset(seg->force, 0, THUD_SEGMENT_TERMS * (size_t)state->model->nrows * sizeof(double));
     seg->interpolates = false;
-    thud_segment_forget(seg, state->model->ncontacts);
+    constant_forces(state, seg);
+    thud_segment_forget(seg, state->model->nrows);
 }
 
 static void first_terms(const struct thud_model *m, struct thud_segment *seg, const double *q, const double *qd)
@@ -130,7 +141,7 @@ static void next_order(const struct thud_model *m, struct thud_segment *seg, int
 {
     int n = m->nmodes;
     double h = seg->h_s, scale = h * h / ((k + 1) * (k + 2)), rate = (k + 1) / h;
-    const double *q = seg->q + k * n, *q1 = q + n, *force = seg->force + k * m->ncontacts;
+    const double *q = seg->q + k * n, *q1 = q + n, *force = seg->force + k * m->nrows;
     double *q2 = seg->q + (k + 2) * n;
     structure_order(m, q, q1, rate, scale, q2);
     if (k < 2) /* the ground's acceleration is a straight line */
@@ -141,7 +152,7 @@ static void next_order(const struct thud_model *m, struct thud_segment *seg, int
             for (int j = 0; j < p->modes; j++)
                 q2[p->first_mode + i] -= scale * p->damping[i * p->modes + j] * rate * q1[p->first_mode + j];
     }
-    for (int c = 0; k < seg->loaded && c < m->ncontacts; c++)
+    for (int c = 0; k < seg->loaded && c < m->nrows; c++)
         if (force[c] != 0.0)
             push(n, m->jacobian + c * n, scale * force[c], q2);
 }
@@ -183,7 +194,7 @@ void thud_taylor_load(const struct thud_model *model, struct thud_segment *seg, 
 static void linear_forces(const struct thud_state *state, struct thud_segment *seg, int k)
 {
     const struct thud_model *m = state->model;
-    for (int c = 0; c < m->ncontacts; c++) {
+    for (int c = 0; c < m->nrows; c++) {
         const struct thud_contact_state *s = &state->contact[c];
         const bool touched = k == 0 && s->suppressed.indentation > 0; /* the motion says so only to rounding */
         double *d = seg->indentation + c * THUD_SEGMENT_TERMS, d1 = 0, f = 0;
@@ -198,14 +209,14 @@ static void linear_forces(const struct thud_state *state, struct thud_segment *s
         if (k + 1 < seg->terms)
             d1 = d[k + 1] =
                 touched && s->suppressed.rate > 0 ? 0 : thud_model_gap_sum(m, c, seg->q + (k + 1) * m->nmodes);
-        seg->force[k * m->ncontacts + c] = f + s->branch.k_npm * d[k] + s->branch.c_nspm * (k + 1) / seg->h_s * d1;
+        seg->force[k * m->nrows + c] = f + s->branch.k_npm * d[k] + s->branch.c_nspm * (k + 1) / seg->h_s * d1;
     }
 }
 
 double thud_taylor_linear(const struct thud_state *state, struct thud_segment *seg)
 {
     const struct thud_model *m = state->model;
-    if (state->nactive == 0) {
+    if (thud_state_is_free(state)) {
         thud_taylor_given(m, seg, state->q, state->qd);
     } else {
         first_terms(m, seg, state->q, state->qd);
@@ -216,21 +227,21 @@ double thud_taylor_linear(const struct thud_state *state, struct thud_segment *s
                 next_order(m, seg, k);
         }
     }
-    for (int c = 0; c < m->ncontacts; c++)
+    for (int c = 0; c < m->nrows; c++)
         if (state->contact[c].mode == THUD_CLOSED && state->contact[c].suppressed.indentation == 0)
             seg->known[c] = 0;
     /* fewer terms than there may be are enough by the bound of the fastest rate */
     return seg->terms < THUD_SEGMENT_TERMS ? 0 : thud_segment_tail(seg, m->nmodes);
 }
 
-void thud_segment_shorten(struct thud_segment *seg, int nmodes, int ncontacts, double factor)
+void thud_segment_shorten(struct thud_segment *seg, int nmodes, int nrows, double factor)
 {
     double scale = 1;
     for (int k = 0; k < seg->terms; k++, scale *= factor) {
         for (int j = 0; j < nmodes; j++)
             seg->q[k * nmodes + j] *= scale;
-        for (int c = 0; c < ncontacts; c++)
-            seg->force[k * ncontacts + c] *= scale;
+        for (int c = 0; c < nrows; c++)
+            seg->force[k * nrows + c] *= scale;
     }
     seg->h_s *= factor;
     seg->a1 *= factor;

@@ -13,11 +13,11 @@ struct thud_segment {
     int loaded;        /* orders below this one may have contact forces */
     double a0, a1;     /* ground acceleration a0 + a1 s */
     double *q;         /* (terms x nmodes): coefficients of the modal coordinates, by order */
-    double *force;     /* (terms x ncontacts): of the contact forces; 0 where a contact does not act */
+    double *force;     /* (terms x nrows): of the forces of contacts and yielding storeys; 0 where one does not act */
     bool interpolates; /* the states of a stepping method at its two ends; else a power series */
 
-    double *indentation; /* (ncontacts x THUD_SEGMENT_TERMS): where it has been read */
-    int *known;          /* (ncontacts) its lowest orders that are no motion; -1 where it has not been read */
+    double *indentation; /* (nrows x THUD_SEGMENT_TERMS): where it has been read */
+    int *known;          /* (nrows) its lowest orders that are no motion; -1 where it has not been read */
     double *reach;       /* (nmodes) how far each mode may move in it: thud_segment_reach */
     double *block;
 };
@@ -47,13 +47,13 @@ double thud_taylor_linear(const struct thud_state *state, struct thud_segment *s
 /* Size of the last terms over the largest. */
 double thud_segment_tail(const struct thud_segment *seg, int nmodes);
 /* Shortens the segment to factor * h by scaling its coefficients. */
-void thud_segment_shorten(struct thud_segment *seg, int nmodes, int ncontacts, double factor);
+void thud_segment_shorten(struct thud_segment *seg, int nmodes, int nrows, double factor);
 
 /* Reads the indentation of contact c into seg->indentation, once; returns how many of its lowest orders are no motion
  * (see thud_segment_indentation). */
 int thud_segment_contact(const struct thud_state *state, struct thud_segment *seg, int c);
 /* The segment has changed: no indentation of it has been read yet. */
-void thud_segment_forget(struct thud_segment *seg, int ncontacts);
+void thud_segment_forget(struct thud_segment *seg, int nrows);
 /* Fills seg->reach. */
 void thud_segment_reach(struct thud_segment *seg, int nmodes);
 /* Whether the segment holds a force of contact c. */

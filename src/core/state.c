@@ -7,11 +7,12 @@
 #include <string.h>
 
 #include "core/lcp.h"
+#include "core/storey.h"
 
 enum thud_status thud_state_init(struct thud_state *state, const struct thud_model *model,
                                  const struct thud_record *record, struct thud_work *work, struct thud_error *err)
 {
-    size_t n = (size_t)model->nmodes, nc = (size_t)model->ncontacts;
+    size_t n = (size_t)model->nmodes, nc = (size_t)model->nrows;
     *state = (struct thud_state){
         .model = model, .record = record, .work = work, .fastest_radps = model->fastest_radps, .step_cap_s = INFINITY};
     bool impulsive = false;
@@ -20,8 +21,9 @@ enum thud_status thud_state_init(struct thud_state *state, const struct thud_mod
     size_t collide = impulsive ? 3 * nc + nc * nc + thud_lcp_work((int)nc) : 0;
     state->block = calloc(3 * n + 2 * nc + nc * nc + collide + 1, sizeof *state->block);
     state->contact = calloc(nc + 1, sizeof *state->contact);
+    state->storey = calloc((size_t)model->nstoreys + 1, sizeof *state->storey);
     state->set_now = calloc(nc + 1, sizeof *state->set_now);
-    if (!state->block || !state->contact || !state->set_now) {
+    if (!state->block || !state->contact || !state->storey || !state->set_now) {
         thud_state_clear(state);
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
@@ -40,10 +42,12 @@ void thud_state_clear(struct thud_state *state)
 {
     free(state->block);
     free(state->contact);
+    free(state->storey);
     free(state->set_now);
     state->set_now = NULL;
     state->block = NULL;
     state->contact = NULL;
+    state->storey = NULL;
 }
 
 double thud_state_kinetic(const struct thud_state *state)
@@ -59,7 +63,7 @@ double thud_state_strain(const struct thud_state *state)
     double sum = 0;
     for (int j = 0; j < state->model->nmodes; j++)
         sum += state->model->omega[j] * state->model->omega[j] * state->q[j] * state->q[j];
-    return 0.5 * sum;
+    return 0.5 * sum + thud_storeys_strain(state, state->q);
 }
 
 double thud_state_default_step(const struct thud_state *state)
@@ -112,7 +116,7 @@ void thud_model_acceleration(const struct thud_model *m, const double *q, const 
 
 void thud_model_apply_contact_forces(const struct thud_model *m, const double *force, double *qdd)
 {
-    for (int c = 0; c < m->ncontacts; c++) {
+    for (int c = 0; c < m->nrows; c++) {
         if (force[c] == 0.0)
             continue;
         const double *g = m->jacobian + c * m->nmodes;
@@ -133,8 +137,8 @@ static double acceleration(const struct thud_state *state, int c, const double *
 {
     const struct thud_model *m = state->model;
     double a = thud_model_gap_sum(m, c, free);
-    for (int b = 0; b < m->ncontacts; b++)
-        a -= m->delassus[c * m->ncontacts + b] * force[b];
+    for (int b = 0; b < m->nrows; b++)
+        a -= m->delassus[c * m->nrows + b] * force[b];
     return a;
 }
 
@@ -160,7 +164,7 @@ void thud_contact_constraint_forces(const struct thud_state *state, const double
             continue;
         for (int b = 0, j = 0; b < nc; b++)
             if (state->contact[b].mode == THUD_STICKING)
-                w[i * n + j++] = m->delassus[a * nc + b];
+                w[i * n + j++] = m->delassus[a * m->nrows + b];
         i++;
     }
     if (LAPACKE_dposv_work(LAPACK_COL_MAJOR, 'L', n, 1, w, n, rhs, n) != 0)
@@ -178,6 +182,11 @@ void thud_contact_forces(const struct thud_state *state, double *force)
         stuck |= state->contact[c].mode == THUD_STICKING;
         if (state->contact[c].mode == THUD_CLOSED)
             force[c] = thud_contact_force(state, c, thud_contact_indentation(state, c), thud_contact_rate(state, c));
+    }
+    for (int k = 0; k < state->model->nstoreys; k++) {
+        int row = state->model->ncontacts + k;
+        double slope;
+        force[row] = thud_storey_force(state, k, thud_contact_indentation(state, row), &slope);
     }
     if (!stuck)
         return;

@@ -39,6 +39,19 @@ struct thud_contact_state {
     double residual_m;
 };
 
+/* A storey that yields: core/storey.h. */
+struct thud_storey_state {
+    int direction;       /* +1, -1: it yields, and which way; 0: elastic */
+    double plastic_m;    /* d_p */
+    int zeros;           /* suppressed coefficients: yielding, of the drift's rate; elastic, of the distance from the */
+    int zero_side;       /* bound on this side */
+    double moved_m;      /* plastic drift of the excursion that goes on */
+    bool counted;        /* it is among the excursions */
+    int excursions;      /* so far, and */
+    double hysteretic_j; /* energy lost */
+    struct thud_peak shear; /* largest since the storey first yielded */
+};
+
 struct thud_state {
     const struct thud_model *model;
     const struct thud_record *record; /* NULL: no ground motion */
@@ -47,8 +60,10 @@ struct thud_state {
     double grid_dt_s, offset_s, end_s;
     long grid;
     double *q, *qd;                     /* (nmodes) */
-    struct thud_contact_state *contact; /* (ncontacts) */
+    struct thud_contact_state *contact; /* (nrows) those of contacts, and of storeys that yield */
+    struct thud_storey_state *storey;   /* (nstoreys) */
     int nactive;                        /* contacts CLOSED or STUCK */
+    int nyielding, nshifted; /* storeys that yield now; elastic ones with a plastic drift: a constant force */
 
     /* What is asked of a method. */
     bool locates;      /* events are located; else contacts are updated at the ends of steps */
@@ -61,11 +76,11 @@ struct thud_state {
     double fastest_radps; /* of the model */
 
     struct thud_work *work; /* counters */
-    double *free_mps2;      /* (nmodes + ncontacts) workspace of state.c */
-    int *set_now;           /* (ncontacts) and */
+    double *free_mps2;      /* (nmodes + nrows) workspace of state.c */
+    int *set_now;           /* (nrows) and */
     double *collide;        /* workspace of contact.c */
-    double *force_now;      /* (ncontacts) workspace of the functions that switch a contact */
-    double *delassus;       /* (ncontacts x ncontacts) workspace of state.c */
+    double *force_now;      /* (nrows) workspace of the functions that switch a contact */
+    double *delassus;       /* (nrows x nrows) workspace of state.c */
     double *block;
 };
 
@@ -101,12 +116,18 @@ static inline double thud_state_clearance(const struct thud_state *state, int c)
     return state->model->contact[c].clearance_m + state->contact[c].residual_m;
 }
 
+/* No force depends on the motion but those of the elastic structures. */
+static inline bool thud_state_is_free(const struct thud_state *state)
+{
+    return state->nactive == 0 && state->nyielding == 0;
+}
+
 static inline bool thud_contact_acts(const struct thud_contact_state *s)
 {
     return s->mode == THUD_CLOSED || s->mode == THUD_STICKING;
 }
 
-/* Kinetic and strain energy of the structures, J. */
+/* Kinetic energy of the structures, and what their storeys would give back, J. */
 double thud_state_kinetic(const struct thud_state *state);
 double thud_state_strain(const struct thud_state *state);
 
@@ -123,7 +144,7 @@ double thud_contact_rate(const struct thud_state *state, int c);
 /* Force of contact c (cut at 0 where the law does not pull) at indentation d and rate v, by its present branch; 0 where
  * it is not CLOSED. */
 double thud_contact_force(const struct thud_state *state, int c, double d, double v);
-/* Forces of all contacts into force (ncontacts); that of STUCK ones from the condition d'' = 0. */
+/* Forces of all rows into force (nrows); that of STUCK contacts from the condition d'' = 0. */
 void thud_contact_forces(const struct thud_state *state, double *force);
 /* Second rate of the indentation of contact c under these forces. */
 double thud_contact_acceleration(const struct thud_state *state, int c, const double *force);

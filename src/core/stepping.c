@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/storey.h"
 #include "core/tolerance.h"
 
 /* Two orders more than the quintic has: the acceleration, read from it by the equations of motion, is a quintic too. */
@@ -10,7 +11,7 @@ enum { TERMS = 8, POINTS = 5 };
 
 size_t thud_motion_size(const struct thud_model *model)
 {
-    return THUD_MOTION_VECTORS * (size_t)model->nmodes + (size_t)model->ncontacts;
+    return THUD_MOTION_VECTORS * (size_t)model->nmodes + (size_t)model->nrows;
 }
 
 double *thud_motion_place(struct thud_motion *motion, const struct thud_model *model, double *block)
@@ -19,7 +20,7 @@ double *thud_motion_place(struct thud_motion *motion, const struct thud_model *m
     motion->qd = block + model->nmodes;
     motion->qdd = block + 2 * model->nmodes;
     motion->force = block + 3 * model->nmodes;
-    return motion->force + model->ncontacts;
+    return motion->force + model->nrows;
 }
 
 double thud_step_room(const struct thud_state *state)
@@ -62,11 +63,24 @@ static double unlocated_force(const struct thud_state *state, int c, double d, d
     return 0;
 }
 
+/* A storey that yields: located, by its branch; else by the return to the bound. */
+static double storey_force(const struct thud_state *state, int c, double d, double *df_dd, double *df_dv)
+{
+    const struct thud_branch *b = &state->contact[c].branch;
+    *df_dv = 0;
+    if (!state->locates)
+        return thud_storey_force(state, c - state->model->ncontacts, d, df_dd);
+    *df_dd = b->k_npm;
+    return b->f0_n + b->k_npm * d;
+}
+
 double thud_step_force(const struct thud_state *state, int c, double d, double v, double *df_dd, double *df_dv)
 {
     double dummy[2];
     df_dd = df_dd ? df_dd : &dummy[0];
     df_dv = df_dv ? df_dv : &dummy[1];
+    if (c >= state->model->ncontacts)
+        return storey_force(state, c, d, df_dd, df_dv);
     if (!state->locates) {
         state->work->force_evaluations += d > 0;
         return unlocated_force(state, c, d, v, df_dd, df_dv);
@@ -83,8 +97,8 @@ void thud_step_motion(const struct thud_state *state, struct thud_motion *x, dou
     const struct thud_model *m = state->model;
     bool stuck = false;
     thud_model_acceleration(m, x->q, x->qd, thud_step_ground(state, after), x->qdd);
-    memset(x->force, 0, (size_t)m->ncontacts * sizeof *x->force);
-    if (state->locates && state->nactive == 0)
+    memset(x->force, 0, (size_t)m->nrows * sizeof *x->force);
+    if (state->locates && thud_state_is_free(state) && state->nshifted == 0)
         return;
     for (int c = 0; c < m->ncontacts; c++) {
         stuck |= state->contact[c].mode == THUD_STICKING;
@@ -93,6 +107,8 @@ void thud_step_motion(const struct thud_state *state, struct thud_motion *x, dou
         double d = thud_model_gap_sum(m, c, x->q) - thud_state_clearance(state, c), v = thud_model_gap_sum(m, c, x->qd);
         x->force[c] = thud_step_force(state, c, d, v, NULL, NULL);
     }
+    for (int c = m->ncontacts; c < m->nrows; c++)
+        x->force[c] = thud_step_force(state, c, thud_model_gap_sum(m, c, x->q), 0, NULL, NULL);
     if (stuck)
         thud_contact_constraint_forces(state, x->qdd, x->force);
     thud_model_apply_contact_forces(m, x->force, x->qdd);
@@ -129,7 +145,7 @@ static void quartic(const double *f, double *c, int stride)
 static void write_forces(const struct thud_state *state, struct thud_segment *seg, const struct thud_motion *start,
                          const struct thud_motion *end, struct thud_motion *work)
 {
-    int nc = state->model->ncontacts;
+    int nc = state->model->nrows;
     size_t bytes = (size_t)nc * sizeof *seg->force;
     memcpy(seg->force, start->force, bytes); /* values at the points, and then coefficients */
     for (int i = 1; i < POINTS - 1; i++) {
@@ -150,12 +166,12 @@ static void write_forces(const struct thud_state *state, struct thud_segment *se
 void thud_step_write(const struct thud_state *state, struct thud_segment *seg, double h,
                      const struct thud_motion *start, const struct thud_motion *end, struct thud_motion *work)
 {
-    int nc = state->model->ncontacts;
+    int nc = state->model->nrows;
     thud_segment_begin(state, seg, h);
     seg->terms = TERMS;
     seg->interpolates = true;
     write_motion(state, seg, start, end);
-    if (state->locates && state->nactive > 0)
+    if (state->locates && !thud_state_is_free(state))
         write_forces(state, seg, start, end, work);
     for (int c = 0; c < nc && !state->locates; c++) {
         seg->force[c] = start->force[c];

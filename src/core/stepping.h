@@ -8,7 +8,7 @@
 /* Modal state and what follows from it, one block of a method's own. */
 struct thud_motion {
     double *q, *qd, *qdd; /* (nmodes) */
-    double *force;        /* (ncontacts) */
+    double *force;        /* (nrows) */
 };
 enum { THUD_MOTION_VECTORS = 3 };
 
@@ -24,7 +24,7 @@ double thud_step_length(const struct thud_state *state);
 /* Ground acceleration `after` seconds from now, in the present interval of the ground motion. */
 double thud_step_ground(const struct thud_state *state, double after);
 
-/* Force of contact c at indentation d and rate v inside a step; derivatives by d and v. Located: the branch that holds,
+/* Force of row c at indentation (or drift) d and rate v inside a step; derivatives by d and v. Located: the branch that holds,
  * also a little beyond its end, which the run cuts off. Not located: the law as a function of the state alone, 0 where
  * d <= 0 and cut at 0, with the phase by the sign of the rate. */
 double thud_step_force(const struct thud_state *state, int c, double d, double v, double *df_dd, double *df_dv);

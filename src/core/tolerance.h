@@ -56,6 +56,8 @@
 /* Part of the velocity scale of the run: an impact that closed slower has no restitution. In a row of bodies that touch,
  * the blow itself makes closing speeds of 1e-12 to 1e-10 where the exact ones are 0. */
 #define THUD_TOL_CLOSING 1e-9
+/* Part of a storey's yield drift: an excursion beyond it that moves the plastic drift by less is none. */
+#define THUD_TOL_EXCURSION 1e-9
 /* Part of the energy that may be unaccounted for where motion and contact are propagated to rounding: the ledger stood at
  * no more than 3e-13 over random scenes, presets and studies. */
 #define THUD_TOL_BALANCE 1e-9

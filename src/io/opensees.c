@@ -20,12 +20,17 @@ static const double least_gap_m = 1e-12;
 /* Steps to what thud_model_contact_period gives, four times what it takes from touch to the turn. */
 static const double steps_per_contact = 500, steps_per_period = 200;
 
-static enum thud_status refuse(struct thud_error *err, const char *key, const char *what, const char *instead)
+static enum thud_status refuse_key(struct thud_error *err, const char *key, const char *instead)
 {
-    thud_error_set(err, THUD_INPUT, "OpenSees %s", what);
     thud_error_key(err, key);
     thud_error_allow(err, "%s", instead);
     return THUD_INPUT;
+}
+
+static enum thud_status refuse(struct thud_error *err, const char *key, const char *what, const char *instead)
+{
+    thud_error_set(err, THUD_INPUT, "OpenSees %s", what);
+    return refuse_key(err, key, instead);
 }
 
 static bool is_law(const struct thud_model_contact *c, const char *name)
@@ -75,6 +80,11 @@ enum thud_status thud_opensees_check(const struct thud_scene *scene, const struc
     }
     if (model->left_out > 0)
         return refuse(err, "analysis.modes", "integrates every mode", "all modes");
+    if (model->nstoreys > 0) {
+        snprintf(key, sizeof key, "structures.%d.yield", model->storey[0].structure + 1);
+        thud_error_set(err, THUD_INPUT, "the script for OpenSees does not know storeys that yield yet");
+        return refuse_key(err, key, "elastic storeys");
+    }
     for (int c = 0; c < model->ncontacts && status == THUD_OK; c++)
         status = check_contact(&model->contact[c], err);
     return status;

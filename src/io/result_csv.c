@@ -22,10 +22,24 @@ static void add_sample(struct thud_text *out, double value)
         thud_text_bytes(out, text, (size_t)snprintf(text, sizeof text, "%.12g", value + 0.0));
 }
 
+/* Nothing for an elastic storey. */
+static void add_storey(const struct thud_structure_result *r, int i, struct thud_text *out)
+{
+    static const struct thud_storey_result elastic;
+    const struct thud_storey_result *p = r->storey ? &r->storey[i] : &elastic;
+    const double value[] = {p->yield_m,      p->ductility,   p->permanent_m, p->excursions,
+                            p->hysteretic_j, p->shear.value, p->shear.time_s};
+    for (size_t k = 0; k < sizeof value / sizeof *value; k++)
+        add_number(out, p->yields ? value[k] : NAN);
+}
+
 void thud_result_csv(const struct thud_report *report, struct thud_text *out)
 {
-    thud_text_append(out, "structure,floor,acceleration_mps2,acceleration_time_s,displacement_m,displacement_time_s,"
-                          "velocity_mps,velocity_time_s,drift_m,drift_time_s\n");
+    const bool yields = thud_scene_yields(report->scene);
+    thud_text_append(out,
+                     "structure,floor,acceleration_mps2,acceleration_time_s,displacement_m,displacement_time_s,"
+                     "velocity_mps,velocity_time_s,drift_m,drift_time_s%s\n",
+                     yields ? ",yield_m,ductility,permanent_m,excursions,hysteretic_j,shear_n,shear_time_s" : "");
     for (int s = 0; s < report->result->nstructures; s++)
         for (int i = 0; i < report->result->structure[s].floors; i++) {
             const struct thud_floor_result *f = &report->result->structure[s].floor[i];
@@ -37,6 +51,8 @@ void thud_result_csv(const struct thud_report *report, struct thud_text *out)
                 add_number(out, none ? NAN : peak[k].value);
                 add_number(out, none ? NAN : peak[k].time_s);
             }
+            if (yields)
+                add_storey(&report->result->structure[s], i, out);
             thud_text_append(out, "\n");
         }
 }
@@ -61,6 +77,21 @@ static void add_contact_columns(const struct thud_report *report, const char *qu
     }
 }
 
+/* Of the storeys that yield: column name such as A.storey.3.shear_n. */
+static void add_storey_columns(const struct thud_report *report, const char *quantity, struct thud_text *out)
+{
+    for (int s = 0; s < report->result->nstructures; s++)
+        for (int i = 0; i < report->result->structure[s].floors; i++) {
+            const struct thud_storey_result *storey = report->result->structure[s].storey;
+            char name[THUD_NAME_MAX + 64];
+            if (!storey || !storey[i].yields)
+                continue;
+            snprintf(name, sizeof name, "%s.storey.%d.%s", report->scene->structure[s].name, i + 1, quantity);
+            thud_text_append(out, ",");
+            thud_text_csv(out, name);
+        }
+}
+
 void thud_history_csv(const struct thud_report *report, struct thud_text *out)
 {
     const struct thud_history *h = report->history;
@@ -70,7 +101,13 @@ void thud_history_csv(const struct thud_report *report, struct thud_text *out)
     add_floor_columns(report, "acceleration_mps2", out);
     add_contact_columns(report, "force_n", out);
     add_contact_columns(report, "indentation_m", out);
-    thud_text_append(out, ",energy.input_j,energy.kinetic_j,energy.strain_j,energy.viscous_j,energy.contact_j\n");
+    thud_text_append(out, ",energy.input_j,energy.kinetic_j,energy.strain_j,energy.viscous_j,energy.contact_j");
+    if (h->nstoreys > 0)
+        thud_text_append(out, ",energy.hysteretic_j");
+    add_storey_columns(report, "drift_m", out);
+    add_storey_columns(report, "shear_n", out);
+    add_storey_columns(report, "plastic_m", out);
+    thud_text_append(out, "\n");
     for (size_t i = 0; i < h->rows; i++) {
         thud_text_number(out, h->time_s[i]);
         for (int k = 0; k < h->columns; k++)

@@ -50,7 +50,25 @@ static void add_method(const struct thud_report *report, struct thud_text *out)
                      r->work.steps, r->work.force_evaluations, r->work.events, r->work.rejected, r->work.samples_fast);
 }
 
-static void add_floor(int floor, const struct thud_floor_result *f, bool struck, struct thud_text *out)
+/* What a storey that yields adds to its floor. */
+static void add_storey(const struct thud_storey_result *s, struct thud_text *out)
+{
+    const struct {
+        const char *key;
+        double value;
+    } field[] = {{"yield_m", s->yield_m},         {"hardening", s->hardening},      {"ductility", s->ductility},
+                 {"permanent_m", s->permanent_m}, {"plastic_m", s->plastic_m},      {"hysteretic_j", s->hysteretic_j},
+                 {"shear_n", s->shear.value},     {"shear_time_s", s->shear.time_s}};
+    thud_text_append(out, ", \"storey\": {\"excursions\": %d", s->excursions);
+    for (size_t i = 0; i < sizeof field / sizeof *field; i++) {
+        thud_text_append(out, ", ");
+        thud_json_field(out, field[i].key, field[i].value);
+    }
+    thud_text_append(out, "}");
+}
+
+static void add_floor(int floor, const struct thud_floor_result *f, const struct thud_storey_result *storey,
+                      bool struck, struct thud_text *out)
 {
     const struct {
         const char *value, *time;
@@ -66,6 +84,8 @@ static void add_floor(int floor, const struct thud_floor_result *f, bool struck,
         thud_text_append(out, ", ");
         thud_json_field(out, field[i].time, struck && i == 0 ? NAN : field[i].peak.time_s);
     }
+    if (storey && storey->yields)
+        add_storey(storey, out);
     thud_text_append(out, "}");
 }
 
@@ -86,7 +106,8 @@ static void add_structure(const struct thud_report *report, int s, struct thud_t
     thud_text_append(out, ", \"floors\": [");
     for (int i = 0; i < r->floors; i++) {
         thud_text_append(out, "%s\n", i > 0 ? "," : "");
-        add_floor(i + 1, &r->floor[i], thud_floor_struck(report->scene, report->result, s, i), out);
+        add_floor(i + 1, &r->floor[i], r->storey ? &r->storey[i] : NULL,
+                  thud_floor_struck(report->scene, report->result, s, i), out);
     }
     thud_text_append(out, "]}");
 }
@@ -117,7 +138,7 @@ static void add_contact(const struct thud_contact_result *c, struct thud_text *o
     thud_text_append(out, "}");
 }
 
-static void add_energy(const struct thud_energy *e, struct thud_text *out)
+static void add_energy(const struct thud_energy *e, bool yields, struct thud_text *out)
 {
     const struct {
         const char *key;
@@ -129,6 +150,10 @@ static void add_energy(const struct thud_energy *e, struct thud_text *out)
     for (size_t i = 0; i < sizeof field / sizeof *field; i++) {
         thud_text_append(out, "%s", i > 0 ? ", " : "");
         thud_json_field(out, field[i].key, field[i].value);
+    }
+    if (yields) {
+        thud_text_append(out, ", ");
+        thud_json_field(out, "hysteretic_j", e->hysteretic_j);
     }
     thud_text_append(out, "}");
 }
@@ -224,7 +249,7 @@ void thud_result_json(const struct thud_report *report, struct thud_text *out)
     add_method(report, out);
     if (!report->failure)
         add_peaks(report, out);
-    add_energy(&r->energy, out);
+    add_energy(&r->energy, thud_scene_yields(report->scene), out);
     if (report->truncation)
         add_truncation(report->truncation, out);
     if (report->sensitivity)

@@ -13,6 +13,8 @@ struct assembly {
     struct thud_structure_input structure[THUD_STRUCTURES_MAX];
     double mass_kg[THUD_STRUCTURES_MAX][THUD_STOREYS_MAX + 1];
     double stiffness_npm[THUD_STRUCTURES_MAX][THUD_STOREYS_MAX + 1];
+    double yield_m[THUD_STRUCTURES_MAX][THUD_STOREYS_MAX + 1];
+    double hardening[THUD_STRUCTURES_MAX][THUD_STOREYS_MAX + 1];
     double level_m[THUD_STRUCTURES_MAX][THUD_STOREYS_MAX + 1]; /* elevation of each floor */
     struct thud_contact_input *contact;
     int ncontacts, capacity;
@@ -54,6 +56,13 @@ static void fill_structure(struct assembly *a, int index, const struct thud_stru
         return;
     }
     to->stiffness_npm = n > 0 ? stiffness : NULL;
+    a->yield_m[index][0] = INFINITY; /* isolators do not yield */
+    for (int i = base; i < n; i++) {
+        a->yield_m[index][i] = thud_structure_yield(s, i - base);
+        a->hardening[index][i] = s->hardening[i - base];
+    }
+    to->yield_m = a->yield_m[index];
+    to->hardening = a->hardening[index];
     to->damping = s->damping;
     to->isolated = base;
     to->isolation_damping = s->isolation_damping;

@@ -76,11 +76,9 @@ static bool pick_shear(struct thud_scene *scene)
 static void set_storeys(struct thud_structure *s, int n)
 {
     double roof_kg = s->mass_kg[s->storeys - 1];
-    for (int i = 0; i < n; i++) {
-        s->mass_kg[i] = s->mass_kg[0];
-        s->stiffness_npm[i] = s->stiffness_npm[0];
-        s->height_m[i] = s->height_m[0];
-    }
+    for (int which = 0; which < THUD_STRUCTURE_LISTS; which++)
+        for (int i = 1; i < n; i++)
+            thud_structure_list(s, which)[i] = thud_structure_list(s, which)[0];
     s->mass_kg[n - 1] = roof_kg;
     s->storeys = n;
 }

@@ -69,8 +69,9 @@ static struct frame frame_of(const struct thud_scene *scene, const struct thud_r
 {
     int top = result->structure[0].floors - 1;
     const struct thud_floor_result *f = &result->structure[0].floor[top];
+    const struct thud_storey_result *storey = result->structure[0].storey;
     return (struct frame){f->displacement.value, result->structure[0].base_shear.value,
-                          f->drift.value * scene->structure[0].stiffness_npm[top]};
+                          storey ? storey[top].shear.value : f->drift.value * scene->structure[0].stiffness_npm[top]};
 }
 
 static enum thud_status run_frame(const struct thud_scene *scene, const struct thud_record *record, struct frame *out,

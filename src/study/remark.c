@@ -69,6 +69,8 @@ static bool look_drift(const struct thud_structure *s, const struct thud_structu
     double worst = 0;
     int storey = 0, slab = s->kind == THUD_ISOLATED;
     for (int f = slab; f < r->floors && s->kind != THUD_RIGID; f++) {
+        if (r->storey && r->storey[f].yields)
+            continue;
         double ratio = r->floor[f].drift.value / s->height_m[f - slab];
         if (ratio > worst) {
             worst = ratio;

@@ -6,6 +6,9 @@
 #include "study/scene_slot.h"
 
 static const double rounding_m = 1e-12;
+/* The bound of `yield`: each time a storey yields the other way its drift has moved by twice this, so that a run's events
+ * stay countable. */
+static const double least_yield_m = 1e-6;
 
 static enum thud_status missing(const struct thud_param *param, struct thud_error *err, const char *key)
 {
@@ -56,6 +59,26 @@ static enum thud_status check_value(const struct thud_param *param, double value
     return status;
 }
 
+/* A storey's strength is said once, and is one that its drift can be told from. */
+static enum thud_status check_yield(const struct thud_structure *structure, int s, struct thud_error *err)
+{
+    char key[64];
+    bool storeys = structure->kind == THUD_SHEAR || structure->kind == THUD_ISOLATED;
+    for (int i = 0; i < structure->storeys && storeys; i++) {
+        snprintf(key, sizeof key, "structures.%d.yield-shear", s + 1);
+        if (structure->yield_m[i] > 0 && structure->yield_shear_n[i] > 0) {
+            thud_error_set(err, THUD_INPUT, "storey %d has a yield drift too", i + 1);
+            return refuse(err, key, "yield or yield-shear, not both");
+        }
+        if (!(thud_structure_yield(structure, i) >= least_yield_m)) {
+            thud_error_set(err, THUD_INPUT, "storey %d yields at a drift of %.3g mm", i + 1,
+                           1e3 * thud_structure_yield(structure, i));
+            return refuse(err, key, "> 0.001 mm times the stiffness");
+        }
+    }
+    return THUD_OK;
+}
+
 static enum thud_status check_structure(const struct thud_scene *scene, int s, struct thud_error *err)
 {
     const struct thud_structure *structure = &scene->structure[s];
@@ -71,7 +94,7 @@ static enum thud_status check_structure(const struct thud_scene *scene, int s, s
                                                                                             : 0;
         for (int floor = 0; floor < n; floor++) {
             char key[96];
-            if (is_fine(&params[i], value[floor]))
+            if (is_fine(&params[i], value[floor]) || (places[i].optional && value[floor] == 0))
                 continue;
             snprintf(key, sizeof key, n > 1 ? "structures.%d.%s.%d" : "structures.%d.%s", s + 1, params[i].name,
                      floor + 1);
@@ -82,7 +105,8 @@ static enum thud_status check_structure(const struct thud_scene *scene, int s, s
                 return status;
         }
     }
-    return check_names(scene, s, err);
+    enum thud_status status = check_yield(structure, s, err);
+    return status == THUD_OK ? check_names(scene, s, err) : status;
 }
 
 static enum thud_status check_law(const struct thud_law_choice *choice, double thickness_m, int interface,

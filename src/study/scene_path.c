@@ -93,6 +93,13 @@ static enum thud_status find_structure(const struct thud_scene *scene, char **pa
         return THUD_INPUT;
     }
     int i = find_in_group(THUD_GROUP_STRUCTURE, part[1], 1u << scene->structure[s - 1].kind);
+    int of_storeys = i < 0 ? find_in_group(THUD_GROUP_STRUCTURE, part[1], 1u << THUD_SHEAR) : -1;
+    if (of_storeys >= 0 && thud_group_places(THUD_GROUP_STRUCTURE)[of_storeys].optional) {
+        thud_error_set(err, THUD_INPUT, "%s has no storeys that could yield",
+                       scene->structure[s - 1].kind == THUD_WALL ? "a wall" : "a rigid body");
+        thud_error_allow(err, "%.40s is of shear and isolated structures", part[1]);
+        return THUD_INPUT;
+    }
     if (i < 0)
         return unknown(scene, THUD_GROUP_STRUCTURE, NULL, s - 1, part[1], err);
     fill(out, THUD_GROUP_STRUCTURE, i,

@@ -13,7 +13,7 @@ enum thud_store {
     THUD_STORE_SIGN,   /* int, +1 or -1 */
     THUD_STORE_SWITCH, /* bool: off, on */
     THUD_STORE_TEXT,
-    THUD_STORE_FLOORS,  /* double[storeys] */
+    THUD_STORE_FLOORS,  /* double[storeys]; optional: 0 stands for not given */
     THUD_STORE_STOREYS, /* int, and the length of the lists */
     THUD_STORE_KIND,
     THUD_STORE_LAW,
@@ -27,6 +27,7 @@ struct thud_place {
     int none;            /* THUD_STORE_COUNT */
     double absent;       /* THUD_STORE_NUMBER: what stands for not given where that is allowed; 0: must be given */
     unsigned kinds;      /* bit set of structure kinds */
+    bool optional;       /* THUD_STORE_FLOORS: need not be given */
 };
 
 struct thud_slot {
@@ -55,6 +56,13 @@ static inline void *thud_slot_at(struct thud_scene *scene, const struct thud_slo
 static inline const void *thud_slot_in(const struct thud_scene *scene, const struct thud_slot *slot)
 {
     return (const char *)scene + slot->place.offset;
+}
+
+/* A floor of an optional list that has no value, where 0 is none. */
+#define THUD_FLOOR_NONE "none"
+static inline bool thud_floor_may_lack(const struct thud_param *param, const struct thud_place *place)
+{
+    return place->store == THUD_STORE_FLOORS && place->optional && param->least_open;
 }
 
 /* Values of one kind each; the text is trimmed. Errors: THUD_INPUT. */

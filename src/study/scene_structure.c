@@ -6,9 +6,27 @@
 #include "study/scene_slot.h"
 #include "study/scene_words.h"
 
-static double *list_of(struct thud_structure *structure, int which)
+double *thud_structure_list(struct thud_structure *structure, int which)
 {
-    return which == 0 ? structure->mass_kg : which == 1 ? structure->stiffness_npm : structure->height_m;
+    double *const list[THUD_STRUCTURE_LISTS] = {structure->mass_kg, structure->stiffness_npm, structure->height_m,
+                                                structure->yield_m, structure->yield_shear_n, structure->hardening};
+    return list[which];
+}
+
+double thud_structure_yield(const struct thud_structure *structure, int i)
+{
+    if (structure->yield_m[i] > 0)
+        return structure->yield_m[i];
+    return structure->yield_shear_n[i] > 0 ? structure->yield_shear_n[i] / structure->stiffness_npm[i] : INFINITY;
+}
+
+bool thud_scene_yields(const struct thud_scene *scene)
+{
+    for (int s = 0; s < scene->nstructures; s++)
+        for (int i = 0; i < scene->structure[s].storeys; i++)
+            if (isfinite(thud_structure_yield(&scene->structure[s], i)) && scene->structure[s].hardening[i] < 1)
+                return true;
+    return false;
 }
 
 static double fallback(const char *name, enum thud_group group)
@@ -49,8 +67,8 @@ void thud_structure_init(struct thud_structure *structure, enum thud_structure_k
 enum thud_status thud_storeys_set(struct thud_structure *structure, int storeys)
 {
     int before = structure->storeys;
-    for (int which = 0; which < 3; which++) {
-        double *list = list_of(structure, which), top = list[before - 1];
+    for (int which = 0; which < THUD_STRUCTURE_LISTS; which++) {
+        double *list = thud_structure_list(structure, which), top = list[before - 1];
         double like = before > 1 ? list[before - 2] : list[0];
         for (int i = before - 1; i < storeys - 1; i++)
             list[i] = like;
@@ -80,9 +98,9 @@ enum thud_status thud_kind_set(struct thud_structure *structure, enum thud_struc
         structure->stiffness_npm[0] = 600e6;
         if (had) {
             structure->storeys = before.storeys;
-            memcpy(structure->mass_kg, before.mass_kg, sizeof before.mass_kg);
-            memcpy(structure->stiffness_npm, before.stiffness_npm, sizeof before.stiffness_npm);
-            memcpy(structure->height_m, before.height_m, sizeof before.height_m);
+            for (int which = 0; which < THUD_STRUCTURE_LISTS; which++)
+                memcpy(thud_structure_list(structure, which), thud_structure_list(&before, which),
+                       sizeof before.mass_kg);
             structure->damping = before.damping;
         }
     }
@@ -122,6 +140,16 @@ int thud_list_split(char *text, char **item, int most)
     return n;
 }
 
+/* One floor's value; `none` where that is allowed. */
+static enum thud_status read_floor(const struct thud_slot *slot, const char *text, double *out, struct thud_error *err)
+{
+    if (thud_floor_may_lack(slot->param, &slot->place) && strcmp(text, THUD_FLOOR_NONE) == 0) {
+        *out = 0;
+        return THUD_OK;
+    }
+    return thud_quantity_read(slot->param, NULL, text, out, err);
+}
+
 static enum thud_status set_list(struct thud_structure *structure, const struct thud_slot *slot, char *text,
                                  double *list, struct thud_error *err)
 {
@@ -137,7 +165,7 @@ static enum thud_status set_list(struct thud_structure *structure, const struct 
         return THUD_INPUT;
     }
     for (int i = 0; i < n; i++) {
-        enum thud_status status = thud_quantity_read(slot->param, NULL, item[i], &value[i], err);
+        enum thud_status status = read_floor(slot, item[i], &value[i], err);
         if (status != THUD_OK)
             return status;
     }
@@ -157,7 +185,7 @@ enum thud_status thud_floors_set(struct thud_scene *scene, const struct thud_slo
         snprintf(copy, sizeof copy, "%s", text);
         return set_list(structure, slot, copy, list, err);
     }
-    enum thud_status status = thud_quantity_read(slot->param, NULL, text, &value, err);
+    enum thud_status status = read_floor(slot, text, &value, err);
     if (status != THUD_OK)
         return status;
     for (int i = 0; i < structure->storeys; i++)

@@ -38,7 +38,7 @@ static bool look_group(struct search *search, enum thud_group group, const void 
         for (int floor = 0; floor < n; floor++) {
             char key[96];
             snprintf(key, sizeof key, n > 1 ? "%s.%s.%d" : "%s.%s", prefix, params[i].name, floor + 1);
-            if (floor > 0 && value[floor] == value[floor - 1])
+            if ((floor > 0 && value[floor] == value[floor - 1]) || (places[i].optional && value[floor] == 0))
                 continue; /* said once */
             if (look(search, &params[i], value[floor], key))
                 return true;

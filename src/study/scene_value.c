@@ -126,6 +126,16 @@ static enum thud_status check_method(const char *name, struct thud_error *err)
     return thud_words_unknown(&words, "method", name, err);
 }
 
+/* The same for a list of floors. */
+static bool unset_floors(struct thud_scene *scene, const struct thud_slot *slot)
+{
+    double *list = thud_slot_at(scene, slot);
+    for (int i = 0; i < scene->structure[slot->structure].storeys && slot->place.optional; i++)
+        if (slot->floor < 0 || slot->floor == i)
+            list[i] = 0;
+    return slot->place.optional;
+}
+
 /* Takes a value back; false when it must be given. */
 static bool unset(struct thud_scene *scene, const struct thud_slot *slot)
 {
@@ -148,6 +158,8 @@ static bool unset(struct thud_scene *scene, const struct thud_slot *slot)
         if (slot->place.offset == offsetof(struct thud_scene, analysis.method))
             strcpy(thud_slot_at(scene, slot), "auto");
         return true;
+    case THUD_STORE_FLOORS:
+        return unset_floors(scene, slot);
     default:
         return false;
     }
@@ -299,19 +311,31 @@ static void shown_unit(const struct thud_scene *scene, const struct thud_slot *s
         snprintf(text, size, "%s", unit ? unit : "");
 }
 
-static void get_floors(const double *value, int n, const char *unit, char *text, size_t size)
+/* Nothing where a whole list that need not be given is not. */
+static void get_floors(const struct thud_slot *slot, const double *value, int n, const char *unit, char *text,
+                       size_t size)
 {
-    bool same = true;
+    bool same = true, lacks = thud_floor_may_lack(slot->param, &slot->place);
     for (int i = 1; i < n; i++)
         same = same && value[i] == value[0];
+    if (same && slot->place.optional && value[0] == 0 && slot->floor < 0) {
+        snprintf(text, size, "%s", "");
+        return;
+    }
     if (same) {
-        thud_quantity_format(value[0], unit, text, size);
+        if (lacks && value[0] == 0)
+            snprintf(text, size, "%s", THUD_FLOOR_NONE);
+        else
+            thud_quantity_format(value[0], unit, text, size);
         return;
     }
     size_t used = 0;
     for (int i = 0; i < n && used < size; i++) {
         char item[96];
-        thud_quantity_format(value[i], unit, item, sizeof item);
+        if (lacks && value[i] == 0)
+            snprintf(item, sizeof item, "%s", THUD_FLOOR_NONE);
+        else
+            thud_quantity_format(value[i], unit, item, sizeof item);
         used += (size_t)snprintf(text + used, size - used, "%s%s%s", i ? ", " : "[", item, i == n - 1 ? "]" : "");
     }
 }
@@ -353,9 +377,9 @@ static void get(const struct thud_scene *scene, const struct thud_slot *slot, co
         const double *value = at;
         int n = scene->structure[slot->structure].storeys;
         if (slot->floor >= 0)
-            get_floors(value + slot->floor, 1, unit, text, size);
+            get_floors(slot, value + slot->floor, 1, unit, text, size);
         else
-            get_floors(value, n, unit, text, size);
+            get_floors(slot, value, n, unit, text, size);
         break;
     }
     case THUD_STORE_STOREYS:

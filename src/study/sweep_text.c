@@ -306,6 +306,9 @@ static unsigned long long hash_structure(unsigned long long h, const struct thud
     h = hash(h, s->mass_kg, n);
     h = hash(h, s->stiffness_npm, n);
     h = hash(h, s->height_m, n);
+    h = hash(h, s->yield_m, n);
+    h = hash(h, s->yield_shear_n, n);
+    h = hash(h, s->hardening, n);
     return hash_numbers(h, x, sizeof x / sizeof *x);
 }
 

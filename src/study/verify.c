@@ -50,6 +50,17 @@ static enum thud_status add_parts(struct thud_measures *measures, enum thud_case
     return status;
 }
 
+static enum thud_status add_storey(struct thud_measures *measures, enum thud_case which, const char *prefix,
+                                   const struct thud_storey_result *s, struct thud_error *err)
+{
+    const struct part part[] = {{"ductility", "", s->ductility, false, true},
+                                {"permanent", "_m", s->permanent_m, false, false},
+                                {"excursions", "", s->excursions, true, false},
+                                {"hysteretic", "_j", s->hysteretic_j, false, false},
+                                {"shear", "_n", s->shear.value, false, false}};
+    return add_parts(measures, which, prefix, part, sizeof part / sizeof *part, err);
+}
+
 static enum thud_status add_structure(struct thud_measures *measures, enum thud_case which, const char *name,
                                       const struct thud_structure_result *r, struct thud_error *err)
 {
@@ -64,6 +75,8 @@ static enum thud_status add_structure(struct thud_measures *measures, enum thud_
         char prefix[THUD_NAME_MAX + 16];
         snprintf(prefix, sizeof prefix, "%s.%d", name, i + 1);
         status = add_parts(measures, which, prefix, part, free_body ? 3 : 4, err);
+        if (status == THUD_OK && r->storey && r->storey[i].yields)
+            status = add_storey(measures, which, prefix, &r->storey[i], err);
     }
     const struct part shear = {"base_shear", "_n", r->base_shear.value, false, false};
     return status == THUD_OK && r->floors > 0 && !free_body ? add_parts(measures, which, name, &shear, 1, err) : status;

@@ -20,9 +20,10 @@ static void change(struct thud_tui *tui, const struct thud_scene *next, const ch
 
 static void move_floors(struct thud_structure *structure, int to, int from, int n)
 {
-    double *list[] = {structure->mass_kg, structure->stiffness_npm, structure->height_m};
-    for (int i = 0; i < 3; i++)
-        memmove(list[i] + to, list[i] + from, (size_t)n * sizeof *list[i]);
+    for (int i = 0; i < THUD_STRUCTURE_LISTS; i++) {
+        double *list = thud_structure_list(structure, i);
+        memmove(list + to, list + from, (size_t)n * sizeof *list);
+    }
 }
 
 void thud_tui_add_storey(struct thud_tui *tui, int s, int floor)
@@ -46,8 +47,8 @@ void thud_tui_delete_storey(struct thud_tui *tui, int s, int floor)
     move_floors(structure, floor - 1, floor, structure->storeys - floor);
     structure->storeys--;
     /* what lies past the top is zero in every scene, so that equal scenes compare equal */
-    structure->mass_kg[structure->storeys] = structure->stiffness_npm[structure->storeys] =
-        structure->height_m[structure->storeys] = 0.0;
+    for (int i = 0; i < THUD_STRUCTURE_LISTS; i++)
+        thud_structure_list(structure, i)[structure->storeys] = 0.0;
     snprintf(what, sizeof what, "%s: storey %d deleted", structure->name, floor);
     change(tui, &next, what);
 }

@@ -25,10 +25,12 @@ static struct thud_result answer(struct thud_scene *scene, double factor)
     left_floor[1].drift.value = 0.01 * factor;
     right_floor[0].displacement.value = 0.5 * factor;
     body_period[0] = INFINITY;
-    structure[0] = (struct thud_structure_result){2, left_floor, {7e6, 1}, left_period};
-    structure[1] = (struct thud_structure_result){1, right_floor, {8e6, 1}, right_period};
-    structure[2] = (struct thud_structure_result){1, body_floor, {0, 0}, body_period};
-    structure[3] = (struct thud_structure_result){0, NULL, {0, 0}, NULL};
+    structure[0] = (struct thud_structure_result){
+        .floors = 2, .floor = left_floor, .base_shear = {7e6, 1}, .period_s = left_period};
+    structure[1] = (struct thud_structure_result){
+        .floors = 1, .floor = right_floor, .base_shear = {8e6, 1}, .period_s = right_period};
+    structure[2] = (struct thud_structure_result){.floors = 1, .floor = body_floor, .period_s = body_period};
+    structure[3] = (struct thud_structure_result){0};
     contact[0] = (struct thud_contact_result){.interface = 1, .left_floor = 2, .right_floor = 1, .impacts = 4};
     contact[1] = (struct thud_contact_result){.interface = 3, .left_floor = 1, .right_floor = 0, .impacts = 1};
     return (struct thud_result){.nstructures = 4, .ncontacts = 2, .structure = structure, .contact = contact};
