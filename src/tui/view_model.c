@@ -101,14 +101,17 @@ static int floors(struct thud_tui *tui, int index, const struct thud_pane *pane,
     static const struct {
         const char *key, *head;
         int x, w;
-    } column[] = {{"mass", "mass t", 9, 8}, {"stiffness", "k MN/m", 18, 9}, {"height", "height m", 28, 8}};
-    thud_pane_put(pane, 1, y, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), "floor");
-    for (int c = 0; c < 3; c++)
+    } column[] = {{"mass", "mass t", 6, 7},           {"stiffness", "k MN/m", 13, 8},
+                  {"height", "height m", 21, 8},      {"yield", "yield mm", 30, 8},
+                  {"yield-shear", "yield MN", 40, 8}, {"hardening", "hardening %", 49, 11}};
+    int columns = pane->w >= 60 ? 6 : 4; /* of 80 columns, the pane has room for four */
+    thud_pane_put(pane, 0, y, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), "floor");
+    for (int c = 0; c < columns; c++)
         thud_pane_put(pane, column[c].x, y, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), column[c].head);
     y++;
     for (int i = structure->storeys; i >= 1; i--, y++) {
-        thud_pane_print(pane, 1, y, thud_look(THUD_ROLE_PLAIN, 0), "%4d", i);
-        for (int c = 0; c < 3; c++) {
+        thud_pane_print(pane, 0, y, thud_look(THUD_ROLE_PLAIN, 0), "%4d", i);
+        for (int c = 0; c < columns; c++) {
             char key[THUD_PATH_MAX];
             snprintf(key, sizeof key, "structures.%d.%s.%d", s + 1, column[c].key, i);
             thud_field_value(tui, index, pane, column[c].x, y, column[c].w, key, false);

@@ -40,11 +40,12 @@ END_TEST
 /* Every cell of B, row by row with Tab, and A's masses with Down: no key but the values' own and one between them. */
 START_TEST(a_building_is_typed_cell_by_cell)
 {
-    static const double mass_t[] = {301, 302, 303}, stiffness_mnpm[] = {401, 402, 403}, height_m[] = {3.1, 3.2, 3.3};
+    static const double mass_t[] = {301, 302, 303}, stiffness_mnpm[] = {401, 402, 403}, height_m[] = {3.1, 3.2, 3.3},
+                        yield_mm[] = {15, 16, 17};
     char keys[256] = "/structures.2.mass<Enter><Up><Up><Enter>"; /* the highest floor stands first */
     for (int i = 2; i >= 0; i--)
-        snprintf(keys + strlen(keys), sizeof keys - strlen(keys), "%g<Tab>%g<Tab>%g%s", mass_t[i], stiffness_mnpm[i],
-                 height_m[i], i ? "<Tab>" : "<Enter>");
+        snprintf(keys + strlen(keys), sizeof keys - strlen(keys), "%g<Tab>%g<Tab>%g<Tab>%g%s", mass_t[i],
+                 stiffness_mnpm[i], height_m[i], yield_mm[i], i ? "<Tab>" : "<Enter>");
     fixture_keys(&f, keys);
     ck_assert_int_eq((int)f.tui->mode, THUD_MODE_NORMAL);
     const struct thud_structure *b = &scene()->structure[1];
@@ -52,6 +53,7 @@ START_TEST(a_building_is_typed_cell_by_cell)
         ck_assert_double_eq_tol(b->mass_kg[i], 1e3 * mass_t[i], 1e-6);
         ck_assert_double_eq_tol(b->stiffness_npm[i], 1e6 * stiffness_mnpm[i], 1e-3);
         ck_assert_double_eq_tol(b->height_m[i], height_m[i], 1e-12);
+        ck_assert_double_eq_tol(b->yield_m[i], 1e-3 * yield_mm[i], 1e-12);
     }
     fixture_keys(&f, "/structures.1.mass<Enter><Up><Enter>261<Down>262<Down>");
     ck_assert_double_eq_tol(scene()->structure[0].mass_kg[1], 261e3, 1e-6);
