@@ -4,6 +4,7 @@
 #define THUD_APP_FRAGILITY_REPORT_H
 
 #include "base/text.h"
+#include "plot/figure.h"
 #include "study/fragility.h"
 
 enum { THUD_EVENTS_MAX = 16 };
@@ -45,5 +46,10 @@ void thud_fragility_curves_csv(const struct thud_fragility_study *study, struct 
 void thud_fragility_json(const struct thud_fragility_study *study, struct thud_text *out);
 /* Fractiles of every measure over the motions, a row for each setting, case and structure. Errors: THUD_MEMORY. */
 enum thud_status thud_suite_csv(const struct thud_suite *suite, struct thud_text *out, struct thud_error *err);
+
+/* Its figures, counted from 0: each event's curves, then the incremental dynamic analysis of each case along each
+ * intensity. Ask thud_figure_check. */
+int thud_fragility_figure_count(const struct thud_fragility_study *study);
+struct thud_figure *thud_fragility_figure(const struct thud_fragility_study *study, int index);
 
 #endif

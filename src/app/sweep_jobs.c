@@ -6,7 +6,10 @@
 #include <time.h>
 #include <unistd.h>
 
-enum { THREADS_MAX = 256, SLICE = 64, SHOW_MS = 100 };
+#include "app/timing.h"
+
+enum { THREADS_MAX = 256, SLICE = 64 };
+static const double show_s = 0.1;
 
 /* A group in use by points that are next to each other. */
 struct shared_group {
@@ -22,8 +25,10 @@ struct kept {
     struct thud_sweep_reference *reference;
 };
 
-struct work {
-    const struct thud_sweep_jobs *jobs;
+struct thud_sweep_work {
+    struct thud_sweep_jobs jobs;
+    pthread_t thread[THREADS_MAX];
+    int started; /* of them */
     pthread_mutex_t lock;
     pthread_cond_t room, ready, made; /* for workers; for the taker; for users of a group */
     long next, taken;                 /* counts of points handed out and taken */
@@ -37,12 +42,12 @@ struct work {
     struct thud_error error;
 };
 
-static bool cancelled(const struct work *w)
+static bool cancelled(const struct thud_sweep_work *w)
 {
-    return w->jobs->cancel && *w->jobs->cancel;
+    return w->jobs.cancel && *w->jobs.cancel;
 }
 
-static bool stopped(struct work *w)
+static bool stopped(struct thud_sweep_work *w)
 {
     pthread_mutex_lock(&w->lock);
     bool stop = w->stop;
@@ -51,7 +56,7 @@ static bool stopped(struct work *w)
 }
 
 /* The first failure ends the work. The lock is held. */
-static void fail(struct work *w, enum thud_status status, const struct thud_error *error)
+static void fail(struct thud_sweep_work *w, enum thud_status status, const struct thud_error *error)
 {
     if (w->status == THUD_OK) {
         w->status = status;
@@ -64,10 +69,11 @@ static void fail(struct work *w, enum thud_status status, const struct thud_erro
     pthread_cond_broadcast(&w->ready);
 }
 
-static enum thud_status make_group(struct work *w, long index, struct thud_sweep_group **out, struct thud_error *err)
+static enum thud_status make_group(struct thud_sweep_work *w, long index, struct thud_sweep_group **out,
+                                   struct thud_error *err)
 {
     bool done = false;
-    enum thud_status status = thud_sweep_group_create(w->jobs->plan, index, out, err);
+    enum thud_status status = thud_sweep_group_create(w->jobs.plan, index, out, err);
     while (status == THUD_OK && !done) {
         status = thud_sweep_group_advance(*out, SLICE, &done, err);
         if (status == THUD_OK && !done && stopped(w))
@@ -81,9 +87,9 @@ static enum thud_status make_group(struct work *w, long index, struct thud_sweep
 }
 
 /* Groups that no point to come stands on go. The lock is held. */
-static void drop_groups(struct work *w)
+static void drop_groups(struct thud_sweep_work *w)
 {
-    const struct thud_sweep_jobs *jobs = w->jobs;
+    const struct thud_sweep_jobs *jobs = &w->jobs;
     long least = (jobs->first + w->next * jobs->step) / thud_sweep_points_per_group(jobs->plan);
     for (struct shared_group **p = &w->groups; *p;) {
         struct shared_group *b = *p;
@@ -98,7 +104,7 @@ static void drop_groups(struct work *w)
 }
 
 /* The group of a point, made by the first who needs it; NULL when the work stops. The lock is held before and after. */
-static struct shared_group *borrow(struct work *w, long index)
+static struct shared_group *borrow(struct thud_sweep_work *w, long index)
 {
     struct shared_group *b = w->groups;
     while (b && b->index != index)
@@ -132,9 +138,9 @@ static struct shared_group *borrow(struct work *w, long index)
 }
 
 /* The reference case, where a point with the same one was made before. */
-static void share_reference(struct work *w, struct thud_sweep_task *task, long index)
+static void share_reference(struct thud_sweep_work *w, struct thud_sweep_task *task, long index)
 {
-    long of = thud_sweep_reference_point(w->jobs->plan, index);
+    long of = thud_sweep_reference_point(w->jobs.plan, index);
     if (of == index)
         return; /* the one that makes it, so that what is told of the work does not depend on who comes first */
     pthread_mutex_lock(&w->lock);
@@ -146,15 +152,15 @@ static void share_reference(struct work *w, struct thud_sweep_task *task, long i
 
 /* Keeps it for the points to come, in place of what was kept there; without memory it is made again. The lock is held.
  */
-static void keep_reference(struct work *w, const struct thud_sweep_point *point)
+static void keep_reference(struct thud_sweep_work *w, const struct thud_sweep_point *point)
 {
-    long of = thud_sweep_reference_point(w->jobs->plan, point->index);
+    long of = thud_sweep_reference_point(w->jobs.plan, point->index);
     struct kept *kept = w->slots > 0 ? &w->kept[of % w->slots] : NULL;
     if (kept && kept->reference && kept->of == of)
         return;
-    struct thud_sweep_reference *reference = thud_sweep_reference_keep(w->jobs->plan, point);
+    struct thud_sweep_reference *reference = thud_sweep_reference_keep(w->jobs.plan, point);
     if (reference && !kept) {
-        long slots = thud_sweep_reference_slots(w->jobs->plan, point);
+        long slots = thud_sweep_reference_slots(w->jobs.plan, point);
         w->kept = calloc((size_t)slots, sizeof *w->kept);
         w->slots = w->kept ? slots : 0;
         kept = w->kept ? &w->kept[of % slots] : NULL;
@@ -167,12 +173,12 @@ static void keep_reference(struct work *w, const struct thud_sweep_point *point)
     *kept = (struct kept){of, reference};
 }
 
-static enum thud_status make_point(struct work *w, const struct thud_sweep_group *group, long index,
+static enum thud_status make_point(struct thud_sweep_work *w, const struct thud_sweep_group *group, long index,
                                    struct thud_sweep_point **out, struct thud_error *err)
 {
     struct thud_sweep_task *task;
     bool done = false;
-    enum thud_status status = thud_sweep_task_create(w->jobs->plan, group, index, &task, err);
+    enum thud_status status = thud_sweep_task_create(w->jobs.plan, group, index, &task, err);
     if (status == THUD_OK)
         share_reference(w, task, index);
     while (status == THUD_OK && !done) {
@@ -188,8 +194,8 @@ static enum thud_status make_point(struct work *w, const struct thud_sweep_group
 
 static void *worker(void *context)
 {
-    struct work *w = context;
-    const struct thud_sweep_jobs *jobs = w->jobs;
+    struct thud_sweep_work *w = context;
+    const struct thud_sweep_jobs *jobs = &w->jobs;
     long per_group = thud_sweep_points_per_group(jobs->plan);
     pthread_mutex_lock(&w->lock);
     for (;;) {
@@ -221,59 +227,15 @@ static void *worker(void *context)
     return NULL;
 }
 
-static double seconds_since(const struct timespec *start)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)(now.tv_sec - start->tv_sec) + 1e-9 * (double)(now.tv_nsec - start->tv_nsec);
-}
-
-/* Waits until the next point is there, but no longer than until progress is shown again. The lock is held. */
-static void wait_a_little(struct work *w)
+/* Waits until the next point is there, but no longer than so many seconds. The lock is held. */
+static void wait_a_little(struct thud_sweep_work *w, double seconds)
 {
     struct timespec until;
     clock_gettime(CLOCK_REALTIME, &until);
-    until.tv_nsec += SHOW_MS * 1000000L;
+    until.tv_nsec += (long)(1e9 * seconds);
     until.tv_sec += until.tv_nsec / 1000000000L;
     until.tv_nsec %= 1000000000L;
     pthread_cond_timedwait(&w->ready, &w->lock, &until);
-}
-
-/* Hands the points over in their order until all are or the work stops. */
-static void take_all(struct work *w)
-{
-    const struct thud_sweep_jobs *jobs = w->jobs;
-    struct timespec start;
-    double shown = 0;
-    clock_gettime(CLOCK_MONOTONIC, &start);
-    pthread_mutex_lock(&w->lock);
-    while (w->taken < jobs->count && !w->stop) {
-        if (cancelled(w)) {
-            fail(w, THUD_CANCELLED, NULL);
-            break;
-        }
-        struct thud_sweep_point **slot = &w->ring[w->taken % w->window], *point = *slot;
-        if (!point)
-            wait_a_little(w);
-        struct thud_error error = {0};
-        enum thud_status status = THUD_OK;
-        *slot = point ? NULL : *slot;
-        long taken = w->taken + (point != NULL);
-        pthread_mutex_unlock(&w->lock);
-        if (point)
-            status = jobs->take(jobs->context, point, &error);
-        double elapsed = seconds_since(&start);
-        if (jobs->progress && (elapsed - shown >= 1e-3 * SHOW_MS || taken == jobs->count)) {
-            shown = elapsed;
-            jobs->progress(jobs->context, taken, jobs->count, elapsed);
-        }
-        pthread_mutex_lock(&w->lock);
-        if (status != THUD_OK)
-            fail(w, status, &error);
-        w->taken = taken;
-        pthread_cond_broadcast(&w->room);
-    }
-    pthread_mutex_unlock(&w->lock);
 }
 
 static int thread_count(const struct thud_sweep_jobs *jobs)
@@ -284,59 +246,125 @@ static int thread_count(const struct thud_sweep_jobs *jobs)
     return n < 1 ? 1 : n > THREADS_MAX ? THREADS_MAX : (int)n;
 }
 
-/* Threads that take no signals: those are for the one that called. Returns how many could be started. */
-static int start(struct work *w, pthread_t *thread, int wanted)
+/* Threads that take no signals: those are for the one that called. */
+static void start_threads(struct thud_sweep_work *w, int wanted)
 {
     sigset_t all, before;
-    int started = 0;
     sigfillset(&all);
     pthread_sigmask(SIG_BLOCK, &all, &before);
-    while (started < wanted && pthread_create(&thread[started], NULL, worker, w) == 0)
-        started++;
+    while (w->started < wanted && pthread_create(&w->thread[w->started], NULL, worker, w) == 0)
+        w->started++;
     pthread_sigmask(SIG_SETMASK, &before, NULL);
-    return started;
+}
+
+enum thud_status thud_sweep_work_start(const struct thud_sweep_jobs *jobs, struct thud_sweep_work **out,
+                                       struct thud_error *err)
+{
+    int threads = thread_count(jobs);
+    struct thud_sweep_work *w = calloc(1, sizeof *w);
+    *out = NULL;
+    if (w) {
+        w->jobs = *jobs;
+        w->window = 4L * threads + 4;
+        w->ring = calloc((size_t)w->window, sizeof(struct thud_sweep_point *));
+    }
+    if (!w || !w->ring) {
+        free(w);
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    }
+    pthread_mutex_init(&w->lock, NULL);
+    pthread_cond_init(&w->room, NULL);
+    pthread_cond_init(&w->ready, NULL);
+    pthread_cond_init(&w->made, NULL);
+    start_threads(w, threads);
+    if (w->started == 0 && jobs->count > 0) {
+        thud_sweep_work_end(w);
+        return thud_error_set(err, THUD_MEMORY, "no thread could be started");
+    }
+    *out = w;
+    return THUD_OK;
+}
+
+/* Why the work stopped. */
+static enum thud_status failure(const struct thud_sweep_work *w, struct thud_error *err)
+{
+    if (w->status == THUD_CANCELLED)
+        return thud_error_set(err, THUD_CANCELLED, "stopped");
+    if (w->status == THUD_MEMORY && !w->error.what[0])
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    if (err)
+        *err = w->error;
+    return w->status;
+}
+
+enum thud_status thud_sweep_work_take(struct thud_sweep_work *w, double wait_s, struct thud_sweep_point **point,
+                                      bool *done, struct thud_error *err)
+{
+    *point = NULL;
+    pthread_mutex_lock(&w->lock);
+    struct thud_sweep_point **slot = &w->ring[w->taken % w->window];
+    *done = w->taken >= w->jobs.count;
+    if (!*done && cancelled(w))
+        fail(w, THUD_CANCELLED, NULL);
+    if (!*done && !w->stop && !*slot && wait_s > 0)
+        wait_a_little(w, wait_s);
+    if (!*done && !w->stop && *slot) {
+        *point = *slot;
+        *slot = NULL;
+        w->taken++;
+        *done = w->taken >= w->jobs.count;
+        pthread_cond_broadcast(&w->room);
+    }
+    enum thud_status status = w->status == THUD_OK ? THUD_OK : failure(w, err);
+    pthread_mutex_unlock(&w->lock);
+    return status;
+}
+
+void thud_sweep_work_end(struct thud_sweep_work *w)
+{
+    if (!w)
+        return;
+    pthread_mutex_lock(&w->lock);
+    w->stop = true;
+    pthread_cond_broadcast(&w->room);
+    pthread_cond_broadcast(&w->made);
+    pthread_mutex_unlock(&w->lock);
+    for (int i = 0; i < w->started; i++)
+        pthread_join(w->thread[i], NULL);
+    for (long i = 0; i < w->window; i++)
+        free(w->ring[i]);
+    for (long i = 0; i < w->slots; i++)
+        free(w->kept[i].reference);
+    free(w->kept);
+    w->next = w->jobs.count;
+    drop_groups(w);
+    pthread_cond_destroy(&w->made);
+    pthread_cond_destroy(&w->ready);
+    pthread_cond_destroy(&w->room);
+    pthread_mutex_destroy(&w->lock);
+    free(w->ring);
+    free(w);
 }
 
 enum thud_status thud_sweep_jobs_run(const struct thud_sweep_jobs *jobs, struct thud_error *err)
 {
-    pthread_t thread[THREADS_MAX];
-    int threads = thread_count(jobs);
-    struct work w = {.jobs = jobs, .window = 4L * threads + 4};
-    w.ring = calloc((size_t)w.window, sizeof(struct thud_sweep_point *));
-    if (!w.ring)
-        return thud_error_set(err, THUD_MEMORY, "out of memory");
-    pthread_mutex_init(&w.lock, NULL);
-    pthread_cond_init(&w.room, NULL);
-    pthread_cond_init(&w.ready, NULL);
-    pthread_cond_init(&w.made, NULL);
-    int started = start(&w, thread, threads);
-    if (started > 0)
-        take_all(&w);
-    else if (jobs->count > 0)
-        w.status = thud_error_set(&w.error, THUD_MEMORY, "no thread could be started");
-    for (int i = 0; i < started; i++)
-        pthread_join(thread[i], NULL);
-    for (long i = 0; i < w.window; i++)
-        free(w.ring[i]);
-    for (long i = 0; i < w.slots; i++)
-        free(w.kept[i].reference);
-    free(w.kept);
-    w.next = jobs->count;
-    drop_groups(&w);
-    pthread_cond_destroy(&w.made);
-    pthread_cond_destroy(&w.ready);
-    pthread_cond_destroy(&w.room);
-    pthread_mutex_destroy(&w.lock);
-    free(w.ring);
-    if (cancelled(&w) && w.status == THUD_OK && w.taken < jobs->count)
-        w.status = THUD_CANCELLED;
-    if (w.status == THUD_OK)
-        return THUD_OK;
-    if (w.status == THUD_CANCELLED)
-        return thud_error_set(err, THUD_CANCELLED, "stopped");
-    if (w.status == THUD_MEMORY && !w.error.what[0])
-        return thud_error_set(err, THUD_MEMORY, "out of memory");
-    if (err)
-        *err = w.error;
-    return w.status;
+    struct thud_sweep_work *w;
+    enum thud_status status = thud_sweep_work_start(jobs, &w, err);
+    double start = thud_timing_now_s(), shown = 0;
+    long taken = 0;
+    for (bool done = jobs->count <= 0; status == THUD_OK && !done;) {
+        struct thud_sweep_point *point;
+        status = thud_sweep_work_take(w, show_s, &point, &done, err);
+        if (point) {
+            status = jobs->take(jobs->context, point, err);
+            taken++;
+        }
+        double elapsed = thud_timing_now_s() - start;
+        if (jobs->progress && (elapsed - shown >= show_s || taken == jobs->count)) {
+            shown = elapsed;
+            jobs->progress(jobs->context, taken, jobs->count, elapsed);
+        }
+    }
+    thud_sweep_work_end(w);
+    return status;
 }

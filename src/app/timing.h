@@ -6,8 +6,6 @@
 
 #include "app/bench_jobs.h"
 
-enum { THUD_TIMINGS_MAX = 32 };
-
 double thud_timing_now_s(void);
 /* Of this thread: what else the machine does stays out. */
 double thud_timing_processor_s(void);

@@ -139,7 +139,8 @@ static enum thud_status patience(const struct thud_args *args, double *out, stru
 static enum thud_status measure(const struct thud_args *args, struct thud_session *session, struct thud_scene *scene,
                                 struct thud_error *err)
 {
-    struct thud_bench_jobs jobs = {.repeats = 7, .patience_s = 12, .cancel = thud_interrupt_watch()};
+    struct thud_bench_jobs jobs = {
+        .repeats = THUD_BENCH_REPEATS, .patience_s = THUD_BENCH_PATIENCE_S, .cancel = thud_interrupt_watch()};
     struct thud_picture_choice unused;
     if (thud_progress_start(args))
         jobs.progress = show_progress;

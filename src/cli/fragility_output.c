@@ -6,7 +6,6 @@
 
 #include "app/figure_files.h"
 #include "io/file.h"
-#include "plot/figures_fragility.h"
 
 enum { SAMPLES = 200, SAMPLES_MAX = 100000, SEED_MAX = 2147483647 };
 
@@ -43,70 +42,12 @@ enum thud_status thud_fragility_options_read(const struct thud_args *args, const
     return status == THUD_OK && hazard ? thud_hazard_read(hazard, &plan->axis[axis], &out->hazard, err) : status;
 }
 
-/* The middle of every axis: where the figures are. */
-static void middle(const struct thud_sweep_plan *plan, int *at)
-{
-    memset(at, 0, THUD_VARY_MAX * sizeof *at);
-    for (int a = 0; a < plan->naxes; a++)
-        at[a] = plan->axis[a].n / 2;
-}
-
-static bool is_middle(const struct thud_sweep_plan *plan, const struct thud_fragility_line *line)
-{
-    int at[THUD_VARY_MAX];
-    middle(plan, at);
-    for (int a = 0; a < plan->naxes; a++)
-        if (a != line->axis && line->at[a] != at[a])
-            return false;
-    return true;
-}
-
-/* "Points: counts over 24 motions; shaded: 90 %. gap = 15 cm ..." */
-static void note(const struct thud_fragility_study *study, const char *what, char *text, size_t size)
-{
-    const struct thud_sweep_plan *plan = study->suite->plan;
-    int at[THUD_VARY_MAX];
-    middle(plan, at);
-    int n = snprintf(text, size, "%d ground motions.%s", study->suite->nrecords, what);
-    for (int a = 0; a < plan->naxes && plan->naxes > 1 && n > 0 && (size_t)n < size; a++)
-        n += snprintf(text + n, size - (size_t)n, "%s%s = %s", a ? ", " : " Where not varied: ", plan->axis[a].key,
-                      plan->axis[a].text[at[a]]);
-}
-
-static enum thud_status draw_event(const struct thud_fragility_study *study, int event, const char *folder,
-                                   const struct thud_picture_options *pictures, enum thud_status before,
-                                   struct thud_error *err)
-{
-    struct thud_fragility_curve curve[THUD_VARY_MAX * (THUD_SWEEP_CASES_MAX + 1)];
-    int n = 0;
-    char text[384];
-    for (size_t i = 0; i < study->n; i++) {
-        const struct thud_fragility_line *line = &study->line[i];
-        if (line->event == event && is_middle(study->suite->plan, line))
-            curve[n++] = (struct thud_fragility_curve){line->axis, line->k, &line->fragility};
-    }
-    note(study, " Points: counts; shaded: 90 % by bootstrap.", text, sizeof text);
-    return n == 0 ? before
-                  : thud_figure_deliver(
-                        thud_figure_of_fragility(study->suite->plan, study->event[event].text, curve, n, text), folder,
-                        pictures, before, err);
-}
-
 static enum thud_status draw(const struct thud_fragility_study *study, const char *folder,
                              const struct thud_picture_options *pictures, struct thud_error *err)
 {
-    const struct thud_sweep_plan *plan = study->suite->plan;
     enum thud_status status = THUD_OK;
-    int at[THUD_VARY_MAX];
-    char text[384];
-    middle(plan, at);
-    for (int e = 0; e < study->nevents; e++)
-        status = draw_event(study, e, folder, pictures, status, err);
-    note(study, "", text, sizeof text);
-    for (int a = 0; a < plan->naxes; a++)
-        for (int k = 0; k < plan->ncases && thud_axis_is_intensity(&plan->axis[a]); k++)
-            status =
-                thud_figure_deliver(thud_figure_of_ida(study->suite, a, k, at, text), folder, pictures, status, err);
+    for (int i = 0, n = thud_fragility_figure_count(study); i < n; i++)
+        status = thud_figure_deliver(thud_fragility_figure(study, i), folder, pictures, status, err);
     return status;
 }
 

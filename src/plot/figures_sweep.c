@@ -57,7 +57,8 @@ static const char *amplification(enum thud_case which)
 static const char *record_name(const struct thud_sweep_table *table, int record, char text[128])
 {
     const char *name = thud_path_name(table->record[record]), *dot = strrchr(name, '.');
-    size_t length = dot && dot > name && strlen(dot) <= 5 && !strchr(dot, ' ') ? (size_t)(dot - name) : strlen(name);
+    bool suffix = dot && dot > name && strlen(dot) <= 5 && !strchr(dot, ' ') && !thud_ascii_is_digit(dot[1]);
+    size_t length = suffix ? (size_t)(dot - name) : strlen(name);
     snprintf(text, 128, "%.*s", (int)(length < 127 ? length : 127), name);
     return text;
 }
@@ -610,7 +611,8 @@ static int slices(const struct thud_sweep_table *table, int i, int at[THUD_VARY_
 
 enum { MAPS_MOST = 24 };
 
-/* What a study's figures are: `each` of every case and record, means of every case, then two of every record. */
+/* What a study's figures are: `each` of every case and record, means of every case (before those where there are several
+ * records), then two of every record. */
 struct list {
     int ncases, slices, each, means, last;
     enum thud_case which[THUD_CASES + 1];
@@ -651,11 +653,14 @@ struct thud_figure *thud_sweep_figure(const struct thud_sweep_table *table, int 
         snprintf(name, sizeof name, "%s%s", rest % 2 ? "pounding" : "contact-forces", number);
         return rest % 2 ? thud_figure_of_pounding(table, record, name) : thud_figure_of_contacts(table, record, name);
     }
-    int i = index % per_case, record = i / l.slices;
-    if (i == l.each) {
+    int i = index % per_case;
+    bool first = l.means && table->nrecords > 1; /* what several motions say together comes before each of them */
+    if (l.means && i == (first ? 0 : l.each)) {
         snprintf(name, sizeof name, "means-%s", thud_case_name(l.which[c]));
         return thud_figure_of_means(table, l.which[c], name, NULL);
     }
+    i -= first;
+    int record = i / l.slices;
     if (table->nrecords > 1)
         snprintf(number, sizeof number, "-%d", record + 1);
     if (l.slices > 1)

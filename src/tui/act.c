@@ -56,6 +56,8 @@ const char *thud_tui_cannot(struct thud_tui *tui, enum thud_action action)
     case THUD_DO_REDO:
         return tui->doc.undo.at < tui->doc.undo.count ? NULL : "Nothing to do again";
     case THUD_DO_EDIT:
+        if (!thud_form_focus(&tui->form) && view->take && view->read(tui))
+            return isnan(tui->reading[tui->screen]) ? "Left and Right read a value first, Enter takes it" : NULL;
         return thud_form_focus(&tui->form) ? NULL : "There is nothing to edit in this pane";
     case THUD_DO_EDIT_OLD:
     case THUD_DO_TOGGLE:
@@ -167,8 +169,12 @@ static bool values(struct thud_tui *tui, enum thud_action action)
 {
     switch (action) {
     case THUD_DO_EDIT:
+        if (!thud_form_focus(&tui->form) && thud_view_of(tui->screen)->take)
+            return thud_view_of(tui->screen)->take(tui);
+        thud_tui_edit(tui, true);
+        return true;
     case THUD_DO_EDIT_OLD:
-        thud_tui_edit(tui, action == THUD_DO_EDIT);
+        thud_tui_edit(tui, false);
         return true;
     case THUD_DO_TOGGLE:
         thud_tui_toggle(tui);

@@ -224,6 +224,8 @@ void thud_chart_draw(const struct thud_pane *pane, const struct thud_panel *pane
         draw_map(&d, panel->map);
     for (int i = 0; i < panel->nmarks; i++)
         draw_mark(&d, &panel->mark[i]);
+    if (chart->has_here)
+        draw_mark(&d, &(struct thud_mark){.side = THUD_X, .from = chart->here, .to = chart->here});
     if (!isnan(chart->cursor))
         draw_cursor(&d, chart->cursor);
     for (int i = 0; i < panel->nseries; i++) {

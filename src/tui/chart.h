@@ -13,7 +13,9 @@ struct thud_chart_frame {
 };
 
 struct thud_chart {
-    double cursor;                  /* x of an upright line; NaN: none */
+    double cursor; /* x of an upright line; NaN: none */
+    bool has_here; /* another upright line stands at `here`: what holds now */
+    double here;
     struct thud_chart_frame *drawn; /* gets where the plot stands; NULL: nobody asks */
 };
 

@@ -113,6 +113,18 @@ static void run_records(struct thud_tui *tui, char *rest)
     thud_tui_sweep_word(tui, "records", rest);
 }
 
+static void run_signs(struct thud_tui *tui, char *rest)
+{
+    thud_tui_go(tui, THUD_SCREEN_SWEEP);
+    thud_tui_sweep_word(tui, "signs", rest);
+}
+
+static void run_events(struct thud_tui *tui, char *rest)
+{
+    thud_tui_go(tui, THUD_SCREEN_SWEEP);
+    thud_tui_sweep_word(tui, "events", rest);
+}
+
 static void run_sweep(struct thud_tui *tui, char *rest)
 {
     (void)rest;
@@ -150,7 +162,9 @@ static const struct command table[] = {
     {"run", "", "", run_run, NULL},
     {"vary", "", "KEY=FROM:TO:STEP", run_vary, NULL},
     {"cases", "", "CASE,CASE", run_cases, NULL},
-    {"records", "", "FILE,FILE", run_records, NULL},
+    {"records", "", "FILE,DIR,NAME.list", run_records, NULL},
+    {"signs", "", "[both]", run_signs, NULL},
+    {"events", "", "EVENT,EVENT", run_events, NULL},
     {"sweep", "", "", run_sweep, NULL},
     {"bench", "", "", run_bench, NULL},
     {"figures", "", "", run_figures, NULL},

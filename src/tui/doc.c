@@ -116,8 +116,7 @@ enum thud_status thud_doc_recover(struct thud_doc *doc, char *path, struct thud_
     return thud_preset_save(doc->preset, &doc->scene, path, err);
 }
 
-/* Name, title and study change no run: what is known of the scene stays known. */
-static bool runs_alike(const struct thud_scene *a, const struct thud_scene *b)
+bool thud_doc_runs_alike(const struct thud_scene *a, const struct thud_scene *b)
 {
     size_t from = offsetof(struct thud_scene, record), to = offsetof(struct thud_scene, study);
     return memcmp((const char *)a + from, (const char *)b + from, to - from) == 0;
@@ -131,7 +130,7 @@ enum thud_status thud_doc_change(struct thud_doc *doc, const struct thud_scene *
         status = thud_undo_note(&doc->undo, &doc->scene, next, what, err);
     if (status != THUD_OK)
         return status;
-    doc->revision += !runs_alike(&doc->scene, next);
+    doc->revision += !thud_doc_runs_alike(&doc->scene, next);
     doc->scene = *next;
     return THUD_OK;
 }
@@ -155,7 +154,7 @@ static const char *step(struct thud_doc *doc, const char *go(struct thud_undo *u
 {
     struct thud_scene before = doc->scene;
     const char *what = go(&doc->undo, &doc->scene);
-    doc->revision += !runs_alike(&before, &doc->scene);
+    doc->revision += !thud_doc_runs_alike(&before, &doc->scene);
     return what;
 }
 

@@ -45,6 +45,8 @@ enum thud_status thud_doc_recover(struct thud_doc *doc, char *path, struct thud_
 /* Checks `next`, notes the step back and puts it in place. Errors: THUD_INPUT (the scene is as it was), THUD_MEMORY. */
 enum thud_status thud_doc_change(struct thud_doc *doc, const struct thud_scene *next, const char *what,
                                  struct thud_error *err);
+/* Name, title and study change no run: what is known of the one scene holds for the other. */
+bool thud_doc_runs_alike(const struct thud_scene *a, const struct thud_scene *b);
 /* thud_scene_set as a change, with "key old -> new" as what. */
 enum thud_status thud_doc_set(struct thud_doc *doc, const char *key, const char *text, struct thud_error *err);
 /* One step; what it was, NULL when there is none. */

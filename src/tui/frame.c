@@ -146,9 +146,12 @@ static void field_words(struct thud_tui *tui, char *text, size_t size)
     if (!field && view->words)
         view->words(tui, text, size);
     else if (panel && isnan(tui->reading[tui->screen]))
-        snprintf(text, size, "Left and Right read values off the chart");
-    else if (panel)
+        snprintf(text, size, "Left and Right read values off the chart%s", view->take ? ", Enter takes one" : "");
+    else if (panel) {
         thud_chart_words(panel, tui->reading[tui->screen], text, size);
+        size_t n = strlen(text);
+        snprintf(text + n, size - n, "%s", view->take ? ". Enter: the scene takes it" : "");
+    }
     if (!field || field->kind != THUD_FIELD_VALUE)
         return;
     const struct thud_param *param = thud_scene_param(&tui->doc.scene, field->path, &floor);

@@ -41,6 +41,9 @@ THUD_KEY_AGAIN(SWEEP, QUANTITY, 'c', 0, "c", "figure", "the next figure of the s
 THUD_KEY_AGAIN(SWEEP, NEXT_CONTACT, ']', 0, "]", "~[ ] panel",
                "the next panel of the figure alone, after the last all of them")
 THUD_KEY_AGAIN(SWEEP, PREVIOUS_CONTACT, '[', 0, "[", "", "the panel before")
+THUD_KEY_AGAIN(SWEEP, RIGHT, THUD_KEY_RIGHT, 'l', "Right", "",
+               "on the curves: read the next value of the first varied key; Enter gives it to the scene")
+THUD_KEY_AGAIN(SWEEP, LEFT, THUD_KEY_LEFT, 'h', "Left", "", "on the curves: read the value before")
 THUD_KEY_AGAIN(BENCH, QUANTITY, 'c', 0, "c", "chart", "wall time or force evaluations against error")
 THUD_KEY(HELP, SEARCH, '/', 0, "/", "search", "search in the help")
 THUD_KEY(HELP, NEXT_MATCH, 'n', 0, "n", "~n/N match", "the next match")
@@ -54,7 +57,7 @@ THUD_KEY(FORMS, STEP_UP, '+', 0, "+", "", "one step up")
 THUD_KEY(FORMS, STEP_DOWN, '-', 0, "-", "~+/- step", "one step down")
 THUD_KEY(FORMS, LEAP_UP, '}', 0, "}", "", "ten steps up")
 THUD_KEY(FORMS, LEAP_DOWN, '{', 0, "{", "", "ten steps down")
-THUD_KEY(GENERAL, RUN, 'r', 0, "r", "run", "run the three cases now (on Sweep the study, on Bench every method)")
+THUD_KEY(GENERAL, RUN, 'r', 0, "r", "run", "run the three cases now (on Sweep the study, on Bench every method, timed)")
 THUD_KEY(GENERAL, UNDO, 'u', 0, "u", "undo", "undo the last change")
 THUD_KEY(GENERAL, REDO, THUD_CTRL('r'), 0, "^R", "", "do again what was undone")
 THUD_KEY(GENERAL, PICTURE, 'p', 0, "p", "PNG", "write the figure shown as PNG")

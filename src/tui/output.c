@@ -45,10 +45,11 @@ static bool is_ours(const char *stem)
 
 static bool is_taken(const char *stem)
 {
-    static const char *const suffix[] = {"png", "gp", "csv"};
+    static const char *const suffix[] = {".png",       ".gp",           ".csv", "-contacts.csv", "-needed-gaps.csv",
+                                         "-suite.csv", "-fragility.csv"};
     char path[700];
     for (size_t i = 0; i < sizeof suffix / sizeof *suffix; i++) {
-        snprintf(path, sizeof path, "%s.%s", stem, suffix[i]);
+        snprintf(path, sizeof path, "%s%s", stem, suffix[i]);
         if (access(path, F_OK) == 0)
             return true;
     }

@@ -60,6 +60,10 @@ struct thud_view {
     const struct thud_figure *(*figure)(struct thud_tui *tui);
     /* The panel of it in which a cursor reads values; NULL where there is none now. May be NULL. */
     const struct thud_panel *(*read)(struct thud_tui *tui);
+    /* Enter on that panel with the cursor in it; false: nothing can be done with what it reads. May be NULL. */
+    bool (*take)(struct thud_tui *tui);
+    /* Called while it is shown and nothing else is computed, so that what it shows follows the scene. May be NULL. */
+    void (*live)(struct thud_tui *tui);
     /* Work of its own in slices of about a millisecond: `busy` says whether there is any, `work` does a piece (false:
      * none was left). May be NULL. */
     bool (*busy)(struct thud_tui *tui);

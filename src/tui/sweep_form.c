@@ -6,11 +6,11 @@
 #include "tui/field.h"
 #include "tui/sweep_screen.h"
 
-enum { CASES = THUD_VARY_MAX, RECORDS, SENSITIVITY, WORDS };
+enum { CASES = THUD_VARY_MAX, RECORDS, SIGNS, EVENTS, SENSITIVITY, WORDS };
 
 static const char *word_name(int index)
 {
-    static const char *const last[] = {"cases", "records", "sensitivity"};
+    static const char *const last[] = {"cases", "records", "signs", "events", "sensitivity"};
     return index == 0 ? "vary" : index < CASES ? "vary too" : last[index - CASES];
 }
 
@@ -23,6 +23,12 @@ static char *word_of(struct thud_study_words *words, int index, size_t *size)
     case RECORDS:
         *size = sizeof words->records;
         return words->records;
+    case SIGNS:
+        *size = sizeof words->signs;
+        return words->signs;
+    case EVENTS:
+        *size = sizeof words->events;
+        return words->events;
     case SENSITIVITY:
         *size = sizeof words->sensitivity;
         return words->sensitivity;
@@ -62,6 +68,20 @@ static void close_up(struct thud_study_words *words)
     }
 }
 
+/* Words that no preset keeps, of signs and events. */
+static enum thud_status check(const struct thud_study_words *words, struct thud_error *err)
+{
+    struct thud_event event;
+    char list[sizeof words->events], *rest = list;
+    enum thud_status status = THUD_OK;
+    if (*words->signs && strcmp(words->signs, "both") != 0)
+        return thud_error_set(err, THUD_USAGE, "signs: both, or nothing");
+    snprintf(list, sizeof list, "%s", words->events);
+    for (char *word; status == THUD_OK && (word = strtok_r(rest, ",", &rest)) != NULL;)
+        status = thud_event_parse(word + strspn(word, " "), &event, err);
+    return status;
+}
+
 /* Refused words stay in the prompt. Those that a preset can say become its study, to be saved with it. */
 void thud_tui_sweep_typed(struct thud_tui *tui, const char *text)
 {
@@ -77,8 +97,9 @@ void thud_tui_sweep_typed(struct thud_tui *tui, const char *text)
     snprintf(word, size, "%s", text);
     close_up(&words);
     snprintf(what, sizeof what, "study: %s %.120s", word_name(s->typed), *text ? text : "(none)");
-    enum thud_status status = s->typed == RECORDS ? THUD_OK : thud_study_words_keep(&words, &next, &kept, &err);
-    if (status == THUD_OK)
+    bool of_scene = s->typed < RECORDS || s->typed == SENSITIVITY; /* the rest no preset says */
+    enum thud_status status = of_scene ? thud_study_words_keep(&words, &next, &kept, &err) : check(&words, &err);
+    if (status == THUD_OK && of_scene)
         status = thud_doc_change(&tui->doc, &next, what, &err);
     if (status != THUD_OK) {
         thud_tui_say_error(tui, &err);
@@ -112,31 +133,73 @@ static bool same_words(struct thud_study_words *a, struct thud_study_words *b)
     return true;
 }
 
+/* Varied keys at the first of the plan's values. */
+static bool same_scene(const struct thud_tui *tui, const struct thud_sweep_state *s)
+{
+    struct thud_scene *now = malloc(sizeof *now);
+    bool same = false;
+    if (now) {
+        *now = tui->doc.scene;
+        for (int i = 0; i < s->data.plan.naxes; i++)
+            thud_scene_set(now, s->data.plan.axis[i].key, s->data.plan.axis[i].text[0], NULL);
+        same = thud_doc_runs_alike(now, s->base);
+    }
+    free(now);
+    return same;
+}
+
+bool thud_sweep_current(struct thud_tui *tui, struct thud_sweep_state *s)
+{
+    if (!s->base || !same_words(&s->words, &s->ran))
+        return false;
+    if (s->revision != tui->doc.revision) {
+        s->current = s->data.points > 0 && same_scene(tui, s);
+        s->revision = tui->doc.revision;
+    }
+    return s->current;
+}
+
 static int draw_progress(struct thud_tui *tui, struct thud_sweep_state *s, const struct thud_pane *pane, int y)
 {
-    struct thud_sweep_work *work = &s->work;
-    if (work->points == 0) {
-        thud_field_note(pane, y, "r runs the study");
-        return y + 1;
+    struct thud_sweep_data *data = &s->data;
+    if (*s->why)
+        y = thud_pane_wrap(pane, 1, y, pane->w - 2, thud_look(THUD_ROLE_WARN, THUD_BOLD), s->why);
+    if (data->points == 0) {
+        if (!*s->why)
+            thud_field_note(pane, y++, "r runs the study");
+        return y;
     }
-    const char *how = work->running ? "running, Esc stops" : work->complete ? "done" : "stopped: what is done stays";
+    const char *how = data->running ? "running, Esc stops" : data->complete ? "done" : "stopped: what is done stays";
     thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), "%s", how);
-    thud_field_note(pane, y++, "%ld of %ld points", work->next, work->points);
-    thud_field_note(pane, y++, "%ld runs made, %ld answered", work->total.made, work->total.free);
+    thud_field_note(pane, y++, "%ld of %ld points", data->next, data->points);
+    if (data->records.n > 1)
+        thud_field_note(pane, y++, "%d ground motions", data->records.n);
+    thud_field_note(pane, y++, "%ld runs made, %ld answered", data->total.made, data->total.free);
     thud_field_note(pane, y++, "  without one (no contact)");
-    if (work->total.reused)
-        thud_field_note(pane, y++, "%ld shared: they have no bumper", work->total.reused);
-    if (work->total.impossible)
-        thud_field_note(pane, y++, "%ld not possible (bumper > gap)", work->total.impossible);
-    if (work->total.diverged)
-        thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_ERROR, THUD_BOLD), "%ld FAILED", work->total.diverged);
-    bool scene = s->revision == tui->doc.revision, words = same_words(&s->words, &s->ran);
-    if (!scene || !words) {
+    if (data->total.reused)
+        thud_field_note(pane, y++, "%ld shared: they have no bumper", data->total.reused);
+    if (data->total.impossible)
+        thud_field_note(pane, y++, "%ld not possible (bumper > gap)", data->total.impossible);
+    if (data->total.diverged)
+        thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_ERROR, THUD_BOLD), "%ld FAILED", data->total.diverged);
+    bool words = same_words(&s->words, &s->ran);
+    if (!thud_sweep_current(tui, s)) {
         thud_pane_put(pane, 1, y++, thud_look(THUD_ROLE_WARN, THUD_BOLD),
-                      scene ? "! of the study before edits" : "! of the scene before edits");
+                      words ? "! of the scene before edits" : "! of the study before edits");
         thud_field_note(pane, y++, "r runs it again");
     }
     return y;
+}
+
+/* A line of the form that is left out now: one empty line for one more key is enough, and what is asked of several
+ * motions has no place with one. */
+static bool left_out(struct thud_study_words *words, int i)
+{
+    size_t size;
+    const char *word = word_of(words, i, &size);
+    if (*word)
+        return false;
+    return i >= 2 && i < CASES ? !*words->vary[i - 1] : (i == SIGNS || i == EVENTS) && !*words->records;
 }
 
 int thud_sweep_form_draw(struct thud_tui *tui, int index, const struct thud_pane *pane)
@@ -144,18 +207,21 @@ int thud_sweep_form_draw(struct thud_tui *tui, int index, const struct thud_pane
     struct thud_sweep_state *s = thud_sweep_state(tui);
     int y = 0;
     for (int i = 0; s && i < WORDS; i++) {
-        char key[32], text[THUD_VARY_TEXT + 8];
+        char key[32], text[THUD_VARY_TEXT + 32];
         size_t size;
-        const char *word = word_of(&s->words, i, &size);
-        if (i >= 2 && i < CASES && !*word && !*s->words.vary[i - 1])
-            continue; /* one empty line for one more key is enough */
+        const char *word = word_of(&s->words, i, &size), *none = i == RECORDS  ? "(the scene's own)"
+                                                                 : i == CASES  ? "(as written)"
+                                                                 : i == EVENTS ? "pounding,worse"
+                                                                               : "-";
+        if (left_out(&s->words, i))
+            continue;
         snprintf(key, sizeof key, "study %d", i);
-        thud_pane_put(pane, 1, y++, thud_look(THUD_ROLE_MUTED, 0), word_name(i));
-        snprintf(text, sizeof text, " %s",
-                 *word          ? word
-                 : i == RECORDS ? "(the scene's own)"
-                 : i == CASES   ? "(as written)"
-                                : "-");
+        if (i < CASES) {
+            thud_pane_put(pane, 1, y++, thud_look(THUD_ROLE_MUTED, 0), word_name(i));
+            snprintf(text, sizeof text, " %s", *word ? word : none);
+        } else {
+            snprintf(text, sizeof text, "%-8s %s", i == SENSITIVITY ? "spread" : word_name(i), *word ? word : none);
+        }
         thud_field_line(tui, index, pane, y++, i, key, text);
     }
     return s ? draw_progress(tui, s, pane, y + 1) : y;
@@ -172,7 +238,9 @@ void thud_sweep_form_row(struct thud_tui *tui, const struct thud_field *field)
     thud_tui_say(tui, THUD_ROLE_PLAIN, "%s",
                  field->index == 0             ? "KEY=FROM:TO:STEP or KEY=V1,V2,...: gap=5 cm:25 cm:1 cm"
                  : field->index < CASES        ? "one more key, for a grid; empty: none"
-                 : field->index == RECORDS     ? "files with commas; empty: the scene's own"
+                 : field->index == RECORDS     ? "files, folders, lists with commas, :peak=0.5g behind; empty: own"
+                 : field->index == SIGNS       ? "both: each motion also the other way round; empty: as it is"
+                 : field->index == EVENTS      ? "pounding, worse, force:5 MN, acceleration:1 g, drift:1 %"
                  : field->index == SENSITIVITY ? "spread when gap, motion, stiffness change by this: 0.1 %; empty: none"
                                                : "of none, bumper, cavity, as-written, with commas");
     thud_tui_prompt(tui, THUD_TYPE_STUDY, word_of(&s->words, field->index, &size));

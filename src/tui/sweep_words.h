@@ -9,11 +9,13 @@
 struct thud_study_words {
     char vary[THUD_VARY_MAX][THUD_VARY_TEXT]; /* "gap=5 cm:25 cm:0.5 cm"; empty: no more */
     char cases[96];                           /* "none,bumper"; empty: as written */
-    char records[512];                        /* files, with commas; empty: the scene's own */
+    char records[512];                        /* files, folders, lists, with commas; empty: the scene's own */
+    char signs[16];                           /* "both": each motion also the other way round; empty: as it is */
+    char events[160];                         /* of the fragility, with commas; empty: pounding,worse */
     char sensitivity[32];                     /* "0.1 %"; empty: no spread */
 };
 
-/* What the preset's study says, else the paper's. `records` stays as it is. */
+/* What the preset's study says, else the paper's. What is of the ground motions stays as it is. */
 void thud_study_words_of(const struct thud_scene *scene, struct thud_study_words *words);
 
 /* Makes the words the scene's study, after trying every value they name; a range beside a list becomes a list. Lists

@@ -208,6 +208,8 @@ static void work(struct thud_tui *tui)
 bool thud_tui_turn(struct thud_tui *tui, bool wait)
 {
     const struct thud_view *view = thud_view_of(tui->screen);
+    if (view->live && tui->live_on && !tui->live.running && !tui->was_running && !tui->quit)
+        view->live(tui);
     bool busy = tui->live.running || tui->was_running || busy_view(tui) != NULL;
     double pause = view->pause ? view->pause(tui) : -1.0;
     if (tui->dirty && (!busy || tui->backend->now(tui->backend) - tui->drawn_s >= redraw_s))

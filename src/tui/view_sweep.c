@@ -21,24 +21,57 @@ static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect 
     return 2;
 }
 
+/* The figure on show. One that an edit began anew appears whole, if that does not take long: until then the one before
+ * stays. */
 static void refresh(struct thud_tui *tui)
 {
+    static const double patience_s = 0.4;
     struct thud_sweep_state *s = thud_sweep_state(tui);
-    if (!s || (s->shown && s->shown_rows == s->work.rows.table.nrows && s->shown_figure == s->figure))
+    size_t rows = s ? s->data.rows.table.nrows : 0;
+    if (!s ||
+        (s->shown && s->shown_rows == rows && s->shown_figure == s->figure && s->shown_complete == s->data.complete))
+        return;
+    bool wait = s->data.running && s->by_itself && tui->backend->now(tui->backend) - s->begun_s < patience_s;
+    if (s->shown && (wait || (rows == 0 && s->data.running)))
         return;
     thud_figure_free(s->shown);
     s->shown = NULL;
-    int count = s->work.rows.table.nrows > 0 ? thud_sweep_figure_count(&s->work.rows.table) : 0;
+    int count = thud_sweep_data_figures(&s->data);
     if (count == 0)
         return;
-    s->figure %= count;
-    s->shown = thud_sweep_figure(&s->work.rows.table, s->figure);
-    s->shown_rows = s->work.rows.table.nrows;
+    s->shown = thud_sweep_data_figure(&s->data, s->figure % count);
+    s->shown_rows = rows;
     s->shown_figure = s->figure;
+    s->shown_complete = s->data.complete;
     if (thud_figure_check(s->shown, NULL) != THUD_OK) {
         thud_figure_free(s->shown);
         s->shown = NULL;
     }
+}
+
+/* The first varied key, which the figures of the study have along x, where it is a number and such a figure is shown;
+ * NULL: not now. */
+static const struct thud_sweep_axis *along_x(const struct thud_sweep_state *s)
+{
+    const struct thud_sweep_table *table = &s->data.rows.table;
+    if (!s->shown || table->nrows == 0 || s->data.plan.naxes == 0 || s->data.plan.axis[0].words)
+        return NULL;
+    int own = thud_sweep_figure_count(table);
+    return s->data.complete && s->shown_figure % thud_sweep_data_figures((struct thud_sweep_data *)&s->data) >= own
+               ? NULL
+               : &s->data.plan.axis[0];
+}
+
+/* The value of that key in the scene, as the figure's x; NaN where there is none. */
+static double here(const struct thud_tui *tui, const struct thud_sweep_state *s)
+{
+    const struct thud_sweep_axis *axis = along_x(s);
+    char text[96];
+    struct thud_quantity value;
+    if (!axis || thud_scene_get(&tui->doc.scene, axis->key, text, sizeof text, NULL) != THUD_OK ||
+        thud_quantity_parse(text, axis->param->dimension, axis->param->unit, &value, NULL) != THUD_OK)
+        return NAN;
+    return value.value * thud_varied_factor(axis);
 }
 
 static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
@@ -49,9 +82,9 @@ static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
         return;
     }
     refresh(tui);
-    int count = s->work.rows.table.nrows > 0 ? thud_sweep_figure_count(&s->work.rows.table) : 0;
-    if (s->shown)
-        snprintf(text, size, "%d/%d %.100s", s->figure + 1, count, s->shown->title);
+    int count = thud_sweep_data_figures(&s->data);
+    if (s->shown && count > 0)
+        snprintf(text, size, "%d/%d %.100s", s->figure % count + 1, count, s->shown->title);
     else
         snprintf(text, size, "Amplification");
 }
@@ -64,25 +97,103 @@ static int draw(struct thud_tui *tui, int index, struct thud_pane *pane)
     refresh(tui);
     if (s->shown) {
         struct thud_chart chart = thud_tui_reading(tui);
+        chart.here = here(tui, s);
+        chart.has_here = !isnan(chart.here);
         thud_chart_figure(pane, s->shown, s->panel, &chart);
-    } else
-        thud_field_note(pane, 0, s->work.points ? "nothing to show yet" : "r runs the study");
+    } else {
+        thud_field_note(pane, 0, s->data.points ? "nothing to show yet" : "r runs the study");
+    }
     return pane->h;
 }
 
-static void start(struct thud_tui *tui)
+/* Runs of the plan, as far as the words say them. */
+static long runs_of(const struct thud_sweep_data *data)
 {
+    return thud_sweep_points(&data->plan) * (data->plan.ncases > 0 ? data->plan.ncases : 1);
+}
+
+static void begin(struct thud_tui *tui, bool by_itself)
+{
+    static const double wait_s = 5;
     struct thud_sweep_state *s = thud_sweep_state(tui);
-    struct thud_error err;
+    struct thud_error err = {0};
     if (!s)
         return;
-    thud_figure_free(s->shown);
-    s->shown = NULL;
-    s->panel = -1;
-    if (thud_sweep_work_start(&s->work, &tui->doc.scene, &s->words, tui->doc.paths, tui->doc.path, &err) != THUD_OK)
+    if (!by_itself) { /* what was read is read again */
+        thud_sweep_data_clear(&s->data);
+        thud_figure_free(s->shown);
+        s->shown = NULL;
+    }
+    s->why[0] = '\0';
+    enum thud_status status = thud_sweep_data_prepare(&s->data, &tui->doc, &s->words, &err);
+    double expected_s = 0.5 * tui->elapsed_s * (double)runs_of(&s->data); /* of the live cases two have contacts */
+    if (status == THUD_OK && by_itself && expected_s > wait_s)
+        snprintf(s->why, sizeof s->why, "%ld runs, about %.0f s: r runs them", runs_of(&s->data), expected_s);
+    else if (status == THUD_OK)
+        status = thud_sweep_data_start(&s->data, &err);
+    if (status != THUD_OK && by_itself)
+        thud_error_text(&err, s->why, sizeof s->why);
+    else if (status != THUD_OK)
         thud_tui_say_error(tui, &err);
+    if (!s->base)
+        s->base = malloc(sizeof *s->base);
+    if (s->base) {
+        *s->base = tui->doc.scene;
+        for (int i = 0; i < s->data.plan.naxes; i++)
+            thud_scene_set(s->base, s->data.plan.axis[i].key, s->data.plan.axis[i].text[0], NULL);
+    }
+    s->current = true;
     s->revision = tui->doc.revision;
     s->ran = s->words;
+    s->by_itself = by_itself;
+    s->begun_s = tui->backend->now(tui->backend);
+}
+
+/* After an edit the study is made again, once the live cases are. */
+static void live(struct thud_tui *tui)
+{
+    struct thud_sweep_state *s = thud_sweep_state(tui);
+    if (s && !thud_sweep_current(tui, s))
+        begin(tui, true);
+}
+
+/* The cursor goes from one value of the varied key to the next. */
+static bool read_on(struct thud_tui *tui, const struct thud_sweep_state *s, int step)
+{
+    const struct thud_sweep_axis *axis = along_x(s);
+    double *at = &tui->reading[THUD_SCREEN_SWEEP], from = isnan(*at) ? here(tui, s) : *at;
+    if (!axis || thud_form_focus(&tui->form))
+        return false;
+    int next = -1;
+    for (int i = 0; i < axis->n; i++) {
+        double x = axis->value[i] * thud_varied_factor(axis), much = 1e-9 * fabs(x);
+        if (step > 0 ? x > from + much && (next < 0 || axis->value[i] < axis->value[next])
+                     : x < from - much && (next < 0 || axis->value[i] > axis->value[next]))
+            next = i;
+    }
+    if (next < 0 && isnan(from))
+        next = 0;
+    if (next >= 0)
+        *at = axis->value[next] * thud_varied_factor(axis);
+    return true;
+}
+
+/* The scene gets the value that the cursor reads. */
+static bool take(struct thud_tui *tui)
+{
+    const struct thud_sweep_state *s = thud_sweep_state(tui);
+    const struct thud_sweep_axis *axis = s ? along_x(s) : NULL;
+    double at = tui->reading[THUD_SCREEN_SWEEP];
+    char text[64];
+    if (!axis || isnan(at))
+        return false;
+    thud_quantity_format(at / thud_varied_factor(axis), axis->param->unit, text, sizeof text);
+    for (int i = 0; i < axis->n; i++)
+        if (fabs(axis->value[i] * thud_varied_factor(axis) - at) <= 1e-9 * fabs(at))
+            snprintf(text, sizeof text, "%.60s", axis->text[i]);
+    if (thud_tui_set(tui, axis->key, text))
+        thud_tui_say(tui, THUD_ROLE_GOOD, "%s is %s now (u undoes)", axis->key, text);
+    return true;
 }
 
 static bool act(struct thud_tui *tui, enum thud_action action)
@@ -93,12 +204,15 @@ static bool act(struct thud_tui *tui, enum thud_action action)
         return false;
     switch (action) {
     case THUD_DO_RUN:
-        start(tui);
+        begin(tui, false);
         return true;
+    case THUD_DO_LEFT:
+    case THUD_DO_RIGHT:
+        return s->shown && read_on(tui, s, action == THUD_DO_LEFT ? -1 : 1);
     case THUD_DO_BACK:
-        if (!s->work.running)
+        if (!s->data.running)
             return false;
-        thud_sweep_work_stop(&s->work);
+        thud_sweep_data_stop(&s->data);
         thud_tui_say(tui, THUD_ROLE_WARN, "Stopped; what is done stays");
         return true;
     case THUD_DO_QUANTITY:
@@ -142,61 +256,63 @@ static const struct thud_panel *read_panel(struct thud_tui *tui)
 
 static bool busy(struct thud_tui *tui)
 {
-    return tui->sweep && tui->sweep->work.running;
+    return tui->sweep && tui->sweep->data.running;
 }
 
 static bool work(struct thud_tui *tui)
 {
     struct thud_error err = {0};
-    if (thud_sweep_work_advance(&tui->sweep->work, &err) != THUD_OK)
+    if (thud_sweep_data_advance(&tui->sweep->data, &err) != THUD_OK)
         thud_tui_say_error(tui, &err);
-    tui->dirty = tui->dirty || !tui->sweep->work.running;
-    return tui->sweep->work.running;
+    tui->dirty = tui->dirty || !tui->sweep->data.running;
+    return tui->sweep->data.running;
 }
 
 static double progress(struct thud_tui *tui)
 {
-    const struct thud_sweep_work *w = tui->sweep ? &tui->sweep->work : NULL;
-    return w && w->running && w->points > 0 ? (double)w->next / (double)w->points : -1.0;
+    const struct thud_sweep_data *d = tui->sweep ? &tui->sweep->data : NULL;
+    return d && d->running && d->points > 0 ? (double)d->next / (double)d->points : -1.0;
 }
 
 static struct thud_figure *study_figure(const void *from, int index)
 {
-    return thud_sweep_figure(from, index);
+    return thud_sweep_data_figure((struct thud_sweep_data *)from, index);
 }
 
 static void pictures(struct thud_tui *tui)
 {
-    if (!tui->sweep || tui->sweep->work.rows.table.nrows == 0)
+    if (!tui->sweep || tui->sweep->data.rows.table.nrows == 0)
         thud_tui_say(tui, THUD_ROLE_WARN, "There is no study yet: r runs it");
     else
-        thud_tui_figures(tui, thud_sweep_figure_count(&tui->sweep->work.rows.table), study_figure,
-                         &tui->sweep->work.rows.table);
+        thud_tui_figures(tui, thud_sweep_data_figures(&tui->sweep->data), study_figure, &tui->sweep->data);
 }
 
 static void export_csv(struct thud_tui *tui)
 {
     struct thud_error err;
+    char stem[200];
+    thud_tui_file_name(tui, "sweep", "", stem, sizeof stem);
     enum thud_status status = thud_folder_make(thud_tui_folder(tui), &err);
     if (status == THUD_OK)
-        status = thud_sweep_work_export(&tui->sweep->work, thud_tui_folder(tui), &err);
+        status = thud_sweep_data_export(&tui->sweep->data, thud_tui_folder(tui), stem, &err);
     if (status != THUD_OK)
         thud_tui_say_error(tui, &err);
     else
-        thud_tui_say(tui, THUD_ROLE_GOOD, "Written sweep.csv, contacts.csv and needed-gaps.csv into %s",
-                     thud_tui_folder(tui));
+        thud_tui_say(tui, THUD_ROLE_GOOD, "Written %s.csv, -contacts.csv, -needed-gaps.csv%s into %s", stem,
+                     tui->sweep->data.suite ? ", -suite.csv" : "", thud_tui_folder(tui));
 }
 
 static void release(struct thud_tui *tui)
 {
     if (!tui->sweep)
         return;
-    thud_sweep_work_clear(&tui->sweep->work);
+    thud_sweep_data_clear(&tui->sweep->data);
     thud_figure_free(tui->sweep->shown);
+    free(tui->sweep->base);
     free(tui->sweep);
     tui->sweep = NULL;
 }
 
-THUD_VIEW(sweep, "Sweep", SWEEP, .act = act, .cannot = cannot, .row = thud_sweep_form_row, .figure = figure,
-          .read = read_panel, .busy = busy, .work = work, .progress = progress, .pictures = pictures,
-          .export_csv = export_csv, .free = release);
+THUD_VIEW(sweep, "Sweep", SWEEP, .verdict = true, .act = act, .cannot = cannot, .row = thud_sweep_form_row,
+          .figure = figure, .read = read_panel, .take = take, .live = live, .busy = busy, .work = work,
+          .progress = progress, .pictures = pictures, .export_csv = export_csv, .free = release);
