@@ -11,6 +11,7 @@
 struct thud_bench_jobs {
     int repeats;                         /* timings of each point after one to warm up; fewer where one takes long */
     double patience_s;                   /* a point expected to take longer is skipped and says so; 0: none is */
+    double budget_s;                     /* once so much was spent the rest is skipped; 0: none is */
     const volatile sig_atomic_t *cancel; /* not NULL: stops when it becomes other than 0 */
     void *context;
     void (*progress)(void *context, const char *what, int done, int count); /* may be NULL */
@@ -32,6 +33,7 @@ struct thud_bench_work {
     bool judged;                            /* the point has its verdict, the run in hand is for its time */
     double elapsed_s, processor_s;          /* of the run in hand */
     double warm_s, spent_s;                 /* of the first run of the point; of the timed ones, about */
+    double all_s;                           /* of all runs */
     int timed;                              /* runs whose time is known */
     double seconds[THUD_TIMINGS_MAX + 1];   /* (timed) by the wall clock */
     double processor[THUD_TIMINGS_MAX + 1]; /* (timed) */

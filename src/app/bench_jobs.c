@@ -38,7 +38,9 @@ static enum thud_status advance_run(struct thud_bench_work *work, long budget, b
 {
     double start = now_s(work), begin = thud_timing_processor_s();
     enum thud_status status = thud_run_advance(work->run, budget, done, err);
-    work->elapsed_s += now_s(work) - start;
+    double took = now_s(work) - start;
+    work->elapsed_s += took;
+    work->all_s += took;
     work->processor_s += thud_timing_processor_s() - begin;
     return status;
 }
@@ -74,10 +76,14 @@ static bool too_long(struct thud_bench_work *work)
 {
     struct thud_bench_point *p = thud_bench_point(work->bench, work->at);
     double expected = expected_s(work->bench, work->at);
-    if (!(work->jobs.patience_s > 0) || expected <= work->jobs.patience_s)
+    bool spent = work->jobs.budget_s > 0 && work->all_s > work->jobs.budget_s;
+    if (!spent && (!(work->jobs.patience_s > 0) || expected <= work->jobs.patience_s))
         return false;
     p->state = THUD_BENCH_SKIPPED;
-    snprintf(p->message, sizeof p->message, "would take about %.2g s", expected);
+    if (expected > 0)
+        snprintf(p->message, sizeof p->message, "would take about %.2g s", expected);
+    else
+        snprintf(p->message, sizeof p->message, "left out: %.2g s are spent", work->all_s);
     p->seconds = expected; /* for the next one on the curve */
     return true;
 }
