@@ -7,14 +7,16 @@
 
 #include "core/observe_relative.h"
 #include "core/run_private.h"
+#include "core/storey.h"
 
 enum { KEPT_MAX = 192 };
 
 /* A moment at the start of an interval of the ground motion. */
 struct moment {
     long grid;
-    double *state;                   /* (2 x nmodes) q, q', then (ncontacts) largest relative displacements so far */
-    struct thud_floor_result *floor; /* (ndof) peaks so far */
+    double *state;                    /* (2 x nmodes) q, q', then (ncontacts) largest relative displacements so far */
+    struct thud_floor_result *floor;  /* (ndof) peaks so far */
+    struct thud_storey_state *storey; /* (nstoreys), none of which yields */
 };
 
 struct thud_baseline_motion {
@@ -43,6 +45,7 @@ static void drop(struct moment *moment)
 {
     free(moment->state);
     free(moment->floor);
+    free(moment->storey);
 }
 
 /* Every second one goes when there is no more room. */
@@ -68,7 +71,7 @@ static void copy_floors(const struct thud_result *result, struct thud_floor_resu
 static enum thud_status keep(struct thud_baseline_motion *baseline, struct thud_error *err)
 {
     const struct thud_run *run = baseline->run;
-    if (run->state.offset_s != 0 || run->state.grid < baseline->next)
+    if (run->state.offset_s != 0 || run->state.grid < baseline->next || run->state.nyielding > 0)
         return THUD_OK;
     if (baseline->nkept == KEPT_MAX)
         thin(baseline);
@@ -77,7 +80,8 @@ static enum thud_status keep(struct thud_baseline_motion *baseline, struct thud_
     moment->grid = run->state.grid;
     moment->state = malloc((2 * n + nc + 1) * sizeof(double));
     moment->floor = malloc(((size_t)baseline->ndof + 1) * sizeof(struct thud_floor_result));
-    if (!moment->state || !moment->floor) {
+    moment->storey = malloc(((size_t)run->state.model->nstoreys + 1) * sizeof *moment->storey);
+    if (!moment->state || !moment->floor || !moment->storey) {
         drop(moment);
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
@@ -86,6 +90,7 @@ static enum thud_status keep(struct thud_baseline_motion *baseline, struct thud_
     memcpy(moment->state + n, run->state.qd, n * sizeof(double));
     memcpy(moment->state + 2 * n, baseline->relative_m, nc * sizeof(double));
     copy_floors(&run->result, moment->floor);
+    memcpy(moment->storey, run->state.storey, (size_t)run->state.model->nstoreys * sizeof *moment->storey);
     baseline->next = run->state.grid + baseline->apart;
     return THUD_OK;
 }
@@ -143,9 +148,9 @@ enum thud_status thud_baseline_create(const struct thud_model *model, const stru
     }
     if (status == THUD_OK) {
         thud_run_observe(baseline->run, &thud_observe_relative, baseline->relative_m);
-        /* what storeys that yield remember is not kept */
-        baseline->shares = baseline->run->method == thud_method_find("exact") && model->nstoreys == 0;
-        baseline->early_end = baseline->shares ? thud_early_end_create(&baseline->model) : NULL;
+        baseline->shares = baseline->run->method == thud_method_find("exact");
+        /* a difference from the baseline is no free vibration where storeys yield */
+        baseline->early_end = baseline->shares && model->nstoreys == 0 ? thud_early_end_create(&baseline->model) : NULL;
         if (baseline->early_end)
             thud_run_observe(baseline->run, &thud_observe_early_end, baseline->early_end);
     }
@@ -206,6 +211,7 @@ static void start_at(struct thud_run *run, const struct moment *moment)
     for (int s = 0; s < run->result.nstructures; from += run->result.structure[s].floors, s++)
         memcpy(run->result.structure[s].floor, from, (size_t)run->result.structure[s].floors * sizeof *from);
     thud_contact_moved(&run->state);
+    thud_storeys_resume(&run->state, moment->storey);
     thud_ledger_start(&run->ledger, &run->state);
 }
 

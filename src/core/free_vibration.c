@@ -23,7 +23,7 @@ static bool allocate(struct thud_free_vibration *f, const struct thud_model *m)
     size_t n = (size_t)m->nmodes, floors = (size_t)m->ndof, ns = (size_t)m->nstructures,
            rows = (n + THUD_FREE_VIBRATION_BATCH - 1) / THUD_FREE_VIBRATION_BATCH * THUD_FREE_VIBRATION_BATCH,
            count = 0;
-    double **by_mode[4 + 4 + 7 + 4 + 3];
+    double **by_mode[4 + 4 + 7 + 4 + 3 + 1];
     double **by_end[] = {&f->q, &f->qd, &f->spring}, **single[] = {&f->gap, &f->energy, &f->ground, &f->after};
     size_t ends = sizeof by_end / sizeof *by_end, singles = sizeof single / sizeof *single;
     for (int i = 0; i < 4; i++) {
@@ -36,9 +36,10 @@ static bool allocate(struct thud_free_vibration *f, const struct thud_model *m)
     by_mode[count++] = &f->now;
     by_mode[count++] = &f->now_rate;
     by_mode[count++] = &f->speed;
+    by_mode[count++] = &f->shift;
     double *next = f->block =
         calloc(count * rows + (ends * rows + THUD_FLOOR_QUANTITIES * floors + singles) * (size_t)ENDS +
-                   2 * THUD_FLOOR_QUANTITIES * ns + (size_t)m->ncontacts,
+                   2 * THUD_FLOOR_QUANTITIES * ns + (size_t)m->ncontacts + floors,
                sizeof *next);
     f->valued = calloc(ns + (size_t)m->ncontacts + 1, sizeof *f->valued);
     if (!next || !f->valued)
@@ -54,6 +55,7 @@ static bool allocate(struct thud_free_vibration *f, const struct thud_model *m)
     f->margin = next;
     f->cubic_margin = f->margin + THUD_FLOOR_QUANTITIES * ns;
     f->limit = f->cubic_margin + THUD_FLOOR_QUANTITIES * ns;
+    f->offset = f->limit + m->ncontacts;
     f->near = f->valued + ns;
     return true;
 }
@@ -140,7 +142,7 @@ enum thud_status thud_free_vibration_create(const struct thud_state *state, stru
 {
     const struct thud_model *m = state->model;
     *out = NULL;
-    if (m->couples || m->nmodes == 0 || m->nstoreys > 0)
+    if (m->couples || m->nmodes == 0)
         return THUD_OK;
     struct thud_free_vibration *f = calloc(1, sizeof *f);
     enum thud_status status = f && allocate(f, m) ? THUD_OK : thud_error_set(err, THUD_MEMORY, "out of memory");
@@ -199,13 +201,31 @@ static void batched_recurrence(struct thud_free_vibration *f, int j, int interva
     }
 }
 
+/* Where the modes would rest under the constant forces: -g F/omega^2, and the floors with them. */
+static void shift_modes(struct thud_free_vibration *f, const struct thud_state *state)
+{
+    const struct thud_model *m = state->model;
+    if (!f->shifted && state->nshifted == 0)
+        return;
+    f->shifted = state->nshifted > 0;
+    memset(f->shift, 0, (size_t)f->n * sizeof *f->shift);
+    for (int c = m->ncontacts; c < m->nrows; c++)
+        for (int j = 0; j < f->n && f->shifted; j++)
+            f->shift[j] -= m->jacobian[c * f->n + j] * state->contact[c].branch.f0_n;
+    for (int j = 0; j < f->n; j++)
+        f->shift[j] = m->spring[j] > 0 ? f->shift[j] / m->spring[j] : 0; /* no force acts on a free body */
+    for (int i = 0; i < m->ndof; i++)
+        f->offset[i] = thud_model_floor(m, i, f->shift);
+}
+
 static void march(struct thud_free_vibration *f, const struct thud_state *state, int intervals)
 {
+    shift_modes(f, state);
     for (int t = 0; t < intervals; t++)
         thud_state_ground(state, state->grid + t, &f->ground[t], &f->after[t]);
     f->ground_most = thud_larger(thud_largest_size(f->ground, intervals), thud_largest_size(f->after, intervals));
     for (int j = 0; j < f->n; j++) {
-        f->q[j * ENDS] = state->q[j];
+        f->q[j * ENDS] = state->q[j] - f->shift[j];
         f->qd[j * ENDS] = state->qd[j];
     }
     for (int j = 0; j < f->n; j += THUD_FREE_VIBRATION_BATCH)
@@ -268,8 +288,12 @@ void thud_free_vibration_values(struct thud_free_vibration *f, const struct thud
 static void displacements(struct thud_free_vibration *f, const struct thud_model *m)
 {
     for (int s = 0; s < m->nstructures; s++)
-        for (int i = 0; i < m->structure[s].n; i++)
+        for (int i = 0; i < m->structure[s].n; i++) {
+            int dof = m->structure[s].first + i;
             floor_row(f, &m->structure[s], i, THUD_FLOOR_DISPLACEMENT, f->q, f->ends);
+            for (int t = 0; t < f->ends && f->shifted; t++)
+                f->value[THUD_FLOOR_DISPLACEMENT][dof * ENDS + t] += f->offset[dof];
+        }
     for (int j = 0; j < f->n; j++)
         f->speed[j] = largest_speed(f, j, m->omega[j], f->ends);
 }
@@ -420,6 +444,47 @@ static int until_contact(struct thud_free_vibration *f, const struct thud_state 
     return intervals;
 }
 
+/* Whether storey k comes to its bound in interval t. */
+static bool yields(struct thud_free_vibration *f, const struct thud_state *state, int k, int t)
+{
+    const struct thud_storey_state *s = &state->storey[k];
+    double d[THUD_SEGMENT_TERMS];
+    for (int piece = 0; piece < f->pieces; piece++) {
+        const struct thud_segment *seg = thud_free_vibration_series(f, state, t, piece);
+        thud_segment_indentation(state, seg, state->model->ncontacts + k, d);
+        double drift = d[0];
+        for (int side = -1; side <= 1; side += 2) {
+            int zeros = t == 0 && piece == 0 && s->zero_side == side ? s->zeros : 0;
+            d[0] = drift - s->plastic_m - side * state->model->storey[k].yield_m;
+            if (thud_poly_first_above(d, seg->terms, 1, side, zeros, THUD_TOL_INDENTATION_M) <= 1)
+                return true;
+        }
+    }
+    return false;
+}
+
+/* Intervals until a storey yields, at most `intervals`. */
+static int until_yield(struct thud_free_vibration *f, const struct thud_state *state, int intervals)
+{
+    const struct thud_model *m = state->model;
+    const double *u = f->value[THUD_FLOOR_DISPLACEMENT];
+    for (int k = 0; k < m->nstoreys; k++) {
+        const struct thud_model_contact *row = &m->contact[m->ncontacts + k];
+        const double *above = u + row->left_dof * ENDS, *below = row->right_dof < 0 ? NULL : u + row->right_dof * ENDS;
+        const double plastic = state->storey[k].plastic_m,
+                     limit =
+                         m->storey[k].yield_m - f->margin[THUD_FLOOR_DRIFT * m->nstructures + m->storey[k].structure];
+        for (int t = 0; t <= intervals; t++)
+            f->gap[t] = above[t] - (below ? below[t] : 0) - plastic;
+        if (thud_largest_size(f->gap, intervals + 1) <= limit && state->storey[k].zeros == 0)
+            continue;
+        for (int t = 0; t < intervals; t++)
+            if ((fabs(f->gap[t]) > limit || fabs(f->gap[t + 1]) > limit) && yields(f, state, k, t))
+                intervals = t;
+    }
+    return intervals;
+}
+
 static double sum(const double *x, int n)
 {
     double total = 0;
@@ -458,7 +523,7 @@ void thud_free_vibration_work(struct thud_free_vibration *f, int intervals, doub
 void thud_free_vibration_end(const struct thud_free_vibration *f, int intervals, double *q, double *qd)
 {
     for (int j = 0; j < f->n; j++) {
-        q[j] = f->q[j * ENDS + intervals];
+        q[j] = f->q[j * ENDS + intervals] + f->shift[j];
         qd[j] = f->qd[j * ENDS + intervals];
     }
 }
@@ -468,7 +533,7 @@ static int room(const struct thud_free_vibration *f, const struct thud_state *st
 {
     long left = (long)floor(state->end_s / f->dt_s * (1 + THUD_TOL_TIME)) - state->grid,
          aligned = THUD_FREE_VIBRATION_BLOCK - state->grid % THUD_FREE_VIBRATION_BLOCK;
-    if (state->offset_s != 0 || left <= 0)
+    if (state->offset_s != 0 || left <= 0 || state->nyielding > 0)
         return 0;
     for (int c = 0; c < state->model->ncontacts; c++)
         if (state->contact[c].mode != THUD_OPEN)
@@ -486,7 +551,7 @@ int thud_free_vibration_march(struct thud_free_vibration *f, const struct thud_s
     march(f, state, tried);
     displacements(f, m);
     margins(f, m, tried);
-    int intervals = until_contact(f, state, tried);
+    int intervals = until_yield(f, state, until_contact(f, state, tried));
     f->size = intervals < tried                         ? SHORT_BLOCK
               : 2 * f->size < THUD_FREE_VIBRATION_BLOCK ? 2 * f->size
                                                         : THUD_FREE_VIBRATION_BLOCK;

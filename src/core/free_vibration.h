@@ -3,7 +3,10 @@
  *
  *     q(t + dt)  = e0 q + e1 q' + p0 a(t) + p1 a(t + dt),   q'(t + dt) = e2 q + e3 q' + p2 a(t) + p3 a(t + dt)
  *
- * Bounds show in which intervals no contact can close; the others are looked at as power series. The motion is the
+ * Storeys with a plastic drift have constant forces, which shift the place that the modes swing about (`shift`): the
+ * block holds q - shift, and its floors' displacements and drifts are the true ones.
+ *
+ * Bounds show in which intervals no contact can close and no storey can yield; the others are looked at as power series. The motion is the
  * recurrence's in any case, so that gaps that do not close change nothing. Not for damping that couples modes. */
 #ifndef THUD_CORE_FREE_VIBRATION_H
 #define THUD_CORE_FREE_VIBRATION_H
@@ -33,7 +36,9 @@ struct thud_free_vibration {
     int at, at_piece;       /* which; -1: none */
 
     /* A block of intervals, by row and then by end (so that loops over time vectorize) */
-    double *q, *qd, *spring; /* (n x ENDS) modal state, and omega^2 q + 2 zeta omega q' */
+    double *shift, *offset;  /* (n), (ndof): of the modes, and of the floors, by the constant forces of storeys */
+    bool shifted;            /* there are any */
+    double *q, *qd, *spring; /* (n x ENDS) modal state less the shift, and omega^2 q + 2 zeta omega q' */
     double
         *value[THUD_FLOOR_QUANTITIES]; /* (ndof x ENDS) by floor: displacements, and the others of these structures: */
     bool *valued;                      /* (nstructures) */
@@ -55,8 +60,9 @@ enum thud_status thud_free_vibration_create(const struct thud_state *state, stru
                                             struct thud_error *err);
 void thud_free_vibration_free(struct thud_free_vibration *f);
 
-/* Makes a block from the state on, and returns how many intervals pass before one in which a contact closes; 0 where
- * the state is not at the start of an interval, a contact is not open, or nothing is left. */
+/* Makes a block from the state on, and returns how many intervals pass before one in which a contact closes or a storey
+ * yields; 0 where the state is not at the start of an interval, a contact is not open, a storey yields, or nothing is
+ * left. */
 int thud_free_vibration_march(struct thud_free_vibration *f, const struct thud_state *state);
 /* The block's modal state after so many intervals. */
 void thud_free_vibration_end(const struct thud_free_vibration *f, int intervals, double *q, double *qd);

@@ -212,6 +212,7 @@ void thud_ledger_clear(struct thud_ledger *ledger)
 
 void thud_ledger_start(struct thud_ledger *ledger, const struct thud_state *state)
 {
-    ledger->initial_j = thud_state_kinetic(state) + thud_state_strain(state);
+    /* what storeys have lost before stands in their states */
+    ledger->initial_j = thud_state_kinetic(state) + thud_state_strain(state) + thud_storeys_hysteretic(state, state->q);
     ledger->largest_j = ledger->initial_j;
 }

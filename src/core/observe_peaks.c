@@ -515,7 +515,7 @@ static enum thud_status block(void *own, const struct thud_state *state, struct 
     (void)err;
     for (int s = 0; s < m->nstructures; s++) {
         const struct thud_model_structure *p = &m->structure[s];
-        if (!may_pass_in_block(peaks, m, f, s))
+        if (!f->shifted && !may_pass_in_block(peaks, m, f, s))
             continue;
         thud_free_vibration_values(f, m, s);
         for (int i = 0; i < p->n; i++)

@@ -1,5 +1,6 @@
 /* Between contacts, where the method leaves free flight to the recurrence of the modes. */
 #include "core/run_private.h"
+#include "core/storey.h"
 
 enum thud_status thud_run_fly(struct thud_run *run, bool *passed, struct thud_error *err)
 {
@@ -23,6 +24,7 @@ enum thud_status thud_run_fly(struct thud_run *run, bool *passed, struct thud_er
     thud_free_vibration_end(f, intervals, state->q, state->qd);
     state->grid += intervals;
     thud_contact_moved(state);
+    thud_storeys_moved(state);
     run->work.samples_fast += intervals;
     *passed = true;
     return status;

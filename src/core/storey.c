@@ -100,6 +100,21 @@ void thud_storeys_start(struct thud_state *state)
     }
 }
 
+static void count_shifted(struct thud_state *state)
+{
+    state->nshifted = 0;
+    for (int k = 0; k < state->model->nstoreys; k++)
+        state->nshifted += state->storey[k].direction == 0 && state->storey[k].plastic_m != 0;
+}
+
+void thud_storeys_resume(struct thud_state *state, const struct thud_storey_state *storey)
+{
+    memcpy(state->storey, storey, (size_t)state->model->nstoreys * sizeof *storey);
+    for (int k = 0; k < state->model->nstoreys; k++)
+        set_constant(state, k);
+    count_shifted(state);
+}
+
 /* Plastic drift of storey k at drift d; an excursion counts once, as soon as it is more than rounding. */
 static void flow(struct thud_state *state, int k, double drift)
 {
@@ -177,7 +192,5 @@ void thud_storey_switch(struct thud_state *state, int row, enum thud_event event
         set_yielding(state, k, s->direction);
         flow(state, k, drift_of(state, k, state->q));
     }
-    state->nshifted = 0;
-    for (int i = 0; i < state->model->nstoreys; i++)
-        state->nshifted += state->storey[i].direction == 0 && state->storey[i].plastic_m != 0;
+    count_shifted(state);
 }

@@ -22,6 +22,8 @@ extern const struct thud_law thud_storey_law;
 
 /* All storeys elastic. */
 void thud_storeys_start(struct thud_state *state);
+/* As at an earlier moment (nstoreys), when none of them yielded. */
+void thud_storeys_resume(struct thud_state *state, const struct thud_storey_state *storey);
 /* The state has gone on: plastic drift, energy, excursions and largest shear of the storeys that yield. Not located: of
  * all storeys, from their drift; returns whether any plastic drift has changed. */
 bool thud_storeys_moved(struct thud_state *state);
