@@ -39,7 +39,7 @@ static bool allocate(struct thud_free_vibration *f, const struct thud_model *m)
     by_mode[count++] = &f->shift;
     double *next = f->block =
         calloc(count * rows + (ends * rows + THUD_FLOOR_QUANTITIES * floors + singles) * (size_t)ENDS +
-                   2 * THUD_FLOOR_QUANTITIES * ns + (size_t)m->ncontacts + floors,
+                   2 * THUD_FLOOR_QUANTITIES * ns + (size_t)m->ncontacts,
                sizeof *next);
     f->valued = calloc(ns + (size_t)m->ncontacts + 1, sizeof *f->valued);
     if (!next || !f->valued)
@@ -55,7 +55,6 @@ static bool allocate(struct thud_free_vibration *f, const struct thud_model *m)
     f->margin = next;
     f->cubic_margin = f->margin + THUD_FLOOR_QUANTITIES * ns;
     f->limit = f->cubic_margin + THUD_FLOOR_QUANTITIES * ns;
-    f->offset = f->limit + m->ncontacts;
     f->near = f->valued + ns;
     return true;
 }
@@ -176,10 +175,10 @@ void thud_free_vibration_free(struct thud_free_vibration *f)
 /* The block. */
 
 /* The recurrence of several modes at once: one mode alone is a chain in which each interval depends on the one before. */
-static void batched_recurrence(struct thud_free_vibration *f, int j, int intervals)
+static inline void batched_recurrence(struct thud_free_vibration *f, int j, int intervals, bool shifted)
 {
     enum { N = THUD_FREE_VIBRATION_BATCH };
-    double *q = f->q + j * ENDS, *qd = f->qd + j * ENDS, x[N], v[N], e[4][N], p[4][N];
+    double *q = f->q + j * ENDS, *qd = f->qd + j * ENDS, x[N], v[N], e[4][N], p[4][N], by_shift[2][N];
     for (int i = 0; i < N; i++) {
         x[i] = q[i * ENDS];
         v[i] = qd[i * ENDS];
@@ -187,6 +186,8 @@ static void batched_recurrence(struct thud_free_vibration *f, int j, int interva
             e[k][i] = f->e[k][j + i];
             p[k][i] = f->p[k][j + i];
         }
+        by_shift[0][i] = (1 - e[0][i]) * f->shift[j + i];
+        by_shift[1][i] = -e[2][i] * f->shift[j + i];
     }
     for (int t = 0; t < intervals; t++) {
         double a0 = f->ground[t], a1 = f->after[t], next[N];
@@ -194,6 +195,10 @@ static void batched_recurrence(struct thud_free_vibration *f, int j, int interva
             next[i] = (e[0][i] * x[i] + e[1][i] * v[i]) + (p[0][i] * a0 + p[1][i] * a1);
         for (int i = 0; i < N; i++)
             v[i] = (e[2][i] * x[i] + e[3][i] * v[i]) + (p[2][i] * a0 + p[3][i] * a1);
+        for (int i = 0; i < N && shifted; i++) {
+            next[i] += by_shift[0][i];
+            v[i] += by_shift[1][i];
+        }
         for (int i = 0; i < N; i++) {
             q[i * ENDS + t + 1] = x[i] = next[i];
             qd[i * ENDS + t + 1] = v[i];
@@ -201,7 +206,7 @@ static void batched_recurrence(struct thud_free_vibration *f, int j, int interva
     }
 }
 
-/* Where the modes would rest under the constant forces: -g F/omega^2, and the floors with them. */
+/* Where the modes would rest under the constant forces: s = -g F/omega^2. */
 static void shift_modes(struct thud_free_vibration *f, const struct thud_state *state)
 {
     const struct thud_model *m = state->model;
@@ -214,8 +219,6 @@ static void shift_modes(struct thud_free_vibration *f, const struct thud_state *
             f->shift[j] -= m->jacobian[c * f->n + j] * state->contact[c].branch.f0_n;
     for (int j = 0; j < f->n; j++)
         f->shift[j] = m->spring[j] > 0 ? f->shift[j] / m->spring[j] : 0; /* no force acts on a free body */
-    for (int i = 0; i < m->ndof; i++)
-        f->offset[i] = thud_model_floor(m, i, f->shift);
 }
 
 static void march(struct thud_free_vibration *f, const struct thud_state *state, int intervals)
@@ -225,23 +228,27 @@ static void march(struct thud_free_vibration *f, const struct thud_state *state,
         thud_state_ground(state, state->grid + t, &f->ground[t], &f->after[t]);
     f->ground_most = thud_larger(thud_largest_size(f->ground, intervals), thud_largest_size(f->after, intervals));
     for (int j = 0; j < f->n; j++) {
-        f->q[j * ENDS] = state->q[j] - f->shift[j];
+        f->q[j * ENDS] = state->q[j];
         f->qd[j * ENDS] = state->qd[j];
     }
-    for (int j = 0; j < f->n; j += THUD_FREE_VIBRATION_BATCH)
-        batched_recurrence(f, j, intervals);
+    for (int j = 0; j < f->n; j += THUD_FREE_VIBRATION_BATCH) {
+        if (f->shifted)
+            batched_recurrence(f, j, intervals, true);
+        else
+            batched_recurrence(f, j, intervals, false);
+    }
     memset(f->valued, 0, (size_t)state->model->nstructures * sizeof *f->valued);
     f->at = -1;
     f->ends = intervals + 1;
 }
 
-/* Largest energy norm sqrt(q'^2 + omega^2 q^2) of mode j at the ends. */
+/* Largest energy norm sqrt(q'^2 + omega^2 (q - s)^2) of mode j at the ends. */
 static double largest_speed(const struct thud_free_vibration *f, int j, double omega, int ends)
 {
     const double *q = f->q + j * ENDS, *qd = f->qd + j * ENDS;
-    double w2 = omega * omega;
+    double w2 = omega * omega, s = f->shift[j];
     for (int t = 0; t < ends; t++)
-        f->energy[t] = qd[t] * qd[t] + w2 * q[t] * q[t];
+        f->energy[t] = qd[t] * qd[t] + w2 * (q[t] - s) * (q[t] - s);
     return sqrt(thud_largest_size(f->energy, ends));
 }
 
@@ -271,9 +278,9 @@ void thud_free_vibration_values(struct thud_free_vibration *f, const struct thud
     f->valued[structure] = true;
     for (int j = p->first_mode; j < p->first_mode + p->modes; j++) {
         const double *q = f->q + j * ENDS, *qd = f->qd + j * ENDS;
-        double *a = f->spring + j * ENDS;
+        double *a = f->spring + j * ENDS, s = f->shift[j];
         for (int t = 0; t < f->ends; t++)
-            a[t] = -(m->spring[j] * q[t] + m->dashpot[j] * qd[t]);
+            a[t] = -(m->spring[j] * (q[t] - s) + m->dashpot[j] * qd[t]);
     }
     for (int i = 0; i < p->n; i++) {
         floor_row(f, p, i, THUD_FLOOR_VELOCITY, f->qd, f->ends);
@@ -288,12 +295,8 @@ void thud_free_vibration_values(struct thud_free_vibration *f, const struct thud
 static void displacements(struct thud_free_vibration *f, const struct thud_model *m)
 {
     for (int s = 0; s < m->nstructures; s++)
-        for (int i = 0; i < m->structure[s].n; i++) {
-            int dof = m->structure[s].first + i;
+        for (int i = 0; i < m->structure[s].n; i++)
             floor_row(f, &m->structure[s], i, THUD_FLOOR_DISPLACEMENT, f->q, f->ends);
-            for (int t = 0; t < f->ends && f->shifted; t++)
-                f->value[THUD_FLOOR_DISPLACEMENT][dof * ENDS + t] += f->offset[dof];
-        }
     for (int j = 0; j < f->n; j++)
         f->speed[j] = largest_speed(f, j, m->omega[j], f->ends);
 }
@@ -500,12 +503,12 @@ void thud_free_vibration_work(struct thud_free_vibration *f, int intervals, doub
     for (int t = 0; t < intervals; t++)
         e[t] = gv[0] * a0[t] * a0[t] + gv[1] * a0[t] * a1[t] + gv[2] * a1[t] * a1[t];
     for (int j = 0; j < f->n; j++) {
-        const double *q = f->q + j * ENDS, *v = f->qd + j * ENDS;
+        const double *q = f->q + j * ENDS, *v = f->qd + j * ENDS, s = f->shift[j];
         double c[7];
         for (int i = 0; i < 7; i++)
             c[i] = f->viscous[i][j];
         for (int t = 0; t < intervals; t++)
-            e[t] += q[t] * (c[0] * q[t] + c[1] * v[t] + c[3] * a0[t] + c[4] * a1[t]) +
+            e[t] += (q[t] - s) * (c[0] * (q[t] - s) + c[1] * v[t] + c[3] * a0[t] + c[4] * a1[t]) +
                     v[t] * (c[2] * v[t] + c[5] * a0[t] + c[6] * a1[t]);
     }
     *viscous_j = sum(e, intervals);
@@ -513,9 +516,9 @@ void thud_free_vibration_work(struct thud_free_vibration *f, int intervals, doub
         e[t] = gw[0] * a0[t] * a0[t] + gw[1] * a0[t] * a1[t] + gw[2] * a1[t] * a1[t];
     for (int j = 0; j < f->n; j++) {
         const double *q = f->q + j * ENDS, *v = f->qd + j * ENDS;
-        double w0 = f->work[0][j], w1 = f->work[1][j], w2 = f->work[2][j], w3 = f->work[3][j];
+        double w0 = f->work[0][j], w1 = f->work[1][j], w2 = f->work[2][j], w3 = f->work[3][j], s = f->shift[j];
         for (int t = 0; t < intervals; t++)
-            e[t] += a0[t] * (w0 * q[t] + w1 * v[t]) + a1[t] * (w2 * q[t] + w3 * v[t]);
+            e[t] += a0[t] * (w0 * (q[t] - s) + w1 * v[t]) + a1[t] * (w2 * (q[t] - s) + w3 * v[t]);
     }
     *input_j = sum(e, intervals);
 }
@@ -523,7 +526,7 @@ void thud_free_vibration_work(struct thud_free_vibration *f, int intervals, doub
 void thud_free_vibration_end(const struct thud_free_vibration *f, int intervals, double *q, double *qd)
 {
     for (int j = 0; j < f->n; j++) {
-        q[j] = f->q[j * ENDS + intervals] + f->shift[j];
+        q[j] = f->q[j * ENDS + intervals];
         qd[j] = f->qd[j * ENDS + intervals];
     }
 }

@@ -3,8 +3,8 @@
  *
  *     q(t + dt)  = e0 q + e1 q' + p0 a(t) + p1 a(t + dt),   q'(t + dt) = e2 q + e3 q' + p2 a(t) + p3 a(t + dt)
  *
- * Storeys with a plastic drift have constant forces, which shift the place that the modes swing about (`shift`): the
- * block holds q - shift, and its floors' displacements and drifts are the true ones.
+ * Storeys with a plastic drift have constant forces, which shift the place that the modes swing about by s: then
+ * (1 - e0) s is added to q, and -e2 s to q'.
  *
  * Bounds show in which intervals no contact can close and no storey can yield; the others are looked at as power series. The motion is the
  * recurrence's in any case, so that gaps that do not close change nothing. Not for damping that couples modes. */
@@ -36,9 +36,9 @@ struct thud_free_vibration {
     int at, at_piece;       /* which; -1: none */
 
     /* A block of intervals, by row and then by end (so that loops over time vectorize) */
-    double *shift, *offset;  /* (n), (ndof): of the modes, and of the floors, by the constant forces of storeys */
-    bool shifted;            /* there are any */
-    double *q, *qd, *spring; /* (n x ENDS) modal state less the shift, and omega^2 q + 2 zeta omega q' */
+    double *shift;           /* (n) s */
+    bool shifted;            /* it is not 0 */
+    double *q, *qd, *spring; /* (n x ENDS) modal state, and omega^2 (q - s) + 2 zeta omega q' */
     double
         *value[THUD_FLOOR_QUANTITIES]; /* (ndof x ENDS) by floor: displacements, and the others of these structures: */
     bool *valued;                      /* (nstructures) */
@@ -47,7 +47,7 @@ struct thud_free_vibration {
     double ground_most;                /* its largest size in the block */
     double *margin; /* (QUANTITIES x nstructures): how far a value inside an interval may lie above those at its ends */
     double *cubic_margin; /* the same, how far from the cubic through values and rates at them */
-    double *speed;        /* (n) largest sqrt(q'^2 + omega^2 q^2) of a mode in the block */
+    double *speed;        /* (n) largest sqrt(q'^2 + omega^2 (q - s)^2) of a mode in the block */
     double *limit;        /* (ncontacts) gap above which a contact may close in an interval of the block */
     bool *near;           /* (ncontacts) whether it may in the interval looked at */
     int ends;             /* in the block */

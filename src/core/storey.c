@@ -178,15 +178,16 @@ void thud_storey_switch(struct thud_state *state, int row, enum thud_event event
     struct thud_storey_state *s = &state->storey[k];
     state->work->events++;
     state->nyielding += event == THUD_EVENT_UNLOAD ? -1 : 1;
-    if (event == THUD_EVENT_UNLOAD) { /* drift at its bound and at rest: neither moves off it by rounding */
+    const double rate = thud_model_gap_sum(state->model, row, state->qd),
+                 still = THUD_TOL_REVERSAL * state->speed_mps; /* below it, a rate is rounding */
+    if (event == THUD_EVENT_UNLOAD) { /* at its bound, and at rest unless a blow has turned it back */
         s->zero_side = s->direction;
-        s->zeros = 2;
+        s->zeros = s->direction * rate < -still ? 1 : 2;
         s->direction = 0;
         set_constant(state, k);
     } else {
-        double rate = thud_model_gap_sum(state->model, row, state->qd);
         s->direction = event == THUD_EVENT_YIELD_UP ? 1 : -1;
-        s->zeros = s->direction * rate <= THUD_TOL_REVERSAL * state->speed_mps ? 1 : 0;
+        s->zeros = s->direction * rate <= still ? 1 : 0;
         s->counted = false;
         s->moved_m = 0;
         set_yielding(state, k, s->direction);

@@ -157,7 +157,7 @@ static int leave_out(struct thud_sweep_task *task, bool drop, int *left)
 
 static bool same_shape(const struct thud_model *a, const struct thud_model *b)
 {
-    return a->ndof == b->ndof && a->nmodes == b->nmodes && a->ncontacts == b->ncontacts;
+    return a->ndof == b->ndof && a->nmodes == b->nmodes && a->ncontacts == b->ncontacts && a->nstoreys == b->nstoreys;
 }
 
 /* What became of the run at work; of a changed one only the sums are kept. */

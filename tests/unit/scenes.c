@@ -247,10 +247,33 @@ static bool look_without_contact(struct scenes_one *one, double *closing)
     return ok;
 }
 
+/* Bounds of the storeys, from what is passed all the time to what is hardly reached, and the motion with them. False
+ * where it is too small for any. */
+static bool draw_yields(struct scenes_one *one, double *closing)
+{
+    static const double least_m = 2e-6;
+    bool any = false;
+    for (int s = 0; s < one->scene.nstructures; s++) {
+        struct thud_structure *p = &one->scene.structure[s];
+        bool storeys = p->kind == THUD_SHEAR || p->kind == THUD_ISOLATED, some = chance(0.3);
+        double yield = one->peak_m / fmax(p->storeys, 1) * between_log(0.03, 1.5),
+               hardening = ONE_OF(0, 0, 0.02, 0.05, 0.3, 0.9, 1, between(0, 1));
+        for (int i = 0; i < p->storeys && storeys; i++) {
+            p->yield_m[i] = fmin(some && chance(0.5) ? 0 : yield * between_log(0.7, 1.4), 10);
+            p->yield_m[i] = p->yield_m[i] > 0 ? fmax(p->yield_m[i], least_m) : 0;
+            p->hardening[i] = hardening;
+            any = any || p->yield_m[i] > 0;
+        }
+    }
+    for (int i = 0; i + 1 < one->scene.nstructures; i++)
+        closing[i] = 0;
+    return any && one->peak_m > 10 * least_m && look_without_contact(one, closing) && one->peak_m > 0;
+}
+
 static bool draw(struct scenes_one *one)
 {
     struct thud_scene *scene = &one->scene;
-    bool wide = one->seed >= SCENES_WIDE;
+    bool wide = one->seed >= SCENES_WIDE && one->seed < SCENES_YIELDING;
     double closing[THUD_STRUCTURES_MAX] = {0},
            mass = wide ? between_log(lightest_kg, heaviest_kg) : between_log(1e4, 1e6);
     bool extreme = chance(0.15);
@@ -274,6 +297,8 @@ static bool draw(struct scenes_one *one)
         scene->interface[i].has_bumper = false;
     }
     if (!look_without_contact(one, closing) || !(one->peak_m > 0))
+        return false;
+    if (one->seed >= SCENES_YIELDING && !draw_yields(one, closing))
         return false;
     const char *law = draw_bare_law();
     for (int i = 0; i + 1 < scene->nstructures; i++)
@@ -413,6 +438,7 @@ bool scenes_heavier(struct scenes_one *one, double factor)
         for (int f = 0; f < p->storeys; f++) {
             p->mass_kg[f] *= factor;
             p->stiffness_npm[f] *= factor;
+            p->yield_shear_n[f] *= factor;
         }
         p->base_mass_kg *= factor;
         p->isolation_stiffness_npm *= factor;
@@ -433,6 +459,9 @@ bool scenes_longer(struct scenes_one *one, double factor)
     for (int i = 0; i < s->nstructures; i++)
         if (s->structure[i].kind == THUD_RIGID)
             s->structure[i].velocity_mps *= factor;
+    for (int i = 0; i < s->nstructures; i++)
+        for (int f = 0; f < s->structure[i].storeys; f++)
+            s->structure[i].yield_m[f] *= factor;
     for (int i = 0; i + 1 < s->nstructures; i++) {
         struct thud_interface *at = &s->interface[i];
         struct thud_law_choice *law = law_in_use(at);

@@ -15,6 +15,8 @@ struct scenes_one {
 /* From this seed on, scenes are wide: floors of 1e-3 kg to 1e9 kg, also in one building, damping from 0 to 1, rigid bodies
  * with initial speeds, and more walls and isolated buildings. */
 #define SCENES_WIDE 1000000000ull
+/* From this seed on, scenes are like the first ones, and storeys of their buildings yield. */
+#define SCENES_YIELDING 2000000000ull
 
 /* Valid by thud_scene_check. Free the record with scenes_clear. */
 void scenes_draw(struct scenes_one *one, unsigned long long seed);
@@ -46,6 +48,7 @@ enum scenes_kind {
     SCENES_DISPLACEMENT,
     SCENES_VELOCITY,
     SCENES_DRIFT,
+    SCENES_PLASTIC, /* size of the plastic drift, of storeys that yield */
     SCENES_SHEAR,
     SCENES_FORCE,
     SCENES_INDENTATION,

@@ -48,6 +48,7 @@ static void find_natural(struct scenes_answer *a, const struct thud_model *m, do
 {
     double mass = lightest(m), speed = a->largest[SCENES_VELOCITY];
     a->natural[SCENES_FORCE] = mass * a->largest[SCENES_ACCELERATION];
+    a->natural[SCENES_PLASTIC] = a->largest[SCENES_DRIFT];
     a->natural[SCENES_INDENTATION] = a->largest[SCENES_DISPLACEMENT];
     a->natural[SCENES_IMPULSE] = mass * speed;
     a->natural[SCENES_LOST] =
@@ -61,7 +62,7 @@ static void take(struct scenes_answer *a, const struct thud_model *model, const 
     int floors = 0, count;
     for (int s = 0; s < r->nstructures; s++)
         floors += r->structure[s].floors;
-    a->number = calloc((size_t)(4 * floors + r->nstructures + 8 * r->ncontacts + 1), sizeof *a->number);
+    a->number = calloc((size_t)(5 * floors + r->nstructures + 8 * r->ncontacts + 1), sizeof *a->number);
     assert(a->number);
     for (int s = 0; s < r->nstructures; s++) {
         const struct thud_structure_result *p = &r->structure[s];
@@ -70,6 +71,8 @@ static void take(struct scenes_answer *a, const struct thud_model *model, const 
             add(a, SCENES_DISPLACEMENT, s, i, p->floor[i].displacement.value);
             add(a, SCENES_VELOCITY, s, i, p->floor[i].velocity.value);
             add(a, SCENES_DRIFT, s, i, p->floor[i].drift.value);
+            if (p->storey && p->storey[i].yields)
+                add(a, SCENES_PLASTIC, s, i, fabs(p->storey[i].plastic_m));
         }
         add(a, SCENES_SHEAR, s, 0, p->base_shear.value);
     }
@@ -132,9 +135,9 @@ void scenes_answer_clear(struct scenes_answer *answer)
 
 const char *scenes_kind_name(enum scenes_kind kind)
 {
-    static const char *const names[SCENES_KINDS] = {"acceleration", "displacement", "velocity",        "drift",
-                                                    "base shear",   "force",        "indentation",     "impulse",
-                                                    "lost",         "first impact", "time in contact", "impacts"};
+    static const char *const names[SCENES_KINDS] = {
+        "acceleration", "displacement", "velocity", "drift",        "plastic drift",   "base shear", "force",
+        "indentation",  "impulse",      "lost",     "first impact", "time in contact", "impacts"};
     return names[kind];
 }
 

@@ -17,6 +17,17 @@ START_TEST(drawn_scenes)
 }
 END_TEST
 
+/* Storeys that yield, in all kinds of rows. */
+START_TEST(yielding_scenes)
+{
+    struct scenes_tally tally = {.only = ""};
+    for (int i = 0; i < 12; i++)
+        scenes_check(SCENES_YIELDING + (unsigned long long)i, &tally);
+    ck_assert_int_eq(tally.wrong, 0);
+    ck_assert_int_gt(tally.pounding, 3);
+}
+END_TEST
+
 /* Light and heavy floors in one building, dashpots up to the critical ones, walls, isolated buildings and first speeds. */
 START_TEST(wide_scenes)
 {
@@ -163,6 +174,7 @@ Suite *thud_suite(void)
     tcase_set_timeout(tcase, 60);
     tcase_add_test(tcase, drawn_scenes);
     tcase_add_test(tcase, wide_scenes);
+    tcase_add_test(tcase, yielding_scenes);
     tcase_add_loop_test(tcase, neighbours_at_rest_do_not_touch, 0, 5);
     tcase_add_test(tcase, a_held_contact_does_not_bounce);
     tcase_add_loop_test(tcase, scenes_that_lost_a_peak, 0, 2);

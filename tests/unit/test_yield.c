@@ -493,6 +493,70 @@ START_TEST(histories_show_the_loops)
 }
 END_TEST
 
+/* ---- studies ---- */
+
+/* A run that begins at a kept moment of the baseline is the run from the start; and its largest relative displacement is
+ * the clearance at which nothing touches. */
+START_TEST(the_baseline_is_shared)
+{
+    struct thud_record *record = march_motion(1.5);
+    struct march_law law = rubber();
+    struct yard y = {.yield_m = 0.012, .hardening = 0.03, .gap_m = 0.05, .scale = 1, .law = &law};
+    struct thud_model *model = two_towers(&y);
+    struct thud_run_options options;
+    struct thud_baseline_motion *baseline;
+    bool done = false;
+    thud_run_options_init(&options);
+    options.tail_s = 2;
+    ck_assert_int_eq(thud_baseline_create(model, record, &options, &baseline, NULL), THUD_OK);
+    while (!done)
+        ck_assert_int_eq(thud_baseline_advance(baseline, 1000, &done, NULL), THUD_OK);
+    double closing = 0;
+    for (int c = 0; c < model->ncontacts; c++)
+        closing = fmax(closing, thud_baseline_relative_displacement(baseline, c));
+    for (int k = 0; k < 3; k++) {
+        y.gap_m = closing * (k == 0 ? 0.8 : k == 1 ? 1 - 1e-6 : 1 + 1e-9);
+        struct thud_model *one = two_towers(&y);
+        struct march whole = run(one, record, 1e-6, 2);
+        struct thud_run *part = NULL;
+        double shared_s = 0;
+        ck_assert_int_eq(thud_baseline_run(baseline, one, record, &options, &part, &shared_s, NULL), THUD_OK);
+        for (done = false; !done;)
+            ck_assert_int_eq(thud_run_advance(part, 1000, &done, NULL), THUD_OK);
+        const struct thud_result *a = thud_run_result(part), *b = whole.result;
+        ck_assert_double_gt(shared_s, 0.5);
+        ck_assert_double_eq(storeys_apart(a, b), 0);
+        ck_assert_double_eq(march_peaks_apart(a, b, 0.01), 0);
+        ck_assert_double_lt(a->energy.error_ratio, 1e-9);
+        ck_assert_double_eq_tol(a->energy.hysteretic_j / b->energy.hysteretic_j, 1, 1e-12);
+        ck_assert_int_eq(b->contact[3].impulse_ns > 0, k < 2);
+        thud_run_free(part);
+        march_free(&whole);
+        thud_model_free(one);
+    }
+    thud_baseline_free(baseline);
+    thud_model_free(model);
+    thud_record_free(record);
+}
+END_TEST
+
+/* A blow turns a storey that yields back at once, and one that is elastic past its bound. */
+START_TEST(blows_on_storeys_that_yield)
+{
+    struct thud_record *record = march_motion(1.5);
+    struct march_law law = march_law("stereomechanical", "restitution", 0.6, NULL);
+    struct yard y = {.yield_m = 0.006, .hardening = 0.02, .gap_m = 0.004, .scale = 1, .law = &law};
+    struct thud_model *model = two_towers(&y);
+    struct march m = run(model, record, 1e-8, 2);
+    ck_assert_int_gt(m.result->contact[3].impacts, 20);
+    ck_assert_int_gt(m.result->structure[0].storey[0].excursions, 10);
+    ck_assert_msg(m.result->energy.error_ratio < 1e-9, "%.1e", m.result->energy.error_ratio);
+    march_free(&m);
+    thud_model_free(model);
+    thud_record_free(record);
+}
+END_TEST
+
 /* ---- books ---- */
 
 static struct thud_record *el_centro;
@@ -544,6 +608,8 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, every_method_converges);
     tcase_add_test(tcase, nearly_rigid_plastic);
     tcase_add_test(tcase, histories_show_the_loops);
+    tcase_add_test(tcase, the_baseline_is_shared);
+    tcase_add_test(tcase, blows_on_storeys_that_yield);
     thud_record_choice_init(&choice);
     bool there =
         thud_suite_shared("records/imperial-valley-1940-el-centro-ns-chopra.csv", choice.file, sizeof choice.file);
