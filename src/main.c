@@ -7,10 +7,18 @@
 #include "cli/cli.h"
 #include "tui/tui.h"
 
+/* Whether no option says anything of a scene. */
+static bool only_looks(const struct thud_args *args)
+{
+    int looks = thud_args_has(args, "o") + thud_args_has(args, "ascii") + thud_args_has(args, "no-color");
+    return args->ngiven <= looks;
+}
+
 static enum thud_status screen(const struct thud_args *args, const struct thud_session *session, struct thud_error *err)
 {
     const char *no_color = getenv("NO_COLOR"), *gnuplot = getenv("THUD_GNUPLOT");
     struct thud_tui_options options = {.preset = session->preset_path,
+                                       .fresh = args->noperands == 0 && only_looks(args),
                                        .scene = &session->scene,
                                        .paths = &session->paths,
                                        .output = thud_args_value(args, "o"),

@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "tui/state.h"
+#include "tui/new_scene.h"
 
 static int pane_count(struct thud_tui *tui)
 {
@@ -17,6 +17,8 @@ int thud_tui_where(const struct thud_tui *tui)
         return THUD_AT_TYPING;
     if (tui->mode == THUD_MODE_CHOOSING)
         return THUD_AT_CHOOSING;
+    if (tui->mode == THUD_MODE_NEW)
+        return THUD_AT_NEW;
     const struct thud_view *view = thud_view_of(tui->screen);
     return view->place ? view->place(tui) : view->where;
 }
@@ -227,6 +229,9 @@ static void rest(struct thud_tui *tui, enum thud_action action)
     switch (action) {
     case THUD_DO_RUN:
         thud_tui_run(tui);
+        break;
+    case THUD_DO_NEW:
+        thud_tui_new(tui, false);
         break;
     case THUD_DO_FIND:
         thud_tui_list_fields(tui);

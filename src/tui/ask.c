@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "base/scan.h"
-#include "tui/state.h"
+#include "tui/new_scene.h"
 
 void thud_tui_prompt(struct thud_tui *tui, enum thud_typing typing, const char *text)
 {
@@ -64,6 +64,8 @@ static void go_to_field(struct thud_tui *tui, const char *key)
     thud_tui_go(tui, screen);
 }
 
+static void list_presets(struct thud_tui *tui, const char *folder);
+
 void thud_tui_chosen(struct thud_tui *tui)
 {
     const struct thud_choice *choice = thud_chooser_marked(&tui->chooser);
@@ -74,6 +76,8 @@ void thud_tui_chosen(struct thud_tui *tui)
     snprintf(value, sizeof value, "%s", choice->value);
     if (tui->choosing == THUD_CHOOSE_VALUE)
         thud_tui_set(tui, tui->target, value);
+    else if (tui->choosing == THUD_CHOOSE_PRESET && *value && value[strlen(value) - 1] == '/')
+        list_presets(tui, value);
     else if (tui->choosing == THUD_CHOOSE_PRESET)
         thud_tui_open(tui, value, false);
     else
@@ -93,10 +97,15 @@ static void ask(struct thud_tui *tui, enum thud_asking asking, const char *fmt, 
 
 static void recover(struct thud_tui *tui, const char *path);
 
+bool thud_tui_asks_to_save(const struct thud_tui *tui)
+{
+    return tui->asking == THUD_ASK_QUIT || tui->asking == THUD_ASK_OPEN || tui->asking == THUD_ASK_NEW;
+}
+
 void thud_tui_answered(struct thud_tui *tui, int key)
 {
     bool yes = key == 'y' || key == 'Y', no = key == 'n' || key == 'N' || key == THUD_KEY_ESC;
-    bool unsaved = tui->asking == THUD_ASK_QUIT || tui->asking == THUD_ASK_OPEN;
+    bool unsaved = thud_tui_asks_to_save(tui);
     bool save = unsaved && (key == 's' || key == 'S');
     if (!yes && !no && !save)
         return;
@@ -108,12 +117,15 @@ void thud_tui_answered(struct thud_tui *tui, int key)
         return;
     if (save) {
         tui->quit_next = tui->asking == THUD_ASK_QUIT;
+        tui->new_next = tui->asking == THUD_ASK_NEW;
         snprintf(tui->open_next, sizeof tui->open_next, "%s", tui->asking == THUD_ASK_OPEN ? target : "");
         thud_tui_save(tui, NULL, false);
     } else if (tui->asking == THUD_ASK_QUIT)
         thud_tui_quit(tui, true);
     else if (tui->asking == THUD_ASK_OPEN)
         thud_tui_open(tui, target, true);
+    else if (tui->asking == THUD_ASK_NEW)
+        thud_tui_new(tui, true);
     else if (tui->asking == THUD_ASK_RECOVER)
         recover(tui, target);
     else
@@ -149,7 +161,9 @@ static void saved(struct thud_tui *tui)
         tui->quit = true;
     else if (*next)
         thud_tui_open(tui, next, true);
-    tui->quit_next = false;
+    else if (tui->new_next)
+        thud_tui_new(tui, true);
+    tui->quit_next = tui->new_next = false;
 }
 
 void thud_tui_save(struct thud_tui *tui, const char *path, bool sure)
@@ -200,6 +214,14 @@ void thud_tui_open(struct thud_tui *tui, const char *name, bool sure)
     }
     thud_tui_say(tui, THUD_ROLE_GOOD, "Opened %s: %s", tui->doc.path, tui->doc.scene.title);
     thud_tui_opened(tui);
+}
+
+void thud_tui_new(struct thud_tui *tui, bool sure)
+{
+    if (!sure && thud_doc_unsaved(&tui->doc))
+        ask(tui, THUD_ASK_NEW, "%s has unsaved changes", tui->doc.scene.name);
+    else
+        thud_new_scene_begin(tui);
 }
 
 void thud_tui_quit(struct thud_tui *tui, bool sure)
@@ -254,32 +276,25 @@ static void recover(struct thud_tui *tui, const char *path)
     thud_tui_changed(tui);
 }
 
-static int by_name(const void *a, const void *b)
+/* Presets of the working folder and those that come with thud, or of a folder that was gone into. */
+static void list_presets(struct thud_tui *tui, const char *folder)
 {
-    return strcmp(((const struct thud_choice *)a)->value, ((const struct thud_choice *)b)->value);
+    struct thud_browse files = {0};
+    char title[96];
+    snprintf(title, sizeof title, "Open a preset%s%.50s", *folder ? " of " : "", folder);
+    thud_browse_list(&files, THUD_BROWSE_PRESETS, tui->doc.paths, tui->doc.path, folder);
+    thud_tui_choose(tui, THUD_CHOOSE_PRESET, title);
+    for (int i = 0; i < files.n; i++)
+        if (strlen(files.item[i].name) < sizeof tui->chooser.choice->value)
+            thud_chooser_add(&tui->chooser, files.item[i].name, "%-30s %s", files.item[i].name,
+                             thud_browse_about(&files, i));
+    thud_browse_clear(&files);
+    thud_chooser_mark(&tui->chooser, tui->doc.scene.name);
 }
 
 void thud_tui_list_presets(struct thud_tui *tui)
 {
-    DIR *folder = opendir(tui->doc.paths->presets);
-    if (!folder) {
-        thud_tui_say(tui, THUD_ROLE_ERROR, "! the presets' folder %s cannot be read; :open PATH opens any file",
-                     tui->doc.paths->presets);
-        return;
-    }
-    thud_tui_choose(tui, THUD_CHOOSE_PRESET, "Open a preset (:open PATH for any other file)");
-    for (struct dirent *entry; (entry = readdir(folder)) != NULL;) {
-        char name[128];
-        size_t n = strlen(entry->d_name);
-        if (n < 6 || n > 120 || strcmp(entry->d_name + n - 5, ".yaml") != 0)
-            continue;
-        snprintf(name, sizeof name, "%.*s", (int)n - 5, entry->d_name);
-        thud_chooser_add(&tui->chooser, name, "%s", name);
-    }
-    closedir(folder);
-    if (tui->chooser.n > 1)
-        qsort(tui->chooser.choice, (size_t)tui->chooser.n, sizeof *tui->chooser.choice, by_name);
-    thud_chooser_mark(&tui->chooser, tui->doc.scene.name);
+    list_presets(tui, "");
 }
 
 /* Words that people look for and no title has. */

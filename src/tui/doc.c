@@ -42,6 +42,15 @@ static void take(struct thud_doc *doc, struct thud_preset *preset, const char *p
     doc->saved = *thud_preset_scene(preset);
 }
 
+static void begin(struct thud_doc *doc, struct thud_preset *preset, const char *path)
+{
+    take(doc, preset, path);
+    doc->scene = doc->saved;
+    thud_undo_clear(&doc->undo);
+    forget_record(doc);
+    doc->revision++;
+}
+
 enum thud_status thud_doc_open(struct thud_doc *doc, const char *name, struct thud_error *err)
 {
     char path[512];
@@ -51,11 +60,25 @@ enum thud_status thud_doc_open(struct thud_doc *doc, const char *name, struct th
         status = thud_preset_read(path, &preset, err);
     if (status != THUD_OK)
         return status;
-    take(doc, preset, path);
-    doc->scene = doc->saved;
-    thud_undo_clear(&doc->undo);
-    forget_record(doc);
-    doc->revision++;
+    begin(doc, preset, path);
+    return THUD_OK;
+}
+
+enum thud_status thud_doc_new(struct thud_doc *doc, const char *text, size_t size, const char *path,
+                              struct thud_error *err)
+{
+    struct thud_preset *preset;
+    enum thud_status status = thud_preset_parse(text, size, path, &preset, err);
+    if (status == THUD_OK)
+        status = thud_scene_check(thud_preset_scene(preset), err);
+    else
+        return status;
+    if (status != THUD_OK) {
+        thud_preset_free(preset);
+        return status;
+    }
+    begin(doc, preset, path);
+    memset(&doc->saved, 0, sizeof doc->saved); /* no file has it */
     return THUD_OK;
 }
 

@@ -29,6 +29,10 @@ struct thud_doc {
 
 /* Reads a preset by name or path in place of what is open, which stays on failure. Errors: THUD_INPUT, THUD_MEMORY. */
 enum thud_status thud_doc_open(struct thud_doc *doc, const char *name, struct thud_error *err);
+/* A preset that is nowhere yet in place of what is open, which stays on failure; saving writes it to `path`. Errors:
+ * THUD_INPUT, THUD_MEMORY. */
+enum thud_status thud_doc_new(struct thud_doc *doc, const char *text, size_t size, const char *path,
+                              struct thud_error *err);
 void thud_doc_free(struct thud_doc *doc);
 
 bool thud_doc_unsaved(const struct thud_doc *doc);

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "tui/help_text.h"
+#include "tui/new_scene.h"
 #include "tui/verdict.h"
 
 enum { LEAST_WIDTH = 40, LEAST_HEIGHT = 10, DESIGN_WIDTH = 80, DESIGN_HEIGHT = 24 };
@@ -168,8 +169,7 @@ static void bottom_keys(struct thud_tui *tui, const struct thud_pane *row)
     int at = 1, room = row->w - thud_utf8_columns(always);
     if (tui->mode == THUD_MODE_ASKING)
         at += thud_pane_put(row, at, 0, thud_look(THUD_ROLE_KEY, 0),
-                            tui->asking == THUD_ASK_QUIT || tui->asking == THUD_ASK_OPEN ? "s save  y lose  Esc stay"
-                                                                                         : "y yes   n no   Esc cancel");
+                            thud_tui_asks_to_save(tui) ? "s save  y lose  Esc stay" : "y yes   n no   Esc cancel");
     for (int i = 0; i < thud_key_count() && tui->mode != THUD_MODE_ASKING; i++) {
         const struct thud_key_entry *key = thud_key_at(i);
         if (!(key->where & where) || !*key->label || key->action == THUD_DO_HELP || key->action == THUD_DO_QUIT ||
@@ -337,6 +337,10 @@ void thud_tui_draw(struct thud_tui *tui)
         if (tui->mode == THUD_MODE_CHOOSING) {
             struct thud_pane over = thud_pane_inside(&page, 0, area.y, area.w, area.h);
             thud_chooser_draw(&tui->chooser, &over);
+        }
+        if (tui->mode == THUD_MODE_NEW) {
+            struct thud_pane over = thud_pane_inside(&page, 0, 2, page.w, page.h - 2 - rows);
+            thud_new_scene_draw(tui, &over);
         }
         bottom_lines(tui, &page, rows);
         if (!again)

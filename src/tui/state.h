@@ -3,6 +3,7 @@
 #define THUD_TUI_STATE_H
 
 #include "plot/figure.h"
+#include "tui/browse.h"
 #include "tui/chart.h"
 #include "tui/chooser.h"
 #include "tui/doc.h"
@@ -21,7 +22,7 @@ enum thud_screen {
     THUD_SCREENS
 };
 
-enum thud_mode { THUD_MODE_NORMAL, THUD_MODE_TYPING, THUD_MODE_CHOOSING, THUD_MODE_ASKING };
+enum thud_mode { THUD_MODE_NORMAL, THUD_MODE_TYPING, THUD_MODE_CHOOSING, THUD_MODE_ASKING, THUD_MODE_NEW };
 enum thud_typing {
     THUD_TYPE_FIELD,
     THUD_TYPE_COMMAND,
@@ -31,7 +32,7 @@ enum thud_typing {
     THUD_TYPE_SEARCH
 };
 enum thud_choosing { THUD_CHOOSE_VALUE, THUD_CHOOSE_PRESET, THUD_CHOOSE_FIELD };
-enum thud_asking { THUD_ASK_QUIT, THUD_ASK_OVERWRITE, THUD_ASK_DISK, THUD_ASK_OPEN, THUD_ASK_RECOVER };
+enum thud_asking { THUD_ASK_QUIT, THUD_ASK_OVERWRITE, THUD_ASK_DISK, THUD_ASK_OPEN, THUD_ASK_NEW, THUD_ASK_RECOVER };
 
 enum { THUD_PANES_MAX = 6, THUD_HISTORY = 50 };
 struct thud_rect {
@@ -101,6 +102,7 @@ struct thud_record_state;
 struct thud_sweep_state;
 struct thud_bench_screen;
 struct thud_help_state;
+struct thud_new_scene;
 
 struct thud_tui {
     struct thud_tui_options options;
@@ -124,7 +126,7 @@ struct thud_tui {
     bool quit, hangup, interrupted;
     char folder[512];                  /* for pictures and tables; empty: as given at the start */
     char wrote[8192];                  /* names of the files written so far, one a line */
-    bool quit_next;                    /* once it is saved */
+    bool quit_next, new_next;          /* once it is saved */
     char open_next[512];               /* likewise; empty: nothing */
     char recovered[512];               /* the file whose changes were taken, gone once they are saved; empty: none */
     struct thud_picture_work *writing; /* figures being written; NULL: none */
@@ -164,6 +166,7 @@ struct thud_tui {
     struct thud_chart_frame chart; /* where the chart that is read stands; no cells: there is none */
     double reading[THUD_SCREENS];  /* x of the cursor that reads a screen's chart; NaN: it is not there */
     struct thud_help_state *help;
+    struct thud_new_scene *new_scene; /* the form, once there was one */
 };
 
 /* tui.c */
@@ -220,6 +223,9 @@ void thud_tui_chosen(struct thud_tui *tui);
 void thud_tui_answered(struct thud_tui *tui, int key);
 void thud_tui_save(struct thud_tui *tui, const char *path, bool sure);
 void thud_tui_open(struct thud_tui *tui, const char *name, bool sure);
+void thud_tui_new(struct thud_tui *tui, bool sure); /* the form of a new scene */
+/* Whether the question is what becomes of unsaved changes. */
+bool thud_tui_asks_to_save(const struct thud_tui *tui);
 void thud_tui_quit(struct thud_tui *tui, bool sure);
 void thud_tui_offer_recovery(struct thud_tui *tui);
 void thud_tui_sweep_typed(struct thud_tui *tui, const char *text); /* view_sweep.c */

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "tui/loop.h"
+#include "tui/new_scene.h"
 
 static const double slice_s = 0.012, redraw_s = 0.05, live_limit_s = 1.0;
 
@@ -49,6 +50,8 @@ enum thud_status thud_tui_create(const struct thud_tui_options *options, struct 
     }
     thud_tui_opened(tui);
     thud_tui_offer_recovery(tui);
+    if (options->fresh && tui->mode == THUD_MODE_NORMAL)
+        thud_new_scene_begin(tui);
     *out = tui;
     return THUD_OK;
 }
@@ -62,6 +65,7 @@ void thud_tui_free(struct thud_tui *tui)
     for (int i = 0; i < THUD_SCREENS; i++)
         if (thud_view_of((enum thud_screen)i)->free)
             thud_view_of((enum thud_screen)i)->free(tui);
+    thud_new_scene_free(tui);
     thud_model_free(tui->own_model);
     thud_doc_free(&tui->doc);
     thud_form_free(&tui->form);
@@ -162,6 +166,8 @@ void thud_tui_key(struct thud_tui *tui, int key)
         choosing_key(tui, key);
     } else if (tui->mode == THUD_MODE_ASKING) {
         thud_tui_answered(tui, key);
+    } else if (tui->mode == THUD_MODE_NEW) {
+        thud_new_scene_key(tui, key);
     } else {
         normal_key(tui, key);
     }

@@ -1,21 +1,18 @@
 /* Record: the ground motions at hand, the one chosen, and what it is like. */
-#include <dirent.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "tui/chart.h"
 #include "tui/field.h"
 #include "tui/record_figure.h"
 
 enum { LIST, CURVE, DATA };
-enum { FILES_MAX = 2000 };
 
 struct thud_record_state {
-    char (*file)[THUD_TEXT_MAX]; /* (nfiles), sorted */
-    int nfiles;
+    struct thud_browse files;
+    char folder[256]; /* with a slash; empty: the working folder, the preset's and the shipped motions */
     char filter[96];
     enum thud_record_curve curve;
     struct thud_figure *figure;
@@ -27,36 +24,6 @@ struct thud_record_state {
     const struct thud_record *measured; /* what the intensities are of */
 };
 
-static int by_name(const void *a, const void *b)
-{
-    return strcmp(a, b);
-}
-
-static bool is_record(const char *folder, const char *name)
-{
-    char path[1024];
-    struct stat info;
-    size_t n = strlen(name);
-    if (*name == '.' || n >= THUD_TEXT_MAX || (n > 3 && strcmp(name + n - 3, ".md") == 0))
-        return false;
-    snprintf(path, sizeof path, "%s/%s", folder, name);
-    return stat(path, &info) == 0 && S_ISREG(info.st_mode);
-}
-
-static void list_files(struct thud_tui *tui, struct thud_record_state *r)
-{
-    DIR *folder = opendir(tui->doc.paths->records);
-    r->file = calloc(FILES_MAX, sizeof *r->file);
-    if (folder && r->file) {
-        for (struct dirent *entry; r->nfiles < FILES_MAX && (entry = readdir(folder)) != NULL;)
-            if (is_record(tui->doc.paths->records, entry->d_name))
-                snprintf(r->file[r->nfiles++], THUD_TEXT_MAX, "%s", entry->d_name);
-        qsort(r->file, (size_t)r->nfiles, sizeof *r->file, by_name);
-    }
-    if (folder)
-        closedir(folder);
-}
-
 static struct thud_record_state *state(struct thud_tui *tui)
 {
     if (!tui->record) {
@@ -64,7 +31,7 @@ static struct thud_record_state *state(struct thud_tui *tui)
         if (tui->record) { /* the cursor starts on the record in use */
             const char *now = tui->doc.scene.record.file, *slash = strrchr(now, '/');
             char path[THUD_PATH_MAX];
-            list_files(tui, tui->record);
+            thud_browse_list(&tui->record->files, THUD_BROWSE_RECORDS, tui->doc.paths, tui->doc.path, "");
             snprintf(path, sizeof path, "record %.100s", *now ? slash ? slash + 1 : now : "none");
             if (!*tui->form.focus[THUD_SCREEN_RECORD]) /* else somebody was led to a field here */
                 thud_form_focus_on(&tui->form, THUD_SCREEN_RECORD, path);
@@ -82,7 +49,7 @@ void thud_tui_filter_records(struct thud_tui *tui, const char *text)
 static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect *pane)
 {
     (void)tui;
-    int left = area.w * 2 / 5 < 46 ? area.w * 2 / 5 : 46, data = area.h >= 30 ? 17 : area.h >= 18 ? 10 : area.h / 2;
+    int left = area.w * 9 / 20 < 60 ? area.w * 9 / 20 : 60, data = area.h >= 30 ? 17 : area.h >= 18 ? 10 : area.h / 2;
     pane[LIST] = (struct thud_rect){area.x, area.y, left, area.h};
     pane[CURVE] = (struct thud_rect){area.x + left, area.y, area.w - left, area.h - data};
     pane[DATA] = (struct thud_rect){area.x + left, area.y + area.h - data, area.w - left, data};
@@ -94,7 +61,8 @@ static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
     struct thud_record_state *r = state(tui);
     const struct thud_record *record = tui->doc.record;
     if (index == LIST)
-        snprintf(text, size, "Records%s%.40s", r && *r->filter ? " with " : "", r ? r->filter : "");
+        snprintf(text, size, "Records%s%.40s%s%.40s", r && *r->folder ? " of " : "", r ? r->folder : "",
+                 r && *r->filter ? " with " : "", r ? r->filter : "");
     else if (index == CURVE)
         snprintf(text, size, "%s", r ? thud_record_curve_title(r->curve) : "");
     else
@@ -107,13 +75,18 @@ static int draw_list(struct thud_tui *tui, const struct thud_pane *pane)
     int y = 0;
     thud_field_line(tui, LIST, pane, y++, -1, "record none",
                     *tui->doc.scene.record.file ? "  (no ground motion)" : "* (no ground motion)");
-    for (int i = 0; r && i < r->nfiles; i++) {
-        char path[THUD_PATH_MAX], text[THUD_TEXT_MAX + 8];
-        if (*r->filter && !strstr(r->file[i], r->filter))
+    for (int i = 0; r && i < r->files.n; i++) {
+        char path[THUD_PATH_MAX], text[THUD_TEXT_MAX + 80], name[THUD_TEXT_MAX];
+        const char *file = r->files.item[i].name, *now = tui->doc.scene.record.file;
+        if (*r->filter && !strstr(file, r->filter))
             continue;
-        const char *now = tui->doc.scene.record.file, *slash = strrchr(now, '/');
-        snprintf(path, sizeof path, "record %.100s", r->file[i]);
-        snprintf(text, sizeof text, "%s %s", strcmp(slash ? slash + 1 : now, r->file[i]) == 0 ? "*" : " ", r->file[i]);
+        bool seen = y >= pane->scroll && y < pane->scroll + pane->h; /* the others are not read yet */
+        const char *about = seen ? thud_browse_about(&r->files, i) : "";
+        int room = pane->w - 4 - (*about ? thud_utf8_columns(about) + 1 : 0);
+        snprintf(path, sizeof path, "record %.100s", thud_path_name(file));
+        thud_utf8_fit(file, room, name, sizeof name);
+        snprintf(text, sizeof text, "%s %s%*s%s", strcmp(now, file) == 0 ? "*" : " ", name,
+                 room + 1 - thud_utf8_columns(name), "", about);
         thud_field_line(tui, LIST, pane, y++, i, path, text);
     }
     if (y == 1)
@@ -216,9 +189,15 @@ static const char *cannot(struct thud_tui *tui, enum thud_action action)
 static void row(struct thud_tui *tui, const struct thud_field *field)
 {
     struct thud_record_state *r = state(tui);
-    if (!r || field->index >= r->nfiles)
+    if (!r || field->index >= r->files.n)
         return;
-    thud_tui_choose_record(tui, field->index < 0 ? "" : r->file[field->index]);
+    if (field->index < 0 || !r->files.item[field->index].folder) {
+        thud_tui_choose_record(tui, field->index < 0 ? "" : r->files.item[field->index].name);
+        return;
+    }
+    snprintf(r->folder, sizeof r->folder, "%s", r->files.item[field->index].name);
+    thud_browse_list(&r->files, THUD_BROWSE_RECORDS, tui->doc.paths, tui->doc.path, r->folder);
+    thud_form_focus_on(&tui->form, THUD_SCREEN_RECORD, "record none");
 }
 
 static const struct thud_figure *figure(struct thud_tui *tui)
@@ -237,7 +216,7 @@ static void release(struct thud_tui *tui)
     if (!tui->record)
         return;
     thud_figure_free(tui->record->figure);
-    free(tui->record->file);
+    thud_browse_clear(&tui->record->files);
     free(tui->record);
     tui->record = NULL;
 }

@@ -272,6 +272,99 @@ START_TEST(commands_are_completed_and_remembered)
 }
 END_TEST
 
+/* From nothing: the first period that was asked for is that of the assembled model; a right value not typed is the left
+ * one's; what has no unit has the shown one. */
+START_TEST(a_scene_from_nothing)
+{
+    char record[128];
+    const struct thud_scene *scene = &f.tui->doc.scene;
+    snprintf(record, sizeof record, "%s/pul", f.folder);
+    fixture_keys(&f, "n");
+    fixture_expect(&f, "New scene");
+    fixture_keys(&f, "5<Tab>7<Tab>300<Tab><Tab>0.5 s<Tab>0.7 s<Down><Down><Down>8<Down>");
+    fixture_keys(&f, record);
+    fixture_expect(&f, "pulse.csv");
+    fixture_expect(&f, "1.000g 0.01s 3s");
+    fixture_keys(&f, "<Enter>");
+    ck_assert_int_eq(f.tui->mode, THUD_MODE_NORMAL);
+    ck_assert_int_eq((int)f.tui->screen, THUD_SCREEN_MODEL);
+    ck_assert_int_eq(scene->structure[0].storeys, 5);
+    ck_assert_int_eq(scene->structure[1].storeys, 7);
+    ck_assert_double_eq_tol(scene->structure[1].mass_kg[6], 300e3, 1e-6);
+    ck_assert_double_eq_tol(scene->interface[0].gap_m, 0.08, 1e-15);
+    const struct thud_model *model = thud_tui_model(f.tui);
+    for (int i = 0; i < 2; i++)
+        ck_assert_double_eq_tol(2 * THUD_PI / model->structure[i].omega[0], i ? 0.7 : 0.5, 1e-9);
+    ck_assert_double_eq_tol(thud_record_peak(f.tui->doc.record), THUD_GRAVITY, 1e-3); /* as recorded */
+    fixture_expect(&f, "buildings [+]");
+    fixture_expect(&f, " at 8 cm");
+    fixture_keys(&f, "n"); /* what is unsaved is asked about */
+    fixture_expect(&f, "has unsaved changes");
+    fixture_keys(&f, "<Esc>");
+    ck_assert_int_eq(f.tui->mode, THUD_MODE_NORMAL);
+}
+END_TEST
+
+/* What cannot be stays in the form, with the reason. */
+START_TEST(a_new_scene_is_refused)
+{
+    fixture_keys(&f, "n300<Enter>");
+    fixture_expect(&f, "storeys");
+    ck_assert_int_eq(f.tui->mode, THUD_MODE_NEW);
+    fixture_keys(&f, "5<Tab>7<Tab>3 kN<Enter>");
+    fixture_expect(&f, "is a force");
+    fixture_keys(&f, "<C-u>3 t<Down><Down><Down><Down><Down>nowhere.csv<Enter>");
+    fixture_expect(&f, "nowhere.csv");
+    ck_assert_int_eq(f.tui->mode, THUD_MODE_NEW);
+    fixture_keys(&f, "<Esc>");
+    ck_assert_str_eq(f.tui->doc.scene.name, "towers");
+    fixture_expect(&f, "POUNDS at 2 cm");
+}
+END_TEST
+
+/* A wall and a rigid body have no storeys: Tab passes over what they have not. */
+START_TEST(other_kinds_from_nothing)
+{
+    fixture_keys(&f, "n<Up><Right><Right><Tab><Right><Tab>");
+    ck_assert_int_eq(f.tui->mode, THUD_MODE_NEW);
+    fixture_keys(&f, "40<Enter>");
+    ck_assert_int_eq(f.tui->doc.scene.structure[0].kind, THUD_RIGID);
+    ck_assert_int_eq(f.tui->doc.scene.structure[1].kind, THUD_WALL);
+    ck_assert_double_eq_tol(f.tui->doc.scene.structure[0].mass_kg[0], 40e3, 1e-9);
+}
+END_TEST
+
+/* Files with what is in them; folders are gone into. */
+START_TEST(files_are_browsed)
+{
+    fixture_keys(&f, "<A-3><Size 130x40>");
+    fixture_expect(&f, "pulse.csv");
+    fixture_expect(&f, "1.000g 0.01s 3s");
+    char words[200];
+    snprintf(words, sizeof words, "record %s/", "shipped");
+    struct thud_browse files = {0};
+    thud_browse_list(&files, THUD_BROWSE_PRESETS, &f.paths, f.tui->doc.path, "");
+    int towers = -1;
+    for (int i = 0; i < files.n; i++)
+        towers = strcmp(files.item[i].name, "towers") == 0 ? i : towers;
+    ck_assert_int_ge(towers, 0);
+    ck_assert_str_eq(thud_browse_about(&files, towers), "2+3  2 cm  pulse.csv");
+    snprintf(words, sizeof words, "%s/", f.folder);
+    thud_browse_list(&files, THUD_BROWSE_PRESETS, &f.paths, f.tui->doc.path, words);
+    int own = 0, folders = 0;
+    for (int i = 0; i < files.n; i++) {
+        own += strcmp(thud_path_name(files.item[i].name), "bodies.yaml") == 0;
+        folders += files.item[i].folder;
+    }
+    ck_assert_int_eq(own, 1);
+    ck_assert_int_eq(folders, 2); /* up, and `shipped` */
+    thud_browse_clear(&files);
+    fixture_keys(&f, "obodies<Enter>");
+    fixture_expect(&f, "Opened");
+    ck_assert_str_eq(f.tui->doc.scene.name, "bodies");
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -280,6 +373,10 @@ Suite *thud_suite(void)
     tcase_set_timeout(files, 60.0);
     tcase_add_checked_fixture(files, setup, teardown);
     tcase_add_test(files, saving_keeps_comments);
+    tcase_add_test(files, a_scene_from_nothing);
+    tcase_add_test(files, a_new_scene_is_refused);
+    tcase_add_test(files, other_kinds_from_nothing);
+    tcase_add_test(files, files_are_browsed);
     tcase_add_test(files, saving_under_another_name);
     tcase_add_test(files, a_file_changed_by_others_is_asked_about);
     tcase_add_test(files, a_full_disk_loses_nothing);

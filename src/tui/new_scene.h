@@ -1,0 +1,27 @@
+/* A scene from nothing: the few values that two neighbours, their gap and a ground motion need, and from them a preset
+ * to go on with on the screens. */
+#ifndef THUD_TUI_NEW_SCENE_H
+#define THUD_TUI_NEW_SCENE_H
+
+#include "tui/state.h"
+
+enum { THUD_NEW_ROWS = 9 }; /* of the form */
+enum { THUD_NEW_TEXT = 256 };
+
+struct thud_new_scene {
+    char text[THUD_NEW_ROWS][2][THUD_NEW_TEXT]; /* as typed, left and right; rows of one value have it on the left */
+    bool own[THUD_NEW_ROWS];                    /* the right value was typed; else it goes with the left one */
+    int row, side;                              /* the value being typed */
+    struct thud_line line;
+    struct thud_browse files; /* ground motions to choose from */
+};
+
+/* Begins with the usual values, the cursor on the number of storeys. */
+void thud_new_scene_begin(struct thud_tui *tui);
+void thud_new_scene_key(struct thud_tui *tui, int key);
+void thud_new_scene_draw(struct thud_tui *tui, const struct thud_pane *area);
+void thud_new_scene_free(struct thud_tui *tui);
+/* The preset that the values make; false where a stiffness is asked for by a period that is none (`err` says so). */
+bool thud_new_scene_text(const struct thud_new_scene *form, struct thud_text *out, struct thud_error *err);
+
+#endif
