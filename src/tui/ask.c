@@ -294,6 +294,12 @@ static void list_presets(struct thud_tui *tui, const char *folder)
 
 void thud_tui_list_presets(struct thud_tui *tui)
 {
+    DIR *folder = opendir(tui->doc.paths->presets);
+    if (!folder)
+        thud_tui_say(tui, THUD_ROLE_ERROR, "! the presets' folder %s cannot be read; :open PATH opens any file",
+                     tui->doc.paths->presets);
+    else
+        closedir(folder);
     list_presets(tui, "");
 }
 

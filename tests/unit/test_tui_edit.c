@@ -113,7 +113,7 @@ END_TEST
 START_TEST(another_record_comes_as_recorded)
 {
     static const char *const way[] = {":record other.csv<Enter>", "<A-3>/record.file<Enter><Enter>other.csv<Enter>",
-                                      ":set record.file other.csv<Enter>", "<A-3><Tab><Down><Down><Enter>"};
+                                      ":set record.file other.csv<Enter>", "<A-3><Tab><Down><Enter>"};
     fixture_write(&f, "other.csv", "time_s,acceleration_g\n0,0\n0.1,0.3\n0.2,-0.25\n0.3,0\n");
     for (size_t i = 0; i < sizeof way / sizeof *way; i++) {
         fixture_expect(&f, "scaled x0.600");

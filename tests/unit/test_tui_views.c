@@ -250,7 +250,7 @@ START_TEST(commands_of_the_command_line)
     snprintf(f.paths.presets, sizeof f.paths.presets, "/nowhere");
     fixture_keys(&f, "o");
     fixture_expect(&f, "! the presets' folder /nowhere cannot be read");
-    fixture_keys(&f, ":set gap 4 cm<Enter>:q<Enter>n");
+    fixture_keys(&f, "<Esc>:set gap 4 cm<Enter>:q<Enter>n");
     ck_assert(!f.tui->quit);
     fixture_keys(&f, ":q<Enter>y");
     ck_assert(f.tui->quit);
