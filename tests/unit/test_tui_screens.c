@@ -178,7 +178,7 @@ START_TEST(the_whole_screen_of_two_bodies)
                                    "└──────────────────────────────────────────────────────────────────────────────┘\n"
                                    " shear: storeys on the ground; rigid: a free body; isolated: storeys on an\n"
                                    " isolated slab; wall: moves with the ground. Default shear.\n"
-                                   " x swap  Enter edit  +/- step  n new  r run  o open  / find     ? help  q quit\n";
+                                   " x swap  Enter edit  +/- step  n new  r run  o open  / find      ? help  q quit\n";
     fixture_close(&f);
     fixture_open(&f, "bodies", 80, 24, true);
     char *text = fixture_text(&f);
