@@ -33,8 +33,9 @@ unsigned thud_color_rgb(int color); /* 0xRRGGBB */
 struct thud_style {
     enum thud_series_kind kind;
     int color;
-    bool wide; /* drawn heavier */
-    bool thin; /* drawn lighter: many curves, or what stands behind */
+    bool wide;   /* drawn heavier */
+    bool thin;   /* drawn lighter: many curves, or what stands behind */
+    bool dashed; /* of another state, to compare with */
 };
 
 /* Data in the axis' shown unit. NaN breaks a line. `y_high` is NULL unless the kind is THUD_FILL. */

@@ -249,6 +249,8 @@ static void axis(const struct sheet *sheet, const struct thud_panel *panel, enum
 static const char *dashes(const struct thud_style *style)
 {
     static const char *const pattern[] = {"", "(14,5)", "(14,4,3,4)", "(4,4)", "(22,5)", "(14,4,3,4,3,4)", "(9,4)"};
+    if (style->dashed)
+        return "(2,4)";
     bool solid = style->thin || style->wide || style->color < 0 || style->kind == THUD_STEPS;
     return solid ? "" : pattern[style->color % THUD_COLORS];
 }

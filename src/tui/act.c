@@ -55,6 +55,8 @@ const char *thud_tui_cannot(struct thud_tui *tui, enum thud_action action)
     switch (action) {
     case THUD_DO_UNDO:
         return tui->doc.undo.at > 0 ? NULL : "Nothing to undo";
+    case THUD_DO_EXCHANGE:
+        return thud_pin_differs(&tui->pin, &tui->doc) ? NULL : "This is the pinned state";
     case THUD_DO_REDO:
         return tui->doc.undo.at < tui->doc.undo.count ? NULL : "Nothing to do again";
     case THUD_DO_EDIT:
@@ -232,6 +234,12 @@ static void rest(struct thud_tui *tui, enum thud_action action)
         break;
     case THUD_DO_NEW:
         thud_tui_new(tui, false);
+        break;
+    case THUD_DO_PIN:
+        thud_tui_pin(tui);
+        break;
+    case THUD_DO_EXCHANGE:
+        thud_tui_exchange(tui);
         break;
     case THUD_DO_FIND:
         thud_tui_list_fields(tui);

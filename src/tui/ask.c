@@ -154,6 +154,8 @@ static void saved(struct thud_tui *tui)
     if (*tui->recovered)
         remove(tui->recovered);
     tui->recovered[0] = '\0';
+    if (!tui->pin.own)
+        thud_pin_take(&tui->pin, &tui->doc, false);
     thud_tui_say(tui, THUD_ROLE_GOOD, "Saved %s, comments kept", tui->doc.path);
     snprintf(next, sizeof next, "%s", tui->open_next);
     tui->open_next[0] = '\0';

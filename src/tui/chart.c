@@ -208,6 +208,18 @@ void thud_chart_words(const struct thud_panel *panel, double x, char *text, size
         snprintf(text + n, size - n, " %s", up->unit);
 }
 
+/* Dashes and dots that tell curves apart where there is no colour; in ASCII their numbers do. */
+static unsigned char pattern_of(const struct drawing *d, const struct thud_series *series, int number)
+{
+    static const unsigned char pattern[] = {0xff, 0x3f, 0x0f, 0x55, 0x5f, 0x33, 0x77, 0x57};
+    enum { BEHIND = 0x11 };
+    if (d->dots.down < 4 || thud_series_is_shade(series))
+        return 0;
+    if (series->style.dashed)
+        return BEHIND;
+    return number < 0 ? 0 : pattern[number % (int)sizeof pattern];
+}
+
 void thud_chart_draw(const struct thud_pane *pane, const struct thud_panel *panel, const struct thud_chart *chart)
 {
     struct thud_chart_frame frame;
@@ -232,9 +244,12 @@ void thud_chart_draw(const struct thud_pane *pane, const struct thud_panel *pane
         int number = thud_chart_number(panel, i);
         bool named = panel->series[i]->name && *panel->series[i]->name;
         d.dots.sign = number > 0 && number < 9 && named && !thud_series_is_shade(panel->series[i]) ? '1' + number : 0;
+        d.dots.pattern = panel->nseries > 1 ? pattern_of(&d, panel->series[i], named ? number : -1) : 0;
+        if (panel->series[i]->style.dashed)
+            d.dots.sign = 0;
         draw_series(&d, panel->series[i], thud_chart_look(panel->series[i], i));
     }
-    d.dots.sign = 0;
+    d.dots.sign = d.dots.pattern = 0;
     for (int i = 0; panel->nseries > 1 && i < panel->nseries; i++)
         if (panel->series[i]->name && *panel->series[i]->name && !thud_series_is_shade(panel->series[i]))
             label_series(&d, panel->series[i], thud_chart_number(panel, i), thud_chart_look(panel->series[i], i));

@@ -64,10 +64,13 @@ void thud_dots_line(struct thud_dots *dots, double x0, double y0, double x1, dou
     x0 += t0 * dx;
     y0 += t0 * dy;
     int n = (int)ceil(fmax(fabs(x1 - x0), fabs(y1 - y0)));
+    bool flat = fabs(x1 - x0) >= fabs(y1 - y0);
     for (int i = 0; i <= n; i++) {
         double t = n ? (double)i / n : 0.0;
-        if (i % every == 0)
-            set_dot(dots, (int)lround(x0 + t * (x1 - x0)), (int)lround(y0 + t * (y1 - y0)), look);
+        int x = (int)lround(x0 + t * (x1 - x0)), y = (int)lround(y0 + t * (y1 - y0));
+        bool end = n >= 3 && (i == 0 || i == n); /* of a spike */
+        if (i % every == 0 && (end || !dots->pattern || dots->pattern >> ((flat ? x : y) & 7) & 1))
+            set_dot(dots, x, y, look);
     }
 }
 

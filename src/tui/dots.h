@@ -10,6 +10,7 @@ struct thud_dots {
     int width, height;      /* dots in all */
     unsigned char *mask;    /* (pane.h x pane.w) */
     struct thud_look *look; /* (pane.h x pane.w) of the last dot */
+    unsigned char pattern;  /* of a line's dots along its longer direction, from the lowest bit; 0: all */
     int sign;               /* what a cell with dots shows in ASCII; 0: its dots */
 };
 

@@ -51,13 +51,32 @@ static const struct thud_history *history_of(const struct thud_live *live, int w
     return c->state == THUD_LIVE_DONE && live->history ? thud_run_history(c->run) : NULL;
 }
 
+/* A case as it is, or dashed and `pinned`, of the state to compare with. */
+struct shown {
+    const struct thud_live *live;
+    bool pinned;
+};
+
+static const char *shown_name(const struct shown *of, int which, char text[48])
+{
+    snprintf(text, 48, "%s%s", thud_live_name((enum thud_live_which)which), of->pinned ? ", pinned" : "");
+    return text;
+}
+
+static struct thud_style shown_style(const struct shown *of, enum thud_series_kind kind, int which)
+{
+    return (struct thud_style){
+        .kind = kind, .color = thud_live_color((enum thud_live_which)which), .thin = of->pinned, .dashed = of->pinned};
+}
+
 /* A column of the history, less another one where `minus` is not negative, times a factor. */
-static void add_history(struct thud_panel *panel, const struct thud_history *h, int which, int column, int minus,
+static void add_history(struct thud_panel *panel, const struct shown *of, int which, int column, int minus,
                         double factor)
 {
-    struct thud_style style = {.kind = THUD_LINES, .color = thud_live_color((enum thud_live_which)which)};
+    const struct thud_history *h = history_of(of->live, which);
+    char name[48];
     struct thud_series *series =
-        thud_panel_add(panel, style, thud_live_name((enum thud_live_which)which), h->rows, NULL, NULL);
+        thud_panel_add(panel, shown_style(of, THUD_LINES, which), shown_name(of, which, name), h->rows, NULL, NULL);
     for (size_t i = 0; series && i < h->rows; i++) {
         const double *row = h->value + i * (size_t)h->columns;
         series->x[i] = h->time_s[i];
@@ -71,31 +90,32 @@ static int below(const struct thud_model *model, int dof)
     return dof > model->structure[model->dof_structure[dof]].first ? dof - 1 : -1;
 }
 
-static void add_case(struct thud_panel *panel, const struct thud_live *live, int which, enum thud_plot plot,
+static void add_case(struct thud_panel *panel, const struct shown *of, int which, enum thud_plot plot,
                      const struct thud_sight *sight)
 {
-    const struct thud_history *h = history_of(live, which);
-    const struct thud_model *model = live->which[which].model;
-    if (!h)
-        return;
+    const struct thud_history *h = history_of(of->live, which);
+    const struct thud_model *model = of->live->which[which].model;
+    bool of_contact = plot == THUD_PLOT_FORCE || plot == THUD_PLOT_CLOSING;
+    if (!h || (of_contact ? sight->contact >= model->ncontacts : sight->dof >= model->ndof))
+        return; /* another scene may have fewer */
     int minus = -1;
     if (plot == THUD_PLOT_FORCE) {
         if (sight->contact < h->ncontacts && which != THUD_LIVE_FREE)
-            add_history(panel, h, which, thud_history_force(h, sight->contact), -1, 1e-6);
+            add_history(panel, of, which, thud_history_force(h, sight->contact), -1, 1e-6);
     } else if (plot == THUD_PLOT_CLOSING) {
         const struct thud_model_contact *contact = &model->contact[sight->contact];
         int left = contact->left_dof, right = contact->right_dof;
         if (left >= 0)
-            add_history(panel, h, which, thud_history_velocity(h, left),
+            add_history(panel, of, which, thud_history_velocity(h, left),
                         right >= 0 ? thud_history_velocity(h, right) : -1, 1.0);
         else if (right >= 0)
-            add_history(panel, h, which, thud_history_velocity(h, right), -1, -1.0);
+            add_history(panel, of, which, thud_history_velocity(h, right), -1, -1.0);
     } else if (plot == THUD_PLOT_ACCELERATION) {
-        add_history(panel, h, which, thud_history_acceleration(h, sight->dof), -1, 1.0);
+        add_history(panel, of, which, thud_history_acceleration(h, sight->dof), -1, 1.0);
     } else {
         if (plot == THUD_PLOT_DRIFT && below(model, sight->dof) >= 0)
             minus = thud_history_displacement(h, below(model, sight->dof));
-        add_history(panel, h, which, thud_history_displacement(h, sight->dof), minus, 1e3);
+        add_history(panel, of, which, thud_history_displacement(h, sight->dof), minus, 1e3);
     }
 }
 
@@ -110,7 +130,8 @@ static bool never_meet(const struct thud_live *live, int contact)
     return true;
 }
 
-static struct thud_figure *histories(const struct thud_live *live, const struct thud_scene *scene, enum thud_plot plot,
+static struct thud_figure *histories(const struct thud_live *live, const struct thud_live *pinned,
+                                     const struct thud_scene *scene, enum thud_plot plot,
                                      const struct thud_sight *sight, const char **why)
 {
     static const struct {
@@ -138,12 +159,32 @@ static struct thud_figure *histories(const struct thud_live *live, const struct 
     struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "");
     thud_panel_axis(panel, THUD_X, "Time", "s");
     thud_panel_axis(panel, THUD_Y, axis[plot].label, axis[plot].unit);
+    for (int which = THUD_LIVE_NONE; pinned && which < THUD_LIVE_CASES; which++)
+        add_case(panel, &(struct shown){pinned, true}, which, plot, sight);
     for (int which = 0; which < THUD_LIVE_CASES; which++)
-        add_case(panel, live, which, plot, sight);
+        add_case(panel, &(struct shown){live, false}, which, plot, sight);
     return figure;
 }
 
-static struct thud_figure *loops(const struct thud_live *live, const struct thud_sight *sight, const char **why)
+static void add_loop(struct thud_panel *panel, const struct shown *of, int which, int contact)
+{
+    const struct thud_history *h = history_of(of->live, which);
+    char name[48];
+    if (!h || contact >= h->ncontacts)
+        return;
+    int force = thud_history_force(h, contact), depth = thud_history_indentation(h, contact);
+    struct thud_series *series =
+        thud_panel_add(panel, shown_style(of, THUD_LINES, which), shown_name(of, which, name), h->rows, NULL, NULL);
+    for (size_t i = 0; series && i < h->rows; i++) {
+        const double *row = h->value + i * (size_t)h->columns;
+        bool touching = row[force] != 0.0;
+        series->x[i] = touching ? 1e3 * row[depth] : NAN;
+        series->y[i] = touching ? 1e-6 * row[force] : NAN;
+    }
+}
+
+static struct thud_figure *loops(const struct thud_live *live, const struct thud_live *pinned,
+                                 const struct thud_sight *sight, const char **why)
 {
     if (sight->contact < 0) {
         *why = "No two floors can meet here";
@@ -157,26 +198,32 @@ static struct thud_figure *loops(const struct thud_live *live, const struct thud
     struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "");
     thud_panel_axis(panel, THUD_X, "Indentation", "mm");
     thud_panel_axis(panel, THUD_Y, "Force", "MN");
-    for (int which = THUD_LIVE_NONE; which < THUD_LIVE_CASES; which++) {
-        const struct thud_history *h = history_of(live, which);
-        if (!h)
-            continue;
-        int force = thud_history_force(h, sight->contact), depth = thud_history_indentation(h, sight->contact);
-        struct thud_series *series = thud_panel_add(
-            panel, (struct thud_style){.kind = THUD_LINES, .color = thud_live_color((enum thud_live_which)which)},
-            thud_live_name((enum thud_live_which)which), h->rows, NULL, NULL);
-        for (size_t i = 0; series && i < h->rows; i++) {
-            const double *row = h->value + i * (size_t)h->columns;
-            bool touching = row[force] != 0.0;
-            series->x[i] = touching ? 1e3 * row[depth] : NAN;
-            series->y[i] = touching ? 1e-6 * row[force] : NAN;
-        }
-    }
+    for (int i = pinned ? 0 : 1; i < 2; i++)
+        for (int which = THUD_LIVE_NONE; which < THUD_LIVE_CASES; which++)
+            add_loop(panel, &(struct shown){i ? live : pinned, !i}, which, sight->contact);
     return figure;
 }
 
+static void add_envelope(struct thud_panel *panel, const struct shown *of, int which, int s, bool drift)
+{
+    const struct thud_result *result = thud_live_result(of->live, (enum thud_live_which)which);
+    int floors = result && s < result->nstructures ? result->structure[s].floors : 0;
+    char name[48];
+    if (floors == 0)
+        return;
+    struct thud_series *series =
+        thud_panel_add(panel, shown_style(of, of->pinned ? THUD_LINES : THUD_LINES_POINTS, which),
+                       shown_name(of, which, name), (size_t)floors, NULL, NULL);
+    for (int i = 0; series && i < floors; i++) {
+        series->x[i] =
+            drift ? 1e3 * result->structure[s].floor[i].drift.value : result->structure[s].floor[i].acceleration.value;
+        series->y[i] = i + 1;
+    }
+}
+
 /* One panel a structure (at most four), floor numbers upward. */
-static struct thud_figure *envelopes(const struct thud_live *live, const struct thud_scene *scene, enum thud_plot plot)
+static struct thud_figure *envelopes(const struct thud_live *live, const struct thud_live *pinned,
+                                     const struct thud_scene *scene, enum thud_plot plot)
 {
     bool drift = plot == THUD_PLOT_ENVELOPE_DRIFT;
     int n = scene->nstructures < 4 ? scene->nstructures : 4;
@@ -185,21 +232,10 @@ static struct thud_figure *envelopes(const struct thud_live *live, const struct 
         struct thud_panel *panel = thud_figure_panel(figure, 0, s, scene->structure[s].name);
         thud_panel_axis(panel, THUD_X, drift ? "Drift" : "Acceleration", drift ? "mm" : "m/s2");
         thud_panel_axis(panel, THUD_Y, "Floor", "");
-        for (int which = 0; which < THUD_LIVE_CASES; which++) {
-            const struct thud_result *result = thud_live_result(live, (enum thud_live_which)which);
-            int floors = result && s < result->nstructures ? result->structure[s].floors : 0;
-            if (floors == 0)
-                continue;
-            struct thud_style style = {.kind = THUD_LINES_POINTS,
-                                       .color = thud_live_color((enum thud_live_which)which)};
-            struct thud_series *series =
-                thud_panel_add(panel, style, thud_live_name((enum thud_live_which)which), (size_t)floors, NULL, NULL);
-            for (int i = 0; series && i < floors; i++) {
-                series->x[i] = drift ? 1e3 * result->structure[s].floor[i].drift.value
-                                     : result->structure[s].floor[i].acceleration.value;
-                series->y[i] = i + 1;
-            }
-        }
+        for (int which = THUD_LIVE_NONE; pinned && which < THUD_LIVE_CASES; which++)
+            add_envelope(panel, &(struct shown){pinned, true}, which, s, drift);
+        for (int which = 0; which < THUD_LIVE_CASES; which++)
+            add_envelope(panel, &(struct shown){live, false}, which, s, drift);
     }
     return figure;
 }
@@ -229,8 +265,9 @@ static struct thud_figure *energies(const struct thud_live *live, const struct t
     return figure;
 }
 
-struct thud_figure *thud_plot_make(const struct thud_live *live, const struct thud_scene *scene, enum thud_plot plot,
-                                   const struct thud_sight *sight, const char **why)
+struct thud_figure *thud_plot_make(const struct thud_live *live, const struct thud_live *pinned,
+                                   const struct thud_scene *scene, enum thud_plot plot, const struct thud_sight *sight,
+                                   const char **why)
 {
     struct thud_figure *figure;
     *why = NULL;
@@ -246,13 +283,13 @@ struct thud_figure *thud_plot_make(const struct thud_live *live, const struct th
         return NULL;
     }
     if (envelope)
-        figure = envelopes(live, scene, plot);
+        figure = envelopes(live, pinned, scene, plot);
     else if (plot == THUD_PLOT_LOOP)
-        figure = loops(live, sight, why);
+        figure = loops(live, pinned, sight, why);
     else if (plot == THUD_PLOT_ENERGY)
         figure = energies(live, sight, why);
     else
-        figure = histories(live, scene, plot, sight, why);
+        figure = histories(live, pinned, scene, plot, sight, why);
     if (figure && thud_figure_check(figure, NULL) == THUD_OK)
         return figure;
     thud_figure_free(figure);

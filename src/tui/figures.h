@@ -20,8 +20,10 @@ struct thud_sight {
     enum thud_live_which which; /* for figures of one case */
 };
 
-/* NULL when there is nothing to show (`why` says it), or no memory. */
-struct thud_figure *thud_plot_make(const struct thud_live *live, const struct thud_scene *scene, enum thud_plot plot,
-                                   const struct thud_sight *sight, const char **why);
+/* NULL when there is nothing to show (`why` says it), or no memory. `pinned`: cases whose curves stand behind, dashed;
+ * NULL: none. */
+struct thud_figure *thud_plot_make(const struct thud_live *live, const struct thud_live *pinned,
+                                   const struct thud_scene *scene, enum thud_plot plot, const struct thud_sight *sight,
+                                   const char **why);
 
 #endif

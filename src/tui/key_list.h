@@ -61,6 +61,9 @@ THUD_KEY(FORMS, NEW, 'n', 0, "n", "new", "a new scene: two neighbours, their gap
 THUD_KEY(GENERAL, RUN, 'r', 0, "r", "run", "run the three cases now (on Sweep the study, on Bench every method, timed)")
 THUD_KEY(GENERAL, UNDO, 'u', 0, "u", "undo", "undo the last change")
 THUD_KEY(GENERAL, REDO, THUD_CTRL('r'), 0, "^R", "", "do again what was undone")
+THUD_KEY(GENERAL, PIN, 'v', 0, "v", "",
+         "pin this state: its numbers stand beside those that come, its curves behind theirs")
+THUD_KEY(GENERAL, EXCHANGE, 'V', 0, "V", "", "exchange this state with the pinned one (at first the saved one)")
 THUD_KEY(GENERAL, PICTURE, 'p', 0, "p", "PNG", "write the figure shown as PNG")
 THUD_KEY(GENERAL, PICTURES, 'P', 0, "P", "", "write all figures as PNG")
 THUD_KEY(GENERAL, EXPORT, 'e', 0, "e", "CSV", "write the numbers shown as CSV")

@@ -10,6 +10,7 @@
 /* Columns of the cases, the ratio and the impacts, behind the names of the two structures shown. */
 struct strip {
     int name, column[THUD_LIVE_CASES + 2];
+    int percent; /* column of the change against the pinned state; 0: there is no room */
 };
 
 static struct strip strip_of(const struct thud_tui *tui, int w)
@@ -24,14 +25,18 @@ static struct strip strip_of(const struct thud_tui *tui, int w)
     for (int i = 0; i < THUD_LIVE_CASES + 2; i++)
         strip.column[i] = 20 + 13 * i + (strip.name > 6 ? strip.name - 6 : 0);
     strip.column[THUD_LIVE_CASES + 1] -= 4;
+    if (w >= 98) { /* the impacts give way */
+        strip.percent = strip.column[THUD_LIVE_CASES + 1];
+        strip.column[THUD_LIVE_CASES + 1] += 11;
+    }
     return strip;
 }
 
 void thud_peaks_strip_title(const struct thud_tui *tui, int w, char *text, size_t size)
 {
     struct strip strip = strip_of(tui, w);
-    snprintf(text, size, "%-*s%-13s%-13s%-13s%s", strip.column[0] - 1, "Peaks", "no pounding", "no bumper", "bumper",
-             "ratio");
+    snprintf(text, size, "%-*s%-13s%-13s%-13s%s%s", strip.column[0] - 1, "Peaks", "no pounding", "no bumper", "bumper",
+             "ratio", strip.percent && thud_tui_pinned(tui) ? "    change" : "");
 }
 
 /* One line of the strip: the three cases, the ratio, and what the last change did to the bumper's number. */
@@ -53,6 +58,9 @@ static void peak_row(struct thud_tui *tui, const struct strip *strip, const stru
             i == (int)last && !isnan(before) && !isnan(value[i]) && strcmp(thud_tui_number(before, old), number) != 0;
         if (moved)
             snprintf(text, sizeof text, "%s→%s", old, number);
+        if (moved && strip->percent && before > 0.0)
+            thud_pane_print(pane, strip->percent, y, thud_look(THUD_ROLE_MUTED, 0), "%+.1f %%",
+                            100.0 * (value[i] / before - 1.0));
         thud_pane_put(pane, column_x[i], y,
                       thud_look(failed                                                  ? THUD_ROLE_ERROR
                                 : thud_live_is_old(&tui->live, (enum thud_live_which)i) ? THUD_ROLE_MUTED
@@ -103,7 +111,10 @@ int thud_peaks_strip_draw(struct thud_tui *tui, const struct thud_pane *pane)
     const int *column_x = layout.column;
     double value[THUD_LIVE_CASES];
     int y = 0, impacts[THUD_LIVE_CASES];
-    bool compare = tui->before.known;
+    const struct thud_live *pinned = thud_tui_pinned(tui);
+    enum thud_live_which last =
+        tui->live.which[THUD_LIVE_BUMPER].state == THUD_LIVE_ABSENT ? THUD_LIVE_NONE : THUD_LIVE_BUMPER;
+    int unused;
     for (int kind = 0; kind < 2; kind++)
         for (int s = 0; s < 2 && tui->pair + s < tui->doc.scene.nstructures; s++, y++) {
             char label[200], name[160];
@@ -119,12 +130,15 @@ int thud_peaks_strip_draw(struct thud_tui *tui, const struct thud_pane *pane)
             for (int i = 0; i < THUD_LIVE_CASES; i++)
                 value[i] = (kind ? 1e3 : 1.0) * thud_live_peak(&tui->live, (enum thud_live_which)i, tui->pair + s,
                                                                kind ? THUD_PEAK_DRIFT : THUD_PEAK_ACCELERATION);
-            double before = kind ? 1e3 * tui->before.drift[s] : tui->before.acceleration[s];
-            peak_row(tui, &layout, pane, y, label, kind ? "mm" : "m/s²", value, compare ? before : NAN);
+            double before =
+                pinned ? thud_live_peak(pinned, last, tui->pair + s, kind ? THUD_PEAK_DRIFT : THUD_PEAK_ACCELERATION)
+                       : NAN;
+            peak_row(tui, &layout, pane, y, label, kind ? "mm" : "m/s²", value, (kind ? 1e3 : 1.0) * before);
         }
     for (int i = 0; i < THUD_LIVE_CASES; i++)
         value[i] = 1e-6 * thud_live_force(&tui->live, (enum thud_live_which)i, tui->pair + 1, &impacts[i]);
-    peak_row(tui, &layout, pane, y, "force", "MN", value, compare ? 1e-6 * tui->before.force : NAN);
+    peak_row(tui, &layout, pane, y, "force", "MN", value,
+             pinned ? 1e-6 * thud_live_force(pinned, last, tui->pair + 1, &unused) : NAN);
     for (int i = THUD_LIVE_NONE; i < THUD_LIVE_CASES; i++)
         if (tui->live.which[i].state == THUD_LIVE_DONE)
             thud_pane_print(pane, column_x[i], y + 1, thud_look(THUD_ROLE_MUTED, 0), "%d impact%s", impacts[i],

@@ -14,7 +14,8 @@ struct thud_plots_state {
     struct thud_figure *figure;
     const char *why;
     unsigned long revision;
-    bool fresh; /* `figure` belongs to what is above */
+    bool pinned; /* the pinned state's curves stand behind */
+    bool fresh;  /* `figure` belongs to what is above */
 };
 
 /* NULL when out of memory. */

@@ -5,28 +5,9 @@
 #include "study/answer.h"
 #include "tui/state.h"
 
-static bool wants_history(const struct thud_tui *tui)
+bool thud_tui_wants_history(const struct thud_tui *tui)
 {
     return tui->screen == THUD_SCREEN_PLOTS || tui->pictures_wanted;
-}
-
-/* The peaks on show, to say afterwards what a change did. */
-static struct thud_peaks peaks_now(const struct thud_tui *tui)
-{
-    struct thud_peaks peaks = {0};
-    int impacts;
-    enum thud_live_which which =
-        tui->live.which[THUD_LIVE_BUMPER].state == THUD_LIVE_DONE ? THUD_LIVE_BUMPER : THUD_LIVE_NONE;
-    if (tui->live.which[which].state != THUD_LIVE_DONE)
-        return peaks;
-    peaks.known = true;
-    peaks.which = which;
-    for (int i = 0; i < 2; i++) {
-        peaks.acceleration[i] = thud_live_peak(&tui->live, which, tui->pair + i, THUD_PEAK_ACCELERATION);
-        peaks.drift[i] = thud_live_peak(&tui->live, which, tui->pair + i, THUD_PEAK_DRIFT);
-    }
-    peaks.force = thud_live_force(&tui->live, which, tui->pair + 1, &impacts);
-    return peaks;
 }
 
 static void start(struct thud_tui *tui)
@@ -42,7 +23,7 @@ static void start(struct thud_tui *tui)
         thud_tui_say_error(tui, &err);
         return;
     }
-    thud_live_start(&tui->live, &tui->doc.scene, record, wants_history(tui));
+    thud_live_start(&tui->live, &tui->doc.scene, record, thud_tui_wants_history(tui));
 }
 
 void thud_tui_opened(struct thud_tui *tui)
@@ -53,7 +34,7 @@ void thud_tui_opened(struct thud_tui *tui)
     tui->law_revision = 0;
     tui->pair = 0;
     tui->results_case = THUD_LIVE_BUMPER;
-    tui->before = (struct thud_peaks){0};
+    thud_pin_take(&tui->pin, &tui->doc, false);
     tui->kept_before_n = NAN;
     tui->live_on = true;
     start(tui);
@@ -62,13 +43,10 @@ void thud_tui_opened(struct thud_tui *tui)
 void thud_tui_changed(struct thud_tui *tui)
 {
     if (tui->ran_revision == tui->doc.revision) {
-        if (wants_history(tui) && !tui->live.history)
+        if (thud_tui_wants_history(tui) && !tui->live.history)
             start(tui); /* the same answer, with its histories */
         return;
     }
-    struct thud_peaks now = peaks_now(tui);
-    if (now.known)
-        tui->before = now;
     if (tui->live_on) {
         start(tui);
         return;
@@ -80,6 +58,39 @@ void thud_tui_changed(struct thud_tui *tui)
     struct thud_error err;
     thud_doc_record(&tui->doc, &record, &err);
     tui->dirty = true;
+}
+
+const struct thud_live *thud_tui_pinned(const struct thud_tui *tui)
+{
+    return thud_pin_live(&tui->pin, &tui->doc);
+}
+
+void thud_tui_pin(struct thud_tui *tui)
+{
+    thud_pin_take(&tui->pin, &tui->doc, true);
+    thud_tui_say(tui, THUD_ROLE_GOOD, "Pinned: changes are told against this state now; V goes back to it");
+}
+
+void thud_tui_exchange(struct thud_tui *tui)
+{
+    struct thud_error err;
+    struct thud_scene next = tui->pin.scene;
+    memcpy(next.name, tui->doc.scene.name, sizeof next.name);
+    memcpy(next.title, tui->doc.scene.title, sizeof next.title);
+    next.study = tui->doc.scene.study;
+    struct thud_pin before = {0};
+    thud_pin_take(&before, &tui->doc, true);
+    if (thud_doc_change(&tui->doc, &next, "exchanged with the pinned state", &err) != THUD_OK) {
+        thud_pin_clear(&before);
+        thud_tui_say_error(tui, &err);
+        return;
+    }
+    thud_pin_clear(&tui->pin);
+    tui->pin = before;
+    if (tui->pair > next.nstructures - 2)
+        tui->pair = next.nstructures > 1 ? next.nstructures - 2 : 0;
+    thud_tui_say(tui, THUD_ROLE_GOOD, "This is the state that was pinned; V goes back (u undoes)");
+    thud_tui_changed(tui);
 }
 
 const struct thud_model *thud_tui_model(struct thud_tui *tui)

@@ -137,7 +137,6 @@ bool thud_tui_change_pair(struct thud_tui *tui, enum thud_action action)
     if (action != THUD_DO_NEXT_PAIR && action != THUD_DO_PREVIOUS_PAIR)
         return false;
     tui->pair += action == THUD_DO_NEXT_PAIR ? 1 : -1;
-    tui->before.known = false;
     return true;
 }
 

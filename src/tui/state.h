@@ -13,6 +13,7 @@
 #include "tui/line.h"
 #include "tui/live.h"
 #include "tui/picture_work.h"
+#include "tui/pin.h"
 #include "tui/tui.h"
 
 enum thud_screen {
@@ -91,12 +92,6 @@ struct thud_view {
                                                __VA_ARGS__}
 const struct thud_view *thud_view_of(enum thud_screen screen);
 
-struct thud_peaks { /* what the strip shows, kept to show what a change did */
-    bool known;
-    enum thud_live_which which;
-    double acceleration[2], drift[2], force;
-};
-
 struct thud_plots_state;
 struct thud_record_state;
 struct thud_sweep_state;
@@ -144,7 +139,7 @@ struct thud_tui {
     bool live_on;
     double started_s, elapsed_s; /* of the live run */
     unsigned long ran_revision;  /* what the live cases belong to; 0: nothing */
-    struct thud_peaks before;    /* the bumper's peaks before the last change */
+    struct thud_pin pin;         /* the state that changes are told against */
     double drawn_s;              /* when the screen was drawn */
 
     double kept_force_n, kept_before_n; /* F(delta_u) after and before a change of the exponent; NaN: none */
@@ -188,7 +183,12 @@ void thud_tui_changed(struct thud_tui *tui); /* the scene or what is shown chang
 void thud_tui_run(struct thud_tui *tui);
 /* The model of the scene as it is, without contacts where a run has made one; NULL: it cannot be assembled. */
 const struct thud_model *thud_tui_model(struct thud_tui *tui);
-bool thud_tui_cancel(struct thud_tui *tui); /* false: nothing was running */
+/* The cases to compare with; NULL: none, or not there yet. */
+const struct thud_live *thud_tui_pinned(const struct thud_tui *tui);
+bool thud_tui_wants_history(const struct thud_tui *tui);
+void thud_tui_pin(struct thud_tui *tui);      /* the present state is the one to compare with */
+void thud_tui_exchange(struct thud_tui *tui); /* the scene becomes the pinned one, which becomes that of before */
+bool thud_tui_cancel(struct thud_tui *tui);   /* false: nothing was running */
 
 /* edit.c */
 /* Edits the field in focus, or does what its row stands for; `select`: what is typed replaces the text. */

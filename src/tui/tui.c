@@ -65,6 +65,7 @@ void thud_tui_free(struct thud_tui *tui)
     for (int i = 0; i < THUD_SCREENS; i++)
         if (thud_view_of((enum thud_screen)i)->free)
             thud_view_of((enum thud_screen)i)->free(tui);
+    thud_pin_clear(&tui->pin);
     thud_new_scene_free(tui);
     thud_model_free(tui->own_model);
     thud_doc_free(&tui->doc);
@@ -184,6 +185,13 @@ static const struct thud_view *busy_view(struct thud_tui *tui)
     return NULL;
 }
 
+/* Whether the state to compare with is still to be run, or to be run with its histories. */
+static bool comparing(const struct thud_tui *tui)
+{
+    return tui->live_on && tui->ran_revision == tui->doc.revision &&
+           thud_pin_busy(&tui->pin, &tui->doc, thud_tui_wants_history(tui));
+}
+
 /* Works for one slice; what takes long says so. */
 static void work(struct thud_tui *tui)
 {
@@ -192,6 +200,8 @@ static void work(struct thud_tui *tui)
     for (int i = 0; i < 64 && now - start < slice_s; i++) {
         if (tui->live.running) {
             thud_live_advance(&tui->live);
+        } else if (comparing(tui)) {
+            tui->dirty |= !thud_pin_advance(&tui->pin, &tui->doc, thud_tui_wants_history(tui));
         } else if (!view || !view->work(tui)) {
             break;
         }
@@ -216,7 +226,7 @@ bool thud_tui_turn(struct thud_tui *tui, bool wait)
     const struct thud_view *view = thud_view_of(tui->screen);
     if (view->live && tui->live_on && !tui->live.running && !tui->was_running && !tui->quit)
         view->live(tui);
-    bool busy = tui->live.running || tui->was_running || busy_view(tui) != NULL;
+    bool busy = tui->live.running || tui->was_running || busy_view(tui) != NULL || comparing(tui);
     double pause = view->pause ? view->pause(tui) : -1.0;
     if (tui->dirty && (!busy || tui->backend->now(tui->backend) - tui->drawn_s >= redraw_s))
         thud_tui_draw(tui);

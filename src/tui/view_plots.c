@@ -47,11 +47,15 @@ static bool over_time(enum thud_plot plot)
 static void refresh(struct thud_tui *tui)
 {
     struct thud_plots_state *p = thud_plots(tui);
-    if (p->fresh && p->revision == tui->doc.revision && !tui->live.running && p->figure)
+    const struct thud_live *pinned = thud_tui_pinned(tui);
+    bool with_pin = pinned && pinned->history;
+    if (p->fresh && p->revision == tui->doc.revision && !tui->live.running && p->figure && p->pinned == with_pin)
         return;
+    p->pinned = with_pin;
     choose_sight(tui);
     thud_figure_free(p->figure);
-    p->figure = thud_plot_make(&tui->live, &tui->doc.scene, p->plot, &p->sight, &p->why);
+    p->figure = thud_plot_make(&tui->live, p->pinned ? thud_tui_pinned(tui) : NULL, &tui->doc.scene, p->plot, &p->sight,
+                               &p->why);
     p->revision = tui->doc.revision;
     p->fresh = true;
 }

@@ -65,6 +65,22 @@ static void quantity(struct thud_tui *tui, const struct thud_pane *pane, int x, 
         thud_pane_print(pane, x + 21, y, thud_look(ratio < 1.0 ? THUD_ROLE_GOOD : THUD_ROLE_WARN, 0), "%.3f", ratio);
 }
 
+/* The same of the pinned state, and what became of it: of the bumper's number, else of that without. */
+static void pinned_quantity(struct thud_tui *tui, const struct thud_live *pinned, const struct thud_pane *pane, int x,
+                            int y, int s, int floor, enum thud_peak_kind kind, double factor)
+{
+    enum thud_live_which last =
+        tui->live.which[THUD_LIVE_BUMPER].state == THUD_LIVE_ABSENT ? THUD_LIVE_NONE : THUD_LIVE_BUMPER;
+    for (int i = 0; i < THUD_LIVE_CASES; i++) {
+        char number[24];
+        double value = factor * thud_live_floor(pinned, (enum thud_live_which)i, s, floor, kind);
+        thud_pane_put(pane, x + 7 * i, y, thud_look(THUD_ROLE_MUTED, 0), thud_tui_number(value, number));
+    }
+    double change = thud_live_floor(&tui->live, last, s, floor, kind) / thud_live_floor(pinned, last, s, floor, kind);
+    if (isfinite(change))
+        thud_pane_print(pane, x + 21, y, thud_look(THUD_ROLE_MUTED, 0), "%+.0f %%", 100.0 * (change - 1.0));
+}
+
 static int floor_count(const struct thud_structure *structure)
 {
     return structure->kind == THUD_WALL    ? 0
@@ -82,6 +98,7 @@ static int draw_peaks(struct thud_tui *tui, const struct thud_pane *pane)
                             {"drift mm", THUD_PEAK_DRIFT, 1e3},
                             {"displacement mm", THUD_PEAK_DISPLACEMENT, 1e3},
                             {"velocity m/s", THUD_PEAK_VELOCITY, 1.0}};
+    const struct thud_live *pinned = thud_tui_pinned(tui);
     int name = 1, y = 1;
     for (int s = 0; s < tui->doc.scene.nstructures; s++) {
         int n = thud_utf8_columns(tui->doc.scene.structure[s].name);
@@ -99,6 +116,11 @@ static int draw_peaks(struct thud_tui *tui, const struct thud_pane *pane)
         thud_pane_put(pane, 1, 0, thud_look(THUD_ROLE_KEY, 0), "c others");
     for (int s = 0; s < tui->doc.scene.nstructures; s++)
         for (int floor = floor_count(&tui->doc.scene.structure[s]) - 1; floor >= 0; floor--, y++) {
+            if (pinned)
+                thud_pane_put(pane, 3, y + 1, thud_look(THUD_ROLE_MUTED, 0), "pinned");
+            for (int c = 0; pinned && c < columns; c++)
+                pinned_quantity(tui, pinned, pane, left + 29 * c, y + 1, s, floor,
+                                column[(first + c) % QUANTITIES].kind, column[(first + c) % QUANTITIES].factor);
             char key[THUD_PATH_MAX], text[200], fitted[THUD_NAME_MAX + 4];
             snprintf(key, sizeof key, "floor %d %d", s, floor);
             snprintf(text, sizeof text, "%s %d",
@@ -107,6 +129,7 @@ static int draw_peaks(struct thud_tui *tui, const struct thud_pane *pane)
             for (int c = 0; c < columns; c++)
                 quantity(tui, pane, left + 29 * c, y, s, floor, column[(first + c) % QUANTITIES].kind,
                          column[(first + c) % QUANTITIES].factor);
+            y += pinned != NULL;
         }
     return y;
 }
