@@ -62,6 +62,9 @@ void thud_tui_changed(struct thud_tui *tui)
 
 const struct thud_live *thud_tui_pinned(const struct thud_tui *tui)
 {
+    for (int i = 0; i < THUD_LIVE_CASES; i++)
+        if (tui->live.which[i].state == THUD_LIVE_FAILED)
+            return NULL; /* nothing to compare: a number beside it would be taken for its own */
     return thud_pin_live(&tui->pin, &tui->doc);
 }
 

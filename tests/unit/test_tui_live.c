@@ -268,6 +268,40 @@ START_TEST(the_answer_in_one_line)
 }
 END_TEST
 
+/* Changes are told against the saved state, whatever came between, and against another once it is pinned. */
+START_TEST(changes_are_told_against_the_pin)
+{
+    double saved, now;
+    int impacts;
+    saved = thud_live_force(&f.tui->live, THUD_LIVE_BUMPER, 0, &impacts);
+    ck_assert_ptr_null(thud_tui_pinned(f.tui)); /* the same state */
+    fixture_keys(&f, ":set gap 3 cm<Enter>:set gap 4 cm<Enter>");
+    const struct thud_live *pinned = thud_tui_pinned(f.tui);
+    ck_assert_ptr_nonnull(pinned);
+    ck_assert(thud_live_force(pinned, THUD_LIVE_BUMPER, 0, &impacts) == saved);
+    fixture_keys(&f, "<A-4>");
+    fixture_expect(&f, "pinned");
+    now = thud_live_force(&f.tui->live, THUD_LIVE_BUMPER, 0, &impacts);
+    ck_assert(now != saved);
+    fixture_keys(&f, "v");
+    ck_assert_ptr_null(thud_tui_pinned(f.tui));
+    fixture_keys(&f, ":set gap 2 cm<Enter>"); /* as it was saved */
+    pinned = thud_tui_pinned(f.tui);
+    ck_assert_ptr_nonnull(pinned);
+    ck_assert(thud_live_force(pinned, THUD_LIVE_BUMPER, 0, &impacts) == now);
+    ck_assert(thud_live_force(&f.tui->live, THUD_LIVE_BUMPER, 0, &impacts) == saved);
+    fixture_keys(&f, "V");
+    ck_assert_double_eq_tol(f.tui->doc.scene.interface[0].gap_m, 0.04, 1e-15);
+    ck_assert(thud_live_force(&f.tui->live, THUD_LIVE_BUMPER, 0, &impacts) == now);
+    fixture_keys(&f, "V");
+    ck_assert(thud_live_force(&f.tui->live, THUD_LIVE_BUMPER, 0, &impacts) == saved);
+    fixture_keys(&f, ":set record.factor 0.5<Enter>"); /* the pin keeps its own motion */
+    ck_assert(thud_live_force(thud_tui_pinned(f.tui), THUD_LIVE_BUMPER, 0, &impacts) == now);
+    fixture_keys(&f, "<A-5>");
+    fixture_expect(&f, "bumper, pinned");
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -276,6 +310,7 @@ Suite *thud_suite(void)
     tcase_set_timeout(live, 60.0);
     tcase_add_checked_fixture(live, setup, teardown);
     tcase_add_test(live, the_numbers_are_the_answers);
+    tcase_add_test(live, changes_are_told_against_the_pin);
     tcase_add_test(live, the_answer_in_one_line);
     tcase_add_test(live, no_old_number_after_a_failure);
     tcase_add_test(live, a_change_shows_as_an_arrow);
