@@ -22,6 +22,7 @@ static enum thud_status screen(const struct thud_args *args, const struct thud_s
                                        .scene = &session->scene,
                                        .paths = &session->paths,
                                        .output = thud_args_value(args, "o"),
+                                       .play = thud_args_value(args, "play"),
                                        .gnuplot = gnuplot && *gnuplot ? gnuplot : NULL,
                                        .ascii = thud_args_has(args, "ascii"),
                                        .color = !thud_args_has(args, "no-color") && !(no_color && no_color[0])};

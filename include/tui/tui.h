@@ -15,6 +15,7 @@ struct thud_tui_options {
     const struct thud_scene *scene; /* what options made of the preset, as a change not saved; NULL: as it is written */
     const struct thud_paths *paths; /* where presets and records are found; NULL: looked for */
     const char *output;             /* folder for pictures and tables; NULL: the working folder */
+    const char *play;               /* a session to be played; NULL: none */
     const char *gnuplot;            /* the program that draws pictures; NULL: `gnuplot` from PATH */
     bool ascii;                     /* no glyph beyond ASCII, also where the terminal has them */
     bool color;                     /* false: none (--no-color, NO_COLOR) */

@@ -139,6 +139,7 @@ static const struct thud_option options[] = {
     {"font", "NAME[,PIXELS]", "of pictures", THUD_WORD_TEXT, false, PICTURES | REPORT},
     {"j", "N", "runs at a time; results do not depend on it", THUD_WORD_TEXT, false, STUDY | FIGURES},
     {"quiet", NULL, "no progress and no remarks", THUD_WORD_NONE, false, PICTURES | VERIFY | REPORT},
+    {"play", "FILE", "play a session of :log, without a terminal too", THUD_WORD_FILE, false, SCREEN},
     {"ascii", NULL, "draw with ASCII characters only", THUD_WORD_NONE, false, SCREEN},
     {"no-color", NULL, "use no colour", THUD_WORD_NONE, false, SCREEN},
     {"words", "LIST", "the words of a list, for shells", THUD_WORD_TEXT, false, 1 << THUD_COMMAND_HELP},

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "tui/new_scene.h"
+#include "tui/session_log.h"
 
 static int pane_count(struct thud_tui *tui)
 {
@@ -95,6 +96,7 @@ static void undo(struct thud_tui *tui, bool back)
     const char *what = back ? thud_doc_undo(&tui->doc) : thud_doc_redo(&tui->doc);
     if (!what)
         return;
+    thud_tui_log(tui, back ? "undo" : "redo");
     thud_tui_say(tui, THUD_ROLE_PLAIN, "%s: %s", back ? "Undone" : "Done again", what);
     if (tui->pair > tui->doc.scene.nstructures - 2)
         tui->pair = tui->doc.scene.nstructures > 1 ? tui->doc.scene.nstructures - 2 : 0;
@@ -200,6 +202,14 @@ static bool values(struct thud_tui *tui, enum thud_action action)
     }
 }
 
+/* "picture plots impact-force": the screen, and of one figure its name. */
+static void log_output(struct thud_tui *tui, const char *word, bool one)
+{
+    const struct thud_view *view = thud_view_of(tui->screen);
+    const struct thud_figure *figure = one && view->figure ? view->figure(tui) : NULL;
+    thud_tui_log(tui, "%s %s%s%s", word, view->title, figure ? " " : "", figure ? figure->name : "");
+}
+
 static bool files(struct thud_tui *tui, enum thud_action action)
 {
     switch (action) {
@@ -213,12 +223,15 @@ static bool files(struct thud_tui *tui, enum thud_action action)
         thud_tui_list_presets(tui);
         return true;
     case THUD_DO_PICTURE:
+        log_output(tui, "picture", true);
         thud_tui_picture(tui);
         return true;
     case THUD_DO_PICTURES:
+        log_output(tui, "figures", false);
         thud_tui_pictures(tui);
         return true;
     case THUD_DO_EXPORT:
+        log_output(tui, "table", thud_view_of(tui->screen)->figure && !thud_view_of(tui->screen)->export_csv);
         thud_tui_export(tui);
         return true;
     default:
@@ -236,9 +249,11 @@ static void rest(struct thud_tui *tui, enum thud_action action)
         thud_tui_new(tui, false);
         break;
     case THUD_DO_PIN:
+        thud_tui_log(tui, "pin");
         thud_tui_pin(tui);
         break;
     case THUD_DO_EXCHANGE:
+        thud_tui_log(tui, "exchange");
         thud_tui_exchange(tui);
         break;
     case THUD_DO_FIND:

@@ -7,6 +7,7 @@
 
 #include "base/scan.h"
 #include "tui/new_scene.h"
+#include "tui/session_log.h"
 
 void thud_tui_prompt(struct thud_tui *tui, enum thud_typing typing, const char *text)
 {
@@ -42,8 +43,7 @@ void thud_tui_choose(struct thud_tui *tui, enum thud_choosing choosing, const ch
     thud_chooser_begin(&tui->chooser, title);
 }
 
-/* Shows the screen on which a key of the scene stands, with the cursor on it. */
-static void go_to_field(struct thud_tui *tui, const char *key)
+void thud_tui_go_to_field(struct thud_tui *tui, const char *key)
 {
     int number = 0, last = tui->doc.scene.nstructures - 2;
     enum thud_screen screen = THUD_SCREEN_RESULTS;
@@ -80,8 +80,8 @@ void thud_tui_chosen(struct thud_tui *tui)
         list_presets(tui, value);
     else if (tui->choosing == THUD_CHOOSE_PRESET)
         thud_tui_open(tui, value, false);
-    else
-        go_to_field(tui, value);
+    else if (tui->choosing == THUD_CHOOSE_FIELD)
+        thud_tui_go_to_field(tui, value);
 }
 
 static void ask(struct thud_tui *tui, enum thud_asking asking, const char *fmt, ...)
@@ -154,6 +154,7 @@ static void saved(struct thud_tui *tui)
     if (*tui->recovered)
         remove(tui->recovered);
     tui->recovered[0] = '\0';
+    thud_tui_log(tui, "write %s", tui->doc.path);
     if (!tui->pin.own)
         thud_pin_take(&tui->pin, &tui->doc, false);
     thud_tui_say(tui, THUD_ROLE_GOOD, "Saved %s, comments kept", tui->doc.path);
@@ -214,6 +215,7 @@ void thud_tui_open(struct thud_tui *tui, const char *name, bool sure)
         thud_tui_changed(tui);
         return;
     }
+    thud_tui_log(tui, "open %s", name);
     thud_tui_say(tui, THUD_ROLE_GOOD, "Opened %s: %s", tui->doc.path, tui->doc.scene.title);
     thud_tui_opened(tui);
 }

@@ -1,10 +1,14 @@
 /* The command line within: the same words as outside. */
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "base/ascii.h"
 #include "base/nearest.h"
+#include "base/scan.h"
+#include "tui/new_scene.h"
 #include "tui/scene_edit.h"
-#include "tui/state.h"
+#include "tui/session_log.h"
 
 struct command {
     const char *word, *short_word, *usage;
@@ -38,8 +42,10 @@ static void run_case(struct thud_tui *tui, char *rest)
         thud_scene_case(&tui->doc.scene, which, &next, &err) != THUD_OK ||
         thud_doc_change(&tui->doc, &next, what, &err) != THUD_OK)
         thud_tui_say_error(tui, &err);
-    else
+    else {
+        thud_tui_log(tui, "case %s", rest);
         thud_tui_say(tui, THUD_ROLE_PLAIN, "The scene is now that of case %s (u undoes)", rest);
+    }
     thud_tui_changed(tui);
 }
 
@@ -52,7 +58,7 @@ static void run_run(struct thud_tui *tui, char *rest)
 static void run_open(struct thud_tui *tui, char *rest)
 {
     if (*rest)
-        thud_tui_open(tui, rest, false);
+        thud_tui_open(tui, rest, tui->playing);
     else
         thud_tui_list_presets(tui);
 }
@@ -62,17 +68,174 @@ static void run_write(struct thud_tui *tui, char *rest)
     thud_tui_save(tui, *rest ? rest : NULL, false);
 }
 
+/* The screen of a name, or of a number. */
+static bool go_to(struct thud_tui *tui, const char *name)
+{
+    for (int i = 0; i < THUD_SCREENS; i++) {
+        const char *title = thud_view_of((enum thud_screen)i)->title;
+        if (thud_ascii_same(title, name) || (name[0] == '1' + i && !name[1])) {
+            thud_tui_go(tui, (enum thud_screen)i);
+            return true;
+        }
+    }
+    thud_tui_say(tui, THUD_ROLE_ERROR, "! there is no screen \"%.40s\"", name);
+    return false;
+}
+
 static void run_figures(struct thud_tui *tui, char *rest)
 {
-    (void)rest;
+    if (*rest && !go_to(tui, rest))
+        return;
     thud_tui_act(tui, THUD_DO_PICTURES);
+}
+
+/* "picture Plots impact-force": the figure of a screen by its name; alone the one on show. */
+static void write_one(struct thud_tui *tui, char *rest, enum thud_action action)
+{
+    char *name = rest + strcspn(rest, " ");
+    if (*name)
+        *name++ = '\0';
+    if (*rest && !go_to(tui, rest))
+        return;
+    if (*name && !thud_tui_show_figure(tui, name))
+        thud_tui_say(tui, THUD_ROLE_ERROR, "! %s has no figure %.60s now", rest, name);
+    else
+        thud_tui_act(tui, action);
+}
+
+static void run_picture(struct thud_tui *tui, char *rest)
+{
+    write_one(tui, rest, THUD_DO_PICTURE);
+}
+
+static void run_table(struct thud_tui *tui, char *rest)
+{
+    write_one(tui, rest, THUD_DO_EXPORT);
+}
+
+static void run_screen(struct thud_tui *tui, char *rest)
+{
+    go_to(tui, rest);
+}
+
+static void run_undo(struct thud_tui *tui, char *rest)
+{
+    (void)rest;
+    thud_tui_act(tui, THUD_DO_UNDO);
+}
+
+static void run_redo(struct thud_tui *tui, char *rest)
+{
+    (void)rest;
+    thud_tui_act(tui, THUD_DO_REDO);
+}
+
+static void run_pin(struct thud_tui *tui, char *rest)
+{
+    (void)rest;
+    thud_tui_act(tui, THUD_DO_PIN);
+}
+
+static void run_exchange(struct thud_tui *tui, char *rest)
+{
+    (void)rest;
+    thud_tui_act(tui, THUD_DO_EXCHANGE);
+}
+
+static void run_new(struct thud_tui *tui, char *rest)
+{
+    if (*rest && !tui->playing && thud_doc_unsaved(&tui->doc))
+        thud_tui_say(tui, THUD_ROLE_ERROR, "! %s has unsaved changes: w saves them first", tui->doc.scene.name);
+    else if (*rest)
+        thud_new_scene_command(tui, rest);
+    else
+        thud_tui_new(tui, false);
+}
+
+static void run_log(struct thud_tui *tui, char *rest)
+{
+    if (*rest)
+        thud_tui_save_log(tui, rest);
+    else
+        thud_tui_show_log(tui);
+}
+
+/* "storey add 1 3", "structure remove 2", "swap 1", "bumper 1": structures, floors and interfaces from 1. */
+static void edit_scene(struct thud_tui *tui, const char *word, const char *rest)
+{
+    const struct thud_scene *scene = &tui->doc.scene;
+    int number[2] = {0, 0}, n = scene->nstructures;
+    bool add = strncmp(rest, "add ", 4) == 0,
+         other = strncmp(rest, "delete ", 7) == 0 || strncmp(rest, "remove ", 7) == 0;
+    const char *at = rest + (add ? 4 : other ? 7 : 0);
+    if (thud_scan_count(&at, &number[0]) && *at == ' ') {
+        at++;
+        thud_scan_count(&at, &number[1]);
+    }
+    const struct thud_structure *s = number[0] >= 1 && number[0] <= n ? &scene->structure[number[0] - 1] : NULL;
+    bool storeys = s && (s->kind == THUD_SHEAR || s->kind == THUD_ISOLATED);
+    if (strcmp(word, "storey") == 0 && storeys && add && s->storeys < THUD_STOREYS_MAX)
+        thud_tui_add_storey(tui, number[0] - 1, number[1]);
+    else if (strcmp(word, "storey") == 0 && storeys && other && number[1] >= 1 && number[1] <= s->storeys &&
+             s->storeys > 1)
+        thud_tui_delete_storey(tui, number[0] - 1, number[1]);
+    else if (strcmp(word, "structure") == 0 && s && add && n < THUD_STRUCTURES_MAX)
+        thud_tui_add_structure(tui, number[0] - 1);
+    else if (strcmp(word, "structure") == 0 && s && other && n > 2)
+        thud_tui_remove_structure(tui, number[0] - 1);
+    else if (strcmp(word, "swap") == 0 && s && number[0] < n)
+        thud_tui_swap(tui, number[0] - 1);
+    else if (strcmp(word, "bumper") == 0 && s && number[0] < n)
+        thud_tui_toggle_bumper(tui, number[0] - 1);
+    else
+        thud_tui_say(tui, THUD_ROLE_ERROR, "! %s %.40s: there is no such thing to do here", word, rest);
+}
+
+static void run_storey(struct thud_tui *tui, char *rest)
+{
+    edit_scene(tui, "storey", rest);
+}
+
+static void run_structure(struct thud_tui *tui, char *rest)
+{
+    edit_scene(tui, "structure", rest);
+}
+
+static void run_swap(struct thud_tui *tui, char *rest)
+{
+    edit_scene(tui, "swap", rest);
+}
+
+static void run_bumper(struct thud_tui *tui, char *rest)
+{
+    edit_scene(tui, "bumper", *rest ? rest : "1");
+}
+
+static void run_keep_force(struct thud_tui *tui, char *rest)
+{
+    (void)rest;
+    if (isfinite(tui->kept_before_n))
+        thud_tui_keep_force(tui);
+    else
+        thud_tui_say(tui, THUD_ROLE_ERROR, "! no exponent was changed: there is no force to keep");
+}
+
+static void run_paste(struct thud_tui *tui, char *rest)
+{
+    char *text = rest + strcspn(rest, " ");
+    if (*text)
+        *text++ = '\0';
+    thud_tui_go_to_field(tui, rest);
+    thud_tui_paste_line(tui, text);
 }
 
 /* Where figures and tables go; alone it says so. */
 static void run_folder(struct thud_tui *tui, char *rest)
 {
-    if (*rest)
+    if (*rest) {
         snprintf(tui->folder, sizeof tui->folder, "%s", rest);
+        thud_tui_log(tui, "folder %s", rest);
+    }
     thud_tui_say(tui, THUD_ROLE_PLAIN, "Figures and tables go into %s", thud_tui_folder(tui));
 }
 
@@ -99,6 +262,30 @@ static void run_vary(struct thud_tui *tui, char *rest)
 {
     thud_tui_go(tui, THUD_SCREEN_SWEEP);
     thud_tui_sweep_word(tui, "vary", rest);
+}
+
+static void run_vary2(struct thud_tui *tui, char *rest)
+{
+    thud_tui_go(tui, THUD_SCREEN_SWEEP);
+    thud_tui_sweep_word(tui, "vary2", rest);
+}
+
+static void run_vary3(struct thud_tui *tui, char *rest)
+{
+    thud_tui_go(tui, THUD_SCREEN_SWEEP);
+    thud_tui_sweep_word(tui, "vary3", rest);
+}
+
+static void run_vary4(struct thud_tui *tui, char *rest)
+{
+    thud_tui_go(tui, THUD_SCREEN_SWEEP);
+    thud_tui_sweep_word(tui, "vary4", rest);
+}
+
+static void run_sensitivity(struct thud_tui *tui, char *rest)
+{
+    thud_tui_go(tui, THUD_SCREEN_SWEEP);
+    thud_tui_sweep_word(tui, "sensitivity", rest);
 }
 
 static void run_cases(struct thud_tui *tui, char *rest)
@@ -161,13 +348,32 @@ static const struct command table[] = {
     {"tolerance", "", "NUMBER", NULL, "analysis.tolerance"},
     {"run", "", "", run_run, NULL},
     {"vary", "", "KEY=FROM:TO:STEP", run_vary, NULL},
+    {"vary2", "", "KEY=FROM:TO:STEP", run_vary2, NULL},
+    {"vary3", "", "KEY=FROM:TO:STEP", run_vary3, NULL},
+    {"vary4", "", "KEY=FROM:TO:STEP", run_vary4, NULL},
+    {"sensitivity", "", "CHANGE", run_sensitivity, NULL},
     {"cases", "", "CASE,CASE", run_cases, NULL},
     {"records", "", "FILE,DIR,NAME.list", run_records, NULL},
     {"signs", "", "[both]", run_signs, NULL},
     {"events", "", "EVENT,EVENT", run_events, NULL},
     {"sweep", "", "", run_sweep, NULL},
     {"bench", "", "", run_bench, NULL},
-    {"figures", "", "", run_figures, NULL},
+    {"screen", "", "NAME", run_screen, NULL},
+    {"figures", "", "[SCREEN]", run_figures, NULL},
+    {"picture", "", "[SCREEN [FIGURE]]", run_picture, NULL},
+    {"table", "", "[SCREEN [FIGURE]]", run_table, NULL},
+    {"undo", "", "", run_undo, NULL},
+    {"redo", "", "", run_redo, NULL},
+    {"pin", "", "", run_pin, NULL},
+    {"exchange", "", "", run_exchange, NULL},
+    {"bumper", "", "[INTERFACE]", run_bumper, NULL},
+    {"keep-force", "", "", run_keep_force, NULL},
+    {"storey", "", "add|delete STRUCTURE FLOOR", run_storey, NULL},
+    {"structure", "", "add|remove STRUCTURE", run_structure, NULL},
+    {"swap", "", "STRUCTURE", run_swap, NULL},
+    {"paste", "", "KEY VALUES", run_paste, NULL},
+    {"log", "", "[FILE]", run_log, NULL},
+    {"new", "", "[storeys: 5, 7; gap: 8 cm; ...]", run_new, NULL},
     {"folder", "", "[DIR]", run_folder, NULL},
     {"open", "o", "PRESET", run_open, NULL},
     {"write", "w", "[FILE]", run_write, NULL},
@@ -190,7 +396,7 @@ static void list_words(struct thud_tui *tui, const char *word)
 {
     enum { COMMANDS = sizeof table / sizeof *table };
     const char *words[COMMANDS], *near;
-    char text[400] = "";
+    char text[700] = "";
     for (int i = 0; i < COMMANDS; i++) {
         size_t n = strlen(text);
         words[i] = table[i].word;
@@ -198,9 +404,9 @@ static void list_words(struct thud_tui *tui, const char *word)
     }
     near = thud_nearest(word, words, COMMANDS);
     if (near)
-        thud_tui_say(tui, THUD_ROLE_WARN, "! \"%.40s\" is no command; did you mean :%s?", word, near);
+        thud_tui_say(tui, THUD_ROLE_ERROR, "! \"%.40s\" is no command; did you mean :%s?", word, near);
     else
-        thud_tui_say(tui, THUD_ROLE_WARN, "! \"%.40s\" is no command: %s", word, text);
+        thud_tui_say(tui, THUD_ROLE_ERROR, "! \"%.40s\" is no command: %s", word, text);
 }
 
 void thud_tui_command(struct thud_tui *tui, const char *text)

@@ -8,7 +8,7 @@
 #include "base/scan.h"
 #include "core/method.h"
 #include "io/record_file.h"
-#include "tui/state.h"
+#include "tui/session_log.h"
 
 static bool ends_with(const char *text, const char *end)
 {
@@ -122,6 +122,7 @@ bool thud_tui_choose_record(struct thud_tui *tui, const char *file)
         thud_tui_say_error(tui, &err);
         return false;
     }
+    thud_tui_log(tui, "record %s", file);
     thud_tui_changed(tui);
     if (tui->doc.record)
         thud_tui_say(tui, THUD_ROLE_PLAIN, "%s as recorded, %s g: peak, factor and part of the one before do not hold",
@@ -148,6 +149,10 @@ bool thud_tui_set(struct thud_tui *tui, const char *key, const char *text)
     }
     if (!*tui->message)
         warn(tui, key);
+    if (strcmp(key, "title") == 0)
+        thud_tui_log(tui, "title %s", full);
+    else
+        thud_tui_log(tui, "set %s %s", key, full);
     thud_tui_changed(tui);
     return true;
 }

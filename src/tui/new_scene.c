@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "base/ascii.h"
+#include "tui/session_log.h"
 
 enum { NAME, KIND, STOREYS, MASS, STIFFNESS, HEIGHT, DAMPING, GAP, RECORD };
 enum { LABEL = 22, VALUE = 24, LIST_ROWS = 6 };
@@ -21,6 +22,10 @@ static const char *const label[THUD_NEW_ROWS] = {
 static const char *const unit[THUD_NEW_ROWS] = {"", "", "", "t", "MN/m", "m", "%", "cm", ""};
 static const char *const kind[] = {"shear", "isolated", "rigid", "wall"};
 enum { KINDS = sizeof kind / sizeof *kind };
+
+/* As commands have them. */
+static const char *const word[THUD_NEW_ROWS] = {"name",   "kind",    "storeys", "mass",  "stiffness",
+                                                "height", "damping", "gap",     "record"};
 
 /* What can be typed there, for the line above the keys. */
 static const char *const words[THUD_NEW_ROWS] = {
@@ -198,7 +203,8 @@ static void called(const struct thud_new_scene *f, int side, char *text, size_t 
         snprintf(text, size, "%s", k[0] == 'w' ? "wall" : "rigid body");
 }
 
-bool thud_new_scene_text(const struct thud_new_scene *f, struct thud_text *out, struct thud_error *err)
+/* The preset that the values make; false where a stiffness is asked for by a period that is none (`err` says so). */
+static bool preset_text(const struct thud_new_scene *f, struct thud_text *out, struct thud_error *err)
 {
     char left[64], right[64], gap[THUD_NEW_TEXT + 16];
     called(f, 0, left, sizeof left);
@@ -263,6 +269,19 @@ static bool take_file(struct thud_tui *tui)
     return true;
 }
 
+static void log_values(struct thud_tui *tui, const struct thud_new_scene *f)
+{
+    char line[THUD_LINE_MAX] = "";
+    for (int row = 0; row < THUD_NEW_ROWS; row++) {
+        size_t n = strlen(line);
+        if (row == RECORD && !*f->text[RECORD][0])
+            continue;
+        snprintf(line + n, sizeof line - n, "%s%s: %s%s%s", row ? "; " : "", word[row], f->text[row][0],
+                 single(row) ? "" : ", ", single(row) ? "" : f->text[row][1]);
+    }
+    thud_tui_log(tui, "new %s", line);
+}
+
 static void make(struct thud_tui *tui)
 {
     struct thud_new_scene *f = tui->new_scene;
@@ -278,7 +297,7 @@ static void make(struct thud_tui *tui)
         status = thud_error_set(&err, THUD_INPUT, "%s: a name that no file here has", path);
     if (status == THUD_OK && *f->text[RECORD][0])
         status = thud_paths_record(tui->doc.paths, path, f->text[RECORD][0], found, sizeof found, &err);
-    if (status == THUD_OK && !thud_new_scene_text(f, &text, &err))
+    if (status == THUD_OK && !preset_text(f, &text, &err))
         status = err.status != THUD_OK ? err.status : thud_error_set(&err, THUD_MEMORY, "no memory for the scene");
     thud_live_clear(&tui->live); /* its runs look at the record, which goes with the preset */
     tui->ran_revision = 0;
@@ -294,6 +313,7 @@ static void make(struct thud_tui *tui)
         return;
     }
     tui->mode = THUD_MODE_NORMAL;
+    log_values(tui, f);
     thud_tui_opened(tui);
     thud_tui_go(tui, THUD_SCREEN_MODEL);
     thud_tui_say(tui, THUD_ROLE_GOOD, "%s: each value can be changed here now; w saves", path);
@@ -383,4 +403,50 @@ void thud_new_scene_draw(struct thud_tui *tui, const struct thud_pane *area)
         draw_files(f, &in, THUD_NEW_ROWS - scroll);
     else
         thud_pane_wrap(&in, 1, THUD_NEW_ROWS + 1 - scroll, in.w - 2, thud_look(THUD_ROLE_MUTED, 0), words[f->row]);
+}
+
+/* Cuts blanks off both ends. */
+static char *trimmed(char *text)
+{
+    text += strspn(text, " ");
+    for (size_t n = strlen(text); n > 0 && text[n - 1] == ' '; n--)
+        text[n - 1] = '\0';
+    return text;
+}
+
+void thud_new_scene_command(struct thud_tui *tui, const char *text)
+{
+    char copy[THUD_LINE_MAX], *rest = copy;
+    snprintf(copy, sizeof copy, "%s", text);
+    thud_new_scene_begin(tui);
+    struct thud_new_scene *f = tui->new_scene;
+    if (!f || !*text)
+        return;
+    f->files.n = 0; /* names are meant as they are */
+    for (char *part; (part = strtok_r(rest, ";", &rest)) != NULL;) {
+        char *value = strchr(part, ':');
+        int row = 0;
+        if (value)
+            *value++ = '\0';
+        part = trimmed(part);
+        while (row < THUD_NEW_ROWS && strcmp(part, word[row]) != 0)
+            row++;
+        if (!value || row == THUD_NEW_ROWS) {
+            tui->mode = THUD_MODE_NORMAL;
+            thud_tui_say(tui, THUD_ROLE_ERROR,
+                         "! new: \"%.40s\" is none of name, kind, storeys, mass, stiffness, height, "
+                         "damping, gap, record",
+                         part);
+            return;
+        }
+        char *comma = single(row) ? NULL : strchr(value, ',');
+        if (comma)
+            *comma++ = '\0';
+        snprintf(f->text[row][0], sizeof f->text[row][0], "%s", trimmed(value));
+        snprintf(f->text[row][1], sizeof f->text[row][1], "%s", trimmed(comma ? comma : value));
+    }
+    focus(f, STOREYS, 0);
+    make(tui);
+    if (tui->mode == THUD_MODE_NEW)
+        tui->mode = THUD_MODE_NORMAL;
 }

@@ -19,9 +19,10 @@ struct thud_new_scene {
 /* Begins with the usual values, the cursor on the number of storeys. */
 void thud_new_scene_begin(struct thud_tui *tui);
 void thud_new_scene_key(struct thud_tui *tui, int key);
+/* "storeys: 5, 7; gap: 8 cm; record: a.AT2": makes it at once, with the usual values where nothing is said; a single
+ * value is of both. */
+void thud_new_scene_command(struct thud_tui *tui, const char *text);
 void thud_new_scene_draw(struct thud_tui *tui, const struct thud_pane *area);
 void thud_new_scene_free(struct thud_tui *tui);
-/* The preset that the values make; false where a stiffness is asked for by a period that is none (`err` says so). */
-bool thud_new_scene_text(const struct thud_new_scene *form, struct thud_text *out, struct thud_error *err);
 
 #endif

@@ -113,6 +113,21 @@ static void begin(struct thud_tui *tui, struct thud_figure *const *figure, int c
     thud_tui_say(tui, THUD_ROLE_PLAIN, "Writing %s", tui->written);
 }
 
+bool thud_tui_show_figure(struct thud_tui *tui, const char *name)
+{
+    enum { FIGURES_MOST = 500 };
+    const struct thud_view *view = thud_view_of(tui->screen);
+    enum thud_action next = tui->screen == THUD_SCREEN_PLOTS ? THUD_DO_NEXT_FIGURE : THUD_DO_QUANTITY;
+    for (int i = 0; i < FIGURES_MOST && view->figure; i++) {
+        const struct thud_figure *figure = view->figure(tui);
+        if (figure && strcmp(figure->name, name) == 0)
+            return true;
+        thud_tui_act(tui, next);
+        thud_tui_draw(tui);
+    }
+    return false;
+}
+
 void thud_tui_picture(struct thud_tui *tui)
 {
     struct thud_figure *copy = thud_figure_copy(thud_view_of(tui->screen)->figure(tui));

@@ -3,7 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "tui/state.h"
+#include "tui/new_scene.h"
+#include "tui/session_log.h"
 
 /* The next row of a paste, without the end of its line; false at its end. Terminals send a line's end as CR. */
 static bool next_row(const char **text, char *row, size_t size)
@@ -106,12 +107,43 @@ static enum thud_status fill(struct thud_tui *tui, const char *text, const struc
     return status;
 }
 
+/* In one line: rows end with `;;`, which a row of cells has nowhere, and tabs are semicolons. */
+static void escape(const char *text, char *line, size_t size)
+{
+    size_t n = 0;
+    for (; *text && n + 3 < size; text++) {
+        if (*text == '\r')
+            continue;
+        line[n++] = *text == '\n' || *text == '\t' ? ';' : *text;
+        if (*text == '\n')
+            line[n++] = ';';
+    }
+    line[n] = '\0';
+}
+
+void thud_tui_paste_line(struct thud_tui *tui, const char *line)
+{
+    char text[THUD_LINE_MAX];
+    size_t n = 0;
+    for (; *line && n + 1 < sizeof text; line++) {
+        bool row = line[0] == ';' && line[1] == ';';
+        text[n++] = row ? '\n' : *line;
+        line += row;
+    }
+    text[n] = '\0';
+    thud_tui_paste(tui, text);
+}
+
 void thud_tui_paste(struct thud_tui *tui, const char *text)
 {
     const struct thud_field *field = thud_form_focus(&tui->form);
     bool typing = tui->mode == THUD_MODE_TYPING, cells = text && strpbrk(text, "\r\n\t;") != NULL;
     if (!text || !*text || tui->mode == THUD_MODE_ASKING)
         return;
+    if (tui->mode == THUD_MODE_NEW) {
+        thud_line_type(&tui->new_scene->line, text);
+        return;
+    }
     if (tui->mode == THUD_MODE_CHOOSING) {
         thud_line_type(&tui->chooser.filter, text);
         thud_chooser_key(&tui->chooser, THUD_KEY_NONE);
@@ -145,6 +177,9 @@ void thud_tui_paste(struct thud_tui *tui, const char *text)
         return;
     }
     if (n > 0) {
+        char line[THUD_LINE_MAX];
+        escape(text, line, sizeof line);
+        thud_tui_log(tui, "paste %s %s", field->path, line);
         thud_tui_say(tui, THUD_ROLE_PLAIN, "%s taken (u undoes)", what);
         thud_tui_changed(tui);
     }

@@ -3,14 +3,17 @@
 #include <string.h>
 
 #include "tui/scene_edit.h"
+#include "tui/session_log.h"
 
-static void change(struct thud_tui *tui, const struct thud_scene *next, const char *what)
+/* `command`: what a log has for it. */
+static void change(struct thud_tui *tui, const struct thud_scene *next, const char *what, const char *command)
 {
     struct thud_error err;
     if (thud_doc_change(&tui->doc, next, what, &err) != THUD_OK) {
         thud_tui_say_error(tui, &err);
         return;
     }
+    thud_tui_log(tui, "%s", command);
     thud_tui_say(tui, THUD_ROLE_PLAIN, "%s (u undoes)", what);
     int last = tui->doc.scene.nstructures - 2;
     tui->pair = tui->pair > last ? (last > 0 ? last : 0) : tui->pair;
@@ -36,7 +39,9 @@ void thud_tui_add_storey(struct thud_tui *tui, int s, int floor)
     move_floors(structure, floor, floor - 1, structure->storeys - floor + 1);
     structure->storeys++;
     snprintf(what, sizeof what, "%s: storey added above floor %d, like it", structure->name, floor);
-    change(tui, &next, what);
+    char command[64];
+    snprintf(command, sizeof command, "storey add %d %d", s + 1, floor);
+    change(tui, &next, what, command);
 }
 
 void thud_tui_delete_storey(struct thud_tui *tui, int s, int floor)
@@ -50,7 +55,9 @@ void thud_tui_delete_storey(struct thud_tui *tui, int s, int floor)
     for (int i = 0; i < THUD_STRUCTURE_LISTS; i++)
         thud_structure_list(structure, i)[structure->storeys] = 0.0;
     snprintf(what, sizeof what, "%s: storey %d deleted", structure->name, floor);
-    change(tui, &next, what);
+    char command[64];
+    snprintf(command, sizeof command, "storey delete %d %d", s + 1, floor);
+    change(tui, &next, what, command);
 }
 
 /* The first letter no structure is called by. */
@@ -80,7 +87,9 @@ void thud_tui_add_structure(struct thud_tui *tui, int s)
     memcpy(next.structure[s + 1].name, name, sizeof name);
     next.nstructures++;
     snprintf(what, sizeof what, "%s added to the right of %s, like it", name, next.structure[s].name);
-    change(tui, &next, what);
+    char command[64];
+    snprintf(command, sizeof command, "structure add %d", s + 1);
+    change(tui, &next, what, command);
 }
 
 void thud_tui_remove_structure(struct thud_tui *tui, int s)
@@ -94,7 +103,9 @@ void thud_tui_remove_structure(struct thud_tui *tui, int s)
     memset(&next.structure[n - 1], 0, sizeof *next.structure);
     memset(&next.interface[n - 2], 0, sizeof *next.interface);
     next.nstructures--;
-    change(tui, &next, what);
+    char command[64];
+    snprintf(command, sizeof command, "structure remove %d", s + 1);
+    change(tui, &next, what, command);
 }
 
 void thud_tui_swap(struct thud_tui *tui, int s)
@@ -104,7 +115,9 @@ void thud_tui_swap(struct thud_tui *tui, int s)
     next.structure[s] = tui->doc.scene.structure[s + 1];
     next.structure[s + 1] = tui->doc.scene.structure[s];
     snprintf(what, sizeof what, "%s and %s swapped", next.structure[s + 1].name, next.structure[s].name);
-    change(tui, &next, what);
+    char command[64];
+    snprintf(command, sizeof command, "swap %d", s + 1);
+    change(tui, &next, what, command);
 }
 
 void thud_tui_toggle_bumper(struct thud_tui *tui, int i)
@@ -116,7 +129,9 @@ void thud_tui_toggle_bumper(struct thud_tui *tui, int i)
         thud_interface_add_bumper(interface);
     char what[80];
     snprintf(what, sizeof what, "bumper %s", interface->has_bumper ? "off -> on" : "on -> off");
-    change(tui, &next, what);
+    char command[64];
+    snprintf(command, sizeof command, "bumper %d", i + 1);
+    change(tui, &next, what, command);
 }
 
 void thud_tui_keep_force(struct thud_tui *tui)
@@ -129,7 +144,9 @@ void thud_tui_keep_force(struct thud_tui *tui)
         return;
     bumper->value[k] *= before / now;
     tui->kept_before_n = NAN;
-    change(tui, &next, "stiffness chosen so that F(delta_u) is as before");
+    char command[64];
+    snprintf(command, sizeof command, "keep-force");
+    change(tui, &next, "stiffness chosen so that F(delta_u) is as before", command);
 }
 
 bool thud_tui_change_pair(struct thud_tui *tui, enum thud_action action)

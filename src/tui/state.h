@@ -32,7 +32,7 @@ enum thud_typing {
     THUD_TYPE_STUDY,
     THUD_TYPE_SEARCH
 };
-enum thud_choosing { THUD_CHOOSE_VALUE, THUD_CHOOSE_PRESET, THUD_CHOOSE_FIELD };
+enum thud_choosing { THUD_CHOOSE_VALUE, THUD_CHOOSE_PRESET, THUD_CHOOSE_FIELD, THUD_CHOOSE_NOTHING };
 enum thud_asking { THUD_ASK_QUIT, THUD_ASK_OVERWRITE, THUD_ASK_DISK, THUD_ASK_OPEN, THUD_ASK_NEW, THUD_ASK_RECOVER };
 
 enum { THUD_PANES_MAX = 6, THUD_HISTORY = 50 };
@@ -136,6 +136,9 @@ struct thud_tui {
     char message[640];
     enum thud_role message_role;
 
+    struct thud_text log; /* what was done, a command a line */
+    bool playing;         /* a session: what is unsaved is not asked about */
+
     bool live_on;
     double started_s, elapsed_s; /* of the live run */
     unsigned long ran_revision;  /* what the live cases belong to; 0: nothing */
@@ -214,6 +217,7 @@ void thud_tui_remember(struct thud_tui *tui, const char *text); /* a command, fo
 
 /* paste.c */
 void thud_tui_paste(struct thud_tui *tui, const char *text);
+void thud_tui_paste_line(struct thud_tui *tui, const char *line); /* as a log has it: rows end with `;;` */
 
 /* ask.c: prompts, choosers, questions */
 void thud_tui_prompt(struct thud_tui *tui, enum thud_typing typing, const char *text);
@@ -233,6 +237,8 @@ void thud_tui_sweep_word(struct thud_tui *tui, const char *word, const char *tex
 void thud_tui_filter_records(struct thud_tui *tui, const char *text); /* view_record.c */
 void thud_tui_help_typed(struct thud_tui *tui, const char *text);     /* view_help.c */
 void thud_tui_list_presets(struct thud_tui *tui);
+/* Shows the screen on which a key of the scene stands, with the cursor on it. */
+void thud_tui_go_to_field(struct thud_tui *tui, const char *key);
 void thud_tui_list_fields(struct thud_tui *tui);
 void thud_tui_fill_fields(struct thud_tui *tui); /* the lines of that list, without showing it */
 
@@ -253,6 +259,8 @@ const char *thud_tui_folder(const struct thud_tui *tui); /* where pictures and t
 /* A name for files of the scene as it is, without a suffix: preset, what it is, the case where it is of one, the gap. No
  * file that thud did not write has it. */
 void thud_tui_file_name(struct thud_tui *tui, const char *what, const char *of_case, char *name, size_t size);
+/* Shows the figure of this name on the screen; false: it has none. */
+bool thud_tui_show_figure(struct thud_tui *tui, const char *name);
 void thud_tui_picture(struct thud_tui *tui);
 void thud_tui_pictures(struct thud_tui *tui);
 void thud_tui_run_pictures(struct thud_tui *tui); /* of the live cases, run again where the histories are missing */

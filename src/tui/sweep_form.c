@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "tui/field.h"
+#include "tui/session_log.h"
 #include "tui/sweep_screen.h"
 
 enum { CASES = THUD_VARY_MAX, RECORDS, SIGNS, EVENTS, SENSITIVITY, WORDS };
@@ -108,6 +109,10 @@ void thud_tui_sweep_typed(struct thud_tui *tui, const char *text)
     }
     s->words = words;
     s->study = tui->doc.scene.study;
+    if (s->typed > 0 && s->typed < CASES)
+        thud_tui_log(tui, "vary%d %s", s->typed + 1, text);
+    else
+        thud_tui_log(tui, "%s %s", word_name(s->typed), text);
     if (!kept)
         thud_tui_say(tui, THUD_ROLE_WARN, "r runs it; a preset has no room for so many values: w does not save this");
 }
@@ -116,7 +121,8 @@ void thud_tui_sweep_word(struct thud_tui *tui, const char *word, const char *tex
 {
     struct thud_sweep_state *s = thud_sweep_state(tui);
     for (int i = 0; s && i < WORDS; i++)
-        if (strcmp(word_name(i), word) == 0) {
+        if (i > 0 && i < CASES ? strncmp(word, "vary", 4) == 0 && word[4] == '1' + i
+                               : strcmp(word_name(i), word) == 0) {
             s->typed = i;
             snprintf(tui->target, sizeof tui->target, "%s: ", word);
             thud_tui_sweep_typed(tui, text);

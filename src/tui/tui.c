@@ -4,9 +4,12 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "tui/loop.h"
 #include "tui/new_scene.h"
+#include "tui/play.h"
+#include "tui/session_log.h"
 
 static const double slice_s = 0.012, redraw_s = 0.05, live_limit_s = 1.0;
 
@@ -49,6 +52,7 @@ enum thud_status thud_tui_create(const struct thud_tui_options *options, struct 
         return status;
     }
     thud_tui_opened(tui);
+    thud_tui_log(tui, "open %s", options->preset ? options->preset : "towers");
     thud_tui_offer_recovery(tui);
     if (options->fresh && tui->mode == THUD_MODE_NORMAL)
         thud_new_scene_begin(tui);
@@ -66,6 +70,7 @@ void thud_tui_free(struct thud_tui *tui)
         if (thud_view_of((enum thud_screen)i)->free)
             thud_view_of((enum thud_screen)i)->free(tui);
     thud_pin_clear(&tui->pin);
+    thud_text_clear(&tui->log);
     thud_new_scene_free(tui);
     thud_model_free(tui->own_model);
     thud_doc_free(&tui->doc);
@@ -254,6 +259,17 @@ static void rescue(struct thud_tui *tui)
         fprintf(stderr, "thud: unsaved changes are kept in %s\n", path);
 }
 
+/* On a terminal a session is played and then goes on by hand. */
+static void play_first(struct thud_tui *tui)
+{
+    struct thud_text out = {0};
+    struct thud_error err = {0};
+    tui->mode = THUD_MODE_NORMAL;
+    if (thud_tui_play_lines(tui, tui->options.play, &out, &err) != THUD_OK)
+        thud_tui_say_error(tui, &err);
+    thud_text_clear(&out);
+}
+
 enum thud_status thud_tui_main(const struct thud_tui_options *options, struct thud_error *err)
 {
     struct thud_backend backend;
@@ -264,10 +280,14 @@ enum thud_status thud_tui_main(const struct thud_tui_options *options, struct th
         thud_paths_find(&paths);
         all.paths = &paths;
     }
+    if (options->play && !(isatty(STDIN_FILENO) && isatty(STDOUT_FILENO)))
+        return thud_tui_play(&all, err);
     enum thud_status status = thud_term_open(&backend, options->ascii, options->color, err);
     if (status != THUD_OK)
         return status;
     status = thud_tui_create(&all, &backend, &tui, err);
+    if (status == THUD_OK && options->play)
+        play_first(tui);
     if (status != THUD_OK) {
         thud_term_close(&backend);
         return status;

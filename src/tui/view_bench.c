@@ -9,6 +9,7 @@
 #include "io/file.h"
 #include "tui/chart.h"
 #include "tui/field.h"
+#include "tui/session_log.h"
 
 enum { TABLE, CHART };
 
@@ -217,6 +218,7 @@ static bool act(struct thud_tui *tui, enum thud_action action)
     if (!s)
         return false;
     if (action == THUD_DO_RUN) {
+        thud_tui_log(tui, "bench");
         begin(tui, false);
     } else if (action == THUD_DO_QUANTITY) {
         s->panel++;

@@ -8,6 +8,7 @@
 #include "plot/figures_sweep.h"
 #include "tui/chart.h"
 #include "tui/field.h"
+#include "tui/session_log.h"
 #include "tui/sweep_screen.h"
 
 enum { FORM, CHART };
@@ -204,6 +205,7 @@ static bool act(struct thud_tui *tui, enum thud_action action)
         return false;
     switch (action) {
     case THUD_DO_RUN:
+        thud_tui_log(tui, "sweep");
         begin(tui, false);
         return true;
     case THUD_DO_LEFT:

@@ -11,7 +11,7 @@ status=0
 # Only tests use these, and shall: what the laws are held against, and where a test takes the place of a person.
 for_tests="
     thud_kelvin_voigt_restitution thud_kelvin_voigt_cut_collision thud_rubber_curve_force
-    thud_canvas_text thud_script_open thud_tui_keys_text thud_manual_part_name"
+    thud_tui_keys_text thud_manual_part_name"
 
 report() { # WHAT FINDINGS
     if [ -z "$2" ]; then echo "ok - $1"; else

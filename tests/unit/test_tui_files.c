@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "tui/play.h"
 #include "tui_fixture.h"
 
 static struct fixture f;
@@ -365,6 +366,68 @@ START_TEST(files_are_browsed)
 }
 END_TEST
 
+/* What was done by keys is kept as commands, which do the same again from the beginning. */
+START_TEST(a_session_is_played_again)
+{
+    static struct thud_scene by_keys;
+    struct thud_text out = {0};
+    struct thud_error err = {0};
+    char line[200], path[100], text[700];
+    f.script.paste = "310\n290\n";
+    fixture_keys(&f, "<A-2><Enter>3.5<Enter><Down>+u<A-1>a:title Tried<Enter>=/structures.1.mass.2<Enter><Paste>");
+    fixture_keys(&f, "xv:vary gap=1 cm:2 cm:1 cm<Enter>:vary2 contact.restitution=0.5,0.6<Enter><A-2>B<A-1>V");
+    fixture_keys(&f, "<A-4>e");
+    by_keys = f.tui->doc.scene;
+    snprintf(path, sizeof path, "%s/tried.thud", f.folder);
+    snprintf(line, sizeof line, ":log %s<Enter>", path);
+    fixture_keys(&f, line);
+    fixture_expect(&f, "does it again");
+    enum thud_status status = thud_tui_play_lines(f.tui, path, &out, &err);
+    ck_assert_msg(status == THUD_OK, "%s\n%s", thud_error_text(&err, text, sizeof text), out.data);
+    ck_assert_mem_eq(&f.tui->doc.scene, &by_keys, sizeof by_keys);
+    ck_assert_str_eq(f.tui->doc.scene.title, "Tried");
+    ck_assert_ptr_nonnull(strstr(out.data, "\n> set "));
+    ck_assert_ptr_nonnull(strstr(out.data, "POUNDS at "));
+    thud_text_clear(&out);
+    fixture_write(&f, "notes.txt", "mine\n"); /* what is no session is not written over */
+    snprintf(line, sizeof line, ":log %s/notes.txt<Enter>", f.folder);
+    fixture_keys(&f, line);
+    fixture_expect(&f, "is no session");
+    fixture_keys(&f, ":log<Enter>");
+    fixture_expect(&f, "What was done");
+    fixture_expect(&f, "title Tried");
+    fixture_keys(&f, "<Enter>");
+    ck_assert_int_eq(f.tui->mode, THUD_MODE_NORMAL);
+}
+END_TEST
+
+/* A refused command ends it, with its line. */
+START_TEST(a_session_stops_where_it_cannot)
+{
+    struct thud_text out = {0};
+    struct thud_error err = {0};
+    char path[100];
+    fixture_write(&f, "wrong.thud", "# one\nset gap 3 cm\nset gap 3 kN\nset gap 4 cm\n");
+    snprintf(path, sizeof path, "%s/wrong.thud", f.folder);
+    ck_assert_int_eq(thud_tui_play_lines(f.tui, path, &out, &err), THUD_INPUT);
+    ck_assert_int_eq(err.line, 3);
+    ck_assert_ptr_nonnull(strstr(err.what, "is a force"));
+    ck_assert_double_eq_tol(f.tui->doc.scene.interface[0].gap_m, 0.03, 1e-15);
+    thud_text_clear(&out);
+}
+END_TEST
+
+START_TEST(a_new_scene_as_a_command)
+{
+    fixture_keys(&f, ":new storeys: 5, 7; mass: 300; stiffness: 0.5 s, 0.7 s; gap: 8; name: mine<Enter>");
+    ck_assert_str_eq(f.tui->doc.scene.name, "mine");
+    ck_assert_int_eq(f.tui->doc.scene.structure[1].storeys, 7);
+    ck_assert_double_eq_tol(f.tui->doc.scene.interface[0].gap_m, 0.08, 1e-15);
+    fixture_keys(&f, ":new size: 5<Enter>");
+    fixture_expect(&f, "unsaved changes");
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -377,6 +440,9 @@ Suite *thud_suite(void)
     tcase_add_test(files, a_new_scene_is_refused);
     tcase_add_test(files, other_kinds_from_nothing);
     tcase_add_test(files, files_are_browsed);
+    tcase_add_test(files, a_session_is_played_again);
+    tcase_add_test(files, a_session_stops_where_it_cannot);
+    tcase_add_test(files, a_new_scene_as_a_command);
     tcase_add_test(files, saving_under_another_name);
     tcase_add_test(files, a_file_changed_by_others_is_asked_about);
     tcase_add_test(files, a_full_disk_loses_nothing);

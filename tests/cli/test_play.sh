@@ -1,0 +1,49 @@
+#!/bin/sh
+# thud --play: a session of the terminal interface without a terminal.  TAP.
+# shellcheck source=tests/cli/program.sh
+. "$(dirname "$0")/program.sh"
+cd "$tmp" || exit 1
+
+cat >session <<'END'
+# what an afternoon leaves
+open towers
+set gap 12 cm
+folder tables
+vary gap=6 cm:14 cm:2 cm
+table Sweep
+screen results
+show
+END
+is "a session is played without a terminal" gives 0 --play session
+is "every command is printed" shows '^> set gap 12 cm$'
+is "with what it changed" shows '^POUNDS at 12 cm: '
+is "the screen, where it is asked for" shows '\[4 Results\]'
+force() { sed -n 's/.*"force_n": \([0-9.e+-]*\),.*/\1/p' | sort -g | tail -1; }
+expect=$("$THUD" run towers --set gap=12cm --case none --json 2>err | force)
+told=$(sed -n 's/^POUNDS at 12 cm: .* impacts, \([0-9.]*\) MN .*/\1/p' "$tmp/out" | head -1)
+is "the force is that of thud run" [ "$(awk -v a="$told" -v b="$expect" 'BEGIN { d = a * 1e6 / b - 1; print (d < 2e-3 && d > -2e-3) }')" = 1 ]
+"$THUD" sweep towers --set gap=12cm --vary gap=6cm:14cm:2cm --csv >sweep.csv 2>err
+is "the study is that of thud sweep" cmp -s sweep.csv tables/towers-sweep.csv
+
+printf 'set gap 5 cm\nset gap 5 kN\n' >wrong
+is "a refused command ends it" gives 3 towers --play wrong
+is "with its line" says '^wrong:2: gap: "5 kN" is a force'
+is "what came before is printed" shows '^> set gap 5 cm$'
+is "a file that is not there" gives 3 --play nowhere
+echo 'gapp 5 cm' >w2
+is "a command there is not" gives 3 --play w2
+
+cat >scene <<'END'
+new name: mine; storeys: 5, 7; mass: 300 t, 320 t; stiffness: 0.5 s, 0.7 s; gap: 8 cm; record: kobe-surrogate.csv
+write mine.yaml
+log again
+END
+is "a scene from nothing" gives 0 --play scene
+is "is saved" [ -f mine.yaml ]
+first=$("$THUD" run mine.yaml --case none --json 2>err | force)
+mv mine.yaml first.yaml
+sed '/^log/d' again >once
+is "its log does it again" gives 0 --play once
+is "to the same bytes" cmp -s mine.yaml first.yaml
+is "with the same force" [ "$("$THUD" run mine.yaml --case none --json 2>err | force)" = "$first" ]
+is "and not over what is there" gives 3 --play once
