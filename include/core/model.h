@@ -96,6 +96,18 @@ enum thud_status thud_model_create(const struct thud_model_input *input, struct 
                                    struct thud_error *err);
 void thud_model_free(struct thud_model *model);
 
+/* The structures whose modes a row of the Jacobian moves, from the left: one for a storey or beside a wall, else two.
+ * Returns how many. */
+static inline int thud_model_row_structures(const struct thud_model *model, int row, int structure[2])
+{
+    const int dof[] = {model->contact[row].left_dof, model->contact[row].right_dof};
+    int n = 0;
+    for (int i = 0; i < 2; i++)
+        if (dof[i] >= 0 && (n == 0 || structure[0] != model->dof_structure[dof[i]]))
+            structure[n++] = model->dof_structure[dof[i]];
+    return n;
+}
+
 /* A floor's value from modal values (nmodes). */
 double thud_model_floor(const struct thud_model *model, int dof, const double *modal);
 /* Values of row c's two floors from modal values; 0 for a wall and the ground. */

@@ -217,9 +217,13 @@ static bool may_close(const struct thud_state *state, const struct thud_segment 
     if (state->contact[c].suppressed.indentation > 0)
         return true;
     double most = thud_contact_indentation(state, c);
-    const double *g = m->jacobian + c * m->nmodes;
-    for (int j = 0; j < m->nmodes; j++)
-        most += fabs(g[j]) * seg->reach[j];
+    const double *g = m->jacobian + (size_t)c * (size_t)m->nmodes;
+    int structure[2], n = thud_model_row_structures(m, c, structure);
+    for (int i = 0; i < n; i++) {
+        const struct thud_model_structure *s = &m->structure[structure[i]];
+        for (int j = s->first_mode; j < s->first_mode + s->modes; j++)
+            most += fabs(g[j]) * seg->reach[j];
+    }
     return most > 0;
 }
 

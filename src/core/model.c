@@ -267,15 +267,26 @@ static void fill_storeys(struct thud_model *m, const struct thud_model_input *in
         }
 }
 
-static void fill_w(struct thud_model *m)
+/* g_a . g_b: only where two rows move the modes of the same structure do both have parts; the other entries stay 0. */
+static double shared_part(const struct thud_model *m, int a, int b)
+{
+    const double *ga = m->jacobian + (size_t)a * (size_t)m->nmodes, *gb = m->jacobian + (size_t)b * (size_t)m->nmodes;
+    int of_a[2], of_b[2], na = thud_model_row_structures(m, a, of_a), nb = thud_model_row_structures(m, b, of_b);
+    double sum = 0;
+    for (int i = 0; i < na; i++) {
+        const struct thud_model_structure *s = &m->structure[of_a[i]];
+        bool both = (nb > 0 && of_b[0] == of_a[i]) || (nb > 1 && of_b[1] == of_a[i]);
+        for (int j = s->first_mode; both && j < s->first_mode + s->modes; j++)
+            sum += ga[j] * gb[j];
+    }
+    return sum;
+}
+
+static void fill_delassus(struct thud_model *m)
 {
     for (int a = 0; a < m->nrows; a++)
-        for (int b = 0; b < m->nrows; b++) {
-            double sum = 0;
-            for (int j = 0; j < m->nmodes; j++)
-                sum += m->jacobian[a * m->nmodes + j] * m->jacobian[b * m->nmodes + j];
-            m->delassus[a * m->nrows + b] = sum;
-        }
+        for (int b = 0; b <= a; b++)
+            m->delassus[a * m->nrows + b] = m->delassus[b * m->nrows + a] = shared_part(m, a, b);
 }
 
 /* The block and its arrays, with each structure's slices. */
@@ -339,7 +350,7 @@ enum thud_status thud_model_create(const struct thud_model_input *input, struct 
         return status;
     }
     fill_storeys(m, input);
-    fill_w(m);
+    fill_delassus(m);
     *out = m;
     return THUD_OK;
 }

@@ -154,7 +154,7 @@ static void next_order(const struct thud_model *m, struct thud_segment *seg, int
     }
     for (int c = 0; k < seg->loaded && c < m->nrows; c++)
         if (force[c] != 0.0)
-            push(n, m->jacobian + c * n, scale * force[c], q2);
+            thud_model_apply_contact_force(m, c, scale * force[c], q2);
 }
 
 static double largest_of(const double *x, int n)

@@ -116,13 +116,9 @@ void thud_model_acceleration(const struct thud_model *m, const double *q, const 
 
 void thud_model_apply_contact_forces(const struct thud_model *m, const double *force, double *qdd)
 {
-    for (int c = 0; c < m->nrows; c++) {
-        if (force[c] == 0.0)
-            continue;
-        const double *g = m->jacobian + c * m->nmodes;
-        for (int j = 0; j < m->nmodes; j++)
-            qdd[j] -= g[j] * force[c];
-    }
+    for (int c = 0; c < m->nrows; c++)
+        if (force[c] != 0.0)
+            thud_model_apply_contact_force(m, c, force[c], qdd);
 }
 
 static void free_acceleration(const struct thud_state *state, double *out)

@@ -158,6 +158,18 @@ void thud_model_acceleration(const struct thud_model *model, const double *q, co
                              double *out);
 /* From that to the second rate with these contact forces. */
 void thud_model_apply_contact_forces(const struct thud_model *model, const double *force, double *qdd);
+/* The same of one row of the Jacobian alone, in the modes that it moves. */
+static inline void thud_model_apply_contact_force(const struct thud_model *model, int c, double force,
+                                                  double *restrict qdd)
+{
+    const double *restrict g = model->jacobian + (size_t)c * (size_t)model->nmodes;
+    int structure[2], n = thud_model_row_structures(model, c, structure);
+    for (int i = 0; i < n; i++) {
+        const struct thud_model_structure *s = &model->structure[structure[i]];
+        for (int j = s->first_mode; j < s->first_mode + s->modes; j++)
+            qdd[j] -= g[j] * force;
+    }
+}
 /* Fills the constraint forces of the STUCK contacts from d'' = 0, given the accelerations without contact forces and the
  * other contacts' forces. */
 void thud_contact_constraint_forces(const struct thud_state *state, const double *free, double *force);
