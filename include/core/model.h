@@ -108,6 +108,9 @@ static inline int thud_model_row_structures(const struct thud_model *model, int 
     return n;
 }
 
+/* A bound of the rates of free motion of one structure, rad/s: its largest omega, or the rate of coupled damping. */
+double thud_model_fastest(const struct thud_model_structure *structure);
+
 /* A floor's value from modal values (nmodes). */
 double thud_model_floor(const struct thud_model *model, int dof, const double *modal);
 /* Values of row c's two floors from modal values; 0 for a wall and the ground. */

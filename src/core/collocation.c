@@ -634,10 +634,12 @@ static bool solve(const struct thud_state *state, struct thud_collocation *x, in
     return false;
 }
 
-/* First guess: the forces of the last segment go on; after a switch, the force as it is now, with the indentation going
- * on at its rate. */
+/* First guess: the forces of the last segment go on; after a switch, or where the last segment was a sliver before a kink
+ * of the ground motion, the force as it is now, with the indentation going on at its rate. */
 static void guess(const struct thud_state *state, struct thud_collocation *x, double h)
 {
+    static const double farthest = 32; /* times the last segment: its sixth power is 1e9 */
+    x->has_source = x->has_source && h <= farthest * x->last_h;
     if (!x->has_source)
         thud_contact_forces(state, state->force_now);
     for (int a = 0; a < x->nactive; a++) {

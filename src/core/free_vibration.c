@@ -10,7 +10,8 @@
 #include "core/quadrature.h"
 #include "core/tolerance.h"
 
-enum { ENDS = THUD_FREE_VIBRATION_ENDS, SHORT_BLOCK = 8, POINTS = THUD_QUADRATURE_POINTS };
+/* PIECES_MOST: of a block of more than one interval, so that a slice of work ends soon where modes are very fast. */
+enum { ENDS = THUD_FREE_VIBRATION_ENDS, SHORT_BLOCK = 8, PIECES_MOST = 16384, POINTS = THUD_QUADRATURE_POINTS };
 
 /* The tables of one interval of the ground motion. */
 
@@ -354,6 +355,7 @@ const struct thud_segment *thud_free_vibration_series(struct thud_free_vibration
             thud_segment_state(&f->seg, f->n, 1, f->now, f->now_rate);
         thud_segment_begin_at(state, &f->seg, state->grid + t, ++f->at_piece * h, h);
         thud_taylor_given(state->model, &f->seg, f->now, f->now_rate);
+        f->made++;
     }
     return &f->seg;
 }
@@ -542,6 +544,8 @@ static int room(const struct thud_free_vibration *f, const struct thud_state *st
         if (state->contact[c].mode != THUD_OPEN)
             return 0;
     left = left < aligned ? left : aligned;
+    if (left * f->pieces > PIECES_MOST)
+        left = f->pieces < PIECES_MOST ? PIECES_MOST / f->pieces : 1;
     return left < f->size ? (int)left : f->size;
 }
 

@@ -52,6 +52,7 @@ struct thud_free_vibration {
     bool *near;           /* (ncontacts) whether it may in the interval looked at */
     int ends;             /* in the block */
     int size;             /* intervals to try next */
+    long made;            /* series so far: what the work is measured by */
     double *block;
 };
 

@@ -156,9 +156,9 @@ static void fill_floor(struct thud_model *m, int s, const struct thud_structure_
 /* A bound of the rates of free motion q'' + D q' + Omega^2 q = 0: the norm of its first-order system in (Omega q, q')
  * is at most (d + sqrt(d^2 + 4 omega^2))/2, where d is the norm of D. A dashpot on a light mass makes d, and with it
  * the rate of the motion, far larger than any omega. Modes that D does not couple have |rates| of omega (zeta < 1). */
-static double fastest_rate(const struct thud_model_structure *p)
+double thud_model_fastest(const struct thud_model_structure *p)
 {
-    double omega = p->omega[p->modes - 1], squares = 0, row = 0;
+    double omega = p->modes > 0 ? p->omega[p->modes - 1] : 0, squares = 0, row = 0;
     for (int i = 0; p->damping && i < p->modes; i++) {
         double sum = 0;
         for (int j = 0; j < p->modes; j++) {
@@ -187,8 +187,8 @@ static enum thud_status fill_structure(struct thud_model *m, struct arena *arena
     for (int i = 0; i < to->n && status == THUD_OK; i++)
         fill_floor(m, s, in, i);
     m->couples = m->couples || to->damping;
-    if (status == THUD_OK && to->modes > 0)
-        m->fastest_radps = fmax(m->fastest_radps, fastest_rate(to));
+    if (status == THUD_OK)
+        m->fastest_radps = fmax(m->fastest_radps, thud_model_fastest(to));
     m->left_out += to->n - to->modes;
     return status;
 }

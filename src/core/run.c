@@ -72,7 +72,7 @@ enum thud_status thud_run_advance(struct thud_run *run, long budget, bool *done,
     enum thud_status status = THUD_OK;
     while (budget-- > 0 && !run->done && status == THUD_OK) {
         bool passed = false;
-        status = thud_run_fly(run, &passed, err);
+        status = thud_run_fly(run, &budget, &passed, err);
         if (!passed && status == THUD_OK)
             status = segment(run, err);
         run->done = run->state.end_s - thud_state_now(&run->state) <= THUD_TOL_TIME * run->state.end_s;

@@ -2,7 +2,7 @@
 #include "core/run_private.h"
 #include "core/storey.h"
 
-enum thud_status thud_run_fly(struct thud_run *run, bool *passed, struct thud_error *err)
+enum thud_status thud_run_fly(struct thud_run *run, long *budget, bool *passed, struct thud_error *err)
 {
     struct thud_free_vibration *f = run->free_vibration;
     struct thud_state *state = &run->state;
@@ -15,9 +15,12 @@ enum thud_status thud_run_fly(struct thud_run *run, bool *passed, struct thud_er
         *passed = true;
         return THUD_OK;
     }
+    const long made = f->made;
     int intervals = thud_free_vibration_march(f, state);
-    if (intervals == 0)
+    if (intervals == 0) {
+        *budget -= f->made - made;
         return THUD_OK;
+    }
     enum thud_status status = THUD_OK;
     for (int i = 0; i < run->observers && status == THUD_OK; i++)
         status = run->observer[i].table->block(run->observer[i].own, state, f, intervals, err);
@@ -26,6 +29,7 @@ enum thud_status thud_run_fly(struct thud_run *run, bool *passed, struct thud_er
     thud_contact_moved(state);
     thud_storeys_moved(state);
     run->work.samples_fast += intervals;
+    *budget -= f->made - made;
     *passed = true;
     return status;
 }

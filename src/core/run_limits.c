@@ -1,5 +1,6 @@
 /* What a run may ask for, the step it gets when it asks for none, and what its response may not pass. */
 #include <math.h>
+#include <stdio.h>
 
 #include "core/run_private.h"
 
@@ -26,6 +27,34 @@ enum thud_status thud_run_check_options(const struct thud_run_options *o, const 
         return THUD_INPUT;
     }
     return THUD_OK;
+}
+
+/* Also for methods that choose their steps. A series holds for 1.8 rad or so of the fastest motion. Buildings turn by up to 100 rad/s x 0.02 s in an interval of
+ * the ground motion, and by 1e5 rad in a run. */
+static const double interval_most_rad = 1e4, run_most_rad = 1e9;
+
+enum thud_status thud_run_check_rates(const struct thud_run *run, struct thud_error *err)
+{
+    const struct thud_state *state = &run->state;
+    const struct thud_model *m = state->model;
+    const bool exact = run->method->order == 0, by_step = run->method->flags & THUD_METHOD_FIXED_STEP;
+    const bool by_interval = exact && !m->couples && state->grid_dt_s * m->fastest_radps > interval_most_rad;
+    if (by_step || (!by_interval && state->end_s * m->fastest_radps <= run_most_rad))
+        return THUD_OK;
+    int worst = 0;
+    for (int s = 1; s < m->nstructures; s++)
+        if (thud_model_fastest(&m->structure[s]) > thud_model_fastest(&m->structure[worst]))
+            worst = s;
+    char key[32];
+    snprintf(key, sizeof key, "structures.%d", worst + 1);
+    thud_error_set(err, THUD_INPUT, "free motion of up to %.3g rad/s cannot be followed over %.6g s%s",
+                   m->fastest_radps, by_interval ? state->grid_dt_s : state->end_s,
+                   by_interval ? ", an interval of the ground motion" : "");
+    thud_error_key(err, key);
+    thud_error_allow(err,
+                     "up to %.3g rad/s here: heavier floors, softer storeys or weaker dashpots; or an implicit method",
+                     by_interval ? interval_most_rad / state->grid_dt_s : run_most_rad / state->end_s);
+    return THUD_INPUT;
 }
 
 void thud_run_set_scales(struct thud_run *run)

@@ -14,8 +14,10 @@ enum { THUD_OBSERVERS_MAX = 5 };
 
 /* Events at one moment without end: see run.c. */
 struct thud_progress {
-    int stalls; /* events in a row without progress in time */
-    int passes; /* moments passed over in a row because their events had no end */
+    int stalls;  /* events in a row without progress in time */
+    int passes;  /* moments passed over in a row because their events had no end */
+    long events; /* since from_s, in at most a part of the run's duration */
+    double from_s;
 };
 
 struct thud_run {
@@ -58,7 +60,8 @@ struct thud_proposal {
 /* run_propose.c: the next segment up to its first event. Errors: as the method's step; THUD_DIVERGED. */
 enum thud_status thud_run_propose(struct thud_run *run, struct thud_proposal *p, struct thud_error *err);
 /* Counts the steps that stay at one moment, or so near to it that no motion lies between, and passes that moment over
- * where its events have no end. Errors: THUD_DIVERGED (it has been passed over too often). */
+ * where its events have no end. Errors: THUD_DIVERGED (it has been passed over too often; or so many events crowd in a
+ * short time that the run would not end). */
 enum thud_status thud_run_watch_progress(struct thud_run *run, struct thud_proposal *p, struct thud_error *err);
 /* run_setup.c: fills the results that are made from others. */
 void thud_run_finish(struct thud_run *run);
@@ -66,6 +69,8 @@ void thud_run_finish(struct thud_run *run);
 /* run_limits.c: what a run may ask for, and what its response may not pass. */
 enum thud_status thud_run_check_options(const struct thud_run_options *options, const struct thud_record *record,
                                         struct thud_error *err);
+/* Whether the motion is slow enough for series: THUD_INPUT where fast modes would take them without end. */
+enum thud_status thud_run_check_rates(const struct thud_run *run, struct thud_error *err);
 /* Fills the scales of run->state from the first state. */
 void thud_run_set_scales(struct thud_run *run);
 /* Fills run->speed_bound. */
@@ -76,8 +81,8 @@ enum thud_status thud_run_judge(const struct thud_run *run, struct thud_error *e
 enum thud_status thud_run_check_state(struct thud_run *run, const double *q, const double *qd, struct thud_error *err);
 
 /* run_fly.c: free vibration over a block of intervals, or early to the end; *passed: whether anything was. Errors: those
- * of the observers. */
-enum thud_status thud_run_fly(struct thud_run *run, bool *passed, struct thud_error *err);
+ * of the observers. Takes the series that were made from *budget: one is as much work as a segment. */
+enum thud_status thud_run_fly(struct thud_run *run, long *budget, bool *passed, struct thud_error *err);
 
 /* Adds an observer, whose own stays the caller's. */
 void thud_run_observe(struct thud_run *run, const struct thud_observer *table, void *own);

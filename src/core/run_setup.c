@@ -175,7 +175,9 @@ static enum thud_status start(struct thud_run *run, struct thud_error *err)
     thud_storeys_start(&run->state);
     thud_run_set_bound(run);
     set_step(run);
-    enum thud_status status = create_observers(run, err);
+    enum thud_status status = thud_run_check_rates(run, err);
+    if (status == THUD_OK)
+        status = create_observers(run, err);
     if (status == THUD_OK)
         thud_ledger_start(&run->ledger, &run->state);
     if (status == THUD_OK && run->method->order == 0) /* the others show how they fare in free flight */

@@ -46,17 +46,38 @@ static struct thud_text whole(const struct thud_sweep_plan *plan)
     return text;
 }
 
-/* Whether the same words and, but for rounding, the same numbers. */
+/* The number of a word: decimal, or the bits of a double in hexadecimal after an x; NaN where it is none. */
+static double number_of(const char *word, size_t length)
+{
+    char text[32] = "", *end;
+    double number;
+    if (length >= sizeof text)
+        return NAN;
+    memcpy(text, word, length);
+    if (*text != 'x') {
+        number = strtod(text, &end);
+        return end > text && *end == '\0' ? number : NAN;
+    }
+    unsigned long long bits = strtoull(text + 1, &end, 16);
+    memcpy(&number, &bits, sizeof number);
+    return *end == '\0' ? number : NAN;
+}
+
+static bool is_same_word(const char *a, size_t n, const char *b, size_t m)
+{
+    double x = number_of(a, n), y = number_of(b, m);
+    return (n == m && memcmp(a, b, n) == 0) || fabs(x - y) <= 1e-9 * (fabs(x) + fabs(y));
+}
+
+/* Whether the same words and, but for rounding, the same numbers; what ends a line is its checksum. */
 static bool is_same(const char *a, const char *b)
 {
     while (a && b && *a && *b) {
-        char *after_a, *after_b;
-        double x = strtod(a, &after_a), y = strtod(b, &after_b);
-        bool numbers = after_a > a && after_b > b;
-        if (numbers ? fabs(x - y) > 1e-9 * (fabs(x) + fabs(y)) || isnan(x) != isnan(y) : *a != *b)
+        size_t n = strcspn(a, " \n"), m = strcspn(b, " \n");
+        if (a[n] != b[m] || (a[n] == ' ' && !is_same_word(a, n, b, m)))
             return false;
-        a = numbers ? after_a : a + 1;
-        b = numbers ? after_b : b + 1;
+        a += a[n] ? n + 1 : n;
+        b += b[m] ? m + 1 : m;
     }
     return a && b && *a == *b;
 }

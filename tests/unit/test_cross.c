@@ -1,5 +1,6 @@
 /* Random scenes answered in every way that must give the same answer (tests/soak/cross.c takes many more). */
 #include <check.h>
+#include <string.h>
 
 #include "scenes.h"
 #include "scenes_check.h"
@@ -166,6 +167,39 @@ START_TEST(no_sliver_before_a_kink)
 }
 END_TEST
 
+/* Bounces that lose no energy and are pressed on come ever closer together: the run ends with when and where, by either
+ * method. */
+START_TEST(bounces_without_end_are_said)
+{
+    static const char *const methods[] = {"exact", "dormand-prince"};
+    struct scenes_one one;
+    struct scenes_answer answer;
+    scenes_draw(&one, SCENES_WIDE + 175);
+    scenes_run(&one, &(struct scenes_options){.method = methods[_i], .tolerance = 1e-6, .most = 1000000}, &answer);
+    ck_assert(!answer.stopped);
+    ck_assert_int_eq(answer.status, THUD_DIVERGED);
+    ck_assert_ptr_nonnull(strstr(answer.err.what, "contacts switch 50000 times from t = 0.065"));
+    ck_assert_ptr_nonnull(strstr(answer.err.what, "last between floors 1 and 1"));
+    ck_assert_str_eq(answer.err.key, "interfaces.1");
+    scenes_answer_clear(&answer);
+    scenes_clear(&one);
+}
+END_TEST
+
+/* After a sliver of time before a kink of the ground motion the first guess of the forces was their polynomial 16000
+ * steps on, 1e58 N, to which the iteration converged: no step was short enough at t = 2.6 s. */
+START_TEST(guesses_stay_near_the_last_step)
+{
+    struct scenes_one one;
+    struct scenes_answer answer;
+    scenes_draw(&one, SCENES_WIDE + 299);
+    scenes_run(&one, &(struct scenes_options){.tolerance = 1e-6, .most = 10500}, &answer);
+    ck_assert_msg(answer.status == THUD_OK, "%s", answer.err.what);
+    scenes_answer_clear(&answer);
+    scenes_clear(&one);
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -182,6 +216,8 @@ Suite *thud_suite(void)
     tcase_add_loop_test(tcase, steps_do_not_stay_short, 0, 2);
     tcase_add_loop_test(tcase, no_step_is_lost_in_rounding, 0, 2);
     tcase_add_test(tcase, no_sliver_before_a_kink);
+    tcase_add_loop_test(tcase, bounces_without_end_are_said, 0, 2);
+    tcase_add_test(tcase, guesses_stay_near_the_last_step);
     tcase_add_test(tcase, stiff_contacts_do_not_chatter);
     tcase_add_loop_test(tcase, scenes_that_had_no_answer, 0, 11);
     suite_add_tcase(suite, tcase);
