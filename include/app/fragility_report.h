@@ -44,8 +44,11 @@ void thud_fragility_table(const struct thud_fragility_study *study, struct thud_
 void thud_fragility_csv(const struct thud_fragility_study *study, struct thud_text *out);
 void thud_fragility_curves_csv(const struct thud_fragility_study *study, struct thud_text *out);
 void thud_fragility_json(const struct thud_fragility_study *study, struct thud_text *out);
-/* Fractiles of every measure over the motions, a row for each setting, case and structure. Errors: THUD_MEMORY. */
+/* Fractiles of every measure over the motions, a row for each setting, case and structure; as JSON an array of them; as
+ * a table, 80 columns wide, of at most five values of every varied key. Errors: THUD_MEMORY. */
 enum thud_status thud_suite_csv(const struct thud_suite *suite, struct thud_text *out, struct thud_error *err);
+enum thud_status thud_suite_json(const struct thud_suite *suite, struct thud_text *out, struct thud_error *err);
+enum thud_status thud_suite_table(const struct thud_suite *suite, struct thud_text *out, struct thud_error *err);
 
 /* Its figures, counted from 0: each event's curves, then the incremental dynamic analysis of each case along each
  * intensity. Ask thud_figure_check. */

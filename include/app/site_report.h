@@ -5,8 +5,8 @@
 
 #include "app/record_list.h"
 #include "app/session.h"
+#include "app/uncertainty_study.h"
 #include "plot/gnuplot.h"
-#include "study/uncertainty.h"
 
 struct thud_site_report_options {
     const char *folder;
@@ -14,6 +14,7 @@ struct thud_site_report_options {
     const struct thud_record_list *records; /* the suite of ground motions; one of them or none: there is no suite */
     const struct thud_inputs *inputs;       /* that are uncertain */
     size_t samples;                         /* of them; 0: none are drawn */
+    enum thud_sampling sampling;
     unsigned long long seed;
     const struct thud_picture_options *pictures;
     void *context;

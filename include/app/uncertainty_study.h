@@ -9,12 +9,15 @@
 #include "study/uncertainty.h"
 
 /* Rows of places (ninputs each) and of values (nquantities each), one after the other: as it is; each input least and most,
- * alone; n samples of a Latin hypercube; and for the indices n more, and for each input the first n with it from the
- * second. */
+ * alone; n samples; and for the indices n more, and for each input the first n with it from the second. */
+enum thud_sampling { THUD_SAMPLING_LATIN_HYPERCUBE, THUD_SAMPLING_SOBOL, THUD_SAMPLINGS };
+const char *thud_sampling_name(enum thud_sampling sampling); /* as --sampling takes it */
+
 struct thud_uncertainty_study {
     const struct thud_uncertainty *uncertainty;
     size_t samples; /* n; 0: one at a time only */
     bool indices;
+    enum thud_sampling sampling;
     unsigned long long seed;
     int threads;                                                              /* 0: the processors that are online */
     const volatile sig_atomic_t *cancel;                                      /* may be NULL */

@@ -29,6 +29,9 @@ struct thud_figure *thud_figure_of_pounding(const struct thud_sweep_table *table
 struct thud_figure *thud_figure_of_map(const struct thud_sweep_table *table, int record, enum thud_case which,
                                        const int *at, const char *name);
 
+/* With more records than this a study's figures are better of thud_sweep_suite_make: one of each kind, with medians and
+ * bands. */
+enum { THUD_SWEEP_FIGURE_RECORDS = THUD_COLORS };
 /* All figures a study gives, counted from 0: thud_sweep_figure makes one (ask thud_figure_check). */
 int thud_sweep_figure_count(const struct thud_sweep_table *table);
 struct thud_figure *thud_sweep_figure(const struct thud_sweep_table *table, int index);

@@ -72,8 +72,7 @@ struct thud_analysis {
 
 enum thud_case { THUD_CASE_AS_WRITTEN = -1, THUD_CASE_NONE, THUD_CASE_BUMPER, THUD_CASE_CAVITY, THUD_CASES };
 
-/* A study: up to THUD_VARY_MAX keys over ranges or lists, cases and records (the records themselves on the command
- * line). */
+/* A study: up to THUD_VARY_MAX keys over ranges or lists, cases and ground motions. */
 enum { THUD_VARY_MAX = 4, THUD_VARY_KEY = 96, THUD_VARY_VALUES = 320, THUD_VARY_TEXT = 512 };
 struct thud_vary {
     char key[THUD_VARY_KEY];
@@ -85,7 +84,9 @@ struct thud_study_choice {
     struct thud_vary vary[THUD_VARY_MAX];
     int ncases;
     enum thud_case cases[THUD_CASES];
-    double sensitivity; /* relative change of the inputs; 0: no spread is asked for */
+    double sensitivity;           /* relative change of the inputs; 0: no spread is asked for */
+    char records[THUD_VARY_TEXT]; /* as --records takes them, or in brackets; empty: the scene's own one */
+    bool both_signs;              /* every ground motion both ways round */
 };
 
 struct thud_scene {

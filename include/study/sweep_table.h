@@ -21,6 +21,13 @@ struct thud_sweep_run {
     double indentation_m; /* largest */
 };
 
+/* Over a suite of ground motions, of a run whose own values are medians: 16 and 84 % of the force, and the shares of the
+ * motions under which something touches, and under which the mean acceleration of a structure is larger than in case
+ * `none`. */
+struct thud_sweep_shares {
+    double force_low_n, force_high_n, pounding, worse;
+};
+
 /* What is kept of a point: one allocation (free with free()), sized to its floors and cases. */
 struct thud_sweep_summary {
     int record;                     /* from 0 */
@@ -36,7 +43,8 @@ struct thud_sweep_summary {
 
 struct thud_sweep_table {
     int nrecords, nstructures, naxes;
-    double sensitivity;                   /* of the spread; 0: there is none */
+    double sensitivity; /* of the spread; 0: there is none */
+    int motions; /* over how many ground motions the values are medians, low and high 16 and 84 %; 0: of one each */
     const char *const *record;            /* (nrecords) names */
     const char *const *structure;         /* (nstructures) names */
     const enum thud_structure_kind *kind; /* (nstructures) */
@@ -44,6 +52,7 @@ struct thud_sweep_table {
     size_t nrows;                         /* of all runs */
     size_t npoints;
     struct thud_sweep_summary *const *point; /* (npoints): by record, then parameters, the last axis fastest */
+    const struct thud_sweep_shares *shares;  /* (npoints x THUD_SWEEP_CASES_MAX) of a suite's runs; else NULL */
     const struct thud_sweep_need_row
         *need; /* (nrecords) the one that needs the widest gap; interface 0: there is none */
 };
@@ -55,6 +64,13 @@ struct thud_sweep_summary *thud_sweep_summary_create(int nruns, int nstructures,
 /* Of a finished point; *out is NULL where no case that was asked for has an answer. Errors: THUD_MEMORY. */
 enum thud_status thud_sweep_summary_make(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point,
                                          struct thud_sweep_summary **out, struct thud_error *err);
+
+/* The table of a suite: one record, whose points hold the statistics over all records of `table`: medians, and as low
+ * and high the 16 and 84 % fractiles (of the logarithms where positive). It points to the names and axes of `table`.
+ * Free with thud_sweep_suite_free. Errors: THUD_MEMORY. */
+enum thud_status thud_sweep_suite_make(const struct thud_sweep_table *table, struct thud_sweep_table **out,
+                                       struct thud_error *err);
+void thud_sweep_suite_free(struct thud_sweep_table *suite);
 
 static inline int thud_sweep_summary_floors(const struct thud_sweep_summary *d, int structure)
 {

@@ -116,6 +116,7 @@ static const struct thud_option options[] = {
     {"hazard", "FILE", "intensity and annual rate, as CSV", THUD_WORD_FILE, false, FRAGILITY},
     {"samples", "N", "of the bootstrap or the inputs, 200 by itself", THUD_WORD_TEXT, false,
      FRAGILITY | UNCERTAINTY | REPORT},
+    {"sampling", "WAY", "of the inputs: latin-hypercube or sobol", THUD_WORD_CHOICE, false, UNCERTAINTY | REPORT},
     {"seed", "N", "of what is drawn at random; else 1", THUD_WORD_TEXT, false, FRAGILITY | UNCERTAINTY | REPORT},
     {"uncertain", "INPUT=SIZE", "gap=5%, damping=20%, restitution=0.1", THUD_WORD_TEXT, true, UNCERTAINTY | REPORT},
     {"indices", NULL, "Sobol indices, first and total", THUD_WORD_NONE, false, UNCERTAINTY},
@@ -186,6 +187,7 @@ const char *thud_option_choice(const struct thud_option *option, int i)
         const char *option, *choice[6];
     } choices[] = {{"unit", {"g", "m/s2", "cm/s2", "mm/s2", "gal"}},
                    {"sign", {"+", "-"}},
+                   {"sampling", {"latin-hypercube", "sobol"}},
                    {"signs", {"both"}},
                    {"baseline", {"mean", "linear"}},
                    {"without", {"free", "start", "levels", "reference", "all"}},

@@ -199,18 +199,22 @@ static void place(const struct thud_sweep_plan *plan, const struct thud_fragilit
                 (size_t)snprintf(text + used, size - used, "%s%s", used ? ", " : "", plan->axis[a].text[line->at[a]]);
 }
 
-/* At most five settings of every curve's others, evenly spread, are shown. */
-static bool is_shown(const struct thud_sweep_plan *plan, const struct thud_fragility_line *line)
+/* Whether the i-th of n is one of at most five, evenly spread. */
+static bool is_spread(int n, int i)
 {
     enum { MOST = 5 };
-    for (int a = 0; a < plan->naxes; a++) {
-        int n = plan->axis[a].n, i = line->at[a];
-        bool shown = n <= MOST;
-        for (int j = 0; j < MOST && !shown; j++)
-            shown = i == (j * (n - 1) + (MOST - 1) / 2) / (MOST - 1);
-        if (a != line->axis && !shown)
+    bool shown = n <= MOST;
+    for (int j = 0; j < MOST && !shown; j++)
+        shown = i == (j * (n - 1) + (MOST - 1) / 2) / (MOST - 1);
+    return shown;
+}
+
+/* At most five settings of every curve's others are shown. */
+static bool is_shown(const struct thud_sweep_plan *plan, const struct thud_fragility_line *line)
+{
+    for (int a = 0; a < plan->naxes; a++)
+        if (a != line->axis && !is_spread(plan->axis[a].n, line->at[a]))
             return false;
-    }
     return true;
 }
 
@@ -423,13 +427,43 @@ void thud_fragility_json(const struct thud_fragility_study *study, struct thud_t
     thud_text_append(out, "\n]}\n");
 }
 
-/* Columns of one setting, case and structure. */
-static void put_suite_row(const struct thud_suite *suite, long setting, int k, int s, double *room,
-                          struct thud_text *out)
+/* ---- statistics over the ground motions ---- */
+
+enum { SUITE_FIRST = THUD_SUITE_FORCE, SUITE_COLUMNS = 3 + 3 * (THUD_SUITE_MEASURES - SUITE_FIRST) };
+
+/* One setting, case and structure: how many motions, how many of them pound and are amplified, fractiles of every
+ * measure. */
+static void suite_values(const struct thud_suite *suite, long setting, int k, int s, double *room,
+                         double value[SUITE_COLUMNS])
+{
+    struct thud_fractiles f = thud_suite_fractiles(suite, setting, k, THUD_SUITE_IMPACTS, -1, 0, room);
+    value[0] = (double)f.n;
+    value[1] = f.n ? round(f.share * (double)f.n) : 0;
+    f = thud_suite_fractiles(suite, setting, k, THUD_SUITE_ACCELERATION_RATIO, s, 1 + 1e-9, room);
+    value[2] = f.n ? round(f.share * (double)f.n) : 0;
+    for (int m = SUITE_FIRST; m < THUD_SUITE_MEASURES; m++) {
+        double *to = value + 3 + 3 * (m - SUITE_FIRST);
+        f = thud_suite_fractiles(suite, setting, k, (enum thud_suite_measure)m, s, 0, room);
+        to[0] = f.p16;
+        to[1] = f.median;
+        to[2] = f.p84;
+    }
+}
+
+static void suite_column(int column, char name[48])
+{
+    static const char *const counts[] = {"motions", "pounding", "amplified"}, *const end[] = {"p16", "median", "p84"};
+    if (column < 3)
+        snprintf(name, 48, "%s", counts[column]);
+    else
+        snprintf(name, 48, "%s_%s", thud_suite_column((enum thud_suite_measure)(SUITE_FIRST + column / 3 - 1)),
+                 end[column % 3]);
+}
+
+static void put_suite_csv_row(const struct thud_suite *suite, const int *at, int k, int s,
+                              const double value[SUITE_COLUMNS], struct thud_text *out)
 {
     const struct thud_sweep_plan *plan = suite->plan;
-    int at[THUD_VARY_MAX];
-    thud_suite_place(plan, setting, at);
     thud_text_append(out, "%s", thud_case_name(plan->cases[k]));
     for (int a = 0; a < plan->naxes; a++) {
         if (plan->axis[a].words) {
@@ -439,43 +473,122 @@ static void put_suite_row(const struct thud_suite *suite, long setting, int k, i
             put_number(plan->axis[a].value[at[a]], out);
         }
     }
-    struct thud_fractiles f = thud_suite_fractiles(suite, setting, k, THUD_SUITE_IMPACTS, -1, 0, room);
     thud_text_append(out, ",");
     thud_text_csv(out, plan->scene.structure[s].name);
-    thud_text_append(out, ",%zu,%.0f", f.n, f.n ? f.share * (double)f.n : 0.0);
-    f = thud_suite_fractiles(suite, setting, k, THUD_SUITE_ACCELERATION_RATIO, s, 1 + 1e-9, room);
-    thud_text_append(out, ",%.0f", f.n ? f.share * (double)f.n : 0.0);
-    for (int m = THUD_SUITE_FORCE; m < THUD_SUITE_MEASURES; m++) {
-        f = thud_suite_fractiles(suite, setting, k, (enum thud_suite_measure)m, s, 0, room);
-        put_number(f.p16, out);
-        put_number(f.median, out);
-        put_number(f.p84, out);
-    }
+    for (int c = 0; c < SUITE_COLUMNS; c++)
+        put_number(value[c], out);
     thud_text_append(out, "\n");
+}
+
+static void put_suite_json_row(const struct thud_suite *suite, const int *at, int k, int s,
+                               const double value[SUITE_COLUMNS], struct thud_text *out)
+{
+    const struct thud_sweep_plan *plan = suite->plan;
+    char name[48];
+    thud_text_append(out, "%s{\"case\": \"%s\"", out->size > 0 ? ",\n  " : "", thud_case_name(plan->cases[k]));
+    for (int a = 0; a < plan->naxes; a++) {
+        thud_text_append(out, ", ");
+        thud_json_string(out, plan->axis[a].key);
+        thud_text_append(out, ": ");
+        if (plan->axis[a].words)
+            thud_json_string(out, plan->axis[a].text[at[a]]);
+        else
+            thud_json_number(out, plan->axis[a].value[at[a]]);
+    }
+    thud_text_append(out, ", \"structure\": ");
+    thud_json_string(out, plan->scene.structure[s].name);
+    for (int c = 0; c < SUITE_COLUMNS; c++) {
+        suite_column(c, name);
+        thud_text_append(out, ", ");
+        thud_json_field(out, name, value[c]);
+    }
+    thud_text_append(out, "}");
+}
+
+/* At most five settings, evenly spread, are shown of a key. */
+static bool is_shown_setting(const struct thud_sweep_plan *plan, const int *at)
+{
+    for (int a = 0; a < plan->naxes; a++)
+        if (!is_spread(plan->axis[a].n, at[a]))
+            return false;
+    return true;
+}
+
+static void put_suite_table_row(const struct thud_suite *suite, const int *at, int k, int s,
+                                const double value[SUITE_COLUMNS], struct thud_text *out)
+{
+    const struct thud_sweep_plan *plan = suite->plan;
+    const double *ratio = value + 3 + 3 * (THUD_SUITE_ACCELERATION_RATIO - SUITE_FIRST);
+    const double *force = value + 3 + 3 * (THUD_SUITE_FORCE - SUITE_FIRST);
+    char name[160] = "";
+    size_t used = 0;
+    if (!is_shown_setting(plan, at))
+        return;
+    for (int a = 0; a < plan->naxes && used < sizeof name; a++)
+        used += (size_t)snprintf(name + used, sizeof name - used, "%s%s", a ? ", " : "", plan->axis[a].text[at[a]]);
+    thud_text_append(out, "  %-8s %-8.8s %4.0f %4.0f %6.3f %6.3f %6.3f %7.3g %7.3g  %-.17s\n",
+                     thud_case_name(plan->cases[k]), plan->scene.structure[s].name, value[1], value[2], ratio[0],
+                     ratio[1], ratio[2], 1e-6 * force[1], 1e-6 * force[2], name);
+}
+
+typedef void put_suite_row(const struct thud_suite *suite, const int *at, int k, int s,
+                           const double value[SUITE_COLUMNS], struct thud_text *out);
+
+static enum thud_status put_suite(const struct thud_suite *suite, put_suite_row *put, struct thud_text *out,
+                                  struct thud_error *err)
+{
+    const struct thud_sweep_plan *plan = suite->plan;
+    double value[SUITE_COLUMNS], *room = malloc(((size_t)suite->nrecords + 1) * sizeof *room);
+    int at[THUD_VARY_MAX];
+    if (!room)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    for (long i = 0; i < suite->settings; i++) {
+        thud_suite_place(plan, i, at);
+        for (int k = 0; k < plan->ncases; k++)
+            for (int s = 0; s < suite->nstructures; s++) {
+                if (plan->scene.structure[s].kind == THUD_WALL)
+                    continue;
+                suite_values(suite, i, k, s, room, value);
+                put(suite, at, k, s, value, out);
+            }
+    }
+    free(room);
+    return THUD_OK;
 }
 
 enum thud_status thud_suite_csv(const struct thud_suite *suite, struct thud_text *out, struct thud_error *err)
 {
-    const struct thud_sweep_plan *plan = suite->plan;
-    double *room = malloc(((size_t)suite->nrecords + 1) * sizeof *room);
-    if (!room)
-        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    char name[48];
     thud_text_append(out, "case");
-    for (int a = 0; a < plan->naxes; a++)
-        thud_text_append(out, ",%s", plan->axis[a].key);
-    thud_text_append(out, ",structure,motions,pounding,amplified");
-    for (int m = THUD_SUITE_FORCE; m < THUD_SUITE_MEASURES; m++)
-        for (int q = 0; q < 3; q++)
-            thud_text_append(out, ",%s_%s", thud_suite_column((enum thud_suite_measure)m),
-                             q == 0   ? "p16"
-                             : q == 1 ? "median"
-                                      : "p84");
+    for (int a = 0; a < suite->plan->naxes; a++)
+        thud_text_append(out, ",%s", suite->plan->axis[a].key);
+    thud_text_append(out, ",structure");
+    for (int c = 0; c < SUITE_COLUMNS; c++) {
+        suite_column(c, name);
+        thud_text_append(out, ",%s", name);
+    }
     thud_text_append(out, "\n");
-    for (long i = 0; i < suite->settings; i++)
-        for (int k = 0; k < plan->ncases; k++)
-            for (int s = 0; s < suite->nstructures; s++)
-                if (plan->scene.structure[s].kind != THUD_WALL)
-                    put_suite_row(suite, i, k, s, room, out);
-    free(room);
-    return THUD_OK;
+    return put_suite(suite, put_suite_csv_row, out, err);
+}
+
+enum thud_status thud_suite_json(const struct thud_suite *suite, struct thud_text *out, struct thud_error *err)
+{
+    struct thud_text rows = {0};
+    enum thud_status status = put_suite(suite, put_suite_json_row, &rows, err);
+    thud_text_append(out, "[\n  ");
+    if (rows.data)
+        thud_text_bytes(out, rows.data, rows.size);
+    thud_text_append(out, "\n]");
+    out->failed |= rows.failed;
+    thud_text_clear(&rows);
+    return status;
+}
+
+enum thud_status thud_suite_table(const struct thud_suite *suite, struct thud_text *out, struct thud_error *err)
+{
+    thud_text_append(out, "over %d ground motions: how many pound, and under how many accelerations grow\n",
+                     suite->nrecords);
+    thud_text_append(out, "                              mean acc. ratio      force (MN)\n"
+                          "  case     of      pound grow   16 %% median   84 %%  median    84 %%  at\n");
+    return put_suite(suite, put_suite_table_row, out, err);
 }

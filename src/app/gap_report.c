@@ -153,8 +153,8 @@ enum thud_status thud_gap_report(const struct thud_gap_study *study, const struc
         thud_text_append(out, "\n");
         put_suite(f, out);
         thud_text_append(out,
-                         "\nA gap of %.2f cm is enough for half of the %d ground motions, %.2f cm for 84 %% of them, "
-                         "%.2f cm\nfor all.\n",
+                         "\nA gap of %.2f cm is enough for half of the %d ground motions, %.2f cm for 84 %%\n"
+                         "of them, %.2f cm for all.\n",
                          100 * f[0].median, suite->nrecords, 100 * f[0].p84, 100 * f[0].most);
     }
     put_bumpers(scene, out);

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "base/scan.h"
 #include "io/file.h"
@@ -48,6 +49,47 @@ struct reading {
     int room;
     bool both;
 };
+
+/* Files of a folder or list that cannot be read as they are: all are named in one message. */
+struct refusals {
+    int n, files;
+    struct thud_error first;
+    char names[sizeof(struct thud_error){0}.what - 100]; /* "a.AT2 (dt), b.txt (column)" */
+    int named;
+};
+
+static void refuse(struct refusals *refusals, const char *file, const struct thud_error *why)
+{
+    size_t used = strlen(refusals->names);
+    const char *name = thud_path_name(file);
+    if (refusals->n++ == 0)
+        refusals->first = *why;
+    if (refusals->named + 1 < refusals->n || strlen(name) + strlen(why->key) + 16 > sizeof refusals->names - used)
+        return;
+    refusals->named++;
+    snprintf(refusals->names + used, sizeof refusals->names - used, "%s%s (%s)", used ? ", " : "", name,
+             why->key[0] ? why->key : "unreadable");
+}
+
+/* One that is alone is told in its own words. */
+static enum thud_status tell_refusals(const struct refusals *refusals, const char *place, struct thud_error *err)
+{
+    char more[32] = "";
+    if (refusals->n == 0)
+        return THUD_OK;
+    if (refusals->n > refusals->named)
+        snprintf(more, sizeof more, " and %d more", refusals->n - refusals->named);
+    if (refusals->n == 1 && err)
+        *err = refusals->first;
+    else
+        thud_error_set(err, THUD_INPUT, "%d of %d files cannot be read without what is in brackets: %s%s", refusals->n,
+                       refusals->files, refusals->names, more);
+    if (refusals->n > 1)
+        thud_error_place(err, place, 0, 0);
+    if (refusals->n > 1 || (err && !err->allowed[0]))
+        thud_error_allow(err, "a NAME.list names files with their settings, one a line: a.AT2:dt=0.005 s:unit=g");
+    return THUD_INPUT;
+}
 
 /* Takes `NAME:KEY=VALUE...` apart, in place, over what already holds for it. */
 static enum thud_status choose(struct thud_scene *scene, char *item, struct thud_error *err)
@@ -143,6 +185,8 @@ static enum thud_status add_file(struct reading *r, const struct thud_scene *sce
 static enum thud_status add_folder(struct reading *r, struct thud_scene *scene, struct thud_error *err)
 {
     char **name, folder[THUD_TEXT_MAX];
+    struct refusals refusals = {0};
+    struct thud_error why;
     size_t count;
     snprintf(folder, sizeof folder, "%s", scene->record.file);
     enum thud_status status = thud_folder_names(folder, &name, &count, err);
@@ -150,12 +194,18 @@ static enum thud_status add_folder(struct reading *r, struct thud_scene *scene, 
         bool slash = folder[strlen(folder) - 1] == '/';
         int n = snprintf(scene->record.file, sizeof scene->record.file, "%s%s%s", folder, slash ? "" : "/", name[i]);
         if (n >= (int)sizeof scene->record.file)
-            status = thud_error_set(err, THUD_INPUT, "the name of a file in %.200s is too long", folder);
+            status = thud_error_set(&why, THUD_INPUT, "the name is too long");
         else
-            status = add_file(r, scene, "", err);
-        if (status == THUD_INPUT && err && !err->allowed[0])
-            thud_error_allow(err, "a NAME.list names files with their settings, one a line");
+            status = add_file(r, scene, "", &why);
+        if (status == THUD_INPUT)
+            refuse(&refusals, scene->record.file, &why);
+        else if (status != THUD_OK && err)
+            *err = why;
+        status = status == THUD_INPUT ? THUD_OK : status;
     }
+    refusals.files = (int)count;
+    if (status == THUD_OK)
+        status = tell_refusals(&refusals, folder, err);
     if (status == THUD_OK && count == 0) {
         thud_error_set(err, THUD_INPUT, "holds no files");
         thud_error_place(err, folder, 0, 0);
@@ -228,15 +278,32 @@ static enum thud_status add_list(struct reading *r, const struct thud_scene *bas
     return status;
 }
 
+static bool is_list(const char *file)
+{
+    const char *suffix = strrchr(file, '.');
+    return suffix && strcmp(suffix, ".list") == 0;
+}
+
+/* A folder or list that is not in the working folder may stand beside the preset. */
+static void look_beside(const struct thud_session *session, char *file, size_t size)
+{
+    char beside[THUD_TEXT_MAX];
+    const char *slash = strrchr(session->preset_path, '/');
+    if (!slash || file[0] == '/' || access(file, F_OK) == 0 ||
+        snprintf(beside, sizeof beside, "%.*s/%s", (int)(slash - session->preset_path), session->preset_path, file) >=
+            (int)sizeof beside)
+        return;
+    if (thud_path_is_folder(beside) || (is_list(beside) && access(beside, F_OK) == 0))
+        snprintf(file, size, "%s", beside);
+}
+
 /* A file, a folder or a list. */
 static enum thud_status add_item(struct reading *r, struct thud_scene *scene, const char *own, struct thud_error *err)
 {
-    const char *suffix = strrchr(scene->record.file, '.');
+    look_beside(r->session, scene->record.file, sizeof scene->record.file);
     if (thud_path_is_folder(scene->record.file))
         return add_folder(r, scene, err);
-    if (suffix && strcmp(suffix, ".list") == 0)
-        return add_list(r, scene, err);
-    return add_file(r, scene, own, err);
+    return is_list(scene->record.file) ? add_list(r, scene, err) : add_file(r, scene, own, err);
 }
 
 enum thud_status thud_record_list_read(const struct thud_session *session, const char *text, const char *(*common)[2],
@@ -244,9 +311,12 @@ enum thud_status thud_record_list_read(const struct thud_session *session, const
 {
     struct reading r = {.session = session, .list = out, .both = both};
     enum thud_status status = THUD_OK;
-    char *copy = strdup(text);
+    bool bracketed = *text == '['; /* a list of a preset */
+    char *copy = strdup(text + bracketed);
     struct thud_scene *scene = malloc(2 * sizeof *scene);
     *out = (struct thud_record_list){0};
+    if (bracketed && copy)
+        copy[strcspn(copy, "]")] = '\0';
     if (!copy || !scene) {
         status = thud_error_set(err, THUD_MEMORY, "out of memory");
     } else {
@@ -259,6 +329,7 @@ enum thud_status thud_record_list_read(const struct thud_session *session, const
         end = strchr(item, ',');
         if (end)
             *end++ = '\0';
+        item += bracketed ? strspn(item, " ") : 0;
         size_t whole = strlen(item);
         char *said = strdup(item);
         *scene = scene[1];

@@ -26,8 +26,14 @@ enum thud_status thud_sweep_figures_save(const struct thud_sweep_table *table, c
                                          const struct thud_picture_options *options, struct thud_error *err)
 {
     enum thud_status status = THUD_OK;
-    int n = thud_sweep_figure_count(table);
+    struct thud_sweep_table *suite = NULL;
+    if (table->nrecords > THUD_SWEEP_FIGURE_RECORDS) { /* what they say together, and not 24 figures of each kind */
+        status = thud_sweep_suite_make(table, &suite, err);
+        table = suite;
+    }
+    int n = status == THUD_OK ? thud_sweep_figure_count(table) : 0;
     for (int i = 0; i < n && (status == THUD_OK || status == THUD_GNUPLOT); i++)
         status = thud_figure_deliver(thud_sweep_figure(table, i), folder, options, status, err);
+    thud_sweep_suite_free(suite);
     return status;
 }

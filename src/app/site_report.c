@@ -192,6 +192,7 @@ static enum thud_status draw_samples(struct site *site, struct thud_error *err)
                                                       &site->uncertainty, &refused);
     site->samples = (struct thud_uncertainty_study){.uncertainty = site->uncertainty,
                                                     .samples = options->samples,
+                                                    .sampling = options->sampling,
                                                     .seed = options->seed,
                                                     .cancel = options->pictures ? options->pictures->cancel : NULL};
     if (status == THUD_OK)

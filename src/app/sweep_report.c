@@ -82,12 +82,12 @@ static void put_structure(const struct thud_sweep_plan *plan, const struct thud_
     }
     if (!mean.at || !floor.at)
         return;
-    thud_text_append(out, "  %-8s %-10.10s %6.3f to %6.3f  %6.3f on floor %-3d", thud_case_name(which),
+    thud_text_append(out, "  %-8s %-9.9s %5.3f to %-5.3f  %5.3f on floor %-3d ", thud_case_name(which),
                      plan->scene.structure[structure].name, mean.least, mean.most, floor.most, floor.floor);
     if (drift.at)
-        thud_text_append(out, "  %6.3f to %6.3f", drift.least, drift.most);
+        thud_text_append(out, " %5.3f to %-5.3f", drift.least, drift.most);
     else
-        thud_text_append(out, "  %16s", "");
+        thud_text_append(out, " %14s", "");
     thud_text_append(out, "  %s\n", place_of(plan, floor.at, at));
 }
 
@@ -96,10 +96,12 @@ static void put_need(const struct thud_sweep_table *table, int record, struct th
     const struct thud_sweep_need_row *worst = table->need ? &table->need[record] : NULL;
     if (!worst || worst->interface == 0)
         return;
-    thud_text_append(
-        out, "  needed gap %.2f cm (interface %d, floors %d and %d); ABS %.2f, SRSS %.2f, DDC %.2f cm (rho %.3f)\n",
-        100 * worst->closing_m, worst->interface, worst->left_floor, worst->right_floor, 100 * worst->abs_m,
-        100 * worst->srss_m, 100 * worst->ddc_m, worst->correlation);
+    char interface[24] = "";
+    if (table->nstructures > 2)
+        snprintf(interface, sizeof interface, "interface %d, ", worst->interface);
+    thud_text_append(out, "  needed gap %.2f cm (%sfloors %d-%d); ABS %.2f, SRSS %.2f, DDC %.2f cm\n",
+                     100 * worst->closing_m, interface, worst->left_floor, worst->right_floor, 100 * worst->abs_m,
+                     100 * worst->srss_m, 100 * worst->ddc_m);
 }
 
 /* Where the spread of a ratio is widest, against the ratio. */
@@ -173,8 +175,7 @@ void thud_sweep_report(const struct thud_sweep_plan *plan, const struct thud_swe
             if (which == THUD_CASE_NONE || !has_rows(table, r, which))
                 continue;
             if (!head)
-                thud_text_append(
-                    out, "  over case none        mean acceleration  worst floor         mean deflection  worst at\n");
+                thud_text_append(out, "  over case none     mean accel.     worst floor         mean defl.       at\n");
             head = true;
             for (int s = 0; s < table->nstructures; s++)
                 put_structure(plan, table, r, which, s, out);

@@ -51,10 +51,17 @@ static const char *unit(const struct thud_quantity_of_run *q)
     return q->ratio ? "" : strstr(q->column, "acceleration") ? " m/s2" : strstr(q->column, "drift") ? " cm" : " MN";
 }
 
-/* The first line holds three inputs. */
-static const char *separator(int i, int n)
+/* One of a list of pieces in lines of no more than 80 columns; *column: where the line is, 0 at its beginning. */
+static void put_piece(struct thud_text *out, const char *piece, bool last, int indent, int *column)
 {
-    return i == 0 || (i == 3 && n > 3) ? "" : ",";
+    enum { COLUMNS_MAX = 80 };
+    int width = (int)strlen(piece) + !last;
+    if (*column > indent && *column + 1 + width > COLUMNS_MAX) {
+        thud_text_append(out, "\n%*s", indent, "");
+        *column = indent;
+    }
+    thud_text_append(out, " %s%s", piece, last ? "\n" : ",");
+    *column += 1 + width;
 }
 
 void thud_uncertainty_input_text(const struct thud_uncertainty *u, int i, char *text, size_t size)
@@ -71,15 +78,15 @@ void thud_uncertainty_input_text(const struct thud_uncertainty *u, int i, char *
 
 static void put_inputs(const struct thud_uncertainty *u, struct thud_text *out)
 {
+    static const char head[] = "uncertain:";
     char text[80];
-    thud_text_append(out, "uncertain:");
+    int indent = (int)sizeof head - 1, column = indent;
+    thud_text_append(out, "%s", head);
     for (int i = 0; i < u->ninputs; i++) {
         thud_uncertainty_input_text(u, i, text, sizeof text);
-        thud_text_append(out, "%s %s", separator(i, u->ninputs), text);
-        if (i == 2 && u->ninputs > 3)
-            thud_text_append(out, ",\n         ");
+        put_piece(out, text, i + 1 == u->ninputs, indent, &column);
     }
-    thud_text_append(out, "\n\n");
+    thud_text_append(out, "\n");
 }
 
 int thud_uncertainty_strongest(const struct thud_uncertainty_study *study, const struct thud_uncertainty_told *told)
@@ -91,21 +98,35 @@ int thud_uncertainty_strongest(const struct thud_uncertainty_study *study, const
     return most;
 }
 
-static void put_row(const struct thud_uncertainty_study *study, int q, const struct thud_uncertainty_told *t,
+static void name_with_unit(const struct thud_quantity_of_run *quantity, char name[112])
+{
+    snprintf(name, 112, "%s%s", quantity->name, unit(quantity));
+}
+
+static void put_row(const struct thud_uncertainty *u, int q, const struct thud_uncertainty_told *t,
                     struct thud_text *out)
 {
-    const struct thud_uncertainty *u = study->uncertainty;
     const struct thud_quantity_of_run *quantity = &u->quantity[q];
-    int most = thud_uncertainty_strongest(study, t);
-    char name[112], range[48];
-    snprintf(name, sizeof name, "%s%s", quantity->name, unit(quantity));
-    snprintf(range, sizeof range, "%.4g to %.4g", shown(quantity, fmin(t->least[most], t->most[most])),
-             shown(quantity, fmax(t->least[most], t->most[most])));
+    char name[112];
+    name_with_unit(quantity, name);
     thud_text_append(out, "%-40.40s %8.4g", name, shown(quantity, t->nominal));
     if (!isnan(t->median))
         thud_text_append(out, " %8.4g %8.4g %8.4g", shown(quantity, t->low), shown(quantity, t->median),
                          shown(quantity, t->high));
-    thud_text_append(out, "  %s: %s\n", thud_input_info(u->input[most])->name, range);
+    thud_text_append(out, "\n");
+}
+
+static void put_most(const struct thud_uncertainty_study *study, int q, const struct thud_uncertainty_told *t,
+                     struct thud_text *out)
+{
+    const struct thud_uncertainty *u = study->uncertainty;
+    const struct thud_quantity_of_run *quantity = &u->quantity[q];
+    int most = thud_uncertainty_strongest(study, t);
+    char name[112];
+    name_with_unit(quantity, name);
+    thud_text_append(out, "%-40.40s %-17s %.4g to %.4g\n", name, thud_input_info(u->input[most])->name,
+                     shown(quantity, fmin(t->least[most], t->most[most])),
+                     shown(quantity, fmax(t->least[most], t->most[most])));
 }
 
 static void put_sentence(const struct thud_uncertainty *u, int q, const struct thud_uncertainty_told *t,
@@ -113,19 +134,24 @@ static void put_sentence(const struct thud_uncertainty *u, int q, const struct t
 {
     const struct thud_quantity_of_run *quantity = &u->quantity[q];
     const char *what = strstr(quantity->column, "acceleration") ? "acceleration" : "drift";
-    thud_text_append(
-        out, "The %s lowers the mean %s of %s in %.0f %% of %.0f samples (ratio %.3f, 90 %% of them %.3f to %.3f).\n",
-        quantity->which == THUD_CASE_CAVITY ? "bumper in its cavity" : "bumper", what,
-        u->scene.structure[quantity->structure].name, 100 * t->below, t->count, t->median, t->low, t->high);
+    thud_text_append(out,
+                     "The %s lowers the mean %s of %s in %.0f %% of %.0f samples\n"
+                     "  (ratio %.3f, 90 %% of them %.3f to %.3f).\n",
+                     quantity->which == THUD_CASE_CAVITY ? "bumper in its cavity" : "bumper", what,
+                     u->scene.structure[quantity->structure].name, 100 * t->below, t->count, t->median, t->low,
+                     t->high);
 }
 
 static void put_indices(const struct thud_uncertainty *u, int q, const struct thud_uncertainty_told *t,
                         struct thud_text *out)
 {
-    thud_text_append(out, "%-40.40s", u->quantity[q].name);
-    for (int i = 0; i < u->ninputs; i++)
-        thud_text_append(out, " %s %.2f/%.2f", thud_input_info(u->input[i])->name, t->first[i], t->total[i]);
-    thud_text_append(out, "\n");
+    char text[80];
+    int column = 1;
+    thud_text_append(out, "%s\n ", u->quantity[q].name);
+    for (int i = 0; i < u->ninputs; i++) {
+        snprintf(text, sizeof text, "%s %.2f/%.2f", thud_input_info(u->input[i])->name, t->first[i], t->total[i]);
+        put_piece(out, text, i + 1 == u->ninputs, 1, &column);
+    }
 }
 
 enum thud_status thud_uncertainty_table(const struct thud_uncertainty_study *study, struct thud_text *out,
@@ -137,11 +163,15 @@ enum thud_status thud_uncertainty_table(const struct thud_uncertainty_study *stu
     if (!room)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     put_inputs(u, out);
-    thud_text_append(out, "%-40s %8s%s  %s\n", "", "as it is", study->samples > 0 ? "      5 %   median     95 %" : "",
-                     "moved most by");
+    thud_text_append(out, "%-40s %8s%s\n", "", "as it is", study->samples > 0 ? "      5 %   median     95 %" : "");
     for (int q = 0; q < u->nquantities; q++) {
         struct thud_uncertainty_told t = thud_uncertainty_tell(study, q, room);
-        put_row(study, q, &t, out);
+        put_row(u, q, &t, out);
+    }
+    thud_text_append(out, "\n%-40s %s\n", "one input at a time", "moved most by");
+    for (int q = 0; q < u->nquantities; q++) {
+        struct thud_uncertainty_told t = thud_uncertainty_tell(study, q, room);
+        put_most(study, q, &t, out);
     }
     for (int q = 0; q < u->nquantities; q++) {
         struct thud_uncertainty_told t = thud_uncertainty_tell(study, q, room);
@@ -218,8 +248,8 @@ enum thud_status thud_uncertainty_json(const struct thud_uncertainty_study *stud
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     thud_text_append(out, "{\"preset\": ");
     thud_json_string(out, u->scene.name);
-    thud_text_append(out, ", \"version\": \"%s\", \"samples\": %zu, \"seed\": %llu", THUD_VERSION,
-                     thud_uncertainty_samples(study), study->seed);
+    thud_text_append(out, ", \"version\": \"%s\", \"samples\": %zu, \"sampling\": \"%s\", \"seed\": %llu", THUD_VERSION,
+                     thud_uncertainty_samples(study), thud_sampling_name(study->sampling), study->seed);
     for (int i = 0; i < u->ninputs; i++)
         size[i] = u->inputs.size[u->input[i]];
     put_json_inputs("sizes", u, size, out);

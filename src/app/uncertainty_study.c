@@ -35,11 +35,38 @@ double thud_uncertainty_value(const struct thud_uncertainty_study *study, size_t
     return study->value[row * (size_t)study->uncertainty->nquantities + (size_t)quantity];
 }
 
+const char *thud_sampling_name(enum thud_sampling sampling)
+{
+    return sampling == THUD_SAMPLING_SOBOL ? "sobol" : "latin-hypercube";
+}
+
+/* The two designs, (n x d) each; *b is left alone without indices. Those of Sobol's sequence are the halves of one in
+ * twice the dimensions. */
+static enum thud_status draw(const struct thud_uncertainty_study *study, double *a, double *b, struct thud_error *err)
+{
+    size_t d = (size_t)study->uncertainty->ninputs, n = study->samples, both = study->indices ? 2 * d : d;
+    struct thud_random random = {study->seed};
+    if (study->sampling == THUD_SAMPLING_LATIN_HYPERCUBE) {
+        enum thud_status status = thud_latin_hypercube(&random, n, d, a, err);
+        return status == THUD_OK && study->indices ? thud_latin_hypercube(&random, n, d, b, err) : status;
+    }
+    double *u = malloc(n * both * sizeof *u);
+    if (!u)
+        return thud_error_set(err, THUD_MEMORY, "out of memory for the samples");
+    thud_sobol_sequence(&random, n, both, u);
+    for (size_t r = 0; r < n; r++) {
+        memcpy(a + r * d, u + r * both, d * sizeof *a);
+        if (study->indices)
+            memcpy(b + r * d, u + r * both + d, d * sizeof *b);
+    }
+    free(u);
+    return THUD_OK;
+}
+
 /* Places of all rows. */
 static enum thud_status fill(struct thud_uncertainty_study *study, struct thud_error *err)
 {
     size_t d = (size_t)study->uncertainty->ninputs, n = study->samples, first = thud_uncertainty_first_sample(study);
-    struct thud_random random = {study->seed};
     for (size_t i = 0; i < first * d; i++)
         study->place[i] = 0.5;
     for (size_t i = 0; i < d; i++) {
@@ -47,17 +74,15 @@ static enum thud_status fill(struct thud_uncertainty_study *study, struct thud_e
         study->place[(2 + 2 * i) * d + i] = 1;
     }
     double *a = study->place + first * d, *b = a + n * d, *mixed = b + n * d;
-    enum thud_status status = n > 0 ? thud_latin_hypercube(&random, n, d, a, err) : THUD_OK;
-    if (status != THUD_OK || !study->indices || n == 0)
-        return status;
-    status = thud_latin_hypercube(&random, n, d, b, err);
-    for (size_t i = 0; i < d && status == THUD_OK; i++, mixed += n * d) {
+    enum thud_status status = n > 0 ? draw(study, a, b, err) : THUD_OK;
+    for (size_t i = 0; i < d && study->indices && n > 0 && status == THUD_OK; i++, mixed += n * d) {
         memcpy(mixed, a, n * d * sizeof *a);
         for (size_t r = 0; r < n; r++)
             mixed[r * d + i] = b[r * d + i];
     }
     return status;
 }
+_Static_assert(2 * THUD_INPUTS <= THUD_SOBOL_DIMENSIONS, "a sequence for both designs");
 
 static void *worker(void *context)
 {
@@ -137,7 +162,8 @@ static enum thud_status make(struct thud_uncertainty_study *study, struct thud_e
     }
     return w.done == study->rows
                ? THUD_OK
-               : thud_error_set(err, THUD_CANCELLED, "stopped: %zu of %zu samples are done", w.done, study->rows);
+               : thud_error_set(err, THUD_CANCELLED, "stopped: %zu of %zu runs were done, none is kept", w.done,
+                                study->rows);
 }
 
 enum thud_status thud_uncertainty_study_run(struct thud_uncertainty_study *study, struct thud_error *err)

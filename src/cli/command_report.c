@@ -79,6 +79,7 @@ static enum thud_status report(const struct thud_args *args, struct thud_session
                                                .records = &records,
                                                .inputs = &inputs.inputs,
                                                .samples = inputs.samples,
+                                               .sampling = inputs.sampling,
                                                .seed = inputs.seed,
                                                .pictures = &picture.options,
                                                .progress = thud_progress_start(args) ? thud_progress_what : NULL};

@@ -157,9 +157,10 @@ static enum thud_status fill_study(struct sweep *s, struct thud_error *err)
     study->no_rows = s->fragility;
     if (status == THUD_OK && s->fragility)
         status = thud_fragility_options_read(args, &s->plan, &s->events, err);
-    if (status == THUD_OK && study->shard.count == 1 && (s->fragility || (study->folder && s->plan.nrecords > 1)))
+    if (status == THUD_OK && study->shard.count == 1 && (s->fragility || s->plan.nrecords > 1))
         status = thud_suite_create(&s->plan, &s->suite, err);
     s->events.suite = study->suite = s->suite;
+    s->output.suite = s->fragility ? NULL : s->suite;
     study->owner = s;
     study->conclude = s->fragility ? tell_fragility : s->suite ? write_suite : NULL;
     if (s->fragility) {
@@ -199,6 +200,10 @@ static enum thud_status conclude(struct sweep *s, struct thud_error *err)
     enum thud_status status = thud_sweep_output_end(&s->output, err);
     if (table)
         thud_sweep_report(&s->plan, &s->outcome, &text);
+    if (table && status == THUD_OK && s->suite) {
+        thud_text_append(&text, "\n");
+        status = thud_suite_table(s->suite, &text, err);
+    }
     if (status == THUD_OK)
         status = put_best(s, &text, err);
     if (!quiet || total->impossible > 0 || total->diverged > 0) {

@@ -165,6 +165,7 @@ static enum thud_status read_options(const struct thud_args *args, struct thud_u
         status = thud_args_integer(args, "j", 1, THUD_JOBS_MAX, 0, &study->threads, err);
     *inputs = choice.inputs;
     study->samples = choice.samples;
+    study->sampling = choice.sampling;
     study->seed = choice.seed;
     study->indices = thud_args_has(args, "indices");
     study->cancel = thud_interrupt_watch();

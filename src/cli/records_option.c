@@ -5,18 +5,21 @@
 enum thud_status thud_records_option_read(const struct thud_args *args, struct thud_session *session,
                                           struct thud_record_list *out, struct thud_error *err)
 {
+    const struct thud_study_choice *study = &session->scene.study;
     const char *common[THUD_RECORD_SETTINGS_MAX][2], *text = thud_args_value(args, "records"), *setting;
-    bool both = thud_args_has(args, "signs");
+    bool both = thud_args_has(args, "signs") || study->both_signs;
     int n = 0;
-    if (both && strcmp(thud_args_value(args, "signs"), "both") != 0) {
+    if (thud_args_has(args, "signs") && strcmp(thud_args_value(args, "signs"), "both") != 0) {
         thud_error_set(err, THUD_USAGE, "\"%.40s\" is not understood", thud_args_value(args, "signs"));
         thud_error_key(err, "--signs");
         thud_error_allow(err, "both; --sign - turns the ground motion round");
         return THUD_USAGE;
     }
+    if (!text && study->records[0] && !thud_args_value(args, "record"))
+        text = study->records;
     if (!text)
         return thud_record_list_own(session, both, out, err);
-    if (thud_args_value(args, "record"))
+    if (thud_args_value(args, "record") && thud_args_value(args, "records"))
         return thud_error_set(err, THUD_USAGE, "--record and --records together");
     for (int i = 0; (setting = thud_record_setting(i)) != NULL; i++) {
         common[n][0] = setting;

@@ -5,7 +5,8 @@
 #include "app/record_list.h"
 #include "cli/args.h"
 
-/* Those of --records, with what --peak, --dt, ... say of all of them; else the session's own one, or none. Errors:
+/* Those of --records, or of the preset's study, with what --peak, --dt, ... say of all of them; else the session's own
+ * one (--record), or none. Errors:
  * THUD_USAGE, THUD_INPUT, THUD_MEMORY. */
 enum thud_status thud_records_option_read(const struct thud_args *args, struct thud_session *session,
                                           struct thud_record_list *out, struct thud_error *err);

@@ -47,7 +47,7 @@ static enum thud_status refuse_idle(const struct thud_args *args, const struct t
                                     struct thud_error *err)
 {
     const char *setting;
-    if (session->scene.record.file[0] || thud_args_value(args, "records"))
+    if (session->scene.record.file[0] || session->scene.study.records[0] || thud_args_value(args, "records"))
         return THUD_OK;
     for (int i = 0; (setting = thud_record_setting(i)) != NULL; i++)
         if (thud_args_value(args, setting)) {

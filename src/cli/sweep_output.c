@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "app/fragility_report.h"
 #include "base/version.h"
 #include "cli/commands.h"
 #include "io/json.h"
@@ -105,7 +106,16 @@ enum thud_status thud_sweep_output_end(struct thud_sweep_output *output, struct 
     if (output->format == THUD_SWEEP_OUTPUT_TABLE)
         return THUD_OK;
     begin(output);
-    if (output->format == THUD_SWEEP_OUTPUT_JSON)
-        thud_text_append(&output->text, "\n]}\n");
+    if (output->format == THUD_SWEEP_OUTPUT_JSON) {
+        enum thud_status status = THUD_OK;
+        thud_text_append(&output->text, "\n]");
+        if (output->suite) {
+            thud_text_append(&output->text, ", \"statistics\": ");
+            status = thud_suite_json(output->suite, &output->text, err);
+        }
+        thud_text_append(&output->text, "}\n");
+        if (status != THUD_OK)
+            return status;
+    }
     return thud_cli_print_data(&output->text, err);
 }

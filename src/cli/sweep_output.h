@@ -2,7 +2,7 @@
 #ifndef THUD_CLI_SWEEP_OUTPUT_H
 #define THUD_CLI_SWEEP_OUTPUT_H
 
-#include "study/sweep.h"
+#include "study/suite.h"
 
 enum thud_sweep_output_format { THUD_SWEEP_OUTPUT_TABLE, THUD_SWEEP_OUTPUT_CSV, THUD_SWEEP_OUTPUT_JSON };
 
@@ -11,6 +11,7 @@ struct thud_sweep_output {
     enum thud_sweep_output_format format; /* TABLE: no rows */
     struct thud_text text;
     bool begun, row;
+    const struct thud_suite *suite; /* its statistics close the JSON; NULL: none */
 };
 
 /* Context: the output. Errors: THUD_OUTPUT, THUD_MEMORY. */

@@ -56,6 +56,10 @@ static const char *amplification(enum thud_case which)
 /* The last part of a path without its suffix: what fits a key. */
 static const char *record_name(const struct thud_sweep_table *table, int record, char text[128])
 {
+    if (table->motions > 0) {
+        snprintf(text, 128, "%d ground motions", table->motions);
+        return text;
+    }
     const char *name = thud_path_name(table->record[record]), *dot = strrchr(name, '.');
     bool suffix = dot && dot > name && strlen(dot) <= 5 && !strchr(dot, ' ') && !thud_ascii_is_digit(dot[1]);
     size_t length = suffix ? (size_t)(dot - name) : strlen(name);
@@ -212,7 +216,7 @@ static void ratio_shade(struct thud_panel *panel, const struct thud_sweep_table 
     const struct thud_sweep_axis *axis = &table->axis[0];
     struct thud_style style = {.color = color, .thin = true};
     size_t each = numbers(axis) ? 1 : 3;
-    if (!(table->sensitivity > 0))
+    if (!(table->sensitivity > 0) && table->motions == 0)
         return;
     struct thud_series *series = thud_panel_fill(panel, style, name, each * (size_t)axis->n, NULL, NULL, NULL);
     if (!series)
@@ -287,7 +291,9 @@ static void ratio_fractiles(struct thud_panel *panel, const struct thud_sweep_ta
 static const char *shade_note(const struct thud_sweep_table *table, char text[128])
 {
     text[0] = '\0';
-    if (table->sensitivity > 0)
+    if (table->motions > 0)
+        snprintf(text, 128, " Medians of %d ground motions, 16 to 84 %% shaded.", table->motions);
+    else if (table->sensitivity > 0)
         snprintf(text, 128, " Shaded: spread under %g %% less or more gap, ground motion, stiffness, one at a time.",
                  100 * table->sensitivity);
     return text;
@@ -401,29 +407,61 @@ struct thud_figure *thud_figure_of_pounding(const struct thud_sweep_table *table
         for (int q = ACCELERATION; q <= DRIFT; q++) {
             struct thud_panel *panel = thud_figure_panel(figure, q, c, structure_title(table, structure[c], head));
             ratio_axes(panel, table, (enum quantity)q, true);
-            for (int which = THUD_CASE_AS_WRITTEN; which < THUD_CASES; which++) {
+            for (int i = 0; i < 2 * (THUD_CASES + 1); i++) { /* what is shaded first */
+                int which = i % (THUD_CASES + 1) + THUD_CASE_AS_WRITTEN;
                 struct wanted wanted = {
                     .record = record, .which = (enum thud_case)which, .structure = structure[c], .free = true};
-                if (has_case(table, wanted.which))
-                    ratio_line(panel, table, &wanted, (enum quantity)q, thud_case_title(wanted.which),
-                               which < 0 ? 3 : which);
+                if (has_case(table, wanted.which) && (i > THUD_CASES || table->motions > 0))
+                    (i > THUD_CASES ? ratio_line : ratio_shade)(panel, table, &wanted, (enum quantity)q,
+                                                                thud_case_title(wanted.which), which < 0 ? 3 : which);
             }
         }
     }
+    char note[256], shades[128];
+    snprintf(note, sizeof note, "%s%s", pounds, table->motions > 0 ? shade_note(table, shades) : "");
     same_scale(figure, NULL);
-    fixed_note(figure, table, 1, NULL, pounds);
+    fixed_note(figure, table, 1, NULL, note);
     return figure;
 }
 
 /* ---- contacts ---- */
 
+/* What is told of a run's contacts; the last two over a suite only. */
+enum told { TOLD_FORCE, TOLD_IMPACTS, TOLD_POUNDING, TOLD_WORSE };
+
+/* Of run k of point i. */
+static double told_of(const struct thud_sweep_table *table, size_t i, int k, enum told told, enum thud_sweep_end end)
+{
+    const struct thud_sweep_run *run = &table->point[i]->run[k];
+    const struct thud_sweep_shares *shares =
+        table->shares ? &table->shares[i * THUD_SWEEP_CASES_MAX + (size_t)k] : NULL;
+    if (told == TOLD_IMPACTS)
+        return run->impacts;
+    if (told == TOLD_FORCE && (end == THUD_SWEEP_VALUE || !shares))
+        return 1e-6 * run->force_n;
+    if (told == TOLD_FORCE)
+        return 1e-6 * (end == THUD_SWEEP_LOW ? shares->force_low_n : shares->force_high_n);
+    return !shares ? NAN : 100 * (told == TOLD_POUNDING ? shares->pounding : shares->worse);
+}
+
 static void contact_line(struct thud_panel *panel, const struct thud_sweep_table *table, int record,
-                         enum thud_case which, bool impacts)
+                         enum thud_case which, enum told told)
 {
     const struct thud_sweep_axis *axis = &table->axis[0];
     struct thud_style style = {.kind = numbers(axis) ? THUD_LINES_POINTS : THUD_POINTS,
                                .color = which < 0 ? 3 : (int)which};
-    struct thud_series *series = thud_panel_add(panel, style, thud_case_title(which), (size_t)axis->n, NULL, NULL);
+    char name[64];
+    snprintf(name, sizeof name, "%s%s", thud_case_title(which), told == TOLD_WORSE ? ": worse" : "");
+    bool band = told == TOLD_FORCE && table->motions > 0;
+    style.color += told == TOLD_WORSE ? THUD_CASES + 1 : 0;
+    struct thud_series *shade = band ? thud_panel_fill(panel, (struct thud_style){.color = style.color, .thin = true},
+                                                       name, (size_t)axis->n, NULL, NULL, NULL)
+                                     : NULL;
+    for (int i = 0; shade && i < axis->n; i++) {
+        shade->x[i] = place(axis, i);
+        shade->y[i] = shade->y_high[i] = NAN;
+    }
+    struct thud_series *series = thud_panel_add(panel, style, name, (size_t)axis->n, NULL, NULL);
     if (!series)
         return;
     for (int i = 0; i < axis->n; i++) {
@@ -433,8 +471,13 @@ static void contact_line(struct thud_panel *panel, const struct thud_sweep_table
     for (size_t i = 0; i < table->npoints; i++) {
         const struct thud_sweep_summary *d = table->point[i];
         int k = d->record == record && d->touches && drawn(table, d, 1, NULL) ? thud_sweep_summary_find(d, which) : -1;
-        if (k >= 0)
-            series->y[d->at[0]] = impacts ? d->run[k].impacts : 1e-6 * d->run[k].force_n;
+        if (k < 0)
+            continue;
+        series->y[d->at[0]] = told_of(table, i, k, told, THUD_SWEEP_VALUE);
+        if (shade) {
+            shade->y[d->at[0]] = told_of(table, i, k, told, THUD_SWEEP_LOW);
+            shade->y_high[d->at[0]] = told_of(table, i, k, told, THUD_SWEEP_HIGH);
+        }
     }
 }
 
@@ -459,20 +502,41 @@ static void contact_scale(struct thud_panel *panel, bool counts)
 struct thud_figure *thud_figure_of_contacts(const struct thud_sweep_table *table, int record, const char *name)
 {
     char text[512], head[160];
-    snprintf(text, sizeof text, "%s: largest impact force and number of impacts", record_name(table, record, head));
+    bool suite = table->motions > 0;
+    snprintf(text, sizeof text, "%s: largest impact force and %s", record_name(table, record, head),
+             suite ? "how many pound" : "number of impacts");
     struct thud_figure *figure = thud_figure_create(name, text, 1, 2);
     for (int i = 0; i < 2; i++) {
-        struct thud_panel *panel =
-            thud_figure_panel(figure, 0, i, i ? "All impacts of the run" : "Largest impact force");
+        struct thud_panel *panel = thud_figure_panel(figure, 0, i,
+                                                     i == 0  ? "Largest impact force"
+                                                     : suite ? "Ground motions that pound"
+                                                             : "All impacts of the run");
         varied_axis(panel, THUD_X, table, 0);
-        thud_panel_axis(panel, THUD_Y, i ? "Impacts" : "Force", i ? "" : "MN");
+        thud_panel_axis(panel, THUD_Y,
+                        i == 0  ? "Force"
+                        : suite ? "Share"
+                                : "Impacts",
+                        i == 0  ? "MN"
+                        : suite ? "%"
+                                : "");
         for (int which = THUD_CASE_AS_WRITTEN; which < THUD_CASES; which++) {
             if (has_case(table, (enum thud_case)which))
-                contact_line(panel, table, record, (enum thud_case)which, i == 1);
+                contact_line(panel, table, record, (enum thud_case)which,
+                             i == 0  ? TOLD_FORCE
+                             : suite ? TOLD_POUNDING
+                                     : TOLD_IMPACTS);
+            if (i == 1 && suite && which != THUD_CASE_NONE && has_case(table, (enum thud_case)which))
+                contact_line(panel, table, record, (enum thud_case)which, TOLD_WORSE);
         }
-        contact_scale(panel, i == 1);
+        if (i == 1 && suite)
+            thud_panel_limits(panel, THUD_Y, 0, 100);
+        else
+            contact_scale(panel, i == 1);
     }
-    fixed_note(figure, table, 1, NULL, "");
+    char shades[128];
+    snprintf(text, sizeof text, "%s%s", suite ? shade_note(table, shades) + 1 : "",
+             suite ? " Worse: a structure's mean acceleration is larger than without bumper." : "");
+    fixed_note(figure, table, 1, NULL, text);
     return figure;
 }
 

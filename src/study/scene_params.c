@@ -27,6 +27,7 @@ enum { SHEAR = 1 << THUD_SHEAR, RIGID = 1 << THUD_RIGID, ISOLATED = 1 << THUD_IS
 
 static const char *const kinds[] = {"shear", "rigid", "isolated", "wall", NULL};
 static const char *const signs[] = {"+", "-", NULL};
+static const char *const one_or_both[] = {"one", "both", NULL};
 static const char *const columns[] = {"all", NULL};
 static const char *const switches[] = {"off", "on", NULL};
 
@@ -170,11 +171,15 @@ static const struct thud_param study_params[] = {
     WORD("cases", "cases", "List of none, bumper, cavity, as-written."),
     {NUMBER("sensitivity", "sensitivity", "Spread of every peak when gap, ground motion or stiffness change by this much; 0: none.",
             THUD_RATIO, "%", 0), FROM(0), UP_TO(0.1), USUAL(0, 0.02)},
+    WORD("records", "ground motions", "As --records takes them: files with their settings, a folder, a .list; one or several in brackets."),
+    CHOICE("signs", "signs", "both: every ground motion also the other way round.", one_or_both, 0),
 };
 static const struct thud_place study_places[] = {
     {.store = THUD_STORE_STUDY}, {.store = THUD_STORE_STUDY}, {.store = THUD_STORE_STUDY},
     {.store = THUD_STORE_STUDY}, {.store = THUD_STORE_STUDY}, {.store = THUD_STORE_STUDY},
     {.store = THUD_STORE_NUMBER, .offset = offsetof(struct thud_scene, study.sensitivity)},
+    {.store = THUD_STORE_TEXT, .offset = offsetof(struct thud_scene, study.records), .size = THUD_VARY_TEXT},
+    {.store = THUD_STORE_SWITCH, .offset = offsetof(struct thud_scene, study.both_signs)},
 };
 /* clang-format on */
 

@@ -11,7 +11,7 @@ enum thud_store {
                         */
     THUD_STORE_COUNT,  /* int; `none` stands for not given */
     THUD_STORE_SIGN,   /* int, +1 or -1 */
-    THUD_STORE_SWITCH, /* bool: off, on */
+    THUD_STORE_SWITCH, /* bool: the first and second of its choices */
     THUD_STORE_TEXT,
     THUD_STORE_FLOORS,  /* double[storeys]; optional: 0 stands for not given */
     THUD_STORE_STOREYS, /* int, and the length of the lists */

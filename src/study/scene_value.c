@@ -368,7 +368,7 @@ static void get(const struct thud_scene *scene, const struct thud_slot *slot, co
         snprintf(text, size, "%s", *(const int *)at < 0 ? "-" : "+");
         break;
     case THUD_STORE_SWITCH:
-        snprintf(text, size, "%s", *(const bool *)at ? "on" : "off");
+        snprintf(text, size, "%s", slot->param->choices[*(const bool *)at]);
         break;
     case THUD_STORE_TEXT:
         snprintf(text, size, "%s", (const char *)at);

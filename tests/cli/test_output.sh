@@ -27,7 +27,8 @@ json() {
 "$THUD" run towers --set structures.2.yield=5mm --to 3s --quiet --sensitivity --modes 2 -o "$tmp/run" >/dev/null 2>&1
 "$THUD" run towers --set structures.2.yield=5mm --to 3s --csv >"$tmp/run.csv" 2>/dev/null
 "$THUD" sweep towers --to 3s --vary gap=3cm,4cm --vary bumper.thickness=2cm,3cm --best bumper.thickness --sensitivity --quiet -o "$tmp/sweep" >/dev/null 2>&1
-"$THUD" sweep rigid-bumper --vary gap=12cm --cases none --json --quiet >"$tmp/sweep.json" 2>/dev/null
+two=records/kobe-surrogate.csv,records/northridge-surrogate.csv
+"$THUD" sweep towers --to 3s --records "$two" --vary bumper.thickness=2cm,3cm --cases bumper --json --quiet -o "$tmp/suite" >"$tmp/sweep.json" 2>/dev/null
 "$THUD" bench rigid-concrete --quiet -o "$tmp/bench" >/dev/null 2>&1
 "$THUD" stability rigid-bumper --quiet -o "$tmp/stability" >/dev/null 2>&1
 "$THUD" record spectrum kobe-surrogate.csv --periods 0.1s:1s:3 >"$tmp/spectrum.csv" 2>/dev/null
@@ -44,8 +45,11 @@ csv "record convert" "$tmp/record.csv"
 "$THUD" run towers --method central-difference --step 0.05s --set structures.1.stiffness=6000MN/m --json >"$tmp/diverged.json" 2>/dev/null
 json result.json "$tmp/run/result.json" "$tmp/diverged.json"
 is "a structure has its name in the sensitivity too" grep -q '{"structure": "B", "floor": 6, "acceleration": {"gap"' "$tmp/run/result.json"
-sed '/^  {"record"/d' "$tmp/sweep.json" >"$tmp/head.json"
+sed '/^  {"record"/d; /^  {"case"/d' "$tmp/sweep.json" >"$tmp/head.json"
 json "sweep --json" "$tmp/head.json"
+csv suite.csv "$tmp/suite/suite.csv"
+grep '^  {"case"' "$tmp/sweep.json" | sed 's/"bumper.thickness"/"KEY"/' >"$tmp/statistics.json"
+json suite.csv "$tmp/statistics.json"
 json study.json "$tmp/sweep/study.json"
 json scene.json "$tmp/bench/scene.json" "$tmp/stability/scene.json"
 "$THUD" record info kobe-surrogate.csv --json >"$tmp/info.json"

@@ -110,6 +110,52 @@ medians() { awk -F, 'NR == FNR { if ($2 == "bumper" && $3 == 0.09 && $4 == "B" &
     $1 == "bumper" && $2 == 0.09 && $3 == "B" { m = $20 } END { if (x[1] > x[2]) { t = x[1]; x[1] = x[2]; x[2] = t } if (x[2] > x[3]) { t = x[2]; x[2] = x[3]; x[3] = t }
     if (x[1] > x[2]) { t = x[1]; x[1] = x[2]; x[2] = t } exit !(n == 3 && m == x[2]) }' "$tmp/sweep/sweep.csv" "$tmp/sweep/suite.csv"; }
 is "its median is the middle one" medians
+"$THUD" sweep towers --records "$three" --vary gap=5cm,9cm --cases none,bumper --json --quiet >"$tmp/json" 2>"$tmp/err"
+# every number of suite.csv stands in the JSON, in its order
+numbers_of() { awk 'on { print } /"statistics"/ { on = 1 }' "$tmp/json" | tr ',' '\n' | sed -n 's/^ *"[a-z0-9_]*": \([-0-9.e+]*\)}*$/\1/p'; }
+rows_of() { awk -F, 'NR > 1 { for (i = 2; i <= NF; i++) if (i != 3) print $i }' "$tmp/sweep/suite.csv"; }
+agree() { numbers_of >"$tmp/j"; rows_of >"$tmp/c"; [ -s "$tmp/j" ] && cmp "$tmp/j" "$tmp/c"; }
+is "statistics in --json are those of suite.csv" agree
+is "a table of them" gives 0 sweep towers --records "$three" --vary gap=5cm,9cm --cases none,bumper --quiet
+is "with what pounds" shows '^over 3 ground motions: how many pound'
+line() { awk -F, '$1 == "bumper" && $2 == 0.09 && $3 == "B" { printf "  bumper   B        %4d %4d %6.3f %6.3f %6.3f", $5, $6, $19, $20, $21 }' "$tmp/sweep/suite.csv"; }
+is "the same numbers" grep -q -F -e "$(line)" "$tmp/out"
+is "no line is wider than a terminal" test -z "$(awk 'length > 80' "$tmp/out")"
+# more than seven motions: one figure of each kind, with their medians and bands
+cat >"$tmp/eight.list" <<LIST
+$PWD/records/kobe-surrogate.csv:peak=0.3 g
+$PWD/records/kobe-surrogate.csv:peak=0.5 g
+$PWD/records/kobe-surrogate.csv:peak=0.7 g
+$PWD/records/northridge-surrogate.csv:peak=0.3 g
+$PWD/records/northridge-surrogate.csv:peak=0.5 g
+$PWD/records/northridge-surrogate.csv:peak=0.7 g
+$PWD/records/san-fernando-surrogate.csv:peak=0.3 g
+$PWD/records/san-fernando-surrogate.csv:peak=0.6 g
+LIST
+is "a study of eight motions" gives 0 sweep towers --records "$tmp/eight.list" --vary gap=5cm,9cm,15cm --cases none,bumper --quiet -o "$tmp/eight"
+is "four figures" test "$(find "$tmp/eight" -name '*.png' | wc -l)" -eq 4
+drawn() { # the median of the force without bumper, in the order of the gaps, as in suite.csv
+    awk -F, 'NR > 1 && $1 == "none" && $3 == "A" { printf "%.4g\n", $8 / 1e6 }' "$tmp/eight/suite.csv" >"$tmp/c"
+    awk -F, 'NR > 1 && $1 == "Largest impact force" && $2 == "no bumper" && $4 != "" && $5 == "" { printf "%.4g\n", $4 }' "$tmp/eight/contact-forces.csv" >"$tmp/j"
+    cmp "$tmp/c" "$tmp/j"
+}
+is "with the medians" drawn
+
+# a study's ground motions in the preset itself, found beside it
+sed '/^study:/,$d' presets/towers.yaml >"$tmp/own.yaml"
+printf 'study:\n  vary: gap\n  values: [5 cm, 9 cm]\n  cases: [none]\n  records: eight.list\n  signs: both\n' >>"$tmp/own.yaml"
+needs_of() { "$THUD" gap "$@" --csv 2>"$tmp/err" | cut -d, -f1 | sort -u | wc -l; }
+is "a preset names its ground motions" test "$(needs_of "$tmp/own.yaml")" -eq 17
+is "one of --record takes their place" test "$(needs_of "$tmp/own.yaml" --record kobe-surrogate.csv --set study.signs=one)" -eq 2
+sed 's/records: .*/records: [kobe-surrogate.csv, "northridge-surrogate.csv:peak=0.3 g"]/' "$tmp/own.yaml" >"$tmp/two.yaml"
+is "or in brackets" test "$(needs_of "$tmp/two.yaml")" -eq 5
+is "a study of them" gives 0 sweep "$tmp/two.yaml" --quiet
+is "takes them" shows '^over 4 ground motions'
+# what cannot be read of a folder is told at once
+printf '0.1\n0.2\n0.3\n' >"$tmp/folder/c.txt"
+cp "$tmp/folder/c.txt" "$tmp/folder/d.txt"
+is "files of a folder that do not say all" gives 3 gap towers --records "$tmp/folder"
+is "are named together" says "2 of 4 files cannot be read without what is in brackets: c.txt (dt), d.txt (dt)"
 is "refused: no number varied" gives 2 fragility towers --records "$three" --vary contact.law=linear,hertz
 is "refused: an unknown event" gives 2 fragility towers --event flood
 is "refused: a hazard curve without an intensity" gives 2 fragility towers --records "$three" --vary gap=5cm,6cm --hazard "$tmp/hazard.csv"
@@ -130,6 +176,10 @@ is "samples.csv: every stratum once" strata
 alone() { "$THUD" run towers --case none --set gap=12cm --set contact.stiffness="5000 kN/mm" --json | grep '"contacts"' -A 12 | tr ',' '\n' | awk '/"force_n"/ { if ($2 + 0 > m) m = $2 + 0 } END { printf "%.6e", m }'; }
 told() { awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "contact-stiffness_most") c = i } $1 == "none.force_n" { printf "%.6e", $c }' "$tmp/sure/uncertainty.csv"; }
 is "an input at its most is a run with it" test "$(alone)" = "$(told)"
+is "Sobol's sequence" gives 0 uncertainty towers --set gap=12cm --samples 16 --sampling sobol -j 2 -o "$tmp/sobol" --quiet
+sixteenths() { awk -F, 'NR > 1 { for (i = 1; i <= 6; i++) hit[i, int($i * 16)]++; rows++ } END { n = 0; for (k in hit) n++; exit !(rows == 16 && n == 96) }' "$tmp/sobol/samples.csv"; }
+is "fills every sixteenth once" sixteenths
+is "another way of sampling is wrong usage" gives 2 uncertainty towers --sampling dice
 is "nothing uncertain is refused" gives 3 uncertainty rigid-concrete --uncertain gap=0 --uncertain stiffness=0 --uncertain damping=0 --uncertain contact-stiffness=1 --uncertain restitution=0
 is "an unknown input is wrong usage" gives 2 uncertainty towers --uncertain weather=5%
 is "a size that is too large too" gives 2 uncertainty towers --uncertain gap=95%

@@ -38,7 +38,8 @@ static struct thud_sweep_summary *make_point(int record, int a, int b)
     d->gap_m = 0.05 * (a + 1);
     d->touches = true;
     for (int c = 0; c < CASES; c++) {
-        d->run[c] = (struct thud_sweep_run){(enum thud_case)c, 2 * a + 1, 1e6 * (a + 10), 0.01};
+        d->run[c] = (struct thud_sweep_run){
+            .which = (enum thud_case)c, .impacts = 2 * a + 1, .force_n = 1e6 * (a + 10), .indentation_m = 0.01};
         for (int st = 0; st < 3; st++)
             for (int f = 0; f <= floors[st] && floors[st]; f++) {
                 double x = mark(record, c, a, b, st, f);

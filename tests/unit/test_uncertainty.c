@@ -108,6 +108,73 @@ START_TEST(every_stratum_once)
 }
 END_TEST
 
+/* The first points of the first two dimensions in closed form (van der Corput in Gray code order); in every dimension the
+ * first 2^k points fill each of the 2^k intervals once, also shifted; and in the first pair of dimensions each of their
+ * rectangles of area 2^-k (a (0, 2)-sequence). */
+START_TEST(sobol_points_fill_their_intervals)
+{
+    enum { K = 6, N = 1 << K, DIMENSIONS = THUD_SOBOL_DIMENSIONS };
+    static const double known[][2] = {{0, 0},           {0.5, 0.5},       {0.75, 0.25},     {0.25, 0.75},
+                                      {0.375, 0.375},   {0.875, 0.875},   {0.625, 0.125},   {0.125, 0.625},
+                                      {0.1875, 0.3125}, {0.6875, 0.8125}, {0.9375, 0.0625}, {0.4375, 0.5625}};
+    static double u[N * DIMENSIONS];
+    for (int shifted = 0; shifted < 2; shifted++) {
+        struct thud_random random = {11};
+        thud_sobol_sequence(shifted ? &random : NULL, N, DIMENSIONS, u);
+        for (size_t i = 0; !shifted && i < sizeof known / sizeof *known; i++)
+            for (int j = 0; j < 2; j++)
+                ck_assert_msg(u[i * DIMENSIONS + (size_t)j] == known[i][j], "point %zu dimension %d: %.17g", i, j,
+                              u[i * DIMENSIONS + (size_t)j]);
+        for (int j = 0; j < DIMENSIONS; j++) {
+            int hit[N] = {0};
+            for (int i = 0; i < N; i++)
+                hit[(int)(u[i * DIMENSIONS + j] * N)]++;
+            for (int i = 0; i < N; i++)
+                ck_assert_int_eq(hit[i], 1);
+        }
+        for (int a = 0; a <= K; a++) {
+            int hit[N] = {0}, nx = 1 << a, ny = N / nx;
+            for (int i = 0; i < N; i++)
+                hit[(int)(u[i * DIMENSIONS] * nx) * ny + (int)(u[i * DIMENSIONS + 1] * ny)]++;
+            for (int i = 0; i < N; i++)
+                ck_assert_int_eq(hit[i], 1);
+        }
+    }
+}
+END_TEST
+
+/* Root mean square error of the mean of the Ishigami function (a/2 = 3.5) over several seeds. */
+static double mean_error(bool sobol, size_t n)
+{
+    enum { SEEDS = 20 };
+    double square = 0, *u = malloc(n * D * sizeof *u);
+    ck_assert_ptr_nonnull(u);
+    for (unsigned seed = 1; seed <= SEEDS; seed++) {
+        struct thud_random random = {seed};
+        double mean = 0;
+        if (sobol)
+            thud_sobol_sequence(&random, n, D, u);
+        for (size_t i = 0; !sobol && i < n * D; i++)
+            u[i] = thud_random_unit(&random);
+        for (size_t i = 0; i < n; i++)
+            mean += ishigami(u + i * D) / (double)n;
+        square += pow(mean - 3.5, 2) / SEEDS;
+    }
+    free(u);
+    return sqrt(square);
+}
+
+/* Random numbers give sigma / sqrt(n); the sequence falls nearly as 1/n. */
+START_TEST(sobol_converges_faster_than_chance)
+{
+    double coarse = mean_error(true, 256), fine = mean_error(true, 8192);
+    double sigma = sqrt(0.5 * pow(1 + 0.1 * pow(pi, 4) / 5, 2) + 49 / 8.0 + 0.01 * pow(pi, 8) * 8 / 225);
+    ck_assert_double_eq_tol(mean_error(false, 8192) / (sigma / sqrt(8192)), 1, 0.5);
+    ck_assert_msg(fine < 0.1 * sigma / sqrt(8192), "%g", fine);
+    ck_assert_msg(log(coarse / fine) / log(8192 / 256.0) > 0.8, "order %g", log(coarse / fine) / log(8192 / 256.0));
+}
+END_TEST
+
 START_TEST(inputs_by_name)
 {
     struct thud_inputs inputs;
@@ -196,6 +263,8 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, additivity);
     tcase_add_test(tcase, nothing_varies_and_missing_rows);
     tcase_add_test(tcase, every_stratum_once);
+    tcase_add_test(tcase, sobol_points_fill_their_intervals);
+    tcase_add_test(tcase, sobol_converges_faster_than_chance);
     tcase_add_test(tcase, inputs_by_name);
     tcase_add_test(tcase, changes_of_a_scene);
     tcase_add_test(tcase, samples_are_runs);
