@@ -18,6 +18,12 @@ static const struct thud_published_info infos[THUD_PUBLISHED_COUNT] = {
                                "El Centro 1940, component S00E, as in the appendix of Chopra's book"},
     [THUD_PUBLISHED_NPTEL] = {"Two-storey frame under El Centro", "NPTEL, Structural Dynamics, Example 3.6",
                               "nptel-3.6", "El Centro 1940, component S00E, as in the appendix of Chopra's book"},
+    [THUD_PUBLISHED_CHOPRA_YIELDING] = {"Elastoplastic oscillator under El Centro",
+                                        "Chopra, Dynamics of Structures, Fig. 7.4.2", "chopra-7.4.2",
+                                        "El Centro 1940, component S00E, as in the appendix of Chopra's book"},
+    [THUD_PUBLISHED_NPTEL_YIELDING] = {"Two-storey elastoplastic frame under El Centro",
+                                       "NPTEL, Structural Dynamics, Example 7.3", "nptel-7.3",
+                                       "El Centro 1940, component S00E, as in the appendix of Chopra's book"},
     [THUD_PUBLISHED_VM65] = {"Mass that falls on a spring", "ANSYS Verification Manual VM65, after Thomson 4.6-1",
                              "ansys-vm65", NULL},
     [THUD_PUBLISHED_TWO_OSCILLATORS] = {"Two equal oscillators facing each other, and one before a wall at half the "
@@ -60,9 +66,9 @@ static void add(struct rows *rows, const char *quantity, const char *unit, doubl
     add_within(rows, quantity, unit, factor, published, computed_si, print);
 }
 
-/* A frame's peaks: of the top floor's displacement, the base shear, the top storey's shear. */
+/* A frame's peaks: of the top and the first floor's displacement, the base shear, the top storey's shear. */
 struct frame {
-    double top_m, base_n, top_n;
+    double top_m, first_m, base_n, top_n;
 };
 
 static struct frame frame_of(const struct thud_scene *scene, const struct thud_result *result)
@@ -70,7 +76,8 @@ static struct frame frame_of(const struct thud_scene *scene, const struct thud_r
     int top = result->structure[0].floors - 1;
     const struct thud_floor_result *f = &result->structure[0].floor[top];
     const struct thud_storey_result *storey = result->structure[0].storey;
-    return (struct frame){f->displacement.value, result->structure[0].base_shear.value,
+    return (struct frame){f->displacement.value, result->structure[0].floor[0].displacement.value,
+                          result->structure[0].base_shear.value,
                           storey ? storey[top].shear.value : f->drift.value * scene->structure[0].stiffness_npm[top]};
 }
 
@@ -154,6 +161,41 @@ static enum thud_status nptel(const struct thud_scene *scene, const struct thud_
         return status;
     add(rows, "displacement of the top floor", "m", 1, 0.202, frame.top_m);
     add(rows, "base shear", "kN", 1e3, 40.72, frame.base_n);
+    return THUD_OK;
+}
+
+/* Storeys that yield in the scene as written. */
+static enum thud_status yielding(const struct thud_scene *scene, const struct thud_record *record, int storeys,
+                                 struct frame *out, struct thud_error *err)
+{
+    enum thud_status status = need(scene, record, storeys, err);
+    if (status == THUD_OK && !thud_scene_yields(scene))
+        status = thud_error_set(err, THUD_INPUT, "the published numbers are of storeys that yield");
+    return status == THUD_OK ? run_frame(scene, record, out, err) : status;
+}
+
+static enum thud_status chopra_yielding(const struct thud_scene *scene, const struct thud_record *record,
+                                        struct rows *rows, struct thud_error *err)
+{
+    struct frame frame;
+    enum thud_status status = yielding(scene, record, 1, &frame, err);
+    if (status != THUD_OK)
+        return status;
+    add(rows, "largest displacement", "cm", 1e-2, 4.34, frame.top_m);
+    return THUD_OK;
+}
+
+static enum thud_status nptel_yielding(const struct thud_scene *scene, const struct thud_record *record,
+                                       struct rows *rows, struct thud_error *err)
+{
+    struct frame frame;
+    enum thud_status status = yielding(scene, record, 2, &frame, err);
+    if (status != THUD_OK)
+        return status;
+    add(rows, "displacement of the top floor", "m", 1, 0.1483, frame.top_m);
+    add(rows, "displacement of the first floor", "m", 1, 0.068, frame.first_m);
+    add(rows, "shear of the first storey", "kN", 1e3, 19.74, frame.base_n);
+    add(rows, "shear of the second storey", "kN", 1e3, 9.87, frame.top_n);
     return THUD_OK;
 }
 
@@ -290,6 +332,12 @@ enum thud_status thud_published_compute(enum thud_published which, const struct 
         break;
     case THUD_PUBLISHED_NPTEL:
         status = nptel(scene, record, &rows, err);
+        break;
+    case THUD_PUBLISHED_CHOPRA_YIELDING:
+        status = chopra_yielding(scene, record, &rows, err);
+        break;
+    case THUD_PUBLISHED_NPTEL_YIELDING:
+        status = nptel_yielding(scene, record, &rows, err);
         break;
     case THUD_PUBLISHED_VM65:
         status = vm65(scene, record, &rows, err);
