@@ -128,6 +128,16 @@ static enum thud_status set_joined(struct thud_preset *preset, const char *path,
     return status == THUD_OK ? set_text(preset, path, node, list.text, err) : status;
 }
 
+/* Of a structure: whether each floor or storey may have its own value. */
+static bool is_by_floor(const struct thud_param *param)
+{
+    static const char *const lists[] = {"mass", "stiffness", "height", "yield", "yield-shear", "hardening"};
+    for (size_t i = 0; i < sizeof lists / sizeof *lists; i++)
+        if (strcmp(param->name, lists[i]) == 0)
+            return true;
+    return false;
+}
+
 static enum thud_status set_value(struct thud_preset *preset, const char *path, int node, struct thud_error *err)
 {
     int floor, structure;
@@ -139,9 +149,7 @@ static enum thud_status set_value(struct thud_preset *preset, const char *path, 
     case THUD_YAML_LIST:
         if (param && strncmp(path, "study.", 6) == 0)
             return set_joined(preset, path, node, err);
-        if (param && thud_scan_word(&at, "structures.") && thud_scan_count(&at, &structure) &&
-            (strcmp(param->name, "mass") == 0 || strcmp(param->name, "stiffness") == 0 ||
-             strcmp(param->name, "height") == 0) &&
+        if (param && thud_scan_word(&at, "structures.") && thud_scan_count(&at, &structure) && is_by_floor(param) &&
             preset->scene.structure[structure - 1].kind != THUD_RIGID &&
             preset->scene.structure[structure - 1].kind != THUD_WALL)
             return set_floors(preset, path, node, preset->scene.structure[structure - 1].storeys, err);

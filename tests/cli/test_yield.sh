@@ -1,0 +1,57 @@
+#!/bin/sh
+# Storeys that yield, as a user types them: keys and their errors, results, studies, and the numbers of thud-model(7).  TAP.
+# shellcheck source=tests/cli/program.sh
+. "$(dirname "$0")/program.sh"
+
+preset() { # KEY-LINE: towers-yielding with this line in place of A's yield
+    # shellcheck disable=SC2154 # tmp is program.sh's
+    sed "0,/    yield: .*/s//    $1/" presets/towers-yielding.yaml >"$tmp/p.yaml"
+}
+is "a run" gives 0 run towers-yielding --case none
+is "says ductility, permanent drift, excursions, energy and shear" shows '^     1         15      4\.184            7\.635          16    1973      10\.433    6\.309$'
+is "and what storeys have lost" shows 'lost in storeys that yield 7342\.4; unaccounted [0-9.]*e-1[0-9]$'
+is "elastic storeys say nothing of it" [ "$("$THUD" run towers --case none 2>&1 | grep -c 'ductility\|lost in')" -eq 0 ]
+is "a drift of 2 % is no remark where the storey yields" [ "$("$THUD" run towers-yielding --case none 2>&1 | grep -c 'taken as elastic')" -eq 0 ]
+is "--set makes a storey yield" gives 0 run towers --case none --set structures.1.yield.1=10mm
+is "that one alone" [ "$(grep -c '^ *[0-9]    elastic$' "$tmp/out")" -eq 3 ]
+is "by its shear, with hardening" gives 0 run towers --case none --set structures.1.yield-shear=9MN --set structures.1.hardening=5%
+is "which is the drift times the stiffness" shows '^     1         15      3\.496 '
+
+preset 'yield: 25 kN'
+is "another dimension is refused" gives 3 run "$tmp/p.yaml"
+is "with its place" says 'p.yaml:[0-9]*:12: structures.1.yield'
+preset 'yield: 0 mm'
+is "no drift is refused" gives 3 run "$tmp/p.yaml"
+is "with the range" says '> 0.001 mm, up to 10000 mm'
+preset 'yield: [15 mm, 15 mm]'
+is "a list of another length" gives 3 run "$tmp/p.yaml"
+is "says how many there are" says 'the structure has 4 storeys'
+preset 'yield: [15 mm, none, 20 mm, none]'
+is "a list with elastic storeys" gives 0 run "$tmp/p.yaml" --case none
+is "says which" [ "$(sed -n '/^A:/,/^B:/p' "$tmp/out" | grep -c '^ *[24]    elastic$')" -eq 2 ]
+preset 'yield-shear: 1 N'
+is "a shear that is next to nothing" gives 3 run "$tmp/p.yaml"
+preset 'yield: 15 mm\n    yield-shear: 9 MN'
+is "both at once" gives 3 run "$tmp/p.yaml"
+is "are told apart" says 'yield or yield-shear, not both'
+is "a rigid body has none" gives 3 run rigid-bumper --set structures.1.yield=10mm
+is "for the reason" says 'a rigid body has no storeys that could yield'
+is "nor has a wall" gives 3 run isolated-moat --set structures.1.yield=10mm
+is "an isolated building's own storeys may" gives 0 run isolated-moat --set structures.2.yield=5mm --csv
+is "but not its isolators" [ "$(grep -c '^isolated,1,.*,,,,,,,$' "$tmp/out")" -eq 1 ]
+is "OpenSees is not asked" gives 3 export opensees towers-yielding
+is "and it is said" says 'does not know storeys that yield'
+
+is "a sweep over the yield drift" gives 0 sweep towers --vary structures.1.yield=10mm,20mm --case none --csv --quiet
+is "runs each" [ "$(grep -c ',A,1,' "$tmp/out")" -eq 2 ]
+"$THUD" run towers --case none --set structures.1.yield=20mm --csv >"$tmp/run" 2>/dev/null
+is "as a run does" [ "$(awk -F, '/,A,1,/ { d = $7 } END { print d }' "$tmp/out")" = "$(awk -F, '$1 == "A" && $2 == 1 { print $9 }' "$tmp/run")" ]
+
+# thud-model(7)
+gap() { "$THUD" gap towers-yielding --record "records/$1-surrogate.csv" --peak "$2" 2>/dev/null | awk '/surrogate.csv/ { print $2; exit }'; }
+is "the gap that is enough, of the inelastic motion" [ "$(gap kobe 0.821g) $(gap northridge 0.897g) $(gap san-fernando 1.17g)" = "7.66 5.28 8.22" ]
+is "nothing touches at it" [ "$("$THUD" run towers-yielding --case none --set gap=7.67cm 2>/dev/null | grep -c 'no contact$')" -eq 4 ]
+is "and something below" [ "$("$THUD" run towers-yielding --case none --set gap=7.65cm 2>/dev/null | grep -c 'no contact$')" -eq 3 ]
+"$THUD" sweep towers-yielding --cases none,bumper --vary gap=5cm --csv --quiet >"$tmp/sweep" 2>/dev/null
+is "what pounding and bumper do to the accelerations" [ "$(awk -F, '$5 == 0 { printf "%.2f %.2f ", $9, $12 }' "$tmp/sweep")" = "1.00 1.69 1.00 1.43 0.69 1.17 0.78 1.11 " ]
+is "the whole page has these numbers" [ "$(grep -c '7\.66$\|5\.28$\|8\.22$\|1\.69$\|1\.43$\|0\.69$\|0\.78$' man/thud-model.7)" -eq 7 ]
