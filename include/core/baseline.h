@@ -1,4 +1,4 @@
-/* The motion without contact of a model, made once and kept: the answer for every clearance wide enough, and the
+/* The motion without contact of a model, made once and kept: the result for every clearance wide enough, and the
  * beginning of every run that comes to a contact only later. Read-only once made, so any number of runs may start from
  * it at once. */
 #ifndef THUD_CORE_BASELINE_H
@@ -20,7 +20,7 @@ enum thud_status thud_baseline_advance(struct thud_baseline_motion *baseline, lo
                                        struct thud_error *err);
 void thud_baseline_free(struct thud_baseline_motion *baseline);
 
-/* The contact-free answer. */
+/* The contact-free result. */
 const struct thud_result *thud_baseline_result(const struct thud_baseline_motion *baseline);
 /* Largest u_left - u_right of contact c (from 0) over the whole motion, at least 0: a clearance this wide is never used
  * up. */

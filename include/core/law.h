@@ -31,17 +31,17 @@ struct thud_law_setup {
     double constant[THUD_LAW_CONSTANTS_MAX]; /* filled by the law's prepare */
 };
 
-/* What one contact remembers from its first touch on. Only the run writes it. */
+/* What one contact remembers from its onset on. Only the run writes it. */
 struct thud_law_memory {
-    double v_imp_mps; /* closing velocity at first touch, as it was */
-    double damp;      /* the law's own damping factor for this contact, set by touch or turn */
+    double v_imp_mps; /* closing velocity at contact onset, as it was */
+    double damp;      /* the law's own damping factor for this contact, set by onset or reversal */
 };
 
 enum {
     THUD_LAW_LINEAR = 1,     /* every branch is linear: contact is propagated exactly */
-    THUD_LAW_TURNS = 2,      /* approach and restitution have different branches */
+    THUD_LAW_REVERSES = 2,   /* approach and restitution have different branches */
     THUD_LAW_PULLS = 4,      /* force may be negative; the contact ends at d = 0 */
-    THUD_LAW_IMPULSIVE = 8,  /* no force: an impulse at touch (stereomechanical) */
+    THUD_LAW_IMPULSIVE = 8,  /* no force: an impulse at contact onset (stereomechanical) */
     THUD_LAW_NO_FORCE = 16,  /* no contact at all (none) */
     THUD_LAW_DEGREE_ONE = 32 /* force is of degree one in (d, v): scaling symmetry */
 };
@@ -55,10 +55,10 @@ struct thud_law {
 
     /* Checks values against each other and fills setup->constant. Errors: THUD_INPUT with key. */
     enum thud_status (*prepare)(struct thud_law_setup *setup, struct thud_error *err);
-    /* At first touch with closing velocity v (>= 0); fills the memory. */
-    void (*touch)(const struct thud_law_setup *setup, double v_mps, struct thud_law_memory *memory);
-    /* At each turn from approach to restitution at indentation d; NULL where nothing changes. */
-    void (*turn)(const struct thud_law_setup *setup, double d_m, struct thud_law_memory *memory);
+    /* At contact onset with closing velocity v (>= 0); fills the memory. */
+    void (*onset)(const struct thud_law_setup *setup, double v_mps, struct thud_law_memory *memory);
+    /* At each velocity reversal from approach to restitution at indentation d; NULL where nothing changes. */
+    void (*reversal)(const struct thud_law_setup *setup, double d_m, struct thud_law_memory *memory);
     /* The branch that holds in a phase on one side of the ultimate compression. */
     struct thud_branch (*branch)(const struct thud_law_setup *setup, const struct thud_law_memory *memory,
                                  enum thud_phase phase, bool past_ultimate);

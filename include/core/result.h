@@ -1,4 +1,4 @@
-/* What a run answers. Every peak is that of the continuous history (both sides of jumps, maxima inside steps). SI
+/* The result of a run. Every peak is that of the continuous history (both sides of jumps, maxima inside steps). SI
  * units. */
 #ifndef THUD_CORE_RESULT_H
 #define THUD_CORE_RESULT_H

@@ -21,9 +21,6 @@ struct thud_response {
     bool shared; /* the memory is another's */
 };
 
-/* Unit motions of the modes: initial displacement, initial rate, constant ground acceleration, one rising from 0. */
-enum { THUD_UNIT_Q, THUD_UNIT_QD, THUD_UNIT_A0, THUD_UNIT_A1, THUD_UNITS };
-
 struct thud_collocation {
     double node[THUD_POINTS], lagrange[THUD_POINTS * THUD_POINTS];
     struct thud_nodes nodes, checks; /* the points, and those between them where the error is measured */
@@ -39,11 +36,7 @@ struct thud_collocation {
     double *modal[THUD_LEVELS]; /* (loads x THUD_POINTS x nmodes x 2 x THUD_BATCH): q and q' of each mode at the
                                    points, by load and power */
     struct thud_response *pair[THUD_LEVELS]; /* (nc x nc) */
-    double *unforced[THUD_LEVELS]; /* (nmodes x THUD_UNITS x 2 x THUD_BATCH): how far each mode moves to the points,
-                                      and its rate there, in each unit motion without contact; not where modes couple */
-    double *moved;                 /* (nmodes x 2 x THUD_BATCH) the same in the step at hand */
-    struct thud_segment seg;       /* of unit loads, and of the motion without contact forces */
-    double *seg_block;
+    struct thud_segment seg;                 /* of unit loads, and of the motion without contact forces */
     /* The system: unknowns are the forces of the active contacts at the points */
     int *active; /* (nc) */
     int nactive, capacity;
@@ -68,95 +61,8 @@ static void begin_segment(const struct thud_state *state, struct thud_segment *s
     seg->terms = thud_segment_terms(state->fastest_radps * h, least);
 }
 
-/* The table of a step size, where modes are uncoupled. */
-static bool fill_table(const struct thud_state *state, struct thud_collocation *x, int level, double h)
-{
-    const struct thud_model *m = state->model;
-    size_t n = (size_t)x->nmodes;
-    double *table = allocate(n * THUD_UNITS * 2 * THUD_BATCH, sizeof *table), *start = allocate(2 * n, sizeof *start);
-    x->unforced[level] = table;
-    if (!table || !start) {
-        free(start);
-        return false;
-    }
-    struct thud_segment *seg = &x->seg;
-    seg->terms = THUD_SEGMENT_TERMS;
-    seg->h_s = h;
-    memset(seg->force, 0, THUD_SEGMENT_TERMS * (size_t)x->nc * sizeof *seg->force);
-    for (int u = 0; u < THUD_UNITS; u++) {
-        for (size_t j = 0; j < n; j++) {
-            start[j] = u == THUD_UNIT_Q;
-            start[n + j] = u == THUD_UNIT_QD;
-        }
-        seg->a0 = u == THUD_UNIT_A0;
-        seg->a1 = u == THUD_UNIT_A1;
-        thud_taylor_given(m, seg, start, start + n);
-        memset(seg->q, 0, n * sizeof *seg->q); /* how far it moves */
-        for (size_t j = 0; j < n; j++) {
-            double *d = table + (j * THUD_UNITS + (size_t)u) * 2 * THUD_BATCH, *v = d + THUD_BATCH;
-            thud_nodes_values(&x->nodes, seg->q + j, m->nmodes, seg->terms, d);
-            thud_nodes_rates(&x->nodes, seg->q + j, m->nmodes, seg->terms, h, v);
-        }
-    }
-    free(start);
-    return true;
-}
-
-/* Every mode's way to the points and its rates there. */
-static void move_modes(const struct thud_state *state, struct thud_collocation *x, int level, double h)
-{
-    double a0, a1;
-    thud_state_ground(state, state->grid, &a0, &a1);
-    double slope = (a1 - a0) / state->grid_dt_s;
-    double part[THUD_UNITS] = {[THUD_UNIT_A0] = a0 + slope * state->offset_s, [THUD_UNIT_A1] = slope * h};
-    for (int j = 0; j < x->nmodes; j++) {
-        const double *unit = x->unforced[level] + j * THUD_UNITS * 2 * THUD_BATCH;
-        struct thud_batch d = {0}, v = {0};
-        part[THUD_UNIT_Q] = state->q[j];
-        part[THUD_UNIT_QD] = state->qd[j];
-        for (int u = 0; u < THUD_UNITS; u++, unit += 2 * THUD_BATCH) {
-            thud_batch_add(&d, part[u], unit);
-            thud_batch_add(&v, part[u], unit + THUD_BATCH);
-        }
-        thud_batch_put(&d, x->moved + j * 2 * THUD_BATCH);
-        thud_batch_put(&v, x->moved + (j * 2 + 1) * THUD_BATCH);
-    }
-}
-
-/* Adds the modes of one side of contact c. */
-static void add_side(const struct thud_state *state, const struct thud_collocation *x, int c, int dof,
-                     struct thud_batch *d, struct thud_batch *v)
-{
-    const struct thud_model *m = state->model;
-    if (dof < 0)
-        return;
-    const struct thud_model_structure *s = &m->structure[m->dof_structure[dof]];
-    for (int j = s->first_mode; j < s->first_mode + s->modes; j++) {
-        const double *from = x->moved + j * 2 * THUD_BATCH;
-        double g = m->jacobian[c * m->nmodes + j];
-        thud_batch_add(d, g, from);
-        thud_batch_add(v, g, from + THUD_BATCH);
-    }
-}
-
-static void by_table(const struct thud_state *state, struct thud_collocation *x, int level, double h)
-{
-    move_modes(state, x, level, h);
-    for (int a = 0; a < x->nactive; a++) {
-        int c = x->active[a];
-        const struct thud_model_contact *p = &state->model->contact[c];
-        double now = state->contact[c].suppressed.indentation > 0 ? 0 : thud_contact_indentation(state, c);
-        struct thud_batch d = {0}, v = {0};
-        add_side(state, x, c, p->left_dof, &d, &v);
-        if (c < state->model->ncontacts) /* a storey's row has both of its floors in one structure's modes */
-            add_side(state, x, c, p->right_dof, &d, &v);
-        thud_batch_add(&d, now, x->nodes.power[0]);
-        thud_batch_put(&d, x->d0 + a * THUD_BATCH);
-        thud_batch_put(&v, x->v0 + a * THUD_BATCH);
-    }
-}
-
-static void by_series(const struct thud_state *state, struct thud_collocation *x, double h)
+/* Indentations and rates of the active contacts at the points. */
+static void fill_unforced(const struct thud_state *state, struct thud_collocation *x, double h)
 {
     double p[THUD_SEGMENT_TERMS];
     begin_segment(state, &x->seg, h);
@@ -171,19 +77,7 @@ static void by_series(const struct thud_state *state, struct thud_collocation *x
     }
 }
 
-static bool fill_unforced(const struct thud_state *state, struct thud_collocation *x, int level, double h)
-{
-    if (state->model->couples || state->nshifted > 0) { /* the tables have no constant forces of storeys */
-        by_series(state, x, h);
-        return true;
-    }
-    if (!x->unforced[level] && !fill_table(state, x, level, h))
-        return false;
-    by_table(state, x, level, h);
-    return true;
-}
-
-/* How contacts answer to each other's forces at the points of a step. */
+/* How contacts respond to each other's forces at the points of a step. */
 
 /* Motion of every mode at the points under unit loads s^power. */
 static bool fill_modal(const struct thud_state *state, struct thud_collocation *x, int level, double h)
@@ -250,7 +144,7 @@ static bool fill_pair(const struct thud_state *state, struct thud_collocation *x
     return true;
 }
 
-/* Where modes do not couple, each of two contacts answers to the other in the same way. */
+/* Where modes do not couple, each of two contacts responds to the other in the same way. */
 static bool mirror_pair(const struct thud_state *state, struct thud_collocation *x, int level, int a, int b)
 {
     const struct thud_response *other = &x->pair[level][b * x->nc + a];
@@ -402,15 +296,13 @@ enum thud_status thud_collocation_create(const struct thud_state *state, struct 
     thud_nodes_set(&x->nodes, THUD_POINTS, x->node, 1, THUD_SEGMENT_TERMS);
     thud_nodes_set(&x->checks, THUD_POINTS, check, 1, THUD_SEGMENT_TERMS);
     size_t f = THUD_POINTS * (size_t)m->nrows;
-    x->seg_block = allocate(2 * THUD_BATCH * (size_t)m->nmodes + f, sizeof(double));
+    x->last = allocate(f, sizeof(double));
     x->active = allocate((size_t)m->nrows, sizeof(int));
-    if (!x->seg_block || !x->active || thud_segment_init(&x->seg, m, err) != THUD_OK) {
+    if (!x->last || !x->active || thud_segment_init(&x->seg, m, err) != THUD_OK) {
         thud_collocation_free(x);
         *out = NULL;
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
-    x->last = x->seg_block;
-    x->moved = x->last + f;
     return THUD_OK;
 }
 
@@ -424,9 +316,8 @@ void thud_collocation_free(struct thud_collocation *x)
                 free(x->pair[l][p].indentation);
         free(x->pair[l]);
         free(x->modal[l]);
-        free(x->unforced[l]);
     }
-    free(x->seg_block);
+    free(x->last);
     thud_segment_clear(&x->seg);
     free(x->active);
     free(x->force);
@@ -704,10 +595,10 @@ static int level_for(const struct thud_collocation *x, double want, double remai
 static enum thud_status too_short(const struct thud_state *state, const struct thud_collocation *x,
                                   struct thud_error *err)
 {
-    int stuck = 0;
+    int sticking = 0;
     for (int a = 0; a < x->nactive; a++)
-        stuck += state->contact[x->active[a]].mode == THUD_STICKING;
-    if (stuck > 1 && state->model->left_out > 0) /* all modes tell any floors apart */
+        sticking += state->contact[x->active[a]].mode == THUD_STICKING;
+    if (sticking > 1 && state->model->left_out > 0) /* all modes tell any floors apart */
         return thud_state_too_few_modes(state, err);
     return thud_error_set(err, THUD_DIVERGED, "no step is short enough for the contact forces at t = %.6g s",
                           thud_state_now(state));
@@ -732,8 +623,9 @@ enum thud_status thud_collocation_step(const struct thud_state *state, struct th
     for (int same = 0;;) {
         int level = level_for(x, x->h, remaining);
         double want = x->h, h = ldexp(x->h_top, -level), error = INFINITY;
-        if (!prepare_responses(state, x, level, h) || !fill_unforced(state, x, level, h))
+        if (!prepare_responses(state, x, level, h))
             return thud_error_set(err, THUD_MEMORY, "out of memory");
+        fill_unforced(state, x, h);
         guess(state, x, h);
         bool converged = iterate(state, x, level, 1e-2 * tolerance) || solve(state, x, level, 1e-2 * tolerance);
         x->has_source = x->has_source && !converged;

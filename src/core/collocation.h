@@ -1,4 +1,4 @@
-/* Nonlinear and stuck contacts. The structures' motion under any force polynomial is known exactly, so only the contact
+/* Nonlinear and sticking contacts. The structures' motion under any force polynomial is known exactly, so only the contact
  * forces are unknown: each is a polynomial in time that satisfies its law at the Radau points of the step (or d' = 0
  * where the contact sticks). Implicit, stiffly accurate, of order 2 n - 1 at the step's end; the force equation's own
  * residual between the points is the error measure. */

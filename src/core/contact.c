@@ -117,7 +117,7 @@ static void onset(struct thud_state *state, struct thud_contact_log *log, int c)
     const struct thud_law *law = law_of(state, c);
     double v = closing_rate(state, c);
     memset(&s->memory, 0, sizeof s->memory);
-    law->touch(&state->model->contact[c].setup, v, &s->memory);
+    law->onset(&state->model->contact[c].setup, v, &s->memory);
     s->phase = THUD_APPROACH;
     s->past_ultimate = false;
     thud_contact_set_mode(state, c, THUD_CLOSED);
@@ -193,8 +193,8 @@ static void go_on(struct thud_state *state, int c, enum thud_phase phase, int ra
 {
     struct thud_contact_state *s = &state->contact[c];
     thud_contact_set_mode(state, c, THUD_CLOSED);
-    if (phase == THUD_RESTITUTION && law_of(state, c)->turn)
-        law_of(state, c)->turn(&state->model->contact[c].setup, thud_contact_indentation(state, c), &s->memory);
+    if (phase == THUD_RESTITUTION && law_of(state, c)->reversal)
+        law_of(state, c)->reversal(&state->model->contact[c].setup, thud_contact_indentation(state, c), &s->memory);
     s->phase = phase;
     s->suppressed = (struct thud_suppressed){.rate = rate_zeros};
     renew_branch(state, c);
@@ -234,7 +234,7 @@ static void thud_contact_impulse_received(struct thud_state *state, int c, doubl
     struct thud_contact_state *s = &state->contact[c];
     double v = thud_contact_rate(state, c);
     enum thud_phase phase = v > 0 ? THUD_APPROACH : THUD_RESTITUTION;
-    bool turns = s->mode != THUD_OPEN && law_of(state, c)->flags & THUD_LAW_TURNS;
+    bool turns = s->mode != THUD_OPEN && law_of(state, c)->flags & THUD_LAW_REVERSES;
     if ((!turns && s->mode != THUD_STICKING) || fabs(v) <= THUD_TOL_IMPULSE_RATE * fabs(change))
         return;
     if (s->mode == THUD_STICKING || phase != s->phase)

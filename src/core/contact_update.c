@@ -15,7 +15,7 @@ static int closed_event(const struct thud_state *state, int c, double d, double 
     bool pushes = thud_branch_force(&s->branch, d, v, NULL, NULL) > 0;
     if (s->mode == THUD_CLOSED_NO_FORCE)
         return pushes ? THUD_EVENT_REENGAGE : -1;
-    if (law->flags & THUD_LAW_TURNS && (s->phase == THUD_APPROACH ? v < 0 : v > 0))
+    if (law->flags & THUD_LAW_REVERSES && (s->phase == THUD_APPROACH ? v < 0 : v > 0))
         return THUD_EVENT_REVERSAL;
     if ((d > s->ultimate_m) != s->past_ultimate)
         return THUD_EVENT_BRANCH;

@@ -5,30 +5,30 @@
 
 #include <stdint.h>
 
-typedef double thud_pair __attribute__((vector_size(2 * sizeof(double)), aligned(sizeof(double)), may_alias));
+typedef double thud_double_pair __attribute__((vector_size(2 * sizeof(double)), aligned(sizeof(double)), may_alias));
 
-static inline thud_pair thud_pair_at(const double *x)
+static inline thud_double_pair thud_double_pair_at(const double *x)
 {
-    return *(const thud_pair *)x;
+    return *(const thud_double_pair *)x;
 }
 
-static inline thud_pair thud_pair_abs(thud_pair x)
+static inline thud_double_pair thud_double_pair_abs(thud_double_pair x)
 {
-    typedef long long bits __attribute__((vector_size(sizeof(thud_pair))));
-    return (thud_pair)((bits)x & (bits){INT64_MAX, INT64_MAX}); /* all but the sign */
+    typedef long long bits __attribute__((vector_size(sizeof(thud_double_pair))));
+    return (thud_double_pair)((bits)x & (bits){INT64_MAX, INT64_MAX}); /* all but the sign */
 }
 
 /* a[0] b[0] + ... + a[n - 1] b[n - 1] */
 static inline double thud_dot(int n, const double *a, const double *b)
 {
-    thud_pair even = {0, 0}, odd = {0, 0};
+    thud_double_pair even = {0, 0}, odd = {0, 0};
     int j = 0;
     for (; j + 4 <= n; j += 4) {
-        even += thud_pair_at(a + j) * thud_pair_at(b + j);
-        odd += thud_pair_at(a + j + 2) * thud_pair_at(b + j + 2);
+        even += thud_double_pair_at(a + j) * thud_double_pair_at(b + j);
+        odd += thud_double_pair_at(a + j + 2) * thud_double_pair_at(b + j + 2);
     }
     if (j + 2 <= n) {
-        even += thud_pair_at(a + j) * thud_pair_at(b + j);
+        even += thud_double_pair_at(a + j) * thud_double_pair_at(b + j);
         j += 2;
     }
     even += odd;

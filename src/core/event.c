@@ -60,8 +60,8 @@ static bool force_function(const struct thud_branch *b, const double *d, int ter
     return true;
 }
 
-/* Force by which rounding moves the constraint force of a STUCK contact from one end of its interval, beyond which it is
- * outside: neighbours that move alike are held together by what rounding leaves of equal forces. Just stuck, a force
+/* Force by which rounding moves the constraint force of a STICKING contact from one end of its interval, beyond which it is
+ * outside: neighbours that move alike are held together by what rounding leaves of equal forces. Just after it began to stick, a force
  * that is there but for the accuracy of its polynomial is taken to start there. */
 static double from_end(const struct view *v, double distance)
 {
@@ -104,7 +104,7 @@ static bool watched_function(const struct view *v, enum watched watched, double 
         *n -= 1;
         for (int k = 0; k < *n; k++)
             out[k] = (k + 1) * v->d[k + 1];
-        return law->flags & THUD_LAW_TURNS;
+        return law->flags & THUD_LAW_REVERSES;
     case BRANCH:
         if (s->ultimate_m == INFINITY)
             return false;

@@ -261,13 +261,13 @@ static void floor_row(struct thud_free_vibration *f, const struct thud_model_str
     const double *row = p->phi + i * p->modes;
     for (int t = 0; t < ends; t += 4) {
         const double *x = from + p->first_mode * ENDS + t;
-        thud_pair a = {0, 0}, b = {0, 0};
+        thud_double_pair a = {0, 0}, b = {0, 0};
         for (int j = 0; j < p->modes; j++, x += ENDS) {
-            a += row[j] * thud_pair_at(x);
-            b += row[j] * thud_pair_at(x + 2);
+            a += row[j] * thud_double_pair_at(x);
+            b += row[j] * thud_double_pair_at(x + 2);
         }
-        *(thud_pair *)(to + t) = a;
-        *(thud_pair *)(to + t + 2) = b;
+        *(thud_double_pair *)(to + t) = a;
+        *(thud_double_pair *)(to + t + 2) = b;
     }
 }
 

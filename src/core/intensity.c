@@ -143,7 +143,7 @@ static double bracketed(const struct thud_record *record)
 
 /* ---- predominant period ---- */
 
-enum { LANES = 4, COARSE = 20 * LANES, FINE = 6 * LANES };
+enum { BATCH = 4, COARSE = 20 * BATCH, FINE = 6 * BATCH };
 
 /* Largest total acceleration of four oscillators side by side, looked at `finest` radians or less apart: enough to tell
  * which is the largest, and a long record takes well under a second. */
@@ -151,9 +151,9 @@ static void four_peaks(const struct thud_record *record, const double *period, d
 {
     double damping = 0.05, shortest = fmin(fmin(period[0], period[1]), fmin(period[2], period[3]));
     int parts = (int)fmin(ceil(2 * THUD_PI / shortest * record->dt_s / finest), 1000);
-    struct thud_oscillator o[LANES];
-    double x[LANES] = {0}, v[LANES] = {0}, c[LANES], k[LANES];
-    for (int l = 0; l < LANES; l++) {
+    struct thud_oscillator o[BATCH];
+    double x[BATCH] = {0}, v[BATCH] = {0}, c[BATCH], k[BATCH];
+    for (int l = 0; l < BATCH; l++) {
         double omega = 2 * THUD_PI / period[l];
         thud_oscillator_init(&o[l], omega, damping, record->dt_s / parts);
         c[l] = 2 * damping * omega;
@@ -164,7 +164,7 @@ static void four_peaks(const struct thud_record *record, const double *period, d
         double before = record->a_mps2[i], slope = (record->a_mps2[i + 1] - before) / parts;
         for (int part = 1; part <= parts; part++) {
             double after = record->a_mps2[i] + slope * part;
-            for (int l = 0; l < LANES; l++) {
+            for (int l = 0; l < BATCH; l++) {
                 double x0 = x[l], v0 = v[l];
                 x[l] = o[l].xx * x0 + o[l].xv * v0 + o[l].xa0 * before + o[l].xa1 * after;
                 v[l] = o[l].vx * x0 + o[l].vv * v0 + o[l].va0 * before + o[l].va1 * after;
@@ -180,12 +180,12 @@ static void four_peaks(const struct thud_record *record, const double *period, d
 static double best_period(const struct thud_record *record, double from, double to, int count, double finest)
 {
     double best = NAN, largest = 0;
-    for (int i = 0; i < count; i += LANES) {
-        double period[LANES], peak[LANES];
-        for (int l = 0; l < LANES; l++)
+    for (int i = 0; i < count; i += BATCH) {
+        double period[BATCH], peak[BATCH];
+        for (int l = 0; l < BATCH; l++)
             period[l] = from * pow(to / from, (double)(i + l) / (count - 1));
         four_peaks(record, period, finest, peak);
-        for (int l = 0; l < LANES; l++)
+        for (int l = 0; l < BATCH; l++)
             if (peak[l] > largest) {
                 largest = peak[l];
                 best = period[l];

@@ -20,7 +20,7 @@ enum thud_status thud_law_prepare_nothing(struct thud_law_setup *setup, struct t
     return THUD_OK;
 }
 
-void thud_law_touch_plain(const struct thud_law_setup *setup, double v_mps, struct thud_law_memory *memory)
+void thud_law_onset_plain(const struct thud_law_setup *setup, double v_mps, struct thud_law_memory *memory)
 {
     (void)setup;
     *memory = (struct thud_law_memory){.v_imp_mps = v_mps};

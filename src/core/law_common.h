@@ -64,8 +64,8 @@ extern const struct thud_branch thud_branch_none;
 enum thud_status thud_law_check_hertz_stiffness(double stiffness, double exponent, struct thud_error *err);
 /* prepare of a law whose values need no second look. */
 enum thud_status thud_law_prepare_nothing(struct thud_law_setup *setup, struct thud_error *err);
-/* touch of a law that remembers no damping of its own. */
-void thud_law_touch_plain(const struct thud_law_setup *setup, double v_mps, struct thud_law_memory *memory);
+/* Onset of a law that remembers no damping of its own. */
+void thud_law_onset_plain(const struct thud_law_setup *setup, double v_mps, struct thud_law_memory *memory);
 /* nominal and restitution of a law that loses nothing. */
 double thud_law_nominal_one(const struct thud_law_setup *setup);
 double thud_law_restitution_one(const struct thud_law_setup *setup, double v_mps);

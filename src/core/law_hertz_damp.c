@@ -1,6 +1,6 @@
 /* Hertz with damping in proportion to the elastic force, in approach and restitution alike. The damping is set by the
- * closing speed at first touch: approach needs it before any energy is stored, so it cannot be taken from the energy at
- * the turn. */
+ * closing speed at contact onset: approach needs it before any energy is stored, so it cannot be taken from the energy at
+ * the reversal of velocity. */
 #include "core/law_closed_form.h"
 #include "core/law_common.h"
 
@@ -49,7 +49,7 @@ static enum thud_status prepare(struct thud_law_setup *setup, struct thud_error 
     return thud_law_check_hertz_stiffness(setup->value[STIFFNESS], setup->value[EXPONENT], err);
 }
 
-static void touch(const struct thud_law_setup *setup, double v_mps, struct thud_law_memory *memory)
+static void onset(const struct thud_law_setup *setup, double v_mps, struct thud_law_memory *memory)
 {
     double v = fmax(v_mps, setup->value[SPEED_FLOOR]);
     *memory = (struct thud_law_memory){.v_imp_mps = v_mps, .damp = setup->constant[S] / v};
@@ -77,7 +77,7 @@ static double nominal(const struct thud_law_setup *setup)
 static double restitution(const struct thud_law_setup *setup, double v_mps)
 {
     struct thud_law_memory memory;
-    touch(setup, v_mps, &memory);
+    onset(setup, v_mps, &memory);
     return thud_hertz_damp_restitution(memory.damp * v_mps);
 }
 
@@ -90,7 +90,7 @@ const struct thud_law thud_law_hertz_damp = {
     .params = params,
     .nparams = sizeof params / sizeof params[0],
     .prepare = prepare,
-    .touch = touch,
+    .onset = onset,
     .branch = branch,
     .elastic_energy = elastic_energy,
     .nominal = nominal,

@@ -20,7 +20,7 @@ const struct thud_law thud_law_none = {
     .summary = "F = 0",
     .flags = THUD_LAW_NO_FORCE,
     .prepare = thud_law_prepare_nothing,
-    .touch = thud_law_touch_plain,
+    .onset = thud_law_onset_plain,
     .branch = thud_law_branch_none,
     .elastic_energy = thud_law_energy_none,
     .nominal = no_restitution,

@@ -138,7 +138,7 @@ static double damping(const struct thud_law_setup *setup, double v_mps)
     return thud_rubber_c_paper(setup->value[RESTITUTION], setup->mass_kg, v_mps);
 }
 
-static void touch(const struct thud_law_setup *setup, double v_mps, struct thud_law_memory *memory)
+static void onset(const struct thud_law_setup *setup, double v_mps, struct thud_law_memory *memory)
 {
     memory->v_imp_mps = v_mps;
     memory->damp = damping(setup, fmax(v_mps, setup->value[SPEED_FLOOR]));
@@ -155,7 +155,7 @@ static double energy_speed(const struct thud_law_setup *setup, double d_m)
     return fmax(sqrt(2 * elastic_energy(setup, d_m) / setup->mass_kg), least_energy_speed);
 }
 
-static void turn(const struct thud_law_setup *setup, double d_m, struct thud_law_memory *memory)
+static void reversal(const struct thud_law_setup *setup, double d_m, struct thud_law_memory *memory)
 {
     if (setup->value[IMPACT_SPEED] == SPEED_ENERGY)
         memory->damp = damping(setup, energy_speed(setup, d_m));
@@ -183,7 +183,7 @@ static double nominal(const struct thud_law_setup *setup)
     return setup->value[RESTITUTION];
 }
 
-/* All of m v^2/2 is stored at the turn; restitution starts with what lies under its own curve. */
+/* All of m v^2/2 is stored at the velocity reversal; restitution starts with what lies under its own curve. */
 static double restitution(const struct thud_law_setup *setup, double v_mps)
 {
     struct thud_rubber_curve curve = curve_of(setup);
@@ -194,8 +194,8 @@ static double restitution(const struct thud_law_setup *setup, double v_mps)
     if (setup->value[UNLOADING] == UNLOADING_PAPER && d > curve.ultimate_m)
         ratio = thud_law_power_energy(curve.k, curve.n, d) / energy;
     struct thud_law_memory memory;
-    touch(setup, v_mps, &memory);
-    turn(setup, d, &memory);
+    onset(setup, v_mps, &memory);
+    reversal(setup, d, &memory);
     return thud_rubber_restitution(memory.damp * v_mps, ratio);
 }
 
@@ -228,12 +228,12 @@ const struct thud_law thud_law_rubber = {
     .title = "rubber bumper with hysteretic damping",
     .reference = "Polycarpou and Komodromos 2009, 2011, eqs. (4)-(7)",
     .summary = "approach F = k d^n, past the largest strain a line; restitution F = k d^n (1 + C v)",
-    .flags = THUD_LAW_TURNS,
+    .flags = THUD_LAW_REVERSES,
     .params = params,
     .nparams = sizeof params / sizeof params[0],
     .prepare = prepare,
-    .touch = touch,
-    .turn = turn,
+    .onset = onset,
+    .reversal = reversal,
     .branch = branch,
     .ultimate = ultimate,
     .elastic_energy = elastic_energy,

@@ -1,29 +1,29 @@
 #include "core/nodes.h"
 
-void thud_nodes_set(struct thud_nodes *places, int count, const double *s, double scale, int terms)
+void thud_nodes_set(struct thud_nodes *nodes, int count, const double *s, double scale, int terms)
 {
     for (int i = 0; i < THUD_BATCH; i++) {
-        places->power[0][i] = 1;
-        places->power[1][i] = i < count ? scale * s[i] : 0;
+        nodes->power[0][i] = 1;
+        nodes->power[1][i] = i < count ? scale * s[i] : 0;
     }
     for (int k = 2; k < terms; k++)
         for (int i = 0; i < THUD_BATCH; i++)
-            places->power[k][i] = places->power[k - 1][i] * places->power[1][i];
+            nodes->power[k][i] = nodes->power[k - 1][i] * nodes->power[1][i];
 }
 
-void thud_nodes_values(const struct thud_nodes *places, const double *c, int stride, int n, double *value)
+void thud_nodes_values(const struct thud_nodes *nodes, const double *c, int stride, int n, double *value)
 {
     struct thud_batch v = {0};
     for (int k = n - 1; k >= 0; k--)
-        thud_batch_add(&v, c[k * stride], places->power[k]);
+        thud_batch_add(&v, c[k * stride], nodes->power[k]);
     thud_batch_put(&v, value);
 }
 
-void thud_nodes_rates(const struct thud_nodes *places, const double *c, int stride, int n, double h, double *slope)
+void thud_nodes_rates(const struct thud_nodes *nodes, const double *c, int stride, int n, double h, double *slope)
 {
     struct thud_batch d = {0};
     double rate = 1 / h;
     for (int k = n - 1; k >= 1; k--)
-        thud_batch_add(&d, k * rate * c[k * stride], places->power[k - 1]);
+        thud_batch_add(&d, k * rate * c[k * stride], nodes->power[k - 1]);
     thud_batch_put(&d, slope);
 }

@@ -10,28 +10,28 @@ enum { THUD_BATCH = 8 };
 
 /* Values at all nodes. */
 struct thud_batch {
-    thud_pair pair[THUD_BATCH / 2];
+    thud_double_pair pair[THUD_BATCH / 2];
 };
 
 static inline struct thud_batch thud_batch_at(const double *x)
 {
     struct thud_batch batch;
     for (int i = 0; i < THUD_BATCH / 2; i++)
-        batch.pair[i] = thud_pair_at(x + 2 * i);
+        batch.pair[i] = thud_double_pair_at(x + 2 * i);
     return batch;
 }
 
 static inline void thud_batch_put(const struct thud_batch *batch, double *x)
 {
     for (int i = 0; i < THUD_BATCH / 2; i++)
-        *(thud_pair *)(x + 2 * i) = batch->pair[i];
+        *(thud_double_pair *)(x + 2 * i) = batch->pair[i];
 }
 
 /* sum += factor x */
 static inline void thud_batch_add(struct thud_batch *sum, double factor, const double *x)
 {
     for (int i = 0; i < THUD_BATCH / 2; i++)
-        sum->pair[i] += factor * thud_pair_at(x + 2 * i);
+        sum->pair[i] += factor * thud_double_pair_at(x + 2 * i);
 }
 
 struct thud_nodes {
@@ -40,11 +40,11 @@ struct thud_nodes {
 
 /* Nodes scale s[i]; count <= THUD_BATCH, the others are put at 0. For polynomials of up to `terms` coefficients, at
  * least 2. */
-void thud_nodes_set(struct thud_nodes *places, int count, const double *s, double scale, int terms);
+void thud_nodes_set(struct thud_nodes *nodes, int count, const double *s, double scale, int terms);
 
 /* Values at all nodes (THUD_BATCH) of c[0] + c[stride] s + ..., n coefficients. */
-void thud_nodes_values(const struct thud_nodes *places, const double *c, int stride, int n, double *value);
+void thud_nodes_values(const struct thud_nodes *nodes, const double *c, int stride, int n, double *value);
 /* Its rates, where s runs from 0 to 1 in the time h. */
-void thud_nodes_rates(const struct thud_nodes *places, const double *c, int stride, int n, double h, double *slope);
+void thud_nodes_rates(const struct thud_nodes *nodes, const double *c, int stride, int n, double h, double *slope);
 
 #endif

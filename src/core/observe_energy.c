@@ -12,17 +12,17 @@
 enum { LOOKS_APART = 64 }; /* segments and blocks between two looks at the balance */
 
 /* Work done on a contact over the segment, per second of it, and its impulse. */
-static double contact_work(const struct thud_observation *o, const struct thud_nodes *places, int c, double *impulse)
+static double contact_work(const struct thud_observation *o, const struct thud_nodes *nodes, int c, double *impulse)
 {
     const struct thud_segment *seg = o->seg;
     double d[THUD_BATCH], rate[THUD_BATCH], force[THUD_BATCH], work = 0;
     /* what the step really applied */
     bool applied = o->state->contact[c].mode == THUD_STICKING || !o->state->locates;
-    thud_nodes_rates(places, seg->indentation + c * THUD_SEGMENT_TERMS, 1, seg->terms, seg->h_s, rate);
+    thud_nodes_rates(nodes, seg->indentation + c * THUD_SEGMENT_TERMS, 1, seg->terms, seg->h_s, rate);
     if (applied)
-        thud_nodes_values(places, seg->force + c, o->state->model->nrows, seg->terms, force);
+        thud_nodes_values(nodes, seg->force + c, o->state->model->nrows, seg->terms, force);
     else
-        thud_nodes_values(places, seg->indentation + c * THUD_SEGMENT_TERMS, 1, seg->terms, d);
+        thud_nodes_values(nodes, seg->indentation + c * THUD_SEGMENT_TERMS, 1, seg->terms, d);
     for (int i = 0; i < THUD_QUADRATURE_POINTS; i++) {
         double f = applied ? force[i] : thud_contact_force(o->state, c, d[i], rate[i]);
         work += thud_quadrature_weight[i] * f * rate[i];
@@ -62,7 +62,7 @@ static double coupled_loss(const struct thud_model *m, const double *rate)
 }
 
 /* Work of the ground and of the structures' damping. */
-static void structure_work(struct thud_ledger *l, const struct thud_observation *o, const struct thud_nodes *places)
+static void structure_work(struct thud_ledger *l, const struct thud_observation *o, const struct thud_nodes *nodes)
 {
     const struct thud_model *m = o->state->model;
     const struct thud_segment *seg = o->seg;
@@ -70,7 +70,7 @@ static void structure_work(struct thud_ledger *l, const struct thud_observation 
     double power[THUD_BATCH], force[THUD_BATCH], input = 0, loss = 0, dt = o->s * seg->h_s;
     for (int j = 0; j < m->nmodes; j++) {
         double *rate = l->rates + j * THUD_BATCH;
-        thud_nodes_rates(places, seg->q + j, m->nmodes, seg->terms, seg->h_s, rate);
+        thud_nodes_rates(nodes, seg->q + j, m->nmodes, seg->terms, seg->h_s, rate);
         struct thud_batch v = thud_batch_at(rate);
         for (int i = 0; i < THUD_BATCH / 2; i++)
             viscous.pair[i] += m->dashpot[j] * v.pair[i] * v.pair[i];
@@ -89,18 +89,18 @@ static void structure_work(struct thud_ledger *l, const struct thud_observation 
 
 static void add_segment(struct thud_ledger *l, const struct thud_observation *o, bool books)
 {
-    struct thud_nodes places;
+    struct thud_nodes nodes;
     double dt = o->s * o->seg->h_s;
-    thud_nodes_set(&places, THUD_QUADRATURE_POINTS, thud_quadrature_node, o->s, o->seg->terms);
+    thud_nodes_set(&nodes, THUD_QUADRATURE_POINTS, thud_quadrature_node, o->s, o->seg->terms);
     for (int c = 0; c < o->state->model->ncontacts; c++) {
         if (!thud_segment_has_force(o->state, o->seg, c))
             continue;
-        double impulse = 0, work = contact_work(o, &places, c, &impulse);
+        double impulse = 0, work = contact_work(o, &nodes, c, &impulse);
         l->contact_work_j += work * dt;
         if (books)
             book_contact(l, o, c, work * dt, impulse * dt);
     }
-    structure_work(l, o, &places);
+    structure_work(l, o, &nodes);
 }
 
 void thud_ledger_add(struct thud_ledger *ledger, const struct thud_observation *o)

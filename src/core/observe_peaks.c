@@ -238,12 +238,12 @@ static void floor_values(const struct thud_model_structure *p, int floor, int nm
 {
     enum { N = THUD_FLOOR_ACCELERATION + 1 };
     const double *row = p->phi + floor * p->modes;
-    thud_pair sum[2 * N] = {0};
+    thud_double_pair sum[2 * N] = {0};
     int j = 0;
     for (; j + 2 <= p->modes; j += 2)
         for (int x = 0; x < N; x++) {
-            sum[x] += thud_pair_at(row + j) * thud_pair_at(start + x * nmodes + p->first_mode + j);
-            sum[N + x] += thud_pair_at(row + j) * thud_pair_at(end + x * nmodes + p->first_mode + j);
+            sum[x] += thud_double_pair_at(row + j) * thud_double_pair_at(start + x * nmodes + p->first_mode + j);
+            sum[N + x] += thud_double_pair_at(row + j) * thud_double_pair_at(end + x * nmodes + p->first_mode + j);
         }
     for (int x = 0; x < N; x++) {
         a[x] = sum[x][0] + sum[x][1];

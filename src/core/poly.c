@@ -9,10 +9,10 @@
 enum { DEPTH_MAX = 48, INTERVALS_MAX = 4096 };
 
 /* The highest even and odd orders, and which even order that is. */
-static inline thud_pair top_pair(const double *c, int n, int *k)
+static inline thud_double_pair top_pair(const double *c, int n, int *k)
 {
     *k = (n - 1) & ~1;
-    return n & 1 ? (thud_pair){c[n - 1], 0} : thud_pair_at(c + n - 2);
+    return n & 1 ? (thud_double_pair){c[n - 1], 0} : thud_double_pair_at(c + n - 2);
 }
 
 /* Even and odd orders side by side, each by Horner's scheme in s^2: half as long a way as one scheme in s. */
@@ -20,9 +20,9 @@ double thud_poly_value(const double *c, int n, double s)
 {
     int k;
     double square = s * s;
-    thud_pair v = top_pair(c, n, &k);
+    thud_double_pair v = top_pair(c, n, &k);
     for (k -= 2; k >= 0; k -= 2)
-        v = v * square + thud_pair_at(c + k);
+        v = v * square + thud_double_pair_at(c + k);
     return v[0] + s * v[1];
 }
 
@@ -30,11 +30,11 @@ void thud_poly_value3(const double *c, int n, double s, double out[3])
 {
     int k;
     double square = s * s;
-    thud_pair v = top_pair(c, n, &k), d = {0, 0}, dd = {0, 0}; /* d, dd: by s^2, dd halved */
+    thud_double_pair v = top_pair(c, n, &k), d = {0, 0}, dd = {0, 0}; /* d, dd: by s^2, dd halved */
     for (k -= 2; k >= 0; k -= 2) {
         dd = dd * square + d;
         d = d * square + v;
-        v = v * square + thud_pair_at(c + k);
+        v = v * square + thud_double_pair_at(c + k);
     }
     out[0] = v[0] + s * v[1];
     out[1] = v[1] + 2 * s * (d[0] + s * d[1]);
@@ -44,11 +44,11 @@ void thud_poly_value3(const double *c, int n, double s, double out[3])
 /* |c[0]| + ... + |c[n - 1]| */
 static double absolute_sum(const double *c, int n)
 {
-    thud_pair even = {0, 0}, odd = {0, 0};
+    thud_double_pair even = {0, 0}, odd = {0, 0};
     int k = 0;
     for (; k + 4 <= n; k += 4) {
-        even += thud_pair_abs(thud_pair_at(c + k));
-        odd += thud_pair_abs(thud_pair_at(c + k + 2));
+        even += thud_double_pair_abs(thud_double_pair_at(c + k));
+        odd += thud_double_pair_abs(thud_double_pair_at(c + k + 2));
     }
     even += odd;
     double sum = even[0] + even[1];
@@ -60,10 +60,10 @@ static double absolute_sum(const double *c, int n)
 /* Bound of the third derivative on [0, 1]. */
 static double third_bound(const double *c, int n)
 {
-    thud_pair sum = {0, 0}, k = {0, 1};
+    thud_double_pair sum = {0, 0}, k = {0, 1};
     int i = 0;
     for (; i + 2 <= n; i += 2, k += 2)
-        sum += k * (k - 1) * (k - 2) * thud_pair_abs(thud_pair_at(c + i));
+        sum += k * (k - 1) * (k - 2) * thud_double_pair_abs(thud_double_pair_at(c + i));
     double last = i < n ? (double)(i * (i - 1) * (i - 2)) * fabs(c[i]) : 0;
     return sum[0] + sum[1] + last;
 }
@@ -71,10 +71,10 @@ static double third_bound(const double *c, int n)
 /* Bound of how far p' may be from c[1] on [0, 1]. */
 static double slope_bound(const double *c, int n)
 {
-    thud_pair sum = {0, 0}, k = {2, 3};
+    thud_double_pair sum = {0, 0}, k = {2, 3};
     int i = 2;
     for (; i + 2 <= n; i += 2, k += 2)
-        sum += k * thud_pair_abs(thud_pair_at(c + i));
+        sum += k * thud_double_pair_abs(thud_double_pair_at(c + i));
     return sum[0] + sum[1] + (i < n ? (double)i * fabs(c[i]) : 0);
 }
 

@@ -250,13 +250,13 @@ void thud_segment_shorten(struct thud_segment *seg, int nmodes, int nrows, doubl
 /* Two modes at s: on their way down the orders they stay in registers. */
 static void two_states(const struct thud_segment *seg, int nmodes, double s, int j, double *q, double *qd)
 {
-    thud_pair x = {0, 0}, v = {0, 0};
+    thud_double_pair x = {0, 0}, v = {0, 0};
     for (int k = seg->terms - 1; k >= 0; k--) {
         v = v * s + x;
-        x = x * s + thud_pair_at(seg->q + k * nmodes + j);
+        x = x * s + thud_double_pair_at(seg->q + k * nmodes + j);
     }
-    *(thud_pair *)(q + j) = x;
-    *(thud_pair *)(qd + j) = v / seg->h_s;
+    *(thud_double_pair *)(q + j) = x;
+    *(thud_double_pair *)(qd + j) = v / seg->h_s;
 }
 
 void thud_segment_state(const struct thud_segment *seg, int nmodes, double s, double *q, double *qd)

@@ -144,7 +144,7 @@ double thud_contact_acceleration(const struct thud_state *state, int c, const do
     return acceleration(state, c, state->free_mps2, force);
 }
 
-/* W_ss f = a_s: the stuck contacts' forces so that none of them accelerates. */
+/* W_ss f = a_s: the sticking contacts' forces so that none of them accelerates. */
 void thud_contact_constraint_forces(const struct thud_state *state, const double *free, double *force)
 {
     const struct thud_model *m = state->model;
@@ -172,10 +172,10 @@ void thud_contact_constraint_forces(const struct thud_state *state, const double
 
 void thud_contact_forces(const struct thud_state *state, double *force)
 {
-    bool stuck = false;
+    bool sticking = false;
     for (int c = 0; c < state->model->ncontacts; c++) {
         force[c] = 0;
-        stuck |= state->contact[c].mode == THUD_STICKING;
+        sticking |= state->contact[c].mode == THUD_STICKING;
         if (state->contact[c].mode == THUD_CLOSED)
             force[c] = thud_contact_force(state, c, thud_contact_indentation(state, c), thud_contact_rate(state, c));
     }
@@ -184,7 +184,7 @@ void thud_contact_forces(const struct thud_state *state, double *force)
         double slope;
         force[row] = thud_storey_force(state, k, thud_contact_indentation(state, row), &slope);
     }
-    if (!stuck)
+    if (!sticking)
         return;
     free_acceleration(state, state->free_mps2);
     thud_contact_constraint_forces(state, state->free_mps2, force);

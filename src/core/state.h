@@ -33,7 +33,7 @@ struct thud_contact_state {
     struct thud_law_memory memory;
     struct thud_suppressed suppressed;
     double ultimate_m; /* indentation at which the branch changes; INFINITY where there is none */
-    double constraint_low_n, constraint_high_n; /* STUCK: interval of the constraint force, N */
+    double constraint_low_n, constraint_high_n; /* STICKING: interval of the constraint force, N */
     double expected_force_n; /* of this contact, from its closing velocity: scale of the error measure */
     double largest_force_n;  /* so far: the same */
     double residual_m;
@@ -62,7 +62,7 @@ struct thud_state {
     double *q, *qd;                     /* (nmodes) */
     struct thud_contact_state *contact; /* (nrows) those of contacts, and of storeys that yield */
     struct thud_storey_state *storey;   /* (nstoreys) */
-    int nactive;                        /* contacts CLOSED or STUCK */
+    int nactive;                        /* contacts CLOSED or STICKING */
     int nyielding, nshifted; /* storeys that yield now; elastic ones with a plastic drift: a constant force */
 
     /* What is asked of a method. */
@@ -132,7 +132,7 @@ double thud_state_kinetic(const struct thud_state *state);
 double thud_state_strain(const struct thud_state *state);
 
 /* The step of a fixed-step method that was given none: a twentieth of the shortest period, of a mode or of a contact at
- * a closing of 1 m/s, and not above the record's step. */
+ * a closing velocity of 1 m/s, and not above the record's step. */
 double thud_state_default_step(const struct thud_state *state);
 
 /* THUD_DIVERGED: contacts stick or collide at once whose forces the modes that stay do not tell apart. */
@@ -144,7 +144,7 @@ double thud_contact_rate(const struct thud_state *state, int c);
 /* Force of contact c (cut at 0 where the law does not pull) at indentation d and rate v, by its present branch; 0 where
  * it is not CLOSED. */
 double thud_contact_force(const struct thud_state *state, int c, double d, double v);
-/* Forces of all rows into force (nrows); that of STUCK contacts from the condition d'' = 0. */
+/* Forces of all rows into force (nrows); that of STICKING contacts from the condition d'' = 0. */
 void thud_contact_forces(const struct thud_state *state, double *force);
 /* Second rate of the indentation of contact c under these forces. */
 double thud_contact_acceleration(const struct thud_state *state, int c, const double *force);
@@ -170,7 +170,7 @@ static inline void thud_model_apply_contact_force(const struct thud_model *model
             qdd[j] -= g[j] * force;
     }
 }
-/* Fills the constraint forces of the STUCK contacts from d'' = 0, given the accelerations without contact forces and the
+/* Fills the constraint forces of the STICKING contacts from d'' = 0, given the accelerations without contact forces and the
  * other contacts' forces. */
 void thud_contact_constraint_forces(const struct thud_state *state, const double *free, double *force);
 

@@ -52,9 +52,9 @@ static double unlocated_force(const struct thud_state *state, int c, double d, d
         return 0;
     if (s->mode == THUD_OPEN) {
         memset(&memory, 0, sizeof memory);
-        p->law->touch(&p->setup, fmax(v, 0), &memory);
+        p->law->onset(&p->setup, fmax(v, 0), &memory);
     }
-    enum thud_phase phase = p->law->flags & THUD_LAW_TURNS && v < 0 ? THUD_RESTITUTION : THUD_APPROACH;
+    enum thud_phase phase = p->law->flags & THUD_LAW_REVERSES && v < 0 ? THUD_RESTITUTION : THUD_APPROACH;
     struct thud_branch branch = thud_law_branch_at(p->law, &p->setup, &memory, phase, d);
     double force = thud_branch_force(&branch, d, v, df_dd, df_dv);
     if (force >= 0 || p->law->flags & THUD_LAW_PULLS)
@@ -95,13 +95,13 @@ double thud_step_force(const struct thud_state *state, int c, double d, double v
 void thud_step_motion(const struct thud_state *state, struct thud_motion *x, double after)
 {
     const struct thud_model *m = state->model;
-    bool stuck = false;
+    bool sticking = false;
     thud_model_acceleration(m, x->q, x->qd, thud_step_ground(state, after), x->qdd);
     memset(x->force, 0, (size_t)m->nrows * sizeof *x->force);
     if (state->locates && thud_state_is_free(state) && state->nshifted == 0)
         return;
     for (int c = 0; c < m->ncontacts; c++) {
-        stuck |= state->contact[c].mode == THUD_STICKING;
+        sticking |= state->contact[c].mode == THUD_STICKING;
         if (state->locates && state->contact[c].mode != THUD_CLOSED)
             continue;
         double d = thud_model_gap_sum(m, c, x->q) - thud_state_clearance(state, c), v = thud_model_gap_sum(m, c, x->qd);
@@ -109,7 +109,7 @@ void thud_step_motion(const struct thud_state *state, struct thud_motion *x, dou
     }
     for (int c = m->ncontacts; c < m->nrows; c++)
         x->force[c] = thud_step_force(state, c, thud_model_gap_sum(m, c, x->q), 0, NULL, NULL);
-    if (stuck)
+    if (sticking)
         thud_contact_constraint_forces(state, x->qdd, x->force);
     thud_model_apply_contact_forces(m, x->force, x->qdd);
 }

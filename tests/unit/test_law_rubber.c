@@ -70,7 +70,7 @@ START_TEST(stiffness_from_material)
     for (double n = 1.5; n < 4; n += 1.15) {
         set(&setup, "exponent", n);
         ck_assert_int_eq(rubber()->prepare(&setup, NULL), THUD_OK);
-        rubber()->touch(&setup, 1, &memory);
+        rubber()->onset(&setup, 1, &memory);
         struct thud_branch b = rubber()->branch(&setup, &memory, THUD_APPROACH, false);
         ck_assert_double_eq_tol(thud_branch_force(&b, 0.05, 0.3, NULL, NULL) / (2.2 * 1.5 * 3e6), 1, 1e-13);
     }
@@ -80,7 +80,7 @@ END_TEST
 static double at_knee(const struct thud_law_setup *setup, enum thud_phase phase, bool past, double v)
 {
     struct thud_law_memory memory;
-    rubber()->touch(setup, 1, &memory);
+    rubber()->onset(setup, 1, &memory);
     struct thud_branch b = rubber()->branch(setup, &memory, phase, past);
     return thud_branch_force(&b, rubber()->ultimate(setup), v, NULL, NULL);
 }
@@ -103,7 +103,7 @@ START_TEST(knee)
     struct thud_law_setup setup = bumper();
     struct thud_law_memory memory;
     rubber()->prepare(&setup, NULL);
-    rubber()->touch(&setup, 1, &memory);
+    rubber()->onset(&setup, 1, &memory);
     /* at the ultimate compression itself the curve below holds */
     ck_assert(thud_law_branch_at(rubber(), &setup, &memory, THUD_APPROACH, rubber()->ultimate(&setup)).K > 0);
     double beyond = nextafter(rubber()->ultimate(&setup), 1);
@@ -120,7 +120,7 @@ START_TEST(turn_past_the_knee)
     for (int unloading = 0; unloading < 2; unloading++) {
         set(&setup, "unloading", unloading);
         rubber()->prepare(&setup, NULL);
-        rubber()->touch(&setup, 1, &memory);
+        rubber()->onset(&setup, 1, &memory);
         for (int phase = 0; phase < 2; phase++) {
             struct thud_branch b = thud_law_branch_at(rubber(), &setup, &memory, (enum thud_phase)phase, d);
             f[unloading][phase] = thud_branch_force(&b, d, 0, NULL, NULL);
@@ -142,7 +142,7 @@ START_TEST(continuous_unloading)
     set(&setup, "unloading", 1);
     set(&setup, "damping", 1);
     rubber()->prepare(&setup, NULL);
-    rubber()->touch(&setup, 2, &memory);
+    rubber()->onset(&setup, 2, &memory);
     struct thud_rubber_curve curve = thud_rubber_curve(0.36e3 * pow(1000, 2.65), 2.65, 0.04, 2.5e9);
     for (double d = 0.001; d < 0.08; d += 0.003)
         for (double v = -1; v < 0.1; v += 0.2) {
@@ -159,9 +159,9 @@ START_TEST(speed_from_energy)
     struct thud_law_setup setup = bumper();
     struct thud_law_memory grazing, straight;
     rubber()->prepare(&setup, NULL);
-    rubber()->touch(&setup, 1e-6, &grazing);
+    rubber()->onset(&setup, 1e-6, &grazing);
     double before = grazing.damp;
-    rubber()->turn(&setup, 0.02, &grazing);
+    rubber()->reversal(&setup, 0.02, &grazing);
     ck_assert_double_eq(grazing.damp, before);
     set(&setup, "impact-speed", 1);
     for (int damping = 0; damping < 2; damping++) {
@@ -169,14 +169,14 @@ START_TEST(speed_from_energy)
         rubber()->prepare(&setup, NULL);
         for (double d = 0.001; d < 0.06; d *= 1.5) {
             double v = sqrt(2 * rubber()->elastic_energy(&setup, d) / setup.mass_kg);
-            rubber()->touch(&setup, 1e-6, &grazing);
-            rubber()->turn(&setup, d, &grazing);
-            rubber()->touch(&setup, fmax(v, 1e-3), &straight);
+            rubber()->onset(&setup, 1e-6, &grazing);
+            rubber()->reversal(&setup, d, &grazing);
+            rubber()->onset(&setup, fmax(v, 1e-3), &straight);
             if (v > 1e-3)
                 ck_assert_double_eq_tol(grazing.damp / straight.damp, 1, 1e-13);
             ck_assert_double_eq(grazing.v_imp_mps, 1e-6);
         }
-        rubber()->turn(&setup, 0, &grazing); /* a turn at no indentation: no division by 0 */
+        rubber()->reversal(&setup, 0, &grazing); /* a turn at no indentation: no division by 0 */
         ck_assert(isfinite(grazing.damp));
     }
     /* at the exact damping restitution is the one asked for at any speed, and in the limit at rest */

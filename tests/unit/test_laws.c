@@ -43,7 +43,7 @@ static const struct thud_law *ready(const char *name, double v, struct thud_law_
     const struct thud_law *law = thud_law_find(name);
     *setup = setup_of(law);
     ck_assert_int_eq(law->prepare(setup, NULL), THUD_OK);
-    law->touch(setup, v, memory);
+    law->onset(setup, v, memory);
     return law;
 }
 
@@ -155,7 +155,7 @@ START_TEST(flags)
         bool no_force = law->flags & (THUD_LAW_NO_FORCE | THUD_LAW_IMPULSIVE);
         ck_assert_int_eq(linear, no_force || (law->flags & THUD_LAW_LINEAR) != 0);
         ck_assert_int_eq(one, (law->flags & (THUD_LAW_DEGREE_ONE | THUD_LAW_NO_FORCE)) != 0);
-        ck_assert_int_eq(turns, (law->flags & THUD_LAW_TURNS) != 0);
+        ck_assert_int_eq(turns, (law->flags & THUD_LAW_REVERSES) != 0);
         ck_assert_int_eq((law->flags & THUD_LAW_PULLS) != 0, strcmp(law->name, "kelvin-voigt") == 0);
         ck_assert_int_eq((law->flags & THUD_LAW_NO_FORCE) != 0, strcmp(law->name, "none") == 0);
         ck_assert_int_eq((law->flags & THUD_LAW_IMPULSIVE) != 0, strcmp(law->name, "stereomechanical") == 0);
@@ -291,16 +291,16 @@ START_TEST(touch_and_floor)
     static const char *const names[] = {"hertz-damp", "rubber"};
     for (int i = 0; i < 2; i++) {
         const struct thud_law *law = ready(names[i], 1e-3, &setup, &fast);
-        law->touch(&setup, 1e-5, &slow);
-        law->touch(&setup, 0, &rest);
+        law->onset(&setup, 1e-5, &slow);
+        law->onset(&setup, 0, &rest);
         ck_assert_double_eq(slow.v_imp_mps, 1e-5);
         ck_assert_double_eq(rest.v_imp_mps, 0);
         ck_assert_double_eq(slow.damp, fast.damp);
         ck_assert_double_eq(rest.damp, fast.damp);
-        law->touch(&setup, 1, &fast);
+        law->onset(&setup, 1, &fast);
         ck_assert_double_lt(fast.damp, slow.damp / 500);
         set(law, &setup, "speed-floor", 1e-5);
-        law->touch(&setup, 1e-5, &rest);
+        law->onset(&setup, 1e-5, &rest);
         ck_assert_double_gt(rest.damp, slow.damp * 50);
     }
 }

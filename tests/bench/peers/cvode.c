@@ -100,14 +100,14 @@ static void switch_contacts(struct problem *p, const double *y, const int *found
         force(p, c, y, &d, &v);
         if (found[ROOTS * c] > 0 && !s->closed) {
             *s = (struct contact){.phase = THUD_APPROACH, .closed = true};
-            k->law->touch(&k->setup, v, &s->memory);
+            k->law->onset(&k->setup, v, &s->memory);
         } else if (found[ROOTS * c] < 0) {
             s->closed = false;
         }
         if (s->closed && found[ROOTS * c + 1] != 0) {
             s->phase = found[ROOTS * c + 1] < 0 ? THUD_RESTITUTION : THUD_APPROACH;
-            if (k->law->turn && s->phase == THUD_RESTITUTION)
-                k->law->turn(&k->setup, d, &s->memory);
+            if (k->law->reversal && s->phase == THUD_RESTITUTION)
+                k->law->reversal(&k->setup, d, &s->memory);
         }
         if (s->closed && found[ROOTS * c + 3] != 0)
             s->past = found[ROOTS * c + 3] > 0;

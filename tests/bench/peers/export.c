@@ -60,7 +60,7 @@ static bool contacts(const struct thud_model *m)
         struct thud_law_memory memory = {0};
         struct thud_branch b = k->law->branch(&k->setup, &memory, THUD_APPROACH, false);
         bool residual = k->law->keeps_residual && k->law->keeps_residual(&k->setup);
-        if (!(k->law->flags & THUD_LAW_LINEAR) || k->law->flags & THUD_LAW_TURNS || residual || b.f0_n != 0)
+        if (!(k->law->flags & THUD_LAW_LINEAR) || k->law->flags & THUD_LAW_REVERSES || residual || b.f0_n != 0)
             return false;
         printf("%s{\"left\": %d, \"right\": %d, \"clearance_m\": %.17g, \"k_npm\": %.17g, \"c_nspm\": %.17g}",
                c ? ",\n" : "", k->left_dof, k->right_dof, k->clearance_m, b.k_npm, b.c_nspm);
