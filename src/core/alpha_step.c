@@ -23,6 +23,7 @@ struct alpha {
     double *applied;                     /* (nrows) lagged: force at the end of the step before */
     int *active;
     lapack_int *pivot;
+    bool goes_on;                    /* the start of the step is the end of the last, with no contact force there */
     bool fresh;                      /* a0 is to be made anew, by the equations of motion */
     double a0_step_s;                /* step that a0 comes from */
     double ground_mps2, before_mps2; /* ground acceleration at the end of the step, and of the one before */
@@ -107,9 +108,16 @@ static void start_step(const struct thud_state *state, struct alpha *x, double h
 {
     const struct thud_model *m = state->model;
     size_t bytes = (size_t)m->nmodes * sizeof(double);
-    memcpy(x->start.q, state->q, bytes);
-    memcpy(x->start.qd, state->qd, bytes);
-    thud_step_motion(state, &x->start, 0);
+    double ground = thud_step_ground(state, 0);
+    if (x->goes_on && fabs(ground - x->before_mps2) <= THUD_TOL_GROUND * (fabs(ground) + fabs(x->before_mps2))) {
+        struct thud_motion last = x->start; /* the end of the last step, with no contact force there */
+        x->start = x->end;
+        x->end = last;
+    } else {
+        memcpy(x->start.q, state->q, bytes);
+        memcpy(x->start.qd, state->qd, bytes);
+        thud_step_motion(state, &x->start, 0);
+    }
     if (x->p.lagged) { /* what acts now is the force of the step before */
         for (int c = 0; c < m->nrows; c++) {
             x->end.force[c] = x->start.force[c];
@@ -118,7 +126,6 @@ static void start_step(const struct thud_state *state, struct alpha *x, double h
         thud_model_acceleration(m, state->q, state->qd, thud_step_ground(state, 0), x->start.qdd);
         thud_model_apply_contact_forces(m, x->start.force, x->start.qdd);
     }
-    double ground = thud_step_ground(state, 0);
     x->fresh = x->fresh || fabs(ground - x->before_mps2) > THUD_TOL_GROUND_JUMP * (fabs(ground) + fabs(x->before_mps2));
     if (x->fresh || offset(&x->p) == 0) {
         memcpy(x->a0, x->start.qdd, bytes);
@@ -207,11 +214,25 @@ static double newton(const struct thud_state *state, struct alpha *x, int n, dou
     return largest;
 }
 
+/* Nothing located: whether no contact has a force at the start of the step, or without one at its end; then there is
+ * none at its end. */
+static bool stays_open(const struct thud_state *state, const struct alpha *x)
+{
+    const struct thud_model *m = state->model;
+    for (int c = 0; c < m->ncontacts; c++)
+        if (x->start.force[c] != 0 || thud_model_gap_sum(m, c, x->end.q) > thud_state_clearance(state, c))
+            return false;
+    return true;
+}
+
 /* Contact forces of the step's end. Where the law jumps (nothing located) there may be no solution: the last try is
  * taken, as a program does that only sees its iterations run out, and counted as rejected. */
 static void solve_forces(const struct thud_state *state, struct alpha *x, double h)
 {
     int n = 0;
+    x->end.apart = !state->locates && state->model->nstoreys == 0 && stays_open(state, x);
+    if (x->end.apart)
+        return;
     for (int c = 0; c < state->model->nrows; c++) {
         if (!counts(state, c))
             continue;
@@ -240,6 +261,7 @@ static void cross(const struct thud_state *state, struct alpha *x, double h)
 {
     const struct thud_model *m = state->model;
     predict(state, x, h);
+    x->end.apart = false;
     if (!x->p.lagged) {
         memset(x->end.force, 0, (size_t)m->nrows * sizeof *x->end.force);
         for (int c = m->ncontacts; c < m->nrows && state->locates; c++) /* constant forces of elastic storeys */
@@ -289,6 +311,9 @@ void thud_alpha_committed(const struct thud_state *state, void *own, const struc
     (void)seg, (void)tau_s;
     x->fresh = state->locates && switched; /* nothing located: the program does not know that anything happened */
     x->before_mps2 = x->ground_mps2;
+    x->goes_on = !state->locates && !switched && !x->p.lagged && state->model->nstoreys == 0;
+    for (int c = 0; c < state->model->ncontacts; c++)
+        x->goes_on = x->goes_on && x->end.force[c] == 0;
     x->a0 = x->a1;
     x->a1 = now;
     memcpy(x->applied, x->end.force, (size_t)state->model->nrows * sizeof *x->applied);

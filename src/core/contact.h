@@ -15,8 +15,9 @@ void thud_contact_moved(struct thud_state *state);
 enum thud_status thud_contact_switch(struct thud_state *state, struct thud_contact_log *log, int contact,
                                      enum thud_event event, struct thud_error *err);
 
-/* contact_update.c, for runs that do not locate: acts on what the state shows. Errors: as thud_contact_switch. */
-enum thud_status thud_contact_update(struct thud_state *state, struct thud_contact_log *log, bool *switched,
+/* contact_update.c, for runs that do not locate: acts on what the state shows; apart: no contact is indented there.
+ * Errors: as thud_contact_switch. */
+enum thud_status thud_contact_update(struct thud_state *state, struct thud_contact_log *log, bool apart, bool *switched,
                                      struct thud_error *err);
 
 /* Counts the impact of contact c that goes on, once, as soon as its impulse is large enough; those of impulsive laws are

@@ -24,11 +24,14 @@ static int closed_event(const struct thud_state *state, int c, double d, double 
 
 static int next_event(const struct thud_state *state, int c)
 {
-    double d = thud_contact_indentation(state, c), v = thud_contact_rate(state, c);
+    double d = thud_contact_indentation(state, c), v;
     unsigned flags = state->model->contact[c].law->flags;
+    if (state->contact[c].mode == THUD_OPEN && (flags & THUD_LAW_NO_FORCE || d <= THUD_TOL_INDENTATION_M))
+        return -1;
+    v = thud_contact_rate(state, c);
     switch (state->contact[c].mode) {
     case THUD_OPEN:
-        if (flags & THUD_LAW_NO_FORCE || d <= THUD_TOL_INDENTATION_M || (flags & THUD_LAW_IMPULSIVE && v <= 0))
+        if (flags & THUD_LAW_IMPULSIVE && v <= 0)
             return -1;
         return THUD_EVENT_ONSET;
     case THUD_STICKING: /* an impulse has brought it to rest: looked at afresh */
@@ -40,7 +43,7 @@ static int next_event(const struct thud_state *state, int c)
     return closed_event(state, c, d, v);
 }
 
-enum thud_status thud_contact_update(struct thud_state *state, struct thud_contact_log *log, bool *switched,
+enum thud_status thud_contact_update(struct thud_state *state, struct thud_contact_log *log, bool apart, bool *switched,
                                      struct thud_error *err)
 {
     enum { EVENTS_MAX = 4 }; /* onset, reversal, change of branch and release may all lie in one step */
@@ -48,6 +51,8 @@ enum thud_status thud_contact_update(struct thud_state *state, struct thud_conta
     *switched = false;
     for (int c = 0; c < state->model->ncontacts; c++) {
         enum thud_contact_mode before = state->contact[c].mode;
+        if (apart && before == THUD_OPEN)
+            continue;
         for (int i = 0; i < EVENTS_MAX && status == THUD_OK; i++) {
             int event = next_event(state, c);
             if (event < 0)

@@ -360,18 +360,23 @@ void thud_model_free(struct thud_model *model)
     free(model);
 }
 
-/* A floor's value from modal values: one dot product over its structure's modes. */
-double thud_model_floor(const struct thud_model *model, int dof, const double *modal)
+static inline double floor_value(const struct thud_model *model, int dof, const double *modal)
 {
     const struct thud_model_structure *s = &model->structure[model->dof_structure[dof]];
     return thud_dot(s->modes, s->phi + (dof - s->first) * s->modes, modal + s->first_mode);
 }
 
+/* A floor's value from modal values: one dot product over its structure's modes. */
+double thud_model_floor(const struct thud_model *model, int dof, const double *modal)
+{
+    return floor_value(model, dof, modal);
+}
+
 void thud_model_sides(const struct thud_model *model, int c, const double *modal, double *left, double *right)
 {
     const struct thud_model_contact *p = &model->contact[c];
-    *left = p->left_dof < 0 ? 0 : thud_model_floor(model, p->left_dof, modal);
-    *right = p->right_dof < 0 ? 0 : thud_model_floor(model, p->right_dof, modal);
+    *left = p->left_dof < 0 ? 0 : floor_value(model, p->left_dof, modal);
+    *right = p->right_dof < 0 ? 0 : floor_value(model, p->right_dof, modal);
 }
 
 /* The two sums are made apart, so that neighbours moving alike have exactly no relative motion. */

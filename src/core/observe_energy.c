@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "core/contact.h"
+#include "core/double_pair.h"
 #include "core/free_vibration.h"
 #include "core/nodes.h"
 #include "core/quadrature.h"
@@ -87,10 +88,48 @@ static void structure_work(struct thud_ledger *l, const struct thud_observation 
     l->viscous_j += (loss + coupled_loss(m, l->rates)) * dt;
 }
 
+/* A step whose events are not located: mean forces of its two ends times the displacements between them, which is all
+ * that it knows. */
+static void add_ends(struct thud_ledger *l, const struct thud_observation *o, bool books)
+{
+    const struct thud_model *m = o->state->model;
+    const struct thud_motion *a = o->seg->start, *b = o->seg->end;
+    double s = o->s, drive = 0, viscous = 0;
+    for (int j = 0; j < m->nmodes; j++) {
+        double way = b->q[j] - a->q[j];
+        drive -= m->gamma[j] * way;
+        viscous += m->dashpot[j] * 0.5 * (a->qd[j] + b->qd[j]) * way;
+    }
+    for (int k = 0; k < m->nstructures && m->couples; k++) {
+        const struct thud_model_structure *p = &m->structure[k];
+        for (int i = p->first_mode; p->damping && i < p->first_mode + p->modes; i++) {
+            const double *row = p->damping + (i - p->first_mode) * p->modes;
+            double mean =
+                0.5 * (thud_dot(p->modes, row, a->qd + p->first_mode) + thud_dot(p->modes, row, b->qd + p->first_mode));
+            viscous += mean * (b->q[i] - a->q[i]);
+        }
+    }
+    l->input_j += s * (o->seg->a0 + 0.5 * o->seg->a1) * drive;
+    l->viscous_j += s * viscous;
+    for (int c = 0; c < m->ncontacts; c++) {
+        double force = 0.5 * (a->force[c] + b->force[c]);
+        if (force == 0 && !thud_contact_acts(&o->state->contact[c]))
+            continue;
+        double work = s * force * (thud_model_gap_sum(m, c, b->q) - thud_model_gap_sum(m, c, a->q));
+        l->contact_work_j += work;
+        if (books)
+            book_contact(l, o, c, work, s * force * o->seg->h_s);
+    }
+}
+
 static void add_segment(struct thud_ledger *l, const struct thud_observation *o, bool books)
 {
     struct thud_nodes nodes;
     double dt = o->s * o->seg->h_s;
+    if (o->seg->end) {
+        add_ends(l, o, books);
+        return;
+    }
     thud_nodes_set(&nodes, THUD_QUADRATURE_POINTS, thud_quadrature_node, o->s, o->seg->terms);
     for (int c = 0; c < o->state->model->ncontacts; c++) {
         if (!thud_segment_has_force(o->state, o->seg, c))

@@ -208,6 +208,8 @@ static double impulse_parts(const struct thud_segment *seg, int nrows, int c, do
 static int contact_rows(const struct thud_rows *rows, const struct thud_observation *o)
 {
     enum { LEAST = 2, MOST = 200 };
+    if (o->seg->end) /* not located: the ends are all that the step knows */
+        return 1;
     const double close_s = 2.5e-4;
     double parts = o->s * o->seg->h_s / fmin(rows->step_s, close_s);
     for (int c = 0; c < o->state->model->ncontacts; c++)
@@ -316,7 +318,8 @@ static enum thud_status rows_in_flight(struct thud_rows *rows, const struct thud
     bool stops = is_stop(o->state->record, t0 + s * h);
     if (status == THUD_OK && (o->switches || stops) && last_time(rows) < t0 + s * h - 1e-3 * fuzz) {
         status = row_at(rows, o, s, err);
-        rows->row_waits = !stops;
+        bool peak = o->seg->end && next_peak(rows, t0) < INFINITY; /* not located: peaks stand at ends */
+        rows->row_waits = !stops && !peak;
     }
     return status;
 }

@@ -14,6 +14,7 @@ struct thud_peaks {
     struct thud_result *result;   /* whose peaks rise, */
     struct thud_contact_log *log; /* with those of the impacts that go on */
     double *per_speed;            /* (quantities x ndof): bound of a floor's value for a structure's S of 1 */
+    double *quiet;                /* (nstructures) S below which a step's end has no new peak */
     double *ends;                 /* (9 x nmodes) modal values at the two ends of a segment, and margins between */
     double *acceleration;         /* (terms x nmodes, and nmodes more): total modal acceleration of a segment */
     double *block;

@@ -23,7 +23,10 @@ static enum thud_status segment(void *own, const struct thud_observation *o, str
     double *largest = own;
     (void)err;
     for (int c = 0; c < o->state->model->ncontacts; c++)
-        raise_value(&largest[c], o->state, o->seg, c, o->s);
+        if (o->seg->end)
+            largest[c] = fmax(largest[c], thud_model_gap_sum(o->state->model, c, o->q));
+        else
+            raise_value(&largest[c], o->state, o->seg, c, o->s);
     return THUD_OK;
 }
 

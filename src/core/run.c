@@ -12,7 +12,12 @@ static enum thud_status observe(struct thud_run *run, const struct thud_proposal
     struct thud_observation o = {&run->state, &run->seg,    p->s,
                                  run->end,    run->end + n, p->switched || !run->state.locates};
     enum thud_status status = THUD_OK;
-    thud_segment_state(&run->seg, run->state.model->nmodes, p->s, run->end, run->end + n);
+    if (run->seg.end) {
+        memcpy(run->end, run->seg.end->q, n * sizeof *run->end);
+        memcpy(run->end + n, run->seg.end->qd, n * sizeof *run->end);
+    } else {
+        thud_segment_state(&run->seg, run->state.model->nmodes, p->s, run->end, run->end + n);
+    }
     for (int i = 0; i < run->observers && status == THUD_OK; i++)
         if (run->observer[i].table->segment)
             status = run->observer[i].table->segment(run->observer[i].own, &o, err);
@@ -55,13 +60,14 @@ static enum thud_status segment(struct thud_run *run, struct thud_error *err)
     bool switched = p.switched;
     if (p.s > 0)
         commit(run, &p);
-    status = thud_run_check_state(run, run->state.q, run->state.qd, err);
+    if (!run->seg.end) /* else it has been looked at as a proposal */
+        status = thud_run_check_state(run, run->state.q, run->state.qd, err);
     if (status == THUD_OK && switched && p.contact >= run->state.model->ncontacts)
         thud_storey_switch(&run->state, p.contact, p.event);
     else if (status == THUD_OK && switched)
         status = thud_contact_switch(&run->state, &run->log, p.contact, p.event, err);
     if (status == THUD_OK && !run->state.locates)
-        status = thud_contact_update(&run->state, &run->log, &switched, err);
+        status = thud_contact_update(&run->state, &run->log, run->seg.end && run->seg.end->apart, &switched, err);
     if (status == THUD_OK && run->method->committed)
         run->method->committed(&run->state, run->own, &run->seg, p.s * run->seg.h_s, switched || p.passed);
     return status;

@@ -18,6 +18,8 @@ static double next_event(struct thud_run *run, double limit, int *contact, enum 
 {
     if (run->state.locates)
         return thud_event_first(&run->state, &run->seg, limit, contact, event);
+    if (!run->state.inside)
+        return INFINITY;
     thud_segment_forget(&run->seg, run->state.model->nrows);
     for (int c = 0; c < run->state.model->ncontacts; c++)
         thud_segment_contact(&run->state, &run->seg, c);
@@ -29,6 +31,8 @@ static enum thud_status check_proposal(struct thud_run *run, struct thud_error *
 {
     if (run->method->order == 0)
         return THUD_OK;
+    if (run->seg.end)
+        return thud_run_check_state(run, run->seg.end->q, run->seg.end->qd, err);
     double *q = run->end, *qd = q + run->state.model->nmodes;
     thud_segment_state(&run->seg, run->state.model->nmodes, 1, q, qd);
     return thud_run_check_state(run, q, qd, err);

@@ -108,6 +108,7 @@ void thud_segment_begin_at(const struct thud_state *state, struct thud_segment *
     seg->loaded = 0;
     memset(seg->force, 0, THUD_SEGMENT_TERMS * (size_t)state->model->nrows * sizeof(double));
     seg->interpolates = false;
+    seg->start = seg->end = NULL;
     constant_forces(state, seg);
     thud_segment_forget(seg, state->model->nrows);
 }

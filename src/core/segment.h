@@ -7,13 +7,22 @@
 
 enum { THUD_SEGMENT_TERMS = 24, THUD_SEGMENT_TERMS_LEAST = 10 }; /* coefficients of a polynomial */
 
+/* Modal state and what follows from it. */
+struct thud_motion {
+    double *q, *qd, *qdd; /* (nmodes) */
+    double *force;        /* (nrows) */
+    bool apart;           /* no contact is indented here; false where that is not known */
+};
+
 struct thud_segment {
     double start_s, h_s;
-    int terms;         /* coefficients in use */
-    int loaded;        /* orders below this one may have contact forces */
-    double a0, a1;     /* ground acceleration a0 + a1 s */
-    double *q;         /* (terms x nmodes): coefficients of the modal coordinates, by order */
-    double *force;     /* (terms x nrows): of the forces of contacts and yielding storeys; 0 where one does not act */
+    int terms;     /* coefficients in use */
+    int loaded;    /* orders below this one may have contact forces */
+    double a0, a1; /* ground acceleration a0 + a1 s */
+    double *q;     /* (terms x nmodes): coefficients of the modal coordinates, by order */
+    double *force; /* (terms x nrows): of the forces of contacts and yielding storeys; 0 where one does not act */
+    const struct thud_motion *start,
+        *end;          /* of a step whose events are not located: its two ends; else NULL, also where storeys yield */
     bool interpolates; /* the states of a stepping method at its two ends; else a power series */
 
     double *indentation; /* (nrows x THUD_SEGMENT_TERMS): where it has been read */

@@ -98,14 +98,17 @@ void thud_step_motion(const struct thud_state *state, struct thud_motion *x, dou
     bool sticking = false;
     thud_model_acceleration(m, x->q, x->qd, thud_step_ground(state, after), x->qdd);
     memset(x->force, 0, (size_t)m->nrows * sizeof *x->force);
+    x->apart = !state->locates;
     if (state->locates && thud_state_is_free(state) && state->nshifted == 0)
         return;
     for (int c = 0; c < m->ncontacts; c++) {
         sticking |= state->contact[c].mode == THUD_STICKING;
         if (state->locates && state->contact[c].mode != THUD_CLOSED)
             continue;
-        double d = thud_model_gap_sum(m, c, x->q) - thud_state_clearance(state, c), v = thud_model_gap_sum(m, c, x->qd);
-        x->force[c] = thud_step_force(state, c, d, v, NULL, NULL);
+        double d = thud_model_gap_sum(m, c, x->q) - thud_state_clearance(state, c);
+        x->apart = x->apart && d <= 0;
+        if (d > 0 || state->locates)
+            x->force[c] = thud_step_force(state, c, d, thud_model_gap_sum(m, c, x->qd), NULL, NULL);
     }
     for (int c = m->ncontacts; c < m->nrows; c++)
         x->force[c] = thud_step_force(state, c, thud_model_gap_sum(m, c, x->q), 0, NULL, NULL);
@@ -167,9 +170,24 @@ void thud_step_write(const struct thud_state *state, struct thud_segment *seg, d
                      const struct thud_motion *start, const struct thud_motion *end, struct thud_motion *work)
 {
     int nc = state->model->nrows;
+    if (!state->inside) { /* its ends alone: no series is made */
+        seg->interpolates = true;
+        seg->start = start;
+        seg->end = end;
+        seg->start_s = thud_state_now(state);
+        seg->h_s = h;
+        seg->a0 = thud_step_ground(state, 0);
+        seg->a1 = thud_step_ground(state, h) - seg->a0;
+        seg->terms = 0;
+        return;
+    }
     thud_segment_begin(state, seg, h);
     seg->terms = TERMS;
     seg->interpolates = true;
+    if (!state->locates && state->model->nstoreys == 0) {
+        seg->start = start;
+        seg->end = end;
+    }
     write_motion(state, seg, start, end);
     if (state->locates && !thud_state_is_free(state))
         write_forces(state, seg, start, end, work);

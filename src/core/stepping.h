@@ -5,11 +5,7 @@
 
 #include "core/segment.h"
 
-/* Modal state and what follows from it, one block of a method's own. */
-struct thud_motion {
-    double *q, *qd, *qdd; /* (nmodes) */
-    double *force;        /* (nrows) */
-};
+/* struct thud_motion of segment.h is one block of a method's own. */
 enum { THUD_MOTION_VECTORS = 3 };
 
 /* Doubles that a motion needs, and their distribution; returns what comes after. */
@@ -34,7 +30,8 @@ void thud_step_motion(const struct thud_state *state, struct thud_motion *motion
 
 /* The segment of length h with the quintic of every mode through q, q', q'' of both ends (so that at s = 1 the state is
  * the method's own), and the contact forces: located, the law's along that motion; else straight from end to end, which
- * is all that such a step knows. */
+ * is all that such a step knows. Not located, observers read the two ends alone (seg->start, seg->end), and the
+ * polynomials are left out where no history asks for them. */
 void thud_step_write(const struct thud_state *state, struct thud_segment *seg, double h,
                      const struct thud_motion *start, const struct thud_motion *end, struct thud_motion *work);
 
