@@ -200,8 +200,9 @@ static void share_axis(struct thud_panel *const panel[], int n, enum thud_side s
 
 struct thud_figure *thud_bench_figure(struct thud_bench *bench, const char *title)
 {
-    static const char *const titles[2][2] = {{"Time, events not located", "Time, events located"},
-                                             {"Work, events not located", "Work, events located"}};
+    static const char *const titles[2][2] = {
+        {"Time, not located: peaks at step ends", "Time, located: peaks inside steps"},
+        {"Work, events not located", "Work, events located"}};
     struct thud_figure *figure = thud_figure_create("bench", title, 2, 2);
     struct thud_panel *panel[2][2];
     double trust = thud_bench_reference_error(bench);

@@ -53,6 +53,39 @@ for case in none bumper; do
     say "the same with events located: $name" "$(central $case 1e-5 1)" times least 1000
 done
 
+# ---- the cheapest code for this one scene: minimal C (peers/minimal.c), in the same run
+
+: >"$out/minimal.csv"
+for scene in concrete rubber; do
+    case $scene in concrete) case=none ;; *) case=bumper ;; esac
+    echo "minimal C, case $case ..." >&2
+    for program in peer-exact peer-minimal; do
+        "$build/$program" towers $case 2>/dev/null | sed -n "s/^[a-z][a-z0-9-]*,.*/$scene,&/p" >>"$out/minimal.csv"
+    done
+done
+cheapest() { # SCENE ERROR [METHOD]: how many times longer than exact the quickest minimal code takes that is as good
+    awk -F, -v scene="$1" -v e="$2" -v m="minimal-${3:-}" '
+        $1 != scene || $5 > e + 0 { next }
+        $2 == "exact" && (!x || $4 < x) { x = $4 }
+        index($2, m) == 1 && (!p || $4 < p) { p = $4; name = substr($2, 9) }
+        END { if (x && p) printf "%.2f", p / x }' "$out/minimal.csv"
+}
+a_step() { # SCENE CASE METHOD: time of a step of thud, nothing located, over that of minimal C, at the finest step that both took
+    awk -F, -v scene="$1" -v m="$3" '
+        NR == FNR { if ($1 == scene && $2 == "minimal-" m) t[$3 + 0] = $4 / $6; next }
+        $1 == m && $2 == 0 && $4 == "done" && ($3 + 0) in t && (!h || $3 + 0 < h) { h = $3 + 0; r = $18 / $15 / t[h] }
+        END { if (h) printf "%.2f", r }' "$out/minimal.csv" "$out/all-$2/bench.csv"
+}
+say "cheapest minimal C to 1e-3 / exact: concrete" "$(cheapest concrete 1e-3)" times least 8
+say "the same with rubber" "$(cheapest rubber 1e-3)" times least 4
+say "cheapest minimal C to 1e-6 / exact: concrete" "$(cheapest concrete 1e-6)" times least 12
+for method in central-difference newmark; do
+    say "minimal $method to 1e-3 / exact: concrete" "$(cheapest concrete 1e-3 $method)" times least 1
+    say "minimal $method to 1e-3 / exact: rubber" "$(cheapest rubber 1e-3 $method)" times least 1
+    say "a step of $method / minimal C: concrete" "$(a_step concrete none $method)" times most 3
+    say "a step of $method / minimal C: rubber" "$(a_step rubber bumper $method)" times most 3
+done
+
 # ---- peers, where they were measured
 
 peer() { # SCENE METHOD-PATTERN ERROR: how many times longer a peer takes than exact
@@ -80,6 +113,17 @@ say "35 s of Kobe at 10 cm: concrete" "$(run_ms none gap=10cm)" ms most 0.5
 say "35 s of Kobe at 10 cm: rubber" "$(run_ms bumper gap=10cm)" ms most 1
 say "35 s of Kobe at clearance 0: concrete" "$(run_ms none gap=0cm)" ms most 4
 say "35 s of Kobe at clearance 0: rubber" "$(run_ms bumper gap=5cm)" ms most 4
+ratio() { # NUMERATOR DENOMINATOR
+    awk -v a="$1" -v b="$2" 'BEGIN { if (b > 0) printf "%.2f", a / b }'
+}
+at() { # CASE TOLERANCE KEY=VALUE...
+    case=$1 tolerance=$2
+    shift 2
+    "$build/bench-time" towers "$case" "analysis.tolerance=$tolerance" "$@" | awk '{ print $1 }'
+}
+say "rubber / concrete, 10 cm, 1e-6" "$(ratio "$(five at bumper 1e-6)" "$(five at none 1e-6)")" times most 2.5
+say "rubber at 1e-3 / at 1e-8" "$(ratio "$(five at bumper 1e-3)" "$(five at bumper 1e-8)")" times most 0.4
+say "clearance 0 / 10 cm: rubber" "$(ratio "$(five at bumper 1e-6 gap=5cm)" "$(five at bumper 1e-6)")" times most 3
 a_tall_run() { # CASE: 100 storeys against 100, s
     "$build/bench-time" towers "$1" structures.1.mass=320t structures.1.storeys=100 structures.2.mass=320t structures.2.storeys=100 \
         structures.2.stiffness=420MN/m | awk '{ printf "%.3g\n", $1 / 1e3 }'
@@ -103,8 +147,9 @@ say "the same with tables" "$(grown --best gap)" times most 1.1
 
 for _ in 1 2 3 4 5; do sh "$here/study.sh" 5 first; done >"$out/study.txt" 2>&1
 study() { awk -v column="$1" '/^all shortcuts, 2 threads/ { print $column }' "$out/study.txt" | least; }
-say "study of 369 runs on 2 threads (wall)" "$(study 5)" s most 0.25
+say "study of 369 runs on 2 threads (wall)" "$(study 5)" s most 0.12
 say "study of 369 runs (processor time)" "$(study 7)" s most 0.5
 
-echo "records: $kobe; processors: $(nproc), load $(cut -d' ' -f1 /proc/loadavg)"
+processor=$(sed -n 's/^model name[[:space:]]*: //p' /proc/cpuinfo 2>/dev/null | head -n 1)
+echo "${processor:-unknown processor}; $(nproc) of them, load $(cut -d' ' -f1 /proc/loadavg); records: $kobe"
 awk -F, 'NR > 1 { printf "%-44s %9s %-13s %-8s %6s  %s\n", $1, $2, $3, $4, $5, $6 }' "$table"
