@@ -306,8 +306,9 @@ static struct thud_figure *histories(enum thud_run_figure which, const struct th
 
 const char *thud_run_figure_name(enum thud_run_figure which)
 {
-    static const char *const name[THUD_RUN_FIGURES] = {"force", "velocity", "acceleration", "displacement",
-                                                       "drift", "loop",     "envelope",     "energy"};
+    static const char *const name[THUD_RUN_FIGURES] = {"force",      "velocity", "acceleration", "displacement",
+                                                       "drift",      "loop",     "envelope",     "energy",
+                                                       "hysteresis", "permanent"};
     return name[which];
 }
 
@@ -325,6 +326,8 @@ bool thud_run_figure_has(enum thud_run_figure which, const struct thud_figure_so
     }
     if (which == THUD_FIGURE_LOOP)
         return touched;
+    if (which == THUD_FIGURE_HYSTERESIS || which == THUD_FIGURE_PERMANENT)
+        return thud_source_yields(source);
     return which == THUD_FIGURE_FORCE ? source->result->ncontacts > 0 : any;
 }
 
@@ -339,6 +342,10 @@ struct thud_figure *thud_run_figure(enum thud_run_figure which, const struct thu
         return thud_figure_envelopes(source, nsources);
     case THUD_FIGURE_ENERGY:
         return thud_figure_energies(source, nsources);
+    case THUD_FIGURE_HYSTERESIS:
+        return thud_figure_hysteresis(source, nsources);
+    case THUD_FIGURE_PERMANENT:
+        return thud_figure_permanent(source, nsources);
     default:
         return histories(which, source, nsources);
     }

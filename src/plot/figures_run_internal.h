@@ -41,6 +41,10 @@ void thud_source_contact_name(const struct thud_figure_source *source, int conta
  * many. */
 int thud_pick_largest(const double *value, int n, int most, int *index);
 
+/* Whether a storey of the source's scene yields. */
+bool thud_source_yields(const struct thud_figure_source *source);
+struct thud_figure *thud_figure_hysteresis(const struct thud_figure_source *source, int nsources);
+struct thud_figure *thud_figure_permanent(const struct thud_figure_source *source, int nsources);
 struct thud_figure *thud_figure_forces(const struct thud_figure_source *source, int nsources);
 struct thud_figure *thud_figure_loops(const struct thud_figure_source *source, int nsources);
 struct thud_figure *thud_figure_envelopes(const struct thud_figure_source *source, int nsources);

@@ -16,6 +16,7 @@ struct sample {
     struct thud_floor_result floor[DOFS];
     struct thud_structure_result structure[2];
     struct thud_contact_result contact[CONTACTS];
+    struct thud_storey_result storey[LEFT]; /* of the left building: the two lower ones yield */
     struct thud_result result;
     struct thud_history history;
     struct thud_impact impact;
@@ -45,6 +46,10 @@ static struct sample *make(void)
     for (int d = 0; d < DOFS; d++)
         s->floor[d] =
             (struct thud_floor_result){{d + 1.0, 0}, {0.01 * (d + 1), 0}, {0.1 * (d + 1), 0}, {1e-3 * (d + 1), 0}};
+    for (int f = 0; f < 2; f++)
+        s->storey[f] = (struct thud_storey_result){
+            .yields = true, .ductility = 4 - f, .permanent_m = 1e-3 * (f + 1), .hysteretic_j = 1e3, .shear = {8e6, 1}};
+    s->structure[0].storey = s->storey;
     for (int c = 0; c < CONTACTS; c++)
         s->contact[c] = (struct thud_contact_result){.interface = 1, .left_floor = c + 1, .right_floor = c + 1};
     s->contact[1].impacts = 1;
@@ -55,7 +60,8 @@ static struct sample *make(void)
     struct thud_history *h = &s->history;
     *h = (struct thud_history){.ndof = DOFS,
                                .ncontacts = CONTACTS,
-                               .columns = 1 + 3 * DOFS + 2 * CONTACTS + THUD_HISTORY_ENERGIES,
+                               .nstoreys = 2,
+                               .columns = 1 + 3 * DOFS + 2 * CONTACTS + THUD_HISTORY_ENERGIES + 1 + 3 * 2,
                                .rows = ROWS,
                                .time_s = s->time};
     h->value = s->value = calloc((size_t)ROWS * (size_t)h->columns, sizeof *s->value);
@@ -71,6 +77,11 @@ static struct sample *make(void)
         row[thud_history_indentation(h, 1)] = force_at(i) > 0.0 ? force_at(i) / 1e9 : -1e-3 * abs(i - 510) / 10.0;
         for (int e = 0; e < THUD_HISTORY_ENERGIES; e++)
             row[thud_history_energy(h, e)] = 1e3 * (e + 1) * s->time[i];
+        row[thud_history_hysteretic(h)] = 7e3 * s->time[i];
+        for (int k = 0; k < 2; k++) {
+            row[thud_history_storey_drift(h, k)] = 1e-3 * (k + 1) * s->time[i];
+            row[thud_history_storey_shear(h, k)] = 2e6 * (k + 1) * sin(s->time[i]);
+        }
     }
     s->source = (struct thud_figure_source){"bumper", &s->scene, &s->result, h, &s->impact, 1};
     return s;
@@ -128,6 +139,34 @@ START_TEST(forces_and_loops_show_contacts)
     thud_figure_free(figure);
     s->source.nimpacts = 0;
     ck_assert(!thud_run_figure_has(THUD_FIGURE_LOOP, &s->source, 1));
+    drop(s);
+}
+END_TEST
+
+START_TEST(storeys_that_yield_show_their_loops)
+{
+    struct sample *s = make();
+    ck_assert(thud_run_figure_has(THUD_FIGURE_HYSTERESIS, &s->source, 1));
+    struct thud_figure *figure = thud_run_figure(THUD_FIGURE_HYSTERESIS, &s->source, 1);
+    ck_assert_int_eq(thud_figure_check(figure, NULL), THUD_OK);
+    ck_assert(figure->rows == 1 && figure->columns == 2);
+    ck_assert_str_eq(figure->panel[1].title, "A, storey 2");
+    ck_assert_double_eq_tol(figure->panel[1].series[0]->x[500], 10.0, 1e-9);         /* mm */
+    ck_assert_double_eq_tol(figure->panel[1].series[0]->y[500], 4 * sin(5.0), 1e-9); /* MN */
+    thud_figure_free(figure);
+    figure = thud_run_figure(THUD_FIGURE_PERMANENT, &s->source, 1);
+    ck_assert_int_eq(thud_figure_check(figure, NULL), THUD_OK);
+    ck_assert(figure->rows == 1 && figure->columns == 2);
+    const struct thud_series *ductility = figure->panel[0].series[0], *left = figure->panel[1].series[0];
+    ck_assert(ductility->n == 2 * LEFT && ductility->x[2] == 3.0 && ductility->y[2] == 3.0 && ductility->y[3] == 6.0);
+    ck_assert(isnan(ductility->x[4]) && left->x[0] == 1.0 && left->x[3] == 2.0); /* the highest storey is elastic */
+    thud_figure_free(figure);
+    figure = thud_run_figure(THUD_FIGURE_ENERGY, &s->source, 1);
+    ck_assert_str_eq(figure->panel[0].series[THUD_HISTORY_ENERGIES]->name, "yielding");
+    thud_figure_free(figure);
+    s->structure[0].storey = NULL;
+    ck_assert(!thud_run_figure_has(THUD_FIGURE_HYSTERESIS, &s->source, 1));
+    ck_assert(!thud_run_figure_has(THUD_FIGURE_PERMANENT, &s->source, 1));
     drop(s);
 }
 END_TEST
@@ -194,6 +233,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, histories_show_floors_in_their_units);
     tcase_add_test(tcase, forces_and_loops_show_contacts);
     tcase_add_test(tcase, several_runs_lie_over_each_other);
+    tcase_add_test(tcase, storeys_that_yield_show_their_loops);
     tcase_add_test(tcase, envelopes_stand_over_the_height);
     tcase_add_test(tcase, rigid_bodies_have_no_deflections);
     suite_add_tcase(suite, tcase);
