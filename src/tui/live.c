@@ -268,7 +268,13 @@ double thud_live_floor(const struct thud_live *live, enum thud_live_which which,
     if (!result || structure >= result->nstructures || floor >= result->structure[structure].floors)
         return NAN;
     const struct thud_floor_result *f = &result->structure[structure].floor[floor];
+    const struct thud_storey_result *storey = result->structure[structure].storey;
+    const bool yields = storey && storey[floor].yields;
     switch (kind) {
+    case THUD_PEAK_DUCTILITY:
+        return yields ? storey[floor].ductility : NAN;
+    case THUD_PEAK_PERMANENT:
+        return yields ? fabs(storey[floor].permanent_m) : NAN;
     case THUD_PEAK_ACCELERATION:
         return f->acceleration.value;
     case THUD_PEAK_DRIFT:

@@ -63,7 +63,14 @@ const struct thud_result *thud_live_result(const struct thud_live *live, enum th
 bool thud_live_is_old(const struct thud_live *live, enum thud_live_which which);
 
 /* Largest peaks over the floors of structure `s` (from 0). NaN where the case is neither DONE nor old. */
-enum thud_peak_kind { THUD_PEAK_ACCELERATION, THUD_PEAK_DRIFT, THUD_PEAK_DISPLACEMENT, THUD_PEAK_VELOCITY };
+enum thud_peak_kind {
+    THUD_PEAK_ACCELERATION,
+    THUD_PEAK_DRIFT,
+    THUD_PEAK_DISPLACEMENT,
+    THUD_PEAK_VELOCITY,
+    THUD_PEAK_DUCTILITY, /* of the storey below the floor, NaN where it is elastic; and */
+    THUD_PEAK_PERMANENT  /* the size of its permanent drift */
+};
 double thud_live_peak(const struct thud_live *live, enum thud_live_which which, int structure,
                       enum thud_peak_kind kind);
 double thud_live_floor(const struct thud_live *live, enum thud_live_which which, int structure, int floor,

@@ -10,7 +10,13 @@
 
 enum { PEAKS, IMPACTS, HOW };
 enum { IMPACTS_MAX = 2000 };
-enum { SORTS = 3, QUANTITIES = 4 };
+enum { SORTS = 3, QUANTITIES = 6, ELASTIC_QUANTITIES = 4 };
+
+/* Ductility and permanent drift only where a storey yields. */
+static int quantities(const struct thud_tui *tui)
+{
+    return thud_scene_yields(&tui->doc.scene) ? QUANTITIES : ELASTIC_QUANTITIES;
+}
 
 static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect *pane)
 {
@@ -97,7 +103,10 @@ static int draw_peaks(struct thud_tui *tui, const struct thud_pane *pane)
     } column[QUANTITIES] = {{"acceleration m/s²", THUD_PEAK_ACCELERATION, 1.0},
                             {"drift mm", THUD_PEAK_DRIFT, 1e3},
                             {"displacement mm", THUD_PEAK_DISPLACEMENT, 1e3},
-                            {"velocity m/s", THUD_PEAK_VELOCITY, 1.0}};
+                            {"velocity m/s", THUD_PEAK_VELOCITY, 1.0},
+                            {"ductility", THUD_PEAK_DUCTILITY, 1.0},
+                            {"permanent drift mm", THUD_PEAK_PERMANENT, 1e3}};
+    const int all = quantities(tui);
     const struct thud_live *pinned = thud_tui_pinned(tui);
     int name = 1, y = 1;
     for (int s = 0; s < tui->doc.scene.nstructures; s++) {
@@ -107,28 +116,27 @@ static int draw_peaks(struct thud_tui *tui, const struct thud_pane *pane)
     int spare = (pane->w - 12) % 29, most = 7 + (pane->w > 41 ? spare : 0); /* of a name; the numbers stay */
     name = pane->w < 41 ? 4 : name < most ? name : most;
     int left = name > 7 ? name + 5 : pane->w < 41 ? 10 : 12, columns = (pane->w - left) / 29;
-    columns = columns < 1 ? 1 : columns > QUANTITIES ? QUANTITIES : columns; /* the least terminal has room for one */
-    int first = columns == QUANTITIES ? 0 : tui->results_quantity % QUANTITIES;
+    columns = columns < 1 ? 1 : columns > all ? all : columns; /* the least terminal has room for one */
+    int first = columns == all ? 0 : tui->results_quantity % all;
     for (int c = 0; c < columns; c++)
-        thud_pane_put(pane, left + 29 * c, 0, thud_look(THUD_ROLE_PLAIN, THUD_BOLD),
-                      column[(first + c) % QUANTITIES].head);
-    if (columns < QUANTITIES)
+        thud_pane_put(pane, left + 29 * c, 0, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), column[(first + c) % all].head);
+    if (columns < all)
         thud_pane_put(pane, 1, 0, thud_look(THUD_ROLE_KEY, 0), "c others");
     for (int s = 0; s < tui->doc.scene.nstructures; s++)
         for (int floor = floor_count(&tui->doc.scene.structure[s]) - 1; floor >= 0; floor--, y++) {
             if (pinned)
                 thud_pane_put(pane, 3, y + 1, thud_look(THUD_ROLE_MUTED, 0), "pinned");
             for (int c = 0; pinned && c < columns; c++)
-                pinned_quantity(tui, pinned, pane, left + 29 * c, y + 1, s, floor,
-                                column[(first + c) % QUANTITIES].kind, column[(first + c) % QUANTITIES].factor);
+                pinned_quantity(tui, pinned, pane, left + 29 * c, y + 1, s, floor, column[(first + c) % all].kind,
+                                column[(first + c) % all].factor);
             char key[THUD_PATH_MAX], text[200], fitted[THUD_NAME_MAX + 4];
             snprintf(key, sizeof key, "floor %d %d", s, floor);
             snprintf(text, sizeof text, "%s %d",
                      thud_utf8_fit(tui->doc.scene.structure[s].name, name, fitted, sizeof fitted), floor + 1);
             thud_field_line(tui, PEAKS, pane, y, s * 1000 + floor, key, text);
             for (int c = 0; c < columns; c++)
-                quantity(tui, pane, left + 29 * c, y, s, floor, column[(first + c) % QUANTITIES].kind,
-                         column[(first + c) % QUANTITIES].factor);
+                quantity(tui, pane, left + 29 * c, y, s, floor, column[(first + c) % all].kind,
+                         column[(first + c) % all].factor);
             y += pinned != NULL;
         }
     return y;
@@ -235,6 +243,9 @@ static int draw_energy(const struct thud_result *result, const struct thud_pane 
     for (size_t i = 0; i < sizeof row / sizeof *row; i++)
         thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_PLAIN, 0), "%-18s %s kJ", row[i].name,
                         thud_tui_number(1e-3 * row[i].value, a));
+    if (e->hysteretic_j > 0)
+        thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_PLAIN, 0), "%-18s %s kJ", "lost in yielding",
+                        thud_tui_number(1e-3 * e->hysteretic_j, a));
     thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_PLAIN, 0), "%-18s %.1e", "energy error", e->error_ratio);
     return y;
 }
@@ -277,7 +288,7 @@ static bool act(struct thud_tui *tui, enum thud_action action)
         if (tui->form.pane[THUD_SCREEN_RESULTS] == IMPACTS) /* the first of the new order */
             tui->form.focus[THUD_SCREEN_RESULTS][0] = '\0';
     } else if (action == THUD_DO_QUANTITY)
-        tui->results_quantity = (tui->results_quantity + 2) % QUANTITIES;
+        tui->results_quantity = (tui->results_quantity + 2) % quantities(tui);
     else if (action == THUD_DO_CASE)
         tui->results_case = ((int)shown(tui) + 1) % THUD_LIVE_CASES;
     else

@@ -42,6 +42,22 @@ static int impacts_shown(const struct thud_impact *shown[], int most)
     return n;
 }
 
+/* Ductility and permanent drift stand beside the other quantities only where a storey yields. */
+START_TEST(storeys_that_yield_have_two_quantities_more)
+{
+    fixture_keys(&f, "<A-4>cc");
+    fixture_expect_not(&f, "ductility");
+    fixture_keys(&f, "cc:set structures.1.yield 15 mm<Enter><A-4>cc");
+    fixture_expect(&f, "ductility");
+    fixture_expect(&f, "permanent drift mm");
+    const struct thud_result *r = thud_run_result(f.tui->live.which[THUD_LIVE_NONE].run);
+    char ductility[24];
+    thud_tui_number(r->structure[0].storey[0].ductility, ductility);
+    ck_assert_int_gt(r->structure[0].storey[0].excursions, 0);
+    fixture_expect(&f, ductility);
+}
+END_TEST
+
 START_TEST(impacts_stand_in_three_orders)
 {
     fixture_keys(&f, "<Size 100x60><A-4>");
@@ -265,6 +281,7 @@ Suite *thud_suite(void)
     tcase_set_timeout(views, 60.0);
     tcase_add_checked_fixture(views, setup, teardown);
     tcase_add_test(views, impacts_stand_in_three_orders);
+    tcase_add_test(views, storeys_that_yield_have_two_quantities_more);
     tcase_add_test(views, a_run_that_fails_says_which_case_and_when);
     tcase_add_test(views, a_wall_moves_with_the_ground);
     tcase_add_test(views, several_structures);
