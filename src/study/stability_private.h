@@ -44,6 +44,7 @@ enum thud_status thud_pair_restitution(struct thud_pair *pair, struct thud_stepp
 typedef enum thud_status thud_exhibit_fn(struct thud_exhibit *out, struct thud_error *err);
 enum thud_status thud_exhibit_energy(int index, struct thud_exhibit *out, struct thud_error *err);
 enum thud_status thud_exhibit_touch(int index, struct thud_exhibit *out, struct thud_error *err);
+enum thud_status thud_exhibit_yield(struct thud_exhibit *out, struct thud_error *err);
 enum { THUD_EXHIBITS_ENERGY = 6, THUD_EXHIBITS_TOUCH = 2, THUD_EXHIBITS_REST = 4 };
 
 #endif

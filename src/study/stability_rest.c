@@ -166,13 +166,15 @@ static enum thud_status rest(int index, struct thud_exhibit *out, struct thud_er
 
 int thud_exhibit_count(void)
 {
-    return THUD_EXHIBITS_ENERGY + THUD_EXHIBITS_TOUCH + THUD_EXHIBITS_REST;
+    return THUD_EXHIBITS_ENERGY + THUD_EXHIBITS_TOUCH + THUD_EXHIBITS_REST + 1;
 }
 
 enum thud_status thud_exhibit_run(int index, struct thud_exhibit *out, struct thud_error *err)
 {
     if (index < THUD_EXHIBITS_ENERGY)
         return thud_exhibit_energy(index, out, err);
+    if (index == thud_exhibit_count() - 1)
+        return thud_exhibit_yield(out, err);
     index -= THUD_EXHIBITS_ENERGY;
     return index < THUD_EXHIBITS_TOUCH ? thud_exhibit_touch(index, out, err)
                                        : rest(index - THUD_EXHIBITS_TOUCH, out, err);
