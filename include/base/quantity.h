@@ -19,6 +19,7 @@ enum thud_dimension {
     THUD_TIME,
     THUD_VELOCITY,
     THUD_ACCELERATION,
+    THUD_BENDING, /* N m2 */
     THUD_DIMENSIONS
 };
 

@@ -17,17 +17,19 @@
 
 struct thud_branch {
     double f0_n, k_npm, c_nspm;
-    double K, p; /* K d^p, p > 0 */
-    double D, r; /* D d^r v, r > 0 */
+    double K, p;       /* K d^p, p > 0 */
+    double D, r;       /* D d^r v, r > 0 */
+    double column_npm; /* a spring in series with K d^p; 0: none */
 };
 
 enum thud_phase { THUD_APPROACH, THUD_RESTITUTION };
 
 /* What is fixed for one contact. */
 struct thud_law_setup {
-    double mass_kg;                          /* effective mass m1 m2/(m1 + m2) */
-    double thickness_m;                      /* of the bumper; 0 where there is none */
-    double value[THUD_LAW_PARAMS_MAX];       /* parameters in SI, in the order of the law's table */
+    double mass_kg;                    /* effective mass m1 m2/(m1 + m2) */
+    double thickness_m;                /* of the bumper; 0 where there is none */
+    double column_npm;                 /* stiffness of the columns that are struck, in series with the law; 0: none */
+    double value[THUD_LAW_PARAMS_MAX]; /* parameters in SI, in the order of the law's table */
     double constant[THUD_LAW_CONSTANTS_MAX]; /* filled by the law's prepare */
 };
 
@@ -57,7 +59,7 @@ struct thud_law {
     enum thud_status (*prepare)(struct thud_law_setup *setup, struct thud_error *err);
     /* At contact onset with closing velocity v (>= 0); fills the memory. */
     void (*onset)(const struct thud_law_setup *setup, double v_mps, struct thud_law_memory *memory);
-    /* At each velocity reversal from approach to restitution at indentation d; NULL where nothing changes. */
+    /* At each velocity reversal from approach to restitution at indentation d, of the law alone; NULL where nothing changes. */
     void (*reversal)(const struct thud_law_setup *setup, double d_m, struct thud_law_memory *memory);
     /* The branch that holds in a phase on one side of the ultimate compression. */
     struct thud_branch (*branch)(const struct thud_law_setup *setup, const struct thud_law_memory *memory,
@@ -90,6 +92,26 @@ void thud_law_defaults(const struct thud_law *law, struct thud_law_setup *setup)
  * At d = 0 the derivatives are those from the right: df_dd is infinite there for a power below 1 (jankowski at v != 0).
  */
 double thud_branch_force(const struct thud_branch *branch, double d_m, double v_mps, double *df_dd, double *df_dv);
+
+/* ---- a law and the columns that are struck ----
+ *
+ * Struck columns give under the force of the contact, a spring in series with the law's elastic curve: F_A = law(d -
+ * F_A/column_npm) at the indentation d of the two together. Damping is what the law makes of that curve, so that two
+ * free bodies part with the restitution asked for as they do without columns: a linear law is the same law with the
+ * stiffness k column/(k + column); F_A (1 + s v) keeps its s; the dashpot of jankowski is 2 z F_A/sqrt(2 U/m), U the
+ * energy of law and columns together. Without columns all of these are the law's own functions. */
+
+/* Checks values against each other, puts the columns into a linear law's stiffness, and fills setup->constant. Errors:
+ * THUD_INPUT with key. */
+enum thud_status thud_law_prepare(const struct thud_law *law, struct thud_law_setup *setup, struct thud_error *err);
+void thud_law_reversal(const struct thud_law *law, const struct thud_law_setup *setup, double d_m,
+                       struct thud_law_memory *memory);
+struct thud_branch thud_law_branch(const struct thud_law *law, const struct thud_law_setup *setup,
+                                   const struct thud_law_memory *memory, enum thud_phase phase, bool past_ultimate);
+/* Indentation at which the branch changes; INFINITY where there is none. */
+double thud_law_ultimate(const struct thud_law *law, const struct thud_law_setup *setup);
+/* Energy stored at indentation d, J. */
+double thud_law_energy(const struct thud_law *law, const struct thud_law_setup *setup, double d_m);
 
 /* Branch at (d, phase) without a run: picks the side of the ultimate compression. */
 struct thud_branch thud_law_branch_at(const struct thud_law *law, const struct thud_law_setup *setup,

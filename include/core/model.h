@@ -20,6 +20,7 @@
 
 #include "base/status.h"
 #include "core/law.h"
+#include "core/result.h"
 
 struct thud_model_structure {
     int first, n;                /* its slice of dofs, one per floor */
@@ -30,9 +31,23 @@ struct thud_model_structure {
     const double *omega;         /* (n) natural frequencies, also of modes that are left out, rad/s */
 };
 
+/* One side of a contact: a floor, a wall, or the place at which a slab strikes the columns between two floors,
+ * u = (1 - h) u_below + h u_above. */
+struct thud_model_side {
+    const double *row;                /* (modes) its value by its structure's modal values */
+    int structure, first_mode, modes; /* modes: 0 for a wall */
+    int dof, below;                   /* the floor, or the one above and the one below; -1: none (a wall, the ground) */
+    double share;                     /* h; 1 for a floor */
+};
+
 struct thud_model_contact {
-    int interface, left_floor, right_floor; /* from 1; 0 for a wall */
+    int interface, left_floor, right_floor; /* from 1; 0 for a wall; of struck columns the floor above them */
     int left_dof, right_dof;                /* -1 for a wall */
+    struct thud_model_side left, right;
+    int struck; /* whose columns the other's slab strikes: -1 the left one's, 1 the right one's; 0: floor to floor */
+    int column; /* index of the struck columns; -1 */
+    double eta; /* height of the struck place over the lower floor / height of the storey; 1: floor to floor */
+    double per_force[THUD_COLUMN_QUANTITIES]; /* of the struck columns, by force of this contact */
     double clearance_m;
     const struct thud_law *law;
     struct thud_law_setup setup;
@@ -46,12 +61,26 @@ struct thud_model_storey {
     double hardening;     /* r, 0 <= r < 1 */
 };
 
+/* The columns of one storey that slabs of one neighbour strike. */
+struct thud_model_column {
+    int interface, structure, storey; /* interface and storey from 1, structure from 0 */
+    int dof, below;                   /* floors above and below; below -1: the ground */
+    const double *row;                /* (modes) drift of the storey by its structure's modal values */
+    int first_mode, modes;
+    double height_m;
+    double capacity_n;                        /* against shear; NaN: not given */
+    double per_drift[THUD_COLUMN_QUANTITIES]; /* by drift of the storey; 0 where their stiffness is not given */
+    int yielding; /* row of the storey where it yields, -1: their part of its shear V = k d + F, not of k d alone */
+    double per_yield[THUD_COLUMN_QUANTITIES]; /* by that row's force: per_drift/k */
+};
+
 struct thud_model {
-    int nstructures, ndof, nmodes, ncontacts;
+    int nstructures, ndof, nmodes, ncontacts, ncolumns;
     int nstoreys, nrows;                    /* storeys that yield; rows: contacts, and these storeys behind them */
     struct thud_model_structure *structure; /* (nstructures) */
     struct thud_model_contact *contact;     /* (nrows) */
     struct thud_model_storey *storey;       /* (nstoreys) */
+    struct thud_model_column *column;       /* (ncolumns) */
     bool couples;                           /* the damping of a structure couples its modes */
     int *dof_structure;                     /* (ndof) */
     double *mass_kg;                        /* (ndof) */
@@ -87,6 +116,13 @@ struct thud_model_input {
         double clearance_m;
         const struct thud_law *law;
         struct thud_law_setup setup; /* value[] and thickness given; mass and constants are filled here */
+        struct thud_struck_input {
+            int side;          /* as thud_model_contact.struck; its floor is the one above the columns */
+            double a_m, b_m;   /* of the slab over the lower floor, and under the upper one */
+            bool hinged;       /* columns hinged at both ends, h = eta; else clamped, h = 3 eta^2 - 2 eta^3 */
+            double ei_nm2;     /* bending stiffness of all struck columns together; NaN: they do not give */
+            double capacity_n; /* against shear; NaN: not known */
+        } struck;
     } * contact;
     int modes; /* each structure's lowest ones, the others are left out; 0: all */
 };
@@ -113,9 +149,9 @@ double thud_model_fastest(const struct thud_model_structure *structure);
 
 /* A floor's value from modal values (nmodes). */
 double thud_model_floor(const struct thud_model *model, int dof, const double *modal);
-/* Values of row c's two floors from modal values; 0 for a wall and the ground. */
+/* Values of row c's two sides from modal values; 0 for a wall and the ground. */
 void thud_model_sides(const struct thud_model *model, int c, const double *modal, double *left, double *right);
-/* Left floor's value minus the right floor's, from modal values. */
+/* Left side's value minus the right side's, from modal values. */
 double thud_model_gap_sum(const struct thud_model *model, int c, const double *modal);
 
 /* Four times what it takes from touch at 1 m/s to the largest indentation of a spring with the law's elastic energy

@@ -22,13 +22,36 @@ enum { THUD_FLOOR_DISPLACEMENT, THUD_FLOOR_VELOCITY, THUD_FLOOR_ACCELERATION, TH
 
 struct thud_contact_result {
     int interface, left_floor, right_floor; /* from 1, left to right; floor 0: a wall */
-    int impacts;                  /* those with an impulse above 1e-11 of effective mass times velocity scale */
+    int struck;  /* whose columns the other's slab strikes, below that floor: -1 the left one's, 1 the right one's */
+    int column;  /* index of those columns; -1 */
+    double eta;  /* height of the struck place in its storey; 1: floor to floor */
+    int impacts; /* those with an impulse above 1e-11 of effective mass times velocity scale */
     struct thud_peak force;       /* N */
     struct thud_peak indentation; /* m */
     double impulse_ns, contact_time_s, residual_m, dissipated_j;
     double approach_mps, separation_mps; /* of the last impact */
     double restitution;                  /* of the last impact; NaN: it did not close, or did not part */
     double nominal_restitution;          /* as asked for */
+};
+
+/* What a slab does to the columns of a storey that it strikes, positive to the right: shears just above their lower
+ * and just below their upper end, and the bending moments there. A shear is the force by which what is above pushes
+ * what is below; a moment at the lower end is positive, one at the upper end negative, where the storey drifts to the
+ * right. */
+enum thud_column_quantity {
+    THUD_COLUMN_SHEAR_LOWER,
+    THUD_COLUMN_SHEAR_UPPER,
+    THUD_COLUMN_MOMENT_LOWER,
+    THUD_COLUMN_MOMENT_UPPER,
+    THUD_COLUMN_QUANTITIES
+};
+
+/* The columns of a storey that slabs of one neighbour strike: the drift of the storey and the forces on them. */
+struct thud_column_result {
+    int interface, structure, storey;              /* interface and storey from 1, structure from 0 */
+    struct thud_peak peak[THUD_COLUMN_QUANTITIES]; /* N, N m */
+    double capacity_n, ratio;                      /* against shear, and the larger shear over it; NaN: not given */
+    bool drifts; /* their stiffness is given, so that the drift of the storey counts; else the forces alone */
 };
 
 /* One impact, from first touch to release. */
@@ -75,9 +98,10 @@ struct thud_work {
 };
 
 struct thud_result {
-    int nstructures, ncontacts;
+    int nstructures, ncontacts, ncolumns;
     struct thud_structure_result *structure; /* (nstructures) */
     struct thud_contact_result *contact;     /* (ncontacts) */
+    struct thud_column_result *column;       /* (ncolumns) */
     struct thud_energy energy;
     struct thud_work work;
     double end_s;       /* where the run ended */
@@ -88,9 +112,10 @@ struct thud_result {
 
 /* Sampled histories, one row per time; at jumps the time appears twice. Columns: a_g, then per floor u, v, a_total
  * (ndof each), then per contact force and indentation, then energies input, kinetic, strain, viscous, contact; where
- * storeys yield, then the energy lost in them, and for each of those (nstoreys) drift, shear and plastic drift. */
+ * storeys yield, then the energy lost in them, and for each of those (nstoreys) drift, shear and plastic drift; then per
+ * struck columns (nstruck) the shears at their lower and upper end. */
 struct thud_history {
-    int ndof, ncontacts, nstoreys, columns;
+    int ndof, ncontacts, nstoreys, nstruck, columns;
     size_t rows, capacity;
     double *time_s; /* (rows) */
     double *value;  /* (rows x columns), row-major */
@@ -108,5 +133,6 @@ int thud_history_hysteretic(const struct thud_history *h);
 int thud_history_storey_drift(const struct thud_history *h, int storey);
 int thud_history_storey_shear(const struct thud_history *h, int storey);
 int thud_history_storey_plastic(const struct thud_history *h, int storey);
+int thud_history_column(const struct thud_history *h, int column, enum thud_column_quantity shear);
 
 #endif

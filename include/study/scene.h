@@ -12,6 +12,9 @@
 enum { THUD_STOREYS_MAX = 200, THUD_STRUCTURES_MAX = 20, THUD_TEXT_MAX = 256, THUD_NAME_MAX = 64 };
 
 enum thud_structure_kind { THUD_SHEAR, THUD_RIGID, THUD_ISOLATED, THUD_WALL };
+/* How a struck place moves between the floors, and shares a slab's force: as a member clamped in both, or on the line
+ * between them. */
+enum thud_column_shape { THUD_COLUMN_CLAMPED, THUD_COLUMN_LINEAR };
 
 struct thud_structure {
     char name[THUD_NAME_MAX];
@@ -29,7 +32,16 @@ struct thud_structure {
     double damping;                                                  /* ratio, the same in every mode */
     double base_mass_kg, isolation_stiffness_npm, isolation_damping; /* isolated only */
     double velocity_mps;                                             /* rigid only: at t = 0, to the right */
+    double base_m; /* elevation of the ground that a building stands on */
+    /* The columns of each storey that a neighbour's slab strikes, all of them together; 0: not given. */
+    double column_ei_nm2[THUD_STOREYS_MAX];        /* bending stiffness, or */
+    double column_stiffness_npm[THUD_STOREYS_MAX]; /* their part of the storey's, 12 EI/L^3 */
+    double column_capacity_n[THUD_STOREYS_MAX];    /* against shear */
+    double column_shape;                           /* enum thud_column_shape */
 };
+
+/* EI of the struck columns of a storey (from 0), from either; NaN: not given. */
+double thud_column_ei(const struct thud_structure *structure, int storey);
 
 /* A law with its parameters in the order of law->params. NaN: not given. */
 struct thud_law_choice {
@@ -37,8 +49,12 @@ struct thud_law_choice {
     double value[THUD_LAW_PARAMS_MAX];
 };
 
+/* What meets at an interface: floors at the same level and slabs against columns, or the former alone. */
+enum thud_levels { THUD_LEVELS_ALL, THUD_LEVELS_ALIGNED };
+
 struct thud_interface {
-    double gap_m; /* concrete to concrete */
+    double gap_m;  /* concrete to concrete */
+    double levels; /* enum thud_levels */
     struct thud_law_choice contact;
     bool has_bumper;
     struct thud_law_choice bumper;
@@ -114,7 +130,7 @@ void thud_structure_init(struct thud_structure *structure, enum thud_structure_k
 /* A law with the defaults of its table (NaN where a value must be given). */
 void thud_law_choice_init(struct thud_law_choice *choice, const struct thud_law *law);
 /* The lists of floors and storeys: masses, stiffnesses, heights, yield drifts, yield shears, hardening. */
-enum { THUD_STRUCTURE_LISTS = 6 };
+enum { THUD_STRUCTURE_LISTS = 9 };
 double *thud_structure_list(struct thud_structure *structure, int which);
 /* The drift at which storey i (from 0) yields; INFINITY where it is elastic. */
 double thud_structure_yield(const struct thud_structure *structure, int i);
@@ -130,6 +146,7 @@ enum thud_group {
     THUD_GROUP_SCENE,
     THUD_GROUP_RECORD,
     THUD_GROUP_STRUCTURE,
+    THUD_GROUP_COLUMN, /* of a structure with storeys */
     THUD_GROUP_INTERFACE,
     THUD_GROUP_CONTACT, /* `law`, before the law's own */
     THUD_GROUP_BUMPER,  /* `law`, thickness and cavity, before the law's own */
@@ -146,7 +163,7 @@ bool thud_structure_has(enum thud_structure_kind kind, int param);
 
 /* Sets one value by its path (`structures.1.mass`, `interfaces.1.gap`, `gap`, `contact.restitution`,
  * `bumper.thickness`, `analysis.tolerance`, `record.peak`; lists `[320 t, 250 t]` or one value for every floor; one
- * floor by `structures.1.mass.2`). The empty text takes back what need not be given. The exponent typed in a unit must
+ * floor by `structures.1.mass.2`, `structures.1.column.EI.2`). The empty text takes back what need not be given. The exponent typed in a unit must
  * be the law's; setting the exponent keeps the number of its stiffness in the shown unit. Errors: THUD_INPUT with key
  * and what is allowed. */
 enum thud_status thud_scene_set(struct thud_scene *scene, const char *path, const char *text, struct thud_error *err);
@@ -158,6 +175,10 @@ enum thud_status thud_scene_get_in(const struct thud_scene *scene, const char *p
                                    unsigned long size, struct thud_error *err);
 /* The described parameter behind a path, its index among the floors in *floor (-1: all); NULL when unknown. */
 const struct thud_param *thud_scene_param(const struct thud_scene *scene, const char *path, int *floor);
+/* Whether a path leads to one value for each floor of a building. */
+bool thud_scene_by_floor(const struct thud_scene *scene, const char *path);
+/* Whether anything is said of a structure's columns. */
+bool thud_structure_has_columns(const struct thud_structure *structure);
 
 /* The i-th varied key of the scene's study as `thud sweep --vary` takes it: "gap=5 cm:25 cm:0.5 cm" or "gap=5 cm, 7.5
  * cm" (THUD_VARY_TEXT is room for each). */

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "app/sensitivity_table.h"
+#include "study/level.h"
 #include "study/remark.h"
 
 static void add_head(const struct thud_report *report, struct thud_text *out)
@@ -129,12 +130,8 @@ static void add_ms(double seconds, struct thud_text *out)
 
 static void add_contact(const struct thud_contact_result *c, int force_places, int depth_places, struct thud_text *out)
 {
-    char pair[32], floors[2][12] = {"wall", "wall"};
-    if (c->left_floor > 0)
-        snprintf(floors[0], sizeof floors[0], "%d", c->left_floor);
-    if (c->right_floor > 0)
-        snprintf(floors[1], sizeof floors[1], "%d", c->right_floor);
-    snprintf(pair, sizeof pair, "%s-%s", floors[0], floors[1]);
+    char pair[40];
+    thud_pairing_name(c->left_floor, c->right_floor, c->struck, pair, sizeof pair);
     if (c->impacts == 0 && c->contact_time_s == 0 && c->impulse_ns == 0) {
         thud_text_append(out, "%3d %-7s       0  no contact\n", c->interface, pair);
         return;
@@ -174,6 +171,48 @@ static void add_contacts(const struct thud_report *report, struct thud_text *out
     }
     for (int c = 0; c < r->ncontacts; c++)
         add_contact(&r->contact[c], places_of(force, 5), places_of(depth, 4), out);
+}
+
+/* Two peaks of columns with their times; `-` where nothing bears on them. */
+static void add_ends(const struct thud_peak *peak, int places, struct thud_text *out)
+{
+    for (int end = 0; end < 2; end++) {
+        add_number(out, 10, places, 1e-3 * peak[end].value);
+        thud_text_append(out, " %8.3f", peak[end].time_s);
+    }
+}
+
+/* Shears and moments of struck columns; nothing where no slab stands against columns. */
+static void add_columns(const struct thud_report *report, struct thud_text *out)
+{
+    const struct thud_result *r = report->result;
+    double shear = 0, moment = 0;
+    bool drifts = true, any = false;
+    for (int i = 0; i < r->ncolumns; i++) {
+        const struct thud_peak *peak = r->column[i].peak;
+        shear = fmax(shear, 1e-3 * fmax(peak[THUD_COLUMN_SHEAR_LOWER].value, peak[THUD_COLUMN_SHEAR_UPPER].value));
+        moment = fmax(moment, 1e-3 * fmax(peak[THUD_COLUMN_MOMENT_LOWER].value, peak[THUD_COLUMN_MOMENT_UPPER].value));
+        drifts = drifts && r->column[i].drifts;
+        any = any || isfinite(r->column[i].ratio);
+    }
+    if (r->ncolumns == 0)
+        return;
+    thud_text_append(out,
+                     "\ncolumns below  shear low       at        up       at moment low       at        up       at%s\n"
+                     "                      kN        s        kN        s      kN m        s      kN m        s%s\n",
+                     any ? "  shear/" : "", any ? " capacity" : "");
+    for (int i = 0; i < r->ncolumns; i++) {
+        const struct thud_column_result *c = &r->column[i];
+        thud_text_append(out, "%3d %-6.6s %2d", c->interface, report->scene->structure[c->structure].name, c->storey);
+        add_ends(c->peak + THUD_COLUMN_SHEAR_LOWER, places_of(shear, 5), out);
+        add_ends(c->peak + THUD_COLUMN_MOMENT_LOWER, places_of(moment, 5), out);
+        if (isfinite(c->ratio))
+            thud_text_append(out, " %8.4g", c->ratio);
+        thud_text_append(out, "\n");
+    }
+    if (!drifts)
+        thud_text_append(out,
+                         "Where neither EI nor stiffness is given, by the contact forces alone, without the drift.\n");
 }
 
 /* Steps end where the ground motion has its samples, so that the one asked for is the longest there may be. */
@@ -224,6 +263,7 @@ void thud_result_table(const struct thud_report *report, struct thud_text *out)
     for (int s = 0; s < report->result->nstructures; s++)
         add_structure(report, s, out);
     add_contacts(report, out);
+    add_columns(report, out);
     add_foot(report, out);
     if (report->truncation)
         add_truncation(report->truncation, out);

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/observe_columns.h"
 #include "core/observe_relative.h"
 #include "core/run_private.h"
 #include "core/storey.h"
@@ -210,6 +211,7 @@ static void start_at(struct thud_run *run, const struct moment *moment)
     memcpy(run->state.qd, moment->state + n, n * sizeof(double));
     for (int s = 0; s < run->result.nstructures; from += run->result.structure[s].floors, s++)
         memcpy(run->result.structure[s].floor, from, (size_t)run->result.structure[s].floors * sizeof *from);
+    thud_columns_untouched(run->state.model, &run->result);
     thud_contact_moved(&run->state);
     thud_storeys_resume(&run->state, moment->storey);
     thud_ledger_start(&run->ledger, &run->state);

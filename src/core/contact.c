@@ -22,7 +22,8 @@ static const struct thud_law *law_of(const struct thud_state *state, int c)
 static void renew_branch(struct thud_state *state, int c)
 {
     struct thud_contact_state *s = &state->contact[c];
-    s->branch = law_of(state, c)->branch(&state->model->contact[c].setup, &s->memory, s->phase, s->past_ultimate);
+    s->branch =
+        thud_law_branch(law_of(state, c), &state->model->contact[c].setup, &s->memory, s->phase, s->past_ultimate);
 }
 
 /* Changes the mode and keeps the count of acting contacts. */
@@ -40,7 +41,7 @@ void thud_contact_start(struct thud_state *state)
         struct thud_contact_state *s = &state->contact[c];
         const struct thud_law *law = law_of(state, c);
         memset(s, 0, sizeof *s);
-        s->ultimate_m = law->ultimate ? law->ultimate(&state->model->contact[c].setup) : INFINITY;
+        s->ultimate_m = thud_law_ultimate(law, &state->model->contact[c].setup);
         s->suppressed.indentation = fabs(thud_contact_indentation(state, c)) <= THUD_TOL_INDENTATION_M;
     }
 }
@@ -65,9 +66,9 @@ static double expected_force(const struct thud_state *state, int c, double v)
         return 0;
     bool linear = p->law->flags & THUD_LAW_LINEAR;
     if (linear)
-        d *= sqrt(energy / p->law->elastic_energy(&p->setup, d));
+        d *= sqrt(energy / thud_law_energy(p->law, &p->setup, d));
     for (int i = 0; i < 8 && !linear; i++) /* energies rise with a power of d from 2 to 4: near enough for a scale */
-        d *= pow(energy / p->law->elastic_energy(&p->setup, d), 0.3);
+        d *= pow(energy / thud_law_energy(p->law, &p->setup, d), 0.3);
     struct thud_branch b = thud_law_branch_at(p->law, &p->setup, &state->contact[c].memory, THUD_APPROACH, d);
     return thud_branch_force(&b, d, 0, NULL, NULL);
 }
@@ -185,7 +186,7 @@ static double rest_force(const struct thud_state *state, int c, enum thud_phase 
 {
     const struct thud_contact_state *s = &state->contact[c];
     struct thud_branch b =
-        law_of(state, c)->branch(&state->model->contact[c].setup, &s->memory, phase, s->past_ultimate);
+        thud_law_branch(law_of(state, c), &state->model->contact[c].setup, &s->memory, phase, s->past_ultimate);
     return thud_branch_force(&b, d, 0, NULL, NULL);
 }
 
@@ -193,8 +194,9 @@ static void go_on(struct thud_state *state, int c, enum thud_phase phase, int ra
 {
     struct thud_contact_state *s = &state->contact[c];
     thud_contact_set_mode(state, c, THUD_CLOSED);
-    if (phase == THUD_RESTITUTION && law_of(state, c)->reversal)
-        law_of(state, c)->reversal(&state->model->contact[c].setup, thud_contact_indentation(state, c), &s->memory);
+    if (phase == THUD_RESTITUTION)
+        thud_law_reversal(law_of(state, c), &state->model->contact[c].setup, thud_contact_indentation(state, c),
+                          &s->memory);
     s->phase = phase;
     s->suppressed = (struct thud_suppressed){.rate = rate_zeros};
     renew_branch(state, c);
@@ -210,8 +212,7 @@ static void reversal(struct thud_state *state, int c)
     double approach = rest_force(state, c, THUD_APPROACH, d), restitution = rest_force(state, c, THUD_RESTITUTION, d);
     if (state->locates && approach - restitution > THUD_TOL_BRANCH_GAP * approach) {
         double *force = state->force_now;
-        thud_contact_forces(state, force);
-        force[c] = next == THUD_RESTITUTION ? restitution : approach;
+        thud_contact_forces_given(state, c, next == THUD_RESTITUTION ? restitution : approach, force);
         double a = thud_contact_acceleration(state, c, force);
         if (next == THUD_RESTITUTION ? a > 0 : a < 0) {
             thud_contact_set_mode(state, c, THUD_STICKING);
@@ -254,11 +255,20 @@ static void change_branch(struct thud_state *state, int c)
 static enum thud_status unstick(struct thud_state *state, struct thud_contact_log *log, int c, enum thud_event event,
                                 struct thud_error *err)
 {
+    struct thud_contact_state *s = &state->contact[c];
     if (law_of(state, c)->flags & THUD_LAW_IMPULSIVE) { /* sustained pushing has ended: d, d' and d'' are 0 */
         note_release(state, log, c);
         return open_contact(state, log, c, 3, err);
     }
     go_on(state, c, event == THUD_EVENT_UNSTICK_IN ? THUD_APPROACH : THUD_RESTITUTION, 2);
+    /* as a rule the constraint force has gone to the end of its interval, and d'' is 0; where another contact of the same
+     * floors has switched it may have jumped beyond */
+    thud_contact_forces(state, state->force_now);
+    double a = thud_contact_acceleration(state, c, state->force_now);
+    double jump = fmax(10 * state->tolerance, THUD_TOL_UNSTICK) * (s->constraint_high_n - s->constraint_low_n) /
+                  state->model->contact[c].setup.mass_kg;
+    if (event == THUD_EVENT_UNSTICK_IN ? a > jump : a < -jump)
+        s->suppressed.rate = 1;
     return THUD_OK;
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/free_vibration.h"
 #include "core/largest.h"
+#include "core/observe_columns.h"
 #include "core/observe_peaks.h"
 
 enum { STRIDE = THUD_FREE_VIBRATION_BLOCK, ENDS = THUD_FREE_VIBRATION_ENDS };
@@ -150,6 +151,14 @@ static bool nothing_comes(const struct thud_state *state, struct thud_result *re
         for (int i = 0; i < m->structure[s].n; i++)
             if (!floor_is_done(m, result, later, amplitudes, s, i))
                 return false;
+    for (int i = 0; i < m->ncolumns; i++) {
+        const struct thud_model_column *p = &m->column[i];
+        double drift = later[THUD_FLOOR_DRIFT * m->ndof + p->dof];
+        for (int j = 0; j < p->modes; j++)
+            drift += fabs(p->row[j]) * amplitudes[p->first_mode + j];
+        if (!thud_columns_below(m, result, i, drift))
+            return false;
+    }
     return true;
 }
 

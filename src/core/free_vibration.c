@@ -384,6 +384,13 @@ static bool closes(struct thud_free_vibration *f, const struct thud_state *state
     return false;
 }
 
+/* Of one side of a contact, from the floors' displacements at one end, rows ENDS apart. */
+static double side_value(const struct thud_model_side *side, const double *u)
+{
+    double value = side->dof < 0 ? 0 : side->share * u[(size_t)side->dof * ENDS];
+    return value + (side->below < 0 ? 0 : (1 - side->share) * u[(size_t)side->below * ENDS]);
+}
+
 double thud_free_vibration_gap(struct thud_free_vibration *f, const struct thud_model *model, int c, int ends,
                                double *margin)
 {
@@ -391,8 +398,13 @@ double thud_free_vibration_gap(struct thud_free_vibration *f, const struct thud_
     const double *u = f->value[THUD_FLOOR_DISPLACEMENT];
     const double *left = p->left_dof < 0 ? NULL : u + (size_t)p->left_dof * ENDS;
     const double *right = p->right_dof < 0 ? NULL : u + (size_t)p->right_dof * ENDS;
-    *margin = left ? f->margin[model->dof_structure[p->left_dof]] : 0;
-    *margin += right ? f->margin[model->dof_structure[p->right_dof]] : 0;
+    *margin = left ? f->margin[p->left.structure] : 0; /* also of what lies between two floors */
+    *margin += right ? f->margin[p->right.structure] : 0;
+    if (p->struck != 0) {
+        for (int t = 0; t < ends; t++)
+            f->gap[t] = side_value(&p->left, u + t) - side_value(&p->right, u + t);
+        return thud_largest(f->gap, ends);
+    }
     for (int t = 0; t < ends; t++)
         f->gap[t] = (left ? left[t] : 0) - (right ? right[t] : 0);
     return thud_largest(f->gap, ends);
@@ -422,16 +434,9 @@ static bool find_near(struct thud_free_vibration *f, const struct thud_state *st
     const double *u = f->value[THUD_FLOOR_DISPLACEMENT] + t;
     bool any = false;
     for (int c = 0; c < m->ncontacts; c++) {
-        int left = m->contact[c].left_dof, right = m->contact[c].right_dof;
-        double start = 0, end = 0;
-        if (left >= 0) {
-            start += u[left * ENDS];
-            end += u[left * ENDS + 1];
-        }
-        if (right >= 0) {
-            start -= u[right * ENDS];
-            end -= u[right * ENDS + 1];
-        }
+        const struct thud_model_side *left = &m->contact[c].left, *right = &m->contact[c].right;
+        double start = side_value(left, u) - side_value(right, u),
+               end = side_value(left, u + 1) - side_value(right, u + 1);
         f->near[c] = start > f->limit[c] || end > f->limit[c];
         any |= f->near[c];
     }

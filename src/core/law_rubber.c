@@ -152,7 +152,11 @@ static double elastic_energy(const struct thud_law_setup *setup, double d_m)
 
 static double energy_speed(const struct thud_law_setup *setup, double d_m)
 {
-    return fmax(sqrt(2 * elastic_energy(setup, d_m) / setup->mass_kg), least_energy_speed);
+    struct thud_rubber_curve curve = curve_of(setup);
+    double force = thud_rubber_curve_force(&curve, d_m), energy = thud_rubber_curve_energy(&curve, d_m);
+    if (setup->column_npm > 0) /* what the struck columns hold too */
+        energy += 0.5 * force * force / setup->column_npm;
+    return fmax(sqrt(2 * energy / setup->mass_kg), least_energy_speed);
 }
 
 static void reversal(const struct thud_law_setup *setup, double d_m, struct thud_law_memory *memory)

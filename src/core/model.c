@@ -33,6 +33,13 @@ static int kept_of(int n, int modes)
     return modes > 0 && modes < n ? modes : n;
 }
 
+/* Modes of the structure whose columns are struck. */
+static int struck_modes(const struct thud_model_input *in, const struct thud_contact_input *contact)
+{
+    int s = contact->struck.side < 0 ? contact->left_structure : contact->right_structure;
+    return kept_of(in->structure[s].n, in->modes);
+}
+
 /* Whether storey i of a structure yields: one whose stiffness stays the same beyond its yield drift is elastic. */
 static bool yields(const struct thud_structure_input *in, int i)
 {
@@ -54,6 +61,9 @@ static size_t model_bytes(const struct thud_model_input *in, size_t ndof, size_t
     bytes += room((size_t)in->nstructures, sizeof(struct thud_model_structure));
     bytes += room(nstoreys, sizeof(struct thud_model_storey));
     bytes += room(nc, sizeof(struct thud_model_contact)) + room(ndof, sizeof(int));
+    bytes += room(nc, sizeof(struct thud_model_column));
+    for (int c = 0; c < in->ncontacts; c++)
+        bytes += in->contact[c].struck.side ? 2 * room((size_t)struck_modes(in, &in->contact[c]), sizeof(double)) : 0;
     bytes += 2 * room(ndof, sizeof(double)) + 9 * room(nmodes, sizeof(double));
     bytes += room(nc * nmodes, sizeof(double)) + room(nc * nc, sizeof(double));
     for (int s = 0; s < in->nstructures; s++) {
@@ -193,29 +203,109 @@ static enum thud_status fill_structure(struct thud_model *m, struct arena *arena
     return status;
 }
 
-/* 1/m of one side, 0 for a wall. */
-static double inverse_mass(const struct thud_model *m, int dof)
-{
-    return dof < 0 ? 0 : 1 / m->mass_kg[dof];
-}
-
 static int contact_dof(const struct thud_model *m, int structure, int floor)
 {
     return floor == 0 ? -1 : m->structure[structure].first + floor - 1;
 }
 
-static void add_row(const struct thud_model *m, int dof, double sign, double *g)
+static const double *floor_row(const struct thud_model *m, int dof)
 {
-    if (dof < 0)
-        return;
     const struct thud_model_structure *s = &m->structure[m->dof_structure[dof]];
-    const double *row = s->phi + (dof - s->first) * s->modes;
-    for (int j = 0; j < s->modes; j++)
-        g[s->first_mode + j] += sign * row[j];
+    return s->phi + (dof - s->first) * s->modes;
 }
 
-static enum thud_status fill_contact(struct thud_model *m, int c, const struct thud_contact_input *in,
-                                     struct thud_error *err)
+static struct thud_model_side floor_side(const struct thud_model *m, int dof)
+{
+    if (dof < 0)
+        return (struct thud_model_side){.structure = -1, .dof = -1, .below = -1, .share = 1};
+    int s = m->dof_structure[dof];
+    return (struct thud_model_side){
+        floor_row(m, dof), s, m->structure[s].first_mode, m->structure[s].modes, dof, -1, 1};
+}
+
+/* The place that is struck moves with the floors above and below, h of the one and 1 - h of the other. */
+static struct thud_model_side column_side(const struct thud_model *m, struct arena *arena, int dof, double h)
+{
+    struct thud_model_side side = floor_side(m, dof);
+    double *row = take(arena, (size_t)side.modes * sizeof *row);
+    side.below = dof > m->structure[side.structure].first ? dof - 1 : -1;
+    side.share = h;
+    for (int j = 0; j < side.modes; j++)
+        row[j] = h * side.row[j] + (side.below < 0 ? 0 : (1 - h) * floor_row(m, side.below)[j]);
+    side.row = row;
+    return side;
+}
+
+/* 1/m of one side, 0 for a wall. */
+static double inverse_mass(const struct thud_model *m, const struct thud_model_side *side)
+{
+    double inverse = side->dof < 0 ? 0 : side->share * side->share / m->mass_kg[side->dof];
+    return inverse + (side->below < 0 ? 0 : (1 - side->share) * (1 - side->share) / m->mass_kg[side->below]);
+}
+
+static void add_row(const struct thud_model_side *side, double sign, double *g)
+{
+    for (int j = 0; j < side->modes; j++)
+        g[side->first_mode + j] += sign * side->row[j];
+}
+
+/* Index of the columns between the floors `dof` and `below` that this interface's contacts strike; a new one where
+ * there was none. */
+static int column_of(struct thud_model *m, struct arena *arena, const struct thud_contact_input *in,
+                     const struct thud_model_side *side)
+{
+    const struct thud_struck_input *struck = &in->struck;
+    double length = struck->a_m + struck->b_m;
+    for (int i = 0; i < m->ncolumns; i++)
+        if (m->column[i].interface == in->interface && m->column[i].dof == side->dof)
+            return i;
+    struct thud_model_column *to = &m->column[m->ncolumns];
+    double *row = take(arena, (size_t)side->modes * sizeof *row);
+    for (int j = 0; j < side->modes; j++)
+        row[j] = floor_row(m, side->dof)[j] - (side->below < 0 ? 0 : floor_row(m, side->below)[j]);
+    *to = (struct thud_model_column){.interface = in->interface,
+                                     .structure = side->structure,
+                                     .storey = side->dof - m->structure[side->structure].first + 1,
+                                     .dof = side->dof,
+                                     .below = side->below,
+                                     .row = row,
+                                     .first_mode = side->first_mode,
+                                     .modes = side->modes,
+                                     .yielding = -1,
+                                     .height_m = length,
+                                     .capacity_n = struck->capacity_n};
+    if (!isnan(struck->ei_nm2)) {
+        double k = 12 * struck->ei_nm2 / (length * length * length);
+        to->per_drift[THUD_COLUMN_SHEAR_LOWER] = to->per_drift[THUD_COLUMN_SHEAR_UPPER] = k;
+        to->per_drift[THUD_COLUMN_MOMENT_LOWER] = 0.5 * k * length;
+        to->per_drift[THUD_COLUMN_MOMENT_UPPER] = -0.5 * k * length;
+    }
+    return m->ncolumns++;
+}
+
+/* A load on a member between two floors: end shears (1 - h) and h of it, which are b^2 (3a + b)/L^3 and
+ * a^2 (a + 3b)/L^3 where it is clamped, b/L and a/L where it is hinged; end moments a b^2/L^2 and a^2 b/L^2, or none;
+ * and what the member gives under it. */
+static void load_columns(struct thud_model *m, struct arena *arena, struct thud_model_contact *to,
+                         const struct thud_contact_input *in)
+{
+    const struct thud_struck_input *struck = &in->struck;
+    const struct thud_model_side *side = struck->side < 0 ? &to->left : &to->right;
+    double a = struck->a_m, b = struck->b_m, length = a + b, h = side->share;
+    double sign = struck->side < 0 ? -1 : 1; /* the force pushes the left one to the left, the right one to the right */
+    to->struck = struck->side;
+    to->column = column_of(m, arena, in, side);
+    to->per_force[THUD_COLUMN_SHEAR_LOWER] = sign * (1 - h);
+    to->per_force[THUD_COLUMN_SHEAR_UPPER] = -sign * h;
+    to->per_force[THUD_COLUMN_MOMENT_LOWER] = struck->hinged ? 0 : sign * a * b * b / (length * length);
+    to->per_force[THUD_COLUMN_MOMENT_UPPER] = struck->hinged ? 0 : sign * a * a * b / (length * length);
+    if (!isnan(struck->ei_nm2))
+        to->setup.column_npm = struck->hinged ? 3 * struck->ei_nm2 * length / (a * a * b * b)
+                                              : 3 * struck->ei_nm2 * length * length * length / (a * a * a * b * b * b);
+}
+
+static enum thud_status fill_contact(struct thud_model *m, struct arena *arena, int c,
+                                     const struct thud_contact_input *in, struct thud_error *err)
 {
     struct thud_model_contact *to = &m->contact[c];
     *to = (struct thud_model_contact){.interface = in->interface,
@@ -226,14 +316,23 @@ static enum thud_status fill_contact(struct thud_model *m, int c, const struct t
                                       .clearance_m = in->clearance_m,
                                       .law = in->law,
                                       .setup = in->setup};
-    double inverse = inverse_mass(m, to->left_dof) + inverse_mass(m, to->right_dof);
+    double eta = in->struck.side != 0 ? in->struck.a_m / (in->struck.a_m + in->struck.b_m) : 1;
+    double h = in->struck.hinged ? eta : eta * eta * (3 - 2 * eta);
+    to->column = -1;
+    to->eta = eta;
+    to->setup.column_npm = 0;
+    to->left = in->struck.side < 0 ? column_side(m, arena, to->left_dof, h) : floor_side(m, to->left_dof);
+    to->right = in->struck.side > 0 ? column_side(m, arena, to->right_dof, h) : floor_side(m, to->right_dof);
+    double inverse = inverse_mass(m, &to->left) + inverse_mass(m, &to->right);
     assert(inverse > 0);
     to->setup.mass_kg = 1 / inverse;
+    if (in->struck.side != 0)
+        load_columns(m, arena, to, in);
     double *g = m->jacobian + (size_t)c * (size_t)m->nmodes;
     memset(g, 0, (size_t)m->nmodes * sizeof *g);
-    add_row(m, to->left_dof, 1, g);
-    add_row(m, to->right_dof, -1, g);
-    return in->law->prepare ? in->law->prepare(&to->setup, err) : THUD_OK;
+    add_row(&to->left, 1, g);
+    add_row(&to->right, -1, g);
+    return thud_law_prepare(in->law, &to->setup, err);
 }
 
 /* The row of storey k. */
@@ -247,11 +346,15 @@ static void fill_storey(struct thud_model *m, int k)
                                       .left_dof = dof,
                                       .right_dof = storey->floor > 0 ? dof - 1 : -1,
                                       .law = &thud_storey_law};
-    to->setup.mass_kg = 1 / (inverse_mass(m, to->left_dof) + inverse_mass(m, to->right_dof));
+    to->column = -1;
+    to->eta = 1;
+    to->left = floor_side(m, to->left_dof);
+    to->right = floor_side(m, to->right_dof);
+    to->setup.mass_kg = 1 / (inverse_mass(m, &to->left) + inverse_mass(m, &to->right));
     double *g = m->jacobian + (size_t)(m->ncontacts + k) * (size_t)m->nmodes;
     memset(g, 0, (size_t)m->nmodes * sizeof *g);
-    add_row(m, to->left_dof, 1, g);
-    add_row(m, to->right_dof, -1, g);
+    add_row(&to->left, 1, g);
+    add_row(&to->right, -1, g);
 }
 
 static void fill_storeys(struct thud_model *m, const struct thud_model_input *input)
@@ -264,6 +367,15 @@ static void fill_storeys(struct thud_model *m, const struct thud_model_input *in
                 continue;
             m->storey[k] = (struct thud_model_storey){s, i, in->stiffness_npm[i], in->yield_m[i], in->hardening[i]};
             fill_storey(m, k++);
+        }
+    for (int i = 0; i < m->ncolumns; i++)
+        for (k = 0; k < m->nstoreys; k++) {
+            struct thud_model_column *p = &m->column[i];
+            if (m->storey[k].structure != p->structure || m->storey[k].floor != p->storey - 1)
+                continue;
+            p->yielding = m->ncontacts + k;
+            for (int q = 0; q < THUD_COLUMN_QUANTITIES; q++)
+                p->per_yield[q] = p->per_drift[q] / m->storey[k].stiffness_npm;
         }
 }
 
@@ -312,6 +424,7 @@ static struct thud_model *lay_out(const struct thud_model_input *input, struct a
     m->structure = take(arena, (size_t)input->nstructures * sizeof *m->structure);
     m->contact = take(arena, nc * sizeof *m->contact);
     m->storey = take(arena, (size_t)nstoreys * sizeof *m->storey);
+    m->column = take(arena, nc * sizeof *m->column);
     m->dof_structure = take(arena, floors * sizeof(int));
     m->mass_kg = take(arena, floors * sizeof(double));
     m->ground_influence = take(arena, floors * sizeof(double));
@@ -344,7 +457,7 @@ enum thud_status thud_model_create(const struct thud_model_input *input, struct 
     for (int s = 0; s < input->nstructures && status == THUD_OK; s++)
         status = fill_structure(m, &arena, s, &input->structure[s], err);
     for (int c = 0; c < input->ncontacts && status == THUD_OK; c++)
-        status = fill_contact(m, c, &input->contact[c], err);
+        status = fill_contact(m, &arena, c, &input->contact[c], err);
     if (status != THUD_OK) {
         free(m);
         return status;
@@ -375,8 +488,8 @@ double thud_model_floor(const struct thud_model *model, int dof, const double *m
 void thud_model_sides(const struct thud_model *model, int c, const double *modal, double *left, double *right)
 {
     const struct thud_model_contact *p = &model->contact[c];
-    *left = p->left_dof < 0 ? 0 : floor_value(model, p->left_dof, modal);
-    *right = p->right_dof < 0 ? 0 : floor_value(model, p->right_dof, modal);
+    *left = thud_dot(p->left.modes, p->left.row, modal + p->left.first_mode);
+    *right = thud_dot(p->right.modes, p->right.row, modal + p->right.first_mode);
 }
 
 /* The two sums are made apart, so that neighbours moving alike have exactly no relative motion. */
@@ -392,11 +505,11 @@ double thud_model_contact_period(const struct thud_model_contact *p)
     double v = 1, energy = 0.5 * p->setup.mass_kg * v * v, low = 0, high = 1e-9;
     if (!p->law->elastic_energy || p->law->flags & (THUD_LAW_NO_FORCE | THUD_LAW_IMPULSIVE))
         return INFINITY;
-    while (high < 1e3 && p->law->elastic_energy(&p->setup, high) < energy)
+    while (high < 1e3 && thud_law_energy(p->law, &p->setup, high) < energy)
         high *= 2;
     for (int i = 0; i < 60; i++) {
         double d = 0.5 * (low + high);
-        if (p->law->elastic_energy(&p->setup, d) < energy)
+        if (thud_law_energy(p->law, &p->setup, d) < energy)
             low = d;
         else
             high = d;

@@ -169,7 +169,7 @@ static double stored_energy(const struct thud_state *state)
     for (int c = 0; c < state->model->ncontacts; c++) {
         const struct thud_model_contact *p = &state->model->contact[c];
         if (thud_contact_acts(&state->contact[c]) && p->law->elastic_energy)
-            stored += p->law->elastic_energy(&p->setup, fmax(thud_contact_indentation(state, c), 0));
+            stored += thud_law_energy(p->law, &p->setup, fmax(thud_contact_indentation(state, c), 0));
     }
     return stored;
 }

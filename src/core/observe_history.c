@@ -9,6 +9,8 @@
 #include "core/storey.h"
 #include "core/tolerance.h"
 
+enum { SHEARS = 2 }; /* of struck columns */
+
 int thud_history_ground(void)
 {
     return 0;
@@ -55,6 +57,11 @@ int thud_history_storey_plastic(const struct thud_history *h, int storey)
 {
     return thud_history_hysteretic(h) + 1 + 2 * h->nstoreys + storey;
 }
+int thud_history_column(const struct thud_history *h, int column, enum thud_column_quantity shear)
+{
+    int storeys = h->nstoreys > 0 ? 1 + 3 * h->nstoreys : 0;
+    return thud_history_hysteretic(h) + storeys + SHEARS * column + (int)shear;
+}
 
 enum thud_status thud_rows_init(struct thud_rows *rows, const struct thud_model *model,
                                 const struct thud_result *result, const struct thud_ledger *ledger, double step_s,
@@ -64,8 +71,9 @@ enum thud_status thud_rows_init(struct thud_rows *rows, const struct thud_model 
     rows->history.ndof = model->ndof;
     rows->history.ncontacts = model->ncontacts;
     rows->history.nstoreys = model->nstoreys;
+    rows->history.nstruck = model->ncolumns;
     rows->history.columns = 1 + 3 * model->ndof + 2 * model->ncontacts + THUD_HISTORY_ENERGIES +
-                            (model->nstoreys > 0 ? 1 + 3 * model->nstoreys : 0);
+                            (model->nstoreys > 0 ? 1 + 3 * model->nstoreys : 0) + SHEARS * model->ncolumns;
     rows->work = calloc(3 * (size_t)model->nmodes + (size_t)model->nrows + 1, sizeof *rows->work);
     return rows->work ? THUD_OK : thud_error_set(err, THUD_MEMORY, "out of memory");
 }
@@ -139,6 +147,24 @@ static void fill_works(const struct thud_history *h, const struct thud_ledger *l
     row[thud_history_energy(h, 4)] = thud_ledger_contact_work(ledger);
 }
 
+/* Shears of struck columns, with the forces of all rows; the row has the displacements. */
+static void fill_columns(const struct thud_history *h, const struct thud_model *m, const double *force, double *row)
+{
+    for (int i = 0; i < m->ncolumns; i++) {
+        const struct thud_model_column *p = &m->column[i];
+        double drift = row[thud_history_displacement(h, p->dof)];
+        if (p->below >= 0)
+            drift -= row[thud_history_displacement(h, p->below)];
+        for (int q = 0; q < SHEARS; q++) {
+            double value = p->per_drift[q] * drift + (p->yielding >= 0 ? p->per_yield[q] * force[p->yielding] : 0);
+            for (int c = 0; c < m->ncontacts; c++)
+                if (m->contact[c].column == i)
+                    value += m->contact[c].per_force[q] * force[c];
+            row[thud_history_column(h, i, (enum thud_column_quantity)q)] = value;
+        }
+    }
+}
+
 /* Modal total accelerations at s as the peaks have them, with the forces of all rows; the row has the ground. */
 static void accelerations(const struct thud_model *m, const struct thud_segment *seg, double s, const double *row,
                           const double *force, const double *q, const double *qd, double *out)
@@ -183,6 +209,7 @@ static enum thud_status row_at(struct thud_rows *rows, const struct thud_observa
         if (c < m->ncontacts)
             row[thud_history_force(h, c)] = force[c];
     }
+    fill_columns(h, m, force, row);
     accelerations(m, seg, s, row, force, q, qd, a);
     for (int i = 0; i < m->ndof; i++)
         row[thud_history_acceleration(h, i)] = thud_model_floor(m, i, a);
@@ -252,6 +279,9 @@ static double next_peak(const struct thud_rows *rows, double after)
         best = sooner(best, r->contact[c].force, after);
         best = sooner(best, r->contact[c].indentation, after);
     }
+    for (int i = 0; i < r->ncolumns; i++)
+        for (int q = 0; q < SHEARS; q++)
+            best = sooner(best, r->column[i].peak[q], after);
     return best;
 }
 

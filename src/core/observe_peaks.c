@@ -84,9 +84,12 @@ static double largest_force(struct thud_peaks *peaks, const struct thud_state *s
         for (int k = 0; k < seg->terms; k++)
             force += fabs(seg->force[k * m->nrows + c]);
         for (int side = 0; side < 2; side++) {
-            int dof = side == 0 ? contact->left_dof : contact->right_dof;
-            if (dof >= p->first && dof < p->first + p->n)
-                total += peaks->per_speed[THUD_FLOOR_VELOCITY * m->ndof + dof] * force;
+            const struct thud_model_side *at = side == 0 ? &contact->left : &contact->right;
+            const double *per_speed = peaks->per_speed + THUD_FLOOR_VELOCITY * m->ndof;
+            if (at->dof < p->first || at->dof >= p->first + p->n)
+                continue;
+            total += at->share * per_speed[at->dof] * force;
+            total += at->below < 0 ? 0 : (1 - at->share) * per_speed[at->below] * force;
         }
     }
     return total;

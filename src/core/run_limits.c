@@ -78,7 +78,7 @@ void thud_run_set_bound(struct thud_run *run)
         const struct thud_model_contact *p = &m->contact[c];
         double d = thud_contact_indentation(&run->state, c);
         if (d > 0 && p->law->elastic_energy)
-            energy += p->law->elastic_energy(&p->setup, d);
+            energy += thud_law_energy(p->law, &p->setup, d);
     }
     for (size_t i = 0; run->state.record && i < run->state.record->samples; i++)
         ground += fabs(run->state.record->a_mps2[i]) * run->state.record->dt_s;

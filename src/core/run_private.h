@@ -10,7 +10,7 @@
 #include "core/run.h"
 #include "core/tolerance.h"
 
-enum { THUD_OBSERVERS_MAX = 5 };
+enum { THUD_OBSERVERS_MAX = 6 };
 
 /* Events at one moment without end: see run.c. */
 struct thud_progress {

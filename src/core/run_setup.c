@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/quantity.h"
+#include "core/observe_columns.h"
 #include "core/run_private.h"
 #include "core/storey.h"
 
@@ -33,7 +34,7 @@ static bool allocate_result(struct thud_run *run)
     size_t ns = (size_t)m->nstructures, nc = (size_t)m->ncontacts, n = (size_t)m->ndof;
     size_t storeys = m->nstoreys > 0 ? n * sizeof(struct thud_storey_result) : 0;
     char *next = run->result_block =
-        calloc(1, ns * sizeof *r->structure + nc * sizeof *r->contact +
+        calloc(1, ns * sizeof *r->structure + nc * sizeof *r->contact + (size_t)m->ncolumns * sizeof *r->column +
                       n * (sizeof(struct thud_floor_result) + sizeof(double)) + storeys + 1);
     if (!next)
         return false;
@@ -43,6 +44,9 @@ static bool allocate_result(struct thud_run *run)
     next += ns * sizeof *r->structure;
     r->contact = (void *)next;
     next += nc * sizeof *r->contact;
+    r->ncolumns = m->ncolumns;
+    r->column = (void *)next;
+    next += (size_t)m->ncolumns * sizeof *r->column;
     for (int s = 0; s < m->nstructures; s++) {
         const struct thud_model_structure *p = &m->structure[s];
         r->structure[s].floors = p->n;
@@ -65,8 +69,20 @@ static bool allocate_result(struct thud_run *run)
         r->contact[c].interface = p->interface;
         r->contact[c].left_floor = p->left_floor;
         r->contact[c].right_floor = p->right_floor;
+        r->contact[c].struck = p->struck;
+        r->contact[c].column = p->column;
+        r->contact[c].eta = p->eta;
         r->contact[c].restitution = NAN;
         r->contact[c].nominal_restitution = p->law->nominal ? p->law->nominal(&p->setup) : NAN;
+    }
+    for (int i = 0; i < m->ncolumns; i++) {
+        const struct thud_model_column *p = &m->column[i];
+        r->column[i] = (struct thud_column_result){.interface = p->interface,
+                                                   .structure = p->structure,
+                                                   .storey = p->storey,
+                                                   .capacity_n = p->capacity_n,
+                                                   .ratio = NAN,
+                                                   .drifts = p->per_drift[THUD_COLUMN_SHEAR_LOWER] != 0};
     }
     return true;
 }
@@ -157,6 +173,8 @@ static enum thud_status create_observers(struct thud_run *run, struct thud_error
     const struct thud_model *m = run->state.model;
     enum thud_status status = thud_peaks_init(&run->peaks, &run->state, &run->result, &run->log, err);
     thud_run_observe(run, &thud_observe_peaks, &run->peaks);
+    if (m->ncolumns > 0)
+        thud_run_observe(run, &thud_observe_columns, &run->result);
     if (status == THUD_OK && run->options.keep_history) {
         status = thud_rows_init(&run->rows, m, &run->result, &run->ledger, run->options.history_step_s, err);
         thud_run_observe(run, &thud_observe_history, &run->rows);
@@ -268,6 +286,11 @@ void thud_run_finish(struct thud_run *run)
         r->reason = run->state.model->nstoreys > 0 ? "nothing touched: closed form between events of storeys that yield"
                                                    : "nothing touched: modes alone, in closed form";
     r->end_s = thud_state_now(&run->state);
+    for (int i = 0; i < r->ncolumns; i++) {
+        const struct thud_peak *shear = r->column[i].peak;
+        r->column[i].ratio =
+            fmax(shear[THUD_COLUMN_SHEAR_LOWER].value, shear[THUD_COLUMN_SHEAR_UPPER].value) / r->column[i].capacity_n;
+    }
     for (int s = 0; s < r->nstructures; s++) {
         const struct thud_model_structure *p = &run->state.model->structure[s];
         if (p->n == 0 || !p->stiffness_npm)

@@ -285,67 +285,54 @@ static double term_noise(bool interpolates, int k, const double *size, double la
     return interpolates && k > 1 ? fmax(least, THUD_TOL_STEP_COEFFICIENT * largest) : least;
 }
 
-/* Row of a floor's mode shape and its modes' place in the coordinates; a wall has none. */
-struct side {
-    const double *row;
-    int first, n;
-};
-
-static struct side side_of(const struct thud_model *m, int dof)
+static double side_term(const struct thud_model_side *side, const double *modal)
 {
-    if (dof < 0)
-        return (struct side){0};
-    const struct thud_model_structure *s = &m->structure[m->dof_structure[dof]];
-    return (struct side){s->phi + (dof - s->first) * s->modes, s->first_mode, s->modes};
+    return thud_dot(side->modes, side->row, modal + side->first_mode);
 }
 
-static double floor_term(const struct side *side, const double *modal)
-{
-    return thud_dot(side->n, side->row, modal + side->first);
-}
-
-/* What rounding may leave of a floor's term of order k > 0: its modes' parts, and what they come from, the parts of the
+/* What rounding may leave of a side's term of order k > 0: its modes' parts, and what they come from, the parts of the
  * order below, may be large and cancel. */
-static double floor_rounding(const struct thud_segment *seg, const struct side *side, int nmodes, int k)
+static double side_rounding(const struct thud_segment *seg, const struct thud_model_side *side, int nmodes, int k)
 {
-    const double *modal = seg->q + k * nmodes + side->first, *below = modal - nmodes;
+    const double *modal = seg->q + k * nmodes + side->first_mode, *below = modal - nmodes;
     double sum = 0;
-    for (int j = 0; j < side->n; j++)
+    for (int j = 0; j < side->modes; j++)
         sum += fabs(side->row[j]) * (fabs(modal[j]) + fabs(below[j]));
     return THUD_TOL_MODAL_SUM * sum;
 }
 
 /* Whether the neighbours' terms of order k differ by no more than rounding. */
-static bool is_no_motion(const struct thud_state *state, const struct thud_segment *seg, const struct side *l,
-                         const struct side *r, int k, double difference, double noise)
+static bool is_no_motion(const struct thud_state *state, const struct thud_segment *seg,
+                         const struct thud_model_side *l, const struct thud_model_side *r, int k, double difference,
+                         double noise)
 {
     int n = state->model->nmodes;
     if (fabs(difference) <= noise)
         return true;
-    return k > 1 && fabs(difference) <= floor_rounding(seg, l, n, k) + floor_rounding(seg, r, n, k);
+    return k > 1 && fabs(difference) <= side_rounding(seg, l, n, k) + side_rounding(seg, r, n, k);
 }
 
 int thud_segment_indentation(const struct thud_state *state, const struct thud_segment *seg, int c, double *out)
 {
     const struct thud_model *m = state->model;
-    struct side l = side_of(m, m->contact[c].left_dof), r = side_of(m, m->contact[c].right_dof);
+    const struct thud_model_side *l = &m->contact[c].left, *r = &m->contact[c].right;
     double size[THUD_SEGMENT_TERMS], largest = 0;
     int zeros = 0;
     if (state->contact[c].suppressed.indentation == 0) { /* nothing of it is known to be 0 */
         for (int k = 0; k < seg->terms; k++)
-            out[k] = floor_term(&l, seg->q + k * m->nmodes) - floor_term(&r, seg->q + k * m->nmodes);
+            out[k] = side_term(l, seg->q + k * m->nmodes) - side_term(r, seg->q + k * m->nmodes);
         out[0] -= thud_state_clearance(state, c);
         return 0;
     }
     for (int k = 0; k < seg->terms; k++) {
-        double left = floor_term(&l, seg->q + k * m->nmodes), right = floor_term(&r, seg->q + k * m->nmodes);
+        double left = side_term(l, seg->q + k * m->nmodes), right = side_term(r, seg->q + k * m->nmodes);
         out[k] = left - right;
         size[k] = fabs(left) + fabs(right);
         largest = size[k] > largest ? size[k] : largest;
     }
     out[0] -= thud_state_clearance(state, c);
     while (zeros < seg->terms &&
-           is_no_motion(state, seg, &l, &r, zeros, out[zeros], term_noise(seg->interpolates, zeros, size, largest)))
+           is_no_motion(state, seg, l, r, zeros, out[zeros], term_noise(seg->interpolates, zeros, size, largest)))
         zeros++;
     return zeros;
 }

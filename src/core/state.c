@@ -172,11 +172,16 @@ void thud_contact_constraint_forces(const struct thud_state *state, const double
 
 void thud_contact_forces(const struct thud_state *state, double *force)
 {
+    thud_contact_forces_given(state, -1, 0, force);
+}
+
+void thud_contact_forces_given(const struct thud_state *state, int given, double given_n, double *force)
+{
     bool sticking = false;
     for (int c = 0; c < state->model->ncontacts; c++) {
-        force[c] = 0;
+        force[c] = c == given ? given_n : 0;
         sticking |= state->contact[c].mode == THUD_STICKING;
-        if (state->contact[c].mode == THUD_CLOSED)
+        if (state->contact[c].mode == THUD_CLOSED && c != given)
             force[c] = thud_contact_force(state, c, thud_contact_indentation(state, c), thud_contact_rate(state, c));
     }
     for (int k = 0; k < state->model->nstoreys; k++) {

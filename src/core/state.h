@@ -147,6 +147,8 @@ double thud_contact_rate(const struct thud_state *state, int c);
 double thud_contact_force(const struct thud_state *state, int c, double d, double v);
 /* Forces of all rows into force (nrows); that of STICKING contacts from the condition d'' = 0. */
 void thud_contact_forces(const struct thud_state *state, double *force);
+/* The same if the force of one contact that does not stick were this. */
+void thud_contact_forces_given(const struct thud_state *state, int given, double given_n, double *force);
 /* Second rate of the indentation of contact c under these forces. */
 double thud_contact_acceleration(const struct thud_state *state, int c, const double *force);
 /* More than rounding makes of the second rate of an indentation that is 0. */

@@ -106,6 +106,9 @@
 #define THUD_TOL_NEWTON_STALL 1e-10
 /* The same for the collocation, whose forces are known to its tolerance. */
 #define THUD_TOL_COLLOCATION_STALL 1e-7
+/* Part of the interval of a constraint force by which it has to be outside before it has jumped there. */
+#define THUD_TOL_UNSTICK 1e-6
+
 /* Part of the largest right-hand side below which a complementary variable is not negative. */
 #define THUD_TOL_COMPLEMENTARITY 1e-13
 /* Part of its position to which the root of a polynomial is located: two units in the last place. */

@@ -48,10 +48,15 @@ static enum thud_status check_contact(const struct thud_model_contact *c, struct
     static const char *const known[] = {"none", "linear", "kelvin-voigt", "hertz", "hertz-damp", "jankowski"};
     static const char choice[] = "none, linear, kelvin-voigt, hertz, hertz-damp, jankowski";
     char key[64];
+    bool bumper = is_law(c, "rubber");
+    if (c->struck != 0) {
+        snprintf(key, sizeof key, "interfaces.%d", c->interface);
+        return refuse(err, key, "is given floors alone, and here slabs strike columns between them",
+                      "floors at the same elevations: see heights and base");
+    }
     for (size_t i = 0; i < sizeof known / sizeof *known; i++)
         if (is_law(c, known[i]))
             return THUD_OK;
-    bool bumper = is_law(c, "rubber");
     snprintf(key, sizeof key, "interfaces.%d.%s.law", c->interface, bumper ? "bumper" : "contact");
     if (bumper)
         return refuse(err, key, "has no material whose curves of approach and restitution differ as the rubber's do",

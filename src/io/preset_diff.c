@@ -189,10 +189,15 @@ static void save_floors(struct saving *s, int list, const char *path, int storey
     }
 }
 
+static bool of_structure(struct thud_section section)
+{
+    return section.group == THUD_GROUP_STRUCTURE || section.group == THUD_GROUP_COLUMN;
+}
+
 static void save_value(struct saving *s, struct thud_section section, int value, const char *path)
 {
     bool list = node_at(s, value)->kind == THUD_YAML_LIST;
-    if (list && section.group == THUD_GROUP_STRUCTURE && s->now->structure[section.index].kind != THUD_RIGID)
+    if (list && of_structure(section) && s->now->structure[section.index].kind != THUD_RIGID)
         save_floors(s, value, path, s->now->structure[section.index].storeys);
     else
         replace_value(s, value, path, list || section.group == THUD_GROUP_STUDY ? NULL : typed_unit(s, value, path));
@@ -202,7 +207,7 @@ static void save_value(struct saving *s, struct thud_section section, int value,
 static bool other_length(const struct saving *s, struct thud_section section, int value)
 {
     const struct thud_structure *now = &s->now->structure[section.index];
-    return section.group == THUD_GROUP_STRUCTURE && node_at(s, value)->kind == THUD_YAML_LIST &&
+    return of_structure(section) && node_at(s, value)->kind == THUD_YAML_LIST &&
            (node_at(s, value)->children != now->storeys || now->kind == THUD_RIGID);
 }
 
@@ -220,6 +225,8 @@ static bool said_by_list(const struct saving *s, int node, const char *key)
     return false;
 }
 
+static const char columns[] = "column";
+
 static void path_of(struct thud_section section, const char *key, char *path, size_t size)
 {
     char prefix[THUD_SECTION_PATH];
@@ -236,8 +243,10 @@ static int save_present(struct saving *s, struct thud_section section, int node,
         int value = node_at(s, key)->next;
         char path[PATH_BYTES];
         path_of(section, name, path, sizeof path);
-        bool nested = (section.group == THUD_GROUP_INTERFACE && strcmp(name, "gap") != 0) ||
-                      (section.group == THUD_GROUP_SCENE && strcmp(name, "title") != 0);
+        bool nested =
+            (section.group == THUD_GROUP_INTERFACE && strcmp(name, "gap") != 0 && strcmp(name, "levels") != 0) ||
+            (section.group == THUD_GROUP_STRUCTURE && strcmp(name, columns) == 0) ||
+            (section.group == THUD_GROUP_SCENE && strcmp(name, "title") != 0);
         if (nested) {
             stay++;
         } else if (!texts(s, path) || !*s->after) {
@@ -348,6 +357,36 @@ static void save_group(struct saving *s, enum thud_group group)
     thud_text_clear(&keys);
 }
 
+/* Keys with keys of their own that are not there yet, behind the others of an item. */
+static void append_nested(struct saving *s, enum thud_group group, int i, int node)
+{
+    struct thud_text lines = {0};
+    struct thud_emit emit = {&lines, s->newline, false};
+    int indent = indent_of(s, node);
+    thud_text_append(&lines, "%*s%s:%s", indent, "", thud_group_key(group), s->newline);
+    thud_emit_section(&emit, s->now, (struct thud_section){group, i}, indent + 2, false);
+    append_lines(s, node, &lines);
+}
+
+static void save_structure(struct saving *s, int i, int node)
+{
+    struct thud_section section = {THUD_GROUP_STRUCTURE, i};
+    int key = -1, column = thud_yaml_find(&s->preset->tree, node, columns, &key);
+    bool now = thud_structure_has_columns(&s->now->structure[i]);
+    if (node_at(s, node)->flow && (column >= 0) != now) {
+        rewrite_flow(s, section, node);
+        return;
+    }
+    if (!save_section(s, section, node))
+        return;
+    if (column >= 0 && now)
+        save_section(s, (struct thud_section){THUD_GROUP_COLUMN, i}, column);
+    else if (column >= 0)
+        delete_key(s, key);
+    else if (now)
+        append_nested(s, THUD_GROUP_COLUMN, i, node);
+}
+
 static void save_interface(struct saving *s, int i, int node)
 {
     struct thud_section section = {THUD_GROUP_INTERFACE, i};
@@ -365,14 +404,8 @@ static void save_interface(struct saving *s, int i, int node)
         save_section(s, (struct thud_section){THUD_GROUP_BUMPER, i}, bumper);
     else if (bumper >= 0)
         delete_key(s, key);
-    else if (now) {
-        struct thud_text lines = {0};
-        struct thud_emit emit = {&lines, s->newline, false};
-        int indent = indent_of(s, node);
-        thud_text_append(&lines, "%*sbumper:%s", indent, "", s->newline);
-        thud_emit_section(&emit, s->now, (struct thud_section){THUD_GROUP_BUMPER, i}, indent + 2, false);
-        append_lines(s, node, &lines);
-    }
+    else if (now)
+        append_nested(s, THUD_GROUP_BUMPER, i, node);
 }
 
 /* ---- structures added, removed ---- */
@@ -459,8 +492,7 @@ static void save_all(struct saving *s)
         save_list(s, THUD_GROUP_INTERFACE, s->now->nstructures - 1);
     } else {
         for (int i = 0; i < was->nstructures; i++)
-            save_section(s, (struct thud_section){THUD_GROUP_STRUCTURE, i},
-                         thud_yaml_child(&s->preset->tree, structures, i));
+            save_structure(s, i, thud_yaml_child(&s->preset->tree, structures, i));
         for (int i = 0; i + 1 < was->nstructures; i++)
             save_interface(s, i, thud_yaml_child(&s->preset->tree, interfaces, i));
     }

@@ -14,6 +14,9 @@ void thud_section_path(struct thud_section section, char *path, size_t size)
     case THUD_GROUP_INTERFACE:
         snprintf(path, size, "%s.%d", key, section.index + 1);
         break;
+    case THUD_GROUP_COLUMN:
+        snprintf(path, size, "%s.%d.%s", thud_group_key(THUD_GROUP_STRUCTURE), section.index + 1, key);
+        break;
     case THUD_GROUP_CONTACT:
     case THUD_GROUP_BUMPER:
         snprintf(path, size, "%s.%d.%s", thud_group_key(THUD_GROUP_INTERFACE), section.index + 1, key);
@@ -99,9 +102,15 @@ static void indent_by(struct thud_emit *emit, int indent)
     thud_text_append(emit->out, "%*s", indent, "");
 }
 
-/* As the program takes it when nothing is said. */
+/* As the program takes it when nothing is said; of structures and interfaces, keys that few of them need. */
 static bool as_anyway(struct thud_emit *emit, struct thud_section section, const char *path, const char *text)
 {
+    if (section.group == THUD_GROUP_STRUCTURE)
+        return strcmp(strrchr(path, '.'), ".base") == 0 && strcmp(text, "0 m") == 0;
+    if (section.group == THUD_GROUP_COLUMN)
+        return strcmp(text, "clamped") == 0;
+    if (section.group == THUD_GROUP_INTERFACE)
+        return strcmp(strrchr(path, '.'), ".levels") == 0 && strcmp(text, "all") == 0;
     if (section.group != THUD_GROUP_RECORD && section.group != THUD_GROUP_ANALYSIS &&
         section.group != THUD_GROUP_STUDY && section.group != THUD_GROUP_SCENE)
         return false;
@@ -144,8 +153,8 @@ void thud_emit_section(struct thud_emit *emit, const struct thud_scene *scene, s
     free(text);
 }
 
-static void emit_law(struct thud_emit *emit, const struct thud_scene *scene, enum thud_group group, int index,
-                     int indent)
+static void emit_nested(struct thud_emit *emit, const struct thud_scene *scene, enum thud_group group, int index,
+                        int indent)
 {
     if (emit->flow)
         thud_text_append(emit->out, ", %s: {", thud_group_key(group));
@@ -163,10 +172,12 @@ void thud_emit_item(struct thud_emit *emit, const struct thud_scene *scene, stru
         thud_text_append(emit->out, "{");
     thud_emit_section(emit, scene, section, indent, true);
     if (section.group == THUD_GROUP_INTERFACE) {
-        emit_law(emit, scene, THUD_GROUP_CONTACT, section.index, indent);
+        emit_nested(emit, scene, THUD_GROUP_CONTACT, section.index, indent);
         if (scene->interface[section.index].has_bumper)
-            emit_law(emit, scene, THUD_GROUP_BUMPER, section.index, indent);
+            emit_nested(emit, scene, THUD_GROUP_BUMPER, section.index, indent);
     }
+    if (section.group == THUD_GROUP_STRUCTURE && thud_structure_has_columns(&scene->structure[section.index]))
+        emit_nested(emit, scene, THUD_GROUP_COLUMN, section.index, indent);
     if (emit->flow)
         thud_text_append(emit->out, "}");
 }

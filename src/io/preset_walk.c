@@ -128,30 +128,19 @@ static enum thud_status set_joined(struct thud_preset *preset, const char *path,
     return status == THUD_OK ? set_text(preset, path, node, list.text, err) : status;
 }
 
-/* Of a structure: whether each floor or storey may have its own value. */
-static bool is_by_floor(const struct thud_param *param)
-{
-    static const char *const lists[] = {"mass", "stiffness", "height", "yield", "yield-shear", "hardening"};
-    for (size_t i = 0; i < sizeof lists / sizeof *lists; i++)
-        if (strcmp(param->name, lists[i]) == 0)
-            return true;
-    return false;
-}
-
 static enum thud_status set_value(struct thud_preset *preset, const char *path, int node, struct thud_error *err)
 {
     int floor, structure;
     const char *at = path;
     const struct thud_param *param = thud_scene_param(&preset->scene, path, &floor);
+    bool floors = thud_scene_by_floor(&preset->scene, path);
     switch (kind_of(preset, node)) {
     case THUD_YAML_SCALAR:
         return set_scalar(preset, path, node, err);
     case THUD_YAML_LIST:
         if (param && strncmp(path, "study.", 6) == 0)
             return set_joined(preset, path, node, err);
-        if (param && thud_scan_word(&at, "structures.") && thud_scan_count(&at, &structure) && is_by_floor(param) &&
-            preset->scene.structure[structure - 1].kind != THUD_RIGID &&
-            preset->scene.structure[structure - 1].kind != THUD_WALL)
+        if (floors && thud_scan_word(&at, "structures.") && thud_scan_count(&at, &structure))
             return set_floors(preset, path, node, preset->scene.structure[structure - 1].storeys, err);
         return refuse(preset, node, path, "a list stands where one value is wanted", NULL, err);
     case THUD_YAML_KEYS:
@@ -199,6 +188,8 @@ static enum thud_status check_keys(const struct thud_preset *preset, int node, c
     return status;
 }
 
+static const char columns[] = "column";
+
 /* Sets the keys of a node for which `wanted` holds, in the order of the file. Unknown keys are found by their setting.
  */
 static enum thud_status set_keys(struct thud_preset *preset, int node, const char *path,
@@ -215,6 +206,8 @@ static enum thud_status set_keys(struct thud_preset *preset, int node, const cha
         if (strlen(key) > KEY_BYTES || strchr(key, '.'))
             return refuse(preset, i, path, "the key is no word of presets", NULL, err);
         snprintf(full, sizeof full, "%s.%.*s", path, KEY_BYTES, key);
+        if (strcmp(key, columns) == 0 && strncmp(path, "structures.", 11) == 0 && !strchr(path + 11, '.'))
+            continue; /* keys of their own */
         if (!thud_scene_param(&preset->scene, full, &floor)) {
             thud_scene_get(&preset->scene, full, unused, sizeof unused, err); /* says what is wrong with the key */
             return at(preset, i, THUD_INPUT, err);
@@ -279,7 +272,11 @@ static enum thud_status walk_structure(struct thud_preset *preset, int s, int no
     thud_structure_init(structure, structure->kind);
     if (structure->kind == THUD_SHEAR || structure->kind == THUD_ISOLATED)
         status = set_storeys(preset, node, path, err);
-    return status == THUD_OK ? set_keys(preset, node, path, not_yet_set, err) : status;
+    if (status == THUD_OK)
+        status = set_keys(preset, node, path, not_yet_set, err);
+    int column = status == THUD_OK ? thud_yaml_find(&preset->tree, node, columns, NULL) : -1;
+    snprintf(path, sizeof path, "structures.%d.%s", s + 1, columns);
+    return column >= 0 ? set_keys(preset, column, path, any, err) : status;
 }
 
 /* A, B, ... by place, or the first letter that is free. */
@@ -361,13 +358,13 @@ static enum thud_status walk_law(struct thud_preset *preset, struct thud_interfa
 
 static enum thud_status walk_interface(struct thud_preset *preset, int i, int node, struct thud_error *err)
 {
-    static const char *const known[] = {"gap", "contact", "bumper"};
+    static const char *const known[] = {"gap", "levels", "contact", "bumper"};
     struct thud_interface *interface = &preset->scene.interface[i];
     char path[PATH_BYTES], full[PATH_BYTES + 16];
     snprintf(path, sizeof path, "interfaces.%d", i + 1);
     thud_interface_init(interface);
     interface->gap_m = NAN;
-    enum thud_status status = check_keys(preset, node, path, known, 3, err);
+    enum thud_status status = check_keys(preset, node, path, known, 4, err);
     if (status != THUD_OK)
         return status;
     int gap = thud_yaml_find(&preset->tree, node, "gap", NULL),
@@ -376,6 +373,10 @@ static enum thud_status walk_interface(struct thud_preset *preset, int i, int no
     snprintf(full, sizeof full, "%s.gap", path);
     if (gap >= 0)
         status = set_value(preset, full, gap, err);
+    snprintf(full, sizeof full, "%s.levels", path);
+    int levels = thud_yaml_find(&preset->tree, node, "levels", NULL);
+    if (status == THUD_OK && levels >= 0)
+        status = set_value(preset, full, levels, err);
     snprintf(full, sizeof full, "%s.contact", path);
     if (status == THUD_OK && contact < 0)
         status =

@@ -77,6 +77,21 @@ static void add_contact_columns(const struct thud_report *report, const char *qu
     }
 }
 
+/* column.1.B.3.shear_lower_n: of the columns below floor 3 of B that slabs strike at interface 1. */
+static void add_struck_columns(const struct thud_report *report, struct thud_text *out)
+{
+    static const char *const quantity[] = {"shear_lower_n", "shear_upper_n"};
+    for (int i = 0; i < report->result->ncolumns; i++)
+        for (int q = 0; q < 2; q++) {
+            const struct thud_column_result *c = &report->result->column[i];
+            char name[THUD_NAME_MAX + 64];
+            snprintf(name, sizeof name, "column.%d.%s.%d.%s", c->interface, report->scene->structure[c->structure].name,
+                     c->storey, quantity[q]);
+            thud_text_append(out, ",");
+            thud_text_csv(out, name);
+        }
+}
+
 /* Of the storeys that yield: column name such as A.storey.3.shear_n. */
 static void add_storey_columns(const struct thud_report *report, const char *quantity, struct thud_text *out)
 {
@@ -107,6 +122,7 @@ void thud_history_csv(const struct thud_report *report, struct thud_text *out)
     add_storey_columns(report, "drift_m", out);
     add_storey_columns(report, "shear_n", out);
     add_storey_columns(report, "plastic_m", out);
+    add_struck_columns(report, out);
     thud_text_append(out, "\n");
     for (size_t i = 0; i < h->rows; i++) {
         thud_text_number(out, h->time_s[i]);

@@ -131,10 +131,35 @@ static void add_contact(const struct thud_contact_result *c, struct thud_text *o
                  {"nominal_restitution", c->nominal_restitution}};
     thud_text_append(out, "    {\"interface\": %d, \"left_floor\": %d, \"right_floor\": %d, \"impacts\": %d",
                      c->interface, c->left_floor, c->right_floor, c->impacts);
+    if (c->struck != 0) {
+        thud_text_append(out, ", \"struck_columns\": \"%s\", ", c->struck < 0 ? "left" : "right");
+        thud_json_field(out, "eta", c->eta);
+    }
     for (size_t i = 0; i < sizeof field / sizeof *field; i++) {
         thud_text_append(out, ", ");
         thud_json_field(out, field[i].key, field[i].value);
     }
+    thud_text_append(out, "}");
+}
+
+static void add_column(const struct thud_report *report, const struct thud_column_result *c, struct thud_text *out)
+{
+    static const char *const value[] = {"shear_lower_n", "shear_upper_n", "moment_lower_nm", "moment_upper_nm"};
+    static const char *const time[] = {"shear_lower_time_s", "shear_upper_time_s", "moment_lower_time_s",
+                                       "moment_upper_time_s"};
+    thud_text_append(out, "    {\"interface\": %d, \"structure\": ", c->interface);
+    thud_json_string(out, report->scene->structure[c->structure].name);
+    thud_text_append(out, ", \"below_floor\": %d, \"with_drift\": %s", c->storey, c->drifts ? "true" : "false");
+    for (int q = 0; q < THUD_COLUMN_QUANTITIES; q++) {
+        thud_text_append(out, ", ");
+        thud_json_field(out, value[q], c->peak[q].value);
+        thud_text_append(out, ", ");
+        thud_json_field(out, time[q], c->peak[q].time_s);
+    }
+    thud_text_append(out, ", ");
+    thud_json_field(out, "capacity_n", c->capacity_n);
+    thud_text_append(out, ", ");
+    thud_json_field(out, "shear_over_capacity", c->ratio);
     thud_text_append(out, "}");
 }
 
@@ -234,6 +259,12 @@ static void add_peaks(const struct thud_report *report, struct thud_text *out)
     for (int c = 0; c < r->ncontacts; c++) {
         thud_text_append(out, "%s\n", c > 0 ? "," : "");
         add_contact(&r->contact[c], out);
+    }
+    if (r->ncolumns > 0)
+        thud_text_append(out, "],\n  \"columns\": [");
+    for (int i = 0; i < r->ncolumns; i++) {
+        thud_text_append(out, "%s\n", i > 0 ? "," : "");
+        add_column(report, &r->column[i], out);
     }
     thud_text_append(out, "],\n");
 }

@@ -35,7 +35,8 @@ static void put_list(struct thud_text *out, char *list)
 
 static void put_value(struct writer *w, struct thud_section section, const char *path, const char *key)
 {
-    bool lists = section.group == THUD_GROUP_STRUCTURE || section.group == THUD_GROUP_STUDY;
+    bool lists = section.group == THUD_GROUP_STRUCTURE || section.group == THUD_GROUP_COLUMN ||
+                 section.group == THUD_GROUP_STUDY;
     thud_json_string(w->out, key);
     thud_text_append(w->out, ": ");
     if (lists && w->value[0] == '[' && strcmp(key, "name") != 0)
@@ -61,7 +62,7 @@ static int put_keys(struct writer *w, struct thud_section section)
     return count;
 }
 
-static void put_law(struct writer *w, enum thud_group group, int index)
+static void put_nested(struct writer *w, enum thud_group group, int index)
 {
     thud_text_append(w->out, ",\n%*s\"%s\": {", w->indent + 4, "", thud_group_key(group));
     put_keys(w, (struct thud_section){group, index});
@@ -75,10 +76,12 @@ static void put_items(struct writer *w, enum thud_group group, int n)
         thud_text_append(w->out, "%s\n%*s{", i ? "," : "", w->indent + 2, "");
         put_keys(w, (struct thud_section){group, i});
         if (group == THUD_GROUP_INTERFACE) {
-            put_law(w, THUD_GROUP_CONTACT, i);
+            put_nested(w, THUD_GROUP_CONTACT, i);
             if (w->scene->interface[i].has_bumper)
-                put_law(w, THUD_GROUP_BUMPER, i);
+                put_nested(w, THUD_GROUP_BUMPER, i);
         }
+        if (group == THUD_GROUP_STRUCTURE && thud_structure_has_columns(&w->scene->structure[i]))
+            put_nested(w, THUD_GROUP_COLUMN, i);
         thud_text_append(w->out, "}");
     }
     thud_text_append(w->out, "]");

@@ -4,9 +4,7 @@
 #include <string.h>
 
 #include "study/answer.h"
-
-/* Floors closer in elevation than this stand at the same level. */
-static const double same_level_m = 1e-6;
+#include "study/level.h"
 
 /* Input of the model with the arrays it points to: stiffness and mass of an isolated building begin with its base. */
 struct assembly {
@@ -15,41 +13,24 @@ struct assembly {
     double stiffness_npm[THUD_STRUCTURES_MAX][THUD_STOREYS_MAX + 1];
     double yield_m[THUD_STRUCTURES_MAX][THUD_STOREYS_MAX + 1];
     double hardening[THUD_STRUCTURES_MAX][THUD_STOREYS_MAX + 1];
-    double level_m[THUD_STRUCTURES_MAX][THUD_STOREYS_MAX + 1]; /* elevation of each floor */
+    struct thud_pairing meeting[THUD_PAIRINGS_MAX];
     struct thud_contact_input *contact;
     int ncontacts, capacity;
 };
 
-static int floors(const struct thud_structure *s)
-{
-    switch (s->kind) {
-    case THUD_SHEAR:
-        return s->storeys;
-    case THUD_ISOLATED:
-        return s->storeys + 1;
-    case THUD_RIGID:
-        return 1;
-    case THUD_WALL:
-        break;
-    }
-    return 0;
-}
-
 static void fill_structure(struct assembly *a, int index, const struct thud_structure *s)
 {
-    int n = floors(s), base = s->kind == THUD_ISOLATED;
-    double *mass = a->mass_kg[index], *stiffness = a->stiffness_npm[index], *level = a->level_m[index];
+    int n = thud_structure_floors(s), base = s->kind == THUD_ISOLATED;
+    double *mass = a->mass_kg[index], *stiffness = a->stiffness_npm[index];
     struct thud_structure_input *to = &a->structure[index];
     *to = (struct thud_structure_input){.n = n, .mass_kg = mass};
     if (base) {
         mass[0] = s->base_mass_kg;
         stiffness[0] = s->isolation_stiffness_npm;
-        level[0] = 0;
     }
     for (int i = base; i < n; i++) {
         mass[i] = s->mass_kg[i - base];
         stiffness[i] = s->stiffness_npm[i - base];
-        level[i] = (i > 0 ? level[i - 1] : 0) + s->height_m[i - base];
     }
     if (s->kind == THUD_RIGID) {
         to->velocity_mps = s->velocity_mps;
@@ -78,7 +59,22 @@ static void fill_law(const struct thud_interface *interface, struct thud_contact
     to->clearance_m = thud_interface_clearance(interface);
 }
 
-static bool add_contact(struct assembly *a, const struct thud_interface *interface, int index, int left, int right)
+/* The struck columns of a storey, from the floor above them (from 1). */
+static struct thud_struck_input columns(const struct thud_structure *s, int floor, const struct thud_pairing *meeting)
+{
+    int storey = floor - 1 - (s->kind == THUD_ISOLATED);
+    struct thud_struck_input out = {.side = meeting->struck,
+                                    .a_m = meeting->a_m,
+                                    .b_m = meeting->b_m,
+                                    .hinged = s->column_shape == THUD_COLUMN_LINEAR,
+                                    .ei_nm2 = thud_column_ei(s, storey),
+                                    .capacity_n =
+                                        s->column_capacity_n[storey] > 0 ? s->column_capacity_n[storey] : NAN};
+    return out;
+}
+
+static bool add_contact(struct assembly *a, const struct thud_scene *scene, int index,
+                        const struct thud_pairing *meeting)
 {
     if (a->ncontacts == a->capacity) {
         int more = a->capacity ? 2 * a->capacity : 64;
@@ -90,54 +86,24 @@ static bool add_contact(struct assembly *a, const struct thud_interface *interfa
     }
     struct thud_contact_input *to = &a->contact[a->ncontacts++];
     *to = (struct thud_contact_input){.interface = index + 1,
-                                      .left_floor = left,
-                                      .right_floor = right,
+                                      .left_floor = meeting->left_floor,
+                                      .right_floor = meeting->right_floor,
                                       .left_structure = index,
                                       .right_structure = index + 1};
-    fill_law(interface, to);
+    fill_law(&scene->interface[index], to);
+    if (meeting->struck < 0)
+        to->struck = columns(&scene->structure[index], meeting->left_floor, meeting);
+    else if (meeting->struck > 0)
+        to->struck = columns(&scene->structure[index + 1], meeting->right_floor, meeting);
     return true;
-}
-
-/* Whether floor i (from 0) of a building stands where its neighbour, a rigid body or a wall, can touch it. */
-static bool meets(const struct assembly *a, int building, int i, const struct thud_structure *neighbour)
-{
-    double level = a->level_m[building][i], own = neighbour->height_m[0];
-    if (neighbour->kind == THUD_WALL)
-        return !(own < level - same_level_m);
-    if (!isfinite(own))
-        return i == 0;
-    return fabs(level - own) <= same_level_m;
-}
-
-static bool is_building(const struct thud_structure *s)
-{
-    return s->kind == THUD_SHEAR || s->kind == THUD_ISOLATED;
 }
 
 static bool join(struct assembly *a, const struct thud_scene *scene, int index)
 {
-    const struct thud_structure *left = &scene->structure[index], *right = left + 1;
-    const struct thud_interface *interface = &scene->interface[index];
-    int nleft = floors(left), nright = floors(right);
-    if (!is_building(left) && !is_building(right))
-        return nleft + nright == 0 || add_contact(a, interface, index, nleft, nright);
-    if (!is_building(right)) {
-        for (int i = 0; i < nleft; i++)
-            if (meets(a, index, i, right) && !add_contact(a, interface, index, i + 1, nright))
-                return false;
-        return true;
-    }
-    if (!is_building(left)) {
-        for (int i = 0; i < nright; i++)
-            if (meets(a, index + 1, i, left) && !add_contact(a, interface, index, nleft, i + 1))
-                return false;
-        return true;
-    }
-    for (int i = 0; i < nleft; i++)
-        for (int k = 0; k < nright; k++)
-            if (fabs(a->level_m[index][i] - a->level_m[index + 1][k]) <= same_level_m &&
-                !add_contact(a, interface, index, i + 1, k + 1))
-                return false;
+    int n = thud_interface_pairings(scene, index, a->meeting);
+    for (int i = 0; i < n; i++)
+        if (!add_contact(a, scene, index, &a->meeting[i]))
+            return false;
     return true;
 }
 

@@ -15,8 +15,11 @@ bool thud_floor_struck(const struct thud_scene *scene, const struct thud_result 
         const struct thud_contact_result *r = &result->contact[c];
         const struct thud_interface *at = &scene->interface[r->interface - 1];
         const struct thud_law *law = at->has_bumper ? at->bumper.law : at->contact.law;
-        bool left = structure == r->interface - 1 && floor + 1 == r->left_floor;
-        bool right = structure == r->interface && floor + 1 == r->right_floor;
+        /* a blow on columns reaches the floors above and below */
+        bool left = structure == r->interface - 1 &&
+                    (floor + 1 == r->left_floor || (r->struck < 0 && floor + 2 == r->left_floor));
+        bool right = structure == r->interface &&
+                     (floor + 1 == r->right_floor || (r->struck > 0 && floor + 2 == r->right_floor));
         if (law && law->flags & THUD_LAW_IMPULSIVE && r->impulse_ns > 0 && (left || right))
             return true;
     }
@@ -88,6 +91,37 @@ static bool look_drift(const struct thud_structure *s, const struct thud_structu
     return true;
 }
 
+/* The columns that a slab's force takes furthest above their capacity. */
+static bool look_columns(const struct thud_scene *scene, const struct thud_result *result, int structure,
+                         struct thud_error *out)
+{
+    const struct thud_column_result *worst = NULL;
+    int above = 0;
+    for (int i = 0; i < result->ncolumns; i++) {
+        const struct thud_column_result *c = &result->column[i];
+        if (c->structure != structure || !(c->ratio > 1))
+            continue;
+        above++;
+        worst = worst && worst->ratio > c->ratio ? worst : c;
+    }
+    if (!worst)
+        return false;
+    const struct thud_peak *low = &worst->peak[THUD_COLUMN_SHEAR_LOWER], *up = &worst->peak[THUD_COLUMN_SHEAR_UPPER];
+    const struct thud_peak *shear = low->value > up->value ? low : up;
+    char key[64], others[48] = "";
+    if (above > 1)
+        snprintf(others, sizeof others, "; so do those of %d other storey%s", above - 1, above > 2 ? "s" : "");
+    snprintf(key, sizeof key, "structures.%d.column.capacity", structure + 1);
+    thud_error_set(out, THUD_OK,
+                   "the struck columns below floor %d of %.40s bear a shear of %.4g kN at %.3f s, %.3g times what they "
+                   "can, and are taken as whole%s",
+                   worst->storey, scene->structure[structure].name, 1e-3 * shear->value, shear->time_s, worst->ratio,
+                   others);
+    thud_error_allow(out, "up to %.4g kN", 1e-3 * worst->capacity_n);
+    thud_error_key(out, key);
+    return true;
+}
+
 bool thud_result_remark(const struct thud_scene *scene, const struct thud_result *result,
                         const struct thud_impact *impact, int nimpacts, int n, struct thud_error *out)
 {
@@ -96,6 +130,9 @@ bool thud_result_remark(const struct thud_scene *scene, const struct thud_result
             return true;
     for (int s = 0; s < scene->nstructures; s++)
         if (look_drift(&scene->structure[s], &result->structure[s], s, out) && n-- == 0)
+            return true;
+    for (int s = 0; s < scene->nstructures; s++)
+        if (look_columns(scene, result, s, out) && n-- == 0)
             return true;
     return false;
 }

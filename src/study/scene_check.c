@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "study/level.h"
 #include "study/scene_slot.h"
 
 static const double rounding_m = 1e-12;
@@ -79,14 +80,16 @@ static enum thud_status check_yield(const struct thud_structure *structure, int 
     return THUD_OK;
 }
 
-static enum thud_status check_structure(const struct thud_scene *scene, int s, struct thud_error *err)
+/* Of THUD_GROUP_STRUCTURE, with an empty `prefix`, or of its columns, with "column.". */
+static enum thud_status check_group(const struct thud_scene *scene, int s, enum thud_group group, const char *prefix,
+                                    struct thud_error *err)
 {
     const struct thud_structure *structure = &scene->structure[s];
-    const struct thud_place *places = thud_group_places(THUD_GROUP_STRUCTURE);
+    const struct thud_place *places = thud_group_places(group);
     int count;
-    const struct thud_param *params = thud_group_params(THUD_GROUP_STRUCTURE, &count);
+    const struct thud_param *params = thud_group_params(group, &count);
     for (int i = 0; i < count; i++) {
-        if (!thud_structure_has(structure->kind, i))
+        if (!(places[i].kinds & 1u << structure->kind))
             continue;
         const double *value = (const double *)(const void *)((const char *)structure + places[i].offset);
         int n = places[i].store == THUD_STORE_FLOORS                                        ? structure->storeys
@@ -96,16 +99,43 @@ static enum thud_status check_structure(const struct thud_scene *scene, int s, s
             char key[96];
             if (is_fine(&params[i], value[floor]) || (places[i].optional && value[floor] == 0))
                 continue;
-            snprintf(key, sizeof key, n > 1 ? "structures.%d.%s.%d" : "structures.%d.%s", s + 1, params[i].name,
-                     floor + 1);
+            snprintf(key, sizeof key, n > 1 ? "structures.%d.%s%s.%d" : "structures.%d.%s%s", s + 1, prefix,
+                     params[i].name, floor + 1);
             if (isnan(value[floor]))
-                snprintf(key, sizeof key, "structures.%d.%s", s + 1, params[i].name);
+                snprintf(key, sizeof key, "structures.%d.%s%s", s + 1, prefix, params[i].name);
             enum thud_status status = check_value(&params[i], value[floor], key, err);
             if (status != THUD_OK)
                 return status;
         }
     }
-    enum thud_status status = check_yield(structure, s, err);
+    return THUD_OK;
+}
+
+/* EI or stiffness, not both. */
+static enum thud_status check_columns(const struct thud_scene *scene, int s, struct thud_error *err)
+{
+    const struct thud_structure *structure = &scene->structure[s];
+    bool has = structure->kind == THUD_SHEAR || structure->kind == THUD_ISOLATED;
+    for (int i = 0; i < structure->storeys && has; i++) {
+        char key[64];
+        if (!(structure->column_ei_nm2[i] > 0) || !(structure->column_stiffness_npm[i] > 0))
+            continue;
+        snprintf(key, sizeof key, "structures.%d.column.stiffness", s + 1);
+        thud_error_set(err, THUD_INPUT, "given as well as EI, which it is there to replace");
+        return refuse(err, key, "EI or stiffness");
+    }
+    return THUD_OK;
+}
+
+static enum thud_status check_structure(const struct thud_scene *scene, int s, struct thud_error *err)
+{
+    enum thud_status status = check_group(scene, s, THUD_GROUP_STRUCTURE, "", err);
+    if (status == THUD_OK)
+        status = check_group(scene, s, THUD_GROUP_COLUMN, "column.", err);
+    if (status == THUD_OK)
+        status = check_yield(&scene->structure[s], s, err);
+    if (status == THUD_OK)
+        status = check_columns(scene, s, err);
     return status == THUD_OK ? check_names(scene, s, err) : status;
 }
 
@@ -170,6 +200,27 @@ static enum thud_status check_bumper(const struct thud_interface *at, int interf
     return refuse(err, key, "thickness - cavity <= gap");
 }
 
+/* An impulse has no force that columns could give under. */
+static enum thud_status check_impulses(const struct thud_scene *scene, int i, struct thud_error *err)
+{
+    const struct thud_interface *at = &scene->interface[i];
+    const struct thud_law *law = at->has_bumper ? at->bumper.law : at->contact.law;
+    struct thud_pairing meeting[THUD_PAIRINGS_MAX];
+    int n = law->flags & THUD_LAW_IMPULSIVE ? thud_interface_pairings(scene, i, meeting) : 0;
+    for (int k = 0; k < n; k++) {
+        bool left = meeting[k].struck < 0;
+        const struct thud_structure *s = &scene->structure[i + !left];
+        int storey = (left ? meeting[k].left_floor : meeting[k].right_floor) - 1 - (s->kind == THUD_ISOLATED);
+        if (meeting[k].struck == 0 || isnan(thud_column_ei(s, storey)))
+            continue;
+        char key[64];
+        snprintf(key, sizeof key, "interfaces.%d.%s.law", i + 1, at->has_bumper ? "bumper" : "contact");
+        thud_error_set(err, THUD_INPUT, "%s has impulses, and columns that give need a contact force", law->name);
+        return refuse(err, key, "another law, or columns without EI and stiffness");
+    }
+    return THUD_OK;
+}
+
 static enum thud_status check_interface(const struct thud_scene *scene, int i, struct thud_error *err)
 {
     const struct thud_interface *at = &scene->interface[i];
@@ -183,7 +234,7 @@ static enum thud_status check_interface(const struct thud_scene *scene, int i, s
         status = check_bumper(at, i, err);
     if (status == THUD_OK && at->has_bumper)
         status = check_law(&at->bumper, at->bumper_thickness_m, i, "bumper", err);
-    return status;
+    return status == THUD_OK ? check_impulses(scene, i, err) : status;
 }
 
 static enum thud_status check_study(const struct thud_scene *scene, struct thud_error *err)

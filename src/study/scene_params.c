@@ -30,6 +30,8 @@ static const char *const signs[] = {"+", "-", NULL};
 static const char *const one_or_both[] = {"one", "both", NULL};
 static const char *const columns[] = {"all", NULL};
 static const char *const switches[] = {"off", "on", NULL};
+static const char *const levels[] = {"all", "aligned", NULL};
+static const char *const shapes[] = {"clamped", "linear", NULL};
 
 static const struct thud_param scene_params[] = {
     WORD("title", "title", "What the scene is, for headings of tables and figures."),
@@ -82,12 +84,14 @@ static const struct thud_param structure_params[] = {
      .least = 1, UP_TO(THUD_STOREYS_MAX), ANY_USUAL},
     {NUMBER("mass", "floor mass", "Of each floor, or of the body.", THUD_MASS, "t", NAN), POSITIVE, UP_TO(1e9), USUAL(1e4, 5e6)},
     {NUMBER("stiffness", "storey stiffness", "Of each storey against shear.", THUD_STIFFNESS, "MN/m", NAN), POSITIVE, UP_TO(1e12), USUAL(1e7, 1e10)},
-    {NUMBER("height", "storey height", "Of each storey; floors of neighbours at the same elevation can touch.",
+    {NUMBER("height", "storey height", "Of each storey: floors of neighbours at the same elevation meet, others strike columns.",
             THUD_LENGTH, "m", 3), FROM(0.5), UP_TO(20), USUAL(2.5, 6)},
     {NUMBER("height", "elevation", "Of the body's contact; where it is not given it meets its neighbours' first floor.",
             THUD_LENGTH, "m", NAN), FROM(0), UP_TO(4000), ANY_USUAL},
     {NUMBER("height", "height of the wall", "Floors up to here can touch it; where it is not given, all of them.",
             THUD_LENGTH, "m", NAN), FROM(0), UP_TO(4000), ANY_USUAL},
+    {NUMBER("base", "elevation of the ground", "The ground that the building stands on; the neighbours' elevations count from the same level.",
+            THUD_LENGTH, "m", 0), FROM(-200), UP_TO(4000), ANY_USUAL},
     {NUMBER("yield", "yield drift", "Where a storey yields (bilinear, kinematic hardening); not given, or none in a list: elastic.", THUD_LENGTH, "mm", NAN),
      .least = 1e-6, .least_open = true, UP_TO(10), ANY_USUAL},
     {NUMBER("yield-shear", "yield shear", "The same as the shear of the storey, in place of yield.", THUD_FORCE, "MN", NAN), POSITIVE, UP_TO(1e12), ANY_USUAL},
@@ -108,6 +112,7 @@ static const struct thud_place structure_places[] = {
     {.store = THUD_STORE_FLOORS, .offset = AT(height_m), .kinds = STOREYS},
     {.store = THUD_STORE_NUMBER, .offset = AT(height_m), .absent = NAN, .kinds = RIGID},
     {.store = THUD_STORE_NUMBER, .offset = AT(height_m), .absent = INFINITY, .kinds = WALL},
+    {.store = THUD_STORE_NUMBER, .offset = AT(base_m), .kinds = STOREYS},
     {.store = THUD_STORE_FLOORS, .offset = AT(yield_m), .kinds = STOREYS, .optional = true},
     {.store = THUD_STORE_FLOORS, .offset = AT(yield_shear_n), .kinds = STOREYS, .optional = true},
     {.store = THUD_STORE_FLOORS, .offset = AT(hardening), .kinds = STOREYS, .optional = true},
@@ -117,13 +122,30 @@ static const struct thud_place structure_places[] = {
     {.store = THUD_STORE_NUMBER, .offset = AT(isolation_damping), .kinds = ISOLATED},
     {.store = THUD_STORE_NUMBER, .offset = AT(velocity_mps), .kinds = RIGID},
 };
+
+static const struct thud_param column_params[] = {
+    {NUMBER("EI", "bending stiffness", "Of all columns of a storey that a slab strikes; where neither it nor stiffness is given, they do not give.",
+            THUD_BENDING, "MN m2", NAN), POSITIVE, UP_TO(1e15), USUAL(1e6, 1e10)},
+    {NUMBER("stiffness", "stiffness", "In place of EI: the struck columns' part of the storey stiffness, 12 EI/L^3.", THUD_STIFFNESS, "MN/m", NAN), POSITIVE, UP_TO(1e12), ANY_USUAL},
+    {NUMBER("capacity", "shear capacity", "Of all struck columns of a storey together; their shear is held against it.", THUD_FORCE, "kN", NAN), POSITIVE, UP_TO(1e12), ANY_USUAL},
+    CHOICE("shape", "shape", "clamped: what is struck moves, and gives the force on, as a member clamped in both floors; linear: as a hinged one.", shapes, THUD_COLUMN_CLAMPED),
+};
+static const struct thud_place column_places[] = {
+    {.store = THUD_STORE_FLOORS, .offset = AT(column_ei_nm2), .kinds = STOREYS, .optional = true},
+    {.store = THUD_STORE_FLOORS, .offset = AT(column_stiffness_npm), .kinds = STOREYS, .optional = true},
+    {.store = THUD_STORE_FLOORS, .offset = AT(column_capacity_n), .kinds = STOREYS, .optional = true},
+    {.store = THUD_STORE_NUMBER, .offset = AT(column_shape), .kinds = STOREYS},
+};
 #undef AT
 
 static const struct thud_param interface_params[] = {
     {NUMBER("gap", "gap", "From concrete to concrete.", THUD_LENGTH, "cm", NAN), FROM(0), UP_TO(5), ANY_USUAL},
+    CHOICE("levels", "levels", "all: floors between the neighbour's floors strike its columns; aligned: only floors at the same elevation meet.",
+           levels, THUD_LEVELS_ALL),
 };
 static const struct thud_place interface_places[] = {
     {.store = THUD_STORE_NUMBER, .offset = offsetof(struct thud_interface, gap_m)},
+    {.store = THUD_STORE_NUMBER, .offset = offsetof(struct thud_interface, levels)},
 };
 static const struct thud_param contact_params[] = {
     WORD("law", "impact law of the bare contact", "One of `thud laws`; the keys after it are the law's own."),
@@ -196,6 +218,7 @@ static const struct {
     [THUD_GROUP_SCENE] = GROUP(scene, ""),
     [THUD_GROUP_RECORD] = GROUP(record, "record"),
     [THUD_GROUP_STRUCTURE] = GROUP(structure, "structures"),
+    [THUD_GROUP_COLUMN] = GROUP(column, "column"),
     [THUD_GROUP_INTERFACE] = GROUP(interface, "interfaces"),
     [THUD_GROUP_CONTACT] = GROUP(contact, "contact"),
     [THUD_GROUP_BUMPER] = GROUP(bumper, "bumper"),

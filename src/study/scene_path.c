@@ -84,7 +84,8 @@ static enum thud_status wrong_depth(struct thud_error *err)
 static enum thud_status find_structure(const struct thud_scene *scene, char **part, int n, struct thud_slot *out,
                                        struct thud_error *err)
 {
-    if (n < 2 || n > 3)
+    bool column = n > 2 && strcmp(part[1], "column") == 0;
+    if (n < 2 || n > 3 + column)
         return wrong_depth(err);
     int s = number(part[0]);
     if (s < 1 || s > scene->nstructures) {
@@ -92,26 +93,27 @@ static enum thud_status find_structure(const struct thud_scene *scene, char **pa
         thud_error_allow(err, "1 to %d", scene->nstructures);
         return THUD_INPUT;
     }
-    int i = find_in_group(THUD_GROUP_STRUCTURE, part[1], 1u << scene->structure[s - 1].kind);
-    int of_storeys = i < 0 ? find_in_group(THUD_GROUP_STRUCTURE, part[1], 1u << THUD_SHEAR) : -1;
-    if (of_storeys >= 0 && thud_group_places(THUD_GROUP_STRUCTURE)[of_storeys].optional) {
-        thud_error_set(err, THUD_INPUT, "%s has no storeys that could yield",
-                       scene->structure[s - 1].kind == THUD_WALL ? "a wall" : "a rigid body");
-        thud_error_allow(err, "%.40s is of shear and isolated structures", part[1]);
+    enum thud_group group = column ? THUD_GROUP_COLUMN : THUD_GROUP_STRUCTURE;
+    int keys = column ? 2 : 1, i = find_in_group(group, part[keys], 1u << scene->structure[s - 1].kind);
+    int of_storeys = i < 0 ? find_in_group(group, part[keys], 1u << THUD_SHEAR) : -1;
+    if (of_storeys >= 0 && (column || thud_group_places(group)[of_storeys].optional)) {
+        thud_error_set(err, THUD_INPUT, "%s has no %s",
+                       scene->structure[s - 1].kind == THUD_WALL ? "a wall" : "a rigid body",
+                       column ? "columns" : "storeys that could yield");
+        thud_error_allow(err, "%.40s is of shear and isolated structures", part[keys]);
         return THUD_INPUT;
     }
     if (i < 0)
-        return unknown(scene, THUD_GROUP_STRUCTURE, NULL, s - 1, part[1], err);
-    fill(out, THUD_GROUP_STRUCTURE, i,
-         offsetof(struct thud_scene, structure) + (size_t)(s - 1) * sizeof *scene->structure);
+        return unknown(scene, group, NULL, s - 1, part[keys], err);
+    fill(out, group, i, offsetof(struct thud_scene, structure) + (size_t)(s - 1) * sizeof *scene->structure);
     out->structure = s - 1;
-    if (n == 2)
+    if (n == keys + 1)
         return THUD_OK;
-    int storeys = scene->structure[s - 1].storeys, floor = number(part[2]);
+    int storeys = scene->structure[s - 1].storeys, floor = number(part[keys + 1]);
     if (out->place.store != THUD_STORE_FLOORS)
         return wrong_depth(err);
     if (floor < 1 || floor > storeys) {
-        thud_error_set(err, THUD_INPUT, "there is no floor \"%.40s\"", part[2]);
+        thud_error_set(err, THUD_INPUT, "there is no floor \"%.40s\"", part[keys + 1]);
         thud_error_allow(err, "1 to %d", storeys);
         return THUD_INPUT;
     }
@@ -160,7 +162,7 @@ static enum thud_status find_interface(const struct thud_scene *scene, int inter
         return n == 2 ? find_law_key(scene, interface, bumper, part[1], out, err) : wrong_depth(err);
     int i = find_in_group(THUD_GROUP_INTERFACE, part[0], 0);
     if (i < 0) {
-        static const struct thud_words words = {{"gap", "contact", "bumper"}, 3};
+        static const struct thud_words words = {{"gap", "levels", "contact", "bumper"}, 4};
         return thud_words_unknown(&words, "key", part[0], err);
     }
     fill(out, THUD_GROUP_INTERFACE, i,
@@ -199,7 +201,7 @@ static enum thud_status find_short(const struct thud_scene *scene, struct path *
 static enum thud_status unknown_top(const char *key, struct thud_error *err)
 {
     static const struct thud_words words = {
-        {"title", "record", "structures", "interfaces", "analysis", "study", "gap", "contact", "bumper"}, 9};
+        {"title", "record", "structures", "interfaces", "analysis", "study", "gap", "levels", "contact", "bumper"}, 10};
     return thud_words_unknown(&words, "key", key, err);
 }
 
@@ -212,7 +214,8 @@ static enum thud_status find(const struct thud_scene *scene, struct path *path, 
         return find_structure(scene, part + 1, path->n - 1, out, err);
     if (strcmp(part[0], "interfaces") == 0)
         return find_numbered_interface(scene, part + 1, path->n - 1, out, err);
-    if (strcmp(part[0], "gap") == 0 || strcmp(part[0], "contact") == 0 || strcmp(part[0], "bumper") == 0)
+    if (find_in_group(THUD_GROUP_INTERFACE, part[0], 0) >= 0 || strcmp(part[0], "contact") == 0 ||
+        strcmp(part[0], "bumper") == 0)
         return find_short(scene, path, out, err);
     for (size_t g = 0; g < sizeof flat / sizeof *flat; g++) {
         if (strcmp(part[0], thud_group_key(flat[g])) != 0)
@@ -241,6 +244,15 @@ enum thud_status thud_slot_find(const struct thud_scene *scene, const char *path
     if (status != THUD_OK)
         thud_error_key(err, path);
     return status;
+}
+
+bool thud_scene_by_floor(const struct thud_scene *scene, const char *path)
+{
+    struct thud_slot slot;
+    if (thud_slot_find(scene, path, &slot, NULL) != THUD_OK || slot.place.store != THUD_STORE_FLOORS || slot.floor >= 0)
+        return false;
+    enum thud_structure_kind kind = scene->structure[slot.structure].kind;
+    return kind == THUD_SHEAR || kind == THUD_ISOLATED;
 }
 
 const struct thud_param *thud_scene_param(const struct thud_scene *scene, const char *path, int *floor)

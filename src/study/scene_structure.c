@@ -8,8 +8,10 @@
 
 double *thud_structure_list(struct thud_structure *structure, int which)
 {
-    double *const list[THUD_STRUCTURE_LISTS] = {structure->mass_kg, structure->stiffness_npm, structure->height_m,
-                                                structure->yield_m, structure->yield_shear_n, structure->hardening};
+    double *const list[THUD_STRUCTURE_LISTS] = {
+        structure->mass_kg,       structure->stiffness_npm,        structure->height_m,
+        structure->yield_m,       structure->yield_shear_n,        structure->hardening,
+        structure->column_ei_nm2, structure->column_stiffness_npm, structure->column_capacity_n};
     return list[which];
 }
 
@@ -102,6 +104,8 @@ enum thud_status thud_kind_set(struct thud_structure *structure, enum thud_struc
                 memcpy(thud_structure_list(structure, which), thud_structure_list(&before, which),
                        sizeof before.mass_kg);
             structure->damping = before.damping;
+            structure->base_m = before.base_m;
+            structure->column_shape = before.column_shape;
         }
     }
     if (kind == THUD_ISOLATED) {
@@ -112,6 +116,23 @@ enum thud_status thud_kind_set(struct thud_structure *structure, enum thud_struc
         structure->isolation_stiffness_npm = rint(mass * 9.8696044 / 1e5) * 1e5;
     }
     return THUD_OK;
+}
+
+bool thud_structure_has_columns(const struct thud_structure *structure)
+{
+    bool storeys = structure->kind == THUD_SHEAR || structure->kind == THUD_ISOLATED;
+    for (int i = 0; i < structure->storeys && storeys; i++)
+        if (structure->column_ei_nm2[i] > 0 || structure->column_stiffness_npm[i] > 0 ||
+            structure->column_capacity_n[i] > 0)
+            return true;
+    return storeys && structure->column_shape != THUD_COLUMN_CLAMPED;
+}
+
+double thud_column_ei(const struct thud_structure *structure, int storey)
+{
+    double length = structure->height_m[storey], k = structure->column_stiffness_npm[storey],
+           ei = k > 0 ? k * length * length * length / 12 : structure->column_ei_nm2[storey];
+    return ei > 0 ? ei : NAN;
 }
 
 int thud_list_split(char *text, char **item, int most)

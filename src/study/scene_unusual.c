@@ -83,6 +83,25 @@ static bool look_whole_law(struct search *search, const struct thud_law_choice *
     return false;
 }
 
+/* Struck columns stiffer than the storey that they are a part of. */
+static bool look_columns(struct search *search, const struct thud_structure *s, const char *prefix)
+{
+    for (int i = 0; i < s->storeys && thud_structure_has_columns(s); i++) {
+        double length = s->height_m[i], k = 12 * thud_column_ei(s, i) / (length * length * length);
+        if (!(k > s->stiffness_npm[i] * (1 + 1e-9)) || search->found++ != search->wanted)
+            continue;
+        char key[96];
+        snprintf(key, sizeof key, "%s.%s", prefix, s->column_stiffness_npm[i] > 0 ? "stiffness" : "EI");
+        thud_error_set(search->out, THUD_OK,
+                       "the columns of storey %d alone have %.4g MN/m (12 EI/L^3), the storey %.4g", i + 1, 1e-6 * k,
+                       1e-6 * s->stiffness_npm[i]);
+        thud_error_allow(search->out, "usually less than the storey's stiffness");
+        thud_error_key(search->out, key);
+        return true;
+    }
+    return false;
+}
+
 /* A cavity that leaves less of the bumper outside than it can be compressed by: the walls would touch first. */
 static bool look_cavity(struct search *search, const struct thud_interface *at, const char *prefix)
 {
@@ -130,7 +149,7 @@ static bool look_levels(struct search *search, const struct thud_scene *scene)
         snprintf(key, sizeof key, "interfaces.%d", i + 1);
         thud_error_set(search->out, THUD_OK, "%s and %s have nothing at the same level, so they cannot touch",
                        left->name, right->name);
-        thud_error_allow(search->out, "floors of the same elevation: see the heights");
+        thud_error_allow(search->out, "floors at or between the other's floors: see heights and base");
         thud_error_key(search->out, key);
         return true;
     }
@@ -166,6 +185,10 @@ bool thud_scene_warning(const struct thud_scene *scene, int n, struct thud_error
         char key[64];
         snprintf(key, sizeof key, "structures.%d", s + 1);
         if (look_group(&search, THUD_GROUP_STRUCTURE, at, 1u << at->kind, at->storeys, key))
+            return true;
+        snprintf(key, sizeof key, "structures.%d.column", s + 1);
+        if (look_group(&search, THUD_GROUP_COLUMN, at, 1u << at->kind, at->storeys, key) ||
+            look_columns(&search, at, key))
             return true;
     }
     for (int i = 0; i + 1 < scene->nstructures; i++)

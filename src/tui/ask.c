@@ -348,12 +348,11 @@ static void add_group(struct thud_tui *tui, enum thud_group group, const char *p
     const struct thud_param *param = thud_group_params(group, &count);
     const struct thud_structure *at = structure >= 0 ? &tui->doc.scene.structure[structure] : NULL;
     for (int i = 0; i < count; i++) {
-        bool by_floor = at && (at->kind == THUD_SHEAR || at->kind == THUD_ISOLATED) &&
-                        (strcmp(param[i].name, "mass") == 0 || strcmp(param[i].name, "stiffness") == 0 ||
-                         strcmp(param[i].name, "height") == 0);
         char key[THUD_PATH_MAX];
-        if (at && !thud_structure_has(at->kind, i))
+        if (at && group == THUD_GROUP_STRUCTURE && !thud_structure_has(at->kind, i))
             continue;
+        snprintf(key, sizeof key, "%s.%s", prefix, param[i].name);
+        bool by_floor = at && thud_scene_by_floor(&tui->doc.scene, key);
         for (int floor = 1; floor <= (by_floor ? at->storeys : 1); floor++) {
             char number[16] = "";
             if (by_floor)
@@ -400,6 +399,10 @@ void thud_tui_fill_fields(struct thud_tui *tui)
     for (int i = 0; i < scene->nstructures; i++) {
         snprintf(prefix, sizeof prefix, "structures.%d", i + 1);
         add_group(tui, THUD_GROUP_STRUCTURE, prefix, i);
+        if (scene->structure[i].kind != THUD_SHEAR && scene->structure[i].kind != THUD_ISOLATED)
+            continue;
+        snprintf(prefix, sizeof prefix, "structures.%d.column", i + 1);
+        add_group(tui, THUD_GROUP_COLUMN, prefix, i);
     }
     add_group(tui, THUD_GROUP_SCENE, "", -1);
     add_group(tui, THUD_GROUP_RECORD, "record", -1);

@@ -165,6 +165,7 @@ static void fields(struct thud_help_text *text, int columns, enum thud_screen sc
         enum thud_screen screen;
         const char *title;
     } part[] = {{THUD_GROUP_STRUCTURE, THUD_SCREEN_MODEL, "Fields of a structure"},
+                {THUD_GROUP_COLUMN, THUD_SCREEN_MODEL, "Fields of the columns that a slab strikes"},
                 {THUD_GROUP_INTERFACE, THUD_SCREEN_CONTACT, "Fields of an interface"},
                 {THUD_GROUP_CONTACT, THUD_SCREEN_CONTACT, "Fields of the bare contact"},
                 {THUD_GROUP_BUMPER, THUD_SCREEN_CONTACT, "Fields of the bumper"},

@@ -60,6 +60,8 @@ static int draw_form(struct thud_tui *tui, const struct thud_pane *pane)
     int y = 0;
     snprintf(key, sizeof key, "interfaces.%d.gap", tui->pair + 1);
     thud_field_row(tui, FORM, pane, y++, "gap", key);
+    snprintf(key, sizeof key, "interfaces.%d.levels", tui->pair + 1);
+    thud_field_row(tui, FORM, pane, y++, "levels", key);
     thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_MUTED, 0), "clearance          %s cm",
                     thud_tui_number(100.0 * thud_interface_clearance(at), number));
     heading(pane, y++, "Bare contact");

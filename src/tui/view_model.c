@@ -103,8 +103,9 @@ static int floors(struct thud_tui *tui, int index, const struct thud_pane *pane,
         int x, w;
     } column[] = {{"mass", "mass t", 6, 7},           {"stiffness", "k MN/m", 13, 8},
                   {"height", "height m", 21, 8},      {"yield", "yield mm", 30, 8},
-                  {"yield-shear", "yield MN", 40, 8}, {"hardening", "hardening %", 49, 11}};
-    int columns = pane->w >= 60 ? 6 : 4; /* of 80 columns, the pane has room for four */
+                  {"yield-shear", "yield MN", 40, 8}, {"hardening", "hardening %", 49, 11},
+                  {"column.EI", "col. EI", 61, 8},    {"column.capacity", "cap. kN", 70, 8}};
+    int columns = pane->w >= 79 ? 8 : pane->w >= 60 ? 6 : 4; /* of 80 columns, the pane has room for four */
     thud_pane_put(pane, 0, y, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), "floor");
     for (int c = 0; c < columns; c++)
         thud_pane_put(pane, column[c].x, y, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), column[c].head);
@@ -132,9 +133,10 @@ static int head_rows(struct thud_tui *tui, int index, const struct thud_pane *pa
         {"name", "name", SHEAR | RIGID | ISOLATED | WALL, 0, 20, 28},
         {"storeys", "storeys", SHEAR | ISOLATED, 1, 1, 9},
         {"damping", "damping", SHEAR | ISOLATED, 1, 20, 28},
-        {"base-mass", "base mass", ISOLATED, 2, 1, 18},
-        {"isolation-stiffness", "isolator k", ISOLATED, 3, 1, 18},
-        {"isolation-damping", "isolator damping", ISOLATED, 4, 1, 18},
+        {"base", "ground at", SHEAR | ISOLATED, 2, 1, 12},
+        {"base-mass", "base mass", ISOLATED, 3, 1, 18},
+        {"isolation-stiffness", "isolator k", ISOLATED, 4, 1, 18},
+        {"isolation-damping", "isolator damping", ISOLATED, 5, 1, 18},
         {"mass", "mass", RIGID, 1, 1, 18},
         {"height", "height", RIGID | WALL, 2, 1, 18},
         {"velocity", "velocity at 0", RIGID, 3, 1, 18},

@@ -11,6 +11,8 @@ log=$build/soak.log
     CK_FORK=no "$build/soak" "${SOAK_FACTOR:-1}"
     "$build/cross" 1 "${SOAK_SCENES:-300}" halved >"$build/cross.log" && echo "ok - random scenes agree" ||
         echo "not ok - random scenes agree (see $build/cross.log)"
+    "$build/cross" 3000000001 "${SOAK_SCENES:-300}" >"$build/cross_columns.log" && echo "ok - slabs against columns" ||
+        echo "not ok - slabs against columns (see $build/cross_columns.log)"
     sh tests/soak/kill.sh "${SOAK_STUDIES:-100}"
     FAULT_POINTS=100000 FAULT_FILE_POINTS=100000 sh tests/cli/test_faults.sh
 } | tee "$log"

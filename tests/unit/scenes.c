@@ -96,6 +96,22 @@ static void widen(struct thud_structure *s)
     }
 }
 
+/* Storeys of heights that seldom are a neighbour's, a ground of its own, and columns that give and bear. */
+static void draw_columns(struct thud_structure *s)
+{
+    double height = ONE_OF(3, 3, 3.6, 2.7, 4.2, 3.005, 1.3, between(1, 5)), part = between_log(1e-3, 0.5);
+    bool uneven = chance(0.3), give = chance(0.7), some = chance(0.2), bear = chance(0.5);
+    s->base_m = ONE_OF(0, 0, 0, 0.004, -1.4, 1.1, between(-3, 3));
+    s->column_shape = chance(0.2) ? THUD_COLUMN_LINEAR : THUD_COLUMN_CLAMPED;
+    for (int i = 0; i < s->storeys; i++) {
+        double h = s->height_m[i] = uneven ? between(1, 5) : height;
+        bool here = give && !(some && chance(0.5)), by_storey = here && chance(0.3);
+        s->column_ei_nm2[i] = here && !by_storey ? part * s->stiffness_npm[i] * h * h * h / 12 : 0;
+        s->column_stiffness_npm[i] = by_storey ? part * s->stiffness_npm[i] : 0;
+        s->column_capacity_n[i] = bear ? 1e6 : 0;
+    }
+}
+
 static void draw_structure(struct thud_structure *s, int index, double mass, bool extreme, bool wide)
 {
     int pick = wide ? 8 + below(12) : below(20);
@@ -205,8 +221,10 @@ static const char *draw_bare_law(void)
 /* `closing_m`: the largest without contact. */
 static void draw_interface(struct thud_interface *at, double mass, double size_m, double closing_m, const char *law)
 {
+    double levels = at->levels;
     memset(at, 0, sizeof *at);
     thud_interface_init(at);
+    at->levels = levels;
     double clearance = closing_m * ONE_OF(0, 1e-6, 0.5, 0.9, 0.999, 1, 1.001, 3, between(0, 1), between(0, 1),
                                           between_log(1e-3, 1), between_log(0.1, 1), between_log(0.1, 1));
     draw_law(&at->contact, law, mass, size_m);
@@ -281,7 +299,8 @@ static bool draw_yields(struct scenes_one *one, double *closing)
 static bool draw(struct scenes_one *one)
 {
     struct thud_scene *scene = &one->scene;
-    bool wide = one->seed >= SCENES_WIDE && one->seed < SCENES_YIELDING;
+    bool columns = one->seed >= SCENES_COLUMNS, wide = one->seed >= SCENES_WIDE && one->seed < SCENES_YIELDING;
+    bool yields = one->seed >= SCENES_YIELDING && (!columns || one->seed % 3 == 0);
     double closing[THUD_STRUCTURES_MAX] = {0},
            mass = wide ? between_log(lightest_kg, heaviest_kg) : between_log(1e4, 1e6);
     bool extreme = chance(0.15);
@@ -294,6 +313,8 @@ static bool draw(struct scenes_one *one)
             scene->structure[s] = scene->structure[s - 1];
         else
             draw_structure(&scene->structure[s], s, mass, extreme, wide);
+        if (columns && (scene->structure[s].kind == THUD_SHEAR || scene->structure[s].kind == THUD_ISOLATED))
+            draw_columns(&scene->structure[s]);
         scene->structure[s].name[0] = (char)('A' + s);
     }
     if (chance(0.9))
@@ -303,10 +324,11 @@ static bool draw(struct scenes_one *one)
     for (int i = 0; i + 1 < scene->nstructures; i++) {
         thud_interface_init(&scene->interface[i]);
         scene->interface[i].has_bumper = false;
+        scene->interface[i].levels = columns ? THUD_LEVELS_ALL : THUD_LEVELS_ALIGNED;
     }
     if (!look_without_contact(one, closing) || !(one->peak_m > 0))
         return false;
-    if (one->seed >= SCENES_YIELDING && !draw_yields(one, closing))
+    if (yields && !draw_yields(one, closing))
         return false;
     const char *law = draw_bare_law();
     for (int i = 0; i + 1 < scene->nstructures; i++)
@@ -447,6 +469,8 @@ bool scenes_heavier(struct scenes_one *one, double factor)
             p->mass_kg[f] *= factor;
             p->stiffness_npm[f] *= factor;
             p->yield_shear_n[f] *= factor;
+            p->column_ei_nm2[f] *= factor;
+            p->column_stiffness_npm[f] *= factor;
         }
         p->base_mass_kg *= factor;
         p->isolation_stiffness_npm *= factor;

@@ -17,6 +17,9 @@ struct scenes_one {
 #define SCENES_WIDE 1000000000ull
 /* From this seed on, scenes are like the first ones, and storeys of their buildings yield. */
 #define SCENES_YIELDING 2000000000ull
+/* From this seed on, floors of neighbours stand at different elevations, and columns give; in every third scene storeys
+ * yield too. */
+#define SCENES_COLUMNS 3000000000ull
 
 /* Valid by thud_scene_check. Free the record with scenes_clear. */
 void scenes_draw(struct scenes_one *one, unsigned long long seed);
@@ -57,6 +60,8 @@ enum scenes_kind {
     SCENES_FIRST, /* time of the first impact, s */
     SCENES_TIME,  /* in contact, s */
     SCENES_IMPACTS,
+    SCENES_COLUMN_SHEAR,
+    SCENES_COLUMN_MOMENT,
     SCENES_KINDS
 };
 struct scenes_number {

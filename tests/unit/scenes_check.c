@@ -129,7 +129,8 @@ static void scale_back(struct scenes_answer *a, double mass, double length)
 {
     for (int i = 0; i < a->n; i++) {
         struct scenes_number *x = &a->number[i];
-        bool force = x->kind == SCENES_SHEAR || x->kind == SCENES_FORCE || x->kind == SCENES_IMPULSE;
+        bool force = x->kind == SCENES_SHEAR || x->kind == SCENES_FORCE || x->kind == SCENES_IMPULSE ||
+                     x->kind >= SCENES_COLUMN_SHEAR;
         if (force || x->kind == SCENES_LOST)
             x->value /= mass;
         if (force || x->kind < SCENES_SHEAR || x->kind == SCENES_INDENTATION)
@@ -138,8 +139,9 @@ static void scale_back(struct scenes_answer *a, double mass, double length)
             x->value /= length * length;
     }
     a->largest[SCENES_LOST] /= mass * length * length;
-    for (int k = 0; k < SCENES_LOST; k++)
-        a->largest[k] = 0;
+    for (int k = 0; k < SCENES_KINDS; k++)
+        if (k < SCENES_LOST || k >= SCENES_COLUMN_SHEAR)
+            a->largest[k] = 0;
 }
 
 static void check_units(struct subject *s, const char *name, bool (*change)(struct scenes_one *, double), double factor,

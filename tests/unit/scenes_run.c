@@ -49,6 +49,7 @@ static void find_natural(struct scenes_answer *a, const struct thud_model *m, do
     double mass = lightest(m), speed = a->largest[SCENES_VELOCITY];
     a->natural[SCENES_FORCE] = mass * a->largest[SCENES_ACCELERATION];
     a->natural[SCENES_PLASTIC] = a->largest[SCENES_DRIFT];
+    a->natural[SCENES_COLUMN_SHEAR] = a->natural[SCENES_COLUMN_MOMENT] = a->natural[SCENES_FORCE];
     a->natural[SCENES_INDENTATION] = a->largest[SCENES_DISPLACEMENT];
     a->natural[SCENES_IMPULSE] = mass * speed;
     a->natural[SCENES_LOST] =
@@ -62,7 +63,9 @@ static void take(struct scenes_answer *a, const struct thud_model *model, const 
     int floors = 0, count;
     for (int s = 0; s < r->nstructures; s++)
         floors += r->structure[s].floors;
-    a->number = calloc((size_t)(5 * floors + r->nstructures + 8 * r->ncontacts + 1), sizeof *a->number);
+    a->number =
+        calloc((size_t)(5 * floors + r->nstructures + 8 * r->ncontacts + THUD_COLUMN_QUANTITIES * r->ncolumns + 1),
+               sizeof *a->number);
     assert(a->number);
     for (int s = 0; s < r->nstructures; s++) {
         const struct thud_structure_result *p = &r->structure[s];
@@ -81,7 +84,7 @@ static void take(struct scenes_answer *a, const struct thud_model *model, const 
     for (int i = 0; i < count; i++)
         impulse = fmax(impulse, impact[i].impulse_ns);
     double least_ns = fmax(1e-3 * impulse, 1e-9 * lightest(model) * a->largest[SCENES_VELOCITY]);
-    for (int c = 0; c < r->ncontacts; c++) {
+    for (int c = 0, column = 0; c < r->ncontacts; c++) {
         const struct thud_contact_result *p = &r->contact[c];
         int place = p->interface - 1;
         add(a, SCENES_FORCE, place, c, p->force.value);
@@ -90,6 +93,11 @@ static void take(struct scenes_answer *a, const struct thud_model *model, const 
         add(a, SCENES_LOST, place, c, p->dissipated_j);
         add(a, SCENES_TIME, place, c, p->impulse_ns > 0.1 * impulse ? p->contact_time_s : NAN);
         add_impacts(a, run, c, least_ns);
+        bool last = c + 1 == r->ncontacts || r->contact[c + 1].interface != p->interface;
+        for (; last && column < r->ncolumns && r->column[column].interface == p->interface; column++)
+            for (int q = 0; q < THUD_COLUMN_QUANTITIES; q++)
+                add(a, q < THUD_COLUMN_MOMENT_LOWER ? SCENES_COLUMN_SHEAR : SCENES_COLUMN_MOMENT, place, column,
+                    r->column[column].peak[q].value);
     }
     find_natural(a, model, r->end_s);
     a->error_ratio = r->energy.error_ratio;
@@ -137,7 +145,8 @@ const char *scenes_kind_name(enum scenes_kind kind)
 {
     static const char *const names[SCENES_KINDS] = {
         "acceleration", "displacement", "velocity", "drift",        "plastic drift",   "base shear", "force",
-        "indentation",  "impulse",      "lost",     "first impact", "time in contact", "impacts"};
+        "indentation",  "impulse",      "lost",     "first impact", "time in contact", "impacts",    "column shear",
+        "column moment"};
     return names[kind];
 }
 
@@ -148,7 +157,8 @@ static bool is_nothing(const struct scenes_number *x, const struct scenes_number
     static const double touch_noise_m = 1e-14, force = 1e-8, time = 5e-10; /* 1/20 of the run, see find_natural */
     double off = fabs(x->value - y->value);
     return (x->kind == SCENES_INDENTATION && off < touch_noise_m) ||
-           (x->kind == SCENES_FORCE && fmax(x->value, y->value) < force * natural[SCENES_FORCE]) ||
+           ((x->kind == SCENES_FORCE || x->kind >= SCENES_COLUMN_SHEAR) &&
+            fmax(x->value, y->value) < force * natural[SCENES_FORCE]) ||
            (x->kind == SCENES_TIME && off < time * natural[SCENES_TIME]);
 }
 

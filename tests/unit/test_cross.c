@@ -42,6 +42,18 @@ START_TEST(wide_scenes)
 }
 END_TEST
 
+/* Slabs against columns that give, or do not, in rows of buildings. */
+START_TEST(scenes_of_columns)
+{
+    static const unsigned long long seeds[] = {1, 2, 4, 6, 8, 9, 15, 17, 18, 22, 23, 25};
+    struct scenes_tally tally = {.only = ""};
+    for (size_t i = 0; i < sizeof seeds / sizeof *seeds; i++)
+        scenes_check(SCENES_COLUMNS + seeds[i], &tally);
+    ck_assert_int_eq(tally.wrong, 0);
+    ck_assert_int_gt(tally.pounding, 8);
+}
+END_TEST
+
 /* Scenes that once had another answer for every tolerance: a blow at one level turned round the rate of a contact at
  * another one, which then went on in the wrong phase for a step. */
 START_TEST(scenes_whose_answers_differed)
@@ -209,6 +221,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, drawn_scenes);
     tcase_add_test(tcase, wide_scenes);
     tcase_add_test(tcase, yielding_scenes);
+    tcase_add_test(tcase, scenes_of_columns);
     tcase_add_loop_test(tcase, neighbours_at_rest_do_not_touch, 0, 5);
     tcase_add_test(tcase, a_held_contact_does_not_bounce);
     tcase_add_loop_test(tcase, scenes_that_lost_a_peak, 0, 2);

@@ -209,7 +209,7 @@ START_TEST(derivatives)
 {
     static const double exponents[] = {1, 1.5, 0.25, 2.65, 6};
     for (int i = 0; i < 25; i++) {
-        struct thud_branch b = {-3, 5, 7, 11, exponents[i % 5], 13, exponents[i / 5]};
+        struct thud_branch b = {-3, 5, 7, 11, exponents[i % 5], 13, exponents[i / 5], 0};
         for (double d = 0.01; d < 2; d *= 3)
             for (double v = -2; v < 3; v += 1) {
                 double fd, fv, h = 1e-6 * d, none = thud_branch_force(&b, d, v, &fd, &fv);
@@ -238,7 +238,7 @@ static void check_edge(struct thud_branch b, double d, double v, double f, doubl
 /* At d = 0 the limit from the right, below it the linear part alone. */
 START_TEST(edges)
 {
-    struct thud_branch b = {1, 2, 3, 5, 1.5, 7, 0.25};
+    struct thud_branch b = {1, 2, 3, 5, 1.5, 7, 0.25, 0};
     check_edge(b, 0, 0, 1, 2, 3);
     check_edge(b, 0, 4, 13, INFINITY, 3);
     check_edge(b, 0, -4, -11, -INFINITY, 3);

@@ -411,7 +411,7 @@ START_TEST(unusual_combinations_are_told)
     } odd[] = {{"bumper.stiffness", "0.005 kN/mm^2.65", "interfaces.1.bumper.stiffness", "0.088 MN", "0.1 to 100 MN"},
                {"bumper.post-yield", "400 kN/mm", "interfaces.1.bumper.post-yield", "400 kN/mm", "419.7 kN/mm"},
                {"bumper.cavity", "1.5 cm", "interfaces.1.bumper.cavity", "1.5 cm", "1 cm"},
-               {"structures.2.height", "3.5 m", "interfaces.1", "the same level", "heights"}};
+               {"structures.2.base", "20 m", "interfaces.1", "the same level", "heights"}};
     struct thud_error err;
     for (size_t i = 0; i < sizeof odd / sizeof *odd; i++) {
         towers();
