@@ -45,7 +45,7 @@ END_TEST
 /* Slabs against columns that give, or do not, in rows of buildings. */
 START_TEST(scenes_of_columns)
 {
-    static const unsigned long long seeds[] = {1, 2, 4, 6, 8, 9, 15, 17, 18, 22, 23, 25};
+    static const unsigned long long seeds[] = {4, 5, 7, 9, 10, 12, 13, 14, 18, 19, 20, 22, 24};
     struct scenes_tally tally = {.only = ""};
     for (size_t i = 0; i < sizeof seeds / sizeof *seeds; i++)
         scenes_check(SCENES_COLUMNS + seeds[i], &tally);
