@@ -51,6 +51,9 @@ FUZZERS  := $(patsubst tests/fuzz/%.c,$(B)/fuzz/%,$(wildcard tests/fuzz/fuzz_*.c
 LIBS     := $(B)/libthud-program.a $(B)/libthud-io.a $(B)/libthud.a
 THUD     := $(if $(filter release,$(VARIANT)),thud,$(B)/thud)
 
+# What the environment calls by these names is not what the scripts are to get.
+unexport THUD UNITS
+
 .PHONY: all help deps demo test units debug asan tsan valgrind coverage lint mutants objects fuzz fuzzers soak bench bench-peers install uninstall dist deb clean FORCE
 all: $(THUD) $(LIBS) $(B)/thud.pc ## build ./thud (VARIANT=debug, asan, coverage build into build/VARIANT)
 
@@ -161,9 +164,9 @@ bench-peers: all ## the towers by other integrators (CVODE, SciPy, OpenSeesPy, w
 	@sh tests/bench/peers/peers.sh $(B) build/bench
 
 install: all ## program, library, presets, records, manual pages, completions under DESTDIR PREFIX
-	@BUILD=$(B) tests/tools/install.sh install '$(DESTDIR)$(PREFIX)'
+	@THUD=./$(THUD) BUILD=$(B) tests/tools/install.sh install '$(DESTDIR)$(PREFIX)'
 uninstall: ## remove what install put there
-	@tests/tools/install.sh uninstall '$(DESTDIR)$(PREFIX)'
+	@THUD=./$(THUD) tests/tools/install.sh uninstall '$(DESTDIR)$(PREFIX)'
 dist: ## build/thud-VERSION.tar.gz of what is committed
 	@mkdir -p build && git archive --format=tar --prefix=thud-$(VERSION)/ HEAD | gzip -n9 >build/thud-$(VERSION).tar.gz
 	@echo build/thud-$(VERSION).tar.gz

@@ -2,6 +2,7 @@
 #ifndef THUD_STUDY_REMARK_H
 #define THUD_STUDY_REMARK_H
 
+#include "core/record.h"
 #include "core/result.h"
 #include "study/scene.h"
 #include "study/sweep.h"
@@ -13,6 +14,9 @@ bool thud_result_remark(const struct thud_scene *scene, const struct thud_result
 /* Whether a floor (from 0) was struck by an impulse, which has no finite acceleration: what the result holds is the peak
  * between the impulses. */
 bool thud_floor_struck(const struct thud_scene *scene, const struct thud_result *result, int structure, int floor);
+/* Whether one run of the scene takes long, by its floors and contacts and its fastest mode, and about how much memory and
+ * time, as measured without contact on one processor. `record`: NULL for none. */
+bool thud_scene_effort_remark(const struct thud_scene *scene, const struct thud_record *record, struct thud_error *out);
 /* The n-th bumper of `scene` whose thickness or exponent is not that of `before` while its stiffness is: eq. (6) would
  * change it. False when there are no more. */
 bool thud_scene_change_remark(const struct thud_scene *before, const struct thud_scene *scene, int n,

@@ -130,8 +130,8 @@ int thud_cli_main(int argc, char **argv, thud_screen_function *screen)
 {
     struct thud_error err = {0};
     thud_interrupt_start();
-    setlocale(LC_ALL, "");
-    setlocale(LC_NUMERIC, "C");
+    setlocale(LC_CTYPE,
+              ""); /* the terminal's characters alone: numbers keep the point of the C locale from the start */
     enum thud_status status = dispatch(argc, argv, screen, &err);
     if (status != THUD_OK && err.what[0])
         thud_cli_complain(&err);

@@ -147,6 +147,15 @@ static enum thud_status report_run(const struct thud_args *args, const struct th
     return status;
 }
 
+/* Before a run that takes long, about how long. What is wrong with the ground motion the run says. */
+static void say_effort(const struct thud_args *args, struct thud_session *session)
+{
+    struct thud_error effort;
+    if (!thud_args_has(args, "quiet") && thud_session_read_record(session, NULL) == THUD_OK &&
+        thud_scene_effort_remark(&session->scene, session->record, &effort))
+        say(&effort);
+}
+
 /* A run that failed shows no peaks: as JSON its status, when and why, else the message alone. */
 static enum thud_status report_failure(const struct thud_args *args, const struct thud_session *session,
                                        const struct thud_scene *scene, enum thud_case which,
@@ -202,6 +211,7 @@ static enum thud_status run_cases(const struct thud_args *args, struct thud_sess
         status = thud_scene_options(&session->scene, &options, err);
     if (status != THUD_OK)
         return status;
+    say_effort(args, session);
     options.keep_history = thud_args_has(args, "o");
     options.keep_impacts = true;
     status = thud_run_cases_make(session, thud_args_value(args, "cases"), &options, &cases, err);
@@ -238,6 +248,7 @@ static enum thud_status run(const struct thud_args *args, struct thud_session *s
         status = thud_scene_options(&session->scene, &options, err);
     if (status != THUD_OK)
         return status;
+    say_effort(args, session);
     options.keep_history = thud_args_has(args, "o");
     options.keep_impacts = true;
     status = thud_session_run(session, which, &options, scene, &answer, err);

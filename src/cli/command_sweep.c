@@ -285,6 +285,8 @@ static void remark(const struct sweep *s)
     char line[1400];
     if (thud_args_has(s->args, "quiet"))
         return;
+    if (thud_scene_effort_remark(&s->plan.scene, s->plan.nrecords > 0 ? s->plan.record[0] : NULL, &what))
+        fprintf(stderr, "thud: warning: %s\n", thud_error_text(&what, line, sizeof line));
     for (int i = 0; thud_sweep_remark(&s->plan, i, &what); i++)
         fprintf(stderr, "thud: warning: %s\n", thud_error_text(&what, line, sizeof line));
     for (int i = 0; thud_scene_change_remark(thud_preset_scene(s->session.preset), &s->plan.scene, i, &what); i++)

@@ -327,3 +327,21 @@ wait $pid
 code=$?
 is "a run with very fast modes stops when asked to" [ "$code" -eq 143 ]
 is "soon" [ $(($(date +%s) - began)) -le 5 ]
+
+# what takes long is said before it begins
+awk 'BEGIN { print "title: many\nrecord: {file: kobe-surrogate.csv}\nstructures:"
+    for (i = 1; i <= 20; i++) print "  - {name: S" i ", kind: shear, mass: 320 t, stiffness: 600 MN/m, storeys: 200, height: 3 m, damping: 5 %}"
+    print "interfaces:"
+    for (i = 1; i < 20; i++) print "  - {gap: 10 cm, contact: {law: linear, stiffness: 2500 kN/mm}}" }' >"$tmp/many.yaml"
+"$THUD" run "$tmp/many.yaml" >"$tmp/out" 2>"$tmp/err" &
+pid=$!
+for _ in 1 2 3 4 5 6 7 8 9 10; do
+    sleep 1
+    if [ -s "$tmp/err" ]; then break; fi
+done
+kill -TERM $pid
+wait $pid
+is "20 buildings of 200 storeys: memory and time are said before the run" says \
+    "thud: warning: analysis: 4000 floors, up to 3800 contacts, 4001 samples: a run takes about 0.26 GB and 3.7 min"
+gives 0 run towers
+is "nothing of the kind where a run is short" [ "$(grep -c "a run takes about" "$tmp/err")" = 0 ]

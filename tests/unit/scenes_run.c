@@ -54,7 +54,7 @@ static void find_natural(struct scenes_answer *a, const struct thud_model *m, do
     a->natural[SCENES_IMPULSE] = mass * speed;
     a->natural[SCENES_LOST] =
         fmax(mass * speed * speed, 1e4 * a->largest[SCENES_FORCE] * a->largest[SCENES_INDENTATION]);
-    a->natural[SCENES_FIRST] = a->natural[SCENES_TIME] = 1e8 * end_s; /* a grazing contact lasts any time */
+    a->natural[SCENES_FIRST] = a->natural[SCENES_TIME] = 1e9 * end_s; /* a grazing contact lasts any time */
 }
 
 static void take(struct scenes_answer *a, const struct thud_model *model, const struct thud_run *run)
