@@ -198,7 +198,9 @@ static double newton(const struct thud_state *state, struct alpha *x, int n, dou
         for (int k = 0; k < n; k++)
             x->matrix[k * n + i] = (by_slope + fv * by_v + by_a) * x->w[a * nc + x->active[k]] + (k == i ? own : 0);
     }
-    if (LAPACKE_dgesv_work(LAPACK_COL_MAJOR, n, 1, x->matrix, n, x->pivot, x->change, n) != 0)
+    if (n == 1)
+        x->change[0] /= x->matrix[0];
+    else if (LAPACKE_dgesv_work(LAPACK_COL_MAJOR, n, 1, x->matrix, n, x->pivot, x->change, n) != 0)
         return NAN;
     for (int i = 0; i < n; i++)
         if (!isfinite(x->change[i]))
@@ -237,6 +239,8 @@ static void solve_forces(const struct thud_state *state, struct alpha *x, double
         if (!counts(state, c))
             continue;
         x->d[c] = thud_model_gap_sum(state->model, c, x->end.q) - thud_state_clearance(state, c);
+        if (!state->locates && x->p.beta == 0 && c < state->model->ncontacts && x->d[c] <= 0)
+            continue; /* explicit in the displacements: no force can indent it, and it has none */
         x->v[c] = thud_model_gap_sum(state->model, c, x->end.qd);
         x->a[c] = thud_model_gap_sum(state->model, c, x->a1);
         x->active[n++] = c;
