@@ -25,6 +25,8 @@ const struct thud_result *thud_baseline_result(const struct thud_baseline_motion
 /* Largest u_left - u_right of contact c (from 0) over the whole motion, at least 0: a clearance this wide is never used
  * up. */
 double thud_baseline_relative_displacement(const struct thud_baseline_motion *baseline, int c);
+/* Largest |displacement| of the place of contact c that is struck between two floors; 0 where floors meet. */
+double thud_baseline_struck_displacement(const struct thud_baseline_motion *baseline, int c);
 
 /* Whether runs can share its beginning: the exact method, whose free flight is the same whatever the clearances. */
 bool thud_baseline_shares(const struct thud_baseline_motion *baseline);

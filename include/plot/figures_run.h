@@ -29,12 +29,13 @@ enum thud_run_figure {
     THUD_FIGURE_ENERGY,
     THUD_FIGURE_HYSTERESIS, /* of storeys that yield, and */
     THUD_FIGURE_PERMANENT,  /* their ductility and permanent drift over the height */
+    THUD_FIGURE_COLUMNS,
     THUD_RUN_FIGURES
 };
 
 /* "force", "velocity", ...: also the name of its files. */
 const char *thud_run_figure_name(enum thud_run_figure which);
-/* Whether there is anything to show: no forces without contacts, no drift of rigid bodies. */
+/* Whether there is anything to show: no forces without contacts, no drift of rigid bodies, no columns where floors meet. */
 bool thud_run_figure_has(enum thud_run_figure which, const struct thud_figure_source *source, int nsources);
 /* One source: a curve per floor or contact (the seven with the largest peaks where there are more). Several: a curve
  * per source, of the floor or contact with the largest peak. Ask thud_figure_check. */

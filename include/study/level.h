@@ -24,6 +24,8 @@ enum { THUD_PAIRINGS_MAX = 2 * (THUD_STOREYS_MAX + 1) };
  * its ground, or within 1 cm of its ground strikes nothing; nothing strikes columns where levels = aligned. */
 int thud_interface_pairings(const struct thud_scene *scene, int interface, struct thud_pairing *out);
 
+/* Whose columns: "left", "right", "". */
+const char *thud_struck_name(int struck);
 /* "2-3", "wall-3", "2-c3": floor 2 of the left one and the columns below floor 3 of the right one. */
 void thud_pairing_name(int left_floor, int right_floor, int struck, char *text, unsigned long size);
 

@@ -8,10 +8,11 @@
 #include "study/scene.h"
 #include "study/statistics.h"
 
-/* A pair of floors that could touch. */
+/* A pair of floors that could touch, or a floor and the columns that it could strike. */
 struct thud_gap_level {
     int interface, left_floor, right_floor; /* from 1; floor 0: a wall */
-    double left_m, right_m;                 /* largest displacement of each floor */
+    int struck;                             /* as thud_model_contact.struck */
+    double left_m, right_m;                 /* largest displacement of each side: floor, or struck place */
     double closing_m;                       /* largest u_left - u_right: a clearance this wide is never used up */
     double correlation;                     /* of DDC, from the first periods and damping ratios */
 };
@@ -37,6 +38,8 @@ const char *thud_gap_rule_column(int rule); /* in CSV and JSON: "closing_m", "ab
 double thud_gap_value(const struct thud_gap_level *level, int rule);
 
 /* Levels of a finished run without contact, (model->ncontacts). */
+double thud_gap_side(const struct thud_model *model, const struct thud_baseline_motion *baseline, int contact,
+                     bool right); /* left_m, right_m */
 void thud_gap_levels(const struct thud_model *model, const struct thud_baseline_motion *baseline,
                      struct thud_gap_level *level);
 

@@ -91,6 +91,7 @@ struct thud_sweep_floor {
 struct thud_sweep_contact {
     int impacts;
     double force_n, indentation_m, impulse_ns, contact_time_s, residual_m, residual_gap_m;
+    double shear_lower_n, shear_upper_n, capacity_ratio; /* of struck columns; NaN: floors meet, or no capacity */
 };
 
 /* What the changed runs of a point cost. */

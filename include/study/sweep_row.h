@@ -59,6 +59,8 @@ struct thud_sweep_contact_row {
     double force_n, indentation_m, impulse_ns, contact_time_s;
     double residual_m;                                                       /* left by plastic deformation */
     double residual_gap_m;                                                   /* clearance + residual at the end */
+    int struck;                                                              /* whose columns, as in gap levels */
+    double shear_lower_n, shear_upper_n, capacity_ratio;                     /* of struck columns */
     double force_low_n, force_high_n, indentation_low_m, indentation_high_m; /* as low and high of a floor's row */
 };
 
@@ -68,7 +70,8 @@ struct thud_sweep_need_row {
     double value[THUD_VARY_MAX]; /* of the varied keys; those that change no motion without pounding as in the first
                                     point */
     int interface, left_floor, right_floor;
-    double left_m, right_m;                         /* largest displacement of each floor */
+    int struck;                                     /* whose columns; 0: floors meet */
+    double left_m, right_m;                         /* largest displacement of each side */
     double closing_m;                               /* largest closing: a clearance this wide is never used up */
     double abs_m, srss_m, ddc_m, en1998_m, asce7_m; /* by enum thud_gap_rule */
     double correlation;                             /* of ddc */

@@ -6,6 +6,7 @@
 
 #include "base/version.h"
 #include "io/json.h"
+#include "study/level.h"
 
 enum thud_status thud_gap_study_run(const struct thud_scene *scene, const struct thud_record_list *records,
                                     const volatile sig_atomic_t *cancel, struct thud_gap_study *out,
@@ -45,14 +46,10 @@ void thud_gap_study_clear(struct thud_gap_study *study)
     *study = (struct thud_gap_study){0};
 }
 
-/* "2-3", "wall-1" */
+/* "2-3", "wall-1", "2-c3" */
 static const char *floors(const struct thud_gap_level *level, char text[24])
 {
-    if (level->left_floor == 0 || level->right_floor == 0)
-        snprintf(text, 24, "%s%d%s", level->left_floor ? "" : "wall-",
-                 level->left_floor ? level->left_floor : level->right_floor, level->left_floor ? "-wall" : "");
-    else
-        snprintf(text, 24, "%d-%d", level->left_floor, level->right_floor);
+    thud_pairing_name(level->left_floor, level->right_floor, level->struck, text, 24);
     return text;
 }
 
@@ -173,7 +170,7 @@ void thud_gap_csv(const struct thud_gap_study *study, const struct thud_record_l
     thud_text_append(out, "record,interface,left_floor,right_floor,left_displacement_m,right_displacement_m");
     for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_RULES; rule++)
         thud_text_append(out, ",%s", thud_gap_rule_column(rule));
-    thud_text_append(out, ",correlation\n");
+    thud_text_append(out, ",correlation,struck_columns\n");
     for (int r = 0; r < study->suite.nrecords; r++)
         for (int i = 0; i < study->gap[r]->nlevels; i++) {
             const struct thud_gap_level *l = &study->gap[r]->level[i];
@@ -189,7 +186,7 @@ void thud_gap_csv(const struct thud_gap_study *study, const struct thud_record_l
             }
             thud_text_append(out, ",");
             thud_text_number(out, l->correlation);
-            thud_text_append(out, "\n");
+            thud_text_append(out, ",%s\n", thud_struck_name(l->struck));
         }
 }
 
@@ -206,6 +203,8 @@ static void put_json_level(const struct thud_gap_level *l, struct thud_text *out
     }
     thud_text_append(out, ", ");
     thud_json_field(out, "correlation", l->correlation);
+    if (l->struck != 0)
+        thud_text_append(out, ", \"struck_columns\": \"%s\"", thud_struck_name(l->struck));
     thud_text_append(out, "}");
 }
 

@@ -2,6 +2,8 @@
 
 #include <stdio.h>
 
+#include "study/level.h"
+
 static const char *const floor_peak[THUD_FLOOR_SPREADS] = {"acceleration", "displacement", "velocity", "drift"};
 static const char *const contact_peak[THUD_CONTACT_SPREADS] = {"force", "indentation"};
 
@@ -17,7 +19,9 @@ static void add_contacts(const struct thud_report *report, struct thud_text *out
         thud_text_append(out, "%-22s%15s%15s\n", "interface and floors", contact_peak[0], contact_peak[1]);
     for (int c = 0; c < s->ncontacts; c++) {
         const struct thud_contact_result *r = &report->result->contact[c];
-        thud_text_append(out, "%5d  %3d-%-3d         ", r->interface, r->left_floor, r->right_floor);
+        char pair[40];
+        thud_pairing_name(r->left_floor, r->right_floor, r->struck, pair, sizeof pair);
+        thud_text_append(out, "%5d    %-13s", r->interface, pair);
         for (int k = 0; k < THUD_CONTACT_SPREADS; k++)
             add_spread(out, &s->contact[c][k]);
         thud_text_append(out, "\n");
@@ -71,11 +75,14 @@ static void add_digits(const struct thud_report *report, struct thud_text *out)
     add_worst(&worst, "floors", out);
     worst = (struct worst){0};
     for (int c = 0; c < s->ncontacts; c++)
-        for (int q = 0; q < THUD_CONTACT_SPREADS; q++)
+        for (int q = 0; q < THUD_CONTACT_SPREADS; q++) {
+            const struct thud_contact_result *r = &report->result->contact[c];
+            char pair[40];
+            thud_pairing_name(r->left_floor, r->right_floor, r->struck, pair, sizeof pair);
             if (look(&worst, &s->contact[c][q]))
-                snprintf(worst.peak, sizeof worst.peak, "peak %s of contact %d-%d of interface %d", contact_peak[q],
-                         report->result->contact[c].left_floor, report->result->contact[c].right_floor,
-                         report->result->contact[c].interface);
+                snprintf(worst.peak, sizeof worst.peak, "peak %s of contact %s of interface %d", contact_peak[q], pair,
+                         r->interface);
+        }
     add_worst(&worst, "contacts", out);
 }
 

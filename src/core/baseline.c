@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/observe_columns.h"
 #include "core/observe_relative.h"
 #include "core/run_private.h"
 #include "core/storey.h"
@@ -15,9 +14,10 @@ enum { KEPT_MAX = 192 };
 /* A moment at the start of an interval of the ground motion. */
 struct moment {
     long grid;
-    double *state;                    /* (2 x nmodes) q, q', then (ncontacts) largest relative displacements so far */
-    struct thud_floor_result *floor;  /* (ndof) peaks so far */
-    struct thud_storey_state *storey; /* (nstoreys), none of which yields */
+    double *state;                     /* (2 x nmodes) q, q', then (ncontacts) largest relative displacements so far */
+    struct thud_floor_result *floor;   /* (ndof) peaks so far */
+    struct thud_storey_state *storey;  /* (nstoreys), none of which yields */
+    struct thud_column_result *column; /* (ncolumns) peaks so far */
 };
 
 struct thud_baseline_motion {
@@ -47,6 +47,7 @@ static void drop(struct moment *moment)
     free(moment->state);
     free(moment->floor);
     free(moment->storey);
+    free(moment->column);
 }
 
 /* Every second one goes when there is no more room. */
@@ -82,7 +83,8 @@ static enum thud_status keep(struct thud_baseline_motion *baseline, struct thud_
     moment->state = malloc((2 * n + nc + 1) * sizeof(double));
     moment->floor = malloc(((size_t)baseline->ndof + 1) * sizeof(struct thud_floor_result));
     moment->storey = malloc(((size_t)run->state.model->nstoreys + 1) * sizeof *moment->storey);
-    if (!moment->state || !moment->floor || !moment->storey) {
+    moment->column = malloc(((size_t)run->result.ncolumns + 1) * sizeof *moment->column);
+    if (!moment->state || !moment->floor || !moment->storey || !moment->column) {
         drop(moment);
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
@@ -91,6 +93,7 @@ static enum thud_status keep(struct thud_baseline_motion *baseline, struct thud_
     memcpy(moment->state + n, run->state.qd, n * sizeof(double));
     memcpy(moment->state + 2 * n, baseline->relative_m, nc * sizeof(double));
     copy_floors(&run->result, moment->floor);
+    memcpy(moment->column, run->result.column, (size_t)run->result.ncolumns * sizeof *moment->column);
     memcpy(moment->storey, run->state.storey, (size_t)run->state.model->nstoreys * sizeof *moment->storey);
     baseline->next = run->state.grid + baseline->apart;
     return THUD_OK;
@@ -115,7 +118,7 @@ static bool copy_model(struct thud_baseline_motion *baseline, const struct thud_
 {
     baseline->model = *model;
     baseline->model.contact = calloc((size_t)model->nrows + 1, sizeof *model->contact);
-    baseline->relative_m = calloc((size_t)model->ncontacts + 1, sizeof *baseline->relative_m);
+    baseline->relative_m = calloc(2 * (size_t)model->ncontacts + 1, sizeof *baseline->relative_m);
     if (!baseline->model.contact || !baseline->relative_m)
         return false;
     for (int c = 0; c < model->nrows; c++)
@@ -191,6 +194,11 @@ double thud_baseline_relative_displacement(const struct thud_baseline_motion *ba
     return baseline->relative_m[c];
 }
 
+double thud_baseline_struck_displacement(const struct thud_baseline_motion *baseline, int c)
+{
+    return baseline->relative_m[baseline->ncontacts + c];
+}
+
 /* Whether no contact has closed up to the moment. */
 static bool before_contact(const struct thud_baseline_motion *baseline, const struct moment *moment,
                            const struct thud_model *model)
@@ -211,7 +219,7 @@ static void start_at(struct thud_run *run, const struct moment *moment)
     memcpy(run->state.qd, moment->state + n, n * sizeof(double));
     for (int s = 0; s < run->result.nstructures; from += run->result.structure[s].floors, s++)
         memcpy(run->result.structure[s].floor, from, (size_t)run->result.structure[s].floors * sizeof *from);
-    thud_columns_untouched(run->state.model, &run->result);
+    memcpy(run->result.column, moment->column, (size_t)run->result.ncolumns * sizeof *moment->column);
     thud_contact_moved(&run->state);
     thud_storeys_resume(&run->state, moment->storey);
     thud_ledger_start(&run->ledger, &run->state);

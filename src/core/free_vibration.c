@@ -391,6 +391,16 @@ static double side_value(const struct thud_model_side *side, const double *u)
     return value + (side->below < 0 ? 0 : (1 - side->share) * u[(size_t)side->below * ENDS]);
 }
 
+double thud_free_vibration_side(struct thud_free_vibration *f, const struct thud_model_side *side, int ends,
+                                double *margin)
+{
+    const double *u = f->value[THUD_FLOOR_DISPLACEMENT];
+    *margin = f->margin[side->structure];
+    for (int t = 0; t < ends; t++)
+        f->gap[t] = fabs(side_value(side, u + t));
+    return thud_largest(f->gap, ends);
+}
+
 double thud_free_vibration_gap(struct thud_free_vibration *f, const struct thud_model *model, int c, int ends,
                                double *margin)
 {

@@ -76,6 +76,9 @@ void thud_free_vibration_values(struct thud_free_vibration *f, const struct thud
  * an interval may lie above those at its ends. */
 double thud_free_vibration_gap(struct thud_free_vibration *f, const struct thud_model *model, int c, int ends,
                                double *margin);
+/* The same for the size of one side's displacement. */
+double thud_free_vibration_side(struct thud_free_vibration *f, const struct thud_model_side *side, int ends,
+                                double *margin);
 /* Motion in a piece (0 ... f->pieces - 1) of interval t; until the next call. */
 const struct thud_segment *thud_free_vibration_series(struct thud_free_vibration *f, const struct thud_state *state,
                                                       int t, int piece);

@@ -23,17 +23,6 @@ bool thud_columns_below(const struct thud_model *model, const struct thud_result
     return drift_m <= least_drift(&model->column[column], &result->column[column]);
 }
 
-void thud_columns_untouched(const struct thud_model *model, struct thud_result *result)
-{
-    for (int i = 0; i < model->ncolumns; i++) {
-        const struct thud_model_column *p = &model->column[i];
-        struct thud_peak drift = result->structure[p->structure].floor[p->storey - 1].drift;
-        for (int q = 0; q < THUD_COLUMN_QUANTITIES; q++)
-            result->column[i].peak[q] =
-                (struct thud_peak){fabs(p->per_drift[q]) * drift.value, p->per_drift[q] != 0 ? drift.time_s : 0};
-    }
-}
-
 /* Coefficients of the storey's drift. */
 static void drift_polynomial(const struct thud_model_column *p, const struct thud_segment *seg, int nmodes, double *out)
 {
@@ -57,7 +46,8 @@ static void by_drift(const struct thud_model *m, const struct thud_segment *seg,
     drift_polynomial(p, seg, m->nmodes, drift);
     for (int q = 0; q < THUD_COLUMN_QUANTITIES; q++) {
         for (int k = 0; k < seg->terms; k++)
-            x[k] = p->per_drift[q] * drift[k];
+            x[k] = p->per_drift[q] * drift[k] +
+                   (p->yielding >= 0 ? p->per_yield[q] * seg->force[k * m->nrows + p->yielding] : 0);
         raise(seg, &r->peak[q], x, s);
     }
 }
@@ -129,6 +119,14 @@ static double drifts(struct thud_free_vibration *f, const struct thud_model_colu
     return most;
 }
 
+/* Size of what a storey that has yielded adds to its drift in the columns' part of its shear. */
+static double plastic_drift(const struct thud_state *state, const struct thud_model_column *p)
+{
+    if (p->yielding < 0)
+        return 0;
+    return fabs(state->contact[p->yielding].branch.f0_n * p->per_yield[0] / p->per_drift[0]);
+}
+
 static enum thud_status block(void *own, const struct thud_state *state, struct thud_free_vibration *f, int intervals,
                               struct thud_error *err)
 {
@@ -137,14 +135,14 @@ static enum thud_status block(void *own, const struct thud_state *state, struct 
     (void)err;
     for (int i = 0; i < m->ncolumns; i++) {
         const struct thud_model_column *p = &m->column[i];
-        double least = least_drift(p, &result->column[i]),
+        double least = least_drift(p, &result->column[i]), shift = plastic_drift(state, p),
                margin = f->margin[THUD_FLOOR_DRIFT * m->nstructures + p->structure];
-        if (least == INFINITY || largest_drift(f, m, p) + margin <= least)
+        if (least == INFINITY || largest_drift(f, m, p) + shift + margin <= least)
             continue;
         double most = drifts(f, p, intervals + 1);
-        if (most + margin <= least)
+        if (most + shift + margin <= least)
             continue;
-        double limit = fmax(least, most) - margin;
+        double limit = fmax(least - shift, most - 2 * shift) - margin;
         for (int t = 0; t < intervals; t++)
             for (int piece = 0; piece < f->pieces && fmax(f->gap[t], f->gap[t + 1]) >= limit; piece++)
                 by_drift(m, thud_free_vibration_series(f, state, t, piece), i, &result->column[i], 1);

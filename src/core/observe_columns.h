@@ -7,8 +7,6 @@
 
 extern const struct thud_observer thud_observe_columns; /* its own: the run's struct thud_result */
 
-/* Peaks so far of columns that nothing has touched: those of the drifts. */
-void thud_columns_untouched(const struct thud_model *model, struct thud_result *result);
 /* Whether the storey can drift by so much without raising a peak of untouched columns. */
 bool thud_columns_below(const struct thud_model *model, const struct thud_result *result, int column, double drift_m);
 

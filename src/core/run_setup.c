@@ -127,8 +127,9 @@ static void pick_method(struct thud_run *run)
     run->result.method = run->method->name;
     bool may_choose = run->method->flags & THUD_METHOD_FIXED_STEP;
     run->state.locates = run->method->flags & THUD_METHOD_CAN_LOCATE && (run->options.locate || !may_choose);
-    run->state.inside =
-        run->state.locates || run->method->order == 0 || run->options.keep_history || run->state.model->nstoreys > 0;
+    run->state.inside = run->state.locates || run->method->order == 0 || run->options.keep_history ||
+                        run->state.model->nstoreys > 0 ||
+                        run->state.model->ncolumns > 0; /* their peaks are read there */
 }
 
 static void set_step(struct thud_run *run)

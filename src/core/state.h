@@ -66,8 +66,8 @@ struct thud_state {
     int nyielding, nshifted; /* storeys that yield now; elastic ones with a plastic drift: a constant force */
 
     /* What is asked of a method. */
-    bool locates;      /* events are located; else contacts are updated at the ends of steps */
-    bool inside;       /* the motion inside steps is wanted: events are located, or histories kept */
+    bool locates; /* events are located; else contacts are updated at the ends of steps */
+    bool inside;  /* the motion inside steps is wanted: located events, histories, storeys that yield, struck columns */
     double tolerance;  /* relative, of contact forces and adaptive steps */
     double step_s;     /* longest fixed step; NaN for methods without one */
     double step_cap_s; /* the next step is to be no longer */

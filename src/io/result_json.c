@@ -4,6 +4,7 @@
 #include "io/json.h"
 #include "io/result_file.h"
 #include "io/scene_json.h"
+#include "study/level.h"
 #include "study/remark.h"
 
 static const char *kind_name(enum thud_structure_kind kind)
@@ -132,7 +133,7 @@ static void add_contact(const struct thud_contact_result *c, struct thud_text *o
     thud_text_append(out, "    {\"interface\": %d, \"left_floor\": %d, \"right_floor\": %d, \"impacts\": %d",
                      c->interface, c->left_floor, c->right_floor, c->impacts);
     if (c->struck != 0) {
-        thud_text_append(out, ", \"struck_columns\": \"%s\", ", c->struck < 0 ? "left" : "right");
+        thud_text_append(out, ", \"struck_columns\": \"%s\", ", thud_struck_name(c->struck));
         thud_json_field(out, "eta", c->eta);
     }
     for (size_t i = 0; i < sizeof field / sizeof *field; i++) {

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "io/csv_lines.h"
+#include "study/level.h"
 
 const char *thud_sweep_csv_name(enum thud_sweep_csv which)
 {
@@ -97,9 +98,9 @@ void thud_sweep_csv_header(const struct thud_sweep_plan *plan, enum thud_sweep_c
         "record,case,gap_m,structure,floor,acceleration_mps2,drift_m,displacement_m,acceleration_ratio,drift_ratio,"
         "displacement_ratio,acceleration_free_ratio,drift_free_ratio,displacement_free_ratio",
         "record,case,gap_m,interface,left_floor,right_floor,impacts,force_n,indentation_m,impulse_ns,contact_time_s,"
-        "residual_m,residual_gap_m",
+        "residual_m,residual_gap_m,struck_columns,shear_lower_n,shear_upper_n,shear_over_capacity",
         "record,interface,left_floor,right_floor,left_displacement_m,right_displacement_m,closing_m,abs_m,srss_m,ddc_m,"
-        "correlation,en1998_m,asce7_m"};
+        "correlation,en1998_m,asce7_m,struck_columns"};
     thud_text_append(out, "%s", columns[which]);
     if (plan->sensitivity > 0)
         put_spread_header(which, out);
@@ -137,7 +138,10 @@ static void put_contact(const struct thud_sweep_plan *plan, long point, const st
     const double x[] = {row->force_n,        row->indentation_m, row->impulse_ns,
                         row->contact_time_s, row->residual_m,    row->residual_gap_m};
     const double spread[] = {row->force_low_n, row->force_high_n, row->indentation_low_m, row->indentation_high_m};
+    const double columns[] = {row->shear_lower_n, row->shear_upper_n, row->capacity_ratio};
     put_numbers(out, x, sizeof x / sizeof *x);
+    thud_text_append(out, ",%s", thud_struck_name(row->struck));
+    put_numbers(out, columns, sizeof columns / sizeof *columns);
     if (plan->sensitivity > 0)
         put_numbers(out, spread, sizeof spread / sizeof *spread);
     put_axes(plan, point, false, out);
@@ -151,6 +155,7 @@ static void put_need(const struct thud_sweep_plan *plan, long point, const struc
     const double x[] = {row->left_m, row->right_m,     row->closing_m, row->abs_m,  row->srss_m,
                         row->ddc_m,  row->correlation, row->en1998_m,  row->asce7_m};
     put_numbers(out, x, sizeof x / sizeof *x);
+    thud_text_append(out, ",%s", thud_struck_name(row->struck));
     put_axes(plan, point, true, out);
 }
 

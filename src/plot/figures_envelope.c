@@ -3,6 +3,7 @@
 #include <stdio.h>
 
 #include "plot/figures_run_internal.h"
+#include "study/level.h"
 #include "study/remark.h"
 
 enum { ACCELERATION, DISPLACEMENT, DRIFT, RATIO, QUANTITIES };
@@ -14,17 +15,6 @@ static const struct {
                           {"Displacement", "cm", 100.0},
                           {"Deflection", "mm", 1000.0},
                           {"Drift ratio", "%", 100.0}};
-
-/* Elevations of the floors; the base slab of an isolated building stands at 0. */
-static void elevations(const struct thud_structure *structure, int floors, double *height)
-{
-    double h = 0.0;
-    for (int f = 0; f < floors; f++) {
-        if (structure->kind != THUD_ISOLATED || f > 0)
-            h += structure->height_m[structure->kind == THUD_ISOLATED ? f - 1 : f];
-        height[f] = h;
-    }
-}
 
 /* Height of the storey below a floor; NaN below a base slab. */
 static double storey(const struct thud_structure *structure, int floor)
@@ -61,15 +51,14 @@ static void envelope(struct thud_panel *panel, const struct thud_figure_source *
 {
     const struct thud_structure_result *result = &source->result->structure[structure];
     const struct thud_structure *s = &source->scene->structure[structure];
-    double height[THUD_STOREYS_MAX + 1] = {0.0}, below = 0.0;
+    double below = s->base_m;
     size_t n = 0, floors = (size_t)result->floors;
     bool whole = q >= DRIFT, slab = s->kind == THUD_ISOLATED;
-    elevations(s, result->floors, height);
     struct thud_style style = {.kind = whole ? THUD_LINES : THUD_LINES_POINTS, .color = color};
     struct thud_series *series = thud_panel_add(panel, style, name, whole ? 2 * floors : floors + !slab, NULL, NULL);
     if (series && !whole && !slab) {
         series->x[n] = q == ACCELERATION ? ground_peak(source) : 0.0;
-        series->y[n++] = 0.0;
+        series->y[n++] = s->base_m;
     }
     for (size_t f = 0; series && f < floors; f++) {
         double value = quantity[q].factor * peak_of(source, structure, (int)f, q);
@@ -78,7 +67,7 @@ static void envelope(struct thud_panel *panel, const struct thud_figure_source *
             series->y[n++] = below;
         }
         series->x[n] = value;
-        series->y[n++] = below = height[f];
+        series->y[n++] = below = thud_structure_elevation(s, (int)f);
     }
 }
 

@@ -4,6 +4,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "study/level.h"
+
 enum { LEVELS_MAX = 256 };
 
 /* Medians by level, with the band from 16 to 84 % of what is needed. false: out of memory. */
@@ -16,10 +18,8 @@ static bool add_levels(struct thud_panel *panel, const struct thud_gap_suite *su
     for (int l = 0; l < n; l += every) {
         char text[40];
         const struct thud_gap_level *p = &first->level[l];
-        if (several)
-            snprintf(text, sizeof text, "%d: %d-%d", p->interface, p->left_floor, p->right_floor);
-        else
-            snprintf(text, sizeof text, "%d-%d", p->left_floor, p->right_floor);
+        int used = several ? snprintf(text, sizeof text, "%d: ", p->interface) : 0;
+        thud_pairing_name(p->left_floor, p->right_floor, p->struck, text + used, sizeof text - (size_t)used);
         thud_panel_tick(panel, THUD_X, l + 1, text);
     }
     thud_panel_limits(panel, THUD_X, 0.5, n + 0.5);

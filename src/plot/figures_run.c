@@ -113,13 +113,14 @@ void thud_source_contact_name(const struct thud_figure_source *source, int conta
     const struct thud_contact_result *c = &source->result->contact[contact];
     const struct thud_structure *left = &source->scene->structure[c->interface - 1], *right = left + 1;
     int floor = c->left_floor ? c->left_floor : c->right_floor;
-    bool level = c->left_floor == c->right_floor || !c->left_floor || !c->right_floor;
+    bool level = c->struck == 0 && (c->left_floor == c->right_floor || !c->left_floor || !c->right_floor);
     if (level && source->result->nstructures <= 2)
         snprintf(text, size, "floor %d", floor);
     else if (level)
         snprintf(text, size, "%s–%s, floor %d", left->name, right->name, floor);
     else
-        snprintf(text, size, "%s %d–%s %d", left->name, c->left_floor, right->name, c->right_floor);
+        snprintf(text, size, "%s %s%d–%s %s%d", left->name, c->struck < 0 ? "c" : "", c->left_floor, right->name,
+                 c->struck > 0 ? "c" : "", c->right_floor);
 }
 
 int thud_pick_largest(const double *value, int n, int most, int *index)
@@ -306,9 +307,9 @@ static struct thud_figure *histories(enum thud_run_figure which, const struct th
 
 const char *thud_run_figure_name(enum thud_run_figure which)
 {
-    static const char *const name[THUD_RUN_FIGURES] = {"force",      "velocity", "acceleration", "displacement",
-                                                       "drift",      "loop",     "envelope",     "energy",
-                                                       "hysteresis", "permanent"};
+    static const char *const name[THUD_RUN_FIGURES] = {"force",      "velocity",  "acceleration", "displacement",
+                                                       "drift",      "loop",      "envelope",     "energy",
+                                                       "hysteresis", "permanent", "columns"};
     return name[which];
 }
 
@@ -328,6 +329,8 @@ bool thud_run_figure_has(enum thud_run_figure which, const struct thud_figure_so
         return touched;
     if (which == THUD_FIGURE_HYSTERESIS || which == THUD_FIGURE_PERMANENT)
         return thud_source_yields(source);
+    if (which == THUD_FIGURE_COLUMNS)
+        return source->result->ncolumns > 0;
     return which == THUD_FIGURE_FORCE ? source->result->ncontacts > 0 : any;
 }
 
@@ -346,6 +349,8 @@ struct thud_figure *thud_run_figure(enum thud_run_figure which, const struct thu
         return thud_figure_hysteresis(source, nsources);
     case THUD_FIGURE_PERMANENT:
         return thud_figure_permanent(source, nsources);
+    case THUD_FIGURE_COLUMNS:
+        return thud_figure_columns(source, nsources);
     default:
         return histories(which, source, nsources);
     }

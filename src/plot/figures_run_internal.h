@@ -48,6 +48,7 @@ struct thud_figure *thud_figure_permanent(const struct thud_figure_source *sourc
 struct thud_figure *thud_figure_forces(const struct thud_figure_source *source, int nsources);
 struct thud_figure *thud_figure_loops(const struct thud_figure_source *source, int nsources);
 struct thud_figure *thud_figure_envelopes(const struct thud_figure_source *source, int nsources);
+struct thud_figure *thud_figure_columns(const struct thud_figure_source *source, int nsources);
 struct thud_figure *thud_figure_energies(const struct thud_figure_source *source, int nsources);
 
 #endif

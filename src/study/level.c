@@ -150,6 +150,11 @@ int thud_interface_pairings(const struct thud_scene *scene, int interface, struc
     return meet_body(building, other->structure->height_m[0], building_left, out);
 }
 
+const char *thud_struck_name(int struck)
+{
+    return struck < 0 ? "left" : struck > 0 ? "right" : "";
+}
+
 void thud_pairing_name(int left_floor, int right_floor, int struck, char *text, unsigned long size)
 {
     char floor[2][16];

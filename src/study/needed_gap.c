@@ -26,7 +26,7 @@ double thud_gap_value(const struct thud_gap_level *level, int rule)
 {
     static const double aligned = 0.7; /* EN 1998-1:2004, 4.4.2.7(3) */
     double a = level->left_m, b = level->right_m;
-    bool wall = level->left_floor == 0 || level->right_floor == 0;
+    bool meet = level->left_floor > 0 && level->right_floor > 0 && level->struck == 0;
     switch (rule) {
     case THUD_GAP_ABS:
         return thud_spacing_abs(a, b);
@@ -36,7 +36,7 @@ double thud_gap_value(const struct thud_gap_level *level, int rule)
     case THUD_GAP_DDC:
         return thud_spacing_ddc(a, b, level->correlation);
     case THUD_GAP_EN1998:
-        return (wall ? 1 : aligned) * thud_spacing_srss(a, b);
+        return (meet ? aligned : 1) * thud_spacing_srss(a, b);
     default:
         return level->closing_m;
     }
@@ -56,6 +56,16 @@ static double largest(const struct thud_result *result, int s, int floor)
     return floor > 0 ? result->structure[s].floor[floor - 1].displacement.value : 0;
 }
 
+double thud_gap_side(const struct thud_model *model, const struct thud_baseline_motion *baseline, int contact,
+                     bool right)
+{
+    const struct thud_model_contact *p = &model->contact[contact];
+    if (p->struck == (right ? 1 : -1))
+        return thud_baseline_struck_displacement(baseline, contact);
+    return largest(thud_baseline_result(baseline), right ? p->interface : p->interface - 1,
+                   right ? p->right_floor : p->left_floor);
+}
+
 static double first_period(const struct thud_result *result, int s)
 {
     return result->structure[s].floors > 0 ? result->structure[s].period_s[0] : INFINITY;
@@ -72,8 +82,9 @@ void thud_gap_levels(const struct thud_model *model, const struct thud_baseline_
             .interface = p->interface,
             .left_floor = p->left_floor,
             .right_floor = p->right_floor,
-            .left_m = largest(result, left, p->left_floor),
-            .right_m = largest(result, right, p->right_floor),
+            .struck = p->struck,
+            .left_m = thud_gap_side(model, baseline, c, false),
+            .right_m = thud_gap_side(model, baseline, c, true),
             .closing_m = thud_baseline_relative_displacement(baseline, c),
             .correlation = thud_spacing_correlation(first_period(result, left), first_damping(model, left),
                                                     first_period(result, right), first_damping(model, right))};

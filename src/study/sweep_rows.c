@@ -166,6 +166,10 @@ int thud_sweep_contact_rows(const struct thud_sweep_plan *plan, const struct thu
             row[count].contact_time_s = x->contact_time_s;
             row[count].residual_m = x->residual_m;
             row[count].residual_gap_m = x->residual_gap_m;
+            row[count].struck = level->struck;
+            row[count].shear_lower_n = x->shear_lower_n;
+            row[count].shear_upper_n = x->shear_upper_n;
+            row[count].capacity_ratio = x->capacity_ratio;
             spread_contact(&row[count], point, k, c);
         }
     }
@@ -182,6 +186,7 @@ int thud_sweep_need_rows(const struct thud_sweep_plan *plan, const struct thud_s
         row[c] = (struct thud_sweep_need_row){.interface = x->interface,
                                               .left_floor = x->left_floor,
                                               .right_floor = x->right_floor,
+                                              .struck = x->struck,
                                               .left_m = x->left_m,
                                               .right_m = x->right_m,
                                               .closing_m = x->closing_m,

@@ -63,13 +63,17 @@ static void take(struct thud_sweep_task *task, const struct thud_result *result)
     take_floors(thud_sweep_floors(task->point, task->variant, task->which), result);
     for (int c = 0; c < task->point->ncontacts; c++) {
         const struct thud_contact_result *r = &result->contact[c];
+        const struct thud_column_result *column = r->column >= 0 ? &result->column[r->column] : NULL;
         to[c] = (struct thud_sweep_contact){r->impacts,
                                             r->force.value,
                                             r->indentation.value,
                                             r->impulse_ns,
                                             r->contact_time_s,
                                             r->residual_m,
-                                            task->model->contact[c].clearance_m + r->residual_m};
+                                            task->model->contact[c].clearance_m + r->residual_m,
+                                            column ? column->peak[THUD_COLUMN_SHEAR_LOWER].value : NAN,
+                                            column ? column->peak[THUD_COLUMN_SHEAR_UPPER].value : NAN,
+                                            column ? column->ratio : NAN};
     }
 }
 

