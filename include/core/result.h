@@ -133,6 +133,5 @@ int thud_history_hysteretic(const struct thud_history *h);
 int thud_history_storey_drift(const struct thud_history *h, int storey);
 int thud_history_storey_shear(const struct thud_history *h, int storey);
 int thud_history_storey_plastic(const struct thud_history *h, int storey);
-int thud_history_column(const struct thud_history *h, int column, enum thud_column_quantity shear);
 
 #endif

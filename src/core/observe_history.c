@@ -57,7 +57,7 @@ int thud_history_storey_plastic(const struct thud_history *h, int storey)
 {
     return thud_history_hysteretic(h) + 1 + 2 * h->nstoreys + storey;
 }
-int thud_history_column(const struct thud_history *h, int column, enum thud_column_quantity shear)
+static int thud_history_column(const struct thud_history *h, int column, enum thud_column_quantity shear)
 {
     int storeys = h->nstoreys > 0 ? 1 + 3 * h->nstoreys : 0;
     return thud_history_hysteretic(h) + storeys + SHEARS * column + (int)shear;

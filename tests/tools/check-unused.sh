@@ -10,7 +10,7 @@ status=0
 
 # Only tests use these, and shall: what the laws are held against, and where a test takes the place of a person.
 for_tests="
-    thud_kelvin_voigt_restitution thud_kelvin_voigt_cut_collision thud_rubber_curve_force
+    thud_kelvin_voigt_restitution thud_kelvin_voigt_cut_collision
     thud_tui_keys_text thud_manual_part_name"
 
 report() { # WHAT FINDINGS
