@@ -15,6 +15,7 @@ enum thud_suite_measure {
     THUD_SUITE_DRIFT_ANGLE,        /* the same over the storey's height; without the isolators' */
     THUD_SUITE_ACCELERATION_RATIO, /* of the means over the floors, to case none */
     THUD_SUITE_DRIFT_RATIO,
+    THUD_SUITE_DUCTILITY, /* largest drift over yield drift of the storeys that yield; NaN: none does */
     THUD_SUITE_MEASURES
 };
 const char *thud_suite_column(enum thud_suite_measure measure); /* "force_n", "drift_m", ... */
@@ -23,6 +24,7 @@ const char *thud_suite_column(enum thud_suite_measure measure); /* "force_n", "d
 struct thud_suite {
     const struct thud_sweep_plan *plan;
     int nrecords, nstructures, nvalues; /* nvalues: of a run */
+    bool yields;                        /* some storey may: it has ductilities */
     long settings;
     double *value; /* (nrecords x settings x plan->ncases x nvalues); NaN: no answer */
 };

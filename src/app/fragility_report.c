@@ -431,6 +431,12 @@ void thud_fragility_json(const struct thud_fragility_study *study, struct thud_t
 
 enum { SUITE_FIRST = THUD_SUITE_FORCE, SUITE_COLUMNS = 3 + 3 * (THUD_SUITE_MEASURES - SUITE_FIRST) };
 
+/* Ductilities, the last measure, only where storeys yield. */
+static int suite_columns(const struct thud_suite *suite)
+{
+    return SUITE_COLUMNS - (suite->yields ? 0 : 3);
+}
+
 /* One setting, case and structure: how many motions, how many of them pound and are amplified, fractiles of every
  * measure. */
 static void suite_values(const struct thud_suite *suite, long setting, int k, int s, double *room,
@@ -475,7 +481,7 @@ static void put_suite_csv_row(const struct thud_suite *suite, const int *at, int
     }
     thud_text_append(out, ",");
     thud_text_csv(out, plan->scene.structure[s].name);
-    for (int c = 0; c < SUITE_COLUMNS; c++)
+    for (int c = 0; c < suite_columns(suite); c++)
         put_number(value[c], out);
     thud_text_append(out, "\n");
 }
@@ -497,7 +503,7 @@ static void put_suite_json_row(const struct thud_suite *suite, const int *at, in
     }
     thud_text_append(out, ", \"structure\": ");
     thud_json_string(out, plan->scene.structure[s].name);
-    for (int c = 0; c < SUITE_COLUMNS; c++) {
+    for (int c = 0; c < suite_columns(suite); c++) {
         suite_column(c, name);
         thud_text_append(out, ", ");
         thud_json_field(out, name, value[c]);
@@ -563,7 +569,7 @@ enum thud_status thud_suite_csv(const struct thud_suite *suite, struct thud_text
     for (int a = 0; a < suite->plan->naxes; a++)
         thud_text_append(out, ",%s", suite->plan->axis[a].key);
     thud_text_append(out, ",structure");
-    for (int c = 0; c < SUITE_COLUMNS; c++) {
+    for (int c = 0; c < suite_columns(suite); c++) {
         suite_column(c, name);
         thud_text_append(out, ",%s", name);
     }

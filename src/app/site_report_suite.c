@@ -253,6 +253,8 @@ static void add_statistics(struct site *site)
         add_fractiles(site, THUD_SUITE_ACCELERATION, s, THUD_GRAVITY, "acceleration, g,");
         if (thud_site_is_building(site, s))
             add_fractiles(site, THUD_SUITE_DRIFT, s, 1e-3, "drift, mm,");
+        if (site->suite.runs->yields)
+            add_fractiles(site, THUD_SUITE_DUCTILITY, s, 1, "ductility");
     }
 }
 

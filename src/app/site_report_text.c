@@ -62,7 +62,7 @@ static void say_case(struct site *site, const struct site_case *one)
 
 /* What is told of every floor in every case. A result that has more is one line more: what no floor has in any case is
  * left out. */
-enum { FLOOR_ACCELERATION, FLOOR_DRIFT };
+enum { FLOOR_ACCELERATION, FLOOR_DRIFT, FLOOR_DUCTILITY, FLOOR_PERMANENT };
 static double acceleration_of(const struct thud_structure_result *r, int floor)
 {
     return r->floor[floor].acceleration.value;
@@ -70,6 +70,14 @@ static double acceleration_of(const struct thud_structure_result *r, int floor)
 static double drift_of(const struct thud_structure_result *r, int floor)
 {
     return r->floor[floor].drift.value;
+}
+static double ductility_of(const struct thud_structure_result *r, int floor)
+{
+    return r->storey && r->storey[floor].yields ? r->storey[floor].ductility : NAN;
+}
+static double permanent_of(const struct thud_structure_result *r, int floor)
+{
+    return r->storey && r->storey[floor].yields ? fabs(r->storey[floor].permanent_m) : NAN;
 }
 static const struct floor_table {
     const char *caption, *row; /* "Largest drift of the storeys of %s, mm", "storey" */
@@ -79,6 +87,9 @@ static const struct floor_table {
 } floor_table[] = {
     [FLOOR_ACCELERATION] = {"Largest acceleration of the floors of %s, m/s2", "floor", 1, false, acceleration_of},
     [FLOOR_DRIFT] = {"Largest drift of the storeys of %s, mm", "storey", 1e-3, true, drift_of},
+    [FLOOR_DUCTILITY] = {"Ductility of the storeys of %s (largest drift over yield drift)", "storey", 1, true,
+                         ductility_of},
+    [FLOOR_PERMANENT] = {"Drift that stays in the storeys of %s, mm", "storey", 1e-3, true, permanent_of},
 };
 enum { FLOOR_TABLES = sizeof floor_table / sizeof *floor_table };
 
@@ -151,6 +162,32 @@ static void say_effect(struct site *site, int table)
     }
 }
 
+/* The largest over the storeys of a structure; NaN: none has one. */
+static double largest_of(const struct site_case *one, int s, int table)
+{
+    const struct thud_structure_result *r = &one->result->structure[s];
+    double most = NAN;
+    for (int f = 0; f < r->floors; f++)
+        most = fmax(most, floor_table[table].value(r, f)); /* a NaN gives way */
+    return most;
+}
+
+/* Storeys that yield, in every case. */
+static void say_yielding(struct site *site, int s)
+{
+    char said[400] = "";
+    size_t used = 0;
+    for (int i = 0; i < site->ncases; i++) {
+        double ductility = largest_of(&site->cases[i], s, FLOOR_DUCTILITY);
+        if (isnan(ductility))
+            return;
+        used += (size_t)snprintf(said + used, sizeof said - used, "%s%.2f %s (%.1f mm stay)", i ? ", " : "", ductility,
+                                 site->cases[i].words, 1e3 * largest_of(&site->cases[i], s, FLOOR_PERMANENT));
+    }
+    thud_document_item(&site->document, "The largest ductility of the storeys of %s is %s; up to 1 they are elastic.",
+                       thud_site_name(site, s), said);
+}
+
 /* The record's sign is a matter of chance. */
 static void say_reversed(struct site *site)
 {
@@ -218,6 +255,8 @@ static void answer(struct site *site)
     } else {
         thud_document_item(d, "The scene has no bumper; one in the preset adds the comparison.");
     }
+    for (int s = 0; s < site->scene->nstructures; s++)
+        say_yielding(site, s);
     say_reversed(site);
     say_gap(site);
     thud_site_suite_answer(site);

@@ -2,13 +2,15 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { OF_RUN = THUD_SUITE_ACCELERATION, OF_STRUCTURE = THUD_SUITE_MEASURES - OF_RUN };
 
 const char *thud_suite_column(enum thud_suite_measure measure)
 {
-    static const char *const column[] = {
-        "impacts", "force_n", "acceleration_mps2", "drift_m", "drift_angle", "acceleration_ratio", "drift_ratio"};
+    static const char *const column[] = {"impacts",     "force_n",     "acceleration_mps2",
+                                         "drift_m",     "drift_angle", "acceleration_ratio",
+                                         "drift_ratio", "ductility"};
     return column[measure];
 }
 
@@ -21,6 +23,9 @@ enum thud_status thud_suite_create(const struct thud_sweep_plan *plan, struct th
         suite->nrecords = plan->nrecords > 0 ? plan->nrecords : 1;
         suite->settings = thud_sweep_points(plan) / suite->nrecords;
         suite->nstructures = plan->scene.nstructures;
+        suite->yields = thud_scene_yields(&plan->scene);
+        for (int a = 0; a < plan->naxes; a++)
+            suite->yields |= strstr(plan->axis[a].key, ".yield") != NULL;
         suite->nvalues = OF_RUN + OF_STRUCTURE * suite->nstructures;
         size_t n = (size_t)thud_sweep_points(plan) * (size_t)plan->ncases * (size_t)suite->nvalues;
         suite->value = malloc((n + 1) * sizeof *suite->value);
@@ -60,8 +65,21 @@ static double drift_angle(const struct thud_structure *structure, const struct t
     return most;
 }
 
-/* Acceleration, drift and drift angle of every structure. */
-static void put_peaks(const struct thud_suite *suite, const struct thud_sweep_point *point, int k, double *value)
+/* An isolator does not yield. */
+static double ductility(const struct thud_structure *structure, const struct thud_sweep_floor *floor, int n)
+{
+    int first = structure->kind == THUD_ISOLATED;
+    double most = NAN;
+    for (int i = first; i < n; i++) {
+        double yield_m = thud_structure_yield(structure, i - first);
+        if (isfinite(yield_m))
+            most = fmax(most, floor[i].drift_m / yield_m); /* a NaN gives way */
+    }
+    return most;
+}
+
+/* Acceleration, drift, drift angle and ductility of every structure of the point's scene. */
+static void put_peaks(const struct thud_scene *scene, const struct thud_sweep_point *point, int k, double *value)
 {
     const struct thud_sweep_floor *floor = point->floor + (ptrdiff_t)k * point->nfloors;
     for (int s = 0; s < point->nstructures; floor += point->floors[s], s++) {
@@ -73,7 +91,8 @@ static void put_peaks(const struct thud_suite *suite, const struct thud_sweep_po
             to[THUD_SUITE_ACCELERATION] = fmax(to[THUD_SUITE_ACCELERATION], floor[i].acceleration_mps2);
             to[THUD_SUITE_DRIFT] = fmax(to[THUD_SUITE_DRIFT], floor[i].drift_m);
         }
-        to[THUD_SUITE_DRIFT_ANGLE] = drift_angle(&suite->plan->scene.structure[s], floor, point->floors[s]);
+        to[THUD_SUITE_DRIFT_ANGLE] = drift_angle(&scene->structure[s], floor, point->floors[s]);
+        to[THUD_SUITE_DUCTILITY] = ductility(&scene->structure[s], floor, point->floors[s]);
     }
 }
 
@@ -81,14 +100,19 @@ enum thud_status thud_suite_add(struct thud_suite *suite, const struct thud_swee
 {
     int n = thud_sweep_rows(suite->plan, point, NULL);
     struct thud_sweep_row *row = malloc(((size_t)n + 1) * sizeof *row);
-    if (!row)
+    struct thud_scene *own = suite->yields && row ? malloc(sizeof *own) : NULL; /* its yield drifts may be varied */
+    if (!row || (suite->yields && !own)) {
+        free(row);
         return thud_error_set(err, THUD_MEMORY, "out of memory");
+    }
+    enum thud_status status = own ? thud_sweep_scene(suite->plan, point->index, own, err) : THUD_OK;
+    const struct thud_scene *scene = own ? own : &suite->plan->scene;
     thud_sweep_rows(suite->plan, point, row);
-    for (int k = 0; k < suite->plan->ncases && k < point->ncases; k++) {
+    for (int k = 0; k < suite->plan->ncases && k < point->ncases && status == THUD_OK; k++) {
         double *value = run_at(suite, point->index, k);
         if (point->effort[k].status != THUD_OK)
             continue;
-        put_peaks(suite, point, k, value);
+        put_peaks(scene, point, k, value);
         value[THUD_SUITE_IMPACTS] = value[THUD_SUITE_FORCE] = 0;
         for (int c = 0; c < point->ncontacts; c++) {
             const struct thud_sweep_contact *x = &point->contact[(ptrdiff_t)k * point->ncontacts + c];
@@ -103,7 +127,8 @@ enum thud_status thud_suite_add(struct thud_suite *suite, const struct thud_swee
             }
     }
     free(row);
-    return THUD_OK;
+    free(own);
+    return status;
 }
 
 double thud_suite_value(const struct thud_suite *suite, int record, long setting, int k,

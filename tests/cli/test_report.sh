@@ -118,6 +118,12 @@ rm -rf "$tmp/first"
 cp -r "$tmp/r" "$tmp/first"
 report 0 "$tmp/own.yaml" --records "$three" --factor 0.4 --samples 20 --uncertain gap=10%
 is "and again the same bytes" diff -r "$tmp/first" "$tmp/r"
+is "a report where storeys yield" report 0 "$tmp/own.yaml" --set structures.2.yield=15mm --samples 0
+ductility=$("$THUD" run "$tmp/own.yaml" --set structures.2.yield=15mm --csv 2>/dev/null | awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "ductility") c = i } $1 == "Nr 14" && $c > m { m = $c } END { printf "%.2f", m }')
+is "has the ductility" in_text "The largest ductility of the storeys of Nr 14 is .* $ductility with the bumper"
+is "and a table of the drifts that stay" in_text 'Drift that stays in the storeys of Nr 14, mm'
+not_in_text() { ! in_text "$1"; }
+is "none of a building that stays elastic" not_in_text 'storeys of Nr .<12.>, mm.*stays in the storeys of Nr .<12'
 is "no samples where none are asked for" report 0 "$tmp/own.yaml" --samples 0
 not_in_text() { ! in_text "$1"; }
 is "has no shares" not_in_text 'samples (ratio'

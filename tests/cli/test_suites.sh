@@ -97,6 +97,19 @@ again --csv --samples 7 --seed 2
 other() { ! cmp -s "$tmp/out" "$tmp/fragility/fragility.csv" && cut -d, -f1-8 "$tmp/out" | cmp -s - "$tmp/c8"; }
 cut -d, -f1-8 "$tmp/fragility/fragility.csv" >"$tmp/c8"
 is "another seed: other bands, the same curves" other
+# of storeys that yield; a second way: single runs
+"$THUD" fragility towers --records "$three" --set structures.1.yield=12mm --vary gap=6cm,12cm --cases none --event ductility:2 -o "$tmp/yields" --quiet >"$tmp/out" 2>"$tmp/err"
+singly() { # GAP: of the three motions, how many take a storey beyond twice its yield drift
+    for r in kobe northridge san-fernando; do
+        "$THUD" run towers --record $r-surrogate.csv --set structures.1.yield=12mm --case none --set "gap=$1" --csv 2>/dev/null |
+            awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "ductility") c = i } $1 == "A" && $c > m { m = $c } END { print (m > 2) }'
+    done | awk '{ n += $1 } END { print n + 0 }'
+}
+told() { awk -F, -v g="$1" '$1 == "ductility:2" && $4 == g { print $6 }' "$tmp/yields/fragility.csv"; }
+is "ductility at 6 cm: counts are those of single runs" test "$(told 0.06)" = "$(singly 6cm)"
+is "at 12 cm too" test "$(told 0.12)" = "$(singly 12cm)"
+is "suite.csv has ductilities where storeys yield" sh -c "head -1 \"$tmp/yields/suite.csv\" | grep -q 'ductility_p16,ductility_median,ductility_p84$'"
+is "and else none" sh -c "! head -1 \"$tmp/fragility/suite.csv\" | grep -q ductility"
 # killed while its pictures are drawn: what was run is not lost
 # shellcheck disable=SC2016 # a script's own
 printf '#!/bin/sh\nkill -9 $PPID\n' >"$tmp/gnuplot"
