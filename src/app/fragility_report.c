@@ -267,7 +267,8 @@ void thud_fragility_table(const struct thud_fragility_study *study, struct thud_
             thud_text_append(out, "%s%s against %s%s%s%s, %d ground motions\n", event >= 0 ? "\n" : "",
                              study->event[line->event].text, along->param->title, unit && *unit ? " (" : "",
                              unit ? unit : "", unit && *unit ? ")" : "", study->suite->nrecords);
-            thud_text_append(out, "  %-8s %-14s %-24s %-20s%s\n", "case", "at", "50 % (90 % band)", "dispersion",
+            thud_text_append(out, "  %-8s %-14s %-24s %-*s%s\n", "case", "at", "50 % (90 % band)",
+                             study->hazard.n > 0 ? 11 : 20, "dispersion",
                              study->hazard.n > 0 ? "a year    in 50 y" : "");
         }
         event = line->event;
@@ -280,7 +281,10 @@ void thud_fragility_table(const struct thud_fragility_study *study, struct thud_
             thud_text_append(out, "%-45s", "not within these values");
         } else {
             put_band(f->curve.theta, f->theta_low, f->theta_high, unit_of(along), 25, out);
-            put_band(f->curve.beta, f->beta_low, f->beta_high, 1, 20, out);
+            if (isnan(line->rate)) /* beside the rates there is no room for its band */
+                put_band(f->curve.beta, f->beta_low, f->beta_high, 1, 20, out);
+            else
+                thud_text_append(out, "%-11.3g", f->curve.beta);
         }
         if (!isnan(line->rate))
             thud_text_append(out, " %.2e %5.1f %%", line->rate, 100 * thud_hazard_probability(line->rate, years));
