@@ -112,7 +112,7 @@ static const struct thud_option options[] = {
     {"signs", "both", "every ground motion both ways round", THUD_WORD_CHOICE, false,
      SWEEP | 1 << THUD_COMMAND_GAP | REPORT},
     {"cases", "CASE,CASE", "run each of these cases", THUD_WORD_CASE, false, RUN | SWEEP},
-    {"event", "EVENT", "pounding, worse, force:5MN, drift:1%, ductility:2", THUD_WORD_TEXT, true, FRAGILITY},
+    {"event", "EVENT", "pounding, worse, drift:1%, ductility:2", THUD_WORD_TEXT, true, FRAGILITY},
     {"hazard", "FILE", "intensity and annual rate, as CSV", THUD_WORD_FILE, false, FRAGILITY},
     {"samples", "N", "of the bootstrap or the inputs, 200 by itself", THUD_WORD_TEXT, false,
      FRAGILITY | UNCERTAINTY | REPORT},
