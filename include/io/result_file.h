@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "core/record.h"
 #include "core/result.h"
+#include "study/needed_gap.h"
 #include "study/scene.h"
 #include "study/sensitivity.h"
 #include "study/truncation.h"
@@ -20,6 +21,7 @@ struct thud_report {
     int nimpacts;
     const struct thud_sensitivity *sensitivity; /* NULL: not asked for */
     const struct thud_truncation *truncation;   /* NULL: no mode is left out */
+    const struct thud_needed_gap *gap;          /* NULL: not known */
     const struct thud_error *failure;           /* why there is no answer (THUD_DIVERGED); NULL: there is one */
 };
 

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "app/answer_line.h"
 #include "app/sensitivity_table.h"
 #include "study/level.h"
 #include "study/remark.h"
@@ -27,6 +28,35 @@ static void add_head(const struct thud_report *report, struct thud_text *out)
         else
             thud_text_append(out, ", %s", f->contact.law->name);
         thud_text_append(out, ": clearance %.4g cm\n", 100 * thud_interface_clearance(f));
+    }
+}
+
+/* The answer, for each two neighbours; a free body goes on for ever, and there is no gap that is enough. */
+static void add_answers(const struct thud_report *report, struct thud_text *out)
+{
+    enum { COLUMNS = 65 };
+    const struct thud_scene *scene = report->scene;
+    const struct thud_result *r = report->result;
+    for (int i = 1; i < scene->nstructures; i++) {
+        struct thud_answer_line line = {.gap_m = scene->interface[i - 1].gap_m, .need_m = NAN};
+        char text[160];
+        for (int c = 0; c < r->ncontacts; c++)
+            if (r->contact[c].interface == i) {
+                line.impacts += r->contact[c].impacts;
+                line.force_n = fmax(line.force_n, r->contact[c].force.value);
+            }
+        bool free_body =
+            scene->structure[i - 1].kind == THUD_RIGID || scene->structure[i].kind == THUD_RIGID || !report->gap;
+        if (!free_body && thud_needed_gap_widest(report->gap, i, THUD_GAP_EXACT, NULL) >= 0) {
+            line.need_m = thud_needed_gap_widest(report->gap, i, THUD_GAP_EXACT, NULL);
+            line.abs_m = thud_needed_gap_widest(report->gap, i, THUD_GAP_ABS, NULL);
+            line.srss_m = thud_needed_gap_widest(report->gap, i, THUD_GAP_SRSS, NULL);
+        }
+        thud_answer_line(&line, COLUMNS, text, sizeof text);
+        if (scene->nstructures > 2)
+            thud_text_append(out, "answer %-7d %s\n", i, text);
+        else
+            thud_text_append(out, "answer         %s\n", text);
     }
 }
 
@@ -260,6 +290,7 @@ static void add_truncation(const struct thud_truncation *t, struct thud_text *ou
 void thud_result_table(const struct thud_report *report, struct thud_text *out)
 {
     add_head(report, out);
+    add_answers(report, out);
     for (int s = 0; s < report->result->nstructures; s++)
         add_structure(report, s, out);
     add_contacts(report, out);

@@ -131,6 +131,7 @@ static enum thud_status report_run(const struct thud_args *args, const struct th
     struct thud_report report = thud_session_report(session, scene, which, answer);
     struct thud_truncation truncation;
     struct thud_sensitivity *sensitivity = NULL;
+    struct thud_needed_gap *gap = NULL;
     double change = thud_scene_options_change(args, scene);
     enum thud_status status = THUD_OK;
     warn(report.result);
@@ -141,9 +142,13 @@ static enum thud_status report_run(const struct thud_args *args, const struct th
     if (status == THUD_OK && change > 0)
         status = thud_sensitivity_run(scene, session->record, change, report.result, &sensitivity, err);
     report.sensitivity = sensitivity;
+    if (!thud_args_has(args, "json") && !thud_args_has(args, "csv"))
+        thud_needed_gap_run(scene, session->record, &gap, NULL); /* where it cannot be had nothing is said of it */
+    report.gap = gap;
     if (status == THUD_OK)
         status = deliver(args, &report, err);
     thud_sensitivity_free(sensitivity);
+    free(gap);
     return status;
 }
 

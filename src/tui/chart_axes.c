@@ -70,11 +70,16 @@ static void number_ticks(struct ticks *ticks, const struct thud_range *range)
 static void decade_ticks(struct ticks *ticks, const struct thud_range *range)
 {
     int first = (int)ceil(log10(range->least) - 1e-9), last = (int)floor(log10(range->most) + 1e-9);
-    for (int i = first; i <= last; i++) {
-        char text[TICK_TEXT];
-        snprintf(text, sizeof text, i >= -2 && i <= 4 ? "%g" : "%.0e", pow(10.0, i));
-        add_tick(ticks, pow(10.0, i), text);
-    }
+    static const double between[] = {1.0, 2.0, 5.0};
+    bool few = last - first < 2; /* decades: 2 and 5 of each besides */
+    for (int i = few ? first - 1 : first; i <= last; i++)
+        for (int k = 0; k < (few ? 3 : 1); k++) {
+            double at = between[k] * pow(10.0, i);
+            char text[TICK_TEXT];
+            snprintf(text, sizeof text, i >= -2 && i <= 4 ? "%g" : "%.0e", at);
+            if (at >= range->least * (1 - 1e-9) && at <= range->most * (1 + 1e-9))
+                add_tick(ticks, at, text);
+        }
 }
 
 static void make_ticks(const struct thud_axis *axis, const struct thud_range *range, struct ticks *ticks)
@@ -201,7 +206,8 @@ static void x_axis(const struct thud_chart_frame *frame, const struct thud_pane 
     char unit[96];
     thud_axis_text(axis, unit, sizeof unit);
     const char *label = pane->w > 28 || !axis->unit || !*axis->unit ? unit : axis->unit;
-    int room = pane->w - thud_utf8_columns(label) - 1, taken = 0;
+    bool own_row = y + 2 < pane->h;
+    int room = own_row ? pane->w : pane->w - thud_utf8_columns(label) - 1, taken = 0;
     thud_pane_glyph(pane, left - 1, y, look, 0x2514);
     for (int x = 0; x < frame->plot.w; x++)
         thud_pane_glyph(pane, left + x, y, look, 0x2500);
@@ -217,7 +223,16 @@ static void x_axis(const struct thud_chart_frame *frame, const struct thud_pane 
         thud_pane_put(pane, start, y + 1, thud_look(THUD_ROLE_PLAIN, 0), ticks->text[i]);
         taken = start + width + 2;
     }
-    thud_pane_right(pane, pane->w, y + 1, thud_look(THUD_ROLE_MUTED, 0), label);
+    thud_pane_right(pane, pane->w, y + 1 + own_row, thud_look(THUD_ROLE_MUTED, 0), label);
+}
+
+/* Rows for the x axis, its numbers and, where they would have no room beside it, its name. */
+static int rows_below(const struct thud_pane *pane, const struct thud_axis *axis, int top)
+{
+    char text[96];
+    int rows = pane->h - top - 2 < 2 ? 0 : 2;
+    thud_axis_text(axis, text, sizeof text);
+    return rows == 2 && pane->h - top > 7 && 5 * thud_utf8_columns(text) > 2 * pane->w ? 3 : rows;
 }
 
 /* Where there is no room for an axis: from where to where it goes, at the end of the title's row if that is free. */
@@ -253,7 +268,7 @@ bool thud_chart_axes(const struct thud_pane *pane, const struct thud_panel *pane
     frame->y = thud_panel_range(panel, THUD_Y);
     frame->x_log = x_axis_of->log;
     frame->y_log = y_axis_of->log;
-    int top = head(pane, panel), below = pane->h - top - 2 < 2 ? 0 : 2; /* the x axis and its numbers */
+    int top = head(pane, panel), below = rows_below(pane, x_axis_of, top);
     int rows = pane->h - top - below;
     if (below > 0 && is_linear(y_axis_of))
         frame->y = fit_cells(&frame->y, rows, rows < 8 ? 1 : 2);

@@ -345,3 +345,8 @@ is "20 buildings of 200 storeys: memory and time are said before the run" says \
     "thud: warning: analysis: 4000 floors, up to 3800 contacts, 4001 samples: a run takes about 0.26 GB and 3.7 min"
 gives 0 run towers
 is "nothing of the kind where a run is short" [ "$(grep -c "a run takes about" "$tmp/err")" = 0 ]
+"$THUD" run towers >"$tmp/out" 2>"$tmp/err"
+told=$(sed -n 's/^answer .* needs \([0-9.]*\) cm.*/\1/p' "$tmp/out")
+widest=$("$THUD" gap towers --csv 2>/dev/null | awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "closing_m") c = i } NR > 1 && $c > m { m = $c } END { print 100 * m }')
+is "the answer: how hard they pound" shows '^answer  *POUNDS at 10 cm: 40 impacts, 39.6 MN   needs '
+is "and the gap that thud gap says is enough" [ "$(awk -v a="$told" -v b="$widest" 'BEGIN { print (a >= b && a < b + 0.1) }')" = 1 ]
