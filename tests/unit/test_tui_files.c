@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "tui/play.h"
 #include "tui_fixture.h"
@@ -428,6 +429,55 @@ START_TEST(a_new_scene_as_a_command)
 }
 END_TEST
 
+/* Keys of a script: a name in angle brackets is one. */
+static int count_keys(const char *keys)
+{
+    int n = 0;
+    for (; *keys; keys++, n++)
+        if (*keys == '<')
+            keys = strchr(keys, '>');
+    return n;
+}
+
+/* Two buildings of one's own, their roofs lighter, on one's own ground motion, at one's own gap: the answer, the figures,
+ * the file, and all of it there again. 178 keys before there was a form, a list of files and a step back to what was
+ * saved; half of that is the least that was asked for. */
+START_TEST(the_walk_of_an_engineer)
+{
+    static const char *const walk[] = {"n5<Tab>7<Tab>300<Tab><Tab>500<Tab>550<Down><Down><Down>8<Down>pul<Enter>",
+                                       "<Down><Down><Enter>250<Enter>", /* the roof of the left one */
+                                       "<Tab><Down><Down><Enter>260<Enter>",
+                                       "P",
+                                       "w",
+                                       "obuil<Enter>"};
+    const struct thud_scene *now = &f.tui->doc.scene;
+    static struct thud_scene made;
+    int keys = 0;
+    f.tui->options.gnuplot = "/nowhere/gnuplot"; /* scripts and numbers are written all the same */
+    ck_assert_int_eq(chdir(f.folder), 0);
+    for (size_t i = 0; i < sizeof walk / sizeof *walk; i++) {
+        fixture_keys(&f, walk[i]);
+        keys += count_keys(walk[i]);
+        if (i == 2) {
+            ck_assert_double_eq_tol(now->structure[0].mass_kg[4], 250e3, 1e-6);
+            ck_assert_double_eq_tol(now->structure[0].mass_kg[3], 300e3, 1e-6);
+            ck_assert_double_eq_tol(now->structure[1].mass_kg[6], 260e3, 1e-6);
+            ck_assert_double_eq_tol(now->structure[1].stiffness_npm[0], 550e6, 1e-3);
+            fixture_expect(&f, " at 8 cm"); /* the answer */
+            fixture_expect(&f, "needs ");
+            made = *now;
+        }
+    }
+    fixture_expect(&f, "Opened ");
+    ck_assert_mem_eq(&now->structure, &made.structure, sizeof made.structure);
+    ck_assert_mem_eq(&now->interface, &made.interface, sizeof made.interface);
+    ck_assert_str_eq(now->record.file, "pulse.csv");
+    ck_assert_ptr_nonnull(strstr(f.tui->wrote, "\nbuildings-")); /* figures, by the scene's name */
+    printf("# the walk takes %d keys\n", keys);
+    ck_assert_int_le(keys, 178 / 2);
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -440,6 +490,7 @@ Suite *thud_suite(void)
     tcase_add_test(files, a_new_scene_is_refused);
     tcase_add_test(files, other_kinds_from_nothing);
     tcase_add_test(files, files_are_browsed);
+    tcase_add_test(files, the_walk_of_an_engineer);
     tcase_add_test(files, a_session_is_played_again);
     tcase_add_test(files, a_session_stops_where_it_cannot);
     tcase_add_test(files, a_new_scene_as_a_command);
