@@ -18,6 +18,7 @@ struct thud_tui_options {
     const char *play;               /* a session to be played; NULL: none */
     const char *gnuplot;            /* the program that draws pictures; NULL: `gnuplot` from PATH */
     bool ascii;                     /* no glyph beyond ASCII, also where the terminal has them */
+    bool live_off;                  /* edits do not run at once */
     bool color;                     /* false: none (--no-color, NO_COLOR) */
 };
 

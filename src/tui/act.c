@@ -230,6 +230,9 @@ static bool files(struct thud_tui *tui, enum thud_action action)
         log_output(tui, "figures", false);
         thud_tui_pictures(tui);
         return true;
+    case THUD_DO_COPY:
+        thud_tui_copy(tui);
+        return true;
     case THUD_DO_EXPORT:
         log_output(tui, "table", thud_view_of(tui->screen)->figure && !thud_view_of(tui->screen)->export_csv);
         thud_tui_export(tui);

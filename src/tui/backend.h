@@ -50,6 +50,7 @@ struct thud_backend {
     int (*signal)(struct thud_backend *backend); /* INT, TERM or HUP that came; 0: none */
     void (*repaint)(struct thud_backend *backend);
     void (*mouse)(struct thud_backend *backend, bool on);
+    void (*copy)(struct thud_backend *backend, const char *text); /* to the clipboard, where the terminal lets it */
 };
 
 /* The terminal. Errors: THUD_USAGE when there is none. `close` restores it, also where called twice. */
@@ -66,6 +67,7 @@ struct thud_script {
     double tick; /* s that pass with each look at the clock */
     int signal;
     int shows;
+    char copied[8192]; /* the beginning of what was last copied */
 };
 void thud_script_open(struct thud_backend *backend, struct thud_script *script, int width, int height, bool utf8);
 

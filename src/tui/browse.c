@@ -23,11 +23,14 @@ void thud_browse_clear(struct thud_browse *browse)
 /* Whether a file's name may be one of a ground motion or a preset: what thud and others write beside them is not. */
 static bool fits(enum thud_browse_kind kind, const char *name)
 {
-    static const char *const others[] = {".md",  ".list", ".yaml", ".yml", ".png", ".gp",   ".json",     ".svg",
-                                         ".pdf", ".c",    ".h",    ".o",   ".sh",  ".html", ".recovered"};
+    static const char *const others[] = {".md",        ".list", ".yaml", ".yml", ".png", ".gp", ".json",
+                                         ".svg",       ".pdf",  ".c",    ".h",   ".o",   ".sh", ".html",
+                                         ".recovered", ".thud", ".1",    ".5",   ".7"};
     const char *suffix = strrchr(name, '.');
     if (kind == THUD_BROWSE_PRESETS)
         return suffix && strcmp(suffix, ".yaml") == 0;
+    if (strstr(name, ".expected.csv")) /* of a preset */
+        return false;
     for (size_t i = 0; suffix && i < sizeof others / sizeof *others; i++)
         if (strcmp(suffix, others[i]) == 0)
             return false;

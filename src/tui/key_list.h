@@ -67,6 +67,8 @@ THUD_KEY(GENERAL, EXCHANGE, 'V', 0, "V", "", "exchange this state with the pinne
 THUD_KEY(GENERAL, PICTURE, 'p', 0, "p", "PNG", "write the figure shown as PNG")
 THUD_KEY(GENERAL, PICTURES, 'P', 0, "P", "", "write all figures as PNG")
 THUD_KEY(GENERAL, EXPORT, 'e', 0, "e", "CSV", "write the numbers shown as CSV")
+THUD_KEY(GENERAL, COPY, 'y', 0, "y", "",
+         "copy the numbers of this pane, of a chart its data, to the clipboard (OSC 52)")
 THUD_KEY(GENERAL, SAVE, 'w', 0, "w", "save", "save the preset, comments kept")
 THUD_KEY(GENERAL, SAVE_AS, 'W', 0, "W", "", "save the preset under another name")
 THUD_KEY(GENERAL, OPEN, 'o', 0, "o", "open", "open another preset")

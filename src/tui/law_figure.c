@@ -43,13 +43,13 @@ static struct thud_pair bodies(const struct thud_scene *scene, int pair, double 
     return two;
 }
 
-static void add_loop(struct thud_panel *panel, struct thud_run *run, int index, double speed)
+static void add_loop(struct thud_panel *panel, struct thud_run *run, int index, double speed, bool pinned)
 {
     const struct thud_history *history = thud_run_history(run);
     char name[48];
-    snprintf(name, sizeof name, "%g m/s", speed);
-    struct thud_series *series =
-        thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = index}, name, history->rows, NULL, NULL);
+    snprintf(name, sizeof name, "%g m/s%s", speed, pinned ? ", pinned" : "");
+    struct thud_style style = {.kind = THUD_LINES, .color = index, .thin = pinned, .dashed = pinned};
+    struct thud_series *series = thud_panel_add(panel, style, name, history->rows, NULL, NULL);
     int force = thud_history_force(history, 0), indentation = thud_history_indentation(history, 0);
     for (size_t i = 0; series && i < history->rows; i++) {
         const double *row = history->value + i * (size_t)history->columns;
@@ -60,7 +60,7 @@ static void add_loop(struct thud_panel *panel, struct thud_run *run, int index, 
 }
 
 static enum thud_status add_speed(struct thud_panel *panel, const struct thud_scene *scene, int pair, int index,
-                                  double speed, struct thud_meeting *meeting, struct thud_error *err)
+                                  double speed, bool pinned, struct thud_meeting *meeting, struct thud_error *err)
 {
     struct thud_pair two = bodies(scene, pair, speed);
     struct thud_answer answer = {0};
@@ -68,13 +68,23 @@ static enum thud_status add_speed(struct thud_panel *panel, const struct thud_sc
     if (status == THUD_OK) {
         const struct thud_contact_result *contact = &thud_run_result(answer.run)->contact[0];
         *meeting = (struct thud_meeting){speed, contact->force.value, contact->indentation.value, contact->restitution};
-        add_loop(panel, answer.run, index, speed);
+        add_loop(panel, answer.run, index, speed, pinned);
     }
     thud_answer_clear(&answer);
     return status;
 }
 
-struct thud_figure *thud_tui_law_figure(const struct thud_scene *scene, int pair,
+/* Whether two bodies meet alike in both scenes. */
+static bool meet_alike(const struct thud_scene *a, const struct thud_scene *b, int pair)
+{
+    const struct thud_interface *x = &a->interface[pair], *y = &b->interface[pair];
+    return x->has_bumper == y->has_bumper && memcmp(&x->contact, &y->contact, sizeof x->contact) == 0 &&
+           memcmp(&x->bumper, &y->bumper, sizeof x->bumper) == 0 && x->bumper_thickness_m == y->bumper_thickness_m &&
+           thud_tui_pair_mass(a, pair) == thud_tui_pair_mass(b, pair) &&
+           thud_tui_pair_mass(a, pair + 1) == thud_tui_pair_mass(b, pair + 1);
+}
+
+struct thud_figure *thud_tui_law_figure(const struct thud_scene *scene, const struct thud_scene *against, int pair,
                                         struct thud_meeting meeting[THUD_MEETINGS], struct thud_error *err)
 {
     static const double speed[THUD_MEETINGS] = {0.25, 0.5, 1.0};
@@ -89,8 +99,12 @@ struct thud_figure *thud_tui_law_figure(const struct thud_scene *scene, int pair
     enum thud_status status = !figure ? thud_error_set(err, THUD_MEMORY, "no memory for the figure")
                               : law   ? THUD_OK
                                       : thud_error_set(err, THUD_INPUT, "no law is chosen");
+    bool both = against && pair + 1 < against->nstructures && !meet_alike(scene, against, pair);
+    struct thud_meeting unused;
+    for (int i = 0; both && i < THUD_MEETINGS && status == THUD_OK; i++) /* without one there is nothing behind */
+        add_speed(panel, against, pair, i, speed[i], true, &unused, NULL);
     for (int i = 0; i < THUD_MEETINGS && status == THUD_OK; i++)
-        status = add_speed(panel, scene, pair, i, speed[i], &meeting[i], err);
+        status = add_speed(panel, scene, pair, i, speed[i], false, &meeting[i], err);
     if (status == THUD_OK && thud_figure_check(figure, err) == THUD_OK)
         return figure;
     thud_figure_free(figure);

@@ -15,8 +15,9 @@ struct thud_meeting {
     double speed_mps, force_n, indentation_m, restitution;
 };
 enum { THUD_MEETINGS = 3 };
-/* Force against indentation at three speeds. NULL on failure, with the reason. */
-struct thud_figure *thud_tui_law_figure(const struct thud_scene *scene, int pair,
+/* Force against indentation at three speeds; dashed behind them those of `against` (NULL: nothing), where its law or
+ * bodies are others. NULL on failure, with the reason. */
+struct thud_figure *thud_tui_law_figure(const struct thud_scene *scene, const struct thud_scene *against, int pair,
                                         struct thud_meeting meeting[THUD_MEETINGS], struct thud_error *err);
 
 #endif

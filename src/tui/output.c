@@ -263,3 +263,52 @@ void thud_tui_run_pictures(struct thud_tui *tui)
     else
         thud_tui_say(tui, THUD_ROLE_WARN, "There is nothing to draw");
 }
+
+/* The rows of a pane as it is drawn, blanks between its columns as one tab. */
+static void pane_text(struct thud_tui *tui, struct thud_text *out)
+{
+    struct thud_rect rect[THUD_PANES_MAX], area = thud_tui_area(tui), at = area;
+    int n = thud_view_of(tui->screen)->layout(tui, area, rect), here = tui->form.pane[tui->screen];
+    if (!thud_tui_one_pane(tui) && here < n)
+        at = rect[here];
+    for (int y = at.y + 1; y < at.y + at.h - 1; y++) {
+        int blanks = 0;
+        bool any = false;
+        for (int x = at.x + 1; x < at.x + at.w - 1; x++) {
+            char utf8[5];
+            uint32_t glyph = tui->canvas.cell[y * tui->canvas.width + x].glyph;
+            if (glyph == THUD_CELL_TAIL)
+                continue;
+            if (glyph == ' ' || glyph == 0x25b8) { /* the cursor's mark */
+                blanks++;
+                continue;
+            }
+            utf8[thud_utf8_put(glyph, utf8)] = '\0';
+            thud_text_append(out, "%s%s", !any || blanks == 0 ? "" : blanks == 1 ? " " : "\t", utf8);
+            any = true;
+            blanks = 0;
+        }
+        if (any)
+            thud_text_append(out, "\n");
+    }
+}
+
+void thud_tui_copy(struct thud_tui *tui)
+{
+    enum { BYTES_MAX = 70000 }; /* terminals take no more, about */
+    const struct thud_view *view = thud_view_of(tui->screen);
+    const struct thud_figure *figure = !thud_form_focus(&tui->form) && view->figure ? view->figure(tui) : NULL;
+    struct thud_text text = {0};
+    if (figure)
+        thud_figure_csv(figure, &text);
+    else
+        pane_text(tui, &text);
+    if (text.failed || !text.data || text.size > BYTES_MAX)
+        thud_tui_say(tui, THUD_ROLE_WARN, "There is too much, or nothing, to copy here: e writes it as CSV");
+    else {
+        tui->backend->copy(tui->backend, text.data);
+        thud_tui_say(tui, THUD_ROLE_PLAIN, "Copied %s of %zu bytes, if the terminal lets it",
+                     figure ? "the chart's data" : "the pane", (size_t)text.size);
+    }
+    thud_text_clear(&text);
+}

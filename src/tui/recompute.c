@@ -36,7 +36,7 @@ void thud_tui_opened(struct thud_tui *tui)
     tui->results_case = THUD_LIVE_BUMPER;
     thud_pin_take(&tui->pin, &tui->doc, false);
     tui->kept_before_n = NAN;
-    tui->live_on = true;
+    tui->live_on = tui->live_wanted;
     start(tui);
 }
 
@@ -71,6 +71,7 @@ const struct thud_live *thud_tui_pinned(const struct thud_tui *tui)
 void thud_tui_pin(struct thud_tui *tui)
 {
     thud_pin_take(&tui->pin, &tui->doc, true);
+    tui->law_revision = 0;
     thud_tui_say(tui, THUD_ROLE_GOOD, "Pinned: changes are told against this state now; V goes back to it");
 }
 

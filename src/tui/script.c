@@ -111,6 +111,12 @@ static void script_mouse(struct thud_backend *backend, bool on)
     (void)on;
 }
 
+static void script_copy(struct thud_backend *backend, const char *text)
+{
+    struct thud_script *script = backend->state;
+    snprintf(script->copied, sizeof script->copied, "%s", text);
+}
+
 void thud_script_open(struct thud_backend *backend, struct thud_script *script, int width, int height, bool utf8)
 {
     *script = (struct thud_script){.width = width, .height = height};
@@ -123,5 +129,6 @@ void thud_script_open(struct thud_backend *backend, struct thud_script *script, 
                                      .now = script_now,
                                      .signal = script_signal,
                                      .repaint = script_repaint,
-                                     .mouse = script_mouse};
+                                     .mouse = script_mouse,
+                                     .copy = script_copy};
 }

@@ -139,7 +139,7 @@ struct thud_tui {
     struct thud_text log; /* what was done, a command a line */
     bool playing;         /* a session: what is unsaved is not asked about */
 
-    bool live_on;
+    bool live_on, live_wanted;   /* as it is, and for every preset that is opened */
     double started_s, elapsed_s; /* of the live run */
     unsigned long ran_revision;  /* what the live cases belong to; 0: nothing */
     struct thud_pin pin;         /* the state that changes are told against */
@@ -270,6 +270,7 @@ void thud_tui_figures(struct thud_tui *tui, int count, thud_tui_figure_fn *make,
 void thud_tui_writing_look(struct thud_tui *tui); /* says so when the figures are written */
 void thud_tui_writing_end(struct thud_tui *tui);  /* stops, and waits for it */
 void thud_tui_export(struct thud_tui *tui);
+void thud_tui_copy(struct thud_tui *tui); /* the focused pane's numbers to the clipboard */
 /* Writes `text` into the folder under this name, clears it, and says what came of it; false: it could not. */
 bool thud_tui_write(struct thud_tui *tui, struct thud_text *text, const char *name);
 

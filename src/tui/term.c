@@ -183,6 +183,25 @@ static void term_mouse(struct thud_backend *backend, bool on)
     tell(on ? THUD_MOUSE_ON : THUD_MOUSE_OFF);
 }
 
+/* OSC 52 with base64, which xterm, tmux, kitty, foot, iTerm2 and others take; the rest drop it. */
+static void term_copy(struct thud_backend *backend, const char *text)
+{
+    static const char digit[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    size_t n = strlen(text);
+    (void)backend;
+    fputs("\033]52;c;", stdout);
+    for (size_t i = 0; i < n; i += 3) {
+        unsigned long bits = (unsigned long)(unsigned char)text[i] << 16;
+        bits |= i + 1 < n ? (unsigned long)(unsigned char)text[i + 1] << 8 : 0;
+        bits |= i + 2 < n ? (unsigned long)(unsigned char)text[i + 2] : 0;
+        putchar(digit[bits >> 18 & 63]);
+        putchar(digit[bits >> 12 & 63]);
+        putchar(i + 1 < n ? digit[bits >> 6 & 63] : '=');
+        putchar(i + 2 < n ? digit[bits & 63] : '=');
+    }
+    tell("\a");
+}
+
 /* The keys as this terminal's description has them. */
 static void learn_keys(struct thud_decode *decode)
 {
@@ -257,7 +276,8 @@ enum thud_status thud_term_open(struct thud_backend *backend, bool ascii, bool c
                                      .now = term_now,
                                      .signal = term_signal,
                                      .repaint = term_repaint,
-                                     .mouse = term_mouse};
+                                     .mouse = term_mouse,
+                                     .copy = term_copy};
     return THUD_OK;
 }
 

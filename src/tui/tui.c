@@ -6,6 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "tui/config.h"
 #include "tui/loop.h"
 #include "tui/new_scene.h"
 #include "tui/play.h"
@@ -38,10 +39,11 @@ enum thud_status thud_tui_create(const struct thud_tui_options *options, struct 
     tui->backend = backend;
     tui->doc.paths = options->paths;
     tui->canvas.ascii = !backend->utf8;
-    tui->live_on = tui->dirty = tui->mouse = true;
+    tui->live_on = tui->live_wanted = tui->dirty = tui->mouse = true;
     for (int i = 0; i < THUD_SCREENS; i++)
         tui->reading[i] = NAN;
     tui->options = *options;
+    tui->live_wanted = !options->live_off;
     enum thud_status status = thud_doc_open(&tui->doc, options->preset ? options->preset : "towers", err);
     if (status == THUD_OK && options->scene)
         status = thud_doc_change(&tui->doc, options->scene, "the options given at the start", err);
@@ -280,9 +282,21 @@ enum thud_status thud_tui_main(const struct thud_tui_options *options, struct th
         thud_paths_find(&paths);
         all.paths = &paths;
     }
+    struct thud_config config;
+    char config_path[512];
+    thud_config_init(&config);
+    thud_config_path(config_path, sizeof config_path);
+    enum thud_status status = thud_config_read(&config, config_path, err);
+    if (status != THUD_OK)
+        return status;
+    all.ascii |= config.ascii;
+    all.color &= config.color;
+    all.live_off = !config.live;
+    if (*config.folder && !all.output)
+        all.output = config.folder;
     if (options->play && !(isatty(STDIN_FILENO) && isatty(STDOUT_FILENO)))
         return thud_tui_play(&all, err);
-    enum thud_status status = thud_term_open(&backend, options->ascii, options->color, err);
+    status = thud_term_open(&backend, all.ascii, all.color, err);
     if (status != THUD_OK)
         return status;
     status = thud_tui_create(&all, &backend, &tui, err);
@@ -292,6 +306,7 @@ enum thud_status thud_tui_main(const struct thud_tui_options *options, struct th
         thud_term_close(&backend);
         return status;
     }
+    tui->mouse = config.mouse;
     backend.mouse(&backend, tui->mouse);
     int number = 0;
     while (!tui->quit && (number = backend.signal(&backend)) == 0)

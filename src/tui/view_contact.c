@@ -83,7 +83,8 @@ static void refresh(struct thud_tui *tui)
         return;
     thud_figure_free(tui->law_figure);
     tui->law_error = (struct thud_error){0};
-    tui->law_figure = thud_tui_law_figure(&tui->doc.scene, tui->pair, tui->meeting, &tui->law_error);
+    tui->law_figure = thud_tui_law_figure(&tui->doc.scene, tui->pin.scene.nstructures > 1 ? &tui->pin.scene : NULL,
+                                          tui->pair, tui->meeting, &tui->law_error);
     tui->law_revision = tui->doc.revision;
     tui->law_pair = tui->pair;
 }

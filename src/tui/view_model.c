@@ -6,6 +6,7 @@
 #include "base/quantity.h"
 #include "base/scan.h"
 #include "core/model.h"
+#include "tui/dots.h"
 #include "tui/field.h"
 #include "tui/peaks_strip.h"
 #include "tui/scene_edit.h"
@@ -155,12 +156,68 @@ static int head_rows(struct thud_tui *tui, int index, const struct thud_pane *pa
     return rows;
 }
 
+enum { SHAPE = 13, BUILDING = 14, LEAST_ROWS = 6 };
+
+/* Elevations of the floors, m; a structure without heights has them evenly. Returns the highest. */
+static double elevations(const struct thud_structure *structure, int n, double *z)
+{
+    double sum = 0.0;
+    for (int i = 0; i < n; i++) {
+        int storey = structure->kind == THUD_ISOLATED ? i - 1 : i; /* the slab stands at the ground */
+        sum += storey < 0 ? 0.0 : structure->height_m[storey] > 0.0 ? structure->height_m[storey] : 1.0;
+        z[i] = sum;
+    }
+    return sum > 0.0 ? sum : 1.0;
+}
+
+/* The building to its heights, and the shapes of its lowest modes, where there is room below the numbers. */
+static void draw_shapes(struct thud_tui *tui, const struct thud_pane *pane, int y, int s)
+{
+    const struct thud_model *model = thud_tui_model(tui);
+    const struct thud_model_structure *m = model && s < model->nstructures ? &model->structure[s] : NULL;
+    double z[THUD_STOREYS_MAX + 1], top;
+    struct thud_dots dots;
+    int rows = pane->h - y - 2;
+    if (!m || m->n == 0 || !m->phi || rows < LEAST_ROWS || m->n > THUD_STOREYS_MAX || pane->scroll > 0)
+        return;
+    top = elevations(&tui->doc.scene.structure[s], m->n, z);
+    struct thud_pane area = thud_pane_inside(pane, 1, y + 1, pane->w - 2, rows);
+    if (thud_dots_init(&dots, &area, NULL) != THUD_OK)
+        return;
+    double down = dots.height - 1.0, left = 1.0 * dots.across, right = (BUILDING - 5.0) * dots.across;
+    struct thud_look look = thud_look(THUD_ROLE_SERIES + (s - tui->pair), 0), faint = thud_look(THUD_ROLE_MUTED, 0);
+    thud_dots_line(&dots, 0.0, down, right + left, down, 1, faint);
+    thud_dots_line(&dots, left, down, left, 0.0, 1, look);
+    thud_dots_line(&dots, right, down, right, 0.0, 1, look);
+    for (int i = 0; i < m->n; i++)
+        thud_dots_line(&dots, left, down * (1.0 - z[i] / top), right, down * (1.0 - z[i] / top), 1, look);
+    for (int j = 0; j < m->modes && BUILDING + (j + 1) * SHAPE <= area.w; j++) {
+        double middle = (BUILDING + (j + 0.45) * SHAPE) * dots.across, most = 0.0, x0 = middle, y0 = down;
+        char text[32], number[24];
+        for (int i = 0; i < m->n; i++)
+            most = fmax(most, fabs(m->phi[i * m->modes + j]));
+        thud_dots_line(&dots, middle, down, middle, 0.0, 3, faint);
+        for (int i = 0; i < m->n && most > 0.0; i++) {
+            double x = middle + 0.42 * SHAPE * dots.across * m->phi[i * m->modes + j] / most;
+            thud_dots_line(&dots, x0, y0, x, down * (1.0 - z[i] / top), 1, look);
+            x0 = x;
+            y0 = down * (1.0 - z[i] / top);
+        }
+        snprintf(text, sizeof text, "%d: %s s", j + 1, thud_tui_number(2.0 * THUD_PI / m->omega[j], number));
+        thud_pane_put(pane, 1 + BUILDING + j * SHAPE, y + 1 + rows, faint, text);
+    }
+    thud_dots_put(&dots);
+    thud_dots_clear(&dots);
+    thud_pane_print(pane, 1, y + 1 + rows, faint, "%.4g m", top);
+}
+
 static int draw_structure(struct thud_tui *tui, int index, const struct thud_pane *pane, int s)
 {
     enum thud_structure_kind kind = tui->doc.scene.structure[s].kind;
     int y = head_rows(tui, index, pane, s);
     if (kind == THUD_SHEAR || kind == THUD_ISOLATED)
         y = modes(tui, pane, floors(tui, index, pane, y, s), s);
+    draw_shapes(tui, pane, y, s);
     return y;
 }
 

@@ -5,6 +5,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "tui/config.h"
 #include "tui/play.h"
 #include "tui_fixture.h"
 
@@ -478,6 +479,36 @@ START_TEST(the_walk_of_an_engineer)
 }
 END_TEST
 
+/* Tabs between columns, as a spreadsheet takes them; of a chart its data. */
+START_TEST(numbers_are_copied)
+{
+    fixture_keys(&f, "<A-4>y");
+    ck_assert_ptr_nonnull(strstr(f.script.copied, "\nA 2\t"));
+    fixture_keys(&f, "<A-6><Enter><C-u>gap=1 cm:2 cm:1 cm<Enter><Tab>");
+    fixture_keys(&f, "y");
+    ck_assert_ptr_nonnull(strstr(f.script.copied, "panel,series,"));
+}
+END_TEST
+
+START_TEST(settings_come_from_a_file)
+{
+    struct thud_config config;
+    struct thud_error err = {0};
+    char path[100];
+    thud_config_init(&config);
+    ck_assert(config.color && config.live && config.mouse && !config.ascii);
+    snprintf(path, sizeof path, "%s/config", f.folder);
+    ck_assert_int_eq(thud_config_read(&config, path, &err), THUD_OK); /* there is none */
+    fixture_write(&f, "config", "# mine\n  live off # slow machine\nmouse off\r\nfolder my figures\n\n");
+    ck_assert_int_eq(thud_config_read(&config, path, &err), THUD_OK);
+    ck_assert(config.color && !config.live && !config.mouse);
+    ck_assert_str_eq(config.folder, "my figures");
+    fixture_write(&f, "config", "mouse off\ncolour on\n");
+    ck_assert_int_eq(thud_config_read(&config, path, &err), THUD_INPUT);
+    ck_assert_int_eq(err.line, 2);
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -491,6 +522,8 @@ Suite *thud_suite(void)
     tcase_add_test(files, other_kinds_from_nothing);
     tcase_add_test(files, files_are_browsed);
     tcase_add_test(files, the_walk_of_an_engineer);
+    tcase_add_test(files, numbers_are_copied);
+    tcase_add_test(files, settings_come_from_a_file);
     tcase_add_test(files, a_session_is_played_again);
     tcase_add_test(files, a_session_stops_where_it_cannot);
     tcase_add_test(files, a_new_scene_as_a_command);
