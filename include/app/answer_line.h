@@ -9,7 +9,8 @@
 struct thud_answer_line {
     double gap_m;
     int impacts;
-    double force_n;        /* largest; NaN: there is no answer */
+    double force_n;        /* largest; NaN: there is no answer, or with impacts: impulses, which have no force */
+    double impulse_ns;     /* in all */
     double need_m;         /* the clearance that is never used up; NaN: not known */
     double abs_m, srss_m;  /* by the codes' rules, where need_m is known */
     bool compared;         /* the bumper's run stands beside that without, of which the rest tells */

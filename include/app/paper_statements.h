@@ -4,6 +4,9 @@
 
 #include "app/paper_report.h"
 
+/* What a ratio must differ from 1 by to count as changed. */
+#define THUD_PAPER_CHANGE 1e-3
+
 /* A table of the report, with study->pair. */
 void thud_paper_statements(const struct thud_paper_study *study, struct thud_text *out);
 

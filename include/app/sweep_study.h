@@ -6,6 +6,7 @@
 #include "app/sweep_table.h"
 #include "io/sweep_journal.h"
 #include "plot/gnuplot.h"
+#include "study/remark.h"
 #include "study/suite.h"
 
 /* More rows than this are not kept in memory: there are no figures and no table then. */
@@ -38,6 +39,7 @@ struct thud_sweep_study {
 
 struct thud_sweep_outcome {
     struct thud_sweep_total total;
+    struct thud_sweep_watch watch;
     long resumed;                     /* points that were done before */
     struct thud_sweep_collector rows; /* the table; empty where there were too many rows */
     const char **names;               /* of the records */

@@ -54,6 +54,12 @@ struct thud_column_result {
     bool drifts; /* their stiffness is given, so that the drift of the storey counts; else the forces alone */
 };
 
+/* Impulses of a law without force: no finite force, and no finite acceleration of the floors that they strike. */
+static inline bool thud_contact_struck(const struct thud_contact_result *contact)
+{
+    return contact->impulse_ns > 0 && !(contact->force.value > 0);
+}
+
 /* One impact, from first touch to release. */
 struct thud_impact {
     int contact; /* index into contacts, from 0 */

@@ -2,6 +2,7 @@
 #ifndef THUD_STUDY_STATISTICS_H
 #define THUD_STUDY_STATISTICS_H
 
+#include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -25,5 +26,11 @@ struct thud_fractiles thud_fractiles_of(double *value, size_t n, double limit);
 /* Where the share that `count` of n independent trials stand for lies with 90 % confidence: the score interval of Wilson,
  * Journal of the American Statistical Association 22 (1927) 209. NaN for n = 0. */
 void thud_share_band(size_t count, size_t n, double *low, double *high);
+
+/* The larger one; NaN where either is no number. */
+static inline double thud_largest(double a, double b)
+{
+    return isnan(a) || isnan(b) ? NAN : a > b ? a : b;
+}
 
 #endif

@@ -21,7 +21,7 @@ static void add(char *text, size_t size, int columns, const char *part)
 static void bumper_words(const struct thud_answer_line *line, char *part, size_t size)
 {
     *part = '\0';
-    if (!line->compared || isnan(line->bumper_force_n))
+    if (!line->compared || (isnan(line->bumper_force_n) && line->bumper_impacts == 0))
         return;
     if (line->bumper_impacts == 0)
         snprintf(part, size, "bumper: no contact");
@@ -36,11 +36,14 @@ void thud_answer_line(const struct thud_answer_line *line, int columns, char *te
     char part[160], bumper[80], gap[48];
     double force = 1e-6 * line->force_n;
     *text = '\0';
-    if (isnan(line->force_n))
+    if (isnan(line->force_n) && line->impacts == 0)
         return;
     snprintf(gap, sizeof gap, "%.4g cm", 100 * line->gap_m);
     bumper_words(line, bumper, sizeof bumper);
-    if (line->impacts > 0) /* three digits */
+    if (isnan(line->force_n))
+        snprintf(part, sizeof part, "POUNDS at %s: %d impulse%s, %.3g kN s in all", gap, line->impacts,
+                 line->impacts == 1 ? "" : "s", 1e-3 * line->impulse_ns);
+    else if (line->impacts > 0) /* three digits */
         snprintf(part, sizeof part, "POUNDS at %s: %d impact%s, %.*f MN", gap, line->impacts,
                  line->impacts == 1 ? "" : "s",
                  force >= 99.95     ? 0

@@ -6,7 +6,7 @@
 #include <stdio.h>
 
 enum { FLOORS_MAX = 8 };
-static const double change = 1e-3; /* of a ratio: less is none */
+static const double change = THUD_PAPER_CHANGE;
 
 /* What one table says. */
 struct findings {

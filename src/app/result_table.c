@@ -8,6 +8,7 @@
 #include "app/sensitivity_table.h"
 #include "study/level.h"
 #include "study/remark.h"
+#include "study/statistics.h"
 
 static void add_head(const struct thud_report *report, struct thud_text *out)
 {
@@ -43,7 +44,8 @@ static void add_answers(const struct thud_report *report, struct thud_text *out)
         for (int c = 0; c < r->ncontacts; c++)
             if (r->contact[c].interface == i) {
                 line.impacts += r->contact[c].impacts;
-                line.force_n = fmax(line.force_n, r->contact[c].force.value);
+                line.impulse_ns += r->contact[c].impulse_ns;
+                line.force_n = thud_largest(line.force_n, thud_peak_force(&r->contact[c]));
             }
         bool free_body =
             scene->structure[i - 1].kind == THUD_RIGID || scene->structure[i].kind == THUD_RIGID || !report->gap;
@@ -91,7 +93,7 @@ static void add_floors(const struct thud_report *report, int s, bool isolated, s
     for (int i = r->floors - 1; i >= 0; i--) {
         const struct thud_floor_result *f = &r->floor[i];
         thud_text_append(out, "%5d  ", i + 1);
-        if (thud_floor_struck(report->scene, report->result, s, i))
+        if (thud_floor_struck(report->result, s, i))
             thud_text_append(out, "%12s %8s  ", "-", "-"); /* an impulse has no finite one */
         else {
             add_number(out, 12, places_of(acceleration, 5), f->acceleration.value);
@@ -167,14 +169,17 @@ static void add_contact(const struct thud_contact_result *c, int force_places, i
         return;
     }
     thud_text_append(out, "%3d %-7s %7d ", c->interface, pair, c->impacts);
-    bool blow = !(c->force.value > 0) && c->impulse_ns > 0; /* without a force */
+    bool blow = thud_contact_struck(c);
     if (blow)
         thud_text_append(out, "%9s %8s ", "-", "-");
     else {
         add_number(out, 9, force_places, 1e-6 * c->force.value);
         thud_text_append(out, " %8.3f ", c->force.time_s);
     }
-    add_number(out, 10, depth_places, 1e3 * c->indentation.value);
+    if (blow)
+        thud_text_append(out, "%10s", "-");
+    else
+        add_number(out, 10, depth_places, 1e3 * c->indentation.value);
     thud_text_append(out, " ");
     add_ms(c->contact_time_s, out);
     thud_text_append(out, "%8.3g ", 1e3 * c->residual_m);

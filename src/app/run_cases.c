@@ -134,7 +134,7 @@ static const struct thud_result *result_of(const struct thud_run_cases *cases, i
 static double peak(const struct thud_run_cases *cases, int i, int structure, int floor, bool drift)
 {
     const struct thud_floor_result *f = &result_of(cases, i)->structure[structure].floor[floor];
-    if (!drift && thud_floor_struck(&cases->item[i].scene, result_of(cases, i), structure, floor))
+    if (!drift && thud_floor_struck(result_of(cases, i), structure, floor))
         return NAN; /* an impulse has no finite one */
     return drift ? 1e3 * f->drift.value : f->acceleration.value;
 }

@@ -64,8 +64,10 @@ enum thud_status thud_session_read_record(struct thud_session *session, struct t
         status = thud_record_choice_resolve(&session->scene, &resolved, err);
     if (status == THUD_OK)
         status = thud_record_file_read(path, &resolved, &session->record, err);
-    if (status == THUD_OK)
+    if (status == THUD_OK) {
+        snprintf(session->record->file, sizeof session->record->file, "%s", choice->file); /* as given, not as found */
         session->record_read = *choice;
+    }
     return status;
 }
 

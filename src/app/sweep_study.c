@@ -34,6 +34,8 @@ enum thud_status thud_sweep_study_deliver(const struct thud_sweep_study *study, 
 {
     thud_sweep_total_add(&out->total, point);
     enum thud_status status = study->emit ? study->emit(study->context, point, err) : THUD_OK;
+    if (status == THUD_OK)
+        status = thud_sweep_watch_add(&out->watch, study->plan, point, err);
     if (status == THUD_OK && study->suite)
         status = thud_suite_add(study->suite, point, err);
     if (status != THUD_OK || !study->table || out->too_many)

@@ -191,6 +191,16 @@ static enum thud_status put_best(struct sweep *s, struct thud_text *text, struct
     return status;
 }
 
+/* What the runs show that no building bears. */
+static void warn_watched(const struct sweep *s)
+{
+    struct thud_error what;
+    char line[1400];
+    for (int i = 0; !thud_args_has(s->args, "quiet") && thud_sweep_watch_remark(&s->outcome.watch, &s->plan, i, &what);
+         i++)
+        fprintf(stderr, "thud: warning: %s\n", thud_error_text(&what, line, sizeof line));
+}
+
 /* What is said at the end: the table on standard output, or only the work on standard error where rows are there. */
 static enum thud_status conclude(struct sweep *s, struct thud_error *err)
 {
@@ -198,6 +208,7 @@ static enum thud_status conclude(struct sweep *s, struct thud_error *err)
     struct thud_text text = {0};
     bool table = s->output.format == THUD_SWEEP_OUTPUT_TABLE, quiet = thud_args_has(s->args, "quiet");
     enum thud_status status = thud_sweep_output_end(&s->output, err);
+    warn_watched(s);
     if (table)
         thud_sweep_report(&s->plan, &s->outcome, &text);
     if (table && status == THUD_OK && s->suite) {
@@ -236,6 +247,7 @@ static enum thud_status conclude_fragility(struct sweep *s, struct thud_error *e
     enum thud_status status = s->study.folder ? THUD_OK : tell_fragility(s, err);
     if (status == THUD_OK)
         status = thud_cli_print(&s->told, err);
+    warn_watched(s);
     if (!thud_args_has(s->args, "quiet"))
         thud_sweep_report_work(&s->plan, &s->outcome.total, &work);
     if (work.data)

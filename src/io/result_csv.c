@@ -47,7 +47,7 @@ void thud_result_csv(const struct thud_report *report, struct thud_text *out)
             thud_text_csv(out, report->scene->structure[s].name);
             thud_text_append(out, ",%d", i + 1);
             for (size_t k = 0; k < sizeof peak / sizeof *peak; k++) {
-                bool none = k == 0 && thud_floor_struck(report->scene, report->result, s, i);
+                bool none = k == 0 && thud_floor_struck(report->result, s, i);
                 add_number(out, none ? NAN : peak[k].value);
                 add_number(out, none ? NAN : peak[k].time_s);
             }
@@ -139,8 +139,15 @@ void thud_impacts_csv(const struct thud_report *report, struct thud_text *out)
     for (int i = 0; i < report->nimpacts; i++) {
         const struct thud_impact *p = &report->impact[i];
         const struct thud_contact_result *c = &report->result->contact[p->contact];
-        const double value[] = {p->start_s, p->duration_s,    p->approach_mps, p->separation_mps,
-                                p->force_n, p->indentation_m, p->impulse_ns,   p->dissipated_j};
+        bool struck = thud_contact_struck(c);
+        const double value[] = {p->start_s,
+                                p->duration_s,
+                                p->approach_mps,
+                                p->separation_mps,
+                                struck ? NAN : p->force_n,
+                                struck ? NAN : p->indentation_m,
+                                p->impulse_ns,
+                                p->dissipated_j};
         thud_text_append(out, "%d,%d,%d", c->interface, c->left_floor, c->right_floor);
         for (size_t k = 0; k < sizeof value / sizeof *value; k++)
             add_number(out, value[k]);

@@ -107,29 +107,23 @@ static void add_structure(const struct thud_report *report, int s, struct thud_t
     thud_text_append(out, ", \"floors\": [");
     for (int i = 0; i < r->floors; i++) {
         thud_text_append(out, "%s\n", i > 0 ? "," : "");
-        add_floor(i + 1, &r->floor[i], r->storey ? &r->storey[i] : NULL,
-                  thud_floor_struck(report->scene, report->result, s, i), out);
+        add_floor(i + 1, &r->floor[i], r->storey ? &r->storey[i] : NULL, thud_floor_struck(report->result, s, i), out);
     }
     thud_text_append(out, "]}");
 }
 
 static void add_contact(const struct thud_contact_result *c, struct thud_text *out)
 {
+    bool struck = thud_contact_struck(c);
     const struct {
         const char *key;
         double value;
-    } field[] = {{"force_n", c->force.value},
-                 {"force_time_s", c->force.time_s},
-                 {"indentation_m", c->indentation.value},
-                 {"indentation_time_s", c->indentation.time_s},
-                 {"impulse_ns", c->impulse_ns},
-                 {"contact_time_s", c->contact_time_s},
-                 {"residual_m", c->residual_m},
-                 {"dissipated_j", c->dissipated_j},
-                 {"approach_mps", c->approach_mps},
-                 {"separation_mps", c->separation_mps},
-                 {"restitution", c->restitution},
-                 {"nominal_restitution", c->nominal_restitution}};
+    } field[] = {{"force_n", thud_peak_force(c)},       {"force_time_s", struck ? NAN : c->force.time_s},
+                 {"indentation_m", thud_peak_depth(c)}, {"indentation_time_s", struck ? NAN : c->indentation.time_s},
+                 {"impulse_ns", c->impulse_ns},         {"contact_time_s", c->contact_time_s},
+                 {"residual_m", c->residual_m},         {"dissipated_j", c->dissipated_j},
+                 {"approach_mps", c->approach_mps},     {"separation_mps", c->separation_mps},
+                 {"restitution", c->restitution},       {"nominal_restitution", c->nominal_restitution}};
     thud_text_append(out, "    {\"interface\": %d, \"left_floor\": %d, \"right_floor\": %d, \"impacts\": %d",
                      c->interface, c->left_floor, c->right_floor, c->impacts);
     if (c->struck != 0) {

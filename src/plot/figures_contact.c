@@ -12,6 +12,17 @@ static double peak_force(const struct thud_figure_source *source, int nsources, 
     return peak;
 }
 
+/* The largest impulse of a contact; only of laws without force. */
+static double peak_impulse(const struct thud_figure_source *source, int nsources, int contact)
+{
+    double peak = 0.0;
+    for (int s = 0; s < nsources; s++)
+        for (int i = 0; i < source[s].nimpacts && thud_contact_struck(&source[s].result->contact[contact]); i++)
+            if (source[s].impact[i].contact == contact)
+                peak = fmax(peak, source[s].impact[i].impulse_ns);
+    return peak;
+}
+
 enum { CONTACTS_MAX = 4000 };
 
 /* The contacts worth a curve; the largest force in *peak. */
@@ -47,23 +58,62 @@ static void contact_note(struct thud_panel *panel, const struct thud_figure_sour
     }
 }
 
-/* Every impact at its largest force. */
-static void impact_points(struct thud_panel *panel, const struct thud_figure_source *source, int contact, double factor,
-                          const char *name, int color)
+/* Every impact at its largest force, or at its impulse. */
+static void impact_points(struct thud_panel *panel, const struct thud_figure_source *source, int contact, bool impulse,
+                          double factor, const char *name, int color)
 {
     struct thud_style style = {.kind = THUD_POINTS, .color = color};
     struct thud_series *series = thud_panel_add(panel, style, name, (size_t)source->nimpacts, NULL, NULL);
     size_t n = 0;
     for (int i = 0; series && i < source->nimpacts; i++)
-        if (source->impact[i].contact == contact && source->impact[i].force_n > 0.0) {
+        if (source->impact[i].contact == contact && (impulse || source->impact[i].force_n > 0.0)) {
             series->x[n] = source->impact[i].start_s + 0.5 * source->impact[i].duration_s;
-            series->y[n++] = factor * source->impact[i].force_n;
+            series->y[n++] = factor * (impulse ? source->impact[i].impulse_ns : source->impact[i].force_n);
         }
     if (series)
         series->n = n;
 }
 
 enum { IMPACTS_MANY = 100 };
+
+/* Where no contact has a force: a strip for each that passed impulses, each of them a point. */
+static struct thud_figure *impulses(const struct thud_figure_source *source, int nsources)
+{
+    double size[CONTACTS_MAX], from = 0, to = 0;
+    int index[THUD_CURVES_MAX], contacts = source->result->ncontacts;
+    char title[3 * THUD_TEXT_MAX], name[160];
+    bool ground = thud_source_ground(source);
+    if (contacts > CONTACTS_MAX)
+        contacts = CONTACTS_MAX;
+    for (int c = 0; c < contacts; c++)
+        size[c] = peak_impulse(source, nsources, c);
+    int n = thud_pick_largest(size, contacts, THUD_CURVES_MAX, index);
+    while (n > 0 && !(size[index[n - 1]] > 0.0))
+        n--;
+    if (n == 0)
+        return NULL;
+    thud_source_title(source, nsources, "impulse of every impact (kN s)", title, sizeof title);
+    struct thud_figure *figure = thud_figure_create(thud_run_figure_name(THUD_FIGURE_FORCE), title, n + ground, 1);
+    thud_source_zoom(source, nsources, &from, &to);
+    if (ground)
+        thud_figure_ground(figure, source, from, to);
+    for (int i = 0; i < n; i++) {
+        int c = index[n - 1 - i];
+        thud_source_contact_name(source, c, name, sizeof name);
+        struct thud_panel *panel = thud_figure_panel(figure, i + ground, 0, name);
+        thud_panel_axis(panel, THUD_X, "Time", "s");
+        thud_panel_axis(panel, THUD_Y, "Impulse", "kN s");
+        for (int s = 0; s < nsources; s++)
+            impact_points(panel, &source[s], c, true, 1e-3, nsources > 1 ? source[s].name : "", s);
+    }
+    thud_figure_same_height(figure, ground);
+    thud_figure_strips(figure);
+    for (int r = ground; r < n + ground && figure; r++)
+        thud_panel_limits(&figure->panel[r], THUD_Y, 0.0, figure->panel[r].axis[THUD_Y].most);
+    thud_figure_shorten(figure);
+    thud_figure_note(figure, "A law without force: an impulse lasts no time, and has no largest force.");
+    return figure;
+}
 
 /* A strip for each contact, the highest first; where impacts are hundreds, each is a point on a log axis. */
 struct thud_figure *thud_figure_forces(const struct thud_figure_source *source, int nsources)
@@ -73,6 +123,9 @@ struct thud_figure *thud_figure_forces(const struct thud_figure_source *source, 
     char text[3 * THUD_TEXT_MAX], what[64], name[160];
     bool zoom = thud_source_zoom(source, nsources, &from, &to), ground = thud_source_ground(source);
     n = pick_contacts(source, nsources, THUD_CURVES_MAX, index, &peak);
+    struct thud_figure *struck = n == 0 ? impulses(source, nsources) : NULL;
+    if (struck)
+        return struck;
     for (int s = 0; s < nsources; s++)
         most = source[s].nimpacts > most ? source[s].nimpacts : most;
     bool many = most > IMPACTS_MANY;
@@ -97,7 +150,7 @@ struct thud_figure *thud_figure_forces(const struct thud_figure_source *source, 
         for (int s = 0; s < nsources; s++) {
             const char *key = nsources > 1 ? source[s].name : "";
             if (many)
-                impact_points(panel, &source[s], c, shown.factor, key, s);
+                impact_points(panel, &source[s], c, false, shown.factor, key, s);
             else
                 thud_source_line(panel, &source[s], thud_history_force(source[s].history, c), -1, shown.factor, key, s);
         }

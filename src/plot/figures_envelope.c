@@ -27,7 +27,7 @@ static double storey(const struct thud_structure *structure, int floor)
 static double peak_of(const struct thud_figure_source *source, int structure, int f, int q)
 {
     const struct thud_floor_result *floor = &source->result->structure[structure].floor[f];
-    if (q == ACCELERATION && thud_floor_struck(source->scene, source->result, structure, f))
+    if (q == ACCELERATION && thud_floor_struck(source->result, structure, f))
         return NAN;
     return q == ACCELERATION   ? floor->acceleration.value
            : q == DISPLACEMENT ? floor->displacement.value

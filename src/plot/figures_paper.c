@@ -199,11 +199,11 @@ enum thud_status thud_figure_paper9(struct thud_figure **out, struct thud_error 
             rectangle(panel, "concrete", THUD_COLOR_GREY, -cavity[p], 0.0, 7.0, 10.0);
         }
         rectangle(panel, "rubber that can be compressed, 4 cm", 2, 1.0 - cavity[p], thickness - cavity[p], 3.0, 7.0);
-        rectangle(panel, "rubber that cannot, 1 cm", 1, -cavity[p], 1.0 - cavity[p], 3.0, 7.0);
+        rectangle(panel, "rubber that cannot be compressed, 1 cm", 1, -cavity[p], 1.0 - cavity[p], 3.0, 7.0);
         rectangle(panel, "concrete", THUD_COLOR_GREY, gap, 14.0, 0.0, 10.0);
     }
     thud_figure_note(figure,
-                     "In a cavity as deep as it cannot be compressed the whole of what can be stands before the "
+                     "The cavity takes the 1 cm that cannot be compressed: all 4 cm that can be stand before the "
                      "wall, and the clearance is 1 cm wider.");
     return finish(figure, THUD_OK, out, err);
 }

@@ -142,11 +142,11 @@ static const struct quantity {
     const char *label, *title, *unit;
     double factor;
 } quantities[THUD_RUN_FIGURES] = {
-    [THUD_FIGURE_VELOCITY] = {"Velocity to the ground", "Floor velocity relative to the ground", "m/s", 1.0},
-    [THUD_FIGURE_ACCELERATION] = {"Total acceleration", "Total floor acceleration", "m/s²", 1.0},
-    [THUD_FIGURE_DISPLACEMENT] = {"Displacement to the ground", "Floor displacement relative to the ground", "cm",
+    [THUD_FIGURE_VELOCITY] = {"Velocity to the ground", "floor velocity relative to the ground", "m/s", 1.0},
+    [THUD_FIGURE_ACCELERATION] = {"Total acceleration", "total floor acceleration", "m/s²", 1.0},
+    [THUD_FIGURE_DISPLACEMENT] = {"Displacement to the ground", "floor displacement relative to the ground", "cm",
                                   100.0},
-    [THUD_FIGURE_DRIFT] = {"Interstorey deflection", "Interstorey deflection", "mm", 1000.0},
+    [THUD_FIGURE_DRIFT] = {"Interstorey deflection", "interstorey deflection", "mm", 1000.0},
 };
 
 static double floor_peak(const struct thud_figure_source *source, int structure, int floor, enum thud_run_figure which)

@@ -540,6 +540,23 @@ struct thud_figure *thud_figure_of_contacts(const struct thud_sweep_table *table
     return figure;
 }
 
+/* A dot in every cell where the response is larger: the two ends of the colours are one grey in print. */
+static void add_harm(struct thud_panel *panel, const struct thud_map *map)
+{
+    static const double harm = 1.01;
+    struct thud_series *dots =
+        thud_panel_add(panel, (struct thud_style){.kind = THUD_POINTS, .color = THUD_COLORS - 1, .thin = true},
+                       "ratio above 1.01", map->nx * map->ny, NULL, NULL);
+    size_t n = 0;
+    for (size_t i = 0; dots && i < map->nx * map->ny; i++)
+        if (map->z[i] > harm) {
+            dots->x[n] = map->x[i % map->nx];
+            dots->y[n++] = map->y[i / map->nx];
+        }
+    if (dots)
+        dots->n = n;
+}
+
 /* ---- two parameters ---- */
 
 static void fill_map(struct thud_panel *panel, const struct thud_sweep_table *table, const struct wanted *wanted,
@@ -566,6 +583,7 @@ static void fill_map(struct thud_panel *panel, const struct thud_sweep_table *ta
         if (d->record == wanted->record && drawn(table, d, 2, wanted->at))
             map->z[(size_t)d->at[1] * map->nx + (size_t)d->at[0]] = ratio(d, wanted, THUD_SWEEP_VALUE, q);
     }
+    add_harm(panel, map);
 }
 
 /* One scale of colours for all panels, as far to one side of 1 as to the other. */

@@ -202,10 +202,11 @@ static double roomy_step(const struct thud_range *range, double ems)
     return step;
 }
 
-/* The step along y of a strip, which has room for three numbers: one with 0 between two others. */
+/* The step along y of a strip, which has room for three numbers: 0 and one to either side, none of them at an edge where
+ * the next strip has its own. */
 static double strip_step(const struct thud_range *range)
 {
-    double reach = fmax(fabs(range->least), fabs(range->most)) * (1.0 + 1e-9), unit = pow(10.0, floor(log10(reach)));
+    double reach = 0.85 * fmax(fabs(range->least), fabs(range->most)), unit = pow(10.0, floor(log10(reach)));
     return unit * (reach >= 5.0 * unit ? 5.0 : reach >= 2.0 * unit ? 2.0 : 1.0);
 }
 
@@ -235,11 +236,12 @@ static void axis(const struct sheet *sheet, const struct thud_panel *panel, enum
                                      : (box->top - box->bottom) / (1.2 * sheet->em);
         log_ticks(out, &range, (int)fmin(9, fmax(2, room)));
         thud_text_append(out, ")\n");
+    } else if (panel->strip && side == THUD_Y && range.least <= 0.0 && range.most >= 0.0) {
+        double step = strip_step(&range);
+        thud_text_append(out, "%.10g,%.10g,%.10g\n", -step, step, step);
     } else
         thud_text_append(out, "autofreq %.10g\n",
-                         side == THUD_X ? roomy_step(&range, (box->right - box->left) / sheet->em)
-                         : panel->strip ? strip_step(&range)
-                                        : range.step);
+                         side == THUD_X ? roomy_step(&range, (box->right - box->left) / sheet->em) : range.step);
 }
 
 /* ---- what is drawn ---- */
@@ -279,7 +281,9 @@ void thud_gnuplot_style(const struct sheet *sheet, const struct thud_series *ser
     if (style.kind == THUD_POINTS || style.kind == THUD_LINES_POINTS)
         thud_text_append(sheet->out, "pt %d ps %.3g*DOT ",
                          shape[style.color < 0 ? 0 : (style.color + 3 * (style.color / THUD_COLORS)) % THUD_COLORS],
-                         style.kind == THUD_POINTS && style.wide ? 1.8 : 1.0); /* rings around others */
+                         style.kind == THUD_POINTS && style.wide   ? 1.8
+                         : style.kind == THUD_POINTS && style.thin ? 0.4
+                                                                   : 1.0); /* rings around others */
     if (key && (style.kind == THUD_POINTS || style.kind == THUD_LINES_POINTS))
         thud_text_append(sheet->out, "pi 3 ");
     thud_text_append(sheet->out, "lc rgb '#%06X'", thud_color_rgb(style.color));

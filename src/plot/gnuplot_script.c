@@ -78,7 +78,7 @@ static const double title_em = 1.15, note_em = 0.85;
 enum { LINES_MAX = 8 };
 
 /* Lines that a text takes, at most LINES_MAX; where each begins (the last one's end comes after it) in *at. */
-static int wrapped(const char *text, double widest, double em, size_t at[LINES_MAX + 1])
+static int wrapped_at(const char *text, double widest, double em, size_t at[LINES_MAX + 1])
 {
     int n = 0;
     size_t begin = 0, length = strlen(text);
@@ -104,6 +104,16 @@ static int wrapped(const char *text, double widest, double em, size_t at[LINES_M
         n++;
     }
     return n;
+}
+
+/* The same in lines of about one length: no unit or last word stands alone. */
+static int wrapped(const char *text, double widest, double em, size_t at[LINES_MAX + 1])
+{
+    static const double shorter = 0.95;
+    int n = wrapped_at(text, widest, em, NULL);
+    while (n > 1 && n < LINES_MAX && wrapped_at(text, shorter * widest, em, NULL) == n)
+        widest *= shorter;
+    return wrapped_at(text, widest, em, at);
 }
 
 /* Room of a sample of a line and what follows a name in the key, ems. */

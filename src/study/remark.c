@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/scan.h"
@@ -10,21 +11,35 @@
 /* Elastic storeys are not for more: codes let buildings drift by 0.5 to 2.5 % where they yield. */
 static const double drift_most = 0.01;
 
-bool thud_floor_struck(const struct thud_scene *scene, const struct thud_result *result, int structure, int floor)
+bool thud_floor_struck(const struct thud_result *result, int structure, int floor)
 {
     for (int c = 0; c < result->ncontacts; c++) {
         const struct thud_contact_result *r = &result->contact[c];
-        const struct thud_interface *at = &scene->interface[r->interface - 1];
-        const struct thud_law *law = at->has_bumper ? at->bumper.law : at->contact.law;
         /* a blow on columns reaches the floors above and below */
         bool left = structure == r->interface - 1 &&
                     (floor + 1 == r->left_floor || (r->struck < 0 && floor + 2 == r->left_floor));
         bool right = structure == r->interface &&
                      (floor + 1 == r->right_floor || (r->struck > 0 && floor + 2 == r->right_floor));
-        if (law && law->flags & THUD_LAW_IMPULSIVE && r->impulse_ns > 0 && (left || right))
+        if ((left || right) && thud_contact_struck(r))
             return true;
     }
     return false;
+}
+
+double thud_floor_acceleration(const struct thud_result *result, int structure, int floor)
+{
+    return thud_floor_struck(result, structure, floor) ? NAN
+                                                       : result->structure[structure].floor[floor].acceleration.value;
+}
+
+double thud_peak_force(const struct thud_contact_result *contact)
+{
+    return thud_contact_struck(contact) ? NAN : contact->force.value;
+}
+
+double thud_peak_depth(const struct thud_contact_result *contact)
+{
+    return thud_contact_struck(contact) ? NAN : contact->indentation.value;
 }
 
 static const struct thud_contact_result *deepest(const struct thud_result *result, int interface)
@@ -67,20 +82,30 @@ static bool look_bumper(const struct thud_scene *scene, int i, const struct thud
     return true;
 }
 
+/* The largest drift over the height of its storey (from 1) in *storey; `drift_m` of a structure's floors. */
+static double worst_drift(const struct thud_structure *s, int floors, const double *drift_m, int *storey)
+{
+    double worst = 0;
+    int slab = s->kind == THUD_ISOLATED;
+    *storey = 0;
+    for (int f = slab; f < floors && s->kind != THUD_RIGID; f++) {
+        double ratio = drift_m[f] / s->height_m[f - slab];
+        if (ratio > worst) {
+            worst = ratio;
+            *storey = f - slab + 1;
+        }
+    }
+    return worst;
+}
+
 static bool look_drift(const struct thud_structure *s, const struct thud_structure_result *r, int index,
                        struct thud_error *out)
 {
-    double worst = 0;
-    int storey = 0, slab = s->kind == THUD_ISOLATED;
-    for (int f = slab; f < r->floors && s->kind != THUD_RIGID; f++) {
-        if (r->storey && r->storey[f].yields)
-            continue;
-        double ratio = r->floor[f].drift.value / s->height_m[f - slab];
-        if (ratio > worst) {
-            worst = ratio;
-            storey = f - slab + 1;
-        }
-    }
+    double drift_m[THUD_STOREYS_MAX + 1];
+    int storey;
+    for (int f = 0; f < r->floors; f++)
+        drift_m[f] = r->storey && r->storey[f].yields ? 0 : r->floor[f].drift.value;
+    double worst = worst_drift(s, r->floors, drift_m, &storey);
     if (!(worst > drift_most))
         return false;
     char key[64];
@@ -267,6 +292,116 @@ bool thud_sweep_remark(const struct thud_sweep_plan *plan, int n, struct thud_er
                            text);
         thud_error_allow(out, "alpha, area and material-stiffness in place of stiffness make it follow");
         thud_error_key(out, key);
+        return true;
+    }
+    return false;
+}
+
+/* ---- the runs of a study ---- */
+
+/* A case of a point: its scene has been made for it. */
+static void watch_case(struct thud_sweep_watch *w, const struct thud_scene *scene, const struct thud_sweep_point *point,
+                       int k)
+{
+    const struct thud_sweep_floor *floor = point->floor + (ptrdiff_t)k * point->nfloors;
+    const struct thud_sweep_contact *contact = point->contact + (ptrdiff_t)k * point->ncontacts;
+    bool drifts = false, bumper = false, pressed = false, beyond = false;
+    for (int s = 0; s < point->nstructures; floor += point->floors[s], s++) {
+        double drift_m[THUD_STOREYS_MAX + 1];
+        int storey;
+        const struct thud_structure *structure = &scene->structure[s];
+        int slab = structure->kind == THUD_ISOLATED;
+        for (int f = 0; f < point->floors[s]; f++) { /* those that yield are not taken as elastic */
+            bool yields =
+                f >= slab && f - slab < structure->storeys && isfinite(thud_structure_yield(structure, f - slab));
+            drift_m[f] = yields ? 0 : floor[f].drift_m;
+        }
+        double ratio = worst_drift(structure, point->floors[s], drift_m, &storey);
+        drifts = drifts || ratio > drift_most;
+        if (ratio > w->drift.value) {
+            w->drift.value = ratio;
+            w->drift.point = point->index;
+            w->drift.which = point->which[k];
+            w->drift.structure = s;
+            w->drift.storey = storey;
+        }
+    }
+    for (int c = 0; c < point->ncontacts; c++) {
+        int i = point->level[c].interface - 1;
+        const struct thud_interface *at = &scene->interface[i];
+        double strain = thud_interface_max_strain(at), thickness = at->bumper_thickness_m;
+        if (!at->has_bumper || !(thickness > 0))
+            continue;
+        bumper = true;
+        pressed = pressed || contact[c].indentation_m > (isnan(strain) ? 1 : strain) * thickness;
+        beyond = beyond || contact[c].indentation_m > thickness;
+        if (contact[c].indentation_m / thickness > w->press.value) {
+            w->press.value = contact[c].indentation_m / thickness;
+            w->press.point = point->index;
+            w->press.which = point->which[k];
+            w->press.structure = i;
+            w->press_m = contact[c].indentation_m;
+            w->thickness_m = thickness;
+        }
+    }
+    w->runs++;
+    w->drifting += drifts;
+    w->with_bumper += bumper;
+    w->pressed += pressed;
+    w->beyond += beyond;
+}
+
+enum thud_status thud_sweep_watch_add(struct thud_sweep_watch *watch, const struct thud_sweep_plan *plan,
+                                      const struct thud_sweep_point *point, struct thud_error *err)
+{
+    struct thud_scene *scene = malloc(2 * sizeof *scene);
+    if (!scene)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    enum thud_status status = thud_sweep_scene(plan, point->index, scene, err);
+    for (int k = 0; k < point->ncases && status == THUD_OK; k++) {
+        if (point->effort[k].reference || point->effort[k].status != THUD_OK)
+            continue;
+        status = thud_scene_case(scene, point->which[k], scene + 1, err);
+        if (status == THUD_OK)
+            watch_case(watch, scene + 1, point, k);
+    }
+    free(scene);
+    return status;
+}
+
+/* "case bumper, gap 5 cm, kobe.csv" */
+static void where_text(const struct thud_sweep_plan *plan, long point, enum thud_case which, char *text, size_t size)
+{
+    int at[THUD_VARY_MAX], record = thud_sweep_place(plan, point, at);
+    int n = snprintf(text, size, "case %s", thud_case_name(which));
+    for (int a = 0; a < plan->naxes && n > 0 && (size_t)n < size; a++)
+        n += snprintf(text + n, size - (size_t)n, ", %s %s", plan->axis[a].key, plan->axis[a].text[at[a]]);
+    if (plan->nrecords > 1 && n > 0 && (size_t)n < size)
+        snprintf(text + n, size - (size_t)n, ", %.100s", plan->record[record]->file);
+}
+
+bool thud_sweep_watch_remark(const struct thud_sweep_watch *w, const struct thud_sweep_plan *plan, int n,
+                             struct thud_error *out)
+{
+    char where[400], beyond[64] = "";
+    if (w->pressed > 0 && n-- == 0) {
+        where_text(plan, w->press.point, w->press.which, where, sizeof where);
+        if (w->beyond > 0)
+            snprintf(beyond, sizeof beyond, ", in %ld by more than there is of it", w->beyond);
+        thud_error_set(out, THUD_OK,
+                       "a bumper is pressed past its largest strain in %ld of %ld runs with one%s: one of %.4g mm by "
+                       "%.4g mm (%s)",
+                       w->pressed, w->with_bumper, beyond, 1e3 * w->thickness_m, 1e3 * w->press_m, where);
+        return true;
+    }
+    if (w->drifting > 0 && n-- == 0) {
+        where_text(plan, w->drift.point, w->drift.which, where, sizeof where);
+        thud_error_set(out, THUD_OK,
+                       "storeys drift by more than %g %% of their height in %ld of %ld runs, and are taken as elastic: "
+                       "storey %d of %.40s by %.2g %% (%s)",
+                       100 * drift_most, w->drifting, w->runs, w->drift.storey,
+                       plan->scene.structure[w->drift.structure].name, 100 * w->drift.value, where);
+        thud_error_allow(out, "buildings yield before %g %%", 100 * drift_most);
         return true;
     }
     return false;

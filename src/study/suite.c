@@ -1,4 +1,5 @@
 #include "study/suite.h"
+#include "study/statistics.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -88,7 +89,7 @@ static void put_peaks(const struct thud_scene *scene, const struct thud_sweep_po
             continue;
         to[THUD_SUITE_ACCELERATION] = to[THUD_SUITE_DRIFT] = 0;
         for (int i = 0; i < point->floors[s]; i++) {
-            to[THUD_SUITE_ACCELERATION] = fmax(to[THUD_SUITE_ACCELERATION], floor[i].acceleration_mps2);
+            to[THUD_SUITE_ACCELERATION] = thud_largest(to[THUD_SUITE_ACCELERATION], floor[i].acceleration_mps2);
             to[THUD_SUITE_DRIFT] = fmax(to[THUD_SUITE_DRIFT], floor[i].drift_m);
         }
         to[THUD_SUITE_DRIFT_ANGLE] = drift_angle(&scene->structure[s], floor, point->floors[s]);
@@ -117,7 +118,7 @@ enum thud_status thud_suite_add(struct thud_suite *suite, const struct thud_swee
         for (int c = 0; c < point->ncontacts; c++) {
             const struct thud_sweep_contact *x = &point->contact[(ptrdiff_t)k * point->ncontacts + c];
             value[THUD_SUITE_IMPACTS] += x->impacts;
-            value[THUD_SUITE_FORCE] = fmax(value[THUD_SUITE_FORCE], x->force_n);
+            value[THUD_SUITE_FORCE] = thud_largest(value[THUD_SUITE_FORCE], x->force_n);
         }
         for (int i = 0; i < n; i++)
             if (row[i].which == point->which[k] && row[i].floor == 0) {

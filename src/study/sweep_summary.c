@@ -1,4 +1,5 @@
 /* What a study keeps of a point for its figures and tables. */
+#include "study/statistics.h"
 #include "study/sweep_table.h"
 
 #include <math.h>
@@ -53,8 +54,8 @@ static void put_contacts(struct thud_sweep_run *run, const struct thud_sweep_con
 {
     for (int c = 0; c < n; c++) {
         run->impacts += row[c].impacts;
-        run->force_n = fmax(run->force_n, row[c].force_n);
-        run->indentation_m = fmax(run->indentation_m, row[c].indentation_m);
+        run->force_n = thud_largest(run->force_n, row[c].force_n);
+        run->indentation_m = thud_largest(run->indentation_m, row[c].indentation_m);
     }
 }
 

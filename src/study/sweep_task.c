@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "study/remark.h"
 #include "study/sweep_private.h"
 
 struct thud_sweep_task {
@@ -52,7 +53,8 @@ static void take_floors(struct thud_sweep_floor *to, const struct thud_result *r
     for (int s = 0; s < result->nstructures; s++)
         for (int i = 0; i < result->structure[s].floors; i++) {
             const struct thud_floor_result *f = &result->structure[s].floor[i];
-            *to++ = (struct thud_sweep_floor){f->acceleration.value, f->drift.value, f->displacement.value};
+            *to++ =
+                (struct thud_sweep_floor){thud_floor_acceleration(result, s, i), f->drift.value, f->displacement.value};
         }
 }
 
@@ -65,8 +67,8 @@ static void take(struct thud_sweep_task *task, const struct thud_result *result)
         const struct thud_contact_result *r = &result->contact[c];
         const struct thud_column_result *column = r->column >= 0 ? &result->column[r->column] : NULL;
         to[c] = (struct thud_sweep_contact){r->impacts,
-                                            r->force.value,
-                                            r->indentation.value,
+                                            thud_peak_force(r),
+                                            thud_peak_depth(r),
                                             r->impulse_ns,
                                             r->contact_time_s,
                                             r->residual_m,

@@ -7,6 +7,8 @@
 
 #include "base/quantity.h"
 #include "study/answer.h"
+#include "study/remark.h"
+#include "study/statistics.h"
 
 static const struct thud_input_info infos[THUD_INPUTS] = {
     [THUD_INPUT_GAP] = {"gap", THUD_INPUT_RELATIVE, 0.05},
@@ -243,13 +245,15 @@ void thud_uncertainty_free(struct thud_uncertainty *uncertainty)
 }
 
 /* Largest and mean peaks of a structure. */
-static void summarize(const struct thud_structure_result *s, double x[OF_STRUCTURE])
+static void summarize(const struct thud_result *result, int structure, double x[OF_STRUCTURE])
 {
+    const struct thud_structure_result *s = &result->structure[structure];
     memset(x, 0, OF_STRUCTURE * sizeof *x);
     for (int i = 0; i < s->floors; i++) {
-        x[ACCELERATION] = fmax(x[ACCELERATION], s->floor[i].acceleration.value);
+        double acceleration = thud_floor_acceleration(result, structure, i);
+        x[ACCELERATION] = thud_largest(x[ACCELERATION], acceleration);
         x[DRIFT] = fmax(x[DRIFT], s->floor[i].drift.value);
-        x[MEAN_ACCELERATION] += s->floor[i].acceleration.value / s->floors;
+        x[MEAN_ACCELERATION] += acceleration / s->floors;
         x[MEAN_DRIFT] += s->floor[i].drift.value / s->floors;
     }
 }
@@ -263,7 +267,7 @@ static double *put_case(const struct thud_uncertainty *u, int k, const struct th
         double x[OF_STRUCTURE];
         if (!has_floors(&u->scene.structure[s]))
             continue;
-        summarize(&result->structure[s], x);
+        summarize(result, s, x);
         for (int q = 0; q < OF_STRUCTURE; q++)
             *value++ = x[q];
         if (k == 0) {
@@ -274,7 +278,7 @@ static double *put_case(const struct thud_uncertainty *u, int k, const struct th
         *value++ = first[MEAN_DRIFT] > 0 ? x[MEAN_DRIFT] / first[MEAN_DRIFT] : NAN;
     }
     for (int c = 0; c < result->ncontacts; c++)
-        force = fmax(force, result->contact[c].force.value);
+        force = thud_largest(force, thud_peak_force(&result->contact[c]));
     *value++ = force;
     return value;
 }

@@ -1,6 +1,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "study/remark.h"
 #include "tui/figures.h"
 
 const char *thud_plot_title(enum thud_plot plot)
@@ -215,8 +216,7 @@ static void add_envelope(struct thud_panel *panel, const struct shown *of, int w
         thud_panel_add(panel, shown_style(of, of->pinned ? THUD_LINES : THUD_LINES_POINTS, which),
                        shown_name(of, which, name), (size_t)floors, NULL, NULL);
     for (int i = 0; series && i < floors; i++) {
-        series->x[i] =
-            drift ? 1e3 * result->structure[s].floor[i].drift.value : result->structure[s].floor[i].acceleration.value;
+        series->x[i] = drift ? 1e3 * result->structure[s].floor[i].drift.value : thud_floor_acceleration(result, s, i);
         series->y[i] = i + 1;
     }
 }

@@ -5,7 +5,9 @@
 #include "plot/figure.h"
 #include "study/answer.h"
 #include "study/needed_gap.h"
+#include "study/remark.h"
 #include "study/spacing.h"
+#include "study/statistics.h"
 #include "tui/live.h"
 
 enum { SEGMENTS = 100, HISTORY_BYTES = 48 << 20 };
@@ -271,7 +273,7 @@ double thud_live_floor(const struct thud_live *live, enum thud_live_which which,
     case THUD_PEAK_PERMANENT:
         return yields ? fabs(storey[floor].permanent_m) : NAN;
     case THUD_PEAK_ACCELERATION:
-        return f->acceleration.value;
+        return thud_floor_acceleration(result, structure, floor);
     case THUD_PEAK_DRIFT:
         return f->drift.value;
     case THUD_PEAK_DISPLACEMENT:
@@ -284,10 +286,21 @@ double thud_live_floor(const struct thud_live *live, enum thud_live_which which,
 double thud_live_peak(const struct thud_live *live, enum thud_live_which which, int structure, enum thud_peak_kind kind)
 {
     const struct thud_result *result = shown(live, which);
-    double most = NAN;
-    for (int i = 0; result && structure < result->nstructures && i < result->structure[structure].floors; i++)
-        most = fmax(most, thud_live_floor(live, which, structure, i, kind));
+    int floors = result && structure < result->nstructures ? result->structure[structure].floors : 0;
+    double most = floors > 0 ? 0.0 : NAN;
+    for (int i = 0; i < floors; i++)
+        most = thud_largest(most, thud_live_floor(live, which, structure, i, kind));
     return most;
+}
+
+double thud_live_impulse(const struct thud_live *live, enum thud_live_which which, int interface)
+{
+    const struct thud_result *result = shown(live, which);
+    double sum = 0.0;
+    for (int i = 0; result && i < result->ncontacts; i++)
+        if (!interface || result->contact[i].interface == interface)
+            sum += result->contact[i].impulse_ns;
+    return sum;
 }
 
 double thud_live_force(const struct thud_live *live, enum thud_live_which which, int interface, int *impacts)
@@ -298,7 +311,7 @@ double thud_live_force(const struct thud_live *live, enum thud_live_which which,
     for (int i = 0; result && i < result->ncontacts; i++) {
         if (interface && result->contact[i].interface != interface)
             continue;
-        most = fmax(most, result->contact[i].force.value);
+        most = thud_largest(most, thud_peak_force(&result->contact[i]));
         *impacts += result->contact[i].impacts;
     }
     return most;

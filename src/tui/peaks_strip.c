@@ -87,8 +87,14 @@ static void impact_strip(struct thud_tui *tui, const struct thud_pane *pane)
     double most = 0.0, end = thud_run_end(c->run);
     for (int i = 0; i < count; i++)
         most = fmax(most, impact[i].force_n);
-    thud_pane_print(pane, 0, 0, thud_look(THUD_ROLE_MUTED, 0), pane->w < 18 ? "force" : "force, %s",
-                    thud_live_name(which));
+    bool impulses = count > 0 && !(most > 0.0); /* of a law without force */
+    for (int i = 0; impulses && i < count; i++)
+        most = fmax(most, impact[i].impulse_ns);
+    const char *what = impulses ? "impulse" : "force";
+    if (pane->w < 18)
+        thud_pane_put(pane, 0, 0, thud_look(THUD_ROLE_MUTED, 0), what);
+    else
+        thud_pane_print(pane, 0, 0, thud_look(THUD_ROLE_MUTED, 0), "%s, %s", what, thud_live_name(which));
     struct thud_pane area = thud_pane_inside(pane, 0, 1, pane->w, pane->h - 1);
     struct thud_dots dots;
     if (count == 0)
@@ -99,7 +105,8 @@ static void impact_strip(struct thud_tui *tui, const struct thud_pane *pane)
     thud_dots_line(&dots, 0.0, dots.height - 1.0, dots.width - 1.0, dots.height - 1.0, 2, look);
     for (int i = 0; i < count; i++) {
         double x = impact[i].start_s / end * (dots.width - 1);
-        thud_dots_line(&dots, x, dots.height - 1.0, x, (1.0 - impact[i].force_n / most) * (dots.height - 1), 1, look);
+        double height = (impulses ? impact[i].impulse_ns : impact[i].force_n) / most;
+        thud_dots_line(&dots, x, dots.height - 1.0, x, (1.0 - height) * (dots.height - 1), 1, look);
     }
     thud_dots_put(&dots);
     thud_dots_clear(&dots);

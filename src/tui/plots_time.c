@@ -68,6 +68,12 @@ static void to_impact(struct thud_tui *tui, struct thud_plots_state *p, int dire
     p->sight.contact = impact[best].contact;
     p->time_s = largest ? impact[best].start_s + 0.5 * impact[best].duration_s : impact[best].start_s;
     p->fresh = false;
+    if (!(impact[best].force_n > 0.0)) {
+        thud_tui_say(tui, THUD_ROLE_PLAIN, "Impulse at %.4f s: floor %d, %.3g m/s, %.3g kN s", impact[best].start_s,
+                     floor_of(&thud_run_result(c->run)->contact[impact[best].contact]), impact[best].approach_mps,
+                     1e-3 * impact[best].impulse_ns);
+        return;
+    }
     thud_tui_say(tui, THUD_ROLE_PLAIN, "Impact at %.4f s for %.1f ms: floor %d, %.3g m/s, %.3g MN, %.3g mm",
                  impact[best].start_s, 1e3 * impact[best].duration_s,
                  floor_of(&thud_run_result(c->run)->contact[impact[best].contact]), impact[best].approach_mps,

@@ -13,6 +13,7 @@ static void verdict_words(const struct thud_tui *tui, int columns, char *text, s
     struct thud_answer_line line = {.need_m = NAN};
     *text = '\0';
     line.force_n = thud_live_force(&tui->live, THUD_LIVE_NONE, tui->pair + 1, &line.impacts);
+    line.impulse_ns = thud_live_impulse(&tui->live, THUD_LIVE_NONE, tui->pair + 1);
     *pounds = line.impacts > 0;
     if (tui->pair + 1 >= scene->nstructures)
         return;

@@ -6,6 +6,7 @@
 
 #include "base/scan.h"
 #include "io/result_file.h"
+#include "study/remark.h"
 #include "tui/field.h"
 
 enum { PEAKS, IMPACTS, HOW };
@@ -215,7 +216,8 @@ static int draw_impacts(struct thud_tui *tui, const struct thud_pane *pane)
             snprintf(place, sizeof place, "%d", row[i].floor);
         snprintf(key, sizeof key, "impact %.9g %d", row[i].impact.start_s, row[i].impact.contact);
         snprintf(text, sizeof text, "%-9.3f %-4s %-7s %-7s", row[i].impact.start_s, place,
-                 thud_tui_number(row[i].impact.approach_mps, v), thud_tui_number(1e-6 * row[i].impact.force_n, f));
+                 thud_tui_number(row[i].impact.approach_mps, v),
+                 row[i].impact.force_n > 0.0 ? thud_tui_number(1e-6 * row[i].impact.force_n, f) : "-");
         if (wide)
             impact_rest(&row[i].impact, text, sizeof text);
         thud_field_line(tui, IMPACTS, pane, i + 1, i, key, text);
@@ -273,7 +275,15 @@ static int draw_how(struct thud_tui *tui, const struct thud_pane *pane)
         thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_MUTED, 0), "of %.4g s", result->step_s);
     if (result->reason && *result->reason)
         y += thud_pane_wrap(pane, 1, y, pane->w - 2, thud_look(THUD_ROLE_MUTED, 0), result->reason);
-    return draw_energy(result, pane, y);
+    y = draw_energy(result, pane, y);
+    const struct thud_live_case *c = &tui->live.which[shown(tui)];
+    struct thud_error remark;
+    int nimpacts;
+    const struct thud_impact *impact = thud_run_impacts(c->run, &nimpacts);
+    for (int i = 0; thud_result_remark(&tui->doc.scene, result, impact, nimpacts, i, &remark); i++)
+        if (shown(tui) == THUD_LIVE_BUMPER || strncmp(remark.key, "structures", 10) == 0) /* others have no bumper */
+            y += thud_pane_wrap(pane, 1, y, pane->w - 2, thud_look(THUD_ROLE_WARN, 0), remark.what);
+    return y;
 }
 
 static int draw(struct thud_tui *tui, int index, struct thud_pane *pane)

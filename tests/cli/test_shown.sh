@@ -1,4 +1,5 @@
 #!/bin/sh
+# shellcheck disable=SC2016 # awk has dollars of its own
 # Names of files, titles and headers are shown, not obeyed by a terminal or computed by a spreadsheet.  TAP.
 # shellcheck source=tests/cli/program.sh
 . "$(dirname "$0")/program.sh"
@@ -41,3 +42,30 @@ sed -i 's/name: left/name: "=left"/' "$tmp/formula.yaml"
 is "expectations of such names" gives 0 verify --update "$tmp/formula.yaml" --quiet
 is "hold" gives 0 verify "$tmp/formula.yaml" --quiet
 is "and are no formulas" grep -q ",'=left" "$tmp/formula.expected.csv"
+
+# impulses have no finite force, nor the floors that they strike a finite acceleration
+is "a study of impulses" gives 0 sweep towers --set contact.law=stereomechanical --vary gap=8cm:12cm:4cm --cases none -o "$tmp/struck" --quiet
+is "its struck floors have no peak acceleration, nor has the mean" awk -F, '$4 == "A" && ($5 == 0 || $5 == 4) { n++; if ($6 != "" || $9 != "" || $7 == "") bad = 1 }
+    END { exit bad || n != 4 }' "$tmp/struck/sweep.csv"
+is "the others have" awk -F, '$4 == "A" && $5 == 1 { n++; if ($6 == "") bad = 1 } END { exit bad || n != 2 }' "$tmp/struck/sweep.csv"
+is "a contact has impacts and an impulse, and no force" awk -F, '$5 == 4 && $7 > 0 { n++; if ($8 != "" || $9 != "" || !($10 > 0)) bad = 1 } END { exit bad || n != 2 }' "$tmp/struck/contacts.csv"
+is "one run" gives 0 run towers --case none --set contact.law=stereomechanical --json -o "$tmp/blows" --quiet
+is "says so in JSON" shows '"impacts": [1-9][0-9]*, "force_n": null, .*"impulse_ns": [1-9]'
+is "and in its impacts" awk -F, 'NR > 1 && ($8 != "" || !($10 > 0)) { bad = 1 } END { exit bad || NR < 5 }' "$tmp/blows/impacts.csv"
+is "its figure shows the impulses" grep -q "impulse of every impact (kN s)" "$tmp/blows/force.gp"
+is "sampled inputs have no largest force either" gives 0 uncertainty towers --case none --set contact.law=stereomechanical --samples 2 --csv
+is "but an impulse's" shows '^none.*force'
+
+# what no building bears is said of studies too
+is "a study past what bumper and storeys bear" gives 0 sweep towers --vary gap=6cm,30cm --cases none,bumper
+is "says how many runs press the bumper past its strain" says "warning: a bumper is pressed past its largest strain in 1 of 2 runs with one, in 1 by more than there is of it: one of 50 mm by 5[0-9.]* mm (case bumper, gap 6 cm)"
+is "and drift by more than 1 %" says "warning: storeys drift by more than 1 % of their height in [1-4] of 4 runs, .*storey 1 of [AB] by [12]"
+is "none with --quiet" gives 0 sweep towers --vary gap=6cm,30cm --cases none,bumper --quiet
+is "not a word" test ! -s "$tmp/err"
+is "nothing to say of a gap that is enough and a weak motion" gives 0 sweep towers --vary gap=30cm --cases none,bumper --peak 0.1g
+is "says nothing of it" sh -c '! grep -q warning "$1"' sh "$tmp/err"
+
+# a ground motion is called what its user called it
+is "a ground motion of the preset" gives 0 run towers --json --quiet
+is "has the preset's name" shows '"record": {"file": "kobe-surrogate.csv"'
+is "in rows too" sh -c '"$THUD" sweep towers --vary gap=10cm --cases none --csv --quiet | grep -q "^kobe-surrogate.csv,none"'
