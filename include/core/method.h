@@ -18,7 +18,8 @@ enum {
 };
 
 struct thud_method {
-    const char *name, *title, *reference;
+    const char *name, *title;
+    const char *reference; /* author, journal, volume (year) pages; several parted by "; " */
     const char *summary; /* one line */
     unsigned flags;
     int order;          /* on smooth problems; 0: exact in free flight */

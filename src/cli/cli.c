@@ -23,6 +23,14 @@ static command_function *const commands[THUD_COMMANDS] = {
 #undef THUD_COMMAND
 };
 
+void thud_cli_references(const char *reference, struct thud_text *out)
+{
+    for (const char *next; reference; reference = next ? next + 2 : NULL) {
+        next = strstr(reference, "; ");
+        thud_text_append(out, "  %.*s\n", next ? (int)(next - reference) : (int)strlen(reference), reference);
+    }
+}
+
 enum thud_status thud_cli_print(struct thud_text *text, struct thud_error *err)
 {
     if (text->data)

@@ -71,8 +71,8 @@ static void table(struct thud_text *out)
 {
     for (int i = 0; i < thud_law_count(); i++) {
         const struct thud_law *law = thud_law_at(i);
-        thud_text_append(out, "%s%s: %s\n  %s\n  %s\n", i > 0 ? "\n" : "", law->name, law->title, law->summary,
-                         law->reference);
+        thud_text_append(out, "%s%s: %s\n  %s\n", i > 0 ? "\n" : "", law->name, law->title, law->summary);
+        thud_cli_references(law->reference, out);
         add_restitution(law, out);
         for (int k = 0; k < law->nparams; k++) {
             const struct thud_param *p = &law->params[k];

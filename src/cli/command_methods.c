@@ -10,7 +10,9 @@ static void table(struct thud_text *out)
     thud_text_append(out, "auto: the exact method; a run says what it came to\n");
     for (int i = 0; i < thud_method_count(); i++) {
         const struct thud_method *m = thud_method_at(i);
-        thud_text_append(out, "\n%s: %s\n  %s\n  %s\n  ", m->name, m->title, m->summary, m->reference);
+        thud_text_append(out, "\n%s: %s\n  %s\n", m->name, m->title, m->summary);
+        thud_cli_references(m->reference, out);
+        thud_text_append(out, "  ");
         if (m->order > 0)
             thud_text_append(out, "order %d; ", m->order);
         thud_text_append(out, "%s; %s", m->flags & THUD_METHOD_FIXED_STEP ? "fixed step" : "takes a tolerance",

@@ -20,4 +20,7 @@ enum thud_status thud_cli_print_data(struct thud_text *text, struct thud_error *
 /* Writes the message to standard error. */
 void thud_cli_complain(const struct thud_error *err);
 
+/* The works that a law or method is from, parted by "; ": a line each. */
+void thud_cli_references(const char *reference, struct thud_text *out);
+
 #endif

@@ -23,7 +23,9 @@ static double elastic_energy(const struct thud_law_setup *setup, double d_m)
 const struct thud_law thud_law_hertz = {
     .name = "hertz",
     .title = "Hertz",
-    .reference = "Hertz 1882; Jing and Young 1991; Chau and Wei 2001",
+    .reference = "Hertz, Journal fuer die reine und angewandte Mathematik 92 (1882) 156-171; "
+                 "Jing and Young, Earthquake Engineering and Structural Dynamics 20 (1991) 667-681; "
+                 "Chau and Wei, Earthquake Engineering and Structural Dynamics 30 (2001) 633-651",
     .summary = "F = k d^1.5",
     .params = params,
     .nparams = sizeof params / sizeof params[0],

@@ -84,8 +84,12 @@ static double restitution(const struct thud_law_setup *setup, double v_mps)
 const struct thud_law thud_law_hertz_damp = {
     .name = "hertz-damp",
     .title = "Hertz with nonlinear damping",
-    .reference = "Lankarani and Nikravesh 1990; Muthukumar and DesRoches 2006; Hunt and Crossley 1975; Ye et al. 2009; "
-                 "Flores et al. 2011",
+    .reference =
+        "Lankarani and Nikravesh, Journal of Mechanical Design 112 (1990) 369-376; "
+        "muthukumar: Muthukumar and DesRoches, Earthquake Engineering and Structural Dynamics 35 (2006) 811-828; "
+        "hunt-crossley: Hunt and Crossley, Journal of Applied Mechanics 42 (1975) 440-445; "
+        "ye-flores: Ye, Li and Zhu, Earthquake Engineering and Structural Dynamics 38 (2009) 1135-1142; "
+        "Flores, Machado, Silva and Martins, Multibody System Dynamics 25 (2011) 357-375",
     .summary = "F = k d^n (1 + s v/v0), s from e by the formula chosen",
     .params = params,
     .nparams = sizeof params / sizeof params[0],

@@ -66,7 +66,8 @@ static double restitution(const struct thud_law_setup *setup, double v_mps)
 const struct thud_law thud_law_jankowski = {
     .name = "jankowski",
     .title = "nonlinear viscoelastic",
-    .reference = "Jankowski 2005, 2006",
+    .reference = "Jankowski, Earthquake Engineering and Structural Dynamics 34 (2005) 595-611; "
+                 "xi from e: Jankowski, Earthquake Engineering and Structural Dynamics 35 (2006) 517-524",
     .summary = "approach F = k d^n + 2 xi sqrt(k d^(n-1) m) v, restitution F = k d^n",
     .flags = THUD_LAW_REVERSES,
     .params = params,

@@ -43,7 +43,7 @@ static double restitution(const struct thud_law_setup *setup, double v_mps)
 const struct thud_law thud_law_kelvin_voigt = {
     .name = "kelvin-voigt",
     .title = "linear viscoelastic, classical",
-    .reference = "Anagnostopoulos 1988",
+    .reference = "Anagnostopoulos, Earthquake Engineering and Structural Dynamics 16 (1988) 443-456",
     .summary = "F = k d + c v while d > 0 (pulls at the end); c = 2 xi sqrt(k m), xi = -ln e/sqrt(pi^2 + ln^2 e)",
     .flags = THUD_LAW_LINEAR | THUD_LAW_PULLS | THUD_LAW_DEGREE_ONE,
     .params = params,

@@ -70,7 +70,9 @@ static bool keeps_residual(const struct thud_law_setup *setup)
 const struct thud_law thud_law_kelvin_voigt_no_tension = {
     .name = "kelvin-voigt-no-tension",
     .title = "linear viscoelastic, no tension",
-    .reference = "Komodromos, Polycarpou, Papaloizou and Phocas 2007; Polycarpou and Komodromos 2011, eqs. (1)-(3)",
+    .reference = "Komodromos, Polycarpou, Papaloizou and Phocas, Earthquake Engineering and Structural Dynamics 36 "
+                 "(2007) 1605-1622; "
+                 "Polycarpou and Komodromos, COMPDYN 2011, Corfu, eqs. (1)-(3)",
     .summary = "F = k d + c v while that is > 0, then released; c = 2 xi sqrt(k m)",
     .flags = THUD_LAW_LINEAR | THUD_LAW_DEGREE_ONE,
     .params = params,

@@ -22,7 +22,7 @@ static double elastic_energy(const struct thud_law_setup *setup, double d_m)
 const struct thud_law thud_law_linear = {
     .name = "linear",
     .title = "linear spring",
-    .reference = "Maison and Kasai 1990",
+    .reference = "Maison and Kasai, Journal of Structural Engineering 116 (1990) 957-977",
     .summary = "F = k d",
     .flags = THUD_LAW_LINEAR | THUD_LAW_DEGREE_ONE,
     .params = params,

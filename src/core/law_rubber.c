@@ -230,7 +230,9 @@ static bool unusual(const struct thud_law_setup *setup, int n, struct thud_error
 const struct thud_law thud_law_rubber = {
     .name = "rubber",
     .title = "rubber bumper with hysteretic damping",
-    .reference = "Polycarpou and Komodromos 2009, 2011, eqs. (4)-(7)",
+    .reference = "Polycarpou and Komodromos, COMPDYN 2009, Rhodes; "
+                 "Polycarpou and Komodromos, Earthquakes and Structures 2 (2011) 1-24; "
+                 "Polycarpou and Komodromos, COMPDYN 2011, Corfu, eqs. (4)-(7)",
     .summary = "approach F = k d^n, past the largest strain a line; restitution F = k d^n (1 + C v)",
     .flags = THUD_LAW_REVERSES,
     .params = params,

@@ -19,7 +19,8 @@ static double restitution(const struct thud_law_setup *setup, double v_mps)
 const struct thud_law thud_law_stereomechanical = {
     .name = "stereomechanical",
     .title = "impulse with restitution",
-    .reference = "Newton; Papadrakakis and Mouzakis 1995",
+    .reference = "Newton, Philosophiae Naturalis Principia Mathematica, London (1687); "
+                 "Papadrakakis and Mouzakis, Earthquake Engineering and Structural Dynamics 24 (1995) 811-834",
     .summary = "no force: at d = 0, v > 0 an impulse (1 + e) m v on each side",
     .flags = THUD_LAW_IMPULSIVE | THUD_LAW_DEGREE_ONE,
     .params = params,

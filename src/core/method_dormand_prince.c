@@ -6,7 +6,7 @@
 const struct thud_method thud_method_dormand_prince = {
     .name = "dormand-prince",
     .title = "Dormand and Prince 5(4), located events",
-    .reference = "Dormand and Prince 1980",
+    .reference = "Dormand and Prince, Journal of Computational and Applied Mathematics 6 (1980) 19-26",
     .summary = "explicit, step by the tolerance, impacts located in the quintic through both ends of a step",
     .flags = THUD_METHOD_LOCATES | THUD_METHOD_CAN_LOCATE,
     .order = 5,

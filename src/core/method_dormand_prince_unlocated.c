@@ -6,7 +6,7 @@
 const struct thud_method thud_method_dormand_prince_unlocated = {
     .name = "dormand-prince-unlocated",
     .title = "Dormand and Prince 5(4), events not located",
-    .reference = "Dormand and Prince 1980",
+    .reference = "Dormand and Prince, Journal of Computational and Applied Mathematics 6 (1980) 19-26",
     .summary = "the same without location: every impact is found by steps that fail",
     .flags = 0,
     .order = 5,

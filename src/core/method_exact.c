@@ -68,8 +68,9 @@ static void release(void *own)
 const struct thud_method thud_method_exact = {
     .name = "exact",
     .title = "Exact propagation with located events",
-    .reference =
-        "Nigam and Jennings 1969 (free flight); Radau IIA collocation, Hairer and Wanner 1996 (nonlinear contact)",
+    .reference = "free flight: Nigam and Jennings, Bulletin of the Seismological Society of America 59 (1969) 909-922; "
+                 "nonlinear contact, Radau IIA collocation: Hairer and Wanner, Solving Ordinary Differential Equations "
+                 "II, Springer (1996)",
     .summary =
         "modes advanced in closed form, contacts located, nonlinear contact forces by collocation to the tolerance",
     .flags = THUD_METHOD_LOCATES | THUD_METHOD_CAN_LOCATE,

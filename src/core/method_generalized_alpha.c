@@ -15,7 +15,7 @@ static enum thud_status create(const struct thud_state *state, void **own, struc
 const struct thud_method thud_method_generalized_alpha = {
     .name = "generalized-alpha",
     .title = "Generalized-alpha, spectral radius 0.8",
-    .reference = "Chung and Hulbert 1993",
+    .reference = "Chung and Hulbert, Journal of Applied Mechanics 60 (1993) 371-375",
     .summary = "implicit; damps high frequencies most, low ones least",
     .flags = THUD_METHOD_FIXED_STEP | THUD_METHOD_LOCATES | THUD_METHOD_CAN_LOCATE,
     .order = 2,

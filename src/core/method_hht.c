@@ -11,7 +11,7 @@ static enum thud_status create(const struct thud_state *state, void **own, struc
 const struct thud_method thud_method_hht = {
     .name = "hht",
     .title = "Hilber, Hughes and Taylor, alpha -0.1",
-    .reference = "Hilber, Hughes and Taylor 1977",
+    .reference = "Hilber, Hughes and Taylor, Earthquake Engineering and Structural Dynamics 5 (1977) 283-292",
     .summary = "implicit; damps what the step cannot resolve",
     .flags = THUD_METHOD_FIXED_STEP | THUD_METHOD_LOCATES | THUD_METHOD_CAN_LOCATE,
     .order = 2,

@@ -99,7 +99,7 @@ static enum thud_status step(const struct thud_state *state, void *own, struct t
 const struct thud_method thud_method_kr_alpha = {
     .name = "kr-alpha",
     .title = "KR-alpha, spectral radius 0.5",
-    .reference = "Kolay and Ricles 2014",
+    .reference = "Kolay and Ricles, Earthquake Engineering and Structural Dynamics 43 (2014) 1361-1380",
     .summary =
         "explicit, with matrices of the structure in place of numbers; period right to order 2, but velocities lag",
     .flags = THUD_METHOD_FIXED_STEP,

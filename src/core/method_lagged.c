@@ -11,7 +11,8 @@ static enum thud_status create(const struct thud_state *state, void **own, struc
 const struct thud_method thud_method_lagged = {
     .name = "lagged",
     .title = "Contact force lagged by one step",
-    .reference = "Newmark 1959, beta 1/4, with the contact force of the step before",
+    .reference = "Newmark, Journal of the Engineering Mechanics Division 85 (1959) 67-94, beta 1/4, with the contact "
+                 "force of the step before",
     .summary = "an exhibit: every impact gains energy",
     .flags = THUD_METHOD_FIXED_STEP | THUD_METHOD_EXHIBIT,
     .order = 2,

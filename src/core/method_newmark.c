@@ -11,7 +11,7 @@ static enum thud_status create(const struct thud_state *state, void **own, struc
 const struct thud_method thud_method_newmark = {
     .name = "newmark",
     .title = "Newmark, average acceleration",
-    .reference = "Newmark 1959, beta 1/4, gamma 1/2",
+    .reference = "Newmark, Journal of the Engineering Mechanics Division 85 (1959) 67-94, beta 1/4, gamma 1/2",
     .summary = "implicit; keeps the energy of linear structures exactly",
     .flags = THUD_METHOD_FIXED_STEP | THUD_METHOD_LOCATES | THUD_METHOD_CAN_LOCATE,
     .order = 2,

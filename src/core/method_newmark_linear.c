@@ -11,13 +11,12 @@ static enum thud_status create(const struct thud_state *state, void **own, struc
 const struct thud_method thud_method_newmark_linear = {
     .name = "newmark-linear",
     .title = "Newmark, linear acceleration",
-    .reference = "Newmark 1959, beta 1/6, gamma 1/2",
+    .reference = "Newmark, Journal of the Engineering Mechanics Division 85 (1959) 67-94, beta 1/6, gamma 1/2",
     .summary = "implicit; smaller period error than average acceleration, but stable for small steps only",
     .flags = THUD_METHOD_FIXED_STEP | THUD_METHOD_LOCATES | THUD_METHOD_CAN_LOCATE,
     .order = 2,
     .stability = 3.4641016151377544,
-    .limits = "stable while omega dt < 2 sqrt(3) in linear structures; where contacts open and close it may gain "
-              "energy below",
+    .limits = "stable while omega dt < 2 sqrt(3), but contacts that open and close may gain energy below",
     .create = create,
     .step = thud_alpha_step,
     .committed = thud_alpha_committed,

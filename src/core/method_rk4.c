@@ -47,13 +47,12 @@ static void release(void *own)
 const struct thud_method thud_method_rk4 = {
     .name = "rk4",
     .title = "Runge-Kutta of order 4",
-    .reference = "Kutta 1901",
+    .reference = "Kutta, Zeitschrift fuer Mathematik und Physik 46 (1901) 435-453",
     .summary = "explicit, four evaluations a step; of order 4 only where impacts are located",
     .flags = THUD_METHOD_FIXED_STEP | THUD_METHOD_LOCATES | THUD_METHOD_CAN_LOCATE,
     .order = 4,
     .stability = 2.8284271247461903,
-    .limits = "stable while omega dt < 2 sqrt(2) in linear structures; where contacts open and close it may gain "
-              "energy below",
+    .limits = "stable while omega dt < 2 sqrt(2), but contacts that open and close may gain energy below",
     .create = create,
     .step = step,
     .committed = committed,
