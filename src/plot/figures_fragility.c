@@ -41,7 +41,7 @@ static void add_curve(struct thud_panel *panel, const struct thud_sweep_plan *pl
             x[i] = at * unit;
             y[i] = 100 * thud_lognormal_at(&f->curve, at);
         }
-        thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = color, .wide = true}, name, FINE, x, y);
+        thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = color}, name, FINE, x, y);
     }
     thud_panel_add(panel, (struct thud_style){.kind = THUD_POINTS, .color = color}, f->curve.fitted ? "" : name, f->n,
                    point, share);
@@ -51,7 +51,7 @@ static void add_curve(struct thud_panel *panel, const struct thud_sweep_plan *pl
 struct thud_figure *thud_figure_of_fragility(const struct thud_sweep_plan *plan, const char *event,
                                              const struct thud_fragility_curve *curve, int ncurves, const char *note)
 {
-    char name[96] = "fragility-", title[128];
+    char name[96] = "fragility-", title[THUD_TEXT_MAX + 128];
     size_t n = strlen(name);
     int columns = 0, panel_of[PANELS_MAX];
     for (int a = 0; a < PANELS_MAX; a++)
@@ -67,7 +67,8 @@ struct thud_figure *thud_figure_of_fragility(const struct thud_sweep_plan *plan,
     while (name[n - 1] == '-')
         n--;
     name[n] = '\0';
-    snprintf(title, sizeof title, "How likely: %s", event);
+    snprintf(title, sizeof title, "%s: probability of %s", plan->scene.title[0] ? plan->scene.title : plan->scene.name,
+             strcmp(event, "worse") == 0 ? "a bumper that makes it worse" : event);
     struct thud_figure *figure = thud_figure_create(name, title, 1, columns > 0 ? columns : 1);
     for (int a = 0; a < plan->naxes; a++) {
         char against[160];

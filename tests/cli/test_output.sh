@@ -64,3 +64,43 @@ for word in laws methods; do
     "$THUD" $word --json >"$tmp/$word.json"
     json "$word --json" "$tmp/$word.json"
 done
+
+# studies over suites, fragility, uncertainty, gaps and costs
+two=kobe-surrogate.csv,northridge-surrogate.csv
+"$THUD" fragility towers --records $two --vary record.peak=0.2g:0.6g:0.2g --to 6s --samples 5 --quiet -o "$tmp/fragility" >/dev/null 2>&1
+"$THUD" gap towers --records $two --to 6s --quiet -o "$tmp/gap" >/dev/null 2>&1
+"$THUD" uncertainty towers --to 6s --samples 3 --indices --quiet -o "$tmp/uncertainty" >/dev/null 2>&1
+"$THUD" bench rigid-concrete --cost impacts --patience 0.01s --quiet -o "$tmp/cost" >/dev/null 2>&1
+"$THUD" figures fig8 -o "$tmp/figures" --quiet >/dev/null 2>&1
+"$THUD" verify --published --json >"$tmp/published.json" 2>/dev/null
+# general names of columns and keys: those of inputs, varied keys, cases and quantities
+general() {
+    sed -E 's/^record[.]peak$/KEY/; s/^(force_n|acceleration_mps2|drift_m|drift_angle|acceleration_ratio|drift_ratio)_(p16|median|p84)$/MEASURE_\2/
+        s/^(gap|stiffness|damping|contact-stiffness|restitution|bumper-stiffness)(_least|_most|_first|_total)?$/INPUT\2/
+        s/^(none|bumper)[.].*/QUANTITY/' "$1" | sort -u >"$tmp/written"
+}
+general_csv() { # SECTION FILE
+    columns "$2" >"$tmp/named"
+    general "$tmp/named"
+    agree "$1"
+}
+general_json() {
+    keys "$2" >"$tmp/named"
+    general "$tmp/named"
+    agree "$1"
+}
+general_csv suite.csv "$tmp/fragility/suite.csv"
+general_csv fragility.csv "$tmp/fragility/fragility.csv"
+general_csv fragility-curves.csv "$tmp/fragility/fragility-curves.csv"
+json fragility.json "$tmp/fragility/fragility.json"
+csv "gap --csv" "$tmp/gap/needed-gaps.csv"
+json "gap --json" "$tmp/gap/needed-gaps.json"
+general_csv uncertainty.csv "$tmp/uncertainty/uncertainty.csv"
+general_csv samples.csv "$tmp/uncertainty/samples.csv"
+general_json uncertainty.json "$tmp/uncertainty/uncertainty.json"
+columns "$tmp/cost/cost-impacts.csv" >"$tmp/written" # whose axis is a column besides
+echo AXIS >>"$tmp/written"
+sort -u -o "$tmp/written" "$tmp/written"
+agree cost-AXIS.csv
+json "verify --published --json" "$tmp/published.json"
+is "FIGURE.csv: panel and series, then the axes" grep -q '^panel,series,Gap (cm),Peak acceleration ratio,Peak deflection ratio$' "$tmp/figures/fig8.csv"
