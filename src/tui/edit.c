@@ -166,7 +166,7 @@ static void offer_laws(struct thud_tui *tui)
 
 static void offer_methods(struct thud_tui *tui)
 {
-    thud_chooser_add(&tui->chooser, "auto", "%-22s %s", "auto", "the exact method");
+    thud_chooser_add(&tui->chooser, "auto", "%-22s %s", "auto", "no step to choose; a run says what it took");
     for (int i = 0; i < thud_method_count(); i++)
         thud_chooser_add(&tui->chooser, thud_method_at(i)->name, "%-22s %s", thud_method_at(i)->name,
                          thud_method_at(i)->summary);
