@@ -32,6 +32,7 @@ struct thud_contact_result {
     double approach_mps, separation_mps; /* of the last impact */
     double restitution;                  /* of the last impact; NaN: it did not close, or did not part */
     double nominal_restitution;          /* as asked for */
+    bool impulsive;                      /* its law passes impulses */
 };
 
 /* What a slab does to the columns of a storey that it strikes, positive to the right: shears just above their lower
@@ -54,10 +55,11 @@ struct thud_column_result {
     bool drifts; /* their stiffness is given, so that the drift of the storey counts; else the forces alone */
 };
 
-/* Impulses of a law without force: no finite force, and no finite acceleration of the floors that they strike. */
+/* Struck by impulses: no finite force, whatever it bears while it is pushed afterwards, and no finite acceleration of the
+ * floors. */
 static inline bool thud_contact_struck(const struct thud_contact_result *contact)
 {
-    return contact->impulse_ns > 0 && !(contact->force.value > 0);
+    return contact->impulsive && contact->impacts > 0;
 }
 
 /* One impact, from first touch to release. */

@@ -8,7 +8,8 @@ static double peak_force(const struct thud_figure_source *source, int nsources, 
 {
     double peak = 0.0;
     for (int s = 0; s < nsources; s++)
-        peak = fmax(peak, source[s].result->contact[contact].force.value);
+        if (!thud_contact_struck(&source[s].result->contact[contact]))
+            peak = fmax(peak, source[s].result->contact[contact].force.value);
     return peak;
 }
 

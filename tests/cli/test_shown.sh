@@ -69,3 +69,12 @@ is "says nothing of it" sh -c '! grep -q warning "$1"' sh "$tmp/err"
 is "a ground motion of the preset" gives 0 run towers --json --quiet
 is "has the preset's name" shows '"record": {"file": "kobe-surrogate.csv"'
 is "in rows too" sh -c '"$THUD" sweep towers --vary gap=10cm --cases none --csv --quiet | grep -q "^kobe-surrogate.csv,none"'
+
+# a plastic impact: the bodies go on together, at half the speed where their masses are one
+is "restitution 0" gives 0 run rigid-concrete --set contact.law=stereomechanical --set contact.restitution=0 --json --quiet
+is "leaves no relative speed" shows '"separation_mps": 0, "restitution": 0,'
+is "and half the energy" shows '"kinetic_j": 20000,'
+is "another law takes none" gives 3 run rigid-concrete --set contact.restitution=0
+is "buildings that are pushed together afterwards" gives 0 run towers --case none --set contact.law=stereomechanical --set contact.restitution=0 --json --quiet
+is "have no largest force either" shows '"left_floor": 4, "right_floor": 4, "impacts": [1-9][0-9]*, "force_n": null'
+is "nor peak accelerations" test "$(grep -c '"floor": 4, "acceleration_mps2": null' "$tmp/out")" -eq 2
