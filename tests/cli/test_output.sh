@@ -24,6 +24,22 @@ json() {
     keys "$@" >"$tmp/written" && agree "$section"
 }
 
+# general names of columns and keys: those of inputs, varied keys, cases and quantities
+general() {
+    sed -E 's/^(record[.]peak|bumper[.]thickness(_m)?)$/KEY/; s/^(force_n|acceleration_mps2|drift_m|drift_angle|acceleration_ratio|drift_ratio|ductility)_(p16|median|p84)$/MEASURE_\2/
+        s/^(gap|stiffness|damping|contact-stiffness|restitution|bumper-stiffness)(_least|_most|_first|_total)?$/INPUT\2/
+        s/^(none|bumper)[.].*/QUANTITY/' "$1" | sort -u >"$tmp/written"
+}
+general_csv() { # SECTION FILE
+    columns "$2" >"$tmp/named"
+    general "$tmp/named"
+    agree "$1"
+}
+general_json() {
+    keys "$2" >"$tmp/named"
+    general "$tmp/named"
+    agree "$1"
+}
 "$THUD" run towers --set structures.2.yield=5mm --to 3s --quiet --sensitivity --modes 2 -o "$tmp/run" >/dev/null 2>&1
 "$THUD" run towers --set structures.2.yield=5mm --to 3s --csv >"$tmp/run.csv" 2>/dev/null
 "$THUD" sweep towers --to 3s --vary gap=3cm,4cm --vary bumper.thickness=2cm,3cm --best bumper.thickness --sensitivity --quiet -o "$tmp/sweep" >/dev/null 2>&1
@@ -47,9 +63,9 @@ json result.json "$tmp/run/result.json" "$tmp/diverged.json"
 is "a structure has its name in the sensitivity too" grep -q '{"structure": "B", "floor": 6, "acceleration": {"gap"' "$tmp/run/result.json"
 sed '/^  {"record"/d; /^  {"case"/d' "$tmp/sweep.json" >"$tmp/head.json"
 json "sweep --json" "$tmp/head.json"
-csv suite.csv "$tmp/suite/suite.csv"
-grep '^  {"case"' "$tmp/sweep.json" | sed 's/"bumper.thickness"/"KEY"/' >"$tmp/statistics.json"
-json suite.csv "$tmp/statistics.json"
+general_csv suite.csv "$tmp/suite/suite.csv"
+grep '^  {"case"' "$tmp/sweep.json" >"$tmp/statistics.json"
+general_json suite.csv "$tmp/statistics.json"
 json study.json "$tmp/sweep/study.json"
 json scene.json "$tmp/bench/scene.json" "$tmp/stability/scene.json"
 "$THUD" record info kobe-surrogate.csv --json >"$tmp/info.json"
@@ -73,22 +89,6 @@ two=kobe-surrogate.csv,northridge-surrogate.csv
 "$THUD" bench rigid-concrete --cost impacts --patience 0.01s --quiet -o "$tmp/cost" >/dev/null 2>&1
 "$THUD" figures fig8 -o "$tmp/figures" --quiet >/dev/null 2>&1
 "$THUD" verify --published --json >"$tmp/published.json" 2>/dev/null
-# general names of columns and keys: those of inputs, varied keys, cases and quantities
-general() {
-    sed -E 's/^record[.]peak$/KEY/; s/^(force_n|acceleration_mps2|drift_m|drift_angle|acceleration_ratio|drift_ratio)_(p16|median|p84)$/MEASURE_\2/
-        s/^(gap|stiffness|damping|contact-stiffness|restitution|bumper-stiffness)(_least|_most|_first|_total)?$/INPUT\2/
-        s/^(none|bumper)[.].*/QUANTITY/' "$1" | sort -u >"$tmp/written"
-}
-general_csv() { # SECTION FILE
-    columns "$2" >"$tmp/named"
-    general "$tmp/named"
-    agree "$1"
-}
-general_json() {
-    keys "$2" >"$tmp/named"
-    general "$tmp/named"
-    agree "$1"
-}
 general_csv suite.csv "$tmp/fragility/suite.csv"
 general_csv fragility.csv "$tmp/fragility/fragility.csv"
 general_csv fragility-curves.csv "$tmp/fragility/fragility-curves.csv"
