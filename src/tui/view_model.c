@@ -134,7 +134,7 @@ static int head_rows(struct thud_tui *tui, int index, const struct thud_pane *pa
         {"name", "name", SHEAR | RIGID | ISOLATED | WALL, 0, 20, 28},
         {"storeys", "storeys", SHEAR | ISOLATED, 1, 1, 9},
         {"damping", "damping", SHEAR | ISOLATED, 1, 20, 28},
-        {"base", "ground at", SHEAR | ISOLATED, 2, 1, 12},
+        {"base", "base", SHEAR | ISOLATED, 2, 1, 9},
         {"base-mass", "base mass", ISOLATED, 3, 1, 18},
         {"isolation-stiffness", "isolator k", ISOLATED, 4, 1, 18},
         {"isolation-damping", "isolator damping", ISOLATED, 5, 1, 18},

@@ -268,11 +268,11 @@ key() { # KEY WHAT PATTERN
     keys "$1"
     wait_for "$1 $2" "$3"
 }
-key Down "goes to the next field" 'law *▸'
+key Down "goes to the next field" 'levels *▸'
 key Up "back to the field before" 'gap *▸'
 key End "to the last one" 'material-stiffness *▸'
 key Home "to the first one" 'gap *▸'
-key NPage "a page down" 'impact-speed *▸'
+key NPage "a page down" 'unloading *▸'
 key PPage "a page up" 'gap *▸'
 keys BTab
 key Tab "and Shift-Tab undo each other" 'gap *▸'
@@ -290,13 +290,13 @@ click() { # COLUMN ROW (from 0): pressed and let go, as terminals report it
     at=$(printf '%b%b' "\\0$(printf %o $((33 + $1)))" "\\0$(printf %o $((33 + $2)))")
     keys -l "$(printf '\033[M ')$at$(printf '\033[M#')$at"
 }
-click 5 7
+click 5 8
 wait_for "a click on a name goes to its field" 'stiffness *▸'
 click 24 1
 wait_for "on a screen's name to that screen" '\[3 Record\]'
 click 13 1
 wait_for "and back" '\[2 Contact\]'
-click 25 7
+click 25 8
 wait_for "one more click on the field edits it" 'Enter accept'
 keys Escape
 wait_for "Esc ends that" 'Enter edit'

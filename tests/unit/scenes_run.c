@@ -143,10 +143,10 @@ void scenes_answer_clear(struct scenes_answer *answer)
 
 const char *scenes_kind_name(enum scenes_kind kind)
 {
-    static const char *const names[SCENES_KINDS] = {
-        "acceleration", "displacement", "velocity", "drift",        "plastic drift",   "base shear", "force",
-        "indentation",  "impulse",      "lost",     "first impact", "time in contact", "impacts",    "column shear",
-        "column moment"};
+    static const char *const names[SCENES_KINDS] = {"acceleration",  "displacement", "velocity",     "drift",
+                                                    "plastic drift", "base shear",   "force",        "indentation",
+                                                    "impulse",       "lost",         "first impact", "time in contact",
+                                                    "impacts",       "column shear", "column moment"};
     return names[kind];
 }
 
