@@ -51,7 +51,7 @@ enum {
 struct thud_law {
     const char *name, *title;
     const char *reference; /* author, journal, volume (year) pages; several parted by "; " */
-    const char *summary; /* the force in one line, for `thud laws` and the manual */
+    const char *summary;   /* the force in one line, for `thud laws` and the manual */
     unsigned flags;
     const struct thud_param *params;
     int nparams;

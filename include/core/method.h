@@ -20,7 +20,7 @@ enum {
 struct thud_method {
     const char *name, *title;
     const char *reference; /* author, journal, volume (year) pages; several parted by "; " */
-    const char *summary; /* one line */
+    const char *summary;   /* one line */
     unsigned flags;
     int order;          /* on smooth problems; 0: exact in free flight */
     double stability;   /* largest stable omega dt of an undamped oscillator; INFINITY: no limit */

@@ -125,7 +125,6 @@ is "and a table of the drifts that stay" in_text 'Drift that stays in the storey
 not_in_text() { ! in_text "$1"; }
 is "none of a building that stays elastic" not_in_text 'storeys of Nr .<12.>, mm.*stays in the storeys of Nr .<12'
 is "no samples where none are asked for" report 0 "$tmp/own.yaml" --samples 0
-not_in_text() { ! in_text "$1"; }
 is "has no shares" not_in_text 'samples (ratio'
 
 is "without a folder" gives 2 report towers
