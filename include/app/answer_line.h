@@ -18,6 +18,9 @@ struct thud_answer_line {
     double bumper_force_n; /* likewise; NaN: it has no answer */
 };
 
+/* A gap in cm, up to the next millimetre, so that the number written is enough. */
+double thud_answer_gap_cm(double gap_m);
+
 /* "POUNDS at 8 cm: 27 impacts, 21.4 MN   needs 18.9 cm (ABS 28.0, SRSS 20.0)   bumper: force -9 %". Gaps are rounded up
  * to the next millimetre. What has no room in `columns` is left off, the codes' rules first. Empty without an answer. */
 void thud_answer_line(const struct thud_answer_line *line, int columns, char *text, size_t size);

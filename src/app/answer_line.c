@@ -4,10 +4,9 @@
 #include <stdio.h>
 #include <string.h>
 
-/* In cm, up to the next millimetre, so that the number written is enough. */
-static double up_to_mm(double length_m)
+double thud_answer_gap_cm(double gap_m)
 {
-    return 0.1 * ceil(1e3 * length_m - 1e-6);
+    return 0.1 * ceil(1e3 * gap_m - 1e-6);
 }
 
 /* Adds a part where it fits. Everything here is ASCII. */
@@ -57,10 +56,10 @@ void thud_answer_line(const struct thud_answer_line *line, int columns, char *te
     add(text, size, columns, part);
     if (!isnan(line->need_m)) {
         int rest = *bumper ? 3 + (int)strlen(bumper) : 0;
-        snprintf(part, sizeof part, "needs %.1f cm (ABS %.1f, SRSS %.1f)", up_to_mm(line->need_m),
-                 up_to_mm(line->abs_m), up_to_mm(line->srss_m));
+        snprintf(part, sizeof part, "needs %.1f cm (ABS %.1f, SRSS %.1f)", thud_answer_gap_cm(line->need_m),
+                 thud_answer_gap_cm(line->abs_m), thud_answer_gap_cm(line->srss_m));
         if ((int)(strlen(text) + 3 + strlen(part)) + rest > columns)
-            snprintf(part, sizeof part, "needs %.1f cm", up_to_mm(line->need_m));
+            snprintf(part, sizeof part, "needs %.1f cm", thud_answer_gap_cm(line->need_m));
         add(text, size, columns, part);
     }
     if (*bumper)

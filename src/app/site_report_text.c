@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "app/answer_line.h"
 #include "app/run_figures.h"
 #include "app/site_report_private.h"
 #include "base/version.h"
@@ -188,6 +189,46 @@ static void say_yielding(struct site *site, int s)
                        thud_site_name(site, s), said);
 }
 
+static double larger_of(const struct thud_column_result *r, enum thud_column_quantity lower)
+{
+    return fmax(r->peak[lower].value, r->peak[lower + 1].value);
+}
+
+/* Whose columns they are: "floor 5 of B". */
+static const char *columns_name(const struct site *site, const struct thud_column_result *r, char *name, size_t size)
+{
+    snprintf(name, size, "floor %d of %s", r->storey, thud_site_name(site, r->structure));
+    return name;
+}
+
+/* Columns that slabs strike: the storey whose columns bear most of what they can, or most, in every case. */
+static void say_columns(struct site *site)
+{
+    const struct thud_result *own = site->own->result;
+    char said[400] = "", name[THUD_NAME_MAX + 32], limit[96] = "";
+    size_t used = 0;
+    int most = 0;
+    for (int k = 1; k < own->ncolumns; k++) {
+        const struct thud_column_result *r = &own->column[k], *before = &own->column[most];
+        bool limited = !isnan(r->ratio) && !isnan(before->ratio);
+        if (limited ? r->ratio > before->ratio
+                    : larger_of(r, THUD_COLUMN_SHEAR_LOWER) > larger_of(before, THUD_COLUMN_SHEAR_LOWER))
+            most = k;
+    }
+    if (own->ncolumns == 0)
+        return;
+    for (int i = SITE_NONE; i < site->ncases; i++)
+        used += (size_t)snprintf(
+            said + used, sizeof said - used, "%s%s kN %s", i > SITE_NONE ? ", " : "",
+            thud_site_number(1e-3 * larger_of(&site->cases[i].result->column[most], THUD_COLUMN_SHEAR_LOWER), 4).text,
+            site->cases[i].words);
+    if (!isnan(own->column[most].ratio))
+        snprintf(limit, sizeof limit, "; they can bear %s kN",
+                 thud_site_number(1e-3 * own->column[most].capacity_n, 4).text);
+    thud_document_item(&site->document, "Slabs strike columns: the largest shear of those below %s is %s%s.",
+                       columns_name(site, &own->column[most], name, sizeof name), said, limit);
+}
+
 /* The record's sign is a matter of chance. */
 static void say_reversed(struct site *site)
 {
@@ -216,12 +257,13 @@ static void say_gap(struct site *site)
         char bumper[120] = "";
         if (out > 0)
             snprintf(bumper, sizeof bumper, "; %.1f cm from concrete to concrete with a bumper that stands out %.1f cm",
-                     100 * (needed + out), 100 * out);
+                     thud_answer_gap_cm(needed + out), 100 * out);
         thud_document_item(
             &site->document,
             "Under this motion nothing touches between %s and %s from a gap of %.1f cm on (%s decide%s); "
             "the gap is %.1f cm.",
-            thud_site_name(site, i - 1), thud_site_name(site, i), 100 * needed, between, bumper, 100 * f->gap_m);
+            thud_site_name(site, i - 1), thud_site_name(site, i), thud_answer_gap_cm(needed), between, bumper,
+            100 * f->gap_m);
     }
 }
 
@@ -257,6 +299,7 @@ static void answer(struct site *site)
     }
     for (int s = 0; s < site->scene->nstructures; s++)
         say_yielding(site, s);
+    say_columns(site);
     say_reversed(site);
     say_gap(site);
     thud_site_suite_answer(site);
@@ -527,6 +570,39 @@ static void add_contact_table(struct site *site)
     }
 }
 
+/* The columns that slabs strike, of the ends the one that bears more. */
+static void add_column_table(struct site *site)
+{
+    struct thud_document *d = &site->document;
+    const struct thud_result *own = site->own->result;
+    char name[THUD_NAME_MAX + 32];
+    bool limited = false;
+    for (int k = 0; k < own->ncolumns; k++)
+        limited = limited || !isnan(own->column[k].ratio);
+    if (own->ncolumns == 0)
+        return;
+    thud_document_table(d, "Columns that slabs strike: largest shear and moment at their ends");
+    thud_document_cell(d, "columns below");
+    for (int i = SITE_NONE; i < site->ncases; i++) {
+        thud_document_cell(d, "%s: shear kN", site->cases[i].name);
+        thud_document_cell(d, "%s: moment kN m", site->cases[i].name);
+        if (limited)
+            thud_document_cell(d, "%s: shear / capacity", site->cases[i].name);
+    }
+    thud_document_row(d);
+    for (int k = own->ncolumns - 1; k >= 0; k--) {
+        thud_document_cell(d, "%s", columns_name(site, &own->column[k], name, sizeof name));
+        for (int i = SITE_NONE; i < site->ncases; i++) {
+            const struct thud_column_result *r = &site->cases[i].result->column[k];
+            thud_document_cell(d, "%s", thud_site_number(1e-3 * larger_of(r, THUD_COLUMN_SHEAR_LOWER), 4).text);
+            thud_document_cell(d, "%s", thud_site_number(1e-3 * larger_of(r, THUD_COLUMN_MOMENT_LOWER), 4).text);
+            if (limited)
+                thud_document_cell(d, "%s", isnan(r->ratio) ? "-" : thud_site_number(r->ratio, 3).text);
+        }
+        thud_document_row(d);
+    }
+}
+
 static struct thud_figure_source source_of(const struct site_case *one)
 {
     return thud_run_source(one->name, one->scene, one->answer.run);
@@ -543,6 +619,7 @@ static void cases(struct site *site)
                 add_case_table(site, s, &floor_table[i]);
         }
     add_contact_table(site);
+    add_column_table(site);
     for (int i = 0; i < site->ncases; i++)
         source[i] = source_of(&site->cases[i]);
     if (thud_run_figure_has(THUD_FIGURE_ENVELOPE, source, site->ncases))
@@ -551,6 +628,9 @@ static void cases(struct site *site)
     if (thud_run_figure_has(THUD_FIGURE_FORCE, &source[SITE_NONE], site->ncases - 1))
         thud_site_figure(site, thud_run_figure(THUD_FIGURE_FORCE, &source[SITE_NONE], site->ncases - 1), 0.62,
                          "Force of the contact with the largest one, and its largest impact seen closer.");
+    if (thud_run_figure_has(THUD_FIGURE_COLUMNS, &source[SITE_NONE], site->ncases - 1))
+        thud_site_figure(site, thud_run_figure(THUD_FIGURE_COLUMNS, &source[SITE_NONE], site->ncases - 1), 0.62,
+                         "Largest shear of the columns that slabs strike, over the height.");
 }
 
 /* ---- the gap that is enough ---- */

@@ -124,6 +124,10 @@ is "has the ductility" in_text "The largest ductility of the storeys of Nr 14 is
 is "and a table of the drifts that stay" in_text 'Drift that stays in the storeys of Nr 14, mm'
 not_in_text() { ! in_text "$1"; }
 is "none of a building that stays elastic" not_in_text 'storeys of Nr .<12.>, mm.*stays in the storeys of Nr .<12'
+is "a report where slabs strike columns" report 0 slab-against-columns --to 9s --samples 0
+shear=$("$THUD" run slab-against-columns --to 9s --json 2>/dev/null | grep -o '"shear_upper_n": [0-9.e+]*' | awk '$2 > m { m = $2 } END { printf "%.0f", m / 1000 }')
+is "has their largest shear" in_text "the largest shear of those below floor 5 of B is .* kN without bumper, $shear kN with the bumper; they can bear 1600 kN"
+is "and a table of them" in_text 'Columns that slabs strike: largest shear and moment at their ends'
 is "no samples where none are asked for" report 0 "$tmp/own.yaml" --samples 0
 is "has no shares" not_in_text 'samples (ratio'
 
