@@ -136,7 +136,7 @@ static const struct thud_option options[] = {
     {"o", "DIR", "folder for CSV, PNG and gnuplot scripts", THUD_WORD_FOLDER, false, FILES | EXPORT | REPORT},
     {"format", "FORMAT", "of pictures: png, svg or pdf", THUD_WORD_CHOICE, false, FILES},
     {"size", "WIDTHxHEIGHT", "of pictures, in pixels", THUD_WORD_TEXT, false, PICTURES | REPORT},
-    {"width", "LENGTH", "of pictures on paper, such as 90mm", THUD_WORD_TEXT, false, PICTURES | REPORT},
+    {"width", "LENGTH", "of pictures on paper, such as 90mm", THUD_WORD_TEXT, false, FILES | REPORT},
     {"font", "NAME[,PIXELS]", "of pictures", THUD_WORD_TEXT, false, PICTURES | REPORT},
     {"j", "N", "runs at a time; results do not depend on it", THUD_WORD_TEXT, false, STUDY | FIGURES},
     {"quiet", NULL, "no progress and no remarks", THUD_WORD_NONE, false, PICTURES | VERIFY | REPORT},

@@ -116,6 +116,24 @@ static struct thud_figure *impulses(const struct thud_figure_source *source, int
     return figure;
 }
 
+/* One time axis for all rows: the run's, or up to the last impact where much of the run is left then. */
+static void until_last_impact(struct thud_figure *figure, const struct thud_figure_source *source, int nsources,
+                              int rows)
+{
+    double last = 0.0, end = source->result->end_s;
+    char text[128];
+    for (int s = 0; s < nsources; s++)
+        for (int i = 0; i < source[s].nimpacts; i++)
+            last = fmax(last, source[s].impact[i].start_s + source[s].impact[i].duration_s);
+    double step = last > 20.0 ? 5.0 : last > 2.0 ? 1.0 : 0.1, until = step * ceil(1.05 * last / step);
+    bool shorter = until <= 0.75 * end;
+    for (int r = 0; figure && r < rows; r++)
+        thud_panel_limits(&figure->panel[r], THUD_X, 0.0, shorter ? until : end);
+    snprintf(text, sizeof text, "After %.4g s of %.4g s nothing touches.", until, end);
+    if (shorter)
+        thud_figure_note(figure, text);
+}
+
 /* A strip for each contact, the highest first; where impacts are hundreds, each is a point on a log axis. */
 struct thud_figure *thud_figure_forces(const struct thud_figure_source *source, int nsources)
 {
@@ -161,10 +179,8 @@ struct thud_figure *thud_figure_forces(const struct thud_figure_source *source, 
     if (n > 0)
         thud_figure_same_height(figure, ground);
     thud_figure_strips(figure);
-    for (int r = ground; many && r < (n > 0 ? n : 1) + ground && figure; r++) /* the run's time for all */
-        thud_panel_limits(&figure->panel[r], THUD_X, 0.0, source->result->end_s);
     if (many)
-        thud_panel_limits(ground && figure ? &figure->panel[0] : NULL, THUD_X, 0.0, source->result->end_s);
+        until_last_impact(figure, source, nsources, (n > 0 ? n : 1) + ground);
     else
         thud_figure_shorten(figure);
     int touched = 0;
