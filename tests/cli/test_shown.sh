@@ -56,6 +56,11 @@ is "its figure shows the impulses" grep -q "impulse of every impact (kN s)" "$tm
 is "sampled inputs have no largest force either" gives 0 uncertainty towers --case none --set contact.law=stereomechanical --samples 2 --csv
 is "but an impulse's" shows '^none.*force'
 
+# hundreds of impacts: the time axis ends soon after the last one
+is "a long run with hundreds of impacts" gives 0 run towers --set gap=5cm --set analysis.tail=90s -o "$tmp/many" --quiet
+is "its figure ends with them" grep -q "After 45 s of 130 s nothing touches" "$tmp/many/force.gp"
+is "which is after the last" awk -F, 'NR > 1 && $0 !~ /^#/ && $4 + $5 > last { last = $4 + $5 } END { exit !(last > 39 && last < 45) }' "$tmp/many/impacts.csv"
+
 # what no building bears is said of studies too
 is "a study past what bumper and storeys bear" gives 0 sweep towers --vary gap=6cm,30cm --cases none,bumper
 is "says how many runs press the bumper past its strain" says "warning: a bumper is pressed past its largest strain in 1 of 2 runs with one, in 1 by more than there is of it: one of 50 mm by 5[0-9.]* mm (case bumper, gap 6 cm)"
