@@ -279,7 +279,7 @@ static enum thud_status run_scene(struct thud_stability *s, struct thud_stabilit
     bool fixed = how.method->flags & THUD_METHOD_FIXED_STEP;
     double largest = 0, step_s = how.setting;
     for (int i = 0; i < (fixed ? THUD_STABILITY_SCENE_STEPS : 1); i++) {
-        double growth;
+        double growth = 0;
         if (fixed)
             how.setting = scene_steps[i] * step_s;
         enum thud_status status = scene_growth(s, how, &growth, err);
