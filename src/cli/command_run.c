@@ -201,6 +201,23 @@ static enum thud_status write_cases(const struct thud_args *args, struct thud_pi
     return thud_run_figures_save(source, thud_run_cases_sources(cases, source), folder, &picture->options, err);
 }
 
+/* What one run and several cases have in common before they begin: the options of pictures and of the run, and the word
+ * that it takes long. Errors: those of the options. */
+static enum thud_status begin(const struct thud_args *args, struct thud_session *session,
+                              struct thud_picture_choice *picture, struct thud_run_options *options,
+                              struct thud_error *err)
+{
+    enum thud_status status = thud_picture_options_read(args, picture, err);
+    if (status == THUD_OK)
+        status = thud_scene_options(&session->scene, options, err);
+    if (status != THUD_OK)
+        return status;
+    say_effort(args, session);
+    options->keep_history = thud_args_has(args, "o");
+    options->keep_impacts = true;
+    return THUD_OK;
+}
+
 static enum thud_status run_cases(const struct thud_args *args, struct thud_session *session, struct thud_error *err)
 {
     static const char *const alone[] = {"case", "json", "csv", "sensitivity"};
@@ -211,14 +228,9 @@ static enum thud_status run_cases(const struct thud_args *args, struct thud_sess
     for (size_t i = 0; i < sizeof alone / sizeof *alone; i++)
         if (thud_args_has(args, alone[i]))
             return thud_error_set(err, THUD_USAGE, "--cases and --%s together", alone[i]);
-    enum thud_status status = thud_picture_options_read(args, &picture, err);
-    if (status == THUD_OK)
-        status = thud_scene_options(&session->scene, &options, err);
+    enum thud_status status = begin(args, session, &picture, &options, err);
     if (status != THUD_OK)
         return status;
-    say_effort(args, session);
-    options.keep_history = thud_args_has(args, "o");
-    options.keep_impacts = true;
     status = thud_run_cases_make(session, thud_args_value(args, "cases"), &options, &cases, err);
     if (status != THUD_OK)
         return status;
@@ -248,14 +260,9 @@ static enum thud_status run(const struct thud_args *args, struct thud_session *s
     enum thud_case which;
     enum thud_status status = thud_scene_options_case(args, &which, err);
     if (status == THUD_OK)
-        status = thud_picture_options_read(args, &picture, err);
-    if (status == THUD_OK)
-        status = thud_scene_options(&session->scene, &options, err);
+        status = begin(args, session, &picture, &options, err);
     if (status != THUD_OK)
         return status;
-    say_effort(args, session);
-    options.keep_history = thud_args_has(args, "o");
-    options.keep_impacts = true;
     status = thud_session_run(session, which, &options, scene, &answer, err);
     if (status == THUD_OK) {
         warn_unusual(args, session, scene, answer.run);
