@@ -13,7 +13,8 @@
 struct command {
     const char *word, *short_word, *usage;
     void (*run)(struct thud_tui *tui, char *rest);
-    const char *key; /* what is said is its value; NULL: `run` takes it */
+    const char *key;         /* what is said is its value; NULL: `run` takes it */
+    enum thud_action action; /* without `run` and `key`: what a key does */
 };
 
 /* "gap 5 cm", "gap=5cm" and "gap = 5 cm" are the same. */
@@ -116,30 +117,6 @@ static void run_table(struct thud_tui *tui, char *rest)
 static void run_screen(struct thud_tui *tui, char *rest)
 {
     go_to(tui, rest);
-}
-
-static void run_undo(struct thud_tui *tui, char *rest)
-{
-    (void)rest;
-    thud_tui_act(tui, THUD_DO_UNDO);
-}
-
-static void run_redo(struct thud_tui *tui, char *rest)
-{
-    (void)rest;
-    thud_tui_act(tui, THUD_DO_REDO);
-}
-
-static void run_pin(struct thud_tui *tui, char *rest)
-{
-    (void)rest;
-    thud_tui_act(tui, THUD_DO_PIN);
-}
-
-static void run_exchange(struct thud_tui *tui, char *rest)
-{
-    (void)rest;
-    thud_tui_act(tui, THUD_DO_EXCHANGE);
 }
 
 static void run_new(struct thud_tui *tui, char *rest)
@@ -251,12 +228,6 @@ static void run_quit(struct thud_tui *tui, char *rest)
     thud_tui_quit(tui, *rest == '!');
 }
 
-static void run_help(struct thud_tui *tui, char *rest)
-{
-    (void)rest;
-    thud_tui_act(tui, THUD_DO_HELP);
-}
-
 /* A line of the study, as `thud sweep` takes it, on its screen; `sweep` alone runs what stands there. */
 static void run_vary(struct thud_tui *tui, char *rest)
 {
@@ -327,28 +298,30 @@ static void run_bench(struct thud_tui *tui, char *rest)
 }
 
 /* clang-format off */
-#define RUN(name, arguments) {#name, "", arguments, run_##name, NULL}
+#define KEY(name, arguments, key) {name, "", arguments, NULL, key, THUD_DO_NOTHING}
+#define RUN(name, arguments) {#name, "", arguments, run_##name, NULL, THUD_DO_NOTHING}
+#define ACT(name, action) {name, "", "", NULL, NULL, action}
 /* clang-format on */
 static const struct command table[] = {
     RUN(set, "KEY VALUE"),
     RUN(case, "none|bumper|cavity"),
-    {"title", "", "TEXT", NULL, "title"},
-    {"record", "", "FILE", NULL, "record.file"},
-    {"peak", "", "\"0.821 g\"", NULL, "record.peak"},
-    {"sa", "", "ACCELERATION", NULL, "record.sa"},
-    {"period", "", "TIME", NULL, "record.period"},
-    {"factor", "", "NUMBER", NULL, "record.factor"},
-    {"sign", "", "+|-", NULL, "record.sign"},
-    {"from", "", "TIME", NULL, "record.from"},
-    {"to", "", "TIME", NULL, "record.to"},
-    {"dt", "", "TIME", NULL, "record.dt"},
-    {"unit", "", "UNIT", NULL, "record.unit"},
-    {"channel", "", "NAME", NULL, "record.channel"},
-    {"column", "", "N", NULL, "record.column"},
-    {"skip", "", "N", NULL, "record.skip"},
-    {"method", "", "NAME", NULL, "analysis.method"},
-    {"step", "", "TIME", NULL, "analysis.step"},
-    {"tolerance", "", "NUMBER", NULL, "analysis.tolerance"},
+    KEY("title", "TEXT", "title"),
+    KEY("record", "FILE", "record.file"),
+    KEY("peak", "\"0.821 g\"", "record.peak"),
+    KEY("sa", "ACCELERATION", "record.sa"),
+    KEY("period", "TIME", "record.period"),
+    KEY("factor", "NUMBER", "record.factor"),
+    KEY("sign", "+|-", "record.sign"),
+    KEY("from", "TIME", "record.from"),
+    KEY("to", "TIME", "record.to"),
+    KEY("dt", "TIME", "record.dt"),
+    KEY("unit", "UNIT", "record.unit"),
+    KEY("channel", "NAME", "record.channel"),
+    KEY("column", "N", "record.column"),
+    KEY("skip", "N", "record.skip"),
+    KEY("method", "NAME", "analysis.method"),
+    KEY("step", "TIME", "analysis.step"),
+    KEY("tolerance", "NUMBER", "analysis.tolerance"),
     RUN(run, ""),
     RUN(vary, "KEY=FROM:TO:STEP"),
     RUN(vary2, "KEY=FROM:TO:STEP"),
@@ -365,12 +338,12 @@ static const struct command table[] = {
     RUN(figures, "[SCREEN]"),
     RUN(picture, "[SCREEN [FIGURE]]"),
     RUN(table, "[SCREEN [FIGURE]]"),
-    RUN(undo, ""),
-    RUN(redo, ""),
-    RUN(pin, ""),
-    RUN(exchange, ""),
+    ACT("undo", THUD_DO_UNDO),
+    ACT("redo", THUD_DO_REDO),
+    ACT("pin", THUD_DO_PIN),
+    ACT("exchange", THUD_DO_EXCHANGE),
     RUN(bumper, "[INTERFACE]"),
-    {"keep-force", "", "", run_keep_force, NULL},
+    {"keep-force", "", "", run_keep_force, NULL, THUD_DO_NOTHING},
     RUN(storey, "add|delete STRUCTURE FLOOR"),
     RUN(structure, "add|remove STRUCTURE"),
     RUN(swap, "STRUCTURE"),
@@ -378,12 +351,14 @@ static const struct command table[] = {
     RUN(log, "[FILE]"),
     RUN(new, "[storeys: 5, 7; gap: 8 cm; ...]"),
     RUN(folder, "[DIR]"),
-    {"open", "o", "PRESET", run_open, NULL},
-    {"write", "w", "[FILE]", run_write, NULL},
+    {"open", "o", "PRESET", run_open, NULL, THUD_DO_NOTHING},
+    {"write", "w", "[FILE]", run_write, NULL, THUD_DO_NOTHING},
     RUN(live, "[off]"),
-    {"quit", "q", "[!]", run_quit, NULL},
-    {"help", "h", "", run_help, NULL},
+    {"quit", "q", "[!]", run_quit, NULL, THUD_DO_NOTHING},
+    {"help", "h", "", NULL, NULL, THUD_DO_HELP},
 };
+#undef KEY
+#undef ACT
 #undef RUN
 
 /* Quotes that a shell would have taken away. */
@@ -430,8 +405,10 @@ void thud_tui_command(struct thud_tui *tui, const char *text)
         if (strcmp(first, table[i].word) == 0 || (*table[i].short_word && strcmp(first, table[i].short_word) == 0)) {
             if (table[i].key)
                 thud_tui_set(tui, table[i].key, unquoted(rest));
-            else
+            else if (table[i].run)
                 table[i].run(tui, rest);
+            else
+                thud_tui_act(tui, table[i].action);
             return;
         }
     list_words(tui, first);
