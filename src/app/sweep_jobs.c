@@ -1,11 +1,9 @@
 #include "app/sweep_jobs.h"
 
-#include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
-#include <unistd.h>
 
+#include "app/threads.h"
 #include "app/timing.h"
 
 enum { THREADS_MAX = 256, SLICE = 64 };
@@ -227,40 +225,10 @@ static void *worker(void *context)
     return NULL;
 }
 
-/* Waits until the next point is there, but no longer than so many seconds. The lock is held. */
-static void wait_a_little(struct thud_sweep_work *w, double seconds)
-{
-    struct timespec until;
-    clock_gettime(CLOCK_REALTIME, &until);
-    until.tv_nsec += (long)(1e9 * seconds);
-    until.tv_sec += until.tv_nsec / 1000000000L;
-    until.tv_nsec %= 1000000000L;
-    pthread_cond_timedwait(&w->ready, &w->lock, &until);
-}
-
-static int thread_count(const struct thud_sweep_jobs *jobs)
-{
-    long n = jobs->threads > 0 ? jobs->threads : sysconf(_SC_NPROCESSORS_ONLN);
-    if (n > jobs->count)
-        n = jobs->count;
-    return n < 1 ? 1 : n > THREADS_MAX ? THREADS_MAX : (int)n;
-}
-
-/* Threads that take no signals: those are for the one that called. */
-static void start_threads(struct thud_sweep_work *w, int wanted)
-{
-    sigset_t all, before;
-    sigfillset(&all);
-    pthread_sigmask(SIG_BLOCK, &all, &before);
-    while (w->started < wanted && pthread_create(&w->thread[w->started], NULL, worker, w) == 0)
-        w->started++;
-    pthread_sigmask(SIG_SETMASK, &before, NULL);
-}
-
 enum thud_status thud_sweep_work_start(const struct thud_sweep_jobs *jobs, struct thud_sweep_work **out,
                                        struct thud_error *err)
 {
-    int threads = thread_count(jobs);
+    int threads = thud_threads_count(jobs->threads, jobs->count, THREADS_MAX);
     struct thud_sweep_work *w = calloc(1, sizeof *w);
     *out = NULL;
     if (w) {
@@ -276,7 +244,7 @@ enum thud_status thud_sweep_work_start(const struct thud_sweep_jobs *jobs, struc
     pthread_cond_init(&w->room, NULL);
     pthread_cond_init(&w->ready, NULL);
     pthread_cond_init(&w->made, NULL);
-    start_threads(w, threads);
+    w->started = thud_threads_start(w->thread, threads, worker, w);
     if (w->started == 0 && jobs->count > 0) {
         thud_sweep_work_end(w);
         return thud_error_set(err, THUD_MEMORY, "no thread could be started");
@@ -307,7 +275,7 @@ enum thud_status thud_sweep_work_take(struct thud_sweep_work *w, double wait_s, 
     if (!*done && cancelled(w))
         fail(w, THUD_CANCELLED, NULL);
     if (!*done && !w->stop && !*slot && wait_s > 0)
-        wait_a_little(w, wait_s);
+        thud_threads_wait(&w->ready, &w->lock, wait_s);
     if (!*done && !w->stop && *slot) {
         *point = *slot;
         *slot = NULL;

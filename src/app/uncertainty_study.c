@@ -1,12 +1,11 @@
 #include "app/uncertainty_study.h"
 
 #include <math.h>
-#include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
-#include <unistd.h>
 
+#include "app/threads.h"
 #include "study/sobol.h"
 
 enum { THREADS_MAX = 256, SHOW_MS = 200 };
@@ -139,16 +138,9 @@ static enum thud_status make(struct thud_uncertainty_study *study, struct thud_e
 {
     pthread_t thread[THREADS_MAX];
     struct work w = {.study = study};
-    long wanted = study->threads > 0 ? study->threads : sysconf(_SC_NPROCESSORS_ONLN);
-    int started = 0;
-    sigset_t all, before;
-    wanted = wanted < 1 ? 1 : wanted > THREADS_MAX ? THREADS_MAX : wanted;
+    int wanted = thud_threads_count(study->threads, (long)study->rows, THREADS_MAX);
     pthread_mutex_init(&w.lock, NULL);
-    sigfillset(&all);
-    pthread_sigmask(SIG_BLOCK, &all, &before); /* signals are for the thread that called */
-    while (started < wanted && pthread_create(&thread[started], NULL, worker, &w) == 0)
-        started++;
-    pthread_sigmask(SIG_SETMASK, &before, NULL);
+    int started = thud_threads_start(thread, wanted, worker, &w);
     if (started > 0)
         watch(&w);
     for (int i = 0; i < started; i++)

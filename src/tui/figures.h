@@ -4,7 +4,7 @@
 
 #include "plot/figure.h"
 #include "study/scene.h"
-#include "tui/live.h"
+#include "app/live_cases.h"
 
 enum thud_plot {
 #define THUD_PLOT(name, words, file) THUD_PLOT_##name,

@@ -348,5 +348,5 @@ void thud_tui_draw(struct thud_tui *tui)
     }
     tui->backend->show(tui->backend, &tui->canvas);
     tui->drawn_s = tui->backend->now(tui->backend);
-    tui->dirty = false;
+    tui->dirty = tui->draw_now = false;
 }

@@ -56,6 +56,7 @@ struct stage {
     const struct thud_scene *scene;
     const struct thud_model *model;
     const struct thud_history *history;
+    const struct thud_result *result;
     double t;
     bool bumper;
     double body;                      /* width of a building, dots */
@@ -67,15 +68,11 @@ struct stage {
 };
 
 /* Largest displacement of a structure's floors, m. */
-static double reach(const struct thud_history *h, const struct thud_model *model, int s)
+static double reach(const struct thud_result *result, int s)
 {
     double most = 0.0;
-    const struct thud_model_structure *structure = &model->structure[s];
-    for (int i = structure->first; i < structure->first + structure->n; i++) {
-        int column = thud_history_displacement(h, i);
-        for (size_t row = 0; row < h->rows; row++)
-            most = fmax(most, fabs(h->value[row * (size_t)h->columns + (size_t)column]));
-    }
+    for (int i = 0; i < result->structure[s].floors; i++)
+        most = fmax(most, result->structure[s].floor[i].displacement.value);
     return most;
 }
 
@@ -104,7 +101,7 @@ static bool set_stage(struct stage *stage)
         across += s + 1 < n ? bounded_gap(scene, s) : 0.0;
         top = fmax(top, height_of(&scene->structure[s], scene->structure[s].storeys));
     }
-    double margin = fmax(reach(stage->history, stage->model, 0), reach(stage->history, stage->model, n - 1));
+    double margin = fmax(reach(stage->result, 0), reach(stage->result, n - 1));
     across += 2.0 * margin;
     stage->body = floor(stage->dots.width / (2.6 * n)); /* the movement is what is looked at */
     double room = stage->dots.width - n * stage->body - 2.0;
@@ -265,9 +262,11 @@ static void say_contact(struct stage *stage, const struct thud_pane *pane, int w
 }
 
 void thud_movement_draw(const struct thud_pane *pane, const struct thud_scene *scene, const struct thud_model *model,
-                        const struct thud_history *history, bool bumper, double t)
+                        const struct thud_run *run, bool bumper, double t)
 {
-    struct stage stage = {.scene = scene, .model = model, .history = history, .t = t, .bumper = bumper};
+    const struct thud_history *history = thud_run_history(run);
+    struct stage stage = {
+        .scene = scene, .model = model, .history = history, .result = thud_run_result(run), .t = t, .bumper = bumper};
     bool roomy = pane->h >= 7;
     struct thud_pane area = thud_pane_inside(pane, 0, 1, pane->w, pane->h - 1 - roomy);
     struct thud_pane below = thud_pane_inside(pane, 1, pane->h - 1, pane->w - 1, 1);

@@ -39,6 +39,20 @@ void thud_peaks_strip_title(const struct thud_tui *tui, int w, char *text, size_
              "ratio", strip.percent && thud_tui_pinned(tui) ? "    change" : "");
 }
 
+void thud_ratio_draw(const struct thud_live *live, const struct thud_pane *pane, int x, int y,
+                     const double value[THUD_LIVE_CASES])
+{
+    double ratio = value[THUD_LIVE_BUMPER] / value[THUD_LIVE_NONE];
+    bool old = thud_live_is_old(live, THUD_LIVE_NONE);
+    if (isfinite(ratio) && old == thud_live_is_old(live, THUD_LIVE_BUMPER))
+        thud_pane_print(pane, x, y,
+                        thud_look(old           ? THUD_ROLE_MUTED
+                                  : ratio < 1.0 ? THUD_ROLE_GOOD
+                                                : THUD_ROLE_WARN,
+                                  0),
+                        "%.3f", ratio);
+}
+
 /* One line of the strip: the three cases, the ratio, and what the last change did to the bumper's number. */
 static void peak_row(struct thud_tui *tui, const struct strip *strip, const struct thud_pane *pane, int y,
                      const char *label, const char *unit, const double value[THUD_LIVE_CASES], double before)
@@ -68,10 +82,7 @@ static void peak_row(struct thud_tui *tui, const struct strip *strip, const stru
                                 moved ? THUD_BOLD : 0),
                       text);
     }
-    double ratio = value[THUD_LIVE_BUMPER] / value[THUD_LIVE_NONE];
-    if (isfinite(ratio))
-        thud_pane_print(pane, column_x[3], y, thud_look(ratio < 1.0 ? THUD_ROLE_GOOD : THUD_ROLE_WARN, 0), "%.3f",
-                        ratio);
+    thud_ratio_draw(&tui->live, pane, column_x[3], y, value);
 }
 
 /* The impacts of the last case as upright lines, over the time of the run. */

@@ -1,13 +1,13 @@
 #include "tui/picture_work.h"
 
 #include <fcntl.h>
-#include <pthread.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
 #include "app/figure_files.h"
+#include "app/threads.h"
 
 struct thud_picture_work {
     pthread_t thread;
@@ -64,10 +64,8 @@ static void release(struct thud_picture_work *work)
     free(work);
 }
 
-/* Signals stay with the thread that has the terminal. */
 static bool begin(struct thud_picture_work *work)
 {
-    sigset_t all, before;
     if (pipe(work->wake) != 0) {
         work->wake[0] = work->wake[1] = -1;
         return false;
@@ -76,11 +74,7 @@ static bool begin(struct thud_picture_work *work)
         fcntl(work->wake[i], F_SETFD, FD_CLOEXEC);
         fcntl(work->wake[i], F_SETFL, O_NONBLOCK);
     }
-    sigfillset(&all);
-    pthread_sigmask(SIG_SETMASK, &all, &before);
-    bool begun = pthread_create(&work->thread, NULL, write_all, work) == 0;
-    pthread_sigmask(SIG_SETMASK, &before, NULL);
-    return begun;
+    return thud_threads_start(&work->thread, 1, write_all, work) == 1;
 }
 
 enum thud_status thud_picture_work_start(struct thud_figure *const *figure, int count, const char *folder,

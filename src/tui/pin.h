@@ -4,7 +4,7 @@
 #define THUD_TUI_PIN_H
 
 #include "tui/doc.h"
-#include "tui/live.h"
+#include "app/live_cases.h"
 
 struct thud_pin {
     bool own; /* it was pinned; else it is the saved state */

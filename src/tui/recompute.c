@@ -18,6 +18,7 @@ static void start(struct thud_tui *tui)
     tui->started_s = tui->backend->now(tui->backend);
     tui->was_running = true;
     tui->dirty = true;
+    thud_live_stop(&tui->live); /* its runs look at the record */
     if (thud_doc_record(&tui->doc, &record, &err) != THUD_OK) {
         thud_live_fail(&tui->live, &err);
         thud_tui_say_error(tui, &err);

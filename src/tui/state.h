@@ -2,6 +2,7 @@
 #ifndef THUD_TUI_STATE_H
 #define THUD_TUI_STATE_H
 
+#include "app/live_cases.h"
 #include "plot/figure.h"
 #include "tui/browse.h"
 #include "tui/chart.h"
@@ -11,7 +12,6 @@
 #include "tui/keys.h"
 #include "tui/law_figure.h"
 #include "tui/line.h"
-#include "tui/live.h"
 #include "tui/picture_work.h"
 #include "tui/pin.h"
 #include "tui/tui.h"
@@ -117,7 +117,8 @@ struct thud_tui {
     char target[512]; /* the field being edited, or the path asked about */
     int pair;         /* the interface shown on Model and Contact, from 0 */
     bool mouse;
-    bool dirty; /* the screen must be drawn */
+    bool dirty;    /* the screen must be drawn */
+    bool draw_now; /* and at once: a case has ended */
     bool quit, hangup, interrupted;
     char folder[512];                  /* for pictures and tables; empty: as given at the start */
     char wrote[8192];                  /* names of the files written so far, one a line */

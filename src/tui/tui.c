@@ -204,9 +204,12 @@ static void work(struct thud_tui *tui)
 {
     double start = tui->backend->now(tui->backend), now = start;
     const struct thud_view *view = busy_view(tui);
+    unsigned long ended = tui->live.ended;
     for (int i = 0; i < 64 && now - start < slice_s; i++) {
         if (tui->live.running) {
             thud_live_advance(&tui->live);
+            now = tui->backend->now(tui->backend);
+            break; /* keys are looked for in between */
         } else if (comparing(tui)) {
             tui->dirty |= !thud_pin_advance(&tui->pin, &tui->doc, thud_tui_wants_history(tui));
         } else if (!view || !view->work(tui)) {
@@ -225,7 +228,8 @@ static void work(struct thud_tui *tui)
         tui->dirty = true;
     }
     tui->was_running = tui->live.running;
-    tui->dirty = tui->dirty || now - tui->drawn_s >= redraw_s;
+    tui->draw_now |= tui->live.ended != ended;
+    tui->dirty = tui->dirty || tui->draw_now || now - tui->drawn_s >= redraw_s;
 }
 
 bool thud_tui_turn(struct thud_tui *tui, bool wait)
@@ -235,7 +239,7 @@ bool thud_tui_turn(struct thud_tui *tui, bool wait)
         view->live(tui);
     bool busy = tui->live.running || tui->was_running || busy_view(tui) != NULL || comparing(tui);
     double pause = view->pause ? view->pause(tui) : -1.0;
-    if (tui->dirty && (!busy || tui->backend->now(tui->backend) - tui->drawn_s >= redraw_s))
+    if (tui->dirty && (!busy || tui->draw_now || tui->backend->now(tui->backend) - tui->drawn_s >= redraw_s))
         thud_tui_draw(tui);
     int timeout = busy || !wait ? 0 : pause >= 0.0 ? (int)(1e3 * pause) + 1 : -1;
     int key = tui->backend->key(tui->backend, timeout);

@@ -8,6 +8,7 @@
 #include "io/result_file.h"
 #include "study/remark.h"
 #include "tui/field.h"
+#include "tui/peaks_strip.h"
 
 enum { PEAKS, IMPACTS, HOW };
 enum { IMPACTS_MAX = 2000 };
@@ -67,9 +68,7 @@ static void quantity(struct thud_tui *tui, const struct thud_pane *pane, int x, 
                       : absent ? "–"
                                : thud_tui_number(value[i], number));
     }
-    double ratio = value[THUD_LIVE_BUMPER] / value[THUD_LIVE_NONE];
-    if (isfinite(ratio))
-        thud_pane_print(pane, x + 21, y, thud_look(ratio < 1.0 ? THUD_ROLE_GOOD : THUD_ROLE_WARN, 0), "%.3f", ratio);
+    thud_ratio_draw(&tui->live, pane, x + 21, y, value);
 }
 
 /* The same of the pinned state, and what became of it: of the bumper's number, else of that without. */

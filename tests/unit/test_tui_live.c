@@ -111,6 +111,7 @@ START_TEST(a_long_run_is_seen_and_stopped)
 {
     char old[24];
     thud_tui_number(answer_peak(THUD_CASE_NONE, 0, false), old);
+    f.tui->live.threads = -1; /* no faster than the script's clock */
     f.script.tick = 0.3;
     thud_tui_key(f.tui, 'r');
     thud_tui_draw(f.tui);
@@ -136,6 +137,25 @@ static void peak_at(const char *gap, char number[24])
     thud_tui_number(answer_peak(THUD_CASE_BUMPER, 0, false), number);
     f.tui->doc.scene = kept;
 }
+
+/* While one case is new and the other old, their ratio is that of no scene: it is not shown. */
+START_TEST(no_ratio_of_old_and_new)
+{
+    char ratio[24];
+    f.tui->live.threads = -1;
+    thud_tui_key(f.tui, 'r');
+    while (f.tui->live.which[THUD_LIVE_BUMPER].state == THUD_LIVE_RUNNING)
+        thud_live_advance(&f.tui->live);
+    ck_assert(thud_live_is_old(&f.tui->live, THUD_LIVE_NONE));
+    snprintf(ratio, sizeof ratio, "%.3f",
+             thud_live_peak(&f.tui->live, THUD_LIVE_BUMPER, 0, THUD_PEAK_DRIFT) /
+                 thud_live_peak(&f.tui->live, THUD_LIVE_NONE, 0, THUD_PEAK_DRIFT));
+    thud_tui_draw(f.tui);
+    fixture_expect_not(&f, ratio);
+    fixture_keys(&f, "");
+    fixture_expect(&f, ratio);
+}
+END_TEST
 
 static char forbidden[2][24];
 static int drawn_running;
@@ -163,9 +183,10 @@ START_TEST(the_newest_edit_wins)
     peak_at("1.3 cm", third);
     ck_assert(strcmp(first, second) != 0 && strcmp(second, third) != 0 && strcmp(first, third) != 0);
     fixture_expect(&f, first);
+    f.tui->live.threads = -1; /* a slice of work is one look at the clock */
     void (*show)(struct thud_backend * backend, const struct thud_canvas *canvas) = f.backend.show;
     f.backend.show = watch;
-    f.script.tick = 0.013; /* time passes: a slice of work is one look at the clock */
+    f.script.tick = 0.013;
     f.script.at = ":set gap 1.7 cm\r";
     while (*f.script.at)
         thud_tui_turn(f.tui, false);
@@ -173,8 +194,8 @@ START_TEST(the_newest_edit_wins)
     snprintf(forbidden[0], sizeof forbidden[0], "%s", first);
     for (int i = 0; i < 2; i++)
         thud_tui_turn(f.tui, false);
-    ck_assert_int_eq((int)f.tui->live.which[THUD_LIVE_BUMPER].state, THUD_LIVE_RUNNING);
-    const struct thud_run *given_up = f.tui->live.which[THUD_LIVE_FREE].run;
+    ck_assert_int_eq((int)f.tui->live.which[THUD_LIVE_FREE].state, THUD_LIVE_RUNNING);
+    const struct thud_run *given_up = f.tui->live.which[THUD_LIVE_BUMPER].run; /* which is begun first */
     double came = thud_run_time(given_up);
     ck_assert(came > 0.0);
     f.script.at = ":set gap 1.3 cm\r";
@@ -182,7 +203,7 @@ START_TEST(the_newest_edit_wins)
         thud_tui_turn(f.tui, false);
     snprintf(forbidden[1], sizeof forbidden[1], "%s", second);
     ck_assert_double_eq_tol(f.tui->doc.scene.interface[0].gap_m, 0.013, 1e-15);
-    ck_assert(thud_run_time(f.tui->live.which[THUD_LIVE_FREE].run) < came); /* begun anew */
+    ck_assert(thud_run_time(f.tui->live.which[THUD_LIVE_BUMPER].run) < came); /* begun anew */
     f.script.tick = 0.004;
     fixture_keys(&f, "");
     ck_assert_int_ge(drawn_running, 2);
@@ -194,6 +215,7 @@ END_TEST
 
 START_TEST(live_turns_itself_off_when_slow)
 {
+    f.tui->live.threads = -1;
     f.script.tick = 0.6;
     fixture_keys(&f, "r");
     fixture_expect(&f, "r runs");
@@ -315,6 +337,7 @@ Suite *thud_suite(void)
     tcase_add_test(live, no_old_number_after_a_failure);
     tcase_add_test(live, a_change_shows_as_an_arrow);
     tcase_add_test(live, a_long_run_is_seen_and_stopped);
+    tcase_add_test(live, no_ratio_of_old_and_new);
     tcase_add_test(live, the_newest_edit_wins);
     tcase_add_test(live, live_turns_itself_off_when_slow);
     tcase_add_test(live, a_motion_is_trimmed);

@@ -1,16 +1,20 @@
+#include "app/live_cases.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "app/live_work.h"
 #include "plot/figure.h"
 #include "study/answer.h"
 #include "study/needed_gap.h"
 #include "study/remark.h"
 #include "study/spacing.h"
 #include "study/statistics.h"
-#include "tui/live.h"
 
-enum { SEGMENTS = 100, HISTORY_BYTES = 48 << 20 };
+enum { HISTORY_BYTES = 48 << 20, NEED = THUD_LIVE_CASES };
+static const double wait_s = 0.004;
+_Static_assert(THUD_LIVE_JOBS == THUD_LIVE_CASES + 1, "the cases, and the gap that is needed");
 
 const char *thud_live_name(enum thud_live_which which)
 {
@@ -48,8 +52,15 @@ static void need_clear(struct thud_live *live)
     live->apart = NULL;
 }
 
+void thud_live_stop(struct thud_live *live)
+{
+    thud_live_work_end(live->work);
+    live->work = NULL;
+}
+
 void thud_live_clear(struct thud_live *live)
 {
+    thud_live_stop(live);
     need_clear(live);
     for (int i = 0; i < THUD_STRUCTURES_MAX; i++)
         live->need[i] = (struct thud_live_need){NAN, NAN, NAN};
@@ -171,9 +182,31 @@ static void keep_old(struct thud_live_case *c)
     *c = kept;
 }
 
+/* Hands the runs over, the one that takes longest first. */
+static void work_start(struct thud_live *live)
+{
+    static const int order[] = {THUD_LIVE_BUMPER, THUD_LIVE_NONE, THUD_LIVE_FREE, NEED};
+    struct thud_live_job job[THUD_LIVE_JOBS];
+    struct thud_error error;
+    int n = 0;
+    for (int i = 0; i < THUD_LIVE_JOBS; i++)
+        live->job[i] = -1;
+    for (size_t i = 0; i < sizeof order / sizeof *order; i++) {
+        bool need = order[i] == NEED;
+        if (need ? live->baseline == NULL : live->which[order[i]].state != THUD_LIVE_RUNNING)
+            continue;
+        live->job[n] = order[i];
+        job[n++] = need ? (struct thud_live_job){.baseline = live->baseline}
+                        : (struct thud_live_job){.run = live->which[order[i]].run};
+    }
+    if (thud_live_work_start(job, n, live->threads, &live->work, &error) != THUD_OK)
+        thud_live_fail(live, &error);
+}
+
 void thud_live_start(struct thud_live *live, const struct thud_scene *scene, const struct thud_record *record,
                      bool history)
 {
+    thud_live_stop(live);
     live->running = false;
     live->history = history;
     for (int i = 0; i < THUD_LIVE_CASES; i++) {
@@ -191,41 +224,57 @@ void thud_live_start(struct thud_live *live, const struct thud_scene *scene, con
         if (c->state != THUD_LIVE_RUNNING)
             forget_old(c);
     }
-    if (live->running)
-        need_start(live, scene, record);
+    if (!live->running)
+        return;
+    need_start(live, scene, record);
+    work_start(live);
 }
 
-static void case_advance(struct thud_live_case *c)
+/* What came of a job. */
+static void job_ended(struct thud_live *live, int which, enum thud_status status, const struct thud_error *error)
 {
-    bool done = false;
-    if (thud_run_advance(c->run, SEGMENTS, &done, &c->error) != THUD_OK) {
-        c->failed_s = thud_run_time(c->run);
-        c->state = THUD_LIVE_FAILED;
-    } else if (done) {
-        c->state = THUD_LIVE_DONE;
+    if (which == NEED) {
+        if (status == THUD_OK)
+            need_finish(live);
+        else
+            need_clear(live);
+        return;
     }
-    if (c->state != THUD_LIVE_RUNNING)
-        forget_old(c);
+    struct thud_live_case *c = &live->which[which];
+    c->state = status == THUD_OK ? THUD_LIVE_DONE : THUD_LIVE_FAILED;
+    if (status != THUD_OK) {
+        c->error = *error;
+        c->failed_s = thud_run_time(c->run);
+    }
+    forget_old(c);
 }
 
 bool thud_live_advance(struct thud_live *live)
 {
-    for (int i = 0; i < THUD_LIVE_CASES; i++) {
-        if (live->which[i].state != THUD_LIVE_RUNNING)
-            continue;
-        case_advance(&live->which[i]);
-        return true;
+    enum thud_status status;
+    struct thud_error error;
+    int left = 0;
+    if (!live->running || !live->work)
+        return live->running = false;
+    for (int i = thud_live_work_take(live->work, wait_s, &left, &status, &error); i >= 0;
+         i = thud_live_work_take(live->work, 0.0, &left, &status, &error)) {
+        job_ended(live, live->job[i], status, &error);
+        live->ended++;
     }
-    if (live->baseline) {
-        bool done = false;
-        if (thud_baseline_advance(live->baseline, SEGMENTS, &done, NULL) != THUD_OK)
-            need_clear(live);
-        else if (done)
-            need_finish(live);
-        return true;
+    if (left == 0) {
+        thud_live_stop(live);
+        live->running = false;
     }
-    live->running = false;
-    return false;
+    return live->running;
+}
+
+/* How far the run of a case has come, s. */
+static double time_of(const struct thud_live *live, int which)
+{
+    for (int i = 0; live->work && i < THUD_LIVE_JOBS; i++)
+        if (live->job[i] == which)
+            return thud_live_work_time(live->work, i);
+    return 0.0;
 }
 
 double thud_live_progress(const struct thud_live *live)
@@ -237,7 +286,7 @@ double thud_live_progress(const struct thud_live *live)
             continue;
         double end = thud_run_end(c->run);
         all += 1.0;
-        done += c->state != THUD_LIVE_RUNNING ? 1.0 : end > 0.0 ? fmin(1.0, thud_run_time(c->run) / end) : 0.0;
+        done += c->state != THUD_LIVE_RUNNING ? 1.0 : end > 0.0 ? fmin(1.0, time_of(live, i) / end) : 0.0;
     }
     return all > 0.0 ? done / all : 1.0;
 }

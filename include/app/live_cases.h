@@ -1,6 +1,7 @@
-/* The three cases of a scene, run in slices after every change: no pounding, no bumper, bumper as written. */
-#ifndef THUD_TUI_LIVE_H
-#define THUD_TUI_LIVE_H
+/* The three cases of a scene, run side by side after every change: no pounding, no bumper, bumper as written. What one
+ * found can be seen as soon as it has ended. */
+#ifndef THUD_APP_LIVE_CASES_H
+#define THUD_APP_LIVE_CASES_H
 
 #include "core/baseline.h"
 #include "core/record.h"
@@ -36,24 +37,33 @@ struct thud_live_need {
     double closing_m, abs_m, srss_m;
 };
 
+struct thud_live_work;
+
 struct thud_live {
     struct thud_model *apart; /* without pounding, with the pairs of floors; NULL once `need` is known */
     struct thud_baseline_motion *baseline;
     struct thud_live_need need[THUD_STRUCTURES_MAX]; /* by interface, from 0 */
     struct thud_live_case which[THUD_LIVE_CASES];
     bool running;
-    bool history; /* histories were kept */
+    bool history;                 /* histories were kept */
+    int threads;                  /* that compute: 0 one a processor; negative: none, thud_live_advance does */
+    struct thud_live_work *work;  /* while running; its runs are not to be touched. NULL: none */
+    int job[THUD_LIVE_CASES + 1]; /* of the work: a case, or THUD_LIVE_CASES for what is needed */
+    unsigned long ended;          /* counts what has ended, so that it is drawn at once */
 };
 
-/* Drops what was found before and begins anew; `record` must stay until the next start or clear. A scene that cannot be
- * assembled leaves its cases FAILED. */
+/* Drops what was found before and begins anew; `record` must stay until the next start, stop or clear. A scene that
+ * cannot be assembled leaves its cases FAILED. */
 void thud_live_start(struct thud_live *live, const struct thud_scene *scene, const struct thud_record *record,
                      bool history);
 /* All cases FAILED for this reason. */
 void thud_live_fail(struct thud_live *live, const struct thud_error *why);
-/* Goes on for a short while (about a millisecond); false when there is no more to do. */
+/* Waits a short while (some milliseconds) for a run to end, or goes on with one for about a millisecond where there are
+ * no threads; false when there is no more to do. */
 bool thud_live_advance(struct thud_live *live);
 double thud_live_progress(const struct thud_live *live); /* 0 to 1 */
+/* Nothing is computed any more, and the record may go; a start or a clear has to follow. */
+void thud_live_stop(struct thud_live *live);
 void thud_live_clear(struct thud_live *live);
 
 /* What a case found, NULL unless it is DONE. */

@@ -1,0 +1,18 @@
+/* Threads that compute beside the one that called. */
+#ifndef THUD_APP_THREADS_H
+#define THUD_APP_THREADS_H
+
+#include <pthread.h>
+
+/* As many as are wanted (0 or less: one a processor), but no more than there are jobs or than `most`, and at least
+ * one. */
+int thud_threads_count(int wanted, long jobs, int most);
+
+/* Starts `wanted` threads with all signals blocked, which are for the thread that called, but for those of a fault in
+ * the thread itself. Returns how many were started. */
+int thud_threads_start(pthread_t *thread, int wanted, void *(*work)(void *context), void *context);
+
+/* Waits for `cond` at most so many seconds (less than 1). The lock is held. */
+void thud_threads_wait(pthread_cond_t *cond, pthread_mutex_t *lock, double seconds);
+
+#endif
