@@ -217,6 +217,8 @@ static unsigned char pattern_of(const struct drawing *d, const struct thud_serie
         return 0;
     if (series->style.dashed)
         return BEHIND;
+    if (d->dots.pane.canvas->color) /* and by the numbers at the curves */
+        return 0;
     return number < 0 ? 0 : pattern[number % (int)sizeof pattern];
 }
 
@@ -271,7 +273,8 @@ void thud_chart_figure(const struct thud_pane *pane, const struct thud_figure *f
             continue;
         if (only < 0) {
             int x = column * pane->w / figure->columns, y = row * pane->h / figure->rows;
-            part = thud_pane_inside(pane, x, y, (column + 1) * pane->w / figure->columns - x,
+            int apart = column + 1 < figure->columns; /* from the next one's names */
+            part = thud_pane_inside(pane, x, y, (column + 1) * pane->w / figure->columns - x - apart,
                                     (row + 1) * pane->h / figure->rows - y);
         }
         thud_chart_draw(&part, &figure->panel[i], chart);

@@ -128,7 +128,7 @@ int thud_chart_number(const struct thud_panel *panel, int index)
 {
     int number = 0;
     for (int i = 0; i < index; i++)
-        number += !thud_series_is_shade(panel->series[i]);
+        number += panel->series[i]->name && *panel->series[i]->name && !thud_series_is_shade(panel->series[i]);
     return number;
 }
 
@@ -164,8 +164,12 @@ static int head(const struct thud_pane *pane, const struct thud_panel *panel)
     const char *title = panel->title && *panel->title ? panel->title : axis->label ? axis->label : "";
     thud_axis_text(axis, unit, sizeof unit);
     bool both = *unit && strcmp(title, axis->label ? axis->label : "") != 0;
-    snprintf(text, sizeof text, "%.120s%s%s", both ? title : *unit ? unit : title, both ? ": " : "", both ? unit : "");
-    int at = thud_pane_put(pane, 0, 0, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), text) + 3;
+    both = both && thud_utf8_columns(title) + 2 + thud_utf8_columns(unit) <= pane->w; /* else the axis' name alone */
+    thud_utf8_fit(both || !*unit ? title : unit, pane->w, text, sizeof text);
+    int at = thud_pane_put(pane, 0, 0, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), text);
+    if (both)
+        at += 2 + thud_pane_put(pane, at + 2, 0, thud_look(THUD_ROLE_MUTED, 0), unit);
+    at += 3;
     if (key_lines(pane, panel, at, 0, 1, false) <= 1) {
         key_lines(pane, panel, at, 0, 1, true);
         return 1;

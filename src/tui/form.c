@@ -28,6 +28,14 @@ void thud_form_add(struct thud_form *form, enum thud_field_kind kind, int pane, 
     snprintf(field->path, sizeof field->path, "%s", path);
 }
 
+void thud_form_add_beside(struct thud_form *form, int pane, int x, int y, int w, const char *path)
+{
+    int n = form->n;
+    thud_form_add(form, THUD_FIELD_VALUE, pane, x, y, w, 0, path);
+    if (form->n > n)
+        form->field[n].beside = true;
+}
+
 const struct thud_field *thud_form_focus(const struct thud_form *form)
 {
     const char *focus = form->focus[form->screen];
@@ -193,7 +201,9 @@ void thud_form_next(struct thud_form *form, int step)
     const struct thud_field *from = thud_form_focus(form);
     if (!from || form->n == 0)
         return;
-    int to = ((int)(from - form->field) + step + form->n) % form->n;
+    int to = (int)(from - form->field);
+    for (int i = 0; i == 0 || (form->field[to].beside && i < form->n); i++)
+        to = (to + step + form->n) % form->n;
     focus_field(form, &form->field[to]);
 }
 
@@ -204,7 +214,7 @@ const struct thud_field *thud_form_at(const struct thud_form *form, int pane, in
     for (int i = 0; i < form->n; i++) {
         const struct thud_field *f = &form->field[i];
         int away = x < f->x ? f->x - x : x >= f->x + f->w ? x - (f->x + f->w - 1) : 0;
-        if (f->pane == pane && f->y == y && (!nearest || away < least)) {
+        if (f->pane == pane && f->y == y && !f->beside && (!nearest || away < least)) {
             nearest = f;
             least = away;
         }

@@ -16,6 +16,7 @@ struct thud_field {
     enum thud_field_kind kind;
     int pane, x, y, w; /* in the pane's own rows, before scrolling */
     int index;
+    bool beside; /* left or right of what is drawn: the cursor keys lead there, Tab and clicks do not */
 };
 
 enum { THUD_FORM_SCREENS = 9, THUD_FORM_PANES = 6 };
@@ -33,6 +34,8 @@ void thud_form_begin(struct thud_form *form, int screen);
 /* Out of memory a field is only not there for the cursor. */
 void thud_form_add(struct thud_form *form, enum thud_field_kind kind, int pane, int x, int y, int w, int index,
                    const char *path);
+/* One more VALUE that has no room now: the pane has to show it once the cursor is on it. */
+void thud_form_add_beside(struct thud_form *form, int pane, int x, int y, int w, const char *path);
 /* After drawing: a cursor on a field that is gone goes to the nearest; true where that or a pane's scrolling has to be
  * drawn. */
 bool thud_form_end(struct thud_form *form, int panes);

@@ -3,8 +3,8 @@
 #ifndef THUD_TUI_PIN_H
 #define THUD_TUI_PIN_H
 
-#include "tui/doc.h"
 #include "app/live_cases.h"
+#include "tui/doc.h"
 
 struct thud_pin {
     bool own; /* it was pinned; else it is the saved state */

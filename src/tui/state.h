@@ -142,6 +142,7 @@ struct thud_tui {
 
     bool live_on, live_wanted;   /* as it is, and for every preset that is opened */
     double started_s, elapsed_s; /* of the live run */
+    double plain_s;              /* what the last one without histories took */
     unsigned long ran_revision;  /* what the live cases belong to; 0: nothing */
     struct thud_pin pin;         /* the state that changes are told against */
     double drawn_s;              /* when the screen was drawn */

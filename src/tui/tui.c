@@ -39,6 +39,7 @@ enum thud_status thud_tui_create(const struct thud_tui_options *options, struct 
     tui->backend = backend;
     tui->doc.paths = options->paths;
     tui->canvas.ascii = !backend->utf8;
+    tui->canvas.color = backend->color;
     tui->live_on = tui->live_wanted = tui->dirty = tui->mouse = true;
     for (int i = 0; i < THUD_SCREENS; i++)
         tui->reading[i] = NAN;
@@ -224,6 +225,8 @@ static void work(struct thud_tui *tui)
     }
     if (!tui->live.running && tui->was_running) {
         tui->elapsed_s = now - tui->started_s;
+        if (!tui->live.history)
+            tui->plain_s = tui->elapsed_s;
         thud_tui_ran(tui);
         tui->dirty = true;
     }

@@ -6,6 +6,7 @@
 #include "base/quantity.h"
 #include "base/scan.h"
 #include "core/model.h"
+#include "study/level.h"
 #include "tui/dots.h"
 #include "tui/field.h"
 #include "tui/peaks_strip.h"
@@ -16,7 +17,7 @@ enum { PEAKS = 2, PEAK_ROWS = 7 };
 static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect *pane)
 {
     (void)tui;
-    int strip = area.h >= 29 ? 2 * PEAK_ROWS : area.h >= 17 ? PEAK_ROWS + 1 : area.h / 3, half = area.w / 2;
+    int strip = area.h >= 17 ? PEAK_ROWS + 1 : area.h / 3, half = area.w / 2;
     pane[0] = (struct thud_rect){area.x, area.y, half, area.h - strip};
     pane[1] = (struct thud_rect){area.x + half, area.y, area.w - half, area.h - strip};
     pane[PEAKS] = (struct thud_rect){area.x, area.y + area.h - strip, area.w, strip};
@@ -96,27 +97,58 @@ static int modes(struct thud_tui *tui, const struct thud_pane *pane, int y, int 
     return y + 2;
 }
 
+/* The table of floors: what stands in its columns. */
+static const struct {
+    const char *key, *head;
+    int x, w; /* where all of them have room */
+} column[] = {{"mass", "mass t", 6, 7},           {"stiffness", "k MN/m", 13, 8},
+              {"height", "height m", 21, 8},      {"yield", "yield mm", 30, 8},
+              {"yield-shear", "yield MN", 40, 8}, {"hardening", "hardening %", 49, 11},
+              {"column.EI", "col. EI", 61, 8},    {"column.capacity", "cap. kN", 70, 8}};
+enum { COLUMNS = sizeof column / sizeof *column };
+
+/* The first column shown: as far to the left as lets the one with the cursor be seen. */
+static int first_column(const struct thud_tui *tui, int index, int w, int s)
+{
+    const char *focus = tui->form.focus[THUD_SCREEN_MODEL];
+    int number, first = 0;
+    if (tui->form.pane[THUD_SCREEN_MODEL] != index && tui->form.pane[THUD_SCREEN_MODEL] >= 0)
+        return 0;
+    if (!thud_scan_word(&focus, "structures.") || !thud_scan_count(&focus, &number) || number != s + 1 ||
+        !thud_scan_word(&focus, "."))
+        return 0;
+    for (int c = 0; c < COLUMNS; c++) {
+        size_t n = strlen(column[c].key);
+        if (strncmp(focus, column[c].key, n) == 0 && focus[n] == '.')
+            while (column[c].x - column[first].x + column[0].x + column[c].w > w && first < c)
+                first++;
+    }
+    return first;
+}
+
 static int floors(struct thud_tui *tui, int index, const struct thud_pane *pane, int y, int s)
 {
     const struct thud_structure *structure = &tui->doc.scene.structure[s];
-    static const struct {
-        const char *key, *head;
-        int x, w;
-    } column[] = {{"mass", "mass t", 6, 7},           {"stiffness", "k MN/m", 13, 8},
-                  {"height", "height m", 21, 8},      {"yield", "yield mm", 30, 8},
-                  {"yield-shear", "yield MN", 40, 8}, {"hardening", "hardening %", 49, 11},
-                  {"column.EI", "col. EI", 61, 8},    {"column.capacity", "cap. kN", 70, 8}};
-    int columns = pane->w >= 79 ? 8 : pane->w >= 60 ? 6 : 4; /* of 80 columns, the pane has room for four */
+    int first = first_column(tui, index, pane->w, s), shift = column[first].x - column[0].x, last = first;
+    while (last + 1 < COLUMNS && column[last + 1].x - shift + column[last + 1].w <= pane->w)
+        last++;
     thud_pane_put(pane, 0, y, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), "floor");
-    for (int c = 0; c < columns; c++)
-        thud_pane_put(pane, column[c].x, y, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), column[c].head);
+    for (int c = first; c <= last; c++)
+        thud_pane_put(pane, column[c].x - shift, y, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), column[c].head);
+    if (first > 0)
+        thud_pane_glyph(pane, 5, y, thud_look(THUD_ROLE_KEY, THUD_BOLD), 0x2190);
+    if (last + 1 < COLUMNS) /* the cursor leads on */
+        thud_pane_glyph(pane, pane->w - 1, y + 1, thud_look(THUD_ROLE_KEY, THUD_BOLD), 0x2192);
     y++;
     for (int i = structure->storeys; i >= 1; i--, y++) {
         thud_pane_print(pane, 0, y, thud_look(THUD_ROLE_PLAIN, 0), "%4d", i);
-        for (int c = 0; c < columns; c++) {
+        for (int c = 0; c < COLUMNS; c++) {
             char key[THUD_PATH_MAX];
             snprintf(key, sizeof key, "structures.%d.%s.%d", s + 1, column[c].key, i);
-            thud_field_value(tui, index, pane, column[c].x, y, column[c].w, key, false);
+            if (c >= first && c <= last)
+                thud_field_value(tui, index, pane, column[c].x - shift, y, column[c].w, key, false);
+            else
+                thud_form_add_beside(&tui->form, index, column[c].x - shift, y, column[c].w, key);
         }
     }
     return y;
@@ -158,57 +190,103 @@ static int head_rows(struct thud_tui *tui, int index, const struct thud_pane *pa
 
 enum { SHAPE = 13, BUILDING = 14, LEAST_ROWS = 6 };
 
-/* Elevations of the floors, m; a structure without heights has them evenly. Returns the highest. */
-static double elevations(const struct thud_structure *structure, int n, double *z)
+static bool is_building(const struct thud_structure *structure)
 {
-    double sum = 0.0;
-    for (int i = 0; i < n; i++) {
-        int storey = structure->kind == THUD_ISOLATED ? i - 1 : i; /* the slab stands at the ground */
-        sum += storey < 0 ? 0.0 : structure->height_m[storey] > 0.0 ? structure->height_m[storey] : 1.0;
-        z[i] = sum;
-    }
-    return sum > 0.0 ? sum : 1.0;
+    return structure->kind == THUD_SHEAR || structure->kind == THUD_ISOLATED;
 }
 
-/* The building to its heights, and the shapes of its lowest modes, where there is room below the numbers. */
-static void draw_shapes(struct thud_tui *tui, const struct thud_pane *pane, int y, int s)
+/* What both buildings of the pair are drawn to: the rows below the longer table, and the elevations from the lower base
+ * to the higher roof, so that floors at one level stand in one row. */
+struct elevation {
+    int rows;
+    double low_m, high_m;
+};
+
+static struct elevation elevation_of(const struct thud_tui *tui, int pane_rows)
 {
+    struct elevation e = {pane_rows, INFINITY, -INFINITY};
+    for (int s = tui->pair; s < tui->pair + 2 && s < tui->doc.scene.nstructures; s++) {
+        const struct thud_structure *structure = &tui->doc.scene.structure[s];
+        if (!is_building(structure))
+            continue;
+        int table = (structure->kind == THUD_SHEAR ? 3 : 6) + 1 + structure->storeys + 2, rows = pane_rows - table - 2;
+        e.rows = rows < e.rows ? rows : e.rows;
+        e.low_m = fmin(e.low_m, structure->base_m);
+        e.high_m = fmax(e.high_m, thud_structure_elevation(structure, thud_structure_floors(structure) - 1));
+    }
+    return e;
+}
+
+/* Row of an elevation, dots. */
+static double row_of(const struct thud_dots *dots, const struct elevation *e, double level_m)
+{
+    return (dots->height - 1.0) * (e->high_m - level_m) / (e->high_m - e->low_m);
+}
+
+static void draw_building(struct thud_dots *dots, const struct elevation *e, const struct thud_structure *structure,
+                          struct thud_look look)
+{
+    double base = row_of(dots, e, structure->base_m), left = 1.0 * dots->across,
+           right = (BUILDING - 5.0) * dots->across;
+    int n = thud_structure_floors(structure);
+    double top = row_of(dots, e, thud_structure_elevation(structure, n - 1));
+    thud_dots_line(dots, 0.0, base, right + left, base, 1, thud_look(THUD_ROLE_MUTED, 0));
+    thud_dots_line(dots, left, base, left, top, 1, look);
+    thud_dots_line(dots, right, base, right, top, 1, look);
+    for (int i = 0; i < n; i++) {
+        double y = row_of(dots, e, thud_structure_elevation(structure, i));
+        thud_dots_line(dots, left, y, right, y, 1, look);
+    }
+}
+
+/* The shape of mode j (from 0), as wide as SHAPE. */
+static void draw_shape(struct thud_dots *dots, const struct elevation *e, const struct thud_structure *structure,
+                       const struct thud_model_structure *m, int j, struct thud_look look)
+{
+    double middle = (BUILDING + (j + 0.45) * SHAPE) * dots->across, most = 0.0, x0 = middle,
+           y0 = row_of(dots, e, structure->base_m);
+    for (int i = 0; i < m->n; i++)
+        most = fmax(most, fabs(m->phi[i * m->modes + j]));
+    thud_dots_line(dots, middle, y0, middle, row_of(dots, e, thud_structure_elevation(structure, m->n - 1)), 3,
+                   thud_look(THUD_ROLE_MUTED, 0));
+    for (int i = 0; i < m->n && most > 0.0; i++) {
+        double x = middle + 0.42 * SHAPE * dots->across * m->phi[i * m->modes + j] / most,
+               y = row_of(dots, e, thud_structure_elevation(structure, i));
+        thud_dots_line(dots, x0, y0, x, y, 1, look);
+        x0 = x;
+        y0 = y;
+    }
+}
+
+/* The building at its elevation, and the shapes of its lowest modes, where there is room below the numbers. */
+static void draw_shapes(struct thud_tui *tui, const struct thud_pane *pane, int s)
+{
+    const struct thud_structure *structure = &tui->doc.scene.structure[s];
     const struct thud_model *model = thud_tui_model(tui);
     const struct thud_model_structure *m = model && s < model->nstructures ? &model->structure[s] : NULL;
-    double z[THUD_STOREYS_MAX + 1], top;
+    struct elevation e = elevation_of(tui, pane->h);
     struct thud_dots dots;
-    int rows = pane->h - y - 2;
-    if (!m || m->n == 0 || !m->phi || rows < LEAST_ROWS || m->n > THUD_STOREYS_MAX || pane->scroll > 0)
+    if (!m || !is_building(structure) || m->n != thud_structure_floors(structure) || !m->phi || e.rows < LEAST_ROWS ||
+        !(e.high_m > e.low_m) || !isfinite(e.high_m - e.low_m) || pane->scroll > 0)
         return;
-    top = elevations(&tui->doc.scene.structure[s], m->n, z);
-    struct thud_pane area = thud_pane_inside(pane, 1, y + 1, pane->w - 2, rows);
+    struct thud_pane area = thud_pane_inside(pane, 1, pane->h - 1 - e.rows, pane->w - 2, e.rows);
     if (thud_dots_init(&dots, &area, NULL) != THUD_OK)
         return;
-    double down = dots.height - 1.0, left = 1.0 * dots.across, right = (BUILDING - 5.0) * dots.across;
     struct thud_look look = thud_look(THUD_ROLE_SERIES + (s - tui->pair), 0), faint = thud_look(THUD_ROLE_MUTED, 0);
-    thud_dots_line(&dots, 0.0, down, right + left, down, 1, faint);
-    thud_dots_line(&dots, left, down, left, 0.0, 1, look);
-    thud_dots_line(&dots, right, down, right, 0.0, 1, look);
-    for (int i = 0; i < m->n; i++)
-        thud_dots_line(&dots, left, down * (1.0 - z[i] / top), right, down * (1.0 - z[i] / top), 1, look);
+    draw_building(&dots, &e, structure, look);
     for (int j = 0; j < m->modes && BUILDING + (j + 1) * SHAPE <= area.w; j++) {
-        double middle = (BUILDING + (j + 0.45) * SHAPE) * dots.across, most = 0.0, x0 = middle, y0 = down;
         char text[32], number[24];
-        for (int i = 0; i < m->n; i++)
-            most = fmax(most, fabs(m->phi[i * m->modes + j]));
-        thud_dots_line(&dots, middle, down, middle, 0.0, 3, faint);
-        for (int i = 0; i < m->n && most > 0.0; i++) {
-            double x = middle + 0.42 * SHAPE * dots.across * m->phi[i * m->modes + j] / most;
-            thud_dots_line(&dots, x0, y0, x, down * (1.0 - z[i] / top), 1, look);
-            x0 = x;
-            y0 = down * (1.0 - z[i] / top);
-        }
+        draw_shape(&dots, &e, structure, m, j, look);
         snprintf(text, sizeof text, "%d: %s s", j + 1, thud_tui_number(2.0 * THUD_PI / m->omega[j], number));
-        thud_pane_put(pane, 1 + BUILDING + j * SHAPE, y + 1 + rows, faint, text);
+        thud_pane_put(pane, 1 + BUILDING + j * SHAPE, pane->h - 1, faint, text);
     }
     thud_dots_put(&dots);
     thud_dots_clear(&dots);
-    thud_pane_print(pane, 1, y + 1 + rows, faint, "%.4g m", top);
+    double top = thud_structure_elevation(structure, m->n - 1);
+    if (structure->base_m != 0.0)
+        thud_pane_print(pane, 1, pane->h - 1, faint, "%.3g to %.3g m", structure->base_m, top);
+    else
+        thud_pane_print(pane, 1, pane->h - 1, faint, "%.4g m", top);
 }
 
 static int draw_structure(struct thud_tui *tui, int index, const struct thud_pane *pane, int s)
@@ -217,7 +295,7 @@ static int draw_structure(struct thud_tui *tui, int index, const struct thud_pan
     int y = head_rows(tui, index, pane, s);
     if (kind == THUD_SHEAR || kind == THUD_ISOLATED)
         y = modes(tui, pane, floors(tui, index, pane, y, s), s);
-    draw_shapes(tui, pane, y, s);
+    draw_shapes(tui, pane, s);
     return y;
 }
 

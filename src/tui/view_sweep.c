@@ -127,7 +127,7 @@ static void begin(struct thud_tui *tui, bool by_itself)
     }
     s->why[0] = '\0';
     enum thud_status status = thud_sweep_data_prepare(&s->data, &tui->doc, &s->words, &err);
-    double expected_s = 0.5 * tui->elapsed_s * (double)runs_of(&s->data); /* of the live cases two have contacts */
+    double expected_s = 0.5 * tui->plain_s * (double)runs_of(&s->data); /* of the live cases two have contacts */
     if (status == THUD_OK && by_itself && expected_s > wait_s)
         snprintf(s->why, sizeof s->why, "%ld runs, about %.0f s: r runs them", runs_of(&s->data), expected_s);
     else if (status == THUD_OK)
@@ -147,6 +147,7 @@ static void begin(struct thud_tui *tui, bool by_itself)
     s->revision = tui->doc.revision;
     s->ran = s->words;
     s->by_itself = by_itself;
+    tui->dirty = true;
     s->begun_s = tui->backend->now(tui->backend);
 }
 

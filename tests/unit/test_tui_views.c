@@ -273,6 +273,66 @@ START_TEST(commands_of_the_command_line)
 }
 END_TEST
 
+/* Of the table of floors 80 columns show four: the cursor leads to the others, Tab does not. */
+START_TEST(the_cursor_leads_to_every_column_of_floors)
+{
+    fixture_keys(&f, "<Size 80x24>1/structures.1.mass.2<Enter>");
+    fixture_expect(&f, "mass t");
+    fixture_expect_not(&f, "cap. kN");
+    fixture_keys(&f, "<Right><Right><Right>");
+    fixture_expect(&f, "mass t");
+    fixture_keys(&f, "<Right><Right><Right><Right>");
+    ck_assert_str_eq(f.tui->form.focus[THUD_SCREEN_MODEL], "structures.1.column.capacity.2");
+    fixture_expect(&f, "cap. kN");
+    fixture_keys(&f, "<Enter>900<Enter>");
+    ck_assert_double_eq_tol(f.tui->doc.scene.structure[0].column_capacity_n[1], 9e5, 1e-6);
+    fixture_keys(&f, "<Left><Left><Left><Left><Left><Left><Left>");
+    ck_assert_str_eq(f.tui->form.focus[THUD_SCREEN_MODEL], "structures.1.mass.2");
+    char *screen = fixture_text(&f);
+    ck_assert_ptr_null(strstr(screen, "cap. kN"));
+    free(screen);
+    fixture_keys(&f, "<Right><Right><Right><Enter><Tab>"); /* yield, the last one shown */
+    ck_assert_str_eq(f.tui->form.focus[THUD_SCREEN_MODEL], "structures.1.mass.1");
+    fixture_keys(&f, "<Esc>/structures.2.column.EI.3<Enter>");
+    fixture_expect(&f, "col. EI");
+    ck_assert_str_eq(f.tui->form.focus[THUD_SCREEN_MODEL], "structures.2.column.EI.3");
+    fixture_keys(&f, "<Size 170x40>");
+    fixture_expect(&f, "mass t");
+    fixture_expect(&f, "cap. kN");
+}
+END_TEST
+
+/* Whether a slab is drawn in this row, from column x on. */
+static bool slab_at(int x, int y)
+{
+    const struct thud_canvas *canvas = &f.tui->canvas;
+    for (int i = 0; i < 8; i++)
+        if (canvas->cell[y * canvas->width + x + i].glyph == ' ')
+            return false;
+    return true;
+}
+
+/* Floors at one elevation are drawn in one row, whatever the storeys and bases of the two buildings: A stands from 6 to
+ * 12 m, B from 0 to 9 m. */
+START_TEST(buildings_stand_at_their_elevations)
+{
+    int slab[2][16], n[2] = {0, 0};
+    fixture_keys(&f, "<Size 130x40>1:set structures.1.base 6 m<Enter>");
+    fixture_expect(&f, "6 to 12 m");
+    fixture_expect(&f, "9 m ");
+    for (int y = 13; y < 27; y++)
+        for (int s = 0; s < 2; s++)
+            if (slab_at(65 * s + 3, y))
+                slab[s][n[s]++] = y;
+    ck_assert_int_eq(n[0], 3); /* roof, floor, ground */
+    ck_assert_int_eq(n[1], 4);
+    ck_assert_int_eq(slab[0][1], slab[1][0]); /* 9 m */
+    ck_assert_int_eq(slab[0][2], slab[1][1]); /* 6 m */
+    ck_assert_int_lt(slab[0][0], slab[1][0]);
+    ck_assert_int_gt(slab[1][3], slab[0][2]);
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -290,6 +350,8 @@ Suite *thud_suite(void)
     tcase_add_test(views, a_study_has_figures_and_panels);
     tcase_add_test(views, what_there_is_not_is_said);
     tcase_add_test(views, commands_of_the_command_line);
+    tcase_add_test(views, the_cursor_leads_to_every_column_of_floors);
+    tcase_add_test(views, buildings_stand_at_their_elevations);
     suite_add_tcase(suite, views);
     return suite;
 }
