@@ -60,7 +60,8 @@ enum thud_status thud_sweep_study_merge(const struct thud_sweep_study *study, co
                                         struct thud_sweep_outcome *out, struct thud_error *err);
 void thud_sweep_outcome_clear(struct thud_sweep_outcome *outcome);
 
-/* The plan that a part's journal describes: scene, axes, cases, records by name alone. */
+/* The plan that a part's journal describes: scene, axes, cases, records by name alone. Errors: THUD_INPUT (no journal,
+ * one that is no part of a study), THUD_MEMORY. */
 struct thud_sweep_parts {
     struct thud_sweep_plan plan;
     struct thud_record *records; /* names only */

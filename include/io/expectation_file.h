@@ -11,7 +11,7 @@ enum thud_status thud_expectation_path(const char *preset_path, char *path, size
 
 /* Errors: THUD_INPUT with file, line and column (no file, no row, a number that is none, ...), THUD_MEMORY. */
 enum thud_status thud_expectation_read(const char *path, struct thud_expectations *out, struct thud_error *err);
-/* The same from memory; `name` stands for the path. */
+/* The same from memory; `name` stands for the path. Errors: the same. */
 enum thud_status thud_expectation_parse(const char *text, size_t size, const char *name, struct thud_expectations *out,
                                         struct thud_error *err);
 

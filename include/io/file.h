@@ -52,7 +52,7 @@ enum thud_status thud_text_write_in(struct thud_text *text, const char *folder, 
 enum thud_status thud_folder_make(const char *path, struct thud_error *err);
 
 /* One study at a time writes into a folder; the lock goes with the process, and holds wherever the file system's locks
- * do, also between containers and hosts. THUD_OUTPUT: another one does. */
+ * do, also between containers and hosts. Errors: THUD_OUTPUT (another study does, or no lock can be taken). */
 struct thud_folder_lock {
     int fd; /* -1: not held */
     char path[4200];

@@ -27,7 +27,8 @@ void thud_paths_presets(const struct thud_paths *paths, struct thud_file_names *
 /* A name (`towers`; `mine` for mine.yaml of the working folder) or a path to an existing file. Errors: THUD_INPUT naming the nearest preset. */
 enum thud_status thud_paths_preset(const struct thud_paths *paths, const char *name, char *path, unsigned long size,
                                    struct thud_error *err);
-/* A record's path: as given (from the working folder), beside the preset, or in the records folder, in this order. */
+/* A record's path: as given (from the working folder), beside the preset, or in the records folder, in this order.
+ * Errors: THUD_INPUT naming the nearest record. */
 enum thud_status thud_paths_record(const struct thud_paths *paths, const char *preset_path, const char *name,
                                    char *path, unsigned long size, struct thud_error *err);
 

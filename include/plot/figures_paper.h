@@ -5,6 +5,8 @@
 
 #include "plot/figure.h"
 
+/* Figures and table of the paper. Errors of all: THUD_MEMORY, and those of the runs behind them. */
+
 /* Fig. 2: the bumper's force against indentation, with its parameters. */
 enum thud_status thud_figure_paper2(struct thud_figure **out, struct thud_error *err);
 /* Fig. 6: the two buildings with theirs. Fig. 9: the bumper on the wall and in a cavity. */

@@ -45,7 +45,7 @@ void thud_bench_only(struct thud_bench *bench, const struct thud_method *const *
 void thud_bench_curve_name(const struct thud_bench_point *point, char *text, unsigned long size);
 
 /* Runs of the reference: 0 the program's own tightest, 1 an independent one. Each is created, advanced by the caller
- * and handed back (freed in any case). */
+ * and handed back (freed in any case). Errors: those of thud_run_create; THUD_MEMORY. */
 enum thud_status thud_bench_reference_start(struct thud_bench *bench, int which, struct thud_run **out,
                                             struct thud_error *err);
 enum thud_status thud_bench_reference_finish(struct thud_bench *bench, int which, struct thud_run *run,
@@ -55,7 +55,8 @@ double thud_bench_reference_error(const struct thud_bench *bench);
 const char *thud_bench_reference_name(const struct thud_bench *bench, int which);
 
 /* A point's run, and its verdict against the reference (of the reference's own method: against the independent one)
- * once advanced to the end (status THUD_OK) or to its failure. The run stays the caller's. */
+ * once advanced to the end (status THUD_OK) or to its failure. The run stays the caller's. Errors: those of
+ * thud_run_create; THUD_MEMORY. */
 enum thud_status thud_bench_start(struct thud_bench *bench, int i, struct thud_run **out, struct thud_error *err);
 enum thud_status thud_bench_judge(struct thud_bench *bench, int i, const struct thud_run *run, enum thud_status status,
                                   const struct thud_error *failure, struct thud_error *err);

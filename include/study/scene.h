@@ -167,10 +167,11 @@ bool thud_structure_has(enum thud_structure_kind kind, int param);
  * be the law's; setting the exponent keeps the number of its stiffness in the shown unit. Errors: THUD_INPUT with key
  * and what is allowed. */
 enum thud_status thud_scene_set(struct thud_scene *scene, const char *path, const char *text, struct thud_error *err);
-/* The value as text in its shown unit; empty where it is not given. */
+/* The value as text in its shown unit; empty where it is not given. Errors: THUD_INPUT (no such key). */
 enum thud_status thud_scene_get(const struct thud_scene *scene, const char *path, char *text, unsigned long size,
                                 struct thud_error *err);
-/* The same in another unit of its dimension (NULL: the shown one); an exponent in it is replaced by the law's. */
+/* The same in another unit of its dimension (NULL: the shown one); an exponent in it is replaced by the law's. Errors:
+ * THUD_INPUT (no such key, no such unit). */
 enum thud_status thud_scene_get_in(const struct thud_scene *scene, const char *path, const char *unit, char *text,
                                    unsigned long size, struct thud_error *err);
 /* The described parameter behind a path, its index among the floors in *floor (-1: all); NULL when unknown. */

@@ -77,6 +77,7 @@ int thud_stability_jobs(const struct thud_stability *stability);
 /* The next job; `done` counts up. Errors: THUD_MEMORY, and THUD_DIVERGED of an exact method. */
 enum thud_status thud_stability_next(struct thud_stability *stability, struct thud_error *err);
 
+/* The exhibits, counted from 0. Errors: THUD_MEMORY, and THUD_DIVERGED of an exact method. */
 int thud_exhibit_count(void);
 enum thud_status thud_exhibit_run(int index, struct thud_exhibit *out, struct thud_error *err);
 

@@ -18,9 +18,10 @@
 /* None of these changes an answer (model.md, section 7). They hold for the exact method; other methods make every run.
  */
 enum thud_sweep_shortcut {
-    THUD_SWEEP_FREE = 1,      /* clearances at least as wide as the largest closings take the contact-free answer */
+    THUD_SWEEP_FREE =
+        1, /* clearances at least as wide as the largest relative displacements take the contact-free answer */
     THUD_SWEEP_START = 2,     /* a run begins where the first contact could be */
-    THUD_SWEEP_LEVELS = 4,    /* contacts that nothing can close (between walls, of silent laws) are left out */
+    THUD_SWEEP_LEVELS = 4,    /* contacts that nothing can close (between walls, of laws without force) are left out */
     THUD_SWEEP_REFERENCE = 8, /* points that differ in the bumper alone share case `none` */
     THUD_SWEEP_ALL = 15
 };
@@ -65,7 +66,8 @@ int thud_sweep_place(const struct thud_sweep_plan *plan, long point, int *at);
 enum thud_status thud_sweep_scene(const struct thud_sweep_plan *plan, long point, struct thud_scene *out,
                                   struct thud_error *err);
 
-/* The motion without pounding under a set of points, and what each level needs by it. */
+/* The motion without pounding under a set of points, and what each level needs by it. Plan and records must outlive it.
+ * Errors: THUD_INPUT (a scene of its points is not possible), THUD_MEMORY. */
 struct thud_sweep_group;
 enum thud_status thud_sweep_group_create(const struct thud_sweep_plan *plan, long index, struct thud_sweep_group **out,
                                          struct thud_error *err);
@@ -117,7 +119,8 @@ struct thud_sweep_point {
     struct thud_gap_level *level;       /* (ncontacts) */
 };
 
-/* A point in the making. The group (done) and the plan must outlive it. */
+/* A point in the making. The group (done) and the plan must outlive it. Errors: THUD_INPUT (scene or case is not
+ * possible), THUD_MEMORY. */
 struct thud_sweep_task;
 enum thud_status thud_sweep_task_create(const struct thud_sweep_plan *plan, const struct thud_sweep_group *group,
                                         long point, struct thud_sweep_task **out, struct thud_error *err);

@@ -46,6 +46,7 @@ struct thud_expectations {
     struct thud_expectation *item; /* (n) */
     size_t n, capacity;
 };
+/* Errors: THUD_MEMORY. */
 enum thud_status thud_expectations_add(struct thud_expectations *list, const struct thud_expectation *one,
                                        struct thud_error *err);
 void thud_expectations_clear(struct thud_expectations *list);

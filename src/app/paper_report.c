@@ -187,7 +187,8 @@ static void needs(const struct thud_paper_study *study, struct thud_text *out)
     if (!any)
         return;
     thud_text_append(
-        out, "\n## The gap at which nothing touches\n\nLargest closing of two floors that move without touching each "
+        out, "\n## The gap at which nothing touches\n\nLargest relative displacement of two floors that move without "
+             "touching each "
              "other, at the level that needs most, and what the rules of the codes ask for there.\n\n"
              "| ground motion | floor | needed (cm) | ABS (cm) | SRSS (cm) | DDC (cm) |\n|---|---|---|---|---|---|\n");
     for (int r = 0; r < table->nrecords; r++) {

@@ -641,11 +641,11 @@ static void gap(struct site *site)
     if (!site->gap || site->gap->nlevels == 0)
         return;
     thud_document_heading(d, "The gap that is enough");
-    thud_document_paragraph(d,
-                            "What each level needs so that nothing touches under this ground motion, from the motion "
-                            "without pounding: exactly (the largest closing), and by rules that know the two largest "
-                            "displacements alone. Centimetres, between the bare faces; a bumper takes its own "
-                            "besides.");
+    thud_document_paragraph(
+        d, "What each level needs so that nothing touches under this ground motion, from the motion "
+           "without pounding: exactly (the largest relative displacement), and by rules that know the two largest "
+           "displacements alone. Centimetres, between the bare faces; a bumper takes its own "
+           "besides.");
     thud_document_table(d, "Needed gap, cm");
     thud_document_cell(d, "floors");
     thud_document_cell(d, "left moves");

@@ -62,7 +62,7 @@ extern const struct thud_branch thud_branch_none;
 /* THUD_INPUT where the exponent is not the 1.5 that the default of THUD_PARAM_HERTZ_STIFFNESS is for, and no other
  * value was given. */
 enum thud_status thud_law_check_hertz_stiffness(double stiffness, double exponent, struct thud_error *err);
-/* prepare of a law whose values need no second look. */
+/* prepare of a law whose values need no second look: never an error. */
 enum thud_status thud_law_prepare_nothing(struct thud_law_setup *setup, struct thud_error *err);
 /* Onset of a law that remembers no damping of its own. */
 void thud_law_onset_plain(const struct thud_law_setup *setup, double v_mps, struct thud_law_memory *memory);

@@ -11,7 +11,8 @@ enum thud_status thud_modes_shear(int n, const double *mass_kg, const double *st
                                   double *work, struct thud_error *err);
 
 /* Modal damping matrix (n x n) of an isolated building: the superstructure has the ratio `zeta` in each of its own
- * (fixed-base) modes, the isolator a dashpot c = 2 zeta_b sqrt(k_b total mass). phi: modes of the whole. */
+ * (fixed-base) modes, the isolator a dashpot c = 2 zeta_b sqrt(k_b total mass). phi: modes of the whole.
+ * Errors: THUD_INPUT when LAPACK finds none, THUD_MEMORY. */
 enum thud_status thud_modes_isolated_damping(int n, const double *mass_kg, const double *stiffness_npm, double zeta,
                                              double zeta_b, const double *phi, double *damping, struct thud_error *err);
 

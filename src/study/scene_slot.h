@@ -76,7 +76,8 @@ enum thud_status thud_study_set(struct thud_scene *scene, const struct thud_slot
                                 struct thud_error *err);
 void thud_study_get(const struct thud_scene *scene, const struct thud_slot *slot, char *text, size_t size);
 
-/* A quantity with its bounds. `choice`: the law whose exponent the unit must carry, NULL outside laws. */
+/* A quantity with its bounds. `choice`: the law whose exponent the unit must carry, NULL outside laws. Errors:
+ * THUD_INPUT with what is allowed. */
 enum thud_status thud_quantity_read(const struct thud_param *param, const struct thud_law_choice *choice,
                                     const char *text, double *out, struct thud_error *err);
 /* The exponent that a stiffness of this law carries; NaN where it has none. */

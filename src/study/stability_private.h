@@ -36,7 +36,7 @@ bool thud_trial_failed(enum thud_status status);
 struct thud_stepping thud_stepping_of(const char *method, double setting, bool locate);
 /* Kinetic, strain and contact energy now over the kinetic one at the start. */
 double thud_energy_ratio(const struct thud_answer *answer);
-/* Restitution of a pair by a method; INFINITY where it blew up. */
+/* Restitution of a pair by a method; INFINITY where it blew up. Errors: THUD_MEMORY. */
 enum thud_status thud_pair_restitution(struct thud_pair *pair, struct thud_stepping how, double *out,
                                        struct thud_error *err);
 
