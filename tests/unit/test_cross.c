@@ -120,6 +120,17 @@ START_TEST(scenes_that_had_no_answer)
 }
 END_TEST
 
+/* Equal neighbours whose forces differ by rounding: one more that rounding now held and now let go, with its ground motion
+ * or stiffness changed by 1e-9. */
+START_TEST(equal_neighbours_do_not_switch_without_end)
+{
+    struct scenes_tally tally = {.only = "nudged"};
+    scenes_check(20010, &tally);
+    ck_assert_int_eq(tally.wrong, 0);
+    ck_assert_int_eq(tally.wild, 0);
+}
+END_TEST
+
 /* A force that falls by its branch's damping in 1e-11 s: at the very moment of a turn or of a release its polynomial
  * has the wrong slope, and one state of the contact called for the other without end (2551). */
 START_TEST(stiff_contacts_do_not_chatter)
@@ -232,6 +243,7 @@ Suite *thud_suite(void)
     tcase_add_loop_test(tcase, bounces_without_end_are_said, 0, 2);
     tcase_add_test(tcase, guesses_stay_near_the_last_step);
     tcase_add_test(tcase, stiff_contacts_do_not_chatter);
+    tcase_add_test(tcase, equal_neighbours_do_not_switch_without_end);
     tcase_add_loop_test(tcase, scenes_that_had_no_answer, 0, 11);
     suite_add_tcase(suite, tcase);
     return suite;
