@@ -32,7 +32,8 @@ struct thud_figure *thud_figure_of_map(const struct thud_sweep_table *table, int
 /* With more records than this a study's figures are better of thud_sweep_suite_make: one of each kind, with medians and
  * bands. */
 enum { THUD_SWEEP_FIGURE_RECORDS = THUD_COLORS };
-/* All figures a study gives, counted from 0: thud_sweep_figure makes one (ask thud_figure_check). */
+/* All figures a study gives (of one varied key also ductility and permanent drift of storeys that yield, and shear of
+ * columns that slabs strike), counted from 0: thud_sweep_figure makes one (ask thud_figure_check). */
 int thud_sweep_figure_count(const struct thud_sweep_table *table);
 struct thud_figure *thud_sweep_figure(const struct thud_sweep_table *table, int index);
 

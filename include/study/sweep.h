@@ -57,6 +57,8 @@ enum thud_status thud_sweep_cases(struct thud_sweep_plan *plan, const char *text
 /* Axes and cases of the scene's own study; its sensitivity in any case. Errors: as thud_sweep_vary. */
 enum thud_status thud_sweep_study(struct thud_sweep_plan *plan, bool axes, bool cases, struct thud_error *err);
 
+/* Whether a storey of any point yields: the scene's, or by a varied key. */
+bool thud_sweep_yields(const struct thud_sweep_plan *plan);
 long thud_sweep_points(const struct thud_sweep_plan *plan);
 /* Groups are numbered like points: point p stands on group p / thud_sweep_points_per_group. */
 long thud_sweep_points_per_group(const struct thud_sweep_plan *plan);
@@ -89,11 +91,13 @@ struct thud_sweep_effort {
 
 struct thud_sweep_floor {
     double acceleration_mps2, drift_m, displacement_m;
+    double ductility, permanent_m, excursions, hysteretic_j; /* NaN: the storey below is elastic */
 };
 struct thud_sweep_contact {
     int impacts;
     double force_n, indentation_m, impulse_ns, contact_time_s, residual_m, residual_gap_m;
-    double shear_lower_n, shear_upper_n, capacity_ratio; /* of struck columns; NaN: floors meet, or no capacity */
+    /* of struck columns; NaN: floors meet, or no capacity */
+    double shear_lower_n, shear_upper_n, capacity_ratio, moment_lower_nm, moment_upper_nm;
 };
 
 /* What the changed runs of a point cost. */

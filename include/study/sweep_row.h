@@ -28,6 +28,11 @@ enum thud_sweep_measure {
     THUD_SWEEP_ACCELERATION_FREE_RATIO,
     THUD_SWEEP_DRIFT_FREE_RATIO,
     THUD_SWEEP_DISPLACEMENT_FREE_RATIO,
+    /* of a storey that yields */
+    THUD_SWEEP_DUCTILITY,
+    THUD_SWEEP_PERMANENT,
+    THUD_SWEEP_EXCURSIONS,
+    THUD_SWEEP_HYSTERETIC,
     THUD_SWEEP_MEASURES
 };
 
@@ -44,6 +49,9 @@ struct thud_sweep_row {
     double acceleration_ratio, drift_ratio, displacement_ratio;
     /* Over no pounding at all. */
     double acceleration_free_ratio, drift_free_ratio, displacement_free_ratio;
+    /* Of the storey below the floor where it yields (floor 0: means of the sizes over those that do); NaN: elastic.
+     * Ductility, drift at which it carries no force, how many times it yielded, energy lost. */
+    double ductility, permanent_m, excursions, hysteretic_j;
     /* Each over the changed runs and the one as asked for; a ratio's two runs are changed alike. NaN where no spread
      * was asked for or one of the runs has no answer. */
     double low[THUD_SWEEP_MEASURES], high[THUD_SWEEP_MEASURES];
@@ -61,6 +69,7 @@ struct thud_sweep_contact_row {
     double residual_gap_m;                                                   /* clearance + residual at the end */
     int struck;                                                              /* whose columns, as in gap levels */
     double shear_lower_n, shear_upper_n, capacity_ratio;                     /* of struck columns */
+    double moment_lower_nm, moment_upper_nm;                                 /* likewise */
     double force_low_n, force_high_n, indentation_low_m, indentation_high_m; /* as low and high of a floor's row */
 };
 

@@ -17,8 +17,14 @@ enum thud_sweep_end { THUD_SWEEP_VALUE, THUD_SWEEP_LOW, THUD_SWEEP_HIGH };
 struct thud_sweep_run {
     enum thud_case which;
     int impacts;
-    double force_n;       /* largest; 0: nothing touched */
-    double indentation_m; /* largest */
+    double force_n;                 /* largest; 0: nothing touched */
+    double indentation_m;           /* largest */
+    double shear_n, capacity_ratio; /* of struck columns: largest shear, and over what they bear; NaN: none */
+};
+
+/* Largest of the storeys of a structure that yield: ductility, and size of the permanent drift; NaN: none does. */
+struct thud_sweep_storeys {
+    double ductility, permanent_m;
 };
 
 /* Over a suite of ground motions, of a run whose own values are medians: 16 and 84 % of the force, and the shares of the
@@ -26,19 +32,21 @@ struct thud_sweep_run {
  * `none`. */
 struct thud_sweep_shares {
     double force_low_n, force_high_n, pounding, worse;
+    double shear_low_n, shear_high_n, capacity_low, capacity_high; /* as in thud_sweep_run */
 };
 
 /* What is kept of a point: one allocation (free with free()), sized to its floors and cases. */
 struct thud_sweep_summary {
-    int record;                     /* from 0 */
-    int at[THUD_VARY_MAX];          /* place of its value on each axis */
-    int nruns;                      /* cases that were asked for and have an answer */
-    int nrows;                      /* of a run: a mean and the floors of every structure that has floors */
-    bool spread, touches;           /* low and high are there; there are contacts */
-    double gap_m;                   /* of the first interface; NaN where there is none */
-    struct thud_sweep_run *run;     /* (nruns) in the order of the cases */
-    struct thud_sweep_ratio *ratio; /* (nruns x nrows x 1, with a spread x 3: value, low, high) */
-    int *first;                     /* (nstructures + 1): row of a structure's mean; its floors from 1 up come next */
+    int record;                         /* from 0 */
+    int at[THUD_VARY_MAX];              /* place of its value on each axis */
+    int nruns;                          /* cases that were asked for and have an answer */
+    int nrows;                          /* of a run: a mean and the floors of every structure that has floors */
+    bool spread, touches;               /* low and high are there; there are contacts */
+    double gap_m;                       /* of the first interface; NaN where there is none */
+    struct thud_sweep_run *run;         /* (nruns) in the order of the cases */
+    struct thud_sweep_ratio *ratio;     /* (nruns x nrows x 1, with a spread x 3: value, low, high) */
+    struct thud_sweep_storeys *storeys; /* (nruns x nstructures x 1, with a spread x 3, which a suite alone fills) */
+    int *first; /* (nstructures + 1): row of a structure's mean; its floors from 1 up come next */
 };
 
 struct thud_sweep_table {
@@ -86,6 +94,14 @@ static inline struct thud_sweep_ratio *thud_sweep_summary_ratio(const struct thu
     if (row >= d->first[structure + 1] || (int)end >= ends)
         return NULL;
     return &d->ratio[((ptrdiff_t)k * d->nrows + row) * ends + end];
+}
+
+/* Of run k and a structure; with a spread by its end. */
+static inline struct thud_sweep_storeys *thud_sweep_summary_storeys(const struct thud_sweep_summary *d, int k,
+                                                                    int nstructures, int structure,
+                                                                    enum thud_sweep_end end)
+{
+    return &d->storeys[((ptrdiff_t)k * nstructures + structure) * (d->spread ? 3 : 1) + end];
 }
 
 /* The run of a case; -1: there is none. */

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "study/level.h"
 #include "study/sweep_best.h"
 
 enum { PLACE = 80 };
@@ -99,9 +100,59 @@ static void put_need(const struct thud_sweep_table *table, int record, struct th
     char interface[24] = "";
     if (table->nstructures > 2)
         snprintf(interface, sizeof interface, "interface %d, ", worst->interface);
-    thud_text_append(out, "  needed gap %.2f cm (%sfloors %d-%d); ABS %.2f, SRSS %.2f, DDC %.2f cm\n",
-                     100 * worst->closing_m, interface, worst->left_floor, worst->right_floor, 100 * worst->abs_m,
-                     100 * worst->srss_m, 100 * worst->ddc_m);
+    char pair[40];
+    thud_pairing_name(worst->left_floor, worst->right_floor, worst->struck, pair, sizeof pair);
+    thud_text_append(out, "  needed gap %.2f cm (%sfloors %s); ABS %.2f, SRSS %.2f, DDC %.2f cm\n",
+                     100 * worst->closing_m, interface, pair, 100 * worst->abs_m, 100 * worst->srss_m,
+                     100 * worst->ddc_m);
+}
+
+/* Least and largest of a number of the runs of a case, and where the largest is; `structure` -1: of the columns that
+ * slabs strike. */
+static struct span span_of(const struct thud_sweep_table *table, int record, enum thud_case which, int structure,
+                           bool second)
+{
+    struct span span = {0};
+    for (size_t i = 0; i < table->npoints; i++) {
+        const struct thud_sweep_summary *d = table->point[i];
+        int k = d->record == record ? thud_sweep_summary_find(d, which) : -1;
+        if (k < 0)
+            continue;
+        const struct thud_sweep_storeys *storeys =
+            structure < 0 ? NULL : thud_sweep_summary_storeys(d, k, table->nstructures, structure, THUD_SWEEP_VALUE);
+        widen(&span,
+              !storeys ? (second ? d->run[k].capacity_ratio : 1e-6 * d->run[k].shear_n)
+                       : (second ? 1e3 * storeys->permanent_m : storeys->ductility),
+              d, 0);
+    }
+    return span;
+}
+
+/* What yielding storeys and struck columns come to, a line for each case and structure. */
+static void put_yielding(const struct thud_sweep_plan *plan, const struct thud_sweep_table *table, int record,
+                         struct thud_text *out)
+{
+    bool head[2] = {false};
+    char at[PLACE];
+    for (int s = 0; s <= table->nstructures; s++)
+        for (int k = 0; k < plan->ncases; k++) {
+            bool columns = s == table->nstructures;
+            struct span first = span_of(table, record, plan->cases[k], columns ? -1 : s, false);
+            struct span second = span_of(table, record, plan->cases[k], columns ? -1 : s, true);
+            if (!first.at)
+                continue;
+            if (!head[columns])
+                thud_text_append(out, columns ? "  struck columns     largest shear, MN   over capacity       at\n"
+                                              : "  storeys that yield largest ductility   permanent, mm       at\n");
+            head[columns] = true;
+            thud_text_append(out, "  %-8s %-9.9s %6.3f to %-8.3f", thud_case_name(plan->cases[k]),
+                             columns ? "" : plan->scene.structure[s].name, first.least, first.most);
+            if (second.at)
+                thud_text_append(out, " %6.3g to %-8.3g", second.least, second.most);
+            else
+                thud_text_append(out, "      -            ");
+            thud_text_append(out, " %s\n", place_of(plan, first.at, at));
+        }
 }
 
 /* Where the spread of a ratio is widest, against the ratio. */
@@ -181,6 +232,7 @@ void thud_sweep_report(const struct thud_sweep_plan *plan, const struct thud_swe
                 put_structure(plan, table, r, which, s, out);
             put_spread(plan, table, r, which, out);
         }
+        put_yielding(plan, table, r, out);
     }
 }
 

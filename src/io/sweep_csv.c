@@ -63,7 +63,6 @@ static void put_axes(const struct thud_sweep_plan *plan, long point, bool outer,
             thud_text_csv(out, axis->text[at[i]]);
         }
     }
-    thud_text_append(out, "\n");
 }
 
 static void put_record(const struct thud_sweep_plan *plan, int record, struct thud_text *out)
@@ -72,24 +71,35 @@ static void put_record(const struct thud_sweep_plan *plan, int record, struct th
         thud_text_csv(out, plan->record[record]->file);
 }
 
-/* Lower and upper end of every measure, where a spread was asked for. */
-static void put_spread_header(enum thud_sweep_csv which, struct thud_text *out)
+/* Name and unit of every measure. */
+static const char *const measures[THUD_SWEEP_MEASURES][2] = {
+    [THUD_SWEEP_ACCELERATION] = {"acceleration", "_mps2"},
+    [THUD_SWEEP_DRIFT] = {"drift", "_m"},
+    [THUD_SWEEP_DISPLACEMENT] = {"displacement", "_m"},
+    [THUD_SWEEP_ACCELERATION_RATIO] = {"acceleration_ratio", ""},
+    [THUD_SWEEP_DRIFT_RATIO] = {"drift_ratio", ""},
+    [THUD_SWEEP_DISPLACEMENT_RATIO] = {"displacement_ratio", ""},
+    [THUD_SWEEP_ACCELERATION_FREE_RATIO] = {"acceleration_free_ratio", ""},
+    [THUD_SWEEP_DRIFT_FREE_RATIO] = {"drift_free_ratio", ""},
+    [THUD_SWEEP_DISPLACEMENT_FREE_RATIO] = {"displacement_free_ratio", ""},
+    [THUD_SWEEP_DUCTILITY] = {"ductility", ""},
+    [THUD_SWEEP_PERMANENT] = {"permanent", "_m"},
+    [THUD_SWEEP_EXCURSIONS] = {"excursions", ""},
+    [THUD_SWEEP_HYSTERETIC] = {"hysteretic", "_j"},
+};
+/* From here on they are of storeys that yield, and stand at the end of a line where there are any. */
+enum { YIELDING = THUD_SWEEP_DUCTILITY };
+
+static void put_ends_header(int from, int to, struct thud_text *out)
 {
-    static const char *const measures[THUD_SWEEP_MEASURES][2] = {
-        [THUD_SWEEP_ACCELERATION] = {"acceleration", "_mps2"},
-        [THUD_SWEEP_DRIFT] = {"drift", "_m"},
-        [THUD_SWEEP_DISPLACEMENT] = {"displacement", "_m"},
-        [THUD_SWEEP_ACCELERATION_RATIO] = {"acceleration_ratio", ""},
-        [THUD_SWEEP_DRIFT_RATIO] = {"drift_ratio", ""},
-        [THUD_SWEEP_DISPLACEMENT_RATIO] = {"displacement_ratio", ""},
-        [THUD_SWEEP_ACCELERATION_FREE_RATIO] = {"acceleration_free_ratio", ""},
-        [THUD_SWEEP_DRIFT_FREE_RATIO] = {"drift_free_ratio", ""},
-        [THUD_SWEEP_DISPLACEMENT_FREE_RATIO] = {"displacement_free_ratio", ""},
-    };
-    for (int q = 0; which == THUD_SWEEP_CSV_FLOORS && q < THUD_SWEEP_MEASURES; q++)
+    for (int q = from; q < to; q++)
         thud_text_append(out, ",%s_low%s,%s_high%s", measures[q][0], measures[q][1], measures[q][0], measures[q][1]);
-    if (which == THUD_SWEEP_CSV_CONTACTS)
-        thud_text_append(out, ",force_low_n,force_high_n,indentation_low_m,indentation_high_m");
+}
+
+static void put_ends(const struct thud_sweep_row *row, int from, int to, struct thud_text *out)
+{
+    for (int q = from; q < to; q++)
+        put_numbers(out, (const double[]){row->low[q], row->high[q]}, 2);
 }
 
 void thud_sweep_csv_header(const struct thud_sweep_plan *plan, enum thud_sweep_csv which, struct thud_text *out)
@@ -102,11 +112,21 @@ void thud_sweep_csv_header(const struct thud_sweep_plan *plan, enum thud_sweep_c
         "record,interface,left_floor,right_floor,left_displacement_m,right_displacement_m,closing_m,abs_m,srss_m,ddc_m,"
         "correlation,en1998_m,asce7_m,struck_columns"};
     thud_text_append(out, "%s", columns[which]);
-    if (plan->sensitivity > 0)
-        put_spread_header(which, out);
+    if (plan->sensitivity > 0 && which == THUD_SWEEP_CSV_FLOORS)
+        put_ends_header(0, YIELDING, out);
+    if (plan->sensitivity > 0 && which == THUD_SWEEP_CSV_CONTACTS)
+        thud_text_append(out, ",force_low_n,force_high_n,indentation_low_m,indentation_high_m");
     for (int i = 0; i < plan->naxes; i++)
         if (shown(plan, i, which == THUD_SWEEP_CSV_NEEDS))
             thud_text_append(out, ",%s%s", plan->axis[i].key, suffix(plan->axis[i].param));
+    if (which == THUD_SWEEP_CSV_FLOORS && thud_sweep_yields(plan)) {
+        for (int q = YIELDING; q < THUD_SWEEP_MEASURES; q++)
+            thud_text_append(out, ",%s%s", measures[q][0], measures[q][1]);
+        if (plan->sensitivity > 0)
+            put_ends_header(YIELDING, THUD_SWEEP_MEASURES, out);
+    }
+    if (which == THUD_SWEEP_CSV_CONTACTS)
+        thud_text_append(out, ",moment_lower_nm,moment_upper_nm");
     thud_text_append(out, "\n");
 }
 
@@ -123,9 +143,16 @@ static void put_floor(const struct thud_sweep_plan *plan, long point, const stru
                         row->acceleration_ratio,      row->drift_ratio,      row->displacement_ratio,
                         row->acceleration_free_ratio, row->drift_free_ratio, row->displacement_free_ratio};
     put_numbers(out, x, sizeof x / sizeof *x);
-    for (int q = 0; plan->sensitivity > 0 && q < THUD_SWEEP_MEASURES; q++)
-        put_numbers(out, (const double[]){row->low[q], row->high[q]}, 2);
+    if (plan->sensitivity > 0)
+        put_ends(row, 0, YIELDING, out);
     put_axes(plan, point, false, out);
+    if (thud_sweep_yields(plan)) {
+        const double y[] = {row->ductility, row->permanent_m, row->excursions, row->hysteretic_j};
+        put_numbers(out, y, sizeof y / sizeof *y);
+        if (plan->sensitivity > 0)
+            put_ends(row, YIELDING, THUD_SWEEP_MEASURES, out);
+    }
+    thud_text_append(out, "\n");
 }
 
 static void put_contact(const struct thud_sweep_plan *plan, long point, const struct thud_sweep_contact_row *row,
@@ -145,6 +172,8 @@ static void put_contact(const struct thud_sweep_plan *plan, long point, const st
     if (plan->sensitivity > 0)
         put_numbers(out, spread, sizeof spread / sizeof *spread);
     put_axes(plan, point, false, out);
+    put_numbers(out, (const double[]){row->moment_lower_nm, row->moment_upper_nm}, 2);
+    thud_text_append(out, "\n");
 }
 
 static void put_need(const struct thud_sweep_plan *plan, long point, const struct thud_sweep_need_row *row,
@@ -157,6 +186,7 @@ static void put_need(const struct thud_sweep_plan *plan, long point, const struc
     put_numbers(out, x, sizeof x / sizeof *x);
     thud_text_append(out, ",%s", thud_struck_name(row->struck));
     put_axes(plan, point, true, out);
+    thud_text_append(out, "\n");
 }
 
 enum thud_status thud_sweep_csv_rows(const struct thud_sweep_plan *plan, enum thud_sweep_csv which,

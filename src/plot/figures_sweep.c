@@ -426,15 +426,46 @@ struct thud_figure *thud_figure_of_pounding(const struct thud_sweep_table *table
 
 /* ---- contacts ---- */
 
-/* What is told of a run's contacts; the last two over a suite only. */
-enum told { TOLD_FORCE, TOLD_IMPACTS, TOLD_POUNDING, TOLD_WORSE };
+/* What is told of a run: of its contacts, the next two over a suite only; of the columns that slabs strike; of the
+ * storeys of a structure. */
+enum told {
+    TOLD_FORCE,
+    TOLD_IMPACTS,
+    TOLD_POUNDING,
+    TOLD_WORSE,
+    TOLD_SHEAR,
+    TOLD_CAPACITY,
+    TOLD_DUCTILITY,
+    TOLD_PERMANENT
+};
+
+static double told_of_storeys(const struct thud_sweep_storeys *storeys, enum told told)
+{
+    return told == TOLD_DUCTILITY ? storeys->ductility : 1e3 * storeys->permanent_m;
+}
+
+static double told_of_columns(const struct thud_sweep_run *run, const struct thud_sweep_shares *shares, enum told told,
+                              enum thud_sweep_end end)
+{
+    if (end == THUD_SWEEP_VALUE || !shares)
+        return told == TOLD_CAPACITY ? run->capacity_ratio : 1e-6 * run->shear_n;
+    if (told == TOLD_CAPACITY)
+        return end == THUD_SWEEP_LOW ? shares->capacity_low : shares->capacity_high;
+    return 1e-6 * (end == THUD_SWEEP_LOW ? shares->shear_low_n : shares->shear_high_n);
+}
 
 /* Of run k of point i. */
-static double told_of(const struct thud_sweep_table *table, size_t i, int k, enum told told, enum thud_sweep_end end)
+static double told_of(const struct thud_sweep_table *table, size_t i, int k, enum told told, int structure,
+                      enum thud_sweep_end end)
 {
+    if (told >= TOLD_DUCTILITY)
+        return told_of_storeys(thud_sweep_summary_storeys(table->point[i], k, table->nstructures, structure, end),
+                               told);
     const struct thud_sweep_run *run = &table->point[i]->run[k];
     const struct thud_sweep_shares *shares =
         table->shares ? &table->shares[i * THUD_SWEEP_CASES_MAX + (size_t)k] : NULL;
+    if (told >= TOLD_SHEAR)
+        return told_of_columns(run, shares, told, end);
     if (told == TOLD_IMPACTS)
         return run->impacts;
     if (told == TOLD_FORCE && (end == THUD_SWEEP_VALUE || !shares))
@@ -444,15 +475,15 @@ static double told_of(const struct thud_sweep_table *table, size_t i, int k, enu
     return !shares ? NAN : 100 * (told == TOLD_POUNDING ? shares->pounding : shares->worse);
 }
 
-static void contact_line(struct thud_panel *panel, const struct thud_sweep_table *table, int record,
-                         enum thud_case which, enum told told)
+static void told_line(struct thud_panel *panel, const struct thud_sweep_table *table, int record, enum thud_case which,
+                      enum told told, int structure)
 {
     const struct thud_sweep_axis *axis = &table->axis[0];
     struct thud_style style = {.kind = numbers(axis) ? THUD_LINES_POINTS : THUD_POINTS,
                                .color = which < 0 ? 3 : (int)which};
     char name[64];
     snprintf(name, sizeof name, "%s%s", thud_case_title(which), told == TOLD_WORSE ? ": worse" : "");
-    bool band = told == TOLD_FORCE && table->motions > 0;
+    bool band = (told == TOLD_FORCE || told >= TOLD_SHEAR) && table->motions > 0;
     style.color += told == TOLD_WORSE ? THUD_CASES + 1 : 0;
     struct thud_series *shade = band ? thud_panel_fill(panel, (struct thud_style){.color = style.color, .thin = true},
                                                        name, (size_t)axis->n, NULL, NULL, NULL)
@@ -470,13 +501,14 @@ static void contact_line(struct thud_panel *panel, const struct thud_sweep_table
     }
     for (size_t i = 0; i < table->npoints; i++) {
         const struct thud_sweep_summary *d = table->point[i];
-        int k = d->record == record && d->touches && drawn(table, d, 1, NULL) ? thud_sweep_summary_find(d, which) : -1;
+        bool is = d->record == record && (d->touches || told >= TOLD_DUCTILITY) && drawn(table, d, 1, NULL);
+        int k = is ? thud_sweep_summary_find(d, which) : -1;
         if (k < 0)
             continue;
-        series->y[d->at[0]] = told_of(table, i, k, told, THUD_SWEEP_VALUE);
+        series->y[d->at[0]] = told_of(table, i, k, told, structure, THUD_SWEEP_VALUE);
         if (shade) {
-            shade->y[d->at[0]] = told_of(table, i, k, told, THUD_SWEEP_LOW);
-            shade->y_high[d->at[0]] = told_of(table, i, k, told, THUD_SWEEP_HIGH);
+            shade->y[d->at[0]] = told_of(table, i, k, told, structure, THUD_SWEEP_LOW);
+            shade->y_high[d->at[0]] = told_of(table, i, k, told, structure, THUD_SWEEP_HIGH);
         }
     }
 }
@@ -521,12 +553,13 @@ struct thud_figure *thud_figure_of_contacts(const struct thud_sweep_table *table
                                 : "");
         for (int which = THUD_CASE_AS_WRITTEN; which < THUD_CASES; which++) {
             if (has_case(table, (enum thud_case)which))
-                contact_line(panel, table, record, (enum thud_case)which,
-                             i == 0  ? TOLD_FORCE
-                             : suite ? TOLD_POUNDING
-                                     : TOLD_IMPACTS);
+                told_line(panel, table, record, (enum thud_case)which,
+                          i == 0  ? TOLD_FORCE
+                          : suite ? TOLD_POUNDING
+                                  : TOLD_IMPACTS,
+                          0);
             if (i == 1 && suite && which != THUD_CASE_NONE && has_case(table, (enum thud_case)which))
-                contact_line(panel, table, record, (enum thud_case)which, TOLD_WORSE);
+                told_line(panel, table, record, (enum thud_case)which, TOLD_WORSE, 0);
         }
         if (i == 1 && suite)
             thud_panel_limits(panel, THUD_Y, 0, 100);
@@ -537,6 +570,95 @@ struct thud_figure *thud_figure_of_contacts(const struct thud_sweep_table *table
     snprintf(text, sizeof text, "%s%s", suite ? shade_note(table, shades) + 1 : "",
              suite ? " Worse: a structure's mean acceleration is larger than without bumper." : "");
     fixed_note(figure, table, 1, NULL, text);
+    return figure;
+}
+
+/* ---- storeys that yield, columns that slabs strike ---- */
+
+/* Whether a storey of the structure yields in some run. */
+static bool yields(const struct thud_sweep_table *table, int structure)
+{
+    for (size_t i = 0; i < table->npoints; i++)
+        for (int k = 0; k < table->point[i]->nruns; k++)
+            if (!isnan(told_of(table, i, k, TOLD_DUCTILITY, structure, THUD_SWEEP_VALUE)))
+                return true;
+    return false;
+}
+
+static bool has_yielding(const struct thud_sweep_table *table)
+{
+    for (int s = 0; s < table->nstructures; s++)
+        if (yields(table, s))
+            return true;
+    return false;
+}
+
+/* Of some run: that they are struck at all, or that a capacity is given. */
+static bool has_columns(const struct thud_sweep_table *table, enum told told)
+{
+    for (size_t i = 0; i < table->npoints; i++)
+        for (int k = 0; k < table->point[i]->nruns; k++)
+            if (!isnan(told_of(table, i, k, told, 0, THUD_SWEEP_VALUE)))
+                return true;
+    return false;
+}
+
+/* A curve for each case. */
+static void told_lines(struct thud_panel *panel, const struct thud_sweep_table *table, int record, enum told told,
+                       int structure)
+{
+    for (int which = THUD_CASE_AS_WRITTEN; which < THUD_CASES; which++)
+        if (has_case(table, (enum thud_case)which))
+            told_line(panel, table, record, (enum thud_case)which, told, structure);
+    contact_scale(panel, false);
+}
+
+static struct thud_figure *figure_of_yielding(const struct thud_sweep_table *table, int record, const char *name)
+{
+    int structure[COLUMNS_MAX], columns = columns_of(table, structure), n = 0;
+    char text[512], head[160];
+    for (int c = 0; c < columns; c++)
+        if (yields(table, structure[c]))
+            structure[n++] = structure[c];
+    snprintf(text, sizeof text, "%s: storeys that yield, the largest of each building",
+             record_name(table, record, head));
+    struct thud_figure *figure = thud_figure_create(name, text, 2, n > 0 ? n : 1);
+    for (int c = 0; c < n; c++)
+        for (int row = 0; row < 2; row++) {
+            struct thud_panel *panel = thud_figure_panel(figure, row, c, structure_title(table, structure[c], head));
+            varied_axis(panel, THUD_X, table, 0);
+            thud_panel_axis(panel, THUD_Y, row == 0 ? "Ductility" : "Permanent drift", row == 0 ? "" : "mm");
+            told_lines(panel, table, record, row == 0 ? TOLD_DUCTILITY : TOLD_PERMANENT, structure[c]);
+            if (row == 0)
+                thud_panel_mark(panel, THUD_Y, 1.0, 1.0, "");
+        }
+    same_scale(figure, NULL);
+    char shades[128];
+    snprintf(text, sizeof text,
+             "Ductility: largest drift over yield drift. Permanent drift: at which the storey "
+             "carries no force at the end.%s",
+             table->motions > 0 ? shade_note(table, shades) : "");
+    fixed_note(figure, table, 1, NULL, text);
+    return figure;
+}
+
+static struct thud_figure *figure_of_struck_columns(const struct thud_sweep_table *table, int record, const char *name)
+{
+    bool capacity = has_columns(table, TOLD_CAPACITY);
+    char text[512], head[160];
+    snprintf(text, sizeof text, "%s: columns that slabs strike", record_name(table, record, head));
+    struct thud_figure *figure = thud_figure_create(name, text, 1, capacity ? 2 : 1);
+    for (int i = 0; i < 1 + capacity; i++) {
+        struct thud_panel *panel =
+            thud_figure_panel(figure, 0, i, i == 0 ? "Largest shear" : "Largest shear over capacity");
+        varied_axis(panel, THUD_X, table, 0);
+        thud_panel_axis(panel, THUD_Y, i == 0 ? "Shear" : "Shear over capacity", i == 0 ? "MN" : "");
+        told_lines(panel, table, record, i == 0 ? TOLD_SHEAR : TOLD_CAPACITY, 0);
+        if (i == 1)
+            thud_panel_mark(panel, THUD_Y, 1.0, 1.0, "capacity");
+    }
+    char shades[128];
+    fixed_note(figure, table, 1, NULL, table->motions > 0 ? shade_note(table, shades) + 1 : "");
     return figure;
 }
 
@@ -694,9 +816,11 @@ static int slices(const struct thud_sweep_table *table, int i, int at[THUD_VARY_
 enum { MAPS_MOST = 24 };
 
 /* What a study's figures are: `each` of every case and record, means of every case (before those where there are several
- * records), then two of every record. */
+ * records), then `last` of every record. */
+enum last { CONTACT_FORCES, POUNDING, YIELDING, STRUCK_COLUMNS, LAST };
 struct list {
     int ncases, slices, each, means, last;
+    enum last of_record[LAST]; /* (last) */
     enum thud_case which[THUD_CASES + 1];
 };
 
@@ -713,14 +837,21 @@ static struct list list_of(const struct thud_sweep_table *table)
         l.slices = MAPS_MOST;
     l.each = table->nrecords * l.slices;
     l.means = one && !(l.ncases == 1 && l.which[0] == THUD_CASE_NONE);
-    l.last = one && has_contacts(table) ? 2 * table->nrecords : 0;
+    if (one && has_contacts(table)) {
+        l.of_record[l.last++] = CONTACT_FORCES;
+        l.of_record[l.last++] = POUNDING;
+    }
+    if (one && has_yielding(table))
+        l.of_record[l.last++] = YIELDING;
+    if (one && has_columns(table, TOLD_SHEAR))
+        l.of_record[l.last++] = STRUCK_COLUMNS;
     return l;
 }
 
 int thud_sweep_figure_count(const struct thud_sweep_table *table)
 {
     struct list l = list_of(table);
-    return l.ncases * (l.each + l.means) + l.last;
+    return l.ncases * (l.each + l.means) + l.last * table->nrecords;
 }
 
 struct thud_figure *thud_sweep_figure(const struct thud_sweep_table *table, int index)
@@ -729,11 +860,15 @@ struct thud_figure *thud_sweep_figure(const struct thud_sweep_table *table, int 
     int per_case = l.each + l.means, c = per_case > 0 ? index / per_case : 0, at[THUD_VARY_MAX] = {0};
     char name[128], number[24] = "", slice[24] = "";
     if (per_case == 0 || c >= l.ncases) {
-        int rest = index - l.ncases * per_case, record = rest / 2;
+        static const char *const names[] = {"contact-forces", "pounding", "yielding", "struck-columns"};
+        static struct thud_figure *(*const make[])(const struct thud_sweep_table *, int, const char *) = {
+            thud_figure_of_contacts, thud_figure_of_pounding, figure_of_yielding, figure_of_struck_columns};
+        int rest = index - l.ncases * per_case, record = rest / l.last;
+        enum last which = l.of_record[rest % l.last];
         if (table->nrecords > 1)
             snprintf(number, sizeof number, "-%d", record + 1);
-        snprintf(name, sizeof name, "%s%s", rest % 2 ? "pounding" : "contact-forces", number);
-        return rest % 2 ? thud_figure_of_pounding(table, record, name) : thud_figure_of_contacts(table, record, name);
+        snprintf(name, sizeof name, "%s%s", names[which], number);
+        return make[which](table, record, name);
     }
     int i = index % per_case;
     bool first = l.means && table->nrecords > 1; /* what several motions say together comes before each of them */

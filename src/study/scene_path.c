@@ -39,20 +39,6 @@ static int number(const char *text)
     return thud_scan_count(&text, &count) && !*text ? count : -1;
 }
 
-static enum thud_status unknown(const struct thud_scene *scene, enum thud_group group, const struct thud_law *law,
-                                int structure, const char *key, struct thud_error *err)
-{
-    struct thud_words words = {0};
-    int count;
-    const struct thud_param *params = thud_group_params(group, &count);
-    for (int i = 0; i < count; i++)
-        if (group != THUD_GROUP_STRUCTURE || thud_structure_has(scene->structure[structure].kind, i))
-            thud_words_add(&words, params[i].name);
-    for (int i = 0; law && i < law->nparams; i++)
-        thud_words_add(&words, law->params[i].name);
-    return thud_words_unknown(&words, "key", key, err);
-}
-
 static int find_in_group(enum thud_group group, const char *key, unsigned kinds)
 {
     int count;
@@ -62,6 +48,23 @@ static int find_in_group(enum thud_group group, const char *key, unsigned kinds)
         if (strcmp(params[i].name, key) == 0 && (!kinds || (places[i].kinds & kinds)))
             return i;
     return -1;
+}
+
+static enum thud_status unknown(const struct thud_scene *scene, enum thud_group group, const struct thud_law *law,
+                                int structure, const char *key, struct thud_error *err)
+{
+    struct thud_words words = {0};
+    int count;
+    const struct thud_param *params = thud_group_params(group, &count);
+    for (int i = 0; i < count; i++)
+        if (group != THUD_GROUP_STRUCTURE || thud_structure_has(scene->structure[structure].kind, i))
+            thud_words_add(&words, params[i].name);
+    if (group == THUD_GROUP_STRUCTURE &&
+        find_in_group(THUD_GROUP_COLUMN, "EI", 1u << scene->structure[structure].kind) >= 0)
+        thud_words_add(&words, thud_group_key(THUD_GROUP_COLUMN));
+    for (int i = 0; law && i < law->nparams; i++)
+        thud_words_add(&words, law->params[i].name);
+    return thud_words_unknown(&words, "key", key, err);
 }
 
 static void fill(struct thud_slot *slot, enum thud_group group, int index, size_t base)

@@ -24,9 +24,7 @@ enum thud_status thud_suite_create(const struct thud_sweep_plan *plan, struct th
         suite->nrecords = plan->nrecords > 0 ? plan->nrecords : 1;
         suite->settings = thud_sweep_points(plan) / suite->nrecords;
         suite->nstructures = plan->scene.nstructures;
-        suite->yields = thud_scene_yields(&plan->scene);
-        for (int a = 0; a < plan->naxes; a++)
-            suite->yields |= strstr(plan->axis[a].key, ".yield") != NULL;
+        suite->yields = thud_sweep_yields(plan);
         suite->nvalues = OF_RUN + OF_STRUCTURE * suite->nstructures;
         size_t n = (size_t)thud_sweep_points(plan) * (size_t)plan->ncases * (size_t)suite->nvalues;
         suite->value = malloc((n + 1) * sizeof *suite->value);

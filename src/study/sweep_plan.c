@@ -361,6 +361,14 @@ enum thud_status thud_sweep_study(struct thud_sweep_plan *plan, bool axes, bool 
     return THUD_OK;
 }
 
+bool thud_sweep_yields(const struct thud_sweep_plan *plan)
+{
+    bool yields = thud_scene_yields(&plan->scene);
+    for (int a = 0; a < plan->naxes; a++)
+        yields |= strstr(plan->axis[a].key, ".yield") != NULL;
+    return yields;
+}
+
 static long product(const struct thud_sweep_plan *plan, int from)
 {
     long n = 1;

@@ -9,15 +9,27 @@ static double over(double a, double b)
     return b > 0 ? a / b : NAN;
 }
 
+/* What yielding storeys tell, over those that do: permanent drifts to either side would cancel, so their sizes. */
 static struct thud_sweep_floor mean(const struct thud_sweep_floor *floor, int n)
 {
     struct thud_sweep_floor sum = {0};
+    int yielding = 0;
     for (int i = 0; i < n; i++) {
         sum.acceleration_mps2 += floor[i].acceleration_mps2;
         sum.drift_m += floor[i].drift_m;
         sum.displacement_m += floor[i].displacement_m;
+        if (isnan(floor[i].ductility))
+            continue;
+        yielding++;
+        sum.ductility += floor[i].ductility;
+        sum.permanent_m += fabs(floor[i].permanent_m);
+        sum.excursions += floor[i].excursions;
+        sum.hysteretic_j += floor[i].hysteretic_j;
     }
-    return (struct thud_sweep_floor){sum.acceleration_mps2 / n, sum.drift_m / n, sum.displacement_m / n};
+    double each = yielding > 0 ? (double)yielding : (double)NAN;
+    return (struct thud_sweep_floor){sum.acceleration_mps2 / n, sum.drift_m / n,        sum.displacement_m / n,
+                                     sum.ductility / each,      sum.permanent_m / each, sum.excursions / each,
+                                     sum.hysteretic_j / each};
 }
 
 /* What the ratios are to: case `none`, or the scene as written where that has no bumper. */
@@ -72,6 +84,10 @@ static void measure(const struct where *w, int variant, double m[THUD_SWEEP_MEAS
     m[THUD_SWEEP_ACCELERATION_FREE_RATIO] = over(x.acceleration_mps2, free.acceleration_mps2);
     m[THUD_SWEEP_DRIFT_FREE_RATIO] = over(x.drift_m, free.drift_m);
     m[THUD_SWEEP_DISPLACEMENT_FREE_RATIO] = over(x.displacement_m, free.displacement_m);
+    m[THUD_SWEEP_DUCTILITY] = x.ductility;
+    m[THUD_SWEEP_PERMANENT] = x.permanent_m;
+    m[THUD_SWEEP_EXCURSIONS] = x.excursions;
+    m[THUD_SWEEP_HYSTERETIC] = x.hysteretic_j;
 }
 
 /* NaN stays NaN. */
@@ -94,6 +110,10 @@ static void fill_row(struct thud_sweep_row *row, const struct where *w)
     row->acceleration_free_ratio = m[THUD_SWEEP_ACCELERATION_FREE_RATIO];
     row->drift_free_ratio = m[THUD_SWEEP_DRIFT_FREE_RATIO];
     row->displacement_free_ratio = m[THUD_SWEEP_DISPLACEMENT_FREE_RATIO];
+    row->ductility = m[THUD_SWEEP_DUCTILITY];
+    row->permanent_m = m[THUD_SWEEP_PERMANENT];
+    row->excursions = m[THUD_SWEEP_EXCURSIONS];
+    row->hysteretic_j = m[THUD_SWEEP_HYSTERETIC];
     for (int q = 0; q < THUD_SWEEP_MEASURES; q++)
         row->low[q] = row->high[q] = w->point->nvariants > 1 ? m[q] : NAN;
     for (int v = 1; v < w->point->nvariants; v++) {
@@ -170,6 +190,8 @@ int thud_sweep_contact_rows(const struct thud_sweep_plan *plan, const struct thu
             row[count].shear_lower_n = x->shear_lower_n;
             row[count].shear_upper_n = x->shear_upper_n;
             row[count].capacity_ratio = x->capacity_ratio;
+            row[count].moment_lower_nm = x->moment_lower_nm;
+            row[count].moment_upper_nm = x->moment_upper_nm;
             spread_contact(&row[count], point, k, c);
         }
     }

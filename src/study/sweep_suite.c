@@ -34,7 +34,7 @@ static size_t setting_of(const struct thud_sweep_table *table, const struct thud
 }
 
 /* One of the numbers of run k of each ground motion at a setting. */
-enum number { FORCE, IMPACTS, INDENTATION, WORST };
+enum number { FORCE, IMPACTS, INDENTATION, WORST, SHEAR, CAPACITY };
 
 static double number_of(const struct thud_sweep_table *table, const struct thud_sweep_summary *d, int k,
                         enum number number)
@@ -45,6 +45,10 @@ static double number_of(const struct thud_sweep_table *table, const struct thud_
         return d->run[k].impacts;
     if (number == INDENTATION)
         return d->run[k].indentation_m;
+    if (number == SHEAR)
+        return d->run[k].shear_n;
+    if (number == CAPACITY)
+        return d->run[k].capacity_ratio;
     double worst = NAN;
     for (int s = 0; s < table->nstructures; s++) {
         const struct thud_sweep_ratio *mean = thud_sweep_summary_ratio(d, k, s, 0, THUD_SWEEP_VALUE);
@@ -72,7 +76,12 @@ static void put_run(const struct making *m, const struct thud_sweep_summary *con
     run->impacts = (int)lround(impacts.median);
     run->indentation_m = fractiles(m, of, run->which, INDENTATION, 0).median;
     run->force_n = force.median;
-    *shares = (struct thud_sweep_shares){force.p16, force.p84, impacts.share, worst.share};
+    struct thud_fractiles shear = fractiles(m, of, run->which, SHEAR, 0);
+    struct thud_fractiles capacity = fractiles(m, of, run->which, CAPACITY, 1);
+    run->shear_n = shear.median;
+    run->capacity_ratio = capacity.median;
+    *shares = (struct thud_sweep_shares){force.p16, force.p84, impacts.share, worst.share,
+                                         shear.p16, shear.p84, capacity.p16,  capacity.p84};
 }
 
 /* Every ratio of run k: four of them in a row. */
@@ -100,6 +109,27 @@ static void put_ratios(const struct making *m, const struct thud_sweep_summary *
             (struct thud_sweep_ratio){three[end][0], three[end][1], three[end][2], three[end][3]};
 }
 
+static void put_storeys(const struct making *m, const struct thud_sweep_summary *const *of,
+                        struct thud_sweep_summary *out, int k, int structure)
+{
+    struct thud_sweep_storeys three[3];
+    for (int q = 0; q < 2; q++) {
+        for (int r = 0; r < m->table->nrecords; r++) {
+            int from = of[r] ? thud_sweep_summary_find(of[r], out->run[k].which) : -1;
+            const struct thud_sweep_storeys *x =
+                from >= 0 ? thud_sweep_summary_storeys(of[r], from, m->table->nstructures, structure, THUD_SWEEP_VALUE)
+                          : NULL;
+            m->value[r] = !x ? (double)NAN : q == 0 ? x->ductility : x->permanent_m;
+        }
+        struct thud_fractiles f = thud_fractiles_of(m->value, (size_t)m->table->nrecords, 1);
+        const double end[] = {[THUD_SWEEP_VALUE] = f.median, [THUD_SWEEP_LOW] = f.p16, [THUD_SWEEP_HIGH] = f.p84};
+        for (int i = 0; i < 3; i++)
+            *(q == 0 ? &three[i].ductility : &three[i].permanent_m) = end[i];
+    }
+    for (int end = THUD_SWEEP_VALUE; end <= (int)THUD_SWEEP_HIGH; end++)
+        *thud_sweep_summary_storeys(out, k, m->table->nstructures, structure, (enum thud_sweep_end)end) = three[end];
+}
+
 /* The point of a setting; NULL: out of memory. `like`: one of its ground motions. */
 static struct thud_sweep_summary *make_point(const struct making *m, const struct thud_sweep_summary *const *of,
                                              const struct thud_sweep_summary *like, struct thud_sweep_shares *shares)
@@ -124,9 +154,11 @@ static struct thud_sweep_summary *make_point(const struct making *m, const struc
     for (int k = 0; k < nruns; k++) {
         out->run[k].which = which[k];
         put_run(m, of, &out->run[k], &shares[k]);
-        for (int s = 0; s < m->table->nstructures; s++)
+        for (int s = 0; s < m->table->nstructures; s++) {
             for (int f = 0; floors[s] > 0 && f <= floors[s]; f++)
                 put_ratios(m, of, out, k, s, f);
+            put_storeys(m, of, out, k, s);
+        }
     }
     return out;
 }

@@ -13,7 +13,9 @@ static size_t ratios_of(int nruns, int nrows, bool spread)
 size_t thud_sweep_summary_size(int nruns, int nstructures, int nrows, bool spread)
 {
     return sizeof(struct thud_sweep_summary) + (size_t)nruns * sizeof(struct thud_sweep_run) +
-           ratios_of(nruns, nrows, spread) * sizeof(struct thud_sweep_ratio) + ((size_t)nstructures + 1) * sizeof(int);
+           ratios_of(nruns, nrows, spread) * sizeof(struct thud_sweep_ratio) +
+           ratios_of(nruns, nstructures, spread) * sizeof(struct thud_sweep_storeys) +
+           ((size_t)nstructures + 1) * sizeof(int);
 }
 
 struct thud_sweep_summary *thud_sweep_summary_create(int nruns, int nstructures, const int *floors, bool spread)
@@ -29,9 +31,14 @@ struct thud_sweep_summary *thud_sweep_summary_create(int nruns, int nstructures,
     d->spread = spread;
     d->run = (void *)(d + 1);
     d->ratio = (void *)(d->run + nruns);
-    d->first = (void *)(d->ratio + ratios_of(nruns, nrows, spread));
+    d->storeys = (void *)(d->ratio + ratios_of(nruns, nrows, spread));
+    d->first = (void *)(d->storeys + ratios_of(nruns, nstructures, spread));
     for (int s = 0; s < nstructures; s++)
         d->first[s + 1] = d->first[s] + (floors[s] > 0 ? floors[s] + 1 : 0);
+    for (int k = 0; k < nruns; k++)
+        d->run[k].shear_n = d->run[k].capacity_ratio = NAN;
+    for (size_t i = 0; i < ratios_of(nruns, nstructures, spread); i++)
+        d->storeys[i] = (struct thud_sweep_storeys){NAN, NAN};
     return d;
 }
 
@@ -50,9 +57,24 @@ static void put_ratios(struct thud_sweep_summary *d, const struct thud_sweep_row
     }
 }
 
+static void put_storeys(struct thud_sweep_summary *d, int nstructures, const struct thud_sweep_row *row)
+{
+    for (int k = 0; k < d->nruns; k++, row += d->nrows)
+        for (int s = 0; s < nstructures; s++) {
+            struct thud_sweep_storeys most = {NAN, NAN};
+            for (int i = d->first[s] + 1; i < d->first[s + 1]; i++) { /* a NaN gives way */
+                most.ductility = fmax(most.ductility, row[i].ductility);
+                most.permanent_m = fmax(most.permanent_m, fabs(row[i].permanent_m));
+            }
+            *thud_sweep_summary_storeys(d, k, nstructures, s, THUD_SWEEP_VALUE) = most;
+        }
+}
+
 static void put_contacts(struct thud_sweep_run *run, const struct thud_sweep_contact_row *row, int n)
 {
-    for (int c = 0; c < n; c++) {
+    for (int c = 0; c < n; c++) { /* a NaN gives way */
+        run->shear_n = fmax(run->shear_n, fmax(row[c].shear_lower_n, row[c].shear_upper_n));
+        run->capacity_ratio = fmax(run->capacity_ratio, row[c].capacity_ratio);
         run->impacts += row[c].impacts;
         run->force_n = thud_largest(run->force_n, row[c].force_n);
         run->indentation_m = thud_largest(run->indentation_m, row[c].indentation_m);
@@ -86,6 +108,7 @@ enum thud_status thud_sweep_summary_make(const struct thud_sweep_plan *plan, con
         d->gap_m = point->gap_m;
         d->touches = point->ncontacts > 0;
         put_ratios(d, row);
+        put_storeys(d, point->nstructures, row);
     }
     free(row);
     free(contact);

@@ -53,8 +53,15 @@ static void take_floors(struct thud_sweep_floor *to, const struct thud_result *r
     for (int s = 0; s < result->nstructures; s++)
         for (int i = 0; i < result->structure[s].floors; i++) {
             const struct thud_floor_result *f = &result->structure[s].floor[i];
-            *to++ =
-                (struct thud_sweep_floor){thud_floor_acceleration(result, s, i), f->drift.value, f->displacement.value};
+            const struct thud_storey_result *storey = result->structure[s].storey;
+            bool yields = storey && storey[i].yields;
+            *to++ = (struct thud_sweep_floor){thud_floor_acceleration(result, s, i),
+                                              f->drift.value,
+                                              f->displacement.value,
+                                              yields ? storey[i].ductility : NAN,
+                                              yields ? storey[i].permanent_m : NAN,
+                                              yields ? (double)storey[i].excursions : (double)NAN,
+                                              yields ? storey[i].hysteretic_j : NAN};
         }
 }
 
@@ -75,7 +82,9 @@ static void take(struct thud_sweep_task *task, const struct thud_result *result)
                                             task->model->contact[c].clearance_m + r->residual_m,
                                             column ? column->peak[THUD_COLUMN_SHEAR_LOWER].value : NAN,
                                             column ? column->peak[THUD_COLUMN_SHEAR_UPPER].value : NAN,
-                                            column ? column->ratio : NAN};
+                                            column ? column->ratio : NAN,
+                                            column ? column->peak[THUD_COLUMN_MOMENT_LOWER].value : NAN,
+                                            column ? column->peak[THUD_COLUMN_MOMENT_UPPER].value : NAN};
     }
 }
 
@@ -192,7 +201,8 @@ static void no_numbers(const struct thud_sweep_task *task)
 {
     const struct thud_sweep_point *point = task->point;
     for (int i = 0; i < point->nfloors; i++)
-        thud_sweep_floors(point, task->variant, task->which)[i] = (struct thud_sweep_floor){NAN, NAN, NAN};
+        thud_sweep_floors(point, task->variant, task->which)[i] =
+            (struct thud_sweep_floor){NAN, NAN, NAN, NAN, NAN, NAN, NAN};
     for (int c = 0; c < point->ncontacts && task->variant > 0; c++)
         thud_sweep_contacts(point, task->variant, task->which)[c] =
             (struct thud_sweep_contact){.force_n = NAN, .indentation_m = NAN};

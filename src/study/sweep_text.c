@@ -56,6 +56,10 @@ static void put_floors(struct thud_text *out, const struct thud_sweep_floor *flo
         put(out, floor[i].acceleration_mps2);
         put(out, floor[i].drift_m);
         put(out, floor[i].displacement_m);
+        put(out, floor[i].ductility);
+        put(out, floor[i].permanent_m);
+        put(out, floor[i].excursions);
+        put(out, floor[i].hysteretic_j);
     }
 }
 
@@ -63,8 +67,9 @@ static void put_contacts(struct thud_text *out, const struct thud_sweep_contact 
 {
     for (int i = 0; i < n; i++) {
         const struct thud_sweep_contact *c = &contact[i];
-        const double x[] = {c->force_n,        c->indentation_m, c->impulse_ns,    c->contact_time_s, c->residual_m,
-                            c->residual_gap_m, c->shear_lower_n, c->shear_upper_n, c->capacity_ratio};
+        const double x[] = {c->force_n,        c->indentation_m,   c->impulse_ns,     c->contact_time_s,
+                            c->residual_m,     c->residual_gap_m,  c->shear_lower_n,  c->shear_upper_n,
+                            c->capacity_ratio, c->moment_lower_nm, c->moment_upper_nm};
         thud_text_append(out, "%d ", c->impacts);
         for (size_t j = 0; j < sizeof x / sizeof *x; j++)
             put(out, x[j]);
@@ -190,6 +195,10 @@ static void get_floors(struct reader *r, struct thud_sweep_floor *floor, int n)
         floor[i].acceleration_mps2 = get(r);
         floor[i].drift_m = get(r);
         floor[i].displacement_m = get(r);
+        floor[i].ductility = get(r);
+        floor[i].permanent_m = get(r);
+        floor[i].excursions = get(r);
+        floor[i].hysteretic_j = get(r);
     }
 }
 
@@ -197,9 +206,9 @@ static void get_contacts(struct reader *r, struct thud_sweep_contact *contact, i
 {
     for (int i = 0; i < n; i++) {
         struct thud_sweep_contact *c = &contact[i];
-        double *const x[] = {&c->force_n,        &c->indentation_m, &c->impulse_ns,
-                             &c->contact_time_s, &c->residual_m,    &c->residual_gap_m,
-                             &c->shear_lower_n,  &c->shear_upper_n, &c->capacity_ratio};
+        double *const x[] = {&c->force_n,        &c->indentation_m,   &c->impulse_ns,     &c->contact_time_s,
+                             &c->residual_m,     &c->residual_gap_m,  &c->shear_lower_n,  &c->shear_upper_n,
+                             &c->capacity_ratio, &c->moment_lower_nm, &c->moment_upper_nm};
         c->impacts = get_int(r, 0, INT_MAX);
         for (size_t j = 0; j < sizeof x / sizeof *x; j++)
             *x[j] = get(r);

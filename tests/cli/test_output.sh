@@ -8,7 +8,7 @@ THUD_GNUPLOT=$tmp/gnuplot
 export THUD_GNUPLOT
 
 page() { awk -v s="$1" '/^\.S[sh] / { on = $0 == ".Ss " s } on && /^\.It Va / { print $3 }' man/thud-output.5 | sort -u; }
-columns() { grep -v '^#' "$1" | head -1 | tr , '\n' | tr -d '"' | sed -E 's/^(A|B)\.[0-9]+\./NAME.FLOOR./; s/^(A|B)\.storey\.[0-9]+\./NAME.storey.FLOOR./; s/^contact\.[0-9]+\.[0-9]+-[0-9]+\./contact.I.L-R./; s/^bumper\.thickness(_m)?$/KEY/' | sort -u; }
+columns() { grep -v '^#' "$1" | head -1 | tr , '\n' | tr -d '"' | sed -E 's/^(A|B)\.[0-9]+\./NAME.FLOOR./; s/^(A|B)\.storey\.[0-9]+\./NAME.storey.FLOOR./; s/^contact\.[0-9]+\.(c?[0-9]+-c?[0-9]+)\./contact.I.L-R./; s/^column\.[0-9]+\.(A|B)\.[0-9]+\./column.I.NAME.F./; s/^bumper\.thickness(_m)?$/KEY/' | sort -u; }
 keys() { # FILE...: but those of a scene, which is a preset
     for file in "$@"; do sed '/^  "scene": /,$d' "$file"; done | grep -o '"[^"]*": ' | tr -d '": ' | sort -u
 }
@@ -40,9 +40,10 @@ general_json() {
     general "$tmp/named"
     agree "$1"
 }
-"$THUD" run towers --set structures.2.yield=5mm --to 3s --quiet --sensitivity --modes 2 -o "$tmp/run" >/dev/null 2>&1
+# storeys that yield, and slabs that strike columns
+"$THUD" run slab-against-columns --set structures.2.yield=5mm --to 3s --quiet --sensitivity --modes 2 -o "$tmp/run" >/dev/null 2>&1
 "$THUD" run towers --set structures.2.yield=5mm --to 3s --csv >"$tmp/run.csv" 2>/dev/null
-"$THUD" sweep towers --to 3s --vary gap=3cm,4cm --vary bumper.thickness=2cm,3cm --best bumper.thickness --sensitivity --quiet -o "$tmp/sweep" >/dev/null 2>&1
+"$THUD" sweep towers --set structures.2.yield=5mm --to 3s --vary gap=3cm,4cm --vary bumper.thickness=2cm,3cm --best bumper.thickness --sensitivity --quiet -o "$tmp/sweep" >/dev/null 2>&1
 two=records/kobe-surrogate.csv,records/northridge-surrogate.csv
 "$THUD" sweep towers --to 3s --records "$two" --vary bumper.thickness=2cm,3cm --cases bumper --json --quiet -o "$tmp/suite" >"$tmp/sweep.json" 2>/dev/null
 "$THUD" bench rigid-concrete --quiet -o "$tmp/bench" >/dev/null 2>&1

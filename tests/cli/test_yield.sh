@@ -39,13 +39,37 @@ is "for the reason" says 'a rigid body has no storeys that could yield'
 is "nor has a wall" gives 3 run isolated-moat --set structures.1.yield=10mm
 is "an isolated building's own storeys may" gives 0 run isolated-moat --set structures.2.yield=5mm --csv
 is "but not its isolators" [ "$(grep -c '^isolated,1,.*,,,,,,,$' "$tmp/out")" -eq 1 ]
-is "OpenSees is not asked" gives 3 export opensees towers-yielding
-is "and it is said" says 'does not know storeys that yield'
-
 is "a sweep over the yield drift" gives 0 sweep towers --vary structures.1.yield=10mm,20mm --case none --csv --quiet
 is "runs each" [ "$(grep -c ',A,1,' "$tmp/out")" -eq 2 ]
 "$THUD" run towers --case none --set structures.1.yield=20mm --csv >"$tmp/run" 2>/dev/null
 is "as a run does" [ "$(awk -F, '/,A,1,/ { d = $7 } END { print d }' "$tmp/out")" = "$(awk -F, '$1 == "A" && $2 == 1 { print $9 }' "$tmp/run")" ]
+
+is "of an elastic scene too it tells the ductility" test "$(awk -F, '/,A,1,/ { v = $(NF - 3) } END { printf "%.9g", v }' "$tmp/out")" = "$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "ductility") c = i } $1 == "A" && $2 == 1 { printf "%.9g", $c }' "$tmp/run")"
+is "elastic storeys have empty cells" [ "$(grep -c ',B,1,.*,,,,$' "$tmp/out")" -eq 2 ]
+is "a study with its spread" gives 0 sweep towers-yielding --case none --vary gap=6cm,12cm --sensitivity=1% --to 9s -o "$tmp/s" --quiet
+"$THUD" run towers-yielding --case none --set gap=6cm --to 9s --csv --quiet >"$tmp/run"
+for key in ductility permanent_m excursions hysteretic_j; do
+    awk -F, -v want="$key" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == want) c = i; next } { print $1, $2, $c }' "$tmp/run" >"$tmp/a"
+    awk -F, -v want="$key" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == want) c = i; next } $3 == 0.06 && $5 > 0 { print $4, $5, $c }' "$tmp/s/sweep.csv" >"$tmp/b"
+    is "$key: as the single run says, floor by floor" cmp -s "$tmp/a" "$tmp/b"
+    is "of ten floors" [ "$(wc -l <"$tmp/b")" -eq 10 ]
+    awk -F, -v want="$key" -v s="${key%_*}" -v u="_${key##*_}" '
+        NR == 1 { if (u == "_" s) u = ""; for (i = 1; i <= NF; i++) { if ($i == want) c = i; if ($i == s "_low" u) l = i; if ($i == s "_high" u) h = i } next }
+        $l > $c || $h < $c { bad = 1 } $l < $h { wide = 1 } END { exit !(l && h && wide && !bad) }' "$tmp/s/sweep.csv"
+    is "within its spread" [ $? -eq 0 ]
+done
+# shellcheck disable=SC2016 # a program of awk
+is "a mean of sizes stands on floor 0" awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "permanent_m") c = i; next }
+    $3 == 0.06 && $4 == "A" { if ($5 == 0) mean = $c; else sum += ($c < 0 ? -$c : $c) / 4 } END { d = mean / sum - 1; exit !(d < 1e-12 && d > -1e-12) }' "$tmp/s/sweep.csv"
+is "a figure of ductility and permanent drift" is_png "$tmp/s/yielding.png"
+ductility() { awk -F, -v g="$1" '$1 == "4-storey building A" && $2 == "no bumper" && $3 == g && $4 != "" { print $4 }' "$tmp/s/yielding.csv"; }
+is "with the largest of the storeys" [ "$(ductility 6)" = "$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "ductility") c = i; next } $1 == "A" && $c > m { m = $c } END { print m }' "$tmp/run")" ]
+is "the summary has both" gives 0 sweep towers-yielding --cases none,bumper --vary gap=6cm,12cm --to 9s --quiet
+is "by case and structure" [ "$(sed -n '/storeys that yield largest ductility/,$p' "$tmp/out" | grep -c '^  \(none\|bumper\) *[AB] *[0-9.]* to [0-9.]* *[0-9.]* to')" -eq 4 ]
+is "JSON has them under their names" gives 0 sweep towers-yielding --case none --vary gap=6cm --to 9s --json --quiet
+is "for every floor" [ "$(grep -c '"ductility": [0-9.]*, "permanent_m": -*[0-9.e-]*, "excursions": [0-9.]*, "hysteretic_j": [0-9.e+]*}' "$tmp/out")" -eq 12 ]
+is "a scene whose storeys are elastic has no such columns" gives 0 sweep towers --case none --vary gap=6cm --to 3s --csv --quiet
+is "by name" [ "$(grep -c ductility "$tmp/out")" -eq 0 ]
 
 # thud-model(7)
 gap() { "$THUD" gap towers-yielding --record "records/$1-surrogate.csv" --peak "$2" 2>/dev/null | awk '/surrogate.csv/ { print $2; exit }'; }

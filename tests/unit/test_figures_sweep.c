@@ -38,8 +38,12 @@ static struct thud_sweep_summary *make_point(int record, int a, int b)
     d->gap_m = 0.05 * (a + 1);
     d->touches = true;
     for (int c = 0; c < CASES; c++) {
-        d->run[c] = (struct thud_sweep_run){
-            .which = (enum thud_case)c, .impacts = 2 * a + 1, .force_n = 1e6 * (a + 10), .indentation_m = 0.01};
+        d->run[c] = (struct thud_sweep_run){.which = (enum thud_case)c,
+                                            .impacts = 2 * a + 1,
+                                            .force_n = 1e6 * (a + 10),
+                                            .indentation_m = 0.01,
+                                            .shear_n = NAN,
+                                            .capacity_ratio = NAN};
         for (int st = 0; st < 3; st++)
             for (int f = 0; f <= floors[st] && floors[st]; f++) {
                 double x = mark(record, c, a, b, st, f);
@@ -296,6 +300,47 @@ START_TEST(no_line_runs_along_a_plain)
 }
 END_TEST
 
+/* A building that yields and one that does not; columns with a capacity and without. */
+START_TEST(ductility_and_columns_have_figures)
+{
+    struct sample *s = malloc(sizeof *s);
+    fill(s, 1);
+    int plain = thud_sweep_figure_count(&s->table);
+    for (size_t i = 0; i < s->table.npoints; i++)
+        for (int c = 0; c < CASES; c++) {
+            struct thud_sweep_summary *d = s->point[i];
+            double x = mark(d->record, c, d->at[0], 0, 2, 0);
+            *thud_sweep_summary_storeys(d, c, 3, 2, THUD_SWEEP_VALUE) = (struct thud_sweep_storeys){x, 2 * x};
+            d->run[c].shear_n = 1e6 * x;
+        }
+    ck_assert_int_eq(thud_sweep_figure_count(&s->table), plain + 2 * RECORDS);
+    struct thud_figure *figure = thud_sweep_figure(&s->table, plain + 2 * RECORDS - 2);
+    ck_assert_str_eq(figure->name, "yielding-2");
+    ck_assert(figure->rows == 2 && figure->columns == 1);
+    ck_assert_str_eq(figure->panel[0].title, "9-storey building B");
+    ck_assert_int_eq(figure->panel[0].nseries, CASES);
+    for (int i = 0; i < GAPS; i++) {
+        ck_assert(near(figure->panel[0].series[1]->y[i], mark(1, 1, i, 0, 2, 0)));
+        ck_assert(near(figure->panel[1].series[2]->y[i], 2e3 * mark(1, 2, i, 0, 2, 0))); /* mm */
+    }
+    thud_figure_free(figure);
+    figure = thud_sweep_figure(&s->table, plain + 2 * RECORDS - 1);
+    ck_assert_str_eq(figure->name, "struck-columns-2");
+    ck_assert_int_eq(figure->columns, 1);
+    for (int i = 0; i < GAPS; i++)
+        ck_assert(near(figure->panel[0].series[0]->y[i], mark(1, 0, i, 0, 2, 0))); /* MN */
+    thud_figure_free(figure);
+    s->point[0]->run[1].capacity_ratio = 3;
+    figure = thud_sweep_figure(&s->table, plain - 1); /* of the first ground motion */
+    ck_assert_str_eq(figure->name, "struck-columns-1");
+    ck_assert_int_eq(figure->columns, 2);
+    ck_assert(figure->panel[1].series[1]->y[0] == 3 && isnan(figure->panel[1].series[1]->y[1]));
+    ck_assert(figure->panel[1].nmarks == 1 && figure->panel[1].mark[0].from == 1);
+    thud_figure_free(figure);
+    empty(s);
+}
+END_TEST
+
 START_TEST(the_list_holds_each_figure_once)
 {
     for (int naxes = 1; naxes <= 2; naxes++) {
@@ -380,6 +425,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, pounding_is_shown_without_a_bumper);
     tcase_add_test(tcase, means_of_two_cases_share_their_axes);
     tcase_add_test(tcase, no_line_runs_along_a_plain);
+    tcase_add_test(tcase, ductility_and_columns_have_figures);
     tcase_add_test(tcase, the_list_holds_each_figure_once);
     tcase_add_test(tcase, words_stand_where_there_are_no_numbers);
     tcase_add_test(tcase, no_line_runs_between_words);

@@ -142,7 +142,13 @@ START_TEST(ratios_by_hand)
 {
     vary("gap=6 cm");
     ck_assert_int_eq(thud_sweep_cases(plan, "none,bumper", &error), THUD_OK);
-    struct thud_sweep_floor floor[6] = {{2, 0.1, 1}, {8, 0, 1}, {3, 0.2, 2}, {4, 0, 1}, {1, 0.05, 4}, {16, 0, 1}};
+    static const double peak[6][3] = {{2, 0.1, 1}, {8, 0, 1}, {3, 0.2, 2}, {4, 0, 1}, {1, 0.05, 4}, {16, 0, 1}};
+    struct thud_sweep_floor floor[6];
+    for (int i = 0; i < 6; i++)
+        floor[i] = (struct thud_sweep_floor){peak[i][0], peak[i][1], peak[i][2], NAN, NAN, NAN, NAN};
+    floor[0] = (struct thud_sweep_floor){2, 0.1, 1, 3, -0.02, 4, 500};
+    floor[1] = (struct thud_sweep_floor){8, 0, 1, 5, 0.04, 6, 700};
+    floor[2] = (struct thud_sweep_floor){3, 0.2, 2, 7, -0.03, 8, 900}; /* of this case one storey yields */
     struct thud_sweep_point point = {.ncases = 2,
                                      .which = {THUD_CASE_NONE, THUD_CASE_BUMPER},
                                      .nstructures = 1,
@@ -156,6 +162,11 @@ START_TEST(ratios_by_hand)
     ck_assert(row[4].acceleration_ratio == 1.5 && row[5].acceleration_ratio == 0.5);
     ck_assert(row[4].drift_ratio == 2 && isnan(row[5].drift_ratio));
     ck_assert(row[4].displacement_free_ratio == 0.5 && row[5].acceleration_free_ratio == 0.25);
+    ck_assert(row[0].ductility == 4 && row[0].excursions == 5 && row[0].hysteretic_j == 600);
+    ck_assert_double_eq_tol(row[0].permanent_m, 0.03, 1e-17); /* of the sizes */
+    ck_assert(row[1].permanent_m == -0.02 && row[2].ductility == 5);
+    ck_assert(row[3].ductility == 7 && row[3].permanent_m == 0.03 && row[4].permanent_m == -0.03);
+    ck_assert(isnan(row[5].ductility) && isnan(row[5].hysteretic_j));
     point.effort[1].status = THUD_DIVERGED; /* no answer, no row */
     ck_assert_int_eq(thud_sweep_rows(plan, &point, row), 3);
 }

@@ -39,9 +39,12 @@ static void set_up(void)
     ck_assert_int_eq(thud_sweep_vary(plan, "structures.2.damping=2 %,5 %", NULL), THUD_OK);
     ck_assert_int_eq(thud_sweep_cases(plan, "bumper,none,cavity", NULL), THUD_OK);
     for (size_t i = 0; i < sizeof floor_numbers / sizeof *floor_numbers; i++)
-        floor_numbers[i] = (struct thud_sweep_floor){number(), number(), number()};
+        floor_numbers[i] = (struct thud_sweep_floor){
+            number(), number(), number(), i % 3 ? number() : (double)NAN, i % 2 ? number() : -number(), 1, 1};
     for (size_t i = 0; i < sizeof contact_numbers / sizeof *contact_numbers; i++)
-        contact_numbers[i] = (struct thud_sweep_contact){(int)(10 * number()), .force_n = number()};
+        contact_numbers[i] = (struct thud_sweep_contact){(int)(10 * number()), .force_n = number(),
+                                                         .shear_lower_n = i % 3 ? number() : (double)NAN,
+                                                         .shear_upper_n = number(), .capacity_ratio = NAN};
     for (int c = 0; c < CONTACTS; c++)
         levels[c] = (struct thud_gap_level){1, c + 1, c + 1, 0, number(), number(), number(), 0.5};
     point = (struct thud_sweep_point){.index = 11, /* second record, second damping, third gap */
@@ -80,6 +83,25 @@ static void same(const struct thud_sweep_ratio *x, double acceleration, double d
     ck_assert(x->acceleration == acceleration && x->drift == drift);
 }
 
+/* Of the floors' rows, not of the means. */
+static void check_storeys(const struct thud_sweep_summary *d, const struct thud_sweep_row *row, int n)
+{
+    for (int k = 0; k < d->nruns; k++)
+        for (int s = 0; s < 3; s++) {
+            double ductility = -1, permanent = -1;
+            for (int i = 0; i < n; i++)
+                if (row[i].which == d->run[k].which && row[i].structure == s && row[i].floor > 0) {
+                    ductility = row[i].ductility > ductility ? row[i].ductility : ductility;
+                    permanent = fmax(permanent, fabs(row[i].permanent_m));
+                }
+            const struct thud_sweep_storeys *x = thud_sweep_summary_storeys(d, k, 3, s, THUD_SWEEP_VALUE);
+            ck_assert(ductility < 0 ? isnan(x->ductility) : x->ductility == ductility);
+            ck_assert(permanent < 0 ? isnan(x->permanent_m) : x->permanent_m == permanent);
+            if (d->spread)
+                ck_assert(isnan(thud_sweep_summary_storeys(d, k, 3, s, THUD_SWEEP_HIGH)->ductility));
+        }
+}
+
 /* Of each row of the point, and of nothing else. */
 static void check_rows(const struct thud_sweep_summary *d)
 {
@@ -87,6 +109,7 @@ static void check_rows(const struct thud_sweep_summary *d)
     int n = thud_sweep_rows(plan, &point, row);
     bool spread = point.nvariants > 1;
     ck_assert_int_eq(d->nruns * d->nrows, n);
+    check_storeys(d, row, n);
     for (int k = 0; k < d->nruns; k++)
         for (int s = 0; s < 3; s++)
             for (int f = 0; f <= 10; f++) {
@@ -123,6 +146,9 @@ START_TEST(its_numbers_are_those_of_the_rows)
             ck_assert_int_eq(thud_sweep_summary_find(d, point.which[k]), k);
             ck_assert_int_eq(d->run[k].impacts, c[0].impacts + c[1].impacts);
             ck_assert(d->run[k].force_n == fmax(c[0].force_n, c[1].force_n));
+            ck_assert(d->run[k].shear_n ==
+                      fmax(fmax(c[0].shear_lower_n, c[0].shear_upper_n), fmax(c[1].shear_lower_n, c[1].shear_upper_n)));
+            ck_assert(isnan(d->run[k].capacity_ratio));
         }
         free(d);
     }
@@ -146,19 +172,19 @@ START_TEST(cases_without_an_answer_take_no_room)
 }
 END_TEST
 
-/* A floor takes four numbers, with a spread twelve; whatever the most is that a scene may have. */
+/* A floor takes four numbers, with a spread twelve, a structure two or six, a run six; whatever the most is that a scene may have. */
 START_TEST(the_room_is_what_the_scene_needs)
 {
     const size_t number = sizeof(double);
     for (int spread = 0; spread < 2; spread++) {
         size_t each = (spread ? 12 : 4) * number, one = thud_sweep_summary_size(1, 1, 2, spread);
         ck_assert_uint_eq(thud_sweep_summary_size(1, 1, 3, spread) - one, each);
-        ck_assert_uint_le(thud_sweep_summary_size(2, 1, 2, spread) - one, 2 * each + 3 * number);
-        ck_assert_uint_le(thud_sweep_summary_size(1, 2, 2, spread) - one, number);
-        ck_assert_uint_le(one, 2 * each + 12 * number);
+        ck_assert_uint_le(thud_sweep_summary_size(2, 1, 2, spread) - one, 2 * each + each / 2 + 6 * number);
+        ck_assert_uint_le(thud_sweep_summary_size(1, 2, 2, spread) - one, each / 2 + number);
+        ck_assert_uint_le(one, 2 * each + each / 2 + 15 * number);
     }
     /* the towers, 4 and 6 floors: 10 floors and 2 means */
-    ck_assert_uint_le(thud_sweep_summary_size(2, 2, 12, false) / 2, 456);
+    ck_assert_uint_le(thud_sweep_summary_size(2, 2, 12, false) / 2, 510);
 }
 END_TEST
 
@@ -172,7 +198,11 @@ START_TEST(it_ends_where_its_size_says)
             ck_assert_uint_eq((size_t)((char *)(d->first + 4) - (char *)d), size);
             ck_assert_int_eq(d->first[3], ROWS);
             ck_assert_ptr_eq(d->run + runs, (void *)d->ratio);
-            ck_assert_ptr_eq(d->ratio + runs * ROWS * (spread ? 3 : 1), (void *)d->first);
+            ck_assert_ptr_eq(d->ratio + runs * ROWS * (spread ? 3 : 1), (void *)d->storeys);
+            ck_assert_ptr_eq(d->storeys + runs * 3 * (spread ? 3 : 1), (void *)d->first);
+            ck_assert_ptr_eq(
+                thud_sweep_summary_storeys(d, runs - 1, 3, 2, spread ? THUD_SWEEP_HIGH : THUD_SWEEP_VALUE) + 1,
+                (void *)d->first);
             free(d);
         }
 }

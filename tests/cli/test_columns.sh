@@ -1,0 +1,102 @@
+#!/bin/sh
+# Slabs that strike columns, as a user types them: keys and their errors with place, results, studies, round trips.  TAP.
+# shellcheck source=tests/cli/program.sh
+. "$(dirname "$0")/program.sh"
+
+scene=slab-against-columns
+refused() { # WHAT KEY=VALUE PATTERN: by --set; the message begins with the key
+    # shellcheck disable=SC2154 # tmp is program.sh's
+    is "--set: $1" gives 3 run $scene --set "$2"
+    is "is told: $3" says "^thud: ${2%%=*}: .*$3"
+}
+in_file() { # WHAT LINE PATTERN: the line in place of A's EI and capacity; the message has file, line, column and key
+    awk -v line="$2" '/^      EI:/ && !set { print "      " line; set = 1; next } /^      capacity:/ && !gone { gone = 1; next } { print }' presets/$scene.yaml >"$tmp/p.yaml"
+    is "in a file: $1" gives 3 run "$tmp/p.yaml"
+    key=${2%%:*}
+    is "at its place: $3" says "p\\.yaml:[0-9]*:$((9 + ${#key})): structures\\.1\\.column\\.$key: .*$3"
+}
+small='is too small (> 0'
+for word in "EI MNm2 bending.stiffness" "stiffness MN/m stiffness" "capacity kN force"; do
+    # shellcheck disable=SC2086 # three words
+    set -- $word
+    key=structures.1.column.$1
+    refused "a negative $1" "$key=-1$2" "$small"
+    refused "none of it at all" "$key=0$2" "$small"
+    refused "without a unit" "$key=160" 'has no unit; give a '
+    refused "a number that is none" "$key=nan$2" 'is not a number'
+    refused "of another dimension" "$key=3s" 'is a time; give a '
+    refused "out of range" "$key=1e40$2" 'is too large'
+    refused "a list of another length" "$key=[1$2, 2$2]" 'the list has 2 values, the structure has 4'
+    refused "a floor that is not there" "$key.5=1$2" 'there is no floor "5" (1 to 4)'
+    in_file "a negative $1" "$1: -1 $2" "$small"
+    in_file "without a unit" "$1: 160" 'has no unit'
+    in_file "a list of another length" "$1: [1 $2, 2 $2]" 'the structure has 4 storeys'
+done
+refused "a shape that is none" structures.1.column.shape=round 'unknown choice "round" (clamped, linear)'
+refused "a key that is none" structures.1.column.width=1m 'unknown key "width" (EI, stiffness, capacity, shape)'
+refused "EI and stiffness" structures.1.column.stiffness=5MN/m 'given as well as EI'
+refused "an elevation without a unit" structures.1.base=5 'has no unit; give a length'
+refused "far below the ground" structures.1.base=-201m 'is too small (-200 m to 4000 m)'
+refused "above every building" structures.1.base=4001m 'is too large (-200 m to 4000 m)'
+refused "levels that are none" interfaces.1.levels=some 'unknown choice "some" (all, aligned)'
+sed 's/^    column:$/    kolumn:/' presets/$scene.yaml >"$tmp/p.yaml"
+is "a misspelt group" gives 3 run "$tmp/p.yaml"
+is "has the nearest word" says 'p.yaml:15:5: structures.1.kolumn: .*did you mean "column"\|p.yaml:15:5: structures.1.kolumn: .*, column)'
+sed 's/^      EI: 160 MN m2$/&\n      EI: 161 MN m2/' presets/$scene.yaml >"$tmp/p.yaml"
+is "a key twice" gives 3 run "$tmp/p.yaml"
+is "is told at the second" says 'p.yaml:17:7: EI: the key is given twice (once; it is on line 16 already)'
+for kind in rigid-bumper isolated-moat; do
+    is "$kind: what has no storeys has no columns" gives 3 run $kind --set structures.1.column.EI=1MNm2
+    is "and it is said" says '^thud: structures.1.column.EI: a .* no '
+    is "nor ground to stand on" gives 3 run $kind --set structures.1.base=1m
+done
+is "an isolated building may have columns" gives 0 run isolated-moat --to 1s --set structures.2.column.EI=100MNm2
+
+# each key does what it says
+value() { "$THUD" run $scene --case none --json --quiet "$@" 2>/dev/null | sed -n "/\"columns\"/,/\"energy\"/s/.*\"structure\": \"A\", \"below_floor\": 1, .*\"$key\": \([0-9.e+null-]*\).*/\1/p"; }
+same() { awk -v a="$1" -v b="$2" 'BEGIN { d = a - b; if (d < 0) d = -d; exit !(a != 0 && d <= 1e-9 * (a < 0 ? -a : a)) }'; }
+key=shear_lower_n plain=$(value)
+key=capacity_n
+is "capacity" [ "$(value --set structures.1.column.capacity=2MN)" = 2000000 ]
+key=shear_over_capacity
+is "the shear is held against it" same "$(value --set structures.1.column.capacity=2MN)" "$(echo "$plain" | awk '{ printf "%.15g", $1 / 2e6 }')"
+is "and against none where there is none" [ "$(value --set structures.1.column.capacity=none)" = null ]
+key=shear_lower_n
+# 12 EI/L^3 of 160 MN m2 and 3.6 m
+is "stiffness in place of EI" same "$(value --set structures.1.column.EI=none --set structures.1.column.stiffness=41.1522633744855967MN/m)" "$plain"
+is "columns that do not give bear another shear" [ "$(value --set structures.1.column.EI=none)" != "$plain" ]
+is "and so do those of a line between the floors" [ "$(value --set structures.1.column.shape=linear)" != "$plain" ]
+is "aligned levels alone" gives 0 run $scene --set interfaces.1.levels=aligned --case none
+is "strike no columns" [ "$(grep -c 'c[1-9]' "$tmp/out")" -eq 0 ]
+is "a ground at which nothing meets" gives 0 run $scene --set structures.1.base=100m --case none
+is "is warned of" says 'have nothing at the same level'
+is "one floor's EI" gives 0 run $scene --to 1s --set structures.1.column.EI.2=200MNm2
+
+# a run's scene, run again, and saved
+scene_of() { sed -n '/^  "scene": /,$p' "$1" | sed '1s/^  "scene": //; $d'; }
+for options in "" "--set structures.1.column.shape=linear" "--set structures.2.base=0.4m --set structures.1.column.EI.2=99MNm2" "--set structures.2.yield=20mm --set structures.1.yield-shear=9MN --set structures.1.hardening=3%"; do
+    # shellcheck disable=SC2086 # several words
+    "$THUD" run $scene --to 6s --json --quiet $options 2>/dev/null >"$tmp/one.json"
+    scene_of "$tmp/one.json" >"$tmp/$scene.yaml"
+    "$THUD" run "$tmp/$scene.yaml" --json --quiet >"$tmp/two.json" 2>/dev/null
+    is "the scene in the JSON gives the same bytes ${options:-as shipped}" cmp -s "$tmp/one.json" "$tmp/two.json"
+done
+
+# sweeps over elevation, and what they tell of columns
+is "a sweep over the ground's elevation" gives 0 sweep $scene --to 8s --cases none,bumper --vary structures.1.base=0m,0.6m -o "$tmp/s" --quiet
+column() { awk -F, -v want="$2" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == want) c = i; next } '"$3"' { print $c }' "$1"; }
+for base in 0 0.6; do
+    "$THUD" run $scene --to 8s --case none --set structures.1.base=${base}m --json --quiet >"$tmp/run.json" 2>/dev/null
+    for key in shear_lower_n shear_upper_n moment_lower_nm moment_upper_nm shear_over_capacity; do
+        sed -n "/\"columns\"/,/\"energy\"/s/.*\"$key\": \([0-9.e+-]*\).*/\1/p" "$tmp/run.json" | sort -u >"$tmp/a"
+        column "$tmp/s/contacts.csv" $key "\$2 == \"none\" && /,$base,[^,]*,[^,]*\$/ && \$14 != \"\"" | sort -u >"$tmp/b"
+        is "base $base m, $key: as single runs say" cmp -s "$tmp/a" "$tmp/b"
+        is "and there is one" [ -s "$tmp/a" ]
+    done
+done
+is "a figure of the columns" is_png "$tmp/s/struck-columns.png"
+is "the summary tells of them" gives 0 sweep $scene --to 8s --cases none --vary structures.1.base=0m,0.6m --quiet
+is "by case" shows '^  none  *[0-9.]* to [0-9.]*  *[0-9.]* to [0-9.]*  *0'
+is "where floors meet there is none" gives 0 sweep towers --to 3s --cases none --vary gap=5cm -o "$tmp/t" --quiet
+is "no figure" [ ! -e "$tmp/t/struck-columns.png" ]
+is "and empty cells" [ "$(column "$tmp/t/contacts.csv" moment_lower_nm 1 | sort -u)" = "" ]
