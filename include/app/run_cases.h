@@ -22,7 +22,7 @@ struct thud_run_cases {
     /* of each interface: the gap from which on nothing touches without bumper, and the floors that need it; 0: there are
      * no two floors at one level */
     double need_m[THUD_STRUCTURES_MAX];
-    int need_left[THUD_STRUCTURES_MAX], need_right[THUD_STRUCTURES_MAX];
+    int need_left[THUD_STRUCTURES_MAX], need_right[THUD_STRUCTURES_MAX], need_struck[THUD_STRUCTURES_MAX];
 };
 
 /* `text`: cases by name, `none,bumper`. Errors: THUD_USAGE, and those of thud_session_run. */

@@ -24,6 +24,9 @@ enum { THUD_PAIRINGS_MAX = 2 * (THUD_STOREYS_MAX + 1) };
  * its ground, or within 1 cm of its ground strikes nothing; nothing strikes columns where levels = aligned. */
 int thud_interface_pairings(const struct thud_scene *scene, int interface, struct thud_pairing *out);
 
+/* Of a contact the side of the floor that is no wall's, and of struck columns that of the slab; and that floor. */
+bool thud_slab_is_left(int left_floor, int struck);
+int thud_slab_floor(int left_floor, int right_floor, int struck);
 /* Whose columns: "left", "right", "". */
 const char *thud_struck_name(int struck);
 /* "2-3", "wall-3", "2-c3": floor 2 of the left one and the columns below floor 3 of the right one. */

@@ -17,7 +17,7 @@ enum thud_status thud_latin_hypercube(struct thud_random *random, size_t n, size
  * 2635): its first n points in d dimensions (up to THUD_SOBOL_DIMENSIONS), u (n x d). The error of a mean falls nearly
  * as 1/n. `random`: every coordinate gets a digital shift drawn from it, so that a seed gives a sample of its own and no
  * point lies on the edge; NULL: the sequence itself, 0, 1/2, 3/4, 1/4, ... */
-enum { THUD_SOBOL_DIMENSIONS = 21 };
+enum { THUD_SOBOL_DIMENSIONS = 26 };
 void thud_sobol_sequence(struct thud_random *random, size_t n, size_t d, double *u);
 
 /* First-order and total Sobol indices of a quantity from n rows of two designs A and B and of A with column i from B:

@@ -16,12 +16,17 @@ enum thud_input {
     THUD_INPUT_RESTITUTION, /* of contact and bumper */
     THUD_INPUT_BUMPER_STIFFNESS,
     THUD_INPUT_BUMPER_EXPONENT, /* keeps the number of the stiffness per mm^n */
+    THUD_INPUT_YIELD,           /* drift or shear at which storeys yield */
+    THUD_INPUT_HARDENING,       /* of those storeys, 0 to 1 */
+    THUD_INPUT_COLUMNS,         /* stiffness of the columns that slabs strike */
+    THUD_INPUT_ELEVATION,       /* ground of every second structure from the left */
     THUD_INPUTS
 };
 enum thud_input_way {
     THUD_INPUT_RELATIVE, /* from x (1 - size) to x (1 + size) */
     THUD_INPUT_FACTOR,   /* from x / size to x size, evenly in the logarithm */
-    THUD_INPUT_ABSOLUTE  /* from x - size to x + size, within what is allowed */
+    THUD_INPUT_ABSOLUTE, /* from x - size to x + size, within what is allowed */
+    THUD_INPUT_LENGTH    /* the same in m */
 };
 struct thud_input_info {
     const char *name; /* the word on the command line */
@@ -35,7 +40,7 @@ struct thud_inputs {
     double size[THUD_INPUTS];
 };
 void thud_inputs_init(struct thud_inputs *inputs);
-/* "gap=5 %", "contact-stiffness=2", "restitution=0.1". Errors: THUD_USAGE. */
+/* "gap=5 %", "contact-stiffness=2", "restitution=0.1", "elevation=5 cm". Errors: THUD_USAGE. */
 enum thud_status thud_inputs_set(struct thud_inputs *inputs, const char *text, struct thud_error *err);
 /* Changes an input to place u (0 to 1; 0.5 is as it is) of its range. The motion's factor goes into *motion. No gap is
  * less than its bumper takes. */
@@ -43,10 +48,13 @@ void thud_input_change(struct thud_scene *scene, enum thud_input input, double s
 
 /* ---- what is asked of every sample ---- */
 
+enum thud_quantity_kind { THUD_OF_ACCELERATION, THUD_OF_DRIFT, THUD_OF_FORCE, THUD_OF_NUMBER };
 struct thud_quantity_of_run {
     char name[96];   /* "bumper: mean acceleration of A over no bumper" */
     char column[96]; /* in CSV: "bumper.A.acceleration_ratio" */
-    bool ratio;
+    enum thud_quantity_kind kind;
+    bool ratio; /* to the first case */
+    bool mean;  /* over the floors, not the largest */
     enum thud_case which;
     int structure; /* -1: of all contacts */
 };
@@ -59,6 +67,7 @@ struct thud_uncertainty {
     struct thud_inputs inputs;
     int ninputs;
     enum thud_input input[THUD_INPUTS];
+    bool columns; /* slabs strike some in the scene as it is */
     int nquantities;
     struct thud_quantity_of_run *quantity; /* (nquantities) */
 };

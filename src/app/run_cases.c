@@ -8,6 +8,7 @@
 #include "app/run_figures.h"
 #include "base/quantity.h"
 #include "core/baseline.h"
+#include "study/level.h"
 #include "study/remark.h"
 #include "study/sweep.h"
 
@@ -80,6 +81,7 @@ static enum thud_status find_needs(struct thud_run_cases *cases, const struct th
         cases->need_m[p->interface - 1] = closing;
         cases->need_left[p->interface - 1] = p->left_floor;
         cases->need_right[p->interface - 1] = p->right_floor;
+        cases->need_struck[p->interface - 1] = p->struck;
     }
     thud_baseline_free(baseline);
     return status;
@@ -205,6 +207,15 @@ static const struct thud_contact_result *hardest(const struct thud_result *r, in
     return most;
 }
 
+/* "floor 4 of A and the columns below floor 5 of B"; `left`: the structures of the interface. */
+static void put_struck(const struct thud_structure *left, int left_floor, int right_floor, int struck,
+                       struct thud_text *out)
+{
+    bool by_left = thud_slab_is_left(left_floor, struck);
+    thud_text_append(out, "floor %d of %s and the columns below floor %d of %s", by_left ? left_floor : right_floor,
+                     left[by_left ? 0 : 1].name, by_left ? right_floor : left_floor, left[by_left ? 1 : 0].name);
+}
+
 /* "Without bumper they touch 12 times, hardest with 20.2 MN at floor 4, 7.094 s." */
 static void say_contacts(const struct thud_run_cases *cases, int i, struct thud_text *out)
 {
@@ -219,10 +230,15 @@ static void say_contacts(const struct thud_run_cases *cases, int i, struct thud_
     }
     const struct thud_structure *left = &cases->item[i].scene.structure[most->interface - 1];
     thud_text_append(out, "%s they touch %d time%s", how, impacts, impacts == 1 ? "" : "s");
-    if (most->force.value > 0)
-        thud_text_append(out, ", hardest with %.4g MN, %s and %s at floor %d, %.3f s", 1e-6 * most->force.value,
-                         left->name, left[1].name, most->left_floor ? most->left_floor : most->right_floor,
-                         most->force.time_s);
+    if (most->force.value > 0) {
+        thud_text_append(out, ", hardest with %.4g MN, ", 1e-6 * most->force.value);
+        if (most->struck != 0)
+            put_struck(left, most->left_floor, most->right_floor, most->struck, out);
+        else
+            thud_text_append(out, "%s and %s at floor %d", left->name, left[1].name,
+                             thud_slab_floor(most->left_floor, most->right_floor, 0));
+        thud_text_append(out, ", %.3f s", most->force.time_s);
+    }
     int none = without(cases);
     const struct thud_contact_result *bare = none && none != i ? hardest(result_of(cases, none), &before) : NULL;
     if (bare && bare->force.value > 0)
@@ -258,12 +274,19 @@ static void say_floors(const struct thud_run_cases *cases, int i, bool more, boo
 static void say_needs(const struct thud_run_cases *cases, struct thud_text *out)
 {
     const struct thud_scene *scene = &cases->item[0].scene;
-    for (int i = 0; i + 1 < scene->nstructures; i++)
-        if (cases->need_left[i] + cases->need_right[i] > 0)
-            thud_text_append(
-                out, "%s and %s do not touch from a gap of %.4g cm on (here %.4g cm): floor %d needs it.\n",
-                scene->structure[i].name, scene->structure[i + 1].name, 100 * cases->need_m[i],
-                100 * scene->interface[i].gap_m, cases->need_left[i] ? cases->need_left[i] : cases->need_right[i]);
+    for (int i = 0; i + 1 < scene->nstructures; i++) {
+        int left = cases->need_left[i], right = cases->need_right[i], struck = cases->need_struck[i];
+        if (left + right == 0)
+            continue;
+        thud_text_append(out,
+                         "%s and %s do not touch from a gap of %.4g cm on (here %.4g cm): ", scene->structure[i].name,
+                         scene->structure[i + 1].name, 100 * cases->need_m[i], 100 * scene->interface[i].gap_m);
+        if (struck != 0)
+            put_struck(&scene->structure[i], left, right, struck, out);
+        else
+            thud_text_append(out, "floor %d", thud_slab_floor(left, right, 0));
+        thud_text_append(out, " need%s it.\n", struck ? "" : "s");
+    }
 }
 
 void thud_run_cases_table(const struct thud_run_cases *cases, struct thud_text *out)

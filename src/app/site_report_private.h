@@ -89,7 +89,7 @@ struct thud_site_shown {
 };
 struct thud_site_shown thud_site_number(double value, int digits);
 /* "floor 4 of A and floor 4 of B"; a wall has no floors. */
-void thud_site_sides(const struct site *site, int interface, int left, int right, char *text, size_t size);
+void thud_site_sides(const struct site *site, int interface, int left, int right, int struck, char *text, size_t size);
 /* The contact with the largest force; NULL where nothing touched. */
 const struct thud_contact_result *thud_site_strongest(const struct thud_result *result);
 /* `share`: of its height to its width; 0: chosen for the figure. Takes the figure. */

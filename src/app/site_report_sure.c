@@ -54,7 +54,8 @@ static void sensitivity(struct site *site)
     }
     const struct thud_contact_result *most = thud_site_strongest(r);
     if (most) {
-        thud_site_sides(site, most->interface, most->left_floor, most->right_floor, between, sizeof between);
+        thud_site_sides(site, most->interface, most->left_floor, most->right_floor, most->struck, between,
+                        sizeof between);
         snprintf(what, sizeof what, "force between %s", between);
         add_sensitivity_row(site, what, 1e-6 * most->force.value, "MN", &s->contact[most - r->contact][0]);
     }
@@ -65,7 +66,9 @@ static void sensitivity(struct site *site)
 /* Shown in g, mm and MN; a ratio as it is. */
 static double unit_of(const struct thud_quantity_of_run *q)
 {
-    return q->ratio ? 1 : strstr(q->column, "acceleration") ? THUD_GRAVITY : strstr(q->column, "drift") ? 1e-3 : 1e6;
+    static const double unit[] = {
+        [THUD_OF_ACCELERATION] = THUD_GRAVITY, [THUD_OF_DRIFT] = 1e-3, [THUD_OF_FORCE] = 1e6, [THUD_OF_NUMBER] = 1};
+    return q->ratio ? 1 : unit[q->kind];
 }
 
 static void add_sampled_row(struct site *site, int q, double *room)
@@ -140,7 +143,7 @@ void thud_site_samples_answer(struct site *site)
                            "With the inputs as uncertain as said below, the bumper lowers the mean %s of %s in %.0f %% "
                            "of %.0f samples "
                            "(ratio %.2f in the median, %.2f to %.2f from 5 to 95 %%).",
-                           strstr(quantity->column, "acceleration") ? "acceleration" : "drift",
+                           quantity->kind == THUD_OF_ACCELERATION ? "acceleration" : "drift",
                            thud_site_name(site, quantity->structure), 100 * t.below, t.count, t.median, t.low, t.high);
     }
     free(room);

@@ -13,6 +13,7 @@
 #include "core/spectrum.h"
 #include "plot/figures_record.h"
 #include "plot/figures_run.h"
+#include "study/level.h"
 
 /* A ratio this near to 1 is told as no difference. */
 static const double same_within = 0.02;
@@ -54,7 +55,7 @@ static void say_case(struct site *site, const struct site_case *one)
         thud_document_item(&site->document, "%c%s nothing touches.", one->words[0] - 'a' + 'A', one->words + 1);
         return;
     }
-    thud_site_sides(site, most->interface, most->left_floor, most->right_floor, between, sizeof between);
+    thud_site_sides(site, most->interface, most->left_floor, most->right_floor, most->struck, between, sizeof between);
     thud_document_item(&site->document,
                        "%c%s they touch %d time%s, at %d level%s. The largest force is %s MN, between %s, at %.2f s.",
                        one->words[0] - 'a' + 'A', one->words + 1, n, plural(n), levels, plural(levels),
@@ -252,7 +253,7 @@ static void say_gap(struct site *site)
         if (!(needed >= 0))
             continue;
         const struct thud_gap_level *l = &site->gap->level[level];
-        thud_site_sides(site, i, l->left_floor, l->right_floor, between, sizeof between);
+        thud_site_sides(site, i, l->left_floor, l->right_floor, l->struck, between, sizeof between);
         double out = f->gap_m - thud_interface_clearance(f);
         char bumper[120] = "";
         if (out > 0)
@@ -503,14 +504,13 @@ static void add_case_table(struct site *site, int s, const struct floor_table *t
 }
 
 /* "5-5" between two structures, else with their names. */
-static void add_level_cell(struct site *site, int interface, int left, int right)
+static void add_level_cell(struct site *site, int interface, int left, int right, int struck)
 {
     char between[320];
-    thud_site_sides(site, interface, left, right, between, sizeof between);
+    thud_site_sides(site, interface, left, right, struck, between, sizeof between);
     if (site->scene->nstructures == 2 && left > 0 && right > 0)
-        thud_document_cell(&site->document, "%d-%d", left, right);
-    else
-        thud_document_cell(&site->document, "%s", between);
+        thud_pairing_name(left, right, struck, between, sizeof between);
+    thud_document_cell(&site->document, "%s", between);
 }
 
 /* What is told of every contact; a column that no contact has a value for is left out. */
@@ -558,7 +558,7 @@ static void add_contact_table(struct site *site)
     thud_document_row(d);
     for (int c = site->own->result->ncontacts - 1; c >= 0; c--) {
         const struct thud_contact_result *p = &site->own->result->contact[c];
-        add_level_cell(site, p->interface, p->left_floor, p->right_floor);
+        add_level_cell(site, p->interface, p->left_floor, p->right_floor, p->struck);
         for (int i = SITE_NONE; i < site->ncases; i++)
             for (int k = 0; k < CONTACT_COLUMNS; k++) {
                 const struct contact_column *column = &contact_column[k];
@@ -655,7 +655,7 @@ static void gap(struct site *site)
     thud_document_row(d);
     for (int i = site->gap->nlevels - 1; i >= 0; i--) {
         const struct thud_gap_level *l = &site->gap->level[i];
-        add_level_cell(site, l->interface, l->left_floor, l->right_floor);
+        add_level_cell(site, l->interface, l->left_floor, l->right_floor, l->struck);
         thud_document_cell(d, "%.2f", 100 * l->left_m);
         thud_document_cell(d, "%.2f", 100 * l->right_m);
         for (int rule = THUD_GAP_EXACT; rule < (int)THUD_GAP_RULES; rule++)
@@ -729,7 +729,7 @@ static int caution_bumpers(struct site *site)
         double strain = f->has_bumper ? r->indentation.value / f->bumper_thickness_m : 0;
         double limit = thud_interface_max_strain(f);
         char between[320];
-        thud_site_sides(site, r->interface, r->left_floor, r->right_floor, between, sizeof between);
+        thud_site_sides(site, r->interface, r->left_floor, r->right_floor, r->struck, between, sizeof between);
         if (strain > 1)
             thud_document_item(&site->document,
                                "The bumper between %s would be compressed by %.0f mm, more than its thickness of %.0f "
@@ -843,8 +843,12 @@ static void limits(struct site *site)
                        "%s storeys, rigid floors, motion in one direction, no torsion, no soil, the same ground "
                        "motion under all buildings.",
                        thud_scene_yields(site->scene) ? "Elastic or bilinear" : "Elastic");
-    thud_document_item(d, "Contact between floors at the same elevation; stiffness and restitution of the contacts are "
-                          "assumptions of the literature, not measurements on these buildings.");
+    thud_document_item(d,
+                       "%s; stiffness and restitution of the contacts are assumptions of the literature, not "
+                       "measurements on these buildings.",
+                       site->own->result->ncolumns > 0
+                           ? "Slabs meet floors, and strike columns that stay elastic and whole whatever they bear"
+                           : "Contact between floors at the same elevation");
 }
 
 /* ---- to repeat it ---- */

@@ -30,16 +30,16 @@ const struct thud_contact_result *thud_site_strongest(const struct thud_result *
     return most;
 }
 
-void thud_site_sides(const struct site *site, int interface, int left, int right, char *text, size_t size)
+void thud_site_sides(const struct site *site, int interface, int left, int right, int struck, char *text, size_t size)
 {
-    char l[THUD_NAME_MAX + 24], r[THUD_NAME_MAX + 24];
+    char l[THUD_NAME_MAX + 40], r[THUD_NAME_MAX + 40];
     const char *a = thud_site_name(site, interface - 1), *b = thud_site_name(site, interface);
     if (left > 0)
-        snprintf(l, sizeof l, "floor %d of %s", left, a);
+        snprintf(l, sizeof l, "%sfloor %d of %s", struck < 0 ? "the columns below " : "", left, a);
     else
         snprintf(l, sizeof l, "the wall");
     if (right > 0)
-        snprintf(r, sizeof r, "floor %d of %s", right, b);
+        snprintf(r, sizeof r, "%sfloor %d of %s", struck > 0 ? "the columns below " : "", right, b);
     else
         snprintf(r, sizeof r, "the wall");
     snprintf(text, size, "%s and %s", l, r);

@@ -37,18 +37,19 @@ struct thud_uncertainty_told thud_uncertainty_tell(const struct thud_uncertainty
     return t;
 }
 
-/* Shown units: g, cm, MN, ratios as they are. */
+/* Shown units: m/s2, cm, MN, ratios and numbers as they are. */
 static double shown(const struct thud_quantity_of_run *q, double value)
 {
-    return q->ratio                            ? value
-           : strstr(q->column, "acceleration") ? value
-           : strstr(q->column, "drift")        ? 100 * value
-                                               : 1e-6 * value;
+    static const double factor[] = {
+        [THUD_OF_ACCELERATION] = 1, [THUD_OF_DRIFT] = 100, [THUD_OF_FORCE] = 1e-6, [THUD_OF_NUMBER] = 1};
+    return q->ratio ? value : factor[q->kind] * value;
 }
 
 static const char *unit(const struct thud_quantity_of_run *q)
 {
-    return q->ratio ? "" : strstr(q->column, "acceleration") ? " m/s2" : strstr(q->column, "drift") ? " cm" : " MN";
+    static const char *const name[] = {
+        [THUD_OF_ACCELERATION] = " m/s2", [THUD_OF_DRIFT] = " cm", [THUD_OF_FORCE] = " MN", [THUD_OF_NUMBER] = ""};
+    return q->ratio ? "" : name[q->kind];
 }
 
 /* One of a list of pieces in lines of no more than 80 columns; *column: where the line is, 0 at its beginning. */
@@ -72,6 +73,8 @@ void thud_uncertainty_input_text(const struct thud_uncertainty *u, int i, char *
         snprintf(text, size, "%s +-%g %%", info->name, 100 * by);
     else if (info->way == THUD_INPUT_FACTOR)
         snprintf(text, size, "%s by a factor of %g", info->name, by);
+    else if (info->way == THUD_INPUT_LENGTH)
+        snprintf(text, size, "%s +-%g cm", info->name, 100 * by);
     else
         snprintf(text, size, "%s +-%g", info->name, by);
 }
@@ -133,7 +136,7 @@ static void put_sentence(const struct thud_uncertainty *u, int q, const struct t
                          struct thud_text *out)
 {
     const struct thud_quantity_of_run *quantity = &u->quantity[q];
-    const char *what = strstr(quantity->column, "acceleration") ? "acceleration" : "drift";
+    const char *what = quantity->kind == THUD_OF_ACCELERATION ? "acceleration" : "drift";
     thud_text_append(out,
                      "The %s lowers the mean %s of %s in %.0f %% of %.0f samples\n"
                      "  (ratio %.3f, 90 %% of them %.3f to %.3f).\n",

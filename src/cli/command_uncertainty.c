@@ -34,7 +34,7 @@ static bool is_drawn(const struct thud_uncertainty *u, int q)
     for (int i = 0; i < u->nquantities; i++)
         if (u->quantity[i].ratio)
             return x->ratio;
-    return x->structure >= 0 && q % 2 == 0;
+    return x->kind == THUD_OF_ACCELERATION && !x->mean;
 }
 
 static void add_tornado(struct thud_panel *panel, const struct thud_uncertainty_study *study, int q)
@@ -81,7 +81,7 @@ static struct thud_figure *tornado(const struct thud_uncertainty_study *study)
         const struct thud_quantity_of_run *quantity = &u->quantity[drawn[i]];
         char title[128];
         snprintf(title, sizeof title, "%s: %s", u->scene.structure[quantity->structure].name,
-                 strstr(quantity->column, "acceleration") ? "acceleration" : "drift");
+                 quantity->kind == THUD_OF_ACCELERATION ? "acceleration" : "drift");
         struct thud_panel *panel = thud_figure_panel(figure, i / columns, i % columns, title);
         thud_panel_axis(panel, THUD_X, quantity->ratio ? "Ratio to no bumper" : "Largest acceleration",
                         quantity->ratio ? "" : "m/s²");

@@ -150,6 +150,16 @@ int thud_interface_pairings(const struct thud_scene *scene, int interface, struc
     return meet_body(building, other->structure->height_m[0], building_left, out);
 }
 
+bool thud_slab_is_left(int left_floor, int struck)
+{
+    return struck >= 0 && left_floor > 0;
+}
+
+int thud_slab_floor(int left_floor, int right_floor, int struck)
+{
+    return thud_slab_is_left(left_floor, struck) ? left_floor : right_floor;
+}
+
 const char *thud_struck_name(int struck)
 {
     return struck < 0 ? "left" : struck > 0 ? "right" : "";

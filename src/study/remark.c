@@ -7,6 +7,7 @@
 
 #include "base/scan.h"
 #include "study/answer.h"
+#include "study/level.h"
 
 /* Elastic storeys are not for more: codes let buildings drift by 0.5 to 2.5 % where they yield. */
 static const double drift_most = 0.01;
@@ -71,7 +72,8 @@ static bool look_bumper(const struct thud_scene *scene, int i, const struct thud
     if (count > 0)
         snprintf(often, sizeof often, "; past %.4g mm in %d of %d impacts", 1e3 * limit, past, count);
     if (most->left_floor > 0 || most->right_floor > 0)
-        snprintf(where, sizeof where, " at floor %d", most->left_floor > 0 ? most->left_floor : most->right_floor);
+        snprintf(where, sizeof where, " at floor %d",
+                 thud_slab_floor(most->left_floor, most->right_floor, most->struck));
     snprintf(key, sizeof key, "interfaces.%d.bumper", i + 1);
     thud_error_set(out, THUD_OK, "the bumper of %.4g mm is pressed by %.4g mm%s, %.3f s: %s%s", 1e3 * thickness,
                    1e3 * most->indentation.value, where, most->indentation.time_s,

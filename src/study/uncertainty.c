@@ -7,6 +7,7 @@
 
 #include "base/quantity.h"
 #include "study/answer.h"
+#include "study/level.h"
 #include "study/remark.h"
 #include "study/statistics.h"
 
@@ -20,6 +21,10 @@ static const struct thud_input_info infos[THUD_INPUTS] = {
     [THUD_INPUT_RESTITUTION] = {"restitution", THUD_INPUT_ABSOLUTE, 0.1},
     [THUD_INPUT_BUMPER_STIFFNESS] = {"bumper-stiffness", THUD_INPUT_RELATIVE, 0.2},
     [THUD_INPUT_BUMPER_EXPONENT] = {"bumper-exponent", THUD_INPUT_ABSOLUTE, 0},
+    [THUD_INPUT_YIELD] = {"yield", THUD_INPUT_RELATIVE, 0.1},
+    [THUD_INPUT_HARDENING] = {"hardening", THUD_INPUT_ABSOLUTE, 0.02},
+    [THUD_INPUT_COLUMNS] = {"column-stiffness", THUD_INPUT_RELATIVE, 0.2},
+    [THUD_INPUT_ELEVATION] = {"elevation", THUD_INPUT_LENGTH, 0},
 };
 
 const struct thud_input_info *thud_input_info(enum thud_input input)
@@ -40,19 +45,24 @@ enum thud_status thud_inputs_set(struct thud_inputs *inputs, const char *text, s
     for (int i = 0; i < THUD_INPUTS && text[word]; i++) {
         if (strlen(infos[i].name) != word || strncmp(text, infos[i].name, word) != 0)
             continue;
-        if (thud_quantity_parse(text + word + 1, THUD_RATIO, NULL, &q, NULL) != THUD_OK)
-            break;
-        bool factor = infos[i].way == THUD_INPUT_FACTOR;
-        if (!(q.value >= (factor ? 1 : 0) && q.value <= (factor ? 100 : infos[i].way == THUD_INPUT_ABSOLUTE ? 1 : 0.9)))
+        static const double most[] = {[THUD_INPUT_RELATIVE] = 0.9,
+                                      [THUD_INPUT_FACTOR] = 100,
+                                      [THUD_INPUT_ABSOLUTE] = 1,
+                                      [THUD_INPUT_LENGTH] = 10};
+        enum thud_input_way way = infos[i].way;
+        enum thud_dimension dimension = way == THUD_INPUT_LENGTH ? THUD_LENGTH : THUD_RATIO;
+        if (thud_quantity_parse(text + word + 1, dimension, NULL, &q, NULL) != THUD_OK ||
+            !(q.value >= (way == THUD_INPUT_FACTOR ? 1 : 0) && q.value <= most[way]))
             break;
         inputs->size[i] = q.value;
         return THUD_OK;
     }
     thud_error_set(err, THUD_USAGE, "\"%.60s\" is no input with its size", text);
     thud_error_key(err, "--uncertain");
-    thud_error_allow(err,
-                     "gap, motion, stiffness, damping, mass, bumper-stiffness: 5 %%, up to 90 %%; contact-stiffness: a "
-                     "factor from 1; restitution, bumper-exponent: 0.1, up to 1");
+    thud_error_allow(
+        err, "gap, motion, stiffness, damping, mass, bumper-stiffness, yield, column-stiffness: 5 %%, up to "
+             "90 %%; contact-stiffness: a factor from 1; restitution, bumper-exponent, hardening: 0.1, up to 1; "
+             "elevation: 5 cm, up to 10 m");
     return THUD_USAGE;
 }
 
@@ -110,6 +120,44 @@ static void change_structures(struct thud_scene *scene, enum thud_input input, d
     }
 }
 
+/* Of the storeys that yield. */
+static void change_storeys(struct thud_structure *p, enum thud_input input, double size, double u)
+{
+    for (int i = 0; i < p->storeys; i++) {
+        if (!isfinite(thud_structure_yield(p, i)))
+            continue;
+        if (input == THUD_INPUT_YIELD) {
+            p->yield_m[i] = changed(input, p->yield_m[i], size, u);
+            p->yield_shear_n[i] = changed(input, p->yield_shear_n[i], size, u);
+        } else {
+            p->hardening[i] = fmin(1, fmax(0, changed(input, p->hardening[i], size, u)));
+        }
+    }
+}
+
+static bool is_building(const struct thud_structure *s)
+{
+    return s->kind == THUD_SHEAR || s->kind == THUD_ISOLATED;
+}
+
+static void change_buildings(struct thud_scene *scene, enum thud_input input, double size, double u)
+{
+    for (int s = 0; s < scene->nstructures; s++) {
+        struct thud_structure *p = &scene->structure[s];
+        if (!is_building(p))
+            continue;
+        if (input == THUD_INPUT_ELEVATION)
+            p->base_m = s % 2 ? changed(input, p->base_m, size, u) : p->base_m;
+        else if (input == THUD_INPUT_COLUMNS)
+            for (int i = 0; i < p->storeys; i++) {
+                p->column_ei_nm2[i] = changed(input, p->column_ei_nm2[i], size, u);
+                p->column_stiffness_npm[i] = changed(input, p->column_stiffness_npm[i], size, u);
+            }
+        else
+            change_storeys(p, input, size, u);
+    }
+}
+
 static void change_interfaces(struct thud_scene *scene, enum thud_input input, double size, double u)
 {
     for (int i = 0; i + 1 < scene->nstructures; i++) {
@@ -140,8 +188,35 @@ void thud_input_change(struct thud_scene *scene, enum thud_input input, double s
         *motion = changed(input, *motion, size, u);
     else if (input == THUD_INPUT_STIFFNESS || input == THUD_INPUT_DAMPING || input == THUD_INPUT_MASS)
         change_structures(scene, input, size, u);
+    else if (input >= THUD_INPUT_YIELD && input <= THUD_INPUT_ELEVATION)
+        change_buildings(scene, input, size, u);
     else
         change_interfaces(scene, input, size, u);
+}
+
+/* Whether a slab strikes columns somewhere, and with `given` columns whose stiffness is. */
+static bool has_struck(const struct thud_scene *scene, bool given)
+{
+    struct thud_pairing *meeting = malloc(THUD_PAIRINGS_MAX * sizeof *meeting);
+    bool found = false;
+    for (int i = 0; meeting && i + 1 < scene->nstructures && !found; i++)
+        for (int k = thud_interface_pairings(scene, i, meeting) - 1; k >= 0 && !found; k--) {
+            const struct thud_structure *s = &scene->structure[meeting[k].struck > 0 ? i + 1 : i];
+            int floor = meeting[k].struck > 0 ? meeting[k].right_floor : meeting[k].left_floor;
+            found =
+                meeting[k].struck != 0 && (!given || !isnan(thud_column_ei(s, floor - 1 - (s->kind == THUD_ISOLATED))));
+        }
+    free(meeting);
+    return found;
+}
+
+/* Whether two neighbours are buildings, of which one is moved. */
+static bool has_elevation(const struct thud_scene *scene)
+{
+    for (int i = 0; i + 1 < scene->nstructures; i++)
+        if (is_building(&scene->structure[i | 1]))
+            return true;
+    return false;
 }
 
 static int active_inputs(const struct thud_inputs *inputs, const struct thud_scene *scene,
@@ -155,6 +230,9 @@ static int active_inputs(const struct thud_inputs *inputs, const struct thud_sce
         bool none = inputs->size[i] == (infos[i].way == THUD_INPUT_FACTOR ? 1 : 0);
         bool there = i == THUD_INPUT_MOTION                                                ? scene->record.file[0]
                      : i == THUD_INPUT_BUMPER_STIFFNESS || i == THUD_INPUT_BUMPER_EXPONENT ? bumper
+                     : i == THUD_INPUT_YIELD || i == THUD_INPUT_HARDENING                  ? thud_scene_yields(scene)
+                     : i == THUD_INPUT_COLUMNS                                             ? has_struck(scene, true)
+                     : i == THUD_INPUT_ELEVATION                                           ? has_elevation(scene)
                      : i == THUD_INPUT_STIFFNESS || i == THUD_INPUT_DAMPING || i == THUD_INPUT_MASS ? true
                                                                                                     : interfaces;
         if (!none && there)
@@ -165,40 +243,75 @@ static int active_inputs(const struct thud_inputs *inputs, const struct thud_sce
 
 /* ---- quantities ---- */
 
-enum { ACCELERATION, DRIFT, MEAN_ACCELERATION, MEAN_DRIFT, OF_STRUCTURE };
+enum { ACCELERATION, DRIFT, MEAN_ACCELERATION, MEAN_DRIFT, DUCTILITY, PERMANENT, OF_STRUCTURE };
 
 static bool has_floors(const struct thud_structure *s)
 {
     return s->kind != THUD_WALL;
 }
 
-static void add(struct thud_uncertainty *u, enum thud_case which, int structure, const char *what, const char *column,
-                bool ratio)
+/* What is asked of a case: name, column, kind, and whether it is a ratio, and a mean. */
+struct asked {
+    const char *what, *column;
+    enum thud_quantity_kind kind;
+    bool ratio, mean;
+};
+
+static void add(struct thud_uncertainty *u, enum thud_case which, int structure, const struct asked *asked, int n)
 {
-    struct thud_quantity_of_run *q = &u->quantity[u->nquantities++];
     const char *name = structure >= 0 ? u->scene.structure[structure].name : "";
-    *q = (struct thud_quantity_of_run){.ratio = ratio, .which = which, .structure = structure};
-    snprintf(q->name, sizeof q->name, "%s: %s%s%.40s", thud_case_name(which), what, *name ? " of " : "", name);
-    snprintf(q->column, sizeof q->column, "%s%s%.40s.%s", thud_case_name(which), *name ? "." : "", name, column);
+    for (int i = 0; i < n; i++) {
+        struct thud_quantity_of_run *q = &u->quantity[u->nquantities++];
+        *q = (struct thud_quantity_of_run){.kind = asked[i].kind,
+                                           .ratio = asked[i].ratio,
+                                           .mean = asked[i].mean,
+                                           .which = which,
+                                           .structure = structure};
+        snprintf(q->name, sizeof q->name, "%s: %s%s%.40s", thud_case_name(which), asked[i].what, *name ? " of " : "",
+                 name);
+        snprintf(q->column, sizeof q->column, "%s%s%.40s.%s", thud_case_name(which), *name ? "." : "", name,
+                 asked[i].column);
+    }
+}
+
+static bool yields(const struct thud_structure *s)
+{
+    for (int i = 0; is_building(s) && i < s->storeys; i++)
+        if (isfinite(thud_structure_yield(s, i)))
+            return true;
+    return false;
+}
+
+/* How many of the peaks there are. */
+static int asked_of(const struct thud_structure *structure)
+{
+    return yields(structure) ? OF_STRUCTURE : DUCTILITY;
 }
 
 static void add_quantities(struct thud_uncertainty *u)
 {
+    static const struct asked peaks[] = {
+        {"largest acceleration", "acceleration_mps2", THUD_OF_ACCELERATION, false, false},
+        {"largest drift", "drift_m", THUD_OF_DRIFT, false, false},
+        {"mean acceleration", "mean_acceleration_mps2", THUD_OF_ACCELERATION, false, true},
+        {"mean drift", "mean_drift_m", THUD_OF_DRIFT, false, true},
+        {"largest ductility", "ductility", THUD_OF_NUMBER, false, false},
+        {"largest permanent drift", "permanent_m", THUD_OF_DRIFT, false, false}};
+    static const struct asked ratios[] = {
+        {"mean acceleration ratio", "acceleration_ratio", THUD_OF_ACCELERATION, true, true},
+        {"mean drift ratio", "drift_ratio", THUD_OF_DRIFT, true, true}};
+    static const struct asked contacts[] = {{"largest force", "force_n", THUD_OF_FORCE, false, false},
+                                            {"largest column shear", "shear_n", THUD_OF_FORCE, false, false}};
     for (int k = 0; k < u->ncases; k++) {
         enum thud_case which = u->which[k];
         for (int s = 0; s < u->scene.nstructures; s++) {
             if (!has_floors(&u->scene.structure[s]))
                 continue;
-            add(u, which, s, "largest acceleration", "acceleration_mps2", false);
-            add(u, which, s, "largest drift", "drift_m", false);
-            add(u, which, s, "mean acceleration", "mean_acceleration_mps2", false);
-            add(u, which, s, "mean drift", "mean_drift_m", false);
-            if (k == 0)
-                continue;
-            add(u, which, s, "mean acceleration ratio", "acceleration_ratio", true);
-            add(u, which, s, "mean drift ratio", "drift_ratio", true);
+            add(u, which, s, peaks, asked_of(&u->scene.structure[s]));
+            if (k > 0)
+                add(u, which, s, ratios, 2);
         }
-        add(u, which, -1, "largest force", "force_n", false);
+        add(u, which, -1, contacts, 1 + u->columns);
     }
 }
 
@@ -214,6 +327,7 @@ enum thud_status thud_uncertainty_create(const struct thud_scene *scene, const s
     u->scene = *scene;
     u->record = record;
     u->inputs = *inputs;
+    u->columns = has_struck(scene, false);
     for (int i = 0; i + 1 < scene->nstructures; i++)
         bumper |= scene->interface[i].has_bumper;
     if (bumper)
@@ -221,7 +335,7 @@ enum thud_status thud_uncertainty_create(const struct thud_scene *scene, const s
     if (!bumper || which != THUD_CASE_NONE)
         u->which[u->ncases++] = bumper && which == THUD_CASE_AS_WRITTEN ? THUD_CASE_BUMPER : which;
     u->ninputs = active_inputs(inputs, scene, u->input);
-    u->quantity = calloc((size_t)u->ncases * ((size_t)scene->nstructures * 6 + 1), sizeof *u->quantity);
+    u->quantity = calloc((size_t)u->ncases * ((size_t)scene->nstructures * 8 + 2), sizeof *u->quantity);
     enum thud_status status = THUD_OK;
     if (!u->quantity)
         status = thud_error_set(err, THUD_MEMORY, "out of memory");
@@ -249,6 +363,10 @@ static void summarize(const struct thud_result *result, int structure, double x[
 {
     const struct thud_structure_result *s = &result->structure[structure];
     memset(x, 0, OF_STRUCTURE * sizeof *x);
+    for (int i = 0; s->storey && i < s->floors; i++) {
+        x[DUCTILITY] = s->storey[i].yields ? fmax(x[DUCTILITY], s->storey[i].ductility) : x[DUCTILITY];
+        x[PERMANENT] = s->storey[i].yields ? fmax(x[PERMANENT], fabs(s->storey[i].permanent_m)) : x[PERMANENT];
+    }
     for (int i = 0; i < s->floors; i++) {
         double acceleration = thud_floor_acceleration(result, structure, i);
         x[ACCELERATION] = thud_largest(x[ACCELERATION], acceleration);
@@ -268,7 +386,7 @@ static double *put_case(const struct thud_uncertainty *u, int k, const struct th
         if (!has_floors(&u->scene.structure[s]))
             continue;
         summarize(result, s, x);
-        for (int q = 0; q < OF_STRUCTURE; q++)
+        for (int q = 0; q < asked_of(&u->scene.structure[s]); q++)
             *value++ = x[q];
         if (k == 0) {
             memcpy(first, x, sizeof x);
@@ -280,6 +398,12 @@ static double *put_case(const struct thud_uncertainty *u, int k, const struct th
     for (int c = 0; c < result->ncontacts; c++)
         force = thud_largest(force, thud_peak_force(&result->contact[c]));
     *value++ = force;
+    double shear = 0;
+    for (int c = 0; c < result->ncolumns; c++)
+        shear = fmax(shear, fmax(result->column[c].peak[THUD_COLUMN_SHEAR_LOWER].value,
+                                 result->column[c].peak[THUD_COLUMN_SHEAR_UPPER].value));
+    if (u->columns)
+        *value++ = shear;
     return value;
 }
 

@@ -32,16 +32,16 @@ static char *dof_name(const struct thud_model *model, const struct thud_scene *s
     return text;
 }
 
-/* "A 4 and B 4". */
+/* "A 4 and B 4", "A 4 and B c5" where it strikes columns below B's floor 5. */
 static void contact_name(const struct thud_model *model, const struct thud_scene *scene, int contact, char *text,
                          size_t size)
 {
     const struct thud_model_contact *c = &model->contact[contact];
     char left[16] = "", right[16] = ""; /* a wall has no floors */
     if (c->left_floor > 0)
-        snprintf(left, sizeof left, " %d", c->left_floor);
+        snprintf(left, sizeof left, " %s%d", c->struck < 0 ? "c" : "", c->left_floor);
     if (c->right_floor > 0)
-        snprintf(right, sizeof right, " %d", c->right_floor);
+        snprintf(right, sizeof right, " %s%d", c->struck > 0 ? "c" : "", c->right_floor);
     snprintf(text, size, "%.30s%s and %.30s%s", scene->structure[c->interface - 1].name, left,
              scene->structure[c->interface].name, right);
 }

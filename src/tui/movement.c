@@ -2,6 +2,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "study/level.h"
 #include "tui/dots.h"
 #include "tui/movement.h"
 
@@ -202,8 +203,9 @@ static void draw_building(struct stage *stage, int s)
 /* Height of a contact above the ground, dots, taken on the side that is no wall. */
 static double contact_row(const struct stage *stage, const struct thud_model_contact *contact)
 {
-    int left = contact->interface - 1, s = contact->left_floor > 0 ? left : left + 1;
-    int floor = contact->left_floor > 0 ? contact->left_floor : contact->right_floor;
+    bool left = thud_slab_is_left(contact->left_floor, contact->struck);
+    int s = left ? contact->interface - 1 : contact->interface;
+    int floor = left ? contact->left_floor : contact->right_floor;
     const struct thud_structure *structure = &stage->scene->structure[s];
     int storeys = structure->kind == THUD_ISOLATED ? floor - 1 : floor;
     double height =
@@ -255,7 +257,7 @@ static void say_contact(struct stage *stage, const struct thud_pane *pane, int w
         return;
     const struct thud_model_contact *contact = &stage->model->contact[worst];
     double depth = value_at(stage->history, thud_history_indentation(stage->history, worst), stage->t);
-    int floor = contact->left_floor > 0 ? contact->left_floor : contact->right_floor;
+    int floor = thud_slab_floor(contact->left_floor, contact->right_floor, contact->struck);
     char text[80];
     snprintf(text, sizeof text, "*%d %.3g MN %.3g mm", floor, 1e-6 * force, 1e3 * depth);
     thud_pane_right(pane, pane->w, 0, thud_look(THUD_ROLE_ERROR, THUD_BOLD), text);

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "study/level.h"
 #include "tui/plots.h"
 
 static const double frame_s = 0.05;
@@ -41,10 +42,10 @@ void thud_plots_set_time(struct thud_tui *tui, double t)
         p->time_s = fmax(0.0, fmin(thud_plots_end(tui), t));
 }
 
-/* The floor of a contact that is no wall's. */
+/* The floor of a contact that is no wall's and strikes. */
 static int floor_of(const struct thud_contact_result *contact)
 {
-    return contact->left_floor > 0 ? contact->left_floor : contact->right_floor;
+    return thud_slab_floor(contact->left_floor, contact->right_floor, contact->struck);
 }
 
 /* To the nearest impact of the case after or before the cursor; `largest`: to the one with the largest force. */

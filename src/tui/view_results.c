@@ -6,6 +6,7 @@
 
 #include "base/scan.h"
 #include "io/result_file.h"
+#include "study/level.h"
 #include "study/remark.h"
 #include "tui/field.h"
 #include "tui/peaks_strip.h"
@@ -197,7 +198,7 @@ static int draw_impacts(struct thud_tui *tui, const struct thud_pane *pane)
     for (int i = 0; i < count; i++) {
         const struct thud_contact_result *contact = &result->contact[impact[i].contact];
         row[i] = (struct row){impact[i], contact->interface,
-                              contact->left_floor ? contact->left_floor : contact->right_floor};
+                              thud_slab_floor(contact->left_floor, contact->right_floor, contact->struck)};
     }
     int (*const order[SORTS])(const void *, const void *) = {by_time, by_force, by_floor};
     if (count > 1)

@@ -100,3 +100,36 @@ is "by case" shows '^  none  *[0-9.]* to [0-9.]*  *[0-9.]* to [0-9.]*  *0'
 is "where floors meet there is none" gives 0 sweep towers --to 3s --cases none --vary gap=5cm -o "$tmp/t" --quiet
 is "no figure" [ ! -e "$tmp/t/struck-columns.png" ]
 is "and empty cells" [ "$(column "$tmp/t/contacts.csv" moment_lower_nm 1 | sort -u)" = "" ]
+
+# uncertain inputs
+is "the columns' stiffness is uncertain, and the elevation if asked" gives 0 uncertainty $scene --to 8s --samples 0 --uncertain elevation=0.4m --csv --quiet
+cp "$tmp/out" "$tmp/sure"
+most() { awk -F, -v want="$1" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == want) c = i } $1 == "none.shear_n" { printf "%.9g", $c }' "$tmp/sure"; }
+shear() { "$THUD" run $scene --to 8s --case none --json --quiet "$@" 2>/dev/null | sed -n '/"columns"/,/"energy"/p' | grep -o '"shear_[lu][a-z]*_n": [0-9.e+-]*' | awk '$2 > m { m = $2 } END { printf "%.9g", m }'; }
+is "columns at their stiffest: as a run" [ "$(most column-stiffness_most)" = "$(shear --set structures.1.column.EI=192MNm2 --set structures.2.column.EI=192MNm2)" ]
+is "at their softest" [ "$(most column-stiffness_least)" = "$(shear --set structures.1.column.EI=128MNm2 --set structures.2.column.EI=128MNm2)" ]
+is "the right building higher" [ "$(most elevation_most)" = "$(shear --set structures.2.base=0.4m)" ]
+is "and lower" [ "$(most elevation_least)" = "$(shear --set structures.2.base=-0.4m)" ]
+is "an elevation is a length" gives 2 uncertainty $scene --uncertain elevation=5%
+is "and it is said" says 'elevation: 5 cm, up to 10 m'
+
+# sentences name the slab and the columns
+is "the cases of a run" gives 0 run $scene --cases none,bumper
+is "say what struck what hardest" shows '^Without bumper they touch .* MN, floor 4 of A and the columns below floor 5 of B, '
+is "and what needs the gap" shows ' (here 10 cm): floor 4 of A and the columns below floor 5 of B need it\.$'
+"$THUD" run $scene --case none --json --quiet >"$tmp/run.json" 2>/dev/null
+# shellcheck disable=SC2016 # a program of awk
+is "as the result does" awk -F'[:,]' '/"struck_columns"/ { for (i = 1; i < NF; i++) { if ($i ~ /"force_n"/ && $(i + 1) + 0 > most) { most = $(i + 1) + 0; at = $0 } } }
+    END { exit !(at ~ /"left_floor": 4, "right_floor": 5, .*"struck_columns": "right"/) }' "$tmp/run.json"
+sed 's/^    height: 3.6 m/    height: 3 m/; s/^    height: 3 m$/&/' presets/$scene.yaml >"$tmp/even.yaml"
+is "where floors meet they say so as before" gives 0 run "$tmp/even.yaml" --cases none
+is "by the floor" shows '^Without bumper they touch .* MN, A and B at floor 4, '
+is "a report" gives 0 report $scene --to 9s --samples 5 -o "$tmp/r" --quiet
+is "says it of the force" grep -q 'The largest force is .* between floor 4 of A and the columns below floor 5 of B' "$tmp/r/report.md"
+is "of the gap" grep -q '(floor 4 of A and the columns below floor 5 of B decide' "$tmp/r/report.md"
+is "in its tables" grep -q '^| 4-c5 |' "$tmp/r/report.md"
+is "and that columns are taken as whole" grep -q 'strike columns that stay elastic and whole' "$tmp/r/report.md"
+is "slabs of the right building" gives 0 run $scene --set structures.2.height=2m --cases none,bumper
+is "need the gap" shows ': floor 6 of B and the columns below floor 4 of A need it\.$'
+is "a bumper pressed through" gives 0 run $scene --set structures.2.height=2m
+is "is at the slab's floor" says 'interfaces.1.bumper: the bumper of 50 mm is pressed by .* at floor 6, '

@@ -71,6 +71,21 @@ is "for every floor" [ "$(grep -c '"ductility": [0-9.]*, "permanent_m": -*[0-9.e
 is "a scene whose storeys are elastic has no such columns" gives 0 sweep towers --case none --vary gap=6cm --to 3s --csv --quiet
 is "by name" [ "$(grep -c ductility "$tmp/out")" -eq 0 ]
 
+# uncertain inputs: one at a time is a run with that value
+is "yield and hardening are uncertain" gives 0 uncertainty towers-yielding --set gap=6cm --to 9s --samples 0 --csv --quiet
+cp "$tmp/out" "$tmp/sure"
+most() { awk -F, -v q="$1" -v want="$2" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == want) c = i } $1 == q { printf "%.9g", $c }' "$tmp/sure"; }
+largest() { awk -F, -v want="$1" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == want) c = i; next } $1 == "A" { v = $c < 0 ? -$c : $c; if (v > m) m = v } END { printf "%.9g", m }' "$tmp/run"; }
+for pair in "yield_most structures.%d.yield=16.5mm" "yield_least structures.%d.yield=13.5mm" "hardening_most structures.%d.hardening=7%%" "hardening_least structures.%d.hardening=3%%"; do
+    # shellcheck disable=SC2046,SC2059,SC2086 # a format; several words
+    "$THUD" run towers-yielding --set gap=6cm --to 9s --case none --csv --quiet $(printf -- "--set ${pair#* } " 1 2) >"$tmp/run" 2>/dev/null
+    for key in ductility permanent_m; do
+        is "${pair%% *}: $key of the run" [ "$(most "none.A.$key" "${pair%% *}")" = "$(largest $key)" ]
+    done
+done
+is "where nothing yields they are not asked" gives 0 uncertainty towers --to 3s --samples 0 --csv --quiet
+is "and there is no such quantity" [ "$(grep -c 'yield\|ductility\|column' "$tmp/out")" -eq 0 ]
+
 # thud-model(7)
 gap() { "$THUD" gap towers-yielding --record "records/$1-surrogate.csv" --peak "$2" 2>/dev/null | awk '/surrogate.csv/ { print $2; exit }'; }
 is "the gap that is enough, of the inelastic motion" [ "$(gap kobe 0.821g) $(gap northridge 0.897g) $(gap san-fernando 1.17g)" = "7.66 5.28 8.22" ]

@@ -182,8 +182,11 @@ START_TEST(inputs_by_name)
     ck_assert_int_eq(thud_inputs_set(&inputs, "gap=8 %", &error), THUD_OK);
     ck_assert_double_eq_tol(inputs.size[THUD_INPUT_GAP], 0.08, 1e-15);
     ck_assert_int_eq(thud_inputs_set(&inputs, "contact-stiffness=3", &error), THUD_OK);
-    const char *const wrong[] = {"gap",          "gap=", "gaps=5 %", "gap=5 cm", "gap=95 %", "contact-stiffness=0.5",
-                                 "restitution=2"};
+    const char *const wrong[] = {
+        "gap",           "gap=",          "gaps=5 %",       "gap=5 cm",   "gap=95 %",   "contact-stiffness=0.5",
+        "restitution=2", "elevation=5 %", "elevation=11 m", "yield=95 %", "hardening=2"};
+    ck_assert_int_eq(thud_inputs_set(&inputs, "elevation=5 cm", &error), THUD_OK);
+    ck_assert_double_eq_tol(inputs.size[THUD_INPUT_ELEVATION], 0.05, 1e-15);
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
         ck_assert_msg(thud_inputs_set(&inputs, wrong[i], &error) == THUD_USAGE, "%s", wrong[i]);
 }
@@ -199,6 +202,22 @@ START_TEST(changes_of_a_scene)
     ck_assert_double_eq_tol(scene->structure[0].damping, 0.8 * scene[1].structure[0].damping, 1e-15);
     thud_input_change(scene, THUD_INPUT_MASS, 0.05, 0, &factor);
     ck_assert_double_eq_tol(scene->structure[0].mass_kg[0], 0.95 * scene[1].structure[0].mass_kg[0], 1e-6);
+    scene->structure[0].yield_m[1] = scene[1].structure[0].yield_m[1] = 0.01;
+    scene->structure[0].hardening[1] = scene[1].structure[0].hardening[1] = 0.05;
+    scene->structure[1].yield_shear_n[0] = scene[1].structure[1].yield_shear_n[0] = 1e6;
+    scene->structure[1].column_ei_nm2[2] = scene[1].structure[1].column_ei_nm2[2] = 1e8;
+    thud_input_change(scene, THUD_INPUT_YIELD, 0.1, 1, &factor);
+    ck_assert_double_eq_tol(scene->structure[0].yield_m[1], 0.011, 1e-15);
+    ck_assert_double_eq_tol(scene->structure[1].yield_shear_n[0], 1.1e6, 1e-7);
+    ck_assert(scene->structure[0].yield_m[0] == 0 && scene->structure[1].yield_shear_n[1] == 0);
+    thud_input_change(scene, THUD_INPUT_HARDENING, 0.1, 0, &factor);
+    ck_assert(scene->structure[0].hardening[1] == 0);                                  /* no less */
+    ck_assert(scene->structure[0].hardening[0] == scene[1].structure[0].hardening[0]); /* elastic */
+    thud_input_change(scene, THUD_INPUT_COLUMNS, 0.2, 0, &factor);
+    ck_assert_double_eq_tol(scene->structure[1].column_ei_nm2[2], 0.8e8, 1);
+    thud_input_change(scene, THUD_INPUT_ELEVATION, 0.05, 1, &factor);
+    ck_assert(scene->structure[0].base_m == 0);
+    ck_assert_double_eq_tol(scene->structure[1].base_m, 0.05, 1e-15);
     thud_input_change(scene, THUD_INPUT_GAP, 0.5, 0, &factor);
     ck_assert_double_eq_tol(scene->interface[0].gap_m,
                             fmax(0.5 * scene[1].interface[0].gap_m,
