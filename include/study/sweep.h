@@ -20,9 +20,9 @@
 enum thud_sweep_shortcut {
     THUD_SWEEP_FREE =
         1, /* clearances at least as wide as the largest relative displacements take the contact-free answer */
-    THUD_SWEEP_START = 2,     /* a run begins where the first contact could be */
-    THUD_SWEEP_LEVELS = 4,    /* contacts that nothing can close (between walls, of laws without force) are left out */
-    THUD_SWEEP_REFERENCE = 8, /* points that differ in the bumper alone share case `none` */
+    THUD_SWEEP_START = 2,  /* a run begins where the first contact could be */
+    THUD_SWEEP_LEVELS = 4, /* contacts that nothing can close (between walls, of laws without force) are left out */
+    THUD_SWEEP_SAME = 8,   /* of runs whose contacts are the same one is made */
     THUD_SWEEP_ALL = 15
 };
 
@@ -77,12 +77,16 @@ enum thud_status thud_sweep_group_create(const struct thud_sweep_plan *plan, lon
 enum thud_status thud_sweep_group_advance(struct thud_sweep_group *group, long budget, bool *done,
                                           struct thud_error *err);
 void thud_sweep_group_free(struct thud_sweep_group *group);
+/* The point that makes case k (k = ncases: `none` for the ratios) of a point; its own one where no other run is the
+ * same. The group is done. */
+long thud_sweep_maker(const struct thud_sweep_group *group, long point, int k);
+enum { THUD_SWEEP_SAME_BYTES = 8 << 20 }; /* most that a group keeps for that */
 
 /* What became of a run. */
 struct thud_sweep_effort {
     enum thud_status status; /* THUD_OK; THUD_INPUT: not possible (a bumper wider than the gap); THUD_DIVERGED */
     bool made;               /* false: answered without a run */
-    bool reused;             /* not made, but another point's (case `none`) */
+    bool reused;             /* not made, but another run's with the same contacts */
     bool reference;          /* not asked for: case `none`, run for the ratios */
     double shared_s, end_s;  /* motion taken from the baseline, and the whole */
     int left_out;            /* contacts left out */
@@ -114,7 +118,8 @@ struct thud_sweep_point {
     int ncases; /* those of the plan, and `none` after them where it had to be added */
     enum thud_case which[THUD_SWEEP_CASES_MAX + 1]; /* (ncases) */
     struct thud_sweep_effort effort[THUD_SWEEP_CASES_MAX + 1];
-    int nvariants; /* 1, or THUD_SWEEP_VARIANTS */
+    bool awaited[THUD_SWEEP_CASES_MAX + 1]; /* left to another point; settled before anything is read */
+    int nvariants;                          /* 1, or THUD_SWEEP_VARIANTS */
     struct thud_sweep_changed changed;
     int floors[THUD_STRUCTURES_MAX]; /* (nstructures) */
     struct thud_sweep_floor
@@ -131,22 +136,16 @@ enum thud_status thud_sweep_task_create(const struct thud_sweep_plan *plan, cons
 /* A run that fails is a run without an answer: `err` is set and tells why, but THUD_OK comes back. Errors: THUD_MEMORY.
  */
 enum thud_status thud_sweep_task_advance(struct thud_sweep_task *task, long budget, bool *done, struct thud_error *err);
-/* The point that makes the reference case for this one: that with every bumper's key at its first value. */
-long thud_sweep_reference_point(const struct thud_sweep_plan *plan, long point);
-/* The reference case (`none`) of a finished point, for the others (free with free()); NULL where there is nothing to
- * share, or no memory. */
-struct thud_sweep_reference;
-struct thud_sweep_reference *thud_sweep_reference_keep(const struct thud_sweep_plan *plan,
-                                                       const struct thud_sweep_point *point);
-/* How many of them to keep so that none is made twice, as far as THUD_SWEEP_REFERENCE_BYTES go; of which point it is,
- * modulo this, gives each its place. At least 1. */
-enum { THUD_SWEEP_REFERENCE_BYTES = 8 << 20 };
-long thud_sweep_reference_slots(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point);
-/* To a task that has not been advanced yet, from a point with the same thud_sweep_reference_point. */
-void thud_sweep_task_share(struct thud_sweep_task *task, const struct thud_sweep_reference *reference);
+/* To a task that has not been advanced yet: leaves out the runs whose answer is that of another one which a point of
+ * `first`, `first + step`, ... makes, for thud_sweep_group_settle. */
+void thud_sweep_task_leave(struct thud_sweep_task *task, long first, long step);
 /* Hands over the point of a task that is done. */
 struct thud_sweep_point *thud_sweep_task_take(struct thud_sweep_task *task);
 void thud_sweep_task_free(struct thud_sweep_task *task);
+/* Keeps of a finished point what others have too, and gives it what it left to one before it. For all points of the
+ * group, in their order, one at a time. Errors: THUD_MEMORY. */
+enum thud_status thud_sweep_group_settle(struct thud_sweep_group *group, struct thud_sweep_point *point,
+                                         struct thud_error *err);
 
 /* Rows of a point; each returns how many there are and fills them where `row` is not NULL. */
 int thud_sweep_rows(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point,

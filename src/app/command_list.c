@@ -123,7 +123,7 @@ static const struct thud_option options[] = {
     {"best", "KEY", "best value of a varied key by itself", THUD_WORD_VARIED, false, 1 << THUD_COMMAND_SWEEP},
     {"shard", "K/N", "every N-th point, from the K-th on", THUD_WORD_TEXT, false, SWEEP},
     {"merge", NULL, "join the folders of all shards", THUD_WORD_NONE, false, SWEEP},
-    {"without", "SHORTCUT", "no free, start, levels or reference", THUD_WORD_CHOICE, true, SWEEP},
+    {"without", "SHORTCUT", "no free, start, levels or same", THUD_WORD_CHOICE, true, SWEEP},
     {"slab", "AREA,LENGTH,MODULUS", "E A/L of a slab, e.g. 3m2,15m,30GPa", THUD_WORD_TEXT, true, STIFFNESS},
     {"pad", "AREA,MODULUS,THICKNESS", "alpha A K_r/d^n, e.g. 0.5m2,5MPa,5cm", THUD_WORD_TEXT, false, STIFFNESS},
     {"update", NULL, "write new expectations and show the difference", THUD_WORD_NONE, false, VERIFY},
@@ -190,7 +190,7 @@ const char *thud_option_choice(const struct thud_option *option, int i)
                    {"sampling", {"latin-hypercube", "sobol"}},
                    {"signs", {"both"}},
                    {"baseline", {"mean", "linear"}},
-                   {"without", {"free", "start", "levels", "reference", "all"}},
+                   {"without", {"free", "start", "levels", "same", "all"}},
                    {"format", {"png", "svg", "pdf"}},
                    {"completion", {"bash", "zsh", "fish"}}};
     for (size_t k = 0; k < sizeof choices / sizeof *choices; k++)

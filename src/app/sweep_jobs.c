@@ -17,10 +17,10 @@ struct shared_group {
     struct shared_group *next;
 };
 
-/* A reference case for points to come. */
-struct kept {
-    long of; /* thud_sweep_reference_point */
-    struct thud_sweep_reference *reference;
+/* A finished point, and the group that it stands on. */
+struct made {
+    struct thud_sweep_point *point;
+    struct shared_group *group;
 };
 
 struct thud_sweep_work {
@@ -31,10 +31,8 @@ struct thud_sweep_work {
     pthread_cond_t room, ready, made; /* for workers; for the taker; for users of a group */
     long next, taken;                 /* counts of points handed out and taken */
     long window;                      /* how far handing out may be ahead */
-    struct thud_sweep_point **ring;   /* (window) finished points by count % window */
+    struct made *ring;                /* (window) finished points by count % window */
     struct shared_group *groups;
-    struct kept *kept; /* (slots) */
-    long slots;        /* 0: nothing was kept yet */
     bool stop;
     enum thud_status status;
     struct thud_error error;
@@ -135,42 +133,6 @@ static struct shared_group *borrow(struct thud_sweep_work *w, long index)
     return NULL;
 }
 
-/* The reference case, where a point with the same one was made before. */
-static void share_reference(struct thud_sweep_work *w, struct thud_sweep_task *task, long index)
-{
-    long of = thud_sweep_reference_point(w->jobs.plan, index);
-    if (of == index)
-        return; /* the one that makes it, so that what is told of the work does not depend on who comes first */
-    pthread_mutex_lock(&w->lock);
-    const struct kept *kept = w->slots > 0 ? &w->kept[of % w->slots] : NULL;
-    if (kept && kept->reference && kept->of == of)
-        thud_sweep_task_share(task, kept->reference);
-    pthread_mutex_unlock(&w->lock);
-}
-
-/* Keeps it for the points to come, in place of what was kept there; without memory it is made again. The lock is held.
- */
-static void keep_reference(struct thud_sweep_work *w, const struct thud_sweep_point *point)
-{
-    long of = thud_sweep_reference_point(w->jobs.plan, point->index);
-    struct kept *kept = w->slots > 0 ? &w->kept[of % w->slots] : NULL;
-    if (kept && kept->reference && kept->of == of)
-        return;
-    struct thud_sweep_reference *reference = thud_sweep_reference_keep(w->jobs.plan, point);
-    if (reference && !kept) {
-        long slots = thud_sweep_reference_slots(w->jobs.plan, point);
-        w->kept = calloc((size_t)slots, sizeof *w->kept);
-        w->slots = w->kept ? slots : 0;
-        kept = w->kept ? &w->kept[of % slots] : NULL;
-    }
-    if (!kept) {
-        free(reference);
-        return;
-    }
-    free(kept->reference);
-    *kept = (struct kept){of, reference};
-}
-
 static enum thud_status make_point(struct thud_sweep_work *w, const struct thud_sweep_group *group, long index,
                                    struct thud_sweep_point **out, struct thud_error *err)
 {
@@ -178,7 +140,7 @@ static enum thud_status make_point(struct thud_sweep_work *w, const struct thud_
     bool done = false;
     enum thud_status status = thud_sweep_task_create(w->jobs.plan, group, index, &task, err);
     if (status == THUD_OK)
-        share_reference(w, task, index);
+        thud_sweep_task_leave(task, w->jobs.first, w->jobs.step);
     while (status == THUD_OK && !done) {
         status = thud_sweep_task_advance(task, SLICE * 16, &done, err);
         if (status == THUD_OK && !done && stopped(w))
@@ -210,14 +172,11 @@ static void *worker(void *context)
         struct thud_sweep_point *point = NULL;
         enum thud_status status = make_point(w, group->group, index, &point, &error);
         pthread_mutex_lock(&w->lock);
-        group->users--;
-        drop_groups(w);
         if (status != THUD_OK) {
             fail(w, status, &error);
             break;
         }
-        keep_reference(w, point);
-        w->ring[i % w->window] = point;
+        w->ring[i % w->window] = (struct made){point, group};
         if (i == w->taken)
             pthread_cond_signal(&w->ready);
     }
@@ -234,7 +193,7 @@ enum thud_status thud_sweep_work_start(const struct thud_sweep_jobs *jobs, struc
     if (w) {
         w->jobs = *jobs;
         w->window = 4L * threads + 4;
-        w->ring = calloc((size_t)w->window, sizeof(struct thud_sweep_point *));
+        w->ring = calloc((size_t)w->window, sizeof(struct made));
     }
     if (!w || !w->ring) {
         free(w);
@@ -265,20 +224,35 @@ static enum thud_status failure(const struct thud_sweep_work *w, struct thud_err
     return w->status;
 }
 
+/* What the point shares with others is settled in the order of points. The lock is held. */
+static void settle(struct thud_sweep_work *w, struct made *made)
+{
+    struct thud_error error = {0};
+    enum thud_status status = thud_sweep_group_settle(made->group->group, made->point, &error);
+    if (status != THUD_OK) {
+        fail(w, status, &error);
+        return;
+    }
+    made->group->users--;
+    drop_groups(w);
+}
+
 enum thud_status thud_sweep_work_take(struct thud_sweep_work *w, double wait_s, struct thud_sweep_point **point,
                                       bool *done, struct thud_error *err)
 {
     *point = NULL;
     pthread_mutex_lock(&w->lock);
-    struct thud_sweep_point **slot = &w->ring[w->taken % w->window];
+    struct made *slot = &w->ring[w->taken % w->window];
     *done = w->taken >= w->jobs.count;
     if (!*done && cancelled(w))
         fail(w, THUD_CANCELLED, NULL);
-    if (!*done && !w->stop && !*slot && wait_s > 0)
+    if (!*done && !w->stop && !slot->point && wait_s > 0)
         thud_threads_wait(&w->ready, &w->lock, wait_s);
-    if (!*done && !w->stop && *slot) {
-        *point = *slot;
-        *slot = NULL;
+    if (!*done && !w->stop && slot->point)
+        settle(w, slot);
+    if (!*done && !w->stop && slot->point) {
+        *point = slot->point;
+        slot->point = NULL;
         w->taken++;
         *done = w->taken >= w->jobs.count;
         pthread_cond_broadcast(&w->room);
@@ -300,10 +274,9 @@ void thud_sweep_work_end(struct thud_sweep_work *w)
     for (int i = 0; i < w->started; i++)
         pthread_join(w->thread[i], NULL);
     for (long i = 0; i < w->window; i++)
-        free(w->ring[i]);
-    for (long i = 0; i < w->slots; i++)
-        free(w->kept[i].reference);
-    free(w->kept);
+        free(w->ring[i].point);
+    for (struct shared_group *b = w->groups; b; b = b->next)
+        b->users = 0;
     w->next = w->jobs.count;
     drop_groups(w);
     pthread_cond_destroy(&w->made);

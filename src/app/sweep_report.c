@@ -285,7 +285,7 @@ void thud_sweep_report_work(const struct thud_sweep_plan *plan, const struct thu
         thud_text_append(out, " and %ld of case none for the ratios", total->references);
     thud_text_append(out, ": %ld made, %ld answered by the motion without pounding", total->made, total->free);
     if (total->reused > 0)
-        thud_text_append(out, ", %ld of case none reused from points with another bumper", total->reused);
+        thud_text_append(out, ", %ld the same as another (equal clearances and laws)", total->reused);
     thud_text_append(out, "\n");
     if (plan->scene.analysis.modes > 0)
         thud_text_append(out, "each building's lowest %d modes alone: thud run tells what that changes\n",

@@ -45,7 +45,7 @@ static enum thud_status choose_shortcuts(struct sweep *s, struct thud_error *err
     } shortcut[] = {{"free", THUD_SWEEP_FREE},
                     {"start", THUD_SWEEP_START},
                     {"levels", THUD_SWEEP_LEVELS},
-                    {"reference", THUD_SWEEP_REFERENCE},
+                    {"same", THUD_SWEEP_SAME},
                     {"all", THUD_SWEEP_ALL}};
     const char *word;
     for (int i = 0; (word = thud_args_repeated(s->args, "without", i)) != NULL; i++) {
@@ -56,7 +56,7 @@ static enum thud_status choose_shortcuts(struct sweep *s, struct thud_error *err
         if (!bit) {
             thud_error_set(err, THUD_USAGE, "\"%.40s\" is no shortcut", word);
             thud_error_key(err, "--without");
-            thud_error_allow(err, "free, start, levels, reference, all");
+            thud_error_allow(err, "free, start, levels, same, all");
             return THUD_USAGE;
         }
         s->plan.shortcuts &= ~bit;

@@ -38,6 +38,7 @@ static void fill_structure(struct assembly *a, int index, const struct thud_stru
     }
     to->stiffness_npm = n > 0 ? stiffness : NULL;
     a->yield_m[index][0] = INFINITY; /* isolators do not yield */
+    a->hardening[index][0] = 0;
     for (int i = base; i < n; i++) {
         a->yield_m[index][i] = thud_structure_yield(s, i - base);
         a->hardening[index][i] = s->hardening[i - base];
@@ -49,8 +50,7 @@ static void fill_structure(struct assembly *a, int index, const struct thud_stru
     to->isolation_damping = s->isolation_damping;
 }
 
-/* A bumper covers every level of its interface. */
-static void fill_law(const struct thud_interface *interface, struct thud_contact_input *to)
+void thud_interface_contact(const struct thud_interface *interface, struct thud_contact_input *to)
 {
     const struct thud_law_choice *law = interface->has_bumper ? &interface->bumper : &interface->contact;
     to->law = law->law;
@@ -90,7 +90,7 @@ static bool add_contact(struct assembly *a, const struct thud_scene *scene, int 
                                       .right_floor = meeting->right_floor,
                                       .left_structure = index,
                                       .right_structure = index + 1};
-    fill_law(&scene->interface[index], to);
+    thud_interface_contact(&scene->interface[index], to);
     if (meeting->struck < 0)
         to->struck = columns(&scene->structure[index], meeting->left_floor, meeting);
     else if (meeting->struck > 0)
@@ -110,8 +110,12 @@ static bool join(struct assembly *a, const struct thud_scene *scene, int index)
 enum thud_status thud_scene_assemble(const struct thud_scene *scene, struct thud_model **out, struct thud_error *err)
 {
     *out = NULL;
-    struct assembly *a = calloc(1, sizeof *a);
+    struct assembly *a = malloc(sizeof *a); /* of its 140 KB a scene fills little */
     bool ok = a != NULL;
+    if (ok) {
+        a->contact = NULL;
+        a->ncontacts = a->capacity = 0;
+    }
     for (int s = 0; ok && s < scene->nstructures; s++)
         fill_structure(a, s, &scene->structure[s]);
     for (int s = 0; ok && s + 1 < scene->nstructures; s++)

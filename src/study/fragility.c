@@ -10,25 +10,19 @@
 
 /* ---- the lognormal curve ---- */
 
-/* Below this the distribution function is taken by its asymptote; erfc underflows at -38. */
-static const double far_tail = -30;
-
-static double log_cdf(double eta)
-{
-    static const double half_log_2_pi = 0.91893853320467274178;
-    return eta < far_tail ? -0.5 * eta * eta - log(-eta) - half_log_2_pi : log(thud_normal_cdf(eta));
-}
-
-/* Density over distribution function. */
-static double hazard_of(double eta)
-{
-    static const double inverse_root_2_pi = 0.39894228040143267794;
-    return eta < far_tail ? -eta - 1 / eta : inverse_root_2_pi * exp(-0.5 * eta * eta) / thud_normal_cdf(eta);
-}
+/* Beyond this the small tail is taken by its asymptote; erfc underflows at 38. */
+static const double far_tail = 30;
 
 /* eta = a + b t, t = ln x - centre. */
 struct probit {
     double a, b, centre;
+};
+
+/* Stripes, and the logarithms of their x where many fits have the same (else NULL). */
+struct stripes {
+    const struct thud_stripe *stripe;
+    const double *log_x;
+    size_t n;
 };
 
 static bool counts(const struct thud_stripe *s)
@@ -36,40 +30,59 @@ static bool counts(const struct thud_stripe *s)
     return s->n > 0 && s->x > 0 && isfinite(s->x);
 }
 
-static double likelihood(const struct probit *p, const struct thud_stripe *stripe, size_t n)
+static double log_x(const struct stripes *s, size_t i)
 {
-    double sum = 0;
-    for (size_t i = 0; i < n; i++) {
-        if (!counts(&stripe[i]))
+    return s->log_x ? s->log_x[i] : log(s->stripe[i].x);
+}
+
+/* The logarithm of the likelihood with its gradient and its negative Hessian (aa, ab, bb). */
+struct likelihood {
+    double sum, g[2], h[3];
+};
+
+/* Adds `count` outcomes of probability Phi(eta) (`sign` 1) or Phi(-eta) (-1): the logarithm of the probability, and
+ * density over probability. */
+static void add(struct likelihood *to, double count, double sign, double eta, double t, double log_p, double hazard)
+{
+    double slope = sign * count * hazard, curve = count * hazard * (hazard + sign * eta);
+    to->sum += count * log_p;
+    to->g[0] += slope;
+    to->g[1] += slope * t;
+    to->h[0] += curve;
+    to->h[1] += curve * t;
+    to->h[2] += curve * t * t;
+}
+
+/* One erfc and one exp serve both outcomes of a stripe. */
+static struct likelihood likelihood(const struct probit *p, const struct stripes *s)
+{
+    static const double half_log_2_pi = 0.91893853320467274178, inverse_root_2_pi = 0.39894228040143267794;
+    struct likelihood out = {0};
+    for (size_t i = 0; i < s->n; i++) {
+        if (!counts(&s->stripe[i]))
             continue;
-        double eta = p->a + p->b * (log(stripe[i].x) - p->centre);
-        int none = stripe[i].n - stripe[i].count;
-        sum += (stripe[i].count > 0 ? stripe[i].count * log_cdf(eta) : 0) + (none > 0 ? none * log_cdf(-eta) : 0);
+        double t = log_x(s, i) - p->centre, eta = p->a + p->b * t, size = fabs(eta);
+        double small = thud_normal_cdf(-size), density = inverse_root_2_pi * exp(-0.5 * eta * eta);
+        int yes = s->stripe[i].count, no = s->stripe[i].n - yes, rare = eta < 0 ? yes : no, usual = eta < 0 ? no : yes;
+        double sign = eta < 0 ? 1 : -1; /* of the rare outcome */
+        if (rare > 0 && size > far_tail)
+            add(&out, rare, sign, eta, t, -0.5 * eta * eta - log(size) - half_log_2_pi, size + 1 / size);
+        else if (rare > 0)
+            add(&out, rare, sign, eta, t, log(small), density / small);
+        if (usual > 0)
+            add(&out, usual, -sign, eta, t, log1p(-small), density / (1 - small));
     }
-    return sum;
+    return out;
 }
 
 /* Newton's step; false where the curvature is singular. */
-static bool newton(const struct probit *p, const struct thud_stripe *stripe, size_t n, double step[2])
+static bool newton(const struct likelihood *l, double step[2])
 {
-    double g[2] = {0}, h[3] = {0}; /* gradient; negative Hessian: aa, ab, bb */
-    for (size_t i = 0; i < n; i++) {
-        if (!counts(&stripe[i]))
-            continue;
-        double t = log(stripe[i].x) - p->centre, eta = p->a + p->b * t;
-        double up = hazard_of(eta), down = hazard_of(-eta), z = stripe[i].count, rest = stripe[i].n - z;
-        double slope = z * up - rest * down, curve = z * up * (up + eta) + rest * down * (down - eta);
-        g[0] += slope;
-        g[1] += slope * t;
-        h[0] += curve;
-        h[1] += curve * t;
-        h[2] += curve * t * t;
-    }
-    double det = h[0] * h[2] - h[1] * h[1];
-    if (!(det > 1e-14 * h[0] * h[2]))
+    double det = l->h[0] * l->h[2] - l->h[1] * l->h[1];
+    if (!(det > 1e-14 * l->h[0] * l->h[2]))
         return false;
-    step[0] = (h[2] * g[0] - h[1] * g[1]) / det;
-    step[1] = (h[0] * g[1] - h[1] * g[0]) / det;
+    step[0] = (l->h[2] * l->g[0] - l->h[1] * l->g[1]) / det;
+    step[1] = (l->h[0] * l->g[1] - l->h[1] * l->g[0]) / det;
     return true;
 }
 
@@ -104,45 +117,44 @@ static bool is_step(const struct thud_stripe *stripe, size_t n, struct thud_logn
     return true;
 }
 
-static struct thud_lognormal fit_from(const struct thud_stripe *stripe, size_t n, struct probit *p)
+static struct thud_lognormal fit_from(const struct stripes *s, struct probit *p)
 {
     enum { STEPS = 100 };
+    static const double small = 1e-7; /* the step after a step like this is below 1e-14 */
     struct thud_lognormal curve = {0};
-    double sum = 0, asked = 0, happened = 0, square = 0;
+    double sum = 0, asked = 0, happened = 0, least = INFINITY, most = -INFINITY;
     int used = 0;
-    for (size_t i = 0; i < n; i++)
-        if (counts(&stripe[i])) {
+    for (size_t i = 0; i < s->n; i++)
+        if (counts(&s->stripe[i])) {
+            double t = log_x(s, i);
             used++;
-            asked += stripe[i].n;
-            happened += stripe[i].count;
-            sum += log(stripe[i].x);
+            asked += s->stripe[i].n;
+            happened += s->stripe[i].count;
+            sum += t;
+            least = fmin(least, t);
+            most = fmax(most, t);
         }
-    if (used < 2 || happened <= 0 || happened >= asked)
+    if (used < 2 || happened <= 0 || happened >= asked || !(most > least))
         return curve;
-    double centre = sum / used;
-    for (size_t i = 0; i < n; i++)
-        if (counts(&stripe[i]))
-            square += pow(log(stripe[i].x) - centre, 2);
-    if (!(square > 0))
+    if (is_step(s->stripe, s->n, &curve))
         return curve;
-    if (is_step(stripe, n, &curve))
-        return curve;
+    double centre = sum / used, step[2];
     if (isnan(p->b) || p->centre != centre)
         *p = (struct probit){thud_normal_quantile(happened / asked), 0, centre};
-    double best = likelihood(p, stripe, n), step[2];
-    for (int i = 0; i < STEPS && newton(p, stripe, n, step); i++) {
+    struct likelihood best = likelihood(p, s);
+    for (int i = 0; i < STEPS && newton(&best, step); i++) {
         struct probit next = *p;
-        double gain = -1, part = 1;
-        for (; part > 1e-12 && !(gain >= 0); part /= 2) {
+        struct likelihood there = {.sum = -INFINITY};
+        for (double part = 1; part > 1e-12 && !(there.sum >= best.sum); part /= 2) {
             next.a = p->a + part * step[0];
             next.b = p->b + part * step[1];
-            gain = likelihood(&next, stripe, n) - best;
+            there = likelihood(&next, s);
         }
-        if (!(gain >= 0))
+        if (!(there.sum >= best.sum))
             break;
         *p = next;
-        best += gain;
-        if (fabs(step[0]) + fabs(step[1]) < 1e-10 * (1 + fabs(p->a) + fabs(p->b)))
+        best = there;
+        if (fabs(step[0]) + fabs(step[1]) < small * (1 + fabs(p->a) + fabs(p->b)))
             break;
     }
     if (p->b == 0 || !isfinite(p->b))
@@ -153,7 +165,7 @@ static struct thud_lognormal fit_from(const struct thud_stripe *stripe, size_t n
 struct thud_lognormal thud_lognormal_fit(const struct thud_stripe *stripe, size_t n)
 {
     struct probit p = {NAN, NAN, NAN};
-    return fit_from(stripe, n, &p);
+    return fit_from(&(struct stripes){stripe, NULL, n}, &p);
 }
 
 double thud_lognormal_at(const struct thud_lognormal *curve, double x)
@@ -240,14 +252,18 @@ static enum thud_status bootstrap(const signed char *happens, int nrecords, cons
     size_t samples = (size_t)ask->samples, n = f->n;
     double *value = malloc((n + 2) * samples * sizeof *value); /* curves at each x, then theta, then beta */
     struct thud_stripe *stripe = malloc(n * sizeof *stripe);
+    double *logs = malloc(n * sizeof *logs);
     struct thud_random random = {ask->seed};
     struct probit start = {NAN, NAN, NAN};
-    if (!value || !stripe) {
+    if (!value || !stripe || !logs) {
         free(value);
         free(stripe);
+        free(logs);
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
-    (void)fit_from(f->stripe, n, &start);
+    for (size_t i = 0; i < n; i++)
+        logs[i] = log(f->stripe[i].x);
+    (void)fit_from(&(struct stripes){f->stripe, logs, n}, &start);
     for (size_t b = 0; b < samples; b++) {
         for (size_t i = 0; i < n; i++)
             stripe[i] = (struct thud_stripe){f->stripe[i].x, 0, 0};
@@ -259,7 +275,7 @@ static enum thud_status bootstrap(const signed char *happens, int nrecords, cons
             }
         }
         struct probit p = start;
-        struct thud_lognormal curve = fit_from(stripe, n, &p);
+        struct thud_lognormal curve = fit_from(&(struct stripes){stripe, logs, n}, &p);
         bool ever = false;
         for (size_t i = 0; i < n; i++)
             ever |= stripe[i].count > 0;
@@ -274,6 +290,7 @@ static enum thud_status bootstrap(const signed char *happens, int nrecords, cons
     band(value + (n + 1) * samples, samples, &f->beta_low, &f->beta_high);
     free(value);
     free(stripe);
+    free(logs);
     return THUD_OK;
 }
 

@@ -1,5 +1,7 @@
 /* Cases: the same scene without bumper, with it flush on the wall, or set in a cavity. */
+#include <float.h>
 #include <math.h>
+#include <stddef.h>
 #include <string.h>
 
 #include "study/scene.h"
@@ -31,6 +33,14 @@ double thud_interface_max_strain(const struct thud_interface *interface)
     return i < 0 ? NAN : bumper->value[i];
 }
 
+void thud_scene_copy(struct thud_scene *to, const struct thud_scene *from)
+{
+    size_t structures = offsetof(struct thud_scene, structure) + (size_t)from->nstructures * sizeof *from->structure;
+    size_t rest = offsetof(struct thud_scene, interface);
+    memcpy(to, from, structures);
+    memcpy((char *)to + rest, (const char *)from + rest, sizeof *from - rest);
+}
+
 enum thud_status thud_scene_case(const struct thud_scene *scene, enum thud_case which, struct thud_scene *out,
                                  struct thud_error *err)
 {
@@ -54,7 +64,7 @@ enum thud_status thud_scene_case(const struct thud_scene *scene, enum thud_case 
         return THUD_INPUT;
     }
     if (out != scene)
-        memcpy(out, scene, sizeof *out);
+        thud_scene_copy(out, scene);
     for (int i = 0; i + 1 < out->nstructures; i++) {
         struct thud_interface *at = &out->interface[i];
         if (which == THUD_CASE_NONE)
@@ -69,9 +79,16 @@ enum thud_status thud_scene_case(const struct thud_scene *scene, enum thud_case 
 
 double thud_interface_clearance(const struct thud_interface *interface)
 {
-    double clearance = interface->gap_m;
-    if (interface->has_bumper)
+    static const double picometres = 1e12;
+    double clearance = interface->gap_m, most = clearance;
+    if (interface->has_bumper) {
         clearance -= interface->bumper_thickness_m - interface->bumper_cavity_m;
-    /* 5 cm - (5 cm - 1 cm) + ... may miss 0 by the last digit */
-    return fabs(clearance) < 1e-12 ? 0 : clearance;
+        most += interface->bumper_thickness_m;
+    }
+    /* 5 cm - (5 cm - 1 cm) may miss 1 cm by the last digit, and 0 by more of them: what can be a whole number of
+     * picometres is one, so that the same clearance has the same bits however it came about */
+    double whole = round(clearance * picometres) / picometres;
+    if (fabs(clearance - whole) <= 4 * DBL_EPSILON * most || fabs(clearance) * picometres < 1)
+        return whole;
+    return clearance;
 }

@@ -51,6 +51,8 @@ static enum thud_status check_value(const struct thud_param *param, double value
                                     struct thud_error *err)
 {
     char text[96];
+    if (is_fine(param, value))
+        return THUD_OK;
     if (isnan(value))
         return missing(param, err, key);
     thud_quantity_format(value, param->unit, text, sizeof text);
@@ -65,8 +67,8 @@ static enum thud_status check_yield(const struct thud_structure *structure, int 
 {
     char key[64];
     bool storeys = structure->kind == THUD_SHEAR || structure->kind == THUD_ISOLATED;
+    snprintf(key, sizeof key, "structures.%d.yield-shear", s + 1);
     for (int i = 0; i < structure->storeys && storeys; i++) {
-        snprintf(key, sizeof key, "structures.%d.yield-shear", s + 1);
         if (structure->yield_m[i] > 0 && structure->yield_shear_n[i] > 0) {
             thud_error_set(err, THUD_INPUT, "storey %d has a yield drift too", i + 1);
             return refuse(err, key, "yield or yield-shear, not both");
@@ -97,7 +99,7 @@ static enum thud_status check_group(const struct thud_scene *scene, int s, enum 
                                                                                             : 0;
         for (int floor = 0; floor < n; floor++) {
             char key[96];
-            if (is_fine(&params[i], value[floor]) || (places[i].optional && value[floor] == 0))
+            if ((places[i].optional && value[floor] == 0) || is_fine(&params[i], value[floor]))
                 continue;
             snprintf(key, sizeof key, n > 1 ? "structures.%d.%s%s.%d" : "structures.%d.%s%s", s + 1, prefix,
                      params[i].name, floor + 1);

@@ -62,6 +62,33 @@ static enum thud_status take_record(const struct thud_sweep_plan *plan, struct t
     return status;
 }
 
+enum thud_status thud_sweep_case(const struct thud_sweep_plan *plan, const struct thud_scene *scene,
+                                 enum thud_case which, int variant, bool check, struct thud_scene *cased,
+                                 struct thud_error *err)
+{
+    enum thud_change change;
+    double factor;
+    enum thud_status status = thud_scene_case(scene, which, cased, err);
+    if (status == THUD_OK && check)
+        status = thud_scene_check(cased, err);
+    if (status == THUD_OK && thud_sweep_variant(plan, variant, &change, &factor))
+        thud_change_scene(cased, change, factor);
+    return status;
+}
+
+enum thud_status thud_sweep_model(const struct thud_scene *cased, struct thud_model **model,
+                                  struct thud_run_options *options, struct thud_error *err)
+{
+    enum thud_status status = thud_scene_assemble(cased, model, err);
+    if (status == THUD_OK)
+        status = thud_scene_options(cased, options, err);
+    if (status != THUD_OK) {
+        thud_model_free(*model);
+        *model = NULL;
+    }
+    return status;
+}
+
 /* Baseline g from the first point's scene; *cased: scratch. */
 static enum thud_status build_baseline(struct thud_sweep_group *group, int g, int record,
                                        const struct thud_scene *scene, struct thud_scene *cased, struct thud_error *err)
@@ -70,19 +97,15 @@ static enum thud_status build_baseline(struct thud_sweep_group *group, int g, in
     struct thud_run_options options;
     enum thud_change change;
     double factor;
-    bool changed = thud_sweep_variant(group->plan, g > 0 ? g + 2 : 0, &change, &factor);
+    int variant = g > 0 ? g + 2 : 0;
+    bool changed = thud_sweep_variant(group->plan, variant, &change, &factor);
     double scale = changed && change == THUD_CHANGE_SCALE ? factor : 1;
+    enum thud_case which = thud_sweep_has_bumper(scene) ? THUD_CASE_NONE : THUD_CASE_AS_WRITTEN;
     enum thud_status status = take_record(group->plan, baseline, scene, record, scale, err);
     if (status == THUD_OK)
-        status =
-            thud_scene_case(scene, thud_sweep_has_bumper(scene) ? THUD_CASE_NONE : THUD_CASE_AS_WRITTEN, cased, err);
-    if (status == THUD_OK) {
-        if (changed)
-            thud_change_scene(cased, change, factor);
-        status = thud_scene_assemble(cased, &baseline->model, err);
-    }
+        status = thud_sweep_case(group->plan, scene, which, variant, false, cased, err);
     if (status == THUD_OK)
-        status = thud_scene_options(cased, &options, err);
+        status = thud_sweep_model(cased, &baseline->model, &options, err);
     if (status == THUD_OK)
         status = thud_baseline_create(baseline->model, baseline->record, &options, &baseline->baseline, err);
     return status;
@@ -115,6 +138,8 @@ enum thud_status thud_sweep_group_create(const struct thud_sweep_plan *plan, lon
         group->index = index;
         group->nbaselines = plan->sensitivity > 0 ? THUD_SWEEP_BASELINES : 1;
         status = build(group, scenes, scenes + 1, err);
+        if (status == THUD_OK)
+            status = thud_sweep_same_create(plan, &group->same, err);
     } else {
         thud_error_set(err, THUD_MEMORY, "out of memory");
     }
@@ -137,10 +162,12 @@ enum thud_status thud_sweep_group_advance(struct thud_sweep_group *group, long b
             return status;
         group->ndone += whole;
     }
-    *done = group->ndone == group->nbaselines;
-    if (*done)
+    if (group->ndone < group->nbaselines)
+        return THUD_OK;
+    enum thud_status status = thud_sweep_same_advance(group, budget, done, err);
+    if (status == THUD_OK && *done)
         thud_gap_levels(group->baseline[0].model, group->baseline[0].baseline, group->level);
-    return THUD_OK;
+    return status;
 }
 
 void thud_sweep_group_free(struct thud_sweep_group *group)
@@ -152,6 +179,7 @@ void thud_sweep_group_free(struct thud_sweep_group *group)
         thud_model_free(group->baseline[g].model);
         thud_record_free(group->baseline[g].scaled);
     }
+    thud_sweep_same_free(group->same);
     free(group->level);
     free(group);
 }

@@ -401,7 +401,7 @@ enum thud_status thud_sweep_scene(const struct thud_sweep_plan *plan, long point
 {
     int at[THUD_VARY_MAX] = {0};
     thud_sweep_place(plan, point, at);
-    *out = plan->scene;
+    thud_scene_copy(out, &plan->scene);
     enum thud_status status = THUD_OK;
     for (int i = 0; i < plan->naxes && status == THUD_OK; i++)
         status = thud_scene_set(out, plan->axis[i].key, plan->axis[i].text[at[i]], err);

@@ -23,6 +23,7 @@ struct thud_sweep_group {
     int nbaselines, ndone; /* nbaselines: 1, or THUD_SWEEP_BASELINES */
     struct thud_sweep_baseline baseline[THUD_SWEEP_BASELINES];
     struct thud_gap_level *level; /* (model->ncontacts); once done */
+    struct thud_sweep_same *same;
 };
 
 /* What a variant changes and by which factor; false for variant 0, the scene as it is. */
@@ -39,6 +40,14 @@ static inline const struct thud_sweep_baseline *thud_sweep_baseline(const struct
     return &group->baseline[variant > 2 ? variant - 2 : 0]; /* variants 1 and 2 change the gap */
 }
 
+/* A case of a point's scene, as a variant changes it. `check`: refuses what is not possible. Errors: THUD_INPUT. */
+enum thud_status thud_sweep_case(const struct thud_sweep_plan *plan, const struct thud_scene *scene,
+                                 enum thud_case which, int variant, bool check, struct thud_scene *cased,
+                                 struct thud_error *err);
+/* What a run of it needs. Errors: THUD_INPUT, THUD_MEMORY. */
+enum thud_status thud_sweep_model(const struct thud_scene *cased, struct thud_model **model,
+                                  struct thud_run_options *options, struct thud_error *err);
+
 /* Everything 0; NULL when out of memory. */
 struct thud_sweep_point *thud_sweep_point_create(int ncases, int nfloors, int ncontacts, int nvariants);
 bool thud_sweep_has_bumper(const struct thud_scene *scene);
@@ -54,12 +63,18 @@ static inline struct thud_sweep_contact *thud_sweep_contacts(const struct thud_s
     return point->contact + ((ptrdiff_t)variant * point->ncases + k) * point->ncontacts;
 }
 
-/* Whether case k of a point is one that the plan has another point make for it. */
-bool thud_sweep_reuses_reference(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point, int k);
-/* What is left of an effort that another point made. */
-void thud_sweep_effort_reused(struct thud_sweep_effort *effort);
-/* Puts case `none` in place; false where the point has none. */
-bool thud_sweep_reference_put(const struct thud_sweep_reference *reference, const struct thud_sweep_plan *plan,
-                              struct thud_sweep_point *point);
+/* Which runs of a group are the same; NULL: none is shared. Made in slices once the group's model is there. */
+enum thud_status thud_sweep_same_create(const struct thud_sweep_plan *plan, struct thud_sweep_same **out,
+                                        struct thud_error *err);
+enum thud_status thud_sweep_same_advance(struct thud_sweep_group *group, long budget, bool *done,
+                                         struct thud_error *err);
+void thud_sweep_same_free(struct thud_sweep_same *same);
+/* Whether case k of a point has the answer of an earlier run. */
+bool thud_sweep_is_made_before(const struct thud_sweep_group *group, long point, int k);
+/* What is left of an effort that another run made. */
+void thud_sweep_effort_taken(struct thud_sweep_effort *effort);
+/* The cases of a point (THUD_SWEEP_CASES_MAX + 1): the plan's, and `none` after them where the ratios need it. Returns
+ * how many. */
+int thud_sweep_point_cases(const struct thud_sweep_plan *plan, const struct thud_scene *scene, enum thud_case *which);
 
 #endif

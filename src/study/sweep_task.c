@@ -15,7 +15,6 @@ struct thud_sweep_task {
     struct thud_sweep_effort effort; /* of the run at work */
     struct thud_model *model;
     struct thud_run *run;
-    bool reference_shared; /* case `none` is there already */
 };
 
 struct thud_sweep_point *thud_sweep_point_create(int ncases, int nfloors, int ncontacts, int nvariants)
@@ -37,14 +36,6 @@ struct thud_sweep_point *thud_sweep_point_create(int ncases, int nfloors, int nc
     point->contact = (void *)(point->floor + floors);
     point->level = (void *)(point->contact + contacts);
     return point;
-}
-
-static bool has_case(const struct thud_sweep_plan *plan, enum thud_case which)
-{
-    for (int i = 0; i < plan->ncases; i++)
-        if (plan->cases[i] == which)
-            return true;
-    return false;
 }
 
 /* Floors' peaks of a result. */
@@ -104,12 +95,13 @@ enum thud_status thud_sweep_task_create(const struct thud_sweep_plan *plan, cons
         status = thud_sweep_scene(plan, index, task->scene, err);
     }
     if (status == THUD_OK) {
-        bool reference = !has_case(plan, THUD_CASE_NONE) && thud_sweep_has_bumper(task->scene);
+        enum thud_case which[THUD_SWEEP_CASES_MAX + 1];
+        int ncases = thud_sweep_point_cases(plan, task->scene, which);
         struct thud_sweep_point *point = task->point = thud_sweep_point_create(
-            plan->ncases + reference, model->ndof, model->ncontacts, plan->sensitivity > 0 ? THUD_SWEEP_VARIANTS : 1);
+            ncases, model->ndof, model->ncontacts, plan->sensitivity > 0 ? THUD_SWEEP_VARIANTS : 1);
         status = point ? THUD_OK : THUD_MEMORY;
-        for (int i = 0; point && i < point->ncases; i++) {
-            point->which[i] = i < plan->ncases ? plan->cases[i] : THUD_CASE_NONE;
+        for (int i = 0; point && i < ncases; i++) {
+            point->which[i] = which[i];
             point->effort[i].reference = i >= plan->ncases;
         }
     }
@@ -184,11 +176,11 @@ static void count_run(struct thud_sweep_task *task)
         bool reference = kept->reference;
         *kept = task->effort;
         kept->reference = reference;
-        if (thud_sweep_reuses_reference(task->plan, task->point, task->which))
-            thud_sweep_effort_reused(kept);
+        if (thud_sweep_is_made_before(task->group, task->point->index, task->which))
+            thud_sweep_effort_taken(kept);
         return;
     }
-    if (thud_sweep_reuses_reference(task->plan, task->point, task->which))
+    if (thud_sweep_is_made_before(task->group, task->point->index, task->which))
         return; /* counted where it is made, whether it could be reused or not */
     changed->made += task->effort.made;
     changed->free += task->effort.status == THUD_OK && !task->effort.made;
@@ -238,20 +230,13 @@ static enum thud_status start_run(struct thud_sweep_task *task, const struct thu
 static enum thud_status begin(struct thud_sweep_task *task, struct thud_error *err)
 {
     struct thud_run_options options;
-    enum thud_change change;
-    double factor;
     task->effort = (struct thud_sweep_effort){0};
-    enum thud_status status = thud_scene_case(task->scene, task->point->which[task->which], task->cased, err);
+    enum thud_status status = thud_sweep_case(task->plan, task->scene, task->point->which[task->which], task->variant,
+                                              true, task->cased, err);
     if (status == THUD_OK)
-        status = thud_scene_check(task->cased, err);
-    if (status == THUD_OK && thud_sweep_variant(task->plan, task->variant, &change, &factor))
-        thud_change_scene(task->cased, change, factor);
-    if (status == THUD_OK)
-        status = thud_scene_assemble(task->cased, &task->model, err);
+        status = thud_sweep_model(task->cased, &task->model, &options, err);
     if (status == THUD_OK && !same_shape(task->model, task->group->baseline[0].model))
         status = thud_error_set(err, THUD_INPUT, "floors and contacts differ from those of the study's first case");
-    if (status == THUD_OK)
-        status = thud_scene_options(task->cased, &options, err);
     if (status == THUD_OK)
         status = start_run(task, &options, err);
     return status;
@@ -290,12 +275,12 @@ enum thud_status thud_sweep_task_advance(struct thud_sweep_task *task, long budg
 {
     while (budget > 0 && task->variant < task->point->nvariants) {
         bool ended = false;
-        if (skipped(task)) {
-            no_numbers(task);
+        if (task->point->awaited[task->which]) {
             next_run(task);
             continue;
         }
-        if (task->reference_shared && task->point->which[task->which] == THUD_CASE_NONE) {
+        if (skipped(task)) {
+            no_numbers(task);
             next_run(task);
             continue;
         }
@@ -320,9 +305,14 @@ enum thud_status thud_sweep_task_advance(struct thud_sweep_task *task, long budg
     return THUD_OK;
 }
 
-void thud_sweep_task_share(struct thud_sweep_task *task, const struct thud_sweep_reference *reference)
+void thud_sweep_task_leave(struct thud_sweep_task *task, long first, long step)
 {
-    task->reference_shared = thud_sweep_reference_put(reference, task->plan, task->point);
+    struct thud_sweep_point *point = task->point;
+    for (int k = 0; k < point->ncases; k++) {
+        long maker = thud_sweep_maker(task->group, point->index, k);
+        point->awaited[k] =
+            thud_sweep_is_made_before(task->group, point->index, k) && maker >= first && (maker - first) % step == 0;
+    }
 }
 
 struct thud_sweep_point *thud_sweep_task_take(struct thud_sweep_task *task)

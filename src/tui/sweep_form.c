@@ -183,7 +183,7 @@ static int draw_progress(struct thud_tui *tui, struct thud_sweep_state *s, const
     thud_field_note(pane, y++, "%ld runs made, %ld answered", data->total.made, data->total.free);
     thud_field_note(pane, y++, "  without one (no contact)");
     if (data->total.reused)
-        thud_field_note(pane, y++, "%ld shared: they have no bumper", data->total.reused);
+        thud_field_note(pane, y++, "%ld the same as another", data->total.reused);
     if (data->total.impossible)
         thud_field_note(pane, y++, "%ld not possible (bumper > gap)", data->total.impossible);
     if (data->total.diverged)

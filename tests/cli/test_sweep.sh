@@ -78,12 +78,12 @@ check "so they are for free bodies without a ground motion" cmp "$tmp/free.csv" 
 # case none is the same whatever the bumper: the first bumper's point makes it for the others, in any order of the keys and in parts too
 none() { "$THUD" sweep towers --vary gap=8cm,12cm --vary bumper.thickness=3cm,5cm,7cm --cases bumper,none "$@"; }
 status 0 none -j 1
-check "case none is made once for all bumpers" grep -q "12 runs: 8 made, .*, 4 of case none reused from" "$tmp/out"
+check "case none is made once for all bumpers" grep -q "12 runs: 8 made, .*, 4 the same as another" "$tmp/out"
 mv "$tmp/out" "$tmp/work"
 status 0 none -j 2
 check "what is told of it does not depend on the threads" cmp "$tmp/work" "$tmp/out"
 none --csv --quiet -j 2 >"$tmp/shared.csv" 2>"$tmp/err"
-none --csv --quiet --without reference >"$tmp/each.csv" 2>"$tmp/err"
+none --csv --quiet --without same >"$tmp/each.csv" 2>"$tmp/err"
 check "with the same numbers" cmp "$tmp/shared.csv" "$tmp/each.csv"
 for k in 1 2; do status 0 none --quiet --shard $k/2 -o "$tmp/none$k"; done
 "$THUD" sweep --merge "$tmp/none1" "$tmp/none2" --quiet -o "$tmp/nones" >"$tmp/out" 2>"$tmp/err"

@@ -199,6 +199,74 @@ START_TEST(shortcuts_change_no_number)
 }
 END_TEST
 
+/* Whether two models are the same but for their structures. */
+static bool same_contacts(const struct thud_model *a, const struct thud_model *b)
+{
+    bool same = a->ncontacts == b->ncontacts;
+    for (int c = 0; c < a->ncontacts && same; c++) {
+        const struct thud_model_contact *p = &a->contact[c], *q = &b->contact[c];
+        same = p->law == q->law && p->clearance_m == q->clearance_m && p->setup.thickness_m == q->setup.thickness_m;
+        for (int i = 0; i < p->law->nparams && same; i++)
+            same = p->setup.value[i] == q->setup.value[i] || (isnan(p->setup.value[i]) && isnan(q->setup.value[i]));
+    }
+    return same;
+}
+
+/* Each run's model against that of every run before it: the first with the same contacts makes it. A cavity 1 cm deep is
+ * a bumper without one at a gap 1 cm wider. */
+START_TEST(runs_with_the_same_contacts_are_made_by_the_first)
+{
+    enum { CASES = 3, POINTS = 2 * 11 };
+    struct thud_model *model[POINTS * CASES] = {0};
+    struct thud_scene *scenes = malloc(2 * sizeof *scenes);
+    vary("bumper.thickness=4 cm,5 cm");
+    vary("gap=4 cm:9 cm:0.5 cm");
+    ck_assert_int_eq(thud_sweep_cases(plan, "none,bumper,cavity", &error), THUD_OK);
+    ck_assert_int_eq(thud_sweep_points(plan), POINTS);
+    struct thud_sweep_group *group = make_group(0);
+    int shared = 0;
+    for (long run = 0; run < POINTS * CASES; run++) {
+        long first = run;
+        ck_assert_int_eq(thud_sweep_scene(plan, run / CASES, scenes, &error), THUD_OK);
+        if (thud_scene_case(scenes, plan->cases[run % CASES], scenes + 1, &error) == THUD_OK &&
+            thud_scene_check(scenes + 1, &error) == THUD_OK)
+            ck_assert_int_eq(thud_scene_assemble(scenes + 1, &model[run], &error), THUD_OK);
+        for (long other = run - 1; other >= 0; other--)
+            if (model[run] && model[other] && same_contacts(model[run], model[other]))
+                first = other;
+        ck_assert_msg(thud_sweep_maker(group, run / CASES, (int)(run % CASES)) == first / CASES, "run %ld", run);
+        shared += first < run;
+    }
+    ck_assert_int_eq(shared, 11 + 9); /* case none again; each cavity of 5 cm but those at the two widest gaps */
+    for (int run = 0; run < POINTS * CASES; run++)
+        thud_model_free(model[run]);
+    thud_sweep_group_free(group);
+    free(scenes);
+}
+END_TEST
+
+/* What a group keeps has a bound: where there are more answers to share, the rest is made. */
+START_TEST(what_is_kept_for_others_is_bounded)
+{
+    enum { GAPS = 15001 };
+    vary("bumper.thickness=1 cm,2 cm");
+    vary("gap=10 cm:85 cm:0.005 cm");
+    ck_assert_int_eq(thud_sweep_cases(plan, "none", &error), THUD_OK);
+    ck_assert_int_eq(thud_sweep_points(plan), 2 * GAPS);
+    struct thud_sweep_group *group = make_group(0);
+    long shared = 0, size = 10 * (long)sizeof(struct thud_sweep_floor) + 4 * (long)sizeof(struct thud_sweep_contact);
+    for (long i = 0; i < GAPS; i++) {
+        ck_assert_int_eq(thud_sweep_maker(group, i, 0), i);
+        long maker = thud_sweep_maker(group, GAPS + i, 0);
+        ck_assert(maker == i || maker == GAPS + i);
+        shared += maker == i;
+    }
+    ck_assert_int_gt(shared, GAPS / 2);
+    ck_assert_int_le(shared * size, THUD_SWEEP_SAME_BYTES);
+    thud_sweep_group_free(group);
+}
+END_TEST
+
 /* A wall between two pairs: what happens on one side does not concern the other, whose contacts are left out where
  * nothing closes them. */
 START_TEST(levels_that_cannot_touch_are_left_out)
@@ -380,6 +448,8 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, rows_are_those_of_single_runs);
     tcase_add_test(tcase, ratios_by_hand);
     tcase_add_loop_test(tcase, shortcuts_change_no_number, 0, 2);
+    tcase_add_test(tcase, runs_with_the_same_contacts_are_made_by_the_first);
+    tcase_add_test(tcase, what_is_kept_for_others_is_bounded);
     tcase_add_test(tcase, levels_that_cannot_touch_are_left_out);
     tcase_add_test(tcase, identical_neighbours_need_no_run);
     tcase_add_test(tcase, needed_gap_is_where_contacts_end);

@@ -20,12 +20,17 @@ struct taken {
     long next, step, stop_at;
     volatile sig_atomic_t cancel;
     long shown;
+    bool answers; /* alone, not what they cost */
+    struct thud_sweep_total total;
 };
 
 static enum thud_status take(void *context, struct thud_sweep_point *point, struct thud_error *err)
 {
     struct taken *t = context;
     ck_assert_int_eq(point->index, t->next);
+    thud_sweep_total_add(&t->total, point);
+    for (int k = 0; k < point->ncases && t->answers; k++)
+        point->effort[k] = (struct thud_sweep_effort){.status = point->effort[k].status};
     thud_sweep_point_write(point, &t->text);
     thud_text_append(&t->text, "\n");
     free(point);
@@ -74,6 +79,45 @@ START_TEST(any_number_of_threads_gives_the_same)
         thud_text_clear(&more.text);
     }
     thud_text_clear(&one.text);
+}
+END_TEST
+
+/* Cases of the same contacts at other gaps: taken over where the other point is in the same work, made where it is not
+ * (in parts, or where a study goes on); the answers, and what is told of their cost, are the same. */
+START_TEST(what_is_the_same_is_taken_over)
+{
+    ck_assert_int_eq(thud_sweep_cases(plan, "bumper,as-written,none,cavity", &error), THUD_OK);
+    struct taken all = {.answers = true}, each = {.answers = true};
+    ck_assert_int_eq(run(1, 0, 1, &all, NULL), THUD_OK);
+    ck_assert_int_gt(all.total.reused, 40); /* as written is case bumper */
+    for (int threads = 1; threads <= 8; threads *= 2)
+        for (long step = 1; step <= 3; step++) {
+            struct taken part[3] = {0};
+            long made = 0, reused = 0;
+            for (long k = 0; k < step; k++) {
+                part[k].answers = true;
+                ck_assert_int_eq(run(threads, k, step, &part[k], NULL), THUD_OK);
+                made += part[k].total.made;
+                reused += part[k].total.reused;
+            }
+            ck_assert_int_eq(made, all.total.made);
+            ck_assert_int_eq(reused, all.total.reused);
+            const char *from[3] = {part[0].text.data, part[1].text.data, part[2].text.data}, *line = all.text.data;
+            for (long i = 0; i < 40; i++) {
+                size_t size = strcspn(line, "\n") + 1;
+                ck_assert_msg(strncmp(from[i % step], line, size) == 0, "point %ld of %ld parts", i, step);
+                from[i % step] += size;
+                line += size;
+            }
+            for (long k = 0; k < step; k++)
+                thud_text_clear(&part[k].text);
+        }
+    plan->shortcuts &= ~(unsigned)THUD_SWEEP_SAME;
+    ck_assert_int_eq(run(2, 0, 1, &each, NULL), THUD_OK);
+    ck_assert_str_eq(each.text.data, all.text.data);
+    ck_assert_int_eq(each.total.made, all.total.made + all.total.reused);
+    thud_text_clear(&all.text);
+    thud_text_clear(&each.text);
 }
 END_TEST
 
@@ -127,6 +171,7 @@ Suite *thud_suite(void)
     TCase *tcase = tcase_create("jobs");
     tcase_add_checked_fixture(tcase, set_up, study_tear_down);
     tcase_add_test(tcase, any_number_of_threads_gives_the_same);
+    tcase_add_test(tcase, what_is_the_same_is_taken_over);
     tcase_add_test(tcase, some_of_the_points);
     tcase_add_test(tcase, stopped_by_the_taker);
     tcase_add_test(tcase, stopped_on_request);

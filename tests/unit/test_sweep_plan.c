@@ -119,65 +119,6 @@ START_TEST(points_are_numbered_with_structures_outside)
 }
 END_TEST
 
-/* Each point against every one before it: the first whose keys but the bumper's are the same. */
-START_TEST(points_that_differ_in_the_bumper_alone_share_case_none)
-{
-    vary("gap=8 cm,10 cm,12 cm");
-    vary("interfaces.1.bumper.thickness=3 cm,5 cm");
-    vary("structures.2.mass=300 t,320 t");
-    vary("contact.restitution=0.5,0.6");
-    ck_assert_int_eq(thud_sweep_points(plan), 24);
-    for (long i = 0; i < 24; i++) {
-        int own[THUD_VARY_MAX], other[THUD_VARY_MAX];
-        long first = -1;
-        thud_sweep_place(plan, i, own);
-        for (long j = 0; j <= i && first < 0; j++) {
-            bool same = true;
-            thud_sweep_place(plan, j, other);
-            for (int a = 0; a < plan->naxes; a++)
-                same = same && (own[a] == other[a] || strstr(plan->axis[a].key, "bumper"));
-            first = same ? j : -1;
-        }
-        ck_assert_int_eq(thud_sweep_reference_point(plan, i), first);
-    }
-}
-END_TEST
-
-/* Points in their order with what is kept of those before them: each case `none` is made once. */
-START_TEST(what_is_kept_is_there_when_it_is_needed)
-{
-    static const char *const grids[][3] = {
-        {"bumper.thickness=1 cm,2 cm,3 cm", "gap=10 cm:80 cm:0.1 cm", NULL},
-        {"gap=10 cm:80 cm:0.1 cm", "bumper.thickness=1 cm,2 cm,3 cm", NULL},
-        {"contact.restitution=0.5,0.6,0.7", "bumper.thickness=1 cm,2 cm,3 cm", "gap=10 cm:70 cm:0.1 cm"},
-        {"bumper.max-strain=0.7,0.8", "gap=10 cm:70 cm:0.1 cm", "bumper.thickness=1 cm,2 cm,3 cm"}};
-    static const int different[] = {701, 701, 3 * 601, 601};
-    struct thud_sweep_point towers = {.nfloors = 10, .ncontacts = 4, .nvariants = 1};
-    for (size_t g = 0; g < sizeof grids / sizeof *grids; g++) {
-        thud_sweep_plan_clear(plan);
-        for (int a = 0; a < 3 && grids[g][a]; a++)
-            vary(grids[g][a]);
-        long slots = thud_sweep_reference_slots(plan, &towers), *kept = malloc((size_t)slots * sizeof *kept);
-        int made = 0;
-        for (long i = 0; i < slots; i++)
-            kept[i] = -1;
-        for (long i = 0; i < thud_sweep_points(plan); i++) {
-            long of = thud_sweep_reference_point(plan, i);
-            made += kept[of % slots] != of;
-            kept[of % slots] = of;
-        }
-        free(kept);
-        ck_assert_int_eq(made, different[g]);
-    }
-    /* what a large scene leaves takes no more room than it may */
-    struct thud_sweep_point tall = {.nfloors = 4000, .ncontacts = 3800, .nvariants = THUD_SWEEP_VARIANTS};
-    long slots = thud_sweep_reference_slots(plan, &tall);
-    size_t bytes =
-        (4000 * sizeof(struct thud_sweep_floor) + 3800 * sizeof(struct thud_sweep_contact)) * THUD_SWEEP_VARIANTS;
-    ck_assert(slots >= 1 && (size_t)slots * bytes <= THUD_SWEEP_REFERENCE_BYTES);
-}
-END_TEST
-
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -185,13 +126,11 @@ Suite *thud_suite(void)
     TCase *tcase = tcase_create("plan");
     tcase_add_checked_fixture(tcase, set_up, study_tear_down);
     tcase_add_test(tcase, ranges_and_lists);
-    tcase_add_test(tcase, points_that_differ_in_the_bumper_alone_share_case_none);
     tcase_add_test(tcase, units_of_ranges);
     tcase_add_test(tcase, a_ratio_and_per_cent_are_of_one_kind);
     tcase_add_test(tcase, what_cannot_be_varied);
     tcase_add_test(tcase, cases_by_name);
     tcase_add_test(tcase, points_are_numbered_with_structures_outside);
-    tcase_add_test(tcase, what_is_kept_is_there_when_it_is_needed);
     suite_add_tcase(suite, tcase);
     return suite;
 }
