@@ -24,8 +24,8 @@ struct thud_baseline_motion {
     int ndof, nmodes, ncontacts;
     struct thud_run *run; /* at its end; for its result */
     struct thud_model model;
-    double *relative_m; /* (ncontacts) largest left less right displacement so far */
-    bool shares;        /* free flight is the same whatever the clearances */
+    struct thud_relative relative; /* displacements so far */
+    bool shares;                   /* free flight is the same whatever the clearances */
     struct moment kept[KEPT_MAX];
     int nkept;
     struct thud_early_end *early_end;
@@ -91,7 +91,7 @@ static enum thud_status keep(struct thud_baseline_motion *baseline, struct thud_
     baseline->nkept++;
     memcpy(moment->state, run->state.q, n * sizeof(double));
     memcpy(moment->state + n, run->state.qd, n * sizeof(double));
-    memcpy(moment->state + 2 * n, baseline->relative_m, nc * sizeof(double));
+    memcpy(moment->state + 2 * n, baseline->relative.largest_m, nc * sizeof(double));
     copy_floors(&run->result, moment->floor);
     memcpy(moment->column, run->result.column, (size_t)run->result.ncolumns * sizeof *moment->column);
     memcpy(moment->storey, run->state.storey, (size_t)run->state.model->nstoreys * sizeof *moment->storey);
@@ -118,8 +118,7 @@ static bool copy_model(struct thud_baseline_motion *baseline, const struct thud_
 {
     baseline->model = *model;
     baseline->model.contact = calloc((size_t)model->nrows + 1, sizeof *model->contact);
-    baseline->relative_m = calloc(2 * (size_t)model->ncontacts + 1, sizeof *baseline->relative_m);
-    if (!baseline->model.contact || !baseline->relative_m)
+    if (!baseline->model.contact || thud_relative_init(&baseline->relative, model, NULL) != THUD_OK)
         return false;
     for (int c = 0; c < model->nrows; c++)
         baseline->model.contact[c] = model->contact[c];
@@ -151,7 +150,7 @@ enum thud_status thud_baseline_create(const struct thud_model *model, const stru
         thud_error_set(err, THUD_MEMORY, "out of memory");
     }
     if (status == THUD_OK) {
-        thud_run_observe(baseline->run, &thud_observe_relative, baseline->relative_m);
+        thud_run_observe(baseline->run, &thud_observe_relative, &baseline->relative);
         baseline->shares = baseline->run->method == thud_method_find("exact");
         /* a difference from the baseline is no free vibration where storeys yield */
         baseline->early_end = baseline->shares && model->nstoreys == 0 ? thud_early_end_create(&baseline->model) : NULL;
@@ -175,7 +174,7 @@ void thud_baseline_free(struct thud_baseline_motion *baseline)
     thud_run_free(baseline->run);
     thud_early_end_free(baseline->early_end);
     free(baseline->model.contact);
-    free(baseline->relative_m);
+    thud_relative_clear(&baseline->relative);
     free(baseline);
 }
 
@@ -191,12 +190,12 @@ bool thud_baseline_shares(const struct thud_baseline_motion *baseline)
 
 double thud_baseline_relative_displacement(const struct thud_baseline_motion *baseline, int c)
 {
-    return baseline->relative_m[c];
+    return baseline->relative.largest_m[c];
 }
 
 double thud_baseline_struck_displacement(const struct thud_baseline_motion *baseline, int c)
 {
-    return baseline->relative_m[baseline->ncontacts + c];
+    return baseline->relative.largest_m[baseline->ncontacts + c];
 }
 
 /* Whether no contact has closed up to the moment. */

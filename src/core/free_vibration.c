@@ -11,7 +11,13 @@
 #include "core/tolerance.h"
 
 /* PIECES_MOST: of a block of more than one interval, so that a slice of work ends soon where modes are very fast. */
-enum { ENDS = THUD_FREE_VIBRATION_ENDS, SHORT_BLOCK = 8, PIECES_MOST = 16384, POINTS = THUD_QUADRATURE_POINTS };
+enum {
+    ENDS = THUD_FREE_VIBRATION_ENDS,
+    SHORT_BLOCK = 8,
+    PIECES_MOST = 16384,
+    POINTS = THUD_QUADRATURE_POINTS,
+    FLOORS_AT_ONCE = 4
+};
 
 /* The tables of one interval of the ground motion. */
 
@@ -43,7 +49,8 @@ static bool allocate(struct thud_free_vibration *f, const struct thud_model *m)
                    2 * THUD_FLOOR_QUANTITIES * ns + (size_t)m->ncontacts,
                sizeof *next);
     f->valued = calloc(ns + (size_t)m->ncontacts + 1, sizeof *f->valued);
-    if (!next || !f->valued)
+    f->at = calloc(ns + 1, sizeof *f->at);
+    if (!next || !f->valued || !f->at)
         return false;
     for (size_t i = 0; i < count; i++, next += rows)
         *by_mode[i] = next;
@@ -169,6 +176,7 @@ void thud_free_vibration_free(struct thud_free_vibration *f)
         return;
     thud_segment_clear(&f->seg);
     free(f->valued);
+    free(f->at);
     free(f->block);
     free(f);
 }
@@ -239,7 +247,9 @@ static void march(struct thud_free_vibration *f, const struct thud_state *state,
             batched_recurrence(f, j, intervals, false);
     }
     memset(f->valued, 0, (size_t)state->model->nstructures * sizeof *f->valued);
-    f->at = -1;
+    for (int i = 0; i < state->model->nstructures; i++)
+        f->at[i].piece = -1;
+    thud_segment_begin(state, &f->seg, f->dt_s / f->pieces); /* the forces, constant in the block */
     f->ends = intervals + 1;
 }
 
@@ -253,22 +263,36 @@ static double largest_speed(const struct thud_free_vibration *f, int j, double o
     return sqrt(thud_largest_size(f->energy, ends));
 }
 
-/* One floor's values at the ends from those of its modes, by four ends at a time: rows are long enough. */
-static void floor_row(struct thud_free_vibration *f, const struct thud_model_structure *p, int i, int quantity,
-                      const double *from, int ends)
+/* Values at the ends of `count` floors from those of their modes, by four ends at a time (rows are long enough): the
+ * more floors at once, the fewer loads for each product. */
+static inline void some_rows(const struct thud_model_structure *p, int i, const int count, const double *from, int ends,
+                             double *to)
 {
-    double *to = f->value[quantity] + (size_t)(p->first + i) * ENDS;
     const double *row = p->phi + i * p->modes;
     for (int t = 0; t < ends; t += 4) {
         const double *x = from + p->first_mode * ENDS + t;
-        thud_double_pair a = {0, 0}, b = {0, 0};
-        for (int j = 0; j < p->modes; j++, x += ENDS) {
-            a += row[j] * thud_double_pair_at(x);
-            b += row[j] * thud_double_pair_at(x + 2);
+        thud_double_pair sum[FLOORS_AT_ONCE][2] = {0};
+        for (int j = 0; j < p->modes; j++, x += ENDS)
+            for (int k = 0; k < count; k++) {
+                sum[k][0] += row[k * p->modes + j] * thud_double_pair_at(x);
+                sum[k][1] += row[k * p->modes + j] * thud_double_pair_at(x + 2);
+            }
+        for (int k = 0; k < count; k++) {
+            *(thud_double_pair *)(to + k * ENDS + t) = sum[k][0];
+            *(thud_double_pair *)(to + k * ENDS + t + 2) = sum[k][1];
         }
-        *(thud_double_pair *)(to + t) = a;
-        *(thud_double_pair *)(to + t + 2) = b;
     }
+}
+
+static void floor_rows(struct thud_free_vibration *f, const struct thud_model_structure *p, int quantity,
+                       const double *from, int ends)
+{
+    double *to = f->value[quantity] + (size_t)p->first * ENDS;
+    int i = 0;
+    for (; i + FLOORS_AT_ONCE <= p->n; i += FLOORS_AT_ONCE)
+        some_rows(p, i, FLOORS_AT_ONCE, from, ends, to + (size_t)i * ENDS);
+    for (; i < p->n; i++)
+        some_rows(p, i, 1, from, ends, to + (size_t)i * ENDS);
 }
 
 void thud_free_vibration_values(struct thud_free_vibration *f, const struct thud_model *m, int structure)
@@ -283,9 +307,9 @@ void thud_free_vibration_values(struct thud_free_vibration *f, const struct thud
         for (int t = 0; t < f->ends; t++)
             a[t] = -(m->spring[j] * (q[t] - s) + m->dashpot[j] * qd[t]);
     }
+    floor_rows(f, p, THUD_FLOOR_VELOCITY, f->qd, f->ends);
+    floor_rows(f, p, THUD_FLOOR_ACCELERATION, f->spring, f->ends);
     for (int i = 0; i < p->n; i++) {
-        floor_row(f, p, i, THUD_FLOOR_VELOCITY, f->qd, f->ends);
-        floor_row(f, p, i, THUD_FLOOR_ACCELERATION, f->spring, f->ends);
         const double *u = f->value[THUD_FLOOR_DISPLACEMENT] + (size_t)(p->first + i) * ENDS;
         double *drift = f->value[THUD_FLOOR_DRIFT] + (size_t)(p->first + i) * ENDS;
         for (int t = 0; t < f->ends; t++)
@@ -296,8 +320,7 @@ void thud_free_vibration_values(struct thud_free_vibration *f, const struct thud
 static void displacements(struct thud_free_vibration *f, const struct thud_model *m)
 {
     for (int s = 0; s < m->nstructures; s++)
-        for (int i = 0; i < m->structure[s].n; i++)
-            floor_row(f, &m->structure[s], i, THUD_FLOOR_DISPLACEMENT, f->q, f->ends);
+        floor_rows(f, &m->structure[s], THUD_FLOOR_DISPLACEMENT, f->q, f->ends);
     for (int j = 0; j < f->n; j++)
         f->speed[j] = largest_speed(f, j, m->omega[j], f->ends);
 }
@@ -340,23 +363,56 @@ static void margins(struct thud_free_vibration *f, const struct thud_model *m, i
         structure_margins(f, m, s, slope / f->dt_s);
 }
 
-const struct thud_segment *thud_free_vibration_series(struct thud_free_vibration *f, const struct thud_state *state,
-                                                      int t, int piece)
+/* Modal state of a structure at the start of a piece: that of the block, or of the piece before it at its end. */
+static void start_piece(struct thud_free_vibration *f, const struct thud_model_structure *p, int t, int piece)
 {
-    if (f->at != t || f->at_piece > piece) {
-        f->at = t;
-        f->at_piece = -1;
+    double *q = f->now, *qd = f->now_rate, rate = 1 / f->seg.h_s;
+    const int first = p->first_mode, end = first + p->modes;
+    for (int j = first; j < end; j++) {
+        q[j] = piece > 0 ? 0 : f->q[j * ENDS + t];
+        qd[j] = piece > 0 ? 0 : f->qd[j * ENDS + t];
     }
-    while (f->at_piece < piece) {
-        double h = f->dt_s / f->pieces;
-        if (f->at_piece < 0)
-            thud_free_vibration_end(f, t, f->now, f->now_rate);
-        else
-            thud_segment_state(&f->seg, f->n, 1, f->now, f->now_rate);
-        thud_segment_begin_at(state, &f->seg, state->grid + t, ++f->at_piece * h, h);
-        thud_taylor_given(state->model, &f->seg, f->now, f->now_rate);
+    for (int k = f->seg.terms - 1; piece > 0 && k >= 0; k--)
+        for (int j = first; j < end; j++) {
+            qd[j] += q[j];
+            q[j] += f->seg.q[k * f->n + j];
+        }
+    for (int j = first; j < end && piece > 0; j++)
+        qd[j] *= rate;
+}
+
+const struct thud_segment *thud_free_vibration_series(struct thud_free_vibration *f, const struct thud_state *state,
+                                                      int structure, int t, int piece)
+{
+    struct thud_free_vibration_place *at = &f->at[structure];
+    const double h = f->dt_s / f->pieces;
+    if (at->t != t || at->piece > piece)
+        *at = (struct thud_free_vibration_place){t, -1};
+    while (at->piece < piece) {
+        start_piece(f, &state->model->structure[structure], t, ++at->piece);
+        thud_segment_place(state, &f->seg, state->grid + t, at->piece * h, h);
+        thud_taylor_structure(state->model, &f->seg, structure, f->now, f->now_rate);
         f->made++;
     }
+    thud_segment_place(state, &f->seg, state->grid + t, piece * h, h); /* it may be another structure's */
+    return &f->seg;
+}
+
+const struct thud_segment *thud_free_vibration_row_series(struct thud_free_vibration *f, const struct thud_state *state,
+                                                          int c, int t, int piece)
+{
+    int structure[2], n = thud_model_row_structures(state->model, c, structure);
+    for (int i = 0; i < n; i++)
+        thud_free_vibration_series(f, state, structure[i], t, piece);
+    return &f->seg;
+}
+
+const struct thud_segment *thud_free_vibration_all_series(struct thud_free_vibration *f, const struct thud_state *state,
+                                                          int t, int piece)
+{
+    for (int s = 0; s < state->model->nstructures; s++)
+        if (state->model->structure[s].modes > 0)
+            thud_free_vibration_series(f, state, s, t, piece);
     return &f->seg;
 }
 
@@ -379,7 +435,7 @@ static bool closes(struct thud_free_vibration *f, const struct thud_state *state
     for (int piece = 0; piece < f->pieces; piece++)
         for (int c = 0; c < state->model->ncontacts; c++)
             if (f->near[c] &&
-                closes_in_piece(state, thud_free_vibration_series(f, state, t, piece), c, t == 0 && piece == 0))
+                closes_in_piece(state, thud_free_vibration_row_series(f, state, c, t, piece), c, t == 0 && piece == 0))
                 return true;
     return false;
 }
@@ -470,8 +526,9 @@ static bool yields(struct thud_free_vibration *f, const struct thud_state *state
     const struct thud_storey_state *s = &state->storey[k];
     double d[THUD_SEGMENT_TERMS];
     for (int piece = 0; piece < f->pieces; piece++) {
-        const struct thud_segment *seg = thud_free_vibration_series(f, state, t, piece);
-        thud_segment_indentation(state, seg, state->model->ncontacts + k, d);
+        const int row = state->model->ncontacts + k;
+        const struct thud_segment *seg = thud_free_vibration_row_series(f, state, row, t, piece);
+        thud_segment_indentation(state, seg, row, d);
         double drift = d[0];
         for (int side = -1; side <= 1; side += 2) {
             int zeros = t == 0 && piece == 0 && s->zero_side == side ? s->zeros : 0;

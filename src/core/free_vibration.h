@@ -30,10 +30,12 @@ struct thud_free_vibration {
     /* Work of the ground: a0 (r[0] q + r[1] q') + a1 (r[2] q + r[3] q') and the ground's own terms */
     double *work[4], work_ground[3];
 
-    /* The series of one piece of one interval. */
+    /* Series, of each structure one piece of one interval. */
     struct thud_segment seg;
     double *now, *now_rate; /* (n) modal state at its start */
-    int at, at_piece;       /* which; -1: none */
+    struct thud_free_vibration_place {
+        int t, piece; /* piece -1: none */
+    } * at;           /* (nstructures) */
 
     /* A block of intervals, by row and then by end (so that loops over time vectorize) */
     double *shift;           /* (n) s */
@@ -79,9 +81,15 @@ double thud_free_vibration_gap(struct thud_free_vibration *f, const struct thud_
 /* The same for the size of one side's displacement. */
 double thud_free_vibration_side(struct thud_free_vibration *f, const struct thud_model_side *side, int ends,
                                 double *margin);
-/* Motion in a piece (0 ... f->pieces - 1) of interval t; until the next call. */
+/* Motion of one structure in a piece (0 ... f->pieces - 1) of interval t, until the next call: the coefficients of the
+ * other structures' modes may be those of other pieces. */
 const struct thud_segment *thud_free_vibration_series(struct thud_free_vibration *f, const struct thud_state *state,
-                                                      int t, int piece);
+                                                      int structure, int t, int piece);
+/* The same of the structures that row c touches (a contact, a storey), and of all. */
+const struct thud_segment *thud_free_vibration_row_series(struct thud_free_vibration *f, const struct thud_state *state,
+                                                          int c, int t, int piece);
+const struct thud_segment *thud_free_vibration_all_series(struct thud_free_vibration *f, const struct thud_state *state,
+                                                          int t, int piece);
 /* Work of the ground and loss in damping over the first intervals of the block. */
 void thud_free_vibration_work(struct thud_free_vibration *f, int intervals, double *input_j, double *viscous_j);
 

@@ -145,7 +145,7 @@ static enum thud_status block(void *own, const struct thud_state *state, struct 
         double limit = fmax(least - shift, most - 2 * shift) - margin;
         for (int t = 0; t < intervals; t++)
             for (int piece = 0; piece < f->pieces && fmax(f->gap[t], f->gap[t + 1]) >= limit; piece++)
-                by_drift(m, thud_free_vibration_series(f, state, t, piece), i, &result->column[i], 1);
+                by_drift(m, thud_free_vibration_series(f, state, p->structure, t, piece), i, &result->column[i], 1);
     }
     return THUD_OK;
 }

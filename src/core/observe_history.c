@@ -378,7 +378,7 @@ static enum thud_status block(void *own, const struct thud_state *state, struct 
     for (int t = 0; t < intervals; t++)
         for (int piece = 0; piece < f->pieces && status == THUD_OK; piece++) {
             struct thud_observation o = {.state = state, .s = 1};
-            o.seg = thud_free_vibration_series(f, state, t, piece);
+            o.seg = thud_free_vibration_all_series(f, state, t, piece);
             status = segment(rows, &o, err);
             thud_ledger_add(&ledger, &o);
         }

@@ -157,8 +157,9 @@ static void acceleration_by_forces(struct thud_peaks *peaks, const struct thud_s
     }
 }
 
+/* Of `modes` modes from the first one on. */
 static void prepare_accelerations(struct thud_peaks *peaks, const struct thud_state *state,
-                                  const struct thud_segment *seg)
+                                  const struct thud_segment *seg, int first, int modes)
 {
     if (seg->interpolates) {
         acceleration_by_forces(peaks, state, seg);
@@ -169,7 +170,7 @@ static void prepare_accelerations(struct thud_peaks *peaks, const struct thud_st
     double inverse = 1 / (seg->h_s * seg->h_s);
     for (int k = 0; k + 2 < seg->terms; k++) {
         double scale = (k + 1) * (k + 2) * inverse, ground = k == 0 ? seg->a0 : k == 1 ? seg->a1 : 0;
-        for (int j = 0; j < m->nmodes; j++)
+        for (int j = first; j < first + modes; j++)
             out[k * m->nmodes + j] = scale * seg->q[(k + 2) * m->nmodes + j] + m->gamma[j] * ground;
     }
 }
@@ -370,7 +371,7 @@ static void motion_peaks(struct thud_peaks *peaks, const struct thud_observation
         if (!thud_response_bound_structure(peaks, state->model, i, &reach))
             continue;
         if (!prepared) {
-            prepare_accelerations(peaks, state, seg);
+            prepare_accelerations(peaks, state, seg, 0, m->nmodes);
             memcpy(start, state->q, n * sizeof *start);
             memcpy(start + n, state->qd, n * sizeof *start);
             memcpy(start + 2 * n, peaks->acceleration, n * sizeof *start);
@@ -471,18 +472,9 @@ static enum thud_status segment(void *own, const struct thud_observation *o, str
 
 enum { ENDS = THUD_FREE_VIBRATION_ENDS };
 
-/* The values of one quantity of one floor in the block. */
-struct row {
-    int structure, floor, quantity;
-    const double *x;
-    struct thud_peak *peak;
-    double margin;       /* how far it may lie above its ends inside an interval, and */
-    double cubic_margin; /* from the cubic through values and rates at them */
-};
-
 /* Rate of a row's value at end t of an interval whose ground acceleration there is `ground`. */
-static double rate_at(const struct thud_model *m, const struct thud_free_vibration *f, const struct row *row, int t,
-                      double ground)
+static double rate_at(const struct thud_model *m, const struct thud_free_vibration *f, const struct thud_peak_row *row,
+                      int t, double ground)
 {
     const struct thud_model_structure *p = &m->structure[row->structure];
     const double *v = f->value[THUD_FLOOR_VELOCITY] + (p->first + row->floor) * ENDS + t;
@@ -533,39 +525,78 @@ static int intervals_near(const double *x, int intervals, double near, int *list
     return count;
 }
 
-/* The peak of a row in interval t. */
-static void read_interval(struct thud_peaks *peaks, const struct thud_state *state, struct thud_free_vibration *f,
-                          const struct row *row, int t)
+/* Bounds of the row inside the intervals in which it may pass both its peak so far and what it surely reaches in the
+ * block, by interval into upper (0 elsewhere); false where there is none. */
+static bool row_bounds(const struct thud_model *m, const struct thud_free_vibration *f, const struct thud_peak_row *row,
+                       int intervals, double *upper)
 {
-    for (int piece = 0; piece < f->pieces; piece++) {
-        const struct thud_segment *seg = thud_free_vibration_series(f, state, t, piece);
-        if (row->quantity == THUD_FLOOR_ACCELERATION)
-            prepare_accelerations(peaks, state, seg);
-        floor_peak(peaks, state, seg, row->structure, row->floor, row->quantity, 1);
-    }
-}
-
-/* Reads the intervals inside which the row may pass both its peak so far and what it surely reaches in the block. */
-static void row_peaks(struct thud_peaks *peaks, const struct thud_state *state, struct thud_free_vibration *f,
-                      const struct row *row, int intervals)
-{
-    const struct thud_model *m = state->model;
     const double *x = row->x;
-    double most = thud_largest_size(x, intervals + 1), upper[THUD_FREE_VIBRATION_BLOCK];
+    double most = thud_largest_size(x, intervals + 1);
     if (most + row->margin <= row->peak->value)
-        return;
+        return false;
     double limit = thud_larger(row->peak->value, most);
     int list[THUD_FREE_VIBRATION_BLOCK], count = intervals_near(x, intervals, limit - row->margin, list);
+    memset(upper, 0, (size_t)intervals * sizeof *upper);
     for (int i = 0; i < count; i++) {
         int t = list[i];
         double r0 = rate_at(m, f, row, t, f->ground[t]), r1 = rate_at(m, f, row, t + 1, f->after[t]);
         double cubic = cubic_peak(x[t], x[t + 1], f->dt_s * r0, f->dt_s * r1);
-        upper[i] = cubic + row->cubic_margin;
+        upper[t] = cubic + row->cubic_margin;
         limit = thud_larger(limit, cubic - row->cubic_margin);
     }
+    bool any = false;
+    for (int i = 0; i < count; i++) {
+        if (upper[list[i]] < limit)
+            upper[list[i]] = 0;
+        any = any || upper[list[i]] > row->peak->value;
+    }
+    return any;
+}
+
+/* Peaks of the rows of one structure that are due in interval t. */
+static void read_interval(struct thud_peaks *peaks, const struct thud_state *state, struct thud_free_vibration *f,
+                          int structure, const int *due, int count, int t)
+{
+    const struct thud_model_structure *p = &state->model->structure[structure];
+    bool accelerates = false;
     for (int i = 0; i < count; i++)
-        if (upper[i] >= limit && upper[i] > row->peak->value)
-            read_interval(peaks, state, f, row, list[i]);
+        accelerates = accelerates || peaks->row[due[i]].quantity == THUD_FLOOR_ACCELERATION;
+    for (int piece = 0; piece < f->pieces; piece++) {
+        const struct thud_segment *seg = thud_free_vibration_series(f, state, structure, t, piece);
+        if (accelerates)
+            prepare_accelerations(peaks, state, seg, p->first_mode, p->modes);
+        for (int i = 0; i < count; i++)
+            floor_peak(peaks, state, seg, structure, peaks->row[due[i]].floor, peaks->row[due[i]].quantity, 1);
+    }
+}
+
+/* Interval by interval, so that one series serves all rows of the structure. */
+static void structure_rows(struct thud_peaks *peaks, const struct thud_state *state, struct thud_free_vibration *f,
+                           int structure, int intervals)
+{
+    const struct thud_model *m = state->model;
+    const struct thud_model_structure *p = &m->structure[structure];
+    int rows = 0;
+    for (int i = 0; i < p->n; i++)
+        for (int x = 0; x < (p->stiffness_npm ? THUD_FLOOR_QUANTITIES : THUD_FLOOR_DRIFT); x++) {
+            struct thud_peak_row *row = &peaks->row[rows];
+            *row = (struct thud_peak_row){structure,
+                                          i,
+                                          x,
+                                          f->value[x] + (size_t)(p->first + i) * ENDS,
+                                          thud_floor_peak(peaks->result, structure, i, x),
+                                          f->margin[x * m->nstructures + structure],
+                                          f->cubic_margin[x * m->nstructures + structure]};
+            rows += row_bounds(m, f, row, intervals, peaks->upper + rows * THUD_FREE_VIBRATION_BLOCK);
+        }
+    for (int t = 0; t < intervals; t++) {
+        int count = 0;
+        for (int i = 0; i < rows; i++)
+            if (peaks->upper[i * THUD_FREE_VIBRATION_BLOCK + t] > peaks->row[i].peak->value)
+                peaks->due[count++] = i;
+        if (count > 0)
+            read_interval(peaks, state, f, structure, peaks->due, count, t);
+    }
 }
 
 /* Whether a structure moves enough in the block for a new peak. */
@@ -589,21 +620,10 @@ static enum thud_status block(void *own, const struct thud_state *state, struct 
     const struct thud_model *m = state->model;
     (void)err;
     for (int s = 0; s < m->nstructures; s++) {
-        const struct thud_model_structure *p = &m->structure[s];
         if (!f->shifted && !may_pass_in_block(peaks, m, f, s))
             continue;
         thud_free_vibration_values(f, m, s);
-        for (int i = 0; i < p->n; i++)
-            for (int x = 0; x < (p->stiffness_npm ? THUD_FLOOR_QUANTITIES : THUD_FLOOR_DRIFT); x++) {
-                struct row row = {s,
-                                  i,
-                                  x,
-                                  f->value[x] + (p->first + i) * ENDS,
-                                  thud_floor_peak(peaks->result, s, i, x),
-                                  f->margin[x * m->nstructures + s],
-                                  f->cubic_margin[x * m->nstructures + s]};
-                row_peaks(peaks, state, f, &row, intervals);
-            }
+        structure_rows(peaks, state, f, s, intervals);
     }
     return THUD_OK;
 }
@@ -615,10 +635,19 @@ enum thud_status thud_peaks_init(struct thud_peaks *peaks, const struct thud_sta
 {
     size_t n = (size_t)state->model->nmodes, terms = THUD_SEGMENT_TERMS;
     size_t floors = THUD_FLOOR_QUANTITIES * (size_t)state->model->ndof;
+    size_t rows = 0;
+    for (int s = 0; s < state->model->nstructures; s++)
+        rows = state->model->structure[s].n > (int)rows ? (size_t)state->model->structure[s].n : rows;
+    rows *= THUD_FLOOR_QUANTITIES;
     *peaks = (struct thud_peaks){.result = result, .log = log};
     peaks->block = calloc((9 + terms + 1) * n + floors + (size_t)state->model->nstructures + 1, sizeof *peaks->block);
-    if (!peaks->block)
+    peaks->upper = malloc((rows * THUD_FREE_VIBRATION_BLOCK + 1) * sizeof *peaks->upper);
+    peaks->row = malloc((rows + 1) * sizeof *peaks->row);
+    peaks->due = malloc((rows + 1) * sizeof *peaks->due);
+    if (!peaks->block || !peaks->upper || !peaks->row || !peaks->due) {
+        thud_peaks_clear(peaks);
         return thud_error_set(err, THUD_MEMORY, "out of memory");
+    }
     peaks->ends = peaks->block;
     peaks->quiet = peaks->block + (9 + terms + 1) * n + floors;
     peaks->acceleration = peaks->ends + 9 * n;
@@ -630,5 +659,8 @@ enum thud_status thud_peaks_init(struct thud_peaks *peaks, const struct thud_sta
 void thud_peaks_clear(struct thud_peaks *peaks)
 {
     free(peaks->block);
+    free(peaks->upper);
+    free(peaks->row);
+    free(peaks->due);
     *peaks = (struct thud_peaks){0};
 }

@@ -10,6 +10,15 @@
 #include "core/contact_log.h"
 #include "core/observer.h"
 
+/* The values of one quantity of one floor in a block of free vibration. */
+struct thud_peak_row {
+    int structure, floor, quantity;
+    const double *x;
+    struct thud_peak *peak;
+    double margin;       /* how far it may lie above its ends inside an interval, and */
+    double cubic_margin; /* from the cubic through values and rates at them */
+};
+
 struct thud_peaks {
     struct thud_result *result;   /* whose peaks rise, */
     struct thud_contact_log *log; /* with those of the impacts that go on */
@@ -17,6 +26,9 @@ struct thud_peaks {
     double *quiet;                /* (nstructures) S below which a step's end has no new peak */
     double *ends;                 /* (9 x nmodes) modal values at the two ends of a segment, and margins between */
     double *acceleration;         /* (terms x nmodes, and nmodes more): total modal acceleration of a segment */
+    struct thud_peak_row *row;    /* (quantities x floors of one structure) those that may pass in the block */
+    double *upper; /* (rows x intervals of a block) bound of each inside an interval; 0: it need not be read */
+    int *due;      /* (rows) those read in one interval */
     double *block;
 };
 

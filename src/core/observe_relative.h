@@ -5,6 +5,16 @@
 
 #include "core/observer.h"
 
-extern const struct thud_observer thud_observe_relative; /* its own: the values (2 x ncontacts) */
+struct thud_relative {
+    double *largest_m;  /* (2 x ncontacts) the values */
+    unsigned char *due; /* (2 x ncontacts x intervals of a block) workspace */
+};
+
+extern const struct thud_observer thud_observe_relative; /* its own: a struct thud_relative */
+
+/* All 0. Errors: THUD_MEMORY; nothing stays allocated then. */
+enum thud_status thud_relative_init(struct thud_relative *relative, const struct thud_model *model,
+                                    struct thud_error *err);
+void thud_relative_clear(struct thud_relative *relative);
 
 #endif

@@ -89,13 +89,8 @@ static void constant_forces(const struct thud_state *state, struct thud_segment 
     seg->loaded = state->nshifted > 0;
 }
 
-void thud_segment_begin(const struct thud_state *state, struct thud_segment *seg, double h_s)
-{
-    thud_segment_begin_at(state, seg, state->grid, state->offset_s, h_s);
-}
-
-void thud_segment_begin_at(const struct thud_state *state, struct thud_segment *seg, long grid, double offset_s,
-                           double h_s)
+void thud_segment_place(const struct thud_state *state, struct thud_segment *seg, long grid, double offset_s,
+                        double h_s)
 {
     double a0, a1;
     thud_state_ground(state, grid, &a0, &a1);
@@ -105,6 +100,11 @@ void thud_segment_begin_at(const struct thud_state *state, struct thud_segment *
     seg->a0 = a0 + slope * offset_s;
     seg->a1 = slope * h_s;
     seg->terms = thud_segment_terms(thud_segment_rate(state) * h_s, THUD_TOL_SERIES);
+}
+
+void thud_segment_begin(const struct thud_state *state, struct thud_segment *seg, double h_s)
+{
+    thud_segment_place(state, seg, state->grid, state->offset_s, h_s);
     seg->loaded = 0;
     memset(seg->force, 0, THUD_SEGMENT_TERMS * (size_t)state->model->nrows * sizeof(double));
     seg->interpolates = false;
@@ -113,21 +113,33 @@ void thud_segment_begin_at(const struct thud_state *state, struct thud_segment *
     thud_segment_forget(seg, state->model->nrows);
 }
 
-static void first_terms(const struct thud_model *m, struct thud_segment *seg, const double *q, const double *qd)
+/* Modes of some structures that stand one after the other: of one, or of all. */
+struct slice {
+    int structure, structures;
+    int mode, modes;
+};
+
+static struct slice all_of(const struct thud_model *m)
 {
-    for (int j = 0; j < m->nmodes; j++) {
+    return (struct slice){0, m->nstructures, 0, m->nmodes};
+}
+
+static void first_terms(const struct thud_model *m, struct thud_segment *seg, const struct slice *of, const double *q,
+                        const double *qd)
+{
+    for (int j = of->mode; j < of->mode + of->modes; j++) {
         seg->q[j] = q[j];
         seg->q[m->nmodes + j] = seg->h_s * qd[j];
     }
 }
 
 /* out = -(omega^2 q + 2 zeta omega rate q1) scale, by mode */
-static void structure_order(const struct thud_model *m, const double *restrict q, const double *restrict q1,
-                            double rate, double scale, double *restrict out)
+static void structure_order(int n, const double *restrict spring, const double *restrict dashpot,
+                            const double *restrict q, const double *restrict q1, double rate, double scale,
+                            double *restrict out)
 {
-    const double *restrict spring = m->spring, *restrict dashpot = m->dashpot;
     double by_q = -scale, by_q1 = -scale * rate;
-    for (int j = 0, n = m->nmodes; j < n; j++)
+    for (int j = 0; j < n; j++)
         out[j] = by_q * (spring[j] * q[j]) + by_q1 * (dashpot[j] * q1[j]);
 }
 
@@ -137,25 +149,37 @@ static void push(int n, const double *restrict g, double force, double *restrict
         out[j] -= g[j] * force;
 }
 
-/* Order k + 2 of every mode from orders k and k + 1 and the force of order k. */
-static void next_order(const struct thud_model *m, struct thud_segment *seg, int k)
+/* Forces of order k, by contact; a row moves only the modes of its own structures. */
+static void push_rows(const struct thud_model *m, const struct slice *of, const double *force, double scale, double *q2)
 {
-    int n = m->nmodes;
+    for (int c = 0; c < m->nrows; c++) {
+        if (force[c] == 0.0)
+            continue;
+        if (of->structures == m->nstructures)
+            thud_model_apply_contact_force(m, c, scale * force[c], q2);
+        else
+            push(of->modes, m->jacobian + (size_t)c * (size_t)m->nmodes + of->mode, scale * force[c], q2 + of->mode);
+    }
+}
+
+/* Order k + 2 of the modes from orders k and k + 1 and the force of order k. */
+static void next_order(const struct thud_model *m, struct thud_segment *seg, const struct slice *of, int k)
+{
+    int n = m->nmodes, first = of->mode;
     double h = seg->h_s, scale = h * h / ((k + 1) * (k + 2)), rate = (k + 1) / h;
-    const double *q = seg->q + k * n, *q1 = q + n, *force = seg->force + k * m->nrows;
+    const double *q = seg->q + k * n, *q1 = q + n;
     double *q2 = seg->q + (k + 2) * n;
-    structure_order(m, q, q1, rate, scale, q2);
+    structure_order(of->modes, m->spring + first, m->dashpot + first, q + first, q1 + first, rate, scale, q2 + first);
     if (k < 2) /* the ground's acceleration is a straight line */
-        push(n, m->gamma, scale * (k == 0 ? seg->a0 : seg->a1), q2);
-    for (int s = 0; m->couples && s < m->nstructures; s++) {
+        push(of->modes, m->gamma + first, scale * (k == 0 ? seg->a0 : seg->a1), q2 + first);
+    for (int s = of->structure; m->couples && s < of->structure + of->structures; s++) {
         const struct thud_model_structure *p = &m->structure[s];
         for (int i = 0; p->damping && i < p->modes; i++)
             for (int j = 0; j < p->modes; j++)
                 q2[p->first_mode + i] -= scale * p->damping[i * p->modes + j] * rate * q1[p->first_mode + j];
     }
-    for (int c = 0; k < seg->loaded && c < m->nrows; c++)
-        if (force[c] != 0.0)
-            thud_model_apply_contact_force(m, c, scale * force[c], q2);
+    if (k < seg->loaded)
+        push_rows(m, of, seg->force + k * m->nrows, scale, q2);
 }
 
 static double largest_of(const double *x, int n)
@@ -172,19 +196,35 @@ double thud_segment_tail(const struct thud_segment *seg, int n)
     return last == 0 ? 0 : last / all;
 }
 
+static void series_of(const struct thud_model *m, struct thud_segment *seg, const struct slice *of, const double *q,
+                      const double *qd)
+{
+    first_terms(m, seg, of, q, qd);
+    for (int k = 0; k + 2 < seg->terms; k++)
+        next_order(m, seg, of, k);
+}
+
 void thud_taylor_given(const struct thud_model *model, struct thud_segment *seg, const double *q, const double *qd)
 {
-    first_terms(model, seg, q, qd);
-    for (int k = 0; k + 2 < seg->terms; k++)
-        next_order(model, seg, k);
+    const struct slice all = all_of(model);
+    series_of(model, seg, &all, q, qd);
+}
+
+void thud_taylor_structure(const struct thud_model *model, struct thud_segment *seg, int structure, const double *q,
+                           const double *qd)
+{
+    const struct thud_model_structure *p = &model->structure[structure];
+    const struct slice of = {structure, 1, p->first_mode, p->modes};
+    series_of(model, seg, &of, q, qd);
 }
 
 void thud_taylor_load(const struct thud_model *model, struct thud_segment *seg, const double *load, int order)
 {
     int n = model->nmodes;
+    const struct slice all = all_of(model);
     memset(seg->q, 0, (size_t)seg->terms * (size_t)n * sizeof(double));
     for (int k = order; k + 2 < seg->terms; k++) {
-        next_order(model, seg, k);
+        next_order(model, seg, &all, k);
         for (int j = 0; j < n && k == order; j++)
             seg->q[(k + 2) * n + j] += load[j] * seg->h_s * seg->h_s / ((k + 1) * (k + 2));
     }
@@ -217,15 +257,16 @@ static void linear_forces(const struct thud_state *state, struct thud_segment *s
 double thud_taylor_linear(const struct thud_state *state, struct thud_segment *seg)
 {
     const struct thud_model *m = state->model;
+    const struct slice all = all_of(m);
     if (thud_state_is_free(state)) {
-        thud_taylor_given(m, seg, state->q, state->qd);
+        series_of(m, seg, &all, state->q, state->qd);
     } else {
-        first_terms(m, seg, state->q, state->qd);
+        first_terms(m, seg, &all, state->q, state->qd);
         seg->loaded = seg->terms;
         for (int k = 0; k < seg->terms; k++) {
             linear_forces(state, seg, k);
             if (k + 2 < seg->terms)
-                next_order(m, seg, k);
+                next_order(m, seg, &all, k);
         }
     }
     for (int c = 0; c < m->nrows; c++)

@@ -41,13 +41,17 @@ double thud_segment_rate(const struct thud_state *state);
 int thud_segment_terms(double angle, double least);
 /* Sets h and the ground acceleration over the next h seconds of the run, and clears the forces. */
 void thud_segment_begin(const struct thud_state *state, struct thud_segment *seg, double h_s);
-/* The same from another moment on: an offset after the start of an interval of the ground motion. */
-void thud_segment_begin_at(const struct thud_state *state, struct thud_segment *seg, long grid, double offset_s,
-                           double h_s);
+/* Only the place, an offset after the start of an interval of the ground motion, the ground acceleration and the number
+ * of terms: for a segment whose forces stand already. */
+void thud_segment_place(const struct thud_state *state, struct thud_segment *seg, long grid, double offset_s,
+                        double h_s);
 
 /* Taylor coefficients of the motion from (q, qd) under seg->a0, a1 and the forces in seg->force. Exact to rounding
  * where omega h is about 1.5 or less. */
 void thud_taylor_given(const struct thud_model *model, struct thud_segment *seg, const double *q, const double *qd);
+/* The same of one structure's modes alone; q and qd are of all. */
+void thud_taylor_structure(const struct thud_model *model, struct thud_segment *seg, int structure, const double *q,
+                           const double *qd);
 /* Motion from rest under the modal load load[j] s^order alone (seg->a0, a1 and seg->force must be 0). */
 void thud_taylor_load(const struct thud_model *model, struct thud_segment *seg, const double *load, int order);
 /* The same from the run's state with the linear branches of its closed contacts, whose forces are found along with it.

@@ -183,30 +183,32 @@ static double fastest_mode(const struct thud_scene *scene)
 bool thud_scene_effort_remark(const struct thud_scene *scene, const struct thud_record *record, struct thud_error *out)
 {
     /* measured on one processor of 2.1 GHz: 20 buildings of 200 storeys under 4001 samples, and a floor of 1 kg on
-     * 1e5 MN/m; a large model is too dear to be made for its fastest mode alone */
-    static const double each_floors_s = 3.5e-9, each_series_s = 2e-7, long_s = 20;
+     * 1e4 MN/m; a large model is too dear to be made for its fastest mode alone */
+    static const double each_floors_s = 5e-9, each_series_s = 5e-7, long_s = 5;
     static const int large = 1000;
-    double floors = 0, contacts = 0, samples = record ? (double)record->samples : 2000;
+    double floors = 0, squares = 0, contacts = 0, samples = record ? (double)record->samples : 2000;
     for (int s = 0; s < scene->nstructures; s++) {
         const struct thud_structure *at = &scene->structure[s], *next = at + 1;
         floors += floors_of(at);
+        squares += (double)floors_of(at) * floors_of(at); /* a building's floors move by its own modes */
         if (s + 1 < scene->nstructures)
             contacts += at->kind == THUD_WALL     ? floors_of(next)
                         : next->kind == THUD_WALL ? floors_of(at)
                                                   : fmin(floors_of(at), floors_of(next));
     }
     double end_s = scene->analysis.tail_s + (record ? samples * record->dt_s : 0), seconds, bytes;
-    seconds = each_floors_s * samples * floors * floors;
+    seconds = each_floors_s * samples * squares;
     if (floors <= large)
         seconds += each_series_s * floors * end_s * fastest_mode(scene) / 1.8;
     if (seconds < long_s)
         return false;
-    bytes = 8 * contacts * (floors + contacts) + 5000 * floors;
-    thud_error_set(
-        out, THUD_OK,
-        "%.0f floors, up to %.0f contacts, %.0f samples: a run takes about %.2g GB and %.2g min, and several "
-        "times that where much touches",
-        floors, contacts, samples, fmax(bytes / 1e9, 0.01), seconds / 60);
+    bytes = 16 * contacts * (floors + contacts) + 25000 * floors; /* with the run without contact for the needed gap */
+    const bool minutes = seconds >= 120;
+    thud_error_set(out, THUD_OK,
+                   "%.0f floors, up to %.0f contacts, %.0f samples: a run takes about %.2g GB and %.2g %s, and several "
+                   "times that where much touches",
+                   floors, contacts, samples, fmax(bytes / 1e9, 0.01), minutes ? seconds / 60 : seconds,
+                   minutes ? "min" : "s");
     thud_error_key(out, "analysis");
     thud_error_allow(out, "analysis.modes leaves each building's high modes out");
     return true;

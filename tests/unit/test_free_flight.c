@@ -1,0 +1,110 @@
+/* Motion without contact, in blocks: the buildings of a row that do not touch move as each of them alone, though the
+ * power series in which peaks are read are made of one structure at a time. */
+#include <check.h>
+#include <math.h>
+
+#include "core/baseline.h"
+#include "march.h"
+
+/* Peaks and their times of building `of` in `row` against building 0 of `alone`. */
+static void compare(const struct thud_result *row, int of, const struct thud_result *alone)
+{
+    const struct thud_structure_result *a = &row->structure[of], *b = &alone->structure[0];
+    ck_assert_int_eq(a->floors, b->floors);
+    for (int i = 0; i < a->floors; i++) {
+        const struct thud_peak x[] = {a->floor[i].displacement, a->floor[i].velocity, a->floor[i].acceleration,
+                                      a->floor[i].drift},
+                               y[] = {b->floor[i].displacement, b->floor[i].velocity, b->floor[i].acceleration,
+                                      b->floor[i].drift};
+        for (int q = 0; q < 4; q++) {
+            ck_assert_double_gt(y[q].value, 0);
+            ck_assert_double_eq_tol(x[q].value / y[q].value, 1, 1e-11);
+            ck_assert_double_eq_tol(x[q].time_s, y[q].time_s, 1e-5); /* a peak is flat */
+        }
+    }
+}
+
+/* 0.02 s of the motion are 2 rad of the fastest mode: each interval is read in two series. */
+START_TEST(a_row_that_does_not_touch)
+{
+    const int storeys[] = {6, 9, 1, 4, 17};
+    enum { N = sizeof storeys / sizeof *storeys };
+    struct march_law law = march_law("linear", "stiffness", 2.5e9, NULL);
+    struct thud_record *record = march_motion(1);
+    struct thud_model *model = march_row(N, storeys, _i, 5, &law);
+    struct march row = march_run(model, record, "exact", 0, 0, true, 3);
+    ck_assert_int_eq(row.status, THUD_OK);
+    for (int s = 0; s < N; s++) {
+        struct thud_model *one = march_row(1, &storeys[s], _i, 0, NULL);
+        struct march alone = march_run(one, record, "exact", 0, 0, true, 3);
+        ck_assert_int_eq(alone.status, THUD_OK);
+        compare(row.result, s, alone.result);
+        march_free(&alone);
+        thud_model_free(one);
+    }
+    for (int c = 0; c < row.result->ncontacts; c++)
+        ck_assert_int_eq(row.result->contact[c].impacts, 0);
+    ck_assert_int_gt(row.result->ncontacts, 0);
+    march_free(&row);
+    thud_model_free(model);
+    thud_record_free(record);
+}
+END_TEST
+
+/* The clearance at which two buildings just touch is the largest relative displacement that a run without contact
+ * finds: the search for contact, which looks at the series of a row's two structures, takes place in another way. */
+START_TEST(touch_begins_where_the_largest_relative_displacement_ends)
+{
+    const int storeys[] = {5, 8, 3};
+    struct march_law law = march_law("linear", "stiffness", 2.5e9, NULL);
+    struct thud_record *record = march_motion(1);
+    double most[2] = {0}; /* of each pair of neighbours, over its contacts */
+    for (int i = 0; i < 2; i++) {
+        double gap[] = {0, 0.8};
+        while (gap[1] - gap[0] > 1e-12) { /* by bisection of whether anything touches */
+            double middle = 0.5 * (gap[0] + gap[1]);
+            struct thud_model *model = march_row(2, storeys + i, _i, middle, &law);
+            struct march m = march_run(model, record, "exact", 0, 0, true, 3);
+            bool touches = false;
+            for (int c = 0; c < m.result->ncontacts; c++)
+                touches = touches || m.result->contact[c].contact_time_s > 0;
+            gap[!touches] = middle;
+            march_free(&m);
+            thud_model_free(model);
+        }
+        most[i] = gap[1];
+    }
+    struct thud_model *model = march_row(3, storeys, _i, 1, &law);
+    struct thud_baseline_motion *baseline;
+    struct thud_run_options options;
+    bool done = false;
+    thud_run_options_init(&options);
+    options.method = thud_method_find("exact");
+    options.tail_s = 3;
+    ck_assert_int_eq(thud_baseline_create(model, record, &options, &baseline, NULL), THUD_OK);
+    while (!done)
+        ck_assert_int_eq(thud_baseline_advance(baseline, 1000, &done, NULL), THUD_OK);
+    for (int i = 0; i < 2; i++) {
+        double largest = 0;
+        for (int c = 0; c < model->ncontacts; c++)
+            if (model->contact[c].interface == i + 1)
+                largest = fmax(largest, thud_baseline_relative_displacement(baseline, c));
+        ck_assert_double_eq_tol(largest, most[i], 1e-10);
+    }
+    thud_baseline_free(baseline);
+    thud_model_free(model);
+    thud_record_free(record);
+}
+END_TEST
+
+Suite *thud_suite(void);
+Suite *thud_suite(void)
+{
+    Suite *suite = suite_create("free flight");
+    TCase *tcase = tcase_create("rows that do not touch");
+    tcase_set_timeout(tcase, 60);
+    tcase_add_loop_test(tcase, a_row_that_does_not_touch, 0, 2); /* 1: isolated, which couples modes */
+    tcase_add_loop_test(tcase, touch_begins_where_the_largest_relative_displacement_ends, 0, 2);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}
