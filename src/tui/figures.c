@@ -14,6 +14,19 @@ const char *thud_plot_title(enum thud_plot plot)
     return title[plot];
 }
 
+int thud_plot_count(const struct thud_scene *scene)
+{
+    return THUD_PLOTS - !thud_scene_yields(scene);
+}
+
+int thud_plot_storey(const struct thud_model *model, int dof)
+{
+    for (int i = 0; i < model->nstoreys; i++)
+        if (model->structure[model->storey[i].structure].first + model->storey[i].floor == dof)
+            return i;
+    return -1;
+}
+
 static const char *file_name(enum thud_plot plot)
 {
     static const char *const name[] = {
@@ -150,7 +163,7 @@ static struct thud_figure *histories(const struct thud_live *live, const struct 
                                                                          : NULL;
     if (*why)
         return NULL;
-    char title[160], where[96];
+    char title[200], where[140];
     if (of_contact)
         contact_name(model, scene, sight->contact, where, sizeof where);
     else
@@ -202,6 +215,46 @@ static struct thud_figure *loops(const struct thud_live *live, const struct thud
     for (int i = pinned ? 0 : 1; i < 2; i++)
         for (int which = THUD_LIVE_NONE; which < THUD_LIVE_CASES; which++)
             add_loop(panel, &(struct shown){i ? live : pinned, !i}, which, sight->contact);
+    return figure;
+}
+
+static void add_hysteresis(struct thud_panel *panel, const struct shown *of, int which, int dof)
+{
+    const struct thud_history *h = history_of(of->live, which);
+    const struct thud_model *model = of->live->which[which].model;
+    char name[48];
+    int storey = h && dof < model->ndof ? thud_plot_storey(model, dof) : -1;
+    if (storey < 0)
+        return;
+    int drift = thud_history_storey_drift(h, storey), shear = thud_history_storey_shear(h, storey);
+    struct thud_series *series =
+        thud_panel_add(panel, shown_style(of, THUD_LINES, which), shown_name(of, which, name), h->rows, NULL, NULL);
+    for (size_t i = 0; series && i < h->rows; i++) {
+        const double *row = h->value + i * (size_t)h->columns;
+        series->x[i] = 1e3 * row[drift];
+        series->y[i] = 1e-6 * row[shear];
+    }
+}
+
+static struct thud_figure *hysteresis(const struct thud_live *live, const struct thud_live *pinned,
+                                      const struct thud_scene *scene, const struct thud_sight *sight, const char **why)
+{
+    const struct thud_model *model = live->which[THUD_LIVE_NONE].model;
+    char title[160];
+    if (sight->dof < 0 || thud_plot_storey(model, sight->dof) < 0) {
+        *why = "This storey is elastic: ] and [ lead to those that yield";
+        return NULL;
+    }
+    int s = model->dof_structure[sight->dof];
+    snprintf(title, sizeof title, "%s, %.40s, storey %d", thud_plot_title(THUD_PLOT_HYSTERESIS),
+             scene->structure[s].name, sight->dof - model->structure[s].first + 1);
+    struct thud_figure *figure = thud_figure_create(file_name(THUD_PLOT_HYSTERESIS), title, 1, 1);
+    struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "");
+    thud_panel_axis(panel, THUD_X, "Drift", "mm");
+    thud_panel_axis(panel, THUD_Y, "Shear", "MN");
+    for (int i = pinned ? 0 : 1; i < 2; i++)
+        for (int which = 0; which < THUD_LIVE_CASES; which++)
+            add_hysteresis(panel, &(struct shown){i ? live : pinned, !i}, which, sight->dof);
     return figure;
 }
 
@@ -286,6 +339,8 @@ struct thud_figure *thud_plot_make(const struct thud_live *live, const struct th
         figure = envelopes(live, pinned, scene, plot);
     else if (plot == THUD_PLOT_LOOP)
         figure = loops(live, pinned, sight, why);
+    else if (plot == THUD_PLOT_HYSTERESIS)
+        figure = hysteresis(live, pinned, scene, sight, why);
     else if (plot == THUD_PLOT_ENERGY)
         figure = energies(live, sight, why);
     else

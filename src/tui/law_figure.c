@@ -102,9 +102,9 @@ struct thud_figure *thud_tui_law_figure(const struct thud_scene *scene, const st
     bool both = against && pair + 1 < against->nstructures && !meet_alike(scene, against, pair);
     struct thud_meeting unused;
     for (int i = THUD_MEETINGS - 1; both && i >= 0 && status == THUD_OK; i--) /* without one there is nothing behind */
-        add_speed(panel, against, pair, i, speed[i], true, &unused, NULL);
+        add_speed(panel, against, pair, THUD_MEETINGS - 1 - i, speed[i], true, &unused, NULL);
     for (int i = THUD_MEETINGS - 1; i >= 0 && status == THUD_OK; i--) /* the smaller loops before the larger */
-        status = add_speed(panel, scene, pair, i, speed[i], false, &meeting[i], err);
+        status = add_speed(panel, scene, pair, THUD_MEETINGS - 1 - i, speed[i], false, &meeting[i], err);
     if (status == THUD_OK && thud_figure_check(figure, err) == THUD_OK)
         return figure;
     thud_figure_free(figure);

@@ -8,6 +8,7 @@
 struct thud_plots_state {
     enum thud_plot plot;
     struct thud_sight sight;
+    bool floor_chosen;     /* and not the program's own choice */
     double time_s, span_s; /* cursor, and how much time is shown; span 0: all */
     bool playing;
     double speed, last_s;

@@ -12,6 +12,24 @@
 
 enum { CHART, MOVE, SETUP };
 
+/* The storey that lost most energy in yielding, where no floor was chosen. */
+static void choose_storey(struct thud_tui *tui)
+{
+    struct thud_plots_state *p = thud_plots(tui);
+    const struct thud_live_case *c = thud_plots_case(tui);
+    double most = 0.0;
+    if (p->plot != THUD_PLOT_HYSTERESIS || p->floor_chosen || !c)
+        return;
+    for (int i = 0; i < c->model->nstoreys; i++) {
+        const struct thud_model_storey *storey = &c->model->storey[i];
+        double lost = thud_run_result(c->run)->structure[storey->structure].storey[storey->floor].hysteretic_j;
+        if (lost > most) {
+            most = lost;
+            p->sight.dof = c->model->structure[storey->structure].first + storey->floor;
+        }
+    }
+}
+
 /* The contact with the largest force, where none was chosen; its left floor with it. */
 static void choose_sight(struct thud_tui *tui)
 {
@@ -37,11 +55,13 @@ static void choose_sight(struct thud_tui *tui)
                            : c->model->contact[p->sight.contact].right_dof;
     if (p->sight.dof < 0 && c->model->ndof > 0)
         p->sight.dof = 0;
+    choose_storey(tui);
 }
 
 static bool over_time(enum thud_plot plot)
 {
-    return plot != THUD_PLOT_LOOP && plot != THUD_PLOT_ENVELOPE_ACCELERATION && plot != THUD_PLOT_ENVELOPE_DRIFT;
+    return plot != THUD_PLOT_LOOP && plot != THUD_PLOT_HYSTERESIS && plot != THUD_PLOT_ENVELOPE_ACCELERATION &&
+           plot != THUD_PLOT_ENVELOPE_DRIFT;
 }
 
 static void refresh(struct thud_tui *tui)
@@ -52,6 +72,8 @@ static void refresh(struct thud_tui *tui)
     if (p->fresh && p->revision == tui->doc.revision && !tui->live.running && p->figure && p->pinned == with_pin)
         return;
     p->pinned = with_pin;
+    if ((int)p->plot >= thud_plot_count(&tui->doc.scene))
+        p->plot = THUD_PLOT_FORCE; /* no storey yields any more */
     choose_sight(tui);
     thud_figure_free(p->figure);
     p->figure = thud_plot_make(&tui->live, p->pinned ? thud_tui_pinned(tui) : NULL, &tui->doc.scene, p->plot, &p->sight,
@@ -83,7 +105,7 @@ static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
         return;
     refresh(tui);
     if (index == CHART)
-        snprintf(text, size, "%d/%d %s%s", (int)p->plot + 1, THUD_PLOTS,
+        snprintf(text, size, "%d/%d %s%s", (int)p->plot + 1, thud_plot_count(&tui->doc.scene),
                  p->figure ? p->figure->title : thud_plot_title(p->plot),
                  p->span_s > 0.0 && over_time(p->plot) ? ", zoom" : "");
     else if (index == MOVE)
@@ -119,8 +141,7 @@ static int draw_chart(struct thud_tui *tui, const struct thud_pane *pane)
         return 0;
     refresh(tui);
     if (!p->figure) {
-        thud_field_note(pane, 0, "%s", p->why);
-        return 1;
+        return thud_pane_wrap(pane, 1, 0, pane->w - 2, thud_look(THUD_ROLE_MUTED, 0), p->why);
     }
     struct thud_chart chart = {.cursor = over_time(p->plot) ? p->time_s : NAN,
                                .drawn = over_time(p->plot) ? &tui->chart : NULL};
@@ -160,6 +181,14 @@ static int draw(struct thud_tui *tui, int index, struct thud_pane *pane)
                            : thud_plots_side_draw(tui, SETUP, pane);
 }
 
+static void other_plot(struct thud_tui *tui, int step)
+{
+    struct thud_plots_state *p = thud_plots(tui);
+    int n = thud_plot_count(&tui->doc.scene);
+    p->plot = (enum thud_plot)(((int)p->plot + step + n) % n);
+    p->fresh = false;
+}
+
 static void other_sight(struct thud_tui *tui, int step)
 {
     struct thud_plots_state *p = thud_plots(tui);
@@ -167,8 +196,12 @@ static void other_sight(struct thud_tui *tui, int step)
     bool of_contact = p->plot == THUD_PLOT_FORCE || p->plot == THUD_PLOT_CLOSING || p->plot == THUD_PLOT_LOOP;
     int n = of_contact ? thud_run_result(c->run)->ncontacts : c->model->ndof,
         *at = of_contact ? &p->sight.contact : &p->sight.dof;
-    if (n > 0)
+    for (int i = 0; i < n; i++) {
         *at = (*at + step + n) % n;
+        if (p->plot != THUD_PLOT_HYSTERESIS || thud_plot_storey(c->model, *at) >= 0)
+            break; /* others have no loop */
+    }
+    p->floor_chosen |= !of_contact;
     p->fresh = false;
 }
 
@@ -194,8 +227,7 @@ static bool act(struct thud_tui *tui, enum thud_action action)
         return true;
     case THUD_DO_NEXT_FIGURE:
     case THUD_DO_PREVIOUS_FIGURE:
-        p->plot = (enum thud_plot)(((int)p->plot + (action == THUD_DO_NEXT_FIGURE ? 1 : THUD_PLOTS - 1)) % THUD_PLOTS);
-        p->fresh = false;
+        other_plot(tui, action == THUD_DO_NEXT_FIGURE ? 1 : -1);
         return true;
     case THUD_DO_NEXT_CONTACT:
     case THUD_DO_PREVIOUS_CONTACT:
@@ -267,6 +299,7 @@ void thud_tui_show_floor(struct thud_tui *tui, int structure, int floor)
         return;
     p->plot = THUD_PLOT_ACCELERATION;
     p->sight.dof = c->model->structure[structure].first + floor;
+    p->floor_chosen = true;
     p->span_s = 0.0;
     p->fresh = false;
     thud_tui_go(tui, THUD_SCREEN_PLOTS);

@@ -333,6 +333,77 @@ START_TEST(buildings_stand_at_their_elevations)
 }
 END_TEST
 
+/* Work of the shear along the drift as the figure has them: what was lost in yielding, but for the little that the springs
+ * keep. */
+START_TEST(the_loop_of_a_storey_holds_what_it_lost)
+{
+    fixture_keys(&f, "5");
+    fixture_expect(&f, "1/9 ");
+    fixture_keys(&f, ":set structures.1.yield.1 4 mm<Enter>:set structures.1.hardening.1 5 %<Enter><Up>");
+    fixture_expect(&f, "10/10 Storey shear against drift, A, s");
+    const struct thud_figure *figure = thud_view_of(THUD_SCREEN_PLOTS)->figure(f.tui);
+    ck_assert_ptr_nonnull(figure);
+    ck_assert_int_eq(figure->panel[0].nseries, THUD_LIVE_CASES);
+    for (int i = 0; i < THUD_LIVE_CASES; i++) {
+        const struct thud_series *s = figure->panel[0].series[i];
+        const struct thud_result *result = thud_live_result(&f.tui->live, (enum thud_live_which)i);
+        double work_j = 0.0, lost_j = result->structure[0].storey[0].hysteretic_j;
+        for (size_t k = 1; k < s->n; k++) /* MN and mm */
+            work_j += 1e3 * 0.5 * (s->y[k] + s->y[k - 1]) * (s->x[k] - s->x[k - 1]);
+        ck_assert_double_gt(lost_j, 1e4);
+        ck_assert_double_eq_tol(work_j, lost_j, 0.02 * lost_j);
+    }
+    fixture_keys(&f, "]"); /* no other storey yields */
+    fixture_expect(&f, "A, s");
+    fixture_keys(&f, ":set structures.1.yield.1 none<Enter>");
+    fixture_expect(&f, "1/9 ");
+}
+END_TEST
+
+static int cells_of(int role)
+{
+    int n = 0;
+    for (int i = 0; i < f.tui->canvas.width * f.tui->canvas.height; i++)
+        n += f.tui->canvas.cell[i].style.role == role && f.tui->canvas.cell[i].glyph != ' ';
+    return n;
+}
+
+/* Hinges are drawn once a storey has yielded, and none before; at the end they stay. */
+START_TEST(yielded_storeys_are_drawn_with_hinges)
+{
+    fixture_keys(&f, "<Size 130x40>5:set structures.1.yield.1 4 mm<Enter>");
+    fixture_keys(&f, "<Home>");
+    int before = cells_of(THUD_ROLE_WARN);
+    fixture_keys(&f, "<End>");
+    ck_assert_int_ge(cells_of(THUD_ROLE_WARN), before + 4);
+    fixture_keys(&f, ":set structures.1.yield.1 none<Enter>");
+    fixture_keys(&f, "<End>");
+    ck_assert_int_eq(cells_of(THUD_ROLE_WARN), before);
+}
+END_TEST
+
+/* A slab half a storey up strikes columns: it is said which, and drawn at its own elevation. */
+START_TEST(struck_columns_are_named_and_drawn_at_the_slab)
+{
+    fixture_keys(&f, "<Size 130x40>5:set structures.1.base 1.5 m<Enter>:case none<Enter>bbL");
+    fixture_expect(&f, "and B c");
+    fixture_expect(&f, "-c");
+    int flash = 0, roof = 0, ground = 0; /* rows of A: its roof stands at 7.5 m, and strikes half way up a storey */
+    for (int y = 26; y < 37; y++)
+        for (int x = 42; x < 128; x++) {
+            const struct thud_cell *cell = &f.tui->canvas.cell[y * f.tui->canvas.width + x];
+            flash = cell->glyph == '*' && flash == 0 ? y : flash;
+            if (cell->style.role == THUD_ROLE_SERIES) {
+                roof = roof == 0 ? y : roof;
+                ground = y;
+            }
+        }
+    ck_assert_int_gt(roof, 0);
+    ck_assert_int_gt(ground, roof + 3);
+    ck_assert(abs(flash - roof) <= 1 || abs(flash - (roof + ground) / 2) <= 1); /* at one of its two floors */
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -352,6 +423,9 @@ Suite *thud_suite(void)
     tcase_add_test(views, commands_of_the_command_line);
     tcase_add_test(views, the_cursor_leads_to_every_column_of_floors);
     tcase_add_test(views, buildings_stand_at_their_elevations);
+    tcase_add_test(views, the_loop_of_a_storey_holds_what_it_lost);
+    tcase_add_test(views, yielded_storeys_are_drawn_with_hinges);
+    tcase_add_test(views, struck_columns_are_named_and_drawn_at_the_slab);
     suite_add_tcase(suite, views);
     return suite;
 }
