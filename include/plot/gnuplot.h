@@ -10,7 +10,13 @@
 #include "base/text.h"
 #include "plot/figure.h"
 
-enum thud_picture_format { THUD_PNG, THUD_SVG, THUD_PDF, THUD_PICTURE_FORMATS };
+enum thud_picture_format {
+    THUD_PNG,
+    THUD_SVG,
+    THUD_PDF,
+    THUD_PICTURE_FORMATS, /* those of files; and for a terminal that draws them: */
+    THUD_SIXEL = THUD_PICTURE_FORMATS
+};
 
 /* Zeros mean: chosen for the figure. */
 struct thud_picture_options {

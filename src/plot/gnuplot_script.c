@@ -10,6 +10,7 @@
 #include "plot/gnuplot_internal.h"
 
 enum { PDF_DPI = 200 };
+static const char default_font[] = "DejaVu Sans";
 
 /* Width of a character of DejaVu Sans, ems. */
 static double advance(unsigned char c)
@@ -229,14 +230,24 @@ struct box thud_sheet_frame(const struct sheet *sheet, int panel)
  * given, pdfcairo draws a point of text a third larger than 1/72 inch. */
 static void terminal(const struct sheet *sheet, const struct thud_picture_options *options)
 {
-    static const char *const name[] = {"pngcairo noenhanced color", "svg noenhanced", "pdfcairo noenhanced color"};
+    static const char *const name[] = {"pngcairo noenhanced color", "svg noenhanced", "pdfcairo noenhanced color",
+                                       "sixelgd noenhanced notransparent"};
     struct thud_text *out = sheet->out;
     thud_text_append(out, "set terminal %s background rgb 'white' linewidth LW ", name[options->format]);
     if (options->format == THUD_PDF)
         thud_text_append(out, "size W/%d.0in,H/%d.0in fontscale 1 ", PDF_DPI, PDF_DPI);
     else
         thud_text_append(out, "size W,H ");
-    thud_text_append(out, "font sprintf('%%s,%%.4g', FONT, PT)\n");
+    if (options->format == THUD_SIXEL) { /* which takes no expression there */
+        char font[200];
+        snprintf(font, sizeof font, "%.128s,%.4g", options->font ? options->font : default_font,
+                 sheet->em * sheet->points);
+        thud_text_append(out, "font ");
+        thud_gnuplot_quote(out, font, 0.0, 0.0);
+        thud_text_append(out, "\n");
+    } else {
+        thud_text_append(out, "font sprintf('%%s,%%.4g', FONT, PT)\n");
+    }
 }
 
 /* Every size and place that a hand may want to change, at the top of the script. */
@@ -245,7 +256,7 @@ static void variables(const struct sheet *sheet, const struct thud_picture_optio
     struct thud_text *out = sheet->out;
     double unit = options->format == THUD_PDF ? 120.0 / PDF_DPI : 1.0;
     char font[160];
-    snprintf(font, sizeof font, "%.128s", options->font ? options->font : "DejaVu Sans");
+    snprintf(font, sizeof font, "%.128s", options->font ? options->font : default_font);
     thud_text_append(out,
                      "\n# Sizes and places: change them here.\n"
                      "W = %.0f; H = %.0f    # of the picture, %s\nFONT = ",

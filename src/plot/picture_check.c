@@ -29,6 +29,8 @@ enum thud_status thud_picture_check(enum thud_picture_format format, const struc
         whole = png_whole(picture);
     else if (format == THUD_SVG)
         whole = picture->size > 5 && !memcmp(picture->data, "<?xml", 5) && ends(picture, "</svg>", 16);
+    else if (format == THUD_SIXEL)
+        whole = picture->size > 4 && !memcmp(picture->data, "\033P", 2) && ends(picture, "\033\\", 8);
     else
         whole = picture->size > 5 && !memcmp(picture->data, "%PDF-", 5) && ends(picture, "%%EOF", 16);
     if (whole)

@@ -6,7 +6,7 @@
 #include "base/quantity.h"
 #include "plot/gnuplot.h"
 
-static const char *const suffixes[THUD_PICTURE_FORMATS] = {"png", "svg", "pdf"};
+static const char *const suffixes[] = {"png", "svg", "pdf", "sixel"};
 enum { SIZE_LEAST = 200, SIZE_MOST = 10000 };
 static const double font_least_px = 4.0, font_most_px = 400.0;
 

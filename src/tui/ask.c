@@ -80,6 +80,8 @@ void thud_tui_chosen(struct thud_tui *tui)
         list_presets(tui, value);
     else if (tui->choosing == THUD_CHOOSE_PRESET)
         thud_tui_open(tui, value, false);
+    else if (tui->choosing == THUD_CHOOSE_BESIDE)
+        thud_tui_beside(tui, value);
     else if (tui->choosing == THUD_CHOOSE_FIELD)
         thud_tui_go_to_field(tui, value);
 }

@@ -5,6 +5,7 @@
 #include <stdbool.h>
 
 #include "tui/canvas.h"
+#include "tui/image.h"
 
 /* Keys are code points (Ctrl-A is 1), or one of these. */
 enum {
@@ -51,10 +52,14 @@ struct thud_backend {
     void (*repaint)(struct thud_backend *backend);
     void (*mouse)(struct thud_backend *backend, bool on);
     void (*copy)(struct thud_backend *backend, const char *text); /* to the clipboard, where the terminal lets it */
+    /* What pictures it draws, as far as is known now, and the size of its screen, px. */
+    enum thud_image (*image)(struct thud_backend *backend, int *width_px, int *height_px);
+    void (*raw)(struct thud_backend *backend, const char *bytes, size_t n); /* beside what show() draws */
 };
 
 /* The terminal. Errors: THUD_USAGE when there is none. `close` restores it, also where called twice. */
-enum thud_status thud_term_open(struct thud_backend *backend, bool ascii, bool color, struct thud_error *err);
+struct thud_config;
+enum thud_status thud_term_open(struct thud_backend *backend, const struct thud_config *config, struct thud_error *err);
 void thud_term_close(struct thud_backend *backend);
 
 /* A script: keys come from text with names in angle brackets (`5<Enter>`, `<C-r>`, `<A-2>`, `<Size 80x24>`,
@@ -68,6 +73,8 @@ struct thud_script {
     int signal;
     int shows;
     char copied[8192]; /* the beginning of what was last copied */
+    enum thud_image image;
+    struct thud_text raw; /* all that went there; to be cleared by who has the script */
 };
 void thud_script_open(struct thud_backend *backend, struct thud_script *script, int width, int height, bool utf8);
 

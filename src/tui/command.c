@@ -207,6 +207,11 @@ static void run_paste(struct thud_tui *tui, char *rest)
 }
 
 /* Where figures and tables go; alone it says so. */
+static void run_beside(struct thud_tui *tui, char *rest)
+{
+    thud_tui_beside(tui, rest);
+}
+
 static void run_folder(struct thud_tui *tui, char *rest)
 {
     if (*rest) {
@@ -344,6 +349,7 @@ static const struct command table[] = {
     ACT("exchange", THUD_DO_EXCHANGE),
     RUN(bumper, "[INTERFACE]"),
     {"keep-force", "", "", run_keep_force, NULL, THUD_DO_NOTHING},
+    RUN(beside, "none|LAW|NAME VALUE"),
     RUN(storey, "add|delete STRUCTURE FLOOR"),
     RUN(structure, "add|remove STRUCTURE"),
     RUN(swap, "STRUCTURE"),

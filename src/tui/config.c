@@ -31,13 +31,25 @@ static enum thud_status set(struct thud_config *config, const char *word, const 
         snprintf(config->folder, sizeof config->folder, "%s", value);
         return THUD_OK;
     }
+    for (int i = 0; strcmp(word, "theme") == 0 && i < THUD_THEMES; i++)
+        if (strcmp(value, thud_theme_name((enum thud_theme)i)) == 0) {
+            config->theme = (enum thud_theme)i;
+            return THUD_OK;
+        }
+    for (int i = 0; strcmp(word, "images") == 0 && i < THUD_IMAGES_CHOICES; i++)
+        if (strcmp(value, thud_image_choice_name((enum thud_image_choice)i)) == 0) {
+            config->images = (enum thud_image_choice)i;
+            return THUD_OK;
+        }
     for (size_t i = 0; i < sizeof name / sizeof *name; i++)
         if (strcmp(word, name[i]) == 0 && (on || strcmp(value, "off") == 0)) {
             *flag[i] = on;
             return THUD_OK;
         }
     thud_error_set(err, THUD_INPUT, "\"%.40s %.40s\" is not understood", word, value);
-    thud_error_allow(err, "color, ascii, live, mouse, each on or off; folder DIR");
+    thud_error_allow(
+        err, "color, ascii, live, mouse, each on or off; theme auto, dark, light, mono or 16; images auto, kitty, "
+             "sixel or none; folder DIR");
     return THUD_INPUT;
 }
 

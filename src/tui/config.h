@@ -5,9 +5,13 @@
 #include <stdbool.h>
 
 #include "base/status.h"
+#include "tui/image.h"
+#include "tui/roles.h"
 
 struct thud_config {
     bool color, ascii, live, mouse;
+    enum thud_theme theme;
+    enum thud_image_choice images;
     char folder[512]; /* for figures and tables; empty: the working folder */
 };
 

@@ -4,6 +4,7 @@
 
 #include "base/scan.h"
 #include "tui/backend.h"
+#include "tui/image.h"
 
 enum { ESC = 27, BEL = 7, UNFINISHED = -1 };
 
@@ -15,6 +16,7 @@ void thud_decode_init(struct thud_decode *decode)
     decode->paste_size = 0;
     decode->paste[0] = '\0';
     decode->mouse_x = decode->mouse_y = 0;
+    decode->attributes = decode->sixel = false;
 }
 
 void thud_decode_learn(struct thud_decode *decode, const char *sequence, int key)
@@ -158,6 +160,11 @@ static int sequence_key(struct thud_decode *decode, const unsigned char *s, int 
         return mouse(decode, s[3] - 32, s[4] - 32, s[5] - 32, true);
     if (text[2] == '<')
         return mouse_report(decode, text + 3);
+    if (text[2] == '?' && text[size - 1] == 'c') {
+        decode->attributes = true;
+        decode->sixel = thud_image_answer_has_sixel(text);
+        return THUD_KEY_NONE;
+    }
     int number;
     const char *at = text + 2;
     if (thud_scan_count(&at, &number))

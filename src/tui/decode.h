@@ -30,6 +30,8 @@ struct thud_decode {
     char paste[THUD_PASTE_MAX]; /* text of the last THUD_KEY_PASTE; what is longer is cut off */
     size_t paste_size;
     int mouse_x, mouse_y; /* of the last report, from 0 */
+    bool attributes;      /* the terminal has said what it can (DA1) */
+    bool sixel;           /* and that it draws these */
 };
 
 void thud_decode_init(struct thud_decode *decode);

@@ -314,6 +314,8 @@ static void say_too_small(const struct thud_tui *tui, const struct thud_pane *pa
 void thud_tui_draw(struct thud_tui *tui)
 {
     int width, height;
+    if (tui->picture != THUD_IMAGE_NONE)
+        return;
     tui->backend->size(tui->backend, &width, &height);
     if ((width != tui->canvas.width || height != tui->canvas.height) &&
         thud_canvas_resize(&tui->canvas, width, height, NULL) != THUD_OK)

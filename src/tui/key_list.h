@@ -12,6 +12,8 @@ THUD_KEY(MODEL, SWAP, 'x', 0, "x", "swap", "swap the two structures shown, left 
 THUD_KEY(CONTACT, KEEP_FORCE, 'f', 0, "f", "keep F",
          "after a change of the exponent: choose the stiffness so that F(delta_u) is as before")
 THUD_KEY(CONTACT, TOGGLE_BUMPER, 'B', 0, "B", "bumper", "put the bumper in or take it out")
+THUD_KEY(CONTACT, BESIDE, 'c', 0, "c", "compare",
+         "lay another law beside this one: dashed, with its own values, F and e of both")
 THUD_KEY(MODEL_CONTACT, PREVIOUS_PAIR, '[', 0, "[", "", "the pair of structures (the interface) to the left")
 THUD_KEY(MODEL_CONTACT, NEXT_PAIR, ']', 0, "]", "", "the pair of structures (the interface) to the right")
 THUD_KEY(RECORD, FILTER, 'f', 0, "f", "filter", "show only the files whose name contains some text")

@@ -43,12 +43,13 @@ static struct thud_pair bodies(const struct thud_scene *scene, int pair, double 
     return two;
 }
 
-static void add_loop(struct thud_panel *panel, struct thud_run *run, int index, double speed, bool pinned)
+/* `behind`: what it is called where it lies behind, dashed; NULL: it does not. */
+static void add_loop(struct thud_panel *panel, struct thud_run *run, int index, double speed, const char *behind)
 {
     const struct thud_history *history = thud_run_history(run);
-    char name[48];
-    snprintf(name, sizeof name, "%g m/s%s", speed, pinned ? ", pinned" : "");
-    struct thud_style style = {.kind = THUD_LINES, .color = index, .thin = pinned, .dashed = pinned};
+    char name[80];
+    snprintf(name, sizeof name, "%g m/s%s%s", speed, behind ? ", " : "", behind ? behind : "");
+    struct thud_style style = {.kind = THUD_LINES, .color = index, .thin = behind, .dashed = behind};
     struct thud_series *series = thud_panel_add(panel, style, name, history->rows, NULL, NULL);
     int force = thud_history_force(history, 0), indentation = thud_history_indentation(history, 0);
     for (size_t i = 0; series && i < history->rows; i++) {
@@ -60,7 +61,8 @@ static void add_loop(struct thud_panel *panel, struct thud_run *run, int index, 
 }
 
 static enum thud_status add_speed(struct thud_panel *panel, const struct thud_scene *scene, int pair, int index,
-                                  double speed, bool pinned, struct thud_meeting *meeting, struct thud_error *err)
+                                  double speed, const char *behind, struct thud_meeting *meeting,
+                                  struct thud_error *err)
 {
     struct thud_pair two = bodies(scene, pair, speed);
     struct thud_answer answer = {0};
@@ -68,7 +70,7 @@ static enum thud_status add_speed(struct thud_panel *panel, const struct thud_sc
     if (status == THUD_OK) {
         const struct thud_contact_result *contact = &thud_run_result(answer.run)->contact[0];
         *meeting = (struct thud_meeting){speed, contact->force.value, contact->indentation.value, contact->restitution};
-        add_loop(panel, answer.run, index, speed, pinned);
+        add_loop(panel, answer.run, index, speed, behind);
     }
     thud_answer_clear(&answer);
     return status;
@@ -84,14 +86,17 @@ static bool meet_alike(const struct thud_scene *a, const struct thud_scene *b, i
            thud_tui_pair_mass(a, pair + 1) == thud_tui_pair_mass(b, pair + 1);
 }
 
-struct thud_figure *thud_tui_law_figure(const struct thud_scene *scene, const struct thud_scene *against, int pair,
+struct thud_figure *thud_tui_law_figure(const struct thud_scene *scene, const struct thud_law_behind *behind, int pair,
                                         struct thud_meeting meeting[THUD_MEETINGS], struct thud_error *err)
 {
     static const double speed[THUD_MEETINGS] = {0.25, 0.5, 1.0};
+    const struct thud_scene *against = behind->scene;
     bool bumper = scene->interface[pair].has_bumper;
     char title[160];
     const struct thud_law *law = bumper ? scene->interface[pair].bumper.law : scene->interface[pair].contact.law;
-    snprintf(title, sizeof title, "%s between two free bodies", law ? law->name : "no law");
+    bool both = against && pair + 1 < against->nstructures && !meet_alike(scene, against, pair);
+    snprintf(title, sizeof title, "%s%s%s between two free bodies", law ? law->name : "no law", both ? " and " : "",
+             both ? behind->name : "");
     struct thud_figure *figure = thud_figure_create("force-indentation", title, 1, 1);
     struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "");
     thud_panel_axis(panel, THUD_X, "Indentation", "mm");
@@ -99,12 +104,11 @@ struct thud_figure *thud_tui_law_figure(const struct thud_scene *scene, const st
     enum thud_status status = !figure ? thud_error_set(err, THUD_MEMORY, "no memory for the figure")
                               : law   ? THUD_OK
                                       : thud_error_set(err, THUD_INPUT, "no law is chosen");
-    bool both = against && pair + 1 < against->nstructures && !meet_alike(scene, against, pair);
-    struct thud_meeting unused;
-    for (int i = THUD_MEETINGS - 1; both && i >= 0 && status == THUD_OK; i--) /* without one there is nothing behind */
-        add_speed(panel, against, pair, THUD_MEETINGS - 1 - i, speed[i], true, &unused, NULL);
-    for (int i = THUD_MEETINGS - 1; i >= 0 && status == THUD_OK; i--) /* the smaller loops before the larger */
-        status = add_speed(panel, scene, pair, THUD_MEETINGS - 1 - i, speed[i], false, &meeting[i], err);
+    /* the smaller loops over the larger; without one behind there is none */
+    for (int i = THUD_MEETINGS - 1; both && i >= 0 && status == THUD_OK; i--)
+        add_speed(panel, against, pair, THUD_MEETINGS - 1 - i, speed[i], behind->name, &behind->meeting[i], NULL);
+    for (int i = THUD_MEETINGS - 1; i >= 0 && status == THUD_OK; i--)
+        status = add_speed(panel, scene, pair, THUD_MEETINGS - 1 - i, speed[i], NULL, &meeting[i], err);
     if (status == THUD_OK && thud_figure_check(figure, err) == THUD_OK)
         return figure;
     thud_figure_free(figure);

@@ -15,9 +15,15 @@ struct thud_meeting {
     double speed_mps, force_n, indentation_m, restitution;
 };
 enum { THUD_MEETINGS = 3 };
-/* Force against indentation at three speeds; dashed behind them those of `against` (NULL: nothing), where its law or
- * bodies are others. NULL on failure, with the reason. */
-struct thud_figure *thud_tui_law_figure(const struct thud_scene *scene, const struct thud_scene *against, int pair,
+/* What is drawn dashed behind the loops. */
+struct thud_law_behind {
+    const struct thud_scene *scene; /* NULL: nothing */
+    const char *name;               /* "pinned", or the law's */
+    struct thud_meeting *meeting;   /* (THUD_MEETINGS) of it; untouched where nothing is drawn */
+};
+/* Force against indentation at three speeds; behind them those of another scene, where its law or bodies are others.
+ * NULL on failure, with the reason. */
+struct thud_figure *thud_tui_law_figure(const struct thud_scene *scene, const struct thud_law_behind *behind, int pair,
                                         struct thud_meeting meeting[THUD_MEETINGS], struct thud_error *err);
 
 #endif

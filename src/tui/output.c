@@ -96,8 +96,12 @@ static void begin(struct thud_tui *tui, struct thud_figure *const *figure, int c
         thud_tui_file_name(tui, figure[i]->name, "", name, sizeof name);
         thud_figure_rename(figure[i], name);
     }
-    if (thud_picture_work_start(figure, count, thud_tui_folder(tui), tui->options.gnuplot, &tui->writing, &err) !=
-        THUD_OK) {
+    struct thud_picture_screen screen = {.format = THUD_PNG};
+    if (count == 1)
+        screen = thud_tui_picture_screen(tui);
+    tui->writing_screen = tui->screen;
+    if (thud_picture_work_start(figure, count, thud_tui_folder(tui), tui->options.gnuplot, &screen, &tui->writing,
+                                &err) != THUD_OK) {
         thud_tui_say_error(tui, &err);
         return;
     }
@@ -156,9 +160,13 @@ void thud_tui_writing_look(struct thud_tui *tui)
     tui->writing_done = done;
     if (going)
         return;
-    enum thud_status status = thud_picture_work_finish(tui->writing, &done, &err);
+    struct thud_text picture = {0};
+    enum thud_status status = thud_picture_work_finish(tui->writing, &done, &picture, &err);
     tui->writing = NULL;
     tui->backend->also = -1;
+    if (status == THUD_OK && picture.size > 0 && tui->mode == THUD_MODE_NORMAL && tui->writing_screen == tui->screen)
+        thud_tui_show_picture(tui, &picture);
+    thud_text_clear(&picture);
     if (status == THUD_OK)
         thud_tui_say(tui, THUD_ROLE_GOOD, "Written %s", tui->written);
     else if (status == THUD_CANCELLED)
@@ -175,7 +183,7 @@ void thud_tui_writing_end(struct thud_tui *tui)
     if (!tui->writing)
         return;
     thud_picture_work_stop(tui->writing);
-    thud_picture_work_finish(tui->writing, &done, &err);
+    thud_picture_work_finish(tui->writing, &done, NULL, &err);
     tui->writing = NULL;
     tui->backend->also = -1;
 }

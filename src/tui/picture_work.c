@@ -15,6 +15,8 @@ struct thud_picture_work {
     volatile sig_atomic_t cancel;
     struct thud_picture_options options;
     char folder[512];
+    struct thud_picture_screen screen;
+    struct thud_text picture;                      /* for it; the thread's own until `ended` */
     struct thud_figure *figure[THUD_PICTURES_MAX]; /* (count); NULL once done with */
     int count;
     enum thud_status status; /* the thread's own until `ended` */
@@ -34,6 +36,17 @@ static void tell(struct thud_picture_work *work, int done, bool ended)
     (void)ignored;
 }
 
+/* Where it cannot be drawn there is none: what is said is about the files. */
+static void draw_for_screen(struct thud_picture_work *work, const struct thud_figure *figure)
+{
+    struct thud_picture_options options = work->options;
+    options.format = work->screen.format;
+    options.width_px = work->screen.width_px;
+    options.height_px = work->screen.height_px;
+    if (options.width_px > 0)
+        thud_gnuplot_draw(figure, &options, &work->picture, NULL);
+}
+
 static void *write_all(void *context)
 {
     struct thud_picture_work *work = context;
@@ -45,6 +58,8 @@ static void *write_all(void *context)
             break;
         }
         work->figure[i] = NULL;
+        if (i == 0 && figure)
+            draw_for_screen(work, figure);
         work->status = thud_figure_deliver(figure, work->folder, &work->options, work->status, &work->error);
         done += work->status == THUD_OK;
         tell(work, done, false);
@@ -60,6 +75,7 @@ static void release(struct thud_picture_work *work)
     for (int i = 0; i < 2; i++)
         if (work->wake[i] >= 0)
             close(work->wake[i]);
+    thud_text_clear(&work->picture);
     pthread_mutex_destroy(&work->mutex);
     free(work);
 }
@@ -78,7 +94,8 @@ static bool begin(struct thud_picture_work *work)
 }
 
 enum thud_status thud_picture_work_start(struct thud_figure *const *figure, int count, const char *folder,
-                                         const char *program, struct thud_picture_work **out, struct thud_error *err)
+                                         const char *program, const struct thud_picture_screen *screen,
+                                         struct thud_picture_work **out, struct thud_error *err)
 {
     struct thud_picture_work *work = calloc(1, sizeof *work);
     if (!work) {
@@ -92,6 +109,7 @@ enum thud_status thud_picture_work_start(struct thud_figure *const *figure, int 
     strncpy(work->folder, folder, sizeof work->folder - 1);
     work->options.cancel = &work->cancel;
     work->options.program = program;
+    work->screen = *screen;
     pthread_mutex_init(&work->mutex, NULL);
     if (begin(work)) {
         *out = work;
@@ -124,11 +142,16 @@ void thud_picture_work_stop(struct thud_picture_work *work)
     work->cancel = 1;
 }
 
-enum thud_status thud_picture_work_finish(struct thud_picture_work *work, int *done, struct thud_error *err)
+enum thud_status thud_picture_work_finish(struct thud_picture_work *work, int *done, struct thud_text *picture,
+                                          struct thud_error *err)
 {
     pthread_join(work->thread, NULL);
     *done = work->done;
     enum thud_status status = work->status;
+    if (picture) {
+        *picture = work->picture;
+        work->picture = (struct thud_text){0};
+    }
     *err = work->error;
     release(work);
     return status;

@@ -117,6 +117,19 @@ static void script_copy(struct thud_backend *backend, const char *text)
     snprintf(script->copied, sizeof script->copied, "%s", text);
 }
 
+static enum thud_image script_image(struct thud_backend *backend, int *width_px, int *height_px)
+{
+    const struct thud_script *script = backend->state;
+    *width_px = 8 * script->width;
+    *height_px = 16 * script->height;
+    return script->image;
+}
+
+static void script_raw(struct thud_backend *backend, const char *bytes, size_t n)
+{
+    thud_text_bytes(&((struct thud_script *)backend->state)->raw, bytes, n);
+}
+
 void thud_script_open(struct thud_backend *backend, struct thud_script *script, int width, int height, bool utf8)
 {
     *script = (struct thud_script){.width = width, .height = height};
@@ -130,5 +143,7 @@ void thud_script_open(struct thud_backend *backend, struct thud_script *script, 
                                      .signal = script_signal,
                                      .repaint = script_repaint,
                                      .mouse = script_mouse,
-                                     .copy = script_copy};
+                                     .copy = script_copy,
+                                     .image = script_image,
+                                     .raw = script_raw};
 }

@@ -4,6 +4,7 @@
 
 #include "app/live_cases.h"
 #include "plot/figure.h"
+#include "tui/beside.h"
 #include "tui/browse.h"
 #include "tui/chart.h"
 #include "tui/chooser.h"
@@ -32,7 +33,13 @@ enum thud_typing {
     THUD_TYPE_STUDY,
     THUD_TYPE_SEARCH
 };
-enum thud_choosing { THUD_CHOOSE_VALUE, THUD_CHOOSE_PRESET, THUD_CHOOSE_FIELD, THUD_CHOOSE_NOTHING };
+enum thud_choosing {
+    THUD_CHOOSE_VALUE,
+    THUD_CHOOSE_PRESET,
+    THUD_CHOOSE_FIELD,
+    THUD_CHOOSE_BESIDE,
+    THUD_CHOOSE_NOTHING
+};
 enum thud_asking { THUD_ASK_QUIT, THUD_ASK_OVERWRITE, THUD_ASK_DISK, THUD_ASK_OPEN, THUD_ASK_NEW, THUD_ASK_RECOVER };
 
 enum { THUD_PANES_MAX = 6, THUD_HISTORY = 50 };
@@ -127,6 +134,8 @@ struct thud_tui {
     char recovered[512];               /* the file whose changes were taken, gone once they are saved; empty: none */
     struct thud_picture_work *writing; /* figures being written; NULL: none */
     int writing_done, writing_count;   /* as last looked at */
+    enum thud_screen writing_screen;   /* on which that was asked for */
+    enum thud_image picture;           /* one covers the screen, in this way, until the next key */
     char written[700];                 /* what is written then */
     bool pictures_wanted;              /* once the run has its histories */
     bool was_running;                  /* the live run was going at the last look */
@@ -150,7 +159,8 @@ struct thud_tui {
     double kept_force_n, kept_before_n; /* F(delta_u) after and before a change of the exponent; NaN: none */
     int kept_interface;
     struct thud_figure *law_figure; /* force-indentation loops of the interface shown */
-    struct thud_meeting meeting[THUD_MEETINGS];
+    struct thud_meeting meeting[THUD_MEETINGS], beside_meeting[THUD_MEETINGS];
+    struct thud_beside beside; /* a law to compare with */
     struct thud_error law_error;
     unsigned long law_revision; /* what they belong to; 0: nothing */
     int law_pair;
@@ -255,6 +265,12 @@ void thud_tui_show_floor(struct thud_tui *tui, int structure, int floor); /* fro
 /* command.c */
 void thud_tui_command(struct thud_tui *tui, const char *text);
 void thud_tui_commands_text(struct thud_text *out); /* ":word arguments" a line */
+
+/* picture.c */
+/* What a figure is drawn as to be shown on this terminal; no size where it shows none. */
+struct thud_picture_screen thud_tui_picture_screen(struct thud_tui *tui);
+void thud_tui_show_picture(struct thud_tui *tui, const struct thud_text *picture); /* until the next key */
+void thud_tui_leave_picture(struct thud_tui *tui);
 
 /* output.c */
 const char *thud_tui_folder(const struct thud_tui *tui); /* where pictures and tables go */

@@ -18,8 +18,8 @@
 #include <curses.h>
 
 #include "tui/backend.h"
+#include "tui/config.h"
 #include "tui/decode.h"
-#include "tui/roles.h"
 #include "tui/term_signal.h"
 
 /* The bytes of one key come together: what begins like one and stays alone for so long is not the beginning of one. */
@@ -29,6 +29,10 @@ struct term {
     bool open, repaint, mouse;
     struct thud_decode decode;
     double read_s; /* when bytes were last read */
+    enum thud_theme theme;
+    enum thud_image image;
+    bool asked; /* what it can */
+    double asked_s;
 };
 static struct term the_terminal; /* there is one per process, as in curses itself */
 
@@ -40,7 +44,7 @@ static bool can_move(const char *term)
 static void color_pairs(void)
 {
     for (int role = 1; role < THUD_ROLES; role++)
-        init_pair((short)role, (short)thud_role_color(role, COLORS), -1);
+        init_pair((short)role, (short)thud_role_color(the_terminal.theme, role, COLORS), -1);
 }
 
 static void term_size(struct thud_backend *backend, int *width, int *height)
@@ -52,7 +56,7 @@ static void term_size(struct thud_backend *backend, int *width, int *height)
 static attr_t attributes(struct thud_look style, bool color)
 {
     attr_t attr = 0;
-    if ((style.attr & THUD_BOLD) || (color && thud_role_bold(style.role, COLORS)))
+    if ((style.attr & THUD_BOLD) || (color && thud_role_bold(the_terminal.theme, style.role, COLORS)))
         attr |= A_BOLD;
     if (style.attr & THUD_REVERSE)
         attr |= A_REVERSE;
@@ -186,20 +190,57 @@ static void term_mouse(struct thud_backend *backend, bool on)
 /* OSC 52 with base64, which xterm, tmux, kitty, foot, iTerm2 and others take; the rest drop it. */
 static void term_copy(struct thud_backend *backend, const char *text)
 {
-    static const char digit[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    size_t n = strlen(text);
+    struct thud_text out = {0};
     (void)backend;
-    fputs("\033]52;c;", stdout);
-    for (size_t i = 0; i < n; i += 3) {
-        unsigned long bits = (unsigned long)(unsigned char)text[i] << 16;
-        bits |= i + 1 < n ? (unsigned long)(unsigned char)text[i + 1] << 8 : 0;
-        bits |= i + 2 < n ? (unsigned long)(unsigned char)text[i + 2] : 0;
-        putchar(digit[bits >> 18 & 63]);
-        putchar(digit[bits >> 12 & 63]);
-        putchar(i + 1 < n ? digit[bits >> 6 & 63] : '=');
-        putchar(i + 2 < n ? digit[bits & 63] : '=');
+    thud_text_append(&out, "\033]52;c;");
+    thud_text_base64(&out, text, strlen(text));
+    thud_text_append(&out, "\a");
+    if (!out.failed)
+        tell(out.data);
+    thud_text_clear(&out);
+}
+
+static void term_raw(struct thud_backend *backend, const char *bytes, size_t n)
+{
+    (void)backend;
+    fwrite(bytes, 1, n, stdout);
+    fflush(stdout);
+}
+
+/* Where the terminal does not say how large it is, cells of 8 x 16 px: a picture that is too small does no harm. */
+static enum thud_image term_image(struct thud_backend *backend, int *width_px, int *height_px)
+{
+    const struct term *term = backend->state;
+    struct winsize size = {0};
+    ioctl(STDOUT_FILENO, TIOCGWINSZ, &size);
+    *width_px = size.ws_xpixel > 0 ? size.ws_xpixel : 8 * COLS;
+    *height_px = size.ws_ypixel > 0 ? size.ws_ypixel : 16 * LINES;
+    return term->asked && term->decode.sixel ? THUD_IMAGE_SIXEL : term->image;
+}
+
+/* An answer that comes after the end would be taken for typing by the shell. */
+static void wait_for_answer(struct term *term)
+{
+    enum { PATIENCE_MS = 100 };
+    static const double late_s = 2.0; /* what has not answered by then does not */
+    struct pollfd input = {STDIN_FILENO, POLLIN, 0};
+    bool wait = term->asked && term_now(NULL) - term->asked_s < late_s;
+    for (bool more; wait && !term->decode.attributes && poll(&input, 1, PATIENCE_MS) > 0;) {
+        if (!(input.revents & POLLIN) || !read_bytes(term))
+            return;
+        while (thud_decode_next(&term->decode, false, &more) != THUD_KEY_NONE)
+            ;
     }
-    tell("\a");
+}
+
+/* What it is known to draw; what is not known it is asked for. */
+static void learn_images(struct term *term, enum thud_image_choice choice, const char *name)
+{
+    const struct thud_image_variables of = {name, getenv("KITTY_WINDOW_ID"), getenv("TMUX"), getenv("STY")};
+    term->image = thud_image_known(choice, &of, &term->asked);
+    term->asked_s = term_now(NULL);
+    if (term->asked)
+        tell(thud_image_question);
 }
 
 /* The keys as this terminal's description has them. */
@@ -231,8 +272,9 @@ static void take_interrupt_key(void)
     def_prog_mode();
 }
 
-enum thud_status thud_term_open(struct thud_backend *backend, bool ascii, bool color, struct thud_error *err)
+enum thud_status thud_term_open(struct thud_backend *backend, const struct thud_config *config, struct thud_error *err)
 {
+    bool color = config->color && config->theme != THUD_THEME_MONO;
     const char *name = getenv("TERM");
     if (!isatty(STDIN_FILENO) || !isatty(STDOUT_FILENO))
         return thud_error_set(err, THUD_USAGE,
@@ -248,7 +290,7 @@ enum thud_status thud_term_open(struct thud_backend *backend, bool ascii, bool c
         thud_term_signal_close();
         return thud_error_set(err, THUD_USAGE, "TERM is \"%s\", which this machine does not know", name);
     }
-    the_terminal = (struct term){.open = true};
+    the_terminal = (struct term){.open = true, .theme = config->theme};
     cbreak();
     noecho();
     nonl();
@@ -266,8 +308,9 @@ enum thud_status thud_term_open(struct thud_backend *backend, bool ascii, bool c
         color = false;
     thud_term_signal_ready();
     tell(THUD_PASTE_ON);
+    learn_images(&the_terminal, config->images, name);
     *backend = (struct thud_backend){.state = &the_terminal,
-                                     .utf8 = utf8 && !ascii,
+                                     .utf8 = utf8 && !config->ascii,
                                      .color = color,
                                      .also = -1,
                                      .size = term_size,
@@ -277,7 +320,9 @@ enum thud_status thud_term_open(struct thud_backend *backend, bool ascii, bool c
                                      .signal = term_signal,
                                      .repaint = term_repaint,
                                      .mouse = term_mouse,
-                                     .copy = term_copy};
+                                     .copy = term_copy,
+                                     .image = term_image,
+                                     .raw = term_raw};
     return THUD_OK;
 }
 
@@ -288,6 +333,7 @@ void thud_term_close(struct thud_backend *backend)
     the_terminal.open = false;
     (void)backend;
     tell(THUD_MOUSE_OFF THUD_PASTE_OFF);
+    wait_for_answer(&the_terminal);
     endwin();
     thud_term_signal_close();
 }

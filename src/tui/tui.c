@@ -157,6 +157,11 @@ static void interrupt(struct thud_tui *tui)
 void thud_tui_key(struct thud_tui *tui, int key)
 {
     tui->dirty = true;
+    if (tui->picture != THUD_IMAGE_NONE) {
+        thud_tui_leave_picture(tui);
+        if (key != THUD_CTRL('c') && key != THUD_KEY_HANGUP)
+            return;
+    }
     if (key == THUD_KEY_RESIZE || !heard(tui, key))
         return;
     if (key == THUD_KEY_HANGUP) {
@@ -298,12 +303,14 @@ enum thud_status thud_tui_main(const struct thud_tui_options *options, struct th
         return status;
     all.ascii |= config.ascii;
     all.color &= config.color;
+    config.ascii = all.ascii;
+    config.color = all.color;
     all.live_off = !config.live;
     if (*config.folder && !all.output)
         all.output = config.folder;
     if (options->play && !(isatty(STDIN_FILENO) && isatty(STDOUT_FILENO)))
         return thud_tui_play(&all, err);
-    status = thud_term_open(&backend, all.ascii, all.color, err);
+    status = thud_term_open(&backend, &config, err);
     if (status != THUD_OK)
         return status;
     status = thud_tui_create(&all, &backend, &tui, err);

@@ -28,9 +28,10 @@ static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
                  i + 1, scene->nstructures - 1);
     else
         snprintf(text, size, "%s",
-                 index == FORM    ? "No interface"
-                 : index == CURVE ? "Force against indentation"
-                                  : "What it gives");
+                 index == FORM                              ? "No interface"
+                 : index == CURVE                           ? "Force against indentation"
+                 : !isnan(tui->beside_meeting[0].speed_mps) ? "What both give: F MN, e"
+                                                            : "What it gives");
 }
 
 static int law_rows(struct thud_tui *tui, const struct thud_pane *pane, int y, const char *part,
@@ -53,6 +54,38 @@ static void heading(const struct thud_pane *pane, int y, const char *text)
         thud_pane_glyph(pane, x, y, thud_look(THUD_ROLE_BORDER, 0), 0x2500);
 }
 
+/* The law that lies beside, and its values: lines, as it is no part of the scene. */
+static int beside_rows(struct thud_tui *tui, const struct thud_pane *pane, int y)
+{
+    const struct thud_law *law = *tui->beside.law ? thud_law_find(tui->beside.law) : NULL;
+    struct thud_scene with;
+    char text[200], key[THUD_PATH_MAX], value[96];
+    heading(pane, y++, "Beside it, dashed (c)");
+    snprintf(text, sizeof text, "%-19s%s", "law", law ? law->name : "none");
+    thud_field_line(tui, FORM, pane, y++, -1, "beside", text);
+    if (!law || thud_beside_scene(&tui->beside, &tui->doc.scene, tui->pair, &with, NULL) != THUD_OK)
+        return y;
+    for (int i = 0; i < law->nparams; i++) {
+        snprintf(key, sizeof key, "interfaces.%d.%s.%s", tui->pair + 1, thud_beside_part(&with, tui->pair),
+                 law->params[i].name);
+        if (thud_scene_get(&with, key, value, sizeof value, NULL) != THUD_OK)
+            continue;
+        snprintf(text, sizeof text, "%-19s%s", law->params[i].name, *value ? value : "-");
+        snprintf(key, sizeof key, "beside %s %s", law->params[i].name, value);
+        thud_field_line(tui, FORM, pane, y++, i, key, text);
+    }
+    return y;
+}
+
+/* Enter on one of those lines. */
+static void row(struct thud_tui *tui, const struct thud_field *field)
+{
+    if (strcmp(field->path, "beside") == 0)
+        thud_tui_choose_beside(tui);
+    else
+        thud_tui_prompt(tui, THUD_TYPE_COMMAND, field->path);
+}
+
 static int draw_form(struct thud_tui *tui, const struct thud_pane *pane)
 {
     const struct thud_interface *at = &tui->doc.scene.interface[tui->pair];
@@ -68,12 +101,12 @@ static int draw_form(struct thud_tui *tui, const struct thud_pane *pane)
     y = law_rows(tui, pane, y, "contact", at->contact.law);
     heading(pane, y++, at->has_bumper ? "Bumper [x] on (B)" : "Bumper [ ] off (B)");
     if (!at->has_bumper)
-        return y;
+        return beside_rows(tui, pane, y);
     snprintf(key, sizeof key, "interfaces.%d.bumper.thickness", tui->pair + 1);
     thud_field_row(tui, FORM, pane, y++, "thickness", key);
     snprintf(key, sizeof key, "interfaces.%d.bumper.cavity", tui->pair + 1);
     thud_field_row(tui, FORM, pane, y++, "cavity", key);
-    return law_rows(tui, pane, y, "bumper", at->bumper.law);
+    return beside_rows(tui, pane, law_rows(tui, pane, y, "bumper", at->bumper.law));
 }
 
 /* The loops, made anew where the scene or the pair changed. */
@@ -81,12 +114,45 @@ static void refresh(struct thud_tui *tui)
 {
     if (tui->law_revision == tui->doc.revision && tui->law_pair == tui->pair)
         return;
+    struct thud_scene with;
+    struct thud_law_behind behind = {.name = "pinned", .meeting = tui->beside_meeting};
     thud_figure_free(tui->law_figure);
     tui->law_error = (struct thud_error){0};
-    tui->law_figure = thud_tui_law_figure(&tui->doc.scene, tui->pin.scene.nstructures > 1 ? &tui->pin.scene : NULL,
-                                          tui->pair, tui->meeting, &tui->law_error);
+    for (int i = 0; i < THUD_MEETINGS; i++)
+        tui->beside_meeting[i] = (struct thud_meeting){NAN, NAN, NAN, NAN};
+    if (*tui->beside.law &&
+        thud_beside_scene(&tui->beside, &tui->doc.scene, tui->pair, &with, &tui->law_error) == THUD_OK)
+        behind = (struct thud_law_behind){&with, tui->beside.law, tui->beside_meeting};
+    else if (tui->pin.scene.nstructures > 1)
+        behind.scene = &tui->pin.scene;
+    tui->law_figure = thud_tui_law_figure(&tui->doc.scene, &behind, tui->pair, tui->meeting, &tui->law_error);
     tui->law_revision = tui->doc.revision;
     tui->law_pair = tui->pair;
+}
+
+static const char *restitution(const struct thud_meeting *m, char text[24])
+{
+    return isnan(m->restitution) ? strcpy(text, "-") : thud_tui_number(m->restitution, text);
+}
+
+/* F and e of this law and of the one behind it, beside each other. */
+static int draw_both(struct thud_tui *tui, const struct thud_pane *pane, int y)
+{
+    const struct thud_law *law = thud_beside_of(&tui->doc.scene, tui->pair);
+    char name[2][64], a[24], b[24], c[24], d[24], e[24];
+    thud_utf8_fit(law ? law->name : "", 13, name[0], sizeof name[0]);
+    thud_utf8_fit(*tui->beside.law ? tui->beside.law : "pinned", 13, name[1], sizeof name[1]);
+    thud_pane_put(pane, 1, y, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), "m/s");
+    thud_pane_put(pane, 8, y, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), name[0]);
+    thud_pane_put(pane, 23, y++, thud_look(THUD_ROLE_MUTED, THUD_BOLD), name[1]);
+    for (int i = 0; i < THUD_MEETINGS; i++, y++) {
+        const struct thud_meeting *m = &tui->meeting[i], *other = &tui->beside_meeting[i];
+        thud_pane_print(pane, 1, y, thud_look(THUD_ROLE_VALUE, 0), "%-6s %-6s %-7s", thud_tui_number(m->speed_mps, a),
+                        thud_tui_number(1e-6 * m->force_n, b), restitution(m, d));
+        thud_pane_print(pane, 23, y, thud_look(THUD_ROLE_MUTED, 0), "%-6s %s",
+                        thud_tui_number(1e-6 * other->force_n, c), restitution(other, e));
+    }
+    return y;
 }
 
 static int draw_check(struct thud_tui *tui, const struct thud_pane *pane)
@@ -107,6 +173,8 @@ static int draw_check(struct thud_tui *tui, const struct thud_pane *pane)
     y++;
     if (!tui->law_figure)
         return y;
+    if (!isnan(tui->beside_meeting[0].speed_mps))
+        return draw_both(tui, pane, y);
     thud_pane_put(pane, 1, y++, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), "m/s      F MN    d mm    e");
     for (int i = 0; i < THUD_MEETINGS; i++) {
         const struct thud_meeting *m = &tui->meeting[i];
@@ -139,7 +207,9 @@ static int draw(struct thud_tui *tui, int index, struct thud_pane *pane)
 
 static bool act(struct thud_tui *tui, enum thud_action action)
 {
-    if (action == THUD_DO_KEEP_FORCE)
+    if (action == THUD_DO_BESIDE)
+        thud_tui_choose_beside(tui);
+    else if (action == THUD_DO_KEEP_FORCE)
         thud_tui_keep_force(tui);
     else if (action == THUD_DO_TOGGLE_BUMPER)
         thud_tui_toggle_bumper(tui, tui->pair);
@@ -152,7 +222,7 @@ static const char *cannot(struct thud_tui *tui, enum thud_action action)
 {
     if (action == THUD_DO_KEEP_FORCE)
         return isnan(tui->kept_before_n) ? "There was no change of the exponent just now" : NULL;
-    if (action == THUD_DO_TOGGLE_BUMPER)
+    if (action == THUD_DO_TOGGLE_BUMPER || action == THUD_DO_BESIDE)
         return tui->pair + 1 < tui->doc.scene.nstructures ? NULL : "There is no interface";
     return thud_tui_cannot_change_pair(tui, action);
 }
@@ -175,5 +245,5 @@ static void release(struct thud_tui *tui)
     tui->law_figure = NULL;
 }
 
-THUD_VIEW(contact, "Contact", CONTACT, .act = act, .cannot = cannot, .figure = figure, .read = read_panel,
+THUD_VIEW(contact, "Contact", CONTACT, .act = act, .cannot = cannot, .row = row, .figure = figure, .read = read_panel,
           .free = release);

@@ -221,17 +221,51 @@ START_TEST(every_role_is_seen_on_black_and_on_white)
     ck_assert_double_eq_tol(luminance(231), 1.0, 1e-12);
     ck_assert_double_eq_tol(luminance(196), 0.2126, 1e-12);
     for (int role = 0; role < THUD_ROLES; role++) {
-        int color = thud_role_color(role, 256), few = thud_role_color(role, 16), fewer = thud_role_color(role, 8);
+        int color = thud_role_color(THUD_THEME_AUTO, role, 256), few = thud_role_color(THUD_THEME_AUTO, role, 16),
+            fewer = thud_role_color(THUD_THEME_AUTO, role, 8);
         ck_assert_msg(color == -1 || color >= 16, "role %d: %d is another colour in every terminal", role, color);
         double l = color < 0 ? 0.18 : luminance(color);
         ck_assert_msg((l + 0.05) / 0.05 >= 3.3 && 1.05 / (l + 0.05) >= 3.3, "role %d: %.2f on black, %.2f on white",
                       role, (l + 0.05) / 0.05, 1.05 / (l + 0.05));
         ck_assert(few == -1 || few == 1 || few == 5 || few == 12);
-        ck_assert(fewer == -1 || fewer == 1 || fewer == 5 || (fewer == 4 && thud_role_bold(role, 8)));
+        ck_assert(fewer == -1 || fewer == 1 || fewer == 5 || (fewer == 4 && thud_role_bold(THUD_THEME_AUTO, role, 8)));
     }
     for (int i = 0; i < 8; i++)
         for (int j = 0; j < i; j++)
-            ck_assert_int_ne(thud_role_color(THUD_ROLE_SERIES + i, 256), thud_role_color(THUD_ROLE_SERIES + j, 256));
+            ck_assert_int_ne(thud_role_color(THUD_THEME_AUTO, THUD_ROLE_SERIES + i, 256),
+                             thud_role_color(THUD_THEME_AUTO, THUD_ROLE_SERIES + j, 256));
+}
+END_TEST
+
+/* A theme for one background has more contrast there; mono has no colour, and 16 none of the others. */
+START_TEST(the_themes_can_be_read)
+{
+    for (int role = 0; role < THUD_ROLES; role++) {
+        int dark = thud_role_color(THUD_THEME_DARK, role, 256), light = thud_role_color(THUD_THEME_LIGHT, role, 256);
+        ck_assert(dark == -1 || dark >= 16);
+        ck_assert(light == -1 || light >= 16);
+        double on_black = dark < 0 ? 21.0 : (luminance(dark) + 0.05) / 0.05,
+               on_white = light < 0 ? 21.0 : 1.05 / (luminance(light) + 0.05);
+        ck_assert_msg(on_black >= 4.5, "role %d: %.2f on black", role, on_black);
+        ck_assert_msg(on_white >= 4.5, "role %d: %.2f on white", role, on_white);
+        for (int colors = 8; colors <= 256; colors = colors == 8 ? 16 : 256 + (colors == 256)) {
+            int few = thud_role_color(THUD_THEME_LIGHT, role, colors);
+            ck_assert_int_eq(thud_role_color(THUD_THEME_MONO, role, colors), -1);
+            ck_assert(!thud_role_bold(THUD_THEME_MONO, role, colors));
+            ck_assert_int_lt(thud_role_color(THUD_THEME_16, role, colors), 16);
+            ck_assert_int_lt(thud_role_color(THUD_THEME_DARK, role, colors), colors);
+            if (colors < 256) { /* neither white nor what is pale, nor on black what is dark */
+                ck_assert(few == -1 || few == 1 || few == 4 || few == 5);
+                ck_assert_int_ne(thud_role_color(THUD_THEME_DARK, role, colors), 4);
+                ck_assert_int_ne(thud_role_color(THUD_THEME_DARK, role, colors), 0);
+            }
+        }
+    }
+    for (int theme = THUD_THEME_DARK; theme <= THUD_THEME_LIGHT; theme++)
+        for (int i = 0; i < 8; i++)
+            for (int j = 0; j < i; j++)
+                ck_assert_int_ne(thud_role_color((enum thud_theme)theme, THUD_ROLE_SERIES + i, 256),
+                                 thud_role_color((enum thud_theme)theme, THUD_ROLE_SERIES + j, 256));
 }
 END_TEST
 
@@ -272,6 +306,7 @@ Suite *thud_suite(void)
     tcase_add_test(parts, undo_takes_every_step_back_and_forward);
     tcase_add_test(parts, the_key_table_is_sound);
     tcase_add_test(parts, every_role_is_seen_on_black_and_on_white);
+    tcase_add_test(parts, the_themes_can_be_read);
     suite_add_tcase(suite, parts);
     return suite;
 }

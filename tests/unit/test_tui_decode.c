@@ -33,6 +33,28 @@ static const char *keys_of(const char *text, size_t n, size_t piece)
     return out;
 }
 
+/* What a terminal says of itself is no key, in any splitting. */
+START_TEST(the_answer_of_a_terminal)
+{
+    static const struct {
+        const char *text;
+        bool sixel;
+    } answer[] = {{"\033[?62;4;6;9;15;22c", true}, {"\033[?63;1;2;4c", true}, {"\033[?4c", false},
+                  {"\033[?64;14;40c", false},      {"\033[?1;2c", false},     {"\033[?6c", false}};
+    for (size_t i = 0; i < sizeof answer / sizeof *answer; i++)
+        for (size_t piece = 1; piece < 20; piece++) {
+            char text[64];
+            snprintf(text, sizeof text, "%sx", answer[i].text);
+            thud_decode_init(&decode);
+            ck_assert_str_eq(keys_of(text, strlen(text), piece), "78");
+            ck_assert(decode.attributes && decode.sixel == answer[i].sixel);
+        }
+    thud_decode_init(&decode);
+    ck_assert_str_eq(keys_of("\033[?25h\033[4c", 10, 3), "");
+    ck_assert(!decode.attributes);
+}
+END_TEST
+
 static void expect(const char *text, const char *wanted)
 {
     for (size_t piece = 1; piece <= strlen(text) + 1; piece++) {
@@ -188,6 +210,7 @@ Suite *thud_suite(void)
     Suite *suite = suite_create("tui decode");
     TCase *keys = tcase_create("decode");
     tcase_add_checked_fixture(keys, setup, NULL);
+    tcase_add_test(keys, the_answer_of_a_terminal);
     tcase_add_test(keys, keys_of_terminals);
     tcase_add_test(keys, unknown_sequences_are_dropped_whole);
     tcase_add_test(keys, the_terminals_own_sequences_are_learned);

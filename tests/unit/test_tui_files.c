@@ -503,6 +503,20 @@ START_TEST(settings_come_from_a_file)
     ck_assert_int_eq(thud_config_read(&config, path, &err), THUD_OK);
     ck_assert(config.color && !config.live && !config.mouse);
     ck_assert_str_eq(config.folder, "my figures");
+    ck_assert_int_eq((int)config.theme, (int)THUD_THEME_AUTO);
+    ck_assert_int_eq((int)config.images, (int)THUD_IMAGES_AUTO);
+    for (int i = 0; i < THUD_THEMES || i < THUD_IMAGES_CHOICES; i++) {
+        enum thud_theme theme = (enum thud_theme)(i % THUD_THEMES);
+        enum thud_image_choice images = (enum thud_image_choice)(i % THUD_IMAGES_CHOICES);
+        char text[80];
+        snprintf(text, sizeof text, "theme %s\nimages %s\n", thud_theme_name(theme), thud_image_choice_name(images));
+        fixture_write(&f, "config", text);
+        ck_assert_int_eq(thud_config_read(&config, path, &err), THUD_OK);
+        ck_assert(config.theme == theme && config.images == images);
+    }
+    fixture_write(&f, "config", "theme pink\n");
+    ck_assert_int_eq(thud_config_read(&config, path, &err), THUD_INPUT);
+    ck_assert_ptr_nonnull(strstr(err.allowed, "mono"));
     fixture_write(&f, "config", "mouse off\ncolour on\n");
     ck_assert_int_eq(thud_config_read(&config, path, &err), THUD_INPUT);
     ck_assert_int_eq(err.line, 2);

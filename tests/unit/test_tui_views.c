@@ -404,6 +404,50 @@ START_TEST(struck_columns_are_named_and_drawn_at_the_slab)
 }
 END_TEST
 
+/* Another law beside that of the interface. Hertz without damping by hand: m v^2/2 = 2/5 k d^2.5, F = k d^1.5 with the
+ * floors' 160 t and 87 kN/mm^1.5 (its default, as the stiffness of the other has another dimension). */
+START_TEST(a_law_is_laid_beside)
+{
+    char number[24];
+    double k = 87e3 * pow(1e3, 1.5), energy = 0.5 * 160e3 * 0.25, force = k * pow(pow(2.5 * energy / k, 0.4), 1.5);
+    fixture_keys(&f, "2:bumper<Enter>");
+    fixture_expect(&f, "Beside it, dashed (c)");
+    double own = f.tui->meeting[1].force_n;
+    fixture_keys(&f, "u"); /* nothing of what follows is a change */
+    ck_assert(!thud_doc_unsaved(&f.tui->doc));
+    fixture_keys(&f, "<C-r>cHERTZ<Enter>");
+    if (!*f.tui->beside.law)
+        fixture_keys(&f, "<Esc>:beside hertz<Enter>");
+    ck_assert_str_eq(f.tui->beside.law, "hertz");
+    fixture_keys(&f, "<Size 130x40>");
+    fixture_expect(&f, "87 kN/mm^1.5");
+    fixture_expect(&f, "0.5 m/s, hertz");
+    fixture_expect(&f, "What both give");
+    ck_assert_double_eq_tol(f.tui->beside_meeting[1].force_n, force, 1e-4 * force);
+    ck_assert_double_eq_tol(f.tui->beside_meeting[1].restitution, 1.0, 1e-6);
+    ck_assert_double_eq_tol(f.tui->meeting[1].force_n, own, 1e-9 * own);
+    fixture_expect(&f, thud_tui_number(1e-6 * force, number));
+    const struct thud_panel *panel = &thud_view_of(THUD_SCREEN_CONTACT)->figure(f.tui)->panel[0];
+    ck_assert_int_eq(panel->nseries, 2 * THUD_MEETINGS);
+    for (int i = 0; i < 2 * THUD_MEETINGS; i++)
+        ck_assert_int_eq(panel->series[i]->style.dashed, i < THUD_MEETINGS);
+    fixture_keys(&f, ":beside stiffness 174 kN/mm^1.5<Enter>");
+    ck_assert_double_eq_tol(f.tui->beside_meeting[1].force_n, force * pow(2.0, 0.4), 1e-4 * force);
+    fixture_keys(&f, ":beside restitution 0.4<Enter>");
+    fixture_expect(&f, "no such parameter");
+    fixture_keys(&f, ":beside kelvin-voigt<Enter>");
+    fixture_expect(&f, "2500 kN/mm"); /* the same stiffness */
+    fixture_keys(&f, ":beside stiffness 3 t<Enter>");
+    fixture_expect(&f, "! ");
+    fixture_keys(&f, ":beside nothing-known<Enter>");
+    fixture_expect(&f, "unknown law");
+    ck_assert_str_eq(f.tui->beside.law, "kelvin-voigt");
+    fixture_keys(&f, ":beside none<Enter>:log<Enter>");
+    ck_assert_str_eq(f.tui->beside.law, "");
+    ck_assert_ptr_nonnull(strstr(f.tui->log.data, "beside hertz"));
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -426,6 +470,7 @@ Suite *thud_suite(void)
     tcase_add_test(views, the_loop_of_a_storey_holds_what_it_lost);
     tcase_add_test(views, yielded_storeys_are_drawn_with_hinges);
     tcase_add_test(views, struck_columns_are_named_and_drawn_at_the_slab);
+    tcase_add_test(views, a_law_is_laid_beside);
     suite_add_tcase(suite, views);
     return suite;
 }

@@ -130,6 +130,7 @@ static void remove_files(const char *name)
 void fixture_close(struct fixture *f)
 {
     thud_tui_free(f->tui);
+    thud_text_clear(&f->script.raw);
     remove_files(f->paths.presets);
     rmdir(f->paths.presets);
     remove_files(f->folder);
