@@ -31,6 +31,7 @@ struct thud_early_end *thud_early_end_create(const struct thud_model *model)
     h->nc = model->ncontacts;
     h->row = 2 * h->n + THUD_FLOOR_QUANTITIES * h->floors + h->nc;
     h->end = calloc(2 * (size_t)h->n + 1, sizeof *h->end);
+    h->failed = model->couples; /* a mode's difference does not decay alone */
     for (int j = 0; j < h->n; j++)
         h->failed = h->failed || !(model->omega[j] > 0); /* a free body's difference does not decay */
     if (!h->end) {

@@ -16,8 +16,13 @@ enum {
     SHORT_BLOCK = 8,
     PIECES_MOST = 16384,
     POINTS = THUD_QUADRATURE_POINTS,
-    FLOORS_AT_ONCE = 4
+    FLOORS_AT_ONCE = 4,
+    BOUNDS = 7 /* of derivatives up to the sixth */
 };
+
+/* Interval times the norm of damping that couples modes, and times the fastest rate there: above, the bounds of a block
+ * are worth nothing, and power series alone are as fast. */
+static const double damping_most_rad = 1, coupled_most_rad = 1e3;
 
 /* The tables of one interval of the ground motion. */
 
@@ -46,11 +51,12 @@ static bool allocate(struct thud_free_vibration *f, const struct thud_model *m)
     by_mode[count++] = &f->shift;
     double *next = f->block =
         calloc(count * rows + (ends * rows + THUD_FLOOR_QUANTITIES * floors + singles) * (size_t)ENDS +
-                   2 * THUD_FLOOR_QUANTITIES * ns + (size_t)m->ncontacts,
+                   2 * THUD_FLOOR_QUANTITIES * ns + (size_t)m->ncontacts + (m->couples ? BOUNDS * n : 0),
                sizeof *next);
     f->valued = calloc(ns + (size_t)m->ncontacts + 1, sizeof *f->valued);
     f->at = calloc(ns + 1, sizeof *f->at);
-    if (!next || !f->valued || !f->at)
+    f->coupled = calloc(ns + 1, sizeof *f->coupled);
+    if (!next || !f->valued || !f->at || !f->coupled)
         return false;
     for (size_t i = 0; i < count; i++, next += rows)
         *by_mode[i] = next;
@@ -63,16 +69,18 @@ static bool allocate(struct thud_free_vibration *f, const struct thud_model *m)
     f->margin = next;
     f->cubic_margin = f->margin + THUD_FLOOR_QUANTITIES * ns;
     f->limit = f->cubic_margin + THUD_FLOOR_QUANTITIES * ns;
+    f->bound = f->limit + m->ncontacts;
     f->near = f->valued + ns;
     return true;
 }
 
-/* Rates of the four unit motions at one quadrature point enter the integrals of their products. */
-static void add_point(struct thud_free_vibration *f, const struct thud_model *m, double weight, double s,
-                      double *const rate[UNITS])
+/* Rates of the four unit motions at one quadrature point enter the integrals of their products; of a structure whose
+ * modes are not coupled. */
+static void add_point(struct thud_free_vibration *f, const struct thud_model *m, const struct thud_model_structure *p,
+                      double weight, double s, double *const rate[UNITS])
 {
     double a[2] = {1 - s, s};
-    for (int j = 0; j < f->n; j++) {
+    for (int j = p->first_mode; j < p->first_mode + p->modes; j++) {
         double w[UNITS], loss = 2 * m->zeta[j] * m->omega[j] * weight, drive = -m->gamma[j] * weight;
         for (int u = 0; u < UNITS; u++)
             w[u] = rate[u][j];
@@ -133,7 +141,9 @@ static enum thud_status unit_motions(const struct thud_state *state, struct thud
             for (int u = 0; u < UNITS; u++)
                 rate[u] = qd[u] + n + (size_t)i * n;
             double ds = 1.0 / f->pieces, s = (piece + thud_quadrature_node[i]) * ds;
-            add_point(f, m, thud_quadrature_weight[i] * ds * f->dt_s, s, rate);
+            for (int k = 0; k < m->nstructures; k++)
+                if (!m->structure[k].damping)
+                    add_point(f, m, &m->structure[k], thud_quadrature_weight[i] * ds * f->dt_s, s, rate);
         }
     }
     for (int u = 0; u < UNITS; u++) {
@@ -144,12 +154,48 @@ static enum thud_status unit_motions(const struct thud_state *state, struct thud
     return THUD_OK;
 }
 
+/* Whether coupled damping is weak enough in an interval for the bounds of a block. */
+static bool suits(const struct thud_state *state)
+{
+    const struct thud_model *m = state->model;
+    if (m->nmodes == 0 || (m->couples && state->fastest_radps * state->grid_dt_s > coupled_most_rad))
+        return false;
+    for (int s = 0; s < m->nstructures; s++) {
+        const struct thud_model_structure *p = &m->structure[s];
+        for (int i = 0; p->damping && i < p->modes; i++) {
+            double row = 0;
+            for (int j = 0; j < p->modes; j++)
+                row += fabs(p->damping[i * p->modes + j]);
+            if (row * state->grid_dt_s > damping_most_rad)
+                return false;
+        }
+    }
+    return true;
+}
+
+/* The propagators of structures whose modes are coupled, in place of the recurrence. */
+static enum thud_status couple(struct thud_free_vibration *f, const struct thud_state *state, struct thud_error *err)
+{
+    enum thud_status status = THUD_OK;
+    for (int s = 0; s < state->model->nstructures && status == THUD_OK; s++) {
+        const struct thud_model_structure *p = &state->model->structure[s];
+        if (!p->damping)
+            continue;
+        status = thud_coupled_flight_init(&f->coupled[s], state, s, &f->seg, err);
+        for (int k = 0; k < 4; k++) {
+            memset(f->e[k] + p->first_mode, 0, (size_t)p->modes * sizeof(double));
+            memset(f->p[k] + p->first_mode, 0, (size_t)p->modes * sizeof(double));
+        }
+    }
+    return status;
+}
+
 enum thud_status thud_free_vibration_create(const struct thud_state *state, struct thud_free_vibration **out,
                                             struct thud_error *err)
 {
     const struct thud_model *m = state->model;
     *out = NULL;
-    if (m->couples || m->nmodes == 0)
+    if (!suits(state))
         return THUD_OK;
     struct thud_free_vibration *f = calloc(1, sizeof *f);
     enum thud_status status = f && allocate(f, m) ? THUD_OK : thud_error_set(err, THUD_MEMORY, "out of memory");
@@ -160,8 +206,11 @@ enum thud_status thud_free_vibration_create(const struct thud_state *state, stru
         f->dt_s = state->grid_dt_s;
         f->pieces = 1 + (int)(state->fastest_radps * f->dt_s / 1.8);
         f->size = THUD_FREE_VIBRATION_BLOCK;
+        f->nstructures = m->nstructures;
         status = unit_motions(state, f, err);
     }
+    if (status == THUD_OK)
+        status = couple(f, state, err);
     if (status != THUD_OK) {
         thud_free_vibration_free(f);
         return status;
@@ -175,6 +224,9 @@ void thud_free_vibration_free(struct thud_free_vibration *f)
     if (!f)
         return;
     thud_segment_clear(&f->seg);
+    for (int s = 0; s < f->nstructures; s++)
+        thud_coupled_flight_clear(&f->coupled[s]);
+    free(f->coupled);
     free(f->valued);
     free(f->at);
     free(f->block);
@@ -228,6 +280,9 @@ static void shift_modes(struct thud_free_vibration *f, const struct thud_state *
             f->shift[j] -= m->jacobian[c * f->n + j] * state->contact[c].branch.f0_n;
     for (int j = 0; j < f->n; j++)
         f->shift[j] = m->spring[j] > 0 ? f->shift[j] / m->spring[j] : 0; /* no force acts on a free body */
+    for (int s = 0; s < m->nstructures; s++)
+        if (f->coupled[s].size > 0)
+            thud_coupled_flight_shift(&f->coupled[s], f->shift + m->structure[s].first_mode);
 }
 
 static void march(struct thud_free_vibration *f, const struct thud_state *state, int intervals)
@@ -245,6 +300,11 @@ static void march(struct thud_free_vibration *f, const struct thud_state *state,
             batched_recurrence(f, j, intervals, true);
         else
             batched_recurrence(f, j, intervals, false);
+    }
+    for (int s = 0; s < state->model->nstructures; s++) {
+        const int row = state->model->structure[s].first_mode * ENDS;
+        if (f->coupled[s].size > 0)
+            thud_coupled_flight_march(&f->coupled[s], f->q + row, f->qd + row, ENDS, f->ground, f->after, intervals);
     }
     memset(f->valued, 0, (size_t)state->model->nstructures * sizeof *f->valued);
     for (int i = 0; i < state->model->nstructures; i++)
@@ -306,6 +366,11 @@ void thud_free_vibration_values(struct thud_free_vibration *f, const struct thud
         double *a = f->spring + j * ENDS, s = f->shift[j];
         for (int t = 0; t < f->ends; t++)
             a[t] = -(m->spring[j] * (q[t] - s) + m->dashpot[j] * qd[t]);
+        for (int k = 0; p->damping && k < p->modes; k++) {
+            const double d = p->damping[(j - p->first_mode) * p->modes + k], *rate = f->qd + (p->first_mode + k) * ENDS;
+            for (int t = 0; t < f->ends; t++)
+                a[t] -= d * rate[t];
+        }
     }
     floor_rows(f, p, THUD_FLOOR_VELOCITY, f->qd, f->ends);
     floor_rows(f, p, THUD_FLOOR_ACCELERATION, f->spring, f->ends);
@@ -325,20 +390,100 @@ static void displacements(struct thud_free_vibration *f, const struct thud_model
         f->speed[j] = largest_speed(f, j, m->omega[j], f->ends);
 }
 
-/* Bounds of the derivatives of the modes of one structure in the block, by order (from 2 on), summed into margins:
- * dt^2/8 times the second derivative of a value bounds how far it may lie above its ends, and dt^4/384 times the fourth
- * how far from the cubic through values and rates at them. An acceleration is omega^2 q + 2 zeta omega q'. */
+double thud_free_vibration_jerk(const struct thud_free_vibration *f, const struct thud_model *m, int structure,
+                                int floor, int t, double ground)
+{
+    const struct thud_model_structure *p = &m->structure[structure];
+    const double *row = p->phi + floor * p->modes, *damped = f->coupled[structure].by_floor;
+    double jerk = 0;
+    for (int j = 0; j < p->modes; j++) {
+        int k = p->first_mode + j;
+        double second = f->spring[k * ENDS + t] - m->gamma[k] * ground;
+        jerk -= row[j] * m->omega[k] * (m->omega[k] * f->qd[k * ENDS + t] + 2 * m->zeta[k] * second);
+        if (damped)
+            jerk -= damped[floor * p->modes + j] * second;
+    }
+    return jerk;
+}
+
+/* Bounds of a mode's derivatives in the block, by order from 2 on. */
+static void mode_bounds(const struct thud_free_vibration *f, const struct thud_model *m, int j, double slope,
+                        double bound[BOUNDS])
+{
+    double w2 = m->spring[j], z = m->dashpot[j], gamma = fabs(m->gamma[j]);
+    double speed = f->speed[j] + f->dt_s * gamma * f->ground_most;
+    bound[2] = (m->omega[j] + z) * speed + gamma * f->ground_most;
+    bound[3] = w2 * speed + z * bound[2] + gamma * slope;
+    for (int k = 4; k < BOUNDS; k++)
+        bound[k] = w2 * bound[k - 2] + z * bound[k - 1];
+}
+
+/* Size of the forces by which damping couples mode i of the structure, for rates of these sizes. */
+static double coupling(const struct thud_model_structure *p, int i, const double *rate)
+{
+    double sum = 0;
+    for (int k = 0; k < p->modes; k++)
+        sum += fabs(p->damping[i * p->modes + k]) * rate[k];
+    return sum;
+}
+
+/* The same where damping couples the modes: f->bound. The energy norm S of all modes together grows at most by the
+ * ground's part, damping or not; a mode's own speed also by what couples it, for which S is a first bound of every
+ * other's. */
+static void coupled_bounds(struct thud_free_vibration *f, const struct thud_model *m,
+                           const struct thud_model_structure *p, double slope)
+{
+    enum { TIMES = 3 };
+    const int n = p->modes, first = p->first_mode;
+    const double dt = f->dt_s, ground = f->ground_most;
+    double energy = 0, influence = 0;
+    double *row[BOUNDS];
+    for (int k = 0; k < BOUNDS; k++)
+        row[k] = f->bound + k * f->n + first;
+    for (int j = first; j < first + n; j++) {
+        energy += f->speed[j] * f->speed[j];
+        influence += m->gamma[j] * m->gamma[j];
+    }
+    const double all = sqrt(energy) + dt * sqrt(influence) * ground;
+    for (int i = 0; i < n; i++)
+        row[1][i] = all;
+    for (int time = 0; time < TIMES; time++) {
+        for (int i = 0; i < n; i++) {
+            double own = f->speed[first + i] + dt * (fabs(m->gamma[first + i]) * ground + coupling(p, i, row[1]));
+            row[0][i] = own < all ? own : all;
+        }
+        memcpy(row[1], row[0], (size_t)n * sizeof(double));
+    }
+    for (int k = 2; k < BOUNDS; k++)
+        for (int i = 0; i < n; i++) {
+            const double w = m->omega[first + i], gamma = fabs(m->gamma[first + i]);
+            row[k][i] = (k == 2   ? w * row[1][i]
+                         : k == 3 ? w * w * row[1][i]
+                                  : w * w * row[k - 2][i]) +
+                        coupling(p, i, row[k - 1]) +
+                        (k == 2   ? gamma * ground
+                         : k == 3 ? gamma * slope
+                                  : 0);
+        }
+}
+
+/* Bounds of the derivatives of the modes of one structure in the block, summed into margins: dt^2/8 times the second
+ * derivative of a value bounds how far it may lie above its ends, and dt^4/384 times the fourth how far from the cubic
+ * through values and rates at them. An acceleration is omega^2 q + 2 zeta omega q' (or + D q'): its derivatives have the
+ * bounds of two orders more. */
 static void structure_margins(struct thud_free_vibration *f, const struct thud_model *m, int s, double slope)
 {
     const struct thud_model_structure *p = &m->structure[s];
-    double dt = f->dt_s, sum[THUD_FLOOR_QUANTITIES] = {0}, cubic[THUD_FLOOR_QUANTITIES] = {0};
+    double dt = f->dt_s, sum[THUD_FLOOR_QUANTITIES] = {0}, cubic[THUD_FLOOR_QUANTITIES] = {0}, bound[BOUNDS];
+    if (p->damping)
+        coupled_bounds(f, m, p, slope);
     for (int j = p->first_mode; j < p->first_mode + p->modes; j++) {
-        double w2 = m->spring[j], z = m->dashpot[j], gamma = fabs(m->gamma[j]), bound[7];
-        double speed = f->speed[j] + dt * gamma * f->ground_most, most = m->mode_max[j], drift = m->mode_max[f->n + j];
-        bound[2] = (m->omega[j] + z) * speed + gamma * f->ground_most;
-        bound[3] = w2 * speed + z * bound[2] + gamma * slope;
-        for (int k = 4; k < 7; k++)
-            bound[k] = w2 * bound[k - 2] + z * bound[k - 1];
+        double most = m->mode_max[j], drift = m->mode_max[f->n + j];
+        if (p->damping)
+            for (int k = 2; k < BOUNDS; k++)
+                bound[k] = f->bound[k * f->n + j];
+        else
+            mode_bounds(f, m, j, slope, bound);
         sum[THUD_FLOOR_DISPLACEMENT] += most * bound[2];
         sum[THUD_FLOOR_VELOCITY] += most * bound[3];
         sum[THUD_FLOOR_ACCELERATION] += most * bound[4];
@@ -595,6 +740,13 @@ void thud_free_vibration_work(struct thud_free_vibration *f, int intervals, doub
             e[t] += a0[t] * (w0 * (q[t] - s) + w1 * v[t]) + a1[t] * (w2 * (q[t] - s) + w3 * v[t]);
     }
     *input_j = sum(e, intervals);
+    for (int s = 0; s < f->nstructures; s++) {
+        const struct thud_coupled_flight *c = &f->coupled[s];
+        const int row = c->first_mode * ENDS;
+        for (int t = 0; t < intervals && c->size > 0; t++)
+            thud_coupled_flight_work(c, f->q + row, f->qd + row, ENDS, f->shift + c->first_mode, a0[t], a1[t], t,
+                                     input_j, viscous_j);
+    }
 }
 
 void thud_free_vibration_end(const struct thud_free_vibration *f, int intervals, double *q, double *qd)

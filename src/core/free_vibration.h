@@ -7,11 +7,13 @@
  * (1 - e0) s is added to q, and -e2 s to q'.
  *
  * Bounds show in which intervals no contact can close and no storey can yield; the others are looked at as power series. The motion is the
- * recurrence's in any case, so that gaps that do not close change nothing. Not for damping that couples modes. */
+ * recurrence's in any case, so that gaps that do not close change nothing. Structures whose damping couples their modes
+ * are moved by the propagator of coupled_flight in place of the recurrence; not for dashpots so strong that their rates
+ * are above one in an interval. */
 #ifndef THUD_CORE_FREE_VIBRATION_H
 #define THUD_CORE_FREE_VIBRATION_H
 
-#include "core/segment.h"
+#include "core/coupled_flight.h"
 
 enum {
     THUD_FREE_VIBRATION_BLOCK = 128,                          /* intervals in a block; blocks begin at its multiples */
@@ -20,7 +22,8 @@ enum {
 };
 
 struct thud_free_vibration {
-    int n;      /* modes */
+    int n; /* modes */
+    int nstructures;
     int pieces; /* series needed for one interval */
     double dt_s;
     double *e[4], *p[4]; /* (n) the recurrence */
@@ -29,6 +32,9 @@ struct thud_free_vibration {
     double *viscous[7], viscous_ground[3];
     /* Work of the ground: a0 (r[0] q + r[1] q') + a1 (r[2] q + r[3] q') and the ground's own terms */
     double *work[4], work_ground[3];
+
+    struct thud_coupled_flight *coupled; /* (nstructures) of those whose damping couples modes; size 0: another */
+    double *bound;                       /* (7 x n) workspace: bounds of the modes' derivatives in a block, by order */
 
     /* Series, of each structure one piece of one interval. */
     struct thud_segment seg;
@@ -81,6 +87,10 @@ double thud_free_vibration_gap(struct thud_free_vibration *f, const struct thud_
 /* The same for the size of one side's displacement. */
 double thud_free_vibration_side(struct thud_free_vibration *f, const struct thud_model_side *side, int ends,
                                 double *margin);
+/* Third derivative of a floor's displacement, relative to the ground, at end t of an interval whose ground acceleration
+ * there is `ground`; after thud_free_vibration_values. */
+double thud_free_vibration_jerk(const struct thud_free_vibration *f, const struct thud_model *model, int structure,
+                                int floor, int t, double ground);
 /* Motion of one structure in a piece (0 ... f->pieces - 1) of interval t, until the next call: the coefficients of the
  * other structures' modes may be those of other pieces. */
 const struct thud_segment *thud_free_vibration_series(struct thud_free_vibration *f, const struct thud_state *state,

@@ -485,14 +485,7 @@ static double rate_at(const struct thud_model *m, const struct thud_free_vibrati
     if (row->quantity == THUD_FLOOR_VELOCITY)
         return f->value[THUD_FLOOR_ACCELERATION][(p->first + row->floor) * ENDS + t] -
                m->ground_influence[p->first + row->floor] * ground;
-    double jerk = 0;
-    for (int j = 0; j < p->modes; j++) {
-        int k = p->first_mode + j;
-        double second = f->spring[k * ENDS + t] - m->gamma[k] * ground;
-        jerk -= p->phi[row->floor * p->modes + j] * m->omega[k] *
-                (m->omega[k] * f->qd[k * ENDS + t] + 2 * m->zeta[k] * second);
-    }
-    return jerk;
+    return thud_free_vibration_jerk(f, m, row->structure, row->floor, t, ground);
 }
 
 /* Largest |p| on [0, 1] of the cubic with values x0, x1 and rates (by s) r0, r1 at the ends. */

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/run_private.h"
 #include "march.h"
 
 enum { N = 6 }; /* base and floor: displacements, velocities; ground acceleration and its slope */
@@ -174,6 +175,105 @@ START_TEST(a_light_slab_that_strikes)
 }
 END_TEST
 
+/* The run of a model with the propagator of one interval, or without it: by power series alone. */
+static struct march way(const struct thud_model *model, const struct thud_record *record, bool blocks)
+{
+    struct march m = {0};
+    struct thud_run_options options;
+    bool done = false;
+    thud_run_options_init(&options);
+    options.method = thud_method_find("exact");
+    options.tail_s = 2;
+    m.status = thud_run_create(model, record, &options, &m.run, &m.err);
+    ck_assert_int_eq(m.status, THUD_OK);
+    ck_assert_ptr_nonnull(m.run->free_vibration);
+    if (!blocks) {
+        thud_free_vibration_free(m.run->free_vibration);
+        m.run->free_vibration = NULL;
+    }
+    while (m.status == THUD_OK && !done)
+        m.status = thud_run_advance(m.run, 1000, &done, &m.err);
+    ck_assert_int_eq(m.status, THUD_OK);
+    m.result = thud_run_result(m.run);
+    return m;
+}
+
+static void compare_ways(const struct thud_model *model, const struct thud_record *record, bool touches)
+{
+    struct march a = way(model, record, true), b = way(model, record, false);
+    ck_assert_int_gt(a.result->work.samples_fast, touches ? 100 : 400);
+    ck_assert_int_eq(b.result->work.samples_fast, 0);
+    ck_assert_double_lt(march_peaks_apart(a.result, b.result, 0.01), 1e-10);
+    ck_assert_double_lt(march_distance(&a, &b), 1e-10);
+    const struct thud_energy *x = &a.result->energy, *y = &b.result->energy;
+    ck_assert_double_eq_tol(x->input_j / y->input_j, 1, 1e-11);
+    ck_assert_double_eq_tol(x->viscous_j / y->viscous_j, 1, 1e-11);
+    ck_assert_double_lt(x->error_ratio, 1e-12);
+    for (int c = 0; c < a.result->ncontacts; c++) {
+        const struct thud_contact_result *i = &a.result->contact[c], *j = &b.result->contact[c];
+        ck_assert_int_eq(i->impacts, j->impacts);
+        ck_assert_double_eq_tol(i->impulse_ns, j->impulse_ns, 1e-10 * j->impulse_ns + 1e-9);
+    }
+    ck_assert_int_eq(touches, a.result->work.force_evaluations > 0);
+    for (int s = 0; s < a.result->nstructures; s++)
+        for (int i = 0; i < a.result->structure[s].floors; i++) {
+            const struct thud_floor_result *p = &a.result->structure[s].floor[i], *q = &b.result->structure[s].floor[i];
+            ck_assert_double_eq_tol(p->velocity.value / q->velocity.value, 1, 1e-10);
+            ck_assert_double_eq_tol(p->acceleration.time_s, q->acceleration.time_s, 1e-5);
+        }
+    march_free(&a);
+    march_free(&b);
+}
+
+/* Isolated buildings in a row, apart and pounding, with ground motions of long intervals too: 2 rad and 4 rad of the
+ * fastest mode. */
+START_TEST(propagator_against_series)
+{
+    const int storeys[] = {4, 2, 7};
+    const bool touches = _i % 2;
+    struct march_law law = march_law("kelvin-voigt-no-tension", "stiffness", 2.5e9, "restitution", 0.6, NULL);
+    struct thud_record *record = march_motion(1), *coarse;
+    struct thud_model *model = march_row(3, storeys, true, touches ? 0.005 : 2, &law);
+    ck_assert_int_eq(thud_record_create(record->a_mps2, record->samples, _i < 2 ? 0.02 : 0.04, &coarse, NULL), THUD_OK);
+    compare_ways(model, coarse, touches);
+    thud_model_free(model);
+    thud_record_free(coarse);
+    thud_record_free(record);
+}
+END_TEST
+
+/* The same with storeys that yield: a plastic drift is a constant force, about which the coupled modes swing. */
+START_TEST(propagator_with_plastic_drifts)
+{
+    const double mass[] = {320e3, 320e3, 320e3, 250e3}, stiffness[] = {12e6, 6e8, 4e8, 3e8},
+                 yield[] = {INFINITY, 1e-3, 1.5e-3, 2e-3}, hardening[] = {1, 0.1, 0.05, 0.1};
+    struct thud_structure_input building = {.n = 4,
+                                            .mass_kg = mass,
+                                            .stiffness_npm = stiffness,
+                                            .damping = 0.05,
+                                            .isolated = true,
+                                            .isolation_damping = 0.1,
+                                            .yield_m = yield,
+                                            .hardening = hardening};
+    struct thud_model *model;
+    struct thud_record *record = march_motion(2);
+    ck_assert_int_eq(
+        thud_model_create(&(struct thud_model_input){.nstructures = 1, .structure = &building}, &model, NULL), THUD_OK);
+    struct march a = way(model, record, true), b = way(model, record, false);
+    ck_assert_int_gt(a.result->work.samples_fast, 100);
+    ck_assert_int_gt(a.result->structure[0].storey[1].excursions, 2);
+    ck_assert_int_eq(a.result->structure[0].storey[1].excursions, b.result->structure[0].storey[1].excursions);
+    ck_assert_double_gt(fabs(a.result->structure[0].storey[1].plastic_m), 1e-5);
+    ck_assert_double_lt(march_peaks_apart(a.result, b.result, 0.01), 1e-9);
+    ck_assert_double_eq_tol(a.result->energy.viscous_j / b.result->energy.viscous_j, 1, 1e-10);
+    ck_assert_double_lt(a.result->energy.error_ratio, 1e-12);
+    march_free(&a);
+    march_free(&b);
+    thud_model_free(model);
+    thud_record_free(record);
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -183,6 +283,8 @@ Suite *thud_suite(void)
     tcase_add_loop_test(tcase, against_the_exponential, 0, SLABS);
     tcase_add_loop_test(tcase, against_dormand_prince, 0, SLABS);
     tcase_add_test(tcase, a_light_slab_that_strikes);
+    tcase_add_loop_test(tcase, propagator_against_series, 0, 4);
+    tcase_add_test(tcase, propagator_with_plastic_drifts);
     suite_add_tcase(suite, tcase);
     return suite;
 }
