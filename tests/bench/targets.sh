@@ -1,6 +1,7 @@
 #!/bin/sh
 # What was measured against what was aimed at, in one table: met or not met.  Never fails on a time.  Times are processor time of one thread where not
 # said otherwise; of times in ms and s the least of five medians.  Writes FOLDER/targets.csv; reads FOLDER/peers.csv where `make bench-peers` has left one.
+# At the end the README's table (ratios.sh).
 # usage: targets.sh BUILD_FOLDER FOLDER     THUD: the program   THUD_RECORDS: where the real ground motions are (else the shipped surrogates)
 set -u
 build=$1
@@ -22,35 +23,21 @@ say() { # WHAT MEASURED UNIT least|most TARGET: a row; nothing measured: not mea
 # shellcheck source=tests/bench/records.sh
 . "$here/records.sh"
 
-# ---- every method: where exact stands on the front, and how far from central difference
+# ---- every method of thud's own: where exact stands on the front
 
-charts() { # CASE: the chart of all methods, and central difference to its end
-    echo "every method, case $1 ..." >&2
-    "$THUD" bench towers --case "$1" --patience 0.5s --quiet -o "$out/all-$1" >"$out/all-$1.txt" 2>/dev/null
-    echo "central difference to 1e-5 s, case $1 ..." >&2
-    "$THUD" bench towers --case "$1" --methods exact,central-difference --patience 60s --quiet -o "$out/central-$1" >"$out/central-$1.txt" 2>/dev/null
+best() { # FILE METHOD-PATTERN ERROR: least seconds at which an error of at most that is had
+    awk -F, -v m="$2" -v e="$3" 'NR > 1 && $1 ~ m && $4 == "done" && $8 != "" && $8 <= e + 0 && (!b || $18 < b) { b = $18 } END { if (b) print b }' "$1"
 }
-best() { # FILE METHOD-PATTERN ERROR [LOCATED]: least seconds at which an error of at most that is had
-    awk -F, -v m="$2" -v e="$3" -v l="${4:-}" 'NR > 1 && $1 ~ m && (l == "" || $2 == l) && $4 == "done" && $8 != "" && $8 <= e + 0 && (!b || $18 < b) { b = $18 } END { if (b) print b }' "$1"
-}
-front() { # CASE: decades from 1e-2 to 1e-10 at which exact is the quickest, and the least ratio of the next one to it
+front() { # CASE: decades from 1e-2 to 1e-10 at which exact is the quickest
     for e in 1e-2 1e-3 1e-4 1e-5 1e-6 1e-7 1e-8 1e-9 1e-10; do
         echo "$(best "$out/all-$1/bench.csv" '^exact$' $e) $(best "$out/all-$1/bench.csv" '^[^e]' $e)"
     done | awk '$1 != "" && ($2 == "" || $1 <= $2) { n++ } END { print n + 0 }'
 }
-central() { # CASE ERROR LOCATED: how many times longer central difference takes; where it never gets there, its finest run (at least that)
-    f=$out/central-$1/bench.csv
-    t=$(best "$f" '^central' "$2" "$3")
-    [ -n "$t" ] || t=$(awk -F, -v l="$3" '$1 == "central-difference" && $2 == l && $4 == "done" && $18 > b { b = $18 } END { print b }' "$f")
-    echo "$(best "$f" '^exact$' "$2") $t" | awk 'NF == 2 { printf "%.0f", $2 / $1 }'
-}
 for case in none bumper; do
-    charts $case
     name=$([ $case = none ] && echo concrete || echo rubber)
-    say "exact quickest at 1e-2 ... 1e-10: $name" "$(front $case)" "of 9 decades" least 9
-    say "central difference / exact at 1e-3: $name" "$(central $case 1e-3 0)" times least 30
-    say "central difference / exact at 1e-5: $name" "$(central $case 1e-5 0)" times least 1000
-    say "the same with events located: $name" "$(central $case 1e-5 1)" times least 1000
+    echo "every method, case $case ..." >&2
+    "$THUD" bench towers --case "$case" --patience 0.5s --quiet -o "$out/all-$case" >"$out/all-$case.txt" 2>/dev/null
+    say "exact quickest of thud's at 1e-2 ... 1e-10: $name" "$(front $case)" "of 9 decades" least 9
 done
 
 # ---- the cheapest code for this one scene: minimal C (peers/minimal.c), in the same run
@@ -79,9 +66,9 @@ a_step() { # SCENE CASE METHOD: time of a step of thud, nothing located, over th
 say "cheapest minimal C to 1e-3 / exact: concrete" "$(cheapest concrete 1e-3)" times least 8
 say "the same with rubber" "$(cheapest rubber 1e-3)" times least 4
 say "cheapest minimal C to 1e-6 / exact: concrete" "$(cheapest concrete 1e-6)" times least 12
+say "minimal central difference to 1e-3 / exact: concrete" "$(cheapest concrete 1e-3 central-difference)" times least 30
+say "minimal central difference to 1e-3 / exact: rubber" "$(cheapest rubber 1e-3 central-difference)" times least 15
 for method in central-difference newmark; do
-    say "minimal $method to 1e-3 / exact: concrete" "$(cheapest concrete 1e-3 $method)" times least 1
-    say "minimal $method to 1e-3 / exact: rubber" "$(cheapest rubber 1e-3 $method)" times least 1
     say "a step of $method / minimal C: concrete" "$(a_step concrete none $method)" times most 3
     say "a step of $method / minimal C: rubber" "$(a_step rubber bumper $method)" times most 3
 done
@@ -97,7 +84,7 @@ peer() { # SCENE METHOD-PATTERN ERROR: how many times longer a peer takes than e
 }
 say "CVODE / exact at 1e-6: concrete" "$(peer concrete '^cvode' 1e-6)" times least 30
 say "CVODE / exact at 1e-6: rubber" "$(peer rubber '^cvode' 1e-6)" times least 30
-say "OpenSeesPy / exact at 1e-3: concrete" "$(peer classical '^opensees' 1e-3)" times least 5000
+say "OpenSeesPy / exact at 1e-3: concrete" "$(peer classical '^opensees' 1e-3)" times least 1000
 
 # ---- one run
 
@@ -124,6 +111,8 @@ at() { # CASE TOLERANCE KEY=VALUE...
 say "rubber / concrete, 10 cm, 1e-6" "$(ratio "$(five at bumper 1e-6)" "$(five at none 1e-6)")" times most 2.5
 say "rubber at 1e-3 / at 1e-8" "$(ratio "$(five at bumper 1e-3)" "$(five at bumper 1e-8)")" times most 0.4
 say "clearance 0 / 10 cm: rubber" "$(ratio "$(five at bumper 1e-6 gap=5cm)" "$(five at bumper 1e-6)")" times most 3
+an_isolated_run() { "$build/bench-time" isolated-moat as-written | awk '{ print $1 }'; }
+say "an isolated building in its moat / concrete, 10 cm" "$(ratio "$(five an_isolated_run)" "$(five at none 1e-6)")" times most 2
 a_tall_run() { # CASE: 100 storeys against 100, s
     "$build/bench-time" towers "$1" structures.1.mass=320t structures.1.storeys=100 structures.2.mass=320t structures.2.storeys=100 \
         structures.2.stiffness=420MN/m | awk '{ printf "%.3g\n", $1 / 1e3 }'
@@ -147,9 +136,11 @@ say "the same with tables" "$(grown --best gap)" times most 1.1
 
 for _ in 1 2 3 4 5; do sh "$here/study.sh" 5 first; done >"$out/study.txt" 2>&1
 study() { awk -v column="$1" '/^all shortcuts, 2 threads/ { print $column }' "$out/study.txt" | least; }
-say "study of 369 runs on 2 threads (wall)" "$(study 5)" s most 0.12
-say "study of 369 runs (processor time)" "$(study 7)" s most 0.5
+say "369 runs of the study, 2 threads (wall)" "$(study 5)" s most 0.12
+say "369 runs of the study (processor time)" "$(study 7)" s most 0.5
 
 processor=$(sed -n 's/^model name[[:space:]]*: //p' /proc/cpuinfo 2>/dev/null | head -n 1)
 echo "${processor:-unknown processor}; $(nproc) of them, load $(cut -d' ' -f1 /proc/loadavg); records: $kobe"
-awk -F, 'NR > 1 { printf "%-44s %9s %-13s %-8s %6s  %s\n", $1, $2, $3, $4, $5, $6 }' "$table"
+awk -F, 'NR > 1 { printf "%-52s %9s %-13s %-8s %6s  %s\n", $1, $2, $3, $4, $5, $6 }' "$table"
+echo
+sh "$here/ratios.sh" "$out"

@@ -87,3 +87,41 @@ kill -0 $pid && kill -TERM $pid
 wait $pid
 code=$?
 is "stopped: exit status of the signal" [ "$code" -eq 143 ]
+
+# the README's table: what ratios.sh makes of times, and that the README has its rows
+mkdir "$tmp/ratios"
+tools=$(dirname "$0")/../bench
+cat >"$tmp/ratios/minimal.csv" <<END
+concrete,reference,,,1e-13
+concrete,exact,1e-03,0.002,1e-9
+concrete,exact,1e-02,0.001,5e-4
+concrete,minimal-dormand-prince,1e-03,0.003,1e-4
+concrete,minimal-dormand-prince,1e-07,0.012,1e-7
+concrete,minimal-newmark,1e-05,0.2,9e-4
+rubber,exact,1e-03,0.004,1e-8
+rubber,minimal-dormand-prince,1e-03,0.003,1e-4
+END
+sh "$tools/ratios.sh" "$tmp/ratios" >"$tmp/out"
+code=$?
+is "ratios of times as a table" [ "$code" -eq 0 ]
+is "the quickest exact run that is as good" shows '^| `exact` | 1 (1 ms) | 1 (2 ms) | 1 (4 ms) | 1 (4 ms) |$'
+is "each method over it, by accuracy" shows '^| minimal Dormand-Prince, located | 3.0 | 6.0 | 0.8 | - |$'
+is "a dash where it is not that accurate" shows '^| minimal Newmark | 200 | - | - | - |$'
+is "and where exact is not the fastest" shows '^`exact` is not the fastest: rubber 1e-3: minimal Dormand-Prince, located (0.8)\.$'
+cat >"$tmp/ratios/peers.csv" <<END
+scene,method,setting,seconds,error
+concrete,exact,1e-03,0.004,1e-9
+concrete,minimal-newmark,1e-05,9,9e-4
+concrete,cvode-adams,1e-05,0.4,1e-7
+classical,exact,1e-03,0.01,1e-9
+classical,openseespy,1e-05,20,9e-4
+END
+sh "$tools/ratios.sh" "$tmp/ratios" >"$tmp/out"
+is "other programs against exact of their own run" shows '^| CVODE, located | 100 | 100 | - | - |$'
+is "on a scene of their own" shows '^| OpenSeesPy Newmark (classical Kelvin-Voigt) | 2000 | - | - | - |$'
+is "minimal C stays that of the first" shows '^| minimal Newmark | 200 | - | - | - |$'
+labels() { sed -n 's/^| \(minimal [^|]*\) |.*/\1/p' "$1" | sort; }
+sed -n 's/.*split("\(minimal Dormand[^"]*\)", title.*/\1/p' "$tools/ratios.sh" | tr '|' '\n' | grep '^minimal' | sort >"$tmp/labels"
+labels "$tools/../../README.md" | cmp - "$tmp/labels" >"$tmp/out" 2>&1
+code=$?
+is "the README has its rows" [ "$code" -eq 0 ]

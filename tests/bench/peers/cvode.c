@@ -86,7 +86,7 @@ static int roots(double t, N_Vector state, double *out, void *data)
         r[0] = d;
         r[1] = closed ? v : 1;
         r[2] = closed ? f : 1;
-        r[3] = closed && k->law->knee ? d - k->law->knee(&k->setup) : 1;
+        r[3] = closed && k->law->ultimate ? d - thud_law_ultimate(k->law, &k->setup) : 1;
     }
     return 0;
 }

@@ -78,6 +78,4 @@ for scene in concrete rubber classical; do
             printf "%-26s %9s %12.4g %10.1e %10s\n", $2, $3, 1e3 * $4, $5, ratio
         }' "$csv"
 done
-for scene in concrete rubber; do
-    "$here/chart.sh" "$out" "$scene"
-done
+"$here/chart.sh" "$out"
