@@ -109,6 +109,7 @@ static bool add_ida(struct thud_panel *panel, const struct thud_suite *suite, in
                        r == 0 ? "each motion" : "", n, x, y);
     }
     static const char *const name[] = {"16 %", "median", "84 %"};
+    static const int color[] = {1, 0, 2}; /* the median solid */
     for (size_t i = 0; i < n; i++) {
         place[axis] = (int)i;
         struct thud_fractiles f = thud_suite_fractiles(suite, thud_suite_setting(suite->plan, place), k,
@@ -118,7 +119,7 @@ static bool add_ida(struct thud_panel *panel, const struct thud_suite *suite, in
         three[2 * n + i] = 100 * f.p84;
     }
     for (int q = 0; q < 3; q++)
-        thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = q, .wide = q == 1}, name[q], n,
+        thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = color[q], .wide = q == 1}, name[q], n,
                        three + (size_t)q * n, y);
     free(room);
     return true;

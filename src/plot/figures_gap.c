@@ -88,11 +88,12 @@ struct thud_figure *thud_figure_of_gaps(const struct thud_gap_suite *suite, cons
     thud_panel_limits(share, THUD_Y, 0, 100);
     if (figure && !(add_levels(height, suite) && add_shares(share, suite)))
         figure->failed = true;
+    bool several = suite->nrecords > 1;
     snprintf(
         note, sizeof note,
-        "%d ground motion%s. needed: exact, from the motion without pounding. ASCE 7-16 12.12.3 is SRSS; EN 1998-1 "
+        "%d ground motion%s. needed: exact, from the motion without pounding%s. ASCE 7-16 12.12.3 is SRSS; EN 1998-1 "
         "4.4.2.7 takes 0.7 of it at aligned floors.",
-        suite->nrecords, suite->nrecords == 1 ? "" : "s");
+        suite->nrecords, several ? "s" : "", several ? " (shaded: 16 to 84 %)" : "");
     thud_figure_note(figure, note);
     return figure;
 }

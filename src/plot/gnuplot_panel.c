@@ -253,7 +253,7 @@ static const char *dashes(const struct thud_style *style)
     static const char *const pattern[] = {"", "(14,5)", "(14,4,3,4)", "(4,4)", "(22,5)", "(14,4,3,4,3,4)", "(9,4)"};
     if (style->dashed)
         return "(2,4)";
-    bool solid = style->thin || style->wide || style->color < 0 || style->kind == THUD_STEPS;
+    bool solid = style->thin || style->wide || style->color < 0;
     return solid ? "" : pattern[style->color % THUD_COLORS];
 }
 
@@ -286,7 +286,9 @@ void thud_gnuplot_style(const struct sheet *sheet, const struct thud_series *ser
                                                                    : 1.0); /* rings around others */
     if (key && (style.kind == THUD_POINTS || style.kind == THUD_LINES_POINTS))
         thud_text_append(sheet->out, "pi 3 ");
-    thud_text_append(sheet->out, "lc rgb '#%06X'", thud_color_rgb(style.color));
+    bool behind =
+        style.thin && style.color < 0; /* many curves: light, so that others are seen among them in grey too */
+    thud_text_append(sheet->out, "lc rgb '#%06X'", behind ? 0xB8B8B8U : thud_color_rgb(style.color));
 }
 
 static void marks(const struct sheet *sheet, const struct thud_panel *panel)

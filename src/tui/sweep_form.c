@@ -169,12 +169,11 @@ static int draw_progress(struct thud_tui *tui, struct thud_sweep_state *s, const
 {
     struct thud_sweep_data *data = &s->data;
     if (*s->why)
-        y = thud_pane_wrap(pane, 1, y, pane->w - 2, thud_look(THUD_ROLE_WARN, THUD_BOLD), s->why);
-    if (data->points == 0) {
-        if (!*s->why)
-            thud_field_note(pane, y++, "r runs the study");
+        y += thud_pane_wrap(pane, 1, y, pane->w - 2, thud_look(THUD_ROLE_WARN, THUD_BOLD), s->why);
+    if (data->points == 0 && !*s->why)
+        thud_field_note(pane, y++, "r runs the study");
+    if (data->points == 0 || (*s->why && data->next == 0)) /* it waits to be asked for, or cannot begin */
         return y;
-    }
     const char *how = data->running ? "running, Esc stops" : data->complete ? "done" : "stopped: what is done stays";
     thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), "%s", how);
     thud_field_note(pane, y++, "%ld of %ld points", data->next, data->points);

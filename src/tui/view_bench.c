@@ -95,7 +95,7 @@ static int draw_table(struct thud_tui *tui, const struct thud_pane *pane)
     int y = 0;
     if (!s || !s->bench) {
         if (s && *s->why)
-            y = thud_pane_wrap(pane, 1, y, pane->w - 2, thud_look(THUD_ROLE_WARN, THUD_BOLD), s->why);
+            y += thud_pane_wrap(pane, 1, y, pane->w - 2, thud_look(THUD_ROLE_WARN, THUD_BOLD), s->why);
         thud_field_note(pane, y++, "r runs every method");
         return y;
     }

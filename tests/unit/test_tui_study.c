@@ -236,6 +236,17 @@ START_TEST(the_study_fills_by_itself)
 }
 END_TEST
 
+/* One that takes long waits for r, and its words stay to be read. */
+START_TEST(a_long_study_waits)
+{
+    f.tui->plain_s = 1;
+    fixture_keys(&f, "<A-6><Enter><C-u>gap=1 cm:3 cm:0.1 cm<Enter>");
+    fixture_expect(&f, "gap=1 cm:3 cm:0.1 cm");
+    fixture_expect(&f, "runs, about");
+    fixture_expect_not(&f, "stopped");
+}
+END_TEST
+
 /* The numbers are those of the runner that `thud sweep` uses, in its order. */
 START_TEST(the_cursor_sets_the_gap)
 {
@@ -320,6 +331,7 @@ Suite *thud_suite(void)
     tcase_add_test(words, a_list_too_long_is_run_but_not_kept);
     tcase_add_test(words, edits_make_a_study_old);
     tcase_add_test(words, the_study_fills_by_itself);
+    tcase_add_test(words, a_long_study_waits);
     tcase_add_test(words, the_cursor_sets_the_gap);
     tcase_add_test(words, a_suite_has_its_statistics);
     tcase_add_test(words, tables_of_others_stay);
