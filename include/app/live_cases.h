@@ -37,6 +37,13 @@ struct thud_live_need {
     double closing_m, abs_m, srss_m;
 };
 
+/* What is kept of the motions. */
+enum thud_live_history {
+    THUD_LIVE_NO_HISTORY,
+    THUD_LIVE_LOOK, /* to be looked at: rows in contact 1 ms apart beside those of peaks, no energies */
+    THUD_LIVE_WHOLE
+};
+
 struct thud_live_work;
 
 struct thud_live {
@@ -45,7 +52,7 @@ struct thud_live {
     struct thud_live_need need[THUD_STRUCTURES_MAX]; /* by interface, from 0 */
     struct thud_live_case which[THUD_LIVE_CASES];
     bool running;
-    bool history;                 /* histories were kept */
+    enum thud_live_history history;
     int threads;                  /* that compute: 0 one a processor; negative: none, thud_live_advance does */
     struct thud_live_work *work;  /* while running; its runs are not to be touched. NULL: none */
     int job[THUD_LIVE_CASES + 1]; /* of the work: a case, or THUD_LIVE_CASES for what is needed */
@@ -55,7 +62,7 @@ struct thud_live {
 /* Drops what was found before and begins anew; `record` must stay until the next start, stop or clear. A scene that
  * cannot be assembled leaves its cases FAILED. */
 void thud_live_start(struct thud_live *live, const struct thud_scene *scene, const struct thud_record *record,
-                     bool history);
+                     enum thud_live_history history);
 /* All cases FAILED for this reason. */
 void thud_live_fail(struct thud_live *live, const struct thud_error *why);
 /* Waits a short while (some milliseconds) for a run to end, or goes on with one for about a millisecond where there are

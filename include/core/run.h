@@ -21,7 +21,10 @@ struct thud_run_options {
     bool keep_impacts;     /* list impacts one by one */
     bool keep_history;     /* record histories */
     double history_step_s; /* between rows outside contacts; 0: the record's step */
-    bool unjudged;         /* energy unaccounted for does not end the run: for studies of how methods fail */
+    /* > 0: rows in contact only so far apart beside those of peaks, and energies NaN: a third of the time, for a look. 0:
+     * as close as the impulse of the forces asks for. */
+    double history_look_s;
+    bool unjudged; /* energy unaccounted for does not end the run: for studies of how methods fail */
 };
 void thud_run_options_init(struct thud_run_options *options);
 

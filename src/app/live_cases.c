@@ -13,7 +13,7 @@
 #include "study/statistics.h"
 
 enum { HISTORY_BYTES = 48 << 20, NEED = THUD_LIVE_CASES };
-static const double wait_s = 0.004;
+static const double wait_s = 0.004, look_s = 1e-3;
 _Static_assert(THUD_LIVE_JOBS == THUD_LIVE_CASES + 1, "the cases, and the gap that is needed");
 
 const char *thud_live_name(enum thud_live_which which)
@@ -66,7 +66,8 @@ void thud_live_clear(struct thud_live *live)
         live->need[i] = (struct thud_live_need){NAN, NAN, NAN};
     for (int i = 0; i < THUD_LIVE_CASES; i++)
         case_clear(&live->which[i]);
-    live->running = live->history = false;
+    live->running = false;
+    live->history = THUD_LIVE_NO_HISTORY;
 }
 
 void thud_live_fail(struct thud_live *live, const struct thud_error *why)
@@ -149,7 +150,7 @@ static double history_step(const struct thud_model *model, const struct thud_rec
 }
 
 static enum thud_status case_start(struct thud_live_case *c, const struct thud_scene *scene,
-                                   const struct thud_record *record, bool history)
+                                   const struct thud_record *record, enum thud_live_history history)
 {
     struct thud_run_options options;
     enum thud_status status = thud_scene_options(scene, &options, &c->error);
@@ -158,7 +159,8 @@ static enum thud_status case_start(struct thud_live_case *c, const struct thud_s
     if (status != THUD_OK)
         return status;
     options.keep_impacts = true;
-    options.keep_history = history;
+    options.keep_history = history != THUD_LIVE_NO_HISTORY;
+    options.history_look_s = history == THUD_LIVE_LOOK ? look_s : 0.0;
     options.history_step_s = history_step(c->model, record, options.tail_s);
     return thud_run_create(c->model, record, &options, &c->run, &c->error);
 }
@@ -204,7 +206,7 @@ static void work_start(struct thud_live *live)
 }
 
 void thud_live_start(struct thud_live *live, const struct thud_scene *scene, const struct thud_record *record,
-                     bool history)
+                     enum thud_live_history history)
 {
     thud_live_stop(live);
     live->running = false;

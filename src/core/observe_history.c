@@ -65,9 +65,9 @@ static int thud_history_column(const struct thud_history *h, int column, enum th
 
 enum thud_status thud_rows_init(struct thud_rows *rows, const struct thud_model *model,
                                 const struct thud_result *result, const struct thud_ledger *ledger, double step_s,
-                                struct thud_error *err)
+                                double look_s, struct thud_error *err)
 {
-    *rows = (struct thud_rows){.result = result, .ledger = ledger, .step_s = step_s};
+    *rows = (struct thud_rows){.result = result, .ledger = ledger, .step_s = step_s, .look_s = look_s};
     rows->history.ndof = model->ndof;
     rows->history.ncontacts = model->ncontacts;
     rows->history.nstoreys = model->nstoreys;
@@ -140,11 +140,17 @@ static void fill_storeys(const struct thud_history *h, const struct thud_state *
     }
 }
 
-static void fill_works(const struct thud_history *h, const struct thud_ledger *ledger, double *row)
+/* From those at the segment's beginning to its s. */
+static void fill_works(const struct thud_history *h, const struct thud_ledger *of_segment,
+                       const struct thud_observation *o, double s, double *row)
 {
-    row[thud_history_energy(h, 0)] = ledger->input_j;
-    row[thud_history_energy(h, 3)] = ledger->viscous_j;
-    row[thud_history_energy(h, 4)] = thud_ledger_contact_work(ledger);
+    struct thud_observation here = *o;
+    struct thud_ledger ledger = *of_segment;
+    here.s = s;
+    thud_ledger_add(&ledger, &here);
+    row[thud_history_energy(h, 0)] = ledger.input_j;
+    row[thud_history_energy(h, 3)] = ledger.viscous_j;
+    row[thud_history_energy(h, 4)] = thud_ledger_contact_work(&ledger);
 }
 
 /* Shears of struck columns, with the forces of all rows; the row has the displacements. */
@@ -193,14 +199,14 @@ static enum thud_status row_at(struct thud_rows *rows, const struct thud_observa
     if (!row)
         return THUD_MEMORY;
     double *q = rows->work, *qd = q + m->nmodes, *a = qd + m->nmodes, *force = a + m->nmodes;
-    struct thud_observation here = *o;
-    struct thud_ledger ledger = *rows->ledger;
-    here.s = s;
-    thud_ledger_add(&ledger, &here);
     thud_segment_state(seg, m->nmodes, s, q, qd);
     fill_motion(h, o->state, row, q, qd);
     fill_storeys(h, o->state, row, q);
-    fill_works(h, &ledger, row);
+    if (rows->look_s > 0)
+        for (int e = 0; e < THUD_HISTORY_ENERGIES; e++)
+            row[thud_history_energy(h, e)] = NAN;
+    else
+        fill_works(h, rows->ledger, o, s, row);
     row[thud_history_ground()] = seg->a0 + seg->a1 * s;
     for (int c = 0; c < m->nrows; c++) {
         force[c] = 0;
@@ -238,6 +244,8 @@ static int contact_rows(const struct thud_rows *rows, const struct thud_observat
     if (o->seg->end) /* not located: the ends are all that the step knows */
         return 1;
     const double close_s = 2.5e-4;
+    if (rows->look_s > 0)
+        return (int)fmax(1, fmin(MOST, ceil(o->s * o->seg->h_s / rows->look_s)));
     double parts = o->s * o->seg->h_s / fmin(rows->step_s, close_s);
     for (int c = 0; c < o->state->model->ncontacts; c++)
         if (thud_contact_acts(&o->state->contact[c]))
@@ -312,11 +320,14 @@ static enum thud_status rows_in_contact(struct thud_rows *rows, const struct thu
     double t0 = o->seg->start_s, h = o->seg->h_s, s = o->s;
     int count = contact_rows(rows, o);
     /* the force of a located contact goes on from the last segment's end unless something has switched there */
-    bool goes_on = !o->seg->interpolates && !switched && last_time(rows) >= t0;
+    bool look = rows->look_s > 0 && !o->seg->end;
+    bool goes_on = !o->seg->interpolates && !switched && (look || last_time(rows) >= t0);
     enum thud_status status = THUD_OK;
     for (int i = goes_on; i <= count && status == THUD_OK; i++) {
-        status = peak_rows(rows, o, t0, t0 + s * h * i / count, err);
-        if (status == THUD_OK)
+        double at = t0 + s * h * i / count;
+        bool soon = look && !switched && !o->switches && at - last_time(rows) < rows->look_s;
+        status = peak_rows(rows, o, t0, at, err);
+        if (status == THUD_OK && !soon)
             status = row_at(rows, o, s * i / count, err);
     }
     rows->close_rows_until_s = t0 + s * h + while_s;
@@ -380,7 +391,8 @@ static enum thud_status block(void *own, const struct thud_state *state, struct 
             struct thud_observation o = {.state = state, .s = 1};
             o.seg = thud_free_vibration_all_series(f, state, t, piece);
             status = segment(rows, &o, err);
-            thud_ledger_add(&ledger, &o);
+            if (!(rows->look_s > 0))
+                thud_ledger_add(&ledger, &o);
         }
     rows->ledger = of_run;
     return status;

@@ -10,6 +10,7 @@ struct thud_rows {
     const struct thud_result *result;
     const struct thud_ledger *ledger;
     double step_s; /* between rows outside contacts */
+    double look_s; /* between rows in contact, without energies; 0: closer, with them */
     double next_row_s;
     double close_rows_until_s; /* rows stand closer for a while after a contact */
     bool row_waits;            /* the last row counts only if a contact has switched behind it */
@@ -22,7 +23,7 @@ extern const struct thud_observer thud_observe_history;
 /* Errors: THUD_MEMORY. */
 enum thud_status thud_rows_init(struct thud_rows *rows, const struct thud_model *model,
                                 const struct thud_result *result, const struct thud_ledger *ledger, double step_s,
-                                struct thud_error *err);
+                                double look_s, struct thud_error *err);
 void thud_rows_clear(struct thud_rows *rows);
 
 #endif

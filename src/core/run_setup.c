@@ -178,7 +178,8 @@ static enum thud_status create_observers(struct thud_run *run, struct thud_error
     if (m->ncolumns > 0)
         thud_run_observe(run, &thud_observe_columns, &run->result);
     if (status == THUD_OK && run->options.keep_history) {
-        status = thud_rows_init(&run->rows, m, &run->result, &run->ledger, run->options.history_step_s, err);
+        status = thud_rows_init(&run->rows, m, &run->result, &run->ledger, run->options.history_step_s,
+                                run->options.history_look_s, err);
         thud_run_observe(run, &thud_observe_history, &run->rows);
     }
     if (status == THUD_OK)

@@ -164,11 +164,15 @@ static int head(const struct thud_pane *pane, const struct thud_panel *panel)
     const char *title = panel->title && *panel->title ? panel->title : axis->label ? axis->label : "";
     thud_axis_text(axis, unit, sizeof unit);
     bool both = *unit && strcmp(title, axis->label ? axis->label : "") != 0;
-    both = both && thud_utf8_columns(title) + 2 + thud_utf8_columns(unit) <= pane->w; /* else the axis' name alone */
+    const int least = 8; /* of the axis' name; where it has less room it stands alone */
+    int room = pane->w - thud_utf8_columns(title) - 2;
+    both = both && room >= least;
+    char fitted[96];
     thud_utf8_fit(both || !*unit ? title : unit, pane->w, text, sizeof text);
     int at = thud_pane_put(pane, 0, 0, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), text);
     if (both)
-        at += 2 + thud_pane_put(pane, at + 2, 0, thud_look(THUD_ROLE_MUTED, 0), unit);
+        at += 2 + thud_pane_put(pane, at + 2, 0, thud_look(THUD_ROLE_MUTED, 0),
+                                thud_utf8_fit(unit, room, fitted, sizeof fitted));
     at += 3;
     if (key_lines(pane, panel, at, 0, 1, false) <= 1) {
         key_lines(pane, panel, at, 0, 1, true);

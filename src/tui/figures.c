@@ -331,7 +331,7 @@ struct thud_figure *thud_plot_make(const struct thud_live *live, const struct th
         return NULL;
     }
     bool envelope = plot == THUD_PLOT_ENVELOPE_ACCELERATION || plot == THUD_PLOT_ENVELOPE_DRIFT;
-    if (!envelope && !live->history) {
+    if (!envelope && (!live->history || (plot == THUD_PLOT_ENERGY && live->history != THUD_LIVE_WHOLE))) {
         *why = "the histories are not there yet";
         return NULL;
     }

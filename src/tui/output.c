@@ -132,8 +132,22 @@ bool thud_tui_show_figure(struct thud_tui *tui, const char *name)
     return false;
 }
 
+/* What was kept for a look is too little for a file: the run is made again with whole histories, and the action after
+ * it. */
+static bool needs_whole(struct thud_tui *tui, enum thud_action action)
+{
+    if (tui->screen != THUD_SCREEN_PLOTS || tui->live.history != THUD_LIVE_LOOK)
+        return false;
+    tui->whole_wanted = action;
+    thud_tui_say(tui, THUD_ROLE_PLAIN, "Running with whole histories, for the file");
+    thud_tui_run(tui);
+    return true;
+}
+
 void thud_tui_picture(struct thud_tui *tui)
 {
+    if (needs_whole(tui, THUD_DO_PICTURE))
+        return;
     struct thud_figure *copy = thud_figure_copy(thud_view_of(tui->screen)->figure(tui));
     if (copy)
         begin(tui, &copy, 1);
@@ -208,6 +222,8 @@ bool thud_tui_write(struct thud_tui *tui, struct thud_text *text, const char *na
 void thud_tui_export(struct thud_tui *tui)
 {
     const struct thud_view *view = thud_view_of(tui->screen);
+    if (needs_whole(tui, THUD_DO_EXPORT))
+        return;
     if (view->export_csv) {
         view->export_csv(tui);
         return;
@@ -259,7 +275,7 @@ void thud_tui_pictures(struct thud_tui *tui)
 void thud_tui_run_pictures(struct thud_tui *tui)
 {
     struct sources sources;
-    tui->pictures_wanted = !tui->live.history;
+    tui->pictures_wanted = tui->live.history != THUD_LIVE_WHOLE;
     if (tui->pictures_wanted) {
         thud_tui_say(tui, THUD_ROLE_PLAIN, "Running with histories, for the figures");
         thud_tui_run(tui);

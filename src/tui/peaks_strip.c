@@ -43,10 +43,11 @@ void thud_ratio_draw(const struct thud_live *live, const struct thud_pane *pane,
                      const double value[THUD_LIVE_CASES])
 {
     double ratio = value[THUD_LIVE_BUMPER] / value[THUD_LIVE_NONE];
-    bool old = thud_live_is_old(live, THUD_LIVE_NONE);
+    bool old = thud_live_is_old(live, THUD_LIVE_NONE), same = fabs(ratio - 1.0) < 5e-4;
     if (isfinite(ratio) && old == thud_live_is_old(live, THUD_LIVE_BUMPER))
         thud_pane_print(pane, x, y,
                         thud_look(old           ? THUD_ROLE_MUTED
+                                  : same        ? THUD_ROLE_PLAIN
                                   : ratio < 1.0 ? THUD_ROLE_GOOD
                                                 : THUD_ROLE_WARN,
                                   0),

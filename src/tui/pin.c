@@ -25,16 +25,16 @@ bool thud_pin_differs(const struct thud_pin *pin, const struct thud_doc *doc)
     return pin->scene.nstructures > 0 && !thud_doc_runs_alike(&pin->scene, &doc->scene);
 }
 
-bool thud_pin_busy(const struct thud_pin *pin, const struct thud_doc *doc, bool history)
+bool thud_pin_busy(const struct thud_pin *pin, const struct thud_doc *doc, enum thud_live_history history)
 {
-    return thud_pin_differs(pin, doc) && (!pin->begun || pin->live.running || (history && !pin->live.history));
+    return thud_pin_differs(pin, doc) && (!pin->begun || pin->live.running || history > pin->live.history);
 }
 
-bool thud_pin_advance(struct thud_pin *pin, const struct thud_doc *doc, bool history)
+bool thud_pin_advance(struct thud_pin *pin, const struct thud_doc *doc, enum thud_live_history history)
 {
     if (!thud_pin_busy(pin, doc, history))
         return false;
-    if (!pin->begun || (history && !pin->live.history)) {
+    if (!pin->begun || history > pin->live.history) {
         thud_live_start(&pin->live, &pin->scene, pin->record, history);
         pin->live.history = history; /* also where nothing could be begun */
         pin->begun = true;

@@ -19,8 +19,8 @@ void thud_pin_take(struct thud_pin *pin, struct thud_doc *doc, bool own);
 /* Whether the scene differs from it in what a run depends on. */
 bool thud_pin_differs(const struct thud_pin *pin, const struct thud_doc *doc);
 /* Goes on for a short while where the scene differs; false when there is no more to do. */
-bool thud_pin_advance(struct thud_pin *pin, const struct thud_doc *doc, bool history);
-bool thud_pin_busy(const struct thud_pin *pin, const struct thud_doc *doc, bool history);
+bool thud_pin_advance(struct thud_pin *pin, const struct thud_doc *doc, enum thud_live_history history);
+bool thud_pin_busy(const struct thud_pin *pin, const struct thud_doc *doc, enum thud_live_history history);
 /* Its cases where the scene differs and they are there; NULL: there is nothing to compare with. */
 const struct thud_live *thud_pin_live(const struct thud_pin *pin, const struct thud_doc *doc);
 void thud_pin_clear(struct thud_pin *pin);

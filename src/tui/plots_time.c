@@ -17,6 +17,11 @@ struct thud_plots_state *thud_plots(struct thud_tui *tui)
     return tui->plots;
 }
 
+bool thud_plots_energies(const struct thud_tui *tui)
+{
+    return tui->plots && tui->plots->plot == THUD_PLOT_ENERGY;
+}
+
 const struct thud_live_case *thud_plots_case(struct thud_tui *tui)
 {
     struct thud_plots_state *p = thud_plots(tui);

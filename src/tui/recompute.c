@@ -3,11 +3,15 @@
 #include <string.h>
 
 #include "study/answer.h"
-#include "tui/state.h"
+#include "tui/plots.h"
 
-bool thud_tui_wants_history(const struct thud_tui *tui)
+enum thud_live_history thud_tui_wants_history(const struct thud_tui *tui)
 {
-    return tui->screen == THUD_SCREEN_PLOTS || tui->pictures_wanted;
+    if (tui->pictures_wanted || tui->whole_wanted != THUD_DO_NOTHING)
+        return THUD_LIVE_WHOLE;
+    if (tui->screen != THUD_SCREEN_PLOTS)
+        return THUD_LIVE_NO_HISTORY;
+    return thud_plots_energies(tui) ? THUD_LIVE_WHOLE : THUD_LIVE_LOOK;
 }
 
 static void start(struct thud_tui *tui)
@@ -44,7 +48,7 @@ void thud_tui_opened(struct thud_tui *tui)
 void thud_tui_changed(struct thud_tui *tui)
 {
     if (tui->ran_revision == tui->doc.revision) {
-        if (thud_tui_wants_history(tui) && !tui->live.history)
+        if (thud_tui_wants_history(tui) > tui->live.history)
             start(tui); /* the same answer, with its histories */
         return;
     }
@@ -123,6 +127,7 @@ bool thud_tui_cancel(struct thud_tui *tui)
     if (!tui->live.running)
         return false;
     tui->pictures_wanted = false;
+    tui->whole_wanted = THUD_DO_NOTHING;
     thud_live_clear(&tui->live);
     tui->was_running = false;
     tui->ran_revision = 0;
@@ -132,8 +137,12 @@ bool thud_tui_cancel(struct thud_tui *tui)
 
 void thud_tui_ran(struct thud_tui *tui)
 {
+    enum thud_action action = tui->whole_wanted;
+    tui->whole_wanted = THUD_DO_NOTHING;
     if (tui->pictures_wanted)
         thud_tui_run_pictures(tui);
+    if (action != THUD_DO_NOTHING && !thud_tui_cannot(tui, action))
+        thud_tui_act(tui, action);
     for (int i = 0; i < THUD_LIVE_CASES; i++) {
         const struct thud_live_case *c = &tui->live.which[i];
         if (c->state != THUD_LIVE_FAILED)

@@ -138,6 +138,7 @@ struct thud_tui {
     enum thud_image picture;           /* one covers the screen, in this way, until the next key */
     char written[700];                 /* what is written then */
     bool pictures_wanted;              /* once the run has its histories */
+    enum thud_action whole_wanted;     /* what is done once it has them whole: PICTURE or EXPORT */
     bool was_running;                  /* the live run was going at the last look */
 
     char history[THUD_HISTORY][THUD_LINE_MAX]; /* (nhistory) commands, the oldest first */
@@ -200,7 +201,7 @@ void thud_tui_run(struct thud_tui *tui);
 const struct thud_model *thud_tui_model(struct thud_tui *tui);
 /* The cases to compare with; NULL: none, or not there yet. */
 const struct thud_live *thud_tui_pinned(const struct thud_tui *tui);
-bool thud_tui_wants_history(const struct thud_tui *tui);
+enum thud_live_history thud_tui_wants_history(const struct thud_tui *tui);
 void thud_tui_pin(struct thud_tui *tui);      /* the present state is the one to compare with */
 void thud_tui_exchange(struct thud_tui *tui); /* the scene becomes the pinned one, which becomes that of before */
 bool thud_tui_cancel(struct thud_tui *tui);   /* false: nothing was running */

@@ -12,7 +12,7 @@
 #include "tui/play.h"
 #include "tui/session_log.h"
 
-static const double slice_s = 0.012, redraw_s = 0.05, live_limit_s = 1.0;
+static const double slice_s = 0.012, redraw_s = 0.05, live_limit_s = 1.0, history_limit_s = 4.0;
 
 void thud_tui_say(struct thud_tui *tui, enum thud_role role, const char *fmt, ...)
 {
@@ -223,10 +223,11 @@ static void work(struct thud_tui *tui)
         }
         now = tui->backend->now(tui->backend);
     }
-    if (tui->live.running && tui->live_on && now - tui->started_s > live_limit_s) {
+    double limit_s = tui->live.history ? history_limit_s : live_limit_s;
+    if (tui->live.running && tui->live_on && now - tui->started_s > limit_s) {
         tui->live_on = false;
         thud_tui_say(tui, THUD_ROLE_WARN, "A run takes over %g s: after an edit, r runs (:live turns this back)",
-                     live_limit_s);
+                     limit_s);
     }
     if (!tui->live.running && tui->was_running) {
         tui->elapsed_s = now - tui->started_s;

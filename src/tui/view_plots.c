@@ -187,6 +187,7 @@ static void other_plot(struct thud_tui *tui, int step)
     int n = thud_plot_count(&tui->doc.scene);
     p->plot = (enum thud_plot)(((int)p->plot + step + n) % n);
     p->fresh = false;
+    thud_tui_changed(tui); /* energies are not kept for the others */
 }
 
 static void other_sight(struct thud_tui *tui, int step)

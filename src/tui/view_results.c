@@ -173,7 +173,7 @@ static void impact_rest(const struct thud_impact *impact, char *text, size_t siz
 {
     char d[24], ms[24], e[24], lost[24];
     size_t n = strlen(text);
-    snprintf(text + n, size - n, " %-7s %-7s %-7s %s", thud_tui_number(1e3 * impact->indentation_m, d),
+    snprintf(text + n, size - n, " %-8s %-8s %-7s %s", thud_tui_number(1e3 * impact->indentation_m, d),
              thud_tui_number(1e3 * impact->duration_s, ms),
              isnan(impact->restitution) ? "-" : thud_tui_number(impact->restitution, e),
              thud_tui_number(1e-3 * impact->dissipated_j, lost));
@@ -204,8 +204,8 @@ static int draw_impacts(struct thud_tui *tui, const struct thud_pane *pane)
     if (count > 1)
         qsort(row, (size_t)count, sizeof *row, order[tui->results_sort]);
     bool wide = pane->w >= 66;
-    thud_pane_print(pane, 1, 0, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), "t s       fl.  v m/s   F MN    %s",
-                    wide ? "d mm    ms      e       kJ lost" : "");
+    thud_pane_print(pane, 1, 0, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), "t s       fl.  v m/s    F MN     %s",
+                    wide ? "d mm     ms       e       kJ lost" : "");
     int n = count < IMPACTS_MAX ? count : IMPACTS_MAX;
     for (int i = 0; i < n; i++) {
         char key[48], text[160], v[24], f[24], place[24];
@@ -215,7 +215,7 @@ static int draw_impacts(struct thud_tui *tui, const struct thud_pane *pane)
         else
             snprintf(place, sizeof place, "%d", row[i].floor);
         snprintf(key, sizeof key, "impact %.9g %d", row[i].impact.start_s, row[i].impact.contact);
-        snprintf(text, sizeof text, "%-9.3f %-4s %-7s %-7s", row[i].impact.start_s, place,
+        snprintf(text, sizeof text, "%-9.3f %-4s %-8s %-8s", row[i].impact.start_s, place,
                  thud_tui_number(row[i].impact.approach_mps, v),
                  row[i].impact.force_n > 0.0 ? thud_tui_number(1e-6 * row[i].impact.force_n, f) : "-");
         if (wide)

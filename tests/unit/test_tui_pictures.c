@@ -58,6 +58,29 @@ START_TEST(the_figure_shown)
 }
 END_TEST
 
+/* What Plots keeps for a look is too little for a file: its run is made again. */
+START_TEST(whole_histories_for_files)
+{
+    fixture_keys(&f, "5");
+    ck_assert_int_eq((int)f.tui->live.history, (int)THUD_LIVE_LOOK);
+    fixture_keys(&f, "p");
+    fixture_expect(&f, "Written");
+    ck_assert_int_eq((int)f.tui->live.history, (int)THUD_LIVE_WHOLE);
+    ck_assert_int_eq(count_files(".png"), 1);
+    fixture_keys(&f, ":set gap 1.5 cm<Enter>");
+    ck_assert_int_eq((int)f.tui->live.history, (int)THUD_LIVE_LOOK);
+    fixture_keys(&f, "e");
+    fixture_expect(&f, "Written");
+    ck_assert_int_eq((int)f.tui->live.history, (int)THUD_LIVE_WHOLE);
+    fixture_keys(&f, ":set gap 1.4 cm<Enter>");
+    for (int i = 0; i < 8; i++)
+        fixture_keys(&f, "<Down>");
+    fixture_expect(&f, "Energies");
+    ck_assert_int_eq((int)f.tui->live.history, (int)THUD_LIVE_WHOLE);
+    fixture_expect(&f, "viscous");
+}
+END_TEST
+
 /* From a screen whose run kept no histories, too. */
 START_TEST(all_figures)
 {
@@ -148,6 +171,7 @@ Suite *thud_suite(void)
     tcase_set_timeout(pictures, 120.0);
     tcase_add_checked_fixture(pictures, setup, teardown);
     tcase_add_test(pictures, the_figure_shown);
+    tcase_add_test(pictures, whole_histories_for_files);
     tcase_add_test(pictures, all_figures);
     tcase_add_test(pictures, stopping);
     tcase_add_test(pictures, a_drawing_leaves_the_end_to_be_seen);
