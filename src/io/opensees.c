@@ -3,7 +3,8 @@
  *     ViscoelasticGap K C gap           F = K d + C v                            linear, kelvin-voigt
  *     Hertzdamp K x gap n               F = (K + x K v/v_imp) d^n                hertz, hertz-damp
  *     JankowskiImpact K xi m gap n      F = K d^n + 2 xi sqrt(K d^(n-1) m) v     jankowski (approach; then K d^n)
- * None lets go when the force reaches 0 while there is indentation, none has the rubber's two curves, and a step knows
+ *     Steel01 V_y k r                   bilinear, kinematic hardening            storeys that yield, V_y = k d_y
+ * No contact lets go when the force reaches 0 while there is indentation, none has the rubber's two curves, and a step knows
  * no impulse. The constants are read from the law's own branch. */
 #include "io/opensees.h"
 
@@ -20,17 +21,12 @@ static const double least_gap_m = 1e-12;
 /* Steps to what thud_model_contact_period gives, four times what it takes from touch to the turn. */
 static const double steps_per_contact = 500, steps_per_period = 200;
 
-static enum thud_status refuse_key(struct thud_error *err, const char *key, const char *instead)
-{
-    thud_error_key(err, key);
-    thud_error_allow(err, "%s", instead);
-    return THUD_INPUT;
-}
-
 static enum thud_status refuse(struct thud_error *err, const char *key, const char *what, const char *instead)
 {
     thud_error_set(err, THUD_INPUT, "OpenSees %s", what);
-    return refuse_key(err, key, instead);
+    thud_error_key(err, key);
+    thud_error_allow(err, "%s", instead);
+    return THUD_INPUT;
 }
 
 static bool is_law(const struct thud_model_contact *c, const char *name)
@@ -51,8 +47,11 @@ static enum thud_status check_contact(const struct thud_model_contact *c, struct
     bool bumper = is_law(c, "rubber");
     if (c->struck != 0) {
         snprintf(key, sizeof key, "interfaces.%d", c->interface);
-        return refuse(err, key, "is given floors alone, and here slabs strike columns between them",
-                      "floors at the same elevations: see heights and base");
+        return refuse(
+            err, key,
+            "has springs between two nodes, and a slab that strikes columns pushes the floors above and below "
+            "by shares",
+            "floors at the same elevations (heights, base), or levels: aligned");
     }
     for (size_t i = 0; i < sizeof known / sizeof *known; i++)
         if (is_law(c, known[i]))
@@ -85,11 +84,6 @@ enum thud_status thud_opensees_check(const struct thud_scene *scene, const struc
     }
     if (model->left_out > 0)
         return refuse(err, "analysis.modes", "integrates every mode", "all modes");
-    if (model->nstoreys > 0) {
-        snprintf(key, sizeof key, "structures.%d.yield", model->storey[0].structure + 1);
-        thud_error_set(err, THUD_INPUT, "the script for OpenSees does not know storeys that yield yet");
-        return refuse_key(err, key, "elastic storeys");
-    }
     for (int c = 0; c < model->ncontacts && status == THUD_OK; c++)
         status = check_contact(&model->contact[c], err);
     return status;
@@ -145,6 +139,33 @@ static void head(struct thud_text *out, const struct thud_scene *scene, const st
 /* Nodes: a floor's is its number from 1 over all structures, a structure's ground is 1001, 1002, ... */
 enum { GROUND = 1000 };
 
+/* The storey below a floor where it yields; NULL: elastic. */
+static const struct thud_model_storey *storey_of(const struct thud_model *model, int structure, int floor)
+{
+    for (int i = 0; i < model->nstoreys; i++)
+        if (model->storey[i].structure == structure && model->storey[i].floor == floor)
+            return &model->storey[i];
+    return NULL;
+}
+
+/* A storey's spring, with the number of the floor above it. */
+static void spring(struct thud_text *out, double stiffness_npm, const struct thud_model_storey *storey, int node,
+                   int below)
+{
+    thud_text_append(out, "ops.uniaxialMaterial(\"%s\", %d, ", storey ? "Steel01" : "Elastic", node);
+    if (storey) {
+        number(out, stiffness_npm * storey->yield_m);
+        thud_text_append(out, ", ");
+    }
+    number(out, stiffness_npm);
+    if (storey) {
+        thud_text_append(out, ", ");
+        number(out, storey->hardening);
+    }
+    thud_text_append(out, ")\nops.element(\"zeroLength\", %d, %d, %d, \"-mat\", %d, \"-dir\", 1)\n", node, below, node,
+                     node);
+}
+
 static void nodes(struct thud_text *out, const struct thud_scene *scene, const struct thud_model *model)
 {
     thud_text_append(out, "\nops.wipe()\nops.model(\"basic\", \"-ndm\", 1, \"-ndf\", 1)\n");
@@ -160,12 +181,8 @@ static void nodes(struct thud_text *out, const struct thud_scene *scene, const s
             thud_text_append(out, "ops.node(%d, 0.0)\nops.mass(%d, ", node, node);
             number(out, model->mass_kg[m->first + i]);
             thud_text_append(out, ")\n");
-            if (m->stiffness_npm) {
-                thud_text_append(out, "ops.uniaxialMaterial(\"Elastic\", %d, ", node);
-                number(out, m->stiffness_npm[i]);
-                thud_text_append(out, ")\nops.element(\"zeroLength\", %d, %d, %d, \"-mat\", %d, \"-dir\", 1)\n", node,
-                                 i == 0 ? GROUND + s + 1 : node - 1, node, node);
-            }
+            if (m->stiffness_npm)
+                spring(out, m->stiffness_npm[i], storey_of(model, s, i), node, i == 0 ? GROUND + s + 1 : node - 1);
         }
     }
 }
@@ -247,7 +264,11 @@ static int node_of(const struct thud_model_contact *c, bool right)
 
 static void contacts(struct thud_text *out, const struct thud_model *model)
 {
-    thud_text_append(out, "\n# contacts: left and right floor\nCONTACTS = []\n");
+    thud_text_append(out, "\n# storeys that yield, by the floor above\nYIELDING = [");
+    for (int i = 0; i < model->nstoreys; i++)
+        thud_text_append(out, "%s%d", i > 0 ? ", " : "",
+                         model->structure[model->storey[i].structure].first + model->storey[i].floor + 1);
+    thud_text_append(out, "]\n\n# contacts: left and right floor\nCONTACTS = []\n");
     for (int i = 0; i < model->ncontacts; i++) {
         const struct thud_model_contact *c = &model->contact[i];
         int tag = contact_tag(model, i);
@@ -288,19 +309,37 @@ static void expected(struct thud_text *out, const struct thud_scene *scene, cons
         number(out, r->force.value);
         thud_text_append(out, "),\n");
     }
+    for (int i = 0; i < model->nstoreys; i++) {
+        const struct thud_model_storey *storey = &model->storey[i];
+        const struct thud_structure_result *r = &result->structure[storey->structure];
+        for (int k = 0; k < 2; k++) {
+            char name[THUD_NAME_MAX + 32];
+            snprintf(name, sizeof name, "%s storey %d", scene->structure[storey->structure].name, storey->floor + 1);
+            thud_text_append(out, "    (");
+            thud_json_string(out, name);
+            thud_text_append(out, ", \"%s\", %d, ", k == 0 ? "drift" : "shear", i);
+            number(out, k == 0 ? r->floor[storey->floor].drift.value : r->storey[storey->floor].shear.value);
+            thud_text_append(out, "),\n");
+        }
+    }
     thud_text_append(out, "]\n");
 }
 
 static const char analysis[] =
     "\n"
     "folder = tempfile.mkdtemp()\n"
-    "path = {q: os.path.join(folder, q) for q in (\"acceleration\", \"displacement\", \"force\")}\n"
+    "path = {q: os.path.join(folder, q) for q in (\"acceleration\", \"displacement\", \"force\", \"drift\", "
+    "\"shear\")}\n"
     "ops.recorder(\"EnvelopeNode\", \"-file\", path[\"acceleration\"], *TOTAL, \"-node\", *FLOORS, \"-dof\", 1, "
     "\"accel\")\n"
     "ops.recorder(\"EnvelopeNode\", \"-file\", path[\"displacement\"], \"-node\", *FLOORS, \"-dof\", 1, \"disp\")\n"
     "if CONTACTS:\n"
     "    ops.recorder(\"EnvelopeElement\", \"-file\", path[\"force\"], \"-ele\", *CONTACTS, \"material\", \"1\", "
     "\"stress\")\n"
+    "if YIELDING:\n"
+    "    for quantity, response in ((\"drift\", \"strain\"), (\"shear\", \"stress\")):\n"
+    "        ops.recorder(\"EnvelopeElement\", \"-file\", path[quantity], \"-ele\", *YIELDING, \"material\", \"1\", "
+    "response)\n"
     "ops.constraints(\"Plain\")\n"
     "ops.numberer(\"Plain\")\n"
     "ops.system(\"FullGeneral\")\n"

@@ -31,6 +31,17 @@ is "Jankowski's contact at no gap at all" gives 0 export opensees rigid-concrete
 # (9 sqrt5/2)(1 - e^2)/(e (e (9 pi - 16) + 16)) at e 0.6: 0.45937
 is "has its published damping and its mass" shows '^ops.uniaxialMaterial("JankowskiImpact", 3, [0-9.e+]*, 0.4593[0-9]*, 160000, -1e-12, 1.5)$'
 
+is "storeys that yield" gives 0 export opensees towers-yielding --case none --set contact.law=linear --set structures.2.yield.2=none --set structures.2.hardening.1=3% --to 9s
+cp "$tmp/out" "$tmp/yielding.py"
+# V_y = k d_y = 600 MN/m 15 mm
+is "are Steel01 with their shear, stiffness and hardening" [ "$(grep -c '^ops.uniaxialMaterial("Steel01", [0-9]*, 9000000, 600000000, 0.05)$' "$tmp/out")" -eq 8 ]
+is "each its own" shows '^ops.uniaxialMaterial("Steel01", 5, 9000000, 600000000, 0.03)$'
+is "the others stay elastic" [ "$(grep -c '^ops.uniaxialMaterial("Elastic", 6, 600000000)$' "$tmp/out")" -eq 1 ]
+is "between the floors as before" shows '^ops.element("zeroLength", 5, 1002, 5, "-mat", 5, "-dir", 1)$'
+is "and are recorded" shows '^YIELDING = \[1, 2, 3, 4, 5, 7, 8, 9, 10\]$'
+"$THUD" run towers-yielding --case none --set contact.law=linear --set structures.2.yield.2=none --set structures.2.hardening.1=3% --to 9s --csv --quiet >"$tmp/run" 2>/dev/null
+is "beside the run's drift" grep -q "^    (\"B storey 1\", \"drift\", 4, $(awk -F, '$1 == "B" && $2 == 1 { print $9 }' "$tmp/run"))," "$tmp/yielding.py"
+is "and shear" grep -q "^    (\"B storey 3\", \"shear\", 5, $(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "shear_n") c = i } $1 == "B" && $2 == 3 { print $c }' "$tmp/run"))," "$tmp/yielding.py"
 is "a wall" gives 0 export opensees presets/published/ansys-vm65.yaml
 is "stands on the ground" shows '^ops.fix(1001, 1)$'
 is "to the left of the body" shows '^ops.element("zeroLength", 2, 1001, 1, "-mat", 2, "-dir", 1)$'
@@ -54,6 +65,8 @@ refused "rubber is refused" '^thud: interfaces.1.bumper.law: OpenSees has no mat
 refused "a law that lets go at zero force" 'contact.law: OpenSees has no linear dashpot that lets go.*kelvin-voigt' towers --case none
 refused "an impulse" 'OpenSees knows no impulse' rigid-concrete --set contact.law=stereomechanical
 refused "an isolated building" '^thud: structures.2.kind: OpenSees has modal damping' isolated-moat
+refused "a slab that strikes columns" '^thud: interfaces.1: OpenSees has springs between two nodes.*levels: aligned' slab-against-columns --case none
+is "which aligned levels leave out" gives 0 export opensees mixed-row --case none --set interfaces.1.levels=aligned --set interfaces.1.contact.law=linear --set interfaces.2.contact.law=linear
 is "a program there is not" gives 2 export sap towers
 is "is told" says 'no export to "sap" (opensees)'
 is "no program at all" gives 2 export
@@ -65,7 +78,7 @@ if ! command -v python3 >/dev/null 2>&1; then
 else
     PYTHONPYCACHEPREFIX=$tmp/cache
     export PYTHONPYCACHEPREFIX
-    python3 -m py_compile "$tmp/rigid.py" "$tmp/towers.py" "$tmp/words.py" >"$tmp/out" 2>"$tmp/err"
+    python3 -m py_compile "$tmp/rigid.py" "$tmp/towers.py" "$tmp/yielding.py" "$tmp/words.py" >"$tmp/out" 2>"$tmp/err"
     is "the scripts are Python" [ $? -eq 0 ]
     if ! python3 -c 'import openseespy.opensees' >/dev/null 2>&1; then
         echo "ok - OpenSeesPy gives the same peaks # SKIP no openseespy"
@@ -73,5 +86,8 @@ else
         python3 "$tmp/rigid.py" >"$tmp/out" 2>"$tmp/err"
         # shellcheck disable=SC2016 # a program of awk
         is "OpenSeesPy gives the same peaks" awk '/^largest difference/ { found = 1; if ($3 > 5e-3) exit 1 } END { exit !found }' "$tmp/out"
+        python3 "$tmp/yielding.py" 2e-4 >"$tmp/out" 2>"$tmp/err"
+        # shellcheck disable=SC2016 # a program of awk
+        is "and of storeys that yield" awk '/^largest difference/ { found = 1; if ($3 > 2e-4) exit 1 } END { exit !found }' "$tmp/out"
     fi
 fi
