@@ -37,6 +37,8 @@ enum thud_status thud_bench_create(const struct thud_scene *scene, const struct 
                                    bool expensive_steps, struct thud_bench **out, struct thud_error *err);
 void thud_bench_free(struct thud_bench *bench);
 
+/* Whether storeys of the scene yield: then to locate events is to locate theirs too. */
+bool thud_bench_yields(const struct thud_bench *bench);
 int thud_bench_count(const struct thud_bench *bench);
 struct thud_bench_point *thud_bench_point(struct thud_bench *bench, int i);
 /* Leaves only the curves of these methods. */

@@ -74,10 +74,14 @@ void thud_bench_table(struct thud_bench *bench, struct thud_text *out)
         char name[64];
         if (p->curve != curve) {
             thud_bench_curve_name(p, name, sizeof name);
-            thud_text_append(
-                out,
-                "\n%s\n%9s  time ms  spread    error  accel.   drift    force    impact s  missed    steps    forces\n",
-                name, p->method->flags & THUD_METHOD_FIXED_STEP ? "step s" : "tolerance");
+            thud_text_append(out,
+                             "\n%s%s\n%9s  time ms  spread    error  accel.   drift    force    impact s  missed    "
+                             "steps    forces\n",
+                             name,
+                             !thud_bench_yields(bench) ? ""
+                             : p->locate               ? ": impacts, yielding and unloading where they are"
+                                                       : ": impacts, yielding and unloading at ends of steps",
+                             p->method->flags & THUD_METHOD_FIXED_STEP ? "step s" : "tolerance");
             curve = p->curve;
         }
         if (p->state != THUD_BENCH_DONE) {

@@ -71,29 +71,40 @@ struct series {
     double force, slope, damper, damper_slope;
 };
 
-/* x + K/k x^p = d. The left side is convex and rises: from above, where each of its parts alone would make d, Halley's
- * method goes to the root; Newton's, which stays above it, takes over where a step would leave the interval. */
-static double own_indentation(const struct thud_branch *b, double d)
+/* x + K/k x^p = d. The left side is convex and rises: from above, where the larger of its parts alone would make d,
+ * Householder's method of third order goes to the root (Householder 1970, The Numerical Treatment of a Single Nonlinear
+ * Equation, section 4.4); Newton's, which stays above it, takes over where a step would leave the interval. Powers are
+ * what it costs: at the start the part of the spring is known, and after the last step, which leaves the fourth power of
+ * its own size, it follows by the binomial series. */
+static struct series own_indentation(const struct thud_branch *b, double d)
 {
     enum { MOST = 60 };
-    double c = b->K / b->column_npm, p = b->p, x = fmin(d, pow(d / c, 1 / p));
-    for (int i = 0; i < MOST; i++) {
-        double part = c * power(x, p), excess = x + part - d, slope = 1 + p * part / x;
-        double newton = excess / slope, bend = p * (p - 1) * part / (x * x);
-        double step = newton / (1 - 0.5 * newton * bend / slope);
-        if (!(step < x))
-            step = newton;
-        x -= step;
-        if (!(fabs(step) > 1e-8 * x)) /* what is left is of the order of its square at most */
-            break;
+    static const double last_step = 5e-5; /* relative: its fourth power is below rounding */
+    double c = b->K / b->column_npm, p = b->p, x = d, part = c * power(d, p);
+    if (part > d) {
+        x = pow(d / c, 1 / p);
+        part = d;
     }
-    return x;
+    for (int i = 0; i < MOST; i++) {
+        /* of the function over its slope, relative to x: itself, second and third derivative */
+        double rate = p * part, slope = x + rate;
+        double newton = (x + part - d) / slope, second = (p - 1) * rate / slope, third = (p - 2) * second;
+        double step = newton * (1 - 0.5 * newton * second) / (1 - newton * (second - newton * third / 6));
+        if (!(fabs(step) < 1))
+            step = newton;
+        x -= step * x;
+        if (!(fabs(step) > last_step)) {
+            part *= 1 - p * step * (1 - (p - 1) / 2 * step * (1 - (p - 2) / 3 * step));
+            break;
+        }
+        part = c * power(x, p);
+    }
+    return (struct series){.x = x, .force = b->column_npm * part};
 }
 
 static struct series series_of(const struct thud_branch *b, double d)
 {
-    struct series s = {.x = own_indentation(b, d)};
-    s.force = b->K * power(s.x, b->p);
+    struct series s = own_indentation(b, d);
     double own = b->p * s.force / s.x;
     s.slope = own / (1 + own / b->column_npm);
     if (b->r == b->p) {

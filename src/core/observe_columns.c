@@ -37,37 +37,53 @@ static void raise(const struct thud_segment *seg, struct thud_peak *peak, const 
         *peak = (struct thud_peak){value, seg->start_s + where * seg->h_s};
 }
 
-/* Of untouched columns. */
-static void by_drift(const struct thud_model *m, const struct thud_segment *seg, int column,
-                     struct thud_column_result *r, double s)
+/* Bound of a polynomial up to s: coefficients `stride` apart. */
+static double bound(const double *p, int stride, int terms, double s)
 {
-    const struct thud_model_column *p = &m->column[column];
-    double drift[THUD_SEGMENT_TERMS], x[THUD_SEGMENT_TERMS];
-    drift_polynomial(p, seg, m->nmodes, drift);
-    for (int q = 0; q < THUD_COLUMN_QUANTITIES; q++) {
-        for (int k = 0; k < seg->terms; k++)
-            x[k] = p->per_drift[q] * drift[k] +
-                   (p->yielding >= 0 ? p->per_yield[q] * seg->force[k * m->nrows + p->yielding] : 0);
-        raise(seg, &r->peak[q], x, s);
-    }
+    double sum = 0, power = 1;
+    for (int k = 0; k < terms; k++, power *= s)
+        sum += power * fabs(p[k * stride]);
+    return sum;
 }
 
-static void by_drift_and_force(const struct thud_observation *o, int column, struct thud_column_result *r)
+/* Adds `per` times the size of a part to what the quantities can come to. */
+static void add_bound(double most[THUD_COLUMN_QUANTITIES], const double per[THUD_COLUMN_QUANTITIES], double size)
 {
-    const struct thud_model *m = o->state->model;
+    for (int q = 0; q < THUD_COLUMN_QUANTITIES; q++)
+        most[q] += fabs(per[q]) * size;
+}
+
+static void add_part(double *x, double per, const double *p, int stride, int terms)
+{
+    for (int k = 0; per != 0 && k < terms; k++)
+        x[k] += per * p[k * stride];
+}
+
+/* From the drift and, where there are any, the forces of the storey's row and of the slabs. Most segments come nowhere
+ * near a peak, which a bound of their parts tells. */
+static void look(const struct thud_model *m, const struct thud_segment *seg, int column, bool forces,
+                 struct thud_column_result *r, double s)
+{
     const struct thud_model_column *p = &m->column[column];
-    double drift[THUD_SEGMENT_TERMS], x[THUD_SEGMENT_TERMS];
-    drift_polynomial(p, o->seg, m->nmodes, drift);
+    double drift[THUD_SEGMENT_TERMS], most[THUD_COLUMN_QUANTITIES] = {0};
+    drift_polynomial(p, seg, m->nmodes, drift);
+    add_bound(most, p->per_drift, bound(drift, 1, seg->terms, s));
+    if (p->yielding >= 0)
+        add_bound(most, p->per_yield, bound(seg->force + p->yielding, m->nrows, seg->terms, s));
+    for (int c = 0; forces && c < m->ncontacts; c++)
+        if (m->contact[c].column == column)
+            add_bound(most, m->contact[c].per_force, bound(seg->force + c, m->nrows, seg->terms, s));
     for (int q = 0; q < THUD_COLUMN_QUANTITIES; q++) {
-        for (int k = 0; k < o->seg->terms; k++) {
-            x[k] = p->per_drift[q] * drift[k];
-            if (p->yielding >= 0)
-                x[k] += p->per_yield[q] * o->seg->force[k * m->nrows + p->yielding];
-            for (int c = 0; c < m->ncontacts; c++)
-                if (m->contact[c].column == column)
-                    x[k] += m->contact[c].per_force[q] * o->seg->force[k * m->nrows + c];
-        }
-        raise(o->seg, &r->peak[q], x, o->s);
+        double x[THUD_SEGMENT_TERMS] = {0};
+        if (most[q] <= r->peak[q].value)
+            continue;
+        add_part(x, p->per_drift[q], drift, 1, seg->terms);
+        if (p->yielding >= 0)
+            add_part(x, p->per_yield[q], seg->force + p->yielding, m->nrows, seg->terms);
+        for (int c = 0; forces && c < m->ncontacts; c++)
+            if (m->contact[c].column == column)
+                add_part(x, m->contact[c].per_force[q], seg->force + c, m->nrows, seg->terms);
+        raise(seg, &r->peak[q], x, s);
     }
 }
 
@@ -89,9 +105,9 @@ static enum thud_status segment(void *own, const struct thud_observation *o, str
     (void)err;
     for (int i = 0; i < o->state->model->ncolumns; i++) {
         if (is_touched(o, i))
-            by_drift_and_force(o, i, &result->column[i]);
+            look(o->state->model, o->seg, i, true, &result->column[i], o->s);
         else if (o->state->model->column[i].per_drift[0] != 0)
-            by_drift(o->state->model, o->seg, i, &result->column[i], o->s);
+            look(o->state->model, o->seg, i, false, &result->column[i], o->s);
     }
     return THUD_OK;
 }
@@ -145,7 +161,7 @@ static enum thud_status block(void *own, const struct thud_state *state, struct 
         double limit = fmax(least - shift, most - 2 * shift) - margin;
         for (int t = 0; t < intervals; t++)
             for (int piece = 0; piece < f->pieces && fmax(f->gap[t], f->gap[t + 1]) >= limit; piece++)
-                by_drift(m, thud_free_vibration_series(f, state, p->structure, t, piece), i, &result->column[i], 1);
+                look(m, thud_free_vibration_series(f, state, p->structure, t, piece), i, false, &result->column[i], 1);
     }
     return THUD_OK;
 }

@@ -88,6 +88,11 @@ void thud_bench_free(struct thud_bench *bench)
     free(bench);
 }
 
+bool thud_bench_yields(const struct thud_bench *bench)
+{
+    return bench->model->nstoreys > 0;
+}
+
 int thud_bench_count(const struct thud_bench *bench)
 {
     return bench->npoints;

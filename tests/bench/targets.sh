@@ -120,6 +120,19 @@ a_tall_run() { # CASE: 100 storeys against 100, s
 say "100 storeys against 100: concrete" "$(five a_tall_run none)" s most 0.5
 say "100 storeys against 100: rubber" "$(five a_tall_run bumper)" s most 0.5
 
+preset_ms() { # PRESET CASE KEY=VALUE...: median of a run of the preset, ms
+    "$build/bench-time" "$@" "analysis.tolerance=1e-6" | awk '{ print $1 }'
+}
+of_presets() { # PRESET CASE GAP CASE-OF-TOWERS GAP-OF-TOWERS: a preset's time over that of the towers, whose floors are aligned and elastic
+    ratio "$(five preset_ms "$1" "$2" "gap=$3")" "$(five preset_ms towers "$4" "gap=$5")"
+}
+say "yielding / elastic storeys, 10 cm: concrete" "$(of_presets towers-yielding none 10cm none 10cm)" times most 3
+say "yielding / elastic storeys, 10 cm: rubber" "$(of_presets towers-yielding bumper 10cm bumper 10cm)" times most 3
+say "slab on columns / aligned, 10 cm: concrete" "$(of_presets slab-against-columns none 10cm none 10cm)" times most 2
+say "slab on columns / aligned, 10 cm: rubber" "$(of_presets slab-against-columns bumper 10cm bumper 10cm)" times most 2
+# 46,494 evaluations of forces against 46,623: the aligned towers have four contacts, and these eight
+say "the same against as many forces (at 6 cm)" "$(of_presets slab-against-columns bumper 10cm bumper 6cm)" times most 2
+
 # ---- memory
 
 kib() { "$build/bench-memory" "$THUD" "$@" 2>/dev/null | awk '{ printf "%.1f", $1 / 1024 }'; }

@@ -86,6 +86,17 @@ done
 is "where nothing yields they are not asked" gives 0 uncertainty towers --to 3s --samples 0 --csv --quiet
 is "and there is no such quantity" [ "$(grep -c 'yield\|ductility\|column' "$tmp/out")" -eq 0 ]
 
+# speed against accuracy of a scene that yields
+is "every method runs it" gives 0 bench towers-yielding --set record.to=4s --set analysis.tail=1s --patience 0.02s --quiet -o "$tmp/bench"
+is "exact locates contacts and storeys" shows '^exact: impacts, yielding and unloading where they are$'
+is "so do methods that locate" [ "$(grep -c '^[a-z0-9-]*\(, located\)\{0,1\}: impacts, yielding and unloading where they are$' "$tmp/out")" -eq "$(awk -F, 'NR > 1 && $2 == 1 && !seen[$1]++ { n++ } END { print n }' "$tmp/bench/bench.csv")" ]
+is "the others say that they do not" [ "$(grep -c ': impacts, yielding and unloading at ends of steps$' "$tmp/out")" -eq "$(awk -F, 'NR > 1 && $2 == 0 && !seen[$1]++ { n++ } END { print n }' "$tmp/bench/bench.csv")" ]
+is "of every method" [ "$(awk -F, 'NR > 1 && !seen[$1]++ { n++ } END { print n }' "$tmp/bench/bench.csv")" -eq "$("$THUD" methods --json | grep -c '"fixed_step"')" ]
+is "none is left without a run" [ "$(awk -F, 'NR > 1 && $4 == "done" && !seen[$1]++ { n++ } END { print n }' "$tmp/bench/bench.csv")" -ge 8 ]
+is "a picture" is_png "$tmp/bench/bench.png"
+is "a page of its own for elastic scenes" gives 0 bench rigid-concrete --methods exact --patience 0.01s --quiet
+is "without a word of yielding" [ "$(grep -c yielding "$tmp/out")" -eq 0 ]
+
 # thud-model(7)
 gap() { "$THUD" gap towers-yielding --record "records/$1-surrogate.csv" --peak "$2" 2>/dev/null | awk '/surrogate.csv/ { print $2; exit }'; }
 is "the gap that is enough, of the inelastic motion" [ "$(gap kobe 0.821g) $(gap northridge 0.897g) $(gap san-fernando 1.17g)" = "7.66 5.28 8.22" ]
