@@ -33,6 +33,8 @@ enum thud_run_figure {
     THUD_RUN_FIGURES
 };
 
+/* What the figures say of ductility and permanent drift. */
+extern const char thud_ductility_note[];
 /* "force", "velocity", ...: also the name of its files. */
 const char *thud_run_figure_name(enum thud_run_figure which);
 /* Whether there is anything to show: no forces without contacts, no drift of rigid bodies, no columns where floors meet. */

@@ -56,10 +56,14 @@ static void add_capacities(struct thud_panel *panel, const struct thud_figure_so
                            int interface)
 {
     const struct thud_result *result = source->result;
-    struct thud_style style = {.kind = THUD_LINES, .color = THUD_COLOR_GREY, .wide = true};
+    struct thud_style style = {.kind = THUD_LINES, .color = THUD_COLOR_GREY, .wide = true, .dashed = true};
     bool any = false;
+    double most = 0;
     for (int i = 0; i < result->ncolumns; i++)
-        any = any || (is_shown(&result->column[i], structure, interface) && isfinite(result->column[i].capacity_n));
+        if (is_shown(&result->column[i], structure, interface) && isfinite(result->column[i].capacity_n)) {
+            any = true;
+            most = fmax(most, 1e-3 * result->column[i].capacity_n);
+        }
     struct thud_series *series =
         any ? thud_panel_add(panel, style, "capacity", 3 * (size_t)result->ncolumns, NULL, NULL) : NULL;
     for (int i = 0; series && i < result->ncolumns; i++) {
@@ -72,6 +76,9 @@ static void add_capacities(struct thud_panel *panel, const struct thud_figure_so
             series->y[3 * i + k] = y[k];
         }
     }
+    struct thud_range range = thud_panel_range(panel, THUD_X);
+    if (any && !(most < range.most)) /* not along the frame */
+        thud_panel_limits(panel, THUD_X, 0.0, most + range.step);
 }
 
 /* The next structure and interface with struck columns after these; false where there is none. */

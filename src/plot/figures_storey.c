@@ -111,6 +111,10 @@ static void over_height(struct thud_panel *panel, const struct thud_figure_sourc
         series->n = n;
 }
 
+const char thud_ductility_note[] =
+    "Ductility: largest drift over that at which the storey yields. Permanent drift: that "
+    "at which it carries no force after the run.";
+
 struct thud_figure *thud_figure_permanent(const struct thud_figure_source *source, int nsources)
 {
     static const struct {
@@ -131,12 +135,15 @@ struct thud_figure *thud_figure_permanent(const struct thud_figure_source *sourc
             struct thud_panel *panel = thud_figure_panel(figure, row, q, source->scene->structure[i].name);
             thud_panel_axis(panel, THUD_X, quantity[q].label, quantity[q].unit);
             thud_panel_axis(panel, THUD_Y, "Height", "m");
-            if (q == DUCTILITY)
+            if (q == DUCTILITY) {
                 thud_panel_limits(panel, THUD_X, 0.0, NAN);
+                thud_panel_mark(panel, THUD_X, 1.0, 1.0, "");
+            }
             for (int s = 0; s < nsources; s++)
                 over_height(panel, &source[s], i, q, nsources > 1 ? source[s].name : "", s);
         }
         row++;
     }
+    thud_figure_note(figure, thud_ductility_note);
     return figure;
 }

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/ascii.h"
+#include "plot/figures_run.h"
 #include "plot/figures_sweep.h"
 #include "study/statistics.h"
 
@@ -634,10 +635,7 @@ static struct thud_figure *figure_of_yielding(const struct thud_sweep_table *tab
         }
     same_scale(figure, NULL);
     char shades[128];
-    snprintf(text, sizeof text,
-             "Ductility: largest drift over yield drift. Permanent drift: at which the storey "
-             "carries no force at the end.%s",
-             table->motions > 0 ? shade_note(table, shades) : "");
+    snprintf(text, sizeof text, "%s%s", thud_ductility_note, table->motions > 0 ? shade_note(table, shades) : "");
     fixed_note(figure, table, 1, NULL, text);
     return figure;
 }

@@ -38,6 +38,8 @@ struct box thud_sheet_frame(const struct sheet *sheet, int panel);
  * control characters as spaces. */
 void thud_gnuplot_quote(struct thud_text *out, const char *text, double widest, double em);
 
+/* Width of a text in letters of a size, about. */
+double thud_gnuplot_width(const char *text, double em);
 /* The em, made up to a quarter smaller where the text needs it to fit. */
 double thud_gnuplot_fit(const char *text, double widest, double em);
 

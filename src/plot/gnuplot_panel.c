@@ -210,6 +210,43 @@ static double strip_step(const struct thud_range *range)
     return unit * (reach >= 5.0 * unit ? 5.0 : reach >= 2.0 * unit ? 2.0 : 1.0);
 }
 
+/* The title of a strip stands inside, in its upper left corner: what share of the height it takes, and whether a curve
+ * would run through it. */
+static double title_share(const struct sheet *sheet, const struct box *box)
+{
+    return fmin(0.4, 1.4 * sheet->em / (box->top - box->bottom));
+}
+
+static bool hits_title(const struct sheet *sheet, int number)
+{
+    const struct thud_panel *panel = &sheet->figure->panel[number];
+    struct box box = thud_sheet_frame(sheet, number);
+    struct thud_range x = thud_panel_range(panel, THUD_X), y = thud_panel_range(panel, THUD_Y);
+    double width = thud_gnuplot_width(panel->title, 0.9 * sheet->em) + sheet->em;
+    double right = x.least + (x.most - x.least) * width / (box.right - box.left);
+    double low = y.most - (y.most - y.least) * title_share(sheet, &box);
+    for (int i = 0; i < panel->nseries; i++)
+        for (size_t k = 0; k < panel->series[i]->n; k++)
+            if (panel->series[i]->x[k] >= x.least && panel->series[i]->x[k] <= right && panel->series[i]->y[k] >= low)
+                return true;
+    return false;
+}
+
+/* Room above the curves for the titles of strips, as a share of the height: the same in all that show the same range, so
+ * that they stay comparable. */
+static double strip_headroom(const struct sheet *sheet, const struct box *box, const struct thud_range *range)
+{
+    for (int i = 0; i < sheet->figure->rows * sheet->figure->columns; i++) {
+        const struct thud_panel *panel = &sheet->figure->panel[i];
+        if (!panel->used)
+            continue;
+        struct thud_range y = thud_panel_range(panel, THUD_Y);
+        if (y.least == range->least && y.most == range->most && hits_title(sheet, i))
+            return title_share(sheet, box);
+    }
+    return 0.0;
+}
+
 static void axis(const struct sheet *sheet, const struct thud_panel *panel, enum thud_side side, int number,
                  const struct box *box)
 {
@@ -217,9 +254,12 @@ static void axis(const struct sheet *sheet, const struct thud_panel *panel, enum
     const struct thud_axis *a = &panel->axis[side];
     char name = side == THUD_X ? 'x' : 'y';
     struct thud_range range = thud_panel_range(panel, side);
+    double most = range.most;
+    if (panel->strip && side == THUD_Y && !a->log)
+        most = range.least + (range.most - range.least) / (1.0 - strip_headroom(sheet, box, &range));
     double hair = a->log ? 1e-7 : 0.0; /* gnuplot drops a tick that its logarithm puts outside by the last bit */
     thud_text_append(out, "set %crange [%.10g:%.10g]\n%s logscale %c\n", name, range.least * (1.0 - hair),
-                     range.most * (1.0 + hair), a->log ? "set" : "unset", name);
+                     most * (1.0 + hair), a->log ? "set" : "unset", name);
     bool last = !panel->strip || number > (sheet->rows - 1) * sheet->columns;
     if (panel->strip ? last && side == THUD_X : true)
         axis_label(sheet, a, side, number, box);

@@ -24,7 +24,7 @@ static double advance(unsigned char c)
     return c >= 'A' && c <= 'Z' ? 0.7 : c >= '0' && c <= '9' ? 0.64 : 0.62;
 }
 
-static double width_of(const char *text, double em)
+double thud_gnuplot_width(const char *text, double em)
 {
     double sum = 0;
     for (size_t step; *text; text += step ? step : 1) {
@@ -36,7 +36,7 @@ static double width_of(const char *text, double em)
 
 double thud_gnuplot_fit(const char *text, double widest, double em)
 {
-    double width = width_of(text, em);
+    double width = thud_gnuplot_width(text, em);
     return width > widest ? em * fmax(0.75, widest / width) : em;
 }
 
@@ -50,7 +50,7 @@ static void escaped(struct thud_text *out, char byte)
  * with an apostrophe stands in double quotes. */
 void thud_gnuplot_quote(struct thud_text *out, const char *text, double widest, double em)
 {
-    bool cut = widest > 0.0 && width_of(text, em) > widest, twice = strchr(text, '\'') != NULL;
+    bool cut = widest > 0.0 && thud_gnuplot_width(text, em) > widest, twice = strchr(text, '\'') != NULL;
     double used = em; /* with the sign that it goes on */
     const char *quote = twice ? "\"" : "'";
     thud_text_bytes(out, quote, 1);
@@ -129,7 +129,7 @@ static void lay_key(struct sheet *sheet)
     if (sheet->nkeys > most)
         sheet->nkeys = most;
     for (int i = 0; i < sheet->nkeys; i++) {
-        double width = width_of(sheet->key[i]->name, sheet->em) + (sample_em + 0.5) * sheet->em;
+        double width = thud_gnuplot_width(sheet->key[i]->name, sheet->em) + (sample_em + 0.5) * sheet->em;
         if (left > 0.0 && left + width > widest) {
             row++;
             left = 0.0;
@@ -144,6 +144,8 @@ static void lay_key(struct sheet *sheet)
     sheet->key_rows = sheet->nkeys > 0 ? row + 1 : 0;
 }
 
+/* On paper panels below each other share what a page of A4 has between its margins. */
+static const double page_mm = 240.0, lowest_em = 10.0;
 /* A panel narrower than this many ems stands below its neighbour. */
 static const double narrowest_em = 21.0;
 
@@ -186,6 +188,9 @@ static struct sheet make_sheet(const struct thud_figure *figure, const struct th
     if (sheet.columns == 1 && sheet.rows > 1)
         share = sheet.width < 40.0 * sheet.em ? 0.5 : 0.3;
     double height = fmax(sheet.rows > 4 ? 9.0 * sheet.em : 12.0 * sheet.em, share * panel + 4.0 * sheet.em);
+    double page = (page_mm / 25.4 * inch - sheet.head - sheet.foot) / sheet.rows;
+    if (paper && sheet.rows > 1 && height > page)
+        height = fmin(height, fmax(lowest_em * sheet.em, page));
     if (strips) {
         sheet.foot += 3.6 * sheet.em;
         sheet.key_foot = 3.6 * sheet.em;
@@ -210,7 +215,7 @@ struct box thud_sheet_frame(const struct sheet *sheet, int panel)
     const struct thud_panel *p = &sheet->figure->panel[panel];
     const struct thud_axis *axis = &p->axis[THUD_Y];
     for (int i = 0; i < axis->nticks; i++)
-        names = fmax(names, width_of(axis->tick[i].text, sheet->em));
+        names = fmax(names, thud_gnuplot_width(axis->tick[i].text, sheet->em));
     struct box box;
     box.left = column * width + fmin(fmax(5.8 * sheet->em, names + 3.0 * sheet->em), 0.5 * width);
     box.label = column * width + (column ? 1.6 : 1.1) * sheet->em;

@@ -159,6 +159,58 @@ START_TEST(a_width_on_paper)
 }
 END_TEST
 
+/* 240 mm of a page are 2835 pixels. */
+START_TEST(many_panels_fit_a_page)
+{
+    struct thud_picture_options options = {.width_mm = 90};
+    const double x[] = {0, 1};
+    for (int rows = 2; rows <= 6; rows += 4) {
+        struct thud_figure *figure = thud_figure_create("paper", "title", rows, 1);
+        struct thud_text script = {0};
+        double width = 0, height = 0;
+        for (int i = 0; i < rows; i++)
+            thud_panel_add(thud_figure_panel(figure, i, 0, "panel"), (struct thud_style){.color = 0}, "", 2, x, x);
+        ck_assert_int_eq(thud_gnuplot_script(figure, &options, "a.png", &script, NULL), THUD_OK);
+        ck_assert_int_eq(sscanf(strstr(script.data, "\nW = ") + 1, "W = %lf; H = %lf", &width, &height), 2);
+        ck_assert_double_le(height, 2835);
+        ck_assert_double_ge(height, rows == 2 ? 1000 : 2830); /* no lower than it has to be */
+        thud_text_clear(&script);
+        thud_figure_free(figure);
+    }
+}
+END_TEST
+
+/* The title of a strip stands inside: curves that would run through it leave it room, in every strip of that range. */
+START_TEST(titles_of_strips_have_room)
+{
+    struct thud_picture_options options = {0};
+    for (int under = 0; under < 2; under++) {
+        struct thud_figure *figure = thud_figure_create("strips", "title", 3, 1);
+        struct thud_text script = {0};
+        const double x[] = {0, 100}, flat[] = {0, 0.1}, high[] = {under, 1 - under};
+        for (int i = 0; i < 3; i++) {
+            struct thud_panel *panel = thud_figure_panel(figure, i, 0, "storey");
+            thud_panel_add(panel, (struct thud_style){.color = 0}, "", 2, x, i == 1 ? high : flat);
+            thud_panel_limits(panel, THUD_Y, 0, i < 2 ? 1 : 2);
+        }
+        thud_figure_strips(figure);
+        ck_assert_int_eq(thud_gnuplot_script(figure, &options, "a.png", &script, NULL), THUD_OK);
+        const char *at = script.data;
+        for (int i = 0; i < 3; i++) {
+            double most = 0;
+            at = strstr(at, "set yrange [0:") + 1;
+            ck_assert_int_eq(sscanf(at, "et yrange [0:%lf]", &most), 1);
+            if (under && i < 2)
+                ck_assert(most > 1.2 && most < 2);
+            else
+                ck_assert(most == (i < 2 ? 1 : 2));
+        }
+        thud_text_clear(&script);
+        thud_figure_free(figure);
+    }
+}
+END_TEST
+
 /* gnuplot 5.4 does not read 'a''b' where the apostrophe comes first, or two of them follow each other. */
 START_TEST(names_come_out_literally_and_execute_nothing)
 {
@@ -541,6 +593,8 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, scales_can_be_read);
     tcase_add_test(tcase, size_and_font_are_as_asked);
     tcase_add_test(tcase, a_width_on_paper);
+    tcase_add_test(tcase, many_panels_fit_a_page);
+    tcase_add_test(tcase, titles_of_strips_have_room);
     tcase_add_loop_test(tcase, names_come_out_literally_and_execute_nothing, 0, 9);
     tcase_add_test(tcase, the_script_by_hand_draws_the_same);
     tcase_add_test(tcase, a_missing_gnuplot_is_named);
