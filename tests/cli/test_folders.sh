@@ -71,3 +71,23 @@ is "the histories take its place" [ ! -L "$tmp/linked/histories.csv" -a -s "$tmp
 is "a file beyond ulimit -f: exit status 6" [ $? -eq 6 ]
 is "with a message" says "cannot be written: File too large"
 is "and nothing half written" [ -z "$(find "$tmp/limited" -name '*.part')" ]
+
+# a second interrupt while the first one is cleaned up after (make soak: 200 tries)
+left=0
+others=0
+try=0
+while [ "$try" -lt "${INTERRUPT_TRIES:-20}" ]; do
+    try=$((try + 1))
+    rm -rf "$tmp/stopped"
+    "$THUD" sweep towers --vary gap=5cm:40cm:0.5cm -j 1 --quiet -o "$tmp/stopped" >"$tmp/out" 2>"$tmp/err" &
+    pid=$!
+    sleep 0.0$((try * 37 % 60 + 20))
+    kill -INT $pid 2>/dev/null
+    sleep 0.00$((try % 10))
+    kill -INT $pid 2>/dev/null
+    wait $pid
+    case $? in 130 | 0 | 5) ;; *) others=$((others + 1)) ;; esac
+    [ -z "$(find "$tmp/stopped" -name '*.part' 2>/dev/null)" ] || left=$((left + 1))
+done
+is "interrupted twice in $try tries, a study leaves nothing half written ($left times not)" [ "$left" -eq 0 ]
+is "and ends as interrupted ($others times not)" [ "$others" -eq 0 ]

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "tui/config.h"
@@ -175,6 +176,23 @@ START_TEST(opening_another_preset)
     fixture_keys(&f, ":open nosuch<Enter>");
     fixture_expect(&f, " ! ");
     fixture_expect(&f, "thud  towers");
+}
+END_TEST
+
+/* Nobody may ever write into a pipe: it is not waited for. */
+START_TEST(a_pipe_is_no_ground_motion)
+{
+    char path[256];
+    fixture_take_record(&f);
+    snprintf(path, sizeof path, "%s/pulse.csv", f.folder);
+    ck_assert_int_eq(mkfifo(path, 0600), 0);
+    fixture_keys(&f, ":open towers<Enter>");
+    fixture_keys(&f, "y");
+    fixture_expect(&f, "is a pipe, not a file");
+    ck_assert_int_eq(remove(path), 0);
+    fixture_write_pulse(&f);
+    fixture_keys(&f, ":open towers<Enter>");
+    fixture_expect_not(&f, "is a pipe");
 }
 END_TEST
 
@@ -548,6 +566,7 @@ Suite *thud_suite(void)
     tcase_add_test(files, quitting_asks_only_when_unsaved);
     tcase_add_test(files, unsaved_edits_can_be_recovered);
     tcase_add_test(files, opening_another_preset);
+    tcase_add_test(files, a_pipe_is_no_ground_motion);
     tcase_add_test(files, shipped_presets_stay_as_they_are);
     tcase_add_test(files, unsaved_changes_can_be_saved_on_the_way_out);
     tcase_add_test(files, kept_changes_are_offered_at_the_start);
