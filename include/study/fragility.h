@@ -41,14 +41,17 @@ enum thud_event_kind {
     THUD_EVENT_ACCELERATION, /* a floor's above the limit, m/s2 */
     THUD_EVENT_DRIFT,        /* a storey's above the limit, m */
     THUD_EVENT_DRIFT_ANGLE,  /* the same over its height */
-    THUD_EVENT_DUCTILITY     /* the same over its yield drift, of storeys that yield */
+    THUD_EVENT_DUCTILITY,    /* the same over its yield drift, of storeys that yield */
+    THUD_EVENT_PERMANENT,    /* their permanent drift, m */
+    THUD_EVENT_COLUMN        /* shear of columns that slabs strike over their capacity */
 };
 struct thud_event {
     enum thud_event_kind kind;
     double limit;
     char text[48]; /* as asked for: "drift:1 %" */
 };
-/* "pounding", "worse", "force:5 MN", "acceleration:1 g", "drift:3 cm", "drift:1 %", "ductility:2". Errors: THUD_USAGE. */
+/* "pounding", "worse", "force:5 MN", "acceleration:1 g", "drift:3 cm", "drift:1 %", "ductility:2",
+ * "permanent:1 cm", "column:1". Errors: THUD_USAGE. */
 enum thud_status thud_event_parse(const char *text, struct thud_event *out, struct thud_error *err);
 /* One event and case along one axis, at one setting of the others. */
 struct thud_fragility_ask {

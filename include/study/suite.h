@@ -16,6 +16,8 @@ enum thud_suite_measure {
     THUD_SUITE_ACCELERATION_RATIO, /* of the means over the floors, to case none */
     THUD_SUITE_DRIFT_RATIO,
     THUD_SUITE_DUCTILITY, /* largest drift over yield drift of the storeys that yield; NaN: none does */
+    THUD_SUITE_PERMANENT, /* largest permanent drift of those, m */
+    THUD_SUITE_COLUMNS,   /* largest shear over capacity of the columns that slabs strike; NaN: none, or not given */
     THUD_SUITE_MEASURES
 };
 const char *thud_suite_column(enum thud_suite_measure measure); /* "force_n", "drift_m", ... */
@@ -24,10 +26,13 @@ const char *thud_suite_column(enum thud_suite_measure measure); /* "force_n", "d
 struct thud_suite {
     const struct thud_sweep_plan *plan;
     int nrecords, nstructures, nvalues; /* nvalues: of a run */
-    bool yields;                        /* some storey may: it has ductilities */
+    bool yields;                        /* some storey may: it has ductilities and permanent drifts */
+    bool columns;                       /* a capacity is given: it has shears over it */
     long settings;
     double *value; /* (nrecords x settings x plan->ncases x nvalues); NaN: no answer */
 };
+/* Whether its runs may have any. */
+bool thud_suite_has(const struct thud_suite *suite, enum thud_suite_measure measure);
 
 /* Errors: THUD_MEMORY. The plan must outlive it. */
 enum thud_status thud_suite_create(const struct thud_sweep_plan *plan, struct thud_suite **out, struct thud_error *err);

@@ -435,10 +435,10 @@ void thud_fragility_json(const struct thud_fragility_study *study, struct thud_t
 
 enum { SUITE_FIRST = THUD_SUITE_FORCE, SUITE_COLUMNS = 3 + 3 * (THUD_SUITE_MEASURES - SUITE_FIRST) };
 
-/* Ductilities, the last measure, only where storeys yield. */
-static int suite_columns(const struct thud_suite *suite)
+/* Of storeys that yield and of columns only where there are any. */
+static bool has_column(const struct thud_suite *suite, int column)
 {
-    return SUITE_COLUMNS - (suite->yields ? 0 : 3);
+    return column < 3 || thud_suite_has(suite, (enum thud_suite_measure)(SUITE_FIRST + column / 3 - 1));
 }
 
 /* One setting, case and structure: how many motions, how many of them pound and are amplified, fractiles of every
@@ -485,8 +485,9 @@ static void put_suite_csv_row(const struct thud_suite *suite, const int *at, int
     }
     thud_text_append(out, ",");
     thud_text_csv(out, plan->scene.structure[s].name);
-    for (int c = 0; c < suite_columns(suite); c++)
-        put_number(value[c], out);
+    for (int c = 0; c < SUITE_COLUMNS; c++)
+        if (has_column(suite, c))
+            put_number(value[c], out);
     thud_text_append(out, "\n");
 }
 
@@ -507,7 +508,9 @@ static void put_suite_json_row(const struct thud_suite *suite, const int *at, in
     }
     thud_text_append(out, ", \"structure\": ");
     thud_json_string(out, plan->scene.structure[s].name);
-    for (int c = 0; c < suite_columns(suite); c++) {
+    for (int c = 0; c < SUITE_COLUMNS; c++) {
+        if (!has_column(suite, c))
+            continue;
         suite_column(c, name);
         thud_text_append(out, ", ");
         thud_json_field(out, name, value[c]);
@@ -573,7 +576,9 @@ enum thud_status thud_suite_csv(const struct thud_suite *suite, struct thud_text
     for (int a = 0; a < suite->plan->naxes; a++)
         thud_text_append(out, ",%s", suite->plan->axis[a].key);
     thud_text_append(out, ",structure");
-    for (int c = 0; c < suite_columns(suite); c++) {
+    for (int c = 0; c < SUITE_COLUMNS; c++) {
+        if (!has_column(suite, c))
+            continue;
         suite_column(c, name);
         thud_text_append(out, ",%s", name);
     }

@@ -184,7 +184,9 @@ static enum thud_status refuse_event(const char *text, struct thud_error *err)
 {
     thud_error_set(err, THUD_USAGE, "\"%.60s\" is no event", text);
     thud_error_key(err, "--event");
-    thud_error_allow(err, "pounding, worse, force:5MN, acceleration:1g, drift:3cm, drift:1%%, ductility:2");
+    thud_error_allow(err,
+                     "pounding, worse, force:5MN, acceleration:1g, drift:3cm, drift:1%%, ductility:2, permanent:1cm, "
+                     "column:1");
     return THUD_USAGE;
 }
 
@@ -201,7 +203,9 @@ enum thud_status thud_event_parse(const char *text, struct thud_event *out, stru
                   {"acceleration", THUD_EVENT_ACCELERATION, true, THUD_ACCELERATION},
                   {"drift", THUD_EVENT_DRIFT, true, THUD_LENGTH},
                   {"drift", THUD_EVENT_DRIFT_ANGLE, true, THUD_RATIO},
-                  {"ductility", THUD_EVENT_DUCTILITY, true, THUD_NUMBER}};
+                  {"ductility", THUD_EVENT_DUCTILITY, true, THUD_NUMBER},
+                  {"permanent", THUD_EVENT_PERMANENT, true, THUD_LENGTH},
+                  {"column", THUD_EVENT_COLUMN, true, THUD_NUMBER}};
     size_t word = strcspn(text, ":");
     for (size_t i = 0; i < sizeof events / sizeof *events; i++) {
         struct thud_quantity q;
@@ -224,10 +228,11 @@ static int happens_in(const struct thud_event *event, const struct thud_suite *s
 {
     static const double equal = 1e-9; /* relative: a ratio this near 1 is 1 */
     static const enum thud_suite_measure measure[] = {
-        [THUD_EVENT_POUNDING] = THUD_SUITE_IMPACTS,   [THUD_EVENT_WORSE] = THUD_SUITE_ACCELERATION_RATIO,
-        [THUD_EVENT_FORCE] = THUD_SUITE_FORCE,        [THUD_EVENT_ACCELERATION] = THUD_SUITE_ACCELERATION,
-        [THUD_EVENT_DRIFT] = THUD_SUITE_DRIFT,        [THUD_EVENT_DRIFT_ANGLE] = THUD_SUITE_DRIFT_ANGLE,
-        [THUD_EVENT_DUCTILITY] = THUD_SUITE_DUCTILITY};
+        [THUD_EVENT_POUNDING] = THUD_SUITE_IMPACTS,    [THUD_EVENT_WORSE] = THUD_SUITE_ACCELERATION_RATIO,
+        [THUD_EVENT_FORCE] = THUD_SUITE_FORCE,         [THUD_EVENT_ACCELERATION] = THUD_SUITE_ACCELERATION,
+        [THUD_EVENT_DRIFT] = THUD_SUITE_DRIFT,         [THUD_EVENT_DRIFT_ANGLE] = THUD_SUITE_DRIFT_ANGLE,
+        [THUD_EVENT_DUCTILITY] = THUD_SUITE_DUCTILITY, [THUD_EVENT_PERMANENT] = THUD_SUITE_PERMANENT,
+        [THUD_EVENT_COLUMN] = THUD_SUITE_COLUMNS};
     double value = thud_suite_value(suite, record, setting, k, measure[event->kind], -1);
     double limit = event->kind == THUD_EVENT_WORSE ? 1 + equal : event->limit;
     if (isnan(value)) /* a ratio is missing where there is nothing to compare, an answer where a run has none */

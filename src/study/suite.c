@@ -9,10 +9,27 @@ enum { OF_RUN = THUD_SUITE_ACCELERATION, OF_STRUCTURE = THUD_SUITE_MEASURES - OF
 
 const char *thud_suite_column(enum thud_suite_measure measure)
 {
-    static const char *const column[] = {"impacts",     "force_n",     "acceleration_mps2",
-                                         "drift_m",     "drift_angle", "acceleration_ratio",
-                                         "drift_ratio", "ductility"};
+    static const char *const column[] = {
+        "impacts",   "force_n",     "acceleration_mps2",  "drift_m", "drift_angle", "acceleration_ratio", "drift_ratio",
+        "ductility", "permanent_m", "shear_over_capacity"};
     return column[measure];
+}
+
+bool thud_suite_has(const struct thud_suite *suite, enum thud_suite_measure measure)
+{
+    return measure == THUD_SUITE_COLUMNS ? suite->columns : measure >= THUD_SUITE_DUCTILITY ? suite->yields : true;
+}
+
+/* By the scene, or by a varied key. */
+static bool has_capacity(const struct thud_sweep_plan *plan)
+{
+    bool has = false;
+    for (int s = 0; s < plan->scene.nstructures; s++)
+        for (int i = 0; i < plan->scene.structure[s].storeys; i++)
+            has |= plan->scene.structure[s].column_capacity_n[i] > 0;
+    for (int a = 0; a < plan->naxes; a++)
+        has |= strstr(plan->axis[a].key, ".column.capacity") != NULL;
+    return has;
 }
 
 enum thud_status thud_suite_create(const struct thud_sweep_plan *plan, struct thud_suite **out, struct thud_error *err)
@@ -25,6 +42,7 @@ enum thud_status thud_suite_create(const struct thud_sweep_plan *plan, struct th
         suite->settings = thud_sweep_points(plan) / suite->nrecords;
         suite->nstructures = plan->scene.nstructures;
         suite->yields = thud_sweep_yields(plan);
+        suite->columns = has_capacity(plan);
         suite->nvalues = OF_RUN + OF_STRUCTURE * suite->nstructures;
         size_t n = (size_t)thud_sweep_points(plan) * (size_t)plan->ncases * (size_t)suite->nvalues;
         suite->value = malloc((n + 1) * sizeof *suite->value);
@@ -64,20 +82,7 @@ static double drift_angle(const struct thud_structure *structure, const struct t
     return most;
 }
 
-/* An isolator does not yield. */
-static double ductility(const struct thud_structure *structure, const struct thud_sweep_floor *floor, int n)
-{
-    int first = structure->kind == THUD_ISOLATED;
-    double most = NAN;
-    for (int i = first; i < n; i++) {
-        double yield_m = thud_structure_yield(structure, i - first);
-        if (isfinite(yield_m))
-            most = fmax(most, floor[i].drift_m / yield_m); /* a NaN gives way */
-    }
-    return most;
-}
-
-/* Acceleration, drift, drift angle and ductility of every structure of the point's scene. */
+/* Peaks of every structure of the point's scene; what yielding storeys have, and no other: a NaN gives way. */
 static void put_peaks(const struct thud_scene *scene, const struct thud_sweep_point *point, int k, double *value)
 {
     const struct thud_sweep_floor *floor = point->floor + (ptrdiff_t)k * point->nfloors;
@@ -89,9 +94,10 @@ static void put_peaks(const struct thud_scene *scene, const struct thud_sweep_po
         for (int i = 0; i < point->floors[s]; i++) {
             to[THUD_SUITE_ACCELERATION] = thud_largest(to[THUD_SUITE_ACCELERATION], floor[i].acceleration_mps2);
             to[THUD_SUITE_DRIFT] = fmax(to[THUD_SUITE_DRIFT], floor[i].drift_m);
+            to[THUD_SUITE_DUCTILITY] = fmax(to[THUD_SUITE_DUCTILITY], floor[i].ductility);
+            to[THUD_SUITE_PERMANENT] = fmax(to[THUD_SUITE_PERMANENT], fabs(floor[i].permanent_m));
         }
         to[THUD_SUITE_DRIFT_ANGLE] = drift_angle(&scene->structure[s], floor, point->floors[s]);
-        to[THUD_SUITE_DUCTILITY] = ductility(&scene->structure[s], floor, point->floors[s]);
     }
 }
 
@@ -99,8 +105,8 @@ enum thud_status thud_suite_add(struct thud_suite *suite, const struct thud_swee
 {
     int n = thud_sweep_rows(suite->plan, point, NULL);
     struct thud_sweep_row *row = malloc(((size_t)n + 1) * sizeof *row);
-    struct thud_scene *own = suite->yields && row ? malloc(sizeof *own) : NULL; /* its yield drifts may be varied */
-    if (!row || (suite->yields && !own)) {
+    struct thud_scene *own = suite->plan->naxes > 0 && row ? malloc(sizeof *own) : NULL; /* its heights may be varied */
+    if (!row || (suite->plan->naxes > 0 && !own)) {
         free(row);
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
@@ -117,6 +123,11 @@ enum thud_status thud_suite_add(struct thud_suite *suite, const struct thud_swee
             const struct thud_sweep_contact *x = &point->contact[(ptrdiff_t)k * point->ncontacts + c];
             value[THUD_SUITE_IMPACTS] += x->impacts;
             value[THUD_SUITE_FORCE] = thud_largest(value[THUD_SUITE_FORCE], x->force_n);
+            const struct thud_gap_level *level = &point->level[c];
+            if (level->struck != 0) {
+                double *columns = value + OF_STRUCTURE * (level->interface - (level->struck < 0)) + THUD_SUITE_COLUMNS;
+                *columns = fmax(*columns, x->capacity_ratio);
+            }
         }
         for (int i = 0; i < n; i++)
             if (row[i].which == point->which[k] && row[i].floor == 0) {

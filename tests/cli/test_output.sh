@@ -26,7 +26,7 @@ json() {
 
 # general names of columns and keys: those of inputs, varied keys, cases and quantities
 general() {
-    sed -E 's/^(record[.]peak|bumper[.]thickness(_m)?)$/KEY/; s/^(force_n|acceleration_mps2|drift_m|drift_angle|acceleration_ratio|drift_ratio|ductility)_(p16|median|p84)$/MEASURE_\2/
+    sed -E 's/^(record[.]peak|bumper[.]thickness(_m)?)$/KEY/; s/^(force_n|acceleration_mps2|drift_m|drift_angle|acceleration_ratio|drift_ratio|ductility|permanent_m|shear_over_capacity)_(p16|median|p84)$/MEASURE_\2/
         s/^(gap|stiffness|damping|contact-stiffness|restitution|bumper-stiffness)(_least|_most|_first|_total)?$/INPUT\2/
         s/^(none|bumper)[.].*/QUANTITY/' "$1" | sort -u >"$tmp/written"
 }
@@ -65,6 +65,9 @@ is "a structure has its name in the sensitivity too" grep -q '{"structure": "B",
 sed '/^  {"record"/d; /^  {"case"/d' "$tmp/sweep.json" >"$tmp/head.json"
 json "sweep --json" "$tmp/head.json"
 general_csv suite.csv "$tmp/suite/suite.csv"
+"$THUD" sweep mixed-row --to 3s --records "$two" --set interfaces.1.bumper.thickness=2cm --vary record.peak=0.3g,0.4g --cases bumper --quiet -o "$tmp/suite-mixed" >/dev/null 2>&1
+general_csv suite.csv "$tmp/suite-mixed/suite.csv"
+is "with ductility, permanent drift and columns" grep -q ',ductility_p84,permanent_m_p16,permanent_m_median,permanent_m_p84,shear_over_capacity_p16,' "$tmp/suite-mixed/suite.csv"
 grep '^  {"case"' "$tmp/sweep.json" >"$tmp/statistics.json"
 general_json suite.csv "$tmp/statistics.json"
 json study.json "$tmp/sweep/study.json"

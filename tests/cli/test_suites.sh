@@ -98,7 +98,7 @@ other() { ! cmp -s "$tmp/out" "$tmp/fragility/fragility.csv" && cut -d, -f1-8 "$
 cut -d, -f1-8 "$tmp/fragility/fragility.csv" >"$tmp/c8"
 is "another seed: other bands, the same curves" other
 # of storeys that yield; a second way: single runs
-"$THUD" fragility towers --records "$three" --set structures.1.yield=12mm --vary gap=6cm,12cm --cases none --event ductility:2 -o "$tmp/yields" --quiet >"$tmp/out" 2>"$tmp/err"
+"$THUD" fragility towers --records "$three" --set structures.1.yield=12mm --vary gap=6cm,12cm --cases none --event ductility:2 --event permanent:3mm -o "$tmp/yields" --quiet >"$tmp/out" 2>"$tmp/err"
 singly() { # GAP: of the three motions, how many take a storey beyond twice its yield drift
     for r in kobe northridge san-fernando; do
         "$THUD" run towers --record $r-surrogate.csv --set structures.1.yield=12mm --case none --set "gap=$1" --csv 2>/dev/null |
@@ -108,7 +108,24 @@ singly() { # GAP: of the three motions, how many take a storey beyond twice its 
 told() { awk -F, -v g="$1" '$1 == "ductility:2" && $4 == g { print $6 }' "$tmp/yields/fragility.csv"; }
 is "ductility at 6 cm: counts are those of single runs" test "$(told 0.06)" = "$(singly 6cm)"
 is "at 12 cm too" test "$(told 0.12)" = "$(singly 12cm)"
-is "suite.csv has ductilities where storeys yield" sh -c "head -1 \"$tmp/yields/suite.csv\" | grep -q 'ductility_p16,ductility_median,ductility_p84$'"
+permanently() { # GAP: how many leave a storey of A with more than 3 mm
+    for r in kobe northridge san-fernando; do
+        "$THUD" run towers --record $r-surrogate.csv --set structures.1.yield=12mm --case none --set "gap=$1" --csv 2>/dev/null |
+            awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "permanent_m") c = i } $1 == "A" { v = $c < 0 ? -$c : $c; if (v > m) m = v } END { print (m > 0.003) }'
+    done | awk '{ n += $1 } END { print n + 0 }'
+}
+is "permanent drift likewise" test "$(awk -F, '$1 == "permanent:3mm" && $4 == 0.06 { print $6 }' "$tmp/yields/fragility.csv")" = "$(permanently 6cm)"
+"$THUD" fragility slab-against-columns --records "$three" --vary gap=6cm,18cm --cases none --event column:12 --to 10s -o "$tmp/struck" --quiet >"$tmp/out" 2>"$tmp/err"
+struck() { # GAP: how many bring 12 times what columns can bear
+    for r in kobe northridge san-fernando; do
+        "$THUD" run slab-against-columns --record $r-surrogate.csv --case none --set "gap=$1" --to 10s --json 2>/dev/null |
+            grep -o '"shear_over_capacity": [0-9.e+-]*' | awk '$2 > m { m = $2 } END { print (m > 12) }'
+    done | awk '{ n += $1 } END { print n + 0 }'
+}
+for gap in 6 18; do
+    is "columns beyond their capacity at $gap cm: as single runs" test "$(awk -F, -v g=0.0$gap '$1 == "column:12" && $4 + 0 == (g == "0.018" ? 0.18 : 0.06) { print $6 }' "$tmp/struck/fragility.csv")" = "$(struck ${gap}cm)"
+done
+is "suite.csv has ductilities where storeys yield" sh -c "head -1 \"$tmp/yields/suite.csv\" | grep -q 'ductility_p16,ductility_median,ductility_p84,permanent_m_p16,permanent_m_median,permanent_m_p84$'"
 is "and else none" sh -c "! head -1 \"$tmp/fragility/suite.csv\" | grep -q ductility"
 # killed while its pictures are drawn: what was run is not lost
 # shellcheck disable=SC2016 # a script's own
