@@ -7,163 +7,56 @@
 
 #include "core/largest.h"
 #include "core/nodes.h"
-#include "core/poly.h"
 #include "core/radau.h"
+#include "core/response.h"
 #include "core/tolerance.h"
 
-/* Values at the points of a contact stand THUD_BATCH apart; those past the last point are padding. */
-enum { THUD_POINTS = 7, THUD_LEVELS = 48, THUD_BLOCK = THUD_POINTS * THUD_BATCH };
+enum { NODES = THUD_NODES, LEVELS = 48 };
+enum { NEWTON_MAX = 12, ITERATIONS_MAX = 12 };
+enum { PATIENCE = 16 };                  /* steps of one size before a longer one is tried */
+static const double longest_angle = 1.8; /* a step times the fastest mode: the series' terms are enough for that */
+static const double slowest_contraction = 0.3; /* of the Gauss-Seidel sweeps; slower ones are left to Newton's method */
 
-/* Indentation and rate at point i from the force at point j of another contact, per step size: blocks (THUD_POINTS x
- * THUD_BATCH) by [j][i], made when first needed. */
-struct thud_response {
-    double *indentation, *rate;
-    bool shared; /* the memory is another's */
+/* A step: the forces as polynomials over h from the state that it began at, valid across kinks of the ground motion. The
+ * run takes it piece by piece, up to one kink or event at a time. */
+struct step {
+    bool goes_on;        /* nothing has switched since, and something is left of it */
+    double h, done_s;    /* length, and how far the state has come since its start */
+    double *coefficient; /* (nodes x nc) by order */
+    struct branch_name { /* (nc) what each force belongs to */
+        bool known;      /* it is in the step and nothing has switched there since */
+        enum thud_contact_mode mode;
+        enum thud_phase phase;
+        bool past_ultimate;
+    } * of;
 };
 
 struct thud_collocation {
-    double node[THUD_POINTS], lagrange[THUD_POINTS * THUD_POINTS];
-    struct thud_nodes nodes, checks; /* the points, and those between them where the error is measured */
-    double h_top;                    /* step of level 0 */
+    double point[THUD_POINTS];                     /* nodes, and behind them where the error is measured */
+    double lagrange[NODES * NODES];                /* coefficients of the polynomials through the nodes */
+    double between[(THUD_POINTS - NODES) * NODES]; /* [i][k]: of force k in that at point nodes + i */
+    struct thud_responses *responses;
+    double h_top; /* step of level 0 */
     double h, h_touch;
     int steady;         /* steps since one that let the next be longer */
     double contraction; /* of the fixed-point iteration, as last measured and with a margin */
     bool just_touched;
-    bool has_source; /* the forces of the last segment go on into this step */
-    double *last;    /* (THUD_POINTS x nc): their coefficients, in a segment of last_h, from s = source on */
-    double last_h, source;
-    int nc, nmodes, loads;      /* loads: 1 where modes are uncoupled, else one per contact */
-    double *modal[THUD_LEVELS]; /* (loads x THUD_POINTS x nmodes x 2 x THUD_BATCH): q and q' of each mode at the
-                                   points, by load and power */
-    struct thud_response *pair[THUD_LEVELS]; /* (nc x nc) */
-    struct thud_segment seg;                 /* of unit loads, and of the motion without contact forces */
-    /* The system: unknowns are the forces of the active contacts at the points */
+    struct step step;
+    int nc;
+    /* The system: unknowns are the forces of the active contacts at the nodes; values at the points of a contact stand
+     * THUD_POINTS apart */
     int *active; /* (nc) */
     int nactive, capacity;
-    double *force, *d0, *v0, *d, *v; /* (nactive x THUD_BATCH) */
-    double *residual, *matrix;       /* (nactive x THUD_POINTS); square */
+    double *force, *d0, *v0, *d, *v; /* (nactive x THUD_POINTS) */
+    double *residual, *matrix;       /* (nactive x nodes); square */
     double *scale, *change;          /* (nactive) on which a change of the force counts, and the last one */
     lapack_int *pivot;
 };
-
-/* How contacts would move through a step if no contact force acted. */
 
 /* calloc of at least one element. */
 static void *allocate(size_t count, size_t size)
 {
     return calloc(count ? count : 1, size);
-}
-
-static void begin_segment(const struct thud_state *state, struct thud_segment *seg, double h)
-{
-    thud_segment_begin(state, seg, h);
-    double least = fmin(1e-15, fmax(THUD_TOL_SERIES, 1e-9 * state->tolerance));
-    seg->terms = thud_segment_terms(state->fastest_radps * h, least);
-}
-
-/* Indentations and rates of the active contacts at the points. */
-static void fill_unforced(const struct thud_state *state, struct thud_collocation *x, double h)
-{
-    double p[THUD_SEGMENT_TERMS];
-    begin_segment(state, &x->seg, h);
-    thud_taylor_given(state->model, &x->seg, state->q, state->qd);
-    for (int a = 0; a < x->nactive; a++) {
-        int c = x->active[a];
-        thud_segment_indentation(state, &x->seg, c, p);
-        if (state->contact[c].suppressed.indentation > 0)
-            p[0] = 0;
-        thud_nodes_values(&x->nodes, p, 1, x->seg.terms, x->d0 + a * THUD_BATCH);
-        thud_nodes_rates(&x->nodes, p, 1, x->seg.terms, h, x->v0 + a * THUD_BATCH);
-    }
-}
-
-/* How contacts respond to each other's forces at the points of a step. */
-
-/* Motion of every mode at the points under unit loads s^power. */
-static bool fill_modal(const struct thud_state *state, struct thud_collocation *x, int level, double h)
-{
-    size_t n = (size_t)x->nmodes;
-    double *table = allocate((size_t)x->loads * THUD_POINTS * n * 2 * THUD_BATCH, sizeof *table),
-           *ones = allocate(n, sizeof *ones);
-    x->modal[level] = table;
-    if (!table || !ones) {
-        free(ones);
-        return false;
-    }
-    for (size_t j = 0; j < n; j++)
-        ones[j] = 1;
-    struct thud_segment *seg = &x->seg;
-    seg->terms = THUD_SEGMENT_TERMS;
-    seg->h_s = h;
-    seg->a0 = seg->a1 = 0;
-    seg->loaded = 0;
-    for (int load = 0; load < x->loads; load++)
-        for (int power = 0; power < THUD_POINTS; power++) {
-            thud_taylor_load(state->model, seg,
-                             !state->model->couples ? ones : state->model->jacobian + (size_t)load * n, power);
-            for (int j = 0; j < x->nmodes; j++, table += 2 * THUD_BATCH) {
-                thud_nodes_values(&x->nodes, seg->q + j, x->nmodes, seg->terms, table);
-                thud_nodes_rates(&x->nodes, seg->q + j, x->nmodes, seg->terms, h, table + THUD_BATCH);
-            }
-        }
-    free(ones);
-    return true;
-}
-
-/* Response of contact a to forces of contact b. A force pushes the two apart: indentation falls. */
-static bool fill_pair(const struct thud_state *state, struct thud_collocation *x, int level, double h, int a, int b)
-{
-    size_t n = (size_t)x->nmodes;
-    if (!x->modal[level] && !fill_modal(state, x, level, h))
-        return false;
-    struct thud_response *r = &x->pair[level][a * x->nc + b];
-    double *block = allocate(2 * THUD_BLOCK, sizeof *block);
-    if (!block)
-        return false;
-    r->indentation = block;
-    r->rate = block + THUD_BLOCK;
-    const bool couples = state->model->couples;
-    const double *ga = state->model->jacobian + (size_t)a * n, *gb = state->model->jacobian + (size_t)b * n;
-    const double *table = x->modal[level] + (couples ? (size_t)b * THUD_POINTS * n * 2 * THUD_BATCH : 0);
-    for (int power = 0; power < THUD_POINTS; power++) {
-        struct thud_batch d = {0}, v = {0};
-        double moved[2 * THUD_BATCH];
-        for (size_t j = 0; j < n; j++, table += 2 * THUD_BATCH) {
-            double w = couples ? -ga[j] : -ga[j] * gb[j];
-            thud_batch_add(&d, w, table);
-            thud_batch_add(&v, w, table + THUD_BATCH);
-        }
-        thud_batch_put(&d, moved);
-        thud_batch_put(&v, moved + THUD_BATCH);
-        for (int k = 0; k < THUD_POINTS; k++)
-            for (int i = 0; i < THUD_POINTS; i++) {
-                r->indentation[k * THUD_BATCH + i] += moved[i] * x->lagrange[power * THUD_POINTS + k];
-                r->rate[k * THUD_BATCH + i] += moved[THUD_BATCH + i] * x->lagrange[power * THUD_POINTS + k];
-            }
-    }
-    return true;
-}
-
-/* Where modes do not couple, each of two contacts responds to the other in the same way. */
-static bool mirror_pair(const struct thud_state *state, struct thud_collocation *x, int level, int a, int b)
-{
-    const struct thud_response *other = &x->pair[level][b * x->nc + a];
-    if (state->model->couples || !other->indentation)
-        return false;
-    x->pair[level][a * x->nc + b] = *other;
-    x->pair[level][a * x->nc + b].shared = true;
-    return true;
-}
-
-static const struct thud_response *response_of(const struct thud_state *state, struct thud_collocation *x, int level,
-                                               double h, int a, int b)
-{
-    if (!x->pair[level])
-        x->pair[level] = allocate((size_t)x->nc * (size_t)x->nc, sizeof(struct thud_response));
-    if (!x->pair[level])
-        return NULL;
-    struct thud_response *r = &x->pair[level][a * x->nc + b];
-    return r->indentation || mirror_pair(state, x, level, a, b) || fill_pair(state, x, level, h, a, b) ? r : NULL;
 }
 
 /* How far the force polynomials of a step are from the laws. */
@@ -174,8 +67,8 @@ static double force_scale(const struct thud_state *state, const struct thud_coll
 {
     int c = x->active[a];
     double scale = state->contact[c].largest_force_n;
-    for (int i = 0; i < THUD_POINTS; i++)
-        scale = thud_larger(scale, fabs(x->force[a * THUD_BATCH + i]));
+    for (int i = 0; i < NODES; i++)
+        scale = thud_larger(scale, fabs(x->force[a * THUD_POINTS + i]));
     if (state->contact[c].phase == THUD_APPROACH)
         scale = thud_larger(scale, state->contact[c].expected_force_n);
     return thud_larger(scale,
@@ -183,75 +76,68 @@ static double force_scale(const struct thud_state *state, const struct thud_coll
                            thud_larger(THUD_TOL_GROUND_FORCE * state->ground_mps2, THUD_TOL_LEAST_ACCELERATION_MPS2));
 }
 
-/* Whether a contact is so young that its force has no smooth past: most of the indentation at the end of the step is
- * made in it, with the speed hardly lost. */
-static bool has_just_begun(const double *indentation, int terms)
+/* Indentation at the state, as the step takes it: what has just touched has not moved yet. */
+static double indentation_now(const struct thud_state *state, int c)
 {
-    double end[3];
-    thud_poly_value3(indentation, terms, 1, end);
-    return indentation[0] < 0.5 * end[0] && end[1] > 0.5 * indentation[1];
+    return state->contact[c].suppressed.indentation > 0 ? 0 : thud_contact_indentation(state, c);
 }
 
-/* Sizes of what an indentation and a rate are differences of. */
-struct sizes {
-    double d, v;
-};
+/* Whether a contact is so young that its force has no smooth past: most of the indentation at the end of the step is
+ * made in it, with the speed hardly lost. */
+static bool has_just_begun(const struct thud_state *state, const struct thud_collocation *x, int a)
+{
+    int c = x->active[a], end = a * THUD_POINTS + NODES - 1;
+    return indentation_now(state, c) < 0.5 * x->d[end] && x->v[end] > 0.5 * thud_contact_rate(state, c);
+}
 
-static struct sizes sizes_of(const struct thud_state *state, int c)
+/* How far rounding alone may put a force off, by the displacements and rates that an indentation and its rate are
+ * differences of. */
+static double force_noise(const struct thud_state *state, int c, double fd, double fv)
 {
     double left, right, left_rate, right_rate;
     thud_model_sides(state->model, c, state->q, &left, &right);
     thud_model_sides(state->model, c, state->qd, &left_rate, &right_rate);
-    return (struct sizes){thud_state_clearance(state, c) + fabs(left) + fabs(right),
-                          fabs(left_rate) + fabs(right_rate)};
+    double d = thud_state_clearance(state, c) + fabs(left) + fabs(right), v = fabs(left_rate) + fabs(right_rate);
+    return THUD_TOL_STATE * (fabs(fd) * d + fabs(fv) * v);
 }
 
-/* How far rounding alone may put a force off. */
-static double force_noise(const struct sizes *of, double fd, double fv)
+/* Largest difference between the polynomial of contact a's force and the law, between the nodes; of one above `small`,
+ * what rounding may have made is taken off. */
+static double force_difference(const struct thud_state *state, const struct thud_collocation *x, int a, double h,
+                               double small)
 {
-    return THUD_TOL_STATE * (fabs(fd) * of->d + fabs(fv) * of->v);
-}
-
-/* Largest difference between the polynomial of contact a's force and the law, between the points. */
-static double force_difference(const struct thud_state *state, struct thud_segment *seg,
-                               const struct thud_collocation *x, int c, const double *p, double h)
-{
+    int c = x->active[a];
     const struct thud_contact_state *s = &state->contact[c];
-    double d[THUD_BATCH], v[THUD_BATCH], f[THUD_BATCH], worst = 0, mass = state->model->contact[c].setup.mass_kg;
-    thud_nodes_values(&x->checks, p, 1, seg->terms, d);
-    thud_nodes_rates(&x->checks, p, 1, seg->terms, h, v);
-    thud_nodes_values(&x->checks, seg->force + c, state->model->nrows, THUD_POINTS, f);
-    const struct sizes sizes = sizes_of(state, c);
-    for (int i = 0; i < THUD_POINTS;
-         i += s->mode == THUD_STICKING ? 1 : 2) { /* a law is dear; the largest is at the start */
-        double fd, fv;
+    double worst = 0, mass = state->model->contact[c].setup.mass_kg;
+    const double *force = x->force + a * THUD_POINTS, *between = x->between;
+    for (int i = NODES; i < THUD_POINTS; i++, between += NODES) {
+        double d = x->d[a * THUD_POINTS + i], v = x->v[a * THUD_POINTS + i], f = 0, fd, fv;
         if (s->mode == THUD_STICKING) { /* the force that would undo the rate in one step, but for rounding */
-            worst = thud_larger(worst, mass * thud_larger(fabs(v[i]) - THUD_TOL_STICKING_M / h, 0) / h);
+            worst = thud_larger(worst, mass * thud_larger(fabs(v) - THUD_TOL_STICKING_M / h, 0) / h);
             continue;
         }
-        double difference = fabs(thud_branch_force(&s->branch, d[i], v[i], &fd, &fv) - f[i]);
-        if (difference > worst && isfinite(fd))
-            difference -= force_noise(&sizes, fd, fv);
+        for (int k = 0; k < NODES; k++)
+            f += between[k] * force[k];
+        double difference = fabs(thud_branch_force(&s->branch, d, v, &fd, &fv) - f);
+        if (difference > thud_larger(worst, small) && isfinite(fd))
+            difference -= force_noise(state, c, fd, fv);
         worst = thud_larger(worst, difference);
     }
     return worst;
 }
 
-/* Error of contact a's force: the largest difference between its polynomial and the law between the points, over the
+/* Error of contact a's force: the largest difference between its polynomial and the law between the nodes, over the
  * force scale. Where a force begins without a smooth start (d^(1/4), d^(3/2)) no step is short enough for that; there
  * what counts is the impulse that the difference makes up. */
-static double contact_error(const struct thud_state *state, struct thud_segment *seg, const struct thud_collocation *x,
-                            int a, double h)
+static double contact_error(const struct thud_state *state, const struct thud_collocation *x, int a, double h,
+                            double tolerance)
 {
     int c = x->active[a];
     const struct thud_contact_state *s = &state->contact[c];
-    double *p = seg->indentation + c * THUD_SEGMENT_TERMS, mass = state->model->contact[c].setup.mass_kg;
-    thud_segment_contact(state, seg, c);
-    if (s->suppressed.indentation > 0)
-        p[0] = 0; /* just touched, as the forces at the points take it */
-    double difference = force_difference(state, seg, x, c, p, h);
-    double error = thud_larger(difference / force_scale(state, x, a) - THUD_TOL_POLYNOMIAL, 0);
-    if (s->mode == THUD_CLOSED && s->phase == THUD_APPROACH && has_just_begun(p, seg->terms)) {
+    double mass = state->model->contact[c].setup.mass_kg, scale = force_scale(state, x, a),
+           difference = force_difference(state, x, a, h, 1e-2 * tolerance * scale);
+    double error = thud_larger(difference / scale - THUD_TOL_POLYNOMIAL, 0);
+    if (s->mode == THUD_CLOSED && s->phase == THUD_APPROACH && has_just_begun(state, x, a)) {
         double ground = state->fastest_radps > 0 ? state->ground_mps2 / state->fastest_radps : 0;
         double speed = s->memory.v_imp_mps < 1e-7 * ground ? ground : s->memory.v_imp_mps; /* pushed, or thrown */
         if (speed > 0)
@@ -260,20 +146,43 @@ static double contact_error(const struct thud_state *state, struct thud_segment 
     return error;
 }
 
-static double error_of_step(const struct thud_state *state, struct thud_segment *seg, const struct thud_collocation *x,
-                            double h)
+static double error_of_step(const struct thud_state *state, const struct thud_collocation *x, double h,
+                            double tolerance)
 {
     double worst = 0;
     for (int a = 0; a < x->nactive; a++)
-        worst = thud_larger(worst, contact_error(state, seg, x, a, h));
-    state->work->force_evaluations += x->nactive * (THUD_POINTS + 1) / 2;
+        worst = thud_larger(worst, contact_error(state, x, a, h, tolerance));
+    state->work->force_evaluations += x->nactive * (THUD_POINTS - NODES);
     return worst;
 }
 
-enum { NEWTON_MAX = 12, ITERATIONS_MAX = 12 };
-enum { PATIENCE = 16 };                  /* steps of one size before a longer one is tried */
-static const double longest_angle = 1.8; /* a step times the fastest mode: the series' terms are enough for that */
-static const double slowest_contraction = 0.3; /* of the Gauss-Seidel sweeps; slower ones are left to Newton's method */
+/* The error is measured in the middle between nodes; a law is dear, and most of the error lies in the first half. */
+static void set_points(struct thud_collocation *x)
+{
+    static const int interval[THUD_POINTS - NODES] = {0, 1, 2, 3, 5};
+    enum { n = NODES };
+    thud_radau_nodes(n, x->point);
+    thud_lagrange_coefficients(n, x->point, x->lagrange);
+    for (int i = 0; i < THUD_POINTS - n; i++) {
+        int right = interval[i];
+        double s = x->point[n + i] = 0.5 * (x->point[right] + (right > 0 ? x->point[right - 1] : 0));
+        for (int k = 0; k < n; k++) {
+            double value = 0;
+            for (int p = n - 1; p >= 0; p--)
+                value = value * s + x->lagrange[p * n + k];
+            x->between[i * n + k] = value;
+        }
+    }
+}
+
+/* The longest step: intervals of the ground motion, or parts of one, that a series is enough for. */
+static double longest_step(const struct thud_state *state)
+{
+    const double dt = state->grid_dt_s, intervals = longest_angle / (state->fastest_radps * dt);
+    if (intervals < 1)
+        return dt / ceil(1 / intervals);
+    return intervals >= 4 ? 4 * dt : intervals >= 2 ? 2 * dt : dt;
+}
 
 enum thud_status thud_collocation_create(const struct thud_state *state, struct thud_collocation **out,
                                          struct thud_error *err)
@@ -283,22 +192,15 @@ enum thud_status thud_collocation_create(const struct thud_state *state, struct 
     if (!x)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     x->nc = m->nrows;
-    x->nmodes = m->nmodes;
-    x->loads = m->couples ? m->nrows : 1;
-    x->h_top = state->grid_dt_s / fmax(1, ceil(state->fastest_radps * state->grid_dt_s / longest_angle));
-    x->h = x->h_top;
+    x->h = x->h_top = longest_step(state);
     x->contraction = slowest_contraction;
-    thud_radau_nodes(THUD_POINTS, x->node);
-    thud_lagrange_coefficients(THUD_POINTS, x->node, x->lagrange);
-    double check[THUD_POINTS];
-    for (int i = 0; i < THUD_POINTS; i++)
-        check[i] = 0.5 * (x->node[i] + (i > 0 ? x->node[i - 1] : 0));
-    thud_nodes_set(&x->nodes, THUD_POINTS, x->node, 1, THUD_SEGMENT_TERMS);
-    thud_nodes_set(&x->checks, THUD_POINTS, check, 1, THUD_SEGMENT_TERMS);
-    size_t f = THUD_POINTS * (size_t)m->nrows;
-    x->last = allocate(f, sizeof(double));
-    x->active = allocate((size_t)m->nrows, sizeof(int));
-    if (!x->last || !x->active || thud_segment_init(&x->seg, m, err) != THUD_OK) {
+    set_points(x);
+    size_t nc = (size_t)m->nrows;
+    x->step.coefficient = allocate((size_t)NODES * nc, sizeof(double));
+    x->step.of = allocate(nc, sizeof *x->step.of);
+    x->active = allocate(nc, sizeof(int));
+    if (!x->step.coefficient || !x->step.of || !x->active ||
+        thud_responses_create(m, x->point, x->lagrange, x->h_top, &x->responses, err) != THUD_OK) {
         thud_collocation_free(x);
         *out = NULL;
         return thud_error_set(err, THUD_MEMORY, "out of memory");
@@ -310,15 +212,9 @@ void thud_collocation_free(struct thud_collocation *x)
 {
     if (!x)
         return;
-    for (int l = 0; l < THUD_LEVELS; l++) {
-        for (int p = 0; x->pair[l] && p < x->nc * x->nc; p++)
-            if (!x->pair[l][p].shared)
-                free(x->pair[l][p].indentation);
-        free(x->pair[l]);
-        free(x->modal[l]);
-    }
-    free(x->last);
-    thud_segment_clear(&x->seg);
+    thud_responses_free(x->responses);
+    free(x->step.coefficient);
+    free(x->step.of);
     free(x->active);
     free(x->force);
     free(x->matrix);
@@ -326,13 +222,31 @@ void thud_collocation_free(struct thud_collocation *x)
     free(x);
 }
 
-void thud_collocation_committed(struct thud_collocation *x, double s, bool switched, bool touched)
+static struct branch_name name_of(const struct thud_contact_state *s)
 {
-    x->has_source = !switched;
-    x->source = s;
+    return (struct branch_name){thud_contact_acts(s), s->mode, s->phase, s->past_ultimate};
+}
+
+/* Forces of contacts that have switched say nothing about those that follow. */
+static void forget_switched(const struct thud_state *state, struct thud_collocation *x)
+{
+    for (int c = 0; c < x->nc; c++) {
+        struct branch_name *was = &x->step.of[c], is = name_of(&state->contact[c]);
+        was->known = was->known && is.known && was->mode == is.mode && was->phase == is.phase &&
+                     was->past_ultimate == is.past_ultimate;
+    }
+}
+
+void thud_collocation_committed(const struct thud_state *state, struct thud_collocation *x, double moved_s,
+                                bool switched, bool touched)
+{
+    x->step.done_s += moved_s;
     x->just_touched = touched;
-    if (switched)
-        x->contraction = slowest_contraction;
+    if (!switched)
+        return;
+    x->step.goes_on = false;
+    forget_switched(state, x);
+    x->contraction = slowest_contraction;
 }
 
 /* Room for n active contacts. */
@@ -340,7 +254,7 @@ static bool reserve(struct thud_collocation *x, int n)
 {
     if (n <= x->capacity)
         return true;
-    size_t size = (size_t)n * THUD_BATCH, unknowns = (size_t)n * THUD_POINTS;
+    size_t size = (size_t)n * THUD_POINTS, unknowns = (size_t)n * (size_t)NODES;
     double *block = allocate(5 * size + unknowns + 2 * (size_t)n, sizeof *block),
            *matrix = allocate(unknowns * unknowns, sizeof *matrix);
     lapack_int *pivot = allocate(unknowns, sizeof *pivot);
@@ -367,46 +281,55 @@ static bool reserve(struct thud_collocation *x, int n)
     return true;
 }
 
-/* Indentation and rate of the a-th active contact at the points under all forces: out of what they are without. */
-static void respond(const struct thud_collocation *x, const struct thud_response *row, int a)
-{
-    struct thud_batch d = thud_batch_at(x->d0 + a * THUD_BATCH), v = thud_batch_at(x->v0 + a * THUD_BATCH);
-    for (int b = 0; b < x->nactive; b++) {
-        const double *by_d = row[x->active[b]].indentation, *by_v = row[x->active[b]].rate;
-        for (int j = 0; j < THUD_POINTS; j++) {
-            double force = x->force[b * THUD_BATCH + j];
-            thud_batch_add(&d, force, by_d + j * THUD_BATCH);
-            thud_batch_add(&v, force, by_v + j * THUD_BATCH);
-        }
-    }
-    thud_batch_put(&d, x->d + a * THUD_BATCH);
-    thud_batch_put(&v, x->v + a * THUD_BATCH);
-}
-
+/* Indentation and rate of the active contacts at the first batch of points, or those behind it, under all forces: out of
+ * what they are without. */
 static void motion_under_forces(const struct thud_collocation *x, int level)
 {
-    for (int a = 0; a < x->nactive; a++)
-        respond(x, x->pair[level] + x->active[a] * x->nc, a);
+    for (int a = 0; a < x->nactive; a++) {
+        const struct thud_response *row = thud_responses_row(x->responses, level, x->active[a]);
+        struct thud_batch d = thud_batch_at(x->d0 + a * THUD_POINTS), v = thud_batch_at(x->v0 + a * THUD_POINTS);
+        for (int b = 0; b < x->nactive; b++) {
+            const struct thud_response *r = &row[x->active[b]];
+            for (int j = 0; j < NODES; j++) {
+                double force = x->force[b * THUD_POINTS + j];
+                thud_batch_add(&d, force, r->indentation + j * THUD_POINTS);
+                thud_batch_add(&v, force, r->rate + j * THUD_POINTS);
+            }
+        }
+        thud_batch_put(&d, x->d + a * THUD_POINTS);
+        thud_batch_put(&v, x->v + a * THUD_POINTS);
+    }
 }
 
-/* Makes the responses of the active contacts to each other at this step size. */
-static bool prepare_responses(const struct thud_state *state, struct thud_collocation *x, int level, double h)
+static void motion_behind(const struct thud_collocation *x, int level)
 {
-    for (int a = 0; a < x->nactive; a++)
-        for (int b = 0; b < x->nactive; b++)
-            if (!response_of(state, x, level, h, x->active[a], x->active[b]))
-                return false;
-    return true;
+    for (int a = 0; a < x->nactive; a++) {
+        const struct thud_response *row = thud_responses_row(x->responses, level, x->active[a]);
+        for (int i = THUD_BATCH; i < THUD_POINTS; i += 2) {
+            thud_double_pair d = thud_double_pair_at(x->d0 + a * THUD_POINTS + i),
+                             v = thud_double_pair_at(x->v0 + a * THUD_POINTS + i);
+            for (int b = 0; b < x->nactive; b++) {
+                const struct thud_response *r = &row[x->active[b]];
+                for (int j = 0; j < NODES; j++) {
+                    double force = x->force[b * THUD_POINTS + j];
+                    d += force * thud_double_pair_at(r->indentation + j * THUD_POINTS + i);
+                    v += force * thud_double_pair_at(r->rate + j * THUD_POINTS + i);
+                }
+            }
+            *(thud_double_pair *)(x->d + a * THUD_POINTS + i) = d;
+            *(thud_double_pair *)(x->v + a * THUD_POINTS + i) = v;
+        }
+    }
 }
 
 /* Residual of the force equations and their derivative by the forces (column-major). */
 static void linearize(const struct thud_state *state, struct thud_collocation *x, int level)
 {
-    int n = x->nactive * THUD_POINTS;
+    int n = x->nactive * NODES;
     for (int a = 0; a < x->nactive; a++) {
         const struct thud_contact_state *s = &state->contact[x->active[a]];
-        for (int i = 0; i < THUD_POINTS; i++) {
-            int row = a * THUD_POINTS + i, at = a * THUD_BATCH + i;
+        for (int i = 0; i < NODES; i++) {
+            int row = a * NODES + i, at = a * THUD_POINTS + i;
             double fd = 0, fv = -1, own = 0;
             if (s->mode == THUD_STICKING) {
                 x->residual[row] = x->v[at];
@@ -415,10 +338,10 @@ static void linearize(const struct thud_state *state, struct thud_collocation *x
                 x->residual[row] = x->force[at] - thud_branch_force(&s->branch, x->d[at], x->v[at], &fd, &fv);
             }
             for (int b = 0; b < x->nactive; b++) {
-                const struct thud_response *r = &x->pair[level][x->active[a] * x->nc + x->active[b]];
-                double *column = x->matrix + (size_t)(b * THUD_POINTS) * (size_t)n + row;
-                for (int j = 0; j < THUD_POINTS; j++, column += n)
-                    *column = -fd * r->indentation[j * THUD_BATCH + i] - fv * r->rate[j * THUD_BATCH + i];
+                const struct thud_response *r = &thud_responses_row(x->responses, level, x->active[a])[x->active[b]];
+                double *column = x->matrix + (size_t)(b * NODES) * (size_t)n + row;
+                for (int j = 0; j < NODES; j++, column += n)
+                    *column = -fd * r->indentation[j * THUD_POINTS + i] - fv * r->rate[j * THUD_POINTS + i];
             }
             x->matrix[(size_t)row * (size_t)n + (size_t)row] += own;
         }
@@ -430,8 +353,8 @@ static void linearize(const struct thud_state *state, struct thud_collocation *x
  * and by how much that moves with the force itself. */
 static double correction(const struct thud_state *state, const struct thud_collocation *x, int level, int a, int j)
 {
-    int c = x->active[a], at = a * THUD_BATCH + j, own = j * THUD_BATCH + j;
-    const struct thud_response *self = &x->pair[level][c * x->nc + c];
+    int c = x->active[a], at = a * THUD_POINTS + j, own = j * THUD_POINTS + j;
+    const struct thud_response *self = &thud_responses_row(x->responses, level, c)[c];
     double fd, fv, force = thud_branch_force(&state->contact[c].branch, x->d[at], x->v[at], &fd, &fv);
     double slope = 1 - fd * self->indentation[own] - fv * self->rate[own];
     return (force - x->force[at]) / (isfinite(slope) ? slope : 1);
@@ -441,14 +364,15 @@ static double correction(const struct thud_state *state, const struct thud_collo
 static void spread(struct thud_collocation *x, int level, int j)
 {
     for (int b = 0; b < x->nactive; b++) {
-        const struct thud_response *row = x->pair[level] + x->active[b] * x->nc;
-        struct thud_batch d = thud_batch_at(x->d + b * THUD_BATCH), v = thud_batch_at(x->v + b * THUD_BATCH);
+        const struct thud_response *row = thud_responses_row(x->responses, level, x->active[b]);
+        struct thud_batch d = thud_batch_at(x->d + b * THUD_POINTS), v = thud_batch_at(x->v + b * THUD_POINTS);
         for (int a = 0; a < x->nactive; a++) {
-            thud_batch_add(&d, x->change[a], row[x->active[a]].indentation + j * THUD_BATCH);
-            thud_batch_add(&v, x->change[a], row[x->active[a]].rate + j * THUD_BATCH);
+            const struct thud_response *r = &row[x->active[a]];
+            thud_batch_add(&d, x->change[a], r->indentation + j * THUD_POINTS);
+            thud_batch_add(&v, x->change[a], r->rate + j * THUD_POINTS);
         }
-        thud_batch_put(&d, x->d + b * THUD_BATCH);
-        thud_batch_put(&v, x->v + b * THUD_BATCH);
+        thud_batch_put(&d, x->d + b * THUD_POINTS);
+        thud_batch_put(&v, x->v + b * THUD_POINTS);
     }
 }
 
@@ -457,15 +381,15 @@ static void spread(struct thud_collocation *x, int level, int j)
 static double renew_forces(const struct thud_state *state, struct thud_collocation *x, int level)
 {
     double most = 0;
-    for (int j = 0; j < THUD_POINTS; j++) {
+    for (int j = 0; j < NODES; j++) {
         for (int a = 0; a < x->nactive; a++) {
             x->change[a] = correction(state, x, level, a, j);
-            x->force[a * THUD_BATCH + j] += x->change[a];
+            x->force[a * THUD_POINTS + j] += x->change[a];
             most = thud_larger(most, fabs(x->change[a]) / x->scale[a]);
         }
         spread(x, level, j);
     }
-    state->work->force_evaluations += x->nactive * THUD_POINTS;
+    state->work->force_evaluations += x->nactive * NODES;
     return most;
 }
 
@@ -500,7 +424,7 @@ static bool iterate(const struct thud_state *state, struct thud_collocation *x, 
 /* Newton's method for the forces. */
 static bool solve(const struct thud_state *state, struct thud_collocation *x, int level, double tolerance)
 {
-    int n = x->nactive * THUD_POINTS;
+    int n = x->nactive * NODES;
     double before = INFINITY;
     for (int iteration = 0; iteration < NEWTON_MAX; iteration++) {
         motion_under_forces(x, level);
@@ -510,66 +434,100 @@ static bool solve(const struct thud_state *state, struct thud_collocation *x, in
         double change = 0;
         for (int a = 0; a < x->nactive; a++) {
             double scale = force_scale(state, x, a);
-            for (int i = 0; i < THUD_POINTS; i++) {
-                x->force[a * THUD_BATCH + i] -= x->residual[a * THUD_POINTS + i];
-                change = thud_larger(change, fabs(x->residual[a * THUD_POINTS + i]) / scale);
+            for (int i = 0; i < NODES; i++) {
+                x->force[a * THUD_POINTS + i] -= x->residual[a * NODES + i];
+                change = thud_larger(change, fabs(x->residual[a * NODES + i]) / scale);
             }
         }
         if (!isfinite(change))
             return false;
         if (change <= tolerance ||
-            (change < THUD_TOL_COLLOCATION_STALL && change >= 0.5 * before)) /* or no better for rounding */
+            (change < THUD_TOL_COLLOCATION_STALL && change >= 0.5 * before)) { /* or no better for rounding */
+            motion_under_forces(x, level);
             return true;
+        }
         before = change;
     }
     return false;
 }
 
-/* First guess: the forces of the last segment go on; after a switch, or where the last segment was a sliver before a kink
- * of the ground motion, the force as it is now, with the indentation going on at its rate. */
+/* First guess: the forces of the last step go on where their contact has not switched; else the force as it is now, with
+ * the indentation going on at its rate. */
 static void guess(const struct thud_state *state, struct thud_collocation *x, double h)
 {
-    static const double farthest = 32; /* times the last segment: its sixth power is 1e9 */
-    x->has_source = x->has_source && h <= farthest * x->last_h;
-    if (!x->has_source)
-        thud_contact_forces(state, state->force_now);
+    static const double farthest = 32; /* times the last step: its sixth power is 1e9 */
+    const struct step *last = &x->step;
+    bool have_forces = false;
     for (int a = 0; a < x->nactive; a++) {
         int c = x->active[a];
         const struct thud_contact_state *s = &state->contact[c];
+        bool goes_on = last->of[c].known && last->done_s + h <= farthest * last->h;
+        if (!goes_on && !have_forces)
+            thud_contact_forces(state, state->force_now);
+        have_forces |= !goes_on;
         bool deeper = s->mode == THUD_CLOSED && s->phase == THUD_APPROACH;
         double d = thud_contact_indentation(state, c), v = thud_contact_rate(state, c);
-        for (int i = 0; i < THUD_POINTS; i++) {
-            double f = 0, at = x->source + x->node[i] * h / x->last_h;
-            if (x->has_source) {
-                for (int k = THUD_POINTS - 1; k >= 0; k--)
-                    f = f * at + x->last[k * x->nc + c];
+        for (int i = 0; i < NODES; i++) {
+            double f = 0, at = (last->done_s + x->point[i] * h) / last->h;
+            if (goes_on) {
+                for (int k = NODES - 1; k >= 0; k--)
+                    f = f * at + last->coefficient[k * x->nc + c];
             } else {
                 f = state->force_now[c];
                 if (deeper)
                     f = thud_larger(f,
-                                    0.5 * thud_branch_force(&s->branch, d + 0.5 * v * h * x->node[i], v, NULL, NULL));
+                                    0.5 * thud_branch_force(&s->branch, d + 0.5 * v * h * x->point[i], v, NULL, NULL));
             }
-            x->force[a * THUD_BATCH + i] = f;
+            x->force[a * THUD_POINTS + i] = f;
         }
     }
 }
 
-static void write_segment(const struct thud_state *state, struct thud_segment *seg, struct thud_collocation *x,
-                          double h)
+/* Keeps the forces at the nodes as polynomials of a step that begins at the state. */
+static void keep_step(const struct thud_state *state, struct thud_collocation *x, double h)
 {
-    const struct thud_model *m = state->model;
-    begin_segment(state, seg, h);
-    seg->loaded = THUD_POINTS;
+    for (int c = 0; c < x->nc; c++)
+        x->step.of[c] = name_of(&state->contact[c]);
     for (int a = 0; a < x->nactive; a++)
-        for (int p = 0; p < THUD_POINTS; p++) {
+        for (int p = 0; p < NODES; p++) {
             double f = 0;
-            for (int i = 0; i < THUD_POINTS; i++)
-                f += x->lagrange[p * THUD_POINTS + i] * x->force[a * THUD_BATCH + i];
-            seg->force[p * m->nrows + x->active[a]] = f;
+            for (int i = 0; i < NODES; i++)
+                f += x->lagrange[p * NODES + i] * x->force[a * THUD_POINTS + i];
+            x->step.coefficient[p * x->nc + x->active[a]] = f;
         }
-    memcpy(x->last, seg->force, THUD_POINTS * (size_t)x->nc * sizeof *x->last);
-    x->last_h = h;
-    thud_taylor_given(m, seg, state->q, state->qd);
+    x->step.h = h;
+    x->step.done_s = 0;
+}
+
+/* Forces of the step over the next h seconds of the state. */
+static void write_forces(const struct thud_collocation *x, double h, double *force)
+{
+    const struct step *step = &x->step;
+    double from = step->done_s / step->h, part = h / step->h;
+    for (int a = 0; a < x->nactive; a++) {
+        int c = x->active[a];
+        double p[NODES], scale = 1;
+        for (int k = 0; k < NODES; k++)
+            p[k] = step->coefficient[k * x->nc + c];
+        for (int i = 0; i + 1 < NODES && from > 0; i++) /* p(from + s) by Horner's scheme */
+            for (int k = NODES - 2; k >= i; k--)
+                p[k] += from * p[k + 1];
+        for (int k = 0; k < NODES; k++, scale *= part)
+            force[k * x->nc + c] = scale * p[k];
+    }
+}
+
+/* What of the step comes before the next kink. */
+static void write_segment(const struct thud_state *state, struct thud_segment *seg, struct thud_collocation *x)
+{
+    double left = x->step.h - x->step.done_s, remaining = thud_state_remaining(state);
+    double h = left > remaining * (1 - THUD_TOL_SEGMENT_END) ? remaining : left;
+    double least = fmin(1e-12, fmax(THUD_TOL_SERIES, 1e-9 * state->tolerance));
+    thud_segment_begin(state, seg, h);
+    seg->terms = thud_segment_terms(state->fastest_radps * h, least);
+    seg->loaded = NODES;
+    write_forces(x, h, seg->force);
+    thud_taylor_given(state->model, seg, state->q, state->qd);
 }
 
 static void find_active(const struct thud_state *state, struct thud_collocation *x)
@@ -580,12 +538,20 @@ static void find_active(const struct thud_state *state, struct thud_collocation 
             x->active[x->nactive++] = c;
 }
 
-/* Smallest level whose step is at most `want`, but no shorter than needed to reach the next kink. */
-static int level_for(const struct thud_collocation *x, double want, double remaining)
+/* Time to the end of the run or, before it, of the ground motion, which may end with a jump. */
+static double time_ahead(const struct thud_state *state)
+{
+    double ahead = state->end_s - thud_state_now(state);
+    long left = state->record ? (long)state->record->samples - 1 - state->grid : 0;
+    return left > 0 ? fmin(ahead, (double)left * state->grid_dt_s - state->offset_s) : ahead;
+}
+
+/* Smallest level whose step is at most `want`, but no shorter than needed to reach what ends the step. */
+static int level_for(const struct thud_collocation *x, double want, double ahead)
 {
     int level = 0;
     double h = x->h_top;
-    while (level + 1 < THUD_LEVELS && (h > want || 0.5 * h >= remaining)) {
+    while (level + 1 < LEVELS && (h > want || 0.5 * h >= ahead)) {
         h *= 0.5;
         level++;
     }
@@ -604,14 +570,12 @@ static enum thud_status too_short(const struct thud_state *state, const struct t
                           thud_state_now(state));
 }
 
-enum thud_status thud_collocation_step(const struct thud_state *state, struct thud_segment *seg,
-                                       struct thud_collocation *x, struct thud_error *err)
+/* A step accurate to the run's tolerance. */
+static enum thud_status make_step(const struct thud_state *state, struct thud_collocation *x, struct thud_error *err)
 {
-    find_active(state, x);
     if (!reserve(x, x->nactive))
         return thud_error_set(err, THUD_MEMORY, "out of memory");
-    double tolerance = thud_larger(0.1 * state->tolerance, THUD_TOL_COLLOCATION),
-           remaining = thud_state_remaining(state);
+    double tolerance = thud_larger(0.1 * state->tolerance, THUD_TOL_COLLOCATION), ahead = time_ahead(state);
     bool first = x->just_touched;
     if (first && x->h_touch > 0)
         x->h = fmin(x->h, x->h_touch);
@@ -621,29 +585,29 @@ enum thud_status thud_collocation_step(const struct thud_state *state, struct th
     }
     double before = INFINITY;
     for (int same = 0;;) {
-        int level = level_for(x, x->h, remaining);
+        int level = level_for(x, x->h, ahead);
         double want = x->h, h = ldexp(x->h_top, -level), error = INFINITY;
-        if (!prepare_responses(state, x, level, h))
-            return thud_error_set(err, THUD_MEMORY, "out of memory");
-        fill_unforced(state, x, h);
+        enum thud_status status = thud_responses_make(x->responses, level, x->active, x->nactive, err);
+        if (status != THUD_OK)
+            return status;
+        thud_responses_unforced(x->responses, state, level, ahead, x->active, x->nactive, x->d0, x->v0);
         guess(state, x, h);
-        bool converged = iterate(state, x, level, 1e-2 * tolerance) || solve(state, x, level, 1e-2 * tolerance);
-        x->has_source = x->has_source && !converged;
-        if (converged) {
-            write_segment(state, seg, x, h);
-            x->has_source = true; /* should it be too long, a shorter one begins with these forces */
-            x->source = 0;
-            error = error_of_step(state, seg, x, h);
+        if (iterate(state, x, level, 1e-2 * tolerance) || solve(state, x, level, 1e-2 * tolerance)) {
+            keep_step(state, x, h); /* should it be too long, a shorter one begins with these forces */
+            motion_behind(x, level);
+            error = error_of_step(state, x, h, tolerance);
+        } else {
+            memset(x->step.of, 0, (size_t)x->nc * sizeof *x->step.of);
         }
         double factor =
-            isfinite(error) ? 0.85 * pow(tolerance / thud_larger(error, 1e-5 * tolerance), 1.0 / THUD_POINTS) : 0.25;
+            isfinite(error) ? 0.85 * pow(tolerance / thud_larger(error, 1e-5 * tolerance), 1.0 / NODES) : 0.25;
         x->h = h * fmin(4, thud_larger(0.1, factor));
         same = error > 0.95 * before && error <= 100 * tolerance ? same + 1 : 0;
         before = error;
         if (same >= 2) /* no shorter step would have less of it: rounding, of rates where a contact is stiff */
             x->h = 4 * h;
         if (error <= tolerance || same >= 2) {
-            if (level > 0 && 2 * h <= want) /* only short because the next kink is near */
+            if (level > 0 && 2 * h <= want) /* only short because the end is near */
                 x->h = thud_larger(x->h, want);
             if (first)
                 x->h_touch = x->h;
@@ -653,7 +617,27 @@ enum thud_status thud_collocation_step(const struct thud_state *state, struct th
         }
         x->h = fmin(x->h, 0.5 * h);
         state->work->rejected++;
-        if (level + 1 >= THUD_LEVELS)
+        if (level + 1 >= LEVELS)
             return too_short(state, x, err);
     }
+}
+
+/* Whether what is left of the step is worth a piece of its own: it reaches the next kink. */
+static bool goes_on(const struct thud_state *state, const struct step *step)
+{
+    double left = step->h - step->done_s, remaining = thud_state_remaining(state);
+    bool at_kink = state->offset_s == 0;
+    return step->goes_on && left > (at_kink ? remaining * (1 - THUD_TOL_SEGMENT_END) : THUD_TOL_TIME * step->h);
+}
+
+enum thud_status thud_collocation_step(const struct thud_state *state, struct thud_segment *seg,
+                                       struct thud_collocation *x, struct thud_error *err)
+{
+    find_active(state, x);
+    enum thud_status status = goes_on(state, &x->step) ? THUD_OK : make_step(state, x, err);
+    if (status != THUD_OK)
+        return status;
+    x->step.goes_on = true;
+    write_segment(state, seg, x);
+    return THUD_OK;
 }

@@ -17,12 +17,13 @@ enum thud_status thud_collocation_create(const struct thud_state *state, struct 
                                          struct thud_error *err);
 void thud_collocation_free(struct thud_collocation *collocation);
 
-/* Fills state->seg with a step accurate to the run's tolerance. Errors: THUD_DIVERGED (no step is small enough),
- * THUD_MEMORY. */
+/* The next piece of a step that is accurate to the run's tolerance, up to a kink of the ground motion at most: of the
+ * one that goes on, else of a new one. Errors: THUD_DIVERGED (no step is small enough), THUD_MEMORY. */
 enum thud_status thud_collocation_step(const struct thud_state *state, struct thud_segment *seg,
                                        struct thud_collocation *collocation, struct thud_error *err);
-/* Told after the run committed up to s of its segment; `touched`: a contact has just closed, so that the next step has
+/* Told after the run committed so much of its segment; `touched`: a contact has just closed, so that the next step has
  * to be short. */
-void thud_collocation_committed(struct thud_collocation *collocation, double s, bool switched, bool touched);
+void thud_collocation_committed(const struct thud_state *state, struct thud_collocation *collocation, double moved_s,
+                                bool switched, bool touched);
 
 #endif

@@ -81,7 +81,7 @@ static double largest_force(struct thud_peaks *peaks, const struct thud_state *s
         if (c < m->ncontacts && !thud_contact_acts(&state->contact[c]))
             continue;
         double force = 0;
-        for (int k = 0; k < seg->terms; k++)
+        for (int k = 0; k < seg->loaded; k++)
             force += fabs(seg->force[k * m->nrows + c]);
         for (int side = 0; side < 2; side++) {
             const struct thud_model_side *at = side == 0 ? &contact->left : &contact->right;
@@ -101,9 +101,9 @@ static struct thud_response_bound bound_of_segment(struct thud_peaks *peaks, con
 {
     const struct thud_model *m = state->model;
     const struct thud_model_structure *p = &m->structure[structure];
-    double energy = 0, gamma = 0, force = largest_force(peaks, state, seg, p);
     if (seg->interpolates)
         return (struct thud_response_bound){INFINITY, INFINITY};
+    double energy = 0, gamma = 0, force = largest_force(peaks, state, seg, p);
     for (int j = p->first_mode; j < p->first_mode + p->modes; j++) {
         energy += state->qd[j] * state->qd[j] + m->omega[j] * m->omega[j] * state->q[j] * state->q[j];
         gamma += m->gamma[j] * m->gamma[j];

@@ -1,0 +1,40 @@
+/* How contacts move at the points of a step: without contact forces, and under each other's. Where damping does not
+ * couple modes, both are sums over modes with factors that depend on the step size alone: tables, made when first
+ * needed. */
+#ifndef THUD_CORE_RESPONSE_H
+#define THUD_CORE_RESPONSE_H
+
+#include "core/nodes.h"
+#include "core/state.h"
+
+struct thud_responses;
+
+/* Points of a step: the nodes, at which forces are unknown, and others behind them; the first of those is in one batch
+ * with the nodes, as far as an iteration for the forces goes. */
+enum { THUD_NODES = THUD_BATCH - 1, THUD_POINTS = THUD_BATCH + 4 };
+
+/* To the force at a node of another contact, or of the contact itself: (THUD_NODES x THUD_POINTS). */
+struct thud_response {
+    double *indentation, *rate;
+    bool shared; /* the memory is another's */
+};
+
+/* point (THUD_POINTS); lagrange (THUD_NODES x THUD_NODES): coefficients of the polynomials through the nodes. Steps:
+ * h_top / 2^level. Errors: THUD_MEMORY. */
+enum thud_status thud_responses_create(const struct thud_model *model, const double *point, const double *lagrange,
+                                       double h_top, struct thud_responses **out, struct thud_error *err);
+void thud_responses_free(struct thud_responses *responses);
+
+/* Makes the responses of these contacts to each other at this step size. Errors: THUD_MEMORY. */
+enum thud_status thud_responses_make(struct thud_responses *responses, int level, const int *contact, int n,
+                                     struct thud_error *err);
+/* Responses of contact a to the forces of every contact (nrows); those that are made. */
+const struct thud_response *thud_responses_row(const struct thud_responses *responses, int level, int a);
+
+/* Indentations and rates of these contacts at the points of a step from the state on, if no contact force acted: d, v
+ * (n x THUD_POINTS). Kinks of the ground motion before end_s lie inside the step. Only once responses of the level are
+ * made. */
+void thud_responses_unforced(struct thud_responses *responses, const struct thud_state *state, int level, double end_s,
+                             const int *contact, int n, double *d, double *v);
+
+#endif
