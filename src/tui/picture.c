@@ -36,8 +36,11 @@ void thud_tui_show_picture(struct thud_tui *tui, const struct thud_text *picture
         return;
     thud_image_draw(image, picture->data, picture->size, columns, rows - ROWS_BELOW, &out);
     struct thud_pane page = thud_canvas_pane(&tui->canvas);
-    thud_pane_print(&page, 1, rows - 1, thud_look(THUD_ROLE_PLAIN, 0), "%s", tui->written);
-    thud_pane_right(&page, columns, rows - 1, thud_look(THUD_ROLE_KEY, THUD_BOLD), "  any key goes back ");
+    const char *how = "any key goes back ";
+    char fitted[sizeof tui->written];
+    thud_utf8_fit(tui->written, columns - thud_utf8_columns(how) - 3, fitted, sizeof fitted);
+    thud_pane_put(&page, 1, rows - 1, thud_look(THUD_ROLE_PLAIN, 0), fitted);
+    thud_pane_right(&page, columns, rows - 1, thud_look(THUD_ROLE_KEY, THUD_BOLD), how);
     tui->backend->repaint(tui->backend);
     tui->backend->show(tui->backend, &tui->canvas);
     if (!out.failed) {

@@ -270,7 +270,7 @@ key() { # KEY WHAT PATTERN
 }
 key Down "goes to the next field" 'levels *▸'
 key Up "back to the field before" 'gap *▸'
-key End "to the last one" 'material-stiffness *▸'
+key End "to the last one" '▸law  *none'
 key Home "to the first one" 'gap *▸'
 key NPage "a page down" 'unloading *▸'
 key PPage "a page up" 'gap *▸'

@@ -244,6 +244,11 @@ START_TEST(a_long_study_waits)
     fixture_expect(&f, "gap=1 cm:3 cm:0.1 cm");
     fixture_expect(&f, "runs, about");
     fixture_expect_not(&f, "stopped");
+    f.tui->plain_s = 0.02; /* what histories took for Plots is nothing to a study */
+    f.tui->elapsed_s = 1e3;
+    fixture_keys(&f, "<Home><Enter><C-u>gap=1 cm:3 cm:0.2 cm<Enter>");
+    fixture_expect_not(&f, "runs, about");
+    fixture_expect(&f, "11 of 11 points");
 }
 END_TEST
 
