@@ -190,10 +190,20 @@ static double largest_of(const double *x, int n)
     return most;
 }
 
-double thud_segment_tail(const struct thud_segment *seg, int n)
+double thud_segment_tail(const struct thud_segment *seg, const struct thud_model *model)
 {
-    double all = largest_of(seg->q, seg->terms * n), last = largest_of(seg->q + (seg->terms - 2) * n, 2 * n);
-    return last == 0 ? 0 : last / all;
+    double tail = 0;
+    for (int s = 0; s < model->nstructures; s++) {
+        const struct thud_model_structure *p = &model->structure[s];
+        double all = 0, last = 0;
+        for (int k = 0; k < seg->terms; k++) {
+            double most = largest_of(seg->q + k * model->nmodes + p->first_mode, p->modes);
+            all = thud_larger(all, most);
+            last = k + 2 < seg->terms ? 0 : thud_larger(last, most);
+        }
+        tail = thud_larger(tail, last == 0 ? 0 : last / all);
+    }
+    return tail;
 }
 
 static void series_of(const struct thud_model *m, struct thud_segment *seg, const struct slice *of, const double *q,
@@ -273,7 +283,7 @@ double thud_taylor_linear(const struct thud_state *state, struct thud_segment *s
         if (state->contact[c].mode == THUD_CLOSED && state->contact[c].suppressed.indentation == 0)
             seg->known[c] = 0;
     /* fewer terms than there may be are enough by the bound of the fastest rate */
-    return seg->terms < THUD_SEGMENT_TERMS ? 0 : thud_segment_tail(seg, m->nmodes);
+    return seg->terms < THUD_SEGMENT_TERMS ? 0 : thud_segment_tail(seg, m);
 }
 
 void thud_segment_shorten(struct thud_segment *seg, int nmodes, int nrows, double factor)

@@ -57,8 +57,9 @@ void thud_taylor_load(const struct thud_model *model, struct thud_segment *seg, 
 /* The same from the run's state with the linear branches of its closed contacts, whose forces are found along with it.
  */
 double thud_taylor_linear(const struct thud_state *state, struct thud_segment *seg);
-/* Size of the last terms over the largest. */
-double thud_segment_tail(const struct thud_segment *seg, int nmodes);
+/* Size of the last terms over the largest, of the structure where it is worst: one may move by a micrometre beside another that
+ * moves by metres. */
+double thud_segment_tail(const struct thud_segment *seg, const struct thud_model *model);
 /* Shortens the segment to factor * h by scaling its coefficients. */
 void thud_segment_shorten(struct thud_segment *seg, int nmodes, int nrows, double factor);
 

@@ -229,9 +229,9 @@ static bool tolerance_matters(const struct scenes_one *one)
     return false;
 }
 
-/* Beside a body that moves by a metre, a building that moves by a micrometre is shaken by the rounding of where they
- * touch: its numbers are left out. */
-static void leave_out_rounding(struct subject *s)
+/* Dormand-Prince's tolerance is one of the whole motion: of a building that moves by a micrometre beside a body that moves
+ * by a metre it leaves two digits (SCENES_WIDE + 281). Such numbers are left out. */
+static void leave_out_small(struct subject *s)
 {
     static const double part = 1e-5;
     double most[THUD_STRUCTURES_MAX] = {0};
@@ -271,13 +271,14 @@ void scenes_check(unsigned long long seed, struct scenes_tally *tally)
         }
         check_same_bits(&s);
         check_sweep(&s);
-        if (tame && seed >= SCENES_WIDE)
-            leave_out_rounding(&s);
         if (tame) {
             check_tolerances(&s);
             check_symmetries(&s);
-            if (tally->slow)
+            if (tally->slow) {
+                if (seed >= SCENES_WIDE)
+                    leave_out_small(&s);
                 check_methods(&s);
+            }
         }
     } else {
         tally->failed++;

@@ -101,6 +101,17 @@ START_TEST(neighbours_at_rest_do_not_touch)
 }
 END_TEST
 
+/* A building that moves by a micrometre beside a body that moves by a metre: its series ended where its terms were small
+ * beside the body's, and its accelerations, 1e-7 m/s2, were off by 3e-4 of themselves. */
+START_TEST(series_end_by_each_structure)
+{
+    struct scenes_tally tally = {.only = "halved"};
+    scenes_check(SCENES_WIDE + 281, &tally);
+    ck_assert_int_eq(tally.wrong, 0);
+    ck_assert_int_eq(tally.wild, 0);
+}
+END_TEST
+
 /* Scenes that once had no answer, or none in any time: an indentation of rounding's size at first touch held against
  * one of 0 (38); steps made tiny by the next kink, or by a touch, that never grew again (119, 196, 226); a row
  * of bounces come to rest with a speed left over, which a force had to undo at once (1094, 2110, 2668); equal
@@ -234,6 +245,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, yielding_scenes);
     tcase_add_test(tcase, scenes_of_columns);
     tcase_add_loop_test(tcase, neighbours_at_rest_do_not_touch, 0, 5);
+    tcase_add_test(tcase, series_end_by_each_structure);
     tcase_add_test(tcase, a_held_contact_does_not_bounce);
     tcase_add_loop_test(tcase, scenes_that_lost_a_peak, 0, 2);
     tcase_add_loop_test(tcase, scenes_whose_answers_differed, 0, 2);
