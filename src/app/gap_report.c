@@ -61,14 +61,34 @@ static void put_head(const char *first, const char *last, struct thud_text *out)
     thud_text_append(out, "%s%s\n", *last ? "  " : "", last);
 }
 
+enum { NAME = 26, HEAD = 10 };
+
 /* In 26 columns; of a long name both ends. */
-static void put_name(const char *name, struct thud_text *out)
+static void cut(const char *name, int head, char text[NAME + 1])
 {
     size_t n = strlen(name);
-    if (n <= 26)
-        thud_text_append(out, "%-26s", name);
+    if (n <= NAME)
+        snprintf(text, NAME + 1, "%s", name);
     else
-        thud_text_append(out, "%.10s..%s", name, name + n - 14);
+        snprintf(text, NAME + 1, "%.*s..%s", head, name, name + n - (NAME - 2 - (size_t)head));
+}
+
+/* The name of a ground motion, with as much of its end as tells it from the others. */
+static void put_name(const struct thud_gap_suite *suite, int record, struct thud_text *out)
+{
+    char text[NAME + 1], other[NAME + 1];
+    bool alone = false;
+    for (int head = HEAD; head >= 0 && !alone; head--) {
+        alone = true;
+        cut(suite->record[record], head, text);
+        for (int r = 0; r < suite->nrecords && alone; r++) {
+            cut(suite->record[r], head, other);
+            alone = r == record || strcmp(suite->record[r], suite->record[record]) == 0 || strcmp(text, other) != 0;
+        }
+    }
+    if (!alone)
+        cut(suite->record[record], HEAD, text);
+    thud_text_append(out, "%-26s", text);
 }
 
 static void put_records(const struct thud_gap_suite *suite, struct thud_text *out)
@@ -77,7 +97,7 @@ static void put_records(const struct thud_gap_suite *suite, struct thud_text *ou
     put_head("widest of all levels (cm)", "at", out);
     for (int r = 0; r < suite->nrecords; r++) {
         int level = 0;
-        put_name(suite->record[r], out);
+        put_name(suite, r, out);
         for (int rule = THUD_GAP_RULES - 1; rule >= THUD_GAP_EXACT; rule--)
             thud_needed_gap_widest(suite->gap[r], 0, rule, &level);
         for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_RULES; rule++)

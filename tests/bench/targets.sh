@@ -108,11 +108,11 @@ at() { # CASE TOLERANCE KEY=VALUE...
     shift 2
     "$build/bench-time" towers "$case" "analysis.tolerance=$tolerance" "$@" | awk '{ print $1 }'
 }
-say "rubber / concrete, 10 cm, 1e-6" "$(ratio "$(five at bumper 1e-6)" "$(five at none 1e-6)")" times most 2.5
+say "rubber / concrete at 10 cm to 1e-6" "$(ratio "$(five at bumper 1e-6)" "$(five at none 1e-6)")" times most 2.5
 say "rubber at 1e-3 / at 1e-8" "$(ratio "$(five at bumper 1e-3)" "$(five at bumper 1e-8)")" times most 0.4
 say "clearance 0 / 10 cm: rubber" "$(ratio "$(five at bumper 1e-6 gap=5cm)" "$(five at bumper 1e-6)")" times most 3
 an_isolated_run() { "$build/bench-time" isolated-moat as-written | awk '{ print $1 }'; }
-say "an isolated building in its moat / concrete, 10 cm" "$(ratio "$(five an_isolated_run)" "$(five at none 1e-6)")" times most 2
+say "an isolated building in its moat / concrete at 10 cm" "$(ratio "$(five an_isolated_run)" "$(five at none 1e-6)")" times most 2
 a_tall_run() { # CASE: 100 storeys against 100, s
     "$build/bench-time" towers "$1" structures.1.mass=320t structures.1.storeys=100 structures.2.mass=320t structures.2.storeys=100 \
         structures.2.stiffness=420MN/m | awk '{ printf "%.3g\n", $1 / 1e3 }'
@@ -149,7 +149,7 @@ say "the same with tables" "$(grown --best gap)" times most 1.1
 
 for _ in 1 2 3 4 5; do sh "$here/study.sh" 5 first; done >"$out/study.txt" 2>&1
 study() { awk -v column="$1" '/^all shortcuts, 2 threads/ { print $column }' "$out/study.txt" | least; }
-say "369 runs of the study, 2 threads (wall)" "$(study 5)" s most 0.12
+say "369 runs of the study on 2 threads (wall)" "$(study 5)" s most 0.12
 say "369 runs of the study (processor time)" "$(study 7)" s most 0.5
 
 processor=$(sed -n 's/^model name[[:space:]]*: //p' /proc/cpuinfo 2>/dev/null | head -n 1)

@@ -22,6 +22,10 @@ touches() { "$THUD" run towers --case none --set "gap=$1 m" --json | grep -q '"i
 not() { ! "$@"; }
 is "a gap a millionth narrower is used up" touches "$(widest -1e-6)"
 is "a gap wider by 1e-9 is not" not touches "$(widest 1e-9)"
+mkdir "$tmp/alike"
+for number in 052 142; do cp records/northridge-surrogate.csv "$tmp/alike/northridge-1994-sylmar-converter-$number-noheader.csv"; done
+is "two of nearly the same long name" gives 0 gap towers --records "$tmp/alike" --signs both
+is "are told apart where they are cut" test "$(awk '/noheader/ { print $1 }' "$tmp/out" | sort -u | wc -l)" -eq 4
 is "wrong words are wrong usage" gives 2 gap towers --vary gap=5cm
 is "needs a preset" gives 2 gap
 
