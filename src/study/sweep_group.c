@@ -89,6 +89,15 @@ enum thud_status thud_sweep_model(const struct thud_scene *cased, struct thud_mo
     return status;
 }
 
+static enum thud_status model_of_case(const struct thud_sweep_plan *plan, const struct thud_scene *scene,
+                                      enum thud_case which, int variant, struct thud_scene *cased,
+                                      struct thud_model **model, struct thud_run_options *options,
+                                      struct thud_error *err)
+{
+    enum thud_status status = thud_sweep_case(plan, scene, which, variant, false, cased, err);
+    return status == THUD_OK ? thud_sweep_model(cased, model, options, err) : status;
+}
+
 /* Baseline g from the first point's scene; *cased: scratch. */
 static enum thud_status build_baseline(struct thud_sweep_group *group, int g, int record,
                                        const struct thud_scene *scene, struct thud_scene *cased, struct thud_error *err)
@@ -103,9 +112,10 @@ static enum thud_status build_baseline(struct thud_sweep_group *group, int g, in
     enum thud_case which = thud_sweep_has_bumper(scene) ? THUD_CASE_NONE : THUD_CASE_AS_WRITTEN;
     enum thud_status status = take_record(group->plan, baseline, scene, record, scale, err);
     if (status == THUD_OK)
-        status = thud_sweep_case(group->plan, scene, which, variant, false, cased, err);
-    if (status == THUD_OK)
-        status = thud_sweep_model(cased, &baseline->model, &options, err);
+        status = model_of_case(group->plan, scene, which, variant, cased, &baseline->model, &options, err);
+    if (status == THUD_INPUT && which == THUD_CASE_NONE) /* no contact closes: any law that the floors take will do */
+        status =
+            model_of_case(group->plan, scene, THUD_CASE_AS_WRITTEN, variant, cased, &baseline->model, &options, err);
     if (status == THUD_OK)
         status = thud_baseline_create(baseline->model, baseline->record, &options, &baseline->baseline, err);
     return status;

@@ -341,4 +341,9 @@ awk -F, '$5 == 0 { if ($9 > r[$15]) r[$15] = $9 } END { b = ""; for (v in r) if 
 sed -n 's/^worst of all,bumper,\([^,]*,[^,]*\),.*/\1/p' "$tmp/worst/best.csv" | cmp -s - "$tmp/by-hand"
 check "the worst of all records counts as one more" test $? -eq 0
 check "in the table too" grep -q "^  worst of all  *bumper  *[0-9]* cm" "$tmp/out"
+
+# rubber before a contact law of impulses, and columns that give: refused without the bumper, and only there
+"$THUD" sweep slab-against-columns --set contact.law=stereomechanical --cases as-written --vary gap=8cm,10cm --csv --quiet >"$tmp/out" 2>"$tmp/err"
+check "a study of rubber whose contact has a law of impulses" test $? -eq 0
+check "has its points" test "$(grep -c ',as-written,' "$tmp/out")" -eq 24
 echo "1..$n"
