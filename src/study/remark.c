@@ -182,7 +182,7 @@ static double fastest_mode(const struct thud_scene *scene)
 
 bool thud_scene_effort_remark(const struct thud_scene *scene, const struct thud_record *record, struct thud_error *out)
 {
-    /* measured on one processor of 2.1 GHz: 20 buildings of 200 storeys under 4001 samples, and a floor of 1 kg on
+    /* measured on one processor: 20 buildings of 200 storeys under 4001 samples, and a floor of 1 kg on
      * 1e4 MN/m; a large model is too dear to be made for its fastest mode alone */
     static const double each_floors_s = 5e-9, each_series_s = 5e-7, long_s = 5;
     static const int large = 1000;
