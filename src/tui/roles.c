@@ -26,73 +26,32 @@ enum {
     BRIGHT_CYAN
 };
 
-struct colors {
-    short of_256, of_16, of_8;
+/* Of each role, of 256, 16 and 8 colours: on a background that is not known, on black, on white. */
+enum { OF_256, OF_16, OF_8, DEPTHS };
+static const short table[THUD_ROLES][3 * DEPTHS] = {
+    [THUD_ROLE_PLAIN] = {TEXT, TEXT, TEXT, TEXT, TEXT, TEXT, TEXT, TEXT, TEXT},
+    [THUD_ROLE_TITLE] = {31, BRIGHT_BLUE, BLUE, 81, BRIGHT_CYAN, CYAN, 25, BLUE, BLUE},
+    [THUD_ROLE_BORDER] = {243, TEXT, TEXT, 245, TEXT, TEXT, 241, TEXT, TEXT},
+    [THUD_ROLE_MUTED] = {243, TEXT, TEXT, 247, TEXT, TEXT, 240, TEXT, TEXT},
+    [THUD_ROLE_VALUE] = {31, BRIGHT_BLUE, BLUE, 117, BRIGHT_CYAN, CYAN, 25, BLUE, BLUE},
+    [THUD_ROLE_GOOD] = {29, BRIGHT_BLUE, BLUE, 78, BRIGHT_GREEN, GREEN, 22, BLUE, BLUE},
+    [THUD_ROLE_WARN] = {166, MAGENTA, MAGENTA, 215, BRIGHT_YELLOW, YELLOW, 130, MAGENTA, MAGENTA},
+    [THUD_ROLE_ERROR] = {160, RED, RED, 203, BRIGHT_RED, RED, 124, RED, RED},
+    [THUD_ROLE_KEY] = {130, TEXT, TEXT, 180, BRIGHT_YELLOW, YELLOW, 94, TEXT, TEXT},
+    [THUD_ROLE_SERIES] = {32, BRIGHT_BLUE, BLUE, 39, BRIGHT_CYAN, CYAN, 25, BLUE, BLUE}, /* blue */
+    [THUD_ROLE_SERIES + 1] = {166, RED, RED, 208, BRIGHT_RED, RED, 130, RED, RED},       /* vermilion */
+    [THUD_ROLE_SERIES + 2] = {29, TEXT, TEXT, 42, BRIGHT_GREEN, GREEN, 23, TEXT, TEXT},  /* bluish green */
+    [THUD_ROLE_SERIES + 3] = {136, MAGENTA, MAGENTA, 214, BRIGHT_YELLOW, YELLOW, 94, MAGENTA, MAGENTA}, /* orange */
+    [THUD_ROLE_SERIES + 4] = {68, BRIGHT_BLUE, BLUE, 123, BRIGHT_CYAN, CYAN, 61, BLUE, BLUE},           /* sky blue */
+    [THUD_ROLE_SERIES + 5] = {169, MAGENTA, MAGENTA, 176, BRIGHT_MAGENTA, MAGENTA, 127, MAGENTA,
+                              MAGENTA},                                              /* reddish purple */
+    [THUD_ROLE_SERIES + 6] = {TEXT, TEXT, TEXT, TEXT, TEXT, TEXT, TEXT, TEXT, TEXT}, /* black */
+    [THUD_ROLE_SERIES + 7] = {132, RED, RED, 168, BRIGHT_RED, RED, 89, RED, RED},    /* wine */
 };
 
-static const struct colors both[THUD_ROLES] = {
-    [THUD_ROLE_PLAIN] = {TEXT, TEXT, TEXT},
-    [THUD_ROLE_TITLE] = {31, BRIGHT_BLUE, BLUE},
-    [THUD_ROLE_BORDER] = {243, TEXT, TEXT},
-    [THUD_ROLE_MUTED] = {243, TEXT, TEXT},
-    [THUD_ROLE_VALUE] = {31, BRIGHT_BLUE, BLUE},
-    [THUD_ROLE_GOOD] = {29, BRIGHT_BLUE, BLUE},
-    [THUD_ROLE_WARN] = {166, MAGENTA, MAGENTA},
-    [THUD_ROLE_ERROR] = {160, RED, RED},
-    [THUD_ROLE_KEY] = {130, TEXT, TEXT},
-    [THUD_ROLE_SERIES] = {32, BRIGHT_BLUE, BLUE},     /* blue */
-    [THUD_ROLE_SERIES + 1] = {166, RED, RED},         /* vermilion */
-    [THUD_ROLE_SERIES + 2] = {29, TEXT, TEXT},        /* bluish green */
-    [THUD_ROLE_SERIES + 3] = {136, MAGENTA, MAGENTA}, /* orange */
-    [THUD_ROLE_SERIES + 4] = {68, BRIGHT_BLUE, BLUE}, /* sky blue */
-    [THUD_ROLE_SERIES + 5] = {169, MAGENTA, MAGENTA}, /* reddish purple */
-    [THUD_ROLE_SERIES + 6] = {TEXT, TEXT, TEXT},      /* black */
-    [THUD_ROLE_SERIES + 7] = {132, RED, RED},         /* wine */
-};
-
-static const struct colors dark[THUD_ROLES] = {
-    [THUD_ROLE_PLAIN] = {TEXT, TEXT, TEXT},
-    [THUD_ROLE_TITLE] = {81, BRIGHT_CYAN, CYAN},
-    [THUD_ROLE_BORDER] = {245, TEXT, TEXT},
-    [THUD_ROLE_MUTED] = {247, TEXT, TEXT},
-    [THUD_ROLE_VALUE] = {117, BRIGHT_CYAN, CYAN},
-    [THUD_ROLE_GOOD] = {78, BRIGHT_GREEN, GREEN},
-    [THUD_ROLE_WARN] = {215, BRIGHT_YELLOW, YELLOW},
-    [THUD_ROLE_ERROR] = {203, BRIGHT_RED, RED},
-    [THUD_ROLE_KEY] = {180, BRIGHT_YELLOW, YELLOW},
-    [THUD_ROLE_SERIES] = {39, BRIGHT_CYAN, CYAN},
-    [THUD_ROLE_SERIES + 1] = {208, BRIGHT_RED, RED},
-    [THUD_ROLE_SERIES + 2] = {42, BRIGHT_GREEN, GREEN},
-    [THUD_ROLE_SERIES + 3] = {214, BRIGHT_YELLOW, YELLOW},
-    [THUD_ROLE_SERIES + 4] = {123, BRIGHT_CYAN, CYAN},
-    [THUD_ROLE_SERIES + 5] = {176, BRIGHT_MAGENTA, MAGENTA},
-    [THUD_ROLE_SERIES + 6] = {TEXT, TEXT, TEXT},
-    [THUD_ROLE_SERIES + 7] = {168, BRIGHT_RED, RED},
-};
-
-static const struct colors light[THUD_ROLES] = {
-    [THUD_ROLE_PLAIN] = {TEXT, TEXT, TEXT},
-    [THUD_ROLE_TITLE] = {25, BLUE, BLUE},
-    [THUD_ROLE_BORDER] = {241, TEXT, TEXT},
-    [THUD_ROLE_MUTED] = {240, TEXT, TEXT},
-    [THUD_ROLE_VALUE] = {25, BLUE, BLUE},
-    [THUD_ROLE_GOOD] = {22, BLUE, BLUE},
-    [THUD_ROLE_WARN] = {130, MAGENTA, MAGENTA},
-    [THUD_ROLE_ERROR] = {124, RED, RED},
-    [THUD_ROLE_KEY] = {94, TEXT, TEXT},
-    [THUD_ROLE_SERIES] = {25, BLUE, BLUE},
-    [THUD_ROLE_SERIES + 1] = {130, RED, RED},
-    [THUD_ROLE_SERIES + 2] = {23, TEXT, TEXT},
-    [THUD_ROLE_SERIES + 3] = {94, MAGENTA, MAGENTA},
-    [THUD_ROLE_SERIES + 4] = {61, BLUE, BLUE},
-    [THUD_ROLE_SERIES + 5] = {127, MAGENTA, MAGENTA},
-    [THUD_ROLE_SERIES + 6] = {TEXT, TEXT, TEXT},
-    [THUD_ROLE_SERIES + 7] = {89, RED, RED},
-};
-
-static const struct colors *of(enum thud_theme theme, int role)
+static const short *of(enum thud_theme theme, int role)
 {
-    return theme == THUD_THEME_DARK ? &dark[role] : theme == THUD_THEME_LIGHT ? &light[role] : &both[role];
+    return table[role] + DEPTHS * (theme == THUD_THEME_DARK ? 1 : theme == THUD_THEME_LIGHT ? 2 : 0);
 }
 
 const char *thud_theme_name(enum thud_theme theme)
@@ -103,15 +62,15 @@ const char *thud_theme_name(enum thud_theme theme)
 
 int thud_role_color(enum thud_theme theme, int role, int colors)
 {
-    const struct colors *c = of(theme, role);
+    const short *c = of(theme, role);
     if (theme == THUD_THEME_MONO)
         return TEXT;
     if (theme == THUD_THEME_16 && colors > 16)
         colors = 16;
-    return colors >= 256 ? c->of_256 : colors >= 16 ? c->of_16 : c->of_8;
+    return colors >= 256 ? c[OF_256] : colors >= 16 ? c[OF_16] : c[OF_8];
 }
 
 bool thud_role_bold(enum thud_theme theme, int role, int colors)
 {
-    return theme != THUD_THEME_MONO && theme != THUD_THEME_LIGHT && colors < 16 && of(theme, role)->of_8 == BLUE;
+    return theme != THUD_THEME_MONO && theme != THUD_THEME_LIGHT && colors < 16 && of(theme, role)[OF_8] == BLUE;
 }

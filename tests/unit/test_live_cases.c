@@ -134,7 +134,7 @@ START_TEST(each_is_there_as_soon_as_it_has_ended)
             ck_assert(now.peak[THUD_LIVE_BUMPER] != before.peak[THUD_LIVE_BUMPER]);
             ck_assert(thud_live_is_old(&live, THUD_LIVE_NONE) && !thud_live_is_old(&live, THUD_LIVE_BUMPER));
         }
-        ck_assert(seen > 0 || threads > 0); /* a thread may end them all between two looks */
+        ck_assert(seen > 0 || threads > 0);       /* a thread may end them all between two looks */
         ck_assert_uint_eq(live.ended - ended, 4); /* and the gap that is needed */
         ck_assert_double_eq_tol(progress, 1.0, 1e-12);
         expect_all_done();
