@@ -93,8 +93,9 @@ static void decode_kitty(const struct thud_text *raw, struct thud_text *picture,
         for (const char *c = body + 1; c < end; c += 4) {
             int value[4], n = 0;
             for (int i = 0; i < 4; i++) {
-                value[i] = digit_of(c[i]);
-                n += value[i] >= 0;
+                const int digit = digit_of(c[i]);
+                n += digit >= 0;
+                value[i] = digit >= 0 ? digit : 0; /* what fills up the last four */
             }
             const char byte[3] = {(char)(value[0] << 2 | value[1] >> 4), (char)(value[1] << 4 | value[2] >> 2),
                                   (char)(value[2] << 6 | value[3])};
