@@ -163,7 +163,7 @@ static struct sheet make_sheet(const struct thud_figure *figure, const struct th
                                struct thud_text *out)
 {
     struct sheet sheet = {.figure = figure, .out = out, .rows = figure->rows, .columns = figure->columns};
-    static const double dpi[] = {300.0, 96.0, PDF_DPI};
+    static const double dpi[] = {[THUD_PNG] = 300.0, [THUD_SVG] = 96.0, [THUD_PDF] = PDF_DPI, [THUD_SIXEL] = 96.0};
     bool paper = options->width_mm > 0.0;
     double inch = dpi[options->format], point = inch / 72.0;
     sheet.width = paper ? floor(options->width_mm / 25.4 * inch + 0.5) : options->width_px ? options->width_px : 1800;
