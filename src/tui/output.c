@@ -89,13 +89,14 @@ void thud_tui_file_name(struct thud_tui *tui, const char *what, const char *of_c
 static void begin(struct thud_tui *tui, struct thud_figure *const *figure, int count)
 {
     struct thud_error err;
+    char name[200], first[200];
     for (int i = 0; i < count; i++) {
-        char name[200];
         if (!figure[i])
             continue;
         thud_tui_file_name(tui, figure[i]->name, "", name, sizeof name);
         thud_figure_rename(figure[i], name);
     }
+    snprintf(first, sizeof first, "%s", count > 0 && figure[0] ? figure[0]->name : ""); /* the writer frees it */
     struct thud_picture_screen screen = {.format = THUD_PNG};
     if (count == 1)
         screen = thud_tui_picture_screen(tui);
@@ -110,7 +111,7 @@ static void begin(struct thud_tui *tui, struct thud_figure *const *figure, int c
     tui->writing_count = count;
     if (count == 1)
         snprintf(tui->written, sizeof tui->written, "%s/%.100s.png, .gp (draws it again) and .csv",
-                 thud_tui_folder(tui), figure[0]->name);
+                 thud_tui_folder(tui), first);
     else
         snprintf(tui->written, sizeof tui->written, "%d figures into %s: .png, .gp and .csv of each", count,
                  thud_tui_folder(tui));
