@@ -394,6 +394,15 @@ static void list_words(struct thud_tui *tui, const char *word)
         thud_tui_say(tui, THUD_ROLE_ERROR, "! \"%.40s\" is no command: %s", word, text);
 }
 
+/* A key of the scene, as `set` takes it. */
+static bool begins_with_key(const struct thud_tui *tui, const char *text)
+{
+    char key[THUD_VARY_KEY];
+    int floor;
+    snprintf(key, sizeof key, "%.*s", (int)strcspn(text, " ="), text);
+    return thud_scene_param(&tui->doc.scene, key, &floor) != NULL;
+}
+
 void thud_tui_command(struct thud_tui *tui, const char *text)
 {
     char copy[THUD_LINE_MAX], *word = copy;
@@ -417,7 +426,10 @@ void thud_tui_command(struct thud_tui *tui, const char *text)
                 thud_tui_act(tui, table[i].action);
             return;
         }
-    list_words(tui, first);
+    if (begins_with_key(tui, word))
+        run_set(tui, word);
+    else
+        list_words(tui, first);
 }
 
 void thud_tui_commands_text(struct thud_text *out)

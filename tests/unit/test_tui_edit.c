@@ -331,6 +331,10 @@ START_TEST(the_command_line)
     fixture_expect(&f, "did you mean :bench?");
     fixture_keys(&f, ":bogus 3<Enter>");
     fixture_expect(&f, "is no command");
+    fixture_keys(&f, ":gap 12 cm<Enter>");
+    ck_assert_double_eq_tol(scene()->interface[0].gap_m, 0.12, 1e-15);
+    fixture_keys(&f, ":structures.1.mass.2=310 t<Enter>");
+    ck_assert_double_eq_tol(scene()->structure[0].mass_kg[1], 310e3, 1e-6);
     fixture_keys(&f, ":set nokey 3<Enter>");
     fixture_expect(&f, " ! ");
     fixture_keys(&f, ":q!<Enter>");
