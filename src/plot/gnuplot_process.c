@@ -178,7 +178,7 @@ static bool out_of_time(struct child *child)
     double now = now_s();
     child->left_s -= fmin(now - child->seen_s, longest_turn_s);
     child->seen_s = now;
-    if (child->cancel && *child->cancel)
+    if (child->cancel && __atomic_load_n(child->cancel, __ATOMIC_RELAXED)) /* another thread may set it */
         child->state = CANCELLED;
     else if (child->left_s <= 0.0)
         child->state = LATE;
