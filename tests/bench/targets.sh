@@ -126,10 +126,10 @@ preset_ms() { # PRESET CASE KEY=VALUE...: median of a run of the preset, ms
 of_presets() { # PRESET CASE GAP CASE-OF-TOWERS GAP-OF-TOWERS: a preset's time over that of the towers, whose floors are aligned and elastic
     ratio "$(five preset_ms "$1" "$2" "gap=$3")" "$(five preset_ms towers "$4" "gap=$5")"
 }
-say "yielding / elastic storeys, 10 cm: concrete" "$(of_presets towers-yielding none 10cm none 10cm)" times most 3
-say "yielding / elastic storeys, 10 cm: rubber" "$(of_presets towers-yielding bumper 10cm bumper 10cm)" times most 3
-say "slab on columns / aligned, 10 cm: concrete" "$(of_presets slab-against-columns none 10cm none 10cm)" times most 2
-say "slab on columns / aligned, 10 cm: rubber" "$(of_presets slab-against-columns bumper 10cm bumper 10cm)" times most 2
+say "yielding / elastic storeys at 10 cm: concrete" "$(of_presets towers-yielding none 10cm none 10cm)" times most 3
+say "yielding / elastic storeys at 10 cm: rubber" "$(of_presets towers-yielding bumper 10cm bumper 10cm)" times most 3
+say "slab on columns / aligned at 10 cm: concrete" "$(of_presets slab-against-columns none 10cm none 10cm)" times most 2
+say "slab on columns / aligned at 10 cm: rubber" "$(of_presets slab-against-columns bumper 10cm bumper 10cm)" times most 2
 # 46,494 evaluations of forces against 46,623: the aligned towers have four contacts, and these eight
 say "the same against as many forces (at 6 cm)" "$(of_presets slab-against-columns bumper 10cm bumper 6cm)" times most 2
 
