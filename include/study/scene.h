@@ -198,6 +198,9 @@ void thud_scene_copy(struct thud_scene *to, const struct thud_scene *from);
  * THUD_INPUT when a case needs a bumper and there is none. */
 enum thud_status thud_scene_case(const struct thud_scene *scene, enum thud_case which, struct thud_scene *out,
                                  struct thud_error *err);
+/* The scene as it moves without pounding: no bumpers, and contacts without a force. */
+void thud_scene_drop_contacts(struct thud_scene *scene);
+bool thud_scene_has_bumper(const struct thud_scene *scene);
 const char *thud_case_name(enum thud_case which); /* "none", "bumper", "cavity", "as-written" */
 /* Errors: THUD_INPUT. */
 enum thud_status thud_case_find(const char *name, enum thud_case *out, struct thud_error *err);

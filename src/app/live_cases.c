@@ -79,27 +79,16 @@ void thud_live_fail(struct thud_live *live, const struct thud_error *why)
     }
 }
 
-static bool any_bumper(const struct thud_scene *scene)
-{
-    for (int i = 0; i + 1 < scene->nstructures; i++)
-        if (scene->interface[i].has_bumper)
-            return true;
-    return false;
-}
-
 /* The scene of a case; false where it has none. */
 static bool case_scene(const struct thud_scene *scene, enum thud_live_which which, struct thud_scene *out)
 {
     *out = *scene;
     if (which == THUD_LIVE_BUMPER)
-        return any_bumper(scene);
-    for (int i = 0; i + 1 < out->nstructures; i++) {
-        out->interface[i].has_bumper = false;
-        if (which == THUD_LIVE_FREE) {
-            out->interface[i].contact.law = thud_law_find("none");
-            memset(out->interface[i].contact.value, 0, sizeof out->interface[i].contact.value);
-        }
-    }
+        return thud_scene_has_bumper(scene);
+    if (which == THUD_LIVE_FREE)
+        thud_scene_drop_contacts(out);
+    else
+        thud_scene_case(scene, THUD_CASE_NONE, out, NULL);
     return true;
 }
 
@@ -113,7 +102,7 @@ static void need_start(struct thud_live *live, const struct thud_scene *scene, c
     for (int i = 0; i < THUD_STRUCTURES_MAX; i++)
         live->need[i] = (struct thud_live_need){NAN, NAN, NAN};
     if (bare) {
-        case_scene(scene, THUD_LIVE_NONE, bare);
+        case_scene(scene, THUD_LIVE_FREE, bare);
         if (thud_scene_assemble(bare, &live->apart, NULL) == THUD_OK &&
             thud_scene_options(bare, &options, NULL) == THUD_OK) {
             thud_baseline_create(live->apart, record, &options, &live->baseline, NULL);

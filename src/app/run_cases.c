@@ -51,10 +51,7 @@ static enum thud_status run_free(struct thud_session *session, const struct thud
     if (!kept)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     *kept = session->scene;
-    for (int i = 0; i + 1 < kept->nstructures; i++) {
-        session->scene.interface[i].has_bumper = false;
-        thud_law_choice_init(&session->scene.interface[i].contact, thud_law_find("none"));
-    }
+    thud_scene_drop_contacts(&session->scene);
     enum thud_status status =
         thud_session_run(session, THUD_CASE_AS_WRITTEN, options, &item->scene, &item->answer, err);
     session->scene = *kept;

@@ -14,28 +14,6 @@ static const double change = 0.05, tight_tolerance = 1e-10;
  * stiff. Steps and not seconds, so that a report is the same wherever it is made. */
 enum { STEPS_MOST = 1000000, STEPS_AT_A_TIME = 2000 };
 
-static bool has_bumper(const struct thud_scene *scene)
-{
-    for (int i = 0; i + 1 < scene->nstructures; i++)
-        if (scene->interface[i].has_bumper)
-            return true;
-    return false;
-}
-
-static void drop_bumpers(struct thud_scene *scene)
-{
-    for (int i = 0; i + 1 < scene->nstructures; i++)
-        scene->interface[i].has_bumper = false;
-}
-
-/* The scene whose buildings pass through each other. */
-static void free_scene(struct thud_scene *scene)
-{
-    drop_bumpers(scene);
-    for (int i = 0; i + 1 < scene->nstructures; i++)
-        thud_law_choice_init(&scene->interface[i].contact, thud_law_find("none"));
-}
-
 static void tell(const struct site *site, const char *what)
 {
     if (site->options->progress)
@@ -73,7 +51,7 @@ static enum thud_status run_cases(struct site *site, struct thud_error *err)
         const char *name, *words;
     } named[] = {{"no pounding", "without pounding"}, {"no bumper", "without bumper"}, {"bumper", "with the bumper"}};
     enum thud_status status = THUD_OK;
-    site->ncases = has_bumper(site->scene) ? SITE_CASES : SITE_BUMPER;
+    site->ncases = thud_scene_has_bumper(site->scene) ? SITE_CASES : SITE_BUMPER;
     for (int i = 0; i < site->ncases && status == THUD_OK; i++) {
         struct site_case *one = &site->cases[i];
         one->name = named[i].name;
@@ -83,9 +61,9 @@ static enum thud_status run_cases(struct site *site, struct thud_error *err)
             return thud_error_set(err, THUD_MEMORY, "out of memory");
         *one->scene = *site->scene;
         if (i == SITE_FREE)
-            free_scene(one->scene);
+            thud_scene_drop_contacts(one->scene);
         else if (i == SITE_NONE)
-            drop_bumpers(one->scene);
+            thud_scene_case(site->scene, THUD_CASE_NONE, one->scene, NULL);
         status = run_case(site, one, err);
     }
     site->own = &site->cases[site->ncases - 1];
@@ -218,7 +196,7 @@ static enum thud_status compute(struct site *site, struct thud_error *err)
         status =
             thud_sensitivity_run(site->own->scene, site->record, change, site->own->result, &site->sensitivity, err);
     }
-    site->varied = has_bumper(site->scene) ? THUD_STIFFNESS_BUMPER : THUD_STIFFNESS_CONTACT;
+    site->varied = thud_scene_has_bumper(site->scene) ? THUD_STIFFNESS_BUMPER : THUD_STIFFNESS_CONTACT;
     if (status == THUD_OK)
         status = stopped(site, err);
     if (status == THUD_OK)

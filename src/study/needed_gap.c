@@ -91,14 +91,6 @@ void thud_gap_levels(const struct thud_model *model, const struct thud_baseline_
     }
 }
 
-static bool has_bumper(const struct thud_scene *scene)
-{
-    for (int i = 0; i + 1 < scene->nstructures; i++)
-        if (scene->interface[i].has_bumper)
-            return true;
-    return false;
-}
-
 enum thud_status thud_needed_gap_run(const struct thud_scene *scene, const struct thud_record *record,
                                      struct thud_needed_gap **out, struct thud_error *err)
 {
@@ -110,10 +102,9 @@ enum thud_status thud_needed_gap_run(const struct thud_scene *scene, const struc
     *out = NULL;
     if (!bare)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
-    enum thud_status status =
-        thud_scene_case(scene, has_bumper(scene) ? THUD_CASE_NONE : THUD_CASE_AS_WRITTEN, bare, err);
-    if (status == THUD_OK)
-        status = thud_scene_check(bare, err);
+    thud_scene_copy(bare, scene);
+    thud_scene_drop_contacts(bare);
+    enum thud_status status = thud_scene_check(bare, err);
     if (status == THUD_OK)
         status = thud_scene_assemble(bare, &model, err);
     if (status == THUD_OK)

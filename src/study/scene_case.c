@@ -77,6 +77,22 @@ enum thud_status thud_scene_case(const struct thud_scene *scene, enum thud_case 
     return THUD_OK;
 }
 
+bool thud_scene_has_bumper(const struct thud_scene *scene)
+{
+    for (int i = 0; i + 1 < scene->nstructures; i++)
+        if (scene->interface[i].has_bumper)
+            return true;
+    return false;
+}
+
+void thud_scene_drop_contacts(struct thud_scene *scene)
+{
+    for (int i = 0; i + 1 < scene->nstructures; i++) {
+        scene->interface[i].has_bumper = false;
+        thud_law_choice_init(&scene->interface[i].contact, thud_law_find("none"));
+    }
+}
+
 double thud_interface_clearance(const struct thud_interface *interface)
 {
     static const double picometres = 1e12;

@@ -6,14 +6,6 @@
 #include "core/spectrum.h"
 #include "study/sweep_private.h"
 
-bool thud_sweep_has_bumper(const struct thud_scene *scene)
-{
-    for (int i = 0; i + 1 < scene->nstructures; i++)
-        if (scene->interface[i].has_bumper)
-            return true;
-    return false;
-}
-
 /* What the varied keys of the record ask for, over what was loaded. */
 static enum thud_status record_factor(const struct thud_sweep_plan *plan, const struct thud_scene *scene,
                                       const struct thud_record *record, double *out, struct thud_error *err)
@@ -89,15 +81,6 @@ enum thud_status thud_sweep_model(const struct thud_scene *cased, struct thud_mo
     return status;
 }
 
-static enum thud_status model_of_case(const struct thud_sweep_plan *plan, const struct thud_scene *scene,
-                                      enum thud_case which, int variant, struct thud_scene *cased,
-                                      struct thud_model **model, struct thud_run_options *options,
-                                      struct thud_error *err)
-{
-    enum thud_status status = thud_sweep_case(plan, scene, which, variant, false, cased, err);
-    return status == THUD_OK ? thud_sweep_model(cased, model, options, err) : status;
-}
-
 /* Baseline g from the first point's scene; *cased: scratch. */
 static enum thud_status build_baseline(struct thud_sweep_group *group, int g, int record,
                                        const struct thud_scene *scene, struct thud_scene *cased, struct thud_error *err)
@@ -109,13 +92,13 @@ static enum thud_status build_baseline(struct thud_sweep_group *group, int g, in
     int variant = g > 0 ? g + 2 : 0;
     bool changed = thud_sweep_variant(group->plan, variant, &change, &factor);
     double scale = changed && change == THUD_CHANGE_SCALE ? factor : 1;
-    enum thud_case which = thud_sweep_has_bumper(scene) ? THUD_CASE_NONE : THUD_CASE_AS_WRITTEN;
     enum thud_status status = take_record(group->plan, baseline, scene, record, scale, err);
     if (status == THUD_OK)
-        status = model_of_case(group->plan, scene, which, variant, cased, &baseline->model, &options, err);
-    if (status == THUD_INPUT && which == THUD_CASE_NONE) /* no contact closes: any law that the floors take will do */
-        status =
-            model_of_case(group->plan, scene, THUD_CASE_AS_WRITTEN, variant, cased, &baseline->model, &options, err);
+        status = thud_sweep_case(group->plan, scene, THUD_CASE_AS_WRITTEN, variant, false, cased, err);
+    if (status == THUD_OK) {
+        thud_scene_drop_contacts(cased);
+        status = thud_sweep_model(cased, &baseline->model, &options, err);
+    }
     if (status == THUD_OK)
         status = thud_baseline_create(baseline->model, baseline->record, &options, &baseline->baseline, err);
     return status;

@@ -50,7 +50,6 @@ enum thud_status thud_sweep_model(const struct thud_scene *cased, struct thud_mo
 
 /* Everything 0; NULL when out of memory. */
 struct thud_sweep_point *thud_sweep_point_create(int ncases, int nfloors, int ncontacts, int nvariants);
-bool thud_sweep_has_bumper(const struct thud_scene *scene);
 
 /* Of case k (k = ncases: no pounding) of a variant: (nfloors), (ncontacts). */
 static inline struct thud_sweep_floor *thud_sweep_floors(const struct thud_sweep_point *point, int variant, int k)

@@ -40,7 +40,7 @@ int thud_sweep_point_cases(const struct thud_sweep_plan *plan, const struct thud
         which[i] = plan->cases[i];
         none = none || which[i] == THUD_CASE_NONE;
     }
-    if (none || !thud_sweep_has_bumper(scene))
+    if (none || !thud_scene_has_bumper(scene))
         return plan->ncases;
     which[plan->ncases] = THUD_CASE_NONE;
     return plan->ncases + 1;

@@ -223,9 +223,7 @@ static int active_inputs(const struct thud_inputs *inputs, const struct thud_sce
                          enum thud_input input[THUD_INPUTS])
 {
     int n = 0;
-    bool bumper = false, interfaces = scene->nstructures > 1;
-    for (int i = 0; i + 1 < scene->nstructures; i++)
-        bumper |= scene->interface[i].has_bumper;
+    bool bumper = thud_scene_has_bumper(scene), interfaces = scene->nstructures > 1;
     for (int i = 0; i < THUD_INPUTS; i++) {
         bool none = inputs->size[i] == (infos[i].way == THUD_INPUT_FACTOR ? 1 : 0);
         bool there = i == THUD_INPUT_MOTION                                                ? scene->record.file[0]
@@ -320,7 +318,7 @@ enum thud_status thud_uncertainty_create(const struct thud_scene *scene, const s
                                          struct thud_uncertainty **out, struct thud_error *err)
 {
     struct thud_uncertainty *u = calloc(1, sizeof *u);
-    bool bumper = false;
+    bool bumper = thud_scene_has_bumper(scene);
     *out = NULL;
     if (!u)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
@@ -328,8 +326,6 @@ enum thud_status thud_uncertainty_create(const struct thud_scene *scene, const s
     u->record = record;
     u->inputs = *inputs;
     u->columns = has_struck(scene, false);
-    for (int i = 0; i + 1 < scene->nstructures; i++)
-        bumper |= scene->interface[i].has_bumper;
     if (bumper)
         u->which[u->ncases++] = THUD_CASE_NONE;
     if (!bumper || which != THUD_CASE_NONE)

@@ -8,14 +8,6 @@
 
 enum { FROM, TO, STEP, PARTS, VARY = PARTS, VALUES, KEYS, LIST = THUD_VARY_MAX * THUD_VARY_VALUES };
 
-static bool any_bumper(const struct thud_scene *scene)
-{
-    for (int i = 0; i + 1 < scene->nstructures; i++)
-        if (scene->interface[i].has_bumper)
-            return true;
-    return false;
-}
-
 void thud_study_words_of(const struct thud_scene *scene, struct thud_study_words *words)
 {
     const struct thud_study_choice *study = &scene->study;
@@ -33,7 +25,7 @@ void thud_study_words_of(const struct thud_scene *scene, struct thud_study_words
         return;
     snprintf(words->vary[0], sizeof words->vary[0], "%s=5 cm:25 cm:1 cm",
              scene->nstructures > 2 ? "interfaces.1.gap" : "gap");
-    snprintf(words->cases, sizeof words->cases, "%s", any_bumper(scene) ? "none,bumper" : "none");
+    snprintf(words->cases, sizeof words->cases, "%s", thud_scene_has_bumper(scene) ? "none,bumper" : "none");
 }
 
 /* Appends an item to a list in brackets. */
