@@ -83,14 +83,20 @@ static struct thud_style shown_style(const struct shown *of, enum thud_series_ki
         .kind = kind, .color = thud_live_color((enum thud_live_which)which), .thin = of->pinned, .dashed = of->pinned};
 }
 
+/* A curve of the case against what the caller fills in. */
+static struct thud_series *add_lines(struct thud_panel *panel, const struct shown *of, int which,
+                                     const struct thud_history *h)
+{
+    char name[48];
+    return thud_panel_add(panel, shown_style(of, THUD_LINES, which), shown_name(of, which, name), h->rows, NULL, NULL);
+}
+
 /* A column of the history, less another one where `minus` is not negative, times a factor. */
 static void add_history(struct thud_panel *panel, const struct shown *of, int which, int column, int minus,
                         double factor)
 {
     const struct thud_history *h = history_of(of->live, which);
-    char name[48];
-    struct thud_series *series =
-        thud_panel_add(panel, shown_style(of, THUD_LINES, which), shown_name(of, which, name), h->rows, NULL, NULL);
+    struct thud_series *series = add_lines(panel, of, which, h);
     for (size_t i = 0; series && i < h->rows; i++) {
         const double *row = h->value + i * (size_t)h->columns;
         series->x[i] = h->time_s[i];
@@ -183,12 +189,10 @@ static struct thud_figure *histories(const struct thud_live *live, const struct 
 static void add_loop(struct thud_panel *panel, const struct shown *of, int which, int contact)
 {
     const struct thud_history *h = history_of(of->live, which);
-    char name[48];
     if (!h || contact >= h->ncontacts)
         return;
     int force = thud_history_force(h, contact), depth = thud_history_indentation(h, contact);
-    struct thud_series *series =
-        thud_panel_add(panel, shown_style(of, THUD_LINES, which), shown_name(of, which, name), h->rows, NULL, NULL);
+    struct thud_series *series = add_lines(panel, of, which, h);
     for (size_t i = 0; series && i < h->rows; i++) {
         const double *row = h->value + i * (size_t)h->columns;
         bool touching = row[force] != 0.0;
@@ -222,13 +226,11 @@ static void add_hysteresis(struct thud_panel *panel, const struct shown *of, int
 {
     const struct thud_history *h = history_of(of->live, which);
     const struct thud_model *model = of->live->which[which].model;
-    char name[48];
     int storey = h && dof < model->ndof ? thud_plot_storey(model, dof) : -1;
     if (storey < 0)
         return;
     int drift = thud_history_storey_drift(h, storey), shear = thud_history_storey_shear(h, storey);
-    struct thud_series *series =
-        thud_panel_add(panel, shown_style(of, THUD_LINES, which), shown_name(of, which, name), h->rows, NULL, NULL);
+    struct thud_series *series = add_lines(panel, of, which, h);
     for (size_t i = 0; series && i < h->rows; i++) {
         const double *row = h->value + i * (size_t)h->columns;
         series->x[i] = 1e3 * row[drift];
