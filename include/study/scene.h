@@ -12,6 +12,12 @@
 enum { THUD_STOREYS_MAX = 200, THUD_STRUCTURES_MAX = 20, THUD_TEXT_MAX = 256, THUD_NAME_MAX = 64 };
 
 enum thud_structure_kind { THUD_SHEAR, THUD_RIGID, THUD_ISOLATED, THUD_WALL };
+/* Of storeys. */
+static inline bool thud_kind_is_building(enum thud_structure_kind kind)
+{
+    return kind == THUD_SHEAR || kind == THUD_ISOLATED;
+}
+
 /* How a struck place moves between the floors, and shares a slab's force: as a member clamped in both, or on the line
  * between them. */
 enum thud_column_shape { THUD_COLUMN_CLAMPED, THUD_COLUMN_LINEAR };

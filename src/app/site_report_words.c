@@ -18,7 +18,7 @@ const char *thud_site_name(const struct site *site, int structure)
 bool thud_site_is_building(const struct site *site, int structure)
 {
     enum thud_structure_kind kind = site->scene->structure[structure].kind;
-    return kind == THUD_SHEAR || kind == THUD_ISOLATED;
+    return thud_kind_is_building(kind);
 }
 
 const struct thud_contact_result *thud_site_strongest(const struct thud_result *r)

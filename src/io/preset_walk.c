@@ -270,7 +270,7 @@ static enum thud_status walk_structure(struct thud_preset *preset, int s, int no
     if (status != THUD_OK)
         return status;
     thud_structure_init(structure, structure->kind);
-    if (structure->kind == THUD_SHEAR || structure->kind == THUD_ISOLATED)
+    if (thud_kind_is_building(structure->kind))
         status = set_storeys(preset, node, path, err);
     if (status == THUD_OK)
         status = set_keys(preset, node, path, not_yet_set, err);

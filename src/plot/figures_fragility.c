@@ -131,7 +131,7 @@ struct thud_figure *thud_figure_of_ida(const struct thud_suite *suite, int axis,
     int structure[COLUMNS_MAX], columns = 0;
     char name[64], title[160];
     for (int s = 0; s < plan->scene.nstructures && columns < COLUMNS_MAX; s++)
-        if (plan->scene.structure[s].kind == THUD_SHEAR || plan->scene.structure[s].kind == THUD_ISOLATED)
+        if (thud_kind_is_building(plan->scene.structure[s].kind))
             structure[columns++] = s;
     snprintf(name, sizeof name, "ida-%s", thud_case_name(plan->cases[k]));
     snprintf(title, sizeof title, "Incremental dynamic analysis, %s", thud_case_title(plan->cases[k]));

@@ -6,11 +6,6 @@
 /* Floors closer in elevation than this stand at the same level; with what rounding makes of sums of heights. */
 static const double same_level_m = 0.01 * (1 + 1e-9);
 
-static bool is_building(const struct thud_structure *s)
-{
-    return s->kind == THUD_SHEAR || s->kind == THUD_ISOLATED;
-}
-
 int thud_structure_floors(const struct thud_structure *s)
 {
     switch (s->kind) {
@@ -28,7 +23,7 @@ int thud_structure_floors(const struct thud_structure *s)
 
 double thud_structure_elevation(const struct thud_structure *s, int floor)
 {
-    if (!is_building(s))
+    if (!thud_kind_is_building(s->kind))
         return s->height_m[0];
     double level = s->base_m;
     for (int i = 0; i < floor + (s->kind == THUD_SHEAR); i++)
@@ -52,7 +47,7 @@ static void fill(struct row *row, const struct thud_structure *s)
     for (int i = 0; i < row->n; i++) {
         if (i > 0 || s->kind == THUD_SHEAR)
             level += s->height_m[s->kind == THUD_SHEAR ? i : i - 1];
-        row->level_m[i] = is_building(s) ? level : s->height_m[0];
+        row->level_m[i] = thud_kind_is_building(s->kind) ? level : s->height_m[0];
     }
 }
 
@@ -137,13 +132,14 @@ int thud_interface_pairings(const struct thud_scene *scene, int interface, struc
     fill(&left, &scene->structure[interface]);
     fill(&right, &scene->structure[interface + 1]);
     left.alone = right.alone = scene->interface[interface].levels == THUD_LEVELS_ALIGNED;
-    if (is_building(left.structure) && is_building(right.structure))
+    if (thud_kind_is_building(left.structure->kind) && thud_kind_is_building(right.structure->kind))
         return meet_building(&left, &right, out);
-    if (!is_building(left.structure) && !is_building(right.structure)) { /* two walls do not meet */
+    if (!thud_kind_is_building(left.structure->kind) &&
+        !thud_kind_is_building(right.structure->kind)) { /* two walls do not meet */
         *out = (struct thud_pairing){.left_floor = left.n, .right_floor = right.n};
         return left.n + right.n > 0;
     }
-    bool building_left = is_building(left.structure);
+    bool building_left = thud_kind_is_building(left.structure->kind);
     const struct row *building = building_left ? &left : &right, *other = building_left ? &right : &left;
     if (other->structure->kind == THUD_WALL)
         return meet_wall(building, other->structure, building_left, out);

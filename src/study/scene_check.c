@@ -66,7 +66,7 @@ static enum thud_status check_value(const struct thud_param *param, double value
 static enum thud_status check_yield(const struct thud_structure *structure, int s, struct thud_error *err)
 {
     char key[64];
-    bool storeys = structure->kind == THUD_SHEAR || structure->kind == THUD_ISOLATED;
+    bool storeys = thud_kind_is_building(structure->kind);
     snprintf(key, sizeof key, "structures.%d.yield-shear", s + 1);
     for (int i = 0; i < structure->storeys && storeys; i++) {
         if (structure->yield_m[i] > 0 && structure->yield_shear_n[i] > 0) {
@@ -117,7 +117,7 @@ static enum thud_status check_group(const struct thud_scene *scene, int s, enum 
 static enum thud_status check_columns(const struct thud_scene *scene, int s, struct thud_error *err)
 {
     const struct thud_structure *structure = &scene->structure[s];
-    bool has = structure->kind == THUD_SHEAR || structure->kind == THUD_ISOLATED;
+    bool has = thud_kind_is_building(structure->kind);
     for (int i = 0; i < structure->storeys && has; i++) {
         char key[64];
         if (!(structure->column_ei_nm2[i] > 0) || !(structure->column_stiffness_npm[i] > 0))

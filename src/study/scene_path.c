@@ -255,7 +255,7 @@ bool thud_scene_by_floor(const struct thud_scene *scene, const char *path)
     if (thud_slot_find(scene, path, &slot, NULL) != THUD_OK || slot.place.store != THUD_STORE_FLOORS || slot.floor >= 0)
         return false;
     enum thud_structure_kind kind = scene->structure[slot.structure].kind;
-    return kind == THUD_SHEAR || kind == THUD_ISOLATED;
+    return thud_kind_is_building(kind);
 }
 
 const struct thud_param *thud_scene_param(const struct thud_scene *scene, const char *path, int *floor)

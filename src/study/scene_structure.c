@@ -87,8 +87,7 @@ enum thud_status thud_storeys_set(struct thud_structure *structure, int storeys)
 enum thud_status thud_kind_set(struct thud_structure *structure, enum thud_structure_kind kind)
 {
     struct thud_structure before = *structure;
-    bool storeys = kind == THUD_SHEAR || kind == THUD_ISOLATED,
-         had = before.kind == THUD_SHEAR || before.kind == THUD_ISOLATED;
+    bool storeys = thud_kind_is_building(kind), had = thud_kind_is_building(before.kind);
     if (kind == before.kind)
         return THUD_OK;
     thud_structure_init(structure, kind);
@@ -120,7 +119,7 @@ enum thud_status thud_kind_set(struct thud_structure *structure, enum thud_struc
 
 bool thud_structure_has_columns(const struct thud_structure *structure)
 {
-    bool storeys = structure->kind == THUD_SHEAR || structure->kind == THUD_ISOLATED;
+    bool storeys = thud_kind_is_building(structure->kind);
     for (int i = 0; i < structure->storeys && storeys; i++)
         if (structure->column_ei_nm2[i] > 0 || structure->column_stiffness_npm[i] > 0 ||
             structure->column_capacity_n[i] > 0)

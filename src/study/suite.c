@@ -75,7 +75,7 @@ static double drift_angle(const struct thud_structure *structure, const struct t
 {
     int first = structure->kind == THUD_ISOLATED;
     double most = 0;
-    if (structure->kind != THUD_SHEAR && structure->kind != THUD_ISOLATED)
+    if (!thud_kind_is_building(structure->kind))
         return NAN;
     for (int i = first; i < n; i++)
         most = fmax(most, floor[i].drift_m / structure->height_m[i - first]);

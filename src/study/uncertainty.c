@@ -135,16 +135,11 @@ static void change_storeys(struct thud_structure *p, enum thud_input input, doub
     }
 }
 
-static bool is_building(const struct thud_structure *s)
-{
-    return s->kind == THUD_SHEAR || s->kind == THUD_ISOLATED;
-}
-
 static void change_buildings(struct thud_scene *scene, enum thud_input input, double size, double u)
 {
     for (int s = 0; s < scene->nstructures; s++) {
         struct thud_structure *p = &scene->structure[s];
-        if (!is_building(p))
+        if (!thud_kind_is_building(p->kind))
             continue;
         if (input == THUD_INPUT_ELEVATION)
             p->base_m = s % 2 ? changed(input, p->base_m, size, u) : p->base_m;
@@ -214,7 +209,7 @@ static bool has_struck(const struct thud_scene *scene, bool given)
 static bool has_elevation(const struct thud_scene *scene)
 {
     for (int i = 0; i + 1 < scene->nstructures; i++)
-        if (is_building(&scene->structure[i | 1]))
+        if (thud_kind_is_building(scene->structure[i | 1].kind))
             return true;
     return false;
 }
@@ -274,7 +269,7 @@ static void add(struct thud_uncertainty *u, enum thud_case which, int structure,
 
 static bool yields(const struct thud_structure *s)
 {
-    for (int i = 0; is_building(s) && i < s->storeys; i++)
+    for (int i = 0; thud_kind_is_building(s->kind) && i < s->storeys; i++)
         if (isfinite(thud_structure_yield(s, i)))
             return true;
     return false;

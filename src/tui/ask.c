@@ -401,7 +401,7 @@ void thud_tui_fill_fields(struct thud_tui *tui)
     for (int i = 0; i < scene->nstructures; i++) {
         snprintf(prefix, sizeof prefix, "structures.%d", i + 1);
         add_group(tui, THUD_GROUP_STRUCTURE, prefix, i);
-        if (scene->structure[i].kind != THUD_SHEAR && scene->structure[i].kind != THUD_ISOLATED)
+        if (!thud_kind_is_building(scene->structure[i].kind))
             continue;
         snprintf(prefix, sizeof prefix, "structures.%d.column", i + 1);
         add_group(tui, THUD_GROUP_COLUMN, prefix, i);

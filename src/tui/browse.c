@@ -149,7 +149,7 @@ static void say_preset(struct thud_browse_item *item)
     size_t n = 0;
     for (int i = 0; i < scene->nstructures && n < sizeof item->about; i++) {
         const struct thud_structure *s = &scene->structure[i];
-        bool storeys = s->kind == THUD_SHEAR || s->kind == THUD_ISOLATED;
+        bool storeys = thud_kind_is_building(s->kind);
         if (storeys)
             n += (size_t)snprintf(item->about + n, sizeof item->about - n, "%s%d", i ? "+" : "", s->storeys);
         else

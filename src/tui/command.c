@@ -150,7 +150,7 @@ static void edit_scene(struct thud_tui *tui, const char *word, const char *rest)
         thud_scan_count(&at, &number[1]);
     }
     const struct thud_structure *s = number[0] >= 1 && number[0] <= n ? &scene->structure[number[0] - 1] : NULL;
-    bool storeys = s && (s->kind == THUD_SHEAR || s->kind == THUD_ISOLATED);
+    bool storeys = s && thud_kind_is_building(s->kind);
     if (strcmp(word, "storey") == 0 && storeys && add && s->storeys < THUD_STOREYS_MAX)
         thud_tui_add_storey(tui, number[0] - 1, number[1]);
     else if (strcmp(word, "storey") == 0 && storeys && other && number[1] >= 1 && number[1] <= s->storeys &&

@@ -79,11 +79,6 @@ static double reach(const struct thud_result *result, int s)
     return most;
 }
 
-static bool is_building(const struct thud_structure *structure)
-{
-    return structure->kind == THUD_SHEAR || structure->kind == THUD_ISOLATED;
-}
-
 /* Row of an elevation, dots. */
 static double row_of(const struct stage *stage, double level_m)
 {
@@ -93,9 +88,10 @@ static double row_of(const struct stage *stage, double level_m)
 /* Where a structure begins and ends, m; a wall or body that does not say how high it is has no end. */
 static void extent(const struct thud_structure *structure, double *base_m, double *top_m)
 {
-    *base_m = is_building(structure) ? structure->base_m : 0.0;
-    *top_m = is_building(structure) ? thud_structure_elevation(structure, thud_structure_floors(structure) - 1)
-                                    : structure->height_m[0];
+    *base_m = thud_kind_is_building(structure->kind) ? structure->base_m : 0.0;
+    *top_m = thud_kind_is_building(structure->kind)
+                 ? thud_structure_elevation(structure, thud_structure_floors(structure) - 1)
+                 : structure->height_m[0];
 }
 
 static double bounded_gap(const struct thud_scene *scene, int i)
@@ -176,10 +172,10 @@ static double contact_level(const struct stage *stage, const struct thud_model_c
     const double breast_m = 1.5; /* of a body of unknown height */
     bool of_left = thud_slab_is_left(contact->left_floor, contact->struck);
     if (contact->struck == 0 && of_left) /* a building's floors say more than a body does */
-        of_left = is_building(left) || !is_building(right);
+        of_left = thud_kind_is_building(left->kind) || !thud_kind_is_building(right->kind);
     const struct thud_structure *of = of_left ? left : right;
     double level = thud_structure_elevation(of, (of_left ? contact->left_floor : contact->right_floor) - 1);
-    if (is_building(of))
+    if (thud_kind_is_building(of->kind))
         return level;
     return isfinite(level) ? fmin(0.5 * level, breast_m) : breast_m;
 }

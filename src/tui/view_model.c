@@ -190,11 +190,6 @@ static int head_rows(struct thud_tui *tui, int index, const struct thud_pane *pa
 
 enum { SHAPE = 13, BUILDING = 14, LEAST_ROWS = 6 };
 
-static bool is_building(const struct thud_structure *structure)
-{
-    return structure->kind == THUD_SHEAR || structure->kind == THUD_ISOLATED;
-}
-
 /* What both buildings of the pair are drawn to: the rows below the longer table, and the elevations from the lower base
  * to the higher roof, so that floors at one level stand in one row. */
 struct elevation {
@@ -207,7 +202,7 @@ static struct elevation elevation_of(const struct thud_tui *tui, int pane_rows)
     struct elevation e = {pane_rows, INFINITY, -INFINITY};
     for (int s = tui->pair; s < tui->pair + 2 && s < tui->doc.scene.nstructures; s++) {
         const struct thud_structure *structure = &tui->doc.scene.structure[s];
-        if (!is_building(structure))
+        if (!thud_kind_is_building(structure->kind))
             continue;
         int table = (structure->kind == THUD_SHEAR ? 3 : 6) + 1 + structure->storeys + 2, rows = pane_rows - table - 2;
         e.rows = rows < e.rows ? rows : e.rows;
@@ -266,8 +261,8 @@ static void draw_shapes(struct thud_tui *tui, const struct thud_pane *pane, int 
     const struct thud_model_structure *m = model && s < model->nstructures ? &model->structure[s] : NULL;
     struct elevation e = elevation_of(tui, pane->h);
     struct thud_dots dots;
-    if (!m || !is_building(structure) || m->n != thud_structure_floors(structure) || !m->phi || e.rows < LEAST_ROWS ||
-        !(e.high_m > e.low_m) || !isfinite(e.high_m - e.low_m) || pane->scroll > 0)
+    if (!m || !thud_kind_is_building(structure->kind) || m->n != thud_structure_floors(structure) || !m->phi ||
+        e.rows < LEAST_ROWS || !(e.high_m > e.low_m) || !isfinite(e.high_m - e.low_m) || pane->scroll > 0)
         return;
     struct thud_pane area = thud_pane_inside(pane, 1, pane->h - 1 - e.rows, pane->w - 2, e.rows);
     if (thud_dots_init(&dots, &area, NULL) != THUD_OK)
@@ -293,7 +288,7 @@ static int draw_structure(struct thud_tui *tui, int index, const struct thud_pan
 {
     enum thud_structure_kind kind = tui->doc.scene.structure[s].kind;
     int y = head_rows(tui, index, pane, s);
-    if (kind == THUD_SHEAR || kind == THUD_ISOLATED)
+    if (thud_kind_is_building(kind))
         y = modes(tui, pane, floors(tui, index, pane, y, s), s);
     draw_shapes(tui, pane, s);
     return y;
@@ -359,7 +354,7 @@ static const char *cannot(struct thud_tui *tui, enum thud_action action)
 {
     const struct thud_scene *scene = &tui->doc.scene;
     int s = current(tui);
-    bool storeys = s >= 0 && (scene->structure[s].kind == THUD_SHEAR || scene->structure[s].kind == THUD_ISOLATED);
+    bool storeys = s >= 0 && thud_kind_is_building(scene->structure[s].kind);
     switch (action) {
     case THUD_DO_ALL_FLOORS:
         return current_floor(tui) ? NULL : "The cursor is on no floor's value";
