@@ -147,6 +147,9 @@ static inline int thud_model_row_structures(const struct thud_model *model, int 
 /* A bound of the rates of free motion of one structure, rad/s: its largest omega, or the rate of coupled damping. */
 double thud_model_fastest(const struct thud_model_structure *structure);
 
+/* Which of the storeys that yield is the one below this floor; -1: that is elastic, or there is none. */
+int thud_model_yielding(const struct thud_model *model, int dof);
+
 /* A floor's value from modal values (nmodes). */
 double thud_model_floor(const struct thud_model *model, int dof, const double *modal);
 /* Values of row c's two sides from modal values; 0 for a wall and the ground. */

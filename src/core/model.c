@@ -480,6 +480,14 @@ static inline double floor_value(const struct thud_model *model, int dof, const 
 }
 
 /* A floor's value from modal values: one dot product over its structure's modes. */
+int thud_model_yielding(const struct thud_model *model, int dof)
+{
+    for (int i = 0; i < model->nstoreys; i++)
+        if (model->structure[model->storey[i].structure].first + model->storey[i].floor == dof)
+            return i;
+    return -1;
+}
+
 double thud_model_floor(const struct thud_model *model, int dof, const double *modal)
 {
     return floor_value(model, dof, modal);

@@ -139,15 +139,6 @@ static void head(struct thud_text *out, const struct thud_scene *scene, const st
 /* Nodes: a floor's is its number from 1 over all structures, a structure's ground is 1001, 1002, ... */
 enum { GROUND = 1000 };
 
-/* The storey below a floor where it yields; NULL: elastic. */
-static const struct thud_model_storey *storey_of(const struct thud_model *model, int structure, int floor)
-{
-    for (int i = 0; i < model->nstoreys; i++)
-        if (model->storey[i].structure == structure && model->storey[i].floor == floor)
-            return &model->storey[i];
-    return NULL;
-}
-
 /* A storey's spring, with the number of the floor above it. */
 static void spring(struct thud_text *out, double stiffness_npm, const struct thud_model_storey *storey, int node,
                    int below)
@@ -181,8 +172,10 @@ static void nodes(struct thud_text *out, const struct thud_scene *scene, const s
             thud_text_append(out, "ops.node(%d, 0.0)\nops.mass(%d, ", node, node);
             number(out, model->mass_kg[m->first + i]);
             thud_text_append(out, ")\n");
+            int yielding = thud_model_yielding(model, m->first + i);
             if (m->stiffness_npm)
-                spring(out, m->stiffness_npm[i], storey_of(model, s, i), node, i == 0 ? GROUND + s + 1 : node - 1);
+                spring(out, m->stiffness_npm[i], yielding < 0 ? NULL : &model->storey[yielding], node,
+                       i == 0 ? GROUND + s + 1 : node - 1);
         }
     }
 }

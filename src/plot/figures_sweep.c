@@ -576,12 +576,13 @@ struct thud_figure *thud_figure_of_contacts(const struct thud_sweep_table *table
 
 /* ---- storeys that yield, columns that slabs strike ---- */
 
-/* Whether a storey of the structure yields in some run. */
-static bool yields(const struct thud_sweep_table *table, int structure)
+/* Whether some run has such a number: a storey of the structure yields, columns are struck at all, or their capacity is
+ * given. */
+static bool is_told(const struct thud_sweep_table *table, enum told told, int structure)
 {
     for (size_t i = 0; i < table->npoints; i++)
         for (int k = 0; k < table->point[i]->nruns; k++)
-            if (!isnan(told_of(table, i, k, TOLD_DUCTILITY, structure, THUD_SWEEP_VALUE)))
+            if (!isnan(told_of(table, i, k, told, structure, THUD_SWEEP_VALUE)))
                 return true;
     return false;
 }
@@ -589,18 +590,8 @@ static bool yields(const struct thud_sweep_table *table, int structure)
 static bool has_yielding(const struct thud_sweep_table *table)
 {
     for (int s = 0; s < table->nstructures; s++)
-        if (yields(table, s))
+        if (is_told(table, TOLD_DUCTILITY, s))
             return true;
-    return false;
-}
-
-/* Of some run: that they are struck at all, or that a capacity is given. */
-static bool has_columns(const struct thud_sweep_table *table, enum told told)
-{
-    for (size_t i = 0; i < table->npoints; i++)
-        for (int k = 0; k < table->point[i]->nruns; k++)
-            if (!isnan(told_of(table, i, k, told, 0, THUD_SWEEP_VALUE)))
-                return true;
     return false;
 }
 
@@ -619,7 +610,7 @@ static struct thud_figure *figure_of_yielding(const struct thud_sweep_table *tab
     int structure[COLUMNS_MAX], columns = columns_of(table, structure), n = 0;
     char text[512], head[160];
     for (int c = 0; c < columns; c++)
-        if (yields(table, structure[c]))
+        if (is_told(table, TOLD_DUCTILITY, structure[c]))
             structure[n++] = structure[c];
     snprintf(text, sizeof text, "%s: storeys that yield, the largest of each building",
              record_name(table, record, head));
@@ -642,7 +633,7 @@ static struct thud_figure *figure_of_yielding(const struct thud_sweep_table *tab
 
 static struct thud_figure *figure_of_struck_columns(const struct thud_sweep_table *table, int record, const char *name)
 {
-    bool capacity = has_columns(table, TOLD_CAPACITY);
+    bool capacity = is_told(table, TOLD_CAPACITY, 0);
     char text[512], head[160];
     snprintf(text, sizeof text, "%s: columns that slabs strike", record_name(table, record, head));
     struct thud_figure *figure = thud_figure_create(name, text, 1, capacity ? 2 : 1);
@@ -841,7 +832,7 @@ static struct list list_of(const struct thud_sweep_table *table)
     }
     if (one && has_yielding(table))
         l.of_record[l.last++] = YIELDING;
-    if (one && has_columns(table, TOLD_SHEAR))
+    if (one && is_told(table, TOLD_SHEAR, 0))
         l.of_record[l.last++] = STRUCK_COLUMNS;
     return l;
 }

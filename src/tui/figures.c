@@ -19,14 +19,6 @@ int thud_plot_count(const struct thud_scene *scene)
     return THUD_PLOTS - !thud_scene_yields(scene);
 }
 
-int thud_plot_storey(const struct thud_model *model, int dof)
-{
-    for (int i = 0; i < model->nstoreys; i++)
-        if (model->structure[model->storey[i].structure].first + model->storey[i].floor == dof)
-            return i;
-    return -1;
-}
-
 static const char *file_name(enum thud_plot plot)
 {
     static const char *const name[] = {
@@ -226,7 +218,7 @@ static void add_hysteresis(struct thud_panel *panel, const struct shown *of, int
 {
     const struct thud_history *h = history_of(of->live, which);
     const struct thud_model *model = of->live->which[which].model;
-    int storey = h && dof < model->ndof ? thud_plot_storey(model, dof) : -1;
+    int storey = h && dof < model->ndof ? thud_model_yielding(model, dof) : -1;
     if (storey < 0)
         return;
     int drift = thud_history_storey_drift(h, storey), shear = thud_history_storey_shear(h, storey);
@@ -243,7 +235,7 @@ static struct thud_figure *hysteresis(const struct thud_live *live, const struct
 {
     const struct thud_model *model = live->which[THUD_LIVE_NONE].model;
     char title[160];
-    if (sight->dof < 0 || thud_plot_storey(model, sight->dof) < 0) {
+    if (sight->dof < 0 || thud_model_yielding(model, sight->dof) < 0) {
         *why = "This storey is elastic: ] and [ lead to those that yield";
         return NULL;
     }

@@ -15,8 +15,6 @@ enum thud_plot {
 const char *thud_plot_title(enum thud_plot plot);
 /* How many of them the scene has: the last one is of storeys that yield. */
 int thud_plot_count(const struct thud_scene *scene);
-/* The storey below floor `dof` among those that yield; -1: it is elastic. */
-int thud_plot_storey(const struct thud_model *model, int dof);
 
 /* What is looked at: a contact of the model (from 0, -1: none) and a floor by its dof. */
 struct thud_sight {

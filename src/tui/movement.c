@@ -249,7 +249,7 @@ static const struct thud_model_contact *pressing(const struct stage *stage, int 
 /* Both columns of a storey (from 0): kinked where it yielded, by way of the slab's edge where one presses them in. */
 static void draw_storey(struct stage *stage, int s, int storey, struct storey at, struct thud_look look)
 {
-    int yielding = thud_plot_storey(stage->model, stage->model->structure[s].first + storey);
+    int yielding = thud_model_yielding(stage->model, stage->model->structure[s].first + storey);
     double plastic = 0.0, drift = 0.0, yield = 0.0, body = stage->body - 1.0;
     if (yielding >= 0) {
         plastic = value_at(stage->history, thud_history_storey_plastic(stage->history, yielding), stage->t);

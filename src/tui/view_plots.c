@@ -199,7 +199,7 @@ static void other_sight(struct thud_tui *tui, int step)
         *at = of_contact ? &p->sight.contact : &p->sight.dof;
     for (int i = 0; i < n; i++) {
         *at = (*at + step + n) % n;
-        if (p->plot != THUD_PLOT_HYSTERESIS || thud_plot_storey(c->model, *at) >= 0)
+        if (p->plot != THUD_PLOT_HYSTERESIS || thud_model_yielding(c->model, *at) >= 0)
             break; /* others have no loop */
     }
     p->floor_chosen |= !of_contact;
