@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/largest.h"
+
 enum thud_status thud_record_create(const double *a_mps2, size_t samples, double dt_s, struct thud_record **out,
                                     struct thud_error *err)
 {
@@ -39,7 +41,7 @@ double thud_record_peak(const struct thud_record *record)
 {
     double peak = 0;
     for (size_t i = 0; i < record->samples; i++)
-        peak = fmax(peak, fabs(record->a_mps2[i]));
+        peak = thud_larger(peak, fabs(record->a_mps2[i]));
     return peak;
 }
 
@@ -49,9 +51,9 @@ double thud_record_speed(const struct thud_record *r)
     for (size_t i = 0; r && i + 1 < r->samples; i++) {
         double a = r->a_mps2[i], b = r->a_mps2[i + 1];
         if (a * b < 0)
-            most = fmax(most, fabs(v + 0.5 * r->dt_s * a * (a / (a - b))));
+            most = thud_larger(most, fabs(v + 0.5 * r->dt_s * a * (a / (a - b))));
         v += 0.5 * r->dt_s * (a + b);
-        most = fmax(most, fabs(v));
+        most = thud_larger(most, fabs(v));
     }
     return most;
 }

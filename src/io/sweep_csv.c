@@ -37,7 +37,7 @@ static bool shown(const struct thud_sweep_plan *plan, int axis, bool outer)
 
 static void put_number(struct thud_text *out, double value)
 {
-    thud_text_append(out, ",");
+    thud_text_bytes(out, ",", 1);
     if (!isnan(value))
         thud_text_number(out, value);
 }

@@ -1,9 +1,12 @@
 /* A growing text holds what was appended, byte for byte, whatever its length. */
 #include <check.h>
+#include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/quantity.h"
 #include "base/text.h"
 #include "base/utf8.h"
 
@@ -39,6 +42,50 @@ START_TEST(numbers_read_back_the_same)
         thud_text_number(&text, values[i]);
         ck_assert(strtod(text.data, NULL) == values[i]);
         thud_text_clear(&text);
+    }
+}
+END_TEST
+
+/* What the C library writes: the fewest of 15, 16 and 17 digits that it reads as the same number. */
+static void shortest(double value, char text[40])
+{
+    for (int digits = 15; digits <= 17; digits++) {
+        snprintf(text, 40, "%.*g", digits, value);
+        if (strtod(text, NULL) == value)
+            return;
+    }
+}
+
+static void check_shortest(double value)
+{
+    char expected[40], text[40];
+    shortest(value, expected);
+    thud_number_format(value, text, sizeof text);
+    ck_assert_msg(strcmp(text, expected) == 0, "%s is written as %s", expected, text);
+}
+
+/* Random numbers of every size that a study writes, decimal numbers and their neighbours, powers of 2 and theirs, and
+ * numbers halfway between two of 15 to 17 digits. */
+START_TEST(numbers_have_the_fewest_digits)
+{
+    uint64_t state = 1;
+    for (int i = 0; i < 200000; i++) {
+        state = state * 6364136223846793005U + 1442695040888963407U;
+        double unit = 1 + ldexp((double)(state >> 12), -52), sign = i % 2 ? -1 : 1;
+        check_shortest(sign * ldexp(unit, i % 70 - 20));
+        double decimal = (double)(state >> 40) / pow(10, i % 11);
+        check_shortest(decimal);
+        check_shortest(nextafter(decimal, INFINITY));
+        check_shortest(nextafter(decimal, 0));
+        check_shortest((double)(2 * (state >> 18) + 1) / (double)(1 << i % 8));
+    }
+    for (int k = -30; k < 60; k++)
+        for (int side = -1; side <= 1; side++)
+            check_shortest(side == 0 ? ldexp(1, k) : nextafter(ldexp(1, k), side > 0 ? INFINITY : 0));
+    for (int k = -6; k < 18; k++) {
+        check_shortest(nextafter(pow(10, k), 0));
+        check_shortest(nextafter(pow(10, k), INFINITY));
+        check_shortest(-pow(10, k));
     }
 }
 END_TEST
@@ -161,6 +208,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, grows_past_every_capacity);
     tcase_add_test(tcase, utf8_characters);
     tcase_add_test(tcase, numbers_read_back_the_same);
+    tcase_add_test(tcase, numbers_have_the_fewest_digits);
     tcase_add_test(tcase, csv_fields_are_no_formulas);
     tcase_add_test(tcase, what_a_terminal_obeys_is_not_shown);
     suite_add_tcase(suite, tcase);
