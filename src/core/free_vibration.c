@@ -35,16 +35,18 @@ static bool allocate(struct thud_free_vibration *f, const struct thud_model *m)
     size_t n = (size_t)m->nmodes, floors = (size_t)m->ndof, ns = (size_t)m->nstructures,
            rows = (n + THUD_FREE_VIBRATION_BATCH - 1) / THUD_FREE_VIBRATION_BATCH * THUD_FREE_VIBRATION_BATCH,
            count = 0;
-    double **by_mode[4 + 4 + 7 + 4 + 3 + 1];
-    double **by_end[] = {&f->q, &f->qd, &f->spring}, **single[] = {&f->gap, &f->energy, &f->ground, &f->after};
+    double **by_mode[4 + 4 + 4 + 2 * THUD_FREE_VIBRATION_PRODUCTS + 4];
+    double **by_end[] = {&f->q, &f->qd, &f->spring}, **single[] = {&f->gap, &f->ground, &f->after};
     size_t ends = sizeof by_end / sizeof *by_end, singles = sizeof single / sizeof *single;
     for (int i = 0; i < 4; i++) {
         by_mode[count++] = &f->e[i];
         by_mode[count++] = &f->p[i];
         by_mode[count++] = &f->work[i];
     }
-    for (int i = 0; i < 7; i++)
+    for (int i = 0; i < THUD_FREE_VIBRATION_PRODUCTS; i++) {
         by_mode[count++] = &f->viscous[i];
+        by_mode[count++] = &f->product[i];
+    }
     by_mode[count++] = &f->now;
     by_mode[count++] = &f->now_rate;
     by_mode[count++] = &f->speed;
@@ -53,10 +55,10 @@ static bool allocate(struct thud_free_vibration *f, const struct thud_model *m)
         calloc(count * rows + (ends * rows + THUD_FLOOR_QUANTITIES * floors + singles) * (size_t)ENDS +
                    2 * THUD_FLOOR_QUANTITIES * ns + (size_t)m->ncontacts + (m->couples ? BOUNDS * n : 0),
                sizeof *next);
-    f->valued = calloc(ns + (size_t)m->ncontacts + 1, sizeof *f->valued);
+    f->placed = calloc(2 * ns + (size_t)m->ncontacts + 1, sizeof *f->placed);
     f->at = calloc(ns + 1, sizeof *f->at);
     f->coupled = calloc(ns + 1, sizeof *f->coupled);
-    if (!next || !f->valued || !f->at || !f->coupled)
+    if (!next || !f->placed || !f->at || !f->coupled)
         return false;
     for (size_t i = 0; i < count; i++, next += rows)
         *by_mode[i] = next;
@@ -70,6 +72,7 @@ static bool allocate(struct thud_free_vibration *f, const struct thud_model *m)
     f->cubic_margin = f->margin + THUD_FLOOR_QUANTITIES * ns;
     f->limit = f->cubic_margin + THUD_FLOOR_QUANTITIES * ns;
     f->bound = f->limit + m->ncontacts;
+    f->valued = f->placed + ns;
     f->near = f->valued + ns;
     return true;
 }
@@ -227,7 +230,7 @@ void thud_free_vibration_free(struct thud_free_vibration *f)
     for (int s = 0; s < f->nstructures; s++)
         thud_coupled_flight_clear(&f->coupled[s]);
     free(f->coupled);
-    free(f->valued);
+    free(f->placed);
     free(f->at);
     free(f->block);
     free(f);
@@ -235,12 +238,13 @@ void thud_free_vibration_free(struct thud_free_vibration *f)
 
 /* The block. */
 
-/* The recurrence of several modes at once: one mode alone is a chain in which each interval depends on the one before. */
-static inline void batched_recurrence(struct thud_free_vibration *f, int j, int intervals, bool shifted)
+/* The recurrence of `count` modes at once: one mode alone is a chain in which each interval depends on the one before. */
+static inline void batched_recurrence(struct thud_free_vibration *f, int j, const int count, int intervals,
+                                      bool shifted)
 {
     enum { N = THUD_FREE_VIBRATION_BATCH };
     double *q = f->q + j * ENDS, *qd = f->qd + j * ENDS, x[N], v[N], e[4][N], p[4][N], by_shift[2][N];
-    for (int i = 0; i < N; i++) {
+    for (int i = 0; i < count; i++) {
         x[i] = q[i * ENDS];
         v[i] = qd[i * ENDS];
         for (int k = 0; k < 4; k++) {
@@ -252,19 +256,30 @@ static inline void batched_recurrence(struct thud_free_vibration *f, int j, int 
     }
     for (int t = 0; t < intervals; t++) {
         double a0 = f->ground[t], a1 = f->after[t], next[N];
-        for (int i = 0; i < N; i++)
+        for (int i = 0; i < count; i++)
             next[i] = (e[0][i] * x[i] + e[1][i] * v[i]) + (p[0][i] * a0 + p[1][i] * a1);
-        for (int i = 0; i < N; i++)
+        for (int i = 0; i < count; i++)
             v[i] = (e[2][i] * x[i] + e[3][i] * v[i]) + (p[2][i] * a0 + p[3][i] * a1);
-        for (int i = 0; i < N && shifted; i++) {
+        for (int i = 0; i < count && shifted; i++) {
             next[i] += by_shift[0][i];
             v[i] += by_shift[1][i];
         }
-        for (int i = 0; i < N; i++) {
+        for (int i = 0; i < count; i++) {
             q[i * ENDS + t + 1] = x[i] = next[i];
             qd[i * ENDS + t + 1] = v[i];
         }
     }
+}
+
+/* All modes; the last batch may be half empty. */
+static inline void recurrence(struct thud_free_vibration *f, int intervals, bool shifted)
+{
+    enum { N = THUD_FREE_VIBRATION_BATCH };
+    int j = 0;
+    for (; j + N / 2 < f->n; j += N)
+        batched_recurrence(f, j, N, intervals, shifted);
+    if (j < f->n)
+        batched_recurrence(f, j, N / 2, intervals, shifted);
 }
 
 /* Where the modes would rest under the constant forces: s = -g F/omega^2. */
@@ -295,32 +310,73 @@ static void march(struct thud_free_vibration *f, const struct thud_state *state,
         f->q[j * ENDS] = state->q[j];
         f->qd[j * ENDS] = state->qd[j];
     }
-    for (int j = 0; j < f->n; j += THUD_FREE_VIBRATION_BATCH) {
-        if (f->shifted)
-            batched_recurrence(f, j, intervals, true);
-        else
-            batched_recurrence(f, j, intervals, false);
-    }
+    if (f->shifted)
+        recurrence(f, intervals, true);
+    else
+        recurrence(f, intervals, false);
     for (int s = 0; s < state->model->nstructures; s++) {
         const int row = state->model->structure[s].first_mode * ENDS;
         if (f->coupled[s].size > 0)
             thud_coupled_flight_march(&f->coupled[s], f->q + row, f->qd + row, ENDS, f->ground, f->after, intervals);
     }
-    memset(f->valued, 0, (size_t)state->model->nstructures * sizeof *f->valued);
+    memset(f->placed, 0, 2 * (size_t)state->model->nstructures * sizeof *f->placed); /* and valued */
     for (int i = 0; i < state->model->nstructures; i++)
         f->at[i].piece = -1;
     thud_segment_begin(state, &f->seg, f->dt_s / f->pieces); /* the forces, constant in the block */
     f->ends = intervals + 1;
 }
 
-/* Largest energy norm sqrt(q'^2 + omega^2 (q - s)^2) of mode j at the ends. */
-static double largest_speed(const struct thud_free_vibration *f, int j, double omega, int ends)
+/* Sums over intervals of products of a mode's motion (x = q - s) and of the ground's, of which the energies of a block
+ * are made; and the largest energy norm squared, q'^2 + omega^2 x^2, at their starts. */
+struct products {
+    thud_double_pair xx, xv, vv, x0, x1, v0, v1;
+    double most[2];
+};
+
+static inline void add_products(struct products *p, thud_double_pair x, thud_double_pair v, thud_double_pair a0,
+                                thud_double_pair a1, double w2)
 {
-    const double *q = f->q + j * ENDS, *qd = f->qd + j * ENDS;
-    double w2 = omega * omega, s = f->shift[j];
-    for (int t = 0; t < ends; t++)
-        f->energy[t] = qd[t] * qd[t] + w2 * (q[t] - s) * (q[t] - s);
-    return sqrt(thud_largest_size(f->energy, ends));
+    const thud_double_pair xx = x * x, vv = v * v, energy = vv + w2 * xx;
+    p->xx += xx;
+    p->xv += x * v;
+    p->vv += vv;
+    p->x0 += x * a0;
+    p->x1 += x * a1;
+    p->v0 += v * a0;
+    p->v1 += v * a1;
+    p->most[0] = energy[0] > p->most[0] ? energy[0] : p->most[0];
+    p->most[1] = energy[1] > p->most[1] ? energy[1] : p->most[1];
+}
+
+/* Of mode j over the first intervals of the block, its sums into f->product; returns the largest norm squared. */
+static double sum_products(struct thud_free_vibration *f, int j, double omega, int intervals)
+{
+    const double *q = f->q + j * ENDS, *qd = f->qd + j * ENDS, *a0 = f->ground, *a1 = f->after;
+    const double w2 = omega * omega, s = f->shift[j];
+    struct products p = {0};
+    int t = 0;
+    for (; t + 2 <= intervals; t += 2)
+        add_products(&p, thud_double_pair_at(q + t) - s, thud_double_pair_at(qd + t), thud_double_pair_at(a0 + t),
+                     thud_double_pair_at(a1 + t), w2);
+    if (t < intervals)
+        add_products(&p, (thud_double_pair){q[t] - s, 0}, (thud_double_pair){qd[t], 0}, (thud_double_pair){a0[t], 0},
+                     (thud_double_pair){a1[t], 0}, w2);
+    const thud_double_pair sum[] = {p.xx, p.xv, p.vv, p.x0, p.x1, p.v0, p.v1};
+    for (int i = 0; i < THUD_FREE_VIBRATION_PRODUCTS; i++)
+        f->product[i][j] = sum[i][0] + sum[i][1];
+    return thud_larger(p.most[0], p.most[1]);
+}
+
+/* Sums of the modes and their largest speeds in the block. */
+static void sum_block(struct thud_free_vibration *f, const struct thud_model *m, int intervals)
+{
+    for (int j = 0; j < f->n; j++) {
+        const double w2 = m->omega[j] * m->omega[j], x = f->q[j * ENDS + intervals] - f->shift[j],
+                     v = f->qd[j * ENDS + intervals];
+        const double most = thud_larger(sum_products(f, j, m->omega[j], intervals), v * v + w2 * x * x);
+        f->speed[j] = sqrt(most);
+    }
+    f->summed = intervals;
 }
 
 /* Values at the ends of `count` floors from those of their modes, by four ends at a time (rows are long enough): the
@@ -355,12 +411,20 @@ static void floor_rows(struct thud_free_vibration *f, const struct thud_model_st
         some_rows(p, i, 1, from, ends, to + (size_t)i * ENDS);
 }
 
+void thud_free_vibration_displacements(struct thud_free_vibration *f, const struct thud_model *m, int structure)
+{
+    if (!f->placed[structure])
+        floor_rows(f, &m->structure[structure], THUD_FLOOR_DISPLACEMENT, f->q, f->ends);
+    f->placed[structure] = true;
+}
+
 void thud_free_vibration_values(struct thud_free_vibration *f, const struct thud_model *m, int structure)
 {
     const struct thud_model_structure *p = &m->structure[structure];
     if (f->valued[structure])
         return;
     f->valued[structure] = true;
+    thud_free_vibration_displacements(f, m, structure);
     for (int j = p->first_mode; j < p->first_mode + p->modes; j++) {
         const double *q = f->q + j * ENDS, *qd = f->qd + j * ENDS;
         double *a = f->spring + j * ENDS, s = f->shift[j];
@@ -380,14 +444,6 @@ void thud_free_vibration_values(struct thud_free_vibration *f, const struct thud
         for (int t = 0; t < f->ends; t++)
             drift[t] = !p->stiffness_npm ? 0 : i > 0 ? u[t] - (u - ENDS)[t] : u[t];
     }
-}
-
-static void displacements(struct thud_free_vibration *f, const struct thud_model *m)
-{
-    for (int s = 0; s < m->nstructures; s++)
-        floor_rows(f, &m->structure[s], THUD_FLOOR_DISPLACEMENT, f->q, f->ends);
-    for (int j = 0; j < f->n; j++)
-        f->speed[j] = largest_speed(f, j, m->omega[j], f->ends);
 }
 
 double thud_free_vibration_jerk(const struct thud_free_vibration *f, const struct thud_model *m, int structure,
@@ -592,14 +648,23 @@ static double side_value(const struct thud_model_side *side, const double *u)
     return value + (side->below < 0 ? 0 : (1 - side->share) * u[(size_t)side->below * ENDS]);
 }
 
-double thud_free_vibration_side(struct thud_free_vibration *f, const struct thud_model_side *side, int ends,
-                                double *margin)
+double thud_free_vibration_side(struct thud_free_vibration *f, const struct thud_model *model,
+                                const struct thud_model_side *side, int ends, double *margin)
 {
+    thud_free_vibration_displacements(f, model, side->structure);
     const double *u = f->value[THUD_FLOOR_DISPLACEMENT];
     *margin = f->margin[side->structure];
     for (int t = 0; t < ends; t++)
         f->gap[t] = fabs(side_value(side, u + t));
     return thud_largest(f->gap, ends);
+}
+
+/* How far the displacement of one side less that of the other, also of what lies between two floors, may lie above its
+ * values at the ends. */
+static double gap_margin(const struct thud_free_vibration *f, const struct thud_model_contact *p)
+{
+    return (p->left_dof < 0 ? 0 : f->margin[p->left.structure]) +
+           (p->right_dof < 0 ? 0 : f->margin[p->right.structure]);
 }
 
 double thud_free_vibration_gap(struct thud_free_vibration *f, const struct thud_model *model, int c, int ends,
@@ -609,8 +674,11 @@ double thud_free_vibration_gap(struct thud_free_vibration *f, const struct thud_
     const double *u = f->value[THUD_FLOOR_DISPLACEMENT];
     const double *left = p->left_dof < 0 ? NULL : u + (size_t)p->left_dof * ENDS;
     const double *right = p->right_dof < 0 ? NULL : u + (size_t)p->right_dof * ENDS;
-    *margin = left ? f->margin[p->left.structure] : 0; /* also of what lies between two floors */
-    *margin += right ? f->margin[p->right.structure] : 0;
+    *margin = gap_margin(f, p);
+    if (left)
+        thud_free_vibration_displacements(f, model, p->left.structure);
+    if (right)
+        thud_free_vibration_displacements(f, model, p->right.structure);
     if (p->struck != 0) {
         for (int t = 0; t < ends; t++)
             f->gap[t] = side_value(&p->left, u + t) - side_value(&p->right, u + t);
@@ -621,18 +689,31 @@ double thud_free_vibration_gap(struct thud_free_vibration *f, const struct thud_
     return thud_largest(f->gap, ends);
 }
 
+/* What the modes of the block can bring the sides of contact c together by, each at its largest speed; no number where
+ * one of them is a free body's. */
+static double gap_bound(const struct thud_free_vibration *f, const struct thud_model *m, int c)
+{
+    const double *g = m->jacobian + c * f->n;
+    double sum = 0;
+    for (int j = 0; j < f->n; j++)
+        sum += fabs(g[j]) * f->speed[j] / m->omega[j] + g[j] * f->shift[j];
+    return sum;
+}
+
 /* Gaps above which the contacts may close in an interval; whether any comes so far in the block. */
 static bool set_limits(struct thud_free_vibration *f, const struct thud_state *state, int intervals)
 {
     bool any = false;
     for (int c = 0; c < state->model->ncontacts; c++) {
+        const struct thud_model_contact *p = &state->model->contact[c];
+        const double limit = thud_state_clearance(state, c) - gap_margin(f, p);
+        double margin;
         f->limit[c] = INFINITY;
-        if (state->model->contact[c].law->flags & THUD_LAW_NO_FORCE)
+        if (p->law->flags & THUD_LAW_NO_FORCE || gap_bound(f, state->model, c) <= limit)
             continue;
-        double margin, most = thud_free_vibration_gap(f, state->model, c, intervals + 1, &margin);
-        if (most <= thud_state_clearance(state, c) - margin)
+        if (thud_free_vibration_gap(f, state->model, c, intervals + 1, &margin) <= limit)
             continue;
-        f->limit[c] = thud_state_clearance(state, c) - margin;
+        f->limit[c] = limit;
         any = true;
     }
     return any;
@@ -645,6 +726,9 @@ static bool find_near(struct thud_free_vibration *f, const struct thud_state *st
     const double *u = f->value[THUD_FLOOR_DISPLACEMENT] + t;
     bool any = false;
     for (int c = 0; c < m->ncontacts; c++) {
+        f->near[c] = false;
+        if (f->limit[c] == INFINITY) /* where its displacements may not have been made */
+            continue;
         const struct thud_model_side *left = &m->contact[c].left, *right = &m->contact[c].right;
         double start = side_value(left, u) - side_value(right, u),
                end = side_value(left, u + 1) - side_value(right, u + 1);
@@ -696,6 +780,7 @@ static int until_yield(struct thud_free_vibration *f, const struct thud_state *s
         const double plastic = state->storey[k].plastic_m,
                      limit =
                          m->storey[k].yield_m - f->margin[THUD_FLOOR_DRIFT * m->nstructures + m->storey[k].structure];
+        thud_free_vibration_displacements(f, m, m->storey[k].structure);
         for (int t = 0; t <= intervals; t++)
             f->gap[t] = above[t] - (below ? below[t] : 0) - plastic;
         if (thud_largest_size(f->gap, intervals + 1) <= limit && state->storey[k].zeros == 0)
@@ -707,46 +792,39 @@ static int until_yield(struct thud_free_vibration *f, const struct thud_state *s
     return intervals;
 }
 
-static double sum(const double *x, int n)
+/* The two quadratic forms, in the sums of their products over the intervals. */
+void thud_free_vibration_work(struct thud_free_vibration *f, const struct thud_model *model, int intervals,
+                              double *input_j, double *viscous_j)
 {
-    double total = 0;
-    for (int t = 0; t < n; t++)
-        total += x[t];
-    return total;
-}
-
-void thud_free_vibration_work(struct thud_free_vibration *f, int intervals, double *input_j, double *viscous_j)
-{
-    double *restrict e = f->energy;
-    const double *a0 = f->ground, *a1 = f->after, *gv = f->viscous_ground, *gw = f->work_ground;
-    for (int t = 0; t < intervals; t++)
-        e[t] = gv[0] * a0[t] * a0[t] + gv[1] * a0[t] * a1[t] + gv[2] * a1[t] * a1[t];
-    for (int j = 0; j < f->n; j++) {
-        const double *q = f->q + j * ENDS, *v = f->qd + j * ENDS, s = f->shift[j];
-        double c[7];
-        for (int i = 0; i < 7; i++)
-            c[i] = f->viscous[i][j];
-        for (int t = 0; t < intervals; t++)
-            e[t] += (q[t] - s) * (c[0] * (q[t] - s) + c[1] * v[t] + c[3] * a0[t] + c[4] * a1[t]) +
-                    v[t] * (c[2] * v[t] + c[5] * a0[t] + c[6] * a1[t]);
+    const double *a0 = f->ground, *a1 = f->after;
+    double ground[3] = {0}, input = 0, viscous = 0;
+    for (int t = 0; t < intervals; t++) {
+        ground[0] += a0[t] * a0[t];
+        ground[1] += a0[t] * a1[t];
+        ground[2] += a1[t] * a1[t];
     }
-    *viscous_j = sum(e, intervals);
-    for (int t = 0; t < intervals; t++)
-        e[t] = gw[0] * a0[t] * a0[t] + gw[1] * a0[t] * a1[t] + gw[2] * a1[t] * a1[t];
-    for (int j = 0; j < f->n; j++) {
-        const double *q = f->q + j * ENDS, *v = f->qd + j * ENDS;
-        double w0 = f->work[0][j], w1 = f->work[1][j], w2 = f->work[2][j], w3 = f->work[3][j], s = f->shift[j];
-        for (int t = 0; t < intervals; t++)
-            e[t] += a0[t] * (w0 * (q[t] - s) + w1 * v[t]) + a1[t] * (w2 * (q[t] - s) + w3 * v[t]);
+    for (int i = 0; i < 3; i++) {
+        viscous += f->viscous_ground[i] * ground[i];
+        input += f->work_ground[i] * ground[i];
     }
-    *input_j = sum(e, intervals);
+    for (int j = 0; j < f->n; j++) {
+        if (f->summed != intervals)
+            sum_products(f, j, model->omega[j], intervals);
+        for (int i = 0; i < THUD_FREE_VIBRATION_PRODUCTS; i++)
+            viscous += f->viscous[i][j] * f->product[i][j];
+        input += f->work[0][j] * f->product[3][j] + f->work[1][j] * f->product[5][j] +
+                 f->work[2][j] * f->product[4][j] + f->work[3][j] * f->product[6][j];
+    }
+    f->summed = intervals;
     for (int s = 0; s < f->nstructures; s++) {
         const struct thud_coupled_flight *c = &f->coupled[s];
         const int row = c->first_mode * ENDS;
         for (int t = 0; t < intervals && c->size > 0; t++)
             thud_coupled_flight_work(c, f->q + row, f->qd + row, ENDS, f->shift + c->first_mode, a0[t], a1[t], t,
-                                     input_j, viscous_j);
+                                     &input, &viscous);
     }
+    *input_j = input;
+    *viscous_j = viscous;
 }
 
 void thud_free_vibration_end(const struct thud_free_vibration *f, int intervals, double *q, double *qd)
@@ -780,7 +858,7 @@ int thud_free_vibration_march(struct thud_free_vibration *f, const struct thud_s
     if (tried == 0)
         return 0;
     march(f, state, tried);
-    displacements(f, m);
+    sum_block(f, m, tried);
     margins(f, m, tried);
     int intervals = until_yield(f, state, until_contact(f, state, tried));
     f->size = intervals < tried                         ? SHORT_BLOCK

@@ -18,7 +18,8 @@
 enum {
     THUD_FREE_VIBRATION_BLOCK = 128,                          /* intervals in a block; blocks begin at its multiples */
     THUD_FREE_VIBRATION_ENDS = THUD_FREE_VIBRATION_BLOCK + 4, /* their ends, by fours */
-    THUD_FREE_VIBRATION_BATCH = 4 /* modes that march together; rows beyond the last mode stay 0 */
+    THUD_FREE_VIBRATION_BATCH = 4, /* modes that march together; rows beyond the last mode stay 0 */
+    THUD_FREE_VIBRATION_PRODUCTS = 7
 };
 
 struct thud_free_vibration {
@@ -27,9 +28,9 @@ struct thud_free_vibration {
     int pieces; /* series needed for one interval */
     double dt_s;
     double *e[4], *p[4]; /* (n) the recurrence */
-    /* Damping loss over one interval, a quadratic form in (q, q', a0, a1), by mode; the ground's own terms summed over
-     * the modes */
-    double *viscous[7], viscous_ground[3];
+    /* Damping loss over one interval, a quadratic form in (q, q', a0, a1): by mode, of q q, q q', q' q', q a0, q a1,
+     * q' a0, q' a1; the ground's own terms (a0 a0, a0 a1, a1 a1) summed over the modes */
+    double *viscous[THUD_FREE_VIBRATION_PRODUCTS], viscous_ground[3];
     /* Work of the ground: a0 (r[0] q + r[1] q') + a1 (r[2] q + r[3] q') and the ground's own terms */
     double *work[4], work_ground[3];
 
@@ -44,13 +45,15 @@ struct thud_free_vibration {
     } * at;           /* (nstructures) */
 
     /* A block of intervals, by row and then by end (so that loops over time vectorize) */
-    double *shift;           /* (n) s */
-    bool shifted;            /* it is not 0 */
-    double *q, *qd, *spring; /* (n x ENDS) modal state, and omega^2 (q - s) + 2 zeta omega q' */
+    double *shift;                                 /* (n) s */
+    bool shifted;                                  /* it is not 0 */
+    double *q, *qd, *spring;                       /* (n x ENDS) modal state, and omega^2 (q - s) + 2 zeta omega q' */
+    double *product[THUD_FREE_VIBRATION_PRODUCTS]; /* (n) those of the work, summed over the first `summed` intervals */
+    int summed;
     double
-        *value[THUD_FLOOR_QUANTITIES]; /* (ndof x ENDS) by floor: displacements, and the others of these structures: */
-    bool *valued;                      /* (nstructures) */
-    double *gap, *energy;              /* (ENDS) */
+        *value[THUD_FLOOR_QUANTITIES]; /* (ndof x ENDS) by floor: displacements and the others of these structures: */
+    bool *placed, *valued;             /* (nstructures) */
+    double *gap;                       /* (ENDS) */
     double *ground, *after;            /* (ENDS) ground acceleration at the start and at the end of each interval */
     double ground_most;                /* its largest size in the block */
     double *margin; /* (QUANTITIES x nstructures): how far a value inside an interval may lie above those at its ends */
@@ -78,15 +81,16 @@ void thud_free_vibration_end(const struct thud_free_vibration *f, int intervals,
 
 /* What observers read of the block just marched from `state`. */
 
-/* The other values of a structure's floors, which are made only when asked for. */
+/* The displacements of a structure's floors, and all values of them, which are made only when asked for. */
+void thud_free_vibration_displacements(struct thud_free_vibration *f, const struct thud_model *model, int structure);
 void thud_free_vibration_values(struct thud_free_vibration *f, const struct thud_model *model, int structure);
 /* Left less right displacement of contact c at the ends into f->gap; returns the largest, *margin: how far one inside
  * an interval may lie above those at its ends. */
 double thud_free_vibration_gap(struct thud_free_vibration *f, const struct thud_model *model, int c, int ends,
                                double *margin);
 /* The same for the size of one side's displacement. */
-double thud_free_vibration_side(struct thud_free_vibration *f, const struct thud_model_side *side, int ends,
-                                double *margin);
+double thud_free_vibration_side(struct thud_free_vibration *f, const struct thud_model *model,
+                                const struct thud_model_side *side, int ends, double *margin);
 /* Third derivative of a floor's displacement, relative to the ground, at end t of an interval whose ground acceleration
  * there is `ground`; after thud_free_vibration_values. */
 double thud_free_vibration_jerk(const struct thud_free_vibration *f, const struct thud_model *model, int structure,
@@ -101,6 +105,7 @@ const struct thud_segment *thud_free_vibration_row_series(struct thud_free_vibra
 const struct thud_segment *thud_free_vibration_all_series(struct thud_free_vibration *f, const struct thud_state *state,
                                                           int t, int piece);
 /* Work of the ground and loss in damping over the first intervals of the block. */
-void thud_free_vibration_work(struct thud_free_vibration *f, int intervals, double *input_j, double *viscous_j);
+void thud_free_vibration_work(struct thud_free_vibration *f, const struct thud_model *model, int intervals,
+                              double *input_j, double *viscous_j);
 
 #endif

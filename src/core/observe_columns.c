@@ -123,8 +123,10 @@ static double largest_drift(const struct thud_free_vibration *f, const struct th
 }
 
 /* Drifts at the ends into f->gap; the largest. */
-static double drifts(struct thud_free_vibration *f, const struct thud_model_column *p, int ends)
+static double drifts(struct thud_free_vibration *f, const struct thud_model *m, const struct thud_model_column *p,
+                     int ends)
 {
+    thud_free_vibration_displacements(f, m, p->structure);
     const double *u = f->value[THUD_FLOOR_DISPLACEMENT] + (size_t)p->dof * ENDS,
                  *below = p->below < 0 ? NULL : f->value[THUD_FLOOR_DISPLACEMENT] + (size_t)p->below * ENDS;
     double most = 0;
@@ -155,7 +157,7 @@ static enum thud_status block(void *own, const struct thud_state *state, struct 
                margin = f->margin[THUD_FLOOR_DRIFT * m->nstructures + p->structure];
         if (least == INFINITY || largest_drift(f, m, p) + shift + margin <= least)
             continue;
-        double most = drifts(f, p, intervals + 1);
+        double most = drifts(f, m, p, intervals + 1);
         if (most + shift + margin <= least)
             continue;
         double limit = fmax(least - shift, most - 2 * shift) - margin;

@@ -144,7 +144,7 @@ static enum thud_status block(void *own, const struct thud_state *state, struct 
         any |= mark(f, r->largest_m[c], most, margin, intervals, r->due + c * BLOCK);
         const struct thud_model_side *side = struck_side(m, c);
         margin = 0;
-        most = side ? thud_free_vibration_side(f, side, intervals + 1, &margin) : 0;
+        most = side ? thud_free_vibration_side(f, m, side, intervals + 1, &margin) : 0;
         any |= mark(f, r->largest_m[nc + c], most, margin, intervals, r->due + (nc + c) * BLOCK);
     }
     if (any)
