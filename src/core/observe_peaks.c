@@ -69,46 +69,67 @@ bool thud_response_bound_structure(struct thud_peaks *peaks, const struct thud_m
     return false;
 }
 
-/* Size of the contact forces on the structure in modal coordinates, at most, over the segment: a force on a floor of
- * mass m is force/sqrt(m) there. */
-static double largest_force(struct thud_peaks *peaks, const struct thud_state *state, const struct thud_segment *seg,
-                            const struct thud_model_structure *p)
+/* Of one row: coefficients `stride` apart. */
+static struct thud_row_push row_push(const struct thud_segment *seg, int row, int stride, double s)
+{
+    struct thud_row_push push = {.row = row};
+    const double rate = 1 / seg->h_s, *f = seg->force + (seg->loaded - 1) * stride + row;
+    for (double k = seg->loaded - 1; k >= 0; k -= 1, f -= stride) {
+        double size = fabs(*f), by_order = k * size;
+        push.end = push.end * s + *f;
+        push.most += size;
+        push.rate += by_order;
+        push.bend += (k - 1) * by_order;
+    }
+    push.rate *= rate;
+    push.bend *= rate * rate;
+    return push;
+}
+
+/* Fills peaks->push. */
+static void row_forces(struct thud_peaks *peaks, const struct thud_state *state, const struct thud_segment *seg,
+                       double s)
 {
     const struct thud_model *m = state->model;
+    peaks->pushes = 0;
+    for (int c = 0; c < m->nrows; c++)
+        if (c >= m->ncontacts || thud_contact_acts(&state->contact[c])) {
+            peaks->push[peaks->pushes] = row_push(seg, c, m->nrows, s);
+            peaks->pushes += peaks->push[peaks->pushes].most != 0;
+        }
+}
+
+/* Size of the forces of all rows on the structure in modal coordinates, at most: a force on a floor of mass m is
+ * force/sqrt(m) there. */
+static double largest_force(const struct thud_peaks *peaks, const struct thud_model *m,
+                            const struct thud_model_structure *p)
+{
+    const double *per_speed = peaks->per_speed + THUD_FLOOR_VELOCITY * m->ndof;
     double total = 0;
-    for (int c = 0; c < m->nrows; c++) {
-        const struct thud_model_contact *contact = &m->contact[c];
-        if (c < m->ncontacts && !thud_contact_acts(&state->contact[c]))
-            continue;
-        double force = 0;
-        for (int k = 0; k < seg->loaded; k++)
-            force += fabs(seg->force[k * m->nrows + c]);
+    for (int i = 0; i < peaks->pushes; i++)
         for (int side = 0; side < 2; side++) {
-            const struct thud_model_side *at = side == 0 ? &contact->left : &contact->right;
-            const double *per_speed = peaks->per_speed + THUD_FLOOR_VELOCITY * m->ndof;
+            const struct thud_model_contact *row = &m->contact[peaks->push[i].row];
+            const struct thud_model_side *at = side == 0 ? &row->left : &row->right;
             if (at->dof < p->first || at->dof >= p->first + p->n)
                 continue;
-            total += at->share * per_speed[at->dof] * force;
-            total += at->below < 0 ? 0 : (1 - at->share) * per_speed[at->below] * force;
+            total += at->share * per_speed[at->dof] * peaks->push[i].most;
+            total += at->below < 0 ? 0 : (1 - at->share) * per_speed[at->below] * peaks->push[i].most;
         }
-    }
     return total;
 }
 
 /* In the segment up to s; without bound for methods whose steps do not keep to the equations of motion. */
-static struct thud_response_bound bound_of_segment(struct thud_peaks *peaks, const struct thud_state *state,
+static struct thud_response_bound bound_of_segment(const struct thud_peaks *peaks, const struct thud_state *state,
                                                    const struct thud_segment *seg, int structure, double s)
 {
     const struct thud_model *m = state->model;
     const struct thud_model_structure *p = &m->structure[structure];
     if (seg->interpolates)
         return (struct thud_response_bound){INFINITY, INFINITY};
-    double energy = 0, gamma = 0, force = largest_force(peaks, state, seg, p);
-    for (int j = p->first_mode; j < p->first_mode + p->modes; j++) {
-        energy += state->qd[j] * state->qd[j] + m->omega[j] * m->omega[j] * state->q[j] * state->q[j];
-        gamma += m->gamma[j] * m->gamma[j];
-    }
-    double ground = fmax(fabs(seg->a0), fabs(seg->a0 + seg->a1)) * sqrt(gamma);
+    double energy = 0, force = largest_force(peaks, m, p);
+    for (int j = p->first_mode; j < p->first_mode + p->modes; j++)
+        energy += state->qd[j] * state->qd[j] + m->spring[j] * state->q[j] * state->q[j];
+    double ground = thud_larger(fabs(seg->a0), fabs(seg->a0 + seg->a1)) * peaks->ground[structure];
     return (struct thud_response_bound){sqrt(energy) + s * seg->h_s * (ground + force), force};
 }
 
@@ -124,15 +145,6 @@ static void raise_peak(const struct thud_segment *seg, struct thud_peak *peak, c
     }
 }
 
-/* Coefficients of a floor's value from those of the modes, out (terms). */
-static void floor_polynomial(const struct thud_model_structure *p, int floor, const double *modal, int nmodes,
-                             int terms, double *out)
-{
-    const double *row = p->phi + floor * p->modes;
-    for (int k = 0; k < terms; k++)
-        out[k] = thud_dot(p->modes, row, modal + k * nmodes + p->first_mode);
-}
-
 struct thud_peak *thud_floor_peak(struct thud_result *result, int structure, int floor, int quantity)
 {
     struct thud_floor_result *r = &result->structure[structure].floor[floor];
@@ -140,8 +152,169 @@ struct thud_peak *thud_floor_peak(struct thud_result *result, int structure, int
     return peak[quantity];
 }
 
-/* The same from the equations of motion: the polynomials of a stepping method have the state that the method gives, but
- * their second derivative strays between the ends of the step by as much as the acceleration changes in it. */
+/* Coefficients of a floor's value from those of the modes, out (terms): four orders at once, for each of which the
+ * floor's row is the same. */
+static void floor_polynomial(const struct thud_model_structure *p, int floor, const double *modal, int nmodes,
+                             int terms, double *out)
+{
+    enum { N = 4 };
+    const double *row = p->phi + floor * p->modes, *x = modal + p->first_mode;
+    int k = 0;
+    for (; k + N <= terms; k += N, x += N * nmodes) {
+        thud_double_pair sum[N] = {0};
+        int j = 0;
+        for (; j + 2 <= p->modes; j += 2)
+            for (int i = 0; i < N; i++)
+                sum[i] += thud_double_pair_at(row + j) * thud_double_pair_at(x + i * nmodes + j);
+        for (int i = 0; i < N; i++)
+            out[k + i] = sum[i][0] + sum[i][1] + (j < p->modes ? row[j] * x[i * nmodes + j] : 0);
+    }
+    for (; k < terms; k++, x += nmodes)
+        out[k] = thud_dot(p->modes, row, x);
+}
+
+/* Of a floor's displacement: made once for all that is read from it in a segment. */
+static const double *floor_series(struct thud_peaks *peaks, const struct thud_model *m, const struct thud_segment *seg,
+                                  const struct thud_model_structure *p, int floor)
+{
+    double *u = peaks->series + floor * THUD_SEGMENT_TERMS;
+    if (!peaks->made[floor])
+        floor_polynomial(p, floor, seg->q, m->nmodes, seg->terms, u);
+    peaks->made[floor] = true;
+    return u;
+}
+
+/* Coefficients of a floor's value, and how many. */
+static int value_series(struct thud_peaks *peaks, const struct thud_model *m, const struct thud_segment *seg,
+                        const struct thud_model_structure *p, int floor, int quantity, double *out)
+{
+    const int n = seg->terms;
+    if (quantity == THUD_FLOOR_ACCELERATION && seg->interpolates) {
+        floor_polynomial(p, floor, peaks->acceleration, m->nmodes, n - 2, out);
+        return n - 2;
+    }
+    const double *u = floor_series(peaks, m, seg, p, floor);
+    const double rate = 1 / seg->h_s;
+    if (quantity == THUD_FLOOR_VELOCITY) {
+        for (int k = 0; k + 1 < n; k++)
+            out[k] = (k + 1) * rate * u[k + 1];
+        return n - 1;
+    }
+    if (quantity == THUD_FLOOR_ACCELERATION) {
+        for (int k = 0; k + 2 < n; k++)
+            out[k] = (k + 1) * (k + 2) * (rate * rate) * u[k + 2];
+        out[0] += m->ground_influence[p->first + floor] * seg->a0;
+        out[1] += m->ground_influence[p->first + floor] * seg->a1;
+        return n - 2;
+    }
+    const double *below = quantity == THUD_FLOOR_DRIFT && floor > 0 ? floor_series(peaks, m, seg, p, floor - 1) : NULL;
+    for (int k = 0; k < n; k++)
+        out[k] = below ? u[k] - below[k] : u[k];
+    return n;
+}
+
+static void floor_peak(struct thud_peaks *peaks, const struct thud_model *m, const struct thud_segment *seg,
+                       int structure, int floor, int quantity, double s_end)
+{
+    double x[THUD_SEGMENT_TERMS];
+    int n = value_series(peaks, m, seg, &m->structure[structure], floor, quantity, x);
+    raise_peak(seg, thud_floor_peak(peaks->result, structure, floor, quantity), x, n, s_end);
+}
+
+/* No floor's series has been made of this segment yet. */
+static void forget_series(struct thud_peaks *peaks, const struct thud_model_structure *p)
+{
+    memset(peaks->made, 0, (size_t)p->n * sizeof *peaks->made);
+}
+
+/* What is made of the modes of a structure in a segment up to s, rows of peaks->modal: total accelerations at both ends,
+ * and bounds of the size of q' and omega q, of the second and third rates, and of the second rate of the acceleration. */
+enum { MODE_START, MODE_END, MODE_SPEED, MODE_SECOND, MODE_THIRD, MODE_FOURTH, MODE_ROWS };
+
+/* Springs, dashpots and the ground, whose acceleration's largest size is given. */
+static void free_modes(const struct thud_observation *o, const struct thud_model_structure *p, double ground,
+                       int stride, double *restrict out)
+{
+    const struct thud_model *m = o->state->model;
+    const struct thud_segment *seg = o->seg;
+    const double *restrict spring = m->spring + p->first_mode, *restrict dashpot = m->dashpot + p->first_mode,
+                           *restrict gamma = m->gamma + p->first_mode, *restrict q = o->q + p->first_mode,
+                           *restrict qd = o->qd + p->first_mode,
+                           *restrict half = seg->q + 2 * m->nmodes + p->first_mode;
+    const double by_time = 2 / (seg->h_s * seg->h_s), slope = fabs(seg->a1) / seg->h_s;
+    for (int j = 0; j < p->modes; j++) {
+        out[MODE_START * stride + j] = by_time * half[j] + gamma[j] * seg->a0;
+        out[MODE_END * stride + j] = -(spring[j] * q[j] + dashpot[j] * qd[j]);
+        out[MODE_SECOND * stride + j] = fabs(gamma[j]) * ground;
+        out[MODE_THIRD * stride + j] = fabs(gamma[j]) * slope;
+        out[MODE_FOURTH * stride + j] = 0;
+    }
+}
+
+/* Adds the force of one row, whose parts in the modes are g. */
+static void push_modes(int n, const double *restrict g, const struct thud_row_push *push, int stride,
+                       double *restrict out)
+{
+    const double most = push->most, rate = push->rate, bend = push->bend, end = push->end;
+    for (int j = 0; j < n; j++) {
+        out[MODE_END * stride + j] -= g[j] * end;
+        out[MODE_SECOND * stride + j] += fabs(g[j]) * most;
+        out[MODE_THIRD * stride + j] += fabs(g[j]) * rate;
+        out[MODE_FOURTH * stride + j] += fabs(g[j]) * bend;
+    }
+}
+
+/* The modes' speeds, which forces change by no more than their size times the time. */
+static void mode_speeds(const struct thud_observation *o, const struct thud_model_structure *p, int stride,
+                        double *restrict out)
+{
+    const struct thud_model *m = o->state->model;
+    const double *restrict spring = m->spring + p->first_mode, *restrict q = o->state->q + p->first_mode,
+                           *restrict qd = o->state->qd + p->first_mode;
+    const double time = o->s * o->seg->h_s;
+    for (int j = 0; j < p->modes; j++)
+        out[MODE_SPEED * stride + j] =
+            sqrt(qd[j] * qd[j] + spring[j] * q[j] * q[j]) + time * out[MODE_SECOND * stride + j];
+}
+
+/* Each rate by the equations of motion from those below it. */
+static void mode_rates(const struct thud_model *m, const struct thud_model_structure *p, int stride,
+                       double *restrict out)
+{
+    const double *restrict spring = m->spring + p->first_mode, *restrict dashpot = m->dashpot + p->first_mode,
+                           *restrict omega = m->omega + p->first_mode;
+    for (int j = 0; j < p->modes; j++) {
+        double speed = out[MODE_SPEED * stride + j];
+        double second = out[MODE_SECOND * stride + j] + (omega[j] + dashpot[j]) * speed;
+        double third = out[MODE_THIRD * stride + j] + spring[j] * speed + dashpot[j] * second;
+        out[MODE_SECOND * stride + j] = second;
+        out[MODE_THIRD * stride + j] = third;
+        out[MODE_FOURTH * stride + j] += spring[j] * second + dashpot[j] * third;
+    }
+}
+
+/* The same where damping couples the modes: it passes energy from one to another, so that each may have all. */
+static void coupled_rates(const struct thud_observation *o, const struct thud_model_structure *p, double speed,
+                          int stride, double *out)
+{
+    const double *omega = o->state->model->omega + p->first_mode;
+    for (int j = 0; j < p->modes; j++)
+        out[MODE_SPEED * stride + j] = speed;
+    for (int row = MODE_SECOND; row <= MODE_FOURTH; row++)
+        for (int i = 0; i < p->modes; i++) {
+            const double *below = out + (row - 1) * stride;
+            double sum = row == MODE_SECOND ? omega[i] * speed : omega[i] * omega[i] * out[(row - 2) * stride + i];
+            for (int j = 0; j < p->modes; j++)
+                sum += fabs(p->damping[i * p->modes + j]) * below[j];
+            out[row * stride + i] += sum;
+        }
+    for (int i = 0; i < p->modes; i++)
+        out[MODE_END * stride + i] -= thud_dot(p->modes, p->damping + i * p->modes, o->qd + p->first_mode);
+}
+
+/* Total accelerations of all modes from the equations of motion into peaks->acceleration: the polynomials of a stepping
+ * method have the state that the method gives, but their second derivative strays between the ends of the step by as
+ * much as the acceleration changes in it. */
 static void acceleration_by_forces(struct thud_peaks *peaks, const struct thud_state *state,
                                    const struct thud_segment *seg)
 {
@@ -157,169 +330,194 @@ static void acceleration_by_forces(struct thud_peaks *peaks, const struct thud_s
     }
 }
 
-/* Of `modes` modes from the first one on. */
-static void prepare_accelerations(struct thud_peaks *peaks, const struct thud_state *state,
-                                  const struct thud_segment *seg, int first, int modes)
+/* Of a stepping method's segment, whose polynomials do not keep to the equations of motion: from their coefficients. */
+static void step_modes(struct thud_peaks *peaks, const struct thud_observation *o, const struct thud_model_structure *p)
 {
-    if (seg->interpolates) {
-        acceleration_by_forces(peaks, state, seg);
+    const int n = o->state->model->nmodes, terms = o->seg->terms;
+    const double rate = 1 / o->seg->h_s;
+    for (int j = 0; j < p->modes; j++) {
+        const double *q = o->seg->q + p->first_mode + j, *acceleration = peaks->acceleration + p->first_mode + j;
+        double end = 0, second = 0, third = 0, fourth = 0;
+        for (int k = terms - 1; k >= 2; k--) {
+            second += k * (k - 1) * fabs(q[k * n]);
+            third += k * (k - 1) * (k - 2) * fabs(q[k * n]);
+        }
+        for (int k = terms - 3; k >= 0; k--) {
+            end = end * o->s + acceleration[k * n];
+            fourth += k * (k - 1) * fabs(acceleration[k * n]);
+        }
+        double *out = peaks->modal + j;
+        out[MODE_START * peaks->stride] = acceleration[0];
+        out[MODE_END * peaks->stride] = end;
+        out[MODE_SECOND * peaks->stride] = rate * rate * second;
+        out[MODE_THIRD * peaks->stride] = rate * rate * rate * third;
+        out[MODE_FOURTH * peaks->stride] = rate * rate * fourth;
+    }
+}
+
+/* Fills peaks->modal. */
+static void structure_modes(struct thud_peaks *peaks, const struct thud_observation *o,
+                            const struct thud_model_structure *p, const struct thud_response_bound *reach)
+{
+    const struct thud_model *m = o->state->model;
+    if (o->seg->interpolates) {
+        step_modes(peaks, o, p);
         return;
     }
-    double *out = peaks->acceleration;
-    const struct thud_model *m = state->model;
-    double inverse = 1 / (seg->h_s * seg->h_s);
-    for (int k = 0; k + 2 < seg->terms; k++) {
-        double scale = (k + 1) * (k + 2) * inverse, ground = k == 0 ? seg->a0 : k == 1 ? seg->a1 : 0;
-        for (int j = first; j < first + modes; j++)
-            out[k * m->nmodes + j] = scale * seg->q[(k + 2) * m->nmodes + j] + m->gamma[j] * ground;
-    }
-}
-
-/* Bounds of the second derivatives of each mode's displacement, velocity and acceleration in the segment, times s^2/8:
- * how far a value inside may lie above those at its ends. out (3 x nmodes). */
-static void modal_margins(const struct thud_state *state, const struct thud_segment *seg, const double *acceleration,
-                          double s_end, double *out)
-{
-    int n = state->model->nmodes;
-    double eighth = s_end * s_end / 8;
-    memset(out, 0, 3 * (size_t)n * sizeof *out);
-    for (int k = 2; k < seg->terms; k++) {
-        double second = k * (k - 1) * eighth, third = (k - 2) * second / seg->h_s;
-        const double *q = seg->q + k * n, *a = acceleration + k * n;
-        for (int j = 0; j < n; j++) {
-            double size = fabs(q[j]);
-            out[j] += second * size;
-            out[n + j] += third * size;
-        }
-        for (int j = 0; j < n && k + 2 < seg->terms; j++)
-            out[2 * n + j] += second * fabs(a[j]);
-    }
-}
-
-/* The same for the structure's worst floor. */
-static void structure_margins(const struct thud_model *m, const struct thud_model_structure *p, const double *modal,
-                              double margin[THUD_FLOOR_QUANTITIES])
-{
-    int n = m->nmodes;
-    double sum[THUD_FLOOR_QUANTITIES] = {0};
-    for (int j = p->first_mode; j < p->first_mode + p->modes; j++) {
-        sum[THUD_FLOOR_DISPLACEMENT] += m->mode_max[j] * modal[j];
-        sum[THUD_FLOOR_VELOCITY] += m->mode_max[j] * modal[n + j];
-        sum[THUD_FLOOR_ACCELERATION] += m->mode_max[j] * modal[2 * n + j];
-        sum[THUD_FLOOR_DRIFT] += m->mode_max[n + j] * modal[j];
-    }
-    memcpy(margin, sum, sizeof sum);
-}
-
-/* The same for one floor. */
-static double floor_margin(const struct thud_model_structure *p, int floor, int quantity, int nmodes,
-                           const double *modal)
-{
-    const double *row = p->phi + floor * p->modes,
-                 *below = floor > 0 && quantity == THUD_FLOOR_DRIFT ? row - p->modes : NULL;
-    const double *b = modal + (quantity == THUD_FLOOR_DRIFT ? 0 : quantity) * nmodes + p->first_mode;
-    double sum = 0;
-    for (int j = 0; j < p->modes; j++)
-        sum += fabs(row[j] - (below ? below[j] : 0)) * b[j];
-    return sum;
-}
-
-/* Modal total acceleration at s, out (nmodes). */
-static void modal_acceleration(const struct thud_state *state, const struct thud_segment *seg,
-                               const double *acceleration, double s, double *out)
-{
-    int n = state->model->nmodes;
-    memset(out, 0, (size_t)n * sizeof *out);
-    for (int k = seg->terms - 3; k >= 0; k--)
-        for (int j = 0; j < n; j++)
-            out[j] = out[j] * s + acceleration[k * n + j];
-}
-
-/* A floor's displacement, velocity and acceleration at both ends of the segment, from modal values: six sums over one
- * row. */
-static void floor_values(const struct thud_model_structure *p, int floor, int nmodes, const double *start,
-                         const double *end, double a[3], double b[3])
-{
-    enum { N = THUD_FLOOR_ACCELERATION + 1 };
-    const double *row = p->phi + floor * p->modes;
-    thud_double_pair sum[2 * N] = {0};
-    int j = 0;
-    for (; j + 2 <= p->modes; j += 2)
-        for (int x = 0; x < N; x++) {
-            sum[x] += thud_double_pair_at(row + j) * thud_double_pair_at(start + x * nmodes + p->first_mode + j);
-            sum[N + x] += thud_double_pair_at(row + j) * thud_double_pair_at(end + x * nmodes + p->first_mode + j);
-        }
-    for (int x = 0; x < N; x++) {
-        a[x] = sum[x][0] + sum[x][1];
-        b[x] = sum[N + x][0] + sum[N + x][1];
-        if (j < p->modes) {
-            a[x] += row[j] * start[x * nmodes + p->first_mode + j];
-            b[x] += row[j] * end[x * nmodes + p->first_mode + j];
-        }
-    }
-}
-
-static void floor_peak(struct thud_peaks *peaks, const struct thud_state *state, const struct thud_segment *seg,
-                       int structure, int floor, int quantity, double s_end)
-{
-    const struct thud_model_structure *p = &state->model->structure[structure];
-    struct thud_peak *peak = thud_floor_peak(peaks->result, structure, floor, quantity);
-    double x[THUD_SEGMENT_TERMS] = {0}, u[THUD_SEGMENT_TERMS] = {0};
-    int n = seg->terms, nmodes = state->model->nmodes;
-    if (quantity == THUD_FLOOR_ACCELERATION) {
-        floor_polynomial(p, floor, peaks->acceleration, nmodes, n - 2, x);
-        raise_peak(seg, peak, x, n - 2, s_end);
+    const double ground = thud_larger(fabs(o->seg->a0), fabs(o->seg->a0 + o->seg->a1));
+    free_modes(o, p, ground, peaks->stride, peaks->modal);
+    for (int i = 0; i < peaks->pushes; i++)
+        push_modes(p->modes, m->jacobian + (size_t)peaks->push[i].row * (size_t)m->nmodes + p->first_mode,
+                   &peaks->push[i], peaks->stride, peaks->modal);
+    if (p->damping) {
+        coupled_rates(o, p, reach->speed, peaks->stride, peaks->modal);
         return;
     }
-    floor_polynomial(p, floor, seg->q, nmodes, n, x);
-    if (quantity == THUD_FLOOR_VELOCITY)
-        for (int k = 0; k + 1 < n; k++)
-            x[k] = (k + 1) / seg->h_s * x[k + 1];
-    if (quantity == THUD_FLOOR_DRIFT && floor > 0) {
-        floor_polynomial(p, floor - 1, seg->q, nmodes, n, u);
-        for (int k = 0; k < n; k++)
-            x[k] -= u[k];
-    }
-    raise_peak(seg, peak, x, quantity == THUD_FLOOR_VELOCITY ? n - 1 : n, s_end);
+    mode_speeds(o, p, peaks->stride, peaks->modal);
+    mode_rates(m, p, peaks->stride, peaks->modal);
 }
 
-static void structure_peaks(struct thud_peaks *peaks, const struct thud_state *state, const struct thud_segment *seg,
-                            int index, double s_end, const struct thud_response_bound *reach, const double *start,
-                            const double *end, const double *modal)
+/* How far values of the structure's worst floor may lie from a straight line between those at the two ends: time^2/8
+ * times a bound of the second rate. */
+struct margins {
+    double value[THUD_FLOOR_QUANTITIES], drift_rate;
+};
+
+static struct margins structure_margins(const struct thud_peaks *peaks, const struct thud_model *m,
+                                        const struct thud_model_structure *p, double time_s)
 {
-    const struct thud_model_structure *p = &state->model->structure[index];
-    double margin[THUD_FLOOR_QUANTITIES], a[THUD_FLOOR_QUANTITIES], b[THUD_FLOOR_QUANTITIES], a_below = 0, b_below = 0;
-    int nmodes = state->model->nmodes, below = -1; /* the floor whose displacements a_below and b_below are */
-    structure_margins(state->model, p, modal, margin);
-    for (int i = 0; i < p->n; i++) {
-        if (!may_pass(peaks, state->model, index, i, reach))
+    const double *most = m->mode_max + p->first_mode, *drift = most + m->nmodes;
+    const double *second = peaks->modal + MODE_SECOND * peaks->stride,
+                 *third = peaks->modal + MODE_THIRD * peaks->stride,
+                 *fourth = peaks->modal + MODE_FOURTH * peaks->stride;
+    double eighth = time_s * time_s / 8;
+    struct margins margin;
+    margin.value[THUD_FLOOR_DISPLACEMENT] = eighth * thud_dot(p->modes, most, second);
+    margin.value[THUD_FLOOR_VELOCITY] = eighth * thud_dot(p->modes, most, third);
+    margin.value[THUD_FLOOR_ACCELERATION] = eighth * thud_dot(p->modes, most, fourth);
+    margin.value[THUD_FLOOR_DRIFT] = eighth * thud_dot(p->modes, drift, second);
+    margin.drift_rate = eighth * thud_dot(p->modes, drift, third);
+    return margin;
+}
+
+/* Values of the floors at both ends of a segment: rows of peaks->value. */
+enum {
+    FLOOR_START, /* displacement, velocity, acceleration */
+    FLOOR_END = THUD_FLOOR_ACCELERATION + 1,
+    FLOOR_ROWS = 2 * FLOOR_END
+};
+
+/* From the modes' by two floors at a time. */
+static void floor_values(struct thud_peaks *peaks, const struct thud_observation *o,
+                         const struct thud_model_structure *p)
+{
+    const int at = p->first_mode, stride = peaks->stride;
+    const double *from[FLOOR_ROWS] = {o->state->q + at, o->state->qd + at, peaks->modal + MODE_START * stride,
+                                      o->q + at,        o->qd + at,        peaks->modal + MODE_END * stride};
+    for (int i = 0; i < p->n; i += 2) {
+        thud_double_pair sum[FLOOR_ROWS] = {0};
+        const double *shape = peaks->shape + at * stride + i;
+        for (int j = 0; j < p->modes; j++, shape += stride)
+            for (int x = 0; x < FLOOR_ROWS; x++)
+                sum[x] += from[x][j] * thud_double_pair_at(shape);
+        for (int x = 0; x < FLOOR_ROWS; x++)
+            *(thud_double_pair *)(peaks->value + x * stride + i) = sum[x];
+    }
+}
+
+/* A floor's values at the two ends of a segment, by quantity, and the rates of displacement, velocity and drift. */
+struct floor_ends {
+    double value[2][THUD_FLOOR_QUANTITIES], rate[2][THUD_FLOOR_QUANTITIES];
+};
+
+static void read_ends(const struct thud_peaks *peaks, const struct thud_observation *o,
+                      const struct thud_model_structure *p, int floor, struct floor_ends *out)
+{
+    const int stride = peaks->stride;
+    const double influence = o->state->model->ground_influence[p->first + floor];
+    for (int end = 0; end < 2; end++) {
+        const double *x = peaks->value + (end ? FLOOR_END : FLOOR_START) * stride + floor;
+        double *value = out->value[end], *rate = out->rate[end];
+        double ground = o->seg->a0 + (end ? o->s * o->seg->a1 : 0);
+        value[THUD_FLOOR_DISPLACEMENT] = x[0];
+        value[THUD_FLOOR_VELOCITY] = rate[THUD_FLOOR_DISPLACEMENT] = x[stride];
+        value[THUD_FLOOR_ACCELERATION] = x[2 * stride];
+        value[THUD_FLOOR_DRIFT] = floor > 0 ? x[0] - x[-1] : x[0];
+        rate[THUD_FLOOR_VELOCITY] = x[2 * stride] - influence * ground;
+        rate[THUD_FLOOR_DRIFT] = floor > 0 ? x[stride] - x[stride - 1] : x[stride];
+    }
+}
+
+static void raise_to(struct thud_peak *peak, double value, double time_s)
+{
+    if (fabs(value) > peak->value)
+        *peak = (struct thud_peak){fabs(value), time_s};
+}
+
+/* Where the rate keeps its sign, the peak is at an end. */
+static bool rises_or_falls(const double rate[2], double margin)
+{
+    return rate[0] > margin ? rate[1] > margin : rate[0] < -margin && rate[1] < -margin;
+}
+
+/* Peaks of the floor's quantities of which `may` tells that they can be new. */
+static void floor_peaks(struct thud_peaks *peaks, const struct thud_observation *o, int index, int floor,
+                        const struct margins *margin, const bool may[THUD_FLOOR_QUANTITIES])
+{
+    const struct thud_model *m = o->state->model;
+    const struct thud_segment *seg = o->seg;
+    struct floor_ends ends;
+    read_ends(peaks, o, &m->structure[index], floor, &ends);
+    const double rest[] = {margin->value[THUD_FLOOR_VELOCITY], margin->value[THUD_FLOOR_ACCELERATION], INFINITY,
+                           margin->drift_rate};
+    for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++) {
+        if (!may[x])
             continue;
-        if (below != i - 1) {
-            floor_values(p, i - 1, nmodes, start, end, a, b);
-            a_below = a[THUD_FLOOR_DISPLACEMENT];
-            b_below = b[THUD_FLOOR_DISPLACEMENT];
+        if (x != THUD_FLOOR_ACCELERATION && rises_or_falls((double[]){ends.rate[0][x], ends.rate[1][x]}, rest[x])) {
+            struct thud_peak *peak = thud_floor_peak(peaks->result, index, floor, x);
+            raise_to(peak, ends.value[0][x], seg->start_s);
+            raise_to(peak, ends.value[1][x], seg->start_s + o->s * seg->h_s);
+        } else {
+            floor_peak(peaks, m, seg, index, floor, x, o->s);
         }
-        floor_values(p, i, nmodes, start, end, a, b);
-        a[THUD_FLOOR_DRIFT] = a[THUD_FLOOR_DISPLACEMENT] - a_below;
-        b[THUD_FLOOR_DRIFT] = b[THUD_FLOOR_DISPLACEMENT] - b_below;
-        a_below = a[THUD_FLOOR_DISPLACEMENT];
-        b_below = b[THUD_FLOOR_DISPLACEMENT];
-        below = i;
-        for (int x = 0; x < (p->stiffness_npm ? THUD_FLOOR_QUANTITIES : THUD_FLOOR_DRIFT); x++) {
-            double end_value = fmax(fabs(a[x]), fabs(b[x]));
-            double peak = thud_floor_peak(peaks->result, index, i, x)->value;
-            if (end_value + margin[x] > peak && end_value + floor_margin(p, i, x, nmodes, modal) > peak)
-                floor_peak(peaks, state, seg, index, i, x, s_end);
-        }
+    }
+}
+
+static void structure_peaks(struct thud_peaks *peaks, const struct thud_observation *o, int index,
+                            const struct thud_response_bound *reach)
+{
+    const struct thud_model *m = o->state->model;
+    const struct thud_model_structure *p = &m->structure[index];
+    const int stride = peaks->stride;
+    const bool drifts = p->stiffness_npm != NULL;
+    structure_modes(peaks, o, p, reach);
+    floor_values(peaks, o, p);
+    forget_series(peaks, p);
+    const struct margins margin = structure_margins(peaks, m, p, o->s * o->seg->h_s);
+    double below[2] = {0, 0};
+    for (int i = 0; i < p->n; i++) {
+        const double *start = peaks->value + FLOOR_START * stride + i, *end = peaks->value + FLOOR_END * stride + i;
+        const struct thud_floor_result *r = &peaks->result->structure[index].floor[i];
+        double u = thud_larger(fabs(start[0]), fabs(end[0])), v = thud_larger(fabs(start[stride]), fabs(end[stride])),
+               a = thud_larger(fabs(start[2 * stride]), fabs(end[2 * stride])),
+               d = thud_larger(fabs(start[0] - below[0]), fabs(end[0] - below[1]));
+        const bool may[] = {u + margin.value[THUD_FLOOR_DISPLACEMENT] > r->displacement.value,
+                            v + margin.value[THUD_FLOOR_VELOCITY] > r->velocity.value,
+                            a + margin.value[THUD_FLOOR_ACCELERATION] > r->acceleration.value,
+                            drifts && d + margin.value[THUD_FLOOR_DRIFT] > r->drift.value};
+        if (may[0] | may[1] | may[2] | may[3])
+            floor_peaks(peaks, o, index, i, &margin, may);
+        below[0] = start[0];
+        below[1] = end[0];
     }
 }
 
 /* Raises the largest value of the impact that goes on, and with it that of the contact. */
 static void raise_contact_peak(const struct thud_segment *seg, struct thud_peak *peak, double *of_impact,
-                               const double *p, double s_end)
+                               const double *p, int terms, double s_end)
 {
     double where = 0;
-    *of_impact = thud_poly_peak(p, seg->terms, s_end, *of_impact, &where);
+    *of_impact = thud_poly_peak(p, terms, s_end, *of_impact, &where);
     if (*of_impact > peak->value)
         *peak = (struct thud_peak){*of_impact, seg->start_s + where * seg->h_s};
 }
@@ -331,7 +529,7 @@ static void indentation_peak(struct thud_peaks *peaks, const struct thud_state *
     struct thud_peak *peak = &peaks->result->contact[c].indentation;
     const double *d = seg->indentation + c * THUD_SEGMENT_TERMS;
     if (state->locates) {
-        raise_contact_peak(seg, peak, &impact->indentation_m, d, s_end);
+        raise_contact_peak(seg, peak, &impact->indentation_m, d, seg->terms, s_end);
         return;
     }
     for (int end = 0; end <= 1; end++) { /* the step may reach far out of contact, to the other side of 0 */
@@ -351,47 +549,28 @@ static void contact_peaks(struct thud_peaks *peaks, const struct thud_state *sta
         indentation_peak(peaks, state, seg, log, c, s_end);
     if (!thud_segment_has_force(state, seg, c))
         return;
-    for (int k = 0; k < seg->terms; k++)
+    const int terms = seg->interpolates ? seg->terms : seg->loaded; /* a power series has no forces beyond */
+    for (int k = 0; k < terms; k++)
         p[k] = seg->force[k * state->model->nrows + c];
-    raise_contact_peak(seg, &peaks->result->contact[c].force, &log->now[c].force_n, p, s_end);
+    raise_contact_peak(seg, &peaks->result->contact[c].force, &log->now[c].force_n, p, terms, s_end);
 }
 
 /* Peaks of the structures that may have one. */
 static void motion_peaks(struct thud_peaks *peaks, const struct thud_observation *o)
 {
     const struct thud_state *state = o->state;
-    const struct thud_model *m = state->model;
-    const struct thud_segment *seg = o->seg;
-    double s = o->s;
-    size_t n = (size_t)m->nmodes;
-    double *start = peaks->ends, *end = start + 3 * n, *modal = end + 3 * n;
-    bool prepared = false;
-    for (int i = 0; i < m->nstructures; i++) {
-        struct thud_response_bound reach = bound_of_segment(peaks, state, seg, i, s);
-        if (!thud_response_bound_structure(peaks, state->model, i, &reach))
-            continue;
-        if (!prepared) {
-            prepare_accelerations(peaks, state, seg, 0, m->nmodes);
-            memcpy(start, state->q, n * sizeof *start);
-            memcpy(start + n, state->qd, n * sizeof *start);
-            memcpy(start + 2 * n, peaks->acceleration, n * sizeof *start);
-            memcpy(end, o->q, n * sizeof *end);
-            memcpy(end + n, o->qd, n * sizeof *end);
-            modal_acceleration(state, seg, peaks->acceleration, s, end + 2 * n);
-            modal_margins(state, seg, peaks->acceleration, s, modal);
-            prepared = true;
-        }
-        structure_peaks(peaks, state, seg, i, s, &reach, start, end, modal);
+    if (o->seg->interpolates)
+        acceleration_by_forces(peaks, state, o->seg);
+    else
+        row_forces(peaks, state, o->seg, o->s);
+    for (int i = 0; i < state->model->nstructures; i++) {
+        struct thud_response_bound reach = bound_of_segment(peaks, state, o->seg, i, o->s);
+        if (thud_response_bound_structure(peaks, state->model, i, &reach))
+            structure_peaks(peaks, o, i, &reach);
     }
 }
 
 /* A step whose events are not located: the values at its end, which are all that it knows. */
-
-static void raise_to(struct thud_peak *peak, double value, double time_s)
-{
-    if (fabs(value) > peak->value)
-        *peak = (struct thud_peak){fabs(value), time_s};
-}
 
 /* S of a structure below which no floor can pass a peak while no contact force acts on it. */
 static double quiet_speed(const struct thud_peaks *peaks, const struct thud_model *m, int structure)
@@ -550,16 +729,11 @@ static bool row_bounds(const struct thud_model *m, const struct thud_free_vibrat
 static void read_interval(struct thud_peaks *peaks, const struct thud_state *state, struct thud_free_vibration *f,
                           int structure, const int *due, int count, int t)
 {
-    const struct thud_model_structure *p = &state->model->structure[structure];
-    bool accelerates = false;
-    for (int i = 0; i < count; i++)
-        accelerates = accelerates || peaks->row[due[i]].quantity == THUD_FLOOR_ACCELERATION;
     for (int piece = 0; piece < f->pieces; piece++) {
         const struct thud_segment *seg = thud_free_vibration_series(f, state, structure, t, piece);
-        if (accelerates)
-            prepare_accelerations(peaks, state, seg, p->first_mode, p->modes);
+        forget_series(peaks, &state->model->structure[structure]);
         for (int i = 0; i < count; i++)
-            floor_peak(peaks, state, seg, structure, peaks->row[due[i]].floor, peaks->row[due[i]].quantity, 1);
+            floor_peak(peaks, state->model, seg, structure, peaks->row[due[i]].floor, peaks->row[due[i]].quantity, 1);
     }
 }
 
@@ -597,12 +771,10 @@ static bool may_pass_in_block(struct thud_peaks *peaks, const struct thud_model 
                               int structure)
 {
     const struct thud_model_structure *p = &m->structure[structure];
-    double energy = 0, gamma = 0;
-    for (int j = p->first_mode; j < p->first_mode + p->modes; j++) {
+    double energy = 0;
+    for (int j = p->first_mode; j < p->first_mode + p->modes; j++)
         energy += f->speed[j] * f->speed[j];
-        gamma += m->gamma[j] * m->gamma[j];
-    }
-    struct thud_response_bound reach = {sqrt(energy) + f->dt_s * sqrt(gamma) * f->ground_most, 0};
+    struct thud_response_bound reach = {sqrt(energy) + f->dt_s * peaks->ground[structure] * f->ground_most, 0};
     return thud_response_bound_structure(peaks, m, structure, &reach);
 }
 
@@ -623,28 +795,55 @@ static enum thud_status block(void *own, const struct thud_state *state, struct 
 
 const struct thud_observer thud_observe_peaks = {segment, block};
 
+/* Floors or modes of the largest structure, an even number. */
+static int even_size(const struct thud_model *m)
+{
+    int most = 0;
+    for (int s = 0; s < m->nstructures; s++) /* there are no more modes than floors */
+        most = m->structure[s].n > most ? m->structure[s].n : most;
+    return most + most % 2;
+}
+
+/* Fills peaks->shape and peaks->ground. */
+static void fill_shapes(struct thud_peaks *peaks, const struct thud_model *m)
+{
+    for (int s = 0; s < m->nstructures; s++) {
+        const struct thud_model_structure *p = &m->structure[s];
+        for (int i = 0; i < p->n; i++)
+            for (int j = 0; j < p->modes; j++)
+                peaks->shape[(p->first_mode + j) * peaks->stride + i] = p->phi[i * p->modes + j];
+        peaks->ground[s] = sqrt(thud_dot(p->modes, m->gamma + p->first_mode, m->gamma + p->first_mode));
+    }
+}
+
 enum thud_status thud_peaks_init(struct thud_peaks *peaks, const struct thud_state *state, struct thud_result *result,
                                  struct thud_contact_log *log, struct thud_error *err)
 {
-    size_t n = (size_t)state->model->nmodes, terms = THUD_SEGMENT_TERMS;
-    size_t floors = THUD_FLOOR_QUANTITIES * (size_t)state->model->ndof;
-    size_t rows = 0;
-    for (int s = 0; s < state->model->nstructures; s++)
-        rows = state->model->structure[s].n > (int)rows ? (size_t)state->model->structure[s].n : rows;
-    rows *= THUD_FLOOR_QUANTITIES;
-    *peaks = (struct thud_peaks){.result = result, .log = log};
-    peaks->block = calloc((9 + terms + 1) * n + floors + (size_t)state->model->nstructures + 1, sizeof *peaks->block);
+    const struct thud_model *m = state->model;
+    const size_t n = (size_t)m->nmodes, stride = (size_t)even_size(m), rows = THUD_FLOOR_QUANTITIES * stride,
+                 floors = THUD_FLOOR_QUANTITIES * (size_t)m->ndof, structures = (size_t)m->nstructures;
+    *peaks = (struct thud_peaks){.result = result, .log = log, .stride = (int)stride};
+    peaks->block = calloc(floors + 2 * structures + n * stride + (MODE_ROWS + FLOOR_ROWS) * stride +
+                              THUD_SEGMENT_TERMS * (stride + n) + n + 1,
+                          sizeof *peaks->block);
+    peaks->push = calloc((size_t)m->nrows + 1, sizeof *peaks->push);
+    peaks->made = calloc(stride + 1, sizeof *peaks->made);
     peaks->upper = malloc((rows * THUD_FREE_VIBRATION_BLOCK + 1) * sizeof *peaks->upper);
     peaks->row = malloc((rows + 1) * sizeof *peaks->row);
     peaks->due = malloc((rows + 1) * sizeof *peaks->due);
-    if (!peaks->block || !peaks->upper || !peaks->row || !peaks->due) {
+    if (!peaks->block || !peaks->push || !peaks->made || !peaks->upper || !peaks->row || !peaks->due) {
         thud_peaks_clear(peaks);
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
-    peaks->ends = peaks->block;
-    peaks->quiet = peaks->block + (9 + terms + 1) * n + floors;
-    peaks->acceleration = peaks->ends + 9 * n;
-    peaks->per_speed = peaks->acceleration + (terms + 1) * n;
+    peaks->per_speed = peaks->block;
+    peaks->quiet = peaks->per_speed + floors;
+    peaks->ground = peaks->quiet + structures;
+    peaks->shape = peaks->ground + structures;
+    peaks->modal = peaks->shape + n * stride;
+    peaks->value = peaks->modal + MODE_ROWS * stride;
+    peaks->series = peaks->value + FLOOR_ROWS * stride;
+    peaks->acceleration = peaks->series + THUD_SEGMENT_TERMS * stride;
+    fill_shapes(peaks, m);
     fill_response_bounds(peaks, state);
     return THUD_OK;
 }
@@ -652,6 +851,8 @@ enum thud_status thud_peaks_init(struct thud_peaks *peaks, const struct thud_sta
 void thud_peaks_clear(struct thud_peaks *peaks)
 {
     free(peaks->block);
+    free(peaks->push);
+    free(peaks->made);
     free(peaks->upper);
     free(peaks->row);
     free(peaks->due);

@@ -19,14 +19,32 @@ struct thud_peak_row {
     double cubic_margin; /* from the cubic through values and rates at them */
 };
 
+/* A contact or a yielding storey in a segment: bounds of its force and of the force's first two rates, and the force at
+ * the end that is read. */
+struct thud_row_push {
+    int row;
+    double most, rate, bend, end;
+};
+
 struct thud_peaks {
     struct thud_result *result;   /* whose peaks rise, */
     struct thud_contact_log *log; /* with those of the impacts that go on */
+    int stride;                   /* floors of the largest structure, an even number */
     double *per_speed;            /* (quantities x ndof): bound of a floor's value for a structure's S of 1 */
     double *quiet;                /* (nstructures) S below which a step's end has no new peak */
-    double *ends;                 /* (9 x nmodes) modal values at the two ends of a segment, and margins between */
-    double *acceleration;         /* (terms x nmodes, and nmodes more): total modal acceleration of a segment */
-    struct thud_peak_row *row;    /* (quantities x floors of one structure) those that may pass in the block */
+    double *ground;               /* (nstructures) size of a ground acceleration of 1 in modal coordinates */
+    double *shape;                /* (nmodes x stride) each mode's value at the floors of its structure */
+    /* A segment, or one structure in it */
+    struct thud_row_push *push; /* (pushes) of rows that have a force */
+    int pushes;
+    double *modal;  /* (rows x stride) accelerations of the modes at the two ends, and bounds of derivatives */
+    double *value;  /* (rows x stride) of the floors at the two ends */
+    double *series; /* (stride x terms) polynomials of the floors' displacements, of those */
+    bool *made;     /* (stride) whose has been made */
+    double
+        *acceleration; /* (terms x nmodes, and nmodes more): total modal acceleration of a stepping method's segment */
+    /* A block */
+    struct thud_peak_row *row; /* (quantities x floors of one structure) those that may pass in the block */
     double *upper; /* (rows x intervals of a block) bound of each inside an interval; 0: it need not be read */
     int *due;      /* (rows) those read in one interval */
     double *block;

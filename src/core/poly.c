@@ -41,22 +41,6 @@ void thud_poly_value3(const double *c, int n, double s, double out[3])
     out[2] = 2 * d[0] + 6 * s * d[1] + 8 * square * (dd[0] + s * dd[1]);
 }
 
-/* |c[0]| + ... + |c[n - 1]| */
-static double absolute_sum(const double *c, int n)
-{
-    thud_double_pair even = {0, 0}, odd = {0, 0};
-    int k = 0;
-    for (; k + 4 <= n; k += 4) {
-        even += thud_double_pair_abs(thud_double_pair_at(c + k));
-        odd += thud_double_pair_abs(thud_double_pair_at(c + k + 2));
-    }
-    even += odd;
-    double sum = even[0] + even[1];
-    for (; k < n; k++)
-        sum += fabs(c[k]);
-    return sum;
-}
-
 /* Bound of the third derivative on [0, 1]. */
 static double third_bound(const double *c, int n)
 {
@@ -68,14 +52,19 @@ static double third_bound(const double *c, int n)
     return sum[0] + sum[1] + last;
 }
 
-/* Bound of how far p' may be from c[1] on [0, 1]. */
-static double slope_bound(const double *c, int n)
+/* Bounds on [0, 1] of how far p may come from its start, and of how far p' may be from its value there. */
+static double move_bound(const double *c, int n, double *slope)
 {
-    thud_double_pair sum = {0, 0}, k = {2, 3};
+    thud_double_pair move = {0, 0}, by_order = {0, 0}, k = {2, 3};
     int i = 2;
-    for (; i + 2 <= n; i += 2, k += 2)
-        sum += k * thud_double_pair_abs(thud_double_pair_at(c + i));
-    return sum[0] + sum[1] + (i < n ? (double)i * fabs(c[i]) : 0);
+    for (; i + 2 <= n; i += 2, k += 2) {
+        thud_double_pair size = thud_double_pair_abs(thud_double_pair_at(c + i));
+        move += size;
+        by_order += k * size;
+    }
+    double last = i < n ? fabs(c[i]) : 0;
+    *slope = by_order[0] + by_order[1] + (double)i * last;
+    return move[0] + move[1] + last + (n > 1 ? fabs(c[1]) : 0);
 }
 
 struct search {
@@ -144,61 +133,62 @@ double thud_poly_first_above(const double *c, int n, double s_end, double sign, 
     }
     if (sign * c[0] > noise)
         return 0;
-    /* how far it may come from its start, s_end being at most 1 */
-    if (sign * c[0] + absolute_sum(c + 1, n - 1) <= noise)
+    double slope, move = move_bound(c, n, &slope); /* s_end is at most 1 */
+    if (sign * c[0] + move <= noise)
         return INFINITY;
-    if (n > 1 && sign * c[1] <= -slope_bound(c, n)) /* falls all the way */
+    if (n > 1 && sign * c[1] <= -slope) /* falls all the way */
         return INFINITY;
     struct search f = {c, n, sign, noise, third_bound(c, n), 0};
     return first_above(&f, 0, s_end, 0);
 }
 
+/* The largest |p|, and what the coefficients say of it. */
 struct peak {
     const double *c;
     int n;
-    double third, best, where;
+    double third, best, where; /* bound of |p'''| on [0, 1] */
     bool found;
     int intervals;
 };
 
-static void try_at(struct peak *f, double s)
+static void raise(struct peak *f, double s, double value)
 {
-    double v = fabs(s == 0 ? f->c[0] : thud_poly_value(f->c, f->n, s));
-    if (v > f->best) {
-        f->best = v;
+    if (fabs(value) > f->best) {
+        f->best = fabs(value);
         f->where = s;
         f->found = true;
     }
 }
 
-/* p' is monotone on [a, b]: its one root, if it is there, from s, where value and derivatives are v. A root is known to
- * 1e-12 when the last step's square, times a bound, is that. */
-static void extremum(struct peak *f, double a, double b, double s, double v[3])
+/* p' is monotone on [a, b], where it has these values at the ends: its one root, if it is there, by Newton's method from
+ * where a straight line puts it. A root is known to 1e-12 when the last step's square, times a bound, is that. */
+static void extremum(struct peak *f, double a, double b, double slope_a, double slope_b)
 {
-    double va[3], vb[3];
-    thud_poly_value3(f->c, f->n, a, va);
-    thud_poly_value3(f->c, f->n, b, vb);
-    if ((va[1] > 0) == (vb[1] > 0))
+    if ((slope_a > 0) == (slope_b > 0))
         return;
-    bool rising = vb[1] > va[1];
+    bool rising = slope_b > slope_a;
+    double s = a + (b - a) * (slope_a / (slope_a - slope_b)), v[3];
     for (int i = 0; i < 60; i++) {
+        thud_poly_value3(f->c, f->n, s, v);
         if ((v[1] > 0) == rising)
             b = s;
         else
             a = s;
         double next = s - v[1] / v[2], moved = fabs(next - s);
-        if (!(moved > THUD_TOL_PEAK_PLACE)) /* s is the root, and may be an end of the bracket, whose middle is not */
-            break;
+        if (!(moved > THUD_TOL_PEAK_PLACE)) { /* s is the root, and may be an end of the bracket, whose middle is not */
+            raise(f, s, v[0]);
+            return;
+        }
         bool inside = next > a && next < b;
         s = inside ? next : 0.5 * (a + b);
         if (b - a <= THUD_TOL_PEAK_PLACE || (inside && f->third * moved * moved <= THUD_TOL_PEAK_PLACE * fabs(v[2])))
             break;
-        thud_poly_value3(f->c, f->n, s, v);
     }
-    try_at(f, s);
+    raise(f, s, thud_poly_value(f->c, f->n, s));
 }
 
-static void largest(struct peak *f, double a, double b, int depth)
+/* Inside [a, b], whose ends have been tried and where p' has these values. */
+static void largest(struct peak *f, double a, double b, double slope_a, double slope_b, int depth)
 {
     double m = 0.5 * (a + b), r = 0.5 * (b - a), v[3];
     thud_poly_value3(f->c, f->n, m, v);
@@ -206,27 +196,62 @@ static void largest(struct peak *f, double a, double b, int depth)
     if (fabs(v[0]) + r * (fabs(v[1]) + r * (0.5 * fabs(v[2]) + rest / 6)) <= f->best)
         return;
     if (fabs(v[1]) > r * (fabs(v[2]) + 0.5 * rest))
-        return; /* no extremum inside, and the ends are tried already */
-    try_at(f, m);
+        return; /* no extremum */
+    raise(f, m, v[0]);
     if (fabs(v[2]) > rest) {
-        extremum(f, a, b, m, v);
+        extremum(f, a, b, slope_a, slope_b);
         return;
     }
     if (depth == DEPTH_MAX || f->intervals++ > INTERVALS_MAX)
         return;
-    largest(f, a, m, depth + 1);
-    largest(f, m, b, depth + 1);
+    largest(f, a, m, slope_a, v[1], depth + 1);
+    largest(f, m, b, v[1], slope_b, depth + 1);
+}
+
+/* Bounds on [0, 1] of how far p'' may be from its value at 0, and of |p'''|. */
+static double bend_bound(const double *c, int n, double *third)
+{
+    thud_double_pair bend = {0, 0}, sum = {0, 0}, k = {3, 4};
+    int i = 3;
+    for (; i + 2 <= n; i += 2, k += 2) {
+        thud_double_pair size = k * (k - 1) * thud_double_pair_abs(thud_double_pair_at(c + i));
+        bend += size;
+        sum += (k - 2) * size;
+    }
+    double last = i < n ? (double)(i * (i - 1)) * fabs(c[i]) : 0;
+    *third = sum[0] + sum[1] + (double)(i - 2) * last;
+    return bend[0] + bend[1] + last;
+}
+
+/* An extremum may lie inside. */
+static void look_inside(struct peak *f, double s_end)
+{
+    const double *c = f->c;
+    double v[3];
+    thud_poly_value3(c, f->n, s_end, v);
+    double ends = fmax(fabs(c[0]), fabs(v[0])), bend = bend_bound(c, f->n, &f->third), start = 2 * fabs(c[2]);
+    raise(f, 0, c[0]);
+    raise(f, s_end, v[0]);
+    if (ends + s_end * s_end / 8 * (start + bend) <= f->best) /* it lies above its ends by no more */
+        return;
+    if (start > bend) /* so that p' is monotone */
+        extremum(f, 0, s_end, c[1], v[1]);
+    else
+        largest(f, 0, s_end, c[1], v[1], 0);
 }
 
 double thud_poly_peak(const double *c, int n, double s_end, double least, double *where)
 {
-    if (absolute_sum(c, n) <= least)
+    double slope, move = move_bound(c, n, &slope);
+    if (fabs(c[0]) + move <= least)
         return least;
-    struct peak f = {c, n, third_bound(c, n), least, 0, false, 0};
-    try_at(&f, 0);
-    try_at(&f, s_end);
-    if (n > 1 && fabs(c[1]) < slope_bound(c, n)) /* else it rises or falls all the way */
-        largest(&f, 0, s_end, 0);
+    struct peak f = {c, n, 0, least, 0, false, 0};
+    if (n > 2 && fabs(c[1]) < slope) {
+        look_inside(&f, s_end);
+    } else { /* it rises or falls all the way */
+        raise(&f, 0, c[0]);
+        raise(&f, s_end, thud_poly_value(c, n, s_end));
+    }
     if (f.found)
         *where = f.where;
     return f.best;

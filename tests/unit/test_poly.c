@@ -178,6 +178,32 @@ START_TEST(peaks_lie_where_the_slope_is_0)
 }
 END_TEST
 
+/* Series read up to an end of their own, above a least value that some of them pass: against a grid, and attained. */
+START_TEST(peaks_of_series_against_a_grid)
+{
+    unsigned seed = 9;
+    int kind[3] = {0}; /* at the start, inside, at the end */
+    for (int trial = 0; trial < 4000; trial++) {
+        double c[20], where = -1, grid = 0, least = trial % 3 ? 0.4 : 0, s_end = trial % 2 ? 1 : 0.4;
+        int n = 1 + trial % 20;
+        series(&seed, 1, n, c);
+        for (int i = 0; i <= 500; i++)
+            grid = fmax(grid, fabs(thud_poly_value(c, n, s_end * i / 500)));
+        double peak = thud_poly_peak(c, n, s_end, least, &where);
+        ck_assert_double_ge(peak, fmax(grid, least) - 1e-15);
+        ck_assert_double_le(peak, fmax(grid, least) + 4 * s_end * s_end / (8 * 250000.0));
+        ck_assert_int_eq(where >= 0, peak > least);
+        if (peak > least) {
+            ck_assert_double_eq_tol(fabs(thud_poly_value(c, n, where)), peak, 1e-15);
+            kind[where == 0 ? 0 : where == s_end ? 2 : 1]++;
+        }
+    }
+    ck_assert_int_gt(kind[0], 300);
+    ck_assert_int_gt(kind[1], 200);
+    ck_assert_int_gt(kind[2], 300);
+}
+END_TEST
+
 /* Newton's step from the middle lands on the peak to the last bit, where it is an end of the bracket. */
 START_TEST(peak_met_in_one_step)
 {
@@ -203,6 +229,7 @@ Suite *thud_suite(void)
     tcase_add_test(tc, peaks_against_a_grid);
     tcase_add_test(tc, crossings_to_rounding);
     tcase_add_test(tc, peaks_lie_where_the_slope_is_0);
+    tcase_add_test(tc, peaks_of_series_against_a_grid);
     tcase_add_test(tc, peak_met_in_one_step);
     suite_add_tcase(suite, tc);
     return suite;
