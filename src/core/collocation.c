@@ -200,7 +200,7 @@ enum thud_status thud_collocation_create(const struct thud_state *state, struct 
     x->step.of = allocate(nc, sizeof *x->step.of);
     x->active = allocate(nc, sizeof(int));
     if (!x->step.coefficient || !x->step.of || !x->active ||
-        thud_responses_create(m, x->point, x->lagrange, x->h_top, &x->responses, err) != THUD_OK) {
+        thud_responses_create(m, x->point, x->lagrange, x->h_top, state->tolerance, &x->responses, err) != THUD_OK) {
         thud_collocation_free(x);
         *out = NULL;
         return thud_error_set(err, THUD_MEMORY, "out of memory");

@@ -1,31 +1,34 @@
 #include "core/response.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "core/segment.h"
 #include "core/tolerance.h"
 
-enum { LEVELS = 48, MOTION = 2 * THUD_POINTS }; /* MOTION: values and rates at the points */
-enum { BY_PLACE, BY_RATE, BY_LOAD, BY_RISE, CAUSES };
+/* POWERS: loads 1, s, s^2, ... of the time s in a step, as many as there are nodes, and before them the load that is an
+ * impulse: its motion is the rate of that under 1. */
+enum { LEVELS = 48, POWERS = THUD_NODES + 1 };
+enum { RAMP_ORDER = 3 }; /* the lowest of the motion under a load that rises */
 
 struct level {
     double
-        *free; /* (CAUSES x nmodes x MOTION): every mode by its place and rate at the start, by a load of 1 and by one
-                     that rises to 1; NULL where modes are coupled */
-    double *load;               /* (loads x THUD_NODES x nmodes x MOTION): under the load that is 1 at one node */
+        *load; /* (loads x POWERS x nmodes x THUD_POINTS): how far each mode moves under loads by powers of the time */
     struct thud_response *pair; /* (nrows x nrows) */
 };
 
 struct thud_responses {
     const struct thud_model *model;
-    int loads; /* loads: 1 where modes are uncoupled, else one per contact */
-    double h_top;
+    int loads; /* loads: 1 on every mode where modes are uncoupled, else those of each contact's unit force */
+    double h_top, tolerance;
     double lagrange[THUD_NODES * THUD_NODES], point[THUD_POINTS];
     struct thud_nodes first, last; /* the points: a batch, and those behind it */
     struct level level[LEVELS];
     struct thud_segment seg; /* of unit loads */
-    double *motion;          /* (nmodes x MOTION) from where they are, without contact forces */
+    double *at_start;        /* (nmodes) modal accelerations at the start of a step, */
+    double *rise;            /* (nmodes) what the straight lines of ground motion and displacements add to them, */
+    double *zero;            /* (nmodes) and no displacements */
     double *ramp_modes;      /* (THUD_SEGMENT_TERMS x nmodes): under a ground acceleration that rises by 1 in h_top, */
     double *ramp;            /* (nrows x THUD_SEGMENT_TERMS): and so each contact's indentation, made when needed */
     int *ramp_terms;         /* (nrows) 0 before that */
@@ -50,30 +53,34 @@ static struct thud_segment *unit_segment(struct thud_responses *x, double h)
 }
 
 enum thud_status thud_responses_create(const struct thud_model *m, const double *point, const double *lagrange,
-                                       double h_top, struct thud_responses **out, struct thud_error *err)
+                                       double h_top, double tolerance, struct thud_responses **out,
+                                       struct thud_error *err)
 {
     size_t n = (size_t)m->nmodes, nc = (size_t)m->nrows, terms = THUD_SEGMENT_TERMS;
     struct thud_responses *x = *out = allocate(1, sizeof *x);
     if (x) {
-        *x = (struct thud_responses){.model = m, .loads = m->couples ? m->nrows : 1, .h_top = h_top};
+        *x = (struct thud_responses){
+            .model = m, .loads = m->couples ? m->nrows : 1, .h_top = h_top, .tolerance = tolerance};
         memcpy(x->lagrange, lagrange, sizeof x->lagrange);
         memcpy(x->point, point, sizeof x->point);
-        x->motion = allocate(n * MOTION + terms * (n + nc), sizeof *x->motion);
+        x->at_start = allocate(3 * n + terms * (n + nc), sizeof *x->at_start);
         x->ramp_terms = allocate(nc, sizeof *x->ramp_terms);
     }
-    if (!x || !x->motion || !x->ramp_terms || thud_segment_init(&x->seg, m, err) != THUD_OK) {
+    if (!x || !x->at_start || !x->ramp_terms || thud_segment_init(&x->seg, m, err) != THUD_OK) {
         thud_responses_free(x);
         *out = NULL;
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
     thud_nodes_set(&x->first, THUD_BATCH, point, 1, THUD_SEGMENT_TERMS);
     thud_nodes_set(&x->last, THUD_POINTS - THUD_BATCH, point + THUD_BATCH, 1, THUD_SEGMENT_TERMS);
-    x->ramp_modes = x->motion + n * MOTION;
+    x->rise = x->at_start + n;
+    x->zero = x->rise + n;
+    x->ramp_modes = x->zero + n;
     x->ramp = x->ramp_modes + terms * n;
     struct thud_segment *seg = unit_segment(x, h_top);
     for (size_t j = 0; j < n; j++)
-        x->motion[j] = -m->gamma[j];
-    thud_taylor_load(m, seg, x->motion, 1);
+        x->rise[j] = -m->gamma[j];
+    thud_taylor_load(m, seg, x->rise, 1);
     memcpy(x->ramp_modes, seg->q, (size_t)seg->terms * n * sizeof *seg->q);
     return THUD_OK;
 }
@@ -88,135 +95,133 @@ void thud_responses_free(struct thud_responses *x)
             if (!level->pair[p].shared)
                 free(level->pair[p].indentation);
         free(level->pair);
-        free(level->free);
         free(level->load);
     }
-    free(x->motion);
+    free(x->at_start);
     free(x->ramp_terms);
     thud_segment_clear(&x->seg);
     free(x);
 }
 
-/* Values and rates at all points. */
-struct motion {
-    thud_double_pair pair[MOTION / 2];
-};
-
-static inline void add_to(struct motion *sum, double factor, const double *x)
-{
-    for (int i = 0; i < MOTION / 2; i++)
-        sum->pair[i] += factor * thud_double_pair_at(x + 2 * i);
-}
-
-static inline void put(const struct motion *sum, double *d, double *v)
-{
-    memcpy(d, sum->pair, THUD_POINTS * sizeof *d);
-    memcpy(v, sum->pair + THUD_POINTS / 2, THUD_POINTS * sizeof *v);
-}
-
 /* ---- responses ---- */
 
-/* How far the segment's modes have moved at the points, and their rates, out (nmodes x MOTION). */
+/* How far the segment's modes have moved at the points, out (nmodes x THUD_POINTS). */
 static void read_modes(const struct thud_responses *x, double *out)
 {
     const struct thud_segment *seg = &x->seg;
     int n = x->model->nmodes;
-    memset(seg->q, 0, (size_t)n * sizeof *seg->q); /* a short step would be lost in the rounding of where it began */
-    for (int j = 0; j < n; j++, out += MOTION) {
+    for (int j = 0; j < n; j++, out += THUD_POINTS) {
         double last[THUD_BATCH];
         thud_nodes_values(&x->first, seg->q + j, n, seg->terms, out);
         thud_nodes_values(&x->last, seg->q + j, n, seg->terms, last);
         memcpy(out + THUD_BATCH, last, (THUD_POINTS - THUD_BATCH) * sizeof *last);
-        thud_nodes_rates(&x->first, seg->q + j, n, seg->terms, seg->h_s, out + THUD_POINTS);
-        thud_nodes_rates(&x->last, seg->q + j, n, seg->terms, seg->h_s, last);
-        memcpy(out + THUD_POINTS + THUD_BATCH, last, (THUD_POINTS - THUD_BATCH) * sizeof *last);
     }
 }
 
-static void add_motion(double factor, const double *restrict motion, size_t count, double *restrict sum)
+/* out += factor x at all points */
+static void add_to(double factor, const double *restrict x, double *restrict out)
 {
-    for (size_t i = 0; i < count; i++)
-        sum[i] += factor * motion[i];
+    for (int i = 0; i < THUD_POINTS; i++)
+        out[i] += factor * x[i];
 }
 
-/* Modes under the loads that are 1 at one node, out of those under powers of the time; and those two at first. */
-static bool fill_loads(struct thud_responses *x, struct level *level, double h)
+/* The motion x_(p - 2) under the load b s^(p - 2), from that under the next two: the rate of x_p is p x_(p - 1), so the
+ * equation of motion x_p'' + h C x_p' + h^2 K x_p = h^2 b s^p reads
+ *     p (p - 1) x_(p - 2) = h^2 (b s^p - K x_p) - h p C x_(p - 1)
+ * and nothing cancels on the way down. For p = 1 its left side is the rate of x_0. (nmodes x THUD_POINTS) each. */
+static void step_down(const struct thud_responses *x, double h, int p, const double *b, const double *xp,
+                      const double *below, double *out)
 {
     const struct thud_model *m = x->model;
-    size_t n = (size_t)m->nmodes, count = n * MOTION;
-    double *power = allocate(count + n, sizeof *power), *ones = power ? power + count : NULL;
-    level->load = allocate((size_t)(x->loads * THUD_NODES) * count, sizeof *level->load);
-    if (!power || !level->load) {
-        free(power);
-        return false;
+    double s[THUD_POINTS], scale = p > 1 ? 1.0 / (p * (p - 1)) : 1;
+    memcpy(s, x->first.power[p], sizeof x->first.power[p]);
+    memcpy(s + THUD_BATCH, x->last.power[p], (THUD_POINTS - THUD_BATCH) * sizeof *s);
+    for (int j = 0; j < m->nmodes; j++) {
+        double *to = out + j * THUD_POINTS;
+        memset(to, 0, THUD_POINTS * sizeof *to);
+        add_to(scale * h * h * b[j], s, to);
+        add_to(-scale * h * h * m->spring[j], xp + j * THUD_POINTS, to);
+        add_to(-scale * h * p * m->dashpot[j], below + j * THUD_POINTS, to);
     }
-    for (size_t j = 0; j < n; j++)
-        ones[j] = 1;
+    for (int i = 0; i < m->nstructures; i++) {
+        const struct thud_model_structure *t = &m->structure[i];
+        for (int j = 0; t->damping && j < t->modes; j++)
+            for (int k = 0; k < t->modes; k++)
+                add_to(-scale * h * p * t->damping[j * t->modes + k], below + (t->first_mode + k) * THUD_POINTS,
+                       out + (t->first_mode + j) * THUD_POINTS);
+    }
+}
+
+/* Modes under loads b times powers of the time, table (POWERS x nmodes x THUD_POINTS): the highest two by their series,
+ * and from them the others. */
+static void fill_powers(struct thud_responses *x, double h, const double *b, double *table)
+{
+    const struct thud_model *m = x->model;
     struct thud_segment *seg = unit_segment(x, h);
-    for (int load = 0; load < x->loads; load++)
-        for (int p = 0; p < THUD_NODES; p++) {
-            thud_taylor_load(m, seg, m->couples ? m->jacobian + (size_t)load * n : ones, p);
-            read_modes(x, power);
-            for (int k = 0; k < THUD_NODES; k++)
-                add_motion(x->lagrange[p * THUD_NODES + k], power, count,
-                           level->load + (size_t)(load * THUD_NODES + k) * count);
-            if (p < 2 && level->free)
-                memcpy(level->free + (size_t)(BY_LOAD + p) * count, power, count * sizeof *power);
-        }
-    free(power);
-    return true;
+    const int size = m->nmodes * THUD_POINTS;
+    for (int p = THUD_NODES - 2; p < THUD_NODES; p++) {
+        thud_taylor_load(m, seg, b, p);
+        read_modes(x, table + (p + 1) * size);
+    }
+    for (int p = THUD_NODES - 1; p >= 1; p--)
+        step_down(x, h, p, b, table + (p + 1) * size, table + p * size, table + (p - 1) * size);
 }
 
 static bool fill_level(struct thud_responses *x, struct level *level, double h)
 {
     const struct thud_model *m = x->model;
-    size_t n = (size_t)m->nmodes, nc = (size_t)m->nrows;
+    size_t n = (size_t)m->nmodes, nc = (size_t)m->nrows, size = POWERS * n * THUD_POINTS;
     level->pair = allocate(nc * nc, sizeof *level->pair);
-    if (!m->couples)
-        level->free = allocate(CAUSES * n * MOTION, sizeof *level->free);
-    if (!level->pair || (!m->couples && !level->free) || !fill_loads(x, level, h))
+    level->load = allocate((size_t)x->loads * size, sizeof *level->load);
+    if (!level->pair || !level->load)
         return false;
-    double *unit = x->motion; /* one of its halves is 1, the other 0 */
-    for (int cause = BY_PLACE; cause <= BY_RATE && level->free; cause++) {
-        for (size_t j = 0; j < 2 * n; j++)
-            unit[j] = (j < n) == (cause == BY_PLACE);
-        thud_taylor_given(m, unit_segment(x, h), unit, unit + n);
-        read_modes(x, level->free + (size_t)cause * n * MOTION);
-    }
+    double *ones = x->rise;
+    for (size_t j = 0; j < n; j++)
+        ones[j] = 1;
+    for (int load = 0; load < x->loads; load++)
+        fill_powers(x, h, m->couples ? m->jacobian + (size_t)load * n : ones, level->load + (size_t)load * size);
     return true;
 }
 
+/* Modes that move by themselves, one table for all contacts, answer to a contact's force as much as its row has of them;
+ * where damping couples them, each contact has its own table. */
+static const double *table_of(const struct thud_responses *x, const struct level *level, int c)
+{
+    return level->load + (x->model->couples ? c : 0) * POWERS * x->model->nmodes * THUD_POINTS;
+}
+
 /* Response of contact a to forces of contact b. A force pushes the two apart: indentation falls. */
-static bool fill_pair(const struct thud_responses *x, const struct level *level, int a, int b)
+static bool fill_pair(const struct thud_responses *x, const struct level *level, double h, int a, int b)
 {
     const struct thud_model *m = x->model;
-    size_t n = (size_t)m->nmodes;
     struct thud_response *r = &level->pair[a * m->nrows + b];
-    double *block = allocate(THUD_NODES * MOTION, sizeof *block);
+    double *block = allocate(2 * THUD_NODES * THUD_POINTS, sizeof *block), power[POWERS][THUD_POINTS] = {0};
     if (!block)
         return false;
     r->indentation = block;
     r->rate = block + THUD_NODES * THUD_POINTS;
-    const double *ga = m->jacobian + (size_t)a * n, *gb = m->jacobian + (size_t)b * n;
-    const double *table = level->load + (m->couples ? (size_t)(b * THUD_NODES) * n * MOTION : 0);
+    const double *ga = m->jacobian + a * m->nmodes, *gb = m->jacobian + b * m->nmodes, *table = table_of(x, level, b);
     int structure[2], structures = thud_model_row_structures(m, a, structure);
-    for (int k = 0; k < THUD_NODES; k++, table += n * MOTION) {
-        struct motion sum = {0};
+    for (int p = 0; p < POWERS; p++, table += m->nmodes * THUD_POINTS)
         for (int i = 0; i < structures; i++) {
             const struct thud_model_structure *s = &m->structure[structure[i]];
             for (int j = s->first_mode; j < s->first_mode + s->modes; j++)
-                add_to(&sum, m->couples ? -ga[j] : -ga[j] * gb[j], table + j * MOTION);
+                add_to(m->couples ? -ga[j] : -ga[j] * gb[j], table + j * THUD_POINTS, power[p]);
         }
-        put(&sum, r->indentation + k * THUD_POINTS, r->rate + k * THUD_POINTS);
-    }
+    for (int k = 0; k < THUD_NODES; k++)
+        for (int p = 0; p < THUD_NODES; p++) {
+            double part = x->lagrange[p * THUD_NODES + k];
+            add_to(part, power[p + 1], r->indentation + k * THUD_POINTS);
+            add_to(part * (p > 0 ? p : 1) / h, power[p], r->rate + k * THUD_POINTS);
+        }
     return true;
 }
 
-/* Where modes do not couple, each of two contacts responds to the other in the same way. */
+/* Each of two contacts responds to the other in the same way: stiffness and damping are symmetric. */
 static bool mirror_pair(const struct thud_responses *x, const struct level *level, int a, int b)
 {
     const struct thud_response *other = &level->pair[b * x->model->nrows + a];
-    if (x->model->couples || !other->indentation)
+    if (!other->indentation)
         return false;
     level->pair[a * x->model->nrows + b] = (struct thud_response){other->indentation, other->rate, true};
     return true;
@@ -231,59 +236,84 @@ enum thud_status thud_responses_make(struct thud_responses *x, int at, const int
                                      struct thud_error *err)
 {
     struct level *level = &x->level[at];
-    bool made = level->pair || fill_level(x, level, ldexp(x->h_top, -at));
+    double h = ldexp(x->h_top, -at);
+    bool made = level->pair || fill_level(x, level, h);
     for (int a = 0; a < n && made; a++)
         for (int b = 0; b < n && made; b++)
             made = thud_responses_row(x, at, contact[a])[contact[b]].indentation ||
-                   mirror_pair(x, level, contact[a], contact[b]) || fill_pair(x, level, contact[a], contact[b]);
+                   mirror_pair(x, level, contact[a], contact[b]) || fill_pair(x, level, h, contact[a], contact[b]);
     return made ? THUD_OK : thud_error_set(err, THUD_MEMORY, "out of memory");
 }
 
 /* ---- without contact forces ---- */
 
-/* Modes of a structure from the state on, by the tables. */
-static void move_structure(struct thud_responses *x, const struct thud_state *state, const struct level *level,
-                           const struct thud_model_structure *s, double a0, double a1)
+/* Apart from the straight line of its place and rate, a mode starts at rest under a load: its acceleration now, which
+ * ground acceleration and spring go on to change by straight lines. */
+static void find_loads(struct thud_responses *x, const struct thud_state *state, double h)
 {
     const struct thud_model *m = x->model;
-    for (int j = s->first_mode; j < s->first_mode + s->modes; j++) {
-        const double cause[CAUSES] = {state->q[j], state->qd[j], -m->gamma[j] * a0, -m->gamma[j] * a1};
-        const double *table = level->free + j * MOTION;
-        struct motion sum = {0};
-        for (int i = 0; i < CAUSES; i++, table += m->nmodes * MOTION)
-            add_to(&sum, cause[i], table);
-        memcpy(x->motion + j * MOTION, sum.pair, sizeof sum.pair);
-    }
-}
-
-/* Fills x->motion of the structures that these contacts move, with the ground acceleration going on in a straight line. */
-static void move_modes(struct thud_responses *x, const struct thud_state *state, const struct level *level, double h,
-                       const int *contact, int n)
-{
-    const struct thud_model *m = x->model;
-    if (!level->free || state->nshifted > 0) { /* storeys with a plastic drift push too */
-        thud_segment_begin(state, &x->seg, h);
-        x->seg.terms = THUD_SEGMENT_TERMS;
-        thud_taylor_given(m, &x->seg, state->q, state->qd);
-        read_modes(x, x->motion);
-        return;
-    }
     double start, end;
     thud_state_ground(state, state->grid, &start, &end);
     double slope = (end - start) / state->grid_dt_s;
-    for (int s = 0; s < m->nstructures; s++)
-        for (int a = 0, moves = 0; a < n && !moves; a++) {
-            int structure[2], structures = thud_model_row_structures(m, contact[a], structure);
-            moves = (structures > 0 && structure[0] == s) || (structures > 1 && structure[1] == s);
-            if (moves)
-                move_structure(x, state, level, &m->structure[s], start + slope * state->offset_s, slope * h);
+    thud_model_acceleration(m, state->q, state->qd, start + slope * state->offset_s, x->at_start);
+    thud_model_acceleration(m, state->qd, x->zero, slope, x->rise);
+    for (int j = 0; j < m->nmodes; j++)
+        x->rise[j] *= h;
+    if (state->nshifted > 0) { /* storeys with a plastic drift push too */
+        thud_segment_begin(state, &x->seg, h);
+        thud_model_apply_contact_forces(m, x->seg.force, x->at_start);
+    }
+}
+
+/* Values and rates at all points. */
+struct motion {
+    thud_double_pair value[THUD_POINTS / 2], rate[THUD_POINTS / 2];
+};
+
+static inline void add_mode(struct motion *sum, double at_start, double rise, double h, const double *impulse,
+                            const double *constant, const double *ramp)
+{
+    double start_rate = at_start / h, rise_rate = rise / h;
+    for (int i = 0; i < THUD_POINTS / 2; i++) {
+        thud_double_pair x = thud_double_pair_at(constant + 2 * i);
+        sum->value[i] += at_start * x + rise * thud_double_pair_at(ramp + 2 * i);
+        sum->rate[i] += start_rate * thud_double_pair_at(impulse + 2 * i) + rise_rate * x;
+    }
+}
+
+/* Contact c under the loads of its modes. */
+static void move_contact(const struct thud_responses *x, const struct thud_state *state, const struct level *level,
+                         double h, int c, double *d, double *v)
+{
+    const struct thud_model *m = x->model;
+    const int size = m->nmodes * THUD_POINTS;
+    const double *g = m->jacobian + c * m->nmodes, *table = table_of(x, level, c);
+    /* what has just touched has not moved yet, whatever rounding says */
+    double start = state->contact[c].suppressed.indentation > 0 ? 0 : thud_contact_indentation(state, c);
+    double rate = thud_contact_rate(state, c);
+    struct motion sum;
+    for (int i = 0; i < THUD_POINTS / 2; i++) {
+        sum.value[i] = start + rate * h * thud_double_pair_at(x->point + 2 * i);
+        sum.rate[i] = (thud_double_pair){rate, rate};
+    }
+    int structure[2], structures = thud_model_row_structures(m, c, structure);
+    for (int i = 0; i < structures; i++) {
+        const struct thud_model_structure *s = &m->structure[structure[i]];
+        for (int j = s->first_mode; j < s->first_mode + s->modes; j++) {
+            const double *mode = table + j * THUD_POINTS;
+            double part = m->couples ? 1 : g[j];
+            add_mode(&sum, part * x->at_start[j], part * x->rise[j], h, mode, mode + size, mode + 2 * size);
         }
+    }
+    memcpy(d, sum.value, sizeof sum.value);
+    memcpy(v, sum.rate, sizeof sum.rate);
 }
 
 /* Number of terms of contact c's answer to a rise of the ground acceleration. */
 static int ramp_of(struct thud_responses *x, int c)
 {
-    static const double least = 1e-14; /* what is left out of what a bend adds is far below that of the rest */
+    /* what is left out of what a bend adds is far below that of the rest */
+    const double least = fmin(1e-8, fmax(1e-14, 1e-4 * x->tolerance));
     double *ramp = x->ramp + c * THUD_SEGMENT_TERMS, largest = 0;
     if (x->ramp_terms[c] > 0)
         return x->ramp_terms[c];
@@ -292,7 +322,7 @@ static int ramp_of(struct thud_responses *x, int c)
         largest = fmax(largest, fabs(ramp[k]));
     }
     int terms = THUD_SEGMENT_TERMS;
-    while (terms > 2 && fabs(ramp[terms - 1]) <= least * largest)
+    while (terms > RAMP_ORDER + 1 && fabs(ramp[terms - 1]) <= least * largest)
         terms--;
     return x->ramp_terms[c] = terms;
 }
@@ -307,12 +337,13 @@ static void add_kink(struct thud_responses *x, int c, double bend, double h, dou
         if (at[0] <= 0 && at[1] <= 0)
             continue;
         at = (thud_double_pair){at[0] > 0 ? at[0] : 0, at[1] > 0 ? at[1] : 0} / x->h_top;
-        for (int k = terms - 1; k >= 0; k--) {
+        for (int k = terms - 1; k >= RAMP_ORDER; k--) {
             rate = rate * at + value;
             value = value * at + ramp[k];
         }
-        *(thud_double_pair *)(d + i) += bend * value;
-        *(thud_double_pair *)(v + i) += bend / x->h_top * rate;
+        thud_double_pair square = bend * at * at;
+        *(thud_double_pair *)(d + i) += square * at * value;
+        *(thud_double_pair *)(v + i) += square / x->h_top * (RAMP_ORDER * value + at * rate);
     }
 }
 
@@ -337,23 +368,9 @@ static void add_kinks(struct thud_responses *x, const struct thud_state *state, 
 void thud_responses_unforced(struct thud_responses *x, const struct thud_state *state, int at, double end_s,
                              const int *contact, int n, double *d, double *v)
 {
-    const struct thud_model *m = x->model;
     double h = ldexp(x->h_top, -at);
-    move_modes(x, state, &x->level[at], h, contact, n);
-    for (int a = 0; a < n; a++) {
-        int c = contact[a], structure[2], structures = thud_model_row_structures(m, c, structure);
-        const double *g = m->jacobian + (size_t)c * (size_t)m->nmodes;
-        /* what has just touched has not moved yet, whatever rounding says */
-        double start = state->contact[c].suppressed.indentation > 0 ? 0 : thud_contact_indentation(state, c);
-        struct motion sum = {0};
-        for (int i = 0; i < THUD_POINTS / 2; i++)
-            sum.pair[i] = (thud_double_pair){start, start};
-        for (int i = 0; i < structures; i++) {
-            const struct thud_model_structure *s = &m->structure[structure[i]];
-            for (int j = s->first_mode; j < s->first_mode + s->modes; j++)
-                add_to(&sum, g[j], x->motion + j * MOTION);
-        }
-        put(&sum, d + a * THUD_POINTS, v + a * THUD_POINTS);
-    }
+    find_loads(x, state, h);
+    for (int a = 0; a < n; a++)
+        move_contact(x, state, &x->level[at], h, contact[a], d + a * THUD_POINTS, v + a * THUD_POINTS);
     add_kinks(x, state, h, end_s, contact, n, d, v);
 }

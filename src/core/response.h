@@ -1,6 +1,5 @@
-/* How contacts move at the points of a step: without contact forces, and under each other's. Where damping does not
- * couple modes, both are sums over modes with factors that depend on the step size alone: tables, made when first
- * needed. */
+/* How contacts move at the points of a step: without contact forces, and under each other's. Both are sums over modes with
+ * factors that depend on the step size alone: tables, made when first needed. */
 #ifndef THUD_CORE_RESPONSE_H
 #define THUD_CORE_RESPONSE_H
 
@@ -20,9 +19,10 @@ struct thud_response {
 };
 
 /* point (THUD_POINTS); lagrange (THUD_NODES x THUD_NODES): coefficients of the polynomials through the nodes. Steps:
- * h_top / 2^level. Errors: THUD_MEMORY. */
+ * h_top / 2^level. tolerance: of the forces, relative. Errors: THUD_MEMORY. */
 enum thud_status thud_responses_create(const struct thud_model *model, const double *point, const double *lagrange,
-                                       double h_top, struct thud_responses **out, struct thud_error *err);
+                                       double h_top, double tolerance, struct thud_responses **out,
+                                       struct thud_error *err);
 void thud_responses_free(struct thud_responses *responses);
 
 /* Makes the responses of these contacts to each other at this step size. Errors: THUD_MEMORY. */

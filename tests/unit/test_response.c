@@ -44,7 +44,8 @@ static void set_up(struct fixture *f, bool isolated)
     for (int i = NODES; i < THUD_POINTS; i++)
         f->point[i] = 0.17 * (i - NODES);
     thud_lagrange_coefficients(NODES, f->point, lagrange);
-    ck_assert_int_eq(thud_responses_create(f->model, f->point, lagrange, f->h_top, &f->responses, NULL), THUD_OK);
+    ck_assert_int_eq(thud_responses_create(f->model, f->point, lagrange, f->h_top, 1e-10, &f->responses, NULL),
+                     THUD_OK);
     f->n = f->model->ncontacts;
     for (int c = 0; c < f->n; c++)
         f->contact[c] = c;
