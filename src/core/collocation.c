@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/branch_batch.h"
 #include "core/largest.h"
 #include "core/nodes.h"
 #include "core/radau.h"
@@ -47,9 +48,11 @@ struct thud_collocation {
      * THUD_POINTS apart */
     int *active; /* (nc) */
     int nactive, capacity;
-    double *force, *d0, *v0, *d, *v; /* (nactive x THUD_POINTS) */
-    double *residual, *matrix;       /* (nactive x nodes); square */
-    double *scale, *change;          /* (nactive) on which a change of the force counts, and the last one */
+    const struct thud_response **response; /* (nactive x nactive) of one to the force of the other */
+    double *force, *d0, *v0, *d, *v;       /* (nactive x THUD_POINTS) */
+    double *law, *law_d, *law_v;           /* (nactive x THUD_BATCH) force by the law, and its derivatives */
+    double *residual, *matrix;             /* (nactive x nodes); square */
+    double *scale, *change; /* (nactive) 1 over that on which a change of the force counts; the last one */
     lapack_int *pivot;
 };
 
@@ -106,21 +109,25 @@ static double force_noise(const struct thud_state *state, int c, double fd, doub
 static double force_difference(const struct thud_state *state, const struct thud_collocation *x, int a, double h,
                                double small)
 {
+    enum { FIRST = THUD_POINTS - THUD_BATCH }; /* a batch that ends with the last point */
     int c = x->active[a];
-    const struct thud_contact_state *s = &state->contact[c];
     double worst = 0, mass = state->model->contact[c].setup.mass_kg;
-    const double *force = x->force + a * THUD_POINTS, *between = x->between;
+    const double *d = x->d + a * THUD_POINTS, *v = x->v + a * THUD_POINTS, *between = x->between;
+    double law[THUD_BATCH], law_d[THUD_BATCH], law_v[THUD_BATCH];
+    if (state->contact[c].mode ==
+        THUD_STICKING) { /* the force that would undo the rate in one step, but for rounding */
+        for (int i = NODES; i < THUD_POINTS; i++)
+            worst = thud_larger(worst, mass * thud_larger(fabs(v[i]) - THUD_TOL_STICKING_M / h, 0) / h);
+        return worst;
+    }
+    thud_branch_batch(&state->contact[c].branch, d + FIRST, v + FIRST, law, law_d, law_v);
     for (int i = NODES; i < THUD_POINTS; i++, between += NODES) {
-        double d = x->d[a * THUD_POINTS + i], v = x->v[a * THUD_POINTS + i], f = 0, fd, fv;
-        if (s->mode == THUD_STICKING) { /* the force that would undo the rate in one step, but for rounding */
-            worst = thud_larger(worst, mass * thud_larger(fabs(v) - THUD_TOL_STICKING_M / h, 0) / h);
-            continue;
-        }
+        double f = 0;
         for (int k = 0; k < NODES; k++)
-            f += between[k] * force[k];
-        double difference = fabs(thud_branch_force(&s->branch, d, v, &fd, &fv) - f);
-        if (difference > thud_larger(worst, small) && isfinite(fd))
-            difference -= force_noise(state, c, fd, fv);
+            f += between[k] * x->force[a * THUD_POINTS + k];
+        double difference = fabs(law[i - FIRST] - f);
+        if (difference > thud_larger(worst, small))
+            difference -= force_noise(state, c, law_d[i - FIRST], law_v[i - FIRST]);
         worst = thud_larger(worst, difference);
     }
     return worst;
@@ -216,6 +223,7 @@ void thud_collocation_free(struct thud_collocation *x)
     free(x->step.coefficient);
     free(x->step.of);
     free(x->active);
+    free(x->response);
     free(x->force);
     free(x->matrix);
     free(x->pivot);
@@ -254,42 +262,59 @@ static bool reserve(struct thud_collocation *x, int n)
 {
     if (n <= x->capacity)
         return true;
-    size_t size = (size_t)n * THUD_POINTS, unknowns = (size_t)n * (size_t)NODES;
-    double *block = allocate(5 * size + unknowns + 2 * (size_t)n, sizeof *block),
+    size_t contacts = (size_t)n, size = contacts * THUD_POINTS, batch = contacts * THUD_BATCH,
+           unknowns = contacts * (size_t)NODES;
+    double *block = allocate(5 * size + 3 * batch + unknowns + 2 * contacts, sizeof *block),
            *matrix = allocate(unknowns * unknowns, sizeof *matrix);
+    const struct thud_response **response = allocate(contacts * contacts, sizeof *response);
     lapack_int *pivot = allocate(unknowns, sizeof *pivot);
-    if (!block || !matrix || !pivot) {
+    if (!block || !matrix || !response || !pivot) {
         free(block);
         free(matrix);
+        free(response);
         free(pivot);
         return false;
     }
     free(x->force);
     free(x->matrix);
+    free(x->response);
     free(x->pivot);
     x->force = block;
     x->d0 = block + size;
     x->v0 = block + 2 * size;
     x->d = block + 3 * size;
     x->v = block + 4 * size;
-    x->residual = block + 5 * size;
+    x->law = block + 5 * size;
+    x->law_d = x->law + batch;
+    x->law_v = x->law_d + batch;
+    x->residual = x->law_v + batch;
     x->scale = x->residual + unknowns;
     x->change = x->scale + n;
     x->matrix = matrix;
+    x->response = response;
     x->pivot = pivot;
     x->capacity = n;
     return true;
 }
 
+/* The responses of the active contacts to each other at this size of the step. Errors: THUD_MEMORY. */
+static enum thud_status find_responses(struct thud_collocation *x, int level, struct thud_error *err)
+{
+    enum thud_status status = thud_responses_make(x->responses, level, x->active, x->nactive, err);
+    for (int a = 0; a < x->nactive && status == THUD_OK; a++)
+        for (int b = 0; b < x->nactive; b++)
+            x->response[a * x->nactive + b] = thud_responses_row(x->responses, level, x->active[a]) + x->active[b];
+    return status;
+}
+
 /* Indentation and rate of the active contacts at the first batch of points, or those behind it, under all forces: out of
  * what they are without. */
-static void motion_under_forces(const struct thud_collocation *x, int level)
+static void motion_under_forces(const struct thud_collocation *x)
 {
     for (int a = 0; a < x->nactive; a++) {
-        const struct thud_response *row = thud_responses_row(x->responses, level, x->active[a]);
         struct thud_batch d = thud_batch_at(x->d0 + a * THUD_POINTS), v = thud_batch_at(x->v0 + a * THUD_POINTS);
         for (int b = 0; b < x->nactive; b++) {
-            const struct thud_response *r = &row[x->active[b]];
+            const struct thud_response *r = x->response[a * x->nactive + b];
             for (int j = 0; j < NODES; j++) {
                 double force = x->force[b * THUD_POINTS + j];
                 thud_batch_add(&d, force, r->indentation + j * THUD_POINTS);
@@ -301,15 +326,14 @@ static void motion_under_forces(const struct thud_collocation *x, int level)
     }
 }
 
-static void motion_behind(const struct thud_collocation *x, int level)
+static void motion_behind(const struct thud_collocation *x)
 {
     for (int a = 0; a < x->nactive; a++) {
-        const struct thud_response *row = thud_responses_row(x->responses, level, x->active[a]);
         for (int i = THUD_BATCH; i < THUD_POINTS; i += 2) {
             thud_double_pair d = thud_double_pair_at(x->d0 + a * THUD_POINTS + i),
                              v = thud_double_pair_at(x->v0 + a * THUD_POINTS + i);
             for (int b = 0; b < x->nactive; b++) {
-                const struct thud_response *r = &row[x->active[b]];
+                const struct thud_response *r = x->response[a * x->nactive + b];
                 for (int j = 0; j < NODES; j++) {
                     double force = x->force[b * THUD_POINTS + j];
                     d += force * thud_double_pair_at(r->indentation + j * THUD_POINTS + i);
@@ -322,91 +346,106 @@ static void motion_behind(const struct thud_collocation *x, int level)
     }
 }
 
-/* Residual of the force equations and their derivative by the forces (column-major). */
-static void linearize(const struct thud_state *state, struct thud_collocation *x, int level)
+/* The laws and their derivatives along the motion under the last forces. */
+static void evaluate_laws(const struct thud_state *state, struct thud_collocation *x)
 {
-    int n = x->nactive * NODES;
     for (int a = 0; a < x->nactive; a++) {
         const struct thud_contact_state *s = &state->contact[x->active[a]];
+        int at = a * THUD_BATCH, point = a * THUD_POINTS;
+        if (s->mode != THUD_STICKING)
+            thud_branch_batch(&s->branch, x->d + point, x->v + point, x->law + at, x->law_d + at, x->law_v + at);
+    }
+    state->work->force_evaluations += x->nactive * NODES;
+}
+
+/* Residual of the force equations and their derivative by the forces (column-major). */
+static void linearize(const struct thud_state *state, struct thud_collocation *x)
+{
+    int n = x->nactive * NODES;
+    evaluate_laws(state, x);
+    for (int a = 0; a < x->nactive; a++) {
+        bool sticks = state->contact[x->active[a]].mode == THUD_STICKING;
         for (int i = 0; i < NODES; i++) {
-            int row = a * NODES + i, at = a * THUD_POINTS + i;
-            double fd = 0, fv = -1, own = 0;
-            if (s->mode == THUD_STICKING) {
-                x->residual[row] = x->v[at];
-            } else {
-                own = 1;
-                x->residual[row] = x->force[at] - thud_branch_force(&s->branch, x->d[at], x->v[at], &fd, &fv);
-            }
+            int row = a * NODES + i, at = a * THUD_POINTS + i, in_batch = a * THUD_BATCH + i;
+            double fd = sticks ? 0 : x->law_d[in_batch], fv = sticks ? -1 : x->law_v[in_batch];
+            x->residual[row] = sticks ? x->v[at] : x->force[at] - x->law[in_batch];
             for (int b = 0; b < x->nactive; b++) {
-                const struct thud_response *r = &thud_responses_row(x->responses, level, x->active[a])[x->active[b]];
+                const struct thud_response *r = x->response[a * x->nactive + b];
                 double *column = x->matrix + (size_t)(b * NODES) * (size_t)n + row;
                 for (int j = 0; j < NODES; j++, column += n)
                     *column = -fd * r->indentation[j * THUD_POINTS + i] - fv * r->rate[j * THUD_POINTS + i];
             }
-            x->matrix[(size_t)row * (size_t)n + (size_t)row] += own;
+            x->matrix[(size_t)row * (size_t)n + (size_t)row] += sticks ? 0 : 1;
         }
     }
-    state->work->force_evaluations += n;
 }
 
-/* By how much the force of the a-th active contact at point j is off: the law's along the motion under the last forces,
- * and by how much that moves with the force itself. */
-static double correction(const struct thud_state *state, const struct thud_collocation *x, int level, int a, int j)
+/* Contact a's law as f0 + law_d d + law_v v: law keeps f0, and residual over how much a change of the force at a node
+ * makes of itself there. */
+static void straighten_law(struct thud_collocation *x, int a)
 {
-    int c = x->active[a], at = a * THUD_POINTS + j, own = j * THUD_POINTS + j;
-    const struct thud_response *self = &thud_responses_row(x->responses, level, c)[c];
-    double fd, fv, force = thud_branch_force(&state->contact[c].branch, x->d[at], x->v[at], &fd, &fv);
-    double slope = 1 - fd * self->indentation[own] - fv * self->rate[own];
-    return (force - x->force[at]) / (isfinite(slope) ? slope : 1);
+    const struct thud_response *self = x->response[a * x->nactive + a];
+    const double *d = x->d + a * THUD_POINTS, *v = x->v + a * THUD_POINTS;
+    double *law = x->law + a * THUD_BATCH, *law_d = x->law_d + a * THUD_BATCH, *law_v = x->law_v + a * THUD_BATCH;
+    double *part = x->residual + a * NODES;
+    for (int j = 0; j < NODES; j++) {
+        int own = j * THUD_POINTS + j;
+        law[j] -= law_d[j] * d[j] + law_v[j] * v[j];
+        part[j] = 1 / (1 - law_d[j] * self->indentation[own] - law_v[j] * self->rate[own]);
+    }
 }
 
 /* All contacts at all points feel the changes of the forces at point j. */
-static void spread(struct thud_collocation *x, int level, int j)
+static void spread(struct thud_collocation *x, int j)
 {
+    const struct thud_response *const *r = x->response;
     for (int b = 0; b < x->nactive; b++) {
-        const struct thud_response *row = thud_responses_row(x->responses, level, x->active[b]);
         struct thud_batch d = thud_batch_at(x->d + b * THUD_POINTS), v = thud_batch_at(x->v + b * THUD_POINTS);
-        for (int a = 0; a < x->nactive; a++) {
-            const struct thud_response *r = &row[x->active[a]];
-            thud_batch_add(&d, x->change[a], r->indentation + j * THUD_POINTS);
-            thud_batch_add(&v, x->change[a], r->rate + j * THUD_POINTS);
+        for (int a = 0; a < x->nactive; a++, r++) {
+            thud_batch_add(&d, x->change[a], (*r)->indentation + j * THUD_POINTS);
+            thud_batch_add(&v, x->change[a], (*r)->rate + j * THUD_POINTS);
         }
         thud_batch_put(&d, x->d + b * THUD_POINTS);
         thud_batch_put(&v, x->v + b * THUD_POINTS);
     }
 }
 
-/* One Gauss-Seidel sweep over the nodes of the step, earliest first. Returns the largest change of a force, over the
- * force scale. */
-static double renew_forces(const struct thud_state *state, struct thud_collocation *x, int level)
+/* One step of Newton's method, its linear system by one Gauss-Seidel sweep over the nodes of the step, earliest first.
+ * Returns the largest change of a force, over the force scale. */
+static double renew_forces(const struct thud_state *state, struct thud_collocation *x)
 {
     double most = 0;
+    evaluate_laws(state, x);
+    for (int a = 0; a < x->nactive; a++)
+        straighten_law(x, a);
     for (int j = 0; j < NODES; j++) {
         for (int a = 0; a < x->nactive; a++) {
-            x->change[a] = correction(state, x, level, a, j);
-            x->force[a * THUD_POINTS + j] += x->change[a];
-            most = thud_larger(most, fabs(x->change[a]) / x->scale[a]);
+            int i = a * THUD_BATCH + j, at = a * THUD_POINTS + j;
+            double law = x->law[i] + x->law_d[i] * x->d[at] + x->law_v[i] * x->v[at];
+            double change = (law - x->force[at]) * x->residual[a * NODES + j];
+            x->force[at] += change;
+            x->change[a] = change;
+            most = thud_larger(most, fabs(change) * x->scale[a]);
         }
-        spread(x, level, j);
+        spread(x, j);
     }
-    state->work->force_evaluations += x->nactive * NODES;
     return most;
 }
 
 /* Iteration for the forces: cheap, and fast where contacts are soft on the scale of the step, as what acts later hardly
  * shows in what was before. What is left after an iteration is its change times the contraction, which is known from
  * the step before; should it be worse, the error of the step shows it. */
-static bool iterate(const struct thud_state *state, struct thud_collocation *x, int level, double tolerance)
+static bool iterate(const struct thud_state *state, struct thud_collocation *x, double tolerance)
 {
     double before = 0;
     for (int a = 0; a < x->nactive; a++) {
         if (state->contact[x->active[a]].mode == THUD_STICKING)
             return false;
-        x->scale[a] = force_scale(state, x, a);
+        x->scale[a] = 1 / force_scale(state, x, a);
     }
-    motion_under_forces(x, level);
+    motion_under_forces(x);
     for (int iteration = 0; iteration < ITERATIONS_MAX; iteration++) {
-        double change = renew_forces(state, x, level);
+        double change = renew_forces(state, x);
         if (iteration > 0)
             x->contraction = fmin(slowest_contraction, 4 * change / before);
         if (change * x->contraction <= tolerance) {
@@ -422,13 +461,13 @@ static bool iterate(const struct thud_state *state, struct thud_collocation *x, 
 }
 
 /* Newton's method for the forces. */
-static bool solve(const struct thud_state *state, struct thud_collocation *x, int level, double tolerance)
+static bool solve(const struct thud_state *state, struct thud_collocation *x, double tolerance)
 {
     int n = x->nactive * NODES;
     double before = INFINITY;
     for (int iteration = 0; iteration < NEWTON_MAX; iteration++) {
-        motion_under_forces(x, level);
-        linearize(state, x, level);
+        motion_under_forces(x);
+        linearize(state, x);
         if (LAPACKE_dgesv_work(LAPACK_COL_MAJOR, n, 1, x->matrix, n, x->pivot, x->residual, n) != 0)
             return false;
         double change = 0;
@@ -443,7 +482,7 @@ static bool solve(const struct thud_state *state, struct thud_collocation *x, in
             return false;
         if (change <= tolerance ||
             (change < THUD_TOL_COLLOCATION_STALL && change >= 0.5 * before)) { /* or no better for rounding */
-            motion_under_forces(x, level);
+            motion_under_forces(x);
             return true;
         }
         before = change;
@@ -587,14 +626,14 @@ static enum thud_status make_step(const struct thud_state *state, struct thud_co
     for (int same = 0;;) {
         int level = level_for(x, x->h, ahead);
         double want = x->h, h = ldexp(x->h_top, -level), error = INFINITY;
-        enum thud_status status = thud_responses_make(x->responses, level, x->active, x->nactive, err);
+        enum thud_status status = find_responses(x, level, err);
         if (status != THUD_OK)
             return status;
         thud_responses_unforced(x->responses, state, level, ahead, x->active, x->nactive, x->d0, x->v0);
         guess(state, x, h);
-        if (iterate(state, x, level, 1e-2 * tolerance) || solve(state, x, level, 1e-2 * tolerance)) {
+        if (iterate(state, x, 1e-2 * tolerance) || solve(state, x, 1e-2 * tolerance)) {
             keep_step(state, x, h); /* should it be too long, a shorter one begins with these forces */
-            motion_behind(x, level);
+            motion_behind(x);
             error = error_of_step(state, x, h, tolerance);
         } else {
             memset(x->step.of, 0, (size_t)x->nc * sizeof *x->step.of);
