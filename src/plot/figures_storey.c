@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "plot/figures_run_internal.h"
+#include "study/level.h"
 
 enum { LOOPS_MAX = 6, LOOP_COLUMNS = 3 };
 
@@ -95,17 +96,15 @@ static void over_height(struct thud_panel *panel, const struct thud_figure_sourc
     const struct thud_structure *p = &source->scene->structure[structure];
     int slab = p->kind == THUD_ISOLATED;
     size_t n = 0;
-    double height = 0.0;
     struct thud_series *series = thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = color}, name,
                                                 3 * (size_t)r->floors, NULL, NULL);
     for (int f = slab; series && f < r->floors; f++) {
         const struct thud_storey_result *storey = &r->storey[f];
         double value = !storey->yields ? NAN : quantity == DUCTILITY ? storey->ductility : 1e3 * storey->permanent_m;
         series->x[n] = value;
-        series->y[n++] = height;
-        height += p->height_m[f - slab];
+        series->y[n++] = f > 0 ? thud_structure_elevation(p, f - 1) : p->base_m;
         series->x[n] = value;
-        series->y[n++] = height;
+        series->y[n++] = thud_structure_elevation(p, f);
     }
     if (series)
         series->n = n;

@@ -18,6 +18,7 @@ count=0
 survivors=0
 
 mkdir -p "$tree" || exit 2
+[ -n "$fit" ] || rm -rf "${tree:?}/src" "${tree:?}/include" "${tree:?}/tests" # of files that are no more
 [ -n "$fit" ] || tar cf - Makefile src include tests/unit tests/tools presets records man | tar xf - -C "$tree" || exit 2
 here=$PWD
 cd "$tree" || exit 2
