@@ -79,8 +79,9 @@ static enum thud_status block(void *own, const struct thud_state *state, struct 
     thud_free_vibration_end(f, 0, row, row + h->n);
     thud_free_vibration_end(f, intervals, h->end, h->end + h->n);
     double *value = row + 2 * h->n, *relative = value + THUD_FLOOR_QUANTITIES * h->floors;
-    for (int s = 0; s < m->nstructures; s++)
-        thud_free_vibration_values(f, m, s);
+    for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++)
+        for (int s = 0; s < m->nstructures; s++)
+            thud_free_vibration_values(f, m, s, x);
     for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++)
         for (int i = 0; i < h->floors; i++)
             value[x * h->floors + i] = thud_largest_size(f->value[x] + i * ENDS, intervals + 1) +

@@ -55,10 +55,10 @@ static bool allocate(struct thud_free_vibration *f, const struct thud_model *m)
         calloc(count * rows + (ends * rows + THUD_FLOOR_QUANTITIES * floors + singles) * (size_t)ENDS +
                    2 * THUD_FLOOR_QUANTITIES * ns + (size_t)m->ncontacts + (m->couples ? BOUNDS * n : 0),
                sizeof *next);
-    f->placed = calloc(2 * ns + (size_t)m->ncontacts + 1, sizeof *f->placed);
+    f->valued = calloc(THUD_FLOOR_QUANTITIES * ns + (size_t)m->ncontacts + 1, sizeof *f->valued);
     f->at = calloc(ns + 1, sizeof *f->at);
     f->coupled = calloc(ns + 1, sizeof *f->coupled);
-    if (!next || !f->placed || !f->at || !f->coupled)
+    if (!next || !f->valued || !f->at || !f->coupled)
         return false;
     for (size_t i = 0; i < count; i++, next += rows)
         *by_mode[i] = next;
@@ -72,8 +72,7 @@ static bool allocate(struct thud_free_vibration *f, const struct thud_model *m)
     f->cubic_margin = f->margin + THUD_FLOOR_QUANTITIES * ns;
     f->limit = f->cubic_margin + THUD_FLOOR_QUANTITIES * ns;
     f->bound = f->limit + m->ncontacts;
-    f->valued = f->placed + ns;
-    f->near = f->valued + ns;
+    f->near = f->valued + THUD_FLOOR_QUANTITIES * ns;
     return true;
 }
 
@@ -230,7 +229,7 @@ void thud_free_vibration_free(struct thud_free_vibration *f)
     for (int s = 0; s < f->nstructures; s++)
         thud_coupled_flight_clear(&f->coupled[s]);
     free(f->coupled);
-    free(f->placed);
+    free(f->valued);
     free(f->at);
     free(f->block);
     free(f);
@@ -319,7 +318,7 @@ static void march(struct thud_free_vibration *f, const struct thud_state *state,
         if (f->coupled[s].size > 0)
             thud_coupled_flight_march(&f->coupled[s], f->q + row, f->qd + row, ENDS, f->ground, f->after, intervals);
     }
-    memset(f->placed, 0, 2 * (size_t)state->model->nstructures * sizeof *f->placed); /* and valued */
+    memset(f->valued, 0, THUD_FLOOR_QUANTITIES * (size_t)state->model->nstructures * sizeof *f->valued);
     for (int i = 0; i < state->model->nstructures; i++)
         f->at[i].piece = -1;
     thud_segment_begin(state, &f->seg, f->dt_s / f->pieces); /* the forces, constant in the block */
@@ -411,20 +410,9 @@ static void floor_rows(struct thud_free_vibration *f, const struct thud_model_st
         some_rows(p, i, 1, from, ends, to + (size_t)i * ENDS);
 }
 
-void thud_free_vibration_displacements(struct thud_free_vibration *f, const struct thud_model *m, int structure)
+/* Fills f->spring of one structure. */
+static void spring_rows(struct thud_free_vibration *f, const struct thud_model *m, const struct thud_model_structure *p)
 {
-    if (!f->placed[structure])
-        floor_rows(f, &m->structure[structure], THUD_FLOOR_DISPLACEMENT, f->q, f->ends);
-    f->placed[structure] = true;
-}
-
-void thud_free_vibration_values(struct thud_free_vibration *f, const struct thud_model *m, int structure)
-{
-    const struct thud_model_structure *p = &m->structure[structure];
-    if (f->valued[structure])
-        return;
-    f->valued[structure] = true;
-    thud_free_vibration_displacements(f, m, structure);
     for (int j = p->first_mode; j < p->first_mode + p->modes; j++) {
         const double *q = f->q + j * ENDS, *qd = f->qd + j * ENDS;
         double *a = f->spring + j * ENDS, s = f->shift[j];
@@ -436,8 +424,10 @@ void thud_free_vibration_values(struct thud_free_vibration *f, const struct thud
                 a[t] -= d * rate[t];
         }
     }
-    floor_rows(f, p, THUD_FLOOR_VELOCITY, f->qd, f->ends);
-    floor_rows(f, p, THUD_FLOOR_ACCELERATION, f->spring, f->ends);
+}
+
+static void drift_rows(struct thud_free_vibration *f, const struct thud_model_structure *p)
+{
     for (int i = 0; i < p->n; i++) {
         const double *u = f->value[THUD_FLOOR_DISPLACEMENT] + (size_t)(p->first + i) * ENDS;
         double *drift = f->value[THUD_FLOOR_DRIFT] + (size_t)(p->first + i) * ENDS;
@@ -446,20 +436,69 @@ void thud_free_vibration_values(struct thud_free_vibration *f, const struct thud
     }
 }
 
-double thud_free_vibration_jerk(const struct thud_free_vibration *f, const struct thud_model *m, int structure,
-                                int floor, int t, double ground)
+void thud_free_vibration_values(struct thud_free_vibration *f, const struct thud_model *m, int structure, int quantity)
+{
+    const struct thud_model_structure *p = &m->structure[structure];
+    bool *valued = &f->valued[quantity * m->nstructures + structure];
+    if (*valued)
+        return;
+    *valued = true;
+    if (quantity == THUD_FLOOR_DRIFT) {
+        thud_free_vibration_values(f, m, structure, THUD_FLOOR_DISPLACEMENT);
+        drift_rows(f, p);
+        return;
+    }
+    if (quantity == THUD_FLOOR_ACCELERATION)
+        spring_rows(f, m, p);
+    floor_rows(f, p, quantity,
+               quantity == THUD_FLOOR_DISPLACEMENT ? f->q
+               : quantity == THUD_FLOOR_VELOCITY   ? f->qd
+                                                   : f->spring,
+               f->ends);
+}
+
+/* Acceleration of mode j of a structure without the ground's, at end t. */
+static double spring_at(const struct thud_free_vibration *f, const struct thud_model *m,
+                        const struct thud_model_structure *p, int j, int t)
+{
+    const int k = p->first_mode + j;
+    double sum = m->spring[k] * (f->q[k * ENDS + t] - f->shift[k]) + m->dashpot[k] * f->qd[k * ENDS + t];
+    for (int i = 0; p->damping && i < p->modes; i++)
+        sum += p->damping[j * p->modes + i] * f->qd[(p->first_mode + i) * ENDS + t];
+    return -sum;
+}
+
+/* Third derivative of a floor's displacement. */
+static double jerk(const struct thud_free_vibration *f, const struct thud_model *m, int structure, int floor, int t,
+                   double ground)
 {
     const struct thud_model_structure *p = &m->structure[structure];
     const double *row = p->phi + floor * p->modes, *damped = f->coupled[structure].by_floor;
-    double jerk = 0;
+    double sum = 0;
     for (int j = 0; j < p->modes; j++) {
-        int k = p->first_mode + j;
-        double second = f->spring[k * ENDS + t] - m->gamma[k] * ground;
-        jerk -= row[j] * m->omega[k] * (m->omega[k] * f->qd[k * ENDS + t] + 2 * m->zeta[k] * second);
+        const int k = p->first_mode + j;
+        double second = spring_at(f, m, p, j, t) - m->gamma[k] * ground;
+        sum -= row[j] * (m->spring[k] * f->qd[k * ENDS + t] + m->dashpot[k] * second);
         if (damped)
-            jerk -= damped[floor * p->modes + j] * second;
+            sum -= damped[floor * p->modes + j] * second;
     }
-    return jerk;
+    return sum;
+}
+
+double thud_free_vibration_rate(const struct thud_free_vibration *f, const struct thud_model *m, int structure,
+                                int floor, int quantity, int t, double ground)
+{
+    const struct thud_model_structure *p = &m->structure[structure];
+    const double *row = p->phi + floor * p->modes,
+                 *below = quantity == THUD_FLOOR_DRIFT && floor > 0 ? row - p->modes : NULL;
+    double sum = 0;
+    if (quantity == THUD_FLOOR_ACCELERATION)
+        return jerk(f, m, structure, floor, t, ground);
+    for (int j = 0; j < p->modes; j++)
+        sum += quantity == THUD_FLOOR_VELOCITY
+                   ? row[j] * (spring_at(f, m, p, j, t) - m->gamma[p->first_mode + j] * ground)
+                   : (row[j] - (below ? below[j] : 0)) * f->qd[(p->first_mode + j) * ENDS + t];
+    return sum;
 }
 
 /* Bounds of a mode's derivatives in the block, by order from 2 on. */
@@ -651,7 +690,7 @@ static double side_value(const struct thud_model_side *side, const double *u)
 double thud_free_vibration_side(struct thud_free_vibration *f, const struct thud_model *model,
                                 const struct thud_model_side *side, int ends, double *margin)
 {
-    thud_free_vibration_displacements(f, model, side->structure);
+    thud_free_vibration_values(f, model, side->structure, THUD_FLOOR_DISPLACEMENT);
     const double *u = f->value[THUD_FLOOR_DISPLACEMENT];
     *margin = f->margin[side->structure];
     for (int t = 0; t < ends; t++)
@@ -676,9 +715,9 @@ double thud_free_vibration_gap(struct thud_free_vibration *f, const struct thud_
     const double *right = p->right_dof < 0 ? NULL : u + (size_t)p->right_dof * ENDS;
     *margin = gap_margin(f, p);
     if (left)
-        thud_free_vibration_displacements(f, model, p->left.structure);
+        thud_free_vibration_values(f, model, p->left.structure, THUD_FLOOR_DISPLACEMENT);
     if (right)
-        thud_free_vibration_displacements(f, model, p->right.structure);
+        thud_free_vibration_values(f, model, p->right.structure, THUD_FLOOR_DISPLACEMENT);
     if (p->struck != 0) {
         for (int t = 0; t < ends; t++)
             f->gap[t] = side_value(&p->left, u + t) - side_value(&p->right, u + t);
@@ -780,7 +819,7 @@ static int until_yield(struct thud_free_vibration *f, const struct thud_state *s
         const double plastic = state->storey[k].plastic_m,
                      limit =
                          m->storey[k].yield_m - f->margin[THUD_FLOOR_DRIFT * m->nstructures + m->storey[k].structure];
-        thud_free_vibration_displacements(f, m, m->storey[k].structure);
+        thud_free_vibration_values(f, m, m->storey[k].structure, THUD_FLOOR_DISPLACEMENT);
         for (int t = 0; t <= intervals; t++)
             f->gap[t] = above[t] - (below ? below[t] : 0) - plastic;
         if (thud_largest_size(f->gap, intervals + 1) <= limit && state->storey[k].zeros == 0)

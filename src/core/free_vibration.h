@@ -50,12 +50,11 @@ struct thud_free_vibration {
     double *q, *qd, *spring;                       /* (n x ENDS) modal state, and omega^2 (q - s) + 2 zeta omega q' */
     double *product[THUD_FREE_VIBRATION_PRODUCTS]; /* (n) those of the work, summed over the first `summed` intervals */
     int summed;
-    double
-        *value[THUD_FLOOR_QUANTITIES]; /* (ndof x ENDS) by floor: displacements and the others of these structures: */
-    bool *placed, *valued;             /* (nstructures) */
-    double *gap;                       /* (ENDS) */
-    double *ground, *after;            /* (ENDS) ground acceleration at the start and at the end of each interval */
-    double ground_most;                /* its largest size in the block */
+    double *value[THUD_FLOOR_QUANTITIES]; /* (ndof x ENDS) by floor, of what has been asked for: */
+    bool *valued;                         /* (QUANTITIES x nstructures) */
+    double *gap;                          /* (ENDS) */
+    double *ground, *after;               /* (ENDS) ground acceleration at the start and at the end of each interval */
+    double ground_most;                   /* its largest size in the block */
     double *margin; /* (QUANTITIES x nstructures): how far a value inside an interval may lie above those at its ends */
     double *cubic_margin; /* the same, how far from the cubic through values and rates at them */
     double *speed;        /* (n) largest sqrt(q'^2 + omega^2 (q - s)^2) of a mode in the block */
@@ -81,9 +80,9 @@ void thud_free_vibration_end(const struct thud_free_vibration *f, int intervals,
 
 /* What observers read of the block just marched from `state`. */
 
-/* The displacements of a structure's floors, and all values of them, which are made only when asked for. */
-void thud_free_vibration_displacements(struct thud_free_vibration *f, const struct thud_model *model, int structure);
-void thud_free_vibration_values(struct thud_free_vibration *f, const struct thud_model *model, int structure);
+/* One quantity of a structure's floors into f->value, which is made only when asked for. */
+void thud_free_vibration_values(struct thud_free_vibration *f, const struct thud_model *model, int structure,
+                                int quantity);
 /* Left less right displacement of contact c at the ends into f->gap; returns the largest, *margin: how far one inside
  * an interval may lie above those at its ends. */
 double thud_free_vibration_gap(struct thud_free_vibration *f, const struct thud_model *model, int c, int ends,
@@ -91,10 +90,9 @@ double thud_free_vibration_gap(struct thud_free_vibration *f, const struct thud_
 /* The same for the size of one side's displacement. */
 double thud_free_vibration_side(struct thud_free_vibration *f, const struct thud_model *model,
                                 const struct thud_model_side *side, int ends, double *margin);
-/* Third derivative of a floor's displacement, relative to the ground, at end t of an interval whose ground acceleration
- * there is `ground`; after thud_free_vibration_values. */
-double thud_free_vibration_jerk(const struct thud_free_vibration *f, const struct thud_model *model, int structure,
-                                int floor, int t, double ground);
+/* Rate of a floor's value at end t of an interval whose ground acceleration there is `ground`. */
+double thud_free_vibration_rate(const struct thud_free_vibration *f, const struct thud_model *model, int structure,
+                                int floor, int quantity, int t, double ground);
 /* Motion of one structure in a piece (0 ... f->pieces - 1) of interval t, until the next call: the coefficients of the
  * other structures' modes may be those of other pieces. */
 const struct thud_segment *thud_free_vibration_series(struct thud_free_vibration *f, const struct thud_state *state,

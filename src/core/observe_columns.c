@@ -126,7 +126,7 @@ static double largest_drift(const struct thud_free_vibration *f, const struct th
 static double drifts(struct thud_free_vibration *f, const struct thud_model *m, const struct thud_model_column *p,
                      int ends)
 {
-    thud_free_vibration_displacements(f, m, p->structure);
+    thud_free_vibration_values(f, m, p->structure, THUD_FLOOR_DISPLACEMENT);
     const double *u = f->value[THUD_FLOOR_DISPLACEMENT] + (size_t)p->dof * ENDS,
                  *below = p->below < 0 ? NULL : f->value[THUD_FLOOR_DISPLACEMENT] + (size_t)p->below * ENDS;
     double most = 0;

@@ -651,20 +651,37 @@ static enum thud_status segment(void *own, const struct thud_observation *o, str
 
 enum { ENDS = THUD_FREE_VIBRATION_ENDS };
 
-/* Rate of a row's value at end t of an interval whose ground acceleration there is `ground`. */
-static double rate_at(const struct thud_model *m, const struct thud_free_vibration *f, const struct thud_peak_row *row,
-                      int t, double ground)
+/* What each mode of a structure can come to at the ends of a block by its largest speed there: displacement, velocity
+ * and acceleration, rows of peaks->modal. */
+static void reach_of_modes(struct thud_peaks *peaks, const struct thud_model *m, const struct thud_free_vibration *f,
+                           const struct thud_model_structure *p)
 {
-    const struct thud_model_structure *p = &m->structure[row->structure];
-    const double *v = f->value[THUD_FLOOR_VELOCITY] + (p->first + row->floor) * ENDS + t;
-    if (row->quantity == THUD_FLOOR_DISPLACEMENT)
-        return *v;
-    if (row->quantity == THUD_FLOOR_DRIFT)
-        return row->floor > 0 ? *v - v[-ENDS] : *v;
-    if (row->quantity == THUD_FLOOR_VELOCITY)
-        return f->value[THUD_FLOOR_ACCELERATION][(p->first + row->floor) * ENDS + t] -
-               m->ground_influence[p->first + row->floor] * ground;
-    return thud_free_vibration_jerk(f, m, row->structure, row->floor, t, ground);
+    const double *speed = f->speed + p->first_mode;
+    for (int j = 0; j < p->modes; j++) {
+        const double w = m->omega[p->first_mode + j], z = m->dashpot[p->first_mode + j];
+        double coupled = 0, *out = peaks->modal + j;
+        for (int i = 0; p->damping && i < p->modes; i++)
+            coupled += fabs(p->damping[j * p->modes + i]) * speed[i];
+        out[THUD_FLOOR_DISPLACEMENT * peaks->stride] = speed[j] / w + fabs(f->shift[p->first_mode + j]);
+        out[THUD_FLOOR_VELOCITY * peaks->stride] = speed[j];
+        out[THUD_FLOOR_ACCELERATION * peaks->stride] = sqrt(w * w + z * z) * speed[j] + coupled;
+    }
+}
+
+/* The same of one quantity of the floors, out (stride), two at a time. */
+static void reach_of_floors(const struct thud_peaks *peaks, const struct thud_model *m,
+                            const struct thud_model_structure *p, int quantity, double *out)
+{
+    const bool drift = quantity == THUD_FLOOR_DRIFT;
+    const int stride = peaks->stride;
+    const double *shape = peaks->shape + ((drift ? m->nmodes : 0) + p->first_mode) * stride,
+                 *modes = peaks->modal + (drift ? THUD_FLOOR_DISPLACEMENT : quantity) * stride;
+    for (int i = 0; i < p->n; i += 2) {
+        thud_double_pair sum = {0};
+        for (int j = 0; j < p->modes; j++)
+            sum += modes[j] * thud_double_pair_abs(thud_double_pair_at(shape + j * stride + i));
+        *(thud_double_pair *)(out + i) = sum;
+    }
 }
 
 /* Largest |p| on [0, 1] of the cubic with values x0, x1 and rates (by s) r0, r1 at the ends. */
@@ -683,24 +700,34 @@ static double cubic_peak(double x0, double x1, double r0, double r1)
     return most;
 }
 
-/* Intervals with an end at `near` or above, in order; how many. */
+/* Intervals with an end at `near` or above, in order; how many. They are few. */
 static int intervals_near(const double *x, int intervals, double near, int *list)
 {
+    enum { GROUP = 16 };
     int count = 0;
-    bool before = fabs(x[0]) >= near;
-    for (int t = 0; t < intervals; t++) {
-        bool after = fabs(x[t + 1]) >= near;
-        list[count] = t;
-        count += before | after;
-        before = after;
+    for (int first = 0; first < intervals; first += GROUP) {
+        const int end = first + GROUP < intervals ? first + GROUP : intervals;
+        if (thud_largest_size(x + first, end - first + 1) < near)
+            continue;
+        for (int t = first; t < end; t++) {
+            list[count] = t;
+            count += (fabs(x[t]) >= near) | (fabs(x[t + 1]) >= near);
+        }
     }
     return count;
 }
 
+/* Rate of a row's value at end t of an interval whose ground acceleration there is `ground`. */
+static double rate_at(const struct thud_model *m, const struct thud_free_vibration *f, const struct thud_peak_row *row,
+                      int t, double ground)
+{
+    return thud_free_vibration_rate(f, m, row->structure, row->floor, row->quantity, t, ground);
+}
+
 /* Bounds of the row inside the intervals in which it may pass both its peak so far and what it surely reaches in the
- * block, by interval into upper (0 elsewhere); false where there is none. */
+ * block, by interval into upper (0 elsewhere), which become due; false where there is none. */
 static bool row_bounds(const struct thud_model *m, const struct thud_free_vibration *f, const struct thud_peak_row *row,
-                       int intervals, double *upper)
+                       int intervals, double *upper, bool *due)
 {
     const double *x = row->x;
     double most = thud_largest_size(x, intervals + 1);
@@ -709,18 +736,21 @@ static bool row_bounds(const struct thud_model *m, const struct thud_free_vibrat
     double limit = thud_larger(row->peak->value, most);
     int list[THUD_FREE_VIBRATION_BLOCK], count = intervals_near(x, intervals, limit - row->margin, list);
     memset(upper, 0, (size_t)intervals * sizeof *upper);
+    double rate[2] = {0};
     for (int i = 0; i < count; i++) {
-        int t = list[i];
-        double r0 = rate_at(m, f, row, t, f->ground[t]), r1 = rate_at(m, f, row, t + 1, f->after[t]);
-        double cubic = cubic_peak(x[t], x[t + 1], f->dt_s * r0, f->dt_s * r1);
+        const int t = list[i];
+        rate[0] = i > 0 && list[i - 1] == t - 1 ? rate[1] : rate_at(m, f, row, t, f->ground[t]);
+        rate[1] = rate_at(m, f, row, t + 1, f->after[t]);
+        double cubic = cubic_peak(x[t], x[t + 1], f->dt_s * rate[0], f->dt_s * rate[1]);
         upper[t] = cubic + row->cubic_margin;
         limit = thud_larger(limit, cubic - row->cubic_margin);
     }
     bool any = false;
     for (int i = 0; i < count; i++) {
-        if (upper[list[i]] < limit)
+        if (upper[list[i]] < limit || upper[list[i]] <= row->peak->value)
             upper[list[i]] = 0;
-        any = any || upper[list[i]] > row->peak->value;
+        else
+            due[list[i]] = any = true;
     }
     return any;
 }
@@ -737,45 +767,48 @@ static void read_interval(struct thud_peaks *peaks, const struct thud_state *sta
     }
 }
 
+/* Rows of one structure that may pass their peaks, with their bounds; how many. due[t]: one may in interval t. */
+static int find_rows(struct thud_peaks *peaks, const struct thud_model *m, struct thud_free_vibration *f, int structure,
+                     int intervals, bool *due)
+{
+    const struct thud_model_structure *p = &m->structure[structure];
+    int rows = 0;
+    for (int x = 0; x < (p->stiffness_npm ? THUD_FLOOR_QUANTITIES : THUD_FLOOR_DRIFT); x++) {
+        const double margin = f->margin[x * m->nstructures + structure];
+        reach_of_floors(peaks, m, p, x, peaks->value);
+        for (int i = 0; i < p->n; i++) {
+            struct thud_peak *peak = thud_floor_peak(peaks->result, structure, i, x);
+            if (peaks->value[i] + margin <= peak->value)
+                continue;
+            thud_free_vibration_values(f, m, structure, x);
+            peaks->row[rows] = (struct thud_peak_row){structure,
+                                                      i,
+                                                      x,
+                                                      f->value[x] + (size_t)(p->first + i) * ENDS,
+                                                      peak,
+                                                      margin,
+                                                      f->cubic_margin[x * m->nstructures + structure]};
+            rows +=
+                row_bounds(m, f, &peaks->row[rows], intervals, peaks->upper + rows * THUD_FREE_VIBRATION_BLOCK, due);
+        }
+    }
+    return rows;
+}
+
 /* Interval by interval, so that one series serves all rows of the structure. */
 static void structure_rows(struct thud_peaks *peaks, const struct thud_state *state, struct thud_free_vibration *f,
                            int structure, int intervals)
 {
-    const struct thud_model *m = state->model;
-    const struct thud_model_structure *p = &m->structure[structure];
-    int rows = 0;
-    for (int i = 0; i < p->n; i++)
-        for (int x = 0; x < (p->stiffness_npm ? THUD_FLOOR_QUANTITIES : THUD_FLOOR_DRIFT); x++) {
-            struct thud_peak_row *row = &peaks->row[rows];
-            *row = (struct thud_peak_row){structure,
-                                          i,
-                                          x,
-                                          f->value[x] + (size_t)(p->first + i) * ENDS,
-                                          thud_floor_peak(peaks->result, structure, i, x),
-                                          f->margin[x * m->nstructures + structure],
-                                          f->cubic_margin[x * m->nstructures + structure]};
-            rows += row_bounds(m, f, row, intervals, peaks->upper + rows * THUD_FREE_VIBRATION_BLOCK);
-        }
-    for (int t = 0; t < intervals; t++) {
+    bool due[THUD_FREE_VIBRATION_BLOCK] = {false};
+    const int rows = find_rows(peaks, state->model, f, structure, intervals, due);
+    for (int t = 0; t < intervals && rows > 0; t++) {
         int count = 0;
-        for (int i = 0; i < rows; i++)
+        for (int i = 0; i < rows && due[t]; i++)
             if (peaks->upper[i * THUD_FREE_VIBRATION_BLOCK + t] > peaks->row[i].peak->value)
                 peaks->due[count++] = i;
         if (count > 0)
             read_interval(peaks, state, f, structure, peaks->due, count, t);
     }
-}
-
-/* Whether a structure moves enough in the block for a new peak. */
-static bool may_pass_in_block(struct thud_peaks *peaks, const struct thud_model *m, const struct thud_free_vibration *f,
-                              int structure)
-{
-    const struct thud_model_structure *p = &m->structure[structure];
-    double energy = 0;
-    for (int j = p->first_mode; j < p->first_mode + p->modes; j++)
-        energy += f->speed[j] * f->speed[j];
-    struct thud_response_bound reach = {sqrt(energy) + f->dt_s * peaks->ground[structure] * f->ground_most, 0};
-    return thud_response_bound_structure(peaks, m, structure, &reach);
 }
 
 static enum thud_status block(void *own, const struct thud_state *state, struct thud_free_vibration *f, int intervals,
@@ -785,9 +818,7 @@ static enum thud_status block(void *own, const struct thud_state *state, struct 
     const struct thud_model *m = state->model;
     (void)err;
     for (int s = 0; s < m->nstructures; s++) {
-        if (!f->shifted && !may_pass_in_block(peaks, m, f, s))
-            continue;
-        thud_free_vibration_values(f, m, s);
+        reach_of_modes(peaks, m, f, &m->structure[s]);
         structure_rows(peaks, state, f, s, intervals);
     }
     return THUD_OK;
@@ -810,8 +841,11 @@ static void fill_shapes(struct thud_peaks *peaks, const struct thud_model *m)
     for (int s = 0; s < m->nstructures; s++) {
         const struct thud_model_structure *p = &m->structure[s];
         for (int i = 0; i < p->n; i++)
-            for (int j = 0; j < p->modes; j++)
-                peaks->shape[(p->first_mode + j) * peaks->stride + i] = p->phi[i * p->modes + j];
+            for (int j = 0; j < p->modes; j++) {
+                double *shape = peaks->shape + (p->first_mode + j) * peaks->stride + i;
+                shape[0] = p->phi[i * p->modes + j];
+                shape[m->nmodes * peaks->stride] = shape[0] - (i > 0 ? p->phi[(i - 1) * p->modes + j] : 0);
+            }
         peaks->ground[s] = sqrt(thud_dot(p->modes, m->gamma + p->first_mode, m->gamma + p->first_mode));
     }
 }
@@ -823,7 +857,7 @@ enum thud_status thud_peaks_init(struct thud_peaks *peaks, const struct thud_sta
     const size_t n = (size_t)m->nmodes, stride = (size_t)even_size(m), rows = THUD_FLOOR_QUANTITIES * stride,
                  floors = THUD_FLOOR_QUANTITIES * (size_t)m->ndof, structures = (size_t)m->nstructures;
     *peaks = (struct thud_peaks){.result = result, .log = log, .stride = (int)stride};
-    peaks->block = calloc(floors + 2 * structures + n * stride + (MODE_ROWS + FLOOR_ROWS) * stride +
+    peaks->block = calloc(floors + 2 * structures + 2 * n * stride + (MODE_ROWS + FLOOR_ROWS) * stride +
                               THUD_SEGMENT_TERMS * (stride + n) + n + 1,
                           sizeof *peaks->block);
     peaks->push = calloc((size_t)m->nrows + 1, sizeof *peaks->push);
@@ -839,7 +873,7 @@ enum thud_status thud_peaks_init(struct thud_peaks *peaks, const struct thud_sta
     peaks->quiet = peaks->per_speed + floors;
     peaks->ground = peaks->quiet + structures;
     peaks->shape = peaks->ground + structures;
-    peaks->modal = peaks->shape + n * stride;
+    peaks->modal = peaks->shape + 2 * n * stride;
     peaks->value = peaks->modal + MODE_ROWS * stride;
     peaks->series = peaks->value + FLOOR_ROWS * stride;
     peaks->acceleration = peaks->series + THUD_SEGMENT_TERMS * stride;

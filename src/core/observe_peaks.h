@@ -33,7 +33,7 @@ struct thud_peaks {
     double *per_speed;            /* (quantities x ndof): bound of a floor's value for a structure's S of 1 */
     double *quiet;                /* (nstructures) S below which a step's end has no new peak */
     double *ground;               /* (nstructures) size of a ground acceleration of 1 in modal coordinates */
-    double *shape;                /* (nmodes x stride) each mode's value at the floors of its structure */
+    double *shape;                /* (2 x nmodes x stride) each mode at the floors of its structure, and their drifts */
     /* A segment, or one structure in it */
     struct thud_row_push *push; /* (pushes) of rows that have a force */
     int pushes;
