@@ -6,7 +6,9 @@
 #include "app/threads.h"
 #include "app/timing.h"
 
-enum { THREADS_MAX = 256, SLICE = 64 };
+/* Points may be finished before an earlier one by so many for each thread (some runs take a hundred times as long as
+ * others, and points are taken in their order), in so many bytes. */
+enum { THREADS_MAX = 256, SLICE = 64, AHEAD_LEAST = 4, AHEAD_MOST = 64, AHEAD_BYTES = 16 << 20 };
 static const double show_s = 0.1;
 
 /* A group in use by points that are next to each other. */
@@ -99,6 +101,55 @@ static void drop_groups(struct thud_sweep_work *w)
     }
 }
 
+/* Makes a group that is not among them; NULL when out of memory. The lock is held before and after. */
+static struct shared_group *add_group(struct thud_sweep_work *w, long index, enum thud_status *status,
+                                      struct thud_error *err)
+{
+    struct thud_sweep_group *group = NULL;
+    struct shared_group *b = calloc(1, sizeof *b);
+    *status = THUD_MEMORY;
+    if (!b)
+        return NULL;
+    *b = (struct shared_group){.index = index, .users = 1, .next = w->groups};
+    w->groups = b;
+    pthread_mutex_unlock(&w->lock);
+    *status = make_group(w, index, &group, err);
+    pthread_mutex_lock(&w->lock);
+    b->group = group;
+    return b;
+}
+
+/* While another thread makes the group `awaited`: makes the one after it, if there is none yet. An error is left to
+ * those who need it. The lock is held before and after. */
+static bool make_next_group(struct thud_sweep_work *w, long awaited)
+{
+    const struct thud_sweep_jobs *jobs = &w->jobs;
+    const long per_group = thud_sweep_points_per_group(jobs->plan),
+               i = ((awaited + 1) * per_group - jobs->first + jobs->step - 1) / jobs->step;
+    struct thud_error error = {0};
+    enum thud_status status;
+    if (i >= jobs->count)
+        return false;
+    for (const struct shared_group *b = w->groups; b; b = b->next)
+        if (b->index > awaited)
+            return false;
+    struct shared_group *made = add_group(w, (jobs->first + i * jobs->step) / per_group, &status, &error);
+    if (!made)
+        return false;
+    if (status != THUD_OK && made->users > 1)
+        fail(w, status, &error);
+    made->users--;
+    if (!made->group && made->users == 0) {
+        struct shared_group **p = &w->groups;
+        while (*p != made)
+            p = &(*p)->next;
+        *p = made->next;
+        free(made);
+    }
+    pthread_cond_broadcast(&w->made);
+    return true;
+}
+
 /* The group of a point, made by the first who needs it; NULL when the work stops. The lock is held before and after. */
 static struct shared_group *borrow(struct thud_sweep_work *w, long index)
 {
@@ -108,28 +159,20 @@ static struct shared_group *borrow(struct thud_sweep_work *w, long index)
     if (b) {
         b->users++;
         while (!b->group && !w->stop)
-            pthread_cond_wait(&w->made, &w->lock);
+            if (!make_next_group(w, index))
+                pthread_cond_wait(&w->made, &w->lock);
     } else {
         struct thud_error error = {0};
-        struct thud_sweep_group *group = NULL;
-        b = calloc(1, sizeof *b);
-        if (!b) {
-            fail(w, THUD_MEMORY, NULL);
-            return NULL;
-        }
-        *b = (struct shared_group){.index = index, .users = 1, .next = w->groups};
-        w->groups = b;
-        pthread_mutex_unlock(&w->lock);
-        enum thud_status status = make_group(w, index, &group, &error);
-        pthread_mutex_lock(&w->lock);
-        b->group = group;
+        enum thud_status status;
+        b = add_group(w, index, &status, &error);
         if (status != THUD_OK)
-            fail(w, status, &error);
+            fail(w, status, b ? &error : NULL);
         pthread_cond_broadcast(&w->made);
     }
-    if (b->group)
+    if (b && b->group)
         return b;
-    b->users--;
+    if (b)
+        b->users--;
     return NULL;
 }
 
@@ -184,6 +227,19 @@ static void *worker(void *context)
     return NULL;
 }
 
+/* How far handing out may be ahead of taking. */
+static long window_of(const struct thud_sweep_plan *plan, int threads)
+{
+    const size_t runs = (size_t)(plan->sensitivity > 0 ? THUD_SWEEP_VARIANTS : 1) * (size_t)(plan->ncases + 2);
+    size_t floors = 1;
+    for (int s = 0; s < plan->scene.nstructures; s++)
+        floors += (size_t)plan->scene.structure[s].storeys;
+    const size_t bytes = runs * floors * (sizeof(struct thud_sweep_floor) + sizeof(struct thud_sweep_contact));
+    long ahead = (long)(AHEAD_BYTES / bytes) / threads;
+    ahead = ahead > AHEAD_MOST ? AHEAD_MOST : ahead < AHEAD_LEAST ? AHEAD_LEAST : ahead;
+    return ahead * threads + AHEAD_LEAST;
+}
+
 enum thud_status thud_sweep_work_start(const struct thud_sweep_jobs *jobs, struct thud_sweep_work **out,
                                        struct thud_error *err)
 {
@@ -192,7 +248,7 @@ enum thud_status thud_sweep_work_start(const struct thud_sweep_jobs *jobs, struc
     *out = NULL;
     if (w) {
         w->jobs = *jobs;
-        w->window = 4L * threads + 4;
+        w->window = window_of(jobs->plan, threads);
         w->ring = calloc((size_t)w->window, sizeof(struct made));
     }
     if (!w || !w->ring) {
