@@ -231,7 +231,7 @@ enum thud_status thud_baseline_run(const struct thud_baseline_motion *baseline, 
     assert(model->ndof == baseline->ndof && model->nmodes == baseline->nmodes &&
            model->ncontacts == baseline->ncontacts);
     *shared_s = 0;
-    enum thud_status status = thud_run_create(model, record, options, out, err);
+    enum thud_status status = thud_run_create_like(model, record, options, baseline->run, out, err);
     if (status != THUD_OK || !baseline->shares || options->keep_history)
         return status;
     assert((*out)->state.end_s == baseline->run->state.end_s &&

@@ -192,8 +192,38 @@ static enum thud_status couple(struct thud_free_vibration *f, const struct thud_
     return status;
 }
 
-enum thud_status thud_free_vibration_create(const struct thud_state *state, struct thud_free_vibration **out,
-                                            struct thud_error *err)
+static bool same(const double *a, const double *b, int n)
+{
+    return memcmp(a, b, (size_t)n * sizeof *a) == 0;
+}
+
+/* Whether the tables of `like` are those of f, to the last bit: no modes are coupled, and no contact is closed, whose
+ * rate would give the series more terms. */
+static bool has_tables(const struct thud_free_vibration *like, const struct thud_free_vibration *f,
+                       const struct thud_state *state)
+{
+    const struct thud_model *m = f->model, *l = like->model;
+    return !m->couples && !l->couples && state->nactive == 0 && like->n == f->n && like->dt_s == f->dt_s &&
+           like->pieces == f->pieces && l->nstructures == m->nstructures && same(l->omega, m->omega, f->n) &&
+           same(l->zeta, m->zeta, f->n) && same(l->gamma, m->gamma, f->n);
+}
+
+static void copy_tables(struct thud_free_vibration *f, const struct thud_free_vibration *like)
+{
+    const size_t bytes = (size_t)f->n * sizeof(double);
+    for (int i = 0; i < 4; i++) {
+        memcpy(f->e[i], like->e[i], bytes);
+        memcpy(f->p[i], like->p[i], bytes);
+        memcpy(f->work[i], like->work[i], bytes);
+    }
+    for (int i = 0; i < THUD_FREE_VIBRATION_PRODUCTS; i++)
+        memcpy(f->viscous[i], like->viscous[i], bytes);
+    memcpy(f->viscous_ground, like->viscous_ground, sizeof f->viscous_ground);
+    memcpy(f->work_ground, like->work_ground, sizeof f->work_ground);
+}
+
+enum thud_status thud_free_vibration_create(const struct thud_state *state, const struct thud_free_vibration *like,
+                                            struct thud_free_vibration **out, struct thud_error *err)
 {
     const struct thud_model *m = state->model;
     *out = NULL;
@@ -204,12 +234,16 @@ enum thud_status thud_free_vibration_create(const struct thud_state *state, stru
     if (status == THUD_OK)
         status = thud_segment_init(&f->seg, m, err);
     if (status == THUD_OK) {
+        f->model = m;
         f->n = m->nmodes;
         f->dt_s = state->grid_dt_s;
         f->pieces = 1 + (int)(state->fastest_radps * f->dt_s / 1.8);
         f->size = THUD_FREE_VIBRATION_BLOCK;
         f->nstructures = m->nstructures;
-        status = unit_motions(state, f, err);
+        if (like && has_tables(like, f, state))
+            copy_tables(f, like);
+        else
+            status = unit_motions(state, f, err);
     }
     if (status == THUD_OK)
         status = couple(f, state, err);

@@ -23,6 +23,7 @@ enum {
 };
 
 struct thud_free_vibration {
+    const struct thud_model *model;
     int n; /* modes */
     int nstructures;
     int pieces; /* series needed for one interval */
@@ -66,9 +67,10 @@ struct thud_free_vibration {
     double *block;
 };
 
-/* *out stays NULL for a model that it is not for. Errors: THUD_MEMORY. */
-enum thud_status thud_free_vibration_create(const struct thud_state *state, struct thud_free_vibration **out,
-                                            struct thud_error *err);
+/* *out stays NULL for a model that it is not for. The tables are those of `like` (may be NULL), whose model must still
+ * be there, where it has the same modes and intervals. Errors: THUD_MEMORY. */
+enum thud_status thud_free_vibration_create(const struct thud_state *state, const struct thud_free_vibration *like,
+                                            struct thud_free_vibration **out, struct thud_error *err);
 void thud_free_vibration_free(struct thud_free_vibration *f);
 
 /* Makes a block from the state on, and returns how many intervals pass before one in which a contact closes or a storey

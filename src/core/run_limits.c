@@ -57,13 +57,26 @@ enum thud_status thud_run_check_rates(const struct thud_run *run, struct thud_er
     return THUD_INPUT;
 }
 
-void thud_run_set_scales(struct thud_run *run)
+static struct thud_run_ground ground_of(const struct thud_record *r)
+{
+    struct thud_run_ground ground = {0};
+    if (!r)
+        return ground;
+    ground.peak_mps2 = thud_record_peak(r);
+    ground.speed_mps = thud_record_speed(r);
+    for (size_t i = 0; i < r->samples; i++)
+        ground.impulse_mps += fabs(r->a_mps2[i]) * r->dt_s;
+    return ground;
+}
+
+void thud_run_set_scales(struct thud_run *run, const struct thud_run *like)
 {
     double first = 0;
+    run->ground = like && like->state.record == run->state.record ? like->ground : ground_of(run->state.record);
     for (int i = 0; i < run->state.model->ndof; i++)
         first = fmax(first, fabs(thud_model_floor(run->state.model, i, run->state.qd)));
-    run->state.ground_mps2 = run->state.record ? thud_record_peak(run->state.record) : 0;
-    run->state.speed_mps = first + thud_record_speed(run->state.record);
+    run->state.ground_mps2 = run->ground.peak_mps2;
+    run->state.speed_mps = first + run->ground.speed_mps;
 }
 
 /* d sqrt(2 E)/dt <= |gamma| |a_g|, whatever the contacts do that give no energy: so sqrt(2 E) never passes its first
@@ -71,7 +84,7 @@ void thud_run_set_scales(struct thud_run *run)
 void thud_run_set_bound(struct thud_run *run)
 {
     const struct thud_model *m = run->state.model;
-    double mass = 0, ground = 0, energy = thud_state_kinetic(&run->state) + thud_state_strain(&run->state);
+    double mass = 0, energy = thud_state_kinetic(&run->state) + thud_state_strain(&run->state);
     for (int j = 0; j < m->nmodes; j++)
         mass += m->gamma[j] * m->gamma[j];
     for (int c = 0; c < m->ncontacts; c++) {
@@ -80,9 +93,7 @@ void thud_run_set_bound(struct thud_run *run)
         if (d > 0 && p->law->elastic_energy)
             energy += thud_law_energy(p->law, &p->setup, d);
     }
-    for (size_t i = 0; run->state.record && i < run->state.record->samples; i++)
-        ground += fabs(run->state.record->a_mps2[i]) * run->state.record->dt_s;
-    run->speed_bound = sqrt(2 * energy) + sqrt(mass) * fmax(ground, 1e-3);
+    run->speed_bound = sqrt(2 * energy) + sqrt(mass) * fmax(run->ground.impulse_mps, 1e-3);
 }
 
 /* The floor that moves most, for the message; one that does not move by a number comes first. */

@@ -20,8 +20,15 @@ struct thud_progress {
     double from_s;
 };
 
+/* Of a ground motion. */
+struct thud_run_ground {
+    double peak_mps2, speed_mps;
+    double impulse_mps; /* the integral of |a_g| */
+};
+
 struct thud_run {
     struct thud_run_options options;
+    struct thud_run_ground ground;
     const struct thud_method *method;
     void *own;                                  /* of the method */
     struct thud_free_vibration *free_vibration; /* NULL: the method goes through free flight too */
@@ -63,7 +70,12 @@ enum thud_status thud_run_propose(struct thud_run *run, struct thud_proposal *p,
  * where its events have no end. Errors: THUD_DIVERGED (it has been passed over too often; or so many events crowd in a
  * short time that the run would not end). */
 enum thud_status thud_run_watch_progress(struct thud_run *run, struct thud_proposal *p, struct thud_error *err);
-/* run_setup.c: fills the results that are made from others. */
+/* run_setup.c: thud_run_create, with what depends on the record or on the structures alone taken from a run of the same;
+ * like: NULL, or any run. */
+enum thud_status thud_run_create_like(const struct thud_model *model, const struct thud_record *record,
+                                      const struct thud_run_options *options, const struct thud_run *like,
+                                      struct thud_run **out, struct thud_error *err);
+/* Fills the results that are made from others. */
 void thud_run_finish(struct thud_run *run);
 
 /* run_limits.c: what a run may ask for, and what its response may not pass. */
@@ -71,8 +83,8 @@ enum thud_status thud_run_check_options(const struct thud_run_options *options, 
                                         struct thud_error *err);
 /* Whether the motion is slow enough for series: THUD_INPUT where fast modes would take them without end. */
 enum thud_status thud_run_check_rates(const struct thud_run *run, struct thud_error *err);
-/* Fills the scales of run->state from the first state. */
-void thud_run_set_scales(struct thud_run *run);
+/* Fills run->ground, and the scales of run->state from the first state. */
+void thud_run_set_scales(struct thud_run *run, const struct thud_run *like);
 /* Fills run->speed_bound. */
 void thud_run_set_bound(struct thud_run *run);
 /* At the end: THUD_DIVERGED when more of the energy is unaccounted for than may be. */

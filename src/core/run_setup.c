@@ -188,12 +188,12 @@ static enum thud_status create_observers(struct thud_run *run, struct thud_error
     return status;
 }
 
-static enum thud_status start(struct thud_run *run, struct thud_error *err)
+static enum thud_status start(struct thud_run *run, const struct thud_run *like, struct thud_error *err)
 {
     pick_method(run);
     set_times(run);
     run->state.tolerance = run->options.tolerance;
-    thud_run_set_scales(run);
+    thud_run_set_scales(run, like);
     thud_contact_start(&run->state);
     thud_storeys_start(&run->state);
     thud_run_set_bound(run);
@@ -204,14 +204,15 @@ static enum thud_status start(struct thud_run *run, struct thud_error *err)
     if (status == THUD_OK)
         thud_ledger_start(&run->ledger, &run->state);
     if (status == THUD_OK && run->method->order == 0) /* the others show how they fare in free flight */
-        status = thud_free_vibration_create(&run->state, &run->free_vibration, err);
+        status = thud_free_vibration_create(&run->state, like ? like->free_vibration : NULL, &run->free_vibration, err);
     if (status == THUD_OK && run->method->create)
         status = run->method->create(&run->state, &run->own, err);
     return status;
 }
 
-enum thud_status thud_run_create(const struct thud_model *model, const struct thud_record *record,
-                                 const struct thud_run_options *options, struct thud_run **out, struct thud_error *err)
+enum thud_status thud_run_create_like(const struct thud_model *model, const struct thud_record *record,
+                                      const struct thud_run_options *options, const struct thud_run *like,
+                                      struct thud_run **out, struct thud_error *err)
 {
     *out = NULL;
     enum thud_status status = thud_run_check_options(options, record, err);
@@ -223,13 +224,19 @@ enum thud_status thud_run_create(const struct thud_model *model, const struct th
     run->options = *options;
     status = prepare(run, model, record, err);
     if (status == THUD_OK)
-        status = start(run, err);
+        status = start(run, like, err);
     if (status != THUD_OK) {
         thud_run_free(run);
         return status;
     }
     *out = run;
     return THUD_OK;
+}
+
+enum thud_status thud_run_create(const struct thud_model *model, const struct thud_record *record,
+                                 const struct thud_run_options *options, struct thud_run **out, struct thud_error *err)
+{
+    return thud_run_create_like(model, record, options, NULL, out, err);
 }
 
 void thud_run_free(struct thud_run *run)
