@@ -8,11 +8,13 @@
 #include "core/branch_batch.h"
 #include "core/largest.h"
 #include "core/nodes.h"
+#include "core/poly.h"
 #include "core/radau.h"
 #include "core/response.h"
 #include "core/tolerance.h"
 
 enum { NODES = THUD_NODES, LEVELS = 48 };
+enum { LAST = THUD_POINTS - THUD_BATCH }; /* a batch that ends with the last point begins here */
 enum { NEWTON_MAX = 12, ITERATIONS_MAX = 12 };
 enum { PATIENCE = 16 };                  /* steps of one size before a longer one is tried */
 static const double longest_angle = 1.8; /* a step times the fastest mode: the series' terms are enough for that */
@@ -23,7 +25,7 @@ static const double slowest_contraction = 0.3; /* of the Gauss-Seidel sweeps; sl
 struct step {
     bool goes_on;        /* nothing has switched since, and something is left of it */
     double h, done_s;    /* length, and how far the state has come since its start */
-    double *coefficient; /* (nodes x nc) by order */
+    double *coefficient; /* (nc x THUD_BATCH) by order */
     struct branch_name { /* (nc) what each force belongs to */
         bool known;      /* it is in the step and nothing has switched there since */
         enum thud_contact_mode mode;
@@ -33,9 +35,9 @@ struct step {
 };
 
 struct thud_collocation {
-    double point[THUD_POINTS];                     /* nodes, and behind them where the error is measured */
-    double lagrange[NODES * NODES];                /* coefficients of the polynomials through the nodes */
-    double between[(THUD_POINTS - NODES) * NODES]; /* [i][k]: of force k in that at point nodes + i */
+    double point[THUD_POINTS];          /* nodes, and behind them where the error is measured */
+    double lagrange[NODES][THUD_BATCH]; /* [k]: coefficients of the polynomial that is 1 at node k, 0 at the others, */
+    double last[NODES][THUD_BATCH];     /* and its values at the last points */
     struct thud_responses *responses;
     double h_top; /* step of level 0 */
     double h, h_touch;
@@ -51,8 +53,9 @@ struct thud_collocation {
     const struct thud_response **response; /* (nactive x nactive) of one to the force of the other */
     double *force, *d0, *v0, *d, *v;       /* (nactive x THUD_POINTS) */
     double *law, *law_d, *law_v;           /* (nactive x THUD_BATCH) force by the law, and its derivatives */
-    double *residual, *matrix;             /* (nactive x nodes); square */
-    double *scale, *change; /* (nactive) 1 over that on which a change of the force counts; the last one */
+    double *part; /* (nactive x THUD_BATCH) of a force's difference from the law that it has to change by */
+    double *residual, *matrix; /* (nactive x nodes); square */
+    double *scale, *change;    /* (nactive) 1 over that on which a change of the force counts; the last one */
     lapack_int *pivot;
 };
 
@@ -109,10 +112,10 @@ static double force_noise(const struct thud_state *state, int c, double fd, doub
 static double force_difference(const struct thud_state *state, const struct thud_collocation *x, int a, double h,
                                double small)
 {
-    enum { FIRST = THUD_POINTS - THUD_BATCH }; /* a batch that ends with the last point */
     int c = x->active[a];
     double worst = 0, mass = state->model->contact[c].setup.mass_kg;
-    const double *d = x->d + a * THUD_POINTS, *v = x->v + a * THUD_POINTS, *between = x->between;
+    const double *d = x->d + a * THUD_POINTS, *v = x->v + a * THUD_POINTS;
+    const double *force = x->force + a * THUD_POINTS;
     double law[THUD_BATCH], law_d[THUD_BATCH], law_v[THUD_BATCH];
     if (state->contact[c].mode ==
         THUD_STICKING) { /* the force that would undo the rate in one step, but for rounding */
@@ -120,15 +123,16 @@ static double force_difference(const struct thud_state *state, const struct thud
             worst = thud_larger(worst, mass * thud_larger(fabs(v[i]) - THUD_TOL_STICKING_M / h, 0) / h);
         return worst;
     }
-    thud_branch_batch(&state->contact[c].branch, d + FIRST, v + FIRST, law, law_d, law_v);
-    for (int i = NODES; i < THUD_POINTS; i++, between += NODES) {
-        double f = 0;
-        for (int k = 0; k < NODES; k++)
-            f += between[k] * x->force[a * THUD_POINTS + k];
-        double difference = fabs(law[i - FIRST] - f);
-        if (difference > thud_larger(worst, small))
-            difference -= force_noise(state, c, law_d[i - FIRST], law_v[i - FIRST]);
-        worst = thud_larger(worst, difference);
+    thud_branch_batch(&state->contact[c].branch, d + LAST, v + LAST, law, law_d, law_v);
+    struct thud_batch difference = thud_batch_at(law);
+    for (int k = 0; k < NODES; k++)
+        thud_batch_add(&difference, -force[k], x->last[k]);
+    thud_batch_put(&difference, law);
+    for (int i = NODES - LAST; i < THUD_BATCH; i++) {
+        double most = fabs(law[i]);
+        if (most > thud_larger(worst, small))
+            most -= force_noise(state, c, law_d[i], law_v[i]);
+        worst = thud_larger(worst, most);
     }
     return worst;
 }
@@ -164,21 +168,20 @@ static double error_of_step(const struct thud_state *state, const struct thud_co
 }
 
 /* The error is measured in the middle between nodes; a law is dear, and most of the error lies in the first half. */
-static void set_points(struct thud_collocation *x)
+static void set_points(struct thud_collocation *x, double *lagrange)
 {
-    static const int interval[THUD_POINTS - NODES] = {0, 1, 2, 3, 5};
-    enum { n = NODES };
-    thud_radau_nodes(n, x->point);
-    thud_lagrange_coefficients(n, x->point, x->lagrange);
-    for (int i = 0; i < THUD_POINTS - n; i++) {
-        int right = interval[i];
-        double s = x->point[n + i] = 0.5 * (x->point[right] + (right > 0 ? x->point[right - 1] : 0));
-        for (int k = 0; k < n; k++) {
-            double value = 0;
-            for (int p = n - 1; p >= 0; p--)
-                value = value * s + x->lagrange[p * n + k];
-            x->between[i * n + k] = value;
-        }
+    static const int interval[THUD_POINTS - NODES] = {0, 1, 3};
+    thud_radau_nodes(NODES, x->point);
+    thud_lagrange_coefficients(NODES, x->point, lagrange);
+    for (int i = NODES; i < THUD_POINTS; i++) {
+        int right = interval[i - NODES];
+        x->point[i] = 0.5 * (x->point[right] + (right > 0 ? x->point[right - 1] : 0));
+    }
+    for (int k = 0; k < NODES; k++) {
+        for (int p = 0; p < NODES; p++)
+            x->lagrange[k][p] = lagrange[p * NODES + k];
+        for (int i = 0; i < THUD_BATCH; i++)
+            x->last[k][i] = thud_poly_value(x->lagrange[k], NODES, x->point[LAST + i]);
     }
 }
 
@@ -201,13 +204,14 @@ enum thud_status thud_collocation_create(const struct thud_state *state, struct 
     x->nc = m->nrows;
     x->h = x->h_top = longest_step(state);
     x->contraction = slowest_contraction;
-    set_points(x);
+    double lagrange[NODES * NODES];
+    set_points(x, lagrange);
     size_t nc = (size_t)m->nrows;
-    x->step.coefficient = allocate((size_t)NODES * nc, sizeof(double));
+    x->step.coefficient = allocate(THUD_BATCH * nc, sizeof(double));
     x->step.of = allocate(nc, sizeof *x->step.of);
     x->active = allocate(nc, sizeof(int));
     if (!x->step.coefficient || !x->step.of || !x->active ||
-        thud_responses_create(m, x->point, x->lagrange, x->h_top, state->tolerance, &x->responses, err) != THUD_OK) {
+        thud_responses_create(m, x->point, lagrange, x->h_top, state->tolerance, &x->responses, err) != THUD_OK) {
         thud_collocation_free(x);
         *out = NULL;
         return thud_error_set(err, THUD_MEMORY, "out of memory");
@@ -264,7 +268,7 @@ static bool reserve(struct thud_collocation *x, int n)
         return true;
     size_t contacts = (size_t)n, size = contacts * THUD_POINTS, batch = contacts * THUD_BATCH,
            unknowns = contacts * (size_t)NODES;
-    double *block = allocate(5 * size + 3 * batch + unknowns + 2 * contacts, sizeof *block),
+    double *block = allocate(5 * size + 4 * batch + unknowns + 2 * contacts, sizeof *block),
            *matrix = allocate(unknowns * unknowns, sizeof *matrix);
     const struct thud_response **response = allocate(contacts * contacts, sizeof *response);
     lapack_int *pivot = allocate(unknowns, sizeof *pivot);
@@ -287,7 +291,8 @@ static bool reserve(struct thud_collocation *x, int n)
     x->law = block + 5 * size;
     x->law_d = x->law + batch;
     x->law_v = x->law_d + batch;
-    x->residual = x->law_v + batch;
+    x->part = x->law_v + batch;
+    x->residual = x->part + batch;
     x->scale = x->residual + unknowns;
     x->change = x->scale + n;
     x->matrix = matrix;
@@ -295,16 +300,6 @@ static bool reserve(struct thud_collocation *x, int n)
     x->pivot = pivot;
     x->capacity = n;
     return true;
-}
-
-/* The responses of the active contacts to each other at this size of the step. Errors: THUD_MEMORY. */
-static enum thud_status find_responses(struct thud_collocation *x, int level, struct thud_error *err)
-{
-    enum thud_status status = thud_responses_make(x->responses, level, x->active, x->nactive, err);
-    for (int a = 0; a < x->nactive && status == THUD_OK; a++)
-        for (int b = 0; b < x->nactive; b++)
-            x->response[a * x->nactive + b] = thud_responses_row(x->responses, level, x->active[a]) + x->active[b];
-    return status;
 }
 
 /* Indentation and rate of the active contacts at the first batch of points, or those behind it, under all forces: out of
@@ -380,19 +375,21 @@ static void linearize(const struct thud_state *state, struct thud_collocation *x
     }
 }
 
-/* Contact a's law as f0 + law_d d + law_v v: law keeps f0, and residual over how much a change of the force at a node
- * makes of itself there. */
+/* Contact a's law as a straight line f0 + law_d d + law_v v, of which law keeps f0. */
 static void straighten_law(struct thud_collocation *x, int a)
 {
     const struct thud_response *self = x->response[a * x->nactive + a];
-    const double *d = x->d + a * THUD_POINTS, *v = x->v + a * THUD_POINTS;
-    double *law = x->law + a * THUD_BATCH, *law_d = x->law_d + a * THUD_BATCH, *law_v = x->law_v + a * THUD_BATCH;
-    double *part = x->residual + a * NODES;
-    for (int j = 0; j < NODES; j++) {
-        int own = j * THUD_POINTS + j;
-        law[j] -= law_d[j] * d[j] + law_v[j] * v[j];
-        part[j] = 1 / (1 - law_d[j] * self->indentation[own] - law_v[j] * self->rate[own]);
+    const struct thud_batch d = thud_batch_at(x->d + a * THUD_POINTS), v = thud_batch_at(x->v + a * THUD_POINTS);
+    const struct thud_batch by_d = thud_batch_at(x->law_d + a * THUD_BATCH),
+                            by_v = thud_batch_at(x->law_v + a * THUD_BATCH),
+                            own_d = thud_batch_at(self->own_indentation), own_v = thud_batch_at(self->own_rate);
+    struct thud_batch law = thud_batch_at(x->law + a * THUD_BATCH), part;
+    for (int i = 0; i < THUD_BATCH / 2; i++) {
+        law.pair[i] -= by_d.pair[i] * d.pair[i] + by_v.pair[i] * v.pair[i];
+        part.pair[i] = 1 / (1 - by_d.pair[i] * own_d.pair[i] - by_v.pair[i] * own_v.pair[i]);
     }
+    thud_batch_put(&law, x->law + a * THUD_BATCH);
+    thud_batch_put(&part, x->part + a * THUD_BATCH);
 }
 
 /* All contacts at all points feel the changes of the forces at point j. */
@@ -422,7 +419,7 @@ static double renew_forces(const struct thud_state *state, struct thud_collocati
         for (int a = 0; a < x->nactive; a++) {
             int i = a * THUD_BATCH + j, at = a * THUD_POINTS + j;
             double law = x->law[i] + x->law_d[i] * x->d[at] + x->law_v[i] * x->v[at];
-            double change = (law - x->force[at]) * x->residual[a * NODES + j];
+            double change = (law - x->force[at]) * x->part[i];
             x->force[at] += change;
             x->change[a] = change;
             most = thud_larger(most, fabs(change) * x->scale[a]);
@@ -490,35 +487,61 @@ static bool solve(const struct thud_state *state, struct thud_collocation *x, do
     return false;
 }
 
-/* First guess: the forces of the last step go on where their contact has not switched; else the force as it is now, with
- * the indentation going on at its rate. */
+/* What the forces of the last step come to if they go on over h. */
+static void extrapolate(const struct thud_collocation *x, int c, double h, double *force)
+{
+    const struct step *last = &x->step;
+    const double *coefficient = last->coefficient + c * THUD_BATCH;
+    const double from = last->done_s / last->h, part = h / last->h;
+    struct thud_batch f = {0}, at;
+    for (int i = 0; i < THUD_BATCH / 2; i++)
+        at.pair[i] = from + part * thud_double_pair_at(x->point + 2 * i);
+    for (int k = NODES - 1; k >= 0; k--)
+        for (int i = 0; i < THUD_BATCH / 2; i++)
+            f.pair[i] = f.pair[i] * at.pair[i] + coefficient[k];
+    thud_batch_put(&f, force);
+}
+
+/* The force as it is now; where the contact goes deeper, at least half of what the law makes of the indentation going on
+ * at half its rate. */
+static void begin_force(const struct thud_state *state, const struct thud_collocation *x, int c, double h,
+                        double *force)
+{
+    const struct thud_contact_state *s = &state->contact[c];
+    double now, d[THUD_BATCH], v[THUD_BATCH], fd[THUD_BATCH], fv[THUD_BATCH];
+    double place = thud_contact_indentation(state, c), rate = thud_contact_rate(state, c);
+    if (s->mode == THUD_STICKING) {
+        thud_contact_forces(state, state->force_now);
+        now = state->force_now[c];
+    } else {
+        now = thud_contact_force(state, c, place, rate);
+    }
+    if (s->mode == THUD_CLOSED && s->phase == THUD_APPROACH) {
+        for (int i = 0; i < THUD_BATCH; i++) {
+            d[i] = place + 0.5 * rate * h * x->point[i];
+            v[i] = rate;
+        }
+        thud_branch_batch(&s->branch, d, v, force, fd, fv);
+        for (int i = 0; i < THUD_BATCH; i++)
+            force[i] = thud_larger(now, 0.5 * force[i]);
+    } else {
+        for (int i = 0; i < THUD_BATCH; i++)
+            force[i] = now;
+    }
+}
+
+/* First guess: the forces of the last step go on where their contact has not switched; the others begin. */
 static void guess(const struct thud_state *state, struct thud_collocation *x, double h)
 {
     static const double farthest = 32; /* times the last step: its sixth power is 1e9 */
     const struct step *last = &x->step;
-    bool have_forces = false;
     for (int a = 0; a < x->nactive; a++) {
         int c = x->active[a];
-        const struct thud_contact_state *s = &state->contact[c];
-        bool goes_on = last->of[c].known && last->done_s + h <= farthest * last->h;
-        if (!goes_on && !have_forces)
-            thud_contact_forces(state, state->force_now);
-        have_forces |= !goes_on;
-        bool deeper = s->mode == THUD_CLOSED && s->phase == THUD_APPROACH;
-        double d = thud_contact_indentation(state, c), v = thud_contact_rate(state, c);
-        for (int i = 0; i < NODES; i++) {
-            double f = 0, at = (last->done_s + x->point[i] * h) / last->h;
-            if (goes_on) {
-                for (int k = NODES - 1; k >= 0; k--)
-                    f = f * at + last->coefficient[k * x->nc + c];
-            } else {
-                f = state->force_now[c];
-                if (deeper)
-                    f = thud_larger(f,
-                                    0.5 * thud_branch_force(&s->branch, d + 0.5 * v * h * x->point[i], v, NULL, NULL));
-            }
-            x->force[a * THUD_POINTS + i] = f;
-        }
+        double *force = x->force + a * THUD_POINTS;
+        if (last->of[c].known && last->done_s + h <= farthest * last->h)
+            extrapolate(x, c, h, force);
+        else
+            begin_force(state, x, c, h, force);
     }
 }
 
@@ -527,13 +550,12 @@ static void keep_step(const struct thud_state *state, struct thud_collocation *x
 {
     for (int c = 0; c < x->nc; c++)
         x->step.of[c] = name_of(&state->contact[c]);
-    for (int a = 0; a < x->nactive; a++)
-        for (int p = 0; p < NODES; p++) {
-            double f = 0;
-            for (int i = 0; i < NODES; i++)
-                f += x->lagrange[p * NODES + i] * x->force[a * THUD_POINTS + i];
-            x->step.coefficient[p * x->nc + x->active[a]] = f;
-        }
+    for (int a = 0; a < x->nactive; a++) {
+        struct thud_batch f = {0};
+        for (int k = 0; k < NODES; k++)
+            thud_batch_add(&f, x->force[a * THUD_POINTS + k], x->lagrange[k]);
+        thud_batch_put(&f, x->step.coefficient + x->active[a] * THUD_BATCH);
+    }
     x->step.h = h;
     x->step.done_s = 0;
 }
@@ -547,7 +569,7 @@ static void write_forces(const struct thud_collocation *x, double h, double *for
         int c = x->active[a];
         double p[NODES], scale = 1;
         for (int k = 0; k < NODES; k++)
-            p[k] = step->coefficient[k * x->nc + c];
+            p[k] = step->coefficient[c * THUD_BATCH + k];
         for (int i = 0; i + 1 < NODES && from > 0; i++) /* p(from + s) by Horner's scheme */
             for (int k = NODES - 2; k >= i; k--)
                 p[k] += from * p[k + 1];
@@ -626,7 +648,7 @@ static enum thud_status make_step(const struct thud_state *state, struct thud_co
     for (int same = 0;;) {
         int level = level_for(x, x->h, ahead);
         double want = x->h, h = ldexp(x->h_top, -level), error = INFINITY;
-        enum thud_status status = find_responses(x, level, err);
+        enum thud_status status = thud_responses_make(x->responses, level, x->active, x->nactive, x->response, err);
         if (status != THUD_OK)
             return status;
         thud_responses_unforced(x->responses, state, level, ahead, x->active, x->nactive, x->d0, x->v0);

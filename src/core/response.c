@@ -195,11 +195,14 @@ static bool fill_pair(const struct thud_responses *x, const struct level *level,
 {
     const struct thud_model *m = x->model;
     struct thud_response *r = &level->pair[a * m->nrows + b];
-    double *block = allocate(2 * THUD_NODES * THUD_POINTS, sizeof *block), power[POWERS][THUD_POINTS] = {0};
+    double *block = allocate(2 * THUD_NODES * THUD_POINTS + 2 * THUD_BATCH, sizeof *block),
+           power[POWERS][THUD_POINTS] = {0};
     if (!block)
         return false;
     r->indentation = block;
     r->rate = block + THUD_NODES * THUD_POINTS;
+    r->own_indentation = r->rate + THUD_NODES * THUD_POINTS;
+    r->own_rate = r->own_indentation + THUD_BATCH;
     const double *ga = m->jacobian + a * m->nmodes, *gb = m->jacobian + b * m->nmodes, *table = table_of(x, level, b);
     int structure[2], structures = thud_model_row_structures(m, a, structure);
     for (int p = 0; p < POWERS; p++, table += m->nmodes * THUD_POINTS)
@@ -214,6 +217,10 @@ static bool fill_pair(const struct thud_responses *x, const struct level *level,
             add_to(part, power[p + 1], r->indentation + k * THUD_POINTS);
             add_to(part * (p > 0 ? p : 1) / h, power[p], r->rate + k * THUD_POINTS);
         }
+    for (int k = 0; k < THUD_NODES; k++) {
+        r->own_indentation[k] = r->indentation[k * THUD_POINTS + k];
+        r->own_rate[k] = r->rate[k * THUD_POINTS + k];
+    }
     return true;
 }
 
@@ -223,25 +230,25 @@ static bool mirror_pair(const struct thud_responses *x, const struct level *leve
     const struct thud_response *other = &level->pair[b * x->model->nrows + a];
     if (!other->indentation)
         return false;
-    level->pair[a * x->model->nrows + b] = (struct thud_response){other->indentation, other->rate, true};
+    level->pair[a * x->model->nrows + b] = *other;
+    level->pair[a * x->model->nrows + b].shared = true;
     return true;
 }
 
-const struct thud_response *thud_responses_row(const struct thud_responses *x, int level, int a)
-{
-    return x->level[level].pair + a * x->model->nrows;
-}
-
 enum thud_status thud_responses_make(struct thud_responses *x, int at, const int *contact, int n,
-                                     struct thud_error *err)
+                                     const struct thud_response **out, struct thud_error *err)
 {
     struct level *level = &x->level[at];
     double h = ldexp(x->h_top, -at);
     bool made = level->pair || fill_level(x, level, h);
-    for (int a = 0; a < n && made; a++)
-        for (int b = 0; b < n && made; b++)
-            made = thud_responses_row(x, at, contact[a])[contact[b]].indentation ||
-                   mirror_pair(x, level, contact[a], contact[b]) || fill_pair(x, level, h, contact[a], contact[b]);
+    for (int a = 0; a < n && made; a++) {
+        const struct thud_response *row = level->pair + contact[a] * x->model->nrows;
+        for (int b = 0; b < n && made; b++, out++) {
+            *out = row + contact[b];
+            made = (*out)->indentation || mirror_pair(x, level, contact[a], contact[b]) ||
+                   fill_pair(x, level, h, contact[a], contact[b]);
+        }
+    }
     return made ? THUD_OK : thud_error_set(err, THUD_MEMORY, "out of memory");
 }
 

@@ -10,12 +10,13 @@ struct thud_responses;
 
 /* Points of a step: the nodes, at which forces are unknown, and others behind them; the first of those is in one batch
  * with the nodes, as far as an iteration for the forces goes. */
-enum { THUD_NODES = THUD_BATCH - 1, THUD_POINTS = THUD_BATCH + 4 };
+enum { THUD_NODES = THUD_BATCH - 1, THUD_POINTS = THUD_BATCH + 2 };
 
 /* To the force at a node of another contact, or of the contact itself: (THUD_NODES x THUD_POINTS). */
 struct thud_response {
     double *indentation, *rate;
-    bool shared; /* the memory is another's */
+    double *own_indentation, *own_rate; /* (THUD_BATCH) at each node to the force there; 0 behind them */
+    bool shared;                        /* the memory is another's */
 };
 
 /* point (THUD_POINTS); lagrange (THUD_NODES x THUD_NODES): coefficients of the polynomials through the nodes. Steps:
@@ -25,11 +26,10 @@ enum thud_status thud_responses_create(const struct thud_model *model, const dou
                                        struct thud_error *err);
 void thud_responses_free(struct thud_responses *responses);
 
-/* Makes the responses of these contacts to each other at this step size. Errors: THUD_MEMORY. */
+/* Makes the responses of these contacts to each other at this step size: out (n x n), of one to the force of the other.
+ * Errors: THUD_MEMORY. */
 enum thud_status thud_responses_make(struct thud_responses *responses, int level, const int *contact, int n,
-                                     struct thud_error *err);
-/* Responses of contact a to the forces of every contact (nrows); those that are made. */
-const struct thud_response *thud_responses_row(const struct thud_responses *responses, int level, int a);
+                                     const struct thud_response **out, struct thud_error *err);
 
 /* Indentations and rates of these contacts at the points of a step from the state on, if no contact force acted: d, v
  * (n x THUD_POINTS). Kinks of the ground motion before end_s lie inside the step. Only once responses of the level are
