@@ -583,7 +583,7 @@ static void write_segment(const struct thud_state *state, struct thud_segment *s
 {
     double left = x->step.h - x->step.done_s, remaining = thud_state_remaining(state);
     double h = left > remaining * (1 - THUD_TOL_SEGMENT_END) ? remaining : left;
-    double least = fmin(1e-12, fmax(THUD_TOL_SERIES, 1e-9 * state->tolerance));
+    double least = fmax(THUD_TOL_SERIES, 1e-4 * state->tolerance);
     thud_segment_begin(state, seg, h);
     seg->terms = thud_segment_terms(state->fastest_radps * h, least);
     seg->loaded = NODES;

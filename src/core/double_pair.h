@@ -3,13 +3,31 @@
 #ifndef THUD_CORE_DOUBLE_PAIR_H
 #define THUD_CORE_DOUBLE_PAIR_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 typedef double thud_double_pair __attribute__((vector_size(2 * sizeof(double)), aligned(sizeof(double)), may_alias));
 
+/* The same where they stand at a multiple of their size: as an operand they need not be loaded first. */
+typedef double thud_aligned_pair __attribute__((vector_size(2 * sizeof(double)), may_alias));
+
 static inline thud_double_pair thud_double_pair_at(const double *x)
 {
     return *(const thud_double_pair *)x;
+}
+
+static inline void thud_double_pair_put(thud_double_pair x, double *out, bool single)
+{
+    if (single)
+        *out = x[0];
+    else
+        *(thud_double_pair *)out = x;
+}
+
+/* Only the first of the two where `single`. */
+static inline thud_double_pair thud_double_pair_some(const double *x, bool single)
+{
+    return single ? (thud_double_pair){*x, 0} : thud_double_pair_at(x);
 }
 
 static inline thud_double_pair thud_double_pair_abs(thud_double_pair x)

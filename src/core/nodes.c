@@ -18,12 +18,3 @@ void thud_nodes_values(const struct thud_nodes *nodes, const double *c, int stri
         thud_batch_add(&v, c[k * stride], nodes->power[k]);
     thud_batch_put(&v, value);
 }
-
-void thud_nodes_rates(const struct thud_nodes *nodes, const double *c, int stride, int n, double h, double *slope)
-{
-    struct thud_batch d = {0};
-    double rate = 1 / h;
-    for (int k = n - 1; k >= 1; k--)
-        thud_batch_add(&d, k * rate * c[k * stride], nodes->power[k - 1]);
-    thud_batch_put(&d, slope);
-}

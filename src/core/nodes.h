@@ -44,7 +44,5 @@ void thud_nodes_set(struct thud_nodes *nodes, int count, const double *s, double
 
 /* Values at all nodes (THUD_BATCH) of c[0] + c[stride] s + ..., n coefficients. */
 void thud_nodes_values(const struct thud_nodes *nodes, const double *c, int stride, int n, double *value);
-/* Its rates, where s runs from 0 to 1 in the time h. */
-void thud_nodes_rates(const struct thud_nodes *nodes, const double *c, int stride, int n, double h, double *slope);
 
 #endif

@@ -6,45 +6,79 @@
 #include "core/contact.h"
 #include "core/double_pair.h"
 #include "core/free_vibration.h"
-#include "core/nodes.h"
-#include "core/quadrature.h"
 #include "core/storey.h"
 
 enum { LOOKS_APART = 64 }; /* segments and blocks between two looks at the balance */
 
-/* Work, per second, and impulse of these forces at the points of a quadrature. */
-static double work_of(const double *weight, const double *force, const double *rate, double *impulse)
+/* Contacts. */
+
+/* The integral of f g over [0, 1]; coefficients f (orders) and g (terms). */
+static double product_integral(const double *f, int orders, const double *g, int terms)
 {
+    enum { MOST = 2 * THUD_SEGMENT_TERMS };
+    static const double inverse[MOST] = {
+        1.0,      1.0 / 2,  1.0 / 3,  1.0 / 4,  1.0 / 5,  1.0 / 6,  1.0 / 7,  1.0 / 8,  1.0 / 9,  1.0 / 10,
+        1.0 / 11, 1.0 / 12, 1.0 / 13, 1.0 / 14, 1.0 / 15, 1.0 / 16, 1.0 / 17, 1.0 / 18, 1.0 / 19, 1.0 / 20,
+        1.0 / 21, 1.0 / 22, 1.0 / 23, 1.0 / 24, 1.0 / 25, 1.0 / 26, 1.0 / 27, 1.0 / 28, 1.0 / 29, 1.0 / 30,
+        1.0 / 31, 1.0 / 32, 1.0 / 33, 1.0 / 34, 1.0 / 35, 1.0 / 36, 1.0 / 37, 1.0 / 38, 1.0 / 39, 1.0 / 40,
+        1.0 / 41, 1.0 / 42, 1.0 / 43, 1.0 / 44, 1.0 / 45, 1.0 / 46, 1.0 / 47, 1.0 / 48};
+    double sum = 0;
+    for (int i = 0; i < orders; i++)
+        sum += f[i] * thud_dot(terms, g, inverse + i);
+    return sum;
+}
+
+/* What the law's force at points of the piece says beside the polynomial `force` (orders), whose work has been counted:
+ * work, per second of the segment, and impulse of the difference. */
+static double law_work(const struct thud_observation *o, int c, const double *force, int orders, double *impulse)
+{
+    /* laws are dear, and of a force polynomial the difference is of the size of the tolerance: two points for it */
+    static const double two[] = {0.21132486540518713, 0.78867513459481287}, half[] = {0.5, 0.5};
+    const int count = orders > 0 ? 2 : THUD_QUADRATURE_POINTS;
+    const double *node = orders > 0 ? two : thud_quadrature_node, *weight = orders > 99 ? half : thud_quadrature_weight;
+    const double *d = o->seg->indentation + c * THUD_SEGMENT_TERMS, rate = 1 / o->seg->h_s;
     double work = 0;
-    for (int i = 0; i < THUD_QUADRATURE_POINTS; i++) {
-        work += weight[i] * force[i] * rate[i];
-        *impulse += weight[i] * force[i];
+    for (int i = 0; i < count; i += 2) {
+        const thud_double_pair s = o->s * thud_double_pair_at(node + i);
+        thud_double_pair x = {0, 0}, v = {0, 0}, f = {0, 0};
+        for (int k = o->seg->terms - 1; k >= 0; k--) {
+            v = v * s + x;
+            x = x * s + d[k];
+        }
+        for (int k = orders - 1; k >= 0; k--)
+            f = f * s + force[k];
+        for (int side = 0; side < 2; side++) {
+            const double more = thud_contact_force(o->state, c, x[side], rate * v[side]) - f[side];
+            work += weight[i + side] * more * rate * v[side];
+            *impulse += weight[i + side] * more;
+        }
     }
     return work;
 }
 
-/* Work done on a contact over the segment, per second of it, and its impulse. Of a power series: the work of the force
- * that was applied, and of what the law's differs from it by, which is of the size of the tolerance; laws are dear, and
- * four points are enough for that. */
-static double contact_work(const struct thud_observation *o, const struct thud_nodes *nodes, int c, double *impulse)
+/* Work done on a contact over the segment, per second of it, and its mean force. Of a power series: the work of the force
+ * that was applied, and of what the law's differs from it by. */
+static double contact_work(const struct thud_observation *o, int c, double *impulse)
 {
-    static const double four[THUD_QUADRATURE_POINTS] = {0, 0.25, 0, 0.25, 0.25, 0, 0.25, 0}; /* a parabola to 1/400 */
     const struct thud_segment *seg = o->seg;
     const bool asks = o->state->contact[c].mode != THUD_STICKING && o->state->locates,
                applies = !asks || !seg->interpolates;
-    const double *weight = applies ? four : thud_quadrature_weight;
-    double d[THUD_BATCH], rate[THUD_BATCH], force[THUD_BATCH] = {0}, work = 0;
-    thud_nodes_rates(nodes, seg->indentation + c * THUD_SEGMENT_TERMS, 1, seg->terms, seg->h_s, rate);
-    if (applies) {
-        thud_nodes_values(nodes, seg->force + c, o->state->model->nrows, asks ? seg->loaded : seg->terms, force);
-        work = work_of(thud_quadrature_weight, force, rate, impulse);
+    const double *d = seg->indentation + c * THUD_SEGMENT_TERMS, s = o->s;
+    const int orders = !applies ? 0 : asks && seg->loaded < seg->terms ? seg->loaded : seg->terms;
+    double force[THUD_SEGMENT_TERMS], part[THUD_SEGMENT_TERMS], rate[THUD_SEGMENT_TERMS], work = 0, power = 1;
+    static const double one = 1;
+    for (int k = 0; k < orders; k++, power *= s) { /* over [0, s] as over [0, 1] */
+        force[k] = seg->force[k * o->state->model->nrows + c];
+        part[k] = power * force[k];
     }
-    if (!asks)
-        return work;
-    thud_nodes_values(nodes, seg->indentation + c * THUD_SEGMENT_TERMS, 1, seg->terms, d);
-    for (int i = 0; i < THUD_QUADRATURE_POINTS; i++)
-        force[i] = weight[i] > 0 ? thud_contact_force(o->state, c, d[i], rate[i]) - force[i] : 0;
-    return work + work_of(weight, force, rate, impulse);
+    power = 1;
+    for (int k = 1; k < seg->terms; k++, power *= s)
+        rate[k - 1] = k * power * d[k];
+    if (applies) {
+        work = product_integral(part, orders, rate, seg->terms - 1) / seg->h_s;
+        *impulse = product_integral(&one, 1, part, orders);
+    }
+    return asks ? work + law_work(o, c, force, orders, impulse) : work;
 }
 
 static void book_contact(struct thud_ledger *l, const struct thud_observation *o, int c, double work_j,
@@ -60,47 +94,191 @@ static void book_contact(struct thud_ledger *l, const struct thud_observation *o
     thud_impact_count(o->state, l->log, c);
 }
 
-/* Work of the damping that couples modes (isolated buildings) over the segment, per second of it, at modal rates
- * (nmodes x THUD_BATCH). */
-static double coupled_loss(const struct thud_model *m, const double *rate)
+/* Structures. The power of damping and of the ground is integrated by the rule of fewest points whose error is bounded
+ * by a small part of the tolerance; the rates at both ends of the piece are known. */
+
+/* Power of the damping that couples modes (isolated buildings) at these modal rates. */
+static double coupled_power(const struct thud_model *m, const double *rate)
 {
     double sum = 0;
     for (int s = 0; s < m->nstructures; s++) {
         const struct thud_model_structure *p = &m->structure[s];
         for (int i = 0; p->damping && i < p->modes; i++)
-            for (int j = 0; j < p->modes; j++) {
-                const double *a = rate + (p->first_mode + i) * THUD_BATCH, *b = rate + (p->first_mode + j) * THUD_BATCH;
-                for (int x = 0; x < THUD_QUADRATURE_POINTS; x++)
-                    sum += thud_quadrature_weight[x] * a[x] * p->damping[i * p->modes + j] * b[x];
-            }
+            sum += rate[p->first_mode + i] * thud_dot(p->modes, p->damping + i * p->modes, rate + p->first_mode);
     }
     return sum;
 }
 
-/* Work of the ground and of the structures' damping. */
-static void structure_work(struct thud_ledger *l, const struct thud_observation *o, const struct thud_nodes *nodes)
+/* Power of the damping, and the ground's per unit of its acceleration, at the points of a quadrature. */
+struct powers {
+    thud_double_pair loss[THUD_LOBATTO_INNER], drive[THUD_LOBATTO_INNER]; /* two parts of each */
+};
+
+/* Adds those of two modes, or one, in units of the segment's length. */
+static inline void add_modes(const struct thud_model *m, const struct thud_segment *seg, int j, bool single,
+                             const struct thud_rate_powers *power, const int points, double *rates, struct powers *sum)
+{
+    const thud_double_pair dashpot = thud_double_pair_some(m->dashpot + j, single),
+                           gamma = thud_double_pair_some(m->gamma + j, single);
+    const int n = m->nmodes, terms = seg->terms;
+    const double *q = seg->q + n + j;
+    thud_double_pair rate[THUD_LOBATTO_INNER] = {0};
+    for (int k = 1; k < terms; k++, q += n) {
+        const thud_double_pair x = thud_double_pair_some(q, single);
+        for (int i = 0; i < points; i++)
+            rate[i] += x * power->order[k][i];
+    }
+    for (int i = 0; i < points; i++) {
+        sum->loss[i] += dashpot * rate[i] * rate[i];
+        sum->drive[i] += gamma * rate[i];
+        if (m->couples)
+            thud_double_pair_put(rate[i], rates + i * n + j, single);
+    }
+}
+
+static inline void add_all_modes(const struct thud_model *m, const struct thud_segment *seg,
+                                 const struct thud_rate_powers *power, const int points, double *rates,
+                                 struct powers *sum)
+{
+    int j = 0;
+    for (; j + 2 <= m->nmodes; j += 2)
+        add_modes(m, seg, j, false, power, points, rates, sum);
+    if (j < m->nmodes)
+        add_modes(m, seg, j, true, power, points, rates, sum);
+}
+
+/* Powers of the points s times as far from the start: k (s x)^(k - 1). */
+static void scale_powers(const struct thud_rate_powers *unit, int points, double s, int terms,
+                         struct thud_rate_powers *out)
+{
+    double factor = 1;
+    for (int k = 1; k < terms; k++, factor *= s)
+        for (int i = 0; i < points; i++)
+            out->order[k][i] = factor * unit->order[k][i];
+}
+
+/* Power of the damping at an end of the piece, where the modal rates are factor times these, and the ground's. */
+static double end_loss(const struct thud_model *m, const double *rate, double factor, double ground, double *drive)
+{
+    double loss = m->couples ? coupled_power(m, rate) : 0;
+    for (int j = 0; j < m->nmodes; j++)
+        loss += m->dashpot[j] * rate[j] * rate[j];
+    *drive = -ground * factor * thud_dot(m->nmodes, m->gamma, rate);
+    return factor * factor * loss;
+}
+
+void thud_ledger_structure_work(struct thud_ledger *l, const struct thud_observation *o, int rule, double *input_j,
+                                double *viscous_j)
 {
     const struct thud_model *m = o->state->model;
     const struct thud_segment *seg = o->seg;
-    struct thud_batch viscous = {0}, drive = {0};
-    double power[THUD_BATCH], force[THUD_BATCH], input = 0, loss = 0, dt = o->s * seg->h_s;
-    for (int j = 0; j < m->nmodes; j++) {
-        double *rate = l->rates + j * THUD_BATCH;
-        thud_nodes_rates(nodes, seg->q + j, m->nmodes, seg->terms, seg->h_s, rate);
-        struct thud_batch v = thud_batch_at(rate);
-        for (int i = 0; i < THUD_BATCH / 2; i++)
-            viscous.pair[i] += m->dashpot[j] * v.pair[i] * v.pair[i];
-        thud_batch_add(&drive, -m->gamma[j], rate);
+    const struct thud_lobatto *by = &thud_lobatto[rule];
+    struct thud_rate_powers scaled;
+    const struct thud_rate_powers *power = &l->power[rule];
+    struct powers sum = {0};
+    double start, end, rate = 1 / seg->h_s;
+    if (o->s != 1) {
+        scale_powers(power, by->inner, o->s, seg->terms, &scaled);
+        power = &scaled;
     }
-    thud_batch_put(&viscous, power);
-    thud_batch_put(&drive, force);
-    for (int i = 0; i < THUD_QUADRATURE_POINTS; i++) {
-        double ground = seg->a0 + seg->a1 * o->s * thud_quadrature_node[i];
-        loss += thud_quadrature_weight[i] * power[i];
-        input += thud_quadrature_weight[i] * ground * force[i];
+    if (by->inner == 2)
+        add_all_modes(m, seg, power, 2, l->rates, &sum);
+    else if (by->inner == 4)
+        add_all_modes(m, seg, power, 4, l->rates, &sum);
+    else if (by->inner == 6)
+        add_all_modes(m, seg, power, 6, l->rates, &sum);
+    else
+        add_all_modes(m, seg, power, THUD_LOBATTO_INNER, l->rates, &sum);
+    double loss = by->end_weight * (end_loss(m, seg->q + m->nmodes, rate, seg->a0, &start) +
+                                    end_loss(m, o->qd, 1, seg->a0 + o->s * seg->a1, &end)),
+           input = by->end_weight * (start + end);
+    for (int i = 0; i < by->inner; i++) {
+        double ground = seg->a0 + seg->a1 * o->s * by->node[i],
+               coupled = m->couples ? coupled_power(m, l->rates + i * m->nmodes) : 0;
+        loss += by->weight[i] * rate * rate * (sum.loss[i][0] + sum.loss[i][1] + coupled);
+        input -= by->weight[i] * rate * ground * (sum.drive[i][0] + sum.drive[i][1]);
     }
-    l->input_j += input * dt;
-    l->viscous_j += (loss + coupled_loss(m, l->rates)) * dt;
+    *input_j = input * o->s * seg->h_s;
+    *viscous_j = loss * o->s * seg->h_s;
+}
+
+/* Size of the load on the modes, times h^2, by order: of the ground and the forces. A row's share is sqrt(g . g). */
+static void load_sizes(const struct thud_ledger *l, const struct thud_observation *o, double *load)
+{
+    const struct thud_model *m = o->state->model;
+    const struct thud_segment *seg = o->seg;
+    const double square = seg->h_s * seg->h_s;
+    for (int k = 0; k < THUD_SEGMENT_TERMS; k++)
+        load[k] = 0;
+    for (int i = 0; i < seg->rows; i++) {
+        const int c = seg->row[i];
+        const double share = square * sqrt(m->delassus[c * m->nrows + c]);
+        for (int k = 0; k < seg->loaded; k++)
+            load[k] += share * fabs(seg->force[k * m->nrows + c]);
+    }
+    load[0] += square * l->influence * fabs(seg->a0);
+    load[1] += square * l->influence * fabs(seg->a1);
+}
+
+/* Bounds of the modal rates' derivatives in the segment, as norms over the modes and in units of its length: with u =
+ * (q', omega q) and a load p,
+ *     |u'| <= (omega + 2 zeta omega) |u| + |p| ,
+ * and sqrt(2 E) of the largest energy so far, with what the load adds, bounds |u| itself. */
+static void rate_bounds(const struct thud_ledger *l, const struct thud_observation *o, double *bound)
+{
+    const struct thud_segment *seg = o->seg;
+    const int last = (seg->loaded > 2 ? seg->loaded : 2) - 1;
+    const double angle = seg->h_s * (o->state->fastest_radps + l->dashpot);
+    double load[THUD_SEGMENT_TERMS], most = 0, factor = 1;
+    load_sizes(l, o, load);
+    for (int k = last; k >= 0; k--)
+        load[k] = most += load[k]; /* of the orders from k on */
+    bound[0] = seg->h_s * sqrt(2 * l->largest_j) + most;
+    for (int i = 0; i < thud_lobatto[THUD_LOBATTO_RULES - 2].order;
+         i++) { /* s^k by i times: at most last!/(last - i)! */
+        bound[i + 1] = angle * bound[i] + (i <= last ? factor * load[i] : 0);
+        factor *= last - i;
+    }
+}
+
+static double error_bound(const struct thud_ledger *l, const struct thud_segment *seg, const double *bound,
+                          const struct thud_lobatto *rule)
+{
+    const int order = rule->order;
+    double sum = 0, binomial = 1;
+    for (int i = 0; i < order / 2; i++) {
+        sum += 2 * binomial * bound[i] * bound[order - i];
+        binomial = binomial * (order - i) / (i + 1);
+    }
+    sum = l->dashpot / seg->h_s * (sum + binomial * bound[order / 2] * bound[order / 2]);
+    sum += l->influence * ((fabs(seg->a0) + fabs(seg->a1)) * bound[order] + order * fabs(seg->a1) * bound[order - 1]);
+    return rule->error * sum;
+}
+
+void thud_ledger_error_bounds(const struct thud_ledger *l, const struct thud_observation *o, double *bound)
+{
+    double rate[THUD_LOBATTO_ORDER + 1];
+    rate_bounds(l, o, rate);
+    for (int rule = 0; rule + 1 < THUD_LOBATTO_RULES; rule++)
+        bound[rule] = error_bound(l, o->seg, rate, &thud_lobatto[rule]);
+}
+
+/* The rule of fewest points that is exact, or right to a small part of what may be unaccounted for; where no bound is
+ * known only an exact one or the last: of coupled damping, and of storeys that yield, whose modes hold more than the
+ * structure's energy. */
+static int rule_for(const struct thud_ledger *l, const struct thud_observation *o)
+{
+    static const double part = 1e-4; /* in each of some hundred pieces */
+    const struct thud_model *m = o->state->model;
+    const bool bounded = !o->seg->interpolates && !m->couples && m->nstoreys == 0;
+    double bound[THUD_LOBATTO_RULES - 1];
+    int rule = 0;
+    if (bounded)
+        thud_ledger_error_bounds(l, o, bound);
+    while (rule + 1 < THUD_LOBATTO_RULES && 2 * (o->seg->terms - 2) >= thud_lobatto[rule].order &&
+           !(bounded && bound[rule] <= part * l->limit * l->largest_j))
+        rule++;
+    return rule;
 }
 
 /* A step whose events are not located: mean forces of its two ends times the displacements between them, which is all
@@ -139,22 +317,22 @@ static void add_ends(struct thud_ledger *l, const struct thud_observation *o, bo
 
 static void add_segment(struct thud_ledger *l, const struct thud_observation *o, bool books)
 {
-    struct thud_nodes nodes;
-    double dt = o->s * o->seg->h_s;
+    double dt = o->s * o->seg->h_s, ground_j, damping_j;
     if (o->seg->end) {
         add_ends(l, o, books);
         return;
     }
-    thud_nodes_set(&nodes, THUD_QUADRATURE_POINTS, thud_quadrature_node, o->s, o->seg->terms);
     for (int c = 0; c < o->state->model->ncontacts; c++) {
         if (!thud_segment_has_force(o->state, o->seg, c))
             continue;
-        double impulse = 0, work = contact_work(o, &nodes, c, &impulse);
+        double impulse = 0, work = contact_work(o, c, &impulse);
         l->contact_work_j += work * dt;
         if (books)
             book_contact(l, o, c, work * dt, impulse * dt);
     }
-    structure_work(l, o, &nodes);
+    thud_ledger_structure_work(l, o, rule_for(l, o), &ground_j, &damping_j);
+    l->input_j += ground_j;
+    l->viscous_j += damping_j;
 }
 
 void thud_ledger_add(struct thud_ledger *ledger, const struct thud_observation *o)
@@ -254,13 +432,30 @@ enum thud_status thud_ledger_init(struct thud_ledger *ledger, const struct thud_
                                   struct thud_contact_log *log, double limit, struct thud_error *err)
 {
     *ledger = (struct thud_ledger){.log = log, .limit = limit};
-    ledger->rates = calloc(THUD_BATCH * (size_t)model->nmodes + 1, sizeof *ledger->rates);
-    return ledger->rates ? THUD_OK : thud_error_set(err, THUD_MEMORY, "out of memory");
+    struct thud_rate_powers *power = calloc(THUD_LOBATTO_RULES, sizeof *power);
+    ledger->power = power;
+    ledger->rates = calloc(THUD_LOBATTO_INNER * (size_t)model->nmodes + 1, sizeof *ledger->rates);
+    if (!power || !ledger->rates) {
+        thud_ledger_clear(ledger);
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    }
+    for (int j = 0; j < model->nmodes; j++)
+        ledger->dashpot = fmax(ledger->dashpot, model->dashpot[j]);
+    ledger->influence = sqrt(thud_dot(model->nmodes, model->gamma, model->gamma));
+    for (int rule = 0; rule < THUD_LOBATTO_RULES; rule++)
+        for (int i = 0; i < thud_lobatto[rule].inner; i++) {
+            double x = 1;
+            for (int k = 1; k < THUD_SEGMENT_TERMS; k++, x *= thud_lobatto[rule].node[i])
+                power[rule].order[k][i] = (thud_aligned_pair){k * x, k * x};
+        }
+    return THUD_OK;
 }
 
 void thud_ledger_clear(struct thud_ledger *ledger)
 {
+    free(ledger->power);
     free(ledger->rates);
+    ledger->power = NULL;
     ledger->rates = NULL;
 }
 

@@ -4,7 +4,14 @@
 #define THUD_CORE_OBSERVE_ENERGY_H
 
 #include "core/contact_log.h"
+#include "core/double_pair.h"
 #include "core/observer.h"
+#include "core/quadrature.h"
+
+/* k x^(k - 1) at the inner points of a quadrature, twice each, by order. */
+struct thud_rate_powers {
+    thud_aligned_pair order[THUD_SEGMENT_TERMS][THUD_LOBATTO_INNER];
+};
 
 struct thud_ledger {
     struct thud_contact_log *log; /* the work on each contact, and what impulses have lost */
@@ -14,7 +21,9 @@ struct thud_ledger {
     bool closed;       /* nothing more comes: the balance is that of an earlier moment */
     struct thud_energy balance;
     int looks;
-    double *rates; /* (nmodes x THUD_BATCH) workspace */
+    double dashpot, influence;      /* largest 2 zeta omega; sqrt(sum of gamma^2) */
+    struct thud_rate_powers *power; /* (THUD_LOBATTO_RULES) */
+    double *rates;                  /* (THUD_LOBATTO_INNER x nmodes) workspace */
 };
 
 extern const struct thud_observer thud_observe_energy;
@@ -31,6 +40,12 @@ void thud_ledger_finish(struct thud_ledger *ledger, const struct thud_state *sta
 void thud_ledger_close(struct thud_ledger *ledger, const struct thud_state *state);
 /* Adds the works over the segment; those of single contacts are not booked. */
 void thud_ledger_add(struct thud_ledger *ledger, const struct thud_observation *o);
+/* Work of the ground and loss in the structures' damping over the segment by one of the rules of quadrature; and bounds
+ * of the error of the two together, of all rules but the last (THUD_LOBATTO_RULES - 1), where modes are uncoupled and no
+ * storey yields. */
+void thud_ledger_structure_work(struct thud_ledger *ledger, const struct thud_observation *o, int rule, double *input_j,
+                                double *viscous_j);
+void thud_ledger_error_bounds(const struct thud_ledger *ledger, const struct thud_observation *o, double *bound);
 /* Work done on the contacts so far. */
 double thud_ledger_contact_work(const struct thud_ledger *ledger);
 

@@ -140,13 +140,15 @@ static void fill_storeys(const struct thud_history *h, const struct thud_state *
     }
 }
 
-/* From those at the segment's beginning to its s. */
+/* From those at the segment's beginning to its s, where the modal state is q, qd. */
 static void fill_works(const struct thud_history *h, const struct thud_ledger *of_segment,
-                       const struct thud_observation *o, double s, double *row)
+                       const struct thud_observation *o, double s, const double *q, const double *qd, double *row)
 {
     struct thud_observation here = *o;
     struct thud_ledger ledger = *of_segment;
     here.s = s;
+    here.q = q;
+    here.qd = qd;
     thud_ledger_add(&ledger, &here);
     row[thud_history_energy(h, 0)] = ledger.input_j;
     row[thud_history_energy(h, 3)] = ledger.viscous_j;
@@ -206,7 +208,7 @@ static enum thud_status row_at(struct thud_rows *rows, const struct thud_observa
         for (int e = 0; e < THUD_HISTORY_ENERGIES; e++)
             row[thud_history_energy(h, e)] = NAN;
     else
-        fill_works(h, rows->ledger, o, s, row);
+        fill_works(h, rows->ledger, o, s, q, qd, row);
     row[thud_history_ground()] = seg->a0 + seg->a1 * s;
     for (int c = 0; c < m->nrows; c++) {
         force[c] = 0;
@@ -391,8 +393,12 @@ static enum thud_status block(void *own, const struct thud_state *state, struct 
             struct thud_observation o = {.state = state, .s = 1};
             o.seg = thud_free_vibration_all_series(f, state, t, piece);
             status = segment(rows, &o, err);
-            if (!(rows->look_s > 0))
-                thud_ledger_add(&ledger, &o);
+            if (rows->look_s > 0)
+                continue;
+            o.q = rows->work;
+            o.qd = rows->work + state->model->nmodes;
+            thud_segment_state(o.seg, state->model->nmodes, 1, rows->work, rows->work + state->model->nmodes);
+            thud_ledger_add(&ledger, &o);
         }
     rows->ledger = of_run;
     return status;

@@ -13,16 +13,19 @@ enum thud_status thud_segment_init(struct thud_segment *seg, const struct thud_m
 {
     size_t n = (size_t)model->nmodes, nc = (size_t)model->nrows, terms = THUD_SEGMENT_TERMS;
     *seg = (struct thud_segment){0};
-    seg->block = calloc((terms + 1) * n + 2 * terms * nc + 1, sizeof *seg->block);
-    seg->known = calloc(nc + 1, sizeof *seg->known);
+    seg->block = calloc((terms + 1) * n + 3 * terms * nc + 1, sizeof *seg->block);
+    seg->known = calloc(3 * nc + 1, sizeof *seg->known);
     if (!seg->block || !seg->known) {
         thud_segment_clear(seg);
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
+    seg->row = seg->known + nc;
+    seg->listed = seg->row + nc;
     seg->q = seg->block;
     seg->reach = seg->q + terms * n;
     seg->force = seg->reach + n;
     seg->indentation = seg->force + terms * nc;
+    seg->load = seg->indentation + terms * nc;
     return THUD_OK;
 }
 
@@ -102,16 +105,33 @@ void thud_segment_place(const struct thud_state *state, struct thud_segment *seg
     seg->terms = thud_segment_terms(thud_segment_rate(state) * h_s, THUD_TOL_SERIES);
 }
 
+/* Forces that the last segment has left; only rows that acted at its start have any, but for those of steps. */
+static void clear_forces(const struct thud_state *state, struct thud_segment *seg)
+{
+    const struct thud_model *m = state->model;
+    if (seg->interpolates)
+        memset(seg->force, 0, THUD_SEGMENT_TERMS * (size_t)m->nrows * sizeof(double));
+    for (int i = 0; i < seg->rows && !seg->interpolates; i++)
+        for (int k = 0; k == 0 || k < seg->loaded; k++) /* a constant one stands where no order counts any more */
+            seg->force[k * m->nrows + seg->row[i]] = 0;
+    seg->loaded = 0;
+    seg->rows = 0;
+    for (int c = 0; c < m->nrows; c++)
+        if (thud_contact_acts(&state->contact[c]) || state->contact[c].branch.f0_n != 0)
+            seg->row[seg->rows++] = c;
+}
+
 void thud_segment_begin(const struct thud_state *state, struct thud_segment *seg, double h_s)
 {
+    clear_forces(state, seg);
     thud_segment_place(state, seg, state->grid, state->offset_s, h_s);
-    seg->loaded = 0;
-    memset(seg->force, 0, THUD_SEGMENT_TERMS * (size_t)state->model->nrows * sizeof(double));
     seg->interpolates = false;
     seg->start = seg->end = NULL;
     constant_forces(state, seg);
     thud_segment_forget(seg, state->model->nrows);
 }
+
+enum { BLOCK = 8 }; /* orders of loads summed at once: the collocation's forces have 7 */
 
 /* Modes of some structures that stand one after the other: of one, or of all. */
 struct slice {
@@ -133,15 +153,44 @@ static void first_terms(const struct thud_model *m, struct thud_segment *seg, co
     }
 }
 
-/* out = -(omega^2 q + 2 zeta omega rate q1) scale, by mode */
-static void structure_order(int n, const double *restrict spring, const double *restrict dashpot,
-                            const double *restrict q, const double *restrict q1, double rate, double scale,
-                            double *restrict out)
+/* 1/k, for two modes at once */
+static const thud_aligned_pair inverse[THUD_SEGMENT_TERMS] = {{0, 0},
+                                                              {1.0 / 1, 1.0 / 1},
+                                                              {1.0 / 2, 1.0 / 2},
+                                                              {1.0 / 3, 1.0 / 3},
+                                                              {1.0 / 4, 1.0 / 4},
+                                                              {1.0 / 5, 1.0 / 5},
+                                                              {1.0 / 6, 1.0 / 6},
+                                                              {1.0 / 7, 1.0 / 7},
+                                                              {1.0 / 8, 1.0 / 8},
+                                                              {1.0 / 9, 1.0 / 9},
+                                                              {1.0 / 10, 1.0 / 10},
+                                                              {1.0 / 11, 1.0 / 11},
+                                                              {1.0 / 12, 1.0 / 12},
+                                                              {1.0 / 13, 1.0 / 13},
+                                                              {1.0 / 14, 1.0 / 14},
+                                                              {1.0 / 15, 1.0 / 15},
+                                                              {1.0 / 16, 1.0 / 16},
+                                                              {1.0 / 17, 1.0 / 17},
+                                                              {1.0 / 18, 1.0 / 18},
+                                                              {1.0 / 19, 1.0 / 19},
+                                                              {1.0 / 20, 1.0 / 20},
+                                                              {1.0 / 21, 1.0 / 21},
+                                                              {1.0 / 22, 1.0 / 22},
+                                                              {1.0 / 23, 1.0 / 23}};
+
+/* What a load of order k adds to order k + 2: -h^2/((k + 1)(k + 2)). */
+static double load_factor(const struct thud_segment *seg, int k)
 {
-    double by_q = -scale, by_q1 = -scale * rate;
-    for (int j = 0; j < n; j++)
-        out[j] = by_q * (spring[j] * q[j]) + by_q1 * (dashpot[j] * q1[j]);
+    return -seg->h_s * seg->h_s * inverse[k + 1][0] * inverse[k + 2][0];
 }
+
+static double ground_term(const struct thud_segment *seg, int k)
+{
+    return k == 0 ? seg->a0 : k == 1 ? seg->a1 : 0; /* a straight line */
+}
+
+/* One order after the other: where damping couples modes, or forces come out of the orders below. */
 
 static void push(int n, const double *restrict g, double force, double *restrict out)
 {
@@ -149,37 +198,146 @@ static void push(int n, const double *restrict g, double force, double *restrict
         out[j] -= g[j] * force;
 }
 
-/* Forces of order k, by contact; a row moves only the modes of its own structures. */
-static void push_rows(const struct thud_model *m, const struct slice *of, const double *force, double scale, double *q2)
+/* Forces of order k, by row; a row moves only the modes of its own structures. */
+static void push_rows(const struct thud_model *m, const struct thud_segment *seg, const struct slice *of, int k,
+                      double *q2)
 {
-    for (int c = 0; c < m->nrows; c++) {
+    const double *force = seg->force + k * m->nrows;
+    for (int i = 0; i < seg->rows; i++) {
+        const int c = seg->row[i];
         if (force[c] == 0.0)
             continue;
         if (of->structures == m->nstructures)
-            thud_model_apply_contact_force(m, c, scale * force[c], q2);
+            thud_model_apply_contact_force(m, c, -load_factor(seg, k) * force[c], q2);
         else
-            push(of->modes, m->jacobian + (size_t)c * (size_t)m->nmodes + of->mode, scale * force[c], q2 + of->mode);
+            push(of->modes, m->jacobian + (size_t)c * (size_t)m->nmodes + of->mode, -load_factor(seg, k) * force[c],
+                 q2 + of->mode);
     }
 }
 
-/* Order k + 2 of the modes from orders k and k + 1 and the force of order k. */
+/* Order k + 2 of the modes from orders k and k + 1 and the loads of order k:
+ *     (k + 1) (k + 2) q[k + 2] = -h^2 (spring q[k] + load[k]) - h (k + 1) (dashpot q[k + 1] + D q[k + 1]) */
 static void next_order(const struct thud_model *m, struct thud_segment *seg, const struct slice *of, int k)
 {
-    int n = m->nmodes, first = of->mode;
-    double h = seg->h_s, scale = h * h / ((k + 1) * (k + 2)), rate = (k + 1) / h;
-    const double *q = seg->q + k * n, *q1 = q + n;
-    double *q2 = seg->q + (k + 2) * n;
-    structure_order(of->modes, m->spring + first, m->dashpot + first, q + first, q1 + first, rate, scale, q2 + first);
-    if (k < 2) /* the ground's acceleration is a straight line */
-        push(of->modes, m->gamma + first, scale * (k == 0 ? seg->a0 : seg->a1), q2 + first);
+    const int end = of->mode + of->modes;
+    const double *q = seg->q + k * m->nmodes, *q1 = q + m->nmodes;
+    const double by_q = load_factor(seg, k), by_q1 = -seg->h_s * inverse[k + 2][0], ground = by_q * ground_term(seg, k);
+    double *q2 = seg->q + (k + 2) * m->nmodes;
+    for (int j = of->mode; j < end; j += 2) {
+        const bool single = j + 1 == end;
+        const thud_double_pair spring =
+                                   thud_double_pair_some(m->spring + j, single) * thud_double_pair_some(q + j, single),
+                               dashpot = thud_double_pair_some(m->dashpot + j, single) *
+                                         thud_double_pair_some(q1 + j, single);
+        thud_double_pair_put(by_q * spring + by_q1 * dashpot + ground * thud_double_pair_some(m->gamma + j, single),
+                             q2 + j, single);
+    }
     for (int s = of->structure; m->couples && s < of->structure + of->structures; s++) {
         const struct thud_model_structure *p = &m->structure[s];
         for (int i = 0; p->damping && i < p->modes; i++)
-            for (int j = 0; j < p->modes; j++)
-                q2[p->first_mode + i] -= scale * p->damping[i * p->modes + j] * rate * q1[p->first_mode + j];
+            q2[p->first_mode + i] += by_q1 * thud_dot(p->modes, p->damping + i * p->modes, q1 + p->first_mode);
     }
     if (k < seg->loaded)
-        push_rows(m, of, seg->force + k * m->nrows, scale, q2);
+        push_rows(m, seg, of, k, q2);
+}
+
+/* One mode after the other: given forces, modes that nothing couples. */
+
+/* Loads of two modes, or one, by order: the ground's, and those of the rows listed. */
+static inline void sum_loads(const struct thud_model *m, const struct thud_segment *seg, int rows, int j, bool single,
+                             thud_double_pair *load)
+{
+    const thud_double_pair gamma = thud_double_pair_some(m->gamma + j, single);
+    load[0] = load[1] = (thud_double_pair){0, 0};
+    for (int from = 0; from < seg->loaded && rows > 0; from += BLOCK) {
+        thud_double_pair sum[BLOCK] = {0};
+        for (int i = 0; i < rows; i++) {
+            const double *force = seg->load + seg->listed[i] * THUD_SEGMENT_TERMS + from;
+            const thud_double_pair g =
+                thud_double_pair_some(m->jacobian + (size_t)seg->row[seg->listed[i]] * (size_t)m->nmodes + j, single);
+            for (int k = 0; k < BLOCK; k++)
+                sum[k] += force[k] * g;
+        }
+        for (int k = 0; k < BLOCK; k++)
+            load[from + k] = sum[k];
+    }
+    load[0] += load_factor(seg, 0) * seg->a0 * gamma;
+    load[1] += load_factor(seg, 1) * seg->a1 * gamma;
+}
+
+/* The orders from k on of two modes, or one, out of the two below, x and v; `loaded` of them have loads. By modes and not
+ * by orders: on the way up the orders the last two stay in registers. */
+static inline void mode_series(const struct thud_model *m, struct thud_segment *seg, int j, bool single, int loaded,
+                               const thud_double_pair *load)
+{
+    const double h = seg->h_s;
+    const thud_double_pair spring = -h * h * thud_double_pair_some(m->spring + j, single),
+                           dashpot = -h * thud_double_pair_some(m->dashpot + j, single);
+    const int n = m->nmodes, terms = seg->terms;
+    double *q = seg->q + j;
+    thud_double_pair x = thud_double_pair_some(q, single), v = thud_double_pair_some(q + n, single), next;
+    q += 2 * n;
+    int k = 2;
+    for (; k < loaded + 2 && k < terms; k++, q += n) {
+        next = load[k - 2] + (spring * x * inverse[k - 1] + dashpot * v) * inverse[k];
+        thud_double_pair_put(next, q, single);
+        x = v;
+        v = next;
+    }
+    for (; k < terms; k++, q += n) {
+        next = (spring * x * inverse[k - 1] + dashpot * v) * inverse[k];
+        thud_double_pair_put(next, q, single);
+        x = v;
+        v = next;
+    }
+}
+
+/* The forces of the rows times their load factors, by row, with zeros behind up to a whole block. */
+static void scale_forces(const struct thud_model *m, struct thud_segment *seg)
+{
+    const int orders = seg->loaded + 2 < seg->terms ? seg->loaded : seg->terms - 2;
+    double factor[THUD_SEGMENT_TERMS];
+    for (int k = 0; k < orders && seg->rows > 0; k++)
+        factor[k] = load_factor(seg, k);
+    for (int i = 0; i < seg->rows; i++) {
+        const double *force = seg->force + seg->row[i];
+        double *load = seg->load + i * THUD_SEGMENT_TERMS;
+        for (int k = 0; k < orders; k++)
+            load[k] = factor[k] * force[k * m->nrows];
+        for (int k = orders; k < seg->loaded || k % BLOCK != 0; k++)
+            load[k] = 0;
+    }
+}
+
+/* Lists the rows whose forces move a structure; how many. */
+static int list_rows(const struct thud_model *m, struct thud_segment *seg, int structure)
+{
+    int n = 0;
+    for (int i = 0; i < seg->rows && seg->loaded > 0; i++) {
+        const struct thud_model_contact *p = &m->contact[seg->row[i]];
+        if (p->left.structure == structure || p->right.structure == structure)
+            seg->listed[n++] = i;
+    }
+    return n;
+}
+
+static void series_by_modes(const struct thud_model *m, struct thud_segment *seg, const struct slice *of)
+{
+    thud_double_pair load[THUD_SEGMENT_TERMS];
+    scale_forces(m, seg);
+    for (int s = of->structure; s < of->structure + of->structures; s++) {
+        const int first = m->structure[s].first_mode, end = first + m->structure[s].modes, rows = list_rows(m, seg, s),
+                  loaded = rows > 0 && seg->loaded > 2 ? seg->loaded : 2;
+        int j = first;
+        for (; j + 2 <= end; j += 2) {
+            sum_loads(m, seg, rows, j, false, load);
+            mode_series(m, seg, j, false, loaded, load);
+        }
+        if (j < end) {
+            sum_loads(m, seg, rows, j, true, load);
+            mode_series(m, seg, j, true, loaded, load);
+        }
+    }
 }
 
 static double largest_of(const double *x, int n)
@@ -210,7 +368,9 @@ static void series_of(const struct thud_model *m, struct thud_segment *seg, cons
                       const double *qd)
 {
     first_terms(m, seg, of, q, qd);
-    for (int k = 0; k + 2 < seg->terms; k++)
+    if (!m->couples)
+        series_by_modes(m, seg, of);
+    for (int k = 0; k + 2 < seg->terms && m->couples; k++)
         next_order(m, seg, of, k);
 }
 
@@ -236,7 +396,7 @@ void thud_taylor_load(const struct thud_model *model, struct thud_segment *seg, 
     for (int k = order; k + 2 < seg->terms; k++) {
         next_order(model, seg, &all, k);
         for (int j = 0; j < n && k == order; j++)
-            seg->q[(k + 2) * n + j] += load[j] * seg->h_s * seg->h_s / ((k + 1) * (k + 2));
+            seg->q[(k + 2) * n + j] -= load_factor(seg, k) * load[j];
     }
 }
 
@@ -245,7 +405,8 @@ void thud_taylor_load(const struct thud_model *model, struct thud_segment *seg, 
 static void linear_forces(const struct thud_state *state, struct thud_segment *seg, int k)
 {
     const struct thud_model *m = state->model;
-    for (int c = 0; c < m->nrows; c++) {
+    for (int i = 0; i < seg->rows; i++) {
+        const int c = seg->row[i];
         const struct thud_contact_state *s = &state->contact[c];
         const bool touched = k == 0 && s->suppressed.indentation > 0; /* the motion says so only to rounding */
         double *d = seg->indentation + c * THUD_SEGMENT_TERMS, d1 = 0, f = 0;

@@ -26,6 +26,9 @@ struct thud_segment {
     bool interpolates; /* the states of a stepping method at its two ends; else a power series */
 
     double *indentation; /* (nrows x THUD_SEGMENT_TERMS): where it has been read */
+    double *load;        /* (nrows x THUD_SEGMENT_TERMS) and */
+    int *listed;         /* (nrows) workspace of segment.c */
+    int rows, *row;      /* (rows) those that may have a force, but for a stepping method: set where it begins */
     int *known;          /* (nrows) its lowest orders that are no motion; -1 where it has not been read */
     double *reach;       /* (nmodes) how far each mode may move in it: thud_segment_reach */
     double *block;

@@ -131,6 +131,7 @@ START_TEST(a_constant_force_moves_contacts_as_the_series_does)
         for (int b = 0; b < f.n; b++) {
             thud_segment_begin(state, seg, ldexp(f.h_top, -level));
             seg->terms = THUD_SEGMENT_TERMS;
+            seg->row[seg->rows++] = b;
             seg->force[b] = 1e6;
             seg->loaded = 1;
             thud_taylor_given(f.model, seg, state->q, state->qd);

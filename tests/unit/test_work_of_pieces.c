@@ -1,0 +1,201 @@
+/* A piece of motion under given forces: its series against one of all terms, and the quadrature of its works against
+ * many points. */
+#include <check.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include "core/run_private.h"
+#include "march.h"
+
+enum { ORDERS = 7, SCENES = 200 };
+
+static const int towers[] = {4, 5}; /* an odd number of modes in one of them, and in all */
+
+struct fixture {
+    struct thud_model *model;
+    struct thud_record *record;
+    struct march m;
+};
+
+static double random_part(void)
+{
+    return 2.0 * rand() / RAND_MAX - 1;
+}
+
+static void set_up(struct fixture *f, bool isolated)
+{
+    struct march_law law = march_law("rubber", "stiffness", 0.36e3 * pow(1000, 2.65), "thickness", 0.05, NULL);
+    *f = (struct fixture){.model = march_row(2, towers, isolated, 0.1, &law), .record = march_motion(1)};
+    f->m = march_run(f->model, f->record, "exact", 0, 0, true, 0.01);
+    srand(5);
+}
+
+static void tear_down(struct fixture *f)
+{
+    march_free(&f->m);
+    thud_model_free(f->model);
+    thud_record_free(f->record);
+}
+
+/* A piece of a random length, up to 1.5 rad of the fastest mode, with forces on two of the contacts whose orders are
+ * each `decay` times the one before. */
+static double begin_random(struct fixture *f, struct thud_segment *seg, double decay)
+{
+    struct thud_state *state = &f->m.run->state;
+    const struct thud_model *m = f->model;
+    double angle = 0.05 + 1.45 * rand() / RAND_MAX, force = 1e6 * rand() / RAND_MAX;
+    for (int j = 0; j < m->nmodes; j++) {
+        state->qd[j] = 100 * random_part();
+        state->q[j] = m->omega[j] > 0 ? 100 * random_part() / m->omega[j] : 0;
+    }
+    for (int c = 0; c < m->ncontacts; c++)
+        state->contact[c].mode = c < 2 ? THUD_CLOSED : THUD_OPEN;
+    thud_segment_begin(state, seg, angle / m->fastest_radps);
+    seg->a0 = 10 * random_part();
+    seg->a1 = 3 * random_part();
+    seg->loaded = ORDERS;
+    for (int c = 0; c < 2; c++)
+        for (int k = 0; k < ORDERS; k++)
+            seg->force[k * m->nrows + c] = force * pow(decay, k) * random_part();
+    return angle;
+}
+
+START_TEST(few_terms_leave_out_what_they_may)
+{
+    static const double least = 1e-7;
+    struct fixture f;
+    double q[2][MARCH_FLOORS_MAX], qd[2][MARCH_FLOORS_MAX];
+    set_up(&f, _i);
+    struct thud_segment *seg = &f.m.run->seg;
+    const int n = f.model->nmodes;
+    int fewest = THUD_SEGMENT_TERMS;
+    for (int i = 0; i < SCENES; i++) {
+        double angle = begin_random(&f, seg, 0.3), size = 0, apart = 0, speed = 0; /* that the forces could give */
+        for (int c = 0; c < 2; c++)
+            for (int k = 0; k < ORDERS; k++)
+                speed += seg->h_s * fabs(seg->force[k * f.model->nrows + c]) *
+                         sqrt(f.model->delassus[c * f.model->nrows + c]);
+        for (int all = 0; all < 2; all++) {
+            seg->terms = all ? THUD_SEGMENT_TERMS : thud_segment_terms(angle, least);
+            fewest = seg->terms < fewest ? seg->terms : fewest;
+            thud_taylor_given(f.model, seg, f.m.run->state.q, f.m.run->state.qd);
+            thud_segment_state(seg, n, 1, q[all], qd[all]);
+        }
+        for (int j = 0; j < n; j++) {
+            size += qd[1][j] * qd[1][j] + f.model->spring[j] * q[1][j] * q[1][j];
+            apart += pow(qd[0][j] - qd[1][j], 2) + f.model->spring[j] * pow(q[0][j] - q[1][j], 2);
+        }
+        /* the first term left out is below `least`, and its rate times the number of terms as large */
+        ck_assert_double_lt(sqrt(apart), THUD_SEGMENT_TERMS * least * (sqrt(size) + speed));
+    }
+    ck_assert_int_lt(fewest, THUD_SEGMENT_TERMS / 2);
+    tear_down(&f);
+}
+END_TEST
+
+/* Rates and forces at many points in place of the polynomials' coefficients: the equations of motion hold there. */
+START_TEST(every_order_keeps_to_the_equations_of_motion)
+{
+    struct fixture f;
+    double q[MARCH_FLOORS_MAX], qd[MARCH_FLOORS_MAX], a[MARCH_FLOORS_MAX], near[2][MARCH_FLOORS_MAX];
+    double skip[MARCH_FLOORS_MAX];
+    static const double step = 1e-4;
+    set_up(&f, _i);
+    struct thud_segment *seg = &f.m.run->seg;
+    const struct thud_model *m = f.model;
+    for (int i = 0; i < 20; i++) {
+        begin_random(&f, seg, 1);
+        seg->terms = THUD_SEGMENT_TERMS;
+        thud_taylor_given(m, seg, f.m.run->state.q, f.m.run->state.qd);
+        for (double s = 0.1; s < 1; s += 0.2) {
+            double force[MARCH_FLOORS_MAX] = {0}, size = 0;
+            thud_segment_state(seg, m->nmodes, s, q, qd);
+            thud_segment_state(seg, m->nmodes, s - step, skip, near[0]);
+            thud_segment_state(seg, m->nmodes, s + step, skip, near[1]);
+            for (int c = 0; c < 2; c++)
+                for (int k = ORDERS - 1; k >= 0; k--)
+                    force[c] = force[c] * s + seg->force[k * m->nrows + c];
+            thud_model_acceleration(m, q, qd, seg->a0 + seg->a1 * s, a);
+            thud_model_apply_contact_forces(m, force, a);
+            for (int j = 0; j < m->nmodes; j++)
+                size = fmax(size, fabs(a[j]));
+            for (int j = 0; j < m->nmodes; j++)
+                ck_assert_double_eq_tol((near[1][j] - near[0][j]) / (2 * step * seg->h_s), a[j], 1e-6 * size);
+        }
+    }
+    tear_down(&f);
+}
+END_TEST
+
+/* The works up to s by sixteen times eight points. */
+static void many_points(const struct thud_model *m, const struct thud_segment *seg, double s, double *input_j,
+                        double *viscous_j)
+{
+    enum { PARTS = 16 };
+    double q[MARCH_FLOORS_MAX], qd[MARCH_FLOORS_MAX], input = 0, viscous = 0;
+    for (int part = 0; part < PARTS; part++)
+        for (int i = 0; i < THUD_QUADRATURE_POINTS; i++) {
+            double at = s * (part + thud_quadrature_node[i]) / PARTS, weight = thud_quadrature_weight[i] / PARTS;
+            thud_segment_state(seg, m->nmodes, at, q, qd);
+            for (int j = 0; j < m->nmodes; j++) {
+                input -= weight * (seg->a0 + seg->a1 * at) * m->gamma[j] * qd[j];
+                viscous += weight * m->dashpot[j] * qd[j] * qd[j];
+            }
+            for (int k = 0; k < m->nstructures; k++) {
+                const struct thud_model_structure *p = &m->structure[k];
+                for (int a = 0; p->damping && a < p->modes; a++)
+                    for (int b = 0; b < p->modes; b++)
+                        viscous +=
+                            weight * qd[p->first_mode + a] * p->damping[a * p->modes + b] * qd[p->first_mode + b];
+            }
+        }
+    *input_j = input * s * seg->h_s;
+    *viscous_j = viscous * s * seg->h_s;
+}
+
+START_TEST(works_are_right_to_their_bounds)
+{
+    struct fixture f;
+    double most[THUD_LOBATTO_RULES] = {0}; /* error over bound */
+    set_up(&f, _i);
+    struct thud_run *run = f.m.run;
+    const struct thud_model *m = f.model;
+    double q[MARCH_FLOORS_MAX], qd[MARCH_FLOORS_MAX];
+    for (int i = 0; i < SCENES; i++) {
+        begin_random(&f, &run->seg, 1);
+        run->seg.terms = THUD_SEGMENT_TERMS;
+        thud_taylor_given(m, &run->seg, run->state.q, run->state.qd);
+        run->ledger.largest_j = thud_state_kinetic(&run->state) + thud_state_strain(&run->state);
+        double s = i % 2 ? 1 : 0.3 + 0.7 * rand() / RAND_MAX, input, viscous, want_input, want_viscous;
+        thud_segment_state(&run->seg, m->nmodes, s, q, qd);
+        struct thud_observation o = {&run->state, &run->seg, s, q, qd, false};
+        many_points(m, &run->seg, s, &want_input, &want_viscous);
+        double bounds[THUD_LOBATTO_RULES] = {0}; /* the last rule's: rounding */
+        thud_ledger_error_bounds(&run->ledger, &o, bounds);
+        for (int rule = 0; rule < THUD_LOBATTO_RULES; rule++) {
+            double bound = bounds[rule], rounding = 1e-13 * (fabs(want_input) + want_viscous);
+            thud_ledger_structure_work(&run->ledger, &o, rule, &input, &viscous);
+            double error = fabs(input - want_input) + fabs(viscous - want_viscous);
+            if (_i == 0) /* no bound is made where damping couples modes */
+                ck_assert_double_le(error, bound + rounding);
+            else
+                ck_assert_double_le(error, rule + 1 < THUD_LOBATTO_RULES ? run->ledger.largest_j : rounding);
+            if (bound > 0)
+                most[rule] = fmax(most[rule], (error - rounding) / bound);
+        }
+    }
+    ck_assert(_i == 1 || most[0] > 1e-4); /* and none is far from what happens */
+    tear_down(&f);
+}
+END_TEST
+
+Suite *thud_suite(void)
+{
+    Suite *s = suite_create("work_of_pieces");
+    TCase *t = tcase_create("piece");
+    tcase_add_loop_test(t, few_terms_leave_out_what_they_may, 0, 2);
+    tcase_add_loop_test(t, every_order_keeps_to_the_equations_of_motion, 0, 2);
+    tcase_add_loop_test(t, works_are_right_to_their_bounds, 0, 2);
+    suite_add_tcase(s, t);
+    return s;
+}
