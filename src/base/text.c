@@ -46,15 +46,20 @@ void thud_text_bytes(struct thud_text *text, const char *bytes, size_t size)
 void thud_text_append(struct thud_text *text, const char *fmt, ...)
 {
     va_list args, again;
+    const size_t room = text->failed ? 0 : text->capacity - text->size;
     va_start(args, fmt);
     va_copy(again, args);
-    int size = vsnprintf(NULL, 0, fmt, args);
+    int size = vsnprintf(room > 0 ? text->data + text->size : NULL, room, fmt, args);
     va_end(args);
-    if (size < 0)
+    if (size < 0) {
         text->failed = 1;
-    else if (reserve(text, (size_t)size)) {
+    } else if ((size_t)size < room) {
+        text->size += (size_t)size;
+    } else if (reserve(text, (size_t)size)) {
         vsnprintf(text->data + text->size, (size_t)size + 1, fmt, again);
         text->size += (size_t)size;
+    } else if (room > 0) {
+        text->data[text->size] = '\0'; /* without the part that would have fitted */
     }
     va_end(again);
 }

@@ -440,6 +440,8 @@ static void floor_rows(struct thud_free_vibration *f, const struct thud_model_st
     int i = 0;
     for (; i + FLOORS_AT_ONCE <= p->n; i += FLOORS_AT_ONCE)
         some_rows(p, i, FLOORS_AT_ONCE, from, ends, to + (size_t)i * ENDS);
+    for (; i + FLOORS_AT_ONCE / 2 <= p->n; i += FLOORS_AT_ONCE / 2)
+        some_rows(p, i, FLOORS_AT_ONCE / 2, from, ends, to + (size_t)i * ENDS);
     for (; i < p->n; i++)
         some_rows(p, i, 1, from, ends, to + (size_t)i * ENDS);
 }
