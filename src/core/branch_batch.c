@@ -114,17 +114,101 @@ static void power_terms(const struct thud_branch *b, const struct thud_batch *d,
     thud_batch_put(&fv, df_dv);
 }
 
+/* One step of Householder's method of third order for x + part = d, part going with x^p, relative to x; Newton's where
+ * that would leave the interval. See own_indentation in law.c. */
+static inline thud_double_pair relative_step(thud_double_pair x, thud_double_pair part, thud_double_pair d, double p)
+{
+    thud_double_pair rate = p * part, slope = x + rate, newton = (x + part - d) / slope,
+                     second = (p - 1) * rate / slope;
+    thud_double_pair step =
+        newton * (1 - 0.5 * newton * second) / (1 - newton * (second - newton * ((p - 2) / 6 * second)));
+    return choose((bits)(thud_double_pair_abs(step) < (thud_double_pair){1, 1}), step, newton);
+}
+
+/* Columns in series with K x^p: x + K/column x^p = d for positive d. Gives x, and the spring's part of d. */
+static void own_indentations(const struct thud_branch *b, const struct thud_batch *d, const struct thud_batch *log2_d,
+                             struct thud_batch *x, struct thud_batch *part)
+{
+    enum { MOST = 60 };
+    static const double last_step = 5e-5; /* its fourth power is below rounding */
+    const double p = b->p, c = b->K / b->column_npm, log2_c = log2(c);
+    struct thud_batch root, power, y, step;
+    for (int i = 0; i < PAIRS; i++)
+        y.pair[i] = (log2_d->pair[i] - log2_c) / p;
+    power_of(d, &y, 1, &root);
+    power_of(d, log2_d, p, &power);
+    for (int i = 0; i < PAIRS; i++) { /* from above: the larger of the two parts alone would make d */
+        bits spring = (bits)(c * power.pair[i] > d->pair[i]);
+        x->pair[i] = choose(spring, root.pair[i], d->pair[i]);
+        part->pair[i] = choose(spring, d->pair[i], c * power.pair[i]);
+    }
+    for (int k = 0; k < MOST; k++) {
+        bits left = {0, 0};
+        for (int i = 0; i < PAIRS; i++) {
+            step.pair[i] = relative_step(x->pair[i], part->pair[i], d->pair[i], p);
+            x->pair[i] -= step.pair[i] * x->pair[i];
+            left |= (bits)(thud_double_pair_abs(step.pair[i]) > (thud_double_pair){last_step, last_step});
+        }
+        if (!(left[0] | left[1]))
+            break;
+        *part = log2_of(x);
+        power_of(d, part, p, &power);
+        for (int i = 0; i < PAIRS; i++) {
+            part->pair[i] = c * power.pair[i];
+            step.pair[i] = (thud_double_pair){0, 0};
+        }
+    }
+    for (int i = 0; i < PAIRS; i++) { /* by the binomial series of (1 - step)^p */
+        const thud_double_pair s = step.pair[i];
+        part->pair[i] *= 1 - p * s * (1 - (p - 1) / 2 * s * (1 - (p - 2) / 3 * s));
+    }
+}
+
+/* The dashpot of columns and K x^p together, and how it changes with d. */
+static inline void damper_of(const struct thud_branch *b, thud_double_pair x, thud_double_pair force,
+                             thud_double_pair slope, thud_double_pair *damper, thud_double_pair *damper_slope)
+{
+    if (b->r == b->p || b->D == 0) {
+        *damper = b->D / b->K * force;
+        *damper_slope = b->D / b->K * slope;
+        return;
+    }
+    /* r = (p - 1)/2 */
+    thud_double_pair energy = force * (x / (b->p + 1) + 0.5 / b->column_npm * force), root = b->K * (b->p + 1) * energy;
+    root = (thud_double_pair){sqrt(root[0]), sqrt(root[1])};
+    *damper = b->D * force / root;
+    *damper_slope = *damper * (slope / force - 0.5 * force / energy);
+}
+
+static void series_terms(const struct thud_branch *b, const struct thud_batch *d, const struct thud_batch *v,
+                         double *force, double *df_dd, double *df_dv)
+{
+    struct thud_batch positive, x, part, f, fd, fv;
+    for (int i = 0; i < PAIRS; i++)
+        positive.pair[i] = choose(above_zero(d->pair[i]), d->pair[i], (thud_double_pair){1, 1});
+    const struct thud_batch log2_d = log2_of(&positive);
+    own_indentations(b, &positive, &log2_d, &x, &part);
+    for (int i = 0; i < PAIRS; i++) {
+        const bits in_contact = above_zero(d->pair[i]);
+        thud_double_pair elastic = b->column_npm * part.pair[i], own = b->p * elastic / x.pair[i], damper, damper_slope;
+        thud_double_pair slope = own / (1 + own / b->column_npm);
+        damper_of(b, x.pair[i], elastic, slope, &damper, &damper_slope);
+        f.pair[i] =
+            b->f0_n + b->k_npm * d->pair[i] + b->c_nspm * v->pair[i] + only(in_contact, elastic + damper * v->pair[i]);
+        fd.pair[i] = b->k_npm + only(in_contact, slope + damper_slope * v->pair[i]);
+        fv.pair[i] = b->c_nspm + only(in_contact, damper);
+    }
+    thud_batch_put(&f, force);
+    thud_batch_put(&fd, df_dd);
+    thud_batch_put(&fv, df_dv);
+}
+
 void thud_branch_batch(const struct thud_branch *branch, const double *d_m, const double *v_mps, double *force,
                        double *df_dd, double *df_dv)
 {
-    if (branch->column_npm == 0) {
-        const struct thud_batch d = thud_batch_at(d_m), v = thud_batch_at(v_mps);
+    const struct thud_batch d = thud_batch_at(d_m), v = thud_batch_at(v_mps);
+    if (branch->column_npm > 0)
+        series_terms(branch, &d, &v, force, df_dd, df_dv);
+    else
         power_terms(branch, &d, &v, force, df_dd, df_dv);
-        return;
-    }
-    for (int i = 0; i < THUD_BATCH; i++) {
-        force[i] = thud_branch_force(branch, d_m[i], v_mps[i], &df_dd[i], &df_dv[i]);
-        if (!isfinite(df_dd[i]))
-            df_dd[i] = branch->k_npm;
-    }
 }

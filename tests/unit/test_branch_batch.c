@@ -16,6 +16,8 @@ static const struct thud_branch branches[] = {
     {.D = 7e8, .r = 1, .p = 1, .k_npm = 2.5e9, .c_nspm = -3e5, .f0_n = -1e7},
     {.K = 5, .p = 11, .D = 0.2, .r = 0.01},
     {.K = 0.36e3 * 8.9e7, .p = 2.65, .D = 0.36e3 * 8.9e7 * 1.3, .r = 2.65, .column_npm = 3e8},
+    {.K = 0.36e3 * 8.9e7, .p = 2.65, .column_npm = 3e4},
+    {.K = 2e9, .p = 1.5, .D = 3e6, .r = 0.25, .column_npm = 1e9},
 };
 
 START_TEST(a_batch_is_its_points)
