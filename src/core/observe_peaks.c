@@ -739,7 +739,8 @@ static bool row_bounds(const struct thud_model *m, const struct thud_free_vibrat
     double rate[2] = {0};
     for (int i = 0; i < count; i++) {
         const int t = list[i];
-        rate[0] = i > 0 && list[i - 1] == t - 1 ? rate[1] : rate_at(m, f, row, t, f->ground[t]);
+        const bool follows = i > 0 && list[i - 1] == t - 1 && f->after[t - 1] == f->ground[t]; /* a record may jump */
+        rate[0] = follows ? rate[1] : rate_at(m, f, row, t, f->ground[t]);
         rate[1] = rate_at(m, f, row, t + 1, f->after[t]);
         double cubic = cubic_peak(x[t], x[t + 1], f->dt_s * rate[0], f->dt_s * rate[1]);
         upper[t] = cubic + row->cubic_margin;
