@@ -26,13 +26,15 @@ static void renew_branch(struct thud_state *state, int c)
         thud_law_branch(law_of(state, c), &state->model->contact[c].setup, &s->memory, s->phase, s->past_ultimate);
 }
 
-/* Changes the mode and keeps the count of acting contacts. */
+/* Changes the mode and keeps the counts of contacts. */
 static void thud_contact_set_mode(struct thud_state *state, int c, enum thud_contact_mode mode)
 {
     struct thud_contact_state *s = &state->contact[c];
     state->nactive -= thud_contact_acts(s);
+    state->nindented -= s->mode != THUD_OPEN;
     s->mode = mode;
     state->nactive += thud_contact_acts(s);
+    state->nindented += s->mode != THUD_OPEN;
 }
 
 void thud_contact_start(struct thud_state *state)

@@ -49,6 +49,8 @@ enum thud_status thud_contact_update(struct thud_state *state, struct thud_conta
     enum { EVENTS_MAX = 4 }; /* onset, reversal, change of branch and release may all lie in one step */
     enum thud_status status = THUD_OK;
     *switched = false;
+    if (apart && state->nindented == 0)
+        return THUD_OK;
     for (int c = 0; c < state->model->ncontacts; c++) {
         enum thud_contact_mode before = state->contact[c].mode;
         if (apart && before == THUD_OPEN)

@@ -54,4 +54,19 @@ static inline double thud_dot(int n, const double *a, const double *b)
     return j < n ? sum + a[j] * b[j] : sum;
 }
 
+/* Sum of w q^2 + v^2: twice the energy of n modes with w = omega^2. */
+static inline double thud_energy_sum(int n, const double *w, const double *q, const double *v)
+{
+    thud_double_pair strain = {0, 0}, kinetic = {0, 0};
+    int j = 0;
+    for (; j + 2 <= n; j += 2) {
+        thud_double_pair x = thud_double_pair_at(q + j), y = thud_double_pair_at(v + j);
+        strain += thud_double_pair_at(w + j) * (x * x);
+        kinetic += y * y;
+    }
+    strain += kinetic;
+    double sum = strain[0] + strain[1];
+    return j < n ? sum + (w[j] * (q[j] * q[j]) + v[j] * v[j]) : sum;
+}
+
 #endif

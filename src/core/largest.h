@@ -1,4 +1,4 @@
-/* The larger of two numbers; NaN where one of them is, so that it is not lost on the way. */
+/* The larger and the smaller of two numbers; NaN where one of them is, so that it is not lost on the way. */
 #ifndef THUD_CORE_LARGEST_H
 #define THUD_CORE_LARGEST_H
 
@@ -7,6 +7,11 @@
 static inline double thud_larger(double a, double b)
 {
     return b > a || b != b ? b : a;
+}
+
+static inline double thud_smaller(double a, double b)
+{
+    return b < a || b != b ? b : a;
 }
 
 /* The largest of n > 0 numbers, by four at a time: alone, each would wait for the one before it. */

@@ -65,6 +65,11 @@ void thud_modal_operator_set(struct thud_modal_operator *op, const struct thud_m
     }
 }
 
+const double *thud_modal_operator_diagonal(const struct thud_modal_operator *op)
+{
+    return op->diagonal;
+}
+
 void thud_modal_operator_apply(const struct thud_modal_operator *op, const struct thud_model *model, const double *in,
                                double *out)
 {

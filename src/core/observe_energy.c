@@ -281,18 +281,34 @@ static int rule_for(const struct thud_ledger *l, const struct thud_observation *
     return rule;
 }
 
+/* Work of the ground by its acceleration, and of the dashpots of single modes, between the two ends of a step. */
+static void end_works(const struct thud_model *m, const struct thud_motion *a, const struct thud_motion *b,
+                      double *drive, double *viscous)
+{
+    thud_double_pair by_ground = {0, 0}, by_rate = {0, 0};
+    int j = 0;
+    for (; j + 2 <= m->nmodes; j += 2) {
+        thud_double_pair way = thud_double_pair_at(b->q + j) - thud_double_pair_at(a->q + j);
+        thud_double_pair rates = thud_double_pair_at(a->qd + j) + thud_double_pair_at(b->qd + j);
+        by_ground += thud_double_pair_at(m->gamma + j) * way;
+        by_rate += thud_double_pair_at(m->dashpot + j) * rates * way;
+    }
+    *drive = -(by_ground[0] + by_ground[1]);
+    *viscous = 0.5 * (by_rate[0] + by_rate[1]);
+    if (j == m->nmodes)
+        return;
+    *drive -= m->gamma[j] * (b->q[j] - a->q[j]);
+    *viscous += 0.5 * m->dashpot[j] * (a->qd[j] + b->qd[j]) * (b->q[j] - a->q[j]);
+}
+
 /* A step whose events are not located: mean forces of its two ends times the displacements between them, which is all
  * that it knows. */
 static void add_ends(struct thud_ledger *l, const struct thud_observation *o, bool books)
 {
     const struct thud_model *m = o->state->model;
     const struct thud_motion *a = o->seg->start, *b = o->seg->end;
-    double s = o->s, drive = 0, viscous = 0;
-    for (int j = 0; j < m->nmodes; j++) {
-        double way = b->q[j] - a->q[j];
-        drive -= m->gamma[j] * way;
-        viscous += m->dashpot[j] * 0.5 * (a->qd[j] + b->qd[j]) * way;
-    }
+    double s = o->s, drive, viscous;
+    end_works(m, a, b, &drive, &viscous);
     for (int k = 0; k < m->nstructures && m->couples; k++) {
         const struct thud_model_structure *p = &m->structure[k];
         for (int i = p->first_mode; p->damping && i < p->first_mode + p->modes; i++) {
@@ -304,7 +320,7 @@ static void add_ends(struct thud_ledger *l, const struct thud_observation *o, bo
     }
     l->input_j += s * (o->seg->a0 + 0.5 * o->seg->a1) * drive;
     l->viscous_j += s * viscous;
-    for (int c = 0; c < m->ncontacts; c++) {
+    for (int c = 0; c < m->ncontacts && !(a->apart && b->apart && o->state->nactive == 0); c++) {
         double force = 0.5 * (a->force[c] + b->force[c]);
         if (force == 0 && !thud_contact_acts(&o->state->contact[c]))
             continue;

@@ -570,74 +570,12 @@ static void motion_peaks(struct thud_peaks *peaks, const struct thud_observation
     }
 }
 
-/* A step whose events are not located: the values at its end, which are all that it knows. */
-
-/* S of a structure below which no floor can pass a peak while no contact force acts on it. */
-static double quiet_speed(const struct thud_peaks *peaks, const struct thud_model *m, int structure)
-{
-    const struct thud_model_structure *p = &m->structure[structure];
-    double least = INFINITY;
-    for (int i = 0; i < p->n; i++) {
-        const double *most = peaks->per_speed + p->first + i;
-        for (int x = 0; x < (p->stiffness_npm ? THUD_FLOOR_QUANTITIES : THUD_FLOOR_DRIFT); x++)
-            least = fmin(least, thud_floor_peak(peaks->result, structure, i, x)->value / most[x * m->ndof]);
-    }
-    return least;
-}
-
-static void structure_end(struct thud_peaks *peaks, const struct thud_observation *o, int structure, bool forced)
-{
-    const struct thud_model *m = o->state->model;
-    const struct thud_model_structure *p = &m->structure[structure];
-    const struct thud_motion *x = o->seg->end;
-    double energy = 0, time_s = o->seg->start_s + o->seg->h_s, ground = o->seg->a0 + o->seg->a1, below = 0;
-    for (int j = p->first_mode; j < p->first_mode + p->modes; j++)
-        energy += x->qd[j] * x->qd[j] + m->spring[j] * x->q[j] * x->q[j];
-    double quiet = peaks->quiet[structure];
-    if (!forced && energy < quiet * quiet)
-        return;
-    for (int i = 0; i < p->n; i++) {
-        const double *row = p->phi + i * p->modes;
-        struct thud_floor_result *r = &peaks->result->structure[structure].floor[i];
-        double u = thud_dot(p->modes, row, x->q + p->first_mode);
-        raise_to(&r->displacement, u, time_s);
-        raise_to(&r->velocity, thud_dot(p->modes, row, x->qd + p->first_mode), time_s);
-        raise_to(&r->acceleration,
-                 thud_dot(p->modes, row, x->qdd + p->first_mode) + m->ground_influence[p->first + i] * ground, time_s);
-        if (p->stiffness_npm)
-            raise_to(&r->drift, u - below, time_s);
-        below = u;
-    }
-    peaks->quiet[structure] = quiet_speed(peaks, m, structure);
-}
-
-static void end_peaks(struct thud_peaks *peaks, const struct thud_observation *o)
-{
-    const struct thud_model *m = o->state->model;
-    const struct thud_motion *x = o->seg->end;
-    double time_s = o->seg->start_s + o->seg->h_s;
-    bool forced = false;
-    for (int c = 0; c < m->ncontacts; c++) {
-        if (x->force[c] == 0 && o->state->contact[c].mode == THUD_OPEN)
-            continue;
-        struct thud_impact *impact = &peaks->log->now[c];
-        double d = thud_model_gap_sum(m, c, x->q) - thud_state_clearance(o->state, c);
-        forced = true;
-        impact->indentation_m = fmax(impact->indentation_m, d);
-        impact->force_n = fmax(impact->force_n, fabs(x->force[c]));
-        raise_to(&peaks->result->contact[c].indentation, fmax(d, 0), time_s);
-        raise_to(&peaks->result->contact[c].force, x->force[c], time_s);
-    }
-    for (int s = 0; s < m->nstructures; s++)
-        structure_end(peaks, o, s, forced);
-}
-
 static enum thud_status segment(void *own, const struct thud_observation *o, struct thud_error *err)
 {
     struct thud_peaks *peaks = own;
     (void)err;
     if (o->seg->end) {
-        end_peaks(peaks, o);
+        thud_end_peaks_add(&peaks->of_ends, o, peaks->result, peaks->log);
         return THUD_OK;
     }
     motion_peaks(peaks, o);
@@ -858,7 +796,7 @@ enum thud_status thud_peaks_init(struct thud_peaks *peaks, const struct thud_sta
     const size_t n = (size_t)m->nmodes, stride = (size_t)even_size(m), rows = THUD_FLOOR_QUANTITIES * stride,
                  floors = THUD_FLOOR_QUANTITIES * (size_t)m->ndof, structures = (size_t)m->nstructures;
     *peaks = (struct thud_peaks){.result = result, .log = log, .stride = (int)stride};
-    peaks->block = calloc(floors + 2 * structures + 2 * n * stride + (MODE_ROWS + FLOOR_ROWS) * stride +
+    peaks->block = calloc(floors + structures + 2 * n * stride + (MODE_ROWS + FLOOR_ROWS) * stride +
                               THUD_SEGMENT_TERMS * (stride + n) + n + 1,
                           sizeof *peaks->block);
     peaks->push = calloc((size_t)m->nrows + 1, sizeof *peaks->push);
@@ -871,8 +809,7 @@ enum thud_status thud_peaks_init(struct thud_peaks *peaks, const struct thud_sta
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
     peaks->per_speed = peaks->block;
-    peaks->quiet = peaks->per_speed + floors;
-    peaks->ground = peaks->quiet + structures;
+    peaks->ground = peaks->per_speed + floors;
     peaks->shape = peaks->ground + structures;
     peaks->modal = peaks->shape + 2 * n * stride;
     peaks->value = peaks->modal + MODE_ROWS * stride;
@@ -880,7 +817,8 @@ enum thud_status thud_peaks_init(struct thud_peaks *peaks, const struct thud_sta
     peaks->acceleration = peaks->series + THUD_SEGMENT_TERMS * stride;
     fill_shapes(peaks, m);
     fill_response_bounds(peaks, state);
-    return THUD_OK;
+    return state->locates ? THUD_OK
+                          : thud_end_peaks_init(&peaks->of_ends, m, peaks->shape, peaks->stride, peaks->per_speed, err);
 }
 
 void thud_peaks_clear(struct thud_peaks *peaks)
@@ -891,5 +829,6 @@ void thud_peaks_clear(struct thud_peaks *peaks)
     free(peaks->upper);
     free(peaks->row);
     free(peaks->due);
+    thud_end_peaks_clear(&peaks->of_ends);
     *peaks = (struct thud_peaks){0};
 }

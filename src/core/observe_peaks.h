@@ -8,6 +8,7 @@
 #define THUD_CORE_OBSERVE_PEAKS_H
 
 #include "core/contact_log.h"
+#include "core/end_peaks.h"
 #include "core/observer.h"
 
 /* The values of one quantity of one floor in a block of free vibration. */
@@ -31,7 +32,6 @@ struct thud_peaks {
     struct thud_contact_log *log; /* with those of the impacts that go on */
     int stride;                   /* floors of the largest structure, an even number */
     double *per_speed;            /* (quantities x ndof): bound of a floor's value for a structure's S of 1 */
-    double *quiet;                /* (nstructures) S below which a step's end has no new peak */
     double *ground;               /* (nstructures) size of a ground acceleration of 1 in modal coordinates */
     double *shape;                /* (2 x nmodes x stride) each mode at the floors of its structure, and their drifts */
     /* A segment, or one structure in it */
@@ -43,6 +43,7 @@ struct thud_peaks {
     bool *made;     /* (stride) whose has been made */
     double
         *acceleration; /* (terms x nmodes, and nmodes more): total modal acceleration of a stepping method's segment */
+    struct thud_end_peaks of_ends; /* where the ends of steps alone are read */
     /* A block */
     struct thud_peak_row *row; /* (quantities x floors of one structure) those that may pass in the block */
     double *upper; /* (rows x intervals of a block) bound of each inside an interval; 0: it need not be read */

@@ -13,8 +13,8 @@ static enum thud_status observe(struct thud_run *run, const struct thud_proposal
                                  run->end,    run->end + n, p->switched || !run->state.locates};
     enum thud_status status = THUD_OK;
     if (run->seg.end) {
-        memcpy(run->end, run->seg.end->q, n * sizeof *run->end);
-        memcpy(run->end + n, run->seg.end->qd, n * sizeof *run->end);
+        o.q = run->seg.end->q;
+        o.qd = run->seg.end->qd;
     } else {
         thud_segment_state(&run->seg, run->state.model->nmodes, p->s, run->end, run->end + n);
     }
@@ -30,8 +30,8 @@ static void commit(struct thud_run *run, const struct thud_proposal *p)
     struct thud_state *state = &run->state;
     size_t n = (size_t)state->model->nmodes;
     double to_kink = state->grid_dt_s - state->offset_s;
-    memcpy(state->q, run->end, n * sizeof *state->q);
-    memcpy(state->qd, run->end + n, n * sizeof *state->qd);
+    memcpy(state->q, run->seg.end ? run->seg.end->q : run->end, n * sizeof *state->q);
+    memcpy(state->qd, run->seg.end ? run->seg.end->qd : run->end + n, n * sizeof *state->qd);
     /* what many steps' rounding leaves before the kink is nothing to take a step for */
     if (to_kink - p->s * run->seg.h_s > THUD_TOL_TIME * state->grid_dt_s) {
         state->offset_s += p->s * run->seg.h_s;
@@ -39,6 +39,8 @@ static void commit(struct thud_run *run, const struct thud_proposal *p)
         state->grid++;
         state->offset_s = 0;
     }
+    if (!state->inside) /* of such steps nothing is asked but their ends, and no storey yields */
+        return;
     for (int c = 0; c < state->model->ncontacts; c++)
         state->contact[c].largest_force_n = run->result.contact[c].force.value;
     thud_contact_moved(state);

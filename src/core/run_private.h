@@ -89,6 +89,8 @@ void thud_run_set_scales(struct thud_run *run, const struct thud_run *like);
 void thud_run_set_bound(struct thud_run *run);
 /* At the end: THUD_DIVERGED when more of the energy is unaccounted for than may be. */
 enum thud_status thud_run_judge(const struct thud_run *run, struct thud_error *err);
+/* Whether a state whose sum of omega^2 q^2 + q'^2 is this holds no more energy than that; false for NaN. */
+bool thud_run_is_bounded(const struct thud_run *run, double energy_sum);
 /* THUD_DIVERGED when this state (q, qd) holds far more energy than can ever have come in. */
 enum thud_status thud_run_check_state(struct thud_run *run, const double *q, const double *qd, struct thud_error *err);
 

@@ -32,7 +32,9 @@ static enum thud_status check_proposal(struct thud_run *run, struct thud_error *
     if (run->method->order == 0)
         return THUD_OK;
     if (run->seg.end)
-        return thud_run_check_state(run, run->seg.end->q, run->seg.end->qd, err);
+        return thud_run_is_bounded(run, run->seg.end_energy)
+                   ? THUD_OK
+                   : thud_run_check_state(run, run->seg.end->q, run->seg.end->qd, err);
     double *q = run->end, *qd = q + run->state.model->nmodes;
     thud_segment_state(&run->seg, run->state.model->nmodes, 1, q, qd);
     return thud_run_check_state(run, q, qd, err);
@@ -47,7 +49,7 @@ static enum thud_status propose(struct thud_run *run, struct thud_proposal *p, s
     if (status != THUD_OK)
         return status;
     double remaining = thud_state_remaining(&run->state);
-    p->limit = run->seg.h_s >= remaining * (1 - THUD_TOL_SEGMENT_END) ? fmin(1, remaining / run->seg.h_s) : 1;
+    p->limit = run->seg.h_s >= remaining * (1 - THUD_TOL_SEGMENT_END) ? thud_smaller(1, remaining / run->seg.h_s) : 1;
     p->s = next_event(run, p->limit, &p->contact, &p->event);
     p->switched = p->s <= p->limit;
     p->s = p->switched ? p->s : p->limit;
@@ -148,7 +150,7 @@ enum thud_status thud_run_watch_progress(struct thud_run *run, struct thud_propo
         return status;
     if (moved_s > THUD_TOL_MOMENT_S) {
         run->progress.stalls = 0;
-        if (moved_s > 4 * ldexp(THUD_TOL_MOMENT_S, run->progress.passes))
+        if (run->progress.passes > 0 && moved_s > 4 * ldexp(THUD_TOL_MOMENT_S, run->progress.passes))
             run->progress.passes = 0;
         return THUD_OK;
     }

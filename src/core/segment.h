@@ -23,6 +23,7 @@ struct thud_segment {
     double *force; /* (terms x nrows): of the forces of contacts and yielding storeys; 0 where one does not act */
     const struct thud_motion *start,
         *end;          /* of a step whose events are not located: its two ends; else NULL, also where storeys yield */
+    double end_energy; /* where they are known: sum of omega^2 q^2 + q'^2 at its end */
     bool interpolates; /* the states of a stepping method at its two ends; else a power series */
 
     double *indentation; /* (nrows x THUD_SEGMENT_TERMS): where it has been read */

@@ -7,6 +7,7 @@
 #include <stdbool.h>
 
 #include "base/status.h"
+#include "core/largest.h"
 #include "core/model.h"
 #include "core/record.h"
 #include "core/result.h"
@@ -63,6 +64,7 @@ struct thud_state {
     struct thud_contact_state *contact; /* (nrows) those of contacts, and of storeys that yield */
     struct thud_storey_state *storey;   /* (nstoreys) */
     int nactive;                        /* contacts CLOSED or STICKING */
+    int nindented;                      /* contacts that are not OPEN */
     int nyielding, nshifted; /* storeys that yield now; elastic ones with a plastic drift: a constant force */
 
     /* What is asked of a method. */
@@ -99,7 +101,7 @@ static inline double thud_state_now(const struct thud_state *state)
 /* Time to the next kink of the ground motion or the end. */
 static inline double thud_state_remaining(const struct thud_state *state)
 {
-    return fmin(state->grid_dt_s - state->offset_s, state->end_s - thud_state_now(state));
+    return thud_smaller(state->grid_dt_s - state->offset_s, state->end_s - thud_state_now(state));
 }
 
 /* Ground acceleration at the two ends of grid interval i. */

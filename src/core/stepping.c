@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/double_pair.h"
 #include "core/storey.h"
 #include "core/tolerance.h"
 
@@ -25,20 +26,13 @@ double *thud_motion_place(struct thud_motion *motion, const struct thud_model *m
 
 double thud_step_room(const struct thud_state *state)
 {
-    return fmin(thud_state_remaining(state), state->step_cap_s);
+    return thud_smaller(thud_state_remaining(state), state->step_cap_s);
 }
 
 double thud_step_length(const struct thud_state *state)
 {
     double remaining = thud_step_room(state);
-    return remaining / fmax(1, ceil(remaining / state->step_s * (1 - THUD_TOL_STEP_COUNT)));
-}
-
-double thud_step_ground(const struct thud_state *state, double after)
-{
-    double a0, a1;
-    thud_state_ground(state, state->grid, &a0, &a1);
-    return a0 + (a1 - a0) * ((state->offset_s + after) / state->grid_dt_s);
+    return remaining / thud_larger(1, ceil(remaining / state->step_s * (1 - THUD_TOL_STEP_COUNT)));
 }
 
 /* The law where nothing is located: what the contact remembers counts if it is closed, else it touches just now. */
@@ -169,15 +163,20 @@ static void write_forces(const struct thud_state *state, struct thud_segment *se
 void thud_step_write(const struct thud_state *state, struct thud_segment *seg, double h,
                      const struct thud_motion *start, const struct thud_motion *end, struct thud_motion *work)
 {
-    int nc = state->model->nrows;
+    const struct thud_model *m = state->model;
+    int nc = m->nrows;
+    seg->end_energy = thud_energy_sum(m->nmodes, m->spring, end->q, end->qd);
     if (!state->inside) { /* its ends alone: no series is made */
+        double a0, a1;
+        thud_state_ground(state, state->grid, &a0, &a1);
+        double slope = (a1 - a0) / state->grid_dt_s;
         seg->interpolates = true;
         seg->start = start;
         seg->end = end;
         seg->start_s = thud_state_now(state);
         seg->h_s = h;
-        seg->a0 = thud_step_ground(state, 0);
-        seg->a1 = thud_step_ground(state, h) - seg->a0;
+        seg->a0 = a0 + slope * state->offset_s;
+        seg->a1 = slope * h;
         seg->terms = 0;
         return;
     }

@@ -18,7 +18,12 @@ double thud_step_room(const struct thud_state *state);
 double thud_step_length(const struct thud_state *state);
 
 /* Ground acceleration `after` seconds from now, in the present interval of the ground motion. */
-double thud_step_ground(const struct thud_state *state, double after);
+static inline double thud_step_ground(const struct thud_state *state, double after)
+{
+    double a0, a1;
+    thud_state_ground(state, state->grid, &a0, &a1);
+    return a0 + (a1 - a0) * ((state->offset_s + after) / state->grid_dt_s);
+}
 
 /* Force of row c at indentation (or drift) d and rate v inside a step; derivatives by d and v. Located: the branch that holds,
  * also a little beyond its end, which the run cuts off. Not located: the law as a function of the state alone, 0 where
