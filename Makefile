@@ -157,7 +157,7 @@ soak: all ## memory over thousands of runs and edits, studies killed at their wr
 	@$(MAKE) --no-print-directory VARIANT=$(VARIANT) $(B)/soak $(B)/cross
 	@tests/tools/soak.sh $(B)
 bench: all ## measured speeds against their targets, in one table; charts of every method into build/bench (minutes)
-	@$(MAKE) --no-print-directory $(B)/bench-time $(B)/bench-memory $(B)/peer-exact $(B)/peer-minimal
+	@$(MAKE) --no-print-directory $(B)/bench-time $(B)/bench-memory $(B)/peer-minimal
 	@sh tests/bench/targets.sh $(B) build/bench
 bench-peers: all ## the towers by other integrators (CVODE, SciPy, OpenSeesPy, where installed), for measuring only
 	@$(MAKE) --no-print-directory $(PEERS)

@@ -68,7 +68,7 @@ double bench_processor_s(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-static double once(const struct bench_scene *s, const struct thud_run_options *options, struct bench_answer *out)
+double bench_scene_once(const struct bench_scene *s, const struct thud_run_options *options, struct bench_answer *out)
 {
     struct thud_run *run = NULL;
     struct thud_error err = {0};
@@ -92,26 +92,18 @@ static double once(const struct bench_scene *s, const struct thud_run_options *o
     return seconds;
 }
 
-static int rising(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 void bench_scene_run(const struct bench_scene *s, const char *method, double tolerance, int repeats,
                      struct bench_answer *out)
 {
     struct thud_run_options options = s->options;
-    double seconds[64];
-    int n = repeats < 64 ? repeats : 64;
+    double least = INFINITY;
     options.method = thud_method_find(method);
     options.tolerance = tolerance;
-    if (n > 1)
-        once(s, &options, out);
-    for (int i = 0; i < n; i++)
-        seconds[i] = once(s, &options, out);
-    qsort(seconds, (size_t)n, sizeof *seconds, rising);
-    out->seconds = seconds[n / 2];
+    if (repeats > 1)
+        bench_scene_once(s, &options, out);
+    for (int i = 0; i < repeats; i++)
+        least = fmin(least, bench_scene_once(s, &options, out));
+    out->seconds = least;
 }
 
 double bench_scene_reference(const struct bench_scene *s, struct bench_answer *out, struct bench_answer *other)

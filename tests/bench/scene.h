@@ -16,7 +16,7 @@ struct bench_scene {
 };
 
 struct bench_answer {
-    double seconds; /* median of the repeats, of processor time: a run, without setting up its model */
+    double seconds; /* least of the repeats, of processor time: a run, without setting up its model */
     double end_s;
     int impacts;
     struct thud_work work;
@@ -27,6 +27,9 @@ struct bench_answer {
  * status 1 on failure. */
 void bench_scene_open(struct bench_scene *scene, int argc, char **argv);
 void bench_scene_close(struct bench_scene *scene);
+/* One run: seconds of processor time. */
+double bench_scene_once(const struct bench_scene *scene, const struct thud_run_options *options,
+                        struct bench_answer *out);
 /* `method` by name; the first run warms up. */
 void bench_scene_run(const struct bench_scene *scene, const char *method, double tolerance, int repeats,
                      struct bench_answer *out);

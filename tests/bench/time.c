@@ -1,4 +1,4 @@
-/* How long one run of a scene takes: median of 15 of processor time, in ms.  usage: time PRESET CASE KEY=VALUE... */
+/* How long one run of a scene takes: least of 15 of processor time, in ms.  usage: time PRESET CASE KEY=VALUE... */
 #include <stdio.h>
 
 #include "scene.h"

@@ -13,7 +13,8 @@
  *   dormand-prince       5(4) with its dense output, switches located on it, steps end there and at the kinks
  *
  * Laws: kelvin-voigt-no-tension with residual = keep, rubber as in the paper; others are refused.
- * Prints method, setting (step in s, tolerance), seconds of processor time, error, steps.
+ * Prints method, setting (step in s, tolerance), seconds of processor time, error, steps; beside the minimal codes thud's
+ * exact method, and thud's own central difference and Newmark with nothing located: rows exact and thud-METHOD.
  * usage: minimal PRESET CASE KEY=VALUE... */
 #include <math.h>
 #include <stdio.h>
@@ -21,8 +22,9 @@
 #include <string.h>
 
 #include "../scene.h"
+#include "core/double_pair.h"
 
-enum { MODES = 64, CONTACTS = 16 };
+enum { MODES = 64, CONTACTS = 16, SHAPES = MODES * (MODES + 4) };
 enum mode { OPEN, APPROACH, RESTITUTION, STICKING };
 
 struct contact {
@@ -40,11 +42,13 @@ struct scene {
     int n, nc, nf;
     double w2[MODES], c[MODES], gamma[MODES]; /* omega^2, 2 zeta omega */
     double g[CONTACTS][MODES], w[CONTACTS][CONTACTS];
+    double rows[MODES][CONTACTS]; /* g by mode: all indentations are summed side by side */
     struct contact contact[CONTACTS];
     struct building {
         int first, floors, first_mode;
-        const double *phi; /* (floors x floors) */
+        double *shape; /* (floors x STRIDE_OF(floors)) by mode, the floors side by side */
     } building[THUD_STRUCTURES_MAX];
+    double shapes[SHAPES];
     int nb;
     const double *a; /* ground, (samples) */
     size_t samples;
@@ -56,6 +60,23 @@ struct scene {
 };
 
 /* ---- the scene */
+
+/* out = start + sum of x[j] times column j, four rows at a time; columns are STRIDE_OF(rows) long. */
+#define STRIDE_OF(rows) (((rows) + 3) / 4 * 4)
+static inline void sum_columns(int rows, int n, const double *column, int stride, const double *x, double start,
+                               double *out)
+{
+    for (int i = 0; i < rows; i += 4) {
+        const double *a = column + i;
+        thud_double_pair low = {start, start}, high = low;
+        for (int j = 0; j < n; j++, a += stride) {
+            low += thud_double_pair_at(a) * x[j];
+            high += thud_double_pair_at(a + 2) * x[j];
+        }
+        thud_double_pair_put(low, out + i, false);
+        thud_double_pair_put(high, out + i + 2, false);
+    }
+}
 
 static double value_of(const struct thud_model_contact *k, const char *name)
 {
@@ -86,6 +107,21 @@ static bool read_contact(const struct thud_model_contact *k, struct contact *c)
            isfinite(c->k);
 }
 
+static void read_shapes(const struct thud_model *m, struct scene *s)
+{
+    double *next = s->shapes;
+    for (int k = 0; k < m->nstructures; k++) {
+        const struct thud_model_structure *from = &m->structure[k];
+        int n = from->n, stride = STRIDE_OF(n);
+        if (n == 0)
+            continue;
+        s->building[s->nb++] = (struct building){from->first, n, from->first_mode, next};
+        for (int j = 0; j < n; j++, next += stride)
+            for (int i = 0; i < n; i++)
+                next[i] = from->phi[i * n + j];
+    }
+}
+
 static bool read_scene(const struct bench_scene *from, struct scene *s)
 {
     const struct thud_model *m = from->model;
@@ -104,6 +140,8 @@ static bool read_scene(const struct bench_scene *from, struct scene *s)
         if (!read_contact(&m->contact[c], &s->contact[c]))
             return false;
         memcpy(s->g[c], m->jacobian + c * s->n, (size_t)s->n * sizeof(double));
+        for (int j = 0; j < s->n; j++)
+            s->rows[j][c] = s->g[c][j];
     }
     for (int c = 0; c < s->nc; c++)
         for (int k = 0; k < s->nc; k++) {
@@ -111,10 +149,7 @@ static bool read_scene(const struct bench_scene *from, struct scene *s)
             for (int j = 0; j < s->n; j++)
                 s->w[c][k] += s->g[c][j] * s->g[k][j];
         }
-    for (int i = 0; i < m->nstructures; i++)
-        if (m->structure[i].n > 0)
-            s->building[s->nb++] = (struct building){m->structure[i].first, m->structure[i].n,
-                                                     m->structure[i].first_mode, m->structure[i].phi};
+    read_shapes(m, s);
     s->a = from->record->a_mps2;
     s->samples = from->record->samples;
     s->dt = from->record->dt_s;
@@ -142,18 +177,26 @@ static void start(struct scene *s)
     }
 }
 
-static void look(struct scene *s, const double *qdd, double a_g)
+static double larger(double a, double b)
+{
+    return a > b ? a : b;
+}
+
+/* Total accelerations of all floors, out (MODES + 4): the rest of one building's last four is written over by the next. */
+static void accelerations(const struct scene *s, const double *qdd, double a_g, double *out)
 {
     for (int b = 0; b < s->nb; b++) {
         const struct building *k = &s->building[b];
-        const double *x = qdd + k->first_mode, *row = k->phi;
-        for (int i = 0; i < k->floors; i++, row += k->floors) {
-            double sum = a_g;
-            for (int j = 0; j < k->floors; j++)
-                sum += row[j] * x[j];
-            s->peak[k->first + i] = fmax(s->peak[k->first + i], fabs(sum));
-        }
+        sum_columns(k->floors, k->floors, k->shape, STRIDE_OF(k->floors), qdd + k->first_mode, a_g, out + k->first);
     }
+}
+
+static void look(struct scene *s, const double *qdd, double a_g)
+{
+    double a[MODES + 4];
+    accelerations(s, qdd, a_g, a);
+    for (int i = 0; i < s->nf; i++)
+        s->peak[i] = larger(s->peak[i], fabs(a[i]));
 }
 
 static double dot(const double *a, const double *b, int n)
@@ -169,6 +212,14 @@ static double indentation(const struct scene *s, int c, const double *q)
     return dot(s->g[c], q, s->n) - s->contact[c].clearance - s->contact[c].residual;
 }
 
+/* Of all contacts, out (CONTACTS). */
+static void indentations(const struct scene *s, const double *q, double *out)
+{
+    sum_columns(s->nc, s->n, s->rows[0], CONTACTS, q, 0, out);
+    for (int c = 0; c < s->nc; c++)
+        out[c] -= s->contact[c].clearance + s->contact[c].residual;
+}
+
 /* ---- the laws: F = elastic(d) + damping(d) v on the present branch */
 
 static double elastic(const struct contact *c, double d)
@@ -180,13 +231,13 @@ static double elastic(const struct contact *c, double d)
     return d > 0 ? c->k * pow(d, c->n) : 0;
 }
 
-static double slope(const struct contact *c, double d) /* of elastic */
+static double slope(const struct contact *c, double d, double elastic_n) /* of elastic */
 {
     if (!c->rubber)
         return c->k;
     if (c->mode == APPROACH && d > c->knee)
         return c->post;
-    return d > 0 ? c->n * c->k * pow(d, c->n - 1) : 0;
+    return d > 0 ? c->n * elastic_n / d : 0;
 }
 
 static double dashpot(const struct contact *c, double elastic_n)
@@ -311,8 +362,8 @@ static bool central_step(struct scene *s, const double *before, const double *q,
     bool closed = false;
     for (int j = 0; j < s->n; j++)
         after[j] = m->p0[j] * q[j] - m->p1[j] * before[j] - m->pa[j] * a_g;
+    indentations(s, q, d);
     for (int c = 0; c < s->nc; c++) {
-        d[c] = indentation(s, c, q);
         if (d[c] > 0 || s->contact[c].mode != OPEN)
             update(&s->contact[c], d[c], (d[c] - indentation(s, c, before)) / s->h);
         closed = closed || s->contact[c].mode != OPEN;
@@ -347,7 +398,7 @@ static void central_near(struct scene *s, double h, int ratio)
 {
     double x[3][MODES] = {{0}}, *before = x[0], *q = x[1], *after = x[2];
     struct central fine, coarse;
-    double wh[2][CONTACTS][CONTACTS], gap = INFINITY;
+    double wh[2][CONTACTS][CONTACTS], gap = INFINITY, d_before[CONTACTS];
     long n = lround(s->end / h), i = 0;
     bool is_long = false;
     start(s);
@@ -355,15 +406,20 @@ static void central_near(struct scene *s, double h, int ratio)
     memcpy(wh[1], s->wh, sizeof wh[1]);
     central_prepare(s, h, &fine);
     memcpy(wh[0], s->wh, sizeof wh[0]);
+    indentations(s, q, d_before);
     while (i < n) {
         double step = is_long ? ratio * h : h, a = ground(s, (double)i * h);
         bool closed = central_step(s, before, q, after, is_long ? &coarse : &fine, a);
-        double reach = 0;
+        if (closed) /* what was kept is of another residual */
+            indentations(s, q, d_before);
+        double reach = 0, d[CONTACTS];
         gap = INFINITY;
+        indentations(s, after, d);
         for (int c = 0; c < s->nc; c++) {
-            double d = indentation(s, c, after), rate = (d - indentation(s, c, q)) / step;
-            gap = fmin(gap, -d);
-            reach = fmax(reach, rate);
+            double rate = (d[c] - d_before[c]) / step;
+            gap = -d[c] < gap ? -d[c] : gap;
+            reach = larger(reach, rate);
+            d_before[c] = d[c];
         }
         double *t = before;
         before = q;
@@ -417,8 +473,8 @@ static void newmark(struct scene *s, double h)
             q[j] = qp[j] + 0.25 * h * h * acc[j];
             v[j] = vp[j] + 0.5 * h * acc[j];
         }
+        indentations(s, q, d0);
         for (int c = 0; c < s->nc; c++) {
-            d0[c] = indentation(s, c, q);
             if (d0[c] > 0 || s->contact[c].mode != OPEN) {
                 v0[c] = dot(s->g[c], v, s->n);
                 if (s->contact[c].mode == OPEN)
@@ -436,7 +492,7 @@ static void newmark(struct scene *s, double h)
                     d -= s->wh[c][set[y]] * f[set[y]];
                     rate -= wv[c][set[y]] * f[set[y]];
                 }
-                double e = elastic(k, d), damp = dashpot(k, e), fd = slope(k, d);
+                double e = elastic(k, d), damp = dashpot(k, e), fd = slope(k, d, e);
                 double law = e + damp * rate;
                 if (k->rubber && k->mode == RESTITUTION)
                     fd *= 1 + k->damp * rate;
@@ -597,15 +653,6 @@ static double vertex(double a, double b, double c)
     return fabs(rise) < fabs(bend) ? fmax(most, fabs(b - 0.5 * rise * rise / bend)) : most;
 }
 
-static void accelerations(const struct scene *s, const double *qdd, double a_g, double *out)
-{
-    for (int b = 0; b < s->nb; b++) {
-        const struct building *k = &s->building[b];
-        for (int i = 0; i < k->floors; i++)
-            out[k->first + i] = a_g + dot(k->phi + i * k->floors, qdd + k->first_mode, k->floors);
-    }
-}
-
 /* Dormand and Prince's coefficients, and those of the dense output (Hairer, Norsett and Wanner, Solving ordinary
  * differential equations I, II.5 and II.6). */
 static const double A[7][6] = {{0},
@@ -730,7 +777,7 @@ static double first_switch(const struct scene *s, const struct step *p, int *con
 static void look_inside(struct scene *s, const struct step *p)
 {
     enum { INSIDE = 6 };
-    double a[INSIDE + 1][MODES], y[2 * MODES], out[2 * MODES], f[CONTACTS];
+    double a[INSIDE + 1][MODES + 4], y[2 * MODES], out[2 * MODES], f[CONTACTS];
     bool near = false;
     accelerations(s, p->k[0] + s->n, ground(s, p->t), a[0]);
     accelerations(s, p->k[6] + s->n, ground(s, p->t + p->h), a[INSIDE]);
@@ -830,35 +877,104 @@ static bool located(struct scene *s, double step, double tolerance)
 static struct bench_scene opened;
 static struct bench_answer reference, other;
 
-/* Prints a row; the error. */
-static double row(const struct scene *s, const char *name, double setting, double seconds)
+enum kind { CENTRAL, NEAR, NEWMARK, RK4, DORMAND_PRINCE, EXACT, OWN };
+enum { ROWS_MAX = 96, ROUNDS = 9 };
+
+struct row {
+    enum kind kind;
+    const char *name; /* of thud's methods, theirs */
+    double setting;
+    int ratio; /* NEAR: the long step by the short one */
+    double seconds, spent, error;
+    long steps;
+    int runs;
+};
+
+static void run_minimal(struct scene *s, struct row *row)
 {
-    double error = bench_scene_error(&opened, s->peak, &reference);
-    if (isfinite(error) && error < 10)
-        printf("minimal-%s,%.3g,%.6g,%.3e,%ld\n", name, setting, seconds, error, s->steps);
-    fflush(stdout);
-    return error;
+    if (row->kind == CENTRAL)
+        central_difference(s, row->setting);
+    else if (row->kind == NEAR)
+        central_near(s, row->setting, row->ratio);
+    else if (row->kind == NEWMARK)
+        newmark(s, row->setting);
+    else
+        located(s, row->kind == RK4 ? row->setting : 0, row->kind == RK4 ? 0 : row->setting);
+    row->steps = s->steps;
+    row->error = bench_scene_error(&opened, s->peak, &reference);
 }
 
-/* The least of a few runs, the more the shorter they are. */
-#define TIMED(seconds, call)                                                                                           \
-    do {                                                                                                               \
-        seconds = INFINITY;                                                                                            \
-        double spent = 0;                                                                                              \
-        for (int k = 0; k < 9 && (k < 3 || spent < 1); k++) {                                                          \
-            double from = bench_processor_s();                                                                         \
-            call;                                                                                                      \
-            double took = bench_processor_s() - from;                                                                  \
-            seconds = fmin(seconds, took);                                                                             \
-            spent += took;                                                                                             \
-        }                                                                                                              \
-    } while (0)
+/* thud's own: the exact method with a tolerance, the others with a step and nothing located. */
+static double run_thud(struct row *row)
+{
+    static struct bench_answer answer;
+    struct thud_run_options options = opened.options;
+    options.method = thud_method_find(row->name);
+    options.locate = false;
+    *(row->kind == EXACT ? &options.tolerance : &options.step_s) = row->setting;
+    double seconds = bench_scene_once(&opened, &options, &answer);
+    row->steps = answer.work.steps;
+    row->error = bench_scene_error(&opened, answer.acceleration_mps2, row->kind == EXACT ? &other : &reference);
+    return seconds;
+}
+
+static void run_row(struct scene *s, struct row *row)
+{
+    double from = bench_processor_s(), took;
+    if (row->kind >= EXACT) {
+        took = run_thud(row);
+    } else {
+        run_minimal(s, row);
+        took = bench_processor_s() - from;
+    }
+    row->seconds = row->runs == 0 || took < row->seconds ? took : row->seconds;
+    row->spent += took;
+    row->runs++;
+}
+
+/* The least of several runs of each row. All rows take turns, so that what the machine does besides meets them alike. */
+static void time_rows(struct scene *s, struct row *row, int rows)
+{
+    static const double enough_s = 1, short_s = 5e-3;
+    for (int round = 0; round < ROUNDS; round++)
+        for (int i = 0; i < rows; i++) {
+            if (round >= 3 && row[i].spent > enough_s)
+                continue;
+            run_row(s, &row[i]);
+            for (int again = 1; again < 4 && row[i].seconds < short_s; again++)
+                run_row(s, &row[i]);
+        }
+}
+
+static int list_rows(struct row *row)
+{
+    static const double steps[] = {5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4, 5e-5, 2e-5, 1e-5};
+    static const char *const own[] = {"central-difference", "newmark"};
+    int n = 0;
+    for (double tolerance = 1e-2; tolerance > 5e-11; tolerance /= 10)
+        row[n++] = (struct row){.kind = EXACT, .name = "exact", .setting = tolerance};
+    for (int i = 0; i < 9; i++)
+        row[n++] = (struct row){.kind = CENTRAL, .name = "central-difference", .setting = steps[i]};
+    for (int i = 3; i < 9; i++)
+        for (int ratio = 5; ratio <= 40 && ratio * steps[i] < 3e-3; ratio *= 2)
+            row[n++] = (struct row){.kind = NEAR, .name = "central-near", .setting = steps[i], .ratio = ratio};
+    for (int i = 0; i < 8; i++)
+        row[n++] = (struct row){.kind = NEWMARK, .name = "newmark", .setting = steps[i]};
+    for (int i = 0; i < 6; i++)
+        row[n++] = (struct row){.kind = RK4, .name = "rk4", .setting = steps[i]};
+    for (double tolerance = 1e-2; tolerance > 5e-11; tolerance /= 10)
+        row[n++] = (struct row){.kind = DORMAND_PRINCE, .name = "dormand-prince", .setting = tolerance};
+    for (int i = 0; i < 2; i++)
+        for (int k = 4; k < 6; k++)
+            row[n++] = (struct row){.kind = OWN, .name = own[i], .setting = steps[k]};
+    return n;
+}
 
 int main(int argc, char **argv)
 {
     static struct scene s;
-    static const double steps[] = {5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4, 5e-5, 2e-5, 1e-5};
-    double seconds, least = INFINITY;
+    static struct row row[ROWS_MAX];
+    double least = INFINITY;
     bench_scene_open(&opened, argc, argv);
     if (!read_scene(&opened, &s)) {
         fprintf(stderr, "minimal: shear buildings under a ground motion, the paper's two laws, at most %d floors\n",
@@ -866,26 +982,18 @@ int main(int argc, char **argv)
         return 1;
     }
     bench_scene_reference(&opened, &reference, &other);
-    for (int i = 0; i < 9; i++) {
-        TIMED(seconds, central_difference(&s, steps[i]));
-        row(&s, "central-difference", steps[i], seconds);
-    }
-    for (int i = 3; i < 9; i++)
-        for (int ratio = 5; ratio <= 40 && ratio * steps[i] < 3e-3; ratio *= 2) {
-            TIMED(seconds, central_near(&s, steps[i], ratio));
-            row(&s, "central-near", steps[i], seconds);
-        }
-    for (int i = 0; i < 8; i++) {
-        TIMED(seconds, newmark(&s, steps[i]));
-        row(&s, "newmark", steps[i], seconds);
-    }
-    for (int i = 0; i < 6; i++) {
-        TIMED(seconds, located(&s, steps[i], 0));
-        row(&s, "rk4", steps[i], seconds);
-    }
-    for (double tolerance = 1e-2; tolerance > 5e-11; tolerance /= 10) {
-        TIMED(seconds, located(&s, 0, tolerance));
-        least = fmin(least, row(&s, "dormand-prince", tolerance, seconds));
+    int rows = list_rows(row);
+    time_rows(&s, row, rows);
+    for (int i = 0; i < rows; i++) {
+        const struct row *r = &row[i];
+        if (r->kind == DORMAND_PRINCE)
+            least = fmin(least, r->error);
+        if (isfinite(r->error) && r->error < 10)
+            printf("%s%s,%.3g,%.6g,%.3e,%ld\n",
+                   r->kind < EXACT  ? "minimal-"
+                   : r->kind == OWN ? "thud-"
+                                    : "",
+                   r->name, r->setting, r->seconds, r->error, r->steps);
     }
     bench_scene_close(&opened);
     if (least < 1e-5)

@@ -20,6 +20,9 @@ rows() { # SCENE PROGRAM...: its rows, headed by the scene; what it says besides
     shift
     "$@" 2>"$out/peers.err" | sed -n "s/^[a-z][a-z0-9-]*,.*/$scene,&/p" >>"$csv"
 }
+minimal() { # WORDS...: its rows without those of thud, which are of another scene than those above
+    "$build/peer-minimal" "$@" | grep '^minimal-'
+}
 has() { "$python" -c "import $1" >/dev/null 2>&1; }
 
 words() { # SCENE: its preset, case and keys; none of the peers' contacts keeps what is indented, that of OpenSees pulls
@@ -41,7 +44,7 @@ for scene in concrete rubber classical; do
     rows "$scene" "$build/peer-exact" "$@"
     [ -x "$build/peer-cvode" ] && [ "$scene" != classical ] && rows "$scene" "$build/peer-cvode" "$@"
     # shellcheck disable=SC2046
-    [ "$scene" = classical ] || rows "$scene" "$build/peer-minimal" $(minimal_words "$scene")
+    [ "$scene" = classical ] || rows "$scene" minimal $(minimal_words "$scene")
     [ "$scene" = rubber ] || "$build/peer-export" "$@" >"$out/$scene.json" || exit 1
 done
 [ -x "$build/peer-cvode" ] || echo "skipped: SUNDIALS CVODE is not installed (libsundials-dev)"
