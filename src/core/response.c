@@ -320,7 +320,7 @@ static void move_contact(const struct thud_responses *x, const struct thud_state
 static int ramp_of(struct thud_responses *x, int c)
 {
     /* what is left out of what a bend adds is far below that of the rest */
-    const double least = fmin(1e-8, fmax(1e-14, 1e-4 * x->tolerance));
+    const double least = fmin(1e-6, fmax(1e-14, 1e-3 * x->tolerance));
     double *ramp = x->ramp + c * THUD_SEGMENT_TERMS, largest = 0;
     if (x->ramp_terms[c] > 0)
         return x->ramp_terms[c];
