@@ -117,6 +117,9 @@
 #define THUD_TOL_ROOT_REST 1e-16
 /* Part of a segment to which the place of a peak is found: a peak is flat there, and its value right to 1e-24. */
 #define THUD_TOL_PEAK_PLACE 1e-12
+/* Part of a peak by which bounds of it are widened: they are sums of modes that may cancel, and which intervals are read
+ * must not depend on their rounding. */
+#define THUD_TOL_PEAK_BOUND 1e-9
 /* Part of two ground accelerations below which they are the same sample read in two intervals. */
 #define THUD_TOL_GROUND 1e-12
 /* The same where a scheme goes on with an acceleration of its own, which a jump of the ground motion would spoil. */

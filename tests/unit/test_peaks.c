@@ -191,6 +191,41 @@ START_TEST(buildings_with_rubber)
 }
 END_TEST
 
+/* A run with a history reads its peaks at once, another one lets those of free flight wait. */
+START_TEST(waiting_changes_no_bit)
+{
+    static const int row[] = {4, 6};
+    const struct march_law law = rubber();
+    struct thud_record *record = march_motion(1);
+    for (double gap = 0.1; gap < 10; gap *= 50) {
+        struct thud_model *model = march_row(2, row, false, gap, &law);
+        struct thud_run *run[2];
+        for (int i = 0; i < 2; i++) {
+            struct thud_run_options options;
+            bool done = false;
+            thud_run_options_init(&options);
+            options.keep_history = i == 0;
+            ck_assert_int_eq(thud_run_create(model, record, &options, &run[i], NULL), THUD_OK);
+            while (!done)
+                ck_assert_int_eq(thud_run_advance(run[i], 10, &done, NULL), THUD_OK);
+        }
+        ck_assert(!run[0]->peaks.may_wait && run[1]->peaks.may_wait);
+        for (int s = 0; s < 2; s++)
+            for (int i = 0; i < row[s]; i++)
+                for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++) {
+                    const struct thud_peak *a = thud_floor_peak(&run[0]->result, s, i, x),
+                                           *b = thud_floor_peak(&run[1]->result, s, i, x);
+                    ck_assert_double_eq(a->value, b->value);
+                    ck_assert_double_eq(a->time_s, b->time_s);
+                }
+        thud_run_free(run[0]);
+        thud_run_free(run[1]);
+        thud_model_free(model);
+    }
+    thud_record_free(record);
+}
+END_TEST
+
 /* Dampers that couple the modes. */
 START_TEST(isolated_buildings)
 {
@@ -248,6 +283,7 @@ Suite *thud_suite(void)
     TCase *tc = tcase_create("peaks");
     tcase_set_timeout(tc, 60);
     tcase_add_test(tc, buildings_with_rubber);
+    tcase_add_test(tc, waiting_changes_no_bit);
     tcase_add_test(tc, isolated_buildings);
     tcase_add_test(tc, stepping_methods);
     tcase_add_test(tc, random_scenes);
