@@ -35,7 +35,7 @@ static double law_work(const struct thud_observation *o, int c, const double *fo
     /* laws are dear, and of a force polynomial the difference is of the size of the tolerance: two points for it */
     static const double two[] = {0.21132486540518713, 0.78867513459481287}, half[] = {0.5, 0.5};
     const int count = orders > 0 ? 2 : THUD_QUADRATURE_POINTS;
-    const double *node = orders > 0 ? two : thud_quadrature_node, *weight = orders > 99 ? half : thud_quadrature_weight;
+    const double *node = orders > 0 ? two : thud_quadrature_node, *weight = orders > 0 ? half : thud_quadrature_weight;
     const double *d = o->seg->indentation + c * THUD_SEGMENT_TERMS, rate = 1 / o->seg->h_s;
     double work = 0;
     for (int i = 0; i < count; i += 2) {

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "core/poly.h"
 #include "core/run_private.h"
 #include "march.h"
 
@@ -189,6 +190,40 @@ START_TEST(works_are_right_to_their_bounds)
 }
 END_TEST
 
+/* The law has a constant force, and the segment another one: what counts is the law's. */
+START_TEST(work_in_a_contact_is_that_of_its_law)
+{
+    static const double force = 2e6;
+    struct fixture f;
+    set_up(&f, _i);
+    struct thud_run *run = f.m.run;
+    const struct thud_model *m = f.model;
+    double q[MARCH_FLOORS_MAX], qd[MARCH_FLOORS_MAX];
+    for (int i = 0; i < SCENES; i++) {
+        begin_random(&f, &run->seg, 0);
+        run->seg.terms = THUD_SEGMENT_TERMS;
+        thud_taylor_given(m, &run->seg, run->state.q, run->state.qd);
+        double s = i % 2 ? 1 : 0.3 + 0.7 * rand() / RAND_MAX, want = 0, scale = 0;
+        double before = thud_ledger_contact_work(&run->ledger);
+        thud_segment_forget(&run->seg, m->nrows);
+        for (int c = 0; c < 2; c++) {
+            const double *d = run->seg.indentation + c * THUD_SEGMENT_TERMS;
+            run->state.contact[c].branch = (struct thud_branch){.f0_n = force};
+            thud_segment_contact(&run->state, &run->seg, c);
+            want += force * (thud_poly_value(d, run->seg.terms, s) - d[0]);
+            for (int k = 1; k < run->seg.terms; k++)
+                scale += force * fabs(d[k]);
+        }
+        thud_segment_state(&run->seg, m->nmodes, s, q, qd);
+        struct thud_observation o = {&run->state, &run->seg, s, q, qd, false};
+        thud_ledger_add(&run->ledger, &o);
+        ck_assert_double_eq_tol(thud_ledger_contact_work(&run->ledger) - before, want, 2e-3 * scale);
+        ck_assert_double_gt(scale, 0);
+    }
+    tear_down(&f);
+}
+END_TEST
+
 Suite *thud_suite(void)
 {
     Suite *s = suite_create("work_of_pieces");
@@ -196,6 +231,7 @@ Suite *thud_suite(void)
     tcase_add_loop_test(t, few_terms_leave_out_what_they_may, 0, 2);
     tcase_add_loop_test(t, every_order_keeps_to_the_equations_of_motion, 0, 2);
     tcase_add_loop_test(t, works_are_right_to_their_bounds, 0, 2);
+    tcase_add_loop_test(t, work_in_a_contact_is_that_of_its_law, 0, 2);
     suite_add_tcase(s, t);
     return s;
 }
