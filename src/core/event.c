@@ -34,7 +34,8 @@ struct view {
     const struct thud_state *state;
     const struct thud_segment *seg;
     int c;
-    const double *d; /* indentation; its lowest orders are 0 where rounding alone has left them */
+    const double *d;    /* indentation; its lowest orders are 0 where rounding alone has left them */
+    double reach, bend; /* how far it may be from its start, and its rate from the rate there */
     struct thud_suppressed suppressed;
 };
 
@@ -101,10 +102,12 @@ static bool watched_function(const struct view *v, enum watched watched, double 
                force_function(&s->branch, v->d, *n, v->seg->h_s, out);
     case RATE:
         *zeros = v->suppressed.rate;
+        if (!(law->flags & THUD_LAW_REVERSES))
+            return false;
         *n -= 1;
         for (int k = 0; k < *n; k++)
             out[k] = (k + 1) * v->d[k + 1];
-        return law->flags & THUD_LAW_REVERSES;
+        return true;
     case BRANCH:
         if (s->ultimate_m == INFINITY)
             return false;
@@ -156,12 +159,40 @@ static int sign_of(const struct thud_contact_state *s, enum watched watched)
     return s->past_ultimate ? -1 : 1;
 }
 
+/* Whether what a guard watches keeps its sign by the bounds of the indentation and its rate alone: most do. */
+static bool stays(const struct view *v, const struct guard *guard, int sign)
+{
+    const struct thud_contact_state *s = &v->state->contact[v->c];
+    const struct thud_branch *b = &s->branch;
+    const double rate = 1 / v->seg->h_s;
+    switch (guard->watched) {
+    case INDENTATION:
+        return v->suppressed.indentation == 0 && sign * v->d[0] + v->reach < 0;
+    case RATE:
+        return v->suppressed.rate == 0 && sign * v->d[1] + v->bend < 0;
+    case BRANCH:
+        return v->suppressed.branch == 0 && sign * (v->d[0] - s->ultimate_m) + v->reach < 0;
+    case FORCE: /* as force_function has it */
+        if (v->suppressed.force > 0)
+            return false;
+        if (b->K == 0 && b->D == 0)
+            return sign * (b->f0_n + b->k_npm * v->d[0] + b->c_nspm * rate * v->d[1]) + fabs(b->k_npm) * v->reach +
+                       fabs(b->c_nspm) * rate * v->bend <
+                   0;
+        return sign * ((b->K != 0 ? b->K : b->k_npm) + b->D * rate * v->d[1]) + fabs(b->D) * rate * v->bend < 0;
+    case CONSTRAINT_LOW:
+    case CONSTRAINT_HIGH:
+        return false;
+    }
+    return false;
+}
+
 /* s in [0, s_end] at which a guard fires. */
 static double guard_fires(const struct view *v, const struct guard *guard, double s_end)
 {
     double p[THUD_SEGMENT_TERMS];
     int n, zeros, sign = guard->sign != 0 ? guard->sign : sign_of(&v->state->contact[v->c], guard->watched);
-    if (!watched_function(v, guard->watched, p, &n, &zeros))
+    if (stays(v, guard, sign) || !watched_function(v, guard->watched, p, &n, &zeros))
         return INFINITY;
     if (guard->watched == FORCE || guard->watched == RATE)
         return crossing(v, p, n, s_end, sign, zeros, guard->watched == RATE);
@@ -186,12 +217,12 @@ static int larger(int a, int b)
     return a > b ? a : b;
 }
 
-/* The contact as its guards see it. `copy` (terms) may take its indentation. */
+/* The contact as its guards see it, but for its bounds. `copy` (terms) may take its indentation. */
 static struct view view_of(const struct thud_state *state, struct thud_segment *seg, int c, double *copy)
 {
     const struct thud_contact_state *s = &state->contact[c];
     int still = thud_segment_contact(state, seg, c);
-    struct view v = {state, seg, c, seg->indentation + c * THUD_SEGMENT_TERMS, s->suppressed};
+    struct view v = {state, seg, c, seg->indentation + c * THUD_SEGMENT_TERMS, 0, 0, s->suppressed};
     if (s->suppressed.indentation == 0 || (s->mode != THUD_OPEN && s->mode != THUD_CLOSED))
         return v; /* only where the contact has just begun or ended */
     if (s->mode == THUD_CLOSED) {
@@ -216,7 +247,12 @@ static bool may_close(const struct thud_state *state, const struct thud_segment 
         return false;
     if (state->contact[c].suppressed.indentation > 0)
         return true;
+    const struct thud_model_contact *p = &m->contact[c];
     double most = thud_contact_indentation(state, c);
+    if (most + (p->left.modes > 0 ? seg->floors[p->left.structure] : 0) +
+            (p->right.modes > 0 ? seg->floors[p->right.structure] : 0) <=
+        0)
+        return false; /* whatever floors they are */
     const double *g = m->jacobian + (size_t)c * (size_t)m->nmodes;
     int structure[2], n = thud_model_row_structures(m, c, structure);
     for (int i = 0; i < n; i++) {
@@ -238,11 +274,14 @@ static double storey_fires(const struct thud_state *state, struct thud_segment *
     const int row = m->ncontacts + k, n = seg->terms;
     double p[THUD_SEGMENT_TERMS], first = INFINITY;
     if (s->direction == 0 && s->zeros == 0) { /* by what its modes can do at most */
-        double most = fabs(thud_contact_indentation(state, row) - s->plastic_m);
+        double now = fabs(thud_contact_indentation(state, row) - s->plastic_m), most = 0;
+        if (now + seg->drifts[m->storey[k].structure] <= bound)
+            return INFINITY;
+        const struct thud_model_structure *of = &m->structure[m->storey[k].structure];
         const double *g = m->jacobian + row * m->nmodes;
-        for (int j = 0; j < m->nmodes; j++)
+        for (int j = of->first_mode; j < of->first_mode + of->modes; j++)
             most += fabs(g[j]) * seg->reach[j];
-        if (most <= bound)
+        if (now + most <= bound)
             return INFINITY;
     }
     thud_segment_contact(state, seg, row);
@@ -272,12 +311,13 @@ double thud_event_first(const struct thud_state *state, struct thud_segment *seg
     double first = INFINITY, copy[THUD_SEGMENT_TERMS];
     *contact = -1;
     *event = THUD_EVENT_NONE;
-    thud_segment_reach(seg, state->model->nmodes);
+    thud_segment_reach(seg, state->model);
     for (int c = 0; c < state->model->ncontacts; c++) {
         enum thud_contact_mode mode = state->contact[c].mode;
         if (mode == THUD_OPEN && !may_close(state, seg, c))
             continue;
         struct view v = view_of(state, seg, c, copy);
+        v.reach = thud_poly_move(v.d, seg->terms, &v.bend);
         double limit = fmin(s_end, first);
         for (size_t i = 0; i < sizeof guards / sizeof *guards; i++) {
             double s = guards[i].mode == mode ? guard_fires(&v, &guards[i], limit) : INFINITY;

@@ -52,8 +52,7 @@ static double third_bound(const double *c, int n)
     return sum[0] + sum[1] + last;
 }
 
-/* Bounds on [0, 1] of how far p may come from its start, and of how far p' may be from its value there. */
-static double move_bound(const double *c, int n, double *slope)
+double thud_poly_move(const double *c, int n, double *slope)
 {
     thud_double_pair move = {0, 0}, by_order = {0, 0}, k = {2, 3};
     int i = 2;
@@ -133,7 +132,7 @@ double thud_poly_first_above(const double *c, int n, double s_end, double sign, 
     }
     if (sign * c[0] > noise)
         return 0;
-    double slope, move = move_bound(c, n, &slope); /* s_end is at most 1 */
+    double slope, move = thud_poly_move(c, n, &slope); /* s_end is at most 1 */
     if (sign * c[0] + move <= noise)
         return INFINITY;
     if (n > 1 && sign * c[1] <= -slope) /* falls all the way */
@@ -242,7 +241,7 @@ static void look_inside(struct peak *f, double s_end)
 
 double thud_poly_peak(const double *c, int n, double s_end, double least, double *where)
 {
-    double slope, move = move_bound(c, n, &slope);
+    double slope, move = thud_poly_move(c, n, &slope);
     if (fabs(c[0]) + move <= least)
         return least;
     struct peak f = {c, n, 0, least, 0, false, 0};

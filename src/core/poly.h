@@ -8,6 +8,9 @@ double thud_poly_value(const double *c, int n, double s);
 /* p, p', p'' at s. */
 void thud_poly_value3(const double *c, int n, double s, double out[3]);
 
+/* Bounds on [0, 1] of how far p may come from its start, and of how far p' may be from its value there: *slope. */
+double thud_poly_move(const double *c, int n, double *slope);
+
 /* First s in [0, s_end] from which on sign * p is above 0; INFINITY if there is none. The lowest `zeros` coefficients
  * are taken as exactly 0 (the event that has just been handled), so that only what comes after it is found. Values
  * below `noise` are not above 0. */

@@ -11,9 +11,10 @@
 
 enum thud_status thud_segment_init(struct thud_segment *seg, const struct thud_model *model, struct thud_error *err)
 {
-    size_t n = (size_t)model->nmodes, nc = (size_t)model->nrows, terms = THUD_SEGMENT_TERMS;
+    size_t n = (size_t)model->nmodes, nc = (size_t)model->nrows, ns = (size_t)model->nstructures,
+           terms = THUD_SEGMENT_TERMS;
     *seg = (struct thud_segment){0};
-    seg->block = calloc((terms + 1) * n + 3 * terms * nc + 1, sizeof *seg->block);
+    seg->block = calloc((terms + 1) * n + 3 * terms * nc + 2 * ns + 1, sizeof *seg->block);
     seg->known = calloc(3 * nc + 1, sizeof *seg->known);
     if (!seg->block || !seg->known) {
         thud_segment_clear(seg);
@@ -26,6 +27,8 @@ enum thud_status thud_segment_init(struct thud_segment *seg, const struct thud_m
     seg->force = seg->reach + n;
     seg->indentation = seg->force + terms * nc;
     seg->load = seg->indentation + terms * nc;
+    seg->floors = seg->load + terms * nc;
+    seg->drifts = seg->floors + ns;
     return THUD_OK;
 }
 
@@ -42,12 +45,27 @@ void thud_segment_forget(struct thud_segment *seg, int nrows)
         seg->known[c] = -1;
 }
 
-void thud_segment_reach(struct thud_segment *seg, int n)
+static void two_reaches(const struct thud_segment *seg, int nmodes, int j, bool single)
 {
-    memset(seg->reach, 0, (size_t)n * sizeof *seg->reach);
-    for (int k = 1; k < seg->terms; k++)
-        for (int j = 0; j < n; j++)
-            seg->reach[j] += fabs(seg->q[k * n + j]);
+    const double *q = seg->q + nmodes + j;
+    thud_double_pair sum = {0, 0};
+    for (int k = 1; k < seg->terms; k++, q += nmodes)
+        sum += thud_double_pair_abs(thud_double_pair_some(q, single));
+    thud_double_pair_put(sum, seg->reach + j, single);
+}
+
+void thud_segment_reach(struct thud_segment *seg, const struct thud_model *model)
+{
+    const int n = model->nmodes;
+    for (int j = 0; j + 2 <= n; j += 2)
+        two_reaches(seg, n, j, false);
+    if (n % 2)
+        two_reaches(seg, n, n - 1, true);
+    for (int s = 0; s < model->nstructures; s++) {
+        const struct thud_model_structure *p = &model->structure[s];
+        seg->floors[s] = thud_dot(p->modes, model->mode_max + p->first_mode, seg->reach + p->first_mode);
+        seg->drifts[s] = thud_dot(p->modes, model->mode_max + n + p->first_mode, seg->reach + p->first_mode);
+    }
 }
 
 bool thud_segment_has_force(const struct thud_state *state, const struct thud_segment *seg, int c)
@@ -502,6 +520,39 @@ static double side_term(const struct thud_model_side *side, const double *modal)
     return thud_dot(side->modes, side->row, modal + side->first_mode);
 }
 
+enum { ABREAST = 4 }; /* orders read at once, of THUD_SEGMENT_TERMS */
+
+struct terms_abreast {
+    thud_double_pair low, high;
+};
+
+/* Those of four orders, n apart, each summed as thud_dot does: an indentation's start has the same bits here and by
+ * thud_contact_indentation, or contacts at rest on each other would switch without end. */
+static inline struct terms_abreast side_terms(const struct thud_model_side *side, const double *modal, int n)
+{
+    const double *q = modal + side->first_mode, *row = side->row;
+    thud_double_pair even[ABREAST] = {0}, odd[ABREAST] = {0};
+    int j = 0;
+    for (; j + 4 <= side->modes; j += 4)
+        for (int i = 0; i < ABREAST; i++) {
+            even[i] += thud_double_pair_at(row + j) * thud_double_pair_at(q + i * n + j);
+            odd[i] += thud_double_pair_at(row + j + 2) * thud_double_pair_at(q + i * n + j + 2);
+        }
+    for (int i = 0; i < ABREAST && j + 2 <= side->modes; i++)
+        even[i] += thud_double_pair_at(row + j) * thud_double_pair_at(q + i * n + j);
+    j = side->modes & ~1;
+    for (int i = 0; i < ABREAST; i++)
+        even[i] += odd[i];
+    struct terms_abreast sum = {(thud_double_pair){even[0][0], even[1][0]} + (thud_double_pair){even[0][1], even[1][1]},
+                                (thud_double_pair){even[2][0], even[3][0]} +
+                                    (thud_double_pair){even[2][1], even[3][1]}};
+    if (j < side->modes) {
+        sum.low += row[j] * (thud_double_pair){q[j], q[n + j]};
+        sum.high += row[j] * (thud_double_pair){q[2 * n + j], q[3 * n + j]};
+    }
+    return sum;
+}
+
 /* What rounding may leave of a side's term of order k > 0: its modes' parts, and what they come from, the parts of the
  * order below, may be large and cancel. */
 static double side_rounding(const struct thud_segment *seg, const struct thud_model_side *side, int nmodes, int k)
@@ -531,8 +582,12 @@ int thud_segment_indentation(const struct thud_state *state, const struct thud_s
     double size[THUD_SEGMENT_TERMS], largest = 0;
     int zeros = 0;
     if (state->contact[c].suppressed.indentation == 0) { /* nothing of it is known to be 0 */
-        for (int k = 0; k < seg->terms; k++)
-            out[k] = side_term(l, seg->q + k * m->nmodes) - side_term(r, seg->q + k * m->nmodes);
+        for (int k = 0; k < seg->terms; k += ABREAST) {
+            const double *modal = seg->q + k * m->nmodes;
+            struct terms_abreast left = side_terms(l, modal, m->nmodes), right = side_terms(r, modal, m->nmodes);
+            *(thud_double_pair *)(out + k) = left.low - right.low;
+            *(thud_double_pair *)(out + k + 2) = left.high - right.high;
+        }
         out[0] -= thud_state_clearance(state, c);
         return 0;
     }

@@ -26,12 +26,13 @@ struct thud_segment {
     double end_energy; /* where they are known: sum of omega^2 q^2 + q'^2 at its end */
     bool interpolates; /* the states of a stepping method at its two ends; else a power series */
 
-    double *indentation; /* (nrows x THUD_SEGMENT_TERMS): where it has been read */
-    double *load;        /* (nrows x THUD_SEGMENT_TERMS) and */
-    int *listed;         /* (nrows) workspace of segment.c */
-    int rows, *row;      /* (rows) those that may have a force, but for a stepping method: set where it begins */
-    int *known;          /* (nrows) its lowest orders that are no motion; -1 where it has not been read */
-    double *reach;       /* (nmodes) how far each mode may move in it: thud_segment_reach */
+    double *indentation;     /* (nrows x THUD_SEGMENT_TERMS): where it has been read */
+    double *load;            /* (nrows x THUD_SEGMENT_TERMS) and */
+    int *listed;             /* (nrows) workspace of segment.c */
+    int rows, *row;          /* (rows) those that may have a force, but for a stepping method: set where it begins */
+    int *known;              /* (nrows) its lowest orders that are no motion; -1 where it has not been read */
+    double *reach;           /* (nmodes) how far each mode may move in it: thud_segment_reach */
+    double *floors, *drifts; /* (nstructures) and so any floor, and the drift of any storey */
     double *block;
 };
 
@@ -72,14 +73,14 @@ void thud_segment_shorten(struct thud_segment *seg, int nmodes, int nrows, doubl
 int thud_segment_contact(const struct thud_state *state, struct thud_segment *seg, int c);
 /* The segment has changed: no indentation of it has been read yet. */
 void thud_segment_forget(struct thud_segment *seg, int nrows);
-/* Fills seg->reach. */
-void thud_segment_reach(struct thud_segment *seg, int nmodes);
+/* Fills seg->reach, seg->floors and seg->drifts. */
+void thud_segment_reach(struct thud_segment *seg, const struct thud_model *model);
 /* Whether the segment holds a force of contact c. */
 bool thud_segment_has_force(const struct thud_state *state, const struct thud_segment *seg, int c);
 
 /* Values of all modal coordinates and their rates at s. */
 void thud_segment_state(const struct thud_segment *seg, int nmodes, double s, double *q, double *qd);
-/* Coefficients of the indentation of contact c, out (terms). Where it is known to start at 0 (an event has just been
+/* Coefficients of the indentation of contact c, out (THUD_SEGMENT_TERMS, those in use). Where it is known to start at 0 (an event has just been
  * there), returns how many of the lowest ones are 0 but for rounding: neighbours that start together move together to
  * high orders, and what rounding leaves of their difference is no motion. Elsewhere 0. */
 int thud_segment_indentation(const struct thud_state *state, const struct thud_segment *seg, int c, double *out);

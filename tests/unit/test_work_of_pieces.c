@@ -8,7 +8,7 @@
 #include "core/run_private.h"
 #include "march.h"
 
-enum { ORDERS = 7, SCENES = 200 };
+enum { ORDERS = 7, SCENES = 200, LOOKS = 2000 };
 
 static const int towers[] = {4, 5}; /* an odd number of modes in one of them, and in all */
 
@@ -190,6 +190,68 @@ START_TEST(works_are_right_to_their_bounds)
 }
 END_TEST
 
+/* First point of many at which an open contact is indented, or a closed one is no more, turns or passes its ultimate
+ * compression. */
+static double first_by_looking(const struct thud_state *state, const struct thud_segment *seg, int *contact)
+{
+    const struct thud_model *m = state->model;
+    double q[MARCH_FLOORS_MAX], qd[MARCH_FLOORS_MAX];
+    for (int i = 0; i <= LOOKS; i++) {
+        thud_segment_state(seg, m->nmodes, (double)i / LOOKS, q, qd);
+        for (*contact = 0; *contact < m->ncontacts; ++*contact) {
+            const struct thud_contact_state *s = &state->contact[*contact];
+            double d = thud_model_gap_sum(m, *contact, q) - thud_state_clearance(state, *contact),
+                   v = thud_model_gap_sum(m, *contact, qd);
+            bool turns = s->phase == THUD_APPROACH ? v < 0 : v > 0;
+            if (s->mode == THUD_OPEN ? d > 0 : d < 0 || turns || d > s->ultimate_m)
+                return (double)i / LOOKS;
+        }
+    }
+    return INFINITY;
+}
+
+START_TEST(no_event_is_passed_over)
+{
+    struct fixture f;
+    int found[2] = {0}; /* pieces without and with an event inside */
+    set_up(&f, _i);
+    struct thud_run *run = f.m.run;
+    const struct thud_model *m = f.model;
+    for (int i = 0; i < SCENES; i++) {
+        begin_random(&f, &run->seg, 0.3);
+        double place = 5 * pow(10, -2.0 * rand() / RAND_MAX); /* the slower, the fewer events */
+        for (int j = 0; j < m->nmodes; j++) {
+            run->state.q[j] *= place;
+            run->state.qd[j] *= place;
+        }
+        for (int c = 0; c < m->ncontacts; c++) {
+            struct thud_contact_state *s = &run->state.contact[c];
+            double d = 0.01 * random_part();
+            s->residual_m += thud_contact_indentation(&run->state, c) - d; /* to be so far indented */
+            s->mode = d > 0 ? THUD_CLOSED : THUD_OPEN;
+            s->phase = thud_contact_rate(&run->state, c) > 0 ? THUD_APPROACH : THUD_RESTITUTION;
+            s->branch = (struct thud_branch){.K = 1, .p = 1};
+            s->suppressed = (struct thud_suppressed){0};
+            s->ultimate_m = fabs(d) + 0.04 * rand() / RAND_MAX;
+        }
+        run->seg.terms = THUD_SEGMENT_TERMS;
+        thud_taylor_given(m, &run->seg, run->state.q, run->state.qd);
+        int contact, want;
+        enum thud_event event;
+        double at = thud_event_first(&run->state, &run->seg, 1, &contact, &event),
+               look = first_by_looking(&run->state, &run->seg, &want);
+        if (isfinite(look))
+            ck_assert_double_eq_tol(at, look, 1.01 / LOOKS);
+        else
+            ck_assert_double_gt(at, 1 - 1.0 / LOOKS);
+        found[isfinite(look) && look > 0]++;
+    }
+    ck_assert_int_gt(found[0], SCENES / 10);
+    ck_assert_int_gt(found[1], SCENES / 10);
+    tear_down(&f);
+}
+END_TEST
+
 /* The law has a constant force, and the segment another one: what counts is the law's. */
 START_TEST(work_in_a_contact_is_that_of_its_law)
 {
@@ -203,7 +265,7 @@ START_TEST(work_in_a_contact_is_that_of_its_law)
         begin_random(&f, &run->seg, 0);
         run->seg.terms = THUD_SEGMENT_TERMS;
         thud_taylor_given(m, &run->seg, run->state.q, run->state.qd);
-        double s = i % 2 ? 1 : 0.3 + 0.7 * rand() / RAND_MAX, want = 0, scale = 0;
+        double s = i % 2 ? 1 : 0.3 + 0.7 * rand() / RAND_MAX, want = 0, scale = 0, slope;
         double before = thud_ledger_contact_work(&run->ledger);
         thud_segment_forget(&run->seg, m->nrows);
         for (int c = 0; c < 2; c++) {
@@ -211,8 +273,7 @@ START_TEST(work_in_a_contact_is_that_of_its_law)
             run->state.contact[c].branch = (struct thud_branch){.f0_n = force};
             thud_segment_contact(&run->state, &run->seg, c);
             want += force * (thud_poly_value(d, run->seg.terms, s) - d[0]);
-            for (int k = 1; k < run->seg.terms; k++)
-                scale += force * fabs(d[k]);
+            scale += force * thud_poly_move(d, run->seg.terms, &slope);
         }
         thud_segment_state(&run->seg, m->nmodes, s, q, qd);
         struct thud_observation o = {&run->state, &run->seg, s, q, qd, false};
@@ -231,6 +292,7 @@ Suite *thud_suite(void)
     tcase_add_loop_test(t, few_terms_leave_out_what_they_may, 0, 2);
     tcase_add_loop_test(t, every_order_keeps_to_the_equations_of_motion, 0, 2);
     tcase_add_loop_test(t, works_are_right_to_their_bounds, 0, 2);
+    tcase_add_loop_test(t, no_event_is_passed_over, 0, 2);
     tcase_add_loop_test(t, work_in_a_contact_is_that_of_its_law, 0, 2);
     suite_add_tcase(s, t);
     return s;
