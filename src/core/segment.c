@@ -172,30 +172,14 @@ static void first_terms(const struct thud_model *m, struct thud_segment *seg, co
 }
 
 /* 1/k, for two modes at once */
-static const thud_aligned_pair inverse[THUD_SEGMENT_TERMS] = {{0, 0},
-                                                              {1.0 / 1, 1.0 / 1},
-                                                              {1.0 / 2, 1.0 / 2},
-                                                              {1.0 / 3, 1.0 / 3},
-                                                              {1.0 / 4, 1.0 / 4},
-                                                              {1.0 / 5, 1.0 / 5},
-                                                              {1.0 / 6, 1.0 / 6},
-                                                              {1.0 / 7, 1.0 / 7},
-                                                              {1.0 / 8, 1.0 / 8},
-                                                              {1.0 / 9, 1.0 / 9},
-                                                              {1.0 / 10, 1.0 / 10},
-                                                              {1.0 / 11, 1.0 / 11},
-                                                              {1.0 / 12, 1.0 / 12},
-                                                              {1.0 / 13, 1.0 / 13},
-                                                              {1.0 / 14, 1.0 / 14},
-                                                              {1.0 / 15, 1.0 / 15},
-                                                              {1.0 / 16, 1.0 / 16},
-                                                              {1.0 / 17, 1.0 / 17},
-                                                              {1.0 / 18, 1.0 / 18},
-                                                              {1.0 / 19, 1.0 / 19},
-                                                              {1.0 / 20, 1.0 / 20},
-                                                              {1.0 / 21, 1.0 / 21},
-                                                              {1.0 / 22, 1.0 / 22},
-                                                              {1.0 / 23, 1.0 / 23}};
+/* clang-format off */
+#define INVERSE(k) {1.0 / (k), 1.0 / (k)}
+/* clang-format on */
+static const thud_aligned_pair inverse[THUD_SEGMENT_TERMS] = {
+    {0, 0},      INVERSE(1),  INVERSE(2),  INVERSE(3),  INVERSE(4),  INVERSE(5),  INVERSE(6),  INVERSE(7),
+    INVERSE(8),  INVERSE(9),  INVERSE(10), INVERSE(11), INVERSE(12), INVERSE(13), INVERSE(14), INVERSE(15),
+    INVERSE(16), INVERSE(17), INVERSE(18), INVERSE(19), INVERSE(20), INVERSE(21), INVERSE(22), INVERSE(23)};
+#undef INVERSE
 
 /* What a load of order k adds to order k + 2: -h^2/((k + 1)(k + 2)). */
 static double load_factor(const struct thud_segment *seg, int k)
