@@ -88,7 +88,7 @@ static bool case_scene(const struct thud_scene *scene, enum thud_live_which whic
     if (which == THUD_LIVE_FREE)
         thud_scene_drop_contacts(out);
     else
-        thud_scene_case(scene, THUD_CASE_NONE, out, NULL);
+        thud_scene_case(out, THUD_CASE_NONE, out, NULL);
     return true;
 }
 

@@ -63,7 +63,7 @@ static enum thud_status run_cases(struct site *site, struct thud_error *err)
         if (i == SITE_FREE)
             thud_scene_drop_contacts(one->scene);
         else if (i == SITE_NONE)
-            thud_scene_case(site->scene, THUD_CASE_NONE, one->scene, NULL);
+            thud_scene_case(one->scene, THUD_CASE_NONE, one->scene, NULL);
         status = run_case(site, one, err);
     }
     site->own = &site->cases[site->ncases - 1];

@@ -86,7 +86,7 @@ static void write_digits(bool negative, int64_t n, int digits, int exponent, cha
     *text = '\0';
 }
 
-/* Whole numbers below 10^15. */
+/* Whole numbers below 10^15: 40, not 4e+01; and no -0. */
 static void write_whole(double value, char *text)
 {
     const int64_t n = (int64_t)fabs(value);
@@ -147,10 +147,6 @@ void thud_number_format(double value, char *text, size_t size)
 {
     if (write_fast(value, text, size))
         return;
-    if (value == rint(value) && fabs(value) < 1e15) { /* 40, not 4e+01; and no -0 */
-        snprintf(text, size, "%.0f", value + 0.0);
-        return;
-    }
     /* %g leaves trailing zeros out, so 15 digits, which any normal double has, also print the shorter ones */
     for (int digits = fabs(value) < DBL_MIN ? 1 : 15; digits <= 17; digits++) {
         snprintf(text, size, "%.*g", digits, value);
