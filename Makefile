@@ -33,9 +33,10 @@ say       = $(if $(V),,@printf '  %-5s %s\n' '$(1)' '$(2)';)
 # Three libraries: libthud.a computes and touches nothing outside itself, libthud-io.a reads and writes files, libthud-program.a is the program around
 # them.  The first two are installed.
 objects   = $(patsubst %.c,$(B)/%.o,$(sort $(wildcard $(1))))
-CORE     := $(call objects,src/base/*.c src/core/*.c src/study/*.c)
-IO       := $(call objects,src/io/*.c)
-PROGRAM  := $(call objects,src/plot/*.c src/app/*.c src/cli/*.c src/tui/*.c)
+room      = src/$(1)/*.c src/$(1)/*/*.c # of a layer: its own files and those of its rooms
+CORE     := $(call objects,$(foreach layer,base ground core study,$(call room,$(layer))))
+IO       := $(call objects,$(call room,io))
+PROGRAM  := $(call objects,$(foreach layer,plot app cli tui,$(call room,$(layer))))
 # The shipped program is built without assertions; the unit tests and all they call, with them.
 UNITS    := build/$(if $(filter release,$(VARIANT)),check,$(VARIANT))
 PARALLEL  = $(if $(filter -j%,$(MAKEFLAGS)),,-j$(or $(shell nproc 2>/dev/null),2))
@@ -91,13 +92,13 @@ $(B)/lib%.a: $(B)/files
 $(B)/%.o: %.c $(B)/flags | $(B)/headers
 	@mkdir -p $(@D)
 	$(call say,CC,$<)$(COMPILE) $(OWN) -MMD -MP -c -o $@ $<
-$(B)/src/io/paths.o: OWN = -DTHUD_DATADIR='"$(PREFIX)/share/thud"'
+$(B)/src/io/file/paths.o: OWN = -DTHUD_DATADIR='"$(PREFIX)/share/thud"'
 $(B)/src/%/version.o: OWN = -DTHUD_COMMIT='"$(shell cat $(B)/commit)"' -DTHUD_VARIANT='"$(VARIANT)"'
 $(call objects,src/*/version.c): $(B)/commit
 # branches of the laws are counted as they are written
-$(B)/src/core/law_%.o: OWN = $(if $(filter coverage,$(VARIANT)),-O0)
+$(B)/src/core/laws/law_%.o: OWN = $(if $(filter coverage,$(VARIANT)),-O0)
 # gcc's analyzer loses sight of calloc's zeros behind three indices
-$(B)/src/study/sensitivity.o: OWN = $(if $(filter analyze,$(VARIANT)),-Wno-analyzer-use-of-uninitialized-value)
+$(B)/src/study/sweep/sensitivity.o: OWN = $(if $(filter analyze,$(VARIANT)),-Wno-analyzer-use-of-uninitialized-value)
 $(B)/unit/%: $(B)/tests/unit/%.o $(B)/libtests.a $(LIBS)
 	@mkdir -p $(@D)
 	$(call say,LINK,$@)$(LINK) -o $@ $^ $(shell pkg-config --libs check) $(LDLIBS)

@@ -7,7 +7,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "app/exit_status.h"
+#include "app/run/exit_status.h"
 #include "base/nearest.h"
 #include "base/version.h"
 #include "cli/commands.h"

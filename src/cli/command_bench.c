@@ -3,8 +3,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "app/cost_jobs.h"
-#include "app/figure_files.h"
+#include "app/bench/cost_jobs.h"
+#include "app/run/figure_files.h"
 #include "base/quantity.h"
 #include "cli/commands.h"
 #include "cli/interrupt.h"
@@ -12,7 +12,7 @@
 #include "cli/progress.h"
 #include "cli/scene_options.h"
 #include "cli/study_file.h"
-#include "io/file.h"
+#include "io/file/file.h"
 
 static void show_progress(void *context, const char *what, int done, int count)
 {

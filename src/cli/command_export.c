@@ -4,8 +4,8 @@
 
 #include "cli/commands.h"
 #include "cli/scene_options.h"
-#include "io/file.h"
-#include "io/opensees.h"
+#include "io/file/file.h"
+#include "io/result/opensees.h"
 
 static enum thud_status deliver(const struct thud_args *args, const struct thud_scene *scene, struct thud_text *text,
                                 struct thud_error *err)

@@ -1,8 +1,8 @@
 /* thud figures: the paper's figures, and with `all` the report. */
 #include <stdio.h>
 
-#include "app/paper_figures.h"
-#include "app/paper_study.h"
+#include "app/paper/paper_figures.h"
+#include "app/paper/paper_study.h"
 #include "cli/commands.h"
 #include "cli/interrupt.h"
 #include "cli/picture_options.h"

@@ -1,13 +1,13 @@
 /* thud gap: the gap that is enough. */
-#include "app/figure_files.h"
-#include "app/gap_report.h"
+#include "app/run/figure_files.h"
+#include "app/sweep/gap_report.h"
 #include "cli/commands.h"
 #include "cli/interrupt.h"
 #include "cli/picture_options.h"
 #include "cli/records_option.h"
 #include "cli/scene_options.h"
-#include "io/file.h"
-#include "plot/figures_gap.h"
+#include "io/file/file.h"
+#include "plot/figures/figures_gap.h"
 
 static enum thud_status save(const struct thud_args *args, const struct thud_gap_study *study,
                              const struct thud_scene *scene, const struct thud_record_list *records,

@@ -6,10 +6,10 @@
 #include "cli/commands.h"
 #include "cli/help.h"
 #include "cli/manual.h"
-#include "core/method.h"
-#include "io/paths.h"
-#include "study/cost.h"
-#include "study/scene.h"
+#include "core/methods/method.h"
+#include "io/file/paths.h"
+#include "study/methods/cost.h"
+#include "study/scene/scene.h"
 
 static void add_presets(struct thud_text *out)
 {

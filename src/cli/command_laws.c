@@ -3,8 +3,8 @@
 
 #include "base/param.h"
 #include "cli/commands.h"
-#include "core/law.h"
-#include "io/json.h"
+#include "core/laws/law.h"
+#include "io/file/json.h"
 
 /* Default of a parameter in its shown unit. */
 static void add_fallback(const struct thud_param *p, struct thud_text *out)

@@ -2,8 +2,8 @@
 #include <math.h>
 
 #include "cli/commands.h"
-#include "core/method.h"
-#include "io/json.h"
+#include "core/methods/method.h"
+#include "io/file/json.h"
 
 static void table(struct thud_text *out)
 {

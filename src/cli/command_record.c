@@ -4,15 +4,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "app/figure_files.h"
-#include "app/record_verbs.h"
-#include "app/session.h"
+#include "app/run/figure_files.h"
+#include "app/run/record_verbs.h"
+#include "app/run/session.h"
 #include "cli/commands.h"
 #include "cli/picture_options.h"
 #include "cli/record_options.h"
-#include "io/file.h"
-#include "io/paths.h"
-#include "io/record_write.h"
+#include "io/file/file.h"
+#include "io/file/paths.h"
+#include "io/record/record_write.h"
 
 /* To the file of -o, else to standard output. */
 static enum thud_status deliver(const struct thud_args *args, struct thud_text *text, struct thud_error *err)

@@ -2,7 +2,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "app/site_report.h"
+#include "app/report/site_report.h"
 #include "cli/commands.h"
 #include "cli/inputs_option.h"
 #include "cli/interrupt.h"

@@ -3,15 +3,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "app/result_table.h"
-#include "app/run_cases.h"
-#include "app/run_figures.h"
+#include "app/run/result_table.h"
+#include "app/run/run_cases.h"
+#include "app/run/run_figures.h"
 #include "cli/commands.h"
 #include "cli/interrupt.h"
 #include "cli/picture_options.h"
 #include "cli/scene_options.h"
-#include "io/file.h"
-#include "study/remark.h"
+#include "io/file/file.h"
+#include "study/sweep/remark.h"
 
 static enum thud_status write_folder(const struct thud_report *report, const char *folder, struct thud_error *err)
 {

@@ -3,15 +3,15 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "app/figure_files.h"
-#include "app/stability_report.h"
+#include "app/bench/stability_report.h"
+#include "app/run/figure_files.h"
 #include "cli/commands.h"
 #include "cli/interrupt.h"
 #include "cli/picture_options.h"
 #include "cli/progress.h"
 #include "cli/scene_options.h"
 #include "cli/study_file.h"
-#include "io/file.h"
+#include "io/file/file.h"
 
 static enum thud_status save(const struct thud_stability *stability, const char *folder,
                              const struct thud_picture_options *options, struct thud_error *err)

@@ -5,7 +5,7 @@
 
 #include "cli/commands.h"
 #include "cli/scene_options.h"
-#include "study/stiffness.h"
+#include "study/scene/stiffness.h"
 
 enum { PARTS_MAX = 3 };
 

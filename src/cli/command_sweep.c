@@ -3,8 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "app/fragility_report.h"
-#include "app/sweep_report.h"
+#include "app/sweep/fragility_report.h"
+#include "app/sweep/sweep_report.h"
 #include "cli/commands.h"
 #include "cli/fragility_output.h"
 #include "cli/interrupt.h"
@@ -14,8 +14,8 @@
 #include "cli/scene_options.h"
 #include "cli/study_file.h"
 #include "cli/sweep_output.h"
-#include "io/file.h"
-#include "study/remark.h"
+#include "io/file/file.h"
+#include "study/sweep/remark.h"
 
 struct sweep {
     const struct thud_args *args;

@@ -4,16 +4,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "app/figure_files.h"
-#include "app/uncertainty_study.h"
+#include "app/run/figure_files.h"
+#include "app/sweep/uncertainty_study.h"
+#include "base/statistics.h"
 #include "cli/commands.h"
 #include "cli/inputs_option.h"
 #include "cli/interrupt.h"
 #include "cli/picture_options.h"
 #include "cli/progress.h"
 #include "cli/scene_options.h"
-#include "io/file.h"
-#include "study/statistics.h"
+#include "io/file/file.h"
 
 enum { SAMPLES = 200 };
 

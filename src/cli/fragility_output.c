@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "app/figure_files.h"
-#include "io/file.h"
+#include "app/run/figure_files.h"
+#include "io/file/file.h"
 
 enum { SAMPLES = 200, SAMPLES_MAX = 100000, SEED_MAX = 2147483647 };
 

@@ -2,9 +2,9 @@
 #ifndef THUD_CLI_FRAGILITY_OUTPUT_H
 #define THUD_CLI_FRAGILITY_OUTPUT_H
 
-#include "app/fragility_report.h"
+#include "app/sweep/fragility_report.h"
 #include "cli/args.h"
-#include "plot/gnuplot.h"
+#include "plot/gnuplot/gnuplot.h"
 
 /* --event, --hazard, --samples and --seed into *out. Errors: THUD_USAGE, THUD_INPUT. */
 enum thud_status thud_fragility_options_read(const struct thud_args *args, const struct thud_sweep_plan *plan,

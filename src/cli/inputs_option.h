@@ -2,7 +2,7 @@
 #ifndef THUD_CLI_INPUTS_OPTION_H
 #define THUD_CLI_INPUTS_OPTION_H
 
-#include "app/uncertainty_study.h"
+#include "app/sweep/uncertainty_study.h"
 #include "cli/args.h"
 
 struct thud_inputs_choice {

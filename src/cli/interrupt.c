@@ -3,7 +3,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "io/file.h"
+#include "io/file/file.h"
 
 static volatile sig_atomic_t caught, watched;
 

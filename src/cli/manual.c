@@ -5,8 +5,8 @@
 #include <string.h>
 
 #include "base/param.h"
-#include "core/law.h"
-#include "study/scene.h"
+#include "core/laws/law.h"
+#include "study/scene/scene.h"
 
 enum { COLUMNS = 76 };
 

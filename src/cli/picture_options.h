@@ -3,7 +3,7 @@
 #define THUD_CLI_PICTURE_OPTIONS_H
 
 #include "cli/args.h"
-#include "plot/gnuplot.h"
+#include "plot/gnuplot/gnuplot.h"
 
 struct thud_picture_choice {
     struct thud_picture_options options; /* points into `font`: do not copy */

@@ -2,9 +2,9 @@
 #ifndef THUD_CLI_RECORD_OPTIONS_H
 #define THUD_CLI_RECORD_OPTIONS_H
 
-#include "app/record_verbs.h"
+#include "app/run/record_verbs.h"
 #include "cli/args.h"
-#include "core/synthesize.h"
+#include "ground/synthesize.h"
 
 enum { THUD_PERIODS_MAX = 10000 };
 

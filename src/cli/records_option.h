@@ -2,7 +2,7 @@
 #ifndef THUD_CLI_RECORDS_OPTION_H
 #define THUD_CLI_RECORDS_OPTION_H
 
-#include "app/record_list.h"
+#include "app/run/record_list.h"
 #include "cli/args.h"
 
 /* Those of --records, or of the preset's study, with what --peak, --dt, ... say of all of them; else the session's own

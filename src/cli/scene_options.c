@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "app/record_list.h"
+#include "app/run/record_list.h"
 #include "base/scan.h"
 
 /* Groups of the scene's keys, and the options beside those of the record that set the key of the same name in one. */

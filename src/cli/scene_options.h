@@ -2,7 +2,7 @@
 #ifndef THUD_CLI_SCENE_OPTIONS_H
 #define THUD_CLI_SCENE_OPTIONS_H
 
-#include "app/session.h"
+#include "app/run/session.h"
 #include "cli/args.h"
 
 /* Opens the preset that is the command's only operand (where it may be left out: towers) and applies --record, --peak,

@@ -1,11 +1,11 @@
 #include "cli/study_file.h"
 
-#include "app/record_list.h"
+#include "app/run/record_list.h"
 #include "base/version.h"
-#include "io/file.h"
-#include "io/json.h"
-#include "io/result_file.h"
-#include "io/scene_json.h"
+#include "io/file/file.h"
+#include "io/file/json.h"
+#include "io/result/result_file.h"
+#include "io/result/scene_json.h"
 
 /* An option and its value, which is cleared. */
 static void put_option(struct thud_text *out, const char *option, struct thud_text *value, bool *any)

@@ -2,10 +2,10 @@
 #ifndef THUD_CLI_STUDY_FILE_H
 #define THUD_CLI_STUDY_FILE_H
 
-#include "app/session.h"
+#include "app/run/session.h"
 #include "base/text.h"
 #include "cli/args.h"
-#include "study/sweep.h"
+#include "study/sweep/sweep.h"
 
 /* Version, scene, options and ground motions: the scene as a preset and the options with it give the study again. */
 void thud_study_file_json(const struct thud_args *args, const struct thud_session *session,

@@ -3,11 +3,11 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "app/fragility_report.h"
+#include "app/sweep/fragility_report.h"
 #include "base/version.h"
 #include "cli/commands.h"
-#include "io/json.h"
-#include "io/sweep_csv.h"
+#include "io/file/json.h"
+#include "io/result/sweep_csv.h"
 
 /* Next field of a line of CSV, with its end replaced; quotes taken off in place. *quoted: it had some, and may go over
  * several lines. After the last one *line is NULL and *after what comes behind the line. */

@@ -2,7 +2,7 @@
 #ifndef THUD_CLI_SWEEP_OUTPUT_H
 #define THUD_CLI_SWEEP_OUTPUT_H
 
-#include "study/suite.h"
+#include "study/suite/suite.h"
 
 enum thud_sweep_output_format { THUD_SWEEP_OUTPUT_TABLE, THUD_SWEEP_OUTPUT_CSV, THUD_SWEEP_OUTPUT_JSON };
 

@@ -3,7 +3,7 @@
 #ifndef THUD_TUI_BESIDE_H
 #define THUD_TUI_BESIDE_H
 
-#include "study/scene.h"
+#include "study/scene/scene.h"
 
 struct thud_tui;
 

@@ -9,8 +9,8 @@
 #include "base/ascii.h"
 #include "base/quantity.h"
 #include "base/text.h"
-#include "io/preset.h"
-#include "io/record_file.h"
+#include "io/preset/preset.h"
+#include "io/record/record_file.h"
 
 enum { FILES_MAX = 2000, BYTES_MAX = 8 << 20 };
 

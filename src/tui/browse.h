@@ -5,7 +5,7 @@
 
 #include <stdbool.h>
 
-#include "io/paths.h"
+#include "io/file/paths.h"
 
 enum thud_browse_kind { THUD_BROWSE_RECORDS, THUD_BROWSE_PRESETS };
 

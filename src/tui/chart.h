@@ -2,7 +2,7 @@
 #ifndef THUD_TUI_CHART_H
 #define THUD_TUI_CHART_H
 
-#include "plot/figure.h"
+#include "plot/figure/figure.h"
 #include "tui/canvas.h"
 
 /* Where the plot proper stands in its pane, and what it shows. */

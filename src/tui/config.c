@@ -5,7 +5,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "io/file.h"
+#include "io/file/file.h"
 
 void thud_config_init(struct thud_config *config)
 {

@@ -6,9 +6,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "io/file.h"
-#include "io/record_file.h"
-#include "study/answer.h"
+#include "io/file/file.h"
+#include "io/record/record_file.h"
+#include "study/scene/answer.h"
 #include "tui/doc.h"
 
 static struct thud_stamp stamp_of(const char *path)

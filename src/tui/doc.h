@@ -2,10 +2,10 @@
 #ifndef THUD_TUI_DOC_H
 #define THUD_TUI_DOC_H
 
-#include "core/record.h"
-#include "io/paths.h"
-#include "io/preset.h"
-#include "study/scene.h"
+#include "ground/record.h"
+#include "io/file/paths.h"
+#include "io/preset/preset.h"
+#include "study/scene/scene.h"
 #include "tui/undo.h"
 
 struct thud_stamp {

@@ -6,8 +6,8 @@
 
 #include "base/ascii.h"
 #include "base/scan.h"
-#include "core/method.h"
-#include "io/record_file.h"
+#include "core/methods/method.h"
+#include "io/record/record_file.h"
 #include "tui/session_log.h"
 
 static bool ends_with(const char *text, const char *end)

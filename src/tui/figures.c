@@ -1,7 +1,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "study/remark.h"
+#include "study/sweep/remark.h"
 #include "tui/figures.h"
 
 const char *thud_plot_title(enum thud_plot plot)

@@ -2,9 +2,9 @@
 #ifndef THUD_TUI_FIGURES_H
 #define THUD_TUI_FIGURES_H
 
-#include "app/live_cases.h"
-#include "plot/figure.h"
-#include "study/scene.h"
+#include "app/run/live_cases.h"
+#include "plot/figure/figure.h"
+#include "study/scene/scene.h"
 
 enum thud_plot {
 #define THUD_PLOT(name, words, file) THUD_PLOT_##name,

@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "study/pair.h"
+#include "study/scene/pair.h"
 #include "tui/law_figure.h"
 
 static double law_value(const struct thud_law_choice *choice, const char *name)

@@ -2,8 +2,8 @@
 #ifndef THUD_TUI_LAW_FIGURE_H
 #define THUD_TUI_LAW_FIGURE_H
 
-#include "plot/figure.h"
-#include "study/scene.h"
+#include "plot/figure/figure.h"
+#include "study/scene/scene.h"
 
 /* Force at the bumper's delta_u, N; NaN where there is no such thing. */
 double thud_tui_force_at_knee(const struct thud_scene *scene, int interface);

@@ -2,7 +2,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "study/level.h"
+#include "study/scene/level.h"
 #include "tui/dots.h"
 #include "tui/figures.h"
 #include "tui/movement.h"

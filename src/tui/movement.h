@@ -2,9 +2,9 @@
 #ifndef THUD_TUI_MOVEMENT_H
 #define THUD_TUI_MOVEMENT_H
 
-#include "core/model.h"
-#include "core/run.h"
-#include "study/scene.h"
+#include "core/model/model.h"
+#include "core/run/run.h"
+#include "study/scene/scene.h"
 #include "tui/canvas.h"
 
 /* Stick buildings at time `t`, displacements and gaps to one scale, heights to another; contacts flash with force and

@@ -3,9 +3,9 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "app/run_figures.h"
+#include "app/run/run_figures.h"
 #include "base/ascii.h"
-#include "io/file.h"
+#include "io/file/file.h"
 #include "tui/state.h"
 
 const char *thud_tui_folder(const struct thud_tui *tui)

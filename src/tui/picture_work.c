@@ -6,8 +6,8 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "app/figure_files.h"
-#include "app/threads.h"
+#include "app/run/figure_files.h"
+#include "app/run/threads.h"
 
 struct thud_picture_work {
     pthread_t thread;

@@ -4,7 +4,7 @@
 
 #include <stdbool.h>
 
-#include "plot/gnuplot.h"
+#include "plot/gnuplot/gnuplot.h"
 
 enum { THUD_PICTURES_MAX = 64 };
 

@@ -3,7 +3,7 @@
 #ifndef THUD_TUI_PIN_H
 #define THUD_TUI_PIN_H
 
-#include "app/live_cases.h"
+#include "app/run/live_cases.h"
 #include "tui/doc.h"
 
 struct thud_pin {

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "io/file.h"
+#include "io/file/file.h"
 #include "tui/loop.h"
 #include "tui/play.h"
 #include "tui/verdict.h"

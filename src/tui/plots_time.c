@@ -2,7 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "study/level.h"
+#include "study/scene/level.h"
 #include "tui/plots.h"
 
 static const double frame_s = 0.05;

@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "study/answer.h"
+#include "study/scene/answer.h"
 #include "tui/plots.h"
 
 enum thud_live_history thud_tui_wants_history(const struct thud_tui *tui)

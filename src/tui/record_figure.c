@@ -2,7 +2,7 @@
 #include <stdio.h>
 
 #include "base/quantity.h"
-#include "core/spectrum.h"
+#include "ground/spectrum.h"
 #include "tui/record_figure.h"
 #include "tui/state.h"
 

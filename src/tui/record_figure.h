@@ -2,9 +2,9 @@
 #ifndef THUD_TUI_RECORD_FIGURE_H
 #define THUD_TUI_RECORD_FIGURE_H
 
-#include "core/intensity.h"
-#include "core/model.h"
-#include "plot/figure.h"
+#include "core/model/model.h"
+#include "ground/intensity.h"
+#include "plot/figure/figure.h"
 #include "tui/canvas.h"
 #include "tui/doc.h"
 

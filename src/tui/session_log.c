@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "io/file.h"
+#include "io/file/file.h"
 
 static const char head[] = "# A session of thud: `thud --play FILE` does it again";
 

@@ -2,8 +2,8 @@
 #ifndef THUD_TUI_STATE_H
 #define THUD_TUI_STATE_H
 
-#include "app/live_cases.h"
-#include "plot/figure.h"
+#include "app/run/live_cases.h"
+#include "plot/figure/figure.h"
 #include "tui/beside.h"
 #include "tui/browse.h"
 #include "tui/chart.h"

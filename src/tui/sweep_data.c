@@ -4,10 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "io/file.h"
-#include "io/output.h"
-#include "plot/figures_gap.h"
-#include "plot/figures_sweep.h"
+#include "io/file/file.h"
+#include "io/file/output.h"
+#include "plot/figures/figures_gap.h"
+#include "plot/figures/figures_sweep.h"
 
 enum { CHUNK = 1 << 16, SAMPLES = 200, POINTS_A_SLICE = 64 };
 static const double wait_s = 0.004;

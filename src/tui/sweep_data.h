@@ -3,11 +3,11 @@
 #ifndef THUD_TUI_SWEEP_DATA_H
 #define THUD_TUI_SWEEP_DATA_H
 
-#include "app/fragility_report.h"
-#include "app/record_list.h"
-#include "app/sweep_jobs.h"
-#include "app/sweep_table.h"
-#include "io/sweep_csv.h"
+#include "app/run/record_list.h"
+#include "app/sweep/fragility_report.h"
+#include "app/sweep/sweep_jobs.h"
+#include "app/sweep/sweep_table.h"
+#include "io/result/sweep_csv.h"
 #include "tui/doc.h"
 #include "tui/sweep_words.h"
 

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "study/sweep.h"
+#include "study/sweep/sweep.h"
 
 enum { FROM, TO, STEP, PARTS, VARY = PARTS, VALUES, KEYS, LIST = THUD_VARY_MAX * THUD_VARY_VALUES };
 

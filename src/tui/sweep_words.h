@@ -4,7 +4,7 @@
 
 #include <stdbool.h>
 
-#include "study/scene.h"
+#include "study/scene/scene.h"
 
 struct thud_study_words {
     char vary[THUD_VARY_MAX][THUD_VARY_TEXT]; /* "gap=5 cm:25 cm:0.5 cm"; empty: no more */

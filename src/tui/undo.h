@@ -2,7 +2,7 @@
 #ifndef THUD_TUI_UNDO_H
 #define THUD_TUI_UNDO_H
 
-#include "study/scene.h"
+#include "study/scene/scene.h"
 
 struct thud_undo_step;
 struct thud_undo {

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "app/answer_line.h"
+#include "app/run/answer_line.h"
 
 /* In at most `columns`; empty where there is nothing to say. *pounds: whether there is contact without a bumper. */
 static void verdict_words(const struct thud_tui *tui, int columns, char *text, size_t size, bool *pounds)

@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "app/bench_jobs.h"
-#include "io/file.h"
+#include "app/bench/bench_jobs.h"
+#include "io/file/file.h"
 #include "tui/chart.h"
 #include "tui/field.h"
 #include "tui/session_log.h"

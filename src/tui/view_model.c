@@ -5,8 +5,8 @@
 
 #include "base/quantity.h"
 #include "base/scan.h"
-#include "core/model.h"
-#include "study/level.h"
+#include "core/model/model.h"
+#include "study/scene/level.h"
 #include "tui/dots.h"
 #include "tui/field.h"
 #include "tui/peaks_strip.h"

@@ -5,9 +5,9 @@
 #include <string.h>
 
 #include "base/scan.h"
-#include "io/result_file.h"
-#include "study/level.h"
-#include "study/remark.h"
+#include "io/result/result_file.h"
+#include "study/scene/level.h"
+#include "study/sweep/remark.h"
 #include "tui/field.h"
 #include "tui/peaks_strip.h"
 

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "io/file.h"
-#include "plot/figures_sweep.h"
+#include "io/file/file.h"
+#include "plot/figures/figures_sweep.h"
 #include "tui/chart.h"
 #include "tui/field.h"
 #include "tui/session_log.h"

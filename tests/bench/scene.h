@@ -3,7 +3,7 @@
 #ifndef THUD_BENCH_SCENE_H
 #define THUD_BENCH_SCENE_H
 
-#include "app/session.h"
+#include "app/run/session.h"
 
 enum { BENCH_FLOORS_MAX = 512 };
 

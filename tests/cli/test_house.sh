@@ -39,6 +39,12 @@ plant include/plot/bad.h '# include "io/file.h"\n'
 finds "a header's include across the arrows is found" "bad.h.*against" sh $tools/check-includes.sh "$tmp/tree"
 plant src/study/bad.c '#include "core/segment.h"\n'
 finds "a foreign private header is found" "bad.c.*private" sh $tools/check-includes.sh "$tmp/tree"
+plant src/core/run/run.h '#include "core/model/model.h"\n'
+mkdir -p "$tmp/tree/src/core/model"
+printf '#include "core/run/run.h"\n' >"$tmp/tree/src/core/model/model.h"
+finds "a circle of rooms is found" "^not ok - the rooms of core" sh $tools/check-includes.sh "$tmp/tree"
+plant include/study/alone.h 'int thud_alone(void);\n'
+finds "a public header that only its own layer reads is found" "include/study/alone.h" sh $tools/check-includes.sh "$tmp/tree"
 plant src/io/bad.c '#include "file.h"\n'
 finds "an include without a layer is found" "bad.c.*name its layer" sh $tools/check-includes.sh "$tmp/tree"
 

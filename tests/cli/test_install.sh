@@ -37,11 +37,11 @@ ok "every manual page is installed" $?
 CC=${CC:-cc}
 PKG_CONFIG_PATH=stage/usr/lib/pkgconfig # from $tmp, whose own name may have blanks
 export PKG_CONFIG_PATH
-for f in "$prefix"/include/thud/*/*.h; do
+for f in "$prefix"/include/thud/*/*.h "$prefix"/include/thud/*/*/*.h; do
     # shellcheck disable=SC2046 # several words
     (cd "$tmp" && $CC -std=c17 -Wall -Wextra -Wpedantic -Werror $(pkg-config --cflags thud) -fsyntax-only -x c "$f") 2>&1 || echo "$f"
 done >"$tmp/out"
-test ! -s "$tmp/out" && [ -f "$prefix/include/thud/core/run.h" ] && [ -f "$prefix/include/thud/io/preset.h" ]
+test ! -s "$tmp/out" && [ -f "$prefix/include/thud/core/run/run.h" ] && [ -f "$prefix/include/thud/io/preset/preset.h" ]
 ok "every installed header compiles by itself" $?
 [ "$(cd "$tmp" && pkg-config --modversion thud)" = "$("$prefix/bin/thud" --version | sed -n '1s/thud \([0-9.]*\).*/\1/p')" ] >"$tmp/out" 2>&1
 ok "pkg-config knows the library by the program's version" $?

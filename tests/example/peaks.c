@@ -1,9 +1,9 @@
 /* Runs the scene of a preset and prints its peaks.  Build: cc -std=c17 peaks.c $(pkg-config --cflags --libs thud) */
 #include <stdio.h>
 
-#include "io/preset.h"
-#include "io/record_file.h"
-#include "study/answer.h"
+#include "io/preset/preset.h"
+#include "io/record/record_file.h"
+#include "study/scene/answer.h"
 
 int main(int argc, char **argv)
 {

@@ -9,7 +9,7 @@
 #include <unistd.h>
 
 #include "fault.h"
-#include "io/file.h"
+#include "io/file/file.h"
 
 static char folder[64];
 static char path[128];

@@ -7,9 +7,9 @@
 #include <unistd.h>
 
 #include "fault.h"
-#include "io/file.h"
-#include "io/preset.h"
-#include "study/answer.h"
+#include "io/file/file.h"
+#include "io/preset/preset.h"
+#include "study/scene/answer.h"
 
 /* Reads the preset and runs its scene without a ground motion, with the n-th allocation failing. */
 static enum thud_status run_once(const char *path, long n, bool *fired, long *lost, char *said)

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "fault.h"
-#include "io/record_file.h"
+#include "io/record/record_file.h"
 
 static struct thud_record_choice choice;
 

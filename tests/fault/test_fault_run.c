@@ -3,7 +3,7 @@
 #include <check.h>
 #include <math.h>
 
-#include "core/run.h"
+#include "core/run/run.h"
 #include "fault.h"
 
 enum { FLOORS = 3, SAMPLES = 200 };

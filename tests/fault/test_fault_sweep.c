@@ -6,10 +6,10 @@
 #include <string.h>
 
 #include "../unit/towers.h"
-#include "app/sweep_study_private.h"
+#include "app/sweep/sweep_study_private.h"
 #include "fault.h"
-#include "study/sweep.h"
-#include "study/truncation.h"
+#include "study/sweep/sweep.h"
+#include "study/methods/truncation.h"
 
 enum { SAMPLES = 120, ROWS = 24 };
 

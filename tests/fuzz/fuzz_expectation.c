@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "io/expectation_file.h"
+#include "io/result/expectation_file.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 

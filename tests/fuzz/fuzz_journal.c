@@ -7,9 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "app/sweep_study.h"
+#include "app/sweep/sweep_study.h"
 #include "base/version.h"
-#include "io/sweep_csv.h"
+#include "io/result/sweep_csv.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 

@@ -10,8 +10,8 @@
 #include <unistd.h>
 
 #include "../unit/tui_fixture.h"
-#include "app/session.h"
-#include "app/sweep_jobs.h"
+#include "app/run/session.h"
+#include "app/sweep/sweep_jobs.h"
 
 static double factor = 1;
 

@@ -1,6 +1,7 @@
 #!/bin/sh
-# Direction of the layers: base <- core <- study <- {io, plot} <- app <- {cli, tui} <- main.  TAP.
-# A file includes only its own layer and those to its left, names the layer, and takes of another layer only public headers.
+# Direction of the layers: base <- ground <- core <- study <- {io, plot} <- app <- {cli, tui} <- main.  TAP.
+# A file includes only its own layer and those to its left, names the layer, and takes of another layer only public headers (of app, which is never
+# installed, any).  The rooms of a layer (its sub-folders) form no circle, and a header in include/ has a reader outside its layer.
 # usage: check-includes.sh [TREE]
 set -u
 cd "${1:-.}" || exit 2
@@ -8,17 +9,18 @@ cd "${1:-.}" || exit 2
 may_include() { # LAYER: the layers it may include
     case $1 in
     base) echo base ;;
-    core) echo base core ;;
-    study) echo base core study ;;
-    io | plot) echo base core study "$1" ;;
-    app) echo base core study io plot app ;;
-    cli | tui) echo base core study io plot app "$1" ;;
-    main) echo base core study io plot app cli tui ;;
+    ground) echo base ground ;;
+    core) echo base ground core ;;
+    study) echo base ground core study ;;
+    io | plot) echo base ground core study "$1" ;;
+    app) echo base ground core study io plot app ;;
+    cli | tui) echo base ground core study io plot app "$1" ;;
+    main) echo base ground core study io plot app cli tui ;;
     esac
 }
 
 status=0
-for layer in base core study io plot app cli tui main; do
+for layer in base ground core study io plot app cli tui main; do
     allowed=" $(may_include "$layer") "
     if [ "$layer" = main ]; then files=src/main.c; else files=$(find "src/$layer" "include/$layer" -name '*.[ch]' 2>/dev/null); fi
     wrong=""
@@ -33,7 +35,7 @@ for layer in base core study io plot app cli tui main; do
             elif ! case $allowed in *" $to "*) true ;; *) false ;; esac; then
                 wrong="$wrong
 # $f: \"$header\" points against the arrows"
-            elif [ "$to" != "$layer" ] && [ ! -f "include/$header" ]; then
+            elif [ "$to" != "$layer" ] && [ "$to" != app ] && [ "$layer" != main ] && [ ! -f "include/$header" ]; then
                 wrong="$wrong
 # $f: \"$header\" is private to $to"
             fi
@@ -46,4 +48,31 @@ for layer in base core study io plot app cli tui main; do
         status=1
     fi
 done
+
+includes=$(find src include -name '*.[ch]' 2>/dev/null | while read -r f; do sed -n "s|^[ \t]*#[ \t]*include[ \t]*\"\([^\"]*\)\".*|$f \1|p" "$f"; done)
+for layer in core study io plot app; do
+    arrows=$(printf '%s\n' "$includes" | awk -v layer="$layer" '
+        { n = split($1, from, "/"); m = split($2, to, "/") }
+        from[2] == layer && to[1] == layer && n == 4 && m == 3 && from[3] != to[2] { print from[3], to[2] }' | sort -u)
+    circle=$(printf '%s\n' "$arrows" | tsort 2>&1 >/dev/null)
+    if [ -z "$circle" ]; then
+        echo "ok - the rooms of $layer form no circle"
+    else
+        echo "not ok - the rooms of $layer form no circle"
+        printf '%s\n' "$circle" | sed 's/^/# /'
+        status=1
+    fi
+done
+private=$(printf '%s\n' "$includes" | awk '
+    { split($1, from, "/"); split($2, to, "/") }
+    from[2] != to[1] { read[$2] = 1 }
+    from[1] == "include" { read[$2] = 1 }
+    END { while (("find include -name \"*.h\"" | getline line) > 0) { sub("include/", "", line); if (!(line in read)) print "# include/" line } }')
+if [ -z "$private" ]; then
+    echo "ok - every header in include/ is read outside its layer"
+else
+    echo "not ok - every header in include/ is read outside its layer"
+    printf '%s\n' "$private"
+    status=1
+fi
 exit $status

@@ -37,15 +37,17 @@ for f in README.md CHANGELOG.md LICENSE; do
 done
 for f in libthud.a libthud-io.a; do file 644 "$build/$f" "lib/$f"; done
 file 644 "$build/thud.pc" lib/pkgconfig/thud.pc
-for layer in base core study io; do # each includes only itself and those before it
-    for f in include/"$layer"/*.h; do file 644 "$f" "include/thud/$layer/${f##*/}"; done
+for layer in base ground core study io; do # each includes only itself and those before it
+    for f in include/"$layer"/*.h include/"$layer"/*/*.h; do
+        if [ -f "$f" ]; then file 644 "$f" "include/thud/${f#include/}"; fi
+    done
 done
 file 644 tests/example/peaks.c share/doc/thud/peaks.c
 if [ "$what" = uninstall ]; then
     for d in share/thud/presets/published share/thud/presets share/thud/records share/thud share/doc/thud share/man/man1 share/man/man5 share/man/man7 \
         share/bash-completion/completions share/bash-completion share/zsh/site-functions share/zsh \
-        share/fish/vendor_completions.d share/fish lib/pkgconfig include/thud/base include/thud/core include/thud/study include/thud/io \
-        include/thud; do
+        share/fish/vendor_completions.d share/fish lib/pkgconfig; do
         rmdir "$prefix/$d" 2>/dev/null || true # a folder with files of others stays
     done
+    find "$prefix/include/thud" -depth -type d -exec rmdir {} \; 2>/dev/null || true
 fi

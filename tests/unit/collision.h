@@ -8,7 +8,7 @@
 #include <stdbool.h>
 #include <string.h>
 
-#include "core/law.h"
+#include "core/laws/law.h"
 
 static const double mass = 320e3; /* of each body unless said otherwise */
 

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/run_private.h"
+#include "core/run/run_private.h"
 #include "suite.h"
 
 struct march_law march_law(const char *name, ...)

@@ -2,7 +2,7 @@
 #ifndef THUD_TESTS_MARCH_H
 #define THUD_TESTS_MARCH_H
 
-#include "core/run.h"
+#include "core/run/run.h"
 
 enum { MARCH_FLOORS_MAX = 100 };
 

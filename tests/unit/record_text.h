@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "base/quantity.h"
-#include "io/record_file.h"
+#include "io/record/record_file.h"
 
 static struct thud_record_choice choice;
 static struct thud_record *record;

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/baseline.h"
+#include "core/run/baseline.h"
 
 /* ---- chance: SplitMix64 (Steele, Lea and Flood 2014) ---- */
 

@@ -2,7 +2,7 @@
 #ifndef THUD_TESTS_SCENES_H
 #define THUD_TESTS_SCENES_H
 
-#include "study/answer.h"
+#include "study/scene/answer.h"
 
 /* A scene with its ground motion (NULL: none); `peak_m`: the size of its motion without contact. */
 struct scenes_one {

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "scenes_check.h"
-#include "study/sweep.h"
+#include "study/sweep/sweep.h"
 
 /* The finished point, what it cost left out; NULL where it has none. */
 static struct thud_sweep_point *make_point(const struct thud_sweep_plan *plan, const struct thud_sweep_group *group,

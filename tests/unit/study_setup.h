@@ -2,7 +2,7 @@
 #ifndef THUD_TESTS_STUDY_SETUP_H
 #define THUD_TESTS_STUDY_SETUP_H
 
-#include "study/sweep.h"
+#include "study/sweep/sweep.h"
 #include "towers.h"
 
 extern struct thud_scene *scene; /* two of them: the study's and room for another */

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/baseline.h"
+#include "core/run/baseline.h"
 
 enum { FLOORS_A = 2, FLOORS_B = 3, CONTACTS = 2, SAMPLES = 1500, FINER = 20 };
 

@@ -3,8 +3,8 @@
 #include <math.h>
 
 #include "base/quantity.h"
-#include "core/branch_batch.h"
-#include "core/nodes.h"
+#include "core/motion/branch_batch.h"
+#include "core/motion/nodes.h"
 
 static const double d[THUD_BATCH] = {-1e-3, 0, 1e-20, 1e-9, 3.7e-5, 0.0123, 0.71, 4.2};
 static const double v[THUD_BATCH] = {1, -2, 0.3, 0, -0.7, 1.9, -1e-9, 12};

@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/baseline.h"
-#include "core/run_private.h"
+#include "core/run/baseline.h"
+#include "core/run/run_private.h"
 #include "march.h"
 #include "suite.h"
 

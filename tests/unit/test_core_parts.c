@@ -4,10 +4,10 @@
 #include <stdlib.h>
 
 #include "base/quantity.h"
-#include "core/lcp.h"
-#include "core/modes.h"
-#include "core/quadrature.h"
-#include "core/radau.h"
+#include "core/numerics/lcp.h"
+#include "core/model/modes.h"
+#include "core/numerics/quadrature.h"
+#include "core/numerics/radau.h"
 
 /* Uniform shear building: omega_j = 2 sqrt(k/m) sin((2 j - 1) pi / (2 (2 n + 1))). */
 START_TEST(uniform_building)

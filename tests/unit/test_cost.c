@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "app/cost_jobs.h"
+#include "app/bench/cost_jobs.h"
 #include "base/quantity.h"
 #include "towers.h"
 

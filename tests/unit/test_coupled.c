@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/run_private.h"
+#include "core/run/run_private.h"
 #include "march.h"
 
 enum { N = 6 }; /* base and floor: displacements, velocities; ground acceleration and its slope */

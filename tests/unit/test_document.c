@@ -2,7 +2,7 @@
 #include <check.h>
 #include <string.h>
 
-#include "app/document.h"
+#include "app/report/document.h"
 
 static struct thud_document document;
 static struct thud_text html, markdown;

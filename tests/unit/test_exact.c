@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/run_private.h"
+#include "core/run/run_private.h"
 #include "march.h"
 #include "suite.h"
 

@@ -4,9 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/nodes.h"
-#include "core/poly.h"
-#include "core/run_private.h"
+#include "core/motion/nodes.h"
+#include "core/numerics/poly.h"
+#include "core/run/run_private.h"
 #include "march.h"
 
 static const int towers[] = {4, 6};

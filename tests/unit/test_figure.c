@@ -6,8 +6,8 @@
 #include <string.h>
 
 #include "base/quantity.h"
-#include "plot/figure.h"
-#include "plot/reduce.h"
+#include "plot/figure/figure.h"
+#include "plot/gnuplot/reduce.h"
 
 static const struct thud_style line = {.kind = THUD_LINES};
 

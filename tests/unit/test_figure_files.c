@@ -9,8 +9,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "app/figure_files.h"
-#include "io/file.h"
+#include "app/run/figure_files.h"
+#include "io/file/file.h"
 
 static char folder[128];
 

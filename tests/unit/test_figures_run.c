@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "base/quantity.h"
-#include "plot/figures_run.h"
+#include "plot/figures/figures_run.h"
 
 /* Two buildings of 3 and 9 floors and a made-up run with one impact at 5 s on floor 2. */
 enum { LEFT = 3, RIGHT = 9, DOFS = LEFT + RIGHT, CONTACTS = 3, ROWS = 1001 };

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "plot/figures_sweep.h"
+#include "plot/figures/figures_sweep.h"
 
 enum { RECORDS = 2, GAPS = 5, DEPTHS = 3, CASES = 3 };
 static const int floors[] = {4, 0, 9}; /* a wall between two buildings */

@@ -11,8 +11,8 @@
 #include <unistd.h>
 
 #include "cli/interrupt.h"
-#include "io/file.h"
-#include "io/output.h"
+#include "io/file/file.h"
+#include "io/file/output.h"
 
 static char folder[64];
 

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "study/fragility.h"
-#include "study/random.h"
+#include "study/suite/fragility.h"
+#include "base/random.h"
 #include "study_setup.h"
 
 /* Two stripes and two parameters: the curve goes through both shares, in closed form. */

@@ -3,7 +3,7 @@
 #include <check.h>
 #include <math.h>
 
-#include "core/baseline.h"
+#include "core/run/baseline.h"
 #include "march.h"
 
 /* Peaks and their times of building `of` in `row` against building 0 of `alone`. */

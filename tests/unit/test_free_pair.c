@@ -4,9 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/law_closed_form.h"
-#include "core/run.h"
-#include "study/pair.h"
+#include "core/laws/law_closed_form.h"
+#include "core/run/run.h"
+#include "study/scene/pair.h"
 
 struct outcome {
     double force, indentation, duration, restitution, residual, energy_error;

@@ -12,7 +12,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "plot/gnuplot.h"
+#include "plot/gnuplot/gnuplot.h"
 
 static char folder[64], fake[96], trace[96];
 

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/run.h"
+#include "core/run/run.h"
 
 enum { SAMPLES = 600 };
 

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "base/quantity.h"
-#include "core/run_private.h"
+#include "core/run/run_private.h"
 
 static const struct thud_law *newton(double e, struct thud_law_setup *setup)
 {

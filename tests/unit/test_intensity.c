@@ -4,9 +4,9 @@
 #include <stdlib.h>
 
 #include "base/quantity.h"
-#include "core/intensity.h"
-#include "core/record_edit.h"
-#include "core/spectrum.h"
+#include "ground/intensity.h"
+#include "ground/record_edit.h"
+#include "ground/spectrum.h"
 
 static struct thud_record *make(const double *a, size_t samples, double dt)
 {

@@ -4,8 +4,8 @@
 #include <math.h>
 
 #include "base/quantity.h"
-#include "core/law.h"
-#include "core/law_closed_form.h"
+#include "core/laws/law.h"
+#include "core/laws/law_closed_form.h"
 
 /* Restitution that two free bodies with m = 160 t part with, a choice (may be NULL) and e given. */
 static double part(const char *name, const char *choice, int index, double e, double v)

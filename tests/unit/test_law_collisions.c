@@ -2,7 +2,7 @@
  * closed forms. */
 #include "base/quantity.h"
 #include "collision.h"
-#include "core/law_closed_form.h"
+#include "core/laws/law_closed_form.h"
 
 START_TEST(concrete_figures)
 {

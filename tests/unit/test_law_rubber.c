@@ -3,8 +3,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/law.h"
-#include "core/law_closed_form.h"
+#include "core/laws/law.h"
+#include "core/laws/law_closed_form.h"
 
 static const struct thud_law *rubber(void)
 {

@@ -3,7 +3,7 @@
 #include <check.h>
 #include <math.h>
 
-#include "core/run.h"
+#include "core/run/run.h"
 
 static const double speeds[] = {0.002, 0.3, 1.3}; /* about the floor, usual, past the bumper's knee */
 

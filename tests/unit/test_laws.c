@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/quantity.h"
-#include "core/law.h"
+#include "core/laws/law.h"
 
 static const double mass = 160e3; /* effective */
 

@@ -4,8 +4,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "app/live_cases.h"
-#include "study/answer.h"
+#include "app/run/live_cases.h"
+#include "study/scene/answer.h"
 #include "towers.h"
 
 static struct thud_scene scene;

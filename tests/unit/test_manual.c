@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "app/command.h"
+#include "app/run/command.h"
 #include "cli/manual.h"
 #include "tui/tui.h"
 

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "study/pair.h"
+#include "study/scene/pair.h"
 
 static char page[256 * 1024];
 

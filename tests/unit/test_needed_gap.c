@@ -4,8 +4,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "study/answer.h"
-#include "study/needed_gap.h"
+#include "study/scene/answer.h"
+#include "study/scene/needed_gap.h"
 #include "study_setup.h"
 
 static void set_up(void)

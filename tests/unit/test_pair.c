@@ -3,8 +3,8 @@
 #include <check.h>
 #include <math.h>
 
-#include "plot/figures_paper.h"
-#include "study/pair.h"
+#include "plot/figures/figures_paper.h"
+#include "study/scene/pair.h"
 
 START_TEST(the_papers_four_cases)
 {

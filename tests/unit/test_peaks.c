@@ -4,9 +4,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "core/free_vibration.h"
-#include "core/poly.h"
-#include "core/run_private.h"
+#include "core/motion/free_vibration.h"
+#include "core/numerics/poly.h"
+#include "core/run/run_private.h"
 #include "march.h"
 #include "scenes.h"
 

@@ -3,7 +3,7 @@
 #include <math.h>
 
 #include "base/quantity.h"
-#include "core/poly.h"
+#include "core/numerics/poly.h"
 
 /* Coefficients of lead (s - r0)(s - r1)..., out (n + 1). */
 static void from_roots(double lead, const double *root, int n, double *out)

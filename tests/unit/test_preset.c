@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "io/preset.h"
+#include "io/preset/preset.h"
 #include "preset_text.h"
 
 static struct thud_preset *parse(const char *text, size_t size)

@@ -6,8 +6,8 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "io/file.h"
-#include "io/preset.h"
+#include "io/file/file.h"
+#include "io/preset/preset.h"
 #include "preset_text.h"
 
 static struct thud_scene scene, again; /* large */

@@ -3,9 +3,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "io/preset.h"
-#include "io/record_file.h"
-#include "study/published.h"
+#include "io/preset/preset.h"
+#include "io/record/record_file.h"
+#include "study/methods/published.h"
 
 static struct thud_published_row row[THUD_PUBLISHED_ROWS_MAX];
 

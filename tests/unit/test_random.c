@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "study/random.h"
+#include "base/random.h"
 
 /* The first numbers from the seed 1234567, as in the reference implementation's tests. */
 START_TEST(the_generator_gives_its_published_sequence)

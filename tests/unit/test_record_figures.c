@@ -5,8 +5,8 @@
 #include <string.h>
 
 #include "base/quantity.h"
-#include "core/intensity.h"
-#include "plot/figures_record.h"
+#include "ground/intensity.h"
+#include "plot/figures/figures_record.h"
 
 static struct thud_record *make(void)
 {

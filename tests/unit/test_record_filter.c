@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/record_edit.h"
-#include "core/record_filter.h"
+#include "ground/record_edit.h"
+#include "ground/record_filter.h"
 
 #define PI 3.14159265358979323846
 

@@ -8,8 +8,8 @@
 #include <string.h>
 
 #include "base/quantity.h"
-#include "core/intensity.h"
-#include "io/record_file.h"
+#include "ground/intensity.h"
+#include "io/record/record_file.h"
 #include "suite.h"
 
 static const struct {

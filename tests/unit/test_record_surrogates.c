@@ -6,9 +6,9 @@
 #include <string.h>
 
 #include "base/quantity.h"
-#include "io/file.h"
-#include "io/record_file.h"
-#include "io/record_write.h"
+#include "io/file/file.h"
+#include "io/record/record_file.h"
+#include "io/record/record_write.h"
 
 static const struct {
     const char *path;

@@ -7,8 +7,8 @@
 #include <string.h>
 
 #include "base/quantity.h"
-#include "io/record_file.h"
-#include "study/answer.h"
+#include "io/record/record_file.h"
+#include "study/scene/answer.h"
 #include "suite.h"
 #include "towers.h"
 

@@ -3,10 +3,10 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "core/poly.h"
-#include "core/radau.h"
-#include "core/response.h"
-#include "core/run_private.h"
+#include "core/numerics/poly.h"
+#include "core/numerics/radau.h"
+#include "core/motion/response.h"
+#include "core/run/run_private.h"
 #include "march.h"
 
 enum { NODES = THUD_NODES, LEVELS = 6, CONTACTS_MAX = 8 };

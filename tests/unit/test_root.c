@@ -3,7 +3,7 @@
 #include <float.h>
 #include <math.h>
 
-#include "core/root.h"
+#include "core/numerics/root.h"
 
 static int calls;
 

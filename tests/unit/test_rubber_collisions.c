@@ -1,6 +1,6 @@
 /* Collisions on the bumper, integrated from the printed equations, against the law and its closed forms. */
 #include "collision.h"
-#include "core/law_closed_form.h"
+#include "core/laws/law_closed_form.h"
 
 static double rubber_k(void)
 {

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "study/scene.h"
+#include "study/scene/scene.h"
 
 static struct thud_scene scene; /* large */
 

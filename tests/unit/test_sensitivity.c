@@ -2,7 +2,7 @@
 #include <check.h>
 #include <math.h>
 
-#include "study/sensitivity.h"
+#include "study/sweep/sensitivity.h"
 #include "towers.h"
 
 static const double change = 1e-3;

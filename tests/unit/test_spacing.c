@@ -2,7 +2,7 @@
 #include <check.h>
 #include <math.h>
 
-#include "study/spacing.h"
+#include "study/scene/spacing.h"
 
 START_TEST(rules_in_closed_form)
 {

@@ -6,11 +6,11 @@
 #include <stdlib.h>
 
 #include "base/quantity.h"
-#include "core/intensity.h"
-#include "core/model.h"
-#include "core/oscillator.h"
-#include "core/run.h"
-#include "core/spectrum.h"
+#include "ground/intensity.h"
+#include "core/model/model.h"
+#include "ground/oscillator.h"
+#include "core/run/run.h"
+#include "ground/spectrum.h"
 
 static struct thud_record *make(const double *a, size_t samples, double dt)
 {

@@ -3,9 +3,9 @@
 #include <math.h>
 #include <string.h>
 
-#include "app/stability_report.h"
+#include "app/bench/stability_report.h"
 #include "base/quantity.h"
-#include "study/stability_private.h"
+#include "study/methods/stability_private.h"
 #include "towers.h"
 
 static struct thud_exhibit exhibit(const char *name)

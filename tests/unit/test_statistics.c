@@ -2,7 +2,7 @@
 #include <check.h>
 #include <math.h>
 
-#include "study/statistics.h"
+#include "base/statistics.h"
 
 START_TEST(quantiles_by_hand)
 {

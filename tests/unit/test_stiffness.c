@@ -2,7 +2,7 @@
 #include <check.h>
 #include <math.h>
 
-#include "study/stiffness.h"
+#include "study/scene/stiffness.h"
 
 static struct thud_scene scene, changed;
 

@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "study/answer.h"
-#include "study/spacing.h"
+#include "study/scene/answer.h"
+#include "study/scene/spacing.h"
 #include "study_setup.h"
 
 static void set_up(void)

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "study/sweep_best.h"
+#include "study/sweep/sweep_best.h"
 
 enum { THICKNESSES = 9, GAPS = 2, RECORDS = 2, STRUCTURES = 2, POINTS = THICKNESSES * GAPS * RECORDS };
 

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "app/sweep_jobs.h"
+#include "app/sweep/sweep_jobs.h"
 #include "study_setup.h"
 
 static void set_up(void)

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "study/answer.h"
+#include "study/scene/answer.h"
 #include "study_setup.h"
 
 static const double change = 2e-3;

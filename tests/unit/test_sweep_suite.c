@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "study/sweep_table.h"
+#include "study/sweep/sweep_table.h"
 
 enum { RECORDS = 5, GAPS = 3 };
 static const int floors[] = {2, 0};

@@ -5,7 +5,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-#include "app/sweep_table.h"
+#include "app/sweep/sweep_table.h"
 #include "towers.h"
 
 enum { CASES = 3, FLOORS = 13, CONTACTS = 2, ROWS = 15 }; /* rows: a mean for each building */

@@ -5,8 +5,8 @@
 #include <string.h>
 
 #include "base/quantity.h"
-#include "core/intensity.h"
-#include "core/synthesize.h"
+#include "ground/intensity.h"
+#include "ground/synthesize.h"
 
 static struct thud_record *make(const struct thud_synthesis *synthesis)
 {

@@ -5,9 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/oscillator.h"
+#include "ground/oscillator.h"
 #include "scenes.h"
-#include "study/truncation.h"
+#include "study/methods/truncation.h"
 #include "towers.h"
 
 enum { FLOORS = 10, FINE = 200 };

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/method.h"
+#include "core/methods/method.h"
 #include "tui_fixture.h"
 
 static struct fixture f;

@@ -5,7 +5,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#include "plot/gnuplot.h"
+#include "plot/gnuplot/gnuplot.h"
 #include "tui_fixture.h"
 
 static struct fixture f;

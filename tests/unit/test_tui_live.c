@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "study/answer.h"
+#include "study/scene/answer.h"
 #include "tui_fixture.h"
 
 static struct fixture f;

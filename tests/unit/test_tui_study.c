@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "study/sweep.h"
+#include "study/sweep/sweep.h"
 #include "tui/sweep_screen.h"
 #include "tui_fixture.h"
 

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/spectrum.h"
+#include "ground/spectrum.h"
 #include "tui/sweep_screen.h"
 #include "tui_fixture.h"
 

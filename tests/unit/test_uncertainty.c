@@ -6,9 +6,9 @@
 #include <string.h>
 
 #include "base/quantity.h"
-#include "study/answer.h"
-#include "study/sobol.h"
-#include "study/uncertainty.h"
+#include "study/scene/answer.h"
+#include "study/uncertainty/sobol.h"
+#include "study/uncertainty/uncertainty.h"
 #include "study_setup.h"
 
 static void set_up(void)

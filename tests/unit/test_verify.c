@@ -5,8 +5,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "io/expectation_file.h"
-#include "study/verify.h"
+#include "io/result/expectation_file.h"
+#include "study/methods/verify.h"
 
 static struct thud_floor_result left_floor[2], right_floor[1], body_floor[1];
 static double left_period[2] = {0.5, 0.2}, right_period[1] = {0.3}, body_period[1];

@@ -4,8 +4,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "core/poly.h"
-#include "core/run_private.h"
+#include "core/numerics/poly.h"
+#include "core/run/run_private.h"
 #include "march.h"
 
 enum { ORDERS = 7, SCENES = 200, LOOKS = 2000 };

@@ -7,8 +7,8 @@
 #include <string.h>
 
 #include "base/quantity.h"
-#include "core/baseline.h"
-#include "io/record_file.h"
+#include "core/run/baseline.h"
+#include "io/record/record_file.h"
 #include "march.h"
 #include "suite.h"
 

@@ -2,8 +2,8 @@
 #ifndef THUD_TESTS_TOWERS_H
 #define THUD_TESTS_TOWERS_H
 
-#include "core/record.h"
-#include "study/scene.h"
+#include "ground/record.h"
+#include "study/scene/scene.h"
 
 /* Sets the named law with its defaults and then the values given: name, value, ..., NULL. */
 void thud_test_law(struct thud_law_choice *choice, const char *law, ...);

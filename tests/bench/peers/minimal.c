@@ -22,7 +22,7 @@
 #include <string.h>
 
 #include "../scene.h"
-#include "core/double_pair.h"
+#include "core/numerics/double_pair.h"
 
 enum { MODES = 64, CONTACTS = 16, SHAPES = MODES * (MODES + 4) };
 enum mode { OPEN, APPROACH, RESTITUTION, STICKING };

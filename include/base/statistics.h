@@ -1,0 +1,29 @@
+/* Order statistics of a sample. */
+#ifndef THUD_STUDY_STATISTICS_H
+#define THUD_STUDY_STATISTICS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* Sorts n values in place, smallest first, NaN last; returns how many are numbers. */
+size_t thud_sort_numbers(double *value, size_t n);
+
+/* Quantile p (0 to 1) of n sorted values, linear between order statistics: h = (n - 1) p (definition 7 of Hyndman and
+ * Fan, The American Statistician 50 (1996) 361). `logarithms`: linear between the logarithms of the values, which must
+ * be positive. NaN for n = 0. */
+double thud_quantile(const double *sorted, size_t n, double p, bool logarithms);
+
+/* What is told of a quantity over a suite of ground motions. */
+struct thud_fractiles {
+    size_t n;                  /* numbers among the values; NaN is left out */
+    double p16, median, p84;   /* of the logarithms where all values are positive; NaN for n = 0 */
+    double least, most, share; /* share: of the n values that are above `limit` */
+};
+/* Sorts the values in place (NaN last). */
+struct thud_fractiles thud_fractiles_of(double *value, size_t n, double limit);
+
+/* Where the share that `count` of n independent trials stand for lies with 90 % confidence: the score interval of Wilson,
+ * Journal of the American Statistical Association 22 (1927) 209. NaN for n = 0. */
+void thud_share_band(size_t count, size_t n, double *low, double *high);
+
+#endif

@@ -1,0 +1,164 @@
+/* The numbers a run needs, made from a scene by study/assemble. Const once made.
+ *
+ * Modal coordinates: every structure has as many modes as floors, or its lowest ones alone, Phi^T M Phi = I. All
+ * structures' modes stand one after the other, and so do their floors: q (nmodes), u (ndof). A floor's displacement is
+ * the dot product of its row of Phi with its structure's slice of q. The equations of motion:
+ *
+ *     q'' + 2 zeta omega q' + omega^2 q = -gamma a_g - sum_c g_c F_c
+ *     indentation of contact c = g_c . q - clearance
+ *
+ * where g_c is the row of contact c. A structure whose damping couples its modes (isolated building) has a dense block
+ * D instead of 2 zeta omega.
+ *
+ * Storeys that yield (bilinear, kinematic hardening) have a row each behind those of the contacts, g = e_i - e_(i-1),
+ * and a force beyond that of their elastic stiffness k: V = k d + F with F = -(1 - r) k d_p. Everything that reads
+ * rows and forces (motion, accelerations, Delassus matrix) takes them like those of the contacts. */
+#ifndef THUD_CORE_MODEL_H
+#define THUD_CORE_MODEL_H
+
+#include <stdbool.h>
+
+#include "base/status.h"
+#include "core/laws/law.h"
+#include "core/model/result.h"
+
+struct thud_model_structure {
+    int first, n;                /* its slice of dofs, one per floor */
+    int first_mode, modes;       /* its slice of modes */
+    const double *phi;           /* (n x modes), floor-major: phi[i * modes + j] floor i, mode j */
+    const double *damping;       /* (modes x modes) modal damping matrix where it couples modes, else NULL */
+    const double *stiffness_npm; /* (n) storeys; NULL for a rigid body */
+    const double *omega;         /* (n) natural frequencies, also of modes that are left out, rad/s */
+};
+
+/* One side of a contact: a floor, a wall, or the place at which a slab strikes the columns between two floors,
+ * u = (1 - h) u_below + h u_above. */
+struct thud_model_side {
+    const double *row;                /* (modes) its value by its structure's modal values */
+    int structure, first_mode, modes; /* modes: 0 for a wall */
+    int dof, below;                   /* the floor, or the one above and the one below; -1: none (a wall, the ground) */
+    double share;                     /* h; 1 for a floor */
+};
+
+struct thud_model_contact {
+    int interface, left_floor, right_floor; /* from 1; 0 for a wall; of struck columns the floor above them */
+    int left_dof, right_dof;                /* -1 for a wall */
+    struct thud_model_side left, right;
+    int struck; /* whose columns the other's slab strikes: -1 the left one's, 1 the right one's; 0: floor to floor */
+    int column; /* index of the struck columns; -1 */
+    double eta; /* height of the struck place over the lower floor / height of the storey; 1: floor to floor */
+    double per_force[THUD_COLUMN_QUANTITIES]; /* of the struck columns, by force of this contact */
+    double clearance_m;
+    const struct thud_law *law;
+    struct thud_law_setup setup;
+};
+
+/* A storey that yields: V = r k d + (1 - r) k (d - d_p), |d - d_p| <= d_y. */
+struct thud_model_storey {
+    int structure, floor; /* from 0: it stands below that floor */
+    double stiffness_npm; /* k */
+    double yield_m;       /* d_y */
+    double hardening;     /* r, 0 <= r < 1 */
+};
+
+/* The columns of one storey that slabs of one neighbour strike. */
+struct thud_model_column {
+    int interface, structure, storey; /* interface and storey from 1, structure from 0 */
+    int dof, below;                   /* floors above and below; below -1: the ground */
+    const double *row;                /* (modes) drift of the storey by its structure's modal values */
+    int first_mode, modes;
+    double height_m;
+    double capacity_n;                        /* against shear; NaN: not given */
+    double per_drift[THUD_COLUMN_QUANTITIES]; /* by drift of the storey; 0 where their stiffness is not given */
+    int yielding; /* row of the storey where it yields, -1: their part of its shear V = k d + F, not of k d alone */
+    double per_yield[THUD_COLUMN_QUANTITIES]; /* by that row's force: per_drift/k */
+};
+
+struct thud_model {
+    int nstructures, ndof, nmodes, ncontacts, ncolumns;
+    int nstoreys, nrows;                    /* storeys that yield; rows: contacts, and these storeys behind them */
+    struct thud_model_structure *structure; /* (nstructures) */
+    struct thud_model_contact *contact;     /* (nrows) */
+    struct thud_model_storey *storey;       /* (nstoreys) */
+    struct thud_model_column *column;       /* (ncolumns) */
+    bool couples;                           /* the damping of a structure couples its modes */
+    int *dof_structure;                     /* (ndof) */
+    double *mass_kg;                        /* (ndof) */
+    double *omega, *zeta, *gamma;           /* (nmodes); gamma = Phi^T M 1 */
+    double *spring, *dashpot;               /* (nmodes): omega^2 and 2 zeta omega */
+    double *mode_max;         /* (2 x nmodes): largest part of each mode in a floor's displacement, and in its drift */
+    double *jacobian;         /* (nrows x nmodes): contact Jacobian, rows g_c */
+    double *delassus;         /* (nrows x nrows): Delassus matrix g_a . g_b, 1/kg */
+    double *q0, *qd0;         /* (nmodes) at t = 0 */
+    double *ground_influence; /* (ndof): of the ground's motion that a floor's modes carry; 1 where none is left out */
+    int left_out;             /* modes */
+    double fastest_radps;     /* free motion changes no faster: largest omega, or the rate of coupled damping */
+};
+
+/* What assemble hands over; arrays are copied. A wall has n = 0. */
+struct thud_model_input {
+    int nstructures;
+    const struct thud_structure_input {
+        int n;
+        const double *mass_kg;       /* (n) */
+        const double *stiffness_npm; /* (n) storey i between floors i - 1 and i; NULL: a free rigid body */
+        double damping;              /* ratio in every mode (of the superstructure for an isolated building) */
+        bool isolated;               /* floor 0 is the base slab, stiffness[0] the isolator */
+        double isolation_damping;    /* of the isolator: c = 2 zeta sqrt(k total mass) */
+        double velocity_mps;         /* of every floor at t = 0 */
+        const double *yield_m;   /* (n) drift at which a storey yields, INFINITY where it is elastic; NULL: all are */
+        const double *hardening; /* (n) tangent over elastic stiffness beyond it */
+    } * structure;
+    int ncontacts;
+    const struct thud_contact_input {
+        int interface, left_floor, right_floor; /* from 1; 0 for a wall */
+        int left_structure, right_structure;
+        double clearance_m;
+        const struct thud_law *law;
+        struct thud_law_setup setup; /* value[] and thickness given; mass and constants are filled here */
+        struct thud_struck_input {
+            int side;          /* as thud_model_contact.struck; its floor is the one above the columns */
+            double a_m, b_m;   /* of the slab over the lower floor, and under the upper one */
+            bool hinged;       /* columns hinged at both ends, h = eta; else clamped, h = 3 eta^2 - 2 eta^3 */
+            double ei_nm2;     /* bending stiffness of all struck columns together; NaN: they do not give */
+            double capacity_n; /* against shear; NaN: not known */
+        } struck;
+    } * contact;
+    int modes; /* each structure's lowest ones, the others are left out; 0: all */
+};
+
+/* Errors: THUD_INPUT (a law's parameters), THUD_MEMORY. */
+enum thud_status thud_model_create(const struct thud_model_input *input, struct thud_model **out,
+                                   struct thud_error *err);
+void thud_model_free(struct thud_model *model);
+
+/* The structures whose modes a row of the Jacobian moves, from the left: one for a storey or beside a wall, else two.
+ * Returns how many. */
+static inline int thud_model_row_structures(const struct thud_model *model, int row, int structure[2])
+{
+    const int dof[] = {model->contact[row].left_dof, model->contact[row].right_dof};
+    int n = 0;
+    for (int i = 0; i < 2; i++)
+        if (dof[i] >= 0 && (n == 0 || structure[0] != model->dof_structure[dof[i]]))
+            structure[n++] = model->dof_structure[dof[i]];
+    return n;
+}
+
+/* A bound of the rates of free motion of one structure, rad/s: its largest omega, or the rate of coupled damping. */
+double thud_model_fastest(const struct thud_model_structure *structure);
+
+/* Which of the storeys that yield is the one below this floor; -1: that is elastic, or there is none. */
+int thud_model_yielding(const struct thud_model *model, int dof);
+
+/* A floor's value from modal values (nmodes). */
+double thud_model_floor(const struct thud_model *model, int dof, const double *modal);
+/* Values of row c's two sides from modal values; 0 for a wall and the ground. */
+void thud_model_sides(const struct thud_model *model, int c, const double *modal, double *left, double *right);
+/* Left side's value minus the right side's, from modal values. */
+double thud_model_gap_sum(const struct thud_model *model, int c, const double *modal);
+
+/* Four times what it takes from touch at 1 m/s to the largest indentation of a spring with the law's elastic energy
+ * there, s: 2 pi sqrt(m/k) of a linear one. INFINITY for laws without a force. */
+double thud_model_contact_period(const struct thud_model_contact *contact);
+
+#endif

@@ -1,0 +1,43 @@
+/* The motion without contact of a model, made once and kept: the result for every clearance wide enough, and the
+ * beginning of every run that comes to a contact only later. Read-only once made, so any number of runs may start from
+ * it at once. */
+#ifndef THUD_CORE_BASELINE_H
+#define THUD_CORE_BASELINE_H
+
+#include <stdbool.h>
+
+#include "core/run/run.h"
+
+struct thud_baseline_motion;
+
+/* The motion of `model` without its contacts; their laws and clearances do not matter. Model and record must outlive
+ * it. Errors: as thud_run_create. */
+enum thud_status thud_baseline_create(const struct thud_model *model, const struct thud_record *record,
+                                      const struct thud_run_options *options, struct thud_baseline_motion **out,
+                                      struct thud_error *err);
+/* As thud_run_advance; what follows holds once it is done. */
+enum thud_status thud_baseline_advance(struct thud_baseline_motion *baseline, long budget, bool *done,
+                                       struct thud_error *err);
+void thud_baseline_free(struct thud_baseline_motion *baseline);
+
+/* The contact-free result. */
+const struct thud_result *thud_baseline_result(const struct thud_baseline_motion *baseline);
+/* Largest u_left - u_right of contact c (from 0) over the whole motion, at least 0: a clearance this wide is never used
+ * up. */
+double thud_baseline_relative_displacement(const struct thud_baseline_motion *baseline, int c);
+/* Largest |displacement| of the place of contact c that is struck between two floors; 0 where floors meet. */
+double thud_baseline_struck_displacement(const struct thud_baseline_motion *baseline, int c);
+
+/* Whether runs can share its beginning: the exact method, whose free flight is the same whatever the clearances. */
+bool thud_baseline_shares(const struct thud_baseline_motion *baseline);
+
+/* A run of `model` (same structures and pairs of floors as the baseline's), begun at the last kept moment before which no
+ * contact can close, and ended where nothing more can come of it. Its motion and peaks are those of a run from t = 0,
+ * bit for bit; its energies and counts of work are those from where it begins to where it ends. *shared_s: that moment,
+ * 0 where nothing could be shared (histories are kept, or the method steps through free flight). Errors: as
+ * thud_run_create. */
+enum thud_status thud_baseline_run(const struct thud_baseline_motion *baseline, const struct thud_model *model,
+                                   const struct thud_record *record, const struct thud_run_options *options,
+                                   struct thud_run **out, double *shared_s, struct thud_error *err);
+
+#endif

@@ -1,0 +1,51 @@
+/* One run: a model, a ground motion, a method; advanced in slices, so that it can be cancelled, shown and shared. */
+#ifndef THUD_CORE_RUN_H
+#define THUD_CORE_RUN_H
+
+#include <stdbool.h>
+
+#include "base/status.h"
+#include "core/methods/method.h"
+#include "core/model/model.h"
+#include "core/model/result.h"
+#include "ground/record.h"
+
+struct thud_run;
+
+struct thud_run_options {
+    const struct thud_method *method; /* NULL: auto */
+    double tolerance;                 /* 1e-6: every peak within 1e-5 of the converged value */
+    double step_s;         /* fixed-step methods; NaN: a twentieth of the shortest period of a mode or contact */
+    bool locate;           /* fixed-step methods: locate events */
+    double tail_s;         /* after the record; the duration where there is none */
+    bool keep_impacts;     /* list impacts one by one */
+    bool keep_history;     /* record histories */
+    double history_step_s; /* between rows outside contacts; 0: the record's step */
+    /* > 0: rows in contact only so far apart beside those of peaks, and energies NaN: a third of the time, for a look. 0:
+     * as close as the impulse of the forces asks for. */
+    double history_look_s;
+    bool unjudged; /* energy unaccounted for does not end the run: for studies of how methods fail */
+};
+void thud_run_options_init(struct thud_run_options *options);
+
+/* `model` and `record` (NULL: no ground motion) must outlive the run. Errors: THUD_INPUT, THUD_MEMORY. */
+enum thud_status thud_run_create(const struct thud_model *model, const struct thud_record *record,
+                                 const struct thud_run_options *options, struct thud_run **out, struct thud_error *err);
+
+/* Goes on by at most `budget` segments. Errors: THUD_DIVERGED with time, floor and limit (what was found before stays
+ * readable), also at the end when more of the energy is unaccounted for than thud_run_balance allows; THUD_MEMORY. */
+enum thud_status thud_run_advance(struct thud_run *run, long budget, bool *done, struct thud_error *err);
+
+/* Largest part of the energy that may be unaccounted for at the end of a run. */
+double thud_run_balance(const struct thud_run *run);
+
+double thud_run_time(const struct thud_run *run);
+double thud_run_end(const struct thud_run *run);
+/* Valid until the run is freed or advanced. Before the end, a peak of free flight may still be that at the end of an
+ * interval of the ground motion. */
+const struct thud_result *thud_run_result(const struct thud_run *run);
+const struct thud_impact *thud_run_impacts(const struct thud_run *run, int *count);
+const struct thud_history *thud_run_history(const struct thud_run *run);
+void thud_run_free(struct thud_run *run);
+
+#endif

@@ -1,0 +1,30 @@
+/* What may be done to a ground motion on request; nothing of it ever happens by itself. */
+#ifndef THUD_CORE_RECORD_EDIT_H
+#define THUD_CORE_RECORD_EDIT_H
+
+#include "ground/record.h"
+
+/* Keeps the samples from `from_s` to `to_s` (each NaN: from the beginning, to the end); time starts anew. Errors:
+ * THUD_INPUT when fewer than two remain. */
+enum thud_status thud_record_trim(struct thud_record *record, double from_s, double to_s, struct thud_error *err);
+
+/* Takes off the polynomial of this degree that fits the accelerations best (least squares): 0 is their mean, 1 a
+ * straight line; THUD_BASELINE_NONE nothing. */
+enum { THUD_BASELINE_NONE = -1, THUD_BASELINE_MEAN = 0, THUD_BASELINE_LINEAR = 1, THUD_BASELINE_MAX = 8 };
+void thud_record_baseline(struct thud_record *record, int degree);
+
+/* Lets the motion rise from zero and fall to it over `taper_s` at each end, by half a period of a cosine. Errors:
+ * THUD_INPUT (less than 0, or more than half of the motion). */
+enum thud_status thud_record_taper(struct thud_record *record, double taper_s, struct thud_error *err);
+
+/* A new record of other samples, under the same names. Errors: as thud_record_create. */
+enum thud_status thud_record_like(const struct thud_record *record, const double *a_mps2, size_t samples, double dt_s,
+                                  struct thud_record **out, struct thud_error *err);
+
+/* A new record at another step. It goes straight between the samples, as every run takes the record: at a whole
+ * fraction of the step the motion is the same, at any other it loses what lies between. Errors: THUD_INPUT (a step that
+ * is not positive or beyond the duration, more than 1e8 samples), THUD_MEMORY. */
+enum thud_status thud_record_resample(const struct thud_record *record, double dt_s, struct thud_record **out,
+                                      struct thud_error *err);
+
+#endif

@@ -1,0 +1,25 @@
+/* Frequencies taken out of a ground motion on request: Butterworth filters in two passes, forwards and backwards, which
+ * shift no phase. */
+#ifndef THUD_CORE_RECORD_FILTER_H
+#define THUD_CORE_RECORD_FILTER_H
+
+#include "ground/record.h"
+
+enum { THUD_FILTER_ORDER_MAX = 10 };
+
+/* Corner frequencies at which two passes leave half of the amplitude. `high_hz` NaN: a high pass from `low_hz` on;
+ * both: a band pass; `low_hz` NaN: none. `order` is that of one pass. */
+struct thud_record_filter {
+    double low_hz, high_hz;
+    int order;
+};
+
+/* How long the zeros are that are put at each end, s. */
+double thud_record_filter_pad(const struct thud_record_filter *filter, double dt_s);
+
+/* A new record, filtered, which is longer by that at each end. Errors: THUD_INPUT (corners that are not in order
+ * between 0 and half the rate of samples, an order that is not 1 to THUD_FILTER_ORDER_MAX), THUD_MEMORY. */
+enum thud_status thud_record_filter_apply(const struct thud_record *record, const struct thud_record_filter *filter,
+                                          struct thud_record **out, struct thud_error *err);
+
+#endif

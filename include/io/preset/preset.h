@@ -1,0 +1,30 @@
+/* Presets: YAML read with libyaml, strict; saving replaces only the spans of values that changed. */
+#ifndef THUD_IO_PRESET_H
+#define THUD_IO_PRESET_H
+
+#include "base/status.h"
+#include "study/scene/scene.h"
+
+/* A preset as read: the file's bytes, where each value stands, and the scene. */
+struct thud_preset;
+
+/* From a file; from memory, where `name` stands for the path. Errors: THUD_INPUT with file, line, column, key and what is
+ * allowed; THUD_MEMORY. */
+enum thud_status thud_preset_read(const char *path, struct thud_preset **out, struct thud_error *err);
+enum thud_status thud_preset_parse(const char *text, unsigned long size, const char *name, struct thud_preset **out,
+                                   struct thud_error *err);
+const struct thud_scene *thud_preset_scene(const struct thud_preset *preset);
+
+/* The file's bytes with the values of `scene` in place of those that differ (comments and layout kept; free with
+ * free()). What cannot be done by replacing spans (a structure added) rewrites the smallest enclosing block.
+ * Errors: THUD_INPUT (text that YAML cannot hold), THUD_MEMORY. */
+enum thud_status thud_preset_text(const struct thud_preset *preset, const struct thud_scene *scene, char **text,
+                                  unsigned long *size, struct thud_error *err);
+/* Writes a temporary beside `path`, syncs and renames. Errors: THUD_OUTPUT, those of thud_preset_text. */
+enum thud_status thud_preset_save(const struct thud_preset *preset, const struct thud_scene *scene, const char *path,
+                                  struct thud_error *err);
+/* Completes an error with the place of a key in the file, or of the nearest thing around it. */
+void thud_preset_place(const struct thud_preset *preset, const char *key, struct thud_error *err);
+void thud_preset_free(struct thud_preset *preset);
+
+#endif

@@ -1,0 +1,27 @@
+/* Expectations of a preset, beside it: NAME.expected.csv beside NAME.yaml. Rows `case,quantity,value,tolerance` in SI
+ * units; lines that begin with `#` are comments; the header may be missing. */
+#ifndef THUD_IO_EXPECTATION_FILE_H
+#define THUD_IO_EXPECTATION_FILE_H
+
+#include "base/text.h"
+#include "study/methods/verify.h"
+
+/* Errors: THUD_INPUT (the path is too long). */
+enum thud_status thud_expectation_path(const char *preset_path, char *path, size_t size, struct thud_error *err);
+
+/* Errors: THUD_INPUT with file, line and column (no file, no row, a number that is none, ...), THUD_MEMORY. */
+enum thud_status thud_expectation_read(const char *path, struct thud_expectations *out, struct thud_error *err);
+/* The same from memory; `name` stands for the path. Errors: the same. */
+enum thud_status thud_expectation_parse(const char *text, size_t size, const char *name, struct thud_expectations *out,
+                                        struct thud_error *err);
+
+/* How a file came to be, for its comment lines. */
+struct thud_expectation_origin {
+    const char *preset, *own, *independent; /* names of the preset and of the methods */
+    const char *own_setting;                /* "tolerance 1e-6" */
+    double independent_tolerance;
+};
+void thud_expectation_text(const struct thud_expectation_origin *origin, const struct thud_expectations *agreed,
+                           const struct thud_expectations *disputed, struct thud_text *out);
+
+#endif

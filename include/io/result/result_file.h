@@ -1,0 +1,40 @@
+/* Results as JSON and CSV, base SI units, numbers that read back the same. */
+#ifndef THUD_IO_RESULT_FILE_H
+#define THUD_IO_RESULT_FILE_H
+
+#include "base/text.h"
+#include "core/model/result.h"
+#include "ground/record.h"
+#include "study/methods/truncation.h"
+#include "study/scene/needed_gap.h"
+#include "study/scene/scene.h"
+#include "study/sweep/sensitivity.h"
+
+/* What a finished run is shown with. */
+struct thud_report {
+    const struct thud_scene *scene;   /* of the case that was run */
+    const char *which;                /* "none", "bumper", "cavity", "as-written" */
+    const struct thud_record *record; /* NULL: no ground motion */
+    const struct thud_result *result;
+    const struct thud_history *history; /* may be NULL */
+    const struct thud_impact *impact;   /* (nimpacts) */
+    int nimpacts;
+    const struct thud_sensitivity *sensitivity; /* NULL: not asked for */
+    const struct thud_truncation *truncation;   /* NULL: no mode is left out */
+    const struct thud_needed_gap *gap;          /* NULL: not known */
+    const struct thud_error *failure;           /* why there is no answer (THUD_DIVERGED); NULL: there is one */
+};
+
+/* The result of `thud run --json`. Its "scene" is a preset that gives the run again. A run that failed has its status,
+ * when and why, and neither peaks nor impacts. */
+void thud_result_json(const struct thud_report *report, struct thud_text *out);
+/* What a ground motion is known by, as an object on one line. */
+void thud_record_json(const struct thud_record *record, struct thud_text *out);
+/* One row per structure and floor. */
+void thud_result_csv(const struct thud_report *report, struct thud_text *out);
+/* histories.csv: time, ground acceleration, every floor, every contact; at jumps the time stands twice. */
+void thud_history_csv(const struct thud_report *report, struct thud_text *out);
+/* impacts.csv: one row per impact. */
+void thud_impacts_csv(const struct thud_report *report, struct thud_text *out);
+
+#endif

@@ -1,0 +1,62 @@
+/* The journal of a study in its folder: what is done, point by point in their order, so that an interrupted study goes
+ * on and the parts of several machines can be joined. A point is added in one write; a torn last line is dropped when
+ * the journal is opened again. The head carries preset, varied keys, cases and records' names: enough to make every
+ * file of the study. */
+#ifndef THUD_IO_SWEEP_JOURNAL_H
+#define THUD_IO_SWEEP_JOURNAL_H
+
+#include "study/sweep/sweep.h"
+
+struct thud_sweep_journal;
+
+/* Every `count`-th point from `index` (from 1) on; 1 of 1 is the whole study. */
+struct thud_sweep_shard {
+    int index, count;
+};
+/* "2/3". Errors: THUD_USAGE. */
+enum thud_status thud_sweep_shard_parse(const char *text, struct thud_sweep_shard *out, struct thud_error *err);
+/* Points of a shard, and its i-th one. */
+long thud_sweep_shard_points(const struct thud_sweep_plan *plan, struct thud_sweep_shard shard);
+static inline long thud_sweep_shard_point(struct thud_sweep_shard shard, long i)
+{
+    return shard.index - 1 + i * shard.count;
+}
+
+/* Begins the journal of a study in `folder` (which exists), or goes on with it: *done points are there already.
+ * `preset` is the YAML of plan->scene. Errors: THUD_INPUT (the folder holds another study), THUD_OUTPUT,
+ * THUD_MEMORY. Of several programs only the one that holds thud_folder_lock may. */
+enum thud_status thud_sweep_journal_open(const char *folder, const struct thud_sweep_plan *plan, const char *preset,
+                                         struct thud_sweep_shard shard, struct thud_sweep_journal **out, long *done,
+                                         struct thud_error *err);
+/* Adds the next point. On failure the journal is as before. Errors: THUD_OUTPUT, THUD_MEMORY. */
+enum thud_status thud_sweep_journal_add(struct thud_sweep_journal *journal, const struct thud_sweep_point *point,
+                                        struct thud_error *err);
+long thud_sweep_journal_done(const struct thud_sweep_journal *journal);
+/* Reads from the first point on. */
+void thud_sweep_journal_rewind(struct thud_sweep_journal *journal);
+/* The next point (free with free()); NULL at the end of what is done. Errors: THUD_INPUT, THUD_MEMORY. */
+enum thud_status thud_sweep_journal_next(struct thud_sweep_journal *journal, struct thud_sweep_point **out,
+                                         struct thud_error *err);
+/* `remove`: the file too. Takes NULL. */
+void thud_sweep_journal_close(struct thud_sweep_journal *journal, bool remove);
+
+/* What a journal's head says, as text. */
+struct thud_sweep_head {
+    unsigned long long fingerprint;
+    unsigned long long sum; /* of the text, as it stands in the file */
+    struct thud_sweep_shard shard;
+    char *text;        /* owns the strings below */
+    const char *cases; /* "none,bumper" */
+    int nvary;
+    const char *vary[THUD_VARY_MAX]; /* "KEY=V1,V2" */
+    int nrecords;
+    const char **record;     /* (nrecords) names; empty: no ground motion */
+    const char *sensitivity; /* "0.001"; NULL: none */
+    const char *preset;
+};
+/* Opens a journal to read it only. Errors: THUD_INPUT, THUD_MEMORY. */
+enum thud_status thud_sweep_journal_read(const char *folder, struct thud_sweep_journal **out,
+                                         struct thud_sweep_head *head, struct thud_error *err);
+void thud_sweep_head_clear(struct thud_sweep_head *head);
+
+#endif

@@ -1,0 +1,23 @@
+/* Fragility curves, and the responses of incremental dynamic analysis. */
+#ifndef THUD_PLOT_FIGURES_FRAGILITY_H
+#define THUD_PLOT_FIGURES_FRAGILITY_H
+
+#include "plot/figure/figure.h"
+#include "study/suite/fragility.h"
+
+/* One curve of a panel; the fragility is along plan->axis[axis]. */
+struct thud_fragility_curve {
+    int axis, k; /* k: index into the plan's cases */
+    const struct thud_fragility *fragility;
+};
+/* A panel for each axis that has curves: shares of the motions as points, fitted curves, bands. `note` says where the
+ * other keys are. Ask thud_figure_check. */
+struct thud_figure *thud_figure_of_fragility(const struct thud_sweep_plan *plan, const char *event,
+                                             const struct thud_fragility_curve *curve, int ncurves, const char *note);
+
+/* Largest drift of each structure against the intensity (plan->axis[axis]) for one case: every motion, and the curves
+ * of 16, 50 and 84 % of them. `at`: places on the other axes. Ask thud_figure_check. */
+struct thud_figure *thud_figure_of_ida(const struct thud_suite *suite, int axis, int k, const int *at,
+                                       const char *note);
+
+#endif

@@ -1,0 +1,31 @@
+/* The figures of Polycarpou and Komodromos (COMPDYN 2011) that need no ground motion. Each is NULL on failure. Errors:
+ * THUD_MEMORY, and those of a run. */
+#ifndef THUD_PLOT_FIGURES_PAPER_H
+#define THUD_PLOT_FIGURES_PAPER_H
+
+#include "plot/figure/figure.h"
+
+/* Figures and table of the paper. Errors of all: THUD_MEMORY, and those of the runs behind them. */
+
+/* Fig. 2: the bumper's force against indentation, with its parameters. */
+enum thud_status thud_figure_paper2(struct thud_figure **out, struct thud_error *err);
+/* Fig. 6: the two buildings with theirs. Fig. 9: the bumper on the wall and in a cavity. */
+enum thud_status thud_figure_paper6(struct thud_figure **out, struct thud_error *err);
+enum thud_status thud_figure_paper9(struct thud_figure **out, struct thud_error *err);
+/* Fig. 3: the rubber bumper pushed past its ultimate strain, force against time and against indentation, for three
+ * restitutions. */
+enum thud_status thud_figure_paper3(struct thud_figure **out, struct thud_error *err);
+/* Fig. 4: force against indentation of two bodies of 320 t closing at 0.5 and 1.0 m/s, without and with bumper. */
+enum thud_status thud_figure_paper4(struct thud_figure **out, struct thud_error *err);
+/* Fig. 5: the same four: force, relative velocity and acceleration against time. */
+enum thud_status thud_figure_paper5(struct thud_figure **out, struct thud_error *err);
+
+/* What the four cases of Figs. 4 and 5 give, for a table. */
+struct thud_paper_pair {
+    const char *name;
+    double closing_mps, force_n, indentation_m, duration_s, nominal, restitution, residual_m;
+};
+enum { THUD_PAPER_PAIRS = 4 };
+enum thud_status thud_paper_pairs(struct thud_paper_pair *out, struct thud_error *err); /* (THUD_PAPER_PAIRS) */
+
+#endif

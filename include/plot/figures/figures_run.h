@@ -1,0 +1,46 @@
+/* Figures of one scene's runs: histories, loops, envelopes, energy; one run, or a few cases over each other. */
+#ifndef THUD_PLOT_FIGURES_RUN_H
+#define THUD_PLOT_FIGURES_RUN_H
+
+#include <stdbool.h>
+
+#include "core/model/result.h"
+#include "plot/figure/figure.h"
+#include "study/scene/scene.h"
+
+/* A finished run with histories. Several sources of one figure have the same structures and contacts. */
+struct thud_figure_source {
+    const char *name; /* in the key where there is more than one source: "no bumper" */
+    const struct thud_scene *scene;
+    const struct thud_result *result;
+    const struct thud_history *history;
+    const struct thud_impact *impact; /* (nimpacts) */
+    int nimpacts;
+};
+
+enum thud_run_figure {
+    THUD_FIGURE_FORCE,
+    THUD_FIGURE_VELOCITY,
+    THUD_FIGURE_ACCELERATION,
+    THUD_FIGURE_DISPLACEMENT,
+    THUD_FIGURE_DRIFT,
+    THUD_FIGURE_LOOP,
+    THUD_FIGURE_ENVELOPE,
+    THUD_FIGURE_ENERGY,
+    THUD_FIGURE_HYSTERESIS, /* of storeys that yield, and */
+    THUD_FIGURE_PERMANENT,  /* their ductility and permanent drift over the height */
+    THUD_FIGURE_COLUMNS,
+    THUD_RUN_FIGURES
+};
+
+/* What the figures say of ductility and permanent drift. */
+extern const char thud_ductility_note[];
+/* "force", "velocity", ...: also the name of its files. */
+const char *thud_run_figure_name(enum thud_run_figure which);
+/* Whether there is anything to show: no forces without contacts, no drift of rigid bodies, no columns where floors meet. */
+bool thud_run_figure_has(enum thud_run_figure which, const struct thud_figure_source *source, int nsources);
+/* One source: a curve per floor or contact (the seven with the largest peaks where there are more). Several: a curve
+ * per source, of the floor or contact with the largest peak. Ask thud_figure_check. */
+struct thud_figure *thud_run_figure(enum thud_run_figure which, const struct thud_figure_source *source, int nsources);
+
+#endif

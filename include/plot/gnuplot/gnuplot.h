@@ -1,0 +1,57 @@
+/* Figures through gnuplot 5.4: the script as pure text, and the child process that draws it. No file is touched here:
+ * the picture comes back as bytes, so that whoever writes it sees every error of the disk himself. */
+#ifndef THUD_PLOT_GNUPLOT_H
+#define THUD_PLOT_GNUPLOT_H
+
+#include <signal.h>
+#include <stdbool.h>
+
+#include "base/status.h"
+#include "base/text.h"
+#include "plot/figure/figure.h"
+
+enum thud_picture_format {
+    THUD_PNG,
+    THUD_SVG,
+    THUD_PDF,
+    THUD_PICTURE_FORMATS, /* those of files; and for a terminal that draws them: */
+    THUD_SIXEL = THUD_PICTURE_FORMATS
+};
+
+/* Zeros mean: chosen for the figure. */
+struct thud_picture_options {
+    enum thud_picture_format format;
+    int width_px, height_px; /* PDF: 200 to the inch */
+    double width_mm;         /* on paper: type of 8 points and lines of half a point there; before width_px */
+    const char *font;        /* NULL: DejaVu Sans */
+    double font_px;          /* height of an em */
+    const char *program;     /* NULL: `gnuplot` from PATH */
+    double deadline_s;       /* 0: 20 */
+    const volatile sig_atomic_t *cancel; /* not NULL: drawing stops when it becomes other than 0 */
+    bool no_data;                        /* where a figure is saved: no CSV of it, its data stand in another file */
+};
+
+const char *thud_picture_suffix(enum thud_picture_format format); /* "png" */
+/* Errors: THUD_USAGE naming what is allowed. */
+enum thud_status thud_picture_format_parse(const char *text, enum thud_picture_format *out, struct thud_error *err);
+/* "1800x1200". Errors: THUD_USAGE. */
+enum thud_status thud_picture_size_parse(const char *text, int *width_px, int *height_px, struct thud_error *err);
+/* "90mm". Errors: THUD_USAGE. */
+enum thud_status thud_picture_width_parse(const char *text, double *width_mm, struct thud_error *err);
+/* "DejaVu Serif" or "DejaVu Serif,28": the name is copied to `name`, *font_px stays where no size is given. Errors:
+ * THUD_USAGE. */
+enum thud_status thud_picture_font_parse(const char *text, char *name, size_t size, double *font_px,
+                                         struct thud_error *err);
+
+/* The script with all data inside. `output` is the file it writes when run by hand (a plain name; NULL: standard
+ * output). Traces are reduced to what the picture can show. Errors: THUD_MEMORY. */
+enum thud_status thud_gnuplot_script(const struct thud_figure *figure, const struct thud_picture_options *options,
+                                     const char *output, struct thud_text *script, struct thud_error *err);
+
+/* Draws the figure; `picture` (cleared on failure) gets the whole picture, checked from its first byte to its last
+ * mark. Errors: THUD_GNUPLOT (missing, failed with gnuplot's own words, too slow, an incomplete picture),
+ * THUD_CANCELLED, THUD_MEMORY. */
+enum thud_status thud_gnuplot_draw(const struct thud_figure *figure, const struct thud_picture_options *options,
+                                   struct thud_text *picture, struct thud_error *err);
+
+#endif

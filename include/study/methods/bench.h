@@ -1,0 +1,66 @@
+/* Speed against accuracy: every method over its steps or tolerances on one scene, against a reference that none of them
+ * is. The study plans the runs and judges them; whoever owns a clock runs and times them. */
+#ifndef THUD_STUDY_BENCH_H
+#define THUD_STUDY_BENCH_H
+
+#include "study/scene/answer.h"
+
+enum thud_bench_state { THUD_BENCH_WAITING, THUD_BENCH_DONE, THUD_BENCH_FAILED, THUD_BENCH_SKIPPED };
+
+/* Largest relative error over floors and contacts, by kind; of impact times in seconds. */
+struct thud_bench_errors {
+    double all; /* of acceleration, drift and force */
+    double acceleration, drift, force;
+    double impact_time_s;
+    int missed, extra; /* impacts of some weight that the run has not, or has besides */
+};
+
+struct thud_bench_point {
+    const struct thud_method *method;
+    bool locate;    /* events located */
+    double setting; /* step in s of a fixed-step method, else tolerance */
+    int curve;      /* points of one curve have the same number and stand together */
+    enum thud_bench_state state;
+    struct thud_bench_errors error;
+    struct thud_work work;
+    double seconds, spread; /* median and half the range of the middle half of the timings; filled by who times */
+    double processor_s;     /* median of processor time, which other programs do not stretch; 0: not taken */
+    int repeats;
+    char message[192]; /* why it failed or was skipped */
+};
+
+struct thud_bench;
+
+/* `scene` is that of a case; it, the record and the bench's points stay the caller's. `expensive_steps`: also steps
+ * below 1e-4 s. Errors: THUD_MEMORY, those of thud_scene_assemble. */
+enum thud_status thud_bench_create(const struct thud_scene *scene, const struct thud_record *record,
+                                   bool expensive_steps, struct thud_bench **out, struct thud_error *err);
+void thud_bench_free(struct thud_bench *bench);
+
+/* Whether storeys of the scene yield: then to locate events is to locate theirs too. */
+bool thud_bench_yields(const struct thud_bench *bench);
+int thud_bench_count(const struct thud_bench *bench);
+struct thud_bench_point *thud_bench_point(struct thud_bench *bench, int i);
+/* Leaves only the curves of these methods. */
+void thud_bench_only(struct thud_bench *bench, const struct thud_method *const *method, int methods);
+/* As thud_stepping_name. */
+void thud_bench_curve_name(const struct thud_bench_point *point, char *text, unsigned long size);
+
+/* Runs of the reference: 0 the program's own tightest, 1 an independent one. Each is created, advanced by the caller
+ * and handed back (freed in any case). Errors: those of thud_run_create; THUD_MEMORY. */
+enum thud_status thud_bench_reference_start(struct thud_bench *bench, int which, struct thud_run **out,
+                                            struct thud_error *err);
+enum thud_status thud_bench_reference_finish(struct thud_bench *bench, int which, struct thud_run *run,
+                                             struct thud_error *err);
+/* Relative difference of the two: how far the reference can be trusted. NaN when there is no independent one. */
+double thud_bench_reference_error(const struct thud_bench *bench);
+const char *thud_bench_reference_name(const struct thud_bench *bench, int which);
+
+/* A point's run, and its verdict against the reference (of the reference's own method: against the independent one)
+ * once advanced to the end (status THUD_OK) or to its failure. The run stays the caller's. Errors: those of
+ * thud_run_create; THUD_MEMORY. */
+enum thud_status thud_bench_start(struct thud_bench *bench, int i, struct thud_run **out, struct thud_error *err);
+enum thud_status thud_bench_judge(struct thud_bench *bench, int i, const struct thud_run *run, enum thud_status status,
+                                  const struct thud_error *failure, struct thud_error *err);
+
+#endif

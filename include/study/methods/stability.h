@@ -1,0 +1,84 @@
+/* Where methods fail: every method over its steps on free vibration, on a wall spring from several starts and on the
+ * scene; the restitution really obtained; and scenes in which a naive method goes wrong.
+ *
+ * A contact that opens and closes has no spectral radius: at one step some starts gain energy a hundred times over and
+ * others keep it, so the worst of several starts is the verdict, by energy. */
+#ifndef THUD_STUDY_STABILITY_H
+#define THUD_STUDY_STABILITY_H
+
+#include "study/scene/answer.h"
+
+/* How one run is stepped. */
+struct thud_stepping {
+    const struct thud_method *method;
+    bool locate;
+    double setting; /* step in s of a fixed-step method, else the tolerance */
+};
+
+/* "rk4, located"; methods that always locate have their name alone. The one place for names of curves. */
+void thud_stepping_name(const struct thud_stepping *how, char *text, unsigned long size);
+
+enum thud_stability_verdict { THUD_VERDICT_NONE, THUD_BOUNDED, THUD_GROWING, THUD_BLOWN_UP };
+const char *thud_stability_verdict_word(enum thud_stability_verdict verdict);
+
+enum { THUD_STABILITY_FREE, THUD_STABILITY_WALL, THUD_STABILITY_SCENE, THUD_STABILITY_KINDS };
+
+/* Starts of the mass before the wall, by its distance from it; steps tried for one cell of the scene. */
+enum { THUD_STABILITY_STARTS = 8, THUD_STABILITY_SCENE_STEPS = 3 };
+
+/* A method at a step; INFINITY once blown up.
+ * `growth`, free vibration: the largest energy in the second half of 50 s over that in the first (linear, so one start
+ * stands for all, and how far a stable method's energy goes up and down does not count);
+ * wall: the largest energy within 50 s over that at the start, of the start where it is most;
+ * scene: the largest displacement over the exact one, of the floor and of the step (up to 6 % shorter) where it is
+ * most. */
+struct thud_stability_cell {
+    struct thud_stepping how;
+    double omega_dt; /* with the oscillator's, the wall spring's, the scene's fastest omega; NaN: of its own choice */
+    enum thud_stability_verdict verdict[THUD_STABILITY_KINDS];
+    double growth[THUD_STABILITY_KINDS];
+    double end_least, end_most; /* energy after 50 s at the wall over that at the start, of all starts */
+};
+
+/* Two free bodies. */
+struct thud_stability_restitution {
+    const struct thud_law *law;
+    struct thud_stepping how;
+    double nominal;                         /* coefficient of restitution; NaN: the law has none */
+    double closing_mps, expected, obtained; /* by the law itself, by the method; NaN: blown up */
+};
+
+/* A small scene with what is right, what a naive method makes of it and what thud does. */
+struct thud_exhibit {
+    const char *name, *scene, *quantity;
+    const char *naive;         /* which naive method */
+    double right, wrong, thud; /* the quantity: the true one, the naive method's (INFINITY: blown up), thud's */
+};
+
+struct thud_stability {
+    struct thud_stability_cell *cell;
+    struct thud_stability_restitution *restitution;
+    struct thud_exhibit *exhibit;
+    int ncells, nrestitutions, nexhibits;
+    int done; /* jobs, in the order of these lists */
+    struct thud_model *model;
+    const struct thud_record *record;
+    struct thud_run_options options;
+    double *peak_m; /* (ndof) of the scene by the exact method; NULL: no scene, or none with modes */
+    double fastest_radps;
+};
+
+/* `scene` (that of a case; NULL: none) is not kept, the record must stay. Errors: THUD_MEMORY, those of
+ * thud_scene_answer. */
+enum thud_status thud_stability_create(const struct thud_scene *scene, const struct thud_record *record,
+                                       struct thud_stability **out, struct thud_error *err);
+void thud_stability_free(struct thud_stability *stability);
+int thud_stability_jobs(const struct thud_stability *stability);
+/* The next job; `done` counts up. Errors: THUD_MEMORY, and THUD_DIVERGED of an exact method. */
+enum thud_status thud_stability_next(struct thud_stability *stability, struct thud_error *err);
+
+/* The exhibits, counted from 0. Errors: THUD_MEMORY, and THUD_DIVERGED of an exact method. */
+int thud_exhibit_count(void);
+enum thud_status thud_exhibit_run(int index, struct thud_exhibit *out, struct thud_error *err);
+
+#endif

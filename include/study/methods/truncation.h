@@ -1,0 +1,20 @@
+/* What leaving higher modes out changes: the scene is run again with all of them. */
+#ifndef THUD_STUDY_TRUNCATION_H
+#define THUD_STUDY_TRUNCATION_H
+
+#include "study/scene/answer.h"
+
+/* Largest relative difference over floors and contacts, by kind of peak, to the run with all modes; a peak below a
+ * thousandth of the largest of its kind counts by that. INFINITY: a peak where all modes give none. */
+struct thud_truncation {
+    int modes, left_out; /* kept of each building; left out in all */
+    double acceleration, drift, force;
+};
+
+/* `answer`: of the scene (that of a case), whose model leaves modes out; at its end. Errors: those of
+ * thud_scene_answer. */
+enum thud_status thud_truncation_measure(const struct thud_scene *scene, const struct thud_record *record,
+                                         const struct thud_answer *answer, struct thud_truncation *out,
+                                         struct thud_error *err);
+
+#endif

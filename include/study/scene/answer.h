@@ -1,0 +1,35 @@
+/* A scene and a record in, a finished run out. */
+#ifndef THUD_STUDY_ANSWER_H
+#define THUD_STUDY_ANSWER_H
+
+#include "base/status.h"
+#include "core/run/run.h"
+#include "study/scene/scene.h"
+
+/* The model of a scene as written (apply thud_scene_case first). Errors: THUD_INPUT, THUD_MEMORY. */
+enum thud_status thud_scene_assemble(const struct thud_scene *scene, struct thud_model **out, struct thud_error *err);
+/* Law, its values and the clearance of every contact of an interface: a bumper covers all of its levels. */
+void thud_interface_contact(const struct thud_interface *interface, struct thud_contact_input *to);
+
+/* Run options from scene->analysis. Errors: THUD_INPUT (unknown method). */
+enum thud_status thud_scene_options(const struct thud_scene *scene, struct thud_run_options *out,
+                                    struct thud_error *err);
+
+/* Fills in the period where a spectral acceleration is asked for without one: the mean of the fundamental periods of
+ * the scene's buildings. Errors: those of thud_scene_assemble; THUD_INPUT (no building has a period). */
+enum thud_status thud_record_choice_resolve(const struct thud_scene *scene, struct thud_record_choice *choice,
+                                            struct thud_error *err);
+
+/* A finished run together with its model (the run keeps pointing to the model and to the caller's record). */
+struct thud_answer {
+    struct thud_model *model;
+    struct thud_run *run;
+};
+/* Assembles, creates and advances to the end. `options` NULL: from the scene. On THUD_DIVERGED the answer is kept for
+ * what came before. */
+enum thud_status thud_scene_answer(const struct thud_scene *scene, const struct thud_record *record,
+                                   const struct thud_run_options *options, struct thud_answer *out,
+                                   struct thud_error *err);
+void thud_answer_clear(struct thud_answer *answer);
+
+#endif

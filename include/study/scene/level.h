@@ -1,0 +1,35 @@
+/* Elevations of floors, and what meets what at an interface: floors at the same level, or a slab and the columns of a
+ * storey. */
+#ifndef THUD_STUDY_LEVEL_H
+#define THUD_STUDY_LEVEL_H
+
+#include "study/scene/scene.h"
+
+/* Floors that move: storeys, and the base slab of an isolated building; a rigid body has one, a wall none. */
+int thud_structure_floors(const struct thud_structure *structure);
+/* Of floor `floor` (from 0) of a building or rigid body; NaN for a rigid body without elevation. */
+double thud_structure_elevation(const struct thud_structure *structure, int floor);
+
+/* One contact that there may be. */
+struct thud_pairing {
+    int left_floor, right_floor; /* from 1, 0 for a wall; of struck columns the floor above them */
+    int struck; /* whose columns the other's slab strikes: -1 the left one's, 1 the right one's; 0: floor to floor */
+    double a_m, b_m; /* of the slab over the floor (or ground) below the columns, and under the floor above */
+};
+enum { THUD_PAIRINGS_MAX = 2 * (THUD_STOREYS_MAX + 1) };
+
+/* Of the interface (from 0), left floors from below first: how many, into out (THUD_PAIRINGS_MAX). Floors within 1 cm
+ * of each other are at the same level and meet. Any other floor that stands between two floors of the neighbour, or
+ * between its ground and its first floor, strikes the columns there. What stands above the neighbour's top floor, below
+ * its ground, or within 1 cm of its ground strikes nothing; nothing strikes columns where levels = aligned. */
+int thud_interface_pairings(const struct thud_scene *scene, int interface, struct thud_pairing *out);
+
+/* Of a contact the side of the floor that is no wall's, and of struck columns that of the slab; and that floor. */
+bool thud_slab_is_left(int left_floor, int struck);
+int thud_slab_floor(int left_floor, int right_floor, int struck);
+/* Whose columns: "left", "right", "". */
+const char *thud_struck_name(int struck);
+/* "2-3", "wall-3", "2-c3": floor 2 of the left one and the columns below floor 3 of the right one. */
+void thud_pairing_name(int left_floor, int right_floor, int struck, char *text, unsigned long size);
+
+#endif

@@ -1,0 +1,219 @@
+/* What a person describes: a plain value (copy, compare and undo with `=`; fully zeroed by thud_scene_init so that
+ * memcmp compares). SI units. Lists run from the lowest floor up. */
+#ifndef THUD_STUDY_SCENE_H
+#define THUD_STUDY_SCENE_H
+
+#include <stdbool.h>
+
+#include "base/param.h"
+#include "base/status.h"
+#include "core/laws/law.h"
+
+enum { THUD_STOREYS_MAX = 200, THUD_STRUCTURES_MAX = 20, THUD_TEXT_MAX = 256, THUD_NAME_MAX = 64 };
+
+enum thud_structure_kind { THUD_SHEAR, THUD_RIGID, THUD_ISOLATED, THUD_WALL };
+/* Of storeys. */
+static inline bool thud_kind_is_building(enum thud_structure_kind kind)
+{
+    return kind == THUD_SHEAR || kind == THUD_ISOLATED;
+}
+
+/* How a struck place moves between the floors, and shares a slab's force: as a member clamped in both, or on the line
+ * between them. */
+enum thud_column_shape { THUD_COLUMN_CLAMPED, THUD_COLUMN_LINEAR };
+
+struct thud_structure {
+    char name[THUD_NAME_MAX];
+    enum thud_structure_kind kind;
+    int storeys; /* rigid: 1, wall: 0 */
+    double mass_kg[THUD_STOREYS_MAX];
+    double stiffness_npm[THUD_STOREYS_MAX];
+    double height_m[THUD_STOREYS_MAX]; /* storey heights; rigid: [0] its elevation; wall: [0] its top, INFINITY when not
+                                          given */
+    /* The drift at which a storey yields, or the shear (not both); 0: it is elastic. Tangent over elastic stiffness
+     * beyond. */
+    double yield_m[THUD_STOREYS_MAX];
+    double yield_shear_n[THUD_STOREYS_MAX];
+    double hardening[THUD_STOREYS_MAX];
+    double damping;                                                  /* ratio, the same in every mode */
+    double base_mass_kg, isolation_stiffness_npm, isolation_damping; /* isolated only */
+    double velocity_mps;                                             /* rigid only: at t = 0, to the right */
+    double base_m; /* elevation of the ground that a building stands on */
+    /* The columns of each storey that a neighbour's slab strikes, all of them together; 0: not given. */
+    double column_ei_nm2[THUD_STOREYS_MAX];        /* bending stiffness, or */
+    double column_stiffness_npm[THUD_STOREYS_MAX]; /* their part of the storey's, 12 EI/L^3 */
+    double column_capacity_n[THUD_STOREYS_MAX];    /* against shear */
+    double column_shape;                           /* enum thud_column_shape */
+};
+
+/* EI of the struck columns of a storey (from 0), from either; NaN: not given. */
+double thud_column_ei(const struct thud_structure *structure, int storey);
+
+/* A law with its parameters in the order of law->params. NaN: not given. */
+struct thud_law_choice {
+    const struct thud_law *law;
+    double value[THUD_LAW_PARAMS_MAX];
+};
+
+/* What meets at an interface: floors at the same level and slabs against columns, or the former alone. */
+enum thud_levels { THUD_LEVELS_ALL, THUD_LEVELS_ALIGNED };
+
+struct thud_interface {
+    double gap_m;  /* concrete to concrete */
+    double levels; /* enum thud_levels */
+    struct thud_law_choice contact;
+    bool has_bumper;
+    struct thud_law_choice bumper;
+    double bumper_thickness_m, bumper_cavity_m;
+};
+
+struct thud_record_choice {
+    char file[THUD_TEXT_MAX]; /* empty: no ground motion */
+    double peak_mps2;         /* scale to this peak; NaN: as recorded */
+    double sa_mps2;           /* scale to this spectral acceleration; NaN: not */
+    double period_s;          /* of sa; NaN: the mean of the buildings' fundamental periods */
+    double factor;            /* 1 unless given */
+    int sign;                 /* +1 or -1 */
+    double from_s, to_s;      /* the part that is used, in the file's own time; NaN: from its beginning, to its end */
+    double dt_s;              /* for files that do not say; NaN: not given */
+    double resample_s;        /* for times in unequal steps, straight between the samples; NaN: not given */
+    char unit[16];            /* for files that do not say; empty: not given */
+    char channel[32];         /* file with several; empty: not given */
+    int column;               /* from 1; 0: not given; -1 (`all`): the values of every line one after another */
+    int skip;                 /* lines; -1: not given */
+};
+
+struct thud_analysis {
+    char method[32]; /* "auto" */
+    double tolerance;
+    double step_s; /* NaN: not given */
+    double tail_s; /* free vibration after the record; without a record: the duration */
+    bool locate;   /* fixed-step methods: locate events */
+    int modes;     /* each building's lowest ones alone; 0: all */
+};
+
+enum thud_case { THUD_CASE_AS_WRITTEN = -1, THUD_CASE_NONE, THUD_CASE_BUMPER, THUD_CASE_CAVITY, THUD_CASES };
+
+/* A study: up to THUD_VARY_MAX keys over ranges or lists, cases and ground motions. */
+enum { THUD_VARY_MAX = 4, THUD_VARY_KEY = 96, THUD_VARY_VALUES = 320, THUD_VARY_TEXT = 512 };
+struct thud_vary {
+    char key[THUD_VARY_KEY];
+    double from, to, step;         /* SI; NaN where there are values */
+    char values[THUD_VARY_VALUES]; /* "5 cm, 7.5 cm"; empty: a range. All keys of a study have them, or none has */
+};
+struct thud_study_choice {
+    int nvary;
+    struct thud_vary vary[THUD_VARY_MAX];
+    int ncases;
+    enum thud_case cases[THUD_CASES];
+    double sensitivity;           /* relative change of the inputs; 0: no spread is asked for */
+    char records[THUD_VARY_TEXT]; /* as --records takes them, or in brackets; empty: the scene's own one */
+    bool both_signs;              /* every ground motion both ways round */
+};
+
+struct thud_scene {
+    char name[THUD_NAME_MAX]; /* the preset's name, from its file name */
+    char title[THUD_TEXT_MAX];
+    struct thud_record_choice record;
+    int nstructures;
+    struct thud_structure structure[THUD_STRUCTURES_MAX];
+    struct thud_interface interface[THUD_STRUCTURES_MAX - 1]; /* nstructures - 1 in use */
+    struct thud_analysis analysis;
+    struct thud_study_choice study;
+};
+
+/* ---- making one ---- */
+
+/* An empty scene with defaults. */
+void thud_scene_init(struct thud_scene *scene);
+/* No file, nothing said, nothing scaled. */
+void thud_record_choice_init(struct thud_record_choice *choice);
+/* Another file, as recorded: what was said of the one before (peak, factor, part, unit, ...) does not hold for it; the
+ * sign stays. `file` may be empty. */
+void thud_record_choice_replace(struct thud_record_choice *choice, const char *file);
+/* Of a kind, with one storey where it has storeys; what must be given is NaN. The name is empty. */
+void thud_structure_init(struct thud_structure *structure, enum thud_structure_kind kind);
+/* A law with the defaults of its table (NaN where a value must be given). */
+void thud_law_choice_init(struct thud_law_choice *choice, const struct thud_law *law);
+/* The lists of floors and storeys: masses, stiffnesses, heights, yield drifts, yield shears, hardening. */
+enum { THUD_STRUCTURE_LISTS = 9 };
+double *thud_structure_list(struct thud_structure *structure, int which);
+/* The drift at which storey i (from 0) yields; INFINITY where it is elastic. */
+double thud_structure_yield(const struct thud_structure *structure, int i);
+/* Whether a storey of the scene yields. */
+bool thud_scene_yields(const struct thud_scene *scene);
+/* The paper's interface (Table 1), without bumper at a gap of 10 cm; and its bumper, no thicker than the gap. */
+void thud_interface_init(struct thud_interface *interface);
+void thud_interface_add_bumper(struct thud_interface *interface);
+
+/* ---- its parameters ---- */
+
+enum thud_group {
+    THUD_GROUP_SCENE,
+    THUD_GROUP_RECORD,
+    THUD_GROUP_STRUCTURE,
+    THUD_GROUP_COLUMN, /* of a structure with storeys */
+    THUD_GROUP_INTERFACE,
+    THUD_GROUP_CONTACT, /* `law`, before the law's own */
+    THUD_GROUP_BUMPER,  /* `law`, thickness and cavity, before the law's own */
+    THUD_GROUP_ANALYSIS,
+    THUD_GROUP_STUDY,
+    THUD_GROUPS
+};
+/* The described parameters of a group, in the order of presets; *count of them. */
+const struct thud_param *thud_group_params(enum thud_group group, int *count);
+/* "structures", "record", ...: the key of the group in presets; empty for THUD_GROUP_SCENE. */
+const char *thud_group_key(enum thud_group group);
+/* Whether structures of the kind have this parameter of THUD_GROUP_STRUCTURE (by index). */
+bool thud_structure_has(enum thud_structure_kind kind, int param);
+
+/* Sets one value by its path (`structures.1.mass`, `interfaces.1.gap`, `gap`, `contact.restitution`,
+ * `bumper.thickness`, `analysis.tolerance`, `record.peak`; lists `[320 t, 250 t]` or one value for every floor; one
+ * floor by `structures.1.mass.2`, `structures.1.column.EI.2`). The empty text takes back what need not be given. The exponent typed in a unit must
+ * be the law's; setting the exponent keeps the number of its stiffness in the shown unit. Errors: THUD_INPUT with key
+ * and what is allowed. */
+enum thud_status thud_scene_set(struct thud_scene *scene, const char *path, const char *text, struct thud_error *err);
+/* The value as text in its shown unit; empty where it is not given. Errors: THUD_INPUT (no such key). */
+enum thud_status thud_scene_get(const struct thud_scene *scene, const char *path, char *text, unsigned long size,
+                                struct thud_error *err);
+/* The same in another unit of its dimension (NULL: the shown one); an exponent in it is replaced by the law's. Errors:
+ * THUD_INPUT (no such key, no such unit). */
+enum thud_status thud_scene_get_in(const struct thud_scene *scene, const char *path, const char *unit, char *text,
+                                   unsigned long size, struct thud_error *err);
+/* The described parameter behind a path, its index among the floors in *floor (-1: all); NULL when unknown. */
+const struct thud_param *thud_scene_param(const struct thud_scene *scene, const char *path, int *floor);
+/* Whether a path leads to one value for each floor of a building. */
+bool thud_scene_by_floor(const struct thud_scene *scene, const char *path);
+/* Whether anything is said of a structure's columns. */
+bool thud_structure_has_columns(const struct thud_structure *structure);
+
+/* The i-th varied key of the scene's study as `thud sweep --vary` takes it: "gap=5 cm:25 cm:0.5 cm" or "gap=5 cm, 7.5
+ * cm" (THUD_VARY_TEXT is room for each). */
+void thud_study_vary_text(const struct thud_scene *scene, int i, char *text, unsigned long size);
+
+/* Checks values against each other (thickness - cavity <= gap, nothing missing, ...). Errors: THUD_INPUT with key. */
+enum thud_status thud_scene_check(const struct thud_scene *scene, struct thud_error *err);
+/* The n-th (from 0) value that is unusual, as a message with key; false when there are no more. */
+bool thud_scene_warning(const struct thud_scene *scene, int n, struct thud_error *out);
+
+/* ---- cases ---- */
+
+/* To a scene for reading alone: without the structures beyond those in use, a seventh of the bytes for two of them. */
+void thud_scene_copy(struct thud_scene *to, const struct thud_scene *from);
+/* The scene of a case: `none` drops every bumper, `bumper` sets it flush, `cavity` thickness (1 - max-strain) deep.
+ * THUD_INPUT when a case needs a bumper and there is none. */
+enum thud_status thud_scene_case(const struct thud_scene *scene, enum thud_case which, struct thud_scene *out,
+                                 struct thud_error *err);
+/* The scene as it moves without pounding: no bumpers, and contacts without a force. */
+void thud_scene_drop_contacts(struct thud_scene *scene);
+bool thud_scene_has_bumper(const struct thud_scene *scene);
+const char *thud_case_name(enum thud_case which); /* "none", "bumper", "cavity", "as-written" */
+/* Errors: THUD_INPUT. */
+enum thud_status thud_case_find(const char *name, enum thud_case *out, struct thud_error *err);
+
+/* gap - (thickness - cavity) with a bumper, gap without; never below 0 by rounding. */
+double thud_interface_clearance(const struct thud_interface *interface);
+/* Of the bumper; NaN where there is none, or its law has no max-strain. */
+double thud_interface_max_strain(const struct thud_interface *interface);
+
+#endif

@@ -1,0 +1,42 @@
+/* Where a contact's stiffness comes from, and how far the results move with it. The literature's estimate for concrete
+ * is the axial stiffness of the colliding slab (Maison and Kasai 1990; Cole et al. 2011), for a rubber bumper eq. (6)
+ * of Polycarpou and Komodromos (2011). Neither is a measurement: a factor of 2 is within what is not known. */
+#ifndef THUD_STUDY_STIFFNESS_H
+#define THUD_STUDY_STIFFNESS_H
+
+#include "core/model/result.h"
+#include "ground/record.h"
+#include "study/scene/scene.h"
+
+/* A slab pushed at its edge: k = E A/L, A the section's area, L the length in the direction of the impact. N/m. */
+double thud_stiffness_slab(double area_m2, double length_m, double modulus_pa);
+/* Two slabs against each other: springs in series. */
+double thud_stiffness_series(double a_npm, double b_npm);
+/* A bumper: k = alpha A K_r/d^n. N/m^n. */
+double thud_stiffness_rubber(double alpha, double area_m2, double modulus_pa, double thickness_m, double exponent);
+
+/* What is varied: of every interface with a bumper the bumper, which is all that touches there, of the others the
+ * contact. */
+enum thud_stiffness { THUD_STIFFNESS_CONTACT, THUD_STIFFNESS_BUMPER };
+
+/* Multiplies it; what the law has no parameter for stays. false: there is nothing of the kind. */
+bool thud_stiffness_scale(struct thud_scene *scene, enum thud_stiffness which, double factor);
+
+struct thud_stiffness_row {
+    double factor;
+    int impacts;
+    double force_n; /* the largest of all contacts */
+    double acceleration_mps2[THUD_STRUCTURES_MAX],
+        drift_m[THUD_STRUCTURES_MAX]; /* the largest of a structure's floors */
+};
+/* Of a finished run, with a factor of 0. */
+void thud_stiffness_row_read(const struct thud_result *result, struct thud_stiffness_row *row);
+enum { THUD_STIFFNESS_ROWS = 3 }; /* half, as it is, twice */
+
+/* Runs the scene (of a case, as it is to be run) at each factor; *n is 0 where nothing can be varied. Errors: those of
+ * a run. */
+enum thud_status thud_stiffness_rows(const struct thud_scene *scene, const struct thud_record *record,
+                                     enum thud_stiffness which, struct thud_stiffness_row *row, int *n,
+                                     struct thud_error *err);
+
+#endif

@@ -1,0 +1,54 @@
+/* What a study says over its ground motions together: of every run a few numbers, kept small so that tens of thousands
+ * of runs fit, and their fractiles over the motions at each setting of the other varied keys. */
+#ifndef THUD_STUDY_SUITE_H
+#define THUD_STUDY_SUITE_H
+
+#include "base/statistics.h"
+#include "study/sweep/sweep.h"
+
+/* Of a run; all but the first two by structure. */
+enum thud_suite_measure {
+    THUD_SUITE_IMPACTS,            /* all contacts */
+    THUD_SUITE_FORCE,              /* largest of all contacts, N; 0: nothing touched */
+    THUD_SUITE_ACCELERATION,       /* largest of the floors, m/s2 */
+    THUD_SUITE_DRIFT,              /* largest of the storeys, m */
+    THUD_SUITE_DRIFT_ANGLE,        /* the same over the storey's height; without the isolators' */
+    THUD_SUITE_ACCELERATION_RATIO, /* of the means over the floors, to case none */
+    THUD_SUITE_DRIFT_RATIO,
+    THUD_SUITE_DUCTILITY, /* largest drift over yield drift of the storeys that yield; NaN: none does */
+    THUD_SUITE_PERMANENT, /* largest permanent drift of those, m */
+    THUD_SUITE_COLUMNS,   /* largest shear over capacity of the columns that slabs strike; NaN: none, or not given */
+    THUD_SUITE_MEASURES
+};
+const char *thud_suite_column(enum thud_suite_measure measure); /* "force_n", "drift_m", ... */
+
+/* Setting i (of thud_suite_settings) of ground motion r is point r x settings + i of the plan. */
+struct thud_suite {
+    const struct thud_sweep_plan *plan;
+    int nrecords, nstructures, nvalues; /* nvalues: of a run */
+    bool yields;                        /* some storey may: it has ductilities and permanent drifts */
+    bool columns;                       /* a capacity is given: it has shears over it */
+    long settings;
+    double *value; /* (nrecords x settings x plan->ncases x nvalues); NaN: no answer */
+};
+/* Whether its runs may have any. */
+bool thud_suite_has(const struct thud_suite *suite, enum thud_suite_measure measure);
+
+/* Errors: THUD_MEMORY. The plan must outlive it. */
+enum thud_status thud_suite_create(const struct thud_sweep_plan *plan, struct thud_suite **out, struct thud_error *err);
+void thud_suite_free(struct thud_suite *suite);
+/* Errors: THUD_MEMORY. */
+enum thud_status thud_suite_add(struct thud_suite *suite, const struct thud_sweep_point *point, struct thud_error *err);
+
+/* `k`: index into the plan's cases. structure -1: the largest over the structures. */
+double thud_suite_value(const struct thud_suite *suite, int record, long setting, int k,
+                        enum thud_suite_measure measure, int structure);
+/* Over the ground motions. `room` (nrecords) is scratch. `share`: of values above `limit`. */
+struct thud_fractiles thud_suite_fractiles(const struct thud_suite *suite, long setting, int k,
+                                           enum thud_suite_measure measure, int structure, double limit, double *room);
+
+/* Places on the axes (naxes) to the number of a setting, and back. */
+long thud_suite_setting(const struct thud_sweep_plan *plan, const int *at);
+void thud_suite_place(const struct thud_sweep_plan *plan, long setting, int *at);
+
+#endif

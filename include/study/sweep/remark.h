@@ -1,0 +1,51 @@
+/* What a reader of results is told that no single value shows. */
+#ifndef THUD_STUDY_REMARK_H
+#define THUD_STUDY_REMARK_H
+
+#include "core/model/result.h"
+#include "ground/record.h"
+#include "study/scene/scene.h"
+#include "study/sweep/sweep.h"
+
+/* The n-th (from 0) remark on a finished run: a bumper pressed past its largest strain or beyond its thickness, and in
+ * how many of its impacts; storeys whose drift no building bears elastically. False when there are no more. */
+bool thud_result_remark(const struct thud_scene *scene, const struct thud_result *result,
+                        const struct thud_impact *impact, int nimpacts, int n, struct thud_error *out);
+/* Whether a floor (from 0) was struck by an impulse, which has no finite acceleration: what the result holds is the peak
+ * between the impulses. */
+bool thud_floor_struck(const struct thud_result *result, int structure, int floor);
+/* Its peak acceleration; NaN: it was struck. */
+double thud_floor_acceleration(const struct thud_result *result, int structure, int floor);
+/* Peaks of a contact; NaN: impulses of a law without force. */
+double thud_peak_force(const struct thud_contact_result *contact);
+double thud_peak_depth(const struct thud_contact_result *contact);
+/* Whether one run of the scene takes long, by its floors and contacts and its fastest mode, and about how much memory and
+ * time, as measured without contact on one processor. `record`: NULL for none. */
+bool thud_scene_effort_remark(const struct thud_scene *scene, const struct thud_record *record, struct thud_error *out);
+/* The n-th bumper of `scene` whose thickness or exponent is not that of `before` while its stiffness is: eq. (6) would
+ * change it. False when there are no more. */
+bool thud_scene_change_remark(const struct thud_scene *before, const struct thud_scene *scene, int n,
+                              struct thud_error *out);
+/* The same of a study's varied keys. */
+bool thud_sweep_remark(const struct thud_sweep_plan *plan, int n, struct thud_error *out);
+
+/* Over the runs of a study: how many drift by more than buildings bear elastically, and how many press a bumper past its
+ * largest strain, or by more than there is of it; and where that is worst. Zeros at first. */
+struct thud_sweep_watch {
+    long runs, drifting, with_bumper, pressed, beyond;
+    struct {
+        double value; /* drift over height; compression over thickness */
+        long point;
+        enum thud_case which;
+        int structure, storey; /* from 0, from 1; `structure` the interface of a bumper */
+    } drift, press;
+    double press_m, thickness_m; /* of the worst press */
+};
+/* Errors: THUD_MEMORY, THUD_INPUT. */
+enum thud_status thud_sweep_watch_add(struct thud_sweep_watch *watch, const struct thud_sweep_plan *plan,
+                                      const struct thud_sweep_point *point, struct thud_error *err);
+/* The n-th remark (from 0); false when there are no more. */
+bool thud_sweep_watch_remark(const struct thud_sweep_watch *watch, const struct thud_sweep_plan *plan, int n,
+                             struct thud_error *out);
+
+#endif

@@ -1,0 +1,45 @@
+/* Which digits of a peak mean anything: pounding can amplify a small change, so the scene is run again with each of a
+ * few inputs a little smaller and a little larger. */
+#ifndef THUD_STUDY_SENSITIVITY_H
+#define THUD_STUDY_SENSITIVITY_H
+
+#include "study/scene/answer.h"
+
+enum thud_change { THUD_CHANGE_GAP, THUD_CHANGE_SCALE, THUD_CHANGE_STIFFNESS, THUD_CHANGES };
+const char *thud_change_name(enum thud_change change); /* "gap", "scale", "stiffness" */
+
+/* Largest relative change of a peak, by what was changed; 0 where the peak is 0 in all runs. */
+struct thud_spread {
+    double by[THUD_CHANGES];
+};
+double thud_spread_most(const struct thud_spread *spread);
+/* How many leading digits of a number mean anything when it changes by this much of itself: the change is below one of
+ * the last of them, whatever the number; at most 15. */
+int thud_spread_digits(double spread);
+
+/* Changes gaps or stiffnesses of a case's scene: every interface's gap, but never less than a bumper takes; every
+ * storey's and isolator's stiffness. The scale is the ground motion's, which no scene holds. */
+void thud_change_scene(struct thud_scene *scene, enum thud_change change, double factor);
+
+/* The relative change that the scene's study asks for, else 0.1 %. */
+double thud_scene_change(const struct thud_scene *scene);
+
+/* Peaks of a floor and of a contact, in this order. */
+enum { THUD_FLOOR_SPREADS = 4 };   /* acceleration, displacement, velocity, drift */
+enum { THUD_CONTACT_SPREADS = 2 }; /* force, indentation */
+
+struct thud_sensitivity {
+    double change; /* the relative change of the inputs */
+    int runs;      /* made for it, the given one included */
+    int nfloors, ncontacts;
+    struct thud_spread (*floor)[THUD_FLOOR_SPREADS];     /* (nfloors): structures one after the other */
+    struct thud_spread (*contact)[THUD_CONTACT_SPREADS]; /* (ncontacts) */
+};
+
+/* `result`: of `scene` (that of a case) as it is. Errors: THUD_MEMORY, those of thud_scene_answer. */
+enum thud_status thud_sensitivity_run(const struct thud_scene *scene, const struct thud_record *record, double change,
+                                      const struct thud_result *result, struct thud_sensitivity **out,
+                                      struct thud_error *err);
+void thud_sensitivity_free(struct thud_sensitivity *sensitivity);
+
+#endif

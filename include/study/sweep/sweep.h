@@ -1,0 +1,180 @@
+/* Parametric studies: a scene, its records, a grid of varied keys and the cases. A study is made of points (one record,
+ * one set of parameters), numbered from 0 in a fixed order; a point holds a run for each case. Points are independent
+ * of each other, but those that share their structures and record share one motion without pounding (group), which
+ * saves most of the work (see enum thud_sweep_shortcut). Work goes in slices, so that a study can be cancelled, shown
+ * and shared among threads; everything here may be used by several threads at once as long as each task is one thread's
+ * own. */
+#ifndef THUD_STUDY_SWEEP_H
+#define THUD_STUDY_SWEEP_H
+
+#include <stdbool.h>
+
+#include "base/text.h"
+#include "ground/record.h"
+#include "study/scene/needed_gap.h"
+#include "study/sweep/sensitivity.h"
+#include "study/sweep/sweep_row.h"
+
+/* None of these changes an answer (model.md, section 7). They hold for the exact method; other methods make every run.
+ */
+enum thud_sweep_shortcut {
+    THUD_SWEEP_FREE =
+        1, /* clearances at least as wide as the largest relative displacements take the contact-free answer */
+    THUD_SWEEP_START = 2,  /* a run begins where the first contact could be */
+    THUD_SWEEP_LEVELS = 4, /* contacts that nothing can close (between walls, of laws without force) are left out */
+    THUD_SWEEP_SAME = 8,   /* of runs whose contacts are the same one is made */
+    THUD_SWEEP_ALL = 15
+};
+
+enum { THUD_SWEEP_CASES_MAX = THUD_CASES + 1 };
+
+/* Runs of a case at a point where its spread is asked for: as it is (variant 0), then each change less and more. */
+enum { THUD_SWEEP_VARIANTS = 1 + 2 * THUD_CHANGES };
+
+struct thud_sweep_plan {
+    struct thud_scene scene;
+    int nrecords;
+    const struct thud_record *const
+        *record; /* (nrecords) scaled as the scene's record choice says; NULL: no ground motion */
+    int naxes;
+    struct thud_sweep_axis
+        axis[THUD_VARY_MAX]; /* those that change the motion without pounding come first; the last runs fastest */
+    int nouter;              /* how many do */
+    int ncases;
+    enum thud_case cases[THUD_SWEEP_CASES_MAX];
+    unsigned shortcuts;
+    double sensitivity; /* every run again with gaps, motion and stiffnesses changed by this much; 0: not */
+};
+
+/* A plan of the scene alone: no axes, no records, case as written. */
+void thud_sweep_plan_init(struct thud_sweep_plan *plan, const struct thud_scene *scene);
+void thud_sweep_plan_clear(struct thud_sweep_plan *plan);
+/* Adds an axis: `KEY=FROM:TO:STEP` or `KEY=V1,V2,...`; a unit at the end stands for all. Errors: THUD_USAGE, THUD_INPUT
+ * with key, THUD_MEMORY. */
+enum thud_status thud_sweep_vary(struct thud_sweep_plan *plan, const char *text, struct thud_error *err);
+/* Cases by name, `none,bumper`. Errors: THUD_USAGE. */
+enum thud_status thud_sweep_cases(struct thud_sweep_plan *plan, const char *text, struct thud_error *err);
+/* Axes and cases of the scene's own study; its sensitivity in any case. Errors: as thud_sweep_vary. */
+enum thud_status thud_sweep_study(struct thud_sweep_plan *plan, bool axes, bool cases, struct thud_error *err);
+
+/* Whether a storey of any point yields: the scene's, or by a varied key. */
+bool thud_sweep_yields(const struct thud_sweep_plan *plan);
+long thud_sweep_points(const struct thud_sweep_plan *plan);
+/* Groups are numbered like points: point p stands on group p / thud_sweep_points_per_group. */
+long thud_sweep_points_per_group(const struct thud_sweep_plan *plan);
+/* Record and index on each axis (naxes) of a point; returns the record. */
+int thud_sweep_place(const struct thud_sweep_plan *plan, long point, int *at);
+/* The scene of a point, before its case. Errors: THUD_INPUT. */
+enum thud_status thud_sweep_scene(const struct thud_sweep_plan *plan, long point, struct thud_scene *out,
+                                  struct thud_error *err);
+
+/* The motion without pounding under a set of points, and what each level needs by it. Plan and records must outlive it.
+ * Errors: THUD_INPUT (a scene of its points is not possible), THUD_MEMORY. */
+struct thud_sweep_group;
+enum thud_status thud_sweep_group_create(const struct thud_sweep_plan *plan, long index, struct thud_sweep_group **out,
+                                         struct thud_error *err);
+/* Errors: THUD_DIVERGED, THUD_MEMORY. The group may be shared once done. */
+enum thud_status thud_sweep_group_advance(struct thud_sweep_group *group, long budget, bool *done,
+                                          struct thud_error *err);
+void thud_sweep_group_free(struct thud_sweep_group *group);
+/* The point that makes case k (k = ncases: `none` for the ratios) of a point; its own one where no other run is the
+ * same. The group is done. */
+long thud_sweep_maker(const struct thud_sweep_group *group, long point, int k);
+enum { THUD_SWEEP_SAME_BYTES = 8 << 20 }; /* most that a group keeps for that */
+
+/* What became of a run. */
+struct thud_sweep_effort {
+    enum thud_status status; /* THUD_OK; THUD_INPUT: not possible (a bumper wider than the gap); THUD_DIVERGED */
+    bool made;               /* false: answered without a run */
+    bool reused;             /* not made, but another run's with the same contacts */
+    bool reference;          /* not asked for: case `none`, run for the ratios */
+    double shared_s, end_s;  /* motion taken from the baseline, and the whole */
+    int left_out;            /* contacts left out */
+    long steps, events;
+};
+
+struct thud_sweep_floor {
+    double acceleration_mps2, drift_m, displacement_m;
+    double ductility, permanent_m, excursions, hysteretic_j; /* NaN: the storey below is elastic */
+};
+struct thud_sweep_contact {
+    int impacts;
+    double force_n, indentation_m, impulse_ns, contact_time_s, residual_m, residual_gap_m;
+    /* of struck columns; NaN: floors meet, or no capacity */
+    double shear_lower_n, shear_upper_n, capacity_ratio, moment_lower_nm, moment_upper_nm;
+};
+
+/* What the changed runs of a point cost. */
+struct thud_sweep_changed {
+    int made, free, failed; /* runs; answered without one; without an answer */
+    long steps, events;
+};
+
+/* A finished point: plain numbers, one allocation (free with free()). */
+struct thud_sweep_point {
+    long index;
+    double gap_m;
+    int nstructures, nfloors, ncontacts;
+    int ncases; /* those of the plan, and `none` after them where it had to be added */
+    enum thud_case which[THUD_SWEEP_CASES_MAX + 1]; /* (ncases) */
+    struct thud_sweep_effort effort[THUD_SWEEP_CASES_MAX + 1];
+    bool awaited[THUD_SWEEP_CASES_MAX + 1]; /* left to another point; settled before anything is read */
+    int nvariants;                          /* 1, or THUD_SWEEP_VARIANTS */
+    struct thud_sweep_changed changed;
+    int floors[THUD_STRUCTURES_MAX]; /* (nstructures) */
+    struct thud_sweep_floor
+        *floor; /* (nvariants x (ncases + 1) x nfloors): NaN where a case has no answer; the last is no pounding */
+    struct thud_sweep_contact *contact; /* (nvariants x ncases x ncontacts): force NaN where a case has no answer */
+    struct thud_gap_level *level;       /* (ncontacts) */
+};
+
+/* A point in the making. The group (done) and the plan must outlive it. Errors: THUD_INPUT (scene or case is not
+ * possible), THUD_MEMORY. */
+struct thud_sweep_task;
+enum thud_status thud_sweep_task_create(const struct thud_sweep_plan *plan, const struct thud_sweep_group *group,
+                                        long point, struct thud_sweep_task **out, struct thud_error *err);
+/* A run that fails is a run without an answer: `err` is set and tells why, but THUD_OK comes back. Errors: THUD_MEMORY.
+ */
+enum thud_status thud_sweep_task_advance(struct thud_sweep_task *task, long budget, bool *done, struct thud_error *err);
+/* To a task that has not been advanced yet: leaves out the runs whose answer is that of another one which a point of
+ * `first`, `first + step`, ... makes, for thud_sweep_group_settle. */
+void thud_sweep_task_leave(struct thud_sweep_task *task, long first, long step);
+/* Hands over the point of a task that is done. */
+struct thud_sweep_point *thud_sweep_task_take(struct thud_sweep_task *task);
+void thud_sweep_task_free(struct thud_sweep_task *task);
+/* Keeps of a finished point what others have too, and gives it what it left to one before it. For all points of the
+ * group, in their order, one at a time. Errors: THUD_MEMORY. */
+enum thud_status thud_sweep_group_settle(struct thud_sweep_group *group, struct thud_sweep_point *point,
+                                         struct thud_error *err);
+
+/* Rows of a point; each returns how many there are and fills them where `row` is not NULL. */
+int thud_sweep_rows(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point,
+                    struct thud_sweep_row *row);
+int thud_sweep_contact_rows(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point,
+                            struct thud_sweep_contact_row *row);
+/* Only the first point of a group has any. */
+int thud_sweep_need_rows(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point,
+                         struct thud_sweep_need_row *row);
+
+/* A point as one line of text without a newline, and back; one with a spread says so at its start. Reading errors:
+ * THUD_INPUT, THUD_MEMORY. */
+void thud_sweep_point_write(const struct thud_sweep_point *point, struct thud_text *out);
+enum thud_status thud_sweep_point_read(const char *line, struct thud_sweep_point **out, struct thud_error *err);
+/* Identifies a plan: equal for equal scenes, records, axes, cases and sensitivity. */
+unsigned long long thud_sweep_fingerprint(const struct thud_sweep_plan *plan);
+
+/* Sums over points: what a study cost and what was saved. */
+struct thud_sweep_total {
+    long points, asked, made, reused, references, free, impossible, diverged, shared_runs, left_out, steps, events;
+    double shared_s, end_s; /* of the runs made */
+    struct {
+        long made, free, failed;
+    } changed; /* runs for the spread */
+    /* The first run that is not possible, and the first that diverged: point and index of its case; -1: none */
+    long impossible_point, diverged_point;
+    int impossible_case, diverged_case;
+};
+void thud_sweep_total_init(struct thud_sweep_total *total);
+void thud_sweep_total_add(struct thud_sweep_total *total, const struct thud_sweep_point *point);
+
+#endif

@@ -1,0 +1,27 @@
+/* The best value of one varied key, for each setting of the others. */
+#ifndef THUD_STUDY_SWEEP_BEST_H
+#define THUD_STUDY_SWEEP_BEST_H
+
+#include "study/sweep/sweep_table.h"
+
+/* What is made small: the largest, over the structures, of the ratio of the mean peak accelerations. */
+struct thud_sweep_best {
+    int record; /* from 0; -1: the worst of all records counts */
+    enum thud_case which;
+    double other[THUD_VARY_MAX];  /* the other varied keys; NaN for the key itself */
+    double best, ratio;           /* the key's value, and the ratio there */
+    double drift_ratio;           /* largest over the structures of the ratio of mean deflections, there */
+    double flat_least, flat_most; /* around it, values whose ratio is at most 5 % above the best one's */
+    double worst_ratio;           /* over the key's values */
+    int values;                   /* how many had an answer */
+    bool at_end;                  /* the best is the first or the last value: beyond there may be a better one */
+    bool idle; /* there the ratio is 1.000: the bumper touches nothing, or hardly, and no value is best */
+};
+enum { THUD_SWEEP_BEST_PER_CENT = 5 };
+
+/* Rows for `axis` of the table: by record, case and the other keys in their order, and where there are several records
+ * after each group the one for all. *out is to be freed; returns how many, -1 when out of memory. Case `none` has no
+ * rows. */
+long thud_sweep_best(const struct thud_sweep_table *table, int axis, struct thud_sweep_best **out);
+
+#endif

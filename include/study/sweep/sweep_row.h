@@ -1,0 +1,89 @@
+/* What a parametric study answers, one row per run and floor and one per run and contact: what the CSV files, the
+ * figures and the screens read. SI units. */
+#ifndef THUD_STUDY_SWEEP_ROW_H
+#define THUD_STUDY_SWEEP_ROW_H
+
+#include <stddef.h>
+
+#include "study/scene/scene.h"
+
+/* A varied key with its values, in the order in which they are run. */
+struct thud_sweep_axis {
+    char key[96];
+    const struct thud_param *param;
+    int n;
+    bool words;                  /* of choices, texts or lists, which no number says */
+    double *value;               /* (n) SI; of words their places in the list, from 0 */
+    char (*text)[THUD_NAME_MAX]; /* (n) as thud_scene_set takes it */
+};
+
+/* What a row measures, in the order of its fields. */
+enum thud_sweep_measure {
+    THUD_SWEEP_ACCELERATION,
+    THUD_SWEEP_DRIFT,
+    THUD_SWEEP_DISPLACEMENT,
+    THUD_SWEEP_ACCELERATION_RATIO,
+    THUD_SWEEP_DRIFT_RATIO,
+    THUD_SWEEP_DISPLACEMENT_RATIO,
+    THUD_SWEEP_ACCELERATION_FREE_RATIO,
+    THUD_SWEEP_DRIFT_FREE_RATIO,
+    THUD_SWEEP_DISPLACEMENT_FREE_RATIO,
+    /* of a storey that yields */
+    THUD_SWEEP_DUCTILITY,
+    THUD_SWEEP_PERMANENT,
+    THUD_SWEEP_EXCURSIONS,
+    THUD_SWEEP_HYSTERETIC,
+    THUD_SWEEP_MEASURES
+};
+
+struct thud_sweep_row {
+    int record; /* from 0 */
+    enum thud_case which;
+    double gap_m;                /* of the first interface; NaN where there is none */
+    double value[THUD_VARY_MAX]; /* of the varied keys */
+    int structure;               /* from 0 */
+    int floor;                   /* from 1; 0: the mean over the structure's floors */
+    double acceleration_mps2, drift_m, displacement_m;
+    /* Over case `none` at the same parameters and record (floor 0: the ratio of the means); NaN for 0/0 or where `none`
+     * has no answer. */
+    double acceleration_ratio, drift_ratio, displacement_ratio;
+    /* Over no pounding at all. */
+    double acceleration_free_ratio, drift_free_ratio, displacement_free_ratio;
+    /* Of the storey below the floor where it yields (floor 0: means of the sizes over those that do); NaN: elastic.
+     * Ductility, drift at which it carries no force, how many times it yielded, energy lost. */
+    double ductility, permanent_m, excursions, hysteretic_j;
+    /* Each over the changed runs and the one as asked for; a ratio's two runs are changed alike. NaN where no spread
+     * was asked for or one of the runs has no answer. */
+    double low[THUD_SWEEP_MEASURES], high[THUD_SWEEP_MEASURES];
+};
+
+struct thud_sweep_contact_row {
+    int record;
+    enum thud_case which;
+    double gap_m;
+    double value[THUD_VARY_MAX];
+    int interface, left_floor, right_floor; /* from 1; floor 0: a wall */
+    int impacts;
+    double force_n, indentation_m, impulse_ns, contact_time_s;
+    double residual_m;                                                       /* left by plastic deformation */
+    double residual_gap_m;                                                   /* clearance + residual at the end */
+    int struck;                                                              /* whose columns, as in gap levels */
+    double shear_lower_n, shear_upper_n, capacity_ratio;                     /* of struck columns */
+    double moment_lower_nm, moment_upper_nm;                                 /* likewise */
+    double force_low_n, force_high_n, indentation_low_m, indentation_high_m; /* as low and high of a floor's row */
+};
+
+/* The gap that a level needs, from the motion without pounding, beside the rules of the codes. */
+struct thud_sweep_need_row {
+    int record;
+    double value[THUD_VARY_MAX]; /* of the varied keys; those that change no motion without pounding as in the first
+                                    point */
+    int interface, left_floor, right_floor;
+    int struck;             /* whose columns; 0: floors meet */
+    double left_m, right_m; /* largest displacement of each side */
+    double closing_m;       /* largest relative displacement: a clearance this wide is never used up */
+    double abs_m, srss_m, ddc_m, en1998_m, asce7_m; /* by enum thud_gap_rule */
+    double correlation;                             /* of ddc */
+};
+
+#endif

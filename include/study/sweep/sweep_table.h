@@ -1,0 +1,116 @@
+/* A whole study in memory, for figures and tables: of each point no more than these show, so that thousands of runs
+ * take little. Files and standard output are written from the points themselves (study/sweep.h). */
+#ifndef THUD_STUDY_SWEEP_TABLE_H
+#define THUD_STUDY_SWEEP_TABLE_H
+
+#include <stdbool.h>
+
+#include "study/sweep/sweep.h"
+
+/* Over case `none`, and over no pounding, as in struct thud_sweep_row. */
+struct thud_sweep_ratio {
+    double acceleration, drift, acceleration_free, drift_free;
+};
+enum thud_sweep_end { THUD_SWEEP_VALUE, THUD_SWEEP_LOW, THUD_SWEEP_HIGH };
+
+/* What is kept of a case: all contacts together. */
+struct thud_sweep_run {
+    enum thud_case which;
+    int impacts;
+    double force_n;                 /* largest; 0: nothing touched */
+    double indentation_m;           /* largest */
+    double shear_n, capacity_ratio; /* of struck columns: largest shear, and over what they bear; NaN: none */
+};
+
+/* Largest of the storeys of a structure that yield: ductility, and size of the permanent drift; NaN: none does. */
+struct thud_sweep_storeys {
+    double ductility, permanent_m;
+};
+
+/* Over a suite of ground motions, of a run whose own values are medians: 16 and 84 % of the force, and the shares of the
+ * motions under which something touches, and under which the mean acceleration of a structure is larger than in case
+ * `none`. */
+struct thud_sweep_shares {
+    double force_low_n, force_high_n, pounding, worse;
+    double shear_low_n, shear_high_n, capacity_low, capacity_high; /* as in thud_sweep_run */
+};
+
+/* What is kept of a point: one allocation (free with free()), sized to its floors and cases. */
+struct thud_sweep_summary {
+    int record;                         /* from 0 */
+    int at[THUD_VARY_MAX];              /* place of its value on each axis */
+    int nruns;                          /* cases that were asked for and have an answer */
+    int nrows;                          /* of a run: a mean and the floors of every structure that has floors */
+    bool spread, touches;               /* low and high are there; there are contacts */
+    double gap_m;                       /* of the first interface; NaN where there is none */
+    struct thud_sweep_run *run;         /* (nruns) in the order of the cases */
+    struct thud_sweep_ratio *ratio;     /* (nruns x nrows x 1, with a spread x 3: value, low, high) */
+    struct thud_sweep_storeys *storeys; /* (nruns x nstructures x 1, with a spread x 3, which a suite alone fills) */
+    int *first; /* (nstructures + 1): row of a structure's mean; its floors from 1 up come next */
+};
+
+struct thud_sweep_table {
+    int nrecords, nstructures, naxes;
+    double sensitivity; /* of the spread; 0: there is none */
+    int motions; /* over how many ground motions the values are medians, low and high 16 and 84 %; 0: of one each */
+    const char *const *record;            /* (nrecords) names */
+    const char *const *structure;         /* (nstructures) names */
+    const enum thud_structure_kind *kind; /* (nstructures) */
+    const struct thud_sweep_axis *axis;   /* (naxes) */
+    size_t nrows;                         /* of all runs */
+    size_t npoints;
+    struct thud_sweep_summary *const *point; /* (npoints): by record, then parameters, the last axis fastest */
+    const struct thud_sweep_shares *shares;  /* (npoints x THUD_SWEEP_CASES_MAX) of a suite's runs; else NULL */
+    const struct thud_sweep_need_row
+        *need; /* (nrecords) the one that needs the widest gap; interface 0: there is none */
+};
+
+/* Bytes of a summary. */
+size_t thud_sweep_summary_size(int nruns, int nstructures, int nrows, bool spread);
+/* An empty one for structures with so many floors each; NULL when out of memory. */
+struct thud_sweep_summary *thud_sweep_summary_create(int nruns, int nstructures, const int *floors, bool spread);
+/* Of a finished point; *out is NULL where no case that was asked for has an answer. Errors: THUD_MEMORY. */
+enum thud_status thud_sweep_summary_make(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point,
+                                         struct thud_sweep_summary **out, struct thud_error *err);
+
+/* The table of a suite: one record, whose points hold the statistics over all records of `table`: medians, and as low
+ * and high the 16 and 84 % fractiles (of the logarithms where positive). It points to the names and axes of `table`.
+ * Free with thud_sweep_suite_free. Errors: THUD_MEMORY. */
+enum thud_status thud_sweep_suite_make(const struct thud_sweep_table *table, struct thud_sweep_table **out,
+                                       struct thud_error *err);
+void thud_sweep_suite_free(struct thud_sweep_table *suite);
+
+static inline int thud_sweep_summary_floors(const struct thud_sweep_summary *d, int structure)
+{
+    int rows = d->first[structure + 1] - d->first[structure];
+    return rows > 0 ? rows - 1 : 0;
+}
+
+/* Of run k and a floor of a structure (0: the mean); NULL where there is no such floor, or no spread. */
+static inline struct thud_sweep_ratio *thud_sweep_summary_ratio(const struct thud_sweep_summary *d, int k,
+                                                                int structure, int floor, enum thud_sweep_end end)
+{
+    int row = d->first[structure] + floor, ends = d->spread ? 3 : 1;
+    if (row >= d->first[structure + 1] || (int)end >= ends)
+        return NULL;
+    return &d->ratio[((ptrdiff_t)k * d->nrows + row) * ends + end];
+}
+
+/* Of run k and a structure; with a spread by its end. */
+static inline struct thud_sweep_storeys *thud_sweep_summary_storeys(const struct thud_sweep_summary *d, int k,
+                                                                    int nstructures, int structure,
+                                                                    enum thud_sweep_end end)
+{
+    return &d->storeys[((ptrdiff_t)k * nstructures + structure) * (d->spread ? 3 : 1) + end];
+}
+
+/* The run of a case; -1: there is none. */
+static inline int thud_sweep_summary_find(const struct thud_sweep_summary *d, enum thud_case which)
+{
+    for (int k = 0; k < d->nruns; k++)
+        if (d->run[k].which == which)
+            return k;
+    return -1;
+}
+
+#endif

@@ -1,0 +1,86 @@
+/* How sure an answer is: the inputs that are not known in practice, each with a size; changed one at a time (tornado) and
+ * all together, drawn at random. */
+#ifndef THUD_STUDY_UNCERTAINTY_H
+#define THUD_STUDY_UNCERTAINTY_H
+
+#include "ground/record.h"
+#include "study/scene/scene.h"
+
+enum thud_input {
+    THUD_INPUT_GAP,
+    THUD_INPUT_MOTION,    /* the ground motion's scale */
+    THUD_INPUT_STIFFNESS, /* of storeys and isolators */
+    THUD_INPUT_DAMPING,
+    THUD_INPUT_MASS,
+    THUD_INPUT_CONTACT_STIFFNESS,
+    THUD_INPUT_RESTITUTION, /* of contact and bumper */
+    THUD_INPUT_BUMPER_STIFFNESS,
+    THUD_INPUT_BUMPER_EXPONENT, /* keeps the number of the stiffness per mm^n */
+    THUD_INPUT_YIELD,           /* drift or shear at which storeys yield */
+    THUD_INPUT_HARDENING,       /* of those storeys, 0 to 1 */
+    THUD_INPUT_COLUMNS,         /* stiffness of the columns that slabs strike */
+    THUD_INPUT_ELEVATION,       /* ground of every second structure from the left */
+    THUD_INPUTS
+};
+enum thud_input_way {
+    THUD_INPUT_RELATIVE, /* from x (1 - size) to x (1 + size) */
+    THUD_INPUT_FACTOR,   /* from x / size to x size, evenly in the logarithm */
+    THUD_INPUT_ABSOLUTE, /* from x - size to x + size, within what is allowed */
+    THUD_INPUT_LENGTH    /* the same in m */
+};
+struct thud_input_info {
+    const char *name; /* the word on the command line */
+    enum thud_input_way way;
+    double size; /* by itself; 0 (or a factor of 1): not changed */
+};
+const struct thud_input_info *thud_input_info(enum thud_input input);
+
+/* Size of each input. */
+struct thud_inputs {
+    double size[THUD_INPUTS];
+};
+void thud_inputs_init(struct thud_inputs *inputs);
+/* "gap=5 %", "contact-stiffness=2", "restitution=0.1", "elevation=5 cm". Errors: THUD_USAGE. */
+enum thud_status thud_inputs_set(struct thud_inputs *inputs, const char *text, struct thud_error *err);
+/* Changes an input to place u (0 to 1; 0.5 is as it is) of its range. The motion's factor goes into *motion. No gap is
+ * less than its bumper takes. */
+void thud_input_change(struct thud_scene *scene, enum thud_input input, double size, double u, double *motion);
+
+/* ---- what is asked of every sample ---- */
+
+enum thud_quantity_kind { THUD_OF_ACCELERATION, THUD_OF_DRIFT, THUD_OF_FORCE, THUD_OF_NUMBER };
+struct thud_quantity_of_run {
+    char name[96];   /* "bumper: mean acceleration of A over no bumper" */
+    char column[96]; /* in CSV: "bumper.A.acceleration_ratio" */
+    enum thud_quantity_kind kind;
+    bool ratio; /* to the first case */
+    bool mean;  /* over the floors, not the largest */
+    enum thud_case which;
+    int structure; /* -1: of all contacts */
+};
+
+struct thud_uncertainty {
+    struct thud_scene scene;          /* before its case */
+    const struct thud_record *record; /* NULL: no ground motion */
+    int ncases;
+    enum thud_case which[THUD_CASES + 1]; /* none first where there is a bumper */
+    struct thud_inputs inputs;
+    int ninputs;
+    enum thud_input input[THUD_INPUTS];
+    bool columns; /* slabs strike some in the scene as it is */
+    int nquantities;
+    struct thud_quantity_of_run *quantity; /* (nquantities) */
+};
+
+/* `which`: THUD_CASE_AS_WRITTEN and a scene without bumper: that alone; with one: none and bumper; else none and `which`.
+ * Errors: THUD_INPUT (nothing is uncertain), THUD_MEMORY. */
+enum thud_status thud_uncertainty_create(const struct thud_scene *scene, const struct thud_record *record,
+                                         enum thud_case which, const struct thud_inputs *inputs,
+                                         struct thud_uncertainty **out, struct thud_error *err);
+void thud_uncertainty_free(struct thud_uncertainty *uncertainty);
+/* The quantities at place u (ninputs) into value (nquantities); NaN where a run has no answer. Several threads may ask at
+ * once. Errors: THUD_MEMORY, THUD_INPUT. */
+enum thud_status thud_uncertainty_evaluate(const struct thud_uncertainty *uncertainty, const double *u, double *value,
+                                           struct thud_error *err);
+
+#endif

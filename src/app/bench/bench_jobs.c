@@ -1,0 +1,192 @@
+#include "app/bench/bench_jobs.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "app/run/timing.h"
+
+enum { SLICE = 2000 };
+/* A point is timed again while one run of it takes no longer than the first, and all of them no longer than the second. */
+static const double again_below_s = 1, spend_s = 2;
+
+void thud_bench_work_init(struct thud_bench_work *work, struct thud_bench *bench, const struct thud_bench_jobs *jobs)
+{
+    memset(work, 0, sizeof *work);
+    work->bench = bench;
+    work->jobs = *jobs;
+}
+
+void thud_bench_work_stop(struct thud_bench_work *work)
+{
+    thud_run_free(work->run);
+    work->run = NULL;
+}
+
+static double now_s(const struct thud_bench_work *work)
+{
+    return work->jobs.now_s ? work->jobs.now_s(work->jobs.context) : thud_timing_now_s();
+}
+
+static void tell(const struct thud_bench_work *work, const char *what, int done, int count)
+{
+    if (work->jobs.progress)
+        work->jobs.progress(work->jobs.context, what, done, count);
+}
+
+/* A slice of the run in hand; only the time spent in it is counted. */
+static enum thud_status advance_run(struct thud_bench_work *work, long budget, bool *done, struct thud_error *err)
+{
+    double start = now_s(work), begin = thud_timing_processor_s();
+    enum thud_status status = thud_run_advance(work->run, budget, done, err);
+    double took = now_s(work) - start;
+    work->elapsed_s += took;
+    work->all_s += took;
+    work->processor_s += thud_timing_processor_s() - begin;
+    return status;
+}
+
+static enum thud_status advance_reference(struct thud_bench_work *work, long budget, struct thud_error *err)
+{
+    bool done = false;
+    enum thud_status status = THUD_OK;
+    if (!work->run) {
+        tell(work, "reference", work->reference, 2);
+        status = thud_bench_reference_start(work->bench, work->reference, &work->run, err);
+    }
+    if (status == THUD_OK && work->run)
+        status = advance_run(work, budget, &done, err);
+    if (status != THUD_OK || (!done && work->run))
+        return status;
+    struct thud_run *run = work->run;
+    work->run = NULL;
+    return thud_bench_reference_finish(work->bench, work->reference++, run, err);
+}
+
+/* How long the point will take, by the one before it on its curve: steps cost by their number, tolerances grow slowly.
+ */
+static double expected_s(struct thud_bench *bench, int i)
+{
+    const struct thud_bench_point *p = thud_bench_point(bench, i), *before = i > 0 ? p - 1 : NULL;
+    if (!before || before->curve != p->curve || before->seconds == 0)
+        return 0;
+    return before->seconds * (p->method->flags & THUD_METHOD_FIXED_STEP ? before->setting / p->setting : 1.8);
+}
+
+static bool too_long(struct thud_bench_work *work)
+{
+    struct thud_bench_point *p = thud_bench_point(work->bench, work->at);
+    double expected = expected_s(work->bench, work->at);
+    bool spent = work->jobs.budget_s > 0 && work->all_s > work->jobs.budget_s;
+    if (!spent && (!(work->jobs.patience_s > 0) || expected <= work->jobs.patience_s))
+        return false;
+    p->state = THUD_BENCH_SKIPPED;
+    if (expected > 0)
+        snprintf(p->message, sizeof p->message, "would take about %.2g s", expected);
+    else
+        snprintf(p->message, sizeof p->message, "left out: %.2g s are spent", work->all_s);
+    p->seconds = expected; /* for the next one on the curve */
+    return true;
+}
+
+static void next_point(struct thud_bench_work *work)
+{
+    work->at++;
+    work->timed = 0;
+    work->spent_s = 0;
+    work->judged = false;
+}
+
+static void finish_point(struct thud_bench_work *work)
+{
+    struct thud_bench_point *p = thud_bench_point(work->bench, work->at);
+    double unused;
+    p->repeats = work->timed > 0 ? work->timed : 1;
+    p->seconds = thud_timing_median(work->seconds, p->repeats, &p->spread);
+    p->processor_s = thud_timing_median(work->processor, p->repeats, &unused);
+    next_point(work);
+}
+
+/* The first run of a point warms up and is judged, the others are for its time; it alone counts where it takes long. */
+static enum thud_status finish_run(struct thud_bench_work *work, enum thud_status status,
+                                   const struct thud_error *failure, struct thud_error *err)
+{
+    int most = work->jobs.repeats < THUD_TIMINGS_MAX ? work->jobs.repeats : THUD_TIMINGS_MAX;
+    bool first = !work->judged, failed = status != THUD_OK;
+    enum thud_status verdict = THUD_OK;
+    work->seconds[work->timed] = work->elapsed_s;
+    work->processor[work->timed] = work->processor_s;
+    if (first) {
+        verdict = thud_bench_judge(work->bench, work->at, work->run, status, failure, err);
+        work->warm_s = work->elapsed_s;
+        work->judged = true;
+    } else {
+        work->timed++;
+        work->spent_s += work->warm_s;
+    }
+    thud_bench_work_stop(work);
+    if (verdict != THUD_OK)
+        return verdict;
+    if ((first && failed) || work->warm_s > again_below_s || work->timed >= most || work->spent_s >= spend_s)
+        finish_point(work);
+    return THUD_OK;
+}
+
+static enum thud_status advance_point(struct thud_bench_work *work, long budget, struct thud_error *err)
+{
+    struct thud_error failure = {0};
+    enum thud_status status = THUD_OK;
+    bool done = false;
+    if (!work->run) {
+        if (!work->judged) {
+            char name[64];
+            thud_bench_curve_name(thud_bench_point(work->bench, work->at), name, sizeof name);
+            tell(work, name, work->at, thud_bench_count(work->bench));
+            if (too_long(work)) {
+                next_point(work);
+                return THUD_OK;
+            }
+        }
+        double start = now_s(work), begin = thud_timing_processor_s();
+        status = thud_bench_start(work->bench, work->at, &work->run, &failure);
+        work->elapsed_s = now_s(work) - start;
+        work->processor_s = thud_timing_processor_s() - begin;
+    }
+    if (status == THUD_OK)
+        status = advance_run(work, budget, &done, &failure);
+    if (status == THUD_OK && !done)
+        return THUD_OK;
+    if (status == THUD_OK || status == THUD_DIVERGED)
+        return finish_run(work, status, &failure, err);
+    if (err)
+        *err = failure;
+    return status;
+}
+
+enum thud_status thud_bench_work_advance(struct thud_bench_work *work, long budget, bool *done, struct thud_error *err)
+{
+    enum thud_status status;
+    *done = false;
+    if (work->jobs.cancel && *work->jobs.cancel)
+        status = thud_error_set(err, THUD_CANCELLED, "stopped");
+    else if (work->reference < 2)
+        status = advance_reference(work, budget, err);
+    else if (work->at < thud_bench_count(work->bench))
+        status = advance_point(work, budget, err);
+    else
+        status = THUD_OK;
+    *done = work->reference == 2 && work->at >= thud_bench_count(work->bench);
+    if (status != THUD_OK)
+        thud_bench_work_stop(work);
+    return status;
+}
+
+enum thud_status thud_bench_jobs_run(struct thud_bench *bench, const struct thud_bench_jobs *jobs,
+                                     struct thud_error *err)
+{
+    struct thud_bench_work work;
+    enum thud_status status = THUD_OK;
+    thud_bench_work_init(&work, bench, jobs);
+    for (bool done = false; status == THUD_OK && !done;)
+        status = thud_bench_work_advance(&work, SLICE, &done, err);
+    return status;
+}

@@ -1,0 +1,239 @@
+#include <math.h>
+#include <stdio.h>
+
+#include "app/bench/bench_jobs.h"
+
+static const char *state_word(const struct thud_bench_point *p)
+{
+    static const char *const words[] = {"not run", "", "FAILED", "skipped"};
+    return words[p->state];
+}
+
+static void add_reference(struct thud_bench *bench, struct thud_text *out)
+{
+    double error = thud_bench_reference_error(bench);
+    thud_text_append(out, "reference: %s at its tightest, against %s: ", thud_bench_reference_name(bench, 0),
+                     thud_bench_reference_name(bench, 1));
+    if (isnan(error))
+        thud_text_append(out, "not confirmed\n");
+    else if (error > 0)
+        thud_text_append(out, "they agree to %.1f digits (largest relative difference %.1e)\n", -log10(error), error);
+    else
+        thud_text_append(out, "they agree to all digits\n");
+}
+
+/* What is told apart from results: runs whose impacts are not those of the reference, and runs without an answer, or
+ * with one that is none. */
+enum fault { THUD_BENCH_WRONG_IMPACTS, THUD_BENCH_BLOWN_UP };
+static const double no_answer = 100; /* relative error */
+
+static bool has_fault(const struct thud_bench_point *p, enum fault fault)
+{
+    bool done = p->state == THUD_BENCH_DONE;
+    return fault == THUD_BENCH_WRONG_IMPACTS ? done && p->error.missed + p->error.extra > 0
+                                             : p->state == THUD_BENCH_FAILED || (done && !(p->error.all <= no_answer));
+}
+
+/* How a list of runs is written: what stands before it, between two curves, behind a curve's name, between two runs. */
+struct list_style {
+    const char *begin, *curve, *name, *run;
+};
+
+/* The runs with a fault, by curve and setting; nothing where there are none. */
+static void put_runs(struct thud_bench *bench, enum fault fault, const struct list_style *style, struct thud_text *out)
+{
+    int curve = -1;
+    for (int i = 0; i < thud_bench_count(bench); i++) {
+        const struct thud_bench_point *p = thud_bench_point(bench, i);
+        char name[64];
+        if (!has_fault(p, fault))
+            continue;
+        thud_bench_curve_name(p, name, sizeof name);
+        if (p->curve != curve)
+            thud_text_append(out, "%s%s%s%.0e", curve < 0 ? style->begin : style->curve, name, style->name, p->setting);
+        else
+            thud_text_append(out, "%s%.0e", style->run, p->setting);
+        curve = p->curve;
+    }
+}
+
+static void add_list(struct thud_bench *bench, enum fault fault, const char *begin, struct thud_text *out)
+{
+    size_t before = out->size;
+    put_runs(bench, fault, &(struct list_style){begin, "\n  ", ": ", " "}, out);
+    if (out->size > before)
+        thud_text_append(out, "\n");
+}
+
+void thud_bench_table(struct thud_bench *bench, struct thud_text *out)
+{
+    int curve = -1;
+    add_reference(bench, out);
+    for (int i = 0; i < thud_bench_count(bench); i++) {
+        const struct thud_bench_point *p = thud_bench_point(bench, i);
+        char name[64];
+        if (p->curve != curve) {
+            thud_bench_curve_name(p, name, sizeof name);
+            thud_text_append(out,
+                             "\n%s%s\n%9s  time ms  spread    error  accel.   drift    force    impact s  missed    "
+                             "steps    forces\n",
+                             name,
+                             !thud_bench_yields(bench) ? ""
+                             : p->locate               ? ": impacts, yielding and unloading where they are"
+                                                       : ": impacts, yielding and unloading at ends of steps",
+                             p->method->flags & THUD_METHOD_FIXED_STEP ? "step s" : "tolerance");
+            curve = p->curve;
+        }
+        if (p->state != THUD_BENCH_DONE) {
+            thud_text_append(out, "%9.0e  %s %s\n", p->setting, state_word(p), p->message);
+            continue;
+        }
+        char spread[16] = "-"; /* of one timing */
+        if (p->repeats > 1)
+            snprintf(spread, sizeof spread, "%.2g", 1e3 * p->spread);
+        thud_text_append(out, "%9.0e %8.3g %7s  %7.1e %7.1e  %7.1e  %7.1e  %7.1e  %3d+%-3d %8ld %9ld\n", p->setting,
+                         1e3 * p->seconds, spread, p->error.all, p->error.acceleration, p->error.drift, p->error.force,
+                         p->error.impact_time_s, p->error.missed, p->error.extra, p->work.steps,
+                         p->work.force_evaluations);
+    }
+    add_list(bench, THUD_BENCH_WRONG_IMPACTS, "\nimpacts missed or added:\n  ", out);
+    add_list(bench, THUD_BENCH_BLOWN_UP, "\nno answer:\n  ", out);
+}
+
+static void add_field(struct thud_text *out, double value)
+{
+    thud_text_append(out, ",");
+    if (isfinite(value))
+        thud_text_number(out, value);
+}
+
+void thud_bench_csv(struct thud_bench *bench, struct thud_text *out)
+{
+    static const char *const states[] = {"not-run", "done", "failed", "skipped"};
+    thud_text_append(out, "method,located,setting,state,seconds,spread_s,repeats,error,error_acceleration,error_drift,"
+                          "error_force,impact_time_s,missed,extra,steps,force_evaluations,events,processor_s\n");
+    for (int i = 0; i < thud_bench_count(bench); i++) {
+        const struct thud_bench_point *p = thud_bench_point(bench, i);
+        bool done = p->state == THUD_BENCH_DONE;
+        const double value[] = {p->error.all, p->error.acceleration, p->error.drift, p->error.force,
+                                p->error.impact_time_s};
+        thud_text_append(out, "%s,%d", p->method->name, p->locate);
+        add_field(out, p->setting);
+        thud_text_append(out, ",%s", states[p->state]);
+        add_field(out, done ? p->seconds : NAN);
+        add_field(out, done && p->repeats > 1 ? p->spread : NAN);
+        thud_text_append(out, ",%d", done ? p->repeats : 0);
+        for (size_t k = 0; k < sizeof value / sizeof *value; k++)
+            add_field(out, done ? value[k] : NAN);
+        thud_text_append(out, ",%d,%d,%ld,%ld,%ld", p->error.missed, p->error.extra, p->work.steps,
+                         p->work.force_evaluations, p->work.events);
+        add_field(out, done && p->processor_s > 0 ? p->processor_s : NAN);
+        thud_text_append(out, "\n");
+    }
+}
+
+/* One curve into both panels of its column. */
+static void add_curve(struct thud_bench *bench, int first, int last, struct thud_panel *const panel[2], int color)
+{
+    const char *name = thud_bench_point(bench, first)->method->name;
+    double x[64], time[64], work[64], ring_x[64], ring_time[64], ring_work[64];
+    size_t n = 0, rings = 0;
+    for (int i = first; i < last && n < 64; i++) {
+        const struct thud_bench_point *p = thud_bench_point(bench, i);
+        if (p->state != THUD_BENCH_DONE || !(p->error.all > 0) || has_fault(p, THUD_BENCH_BLOWN_UP))
+            continue;
+        x[n] = fmax(p->error.all, 1e-13);
+        time[n] = 1e3 * p->seconds;
+        work[n] = (double)p->work.steps + (double)p->work.force_evaluations;
+        if (has_fault(p, THUD_BENCH_WRONG_IMPACTS)) {
+            ring_x[rings] = x[n];
+            ring_time[rings] = time[n];
+            ring_work[rings++] = work[n];
+        }
+        n++;
+    }
+    struct thud_style style = {.kind = THUD_LINES_POINTS, .color = color, .wide = color == 0};
+    if (n > 0) {
+        thud_panel_add(panel[0], style, name, n, x, time);
+        thud_panel_add(panel[1], style, name, n, x, work);
+    }
+    if (rings > 0) {
+        struct thud_style ring = {.kind = THUD_POINTS, .color = THUD_COLORS - 1, .wide = true};
+        thud_panel_add(panel[0], ring, "", rings, ring_x, ring_time); /* no method: the note says what it is */
+        thud_panel_add(panel[1], ring, "", rings, ring_x, ring_work);
+    }
+}
+
+/* Methods with runs that no chart can show. */
+static void add_note(struct thud_bench *bench, struct thud_figure *figure)
+{
+    static const struct list_style style = {"Blown up, and not shown: ", "; ", " at ", ", "};
+    struct thud_text note = {0};
+    for (int i = 0; i < thud_bench_count(bench) && note.size == 0; i++)
+        if (has_fault(thud_bench_point(bench, i), THUD_BENCH_WRONG_IMPACTS))
+            thud_text_append(&note, "Ringed: runs that missed impacts or added some. ");
+    put_runs(bench, THUD_BENCH_BLOWN_UP, &style, &note);
+    if (note.size > 0 && !note.failed)
+        thud_figure_note(figure, note.data);
+    thud_text_clear(&note);
+}
+
+/* The same colour for a method wherever it stands; `exact`, the first of the list, is 0. */
+static int color_of(const struct thud_method *method)
+{
+    int i = 0;
+    while (i < thud_method_count() && thud_method_at(i) != method)
+        i++;
+    return i;
+}
+
+/* Panels side by side show the same stretch, so that they can be compared. */
+static void share_axis(struct thud_panel *const panel[], int n, enum thud_side side)
+{
+    double least = INFINITY, most = -INFINITY;
+    for (int i = 0; i < n; i++) {
+        if (!panel[i] || panel[i]->nseries == 0)
+            continue;
+        struct thud_range range = thud_panel_range(panel[i], side);
+        least = fmin(least, range.least);
+        most = fmax(most, range.most);
+    }
+    for (int i = 0; i < n && least < most; i++)
+        thud_panel_limits(panel[i], side, least, most);
+}
+
+struct thud_figure *thud_bench_figure(struct thud_bench *bench, const char *title)
+{
+    static const char *const titles[2][2] = {
+        {"Time, not located: peaks at step ends", "Time, located: peaks inside steps"},
+        {"Work, events not located", "Work, events located"}};
+    struct thud_figure *figure = thud_figure_create("bench", title, 2, 2);
+    struct thud_panel *panel[2][2];
+    double trust = thud_bench_reference_error(bench);
+    for (int row = 0; row < 2; row++)
+        for (int column = 0; column < 2; column++) {
+            struct thud_panel *p = panel[column][row] = thud_figure_panel(figure, row, column, titles[row][column]);
+            thud_panel_axis(p, THUD_X, "Largest relative error of the peaks", "");
+            thud_panel_axis(p, THUD_Y, row == 0 ? "Time" : "Steps and force evaluations", row == 0 ? "ms" : "");
+            thud_panel_log(p, THUD_X);
+            thud_panel_log(p, THUD_Y);
+            if (isfinite(trust) && trust > 0)
+                thud_panel_mark(p, THUD_X, fmax(trust, 1e-13), fmax(trust, 1e-13), "reference");
+        }
+    int count = thud_bench_count(bench);
+    for (int first = 0, last; first < count; first = last) {
+        const struct thud_bench_point *p = thud_bench_point(bench, first);
+        for (last = first; last < count && thud_bench_point(bench, last)->curve == p->curve;)
+            last++;
+        bool exact = p->method->order == 0 && p->locate;
+        for (int column = 0; column < 2; column++)
+            if (exact || column == p->locate)
+                add_curve(bench, first, last, panel[column], color_of(p->method));
+    }
+    struct thud_panel *const all[] = {panel[0][0], panel[1][0], panel[0][1], panel[1][1]}; /* time, time, work, work */
+    add_note(bench, figure);
+    share_axis(all, 4, THUD_X);
+    share_axis(all, 2, THUD_Y);
+    share_axis(all + 2, 2, THUD_Y);
+    return figure;
+}

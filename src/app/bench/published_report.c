@@ -1,0 +1,158 @@
+#include "app/bench/published_report.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "app/run/session.h"
+#include "base/quantity.h"
+#include "io/file/json.h"
+
+static enum thud_status compute(enum thud_published which, const struct thud_record_choice *record,
+                                struct thud_session *session, struct thud_published_result *out, struct thud_error *err)
+{
+    const struct thud_published_info *info = thud_published_info(which);
+    char path[640], found[1024];
+    struct thud_paths paths;
+    thud_paths_find(&paths);
+    snprintf(path, sizeof path, "%s/published/%s.yaml", paths.presets, info->preset);
+    enum thud_status status = thud_session_open(session, path, err);
+    if (status != THUD_OK)
+        return status;
+    struct thud_record_choice *choice = &session->scene.record;
+    if (info->needs_record && record)
+        *choice = *record;
+    else if (info->needs_record && thud_paths_record(&session->paths, session->preset_path, choice->file, found,
+                                                     sizeof found, NULL) != THUD_OK)
+        out->skipped = true;
+    if (!out->skipped)
+        status = thud_session_read_record(session, err);
+    if (status == THUD_OK && !out->skipped) {
+        if (info->needs_record)
+            snprintf(out->motion, sizeof out->motion, "%s, peak %.4f g, %zu samples", session->record->file,
+                     thud_record_peak(session->record) / THUD_GRAVITY, session->record->samples);
+        status = thud_published_compute(which, &session->scene, session->record, out->row, &out->n, err);
+    }
+    thud_session_close(session);
+    return status;
+}
+
+enum thud_status thud_published_verify(enum thud_published which, const struct thud_record_choice *record,
+                                       struct thud_published_result *out, struct thud_error *err)
+{
+    *out = (struct thud_published_result){0};
+    if (!thud_published_info(which)->preset)
+        return thud_published_compute(which, NULL, NULL, out->row, &out->n, err);
+    struct thud_session *session = calloc(1, sizeof *session);
+    if (!session)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    enum thud_status status = compute(which, record, session, out, err);
+    free(session);
+    return status;
+}
+
+/* Values, those outside of their tolerance, and scenes that were skipped. */
+struct count {
+    int values, wrong, skipped;
+};
+
+static struct count count(const struct thud_published_result *result)
+{
+    struct count sum = {0};
+    for (int i = 0; i < THUD_PUBLISHED_COUNT; i++) {
+        sum.skipped += result[i].skipped;
+        sum.values += result[i].n;
+        for (int k = 0; k < result[i].n; k++)
+            sum.wrong += !result[i].row[k].holds;
+    }
+    return sum;
+}
+
+int thud_published_wrong(const struct thud_published_result *result)
+{
+    return count(result).wrong;
+}
+
+static void add_row(const struct thud_published_row *r, struct thud_text *out)
+{
+    char difference[32];
+    if (r->published != 0)
+        snprintf(difference, sizeof difference, fabs(r->difference) < 5e-5 ? "0.00 %%" : "%+.2f %%",
+                 100 * r->difference);
+    else
+        snprintf(difference, sizeof difference, "%.1e", r->difference);
+    thud_text_append(out, "    %-40s %12.6g %12.6g %-5s %10s  %s\n", r->quantity, r->published, r->computed, r->unit,
+                     difference, r->holds ? "holds" : "differs");
+}
+
+/* What the agreement says, and what it does not. */
+static void add_validity(const struct count *sum, struct thud_text *out)
+{
+    thud_text_append(out,
+                     "\nValidated by this: %sthe times and speeds of touch; the restitution of a law; the\n"
+                     "peak force of a small cart on foam, after its duration and restitution were fitted.\n",
+                     sum->skipped > 0 ? "" : "modes, response to a ground motion and storey forces;\n");
+    thud_text_append(out, "Not validated: the pounding of buildings. No test at that scale is public with\n"
+                          "parameters and results that can be read; contact stiffness and restitution between\n"
+                          "slabs are assumptions.\n"
+                          "What is printed or read from a figure is rounded: half a percent is what agreement\n"
+                          "can show.\n");
+}
+
+void thud_published_table(const struct thud_published_result *result, struct thud_text *out)
+{
+    for (int i = 0; i < THUD_PUBLISHED_COUNT; i++) {
+        const struct thud_published_info *info = thud_published_info((enum thud_published)i);
+        thud_text_append(out, "%s%s\n  %s\n", i > 0 ? "\n" : "", info->title, info->source);
+        if (result[i].motion[0])
+            thud_text_append(out, "  ground motion: %s\n", result[i].motion);
+        if (result[i].skipped)
+            thud_text_append(out, "    skipped: needs %s\n    (`thud verify --published --record FILE`)\n",
+                             info->needs_record);
+        else
+            thud_text_append(out, "    %-40s %12s %12s %-5s %10s\n", "", "published", "computed", "", "difference");
+        for (int k = 0; k < result[i].n; k++)
+            add_row(&result[i].row[k], out);
+    }
+    struct count sum = count(result);
+    thud_text_append(out, "\n%d published values: %d hold, %d differ", sum.values, sum.values - sum.wrong, sum.wrong);
+    if (sum.skipped > 0)
+        thud_text_append(out, "; %d scene%s skipped", sum.skipped, sum.skipped == 1 ? "" : "s");
+    thud_text_append(out, "\n");
+    add_validity(&sum, out);
+}
+
+void thud_published_json(const struct thud_published_result *result, struct thud_text *out)
+{
+    thud_text_append(out, "[");
+    for (int i = 0; i < THUD_PUBLISHED_COUNT; i++) {
+        const struct thud_published_info *info = thud_published_info((enum thud_published)i);
+        thud_text_append(out, "%s\n  {\"title\": ", i > 0 ? "," : "");
+        thud_json_string(out, info->title);
+        thud_text_append(out, ", \"source\": ");
+        thud_json_string(out, info->source);
+        thud_text_append(out, ", \"skipped\": %s, \"motion\": ", result[i].skipped ? "true" : "false");
+        thud_json_string(out, result[i].motion);
+        thud_text_append(out, ", \"values\": [");
+        for (int k = 0; k < result[i].n; k++) {
+            const struct thud_published_row *r = &result[i].row[k];
+            thud_text_append(out, "%s\n    {\"quantity\": ", k > 0 ? "," : "");
+            thud_json_string(out, r->quantity);
+            thud_text_append(out, ", \"unit\": \"%s\"", r->unit);
+            const struct {
+                const char *key;
+                double value;
+            } field[] = {{"published", r->published},
+                         {"computed", r->computed},
+                         {"difference", r->difference},
+                         {"tolerance", r->tolerance}};
+            for (size_t f = 0; f < sizeof field / sizeof *field; f++) {
+                thud_text_append(out, ", ");
+                thud_json_field(out, field[f].key, field[f].value);
+            }
+            thud_text_append(out, ", \"holds\": %s}", r->holds ? "true" : "false");
+        }
+        thud_text_append(out, "]}");
+    }
+    thud_text_append(out, "\n]\n");
+}

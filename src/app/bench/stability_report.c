@@ -1,0 +1,241 @@
+#include "app/bench/stability_report.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static const char *const kinds[THUD_STABILITY_KINDS] = {"free vibration", "wall spring", "scene"};
+
+static bool same(const struct thud_stepping *a, const struct thud_stepping *b)
+{
+    return a->method == b->method && a->locate == b->locate;
+}
+
+static void add_number(struct thud_text *out, double value)
+{
+    if (isfinite(value))
+        thud_text_append(out, " %9.4g", value);
+    else
+        thud_text_append(out, " %9s", isnan(value) ? "-" : "blown up");
+}
+
+/* Begins a line with the method where it is another than that before (NULL: the first); whether it did. */
+static bool new_line(const struct thud_stepping *how, const struct thud_stepping *before, struct thud_text *out)
+{
+    char name[64];
+    if (before && same(how, before))
+        return false;
+    thud_stepping_name(how, name, sizeof name);
+    thud_text_append(out, "\n%-34s", name);
+    return true;
+}
+
+static void add_verdicts(const struct thud_stability *s, int kind, struct thud_text *out)
+{
+    static const char signs[] = "-.+X";
+    static const char *const meant[THUD_STABILITY_KINDS] = {
+        "(+ from 1.21, X from 1e4 times the energy in the second half of 50 s)",
+        "(+ from 1.21, X from 1e4 times the energy of the start, within 50 s, at the worst of several starts)",
+        "(+ from 2, X from 100 times the exact peak displacement, at the worst of three steps up to 6 % shorter)"};
+    const struct thud_stability_cell *c = s->cell;
+    thud_text_append(out, "\n%s: . bounded, + growing, X blown up; limit: omega dt of a linear system\n%s\n%-34s %6s ",
+                     kinds[kind], meant[kind], "omega dt", "limit");
+    for (int i = 0, shown = 0; i < s->ncells && !(shown && !same(&c[i].how, &c[i - 1].how)); i++)
+        if (!isnan(c[i].omega_dt)) {
+            thud_text_append(out, " %5.4g", c[i].omega_dt);
+            shown = 1;
+        }
+    for (int i = 0; i < s->ncells; i++) {
+        if (new_line(&c[i].how, i ? &c[i - 1].how : NULL, out)) {
+            if (isfinite(c[i].how.method->stability))
+                thud_text_append(out, " %6.4g ", c[i].how.method->stability);
+            else
+                thud_text_append(out, " %6s ", "none");
+        }
+        if (isnan(c[i].omega_dt))
+            thud_text_append(out, " %s (steps of its own)", thud_stability_verdict_word(c[i].verdict[kind]));
+        else
+            thud_text_append(out, " %5c", signs[c[i].verdict[kind]]);
+    }
+    thud_text_append(out, "\n");
+}
+
+static void add_share(double value, struct thud_text *out)
+{
+    char text[16] = "X";
+    if (isnan(value))
+        snprintf(text, sizeof text, "-");
+    else if (isfinite(value))
+        snprintf(text, sizeof text, value >= 0.1 && value < 1000 ? "%.3g" : "%.0e", value);
+    thud_text_append(out, " %7s", text);
+}
+
+/* A column for each of these steps; methods that take none have one number. */
+static void add_energies(const struct thud_stability *s, struct thud_text *out)
+{
+    static const double shown[] = {0.12, 0.5, 1, 1.9, 2.7, 2.9, 3.6, 5};
+    enum { SHOWN = sizeof shown / sizeof *shown };
+    thud_text_append(out,
+                     "\nlargest energy on the wall spring within 50 s over that at the start, by omega dt; of %d starts"
+                     " the\nworst (X blown up)\n%-26s",
+                     THUD_STABILITY_STARTS, "");
+    for (int k = 0; k < SHOWN; k++)
+        thud_text_append(out, " %7.4g", shown[k]);
+    for (int i = 0; i < s->ncells; i++) {
+        const struct thud_stability_cell *c = &s->cell[i];
+        char name[64];
+        bool column = isnan(c->omega_dt);
+        for (int k = 0; k < SHOWN; k++)
+            column = column || c->omega_dt == shown[k];
+        if (i == 0 || !same(&c->how, &c[-1].how)) {
+            thud_stepping_name(&c->how, name, sizeof name);
+            thud_text_append(out, "\n%-26s", name);
+        }
+        if (column)
+            add_share(c->verdict[THUD_STABILITY_WALL] ? c->growth[THUD_STABILITY_WALL] : NAN, out);
+    }
+    thud_text_append(out, "\n");
+}
+
+static bool same_impact(const struct thud_stability_restitution *a, const struct thud_stability_restitution *b)
+{
+    return a->law == b->law && a->closing_mps == b->closing_mps &&
+           (a->nominal == b->nominal || (isnan(a->nominal) && isnan(b->nominal)));
+}
+
+/* By law, nominal restitution and speed: the exact method beside the worst and the best of the others at 1 ms, neither
+ * located. */
+static void add_restitutions(const struct thud_stability *s, struct thud_text *out)
+{
+    static const char *const shown[] = {"exact", "newmark", "central-difference", "rk4", "lagged"};
+    enum { SHOWN = sizeof shown / sizeof *shown };
+    const struct thud_stability_restitution *r = s->restitution;
+    thud_text_append(out, "\nrestitution of two free bodies, steps of 1 ms, not located\n%-23s %7s %5s %9s", "law",
+                     "nominal", "m/s", "the law's");
+    for (int k = 0; k < SHOWN; k++)
+        thud_text_append(out, " %9.9s", shown[k]);
+    for (int i = 0; i < s->nrestitutions; i++) {
+        if (i == 0 || !same_impact(&r[i], &r[i - 1])) {
+            thud_text_append(out, "\n%-23s ", r[i].law->name);
+            if (isnan(r[i].nominal))
+                thud_text_append(out, "%7s", "-");
+            else
+                thud_text_append(out, "%7.3g", r[i].nominal);
+            thud_text_append(out, " %5.3g %9.4f", r[i].closing_mps, r[i].expected);
+        }
+        for (int k = 0; k < SHOWN; k++)
+            if (strcmp(r[i].how.method->name, shown[k]) == 0 &&
+                (k == 0 || (!r[i].how.locate && r[i].how.setting == 1e-3)))
+                add_number(out, r[i].obtained);
+    }
+    thud_text_append(out, "\n");
+}
+
+static void add_exhibits(const struct thud_stability *s, struct thud_text *out)
+{
+    thud_text_append(out, "\nwhere a naive method goes wrong\n");
+    for (int i = 0; i < s->nexhibits; i++) {
+        const struct thud_exhibit *e = &s->exhibit[i];
+        if (!e->name)
+            continue;
+        thud_text_append(out, "%s: %s\n    %s: right %.6g, ", e->name, e->scene, e->quantity, e->right);
+        if (isfinite(e->wrong))
+            thud_text_append(out, "naive %.6g", e->wrong);
+        else
+            thud_text_append(out, "naive blows up");
+        thud_text_append(out, " (%s), thud %.6g\n", e->naive, e->thud);
+    }
+}
+
+void thud_stability_table(const struct thud_stability *s, struct thud_text *out)
+{
+    for (int kind = 0; kind < THUD_STABILITY_KINDS; kind++)
+        if (kind != THUD_STABILITY_SCENE || s->peak_m)
+            add_verdicts(s, kind, out);
+    add_energies(s, out);
+    add_restitutions(s, out);
+    add_exhibits(s, out);
+}
+
+const char *thud_stability_file(int which)
+{
+    static const char *const names[THUD_STABILITY_FILES] = {"verdicts", "energies", "restitutions", "exhibits"};
+    return names[which];
+}
+
+static void add_field(struct thud_text *out, double value)
+{
+    thud_text_append(out, ",");
+    if (isfinite(value))
+        thud_text_number(out, value);
+    else if (isinf(value))
+        thud_text_append(out, "inf");
+}
+
+static void add_how(struct thud_text *out, const struct thud_stepping *how)
+{
+    thud_text_append(out, "%s,%d", how->method->name, how->locate);
+}
+
+static void exhibits_csv(const struct thud_stability *s, struct thud_text *out)
+{
+    thud_text_append(out, "name,scene,quantity,naive,right,wrong,thud\n");
+    for (int i = 0; i < s->nexhibits && s->exhibit[i].name; i++) {
+        const struct thud_exhibit *e = &s->exhibit[i];
+        thud_text_append(out, "%s,\"%s\",\"%s\",\"%s\"", e->name, e->scene, e->quantity, e->naive);
+        add_field(out, e->right);
+        add_field(out, e->wrong);
+        add_field(out, e->thud);
+        thud_text_append(out, "\n");
+    }
+}
+
+static void verdicts_csv(const struct thud_stability *s, struct thud_text *out)
+{
+    thud_text_append(out, "method,located,omega_dt,limit,free,free_growth,wall,wall_growth,scene,scene_growth\n");
+    for (int i = 0; i < s->ncells; i++) {
+        const struct thud_stability_cell *c = &s->cell[i];
+        add_how(out, &c->how);
+        add_field(out, c->omega_dt);
+        add_field(out, c->how.method->stability);
+        for (int k = 0; k < THUD_STABILITY_KINDS; k++) {
+            thud_text_append(out, ",%s", thud_stability_verdict_word(c->verdict[k]));
+            add_field(out, c->verdict[k] ? c->growth[k] : NAN);
+        }
+        thud_text_append(out, "\n");
+    }
+}
+
+void thud_stability_csv(const struct thud_stability *s, int which, struct thud_text *out)
+{
+    if (which == 0)
+        verdicts_csv(s, out);
+    if (which == 1)
+        thud_text_append(out, "method,located,omega_dt,largest_ratio,end_least_ratio,end_most_ratio\n");
+    for (int i = 0; which == 1 && i < s->ncells; i++) {
+        const struct thud_stability_cell *c = &s->cell[i];
+        bool done = c->verdict[THUD_STABILITY_WALL] != THUD_VERDICT_NONE;
+        add_how(out, &c->how);
+        add_field(out, c->omega_dt);
+        add_field(out, done ? c->growth[THUD_STABILITY_WALL] : NAN);
+        add_field(out, done ? c->end_least : NAN);
+        add_field(out, done ? c->end_most : NAN);
+        thud_text_append(out, "\n");
+    }
+    if (which == 2)
+        thud_text_append(out, "law,nominal,closing_mps,method,located,setting,expected,obtained\n");
+    for (int i = 0; which == 2 && i < s->nrestitutions; i++) {
+        const struct thud_stability_restitution *r = &s->restitution[i];
+        thud_text_append(out, "%s", r->law->name);
+        add_field(out, r->nominal);
+        add_field(out, r->closing_mps);
+        thud_text_append(out, ",");
+        add_how(out, &r->how);
+        add_field(out, r->how.setting);
+        add_field(out, r->expected);
+        add_field(out, r->obtained);
+        thud_text_append(out, "\n");
+    }
+    if (which == 3)
+        exhibits_csv(s, out);
+}

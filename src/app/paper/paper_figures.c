@@ -1,0 +1,134 @@
+#include "app/paper/paper_figures.h"
+
+#include <assert.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "app/run/figure_files.h"
+#include "io/file/file.h"
+#include "plot/figures/figures_sweep.h"
+
+enum { FIG2, FIG3, FIG4, FIG5, FIG6, FIG7, FIG8, FIG9, FIG10 };
+static const char *const names[THUD_PAPER_FIGURES] = {"fig2", "fig3", "fig4", "fig5", "fig6",
+                                                      "fig7", "fig8", "fig9", "fig10"};
+enum { NEED_STUDY = 1 << FIG7 | 1 << FIG8 | 1 << FIG10 | THUD_PAPER_REPORT };
+
+const char *thud_paper_figure_name(int index)
+{
+    return names[index];
+}
+
+bool thud_paper_needs_study(unsigned which)
+{
+    return (which & NEED_STUDY) != 0;
+}
+
+enum thud_status thud_paper_figures_parse(int n, const char *const *name, unsigned *which, struct thud_error *err)
+{
+    *which = n == 0 ? THUD_PAPER_ALL | THUD_PAPER_REPORT : 0;
+    for (int i = 0; i < n; i++) {
+        unsigned found = strcmp(name[i], "all") ? 0 : THUD_PAPER_ALL | THUD_PAPER_REPORT;
+        for (int k = 0; k < THUD_PAPER_FIGURES; k++)
+            found |= strcmp(name[i], names[k]) ? 0 : 1u << k;
+        if (!found) {
+            thud_error_set(err, THUD_USAGE, "\"%s\" is no figure", name[i]);
+            thud_error_allow(err, "fig2 to fig10, all");
+            return THUD_USAGE;
+        }
+        *which |= found;
+    }
+    return THUD_OK;
+}
+
+static enum thud_status make_of_study(int index, const struct thud_paper_study *study, struct thud_figure **out,
+                                      struct thud_error *err)
+{
+    char title[256];
+    assert(study);
+    switch (index) {
+    case FIG7:
+        snprintf(title, sizeof title, "%s: peak response with a 5 cm bumper, over that without, at the same gap",
+                 study->table->record[0]);
+        *out = thud_figure_by_floor(study->table, 0, THUD_CASE_BUMPER, names[index], title);
+        break;
+    case FIG8:
+        *out = thud_figure_of_means(
+            study->table, THUD_CASE_BUMPER, names[index],
+            "Mean peak response over the floors with a 5 cm bumper, over that without, at the same gap");
+        break;
+    default:
+        *out = thud_figure_of_means(
+            study->table, THUD_CASE_CAVITY, names[index],
+            "Mean peak response over the floors with a 5 cm bumper in a 1 cm cavity, over that without, at "
+            "the same gap");
+    }
+    return thud_figure_check(*out, err);
+}
+
+static enum thud_status make(int index, const struct thud_paper_study *study, struct thud_figure **out,
+                             struct thud_error *err)
+{
+    switch (index) {
+    case FIG2:
+        return thud_figure_paper2(out, err);
+    case FIG6:
+        return thud_figure_paper6(out, err);
+    case FIG9:
+        return thud_figure_paper9(out, err);
+    case FIG3:
+        return thud_figure_paper3(out, err);
+    case FIG4:
+        return thud_figure_paper4(out, err);
+    case FIG5:
+        return thud_figure_paper5(out, err);
+    default:
+        return make_of_study(index, study, out, err);
+    }
+}
+
+static enum thud_status write_report(const struct thud_paper_study *study, const char *folder,
+                                     const struct thud_picture_options *options, struct thud_error *err)
+{
+    struct thud_paper_pair pair[THUD_PAPER_PAIRS];
+    assert(study);
+    struct thud_paper_study whole = *study;
+    struct thud_text text = {0};
+    enum thud_status status = thud_paper_pairs(pair, err);
+    if (status != THUD_OK)
+        return status;
+    whole.pair = pair;
+    whole.suffix = thud_picture_suffix(options->format);
+    thud_paper_study_json(&whole, &text);
+    status = thud_text_write_in(&text, folder, "study.json", err);
+    if (status != THUD_OK)
+        return status;
+    thud_paper_report(&whole, &text);
+    return thud_text_write_in(&text, folder, "report.md", err);
+}
+
+enum thud_status thud_paper_figures_save(unsigned which, const struct thud_paper_study *study, const char *folder,
+                                         const struct thud_picture_options *options, struct thud_error *err)
+{
+    assert(study || !thud_paper_needs_study(which));
+    enum thud_status status = THUD_OK;
+    for (int i = 0; i < THUD_PAPER_FIGURES && (status == THUD_OK || status == THUD_GNUPLOT); i++) {
+        struct thud_figure *figure = NULL;
+        if (!(which >> i & 1u))
+            continue;
+        enum thud_status made = make(i, study, &figure, err);
+        if (made != THUD_OK) {
+            thud_figure_free(figure);
+            return made;
+        }
+        status = thud_figure_deliver(figure, folder, options, status, err);
+    }
+    struct thud_error now = {0};
+    if (!(which & THUD_PAPER_REPORT) || (status != THUD_OK && status != THUD_GNUPLOT))
+        return status;
+    enum thud_status written = write_report(study, folder, options, &now);
+    if (written == THUD_OK)
+        return status;
+    if (err)
+        *err = now;
+    return written;
+}

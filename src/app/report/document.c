@@ -1,0 +1,379 @@
+#include "app/report/document.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum kind { TITLE, HEADING, PARAGRAPH, ITEM, LINES, TABLE, CELL, ROW, FIGURE };
+
+struct thud_document_piece {
+    enum kind kind;
+    struct thud_text text, file, svg; /* file and svg: of a figure */
+};
+
+enum { SENTENCES_MAX = 4000 };
+
+static struct thud_document_piece *add(struct thud_document *d, enum kind kind, const char *text)
+{
+    if (d->n == d->capacity) {
+        size_t more = d->capacity ? 2 * d->capacity : 64;
+        struct thud_document_piece *grown = realloc(d->piece, more * sizeof *grown);
+        if (!grown) {
+            d->failed = true;
+            return NULL;
+        }
+        d->piece = grown;
+        d->capacity = more;
+    }
+    struct thud_document_piece *piece = &d->piece[d->n++];
+    *piece = (struct thud_document_piece){.kind = kind};
+    thud_text_bytes(&piece->text, text, strlen(text));
+    d->failed = d->failed || piece->text.failed;
+    return piece;
+}
+
+void thud_document_title(struct thud_document *document, const char *text)
+{
+    add(document, TITLE, text);
+}
+
+void thud_document_heading(struct thud_document *document, const char *text)
+{
+    add(document, HEADING, text);
+}
+
+#define ADD_FORMATTED(document, kind, fmt)                                                                             \
+    do {                                                                                                               \
+        char text[SENTENCES_MAX];                                                                                      \
+        va_list args;                                                                                                  \
+        va_start(args, fmt);                                                                                           \
+        vsnprintf(text, sizeof text, fmt, args);                                                                       \
+        va_end(args);                                                                                                  \
+        add(document, kind, text);                                                                                     \
+    } while (0)
+
+void thud_document_paragraph(struct thud_document *document, const char *fmt, ...)
+{
+    ADD_FORMATTED(document, PARAGRAPH, fmt);
+}
+
+void thud_document_item(struct thud_document *document, const char *fmt, ...)
+{
+    ADD_FORMATTED(document, ITEM, fmt);
+}
+
+void thud_document_cell(struct thud_document *document, const char *fmt, ...)
+{
+    ADD_FORMATTED(document, CELL, fmt);
+}
+
+void thud_document_lines(struct thud_document *document, const char *text)
+{
+    add(document, LINES, text);
+}
+
+void thud_document_table(struct thud_document *document, const char *caption)
+{
+    add(document, TABLE, caption);
+}
+
+void thud_document_row(struct thud_document *document)
+{
+    add(document, ROW, "");
+}
+
+void thud_document_figure(struct thud_document *document, const char *file, const char *caption, struct thud_text *svg)
+{
+    struct thud_document_piece *piece = add(document, FIGURE, caption);
+    if (!piece) {
+        thud_text_clear(svg);
+        return;
+    }
+    thud_text_append(&piece->file, "%s", file);
+    piece->svg = *svg;
+    *svg = (struct thud_text){0};
+    document->failed = document->failed || piece->file.failed || piece->svg.failed;
+}
+
+const struct thud_text *thud_document_picture(const struct thud_document *document, int i, const char **file)
+{
+    for (size_t k = 0; k < document->n; k++)
+        if (document->piece[k].kind == FIGURE && i-- == 0) {
+            *file = document->piece[k].file.data;
+            return &document->piece[k].svg;
+        }
+    return NULL;
+}
+
+void thud_document_clear(struct thud_document *document)
+{
+    for (size_t i = 0; i < document->n; i++) {
+        thud_text_clear(&document->piece[i].text);
+        thud_text_clear(&document->piece[i].file);
+        thud_text_clear(&document->piece[i].svg);
+    }
+    free(document->piece);
+    *document = (struct thud_document){0};
+}
+
+static const char *text_of(const struct thud_document_piece *piece)
+{
+    return piece->text.data ? piece->text.data : "";
+}
+
+/* ---- HTML ---- */
+
+static void escape_html(struct thud_text *out, const char *text)
+{
+    for (const char *at = text; *at; at++) {
+        switch (*at) {
+        case '&':
+            thud_text_append(out, "&amp;");
+            break;
+        case '<':
+            thud_text_append(out, "&lt;");
+            break;
+        case '>':
+            thud_text_append(out, "&gt;");
+            break;
+        case '"':
+            thud_text_append(out, "&quot;");
+            break;
+        case '\'':
+            thud_text_append(out, "&#39;");
+            break;
+        default:
+            if ((unsigned char)*at >= ' ' || *at == '\n' || *at == '\t')
+                thud_text_bytes(out, at, 1);
+            else
+                thud_text_append(out, "?");
+        }
+    }
+}
+
+static void base64(struct thud_text *out, const struct thud_text *bytes)
+{
+    static const char digit[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    for (size_t i = 0; i < bytes->size; i += 3) {
+        unsigned long three = 0;
+        size_t n = bytes->size - i < 3 ? bytes->size - i : 3;
+        for (size_t k = 0; k < 3; k++)
+            three = three << 8 | (k < n ? (unsigned char)bytes->data[i + k] : 0);
+        char four[4];
+        for (size_t k = 0; k < 4; k++)
+            four[k] = k <= n ? digit[three >> (18 - 6 * k) & 63] : '=';
+        thud_text_bytes(out, four, sizeof four);
+    }
+}
+
+/* A4: 210 mm less 10 mm on both sides is what a figure of 190 mm takes. */
+static const char style[] =
+    "@page { size: A4; margin: 12mm 10mm 14mm 10mm }\n"
+    "html { font: 10.5pt/1.45 'DejaVu Sans', Verdana, sans-serif; color: #111; background: #fff }\n"
+    "body { max-width: 190mm; margin: 8mm auto; padding: 0 4mm }\n"
+    "h1 { font-size: 1.6em; line-height: 1.2; margin: 0 0 .6em }\n"
+    "h2 { font-size: 1.2em; margin: 1.6em 0 .4em; border-bottom: 1px solid #888; break-after: avoid }\n"
+    "p, li { margin: .4em 0 } ul { padding-left: 1.4em }\n"
+    "table { border-collapse: collapse; margin: .8em 0; font-size: .9em; width: 100% }\n"
+    "caption { text-align: left; font-weight: bold; margin-bottom: .3em }\n"
+    "th, td { padding: .15em .5em; text-align: right; border-bottom: 1px solid #ccc; font-variant-numeric: "
+    "tabular-nums }\n"
+    "thead th { border-bottom: 1px solid #333; vertical-align: bottom }\n"
+    "th[scope=row], thead th:first-child { text-align: left; font-weight: normal }\n"
+    "thead th:first-child { font-weight: bold } table, tr { break-inside: avoid } table.long { break-inside: auto } "
+    "caption, thead, tbody tr:first-child { break-after: avoid }\n"
+    "figure { margin: 1em 0; break-inside: avoid } figure img { width: 100%; height: auto; display: block }\n"
+    "figcaption { font-size: .9em } pre { font: .8em/1.35 'DejaVu Sans Mono', monospace; background: #f4f4f4; padding: "
+    ".6em; white-space: pre-wrap; overflow-wrap: anywhere }\n"
+    "@media print { html { font-size: 9.5pt } body { margin: 0; padding: 0; max-width: none } pre { background: none; "
+    "border: 1px solid #aaa } }\n";
+
+/* Where the writer stands: in a list, in a table, in which of its rows and columns. */
+struct place {
+    bool list, table, body;
+    int column;
+};
+
+static void html_leave(struct thud_text *out, struct place *place, enum kind next)
+{
+    if (place->list && next != ITEM) {
+        thud_text_append(out, "</ul>\n");
+        place->list = false;
+    }
+    if (place->table && next != CELL && next != ROW) {
+        thud_text_append(out, "%s</table>\n", place->body ? "</tbody>" : "");
+        place->table = false;
+    }
+}
+
+static void html_element(struct thud_text *out, const char *open, const char *text, const char *close)
+{
+    thud_text_append(out, "%s", open);
+    escape_html(out, text);
+    thud_text_append(out, "%s", close);
+}
+
+static void html_cell(struct thud_text *out, struct place *place, const char *text)
+{
+    if (place->column++ == 0)
+        thud_text_append(out, place->body ? "<tr>" : "<thead><tr>");
+    if (!place->body)
+        html_element(out, "<th scope=\"col\">", text, "</th>");
+    else if (place->column == 1)
+        html_element(out, "<th scope=\"row\">", text, "</th>");
+    else
+        html_element(out, "<td>", text, "</td>");
+}
+
+/* A table of more rows may go over a page's end: kept together it would leave half a page empty. */
+enum { ROWS_TOGETHER = 16 };
+
+static bool is_long(const struct thud_document *document, size_t table)
+{
+    int rows = 0;
+    for (size_t i = table + 1; i < document->n && (document->piece[i].kind == CELL || document->piece[i].kind == ROW);
+         i++)
+        rows += document->piece[i].kind == ROW;
+    return rows > ROWS_TOGETHER;
+}
+
+static void html_piece(struct thud_text *out, struct place *place, const struct thud_document *document, size_t i)
+{
+    const struct thud_document_piece *piece = &document->piece[i];
+    html_leave(out, place, piece->kind);
+    switch (piece->kind) {
+    case TITLE:
+        html_element(out, "<h1>", text_of(piece), "</h1>\n");
+        break;
+    case HEADING:
+        html_element(out, "<h2>", text_of(piece), "</h2>\n");
+        break;
+    case PARAGRAPH:
+        html_element(out, "<p>", text_of(piece), "</p>\n");
+        break;
+    case ITEM:
+        thud_text_append(out, place->list ? "" : "<ul>\n");
+        place->list = true;
+        html_element(out, "<li>", text_of(piece), "</li>\n");
+        break;
+    case LINES:
+        html_element(out, "<pre>", text_of(piece), "</pre>\n");
+        break;
+    case TABLE:
+        html_element(out, is_long(document, i) ? "<table class=\"long\">\n<caption>" : "<table>\n<caption>",
+                     text_of(piece), "</caption>\n");
+        *place = (struct place){.table = true};
+        break;
+    case CELL:
+        html_cell(out, place, text_of(piece));
+        break;
+    case ROW:
+        thud_text_append(out, place->body ? "</tr>\n" : "</tr></thead>\n<tbody>\n");
+        place->body = true;
+        place->column = 0;
+        break;
+    case FIGURE:
+        html_element(out, "<figure><img alt=\"", text_of(piece), "\" src=\"data:image/svg+xml;base64,");
+        base64(out, &piece->svg);
+        html_element(out, "\"><figcaption>", text_of(piece), "</figcaption></figure>\n");
+        break;
+    }
+}
+
+void thud_document_html(const struct thud_document *document, struct thud_text *out)
+{
+    struct place place = {0};
+    thud_text_append(out, "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+                          "<meta name=\"viewport\" content=\"width=device-width\">\n<title>");
+    for (size_t i = 0; i < document->n; i++)
+        if (document->piece[i].kind == TITLE)
+            escape_html(out, text_of(&document->piece[i]));
+    thud_text_append(out, "</title>\n<style>\n");
+    thud_text_bytes(out, style, sizeof style - 1);
+    thud_text_append(out, "</style>\n</head>\n<body>\n<main>\n");
+    for (size_t i = 0; i < document->n; i++)
+        html_piece(out, &place, document, i);
+    html_leave(out, &place, PARAGRAPH);
+    thud_text_append(out, "</main>\n</body>\n</html>\n");
+}
+
+/* ---- Markdown ---- */
+
+/* What Markdown would take for its own. At the start of a line also `+`, `-` and figures with a dot. */
+static void escape_markdown(struct thud_text *out, const char *text)
+{
+    for (const char *at = text; *at; at++) {
+        if (*at == '\n' || *at == '\t') {
+            thud_text_append(out, " ");
+            continue;
+        }
+        if (strchr("\\`*_{}[]<>#|~&", *at) || (at == text && strchr("+-", *at)))
+            thud_text_append(out, "\\");
+        if ((unsigned char)*at >= ' ')
+            thud_text_bytes(out, at, 1);
+        else
+            thud_text_append(out, "?");
+    }
+}
+
+static void markdown_piece(struct thud_text *out, struct place *place, const struct thud_document_piece *piece)
+{
+    const char *text = text_of(piece);
+    bool goes_on =
+        (place->list && piece->kind == ITEM) || (place->table && (piece->kind == CELL || piece->kind == ROW));
+    if (out->size > 0 && !goes_on)
+        thud_text_append(out, "\n");
+    if (!goes_on)
+        *place = (struct place){.list = piece->kind == ITEM, .table = piece->kind == TABLE};
+    switch (piece->kind) {
+    case TITLE:
+    case HEADING:
+        thud_text_append(out, piece->kind == TITLE ? "# " : "## ");
+        break;
+    case ITEM:
+        thud_text_append(out, "- ");
+        break;
+    case LINES:
+        for (const char *at = text; *at;) {
+            size_t n = strcspn(at, "\n");
+            thud_text_append(out, "    %.*s\n", (int)n, at);
+            at += n + (at[n] == '\n');
+        }
+        return;
+    case TABLE:
+        thud_text_append(out, "**");
+        escape_markdown(out, text);
+        thud_text_append(out, "**\n\n");
+        return;
+    case CELL:
+        thud_text_append(out, place->column++ > 0 ? " " : "| ");
+        escape_markdown(out, text);
+        thud_text_append(out, " |");
+        return;
+    case ROW:
+        thud_text_append(out, "\n");
+        for (int i = 0; !place->body && i < place->column; i++)
+            thud_text_append(out, "%s", i == 0 ? "|---|" : "---:|");
+        thud_text_append(out, place->body ? "" : "\n");
+        place->body = true;
+        place->column = 0;
+        return;
+    case FIGURE:
+        thud_text_append(out, "![");
+        escape_markdown(out, text);
+        thud_text_append(out, "](%s)\n", piece->file.data ? piece->file.data : "");
+        return;
+    case PARAGRAPH:
+        break;
+    }
+    escape_markdown(out, text);
+    thud_text_append(out, "\n");
+}
+
+void thud_document_markdown(const struct thud_document *document, struct thud_text *out)
+{
+    struct place place = {0};
+    for (size_t i = 0; i < document->n; i++)
+        markdown_piece(out, &place, &document->piece[i]);
+}

@@ -1,0 +1,281 @@
+#include "app/report/site_report.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "app/report/site_report_private.h"
+#include "io/file/file.h"
+
+/* The change of the inputs whose effect is reported, and the tolerance of the second method. */
+static const double change = 0.05, tight_tolerance = 1e-10;
+/* Steps of the second method before it is given up: an explicit method takes them without end where a building is very
+ * stiff. Steps and not seconds, so that a report is the same wherever it is made. */
+enum { STEPS_MOST = 1000000, STEPS_AT_A_TIME = 2000 };
+
+static void tell(const struct site *site, const char *what)
+{
+    if (site->options->progress)
+        site->options->progress(site->options->context, what);
+}
+
+static enum thud_status stopped(const struct site *site, struct thud_error *err)
+{
+    const struct thud_picture_options *pictures = site->options->pictures;
+    if (pictures && pictures->cancel && *pictures->cancel)
+        return thud_error_set(err, THUD_CANCELLED, "stopped; no report was written");
+    return THUD_OK;
+}
+
+static enum thud_status run_case(struct site *site, struct site_case *one, struct thud_error *err)
+{
+    struct thud_run_options options;
+    enum thud_status status = stopped(site, err);
+    tell(site, one->words);
+    if (status == THUD_OK)
+        status = thud_scene_check(one->scene, err);
+    if (status == THUD_OK)
+        status = thud_scene_options(one->scene, &options, err);
+    options.keep_history = options.keep_impacts = true;
+    if (status == THUD_OK)
+        status = thud_scene_answer(one->scene, site->record, &options, &one->answer, err);
+    if (status == THUD_OK)
+        one->result = thud_run_result(one->answer.run);
+    return status;
+}
+
+static enum thud_status run_cases(struct site *site, struct thud_error *err)
+{
+    static const struct {
+        const char *name, *words;
+    } named[] = {{"no pounding", "without pounding"}, {"no bumper", "without bumper"}, {"bumper", "with the bumper"}};
+    enum thud_status status = THUD_OK;
+    site->ncases = thud_scene_has_bumper(site->scene) ? SITE_CASES : SITE_BUMPER;
+    for (int i = 0; i < site->ncases && status == THUD_OK; i++) {
+        struct site_case *one = &site->cases[i];
+        one->name = named[i].name;
+        one->words = named[i].words;
+        one->scene = malloc(sizeof *one->scene);
+        if (!one->scene)
+            return thud_error_set(err, THUD_MEMORY, "out of memory");
+        *one->scene = *site->scene;
+        if (i == SITE_FREE)
+            thud_scene_drop_contacts(one->scene);
+        else if (i == SITE_NONE)
+            thud_scene_case(one->scene, THUD_CASE_NONE, one->scene, NULL);
+        status = run_case(site, one, err);
+    }
+    site->own = &site->cases[site->ncases - 1];
+    return status;
+}
+
+/* The largest values of a run, as a row of the stiffness table. */
+static enum thud_status run_reversed(struct site *site, struct thud_error *err)
+{
+    struct thud_record *turned = NULL;
+    struct thud_answer answer = {0};
+    if (!site->record)
+        return THUD_OK;
+    tell(site, "the motion turned round");
+    enum thud_status status =
+        thud_record_create(site->record->a_mps2, site->record->samples, site->record->dt_s, &turned, err);
+    if (status == THUD_OK) {
+        thud_record_scale(turned, -1);
+        status = thud_scene_answer(site->own->scene, turned, NULL, &answer, err);
+    }
+    if (status == THUD_OK)
+        thud_stiffness_row_read(thud_run_result(answer.run), &site->reversed);
+    thud_answer_clear(&answer);
+    thud_record_free(turned);
+    return status;
+}
+
+static void compare(struct site *site, const struct thud_measures *own, const struct thud_measures *other)
+{
+    for (size_t i = 0; i < own->n; i++) {
+        const struct thud_measure *a = &own->item[i], *b = thud_measures_find(other, a->which, a->name);
+        if (!b)
+            continue;
+        site->second.values++;
+        if (a->count) {
+            site->second.counts += a->value != b->value;
+            continue;
+        }
+        double scale = fmax(fabs(a->value), fabs(b->value));
+        double difference = scale > 0 ? fabs(a->value - b->value) / scale : 0;
+        if (difference > site->second.difference || !site->second.of[0]) {
+            site->second.difference = difference;
+            snprintf(site->second.of, sizeof site->second.of, "%s", a->name);
+        }
+    }
+}
+
+/* Runs to the end, or until there are too many steps: *answer is then cleared. */
+static enum thud_status run_bounded(const struct site *site, const struct thud_run_options *options,
+                                    struct thud_answer *answer, struct thud_error *err)
+{
+    bool done = false;
+    enum thud_status status = thud_scene_assemble(site->own->scene, &answer->model, err);
+    if (status == THUD_OK)
+        status = thud_run_create(answer->model, site->record, options, &answer->run, err);
+    while (status == THUD_OK && !done && thud_run_result(answer->run)->work.steps <= STEPS_MOST) {
+        status = stopped(site, err);
+        if (status == THUD_OK)
+            status = thud_run_advance(answer->run, STEPS_AT_A_TIME, &done, err);
+    }
+    if (status != THUD_OK || !done)
+        thud_answer_clear(answer);
+    return status;
+}
+
+/* The scene as written once more, by a method that shares no time stepping with the first. */
+static enum thud_status run_second(struct site *site, struct thud_error *err)
+{
+    struct thud_run_options options;
+    struct thud_answer answer = {0};
+    struct thud_measures own = {0}, other = {0};
+    const struct site_case *one = site->own;
+    site->second.method = thud_verify_independent(one->result->method);
+    tell(site, site->second.method);
+    enum thud_status status = thud_scene_options(one->scene, &options, err);
+    options.method = thud_method_find(site->second.method);
+    options.tolerance = tight_tolerance;
+    options.locate = true;
+    if (status == THUD_OK)
+        status = run_bounded(site, &options, &answer, err);
+    if (status != THUD_OK || !answer.run)
+        return status;
+    status = thud_measures_add(&own, one->scene, THUD_CASE_AS_WRITTEN, one->result, err);
+    if (status == THUD_OK)
+        status = thud_measures_add(&other, one->scene, THUD_CASE_AS_WRITTEN, thud_run_result(answer.run), err);
+    if (status == THUD_OK)
+        compare(site, &own, &other);
+    thud_measures_clear(&own);
+    thud_measures_clear(&other);
+    thud_answer_clear(&answer);
+    return status;
+}
+
+/* All uncertain inputs drawn together. A scene where nothing is uncertain, or where a sample is no possible scene, has
+ * no such table. */
+static enum thud_status draw_samples(struct site *site, struct thud_error *err)
+{
+    const struct thud_site_report_options *options = site->options;
+    struct thud_error refused = {0};
+    if (options->samples == 0)
+        return THUD_OK;
+    tell(site, "samples of the uncertain inputs");
+    enum thud_status status = thud_uncertainty_create(site->scene, site->record, THUD_CASE_AS_WRITTEN, options->inputs,
+                                                      &site->uncertainty, &refused);
+    site->samples = (struct thud_uncertainty_study){.uncertainty = site->uncertainty,
+                                                    .samples = options->samples,
+                                                    .sampling = options->sampling,
+                                                    .seed = options->seed,
+                                                    .cancel = options->pictures ? options->pictures->cancel : NULL};
+    if (status == THUD_OK)
+        status = thud_uncertainty_study_run(&site->samples, &refused);
+    if (status == THUD_INPUT) {
+        thud_uncertainty_study_clear(&site->samples);
+        thud_uncertainty_free(site->uncertainty);
+        site->uncertainty = NULL;
+        return THUD_OK;
+    }
+    if (status != THUD_OK && err)
+        *err = refused;
+    return status;
+}
+
+static enum thud_status compute(struct site *site, struct thud_error *err)
+{
+    enum thud_status status = run_cases(site, err);
+    if (status == THUD_OK && site->record)
+        status = thud_needed_gap_run(site->scene, site->record, &site->gap, err);
+    if (status == THUD_OK) {
+        tell(site, "sensitivity");
+        status =
+            thud_sensitivity_run(site->own->scene, site->record, change, site->own->result, &site->sensitivity, err);
+    }
+    site->varied = thud_scene_has_bumper(site->scene) ? THUD_STIFFNESS_BUMPER : THUD_STIFFNESS_CONTACT;
+    if (status == THUD_OK)
+        status = stopped(site, err);
+    if (status == THUD_OK)
+        status = thud_stiffness_rows(site->own->scene, site->record, site->varied, site->row, &site->nrows, err);
+    if (status == THUD_OK)
+        status = run_reversed(site, err);
+    if (status == THUD_OK)
+        status = draw_samples(site, err);
+    if (status == THUD_OK && site->options->records && site->options->records->n > 1)
+        tell(site, "the suite of ground motions");
+    if (status == THUD_OK)
+        status = thud_site_suite_run(site, err);
+    if (status == THUD_OK)
+        status = stopped(site, err);
+    return status == THUD_OK ? run_second(site, err) : status;
+}
+
+static enum thud_status deliver(struct site *site, struct thud_error *err)
+{
+    const char *folder = site->options->folder, *file;
+    struct thud_text text = {0};
+    const struct thud_text *picture;
+    enum thud_status status = thud_folder_make(folder, err);
+    for (int i = 0; status == THUD_OK && (picture = thud_document_picture(&site->document, i, &file)) != NULL; i++) {
+        thud_text_bytes(&text, picture->data, picture->size);
+        status = thud_text_write_in(&text, folder, file, err);
+    }
+    if (status == THUD_OK) {
+        thud_document_markdown(&site->document, &text);
+        status = thud_text_write_in(&text, folder, "report.md", err);
+    }
+    if (status == THUD_OK) {
+        thud_document_html(&site->document, &text);
+        status = thud_text_write_in(&text, folder, "report.html", err);
+    }
+    return status;
+}
+
+static void clear(struct site *site)
+{
+    for (int i = 0; i < SITE_CASES; i++) {
+        thud_answer_clear(&site->cases[i].answer);
+        free(site->cases[i].scene);
+    }
+    free(site->gap);
+    thud_sensitivity_free(site->sensitivity);
+    thud_uncertainty_study_clear(&site->samples);
+    thud_uncertainty_free(site->uncertainty);
+    thud_site_suite_clear(site);
+    thud_document_clear(&site->document);
+}
+
+enum thud_status thud_site_report(struct thud_session *session, const struct thud_site_report_options *options,
+                                  struct thud_error *err)
+{
+    struct site *site = calloc(1, sizeof *site);
+    if (!site)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    site->options = options;
+    site->session = session;
+    site->scene = &session->scene;
+    enum thud_status status = thud_scene_check(site->scene, err);
+    if (status == THUD_OK)
+        status = thud_session_read_record(session, err);
+    site->record = session->record;
+    if (!site->record && options->records && options->records->n > 0)
+        site->record = options->records->record[0];
+    if (status == THUD_OK)
+        status = compute(site, err);
+    if (status == THUD_OK)
+        status = thud_site_write(site, err);
+    if (status == THUD_OK)
+        status = deliver(site, err);
+    if (status == THUD_OK && site->pictures != THUD_OK) {
+        status = site->pictures;
+        if (err)
+            *err = site->picture_error;
+    }
+    clear(site);
+    free(site);
+    return status;
+}

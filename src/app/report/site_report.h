@@ -1,0 +1,29 @@
+/* `thud report`: a document about one's own buildings. Runs without pounding, without and with the bumper, the gap that
+ * is enough, how sure the answer is, cautions, a second method, and all that is needed to repeat it. */
+#ifndef THUD_APP_SITE_REPORT_H
+#define THUD_APP_SITE_REPORT_H
+
+#include "app/run/record_list.h"
+#include "app/run/session.h"
+#include "app/sweep/uncertainty_study.h"
+#include "plot/gnuplot/gnuplot.h"
+
+struct thud_site_report_options {
+    const char *folder;
+    const char *command;                    /* as typed, to repeat it */
+    const struct thud_record_list *records; /* the suite of ground motions; one of them or none: there is no suite */
+    const struct thud_inputs *inputs;       /* that are uncertain */
+    size_t samples;                         /* of them; 0: none are drawn */
+    enum thud_sampling sampling;
+    unsigned long long seed;
+    const struct thud_picture_options *pictures;
+    void *context;
+    void (*progress)(void *context, const char *what); /* may be NULL */
+};
+
+/* Writes report.html, which needs nothing else, and report.md with its figures (SVG) into the folder. THUD_GNUPLOT:
+ * both are written, without figures. Errors: THUD_INPUT, THUD_DIVERGED, THUD_OUTPUT, THUD_MEMORY, THUD_CANCELLED. */
+enum thud_status thud_site_report(struct thud_session *session, const struct thud_site_report_options *options,
+                                  struct thud_error *err);
+
+#endif

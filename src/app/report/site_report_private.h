@@ -1,0 +1,98 @@
+/* What a report is made of: computed by site_report.c and site_report_suite.c, put into words by site_report_text.c and
+ * its neighbours. */
+#ifndef THUD_APP_SITE_REPORT_PRIVATE_H
+#define THUD_APP_SITE_REPORT_PRIVATE_H
+
+#include "app/report/document.h"
+#include "app/report/site_report.h"
+#include "app/sweep/gap_report.h"
+#include "app/sweep/uncertainty_study.h"
+#include "plot/figure/figure.h"
+#include "study/methods/verify.h"
+#include "study/scene/needed_gap.h"
+#include "study/scene/stiffness.h"
+#include "study/suite/fragility.h"
+
+/* Cases in this order; a scene without a bumper has no last one. */
+enum { SITE_FREE, SITE_NONE, SITE_BUMPER, SITE_CASES };
+
+struct site_case {
+    const char *name, *words; /* in a table's head; in a sentence */
+    struct thud_scene *scene;
+    struct thud_answer answer;
+    const struct thud_result *result;
+};
+
+/* The suite of ground motions: every one at several scales, without and with bumper. Case k of the plan is SITE_NONE + k
+ * of the report. */
+struct site_suite {
+    struct thud_sweep_plan plan; /* its axis: the factor on the motions */
+    struct thud_suite *runs;     /* NULL: there is no suite */
+    long as_given;               /* the setting with the motions as they were given */
+    struct thud_gap_study gaps;
+    struct thud_event pounding, worse;
+    struct thud_fragility pounds[SITE_CASES - SITE_NONE], worsens; /* of each case; with the bumper */
+    double *room;                                                  /* (nrecords) scratch */
+};
+
+struct site {
+    const struct thud_site_report_options *options;
+    struct thud_session *session;
+    const struct thud_scene *scene; /* as written */
+    const struct thud_record *record;
+    int ncases;
+    struct site_case cases[SITE_CASES];
+    const struct site_case *own; /* the scene as written: with the bumper where it has one */
+    struct thud_needed_gap *gap;
+    struct thud_sensitivity *sensitivity;
+    enum thud_stiffness varied;
+    int nrows;
+    struct thud_stiffness_row row[THUD_STIFFNESS_ROWS], reversed; /* of the motion turned round */
+    struct thud_uncertainty *uncertainty;                         /* NULL: nothing was drawn */
+    struct thud_uncertainty_study samples;
+    struct site_suite suite;
+    struct {
+        const char *method;
+        int values, counts; /* compared, 0: it was given up; impact counts that differ */
+        double difference;  /* largest relative one */
+        char of[THUD_MEASURE_NAME_MAX];
+    } second;
+    struct thud_document document;
+    enum thud_status pictures; /* THUD_OK, or what failed with the first that failed */
+    struct thud_error picture_error;
+};
+
+/* All sections, in the order of the document. Errors: THUD_MEMORY, THUD_CANCELLED; see also site->pictures. */
+enum thud_status thud_site_write(struct site *site, struct thud_error *err);
+
+/* ---- the suite ---- */
+
+/* Runs it; nothing where there is one motion or none. Errors: those of the studies. */
+enum thud_status thud_site_suite_run(struct site *site, struct thud_error *err);
+void thud_site_suite_clear(struct site *site);
+/* Its part of the answer, and its own section. */
+void thud_site_suite_answer(struct site *site);
+void thud_site_suite_section(struct site *site);
+
+/* ---- how sure it is ---- */
+
+void thud_site_samples_answer(struct site *site);
+void thud_site_sure_section(struct site *site);
+
+/* ---- words ---- */
+
+const char *thud_site_name(const struct site *site, int structure);
+bool thud_site_is_building(const struct site *site, int structure);
+/* A number with so many significant digits, and no exponent where it has a size of daily life. */
+struct thud_site_shown {
+    char text[32];
+};
+struct thud_site_shown thud_site_number(double value, int digits);
+/* "floor 4 of A and floor 4 of B"; a wall has no floors. */
+void thud_site_sides(const struct site *site, int interface, int left, int right, int struck, char *text, size_t size);
+/* The contact with the largest force; NULL where nothing touched. */
+const struct thud_contact_result *thud_site_strongest(const struct thud_result *result);
+/* `share`: of its height to its width; 0: chosen for the figure. Takes the figure. */
+void thud_site_figure(struct site *site, struct thud_figure *figure, double share, const char *caption);
+
+#endif

@@ -1,0 +1,298 @@
+/* The section over several ground motions: how many pound, how wide a gap they need, what the bumper does under each,
+ * and how likely that is when they are weaker or stronger. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "app/report/site_report_private.h"
+#include "app/sweep/sweep_jobs.h"
+#include "plot/figures/figures_fragility.h"
+#include "plot/figures/figures_gap.h"
+
+/* The motions are run at these multiples of what was given, so that a fragility curve has points on both sides. */
+static const char scales[] = "record.factor=0.25,0.5,0.75,1,1.25,1.5,2";
+enum { AS_GIVEN = 3, BOOTSTRAP = 200 };
+/* A ratio this near to 1 is 1: nothing pounded. */
+static const double equal = 1e-9;
+
+/* ---- the runs ---- */
+
+static enum thud_status take(void *context, struct thud_sweep_point *point, struct thud_error *err)
+{
+    struct site_suite *suite = context;
+    enum thud_status status = thud_suite_add(suite->runs, point, err);
+    free(point);
+    return status;
+}
+
+static enum thud_status make_plan(struct site *site, struct thud_error *err)
+{
+    struct site_suite *suite = &site->suite;
+    struct thud_scene *scene = &suite->plan.scene;
+    thud_sweep_plan_init(&suite->plan, site->scene);
+    scene->record.factor = 1; /* the motions are scaled already */
+    suite->plan.record = (const struct thud_record *const *)site->options->records->record;
+    suite->plan.nrecords = site->options->records->n;
+    enum thud_status status = thud_sweep_vary(&suite->plan, scales, err);
+    if (status == THUD_OK)
+        status = thud_sweep_cases(&suite->plan, site->ncases > SITE_BUMPER ? "none,bumper" : "none", err);
+    for (int i = 0; status == THUD_OK && i + 1 < site->scene->nstructures; i++)
+        if (site->scene->interface[i].has_bumper && site->scene->interface[i].bumper_cavity_m > 0)
+            suite->plan.cases[SITE_BUMPER - SITE_NONE] = THUD_CASE_AS_WRITTEN; /* in its own cavity */
+    return status;
+}
+
+static enum thud_status make_fragility(struct site_suite *suite, unsigned long long seed, struct thud_error *err)
+{
+    enum thud_status status = THUD_OK;
+    suite->pounding = (struct thud_event){.kind = THUD_EVENT_POUNDING, .text = "pounding"};
+    suite->worse = (struct thud_event){.kind = THUD_EVENT_WORSE, .text = "worse"};
+    for (int k = 0; k < suite->plan.ncases && status == THUD_OK; k++) {
+        struct thud_fragility_ask ask = {.event = &suite->pounding, .k = k, .samples = BOOTSTRAP, .seed = seed};
+        status = thud_fragility_make(suite->runs, &ask, &suite->pounds[k], err);
+        ask.event = &suite->worse;
+        if (status == THUD_OK && k > 0)
+            status = thud_fragility_make(suite->runs, &ask, &suite->worsens, err);
+    }
+    return status;
+}
+
+enum thud_status thud_site_suite_run(struct site *site, struct thud_error *err)
+{
+    struct site_suite *suite = &site->suite;
+    const volatile sig_atomic_t *cancel = site->options->pictures ? site->options->pictures->cancel : NULL;
+    if (!site->options->records || site->options->records->n < 2 || !site->gap || site->gap->nlevels == 0)
+        return THUD_OK;
+    enum thud_status status = make_plan(site, err);
+    if (status == THUD_OK)
+        status = thud_suite_create(&suite->plan, &suite->runs, err);
+    if (status == THUD_OK && !(suite->room = malloc((size_t)suite->runs->nrecords * sizeof *suite->room)))
+        status = thud_error_set(err, THUD_MEMORY, "out of memory");
+    if (status != THUD_OK)
+        return status;
+    suite->as_given = thud_suite_setting(&suite->plan, (const int[THUD_VARY_MAX]){AS_GIVEN});
+    struct thud_sweep_jobs jobs = {.plan = &suite->plan,
+                                   .step = 1,
+                                   .count = thud_sweep_points(&suite->plan),
+                                   .cancel = cancel,
+                                   .context = suite,
+                                   .take = take};
+    status = thud_sweep_jobs_run(&jobs, err);
+    if (status == THUD_OK)
+        status = thud_gap_study_run(site->scene, site->options->records, cancel, &suite->gaps, err);
+    return status == THUD_OK ? make_fragility(suite, site->options->seed, err) : status;
+}
+
+void thud_site_suite_clear(struct site *site)
+{
+    struct site_suite *suite = &site->suite;
+    for (size_t k = 0; k < sizeof suite->pounds / sizeof *suite->pounds; k++)
+        thud_fragility_clear(&suite->pounds[k]);
+    thud_fragility_clear(&suite->worsens);
+    thud_gap_study_clear(&suite->gaps);
+    thud_suite_free(suite->runs);
+    thud_sweep_plan_clear(&suite->plan);
+    free(suite->room);
+}
+
+/* Of one measure of a case over the motions as they were given. */
+static struct thud_fractiles over(const struct site *site, int k, enum thud_suite_measure measure, int structure,
+                                  double limit)
+{
+    const struct site_suite *suite = &site->suite;
+    return thud_suite_fractiles(suite->runs, suite->as_given, k, measure, structure, limit, suite->room);
+}
+
+/* ---- the answer ---- */
+
+static void say_pounding(struct site *site, int k)
+{
+    struct thud_fractiles f = over(site, k, THUD_SUITE_IMPACTS, -1, 0);
+    size_t count = (size_t)lround(f.share * (double)f.n);
+    double low, high;
+    if (f.n == 0)
+        return;
+    thud_share_band(count, f.n, &low, &high);
+    thud_document_item(&site->document,
+                       "Of the suite of %zu ground motions, %zu make the buildings %s at the gap as it is: a share of "
+                       "%.0f %%, which so many motions put between %.0f and %.0f %% with 90 %% confidence.",
+                       f.n, count, k == 0 ? "pound without bumper" : "touch the bumper", 100 * f.share, 100 * low,
+                       100 * high);
+}
+
+/* "half of the motions make them pound at 0.6 times their strength" */
+static void say_strength(struct site *site, int k)
+{
+    const struct thud_fragility *f = &site->suite.pounds[k];
+    double least = f->stripe[0].x, most = f->stripe[f->n - 1].x;
+    if (!f->curve.fitted || f->curve.falling || !(f->curve.theta >= least && f->curve.theta <= most))
+        return;
+    char band[80] = "";
+    if (!isnan(f->theta_low))
+        snprintf(band, sizeof band, " (90 %% band: %.2g to %.2g)", f->theta_low, f->theta_high);
+    thud_document_item(&site->document, "At %.2g times their strength%s half of them would.", f->curve.theta, band);
+}
+
+static void say_widths(struct site *site)
+{
+    struct thud_document *d = &site->document;
+    struct thud_fractiles f;
+    if (thud_gap_suite_fractiles(&site->suite.gaps.suite, -1, THUD_GAP_EXACT, &f, NULL) != THUD_OK) {
+        d->failed = true;
+        return;
+    }
+    thud_document_item(
+        d,
+        "So that nothing touches, half of them need a gap of up to %.1f cm, 84 %% of them up to %.1f cm, "
+        "and all of them %.1f cm, between the bare faces.",
+        100 * f.median, 100 * f.p84, 100 * f.most);
+}
+
+/* How many motions the bumper helps and harms. */
+static void say_bumper(struct site *site, int s, bool drift)
+{
+    const struct site_suite *suite = &site->suite;
+    enum thud_suite_measure measure = drift ? THUD_SUITE_DRIFT_RATIO : THUD_SUITE_ACCELERATION_RATIO;
+    struct thud_fractiles f = over(site, 1, measure, s, 1 + equal);
+    int helps = 0;
+    for (size_t i = 0; i < f.n; i++) /* sorted by the fractiles */
+        helps += suite->room[i] < 1 - equal;
+    if (f.n > 0)
+        thud_document_item(&site->document,
+                           "The bumper lowers the mean %s of %s under %d of %zu motions and raises it under %.0f: its "
+                           "ratio to no bumper is %.2f in the median and %.2f to %.2f from 16 to 84 %%.",
+                           drift ? "drift" : "acceleration", thud_site_name(site, s), helps, f.n, f.share * (double)f.n,
+                           f.median, f.p16, f.p84);
+}
+
+void thud_site_suite_answer(struct site *site)
+{
+    if (!site->suite.runs)
+        return;
+    for (int k = 0; k < site->suite.plan.ncases; k++) {
+        say_pounding(site, k);
+        say_strength(site, k);
+    }
+    say_widths(site);
+    for (int s = 0; s < site->scene->nstructures && site->suite.plan.ncases > 1; s++)
+        if (site->scene->structure[s].kind != THUD_WALL) {
+            say_bumper(site, s, false);
+            if (thud_site_is_building(site, s))
+                say_bumper(site, s, true);
+        }
+}
+
+/* ---- its section ---- */
+
+static void add_motions(struct site *site)
+{
+    struct thud_document *d = &site->document;
+    const struct site_suite *suite = &site->suite;
+    int ncases = suite->plan.ncases;
+    thud_document_table(d, ncases > 1
+                               ? "Every ground motion as it was given; ratio: mean acceleration with the bumper over "
+                                 "that without"
+                               : "Every ground motion as it was given");
+    thud_document_cell(d, "ground motion");
+    thud_document_cell(d, "peak g");
+    thud_document_cell(d, "needed gap cm");
+    for (int k = 0; k < ncases; k++)
+        thud_document_cell(d, "%s: force MN", site->cases[SITE_NONE + k].name);
+    for (int s = 0; s < site->scene->nstructures && ncases > 1; s++)
+        if (site->scene->structure[s].kind != THUD_WALL)
+            thud_document_cell(d, "ratio of %s", thud_site_name(site, s));
+    thud_document_row(d);
+    for (int r = 0; r < suite->runs->nrecords; r++) {
+        thud_document_cell(d, "%s", suite->gaps.name[r]);
+        thud_document_cell(d, "%.3f", thud_record_peak(suite->plan.record[r]) / THUD_GRAVITY);
+        thud_document_cell(d, "%.1f", 100 * thud_needed_gap_widest(suite->gaps.gap[r], 0, THUD_GAP_EXACT, NULL));
+        for (int k = 0; k < ncases; k++)
+            thud_document_cell(
+                d, "%s",
+                thud_site_number(1e-6 * thud_suite_value(suite->runs, r, suite->as_given, k, THUD_SUITE_FORCE, -1), 3)
+                    .text);
+        for (int s = 0; s < site->scene->nstructures && ncases > 1; s++) {
+            double ratio = thud_suite_value(suite->runs, r, suite->as_given, 1, THUD_SUITE_ACCELERATION_RATIO, s);
+            if (site->scene->structure[s].kind != THUD_WALL)
+                thud_document_cell(d, isnan(ratio) ? "-" : "%.3f", ratio);
+        }
+        thud_document_row(d);
+    }
+}
+
+static void add_fractiles(struct site *site, enum thud_suite_measure measure, int structure, double unit,
+                          const char *what)
+{
+    struct thud_document *d = &site->document;
+    thud_document_cell(d, structure >= 0 ? "%s of %s" : "%s", what,
+                       structure >= 0 ? thud_site_name(site, structure) : "");
+    for (int k = 0; k < site->suite.plan.ncases; k++) {
+        struct thud_fractiles f = over(site, k, measure, structure, 0);
+        const double three[] = {f.p16, f.median, f.p84};
+        for (int q = 0; q < 3; q++)
+            thud_document_cell(d, "%s", isnan(three[q]) ? "-" : thud_site_number(three[q] / unit, 3).text);
+    }
+    thud_document_row(d);
+}
+
+static void add_statistics(struct site *site)
+{
+    static const char *const quantile[] = {"16 %", "median", "84 %"};
+    struct thud_document *d = &site->document;
+    thud_document_table(d, "Over the ground motions as they were given");
+    thud_document_cell(d, "largest");
+    for (int k = 0; k < site->suite.plan.ncases; k++)
+        for (int q = 0; q < 3; q++)
+            thud_document_cell(d, "%s: %s", site->cases[SITE_NONE + k].name, quantile[q]);
+    thud_document_row(d);
+    add_fractiles(site, THUD_SUITE_FORCE, -1, 1e6, "force, MN");
+    for (int s = 0; s < site->scene->nstructures; s++) {
+        if (site->scene->structure[s].kind == THUD_WALL)
+            continue;
+        add_fractiles(site, THUD_SUITE_ACCELERATION, s, THUD_GRAVITY, "acceleration, g,");
+        if (thud_site_is_building(site, s))
+            add_fractiles(site, THUD_SUITE_DRIFT, s, 1e-3, "drift, mm,");
+        if (site->suite.runs->yields)
+            add_fractiles(site, THUD_SUITE_DUCTILITY, s, 1, "ductility");
+    }
+}
+
+static void add_figures(struct site *site)
+{
+    const struct site_suite *suite = &site->suite;
+    struct thud_fragility_curve curve[SITE_CASES - SITE_NONE];
+    const char *note = "Points: shares of the motions; shaded: 90 % by bootstrap.";
+    for (int k = 0; k < suite->plan.ncases; k++)
+        curve[k] = (struct thud_fragility_curve){0, k, &suite->pounds[k]};
+    thud_site_figure(
+        site, thud_figure_of_gaps(&suite->gaps.suite, site->scene->title), 0.62,
+        "The gap that is enough: over the height, and the share of the ground motions for which a gap is.");
+    thud_site_figure(site, thud_figure_of_fragility(&suite->plan, "pounding", curve, suite->plan.ncases, note), 0.62,
+                     "How likely the buildings pound at this gap when all motions are so many times as strong.");
+    if (suite->plan.ncases > 1) {
+        curve[0] = (struct thud_fragility_curve){0, 1, &suite->worsens};
+        thud_site_figure(site, thud_figure_of_fragility(&suite->plan, "worse", curve, 1, note), 0.62,
+                         "How likely the bumper raises the mean acceleration of a building.");
+    }
+    for (int k = 0; k < suite->plan.ncases; k++)
+        thud_site_figure(site, thud_figure_of_ida(suite->runs, 0, k, (const int[THUD_VARY_MAX]){0}, ""), 0.62,
+                         k == 0 ? "Largest drift without bumper when all motions are so many times as strong: each of "
+                                  "them, and 16, 50 and 84 % of them."
+                                : "The same with the bumper.");
+}
+
+void thud_site_suite_section(struct site *site)
+{
+    struct thud_document *d = &site->document;
+    char heading[64];
+    if (!site->suite.runs)
+        return;
+    snprintf(heading, sizeof heading, "Over %d ground motions", site->suite.runs->nrecords);
+    thud_document_heading(d, heading);
+    add_motions(site);
+    add_statistics(site);
+    thud_document_paragraph(d, "16 %%, median and 84 %% are quantiles of the logarithms where every value is positive. "
+                               "The motions are taken as independent and as equally likely.");
+    add_figures(site);
+}

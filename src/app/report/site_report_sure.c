@@ -1,0 +1,205 @@
+/* The section on how sure the answer is: one input at a time, all of them drawn at random, the contact's stiffness. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "app/report/site_report_private.h"
+
+/* ---- one input at a time ---- */
+
+static void add_sensitivity_row(struct site *site, const char *what, double peak, const char *unit,
+                                const struct thud_spread *spread)
+{
+    struct thud_document *d = &site->document;
+    thud_document_cell(d, "%s", what);
+    thud_document_cell(d, "%s %s", thud_site_number(peak, 3).text, unit);
+    for (int i = 0; i < THUD_CHANGES; i++)
+        thud_document_cell(d, "%.1f", 100 * spread->by[i]);
+    thud_document_row(d);
+}
+
+static void sensitivity(struct site *site)
+{
+    struct thud_document *d = &site->document;
+    const struct thud_sensitivity *s = site->sensitivity;
+    const struct thud_result *r = site->own->result;
+    char what[400], between[320];
+    if (!s)
+        return;
+    snprintf(what, sizeof what, "Largest change of each peak, %%, when one input is %.0f %% less or more (%s)",
+             100 * s->change, site->own->words);
+    thud_document_table(d, what);
+    thud_document_cell(d, "peak");
+    thud_document_cell(d, "value");
+    thud_document_cell(d, "gap");
+    thud_document_cell(d, "ground motion");
+    thud_document_cell(d, "storey stiffness");
+    thud_document_row(d);
+    for (int k = 0, row = 0; k < r->nstructures; row += r->structure[k].floors, k++) {
+        int a = 0, b = 0;
+        for (int i = 1; i < r->structure[k].floors; i++) {
+            a = r->structure[k].floor[i].acceleration.value > r->structure[k].floor[a].acceleration.value ? i : a;
+            b = r->structure[k].floor[i].drift.value > r->structure[k].floor[b].drift.value ? i : b;
+        }
+        if (r->structure[k].floors == 0)
+            continue;
+        snprintf(what, sizeof what, "acceleration of floor %d of %s", a + 1, thud_site_name(site, k));
+        add_sensitivity_row(site, what, r->structure[k].floor[a].acceleration.value / THUD_GRAVITY, "g",
+                            &s->floor[row + a][0]);
+        if (!thud_site_is_building(site, k))
+            continue;
+        snprintf(what, sizeof what, "drift of storey %d of %s", b + 1, thud_site_name(site, k));
+        add_sensitivity_row(site, what, 1e3 * r->structure[k].floor[b].drift.value, "mm", &s->floor[row + b][3]);
+    }
+    const struct thud_contact_result *most = thud_site_strongest(r);
+    if (most) {
+        thud_site_sides(site, most->interface, most->left_floor, most->right_floor, most->struck, between,
+                        sizeof between);
+        snprintf(what, sizeof what, "force between %s", between);
+        add_sensitivity_row(site, what, 1e-6 * most->force.value, "MN", &s->contact[most - r->contact][0]);
+    }
+}
+
+/* ---- all of them at once ---- */
+
+/* Shown in g, mm and MN; a ratio as it is. */
+static double unit_of(const struct thud_quantity_of_run *q)
+{
+    static const double unit[] = {
+        [THUD_OF_ACCELERATION] = THUD_GRAVITY, [THUD_OF_DRIFT] = 1e-3, [THUD_OF_FORCE] = 1e6, [THUD_OF_NUMBER] = 1};
+    return q->ratio ? 1 : unit[q->kind];
+}
+
+static void add_sampled_row(struct site *site, int q, double *room)
+{
+    struct thud_document *d = &site->document;
+    const struct thud_uncertainty_study *study = &site->samples;
+    const struct thud_quantity_of_run *quantity = &study->uncertainty->quantity[q];
+    struct thud_uncertainty_told t = thud_uncertainty_tell(study, q, room);
+    const double value[] = {t.nominal, t.low, t.median, t.high};
+    double unit = unit_of(quantity);
+    thud_document_cell(d, "%s%s", quantity->name,
+                       unit == THUD_GRAVITY ? ", g"
+                       : unit == 1e-3       ? ", mm"
+                       : unit == 1e6        ? ", MN"
+                                            : "");
+    for (size_t i = 0; i < sizeof value / sizeof *value; i++)
+        thud_document_cell(d, "%s", isnan(value[i]) ? "-" : thud_site_number(value[i] / unit, 3).text);
+    thud_document_cell(d, "%s",
+                       thud_input_info(study->uncertainty->input[thud_uncertainty_strongest(study, &t)])->name);
+    thud_document_row(d);
+}
+
+static void samples(struct site *site)
+{
+    static const char *const head[] = {"peak", "as written", "5 %", "median", "95 %", "moved most by"};
+    struct thud_document *d = &site->document;
+    const struct thud_uncertainty *u = site->uncertainty;
+    double *room;
+    char caption[120];
+    if (!u)
+        return;
+    room = malloc((site->samples.rows + 1) * sizeof *room);
+    if (!room) {
+        d->failed = true;
+        return;
+    }
+    snprintf(caption, sizeof caption, "All uncertain inputs drawn together: %zu samples",
+             thud_uncertainty_samples(&site->samples));
+    thud_document_table(d, caption);
+    for (size_t i = 0; i < sizeof head / sizeof *head; i++)
+        thud_document_cell(d, "%s", head[i]);
+    thud_document_row(d);
+    for (int q = 0; q < u->nquantities; q++)
+        add_sampled_row(site, q, room);
+    struct thud_text inputs = {0};
+    for (int i = 0; i < u->ninputs; i++) {
+        char input[80];
+        thud_uncertainty_input_text(u, i, input, sizeof input);
+        thud_text_append(&inputs, "%s%s", i ? ", " : "", input);
+    }
+    thud_document_paragraph(
+        d,
+        "Drawn evenly over each range, independently of each other (seed %llu): %s. These sizes are "
+        "what is not known in practice unless they were given; whoever knows better gives others.",
+        site->samples.seed, inputs.data ? inputs.data : "");
+    d->failed = d->failed || inputs.failed;
+    thud_text_clear(&inputs);
+    free(room);
+}
+
+void thud_site_samples_answer(struct site *site)
+{
+    const struct thud_uncertainty *u = site->uncertainty;
+    double *room = u ? malloc((site->samples.rows + 1) * sizeof *room) : NULL;
+    site->document.failed = site->document.failed || (u && !room);
+    for (int q = 0; room && q < u->nquantities; q++) {
+        struct thud_uncertainty_told t = thud_uncertainty_tell(&site->samples, q, room);
+        const struct thud_quantity_of_run *quantity = &u->quantity[q];
+        if (!quantity->ratio || isnan(t.median))
+            continue;
+        thud_document_item(&site->document,
+                           "With the inputs as uncertain as said below, the bumper lowers the mean %s of %s in %.0f %% "
+                           "of %.0f samples "
+                           "(ratio %.2f in the median, %.2f to %.2f from 5 to 95 %%).",
+                           quantity->kind == THUD_OF_ACCELERATION ? "acceleration" : "drift",
+                           thud_site_name(site, quantity->structure), 100 * t.below, t.count, t.median, t.low, t.high);
+    }
+    free(room);
+}
+
+/* ---- the contact's stiffness ---- */
+
+static void add_stiffness_row(struct site *site, const char *what, const struct thud_stiffness_row *row)
+{
+    struct thud_document *d = &site->document;
+    thud_document_cell(d, "%s", what);
+    thud_document_cell(d, "%d", row->impacts);
+    thud_document_cell(d, "%s", thud_site_number(1e-6 * row->force_n, 3).text);
+    for (int s = 0; s < site->scene->nstructures; s++)
+        if (site->scene->structure[s].kind != THUD_WALL) {
+            thud_document_cell(d, "%s", thud_site_number(row->acceleration_mps2[s] / THUD_GRAVITY, 3).text);
+            thud_document_cell(d, "%s", thud_site_number(1e3 * row->drift_m[s], 3).text);
+        }
+    thud_document_row(d);
+}
+
+static void stiffness(struct site *site)
+{
+    struct thud_document *d = &site->document;
+    char what[64];
+    const char *name = site->varied == THUD_STIFFNESS_BUMPER ? "bumper" : "contact";
+    if (site->nrows == 0)
+        return;
+    snprintf(what, sizeof what, "Stiffness of the %s, and the motion turned round", name);
+    thud_document_table(d, what);
+    thud_document_cell(d, "scene");
+    thud_document_cell(d, "impacts");
+    thud_document_cell(d, "force MN");
+    for (int s = 0; s < site->scene->nstructures; s++)
+        if (site->scene->structure[s].kind != THUD_WALL) {
+            thud_document_cell(d, "acceleration of %s g", thud_site_name(site, s));
+            thud_document_cell(d, "drift of %s mm", thud_site_name(site, s));
+        }
+    thud_document_row(d);
+    for (int i = 0; i < site->nrows; i++) {
+        snprintf(what, sizeof what, site->row[i].factor == 1 ? "as written" : "%g times the stiffness",
+                 site->row[i].factor);
+        add_stiffness_row(site, what, &site->row[i]);
+    }
+    if (site->record)
+        add_stiffness_row(site, "ground motion turned round", &site->reversed);
+    thud_document_paragraph(
+        d, "The stiffness of a contact is the least known number of a scene: the command thud stiffness gives an "
+           "estimate from the slabs or the rubber. Where half or twice of it changes an answer, the "
+           "answer is not known better than that.");
+}
+
+void thud_site_sure_section(struct site *site)
+{
+    thud_document_heading(&site->document, "How sure it is");
+    sensitivity(site);
+    samples(site);
+    stiffness(site);
+}

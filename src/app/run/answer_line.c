@@ -1,0 +1,67 @@
+#include "app/run/answer_line.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+double thud_answer_gap_cm(double gap_m)
+{
+    return 0.1 * ceil(1e3 * gap_m - 1e-6);
+}
+
+/* Adds a part where it fits. Everything here is ASCII. */
+static void add(char *text, size_t size, int columns, const char *part)
+{
+    size_t n = strlen(text);
+    if ((int)(n + (n ? 3 : 0) + strlen(part)) <= columns)
+        snprintf(text + n, size - n, "%s%s", n ? "   " : "", part);
+}
+
+static void bumper_words(const struct thud_answer_line *line, char *part, size_t size)
+{
+    *part = '\0';
+    if (!line->compared || (isnan(line->bumper_force_n) && line->bumper_impacts == 0))
+        return;
+    if (line->bumper_impacts == 0)
+        snprintf(part, size, "bumper: no contact");
+    else if (line->force_n > 0)
+        snprintf(part, size, "bumper: force %+.0f %%", 100 * (line->bumper_force_n / line->force_n - 1));
+    else
+        snprintf(part, size, "bumper: %d impact%s", line->bumper_impacts, line->bumper_impacts == 1 ? "" : "s");
+}
+
+void thud_answer_line(const struct thud_answer_line *line, int columns, char *text, size_t size)
+{
+    char part[160], bumper[80], gap[48];
+    double force = 1e-6 * line->force_n;
+    *text = '\0';
+    if (isnan(line->force_n) && line->impacts == 0)
+        return;
+    snprintf(gap, sizeof gap, "%.4g cm", 100 * line->gap_m);
+    bumper_words(line, bumper, sizeof bumper);
+    if (isnan(line->force_n))
+        snprintf(part, sizeof part, "POUNDS at %s: %d impulse%s, %.3g kN s in all", gap, line->impacts,
+                 line->impacts == 1 ? "" : "s", 1e-3 * line->impulse_ns);
+    else if (line->impacts > 0) /* three digits */
+        snprintf(part, sizeof part, "POUNDS at %s: %d impact%s, %.*f MN", gap, line->impacts,
+                 line->impacts == 1 ? "" : "s",
+                 force >= 99.95     ? 0
+                 : force >= 9.995   ? 1
+                 : force >= 0.9995  ? 2
+                 : force >= 0.09995 ? 3
+                                    : 4,
+                 force);
+    else
+        snprintf(part, sizeof part, "NO CONTACT at %s", gap);
+    add(text, size, columns, part);
+    if (!isnan(line->need_m)) {
+        int rest = *bumper ? 3 + (int)strlen(bumper) : 0;
+        snprintf(part, sizeof part, "needs %.1f cm (ABS %.1f, SRSS %.1f)", thud_answer_gap_cm(line->need_m),
+                 thud_answer_gap_cm(line->abs_m), thud_answer_gap_cm(line->srss_m));
+        if ((int)(strlen(text) + 3 + strlen(part)) + rest > columns)
+            snprintf(part, sizeof part, "needs %.1f cm", thud_answer_gap_cm(line->need_m));
+        add(text, size, columns, part);
+    }
+    if (*bumper)
+        add(text, size, columns, bumper);
+}

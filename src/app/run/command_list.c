@@ -1,0 +1,211 @@
+#include "app/run/command.h"
+
+#include <stddef.h>
+#include <string.h>
+
+static const struct thud_command commands[THUD_COMMANDS] = {
+    [THUD_COMMAND_SCREEN] = {"", "[PRESET]", "the terminal interface", THUD_WORD_PRESET, THUD_WORD_NONE},
+    [THUD_COMMAND_RUN] = {"run", "PRESET", "one scene, one answer", THUD_WORD_PRESET, THUD_WORD_NONE},
+    [THUD_COMMAND_SWEEP] = {"sweep", "PRESET", "a parametric study; by itself the preset's own", THUD_WORD_PRESET,
+                            THUD_WORD_NONE},
+    [THUD_COMMAND_GAP] = {"gap", "PRESET", "the gap that is enough, beside the codes' rules", THUD_WORD_PRESET,
+                          THUD_WORD_NONE},
+    [THUD_COMMAND_FRAGILITY] = {"fragility", "PRESET", "how likely, against intensity and against gap",
+                                THUD_WORD_PRESET, THUD_WORD_NONE},
+    [THUD_COMMAND_UNCERTAINTY] = {"uncertainty", "PRESET", "how sure an answer is: inputs by name and size",
+                                  THUD_WORD_PRESET, THUD_WORD_NONE},
+    [THUD_COMMAND_FIGURES] = {"figures", "[NAME...]", "fig3 fig4 fig5 fig7 fig8 fig10 of the paper, or all",
+                              THUD_WORD_FIGURE, THUD_WORD_NONE},
+    [THUD_COMMAND_BENCH] = {"bench", "[PRESET]", "speed against accuracy of every method; costs", THUD_WORD_PRESET,
+                            THUD_WORD_NONE},
+    [THUD_COMMAND_STABILITY] = {"stability", "[PRESET]", "where methods fail", THUD_WORD_PRESET, THUD_WORD_NONE},
+    [THUD_COMMAND_VERIFY] = {"verify", "[PRESET...]", "presets against their stored expectations", THUD_WORD_PRESET,
+                             THUD_WORD_NONE},
+    [THUD_COMMAND_RECORD] = {"record", "VERB [FILE...]", "info, spectrum, convert, list or synthesize",
+                             THUD_WORD_RECORD_VERB, THUD_WORD_FILE},
+    [THUD_COMMAND_REPORT] = {"report", "PRESET", "a document about your buildings: HTML, Markdown", THUD_WORD_PRESET,
+                             THUD_WORD_NONE},
+    [THUD_COMMAND_EXPORT] = {"export", "PROGRAM PRESET", "the scene as a script: opensees", THUD_WORD_PROGRAM,
+                             THUD_WORD_PRESET},
+    [THUD_COMMAND_STIFFNESS] = {"stiffness", "PRESET", "of a contact: from its slabs, and what it changes",
+                                THUD_WORD_PRESET, THUD_WORD_NONE},
+    [THUD_COMMAND_LAWS] = {"laws", "", "impact laws and the restitution they really give", THUD_WORD_NONE,
+                           THUD_WORD_NONE},
+    [THUD_COMMAND_METHODS] = {"methods", "", "time-stepping methods, their order and limits", THUD_WORD_NONE,
+                              THUD_WORD_NONE},
+    [THUD_COMMAND_HELP] = {"help", "[COMMAND]", "this list, or the options of a command", THUD_WORD_COMMAND,
+                           THUD_WORD_NONE},
+};
+
+enum {
+    RUN = 1 << THUD_COMMAND_RUN,
+    SWEEP = 1 << THUD_COMMAND_SWEEP | 1 << THUD_COMMAND_FRAGILITY,
+    FRAGILITY = 1 << THUD_COMMAND_FRAGILITY,
+    UNCERTAINTY = 1 << THUD_COMMAND_UNCERTAINTY,
+    GAP = 1 << THUD_COMMAND_GAP | UNCERTAINTY,
+    RECORD = 1 << THUD_COMMAND_RECORD,
+    STUDY = RUN | SWEEP | GAP,
+    FIGURES = 1 << THUD_COMMAND_FIGURES,
+    PICTURES = STUDY | FIGURES | 1 << THUD_COMMAND_BENCH | 1 << THUD_COMMAND_STABILITY,
+    FILES = PICTURES | RECORD,
+    LISTS = 1 << THUD_COMMAND_LAWS | 1 << THUD_COMMAND_METHODS,
+    BENCH = 1 << THUD_COMMAND_BENCH,
+    STIFFNESS = 1 << THUD_COMMAND_STIFFNESS,
+    REPORT = 1 << THUD_COMMAND_REPORT,
+    EXPORT = 1 << THUD_COMMAND_EXPORT,
+    VERIFY = 1 << THUD_COMMAND_VERIFY,
+    SCREEN = 1 << THUD_COMMAND_SCREEN,
+    MEASURE = 1 << THUD_COMMAND_BENCH | 1 << THUD_COMMAND_STABILITY,
+    ALL = (1 << THUD_COMMANDS) - 1
+};
+
+static const struct thud_option options[] = {
+    {"set", "KEY=VALUE", "set a value: gap=12cm", THUD_WORD_KEY, true,
+     STUDY | MEASURE | RECORD | SCREEN | EXPORT | REPORT | STIFFNESS},
+    {"case", "CASE", "none, bumper or cavity; else the preset as written", THUD_WORD_CASE, false,
+     RUN | SWEEP | UNCERTAINTY | MEASURE | EXPORT | STIFFNESS},
+    {"record", "FILE", "the ground motion", THUD_WORD_FILE, false,
+     STUDY | MEASURE | SCREEN | VERIFY | EXPORT | REPORT | STIFFNESS},
+    {"peak", "ACCELERATION", "scale the ground motion to this peak, e.g. \"0.821 g\"", THUD_WORD_TEXT, false,
+     STUDY | MEASURE | FIGURES | RECORD | SCREEN | EXPORT | REPORT | STIFFNESS},
+    {"sa", "ACCELERATION", "scale to this spectral acceleration, 5 % damped", THUD_WORD_TEXT, false,
+     STUDY | RECORD | EXPORT | REPORT | STIFFNESS},
+    {"period", "TIME", "of --sa; else the mean of the buildings' first ones", THUD_WORD_TEXT, false,
+     STUDY | RECORD | EXPORT | REPORT | STIFFNESS},
+    {"dt", "TIME", "step of a record that does not say it", THUD_WORD_TEXT, false,
+     STUDY | MEASURE | FIGURES | RECORD | SCREEN | VERIFY | EXPORT | REPORT | STIFFNESS},
+    {"unit", "UNIT", "unit of a record that does not say it", THUD_WORD_CHOICE, false,
+     STUDY | MEASURE | FIGURES | RECORD | SCREEN | VERIFY | EXPORT | REPORT | STIFFNESS},
+    {"channel", "NAME", "channel of a record with several, by number or name", THUD_WORD_TEXT, false,
+     STUDY | RECORD | EXPORT | REPORT | STIFFNESS},
+    {"column", "N", "column of the acceleration in a table, or all", THUD_WORD_TEXT, false,
+     STUDY | RECORD | EXPORT | REPORT | STIFFNESS},
+    {"skip", "N", "lines to skip at a record's start", THUD_WORD_TEXT, false,
+     STUDY | RECORD | EXPORT | REPORT | STIFFNESS},
+    {"factor", "NUMBER", "multiply the ground motion", THUD_WORD_TEXT, false,
+     STUDY | RECORD | EXPORT | REPORT | STIFFNESS},
+    {"sign", "+|-", "- turns the ground motion round", THUD_WORD_CHOICE, false,
+     STUDY | RECORD | EXPORT | REPORT | STIFFNESS},
+    {"from", "TIME", "leave out what comes before", THUD_WORD_TEXT, false,
+     STUDY | RECORD | EXPORT | REPORT | STIFFNESS},
+    {"to", "TIME", "leave out what comes after", THUD_WORD_TEXT, false, STUDY | RECORD | EXPORT | REPORT | STIFFNESS},
+    {"baseline", "mean|linear|N", "take off the mean, a straight line, a polynomial", THUD_WORD_CHOICE, false, RECORD},
+    {"taper", "TIME", "let it rise and fall by a cosine at both ends", THUD_WORD_TEXT, false, RECORD},
+    {"high-pass", "FREQUENCY", "take out lower frequencies, e.g. 0.1Hz", THUD_WORD_TEXT, false, RECORD},
+    {"band-pass", "FROM:TO", "keep the frequencies between, e.g. 0.1Hz:25Hz", THUD_WORD_TEXT, false, RECORD},
+    {"order", "N", "of the filter's Butterworth polynomial; else 4", THUD_WORD_TEXT, false, RECORD},
+    {"resample", "TIME", "another step, straight between the samples", THUD_WORD_TEXT, false, RECORD},
+    {"damping", "RATIO", "of the response spectrum; else 5 %", THUD_WORD_TEXT, false, RECORD},
+    {"periods", "FROM:TO:COUNT", "of the response spectrum; else 0.02s:10s:200", THUD_WORD_TEXT, false, RECORD},
+    {"preset", "PRESET", "mark the periods of its structures", THUD_WORD_PRESET, false, RECORD},
+    {"method", "NAME", "one of `thud methods`, or auto", THUD_WORD_METHOD, false,
+     STUDY | SCREEN | EXPORT | REPORT | STIFFNESS},
+    {"step", "TIME", "step of a fixed-step method, e.g. 1e-4s", THUD_WORD_TEXT, false, STUDY | SCREEN},
+    {"tolerance", "NUMBER", "1e-6: every peak within 1e-5 of the converged one", THUD_WORD_TEXT, false,
+     STUDY | SCREEN | EXPORT | REPORT | STIFFNESS},
+    {"modes", "N", "each building's N lowest alone, and its error", THUD_WORD_TEXT, false, STUDY},
+    {"sensitivity", "[=CHANGE]", "peaks when gap, motion or stiffness change by 0.1 %", THUD_WORD_NONE, false,
+     RUN | 1 << THUD_COMMAND_SWEEP},
+    {"vary", "KEY=FROM:TO:STEP", "vary a value; several make a grid", THUD_WORD_KEY, true, SWEEP},
+    {"records", "FILE,...", "files, a folder or a .list, e.g. a.AT2:peak=0.9g", THUD_WORD_FILE, false,
+     SWEEP | 1 << THUD_COMMAND_GAP | FIGURES | REPORT},
+    {"signs", "both", "every ground motion both ways round", THUD_WORD_CHOICE, false,
+     SWEEP | 1 << THUD_COMMAND_GAP | REPORT},
+    {"cases", "CASE,CASE", "run each of these cases", THUD_WORD_CASE, false, RUN | SWEEP},
+    {"event", "EVENT", "pounding, worse, drift:1%, ductility:2", THUD_WORD_TEXT, true, FRAGILITY},
+    {"hazard", "FILE", "intensity and annual rate, as CSV", THUD_WORD_FILE, false, FRAGILITY},
+    {"samples", "N", "of the bootstrap or the inputs, 200 by itself", THUD_WORD_TEXT, false,
+     FRAGILITY | UNCERTAINTY | REPORT},
+    {"sampling", "WAY", "of the inputs: latin-hypercube or sobol", THUD_WORD_CHOICE, false, UNCERTAINTY | REPORT},
+    {"seed", "N", "of what is drawn at random; else 1", THUD_WORD_TEXT, false, FRAGILITY | UNCERTAINTY | REPORT},
+    {"uncertain", "INPUT=SIZE", "gap=5%, damping=20%, restitution=0.1", THUD_WORD_TEXT, true, UNCERTAINTY | REPORT},
+    {"indices", NULL, "Sobol indices, first and total", THUD_WORD_NONE, false, UNCERTAINTY},
+    {"best", "KEY", "best value of a varied key by itself", THUD_WORD_VARIED, false, 1 << THUD_COMMAND_SWEEP},
+    {"shard", "K/N", "every N-th point, from the K-th on", THUD_WORD_TEXT, false, SWEEP},
+    {"merge", NULL, "join the folders of all shards", THUD_WORD_NONE, false, SWEEP},
+    {"without", "SHORTCUT", "no free, start, levels or same", THUD_WORD_CHOICE, true, SWEEP},
+    {"slab", "AREA,LENGTH,MODULUS", "E A/L of a slab, e.g. 3m2,15m,30GPa", THUD_WORD_TEXT, true, STIFFNESS},
+    {"pad", "AREA,MODULUS,THICKNESS", "alpha A K_r/d^n, e.g. 0.5m2,5MPa,5cm", THUD_WORD_TEXT, false, STIFFNESS},
+    {"update", NULL, "write new expectations and show the difference", THUD_WORD_NONE, false, VERIFY},
+    {"published", NULL, "numbers of books and manuals against computed ones", THUD_WORD_NONE, false, VERIFY},
+    {"cost", "AXIS", "cost by storeys, buildings, duration or impacts", THUD_WORD_COST, false, BENCH},
+    {"methods", "NAME,NAME", "only these methods", THUD_WORD_METHOD, false, BENCH},
+    {"patience", "TIME", "pass over what takes longer; else 12 s", THUD_WORD_TEXT, false, BENCH},
+    {"json", NULL, "JSON on standard output", THUD_WORD_NONE, false, STUDY | RECORD | LISTS | VERIFY},
+    {"csv", NULL, "CSV on standard output", THUD_WORD_NONE, false, STUDY},
+    {"o", "DIR", "folder for CSV, PNG and gnuplot scripts", THUD_WORD_FOLDER, false, FILES | EXPORT | REPORT},
+    {"format", "FORMAT", "of pictures: png, svg or pdf", THUD_WORD_CHOICE, false, FILES},
+    {"size", "WIDTHxHEIGHT", "of pictures, in pixels", THUD_WORD_TEXT, false, PICTURES | REPORT},
+    {"width", "LENGTH", "of pictures on paper, such as 90mm", THUD_WORD_TEXT, false, FILES | REPORT},
+    {"font", "NAME[,PIXELS]", "of pictures", THUD_WORD_TEXT, false, PICTURES | REPORT},
+    {"j", "N", "runs at a time; results do not depend on it", THUD_WORD_TEXT, false, STUDY | FIGURES},
+    {"quiet", NULL, "no progress and no remarks", THUD_WORD_NONE, false, PICTURES | VERIFY | REPORT},
+    {"play", "FILE", "play a session of :log, without a terminal too", THUD_WORD_FILE, false, SCREEN},
+    {"ascii", NULL, "draw with ASCII characters only", THUD_WORD_NONE, false, SCREEN},
+    {"no-color", NULL, "use no colour", THUD_WORD_NONE, false, SCREEN},
+    {"words", "LIST", "the words of a list, for shells", THUD_WORD_TEXT, false, 1 << THUD_COMMAND_HELP},
+    {"mdoc", "PART", "a part of thud-preset(5), from the tables", THUD_WORD_TEXT, false, 1 << THUD_COMMAND_HELP},
+    {"completion", "SHELL", "a completion script: bash, zsh, fish", THUD_WORD_CHOICE, false, 1 << THUD_COMMAND_HELP},
+    {"help", NULL, "the options of the command", THUD_WORD_NONE, false, ALL},
+    {"version", NULL, "the version, and how the program was built", THUD_WORD_NONE, false, SCREEN},
+};
+
+const struct thud_command *thud_command_at(enum thud_command_id id)
+{
+    return &commands[id];
+}
+
+enum thud_command_id thud_command_find(const char *name)
+{
+    for (int i = 0; i < THUD_COMMANDS; i++)
+        if (commands[i].name[0] && strcmp(commands[i].name, name) == 0)
+            return (enum thud_command_id)i;
+    return THUD_COMMANDS;
+}
+
+int thud_option_count(void)
+{
+    return (int)(sizeof options / sizeof *options);
+}
+
+const struct thud_option *thud_option_at(int index)
+{
+    return &options[index];
+}
+
+const struct thud_option *thud_option_find(enum thud_command_id command, const char *name)
+{
+    for (int i = 0; i < thud_option_count(); i++)
+        if (thud_option_belongs(&options[i], command) && strcmp(options[i].name, name) == 0)
+            return &options[i];
+    return NULL;
+}
+
+const char *thud_option_choice(const struct thud_option *option, int i)
+{
+    static const struct {
+        const char *option, *choice[6];
+    } choices[] = {{"unit", {"g", "m/s2", "cm/s2", "mm/s2", "gal"}},
+                   {"sign", {"+", "-"}},
+                   {"sampling", {"latin-hypercube", "sobol"}},
+                   {"signs", {"both"}},
+                   {"baseline", {"mean", "linear"}},
+                   {"without", {"free", "start", "levels", "same", "all"}},
+                   {"format", {"png", "svg", "pdf"}},
+                   {"completion", {"bash", "zsh", "fish"}}};
+    for (size_t k = 0; k < sizeof choices / sizeof *choices; k++)
+        if (strcmp(choices[k].option, option->name) == 0)
+            return choices[k].choice[i];
+    return NULL;
+}
+
+const char *thud_word_list_name(enum thud_word word)
+{
+    static const char *const names[THUD_WORDS] = {
+        [THUD_WORD_PRESET] = "presets",   [THUD_WORD_KEY] = "keys",         [THUD_WORD_CASE] = "cases",
+        [THUD_WORD_METHOD] = "methods",   [THUD_WORD_FIGURE] = "figures",   [THUD_WORD_RECORD_VERB] = "verbs",
+        [THUD_WORD_PROGRAM] = "programs", [THUD_WORD_COMMAND] = "commands", [THUD_WORD_COST] = "costs",
+        [THUD_WORD_VARIED] = "varied",
+    };
+    return names[word];
+}

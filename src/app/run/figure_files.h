@@ -1,0 +1,18 @@
+/* A figure as files: NAME.png (or svg, pdf), NAME.gp that draws it again, and NAME.csv with all its data. */
+#ifndef THUD_APP_FIGURE_FILES_H
+#define THUD_APP_FIGURE_FILES_H
+
+#include "base/status.h"
+#include "plot/gnuplot/gnuplot.h"
+
+/* Saves and frees. A NULL figure is one that memory did not suffice for; `options` NULL: all chosen. Draws, then
+ * makes the folder and writes: the figure's files are there together or, when it was stopped or the disk is full, as
+ * they were before. Where gnuplot fails script and data are written all the same, for they can be drawn elsewhere; an
+ * older picture is then left as it was. After THUD_GNUPLOT in `before` (may be THUD_OK) the picture is not
+ * tried again: only script and data are written. Returns the first failure of a series of figures: a failed disk counts
+ * more than a failed gnuplot. Errors: THUD_OUTPUT, THUD_GNUPLOT, THUD_CANCELLED, THUD_MEMORY. */
+enum thud_status thud_figure_deliver(struct thud_figure *figure, const char *folder,
+                                     const struct thud_picture_options *options, enum thud_status before,
+                                     struct thud_error *err);
+
+#endif

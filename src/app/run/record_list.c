@@ -1,0 +1,369 @@
+#include "app/run/record_list.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "base/scan.h"
+#include "io/file/file.h"
+#include "io/record/record_file.h"
+
+static const char *const settings[] = {"peak", "sa", "period", "factor",  "sign",   "from",
+                                       "to",   "dt", "unit",   "channel", "column", "skip"};
+enum { SETTINGS = sizeof settings / sizeof *settings };
+_Static_assert(sizeof settings / sizeof *settings <= THUD_RECORD_SETTINGS_MAX, "room for all of them");
+
+const char *thud_record_setting(int i)
+{
+    return i < SETTINGS ? settings[i] : NULL;
+}
+
+/* Cuts the text before its next setting `:KEY=VALUE`: gives its key and where `VALUE...` begins; NULL where there is
+ * none. A path may have colons of its own. */
+static const char *cut_setting(char *text, char **value)
+{
+    for (char *p = text; (p = strchr(p, ':')) != NULL; p++)
+        for (int i = 0; i < SETTINGS; i++) {
+            const char *at = p + 1;
+            if (!thud_scan_word(&at, settings[i]) || *at != '=')
+                continue;
+            *p = '\0';
+            *value = p + (at - p) + 1;
+            return settings[i];
+        }
+    return NULL;
+}
+
+static enum thud_status set(struct thud_scene *scene, const char *key, const char *value, struct thud_error *err)
+{
+    char path[64];
+    snprintf(path, sizeof path, "record.%s", key);
+    return thud_scene_set(scene, path, value, err);
+}
+
+/* A list in the making. */
+struct reading {
+    const struct thud_session *session;
+    struct thud_record_list *list;
+    int room;
+    bool both;
+};
+
+/* Files of a folder or list that cannot be read as they are: all are named in one message. */
+struct refusals {
+    int n, files;
+    struct thud_error first;
+    char names[sizeof(struct thud_error){0}.what - 100]; /* "a.AT2 (dt), b.txt (column)" */
+    int named;
+};
+
+static void refuse(struct refusals *refusals, const char *file, const struct thud_error *why)
+{
+    size_t used = strlen(refusals->names);
+    const char *name = thud_path_name(file);
+    if (refusals->n++ == 0)
+        refusals->first = *why;
+    if (refusals->named + 1 < refusals->n || strlen(name) + strlen(why->key) + 16 > sizeof refusals->names - used)
+        return;
+    refusals->named++;
+    snprintf(refusals->names + used, sizeof refusals->names - used, "%s%s (%s)", used ? ", " : "", name,
+             why->key[0] ? why->key : "unreadable");
+}
+
+/* One that is alone is told in its own words. */
+static enum thud_status tell_refusals(const struct refusals *refusals, const char *place, struct thud_error *err)
+{
+    char more[32] = "";
+    if (refusals->n == 0)
+        return THUD_OK;
+    if (refusals->n > refusals->named)
+        snprintf(more, sizeof more, " and %d more", refusals->n - refusals->named);
+    if (refusals->n == 1 && err)
+        *err = refusals->first;
+    else
+        thud_error_set(err, THUD_INPUT, "%d of %d files cannot be read without what is in brackets: %s%s", refusals->n,
+                       refusals->files, refusals->names, more);
+    if (refusals->n > 1)
+        thud_error_place(err, place, 0, 0);
+    if (refusals->n > 1 || (err && !err->allowed[0]))
+        thud_error_allow(err, "a NAME.list names files with their settings, one a line: a.AT2:dt=0.005 s:unit=g");
+    return THUD_INPUT;
+}
+
+/* Takes `NAME:KEY=VALUE...` apart, in place, over what already holds for it. */
+static enum thud_status choose(struct thud_scene *scene, char *item, struct thud_error *err)
+{
+    char *value = NULL;
+    const char *key = cut_setting(item, &value);
+    if (!*item || strlen(item) >= sizeof scene->record.file) {
+        thud_error_set(err, THUD_USAGE, "a name is empty or too long");
+        thud_error_key(err, "--records");
+        thud_error_allow(err, "FILE,FILE,..., each with its own settings after colons: a.AT2:peak=0.9g");
+        return THUD_USAGE;
+    }
+    snprintf(scene->record.file, sizeof scene->record.file, "%s", item);
+    enum thud_status status = THUD_OK;
+    while (key && status == THUD_OK) {
+        const char *own = value, *next = cut_setting(value, &value);
+        status = set(scene, key, own, err);
+        key = next;
+    }
+    return status;
+}
+
+static enum thud_status read_one(const struct thud_session *session, const struct thud_scene *scene,
+                                 struct thud_record **out, struct thud_error *err)
+{
+    char path[1024];
+    struct thud_record_choice choice = scene->record;
+    enum thud_status status =
+        thud_paths_record(&session->paths, session->preset_path, choice.file, path, sizeof path, err);
+    if (status == THUD_OK)
+        status = thud_record_choice_resolve(&session->scene, &choice, err);
+    if (status == THUD_OK)
+        status = thud_record_file_read(path, &choice, out, err);
+    if (status == THUD_OK)
+        snprintf((*out)->file, sizeof(*out)->file, "%s", choice.file);
+    return status;
+}
+
+static enum thud_status add(struct reading *r, struct thud_record *record, struct thud_error *err)
+{
+    if (r->list->n == r->room) {
+        int room = r->room > 0 ? 2 * r->room : 16;
+        struct thud_record **more = realloc(r->list->record, (size_t)room * sizeof *more);
+        if (!more) {
+            thud_record_free(record);
+            return thud_error_set(err, THUD_MEMORY, "out of memory");
+        }
+        r->list->record = more;
+        r->room = room;
+    }
+    r->list->record[r->list->n++] = record;
+    return THUD_OK;
+}
+
+/* The motion the other way round, too. */
+static enum thud_status add_turned(struct reading *r, struct thud_error *err)
+{
+    const struct thud_record *record = r->list->record[r->list->n - 1];
+    struct thud_record *turned;
+    enum thud_status status = thud_record_create(record->a_mps2, record->samples, record->dt_s, &turned, err);
+    if (status != THUD_OK)
+        return status;
+    thud_record_scale(turned, -1);
+    snprintf(turned->file, sizeof turned->file, "%.500s:sign=-", record->file);
+    return add(r, turned, err);
+}
+
+/* A motion of a file that is there already is told apart by its settings, `own`. */
+static void name_apart(struct thud_record_list *list, const char *own)
+{
+    struct thud_record *last = list->record[list->n - 1];
+    for (int i = 0; *own && i + 1 < list->n; i++)
+        if (strcmp(list->record[i]->file, last->file) == 0) {
+            size_t n = strlen(last->file);
+            snprintf(last->file + n, sizeof last->file - n, ":%s", own);
+            return;
+        }
+}
+
+static enum thud_status add_file(struct reading *r, const struct thud_scene *scene, const char *own,
+                                 struct thud_error *err)
+{
+    struct thud_record *record = NULL;
+    enum thud_status status = read_one(r->session, scene, &record, err);
+    if (status == THUD_OK)
+        status = add(r, record, err);
+    if (status != THUD_OK)
+        return status;
+    name_apart(r->list, own);
+    return r->both ? add_turned(r, err) : THUD_OK;
+}
+
+static enum thud_status add_folder(struct reading *r, struct thud_scene *scene, struct thud_error *err)
+{
+    char **name, folder[THUD_TEXT_MAX];
+    struct refusals refusals = {0};
+    struct thud_error why;
+    size_t count;
+    snprintf(folder, sizeof folder, "%s", scene->record.file);
+    enum thud_status status = thud_folder_names(folder, &name, &count, err);
+    for (size_t i = 0; status == THUD_OK && i < count; i++) {
+        bool slash = folder[strlen(folder) - 1] == '/';
+        int n = snprintf(scene->record.file, sizeof scene->record.file, "%s%s%s", folder, slash ? "" : "/", name[i]);
+        if (n >= (int)sizeof scene->record.file)
+            status = thud_error_set(&why, THUD_INPUT, "the name is too long");
+        else
+            status = add_file(r, scene, "", &why);
+        if (status == THUD_INPUT)
+            refuse(&refusals, scene->record.file, &why);
+        else if (status != THUD_OK && err)
+            *err = why;
+        status = status == THUD_INPUT ? THUD_OK : status;
+    }
+    refusals.files = (int)count;
+    if (status == THUD_OK)
+        status = tell_refusals(&refusals, folder, err);
+    if (status == THUD_OK && count == 0) {
+        thud_error_set(err, THUD_INPUT, "holds no files");
+        thud_error_place(err, folder, 0, 0);
+        status = THUD_INPUT;
+    }
+    thud_folder_names_free(name, count);
+    return status;
+}
+
+/* A line of a list; `base`: what holds for all of them, with the list's own path. */
+static enum thud_status add_line(struct reading *r, const struct thud_scene *base, struct thud_scene *scene, char *line,
+                                 struct thud_error *err)
+{
+    char own[THUD_TEXT_MAX] = "", name[THUD_TEXT_MAX], *value;
+    char *end = line + strcspn(line, "#\r");
+    const char *slash = strrchr(base->record.file, '/');
+    *end = '\0';
+    line += strspn(line, " \t");
+    for (end = line + strlen(line); end > line && (end[-1] == ' ' || end[-1] == '\t');)
+        *--end = '\0';
+    if (!*line)
+        return THUD_OK;
+    char *copy = strdup(line);
+    if (!copy)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    if (cut_setting(copy, &value))
+        snprintf(own, sizeof own, "%.250s", line + strlen(copy) + 1);
+    free(copy);
+    *scene = *base;
+    enum thud_status status = choose(scene, line, err);
+    if (status == THUD_OK && slash && scene->record.file[0] != '/') {
+        memcpy(name, scene->record.file, sizeof name);
+        if (snprintf(scene->record.file, sizeof scene->record.file, "%.*s/%s", (int)(slash - base->record.file),
+                     base->record.file, name) >= (int)sizeof scene->record.file)
+            status = thud_error_set(err, THUD_INPUT, "the name is too long");
+    }
+    return status == THUD_OK ? add_file(r, scene, own, err) : status;
+}
+
+static enum thud_status add_list(struct reading *r, const struct thud_scene *base, struct thud_error *err)
+{
+    enum { BYTES_MAX = 1 << 20 };
+    struct thud_scene *scene = malloc(sizeof *scene);
+    char *text = NULL, *line, *next;
+    size_t size;
+    int number = 0, before = r->list->n;
+    enum thud_status status = scene ? thud_file_read(base->record.file, BYTES_MAX, &text, &size, err)
+                                    : thud_error_set(err, THUD_MEMORY, "out of memory");
+    for (line = text; status == THUD_OK && line; line = next) {
+        next = strchr(line, '\n');
+        if (next)
+            *next++ = '\0';
+        number++;
+        status = add_line(r, base, scene, line, err);
+        if (status == THUD_INPUT || status == THUD_USAGE) {
+            if (err && !err->file[0])
+                thud_error_place(err, base->record.file, number, 0);
+            status = THUD_INPUT; /* what a file says */
+            if (err)
+                err->status = status;
+        }
+    }
+    if (status == THUD_OK && r->list->n == before) {
+        thud_error_set(err, THUD_INPUT, "names no files");
+        thud_error_place(err, base->record.file, 0, 0);
+        status = THUD_INPUT;
+    }
+    free(text);
+    free(scene);
+    return status;
+}
+
+static bool is_list(const char *file)
+{
+    const char *suffix = strrchr(file, '.');
+    return suffix && strcmp(suffix, ".list") == 0;
+}
+
+/* A folder or list that is not in the working folder may stand beside the preset. */
+static void look_beside(const struct thud_session *session, char *file, size_t size)
+{
+    char beside[THUD_TEXT_MAX];
+    const char *slash = strrchr(session->preset_path, '/');
+    if (!slash || file[0] == '/' || access(file, F_OK) == 0 ||
+        snprintf(beside, sizeof beside, "%.*s/%s", (int)(slash - session->preset_path), session->preset_path, file) >=
+            (int)sizeof beside)
+        return;
+    if (thud_path_is_folder(beside) || (is_list(beside) && access(beside, F_OK) == 0))
+        snprintf(file, size, "%s", beside);
+}
+
+/* A file, a folder or a list. */
+static enum thud_status add_item(struct reading *r, struct thud_scene *scene, const char *own, struct thud_error *err)
+{
+    look_beside(r->session, scene->record.file, sizeof scene->record.file);
+    if (thud_path_is_folder(scene->record.file))
+        return add_folder(r, scene, err);
+    return is_list(scene->record.file) ? add_list(r, scene, err) : add_file(r, scene, own, err);
+}
+
+enum thud_status thud_record_list_read(const struct thud_session *session, const char *text, const char *(*common)[2],
+                                       int ncommon, bool both, struct thud_record_list *out, struct thud_error *err)
+{
+    struct reading r = {.session = session, .list = out, .both = both};
+    enum thud_status status = THUD_OK;
+    bool bracketed = *text == '['; /* a list of a preset */
+    char *copy = strdup(text + bracketed);
+    struct thud_scene *scene = malloc(2 * sizeof *scene);
+    *out = (struct thud_record_list){0};
+    if (bracketed && copy)
+        copy[strcspn(copy, "]")] = '\0';
+    if (!copy || !scene) {
+        status = thud_error_set(err, THUD_MEMORY, "out of memory");
+    } else {
+        thud_scene_init(scene + 1);
+        for (int i = 0; i < ncommon && status == THUD_OK; i++)
+            status = set(scene + 1, common[i][0], common[i][1], err);
+    }
+    for (char *item = copy, *end; status == THUD_OK && item; item = end) {
+        char own[THUD_TEXT_MAX] = "";
+        end = strchr(item, ',');
+        if (end)
+            *end++ = '\0';
+        item += bracketed ? strspn(item, " ") : 0;
+        size_t whole = strlen(item);
+        char *said = strdup(item);
+        *scene = scene[1];
+        status = said ? choose(scene, item, err) : thud_error_set(err, THUD_MEMORY, "out of memory");
+        if (status == THUD_OK && strlen(scene->record.file) < whole)
+            snprintf(own, sizeof own, "%.250s", said + strlen(scene->record.file) + 1);
+        free(said);
+        if (status == THUD_OK)
+            status = add_item(&r, scene, own, err);
+    }
+    free(scene);
+    free(copy);
+    if (status != THUD_OK)
+        thud_record_list_clear(out);
+    return status;
+}
+
+enum thud_status thud_record_list_own(struct thud_session *session, bool both, struct thud_record_list *out,
+                                      struct thud_error *err)
+{
+    struct reading r = {.session = session, .list = out, .both = both};
+    *out = (struct thud_record_list){0};
+    if (!session->scene.record.file[0])
+        return THUD_OK;
+    enum thud_status status = add_file(&r, &session->scene, "", err);
+    if (status != THUD_OK)
+        thud_record_list_clear(out);
+    return status;
+}
+
+void thud_record_list_clear(struct thud_record_list *list)
+{
+    for (int i = 0; list->record && i < list->n; i++)
+        thud_record_free(list->record[i]);
+    free(list->record);
+    *list = (struct thud_record_list){0};
+}

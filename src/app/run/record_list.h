@@ -1,0 +1,33 @@
+/* Several ground motions named in one text. */
+#ifndef THUD_APP_RECORD_LIST_H
+#define THUD_APP_RECORD_LIST_H
+
+#include <stdbool.h>
+
+#include "app/run/session.h"
+
+enum { THUD_RECORD_SETTINGS_MAX = 16 };
+/* What can be said of a ground motion beside its file, as words of the command line and as keys of a preset's record:
+ * the i-th, NULL past the last. */
+const char *thud_record_setting(int i);
+
+struct thud_record_list {
+    int n;
+    struct thud_record **record; /* (n) each named in `file` as it was typed */
+};
+
+/* A suite: `NAME,NAME,...`, each a file, a folder (all files in it but hidden ones, .md and .list, in the order of
+ * their names) or a list NAME.list: a file a line, from the list's own folder, `#` before a comment. The settings of a
+ * file follow it after colons, `a.AT2:peak=0.9 g:dt=0.005 s:unit=g`: keys of the preset's record; those of a folder or
+ * list hold for all its files that do not say otherwise, and `common` (n pairs key, value) for everything. `both`: each
+ * motion also the other way round, named FILE:sign=-. Motions of one file are told apart by their settings. Files are
+ * looked for as the session's own record is, folders and lists from the working folder. Errors: THUD_USAGE, THUD_INPUT,
+ * THUD_MEMORY. */
+enum thud_status thud_record_list_read(const struct thud_session *session, const char *text, const char *(*common)[2],
+                                       int ncommon, bool both, struct thud_record_list *out, struct thud_error *err);
+/* The session's own record, or none. Errors: as thud_session_read_record. */
+enum thud_status thud_record_list_own(struct thud_session *session, bool both, struct thud_record_list *out,
+                                      struct thud_error *err);
+void thud_record_list_clear(struct thud_record_list *list);
+
+#endif

@@ -1,0 +1,10 @@
+/* A finished run as a table for people. */
+#ifndef THUD_APP_RESULT_TABLE_H
+#define THUD_APP_RESULT_TABLE_H
+
+#include "io/result/result_file.h"
+
+/* 80 columns wide. */
+void thud_result_table(const struct thud_report *report, struct thud_text *out);
+
+#endif

@@ -1,0 +1,306 @@
+#include "app/run/run_cases.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "app/run/run_figures.h"
+#include "base/quantity.h"
+#include "core/run/baseline.h"
+#include "study/scene/level.h"
+#include "study/sweep/remark.h"
+#include "study/sweep/sweep.h"
+
+static const char *title_of(enum thud_case which)
+{
+    return which == THUD_CASE_NONE     ? "no bumper"
+           : which == THUD_CASE_BUMPER ? "bumper"
+           : which == THUD_CASE_CAVITY ? "in a cavity"
+                                       : "no pounding";
+}
+
+/* ---- the runs ---- */
+
+static enum thud_status parse(const struct thud_scene *scene, const char *text, struct thud_run_cases *cases,
+                              struct thud_error *err)
+{
+    struct thud_sweep_plan *plan = calloc(1, sizeof *plan);
+    if (!plan)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    thud_sweep_plan_init(plan, scene);
+    enum thud_status status = thud_sweep_cases(plan, text, err);
+    cases->item[0].which = THUD_CASE_AS_WRITTEN;
+    cases->n = 1;
+    for (int i = 0; status == THUD_OK && i < plan->ncases && cases->n < THUD_RUN_CASES_MAX; i++)
+        cases->item[cases->n++].which = plan->cases[i];
+    for (int i = 0; i < cases->n; i++) {
+        cases->item[i].name = title_of(cases->item[i].which);
+        cases->item[i].folder = i ? thud_case_name(cases->item[i].which) : "no-pounding";
+    }
+    thud_sweep_plan_clear(plan);
+    free(plan);
+    return status;
+}
+
+/* The session's scene without bumpers, whose walls let everything through. */
+static enum thud_status run_free(struct thud_session *session, const struct thud_run_options *options,
+                                 struct thud_run_case *item, struct thud_error *err)
+{
+    struct thud_scene *kept = malloc(sizeof *kept);
+    if (!kept)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    *kept = session->scene;
+    thud_scene_drop_contacts(&session->scene);
+    enum thud_status status =
+        thud_session_run(session, THUD_CASE_AS_WRITTEN, options, &item->scene, &item->answer, err);
+    session->scene = *kept;
+    free(kept);
+    return status;
+}
+
+static enum thud_status find_needs(struct thud_run_cases *cases, const struct thud_record *record,
+                                   const struct thud_run_options *options, struct thud_error *err)
+{
+    struct thud_run_options plain = *options;
+    struct thud_baseline_motion *baseline = NULL;
+    const struct thud_model *model = cases->item[0].answer.model;
+    plain.keep_history = plain.keep_impacts = false;
+    bool done = false;
+    enum thud_status status = thud_baseline_create(model, record, &plain, &baseline, err);
+    while (status == THUD_OK && !done)
+        status = thud_baseline_advance(baseline, 100000, &done, err);
+    for (int c = 0; status == THUD_OK && c < model->ncontacts; c++) {
+        const struct thud_model_contact *p = &model->contact[c];
+        double closing = thud_baseline_relative_displacement(baseline, c);
+        if (closing < cases->need_m[p->interface - 1])
+            continue;
+        cases->need_m[p->interface - 1] = closing;
+        cases->need_left[p->interface - 1] = p->left_floor;
+        cases->need_right[p->interface - 1] = p->right_floor;
+        cases->need_struck[p->interface - 1] = p->struck;
+    }
+    thud_baseline_free(baseline);
+    return status;
+}
+
+enum thud_status thud_run_cases_make(struct thud_session *session, const char *text,
+                                     const struct thud_run_options *options, struct thud_run_cases **out,
+                                     struct thud_error *err)
+{
+    struct thud_run_cases *cases = calloc(1, sizeof *cases);
+    *out = NULL;
+    if (!cases)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    enum thud_status status = parse(&session->scene, text, cases, err);
+    if (status == THUD_OK)
+        status = run_free(session, options, &cases->item[0], err);
+    for (int i = 1; i < cases->n && status == THUD_OK; i++)
+        status = thud_session_run(session, cases->item[i].which, options, &cases->item[i].scene, &cases->item[i].answer,
+                                  err);
+    if (status == THUD_OK)
+        status = find_needs(cases, session->record, options, err);
+    cases->peak_mps2 = session->record ? thud_record_peak(session->record) : NAN;
+    if (status != THUD_OK) {
+        thud_run_cases_free(cases);
+        return status;
+    }
+    *out = cases;
+    return THUD_OK;
+}
+
+void thud_run_cases_free(struct thud_run_cases *cases)
+{
+    for (int i = 0; cases && i < cases->n; i++)
+        thud_answer_clear(&cases->item[i].answer);
+    free(cases);
+}
+
+int thud_run_cases_sources(const struct thud_run_cases *cases, struct thud_figure_source *source)
+{
+    for (int i = 0; i < cases->n; i++)
+        source[i] = thud_run_source(cases->item[i].name, &cases->item[i].scene, cases->item[i].answer.run);
+    return cases->n;
+}
+
+/* ---- the table ---- */
+
+static const struct thud_result *result_of(const struct thud_run_cases *cases, int i)
+{
+    return thud_run_result(cases->item[i].answer.run);
+}
+
+static double peak(const struct thud_run_cases *cases, int i, int structure, int floor, bool drift)
+{
+    const struct thud_floor_result *f = &result_of(cases, i)->structure[structure].floor[floor];
+    if (!drift && thud_floor_struck(result_of(cases, i), structure, floor))
+        return NAN; /* an impulse has no finite one */
+    return drift ? 1e3 * f->drift.value : f->acceleration.value;
+}
+
+/* Index of case `none`; 0 where it was not asked for. */
+static int without(const struct thud_run_cases *cases)
+{
+    for (int i = 1; i < cases->n; i++)
+        if (cases->item[i].which == THUD_CASE_NONE)
+            return i;
+    return 0;
+}
+
+static double ratio(double a, double b)
+{
+    return b > 0 ? a / b : NAN;
+}
+
+static void put_ratio(double value, struct thud_text *out)
+{
+    if (isfinite(value))
+        thud_text_append(out, " %6.3f", value);
+    else
+        thud_text_append(out, "      -");
+}
+
+static void put_structure(const struct thud_run_cases *cases, int s, bool drift, struct thud_text *out)
+{
+    const struct thud_structure *p = &cases->item[0].scene.structure[s];
+    int floors = result_of(cases, 0)->structure[s].floors, none = without(cases);
+    if (floors == 0 || (drift && p->kind == THUD_RIGID))
+        return;
+    thud_text_append(out, "\n%s, %s\n%5s", p->name, drift ? "interstorey deflection, mm" : "total acceleration, m/s2",
+                     drift ? "" : "floor");
+    for (int i = 0; i < cases->n; i++)
+        thud_text_append(out, " %11s", cases->item[i].name);
+    for (int i = 1; none && i < cases->n; i++)
+        if (i != none)
+            thud_text_append(out, " %s", cases->item[i].which == THUD_CASE_CAVITY ? "cavity:none" : "bumper:none");
+    thud_text_append(out, "\n");
+    for (int f = floors - 1; f >= 0; f--) {
+        thud_text_append(out, "%5d", f + 1);
+        for (int i = 0; i < cases->n; i++) {
+            double value = peak(cases, i, s, f, drift);
+            char text[32] = "-";
+            if (!isnan(value))
+                snprintf(text, sizeof text, "%.4g", value);
+            thud_text_append(out, " %11s", text);
+        }
+        for (int i = 1; none && i < cases->n; i++)
+            if (i != none) {
+                thud_text_append(out, "     ");
+                put_ratio(ratio(peak(cases, i, s, f, drift), peak(cases, none, s, f, drift)), out);
+            }
+        thud_text_append(out, "\n");
+    }
+}
+
+static const struct thud_contact_result *hardest(const struct thud_result *r, int *impacts)
+{
+    const struct thud_contact_result *most = NULL;
+    *impacts = 0;
+    for (int c = 0; c < r->ncontacts; c++) {
+        *impacts += r->contact[c].impacts;
+        if (r->contact[c].impacts > 0 && (!most || r->contact[c].force.value > most->force.value))
+            most = &r->contact[c];
+    }
+    return most;
+}
+
+/* "floor 4 of A and the columns below floor 5 of B"; `left`: the structures of the interface. */
+static void put_struck(const struct thud_structure *left, int left_floor, int right_floor, int struck,
+                       struct thud_text *out)
+{
+    bool by_left = thud_slab_is_left(left_floor, struck);
+    thud_text_append(out, "floor %d of %s and the columns below floor %d of %s", by_left ? left_floor : right_floor,
+                     left[by_left ? 0 : 1].name, by_left ? right_floor : left_floor, left[by_left ? 1 : 0].name);
+}
+
+/* "Without bumper they touch 12 times, hardest with 20.2 MN at floor 4, 7.094 s." */
+static void say_contacts(const struct thud_run_cases *cases, int i, struct thud_text *out)
+{
+    int impacts, before;
+    const struct thud_contact_result *most = hardest(result_of(cases, i), &impacts);
+    const char *how = cases->item[i].which == THUD_CASE_NONE     ? "Without bumper"
+                      : cases->item[i].which == THUD_CASE_BUMPER ? "With the bumper"
+                                                                 : "With the bumper in a cavity";
+    if (!most) {
+        thud_text_append(out, "%s nothing touches.\n", how);
+        return;
+    }
+    const struct thud_structure *left = &cases->item[i].scene.structure[most->interface - 1];
+    thud_text_append(out, "%s they touch %d time%s", how, impacts, impacts == 1 ? "" : "s");
+    if (most->force.value > 0) {
+        thud_text_append(out, ", hardest with %.4g MN, ", 1e-6 * most->force.value);
+        if (most->struck != 0)
+            put_struck(left, most->left_floor, most->right_floor, most->struck, out);
+        else
+            thud_text_append(out, "%s and %s at floor %d", left->name, left[1].name,
+                             thud_slab_floor(most->left_floor, most->right_floor, 0));
+        thud_text_append(out, ", %.3f s", most->force.time_s);
+    }
+    int none = without(cases);
+    const struct thud_contact_result *bare = none && none != i ? hardest(result_of(cases, none), &before) : NULL;
+    if (bare && bare->force.value > 0)
+        thud_text_append(out, " (%+.0f %% of the force without)", 100 * (most->force.value / bare->force.value - 1));
+    thud_text_append(out, ".\n");
+}
+
+/* The floors whose acceleration (drift) is less, or more, by over 1 % than without bumper. */
+static void say_floors(const struct thud_run_cases *cases, int i, bool more, bool drift, struct thud_text *out)
+{
+    int none = without(cases), n = 0;
+    struct thud_text list = {0};
+    for (int s = 0; s < result_of(cases, 0)->nstructures; s++)
+        for (int f = 0; f < result_of(cases, 0)->structure[s].floors; f++) {
+            double change = ratio(peak(cases, i, s, f, drift), peak(cases, none, s, f, drift)) - 1;
+            if (more ? change > 0.01 : change < -0.01)
+                thud_text_append(&list, "%s%s %d (%+.0f %%)", n++ ? ", " : "", cases->item[0].scene.structure[s].name,
+                                 f + 1, 100 * change);
+        }
+    const char *what = drift ? "deflections" : "accelerations", *of = drift ? "storeys" : "floors";
+    if (n > 0 && !list.failed)
+        thud_text_append(out, "%s %s the %s of %s %s.\n",
+                         cases->item[i].which == THUD_CASE_CAVITY ? "In a cavity it" : "It", more ? "raises" : "lowers",
+                         what, of, list.data);
+    else
+        thud_text_append(out, "%s %s no %s by more than 1 %%.\n",
+                         cases->item[i].which == THUD_CASE_CAVITY ? "In a cavity it" : "It", more ? "raises" : "lowers",
+                         what);
+    out->failed |= list.failed;
+    thud_text_clear(&list);
+}
+
+static void say_needs(const struct thud_run_cases *cases, struct thud_text *out)
+{
+    const struct thud_scene *scene = &cases->item[0].scene;
+    for (int i = 0; i + 1 < scene->nstructures; i++) {
+        int left = cases->need_left[i], right = cases->need_right[i], struck = cases->need_struck[i];
+        if (left + right == 0)
+            continue;
+        thud_text_append(out,
+                         "%s and %s do not touch from a gap of %.4g cm on (here %.4g cm): ", scene->structure[i].name,
+                         scene->structure[i + 1].name, 100 * cases->need_m[i], 100 * scene->interface[i].gap_m);
+        if (struck != 0)
+            put_struck(&scene->structure[i], left, right, struck, out);
+        else
+            thud_text_append(out, "floor %d", thud_slab_floor(left, right, 0));
+        thud_text_append(out, " need%s it.\n", struck ? "" : "s");
+    }
+}
+
+void thud_run_cases_table(const struct thud_run_cases *cases, struct thud_text *out)
+{
+    const struct thud_scene *scene = &cases->item[0].scene;
+    int none = without(cases);
+    thud_text_append(out, "%s: %s\n", scene->name, scene->title);
+    if (scene->record.file[0])
+        thud_text_append(out, "ground motion %s, peak %.4g g\n", scene->record.file, cases->peak_mps2 / THUD_GRAVITY);
+    for (int s = 0; s < scene->nstructures; s++)
+        for (int drift = 0; drift < 2; drift++)
+            put_structure(cases, s, drift == 1, out);
+    thud_text_append(out, "\n");
+    for (int i = 1; i < cases->n; i++)
+        say_contacts(cases, i, out);
+    for (int i = 1; none && i < cases->n; i++)
+        for (int k = 0; k < 4 && i != none; k++)
+            say_floors(cases, i, k % 2 == 1, k >= 2, out);
+    say_needs(cases, out);
+}

@@ -1,0 +1,38 @@
+/* One scene in several cases beside no pounding at all: the runs, a table of their peaks, and what they say in words. */
+#ifndef THUD_APP_RUN_CASES_H
+#define THUD_APP_RUN_CASES_H
+
+#include "app/run/session.h"
+#include "plot/figures/figures_run.h"
+
+enum { THUD_RUN_CASES_MAX = 1 + THUD_CASES };
+
+struct thud_run_case {
+    const char *name, *folder; /* "no bumper", "none" */
+    enum thud_case which;      /* THUD_CASE_AS_WRITTEN: no pounding */
+    struct thud_scene scene;
+    struct thud_answer answer;
+};
+
+/* Freed by thud_run_cases_free. */
+struct thud_run_cases {
+    double peak_mps2; /* of the ground motion; NaN: there is none */
+    int n;            /* no pounding, then the cases asked for */
+    struct thud_run_case item[THUD_RUN_CASES_MAX];
+    /* of each interface: the gap from which on nothing touches without bumper, and the floors that need it; 0: there are
+     * no two floors at one level */
+    double need_m[THUD_STRUCTURES_MAX];
+    int need_left[THUD_STRUCTURES_MAX], need_right[THUD_STRUCTURES_MAX], need_struck[THUD_STRUCTURES_MAX];
+};
+
+/* `text`: cases by name, `none,bumper`. Errors: THUD_USAGE, and those of thud_session_run. */
+enum thud_status thud_run_cases_make(struct thud_session *session, const char *text,
+                                     const struct thud_run_options *options, struct thud_run_cases **out,
+                                     struct thud_error *err);
+void thud_run_cases_free(struct thud_run_cases *cases);
+/* Peaks of accelerations and deflections side by side, largest forces, sentences. */
+void thud_run_cases_table(const struct thud_run_cases *cases, struct thud_text *out);
+/* For figures; source (THUD_RUN_CASES_MAX). Returns how many. */
+int thud_run_cases_sources(const struct thud_run_cases *cases, struct thud_figure_source *source);
+
+#endif

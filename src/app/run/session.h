@@ -1,0 +1,44 @@
+/* The verbs that the command line and the terminal interface share: open a preset, change values, read its ground
+ * motion, run a case. */
+#ifndef THUD_APP_SESSION_H
+#define THUD_APP_SESSION_H
+
+#include "ground/record.h"
+#include "io/file/paths.h"
+#include "io/preset/preset.h"
+#include "io/result/result_file.h"
+#include "study/scene/answer.h"
+
+struct thud_session {
+    struct thud_paths paths;
+    char preset_path[512];
+    struct thud_preset *preset;            /* as read */
+    struct thud_scene scene;               /* with the changes made since */
+    struct thud_record *record;            /* of scene.record; NULL: none, or not read yet */
+    struct thud_record_choice record_read; /* the choice that `record` was read with */
+};
+
+/* Opens a preset by name or path. Errors: THUD_INPUT with place, THUD_MEMORY. */
+enum thud_status thud_session_open(struct thud_session *session, const char *preset, struct thud_error *err);
+void thud_session_close(struct thud_session *session);
+
+/* KEY=VALUE. Errors: THUD_USAGE without a `=`, THUD_INPUT with key and what is allowed. */
+enum thud_status thud_session_assign(struct thud_session *session, const char *assignment, struct thud_error *err);
+
+/* Another ground motion: what the preset says of its own (peak, factor, step, unit, ...) does not hold for it. */
+void thud_session_choose_record(struct thud_session *session, const char *file);
+
+/* Reads the scene's ground motion where it is not the one in hand. Errors: THUD_INPUT, THUD_MEMORY. */
+enum thud_status thud_session_read_record(struct thud_session *session, struct thud_error *err);
+
+/* Runs a case of the session's scene. `options` NULL: from the scene. *scene gets the case's scene. On
+ * THUD_DIVERGED the answer is kept for what came before. Errors: as thud_scene_case and thud_scene_answer. */
+enum thud_status thud_session_run(struct thud_session *session, enum thud_case which,
+                                  const struct thud_run_options *options, struct thud_scene *scene,
+                                  struct thud_answer *answer, struct thud_error *err);
+
+/* What the result is shown with; `scene` must stay. */
+struct thud_report thud_session_report(const struct thud_session *session, const struct thud_scene *scene,
+                                       enum thud_case which, const struct thud_answer *answer);
+
+#endif

@@ -1,0 +1,47 @@
+#include "app/run/timing.h"
+
+#include <stdlib.h>
+#include <time.h>
+
+enum { SLICE = 2000 };
+
+static double read_s(clockid_t clock)
+{
+    struct timespec t;
+    clock_gettime(clock, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+double thud_timing_now_s(void)
+{
+    return read_s(CLOCK_MONOTONIC);
+}
+
+double thud_timing_processor_s(void)
+{
+    return read_s(CLOCK_THREAD_CPUTIME_ID);
+}
+
+enum thud_status thud_timing_advance(struct thud_run *run, const volatile sig_atomic_t *cancel, struct thud_error *err)
+{
+    enum thud_status status = THUD_OK;
+    for (bool done = false; !done && status == THUD_OK;) {
+        if (cancel && *cancel)
+            return thud_error_set(err, THUD_CANCELLED, "stopped");
+        status = thud_run_advance(run, SLICE, &done, err);
+    }
+    return status;
+}
+
+static int rising(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+double thud_timing_median(double *seconds, int n, double *spread)
+{
+    qsort(seconds, (size_t)n, sizeof *seconds, rising);
+    *spread = 0.5 * (seconds[(3 * n) / 4 < n ? (3 * n) / 4 : n - 1] - seconds[n / 4]);
+    return n % 2 ? seconds[n / 2] : 0.5 * (seconds[n / 2 - 1] + seconds[n / 2]);
+}

@@ -1,0 +1,58 @@
+/* Fragility of a study over its ground motions: every event and case along every varied number, at every setting of the
+ * others; as a table, CSV and JSON. */
+#ifndef THUD_APP_FRAGILITY_REPORT_H
+#define THUD_APP_FRAGILITY_REPORT_H
+
+#include "base/text.h"
+#include "plot/figure/figure.h"
+#include "study/suite/fragility.h"
+
+enum { THUD_EVENTS_MAX = 16 };
+
+struct thud_fragility_line {
+    int event, k, axis;
+    int at[THUD_VARY_MAX]; /* on the other axes; 0 on its own */
+    struct thud_fragility fragility;
+    double rate; /* annual; NaN: no hazard curve, or not along an intensity */
+};
+
+struct thud_fragility_study {
+    const struct thud_suite *suite;
+    int nevents;
+    struct thud_event event[THUD_EVENTS_MAX];
+    struct thud_hazard hazard; /* n = 0: none */
+    int samples;               /* of the bootstrap */
+    unsigned long long seed;
+    size_t n;
+    struct thud_fragility_line *line; /* (n) by event, case, axis, setting */
+};
+
+/* Whether an axis is an intensity of the ground motion. */
+bool thud_axis_is_intensity(const struct thud_sweep_axis *axis);
+/* A hazard curve from CSV: two columns, intensity (in g for an acceleration, a bare number for a factor) and annual
+ * rate of being exceeded; `#` before a comment, a line of words at the top. Errors: THUD_INPUT with line. */
+enum thud_status thud_hazard_read(const char *path, const struct thud_sweep_axis *axis, struct thud_hazard *out,
+                                  struct thud_error *err);
+
+/* Fills `line`; `suite`, events, hazard, samples and seed are given. Errors: THUD_USAGE (no number is varied),
+ * THUD_MEMORY. */
+enum thud_status thud_fragility_study_make(struct thud_fragility_study *study, struct thud_error *err);
+void thud_fragility_study_clear(struct thud_fragility_study *study);
+
+void thud_fragility_table(const struct thud_fragility_study *study, struct thud_text *out);
+/* A row for each stripe; and for each curve. */
+void thud_fragility_csv(const struct thud_fragility_study *study, struct thud_text *out);
+void thud_fragility_curves_csv(const struct thud_fragility_study *study, struct thud_text *out);
+void thud_fragility_json(const struct thud_fragility_study *study, struct thud_text *out);
+/* Fractiles of every measure over the motions, a row for each setting, case and structure; as JSON an array of them; as
+ * a table, 80 columns wide, of at most five values of every varied key. Errors: THUD_MEMORY. */
+enum thud_status thud_suite_csv(const struct thud_suite *suite, struct thud_text *out, struct thud_error *err);
+enum thud_status thud_suite_json(const struct thud_suite *suite, struct thud_text *out, struct thud_error *err);
+enum thud_status thud_suite_table(const struct thud_suite *suite, struct thud_text *out, struct thud_error *err);
+
+/* Its figures, counted from 0: each event's curves, then the incremental dynamic analysis of each case along each
+ * intensity. Ask thud_figure_check. */
+int thud_fragility_figure_count(const struct thud_fragility_study *study);
+struct thud_figure *thud_fragility_figure(const struct thud_fragility_study *study, int index);
+
+#endif

@@ -1,0 +1,283 @@
+#include "app/sweep/gap_report.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/version.h"
+#include "io/file/json.h"
+#include "study/scene/level.h"
+
+enum thud_status thud_gap_study_run(const struct thud_scene *scene, const struct thud_record_list *records,
+                                    const volatile sig_atomic_t *cancel, struct thud_gap_study *out,
+                                    struct thud_error *err)
+{
+    int n = records->n > 0 ? records->n : 1;
+    enum thud_status status = THUD_OK;
+    *out = (struct thud_gap_study){0};
+    out->name = calloc((size_t)n, sizeof *out->name);
+    out->gap = calloc((size_t)n, sizeof(struct thud_needed_gap *));
+    if (!out->name || !out->gap)
+        status = thud_error_set(err, THUD_MEMORY, "out of memory");
+    for (int i = 0; i < n && status == THUD_OK; i++) {
+        const struct thud_record *record = i < records->n ? records->record[i] : NULL;
+        if (cancel && *cancel)
+            status = thud_error_set(err, THUD_CANCELLED, "stopped");
+        else
+            status = thud_needed_gap_run(scene, record, &out->gap[i], err);
+        out->name[i] = record ? thud_path_name(record->file) : "no ground motion";
+        out->suite.nrecords += status == THUD_OK;
+    }
+    out->suite.record = out->name;
+    out->suite.gap = out->gap;
+    if (status == THUD_OK && out->gap[0]->nlevels == 0)
+        status = thud_error_set(err, THUD_INPUT, "no floors of neighbours stand where they could touch");
+    if (status != THUD_OK)
+        thud_gap_study_clear(out);
+    return status;
+}
+
+void thud_gap_study_clear(struct thud_gap_study *study)
+{
+    for (int i = 0; i < study->suite.nrecords; i++)
+        free(study->gap[i]);
+    free(study->gap);
+    free(study->name);
+    *study = (struct thud_gap_study){0};
+}
+
+/* "2-3", "wall-1", "2-c3" */
+static const char *floors(const struct thud_gap_level *level, char text[24])
+{
+    thud_pairing_name(level->left_floor, level->right_floor, level->struck, text, 24);
+    return text;
+}
+
+static void put_head(const char *first, const char *last, struct thud_text *out)
+{
+    thud_text_append(out, "%-26s", first);
+    for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_RULES; rule++)
+        thud_text_append(out, " %7s", thud_gap_rule_name(rule));
+    thud_text_append(out, "%s%s\n", *last ? "  " : "", last);
+}
+
+enum { NAME = 26, HEAD = 10 };
+
+/* In 26 columns; of a long name both ends. */
+static void cut(const char *name, int head, char text[NAME + 1])
+{
+    size_t n = strlen(name);
+    if (n <= NAME)
+        snprintf(text, NAME + 1, "%s", name);
+    else
+        snprintf(text, NAME + 1, "%.*s..%s", head, name, name + n - (NAME - 2 - (size_t)head));
+}
+
+/* The name of a ground motion, with as much of its end as tells it from the others. */
+static void put_name(const struct thud_gap_suite *suite, int record, struct thud_text *out)
+{
+    char text[NAME + 1], other[NAME + 1];
+    bool alone = false;
+    for (int head = HEAD; head >= 0 && !alone; head--) {
+        alone = true;
+        cut(suite->record[record], head, text);
+        for (int r = 0; r < suite->nrecords && alone; r++) {
+            cut(suite->record[r], head, other);
+            alone = r == record || strcmp(suite->record[r], suite->record[record]) == 0 || strcmp(text, other) != 0;
+        }
+    }
+    if (!alone)
+        cut(suite->record[record], HEAD, text);
+    thud_text_append(out, "%-26s", text);
+}
+
+static void put_records(const struct thud_gap_suite *suite, struct thud_text *out)
+{
+    char text[24];
+    put_head("widest of all levels (cm)", "at", out);
+    for (int r = 0; r < suite->nrecords; r++) {
+        int level = 0;
+        put_name(suite, r, out);
+        for (int rule = THUD_GAP_RULES - 1; rule >= THUD_GAP_EXACT; rule--)
+            thud_needed_gap_widest(suite->gap[r], 0, rule, &level);
+        for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_RULES; rule++)
+            thud_text_append(out, " %7.2f", 100 * thud_needed_gap_widest(suite->gap[r], 0, rule, NULL));
+        thud_text_append(out, "  %s\n", floors(&suite->gap[r]->level[level], text));
+    }
+}
+
+enum { WHATS = 5 };
+
+/* Fractiles of every rule at a level. */
+static enum thud_status fractiles(const struct thud_gap_suite *suite, int level,
+                                  struct thud_fractiles f[THUD_GAP_RULES + 1], struct thud_error *err)
+{
+    enum thud_status status = THUD_OK;
+    for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_RULES && status == THUD_OK; rule++)
+        status = thud_gap_suite_fractiles(suite, level, rule, &f[rule + 1], err);
+    return status;
+}
+
+static void put_suite(const struct thud_fractiles f[THUD_GAP_RULES + 1], struct thud_text *out)
+{
+    static const char *const what[WHATS] = {"16 %", "median", "84 %", "largest", "less than needed, share"};
+    for (int w = 0; w < WHATS; w++) {
+        thud_text_append(out, "%-26s", what[w]);
+        for (int i = 0; i <= THUD_GAP_RULES; i++) {
+            double x = w == 0 ? f[i].p16 : w == 1 ? f[i].median : w == 2 ? f[i].p84 : w == 3 ? f[i].most : f[i].share;
+            if (w == 4 && i == 0)
+                thud_text_append(out, " %7s", "");
+            else if (w == 4)
+                thud_text_append(out, " %5.0f %%", 100 * x);
+            else
+                thud_text_append(out, " %7.2f", 100 * x);
+        }
+        thud_text_append(out, "\n");
+    }
+}
+
+static void put_levels(const struct thud_gap_suite *suite, const struct thud_fractiles f[THUD_GAP_RULES + 1], int level,
+                       struct thud_text *out)
+{
+    const struct thud_gap_level *l = &suite->gap[0]->level[level];
+    char text[24], name[48];
+    snprintf(name, sizeof name, "interface %d, floors %s", l->interface, floors(l, text));
+    thud_text_append(out, "%-26s", name);
+    for (int i = 0; i <= THUD_GAP_RULES; i++)
+        thud_text_append(out, " %7.2f", 100 * f[i].median);
+    thud_text_append(out, "\n");
+}
+
+/* How far a bumper sticks out. */
+static void put_bumpers(const struct thud_scene *scene, struct thud_text *out)
+{
+    for (int i = 0; i + 1 < scene->nstructures; i++) {
+        const struct thud_interface *f = &scene->interface[i];
+        if (f->has_bumper)
+            thud_text_append(out, "The bumper of interface %d sticks out %.2f cm, which it needs besides.\n", i + 1,
+                             100 * (f->bumper_thickness_m - f->bumper_cavity_m));
+    }
+}
+
+enum thud_status thud_gap_report(const struct thud_gap_study *study, const struct thud_scene *scene,
+                                 struct thud_text *out, struct thud_error *err)
+{
+    const struct thud_gap_suite *suite = &study->suite;
+    struct thud_fractiles f[THUD_GAP_RULES + 1];
+    enum thud_status status = fractiles(suite, -1, f, err);
+    put_records(suite, out);
+    if (status == THUD_OK && suite->nrecords > 1) {
+        thud_text_append(out, "\n");
+        put_suite(f, out);
+        thud_text_append(out,
+                         "\nA gap of %.2f cm is enough for half of the %d ground motions, %.2f cm for 84 %%\n"
+                         "of them, %.2f cm for all.\n",
+                         100 * f[0].median, suite->nrecords, 100 * f[0].p84, 100 * f[0].most);
+    }
+    put_bumpers(scene, out);
+    thud_text_append(out, "\n");
+    put_head(suite->nrecords > 1 ? "medians by level (cm)" : "by level (cm)", "", out);
+    for (int l = 0; l < suite->gap[0]->nlevels && status == THUD_OK; l++) {
+        status = fractiles(suite, l, f, err);
+        if (status == THUD_OK)
+            put_levels(suite, f, l, out);
+    }
+    return status;
+}
+
+void thud_gap_csv(const struct thud_gap_study *study, const struct thud_record_list *records, struct thud_text *out)
+{
+    thud_text_append(out, "record,interface,left_floor,right_floor,left_displacement_m,right_displacement_m");
+    for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_RULES; rule++)
+        thud_text_append(out, ",%s", thud_gap_rule_column(rule));
+    thud_text_append(out, ",correlation,struck_columns\n");
+    for (int r = 0; r < study->suite.nrecords; r++)
+        for (int i = 0; i < study->gap[r]->nlevels; i++) {
+            const struct thud_gap_level *l = &study->gap[r]->level[i];
+            if (r < records->n)
+                thud_text_csv(out, records->record[r]->file);
+            thud_text_append(out, ",%d,%d,%d,", l->interface, l->left_floor, l->right_floor);
+            thud_text_number(out, l->left_m);
+            thud_text_append(out, ",");
+            thud_text_number(out, l->right_m);
+            for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_RULES; rule++) {
+                thud_text_append(out, ",");
+                thud_text_number(out, thud_gap_value(l, rule));
+            }
+            thud_text_append(out, ",");
+            thud_text_number(out, l->correlation);
+            thud_text_append(out, ",%s\n", thud_struck_name(l->struck));
+        }
+}
+
+static void put_json_level(const struct thud_gap_level *l, struct thud_text *out)
+{
+    thud_text_append(out, "{\"interface\": %d, \"left_floor\": %d, \"right_floor\": %d, ", l->interface, l->left_floor,
+                     l->right_floor);
+    thud_json_field(out, "left_displacement_m", l->left_m);
+    thud_text_append(out, ", ");
+    thud_json_field(out, "right_displacement_m", l->right_m);
+    for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_RULES; rule++) {
+        thud_text_append(out, ", ");
+        thud_json_field(out, thud_gap_rule_column(rule), thud_gap_value(l, rule));
+    }
+    thud_text_append(out, ", ");
+    thud_json_field(out, "correlation", l->correlation);
+    if (l->struck != 0)
+        thud_text_append(out, ", \"struck_columns\": \"%s\"", thud_struck_name(l->struck));
+    thud_text_append(out, "}");
+}
+
+static void put_json_fractiles(const struct thud_fractiles *f, const char *column, bool exact, struct thud_text *out)
+{
+    const double value[] = {f->p16, f->median, f->p84, f->most, exact ? 0 : f->share};
+    static const char *const key[] = {"p16", "median", "p84", "largest", "falls_short_share"};
+    thud_text_append(out, "\"%s\": {", column);
+    for (int i = 0; i < WHATS; i++) {
+        thud_text_append(out, i ? ", " : "");
+        thud_json_field(out, key[i], value[i]);
+    }
+    thud_text_append(out, "}");
+}
+
+enum thud_status thud_gap_json(const struct thud_gap_study *study, const struct thud_scene *scene,
+                               const struct thud_record_list *records, struct thud_text *out, struct thud_error *err)
+{
+    const struct thud_gap_suite *suite = &study->suite;
+    struct thud_fractiles f[THUD_GAP_RULES + 1];
+    enum thud_status status = THUD_OK;
+    thud_text_append(out, "{\"preset\": ");
+    thud_json_string(out, scene->name);
+    thud_text_append(out, ", \"version\": \"%s\",\n \"records\": [", THUD_VERSION);
+    for (int r = 0; r < suite->nrecords; r++) {
+        thud_text_append(out, "%s\n  {\"record\": ", r ? "," : "");
+        if (r < records->n)
+            thud_record_json(records->record[r], out);
+        else
+            thud_text_append(out, "null");
+        thud_text_append(out, ", \"levels\": [");
+        for (int i = 0; i < suite->gap[r]->nlevels; i++) {
+            thud_text_append(out, "%s\n    ", i ? "," : "");
+            put_json_level(&suite->gap[r]->level[i], out);
+        }
+        thud_text_append(out, "]}");
+    }
+    thud_text_append(out, "],\n \"suite\": [");
+    for (int l = -1; l < suite->gap[0]->nlevels && status == THUD_OK; l++) {
+        status = fractiles(suite, l, f, err);
+        if (status != THUD_OK)
+            return status;
+        thud_text_append(out, "%s\n  {\"level\": ", l < 0 ? "" : ",");
+        if (l < 0)
+            thud_text_append(out, "null");
+        else
+            thud_text_append(out, "%d", l + 1);
+        for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_RULES; rule++) {
+            thud_text_append(out, ",\n   ");
+            put_json_fractiles(&f[rule + 1], thud_gap_rule_column(rule), rule == THUD_GAP_EXACT, out);
+        }
+        thud_text_append(out, "}");
+    }
+    thud_text_append(out, "]}\n");
+    return status;
+}

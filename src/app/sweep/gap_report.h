@@ -1,0 +1,34 @@
+/* The gap that is enough, over a list of ground motions: as a table, CSV, JSON. */
+#ifndef THUD_APP_GAP_REPORT_H
+#define THUD_APP_GAP_REPORT_H
+
+#include <signal.h>
+
+#include "app/run/record_list.h"
+#include "base/text.h"
+#include "study/scene/needed_gap.h"
+
+struct thud_gap_study {
+    struct thud_gap_suite suite;
+    const char **name;            /* (suite.nrecords) last parts of the files' names */
+    struct thud_needed_gap **gap; /* (suite.nrecords) */
+};
+
+/* One run without contact for each ground motion (one without, where the scene has none). Errors: those of
+ * thud_needed_gap_run; THUD_INPUT where nothing can touch; THUD_CANCELLED. */
+enum thud_status thud_gap_study_run(const struct thud_scene *scene, const struct thud_record_list *records,
+                                    const volatile sig_atomic_t *cancel, struct thud_gap_study *out,
+                                    struct thud_error *err);
+void thud_gap_study_clear(struct thud_gap_study *study);
+
+/* 80 columns. Errors: THUD_MEMORY. */
+enum thud_status thud_gap_report(const struct thud_gap_study *study, const struct thud_scene *scene,
+                                 struct thud_text *out, struct thud_error *err);
+/* A row per ground motion and level: record,interface,left_floor,right_floor,left_displacement_m,
+ * right_displacement_m,closing_m,abs_m,srss_m,ddc_m,en1998_m,asce7_m,correlation */
+void thud_gap_csv(const struct thud_gap_study *study, const struct thud_record_list *records, struct thud_text *out);
+/* Errors: THUD_MEMORY. */
+enum thud_status thud_gap_json(const struct thud_gap_study *study, const struct thud_scene *scene,
+                               const struct thud_record_list *records, struct thud_text *out, struct thud_error *err);
+
+#endif

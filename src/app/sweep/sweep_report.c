@@ -1,0 +1,412 @@
+#include "app/sweep/sweep_report.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "study/scene/level.h"
+#include "study/sweep/sweep_best.h"
+
+enum { PLACE = 80 };
+
+static const char *short_name(const char *path)
+{
+    return *path ? thud_path_name(path) : "-";
+}
+
+/* A value of an axis as a reader writes it: `14 cm`. */
+static void put_value(const struct thud_sweep_axis *axis, double value, char *text, size_t size)
+{
+    for (int i = 0; i < axis->n; i++)
+        if (axis->value[i] == value) {
+            snprintf(text, size, "%s", axis->text[i]);
+            return;
+        }
+    snprintf(text, size, "-");
+}
+
+/* The varied keys; `but`: an axis left out, -1 for none. */
+static const char *place(const struct thud_sweep_plan *plan, const double *value, int but, char text[PLACE])
+{
+    size_t used = 0;
+    text[0] = '\0';
+    for (int a = 0; a < plan->naxes && used < PLACE; a++) {
+        char one[THUD_NAME_MAX];
+        if (a == but)
+            continue;
+        put_value(&plan->axis[a], value[a], one, sizeof one);
+        used += (size_t)snprintf(text + used, PLACE - used, "%s%s", used > 0 ? ", " : "", one);
+    }
+    return text;
+}
+
+static const char *place_of(const struct thud_sweep_plan *plan, const struct thud_sweep_summary *d, char text[PLACE])
+{
+    double value[THUD_VARY_MAX] = {0};
+    for (int a = 0; a < plan->naxes; a++)
+        value[a] = plan->axis[a].value[d->at[a]];
+    return place(plan, value, -1, text);
+}
+
+/* Least and largest of a ratio, and where the largest is. */
+struct span {
+    double least, most;
+    int floor;
+    const struct thud_sweep_summary *at; /* NULL: there is none */
+};
+
+static void widen(struct span *span, double x, const struct thud_sweep_summary *d, int floor)
+{
+    if (isnan(x))
+        return;
+    if (!span->at || x < span->least)
+        span->least = x;
+    if (!span->at || x > span->most)
+        *span = (struct span){span->at ? span->least : x, x, floor, d};
+}
+
+static void put_structure(const struct thud_sweep_plan *plan, const struct thud_sweep_table *table, int record,
+                          enum thud_case which, int structure, struct thud_text *out)
+{
+    struct span mean = {0}, floor = {0}, drift = {0};
+    char at[PLACE];
+    for (size_t i = 0; i < table->npoints; i++) {
+        const struct thud_sweep_summary *d = table->point[i];
+        const struct thud_sweep_ratio *x;
+        int k = d->record == record ? thud_sweep_summary_find(d, which) : -1;
+        for (int f = 0; k >= 0 && (x = thud_sweep_summary_ratio(d, k, structure, f, THUD_SWEEP_VALUE)) != NULL; f++) {
+            widen(f == 0 ? &mean : &floor, x->acceleration, d, f);
+            if (f == 0)
+                widen(&drift, x->drift, d, f);
+        }
+    }
+    if (!mean.at || !floor.at)
+        return;
+    thud_text_append(out, "  %-8s %-9.9s %5.3f to %-5.3f  %5.3f on floor %-3d ", thud_case_name(which),
+                     plan->scene.structure[structure].name, mean.least, mean.most, floor.most, floor.floor);
+    if (drift.at)
+        thud_text_append(out, " %5.3f to %-5.3f", drift.least, drift.most);
+    else
+        thud_text_append(out, " %14s", "");
+    thud_text_append(out, "  %s\n", place_of(plan, floor.at, at));
+}
+
+static void put_need(const struct thud_sweep_table *table, int record, struct thud_text *out)
+{
+    const struct thud_sweep_need_row *worst = table->need ? &table->need[record] : NULL;
+    if (!worst || worst->interface == 0)
+        return;
+    char interface[24] = "";
+    if (table->nstructures > 2)
+        snprintf(interface, sizeof interface, "interface %d, ", worst->interface);
+    char pair[40];
+    thud_pairing_name(worst->left_floor, worst->right_floor, worst->struck, pair, sizeof pair);
+    thud_text_append(out, "  needed gap %.2f cm (%sfloors %s); ABS %.2f, SRSS %.2f, DDC %.2f cm\n",
+                     100 * worst->closing_m, interface, pair, 100 * worst->abs_m, 100 * worst->srss_m,
+                     100 * worst->ddc_m);
+}
+
+/* Least and largest of a number of the runs of a case, and where the largest is; `structure` -1: of the columns that
+ * slabs strike. */
+static struct span span_of(const struct thud_sweep_table *table, int record, enum thud_case which, int structure,
+                           bool second)
+{
+    struct span span = {0};
+    for (size_t i = 0; i < table->npoints; i++) {
+        const struct thud_sweep_summary *d = table->point[i];
+        int k = d->record == record ? thud_sweep_summary_find(d, which) : -1;
+        if (k < 0)
+            continue;
+        const struct thud_sweep_storeys *storeys =
+            structure < 0 ? NULL : thud_sweep_summary_storeys(d, k, table->nstructures, structure, THUD_SWEEP_VALUE);
+        widen(&span,
+              !storeys ? (second ? d->run[k].capacity_ratio : 1e-6 * d->run[k].shear_n)
+                       : (second ? 1e3 * storeys->permanent_m : storeys->ductility),
+              d, 0);
+    }
+    return span;
+}
+
+/* What yielding storeys and struck columns come to, a line for each case and structure. */
+static void put_yielding(const struct thud_sweep_plan *plan, const struct thud_sweep_table *table, int record,
+                         struct thud_text *out)
+{
+    bool head[2] = {false};
+    char at[PLACE];
+    for (int s = 0; s <= table->nstructures; s++)
+        for (int k = 0; k < plan->ncases; k++) {
+            bool columns = s == table->nstructures;
+            struct span first = span_of(table, record, plan->cases[k], columns ? -1 : s, false);
+            struct span second = span_of(table, record, plan->cases[k], columns ? -1 : s, true);
+            if (!first.at)
+                continue;
+            if (!head[columns])
+                thud_text_append(out, columns ? "  struck columns     largest shear, MN   over capacity       at\n"
+                                              : "  storeys that yield largest ductility   permanent, mm       at\n");
+            head[columns] = true;
+            thud_text_append(out, "  %-8s %-9.9s %6.3f to %-8.3f", thud_case_name(plan->cases[k]),
+                             columns ? "" : plan->scene.structure[s].name, first.least, first.most);
+            if (second.at)
+                thud_text_append(out, " %6.3g to %-8.3g", second.least, second.most);
+            else
+                thud_text_append(out, "      -            ");
+            thud_text_append(out, " %s\n", place_of(plan, first.at, at));
+        }
+}
+
+/* Where the spread of a ratio is widest, against the ratio. */
+struct widest {
+    const struct thud_sweep_summary *at; /* NULL: there is none */
+    int run, structure, floor;
+    double change;
+};
+
+static void compare_spread(struct widest *widest, const struct thud_sweep_summary *d, int k, int nstructures)
+{
+    for (int s = 0; s < nstructures; s++)
+        for (int f = 0; thud_sweep_summary_ratio(d, k, s, f, THUD_SWEEP_LOW); f++) {
+            double x = thud_sweep_summary_ratio(d, k, s, f, THUD_SWEEP_VALUE)->acceleration;
+            double low = thud_sweep_summary_ratio(d, k, s, f, THUD_SWEEP_LOW)->acceleration;
+            double high = thud_sweep_summary_ratio(d, k, s, f, THUD_SWEEP_HIGH)->acceleration;
+            double change = fmax(high / x - 1, 1 - low / x);
+            if (change > widest->change)
+                *widest = (struct widest){d, k, s, f, change};
+        }
+}
+
+static void put_spread(const struct thud_sweep_plan *plan, const struct thud_sweep_table *table, int record,
+                       enum thud_case which, struct thud_text *out)
+{
+    struct widest w = {0};
+    char at[PLACE];
+    for (size_t i = 0; i < table->npoints; i++) {
+        const struct thud_sweep_summary *d = table->point[i];
+        int k = d->record == record ? thud_sweep_summary_find(d, which) : -1;
+        if (k >= 0)
+            compare_spread(&w, d, k, table->nstructures);
+    }
+    if (!w.at)
+        return;
+    int digits = thud_spread_digits(w.change);
+    thud_text_append(out, "  %-8s widest spread %.3g to %.3g, of ", thud_case_name(which),
+                     thud_sweep_summary_ratio(w.at, w.run, w.structure, w.floor, THUD_SWEEP_LOW)->acceleration,
+                     thud_sweep_summary_ratio(w.at, w.run, w.structure, w.floor, THUD_SWEEP_HIGH)->acceleration);
+    if (w.floor > 0)
+        thud_text_append(out, "%.20s floor %d", plan->scene.structure[w.structure].name, w.floor);
+    else
+        thud_text_append(out, "%.20s's mean", plan->scene.structure[w.structure].name);
+    thud_text_append(out, " at %s: ", place_of(plan, w.at, at));
+    if (digits == 0)
+        thud_text_append(out, "no digit means anything\n");
+    else
+        thud_text_append(out, "%d digit%s anything\n", digits, digits == 1 ? " means" : "s mean");
+}
+
+static bool has_rows(const struct thud_sweep_table *table, int record, enum thud_case which)
+{
+    for (size_t i = 0; i < table->npoints; i++)
+        if (table->point[i]->record == record && thud_sweep_summary_find(table->point[i], which) >= 0)
+            return true;
+    return false;
+}
+
+void thud_sweep_report(const struct thud_sweep_plan *plan, const struct thud_sweep_outcome *outcome,
+                       struct thud_text *out)
+{
+    const struct thud_sweep_table *table = &outcome->rows.table;
+    if (outcome->too_many)
+        return;
+    for (int r = 0; r < table->nrecords; r++) {
+        thud_text_append(out, "%s\n", short_name(table->record[r]));
+        put_need(table, r, out);
+        bool head = false;
+        for (int k = 0; k < plan->ncases; k++) {
+            enum thud_case which = plan->cases[k];
+            if (which == THUD_CASE_NONE || !has_rows(table, r, which))
+                continue;
+            if (!head)
+                thud_text_append(out, "  over case none     mean accel.     worst floor         mean defl.       at\n");
+            head = true;
+            for (int s = 0; s < table->nstructures; s++)
+                put_structure(plan, table, r, which, s, out);
+            put_spread(plan, table, r, which, out);
+        }
+        put_yielding(plan, table, r, out);
+    }
+}
+
+/* Why a case of a point is not possible, in the scene's own words. */
+static void put_reason(const struct thud_sweep_plan *plan, long point, int k, struct thud_text *out)
+{
+    struct thud_error why = {0};
+    struct thud_scene *scene = malloc(2 * sizeof *scene);
+    if (!scene)
+        return;
+    if (thud_sweep_scene(plan, point, scene, &why) == THUD_OK &&
+        thud_scene_case(scene, plan->cases[k], scene + 1, &why) == THUD_OK)
+        (void)thud_scene_check(scene + 1, &why);
+    char text[1600];
+    if (why.what[0])
+        thud_text_append(out, "    %s\n", thud_error_text(&why, text, sizeof text));
+    free(scene);
+}
+
+/* "1 run", "2 runs" */
+static void put_runs(long n, struct thud_text *out)
+{
+    thud_text_append(out, "%ld run%s", n, n == 1 ? "" : "s");
+}
+
+static void put_missing(const struct thud_sweep_plan *plan, const char *one, const char *more, const char *what,
+                        long count, long point, int k, bool reason, struct thud_text *out)
+{
+    int at[THUD_VARY_MAX];
+    if (count == 0)
+        return;
+    put_runs(count, out);
+    thud_text_append(out, " %s%s, first case %s", count == 1 ? one : more, what,
+                     k < plan->ncases ? thud_case_name(plan->cases[k]) : "none");
+    int record = thud_sweep_place(plan, point, at);
+    for (int a = 0; a < plan->naxes; a++)
+        thud_text_append(out, ", %s %s", plan->axis[a].key, plan->axis[a].text[at[a]]);
+    if (record < plan->nrecords && plan->record[record])
+        thud_text_append(out, ", %s", short_name(plan->record[record]->file));
+    thud_text_append(out, "\n");
+    if (reason && k < plan->ncases)
+        put_reason(plan, point, k, out);
+}
+
+void thud_sweep_report_work(const struct thud_sweep_plan *plan, const struct thud_sweep_total *total,
+                            struct thud_text *out)
+{
+    put_runs(total->asked, out);
+    if (total->references > 0)
+        thud_text_append(out, " and %ld of case none for the ratios", total->references);
+    thud_text_append(out, ": %ld made, %ld answered by the motion without pounding", total->made, total->free);
+    if (total->reused > 0)
+        thud_text_append(out, ", %ld the same as another (equal clearances and laws)", total->reused);
+    thud_text_append(out, "\n");
+    if (plan->scene.analysis.modes > 0)
+        thud_text_append(out, "each building's lowest %d modes alone: thud run tells what that changes\n",
+                         plan->scene.analysis.modes);
+    if (plan->sensitivity > 0) {
+        thud_text_append(
+            out, "spread under %g %% less or more gap, ground motion and stiffness, one at a time: %ld more runs\n",
+            100 * plan->sensitivity, total->changed.made + total->changed.free);
+        if (total->changed.failed > 0)
+            thud_text_append(out, "%ld of them have no answer: the spread is missing there\n", total->changed.failed);
+    }
+    if (total->shared_runs > 0) {
+        put_runs(total->shared_runs, out);
+        thud_text_append(out, " began where a contact could first be: %.0f of %.0f s were shared\n", total->shared_s,
+                         total->end_s);
+    }
+    if (total->left_out > 0)
+        thud_text_append(out, "%ld contacts that nothing can close were left out\n", total->left_out);
+    put_missing(plan, "is", "are", " not possible", total->impossible, total->impossible_point, total->impossible_case,
+                true, out);
+    put_missing(plan, "has", "have", " no answer (the integration failed)", total->diverged, total->diverged_point,
+                total->diverged_case, false, out);
+}
+
+/* What stands behind a row of the best values: why it may be none. */
+static const char *best_remark(const struct thud_sweep_best *best)
+{
+    return best->idle ? "touches nothing, or hardly" : best->at_end ? "at the end of its range" : "";
+}
+
+static const char *best_record(const struct thud_sweep_table *table, const struct thud_sweep_best *best)
+{
+    return best->record < 0 ? "worst of all" : short_name(table->record[best->record]);
+}
+
+static void put_best(const struct thud_sweep_plan *plan, const struct thud_sweep_table *table, int axis,
+                     const struct thud_sweep_best *best, int width, struct thud_text *out)
+{
+    char at[PLACE], value[THUD_NAME_MAX], low[THUD_NAME_MAX], high[THUD_NAME_MAX], flat[2 * THUD_NAME_MAX + 8];
+    put_value(&plan->axis[axis], best->best, value, sizeof value);
+    put_value(&plan->axis[axis], best->flat_least, low, sizeof low);
+    put_value(&plan->axis[axis], best->flat_most, high, sizeof high);
+    snprintf(flat, sizeof flat, "%s to %s", low, high);
+    const char *remark = best_remark(best);
+    thud_text_append(out, "  %-*s %-8s %-14.14s %-10s %6.3f %6.3f  %-20s %6.3f%s%s\n", width, best_record(table, best),
+                     thud_case_name(best->which), place(plan, best->other, axis, at), best->idle ? "-" : value,
+                     best->ratio, best->drift_ratio, best->idle ? "-" : flat, best->worst_ratio, *remark ? "  " : "",
+                     remark);
+}
+
+static void put_csv_number(double value, struct thud_text *out)
+{
+    thud_text_append(out, ",");
+    if (!isnan(value))
+        thud_text_number(out, value);
+}
+
+/* A value of an axis: its number, or its word. */
+static void put_csv_value(const struct thud_sweep_axis *axis, double value, struct thud_text *out)
+{
+    char text[THUD_NAME_MAX];
+    if (!axis->words) {
+        put_csv_number(value, out);
+        return;
+    }
+    put_value(axis, value, text, sizeof text);
+    thud_text_append(out, ",");
+    thud_text_csv(out, text);
+}
+
+static void put_best_csv(const struct thud_sweep_plan *plan, int axis, const struct thud_sweep_best *best,
+                         struct thud_text *out)
+{
+    const double ratios[] = {best->ratio, best->drift_ratio}, flat[] = {best->flat_least, best->flat_most};
+    if (best->record < 0)
+        thud_text_append(out, "worst of all");
+    else if (best->record < plan->nrecords && plan->record[best->record])
+        thud_text_csv(out, plan->record[best->record]->file);
+    thud_text_append(out, ",%s", thud_case_name(best->which));
+    for (int a = 0; a < plan->naxes; a++)
+        if (a != axis)
+            put_csv_value(&plan->axis[a], best->other[a], out);
+    put_csv_value(&plan->axis[axis], best->best, out);
+    for (int i = 0; i < 2; i++)
+        put_csv_number(ratios[i], out);
+    for (int i = 0; i < 2; i++)
+        put_csv_value(&plan->axis[axis], flat[i], out);
+    put_csv_number(best->worst_ratio, out);
+    thud_text_append(out, ",%s\n", best->idle ? "touches nothing or hardly" : best_remark(best));
+}
+
+enum thud_status thud_sweep_report_best(const struct thud_sweep_plan *plan, const struct thud_sweep_table *table,
+                                        int axis, bool csv, struct thud_text *out, struct thud_error *err)
+{
+    struct thud_sweep_best *best;
+    int width = 20;
+    long n = thud_sweep_best(table, axis, &best);
+    if (n < 0)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    if (csv) {
+        thud_text_append(out, "record,case");
+        for (int a = 0; a < plan->naxes; a++)
+            if (a != axis)
+                thud_text_append(out, ",%s", plan->axis[a].key);
+        thud_text_append(out,
+                         ",best,acceleration_ratio,drift_ratio,flat_from,flat_to,worst_acceleration_ratio,remark\n");
+    } else {
+        thud_text_append(out, "\nbest %s (least of the larger mean acceleration ratio; flat: within %d %% of it)\n",
+                         plan->axis[axis].key, THUD_SWEEP_BEST_PER_CENT);
+        for (long i = 0; i < n; i++)
+            width =
+                (int)strlen(best_record(table, &best[i])) > width ? (int)strlen(best_record(table, &best[i])) : width;
+        thud_text_append(out, "  %-*s %-8s %-14s %-10s %6s %6s  %-20s %6s\n", width, "record", "case", "at", "best",
+                         "ratio", "drift", "flat", "worst");
+    }
+    for (long i = 0; i < n; i++) {
+        if (csv)
+            put_best_csv(plan, axis, &best[i], out);
+        else
+            put_best(plan, table, axis, &best[i], width, out);
+    }
+    free(best);
+    return THUD_OK;
+}

@@ -1,0 +1,82 @@
+#include "app/sweep/sweep_table.h"
+
+#include <stdlib.h>
+
+void thud_sweep_collector_init(struct thud_sweep_collector *collector, const struct thud_sweep_plan *plan,
+                               const char *const *record)
+{
+    *collector = (struct thud_sweep_collector){0};
+    for (int i = 0; i < plan->scene.nstructures; i++) {
+        collector->structure[i] = plan->scene.structure[i].name;
+        collector->kind[i] = plan->scene.structure[i].kind;
+    }
+    collector->table = (struct thud_sweep_table){.nrecords = plan->nrecords > 0 ? plan->nrecords : 1,
+                                                 .nstructures = plan->scene.nstructures,
+                                                 .naxes = plan->naxes,
+                                                 .sensitivity = plan->sensitivity,
+                                                 .record = record,
+                                                 .structure = collector->structure,
+                                                 .kind = collector->kind,
+                                                 .axis = plan->axis};
+}
+
+/* Room for one more point; false when out of memory. */
+static bool reserve(struct thud_sweep_collector *c)
+{
+    if (!c->need)
+        c->need = calloc((size_t)c->table.nrecords, sizeof *c->need);
+    if (c->table.npoints < c->room)
+        return c->need != NULL;
+    size_t room = c->room ? 2 * c->room : 64;
+    struct thud_sweep_summary **larger = realloc(c->point, room * sizeof *larger);
+    if (!larger)
+        return false;
+    c->point = larger;
+    c->room = room;
+    return c->need != NULL;
+}
+
+/* Keeps the level that needs the widest gap of each record. */
+static enum thud_status add_needs(struct thud_sweep_collector *c, const struct thud_sweep_plan *plan,
+                                  const struct thud_sweep_point *point, struct thud_error *err)
+{
+    int n = thud_sweep_need_rows(plan, point, NULL);
+    struct thud_sweep_need_row *row = n > 0 ? malloc((size_t)n * sizeof *row) : NULL;
+    if (n > 0 && !row)
+        return thud_error_set(err, THUD_MEMORY, "out of memory for the rows of the study");
+    n = row ? thud_sweep_need_rows(plan, point, row) : 0;
+    for (int i = 0; i < n; i++) {
+        struct thud_sweep_need_row *most = &c->need[row[i].record];
+        if (most->interface == 0 || row[i].closing_m > most->closing_m)
+            *most = row[i];
+    }
+    free(row);
+    return THUD_OK;
+}
+
+enum thud_status thud_sweep_collector_add(struct thud_sweep_collector *c, const struct thud_sweep_plan *plan,
+                                          const struct thud_sweep_point *point, struct thud_error *err)
+{
+    struct thud_sweep_summary *summary = NULL;
+    if (!reserve(c))
+        return thud_error_set(err, THUD_MEMORY, "out of memory for the rows of the study");
+    enum thud_status status = add_needs(c, plan, point, err);
+    if (status == THUD_OK)
+        status = thud_sweep_summary_make(plan, point, &summary, err);
+    if (summary) {
+        c->point[c->table.npoints++] = summary;
+        c->table.nrows += (size_t)summary->nruns * (size_t)summary->nrows;
+    }
+    c->table.point = c->point;
+    c->table.need = c->need;
+    return status;
+}
+
+void thud_sweep_collector_clear(struct thud_sweep_collector *collector)
+{
+    for (size_t i = 0; i < collector->table.npoints; i++)
+        free(collector->point[i]);
+    free(collector->point);
+    free(collector->need);
+    *collector = (struct thud_sweep_collector){0};
+}

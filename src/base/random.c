@@ -1,0 +1,43 @@
+#include "base/random.h"
+
+#include <math.h>
+
+uint64_t thud_random_next(struct thud_random *random)
+{
+    uint64_t z = random->state += 0x9e3779b97f4a7c15ULL;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
+    return z ^ (z >> 31);
+}
+
+double thud_random_unit(struct thud_random *random)
+{
+    return (double)(thud_random_next(random) >> 11) * 0x1p-53;
+}
+
+size_t thud_random_below(struct thud_random *random, size_t n)
+{
+    return (size_t)(thud_random_unit(random) * (double)n);
+}
+
+double thud_normal_cdf(double x)
+{
+    return 0.5 * erfc(-x * 0.70710678118654752440);
+}
+
+double thud_normal_quantile(double p)
+{
+    /* bisection to a part in 1e3, then Newton on the logarithm of the smaller tail, which is concave: it converges from
+     * there to rounding */
+    double tail = p < 0.5 ? p : 1 - p, low = 0, high = 40;
+    for (int i = 0; i < 16; i++) {
+        double mid = 0.5 * (low + high);
+        *(thud_normal_cdf(-mid) > tail ? &low : &high) = mid;
+    }
+    double x = 0.5 * (low + high);
+    for (int i = 0; i < 6; i++) {
+        double q = thud_normal_cdf(-x), density = 0.39894228040143267794 * exp(-0.5 * x * x);
+        x += q / density * log(q / tail);
+    }
+    return p < 0.5 ? -x : x;
+}

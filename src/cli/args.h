@@ -1,0 +1,36 @@
+/* The words after `thud`, sorted by the table of options. */
+#ifndef THUD_CLI_ARGS_H
+#define THUD_CLI_ARGS_H
+
+#include "app/run/command.h"
+#include "base/status.h"
+
+enum { THUD_OPERANDS_MAX = 64, THUD_GIVEN_MAX = 256, THUD_JOBS_MAX = 256 };
+
+struct thud_args {
+    enum thud_command_id command;
+    int noperands, ngiven;
+    const char *operand[THUD_OPERANDS_MAX];
+    struct {
+        const struct thud_option *option;
+        const char *value; /* NULL for a switch, and where it was left out */
+    } given[THUD_GIVEN_MAX];
+};
+
+/* Errors: THUD_USAGE naming the option and the nearest one there is. */
+enum thud_status thud_args_parse(int argc, char **argv, struct thud_args *args, struct thud_error *err);
+
+/* The last value given for an option; NULL when it was not. */
+const char *thud_args_value(const struct thud_args *args, const char *name);
+bool thud_args_has(const struct thud_args *args, const char *name);
+/* The i-th value of a repeatable option; NULL past the last. */
+const char *thud_args_repeated(const struct thud_args *args, const char *name, int i);
+
+/* The message is about an option: its name becomes the key. */
+void thud_args_key(const char *option, struct thud_error *err);
+
+/* A whole number in an option. Errors: THUD_USAGE. */
+enum thud_status thud_args_integer(const struct thud_args *args, const char *name, int least, int most, int fallback,
+                                   int *out, struct thud_error *err);
+
+#endif

@@ -1,0 +1,456 @@
+#include "core/contact/contact.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/numerics/lcp.h"
+#include "core/numerics/tolerance.h"
+
+/* Impulses of all stereomechanical contacts that touch now. Errors: as thud_contact_switch. */
+static enum thud_status thud_contact_impulse(struct thud_state *state, struct thud_contact_log *log, int contact,
+                                             struct thud_error *err);
+
+/* The states of a contact, the events that end them, and what follows. Only the run changes them. */
+
+static const struct thud_law *law_of(const struct thud_state *state, int c)
+{
+    return state->model->contact[c].law;
+}
+
+static void renew_branch(struct thud_state *state, int c)
+{
+    struct thud_contact_state *s = &state->contact[c];
+    s->branch =
+        thud_law_branch(law_of(state, c), &state->model->contact[c].setup, &s->memory, s->phase, s->past_ultimate);
+}
+
+/* Changes the mode and keeps the counts of contacts. */
+static void thud_contact_set_mode(struct thud_state *state, int c, enum thud_contact_mode mode)
+{
+    struct thud_contact_state *s = &state->contact[c];
+    state->nactive -= thud_contact_acts(s);
+    state->nindented -= s->mode != THUD_OPEN;
+    s->mode = mode;
+    state->nactive += thud_contact_acts(s);
+    state->nindented += s->mode != THUD_OPEN;
+}
+
+void thud_contact_start(struct thud_state *state)
+{
+    for (int c = 0; c < state->model->ncontacts; c++) {
+        struct thud_contact_state *s = &state->contact[c];
+        const struct thud_law *law = law_of(state, c);
+        memset(s, 0, sizeof *s);
+        s->ultimate_m = thud_law_ultimate(law, &state->model->contact[c].setup);
+        s->suppressed.indentation = fabs(thud_contact_indentation(state, c)) <= THUD_TOL_INDENTATION_M;
+    }
+}
+
+void thud_contact_moved(struct thud_state *state)
+{
+    for (int c = 0; c < state->model->ncontacts; c++) {
+        struct thud_contact_state *s = &state->contact[c];
+        bool still = s->mode == THUD_OPEN && s->suppressed.indentation > 0 && thud_contact_rate(state, c) == 0 &&
+                     thud_contact_indentation(state, c) == 0;
+        s->suppressed = (struct thud_suppressed){.indentation = still};
+    }
+}
+
+/* Force that the elastic curve would reach at the closing velocity v: the scale on which errors of this contact's force
+ * count. */
+static double expected_force(const struct thud_state *state, int c, double v)
+{
+    const struct thud_model_contact *p = &state->model->contact[c];
+    double energy = 0.5 * p->setup.mass_kg * v * v, d = 1e-6;
+    if (!p->law->elastic_energy || energy == 0)
+        return 0;
+    bool linear = p->law->flags & THUD_LAW_LINEAR;
+    if (linear)
+        d *= sqrt(energy / thud_law_energy(p->law, &p->setup, d));
+    for (int i = 0; i < 8 && !linear; i++) /* energies rise with a power of d from 2 to 4: near enough for a scale */
+        d *= pow(energy / thud_law_energy(p->law, &p->setup, d), 0.3);
+    struct thud_branch b = thud_law_branch_at(p->law, &p->setup, &state->contact[c].memory, THUD_APPROACH, d);
+    return thud_branch_force(&b, d, 0, NULL, NULL);
+}
+
+/* Rate at which contact c closes; 0 where rounding alone has left one. */
+static double closing_rate(const struct thud_state *state, int c)
+{
+    double left, right;
+    thud_model_sides(state->model, c, state->qd, &left, &right);
+    double rate = left - right;
+    return rate > THUD_TOL_RATE * (fabs(left) + fabs(right)) ? rate : 0;
+}
+
+/* The rule for all methods and laws: an impact counts when its impulse is above THUD_TOL_IMPACT of what would stop the
+ * effective mass from the velocity scale of the run. */
+static bool thud_impact_counts(const struct thud_state *state, int c, double impulse_ns)
+{
+    return impulse_ns > THUD_TOL_IMPACT * state->model->contact[c].setup.mass_kg * state->speed_mps;
+}
+
+void thud_impact_count(const struct thud_state *state, struct thud_contact_log *log, int c)
+{
+    const struct thud_impact *now = &log->now[c];
+    struct thud_contact_result *r = &log->contact[c];
+    if (log->counted[c] || law_of(state, c)->flags & THUD_LAW_IMPULSIVE ||
+        !thud_impact_counts(state, c, now->impulse_ns))
+        return;
+    log->counted[c] = true;
+    r->impacts++;
+    r->approach_mps = now->approach_mps;
+    r->separation_mps = 0;
+    r->restitution = NAN;
+}
+
+/* Separation speed over closing speed; NaN where the closing speed is no more than rounding, or the bodies did not part. */
+static double thud_impact_restitution(const struct thud_state *state, const struct thud_impact *impact)
+{
+    double least = THUD_TOL_CLOSING * state->speed_mps;
+    if (!(impact->approach_mps > least) || impact->separation_mps < -least)
+        return NAN;
+    return fmax(impact->separation_mps, 0) / impact->approach_mps;
+}
+
+static void onset(struct thud_state *state, struct thud_contact_log *log, int c)
+{
+    struct thud_contact_state *s = &state->contact[c];
+    const struct thud_law *law = law_of(state, c);
+    double v = closing_rate(state, c);
+    memset(&s->memory, 0, sizeof s->memory);
+    law->onset(&state->model->contact[c].setup, v, &s->memory);
+    s->phase = THUD_APPROACH;
+    s->past_ultimate = false;
+    thud_contact_set_mode(state, c, THUD_CLOSED);
+    bool pressed =
+        thud_contact_indentation(state, c) > THUD_TOL_PRESSED_M; /* from the start: the clearance is negative */
+    renew_branch(state, c);
+    /* k d + c d' begins at 0 with d'; what is asked of d^p (K + D d') is K + D d', which does not */
+    bool from_zero = v == 0 && !pressed && s->branch.K == 0 && s->branch.D == 0;
+    s->suppressed = (struct thud_suppressed){.indentation = !pressed, .rate = v == 0, .force = from_zero};
+    s->expected_force_n = expected_force(state, c, v);
+    log->now[c] =
+        (struct thud_impact){.contact = c, .start_s = thud_state_now(state), .approach_mps = v, .restitution = NAN};
+    log->counted[c] = false;
+}
+
+/* The force has come to its end. */
+static void note_release(struct thud_state *state, struct thud_contact_log *log, int c)
+{
+    struct thud_impact *now = &log->now[c];
+    now->separation_mps = -thud_contact_rate(state, c);
+    now->duration_s = thud_state_now(state) - now->start_s;
+    now->restitution = thud_impact_restitution(state, now);
+    if (!log->counted[c])
+        return;
+    log->contact[c].separation_mps = now->separation_mps;
+    log->contact[c].restitution = now->restitution;
+}
+
+static enum thud_status open_contact(struct thud_state *state, struct thud_contact_log *log, int c, int zeros,
+                                     struct thud_error *err)
+{
+    struct thud_contact_state *s = &state->contact[c];
+    thud_contact_set_mode(state, c, THUD_OPEN);
+    s->suppressed = (struct thud_suppressed){.indentation = zeros};
+    return thud_impact_counts(state, c, log->now[c].impulse_ns) ? thud_contact_log_add(log, &log->now[c], err)
+                                                                : THUD_OK;
+}
+
+/* Zeros of a force that has just left 0 to this side: none where a blow has put it beyond. */
+static int force_zeros(const struct thud_state *state, int c, double sign)
+{
+    const struct thud_branch *b = &state->contact[c].branch;
+    double d = thud_contact_indentation(state, c), v = thud_contact_rate(state, c);
+    double force = thud_branch_force(b, d, v, NULL, NULL), elastic = thud_branch_force(b, d, 0, NULL, NULL);
+    return sign * force > THUD_TOL_FORCE * elastic ? 0 : 1;
+}
+
+static enum thud_status release(struct thud_state *state, struct thud_contact_log *log, int c, struct thud_error *err)
+{
+    struct thud_contact_state *s = &state->contact[c];
+    const struct thud_law *law = law_of(state, c);
+    note_release(state, log, c);
+    if (law->keeps_residual && law->keeps_residual(&state->model->contact[c].setup)) {
+        s->residual_m += fmax(thud_contact_indentation(state, c), 0);
+        log->contact[c].residual_m = s->residual_m;
+        return open_contact(state, log, c, 1, err);
+    }
+    thud_contact_set_mode(state, c, THUD_CLOSED_NO_FORCE);
+    s->suppressed = (struct thud_suppressed){.force = force_zeros(state, c, -1)};
+    return THUD_OK;
+}
+
+/* Force of the contact at rest (d' = 0) on one of its branches. */
+static double rest_force(const struct thud_state *state, int c, enum thud_phase phase, double d)
+{
+    const struct thud_contact_state *s = &state->contact[c];
+    struct thud_branch b =
+        thud_law_branch(law_of(state, c), &state->model->contact[c].setup, &s->memory, phase, s->past_ultimate);
+    return thud_branch_force(&b, d, 0, NULL, NULL);
+}
+
+static void go_on(struct thud_state *state, int c, enum thud_phase phase, int rate_zeros)
+{
+    struct thud_contact_state *s = &state->contact[c];
+    thud_contact_set_mode(state, c, THUD_CLOSED);
+    if (phase == THUD_RESTITUTION)
+        thud_law_reversal(law_of(state, c), &state->model->contact[c].setup, thud_contact_indentation(state, c),
+                          &s->memory);
+    s->phase = phase;
+    s->suppressed = (struct thud_suppressed){.rate = rate_zeros};
+    renew_branch(state, c);
+}
+
+/* At d' = 0. Where the branches meet, the other phase begins. Where they do not (rubber past delta_u, unloading as
+ * printed) and each would turn the motion back to the other, the contact sticks (Filippov's sliding mode). */
+static void reversal(struct thud_state *state, int c)
+{
+    struct thud_contact_state *s = &state->contact[c];
+    enum thud_phase next = s->phase == THUD_APPROACH ? THUD_RESTITUTION : THUD_APPROACH;
+    double d = thud_contact_indentation(state, c);
+    double approach = rest_force(state, c, THUD_APPROACH, d), restitution = rest_force(state, c, THUD_RESTITUTION, d);
+    if (state->locates && approach - restitution > THUD_TOL_BRANCH_GAP * approach) {
+        double *force = state->force_now;
+        thud_contact_forces_given(state, c, next == THUD_RESTITUTION ? restitution : approach, force);
+        double a = thud_contact_acceleration(state, c, force);
+        if (next == THUD_RESTITUTION ? a > 0 : a < 0) {
+            thud_contact_set_mode(state, c, THUD_STICKING);
+            s->constraint_low_n = restitution;
+            s->constraint_high_n = approach;
+            s->suppressed = (struct thud_suppressed){.force = 1};
+            return;
+        }
+    }
+    double v = thud_contact_rate(state, c); /* not 0 where its polynomial has not been resolved */
+    bool gone =
+        next == THUD_RESTITUTION ? v < -THUD_TOL_REVERSAL * state->speed_mps : v > THUD_TOL_REVERSAL * state->speed_mps;
+    go_on(state, c, next, !gone);
+}
+
+/* Other contacts' impulses have changed the rate of contact c by so much, to what it is now: it goes on in the phase of
+ * that rate, with no guard suppressed. */
+static void thud_contact_impulse_received(struct thud_state *state, int c, double change)
+{
+    struct thud_contact_state *s = &state->contact[c];
+    double v = thud_contact_rate(state, c);
+    enum thud_phase phase = v > 0 ? THUD_APPROACH : THUD_RESTITUTION;
+    bool turns = s->mode != THUD_OPEN && law_of(state, c)->flags & THUD_LAW_REVERSES;
+    if ((!turns && s->mode != THUD_STICKING) || fabs(v) <= THUD_TOL_IMPULSE_RATE * fabs(change))
+        return;
+    if (s->mode == THUD_STICKING || phase != s->phase)
+        go_on(state, c, phase, 0);
+    else
+        s->suppressed.rate = 0;
+}
+
+static void change_branch(struct thud_state *state, int c)
+{
+    struct thud_contact_state *s = &state->contact[c];
+    s->past_ultimate = !s->past_ultimate;
+    s->suppressed.branch = 1;
+    renew_branch(state, c);
+}
+
+static enum thud_status unstick(struct thud_state *state, struct thud_contact_log *log, int c, enum thud_event event,
+                                struct thud_error *err)
+{
+    struct thud_contact_state *s = &state->contact[c];
+    if (law_of(state, c)->flags & THUD_LAW_IMPULSIVE) { /* sustained pushing has ended: d, d' and d'' are 0 */
+        note_release(state, log, c);
+        return open_contact(state, log, c, 3, err);
+    }
+    go_on(state, c, event == THUD_EVENT_UNSTICK_IN ? THUD_APPROACH : THUD_RESTITUTION, 2);
+    /* as a rule the constraint force has gone to the end of its interval, and d'' is 0; where another contact of the same
+     * floors has switched it may have jumped beyond */
+    thud_contact_forces(state, state->force_now);
+    double a = thud_contact_acceleration(state, c, state->force_now);
+    double jump = fmax(10 * state->tolerance, THUD_TOL_UNSTICK) * (s->constraint_high_n - s->constraint_low_n) /
+                  state->model->contact[c].setup.mass_kg;
+    if (event == THUD_EVENT_UNSTICK_IN ? a > jump : a < -jump)
+        s->suppressed.rate = 1;
+    return THUD_OK;
+}
+
+enum thud_status thud_contact_switch(struct thud_state *state, struct thud_contact_log *log, int contact,
+                                     enum thud_event event, struct thud_error *err)
+{
+    struct thud_contact_state *s = &state->contact[contact];
+    state->work->events++;
+    switch (event) {
+    case THUD_EVENT_ONSET:
+        if (law_of(state, contact)->flags & THUD_LAW_IMPULSIVE)
+            return thud_contact_impulse(state, log, contact, err);
+        onset(state, log, contact);
+        return THUD_OK;
+    case THUD_EVENT_SEPARATION:
+        if (s->mode == THUD_CLOSED)
+            note_release(state, log, contact);
+        return open_contact(state, log, contact, 1, err);
+    case THUD_EVENT_RELEASE:
+        return release(state, log, contact, err);
+    case THUD_EVENT_REENGAGE:
+        thud_contact_set_mode(state, contact, THUD_CLOSED);
+        s->suppressed = (struct thud_suppressed){.force = force_zeros(state, contact, 1)};
+        return THUD_OK;
+    case THUD_EVENT_REVERSAL:
+        reversal(state, contact);
+        return THUD_OK;
+    case THUD_EVENT_BRANCH:
+        change_branch(state, contact);
+        return THUD_OK;
+    case THUD_EVENT_NONE:
+    case THUD_EVENT_YIELD_UP: /* of storeys: thud_storey_switch */
+    case THUD_EVENT_YIELD_DOWN:
+    case THUD_EVENT_UNLOAD:
+        return THUD_OK;
+    case THUD_EVENT_UNSTICK_IN:
+    case THUD_EVENT_UNSTICK_OUT:
+        break;
+    }
+    return unstick(state, log, contact, event, err);
+}
+
+/* Stereomechanical contact (Newton's law of restitution): impulses at touch, of all touching contacts together as one
+ * linear complementarity problem, and holding where the structures go on pushing. */
+
+/* A parting slower than this is taken as the end of a row of ever smaller bounces: the contact comes to rest. No units
+ * of its own: the same scene in other ones, or a larger one, comes to rest at the same moment. */
+static double rest_speed(const struct thud_state *state)
+{
+    return fmax(1e-4 * state->tolerance, THUD_TOL_REST) * state->speed_mps;
+}
+
+/* Contacts that take part: the one that touches now, those that are held, and those that are at zero distance. */
+static int gather(const struct thud_state *state, int touching, int *set)
+{
+    int n = 0;
+    for (int c = 0; c < state->model->ncontacts; c++) {
+        const struct thud_contact_state *s = &state->contact[c];
+        if (!(state->model->contact[c].law->flags & THUD_LAW_IMPULSIVE))
+            continue;
+        bool at_zero = s->mode == THUD_OPEN && fabs(thud_contact_indentation(state, c)) <= THUD_TOL_INDENTATION_M;
+        if (c == touching || s->mode == THUD_STICKING || at_zero)
+            set[n++] = c;
+    }
+    return n;
+}
+
+struct collision {
+    int n;
+    const int *set;
+    double *speed, *impulse, *m, *q, *work; /* closing speeds before, (n); M (n x n) */
+};
+
+static enum thud_status impulses(const struct thud_state *state, struct collision *x, struct thud_error *err)
+{
+    const struct thud_model *m = state->model;
+    for (int i = 0; i < x->n; i++) {
+        int c = x->set[i];
+        double v = x->speed[i] = thud_contact_rate(state, c);
+        double e = m->contact[c].law->nominal(&m->contact[c].setup);
+        bool held =
+            state->contact[c].mode == THUD_STICKING; /* what rate it has is the error of the force that holds it */
+        if (held || !(e * v > rest_speed(state)))    /* or the force would have to bring it to rest at once */
+            e = 0;
+        x->q[i] = -(1 + e) * v;
+        for (int j = 0; j < x->n; j++)
+            x->m[i * x->n + j] = m->delassus[c * m->nrows + x->set[j]];
+    }
+    enum thud_status status = thud_lcp_solve(x->n, x->m, x->q, x->impulse, x->work, err);
+    return status == THUD_DIVERGED && m->left_out > 0 ? thud_state_too_few_modes(state, err) : status;
+}
+
+static void apply(struct thud_state *state, const struct collision *x)
+{
+    const struct thud_model *m = state->model;
+    for (int i = 0; i < x->n; i++) {
+        const double *g = m->jacobian + x->set[i] * m->nmodes;
+        for (int j = 0; j < m->nmodes; j++)
+            state->qd[j] -= g[j] * x->impulse[i];
+    }
+}
+
+/* Puts one impact into the results. */
+static enum thud_status note(struct thud_state *state, struct thud_contact_log *log, int c, double before,
+                             double impulse, struct thud_error *err)
+{
+    struct thud_contact_result *r = &log->contact[c];
+    double after = -thud_contact_rate(state, c), lost = impulse * (before - after) / 2;
+    struct thud_impact impact = {.contact = c,
+                                 .start_s = thud_state_now(state),
+                                 .approach_mps = before,
+                                 .separation_mps = after,
+                                 .impulse_ns = impulse,
+                                 .dissipated_j = lost};
+    r->impulse_ns += impulse;
+    r->dissipated_j += lost;
+    log->lost_j += lost;
+    if (!thud_impact_counts(state, c, impulse) || state->contact[c].mode == THUD_STICKING)
+        return THUD_OK; /* a held contact passes the blow on */
+    impact.restitution = thud_impact_restitution(state, &impact);
+    r->impacts++;
+    r->approach_mps = before;
+    r->separation_mps = after;
+    r->restitution = impact.restitution;
+    return thud_contact_log_add(log, &impact, err);
+}
+
+/* After the impulses: held where the structures push on and nothing bounces, else open. */
+static void stick_or_separate(struct thud_state *state, struct thud_contact_log *log, int c)
+{
+    struct thud_contact_state *s = &state->contact[c];
+    double rate = thud_contact_rate(state, c);
+    if (fabs(rate) > rest_speed(state)) {
+        thud_contact_set_mode(state, c, THUD_OPEN);
+        s->suppressed = (struct thud_suppressed){.indentation = 1};
+        return;
+    }
+    thud_contact_set_mode(state, c, THUD_OPEN);
+    thud_contact_forces(state, state->force_now);
+    if (thud_contact_acceleration(state, c, state->force_now) <= -thud_contact_rounding(state)) {
+        s->suppressed = (struct thud_suppressed){.indentation = 2};
+        return;
+    }
+    thud_contact_set_mode(state, c, THUD_STICKING);
+    s->constraint_low_n = 0;
+    s->constraint_high_n = INFINITY;
+    s->suppressed = (struct thud_suppressed){.force = 1};
+    log->now[c] = (struct thud_impact){.contact = c, .start_s = thud_state_now(state), .restitution = NAN};
+    log->counted[c] = false;
+}
+
+/* What the impulses do to the rates of the contacts that have forces. */
+static void send_impulses(struct thud_state *state, const struct collision *x)
+{
+    const struct thud_model *m = state->model;
+    for (int c = 0; c < m->ncontacts; c++) {
+        double change = 0;
+        for (int i = 0; i < x->n; i++)
+            change -= m->delassus[c * m->nrows + x->set[i]] * x->impulse[i];
+        if (change != 0 && !(m->contact[c].law->flags & THUD_LAW_IMPULSIVE))
+            thud_contact_impulse_received(state, c, change);
+    }
+}
+
+static enum thud_status thud_contact_impulse(struct thud_state *state, struct thud_contact_log *log, int contact,
+                                             struct thud_error *err)
+{
+    int *set = state->set_now, n = gather(state, contact, set);
+    double *block = state->collide;
+    struct collision x = {n, set, block, block + n, block + 2 * n, block + 2 * n + n * n, block + 3 * n + n * n};
+    enum thud_status status = impulses(state, &x, err);
+    if (status != THUD_OK)
+        return status;
+    apply(state, &x);
+    for (int i = 0; i < n && status == THUD_OK; i++)
+        if (x.impulse[i] > 0)
+            status = note(state, log, set[i], x.speed[i], x.impulse[i], err);
+    for (int i = 0; i < n; i++)
+        if (x.impulse[i] > 0 || set[i] == contact)
+            stick_or_separate(state, log, set[i]);
+    send_impulses(state, &x);
+    return status;
+}

@@ -1,0 +1,27 @@
+/* The states of a contact: what follows an event. One automaton for all laws; its guards are in core/event.c. */
+#ifndef THUD_CORE_CONTACT_H
+#define THUD_CORE_CONTACT_H
+
+#include "core/contact/contact_log.h"
+#include "core/contact/event.h"
+
+/* All contacts of the state open, with what is fixed for them. */
+void thud_contact_start(struct thud_state *state);
+/* The state has gone on: clears the guards suppressed at the last event, but for neighbours that touch and have not
+ * moved at all. */
+void thud_contact_moved(struct thud_state *state);
+/* Acts on an event at the state. Errors: THUD_DIVERGED (impulses of contacts that the modes do not tell apart),
+ * THUD_MEMORY. */
+enum thud_status thud_contact_switch(struct thud_state *state, struct thud_contact_log *log, int contact,
+                                     enum thud_event event, struct thud_error *err);
+
+/* contact_update.c, for runs that do not locate: acts on what the state shows; apart: no contact is indented there.
+ * Errors: as thud_contact_switch. */
+enum thud_status thud_contact_update(struct thud_state *state, struct thud_contact_log *log, bool apart, bool *switched,
+                                     struct thud_error *err);
+
+/* Counts the impact of contact c that goes on, once, as soon as its impulse is large enough; those of impulsive laws are
+ * counted as they happen. */
+void thud_impact_count(const struct thud_state *state, struct thud_contact_log *log, int c);
+
+#endif

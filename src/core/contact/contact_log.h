@@ -1,0 +1,28 @@
+/* What contacts have gone through: their results, and the list of impacts. */
+#ifndef THUD_CORE_CONTACT_LOG_H
+#define THUD_CORE_CONTACT_LOG_H
+
+#include <stdbool.h>
+
+#include "base/status.h"
+#include "core/model/result.h"
+
+struct thud_contact_log {
+    struct thud_contact_result *contact; /* (ncontacts), of the run's result */
+    bool keep_impacts;
+    struct thud_impact *now;    /* (ncontacts) impacts that go on, and */
+    bool *counted;              /* (ncontacts) whether they are among the impacts of the contact */
+    struct thud_impact *impact; /* (count), in the order of their ends */
+    int count, capacity;
+    double lost_j; /* in impulses so far */
+};
+
+/* Errors: THUD_MEMORY. */
+enum thud_status thud_contact_log_init(struct thud_contact_log *log, struct thud_contact_result *contact, int ncontacts,
+                                       bool keep_impacts, struct thud_error *err);
+/* Adds an impact that is over, where impacts are kept. Errors: THUD_MEMORY. */
+enum thud_status thud_contact_log_add(struct thud_contact_log *log, const struct thud_impact *impact,
+                                      struct thud_error *err);
+void thud_contact_log_clear(struct thud_contact_log *log);
+
+#endif

@@ -1,0 +1,341 @@
+/* Each mode of a contact has guards: a function of time that is watched, the sign that it must not take, and the event
+ * when it does (as the root functions of CVODE, with rootdir and gactive). The functions are polynomials of the
+ * segment, so that the first crossing is found with bounds and no grazing is missed. A guard that has just fired starts
+ * at 0: that many of its lowest coefficients are taken as 0 (struct thud_suppressed), else rounding would decide. */
+#include "core/contact/event.h"
+
+#include <assert.h>
+#include <math.h>
+#include <string.h>
+
+#include "core/numerics/poly.h"
+
+enum watched { INDENTATION, FORCE, RATE, BRANCH, CONSTRAINT_LOW, CONSTRAINT_HIGH };
+
+static const struct guard {
+    enum thud_contact_mode mode;
+    enum watched watched;
+    int sign; /* that the function takes at the event; 0: by the phase, or the side of the branch, of the contact */
+    enum thud_event event;
+} guards[] = {
+    {THUD_OPEN, INDENTATION, 1, THUD_EVENT_ONSET},
+    {THUD_CLOSED, FORCE, -1, THUD_EVENT_RELEASE},
+    {THUD_CLOSED, INDENTATION, -1, THUD_EVENT_SEPARATION},
+    {THUD_CLOSED, RATE, 0, THUD_EVENT_REVERSAL},
+    {THUD_CLOSED, BRANCH, 0, THUD_EVENT_BRANCH},
+    {THUD_CLOSED_NO_FORCE, FORCE, 1, THUD_EVENT_REENGAGE},
+    {THUD_CLOSED_NO_FORCE, INDENTATION, -1, THUD_EVENT_SEPARATION},
+    {THUD_STICKING, CONSTRAINT_LOW, -1, THUD_EVENT_UNSTICK_OUT},
+    {THUD_STICKING, CONSTRAINT_HIGH, 1, THUD_EVENT_UNSTICK_IN},
+};
+
+/* A contact in the segment at hand. */
+struct view {
+    const struct thud_state *state;
+    const struct thud_segment *seg;
+    int c;
+    const double *d;    /* indentation; its lowest orders are 0 where rounding alone has left them */
+    double reach, bend; /* how far it may be from its start, and its rate from the rate there */
+    struct thud_suppressed suppressed;
+};
+
+/* Function whose sign is that of a non-pulling law's force: out (terms); false where the force cannot reach 0 before
+ * the indentation does. */
+static bool force_function(const struct thud_branch *b, const double *d, int terms, double h, double *out)
+{
+    bool power = b->K != 0;
+    assert(terms > 0);
+    if (!power && b->D == 0) {
+        if (b->c_nspm == 0)
+            return false;
+        for (int k = 0; k < terms; k++)
+            out[k] = b->k_npm * d[k] + (k + 1 < terms ? b->c_nspm * (k + 1) / h * d[k + 1] : 0);
+        out[0] += b->f0_n;
+        return true;
+    }
+    if (power && (b->D == 0 || b->p != b->r))
+        return false;
+    for (int k = 0; k < terms; k++)
+        out[k] = k + 1 < terms ? b->D * (k + 1) / h * d[k + 1] : 0;
+    out[0] += power ? b->K : b->k_npm; /* F = (elastic force) (1 + D/K v) */
+    return true;
+}
+
+/* Force by which rounding moves the constraint force of a STICKING contact from one end of its interval, beyond which it is
+ * outside: neighbours that move alike are held together by what rounding leaves of equal forces. Just after it began to stick, a force
+ * that is there but for the accuracy of its polynomial is taken to start there. */
+static double from_end(const struct view *v, double distance)
+{
+    const struct thud_state *state = v->state;
+    double scale = state->model->contact[v->c].setup.mass_kg * state->ground_mps2;
+    bool there = v->suppressed.force > 0 && fabs(distance) <= 10 * state->tolerance * scale;
+    return there ? 0 : distance;
+}
+
+static void constraint_function(const struct view *v, bool high, double *out)
+{
+    const struct thud_state *state = v->state;
+    const struct thud_contact_state *s = &state->contact[v->c];
+    double rounding = state->model->contact[v->c].setup.mass_kg * thud_contact_rounding(state);
+    for (int k = 0; k < v->seg->terms; k++)
+        out[k] = v->seg->force[k * state->model->nrows + v->c];
+    out[0] = high ? from_end(v, out[0] - s->constraint_high_n) - rounding
+                  : from_end(v, out[0] - s->constraint_low_n) + rounding;
+}
+
+/* The polynomial that a guard watches into out (n coefficients), how many of its lowest ones are 0; false where it
+ * cannot take the sign. */
+static bool watched_function(const struct view *v, enum watched watched, double *out, int *n, int *zeros)
+{
+    const struct thud_contact_state *s = &v->state->contact[v->c];
+    const struct thud_law *law = v->state->model->contact[v->c].law;
+    *n = v->seg->terms;
+    *zeros = 0;
+    switch (watched) {
+    case INDENTATION:
+        memcpy(out, v->d, (size_t)*n * sizeof *out);
+        *zeros = v->suppressed.indentation;
+        return *zeros < *n || s->mode != THUD_OPEN;
+    case FORCE:
+        *zeros = v->suppressed.force;
+        return (s->mode == THUD_CLOSED_NO_FORCE || !(law->flags & THUD_LAW_PULLS)) &&
+               force_function(&s->branch, v->d, *n, v->seg->h_s, out);
+    case RATE:
+        *zeros = v->suppressed.rate;
+        if (!(law->flags & THUD_LAW_REVERSES))
+            return false;
+        *n -= 1;
+        for (int k = 0; k < *n; k++)
+            out[k] = (k + 1) * v->d[k + 1];
+        return true;
+    case BRANCH:
+        if (s->ultimate_m == INFINITY)
+            return false;
+        memcpy(out, v->d, (size_t)*n * sizeof *out);
+        out[0] -= s->ultimate_m;
+        *zeros = v->suppressed.branch;
+        return true;
+    case CONSTRAINT_LOW:
+    case CONSTRAINT_HIGH:
+        if (watched == CONSTRAINT_HIGH && s->constraint_high_n == INFINITY)
+            return false;
+        constraint_function(v, watched == CONSTRAINT_HIGH, out);
+        return true;
+    }
+    return false;
+}
+
+/* How fast the state itself changes what a guard watches: the rate, or what force_function has. */
+static double slope_now(const struct view *v, bool is_rate)
+{
+    const struct thud_branch *b = &v->state->contact[v->c].branch;
+    double *force = v->state->force_now;
+    thud_contact_forces(v->state, force);
+    double a = thud_contact_acceleration(v->state, v->c, force);
+    if (is_rate)
+        return a;
+    bool linear = b->K == 0 && b->D == 0;
+    return linear ? b->k_npm * thud_contact_rate(v->state, v->c) + b->c_nspm * a : b->D * a;
+}
+
+/* When p takes this sign, which it may have just left (`zeros`). At once only if the state's own slope says so: that of
+ * the polynomial may be too small for the method to resolve, and wrong, and would start chattering. Then its lowest
+ * orders are passed over. */
+static double crossing(const struct view *v, const double *p, int n, double s_end, double sign, int zeros, bool is_rate)
+{
+    double s = thud_poly_first_above(p, n, s_end, sign, zeros, 0);
+    if (s > 0 || zeros == 0 || v->state->contact[v->c].suppressed.indentation > 0 || sign * slope_now(v, is_rate) > 0)
+        return s;
+    while (s == 0 && ++zeros < n)
+        s = thud_poly_first_above(p, n, s_end, sign, zeros, 0);
+    return s > 0 ? s : INFINITY;
+}
+
+/* The sign at which a guard fires whose sign is that of the contact. */
+static int sign_of(const struct thud_contact_state *s, enum watched watched)
+{
+    if (watched == RATE)
+        return s->phase == THUD_APPROACH ? -1 : 1;
+    return s->past_ultimate ? -1 : 1;
+}
+
+/* Whether what a guard watches keeps its sign by the bounds of the indentation and its rate alone: most do. */
+static bool stays(const struct view *v, const struct guard *guard, int sign)
+{
+    const struct thud_contact_state *s = &v->state->contact[v->c];
+    const struct thud_branch *b = &s->branch;
+    const double rate = 1 / v->seg->h_s;
+    switch (guard->watched) {
+    case INDENTATION:
+        return v->suppressed.indentation == 0 && sign * v->d[0] + v->reach < 0;
+    case RATE:
+        return v->suppressed.rate == 0 && sign * v->d[1] + v->bend < 0;
+    case BRANCH:
+        return v->suppressed.branch == 0 && sign * (v->d[0] - s->ultimate_m) + v->reach < 0;
+    case FORCE: /* as force_function has it */
+        if (v->suppressed.force > 0)
+            return false;
+        if (b->K == 0 && b->D == 0)
+            return sign * (b->f0_n + b->k_npm * v->d[0] + b->c_nspm * rate * v->d[1]) + fabs(b->k_npm) * v->reach +
+                       fabs(b->c_nspm) * rate * v->bend <
+                   0;
+        return sign * ((b->K != 0 ? b->K : b->k_npm) + b->D * rate * v->d[1]) + fabs(b->D) * rate * v->bend < 0;
+    case CONSTRAINT_LOW:
+    case CONSTRAINT_HIGH:
+        return false;
+    }
+    return false;
+}
+
+/* s in [0, s_end] at which a guard fires. */
+static double guard_fires(const struct view *v, const struct guard *guard, double s_end)
+{
+    double p[THUD_SEGMENT_TERMS];
+    int n, zeros, sign = guard->sign != 0 ? guard->sign : sign_of(&v->state->contact[v->c], guard->watched);
+    if (stays(v, guard, sign) || !watched_function(v, guard->watched, p, &n, &zeros))
+        return INFINITY;
+    if (guard->watched == FORCE || guard->watched == RATE)
+        return crossing(v, p, n, s_end, sign, zeros, guard->watched == RATE);
+    double noise = guard->mode == THUD_OPEN ? THUD_TOL_INDENTATION_M : 0;
+    return thud_poly_first_above(p, n, s_end, sign, zeros, noise);
+}
+
+/* Contact onset without speed, and only then pushed together: how many of the lowest orders the accuracy of the contact
+ * force does not resolve. What it leaves there would open the contact again, and without end. */
+static int unresolved(const struct thud_state *state, const double *d, int terms, int still)
+{
+    double largest = 0, resolved = fmax(state->tolerance, THUD_TOL_UNRESOLVED);
+    for (int k = 0; k < terms; k++)
+        largest = fmax(largest, fabs(d[k]));
+    while (still < terms && fabs(d[still]) <= resolved * largest)
+        still++;
+    return still < terms ? still : terms - 1;
+}
+
+static int larger(int a, int b)
+{
+    return a > b ? a : b;
+}
+
+/* The contact as its guards see it, but for its bounds. `copy` (terms) may take its indentation. */
+static struct view view_of(const struct thud_state *state, struct thud_segment *seg, int c, double *copy)
+{
+    const struct thud_contact_state *s = &state->contact[c];
+    int still = thud_segment_contact(state, seg, c);
+    struct view v = {state, seg, c, seg->indentation + c * THUD_SEGMENT_TERMS, 0, 0, s->suppressed};
+    if (s->suppressed.indentation == 0 || (s->mode != THUD_OPEN && s->mode != THUD_CLOSED))
+        return v; /* only where the contact has just begun or ended */
+    if (s->mode == THUD_CLOSED) {
+        if (still > 0) { /* a stiff contact would make a force of what rounding has left there */
+            memcpy(copy, v.d, (size_t)seg->terms * sizeof *copy);
+            memset(copy, 0, (size_t)still * sizeof *copy);
+            v.d = copy;
+        }
+        if (s->suppressed.rate > 0)
+            still = unresolved(state, v.d, seg->terms, still);
+        v.suppressed.rate = larger(s->suppressed.rate, still - 1);
+    }
+    v.suppressed.indentation = larger(s->suppressed.indentation, still);
+    return v;
+}
+
+/* Whether an open contact may close in the segment, by what its modes can do at most. */
+static bool may_close(const struct thud_state *state, const struct thud_segment *seg, int c)
+{
+    const struct thud_model *m = state->model;
+    if (m->contact[c].law->flags & THUD_LAW_NO_FORCE)
+        return false;
+    if (state->contact[c].suppressed.indentation > 0)
+        return true;
+    const struct thud_model_contact *p = &m->contact[c];
+    double most = thud_contact_indentation(state, c);
+    if (most + (p->left.modes > 0 ? seg->floors[p->left.structure] : 0) +
+            (p->right.modes > 0 ? seg->floors[p->right.structure] : 0) <=
+        0)
+        return false; /* whatever floors they are */
+    const double *g = m->jacobian + (size_t)c * (size_t)m->nmodes;
+    int structure[2], n = thud_model_row_structures(m, c, structure);
+    for (int i = 0; i < n; i++) {
+        const struct thud_model_structure *s = &m->structure[structure[i]];
+        for (int j = s->first_mode; j < s->first_mode + s->modes; j++)
+            most += fabs(g[j]) * seg->reach[j];
+    }
+    return most > 0;
+}
+
+/* Guards of storey k, beside those of contacts: while it is elastic, the distance of its drift from the bound on either
+ * side, which must not rise above 0; while it yields, the rate of its drift, which must not turn back. */
+static double storey_fires(const struct thud_state *state, struct thud_segment *seg, int k, double s_end,
+                           enum thud_event *event)
+{
+    const struct thud_model *m = state->model;
+    const struct thud_storey_state *s = &state->storey[k];
+    const double bound = m->storey[k].yield_m;
+    const int row = m->ncontacts + k, n = seg->terms;
+    double p[THUD_SEGMENT_TERMS], first = INFINITY;
+    if (s->direction == 0 && s->zeros == 0) { /* by what its modes can do at most */
+        double now = fabs(thud_contact_indentation(state, row) - s->plastic_m), most = 0;
+        if (now + seg->drifts[m->storey[k].structure] <= bound)
+            return INFINITY;
+        const struct thud_model_structure *of = &m->structure[m->storey[k].structure];
+        const double *g = m->jacobian + row * m->nmodes;
+        for (int j = of->first_mode; j < of->first_mode + of->modes; j++)
+            most += fabs(g[j]) * seg->reach[j];
+        if (now + most <= bound)
+            return INFINITY;
+    }
+    thud_segment_contact(state, seg, row);
+    const double *d = seg->indentation + row * THUD_SEGMENT_TERMS;
+    if (s->direction != 0) {
+        for (int i = 0; i + 1 < n; i++)
+            p[i] = (i + 1) * d[i + 1];
+        *event = THUD_EVENT_UNLOAD;
+        return thud_poly_first_above(p, n - 1, s_end, -s->direction, s->zeros, 0);
+    }
+    memcpy(p, d, (size_t)n * sizeof *p);
+    for (int side = -1; side <= 1; side += 2) {
+        p[0] = d[0] - s->plastic_m - side * bound;
+        int zeros = s->zero_side == side ? s->zeros : 0;
+        double at = thud_poly_first_above(p, n, fmin(s_end, first), side, zeros, THUD_TOL_INDENTATION_M);
+        if (at < first) {
+            first = at;
+            *event = side > 0 ? THUD_EVENT_YIELD_UP : THUD_EVENT_YIELD_DOWN;
+        }
+    }
+    return first;
+}
+
+double thud_event_first(const struct thud_state *state, struct thud_segment *seg, double s_end, int *contact,
+                        enum thud_event *event)
+{
+    double first = INFINITY, copy[THUD_SEGMENT_TERMS];
+    *contact = -1;
+    *event = THUD_EVENT_NONE;
+    thud_segment_reach(seg, state->model);
+    for (int c = 0; c < state->model->ncontacts; c++) {
+        enum thud_contact_mode mode = state->contact[c].mode;
+        if (mode == THUD_OPEN && !may_close(state, seg, c))
+            continue;
+        struct view v = view_of(state, seg, c, copy);
+        v.reach = thud_poly_move(v.d, seg->terms, &v.bend);
+        double limit = fmin(s_end, first);
+        for (size_t i = 0; i < sizeof guards / sizeof *guards; i++) {
+            double s = guards[i].mode == mode ? guard_fires(&v, &guards[i], limit) : INFINITY;
+            if (s < first) {
+                first = s;
+                *contact = c;
+                *event = guards[i].event;
+            }
+        }
+    }
+    for (int k = 0; k < state->model->nstoreys; k++) {
+        enum thud_event of_storey = THUD_EVENT_NONE;
+        double s = storey_fires(state, seg, k, fmin(s_end, first), &of_storey);
+        if (s < first) {
+            first = s;
+            *contact = state->model->ncontacts + k;
+            *event = of_storey;
+        }
+    }
+    return first;
+}

@@ -1,0 +1,28 @@
+/* Location of the first event of a segment: the first guard that fires. */
+#ifndef THUD_CORE_EVENT_H
+#define THUD_CORE_EVENT_H
+
+#include "core/contact/segment.h"
+
+enum thud_event {
+    THUD_EVENT_NONE = -1,
+    THUD_EVENT_ONSET,      /* contact begins */
+    THUD_EVENT_SEPARATION, /* indentation back to 0 */
+    THUD_EVENT_RELEASE,    /* the force would begin to pull */
+    THUD_EVENT_REENGAGE,   /* the force cut at 0 would push again */
+    THUD_EVENT_REVERSAL,   /* of the velocity: approach to restitution or back */
+    THUD_EVENT_BRANCH,     /* the indentation passes the ultimate compression */
+    THUD_EVENT_UNSTICK_IN, /* the constraint force leaves its interval: pushed further in */
+    THUD_EVENT_UNSTICK_OUT,
+    THUD_EVENT_YIELD_UP, /* of a storey: its drift reaches the bound |d - d_p| = d_y */
+    THUD_EVENT_YIELD_DOWN,
+    THUD_EVENT_UNLOAD /* a storey that yields turns back */
+};
+
+/* s of the earliest event in [0, s_end] of the segment, with its row (a contact, or a storey that yields) and what it
+ * is; INFINITY where there is none.
+ * Reads the indentation of the contacts that may have one into the segment. */
+double thud_event_first(const struct thud_state *state, struct thud_segment *seg, double s_end, int *contact,
+                        enum thud_event *event);
+
+#endif

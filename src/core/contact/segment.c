@@ -1,0 +1,596 @@
+/* Motion of the model as power series in time: exact to rounding for constant or polynomial forces, and for linear
+ * contact. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/largest.h"
+#include "core/contact/segment.h"
+#include "core/numerics/double_pair.h"
+#include "core/numerics/tolerance.h"
+
+enum thud_status thud_segment_init(struct thud_segment *seg, const struct thud_model *model, struct thud_error *err)
+{
+    size_t n = (size_t)model->nmodes, nc = (size_t)model->nrows, ns = (size_t)model->nstructures,
+           terms = THUD_SEGMENT_TERMS;
+    *seg = (struct thud_segment){0};
+    seg->block = calloc((terms + 1) * n + 3 * terms * nc + 2 * ns + 1, sizeof *seg->block);
+    seg->known = calloc(3 * nc + 1, sizeof *seg->known);
+    if (!seg->block || !seg->known) {
+        thud_segment_clear(seg);
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    }
+    seg->row = seg->known + nc;
+    seg->listed = seg->row + nc;
+    seg->q = seg->block;
+    seg->reach = seg->q + terms * n;
+    seg->force = seg->reach + n;
+    seg->indentation = seg->force + terms * nc;
+    seg->load = seg->indentation + terms * nc;
+    seg->floors = seg->load + terms * nc;
+    seg->drifts = seg->floors + ns;
+    return THUD_OK;
+}
+
+void thud_segment_clear(struct thud_segment *seg)
+{
+    free(seg->block);
+    free(seg->known);
+    *seg = (struct thud_segment){0};
+}
+
+void thud_segment_forget(struct thud_segment *seg, int nrows)
+{
+    for (int c = 0; c < nrows; c++)
+        seg->known[c] = -1;
+}
+
+static void two_reaches(const struct thud_segment *seg, int nmodes, int j, bool single)
+{
+    const double *q = seg->q + nmodes + j;
+    thud_double_pair sum = {0, 0};
+    for (int k = 1; k < seg->terms; k++, q += nmodes)
+        sum += thud_double_pair_abs(thud_double_pair_some(q, single));
+    thud_double_pair_put(sum, seg->reach + j, single);
+}
+
+void thud_segment_reach(struct thud_segment *seg, const struct thud_model *model)
+{
+    const int n = model->nmodes;
+    for (int j = 0; j + 2 <= n; j += 2)
+        two_reaches(seg, n, j, false);
+    if (n % 2)
+        two_reaches(seg, n, n - 1, true);
+    for (int s = 0; s < model->nstructures; s++) {
+        const struct thud_model_structure *p = &model->structure[s];
+        seg->floors[s] = thud_dot(p->modes, model->mode_max + p->first_mode, seg->reach + p->first_mode);
+        seg->drifts[s] = thud_dot(p->modes, model->mode_max + n + p->first_mode, seg->reach + p->first_mode);
+    }
+}
+
+bool thud_segment_has_force(const struct thud_state *state, const struct thud_segment *seg, int c)
+{
+    if (state->locates || thud_contact_acts(&state->contact[c]))
+        return thud_contact_acts(&state->contact[c]);
+    const double *force = seg->force + c;
+    for (int k = 0; k < seg->terms; k++)
+        if (force[k * state->model->nrows] != 0)
+            return true;
+    return false;
+}
+
+int thud_segment_terms(double angle, double least)
+{
+    double term = 1;
+    int k = 1;
+    for (; k < THUD_SEGMENT_TERMS && (term > least || k < THUD_SEGMENT_TERMS_LEAST); k++)
+        term *= angle / k;
+    return k;
+}
+
+double thud_segment_rate(const struct thud_state *state)
+{
+    const struct thud_model *m = state->model;
+    double square = state->fastest_radps * state->fastest_radps, rate = 0;
+    for (int c = 0; c < m->nrows && !thud_state_is_free(state); c++)
+        if (state->contact[c].mode == THUD_CLOSED) {
+            square += fabs(state->contact[c].branch.k_npm) * m->delassus[c * m->nrows + c];
+            rate += fabs(state->contact[c].branch.c_nspm) * m->delassus[c * m->nrows + c];
+        }
+    return sqrt(square) + rate;
+}
+
+/* Elastic storeys with a plastic drift. */
+static void constant_forces(const struct thud_state *state, struct thud_segment *seg)
+{
+    const struct thud_model *m = state->model;
+    for (int k = 0; k < m->nstoreys && state->nshifted > 0; k++)
+        if (state->storey[k].direction == 0 || !state->locates)
+            seg->force[m->ncontacts + k] = state->contact[m->ncontacts + k].branch.f0_n;
+    seg->loaded = state->nshifted > 0;
+}
+
+void thud_segment_place(const struct thud_state *state, struct thud_segment *seg, long grid, double offset_s,
+                        double h_s)
+{
+    double a0, a1;
+    thud_state_ground(state, grid, &a0, &a1);
+    double slope = (a1 - a0) / state->grid_dt_s;
+    seg->start_s = (double)grid * state->grid_dt_s + offset_s;
+    seg->h_s = h_s;
+    seg->a0 = a0 + slope * offset_s;
+    seg->a1 = slope * h_s;
+    seg->terms = thud_segment_terms(thud_segment_rate(state) * h_s, THUD_TOL_SERIES);
+}
+
+/* Forces that the last segment has left; only rows that acted at its start have any, but for those of steps. */
+static void clear_forces(const struct thud_state *state, struct thud_segment *seg)
+{
+    const struct thud_model *m = state->model;
+    if (seg->interpolates)
+        memset(seg->force, 0, THUD_SEGMENT_TERMS * (size_t)m->nrows * sizeof(double));
+    for (int i = 0; i < seg->rows && !seg->interpolates; i++)
+        for (int k = 0; k == 0 || k < seg->loaded; k++) /* a constant one stands where no order counts any more */
+            seg->force[k * m->nrows + seg->row[i]] = 0;
+    seg->loaded = 0;
+    seg->rows = 0;
+    for (int c = 0; c < m->nrows; c++)
+        if (thud_contact_acts(&state->contact[c]) || state->contact[c].branch.f0_n != 0)
+            seg->row[seg->rows++] = c;
+}
+
+void thud_segment_begin(const struct thud_state *state, struct thud_segment *seg, double h_s)
+{
+    clear_forces(state, seg);
+    thud_segment_place(state, seg, state->grid, state->offset_s, h_s);
+    seg->interpolates = false;
+    seg->start = seg->end = NULL;
+    constant_forces(state, seg);
+    thud_segment_forget(seg, state->model->nrows);
+}
+
+enum { BLOCK = 8 }; /* orders of loads summed at once: the collocation's forces have 7 */
+
+/* Modes of some structures that stand one after the other: of one, or of all. */
+struct slice {
+    int structure, structures;
+    int mode, modes;
+};
+
+static struct slice all_of(const struct thud_model *m)
+{
+    return (struct slice){0, m->nstructures, 0, m->nmodes};
+}
+
+static void first_terms(const struct thud_model *m, struct thud_segment *seg, const struct slice *of, const double *q,
+                        const double *qd)
+{
+    for (int j = of->mode; j < of->mode + of->modes; j++) {
+        seg->q[j] = q[j];
+        seg->q[m->nmodes + j] = seg->h_s * qd[j];
+    }
+}
+
+/* 1/k, for two modes at once */
+/* clang-format off */
+#define INVERSE(k) {1.0 / (k), 1.0 / (k)}
+/* clang-format on */
+static const thud_aligned_pair inverse[THUD_SEGMENT_TERMS] = {
+    {0, 0},      INVERSE(1),  INVERSE(2),  INVERSE(3),  INVERSE(4),  INVERSE(5),  INVERSE(6),  INVERSE(7),
+    INVERSE(8),  INVERSE(9),  INVERSE(10), INVERSE(11), INVERSE(12), INVERSE(13), INVERSE(14), INVERSE(15),
+    INVERSE(16), INVERSE(17), INVERSE(18), INVERSE(19), INVERSE(20), INVERSE(21), INVERSE(22), INVERSE(23)};
+#undef INVERSE
+
+/* What a load of order k adds to order k + 2: -h^2/((k + 1)(k + 2)). */
+static double load_factor(const struct thud_segment *seg, int k)
+{
+    return -seg->h_s * seg->h_s * inverse[k + 1][0] * inverse[k + 2][0];
+}
+
+static double ground_term(const struct thud_segment *seg, int k)
+{
+    return k == 0 ? seg->a0 : k == 1 ? seg->a1 : 0; /* a straight line */
+}
+
+/* One order after the other: where damping couples modes, or forces come out of the orders below. */
+
+static void push(int n, const double *restrict g, double force, double *restrict out)
+{
+    for (int j = 0; j < n; j++)
+        out[j] -= g[j] * force;
+}
+
+/* Forces of order k, by row; a row moves only the modes of its own structures. */
+static void push_rows(const struct thud_model *m, const struct thud_segment *seg, const struct slice *of, int k,
+                      double *q2)
+{
+    const double *force = seg->force + k * m->nrows;
+    for (int i = 0; i < seg->rows; i++) {
+        const int c = seg->row[i];
+        if (force[c] == 0.0)
+            continue;
+        if (of->structures == m->nstructures)
+            thud_model_apply_contact_force(m, c, -load_factor(seg, k) * force[c], q2);
+        else
+            push(of->modes, m->jacobian + (size_t)c * (size_t)m->nmodes + of->mode, -load_factor(seg, k) * force[c],
+                 q2 + of->mode);
+    }
+}
+
+/* Order k + 2 of the modes from orders k and k + 1 and the loads of order k:
+ *     (k + 1) (k + 2) q[k + 2] = -h^2 (spring q[k] + load[k]) - h (k + 1) (dashpot q[k + 1] + D q[k + 1]) */
+static void next_order(const struct thud_model *m, struct thud_segment *seg, const struct slice *of, int k)
+{
+    const int end = of->mode + of->modes;
+    const double *q = seg->q + k * m->nmodes, *q1 = q + m->nmodes;
+    const double by_q = load_factor(seg, k), by_q1 = -seg->h_s * inverse[k + 2][0], ground = by_q * ground_term(seg, k);
+    double *q2 = seg->q + (k + 2) * m->nmodes;
+    for (int j = of->mode; j < end; j += 2) {
+        const bool single = j + 1 == end;
+        const thud_double_pair spring =
+                                   thud_double_pair_some(m->spring + j, single) * thud_double_pair_some(q + j, single),
+                               dashpot = thud_double_pair_some(m->dashpot + j, single) *
+                                         thud_double_pair_some(q1 + j, single);
+        thud_double_pair_put(by_q * spring + by_q1 * dashpot + ground * thud_double_pair_some(m->gamma + j, single),
+                             q2 + j, single);
+    }
+    for (int s = of->structure; m->couples && s < of->structure + of->structures; s++) {
+        const struct thud_model_structure *p = &m->structure[s];
+        for (int i = 0; p->damping && i < p->modes; i++)
+            q2[p->first_mode + i] += by_q1 * thud_dot(p->modes, p->damping + i * p->modes, q1 + p->first_mode);
+    }
+    if (k < seg->loaded)
+        push_rows(m, seg, of, k, q2);
+}
+
+/* One mode after the other: given forces, modes that nothing couples. */
+
+/* Loads of two modes, or one, by order: the ground's, and those of the rows listed. */
+static inline void sum_loads(const struct thud_model *m, const struct thud_segment *seg, int rows, int j, bool single,
+                             thud_double_pair *load)
+{
+    const thud_double_pair gamma = thud_double_pair_some(m->gamma + j, single);
+    load[0] = load[1] = (thud_double_pair){0, 0};
+    for (int from = 0; from < seg->loaded && rows > 0; from += BLOCK) {
+        thud_double_pair sum[BLOCK] = {0};
+        for (int i = 0; i < rows; i++) {
+            const double *force = seg->load + seg->listed[i] * THUD_SEGMENT_TERMS + from;
+            const thud_double_pair g =
+                thud_double_pair_some(m->jacobian + (size_t)seg->row[seg->listed[i]] * (size_t)m->nmodes + j, single);
+            for (int k = 0; k < BLOCK; k++)
+                sum[k] += force[k] * g;
+        }
+        for (int k = 0; k < BLOCK; k++)
+            load[from + k] = sum[k];
+    }
+    load[0] += load_factor(seg, 0) * seg->a0 * gamma;
+    load[1] += load_factor(seg, 1) * seg->a1 * gamma;
+}
+
+/* The orders from k on of two modes, or one, out of the two below, x and v; `loaded` of them have loads. By modes and not
+ * by orders: on the way up the orders the last two stay in registers. */
+static inline void mode_series(const struct thud_model *m, struct thud_segment *seg, int j, bool single, int loaded,
+                               const thud_double_pair *load)
+{
+    const double h = seg->h_s;
+    const thud_double_pair spring = -h * h * thud_double_pair_some(m->spring + j, single),
+                           dashpot = -h * thud_double_pair_some(m->dashpot + j, single);
+    const int n = m->nmodes, terms = seg->terms;
+    double *q = seg->q + j;
+    thud_double_pair x = thud_double_pair_some(q, single), v = thud_double_pair_some(q + n, single), next;
+    q += 2 * n;
+    int k = 2;
+    for (; k < loaded + 2 && k < terms; k++, q += n) {
+        next = load[k - 2] + (spring * x * inverse[k - 1] + dashpot * v) * inverse[k];
+        thud_double_pair_put(next, q, single);
+        x = v;
+        v = next;
+    }
+    for (; k < terms; k++, q += n) {
+        next = (spring * x * inverse[k - 1] + dashpot * v) * inverse[k];
+        thud_double_pair_put(next, q, single);
+        x = v;
+        v = next;
+    }
+}
+
+/* The forces of the rows times their load factors, by row, with zeros behind up to a whole block. */
+static void scale_forces(const struct thud_model *m, struct thud_segment *seg)
+{
+    const int orders = seg->loaded + 2 < seg->terms ? seg->loaded : seg->terms - 2;
+    double factor[THUD_SEGMENT_TERMS];
+    for (int k = 0; k < orders && seg->rows > 0; k++)
+        factor[k] = load_factor(seg, k);
+    for (int i = 0; i < seg->rows; i++) {
+        const double *force = seg->force + seg->row[i];
+        double *load = seg->load + i * THUD_SEGMENT_TERMS;
+        for (int k = 0; k < orders; k++)
+            load[k] = factor[k] * force[k * m->nrows];
+        for (int k = orders; k < seg->loaded || k % BLOCK != 0; k++)
+            load[k] = 0;
+    }
+}
+
+/* Lists the rows whose forces move a structure; how many. */
+static int list_rows(const struct thud_model *m, struct thud_segment *seg, int structure)
+{
+    int n = 0;
+    for (int i = 0; i < seg->rows && seg->loaded > 0; i++) {
+        const struct thud_model_contact *p = &m->contact[seg->row[i]];
+        if (p->left.structure == structure || p->right.structure == structure)
+            seg->listed[n++] = i;
+    }
+    return n;
+}
+
+static void series_by_modes(const struct thud_model *m, struct thud_segment *seg, const struct slice *of)
+{
+    thud_double_pair load[THUD_SEGMENT_TERMS];
+    scale_forces(m, seg);
+    for (int s = of->structure; s < of->structure + of->structures; s++) {
+        const int first = m->structure[s].first_mode, end = first + m->structure[s].modes, rows = list_rows(m, seg, s),
+                  loaded = rows > 0 && seg->loaded > 2 ? seg->loaded : 2;
+        int j = first;
+        for (; j + 2 <= end; j += 2) {
+            sum_loads(m, seg, rows, j, false, load);
+            mode_series(m, seg, j, false, loaded, load);
+        }
+        if (j < end) {
+            sum_loads(m, seg, rows, j, true, load);
+            mode_series(m, seg, j, true, loaded, load);
+        }
+    }
+}
+
+static double largest_of(const double *x, int n)
+{
+    double most = 0;
+    for (int i = 0; i < n; i++)
+        most = thud_larger(most, fabs(x[i]));
+    return most;
+}
+
+double thud_segment_tail(const struct thud_segment *seg, const struct thud_model *model)
+{
+    double tail = 0;
+    for (int s = 0; s < model->nstructures; s++) {
+        const struct thud_model_structure *p = &model->structure[s];
+        double all = 0, last = 0;
+        for (int k = 0; k < seg->terms; k++) {
+            double most = largest_of(seg->q + k * model->nmodes + p->first_mode, p->modes);
+            all = thud_larger(all, most);
+            last = k + 2 < seg->terms ? 0 : thud_larger(last, most);
+        }
+        tail = thud_larger(tail, last == 0 ? 0 : last / all);
+    }
+    return tail;
+}
+
+static void series_of(const struct thud_model *m, struct thud_segment *seg, const struct slice *of, const double *q,
+                      const double *qd)
+{
+    first_terms(m, seg, of, q, qd);
+    if (!m->couples)
+        series_by_modes(m, seg, of);
+    for (int k = 0; k + 2 < seg->terms && m->couples; k++)
+        next_order(m, seg, of, k);
+}
+
+void thud_taylor_given(const struct thud_model *model, struct thud_segment *seg, const double *q, const double *qd)
+{
+    const struct slice all = all_of(model);
+    series_of(model, seg, &all, q, qd);
+}
+
+void thud_taylor_structure(const struct thud_model *model, struct thud_segment *seg, int structure, const double *q,
+                           const double *qd)
+{
+    const struct thud_model_structure *p = &model->structure[structure];
+    const struct slice of = {structure, 1, p->first_mode, p->modes};
+    series_of(model, seg, &of, q, qd);
+}
+
+void thud_taylor_load(const struct thud_model *model, struct thud_segment *seg, const double *load, int order)
+{
+    int n = model->nmodes;
+    const struct slice all = all_of(model);
+    memset(seg->q, 0, (size_t)seg->terms * (size_t)n * sizeof(double));
+    for (int k = order; k + 2 < seg->terms; k++) {
+        next_order(model, seg, &all, k);
+        for (int j = 0; j < n && k == order; j++)
+            seg->q[(k + 2) * n + j] -= load_factor(seg, k) * load[j];
+    }
+}
+
+/* Force of order k of every closed contact, from the indentation's orders k and k + 1; those are left where
+ * thud_segment_contact would put them. */
+static void linear_forces(const struct thud_state *state, struct thud_segment *seg, int k)
+{
+    const struct thud_model *m = state->model;
+    for (int i = 0; i < seg->rows; i++) {
+        const int c = seg->row[i];
+        const struct thud_contact_state *s = &state->contact[c];
+        const bool touched = k == 0 && s->suppressed.indentation > 0; /* the motion says so only to rounding */
+        double *d = seg->indentation + c * THUD_SEGMENT_TERMS, d1 = 0, f = 0;
+        if (s->mode != THUD_CLOSED)
+            continue;
+        if (k == 0) {
+            d[0] = thud_model_gap_sum(m, c, seg->q) - thud_state_clearance(state, c);
+            f = s->branch.f0_n;
+            if (touched)
+                d[0] = 0; /* a stiff contact would feel the rounding, and a dashpot that of a rate */
+        }
+        if (k + 1 < seg->terms)
+            d1 = d[k + 1] =
+                touched && s->suppressed.rate > 0 ? 0 : thud_model_gap_sum(m, c, seg->q + (k + 1) * m->nmodes);
+        seg->force[k * m->nrows + c] = f + s->branch.k_npm * d[k] + s->branch.c_nspm * (k + 1) / seg->h_s * d1;
+    }
+}
+
+double thud_taylor_linear(const struct thud_state *state, struct thud_segment *seg)
+{
+    const struct thud_model *m = state->model;
+    const struct slice all = all_of(m);
+    if (thud_state_is_free(state)) {
+        series_of(m, seg, &all, state->q, state->qd);
+    } else {
+        first_terms(m, seg, &all, state->q, state->qd);
+        seg->loaded = seg->terms;
+        for (int k = 0; k < seg->terms; k++) {
+            linear_forces(state, seg, k);
+            if (k + 2 < seg->terms)
+                next_order(m, seg, &all, k);
+        }
+    }
+    for (int c = 0; c < m->nrows; c++)
+        if (state->contact[c].mode == THUD_CLOSED && state->contact[c].suppressed.indentation == 0)
+            seg->known[c] = 0;
+    /* fewer terms than there may be are enough by the bound of the fastest rate */
+    return seg->terms < THUD_SEGMENT_TERMS ? 0 : thud_segment_tail(seg, m);
+}
+
+void thud_segment_shorten(struct thud_segment *seg, int nmodes, int nrows, double factor)
+{
+    double scale = 1;
+    for (int k = 0; k < seg->terms; k++, scale *= factor) {
+        for (int j = 0; j < nmodes; j++)
+            seg->q[k * nmodes + j] *= scale;
+        for (int c = 0; c < nrows; c++)
+            seg->force[k * nrows + c] *= scale;
+    }
+    seg->h_s *= factor;
+    seg->a1 *= factor;
+}
+
+/* Two modes at s: on their way down the orders they stay in registers. */
+static void two_states(const struct thud_segment *seg, int nmodes, double s, int j, double *q, double *qd)
+{
+    thud_double_pair x = {0, 0}, v = {0, 0};
+    for (int k = seg->terms - 1; k >= 0; k--) {
+        v = v * s + x;
+        x = x * s + thud_double_pair_at(seg->q + k * nmodes + j);
+    }
+    *(thud_double_pair *)(q + j) = x;
+    *(thud_double_pair *)(qd + j) = v / seg->h_s;
+}
+
+void thud_segment_state(const struct thud_segment *seg, int nmodes, double s, double *q, double *qd)
+{
+    double last[2] = {0}; /* of an odd number of modes */
+    for (int j = 0; j + 2 <= nmodes; j += 2)
+        two_states(seg, nmodes, s, j, q, qd);
+    for (int k = seg->terms - 1; nmodes % 2 && k >= 0; k--) {
+        last[1] = last[1] * s + last[0];
+        last[0] = last[0] * s + seg->q[k * nmodes + nmodes - 1];
+    }
+    if (nmodes % 2) {
+        q[nmodes - 1] = last[0];
+        qd[nmodes - 1] = last[1] / seg->h_s;
+    }
+}
+
+/* What rounding may leave of the difference of two neighbours' terms of order k. A stepping method's higher terms are
+ * differences of its end states, whose rounding is that of the largest term. */
+static double term_noise(bool interpolates, int k, const double *size, double largest)
+{
+    if (k == 0)
+        return THUD_TOL_INDENTATION_M;
+    double least = fmax(THUD_TOL_COEFFICIENT_M, (k == 1 ? THUD_TOL_RATE : THUD_TOL_COEFFICIENT) * size[k]);
+    return interpolates && k > 1 ? fmax(least, THUD_TOL_STEP_COEFFICIENT * largest) : least;
+}
+
+static double side_term(const struct thud_model_side *side, const double *modal)
+{
+    return thud_dot(side->modes, side->row, modal + side->first_mode);
+}
+
+enum { ABREAST = 4 }; /* orders read at once, of THUD_SEGMENT_TERMS */
+
+struct terms_abreast {
+    thud_double_pair low, high;
+};
+
+/* Those of four orders, n apart, each summed as thud_dot does: an indentation's start has the same bits here and by
+ * thud_contact_indentation, or contacts at rest on each other would switch without end. */
+static inline struct terms_abreast side_terms(const struct thud_model_side *side, const double *modal, int n)
+{
+    const double *q = modal + side->first_mode, *row = side->row;
+    thud_double_pair even[ABREAST] = {0}, odd[ABREAST] = {0};
+    int j = 0;
+    for (; j + 4 <= side->modes; j += 4)
+        for (int i = 0; i < ABREAST; i++) {
+            even[i] += thud_double_pair_at(row + j) * thud_double_pair_at(q + i * n + j);
+            odd[i] += thud_double_pair_at(row + j + 2) * thud_double_pair_at(q + i * n + j + 2);
+        }
+    for (int i = 0; i < ABREAST && j + 2 <= side->modes; i++)
+        even[i] += thud_double_pair_at(row + j) * thud_double_pair_at(q + i * n + j);
+    j = side->modes & ~1;
+    for (int i = 0; i < ABREAST; i++)
+        even[i] += odd[i];
+    struct terms_abreast sum = {(thud_double_pair){even[0][0], even[1][0]} + (thud_double_pair){even[0][1], even[1][1]},
+                                (thud_double_pair){even[2][0], even[3][0]} +
+                                    (thud_double_pair){even[2][1], even[3][1]}};
+    if (j < side->modes) {
+        sum.low += row[j] * (thud_double_pair){q[j], q[n + j]};
+        sum.high += row[j] * (thud_double_pair){q[2 * n + j], q[3 * n + j]};
+    }
+    return sum;
+}
+
+/* What rounding may leave of a side's term of order k > 0: its modes' parts, and what they come from, the parts of the
+ * order below, may be large and cancel. */
+static double side_rounding(const struct thud_segment *seg, const struct thud_model_side *side, int nmodes, int k)
+{
+    const double *modal = seg->q + k * nmodes + side->first_mode, *below = modal - nmodes;
+    double sum = 0;
+    for (int j = 0; j < side->modes; j++)
+        sum += fabs(side->row[j]) * (fabs(modal[j]) + fabs(below[j]));
+    return THUD_TOL_MODAL_SUM * sum;
+}
+
+/* Whether the neighbours' terms of order k differ by no more than rounding. */
+static bool is_no_motion(const struct thud_state *state, const struct thud_segment *seg,
+                         const struct thud_model_side *l, const struct thud_model_side *r, int k, double difference,
+                         double noise)
+{
+    int n = state->model->nmodes;
+    if (fabs(difference) <= noise)
+        return true;
+    return k > 1 && fabs(difference) <= side_rounding(seg, l, n, k) + side_rounding(seg, r, n, k);
+}
+
+int thud_segment_indentation(const struct thud_state *state, const struct thud_segment *seg, int c, double *out)
+{
+    const struct thud_model *m = state->model;
+    const struct thud_model_side *l = &m->contact[c].left, *r = &m->contact[c].right;
+    double size[THUD_SEGMENT_TERMS], largest = 0;
+    int zeros = 0;
+    if (state->contact[c].suppressed.indentation == 0) { /* nothing of it is known to be 0 */
+        for (int k = 0; k < seg->terms; k += ABREAST) {
+            const double *modal = seg->q + k * m->nmodes;
+            struct terms_abreast left = side_terms(l, modal, m->nmodes), right = side_terms(r, modal, m->nmodes);
+            *(thud_double_pair *)(out + k) = left.low - right.low;
+            *(thud_double_pair *)(out + k + 2) = left.high - right.high;
+        }
+        out[0] -= thud_state_clearance(state, c);
+        return 0;
+    }
+    for (int k = 0; k < seg->terms; k++) {
+        double left = side_term(l, seg->q + k * m->nmodes), right = side_term(r, seg->q + k * m->nmodes);
+        out[k] = left - right;
+        size[k] = fabs(left) + fabs(right);
+        largest = size[k] > largest ? size[k] : largest;
+    }
+    out[0] -= thud_state_clearance(state, c);
+    while (zeros < seg->terms &&
+           is_no_motion(state, seg, l, r, zeros, out[zeros], term_noise(seg->interpolates, zeros, size, largest)))
+        zeros++;
+    return zeros;
+}
+
+int thud_segment_contact(const struct thud_state *state, struct thud_segment *seg, int c)
+{
+    if (seg->known[c] < 0)
+        seg->known[c] = thud_segment_indentation(state, seg, c, seg->indentation + c * THUD_SEGMENT_TERMS);
+    return seg->known[c];
+}

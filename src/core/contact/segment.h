@@ -1,0 +1,88 @@
+/* A piece of motion as polynomials in s = (t - t0)/h, 0 <= s <= 1: what every method proposes, and what the run reads
+ * events, peaks and energies from. */
+#ifndef THUD_CORE_SEGMENT_H
+#define THUD_CORE_SEGMENT_H
+
+#include "core/contact/state.h"
+
+enum { THUD_SEGMENT_TERMS = 24, THUD_SEGMENT_TERMS_LEAST = 10 }; /* coefficients of a polynomial */
+
+/* Modal state and what follows from it. */
+struct thud_motion {
+    double *q, *qd, *qdd; /* (nmodes) */
+    double *force;        /* (nrows) */
+    bool apart;           /* no contact is indented here; false where that is not known */
+};
+
+struct thud_segment {
+    double start_s, h_s;
+    int terms;     /* coefficients in use */
+    int loaded;    /* orders below this one may have contact forces */
+    double a0, a1; /* ground acceleration a0 + a1 s */
+    double *q;     /* (terms x nmodes): coefficients of the modal coordinates, by order */
+    double *force; /* (terms x nrows): of the forces of contacts and yielding storeys; 0 where one does not act */
+    const struct thud_motion *start,
+        *end;          /* of a step whose events are not located: its two ends; else NULL, also where storeys yield */
+    double end_energy; /* where they are known: sum of omega^2 q^2 + q'^2 at its end */
+    bool interpolates; /* the states of a stepping method at its two ends; else a power series */
+
+    double *indentation;     /* (nrows x THUD_SEGMENT_TERMS): where it has been read */
+    double *load;            /* (nrows x THUD_SEGMENT_TERMS) and */
+    int *listed;             /* (nrows) workspace of segment.c */
+    int rows, *row;          /* (rows) those that may have a force, but for a stepping method: set where it begins */
+    int *known;              /* (nrows) its lowest orders that are no motion; -1 where it has not been read */
+    double *reach;           /* (nmodes) how far each mode may move in it: thud_segment_reach */
+    double *floors, *drifts; /* (nstructures) and so any floor, and the drift of any storey */
+    double *block;
+};
+
+/* A segment of no length. Errors: THUD_MEMORY; nothing stays allocated then. */
+enum thud_status thud_segment_init(struct thud_segment *seg, const struct thud_model *model, struct thud_error *err);
+void thud_segment_clear(struct thud_segment *seg);
+
+/* Bound of the fastest rate of the run's motion with the linear contacts that are closed, 1/s. */
+double thud_segment_rate(const struct thud_state *state);
+/* Terms after which angle^k/k! is below `least`: angle = rate times h. */
+int thud_segment_terms(double angle, double least);
+/* Sets h and the ground acceleration over the next h seconds of the run, and clears the forces. */
+void thud_segment_begin(const struct thud_state *state, struct thud_segment *seg, double h_s);
+/* Only the place, an offset after the start of an interval of the ground motion, the ground acceleration and the number
+ * of terms: for a segment whose forces stand already. */
+void thud_segment_place(const struct thud_state *state, struct thud_segment *seg, long grid, double offset_s,
+                        double h_s);
+
+/* Taylor coefficients of the motion from (q, qd) under seg->a0, a1 and the forces in seg->force. Exact to rounding
+ * where omega h is about 1.5 or less. */
+void thud_taylor_given(const struct thud_model *model, struct thud_segment *seg, const double *q, const double *qd);
+/* The same of one structure's modes alone; q and qd are of all. */
+void thud_taylor_structure(const struct thud_model *model, struct thud_segment *seg, int structure, const double *q,
+                           const double *qd);
+/* Motion from rest under the modal load load[j] s^order alone (seg->a0, a1 and seg->force must be 0). */
+void thud_taylor_load(const struct thud_model *model, struct thud_segment *seg, const double *load, int order);
+/* The same from the run's state with the linear branches of its closed contacts, whose forces are found along with it.
+ */
+double thud_taylor_linear(const struct thud_state *state, struct thud_segment *seg);
+/* Size of the last terms over the largest, of the structure where it is worst: one may move by a micrometre beside another that
+ * moves by metres. */
+double thud_segment_tail(const struct thud_segment *seg, const struct thud_model *model);
+/* Shortens the segment to factor * h by scaling its coefficients. */
+void thud_segment_shorten(struct thud_segment *seg, int nmodes, int nrows, double factor);
+
+/* Reads the indentation of contact c into seg->indentation, once; returns how many of its lowest orders are no motion
+ * (see thud_segment_indentation). */
+int thud_segment_contact(const struct thud_state *state, struct thud_segment *seg, int c);
+/* The segment has changed: no indentation of it has been read yet. */
+void thud_segment_forget(struct thud_segment *seg, int nrows);
+/* Fills seg->reach, seg->floors and seg->drifts. */
+void thud_segment_reach(struct thud_segment *seg, const struct thud_model *model);
+/* Whether the segment holds a force of contact c. */
+bool thud_segment_has_force(const struct thud_state *state, const struct thud_segment *seg, int c);
+
+/* Values of all modal coordinates and their rates at s. */
+void thud_segment_state(const struct thud_segment *seg, int nmodes, double s, double *q, double *qd);
+/* Coefficients of the indentation of contact c, out (THUD_SEGMENT_TERMS, those in use). Where it is known to start at 0 (an event has just been
+ * there), returns how many of the lowest ones are 0 but for rounding: neighbours that start together move together to
+ * high orders, and what rounding leaves of their difference is no motion. Elsewhere 0. */
+int thud_segment_indentation(const struct thud_state *state, const struct thud_segment *seg, int c, double *out);
+
+#endif

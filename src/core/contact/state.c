@@ -1,0 +1,196 @@
+/* Energies of the structures, and indentations, rates, forces and accelerations of the contacts, at a state. */
+#include "core/contact/state.h"
+
+#include <lapacke.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/contact/storey.h"
+#include "core/numerics/lcp.h"
+
+enum thud_status thud_state_init(struct thud_state *state, const struct thud_model *model,
+                                 const struct thud_record *record, struct thud_work *work, struct thud_error *err)
+{
+    size_t n = (size_t)model->nmodes, nc = (size_t)model->nrows;
+    *state = (struct thud_state){
+        .model = model, .record = record, .work = work, .fastest_radps = model->fastest_radps, .step_cap_s = INFINITY};
+    bool impulsive = false;
+    for (int c = 0; c < model->ncontacts; c++)
+        impulsive |= (model->contact[c].law->flags & THUD_LAW_IMPULSIVE) != 0;
+    size_t collide = impulsive ? 3 * nc + nc * nc + thud_lcp_work((int)nc) : 0;
+    state->block = calloc(3 * n + 2 * nc + nc * nc + collide + 1, sizeof *state->block);
+    state->contact = calloc(nc + 1, sizeof *state->contact);
+    state->storey = calloc((size_t)model->nstoreys + 1, sizeof *state->storey);
+    state->set_now = calloc(nc + 1, sizeof *state->set_now);
+    if (!state->block || !state->contact || !state->storey || !state->set_now) {
+        thud_state_clear(state);
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    }
+    state->q = state->block;
+    state->qd = state->q + n;
+    state->free_mps2 = state->qd + n;
+    state->force_now = state->free_mps2 + n + nc;
+    state->delassus = state->force_now + nc;
+    state->collide = state->delassus + nc * nc;
+    memcpy(state->q, model->q0, n * sizeof *state->q);
+    memcpy(state->qd, model->qd0, n * sizeof *state->qd);
+    return THUD_OK;
+}
+
+void thud_state_clear(struct thud_state *state)
+{
+    free(state->block);
+    free(state->contact);
+    free(state->storey);
+    free(state->set_now);
+    state->set_now = NULL;
+    state->block = NULL;
+    state->contact = NULL;
+    state->storey = NULL;
+}
+
+double thud_state_kinetic(const struct thud_state *state)
+{
+    double sum = 0;
+    for (int j = 0; j < state->model->nmodes; j++)
+        sum += state->qd[j] * state->qd[j];
+    return 0.5 * sum;
+}
+
+double thud_state_strain(const struct thud_state *state)
+{
+    double sum = 0;
+    for (int j = 0; j < state->model->nmodes; j++)
+        sum += state->model->omega[j] * state->model->omega[j] * state->q[j] * state->q[j];
+    return 0.5 * sum + thud_storeys_strain(state, state->q);
+}
+
+double thud_state_default_step(const struct thud_state *state)
+{
+    double shortest = state->fastest_radps > 0 ? 2 * acos(-1) / state->fastest_radps : INFINITY;
+    for (int c = 0; c < state->model->ncontacts; c++)
+        shortest = fmin(shortest, thud_model_contact_period(&state->model->contact[c]));
+    return fmin(shortest / 20, state->record ? state->record->dt_s : state->end_s / 20);
+}
+
+enum thud_status thud_state_too_few_modes(const struct thud_state *state, struct thud_error *err)
+{
+    thud_error_set(err, THUD_DIVERGED, "more contacts touch at once than the modes tell apart, at t = %.6g s",
+                   thud_state_now(state));
+    thud_error_key(err, "modes");
+    thud_error_allow(err, "more of them, or all");
+    return THUD_DIVERGED;
+}
+
+double thud_contact_indentation(const struct thud_state *state, int c)
+{
+    return thud_model_gap_sum(state->model, c, state->q) - thud_state_clearance(state, c);
+}
+
+double thud_contact_rate(const struct thud_state *state, int c)
+{
+    return thud_model_gap_sum(state->model, c, state->qd);
+}
+
+double thud_contact_force(const struct thud_state *state, int c, double d, double v)
+{
+    const struct thud_contact_state *s = &state->contact[c];
+    if (s->mode != THUD_CLOSED)
+        return 0;
+    double f = thud_branch_force(&s->branch, d, v, NULL, NULL);
+    return f < 0 && !(state->model->contact[c].law->flags & THUD_LAW_PULLS) ? 0 : f;
+}
+
+void thud_model_acceleration(const struct thud_model *m, const double *q, const double *qd, double ground, double *out)
+{
+    for (int j = 0; j < m->nmodes; j++)
+        out[j] = -m->omega[j] * (m->omega[j] * q[j] + 2 * m->zeta[j] * qd[j]) - m->gamma[j] * ground;
+    for (int s = 0; s < m->nstructures; s++) {
+        const struct thud_model_structure *p = &m->structure[s];
+        for (int i = 0; p->damping && i < p->modes; i++)
+            for (int j = 0; j < p->modes; j++)
+                out[p->first_mode + i] -= p->damping[i * p->modes + j] * qd[p->first_mode + j];
+    }
+}
+
+void thud_model_apply_contact_forces(const struct thud_model *m, const double *force, double *qdd)
+{
+    for (int c = 0; c < m->nrows; c++)
+        if (force[c] != 0.0)
+            thud_model_apply_contact_force(m, c, force[c], qdd);
+}
+
+static void free_acceleration(const struct thud_state *state, double *out)
+{
+    double a0, a1;
+    thud_state_ground(state, state->grid, &a0, &a1);
+    thud_model_acceleration(state->model, state->q, state->qd, a0 + (a1 - a0) * (state->offset_s / state->grid_dt_s),
+                            out);
+}
+
+static double acceleration(const struct thud_state *state, int c, const double *free, const double *force)
+{
+    const struct thud_model *m = state->model;
+    double a = thud_model_gap_sum(m, c, free);
+    for (int b = 0; b < m->nrows; b++)
+        a -= m->delassus[c * m->nrows + b] * force[b];
+    return a;
+}
+
+double thud_contact_acceleration(const struct thud_state *state, int c, const double *force)
+{
+    free_acceleration(state, state->free_mps2);
+    return acceleration(state, c, state->free_mps2, force);
+}
+
+/* W_ss f = a_s: the sticking contacts' forces so that none of them accelerates. */
+void thud_contact_constraint_forces(const struct thud_state *state, const double *free, double *force)
+{
+    const struct thud_model *m = state->model;
+    int n = 0, nc = m->ncontacts;
+    double *rhs = state->free_mps2 + m->nmodes, *w = state->delassus;
+    for (int c = 0; c < nc; c++)
+        if (state->contact[c].mode == THUD_STICKING)
+            rhs[n++] = acceleration(state, c, free, force);
+    if (n == 0)
+        return;
+    for (int a = 0, i = 0; a < nc; a++) {
+        if (state->contact[a].mode != THUD_STICKING)
+            continue;
+        for (int b = 0, j = 0; b < nc; b++)
+            if (state->contact[b].mode == THUD_STICKING)
+                w[i * n + j++] = m->delassus[a * m->nrows + b];
+        i++;
+    }
+    if (LAPACKE_dposv_work(LAPACK_COL_MAJOR, 'L', n, 1, w, n, rhs, n) != 0)
+        return;
+    for (int c = 0, i = 0; c < nc; c++)
+        if (state->contact[c].mode == THUD_STICKING)
+            force[c] = rhs[i++];
+}
+
+void thud_contact_forces(const struct thud_state *state, double *force)
+{
+    thud_contact_forces_given(state, -1, 0, force);
+}
+
+void thud_contact_forces_given(const struct thud_state *state, int given, double given_n, double *force)
+{
+    bool sticking = false;
+    for (int c = 0; c < state->model->ncontacts; c++) {
+        force[c] = c == given ? given_n : 0;
+        sticking |= state->contact[c].mode == THUD_STICKING;
+        if (state->contact[c].mode == THUD_CLOSED && c != given)
+            force[c] = thud_contact_force(state, c, thud_contact_indentation(state, c), thud_contact_rate(state, c));
+    }
+    for (int k = 0; k < state->model->nstoreys; k++) {
+        int row = state->model->ncontacts + k;
+        double slope;
+        force[row] = thud_storey_force(state, k, thud_contact_indentation(state, row), &slope);
+    }
+    if (!sticking)
+        return;
+    free_acceleration(state, state->free_mps2);
+    thud_contact_constraint_forces(state, state->free_mps2, force);
+}

@@ -1,0 +1,182 @@
+/* What a motion goes on from: the model, the ground motion, the time, the modal state and the states of the contacts.
+ * Methods read it and make a segment (core/segment.h); contacts are switched in it; only the run commits to it. */
+#ifndef THUD_CORE_STATE_H
+#define THUD_CORE_STATE_H
+
+#include <math.h>
+#include <stdbool.h>
+
+#include "base/largest.h"
+#include "base/status.h"
+#include "core/model/model.h"
+#include "core/model/result.h"
+#include "core/numerics/tolerance.h"
+#include "ground/record.h"
+
+enum thud_contact_mode {
+    THUD_OPEN,            /* no contact */
+    THUD_CLOSED,          /* in contact, force by the law's branch */
+    THUD_CLOSED_NO_FORCE, /* indented, but the law's force would pull and is cut at 0 */
+    THUD_STICKING         /* sticking: d' = 0, kept so by a constraint force */
+};
+
+/* Guards suppressed at an event: that many of the lowest Taylor coefficients of the function that a guard watches are 0
+ * but for rounding, and are taken as 0. */
+struct thud_suppressed {
+    int indentation, rate, branch, force;
+};
+
+struct thud_contact_state {
+    enum thud_contact_mode mode;
+    enum thud_phase phase;
+    bool past_ultimate;
+    struct thud_branch branch;
+    struct thud_law_memory memory;
+    struct thud_suppressed suppressed;
+    double ultimate_m; /* indentation at which the branch changes; INFINITY where there is none */
+    double constraint_low_n, constraint_high_n; /* STICKING: interval of the constraint force, N */
+    double expected_force_n; /* of this contact, from its closing velocity: scale of the error measure */
+    double largest_force_n;  /* so far: the same */
+    double residual_m;
+};
+
+/* A storey that yields: core/storey.h. */
+struct thud_storey_state {
+    int direction;       /* +1, -1: it yields, and which way; 0: elastic */
+    double plastic_m;    /* d_p */
+    int zeros;           /* suppressed coefficients: yielding, of the drift's rate; elastic, of the distance from the */
+    int zero_side;       /* bound on this side */
+    double moved_m;      /* plastic drift of the excursion that goes on */
+    bool counted;        /* it is among the excursions */
+    int excursions;      /* so far, and */
+    double hysteretic_j; /* energy lost */
+    struct thud_peak shear; /* largest since the storey first yielded */
+};
+
+struct thud_state {
+    const struct thud_model *model;
+    const struct thud_record *record; /* NULL: no ground motion */
+
+    /* Time is grid * grid_dt_s + offset_s; the ground motion has its kinks at the grid. */
+    double grid_dt_s, offset_s, end_s;
+    long grid;
+    double *q, *qd;                     /* (nmodes) */
+    struct thud_contact_state *contact; /* (nrows) those of contacts, and of storeys that yield */
+    struct thud_storey_state *storey;   /* (nstoreys) */
+    int nactive;                        /* contacts CLOSED or STICKING */
+    int nindented;                      /* contacts that are not OPEN */
+    int nyielding, nshifted; /* storeys that yield now; elastic ones with a plastic drift: a constant force */
+
+    /* What is asked of a method. */
+    bool locates; /* events are located; else contacts are updated at the ends of steps */
+    bool inside;  /* the motion inside steps is wanted: located events, histories, storeys that yield, struck columns */
+    double tolerance;  /* relative, of contact forces and adaptive steps */
+    double step_s;     /* longest fixed step; NaN for methods without one */
+    double step_cap_s; /* the next step is to be no longer */
+
+    double ground_mps2; /* acceleration scale: peak of the ground motion */
+    double speed_mps; /* velocity scale for rounding tests: largest initial speed of a floor plus that of the ground */
+    double fastest_radps; /* of the model */
+
+    struct thud_work *work; /* counters */
+    double *free_mps2;      /* (nmodes + nrows) workspace of state.c */
+    int *set_now;           /* (nrows) and */
+    double *collide;        /* workspace of contact.c */
+    double *force_now;      /* (nrows) workspace of the functions that switch a contact */
+    double *delassus;       /* (nrows x nrows) workspace of state.c */
+    double *block;
+};
+
+/* All at t = 0, open, with the model's initial motion. `end_s`, `grid_dt_s` and what is asked of a method are the
+ * caller's. Errors: THUD_MEMORY; nothing stays allocated then. */
+enum thud_status thud_state_init(struct thud_state *state, const struct thud_model *model,
+                                 const struct thud_record *record, struct thud_work *work, struct thud_error *err);
+void thud_state_clear(struct thud_state *state);
+
+static inline double thud_state_now(const struct thud_state *state)
+{
+    return (double)state->grid * state->grid_dt_s + state->offset_s;
+}
+
+/* Time to the next kink of the ground motion or the end. */
+static inline double thud_state_remaining(const struct thud_state *state)
+{
+    return thud_smaller(state->grid_dt_s - state->offset_s, state->end_s - thud_state_now(state));
+}
+
+/* Ground acceleration at the two ends of grid interval i. */
+static inline void thud_state_ground(const struct thud_state *state, long i, double *a0, double *a1)
+{
+    const struct thud_record *r = state->record;
+    bool inside = r && (size_t)(i + 1) < r->samples;
+    *a0 = inside ? r->a_mps2[i] : 0;
+    *a1 = inside ? r->a_mps2[i + 1] : 0;
+}
+
+/* Clearance of contact c with what impacts have added to it. */
+static inline double thud_state_clearance(const struct thud_state *state, int c)
+{
+    return state->model->contact[c].clearance_m + state->contact[c].residual_m;
+}
+
+/* No force depends on the motion but those of the elastic structures. */
+static inline bool thud_state_is_free(const struct thud_state *state)
+{
+    return state->nactive == 0 && state->nyielding == 0;
+}
+
+static inline bool thud_contact_acts(const struct thud_contact_state *s)
+{
+    return s->mode == THUD_CLOSED || s->mode == THUD_STICKING;
+}
+
+/* Kinetic energy of the structures, and what their storeys would give back, J. */
+double thud_state_kinetic(const struct thud_state *state);
+double thud_state_strain(const struct thud_state *state);
+
+/* The step of a fixed-step method that was given none: a twentieth of the shortest period, of a mode or of a contact at
+ * a closing velocity of 1 m/s, and not above the record's step. */
+double thud_state_default_step(const struct thud_state *state);
+
+/* THUD_DIVERGED: contacts stick or collide at once whose forces the modes that stay do not tell apart. */
+enum thud_status thud_state_too_few_modes(const struct thud_state *state, struct thud_error *err);
+
+/* Indentation of contact c, and its rate. */
+double thud_contact_indentation(const struct thud_state *state, int c);
+double thud_contact_rate(const struct thud_state *state, int c);
+/* Force of contact c (cut at 0 where the law does not pull) at indentation d and rate v, by its present branch; 0 where
+ * it is not CLOSED. */
+double thud_contact_force(const struct thud_state *state, int c, double d, double v);
+/* Forces of all rows into force (nrows); that of STICKING contacts from the condition d'' = 0. */
+void thud_contact_forces(const struct thud_state *state, double *force);
+/* The same if the force of one contact that does not stick were this. */
+void thud_contact_forces_given(const struct thud_state *state, int given, double given_n, double *force);
+/* Second rate of the indentation of contact c under these forces. */
+double thud_contact_acceleration(const struct thud_state *state, int c, const double *force);
+/* More than rounding makes of the second rate of an indentation that is 0. */
+static inline double thud_contact_rounding(const struct thud_state *state)
+{
+    return THUD_TOL_ACCELERATION * (state->ground_mps2 + state->speed_mps * state->fastest_radps);
+}
+/* Second rate of the modal coordinates without contact forces, out (nmodes). */
+void thud_model_acceleration(const struct thud_model *model, const double *q, const double *qd, double ground,
+                             double *out);
+/* From that to the second rate with these contact forces. */
+void thud_model_apply_contact_forces(const struct thud_model *model, const double *force, double *qdd);
+/* The same of one row of the Jacobian alone, in the modes that it moves. */
+static inline void thud_model_apply_contact_force(const struct thud_model *model, int c, double force,
+                                                  double *restrict qdd)
+{
+    const double *restrict g = model->jacobian + (size_t)c * (size_t)model->nmodes;
+    int structure[2], n = thud_model_row_structures(model, c, structure);
+    for (int i = 0; i < n; i++) {
+        const struct thud_model_structure *s = &model->structure[structure[i]];
+        for (int j = s->first_mode; j < s->first_mode + s->modes; j++)
+            qdd[j] -= g[j] * force;
+    }
+}
+/* Fills the constraint forces of the STICKING contacts from d'' = 0, given the accelerations without contact forces and the
+ * other contacts' forces. */
+void thud_contact_constraint_forces(const struct thud_state *state, const double *free, double *force);
+
+#endif

@@ -1,0 +1,194 @@
+#include "core/contact/storey.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "core/numerics/tolerance.h"
+
+static double drift_of(const struct thud_state *state, int k, const double *q)
+{
+    return thud_model_gap_sum(state->model, state->model->ncontacts + k, q);
+}
+
+/* Stiffness of the elastoplastic part, (1 - r) k. */
+static double plastic_stiffness(const struct thud_model_storey *p)
+{
+    return (1 - p->hardening) * p->stiffness_npm;
+}
+
+double thud_storey_plastic(const struct thud_state *state, int k, double drift_m)
+{
+    const double bound = state->model->storey[k].yield_m, before = state->storey[k].plastic_m;
+    if (drift_m - before > bound)
+        return drift_m - bound;
+    return drift_m - before < -bound ? drift_m + bound : before;
+}
+
+double thud_storey_force(const struct thud_state *state, int k, double drift_m, double *df_dd)
+{
+    const double stiffness = plastic_stiffness(&state->model->storey[k]),
+                 plastic = thud_storey_plastic(state, k, drift_m);
+    *df_dd = plastic != state->storey[k].plastic_m ? -stiffness : 0;
+    return -stiffness * plastic;
+}
+
+double thud_storey_shear(const struct thud_state *state, int k, double drift_m)
+{
+    const struct thud_model_storey *p = &state->model->storey[k];
+    double elastic = drift_m - thud_storey_plastic(state, k, drift_m);
+    return p->hardening * p->stiffness_npm * drift_m + plastic_stiffness(p) * elastic;
+}
+
+double thud_storeys_strain(const struct thud_state *state, const double *q)
+{
+    double sum = 0;
+    for (int k = 0; k < state->model->nstoreys; k++) {
+        double drift = drift_of(state, k, q), plastic = thud_storey_plastic(state, k, drift);
+        sum += plastic_stiffness(&state->model->storey[k]) * plastic * (0.5 * plastic - drift);
+    }
+    return sum;
+}
+
+/* Lost while the plastic drift of storey k moves by so much: the elastoplastic part has its yield force. */
+static double loss(const struct thud_model_storey *p, double moved_m)
+{
+    return plastic_stiffness(p) * p->yield_m * fabs(moved_m);
+}
+
+double thud_storeys_hysteretic(const struct thud_state *state, const double *q)
+{
+    double sum = 0;
+    for (int k = 0; k < state->model->nstoreys; k++) {
+        double moved = thud_storey_plastic(state, k, drift_of(state, k, q)) - state->storey[k].plastic_m;
+        sum += state->storey[k].hysteretic_j + loss(&state->model->storey[k], moved);
+    }
+    return sum;
+}
+
+/* The elastic row's force is constant. */
+static void set_constant(struct thud_state *state, int k)
+{
+    struct thud_contact_state *row = &state->contact[state->model->ncontacts + k];
+    row->mode = THUD_OPEN;
+    row->branch =
+        (struct thud_branch){.f0_n = -plastic_stiffness(&state->model->storey[k]) * state->storey[k].plastic_m};
+}
+
+static void set_yielding(struct thud_state *state, int k, int direction)
+{
+    const struct thud_model_storey *p = &state->model->storey[k];
+    struct thud_contact_state *row = &state->contact[state->model->ncontacts + k];
+    row->mode = THUD_CLOSED;
+    row->branch =
+        (struct thud_branch){.f0_n = direction * plastic_stiffness(p) * p->yield_m, .k_npm = -plastic_stiffness(p)};
+}
+
+void thud_storeys_start(struct thud_state *state)
+{
+    state->nyielding = 0;
+    state->nshifted = 0;
+    for (int k = 0; k < state->model->nstoreys; k++) {
+        const struct thud_model_storey *p = &state->model->storey[k];
+        struct thud_contact_state *row = &state->contact[state->model->ncontacts + k];
+        state->storey[k] = (struct thud_storey_state){0};
+        *row = (struct thud_contact_state){.phase = THUD_RESTITUTION, .ultimate_m = INFINITY};
+        row->largest_force_n = plastic_stiffness(p) * p->yield_m; /* scale on which its errors count */
+        set_constant(state, k);
+    }
+}
+
+static void count_shifted(struct thud_state *state)
+{
+    state->nshifted = 0;
+    for (int k = 0; k < state->model->nstoreys; k++)
+        state->nshifted += state->storey[k].direction == 0 && state->storey[k].plastic_m != 0;
+}
+
+void thud_storeys_resume(struct thud_state *state, const struct thud_storey_state *storey)
+{
+    memcpy(state->storey, storey, (size_t)state->model->nstoreys * sizeof *storey);
+    for (int k = 0; k < state->model->nstoreys; k++)
+        set_constant(state, k);
+    count_shifted(state);
+}
+
+/* Plastic drift of storey k at drift d; an excursion counts once, as soon as it is more than rounding. */
+static void flow(struct thud_state *state, int k, double drift)
+{
+    const struct thud_model_storey *p = &state->model->storey[k];
+    struct thud_storey_state *s = &state->storey[k];
+    const bool bound = s->direction != 0 && state->locates;
+    double elastic = bound ? s->direction * p->yield_m : drift - thud_storey_plastic(state, k, drift);
+    double plastic = drift - elastic, moved = plastic - s->plastic_m;
+    s->hysteretic_j += loss(p, moved);
+    s->plastic_m = plastic;
+    s->moved_m += fabs(moved);
+    if (!s->counted && s->moved_m > THUD_TOL_EXCURSION * p->yield_m) {
+        s->excursions++;
+        s->counted = true;
+    }
+    double shear = fabs(p->hardening * p->stiffness_npm * drift + plastic_stiffness(p) * elastic);
+    if (shear > s->shear.value)
+        s->shear = (struct thud_peak){shear, thud_state_now(state)};
+}
+
+/* Nothing is located: what the end of a step shows. */
+static bool follow(struct thud_state *state)
+{
+    bool changed = false;
+    state->nshifted = 0;
+    for (int k = 0; k < state->model->nstoreys; k++) {
+        struct thud_storey_state *s = &state->storey[k];
+        double drift = drift_of(state, k, state->q), plastic = thud_storey_plastic(state, k, drift);
+        int direction = plastic > s->plastic_m ? 1 : plastic < s->plastic_m ? -1 : 0;
+        if (direction != s->direction) {
+            s->counted = false;
+            s->moved_m = 0;
+        }
+        if (direction != 0) {
+            flow(state, k, drift);
+            set_constant(state, k);
+        }
+        s->direction = direction;
+        changed = changed || direction != 0;
+        state->nshifted += s->plastic_m != 0;
+    }
+    return changed;
+}
+
+bool thud_storeys_moved(struct thud_state *state)
+{
+    if (!state->locates)
+        return follow(state);
+    for (int k = 0; k < state->model->nstoreys; k++) {
+        struct thud_storey_state *s = &state->storey[k];
+        s->zeros = 0;
+        if (s->direction != 0)
+            flow(state, k, drift_of(state, k, state->q));
+    }
+    return false;
+}
+
+void thud_storey_switch(struct thud_state *state, int row, enum thud_event event)
+{
+    int k = row - state->model->ncontacts;
+    struct thud_storey_state *s = &state->storey[k];
+    state->work->events++;
+    state->nyielding += event == THUD_EVENT_UNLOAD ? -1 : 1;
+    const double rate = thud_model_gap_sum(state->model, row, state->qd),
+                 still = THUD_TOL_REVERSAL * state->speed_mps; /* below it, a rate is rounding */
+    if (event == THUD_EVENT_UNLOAD) { /* at its bound, and at rest unless a blow has turned it back */
+        s->zero_side = s->direction;
+        s->zeros = s->direction * rate < -still ? 1 : 2;
+        s->direction = 0;
+        set_constant(state, k);
+    } else {
+        s->direction = event == THUD_EVENT_YIELD_UP ? 1 : -1;
+        s->zeros = s->direction * rate <= still ? 1 : 0;
+        s->counted = false;
+        s->moved_m = 0;
+        set_yielding(state, k, s->direction);
+        flow(state, k, drift_of(state, k, state->q));
+    }
+    count_shifted(state);
+}

@@ -1,0 +1,244 @@
+#include "core/laws/law.h"
+
+#include <math.h>
+#include <string.h>
+
+#define THUD_LAW(word) extern const struct thud_law thud_law_##word;
+#include "core/laws/law_list.h"
+#undef THUD_LAW
+
+static const struct thud_law *const laws[] = {
+#define THUD_LAW(word) &thud_law_##word,
+#include "core/laws/law_list.h"
+#undef THUD_LAW
+};
+
+int thud_law_count(void)
+{
+    return (int)(sizeof laws / sizeof laws[0]);
+}
+
+const struct thud_law *thud_law_at(int index)
+{
+    return laws[index];
+}
+
+const struct thud_law *thud_law_find(const char *name)
+{
+    for (int i = 0; i < thud_law_count(); i++)
+        if (strcmp(laws[i]->name, name) == 0)
+            return laws[i];
+    return NULL;
+}
+
+int thud_law_param(const struct thud_law *law, const char *name)
+{
+    for (int i = 0; i < law->nparams; i++)
+        if (strcmp(law->params[i].name, name) == 0)
+            return i;
+    return -1;
+}
+
+void thud_law_defaults(const struct thud_law *law, struct thud_law_setup *setup)
+{
+    for (int i = 0; i < THUD_LAW_PARAMS_MAX; i++)
+        setup->value[i] = i < law->nparams ? law->params[i].fallback : 0;
+}
+
+/* d^p for d > 0, without pow for the exponents of the published laws. */
+static double power(double d, double p)
+{
+    if (p == 1.5)
+        return d * sqrt(d);
+    if (p == 1)
+        return d;
+    if (p == 0.25)
+        return sqrt(sqrt(d));
+    return pow(d, p);
+}
+
+/* Slope of a d^p as d falls to 0. */
+static double slope_at_zero(double a, double p)
+{
+    if (a == 0 || p > 1)
+        return 0;
+    return p == 1 ? a : copysign(INFINITY, a);
+}
+
+/* The elastic curve K x^p with a spring in series, and the dashpot that goes with it, at an indentation. */
+struct series {
+    double x; /* what of the indentation is the law's own */
+    double force, slope, damper, damper_slope;
+};
+
+/* x + K/k x^p = d. The left side is convex and rises: from above, where the larger of its parts alone would make d,
+ * Householder's method of third order goes to the root (Householder 1970, The Numerical Treatment of a Single Nonlinear
+ * Equation, section 4.4); Newton's, which stays above it, takes over where a step would leave the interval. Powers are
+ * what it costs: at the start the part of the spring is known, and after the last step, which leaves the fourth power of
+ * its own size, it follows by the binomial series. */
+static struct series own_indentation(const struct thud_branch *b, double d)
+{
+    enum { MOST = 60 };
+    static const double last_step = 5e-5; /* relative: its fourth power is below rounding */
+    double c = b->K / b->column_npm, p = b->p, x = d, part = c * power(d, p);
+    if (part > d) {
+        x = pow(d / c, 1 / p);
+        part = d;
+    }
+    for (int i = 0; i < MOST; i++) {
+        /* of the function over its slope, relative to x: itself, second and third derivative */
+        double rate = p * part, slope = x + rate;
+        double newton = (x + part - d) / slope, second = (p - 1) * rate / slope, third = (p - 2) * second;
+        double step = newton * (1 - 0.5 * newton * second) / (1 - newton * (second - newton * third / 6));
+        if (!(fabs(step) < 1))
+            step = newton;
+        x -= step * x;
+        if (!(fabs(step) > last_step)) {
+            part *= 1 - p * step * (1 - (p - 1) / 2 * step * (1 - (p - 2) / 3 * step));
+            break;
+        }
+        part = c * power(x, p);
+    }
+    return (struct series){.x = x, .force = b->column_npm * part};
+}
+
+static struct series series_of(const struct thud_branch *b, double d)
+{
+    struct series s = own_indentation(b, d);
+    double own = b->p * s.force / s.x;
+    s.slope = own / (1 + own / b->column_npm);
+    if (b->r == b->p) {
+        s.damper = b->D / b->K * s.force;
+        s.damper_slope = b->D / b->K * s.slope;
+    } else if (b->D != 0) { /* r = (p - 1)/2 */
+        double energy = s.force * (s.x / (b->p + 1) + 0.5 * s.force / b->column_npm);
+        s.damper = b->D * s.force / sqrt(b->K * (b->p + 1) * energy);
+        s.damper_slope = s.damper * (s.slope / s.force - 0.5 * s.force / energy);
+    }
+    return s;
+}
+
+static double series_force(const struct thud_branch *b, double d, double v, double *df_dd, double *df_dv)
+{
+    struct series s = series_of(b, d);
+    if (df_dd)
+        *df_dd = b->k_npm + s.slope + s.damper_slope * v;
+    if (df_dv)
+        *df_dv = b->c_nspm + s.damper;
+    return b->f0_n + b->k_npm * d + b->c_nspm * v + s.force + s.damper * v;
+}
+
+double thud_branch_force(const struct thud_branch *branch, double d_m, double v_mps, double *df_dd, double *df_dv)
+{
+    if (branch->column_npm > 0 && d_m > 0)
+        return series_force(branch, d_m, v_mps, df_dd, df_dv);
+    double force = branch->f0_n + branch->k_npm * d_m + branch->c_nspm * v_mps, elastic = 0, damper = 0;
+    if (d_m > 0 && (branch->K != 0 || branch->D != 0)) {
+        double dp = power(d_m, branch->p), dr = branch->r == branch->p ? dp : power(d_m, branch->r);
+        elastic = branch->K * dp;
+        damper = branch->D * dr;
+        force += elastic + damper * v_mps;
+    }
+    if (df_dd) {
+        *df_dd = branch->k_npm;
+        if (d_m > 0)
+            *df_dd += (branch->p * elastic + branch->r * damper * v_mps) / d_m;
+        else if (d_m == 0)
+            *df_dd += slope_at_zero(branch->K, branch->p) + slope_at_zero(branch->D * v_mps, branch->r);
+    }
+    if (df_dv)
+        *df_dv = branch->c_nspm + damper;
+    return force;
+}
+
+struct thud_branch thud_law_branch_at(const struct thud_law *law, const struct thud_law_setup *setup,
+                                      const struct thud_law_memory *memory, enum thud_phase phase, double d_m)
+{
+    return thud_law_branch(law, setup, memory, phase, d_m > thud_law_ultimate(law, setup));
+}
+
+/* ---- a law and the columns that are struck ---- */
+
+static bool gives(const struct thud_law *law, const struct thud_law_setup *setup)
+{
+    return setup->column_npm > 0 && !(law->flags & THUD_LAW_LINEAR);
+}
+
+enum thud_status thud_law_prepare(const struct thud_law *law, struct thud_law_setup *setup, struct thud_error *err)
+{
+    if (setup->column_npm > 0 && law->flags & THUD_LAW_IMPULSIVE) {
+        thud_error_set(err, THUD_INPUT, "columns that give need a contact force, and %s has impulses", law->name);
+        thud_error_key(err, "law");
+        thud_error_allow(err, "another law, or columns without EI and stiffness");
+        return THUD_INPUT;
+    }
+    if (setup->column_npm > 0 && law->flags & THUD_LAW_LINEAR) {
+        double *k = &setup->value[thud_law_param(law, "stiffness")];
+        *k *= setup->column_npm / (*k + setup->column_npm);
+    }
+    return law->prepare ? law->prepare(setup, err) : THUD_OK;
+}
+
+/* Straight lines in series with a spring are straight lines: all of a line f0 + k d that damping only multiplies, and
+ * K d with its dashpot, which goes with the root of the stiffness. */
+static void fold_line(struct thud_branch *b, double column)
+{
+    double part = column / ((b->K != 0 ? b->K : b->k_npm) + column);
+    b->c_nspm *= b->K != 0 ? sqrt(part) : part;
+    b->f0_n *= part;
+    b->k_npm *= part;
+    b->K *= part;
+    b->D *= part;
+}
+
+struct thud_branch thud_law_branch(const struct thud_law *law, const struct thud_law_setup *setup,
+                                   const struct thud_law_memory *memory, enum thud_phase phase, bool past_ultimate)
+{
+    struct thud_branch b = law->branch(setup, memory, phase, past_ultimate);
+    if (!gives(law, setup))
+        return b;
+    if (b.K == 0 || b.p == 1)
+        fold_line(&b, setup->column_npm);
+    else
+        b.column_npm = setup->column_npm;
+    return b;
+}
+
+static double own_ultimate(const struct thud_law *law, const struct thud_law_setup *setup)
+{
+    return law->ultimate ? law->ultimate(setup) : INFINITY;
+}
+
+double thud_law_ultimate(const struct thud_law *law, const struct thud_law_setup *setup)
+{
+    const struct thud_law_memory memory = {0};
+    double d = own_ultimate(law, setup);
+    if (!gives(law, setup) || d == INFINITY)
+        return d;
+    struct thud_branch b = law->branch(setup, &memory, THUD_APPROACH, false);
+    return d + thud_branch_force(&b, d, 0, NULL, NULL) / setup->column_npm;
+}
+
+/* Force of the elastic curve of law and columns together. */
+static double elastic_force(const struct thud_law *law, const struct thud_law_setup *setup, double d)
+{
+    const struct thud_law_memory memory = {0};
+    struct thud_branch b = thud_law_branch_at(law, setup, &memory, THUD_APPROACH, d);
+    return thud_branch_force(&b, d, 0, NULL, NULL);
+}
+
+double thud_law_energy(const struct thud_law *law, const struct thud_law_setup *setup, double d_m)
+{
+    if (!gives(law, setup) || !(d_m > 0))
+        return law->elastic_energy(setup, d_m);
+    double force = elastic_force(law, setup, d_m), column = force / setup->column_npm;
+    return law->elastic_energy(setup, d_m - column) + 0.5 * force * column;
+}
+
+void thud_law_reversal(const struct thud_law *law, const struct thud_law_setup *setup, double d_m,
+                       struct thud_law_memory *memory)
+{
+    if (law->reversal)
+        law->reversal(setup, gives(law, setup) ? d_m - elastic_force(law, setup, d_m) / setup->column_npm : d_m,
+                      memory);
+}

@@ -1,0 +1,57 @@
+/* The classical Kelvin-Voigt contact: spring and dashpot until the indentation is gone, so it pulls at the end. */
+#include "core/laws/law_closed_form.h"
+#include "core/laws/law_common.h"
+
+enum { STIFFNESS, RESTITUTION };
+enum { C };
+
+static const struct thud_param params[] = {THUD_PARAM_STIFFNESS, THUD_PARAM_RESTITUTION(0.6)};
+
+static enum thud_status prepare(struct thud_law_setup *setup, struct thud_error *err)
+{
+    (void)err;
+    double xi = thud_kelvin_voigt_xi(setup->value[RESTITUTION]);
+    setup->constant[C] = 2 * xi * sqrt(setup->value[STIFFNESS] * setup->mass_kg);
+    return THUD_OK;
+}
+
+static struct thud_branch branch(const struct thud_law_setup *setup, const struct thud_law_memory *memory,
+                                 enum thud_phase phase, bool past_ultimate)
+{
+    (void)memory;
+    (void)phase;
+    (void)past_ultimate;
+    return (struct thud_branch){.k_npm = setup->value[STIFFNESS], .c_nspm = setup->constant[C]};
+}
+
+static double elastic_energy(const struct thud_law_setup *setup, double d_m)
+{
+    return thud_law_power_energy(setup->value[STIFFNESS], 1, d_m);
+}
+
+static double nominal(const struct thud_law_setup *setup)
+{
+    return setup->value[RESTITUTION];
+}
+
+static double restitution(const struct thud_law_setup *setup, double v_mps)
+{
+    (void)v_mps;
+    return setup->value[RESTITUTION]; /* the relation between xi and e is exact for this law */
+}
+
+const struct thud_law thud_law_kelvin_voigt = {
+    .name = "kelvin-voigt",
+    .title = "linear viscoelastic, classical",
+    .reference = "Anagnostopoulos, Earthquake Engineering and Structural Dynamics 16 (1988) 443-456",
+    .summary = "F = k d + c v while d > 0 (pulls at the end); c = 2 xi sqrt(k m), xi = -ln e/sqrt(pi^2 + ln^2 e)",
+    .flags = THUD_LAW_LINEAR | THUD_LAW_PULLS | THUD_LAW_DEGREE_ONE,
+    .params = params,
+    .nparams = sizeof params / sizeof params[0],
+    .prepare = prepare,
+    .onset = thud_law_onset_plain,
+    .branch = branch,
+    .elastic_energy = elastic_energy,
+    .nominal = nominal,
+    .restitution = restitution,
+};

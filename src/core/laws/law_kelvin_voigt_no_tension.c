@@ -1,0 +1,87 @@
+/* The paper's concrete, eqs. (1)-(3): spring and dashpot until the force is gone; what indentation is left then may
+ * stay. */
+#include "core/laws/law_closed_form.h"
+#include "core/laws/law_common.h"
+
+enum { STIFFNESS, RESTITUTION, DAMPING, RESIDUAL };
+enum { C, XI };
+enum { KEEP, RECOVER };
+
+static const char *const residual_choices[] = {"keep", "recover", NULL};
+
+static const struct thud_param params[] = {
+    THUD_PARAM_STIFFNESS,
+    THUD_PARAM_RESTITUTION(0.6),
+    THUD_PARAM_DAMPING,
+    {.name = "residual",
+     .title = "indentation left at release",
+     .help = "keep: it widens the clearance for good; recover: the material springs back.",
+     .kind = THUD_PARAM_CHOICE,
+     .dimension = THUD_NUMBER,
+     .unit = "",
+     .fallback = KEEP,
+     .least = NAN,
+     .most = NAN,
+     .soft_least = NAN,
+     .soft_most = NAN,
+     .choices = residual_choices},
+};
+
+static enum thud_status prepare(struct thud_law_setup *setup, struct thud_error *err)
+{
+    (void)err;
+    double e = setup->value[RESTITUTION];
+    bool exact = setup->value[DAMPING] == THUD_DAMPING_EXACT;
+    setup->constant[XI] = exact ? thud_kelvin_voigt_cut_xi(e) : thud_kelvin_voigt_xi(e);
+    setup->constant[C] = 2 * setup->constant[XI] * sqrt(setup->value[STIFFNESS] * setup->mass_kg);
+    return THUD_OK;
+}
+
+static struct thud_branch branch(const struct thud_law_setup *setup, const struct thud_law_memory *memory,
+                                 enum thud_phase phase, bool past_ultimate)
+{
+    (void)memory;
+    (void)phase;
+    (void)past_ultimate;
+    return (struct thud_branch){.k_npm = setup->value[STIFFNESS], .c_nspm = setup->constant[C]};
+}
+
+static double elastic_energy(const struct thud_law_setup *setup, double d_m)
+{
+    return thud_law_power_energy(setup->value[STIFFNESS], 1, d_m);
+}
+
+static double nominal(const struct thud_law_setup *setup)
+{
+    return setup->value[RESTITUTION];
+}
+
+static double restitution(const struct thud_law_setup *setup, double v_mps)
+{
+    (void)v_mps;
+    return thud_kelvin_voigt_cut_restitution(setup->constant[XI]);
+}
+
+static bool keeps_residual(const struct thud_law_setup *setup)
+{
+    return setup->value[RESIDUAL] == KEEP;
+}
+
+const struct thud_law thud_law_kelvin_voigt_no_tension = {
+    .name = "kelvin-voigt-no-tension",
+    .title = "linear viscoelastic, no tension",
+    .reference = "Komodromos, Polycarpou, Papaloizou and Phocas, Earthquake Engineering and Structural Dynamics 36 "
+                 "(2007) 1605-1622; "
+                 "Polycarpou and Komodromos, COMPDYN 2011, Corfu, eqs. (1)-(3)",
+    .summary = "F = k d + c v while that is > 0, then released; c = 2 xi sqrt(k m)",
+    .flags = THUD_LAW_LINEAR | THUD_LAW_DEGREE_ONE,
+    .params = params,
+    .nparams = sizeof params / sizeof params[0],
+    .prepare = prepare,
+    .onset = thud_law_onset_plain,
+    .branch = branch,
+    .elastic_energy = elastic_energy,
+    .nominal = nominal,
+    .restitution = restitution,
+    .keeps_residual = keeps_residual,
+};

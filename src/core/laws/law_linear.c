@@ -1,0 +1,36 @@
+/* A linear spring: nothing is lost. */
+#include "core/laws/law_common.h"
+
+enum { STIFFNESS };
+
+static const struct thud_param params[] = {THUD_PARAM_STIFFNESS};
+
+static struct thud_branch branch(const struct thud_law_setup *setup, const struct thud_law_memory *memory,
+                                 enum thud_phase phase, bool past_ultimate)
+{
+    (void)memory;
+    (void)phase;
+    (void)past_ultimate;
+    return (struct thud_branch){.k_npm = setup->value[STIFFNESS]};
+}
+
+static double elastic_energy(const struct thud_law_setup *setup, double d_m)
+{
+    return thud_law_power_energy(setup->value[STIFFNESS], 1, d_m);
+}
+
+const struct thud_law thud_law_linear = {
+    .name = "linear",
+    .title = "linear spring",
+    .reference = "Maison and Kasai, Journal of Structural Engineering 116 (1990) 957-977",
+    .summary = "F = k d",
+    .flags = THUD_LAW_LINEAR | THUD_LAW_DEGREE_ONE,
+    .params = params,
+    .nparams = sizeof params / sizeof params[0],
+    .prepare = thud_law_prepare_nothing,
+    .onset = thud_law_onset_plain,
+    .branch = branch,
+    .elastic_energy = elastic_energy,
+    .nominal = thud_law_nominal_one,
+    .restitution = thud_law_restitution_one,
+};

@@ -1,0 +1,46 @@
+/* Newton's impact: no force, but an impulse p = (1 + e) m v at d = 0. */
+#include "core/laws/law_common.h"
+
+enum { RESTITUTION };
+
+/* As THUD_PARAM_RESTITUTION, and 0: the plastic impact, after which both sides go on together. */
+static const struct thud_param params[] = {
+    {.name = "restitution",
+     .title = "coefficient of restitution",
+     .help = "Separation speed over closing speed of two free bodies; 0: plastic.",
+     .kind = THUD_PARAM_QUANTITY,
+     .dimension = THUD_NUMBER,
+     .unit = "",
+     .fallback = 0.6,
+     .least = 0,
+     .most = 1,
+     .soft_least = 0.3,
+     .soft_most = 0.95}};
+
+static double nominal(const struct thud_law_setup *setup)
+{
+    return setup->value[RESTITUTION];
+}
+
+static double restitution(const struct thud_law_setup *setup, double v_mps)
+{
+    (void)v_mps;
+    return setup->value[RESTITUTION];
+}
+
+const struct thud_law thud_law_stereomechanical = {
+    .name = "stereomechanical",
+    .title = "impulse with restitution",
+    .reference = "Newton, Philosophiae Naturalis Principia Mathematica, London (1687); "
+                 "Papadrakakis and Mouzakis, Earthquake Engineering and Structural Dynamics 24 (1995) 811-834",
+    .summary = "no force: at d = 0, v > 0 an impulse (1 + e) m v on each side",
+    .flags = THUD_LAW_IMPULSIVE | THUD_LAW_DEGREE_ONE,
+    .params = params,
+    .nparams = sizeof params / sizeof params[0],
+    .prepare = thud_law_prepare_nothing,
+    .onset = thud_law_onset_plain,
+    .branch = thud_law_branch_none,
+    .elastic_energy = thud_law_energy_none,
+    .nominal = nominal,
+    .restitution = restitution,
+};

@@ -1,0 +1,25 @@
+#include "core/methods/alpha_step.h"
+#include "core/methods/method.h"
+
+#include <math.h>
+
+static enum thud_status create(const struct thud_state *state, void **own, struct thud_error *err)
+{
+    return thud_alpha_create(state, (struct thud_alpha){.gamma = 0.5}, own, err);
+}
+
+const struct thud_method thud_method_central_difference = {
+    .name = "central-difference",
+    .title = "Central difference (velocity Verlet)",
+    .reference = "Newmark, Journal of the Engineering Mechanics Division 85 (1959) 67-94, with beta 0, gamma 1/2; "
+                 "Verlet, Physical Review 159 (1967) 98-103",
+    .summary = "explicit in the displacements; keeps the energy of a spring in the mean",
+    .flags = THUD_METHOD_FIXED_STEP | THUD_METHOD_LOCATES | THUD_METHOD_CAN_LOCATE,
+    .order = 2,
+    .stability = 2,
+    .limits = "stable while omega dt < 2, but contacts that open and close may gain energy below",
+    .create = create,
+    .step = thud_alpha_step,
+    .committed = thud_alpha_committed,
+    .free = thud_alpha_free,
+};

@@ -1,0 +1,19 @@
+#include <math.h>
+
+#include "core/methods/dormand_prince.h"
+#include "core/methods/method.h"
+
+const struct thud_method thud_method_dormand_prince_unlocated = {
+    .name = "dormand-prince-unlocated",
+    .title = "Dormand and Prince 5(4), events not located",
+    .reference = "Dormand and Prince, Journal of Computational and Applied Mathematics 6 (1980) 19-26",
+    .summary = "the same without location: every impact is found by steps that fail",
+    .flags = 0,
+    .order = 5,
+    .stability = INFINITY,
+    .limits = "chatters where the law jumps; steps of 1e-9 s and less at every impact",
+    .create = thud_dormand_prince_create,
+    .step = thud_dormand_prince_step,
+    .committed = thud_dormand_prince_committed,
+    .free = thud_dormand_prince_free,
+};

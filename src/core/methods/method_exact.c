@@ -1,0 +1,85 @@
+/* No stepping error in free flight and in linear contact (power series to rounding); collocation of the forces in
+ * nonlinear contact. */
+#include <math.h>
+
+#include "core/methods/method.h"
+#include "core/motion/collocation.h"
+#include "core/numerics/tolerance.h"
+
+/* Only laws that are not linear need collocation: the others never stick either. */
+static enum thud_status create(const struct thud_state *state, void **own, struct thud_error *err)
+{
+    struct thud_collocation *collocation = NULL;
+    enum thud_status status = THUD_OK;
+    bool linear = true;
+    for (int c = 0; c < state->model->ncontacts; c++)
+        linear = linear && state->model->contact[c].law->flags & (THUD_LAW_LINEAR | THUD_LAW_NO_FORCE);
+    if (!linear)
+        status = thud_collocation_create(state, &collocation, err);
+    *own = collocation;
+    return status;
+}
+
+static bool is_linear(const struct thud_state *state)
+{
+    for (int c = 0; c < state->model->ncontacts; c++) {
+        const struct thud_contact_state *s = &state->contact[c];
+        if (s->mode == THUD_STICKING || (s->mode == THUD_CLOSED && (s->branch.K != 0 || s->branch.D != 0)))
+            return false;
+    }
+    return true;
+}
+
+static enum thud_status step(const struct thud_state *state, void *own, struct thud_segment *seg,
+                             struct thud_error *err)
+{
+    if (state->nactive > 0 && !is_linear(state))
+        return thud_collocation_step(state, seg, own, err);
+    const struct thud_model *m = state->model;
+    static const double longest_angle = 30; /* of the first try: the terms stay numbers, and the tail shortens it */
+    thud_segment_begin(state, seg, fmin(thud_state_remaining(state), longest_angle / thud_segment_rate(state)));
+    double tail = thud_taylor_linear(state, seg);
+    while (tail > THUD_TOL_SERIES_TAIL) {
+        double factor = 0.9 * pow(0.5 * THUD_TOL_SERIES_TAIL / tail, 1.0 / (THUD_SEGMENT_TERMS - 4));
+        thud_segment_shorten(seg, m->nmodes, m->nrows, factor);
+        thud_segment_forget(seg, m->nrows);
+        tail = thud_segment_tail(seg, m);
+    }
+    state->work->force_evaluations += state->nactive;
+    return THUD_OK;
+}
+
+static void committed(const struct thud_state *state, void *own, const struct thud_segment *seg, double tau_s,
+                      bool switched)
+{
+    bool touched = false;
+    (void)seg;
+    if (!own)
+        return;
+    for (int c = 0; c < state->model->ncontacts && switched; c++)
+        touched |= state->contact[c].mode == THUD_CLOSED && state->contact[c].suppressed.indentation > 0;
+    thud_collocation_committed(state, own, tau_s, switched, touched);
+}
+
+static void release(void *own)
+{
+    thud_collocation_free(own);
+}
+
+const struct thud_method thud_method_exact = {
+    .name = "exact",
+    .title = "Exact propagation with located events",
+    .reference = "free flight: Nigam and Jennings, Bulletin of the Seismological Society of America 59 (1969) 909-922; "
+                 "nonlinear contact, Radau IIA collocation: Hairer and Wanner, Solving Ordinary Differential Equations "
+                 "II, Springer (1996)",
+    .summary =
+        "modes advanced in closed form, contacts located, nonlinear contact forces by collocation to the tolerance",
+    .flags = THUD_METHOD_LOCATES | THUD_METHOD_CAN_LOCATE,
+    .order = 0,
+    .stability = INFINITY,
+    .limits = "none known; the step follows the contact forces alone",
+    .create = create,
+    .step = step,
+    .committed = committed,
+    .free = release,
+};

@@ -1,0 +1,28 @@
+#include "core/methods/alpha_step.h"
+#include "core/methods/method.h"
+
+#include <math.h>
+
+static enum thud_status create(const struct thud_state *state, void **own, struct thud_error *err)
+{
+    const double rho = 0.8, am = (2 * rho - 1) / (rho + 1), af = rho / (rho + 1);
+    return thud_alpha_create(
+        state,
+        (struct thud_alpha){.am = am, .af = af, .beta = 0.25 * (1 - am + af) * (1 - am + af), .gamma = 0.5 - am + af},
+        own, err);
+}
+
+const struct thud_method thud_method_generalized_alpha = {
+    .name = "generalized-alpha",
+    .title = "Generalized-alpha, spectral radius 0.8",
+    .reference = "Chung and Hulbert, Journal of Applied Mechanics 60 (1993) 371-375",
+    .summary = "implicit; damps high frequencies most, low ones least",
+    .flags = THUD_METHOD_FIXED_STEP | THUD_METHOD_LOCATES | THUD_METHOD_CAN_LOCATE,
+    .order = 2,
+    .stability = INFINITY,
+    .limits = "none in linear structures; in contact a large step damps or gains at random",
+    .create = create,
+    .step = thud_alpha_step,
+    .committed = thud_alpha_committed,
+    .free = thud_alpha_free,
+};

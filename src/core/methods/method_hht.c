@@ -1,0 +1,24 @@
+#include "core/methods/alpha_step.h"
+#include "core/methods/method.h"
+
+#include <math.h>
+
+static enum thud_status create(const struct thud_state *state, void **own, struct thud_error *err)
+{
+    return thud_alpha_create(state, (struct thud_alpha){.af = 0.1, .beta = 0.3025, .gamma = 0.6}, own, err);
+}
+
+const struct thud_method thud_method_hht = {
+    .name = "hht",
+    .title = "Hilber, Hughes and Taylor, alpha -0.1",
+    .reference = "Hilber, Hughes and Taylor, Earthquake Engineering and Structural Dynamics 5 (1977) 283-292",
+    .summary = "implicit; damps what the step cannot resolve",
+    .flags = THUD_METHOD_FIXED_STEP | THUD_METHOD_LOCATES | THUD_METHOD_CAN_LOCATE,
+    .order = 2,
+    .stability = INFINITY,
+    .limits = "none in linear structures; in contact a large step damps or gains at random",
+    .create = create,
+    .step = thud_alpha_step,
+    .committed = thud_alpha_committed,
+    .free = thud_alpha_free,
+};

@@ -1,0 +1,24 @@
+#include "core/methods/alpha_step.h"
+#include "core/methods/method.h"
+
+#include <math.h>
+
+static enum thud_status create(const struct thud_state *state, void **own, struct thud_error *err)
+{
+    return thud_alpha_create(state, (struct thud_alpha){.beta = 1.0 / 6, .gamma = 0.5}, own, err);
+}
+
+const struct thud_method thud_method_newmark_linear = {
+    .name = "newmark-linear",
+    .title = "Newmark, linear acceleration",
+    .reference = "Newmark, Journal of the Engineering Mechanics Division 85 (1959) 67-94, beta 1/6, gamma 1/2",
+    .summary = "implicit; smaller period error than average acceleration, but stable for small steps only",
+    .flags = THUD_METHOD_FIXED_STEP | THUD_METHOD_LOCATES | THUD_METHOD_CAN_LOCATE,
+    .order = 2,
+    .stability = 3.4641016151377544,
+    .limits = "stable while omega dt < 2 sqrt(3), but contacts that open and close may gain energy below",
+    .create = create,
+    .step = thud_alpha_step,
+    .committed = thud_alpha_committed,
+    .free = thud_alpha_free,
+};

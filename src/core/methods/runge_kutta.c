@@ -1,0 +1,78 @@
+#include "core/methods/runge_kutta.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/numerics/tolerance.h"
+
+enum thud_status thud_rk_init(struct thud_rk *rk, const struct thud_state *state, const struct thud_tableau *tableau,
+                              struct thud_error *err)
+{
+    *rk = (struct thud_rk){.tableau = tableau};
+    double *next = rk->block = calloc((size_t)(tableau->stages + 1) * thud_motion_size(state->model) + 1, sizeof *next);
+    if (!next)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    for (int i = 0; i < tableau->stages; i++)
+        next = thud_motion_place(&rk->stage[i], state->model, next);
+    thud_motion_place(&rk->work, state->model, next);
+    return THUD_OK;
+}
+
+void thud_rk_clear(struct thud_rk *rk)
+{
+    free(rk->block);
+    rk->block = NULL;
+}
+
+void thud_rk_start(const struct thud_state *state, struct thud_rk *rk)
+{
+    double ground = thud_step_ground(state, 0), before = rk->end_mps2;
+    if (rk->first_known && fabs(ground - before) <= THUD_TOL_GROUND * (fabs(ground) + fabs(before)))
+        return;
+    memcpy(rk->stage[0].q, state->q, (size_t)state->model->nmodes * sizeof(double));
+    memcpy(rk->stage[0].qd, state->qd, (size_t)state->model->nmodes * sizeof(double));
+    thud_step_motion(state, &rk->stage[0], 0);
+    rk->first_known = true;
+    rk->end_mps2 = ground;
+}
+
+void thud_rk_stages(const struct thud_state *state, struct thud_rk *rk, double h)
+{
+    const struct thud_tableau *t = rk->tableau;
+    int n = state->model->nmodes;
+    for (int i = 1; i < t->stages; i++) {
+        struct thud_motion *x = &rk->stage[i];
+        memcpy(x->q, state->q, (size_t)n * sizeof *x->q);
+        memcpy(x->qd, state->qd, (size_t)n * sizeof *x->qd);
+        for (int k = 0; k < i; k++) {
+            double weight = h * t->a[i][k];
+            const struct thud_motion *y = &rk->stage[k];
+            for (int j = 0; j < n && weight != 0.0; j++) {
+                x->q[j] += weight * y->qd[j];
+                x->qd[j] += weight * y->qdd[j];
+            }
+        }
+        thud_step_motion(state, x, t->c[i] * h);
+    }
+}
+
+void thud_rk_write(const struct thud_state *state, struct thud_segment *seg, struct thud_rk *rk, double h)
+{
+    thud_step_write(state, seg, h, &rk->stage[0], &rk->stage[rk->tableau->stages - 1], &rk->work);
+}
+
+void thud_rk_committed(const struct thud_state *state, const struct thud_segment *seg, struct thud_rk *rk,
+                       bool switched)
+{
+    struct thud_motion *first = &rk->stage[0], *last = &rk->stage[rk->tableau->stages - 1], keep = *first;
+    rk->first_known = !switched;
+    if (switched)
+        return;
+    *first = *last;
+    *last = keep;
+    /* The state was read from the segment: the same but for rounding. */
+    memcpy(first->q, state->q, (size_t)state->model->nmodes * sizeof(double));
+    memcpy(first->qd, state->qd, (size_t)state->model->nmodes * sizeof(double));
+    rk->end_mps2 = seg->a0 + seg->a1;
+}

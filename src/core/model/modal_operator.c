@@ -1,0 +1,105 @@
+#include "core/model/modal_operator.h"
+
+#include <lapacke.h>
+#include <stdlib.h>
+
+struct thud_modal_operator {
+    double *diagonal; /* (nmodes) the inverse */
+    double *dense;    /* the inverse blocks of the coupled structures, one after the other, column-major */
+    double *work;
+    lapack_int *pivot;
+};
+
+enum thud_status thud_modal_operator_create(const struct thud_model *model, struct thud_modal_operator **out,
+                                            struct thud_error *err)
+{
+    size_t n = (size_t)model->nmodes, dense = 0;
+    for (int s = 0; s < model->nstructures; s++)
+        if (model->structure[s].damping)
+            dense += (size_t)model->structure[s].n * (size_t)model->structure[s].n;
+    struct thud_modal_operator *op = *out = calloc(1, sizeof *op);
+    if (op) {
+        op->diagonal = calloc(2 * n + dense + 1, sizeof(double));
+        op->pivot = calloc(n + 1, sizeof *op->pivot);
+    }
+    if (!op || !op->diagonal || !op->pivot) {
+        thud_modal_operator_free(op);
+        *out = NULL;
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    }
+    op->work = op->diagonal + n;
+    op->dense = op->work + n;
+    return THUD_OK;
+}
+
+void thud_modal_operator_free(struct thud_modal_operator *op)
+{
+    if (!op)
+        return;
+    free(op->diagonal);
+    free(op->pivot);
+    free(op);
+}
+
+void thud_modal_operator_set(struct thud_modal_operator *op, const struct thud_model *model, double x, double y,
+                             double z)
+{
+    for (int j = 0; j < model->nmodes; j++) {
+        double w = model->omega[j];
+        op->diagonal[j] = 1 / (x + w * (2 * y * model->zeta[j] + z * w));
+    }
+    double *block = op->dense;
+    for (int s = 0; s < model->nstructures; s++) {
+        const struct thud_model_structure *p = &model->structure[s];
+        if (!p->damping)
+            continue;
+        for (int j = 0; j < p->modes; j++) {
+            double w = model->omega[p->first_mode + j];
+            for (int i = 0; i < p->modes; i++)
+                block[j * p->modes + i] = y * p->damping[i * p->modes + j] + (i == j ? x + z * w * w : 0);
+        }
+        /* x > 0 and y, z >= 0 with D symmetric and not negative: regular */
+        LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, p->modes, p->modes, block, p->modes, op->pivot);
+        LAPACKE_dgetri_work(LAPACK_COL_MAJOR, p->modes, block, p->modes, op->pivot, op->work, p->modes);
+        block += p->modes * p->modes;
+    }
+}
+
+const double *thud_modal_operator_diagonal(const struct thud_modal_operator *op)
+{
+    return op->diagonal;
+}
+
+void thud_modal_operator_apply(const struct thud_modal_operator *op, const struct thud_model *model, const double *in,
+                               double *out)
+{
+    for (int j = 0; j < model->nmodes; j++)
+        out[j] = op->diagonal[j] * in[j];
+    const double *block = op->dense;
+    for (int s = 0; s < model->nstructures; s++) {
+        const struct thud_model_structure *p = &model->structure[s];
+        if (!p->damping)
+            continue;
+        for (int i = 0; i < p->modes; i++) {
+            double sum = 0;
+            for (int j = 0; j < p->modes; j++)
+                sum += block[j * p->modes + i] * in[p->first_mode + j];
+            out[p->first_mode + i] = sum;
+        }
+        block += p->modes * p->modes;
+    }
+}
+
+void thud_modal_forward(const struct thud_model *model, double x, double y, double z, const double *in, double *out)
+{
+    for (int j = 0; j < model->nmodes; j++) {
+        double w = model->omega[j];
+        out[j] = (x + w * (2 * y * model->zeta[j] + z * w)) * in[j];
+    }
+    for (int s = 0; s < model->nstructures; s++) {
+        const struct thud_model_structure *p = &model->structure[s];
+        for (int i = 0; p->damping && i < p->modes; i++)
+            for (int j = 0; j < p->modes; j++)
+                out[p->first_mode + i] += y * p->damping[i * p->modes + j] * in[p->first_mode + j];
+    }
+}

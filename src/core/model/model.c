@@ -1,0 +1,529 @@
+#include "core/model/model.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/quantity.h"
+#include "core/model/modes.h"
+#include "core/numerics/double_pair.h"
+
+/* Hands out pieces of one block. */
+struct arena {
+    char *next;
+};
+
+static void *take(struct arena *arena, size_t bytes)
+{
+    void *p = arena->next;
+    arena->next += (bytes + 15) / 16 * 16;
+    return p;
+}
+
+static size_t room(size_t count, size_t size)
+{
+    return (count * size + 15) / 16 * 16;
+}
+
+/* Modes that stay of n where `modes` are asked for. */
+static int kept_of(int n, int modes)
+{
+    return modes > 0 && modes < n ? modes : n;
+}
+
+/* Modes of the structure whose columns are struck. */
+static int struck_modes(const struct thud_model_input *in, const struct thud_contact_input *contact)
+{
+    int s = contact->struck.side < 0 ? contact->left_structure : contact->right_structure;
+    return kept_of(in->structure[s].n, in->modes);
+}
+
+/* Whether storey i of a structure yields: one whose stiffness stays the same beyond its yield drift is elastic. */
+static bool yields(const struct thud_structure_input *in, int i)
+{
+    return in->stiffness_npm && in->yield_m && isfinite(in->yield_m[i]) && in->hardening[i] < 1;
+}
+
+static int yielding_storeys(const struct thud_model_input *in)
+{
+    int count = 0;
+    for (int s = 0; s < in->nstructures; s++)
+        for (int i = 0; i < in->structure[s].n; i++)
+            count += yields(&in->structure[s], i);
+    return count;
+}
+
+static size_t model_bytes(const struct thud_model_input *in, size_t ndof, size_t nmodes, size_t nstoreys)
+{
+    size_t nc = (size_t)in->ncontacts + nstoreys, bytes = room(1, sizeof(struct thud_model));
+    bytes += room((size_t)in->nstructures, sizeof(struct thud_model_structure));
+    bytes += room(nstoreys, sizeof(struct thud_model_storey));
+    bytes += room(nc, sizeof(struct thud_model_contact)) + room(ndof, sizeof(int));
+    bytes += room(nc, sizeof(struct thud_model_column));
+    for (int c = 0; c < in->ncontacts; c++)
+        bytes += in->contact[c].struck.side ? 2 * room((size_t)struck_modes(in, &in->contact[c]), sizeof(double)) : 0;
+    bytes += 2 * room(ndof, sizeof(double)) + 9 * room(nmodes, sizeof(double));
+    bytes += room(nc * nmodes, sizeof(double)) + room(nc * nc, sizeof(double));
+    for (int s = 0; s < in->nstructures; s++) {
+        size_t n = (size_t)in->structure[s].n, kept = (size_t)kept_of(in->structure[s].n, in->modes);
+        bytes += room(n * kept, sizeof(double)) + room(kept * kept, sizeof(double)) + 2 * room(n, sizeof(double));
+    }
+    return bytes;
+}
+
+/* The first `kept` of a row's n values, row after row. */
+static void keep_columns(const double *from, int rows, int n, int kept, double *to)
+{
+    for (int i = 0; i < rows; i++)
+        memcpy(to + i * kept, from + i * n, (size_t)kept * sizeof *to);
+}
+
+static enum thud_status fill_isolated(struct arena *arena, struct thud_model_structure *to,
+                                      const struct thud_structure_input *in, const double *phi, double *all,
+                                      struct thud_error *err)
+{
+    size_t kept = (size_t)to->modes;
+    double *damping = take(arena, kept * kept * sizeof(double));
+    to->damping = damping;
+    enum thud_status status = thud_modes_isolated_damping(in->n, in->mass_kg, in->stiffness_npm, in->damping,
+                                                          in->isolation_damping, phi, all, err);
+    if (status == THUD_OK)
+        keep_columns(all, to->modes, in->n, to->modes, damping); /* a mode that is left out slows no other */
+    return status;
+}
+
+static enum thud_status fill_shear(struct arena *arena, struct thud_model_structure *to,
+                                   const struct thud_structure_input *in, struct thud_error *err)
+{
+    size_t n = (size_t)in->n, square = n * n;
+    double *phi = take(arena, n * (size_t)to->modes * sizeof(double)), *k = take(arena, n * sizeof(double)),
+           *omega = take(arena, n * sizeof(double));
+    memcpy(k, in->stiffness_npm, n * sizeof(double));
+    to->phi = phi;
+    to->stiffness_npm = k;
+    to->omega = omega;
+    double *all = malloc((3 * n + 3 * square) * sizeof *all);
+    if (!all)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    double *damping = all + square, *work = damping + square;
+    enum thud_status status = thud_modes_shear(in->n, in->mass_kg, k, omega, all, work, err);
+    if (status == THUD_OK)
+        keep_columns(all, in->n, in->n, to->modes, phi);
+    if (status == THUD_OK && in->isolated && (in->damping > 0 || in->isolation_damping > 0))
+        status = fill_isolated(arena, to, in, all, damping, err);
+    free(all);
+    return status;
+}
+
+static void fill_rigid(struct arena *arena, struct thud_model_structure *to, const struct thud_structure_input *in)
+{
+    assert(in->n <= 1);
+    if (in->n == 0)
+        return;
+    double *phi = take(arena, sizeof(double)), *omega = take(arena, sizeof(double));
+    phi[0] = 1 / sqrt(in->mass_kg[0]);
+    omega[0] = 0;
+    to->phi = phi;
+    to->omega = omega;
+}
+
+static void fill_mode(struct thud_model *m, const struct thud_model_structure *p, const struct thud_structure_input *in,
+                      int j)
+{
+    int at = p->first_mode + j;
+    double gamma = 0, most = 0, drift = 0;
+    for (int i = 0; i < p->n; i++) {
+        double here = p->phi[i * p->modes + j], below = i > 0 ? p->phi[(i - 1) * p->modes + j] : 0;
+        gamma += here * in->mass_kg[i];
+        most = fmax(most, fabs(here));
+        drift = fmax(drift, fabs(here - below));
+    }
+    m->gamma[at] = gamma;
+    m->mode_max[at] = most;
+    m->mode_max[m->nmodes + at] = drift;
+    m->omega[at] = p->omega[j];
+    m->zeta[at] = p->damping ? 0 : in->damping;
+    m->q0[at] = 0;
+    m->qd0[at] = gamma * in->velocity_mps; /* Phi^T M v */
+    m->spring[at] = m->omega[at] * m->omega[at];
+    m->dashpot[at] = 2 * m->zeta[at] * m->omega[at];
+}
+
+/* Floors follow the ground only as far as the modes that stay carry them. */
+static void fill_floor(struct thud_model *m, int s, const struct thud_structure_input *in, int i)
+{
+    const struct thud_model_structure *p = &m->structure[s];
+    double share = p->modes < p->n ? 0 : 1;
+    for (int j = 0; j < p->modes && p->modes < p->n; j++)
+        share += p->phi[i * p->modes + j] * m->gamma[p->first_mode + j];
+    m->ground_influence[p->first + i] = share;
+    m->mass_kg[p->first + i] = in->mass_kg[i];
+    m->dof_structure[p->first + i] = s;
+}
+
+/* A bound of the rates of free motion q'' + D q' + Omega^2 q = 0: the norm of its first-order system in (Omega q, q')
+ * is at most (d + sqrt(d^2 + 4 omega^2))/2, where d is the norm of D. A dashpot on a light mass makes d, and with it
+ * the rate of the motion, far larger than any omega. Modes that D does not couple have |rates| of omega (zeta < 1). */
+double thud_model_fastest(const struct thud_model_structure *p)
+{
+    double omega = p->modes > 0 ? p->omega[p->modes - 1] : 0, squares = 0, row = 0;
+    for (int i = 0; p->damping && i < p->modes; i++) {
+        double sum = 0;
+        for (int j = 0; j < p->modes; j++) {
+            double x = p->damping[i * p->modes + j];
+            sum += fabs(x);
+            squares += x * x;
+        }
+        row = fmax(row, sum);
+    }
+    double d = fmin(row, sqrt(squares)); /* each is a bound of the norm */
+    return d > 0 ? 0.5 * (d + sqrt(d * d + 4 * omega * omega)) : omega;
+}
+
+/* m->structure[s] has its slices. */
+static enum thud_status fill_structure(struct thud_model *m, struct arena *arena, int s,
+                                       const struct thud_structure_input *in, struct thud_error *err)
+{
+    struct thud_model_structure *to = &m->structure[s];
+    enum thud_status status = THUD_OK;
+    if (in->stiffness_npm && in->n > 0)
+        status = fill_shear(arena, to, in, err);
+    else
+        fill_rigid(arena, to, in);
+    for (int j = 0; j < to->modes && status == THUD_OK; j++)
+        fill_mode(m, to, in, j);
+    for (int i = 0; i < to->n && status == THUD_OK; i++)
+        fill_floor(m, s, in, i);
+    m->couples = m->couples || to->damping;
+    if (status == THUD_OK)
+        m->fastest_radps = fmax(m->fastest_radps, thud_model_fastest(to));
+    m->left_out += to->n - to->modes;
+    return status;
+}
+
+static int contact_dof(const struct thud_model *m, int structure, int floor)
+{
+    return floor == 0 ? -1 : m->structure[structure].first + floor - 1;
+}
+
+static const double *floor_row(const struct thud_model *m, int dof)
+{
+    const struct thud_model_structure *s = &m->structure[m->dof_structure[dof]];
+    return s->phi + (dof - s->first) * s->modes;
+}
+
+static struct thud_model_side floor_side(const struct thud_model *m, int dof)
+{
+    if (dof < 0)
+        return (struct thud_model_side){.structure = -1, .dof = -1, .below = -1, .share = 1};
+    int s = m->dof_structure[dof];
+    return (struct thud_model_side){
+        floor_row(m, dof), s, m->structure[s].first_mode, m->structure[s].modes, dof, -1, 1};
+}
+
+/* The place that is struck moves with the floors above and below, h of the one and 1 - h of the other. */
+static struct thud_model_side column_side(const struct thud_model *m, struct arena *arena, int dof, double h)
+{
+    struct thud_model_side side = floor_side(m, dof);
+    double *row = take(arena, (size_t)side.modes * sizeof *row);
+    side.below = dof > m->structure[side.structure].first ? dof - 1 : -1;
+    side.share = h;
+    for (int j = 0; j < side.modes; j++)
+        row[j] = h * side.row[j] + (side.below < 0 ? 0 : (1 - h) * floor_row(m, side.below)[j]);
+    side.row = row;
+    return side;
+}
+
+/* 1/m of one side, 0 for a wall. */
+static double inverse_mass(const struct thud_model *m, const struct thud_model_side *side)
+{
+    double inverse = side->dof < 0 ? 0 : side->share * side->share / m->mass_kg[side->dof];
+    return inverse + (side->below < 0 ? 0 : (1 - side->share) * (1 - side->share) / m->mass_kg[side->below]);
+}
+
+static void add_row(const struct thud_model_side *side, double sign, double *g)
+{
+    for (int j = 0; j < side->modes; j++)
+        g[side->first_mode + j] += sign * side->row[j];
+}
+
+/* Index of the columns between the floors `dof` and `below` that this interface's contacts strike; a new one where
+ * there was none. */
+static int column_of(struct thud_model *m, struct arena *arena, const struct thud_contact_input *in,
+                     const struct thud_model_side *side)
+{
+    const struct thud_struck_input *struck = &in->struck;
+    double length = struck->a_m + struck->b_m;
+    for (int i = 0; i < m->ncolumns; i++)
+        if (m->column[i].interface == in->interface && m->column[i].dof == side->dof)
+            return i;
+    struct thud_model_column *to = &m->column[m->ncolumns];
+    double *row = take(arena, (size_t)side->modes * sizeof *row);
+    for (int j = 0; j < side->modes; j++)
+        row[j] = floor_row(m, side->dof)[j] - (side->below < 0 ? 0 : floor_row(m, side->below)[j]);
+    *to = (struct thud_model_column){.interface = in->interface,
+                                     .structure = side->structure,
+                                     .storey = side->dof - m->structure[side->structure].first + 1,
+                                     .dof = side->dof,
+                                     .below = side->below,
+                                     .row = row,
+                                     .first_mode = side->first_mode,
+                                     .modes = side->modes,
+                                     .yielding = -1,
+                                     .height_m = length,
+                                     .capacity_n = struck->capacity_n};
+    if (!isnan(struck->ei_nm2)) {
+        double k = 12 * struck->ei_nm2 / (length * length * length);
+        to->per_drift[THUD_COLUMN_SHEAR_LOWER] = to->per_drift[THUD_COLUMN_SHEAR_UPPER] = k;
+        to->per_drift[THUD_COLUMN_MOMENT_LOWER] = 0.5 * k * length;
+        to->per_drift[THUD_COLUMN_MOMENT_UPPER] = -0.5 * k * length;
+    }
+    return m->ncolumns++;
+}
+
+/* A load on a member between two floors: end shears (1 - h) and h of it, which are b^2 (3a + b)/L^3 and
+ * a^2 (a + 3b)/L^3 where it is clamped, b/L and a/L where it is hinged; end moments a b^2/L^2 and a^2 b/L^2, or none;
+ * and what the member gives under it. */
+static void load_columns(struct thud_model *m, struct arena *arena, struct thud_model_contact *to,
+                         const struct thud_contact_input *in)
+{
+    const struct thud_struck_input *struck = &in->struck;
+    const struct thud_model_side *side = struck->side < 0 ? &to->left : &to->right;
+    double a = struck->a_m, b = struck->b_m, length = a + b, h = side->share;
+    double sign = struck->side < 0 ? -1 : 1; /* the force pushes the left one to the left, the right one to the right */
+    to->struck = struck->side;
+    to->column = column_of(m, arena, in, side);
+    to->per_force[THUD_COLUMN_SHEAR_LOWER] = sign * (1 - h);
+    to->per_force[THUD_COLUMN_SHEAR_UPPER] = -sign * h;
+    to->per_force[THUD_COLUMN_MOMENT_LOWER] = struck->hinged ? 0 : sign * a * b * b / (length * length);
+    to->per_force[THUD_COLUMN_MOMENT_UPPER] = struck->hinged ? 0 : sign * a * a * b / (length * length);
+    if (!isnan(struck->ei_nm2))
+        to->setup.column_npm = struck->hinged ? 3 * struck->ei_nm2 * length / (a * a * b * b)
+                                              : 3 * struck->ei_nm2 * length * length * length / (a * a * a * b * b * b);
+}
+
+static enum thud_status fill_contact(struct thud_model *m, struct arena *arena, int c,
+                                     const struct thud_contact_input *in, struct thud_error *err)
+{
+    struct thud_model_contact *to = &m->contact[c];
+    *to = (struct thud_model_contact){.interface = in->interface,
+                                      .left_floor = in->left_floor,
+                                      .right_floor = in->right_floor,
+                                      .left_dof = contact_dof(m, in->left_structure, in->left_floor),
+                                      .right_dof = contact_dof(m, in->right_structure, in->right_floor),
+                                      .clearance_m = in->clearance_m,
+                                      .law = in->law,
+                                      .setup = in->setup};
+    double eta = in->struck.side != 0 ? in->struck.a_m / (in->struck.a_m + in->struck.b_m) : 1;
+    double h = in->struck.hinged ? eta : eta * eta * (3 - 2 * eta);
+    to->column = -1;
+    to->eta = eta;
+    to->setup.column_npm = 0;
+    to->left = in->struck.side < 0 ? column_side(m, arena, to->left_dof, h) : floor_side(m, to->left_dof);
+    to->right = in->struck.side > 0 ? column_side(m, arena, to->right_dof, h) : floor_side(m, to->right_dof);
+    double inverse = inverse_mass(m, &to->left) + inverse_mass(m, &to->right);
+    assert(inverse > 0);
+    to->setup.mass_kg = 1 / inverse;
+    if (in->struck.side != 0)
+        load_columns(m, arena, to, in);
+    double *g = m->jacobian + (size_t)c * (size_t)m->nmodes;
+    memset(g, 0, (size_t)m->nmodes * sizeof *g);
+    add_row(&to->left, 1, g);
+    add_row(&to->right, -1, g);
+    return thud_law_prepare(in->law, &to->setup, err);
+}
+
+/* Of the rows of storeys: linear, and it may pull. It is in no list and has no parameters. */
+static const struct thud_law storey_law = {
+    .name = "storey", .title = "storey that yields", .flags = THUD_LAW_LINEAR | THUD_LAW_PULLS};
+
+/* The row of storey k. */
+static void fill_storey(struct thud_model *m, int k)
+{
+    const struct thud_model_storey *storey = &m->storey[k];
+    struct thud_model_contact *to = &m->contact[m->ncontacts + k];
+    int dof = m->structure[storey->structure].first + storey->floor;
+    *to = (struct thud_model_contact){.left_floor = storey->floor + 1,
+                                      .right_floor = storey->floor,
+                                      .left_dof = dof,
+                                      .right_dof = storey->floor > 0 ? dof - 1 : -1,
+                                      .law = &storey_law};
+    to->column = -1;
+    to->eta = 1;
+    to->left = floor_side(m, to->left_dof);
+    to->right = floor_side(m, to->right_dof);
+    to->setup.mass_kg = 1 / (inverse_mass(m, &to->left) + inverse_mass(m, &to->right));
+    double *g = m->jacobian + (size_t)(m->ncontacts + k) * (size_t)m->nmodes;
+    memset(g, 0, (size_t)m->nmodes * sizeof *g);
+    add_row(&to->left, 1, g);
+    add_row(&to->right, -1, g);
+}
+
+static void fill_storeys(struct thud_model *m, const struct thud_model_input *input)
+{
+    int k = 0;
+    for (int s = 0; s < input->nstructures; s++)
+        for (int i = 0; i < input->structure[s].n; i++) {
+            const struct thud_structure_input *in = &input->structure[s];
+            if (!yields(in, i))
+                continue;
+            m->storey[k] = (struct thud_model_storey){s, i, in->stiffness_npm[i], in->yield_m[i], in->hardening[i]};
+            fill_storey(m, k++);
+        }
+    for (int i = 0; i < m->ncolumns; i++)
+        for (k = 0; k < m->nstoreys; k++) {
+            struct thud_model_column *p = &m->column[i];
+            if (m->storey[k].structure != p->structure || m->storey[k].floor != p->storey - 1)
+                continue;
+            p->yielding = m->ncontacts + k;
+            for (int q = 0; q < THUD_COLUMN_QUANTITIES; q++)
+                p->per_yield[q] = p->per_drift[q] / m->storey[k].stiffness_npm;
+        }
+}
+
+/* g_a . g_b: only where two rows move the modes of the same structure do both have parts; the other entries stay 0. */
+static double shared_part(const struct thud_model *m, int a, int b)
+{
+    const double *ga = m->jacobian + (size_t)a * (size_t)m->nmodes, *gb = m->jacobian + (size_t)b * (size_t)m->nmodes;
+    int of_a[2], of_b[2], na = thud_model_row_structures(m, a, of_a), nb = thud_model_row_structures(m, b, of_b);
+    double sum = 0;
+    for (int i = 0; i < na; i++) {
+        const struct thud_model_structure *s = &m->structure[of_a[i]];
+        bool both = (nb > 0 && of_b[0] == of_a[i]) || (nb > 1 && of_b[1] == of_a[i]);
+        for (int j = s->first_mode; both && j < s->first_mode + s->modes; j++)
+            sum += ga[j] * gb[j];
+    }
+    return sum;
+}
+
+static void fill_delassus(struct thud_model *m)
+{
+    for (int a = 0; a < m->nrows; a++)
+        for (int b = 0; b <= a; b++)
+            m->delassus[a * m->nrows + b] = m->delassus[b * m->nrows + a] = shared_part(m, a, b);
+}
+
+/* The block and its arrays, with each structure's slices. */
+static struct thud_model *lay_out(const struct thud_model_input *input, struct arena *arena)
+{
+    int ndof = 0, nmodes = 0;
+    for (int s = 0; s < input->nstructures; s++) {
+        ndof += input->structure[s].n;
+        nmodes += kept_of(input->structure[s].n, input->modes);
+    }
+    const int nstoreys = yielding_storeys(input);
+    size_t floors = (size_t)ndof, modes = (size_t)nmodes, nc = (size_t)(input->ncontacts + nstoreys);
+    arena->next = calloc(1, model_bytes(input, floors, modes, (size_t)nstoreys));
+    if (!arena->next)
+        return NULL;
+    struct thud_model *m = take(arena, sizeof *m);
+    m->nstructures = input->nstructures;
+    m->ndof = ndof;
+    m->nmodes = nmodes;
+    m->ncontacts = input->ncontacts;
+    m->nstoreys = nstoreys;
+    m->nrows = m->ncontacts + nstoreys;
+    m->structure = take(arena, (size_t)input->nstructures * sizeof *m->structure);
+    m->contact = take(arena, nc * sizeof *m->contact);
+    m->storey = take(arena, (size_t)nstoreys * sizeof *m->storey);
+    m->column = take(arena, nc * sizeof *m->column);
+    m->dof_structure = take(arena, floors * sizeof(int));
+    m->mass_kg = take(arena, floors * sizeof(double));
+    m->ground_influence = take(arena, floors * sizeof(double));
+    double **by_mode[] = {&m->omega, &m->zeta, &m->gamma, &m->spring, &m->dashpot, &m->q0, &m->qd0};
+    for (size_t i = 0; i < sizeof by_mode / sizeof *by_mode; i++)
+        *by_mode[i] = take(arena, modes * sizeof(double));
+    m->mode_max = take(arena, 2 * modes * sizeof(double));
+    m->jacobian = take(arena, nc * modes * sizeof(double));
+    m->delassus = take(arena, nc * nc * sizeof(double));
+    struct thud_model_structure next = {0};
+    for (int s = 0; s < m->nstructures; s++) {
+        next.n = input->structure[s].n;
+        next.modes = kept_of(next.n, input->modes);
+        m->structure[s] = next;
+        next.first += next.n;
+        next.first_mode += next.modes;
+    }
+    return m;
+}
+
+enum thud_status thud_model_create(const struct thud_model_input *input, struct thud_model **out,
+                                   struct thud_error *err)
+{
+    struct arena arena = {0};
+    enum thud_status status = THUD_OK;
+    *out = NULL;
+    struct thud_model *m = lay_out(input, &arena);
+    if (!m)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    for (int s = 0; s < input->nstructures && status == THUD_OK; s++)
+        status = fill_structure(m, &arena, s, &input->structure[s], err);
+    for (int c = 0; c < input->ncontacts && status == THUD_OK; c++)
+        status = fill_contact(m, &arena, c, &input->contact[c], err);
+    if (status != THUD_OK) {
+        free(m);
+        return status;
+    }
+    fill_storeys(m, input);
+    fill_delassus(m);
+    *out = m;
+    return THUD_OK;
+}
+
+void thud_model_free(struct thud_model *model)
+{
+    free(model);
+}
+
+static inline double floor_value(const struct thud_model *model, int dof, const double *modal)
+{
+    const struct thud_model_structure *s = &model->structure[model->dof_structure[dof]];
+    return thud_dot(s->modes, s->phi + (dof - s->first) * s->modes, modal + s->first_mode);
+}
+
+/* A floor's value from modal values: one dot product over its structure's modes. */
+int thud_model_yielding(const struct thud_model *model, int dof)
+{
+    for (int i = 0; i < model->nstoreys; i++)
+        if (model->structure[model->storey[i].structure].first + model->storey[i].floor == dof)
+            return i;
+    return -1;
+}
+
+double thud_model_floor(const struct thud_model *model, int dof, const double *modal)
+{
+    return floor_value(model, dof, modal);
+}
+
+void thud_model_sides(const struct thud_model *model, int c, const double *modal, double *left, double *right)
+{
+    const struct thud_model_contact *p = &model->contact[c];
+    *left = thud_dot(p->left.modes, p->left.row, modal + p->left.first_mode);
+    *right = thud_dot(p->right.modes, p->right.row, modal + p->right.first_mode);
+}
+
+/* The two sums are made apart, so that neighbours moving alike have exactly no relative motion. */
+double thud_model_gap_sum(const struct thud_model *model, int c, const double *modal)
+{
+    double left, right;
+    thud_model_sides(model, c, modal, &left, &right);
+    return left - right;
+}
+
+double thud_model_contact_period(const struct thud_model_contact *p)
+{
+    double v = 1, energy = 0.5 * p->setup.mass_kg * v * v, low = 0, high = 1e-9;
+    if (!p->law->elastic_energy || p->law->flags & (THUD_LAW_NO_FORCE | THUD_LAW_IMPULSIVE))
+        return INFINITY;
+    while (high < 1e3 && thud_law_energy(p->law, &p->setup, high) < energy)
+        high *= 2;
+    for (int i = 0; i < 60; i++) {
+        double d = 0.5 * (low + high);
+        if (thud_law_energy(p->law, &p->setup, d) < energy)
+            low = d;
+        else
+            high = d;
+    }
+    return 2 * THUD_PI * high / v;
+}

@@ -1,0 +1,200 @@
+#include "core/motion/coupled_flight.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/numerics/double_pair.h"
+#include "core/numerics/quadrature.h"
+
+enum { POINTS = THUD_QUADRATURE_POINTS };
+
+/* Longest part of the interval that the series are made of, by the fastest rate. */
+static const double longest_rad = 1;
+
+/* out (rows x columns) += scale a b, where a is (rows x inner), or (inner x rows) if turned. */
+static void add_product(int rows, int inner, int columns, double scale, const double *a, bool turned, const double *b,
+                        double *out)
+{
+    for (int i = 0; i < rows; i++)
+        for (int k = 0; k < inner; k++) {
+            double x = scale * (turned ? a[k * rows + i] : a[i * inner + k]);
+            for (int j = 0; j < columns && x != 0; j++)
+                out[i * columns + j] += x * b[k * columns + j];
+        }
+}
+
+/* What is made of one part of the interval, and doubled. */
+struct part {
+    double h_s, dt_s;
+    double *flow;  /* (size x size) */
+    double *rates; /* (POINTS x n x size) q' at the quadrature points, by the x at the start */
+    double *modal; /* (2 x nmodes) one unit motion */
+    double *temp;  /* (size x size) */
+    double *block;
+};
+
+static enum thud_status allocate(struct thud_coupled_flight *c, struct part *part, const struct thud_model *m,
+                                 const struct thud_model_structure *p, struct thud_error *err)
+{
+    size_t n = (size_t)p->modes, size = 2 * n + 2;
+    *c = (struct thud_coupled_flight){.n = p->modes, .size = (int)size, .first_mode = p->first_mode};
+    c->block = calloc(2 * n * size + size * size + 4 * size + (size_t)p->n * n + 2 * n, sizeof *c->block);
+    part->block = calloc(2 * size * size + POINTS * n * size + 2 * (size_t)m->nmodes, sizeof *part->block);
+    if (!c->block || !part->block) {
+        free(part->block);
+        thud_coupled_flight_clear(c);
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    }
+    c->step = c->block;
+    c->loss = c->step + 2 * n * size;
+    c->work[0] = c->loss + size * size;
+    c->work[1] = c->work[0] + size;
+    c->now = c->work[1] + size;
+    c->by_floor = c->now + 2 * size;
+    c->shift = c->by_floor + (size_t)p->n * n;
+    part->flow = part->block;
+    part->temp = part->flow + size * size;
+    part->rates = part->temp + size * size;
+    part->modal = part->rates + POINTS * n * size;
+    return THUD_OK;
+}
+
+/* Motions from each unit x: columns of the flow, and the rates on the way. */
+static void unit_motions(const struct thud_coupled_flight *c, struct part *part, const struct thud_state *state,
+                         int structure, struct thud_segment *seg)
+{
+    const struct thud_model *m = state->model;
+    const int n = c->n, size = c->size, first = m->structure[structure].first_mode;
+    double *q = part->modal, *qd = q + m->nmodes;
+    for (int u = 0; u < size; u++) {
+        memset(q, 0, 2 * (size_t)m->nmodes * sizeof *q);
+        if (u < 2 * n)
+            (u < n ? q : qd)[first + u % n] = 1;
+        thud_segment_begin(state, seg, part->h_s);
+        seg->a0 = u == 2 * n;
+        seg->a1 = u == 2 * n + 1 ? part->h_s / part->dt_s : 0;
+        thud_taylor_structure(m, seg, structure, q, qd);
+        for (int i = 0; i <= POINTS; i++) {
+            thud_segment_state(seg, m->nmodes, i < POINTS ? thud_quadrature_node[i] : 1, q, qd);
+            for (int j = 0; j < n && i < POINTS; j++)
+                part->rates[(i * n + j) * size + u] = qd[first + j];
+        }
+        for (int j = 0; j < n; j++) {
+            part->flow[j * size + u] = q[first + j];
+            part->flow[(n + j) * size + u] = qd[first + j];
+        }
+    }
+    part->flow[2 * n * size + 2 * n] = part->flow[size * size - 1] = 1;
+    part->flow[2 * n * size + 2 * n + 1] = part->h_s / part->dt_s;
+}
+
+/* L and W of the part, by quadrature. */
+static void add_forms(struct thud_coupled_flight *c, struct part *part, const struct thud_model_structure *p,
+                      const double *gamma)
+{
+    const int n = c->n, size = c->size;
+    for (int i = 0; i < POINTS; i++) {
+        const double *rate = part->rates + i * n * size, weight = thud_quadrature_weight[i] * part->h_s;
+        memset(part->temp, 0, (size_t)n * (size_t)size * sizeof *part->temp);
+        add_product(n, n, size, weight, p->damping, false, rate, part->temp);
+        add_product(size, n, size, 1, rate, true, part->temp, c->loss);
+        add_product(1, n, size, -weight, gamma, false, rate, c->work[0]);
+        add_product(1, n, size, -weight * thud_quadrature_node[i] * part->h_s / part->dt_s, gamma, false, rate,
+                    c->work[1]);
+    }
+}
+
+static void double_part(struct thud_coupled_flight *c, struct part *part)
+{
+    const int size = c->size;
+    const size_t bytes = (size_t)size * (size_t)size * sizeof(double);
+    double *flow = part->flow, *temp = part->temp, *row = c->now;
+    memset(temp, 0, bytes);
+    add_product(size, size, size, 1, c->loss, false, flow, temp);
+    add_product(size, size, size, 1, flow, true, temp, c->loss);
+    /* in the second half the ground acceleration is (a + b h/dt) + b t/dt */
+    memset(row, 0, 2 * (size_t)size * sizeof *row);
+    add_product(2, size, size, 1, c->work[0], false, flow, row);
+    for (int j = 0; j < size; j++) {
+        c->work[0][j] += row[j];
+        c->work[1][j] += row[size + j] + part->h_s / part->dt_s * row[j];
+    }
+    memset(temp, 0, bytes);
+    add_product(size, size, size, 1, flow, false, flow, temp);
+    memcpy(flow, temp, bytes);
+    part->h_s *= 2;
+}
+
+enum thud_status thud_coupled_flight_init(struct thud_coupled_flight *flight, const struct thud_state *state,
+                                          int structure, struct thud_segment *seg, struct thud_error *err)
+{
+    const struct thud_model *m = state->model;
+    const struct thud_model_structure *p = &m->structure[structure];
+    struct part part = {.dt_s = state->grid_dt_s};
+    enum thud_status status = allocate(flight, &part, m, p, err);
+    if (status != THUD_OK)
+        return status;
+    int doublings = 0;
+    while (ldexp(state->fastest_radps * part.dt_s, -doublings) > longest_rad)
+        doublings++;
+    part.h_s = ldexp(part.dt_s, -doublings);
+    unit_motions(flight, &part, state, structure, seg);
+    add_forms(flight, &part, p, m->gamma + p->first_mode);
+    for (int i = 0; i < doublings; i++)
+        double_part(flight, &part);
+    memcpy(flight->step, part.flow, 2 * (size_t)flight->n * (size_t)flight->size * sizeof(double));
+    memset(flight->now, 0, 2 * (size_t)flight->size * sizeof(double));
+    add_product(p->n, p->modes, p->modes, 1, p->phi, false, p->damping, flight->by_floor);
+    free(part.block);
+    return THUD_OK;
+}
+
+void thud_coupled_flight_clear(struct thud_coupled_flight *flight)
+{
+    free(flight->block);
+    *flight = (struct thud_coupled_flight){0};
+}
+
+void thud_coupled_flight_shift(struct thud_coupled_flight *c, const double *s)
+{
+    for (int i = 0; i < 2 * c->n; i++)
+        c->shift[i] = (i < c->n ? s[i] : 0) - thud_dot(c->n, c->step + i * c->size, s);
+}
+
+void thud_coupled_flight_march(struct thud_coupled_flight *c, double *q, double *qd, int apart, const double *ground,
+                               const double *after, int intervals)
+{
+    const int n = c->n, size = c->size;
+    double *now = c->now, *next = now + size;
+    for (int j = 0; j < n; j++) {
+        now[j] = q[j * apart];
+        now[n + j] = qd[j * apart];
+    }
+    for (int t = 0; t < intervals; t++) {
+        now[2 * n] = ground[t];
+        now[2 * n + 1] = after[t] - ground[t];
+        for (int i = 0; i < 2 * n; i++)
+            next[i] = thud_dot(size, c->step + i * size, now) + c->shift[i];
+        for (int j = 0; j < n; j++) {
+            q[j * apart + t + 1] = now[j] = next[j];
+            qd[j * apart + t + 1] = now[n + j] = next[n + j];
+        }
+    }
+}
+
+void thud_coupled_flight_work(const struct thud_coupled_flight *c, const double *q, const double *qd, int apart,
+                              const double *s, double ground, double after, int t, double *input_j, double *viscous_j)
+{
+    const int n = c->n, size = c->size;
+    double *x = c->now, b = after - ground;
+    for (int j = 0; j < n; j++) {
+        x[j] = q[j * apart + t] - s[j];
+        x[n + j] = qd[j * apart + t];
+    }
+    x[2 * n] = ground;
+    x[2 * n + 1] = b;
+    for (int i = 0; i < size; i++)
+        *viscous_j += x[i] * thud_dot(size, c->loss + i * size, x);
+    *input_j += ground * thud_dot(size, c->work[0], x) + b * thud_dot(size, c->work[1], x);
+}

@@ -1,0 +1,47 @@
+/* Free vibration of a structure whose damping couples its modes (an isolated building), over whole intervals of the
+ * ground motion, by the exact propagator of one interval. With x = (q, q', a, b) and the ground acceleration a + b t/dt
+ * in it,
+ *
+ *     x' = A x,   x(t + dt) = exp(A dt) x(t),
+ *
+ * and what damping and the ground do in the interval are quadratic forms in x:
+ *
+ *     loss = int q'^T D q' dt = x^T L x,   input = -int (gamma . q') a_g dt = a (W_a . x) + b (W_b . x).
+ *
+ * Propagator and forms are made over a part of the interval short enough for power series and one quadrature, and
+ * doubled: E(2h) = E E, L(2h) = L + E^T L E, and W likewise (scaling and squaring: Moler and Van Loan, SIAM Review 45
+ * (2003) 3-49). Not for dashpots whose own rates are far above 1/dt: the squares would do, but the bounds of
+ * free_vibration would not. */
+#ifndef THUD_CORE_COUPLED_FLIGHT_H
+#define THUD_CORE_COUPLED_FLIGHT_H
+
+#include "core/contact/segment.h"
+
+struct thud_coupled_flight {
+    int n, size; /* modes, and of x: 2 n + 2 */
+    int first_mode;
+    double *step;     /* (2 n x size) to q and q' an interval later */
+    double *loss;     /* (size x size) L */
+    double *work[2];  /* (size) W_a, W_b */
+    double *by_floor; /* (floors x n) floors' rows of Phi times D */
+    double *shift;    /* (2 n) added by constant forces, which shift the place that the modes swing about */
+    double *now;      /* (2 x size) */
+    double *block;
+};
+
+/* `seg` is a workspace. Errors: THUD_MEMORY; nothing stays allocated then. */
+enum thud_status thud_coupled_flight_init(struct thud_coupled_flight *flight, const struct thud_state *state,
+                                          int structure, struct thud_segment *seg, struct thud_error *err);
+void thud_coupled_flight_clear(struct thud_coupled_flight *flight);
+
+/* Sets `shift` for modes that rest at s (n) under the constant forces. */
+void thud_coupled_flight_shift(struct thud_coupled_flight *flight, const double *s);
+/* Rows of q and qd (n), `apart` doubles each, from their first value on, under the ground accelerations at the start
+ * and at the end of each interval. */
+void thud_coupled_flight_march(struct thud_coupled_flight *flight, double *q, double *qd, int apart,
+                               const double *ground, const double *after, int intervals);
+/* Work of the ground and loss in damping in interval t of the same rows, where the modes rest at s. */
+void thud_coupled_flight_work(const struct thud_coupled_flight *flight, const double *q, const double *qd, int apart,
+                              const double *s, double ground, double after, int t, double *input_j, double *viscous_j);
+
+#endif

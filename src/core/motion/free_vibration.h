@@ -1,0 +1,115 @@
+/* No contact closed: free vibration over whole intervals of the ground motion, which is linear in each, by the exact
+ * 2 x 2 recurrence of every mode (Nigam and Jennings 1969), a block of intervals at a time.
+ *
+ *     q(t + dt)  = e0 q + e1 q' + p0 a(t) + p1 a(t + dt),   q'(t + dt) = e2 q + e3 q' + p2 a(t) + p3 a(t + dt)
+ *
+ * Storeys with a plastic drift have constant forces, which shift the place that the modes swing about by s: then
+ * (1 - e0) s is added to q, and -e2 s to q'.
+ *
+ * Bounds show in which intervals no contact can close and no storey can yield; the others are looked at as power series. The motion is the
+ * recurrence's in any case, so that gaps that do not close change nothing. Structures whose damping couples their modes
+ * are moved by the propagator of coupled_flight in place of the recurrence; not for dashpots so strong that their rates
+ * are above one in an interval. */
+#ifndef THUD_CORE_FREE_VIBRATION_H
+#define THUD_CORE_FREE_VIBRATION_H
+
+#include "core/motion/coupled_flight.h"
+
+enum {
+    THUD_FREE_VIBRATION_BLOCK = 128,                          /* intervals in a block; blocks begin at its multiples */
+    THUD_FREE_VIBRATION_ENDS = THUD_FREE_VIBRATION_BLOCK + 4, /* their ends, by fours */
+    THUD_FREE_VIBRATION_BATCH = 4, /* modes that march together; rows beyond the last mode stay 0 */
+    THUD_FREE_VIBRATION_PRODUCTS = 7
+};
+
+struct thud_free_vibration {
+    const struct thud_model *model;
+    int n; /* modes */
+    int nstructures;
+    int pieces; /* series needed for one interval */
+    double dt_s;
+    double *e[4], *p[4]; /* (n) the recurrence */
+    /* Damping loss over one interval, a quadratic form in (q, q', a0, a1): by mode, of q q, q q', q' q', q a0, q a1,
+     * q' a0, q' a1; the ground's own terms (a0 a0, a0 a1, a1 a1) summed over the modes */
+    double *viscous[THUD_FREE_VIBRATION_PRODUCTS], viscous_ground[3];
+    /* Work of the ground: a0 (r[0] q + r[1] q') + a1 (r[2] q + r[3] q') and the ground's own terms */
+    double *work[4], work_ground[3];
+
+    struct thud_coupled_flight *coupled; /* (nstructures) of those whose damping couples modes; size 0: another */
+    double *bound;                       /* (7 x n) workspace: bounds of the modes' derivatives in a block, by order */
+
+    /* Series, of each structure one piece of one interval. */
+    struct thud_segment seg;
+    double *now, *now_rate; /* (n) modal state at its start */
+    struct thud_free_vibration_place {
+        int t, piece; /* piece -1: none */
+    } * at;           /* (nstructures) */
+
+    /* A block of intervals, by row and then by end (so that loops over time vectorize) */
+    double *shift;                                 /* (n) s */
+    bool shifted;                                  /* it is not 0 */
+    double *q, *qd, *spring;                       /* (n x ENDS) modal state, and omega^2 (q - s) + 2 zeta omega q' */
+    double *product[THUD_FREE_VIBRATION_PRODUCTS]; /* (n) those of the work, summed over the first `summed` intervals */
+    int summed;
+    double *value[THUD_FLOOR_QUANTITIES]; /* (ndof x ENDS) by floor, of what has been asked for: */
+    bool *valued;                         /* (QUANTITIES x nstructures) */
+    double *gap;                          /* (ENDS) */
+    double *ground, *after;               /* (ENDS) ground acceleration at the start and at the end of each interval */
+    double ground_most;                   /* its largest size in the block */
+    double *margin; /* (QUANTITIES x nstructures): how far a value inside an interval may lie above those at its ends */
+    double *cubic_margin; /* the same, how far from the cubic through values and rates at them */
+    double *speed;        /* (n) largest sqrt(q'^2 + omega^2 (q - s)^2) of a mode in the block */
+    double *limit;        /* (ncontacts) gap above which a contact may close in an interval of the block */
+    bool *near;           /* (ncontacts) whether it may in the interval looked at */
+    int ends;             /* in the block */
+    int size;             /* intervals to try next */
+    long made;            /* series so far: what the work is measured by */
+    double *block;
+};
+
+/* *out stays NULL for a model that it is not for. The tables are those of `like` (may be NULL), whose model must still
+ * be there, where it has the same modes and intervals. Errors: THUD_MEMORY. */
+enum thud_status thud_free_vibration_create(const struct thud_state *state, const struct thud_free_vibration *like,
+                                            struct thud_free_vibration **out, struct thud_error *err);
+void thud_free_vibration_free(struct thud_free_vibration *f);
+
+/* Makes a block from the state on, and returns how many intervals pass before one in which a contact closes or a storey
+ * yields; 0 where the state is not at the start of an interval, a contact is not open, a storey yields, or nothing is
+ * left. */
+int thud_free_vibration_march(struct thud_free_vibration *f, const struct thud_state *state);
+/* The block's modal state after so many intervals. */
+void thud_free_vibration_end(const struct thud_free_vibration *f, int intervals, double *q, double *qd);
+
+/* What observers read of the block just marched from `state`. */
+
+/* One quantity of a structure's floors into f->value, which is made only when asked for. */
+void thud_free_vibration_values(struct thud_free_vibration *f, const struct thud_model *model, int structure,
+                                int quantity);
+/* Left less right displacement of contact c at the ends into f->gap; returns the largest, *margin: how far one inside
+ * an interval may lie above those at its ends. */
+double thud_free_vibration_gap(struct thud_free_vibration *f, const struct thud_model *model, int c, int ends,
+                               double *margin);
+/* The same for the size of one side's displacement. */
+double thud_free_vibration_side(struct thud_free_vibration *f, const struct thud_model *model,
+                                const struct thud_model_side *side, int ends, double *margin);
+/* Rate of a floor's value at end t of an interval whose ground acceleration there is `ground`. */
+double thud_free_vibration_rate(const struct thud_free_vibration *f, const struct thud_model *model, int structure,
+                                int floor, int quantity, int t, double ground);
+/* Motion of one structure in a piece (0 ... f->pieces - 1) of interval t, until the next call: the coefficients of the
+ * other structures' modes may be those of other pieces. */
+const struct thud_segment *thud_free_vibration_series(struct thud_free_vibration *f, const struct thud_state *state,
+                                                      int structure, int t, int piece);
+/* The same of the structures that row c touches (a contact, a storey), and of all. */
+const struct thud_segment *thud_free_vibration_row_series(struct thud_free_vibration *f, const struct thud_state *state,
+                                                          int c, int t, int piece);
+const struct thud_segment *thud_free_vibration_all_series(struct thud_free_vibration *f, const struct thud_state *state,
+                                                          int t, int piece);
+/* Motion of one structure in interval `grid` of the ground motion from its modes q, q' (modes) at its start, in one piece
+ * and without constant forces. */
+const struct thud_segment *thud_free_vibration_series_at(struct thud_free_vibration *f, const struct thud_state *state,
+                                                         int structure, long grid, const double *q, const double *qd);
+/* Work of the ground and loss in damping over the first intervals of the block. */
+void thud_free_vibration_work(struct thud_free_vibration *f, const struct thud_model *model, int intervals,
+                              double *input_j, double *viscous_j);
+
+#endif

@@ -1,0 +1,203 @@
+#include "core/observe/end_peaks.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/largest.h"
+#include "core/numerics/double_pair.h"
+#include "core/observe/observe_peaks.h"
+
+/* Floors of a structure, made even. */
+static int even_floors(const struct thud_model_structure *p)
+{
+    return p->n + p->n % 2;
+}
+
+enum thud_status thud_end_peaks_init(struct thud_end_peaks *ends, const struct thud_model *model, const double *shape,
+                                     int stride, const double *per_speed, struct thud_error *err)
+{
+    size_t row = (size_t)stride, rows = THUD_FLOOR_QUANTITIES * ((size_t)model->nstructures + 1);
+    *ends = (struct thud_end_peaks){.shape = shape, .stride = stride, .per_speed = per_speed};
+    ends->most = malloc((rows * row + 2) * sizeof *ends->most);
+    ends->quiet = calloc((size_t)model->nstructures + 1, sizeof *ends->quiet);
+    if (!ends->most || !ends->quiet) {
+        thud_end_peaks_clear(ends);
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    }
+    double *next = ends->most;
+    for (int s = 0; s < model->nstructures; s++) /* a rigid body has no drift, and the rest of a row is no floor */
+        for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++)
+            for (int i = 0; i < stride; i++)
+                *next++ = i < model->structure[s].n && (model->structure[s].stiffness_npm || x != THUD_FLOOR_DRIFT)
+                              ? 0
+                              : INFINITY;
+    ends->value = next + 2;
+    for (int i = -2; i < THUD_FLOOR_QUANTITIES * stride; i++)
+        ends->value[i] = 0;
+    return THUD_OK;
+}
+
+void thud_end_peaks_clear(struct thud_end_peaks *ends)
+{
+    free(ends->most);
+    free(ends->quiet);
+    *ends = (struct thud_end_peaks){0};
+}
+
+/* Displacements, velocities, total accelerations and drifts of all floors: value (quantities x stride), before which
+ * there is room for the ground's displacement. */
+static void floor_values(const struct thud_end_peaks *ends, const struct thud_model *m,
+                         const struct thud_model_structure *p, const struct thud_motion *x, double ground)
+{
+    const int stride = ends->stride, floors = even_floors(p);
+    double *value = ends->value;
+    const double *q = x->q + p->first_mode, *qd = x->qd + p->first_mode, *qdd = x->qdd + p->first_mode,
+                 *gamma = m->gamma + p->first_mode;
+    for (int i = 0; i < floors; i += 2) {
+        const double *at = ends->shape + p->first_mode * stride + i;
+        thud_double_pair u = {0, 0}, v = {0, 0}, a = {0, 0};
+        for (int j = 0; j < p->modes; j++, at += stride) {
+            thud_double_pair shape = thud_double_pair_at(at);
+            u += shape * q[j];
+            v += shape * qd[j];
+            a += shape * (qdd[j] + gamma[j] * ground);
+        }
+        thud_double_pair_put(u, value + THUD_FLOOR_DISPLACEMENT * stride + i, false);
+        thud_double_pair_put(v, value + THUD_FLOOR_VELOCITY * stride + i, false);
+        thud_double_pair_put(a, value + THUD_FLOOR_ACCELERATION * stride + i, false);
+    }
+    value[-1] = 0;
+    for (int i = 0; i < floors; i += 2)
+        thud_double_pair_put(thud_double_pair_at(value + i) - thud_double_pair_at(value + i - 1),
+                             value + THUD_FLOOR_DRIFT * stride + i, false);
+}
+
+/* Whether any |x| is above its bound; n is even. */
+static bool any_above(const double *x, const double *bound, int n)
+{
+    typedef long long pair_of_bits __attribute__((vector_size(2 * sizeof(double))));
+    pair_of_bits above = {0, 0};
+    for (int i = 0; i < n; i += 2)
+        above |= thud_double_pair_abs(thud_double_pair_at(x + i)) > thud_double_pair_at(bound + i);
+    return above[0] | above[1];
+}
+
+static void raise_to(struct thud_peak *peak, double value, double time_s)
+{
+    if (fabs(value) > peak->value)
+        *peak = (struct thud_peak){fabs(value), time_s};
+}
+
+/* The floors' peaks. */
+static void raise_floors(struct thud_end_peaks *ends, const struct thud_model *m, int structure, double *most,
+                         double time_s, struct thud_result *result)
+{
+    const struct thud_model_structure *p = &m->structure[structure];
+    const int stride = ends->stride;
+    for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++)
+        for (int i = 0; i < p->n; i++) {
+            double value = fabs(ends->value[x * stride + i]);
+            if (!(value > most[x * stride + i]))
+                continue;
+            *thud_floor_peak(result, structure, i, x) = (struct thud_peak){value, time_s};
+            most[x * stride + i] = value;
+        }
+    ends->quiet[structure] = (struct thud_end_sizes){0};
+    ends->quiet_energy = 0;
+}
+
+/* Squares of the sizes of a structure's modal values at a step's end; by Cauchy and Schwarz, none of its floors comes to
+ * more than such a size times a number of its own. */
+static struct thud_end_sizes sizes_of(const struct thud_model *m, const struct thud_model_structure *p,
+                                      const struct thud_motion *x, double ground)
+{
+    const double *q = x->q + p->first_mode, *qd = x->qd + p->first_mode, *qdd = x->qdd + p->first_mode;
+    const double *spring = m->spring + p->first_mode, *gamma = m->gamma + p->first_mode;
+    thud_double_pair strain = {0, 0}, kinetic = {0, 0}, push = {0, 0};
+    int j = 0;
+    for (; j + 2 <= p->modes; j += 2) {
+        thud_double_pair u = thud_double_pair_at(q + j), v = thud_double_pair_at(qd + j),
+                         a = thud_double_pair_at(qdd + j) + thud_double_pair_at(gamma + j) * ground;
+        strain += thud_double_pair_at(spring + j) * (u * u);
+        kinetic += v * v;
+        push += a * a;
+    }
+    struct thud_end_sizes sum = {strain[0] + strain[1], kinetic[0] + kinetic[1], push[0] + push[1], 0};
+    if (j < p->modes) {
+        double a = qdd[j] + gamma[j] * ground;
+        sum.strain += spring[j] * (q[j] * q[j]);
+        sum.kinetic += qd[j] * qd[j];
+        sum.push += a * a;
+    }
+    return sum;
+}
+
+/* The least of a structure's peaks of one quantity by the bounds of another. */
+static double least_ratio(const struct thud_end_peaks *ends, const struct thud_model *m, int structure, int quantity,
+                          int bound)
+{
+    const struct thud_model_structure *p = &m->structure[structure];
+    const double *most = ends->most + (structure * THUD_FLOOR_QUANTITIES + quantity) * ends->stride,
+                 *per_speed = ends->per_speed + bound * m->ndof + p->first;
+    double least = INFINITY;
+    for (int i = 0; i < p->n && most[i] < INFINITY; i++)
+        least = thud_smaller(least, most[i] / per_speed[i]);
+    return least;
+}
+
+/* Sizes below which none of a structure's peaks can be passed, and the energy below which none of all can. */
+static void set_quiet(struct thud_end_peaks *ends, const struct thud_model *m, int structure)
+{
+    enum { U = THUD_FLOOR_DISPLACEMENT, V = THUD_FLOOR_VELOCITY, A = THUD_FLOOR_ACCELERATION, D = THUD_FLOOR_DRIFT };
+    double strain = thud_smaller(least_ratio(ends, m, structure, U, U), least_ratio(ends, m, structure, D, D)),
+           kinetic = least_ratio(ends, m, structure, V, V), push = least_ratio(ends, m, structure, A, V),
+           all = thud_smaller(thud_smaller(strain, kinetic), least_ratio(ends, m, structure, A, A));
+    ends->quiet[structure] = (struct thud_end_sizes){strain * strain, kinetic * kinetic, push * push, all * all};
+    ends->quiet_energy = INFINITY;
+    for (int s = 0; s < m->nstructures; s++)
+        if (m->structure[s].n > 0)
+            ends->quiet_energy = thud_smaller(ends->quiet_energy, ends->quiet[s].energy);
+}
+
+/* Raises the peaks of the contacts that are closed. */
+static void add_contacts(const struct thud_observation *o, double time_s, struct thud_result *result,
+                         struct thud_contact_log *log)
+{
+    const struct thud_model *m = o->state->model;
+    const struct thud_motion *x = o->seg->end;
+    if (x->apart && o->state->nindented == 0)
+        return;
+    for (int c = 0; c < m->ncontacts; c++) {
+        if (x->force[c] == 0 && o->state->contact[c].mode == THUD_OPEN)
+            continue;
+        double d = thud_model_gap_sum(m, c, x->q) - thud_state_clearance(o->state, c);
+        log->now[c].indentation_m = fmax(log->now[c].indentation_m, d);
+        log->now[c].force_n = fmax(log->now[c].force_n, fabs(x->force[c]));
+        raise_to(&result->contact[c].indentation, fmax(d, 0), time_s);
+        raise_to(&result->contact[c].force, x->force[c], time_s);
+    }
+}
+
+void thud_end_peaks_add(struct thud_end_peaks *ends, const struct thud_observation *o, struct thud_result *result,
+                        struct thud_contact_log *log)
+{
+    const struct thud_model *m = o->state->model;
+    const struct thud_motion *x = o->seg->end;
+    double time_s = o->seg->start_s + o->seg->h_s, ground = o->seg->a0 + o->seg->a1;
+    const int row = THUD_FLOOR_QUANTITIES * ends->stride;
+    if (x->apart && o->state->nindented == 0 && o->seg->end_energy < ends->quiet_energy)
+        return;
+    add_contacts(o, time_s, result, log);
+    for (int s = 0; s < m->nstructures; s++) {
+        const struct thud_model_structure *p = &m->structure[s];
+        struct thud_end_sizes now = sizes_of(m, p, x, ground), *quiet = &ends->quiet[s];
+        double *most = ends->most + s * row;
+        if (now.strain < quiet->strain && now.kinetic < quiet->kinetic && now.push < quiet->push)
+            continue;
+        floor_values(ends, m, p, x, ground);
+        if (any_above(ends->value, most, row))
+            raise_floors(ends, m, s, most, time_s, result);
+        else if (quiet->push == 0) /* peaks that rise step by step are waited for */
+            set_quiet(ends, m, s);
+    }
+}

@@ -1,0 +1,52 @@
+/* Observer of a run: the energy ledger. Work done by the ground, lost in the structures' damping and in the contacts,
+ * each by quadrature of its own power, against the energy that the state holds. What is left over is the error. */
+#ifndef THUD_CORE_OBSERVE_ENERGY_H
+#define THUD_CORE_OBSERVE_ENERGY_H
+
+#include "core/contact/contact_log.h"
+#include "core/numerics/double_pair.h"
+#include "core/numerics/quadrature.h"
+#include "core/observe/observer.h"
+
+/* k x^(k - 1) at the inner points of a quadrature, twice each, by order. */
+struct thud_rate_powers {
+    thud_aligned_pair order[THUD_SEGMENT_TERMS][THUD_LOBATTO_INNER];
+};
+
+struct thud_ledger {
+    struct thud_contact_log *log; /* the work on each contact, and what impulses have lost */
+    double initial_j, input_j, viscous_j, contact_work_j, largest_j; /* contact_work_j: without impulses */
+    double balanced_s; /* the last moment looked at when no more was unaccounted for than `limit` */
+    double limit;      /* part of the largest energy that may be unaccounted for */
+    bool closed;       /* nothing more comes: the balance is that of an earlier moment */
+    struct thud_energy balance;
+    int looks;
+    double dashpot, influence;      /* largest 2 zeta omega; sqrt(sum of gamma^2) */
+    struct thud_rate_powers *power; /* (THUD_LOBATTO_RULES) */
+    double *rates;                  /* (THUD_LOBATTO_INNER x nmodes) workspace */
+};
+
+extern const struct thud_observer thud_observe_energy;
+
+/* Errors: THUD_MEMORY. */
+enum thud_status thud_ledger_init(struct thud_ledger *ledger, const struct thud_model *model,
+                                  struct thud_contact_log *log, double limit, struct thud_error *err);
+void thud_ledger_clear(struct thud_ledger *ledger);
+/* Begins at this state. */
+void thud_ledger_start(struct thud_ledger *ledger, const struct thud_state *state);
+/* The balance at the state, kept in ledger->balance. */
+void thud_ledger_finish(struct thud_ledger *ledger, const struct thud_state *state);
+/* The balance of this moment stands for the end: the run leaves out the rest, in which nothing new happens. */
+void thud_ledger_close(struct thud_ledger *ledger, const struct thud_state *state);
+/* Adds the works over the segment; those of single contacts are not booked. */
+void thud_ledger_add(struct thud_ledger *ledger, const struct thud_observation *o);
+/* Work of the ground and loss in the structures' damping over the segment by one of the rules of quadrature; and bounds
+ * of the error of the two together, of all rules but the last (THUD_LOBATTO_RULES - 1), where modes are uncoupled and no
+ * storey yields. */
+void thud_ledger_structure_work(struct thud_ledger *ledger, const struct thud_observation *o, int rule, double *input_j,
+                                double *viscous_j);
+void thud_ledger_error_bounds(const struct thud_ledger *ledger, const struct thud_observation *o, double *bound);
+/* Work done on the contacts so far. */
+double thud_ledger_contact_work(const struct thud_ledger *ledger);
+
+#endif

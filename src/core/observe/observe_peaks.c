@@ -1,0 +1,906 @@
+#include "core/observe/observe_peaks.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/largest.h"
+#include "core/motion/free_vibration.h"
+#include "core/numerics/double_pair.h"
+#include "core/numerics/poly.h"
+#include "core/numerics/tolerance.h"
+
+/* What a structure's energy lets its floors come to at most: where that is below the peaks so far, no floor needs to be
+ * looked at. With S = sqrt(sum of q'^2 + omega^2 q^2), whatever the damping, dS/dt is at most the size of the forces in
+ * modal coordinates; and by Cauchy and Schwarz a floor's value is at most S times a number of its own. */
+
+/* Largest factor by which damping may raise the sum of spring and damping forces over that of the springs. */
+static double damping_factor(const struct thud_model *m, const struct thud_model_structure *p, int j)
+{
+    double ratio = 2 * m->zeta[p->first_mode + j], sum = 0;
+    for (int i = 0; p->damping && i < p->modes; i++)
+        for (int k = 0; k < p->modes; k++)
+            sum += p->damping[i * p->modes + k] * p->damping[i * p->modes + k];
+    return sqrt(1 + ratio * ratio) + (sum > 0 ? sqrt(sum) / m->omega[p->first_mode + j] : 0);
+}
+
+/* Fills peaks->per_speed. */
+static void fill_response_bounds(struct thud_peaks *peaks, const struct thud_state *state)
+{
+    const struct thud_model *m = state->model;
+    for (int s = 0; s < m->nstructures; s++) {
+        const struct thud_model_structure *p = &m->structure[s];
+        for (int i = 0; i < p->n; i++) {
+            double sum[THUD_FLOOR_QUANTITIES] = {0};
+            for (int j = 0; j < p->modes; j++) {
+                double a = p->phi[i * p->modes + j], below = i > 0 ? p->phi[(i - 1) * p->modes + j] : 0;
+                double w = m->omega[p->first_mode + j], f = damping_factor(m, p, j) * w;
+                sum[THUD_FLOOR_DISPLACEMENT] += a * a / (w * w);
+                sum[THUD_FLOOR_VELOCITY] += a * a;
+                sum[THUD_FLOOR_ACCELERATION] += a * a * f * f;
+                sum[THUD_FLOOR_DRIFT] += p->stiffness_npm ? (a - below) * (a - below) / (w * w) : 0;
+            }
+            for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++)
+                peaks->per_speed[x * m->ndof + p->first + i] = sqrt(sum[x]);
+        }
+    }
+}
+
+/* Whether a floor, and whether any floor of the structure, may then pass a peak. */
+static bool may_pass(struct thud_peaks *peaks, const struct thud_model *model, int structure, int floor,
+                     const struct thud_response_bound *reach)
+{
+    const struct thud_model *m = model;
+    const struct thud_floor_result *r = &peaks->result->structure[structure].floor[floor];
+    const double *most = peaks->per_speed + m->structure[structure].first + floor;
+    double push = most[THUD_FLOOR_VELOCITY * m->ndof] * reach->force;
+    bool below = most[THUD_FLOOR_DISPLACEMENT * m->ndof] * reach->speed <= r->displacement.value &&
+                 most[THUD_FLOOR_VELOCITY * m->ndof] * reach->speed <= r->velocity.value &&
+                 most[THUD_FLOOR_ACCELERATION * m->ndof] * reach->speed + push <= r->acceleration.value &&
+                 most[THUD_FLOOR_DRIFT * m->ndof] * reach->speed <= r->drift.value;
+    return !below; /* NaN: a rigid body, whose place no energy bounds */
+}
+
+bool thud_response_bound_structure(struct thud_peaks *peaks, const struct thud_model *model, int structure,
+                                   const struct thud_response_bound *reach)
+{
+    for (int i = 0; i < model->structure[structure].n; i++)
+        if (may_pass(peaks, model, structure, i, reach))
+            return true;
+    return false;
+}
+
+/* Of one row: coefficients `stride` apart. */
+static struct thud_row_push row_push(const struct thud_segment *seg, int row, int stride, double s)
+{
+    struct thud_row_push push = {.row = row};
+    const double rate = 1 / seg->h_s, *f = seg->force + (seg->loaded - 1) * stride + row;
+    for (double k = seg->loaded - 1; k >= 0; k -= 1, f -= stride) {
+        double size = fabs(*f), by_order = k * size;
+        push.end = push.end * s + *f;
+        push.most += size;
+        push.rate += by_order;
+        push.bend += (k - 1) * by_order;
+    }
+    push.rate *= rate;
+    push.bend *= rate * rate;
+    return push;
+}
+
+/* Fills peaks->push. */
+static void row_forces(struct thud_peaks *peaks, const struct thud_state *state, const struct thud_segment *seg,
+                       double s)
+{
+    const struct thud_model *m = state->model;
+    peaks->pushes = 0;
+    for (int c = 0; c < m->nrows; c++)
+        if (c >= m->ncontacts || thud_contact_acts(&state->contact[c])) {
+            peaks->push[peaks->pushes] = row_push(seg, c, m->nrows, s);
+            peaks->pushes += peaks->push[peaks->pushes].most != 0;
+        }
+}
+
+/* Size of the forces of all rows on the structure in modal coordinates, at most: a force on a floor of mass m is
+ * force/sqrt(m) there. */
+static double largest_force(const struct thud_peaks *peaks, const struct thud_model *m,
+                            const struct thud_model_structure *p)
+{
+    const double *per_speed = peaks->per_speed + THUD_FLOOR_VELOCITY * m->ndof;
+    double total = 0;
+    for (int i = 0; i < peaks->pushes; i++)
+        for (int side = 0; side < 2; side++) {
+            const struct thud_model_contact *row = &m->contact[peaks->push[i].row];
+            const struct thud_model_side *at = side == 0 ? &row->left : &row->right;
+            if (at->dof < p->first || at->dof >= p->first + p->n)
+                continue;
+            total += at->share * per_speed[at->dof] * peaks->push[i].most;
+            total += at->below < 0 ? 0 : (1 - at->share) * per_speed[at->below] * peaks->push[i].most;
+        }
+    return total;
+}
+
+/* In the segment up to s; without bound for methods whose steps do not keep to the equations of motion. */
+static struct thud_response_bound bound_of_segment(const struct thud_peaks *peaks, const struct thud_state *state,
+                                                   const struct thud_segment *seg, int structure, double s)
+{
+    const struct thud_model *m = state->model;
+    const struct thud_model_structure *p = &m->structure[structure];
+    if (seg->interpolates)
+        return (struct thud_response_bound){INFINITY, INFINITY};
+    double energy = 0, force = largest_force(peaks, m, p);
+    for (int j = p->first_mode; j < p->first_mode + p->modes; j++)
+        energy += state->qd[j] * state->qd[j] + m->spring[j] * state->q[j] * state->q[j];
+    double ground = thud_larger(fabs(seg->a0), fabs(seg->a0 + seg->a1)) * peaks->ground[structure];
+    return (struct thud_response_bound){sqrt(energy) + s * seg->h_s * (ground + force), force};
+}
+
+/* Peaks of the continuous history, read from the polynomials of a segment. */
+
+static void raise_peak(const struct thud_segment *seg, struct thud_peak *peak, const double *p, int n, double s_end)
+{
+    double where;
+    double value = thud_poly_peak(p, n, s_end, peak->value, &where);
+    if (value > peak->value) {
+        peak->value = value;
+        peak->time_s = seg->start_s + where * seg->h_s;
+    }
+}
+
+struct thud_peak *thud_floor_peak(struct thud_result *result, int structure, int floor, int quantity)
+{
+    struct thud_floor_result *r = &result->structure[structure].floor[floor];
+    struct thud_peak *peak[] = {&r->displacement, &r->velocity, &r->acceleration, &r->drift};
+    return peak[quantity];
+}
+
+/* Coefficients of a floor's value from those of the modes, out (terms): four orders at once, for each of which the
+ * floor's row is the same. */
+static void floor_polynomial(const struct thud_model_structure *p, int floor, const double *modal, int nmodes,
+                             int terms, double *out)
+{
+    enum { N = 4 };
+    const double *row = p->phi + floor * p->modes, *x = modal + p->first_mode;
+    int k = 0;
+    for (; k + N <= terms; k += N, x += N * nmodes) {
+        thud_double_pair sum[N] = {0};
+        int j = 0;
+        for (; j + 2 <= p->modes; j += 2)
+            for (int i = 0; i < N; i++)
+                sum[i] += thud_double_pair_at(row + j) * thud_double_pair_at(x + i * nmodes + j);
+        for (int i = 0; i < N; i++)
+            out[k + i] = sum[i][0] + sum[i][1] + (j < p->modes ? row[j] * x[i * nmodes + j] : 0);
+    }
+    for (; k < terms; k++, x += nmodes)
+        out[k] = thud_dot(p->modes, row, x);
+}
+
+/* Of a floor's displacement: made once for all that is read from it in a segment. */
+static const double *floor_series(struct thud_peaks *peaks, const struct thud_model *m, const struct thud_segment *seg,
+                                  const struct thud_model_structure *p, int floor)
+{
+    double *u = peaks->series + floor * THUD_SEGMENT_TERMS;
+    if (!peaks->made[floor])
+        floor_polynomial(p, floor, seg->q, m->nmodes, seg->terms, u);
+    peaks->made[floor] = true;
+    return u;
+}
+
+/* Coefficients of a floor's value, and how many. */
+static int value_series(struct thud_peaks *peaks, const struct thud_model *m, const struct thud_segment *seg,
+                        const struct thud_model_structure *p, int floor, int quantity, double *out)
+{
+    const int n = seg->terms;
+    if (quantity == THUD_FLOOR_ACCELERATION && seg->interpolates) {
+        floor_polynomial(p, floor, peaks->acceleration, m->nmodes, n - 2, out);
+        return n - 2;
+    }
+    const double *u = floor_series(peaks, m, seg, p, floor);
+    const double rate = 1 / seg->h_s;
+    if (quantity == THUD_FLOOR_VELOCITY) {
+        for (int k = 0; k + 1 < n; k++)
+            out[k] = (k + 1) * rate * u[k + 1];
+        return n - 1;
+    }
+    if (quantity == THUD_FLOOR_ACCELERATION) {
+        for (int k = 0; k + 2 < n; k++)
+            out[k] = (k + 1) * (k + 2) * (rate * rate) * u[k + 2];
+        out[0] += m->ground_influence[p->first + floor] * seg->a0;
+        out[1] += m->ground_influence[p->first + floor] * seg->a1;
+        return n - 2;
+    }
+    const double *below = quantity == THUD_FLOOR_DRIFT && floor > 0 ? floor_series(peaks, m, seg, p, floor - 1) : NULL;
+    for (int k = 0; k < n; k++)
+        out[k] = below ? u[k] - below[k] : u[k];
+    return n;
+}
+
+static void floor_peak(struct thud_peaks *peaks, const struct thud_model *m, const struct thud_segment *seg,
+                       int structure, int floor, int quantity, double s_end)
+{
+    double x[THUD_SEGMENT_TERMS];
+    int n = value_series(peaks, m, seg, &m->structure[structure], floor, quantity, x);
+    raise_peak(seg, thud_floor_peak(peaks->result, structure, floor, quantity), x, n, s_end);
+}
+
+/* No floor's series has been made of this segment yet. */
+static void forget_series(struct thud_peaks *peaks, const struct thud_model_structure *p)
+{
+    memset(peaks->made, 0, (size_t)p->n * sizeof *peaks->made);
+}
+
+/* What is made of the modes of a structure in a segment up to s, rows of peaks->modal: total accelerations at both ends,
+ * and bounds of the size of q' and omega q, of the second and third rates, and of the second rate of the acceleration. */
+enum { MODE_START, MODE_END, MODE_SPEED, MODE_SECOND, MODE_THIRD, MODE_FOURTH, MODE_ROWS };
+
+/* Springs, dashpots and the ground, whose acceleration's largest size is given. */
+static void free_modes(const struct thud_observation *o, const struct thud_model_structure *p, double ground,
+                       int stride, double *restrict out)
+{
+    const struct thud_model *m = o->state->model;
+    const struct thud_segment *seg = o->seg;
+    const double *restrict spring = m->spring + p->first_mode, *restrict dashpot = m->dashpot + p->first_mode,
+                           *restrict gamma = m->gamma + p->first_mode, *restrict q = o->q + p->first_mode,
+                           *restrict qd = o->qd + p->first_mode,
+                           *restrict half = seg->q + 2 * m->nmodes + p->first_mode;
+    const double by_time = 2 / (seg->h_s * seg->h_s), slope = fabs(seg->a1) / seg->h_s;
+    for (int j = 0; j < p->modes; j++) {
+        out[MODE_START * stride + j] = by_time * half[j] + gamma[j] * seg->a0;
+        out[MODE_END * stride + j] = -(spring[j] * q[j] + dashpot[j] * qd[j]);
+        out[MODE_SECOND * stride + j] = fabs(gamma[j]) * ground;
+        out[MODE_THIRD * stride + j] = fabs(gamma[j]) * slope;
+        out[MODE_FOURTH * stride + j] = 0;
+    }
+}
+
+/* Adds the force of one row, whose parts in the modes are g. */
+static void push_modes(int n, const double *restrict g, const struct thud_row_push *push, int stride,
+                       double *restrict out)
+{
+    const double most = push->most, rate = push->rate, bend = push->bend, end = push->end;
+    for (int j = 0; j < n; j++) {
+        out[MODE_END * stride + j] -= g[j] * end;
+        out[MODE_SECOND * stride + j] += fabs(g[j]) * most;
+        out[MODE_THIRD * stride + j] += fabs(g[j]) * rate;
+        out[MODE_FOURTH * stride + j] += fabs(g[j]) * bend;
+    }
+}
+
+/* The modes' speeds, which forces change by no more than their size times the time. */
+static void mode_speeds(const struct thud_observation *o, const struct thud_model_structure *p, int stride,
+                        double *restrict out)
+{
+    const struct thud_model *m = o->state->model;
+    const double *restrict spring = m->spring + p->first_mode, *restrict q = o->state->q + p->first_mode,
+                           *restrict qd = o->state->qd + p->first_mode;
+    const double time = o->s * o->seg->h_s;
+    for (int j = 0; j < p->modes; j++)
+        out[MODE_SPEED * stride + j] =
+            sqrt(qd[j] * qd[j] + spring[j] * q[j] * q[j]) + time * out[MODE_SECOND * stride + j];
+}
+
+/* Each rate by the equations of motion from those below it. */
+static void mode_rates(const struct thud_model *m, const struct thud_model_structure *p, int stride,
+                       double *restrict out)
+{
+    const double *restrict spring = m->spring + p->first_mode, *restrict dashpot = m->dashpot + p->first_mode,
+                           *restrict omega = m->omega + p->first_mode;
+    for (int j = 0; j < p->modes; j++) {
+        double speed = out[MODE_SPEED * stride + j];
+        double second = out[MODE_SECOND * stride + j] + (omega[j] + dashpot[j]) * speed;
+        double third = out[MODE_THIRD * stride + j] + spring[j] * speed + dashpot[j] * second;
+        out[MODE_SECOND * stride + j] = second;
+        out[MODE_THIRD * stride + j] = third;
+        out[MODE_FOURTH * stride + j] += spring[j] * second + dashpot[j] * third;
+    }
+}
+
+/* The same where damping couples the modes: it passes energy from one to another, so that each may have all. */
+static void coupled_rates(const struct thud_observation *o, const struct thud_model_structure *p, double speed,
+                          int stride, double *out)
+{
+    const double *omega = o->state->model->omega + p->first_mode;
+    for (int j = 0; j < p->modes; j++)
+        out[MODE_SPEED * stride + j] = speed;
+    for (int row = MODE_SECOND; row <= MODE_FOURTH; row++)
+        for (int i = 0; i < p->modes; i++) {
+            const double *below = out + (row - 1) * stride;
+            double sum = row == MODE_SECOND ? omega[i] * speed : omega[i] * omega[i] * out[(row - 2) * stride + i];
+            for (int j = 0; j < p->modes; j++)
+                sum += fabs(p->damping[i * p->modes + j]) * below[j];
+            out[row * stride + i] += sum;
+        }
+    for (int i = 0; i < p->modes; i++)
+        out[MODE_END * stride + i] -= thud_dot(p->modes, p->damping + i * p->modes, o->qd + p->first_mode);
+}
+
+/* Total accelerations of all modes from the equations of motion into peaks->acceleration: the polynomials of a stepping
+ * method have the state that the method gives, but their second derivative strays between the ends of the step by as
+ * much as the acceleration changes in it. */
+static void acceleration_by_forces(struct thud_peaks *peaks, const struct thud_state *state,
+                                   const struct thud_segment *seg)
+{
+    const struct thud_model *m = state->model;
+    int n = m->nmodes;
+    for (int k = 0; k + 2 < seg->terms; k++) {
+        double *out = peaks->acceleration + k * n, rate = (k + 1) / seg->h_s,
+               *qd = peaks->acceleration + seg->terms * n;
+        for (int j = 0; j < n; j++)
+            qd[j] = rate * seg->q[(k + 1) * n + j];
+        thud_model_acceleration(m, seg->q + k * n, qd, 0, out);
+        thud_model_apply_contact_forces(m, seg->force + k * m->nrows, out);
+    }
+}
+
+/* Of a stepping method's segment, whose polynomials do not keep to the equations of motion: from their coefficients. */
+static void step_modes(struct thud_peaks *peaks, const struct thud_observation *o, const struct thud_model_structure *p)
+{
+    const int n = o->state->model->nmodes, terms = o->seg->terms;
+    const double rate = 1 / o->seg->h_s;
+    for (int j = 0; j < p->modes; j++) {
+        const double *q = o->seg->q + p->first_mode + j, *acceleration = peaks->acceleration + p->first_mode + j;
+        double end = 0, second = 0, third = 0, fourth = 0;
+        for (int k = terms - 1; k >= 2; k--) {
+            second += k * (k - 1) * fabs(q[k * n]);
+            third += k * (k - 1) * (k - 2) * fabs(q[k * n]);
+        }
+        for (int k = terms - 3; k >= 0; k--) {
+            end = end * o->s + acceleration[k * n];
+            fourth += k * (k - 1) * fabs(acceleration[k * n]);
+        }
+        double *out = peaks->modal + j;
+        out[MODE_START * peaks->stride] = acceleration[0];
+        out[MODE_END * peaks->stride] = end;
+        out[MODE_SECOND * peaks->stride] = rate * rate * second;
+        out[MODE_THIRD * peaks->stride] = rate * rate * rate * third;
+        out[MODE_FOURTH * peaks->stride] = rate * rate * fourth;
+    }
+}
+
+/* Fills peaks->modal. */
+static void structure_modes(struct thud_peaks *peaks, const struct thud_observation *o,
+                            const struct thud_model_structure *p, const struct thud_response_bound *reach)
+{
+    const struct thud_model *m = o->state->model;
+    if (o->seg->interpolates) {
+        step_modes(peaks, o, p);
+        return;
+    }
+    const double ground = thud_larger(fabs(o->seg->a0), fabs(o->seg->a0 + o->seg->a1));
+    free_modes(o, p, ground, peaks->stride, peaks->modal);
+    for (int i = 0; i < peaks->pushes; i++)
+        push_modes(p->modes, m->jacobian + (size_t)peaks->push[i].row * (size_t)m->nmodes + p->first_mode,
+                   &peaks->push[i], peaks->stride, peaks->modal);
+    if (p->damping) {
+        coupled_rates(o, p, reach->speed, peaks->stride, peaks->modal);
+        return;
+    }
+    mode_speeds(o, p, peaks->stride, peaks->modal);
+    mode_rates(m, p, peaks->stride, peaks->modal);
+}
+
+/* How far values of the structure's worst floor may lie from a straight line between those at the two ends: time^2/8
+ * times a bound of the second rate. */
+struct margins {
+    double value[THUD_FLOOR_QUANTITIES], drift_rate;
+};
+
+static struct margins structure_margins(const struct thud_peaks *peaks, const struct thud_model *m,
+                                        const struct thud_model_structure *p, double time_s)
+{
+    const double *most = m->mode_max + p->first_mode, *drift = most + m->nmodes;
+    const double *second = peaks->modal + MODE_SECOND * peaks->stride,
+                 *third = peaks->modal + MODE_THIRD * peaks->stride,
+                 *fourth = peaks->modal + MODE_FOURTH * peaks->stride;
+    double eighth = time_s * time_s / 8;
+    struct margins margin;
+    margin.value[THUD_FLOOR_DISPLACEMENT] = eighth * thud_dot(p->modes, most, second);
+    margin.value[THUD_FLOOR_VELOCITY] = eighth * thud_dot(p->modes, most, third);
+    margin.value[THUD_FLOOR_ACCELERATION] = eighth * thud_dot(p->modes, most, fourth);
+    margin.value[THUD_FLOOR_DRIFT] = eighth * thud_dot(p->modes, drift, second);
+    margin.drift_rate = eighth * thud_dot(p->modes, drift, third);
+    return margin;
+}
+
+/* Values of the floors at both ends of a segment: rows of peaks->value. */
+enum {
+    FLOOR_START, /* displacement, velocity, acceleration */
+    FLOOR_END = THUD_FLOOR_ACCELERATION + 1,
+    FLOOR_ROWS = 2 * FLOOR_END
+};
+
+/* From the modes' by two floors at a time. */
+static void floor_values(struct thud_peaks *peaks, const struct thud_observation *o,
+                         const struct thud_model_structure *p)
+{
+    const int at = p->first_mode, stride = peaks->stride;
+    const double *from[FLOOR_ROWS] = {o->state->q + at, o->state->qd + at, peaks->modal + MODE_START * stride,
+                                      o->q + at,        o->qd + at,        peaks->modal + MODE_END * stride};
+    for (int i = 0; i < p->n; i += 2) {
+        thud_double_pair sum[FLOOR_ROWS] = {0};
+        const double *shape = peaks->shape + at * stride + i;
+        for (int j = 0; j < p->modes; j++, shape += stride)
+            for (int x = 0; x < FLOOR_ROWS; x++)
+                sum[x] += from[x][j] * thud_double_pair_at(shape);
+        for (int x = 0; x < FLOOR_ROWS; x++)
+            *(thud_double_pair *)(peaks->value + x * stride + i) = sum[x];
+    }
+}
+
+/* A floor's values at the two ends of a segment, by quantity, and the rates of displacement, velocity and drift. */
+struct floor_ends {
+    double value[2][THUD_FLOOR_QUANTITIES], rate[2][THUD_FLOOR_QUANTITIES];
+};
+
+static void read_ends(const struct thud_peaks *peaks, const struct thud_observation *o,
+                      const struct thud_model_structure *p, int floor, struct floor_ends *out)
+{
+    const int stride = peaks->stride;
+    const double influence = o->state->model->ground_influence[p->first + floor];
+    for (int end = 0; end < 2; end++) {
+        const double *x = peaks->value + (end ? FLOOR_END : FLOOR_START) * stride + floor;
+        double *value = out->value[end], *rate = out->rate[end];
+        double ground = o->seg->a0 + (end ? o->s * o->seg->a1 : 0);
+        value[THUD_FLOOR_DISPLACEMENT] = x[0];
+        value[THUD_FLOOR_VELOCITY] = rate[THUD_FLOOR_DISPLACEMENT] = x[stride];
+        value[THUD_FLOOR_ACCELERATION] = x[2 * stride];
+        value[THUD_FLOOR_DRIFT] = floor > 0 ? x[0] - x[-1] : x[0];
+        rate[THUD_FLOOR_VELOCITY] = x[2 * stride] - influence * ground;
+        rate[THUD_FLOOR_DRIFT] = floor > 0 ? x[stride] - x[stride - 1] : x[stride];
+    }
+}
+
+static void raise_to(struct thud_peak *peak, double value, double time_s)
+{
+    if (fabs(value) > peak->value)
+        *peak = (struct thud_peak){fabs(value), time_s};
+}
+
+/* Where the rate keeps its sign, the peak is at an end. */
+static bool rises_or_falls(const double rate[2], double margin)
+{
+    return rate[0] > margin ? rate[1] > margin : rate[0] < -margin && rate[1] < -margin;
+}
+
+/* Peaks of the floor's quantities of which `may` tells that they can be new. */
+static void floor_peaks(struct thud_peaks *peaks, const struct thud_observation *o, int index, int floor,
+                        const struct margins *margin, const bool may[THUD_FLOOR_QUANTITIES])
+{
+    const struct thud_model *m = o->state->model;
+    const struct thud_segment *seg = o->seg;
+    struct floor_ends ends;
+    read_ends(peaks, o, &m->structure[index], floor, &ends);
+    const double rest[] = {margin->value[THUD_FLOOR_VELOCITY], margin->value[THUD_FLOOR_ACCELERATION], INFINITY,
+                           margin->drift_rate};
+    for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++) {
+        if (!may[x])
+            continue;
+        if (x != THUD_FLOOR_ACCELERATION && rises_or_falls((double[]){ends.rate[0][x], ends.rate[1][x]}, rest[x])) {
+            struct thud_peak *peak = thud_floor_peak(peaks->result, index, floor, x);
+            raise_to(peak, ends.value[0][x], seg->start_s);
+            raise_to(peak, ends.value[1][x], seg->start_s + o->s * seg->h_s);
+        } else {
+            floor_peak(peaks, m, seg, index, floor, x, o->s);
+        }
+    }
+}
+
+static void structure_peaks(struct thud_peaks *peaks, const struct thud_observation *o, int index,
+                            const struct thud_response_bound *reach)
+{
+    const struct thud_model *m = o->state->model;
+    const struct thud_model_structure *p = &m->structure[index];
+    const int stride = peaks->stride;
+    const bool drifts = p->stiffness_npm != NULL;
+    structure_modes(peaks, o, p, reach);
+    floor_values(peaks, o, p);
+    forget_series(peaks, p);
+    const struct margins margin = structure_margins(peaks, m, p, o->s * o->seg->h_s);
+    double below[2] = {0, 0};
+    for (int i = 0; i < p->n; i++) {
+        const double *start = peaks->value + FLOOR_START * stride + i, *end = peaks->value + FLOOR_END * stride + i;
+        const struct thud_floor_result *r = &peaks->result->structure[index].floor[i];
+        double u = thud_larger(fabs(start[0]), fabs(end[0])), v = thud_larger(fabs(start[stride]), fabs(end[stride])),
+               a = thud_larger(fabs(start[2 * stride]), fabs(end[2 * stride])),
+               d = thud_larger(fabs(start[0] - below[0]), fabs(end[0] - below[1]));
+        const bool may[] = {u + margin.value[THUD_FLOOR_DISPLACEMENT] > r->displacement.value,
+                            v + margin.value[THUD_FLOOR_VELOCITY] > r->velocity.value,
+                            a + margin.value[THUD_FLOOR_ACCELERATION] > r->acceleration.value,
+                            drifts && d + margin.value[THUD_FLOOR_DRIFT] > r->drift.value};
+        if (may[0] | may[1] | may[2] | may[3])
+            floor_peaks(peaks, o, index, i, &margin, may);
+        below[0] = start[0];
+        below[1] = end[0];
+    }
+}
+
+/* Raises the largest value of the impact that goes on, and with it that of the contact. */
+static void raise_contact_peak(const struct thud_segment *seg, struct thud_peak *peak, double *of_impact,
+                               const double *p, int terms, double s_end)
+{
+    double where = 0;
+    *of_impact = thud_poly_peak(p, terms, s_end, *of_impact, &where);
+    if (*of_impact > peak->value)
+        *peak = (struct thud_peak){*of_impact, seg->start_s + where * seg->h_s};
+}
+
+static void indentation_peak(struct thud_peaks *peaks, const struct thud_state *state, const struct thud_segment *seg,
+                             struct thud_contact_log *log, int c, double s_end)
+{
+    struct thud_impact *impact = &log->now[c];
+    struct thud_peak *peak = &peaks->result->contact[c].indentation;
+    const double *d = seg->indentation + c * THUD_SEGMENT_TERMS;
+    if (state->locates) {
+        raise_contact_peak(seg, peak, &impact->indentation_m, d, seg->terms, s_end);
+        return;
+    }
+    for (int end = 0; end <= 1; end++) { /* the step may reach far out of contact, to the other side of 0 */
+        double value = thud_poly_value(d, seg->terms, end * s_end);
+        impact->indentation_m = fmax(impact->indentation_m, value);
+        if (value > peak->value)
+            *peak = (struct thud_peak){value, seg->start_s + end * s_end * seg->h_s};
+    }
+}
+
+static void contact_peaks(struct thud_peaks *peaks, const struct thud_state *state, const struct thud_segment *seg,
+                          struct thud_contact_log *log, int c, double s_end)
+{
+    const struct thud_contact_state *s = &state->contact[c];
+    double p[THUD_SEGMENT_TERMS];
+    if (s->mode != THUD_OPEN)
+        indentation_peak(peaks, state, seg, log, c, s_end);
+    if (!thud_segment_has_force(state, seg, c))
+        return;
+    const int terms = seg->interpolates ? seg->terms : seg->loaded; /* a power series has no forces beyond */
+    for (int k = 0; k < terms; k++)
+        p[k] = seg->force[k * state->model->nrows + c];
+    raise_contact_peak(seg, &peaks->result->contact[c].force, &log->now[c].force_n, p, terms, s_end);
+}
+
+/* Peaks of the structures that may have one. */
+static void motion_peaks(struct thud_peaks *peaks, const struct thud_observation *o)
+{
+    const struct thud_state *state = o->state;
+    if (o->seg->interpolates)
+        acceleration_by_forces(peaks, state, o->seg);
+    else
+        row_forces(peaks, state, o->seg, o->s);
+    for (int i = 0; i < state->model->nstructures; i++) {
+        struct thud_response_bound reach = bound_of_segment(peaks, state, o->seg, i, o->s);
+        if (thud_response_bound_structure(peaks, state->model, i, &reach))
+            structure_peaks(peaks, o, i, &reach);
+    }
+}
+
+static enum thud_status segment(void *own, const struct thud_observation *o, struct thud_error *err)
+{
+    struct thud_peaks *peaks = own;
+    (void)err;
+    if (o->seg->end) {
+        thud_end_peaks_add(&peaks->of_ends, o, peaks->result, peaks->log);
+        return THUD_OK;
+    }
+    motion_peaks(peaks, o);
+    for (int c = 0; c < o->state->model->ncontacts; c++)
+        contact_peaks(peaks, o->state, o->seg, peaks->log, c, o->s);
+    return THUD_OK;
+}
+
+/* Peaks of free vibration: bounds show in which intervals of a block the peak of a floor's value can lie; of those the
+ * series is made. */
+
+enum { ENDS = THUD_FREE_VIBRATION_ENDS };
+
+/* What each mode of a structure can come to at the ends of a block by its largest speed there: displacement, velocity
+ * and acceleration, rows of peaks->modal. */
+static void reach_of_modes(struct thud_peaks *peaks, const struct thud_model *m, const struct thud_free_vibration *f,
+                           const struct thud_model_structure *p)
+{
+    const double *speed = f->speed + p->first_mode;
+    for (int j = 0; j < p->modes; j++) {
+        const double w = m->omega[p->first_mode + j], z = m->dashpot[p->first_mode + j];
+        double coupled = 0, *out = peaks->modal + j;
+        for (int i = 0; p->damping && i < p->modes; i++)
+            coupled += fabs(p->damping[j * p->modes + i]) * speed[i];
+        out[THUD_FLOOR_DISPLACEMENT * peaks->stride] = speed[j] / w + fabs(f->shift[p->first_mode + j]);
+        out[THUD_FLOOR_VELOCITY * peaks->stride] = speed[j];
+        out[THUD_FLOOR_ACCELERATION * peaks->stride] = sqrt(w * w + z * z) * speed[j] + coupled;
+    }
+}
+
+/* The same of one quantity of the floors, out (stride), two at a time. */
+static void reach_of_floors(const struct thud_peaks *peaks, const struct thud_model *m,
+                            const struct thud_model_structure *p, int quantity, double *out)
+{
+    const bool drift = quantity == THUD_FLOOR_DRIFT;
+    const int stride = peaks->stride;
+    const double *shape = peaks->shape + ((drift ? m->nmodes : 0) + p->first_mode) * stride,
+                 *modes = peaks->modal + (drift ? THUD_FLOOR_DISPLACEMENT : quantity) * stride;
+    for (int i = 0; i < p->n; i += 2) {
+        thud_double_pair sum = {0};
+        for (int j = 0; j < p->modes; j++)
+            sum += modes[j] * thud_double_pair_abs(thud_double_pair_at(shape + j * stride + i));
+        *(thud_double_pair *)(out + i) = sum;
+    }
+}
+
+/* Largest |p| on [0, 1] of the cubic with values x0, x1 and rates (by s) r0, r1 at the ends. */
+static double cubic_peak(double x0, double x1, double r0, double r1)
+{
+    double c2 = 3 * (x1 - x0) - 2 * r0 - r1, c3 = 2 * (x0 - x1) + r0 + r1;
+    double most = thud_larger(fabs(x0), fabs(x1)), root = c2 * c2 - 3 * c3 * r0;
+    if (root < 0)
+        return most;
+    root = sqrt(root);
+    double u = -(c2 + (c2 < 0 ? -root : root)); /* 3 c3 s^2 + 2 c2 s + r0 = 0, without cancellation */
+    double s[2] = {u / (3 * c3), r0 / u};
+    for (int i = 0; i < 2; i++)
+        if (s[i] > 0 && s[i] < 1)
+            most = thud_larger(most, fabs(x0 + s[i] * (r0 + s[i] * (c2 + s[i] * c3))));
+    return most;
+}
+
+/* Intervals with an end at `near` or above, in order; how many. They are few. */
+static int intervals_near(const double *x, int intervals, double near, int *list)
+{
+    enum { GROUP = 16 };
+    int count = 0;
+    for (int first = 0; first < intervals; first += GROUP) {
+        const int end = first + GROUP < intervals ? first + GROUP : intervals;
+        if (thud_largest_size(x + first, end - first + 1) < near)
+            continue;
+        for (int t = first; t < end; t++) {
+            list[count] = t;
+            count += (fabs(x[t]) >= near) | (fabs(x[t + 1]) >= near);
+        }
+    }
+    return count;
+}
+
+/* Rate of a row's value at end t of an interval whose ground acceleration there is `ground`. */
+static double rate_at(const struct thud_model *m, const struct thud_free_vibration *f, const struct thud_peak_row *row,
+                      int t, double ground)
+{
+    return thud_free_vibration_rate(f, m, row->structure, row->floor, row->quantity, t, ground);
+}
+
+/* Bounds of the row inside the intervals in which it may pass both what it has reached and what it surely reaches in the
+ * block, by interval into upper (0 elsewhere); these intervals into list, and how many. */
+static int row_bounds(const struct thud_model *m, const struct thud_free_vibration *f, const struct thud_peak_row *row,
+                      int intervals, double *upper, int *list)
+{
+    const double *x = row->x;
+    double most = thud_largest_size(x, intervals + 1);
+    if (most + row->margin <= row->reached)
+        return 0;
+    double limit = thud_larger(row->reached, most) * (1 - THUD_TOL_PEAK_BOUND), rate[2] = {0};
+    int near = intervals_near(x, intervals, limit - row->margin, list), count = 0;
+    memset(upper, 0, (size_t)intervals * sizeof *upper);
+    for (int i = 0; i < near; i++) {
+        const int t = list[i];
+        const bool follows = i > 0 && list[i - 1] == t - 1 && f->after[t - 1] == f->ground[t]; /* a record may jump */
+        rate[0] = follows ? rate[1] : rate_at(m, f, row, t, f->ground[t]);
+        rate[1] = rate_at(m, f, row, t + 1, f->after[t]);
+        double cubic = cubic_peak(x[t], x[t + 1], f->dt_s * rate[0], f->dt_s * rate[1]);
+        upper[t] = (cubic + row->cubic_margin) * (1 + THUD_TOL_PEAK_BOUND);
+        limit = thud_larger(limit, (cubic - row->cubic_margin) * (1 - THUD_TOL_PEAK_BOUND));
+    }
+    for (int i = 0; i < near; i++) {
+        const int t = list[i];
+        if (upper[t] < limit || upper[t] <= row->reached)
+            upper[t] = 0;
+        else
+            list[count++] = t;
+    }
+    return count;
+}
+
+/* Peaks of the rows of one structure that are due in interval t. */
+static void read_interval(struct thud_peaks *peaks, const struct thud_state *state, struct thud_free_vibration *f,
+                          int structure, const int *due, int count, int t)
+{
+    for (int piece = 0; piece < f->pieces; piece++) {
+        const struct thud_segment *seg = thud_free_vibration_series(f, state, structure, t, piece);
+        forget_series(peaks, &state->model->structure[structure]);
+        for (int i = 0; i < count; i++)
+            floor_peak(peaks, state->model, seg, structure, peaks->row[due[i]].floor, peaks->row[due[i]].quantity, 1);
+    }
+}
+
+static double *late_state(const struct thud_peaks *peaks, int late)
+{
+    return peaks->late_state + 2 * (size_t)late * (size_t)peaks->stride;
+}
+
+/* Lets interval t, of which `upper` is the bound, wait: its ends count at once, but for what rounding may make them too
+ * large by. False where another one waits already
+ * that may have the larger value. */
+static bool keep_waiting(struct thud_peaks *peaks, const struct thud_state *state, const struct thud_free_vibration *f,
+                         const struct thud_peak_row *row, double upper, int t)
+{
+    const struct thud_model_structure *p = &state->model->structure[row->structure];
+    const int at = row->quantity * state->model->ndof + p->first + row->floor;
+    struct thud_late_peak *late = &peaks->late[at];
+    const double lower = (upper - 2 * row->cubic_margin) * (1 - 2 * THUD_TOL_PEAK_BOUND);
+    double *q = late_state(peaks, at), *qd = q + peaks->stride;
+    if (late->upper > row->peak->value && late->upper > lower)
+        return false;
+    for (int end = 0; end < 2; end++)
+        raise_to(row->peak, (1 - THUD_TOL_PEAK_BOUND) * row->x[t + end], (double)(state->grid + t + end) * f->dt_s);
+    *late = (struct thud_late_peak){lower, upper, state->grid + t};
+    for (int j = 0; j < p->modes; j++) {
+        q[j] = f->q[(p->first_mode + j) * ENDS + t];
+        qd[j] = f->qd[(p->first_mode + j) * ENDS + t];
+    }
+    return true;
+}
+
+/* What a floor's value has reached. */
+static double reached(const struct thud_peak *peak, const struct thud_late_peak *late)
+{
+    return late->upper > peak->value ? thud_larger(late->lower, peak->value) : peak->value;
+}
+
+/* Rows of one structure that are to be read in some interval, with their bounds; how many. due[t]: one in interval t. */
+static int find_rows(struct thud_peaks *peaks, const struct thud_state *state, struct thud_free_vibration *f,
+                     int structure, int intervals, bool *due)
+{
+    const struct thud_model *m = state->model;
+    const struct thud_model_structure *p = &m->structure[structure];
+    const bool may_wait = peaks->may_wait && f->pieces == 1 && m->nstoreys == 0;
+    int rows = 0, list[THUD_FREE_VIBRATION_BLOCK];
+    for (int x = 0; x < (p->stiffness_npm ? THUD_FLOOR_QUANTITIES : THUD_FLOOR_DRIFT); x++) {
+        const double margin = f->margin[x * m->nstructures + structure];
+        reach_of_floors(peaks, m, p, x, peaks->value);
+        for (int i = 0; i < p->n; i++) {
+            struct thud_peak *peak = thud_floor_peak(peaks->result, structure, i, x);
+            const double so_far = reached(peak, &peaks->late[x * m->ndof + p->first + i]);
+            if (peaks->value[i] + margin <= so_far)
+                continue;
+            thud_free_vibration_values(f, m, structure, x);
+            struct thud_peak_row *row = &peaks->row[rows];
+            double *upper = peaks->upper + rows * THUD_FREE_VIBRATION_BLOCK;
+            *row = (struct thud_peak_row){structure, i,      x,      f->value[x] + (size_t)(p->first + i) * ENDS,
+                                          peak,      so_far, margin, f->cubic_margin[x * m->nstructures + structure]};
+            int count = row_bounds(m, f, row, intervals, upper, list);
+            if (count == 0 || (count == 1 && may_wait && keep_waiting(peaks, state, f, row, upper[list[0]], list[0])))
+                continue;
+            for (int k = 0; k < count; k++)
+                due[list[k]] = true;
+            rows++;
+        }
+    }
+    return rows;
+}
+
+/* Interval by interval, so that one series serves all rows of the structure. */
+static void structure_rows(struct thud_peaks *peaks, const struct thud_state *state, struct thud_free_vibration *f,
+                           int structure, int intervals)
+{
+    bool due[THUD_FREE_VIBRATION_BLOCK] = {false};
+    const int rows = find_rows(peaks, state, f, structure, intervals, due);
+    for (int t = 0; t < intervals && rows > 0; t++) {
+        int count = 0;
+        for (int i = 0; i < rows && due[t]; i++)
+            if (peaks->upper[i * THUD_FREE_VIBRATION_BLOCK + t] > peaks->row[i].peak->value)
+                peaks->due[count++] = i;
+        if (count > 0)
+            read_interval(peaks, state, f, structure, peaks->due, count, t);
+    }
+}
+
+static enum thud_status block(void *own, const struct thud_state *state, struct thud_free_vibration *f, int intervals,
+                              struct thud_error *err)
+{
+    struct thud_peaks *peaks = own;
+    const struct thud_model *m = state->model;
+    (void)err;
+    for (int s = 0; s < m->nstructures; s++) {
+        reach_of_modes(peaks, m, f, &m->structure[s]);
+        structure_rows(peaks, state, f, s, intervals);
+    }
+    return THUD_OK;
+}
+
+const struct thud_observer thud_observe_peaks = {segment, block};
+
+/* Reads one interval for all values of the structure from `first` on that wait for it. */
+static void settle_interval(struct thud_peaks *peaks, const struct thud_state *state, struct thud_free_vibration *f,
+                            int structure, int first)
+{
+    const struct thud_model *m = state->model;
+    const struct thud_model_structure *p = &m->structure[structure];
+    const long grid = peaks->late[first].grid;
+    const double *q = late_state(peaks, first);
+    const struct thud_segment *seg = thud_free_vibration_series_at(f, state, structure, grid, q, q + peaks->stride);
+    forget_series(peaks, p);
+    for (int at = first; at < THUD_FLOOR_QUANTITIES * m->ndof; at++) {
+        const int floor = at % m->ndof - p->first;
+        if (floor < 0 || floor >= p->n || peaks->late[at].grid != grid || peaks->late[at].upper == 0)
+            continue;
+        floor_peak(peaks, m, seg, structure, floor, at / m->ndof, 1);
+        peaks->late[at].upper = 0;
+    }
+}
+
+void thud_peaks_settle(struct thud_peaks *peaks, const struct thud_state *state, struct thud_free_vibration *f)
+{
+    const struct thud_model *m = state->model;
+    for (int at = 0; at < THUD_FLOOR_QUANTITIES * m->ndof; at++) {
+        const int s = m->dof_structure[at % m->ndof], floor = at % m->ndof - m->structure[s].first;
+        if (peaks->late[at].upper > thud_floor_peak(peaks->result, s, floor, at / m->ndof)->value)
+            settle_interval(peaks, state, f, s, at);
+    }
+}
+
+/* Floors or modes of the largest structure, an even number. */
+static int even_size(const struct thud_model *m)
+{
+    int most = 0;
+    for (int s = 0; s < m->nstructures; s++) /* there are no more modes than floors */
+        most = m->structure[s].n > most ? m->structure[s].n : most;
+    return most + most % 2;
+}
+
+/* Fills peaks->shape and peaks->ground. */
+static void fill_shapes(struct thud_peaks *peaks, const struct thud_model *m)
+{
+    for (int s = 0; s < m->nstructures; s++) {
+        const struct thud_model_structure *p = &m->structure[s];
+        for (int i = 0; i < p->n; i++)
+            for (int j = 0; j < p->modes; j++) {
+                double *shape = peaks->shape + (p->first_mode + j) * peaks->stride + i;
+                shape[0] = p->phi[i * p->modes + j];
+                shape[m->nmodes * peaks->stride] = shape[0] - (i > 0 ? p->phi[(i - 1) * p->modes + j] : 0);
+            }
+        peaks->ground[s] = sqrt(thud_dot(p->modes, m->gamma + p->first_mode, m->gamma + p->first_mode));
+    }
+}
+
+enum thud_status thud_peaks_init(struct thud_peaks *peaks, const struct thud_state *state, struct thud_result *result,
+                                 struct thud_contact_log *log, struct thud_error *err)
+{
+    const struct thud_model *m = state->model;
+    const size_t n = (size_t)m->nmodes, stride = (size_t)even_size(m), rows = THUD_FLOOR_QUANTITIES * stride,
+                 floors = THUD_FLOOR_QUANTITIES * (size_t)m->ndof, structures = (size_t)m->nstructures;
+    *peaks = (struct thud_peaks){.result = result, .log = log, .stride = (int)stride};
+    peaks->block = calloc(floors + structures + 2 * n * stride + (MODE_ROWS + FLOOR_ROWS) * stride +
+                              THUD_SEGMENT_TERMS * (stride + n) + n + 1,
+                          sizeof *peaks->block);
+    peaks->push = calloc((size_t)m->nrows + 1, sizeof *peaks->push);
+    peaks->late = calloc(floors + 1, sizeof *peaks->late);
+    peaks->late_state = calloc(2 * floors * stride + 1, sizeof *peaks->late_state);
+    peaks->made = calloc(stride + 1, sizeof *peaks->made);
+    peaks->upper = malloc((rows * THUD_FREE_VIBRATION_BLOCK + 1) * sizeof *peaks->upper);
+    peaks->row = malloc((rows + 1) * sizeof *peaks->row);
+    peaks->due = malloc((rows + 1) * sizeof *peaks->due);
+    if (!peaks->block || !peaks->push || !peaks->late || !peaks->late_state || !peaks->made || !peaks->upper ||
+        !peaks->row || !peaks->due) {
+        thud_peaks_clear(peaks);
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    }
+    peaks->per_speed = peaks->block;
+    peaks->ground = peaks->per_speed + floors;
+    peaks->shape = peaks->ground + structures;
+    peaks->modal = peaks->shape + 2 * n * stride;
+    peaks->value = peaks->modal + MODE_ROWS * stride;
+    peaks->series = peaks->value + FLOOR_ROWS * stride;
+    peaks->acceleration = peaks->series + THUD_SEGMENT_TERMS * stride;
+    fill_shapes(peaks, m);
+    fill_response_bounds(peaks, state);
+    return state->locates ? THUD_OK
+                          : thud_end_peaks_init(&peaks->of_ends, m, peaks->shape, peaks->stride, peaks->per_speed, err);
+}
+
+void thud_peaks_clear(struct thud_peaks *peaks)
+{
+    free(peaks->block);
+    free(peaks->push);
+    free(peaks->late);
+    free(peaks->late_state);
+    free(peaks->made);
+    free(peaks->upper);
+    free(peaks->row);
+    free(peaks->due);
+    thud_end_peaks_clear(&peaks->of_ends);
+    *peaks = (struct thud_peaks){0};
+}

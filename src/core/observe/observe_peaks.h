@@ -1,0 +1,82 @@
+/* Observer of a run: peaks of the continuous history, read from the polynomials of a segment before it is committed.
+ *
+ * What is looked at is kept small by bounds. With S = sqrt(sum of q'^2 + omega^2 q^2) of a structure, dS/dt is at most
+ * the size of the forces in modal coordinates, and a floor's value is at most S times a number of its own (Cauchy and
+ * Schwarz): where that is below the peaks so far, no floor is looked at. Within a segment, a value lies above those at
+ * the two ends by at most h^2/8 times a bound of its second derivative. */
+#ifndef THUD_CORE_OBSERVE_PEAKS_H
+#define THUD_CORE_OBSERVE_PEAKS_H
+
+#include "core/contact/contact_log.h"
+#include "core/observe/end_peaks.h"
+#include "core/observe/observer.h"
+
+/* The values of one quantity of one floor in a block of free vibration. */
+struct thud_peak_row {
+    int structure, floor, quantity;
+    const double *x;
+    struct thud_peak *peak;
+    double reached;      /* surely: the peak so far, or more where an interval is still to be read */
+    double margin;       /* how far it may lie above its ends inside an interval, and */
+    double cubic_margin; /* from the cubic through values and rates at them */
+};
+
+/* An interval of free vibration that may have the peak of a floor's value, between these bounds. As long as larger ones
+ * follow, it need not be read. */
+struct thud_late_peak {
+    double lower, upper; /* upper not above the peak so far: none */
+    long grid;
+};
+
+/* A contact or a yielding storey in a segment: bounds of its force and of the force's first two rates, and the force at
+ * the end that is read. */
+struct thud_row_push {
+    int row;
+    double most, rate, bend, end;
+};
+
+struct thud_peaks {
+    struct thud_result *result;   /* whose peaks rise, */
+    struct thud_contact_log *log; /* with those of the impacts that go on */
+    int stride;                   /* floors of the largest structure, an even number */
+    double *per_speed;            /* (quantities x ndof): bound of a floor's value for a structure's S of 1 */
+    double *ground;               /* (nstructures) size of a ground acceleration of 1 in modal coordinates */
+    double *shape;                /* (2 x nmodes x stride) each mode at the floors of its structure, and their drifts */
+    /* A segment, or one structure in it */
+    struct thud_row_push *push; /* (pushes) of rows that have a force */
+    int pushes;
+    double *modal;  /* (rows x stride) accelerations of the modes at the two ends, and bounds of derivatives */
+    double *value;  /* (rows x stride) of the floors at the two ends */
+    double *series; /* (stride x terms) polynomials of the floors' displacements, of those */
+    bool *made;     /* (stride) whose has been made */
+    double
+        *acceleration; /* (terms x nmodes, and nmodes more): total modal acceleration of a stepping method's segment */
+    struct thud_end_peaks of_ends; /* where the ends of steps alone are read */
+    /* A block */
+    bool may_wait;               /* reading them: nobody asks for peaks before thud_peaks_settle */
+    struct thud_late_peak *late; /* (quantities x ndof) */
+    double *late_state;          /* (quantities x ndof x 2 stride) the modes q, q' of the structure at its start */
+    struct thud_peak_row *row;   /* (quantities x floors of one structure) those that may pass in the block */
+    double *upper; /* (rows x intervals of a block) bound of each inside an interval; 0: it need not be read */
+    int *due;      /* (rows) those read in one interval */
+    double *block;
+};
+
+extern const struct thud_observer thud_observe_peaks;
+
+/* Errors: THUD_MEMORY; nothing stays allocated then. */
+enum thud_status thud_peaks_init(struct thud_peaks *peaks, const struct thud_state *state, struct thud_result *result,
+                                 struct thud_contact_log *log, struct thud_error *err);
+void thud_peaks_clear(struct thud_peaks *peaks);
+/* Reads the intervals of free vibration that have waited. Until then a peak may be that at an end of one. */
+void thud_peaks_settle(struct thud_peaks *peaks, const struct thud_state *state, struct thud_free_vibration *f);
+struct thud_peak *thud_floor_peak(struct thud_result *result, int structure, int floor, int quantity);
+
+/* What a structure can come to: S, and contact force on it (by mass^(1/2)). */
+struct thud_response_bound {
+    double speed, force;
+};
+bool thud_response_bound_structure(struct thud_peaks *peaks, const struct thud_model *model, int structure,
+                                   const struct thud_response_bound *reach);
+
+#endif

@@ -1,0 +1,250 @@
+#include "core/run/baseline.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/contact/storey.h"
+#include "core/observe/observe_relative.h"
+#include "core/run/run_private.h"
+
+enum { KEPT_MAX = 192 };
+
+/* A moment at the start of an interval of the ground motion. */
+struct moment {
+    long grid;
+    double *state;                     /* (2 x nmodes) q, q', then (ncontacts) largest relative displacements so far */
+    struct thud_floor_result *floor;   /* (ndof) peaks so far */
+    struct thud_storey_state *storey;  /* (nstoreys), none of which yields */
+    struct thud_column_result *column; /* (ncolumns) peaks so far */
+};
+
+struct thud_baseline_motion {
+    int ndof, nmodes, ncontacts;
+    struct thud_run *run; /* at its end; for its result */
+    struct thud_model model;
+    struct thud_relative relative; /* displacements so far */
+    bool shares;                   /* free flight is the same whatever the clearances */
+    struct moment kept[KEPT_MAX];
+    int nkept;
+    struct thud_early_end *early_end;
+    long apart, next; /* intervals between kept moments, and the next one to keep */
+};
+
+static struct thud_branch no_force(const struct thud_law_setup *setup, const struct thud_law_memory *memory,
+                                   enum thud_phase phase, bool past_ultimate)
+{
+    (void)setup, (void)memory, (void)phase, (void)past_ultimate;
+    return (struct thud_branch){0};
+}
+
+static const struct thud_law no_law = {
+    .name = "none", .title = "no contact", .flags = THUD_LAW_NO_FORCE, .branch = no_force};
+
+static void drop(struct moment *moment)
+{
+    free(moment->state);
+    free(moment->floor);
+    free(moment->storey);
+    free(moment->column);
+}
+
+/* Every second one goes when there is no more room. */
+static void thin(struct thud_baseline_motion *baseline)
+{
+    int left = 0;
+    for (int i = 0; i < baseline->nkept; i++) {
+        if (i % 2 == 0)
+            baseline->kept[left++] = baseline->kept[i];
+        else
+            drop(&baseline->kept[i]);
+    }
+    baseline->nkept = left;
+    baseline->apart *= 2;
+}
+
+static void copy_floors(const struct thud_result *result, struct thud_floor_result *to)
+{
+    for (int s = 0; s < result->nstructures; to += result->structure[s].floors, s++)
+        memcpy(to, result->structure[s].floor, (size_t)result->structure[s].floors * sizeof *to);
+}
+
+static enum thud_status keep(struct thud_baseline_motion *baseline, struct thud_error *err)
+{
+    const struct thud_run *run = baseline->run;
+    if (run->state.offset_s != 0 || run->state.grid < baseline->next || run->state.nyielding > 0)
+        return THUD_OK;
+    if (baseline->nkept == KEPT_MAX)
+        thin(baseline);
+    size_t n = (size_t)baseline->nmodes, nc = (size_t)baseline->ncontacts;
+    struct moment *moment = &baseline->kept[baseline->nkept];
+    moment->grid = run->state.grid;
+    moment->state = malloc((2 * n + nc + 1) * sizeof(double));
+    moment->floor = malloc(((size_t)baseline->ndof + 1) * sizeof(struct thud_floor_result));
+    moment->storey = malloc(((size_t)run->state.model->nstoreys + 1) * sizeof *moment->storey);
+    moment->column = malloc(((size_t)run->result.ncolumns + 1) * sizeof *moment->column);
+    if (!moment->state || !moment->floor || !moment->storey || !moment->column) {
+        drop(moment);
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    }
+    baseline->nkept++;
+    memcpy(moment->state, run->state.q, n * sizeof(double));
+    memcpy(moment->state + n, run->state.qd, n * sizeof(double));
+    memcpy(moment->state + 2 * n, baseline->relative.largest_m, nc * sizeof(double));
+    copy_floors(&run->result, moment->floor);
+    memcpy(moment->column, run->result.column, (size_t)run->result.ncolumns * sizeof *moment->column);
+    memcpy(moment->storey, run->state.storey, (size_t)run->state.model->nstoreys * sizeof *moment->storey);
+    baseline->next = run->state.grid + baseline->apart;
+    return THUD_OK;
+}
+
+enum thud_status thud_baseline_advance(struct thud_baseline_motion *baseline, long budget, bool *done,
+                                       struct thud_error *err)
+{
+    enum thud_status status = THUD_OK;
+    for (*done = false; budget > 0 && !*done && status == THUD_OK; budget--) {
+        status = thud_run_advance(baseline->run, 1, done, err);
+        if (status == THUD_OK && baseline->shares && !*done)
+            status = keep(baseline, err);
+    }
+    if (*done && baseline->early_end)
+        thud_early_end_close(baseline->early_end);
+    return status;
+}
+
+/* A copy of the model whose contacts have no force. */
+static bool copy_model(struct thud_baseline_motion *baseline, const struct thud_model *model)
+{
+    baseline->model = *model;
+    baseline->model.contact = calloc((size_t)model->nrows + 1, sizeof *model->contact);
+    if (!baseline->model.contact || thud_relative_init(&baseline->relative, model, NULL) != THUD_OK)
+        return false;
+    for (int c = 0; c < model->nrows; c++)
+        baseline->model.contact[c] = model->contact[c];
+    for (int c = 0; c < model->ncontacts; c++) {
+        baseline->model.contact[c].clearance_m = 0;
+        baseline->model.contact[c].law = &no_law;
+    }
+    return true;
+}
+
+enum thud_status thud_baseline_create(const struct thud_model *model, const struct thud_record *record,
+                                      const struct thud_run_options *options, struct thud_baseline_motion **out,
+                                      struct thud_error *err)
+{
+    *out = NULL;
+    struct thud_baseline_motion *baseline = calloc(1, sizeof *baseline);
+    enum thud_status status = THUD_MEMORY;
+    if (baseline && copy_model(baseline, model)) {
+        struct thud_run_options quiet = *options;
+        quiet.keep_history = quiet.keep_impacts = false;
+        baseline->ndof = model->ndof;
+        baseline->nmodes = model->nmodes;
+        baseline->ncontacts = model->ncontacts;
+        baseline->apart = baseline->next = 64;
+        struct thud_run *run = NULL;
+        status = thud_run_create(&baseline->model, record, &quiet, &run, err);
+        baseline->run = run;
+    } else {
+        thud_error_set(err, THUD_MEMORY, "out of memory");
+    }
+    if (status == THUD_OK) {
+        thud_run_observe(baseline->run, &thud_observe_relative, &baseline->relative);
+        baseline->shares = baseline->run->method == thud_method_find("exact");
+        baseline->run->peaks.may_wait = false; /* the moments that are kept have them */
+        /* a difference from the baseline is no free vibration where storeys yield */
+        baseline->early_end = baseline->shares && model->nstoreys == 0 ? thud_early_end_create(&baseline->model) : NULL;
+        if (baseline->early_end)
+            thud_run_observe(baseline->run, &thud_observe_early_end, baseline->early_end);
+    }
+    if (status != THUD_OK) {
+        thud_baseline_free(baseline);
+        return status;
+    }
+    *out = baseline;
+    return THUD_OK;
+}
+
+void thud_baseline_free(struct thud_baseline_motion *baseline)
+{
+    if (!baseline)
+        return;
+    for (int i = 0; i < baseline->nkept; i++)
+        drop(&baseline->kept[i]);
+    thud_run_free(baseline->run);
+    thud_early_end_free(baseline->early_end);
+    free(baseline->model.contact);
+    thud_relative_clear(&baseline->relative);
+    free(baseline);
+}
+
+const struct thud_result *thud_baseline_result(const struct thud_baseline_motion *baseline)
+{
+    return &baseline->run->result;
+}
+
+bool thud_baseline_shares(const struct thud_baseline_motion *baseline)
+{
+    return baseline->shares;
+}
+
+double thud_baseline_relative_displacement(const struct thud_baseline_motion *baseline, int c)
+{
+    return baseline->relative.largest_m[c];
+}
+
+double thud_baseline_struck_displacement(const struct thud_baseline_motion *baseline, int c)
+{
+    return baseline->relative.largest_m[baseline->ncontacts + c];
+}
+
+/* Whether no contact has closed up to the moment. */
+static bool before_contact(const struct thud_baseline_motion *baseline, const struct moment *moment,
+                           const struct thud_model *model)
+{
+    const double *relative = moment->state + 2 * baseline->nmodes;
+    for (int c = 0; c < baseline->ncontacts; c++)
+        if (!(model->contact[c].law->flags & THUD_LAW_NO_FORCE) && relative[c] > model->contact[c].clearance_m)
+            return false;
+    return true;
+}
+
+static void start_at(struct thud_run *run, const struct moment *moment)
+{
+    size_t n = (size_t)run->state.model->nmodes;
+    const struct thud_floor_result *from = moment->floor;
+    run->state.grid = moment->grid;
+    memcpy(run->state.q, moment->state, n * sizeof(double));
+    memcpy(run->state.qd, moment->state + n, n * sizeof(double));
+    for (int s = 0; s < run->result.nstructures; from += run->result.structure[s].floors, s++)
+        memcpy(run->result.structure[s].floor, from, (size_t)run->result.structure[s].floors * sizeof *from);
+    memcpy(run->result.column, moment->column, (size_t)run->result.ncolumns * sizeof *moment->column);
+    thud_contact_moved(&run->state);
+    thud_storeys_resume(&run->state, moment->storey);
+    thud_ledger_start(&run->ledger, &run->state);
+}
+
+enum thud_status thud_baseline_run(const struct thud_baseline_motion *baseline, const struct thud_model *model,
+                                   const struct thud_record *record, const struct thud_run_options *options,
+                                   struct thud_run **out, double *shared_s, struct thud_error *err)
+{
+    assert(model->ndof == baseline->ndof && model->nmodes == baseline->nmodes &&
+           model->ncontacts == baseline->ncontacts);
+    *shared_s = 0;
+    enum thud_status status = thud_run_create_like(model, record, options, baseline->run, out, err);
+    if (status != THUD_OK || !baseline->shares || options->keep_history)
+        return status;
+    assert((*out)->state.end_s == baseline->run->state.end_s &&
+           (*out)->state.grid_dt_s == baseline->run->state.grid_dt_s);
+    if ((*out)->method == baseline->run->method)
+        (*out)->early_end = baseline->early_end;
+    int last = -1;
+    while (last + 1 < baseline->nkept && before_contact(baseline, &baseline->kept[last + 1], model))
+        last++;
+    if (last >= 0 && (*out)->method == baseline->run->method) {
+        start_at(*out, &baseline->kept[last]);
+        *shared_s = thud_state_now(&(*out)->state);
+    }
+    return THUD_OK;
+}

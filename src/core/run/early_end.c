@@ -1,0 +1,198 @@
+#include "core/run/early_end.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/largest.h"
+#include "core/motion/free_vibration.h"
+#include "core/observe/observe_columns.h"
+#include "core/observe/observe_peaks.h"
+
+enum { STRIDE = THUD_FREE_VIBRATION_BLOCK, ENDS = THUD_FREE_VIBRATION_ENDS };
+
+struct thud_early_end {
+    int n, floors, nc, row; /* modes, floors, contacts, doubles of one block: 2 n + 4 floors + nc */
+    double *
+        block; /* (capacity x row): q, q' at its start; what its floors' values do not pass; largest relative displacements */
+    long count, capacity;
+    double *end;         /* (2 n) q, q' at the end of the last block */
+    bool closed, failed; /* blocks are STRIDE intervals each, but for the last */
+    long end_grid;
+};
+
+struct thud_early_end *thud_early_end_create(const struct thud_model *model)
+{
+    struct thud_early_end *h = calloc(1, sizeof *h);
+    if (!h)
+        return NULL;
+    h->n = model->nmodes;
+    h->floors = model->ndof;
+    h->nc = model->ncontacts;
+    h->row = 2 * h->n + THUD_FLOOR_QUANTITIES * h->floors + h->nc;
+    h->end = calloc(2 * (size_t)h->n + 1, sizeof *h->end);
+    h->failed = model->couples; /* a mode's difference does not decay alone */
+    for (int j = 0; j < h->n; j++)
+        h->failed = h->failed || !(model->omega[j] > 0); /* a free body's difference does not decay */
+    if (!h->end) {
+        free(h);
+        return NULL;
+    }
+    return h;
+}
+
+void thud_early_end_free(struct thud_early_end *early_end)
+{
+    if (!early_end)
+        return;
+    free(early_end->block);
+    free(early_end->end);
+    free(early_end);
+}
+
+static double *new_block(struct thud_early_end *h)
+{
+    if (h->count == h->capacity) {
+        long more = h->capacity ? 2 * h->capacity : 64;
+        double *p = realloc(h->block, (size_t)more * (size_t)h->row * sizeof *p);
+        if (!p)
+            return NULL;
+        h->block = p;
+        h->capacity = more;
+    }
+    return h->block + h->count++ * h->row;
+}
+
+/* Keeps the block just marched and what its values cannot pass. A failed allocation ends the keeping. */
+static enum thud_status block(void *own, const struct thud_state *state, struct thud_free_vibration *f, int intervals,
+                              struct thud_error *err)
+{
+    struct thud_early_end *h = own;
+    const struct thud_model *m = state->model;
+    (void)err;
+    h->failed = h->failed || state->grid != h->count * STRIDE;
+    double *row = h->failed ? NULL : new_block(h);
+    if (!row) {
+        h->failed = true;
+        return THUD_OK;
+    }
+    thud_free_vibration_end(f, 0, row, row + h->n);
+    thud_free_vibration_end(f, intervals, h->end, h->end + h->n);
+    double *value = row + 2 * h->n, *relative = value + THUD_FLOOR_QUANTITIES * h->floors;
+    for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++)
+        for (int s = 0; s < m->nstructures; s++)
+            thud_free_vibration_values(f, m, s, x);
+    for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++)
+        for (int i = 0; i < h->floors; i++)
+            value[x * h->floors + i] = thud_largest_size(f->value[x] + i * ENDS, intervals + 1) +
+                                       f->margin[x * m->nstructures + m->dof_structure[i]];
+    for (int c = 0; c < h->nc; c++) {
+        double margin, most = thud_free_vibration_gap(f, m, c, intervals + 1, &margin);
+        relative[c] = most + margin;
+    }
+    h->end_grid = state->grid + intervals;
+    return THUD_OK;
+}
+
+const struct thud_observer thud_observe_early_end = {NULL, block};
+
+/* From each block on: the largest of it and all that follow. */
+void thud_early_end_close(struct thud_early_end *h)
+{
+    for (long b = h->count - 2; b >= 0; b--) {
+        double *block = h->block + b * h->row + 2 * h->n, *next = block + h->row;
+        for (int i = 0; i < THUD_FLOOR_QUANTITIES * h->floors + h->nc; i++)
+            block[i] = fmax(block[i], next[i]);
+    }
+    h->closed = !h->failed && h->count > 0;
+}
+
+/* Largest |x| that a mode's free vibration from (q, q') comes to: its envelope at the start. */
+static double amplitude(const struct thud_model *m, int j, double q, double qd)
+{
+    double damped = m->omega[j] * sqrt(1 - m->zeta[j] * m->zeta[j]);
+    double v = (qd + m->zeta[j] * m->omega[j] * q) / damped;
+    return sqrt(q * q + v * v);
+}
+
+/* Whether one floor keeps below its peaks: `later` of the motion without contact, plus what the difference may add. */
+static bool floor_is_done(const struct thud_model *m, struct thud_result *result, const double *later,
+                          const double *amplitudes, int s, int floor)
+{
+    const struct thud_model_structure *p = &m->structure[s];
+    const double *row = p->phi + floor * p->modes, *below = floor > 0 ? row - p->modes : NULL;
+    double add[THUD_FLOOR_QUANTITIES] = {0};
+    for (int j = 0; j < p->modes; j++) {
+        double w = m->omega[p->first_mode + j], a = amplitudes[p->first_mode + j], part = fabs(row[j]) * a;
+        add[THUD_FLOOR_DISPLACEMENT] += part;
+        add[THUD_FLOOR_VELOCITY] += part * w;
+        add[THUD_FLOOR_ACCELERATION] += part * w * w * (1 + 2 * m->zeta[p->first_mode + j]);
+        add[THUD_FLOOR_DRIFT] += fabs(row[j] - (below ? below[j] : 0)) * a;
+    }
+    for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++)
+        if (later[x * m->ndof + p->first + floor] + add[x] > thud_floor_peak(result, s, floor, x)->value)
+            return false;
+    return true;
+}
+
+static bool nothing_comes(const struct thud_state *state, struct thud_result *result, const double *later,
+                          const double *relative, const double *amplitudes)
+{
+    const struct thud_model *m = state->model;
+    for (int c = 0; c < m->ncontacts; c++) {
+        const double *g = m->jacobian + c * m->nmodes;
+        double add = 0;
+        if (m->contact[c].law->flags & THUD_LAW_NO_FORCE)
+            continue;
+        for (int j = 0; j < m->nmodes; j++)
+            add += fabs(g[j]) * amplitudes[j];
+        if (relative[c] + add >= thud_state_clearance(state, c))
+            return false;
+    }
+    for (int s = 0; s < m->nstructures; s++)
+        for (int i = 0; i < m->structure[s].n; i++)
+            if (!floor_is_done(m, result, later, amplitudes, s, i))
+                return false;
+    for (int i = 0; i < m->ncolumns; i++) {
+        const struct thud_model_column *p = &m->column[i];
+        double drift = later[THUD_FLOOR_DRIFT * m->ndof + p->dof];
+        for (int j = 0; j < p->modes; j++)
+            drift += fabs(p->row[j]) * amplitudes[p->first_mode + j];
+        if (!thud_columns_below(m, result, i, drift))
+            return false;
+    }
+    return true;
+}
+
+bool thud_early_end_holds(const struct thud_early_end *h, const struct thud_state *state, struct thud_result *result,
+                          double *amplitudes)
+{
+    long grid = state->grid, b = grid / STRIDE;
+    if (!h->closed || state->offset_s != 0 || grid % STRIDE != 0 || b >= h->count || grid >= h->end_grid)
+        return false;
+    for (int c = 0; c < state->model->ncontacts; c++)
+        if (state->contact[c].mode != THUD_OPEN)
+            return false;
+    const double *start = h->block + b * h->row, *later = start + 2 * h->n;
+    for (int j = 0; j < h->n; j++)
+        amplitudes[j] = amplitude(state->model, j, state->q[j] - start[j], state->qd[j] - start[h->n + j]);
+    return nothing_comes(state, result, later, later + THUD_FLOOR_QUANTITIES * h->floors, amplitudes);
+}
+
+/* Free vibration of the difference, added to the motion without contact. */
+long thud_early_end_jump(const struct thud_early_end *h, struct thud_state *state)
+{
+    const struct thud_model *m = state->model;
+    const double *start = h->block + state->grid / STRIDE * h->row;
+    long intervals = h->end_grid - state->grid;
+    double time = (double)intervals * state->grid_dt_s;
+    for (int j = 0; j < h->n; j++) {
+        double dq = state->q[j] - start[j], dv = state->qd[j] - start[h->n + j];
+        double zw = m->zeta[j] * m->omega[j], w = m->omega[j] * sqrt(1 - m->zeta[j] * m->zeta[j]);
+        double fade = exp(-zw * time), c = cos(w * time), s = sin(w * time);
+        state->q[j] = h->end[j] + fade * (dq * c + (dv + zw * dq) / w * s);
+        state->qd[j] = h->end[h->n + j] + fade * (dv * c - (zw * dv + m->spring[j] * dq) / w * s);
+    }
+    state->grid = h->end_grid;
+    return intervals;
+}

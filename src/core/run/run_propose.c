@@ -1,0 +1,162 @@
+/* The next segment of a run, up to its first event; and what is done about events that have no end. */
+#include <math.h>
+#include <stdio.h>
+
+#include "core/run/run_private.h"
+
+/* Events in a row at one moment before that moment is passed over, for each contact and besides; and how often, each
+ * time for twice as long as the last. */
+enum { STALLS_EACH = 4, STALLS_MORE = 12, PASSES_MAX = 36 };
+
+/* Events that a run may take in a part of its duration. 20 buildings of 200 storeys that pound at every floor take
+ * fewer than this in all; a bounce that loses no energy and is pressed on takes ever more, and would never end. */
+static const long crowd = 50000;
+static const double crowd_part = 0.01;
+
+/* The first event of the proposed segment, where events are located: its s, else INFINITY. */
+static double next_event(struct thud_run *run, double limit, int *contact, enum thud_event *event)
+{
+    if (run->state.locates)
+        return thud_event_first(&run->state, &run->seg, limit, contact, event);
+    if (!run->state.inside)
+        return INFINITY;
+    thud_segment_forget(&run->seg, run->state.model->nrows);
+    for (int c = 0; c < run->state.model->ncontacts; c++)
+        thud_segment_contact(&run->state, &run->seg, c);
+    return INFINITY;
+}
+
+/* A method that can blow up has its step looked at before anything is read from it. */
+static enum thud_status check_proposal(struct thud_run *run, struct thud_error *err)
+{
+    if (run->method->order == 0)
+        return THUD_OK;
+    if (run->seg.end)
+        return thud_run_is_bounded(run, run->seg.end_energy)
+                   ? THUD_OK
+                   : thud_run_check_state(run, run->seg.end->q, run->seg.end->qd, err);
+    double *q = run->end, *qd = q + run->state.model->nmodes;
+    thud_segment_state(&run->seg, run->state.model->nmodes, 1, q, qd);
+    return thud_run_check_state(run, q, qd, err);
+}
+
+/* A step of the method, checked, with its first event. */
+static enum thud_status propose(struct thud_run *run, struct thud_proposal *p, struct thud_error *err)
+{
+    enum thud_status status = run->method->step(&run->state, run->own, &run->seg, err);
+    if (status == THUD_OK)
+        status = check_proposal(run, err);
+    if (status != THUD_OK)
+        return status;
+    double remaining = thud_state_remaining(&run->state);
+    p->limit = run->seg.h_s >= remaining * (1 - THUD_TOL_SEGMENT_END) ? thud_smaller(1, remaining / run->seg.h_s) : 1;
+    p->s = next_event(run, p->limit, &p->contact, &p->event);
+    p->switched = p->s <= p->limit;
+    p->s = p->switched ? p->s : p->limit;
+    return THUD_OK;
+}
+
+/* Where a contact begins or ends. */
+static bool is_boundary(enum thud_event event)
+{
+    return event == THUD_EVENT_ONSET || event == THUD_EVENT_SEPARATION || event == THUD_EVENT_RELEASE;
+}
+
+/* The same, and where a stepping method meets an event, a second step that ends just behind it, and where a contact
+ * begins or ends a third that ends still closer: between its ends a segment is less accurate than at them, and by a
+ * bias that would add up from impact to impact. Turns are left at the second: nothing jumps there. At its very start a
+ * segment is as accurate as at its ends, and a step as short as that would be lost in the rounding of its state. */
+enum thud_status thud_run_propose(struct thud_run *run, struct thud_proposal *p, struct thud_error *err)
+{
+    static const double behind[] = {1.02, 1.0002}, start = 1e-3;
+    run->state.step_cap_s = INFINITY;
+    enum thud_status status = propose(run, p, err);
+    for (int i = 0; i < 2 && status == THUD_OK && p->switched && run->method->order > 0 && p->s > start; i++) {
+        double cap = behind[i] * p->s * run->seg.h_s, before = run->state.step_cap_s;
+        if (p->s * behind[i] >= p->limit || (i > 0 && !is_boundary(p->event)) ||
+            p->s * run->seg.h_s <= THUD_TOL_MOMENT_S)
+            continue; /* so near that a step up to it would be none */
+        run->state.step_cap_s = cap;
+        run->work.rejected++;
+        status = propose(run, p, err);
+        if (i > 0 && status == THUD_OK && !p->switched) { /* too close: the end of this step lies before the event */
+            run->state.step_cap_s = before;
+            return propose(run, p, err);
+        }
+    }
+    return status;
+}
+
+static enum thud_status stalled(struct thud_run *run, int contact, struct thud_error *err)
+{
+    if (contact < 0)
+        return thud_error_set(err, THUD_DIVERGED, "no step is long enough to go on at t = %.9g s",
+                              thud_state_now(&run->state));
+    if (contact >= run->state.model->ncontacts) {
+        const struct thud_model_storey *p = &run->state.model->storey[contact - run->state.model->ncontacts];
+        return thud_error_set(err, THUD_DIVERGED,
+                              "storey %d of structure %d yields and unloads without end at t = %.9g s", p->floor + 1,
+                              p->structure + 1, thud_state_now(&run->state));
+    }
+    const struct thud_contact_result *c = &run->result.contact[contact];
+    return thud_error_set(err, THUD_DIVERGED, "contact between floors %d and %d switches without end at t = %.9g s",
+                          c->left_floor, c->right_floor, thud_state_now(&run->state));
+}
+
+/* Contacts that switch without end at one moment: their motion there is below what the method or rounding resolves
+ * (neighbours that stand together at rest, a bounce that has died down). A moment later, nothing switched, it shows
+ * which way they go. */
+static enum thud_status skip_accumulating(struct thud_run *run, struct thud_proposal *p, struct thud_error *err)
+{
+    if (run->progress.passes >= PASSES_MAX)
+        return stalled(run, p->contact, err);
+    p->switched = false;
+    p->passed = true;
+    p->s = fmin(p->limit, ldexp(THUD_TOL_MOMENT_S, run->progress.passes++) / run->seg.h_s);
+    run->progress.stalls = 0;
+    return THUD_OK;
+}
+
+/* Events that crowd without end, each with a step of its own. */
+static enum thud_status watch_crowd(struct thud_run *run, const struct thud_proposal *p, struct thud_error *err)
+{
+    struct thud_progress *progress = &run->progress;
+    double now_s = thud_state_now(&run->state);
+    if (now_s - progress->from_s > crowd_part * run->state.end_s) {
+        progress->from_s = now_s;
+        progress->events = 0;
+    }
+    progress->events += p->switched;
+    if (progress->events < crowd)
+        return THUD_OK;
+    const struct thud_contact_result *c = &run->result.contact[p->contact];
+    thud_error_set(err, THUD_DIVERGED,
+                   "contacts switch %ld times from t = %.9g s to %.9g s, last between floors %d and %d", crowd,
+                   progress->from_s, now_s, c->left_floor, c->right_floor);
+    char key[64];
+    snprintf(key, sizeof key, "interfaces.%d", c->interface);
+    thud_error_key(err, key);
+    thud_error_allow(err, "a restitution below 1, a larger tolerance or a law with a force lets bounces come to rest");
+    return THUD_DIVERGED;
+}
+
+/* Counts the steps that stay at one moment, or so near to it that no motion lies between, and what it took to leave it.
+ */
+enum thud_status thud_run_watch_progress(struct thud_run *run, struct thud_proposal *p, struct thud_error *err)
+{
+    double moved_s = p->s * run->seg.h_s;
+    enum thud_status status = p->switched ? watch_crowd(run, p, err) : THUD_OK;
+    if (status != THUD_OK)
+        return status;
+    if (moved_s > THUD_TOL_MOMENT_S) {
+        run->progress.stalls = 0;
+        if (run->progress.passes > 0 && moved_s > 4 * ldexp(THUD_TOL_MOMENT_S, run->progress.passes))
+            run->progress.passes = 0;
+        return THUD_OK;
+    }
+    run->progress.stalls++;
+    /* of two events that follow each other at one instant (chattering), now this one, now the other is passed over, so
+     * that one of the two contacts opens */
+    int most = STALLS_MORE + STALLS_EACH * run->state.model->nrows + run->progress.passes % 2;
+    return run->progress.stalls > most ? skip_accumulating(run, p, err) : THUD_OK;
+}

@@ -1,0 +1,340 @@
+/* A run before its first step and after its last one: what it needs, the method it gets, its results. */
+#include <assert.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/quantity.h"
+#include "core/contact/storey.h"
+#include "core/observe/observe_columns.h"
+#include "core/run/run_private.h"
+
+void thud_run_options_init(struct thud_run_options *options)
+{
+    *options = (struct thud_run_options){.tolerance = 1e-6, .step_s = NAN, .locate = true, .tail_s = 5};
+}
+
+/* The grid of the ground motion; without one, pieces that suit the series of the fastest mode, or none for methods that
+ * have a step of their own. */
+static void set_times(struct thud_run *run)
+{
+    const struct thud_record *r = run->state.record;
+    const double fastest = run->state.fastest_radps = run->state.model->fastest_radps;
+    run->state.end_s = run->options.tail_s + (r ? (double)(r->samples - 1) * r->dt_s : 0);
+    bool series = run->method->order == 0 && fastest > 0;
+    run->state.grid_dt_s = r ? r->dt_s : series ? fmin(run->state.end_s, 1.2 / fastest) : run->state.end_s;
+    if (!(run->options.history_step_s > 0))
+        run->options.history_step_s = r ? r->dt_s : run->state.end_s / 2000;
+}
+
+static bool allocate_result(struct thud_run *run)
+{
+    const struct thud_model *m = run->state.model;
+    struct thud_result *r = &run->result;
+    size_t ns = (size_t)m->nstructures, nc = (size_t)m->ncontacts, n = (size_t)m->ndof;
+    size_t storeys = m->nstoreys > 0 ? n * sizeof(struct thud_storey_result) : 0;
+    char *next = run->result_block =
+        calloc(1, ns * sizeof *r->structure + nc * sizeof *r->contact + (size_t)m->ncolumns * sizeof *r->column +
+                      n * (sizeof(struct thud_floor_result) + sizeof(double)) + storeys + 1);
+    if (!next)
+        return false;
+    r->nstructures = m->nstructures;
+    r->ncontacts = m->ncontacts;
+    r->structure = (void *)next;
+    next += ns * sizeof *r->structure;
+    r->contact = (void *)next;
+    next += nc * sizeof *r->contact;
+    r->ncolumns = m->ncolumns;
+    r->column = (void *)next;
+    next += (size_t)m->ncolumns * sizeof *r->column;
+    for (int s = 0; s < m->nstructures; s++) {
+        const struct thud_model_structure *p = &m->structure[s];
+        r->structure[s].floors = p->n;
+        r->structure[s].floor = (void *)next;
+        next += (size_t)p->n * sizeof(struct thud_floor_result);
+        r->structure[s].period_s = (void *)next;
+        next += (size_t)p->n * sizeof(double);
+        for (int j = 0; j < p->n; j++)
+            r->structure[s].period_s[j] = 2 * THUD_PI / p->omega[j];
+    }
+    struct thud_storey_result *storey = (void *)next;
+    for (int k = 0; k < m->nstoreys; k++) {
+        const struct thud_model_storey *p = &m->storey[k];
+        r->structure[p->structure].storey = storey + m->structure[p->structure].first;
+        storey[m->structure[p->structure].first + p->floor] =
+            (struct thud_storey_result){.yields = true, .yield_m = p->yield_m, .hardening = p->hardening};
+    }
+    for (int c = 0; c < m->ncontacts; c++) {
+        const struct thud_model_contact *p = &m->contact[c];
+        r->contact[c].interface = p->interface;
+        r->contact[c].left_floor = p->left_floor;
+        r->contact[c].right_floor = p->right_floor;
+        r->contact[c].struck = p->struck;
+        r->contact[c].column = p->column;
+        r->contact[c].eta = p->eta;
+        r->contact[c].restitution = NAN;
+        r->contact[c].nominal_restitution = p->law->nominal ? p->law->nominal(&p->setup) : NAN;
+        r->contact[c].impulsive = (p->law->flags & THUD_LAW_IMPULSIVE) != 0;
+    }
+    for (int i = 0; i < m->ncolumns; i++) {
+        const struct thud_model_column *p = &m->column[i];
+        r->column[i] = (struct thud_column_result){.interface = p->interface,
+                                                   .structure = p->structure,
+                                                   .storey = p->storey,
+                                                   .capacity_n = p->capacity_n,
+                                                   .ratio = NAN,
+                                                   .drifts = p->per_drift[THUD_COLUMN_SHEAR_LOWER] != 0};
+    }
+    return true;
+}
+
+static const char no_contact[] = "no contact is possible: modes alone, in closed form";
+
+/* What the scene needs, for the reason `auto` gives. */
+static const char *need(const struct thud_model *m)
+{
+    bool contact = false, nonlinear = false, impulsive = false, flexible = false;
+    for (int c = 0; c < m->ncontacts; c++) {
+        unsigned flags = m->contact[c].law->flags;
+        contact = contact || !(flags & THUD_LAW_NO_FORCE);
+        impulsive = impulsive || flags & THUD_LAW_IMPULSIVE;
+        nonlinear = nonlinear || !(flags & (THUD_LAW_NO_FORCE | THUD_LAW_LINEAR | THUD_LAW_IMPULSIVE));
+    }
+    for (int j = 0; j < m->nmodes; j++)
+        flexible = flexible || m->omega[j] > 0;
+    if (m->nstoreys > 0)
+        return nonlinear ? "closed form between events of contacts and storeys; the tolerance holds for the nonlinear "
+                           "contact "
+                           "forces alone"
+                         : "closed form between events of contacts and storeys: the tolerance plays no part";
+    if (!contact)
+        return no_contact;
+    if (nonlinear)
+        return flexible ? "closed form between contacts; the tolerance holds for the nonlinear contact forces alone"
+                        : "rigid bodies: free motion in closed form; the tolerance holds for the contact forces";
+    if (impulsive)
+        return "closed form between impulses; the tolerance only says when ever smaller bounces have come to rest";
+    return "closed form between contacts and in them: the tolerance plays no part";
+}
+
+static void pick_method(struct thud_run *run)
+{
+    run->method = run->options.method;
+    run->result.reason = "";
+    if (!run->method) { /* at every accuracy the bench puts `exact` in front; what it spends is what the scene needs */
+        run->method = thud_method_find("exact");
+        run->result.reason = need(run->state.model);
+    }
+    run->result.method = run->method->name;
+    bool may_choose = run->method->flags & THUD_METHOD_FIXED_STEP;
+    run->state.locates = run->method->flags & THUD_METHOD_CAN_LOCATE && (run->options.locate || !may_choose);
+    run->state.inside = run->state.locates || run->method->order == 0 || run->options.keep_history ||
+                        run->state.model->nstoreys > 0 ||
+                        run->state.model->ncolumns > 0; /* their peaks are read there */
+}
+
+static void set_step(struct thud_run *run)
+{
+    struct thud_state *state = &run->state;
+    state->step_s = run->options.step_s;
+    run->result.step_s = NAN;
+    if (!(run->method->flags & THUD_METHOD_FIXED_STEP))
+        return;
+    if (isnan(state->step_s))
+        state->step_s = thud_state_default_step(state);
+    /* equal steps from one sample to the next */
+    double remaining = thud_state_remaining(state);
+    run->result.step_s = remaining / fmax(1, ceil(remaining / state->step_s * (1 - THUD_TOL_STEP_COUNT)));
+}
+
+/* State, segment and results; all memory but that of the method and of free flight. */
+static enum thud_status prepare(struct thud_run *run, const struct thud_model *model, const struct thud_record *record,
+                                struct thud_error *err)
+{
+    enum thud_status status = thud_state_init(&run->state, model, record, &run->work, err);
+    if (status == THUD_OK)
+        status = thud_segment_init(&run->seg, model, err);
+    run->end = status == THUD_OK ? calloc(2 * (size_t)model->nmodes + 1, sizeof *run->end) : NULL;
+    if (status == THUD_OK && !(run->end && allocate_result(run)))
+        status = thud_error_set(err, THUD_MEMORY, "out of memory");
+    if (status == THUD_OK)
+        status =
+            thud_contact_log_init(&run->log, run->result.contact, model->ncontacts, run->options.keep_impacts, err);
+    return status;
+}
+
+void thud_run_observe(struct thud_run *run, const struct thud_observer *table, void *own)
+{
+    assert(run->observers < THUD_OBSERVERS_MAX);
+    run->observer[run->observers++] = (struct thud_listener){table, own};
+}
+
+/* The peaks first: rows of a history stand at them, with the energies up to the segment. */
+static enum thud_status create_observers(struct thud_run *run, struct thud_error *err)
+{
+    const struct thud_model *m = run->state.model;
+    enum thud_status status = thud_peaks_init(&run->peaks, &run->state, &run->result, &run->log, err);
+    run->peaks.may_wait = !run->options.keep_history; /* whose rows stand at the peaks */
+    thud_run_observe(run, &thud_observe_peaks, &run->peaks);
+    if (m->ncolumns > 0)
+        thud_run_observe(run, &thud_observe_columns, &run->result);
+    if (status == THUD_OK && run->options.keep_history) {
+        status = thud_rows_init(&run->rows, m, &run->result, &run->ledger, run->options.history_step_s,
+                                run->options.history_look_s, err);
+        thud_run_observe(run, &thud_observe_history, &run->rows);
+    }
+    if (status == THUD_OK)
+        status = thud_ledger_init(&run->ledger, m, &run->log, thud_run_balance(run), err);
+    thud_run_observe(run, &thud_observe_energy, &run->ledger);
+    return status;
+}
+
+static enum thud_status start(struct thud_run *run, const struct thud_run *like, struct thud_error *err)
+{
+    pick_method(run);
+    set_times(run);
+    run->state.tolerance = run->options.tolerance;
+    thud_run_set_scales(run, like);
+    thud_contact_start(&run->state);
+    thud_storeys_start(&run->state);
+    thud_run_set_bound(run);
+    set_step(run);
+    enum thud_status status = thud_run_check_rates(run, err);
+    if (status == THUD_OK)
+        status = create_observers(run, err);
+    if (status == THUD_OK)
+        thud_ledger_start(&run->ledger, &run->state);
+    if (status == THUD_OK && run->method->order == 0) /* the others show how they fare in free flight */
+        status = thud_free_vibration_create(&run->state, like ? like->free_vibration : NULL, &run->free_vibration, err);
+    if (status == THUD_OK && run->method->create)
+        status = run->method->create(&run->state, &run->own, err);
+    return status;
+}
+
+enum thud_status thud_run_create_like(const struct thud_model *model, const struct thud_record *record,
+                                      const struct thud_run_options *options, const struct thud_run *like,
+                                      struct thud_run **out, struct thud_error *err)
+{
+    *out = NULL;
+    enum thud_status status = thud_run_check_options(options, record, err);
+    if (status != THUD_OK)
+        return status;
+    struct thud_run *run = calloc(1, sizeof *run);
+    if (!run)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    run->options = *options;
+    status = prepare(run, model, record, err);
+    if (status == THUD_OK)
+        status = start(run, like, err);
+    if (status != THUD_OK) {
+        thud_run_free(run);
+        return status;
+    }
+    *out = run;
+    return THUD_OK;
+}
+
+enum thud_status thud_run_create(const struct thud_model *model, const struct thud_record *record,
+                                 const struct thud_run_options *options, struct thud_run **out, struct thud_error *err)
+{
+    return thud_run_create_like(model, record, options, NULL, out, err);
+}
+
+void thud_run_free(struct thud_run *run)
+{
+    if (!run)
+        return;
+    if (run->own && run->method->free)
+        run->method->free(run->own);
+    thud_free_vibration_free(run->free_vibration);
+    thud_segment_clear(&run->seg);
+    thud_state_clear(&run->state);
+    thud_contact_log_clear(&run->log);
+    thud_peaks_clear(&run->peaks);
+    thud_rows_clear(&run->rows);
+    thud_ledger_clear(&run->ledger);
+    free(run->end);
+    free(run->result_block);
+    free(run);
+}
+
+/* Whether anything has touched so far. */
+static bool has_touched(const struct thud_result *r)
+{
+    for (int c = 0; c < r->ncontacts; c++)
+        if (r->contact[c].impacts > 0 || r->contact[c].contact_time_s > 0)
+            return true;
+    return r->work.force_evaluations > 0;
+}
+
+static void finish_storeys(struct thud_run *run)
+{
+    for (int k = 0; k < run->state.model->nstoreys; k++) {
+        const struct thud_model_storey *p = &run->state.model->storey[k];
+        const struct thud_storey_state *s = &run->state.storey[k];
+        struct thud_structure_result *structure = &run->result.structure[p->structure];
+        struct thud_storey_result *to = &structure->storey[p->floor];
+        struct thud_peak drift = structure->floor[p->floor].drift;
+        to->ductility = drift.value / p->yield_m;
+        to->plastic_m = s->plastic_m;
+        to->permanent_m = (1 - p->hardening) * s->plastic_m;
+        to->excursions = s->excursions;
+        to->hysteretic_j = s->hysteretic_j;
+        to->shear = s->shear; /* once it has yielded, no elastic motion comes to a larger one */
+        if (!(to->shear.value > 0))
+            to->shear = (struct thud_peak){drift.value * p->stiffness_npm, drift.time_s};
+    }
+}
+
+void thud_run_finish(struct thud_run *run)
+{
+    struct thud_result *r = &run->result;
+    r->work = run->work;
+    thud_ledger_finish(&run->ledger, &run->state);
+    r->energy = run->ledger.balance;
+    finish_storeys(run);
+    if (run->done && *r->reason && r->reason != no_contact && !has_touched(r))
+        r->reason = run->state.model->nstoreys > 0 ? "nothing touched: closed form between events of storeys that yield"
+                                                   : "nothing touched: modes alone, in closed form";
+    r->end_s = thud_state_now(&run->state);
+    for (int i = 0; i < r->ncolumns; i++) {
+        const struct thud_peak *shear = r->column[i].peak;
+        r->column[i].ratio =
+            fmax(shear[THUD_COLUMN_SHEAR_LOWER].value, shear[THUD_COLUMN_SHEAR_UPPER].value) / r->column[i].capacity_n;
+    }
+    for (int s = 0; s < r->nstructures; s++) {
+        const struct thud_model_structure *p = &run->state.model->structure[s];
+        if (p->n == 0 || !p->stiffness_npm)
+            continue;
+        struct thud_peak drift = r->structure[s].floor[0].drift;
+        r->structure[s].base_shear = (struct thud_peak){drift.value * p->stiffness_npm[0], drift.time_s};
+        if (r->structure[s].storey && r->structure[s].storey[0].yields)
+            r->structure[s].base_shear = r->structure[s].storey[0].shear;
+    }
+}
+
+double thud_run_time(const struct thud_run *run)
+{
+    return thud_state_now(&run->state);
+}
+
+double thud_run_end(const struct thud_run *run)
+{
+    return run->state.end_s;
+}
+
+const struct thud_result *thud_run_result(const struct thud_run *run)
+{
+    return &run->result;
+}
+
+const struct thud_impact *thud_run_impacts(const struct thud_run *run, int *count)
+{
+    *count = run->log.count;
+    return run->log.impact;
+}
+
+const struct thud_history *thud_run_history(const struct thud_run *run)
+{
+    return &run->rows.history;
+}

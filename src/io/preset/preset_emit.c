@@ -1,0 +1,213 @@
+#include "io/preset/preset_emit.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/utf8.h"
+
+void thud_section_path(struct thud_section section, char *path, size_t size)
+{
+    const char *key = thud_group_key(section.group);
+    switch (section.group) {
+    case THUD_GROUP_STRUCTURE:
+    case THUD_GROUP_INTERFACE:
+        snprintf(path, size, "%s.%d", key, section.index + 1);
+        break;
+    case THUD_GROUP_COLUMN:
+        snprintf(path, size, "%s.%d.%s", thud_group_key(THUD_GROUP_STRUCTURE), section.index + 1, key);
+        break;
+    case THUD_GROUP_CONTACT:
+    case THUD_GROUP_BUMPER:
+        snprintf(path, size, "%s.%d.%s", thud_group_key(THUD_GROUP_INTERFACE), section.index + 1, key);
+        break;
+    default:
+        snprintf(path, size, "%s", key);
+    }
+}
+
+int thud_section_keys(const struct thud_scene *scene, struct thud_section section, const char **key)
+{
+    int count, n = 0;
+    const struct thud_param *params = thud_group_params(section.group, &count);
+    const struct thud_law *law = section.group == THUD_GROUP_CONTACT  ? scene->interface[section.index].contact.law
+                                 : section.group == THUD_GROUP_BUMPER ? scene->interface[section.index].bumper.law
+                                                                      : NULL;
+    for (int i = 0; i < count; i++)
+        if (section.group != THUD_GROUP_STRUCTURE || thud_structure_has(scene->structure[section.index].kind, i))
+            key[n++] = params[i].name;
+    for (int i = 0; law && i < law->nparams; i++)
+        key[n++] = law->params[i].name;
+    return n;
+}
+
+/* ---- scalars ---- */
+
+static bool is_plain(const char *text, bool flow)
+{
+    size_t length = strlen(text);
+    if (length == 0 || strchr(" \t", text[0]) || text[length - 1] == ' ' || text[length - 1] == ':')
+        return false;
+    if (strchr("?:,[]{}#&*!|>'\"%@`", text[0]) || (text[0] == '-' && (length == 1 || text[1] == ' ' || text[1] == '-')))
+        return false;
+    if (strncmp(text, "...", 3) == 0 || strstr(text, ": ") || strstr(text, " #"))
+        return false;
+    for (const char *c = text; *c; c++)
+        if (*c < 0x20 || *c > 0x7e || (flow && strchr(",[]{}:#", *c)))
+            return false;
+    return true;
+}
+
+/* Letters that YAML takes for line ends or refuses, by their numbers. */
+static bool needs_escape(uint32_t letter)
+{
+    return letter < 0x20 || (letter >= 0x7f && letter <= 0xa0) || letter == 0x2028 || letter == 0x2029 ||
+           letter == 0xfeff || letter == 0xfffe || letter == 0xffff;
+}
+
+/* A text as a YAML scalar, quoted where it must be. */
+static void emit_scalar(struct thud_text *out, const char *text, bool flow)
+{
+    if (is_plain(text, flow)) {
+        thud_text_append(out, "%s", text);
+        return;
+    }
+    thud_text_append(out, "\"");
+    for (const char *next = text, *s; s = next, *s;) {
+        uint32_t letter = thud_utf8_next(&next);
+        if (*s == '"' || *s == '\\')
+            thud_text_append(out, "\\%c", *s);
+        else if (needs_escape(letter))
+            thud_text_append(out, "\\u%04x", (unsigned)letter);
+        else
+            thud_text_bytes(out, s, (size_t)(next - s));
+    }
+    thud_text_append(out, "\"");
+}
+
+void thud_emit_value(struct thud_text *out, const char *path, const char *text, bool flow)
+{
+    bool list = text[0] == '[' && (strncmp(path, "structures.", 11) == 0 || strncmp(path, "study.", 6) == 0) &&
+                strcmp(path + strlen(path) - 5, ".name") != 0;
+    if (list)
+        thud_text_append(out, "%s", text);
+    else
+        emit_scalar(out, text, flow);
+}
+
+/* ---- sections ---- */
+
+static void indent_by(struct thud_emit *emit, int indent)
+{
+    thud_text_append(emit->out, "%*s", indent, "");
+}
+
+/* As the program takes it when nothing is said; of structures and interfaces, keys that few of them need. */
+static bool as_anyway(struct thud_emit *emit, struct thud_section section, const char *path, const char *text)
+{
+    if (section.group == THUD_GROUP_STRUCTURE)
+        return strcmp(strrchr(path, '.'), ".base") == 0 && strcmp(text, "0 m") == 0;
+    if (section.group == THUD_GROUP_COLUMN)
+        return strcmp(text, "clamped") == 0;
+    if (section.group == THUD_GROUP_INTERFACE)
+        return strcmp(strrchr(path, '.'), ".levels") == 0 && strcmp(text, "all") == 0;
+    if (section.group != THUD_GROUP_RECORD && section.group != THUD_GROUP_ANALYSIS &&
+        section.group != THUD_GROUP_STUDY && section.group != THUD_GROUP_SCENE)
+        return false;
+    struct thud_scene *fresh = malloc(sizeof *fresh);
+    char usual[64] = "";
+    if (!fresh) {
+        emit->out->failed = 1;
+        return false;
+    }
+    thud_scene_init(fresh);
+    thud_scene_get(fresh, path, usual, sizeof usual, NULL);
+    free(fresh);
+    return strcmp(usual, text) == 0;
+}
+
+void thud_emit_section(struct thud_emit *emit, const struct thud_scene *scene, struct thud_section section, int indent,
+                       bool inline_first)
+{
+    const char *key[THUD_SECTION_KEYS_MAX];
+    char prefix[THUD_SECTION_PATH], path[128], *text = malloc(THUD_VALUE_MAX);
+    int n = thud_section_keys(scene, section, key);
+    thud_section_path(section, prefix, sizeof prefix);
+    bool first = true;
+    for (int i = 0; text && i < n; i++) {
+        snprintf(path, sizeof path, "%s%s%s", prefix, *prefix ? "." : "", key[i]);
+        if (thud_scene_get(scene, path, text, THUD_VALUE_MAX, NULL) != THUD_OK || !*text ||
+            as_anyway(emit, section, path, text))
+            continue;
+        if (emit->flow)
+            thud_text_append(emit->out, "%s", first ? "" : ", ");
+        else if (!first || !inline_first)
+            indent_by(emit, indent);
+        thud_text_append(emit->out, "%s: ", key[i]);
+        thud_emit_value(emit->out, path, text, emit->flow);
+        thud_text_append(emit->out, "%s", emit->flow ? "" : emit->newline);
+        first = false;
+    }
+    if (!text)
+        emit->out->failed = 1;
+    free(text);
+}
+
+static void emit_nested(struct thud_emit *emit, const struct thud_scene *scene, enum thud_group group, int index,
+                        int indent)
+{
+    if (emit->flow)
+        thud_text_append(emit->out, ", %s: {", thud_group_key(group));
+    else {
+        indent_by(emit, indent);
+        thud_text_append(emit->out, "%s:%s", thud_group_key(group), emit->newline);
+    }
+    thud_emit_section(emit, scene, (struct thud_section){group, index}, indent + 2, false);
+    thud_text_append(emit->out, "%s", emit->flow ? "}" : "");
+}
+
+void thud_emit_item(struct thud_emit *emit, const struct thud_scene *scene, struct thud_section section, int indent)
+{
+    if (emit->flow)
+        thud_text_append(emit->out, "{");
+    thud_emit_section(emit, scene, section, indent, true);
+    if (section.group == THUD_GROUP_INTERFACE) {
+        emit_nested(emit, scene, THUD_GROUP_CONTACT, section.index, indent);
+        if (scene->interface[section.index].has_bumper)
+            emit_nested(emit, scene, THUD_GROUP_BUMPER, section.index, indent);
+    }
+    if (section.group == THUD_GROUP_STRUCTURE && thud_structure_has_columns(&scene->structure[section.index]))
+        emit_nested(emit, scene, THUD_GROUP_COLUMN, section.index, indent);
+    if (emit->flow)
+        thud_text_append(emit->out, "}");
+}
+
+static void emit_group(struct thud_emit *emit, const struct thud_scene *scene, enum thud_group group)
+{
+    struct thud_text keys = {0};
+    struct thud_emit inner = {&keys, emit->newline, false};
+    thud_emit_section(&inner, scene, (struct thud_section){group, 0}, group == THUD_GROUP_SCENE ? 0 : 2, false);
+    if (keys.size > 0 && group != THUD_GROUP_SCENE)
+        thud_text_append(emit->out, "%s:%s", thud_group_key(group), emit->newline);
+    thud_text_bytes(emit->out, keys.data ? keys.data : "", keys.size);
+    emit->out->failed |= keys.failed;
+    thud_text_clear(&keys);
+}
+
+void thud_emit_scene(struct thud_emit *emit, const struct thud_scene *scene)
+{
+    emit_group(emit, scene, THUD_GROUP_SCENE);
+    emit_group(emit, scene, THUD_GROUP_RECORD);
+    for (int g = 0; g < 2; g++) {
+        enum thud_group group = g ? THUD_GROUP_INTERFACE : THUD_GROUP_STRUCTURE;
+        int n = g ? scene->nstructures - 1 : scene->nstructures;
+        if (n > 0)
+            thud_text_append(emit->out, "%s:%s", thud_group_key(group), emit->newline);
+        for (int i = 0; i < n; i++) {
+            thud_text_append(emit->out, "  - ");
+            thud_emit_item(emit, scene, (struct thud_section){group, i}, 4);
+        }
+    }
+    emit_group(emit, scene, THUD_GROUP_ANALYSIS);
+    emit_group(emit, scene, THUD_GROUP_STUDY);
+}

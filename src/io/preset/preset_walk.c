@@ -1,0 +1,479 @@
+/* From the tree of a preset to its scene. Values are set in an order in which each finds what it depends on: kind
+ * before lists, laws before their parameters, exponents before stiffnesses, the study last. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/nearest.h"
+#include "base/scan.h"
+#include "io/preset/preset_private.h"
+
+enum { PATH_BYTES = 128, KEY_BYTES = 60 };
+
+/* Completes an error with the place of a node. */
+static enum thud_status at(const struct thud_preset *preset, int node, enum thud_status status, struct thud_error *err)
+{
+    const struct thud_yaml_node *n = &preset->tree.node[node];
+    thud_error_place(err, preset->name, n->line, n->column);
+    return status;
+}
+
+static enum thud_status refuse(const struct thud_preset *preset, int node, const char *path, const char *what,
+                               const char *allowed, struct thud_error *err)
+{
+    thud_error_set(err, THUD_INPUT, "%s", what);
+    thud_error_key(err, path);
+    if (allowed)
+        thud_error_allow(err, "%s", allowed);
+    return at(preset, node, THUD_INPUT, err);
+}
+
+static enum thud_yaml_kind kind_of(const struct thud_preset *preset, int node)
+{
+    return preset->tree.node[node].kind;
+}
+
+/* ---- one value ---- */
+
+static enum thud_status set_text(struct thud_preset *preset, const char *path, int node, const char *text,
+                                 struct thud_error *err)
+{
+    enum thud_status status = thud_scene_set(&preset->scene, path, text, err);
+    return status == THUD_OK ? THUD_OK : at(preset, node, status, err);
+}
+
+static enum thud_status set_scalar(struct thud_preset *preset, const char *path, int node, struct thud_error *err)
+{
+    const struct thud_yaml_node *n = &preset->tree.node[node];
+    const char *text = thud_yaml_text(&preset->tree, node);
+    if (strlen(text) + 1 > THUD_PRESET_VALUE_MAX)
+        return refuse(preset, node, path, "the text is too long", NULL, err);
+    if (n->length == 0 && !n->quoted)
+        return refuse(preset, node, path, "nothing is given", "a value, or leave the key out", err);
+    int floor;
+    const struct thud_param *param = thud_scene_param(&preset->scene, path, &floor);
+    if (text[0] == '[' && param && param->kind != THUD_PARAM_TEXT)
+        return refuse(preset, node, path, "a list must not stand in quotes", NULL, err);
+    return set_text(preset, path, node, text, err);
+}
+
+/* The structure's floors one by one, so that a message shows the very value. */
+static enum thud_status set_floors(struct thud_preset *preset, const char *path, int node, int storeys,
+                                   struct thud_error *err)
+{
+    int n = preset->tree.node[node].children, floor = 0;
+    if (n != storeys) {
+        char what[96], allowed[96];
+        snprintf(what, sizeof what, "the list has %d value%s, the structure has %d storey%s", n, n == 1 ? "" : "s",
+                 storeys, storeys == 1 ? "" : "s");
+        snprintf(allowed, sizeof allowed, "one value for every floor, or %d from the lowest up", storeys);
+        return refuse(preset, node, path, what, allowed, err);
+    }
+    for (int i = preset->tree.node[node].first; i >= 0; i = preset->tree.node[i].next) {
+        char item[PATH_BYTES + 16];
+        snprintf(item, sizeof item, "%s.%d", path, ++floor);
+        if (kind_of(preset, i) != THUD_YAML_SCALAR)
+            return refuse(preset, i, item, "a list or keys stand where one value is wanted", "e.g. 320 t", err);
+        enum thud_status status = set_scalar(preset, item, i, err);
+        if (status != THUD_OK)
+            return status;
+    }
+    return THUD_OK;
+}
+
+struct joined {
+    char text[2000];
+    size_t n; /* what it would be where it is too long */
+};
+
+static void join(struct joined *to, const char *text)
+{
+    if (to->n < sizeof to->text)
+        snprintf(to->text + to->n, sizeof to->text - to->n, "%s", text);
+    to->n += strlen(text);
+}
+
+/* "[a, b]" of the scalars of a list, and of lists within it down to this depth. */
+static enum thud_status join_list(struct thud_preset *preset, const char *path, int node, int depth, struct joined *to,
+                                  struct thud_error *err)
+{
+    join(to, "[");
+    if (preset->tree.node[node].children == 0)
+        return refuse(preset, node, path, "the list is empty", NULL, err);
+    for (int i = preset->tree.node[node].first; i >= 0; i = preset->tree.node[i].next) {
+        enum thud_status status = THUD_OK;
+        join(to, i == preset->tree.node[node].first ? "" : ", ");
+        if (depth > 1 && kind_of(preset, i) == THUD_YAML_LIST)
+            status = join_list(preset, path, i, depth - 1, to, err);
+        else if (kind_of(preset, i) != THUD_YAML_SCALAR)
+            return refuse(preset, i, path, "a list or keys stand where one value is wanted", NULL, err);
+        else if (strpbrk(thud_yaml_text(&preset->tree, i), ",[]"))
+            return refuse(preset, i, path, "a comma or a bracket inside a value", NULL, err);
+        else
+            join(to, thud_yaml_text(&preset->tree, i));
+        if (status != THUD_OK)
+            return status;
+    }
+    join(to, "]");
+    return THUD_OK;
+}
+
+static enum thud_status set_joined(struct thud_preset *preset, const char *path, int node, struct thud_error *err)
+{
+    struct joined list = {.n = 0};
+    enum thud_status status = join_list(preset, path, node, strcmp(path, "study.values") == 0 ? 2 : 1, &list, err);
+    if (status == THUD_OK && list.n >= sizeof list.text)
+        return refuse(preset, node, path, "the list is too long", NULL, err);
+    return status == THUD_OK ? set_text(preset, path, node, list.text, err) : status;
+}
+
+static enum thud_status set_value(struct thud_preset *preset, const char *path, int node, struct thud_error *err)
+{
+    int floor, structure;
+    const char *at = path;
+    const struct thud_param *param = thud_scene_param(&preset->scene, path, &floor);
+    bool floors = thud_scene_by_floor(&preset->scene, path);
+    switch (kind_of(preset, node)) {
+    case THUD_YAML_SCALAR:
+        return set_scalar(preset, path, node, err);
+    case THUD_YAML_LIST:
+        if (param && strncmp(path, "study.", 6) == 0)
+            return set_joined(preset, path, node, err);
+        if (floors && thud_scan_word(&at, "structures.") && thud_scan_count(&at, &structure))
+            return set_floors(preset, path, node, preset->scene.structure[structure - 1].storeys, err);
+        return refuse(preset, node, path, "a list stands where one value is wanted", NULL, err);
+    case THUD_YAML_KEYS:
+        break;
+    }
+    return refuse(preset, node, path, "keys stand where a value is wanted", NULL, err);
+}
+
+/* ---- keys ---- */
+
+static enum thud_status want(const struct thud_preset *preset, int node, const char *path, enum thud_yaml_kind kind,
+                             struct thud_error *err)
+{
+    if (kind_of(preset, node) == kind)
+        return THUD_OK;
+    return refuse(preset, node, path,
+                  kind == THUD_YAML_KEYS ? "keys with values are wanted here"
+                                         : "a list is wanted here, one item behind each dash",
+                  NULL, err);
+}
+
+/* Every key has to be one of `known`. */
+static enum thud_status check_keys(const struct thud_preset *preset, int node, const char *path,
+                                   const char *const *known, int count, struct thud_error *err)
+{
+    enum thud_status status = want(preset, node, path, THUD_YAML_KEYS, err);
+    const struct thud_yaml *tree = &preset->tree;
+    for (int i = status == THUD_OK ? tree->node[node].first : -1; i >= 0; i = tree->node[tree->node[i].next].next) {
+        const char *key = thud_yaml_text(tree, i);
+        bool found = false;
+        char list[200] = "", what[256], full[PATH_BYTES + 80];
+        size_t n = 0;
+        for (int k = 0; k < count; k++) {
+            found = found || strcmp(known[k], key) == 0;
+            if (n < sizeof list)
+                n += (size_t)snprintf(list + n, sizeof list - n, "%s%s", k ? ", " : "", known[k]);
+        }
+        if (found)
+            continue;
+        const char *near = thud_nearest(key, known, count);
+        snprintf(full, sizeof full, "%s%s%.60s", path, *path ? "." : "", key);
+        snprintf(what, sizeof what, near ? "unknown key; did you mean \"%s\"?" : "unknown key", near);
+        return refuse(preset, i, full, what, list, err);
+    }
+    return status;
+}
+
+static const char columns[] = "column";
+
+/* Sets the keys of a node for which `wanted` holds, in the order of the file. Unknown keys are found by their setting.
+ */
+static enum thud_status set_keys(struct thud_preset *preset, int node, const char *path,
+                                 bool (*wanted)(const struct thud_preset *, const char *path, const char *key),
+                                 struct thud_error *err)
+{
+    const struct thud_yaml *tree = &preset->tree;
+    enum thud_status status = want(preset, node, path, THUD_YAML_KEYS, err);
+    for (int i = status == THUD_OK ? tree->node[node].first : -1; i >= 0 && status == THUD_OK;
+         i = tree->node[tree->node[i].next].next) {
+        const char *key = thud_yaml_text(tree, i);
+        char full[PATH_BYTES + KEY_BYTES + 2], unused[8];
+        int floor;
+        if (strlen(key) > KEY_BYTES || strchr(key, '.'))
+            return refuse(preset, i, path, "the key is no word of presets", NULL, err);
+        snprintf(full, sizeof full, "%s.%.*s", path, KEY_BYTES, key);
+        if (strcmp(key, columns) == 0 && strncmp(path, "structures.", 11) == 0 && !strchr(path + 11, '.'))
+            continue; /* keys of their own */
+        if (!thud_scene_param(&preset->scene, full, &floor)) {
+            thud_scene_get(&preset->scene, full, unused, sizeof unused, err); /* says what is wrong with the key */
+            return at(preset, i, THUD_INPUT, err);
+        }
+        if (wanted(preset, full, key))
+            status = set_value(preset, full, tree->node[i].next, err);
+    }
+    return status;
+}
+
+static bool any(const struct thud_preset *preset, const char *path, const char *key)
+{
+    (void)preset;
+    (void)path;
+    (void)key;
+    return true;
+}
+
+/* ---- structures ---- */
+
+static bool not_yet_set(const struct thud_preset *preset, const char *path, const char *key)
+{
+    (void)preset;
+    (void)path;
+    return strcmp(key, "kind") != 0 && strcmp(key, "storeys") != 0;
+}
+
+/* `storeys`, or as many as the first list has values. */
+static enum thud_status set_storeys(struct thud_preset *preset, int node, const char *path, struct thud_error *err)
+{
+    static const char *const lists[] = {"mass", "stiffness", "height"};
+    char full[PATH_BYTES + 16], count[16];
+    snprintf(full, sizeof full, "%s.storeys", path);
+    int value = thud_yaml_find(&preset->tree, node, "storeys", NULL);
+    if (value >= 0)
+        return set_value(preset, full, value, err);
+    for (size_t i = 0; i < sizeof lists / sizeof *lists; i++) {
+        value = thud_yaml_find(&preset->tree, node, lists[i], NULL);
+        if (value < 0 || kind_of(preset, value) != THUD_YAML_LIST)
+            continue;
+        snprintf(full, sizeof full, "%s.storeys", path);
+        snprintf(count, sizeof count, "%d", preset->tree.node[value].children);
+        return set_text(preset, full, value, count, err);
+    }
+    return refuse(preset, node, full, "storeys is not given", "a number, or a list of masses, stiffnesses or heights",
+                  err);
+}
+
+static enum thud_status walk_structure(struct thud_preset *preset, int s, int node, struct thud_error *err)
+{
+    struct thud_structure *structure = &preset->scene.structure[s];
+    char path[PATH_BYTES], full[PATH_BYTES + 8];
+    snprintf(path, sizeof path, "structures.%d", s + 1);
+    snprintf(full, sizeof full, "%s.kind", path);
+    thud_structure_init(structure, THUD_SHEAR);
+    enum thud_status status = want(preset, node, path, THUD_YAML_KEYS, err);
+    int kind = status == THUD_OK ? thud_yaml_find(&preset->tree, node, "kind", NULL) : -1;
+    if (kind >= 0)
+        status = set_value(preset, full, kind, err);
+    if (status != THUD_OK)
+        return status;
+    thud_structure_init(structure, structure->kind);
+    if (thud_kind_is_building(structure->kind))
+        status = set_storeys(preset, node, path, err);
+    if (status == THUD_OK)
+        status = set_keys(preset, node, path, not_yet_set, err);
+    int column = status == THUD_OK ? thud_yaml_find(&preset->tree, node, columns, NULL) : -1;
+    snprintf(path, sizeof path, "structures.%d.%s", s + 1, columns);
+    return column >= 0 ? set_keys(preset, column, path, any, err) : status;
+}
+
+/* A, B, ... by place, or the first letter that is free. */
+static void name_structure(struct thud_scene *scene, int s)
+{
+    for (int try = 0; try < 27 && !scene->structure[s].name[0]; try++) {
+        char letter = (char)('A' + (try == 0 ? s % 26 : try - 1));
+        bool taken = false;
+        for (int i = 0; i < scene->nstructures; i++)
+            taken = taken || (scene->structure[i].name[0] == letter && scene->structure[i].name[1] == '\0');
+        if (!taken)
+            scene->structure[s].name[0] = letter;
+    }
+}
+
+static enum thud_status walk_structures(struct thud_preset *preset, int root, struct thud_error *err)
+{
+    int list = thud_yaml_find(&preset->tree, root, "structures", NULL);
+    if (list < 0)
+        return refuse(preset, root, "structures", "there is no structure", "a list of 1 to 20", err);
+    enum thud_status status = want(preset, list, "structures", THUD_YAML_LIST, err);
+    if (status != THUD_OK)
+        return status;
+    int n = preset->tree.node[list].children;
+    if (n < 1 || n > THUD_STRUCTURES_MAX)
+        return refuse(preset, list, "structures", n < 1 ? "there is no structure" : "there are too many structures",
+                      "a list of 1 to 20", err);
+    preset->scene.nstructures = n;
+    for (int s = 0; s < n && status == THUD_OK; s++)
+        status = walk_structure(preset, s, thud_yaml_child(&preset->tree, list, s), err);
+    for (int s = 0; s < n && status == THUD_OK; s++)
+        name_structure(&preset->scene, s);
+    return status;
+}
+
+/* ---- interfaces ---- */
+
+static bool is_power(const struct thud_preset *preset, const char *path)
+{
+    int floor;
+    const struct thud_param *param = thud_scene_param(&preset->scene, path, &floor);
+    return param && param->dimension == THUD_POWER_STIFFNESS;
+}
+
+static bool before_power(const struct thud_preset *preset, const char *path, const char *key)
+{
+    return strcmp(key, "law") != 0 && !is_power(preset, path);
+}
+
+static bool power(const struct thud_preset *preset, const char *path, const char *key)
+{
+    return strcmp(key, "law") != 0 && is_power(preset, path);
+}
+
+/* The law gets its own defaults, whatever stood there before. */
+static enum thud_status walk_law(struct thud_preset *preset, struct thud_interface *interface, bool bumper,
+                                 const char *path, int node, struct thud_error *err)
+{
+    struct thud_law_choice *choice = bumper ? &interface->bumper : &interface->contact;
+    char full[PATH_BYTES + 8];
+    snprintf(full, sizeof full, "%s.law", path);
+    enum thud_status status = want(preset, node, path, THUD_YAML_KEYS, err);
+    if (status != THUD_OK)
+        return status;
+    int law = thud_yaml_find(&preset->tree, node, "law", NULL);
+    if (law < 0)
+        return refuse(preset, node, full, "the impact law is not given", "one of `thud laws`", err);
+    status = set_value(preset, full, law, err);
+    if (status != THUD_OK)
+        return status;
+    thud_law_choice_init(choice, choice->law);
+    if (bumper) {
+        interface->bumper_thickness_m = NAN;
+        interface->bumper_cavity_m = 0;
+    }
+    status = set_keys(preset, node, path, before_power, err);
+    return status == THUD_OK ? set_keys(preset, node, path, power, err) : status;
+}
+
+static enum thud_status walk_interface(struct thud_preset *preset, int i, int node, struct thud_error *err)
+{
+    static const char *const known[] = {"gap", "levels", "contact", "bumper"};
+    struct thud_interface *interface = &preset->scene.interface[i];
+    char path[PATH_BYTES], full[PATH_BYTES + 16];
+    snprintf(path, sizeof path, "interfaces.%d", i + 1);
+    thud_interface_init(interface);
+    interface->gap_m = NAN;
+    enum thud_status status = check_keys(preset, node, path, known, 4, err);
+    if (status != THUD_OK)
+        return status;
+    int gap = thud_yaml_find(&preset->tree, node, "gap", NULL),
+        contact = thud_yaml_find(&preset->tree, node, "contact", NULL);
+    int bumper = thud_yaml_find(&preset->tree, node, "bumper", NULL);
+    snprintf(full, sizeof full, "%s.gap", path);
+    if (gap >= 0)
+        status = set_value(preset, full, gap, err);
+    snprintf(full, sizeof full, "%s.levels", path);
+    int levels = thud_yaml_find(&preset->tree, node, "levels", NULL);
+    if (status == THUD_OK && levels >= 0)
+        status = set_value(preset, full, levels, err);
+    snprintf(full, sizeof full, "%s.contact", path);
+    if (status == THUD_OK && contact < 0)
+        status =
+            refuse(preset, node, full, "the contact is not given", "law and its parameters, see thud-preset(5)", err);
+    if (status == THUD_OK)
+        status = walk_law(preset, interface, false, full, contact, err);
+    if (status != THUD_OK || bumper < 0)
+        return status;
+    snprintf(full, sizeof full, "%s.bumper", path);
+    return walk_law(preset, interface, true, full, bumper, err);
+}
+
+static enum thud_status walk_interfaces(struct thud_preset *preset, int root, struct thud_error *err)
+{
+    int list = thud_yaml_find(&preset->tree, root, "interfaces", NULL), wanted = preset->scene.nstructures - 1;
+    char what[128];
+    enum thud_status status = list >= 0 ? want(preset, list, "interfaces", THUD_YAML_LIST, err) : THUD_OK;
+    int n = list >= 0 && status == THUD_OK ? preset->tree.node[list].children : 0;
+    if (status == THUD_OK && n != wanted) {
+        snprintf(what, sizeof what, "%d structure%s, so %d interface%s, not %d", wanted + 1,
+                 wanted ? "s stand in a row" : " stands alone", wanted, wanted == 1 ? " is wanted" : "s are wanted", n);
+        status = refuse(preset, list >= 0 ? list : root, "interfaces", what, "one between each two neighbours", err);
+    }
+    for (int i = 0; i < n && status == THUD_OK; i++)
+        status = walk_interface(preset, i, thud_yaml_child(&preset->tree, list, i), err);
+    return status;
+}
+
+/* ---- the rest ---- */
+
+static bool is_vary(const struct thud_preset *preset, const char *path, const char *key)
+{
+    (void)preset;
+    (void)path;
+    return strcmp(key, "vary") == 0;
+}
+
+static bool not_vary(const struct thud_preset *preset, const char *path, const char *key)
+{
+    return !is_vary(preset, path, key);
+}
+
+static enum thud_status walk_group(struct thud_preset *preset, int root, const char *name, struct thud_error *err)
+{
+    int node = thud_yaml_find(&preset->tree, root, name, NULL);
+    if (node < 0)
+        return THUD_OK;
+    if (strcmp(name, "study") != 0)
+        return set_keys(preset, node, name, any, err);
+    enum thud_status status = set_keys(preset, node, name, is_vary, err);
+    return status == THUD_OK ? set_keys(preset, node, name, not_vary, err) : status;
+}
+
+enum thud_status thud_preset_walk(struct thud_preset *preset, struct thud_error *err)
+{
+    static const char *const known[] = {"title", "record", "structures", "interfaces", "analysis", "study"};
+    int title = thud_yaml_find(&preset->tree, 0, "title", NULL);
+    enum thud_status status = check_keys(preset, 0, "", known, sizeof known / sizeof *known, err);
+    if (status == THUD_OK && title >= 0)
+        status = set_value(preset, "title", title, err);
+    if (status == THUD_OK)
+        status = walk_group(preset, 0, "record", err);
+    if (status == THUD_OK)
+        status = walk_structures(preset, 0, err);
+    if (status == THUD_OK)
+        status = walk_interfaces(preset, 0, err);
+    if (status == THUD_OK)
+        status = walk_group(preset, 0, "analysis", err);
+    if (status == THUD_OK)
+        status = walk_group(preset, 0, "study", err);
+    if (status != THUD_OK)
+        return status;
+    struct thud_error why = {0};
+    status = thud_scene_check(&preset->scene, &why);
+    if (status != THUD_OK) {
+        at(preset, thud_preset_node(preset, why.key), status, &why);
+        if (err)
+            *err = why;
+    }
+    return status;
+}
+
+int thud_preset_node(const struct thud_preset *preset, const char *path)
+{
+    int node = 0;
+    char part[PATH_BYTES];
+    while (*path) {
+        size_t length = strcspn(path, ".");
+        snprintf(part, sizeof part, "%.*s", (int)length, path);
+        int next = preset->tree.node[node].kind == THUD_YAML_KEYS ? thud_yaml_find(&preset->tree, node, part, NULL)
+                   : preset->tree.node[node].kind == THUD_YAML_LIST
+                       ? thud_yaml_child(&preset->tree, node, (int)strtol(part, NULL, 10) - 1)
+                       : -1;
+        if (next < 0)
+            break;
+        node = next;
+        path += length + (path[length] == '.');
+    }
+    return node;
+}

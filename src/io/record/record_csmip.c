@@ -1,0 +1,84 @@
+/* CDMG and CSMIP volume 2: per channel a text header, numbers, `3251 POINTS OF ACCEL DATA EQUALLY SPACED AT .020 SEC.
+ * (UNITS: CM/SEC/SEC)`, the accelerations in 8F10.3, then velocities and displacements in the same way. */
+#include <math.h>
+#include <string.h>
+
+#include "io/record/record_channels.h"
+#include "io/record/record_formats.h"
+#include "io/record/record_unit.h"
+
+static bool begins_block(const struct record_line *line)
+{
+    return record_find(line, "POINTS OF ACCEL DATA") && record_find(line, "EQUALLY SPACED");
+}
+
+static bool recognize(const struct record_source *source)
+{
+    struct record_cursor cursor = record_start(source);
+    struct record_line line;
+    for (int i = 0; i < 100 && record_next(&cursor, &line); i++)
+        if (begins_block(&line))
+            return true;
+    return false;
+}
+
+/* `CHAN  1:  90 DEG` anywhere in a line; the rest of the line is its name. */
+static void read_name(const struct record_line *line, char *number, size_t size, char *name, size_t name_size)
+{
+    const char *s = record_find(line, "CHAN"), *end = line->at + line->length;
+    const char *colon = s ? memchr(s, ':', (size_t)(end - s)) : NULL;
+    if (!colon || colon - s > 12)
+        return;
+    const char *stop = record_find(line, "FROM");
+    record_copy(number, size, s + 4, colon);
+    record_copy(name, name_size, colon + 1, stop && stop > colon ? stop : end);
+}
+
+static enum thud_status add_channel(const struct record_cursor *cursor, const struct record_line *line,
+                                    struct record_channels *channels, struct thud_error *err)
+{
+    struct record_channel *channel = record_channel_add(channels);
+    if (!channel)
+        return record_refuse(cursor->source, line->number, 0, err, "more than %d channels", RECORD_CHANNELS_MAX);
+    channel->cursor = *cursor;
+    channel->line = line->number;
+    channel->width = 10;
+    channel->dt_s = record_number_after(line, "SPACED AT");
+    const char *unit = record_find(line, "UNITS:"), *end = line->at + line->length;
+    size_t length;
+    if (unit) {
+        for (unit += 6; unit < end && *unit == ' ';)
+            unit++;
+        double factor = record_unit_at(unit, end, &length);
+        channel->factor = factor != 0 ? factor : NAN;
+    }
+    return record_count(cursor->source, line, record_number_first(line), &channel->count, err);
+}
+
+static enum thud_status read_csmip(const struct record_source *source, const struct thud_record_choice *choice,
+                                   struct record_raw *raw, struct thud_error *err)
+{
+    struct record_channels channels = {.count = 0};
+    struct record_cursor cursor = record_start(source);
+    struct record_line line;
+    char number[16] = "", name[64] = "";
+    enum thud_status status = THUD_OK;
+    while (!status && record_next(&cursor, &line)) {
+        if (line.number <= 3 && record_find(&line, "EARTHQUAKE"))
+            record_copy(raw->event, sizeof raw->event, line.at, line.at + line.length);
+        if (line.number == 7)
+            record_copy(raw->station, sizeof raw->station, line.at, line.at + line.length);
+        read_name(&line, number, sizeof number, name, sizeof name);
+        if (!begins_block(&line))
+            continue;
+        status = add_channel(&cursor, &line, &channels, err);
+        if (!status) {
+            struct record_channel *channel = &channels.of[channels.count - 1];
+            memcpy(channel->number, number, sizeof number);
+            memcpy(channel->name, name, sizeof name);
+        }
+    }
+    return status ? status : record_channels_read(source, &channels, choice, raw, err);
+}
+
+const struct record_format record_format_csmip = {"CSMIP V2", false, recognize, read_csmip};

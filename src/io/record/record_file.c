@@ -1,0 +1,282 @@
+#include "io/record/record_file.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "ground/record_edit.h"
+#include "ground/spectrum.h"
+#include "io/file/file.h"
+#include "io/record/record_formats.h"
+#include "io/record/record_gzip.h"
+#include "io/record/record_unit.h"
+
+#define ENTRY(name) &record_format_##name,
+static const struct record_format *const formats[] = {RECORD_FORMATS(ENTRY)};
+
+static bool begins_with(const struct record_source *source, const char *bytes, size_t size)
+{
+    return source->size >= size && memcmp(source->text, bytes, size) == 0;
+}
+
+/* What is no text of numbers at all, said as what it is. */
+static enum thud_status refuse_kind(const struct record_source *source, struct thud_error *err)
+{
+    if (source->size == 0)
+        return record_refuse(source, 0, 0, err, "the file is empty");
+    if (begins_with(source, "\xff\xfe", 2) || begins_with(source, "\xfe\xff", 2)) {
+        record_refuse(source, 1, 0, err, "the text is UTF-16");
+        thud_error_allow(err, "`iconv -f UTF-16 -t UTF-8` makes it readable");
+        return THUD_INPUT;
+    }
+    if (begins_with(source, "PK\x03\x04", 4) || begins_with(source, "BZh", 3) ||
+        begins_with(source,
+                    "\xfd"
+                    "7zXZ",
+                    5))
+        return record_refuse(source, 0, 0, err, "the file is compressed: unpack it first");
+    int line = 1;
+    for (size_t i = 0; i < source->size; i++) {
+        line += source->text[i] == '\n';
+        if (source->text[i] == '\0')
+            return record_refuse(source, line, 0, err, "the file is not text");
+    }
+    struct record_cursor cursor = record_start(source);
+    struct record_line first;
+    if (record_next(&cursor, &first) && (record_begins(&first, "<!DOCTYPE") || record_begins(&first, "<html")))
+        return record_refuse(source, 1, 0, err, "a web page, not a record");
+    return THUD_OK;
+}
+
+static const struct record_format *find_format(const struct record_source *source)
+{
+    for (size_t i = 0; i < sizeof formats / sizeof *formats; i++)
+        if ((formats[i]->plain || source->skip <= 0) && formats[i]->recognize(source))
+            return formats[i];
+    return NULL;
+}
+
+static enum thud_status ask(const struct record_source *source, const char *option, const char *example,
+                            const char *what, const char *allowed, struct thud_error *err)
+{
+    record_refuse(source, 0, 0, err, "%s: give it with --%s %s", what, option, example);
+    thud_error_key(err, option);
+    thud_error_allow(err, "%s", allowed);
+    return THUD_INPUT;
+}
+
+static bool same(double a, double b)
+{
+    return fabs(a - b) <= 1e-6 * fabs(b);
+}
+
+/* What the user says of the file: needed where the file is silent, refused where it says otherwise. */
+static enum thud_status settle(const struct record_source *source, const struct thud_record_choice *choice,
+                               struct record_raw *raw, struct thud_error *err)
+{
+    double unit = choice->unit[0] ? record_unit(choice->unit) : NAN;
+    if (unit == 0) {
+        thud_error_set(err, THUD_INPUT, "\"%s\" is not a unit of acceleration", choice->unit);
+        thud_error_key(err, "unit");
+        thud_error_allow(err, "%s", record_unit_allowed);
+        return THUD_INPUT;
+    }
+    if (!isnan(unit) && !isnan(raw->factor) && !raw->factor_from_prose && !same(unit, raw->factor))
+        return record_refuse(source, raw->factor_line, 0, err, "the file states another unit than --unit %s",
+                             choice->unit);
+    if (!isnan(choice->dt_s) && !isnan(raw->dt_s) && !raw->dt_from_prose && !same(choice->dt_s, raw->dt_s))
+        return record_refuse(source, raw->dt_line, 0, err,
+                             "the file states a time step of %.9g s, --dt says %.9g s (leave it out; of several files, "
+                             "FILE:dt=0.005s says it for one)",
+                             raw->dt_s, choice->dt_s);
+    if (!isnan(unit))
+        raw->factor = unit;
+    if (!isnan(choice->dt_s) && (raw->dt_from_prose || isnan(raw->dt_s)))
+        raw->dt_s = choice->dt_s;
+    if (isnan(raw->dt_s))
+        return ask(source, "dt", "\"0.01 s\"", "the file does not say its time step", "a time", err);
+    if (!(raw->dt_s > 0) || !isfinite(raw->dt_s))
+        return record_refuse(source, raw->dt_line, 0, err, "a time step of %g s", raw->dt_s);
+    if (isnan(raw->factor) && raw->unknown_unit[0]) {
+        record_refuse(source, raw->factor_line, 0, err,
+                      "the unit of the accelerations, \"%s\", is not known: give it with --unit UNIT",
+                      raw->unknown_unit);
+        thud_error_key(err, "unit");
+        thud_error_allow(err, "%s; --factor multiplies what is left", record_unit_allowed);
+        return THUD_INPUT;
+    }
+    if (isnan(raw->factor))
+        return ask(source, "unit", "UNIT", "the file does not say the unit of its accelerations", record_unit_allowed,
+                   err);
+    return THUD_OK;
+}
+
+static void convert(struct record_raw *raw)
+{
+    double mean = 0;
+    if (raw->remove_mean) {
+        for (size_t i = 0; i < raw->count; i++)
+            mean += raw->value[i];
+        mean /= (double)raw->count;
+    }
+    for (size_t i = 0; i < raw->count; i++)
+        raw->value[i] = (raw->value[i] - mean) * raw->factor;
+}
+
+/* The factor that makes the motion's peak or spectral acceleration what is asked for. */
+static enum thud_status scale_to(const struct thud_record *record, const struct thud_record_choice *choice,
+                                 double *factor, struct thud_error *err)
+{
+    bool sa = choice->sa_mps2 > 0, peak = !isnan(choice->peak_mps2);
+    const char *key = sa ? "sa" : "peak", *what = NULL;
+    double has = NAN;
+    if (!sa && !peak)
+        return THUD_OK;
+    if (sa && peak)
+        what = "a peak and a spectral acceleration are asked for together";
+    else if (sa && !(choice->period_s > 0))
+        what = "a spectral acceleration needs a period";
+    else if (!((has = sa ? thud_record_sa(record, choice->period_s) : thud_record_peak(record)) > 0))
+        what = "a record of nothing but zeros cannot be scaled to a peak";
+    if (what) {
+        thud_error_set(err, THUD_INPUT, "%s", what);
+        thud_error_place(err, record->file, 0, 0);
+        thud_error_key(err, key);
+        return THUD_INPUT;
+    }
+    *factor *= (sa ? choice->sa_mps2 : choice->peak_mps2) / has;
+    return THUD_OK;
+}
+
+enum thud_status thud_record_choice_apply(struct thud_record *record, const struct thud_record_choice *choice,
+                                          struct thud_error *err)
+{
+    if ((!isnan(choice->from_s) || !isnan(choice->to_s)) &&
+        thud_record_trim(record, choice->from_s, choice->to_s, err) != THUD_OK) {
+        thud_error_place(err, record->file, 0, 0);
+        thud_error_key(err, isnan(choice->from_s) ? "to" : "from");
+        return THUD_INPUT;
+    }
+    double factor = choice->factor * (choice->sign < 0 ? -1 : 1);
+    enum thud_status status = scale_to(record, choice, &factor, err);
+    if (status != THUD_OK)
+        return status;
+    if (factor != 1)
+        thud_record_scale(record, factor);
+    for (size_t i = 0; i < record->samples; i++)
+        if (!isfinite(record->a_mps2[i]))
+            return thud_error_set(err, THUD_INPUT, "scaled by %g, the record is no longer finite", factor);
+    return THUD_OK;
+}
+
+static enum thud_status build(const struct record_source *source, const struct record_format *format,
+                              const struct thud_record_choice *choice, struct record_raw *raw, struct thud_record **out,
+                              struct thud_error *err)
+{
+    if (raw->count < 2)
+        return record_refuse(source, 0, 0, err, "%zu sample%s: too few for a ground motion", raw->count,
+                             raw->count == 1 ? "" : "s");
+    enum thud_status status = settle(source, choice, raw, err);
+    if (status)
+        return status;
+    convert(raw);
+    status = thud_record_create(raw->value, raw->count, raw->dt_s, out, err);
+    if (status) {
+        thud_error_place(err, source->name, 0, 0);
+        return status;
+    }
+    struct thud_record *record = *out;
+    snprintf(record->file, sizeof record->file, "%s", source->name);
+    snprintf(record->format, sizeof record->format, "%s", format->name);
+    memcpy(record->station, raw->station, sizeof record->station);
+    memcpy(record->component, raw->component, sizeof record->component);
+    memcpy(record->event, raw->event, sizeof record->event);
+    memcpy(record->note, raw->note, sizeof record->note);
+    status = thud_record_choice_apply(record, choice, err);
+    if (status) {
+        thud_record_free(record);
+        *out = NULL;
+    }
+    return status;
+}
+
+enum thud_status thud_record_parse(const char *text, size_t size, const char *name,
+                                   const struct thud_record_choice *choice, struct thud_record **out,
+                                   struct thud_error *err)
+{
+    *out = NULL;
+    struct record_source source = {.name = name, .text = text, .size = size, .skip = choice->skip};
+    enum thud_status status = refuse_kind(&source, err);
+    if (status)
+        return status;
+    if (begins_with(&source, "\xef\xbb\xbf", 3)) {
+        source.text += 3;
+        source.size -= 3;
+    }
+    const struct record_format *format = find_format(&source);
+    if (!format) {
+        record_refuse(&source, 0, 0, err, "no accelerogram is recognized in it");
+        thud_error_allow(
+            err, "CSV, plain columns, PEER AT2, COSMOS V2, CSMIP V2, USGS SMC, K-NET, KiK-net, ESM, GeoNet V2A");
+        return THUD_INPUT;
+    }
+    struct record_raw raw = {.dt_s = NAN, .factor = NAN};
+    status = format->read(&source, choice, &raw, err);
+    if (!status)
+        status = build(&source, format, choice, &raw, out, err);
+    free(raw.value);
+    return status;
+}
+
+/* Text of a file that may be compressed by gzip. */
+static enum thud_status unpack(const char *path, char **text, size_t *size, struct thud_error *err)
+{
+    char *plain;
+    size_t length;
+    if (*size < 2 || memcmp(*text, "\x1f\x8b", 2) != 0)
+        return THUD_OK;
+    enum thud_status status = record_gunzip(*text, *size, THUD_RECORD_BYTES_MAX, &plain, &length, err);
+    if (status) {
+        thud_error_place(err, path, 0, 0);
+        return status;
+    }
+    free(*text);
+    *text = plain;
+    *size = length;
+    return THUD_OK;
+}
+
+enum thud_status thud_record_text_read(const char *path, char **text, size_t *size, struct thud_error *err)
+{
+    struct stat about;
+    *text = NULL;
+    int why = stat(path, &about) != 0 ? errno : 0;
+    if (why || S_ISFIFO(about.st_mode)) { /* nobody may ever write into a pipe */
+        thud_error_set(err, THUD_INPUT, "%s", why ? strerror(why) : "is a pipe, not a file");
+        thud_error_place(err, path, 0, 0);
+        return THUD_INPUT;
+    }
+    enum thud_status status = thud_file_read(path, THUD_RECORD_BYTES_MAX, text, size, err);
+    if (status == THUD_OK && (status = unpack(path, text, size, err)) != THUD_OK) {
+        free(*text);
+        *text = NULL;
+    }
+    return status;
+}
+
+enum thud_status thud_record_file_read(const char *path, const struct thud_record_choice *choice,
+                                       struct thud_record **out, struct thud_error *err)
+{
+    *out = NULL;
+    char *text;
+    size_t size;
+    enum thud_status status = thud_record_text_read(path, &text, &size, err);
+    if (status)
+        return status;
+    status = thud_record_parse(text, size, path, choice, out, err);
+    free(text);
+    return status;
+}

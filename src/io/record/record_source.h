@@ -1,0 +1,98 @@
+/* What every reader of record files stands on: lines with their numbers, numbers as instruments print them, a growing
+ * list of samples. */
+#ifndef THUD_IO_RECORD_SOURCE_H
+#define THUD_IO_RECORD_SOURCE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "base/status.h"
+#include "study/scene/scene.h"
+
+/* A file in memory. Lines end with LF, CRLF or CR. The first `skip` lines are the user's --skip. */
+struct record_source {
+    const char *name;
+    const char *text;
+    size_t size;
+    int skip;
+};
+
+/* One line without its end and without trailing blanks. */
+struct record_line {
+    const char *at;
+    size_t length;
+    int number; /* from 1 */
+};
+
+struct record_cursor {
+    const struct record_source *source;
+    size_t offset;
+    int line; /* of the last line given */
+};
+
+/* Starts at the first line (also among the skipped ones). */
+struct record_cursor record_start(const struct record_source *source);
+/* Starts behind the skipped lines. */
+struct record_cursor record_start_data(const struct record_source *source);
+bool record_next(struct record_cursor *cursor, struct record_line *line);
+
+/* Finds `word` in a line, any case; NULL when it is not there. */
+const char *record_find(const struct record_line *line, const char *word);
+bool record_begins(const struct record_line *line, const char *word);
+/* Copies a part of a line, blanks at both ends dropped, several in a row made one, what cannot be shown made `?`. */
+void record_copy(char *to, size_t size, const char *from, const char *end);
+
+/* What a file holds, before it becomes a record. Texts may be empty. */
+struct record_raw {
+    double *value;
+    size_t count, capacity;
+    double dt_s;        /* NaN: the file does not say */
+    double factor;      /* to m/s2; NaN: the file does not say */
+    bool dt_from_prose; /* found in free text: an option may say otherwise */
+    bool factor_from_prose;
+    bool remove_mean;
+    char unknown_unit[48]; /* of the accelerations, as the file has it; empty: it says nothing or what is known */
+    int dt_line;           /* where dt stands */
+    int factor_line;
+    char station[96];
+    char component[64];
+    char event[96];
+    char note[160]; /* how the samples were found, for a person to see */
+};
+
+enum thud_status record_add(struct record_raw *raw, double value, struct thud_error *err);
+
+/* Sets an input error at a place of the file. */
+enum thud_status record_refuse(const struct record_source *source, int line, int column, struct thud_error *err,
+                               const char *fmt, ...) THUD_PRINTF(5, 6);
+
+/* One number at `*at`, which moves behind it. Takes what Fortran prints: no leading zero, D exponents, an exponent
+ * without a letter
+ * (`1.234-100`), a sign that touches the number before it. */
+enum record_scan { RECORD_NUMBER, RECORD_NONE, RECORD_WORD, RECORD_RANGE, RECORD_TOUCHING };
+enum record_scan record_scan(const char **at, const char *end, double *value);
+/* The message that goes with what record_scan gave for a line. */
+enum thud_status record_refuse_scan(const struct record_source *source, const struct record_line *line, const char *at,
+                                    enum record_scan scan, struct thud_error *err);
+
+/* The number at `*at`, which moves behind it, over blanks, `=` and `:`; a word may touch its end (`100Hz`, `.01SEC`).
+ * NaN: none. */
+double record_number_at(const char **at, const char *end);
+/* The number behind `word` in a line (over blanks, `=` and `:`), NaN when there is none. */
+double record_number_after(const struct record_line *line, const char *word);
+/* The first number of a line, NaN when it does not begin with one. */
+double record_number_first(const struct record_line *line);
+
+/* All numbers of a line, in fields of `width` characters (0: apart by blanks or signs). Lines an editor has changed are
+ * read by blanks. At most `most` numbers are added. */
+enum thud_status record_add_line(struct record_raw *raw, const struct record_source *source,
+                                 const struct record_line *line, size_t width, size_t most, struct thud_error *err);
+/* Lines until `count` samples are there; a file that ends early is refused with both counts. */
+enum thud_status record_add_block(struct record_raw *raw, struct record_cursor *cursor, size_t width, size_t count,
+                                  struct thud_error *err);
+/* A count from a header, with the bound the file's size sets (a sample takes at least one character and one between).
+ */
+enum thud_status record_count(const struct record_source *source, const struct record_line *line, double value,
+                              size_t *count, struct thud_error *err);
+
+#endif

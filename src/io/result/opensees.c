@@ -1,0 +1,389 @@
+/* What OpenSees 3.7 has, by its sources (SRC/material/uniaxial): each is a spring that acts while its strain
+ * u_right - u_left is below -gap.
+ *     ViscoelasticGap K C gap           F = K d + C v                            linear, kelvin-voigt
+ *     Hertzdamp K x gap n               F = (K + x K v/v_imp) d^n                hertz, hertz-damp
+ *     JankowskiImpact K xi m gap n      F = K d^n + 2 xi sqrt(K d^(n-1) m) v     jankowski (approach; then K d^n)
+ *     Steel01 V_y k r                   bilinear, kinematic hardening            storeys that yield, V_y = k d_y
+ * No contact lets go when the force reaches 0 while there is indentation, none has the rubber's two curves, and a step knows
+ * no impulse. The constants are read from the law's own branch. */
+#include "io/result/opensees.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/quantity.h"
+#include "base/version.h"
+#include "io/file/json.h"
+
+/* Hertzdamp and JankowskiImpact take no gap of 0, m. */
+static const double least_gap_m = 1e-12;
+/* Steps to what thud_model_contact_period gives, four times what it takes from touch to the turn. */
+static const double steps_per_contact = 500, steps_per_period = 200;
+
+static enum thud_status refuse(struct thud_error *err, const char *key, const char *what, const char *instead)
+{
+    thud_error_set(err, THUD_INPUT, "OpenSees %s", what);
+    thud_error_key(err, key);
+    thud_error_allow(err, "%s", instead);
+    return THUD_INPUT;
+}
+
+static bool is_law(const struct thud_model_contact *c, const char *name)
+{
+    return strcmp(c->law->name, name) == 0;
+}
+
+static bool has_contact(const struct thud_model_contact *c)
+{
+    return !(c->law->flags & THUD_LAW_NO_FORCE);
+}
+
+static enum thud_status check_contact(const struct thud_model_contact *c, struct thud_error *err)
+{
+    static const char *const known[] = {"none", "linear", "kelvin-voigt", "hertz", "hertz-damp", "jankowski"};
+    static const char choice[] = "none, linear, kelvin-voigt, hertz, hertz-damp, jankowski";
+    char key[64];
+    bool bumper = is_law(c, "rubber");
+    if (c->struck != 0) {
+        snprintf(key, sizeof key, "interfaces.%d", c->interface);
+        return refuse(
+            err, key,
+            "has springs between two nodes, and a slab that strikes columns pushes the floors above and below "
+            "by shares",
+            "floors at the same elevations (heights, base), or levels: aligned");
+    }
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
+        if (is_law(c, known[i]))
+            return THUD_OK;
+    snprintf(key, sizeof key, "interfaces.%d.%s.law", c->interface, bumper ? "bumper" : "contact");
+    if (bumper)
+        return refuse(err, key, "has no material whose curves of approach and restitution differ as the rubber's do",
+                      "--case none leaves the bumper out");
+    if (c->law->flags & THUD_LAW_IMPULSIVE)
+        return refuse(err, key, "knows no impulse: its time steps need a force", choice);
+    if (is_law(c, "kelvin-voigt-no-tension"))
+        return refuse(err, key,
+                      "has no linear dashpot that lets go when the force reaches 0 (its ViscoelasticGap pulls on, "
+                      "which is kelvin-voigt)",
+                      choice);
+    return refuse(err, key, "has no such law", choice);
+}
+
+enum thud_status thud_opensees_check(const struct thud_scene *scene, const struct thud_model *model,
+                                     struct thud_error *err)
+{
+    enum thud_status status = THUD_OK;
+    char key[64];
+    for (int s = 0; s < scene->nstructures; s++) {
+        snprintf(key, sizeof key, "structures.%d.kind", s + 1);
+        if (scene->structure[s].kind == THUD_ISOLATED)
+            return refuse(err, key,
+                          "has modal damping of whole buildings alone, not of the part above a damped isolator",
+                          "shear, rigid, wall");
+    }
+    if (model->left_out > 0)
+        return refuse(err, "analysis.modes", "integrates every mode", "all modes");
+    for (int c = 0; c < model->ncontacts && status == THUD_OK; c++)
+        status = check_contact(&model->contact[c], err);
+    return status;
+}
+
+static void number(struct thud_text *out, double value)
+{
+    thud_text_number(out, value);
+}
+
+/* "NAME = [a, b, ...]", broken into lines. */
+static void list(struct thud_text *out, const char *name, const double *value, size_t n)
+{
+    enum { TO_A_LINE = 8 };
+    thud_text_append(out, "%s = [", name);
+    for (size_t i = 0; i < n; i++) {
+        thud_text_append(out, "%s", i == 0 ? "" : i % TO_A_LINE ? ", " : ",\n    ");
+        number(out, value[i]);
+    }
+    thud_text_append(out, "]\n");
+}
+
+static void head(struct thud_text *out, const struct thud_scene *scene, const struct thud_model *model,
+                 const struct thud_record *record, const struct thud_result *result)
+{
+    double step_s = INFINITY;
+    for (int m = 0; m < model->nmodes; m++)
+        if (model->omega[m] > 0)
+            step_s = fmin(step_s, 2 * THUD_PI / model->omega[m] / steps_per_period);
+    for (int c = 0; c < model->ncontacts; c++)
+        if (has_contact(&model->contact[c]))
+            step_s = fmin(step_s, thud_model_contact_period(&model->contact[c]) / steps_per_contact);
+    double part = record ? record->dt_s : result->end_s;
+    thud_text_append(out, "# A scene of thud %s for OpenSeesPy: python3 THIS_FILE [STEP]\n", THUD_VERSION);
+    thud_text_append(out, "# SI units: m, s, kg, N. Displacements are relative to the ground, positive to the right.\n"
+                          "import os\nimport sys\nimport tempfile\n\nimport openseespy.opensees as ops\n\nTITLE = ");
+    thud_json_string(out, scene->title[0] ? scene->title : scene->name);
+    thud_text_append(out, "\nEND = ");
+    number(out, result->end_s);
+    thud_text_append(out, "  # s\nSTEP = float(sys.argv[1]) if len(sys.argv) > 1 else ");
+    number(out, part / ceil(part / step_s));
+    thud_text_append(out, "  # s\n");
+    if (record) {
+        thud_text_append(out, "\n# ground acceleration, m/s2, every DT seconds: ");
+        thud_json_string(out, record->file);
+        thud_text_append(out, "\nDT = ");
+        number(out, record->dt_s);
+        thud_text_append(out, "\n");
+        list(out, "GROUND", record->a_mps2, record->samples);
+    }
+}
+
+/* Nodes: a floor's is its number from 1 over all structures, a structure's ground is 1001, 1002, ... */
+enum { GROUND = 1000 };
+
+/* A storey's spring, with the number of the floor above it. */
+static void spring(struct thud_text *out, double stiffness_npm, const struct thud_model_storey *storey, int node,
+                   int below)
+{
+    thud_text_append(out, "ops.uniaxialMaterial(\"%s\", %d, ", storey ? "Steel01" : "Elastic", node);
+    if (storey) {
+        number(out, stiffness_npm * storey->yield_m);
+        thud_text_append(out, ", ");
+    }
+    number(out, stiffness_npm);
+    if (storey) {
+        thud_text_append(out, ", ");
+        number(out, storey->hardening);
+    }
+    thud_text_append(out, ")\nops.element(\"zeroLength\", %d, %d, %d, \"-mat\", %d, \"-dir\", 1)\n", node, below, node,
+                     node);
+}
+
+static void nodes(struct thud_text *out, const struct thud_scene *scene, const struct thud_model *model)
+{
+    thud_text_append(out, "\nops.wipe()\nops.model(\"basic\", \"-ndm\", 1, \"-ndf\", 1)\n");
+    for (int s = 0; s < model->nstructures; s++) {
+        const struct thud_model_structure *m = &model->structure[s];
+        thud_text_append(out, "\n# structure %d: ", s + 1);
+        thud_json_string(out, scene->structure[s].name);
+        thud_text_append(out, "\n");
+        if (m->n == 0 || m->stiffness_npm)
+            thud_text_append(out, "ops.node(%d, 0.0)\nops.fix(%d, 1)\n", GROUND + s + 1, GROUND + s + 1);
+        for (int i = 0; i < m->n; i++) {
+            int node = m->first + i + 1;
+            thud_text_append(out, "ops.node(%d, 0.0)\nops.mass(%d, ", node, node);
+            number(out, model->mass_kg[m->first + i]);
+            thud_text_append(out, ")\n");
+            int yielding = thud_model_yielding(model, m->first + i);
+            if (m->stiffness_npm)
+                spring(out, m->stiffness_npm[i], yielding < 0 ? NULL : &model->storey[yielding], node,
+                       i == 0 ? GROUND + s + 1 : node - 1);
+        }
+    }
+}
+
+/* Modes of all structures, lowest first, as OpenSees finds them before there are contacts. */
+static void damping(struct thud_text *out, const struct thud_model *model)
+{
+    double above = -1;
+    bool damped = false;
+    for (int m = 0; m < model->nmodes; m++)
+        damped = damped || (model->omega[m] > 0 && model->zeta[m] > 0);
+    if (!damped)
+        return;
+    thud_text_append(out,
+                     "\n# damping ratio of every mode, the lowest frequency first\n"
+                     "ops.eigen(\"-fullGenLapack\", %d)\nops.modalDamping(",
+                     model->nmodes);
+    for (int done = 0; done < model->nmodes;) {
+        double next = INFINITY;
+        for (int m = 0; m < model->nmodes; m++)
+            if (model->omega[m] > above)
+                next = fmin(next, model->omega[m]);
+        for (int m = 0; m < model->nmodes; m++)
+            if (model->omega[m] == next) {
+                thud_text_append(out, "%s", done++ > 0 ? ", " : "");
+                number(out, next > 0 ? model->zeta[m] : 0);
+            }
+        above = next;
+    }
+    thud_text_append(out, ")\n");
+}
+
+static void material(struct thud_text *out, const struct thud_model_contact *c, int tag)
+{
+    struct thud_law_memory memory;
+    c->law->onset(&c->setup, 1, &memory);
+    struct thud_branch b = c->law->branch(&c->setup, &memory, THUD_APPROACH, false);
+    double gap = -fmax(c->clearance_m, least_gap_m);
+    double value[5];
+    int n = 0;
+    const char *name;
+    if (c->law->flags & THUD_LAW_LINEAR) {
+        name = "ViscoelasticGap";
+        value[n++] = b.k_npm;
+        value[n++] = b.c_nspm;
+        value[n++] = gap;
+    } else if (is_law(c, "jankowski")) {
+        name = "JankowskiImpact";
+        value[n++] = b.K;
+        value[n++] = (b.D + b.c_nspm) / (2 * sqrt(b.K * c->setup.mass_kg));
+        value[n++] = c->setup.mass_kg;
+        value[n++] = gap;
+        value[n++] = b.p;
+    } else {
+        name = "Hertzdamp";
+        value[n++] = b.K;
+        value[n++] = b.D / b.K; /* at a touch with 1 m/s */
+        value[n++] = gap;
+        value[n++] = b.p;
+    }
+    thud_text_append(out, "ops.uniaxialMaterial(\"%s\", %d", name, tag);
+    for (int i = 0; i < n; i++) {
+        thud_text_append(out, ", ");
+        number(out, value[i]);
+    }
+    thud_text_append(out, ")\n");
+}
+
+static int contact_tag(const struct thud_model *model, int c)
+{
+    return model->ndof + c + 1;
+}
+
+static int node_of(const struct thud_model_contact *c, bool right)
+{
+    int dof = right ? c->right_dof : c->left_dof;
+    return dof >= 0 ? dof + 1 : GROUND + c->interface + (right ? 1 : 0);
+}
+
+static void contacts(struct thud_text *out, const struct thud_model *model)
+{
+    thud_text_append(out, "\n# storeys that yield, by the floor above\nYIELDING = [");
+    for (int i = 0; i < model->nstoreys; i++)
+        thud_text_append(out, "%s%d", i > 0 ? ", " : "",
+                         model->structure[model->storey[i].structure].first + model->storey[i].floor + 1);
+    thud_text_append(out, "]\n\n# contacts: left and right floor\nCONTACTS = []\n");
+    for (int i = 0; i < model->ncontacts; i++) {
+        const struct thud_model_contact *c = &model->contact[i];
+        int tag = contact_tag(model, i);
+        if (!has_contact(c))
+            continue;
+        material(out, c, tag);
+        thud_text_append(out,
+                         "ops.element(\"zeroLength\", %d, %d, %d, \"-mat\", %d, \"-dir\", 1)\nCONTACTS.append(%d)\n",
+                         tag, node_of(c, false), node_of(c, true), tag, tag);
+    }
+}
+
+/* What the run gave, row by row: name, what OpenSees recorded, at which place, the value. */
+static void expected(struct thud_text *out, const struct thud_scene *scene, const struct thud_model *model,
+                     const struct thud_result *result)
+{
+    thud_text_append(out, "\n# peaks by thud: name, quantity, place among the recorded, value\nEXPECTED = [\n");
+    for (int s = 0; s < result->nstructures; s++)
+        for (int i = 0; i < result->structure[s].floors; i++) {
+            const struct thud_floor_result *f = &result->structure[s].floor[i];
+            char name[THUD_NAME_MAX + 32];
+            for (int k = 0; k < 2; k++) {
+                snprintf(name, sizeof name, "%s floor %d", scene->structure[s].name, i + 1);
+                thud_text_append(out, "    (");
+                thud_json_string(out, name);
+                thud_text_append(out, ", \"%s\", %d, ", k == 0 ? "acceleration" : "displacement",
+                                 model->structure[s].first + i);
+                number(out, k == 0 ? f->acceleration.value : f->displacement.value);
+                thud_text_append(out, "),\n");
+            }
+        }
+    for (int c = 0, place = 0; c < result->ncontacts; c++) {
+        const struct thud_contact_result *r = &result->contact[c];
+        if (!has_contact(&model->contact[c]))
+            continue;
+        thud_text_append(out, "    (\"interface %d floors %d-%d\", \"force\", %d, ", r->interface, r->left_floor,
+                         r->right_floor, place++);
+        number(out, r->force.value);
+        thud_text_append(out, "),\n");
+    }
+    for (int i = 0; i < model->nstoreys; i++) {
+        const struct thud_model_storey *storey = &model->storey[i];
+        const struct thud_structure_result *r = &result->structure[storey->structure];
+        for (int k = 0; k < 2; k++) {
+            char name[THUD_NAME_MAX + 32];
+            snprintf(name, sizeof name, "%s storey %d", scene->structure[storey->structure].name, storey->floor + 1);
+            thud_text_append(out, "    (");
+            thud_json_string(out, name);
+            thud_text_append(out, ", \"%s\", %d, ", k == 0 ? "drift" : "shear", i);
+            number(out, k == 0 ? r->floor[storey->floor].drift.value : r->storey[storey->floor].shear.value);
+            thud_text_append(out, "),\n");
+        }
+    }
+    thud_text_append(out, "]\n");
+}
+
+static const char analysis[] =
+    "\n"
+    "folder = tempfile.mkdtemp()\n"
+    "path = {q: os.path.join(folder, q) for q in (\"acceleration\", \"displacement\", \"force\", \"drift\", "
+    "\"shear\")}\n"
+    "ops.recorder(\"EnvelopeNode\", \"-file\", path[\"acceleration\"], *TOTAL, \"-node\", *FLOORS, \"-dof\", 1, "
+    "\"accel\")\n"
+    "ops.recorder(\"EnvelopeNode\", \"-file\", path[\"displacement\"], \"-node\", *FLOORS, \"-dof\", 1, \"disp\")\n"
+    "if CONTACTS:\n"
+    "    ops.recorder(\"EnvelopeElement\", \"-file\", path[\"force\"], \"-ele\", *CONTACTS, \"material\", \"1\", "
+    "\"stress\")\n"
+    "if YIELDING:\n"
+    "    for quantity, response in ((\"drift\", \"strain\"), (\"shear\", \"stress\")):\n"
+    "        ops.recorder(\"EnvelopeElement\", \"-file\", path[quantity], \"-ele\", *YIELDING, \"material\", \"1\", "
+    "response)\n"
+    "ops.constraints(\"Plain\")\n"
+    "ops.numberer(\"Plain\")\n"
+    "ops.system(\"FullGeneral\")\n"
+    "ops.test(\"NormUnbalance\", 1e-8 * WEIGHT, 100)\n"
+    "ops.algorithm(\"Newton\")\n"
+    "ops.integrator(\"Newmark\", 0.5, 0.25)\n"
+    "ops.analysis(\"Transient\")\n"
+    "if ops.analyze(int(round(END / STEP)), STEP) != 0:\n"
+    "    sys.exit(\"no convergence: try a shorter step\")\n"
+    "ops.wipe()  # writes the envelopes\n"
+    "peaks = {}\n"
+    "for quantity, file in path.items():\n"
+    "    if os.path.exists(file):\n"
+    "        with open(file) as lines:\n"
+    "            peaks[quantity] = [float(x) for x in lines.read().splitlines()[2].split()]\n"
+    "        os.remove(file)\n"
+    "os.rmdir(folder)\n"
+    "print(TITLE)\n"
+    "print(\"step %g s\" % STEP)\n"
+    "print(\"%-28s %-13s %14s %14s %11s\" % (\"\", \"peak\", \"OpenSees\", \"thud\", \"difference\"))\n"
+    "worst = 0\n"
+    "for name, quantity, place, value in EXPECTED:\n"
+    "    found = peaks[quantity][place]\n"
+    "    difference = found / value - 1 if value else found\n"
+    "    worst = max(worst, abs(difference))\n"
+    "    print(\"%-28s %-13s %14.7g %14.7g %+11.2e\" % (name, quantity, found, value, difference))\n"
+    "print(\"largest difference %.2e\" % worst)\n";
+
+void thud_opensees_script(const struct thud_scene *scene, const struct thud_model *model,
+                          const struct thud_record *record, const struct thud_result *result, struct thud_text *out)
+{
+    double weight_n = 0;
+    for (int i = 0; i < model->ndof; i++)
+        weight_n += model->mass_kg[i] * THUD_GRAVITY;
+    head(out, scene, model, record, result);
+    nodes(out, scene, model);
+    damping(out, model);
+    contacts(out, model);
+    thud_text_append(out, "\nFLOORS = list(range(1, %d))\nWEIGHT = ", model->ndof + 1);
+    number(out, weight_n);
+    thud_text_append(out, "\n%s",
+                     record ? "ops.timeSeries(\"Path\", 1, \"-dt\", DT, \"-values\", *GROUND, \"-factor\", 1.0)\n"
+                              "ops.pattern(\"UniformExcitation\", 1, 1, \"-accel\", 1)\n"
+                              "TOTAL = [\"-timeSeries\", 1]  # the ground's acceleration is added\n"
+                            : "TOTAL = []\n");
+    for (int s = 0; s < scene->nstructures; s++)
+        if (scene->structure[s].kind == THUD_RIGID && scene->structure[s].velocity_mps != 0) {
+            thud_text_append(out, "ops.setNodeVel(%d, 1, ", model->structure[s].first + 1);
+            number(out, scene->structure[s].velocity_mps);
+            thud_text_append(out, ", \"-commit\")\n");
+        }
+    expected(out, scene, model, result);
+    thud_text_append(out, "%s", analysis);
+}

@@ -1,0 +1,119 @@
+#include "io/result/scene_json.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "io/file/json.h"
+#include "io/preset/preset_emit.h"
+
+struct writer {
+    const struct thud_scene *scene;
+    const char *file;
+    int indent;
+    struct thud_text *out;
+    char *value; /* THUD_VALUE_MAX */
+};
+
+/* "[[5 cm, 6 cm], [on]]" with every item as a string. */
+static void put_list(struct thud_text *out, char *list)
+{
+    for (char *at = list; *at;) {
+        size_t n = strcspn(at, "[],");
+        if (n > 0) {
+            char end = at[n];
+            at[n] = '\0';
+            thud_json_string(out, at);
+            at[n] = end;
+            at += n;
+        } else {
+            thud_text_append(out, *at == ',' ? ", " : "%c", *at);
+            at += 1 + (size_t)(*at == ',') * strspn(at + 1, " ");
+        }
+    }
+}
+
+static void put_value(struct writer *w, struct thud_section section, const char *path, const char *key)
+{
+    bool lists = section.group == THUD_GROUP_STRUCTURE || section.group == THUD_GROUP_COLUMN ||
+                 section.group == THUD_GROUP_STUDY;
+    thud_json_string(w->out, key);
+    thud_text_append(w->out, ": ");
+    if (lists && w->value[0] == '[' && strcmp(key, "name") != 0)
+        put_list(w->out, w->value);
+    else
+        thud_json_string(w->out, strcmp(path, "record.file") == 0 && w->file ? w->file : w->value);
+}
+
+/* The keys of a section, separated by commas; their count. */
+static int put_keys(struct writer *w, struct thud_section section)
+{
+    const char *key[THUD_SECTION_KEYS_MAX];
+    char prefix[THUD_SECTION_PATH], path[128];
+    int n = thud_section_keys(w->scene, section, key), count = 0;
+    thud_section_path(section, prefix, sizeof prefix);
+    for (int i = 0; i < n; i++) {
+        snprintf(path, sizeof path, "%s%s%s", prefix, *prefix ? "." : "", key[i]);
+        if (thud_scene_get(w->scene, path, w->value, THUD_VALUE_MAX, NULL) != THUD_OK || !*w->value)
+            continue;
+        thud_text_append(w->out, "%s", count++ ? ", " : "");
+        put_value(w, section, path, key[i]);
+    }
+    return count;
+}
+
+static void put_nested(struct writer *w, enum thud_group group, int index)
+{
+    thud_text_append(w->out, ",\n%*s\"%s\": {", w->indent + 4, "", thud_group_key(group));
+    put_keys(w, (struct thud_section){group, index});
+    thud_text_append(w->out, "}");
+}
+
+static void put_items(struct writer *w, enum thud_group group, int n)
+{
+    thud_text_append(w->out, ",\n%*s\"%s\": [", w->indent, "", thud_group_key(group));
+    for (int i = 0; i < n; i++) {
+        thud_text_append(w->out, "%s\n%*s{", i ? "," : "", w->indent + 2, "");
+        put_keys(w, (struct thud_section){group, i});
+        if (group == THUD_GROUP_INTERFACE) {
+            put_nested(w, THUD_GROUP_CONTACT, i);
+            if (w->scene->interface[i].has_bumper)
+                put_nested(w, THUD_GROUP_BUMPER, i);
+        }
+        if (group == THUD_GROUP_STRUCTURE && thud_structure_has_columns(&w->scene->structure[i]))
+            put_nested(w, THUD_GROUP_COLUMN, i);
+        thud_text_append(w->out, "}");
+    }
+    thud_text_append(w->out, "]");
+}
+
+/* `after`: something stands before it. */
+static void put_group(struct writer *w, enum thud_group group, bool after)
+{
+    if (after)
+        thud_text_append(w->out, ",\n%*s", w->indent, "");
+    thud_text_append(w->out, "\"%s\": {", thud_group_key(group));
+    put_keys(w, (struct thud_section){group, 0});
+    thud_text_append(w->out, "}");
+}
+
+void thud_scene_json(const struct thud_scene *scene, const char *file, int indent, struct thud_text *out)
+{
+    struct writer w = {scene, file, indent, out, malloc(THUD_VALUE_MAX)};
+    if (!w.value) {
+        out->failed = 1;
+        return;
+    }
+    thud_text_append(out, "{\n%*s", indent, "");
+    put_keys(&w, (struct thud_section){THUD_GROUP_SCENE, 0}); /* may be none: a comma stands only between */
+    put_group(&w, THUD_GROUP_ANALYSIS, *scene->title != '\0');
+    if (scene->record.file[0])
+        put_group(&w, THUD_GROUP_RECORD, true);
+    put_items(&w, THUD_GROUP_STRUCTURE, scene->nstructures);
+    if (scene->nstructures > 1)
+        put_items(&w, THUD_GROUP_INTERFACE, scene->nstructures - 1);
+    if (scene->study.nvary > 0 || scene->study.ncases > 0 || scene->study.sensitivity > 0)
+        put_group(&w, THUD_GROUP_STUDY, true);
+    thud_text_append(out, "}");
+    free(w.value);
+}

@@ -1,0 +1,223 @@
+/* The head of a study's journal: lines `cases`, `vary`, `record`, `sensitivity` where it is asked for, then the preset.
+ */
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/scan.h"
+#include "base/version.h"
+#include "io/result/sweep_journal_private.h"
+
+enum { FORMAT = 3 };
+
+/* A file may have ends of lines in its name. */
+static void put_record(const char *name, struct thud_text *out)
+{
+    if (!strchr(name, '\n')) {
+        thud_text_append(out, "\nrecord %s", name);
+        return;
+    }
+    thud_text_append(out, "\nrecord-escaped ");
+    for (; *name; name++)
+        if (*name == '\n' || *name == '\\')
+            thud_text_append(out, *name == '\n' ? "\\n" : "\\\\");
+        else
+            thud_text_append(out, "%c", *name);
+}
+
+/* Back to the name, in place. */
+static const char *unescape(char *text)
+{
+    char *to = text;
+    for (const char *from = text; *from; from++) {
+        bool escaped = *from == '\\' && from[1];
+        from += escaped;
+        *to++ = escaped && *from == 'n' ? '\n' : *from;
+    }
+    *to = '\0';
+    return text;
+}
+
+static void put_body(const struct thud_sweep_plan *plan, const char *preset, struct thud_text *out)
+{
+    thud_text_append(out, "cases ");
+    for (int i = 0; i < plan->ncases; i++)
+        thud_text_append(out, "%s%s", i > 0 ? "," : "", thud_case_name(plan->cases[i]));
+    for (int i = 0; i < plan->naxes; i++) {
+        thud_text_append(out, "\nvary %s=", plan->axis[i].key);
+        for (int v = 0; v < plan->axis[i].n; v++)
+            thud_text_append(out, "%s%s", v > 0 ? "," : "", plan->axis[i].text[v]);
+    }
+    for (int i = 0; i < plan->nrecords; i++)
+        put_record(plan->record[i] ? plan->record[i]->file : "", out);
+    if (plan->sensitivity > 0) {
+        thud_text_append(out, "\nsensitivity ");
+        thud_text_number(out, plan->sensitivity);
+    }
+    thud_text_append(out, "\npreset\n%s\n", preset);
+}
+
+void thud_sweep_head_write(const struct thud_sweep_plan *plan, const char *preset, struct thud_sweep_shard shard,
+                           struct thud_text *out)
+{
+    struct thud_text body = {0};
+    put_body(plan, preset, &body);
+    thud_text_append(out, "thud-sweep-journal %d %s %016llx %d %d %zu\n", FORMAT, THUD_VERSION,
+                     thud_sweep_fingerprint(plan), shard.index, shard.count, body.size);
+    if (body.data)
+        thud_text_bytes(out, body.data, body.size);
+    out->failed |= body.failed;
+    thud_text_clear(&body);
+}
+
+static enum thud_status refuse(const struct thud_sweep_journal *journal, struct thud_error *err)
+{
+    thud_error_place(err, journal->path, 1, 0);
+    return THUD_INPUT;
+}
+
+static enum thud_status damaged(const struct thud_sweep_journal *journal, struct thud_error *err)
+{
+    thud_error_set(err, THUD_INPUT, "is no journal of a study that this program can read");
+    thud_error_allow(err, "remove it to begin anew");
+    return refuse(journal, err);
+}
+
+static enum thud_status unreadable(const struct thud_sweep_journal *journal, struct thud_error *err)
+{
+    thud_error_set(err, THUD_INPUT, "%s", strerror(errno));
+    return refuse(journal, err);
+}
+
+/* Another version may answer in other digits; a study is of one. */
+static enum thud_status check_version(const struct thud_sweep_journal *journal, const char *version,
+                                      struct thud_error *err)
+{
+    if (strcmp(version, THUD_VERSION) == 0)
+        return THUD_OK;
+    thud_error_set(err, THUD_INPUT, "the study was begun by thud %s, this is thud %s", version, THUD_VERSION);
+    thud_error_allow(err, "that version to go on, another folder or this file removed to begin anew");
+    return refuse(journal, err);
+}
+
+static bool scan_next(const char **text, int *out)
+{
+    return thud_scan_word(text, " ") && thud_scan_count(text, out);
+}
+
+static bool scan_version(const char **text, char *out, size_t size)
+{
+    size_t length = thud_scan_word(text, " ") ? strcspn(*text, " \n") : 0;
+    if (length == 0 || length >= size)
+        return false;
+    snprintf(out, size, "%.*s", (int)length, *text);
+    *text += length;
+    return true;
+}
+
+static bool scan_hexadecimal(const char **text, unsigned long long *out)
+{
+    size_t length = thud_scan_word(text, " ") ? strspn(*text, "0123456789abcdef") : 0;
+    if (length == 0 || length > 16)
+        return false;
+    *out = strtoull(*text, NULL, 16);
+    *text += length;
+    return true;
+}
+
+/* The first line: format, version, fingerprint, part, size of the body. */
+static enum thud_status read_start(struct thud_sweep_journal *journal, struct thud_sweep_head *head, size_t *size,
+                                   struct thud_error *err)
+{
+    int bytes;
+    enum { LARGEST = 64 << 20 };
+    char line[160], version[32];
+    const char *at = line;
+    int format;
+    rewind(journal->file);
+    errno = 0;
+    if (!fgets(line, sizeof line, journal->file))
+        return ferror(journal->file) ? unreadable(journal, err) : damaged(journal, err);
+    if (!thud_scan_word(&at, "thud-sweep-journal ") || !thud_scan_count(&at, &format))
+        return damaged(journal, err);
+    if (format != FORMAT) {
+        thud_error_set(err, THUD_INPUT, "the study was begun by another version of thud (journal %d, not %d)", format,
+                       FORMAT);
+        thud_error_allow(err, "that version to go on, another folder or this file removed to begin anew");
+        return refuse(journal, err);
+    }
+    if (!scan_version(&at, version, sizeof version) || !scan_hexadecimal(&at, &head->fingerprint) ||
+        !scan_next(&at, &head->shard.index) || !scan_next(&at, &head->shard.count) || !scan_next(&at, &bytes) ||
+        strcmp(at, "\n") != 0 || bytes > LARGEST || head->shard.index < 1 || head->shard.index > head->shard.count)
+        return damaged(journal, err);
+    *size = (size_t)bytes;
+    return check_version(journal, version, err);
+}
+
+/* FNV-1a, 64 bits. */
+static unsigned long long sum_of(const char *text)
+{
+    unsigned long long h = 14695981039346656037ULL;
+    for (; *text; text++)
+        h = (h ^ (unsigned char)*text) * 1099511628211ULL;
+    return h;
+}
+
+/* Takes the body apart in place. */
+static bool split(struct thud_sweep_head *head)
+{
+    int records = 0;
+    for (const char *p = head->text; (p = strstr(p, "\nrecord")) != NULL; p++)
+        records++;
+    head->record = calloc((size_t)records + 1, sizeof *head->record);
+    for (char *line = head->text, *end; head->record && (end = strchr(line, '\n')) != NULL; line = end + 1) {
+        *end = '\0';
+        if (strncmp(line, "cases ", 6) == 0)
+            head->cases = line + 6;
+        else if (strncmp(line, "vary ", 5) == 0 && head->nvary < THUD_VARY_MAX)
+            head->vary[head->nvary++] = line + 5;
+        else if (strncmp(line, "record ", 7) == 0 && head->nrecords < records)
+            head->record[head->nrecords++] = line + 7;
+        else if (strncmp(line, "record-escaped ", 15) == 0 && head->nrecords < records)
+            head->record[head->nrecords++] = unescape(line + 15);
+        else if (strncmp(line, "sensitivity ", 12) == 0)
+            head->sensitivity = line + 12;
+        else if (strcmp(line, "preset") == 0) {
+            head->preset = end + 1;
+            return head->cases != NULL;
+        } else {
+            return false;
+        }
+    }
+    return false;
+}
+
+enum thud_status thud_sweep_head_read(struct thud_sweep_journal *journal, struct thud_sweep_head *head,
+                                      struct thud_error *err)
+{
+    size_t size = 0;
+    enum thud_status status = read_start(journal, head, &size, err);
+    if (status != THUD_OK)
+        return status;
+    head->text = malloc(size + 1);
+    if (!head->text)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    errno = 0;
+    if (fread(head->text, 1, size, journal->file) != size)
+        return ferror(journal->file) ? unreadable(journal, err) : damaged(journal, err);
+    head->text[size] = '\0';
+    journal->start = ftello(journal->file);
+    journal->head_lines = 1;
+    for (size_t i = 0; i < size; i++)
+        journal->head_lines += head->text[i] == '\n';
+    head->sum = sum_of(head->text);
+    return split(head) ? THUD_OK : damaged(journal, err);
+}
+
+void thud_sweep_head_clear(struct thud_sweep_head *head)
+{
+    free(head->text);
+    free(head->record);
+    *head = (struct thud_sweep_head){0};
+}

@@ -1,0 +1,240 @@
+#include "io/result/sweep_journal.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "base/scan.h"
+#include "io/file/file.h"
+#include "io/result/sweep_journal_private.h"
+
+#define JOURNAL "sweep.journal"
+
+static enum thud_status failed(const struct thud_sweep_journal *journal, enum thud_status status, const char *what,
+                               struct thud_error *err)
+{
+    thud_error_set(err, status, "%s", what);
+    thud_error_place(err, journal->path, 0, 0);
+    return status;
+}
+
+enum thud_status thud_sweep_shard_parse(const char *text, struct thud_sweep_shard *out, struct thud_error *err)
+{
+    const char *at = text;
+    if (thud_scan_count(&at, &out->index) && thud_scan_word(&at, "/") && thud_scan_count(&at, &out->count) && !*at &&
+        out->index >= 1 && out->index <= out->count)
+        return THUD_OK;
+    thud_error_set(err, THUD_USAGE, "\"%.40s\" is no part of a study", text);
+    thud_error_key(err, "shard");
+    thud_error_allow(err, "K/N, K from 1 to N, e.g. 2/3");
+    return THUD_USAGE;
+}
+
+long thud_sweep_shard_points(const struct thud_sweep_plan *plan, struct thud_sweep_shard shard)
+{
+    long points = thud_sweep_points(plan);
+    return points >= shard.index ? (points - shard.index) / shard.count + 1 : 0;
+}
+
+/* NULL: out of memory. `file` is NULL, with errno, where it could not be opened. */
+static struct thud_sweep_journal *make(const char *folder, const char *mode, struct thud_error *err)
+{
+    struct thud_sweep_journal *journal = calloc(1, sizeof *journal);
+    if (!journal) {
+        thud_error_set(err, THUD_MEMORY, "out of memory");
+        return NULL;
+    }
+    snprintf(journal->path, sizeof journal->path, "%s/" JOURNAL, folder);
+    journal->file = fopen(journal->path, mode);
+    return journal;
+}
+
+/* Counts the whole lines and cuts off what comes after them. */
+static enum thud_status find_end(struct thud_sweep_journal *journal, struct thud_error *err)
+{
+    struct thud_sweep_point *point;
+    struct thud_error damage;
+    enum thud_status status;
+    thud_sweep_journal_rewind(journal);
+    while ((status = thud_sweep_journal_next(journal, &point, &damage)) == THUD_OK && point) {
+        journal->done++;
+        journal->end = ftello(journal->file);
+        free(point);
+    }
+    if (status == THUD_MEMORY)
+        return thud_error_set(err, status, "out of memory");
+    if (journal->unreadable) /* what could not be read may be whole: nothing is cut off */
+        return failed(journal, THUD_INPUT, damage.what, err);
+    fflush(journal->file);
+    if (ftruncate(fileno(journal->file), journal->end) != 0)
+        return failed(journal, THUD_OUTPUT, strerror(errno), err);
+    return THUD_OK;
+}
+
+static enum thud_status create(struct thud_sweep_journal *journal, const struct thud_sweep_plan *plan,
+                               const char *folder, const char *preset, struct thud_error *err)
+{
+    struct thud_text text = {0};
+    thud_sweep_head_write(plan, preset, journal->shard, &text);
+    enum thud_status status = thud_text_write_in(&text, folder, JOURNAL, err);
+    if (status != THUD_OK)
+        return status;
+    FILE *file = fopen(journal->path, "r+");
+    if (!file)
+        return failed(journal, THUD_OUTPUT, strerror(errno), err);
+    journal->file = file;
+    return THUD_OK;
+}
+
+static enum thud_status open_journal(struct thud_sweep_journal *journal, const struct thud_sweep_plan *plan,
+                                     const char *folder, const char *preset, struct thud_error *err)
+{
+    struct thud_sweep_head head = {0};
+    enum thud_status status = journal->file ? THUD_OK : create(journal, plan, folder, preset, err);
+    if (status == THUD_OK)
+        status = thud_sweep_head_read(journal, &head, err);
+    if (status == THUD_OK && (head.fingerprint != thud_sweep_fingerprint(plan) ||
+                              head.shard.index != journal->shard.index || head.shard.count != journal->shard.count)) {
+        status = failed(journal, THUD_INPUT, "the folder holds the beginning of another study", err);
+        thud_error_allow(err, "the same study, another folder, or this file removed");
+    }
+    thud_sweep_head_clear(&head);
+    return status == THUD_OK ? find_end(journal, err) : status;
+}
+
+enum thud_status thud_sweep_journal_open(const char *folder, const struct thud_sweep_plan *plan, const char *preset,
+                                         struct thud_sweep_shard shard, struct thud_sweep_journal **out, long *done,
+                                         struct thud_error *err)
+{
+    struct thud_sweep_journal *journal = make(folder, "r+", err);
+    *out = NULL;
+    *done = 0;
+    if (!journal)
+        return THUD_MEMORY;
+    journal->shard = shard;
+    enum thud_status status = THUD_OK;
+    if (!journal->file && errno != ENOENT)
+        status = failed(journal, THUD_OUTPUT, strerror(errno), err);
+    if (status == THUD_OK)
+        status = open_journal(journal, plan, folder, preset, err);
+    if (status != THUD_OK) {
+        thud_sweep_journal_close(journal, false);
+        return status;
+    }
+    *done = journal->done;
+    *out = journal;
+    return THUD_OK;
+}
+
+enum thud_status thud_sweep_journal_add(struct thud_sweep_journal *journal, const struct thud_sweep_point *point,
+                                        struct thud_error *err)
+{
+    struct thud_text *line = &journal->line;
+    line->size = 0;
+    thud_sweep_point_write(point, line);
+    thud_text_append(line, "\n");
+    if (line->failed)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    int fd = fileno(journal->file);
+    ssize_t n = pwrite(fd, line->data, line->size, journal->end);
+    if (n != (ssize_t)line->size) {
+        int why = n < 0 ? errno : ENOSPC;
+        if (ftruncate(fd, journal->end) != 0)
+            why = errno;
+        return failed(journal, THUD_OUTPUT, strerror(why), err);
+    }
+    journal->end += n;
+    journal->done++;
+    return THUD_OK;
+}
+
+long thud_sweep_journal_done(const struct thud_sweep_journal *journal)
+{
+    return journal->done;
+}
+
+void thud_sweep_journal_rewind(struct thud_sweep_journal *journal)
+{
+    clearerr(journal->file);
+    fseeko(journal->file, journal->start, SEEK_SET);
+    journal->read = 0;
+    journal->line_number = journal->head_lines;
+    if (journal->end < journal->start)
+        journal->end = journal->start;
+}
+
+enum thud_status thud_sweep_journal_next(struct thud_sweep_journal *journal, struct thud_sweep_point **out,
+                                         struct thud_error *err)
+{
+    *out = NULL;
+    errno = 0;
+    ssize_t n = getline(&journal->buffer, &journal->capacity, journal->file);
+    if (n <= 0 && !feof(journal->file)) {
+        if (errno == ENOMEM)
+            return thud_error_set(err, THUD_MEMORY, "out of memory");
+        journal->unreadable = true;
+        return failed(journal, THUD_INPUT, strerror(errno), err);
+    }
+    if (n <= 0)
+        return THUD_OK;
+    journal->line_number++;
+    enum thud_status status = THUD_INPUT;
+    if (journal->buffer[n - 1] == '\n') {
+        journal->buffer[n - 1] = '\0';
+        status = thud_sweep_point_read(journal->buffer, out, err);
+    } else {
+        thud_error_set(err, status, "the last line is torn");
+    }
+    if (status == THUD_OK && (*out)->index != thud_sweep_shard_point(journal->shard, journal->read)) {
+        free(*out);
+        *out = NULL;
+        status = thud_error_set(err, THUD_INPUT, "a point is missing");
+    }
+    journal->read++;
+    if (status != THUD_OK)
+        thud_error_place(err, journal->path, journal->line_number, 0);
+    return status;
+}
+
+void thud_sweep_journal_close(struct thud_sweep_journal *journal, bool remove)
+{
+    if (!journal)
+        return;
+    if (remove)
+        unlink(journal->path);
+    if (journal->file)
+        fclose(journal->file);
+    thud_text_clear(&journal->line);
+    free(journal->buffer);
+    free(journal);
+}
+
+enum thud_status thud_sweep_journal_read(const char *folder, struct thud_sweep_journal **out,
+                                         struct thud_sweep_head *head, struct thud_error *err)
+{
+    *head = (struct thud_sweep_head){0};
+    struct thud_sweep_journal *journal = make(folder, "r", err);
+    *out = NULL;
+    if (!journal)
+        return THUD_MEMORY;
+    enum thud_status status = THUD_OK;
+    if (!journal->file) {
+        status = failed(journal, THUD_INPUT, strerror(errno), err);
+        thud_error_allow(err, "a folder that `thud sweep --shard K/N -o` wrote");
+    }
+    if (status == THUD_OK)
+        status = thud_sweep_head_read(journal, head, err);
+    if (status != THUD_OK) {
+        thud_sweep_head_clear(head);
+        thud_sweep_journal_close(journal, false);
+        return status;
+    }
+    journal->shard = head->shard;
+    thud_sweep_journal_rewind(journal);
+    *out = journal;
+    return THUD_OK;
+}

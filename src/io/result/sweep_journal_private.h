@@ -1,0 +1,29 @@
+#ifndef THUD_IO_SWEEP_JOURNAL_PRIVATE_H
+#define THUD_IO_SWEEP_JOURNAL_PRIVATE_H
+
+#include <stdio.h>
+#include <sys/types.h>
+
+#include "io/result/sweep_journal.h"
+
+struct thud_sweep_journal {
+    FILE *file;
+    char path[4200];
+    struct thud_sweep_shard shard;
+    off_t start, end; /* of the points' lines */
+    long done, read;
+    int head_lines, line_number;
+    bool unreadable;       /* a read failed, which is not the end */
+    struct thud_text line; /* being written */
+    char *buffer;          /* of the line being read */
+    size_t capacity;
+};
+
+/* Head as text, with a first line that gives its size. */
+void thud_sweep_head_write(const struct thud_sweep_plan *plan, const char *preset, struct thud_sweep_shard shard,
+                           struct thud_text *out);
+/* From the file's start; sets journal->start. Errors: THUD_INPUT, THUD_MEMORY. */
+enum thud_status thud_sweep_head_read(struct thud_sweep_journal *journal, struct thud_sweep_head *head,
+                                      struct thud_error *err);
+
+#endif

@@ -1,0 +1,285 @@
+/* Contact forces against time and against indentation, and the energy ledger. */
+#include <math.h>
+#include <stdio.h>
+
+#include "plot/figures/figures_run_internal.h"
+
+static double peak_force(const struct thud_figure_source *source, int nsources, int contact)
+{
+    double peak = 0.0;
+    for (int s = 0; s < nsources; s++)
+        if (!thud_contact_struck(&source[s].result->contact[contact]))
+            peak = fmax(peak, source[s].result->contact[contact].force.value);
+    return peak;
+}
+
+/* The largest impulse of a contact; only of laws without force. */
+static double peak_impulse(const struct thud_figure_source *source, int nsources, int contact)
+{
+    double peak = 0.0;
+    for (int s = 0; s < nsources; s++)
+        for (int i = 0; i < source[s].nimpacts && thud_contact_struck(&source[s].result->contact[contact]); i++)
+            if (source[s].impact[i].contact == contact)
+                peak = fmax(peak, source[s].impact[i].impulse_ns);
+    return peak;
+}
+
+enum { CONTACTS_MAX = 4000 };
+
+/* The contacts worth a curve; the largest force in *peak. */
+static int pick_contacts(const struct thud_figure_source *source, int nsources, int most, int *index, double *peak)
+{
+    double force[CONTACTS_MAX];
+    int n = source->result->ncontacts < CONTACTS_MAX ? source->result->ncontacts : CONTACTS_MAX;
+    *peak = 0.0;
+    for (int c = 0; c < n; c++) {
+        force[c] = peak_force(source, nsources, c);
+        *peak = fmax(*peak, force[c]);
+    }
+    return *peak > 0.0 ? thud_pick_largest(force, n, most, index) : 0;
+}
+
+/* Says which contacts are shown where it is not all that touched. */
+static void contact_note(struct thud_panel *panel, const struct thud_figure_source *source, int nsources, int n,
+                         const int *index)
+{
+    char name[160], text[256];
+    int touched = 0;
+    for (int c = 0; c < source->result->ncontacts; c++)
+        touched += peak_force(source, nsources, c) > 0.0;
+    if (touched == 0)
+        thud_panel_note(panel, "No contact");
+    else if (nsources > 1) {
+        thud_source_contact_name(source, index[0], name, sizeof name);
+        snprintf(text, sizeof text, "Contact with the largest force: %s", name);
+        thud_panel_note(panel, text);
+    } else if (n < touched) {
+        snprintf(text, sizeof text, "The %d of %d contacts with the largest forces", n, touched);
+        thud_panel_note(panel, text);
+    }
+}
+
+/* Every impact at its largest force, or at its impulse. */
+static void impact_points(struct thud_panel *panel, const struct thud_figure_source *source, int contact, bool impulse,
+                          double factor, const char *name, int color)
+{
+    struct thud_style style = {.kind = THUD_POINTS, .color = color};
+    struct thud_series *series = thud_panel_add(panel, style, name, (size_t)source->nimpacts, NULL, NULL);
+    size_t n = 0;
+    for (int i = 0; series && i < source->nimpacts; i++)
+        if (source->impact[i].contact == contact && (impulse || source->impact[i].force_n > 0.0)) {
+            series->x[n] = source->impact[i].start_s + 0.5 * source->impact[i].duration_s;
+            series->y[n++] = factor * (impulse ? source->impact[i].impulse_ns : source->impact[i].force_n);
+        }
+    if (series)
+        series->n = n;
+}
+
+enum { IMPACTS_MANY = 100 };
+
+/* Where no contact has a force: a strip for each that passed impulses, each of them a point. */
+static struct thud_figure *impulses(const struct thud_figure_source *source, int nsources)
+{
+    double size[CONTACTS_MAX], from = 0, to = 0;
+    int index[THUD_CURVES_MAX], contacts = source->result->ncontacts;
+    char title[3 * THUD_TEXT_MAX], name[160];
+    bool ground = thud_source_ground(source);
+    if (contacts > CONTACTS_MAX)
+        contacts = CONTACTS_MAX;
+    for (int c = 0; c < contacts; c++)
+        size[c] = peak_impulse(source, nsources, c);
+    int n = thud_pick_largest(size, contacts, THUD_CURVES_MAX, index);
+    while (n > 0 && !(size[index[n - 1]] > 0.0))
+        n--;
+    if (n == 0)
+        return NULL;
+    thud_source_title(source, nsources, "impulse of every impact (kN s)", title, sizeof title);
+    struct thud_figure *figure = thud_figure_create(thud_run_figure_name(THUD_FIGURE_FORCE), title, n + ground, 1);
+    thud_source_zoom(source, nsources, &from, &to);
+    if (ground)
+        thud_figure_ground(figure, source, from, to);
+    for (int i = 0; i < n; i++) {
+        int c = index[n - 1 - i];
+        thud_source_contact_name(source, c, name, sizeof name);
+        struct thud_panel *panel = thud_figure_panel(figure, i + ground, 0, name);
+        thud_panel_axis(panel, THUD_X, "Time", "s");
+        thud_panel_axis(panel, THUD_Y, "Impulse", "kN s");
+        for (int s = 0; s < nsources; s++)
+            impact_points(panel, &source[s], c, true, 1e-3, nsources > 1 ? source[s].name : "", s);
+    }
+    thud_figure_same_height(figure, ground);
+    thud_figure_strips(figure);
+    for (int r = ground; r < n + ground && figure; r++)
+        thud_panel_limits(&figure->panel[r], THUD_Y, 0.0, figure->panel[r].axis[THUD_Y].most);
+    thud_figure_shorten(figure);
+    thud_figure_note(figure, "A law without force: an impulse lasts no time, and has no largest force.");
+    return figure;
+}
+
+/* One time axis for all rows: the run's, or up to the last impact where much of the run is left then. */
+static void until_last_impact(struct thud_figure *figure, const struct thud_figure_source *source, int nsources,
+                              int rows)
+{
+    double last = 0.0, end = source->result->end_s;
+    char text[128];
+    for (int s = 0; s < nsources; s++)
+        for (int i = 0; i < source[s].nimpacts; i++)
+            last = fmax(last, source[s].impact[i].start_s + source[s].impact[i].duration_s);
+    double step = last > 20.0 ? 5.0 : last > 2.0 ? 1.0 : 0.1, until = step * ceil(1.05 * last / step);
+    bool shorter = until <= 0.75 * end;
+    for (int r = 0; figure && r < rows; r++)
+        thud_panel_limits(&figure->panel[r], THUD_X, 0.0, shorter ? until : end);
+    snprintf(text, sizeof text, "After %.4g s of %.4g s nothing touches.", until, end);
+    if (shorter)
+        thud_figure_note(figure, text);
+}
+
+/* A strip for each contact, the highest first; where impacts are hundreds, each is a point on a log axis. */
+struct thud_figure *thud_figure_forces(const struct thud_figure_source *source, int nsources)
+{
+    int index[THUD_CURVES_MAX], n, most = 0;
+    double peak, from, to;
+    char text[3 * THUD_TEXT_MAX], what[64], name[160];
+    bool zoom = thud_source_zoom(source, nsources, &from, &to), ground = thud_source_ground(source);
+    n = pick_contacts(source, nsources, THUD_CURVES_MAX, index, &peak);
+    struct thud_figure *struck = n == 0 ? impulses(source, nsources) : NULL;
+    if (struck)
+        return struck;
+    for (int s = 0; s < nsources; s++)
+        most = source[s].nimpacts > most ? source[s].nimpacts : most;
+    bool many = most > IMPACTS_MANY;
+    struct thud_shown shown = thud_shown_force(peak);
+    snprintf(what, sizeof what, many ? "largest force of every impact (%s)" : "impact force (%s)", shown.unit);
+    thud_source_title(source, nsources, what, text, sizeof text);
+    zoom = zoom && !many;
+    struct thud_figure *figure =
+        thud_figure_create(thud_run_figure_name(THUD_FIGURE_FORCE), text, (n > 0 ? n : 1) + ground, zoom ? 2 : 1);
+    if (ground)
+        thud_figure_ground(figure, source, from, to);
+    if (n == 0)
+        thud_figure_panel(figure, ground, 0, "no contact");
+    for (int i = 0; i < n; i++) {
+        int c = index[n - 1 - i];
+        thud_source_contact_name(source, c, name, sizeof name);
+        struct thud_panel *panel = thud_figure_panel(figure, i + ground, 0, name);
+        thud_panel_axis(panel, THUD_X, "Time", "s");
+        thud_panel_axis(panel, THUD_Y, "Impact force", shown.unit);
+        if (many)
+            thud_panel_log(panel, THUD_Y);
+        for (int s = 0; s < nsources; s++) {
+            const char *key = nsources > 1 ? source[s].name : "";
+            if (many)
+                impact_points(panel, &source[s], c, false, shown.factor, key, s);
+            else
+                thud_source_line(panel, &source[s], thud_history_force(source[s].history, c), -1, shown.factor, key, s);
+        }
+        if (zoom)
+            thud_panel_zoom(thud_figure_panel(figure, i + ground, 1, name), panel, from, to);
+    }
+    if (n > 0)
+        thud_figure_same_height(figure, ground);
+    thud_figure_strips(figure);
+    if (many)
+        until_last_impact(figure, source, nsources, (n > 0 ? n : 1) + ground);
+    else
+        thud_figure_shorten(figure);
+    int touched = 0;
+    for (int c = 0; c < source->result->ncontacts; c++)
+        touched += peak_force(source, nsources, c) > 0.0;
+    if (n < touched) {
+        snprintf(text, sizeof text, "The %d of %d contacts with the largest forces; histories.csv has all.", n,
+                 touched);
+        thud_figure_note(figure, text);
+    }
+    return figure;
+}
+
+/* Only while pressed together, with a break between impacts. */
+static void loop_line(struct thud_panel *panel, const struct thud_figure_source *source, int contact, double factor,
+                      const char *name, int color)
+{
+    const struct thud_history *h = source->history;
+    int force = thud_history_force(h, contact), depth = thud_history_indentation(h, contact);
+    struct thud_series *series =
+        thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = color}, name, h->rows, NULL, NULL);
+    if (!series)
+        return;
+    size_t n = 0;
+    for (size_t i = 0; i < h->rows; i++) {
+        const double *row = h->value + i * (size_t)h->columns;
+        bool on = row[force] != 0.0;
+        const double *next = row + h->columns;
+        bool edge = !on && ((i + 1 < h->rows && next[force] != 0.0) || (n > 0 && isfinite(series->y[n - 1])));
+        if (!on && !edge)
+            continue;
+        /* a row without force belongs to the loop only where it stands at its foot */
+        bool foot = on || row[depth] >= 0.0;
+        series->x[n] = foot ? 1e3 * row[depth] : NAN;
+        series->y[n++] = foot ? factor * row[force] : NAN;
+    }
+    series->n = n;
+}
+
+struct thud_figure *thud_figure_loops(const struct thud_figure_source *source, int nsources)
+{
+    int index[THUD_CURVES_MAX], n;
+    double peak;
+    char text[3 * THUD_TEXT_MAX];
+    n = pick_contacts(source, nsources, nsources > 1 ? 1 : THUD_CURVES_MAX, index, &peak);
+    struct thud_shown shown = thud_shown_force(peak);
+    thud_source_title(source, nsources, "impact force against indentation", text, sizeof text);
+    struct thud_figure *figure = thud_figure_create(thud_run_figure_name(THUD_FIGURE_LOOP), text, 1, 1);
+    struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "Every impact of the run");
+    thud_panel_axis(panel, THUD_X, "Indentation", "mm");
+    thud_panel_limits(panel, THUD_X, 0.0, NAN);
+    thud_panel_axis(panel, THUD_Y, "Impact force", shown.unit);
+    for (int i = 0; i < n; i++) {
+        for (int s = 0; s < nsources; s++) {
+            thud_source_contact_name(source, index[i], text, sizeof text);
+            loop_line(panel, &source[s], index[i], shown.factor, nsources > 1 ? source[s].name : text,
+                      nsources > 1 ? s : i);
+        }
+    }
+    contact_note(panel, source, nsources, n, index);
+    return figure;
+}
+
+static double energy_peak(const struct thud_figure_source *source)
+{
+    const struct thud_history *h = source->history;
+    double peak = 0.0;
+    for (size_t i = 0; i < h->rows; i++) {
+        for (int e = 0; e < THUD_HISTORY_ENERGIES; e++)
+            peak = fmax(peak, fabs(h->value[i * (size_t)h->columns + (size_t)thud_history_energy(h, e)]));
+    }
+    return peak;
+}
+
+struct thud_figure *thud_figure_energies(const struct thud_figure_source *source, int nsources)
+{
+    static const char *const name[THUD_HISTORY_ENERGIES] = {"input", "kinetic", "strain", "damping", "contact"};
+    char text[3 * THUD_TEXT_MAX];
+    int rows = nsources < THUD_ROWS_MAX ? nsources : THUD_ROWS_MAX;
+    thud_source_title(source, nsources, "energy", text, sizeof text);
+    double peak = 0.0, from, to;
+    bool zoom = thud_source_zoom(source, nsources, &from, &to);
+    struct thud_figure *figure = thud_figure_create(thud_run_figure_name(THUD_FIGURE_ENERGY), text, rows, zoom ? 2 : 1);
+    for (int s = 0; s < rows; s++)
+        peak = fmax(peak, energy_peak(&source[s]));
+    struct thud_shown shown = thud_shown_energy(peak);
+    for (int s = 0; s < rows; s++) {
+        struct thud_panel *panel = thud_figure_panel(figure, s, 0, nsources > 1 ? source[s].name : "");
+        thud_panel_axis(panel, THUD_X, "Time", "s");
+        thud_panel_axis(panel, THUD_Y, "Energy", shown.unit);
+        for (int e = 0; e < THUD_HISTORY_ENERGIES; e++)
+            thud_source_line(panel, &source[s], thud_history_energy(source[s].history, e), -1, shown.factor, name[e],
+                             e);
+        if (source[s].history->nstoreys > 0)
+            thud_source_line(panel, &source[s], thud_history_hysteretic(source[s].history), -1, shown.factor,
+                             "yielding", THUD_HISTORY_ENERGIES);
+        if (zoom)
+            thud_panel_zoom(thud_figure_panel(figure, s, 1, "Around the largest impact"), panel, from, to);
+    }
+    thud_figure_shorten(figure);
+    return figure;
+}

@@ -1,0 +1,150 @@
+#include "plot/figures/figures_fragility.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "plot/figures/figures_sweep.h"
+
+enum { FINE = 120, PANELS_MAX = THUD_VARY_MAX, COLUMNS_MAX = 4 };
+
+/* One case: band, curve, counts. */
+static void add_curve(struct thud_panel *panel, const struct thud_sweep_plan *plan,
+                      const struct thud_fragility_curve *curve)
+{
+    const struct thud_fragility *f = curve->fragility;
+    double unit = thud_varied_factor(&plan->axis[curve->axis]), x[FINE], y[FINE];
+    const char *name = thud_case_title(plan->cases[curve->k]);
+    int color = curve->k;
+    double *point = malloc(4 * (f->n + 1) * sizeof *point), *share = point + f->n, *low = share + f->n,
+           *high = low + f->n;
+    if (!point) {
+        if (panel)
+            panel->figure->failed = true;
+        return;
+    }
+    bool banded = false;
+    for (size_t i = 0; i < f->n; i++) {
+        point[i] = f->stripe[i].x * unit;
+        share[i] = f->stripe[i].n > 0 ? 100.0 * f->stripe[i].count / f->stripe[i].n : NAN;
+        low[i] = 100 * f->low[i];
+        high[i] = 100 * f->high[i];
+        banded |= !isnan(f->low[i]);
+    }
+    if (banded)
+        thud_panel_fill(panel, (struct thud_style){.color = color, .thin = true}, name, f->n, point, low, high);
+    if (f->curve.fitted) {
+        double from = f->stripe[0].x, to = f->stripe[f->n - 1].x;
+        for (int i = 0; i < FINE; i++) {
+            double at = from + (to - from) * i / (FINE - 1);
+            x[i] = at * unit;
+            y[i] = 100 * thud_lognormal_at(&f->curve, at);
+        }
+        thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = color}, name, FINE, x, y);
+    }
+    thud_panel_add(panel, (struct thud_style){.kind = THUD_POINTS, .color = color}, f->curve.fitted ? "" : name, f->n,
+                   point, share);
+    free(point);
+}
+
+struct thud_figure *thud_figure_of_fragility(const struct thud_sweep_plan *plan, const char *event,
+                                             const struct thud_fragility_curve *curve, int ncurves, const char *note)
+{
+    char name[96] = "fragility-", title[THUD_TEXT_MAX + 128];
+    size_t n = strlen(name);
+    int columns = 0, panel_of[PANELS_MAX];
+    for (int a = 0; a < PANELS_MAX; a++)
+        panel_of[a] = -1;
+    for (int i = 0; i < ncurves; i++)
+        if (panel_of[curve[i].axis] < 0)
+            panel_of[curve[i].axis] = columns++;
+    for (const char *c = event; *c && n + 1 < sizeof name; c++) { /* an event is in small letters but for units */
+        bool capital = *c >= 'A' && *c <= 'Z', plain = (*c >= 'a' && *c <= 'z') || (*c >= '0' && *c <= '9');
+        if (capital || plain || name[n - 1] != '-')
+            name[n++] = (char)(capital ? *c - 'A' + 'a' : plain ? *c : '-');
+    }
+    while (name[n - 1] == '-')
+        n--;
+    name[n] = '\0';
+    snprintf(title, sizeof title, "%s: probability of %s", plan->scene.title[0] ? plan->scene.title : plan->scene.name,
+             strcmp(event, "worse") == 0 ? "a bumper that makes it worse" : event);
+    struct thud_figure *figure = thud_figure_create(name, title, 1, columns > 0 ? columns : 1);
+    for (int a = 0; a < plan->naxes; a++) {
+        char against[160];
+        if (panel_of[a] < 0)
+            continue;
+        snprintf(against, sizeof against, "against %s", plan->axis[a].param->title);
+        struct thud_panel *panel = thud_figure_panel(figure, 0, panel_of[a], against);
+        thud_panel_varied(panel, THUD_X, &plan->axis[a]);
+        thud_panel_axis(panel, THUD_Y, "Probability", "%");
+        thud_panel_limits(panel, THUD_Y, 0, 100);
+        for (int i = 0; i < ncurves; i++)
+            if (curve[i].axis == a)
+                add_curve(panel, plan, &curve[i]);
+    }
+    thud_figure_note(figure, note);
+    return figure;
+}
+
+/* One structure's panel. false: out of memory. */
+static bool add_ida(struct thud_panel *panel, const struct thud_suite *suite, int axis, int k, const int *at,
+                    int structure)
+{
+    const struct thud_sweep_axis *varied = &suite->plan->axis[axis];
+    size_t n = (size_t)varied->n, records = (size_t)suite->nrecords;
+    double *room = malloc((records + 5 * n) * sizeof *room), *x = room + records, *y = x + n, *three = y + n;
+    int place[THUD_VARY_MAX];
+    if (!room)
+        return false;
+    memcpy(place, at, sizeof place);
+    for (int r = 0; r < suite->nrecords; r++) {
+        for (size_t i = 0; i < n; i++) {
+            place[axis] = (int)i;
+            x[i] = 100 *
+                   thud_suite_value(suite, r, thud_suite_setting(suite->plan, place), k, THUD_SUITE_DRIFT, structure);
+            y[i] = varied->value[i] * thud_varied_factor(varied);
+        }
+        thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = THUD_COLOR_GREY, .thin = true},
+                       r == 0 ? "each motion" : "", n, x, y);
+    }
+    static const char *const name[] = {"16 %", "median", "84 %"};
+    static const int color[] = {1, 0, 2}; /* the median solid */
+    for (size_t i = 0; i < n; i++) {
+        place[axis] = (int)i;
+        struct thud_fractiles f = thud_suite_fractiles(suite, thud_suite_setting(suite->plan, place), k,
+                                                       THUD_SUITE_DRIFT, structure, 0, room);
+        three[i] = 100 * f.p16;
+        three[n + i] = 100 * f.median;
+        three[2 * n + i] = 100 * f.p84;
+    }
+    for (int q = 0; q < 3; q++)
+        thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = color[q], .wide = q == 1}, name[q], n,
+                       three + (size_t)q * n, y);
+    free(room);
+    return true;
+}
+
+struct thud_figure *thud_figure_of_ida(const struct thud_suite *suite, int axis, int k, const int *at, const char *note)
+{
+    const struct thud_sweep_plan *plan = suite->plan;
+    int structure[COLUMNS_MAX], columns = 0;
+    char name[64], title[160];
+    for (int s = 0; s < plan->scene.nstructures && columns < COLUMNS_MAX; s++)
+        if (thud_kind_is_building(plan->scene.structure[s].kind))
+            structure[columns++] = s;
+    snprintf(name, sizeof name, "ida-%s", thud_case_name(plan->cases[k]));
+    snprintf(title, sizeof title, "Incremental dynamic analysis, %s", thud_case_title(plan->cases[k]));
+    struct thud_figure *figure = thud_figure_create(name, title, 1, columns > 0 ? columns : 1);
+    for (int c = 0; c < columns; c++) {
+        struct thud_panel *panel = thud_figure_panel(figure, 0, c, plan->scene.structure[structure[c]].name);
+        thud_panel_axis(panel, THUD_X, "Largest interstorey deflection", "cm");
+        thud_panel_limits(panel, THUD_X, 0, NAN);
+        thud_panel_varied(panel, THUD_Y, &plan->axis[axis]);
+        thud_panel_limits(panel, THUD_Y, 0, NAN);
+        if (figure && !add_ida(panel, suite, axis, k, at, structure[c]))
+            figure->failed = true;
+    }
+    thud_figure_note(figure, note);
+    return figure;
+}

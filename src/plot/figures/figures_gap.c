@@ -1,0 +1,99 @@
+#include "plot/figures/figures_gap.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "study/scene/level.h"
+
+enum { LEVELS_MAX = 256 };
+
+/* Medians by level, with the band from 16 to 84 % of what is needed. false: out of memory. */
+static bool add_levels(struct thud_panel *panel, const struct thud_gap_suite *suite)
+{
+    double x[LEVELS_MAX], low[LEVELS_MAX], high[LEVELS_MAX], y[LEVELS_MAX];
+    const struct thud_needed_gap *first = suite->gap[0];
+    int n = first->nlevels < LEVELS_MAX ? first->nlevels : LEVELS_MAX, every = (n + 11) / 12;
+    bool several = first->level[n - 1].interface != first->level[0].interface;
+    for (int l = 0; l < n; l += every) {
+        char text[40];
+        const struct thud_gap_level *p = &first->level[l];
+        int used = several ? snprintf(text, sizeof text, "%d: ", p->interface) : 0;
+        thud_pairing_name(p->left_floor, p->right_floor, p->struck, text + used, sizeof text - (size_t)used);
+        thud_panel_tick(panel, THUD_X, l + 1, text);
+    }
+    thud_panel_limits(panel, THUD_X, 0.5, n + 0.5);
+    for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_ASCE7; rule++) {
+        struct thud_style style = {.kind = THUD_LINES_POINTS, .color = rule + 1, .wide = rule == THUD_GAP_EXACT};
+        for (int l = 0; l < n; l++) {
+            struct thud_fractiles f;
+            if (thud_gap_suite_fractiles(suite, l, rule, &f, NULL) != THUD_OK)
+                return false;
+            x[l] = l + 1;
+            y[l] = 100 * f.median;
+            low[l] = 100 * f.p16;
+            high[l] = 100 * f.p84;
+        }
+        if (rule == THUD_GAP_EXACT && suite->nrecords > 1)
+            thud_panel_fill(panel, (struct thud_style){.color = 0, .thin = true}, "needed", (size_t)n, x, low, high);
+        thud_panel_add(panel, style, thud_gap_rule_name(rule), (size_t)n, x, y);
+    }
+    return true;
+}
+
+static int by_value(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* Share of the ground motions whose widest value is at most the gap, as steps. */
+static bool add_shares(struct thud_panel *panel, const struct thud_gap_suite *suite)
+{
+    size_t n = (size_t)suite->nrecords;
+    double most = 0, *x = malloc(2 * (n + 2) * sizeof *x), *y = x ? x + n + 2 : NULL;
+    if (!x)
+        return false;
+    for (size_t r = 0; r < n; r++)
+        most = thud_needed_gap_widest(suite->gap[r], 0, THUD_GAP_ABS, NULL) > most
+                   ? thud_needed_gap_widest(suite->gap[r], 0, THUD_GAP_ABS, NULL)
+                   : most;
+    for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_ASCE7; rule++) {
+        struct thud_style style = {.kind = THUD_STEPS, .color = rule + 1, .wide = rule == THUD_GAP_EXACT};
+        x[0] = 0;
+        for (size_t r = 0; r < n; r++)
+            x[r + 1] = 100 * thud_needed_gap_widest(suite->gap[r], 0, rule, NULL);
+        x[n + 1] = 100 * most * 1.02;
+        qsort(x + 1, n, sizeof *x, by_value);
+        for (size_t i = 0; i < n + 2; i++)
+            y[i] = 100.0 * (double)(i < n ? i : n) / (double)n;
+        thud_panel_add(panel, style, thud_gap_rule_name(rule), n + 2, x, y);
+    }
+    free(x);
+    return true;
+}
+
+struct thud_figure *thud_figure_of_gaps(const struct thud_gap_suite *suite, const char *title)
+{
+    char text[384], note[256];
+    snprintf(text, sizeof text, "The gap that is enough: %.300s", title);
+    struct thud_figure *figure = thud_figure_create("needed-gap", text, 1, 2);
+    struct thud_panel *height = thud_figure_panel(figure, 0, 0, suite->nrecords > 1 ? "By level: medians" : "By level"),
+                      *share = thud_figure_panel(figure, 0, 1, "Ground motions that a gap keeps apart");
+    thud_panel_axis(height, THUD_X, "Floors, left-right", "");
+    thud_panel_axis(height, THUD_Y, "Gap", "cm");
+    thud_panel_limits(height, THUD_Y, 0, NAN);
+    thud_panel_axis(share, THUD_X, "Gap", "cm");
+    thud_panel_axis(share, THUD_Y, "Share of ground motions", "%");
+    thud_panel_limits(share, THUD_Y, 0, 100);
+    if (figure && !(add_levels(height, suite) && add_shares(share, suite)))
+        figure->failed = true;
+    bool several = suite->nrecords > 1;
+    snprintf(
+        note, sizeof note,
+        "%d ground motion%s. needed: exact, from the motion without pounding%s. ASCE 7-16 12.12.3 is SRSS; EN 1998-1 "
+        "4.4.2.7 takes 0.7 of it at aligned floors.",
+        suite->nrecords, several ? "s" : "", several ? " (shaded: 16 to 84 %)" : "");
+    thud_figure_note(figure, note);
+    return figure;
+}

@@ -1,0 +1,310 @@
+#include <math.h>
+#include <stdio.h>
+
+#include "plot/figures/figures_paper.h"
+#include "study/scene/pair.h"
+
+static const double step_s = 5e-4;
+
+/* The paper names neither the three restitutions nor the speed; these go well past the ultimate strain. */
+static const double fig3_restitution[] = {0.3, 0.5, 0.7}, fig3_closing_mps = 1.2;
+
+static const struct {
+    const char *name;
+    bool rubber;
+    double closing_mps;
+    int color;
+} cases[THUD_PAPER_PAIRS] = {
+    {"no bumper", false, 0.5, 0}, {"bumper", true, 0.5, 1}, {"no bumper", false, 1.0, 0}, {"bumper", true, 1.0, 1}};
+
+static enum thud_status run_case(int i, struct thud_answer *answer, struct thud_error *err)
+{
+    struct thud_pair pair;
+    if (cases[i].rubber)
+        thud_pair_rubber(&pair);
+    else
+        thud_pair_concrete(&pair);
+    pair.closing_mps = cases[i].closing_mps;
+    return thud_pair_run(&pair, step_s, answer, err);
+}
+
+enum trace { FORCE, INDENTATION, RELATIVE_VELOCITY, ACCELERATION, TIME };
+
+static double value(const struct thud_history *h, size_t i, enum trace what)
+{
+    const double *row = h->value + i * (size_t)h->columns;
+    switch (what) {
+    case FORCE:
+        return 1e-6 * row[thud_history_force(h, 0)];
+    case INDENTATION:
+        return 1e3 * row[thud_history_indentation(h, 0)];
+    case RELATIVE_VELOCITY:
+        return row[thud_history_velocity(h, 0)] - row[thud_history_velocity(h, 1)];
+    case ACCELERATION:
+        return row[thud_history_acceleration(h, 1)];
+    default:
+        return 1e3 * h->time_s[i];
+    }
+}
+
+/* Against time the whole run, against indentation while in contact. */
+static void line(struct thud_panel *panel, const struct thud_answer *answer, enum trace on_x, enum trace on_y,
+                 struct thud_style style, const char *name)
+{
+    const struct thud_history *h = thud_run_history(answer->run);
+    struct thud_series *series = thud_panel_add(panel, style, name, h->rows + 2, NULL, NULL);
+    if (!series)
+        return;
+    size_t n = 0;
+    bool after = false;
+    double largest = 0;
+    if (on_x == TIME) { /* what was before the first touch, at t = 0 */
+        series->x[n] = -20.0;
+        series->y[n++] = on_y == RELATIVE_VELOCITY ? value(h, 0, on_y) : 0.0;
+        series->x[n] = 0.0;
+        series->y[n++] = on_y == RELATIVE_VELOCITY ? value(h, 0, on_y) : 0.0;
+    } else
+        series->x[n++] = 0.0;
+    for (size_t i = 0; i < h->rows && !after; i++) {
+        series->x[n] = value(h, i, on_x);
+        series->y[n++] = value(h, i, on_y);
+        largest = fmax(largest, value(h, i, FORCE)); /* at release a force is 0 but for rounding */
+        after = on_x == INDENTATION && i > 0 && value(h, i, FORCE) <= 1e-9 * largest;
+    }
+    series->n = n;
+}
+
+static void paper_axis(struct thud_panel *panel, enum thud_side side, enum trace what)
+{
+    static const char *const label[] = {"Impact force", "Indentation", "Relative velocity", "Acceleration", "Time"};
+    static const char *const unit[] = {"MN", "mm", "m/s", "m/s²", "ms"};
+    thud_panel_axis(panel, side, label[what], unit[what]);
+    if (what == TIME)
+        thud_panel_limits(panel, side, -20.0, 250.0);
+}
+
+static enum thud_status finish(struct thud_figure *figure, enum thud_status status, struct thud_figure **out,
+                               struct thud_error *err)
+{
+    if (status == THUD_OK)
+        status = thud_figure_check(figure, err);
+    if (status != THUD_OK) {
+        thud_figure_free(figure);
+        figure = NULL;
+    }
+    *out = figure;
+    return status;
+}
+
+enum thud_status thud_figure_paper2(struct thud_figure **out, struct thud_error *err)
+{
+    struct thud_figure *figure = thud_figure_create("fig2", "The rubber bumper: force against indentation", 1, 1);
+    struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "");
+    struct thud_pair pair;
+    struct thud_answer answer = {0};
+    thud_pair_rubber(&pair);
+    pair.closing_mps = 0.6;
+    enum thud_status status = thud_pair_run(&pair, step_s, &answer, err);
+    paper_axis(panel, THUD_X, INDENTATION);
+    paper_axis(panel, THUD_Y, FORCE);
+    thud_panel_limits(panel, THUD_X, 0.0, 50.0);
+    thud_panel_limits(panel, THUD_Y, 0.0, NAN);
+    if (status == THUD_OK) {
+        const struct thud_history *h = thud_run_history(answer.run);
+        struct thud_style style[2] = {{.color = 0}, {.color = 1}};
+        struct thud_series *way[2] = {
+            thud_panel_add(panel, style[0], "approach: F = k d^n", h->rows, NULL, NULL),
+            thud_panel_add(panel, style[1], "restitution: F = k d^n (1 + C d')", h->rows + 1, NULL, NULL)};
+        size_t n[2] = {0};
+        double last = 0, foot = 0;
+        for (size_t i = 0; i < h->rows && way[0] && way[1]; i++) {
+            int back = value(h, i, RELATIVE_VELOCITY) < 0;
+            if (n[1] > 0 && last <= 0) /* it has let go */
+                break;
+            last = value(h, i, FORCE);
+            foot = value(h, i, INDENTATION);
+            if (back && n[1] == 0 && n[0] > 0) {
+                way[1]->x[n[1]] = way[0]->x[n[0] - 1];
+                way[1]->y[n[1]++] = way[0]->y[n[0] - 1];
+            }
+            way[back]->x[n[back]] = foot;
+            way[back]->y[n[back]++] = last;
+        }
+        for (int k = 0; k < 2 && way[k]; k++)
+            way[k]->n = n[k];
+    }
+    thud_panel_mark(panel, THUD_X, 40.0, 40.0, "largest strain, 0.8 of 5 cm");
+    thud_figure_note(figure,
+                     "k = 0.36 kN/mm^2.65, n = 2.65, C by Eq. (7) for a coefficient of restitution of 0.5; past "
+                     "the largest strain 2500 kN/mm. Two bodies of 320 t closing at 0.6 m/s.");
+    thud_answer_clear(&answer);
+    return finish(figure, status, out, err);
+}
+
+static void rectangle(struct thud_panel *panel, const char *name, int color, double left, double right, double bottom,
+                      double top)
+{
+    const double x[] = {left, right}, low[] = {bottom, bottom}, high[] = {top, top};
+    thud_panel_fill(panel, (struct thud_style){.color = color}, name, 2, x, low, high);
+}
+
+enum thud_status thud_figure_paper6(struct thud_figure **out, struct thud_error *err)
+{
+    static const int storeys[] = {4, 6};
+    static const double left[] = {0.0, 6.2}, width = 5.0, storey = 3.0, slab = 0.35;
+    struct thud_figure *figure = thud_figure_create("fig6", "The two buildings", 1, 1);
+    struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "");
+    thud_panel_axis(panel, THUD_X, "", "");
+    thud_panel_axis(panel, THUD_Y, "Height", "m");
+    thud_panel_limits(panel, THUD_X, -0.8, 12.0);
+    thud_panel_limits(panel, THUD_Y, 0.0, 19.5);
+    thud_panel_tick(panel, THUD_X, left[0] + 0.5 * width, "A: 4-storey building");
+    thud_panel_tick(panel, THUD_X, left[0] + width + 0.6, "gap");
+    thud_panel_tick(panel, THUD_X, left[1] + 0.5 * width, "B: 6-storey building");
+    for (int b = 0; b < 2; b++)
+        for (int i = 1; i <= storeys[b]; i++) {
+            double top = storey * i, ends[2] = {left[b], left[b] + width};
+            const double y[2] = {top - storey, top};
+            rectangle(panel, i < storeys[b] ? "floor, 320 t" : "top floor, 250 t", i < storeys[b] ? 0 : 1, ends[0],
+                      ends[1], top - slab, top);
+            for (int side = 0; side < 2; side++)
+                thud_panel_add(panel, (struct thud_style){.color = 6}, "columns, 600 MN/m in each storey", 2,
+                               (double[]){ends[side], ends[side]}, y);
+            if (i <= storeys[0] && b == 0)
+                rectangle(panel, "bumper, 5 cm of rubber (not to scale)", 2, ends[1], ends[1] + 0.45, top - slab, top);
+        }
+    thud_figure_note(figure,
+                     "Damping 5 % of critical in every mode; storeys of 3 m. Floors of both buildings are at the "
+                     "same levels and touch at A's four floors.");
+    return finish(figure, THUD_OK, out, err);
+}
+
+enum thud_status thud_figure_paper9(struct thud_figure **out, struct thud_error *err)
+{
+    static const double thickness = 5.0, gap = 10.0, cavity[] = {0.0, 1.0};
+    struct thud_figure *figure = thud_figure_create("fig9", "The bumper on the wall and in a cavity of 1 cm", 1, 2);
+    for (int p = 0; p < 2; p++) {
+        char title[96];
+        snprintf(title, sizeof title, "%s: clearance %g cm of a gap of %g cm", p ? "In a cavity" : "On the wall",
+                 gap - thickness + cavity[p], gap);
+        struct thud_panel *panel = thud_figure_panel(figure, 0, p, title);
+        thud_panel_axis(panel, THUD_X, "From the face of the wall", "cm");
+        thud_panel_axis(panel, THUD_Y, "", "");
+        thud_panel_tick(panel, THUD_Y, 5.0, "floor");
+        thud_panel_limits(panel, THUD_X, -6.0, 14.0);
+        thud_panel_limits(panel, THUD_Y, 0.0, 10.0);
+        rectangle(panel, "concrete", THUD_COLOR_GREY, -6.0, -cavity[p], 0.0, 10.0);
+        if (cavity[p] > 0) {
+            rectangle(panel, "concrete", THUD_COLOR_GREY, -cavity[p], 0.0, 0.0, 3.0);
+            rectangle(panel, "concrete", THUD_COLOR_GREY, -cavity[p], 0.0, 7.0, 10.0);
+        }
+        rectangle(panel, "rubber that can be compressed, 4 cm", 2, 1.0 - cavity[p], thickness - cavity[p], 3.0, 7.0);
+        rectangle(panel, "rubber that cannot be compressed, 1 cm", 1, -cavity[p], 1.0 - cavity[p], 3.0, 7.0);
+        rectangle(panel, "concrete", THUD_COLOR_GREY, gap, 14.0, 0.0, 10.0);
+    }
+    thud_figure_note(figure,
+                     "The cavity takes the 1 cm that cannot be compressed: all 4 cm that can be stand before the "
+                     "wall, and the clearance is 1 cm wider.");
+    return finish(figure, THUD_OK, out, err);
+}
+
+enum thud_status thud_figure_paper3(struct thud_figure **out, struct thud_error *err)
+{
+    static const enum trace on_x[] = {TIME, INDENTATION};
+    struct thud_figure *figure = thud_figure_create(
+        "fig3", "Rubber bumper pushed past its ultimate strain, three coefficients of restitution", 1, 2);
+    struct thud_panel *panel[2] = {thud_figure_panel(figure, 0, 0, "Force against time"),
+                                   thud_figure_panel(figure, 0, 1, "Force against indentation")};
+    for (int p = 0; p < 2; p++) {
+        paper_axis(panel[p], THUD_X, on_x[p]);
+        paper_axis(panel[p], THUD_Y, FORCE);
+    }
+    thud_panel_limits(panel[0], THUD_X, -10.0, 150.0);
+    thud_panel_limits(panel[1], THUD_X, 0.0, 50.0);
+    thud_panel_mark(panel[1], THUD_X, 40.0, 40.0, "ultimate strain");
+    enum thud_status status = THUD_OK;
+    for (int i = 0; i < 3 && status == THUD_OK; i++) {
+        struct thud_pair pair;
+        struct thud_answer answer;
+        char name[32];
+        thud_pair_rubber(&pair);
+        thud_pair_set(&pair, "restitution", fig3_restitution[i]);
+        pair.closing_mps = fig3_closing_mps;
+        status = thud_pair_run(&pair, step_s, &answer, err);
+        if (status != THUD_OK)
+            break;
+        snprintf(name, sizeof name, "COR %g", fig3_restitution[i]);
+        for (int p = 0; p < 2; p++)
+            line(panel[p], &answer, on_x[p], FORCE, (struct thud_style){.color = i}, name);
+        thud_answer_clear(&answer);
+    }
+    thud_figure_note(
+        figure, "Bumper of Table 1 between two free bodies of 320 t closing at 1.2 m/s. Eq. (5) as printed: the force "
+                "drops where the motion turns.");
+    return finish(figure, status, out, err);
+}
+
+enum thud_status thud_figure_paper4(struct thud_figure **out, struct thud_error *err)
+{
+    struct thud_figure *figure =
+        thud_figure_create("fig4", "Two rigid bodies of 320 t: impact force against indentation", 1, 2);
+    struct thud_panel *panel[2] = {thud_figure_panel(figure, 0, 0, "Closing at 0.5 m/s"),
+                                   thud_figure_panel(figure, 0, 1, "Closing at 1.0 m/s")};
+    enum thud_status status = THUD_OK;
+    for (int p = 0; p < 2; p++) {
+        paper_axis(panel[p], THUD_X, INDENTATION);
+        paper_axis(panel[p], THUD_Y, FORCE);
+        thud_panel_limits(panel[p], THUD_X, 0.0, 45.0);
+        thud_panel_limits(panel[p], THUD_Y, 0.0, 18.0);
+    }
+    for (int i = 0; i < THUD_PAPER_PAIRS && status == THUD_OK; i++) {
+        struct thud_answer answer;
+        status = run_case(i, &answer, err);
+        if (status != THUD_OK)
+            break;
+        line(panel[i / 2], &answer, INDENTATION, FORCE, (struct thud_style){.color = cases[i].color}, cases[i].name);
+        thud_answer_clear(&answer);
+    }
+    return finish(figure, status, out, err);
+}
+
+enum thud_status thud_figure_paper5(struct thud_figure **out, struct thud_error *err)
+{
+    static const enum trace on_y[] = {FORCE, RELATIVE_VELOCITY, ACCELERATION};
+    struct thud_figure *figure =
+        thud_figure_create("fig5", "Two rigid bodies of 320 t: force, velocity and acceleration", 3, 2);
+    enum thud_status status = THUD_OK;
+    for (int i = 0; i < THUD_PAPER_PAIRS && status == THUD_OK; i++) {
+        struct thud_answer answer;
+        status = run_case(i, &answer, err);
+        if (status != THUD_OK)
+            break;
+        for (int row = 0; row < 3; row++) {
+            struct thud_panel *panel =
+                thud_figure_panel(figure, row, i / 2, i < 2 ? "Closing at 0.5 m/s" : "Closing at 1.0 m/s");
+            paper_axis(panel, THUD_X, TIME);
+            paper_axis(panel, THUD_Y, on_y[row]);
+            line(panel, &answer, TIME, on_y[row], (struct thud_style){.color = cases[i].color}, cases[i].name);
+        }
+        thud_answer_clear(&answer);
+    }
+    thud_figure_note(figure,
+                     "Relative velocity: left minus right body; acceleration: of the right body. First touch at 0 ms.");
+    return finish(figure, status, out, err);
+}
+
+enum thud_status thud_paper_pairs(struct thud_paper_pair *out, struct thud_error *err)
+{
+    for (int i = 0; i < THUD_PAPER_PAIRS; i++) {
+        struct thud_answer answer;
+        enum thud_status status = run_case(i, &answer, err);
+        if (status != THUD_OK)
+            return status;
+        const struct thud_contact_result *contact = &thud_run_result(answer.run)->contact[0];
+        out[i] = (struct thud_paper_pair){
+            cases[i].name,           cases[i].closing_mps,         contact->force.value, contact->indentation.value,
+            contact->contact_time_s, contact->nominal_restitution, contact->restitution, contact->residual_m};
+        thud_answer_clear(&answer);
+    }
+    return THUD_OK;
+}

@@ -1,0 +1,65 @@
+#include "plot/figures/figures_record.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "base/quantity.h"
+#include "ground/intensity.h"
+
+enum { PANELS = 3 };
+
+struct thud_figure *thud_figure_of_motion(const struct thud_record *record, const char *name, const char *title)
+{
+    static const char *const label[PANELS] = {"Acceleration", "Velocity", "Displacement"};
+    static const char *const unit[PANELS] = {"g", "m/s", "m"};
+    struct thud_figure *figure = thud_figure_create(name, title, PANELS, 1);
+    struct thud_series *series[PANELS];
+    for (int k = 0; k < PANELS; k++) {
+        struct thud_panel *panel = thud_figure_panel(figure, k, 0, "");
+        struct thud_style style = {.kind = THUD_LINES, .color = k, .thin = true};
+        thud_panel_axis(panel, THUD_X, "Time", "s");
+        thud_panel_axis(panel, THUD_Y, label[k], unit[k]);
+        series[k] = thud_panel_add(panel, style, "", record->samples, NULL, NULL);
+        for (size_t i = 0; series[k] && i < record->samples; i++)
+            series[k]->x[i] = (double)i * record->dt_s;
+    }
+    for (size_t i = 0; series[0] && i < record->samples; i++)
+        series[0]->y[i] = record->a_mps2[i] / THUD_GRAVITY;
+    thud_record_integrate(record, series[1] ? series[1]->y : NULL, series[2] ? series[2]->y : NULL);
+    thud_figure_note(figure, "Velocity and displacement from rest, of the acceleration less its mean.");
+    return figure;
+}
+
+static double value(const struct thud_spectrum_point *point, int k)
+{
+    return k == 0 ? point->acceleration_mps2 / THUD_GRAVITY : k == 1 ? point->velocity_mps : point->displacement_m;
+}
+
+struct thud_figure *thud_figure_of_spectrum(const struct thud_spectrum_point *point, size_t count, double damping,
+                                            const struct thud_period_mark *mark, int nmarks, const char *name,
+                                            const char *title)
+{
+    static const char *const label[PANELS] = {"Sa", "Sv", "Sd"}, *const unit[PANELS] = {"g", "m/s", "m"};
+    struct thud_figure *figure = thud_figure_create(name, title, PANELS, 1);
+    for (int k = 0; k < PANELS; k++) {
+        struct thud_panel *panel = thud_figure_panel(figure, k, 0, "");
+        thud_panel_axis(panel, THUD_X, "Period", "s");
+        thud_panel_axis(panel, THUD_Y, label[k], unit[k]);
+        thud_panel_log(panel, THUD_X);
+        thud_panel_limits(panel, THUD_X, point[0].period_s, point[count - 1].period_s);
+        thud_panel_limits(panel, THUD_Y, 0, NAN);
+        struct thud_series *series =
+            thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = k}, "", count, NULL, NULL);
+        for (size_t i = 0; series && i < count; i++) {
+            series->x[i] = point[i].period_s;
+            series->y[i] = value(&point[i], k);
+        }
+        for (int i = 0; i < nmarks; i++)
+            if (mark[i].period_s >= point[0].period_s && mark[i].period_s <= point[count - 1].period_s)
+                thud_panel_mark(panel, THUD_X, mark[i].period_s, mark[i].period_s, k == 0 ? mark[i].text : "");
+    }
+    char note[120];
+    snprintf(note, sizeof note, "Damping %g %%. Sa total, Sv and Sd relative to the ground.", 100 * damping);
+    thud_figure_note(figure, note);
+    return figure;
+}

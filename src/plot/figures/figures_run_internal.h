@@ -1,0 +1,54 @@
+/* Shared by the files that make figures of runs. */
+#ifndef THUD_PLOT_FIGURES_RUN_INTERNAL_H
+#define THUD_PLOT_FIGURES_RUN_INTERNAL_H
+
+#include "plot/figures/figures_run.h"
+
+enum { THUD_CURVES_MAX = THUD_COLORS, THUD_ROWS_MAX = 6 };
+
+/* A shown unit fit for values up to `peak`. */
+struct thud_shown {
+    double factor; /* shown = SI x factor */
+    const char *unit;
+};
+struct thud_shown thud_shown_force(double peak_n);
+struct thud_shown thud_shown_energy(double peak_j);
+
+/* Time of the largest impact of all sources, with room around it; false where there was none. */
+bool thud_source_zoom(const struct thud_figure_source *source, int nsources, double *from_s, double *to_s);
+
+/* Adds history column(s) as a line: value = factor (column - less), less < 0: nothing taken off. */
+void thud_source_line(struct thud_panel *panel, const struct thud_figure_source *source, int column, int less,
+                      double factor, const char *name, int color);
+
+/* "Two towers: Impact force (MN); kobe scaled to 0.821 g, bumper, gap 10 cm" */
+void thud_source_title(const struct thud_figure_source *source, int nsources, const char *what, char *text,
+                       size_t size);
+/* Whether there is a ground motion; and its strip at the top of a figure, with the closer look. */
+bool thud_source_ground(const struct thud_figure_source *source);
+void thud_figure_ground(struct thud_figure *figure, const struct thud_figure_source *source, double from, double to);
+/* The rows from `first_row` on with the same y axis. */
+void thud_figure_same_height(struct thud_figure *figure, int first_row);
+
+/* Ends the panels that show a whole run where nothing changes by more than a twentieth of the peaks for the rest, if
+ * that is a good part; the figure's note says so. */
+void thud_figure_shorten(struct thud_figure *figure);
+
+/* "floor 3", or with both structures where there are several interfaces. */
+void thud_source_contact_name(const struct thud_figure_source *source, int contact, char *text, size_t size);
+
+/* Indices of the `most` largest of n values that are > 0 (all where there are none), in their own order; returns how
+ * many. */
+int thud_pick_largest(const double *value, int n, int most, int *index);
+
+/* Whether a storey of the source's scene yields. */
+bool thud_source_yields(const struct thud_figure_source *source);
+struct thud_figure *thud_figure_hysteresis(const struct thud_figure_source *source, int nsources);
+struct thud_figure *thud_figure_permanent(const struct thud_figure_source *source, int nsources);
+struct thud_figure *thud_figure_forces(const struct thud_figure_source *source, int nsources);
+struct thud_figure *thud_figure_loops(const struct thud_figure_source *source, int nsources);
+struct thud_figure *thud_figure_envelopes(const struct thud_figure_source *source, int nsources);
+struct thud_figure *thud_figure_columns(const struct thud_figure_source *source, int nsources);
+struct thud_figure *thud_figure_energies(const struct thud_figure_source *source, int nsources);
+
+#endif

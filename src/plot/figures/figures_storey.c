@@ -1,0 +1,148 @@
+/* Storeys that yield: their loops, and what is left of them over the height. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "plot/figures/figures_run_internal.h"
+#include "study/scene/level.h"
+
+enum { LOOPS_MAX = 6, LOOP_COLUMNS = 3 };
+
+/* A storey that yields: its structure and floor, from 0, and its place among the storeys of a history. */
+struct place {
+    int structure, floor, storey;
+};
+
+static const struct thud_storey_result *storey_of(const struct thud_figure_source *source, const struct place *at)
+{
+    return &source->result->structure[at->structure].storey[at->floor];
+}
+
+/* The storeys that yield, at most `most`; how many there are. */
+static int list_storeys(const struct thud_figure_source *source, struct place *place, int most)
+{
+    int n = 0;
+    for (int s = 0; s < source->result->nstructures; s++)
+        for (int f = 0; f < source->result->structure[s].floors; f++) {
+            const struct thud_storey_result *storey = source->result->structure[s].storey;
+            if (!storey || !storey[f].yields)
+                continue;
+            if (n < most)
+                place[n] = (struct place){s, f, n};
+            n++;
+        }
+    return n;
+}
+
+bool thud_source_yields(const struct thud_figure_source *source)
+{
+    return list_storeys(source, NULL, 0) > 0;
+}
+
+static void loop(struct thud_panel *panel, const struct thud_figure_source *source, int storey, double factor,
+                 const char *name, int color)
+{
+    const struct thud_history *h = source->history;
+    struct thud_series *series =
+        thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = color}, name, h->rows, NULL, NULL);
+    for (size_t i = 0; series && i < h->rows; i++) {
+        const double *row = h->value + i * (size_t)h->columns;
+        series->x[i] = 1e3 * row[thud_history_storey_drift(h, storey)];
+        series->y[i] = factor * row[thud_history_storey_shear(h, storey)];
+    }
+}
+
+struct thud_figure *thud_figure_hysteresis(const struct thud_figure_source *source, int nsources)
+{
+    enum { STOREYS = THUD_STRUCTURES_MAX * (THUD_STOREYS_MAX + 1) };
+    static const char largest[] = "The storeys that lost most energy; histories.csv has all.";
+    struct place *place = malloc(STOREYS * sizeof *place);
+    double *lost = calloc(STOREYS, sizeof *lost), shear = 0.0;
+    char text[3 * THUD_TEXT_MAX];
+    int index[LOOPS_MAX], all = place && lost ? list_storeys(source, place, STOREYS) : 0;
+    for (int k = 0; k < all; k++)
+        for (int s = 0; s < nsources; s++) {
+            lost[k] = fmax(lost[k], storey_of(&source[s], &place[k])->hysteretic_j);
+            shear = fmax(shear, storey_of(&source[s], &place[k])->shear.value);
+        }
+    int n = thud_pick_largest(lost, all, LOOPS_MAX, index), columns = n < LOOP_COLUMNS ? n > 0 ? n : 1 : LOOP_COLUMNS;
+    struct thud_shown shown = thud_shown_force(shear);
+    thud_source_title(source, nsources, "storey shear against drift", text, sizeof text);
+    struct thud_figure *figure = thud_figure_create(thud_run_figure_name(THUD_FIGURE_HYSTERESIS), text,
+                                                    n > 0 ? (n + columns - 1) / columns : 1, columns);
+    for (int i = 0; i < n; i++) {
+        const struct place *at = &place[index[i]];
+        snprintf(text, sizeof text, "%s, storey %d", source->scene->structure[at->structure].name, at->floor + 1);
+        struct thud_panel *panel = thud_figure_panel(figure, i / columns, i % columns, text);
+        thud_panel_axis(panel, THUD_X, "Drift", "mm");
+        thud_panel_axis(panel, THUD_Y, "Shear", shown.unit);
+        for (int s = 0; s < nsources; s++)
+            loop(panel, &source[s], at->storey, shown.factor, nsources > 1 ? source[s].name : "", s);
+    }
+    if (n < all)
+        thud_figure_note(figure, largest);
+    free(place);
+    free(lost);
+    return figure;
+}
+
+enum { DUCTILITY, PERMANENT, QUANTITIES };
+
+/* A value belongs to its whole storey, from floor to floor; elastic storeys leave a gap. */
+static void over_height(struct thud_panel *panel, const struct thud_figure_source *source, int structure, int quantity,
+                        const char *name, int color)
+{
+    const struct thud_structure_result *r = &source->result->structure[structure];
+    const struct thud_structure *p = &source->scene->structure[structure];
+    int slab = p->kind == THUD_ISOLATED;
+    size_t n = 0;
+    struct thud_series *series = thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = color}, name,
+                                                3 * (size_t)r->floors, NULL, NULL);
+    for (int f = slab; series && f < r->floors; f++) {
+        const struct thud_storey_result *storey = &r->storey[f];
+        double value = !storey->yields ? NAN : quantity == DUCTILITY ? storey->ductility : 1e3 * storey->permanent_m;
+        series->x[n] = value;
+        series->y[n++] = f > 0 ? thud_structure_elevation(p, f - 1) : p->base_m;
+        series->x[n] = value;
+        series->y[n++] = thud_structure_elevation(p, f);
+    }
+    if (series)
+        series->n = n;
+}
+
+const char thud_ductility_note[] =
+    "Ductility: largest drift over that at which the storey yields. Permanent drift: that "
+    "at which it carries no force after the run.";
+
+struct thud_figure *thud_figure_permanent(const struct thud_figure_source *source, int nsources)
+{
+    static const struct {
+        const char *label, *unit;
+    } quantity[QUANTITIES] = {{"Ductility", ""}, {"Permanent drift", "mm"}};
+    int rows = 0, row = 0;
+    char text[3 * THUD_TEXT_MAX];
+    for (int i = 0; i < source->result->nstructures; i++)
+        rows += source->result->structure[i].storey != NULL;
+    rows = rows < THUD_ROWS_MAX ? rows : THUD_ROWS_MAX;
+    thud_source_title(source, nsources, "ductility and permanent drift over the height", text, sizeof text);
+    struct thud_figure *figure =
+        thud_figure_create(thud_run_figure_name(THUD_FIGURE_PERMANENT), text, rows > 0 ? rows : 1, QUANTITIES);
+    for (int i = 0; i < source->result->nstructures && row < rows; i++) {
+        if (!source->result->structure[i].storey)
+            continue;
+        for (int q = 0; q < QUANTITIES; q++) {
+            struct thud_panel *panel = thud_figure_panel(figure, row, q, source->scene->structure[i].name);
+            thud_panel_axis(panel, THUD_X, quantity[q].label, quantity[q].unit);
+            thud_panel_axis(panel, THUD_Y, "Height", "m");
+            if (q == DUCTILITY) {
+                thud_panel_limits(panel, THUD_X, 0.0, NAN);
+                thud_panel_mark(panel, THUD_X, 1.0, 1.0, "");
+            }
+            for (int s = 0; s < nsources; s++)
+                over_height(panel, &source[s], i, q, nsources > 1 ? source[s].name : "", s);
+        }
+        row++;
+    }
+    thud_figure_note(figure, thud_ductility_note);
+    return figure;
+}

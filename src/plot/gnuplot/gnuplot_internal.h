@@ -1,0 +1,55 @@
+/* Shared by the files that make and run gnuplot scripts. */
+#ifndef THUD_PLOT_GNUPLOT_INTERNAL_H
+#define THUD_PLOT_GNUPLOT_INTERNAL_H
+
+#include "plot/gnuplot/gnuplot.h"
+
+#define THUD_GNUPLOT_DONE "thud: drawn to the end"
+
+/* Places on the picture, in px from its lower left corner. */
+struct box {
+    double left, right, bottom, top;
+    double label; /* middle of the y axis' label */
+};
+
+struct sheet {
+    const struct thud_figure *figure;
+    struct thud_text *out;
+    double width, height; /* px */
+    double em;            /* px */
+    double line;          /* px: the width of a thin line */
+    double points;        /* font size as the terminal counts it, for 1 px of em */
+    double dot;           /* point size as the terminal counts it */
+    int rows, columns;    /* of panels: below each other where the sheet is too narrow for the figure's columns */
+    const struct thud_series *key[24];
+    int nkeys, key_rows;
+    struct {
+        int row;
+        double left; /* px */
+    } key_at[24];
+    double head, foot; /* px: above and below the panels */
+    double key_foot;   /* px: of the foot, what the x axis of strips takes above the key */
+};
+
+/* The frame of a panel. */
+struct box thud_sheet_frame(const struct sheet *sheet, int panel);
+
+/* In quotes for gnuplot, which then takes no character for anything but itself; at most `widest` px of it (0: all),
+ * control characters as spaces. */
+void thud_gnuplot_quote(struct thud_text *out, const char *text, double widest, double em);
+
+/* Width of a text in letters of a size, about. */
+double thud_gnuplot_width(const char *text, double em);
+/* The em, made up to a quarter smaller where the text needs it to fit. */
+double thud_gnuplot_fit(const char *text, double widest, double em);
+
+/* Data blocks of a panel, and the panel itself. */
+void thud_gnuplot_data(const struct sheet *sheet, int panel);
+void thud_gnuplot_panel(const struct sheet *sheet, int panel);
+/* How a series is drawn: "with lines lc rgb ..."; in the key a mark stands in the middle of its line. */
+void thud_gnuplot_style(const struct sheet *sheet, const struct thud_series *series, bool key);
+
+enum thud_status thud_picture_check(enum thud_picture_format format, const struct thud_text *picture,
+                                    struct thud_error *err);
+
+#endif

@@ -1,0 +1,50 @@
+/* The small models that stability is judged on. */
+#ifndef THUD_STUDY_STABILITY_PRIVATE_H
+#define THUD_STUDY_STABILITY_PRIVATE_H
+
+#include "study/methods/stability.h"
+#include "study/scene/pair.h"
+
+/* One floor on a spring of 1 Hz (or free), thrown towards a wall on its right. */
+struct thud_bouncer {
+    double mass_kg, velocity_mps, clearance_m;
+    bool free;                  /* no spring */
+    const struct thud_law *law; /* of the wall; NULL: no wall */
+    struct thud_law_setup setup;
+};
+extern const double thud_bouncer_omega_radps;
+
+void thud_bouncer_init(struct thud_bouncer *bouncer);
+/* A wall spring with sqrt(k/m) = omega. */
+void thud_bouncer_spring(struct thud_bouncer *bouncer, double omega_radps);
+void thud_bouncer_law(struct thud_bouncer *bouncer, const struct thud_law *law);
+void thud_bouncer_set(struct thud_bouncer *bouncer, const char *param, double value);
+
+/* Kinetic, strain and contact energy over that at the start: the largest of the first and of the second half of the
+ * time, looked at where each step ends, and at the end. */
+struct thud_bouncer_energy {
+    double half[2], end;
+};
+
+/* As thud_scene_answer. `energy` may be NULL; INFINITY where the run diverged. */
+enum thud_status thud_bouncer_run(const struct thud_bouncer *bouncer, const struct thud_record *record,
+                                  struct thud_stepping how, double duration_s, struct thud_answer *out,
+                                  struct thud_bouncer_energy *energy, struct thud_error *err);
+
+/* THUD_DIVERGED is a finding, not a failure. */
+bool thud_trial_failed(enum thud_status status);
+struct thud_stepping thud_stepping_of(const char *method, double setting, bool locate);
+/* Kinetic, strain and contact energy now over the kinetic one at the start. */
+double thud_energy_ratio(const struct thud_answer *answer);
+/* Restitution of a pair by a method; INFINITY where it blew up. Errors: THUD_MEMORY. */
+enum thud_status thud_pair_restitution(struct thud_pair *pair, struct thud_stepping how, double *out,
+                                       struct thud_error *err);
+
+/* The exhibits, by file. */
+typedef enum thud_status thud_exhibit_fn(struct thud_exhibit *out, struct thud_error *err);
+enum thud_status thud_exhibit_energy(int index, struct thud_exhibit *out, struct thud_error *err);
+enum thud_status thud_exhibit_touch(int index, struct thud_exhibit *out, struct thud_error *err);
+enum thud_status thud_exhibit_yield(struct thud_exhibit *out, struct thud_error *err);
+enum { THUD_EXHIBITS_ENERGY = 6, THUD_EXHIBITS_TOUCH = 2, THUD_EXHIBITS_REST = 4 };
+
+#endif

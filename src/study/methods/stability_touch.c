@@ -1,0 +1,58 @@
+/* Exhibits of contacts that are hard to see: a mass that reaches a wall for a moment. */
+#include <math.h>
+
+#include "study/methods/stability_private.h"
+
+static const double tight = 1e-9;
+
+/* Impacts and the first one's closing speed of a mass thrown `reach` times as far as the wall is. */
+static enum thud_status throw_at_wall(double reach, struct thud_stepping how, double *impacts, double *closing_mps,
+                                      struct thud_error *err)
+{
+    struct thud_bouncer bouncer;
+    struct thud_answer answer;
+    int count = 0;
+    thud_bouncer_init(&bouncer);
+    thud_bouncer_spring(&bouncer, 20 * thud_bouncer_omega_radps);
+    bouncer.velocity_mps = reach * bouncer.clearance_m * thud_bouncer_omega_radps;
+    enum thud_status status = thud_bouncer_run(&bouncer, NULL, how, 0.4, &answer, NULL, err);
+    if (thud_trial_failed(status))
+        return status;
+    const struct thud_impact *impact = thud_run_impacts(answer.run, &count);
+    *impacts = count;
+    *closing_mps = count > 0 ? impact[0].approach_mps : 0;
+    thud_answer_clear(&answer);
+    return THUD_OK;
+}
+
+static enum thud_status grazing(struct thud_exhibit *out, struct thud_error *err)
+{
+    double speed;
+    *out = (struct thud_exhibit){.name = "grazing-contact",
+                                 .scene = "a swing that reaches a ten-thousandth past the wall, steps of 20 ms",
+                                 .quantity = "impacts",
+                                 .naive = "Runge-Kutta of order 4, not located",
+                                 .right = 1};
+    enum thud_status status = throw_at_wall(1.0001, thud_stepping_of("rk4", 0.02, false), &out->wrong, &speed, err);
+    return status == THUD_OK ? throw_at_wall(1.0001, thud_stepping_of("exact", tight, true), &out->thud, &speed, err)
+                             : status;
+}
+
+static enum thud_status double_root(struct thud_exhibit *out, struct thud_error *err)
+{
+    double impacts, reach = 1.05, gap = 0.02, omega = thud_bouncer_omega_radps;
+    *out = (struct thud_exhibit){.name = "double-root",
+                                 .scene = "past the wall and back within one step of 0.1 s",
+                                 .quantity = "closing speed, m/s",
+                                 .naive = "Runge-Kutta of order 4, signs at step ends",
+                                 .right = omega * gap * sqrt(reach * reach - 1)};
+    enum thud_status status = throw_at_wall(reach, thud_stepping_of("rk4", 0.1, false), &impacts, &out->wrong, err);
+    return status == THUD_OK ? throw_at_wall(reach, thud_stepping_of("exact", tight, true), &impacts, &out->thud, err)
+                             : status;
+}
+
+enum thud_status thud_exhibit_touch(int index, struct thud_exhibit *out, struct thud_error *err)
+{
+    static thud_exhibit_fn *const show[THUD_EXHIBITS_TOUCH] = {grazing, double_root};
+    return show[index](out, err);
+}

@@ -1,0 +1,128 @@
+#include <assert.h>
+#include <math.h>
+
+#include "study/methods/stability_private.h"
+
+const double thud_bouncer_omega_radps = 6.283185307179586;
+
+void thud_bouncer_init(struct thud_bouncer *bouncer)
+{
+    *bouncer = (struct thud_bouncer){.mass_kg = 320e3, .velocity_mps = 0.5, .clearance_m = 0.02};
+}
+
+void thud_bouncer_law(struct thud_bouncer *bouncer, const struct thud_law *law)
+{
+    bouncer->law = law;
+    thud_law_defaults(law, &bouncer->setup);
+}
+
+void thud_bouncer_set(struct thud_bouncer *bouncer, const char *param, double value)
+{
+    int index = thud_law_param(bouncer->law, param);
+    assert(index >= 0);
+    bouncer->setup.value[index] = value;
+}
+
+void thud_bouncer_spring(struct thud_bouncer *bouncer, double omega_radps)
+{
+    thud_bouncer_law(bouncer, thud_law_find("linear"));
+    thud_bouncer_set(bouncer, "stiffness", bouncer->mass_kg * omega_radps * omega_radps);
+}
+
+static enum thud_status assemble(const struct thud_bouncer *b, struct thud_model **model, struct thud_error *err)
+{
+    double stiffness = b->mass_kg * thud_bouncer_omega_radps * thud_bouncer_omega_radps;
+    struct thud_structure_input structures[2] = {{.n = 1,
+                                                  .mass_kg = &b->mass_kg,
+                                                  .stiffness_npm = b->free ? NULL : &stiffness,
+                                                  .velocity_mps = b->velocity_mps}};
+    struct thud_contact_input contact = {.interface = 1,
+                                         .left_floor = 1,
+                                         .left_structure = 0,
+                                         .right_structure = 1,
+                                         .clearance_m = b->clearance_m,
+                                         .law = b->law,
+                                         .setup = b->setup};
+    struct thud_model_input input = {
+        .nstructures = b->law ? 2 : 1, .structure = structures, .ncontacts = b->law ? 1 : 0, .contact = &contact};
+    return thud_model_create(&input, model, err);
+}
+
+static struct thud_run_options options_of(struct thud_stepping how, double tail_s)
+{
+    struct thud_run_options options;
+    thud_run_options_init(&options);
+    options.method = how.method;
+    options.tail_s = tail_s;
+    options.keep_impacts = true;
+    if (how.method->flags & THUD_METHOD_FIXED_STEP) {
+        options.step_s = how.setting;
+        options.locate = how.locate;
+    } else {
+        options.tolerance = how.setting;
+    }
+    options.unjudged = true; /* what it does to the energy is the finding */
+    return options;
+}
+
+enum thud_status thud_bouncer_run(const struct thud_bouncer *bouncer, const struct thud_record *record,
+                                  struct thud_stepping how, double duration_s, struct thud_answer *out,
+                                  struct thud_bouncer_energy *energy, struct thud_error *err)
+{
+    double record_s = record ? (double)(record->samples - 1) * record->dt_s : 0;
+    struct thud_run_options options = options_of(how, fmax(duration_s - record_s, 0));
+    options.keep_history = record != NULL;
+    *out = (struct thud_answer){0};
+    enum thud_status status = assemble(bouncer, &out->model, err);
+    if (status == THUD_OK)
+        status = thud_run_create(out->model, record, &options, &out->run, err);
+    if (energy)
+        *energy = (struct thud_bouncer_energy){.half = {1}, .end = 1}; /* the start itself */
+    for (bool done = false; status == THUD_OK && !done;) {
+        status = thud_run_advance(out->run, energy ? 1 : 1000, &done, err);
+        if (energy && status == THUD_OK) {
+            double *largest = &energy->half[thud_run_time(out->run) > 0.5 * duration_s];
+            energy->end = thud_energy_ratio(out);
+            *largest = fmax(*largest, energy->end);
+        }
+    }
+    if (energy && status == THUD_DIVERGED)
+        *energy = (struct thud_bouncer_energy){{INFINITY, INFINITY}, INFINITY};
+    if (thud_trial_failed(status))
+        thud_answer_clear(out);
+    return status;
+}
+
+bool thud_trial_failed(enum thud_status status)
+{
+    return status != THUD_OK && status != THUD_DIVERGED;
+}
+
+struct thud_stepping thud_stepping_of(const char *method, double setting, bool locate)
+{
+    struct thud_stepping how = {thud_method_find(method), locate, setting};
+    assert(how.method);
+    return how;
+}
+
+double thud_energy_ratio(const struct thud_answer *answer)
+{
+    const struct thud_energy *e = &thud_run_result(answer->run)->energy;
+    return (e->kinetic_j + e->strain_j + e->stored_j) / e->initial_j;
+}
+
+enum thud_status thud_pair_restitution(struct thud_pair *pair, struct thud_stepping how, double *out,
+                                       struct thud_error *err)
+{
+    struct thud_answer answer;
+    pair->method = how.method;
+    pair->method_step_s = how.setting;
+    pair->locate = how.locate;
+    enum thud_status status = thud_pair_run(pair, pair->duration_s, &answer, err);
+    if (status == THUD_OK)
+        *out = thud_pair_separation(&answer) / pair->closing_mps;
+    else
+        *out = INFINITY;
+    thud_answer_clear(&answer);
+    return thud_trial_failed(status) ? status : THUD_OK;
+}

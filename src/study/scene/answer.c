@@ -1,0 +1,93 @@
+#include "study/scene/answer.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/quantity.h"
+
+enum thud_status thud_scene_options(const struct thud_scene *scene, struct thud_run_options *out,
+                                    struct thud_error *err)
+{
+    const struct thud_analysis *a = &scene->analysis;
+    thud_run_options_init(out);
+    out->tolerance = a->tolerance;
+    out->step_s = a->step_s;
+    out->tail_s = a->tail_s;
+    out->locate = a->locate;
+    if (strcmp(a->method, "auto") == 0)
+        return THUD_OK;
+    out->method = thud_method_find(a->method);
+    if (out->method)
+        return THUD_OK;
+    thud_error_set(err, THUD_INPUT, "no method is called \"%s\"", a->method);
+    thud_error_key(err, "method");
+    thud_error_allow(err, "auto, or one of `thud methods`");
+    return THUD_INPUT;
+}
+
+enum thud_status thud_scene_answer(const struct thud_scene *scene, const struct thud_record *record,
+                                   const struct thud_run_options *options, struct thud_answer *out,
+                                   struct thud_error *err)
+{
+    struct thud_run_options own;
+    *out = (struct thud_answer){0};
+    enum thud_status status = THUD_OK;
+    if (!options) {
+        status = thud_scene_options(scene, &own, err);
+        options = &own;
+    }
+    if (status == THUD_OK)
+        status = thud_scene_assemble(scene, &out->model, err);
+    if (status == THUD_OK)
+        status = thud_run_create(out->model, record, options, &out->run, err);
+    for (bool done = false; status == THUD_OK && !done;)
+        status = thud_run_advance(out->run, 1000, &done, err);
+    if (status != THUD_OK && status != THUD_DIVERGED)
+        thud_answer_clear(out);
+    return status;
+}
+
+void thud_answer_clear(struct thud_answer *answer)
+{
+    thud_run_free(answer->run);
+    thud_model_free(answer->model);
+    *answer = (struct thud_answer){0};
+}
+
+/* Mean of the fundamental periods of a model's buildings; 0: none has any. */
+static double mean_period(const struct thud_model *model)
+{
+    double sum = 0;
+    int n = 0;
+    for (int s = 0; s < model->nstructures; s++) {
+        const struct thud_model_structure *p = &model->structure[s];
+        double lowest = INFINITY;
+        for (int k = 0; k < p->n; k++)
+            lowest = fmin(lowest, p->omega[k]);
+        if (!(lowest > 0) || isinf(lowest))
+            continue;
+        sum += 2 * THUD_PI / lowest;
+        n++;
+    }
+    return n > 0 ? sum / n : 0;
+}
+
+enum thud_status thud_record_choice_resolve(const struct thud_scene *scene, struct thud_record_choice *choice,
+                                            struct thud_error *err)
+{
+    struct thud_model *model;
+    if (!(choice->sa_mps2 > 0) || choice->period_s > 0)
+        return THUD_OK;
+    enum thud_status status = thud_scene_assemble(scene, &model, err);
+    if (status != THUD_OK)
+        return status;
+    double period = mean_period(model);
+    thud_model_free(model);
+    if (!(period > 0)) {
+        thud_error_set(err, THUD_INPUT, "no building has a period to take the spectral acceleration at");
+        thud_error_key(err, "record.period");
+        return THUD_INPUT;
+    }
+    choice->period_s = period;
+    return THUD_OK;
+}

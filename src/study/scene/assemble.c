@@ -1,0 +1,135 @@
+/* From what a person describes to the numbers that a run needs. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "study/scene/answer.h"
+#include "study/scene/level.h"
+
+/* Input of the model with the arrays it points to: stiffness and mass of an isolated building begin with its base. */
+struct assembly {
+    struct thud_structure_input structure[THUD_STRUCTURES_MAX];
+    double mass_kg[THUD_STRUCTURES_MAX][THUD_STOREYS_MAX + 1];
+    double stiffness_npm[THUD_STRUCTURES_MAX][THUD_STOREYS_MAX + 1];
+    double yield_m[THUD_STRUCTURES_MAX][THUD_STOREYS_MAX + 1];
+    double hardening[THUD_STRUCTURES_MAX][THUD_STOREYS_MAX + 1];
+    struct thud_pairing meeting[THUD_PAIRINGS_MAX];
+    struct thud_contact_input *contact;
+    int ncontacts, capacity;
+};
+
+static void fill_structure(struct assembly *a, int index, const struct thud_structure *s)
+{
+    int n = thud_structure_floors(s), base = s->kind == THUD_ISOLATED;
+    double *mass = a->mass_kg[index], *stiffness = a->stiffness_npm[index];
+    struct thud_structure_input *to = &a->structure[index];
+    *to = (struct thud_structure_input){.n = n, .mass_kg = mass};
+    if (base) {
+        mass[0] = s->base_mass_kg;
+        stiffness[0] = s->isolation_stiffness_npm;
+    }
+    for (int i = base; i < n; i++) {
+        mass[i] = s->mass_kg[i - base];
+        stiffness[i] = s->stiffness_npm[i - base];
+    }
+    if (s->kind == THUD_RIGID) {
+        to->velocity_mps = s->velocity_mps;
+        return;
+    }
+    to->stiffness_npm = n > 0 ? stiffness : NULL;
+    a->yield_m[index][0] = INFINITY; /* isolators do not yield */
+    a->hardening[index][0] = 0;
+    for (int i = base; i < n; i++) {
+        a->yield_m[index][i] = thud_structure_yield(s, i - base);
+        a->hardening[index][i] = s->hardening[i - base];
+    }
+    to->yield_m = a->yield_m[index];
+    to->hardening = a->hardening[index];
+    to->damping = s->damping;
+    to->isolated = base;
+    to->isolation_damping = s->isolation_damping;
+}
+
+void thud_interface_contact(const struct thud_interface *interface, struct thud_contact_input *to)
+{
+    const struct thud_law_choice *law = interface->has_bumper ? &interface->bumper : &interface->contact;
+    to->law = law->law;
+    memcpy(to->setup.value, law->value, sizeof to->setup.value);
+    to->setup.thickness_m = interface->has_bumper ? interface->bumper_thickness_m : 0;
+    to->clearance_m = thud_interface_clearance(interface);
+}
+
+/* The struck columns of a storey, from the floor above them (from 1). */
+static struct thud_struck_input columns(const struct thud_structure *s, int floor, const struct thud_pairing *meeting)
+{
+    int storey = floor - 1 - (s->kind == THUD_ISOLATED);
+    struct thud_struck_input out = {.side = meeting->struck,
+                                    .a_m = meeting->a_m,
+                                    .b_m = meeting->b_m,
+                                    .hinged = s->column_shape == THUD_COLUMN_LINEAR,
+                                    .ei_nm2 = thud_column_ei(s, storey),
+                                    .capacity_n =
+                                        s->column_capacity_n[storey] > 0 ? s->column_capacity_n[storey] : NAN};
+    return out;
+}
+
+static bool add_contact(struct assembly *a, const struct thud_scene *scene, int index,
+                        const struct thud_pairing *meeting)
+{
+    if (a->ncontacts == a->capacity) {
+        int more = a->capacity ? 2 * a->capacity : 64;
+        struct thud_contact_input *p = realloc(a->contact, (size_t)more * sizeof *p);
+        if (!p)
+            return false;
+        a->contact = p;
+        a->capacity = more;
+    }
+    struct thud_contact_input *to = &a->contact[a->ncontacts++];
+    *to = (struct thud_contact_input){.interface = index + 1,
+                                      .left_floor = meeting->left_floor,
+                                      .right_floor = meeting->right_floor,
+                                      .left_structure = index,
+                                      .right_structure = index + 1};
+    thud_interface_contact(&scene->interface[index], to);
+    if (meeting->struck < 0)
+        to->struck = columns(&scene->structure[index], meeting->left_floor, meeting);
+    else if (meeting->struck > 0)
+        to->struck = columns(&scene->structure[index + 1], meeting->right_floor, meeting);
+    return true;
+}
+
+static bool join(struct assembly *a, const struct thud_scene *scene, int index)
+{
+    int n = thud_interface_pairings(scene, index, a->meeting);
+    for (int i = 0; i < n; i++)
+        if (!add_contact(a, scene, index, &a->meeting[i]))
+            return false;
+    return true;
+}
+
+enum thud_status thud_scene_assemble(const struct thud_scene *scene, struct thud_model **out, struct thud_error *err)
+{
+    *out = NULL;
+    struct assembly *a = malloc(sizeof *a); /* of its 140 KB a scene fills little */
+    bool ok = a != NULL;
+    if (ok) {
+        a->contact = NULL;
+        a->ncontacts = a->capacity = 0;
+    }
+    for (int s = 0; ok && s < scene->nstructures; s++)
+        fill_structure(a, s, &scene->structure[s]);
+    for (int s = 0; ok && s + 1 < scene->nstructures; s++)
+        ok = join(a, scene, s);
+    enum thud_status status = THUD_MEMORY;
+    if (ok) {
+        struct thud_model_input input = {scene->nstructures, a->structure, a->ncontacts, a->contact,
+                                         scene->analysis.modes};
+        status = thud_model_create(&input, out, err);
+    } else {
+        thud_error_set(err, THUD_MEMORY, "out of memory");
+    }
+    if (a)
+        free(a->contact);
+    free(a);
+    return status;
+}

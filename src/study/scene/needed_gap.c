@@ -1,0 +1,170 @@
+#include "study/scene/needed_gap.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "core/run/baseline.h"
+#include "study/scene/answer.h"
+#include "study/scene/spacing.h"
+
+static const struct {
+    const char *name, *column;
+} rules[] = {{"needed", "closing_m"}, {"ABS", "abs_m"},        {"SRSS", "srss_m"},
+             {"DDC", "ddc_m"},        {"EN 1998", "en1998_m"}, {"ASCE 7", "asce7_m"}};
+
+const char *thud_gap_rule_name(int rule)
+{
+    return rules[rule + 1].name;
+}
+
+const char *thud_gap_rule_column(int rule)
+{
+    return rules[rule + 1].column;
+}
+
+double thud_gap_value(const struct thud_gap_level *level, int rule)
+{
+    static const double aligned = 0.7; /* EN 1998-1:2004, 4.4.2.7(3) */
+    double a = level->left_m, b = level->right_m;
+    bool meet = level->left_floor > 0 && level->right_floor > 0 && level->struck == 0;
+    switch (rule) {
+    case THUD_GAP_ABS:
+        return thud_spacing_abs(a, b);
+    case THUD_GAP_SRSS:
+    case THUD_GAP_ASCE7:
+        return thud_spacing_srss(a, b);
+    case THUD_GAP_DDC:
+        return thud_spacing_ddc(a, b, level->correlation);
+    case THUD_GAP_EN1998:
+        return (meet ? aligned : 1) * thud_spacing_srss(a, b);
+    default:
+        return level->closing_m;
+    }
+}
+
+/* Damping ratio of a structure's first mode. */
+static double first_damping(const struct thud_model *model, int s)
+{
+    const struct thud_model_structure *p = &model->structure[s];
+    if (p->n == 0)
+        return 0;
+    return p->damping ? p->damping[0] / (2 * model->omega[p->first_mode]) : model->zeta[p->first_mode];
+}
+
+static double largest(const struct thud_result *result, int s, int floor)
+{
+    return floor > 0 ? result->structure[s].floor[floor - 1].displacement.value : 0;
+}
+
+double thud_gap_side(const struct thud_model *model, const struct thud_baseline_motion *baseline, int contact,
+                     bool right)
+{
+    const struct thud_model_contact *p = &model->contact[contact];
+    if (p->struck == (right ? 1 : -1))
+        return thud_baseline_struck_displacement(baseline, contact);
+    return largest(thud_baseline_result(baseline), right ? p->interface : p->interface - 1,
+                   right ? p->right_floor : p->left_floor);
+}
+
+static double first_period(const struct thud_result *result, int s)
+{
+    return result->structure[s].floors > 0 ? result->structure[s].period_s[0] : INFINITY;
+}
+
+void thud_gap_levels(const struct thud_model *model, const struct thud_baseline_motion *baseline,
+                     struct thud_gap_level *level)
+{
+    const struct thud_result *result = thud_baseline_result(baseline);
+    for (int c = 0; c < model->ncontacts; c++) {
+        const struct thud_model_contact *p = &model->contact[c];
+        int left = p->interface - 1, right = p->interface;
+        level[c] = (struct thud_gap_level){
+            .interface = p->interface,
+            .left_floor = p->left_floor,
+            .right_floor = p->right_floor,
+            .struck = p->struck,
+            .left_m = thud_gap_side(model, baseline, c, false),
+            .right_m = thud_gap_side(model, baseline, c, true),
+            .closing_m = thud_baseline_relative_displacement(baseline, c),
+            .correlation = thud_spacing_correlation(first_period(result, left), first_damping(model, left),
+                                                    first_period(result, right), first_damping(model, right))};
+    }
+}
+
+enum thud_status thud_needed_gap_run(const struct thud_scene *scene, const struct thud_record *record,
+                                     struct thud_needed_gap **out, struct thud_error *err)
+{
+    struct thud_model *model = NULL;
+    struct thud_baseline_motion *baseline = NULL;
+    struct thud_run_options options;
+    struct thud_scene *bare = malloc(sizeof *bare);
+    bool done = false;
+    *out = NULL;
+    if (!bare)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    thud_scene_copy(bare, scene);
+    thud_scene_drop_contacts(bare);
+    enum thud_status status = thud_scene_check(bare, err);
+    if (status == THUD_OK)
+        status = thud_scene_assemble(bare, &model, err);
+    if (status == THUD_OK)
+        status = thud_scene_options(bare, &options, err);
+    if (status == THUD_OK)
+        status = thud_baseline_create(model, record, &options, &baseline, err);
+    while (status == THUD_OK && !done)
+        status = thud_baseline_advance(baseline, 1L << 20, &done, err);
+    if (status == THUD_OK) {
+        struct thud_needed_gap *gap = malloc(sizeof *gap + (size_t)model->ncontacts * sizeof *gap->level);
+        if (gap) {
+            gap->nlevels = model->ncontacts;
+            thud_gap_levels(model, baseline, gap->level);
+        } else {
+            status = thud_error_set(err, THUD_MEMORY, "out of memory");
+        }
+        *out = gap;
+    }
+    thud_baseline_free(baseline);
+    thud_model_free(model);
+    free(bare);
+    return status;
+}
+
+double thud_needed_gap_widest(const struct thud_needed_gap *gap, int interface, int rule, int *level)
+{
+    double most = -1;
+    for (int i = 0; i < gap->nlevels; i++) {
+        double x = thud_gap_value(&gap->level[i], rule);
+        if ((interface != 0 && gap->level[i].interface != interface) || x <= most)
+            continue;
+        most = x;
+        if (level)
+            *level = i;
+    }
+    return most;
+}
+
+/* Whether a rule asks for less than is needed. */
+static bool falls_short(const struct thud_needed_gap *gap, int level, int rule)
+{
+    if (level < 0)
+        return thud_needed_gap_widest(gap, 0, rule, NULL) < thud_needed_gap_widest(gap, 0, THUD_GAP_EXACT, NULL);
+    return thud_gap_value(&gap->level[level], rule) < gap->level[level].closing_m;
+}
+
+enum thud_status thud_gap_suite_fractiles(const struct thud_gap_suite *suite, int level, int rule,
+                                          struct thud_fractiles *out, struct thud_error *err)
+{
+    double *value = malloc(((size_t)suite->nrecords + 1) * sizeof *value);
+    int shorter = 0;
+    if (!value)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    for (int r = 0; r < suite->nrecords; r++) {
+        const struct thud_needed_gap *gap = suite->gap[r];
+        value[r] = level < 0 ? thud_needed_gap_widest(gap, 0, rule, NULL) : thud_gap_value(&gap->level[level], rule);
+        shorter += falls_short(gap, level, rule);
+    }
+    *out = thud_fractiles_of(value, (size_t)suite->nrecords, INFINITY);
+    out->share = suite->nrecords > 0 ? (double)shorter / suite->nrecords : NAN;
+    free(value);
+    return THUD_OK;
+}

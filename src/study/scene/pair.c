@@ -1,0 +1,89 @@
+#include <assert.h>
+#include <math.h>
+
+#include "study/scene/pair.h"
+
+static const double tolerance = 1e-9;
+
+void thud_pair_set(struct thud_pair *pair, const char *param, double value)
+{
+    int index = thud_law_param(pair->law, param);
+    assert(index >= 0);
+    pair->setup.value[index] = value;
+}
+
+static void start(struct thud_pair *pair, const char *law)
+{
+    *pair = (struct thud_pair){.mass_kg = {320e3, 320e3}, .closing_mps = 0.5, .duration_s = 0.3};
+    pair->law = thud_law_find(law);
+    assert(pair->law);
+    thud_law_defaults(pair->law, &pair->setup);
+}
+
+void thud_pair_concrete(struct thud_pair *pair)
+{
+    start(pair, "kelvin-voigt-no-tension");
+    thud_pair_set(pair, "stiffness", 2500e6);
+    thud_pair_set(pair, "restitution", 0.6);
+}
+
+void thud_pair_rubber(struct thud_pair *pair)
+{
+    start(pair, "rubber");
+    pair->setup.thickness_m = 0.05;
+    thud_pair_set(pair, "stiffness", 0.36e3 * pow(1000.0, 2.65));
+    thud_pair_set(pair, "exponent", 2.65);
+    thud_pair_set(pair, "max-strain", 0.8);
+    thud_pair_set(pair, "post-yield", 2500e6);
+    thud_pair_set(pair, "restitution", 0.5);
+}
+
+double thud_pair_separation(const struct thud_answer *answer)
+{
+    const struct thud_history *h = thud_run_history(answer->run);
+    const double *last = h->value + (h->rows - 1) * (size_t)h->columns;
+    return last[thud_history_velocity(h, 1)] - last[thud_history_velocity(h, 0)];
+}
+
+static enum thud_status assemble(const struct thud_pair *pair, struct thud_model **model, struct thud_error *err)
+{
+    struct thud_structure_input bodies[2] = {
+        {.n = 1, .mass_kg = &pair->mass_kg[0], .velocity_mps = pair->closing_mps},
+        {.n = 1, .mass_kg = &pair->mass_kg[1]},
+    };
+    struct thud_contact_input contact = {.interface = 1,
+                                         .left_floor = 1,
+                                         .right_floor = 1,
+                                         .left_structure = 0,
+                                         .right_structure = 1,
+                                         .law = pair->law,
+                                         .setup = pair->setup};
+    struct thud_model_input input = {.nstructures = 2, .structure = bodies, .ncontacts = 1, .contact = &contact};
+    return thud_model_create(&input, model, err);
+}
+
+enum thud_status thud_pair_run(const struct thud_pair *pair, double step_s, struct thud_answer *out,
+                               struct thud_error *err)
+{
+    struct thud_run_options options;
+    bool done = false;
+    *out = (struct thud_answer){0};
+    thud_run_options_init(&options);
+    options.tolerance = tolerance;
+    options.tail_s = pair->duration_s;
+    options.method = pair->method;
+    if (pair->method && pair->method->flags & THUD_METHOD_FIXED_STEP) {
+        options.step_s = pair->method_step_s;
+        options.locate = pair->locate;
+    }
+    options.keep_impacts = options.keep_history = options.unjudged = true;
+    options.history_step_s = step_s;
+    enum thud_status status = assemble(pair, &out->model, err);
+    if (status == THUD_OK)
+        status = thud_run_create(out->model, NULL, &options, &out->run, err);
+    while (status == THUD_OK && !done)
+        status = thud_run_advance(out->run, 1000, &done, err);
+    if (status != THUD_OK)
+        thud_answer_clear(out);
+    return status;
+}

@@ -1,0 +1,110 @@
+/* Cases: the same scene without bumper, with it flush on the wall, or set in a cavity. */
+#include <float.h>
+#include <math.h>
+#include <stddef.h>
+#include <string.h>
+
+#include "study/scene/scene.h"
+#include "study/scene/scene_words.h"
+
+static const char *const names[THUD_CASES + 1] = {"as-written", "none", "bumper", "cavity"};
+
+const char *thud_case_name(enum thud_case which)
+{
+    return names[which + 1];
+}
+
+enum thud_status thud_case_find(const char *name, enum thud_case *out, struct thud_error *err)
+{
+    static const struct thud_words words = {{"none", "bumper", "cavity"}, 3};
+    for (int i = 0; i <= THUD_CASES; i++) {
+        if (strcmp(names[i], name) == 0) {
+            *out = (enum thud_case)(i - 1);
+            return THUD_OK;
+        }
+    }
+    return thud_words_unknown(&words, "case", name, err);
+}
+
+double thud_interface_max_strain(const struct thud_interface *interface)
+{
+    const struct thud_law_choice *bumper = &interface->bumper;
+    int i = interface->has_bumper && bumper->law ? thud_law_param(bumper->law, "max-strain") : -1;
+    return i < 0 ? NAN : bumper->value[i];
+}
+
+void thud_scene_copy(struct thud_scene *to, const struct thud_scene *from)
+{
+    size_t structures = offsetof(struct thud_scene, structure) + (size_t)from->nstructures * sizeof *from->structure;
+    size_t rest = offsetof(struct thud_scene, interface);
+    memcpy(to, from, structures);
+    memcpy((char *)to + rest, (const char *)from + rest, sizeof *from - rest);
+}
+
+enum thud_status thud_scene_case(const struct thud_scene *scene, enum thud_case which, struct thud_scene *out,
+                                 struct thud_error *err)
+{
+    int bumpers = 0;
+    for (int i = 0; i + 1 < scene->nstructures; i++) {
+        const struct thud_interface *at = &scene->interface[i];
+        bumpers += at->has_bumper;
+        if (which == THUD_CASE_CAVITY && at->has_bumper && isnan(thud_interface_max_strain(at))) {
+            thud_error_set(
+                err, THUD_INPUT,
+                "the cavity's depth is thickness (1 - max-strain), and the bumper's law %s has no max-strain",
+                at->bumper.law ? at->bumper.law->name : "");
+            thud_error_key(err, "case");
+            return THUD_INPUT;
+        }
+    }
+    if (bumpers == 0 && (which == THUD_CASE_BUMPER || which == THUD_CASE_CAVITY)) {
+        thud_error_set(err, THUD_INPUT, "the scene has no bumper for the case \"%s\"", thud_case_name(which));
+        thud_error_key(err, "case");
+        thud_error_allow(err, "none, or add one, e.g. bumper.law=rubber");
+        return THUD_INPUT;
+    }
+    if (out != scene)
+        thud_scene_copy(out, scene);
+    for (int i = 0; i + 1 < out->nstructures; i++) {
+        struct thud_interface *at = &out->interface[i];
+        if (which == THUD_CASE_NONE)
+            at->has_bumper = false;
+        else if (which == THUD_CASE_BUMPER && at->has_bumper)
+            at->bumper_cavity_m = 0;
+        else if (which == THUD_CASE_CAVITY && at->has_bumper)
+            at->bumper_cavity_m = at->bumper_thickness_m * (1 - thud_interface_max_strain(at));
+    }
+    return THUD_OK;
+}
+
+bool thud_scene_has_bumper(const struct thud_scene *scene)
+{
+    for (int i = 0; i + 1 < scene->nstructures; i++)
+        if (scene->interface[i].has_bumper)
+            return true;
+    return false;
+}
+
+void thud_scene_drop_contacts(struct thud_scene *scene)
+{
+    for (int i = 0; i + 1 < scene->nstructures; i++) {
+        scene->interface[i].has_bumper = false;
+        thud_law_choice_init(&scene->interface[i].contact, thud_law_find("none"));
+    }
+}
+
+double thud_interface_clearance(const struct thud_interface *interface)
+{
+    static const double picometres = 1e12;
+    double clearance = interface->gap_m, most = clearance;
+    if (interface->has_bumper) {
+        clearance -= interface->bumper_thickness_m - interface->bumper_cavity_m;
+        most += interface->bumper_thickness_m;
+    }
+    /* 5 cm - (5 cm - 1 cm) may miss 1 cm by the last digit, and 0 by more of them: what can be a whole number of
+     * picometres is one, so that the same clearance has the same bits however it came about */
+    double whole = round(clearance * picometres) / picometres;
+    if (fabs(clearance - whole) <= 4 * DBL_EPSILON * most || fabs(clearance) * picometres < 1)
+        return whole;
+    return clearance;
+}

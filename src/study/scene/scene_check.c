@@ -1,0 +1,304 @@
+/* Values held against each other. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "study/scene/level.h"
+#include "study/scene/scene_slot.h"
+
+static const double rounding_m = 1e-12;
+/* The bound of `yield`: each time a storey yields the other way its drift has moved by twice this, so that a run's events
+ * stay countable. */
+static const double least_yield_m = 1e-6;
+
+static enum thud_status missing(const struct thud_param *param, struct thud_error *err, const char *key)
+{
+    const char *units = param->kind == THUD_PARAM_QUANTITY ? thud_dimension_units(param->dimension) : "";
+    thud_error_set(err, THUD_INPUT, "%s is not given", param->title);
+    if (*units)
+        thud_error_allow(err, "%s in %s", thud_dimension_name(param->dimension), units);
+    thud_error_key(err, key);
+    return THUD_INPUT;
+}
+
+static enum thud_status refuse(struct thud_error *err, const char *key, const char *allowed)
+{
+    thud_error_key(err, key);
+    if (allowed)
+        thud_error_allow(err, "%s", allowed);
+    return THUD_INPUT;
+}
+
+static enum thud_status check_names(const struct thud_scene *scene, int s, struct thud_error *err)
+{
+    char key[64];
+    for (int i = 0; i < s; i++)
+        if (strcmp(scene->structure[i].name, scene->structure[s].name) == 0) {
+            snprintf(key, sizeof key, "structures.%d.name", s + 1);
+            thud_error_set(err, THUD_INPUT, "\"%s\" is the name of structure %d too", scene->structure[s].name, i + 1);
+            return refuse(err, key, "every structure has its own name");
+        }
+    return THUD_OK;
+}
+
+/* Texts are made for a value that is refused alone: a study checks its scene at every point. */
+static bool is_fine(const struct thud_param *param, double value)
+{
+    return !isnan(value) && thud_param_check(param, value, "", NULL) == THUD_OK;
+}
+
+static enum thud_status check_value(const struct thud_param *param, double value, const char *key,
+                                    struct thud_error *err)
+{
+    char text[96];
+    if (is_fine(param, value))
+        return THUD_OK;
+    if (isnan(value))
+        return missing(param, err, key);
+    thud_quantity_format(value, param->unit, text, sizeof text);
+    enum thud_status status = thud_param_check(param, value, text, err);
+    if (status != THUD_OK)
+        thud_error_key(err, key);
+    return status;
+}
+
+/* A storey's strength is said once, and is one that its drift can be told from. */
+static enum thud_status check_yield(const struct thud_structure *structure, int s, struct thud_error *err)
+{
+    char key[64];
+    bool storeys = thud_kind_is_building(structure->kind);
+    snprintf(key, sizeof key, "structures.%d.yield-shear", s + 1);
+    for (int i = 0; i < structure->storeys && storeys; i++) {
+        if (structure->yield_m[i] > 0 && structure->yield_shear_n[i] > 0) {
+            thud_error_set(err, THUD_INPUT, "storey %d has a yield drift too", i + 1);
+            return refuse(err, key, "yield or yield-shear, not both");
+        }
+        if (!(thud_structure_yield(structure, i) >= least_yield_m)) {
+            thud_error_set(err, THUD_INPUT, "storey %d yields at a drift of %.3g mm", i + 1,
+                           1e3 * thud_structure_yield(structure, i));
+            return refuse(err, key, "> 0.001 mm times the stiffness");
+        }
+    }
+    return THUD_OK;
+}
+
+/* Of THUD_GROUP_STRUCTURE, with an empty `prefix`, or of its columns, with "column.". */
+static enum thud_status check_group(const struct thud_scene *scene, int s, enum thud_group group, const char *prefix,
+                                    struct thud_error *err)
+{
+    const struct thud_structure *structure = &scene->structure[s];
+    const struct thud_place *places = thud_group_places(group);
+    int count;
+    const struct thud_param *params = thud_group_params(group, &count);
+    for (int i = 0; i < count; i++) {
+        if (!(places[i].kinds & 1u << structure->kind))
+            continue;
+        const double *value = (const double *)(const void *)((const char *)structure + places[i].offset);
+        int n = places[i].store == THUD_STORE_FLOORS                                        ? structure->storeys
+                : places[i].store == THUD_STORE_NUMBER && places[i].absent == THUD_REQUIRED ? 1
+                                                                                            : 0;
+        for (int floor = 0; floor < n; floor++) {
+            char key[96];
+            if ((places[i].optional && value[floor] == 0) || is_fine(&params[i], value[floor]))
+                continue;
+            snprintf(key, sizeof key, n > 1 ? "structures.%d.%s%s.%d" : "structures.%d.%s%s", s + 1, prefix,
+                     params[i].name, floor + 1);
+            if (isnan(value[floor]))
+                snprintf(key, sizeof key, "structures.%d.%s%s", s + 1, prefix, params[i].name);
+            enum thud_status status = check_value(&params[i], value[floor], key, err);
+            if (status != THUD_OK)
+                return status;
+        }
+    }
+    return THUD_OK;
+}
+
+/* EI or stiffness, not both. */
+static enum thud_status check_columns(const struct thud_scene *scene, int s, struct thud_error *err)
+{
+    const struct thud_structure *structure = &scene->structure[s];
+    bool has = thud_kind_is_building(structure->kind);
+    for (int i = 0; i < structure->storeys && has; i++) {
+        char key[64];
+        if (!(structure->column_ei_nm2[i] > 0) || !(structure->column_stiffness_npm[i] > 0))
+            continue;
+        snprintf(key, sizeof key, "structures.%d.column.stiffness", s + 1);
+        thud_error_set(err, THUD_INPUT, "given as well as EI, which it is there to replace");
+        return refuse(err, key, "EI or stiffness");
+    }
+    return THUD_OK;
+}
+
+static enum thud_status check_structure(const struct thud_scene *scene, int s, struct thud_error *err)
+{
+    enum thud_status status = check_group(scene, s, THUD_GROUP_STRUCTURE, "", err);
+    if (status == THUD_OK)
+        status = check_group(scene, s, THUD_GROUP_COLUMN, "column.", err);
+    if (status == THUD_OK)
+        status = check_yield(&scene->structure[s], s, err);
+    if (status == THUD_OK)
+        status = check_columns(scene, s, err);
+    return status == THUD_OK ? check_names(scene, s, err) : status;
+}
+
+static enum thud_status check_law(const struct thud_law_choice *choice, double thickness_m, int interface,
+                                  const char *part, struct thud_error *err)
+{
+    char key[160];
+    if (!choice->law) {
+        snprintf(key, sizeof key, "interfaces.%d.%s.law", interface + 1, part);
+        thud_error_set(err, THUD_INPUT, "the impact law is not given");
+        return refuse(err, key, "one of `thud laws`");
+    }
+    for (int i = 0; i < choice->law->nparams; i++) {
+        const struct thud_param *param = &choice->law->params[i];
+        if (is_fine(param, choice->value[i]))
+            continue;
+        snprintf(key, sizeof key, "interfaces.%d.%s.%s", interface + 1, part, param->name);
+        enum thud_status status = isnan(choice->value[i]) && isnan(param->fallback)
+                                      ? THUD_OK
+                                      : check_value(param, choice->value[i], key, err);
+        if (status != THUD_OK)
+            return status;
+    }
+    struct thud_law_setup setup = {.mass_kg = 1, .thickness_m = thickness_m};
+    struct thud_error why = {0};
+    memcpy(setup.value, choice->value, sizeof setup.value);
+    enum thud_status status = choice->law->prepare ? choice->law->prepare(&setup, &why) : THUD_OK;
+    if (status == THUD_OK)
+        return THUD_OK;
+    snprintf(key, sizeof key, "interfaces.%d.%s.%.60s", interface + 1, part, why.key[0] ? why.key : "law");
+    thud_error_key(&why, key);
+    if (err)
+        *err = why;
+    return status;
+}
+
+static enum thud_status check_bumper(const struct thud_interface *at, int interface, struct thud_error *err)
+{
+    char key[96], gap[48], room[48], text[48];
+    int count;
+    const struct thud_param *params = thud_group_params(THUD_GROUP_BUMPER, &count);
+    snprintf(key, sizeof key, "interfaces.%d.bumper.thickness", interface + 1);
+    enum thud_status status =
+        check_value(&params[1], at->bumper_thickness_m > 0 ? at->bumper_thickness_m : NAN, key, err);
+    if (status != THUD_OK)
+        return status;
+    double out = at->bumper_thickness_m - at->bumper_cavity_m;
+    if (out > 0 && out <= at->gap_m + rounding_m)
+        return THUD_OK;
+    thud_quantity_format(at->gap_m, "cm", gap, sizeof gap);
+    thud_quantity_format(at->bumper_thickness_m, "cm", room, sizeof room);
+    thud_quantity_format(at->bumper_cavity_m, "cm", text, sizeof text);
+    if (out <= 0) {
+        snprintf(key, sizeof key, "interfaces.%d.bumper.cavity", interface + 1);
+        thud_error_set(err, THUD_INPUT, "the cavity, %s, is as deep as the bumper is thick, %s", text, room);
+        return refuse(err, key, "0 to less than the thickness");
+    }
+    char much[48];
+    snprintf(key, sizeof key, "interfaces.%d.bumper.thickness", interface + 1);
+    thud_quantity_format(rint(out * 1e9) / 1e9, "cm", much, sizeof much);
+    thud_error_set(err, THUD_INPUT, "the bumper sticks out by %s into a gap of %s", much, gap);
+    return refuse(err, key, "thickness - cavity <= gap");
+}
+
+/* An impulse has no force that columns could give under. */
+static enum thud_status check_impulses(const struct thud_scene *scene, int i, struct thud_error *err)
+{
+    const struct thud_interface *at = &scene->interface[i];
+    const struct thud_law *law = at->has_bumper ? at->bumper.law : at->contact.law;
+    struct thud_pairing meeting[THUD_PAIRINGS_MAX];
+    int n = law->flags & THUD_LAW_IMPULSIVE ? thud_interface_pairings(scene, i, meeting) : 0;
+    for (int k = 0; k < n; k++) {
+        bool left = meeting[k].struck < 0;
+        const struct thud_structure *s = &scene->structure[i + !left];
+        int storey = (left ? meeting[k].left_floor : meeting[k].right_floor) - 1 - (s->kind == THUD_ISOLATED);
+        if (meeting[k].struck == 0 || isnan(thud_column_ei(s, storey)))
+            continue;
+        char key[64];
+        snprintf(key, sizeof key, "interfaces.%d.%s.law", i + 1, at->has_bumper ? "bumper" : "contact");
+        thud_error_set(err, THUD_INPUT, "%s has impulses, and columns that give need a contact force", law->name);
+        return refuse(err, key, "another law, or columns without EI and stiffness");
+    }
+    return THUD_OK;
+}
+
+static enum thud_status check_interface(const struct thud_scene *scene, int i, struct thud_error *err)
+{
+    const struct thud_interface *at = &scene->interface[i];
+    char key[64];
+    int count;
+    snprintf(key, sizeof key, "interfaces.%d.gap", i + 1);
+    enum thud_status status = check_value(thud_group_params(THUD_GROUP_INTERFACE, &count), at->gap_m, key, err);
+    if (status == THUD_OK)
+        status = check_law(&at->contact, 0, i, "contact", err);
+    if (status == THUD_OK && at->has_bumper)
+        status = check_bumper(at, i, err);
+    if (status == THUD_OK && at->has_bumper)
+        status = check_law(&at->bumper, at->bumper_thickness_m, i, "bumper", err);
+    return status == THUD_OK ? check_impulses(scene, i, err) : status;
+}
+
+static enum thud_status check_study(const struct thud_scene *scene, struct thud_error *err)
+{
+    const struct thud_study_choice *study = &scene->study;
+    for (int i = 0; i < study->nvary; i++) {
+        const struct thud_vary *vary = &study->vary[i];
+        struct thud_slot slot;
+        enum thud_status status = thud_slot_find(scene, vary->key, &slot, err);
+        if (status != THUD_OK)
+            return refuse(err, "study.vary", NULL);
+        if (vary->values[0])
+            continue;
+        if (slot.param->kind != THUD_PARAM_QUANTITY && slot.param->kind != THUD_PARAM_INTEGER) {
+            thud_error_set(err, THUD_INPUT, "the varied key %s has no values", vary->key);
+            return refuse(err, "study.values", "a list of its words");
+        }
+        const char *absent = isnan(vary->from) ? "from" : isnan(vary->to) ? "to" : isnan(vary->step) ? "step" : NULL;
+        char key[32];
+        if (absent) {
+            snprintf(key, sizeof key, "study.%s", absent);
+            thud_error_set(err, THUD_INPUT, "the varied key %s has no \"%s\"", vary->key, absent);
+            return refuse(err, key, "from, to and step, or values");
+        }
+        if (vary->from > vary->to) {
+            thud_error_set(err, THUD_INPUT, "the last value is below the first one");
+            return refuse(err, "study.to", "from <= to");
+        }
+        if ((vary->to - vary->from) / vary->step > 1e6) {
+            thud_error_set(err, THUD_INPUT, "the step makes more than a million values");
+            return refuse(err, "study.step", NULL);
+        }
+    }
+    return THUD_OK;
+}
+
+enum thud_status thud_scene_check(const struct thud_scene *scene, struct thud_error *err)
+{
+    bool moves = false;
+    enum thud_status status = THUD_OK;
+    if (scene->nstructures < 1) {
+        thud_error_set(err, THUD_INPUT, "there is no structure");
+        return refuse(err, "structures", "a list of 1 to 20");
+    }
+    for (int s = 0; s < scene->nstructures && status == THUD_OK; s++) {
+        status = check_structure(scene, s, err);
+        moves = moves || scene->structure[s].kind != THUD_WALL;
+    }
+    if (status == THUD_OK && !moves) {
+        thud_error_set(err, THUD_INPUT, "there are only walls, so nothing moves");
+        return refuse(err, "structures", "at least one shear, rigid or isolated");
+    }
+    for (int i = 0; i + 1 < scene->nstructures && status == THUD_OK; i++)
+        status = check_interface(scene, i, err);
+    if (status == THUD_OK && !isnan(scene->record.to_s) &&
+        !(scene->record.to_s > (isnan(scene->record.from_s) ? 0 : scene->record.from_s))) {
+        thud_error_set(err, THUD_INPUT, "the part of the motion ends before it begins");
+        return refuse(err, "record.to", "later than it begins");
+    }
+    if (status == THUD_OK && !scene->record.file[0] && !(scene->analysis.tail_s > 0)) {
+        thud_error_set(err, THUD_INPUT, "without a ground motion the tail is the duration, and it is 0");
+        return refuse(err, "analysis.tail", "> 0 s, up to 100 s");
+    }
+    return status == THUD_OK ? check_study(scene, err) : status;
+}

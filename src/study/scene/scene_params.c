@@ -1,0 +1,248 @@
+/* The tables of everything a preset may say, but for the laws' own parameters. */
+#include <math.h>
+
+#include "study/scene/scene_slot.h"
+
+/* clang-format off */
+#define NUMBER(name_, title_, help_, dimension_, unit_, fallback_) \
+    .name = (name_), .title = (title_), .help = (help_), .kind = THUD_PARAM_QUANTITY, .dimension = (dimension_), .unit = (unit_), .fallback = (fallback_)
+#define COUNT(name_, title_, help_, fallback_) \
+    .name = (name_), .title = (title_), .help = (help_), .kind = THUD_PARAM_INTEGER, .unit = "", .fallback = (fallback_)
+#define WORD(name_, title_, help_) \
+    {.name = (name_), .title = (title_), .help = (help_), .kind = THUD_PARAM_TEXT, .unit = "", .fallback = NAN, \
+     .least = NAN, .most = NAN, .soft_least = NAN, .soft_most = NAN}
+#define CHOICE(name_, title_, help_, choices_, fallback_) \
+    {.name = (name_), .title = (title_), .help = (help_), .kind = THUD_PARAM_CHOICE, .unit = "", .fallback = (fallback_), \
+     .least = NAN, .most = NAN, .soft_least = NAN, .soft_most = NAN, .choices = (choices_)}
+#define POSITIVE      .least = 0, .least_open = true
+#define NO_LEAST      .least = NAN
+#define NO_MOST       .most = NAN
+#define UP_TO(value)  .most = (value)
+#define FROM(value)   .least = (value)
+#define BELOW(value)  .most = (value), .most_open = true
+#define USUAL(a, b)   .soft_least = (a), .soft_most = (b)
+#define ANY_USUAL     .soft_least = NAN, .soft_most = NAN
+
+enum { SHEAR = 1 << THUD_SHEAR, RIGID = 1 << THUD_RIGID, ISOLATED = 1 << THUD_ISOLATED, WALL = 1 << THUD_WALL, STOREYS = SHEAR | ISOLATED, ALL = 15 };
+
+static const char *const kinds[] = {"shear", "rigid", "isolated", "wall", NULL};
+static const char *const signs[] = {"+", "-", NULL};
+static const char *const one_or_both[] = {"one", "both", NULL};
+static const char *const columns[] = {"all", NULL};
+static const char *const switches[] = {"off", "on", NULL};
+static const char *const levels[] = {"all", "aligned", NULL};
+static const char *const shapes[] = {"clamped", "linear", NULL};
+
+static const struct thud_param scene_params[] = {
+    WORD("title", "title", "What the scene is, for headings of tables and figures."),
+};
+static const struct thud_place scene_places[] = {
+    {.store = THUD_STORE_TEXT, .offset = offsetof(struct thud_scene, title), .size = THUD_TEXT_MAX},
+};
+
+static const struct thud_param record_params[] = {
+    WORD("file", "file", "The ground motion: looked for from the working folder, beside the preset, and in the records folder."),
+    {NUMBER("peak", "peak", "Scales the motion to this largest acceleration; else it is as recorded.",
+            THUD_ACCELERATION, "g", NAN), POSITIVE, UP_TO(1000), .soft_least = NAN, .soft_most = 2 * THUD_GRAVITY},
+    {NUMBER("sa", "spectral acceleration", "Scales the motion to this pseudo spectral acceleration at `period` and 5 % damping, in place of a peak.",
+            THUD_ACCELERATION, "g", NAN), POSITIVE, UP_TO(1000), ANY_USUAL},
+    {NUMBER("period", "period", "Of `sa`; where it is not given, the mean of the buildings' fundamental periods.", THUD_TIME, "s", NAN), POSITIVE, UP_TO(100), ANY_USUAL},
+    CHOICE("sign", "sign", "-: the motion the other way round; in a preset as \"-\".", signs, 0),
+    {NUMBER("factor", "factor", "Multiplies the motion.", THUD_NUMBER, "", 1), POSITIVE, UP_TO(1e6), ANY_USUAL},
+    {NUMBER("from", "beginning", "Leaves out the motion before this time of the file; the run begins there.", THUD_TIME, "s", NAN), FROM(0), UP_TO(1e5), ANY_USUAL},
+    {NUMBER("to", "end", "Leaves out the motion after this time of the file.", THUD_TIME, "s", NAN), POSITIVE, UP_TO(1e5), ANY_USUAL},
+    {NUMBER("dt", "step", "Time between samples, for files that do not say it.", THUD_TIME, "s", NAN), POSITIVE, UP_TO(10), ANY_USUAL},
+    WORD("unit", "unit", "Unit of the samples, for files that do not say it: g, m/s2, cm/s2, gal, ..."),
+    WORD("channel", "channel", "Which motion of a file with several, by name or number."),
+    {COUNT("column", "column", "Which column of a table, from 1; all: each line goes on where the last ended.", NAN),
+     .least = 1, UP_TO(1000), ANY_USUAL, .choices = columns},
+    {COUNT("skip", "skipped lines", "Lines at the beginning of the file to leave out.", NAN), .least = 0, UP_TO(100000), ANY_USUAL},
+};
+#define AT(member) offsetof(struct thud_scene, record.member)
+static const struct thud_place record_places[] = {
+    {.store = THUD_STORE_TEXT, .offset = AT(file), .size = THUD_TEXT_MAX},
+    {.store = THUD_STORE_NUMBER, .offset = AT(peak_mps2), .absent = NAN},
+    {.store = THUD_STORE_NUMBER, .offset = AT(sa_mps2), .absent = NAN},
+    {.store = THUD_STORE_NUMBER, .offset = AT(period_s), .absent = NAN},
+    {.store = THUD_STORE_SIGN, .offset = AT(sign)},
+    {.store = THUD_STORE_NUMBER, .offset = AT(factor)},
+    {.store = THUD_STORE_NUMBER, .offset = AT(from_s), .absent = NAN},
+    {.store = THUD_STORE_NUMBER, .offset = AT(to_s), .absent = NAN},
+    {.store = THUD_STORE_NUMBER, .offset = AT(dt_s), .absent = NAN},
+    {.store = THUD_STORE_TEXT, .offset = AT(unit), .size = 16},
+    {.store = THUD_STORE_TEXT, .offset = AT(channel), .size = 32},
+    {.store = THUD_STORE_COUNT, .offset = AT(column), .none = 0},
+    {.store = THUD_STORE_COUNT, .offset = AT(skip), .none = -1},
+};
+#undef AT
+
+static const struct thud_param structure_params[] = {
+    WORD("name", "name", "Stands in tables and figures; A, B, ... from the left where it is not given."),
+    CHOICE("kind", "kind", "shear: storeys on the ground; rigid: a free body; isolated: storeys on an isolated slab; wall: moves with the ground.",
+           kinds, THUD_SHEAR),
+    {COUNT("storeys", "storeys", "Where it is not given, a list of masses, stiffnesses or heights says it.", NAN),
+     .least = 1, UP_TO(THUD_STOREYS_MAX), ANY_USUAL},
+    {NUMBER("mass", "floor mass", "Of each floor, or of the body.", THUD_MASS, "t", NAN), POSITIVE, UP_TO(1e9), USUAL(1e4, 5e6)},
+    {NUMBER("stiffness", "storey stiffness", "Of each storey against shear.", THUD_STIFFNESS, "MN/m", NAN), POSITIVE, UP_TO(1e12), USUAL(1e7, 1e10)},
+    {NUMBER("height", "storey height", "Of each storey: floors of neighbours at the same elevation meet, others strike columns.",
+            THUD_LENGTH, "m", 3), FROM(0.5), UP_TO(20), USUAL(2.5, 6)},
+    {NUMBER("height", "elevation", "Of the body's contact; where it is not given it meets its neighbours' first floor.",
+            THUD_LENGTH, "m", NAN), FROM(0), UP_TO(4000), ANY_USUAL},
+    {NUMBER("height", "height of the wall", "Floors up to here can touch it; where it is not given, all of them.",
+            THUD_LENGTH, "m", NAN), FROM(0), UP_TO(4000), ANY_USUAL},
+    {NUMBER("base", "elevation of the ground", "The ground that the building stands on; the neighbours' elevations count from the same level.",
+            THUD_LENGTH, "m", 0), FROM(-200), UP_TO(4000), ANY_USUAL},
+    {NUMBER("yield", "yield drift", "Where a storey yields (bilinear, kinematic hardening); not given, or none in a list: elastic.", THUD_LENGTH, "mm", NAN),
+     .least = 1e-6, .least_open = true, UP_TO(10), ANY_USUAL},
+    {NUMBER("yield-shear", "yield shear", "The same as the shear of the storey, in place of yield.", THUD_FORCE, "MN", NAN), POSITIVE, UP_TO(1e12), ANY_USUAL},
+    {NUMBER("hardening", "hardening ratio", "Stiffness beyond yield over the elastic one; 0: none, 1: elastic.", THUD_RATIO, "%", 0), FROM(0), UP_TO(1), .soft_least = NAN, .soft_most = 0.2},
+    {NUMBER("damping", "damping ratio", "The same in every mode.", THUD_RATIO, "%", 0.05), FROM(0), BELOW(1), USUAL(0.01, 0.2)},
+    {NUMBER("base-mass", "mass of the base slab", "Of the isolated slab below the first storey.", THUD_MASS, "t", NAN), POSITIVE, UP_TO(1e9), USUAL(1e4, 5e6)},
+    {NUMBER("isolation-stiffness", "isolation stiffness", "Of all isolators together.", THUD_STIFFNESS, "MN/m", NAN), POSITIVE, UP_TO(1e12), ANY_USUAL},
+    {NUMBER("isolation-damping", "isolation damping ratio", "Of the isolators under the whole mass.", THUD_RATIO, "%", 0.1), FROM(0), BELOW(1), .soft_least = NAN, .soft_most = 0.4},
+    {NUMBER("velocity", "velocity at the start", "To the right.", THUD_VELOCITY, "m/s", 0), FROM(-1000), UP_TO(1000), USUAL(-5, 5)},
+};
+#define AT(member) offsetof(struct thud_structure, member)
+static const struct thud_place structure_places[] = {
+    {.store = THUD_STORE_TEXT, .offset = AT(name), .size = THUD_NAME_MAX, .kinds = ALL},
+    {.store = THUD_STORE_KIND, .offset = AT(kind), .kinds = ALL},
+    {.store = THUD_STORE_STOREYS, .offset = AT(storeys), .kinds = STOREYS},
+    {.store = THUD_STORE_FLOORS, .offset = AT(mass_kg), .kinds = ALL & ~WALL},
+    {.store = THUD_STORE_FLOORS, .offset = AT(stiffness_npm), .kinds = STOREYS},
+    {.store = THUD_STORE_FLOORS, .offset = AT(height_m), .kinds = STOREYS},
+    {.store = THUD_STORE_NUMBER, .offset = AT(height_m), .absent = NAN, .kinds = RIGID},
+    {.store = THUD_STORE_NUMBER, .offset = AT(height_m), .absent = INFINITY, .kinds = WALL},
+    {.store = THUD_STORE_NUMBER, .offset = AT(base_m), .kinds = STOREYS},
+    {.store = THUD_STORE_FLOORS, .offset = AT(yield_m), .kinds = STOREYS, .optional = true},
+    {.store = THUD_STORE_FLOORS, .offset = AT(yield_shear_n), .kinds = STOREYS, .optional = true},
+    {.store = THUD_STORE_FLOORS, .offset = AT(hardening), .kinds = STOREYS, .optional = true},
+    {.store = THUD_STORE_NUMBER, .offset = AT(damping), .kinds = STOREYS},
+    {.store = THUD_STORE_NUMBER, .offset = AT(base_mass_kg), .kinds = ISOLATED},
+    {.store = THUD_STORE_NUMBER, .offset = AT(isolation_stiffness_npm), .kinds = ISOLATED},
+    {.store = THUD_STORE_NUMBER, .offset = AT(isolation_damping), .kinds = ISOLATED},
+    {.store = THUD_STORE_NUMBER, .offset = AT(velocity_mps), .kinds = RIGID},
+};
+
+static const struct thud_param column_params[] = {
+    {NUMBER("EI", "bending stiffness", "Of all columns of a storey that a slab strikes; where neither it nor stiffness is given, they do not give.",
+            THUD_BENDING, "MN m2", NAN), POSITIVE, UP_TO(1e15), USUAL(1e6, 1e10)},
+    {NUMBER("stiffness", "stiffness", "In place of EI: the struck columns' part of the storey stiffness, 12 EI/L^3.", THUD_STIFFNESS, "MN/m", NAN), POSITIVE, UP_TO(1e12), ANY_USUAL},
+    {NUMBER("capacity", "shear capacity", "Of all struck columns of a storey together; their shear is held against it.", THUD_FORCE, "kN", NAN), POSITIVE, UP_TO(1e12), ANY_USUAL},
+    CHOICE("shape", "shape", "clamped: what is struck moves, and gives the force on, as a member clamped in both floors; linear: as a hinged one.", shapes, THUD_COLUMN_CLAMPED),
+};
+static const struct thud_place column_places[] = {
+    {.store = THUD_STORE_FLOORS, .offset = AT(column_ei_nm2), .kinds = STOREYS, .optional = true},
+    {.store = THUD_STORE_FLOORS, .offset = AT(column_stiffness_npm), .kinds = STOREYS, .optional = true},
+    {.store = THUD_STORE_FLOORS, .offset = AT(column_capacity_n), .kinds = STOREYS, .optional = true},
+    {.store = THUD_STORE_NUMBER, .offset = AT(column_shape), .kinds = STOREYS},
+};
+#undef AT
+
+static const struct thud_param interface_params[] = {
+    {NUMBER("gap", "gap", "From concrete to concrete.", THUD_LENGTH, "cm", NAN), FROM(0), UP_TO(5), ANY_USUAL},
+    CHOICE("levels", "levels", "all: floors between the neighbour's floors strike its columns; aligned: only floors at the same elevation meet.",
+           levels, THUD_LEVELS_ALL),
+};
+static const struct thud_place interface_places[] = {
+    {.store = THUD_STORE_NUMBER, .offset = offsetof(struct thud_interface, gap_m)},
+    {.store = THUD_STORE_NUMBER, .offset = offsetof(struct thud_interface, levels)},
+};
+static const struct thud_param contact_params[] = {
+    WORD("law", "impact law of the bare contact", "One of `thud laws`; the keys after it are the law's own."),
+};
+static const struct thud_place contact_places[] = {
+    {.store = THUD_STORE_LAW, .offset = offsetof(struct thud_interface, contact)},
+};
+static const struct thud_param bumper_params[] = {
+    WORD("law", "impact law of the bumper", "One of `thud laws`; the keys after it are the law's own."),
+    {NUMBER("thickness", "thickness", "Of the bumper, from the wall it is set on.", THUD_LENGTH, "cm", NAN), POSITIVE, UP_TO(1), USUAL(0.01, 0.2)},
+    {NUMBER("cavity", "cavity depth", "The bumper is set so deep into the wall; less than its thickness.", THUD_LENGTH, "cm", 0), FROM(0), BELOW(1), ANY_USUAL},
+};
+static const struct thud_place bumper_places[] = {
+    {.store = THUD_STORE_LAW, .offset = offsetof(struct thud_interface, bumper)},
+    {.store = THUD_STORE_NUMBER, .offset = offsetof(struct thud_interface, bumper_thickness_m)},
+    {.store = THUD_STORE_NUMBER, .offset = offsetof(struct thud_interface, bumper_cavity_m)},
+};
+
+static const struct thud_param analysis_params[] = {
+    WORD("method", "method", "One of `thud methods`, or auto: the exact one."),
+    {NUMBER("tolerance", "tolerance", "1e-6: every peak within 1e-5 of the converged value.", THUD_NUMBER, "", 1e-6), FROM(1e-13), UP_TO(0.1), USUAL(1e-12, 1e-3)},
+    {NUMBER("step", "step", "Of the methods with a fixed step; else a twentieth of the shortest period of a mode or contact, and no more than the record's.", THUD_TIME, "ms", NAN), POSITIVE, UP_TO(10), ANY_USUAL},
+    {NUMBER("tail", "tail", "Free vibration after the ground motion; without one, the duration.", THUD_TIME, "s", 5), FROM(0), UP_TO(100), ANY_USUAL},
+    CHOICE("locate", "event location", "Whether methods with a fixed step find the moments of touch and release.", switches, 1),
+    {COUNT("modes", "modes", "Each building's lowest ones alone; where it is not given, all of them.", NAN),
+     .least = 1, UP_TO(THUD_STOREYS_MAX + 1), ANY_USUAL},
+};
+#define AT(member) offsetof(struct thud_scene, analysis.member)
+static const struct thud_place analysis_places[] = {
+    {.store = THUD_STORE_TEXT, .offset = AT(method), .size = 32},
+    {.store = THUD_STORE_NUMBER, .offset = AT(tolerance)},
+    {.store = THUD_STORE_NUMBER, .offset = AT(step_s), .absent = NAN},
+    {.store = THUD_STORE_NUMBER, .offset = AT(tail_s)},
+    {.store = THUD_STORE_SWITCH, .offset = AT(locate)},
+    {.store = THUD_STORE_COUNT, .offset = AT(modes), .none = 0},
+};
+#undef AT
+
+static const struct thud_param study_params[] = {
+    WORD("vary", "varied key", "What `thud sweep` varies; a list of up to 4 keys makes a grid."),
+    WORD("from", "first value", "Of the varied key; a list where several are varied."),
+    WORD("to", "last value", "Of the varied key."),
+    WORD("step", "step", "Of the varied key."),
+    WORD("values", "values", "Instead of from, to and step: a list, or one list for each varied key."),
+    WORD("cases", "cases", "List of none, bumper, cavity, as-written."),
+    {NUMBER("sensitivity", "sensitivity", "Spread of every peak when gap, ground motion or stiffness change by this much; 0: none.",
+            THUD_RATIO, "%", 0), FROM(0), UP_TO(0.1), USUAL(0, 0.02)},
+    WORD("records", "ground motions", "As --records takes them: files with their settings, a folder, a .list; one or several in brackets."),
+    CHOICE("signs", "signs", "both: every ground motion also the other way round.", one_or_both, 0),
+};
+static const struct thud_place study_places[] = {
+    {.store = THUD_STORE_STUDY}, {.store = THUD_STORE_STUDY}, {.store = THUD_STORE_STUDY},
+    {.store = THUD_STORE_STUDY}, {.store = THUD_STORE_STUDY}, {.store = THUD_STORE_STUDY},
+    {.store = THUD_STORE_NUMBER, .offset = offsetof(struct thud_scene, study.sensitivity)},
+    {.store = THUD_STORE_TEXT, .offset = offsetof(struct thud_scene, study.records), .size = THUD_VARY_TEXT},
+    {.store = THUD_STORE_SWITCH, .offset = offsetof(struct thud_scene, study.both_signs)},
+};
+/* clang-format on */
+
+#define GROUP(word, key)                                                                                               \
+    {                                                                                                                  \
+        key, word##_params, word##_places, sizeof word##_params / sizeof *word##_params                                \
+    }
+static const struct {
+    const char *key;
+    const struct thud_param *params;
+    const struct thud_place *places;
+    int count;
+} groups[THUD_GROUPS] = {
+    [THUD_GROUP_SCENE] = GROUP(scene, ""),
+    [THUD_GROUP_RECORD] = GROUP(record, "record"),
+    [THUD_GROUP_STRUCTURE] = GROUP(structure, "structures"),
+    [THUD_GROUP_COLUMN] = GROUP(column, "column"),
+    [THUD_GROUP_INTERFACE] = GROUP(interface, "interfaces"),
+    [THUD_GROUP_CONTACT] = GROUP(contact, "contact"),
+    [THUD_GROUP_BUMPER] = GROUP(bumper, "bumper"),
+    [THUD_GROUP_ANALYSIS] = GROUP(analysis, "analysis"),
+    [THUD_GROUP_STUDY] = GROUP(study, "study"),
+};
+
+const struct thud_param *thud_group_params(enum thud_group group, int *count)
+{
+    *count = groups[group].count;
+    return groups[group].params;
+}
+
+const struct thud_place *thud_group_places(enum thud_group group)
+{
+    return groups[group].places;
+}
+
+const char *thud_group_key(enum thud_group group)
+{
+    return groups[group].key;
+}
+
+bool thud_structure_has(enum thud_structure_kind kind, int param)
+{
+    return (structure_places[param].kinds & 1u << kind) != 0;
+}

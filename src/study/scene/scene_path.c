@@ -1,0 +1,268 @@
+/* From a path to the place of its value. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/scan.h"
+#include "study/scene/scene_slot.h"
+#include "study/scene/scene_words.h"
+
+enum { PARTS_MAX = 6, PATH_BYTES = 128 };
+
+struct path {
+    char text[PATH_BYTES];
+    char *part[PARTS_MAX];
+    int n;
+};
+
+static bool split(const char *text, struct path *path)
+{
+    if (strlen(text) >= sizeof path->text)
+        return false;
+    strcpy(path->text, text);
+    path->n = 0;
+    for (char *next = path->text; next;) {
+        if (path->n == PARTS_MAX)
+            return false;
+        path->part[path->n++] = next;
+        next = strchr(next, '.');
+        if (next)
+            *next++ = '\0';
+    }
+    return true;
+}
+
+/* A number counted from 1; -1 when it is none. */
+static int number(const char *text)
+{
+    int count;
+    return thud_scan_count(&text, &count) && !*text ? count : -1;
+}
+
+static int find_in_group(enum thud_group group, const char *key, unsigned kinds)
+{
+    int count;
+    const struct thud_param *params = thud_group_params(group, &count);
+    const struct thud_place *places = thud_group_places(group);
+    for (int i = 0; i < count; i++)
+        if (strcmp(params[i].name, key) == 0 && (!kinds || (places[i].kinds & kinds)))
+            return i;
+    return -1;
+}
+
+static enum thud_status unknown(const struct thud_scene *scene, enum thud_group group, const struct thud_law *law,
+                                int structure, const char *key, struct thud_error *err)
+{
+    struct thud_words words = {0};
+    int count;
+    const struct thud_param *params = thud_group_params(group, &count);
+    for (int i = 0; i < count; i++)
+        if (group != THUD_GROUP_STRUCTURE || thud_structure_has(scene->structure[structure].kind, i))
+            thud_words_add(&words, params[i].name);
+    if (group == THUD_GROUP_STRUCTURE &&
+        find_in_group(THUD_GROUP_COLUMN, "EI", 1u << scene->structure[structure].kind) >= 0)
+        thud_words_add(&words, thud_group_key(THUD_GROUP_COLUMN));
+    for (int i = 0; law && i < law->nparams; i++)
+        thud_words_add(&words, law->params[i].name);
+    return thud_words_unknown(&words, "key", key, err);
+}
+
+static void fill(struct thud_slot *slot, enum thud_group group, int index, size_t base)
+{
+    int count;
+    slot->param = &thud_group_params(group, &count)[index];
+    slot->place = thud_group_places(group)[index];
+    slot->place.offset += base;
+    slot->index = index;
+}
+
+static enum thud_status wrong_depth(struct thud_error *err)
+{
+    thud_error_set(err, THUD_INPUT, "the key has too many or too few parts");
+    thud_error_allow(
+        err, "e.g. gap, contact.restitution, structures.1.mass, structures.1.mass.2, interfaces.1.gap, record.peak");
+    return THUD_INPUT;
+}
+
+static enum thud_status find_structure(const struct thud_scene *scene, char **part, int n, struct thud_slot *out,
+                                       struct thud_error *err)
+{
+    bool column = n > 2 && strcmp(part[1], "column") == 0;
+    if (n < 2 || n > 3 + column)
+        return wrong_depth(err);
+    int s = number(part[0]);
+    if (s < 1 || s > scene->nstructures) {
+        thud_error_set(err, THUD_INPUT, "there is no structure \"%.40s\"", part[0]);
+        thud_error_allow(err, "1 to %d", scene->nstructures);
+        return THUD_INPUT;
+    }
+    enum thud_group group = column ? THUD_GROUP_COLUMN : THUD_GROUP_STRUCTURE;
+    int keys = column ? 2 : 1, i = find_in_group(group, part[keys], 1u << scene->structure[s - 1].kind);
+    int of_storeys = i < 0 ? find_in_group(group, part[keys], 1u << THUD_SHEAR) : -1;
+    if (of_storeys >= 0 && (column || thud_group_places(group)[of_storeys].optional)) {
+        thud_error_set(err, THUD_INPUT, "%s has no %s",
+                       scene->structure[s - 1].kind == THUD_WALL ? "a wall" : "a rigid body",
+                       column ? "columns" : "storeys that could yield");
+        thud_error_allow(err, "%.40s is of shear and isolated structures", part[keys]);
+        return THUD_INPUT;
+    }
+    if (i < 0)
+        return unknown(scene, group, NULL, s - 1, part[keys], err);
+    fill(out, group, i, offsetof(struct thud_scene, structure) + (size_t)(s - 1) * sizeof *scene->structure);
+    out->structure = s - 1;
+    if (n == keys + 1)
+        return THUD_OK;
+    int storeys = scene->structure[s - 1].storeys, floor = number(part[keys + 1]);
+    if (out->place.store != THUD_STORE_FLOORS)
+        return wrong_depth(err);
+    if (floor < 1 || floor > storeys) {
+        thud_error_set(err, THUD_INPUT, "there is no floor \"%.40s\"", part[keys + 1]);
+        thud_error_allow(err, "1 to %d", storeys);
+        return THUD_INPUT;
+    }
+    out->floor = floor - 1;
+    return THUD_OK;
+}
+
+/* Keys of contact or bumper: the group's, then the law's own. */
+static enum thud_status find_law_key(const struct thud_scene *scene, int interface, bool bumper, const char *key,
+                                     struct thud_slot *out, struct thud_error *err)
+{
+    enum thud_group group = bumper ? THUD_GROUP_BUMPER : THUD_GROUP_CONTACT;
+    const struct thud_interface *at = &scene->interface[interface];
+    const struct thud_law *law = bumper ? at->bumper.law : at->contact.law;
+    size_t base = offsetof(struct thud_scene, interface) + (size_t)interface * sizeof *at;
+    out->bumper = bumper;
+    out->choice = base + (bumper ? offsetof(struct thud_interface, bumper) : offsetof(struct thud_interface, contact));
+    int i = find_in_group(group, key, 0);
+    if (bumper && !law && i != 0) {
+        thud_error_set(err, THUD_INPUT, "interface %d has no bumper", interface + 1);
+        thud_error_allow(err, "set bumper.law first, e.g. rubber");
+        return THUD_INPUT;
+    }
+    if (i >= 0) {
+        fill(out, group, i, base);
+        return THUD_OK;
+    }
+    i = law ? thud_law_param(law, key) : -1;
+    if (i < 0)
+        return unknown(scene, group, law, 0, key, err);
+    out->param = &law->params[i];
+    out->index = i;
+    out->place = (struct thud_place){.store = THUD_STORE_NUMBER,
+                                     .offset = out->choice + offsetof(struct thud_law_choice, value) +
+                                               (size_t)i * sizeof(double),
+                                     .absent = THUD_REQUIRED};
+    return THUD_OK;
+}
+
+static enum thud_status find_interface(const struct thud_scene *scene, int interface, char **part, int n,
+                                       struct thud_slot *out, struct thud_error *err)
+{
+    out->interface = interface;
+    bool bumper = strcmp(part[0], "bumper") == 0;
+    if (bumper || strcmp(part[0], "contact") == 0)
+        return n == 2 ? find_law_key(scene, interface, bumper, part[1], out, err) : wrong_depth(err);
+    int i = find_in_group(THUD_GROUP_INTERFACE, part[0], 0);
+    if (i < 0) {
+        static const struct thud_words words = {{"gap", "levels", "contact", "bumper"}, 4};
+        return thud_words_unknown(&words, "key", part[0], err);
+    }
+    fill(out, THUD_GROUP_INTERFACE, i,
+         offsetof(struct thud_scene, interface) + (size_t)interface * sizeof *scene->interface);
+    return n == 1 ? THUD_OK : wrong_depth(err);
+}
+
+static enum thud_status find_numbered_interface(const struct thud_scene *scene, char **part, int n,
+                                                struct thud_slot *out, struct thud_error *err)
+{
+    int i = n > 1 ? number(part[0]) : 0;
+    if (n < 2)
+        return wrong_depth(err);
+    if (i < 1 || i >= scene->nstructures) {
+        thud_error_set(err, THUD_INPUT, "there is no interface \"%.40s\"", part[0]);
+        if (scene->nstructures > 1)
+            thud_error_allow(err, "1 to %d", scene->nstructures - 1);
+        return THUD_INPUT;
+    }
+    return find_interface(scene, i - 1, part + 1, n - 1, out, err);
+}
+
+/* `gap`, `contact.restitution`, `bumper.thickness`: where there is one interface. */
+static enum thud_status find_short(const struct thud_scene *scene, struct path *path, struct thud_slot *out,
+                                   struct thud_error *err)
+{
+    if (scene->nstructures == 2)
+        return find_interface(scene, 0, path->part, path->n, out, err);
+    thud_error_set(err, THUD_INPUT, "the scene has %d interfaces, so the key does not say which",
+                   scene->nstructures > 0 ? scene->nstructures - 1 : 0);
+    thud_error_allow(err, "interfaces.1.%s%s%s", path->part[0], path->n > 1 ? "." : "",
+                     path->n > 1 ? path->part[1] : "");
+    return THUD_INPUT;
+}
+
+static enum thud_status unknown_top(const char *key, struct thud_error *err)
+{
+    static const struct thud_words words = {
+        {"title", "record", "structures", "interfaces", "analysis", "study", "gap", "levels", "contact", "bumper"}, 10};
+    return thud_words_unknown(&words, "key", key, err);
+}
+
+static enum thud_status find(const struct thud_scene *scene, struct path *path, struct thud_slot *out,
+                             struct thud_error *err)
+{
+    static const enum thud_group flat[] = {THUD_GROUP_RECORD, THUD_GROUP_ANALYSIS, THUD_GROUP_STUDY};
+    char **part = path->part;
+    if (strcmp(part[0], "structures") == 0)
+        return find_structure(scene, part + 1, path->n - 1, out, err);
+    if (strcmp(part[0], "interfaces") == 0)
+        return find_numbered_interface(scene, part + 1, path->n - 1, out, err);
+    if (find_in_group(THUD_GROUP_INTERFACE, part[0], 0) >= 0 || strcmp(part[0], "contact") == 0 ||
+        strcmp(part[0], "bumper") == 0)
+        return find_short(scene, path, out, err);
+    for (size_t g = 0; g < sizeof flat / sizeof *flat; g++) {
+        if (strcmp(part[0], thud_group_key(flat[g])) != 0)
+            continue;
+        if (path->n != 2)
+            return wrong_depth(err);
+        int i = find_in_group(flat[g], part[1], 0);
+        if (i < 0)
+            return unknown(scene, flat[g], NULL, 0, part[1], err);
+        fill(out, flat[g], i, 0);
+        return THUD_OK;
+    }
+    int i = path->n == 1 ? find_in_group(THUD_GROUP_SCENE, part[0], 0) : -1;
+    if (i < 0)
+        return unknown_top(part[0], err);
+    fill(out, THUD_GROUP_SCENE, i, 0);
+    return THUD_OK;
+}
+
+enum thud_status thud_slot_find(const struct thud_scene *scene, const char *path, struct thud_slot *out,
+                                struct thud_error *err)
+{
+    struct path parts;
+    *out = (struct thud_slot){.structure = -1, .interface = -1, .floor = -1};
+    enum thud_status status = split(path, &parts) ? find(scene, &parts, out, err) : wrong_depth(err);
+    if (status != THUD_OK)
+        thud_error_key(err, path);
+    return status;
+}
+
+bool thud_scene_by_floor(const struct thud_scene *scene, const char *path)
+{
+    struct thud_slot slot;
+    if (thud_slot_find(scene, path, &slot, NULL) != THUD_OK || slot.place.store != THUD_STORE_FLOORS || slot.floor >= 0)
+        return false;
+    enum thud_structure_kind kind = scene->structure[slot.structure].kind;
+    return thud_kind_is_building(kind);
+}
+
+const struct thud_param *thud_scene_param(const struct thud_scene *scene, const char *path, int *floor)
+{
+    struct thud_slot slot;
+    if (thud_slot_find(scene, path, &slot, NULL) != THUD_OK)
+        return NULL;
+    *floor = slot.floor;
+    return slot.param;
+}

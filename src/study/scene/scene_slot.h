@@ -1,0 +1,90 @@
+/* Where a path of a scene leads: the described parameter and the place of its value. */
+#ifndef THUD_STUDY_SCENE_SLOT_H
+#define THUD_STUDY_SCENE_SLOT_H
+
+#include <stddef.h>
+
+#include "study/scene/scene.h"
+
+enum thud_store {
+    THUD_STORE_NUMBER, /* double: a quantity or the index of a choice; NaN, or infinity for a wall's height: not given
+                        */
+    THUD_STORE_COUNT,  /* int; `none` stands for not given */
+    THUD_STORE_SIGN,   /* int, +1 or -1 */
+    THUD_STORE_SWITCH, /* bool: the first and second of its choices */
+    THUD_STORE_TEXT,
+    THUD_STORE_FLOORS,  /* double[storeys]; optional: 0 stands for not given */
+    THUD_STORE_STOREYS, /* int, and the length of the lists */
+    THUD_STORE_KIND,
+    THUD_STORE_LAW,
+    THUD_STORE_STUDY
+};
+
+/* Of a parameter of the tables, from the start of its structure, interface, ... */
+struct thud_place {
+    enum thud_store store;
+    size_t offset, size; /* size: of a text */
+    int none;            /* THUD_STORE_COUNT */
+    double absent;       /* THUD_STORE_NUMBER: what stands for not given where that is allowed; 0: must be given */
+    unsigned kinds;      /* bit set of structure kinds */
+    bool optional;       /* THUD_STORE_FLOORS: need not be given */
+};
+
+struct thud_slot {
+    const struct thud_param *param;
+    struct thud_place place;  /* offset from the start of the scene */
+    int index;                /* of the parameter in its group or law */
+    int structure, interface; /* from 0; -1 */
+    size_t choice;            /* offset of the law choice the value is part of; 0: none */
+    bool bumper;
+    int floor; /* from 0; -1: all */
+};
+
+/* What must be given. */
+#define THUD_REQUIRED 0.0
+
+const struct thud_place *thud_group_places(enum thud_group group);
+
+/* Errors: THUD_INPUT with key, and the nearest known one. */
+enum thud_status thud_slot_find(const struct thud_scene *scene, const char *path, struct thud_slot *out,
+                                struct thud_error *err);
+
+static inline void *thud_slot_at(struct thud_scene *scene, const struct thud_slot *slot)
+{
+    return (char *)scene + slot->place.offset;
+}
+static inline const void *thud_slot_in(const struct thud_scene *scene, const struct thud_slot *slot)
+{
+    return (const char *)scene + slot->place.offset;
+}
+
+/* A floor of an optional list that has no value, where 0 is none. */
+#define THUD_FLOOR_NONE "none"
+static inline bool thud_floor_may_lack(const struct thud_param *param, const struct thud_place *place)
+{
+    return place->store == THUD_STORE_FLOORS && place->optional && param->least_open;
+}
+
+/* Values of one kind each; the text is trimmed. Errors: THUD_INPUT. */
+enum thud_status thud_floors_set(struct thud_scene *scene, const struct thud_slot *slot, const char *text,
+                                 struct thud_error *err);
+enum thud_status thud_storeys_set(struct thud_structure *structure, int storeys);
+enum thud_status thud_kind_set(struct thud_structure *structure, enum thud_structure_kind kind);
+enum thud_status thud_law_set(struct thud_scene *scene, const struct thud_slot *slot, const char *text,
+                              struct thud_error *err);
+enum thud_status thud_study_set(struct thud_scene *scene, const struct thud_slot *slot, const char *text,
+                                struct thud_error *err);
+void thud_study_get(const struct thud_scene *scene, const struct thud_slot *slot, char *text, size_t size);
+
+/* A quantity with its bounds. `choice`: the law whose exponent the unit must carry, NULL outside laws. Errors:
+ * THUD_INPUT with what is allowed. */
+enum thud_status thud_quantity_read(const struct thud_param *param, const struct thud_law_choice *choice,
+                                    const char *text, double *out, struct thud_error *err);
+/* The exponent that a stiffness of this law carries; NaN where it has none. */
+double thud_law_exponent(const struct thud_law_choice *choice, const struct thud_param *param);
+
+/* "[a, b]" taken apart, in place, lists within it kept whole: items (at most `most`) into item[]; the count, or -1 when
+ * it is no list. */
+int thud_list_split(char *text, char **item, int most);
+
+#endif

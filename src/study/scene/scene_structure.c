@@ -1,0 +1,319 @@
+/* Structures and their lists of floors; laws and bumpers; the empty scene. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "study/scene/scene_slot.h"
+#include "study/scene/scene_words.h"
+
+double *thud_structure_list(struct thud_structure *structure, int which)
+{
+    double *const list[THUD_STRUCTURE_LISTS] = {
+        structure->mass_kg,       structure->stiffness_npm,        structure->height_m,
+        structure->yield_m,       structure->yield_shear_n,        structure->hardening,
+        structure->column_ei_nm2, structure->column_stiffness_npm, structure->column_capacity_n};
+    return list[which];
+}
+
+double thud_structure_yield(const struct thud_structure *structure, int i)
+{
+    if (structure->yield_m[i] > 0)
+        return structure->yield_m[i];
+    return structure->yield_shear_n[i] > 0 ? structure->yield_shear_n[i] / structure->stiffness_npm[i] : INFINITY;
+}
+
+bool thud_scene_yields(const struct thud_scene *scene)
+{
+    for (int s = 0; s < scene->nstructures; s++)
+        for (int i = 0; i < scene->structure[s].storeys; i++)
+            if (isfinite(thud_structure_yield(&scene->structure[s], i)) && scene->structure[s].hardening[i] < 1)
+                return true;
+    return false;
+}
+
+static double fallback(const char *name, enum thud_group group)
+{
+    int count;
+    const struct thud_param *params = thud_group_params(group, &count);
+    for (int i = 0; i < count; i++)
+        if (strcmp(params[i].name, name) == 0)
+            return params[i].fallback;
+    return NAN;
+}
+
+void thud_structure_init(struct thud_structure *structure, enum thud_structure_kind kind)
+{
+    memset(structure, 0, sizeof *structure);
+    structure->kind = kind;
+    structure->storeys = kind == THUD_WALL ? 0 : 1;
+    if (kind == THUD_WALL) {
+        structure->height_m[0] = INFINITY;
+        return;
+    }
+    structure->mass_kg[0] = NAN;
+    if (kind == THUD_RIGID) {
+        structure->height_m[0] = NAN;
+        return;
+    }
+    structure->stiffness_npm[0] = NAN;
+    structure->height_m[0] = fallback("height", THUD_GROUP_STRUCTURE);
+    structure->damping = fallback("damping", THUD_GROUP_STRUCTURE);
+    if (kind == THUD_ISOLATED) {
+        structure->base_mass_kg = NAN;
+        structure->isolation_stiffness_npm = NAN;
+        structure->isolation_damping = fallback("isolation-damping", THUD_GROUP_STRUCTURE);
+    }
+}
+
+/* Storeys are added and taken away below the top floor, which keeps its values; new ones are like the one below it. */
+enum thud_status thud_storeys_set(struct thud_structure *structure, int storeys)
+{
+    int before = structure->storeys;
+    for (int which = 0; which < THUD_STRUCTURE_LISTS; which++) {
+        double *list = thud_structure_list(structure, which), top = list[before - 1];
+        double like = before > 1 ? list[before - 2] : list[0];
+        for (int i = before - 1; i < storeys - 1; i++)
+            list[i] = like;
+        for (int i = storeys; i < before; i++)
+            list[i] = 0;
+        list[storeys - 1] = top;
+    }
+    structure->storeys = storeys;
+    return THUD_OK;
+}
+
+/* What the new kind has and the old one had not gets the values of the paper's buildings, so that a change of kind
+ * alone leaves a structure that can be computed. */
+enum thud_status thud_kind_set(struct thud_structure *structure, enum thud_structure_kind kind)
+{
+    struct thud_structure before = *structure;
+    bool storeys = thud_kind_is_building(kind), had = thud_kind_is_building(before.kind);
+    if (kind == before.kind)
+        return THUD_OK;
+    thud_structure_init(structure, kind);
+    memcpy(structure->name, before.name, sizeof structure->name);
+    if (kind == THUD_WALL)
+        return THUD_OK;
+    structure->mass_kg[0] = before.storeys > 0 ? before.mass_kg[0] : 320e3;
+    if (storeys) {
+        structure->stiffness_npm[0] = 600e6;
+        if (had) {
+            structure->storeys = before.storeys;
+            for (int which = 0; which < THUD_STRUCTURE_LISTS; which++)
+                memcpy(thud_structure_list(structure, which), thud_structure_list(&before, which),
+                       sizeof before.mass_kg);
+            structure->damping = before.damping;
+            structure->base_m = before.base_m;
+            structure->column_shape = before.column_shape;
+        }
+    }
+    if (kind == THUD_ISOLATED) {
+        double mass = structure->base_mass_kg = structure->mass_kg[0];
+        for (int i = 0; i < structure->storeys; i++)
+            mass += structure->mass_kg[i];
+        /* a period of 2 s */
+        structure->isolation_stiffness_npm = rint(mass * 9.8696044 / 1e5) * 1e5;
+    }
+    return THUD_OK;
+}
+
+bool thud_structure_has_columns(const struct thud_structure *structure)
+{
+    bool storeys = thud_kind_is_building(structure->kind);
+    for (int i = 0; i < structure->storeys && storeys; i++)
+        if (structure->column_ei_nm2[i] > 0 || structure->column_stiffness_npm[i] > 0 ||
+            structure->column_capacity_n[i] > 0)
+            return true;
+    return storeys && structure->column_shape != THUD_COLUMN_CLAMPED;
+}
+
+double thud_column_ei(const struct thud_structure *structure, int storey)
+{
+    double length = structure->height_m[storey], k = structure->column_stiffness_npm[storey],
+           ei = k > 0 ? k * length * length * length / 12 : structure->column_ei_nm2[storey];
+    return ei > 0 ? ei : NAN;
+}
+
+int thud_list_split(char *text, char **item, int most)
+{
+    size_t length = strlen(text);
+    if (length < 2 || text[0] != '[' || text[length - 1] != ']')
+        return -1;
+    text[length - 1] = '\0';
+    int n = 0;
+    for (char *next = text + 1; next && n <= most;) {
+        char *comma = next;
+        for (int depth = 0; *comma && (depth > 0 || *comma != ','); comma++)
+            depth += (*comma == '[') - (*comma == ']');
+        comma = *comma ? comma : NULL;
+        if (comma)
+            *comma = '\0';
+        next += strspn(next, " \t");
+        size_t end = strlen(next);
+        while (end > 0 && (next[end - 1] == ' ' || next[end - 1] == '\t'))
+            next[--end] = '\0';
+        if (n < most)
+            item[n] = next;
+        n++;
+        next = comma ? comma + 1 : NULL;
+    }
+    return n;
+}
+
+/* One floor's value; `none` where that is allowed. */
+static enum thud_status read_floor(const struct thud_slot *slot, const char *text, double *out, struct thud_error *err)
+{
+    if (thud_floor_may_lack(slot->param, &slot->place) && strcmp(text, THUD_FLOOR_NONE) == 0) {
+        *out = 0;
+        return THUD_OK;
+    }
+    return thud_quantity_read(slot->param, NULL, text, out, err);
+}
+
+static enum thud_status set_list(struct thud_structure *structure, const struct thud_slot *slot, char *text,
+                                 double *list, struct thud_error *err)
+{
+    char *item[THUD_STOREYS_MAX];
+    double value[THUD_STOREYS_MAX];
+    int n = thud_list_split(text, item, THUD_STOREYS_MAX);
+    if (n < 0)
+        return thud_error_set(err, THUD_INPUT, "the list has no end; write [320 t, 250 t]");
+    if (n != structure->storeys) {
+        thud_error_set(err, THUD_INPUT, "the list has %d value%s, the structure has %d", n, n == 1 ? "" : "s",
+                       structure->storeys);
+        thud_error_allow(err, "one value for every floor, or %d from the lowest up", structure->storeys);
+        return THUD_INPUT;
+    }
+    for (int i = 0; i < n; i++) {
+        enum thud_status status = read_floor(slot, item[i], &value[i], err);
+        if (status != THUD_OK)
+            return status;
+    }
+    memcpy(list, value, (size_t)n * sizeof *value);
+    return THUD_OK;
+}
+
+enum thud_status thud_floors_set(struct thud_scene *scene, const struct thud_slot *slot, const char *text,
+                                 struct thud_error *err)
+{
+    struct thud_structure *structure = &scene->structure[slot->structure];
+    double *list = thud_slot_at(scene, slot), value;
+    if (text[0] == '[') {
+        char copy[16400];
+        if (slot->floor >= 0)
+            return thud_error_set(err, THUD_INPUT, "one floor takes one value, not a list");
+        snprintf(copy, sizeof copy, "%s", text);
+        return set_list(structure, slot, copy, list, err);
+    }
+    enum thud_status status = read_floor(slot, text, &value, err);
+    if (status != THUD_OK)
+        return status;
+    for (int i = 0; i < structure->storeys; i++)
+        if (slot->floor < 0 || slot->floor == i)
+            list[i] = value;
+    return THUD_OK;
+}
+
+/* ---- laws ---- */
+
+void thud_law_choice_init(struct thud_law_choice *choice, const struct thud_law *law)
+{
+    struct thud_law_setup setup = {0};
+    memset(choice, 0, sizeof *choice);
+    thud_law_defaults(law, &setup);
+    choice->law = law;
+    memcpy(choice->value, setup.value, sizeof setup.value);
+}
+
+void thud_interface_add_bumper(struct thud_interface *interface)
+{
+    const struct thud_law *rubber = thud_law_find("rubber");
+    thud_law_choice_init(&interface->bumper, rubber);
+    struct thud_quantity stiffness;
+    int k = thud_law_param(rubber, "stiffness");
+    if (thud_quantity_parse("0.36 kN/mm^2.65", THUD_POWER_STIFFNESS, NULL, &stiffness, NULL) == THUD_OK)
+        interface->bumper.value[k] = stiffness.value;
+    interface->has_bumper = true;
+    if (!(interface->bumper_thickness_m > 0))
+        interface->bumper_thickness_m = interface->gap_m > 0 ? fmin(0.05, interface->gap_m) : 0.05;
+}
+
+void thud_interface_init(struct thud_interface *interface)
+{
+    memset(interface, 0, sizeof *interface);
+    interface->gap_m = 0.1;
+    thud_law_choice_init(&interface->contact, thud_law_find("kelvin-voigt-no-tension"));
+}
+
+static enum thud_status unknown_law(const char *name, struct thud_error *err)
+{
+    struct thud_words words = {0};
+    for (int i = 0; i < thud_law_count(); i++)
+        thud_words_add(&words, thud_law_at(i)->name);
+    return thud_words_unknown(&words, "law", name, err);
+}
+
+/* Values of the same name and dimension are kept. */
+static void change_law(struct thud_law_choice *choice, const struct thud_law *law)
+{
+    struct thud_law_choice before = *choice;
+    thud_law_choice_init(choice, law);
+    for (int i = 0; before.law && i < before.law->nparams; i++) {
+        int j = thud_law_param(law, before.law->params[i].name);
+        if (j >= 0 && law->params[j].kind == before.law->params[i].kind && law->params[j].kind == THUD_PARAM_QUANTITY &&
+            law->params[j].dimension == before.law->params[i].dimension &&
+            law->params[j].dimension != THUD_POWER_STIFFNESS && strcmp(law->params[j].name, "exponent") != 0)
+            choice->value[j] = before.value[i];
+    }
+}
+
+enum thud_status thud_law_set(struct thud_scene *scene, const struct thud_slot *slot, const char *text,
+                              struct thud_error *err)
+{
+    const struct thud_law *law = thud_law_find(text);
+    struct thud_interface *interface = &scene->interface[slot->interface];
+    struct thud_law_choice *choice = thud_slot_at(scene, slot);
+    if (!law)
+        return unknown_law(text, err);
+    if (choice->law == law && (!slot->bumper || interface->has_bumper))
+        return THUD_OK;
+    if (slot->bumper && (!interface->has_bumper || !choice->law || strcmp(law->name, "rubber") == 0))
+        thud_interface_add_bumper(interface);
+    if (choice->law != law)
+        change_law(choice, law);
+    return THUD_OK;
+}
+
+/* ---- the empty scene ---- */
+
+void thud_record_choice_init(struct thud_record_choice *choice)
+{
+    memset(choice, 0, sizeof *choice);
+    choice->peak_mps2 = choice->sa_mps2 = choice->period_s = NAN;
+    choice->factor = 1;
+    choice->sign = 1;
+    choice->from_s = choice->to_s = NAN;
+    choice->dt_s = choice->resample_s = NAN;
+    choice->skip = -1;
+}
+
+void thud_record_choice_replace(struct thud_record_choice *choice, const char *file)
+{
+    int sign = choice->sign;
+    char name[THUD_TEXT_MAX];
+    snprintf(name, sizeof name, "%s", file); /* it may be the choice's own */
+    thud_record_choice_init(choice);
+    choice->sign = sign;
+    memcpy(choice->file, name, strlen(name));
+}
+
+void thud_scene_init(struct thud_scene *scene)
+{
+    memset(scene, 0, sizeof *scene);
+    thud_record_choice_init(&scene->record);
+    strcpy(scene->analysis.method, "auto");
+    scene->analysis.tolerance = fallback("tolerance", THUD_GROUP_ANALYSIS);
+    scene->analysis.step_s = NAN;
+    scene->analysis.tail_s = fallback("tail", THUD_GROUP_ANALYSIS);
+    scene->analysis.locate = true;
+}

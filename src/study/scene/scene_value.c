@@ -1,0 +1,420 @@
+/* Values of a scene from and to text. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/utf8.h"
+#include "core/methods/method.h"
+#include "study/scene/scene_slot.h"
+#include "study/scene/scene_words.h"
+
+enum { TEXT_LIMIT = 16384 };
+
+double thud_law_exponent(const struct thud_law_choice *choice, const struct thud_param *param)
+{
+    if (!choice || !choice->law || param->dimension != THUD_POWER_STIFFNESS)
+        return NAN;
+    int i = thud_law_param(choice->law, "exponent");
+    double exponent = NAN;
+    if (i >= 0)
+        return choice->value[i];
+    thud_unit_factor(param->unit, NULL, &exponent);
+    return exponent;
+}
+
+/* `unit` with the exponent behind its caret replaced. */
+static void with_exponent(const char *unit, double exponent, char *text, size_t size)
+{
+    char number[32];
+    thud_number_format(exponent, number, sizeof number);
+    snprintf(text, size, "%.*s^%s", (int)strcspn(unit, "^"), unit, number);
+}
+
+static enum thud_status check_exponent(const struct thud_law_choice *choice, const struct thud_param *param,
+                                       const char *text, double typed, struct thud_error *err)
+{
+    double wanted = thud_law_exponent(choice, param);
+    if (isnan(wanted) || typed == wanted)
+        return THUD_OK;
+    char a[32], b[32], unit[64];
+    thud_number_format(typed, a, sizeof a);
+    thud_number_format(wanted, b, sizeof b);
+    with_exponent(param->unit, wanted, unit, sizeof unit);
+    thud_error_set(err, THUD_INPUT, "the unit of \"%.80s\" has the exponent %s, the law's exponent is %s", text, a, b);
+    thud_error_allow(err, "a number of %s", unit);
+    return THUD_INPUT;
+}
+
+enum thud_status thud_quantity_read(const struct thud_param *param, const struct thud_law_choice *choice,
+                                    const char *text, double *out, struct thud_error *err)
+{
+    struct thud_quantity q;
+    enum thud_status status = thud_quantity_parse(text, param->dimension, NULL, &q, err);
+    if (status == THUD_OK && param->dimension == THUD_POWER_STIFFNESS)
+        status = check_exponent(choice, param, text, q.exponent, err);
+    if (status == THUD_OK)
+        status = thud_param_check(param, q.value, text, err);
+    if (status == THUD_OK)
+        *out = q.value;
+    return status;
+}
+
+static enum thud_status read_count(const struct thud_param *param, const char *text, int *out, struct thud_error *err)
+{
+    const char *end;
+    double value;
+    char allowed[96];
+    thud_param_allowed(param, allowed, sizeof allowed);
+    int word = param->choices ? thud_param_choice(param, text) : -1;
+    if (word >= 0) {
+        *out = -1 - word;
+        return THUD_OK;
+    }
+    if (thud_number_parse(text, &end, &value) != 0 || *end || value != floor(value) || fabs(value) > 1e9) {
+        thud_error_set(err, THUD_INPUT, "\"%.80s\" is not a whole number", text);
+        thud_error_allow(err, "%s", allowed);
+        return THUD_INPUT;
+    }
+    enum thud_status status = thud_param_check(param, value, text, err);
+    if (status == THUD_OK)
+        *out = (int)value;
+    return status;
+}
+
+static enum thud_status read_choice(const struct thud_param *param, const char *text, int *out, struct thud_error *err)
+{
+    *out = thud_param_choice(param, text);
+    if (*out >= 0)
+        return THUD_OK;
+    struct thud_words words = {0};
+    for (int i = 0; param->choices[i]; i++)
+        thud_words_add(&words, param->choices[i]);
+    return thud_words_unknown(&words, "choice", text, err);
+}
+
+static bool is_control(char c)
+{
+    return (unsigned char)c < 0x20 || c == 0x7f;
+}
+
+static enum thud_status read_text(const struct thud_slot *slot, const char *text, char *out, struct thud_error *err)
+{
+    size_t length = strlen(text);
+    if (length >= slot->place.size) {
+        thud_error_set(err, THUD_INPUT, "the text is too long");
+        thud_error_allow(err, "at most %zu bytes", slot->place.size - 1);
+        return THUD_INPUT;
+    }
+    for (const char *s = text; *s; s += thud_utf8_length(s))
+        if (is_control(*s) || thud_utf8_length(s) == 0) {
+            thud_error_set(err, THUD_INPUT, "the text has a control character or a byte that is not UTF-8");
+            return THUD_INPUT;
+        }
+    memset(out, 0, slot->place.size);
+    memcpy(out, text, length + 1);
+    return THUD_OK;
+}
+
+static enum thud_status check_method(const char *name, struct thud_error *err)
+{
+    struct thud_words words = {{"auto"}, 1};
+    if (strcmp(name, "auto") == 0 || thud_method_find(name))
+        return THUD_OK;
+    for (int i = 0; i < thud_method_count(); i++)
+        thud_words_add(&words, thud_method_at(i)->name);
+    return thud_words_unknown(&words, "method", name, err);
+}
+
+/* The same for a list of floors. */
+static bool unset_floors(struct thud_scene *scene, const struct thud_slot *slot)
+{
+    double *list = thud_slot_at(scene, slot);
+    for (int i = 0; i < scene->structure[slot->structure].storeys && slot->place.optional; i++)
+        if (slot->floor < 0 || slot->floor == i)
+            list[i] = 0;
+    return slot->place.optional;
+}
+
+/* Takes a value back; false when it must be given. */
+static bool unset(struct thud_scene *scene, const struct thud_slot *slot)
+{
+    double *number = thud_slot_at(scene, slot);
+    double fallback = slot->param->fallback;
+    switch (slot->place.store) {
+    case THUD_STORE_NUMBER:
+        if (slot->place.absent == THUD_REQUIRED && isnan(fallback) && !slot->choice)
+            return false;
+        *number = slot->place.absent == THUD_REQUIRED ? fallback : slot->place.absent;
+        return true;
+    case THUD_STORE_COUNT:
+        *(int *)thud_slot_at(scene, slot) = slot->place.none;
+        return true;
+    case THUD_STORE_SIGN:
+        *(int *)thud_slot_at(scene, slot) = 1;
+        return true;
+    case THUD_STORE_TEXT:
+        memset(number, 0, slot->place.size);
+        if (slot->place.offset == offsetof(struct thud_scene, analysis.method))
+            strcpy(thud_slot_at(scene, slot), "auto");
+        return true;
+    case THUD_STORE_FLOORS:
+        return unset_floors(scene, slot);
+    default:
+        return false;
+    }
+}
+
+/* The stiffness keeps its number in the shown unit when its exponent changes: 0.36 kN/mm^2.65 becomes 0.36 kN/mm^2.7.
+ */
+static void keep_number(const struct thud_law_choice *before, struct thud_law_choice *after)
+{
+    for (int i = 0; i < before->law->nparams; i++) {
+        const struct thud_param *param = &before->law->params[i];
+        if (param->dimension != THUD_POWER_STIFFNESS || isnan(before->value[i]))
+            continue;
+        char unit[64], text[96];
+        with_exponent(param->unit, thud_law_exponent(before, param), unit, sizeof unit);
+        thud_quantity_format(before->value[i], unit, text, sizeof text);
+        double factor_before = thud_unit_factor(unit, NULL, NULL);
+        with_exponent(param->unit, thud_law_exponent(after, param), unit, sizeof unit);
+        double factor = thud_unit_factor(unit, NULL, NULL);
+        struct thud_quantity q;
+        snprintf(text + strcspn(text, " "), sizeof text - strcspn(text, " "), " %s", unit);
+        if (thud_quantity_parse(text, THUD_POWER_STIFFNESS, NULL, &q, NULL) == THUD_OK)
+            after->value[i] = q.value;
+        if (fabs(after->value[i] / factor * factor_before / before->value[i] - 1) > 1e-9)
+            after->value[i] = before->value[i] / factor_before * factor; /* it was not written in the shown unit */
+    }
+}
+
+static enum thud_status set_number(struct thud_scene *scene, const struct thud_slot *slot, const char *text,
+                                   struct thud_error *err)
+{
+    struct thud_law_choice *choice =
+        slot->choice ? (struct thud_law_choice *)(void *)((char *)scene + slot->choice) : NULL;
+    double value;
+    enum thud_status status;
+    if (slot->param->kind == THUD_PARAM_CHOICE) {
+        int which;
+        status = read_choice(slot->param, text, &which, err);
+        value = which;
+    } else
+        status = thud_quantity_read(slot->param, choice, text, &value, err);
+    if (status != THUD_OK)
+        return status;
+    bool exponent = choice && choice->law && slot->index == thud_law_param(choice->law, "exponent") &&
+                    strcmp(slot->param->name, "exponent") == 0;
+    struct thud_law_choice before = {0};
+    if (exponent)
+        before = *choice;
+    *(double *)thud_slot_at(scene, slot) = value;
+    if (exponent)
+        keep_number(&before, choice);
+    return THUD_OK;
+}
+
+static enum thud_status set_sign(int *sign, const struct thud_param *param, const char *text, struct thud_error *err)
+{
+    int which;
+    const char *word = strcmp(text, "+1") == 0 || strcmp(text, "1") == 0 ? "+" : strcmp(text, "-1") == 0 ? "-" : text;
+    enum thud_status status = read_choice(param, word, &which, err);
+    if (status == THUD_OK)
+        *sign = which == 0 ? 1 : -1;
+    return status;
+}
+
+static enum thud_status set(struct thud_scene *scene, const struct thud_slot *slot, const char *text,
+                            struct thud_error *err)
+{
+    void *at = thud_slot_at(scene, slot);
+    int which;
+    enum thud_status status;
+    switch (slot->place.store) {
+    case THUD_STORE_NUMBER:
+        return set_number(scene, slot, text, err);
+    case THUD_STORE_COUNT:
+        return read_count(slot->param, text, at, err);
+    case THUD_STORE_SIGN:
+        return set_sign(at, slot->param, text, err);
+    case THUD_STORE_SWITCH:
+        status = read_choice(slot->param, text, &which, err);
+        if (status == THUD_OK)
+            *(bool *)at = which == 1;
+        return status;
+    case THUD_STORE_TEXT:
+        status = slot->place.offset == offsetof(struct thud_scene, analysis.method) ? check_method(text, err) : THUD_OK;
+        return status == THUD_OK ? read_text(slot, text, at, err) : status;
+    case THUD_STORE_FLOORS:
+        return thud_floors_set(scene, slot, text, err);
+    case THUD_STORE_STOREYS:
+        status = read_count(slot->param, text, &which, err);
+        return status == THUD_OK ? thud_storeys_set(&scene->structure[slot->structure], which) : status;
+    case THUD_STORE_KIND:
+        status = read_choice(slot->param, text, &which, err);
+        return status == THUD_OK ? thud_kind_set(&scene->structure[slot->structure], (enum thud_structure_kind)which)
+                                 : status;
+    case THUD_STORE_LAW:
+        return thud_law_set(scene, slot, text, err);
+    case THUD_STORE_STUDY:
+        return thud_study_set(scene, slot, text, err);
+    }
+    return THUD_OK;
+}
+
+/* A copy without blanks around it. Errors: THUD_INPUT when it is too long, THUD_MEMORY. */
+static enum thud_status trimmed(const char *text, char **out, struct thud_error *err)
+{
+    text += strspn(text, " \t");
+    size_t length = strlen(text);
+    while (length > 0 && (text[length - 1] == ' ' || text[length - 1] == '\t'))
+        length--;
+    if (length >= TEXT_LIMIT)
+        return thud_error_set(err, THUD_INPUT, "the text is too long");
+    char *copy = malloc(length + 1);
+    if (!copy)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    memcpy(copy, text, length);
+    copy[length] = '\0';
+    *out = copy;
+    return THUD_OK;
+}
+
+enum thud_status thud_scene_set(struct thud_scene *scene, const char *path, const char *text, struct thud_error *err)
+{
+    struct thud_slot slot;
+    enum thud_status status = thud_slot_find(scene, path, &slot, err);
+    if (status != THUD_OK)
+        return status;
+    char *clean = NULL;
+    status = trimmed(text, &clean, err);
+    if (status == THUD_OK && (*clean || !unset(scene, &slot)))
+        status = set(scene, &slot, clean, err);
+    free(clean);
+    if (status != THUD_OK)
+        thud_error_key(err, path);
+    return status;
+}
+
+/* ---- to text ---- */
+
+static void shown_unit(const struct thud_scene *scene, const struct thud_slot *slot, const char *unit, char *text,
+                       size_t size)
+{
+    const struct thud_law_choice *choice =
+        slot->choice ? (const struct thud_law_choice *)(const void *)((const char *)scene + slot->choice) : NULL;
+    double exponent = thud_law_exponent(choice, slot->param);
+    unit = unit ? unit : slot->param->unit;
+    if (!isnan(exponent))
+        with_exponent(unit, exponent, text, size);
+    else
+        snprintf(text, size, "%s", unit ? unit : "");
+}
+
+/* Nothing where a whole list that need not be given is not. */
+static void get_floors(const struct thud_slot *slot, const double *value, int n, const char *unit, char *text,
+                       size_t size)
+{
+    bool same = true, lacks = thud_floor_may_lack(slot->param, &slot->place);
+    for (int i = 1; i < n; i++)
+        same = same && value[i] == value[0];
+    if (same && slot->place.optional && value[0] == 0 && slot->floor < 0) {
+        snprintf(text, size, "%s", "");
+        return;
+    }
+    if (same) {
+        if (lacks && value[0] == 0)
+            snprintf(text, size, "%s", THUD_FLOOR_NONE);
+        else
+            thud_quantity_format(value[0], unit, text, size);
+        return;
+    }
+    size_t used = 0;
+    for (int i = 0; i < n && used < size; i++) {
+        char item[96];
+        if (lacks && value[i] == 0)
+            snprintf(item, sizeof item, "%s", THUD_FLOOR_NONE);
+        else
+            thud_quantity_format(value[i], unit, item, sizeof item);
+        used += (size_t)snprintf(text + used, size - used, "%s%s%s", i ? ", " : "[", item, i == n - 1 ? "]" : "");
+    }
+}
+
+static void get(const struct thud_scene *scene, const struct thud_slot *slot, const char *unit, char *text, size_t size)
+{
+    const void *at = thud_slot_in(scene, slot);
+    const struct thud_param *param = slot->param;
+    const struct thud_law_choice *choice;
+    switch (slot->place.store) {
+    case THUD_STORE_NUMBER: {
+        double value = *(const double *)at;
+        if (!isfinite(value))
+            snprintf(text, size, "%s", "");
+        else if (param->kind == THUD_PARAM_CHOICE)
+            snprintf(text, size, "%s", param->choices[(int)value]);
+        else
+            thud_quantity_format(value, unit, text, size);
+        break;
+    }
+    case THUD_STORE_COUNT:
+        if (*(const int *)at == slot->place.none)
+            snprintf(text, size, "%s", "");
+        else if (*(const int *)at < 0 && param->choices)
+            snprintf(text, size, "%s", param->choices[-1 - *(const int *)at]);
+        else
+            snprintf(text, size, "%d", *(const int *)at);
+        break;
+    case THUD_STORE_SIGN:
+        snprintf(text, size, "%s", *(const int *)at < 0 ? "-" : "+");
+        break;
+    case THUD_STORE_SWITCH:
+        snprintf(text, size, "%s", slot->param->choices[*(const bool *)at]);
+        break;
+    case THUD_STORE_TEXT:
+        snprintf(text, size, "%s", (const char *)at);
+        break;
+    case THUD_STORE_FLOORS: {
+        const double *value = at;
+        int n = scene->structure[slot->structure].storeys;
+        if (slot->floor >= 0)
+            get_floors(slot, value + slot->floor, 1, unit, text, size);
+        else
+            get_floors(slot, value, n, unit, text, size);
+        break;
+    }
+    case THUD_STORE_STOREYS:
+        snprintf(text, size, "%d", *(const int *)at);
+        break;
+    case THUD_STORE_KIND:
+        snprintf(text, size, "%s", param->choices[scene->structure[slot->structure].kind]);
+        break;
+    case THUD_STORE_LAW:
+        choice = at;
+        snprintf(text, size, "%s", choice->law ? choice->law->name : "");
+        break;
+    case THUD_STORE_STUDY:
+        thud_study_get(scene, slot, text, size);
+        break;
+    }
+}
+
+enum thud_status thud_scene_get_in(const struct thud_scene *scene, const char *path, const char *unit, char *text,
+                                   unsigned long size, struct thud_error *err)
+{
+    struct thud_slot slot;
+    char shown[64];
+    if (size > 0)
+        text[0] = '\0';
+    enum thud_status status = thud_slot_find(scene, path, &slot, err);
+    if (status != THUD_OK)
+        return status;
+    shown_unit(scene, &slot, unit, shown, sizeof shown);
+    get(scene, &slot, shown, text, size);
+    return THUD_OK;
+}
+
+enum thud_status thud_scene_get(const struct thud_scene *scene, const char *path, char *text, unsigned long size,
+                                struct thud_error *err)
+{
+    return thud_scene_get_in(scene, path, NULL, text, size, err);
+}

@@ -1,0 +1,29 @@
+#include "study/scene/scene_words.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "base/nearest.h"
+
+void thud_words_add(struct thud_words *words, const char *word)
+{
+    if (words->count < THUD_WORDS_KNOWN)
+        words->known[words->count++] = word;
+}
+
+enum thud_status thud_words_unknown(const struct thud_words *words, const char *what, const char *word,
+                                    struct thud_error *err)
+{
+    /* a word of one or two letters is near to everything */
+    const char *nearest = strlen(word) > 2 ? thud_nearest(word, words->known, words->count) : NULL;
+    char list[sizeof(struct thud_error){0}.allowed] = "";
+    size_t n = 0;
+    for (int i = 0; i < words->count && n < sizeof list; i++)
+        n += (size_t)snprintf(list + n, sizeof list - n, "%s%s", i ? ", " : "", words->known[i]);
+    if (nearest)
+        thud_error_set(err, THUD_INPUT, "unknown %s \"%.80s\"; did you mean \"%s\"?", what, word, nearest);
+    else
+        thud_error_set(err, THUD_INPUT, "unknown %s \"%.80s\"", what, word);
+    thud_error_allow(err, "%s", list);
+    return THUD_INPUT;
+}

@@ -1,0 +1,88 @@
+#include "study/scene/stiffness.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "study/scene/answer.h"
+
+double thud_stiffness_slab(double area_m2, double length_m, double modulus_pa)
+{
+    return modulus_pa * area_m2 / length_m;
+}
+
+double thud_stiffness_series(double a_npm, double b_npm)
+{
+    return a_npm * b_npm / (a_npm + b_npm);
+}
+
+double thud_stiffness_rubber(double alpha, double area_m2, double modulus_pa, double thickness_m, double exponent)
+{
+    return alpha * area_m2 * modulus_pa / pow(thickness_m, exponent);
+}
+
+/* The parameter that stands for the stiffness: itself, or eq. (6)'s material stiffness where that is given. */
+static double *stiffness_of(struct thud_law_choice *choice)
+{
+    static const char *const names[] = {"stiffness", "material-stiffness"};
+    for (int i = 0; i < 2; i++) {
+        int param = thud_law_param(choice->law, names[i]);
+        if (param >= 0 && !isnan(choice->value[param]))
+            return &choice->value[param];
+    }
+    return NULL;
+}
+
+bool thud_stiffness_scale(struct thud_scene *scene, enum thud_stiffness which, double factor)
+{
+    bool any = false;
+    for (int i = 0; i + 1 < scene->nstructures; i++) {
+        struct thud_interface *interface = &scene->interface[i];
+        if (interface->has_bumper != (which == THUD_STIFFNESS_BUMPER))
+            continue;
+        double *k = stiffness_of(which == THUD_STIFFNESS_BUMPER ? &interface->bumper : &interface->contact);
+        if (k) {
+            *k *= factor;
+            any = true;
+        }
+    }
+    return any;
+}
+
+void thud_stiffness_row_read(const struct thud_result *result, struct thud_stiffness_row *row)
+{
+    *row = (struct thud_stiffness_row){0};
+    for (int s = 0; s < result->nstructures; s++)
+        for (int i = 0; i < result->structure[s].floors; i++) {
+            const struct thud_floor_result *f = &result->structure[s].floor[i];
+            row->acceleration_mps2[s] = fmax(row->acceleration_mps2[s], f->acceleration.value);
+            row->drift_m[s] = fmax(row->drift_m[s], f->drift.value);
+        }
+    for (int c = 0; c < result->ncontacts; c++) {
+        row->force_n = fmax(row->force_n, result->contact[c].force.value);
+        row->impacts += result->contact[c].impacts;
+    }
+}
+
+enum thud_status thud_stiffness_rows(const struct thud_scene *scene, const struct thud_record *record,
+                                     enum thud_stiffness which, struct thud_stiffness_row *row, int *n,
+                                     struct thud_error *err)
+{
+    static const double factor[THUD_STIFFNESS_ROWS] = {0.5, 1, 2};
+    struct thud_scene *changed = malloc(sizeof *changed);
+    enum thud_status status = changed ? THUD_OK : thud_error_set(err, THUD_MEMORY, "out of memory");
+    *n = 0;
+    for (int i = 0; i < THUD_STIFFNESS_ROWS && status == THUD_OK; i++) {
+        struct thud_answer answer;
+        *changed = *scene;
+        if (!thud_stiffness_scale(changed, which, factor[i]))
+            break;
+        status = thud_scene_answer(changed, record, NULL, &answer, err);
+        if (status == THUD_OK) {
+            thud_stiffness_row_read(thud_run_result(answer.run), &row[*n]);
+            row[(*n)++].factor = factor[i];
+        }
+        thud_answer_clear(&answer);
+    }
+    free(changed);
+    return status;
+}

@@ -1,0 +1,181 @@
+#include "study/suite/suite.h"
+#include "base/largest.h"
+#include "base/statistics.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { OF_RUN = THUD_SUITE_ACCELERATION, OF_STRUCTURE = THUD_SUITE_MEASURES - OF_RUN };
+
+const char *thud_suite_column(enum thud_suite_measure measure)
+{
+    static const char *const column[] = {
+        "impacts",   "force_n",     "acceleration_mps2",  "drift_m", "drift_angle", "acceleration_ratio", "drift_ratio",
+        "ductility", "permanent_m", "shear_over_capacity"};
+    return column[measure];
+}
+
+bool thud_suite_has(const struct thud_suite *suite, enum thud_suite_measure measure)
+{
+    return measure == THUD_SUITE_COLUMNS ? suite->columns : measure >= THUD_SUITE_DUCTILITY ? suite->yields : true;
+}
+
+/* By the scene, or by a varied key. */
+static bool has_capacity(const struct thud_sweep_plan *plan)
+{
+    bool has = false;
+    for (int s = 0; s < plan->scene.nstructures; s++)
+        for (int i = 0; i < plan->scene.structure[s].storeys; i++)
+            has |= plan->scene.structure[s].column_capacity_n[i] > 0;
+    for (int a = 0; a < plan->naxes; a++)
+        has |= strstr(plan->axis[a].key, ".column.capacity") != NULL;
+    return has;
+}
+
+enum thud_status thud_suite_create(const struct thud_sweep_plan *plan, struct thud_suite **out, struct thud_error *err)
+{
+    struct thud_suite *suite = calloc(1, sizeof *suite);
+    *out = NULL;
+    if (suite) {
+        suite->plan = plan;
+        suite->nrecords = plan->nrecords > 0 ? plan->nrecords : 1;
+        suite->settings = thud_sweep_points(plan) / suite->nrecords;
+        suite->nstructures = plan->scene.nstructures;
+        suite->yields = thud_sweep_yields(plan);
+        suite->columns = has_capacity(plan);
+        suite->nvalues = OF_RUN + OF_STRUCTURE * suite->nstructures;
+        size_t n = (size_t)thud_sweep_points(plan) * (size_t)plan->ncases * (size_t)suite->nvalues;
+        suite->value = malloc((n + 1) * sizeof *suite->value);
+        for (size_t i = 0; suite->value && i < n; i++)
+            suite->value[i] = NAN;
+    }
+    if (!suite || !suite->value) {
+        free(suite);
+        return thud_error_set(err, THUD_MEMORY, "out of memory for the runs of the study");
+    }
+    *out = suite;
+    return THUD_OK;
+}
+
+void thud_suite_free(struct thud_suite *suite)
+{
+    if (!suite)
+        return;
+    free(suite->value);
+    free(suite);
+}
+
+static double *run_at(const struct thud_suite *suite, long point, int k)
+{
+    return suite->value + ((size_t)point * (size_t)suite->plan->ncases + (size_t)k) * (size_t)suite->nvalues;
+}
+
+/* The largest drift over its storey's height. Before an isolated building's storeys stands its isolator. */
+static double drift_angle(const struct thud_structure *structure, const struct thud_sweep_floor *floor, int n)
+{
+    int first = structure->kind == THUD_ISOLATED;
+    double most = 0;
+    if (!thud_kind_is_building(structure->kind))
+        return NAN;
+    for (int i = first; i < n; i++)
+        most = fmax(most, floor[i].drift_m / structure->height_m[i - first]);
+    return most;
+}
+
+/* Peaks of every structure of the point's scene; what yielding storeys have, and no other: a NaN gives way. */
+static void put_peaks(const struct thud_scene *scene, const struct thud_sweep_point *point, int k, double *value)
+{
+    const struct thud_sweep_floor *floor = point->floor + (ptrdiff_t)k * point->nfloors;
+    for (int s = 0; s < point->nstructures; floor += point->floors[s], s++) {
+        double *to = value + OF_STRUCTURE * s;
+        if (point->floors[s] == 0)
+            continue;
+        to[THUD_SUITE_ACCELERATION] = to[THUD_SUITE_DRIFT] = 0;
+        for (int i = 0; i < point->floors[s]; i++) {
+            to[THUD_SUITE_ACCELERATION] = thud_larger(to[THUD_SUITE_ACCELERATION], floor[i].acceleration_mps2);
+            to[THUD_SUITE_DRIFT] = fmax(to[THUD_SUITE_DRIFT], floor[i].drift_m);
+            to[THUD_SUITE_DUCTILITY] = fmax(to[THUD_SUITE_DUCTILITY], floor[i].ductility);
+            to[THUD_SUITE_PERMANENT] = fmax(to[THUD_SUITE_PERMANENT], fabs(floor[i].permanent_m));
+        }
+        to[THUD_SUITE_DRIFT_ANGLE] = drift_angle(&scene->structure[s], floor, point->floors[s]);
+    }
+}
+
+enum thud_status thud_suite_add(struct thud_suite *suite, const struct thud_sweep_point *point, struct thud_error *err)
+{
+    int n = thud_sweep_rows(suite->plan, point, NULL);
+    struct thud_sweep_row *row = malloc(((size_t)n + 1) * sizeof *row);
+    struct thud_scene *own = suite->plan->naxes > 0 && row ? malloc(sizeof *own) : NULL; /* its heights may be varied */
+    if (!row || (suite->plan->naxes > 0 && !own)) {
+        free(row);
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    }
+    enum thud_status status = own ? thud_sweep_scene(suite->plan, point->index, own, err) : THUD_OK;
+    const struct thud_scene *scene = own ? own : &suite->plan->scene;
+    thud_sweep_rows(suite->plan, point, row);
+    for (int k = 0; k < suite->plan->ncases && k < point->ncases && status == THUD_OK; k++) {
+        double *value = run_at(suite, point->index, k);
+        if (point->effort[k].status != THUD_OK)
+            continue;
+        put_peaks(scene, point, k, value);
+        value[THUD_SUITE_IMPACTS] = value[THUD_SUITE_FORCE] = 0;
+        for (int c = 0; c < point->ncontacts; c++) {
+            const struct thud_sweep_contact *x = &point->contact[(ptrdiff_t)k * point->ncontacts + c];
+            value[THUD_SUITE_IMPACTS] += x->impacts;
+            value[THUD_SUITE_FORCE] = thud_larger(value[THUD_SUITE_FORCE], x->force_n);
+            const struct thud_gap_level *level = &point->level[c];
+            if (level->struck != 0) {
+                double *columns = value + OF_STRUCTURE * (level->interface - (level->struck < 0)) + THUD_SUITE_COLUMNS;
+                *columns = fmax(*columns, x->capacity_ratio);
+            }
+        }
+        for (int i = 0; i < n; i++)
+            if (row[i].which == point->which[k] && row[i].floor == 0) {
+                double *to = value + OF_STRUCTURE * row[i].structure;
+                to[THUD_SUITE_ACCELERATION_RATIO] = row[i].acceleration_ratio;
+                to[THUD_SUITE_DRIFT_RATIO] = row[i].drift_ratio;
+            }
+    }
+    free(row);
+    free(own);
+    return status;
+}
+
+double thud_suite_value(const struct thud_suite *suite, int record, long setting, int k,
+                        enum thud_suite_measure measure, int structure)
+{
+    const double *value = run_at(suite, record * suite->settings + setting, k);
+    if ((int)measure < OF_RUN)
+        return value[measure];
+    if (structure >= 0)
+        return value[(int)measure + OF_STRUCTURE * structure];
+    double most = NAN;
+    for (int s = 0; s < suite->nstructures; s++)
+        most = fmax(most, value[(int)measure + OF_STRUCTURE * s]); /* a NaN gives way */
+    return most;
+}
+
+struct thud_fractiles thud_suite_fractiles(const struct thud_suite *suite, long setting, int k,
+                                           enum thud_suite_measure measure, int structure, double limit, double *room)
+{
+    for (int r = 0; r < suite->nrecords; r++)
+        room[r] = thud_suite_value(suite, r, setting, k, measure, structure);
+    return thud_fractiles_of(room, (size_t)suite->nrecords, limit);
+}
+
+long thud_suite_setting(const struct thud_sweep_plan *plan, const int *at)
+{
+    long setting = 0;
+    for (int a = 0; a < plan->naxes; a++)
+        setting = setting * plan->axis[a].n + at[a];
+    return setting;
+}
+
+void thud_suite_place(const struct thud_sweep_plan *plan, long setting, int *at)
+{
+    for (int a = plan->naxes - 1; a >= 0; a--) {
+        at[a] = (int)(setting % plan->axis[a].n);
+        setting /= plan->axis[a].n;
+    }
+}

@@ -1,0 +1,160 @@
+#include "study/sweep/sensitivity.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+const char *thud_change_name(enum thud_change change)
+{
+    static const char *const names[THUD_CHANGES] = {"gap", "scale", "stiffness"};
+    return names[change];
+}
+
+double thud_scene_change(const struct thud_scene *scene)
+{
+    static const double small = 1e-3;
+    return scene->study.sensitivity > 0 ? scene->study.sensitivity : small;
+}
+
+double thud_spread_most(const struct thud_spread *spread)
+{
+    double most = 0;
+    for (int i = 0; i < THUD_CHANGES; i++)
+        most = fmax(most, spread->by[i]);
+    return most;
+}
+
+int thud_spread_digits(double spread)
+{
+    enum { DIGITS_MAX = 15 };
+    static const double slack = 0.02; /* 0.1 % more of everything is three digits, rounding or not */
+    double digits = spread > 0 ? floor(slack - log10(spread)) : DIGITS_MAX;
+    return digits < 0 ? 0 : digits > DIGITS_MAX ? DIGITS_MAX : (int)digits;
+}
+
+static enum thud_status allocate(const struct thud_result *result, struct thud_sensitivity **out,
+                                 struct thud_error *err)
+{
+    struct thud_sensitivity *s = calloc(1, sizeof *s);
+    if (s) {
+        for (int k = 0; k < result->nstructures; k++)
+            s->nfloors += result->structure[k].floors;
+        s->ncontacts = result->ncontacts;
+        s->floor = calloc((size_t)s->nfloors + 1, sizeof *s->floor);
+        s->contact = calloc((size_t)s->ncontacts + 1, sizeof *s->contact);
+    }
+    if (!s || !s->floor || !s->contact) {
+        thud_sensitivity_free(s);
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    }
+    *out = s;
+    return THUD_OK;
+}
+
+void thud_sensitivity_free(struct thud_sensitivity *s)
+{
+    if (!s)
+        return;
+    free(s->floor);
+    free(s->contact);
+    free(s);
+}
+
+static void change_gaps(struct thud_scene *scene, double factor)
+{
+    for (int i = 0; i + 1 < scene->nstructures; i++) {
+        struct thud_interface *f = &scene->interface[i];
+        f->gap_m *= factor;
+        if (f->has_bumper)
+            f->gap_m = fmax(f->gap_m, f->bumper_thickness_m - f->bumper_cavity_m);
+    }
+}
+
+static void change_stiffness(struct thud_scene *scene, double factor)
+{
+    for (int k = 0; k < scene->nstructures; k++) {
+        scene->structure[k].isolation_stiffness_npm *= factor;
+        for (int i = 0; i < scene->structure[k].storeys; i++)
+            scene->structure[k].stiffness_npm[i] *= factor;
+    }
+}
+
+void thud_change_scene(struct thud_scene *scene, enum thud_change change, double factor)
+{
+    if (change == THUD_CHANGE_GAP)
+        change_gaps(scene, factor);
+    if (change == THUD_CHANGE_STIFFNESS)
+        change_stiffness(scene, factor);
+}
+
+static void widen(struct thud_spread *spread, enum thud_change change, struct thud_peak before, struct thud_peak after)
+{
+    double most = fmax(fabs(before.value), fabs(after.value));
+    double base = before.value != 0 ? fabs(before.value) : most;
+    if (base > 0)
+        spread->by[change] = fmax(spread->by[change], fabs(after.value - before.value) / base);
+}
+
+static void compare(struct thud_sensitivity *s, enum thud_change change, const struct thud_result *before,
+                    const struct thud_result *after)
+{
+    int row = 0;
+    for (int k = 0; k < before->nstructures; k++)
+        for (int i = 0; i < before->structure[k].floors; i++, row++) {
+            const struct thud_floor_result *a = &before->structure[k].floor[i], *b = &after->structure[k].floor[i];
+            widen(&s->floor[row][0], change, a->acceleration, b->acceleration);
+            widen(&s->floor[row][1], change, a->displacement, b->displacement);
+            widen(&s->floor[row][2], change, a->velocity, b->velocity);
+            widen(&s->floor[row][3], change, a->drift, b->drift);
+        }
+    for (int c = 0; c < before->ncontacts; c++) {
+        widen(&s->contact[c][0], change, before->contact[c].force, after->contact[c].force);
+        widen(&s->contact[c][1], change, before->contact[c].indentation, after->contact[c].indentation);
+    }
+}
+
+static enum thud_status run_changed(const struct thud_scene *scene, const struct thud_record *record,
+                                    enum thud_change change, double factor, struct thud_scene *changed,
+                                    struct thud_answer *answer, struct thud_record **scaled, struct thud_error *err)
+{
+    enum thud_status status = THUD_OK;
+    *changed = *scene;
+    *answer = (struct thud_answer){0};
+    thud_change_scene(changed, change, factor);
+    if (change == THUD_CHANGE_SCALE && record) {
+        status = thud_record_create(record->a_mps2, record->samples, record->dt_s, scaled, err);
+        if (status == THUD_OK)
+            thud_record_scale(*scaled, factor);
+    }
+    return status == THUD_OK ? thud_scene_answer(changed, *scaled ? *scaled : record, NULL, answer, err) : status;
+}
+
+enum thud_status thud_sensitivity_run(const struct thud_scene *scene, const struct thud_record *record, double change,
+                                      const struct thud_result *result, struct thud_sensitivity **out,
+                                      struct thud_error *err)
+{
+    *out = NULL;
+    struct thud_scene *changed = malloc(sizeof *changed);
+    struct thud_sensitivity *s = NULL;
+    enum thud_status status = changed ? allocate(result, &s, err) : thud_error_set(err, THUD_MEMORY, "out of memory");
+    if (status == THUD_OK) {
+        s->change = change;
+        s->runs = 1 + 2 * THUD_CHANGES;
+    }
+    for (int i = 0; status == THUD_OK && i < 2 * THUD_CHANGES; i++) {
+        struct thud_answer answer;
+        struct thud_record *scaled = NULL;
+        enum thud_change what = (enum thud_change)(i / 2);
+        double factor = i % 2 ? 1 + change : 1 - change;
+        status = run_changed(scene, record, what, factor, changed, &answer, &scaled, err);
+        if (status == THUD_OK)
+            compare(s, what, result, thud_run_result(answer.run));
+        thud_answer_clear(&answer);
+        thud_record_free(scaled);
+    }
+    free(changed);
+    if (status == THUD_OK)
+        *out = s;
+    else
+        thud_sensitivity_free(s);
+    return status;
+}

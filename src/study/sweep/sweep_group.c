@@ -1,0 +1,178 @@
+/* The motion without pounding that a set of points shares. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "ground/spectrum.h"
+#include "study/sweep/sweep_private.h"
+
+/* What the varied keys of the record ask for, over what was loaded. */
+static enum thud_status record_factor(const struct thud_sweep_plan *plan, const struct thud_scene *scene,
+                                      const struct thud_record *record, double *out, struct thud_error *err)
+{
+    const struct thud_record_choice *now = &scene->record, *loaded = &plan->scene.record;
+    double factor = 1;
+    for (int i = 0; i < plan->nouter; i++) {
+        const char *key = plan->axis[i].key;
+        if (strcmp(key, "record.peak") == 0)
+            factor *= now->peak_mps2 / thud_record_peak(record);
+        else if (strcmp(key, "record.sa") == 0) {
+            struct thud_record_choice choice = *now;
+            enum thud_status status = thud_record_choice_resolve(scene, &choice, err);
+            if (status != THUD_OK)
+                return status;
+            factor *= choice.sa_mps2 / thud_record_sa(record, choice.period_s);
+        } else if (strcmp(key, "record.factor") == 0)
+            factor *= now->factor / loaded->factor;
+        else if (strcmp(key, "record.sign") == 0)
+            factor *= now->sign * loaded->sign;
+    }
+    *out = factor;
+    return THUD_OK;
+}
+
+/* `scale`: over what the plan asks for. */
+static enum thud_status take_record(const struct thud_sweep_plan *plan, struct thud_sweep_baseline *baseline,
+                                    const struct thud_scene *scene, int which, double scale, struct thud_error *err)
+{
+    baseline->record = NULL;
+    if (plan->nrecords == 0)
+        return THUD_OK;
+    const struct thud_record *record = baseline->record = plan->record[which];
+    if (!record)
+        return THUD_OK;
+    double factor;
+    enum thud_status status = record_factor(plan, scene, record, &factor, err);
+    factor *= scale;
+    if (status != THUD_OK || factor == 1)
+        return status;
+    status = thud_record_create(record->a_mps2, record->samples, record->dt_s, &baseline->scaled, err);
+    if (status == THUD_OK) {
+        thud_record_scale(baseline->scaled, factor);
+        baseline->record = baseline->scaled;
+    }
+    return status;
+}
+
+enum thud_status thud_sweep_case(const struct thud_sweep_plan *plan, const struct thud_scene *scene,
+                                 enum thud_case which, int variant, bool check, struct thud_scene *cased,
+                                 struct thud_error *err)
+{
+    enum thud_change change;
+    double factor;
+    enum thud_status status = thud_scene_case(scene, which, cased, err);
+    if (status == THUD_OK && check)
+        status = thud_scene_check(cased, err);
+    if (status == THUD_OK && thud_sweep_variant(plan, variant, &change, &factor))
+        thud_change_scene(cased, change, factor);
+    return status;
+}
+
+enum thud_status thud_sweep_model(const struct thud_scene *cased, struct thud_model **model,
+                                  struct thud_run_options *options, struct thud_error *err)
+{
+    enum thud_status status = thud_scene_assemble(cased, model, err);
+    if (status == THUD_OK)
+        status = thud_scene_options(cased, options, err);
+    if (status != THUD_OK) {
+        thud_model_free(*model);
+        *model = NULL;
+    }
+    return status;
+}
+
+/* Baseline g from the first point's scene; *cased: scratch. */
+static enum thud_status build_baseline(struct thud_sweep_group *group, int g, int record,
+                                       const struct thud_scene *scene, struct thud_scene *cased, struct thud_error *err)
+{
+    struct thud_sweep_baseline *baseline = &group->baseline[g];
+    struct thud_run_options options;
+    enum thud_change change;
+    double factor;
+    int variant = g > 0 ? g + 2 : 0;
+    bool changed = thud_sweep_variant(group->plan, variant, &change, &factor);
+    double scale = changed && change == THUD_CHANGE_SCALE ? factor : 1;
+    enum thud_status status = take_record(group->plan, baseline, scene, record, scale, err);
+    if (status == THUD_OK)
+        status = thud_sweep_case(group->plan, scene, THUD_CASE_AS_WRITTEN, variant, false, cased, err);
+    if (status == THUD_OK) {
+        thud_scene_drop_contacts(cased);
+        status = thud_sweep_model(cased, &baseline->model, &options, err);
+    }
+    if (status == THUD_OK)
+        status = thud_baseline_create(baseline->model, baseline->record, &options, &baseline->baseline, err);
+    return status;
+}
+
+static enum thud_status build(struct thud_sweep_group *group, struct thud_scene *scene, struct thud_scene *cased,
+                              struct thud_error *err)
+{
+    int at[THUD_VARY_MAX];
+    long point = group->index * thud_sweep_points_per_group(group->plan);
+    int record = thud_sweep_place(group->plan, point, at);
+    enum thud_status status = thud_sweep_scene(group->plan, point, scene, err);
+    for (int g = 0; g < group->nbaselines && status == THUD_OK; g++)
+        status = build_baseline(group, g, record, scene, cased, err);
+    if (status == THUD_OK &&
+        !(group->level = calloc((size_t)group->baseline[0].model->ncontacts + 1, sizeof *group->level)))
+        status = thud_error_set(err, THUD_MEMORY, "out of memory");
+    return status;
+}
+
+enum thud_status thud_sweep_group_create(const struct thud_sweep_plan *plan, long index, struct thud_sweep_group **out,
+                                         struct thud_error *err)
+{
+    *out = NULL;
+    struct thud_sweep_group *group = calloc(1, sizeof *group);
+    struct thud_scene *scenes = malloc(2 * sizeof *scenes);
+    enum thud_status status = THUD_MEMORY;
+    if (group && scenes) {
+        group->plan = plan;
+        group->index = index;
+        group->nbaselines = plan->sensitivity > 0 ? THUD_SWEEP_BASELINES : 1;
+        status = build(group, scenes, scenes + 1, err);
+        if (status == THUD_OK)
+            status = thud_sweep_same_create(plan, &group->same, err);
+    } else {
+        thud_error_set(err, THUD_MEMORY, "out of memory");
+    }
+    free(scenes);
+    if (status == THUD_OK)
+        *out = group;
+    else
+        thud_sweep_group_free(group);
+    return status;
+}
+
+enum thud_status thud_sweep_group_advance(struct thud_sweep_group *group, long budget, bool *done,
+                                          struct thud_error *err)
+{
+    bool whole = false;
+    *done = false;
+    if (group->ndone < group->nbaselines) {
+        enum thud_status status = thud_baseline_advance(group->baseline[group->ndone].baseline, budget, &whole, err);
+        if (status != THUD_OK)
+            return status;
+        group->ndone += whole;
+    }
+    if (group->ndone < group->nbaselines)
+        return THUD_OK;
+    enum thud_status status = thud_sweep_same_advance(group, budget, done, err);
+    if (status == THUD_OK && *done)
+        thud_gap_levels(group->baseline[0].model, group->baseline[0].baseline, group->level);
+    return status;
+}
+
+void thud_sweep_group_free(struct thud_sweep_group *group)
+{
+    if (!group)
+        return;
+    for (int g = 0; g < group->nbaselines; g++) {
+        thud_baseline_free(group->baseline[g].baseline);
+        thud_model_free(group->baseline[g].model);
+        thud_record_free(group->baseline[g].scaled);
+    }
+    thud_sweep_same_free(group->same);
+    free(group->level);
+    free(group);
+}

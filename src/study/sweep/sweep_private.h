@@ -1,0 +1,79 @@
+/* Studies from inside: for the files of study only. */
+#ifndef THUD_STUDY_SWEEP_PRIVATE_H
+#define THUD_STUDY_SWEEP_PRIVATE_H
+
+#include "core/run/baseline.h"
+#include "study/scene/answer.h"
+#include "study/sweep/sweep.h"
+
+/* The motion without pounding of one variant. */
+struct thud_sweep_baseline {
+    struct thud_model *model;         /* case `none`, or as written where there is no bumper */
+    const struct thud_record *record; /* NULL: no ground motion */
+    struct thud_record *scaled;       /* owned, where the record itself is varied */
+    struct thud_baseline_motion *baseline;
+};
+
+/* Gaps change no motion without pounding: as it is, then ground motion and stiffness less and more. */
+enum { THUD_SWEEP_BASELINES = THUD_SWEEP_VARIANTS - 2 };
+
+struct thud_sweep_group {
+    const struct thud_sweep_plan *plan;
+    long index;
+    int nbaselines, ndone; /* nbaselines: 1, or THUD_SWEEP_BASELINES */
+    struct thud_sweep_baseline baseline[THUD_SWEEP_BASELINES];
+    struct thud_gap_level *level; /* (model->ncontacts); once done */
+    struct thud_sweep_same *same;
+};
+
+/* What a variant changes and by which factor; false for variant 0, the scene as it is. */
+static inline bool thud_sweep_variant(const struct thud_sweep_plan *plan, int variant, enum thud_change *change,
+                                      double *factor)
+{
+    *change = (enum thud_change)(variant > 0 ? (variant - 1) / 2 : 0);
+    *factor = variant % 2 ? 1 - plan->sensitivity : 1 + plan->sensitivity;
+    return variant > 0;
+}
+
+static inline const struct thud_sweep_baseline *thud_sweep_baseline(const struct thud_sweep_group *group, int variant)
+{
+    return &group->baseline[variant > 2 ? variant - 2 : 0]; /* variants 1 and 2 change the gap */
+}
+
+/* A case of a point's scene, as a variant changes it. `check`: refuses what is not possible. Errors: THUD_INPUT. */
+enum thud_status thud_sweep_case(const struct thud_sweep_plan *plan, const struct thud_scene *scene,
+                                 enum thud_case which, int variant, bool check, struct thud_scene *cased,
+                                 struct thud_error *err);
+/* What a run of it needs. Errors: THUD_INPUT, THUD_MEMORY. */
+enum thud_status thud_sweep_model(const struct thud_scene *cased, struct thud_model **model,
+                                  struct thud_run_options *options, struct thud_error *err);
+
+/* Everything 0; NULL when out of memory. */
+struct thud_sweep_point *thud_sweep_point_create(int ncases, int nfloors, int ncontacts, int nvariants);
+
+/* Of case k (k = ncases: no pounding) of a variant: (nfloors), (ncontacts). */
+static inline struct thud_sweep_floor *thud_sweep_floors(const struct thud_sweep_point *point, int variant, int k)
+{
+    return point->floor + ((ptrdiff_t)variant * (point->ncases + 1) + k) * point->nfloors;
+}
+
+static inline struct thud_sweep_contact *thud_sweep_contacts(const struct thud_sweep_point *point, int variant, int k)
+{
+    return point->contact + ((ptrdiff_t)variant * point->ncases + k) * point->ncontacts;
+}
+
+/* Which runs of a group are the same; NULL: none is shared. Made in slices once the group's model is there. */
+enum thud_status thud_sweep_same_create(const struct thud_sweep_plan *plan, struct thud_sweep_same **out,
+                                        struct thud_error *err);
+enum thud_status thud_sweep_same_advance(struct thud_sweep_group *group, long budget, bool *done,
+                                         struct thud_error *err);
+void thud_sweep_same_free(struct thud_sweep_same *same);
+/* Whether case k of a point has the answer of an earlier run. */
+bool thud_sweep_is_made_before(const struct thud_sweep_group *group, long point, int k);
+/* What is left of an effort that another run made. */
+void thud_sweep_effort_taken(struct thud_sweep_effort *effort);
+/* The cases of a point (THUD_SWEEP_CASES_MAX + 1): the plan's, and `none` after them where the ratios need it. Returns
+ * how many. */
+int thud_sweep_point_cases(const struct thud_sweep_plan *plan, const struct thud_scene *scene, enum thud_case *which);
+
+#endif

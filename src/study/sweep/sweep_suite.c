@@ -1,0 +1,235 @@
+/* The statistics of a study over its ground motions as a table of one: what shows a ground motion then shows the suite. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/statistics.h"
+#include "study/sweep/sweep_table.h"
+
+/* A ratio this near to 1 is 1: nothing touched. */
+static const double equal = 1e-9;
+static const char *const no_name[] = {""};
+
+/* Scratch of the making. */
+struct making {
+    const struct thud_sweep_table *table;
+    const struct thud_sweep_summary **of; /* (settings x nrecords) NULL: no answer */
+    double *value;                        /* (nrecords) */
+};
+
+static size_t settings_of(const struct thud_sweep_table *table)
+{
+    size_t n = 1;
+    for (int a = 0; a < table->naxes; a++)
+        n *= (size_t)table->axis[a].n;
+    return n;
+}
+
+static size_t setting_of(const struct thud_sweep_table *table, const struct thud_sweep_summary *d)
+{
+    size_t setting = 0;
+    for (int a = 0; a < table->naxes; a++)
+        setting = setting * (size_t)table->axis[a].n + (size_t)d->at[a];
+    return setting;
+}
+
+/* One of the numbers of run k of each ground motion at a setting. */
+enum number { FORCE, IMPACTS, INDENTATION, WORST, SHEAR, CAPACITY };
+
+static double number_of(const struct thud_sweep_table *table, const struct thud_sweep_summary *d, int k,
+                        enum number number)
+{
+    if (number == FORCE)
+        return d->run[k].force_n;
+    if (number == IMPACTS)
+        return d->run[k].impacts;
+    if (number == INDENTATION)
+        return d->run[k].indentation_m;
+    if (number == SHEAR)
+        return d->run[k].shear_n;
+    if (number == CAPACITY)
+        return d->run[k].capacity_ratio;
+    double worst = NAN;
+    for (int s = 0; s < table->nstructures; s++) {
+        const struct thud_sweep_ratio *mean = thud_sweep_summary_ratio(d, k, s, 0, THUD_SWEEP_VALUE);
+        worst = mean ? fmax(worst, mean->acceleration) : worst;
+    }
+    return worst;
+}
+
+static struct thud_fractiles fractiles(const struct making *m, const struct thud_sweep_summary *const *of,
+                                       enum thud_case which, enum number number, double limit)
+{
+    for (int r = 0; r < m->table->nrecords; r++) {
+        int k = of[r] ? thud_sweep_summary_find(of[r], which) : -1;
+        m->value[r] = k >= 0 ? number_of(m->table, of[r], k, number) : NAN;
+    }
+    return thud_fractiles_of(m->value, (size_t)m->table->nrecords, limit);
+}
+
+static void put_run(const struct making *m, const struct thud_sweep_summary *const *of, struct thud_sweep_run *run,
+                    struct thud_sweep_shares *shares)
+{
+    struct thud_fractiles force = fractiles(m, of, run->which, FORCE, 0);
+    struct thud_fractiles impacts = fractiles(m, of, run->which, IMPACTS, 0);
+    struct thud_fractiles worst = fractiles(m, of, run->which, WORST, 1 + equal);
+    run->impacts = (int)lround(impacts.median);
+    run->indentation_m = fractiles(m, of, run->which, INDENTATION, 0).median;
+    run->force_n = force.median;
+    struct thud_fractiles shear = fractiles(m, of, run->which, SHEAR, 0);
+    struct thud_fractiles capacity = fractiles(m, of, run->which, CAPACITY, 1);
+    run->shear_n = shear.median;
+    run->capacity_ratio = capacity.median;
+    *shares = (struct thud_sweep_shares){force.p16, force.p84, impacts.share, worst.share,
+                                         shear.p16, shear.p84, capacity.p16,  capacity.p84};
+}
+
+/* Every ratio of run k: four of them in a row. */
+static void put_ratios(const struct making *m, const struct thud_sweep_summary *const *of,
+                       struct thud_sweep_summary *out, int k, int structure, int floor)
+{
+    enum { RATIOS = sizeof(struct thud_sweep_ratio) / sizeof(double) };
+    double three[3][RATIOS];
+    for (int q = 0; q < RATIOS; q++) {
+        for (int r = 0; r < m->table->nrecords; r++) {
+            int from = of[r] ? thud_sweep_summary_find(of[r], out->run[k].which) : -1;
+            const struct thud_sweep_ratio *x =
+                from >= 0 ? thud_sweep_summary_ratio(of[r], from, structure, floor, THUD_SWEEP_VALUE) : NULL;
+            const double ratio[] = {x ? x->acceleration : NAN, x ? x->drift : NAN, x ? x->acceleration_free : NAN,
+                                    x ? x->drift_free : NAN};
+            m->value[r] = ratio[q];
+        }
+        struct thud_fractiles f = thud_fractiles_of(m->value, (size_t)m->table->nrecords, 1);
+        three[THUD_SWEEP_VALUE][q] = f.median;
+        three[THUD_SWEEP_LOW][q] = f.p16;
+        three[THUD_SWEEP_HIGH][q] = f.p84;
+    }
+    for (int end = THUD_SWEEP_VALUE; end <= (int)THUD_SWEEP_HIGH; end++)
+        *thud_sweep_summary_ratio(out, k, structure, floor, (enum thud_sweep_end)end) =
+            (struct thud_sweep_ratio){three[end][0], three[end][1], three[end][2], three[end][3]};
+}
+
+static void put_storeys(const struct making *m, const struct thud_sweep_summary *const *of,
+                        struct thud_sweep_summary *out, int k, int structure)
+{
+    struct thud_sweep_storeys three[3];
+    for (int q = 0; q < 2; q++) {
+        for (int r = 0; r < m->table->nrecords; r++) {
+            int from = of[r] ? thud_sweep_summary_find(of[r], out->run[k].which) : -1;
+            const struct thud_sweep_storeys *x =
+                from >= 0 ? thud_sweep_summary_storeys(of[r], from, m->table->nstructures, structure, THUD_SWEEP_VALUE)
+                          : NULL;
+            m->value[r] = !x ? (double)NAN : q == 0 ? x->ductility : x->permanent_m;
+        }
+        struct thud_fractiles f = thud_fractiles_of(m->value, (size_t)m->table->nrecords, 1);
+        const double end[] = {[THUD_SWEEP_VALUE] = f.median, [THUD_SWEEP_LOW] = f.p16, [THUD_SWEEP_HIGH] = f.p84};
+        for (int i = 0; i < 3; i++)
+            *(q == 0 ? &three[i].ductility : &three[i].permanent_m) = end[i];
+    }
+    for (int end = THUD_SWEEP_VALUE; end <= (int)THUD_SWEEP_HIGH; end++)
+        *thud_sweep_summary_storeys(out, k, m->table->nstructures, structure, (enum thud_sweep_end)end) = three[end];
+}
+
+/* The point of a setting; NULL: out of memory. `like`: one of its ground motions. */
+static struct thud_sweep_summary *make_point(const struct making *m, const struct thud_sweep_summary *const *of,
+                                             const struct thud_sweep_summary *like, struct thud_sweep_shares *shares)
+{
+    int floors[THUD_STRUCTURES_MAX] = {0};
+    enum thud_case which[THUD_SWEEP_CASES_MAX];
+    int nruns = 0;
+    for (int c = THUD_CASE_AS_WRITTEN; c < THUD_CASES; c++)
+        for (int r = 0; r < m->table->nrecords; r++)
+            if (of[r] && thud_sweep_summary_find(of[r], (enum thud_case)c) >= 0) {
+                which[nruns++] = (enum thud_case)c;
+                break;
+            }
+    for (int s = 0; s < m->table->nstructures; s++)
+        floors[s] = thud_sweep_summary_floors(like, s);
+    struct thud_sweep_summary *out = thud_sweep_summary_create(nruns, m->table->nstructures, floors, true);
+    if (!out)
+        return NULL;
+    memcpy(out->at, like->at, sizeof out->at);
+    out->touches = like->touches;
+    out->gap_m = like->gap_m;
+    for (int k = 0; k < nruns; k++) {
+        out->run[k].which = which[k];
+        put_run(m, of, &out->run[k], &shares[k]);
+        for (int s = 0; s < m->table->nstructures; s++) {
+            for (int f = 0; floors[s] > 0 && f <= floors[s]; f++)
+                put_ratios(m, of, out, k, s, f);
+            put_storeys(m, of, out, k, s);
+        }
+    }
+    return out;
+}
+
+static bool fill(const struct making *m, struct thud_sweep_table *suite, struct thud_sweep_summary **point,
+                 struct thud_sweep_shares *shares)
+{
+    size_t records = (size_t)m->table->nrecords;
+    for (size_t i = 0; i < m->table->npoints; i++) {
+        const struct thud_sweep_summary *d = m->table->point[i];
+        m->of[setting_of(m->table, d) * records + (size_t)d->record] = d;
+    }
+    for (size_t i = 0; i < settings_of(m->table); i++) {
+        const struct thud_sweep_summary *const *of = m->of + i * records, *like = NULL;
+        for (size_t r = 0; r < records && !like; r++)
+            like = of[r];
+        if (!like)
+            continue;
+        point[suite->npoints] = make_point(m, of, like, shares + suite->npoints * THUD_SWEEP_CASES_MAX);
+        if (!point[suite->npoints])
+            return false;
+        suite->nrows += (size_t)point[suite->npoints]->nruns * (size_t)point[suite->npoints]->nrows;
+        suite->npoints++;
+    }
+    return true;
+}
+
+enum thud_status thud_sweep_suite_make(const struct thud_sweep_table *table, struct thud_sweep_table **out,
+                                       struct thud_error *err)
+{
+    size_t settings = settings_of(table), records = (size_t)table->nrecords;
+    struct making m = {.table = table};
+    struct thud_sweep_table *suite = malloc(sizeof *suite);
+    struct thud_sweep_summary **point = calloc(settings, sizeof *point);
+    m.of = calloc(settings * records, sizeof *m.of);
+    m.value = malloc(records * sizeof *m.value);
+    struct thud_sweep_shares *shares = malloc((settings * THUD_SWEEP_CASES_MAX) * sizeof *shares);
+    bool made = suite && point && m.of && m.value && shares;
+    if (suite) {
+        *suite = *table;
+        suite->nrecords = 1;
+        suite->record = no_name;
+        suite->motions = table->nrecords;
+        suite->sensitivity = 0;
+        suite->nrows = suite->npoints = 0;
+        suite->point = point;
+        suite->shares = shares;
+        suite->need = NULL;
+    }
+    made = made && fill(&m, suite, point, shares);
+    free(m.of);
+    free(m.value);
+    *out = made ? suite : NULL;
+    if (made)
+        return THUD_OK;
+    if (suite)
+        thud_sweep_suite_free(suite);
+    else {
+        free(point);
+        free(shares);
+    }
+    return thud_error_set(err, THUD_MEMORY, "out of memory");
+}
+
+void thud_sweep_suite_free(struct thud_sweep_table *suite)
+{
+    if (!suite)
+        return;
+    for (size_t i = 0; i < suite->npoints; i++)
+        free(suite->point[i]);
+    free((void *)suite->point);
+    free((void *)suite->shares);
+    free(suite);
+}

@@ -1,0 +1,442 @@
+#include "study/uncertainty/uncertainty.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/largest.h"
+#include "base/quantity.h"
+#include "base/statistics.h"
+#include "study/scene/answer.h"
+#include "study/scene/level.h"
+#include "study/sweep/remark.h"
+
+static const struct thud_input_info infos[THUD_INPUTS] = {
+    [THUD_INPUT_GAP] = {"gap", THUD_INPUT_RELATIVE, 0.05},
+    [THUD_INPUT_MOTION] = {"motion", THUD_INPUT_RELATIVE, 0},
+    [THUD_INPUT_STIFFNESS] = {"stiffness", THUD_INPUT_RELATIVE, 0.1},
+    [THUD_INPUT_DAMPING] = {"damping", THUD_INPUT_RELATIVE, 0.2},
+    [THUD_INPUT_MASS] = {"mass", THUD_INPUT_RELATIVE, 0},
+    [THUD_INPUT_CONTACT_STIFFNESS] = {"contact-stiffness", THUD_INPUT_FACTOR, 2},
+    [THUD_INPUT_RESTITUTION] = {"restitution", THUD_INPUT_ABSOLUTE, 0.1},
+    [THUD_INPUT_BUMPER_STIFFNESS] = {"bumper-stiffness", THUD_INPUT_RELATIVE, 0.2},
+    [THUD_INPUT_BUMPER_EXPONENT] = {"bumper-exponent", THUD_INPUT_ABSOLUTE, 0},
+    [THUD_INPUT_YIELD] = {"yield", THUD_INPUT_RELATIVE, 0.1},
+    [THUD_INPUT_HARDENING] = {"hardening", THUD_INPUT_ABSOLUTE, 0.02},
+    [THUD_INPUT_COLUMNS] = {"column-stiffness", THUD_INPUT_RELATIVE, 0.2},
+    [THUD_INPUT_ELEVATION] = {"elevation", THUD_INPUT_LENGTH, 0},
+};
+
+const struct thud_input_info *thud_input_info(enum thud_input input)
+{
+    return &infos[input];
+}
+
+void thud_inputs_init(struct thud_inputs *inputs)
+{
+    for (int i = 0; i < THUD_INPUTS; i++)
+        inputs->size[i] = infos[i].size;
+}
+
+enum thud_status thud_inputs_set(struct thud_inputs *inputs, const char *text, struct thud_error *err)
+{
+    size_t word = strcspn(text, "=");
+    struct thud_quantity q;
+    for (int i = 0; i < THUD_INPUTS && text[word]; i++) {
+        if (strlen(infos[i].name) != word || strncmp(text, infos[i].name, word) != 0)
+            continue;
+        static const double most[] = {[THUD_INPUT_RELATIVE] = 0.9,
+                                      [THUD_INPUT_FACTOR] = 100,
+                                      [THUD_INPUT_ABSOLUTE] = 1,
+                                      [THUD_INPUT_LENGTH] = 10};
+        enum thud_input_way way = infos[i].way;
+        enum thud_dimension dimension = way == THUD_INPUT_LENGTH ? THUD_LENGTH : THUD_RATIO;
+        if (thud_quantity_parse(text + word + 1, dimension, NULL, &q, NULL) != THUD_OK ||
+            !(q.value >= (way == THUD_INPUT_FACTOR ? 1 : 0) && q.value <= most[way]))
+            break;
+        inputs->size[i] = q.value;
+        return THUD_OK;
+    }
+    thud_error_set(err, THUD_USAGE, "\"%.60s\" is no input with its size", text);
+    thud_error_key(err, "--uncertain");
+    thud_error_allow(
+        err, "gap, motion, stiffness, damping, mass, bumper-stiffness, yield, column-stiffness: 5 %%, up to "
+             "90 %%; contact-stiffness: a factor from 1; restitution, bumper-exponent, hardening: 0.1, up to 1; "
+             "elevation: 5 cm, up to 10 m");
+    return THUD_USAGE;
+}
+
+/* A parameter of a law; NULL where the law has none of the name, or it is not given. */
+static double *law_value(struct thud_law_choice *choice, const char *name)
+{
+    for (int i = 0; choice->law && i < choice->law->nparams; i++)
+        if (strcmp(choice->law->params[i].name, name) == 0)
+            return isnan(choice->value[i]) ? NULL : &choice->value[i];
+    return NULL;
+}
+
+static double changed(enum thud_input input, double x, double size, double u)
+{
+    double t = 2 * u - 1;
+    return infos[input].way == THUD_INPUT_RELATIVE ? x * (1 + size * t)
+           : infos[input].way == THUD_INPUT_FACTOR ? x * pow(size, t)
+                                                   : x + size * t;
+}
+
+static void change_law(struct thud_law_choice *choice, const char *name, enum thud_input input, double size, double u)
+{
+    double *value = law_value(choice, name);
+    if (!value)
+        return;
+    double x = changed(input, *value, size, u);
+    if (input == THUD_INPUT_RESTITUTION)
+        x = fmin(1, fmax(0.01, x));
+    if (input == THUD_INPUT_BUMPER_EXPONENT) {
+        double *stiffness = law_value(choice, "stiffness");
+        x = fmax(1, x);
+        if (stiffness)
+            *stiffness *= pow(1000, x - *value);
+    }
+    *value = x;
+}
+
+static void change_structures(struct thud_scene *scene, enum thud_input input, double size, double u)
+{
+    for (int s = 0; s < scene->nstructures; s++) {
+        struct thud_structure *p = &scene->structure[s];
+        int n = p->kind == THUD_RIGID ? 1 : p->kind == THUD_WALL ? 0 : p->storeys;
+        if (input == THUD_INPUT_DAMPING) {
+            p->damping = changed(input, p->damping, size, u);
+            p->isolation_damping = changed(input, p->isolation_damping, size, u);
+        } else if (input == THUD_INPUT_STIFFNESS) {
+            p->isolation_stiffness_npm = changed(input, p->isolation_stiffness_npm, size, u);
+        } else {
+            p->base_mass_kg = changed(input, p->base_mass_kg, size, u);
+        }
+        for (int i = 0; i < n; i++) {
+            double *x = input == THUD_INPUT_STIFFNESS ? &p->stiffness_npm[i] : &p->mass_kg[i];
+            *x = input == THUD_INPUT_DAMPING ? *x : changed(input, *x, size, u);
+        }
+    }
+}
+
+/* Of the storeys that yield. */
+static void change_storeys(struct thud_structure *p, enum thud_input input, double size, double u)
+{
+    for (int i = 0; i < p->storeys; i++) {
+        if (!isfinite(thud_structure_yield(p, i)))
+            continue;
+        if (input == THUD_INPUT_YIELD) {
+            p->yield_m[i] = changed(input, p->yield_m[i], size, u);
+            p->yield_shear_n[i] = changed(input, p->yield_shear_n[i], size, u);
+        } else {
+            p->hardening[i] = fmin(1, fmax(0, changed(input, p->hardening[i], size, u)));
+        }
+    }
+}
+
+static void change_buildings(struct thud_scene *scene, enum thud_input input, double size, double u)
+{
+    for (int s = 0; s < scene->nstructures; s++) {
+        struct thud_structure *p = &scene->structure[s];
+        if (!thud_kind_is_building(p->kind))
+            continue;
+        if (input == THUD_INPUT_ELEVATION)
+            p->base_m = s % 2 ? changed(input, p->base_m, size, u) : p->base_m;
+        else if (input == THUD_INPUT_COLUMNS)
+            for (int i = 0; i < p->storeys; i++) {
+                p->column_ei_nm2[i] = changed(input, p->column_ei_nm2[i], size, u);
+                p->column_stiffness_npm[i] = changed(input, p->column_stiffness_npm[i], size, u);
+            }
+        else
+            change_storeys(p, input, size, u);
+    }
+}
+
+static void change_interfaces(struct thud_scene *scene, enum thud_input input, double size, double u)
+{
+    for (int i = 0; i + 1 < scene->nstructures; i++) {
+        struct thud_interface *f = &scene->interface[i];
+        if (input == THUD_INPUT_GAP) {
+            f->gap_m = changed(input, f->gap_m, size, u);
+            if (f->has_bumper)
+                f->gap_m = fmax(f->gap_m, f->bumper_thickness_m - f->bumper_cavity_m);
+        }
+        if (input == THUD_INPUT_CONTACT_STIFFNESS)
+            change_law(&f->contact, "stiffness", input, size, u);
+        if (input == THUD_INPUT_RESTITUTION)
+            change_law(&f->contact, "restitution", input, size, u);
+        if (!f->has_bumper)
+            continue;
+        if (input == THUD_INPUT_RESTITUTION)
+            change_law(&f->bumper, "restitution", input, size, u);
+        if (input == THUD_INPUT_BUMPER_STIFFNESS)
+            change_law(&f->bumper, "stiffness", input, size, u);
+        if (input == THUD_INPUT_BUMPER_EXPONENT)
+            change_law(&f->bumper, "exponent", input, size, u);
+    }
+}
+
+void thud_input_change(struct thud_scene *scene, enum thud_input input, double size, double u, double *motion)
+{
+    if (input == THUD_INPUT_MOTION)
+        *motion = changed(input, *motion, size, u);
+    else if (input == THUD_INPUT_STIFFNESS || input == THUD_INPUT_DAMPING || input == THUD_INPUT_MASS)
+        change_structures(scene, input, size, u);
+    else if (input >= THUD_INPUT_YIELD && input <= THUD_INPUT_ELEVATION)
+        change_buildings(scene, input, size, u);
+    else
+        change_interfaces(scene, input, size, u);
+}
+
+/* Whether a slab strikes columns somewhere, and with `given` columns whose stiffness is. */
+static bool has_struck(const struct thud_scene *scene, bool given)
+{
+    struct thud_pairing *meeting = malloc(THUD_PAIRINGS_MAX * sizeof *meeting);
+    bool found = false;
+    for (int i = 0; meeting && i + 1 < scene->nstructures && !found; i++)
+        for (int k = thud_interface_pairings(scene, i, meeting) - 1; k >= 0 && !found; k--) {
+            const struct thud_structure *s = &scene->structure[meeting[k].struck > 0 ? i + 1 : i];
+            int floor = meeting[k].struck > 0 ? meeting[k].right_floor : meeting[k].left_floor;
+            found =
+                meeting[k].struck != 0 && (!given || !isnan(thud_column_ei(s, floor - 1 - (s->kind == THUD_ISOLATED))));
+        }
+    free(meeting);
+    return found;
+}
+
+/* Whether two neighbours are buildings, of which one is moved. */
+static bool has_elevation(const struct thud_scene *scene)
+{
+    for (int i = 0; i + 1 < scene->nstructures; i++)
+        if (thud_kind_is_building(scene->structure[i | 1].kind))
+            return true;
+    return false;
+}
+
+static int active_inputs(const struct thud_inputs *inputs, const struct thud_scene *scene,
+                         enum thud_input input[THUD_INPUTS])
+{
+    int n = 0;
+    bool bumper = thud_scene_has_bumper(scene), interfaces = scene->nstructures > 1;
+    for (int i = 0; i < THUD_INPUTS; i++) {
+        bool none = inputs->size[i] == (infos[i].way == THUD_INPUT_FACTOR ? 1 : 0);
+        bool there = i == THUD_INPUT_MOTION                                                ? scene->record.file[0]
+                     : i == THUD_INPUT_BUMPER_STIFFNESS || i == THUD_INPUT_BUMPER_EXPONENT ? bumper
+                     : i == THUD_INPUT_YIELD || i == THUD_INPUT_HARDENING                  ? thud_scene_yields(scene)
+                     : i == THUD_INPUT_COLUMNS                                             ? has_struck(scene, true)
+                     : i == THUD_INPUT_ELEVATION                                           ? has_elevation(scene)
+                     : i == THUD_INPUT_STIFFNESS || i == THUD_INPUT_DAMPING || i == THUD_INPUT_MASS ? true
+                                                                                                    : interfaces;
+        if (!none && there)
+            input[n++] = (enum thud_input)i;
+    }
+    return n;
+}
+
+/* ---- quantities ---- */
+
+enum { ACCELERATION, DRIFT, MEAN_ACCELERATION, MEAN_DRIFT, DUCTILITY, PERMANENT, OF_STRUCTURE };
+
+static bool has_floors(const struct thud_structure *s)
+{
+    return s->kind != THUD_WALL;
+}
+
+/* What is asked of a case: name, column, kind, and whether it is a ratio, and a mean. */
+struct asked {
+    const char *what, *column;
+    enum thud_quantity_kind kind;
+    bool ratio, mean;
+};
+
+static void add(struct thud_uncertainty *u, enum thud_case which, int structure, const struct asked *asked, int n)
+{
+    const char *name = structure >= 0 ? u->scene.structure[structure].name : "";
+    for (int i = 0; i < n; i++) {
+        struct thud_quantity_of_run *q = &u->quantity[u->nquantities++];
+        *q = (struct thud_quantity_of_run){.kind = asked[i].kind,
+                                           .ratio = asked[i].ratio,
+                                           .mean = asked[i].mean,
+                                           .which = which,
+                                           .structure = structure};
+        snprintf(q->name, sizeof q->name, "%s: %s%s%.40s", thud_case_name(which), asked[i].what, *name ? " of " : "",
+                 name);
+        snprintf(q->column, sizeof q->column, "%s%s%.40s.%s", thud_case_name(which), *name ? "." : "", name,
+                 asked[i].column);
+    }
+}
+
+static bool yields(const struct thud_structure *s)
+{
+    for (int i = 0; thud_kind_is_building(s->kind) && i < s->storeys; i++)
+        if (isfinite(thud_structure_yield(s, i)))
+            return true;
+    return false;
+}
+
+/* How many of the peaks there are. */
+static int asked_of(const struct thud_structure *structure)
+{
+    return yields(structure) ? OF_STRUCTURE : DUCTILITY;
+}
+
+static void add_quantities(struct thud_uncertainty *u)
+{
+    static const struct asked peaks[] = {
+        {"largest acceleration", "acceleration_mps2", THUD_OF_ACCELERATION, false, false},
+        {"largest drift", "drift_m", THUD_OF_DRIFT, false, false},
+        {"mean acceleration", "mean_acceleration_mps2", THUD_OF_ACCELERATION, false, true},
+        {"mean drift", "mean_drift_m", THUD_OF_DRIFT, false, true},
+        {"largest ductility", "ductility", THUD_OF_NUMBER, false, false},
+        {"largest permanent drift", "permanent_m", THUD_OF_DRIFT, false, false}};
+    static const struct asked ratios[] = {
+        {"mean acceleration ratio", "acceleration_ratio", THUD_OF_ACCELERATION, true, true},
+        {"mean drift ratio", "drift_ratio", THUD_OF_DRIFT, true, true}};
+    static const struct asked contacts[] = {{"largest force", "force_n", THUD_OF_FORCE, false, false},
+                                            {"largest column shear", "shear_n", THUD_OF_FORCE, false, false}};
+    for (int k = 0; k < u->ncases; k++) {
+        enum thud_case which = u->which[k];
+        for (int s = 0; s < u->scene.nstructures; s++) {
+            if (!has_floors(&u->scene.structure[s]))
+                continue;
+            add(u, which, s, peaks, asked_of(&u->scene.structure[s]));
+            if (k > 0)
+                add(u, which, s, ratios, 2);
+        }
+        add(u, which, -1, contacts, 1 + u->columns);
+    }
+}
+
+enum thud_status thud_uncertainty_create(const struct thud_scene *scene, const struct thud_record *record,
+                                         enum thud_case which, const struct thud_inputs *inputs,
+                                         struct thud_uncertainty **out, struct thud_error *err)
+{
+    struct thud_uncertainty *u = calloc(1, sizeof *u);
+    bool bumper = thud_scene_has_bumper(scene);
+    *out = NULL;
+    if (!u)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    u->scene = *scene;
+    u->record = record;
+    u->inputs = *inputs;
+    u->columns = has_struck(scene, false);
+    if (bumper)
+        u->which[u->ncases++] = THUD_CASE_NONE;
+    if (!bumper || which != THUD_CASE_NONE)
+        u->which[u->ncases++] = bumper && which == THUD_CASE_AS_WRITTEN ? THUD_CASE_BUMPER : which;
+    u->ninputs = active_inputs(inputs, scene, u->input);
+    u->quantity = calloc((size_t)u->ncases * ((size_t)scene->nstructures * 8 + 2), sizeof *u->quantity);
+    enum thud_status status = THUD_OK;
+    if (!u->quantity)
+        status = thud_error_set(err, THUD_MEMORY, "out of memory");
+    else if (u->ninputs == 0)
+        status = thud_error_set(err, THUD_INPUT, "no input is uncertain");
+    if (status != THUD_OK) {
+        thud_uncertainty_free(u);
+        return status;
+    }
+    add_quantities(u);
+    *out = u;
+    return THUD_OK;
+}
+
+void thud_uncertainty_free(struct thud_uncertainty *uncertainty)
+{
+    if (!uncertainty)
+        return;
+    free(uncertainty->quantity);
+    free(uncertainty);
+}
+
+/* Largest and mean peaks of a structure. */
+static void summarize(const struct thud_result *result, int structure, double x[OF_STRUCTURE])
+{
+    const struct thud_structure_result *s = &result->structure[structure];
+    memset(x, 0, OF_STRUCTURE * sizeof *x);
+    for (int i = 0; s->storey && i < s->floors; i++) {
+        x[DUCTILITY] = s->storey[i].yields ? fmax(x[DUCTILITY], s->storey[i].ductility) : x[DUCTILITY];
+        x[PERMANENT] = s->storey[i].yields ? fmax(x[PERMANENT], fabs(s->storey[i].permanent_m)) : x[PERMANENT];
+    }
+    for (int i = 0; i < s->floors; i++) {
+        double acceleration = thud_floor_acceleration(result, structure, i);
+        x[ACCELERATION] = thud_larger(x[ACCELERATION], acceleration);
+        x[DRIFT] = fmax(x[DRIFT], s->floor[i].drift.value);
+        x[MEAN_ACCELERATION] += acceleration / s->floors;
+        x[MEAN_DRIFT] += s->floor[i].drift.value / s->floors;
+    }
+}
+
+/* One case's quantities from *value on; `first` (nstructures x OF_STRUCTURE): those of the first case, filled by it. */
+static double *put_case(const struct thud_uncertainty *u, int k, const struct thud_result *result, double *first,
+                        double *value)
+{
+    double force = 0;
+    for (int s = 0; s < result->nstructures; s++, first += OF_STRUCTURE) {
+        double x[OF_STRUCTURE];
+        if (!has_floors(&u->scene.structure[s]))
+            continue;
+        summarize(result, s, x);
+        for (int q = 0; q < asked_of(&u->scene.structure[s]); q++)
+            *value++ = x[q];
+        if (k == 0) {
+            memcpy(first, x, sizeof x);
+            continue;
+        }
+        *value++ = first[MEAN_ACCELERATION] > 0 ? x[MEAN_ACCELERATION] / first[MEAN_ACCELERATION] : NAN;
+        *value++ = first[MEAN_DRIFT] > 0 ? x[MEAN_DRIFT] / first[MEAN_DRIFT] : NAN;
+    }
+    for (int c = 0; c < result->ncontacts; c++)
+        force = thud_larger(force, thud_peak_force(&result->contact[c]));
+    *value++ = force;
+    double shear = 0;
+    for (int c = 0; c < result->ncolumns; c++)
+        shear = fmax(shear, fmax(result->column[c].peak[THUD_COLUMN_SHEAR_LOWER].value,
+                                 result->column[c].peak[THUD_COLUMN_SHEAR_UPPER].value));
+    if (u->columns)
+        *value++ = shear;
+    return value;
+}
+
+enum thud_status thud_uncertainty_evaluate(const struct thud_uncertainty *u, const double *place, double *value,
+                                           struct thud_error *err)
+{
+    struct thud_scene *scene = malloc(2 * sizeof *scene);
+    double first[THUD_STRUCTURES_MAX * OF_STRUCTURE], motion = 1;
+    struct thud_record *scaled = NULL;
+    double *to = value;
+    enum thud_status status = THUD_OK;
+    if (!scene)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    for (int i = 0; i < THUD_STRUCTURES_MAX * OF_STRUCTURE; i++)
+        first[i] = NAN;
+    for (int q = 0; q < u->nquantities; q++)
+        value[q] = NAN;
+    *scene = u->scene;
+    for (int i = 0; i < u->ninputs; i++)
+        thud_input_change(scene, u->input[i], u->inputs.size[u->input[i]], place[i], &motion);
+    if (u->record && motion != 1) {
+        status = thud_record_create(u->record->a_mps2, u->record->samples, u->record->dt_s, &scaled, err);
+        if (status == THUD_OK)
+            thud_record_scale(scaled, motion);
+    }
+    for (int k = 0; k < u->ncases && status == THUD_OK; k++) {
+        struct thud_answer answer = {0};
+        status = thud_scene_case(scene, u->which[k], scene + 1, err);
+        if (status == THUD_OK)
+            status = thud_scene_check(scene + 1, err);
+        if (status == THUD_OK)
+            status = thud_scene_answer(scene + 1, scaled ? scaled : u->record, NULL, &answer, err);
+        if (status == THUD_OK)
+            to = put_case(u, k, thud_run_result(answer.run), first, to);
+        thud_answer_clear(&answer);
+        if (status == THUD_DIVERGED) { /* a sample without an answer, as the rest of it */
+            status = THUD_OK;
+            break;
+        }
+    }
+    thud_record_free(scaled);
+    free(scene);
+    return status;
+}
