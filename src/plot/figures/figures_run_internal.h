@@ -41,8 +41,12 @@ void thud_source_contact_name(const struct thud_figure_source *source, int conta
  * many. */
 int thud_pick_largest(const double *value, int n, int most, int *index);
 
+/* Whether a structure has something to show: it has floors, and for the deflections more than a rigid body's one. */
+bool thud_source_shown(const struct thud_figure_source *source, int structure, enum thud_run_figure which);
 /* Whether a storey of the source's scene yields. */
 bool thud_source_yields(const struct thud_figure_source *source);
+struct thud_figure *thud_figure_histories(enum thud_run_figure which, const struct thud_figure_source *source,
+                                          int nsources);
 struct thud_figure *thud_figure_hysteresis(const struct thud_figure_source *source, int nsources);
 struct thud_figure *thud_figure_permanent(const struct thud_figure_source *source, int nsources);
 struct thud_figure *thud_figure_forces(const struct thud_figure_source *source, int nsources);

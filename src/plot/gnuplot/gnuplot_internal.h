@@ -4,6 +4,13 @@
 
 #include "plot/gnuplot/gnuplot.h"
 
+/* Size of the title and of the footer, room of a sample of a line and what follows a name in the key, ems. */
+#define THUD_TITLE_EM  1.15
+#define THUD_NOTE_EM   0.85
+#define THUD_SAMPLE_EM 2.6
+#define THUD_BEHIND_EM 1.6
+enum { THUD_PDF_DPI = 200, THUD_LINES_MAX = 8 };
+
 #define THUD_GNUPLOT_DONE "thud: drawn to the end"
 
 /* Places on the picture, in px from its lower left corner. */
@@ -31,6 +38,8 @@ struct sheet {
     double key_foot;   /* px: of the foot, what the x axis of strips takes above the key */
 };
 
+struct sheet thud_sheet_make(const struct thud_figure *figure, const struct thud_picture_options *options,
+                             struct thud_text *out);
 /* The frame of a panel. */
 struct box thud_sheet_frame(const struct sheet *sheet, int panel);
 
@@ -42,6 +51,10 @@ void thud_gnuplot_quote(struct thud_text *out, const char *text, double widest, 
 double thud_gnuplot_width(const char *text, double em);
 /* The em, made up to a quarter smaller where the text needs it to fit. */
 double thud_gnuplot_fit(const char *text, double widest, double em);
+
+/* Lines of about one length that a text takes, at most THUD_LINES_MAX: no unit or last word stands alone. Where each
+ * begins (the last one's end comes after it) in *at, which may be NULL. */
+int thud_gnuplot_wrap(const char *text, double widest, double em, size_t at[THUD_LINES_MAX + 1]);
 
 /* Data blocks of a panel, and the panel itself. */
 void thud_gnuplot_data(const struct sheet *sheet, int panel);

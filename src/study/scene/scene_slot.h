@@ -72,6 +72,13 @@ enum thud_status thud_storeys_set(struct thud_structure *structure, int storeys)
 enum thud_status thud_kind_set(struct thud_structure *structure, enum thud_structure_kind kind);
 enum thud_status thud_law_set(struct thud_scene *scene, const struct thud_slot *slot, const char *text,
                               struct thud_error *err);
+/* Of a value that is not the study's; an empty text takes it back where it need not be given. Errors: also THUD_MEMORY. */
+enum thud_status thud_value_set(struct thud_scene *scene, const struct thud_slot *slot, const char *text,
+                                struct thud_error *err);
+void thud_value_get(const struct thud_scene *scene, const struct thud_slot *slot, const char *unit, char *text,
+                    size_t size);
+/* A copy without blanks around it. Errors: THUD_INPUT when it is too long, THUD_MEMORY. */
+enum thud_status thud_value_trimmed(const char *text, char **out, struct thud_error *err);
 enum thud_status thud_study_set(struct thud_scene *scene, const struct thud_slot *slot, const char *text,
                                 struct thud_error *err);
 void thud_study_get(const struct thud_scene *scene, const struct thud_slot *slot, char *text, size_t size);
@@ -83,8 +90,7 @@ enum thud_status thud_quantity_read(const struct thud_param *param, const struct
 /* The exponent that a stiffness of this law carries; NaN where it has none. */
 double thud_law_exponent(const struct thud_law_choice *choice, const struct thud_param *param);
 
-/* "[a, b]" taken apart, in place, lists within it kept whole: items (at most `most`) into item[]; the count, or -1 when
- * it is no list. */
-int thud_list_split(char *text, char **item, int most);
+/* `unit` with the exponent behind its caret replaced. */
+void thud_unit_with_exponent(const char *unit, double exponent, char *text, size_t size);
 
 #endif

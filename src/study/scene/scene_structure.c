@@ -134,32 +134,6 @@ double thud_column_ei(const struct thud_structure *structure, int storey)
     return ei > 0 ? ei : NAN;
 }
 
-int thud_list_split(char *text, char **item, int most)
-{
-    size_t length = strlen(text);
-    if (length < 2 || text[0] != '[' || text[length - 1] != ']')
-        return -1;
-    text[length - 1] = '\0';
-    int n = 0;
-    for (char *next = text + 1; next && n <= most;) {
-        char *comma = next;
-        for (int depth = 0; *comma && (depth > 0 || *comma != ','); comma++)
-            depth += (*comma == '[') - (*comma == ']');
-        comma = *comma ? comma : NULL;
-        if (comma)
-            *comma = '\0';
-        next += strspn(next, " \t");
-        size_t end = strlen(next);
-        while (end > 0 && (next[end - 1] == ' ' || next[end - 1] == '\t'))
-            next[--end] = '\0';
-        if (n < most)
-            item[n] = next;
-        n++;
-        next = comma ? comma + 1 : NULL;
-    }
-    return n;
-}
-
 /* One floor's value; `none` where that is allowed. */
 static enum thud_status read_floor(const struct thud_slot *slot, const char *text, double *out, struct thud_error *err)
 {
@@ -215,15 +189,6 @@ enum thud_status thud_floors_set(struct thud_scene *scene, const struct thud_slo
 }
 
 /* ---- laws ---- */
-
-void thud_law_choice_init(struct thud_law_choice *choice, const struct thud_law *law)
-{
-    struct thud_law_setup setup = {0};
-    memset(choice, 0, sizeof *choice);
-    thud_law_defaults(law, &setup);
-    choice->law = law;
-    memcpy(choice->value, setup.value, sizeof setup.value);
-}
 
 void thud_interface_add_bumper(struct thud_interface *interface)
 {

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "study/scene/scene_slot.h"
+#include "study/scene/scene_words.h"
 
 enum { COPY_MAX = 2048, VALUES_MAX = 200 };
 
@@ -122,6 +123,7 @@ static enum thud_status set_list(const struct thud_scene *scene, struct thud_var
                                  struct thud_scene *scratch, struct thud_error *err)
 {
     char *value[VALUES_MAX];
+    struct thud_slot slot;
     int n = items(text, value, VALUES_MAX);
     enum thud_status status = THUD_OK;
     if (n < 0) {
@@ -136,9 +138,13 @@ static enum thud_status set_list(const struct thud_scene *scene, struct thud_var
         *scratch = *scene;
         if (!*value[i])
             return thud_error_set(err, THUD_INPUT, "a value is empty");
-        status = thud_scene_set(scratch, vary->key, value[i], err);
+        status = thud_slot_find(scratch, vary->key, &slot, err);
+        if (status == THUD_OK)
+            status = thud_value_set(scratch, &slot, value[i], err);
         if (status == THUD_OK)
             status = add_value(vary, value[i], err);
+        else
+            thud_error_key(err, vary->key);
     }
     return status;
 }

@@ -11,55 +11,6 @@
 
 enum { TEXT_LIMIT = 16384 };
 
-double thud_law_exponent(const struct thud_law_choice *choice, const struct thud_param *param)
-{
-    if (!choice || !choice->law || param->dimension != THUD_POWER_STIFFNESS)
-        return NAN;
-    int i = thud_law_param(choice->law, "exponent");
-    double exponent = NAN;
-    if (i >= 0)
-        return choice->value[i];
-    thud_unit_factor(param->unit, NULL, &exponent);
-    return exponent;
-}
-
-/* `unit` with the exponent behind its caret replaced. */
-static void with_exponent(const char *unit, double exponent, char *text, size_t size)
-{
-    char number[32];
-    thud_number_format(exponent, number, sizeof number);
-    snprintf(text, size, "%.*s^%s", (int)strcspn(unit, "^"), unit, number);
-}
-
-static enum thud_status check_exponent(const struct thud_law_choice *choice, const struct thud_param *param,
-                                       const char *text, double typed, struct thud_error *err)
-{
-    double wanted = thud_law_exponent(choice, param);
-    if (isnan(wanted) || typed == wanted)
-        return THUD_OK;
-    char a[32], b[32], unit[64];
-    thud_number_format(typed, a, sizeof a);
-    thud_number_format(wanted, b, sizeof b);
-    with_exponent(param->unit, wanted, unit, sizeof unit);
-    thud_error_set(err, THUD_INPUT, "the unit of \"%.80s\" has the exponent %s, the law's exponent is %s", text, a, b);
-    thud_error_allow(err, "a number of %s", unit);
-    return THUD_INPUT;
-}
-
-enum thud_status thud_quantity_read(const struct thud_param *param, const struct thud_law_choice *choice,
-                                    const char *text, double *out, struct thud_error *err)
-{
-    struct thud_quantity q;
-    enum thud_status status = thud_quantity_parse(text, param->dimension, NULL, &q, err);
-    if (status == THUD_OK && param->dimension == THUD_POWER_STIFFNESS)
-        status = check_exponent(choice, param, text, q.exponent, err);
-    if (status == THUD_OK)
-        status = thud_param_check(param, q.value, text, err);
-    if (status == THUD_OK)
-        *out = q.value;
-    return status;
-}
-
 static enum thud_status read_count(const struct thud_param *param, const char *text, int *out, struct thud_error *err)
 {
     const char *end;
@@ -174,10 +125,10 @@ static void keep_number(const struct thud_law_choice *before, struct thud_law_ch
         if (param->dimension != THUD_POWER_STIFFNESS || isnan(before->value[i]))
             continue;
         char unit[64], text[96];
-        with_exponent(param->unit, thud_law_exponent(before, param), unit, sizeof unit);
+        thud_unit_with_exponent(param->unit, thud_law_exponent(before, param), unit, sizeof unit);
         thud_quantity_format(before->value[i], unit, text, sizeof text);
         double factor_before = thud_unit_factor(unit, NULL, NULL);
-        with_exponent(param->unit, thud_law_exponent(after, param), unit, sizeof unit);
+        thud_unit_with_exponent(param->unit, thud_law_exponent(after, param), unit, sizeof unit);
         double factor = thud_unit_factor(unit, NULL, NULL);
         struct thud_quantity q;
         snprintf(text + strcspn(text, " "), sizeof text - strcspn(text, " "), " %s", unit);
@@ -256,14 +207,13 @@ static enum thud_status set(struct thud_scene *scene, const struct thud_slot *sl
                                  : status;
     case THUD_STORE_LAW:
         return thud_law_set(scene, slot, text, err);
-    case THUD_STORE_STUDY:
-        return thud_study_set(scene, slot, text, err);
+    case THUD_STORE_STUDY: /* scene_set.c */
+        break;
     }
     return THUD_OK;
 }
 
-/* A copy without blanks around it. Errors: THUD_INPUT when it is too long, THUD_MEMORY. */
-static enum thud_status trimmed(const char *text, char **out, struct thud_error *err)
+enum thud_status thud_value_trimmed(const char *text, char **out, struct thud_error *err)
 {
     text += strspn(text, " \t");
     size_t length = strlen(text);
@@ -280,19 +230,14 @@ static enum thud_status trimmed(const char *text, char **out, struct thud_error 
     return THUD_OK;
 }
 
-enum thud_status thud_scene_set(struct thud_scene *scene, const char *path, const char *text, struct thud_error *err)
+enum thud_status thud_value_set(struct thud_scene *scene, const struct thud_slot *slot, const char *text,
+                                struct thud_error *err)
 {
-    struct thud_slot slot;
-    enum thud_status status = thud_slot_find(scene, path, &slot, err);
-    if (status != THUD_OK)
-        return status;
     char *clean = NULL;
-    status = trimmed(text, &clean, err);
-    if (status == THUD_OK && (*clean || !unset(scene, &slot)))
-        status = set(scene, &slot, clean, err);
+    enum thud_status status = thud_value_trimmed(text, &clean, err);
+    if (status == THUD_OK && (*clean || !unset(scene, slot)))
+        status = set(scene, slot, clean, err);
     free(clean);
-    if (status != THUD_OK)
-        thud_error_key(err, path);
     return status;
 }
 
@@ -306,7 +251,7 @@ static void shown_unit(const struct thud_scene *scene, const struct thud_slot *s
     double exponent = thud_law_exponent(choice, slot->param);
     unit = unit ? unit : slot->param->unit;
     if (!isnan(exponent))
-        with_exponent(unit, exponent, text, size);
+        thud_unit_with_exponent(unit, exponent, text, size);
     else
         snprintf(text, size, "%s", unit ? unit : "");
 }
@@ -340,8 +285,12 @@ static void get_floors(const struct thud_slot *slot, const double *value, int n,
     }
 }
 
-static void get(const struct thud_scene *scene, const struct thud_slot *slot, const char *unit, char *text, size_t size)
+void thud_value_get(const struct thud_scene *scene, const struct thud_slot *slot, const char *unit, char *text,
+                    size_t size)
 {
+    char shown[64];
+    shown_unit(scene, slot, unit, shown, sizeof shown);
+    unit = shown;
     const void *at = thud_slot_in(scene, slot);
     const struct thud_param *param = slot->param;
     const struct thud_law_choice *choice;
@@ -392,29 +341,7 @@ static void get(const struct thud_scene *scene, const struct thud_slot *slot, co
         choice = at;
         snprintf(text, size, "%s", choice->law ? choice->law->name : "");
         break;
-    case THUD_STORE_STUDY:
-        thud_study_get(scene, slot, text, size);
+    case THUD_STORE_STUDY: /* scene_set.c */
         break;
     }
-}
-
-enum thud_status thud_scene_get_in(const struct thud_scene *scene, const char *path, const char *unit, char *text,
-                                   unsigned long size, struct thud_error *err)
-{
-    struct thud_slot slot;
-    char shown[64];
-    if (size > 0)
-        text[0] = '\0';
-    enum thud_status status = thud_slot_find(scene, path, &slot, err);
-    if (status != THUD_OK)
-        return status;
-    shown_unit(scene, &slot, unit, shown, sizeof shown);
-    get(scene, &slot, shown, text, size);
-    return THUD_OK;
-}
-
-enum thud_status thud_scene_get(const struct thud_scene *scene, const char *path, char *text, unsigned long size,
-                                struct thud_error *err)
-{
-    return thud_scene_get_in(scene, path, NULL, text, size, err);
 }

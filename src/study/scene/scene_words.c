@@ -27,3 +27,29 @@ enum thud_status thud_words_unknown(const struct thud_words *words, const char *
     thud_error_allow(err, "%s", list);
     return THUD_INPUT;
 }
+
+int thud_list_split(char *text, char **item, int most)
+{
+    size_t length = strlen(text);
+    if (length < 2 || text[0] != '[' || text[length - 1] != ']')
+        return -1;
+    text[length - 1] = '\0';
+    int n = 0;
+    for (char *next = text + 1; next && n <= most;) {
+        char *comma = next;
+        for (int depth = 0; *comma && (depth > 0 || *comma != ','); comma++)
+            depth += (*comma == '[') - (*comma == ']');
+        comma = *comma ? comma : NULL;
+        if (comma)
+            *comma = '\0';
+        next += strspn(next, " \t");
+        size_t end = strlen(next);
+        while (end > 0 && (next[end - 1] == ' ' || next[end - 1] == '\t'))
+            next[--end] = '\0';
+        if (n < most)
+            item[n] = next;
+        n++;
+        next = comma ? comma + 1 : NULL;
+    }
+    return n;
+}

@@ -1,4 +1,4 @@
-/* The words that could stand where an unknown one does, for its message. */
+/* The words that could stand where an unknown one does, for its message; a list taken apart. */
 #ifndef THUD_STUDY_SCENE_WORDS_H
 #define THUD_STUDY_SCENE_WORDS_H
 
@@ -17,5 +17,9 @@ void thud_words_add(struct thud_words *words, const char *word);
  * Returns THUD_INPUT. */
 enum thud_status thud_words_unknown(const struct thud_words *words, const char *what, const char *word,
                                     struct thud_error *err);
+
+/* "[a, b]" taken apart, in place, lists within it kept whole: items (at most `most`) into item[]; the count, or -1 when
+ * it is no list. */
+int thud_list_split(char *text, char **item, int most);
 
 #endif

@@ -1,0 +1,132 @@
+/* Histories of the floors: a strip for each. */
+#include <math.h>
+#include <stdio.h>
+
+#include "base/quantity.h"
+#include "plot/figures/figures_run_internal.h"
+
+/* First dof of a structure. */
+static int first_dof(const struct thud_figure_source *source, int structure)
+{
+    int dof = 0;
+    for (int i = 0; i < structure; i++)
+        dof += source->result->structure[i].floors;
+    return dof;
+}
+
+static const struct quantity {
+    const char *label, *title, *unit;
+    double factor;
+} quantities[THUD_RUN_FIGURES] = {
+    [THUD_FIGURE_VELOCITY] = {"Velocity to the ground", "floor velocity relative to the ground", "m/s", 1.0},
+    [THUD_FIGURE_ACCELERATION] = {"Total acceleration", "total floor acceleration", "m/s²", 1.0},
+    [THUD_FIGURE_DISPLACEMENT] = {"Displacement to the ground", "floor displacement relative to the ground", "cm",
+                                  100.0},
+    [THUD_FIGURE_DRIFT] = {"Interstorey deflection", "interstorey deflection", "mm", 1000.0},
+};
+
+static double floor_peak(const struct thud_figure_source *source, int structure, int floor, enum thud_run_figure which)
+{
+    const struct thud_floor_result *f = &source->result->structure[structure].floor[floor];
+    return which == THUD_FIGURE_VELOCITY       ? f->velocity.value
+           : which == THUD_FIGURE_ACCELERATION ? f->acceleration.value
+           : which == THUD_FIGURE_DISPLACEMENT ? f->displacement.value
+                                               : f->drift.value;
+}
+
+static void floor_line(struct thud_panel *panel, const struct thud_figure_source *source, int structure, int floor,
+                       enum thud_run_figure which, const char *name, int color)
+{
+    const struct thud_history *h = source->history;
+    int dof = first_dof(source, structure) + floor, column = thud_history_displacement(h, dof), less = -1;
+    if (which == THUD_FIGURE_VELOCITY)
+        column = thud_history_velocity(h, dof);
+    else if (which == THUD_FIGURE_ACCELERATION)
+        column = thud_history_acceleration(h, dof);
+    else if (which == THUD_FIGURE_DRIFT && floor > 0)
+        less = thud_history_displacement(h, dof - 1);
+    thud_source_line(panel, source, column, less, quantities[which].factor, name, color);
+}
+
+bool thud_source_shown(const struct thud_figure_source *source, int structure, enum thud_run_figure which)
+{
+    enum thud_structure_kind kind = source->scene->structure[structure].kind;
+    return source->result->structure[structure].floors > 0 && !(which == THUD_FIGURE_DRIFT && kind == THUD_RIGID);
+}
+
+/* A floor of a structure, both from 0. */
+struct place {
+    int structure, floor;
+};
+
+enum { STRIPS_MAX = 12 };
+
+/* The floors that have a strip: all, or of each structure those with the largest peaks; the top of the first structure
+ * first. */
+static int pick_floors(const struct thud_figure_source *source, int nsources, enum thud_run_figure which,
+                       struct place *place, bool *all)
+{
+    int nshown = 0, total = 0, n = 0;
+    for (int i = 0; i < source->result->nstructures; i++) {
+        nshown += thud_source_shown(source, i, which);
+        total += thud_source_shown(source, i, which) ? source->result->structure[i].floors : 0;
+    }
+    *all = total <= STRIPS_MAX;
+    int each = *all ? total : nshown > 0 && STRIPS_MAX > nshown ? STRIPS_MAX / nshown : 1;
+    for (int i = 0; i < source->result->nstructures; i++) {
+        int floors = source->result->structure[i].floors, index[THUD_STOREYS_MAX + 1];
+        double peak[THUD_STOREYS_MAX + 1] = {0.0};
+        if (!thud_source_shown(source, i, which))
+            continue;
+        for (int f = 0; f < floors; f++)
+            for (int s = 0; s < nsources; s++)
+                peak[f] = fmax(peak[f], floor_peak(&source[s], i, f, which));
+        int count = *all ? floors : thud_pick_largest(peak, floors, each, index);
+        for (int k = count - 1; k >= 0 && n < STRIPS_MAX; k--)
+            place[n++] = (struct place){i, *all ? k : index[k]};
+    }
+    return n;
+}
+
+struct thud_figure *thud_figure_histories(enum thud_run_figure which, const struct thud_figure_source *source,
+                                          int nsources)
+{
+    struct place place[STRIPS_MAX];
+    bool all, ground = thud_source_ground(source);
+    double from, to;
+    char title[3 * THUD_TEXT_MAX], what[128];
+    bool zoom = thud_source_zoom(source, nsources, &from, &to);
+    int n = pick_floors(source, nsources, which, place, &all), rows = n + ground;
+    snprintf(what, sizeof what, "%s (%s)", quantities[which].title, quantities[which].unit);
+    thud_source_title(source, nsources, what, title, sizeof title);
+    struct thud_figure *figure =
+        thud_figure_create(thud_run_figure_name(which), title, rows > 0 ? rows : 1, zoom ? 2 : 1);
+    if (ground)
+        thud_figure_ground(figure, source, from, to);
+    for (int i = 0; i < n; i++) {
+        const struct thud_structure *structure = &source->scene->structure[place[i].structure];
+        bool one = source->result->structure[place[i].structure].floors == 1;
+        char name[128];
+        if (one)
+            snprintf(name, sizeof name, "%s", structure->name);
+        else if (structure->kind == THUD_ISOLATED && place[i].floor == 0)
+            snprintf(name, sizeof name, "%s, base slab", structure->name);
+        else
+            snprintf(name, sizeof name, "%s, %s %d", structure->name, which == THUD_FIGURE_DRIFT ? "storey" : "floor",
+                     place[i].floor + 1);
+        struct thud_panel *panel = thud_figure_panel(figure, i + ground, 0, name);
+        thud_panel_axis(panel, THUD_X, "Time", "s");
+        thud_panel_axis(panel, THUD_Y, quantities[which].label, quantities[which].unit);
+        for (int s = 0; s < nsources; s++)
+            floor_line(panel, &source[s], place[i].structure, place[i].floor, which, nsources > 1 ? source[s].name : "",
+                       s);
+        if (zoom)
+            thud_panel_zoom(thud_figure_panel(figure, i + ground, 1, name), panel, from, to);
+    }
+    thud_figure_same_height(figure, ground);
+    thud_figure_strips(figure);
+    thud_figure_shorten(figure);
+    if (!all)
+        thud_figure_note(figure, "Of each structure the floors with the largest peaks; histories.csv has all.");
+    return figure;
+}

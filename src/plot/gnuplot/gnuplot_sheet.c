@@ -1,0 +1,116 @@
+/* Where the panels and the key of a picture stand. */
+#include <math.h>
+#include <string.h>
+
+#include "plot/gnuplot/gnuplot_internal.h"
+
+/* The key under the panels, in as many rows as it takes. */
+static void lay_key(struct sheet *sheet)
+{
+    double line[24], left = 0.0, widest = 0.96 * sheet->width;
+    int most = (int)(sizeof sheet->key / sizeof *sheet->key), row = 0;
+    sheet->nkeys = thud_figure_key(sheet->figure, sheet->key, most);
+    if (sheet->nkeys > most)
+        sheet->nkeys = most;
+    for (int i = 0; i < sheet->nkeys; i++) {
+        double width = thud_gnuplot_width(sheet->key[i]->name, sheet->em) + (THUD_SAMPLE_EM + 0.5) * sheet->em;
+        if (left > 0.0 && left + width > widest) {
+            row++;
+            left = 0.0;
+        }
+        sheet->key_at[i].row = row;
+        sheet->key_at[i].left = left;
+        line[row] = left + width;
+        left += width + THUD_BEHIND_EM * sheet->em;
+    }
+    for (int i = 0; i < sheet->nkeys; i++) /* each row in the middle */
+        sheet->key_at[i].left += fmax(0.02 * sheet->width, 0.5 * (sheet->width - line[sheet->key_at[i].row]));
+    sheet->key_rows = sheet->nkeys > 0 ? row + 1 : 0;
+}
+
+/* On paper panels below each other share what a page of A4 has between its margins. */
+static const double page_mm = 240.0, lowest_em = 10.0;
+/* A panel narrower than this many ems stands below its neighbour. */
+static const double narrowest_em = 21.0;
+
+static bool has_map(const struct thud_figure *figure)
+{
+    for (int i = 0; i < figure->rows * figure->columns; i++)
+        if (figure->panel[i].map)
+            return true;
+    return false;
+}
+
+/* Size, font and room for the key, from the options and the figure. On paper an inch has 300 pixels, and as many as the
+ * format itself counts where it has none of its own. */
+struct sheet thud_sheet_make(const struct thud_figure *figure, const struct thud_picture_options *options,
+                             struct thud_text *out)
+{
+    struct sheet sheet = {.figure = figure, .out = out, .rows = figure->rows, .columns = figure->columns};
+    static const double dpi[] = {[THUD_PNG] = 300.0, [THUD_SVG] = 96.0, [THUD_PDF] = THUD_PDF_DPI, [THUD_SIXEL] = 96.0};
+    bool paper = options->width_mm > 0.0;
+    double inch = dpi[options->format], point = inch / 72.0;
+    sheet.width = paper ? floor(options->width_mm / 25.4 * inch + 0.5) : options->width_px ? options->width_px : 1800;
+    sheet.em = options->font_px > 0.0 ? options->font_px : paper ? 8.0 * point : sheet.width / 66.0;
+    if (options->height_px && !(options->font_px > 0.0)) /* a flat sheet */
+        sheet.em = fmin(sheet.em, 1.6 * options->height_px / 66.0);
+    sheet.line = paper ? 0.5 * point : sheet.em / 14.0;
+    bool strips = figure->panel[0].strip;
+    double narrowest = strips ? 14.0 : figure->columns > 2 ? 15.0 : narrowest_em;
+    /* where panels would be too narrow half as many stand side by side, or one */
+    while (sheet.columns > 1 && sheet.width / sheet.columns < (narrowest + (has_map(figure) ? 6.0 : 0.0)) * sheet.em) {
+        sheet.columns = sheet.columns % 2 == 0 && !strips ? sheet.columns / 2 : 1;
+        sheet.rows = figure->rows * figure->columns / sheet.columns;
+    }
+    lay_key(&sheet);
+    int title = thud_gnuplot_wrap(figure->title, 0.96 * sheet.width, THUD_TITLE_EM * sheet.em, NULL);
+    int note = thud_gnuplot_wrap(figure->note, 0.96 * sheet.width, THUD_NOTE_EM * sheet.em, NULL);
+    sheet.head = (0.8 + 1.6 * title) * sheet.em;
+    sheet.foot = (0.6 + 1.3 * note + 1.6 * sheet.key_rows) * sheet.em;
+    /* panels a little wider than high, room for their labels besides */
+    double panel = sheet.width / sheet.columns, share = sheet.columns > 2 ? 0.8 : sheet.rows > 3 ? 0.4 : 0.52;
+    if (sheet.columns == 1 && sheet.rows > 1)
+        share = sheet.width < 40.0 * sheet.em ? 0.5 : 0.3;
+    double height = fmax(sheet.rows > 4 ? 9.0 * sheet.em : 12.0 * sheet.em, share * panel + 4.0 * sheet.em);
+    double page = (page_mm / 25.4 * inch - sheet.head - sheet.foot) / sheet.rows;
+    if (paper && sheet.rows > 1 && height > page)
+        height = fmin(height, fmax(lowest_em * sheet.em, page));
+    if (strips) {
+        sheet.foot += 3.6 * sheet.em;
+        sheet.key_foot = 3.6 * sheet.em;
+        height = fmax(4.2, fmin(9.0, 50.0 / sheet.rows)) * sheet.em;
+    }
+    if (sheet.columns == 1 && sheet.rows == 1)
+        height = fmax(0.5 * panel, fmax(18.0, 1.35 * figure->panel[0].axis[THUD_Y].nticks + 5.0) * sheet.em);
+    sheet.height = options->height_px ? options->height_px : floor(sheet.head + sheet.foot + sheet.rows * height);
+    sheet.points = options->format == THUD_SVG ? 1.0 : options->format == THUD_PDF ? 54.0 / THUD_PDF_DPI : 0.75;
+    sheet.dot = 0.75 * (options->format == THUD_PDF   ? 0.027 * sheet.em
+                        : options->format == THUD_SVG ? 0.018 * sheet.em
+                                                      : 0.041 * sheet.em);
+    return sheet;
+}
+
+struct box thud_sheet_frame(const struct sheet *sheet, int panel)
+{
+    int row = panel / sheet->columns, column = panel % sheet->columns;
+    double width = sheet->width / sheet->columns;
+    double height = (sheet->height - sheet->head - sheet->foot) / sheet->rows;
+    double names = 0.0; /* room for named ticks */
+    const struct thud_panel *p = &sheet->figure->panel[panel];
+    const struct thud_axis *axis = &p->axis[THUD_Y];
+    for (int i = 0; i < axis->nticks; i++)
+        names = fmax(names, thud_gnuplot_width(axis->tick[i].text, sheet->em));
+    struct box box;
+    box.left = column * width + fmin(fmax(5.8 * sheet->em, names + 3.0 * sheet->em), 0.5 * width);
+    box.label = column * width + (column ? 1.6 : 1.1) * sheet->em;
+    box.right = (column + 1) * width - (p->map ? 7.4 : 1.2) * sheet->em;
+    double above = (*p->title ? 1.5 : 0.5) + (*p->note ? 1.1 : 0.0);
+    box.top = sheet->height - sheet->head - row * height - above * sheet->em;
+    box.bottom = sheet->height - sheet->head - (row + 1) * height + 3.7 * sheet->em;
+    if (p->strip) {
+        box.top = sheet->height - sheet->head - row * height - 0.3 * sheet->em;
+        box.bottom = sheet->height - sheet->head - (row + 1) * height + 0.3 * sheet->em;
+        box.left = column * width + 4.2 * sheet->em;
+    }
+    return box;
+}
