@@ -1,13 +1,16 @@
 /* The core's mathematical parts against closed forms: modes, quadrature, Radau points, complementarity problems. */
 #include <check.h>
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 
+#include "base/arena.h"
 #include "base/quantity.h"
-#include "core/numerics/lcp.h"
 #include "core/model/modes.h"
+#include "core/numerics/lcp.h"
 #include "core/numerics/quadrature.h"
 #include "core/numerics/radau.h"
+#include "march.h"
 
 /* Uniform shear building: omega_j = 2 sqrt(k/m) sin((2 j - 1) pi / (2 (2 n + 1))). */
 START_TEST(uniform_building)
@@ -187,6 +190,54 @@ START_TEST(complementarity_random)
 }
 END_TEST
 
+/* Pieces of a block start on 16 bytes, do not overlap, hold 0 and end with it. */
+START_TEST(pieces_of_a_block)
+{
+    const size_t count[] = {3, 0, 1, 5}, size[] = {sizeof(double), sizeof(double), 200, 1};
+    struct thud_arena arena;
+    char *piece[4];
+    size_t bytes = 0;
+    for (int i = 0; i < 4; i++)
+        bytes += thud_arena_room(count[i], size[i]);
+    ck_assert(thud_arena_open(&arena, bytes));
+    for (int i = 0; i < 4; i++) {
+        piece[i] = thud_arena_take(&arena, count[i], size[i]);
+        ck_assert_uint_eq((uintptr_t)piece[i] % 16, 0);
+        ck_assert(i == 0 || piece[i] >= piece[i - 1] + count[i - 1] * size[i - 1]);
+        for (size_t b = 0; b < count[i] * size[i]; b++)
+            ck_assert_int_eq(piece[i][b], 0);
+    }
+    ck_assert_ptr_eq(arena.next, arena.end);
+    free(piece[0]);
+}
+END_TEST
+
+#if defined __SANITIZE_ADDRESS__
+#include <sanitizer/asan_interface.h>
+
+/* A storey's row in place of a contact's, and an index past the state of a motion, are seen. */
+START_TEST(indices_past_their_arrays_are_seen)
+{
+    const struct march_law law = march_law("linear", "stiffness", 1e9, NULL);
+    struct thud_model *model = march_mass_and_wall(1000, 10, 0, 1, 0.01, &law);
+    struct march m = march_run(model, NULL, "exact", 0, 1e-6, true, 1);
+    const struct thud_result *r = m.result;
+    ck_assert_int_eq(m.status, THUD_OK);
+    for (int past = 0; past < 4; past++) {
+        ck_assert(__asan_address_is_poisoned(&r->contact[r->ncontacts + past].interface));
+        ck_assert(__asan_address_is_poisoned(&r->contact[r->ncontacts + past].right_floor));
+        ck_assert(__asan_address_is_poisoned(&r->structure[0].floor[1 + past].drift));
+        ck_assert(__asan_address_is_poisoned(&model->contact[model->nrows + past].clearance_m));
+        ck_assert(__asan_address_is_poisoned(&model->omega[model->nmodes + past]));
+    }
+    ck_assert(!__asan_address_is_poisoned(&r->contact[r->ncontacts - 1].right_floor));
+    ck_assert(!__asan_address_is_poisoned(&model->omega[model->nmodes - 1]));
+    march_free(&m);
+    thud_model_free(model);
+}
+END_TEST
+#endif
+
 Suite *thud_suite(void)
 {
     Suite *suite = suite_create("core parts");
@@ -198,6 +249,10 @@ Suite *thud_suite(void)
     tcase_add_test(tc, radau_points);
     tcase_add_test(tc, complementarity_small);
     tcase_add_test(tc, complementarity_random);
+    tcase_add_test(tc, pieces_of_a_block);
+#if defined __SANITIZE_ADDRESS__
+    tcase_add_test(tc, indices_past_their_arrays_are_seen);
+#endif
     suite_add_tcase(suite, tc);
     return suite;
 }

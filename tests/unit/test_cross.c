@@ -207,7 +207,7 @@ START_TEST(bounces_without_end_are_said)
     ck_assert(!answer.stopped);
     ck_assert_int_eq(answer.status, THUD_DIVERGED);
     ck_assert_ptr_nonnull(strstr(answer.err.what, "contacts switch 50000 times from t = 0.065"));
-    ck_assert_ptr_nonnull(strstr(answer.err.what, "last between floors 1 and 1"));
+    ck_assert_ptr_nonnull(strstr(answer.err.what, "last contact between floors 1 and 1"));
     ck_assert_str_eq(answer.err.key, "interfaces.1");
     scenes_answer_clear(&answer);
     scenes_clear(&one);

@@ -557,6 +557,32 @@ START_TEST(blows_on_storeys_that_yield)
 }
 END_TEST
 
+/* Without hardening, shaken by a ground motion that turns at every sample: it yields both ways without end. The run ends
+ * with whose events they are. */
+START_TEST(yielding_without_end_is_said)
+{
+    enum { SAMPLES = 26000 };
+    static double a_mps2[SAMPLES];
+    for (int i = 0; i < SAMPLES; i++)
+        a_mps2[i] = i % 2 ? -5 : 5;
+    double mass[] = {1e5, 1e5}, k[] = {6e8, 6e8}, d_y[] = {INFINITY, 1e-5}, r[] = {0, 0};
+    struct thud_structure_input s[2] = {{.n = 1, .mass_kg = mass, .stiffness_npm = k},
+                                        {.n = 2, .mass_kg = mass, .stiffness_npm = k, .yield_m = d_y, .hardening = r}};
+    struct thud_model *model = NULL;
+    struct thud_record *record = NULL;
+    ck_assert_int_eq(thud_record_create(a_mps2, SAMPLES, 0.1, &record, NULL), THUD_OK);
+    ck_assert_int_eq(thud_model_create(&(struct thud_model_input){2, s, 0, NULL, 0}, &model, NULL), THUD_OK);
+    struct march m = march_run(model, record, "exact", 0, 1e-6, true, 4e5);
+    ck_assert_int_eq(m.status, THUD_DIVERGED);
+    ck_assert_ptr_nonnull(strstr(m.err.what, "storeys yield and unload 50000 times from t = 0 s"));
+    ck_assert_ptr_nonnull(strstr(m.err.what, "last storey 2 of structure 2"));
+    ck_assert_str_eq(m.err.key, "structures.2.yield.2");
+    march_free(&m);
+    thud_record_free(record);
+    thud_model_free(model);
+}
+END_TEST
+
 /* ---- books ---- */
 
 static struct thud_record *el_centro;
@@ -610,6 +636,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, histories_show_the_loops);
     tcase_add_test(tcase, the_baseline_is_shared);
     tcase_add_test(tcase, blows_on_storeys_that_yield);
+    tcase_add_test(tcase, yielding_without_end_is_said);
     thud_record_choice_init(&choice);
     bool there =
         thud_suite_shared("records/imperial-valley-1940-el-centro-ns-chopra.csv", choice.file, sizeof choice.file);

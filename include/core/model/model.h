@@ -132,6 +132,13 @@ enum thud_status thud_model_create(const struct thud_model_input *input, struct 
                                    struct thud_error *err);
 void thud_model_free(struct thud_model *model);
 
+/* Whose row it is, and its events: that storey's, or NULL for a contact's. Rows are those of the contacts, and those of
+ * the storeys that yield behind them. */
+static inline const struct thud_model_storey *thud_model_row_storey(const struct thud_model *model, int row)
+{
+    return row < model->ncontacts ? NULL : &model->storey[row - model->ncontacts];
+}
+
 /* The structures whose modes a row of the Jacobian moves, from the left: one for a storey or beside a wall, else two.
  * Returns how many. */
 static inline int thud_model_row_structures(const struct thud_model *model, int row, int structure[2])

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/arena.h"
 #include "core/contact/storey.h"
 #include "core/numerics/lcp.h"
 
@@ -19,20 +20,23 @@ enum thud_status thud_state_init(struct thud_state *state, const struct thud_mod
     for (int c = 0; c < model->ncontacts; c++)
         impulsive |= (model->contact[c].law->flags & THUD_LAW_IMPULSIVE) != 0;
     size_t collide = impulsive ? 3 * nc + nc * nc + thud_lcp_work((int)nc) : 0;
-    state->block = calloc(3 * n + 2 * nc + nc * nc + collide + 1, sizeof *state->block);
+    struct thud_arena arena;
+    const size_t length[] = {n, n, n + nc, nc, nc * nc, collide};
+    size_t bytes = 0;
+    for (int i = 0; i < 6; i++)
+        bytes += thud_arena_room(length[i], sizeof(double));
+    const bool room = thud_arena_open(&arena, bytes);
+    state->block = arena.next;
     state->contact = calloc(nc + 1, sizeof *state->contact);
     state->storey = calloc((size_t)model->nstoreys + 1, sizeof *state->storey);
     state->set_now = calloc(nc + 1, sizeof *state->set_now);
-    if (!state->block || !state->contact || !state->storey || !state->set_now) {
+    if (!room || !state->contact || !state->storey || !state->set_now) {
         thud_state_clear(state);
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
-    state->q = state->block;
-    state->qd = state->q + n;
-    state->free_mps2 = state->qd + n;
-    state->force_now = state->free_mps2 + n + nc;
-    state->delassus = state->force_now + nc;
-    state->collide = state->delassus + nc * nc;
+    double **array[] = {&state->q, &state->qd, &state->free_mps2, &state->force_now, &state->delassus, &state->collide};
+    for (int i = 0; i < 6; i++)
+        *array[i] = thud_arena_take(&arena, length[i], sizeof(double));
     memcpy(state->q, model->q0, n * sizeof *state->q);
     memcpy(state->qd, model->qd0, n * sizeof *state->qd);
     return THUD_OK;

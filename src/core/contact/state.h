@@ -84,7 +84,7 @@ struct thud_state {
     double *collide;        /* workspace of contact.c */
     double *force_now;      /* (nrows) workspace of the functions that switch a contact */
     double *delassus;       /* (nrows x nrows) workspace of state.c */
-    double *block;
+    void *block;
 };
 
 /* All at t = 0, open, with the model's initial motion. `end_s`, `grid_dt_s` and what is asked of a method are the

@@ -5,26 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/arena.h"
 #include "base/quantity.h"
 #include "core/model/modes.h"
 #include "core/numerics/double_pair.h"
-
-/* Hands out pieces of one block. */
-struct arena {
-    char *next;
-};
-
-static void *take(struct arena *arena, size_t bytes)
-{
-    void *p = arena->next;
-    arena->next += (bytes + 15) / 16 * 16;
-    return p;
-}
-
-static size_t room(size_t count, size_t size)
-{
-    return (count * size + 15) / 16 * 16;
-}
 
 /* Modes that stay of n where `modes` are asked for. */
 static int kept_of(int n, int modes)
@@ -56,18 +40,21 @@ static int yielding_storeys(const struct thud_model_input *in)
 
 static size_t model_bytes(const struct thud_model_input *in, size_t ndof, size_t nmodes, size_t nstoreys)
 {
-    size_t nc = (size_t)in->ncontacts + nstoreys, bytes = room(1, sizeof(struct thud_model));
-    bytes += room((size_t)in->nstructures, sizeof(struct thud_model_structure));
-    bytes += room(nstoreys, sizeof(struct thud_model_storey));
-    bytes += room(nc, sizeof(struct thud_model_contact)) + room(ndof, sizeof(int));
-    bytes += room(nc, sizeof(struct thud_model_column));
+    size_t nc = (size_t)in->ncontacts + nstoreys, bytes = thud_arena_room(1, sizeof(struct thud_model));
+    bytes += thud_arena_room((size_t)in->nstructures, sizeof(struct thud_model_structure));
+    bytes += thud_arena_room(nstoreys, sizeof(struct thud_model_storey));
+    bytes += thud_arena_room(nc, sizeof(struct thud_model_contact)) + thud_arena_room(ndof, sizeof(int));
+    bytes += thud_arena_room(nc, sizeof(struct thud_model_column));
     for (int c = 0; c < in->ncontacts; c++)
-        bytes += in->contact[c].struck.side ? 2 * room((size_t)struck_modes(in, &in->contact[c]), sizeof(double)) : 0;
-    bytes += 2 * room(ndof, sizeof(double)) + 9 * room(nmodes, sizeof(double));
-    bytes += room(nc * nmodes, sizeof(double)) + room(nc * nc, sizeof(double));
+        bytes += in->contact[c].struck.side
+                     ? 2 * thud_arena_room((size_t)struck_modes(in, &in->contact[c]), sizeof(double))
+                     : 0;
+    bytes += 2 * thud_arena_room(ndof, sizeof(double)) + 9 * thud_arena_room(nmodes, sizeof(double));
+    bytes += thud_arena_room(nc * nmodes, sizeof(double)) + thud_arena_room(nc * nc, sizeof(double));
     for (int s = 0; s < in->nstructures; s++) {
         size_t n = (size_t)in->structure[s].n, kept = (size_t)kept_of(in->structure[s].n, in->modes);
-        bytes += room(n * kept, sizeof(double)) + room(kept * kept, sizeof(double)) + 2 * room(n, sizeof(double));
+        bytes += thud_arena_room(n * kept, sizeof(double)) + thud_arena_room(kept * kept, sizeof(double)) +
+                 2 * thud_arena_room(n, sizeof(double));
     }
     return bytes;
 }
@@ -79,12 +66,12 @@ static void keep_columns(const double *from, int rows, int n, int kept, double *
         memcpy(to + i * kept, from + i * n, (size_t)kept * sizeof *to);
 }
 
-static enum thud_status fill_isolated(struct arena *arena, struct thud_model_structure *to,
+static enum thud_status fill_isolated(struct thud_arena *arena, struct thud_model_structure *to,
                                       const struct thud_structure_input *in, const double *phi, double *all,
                                       struct thud_error *err)
 {
     size_t kept = (size_t)to->modes;
-    double *damping = take(arena, kept * kept * sizeof(double));
+    double *damping = thud_arena_take(arena, kept * kept, sizeof(double));
     to->damping = damping;
     enum thud_status status = thud_modes_isolated_damping(in->n, in->mass_kg, in->stiffness_npm, in->damping,
                                                           in->isolation_damping, phi, all, err);
@@ -93,12 +80,12 @@ static enum thud_status fill_isolated(struct arena *arena, struct thud_model_str
     return status;
 }
 
-static enum thud_status fill_shear(struct arena *arena, struct thud_model_structure *to,
+static enum thud_status fill_shear(struct thud_arena *arena, struct thud_model_structure *to,
                                    const struct thud_structure_input *in, struct thud_error *err)
 {
     size_t n = (size_t)in->n, square = n * n;
-    double *phi = take(arena, n * (size_t)to->modes * sizeof(double)), *k = take(arena, n * sizeof(double)),
-           *omega = take(arena, n * sizeof(double));
+    double *phi = thud_arena_take(arena, n * (size_t)to->modes, sizeof(double)),
+           *k = thud_arena_take(arena, n, sizeof(double)), *omega = thud_arena_take(arena, n, sizeof(double));
     memcpy(k, in->stiffness_npm, n * sizeof(double));
     to->phi = phi;
     to->stiffness_npm = k;
@@ -116,12 +103,12 @@ static enum thud_status fill_shear(struct arena *arena, struct thud_model_struct
     return status;
 }
 
-static void fill_rigid(struct arena *arena, struct thud_model_structure *to, const struct thud_structure_input *in)
+static void fill_rigid(struct thud_arena *arena, struct thud_model_structure *to, const struct thud_structure_input *in)
 {
     assert(in->n <= 1);
     if (in->n == 0)
         return;
-    double *phi = take(arena, sizeof(double)), *omega = take(arena, sizeof(double));
+    double *phi = thud_arena_take(arena, 1, sizeof(double)), *omega = thud_arena_take(arena, 1, sizeof(double));
     phi[0] = 1 / sqrt(in->mass_kg[0]);
     omega[0] = 0;
     to->phi = phi;
@@ -182,7 +169,7 @@ double thud_model_fastest(const struct thud_model_structure *p)
 }
 
 /* m->structure[s] has its slices. */
-static enum thud_status fill_structure(struct thud_model *m, struct arena *arena, int s,
+static enum thud_status fill_structure(struct thud_model *m, struct thud_arena *arena, int s,
                                        const struct thud_structure_input *in, struct thud_error *err)
 {
     struct thud_model_structure *to = &m->structure[s];
@@ -223,10 +210,10 @@ static struct thud_model_side floor_side(const struct thud_model *m, int dof)
 }
 
 /* The place that is struck moves with the floors above and below, h of the one and 1 - h of the other. */
-static struct thud_model_side column_side(const struct thud_model *m, struct arena *arena, int dof, double h)
+static struct thud_model_side column_side(const struct thud_model *m, struct thud_arena *arena, int dof, double h)
 {
     struct thud_model_side side = floor_side(m, dof);
-    double *row = take(arena, (size_t)side.modes * sizeof *row);
+    double *row = thud_arena_take(arena, (size_t)side.modes, sizeof *row);
     side.below = dof > m->structure[side.structure].first ? dof - 1 : -1;
     side.share = h;
     for (int j = 0; j < side.modes; j++)
@@ -250,7 +237,7 @@ static void add_row(const struct thud_model_side *side, double sign, double *g)
 
 /* Index of the columns between the floors `dof` and `below` that this interface's contacts strike; a new one where
  * there was none. */
-static int column_of(struct thud_model *m, struct arena *arena, const struct thud_contact_input *in,
+static int column_of(struct thud_model *m, struct thud_arena *arena, const struct thud_contact_input *in,
                      const struct thud_model_side *side)
 {
     const struct thud_struck_input *struck = &in->struck;
@@ -259,7 +246,7 @@ static int column_of(struct thud_model *m, struct arena *arena, const struct thu
         if (m->column[i].interface == in->interface && m->column[i].dof == side->dof)
             return i;
     struct thud_model_column *to = &m->column[m->ncolumns];
-    double *row = take(arena, (size_t)side->modes * sizeof *row);
+    double *row = thud_arena_take(arena, (size_t)side->modes, sizeof *row);
     for (int j = 0; j < side->modes; j++)
         row[j] = floor_row(m, side->dof)[j] - (side->below < 0 ? 0 : floor_row(m, side->below)[j]);
     *to = (struct thud_model_column){.interface = in->interface,
@@ -285,7 +272,7 @@ static int column_of(struct thud_model *m, struct arena *arena, const struct thu
 /* A load on a member between two floors: end shears (1 - h) and h of it, which are b^2 (3a + b)/L^3 and
  * a^2 (a + 3b)/L^3 where it is clamped, b/L and a/L where it is hinged; end moments a b^2/L^2 and a^2 b/L^2, or none;
  * and what the member gives under it. */
-static void load_columns(struct thud_model *m, struct arena *arena, struct thud_model_contact *to,
+static void load_columns(struct thud_model *m, struct thud_arena *arena, struct thud_model_contact *to,
                          const struct thud_contact_input *in)
 {
     const struct thud_struck_input *struck = &in->struck;
@@ -303,7 +290,7 @@ static void load_columns(struct thud_model *m, struct arena *arena, struct thud_
                                               : 3 * struck->ei_nm2 * length * length * length / (a * a * a * b * b * b);
 }
 
-static enum thud_status fill_contact(struct thud_model *m, struct arena *arena, int c,
+static enum thud_status fill_contact(struct thud_model *m, struct thud_arena *arena, int c,
                                      const struct thud_contact_input *in, struct thud_error *err)
 {
     struct thud_model_contact *to = &m->contact[c];
@@ -405,7 +392,7 @@ static void fill_delassus(struct thud_model *m)
 }
 
 /* The block and its arrays, with each structure's slices. */
-static struct thud_model *lay_out(const struct thud_model_input *input, struct arena *arena)
+static struct thud_model *lay_out(const struct thud_model_input *input, struct thud_arena *arena)
 {
     int ndof = 0, nmodes = 0;
     for (int s = 0; s < input->nstructures; s++) {
@@ -414,29 +401,28 @@ static struct thud_model *lay_out(const struct thud_model_input *input, struct a
     }
     const int nstoreys = yielding_storeys(input);
     size_t floors = (size_t)ndof, modes = (size_t)nmodes, nc = (size_t)(input->ncontacts + nstoreys);
-    arena->next = calloc(1, model_bytes(input, floors, modes, (size_t)nstoreys));
-    if (!arena->next)
+    if (!thud_arena_open(arena, model_bytes(input, floors, modes, (size_t)nstoreys)))
         return NULL;
-    struct thud_model *m = take(arena, sizeof *m);
+    struct thud_model *m = thud_arena_take(arena, 1, sizeof *m);
     m->nstructures = input->nstructures;
     m->ndof = ndof;
     m->nmodes = nmodes;
     m->ncontacts = input->ncontacts;
     m->nstoreys = nstoreys;
     m->nrows = m->ncontacts + nstoreys;
-    m->structure = take(arena, (size_t)input->nstructures * sizeof *m->structure);
-    m->contact = take(arena, nc * sizeof *m->contact);
-    m->storey = take(arena, (size_t)nstoreys * sizeof *m->storey);
-    m->column = take(arena, nc * sizeof *m->column);
-    m->dof_structure = take(arena, floors * sizeof(int));
-    m->mass_kg = take(arena, floors * sizeof(double));
-    m->ground_influence = take(arena, floors * sizeof(double));
+    m->structure = thud_arena_take(arena, (size_t)input->nstructures, sizeof *m->structure);
+    m->contact = thud_arena_take(arena, nc, sizeof *m->contact);
+    m->storey = thud_arena_take(arena, (size_t)nstoreys, sizeof *m->storey);
+    m->column = thud_arena_take(arena, nc, sizeof *m->column);
+    m->dof_structure = thud_arena_take(arena, floors, sizeof(int));
+    m->mass_kg = thud_arena_take(arena, floors, sizeof(double));
+    m->ground_influence = thud_arena_take(arena, floors, sizeof(double));
     double **by_mode[] = {&m->omega, &m->zeta, &m->gamma, &m->spring, &m->dashpot, &m->q0, &m->qd0};
     for (size_t i = 0; i < sizeof by_mode / sizeof *by_mode; i++)
-        *by_mode[i] = take(arena, modes * sizeof(double));
-    m->mode_max = take(arena, 2 * modes * sizeof(double));
-    m->jacobian = take(arena, nc * modes * sizeof(double));
-    m->delassus = take(arena, nc * nc * sizeof(double));
+        *by_mode[i] = thud_arena_take(arena, modes, sizeof(double));
+    m->mode_max = thud_arena_take(arena, 2 * modes, sizeof(double));
+    m->jacobian = thud_arena_take(arena, nc * modes, sizeof(double));
+    m->delassus = thud_arena_take(arena, nc * nc, sizeof(double));
     struct thud_model_structure next = {0};
     for (int s = 0; s < m->nstructures; s++) {
         next.n = input->structure[s].n;
@@ -451,7 +437,7 @@ static struct thud_model *lay_out(const struct thud_model_input *input, struct a
 enum thud_status thud_model_create(const struct thud_model_input *input, struct thud_model **out,
                                    struct thud_error *err)
 {
-    struct arena arena = {0};
+    struct thud_arena arena = {0};
     enum thud_status status = THUD_OK;
     *out = NULL;
     struct thud_model *m = lay_out(input, &arena);

@@ -64,7 +64,7 @@ static enum thud_status segment(struct thud_run *run, struct thud_error *err)
         commit(run, &p);
     if (!run->seg.end) /* else it has been looked at as a proposal */
         status = thud_run_check_state(run, run->state.q, run->state.qd, err);
-    if (status == THUD_OK && switched && p.contact >= run->state.model->ncontacts)
+    if (status == THUD_OK && switched && thud_model_row_storey(run->state.model, p.contact))
         thud_storey_switch(&run->state, p.contact, p.event);
     else if (status == THUD_OK && switched)
         status = thud_contact_switch(&run->state, &run->log, p.contact, p.event, err);

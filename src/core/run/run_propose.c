@@ -87,20 +87,37 @@ enum thud_status thud_run_propose(struct thud_run *run, struct thud_proposal *p,
     return status;
 }
 
-static enum thud_status stalled(struct thud_run *run, int contact, struct thud_error *err)
+/* Whose row this is, in the words of a message, and its key. */
+struct row_name {
+    char words[80], key[64];
+};
+
+static struct row_name name_row(const struct thud_model *model, int row)
 {
-    if (contact < 0)
-        return thud_error_set(err, THUD_DIVERGED, "no step is long enough to go on at t = %.9g s",
-                              thud_state_now(&run->state));
-    if (contact >= run->state.model->ncontacts) {
-        const struct thud_model_storey *p = &run->state.model->storey[contact - run->state.model->ncontacts];
-        return thud_error_set(err, THUD_DIVERGED,
-                              "storey %d of structure %d yields and unloads without end at t = %.9g s", p->floor + 1,
-                              p->structure + 1, thud_state_now(&run->state));
+    struct row_name name;
+    const struct thud_model_storey *storey = thud_model_row_storey(model, row);
+    const struct thud_model_contact *contact = &model->contact[row];
+    if (storey) {
+        snprintf(name.words, sizeof name.words, "storey %d of structure %d", storey->floor + 1, storey->structure + 1);
+        snprintf(name.key, sizeof name.key, "structures.%d.yield.%d", storey->structure + 1, storey->floor + 1);
+    } else {
+        snprintf(name.words, sizeof name.words, "contact between floors %d and %d", contact->left_floor,
+                 contact->right_floor);
+        snprintf(name.key, sizeof name.key, "interfaces.%d", contact->interface);
     }
-    const struct thud_contact_result *c = &run->result.contact[contact];
-    return thud_error_set(err, THUD_DIVERGED, "contact between floors %d and %d switches without end at t = %.9g s",
-                          c->left_floor, c->right_floor, thud_state_now(&run->state));
+    return name;
+}
+
+static enum thud_status stalled(struct thud_run *run, int row, struct thud_error *err)
+{
+    double now_s = thud_state_now(&run->state);
+    if (row < 0)
+        return thud_error_set(err, THUD_DIVERGED, "no step is long enough to go on at t = %.9g s", now_s);
+    struct row_name name = name_row(run->state.model, row);
+    thud_error_set(err, THUD_DIVERGED, "%s %s without end at t = %.9g s", name.words,
+                   thud_model_row_storey(run->state.model, row) ? "yields and unloads" : "switches", now_s);
+    thud_error_key(err, name.key);
+    return THUD_DIVERGED;
 }
 
 /* Contacts that switch without end at one moment: their motion there is below what the method or rounding resolves
@@ -129,14 +146,14 @@ static enum thud_status watch_crowd(struct thud_run *run, const struct thud_prop
     progress->events += p->switched;
     if (progress->events < crowd)
         return THUD_OK;
-    const struct thud_contact_result *c = &run->result.contact[p->contact];
-    thud_error_set(err, THUD_DIVERGED,
-                   "contacts switch %ld times from t = %.9g s to %.9g s, last between floors %d and %d", crowd,
-                   progress->from_s, now_s, c->left_floor, c->right_floor);
-    char key[64];
-    snprintf(key, sizeof key, "interfaces.%d", c->interface);
-    thud_error_key(err, key);
-    thud_error_allow(err, "a restitution below 1, a larger tolerance or a law with a force lets bounces come to rest");
+    struct row_name name = name_row(run->state.model, p->contact);
+    const bool storey = thud_model_row_storey(run->state.model, p->contact) != NULL;
+    thud_error_set(err, THUD_DIVERGED, "%s %ld times from t = %.9g s to %.9g s, last %s",
+                   storey ? "storeys yield and unload" : "contacts switch", crowd, progress->from_s, now_s, name.words);
+    thud_error_key(err, name.key);
+    thud_error_allow(
+        err, storey ? "more hardening, or a larger tolerance, lets a storey come to rest at its yield drift"
+                    : "a restitution below 1, a larger tolerance or a law with a force lets bounces come to rest");
     return THUD_DIVERGED;
 }
 

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/arena.h"
 #include "base/quantity.h"
 #include "core/contact/storey.h"
 #include "core/observe/observe_columns.h"
@@ -31,33 +32,33 @@ static bool allocate_result(struct thud_run *run)
 {
     const struct thud_model *m = run->state.model;
     struct thud_result *r = &run->result;
-    size_t ns = (size_t)m->nstructures, nc = (size_t)m->ncontacts, n = (size_t)m->ndof;
-    size_t storeys = m->nstoreys > 0 ? n * sizeof(struct thud_storey_result) : 0;
-    char *next = run->result_block =
-        calloc(1, ns * sizeof *r->structure + nc * sizeof *r->contact + (size_t)m->ncolumns * sizeof *r->column +
-                      n * (sizeof(struct thud_floor_result) + sizeof(double)) + storeys + 1);
-    if (!next)
+    struct thud_arena arena;
+    size_t ns = (size_t)m->nstructures, nc = (size_t)m->ncontacts, columns = (size_t)m->ncolumns,
+           storeys = m->nstoreys > 0 ? (size_t)m->ndof : 0;
+    size_t bytes = thud_arena_room(ns, sizeof *r->structure) + thud_arena_room(nc, sizeof *r->contact) +
+                   thud_arena_room(columns, sizeof *r->column) +
+                   thud_arena_room(storeys, sizeof(struct thud_storey_result));
+    for (int s = 0; s < m->nstructures; s++)
+        bytes += thud_arena_room((size_t)m->structure[s].n, sizeof(struct thud_floor_result)) +
+                 thud_arena_room((size_t)m->structure[s].n, sizeof(double));
+    if (!thud_arena_open(&arena, bytes))
         return false;
+    run->result_block = arena.next;
     r->nstructures = m->nstructures;
     r->ncontacts = m->ncontacts;
-    r->structure = (void *)next;
-    next += ns * sizeof *r->structure;
-    r->contact = (void *)next;
-    next += nc * sizeof *r->contact;
     r->ncolumns = m->ncolumns;
-    r->column = (void *)next;
-    next += (size_t)m->ncolumns * sizeof *r->column;
+    r->structure = thud_arena_take(&arena, ns, sizeof *r->structure);
+    r->contact = thud_arena_take(&arena, nc, sizeof *r->contact);
+    r->column = thud_arena_take(&arena, columns, sizeof *r->column);
+    struct thud_storey_result *storey = thud_arena_take(&arena, storeys, sizeof *storey);
     for (int s = 0; s < m->nstructures; s++) {
         const struct thud_model_structure *p = &m->structure[s];
         r->structure[s].floors = p->n;
-        r->structure[s].floor = (void *)next;
-        next += (size_t)p->n * sizeof(struct thud_floor_result);
-        r->structure[s].period_s = (void *)next;
-        next += (size_t)p->n * sizeof(double);
+        r->structure[s].floor = thud_arena_take(&arena, (size_t)p->n, sizeof(struct thud_floor_result));
+        r->structure[s].period_s = thud_arena_take(&arena, (size_t)p->n, sizeof(double));
         for (int j = 0; j < p->n; j++)
             r->structure[s].period_s[j] = 2 * THUD_PI / p->omega[j];
     }
-    struct thud_storey_result *storey = (void *)next;
     for (int k = 0; k < m->nstoreys; k++) {
         const struct thud_model_storey *p = &m->storey[k];
         r->structure[p->structure].storey = storey + m->structure[p->structure].first;

@@ -1,0 +1,20 @@
+/* Pieces of one block. Built with the address sanitizer, the space behind each piece is poisoned: an index past the end
+ * of an array is then seen though it stays inside the block. */
+#ifndef THUD_BASE_ARENA_H
+#define THUD_BASE_ARENA_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+struct thud_arena {
+    char *next, *end;
+};
+
+/* Bytes that a piece of `count` elements of `size` bytes takes. */
+size_t thud_arena_room(size_t count, size_t size);
+/* A block of so many bytes, all 0, to hand out, and to be freed with free; false: out of memory. */
+bool thud_arena_open(struct thud_arena *arena, size_t bytes);
+/* The next piece, aligned to 16 bytes. */
+void *thud_arena_take(struct thud_arena *arena, size_t count, size_t size);
+
+#endif

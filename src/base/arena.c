@@ -1,0 +1,48 @@
+#include "base/arena.h"
+
+#include <assert.h>
+#include <stdlib.h>
+
+#if defined __SANITIZE_ADDRESS__
+#define POISONS 1
+#elif defined __has_feature
+#if __has_feature(address_sanitizer)
+#define POISONS 1
+#endif
+#endif
+
+#ifdef POISONS
+#include <sanitizer/asan_interface.h>
+/* Elements behind an array that are poisoned: a row of the Jacobian may belong to one of several storeys, not to a
+ * contact. */
+enum { BEHIND = 8, BEHIND_LEAST = 64 };
+#else
+enum { BEHIND = 0, BEHIND_LEAST = 0 };
+#define ASAN_POISON_MEMORY_REGION(at, bytes) ((void)(at), (void)(bytes))
+#endif
+
+static size_t whole(size_t bytes)
+{
+    return (bytes + 15) / 16 * 16;
+}
+
+size_t thud_arena_room(size_t count, size_t size)
+{
+    return whole(count * size) + whole(BEHIND * size + BEHIND_LEAST);
+}
+
+bool thud_arena_open(struct thud_arena *arena, size_t bytes)
+{
+    arena->next = calloc(1, bytes + 1);
+    arena->end = arena->next ? arena->next + bytes : NULL;
+    return arena->next != NULL;
+}
+
+void *thud_arena_take(struct thud_arena *arena, size_t count, size_t size)
+{
+    char *piece = arena->next;
+    arena->next += thud_arena_room(count, size);
+    assert(arena->next <= arena->end);
+    ASAN_POISON_MEMORY_REGION(piece + count * size, (size_t)(arena->next - piece) - count * size);
+    return piece;
+}
