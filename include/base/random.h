@@ -19,5 +19,7 @@ size_t thud_random_below(struct thud_random *random, size_t n);
 /* Distribution function of the standard normal distribution, and its inverse (0 < p < 1; to 1e-14). */
 double thud_normal_cdf(double x);
 double thud_normal_quantile(double p);
+/* Probability that chi-square of so many degrees of freedom (> 0) is larger. */
+double thud_chi_square_tail(double x, int free);
 
 #endif

@@ -18,12 +18,18 @@ struct thud_fractiles {
     size_t n;                  /* numbers among the values; NaN is left out */
     double p16, median, p84;   /* of the logarithms where all values are positive; NaN for n = 0 */
     double least, most, share; /* share: of the n values that are above `limit` */
+    size_t half, most84;       /* of gaps: for how many motions the median and p84 are enough */
 };
 /* Sorts the values in place (NaN last). */
 struct thud_fractiles thud_fractiles_of(double *value, size_t n, double limit);
 
-/* Where the share that `count` of n independent trials stand for lies with 90 % confidence: the score interval of Wilson,
- * Journal of the American Statistical Association 22 (1927) 209. NaN for n = 0. */
-void thud_share_band(size_t count, size_t n, double *low, double *high);
+/* Where the share that `count` of n trials stand for lies with 90 % confidence: the score interval of Wilson, Journal of
+ * the American Statistical Association 22 (1927) 209. `independent`: how much of a trial each one is (1; 1/2 where they
+ * come in pairs). NaN for n = 0. */
+void thud_share_band(size_t count, size_t n, double independent, double *low, double *high);
+
+/* Order statistics of n sorted values: the smallest that is enough for at least a share p of them, and for how many it
+ * is, equal ones among them. NaN and 0 for n = 0. */
+double thud_enough(const double *sorted, size_t n, double p, size_t *count);
 
 #endif

@@ -41,3 +41,14 @@ double thud_normal_quantile(double p)
     }
     return p < 0.5 ? -x : x;
 }
+
+double thud_chi_square_tail(double x, int free)
+{
+    /* Abramowitz and Stegun 26.4.4 and 26.4.5: Q(x | n + 2) = Q(x | n) + (x / 2)^(n / 2) exp(-x / 2) / Gamma(n / 2 + 1) */
+    if (!(x > 0))
+        return 1;
+    double half = 0.5 * x, tail = free % 2 ? erfc(sqrt(half)) : 0;
+    for (int n = free % 2; n < free; n += 2)
+        tail += exp(0.5 * n * log(half) - half - lgamma(0.5 * n + 1));
+    return fmin(1, tail);
+}

@@ -53,15 +53,26 @@ struct thud_fractiles thud_fractiles_of(double *value, size_t n, double limit)
     return f;
 }
 
-void thud_share_band(size_t count, size_t n, double *low, double *high)
+void thud_share_band(size_t count, size_t n, double independent, double *low, double *high)
 {
     static const double z = 1.6448536269514722; /* of 90 % */
     *low = *high = NAN;
     if (n == 0)
         return;
-    double m = (double)n, share = (double)count / m, scale = 1 + z * z / m;
+    double m = (double)n * independent, share = (double)count / (double)n, scale = 1 + z * z / m;
     double centre = (share + z * z / (2 * m)) / scale,
            half = z * sqrt(share * (1 - share) / m + z * z / (4 * m * m)) / scale;
     *low = fmax(0, centre - half);
     *high = fmin(1, centre + half);
+}
+
+double thud_enough(const double *sorted, size_t n, double p, size_t *count)
+{
+    static const double rounding = 1e-9; /* 0.84 x 25 is 21 */
+    size_t k = (size_t)ceil(p * (double)n - rounding);
+    k = k < 1 ? 1 : k > n ? n : k;
+    *count = n > 0 ? k : 0;
+    while (*count > 0 && *count < n && sorted[*count] == sorted[k - 1])
+        ++*count;
+    return n > 0 ? sorted[k - 1] : NAN;
 }

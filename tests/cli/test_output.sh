@@ -28,6 +28,7 @@ json() {
 general() {
     sed -E 's/^(record[.]peak|bumper[.]thickness(_m)?)$/KEY/; s/^(force_n|acceleration_mps2|drift_m|drift_angle|acceleration_ratio|drift_ratio|ductility|permanent_m|shear_over_capacity)_(p16|median|p84)$/MEASURE_\2/
         s/^(gap|stiffness|damping|contact-stiffness|restitution|bumper-stiffness)(_least|_most|_first|_total)?$/INPUT\2/
+        s/^(theta|theta_low|theta_high|median_above|median_below)_mps2$/\1UNIT/
         s/^(none|bumper)[.].*/QUANTITY/' "$1" | sort -u >"$tmp/written"
 }
 general_csv() { # SECTION FILE
@@ -96,7 +97,7 @@ two=kobe-surrogate.csv,northridge-surrogate.csv
 general_csv suite.csv "$tmp/fragility/suite.csv"
 general_csv fragility.csv "$tmp/fragility/fragility.csv"
 general_csv fragility-curves.csv "$tmp/fragility/fragility-curves.csv"
-json fragility.json "$tmp/fragility/fragility.json"
+general_json fragility.json "$tmp/fragility/fragility.json"
 csv "gap --csv" "$tmp/gap/needed-gaps.csv"
 json "gap --json" "$tmp/gap/needed-gaps.json"
 general_csv uncertainty.csv "$tmp/uncertainty/uncertainty.csv"

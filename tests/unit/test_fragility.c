@@ -1,6 +1,7 @@
 /* Fragility curves: known samples, steps, directions; hazard sums by hand; counts over a made-up suite. */
 #include <check.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -14,14 +15,14 @@ START_TEST(two_stripes_in_closed_form)
     struct thud_stripe s[] = {{1, 10, 2}, {4, 20, 15}};
     struct thud_lognormal c = thud_lognormal_fit(s, 2);
     double a = thud_normal_quantile(0.2), b = thud_normal_quantile(0.75), beta = log(4) / (b - a);
-    ck_assert(c.fitted && !c.falling);
+    ck_assert(thud_is_fitted(&c) && !c.falling);
     ck_assert_double_eq_tol(c.beta, beta, 1e-9);
     ck_assert_double_eq_tol(c.theta, exp(-a * beta), 1e-9);
     ck_assert_double_eq_tol(thud_lognormal_at(&c, 4), 0.75, 1e-10);
     s[0].count = 8;
     s[1].count = 5;
     c = thud_lognormal_fit(s, 2);
-    ck_assert(c.fitted && c.falling);
+    ck_assert(thud_is_fitted(&c) && c.falling);
     ck_assert_double_eq_tol(thud_lognormal_at(&c, 1), 0.8, 1e-10);
     ck_assert_double_eq_tol(thud_lognormal_at(&c, 4), 0.25, 1e-10);
 }
@@ -78,63 +79,139 @@ START_TEST(exact_shares_give_the_curve_back)
 }
 END_TEST
 
+/* Where the likelihood grows without end there is no curve, and no band of width 0. */
 START_TEST(steps_and_nothing)
 {
     struct thud_stripe up[] = {{1, 5, 0}, {2, 5, 0}, {3, 5, 5}, {4, 5, 5}}, part[] = {{1, 5, 5}, {2, 5, 3}, {4, 5, 0}};
+    struct thud_stripe edge[] = {{1, 6, 0}, {2, 6, 0}, {4, 6, 4}};
     struct thud_lognormal c = thud_lognormal_fit(up, 4);
-    ck_assert(c.fitted && !c.falling && c.beta == 0);
-    ck_assert_double_eq_tol(c.theta, sqrt(6), 1e-14);
-    ck_assert(thud_lognormal_at(&c, 2) == 0 && thud_lognormal_at(&c, 3) == 1);
+    ck_assert(c.fit == THUD_FIT_SEPARATED && !c.falling && c.beta == 0);
+    ck_assert(isnan(thud_lognormal_at(&c, 2)));
     c = thud_lognormal_fit(part, 3);
-    ck_assert(c.fitted && c.falling && c.beta == 0 && c.theta == 2);
+    ck_assert(c.fit == THUD_FIT_SEPARATED && c.falling && c.beta == 0);
+    c = thud_lognormal_fit(edge, 3);
+    ck_assert(c.fit == THUD_FIT_SEPARATED && !c.falling);
     for (int i = 0; i < 4; i++)
         up[i].count = 0;
-    ck_assert(!thud_lognormal_fit(up, 4).fitted);
+    ck_assert(thud_lognormal_fit(up, 4).fit == THUD_FIT_NEVER);
     for (int i = 0; i < 4; i++)
         up[i].count = 5;
     c = thud_lognormal_fit(up, 4);
-    ck_assert(!c.fitted && isnan(thud_lognormal_at(&c, 1)));
-    ck_assert(!thud_lognormal_fit(part, 1).fitted);
+    ck_assert(c.fit == THUD_FIT_ALWAYS && isnan(thud_lognormal_at(&c, 1)));
+    ck_assert(thud_lognormal_fit(part, 1).fit == THUD_FIT_ALWAYS);
+    ck_assert(thud_lognormal_fit(part + 1, 1).fit == THUD_FIT_NONE);
     /* counts that overlap at one stripe in one motion only: a curve again, and the far tails do not overflow */
     struct thud_stripe far[] = {{1e-6, 40, 0}, {1, 40, 1}, {1.1, 40, 39}, {1e6, 40, 40}};
     c = thud_lognormal_fit(far, 4);
-    ck_assert(c.fitted && c.beta > 0 && c.beta < 0.1);
+    ck_assert(thud_is_fitted(&c) && c.beta > 0 && c.beta < 0.1);
     ck_assert_double_eq_tol(c.theta, sqrt(1.1), 1e-6);
 }
 END_TEST
 
-/* P is a step at 0.5: everything above counts. By hand 0.02 of the intervals above, and the tail. */
-START_TEST(hazard_by_hand)
+/* Chi-square: two degrees of freedom in closed form; 5 % points of the tables. */
+START_TEST(chi_square)
 {
-    double x[] = {0.1, 0.4, 0.9, 1.6}, rate[] = {0.1, 0.02, 0.005, 0.001};
-    struct thud_hazard hazard = {4, x, rate};
-    struct thud_lognormal step = {true, false, 0.5, 0}, smooth = {true, false, 0.6, 0.4};
-    ck_assert_double_eq_tol(thud_hazard_rate(&hazard, &step), (0.02 - 0.005) + (0.005 - 0.001) + 0.001, 1e-16);
-    double by_hand = thud_normal_cdf(log(0.2 / 0.6) / 0.4) * 0.08 + thud_normal_cdf(log(0.6 / 0.6) / 0.4) * 0.015 +
-                     thud_normal_cdf(log(1.2 / 0.6) / 0.4) * 0.004 + thud_normal_cdf(log(1.6 / 0.6) / 0.4) * 0.001;
-    ck_assert_double_eq_tol(thud_hazard_rate(&hazard, &smooth), by_hand, 1e-16);
-    ck_assert_double_eq_tol(thud_hazard_probability(1 / 475.0, 50), 0.1, 1e-4);
-    ck_assert_double_eq_tol(thud_hazard_probability(1e-12, 50), 5e-11, 1e-20);
-    step.falling = true;
-    ck_assert(isnan(thud_hazard_rate(&hazard, &step)));
+    static const double five[] = {3.841458820694124, 5.991464547107979, 7.814727903251179, 9.487729036781154,
+                                  11.070497693516351};
+    ck_assert_double_eq_tol(thud_chi_square_tail(3, 2), exp(-1.5), 1e-15);
+    for (int n = 1; n <= 5; n++)
+        ck_assert_double_eq_tol(thud_chi_square_tail(five[n - 1], n), 0.05, 1e-13);
+    ck_assert(thud_chi_square_tail(0, 3) == 1);
 }
 END_TEST
 
+/* Counts up and down again: the deviance, by its definition, rejects what is fitted; those of the curve itself pass. */
+START_TEST(a_curve_that_denies_its_points)
+{
+    struct thud_stripe s[] = {{1, 40, 0}, {2, 40, 28}, {3, 40, 17}, {4, 40, 2}, {5, 40, 3}};
+    struct thud_lognormal c = thud_lognormal_fit(s, 5);
+    ck_assert(c.fit == THUD_FIT_REJECTED && c.p < 1e-6 && isnan(thud_lognormal_at(&c, 2)));
+    struct thud_stripe two[] = {{1, 10, 3}, {2, 10, 4}, {4, 10, 9}};
+    c = thud_lognormal_fit(two, 3);
+    double deviance = 0;
+    for (int i = 0; i < 3; i++) {
+        double p = thud_lognormal_at(&c, two[i].x), k = two[i].count;
+        deviance += 2 * (k * log(k / (10 * p)) + (10 - k) * log((10 - k) / (10 * (1 - p))));
+    }
+    ck_assert(thud_is_fitted(&c) && deviance > 0.1);
+    ck_assert_double_eq_tol(c.p, erfc(sqrt(deviance / 2)), 1e-9); /* one degree of freedom */
+}
+END_TEST
+
+static struct thud_fragility rising(double theta, double beta)
+{
+    return (struct thud_fragility){
+        .curve = {THUD_FIT_CURVE, false, theta, beta, NAN}, .least = 0.1, .most = 10, .theta = theta};
+}
+
 /* A hazard that falls as a power and a lognormal curve have a rate in closed form (Cornell 1996): k0 theta^-k
- * exp(k^2 beta^2 / 2). */
+ * exp(k^2 beta^2 / 2). It holds with points a factor of 10 apart as well as with many. */
 START_TEST(hazard_in_closed_form)
 {
-    enum { N = 20000 };
-    double *x = malloc(2 * N * sizeof *x), *rate = x + N;
-    for (int i = 0; i < N; i++) {
-        x[i] = 1e-3 * pow(1e6, i / (N - 1.0));
-        rate[i] = 2e-3 * pow(x[i], -2.5);
-    }
-    struct thud_hazard hazard = {N, x, rate};
-    struct thud_lognormal c = {true, false, 0.8, 0.35};
     double exact = 2e-3 * pow(0.8, -2.5) * exp(0.5 * 2.5 * 2.5 * 0.35 * 0.35);
-    ck_assert_double_eq_tol(thud_hazard_rate(&hazard, &c) / exact, 1, 1e-6);
-    free(x);
+    for (int n = 7; n < 1000; n *= 10) {
+        double x[1000], rate[1000];
+        for (int i = 0; i < n; i++) {
+            x[i] = 1e-3 * pow(1e6, i / (n - 1.0));
+            rate[i] = 2e-3 * pow(x[i], -2.5);
+        }
+        struct thud_hazard hazard = {(size_t)n, x, rate};
+        struct thud_fragility f = rising(0.8, 0.35);
+        struct thud_rate r = thud_hazard_rate(&hazard, &f);
+        ck_assert_double_eq_tol(r.value / exact, 1, 1e-6);
+    }
+    ck_assert_double_eq_tol(thud_hazard_probability(1 / 475.0, 50), 0.1, 1e-4);
+    ck_assert_double_eq_tol(thud_hazard_probability(1e-12, 50), 5e-11, 1e-20);
+}
+END_TEST
+
+/* A curve with its weight beyond the hazard curve's end, or before its beginning, is known between bounds only; both
+ * hold the rate of the whole hazard curve. */
+START_TEST(hazard_that_ends_too_soon)
+{
+    double x[61], rate[61];
+    for (int i = 0; i < 61; i++) {
+        x[i] = 0.05 * pow(1.1, i);
+        rate[i] = 1e-3 * pow(x[i], -2);
+    }
+    struct thud_hazard whole = {61, x, rate}, low = {25, x, rate}, high = {21, x + 40, rate + 40};
+    struct thud_fragility f = rising(0.8, 0.3), falling = f, unknown = f;
+    double exact = 1e-3 * pow(0.8, -2) * exp(0.5 * 4 * 0.09);
+    struct thud_rate r = thud_hazard_rate(&whole, &f);
+    ck_assert_double_eq_tol(r.value / exact, 1, 0.01);
+    r = thud_hazard_rate(&low, &f); /* ends at 0.5 */
+    ck_assert(isnan(r.value) && r.low < 0.5 * exact && r.high > exact && isfinite(r.high));
+    r = thud_hazard_rate(&high, &f); /* begins at 2.3 */
+    ck_assert(isnan(r.value) && r.low > 0 && r.low < exact && isinf(r.high));
+    falling.curve.falling = true;
+    ck_assert(isnan(thud_hazard_rate(&whole, &falling).low));
+    unknown.theta = NAN; /* outside the values that were tried */
+    ck_assert(isnan(thud_hazard_rate(&whole, &unknown).low));
+}
+END_TEST
+
+/* Counts that separate begin between two values: the rate is that of one of them, on logarithmic axes. */
+START_TEST(hazard_of_a_step)
+{
+    double x[] = {0.1, 0.4, 0.9, 1.6}, rate[] = {0.1, 0.02, 0.005, 0.001};
+    struct thud_stripe s[] = {{0.2, 5, 0}, {0.6, 5, 0}, {0.9, 5, 5}};
+    struct thud_hazard hazard = {4, x, rate};
+    struct thud_fragility f = {.n = 3,
+                               .stripe = s,
+                               .curve = {THUD_FIT_SEPARATED, false, 0.7, 0, NAN},
+                               .least = 0.2,
+                               .most = 0.9,
+                               .theta = NAN,
+                               .above = 0.6,
+                               .below = 0.9};
+    struct thud_rate r = thud_hazard_rate(&hazard, &f);
+    ck_assert_double_eq_tol(r.low, 0.005, 1e-16);
+    ck_assert_double_eq_tol(r.high, 0.01, 1e-15); /* 0.6 is the geometric mean of 0.4 and 0.9 */
+    f.curve.fit = THUD_FIT_NEVER;
+    f.above = 0.9;
+    r = thud_hazard_rate(&hazard, &f);
+    ck_assert(r.low == 0);
+    ck_assert_double_eq_tol(r.high, 0.005, 1e-16);
 }
 END_TEST
 
@@ -143,13 +220,16 @@ static void set_up(void)
     study_set_up(1);
 }
 
-/* A suite whose motion r pounds where gap < needed[r]. */
-static struct thud_suite *made_up(const double *needed, int n)
+/* A suite whose motion r pounds where gap < needed[r]; `turned`: every second one is the one before it turned round. */
+static struct thud_suite *made_up(const double *needed, int n, bool turned)
 {
-    static const struct thud_record *many[8];
+    static struct thud_record own[16];
+    static const struct thud_record *many[16];
     struct thud_suite *suite;
-    for (int r = 0; r < n; r++)
-        many[r] = motion;
+    for (int r = 0; r < n; r++) {
+        many[r] = &own[r];
+        snprintf(own[r].file, sizeof own[r].file, "motion %d%s", turned ? r / 2 : r, turned && r % 2 ? ":sign=-" : "");
+    }
     vary("gap=5 cm:20 cm:1 cm");
     plan->record = many;
     plan->nrecords = n;
@@ -162,47 +242,113 @@ static struct thud_suite *made_up(const double *needed, int n)
     return suite;
 }
 
+static struct thud_fragility of(const struct thud_suite *suite, const char *name, int samples)
+{
+    static struct thud_event event;
+    struct thud_fragility f;
+    ck_assert_int_eq(thud_event_parse(name, &event, &error), THUD_OK);
+    struct thud_fragility_ask ask = {.event = &event, .samples = samples, .seed = 1};
+    ck_assert_int_eq(thud_fragility_make(suite, &ask, &f, &error), THUD_OK);
+    return f;
+}
+
 START_TEST(counts_and_band_of_a_suite)
 {
-    const double needed[] = {0.075, 0.085, 0.105, 0.125, 0.145, 0.165};
-    struct thud_suite *suite = made_up(needed, 6);
-    struct thud_event event;
-    struct thud_fragility f, again;
-    ck_assert_int_eq(thud_event_parse("pounding", &event, &error), THUD_OK);
-    struct thud_fragility_ask ask = {.event = &event, .samples = 300, .seed = 1};
-    ck_assert_int_eq(thud_fragility_make(suite, &ask, &f, &error), THUD_OK);
-    ck_assert_int_eq(thud_fragility_make(suite, &ask, &again, &error), THUD_OK);
+    const double needed[] = {0.075, 0.085, 0.105, 0.125, 0.145, 0.165, 0.115};
+    struct thud_suite *suite = made_up(needed, 7, false);
+    struct thud_fragility f = of(suite, "pounding", 300), again = of(suite, "pounding", 300);
     ck_assert_uint_eq(f.n, 16);
     for (size_t i = 0; i < f.n; i++) {
         int count = 0;
-        for (int r = 0; r < 6; r++)
+        double low, high;
+        for (int r = 0; r < 7; r++)
             count += f.stripe[i].x < needed[r];
         ck_assert_int_eq(f.stripe[i].count, count);
         double p = thud_lognormal_at(&f.curve, f.stripe[i].x);
         ck_assert(f.low[i] <= p + 1e-9 && p <= f.high[i] + 1e-9);
         ck_assert(f.low[i] == again.low[i] && f.high[i] == again.high[i]); /* seeded */
+        thud_share_band((size_t)count, 7, 1, &low, &high);
+        ck_assert(f.share_low[i] == low && f.share_high[i] == high);
     }
-    ck_assert(f.curve.falling && f.curve.theta > 0.085 && f.curve.theta < 0.145);
-    ck_assert(f.theta_low < f.curve.theta && f.curve.theta < f.theta_high && f.theta_low > 0.07);
+    ck_assert(f.curve.falling && f.theta == f.curve.theta && f.theta > 0.085 && f.theta < 0.145);
+    ck_assert(f.theta_low < f.theta && f.theta < f.theta_high && f.theta_low > 0.07);
     thud_fragility_clear(&f);
     thud_fragility_clear(&again);
     thud_suite_free(suite);
 }
 END_TEST
 
-START_TEST(equal_motions_have_no_band)
+/* Seven motions and the same turned round are seven draws: the band is theirs, not the narrower one of fourteen. */
+START_TEST(both_signs_are_one_draw)
 {
-    const double needed[] = {0.1, 0.1, 0.1, 0.1};
-    struct thud_suite *suite = made_up(needed, 4);
-    struct thud_event event;
-    struct thud_fragility f;
-    ck_assert_int_eq(thud_event_parse("pounding", &event, &error), THUD_OK);
-    struct thud_fragility_ask ask = {.event = &event, .samples = 50, .seed = 1};
-    ck_assert_int_eq(thud_fragility_make(suite, &ask, &f, &error), THUD_OK);
-    ck_assert(f.curve.fitted && f.curve.beta == 0 && f.theta_low == f.theta_high && f.theta_low == f.curve.theta);
-    for (size_t i = 0; i < f.n; i++)
-        ck_assert(f.low[i] == f.high[i] && f.low[i] == thud_lognormal_at(&f.curve, f.stripe[i].x));
+    double needed[14];
+    for (int r = 0; r < 14; r++)
+        needed[r] = 0.07 + 0.015 * (r / 2) + 0.001;
+    struct thud_suite *pairs = made_up(needed, 14, true);
+    struct thud_fragility f = of(pairs, "pounding", 400);
+    ck_assert_int_eq(pairs->ndraws, 7);
+    double width = f.theta_high - f.theta_low, share = f.share_high[6] - f.share_low[6];
     thud_fragility_clear(&f);
+    thud_suite_free(pairs);
+    for (int r = 0; r < 7; r++)
+        needed[r] = needed[2 * r];
+    thud_sweep_plan_clear(plan);
+    thud_sweep_plan_init(plan, scene);
+    struct thud_suite *seven = made_up(needed, 7, false);
+    f = of(seven, "pounding", 400);
+    ck_assert_double_eq_tol(width, f.theta_high - f.theta_low, 1e-9); /* the same draws */
+    ck_assert_double_eq_tol(share, f.share_high[6] - f.share_low[6], 1e-12);
+    thud_fragility_clear(&f);
+    thud_suite_free(seven);
+}
+END_TEST
+
+/* All motions the same: none and then all, so an interval; fewer than seven have no band, fewer than three none at all. */
+START_TEST(equal_motions_and_few)
+{
+    const double needed[] = {0.1005, 0.1005, 0.1005, 0.1005, 0.1005, 0.1005, 0.1005, 0.1005},
+                 few[] = {0.075, 0.095, 0.125, 0.085};
+    struct thud_suite *suite = made_up(needed, 8, false);
+    struct thud_fragility f = of(suite, "pounding", 50);
+    ck_assert(f.curve.fit == THUD_FIT_SEPARATED && isnan(f.theta) && isnan(f.theta_low) && isnan(f.low[3]));
+    ck_assert_double_eq_tol(f.above, 0.10, 1e-12);
+    ck_assert_double_eq_tol(f.below, 0.11, 1e-12);
+    thud_fragility_clear(&f);
+    thud_suite_free(suite);
+    for (int n = 4; n > 0; n -= 2) {
+        thud_sweep_plan_clear(plan);
+        thud_sweep_plan_init(plan, scene);
+        suite = made_up(few, n, false);
+        f = of(suite, "pounding", 50);
+        ck_assert(isnan(f.theta_low) && isnan(f.low[3]));
+        ck_assert(isnan(f.share_low[3]) == (n < 3));
+        thud_fragility_clear(&f);
+        thud_suite_free(suite);
+    }
+}
+END_TEST
+
+/* A median beyond the values that were tried is told as a bound, and what need not be monotone is counted. */
+START_TEST(medians_beyond_and_counts)
+{
+    const double needed[] = {0.105, 0.165, 0.25, 0.3, 0.31, 0.27, 0.28, 0.29};
+    struct thud_suite *suite = made_up(needed, 8, false);
+    struct thud_fragility f = of(suite, "pounding", 50);
+    ck_assert(thud_is_fitted(&f.curve) && isnan(f.theta) && f.above == f.most && isinf(f.below));
+    thud_fragility_clear(&f);
+    static const char *const counted[] = {"acceleration:1 g", "permanent:1 cm"};
+    for (int e = 0; e < 2; e++) {
+        for (long i = 0; i < suite->settings; i++) /* half of the motions at some gaps */
+            for (int r = 0; r < 8; r++) {
+                double *v = suite->value + ((long)r * suite->settings + i) * suite->nvalues;
+                for (int m = 0; m < suite->nvalues; m++)
+                    v[m] = i % 5 == 2 && r % 2 ? 20 : 0;
+            }
+        f = of(suite, counted[e], 50);
+        ck_assert(f.curve.fit == THUD_FIT_COUNTED && isnan(f.theta) && isnan(f.above) && isnan(f.low[2]));
+        ck_assert(f.share_low[2] > 0 && f.share_high[2] < 1);
+        thud_fragility_clear(&f);
+    }
     thud_suite_free(suite);
 }
 END_TEST
@@ -271,10 +417,15 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, a_known_sample);
     tcase_add_test(tcase, exact_shares_give_the_curve_back);
     tcase_add_test(tcase, steps_and_nothing);
-    tcase_add_test(tcase, hazard_by_hand);
+    tcase_add_test(tcase, chi_square);
+    tcase_add_test(tcase, a_curve_that_denies_its_points);
     tcase_add_test(tcase, hazard_in_closed_form);
+    tcase_add_test(tcase, hazard_that_ends_too_soon);
+    tcase_add_test(tcase, hazard_of_a_step);
     tcase_add_test(tcase, counts_and_band_of_a_suite);
-    tcase_add_test(tcase, equal_motions_have_no_band);
+    tcase_add_test(tcase, both_signs_are_one_draw);
+    tcase_add_test(tcase, equal_motions_and_few);
+    tcase_add_test(tcase, medians_beyond_and_counts);
     tcase_add_test(tcase, events_by_name);
     tcase_add_test(tcase, a_suite_holds_what_the_rows_say);
     suite_add_tcase(suite, tcase);

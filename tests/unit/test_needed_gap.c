@@ -146,6 +146,43 @@ START_TEST(a_suite_of_one_motion_has_no_spread)
 }
 END_TEST
 
+/* The factor from which on a motion makes something touch, by runs with contact at a bit more and a bit less; also where
+ * storeys yield, of which no closed form tells it (_i == 1), from below and from above. */
+START_TEST(factor_from_which_on_they_pound)
+{
+    for (int s = 0; s < scene->nstructures && _i == 1; s++)
+        for (int i = 0; i < scene->structure[s].storeys; i++) {
+            scene->structure[s].yield_m[i] = 0.008;
+            scene->structure[s].hardening[i] = 0.05;
+        }
+    struct thud_needed_gap *gap = gap_of(motion);
+    double needed = thud_needed_gap_widest(gap, 0, THUD_GAP_EXACT, NULL), factor;
+    ck_assert_int_eq(thud_scene_case(scene, THUD_CASE_NONE, scene, &error), THUD_OK);
+    for (int i = 0; i < 2; i++) {
+        scene->interface[0].gap_m = needed * (i ? 1.3 : 0.6);
+        ck_assert_int_eq(thud_pounding_factor(scene, motion, gap, &factor, &error), THUD_OK);
+        ck_assert(_i == 1 || fabs(factor / (i ? 1.3 : 0.6) - 1) < 1e-9);
+        ck_assert(i ? factor > 1 : factor < 1);
+        for (int end = -1; end <= 1; end += 2) {
+            struct thud_answer answer;
+            struct thud_record *scaled;
+            int impacts = 0;
+            ck_assert_int_eq(thud_record_create(motion->a_mps2, motion->samples, motion->dt_s, &scaled, &error),
+                             THUD_OK);
+            thud_record_scale(scaled, factor * (1 + 3e-6 * end));
+            ck_assert_int_eq(thud_scene_answer(scene, scaled, NULL, &answer, &error), THUD_OK);
+            const struct thud_result *result = thud_run_result(answer.run);
+            for (int c = 0; c < result->ncontacts; c++)
+                impacts += result->contact[c].impacts;
+            ck_assert_int_eq(impacts > 0, end > 0);
+            thud_answer_clear(&answer);
+            thud_record_free(scaled);
+        }
+    }
+    free(gap);
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -158,6 +195,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, equal_buildings_need_none);
     tcase_add_test(tcase, rules_in_their_order);
     tcase_add_test(tcase, a_suite_of_one_motion_has_no_spread);
+    tcase_add_loop_test(tcase, factor_from_which_on_they_pound, 0, 2);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -36,14 +36,37 @@ START_TEST(share_band_solves_its_equation)
     for (size_t i = 0; i < sizeof n / sizeof *n; i++)
         for (size_t count = 0; count <= n[i]; count += n[i] > 3 ? n[i] / 4 : 1) {
             double low, high, share = (double)count / (double)n[i];
-            thud_share_band(count, n[i], &low, &high);
+            thud_share_band(count, n[i], 1, &low, &high);
             ck_assert(low >= 0 && low <= share + 1e-15 && share <= high + 1e-15 && high <= 1);
             ck_assert_double_eq_tol(pow(share - low, 2), z * z * low * (1 - low) / (double)n[i], 1e-14);
             ck_assert_double_eq_tol(pow(share - high, 2), z * z * high * (1 - high) / (double)n[i], 1e-14);
         }
     double low, high;
-    thud_share_band(0, 0, &low, &high);
+    thud_share_band(0, 0, 1, &low, &high);
     ck_assert(isnan(low) && isnan(high));
+}
+END_TEST
+
+/* Enough for at least so many: of two motions 84 % is both, of seven six. Pairs count as one. */
+START_TEST(order_statistics)
+{
+    double two[] = {1, 2}, x[] = {1, 2, 3, 4, 5, 6, 7}, same[] = {1, 3, 3, 3};
+    size_t count;
+    ck_assert(thud_enough(two, 2, 0.84, &count) == 2 && count == 2);
+    ck_assert(thud_enough(two, 2, 0.5, &count) == 1 && count == 1);
+    ck_assert(thud_enough(x, 7, 0.84, &count) == 6 && count == 6);
+    ck_assert(thud_enough(x, 7, 0.5, &count) == 4 && count == 4);
+    ck_assert(thud_enough(same, 4, 0.5, &count) == 3 && count == 4);
+    double many[25];
+    for (int i = 0; i < 25; i++)
+        many[i] = i + 1;
+    ck_assert(thud_enough(many, 25, 0.84, &count) == 21);
+    ck_assert(isnan(thud_enough(x, 0, 0.5, &count)) && count == 0);
+    double low, high, other_low, other_high;
+    thud_share_band(6, 14, 0.5, &low, &high);
+    thud_share_band(3, 7, 1, &other_low, &other_high);
+    ck_assert_double_eq_tol(low, other_low, 1e-15);
+    ck_assert_double_eq_tol(high, other_high, 1e-15);
 }
 END_TEST
 
@@ -54,6 +77,7 @@ Suite *thud_suite(void)
     TCase *tcase = tcase_create("statistics");
     tcase_add_test(tcase, quantiles_by_hand);
     tcase_add_test(tcase, share_band_solves_its_equation);
+    tcase_add_test(tcase, order_statistics);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -10,10 +10,14 @@ struct thud_fragility_curve {
     int axis, k; /* k: index into the plan's cases */
     const struct thud_fragility *fragility;
 };
-/* A panel for each axis that has curves: shares of the motions as points, fitted curves, bands. `note` says where the
+/* A panel for each axis that has curves: shares of the motions as points with their bands, the curves that are told with
+ * theirs. `note` says where the
  * other keys are. Ask thud_figure_check. */
 struct thud_figure *thud_figure_of_fragility(const struct thud_sweep_plan *plan, const char *event,
                                              const struct thud_fragility_curve *curve, int ncurves, const char *note);
+
+/* What its points and shades are, in a sentence, for a suite of so many independent motions. */
+const char *thud_fragility_note(int ndraws);
 
 /* Largest drift of each structure against the intensity (plan->axis[axis]) for one case: every motion, and the curves
  * of 16, 50 and 84 % of them. `at`: places on the other axes. Ask thud_figure_check. */

@@ -1,11 +1,15 @@
-/* How likely something is: counts over a suite of ground motions, a lognormal curve through them by maximum likelihood
+/* How likely something is: counts over a suite of ground motions, and, where they allow it, a lognormal curve through
+ * them by maximum likelihood
  *
  *     P(x) = Phi(ln(x / theta) / beta)         rising (against an intensity), or
  *     P(x) = Phi(-ln(x / theta) / beta)        falling (against a gap)
  *
  * after Baker, "Efficient analytical fragility function fitting using dynamic structural analysis", Earthquake Spectra
  * 31 (2015) 579-599: the counts are binomial, and the likelihood of all stripes together is made largest; a band for it
- * by the bootstrap over the ground motions; and with a hazard curve the annual rate. Motions are taken as independent.
+ * by the bootstrap over the ground motions; and with a hazard curve the annual rate. Motions are taken as independent,
+ * but the two signs of one are drawn together. A curve is told only of events that an intensity makes more likely (a
+ * gap less likely), where the likelihood has a maximum and the deviance does not reject it; else the counts are all
+ * that is known.
  */
 #ifndef THUD_STUDY_FRAGILITY_H
 #define THUD_STUDY_FRAGILITY_H
@@ -22,14 +26,30 @@ struct thud_stripe {
     int n, count;
 };
 
-struct thud_lognormal {
-    bool fitted;  /* false: no curve (nothing ever happens or everything, or only one x) */
-    bool falling; /* P falls with x */
-    double theta; /* median, in the unit of x */
-    double beta;  /* dispersion; 0: a step, where the counts go from none to all between two neighbours */
+enum thud_fit {
+    THUD_FIT_NONE,      /* fewer than two values have an answer */
+    THUD_FIT_COUNTED,   /* the event need not be monotone in what is varied: none is tried */
+    THUD_FIT_NEVER,     /* it happens under no motion at any value */
+    THUD_FIT_ALWAYS,    /* under every motion at every value */
+    THUD_FIT_SEPARATED, /* the counts go from none to all at once: the likelihood grows without end as beta goes to 0 */
+    THUD_FIT_REJECTED,  /* the deviance rejects the curve at 5 %, or it goes the other way than it must */
+    THUD_FIT_CURVE
 };
+const char *thud_fit_name(enum thud_fit fit); /* "none", "counted", ... */
+
+struct thud_lognormal {
+    enum thud_fit fit;
+    bool falling; /* P falls with x */
+    double theta; /* median, in the unit of x; separated: between the bounds */
+    double beta;  /* dispersion; separated: 0 */
+    double p;     /* how likely a deviance as large would be if the curve held; NaN: two stripes, or no curve */
+};
+static inline bool thud_is_fitted(const struct thud_lognormal *curve)
+{
+    return curve->fit == THUD_FIT_CURVE;
+}
 /* Newton's method on the logarithm of the likelihood of the probit model, which is concave; the direction comes with
- * it. Stripes with n = 0 or x not above 0 are left out. */
+ * it. Stripes with n = 0 or x not above 0 are left out. `fit` is never THUD_FIT_COUNTED. */
 struct thud_lognormal thud_lognormal_fit(const struct thud_stripe *stripe, size_t n);
 /* NaN where not fitted. */
 double thud_lognormal_at(const struct thud_lognormal *curve, double x);
@@ -53,6 +73,8 @@ struct thud_event {
 /* "pounding", "worse", "force:5 MN", "acceleration:1 g", "drift:3 cm", "drift:1 %", "ductility:2",
  * "permanent:1 cm", "column:1". Errors: THUD_USAGE. */
 enum thud_status thud_event_parse(const char *text, struct thud_event *out, struct thud_error *err);
+/* Whether an intensity of the ground motion is varied. */
+bool thud_axis_is_intensity(const struct thud_sweep_axis *axis);
 /* One event and case along one axis, at one setting of the others. */
 struct thud_fragility_ask {
     const struct thud_event *event;
@@ -63,24 +85,36 @@ struct thud_fragility_ask {
 };
 struct thud_fragility {
     size_t n;
-    struct thud_stripe *stripe; /* (n) */
-    double *low, *high;         /* (n) 5 and 95 % of the curve's bootstrap; NaN without */
+    struct thud_stripe *stripe; /* (n) in the order of the axis */
+    double *share_low,
+        *share_high;    /* (n) Wilson's 90 % band of the share, by the draws among its motions; NaN without */
+    double *low, *high; /* (n) 5 and 95 % of the curve's bootstrap; NaN without */
     struct thud_lognormal curve;
-    double theta_low, theta_high, beta_low, beta_high; /* 5 and 95 %; NaN: fewer than half the samples have a curve */
+    double least, most; /* value that was tried */
+    /* Where the median lies: theta where a curve is told and it lies within the values that were tried; else bounds,
+     * 0 and INFINITY where there are none, both NaN where the counts do not say. */
+    double theta, above, below;
+    double theta_low, theta_high, beta_low, beta_high; /* 5 and 95 % of the bootstrap; NaN without */
 };
 /* Free with thud_fragility_clear. Errors: THUD_MEMORY. */
 enum thud_status thud_fragility_make(const struct thud_suite *suite, const struct thud_fragility_ask *ask,
                                      struct thud_fragility *out, struct thud_error *err);
 void thud_fragility_clear(struct thud_fragility *fragility);
 
-/* Annual rate at which an intensity is exceeded; x rising, rate falling. */
+/* Annual rate at which an intensity is exceeded; x rising, rate falling. Between its points it is a power of x. */
 struct thud_hazard {
     size_t n;
     double *x, *rate; /* (n) */
 };
-/* sum P |d lambda| over the intervals, P at the geometric mean of their ends, and what exceeds the last x with P there.
- * NaN where the curve is not fitted or falls. */
-double thud_hazard_rate(const struct thud_hazard *hazard, const struct thud_lognormal *curve);
+/* Annual rate of an event: a number where low and high are within a part in a hundred, else bounds. */
+struct thud_rate {
+    double low, value, high; /* value: NaN where there are only bounds; high: INFINITY where there is none */
+};
+/* int P |d lambda| of a curve whose median lies within the values that were tried, of counts that separate, and of
+ * events that never or always happen. Where the hazard curve ends below, or begins above, where P has its weight, bounds:
+ * beyond its last point P lies between what it is there and 1; before its first point its rate is not known. All NaN
+ * where neither is known, or the event becomes rarer with the intensity. */
+struct thud_rate thud_hazard_rate(const struct thud_hazard *hazard, const struct thud_fragility *fragility);
 /* Probability of at least one in so many years of a Poisson process: 1 - exp(-rate years). */
 double thud_hazard_probability(double rate, double years);
 void thud_hazard_clear(struct thud_hazard *hazard);

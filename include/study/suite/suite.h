@@ -22,6 +22,9 @@ enum thud_suite_measure {
 };
 const char *thud_suite_column(enum thud_suite_measure measure); /* "force_n", "drift_m", ... */
 
+/* Fewer independent motions than the first have no bootstrapped band, fewer than the second not even one of a share. */
+enum { THUD_DRAWS_LEAST = 7, THUD_SHARES_LEAST = 3 };
+
 /* Setting i (of thud_suite_settings) of ground motion r is point r x settings + i of the plan. */
 struct thud_suite {
     const struct thud_sweep_plan *plan;
@@ -29,6 +32,8 @@ struct thud_suite {
     bool yields;                        /* some storey may: it has ductilities and permanent drifts */
     bool columns;                       /* a capacity is given: it has shears over it */
     long settings;
+    int ndraws;    /* independent motions: one and the same turned round is one */
+    int *first;    /* (ndraws + 1) its first record; those of a motion stand one after the other */
     double *value; /* (nrecords x settings x plan->ncases x nvalues); NaN: no answer */
 };
 /* Whether its runs may have any. */
@@ -43,9 +48,14 @@ enum thud_status thud_suite_add(struct thud_suite *suite, const struct thud_swee
 /* `k`: index into the plan's cases. structure -1: the largest over the structures. */
 double thud_suite_value(const struct thud_suite *suite, int record, long setting, int k,
                         enum thud_suite_measure measure, int structure);
-/* Over the ground motions. `room` (nrecords) is scratch. `share`: of values above `limit`. */
+/* Over the ground motions; fewer than three have no 16 and 84 %. `room` (nrecords) is scratch. `share`: of values above
+ * `limit`. */
 struct thud_fractiles thud_suite_fractiles(const struct thud_suite *suite, long setting, int k,
                                            enum thud_suite_measure measure, int structure, double limit, double *room);
+
+/* Wilson's band of a share of the motions (see thud_share_band), where both signs of a motion count as one; NaN: fewer
+ * than three motions. */
+void thud_suite_share_band(const struct thud_suite *suite, size_t count, size_t n, double *low, double *high);
 
 /* Places on the axes (naxes) to the number of a setting, and back. */
 long thud_suite_setting(const struct thud_sweep_plan *plan, const int *at);

@@ -32,7 +32,9 @@ struct site_suite {
     struct thud_gap_study gaps;
     struct thud_event pounding, worse;
     struct thud_fragility pounds[SITE_CASES - SITE_NONE], worsens; /* of each case; with the bumper */
-    double *room;                                                  /* (nrecords) scratch */
+    double *factor[SITE_CASES -
+                   SITE_NONE]; /* (nrecords) of each case, from which on each motion makes something touch, sorted */
+    double *room;              /* (nrecords) scratch */
 };
 
 struct site {

@@ -58,6 +58,25 @@ static enum thud_status make_fragility(struct site_suite *suite, unsigned long l
     return status;
 }
 
+/* The factor of every motion from which on something touches, sorted. */
+static enum thud_status find_factors(struct site *site, struct thud_error *err)
+{
+    struct site_suite *suite = &site->suite;
+    size_t n = (size_t)suite->runs->nrecords;
+    enum thud_status status = THUD_OK;
+    for (int k = 0; k < suite->plan.ncases && status == THUD_OK; k++) {
+        suite->factor[k] = malloc((n + 1) * sizeof *suite->factor[k]);
+        if (!suite->factor[k])
+            return thud_error_set(err, THUD_MEMORY, "out of memory");
+        for (size_t r = 0; r < n && status == THUD_OK; r++)
+            status = thud_pounding_factor(site->cases[SITE_NONE + k].scene, suite->plan.record[r], suite->gaps.gap[r],
+                                          &suite->factor[k][r], err);
+        if (status == THUD_OK)
+            thud_sort_numbers(suite->factor[k], n);
+    }
+    return status;
+}
+
 enum thud_status thud_site_suite_run(struct site *site, struct thud_error *err)
 {
     struct site_suite *suite = &site->suite;
@@ -81,14 +100,18 @@ enum thud_status thud_site_suite_run(struct site *site, struct thud_error *err)
     status = thud_sweep_jobs_run(&jobs, err);
     if (status == THUD_OK)
         status = thud_gap_study_run(site->scene, site->options->records, cancel, &suite->gaps, err);
+    if (status == THUD_OK)
+        status = find_factors(site, err);
     return status == THUD_OK ? make_fragility(suite, site->options->seed, err) : status;
 }
 
 void thud_site_suite_clear(struct site *site)
 {
     struct site_suite *suite = &site->suite;
-    for (size_t k = 0; k < sizeof suite->pounds / sizeof *suite->pounds; k++)
+    for (size_t k = 0; k < sizeof suite->pounds / sizeof *suite->pounds; k++) {
         thud_fragility_clear(&suite->pounds[k]);
+        free(suite->factor[k]);
+    }
     thud_fragility_clear(&suite->worsens);
     thud_gap_study_clear(&suite->gaps);
     thud_suite_free(suite->runs);
@@ -113,25 +136,35 @@ static void say_pounding(struct site *site, int k)
     double low, high;
     if (f.n == 0)
         return;
-    thud_share_band(count, f.n, &low, &high);
+    char band[120] = "";
+    thud_suite_share_band(site->suite.runs, count, f.n, &low, &high);
+    if (!isnan(low))
+        snprintf(band, sizeof band,
+                 ": a share of %.0f %%, which so many motions put between %.0f and %.0f %% with 90 %% confidence",
+                 100 * f.share, 100 * low, 100 * high);
     thud_document_item(&site->document,
-                       "Of the suite of %zu ground motions, %zu make the buildings %s at the gap as it is: a share of "
-                       "%.0f %%, which so many motions put between %.0f and %.0f %% with 90 %% confidence.",
-                       f.n, count, k == 0 ? "pound without bumper" : "touch the bumper", 100 * f.share, 100 * low,
-                       100 * high);
+                       "Of the suite of %zu ground motions, %zu make the buildings %s at the gap as it is%s.", f.n,
+                       count, k == 0 ? "pound without bumper" : "touch the bumper", band);
 }
 
-/* "half of the motions make them pound at 0.6 times their strength" */
+/* "They pound from 0.37 times their strength on under 7 of the 14" */
 static void say_strength(struct site *site, int k)
 {
-    const struct thud_fragility *f = &site->suite.pounds[k];
-    double least = f->stripe[0].x, most = f->stripe[f->n - 1].x;
-    if (!f->curve.fitted || f->curve.falling || !(f->curve.theta >= least && f->curve.theta <= most))
+    const double *factor = site->suite.factor[k];
+    size_t n = (size_t)site->suite.runs->nrecords, half;
+    double median = thud_enough(factor, n, 0.5, &half);
+    char first[80] = "", all[80] = "";
+    if (isinf(median))
         return;
-    char band[80] = "";
-    if (!isnan(f->theta_low))
-        snprintf(band, sizeof band, " (90 %% band: %.2g to %.2g)", f->theta_low, f->theta_high);
-    thud_document_item(&site->document, "At %.2g times their strength%s half of them would.", f->curve.theta, band);
+    if (factor[0] < median)
+        snprintf(first, sizeof first, "under the first from %.2f times their strength on, ", factor[0]);
+    if (half < n && !isinf(factor[n - 1]))
+        snprintf(all, sizeof all, ", under all from %.2f times", factor[n - 1]);
+    thud_document_item(&site->document, "%s %sunder %zu of the %zu from %.2f times%s%s%s.",
+                       k == 0 ? "Without bumper they pound" : "They touch the bumper", first, half, n, median,
+                       *first ? "" : " their strength on", all,
+                       thud_scene_yields(site->scene) ? ""
+                                                      : " (exact: each motion has a factor from which on it does)");
 }
 
 static void say_widths(struct site *site)
@@ -142,11 +175,10 @@ static void say_widths(struct site *site)
         d->failed = true;
         return;
     }
-    thud_document_item(
-        d,
-        "So that nothing touches, half of them need a gap of up to %.1f cm, 84 %% of them up to %.1f cm, "
-        "and all of them %.1f cm, between the bare faces.",
-        100 * f.median, 100 * f.p84, 100 * f.most);
+    thud_document_item(d,
+                       "So that nothing touches, %zu of them need a gap of up to %.1f cm, %zu of them up to %.1f cm, "
+                       "and all of them %.1f cm, between the bare faces.",
+                       f.half, 100 * f.median, f.most84, 100 * f.p84, 100 * f.most);
 }
 
 /* How many motions the bumper helps and harms. */
@@ -262,7 +294,7 @@ static void add_figures(struct site *site)
 {
     const struct site_suite *suite = &site->suite;
     struct thud_fragility_curve curve[SITE_CASES - SITE_NONE];
-    const char *note = "Points: shares of the motions; shaded: 90 % by bootstrap.";
+    const char *note = thud_fragility_note(suite->runs->ndraws);
     for (int k = 0; k < suite->plan.ncases; k++)
         curve[k] = (struct thud_fragility_curve){0, k, &suite->pounds[k]};
     thud_site_figure(
@@ -272,8 +304,10 @@ static void add_figures(struct site *site)
                      "How likely the buildings pound at this gap when all motions are so many times as strong.");
     if (suite->plan.ncases > 1) {
         curve[0] = (struct thud_fragility_curve){0, 1, &suite->worsens};
-        thud_site_figure(site, thud_figure_of_fragility(&suite->plan, "worse", curve, 1, note), 0.62,
-                         "How likely the bumper raises the mean acceleration of a building.");
+        thud_site_figure(
+            site, thud_figure_of_fragility(&suite->plan, "worse", curve, 1, note), 0.62,
+            "Under how many of the motions the bumper raises the mean acceleration of a building; a share that "
+            "need not grow with their strength has no curve.");
     }
     for (int k = 0; k < suite->plan.ncases; k++)
         thud_site_figure(site, thud_figure_of_ida(suite->runs, 0, k, (const int[THUD_VARY_MAX]){0}, ""), 0.62,
@@ -292,7 +326,14 @@ void thud_site_suite_section(struct site *site)
     thud_document_heading(d, heading);
     add_motions(site);
     add_statistics(site);
-    thud_document_paragraph(d, "16 %%, median and 84 %% are quantiles of the logarithms where every value is positive. "
-                               "The motions are taken as independent and as equally likely.");
+    const struct thud_suite *runs = site->suite.runs;
+    thud_document_paragraph(d,
+                            "16 %%, median and 84 %% are quantiles of the logarithms where every value is positive. "
+                            "The motions are taken as independent and as equally likely%s.",
+                            runs->ndraws < runs->nrecords ? ", but the two signs of one are one draw" : "");
+    if (runs->ndraws < THUD_DRAWS_LEAST)
+        thud_document_paragraph(d, "%d independent ground motions are few: %s.", runs->ndraws,
+                                runs->ndraws < THUD_SHARES_LEAST ? "no band is given of anything"
+                                                                 : "a band of a curve needs at least seven");
     add_figures(site);
 }

@@ -23,7 +23,7 @@ static bool is_middle(const struct thud_sweep_plan *plan, const struct thud_frag
     return true;
 }
 
-/* "24 ground motions. Points: counts; shaded: 90 % by bootstrap. Where not varied: gap = 15 cm" */
+/* "24 ground motions. Points: shares, with 90 % bands (Wilson). Where not varied: gap = 15 cm" */
 static void note(const struct thud_fragility_study *study, const char *what, char *text, size_t size)
 {
     const struct thud_sweep_plan *plan = study->suite->plan;
@@ -45,11 +45,11 @@ static struct thud_figure *of_event(const struct thud_fragility_study *study, in
         if (line->event == event && is_middle(study->suite->plan, line))
             curve[n++] = (struct thud_fragility_curve){line->axis, line->k, &line->fragility};
     }
-    note(study, " Points: counts; shaded: 90 % by bootstrap.", text, sizeof text);
+    note(study, thud_fragility_note(study->suite->ndraws), text, sizeof text);
     return thud_figure_of_fragility(study->suite->plan, study->event[event].text, curve, n, text);
 }
 
-/* Whether an event has a curve: one that compares with case `none` has none of that case alone. */
+/* Whether an event has counts: one that compares with case `none` has none of that case alone. */
 static bool has_curve(const struct thud_fragility_study *study, int event)
 {
     for (size_t i = 0; i < study->n; i++)

@@ -11,15 +11,6 @@
 
 static const double years = 50;
 
-bool thud_axis_is_intensity(const struct thud_sweep_axis *axis)
-{
-    static const char *const keys[] = {"record.peak", "record.sa", "record.factor"};
-    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
-        if (strcmp(axis->key, keys[i]) == 0)
-            return true;
-    return false;
-}
-
 static double unit_of(const struct thud_sweep_axis *axis)
 {
     const char *unit = axis->param->unit;
@@ -49,6 +40,60 @@ static bool two_numbers(const char *line, double *x, double *rate)
     return end[strspn(end, " \t\r")] == '\0';
 }
 
+/* The unit that the name of a first column ends with, `sa_g`, `Sa (cm/s2)`, `PGA [m/s2]`: its factor to SI; 0: none. */
+static double unit_of_head(const char *head, enum thud_dimension *dimension)
+{
+    static const char *const suffix[][2] = {{"mps2", "m/s2"}, {"cmps2", "cm/s2"}, {"gal", "cm/s2"}, {"mmps2", "mm/s2"}};
+    char name[64], *unit;
+    size_t n = strcspn(head, ",;\t\r");
+    snprintf(name, sizeof name, "%.*s", (int)n, head);
+    if ((unit = strpbrk(name, "([")) != NULL) {
+        unit++;
+        unit[strcspn(unit, ")]")] = '\0';
+    } else if ((unit = strrchr(name, '_')) != NULL) {
+        unit++;
+        unit[strcspn(unit, " ")] = '\0';
+    } else {
+        return 0;
+    }
+    for (size_t i = 0; i < sizeof suffix / sizeof *suffix; i++)
+        if (strcmp(unit, suffix[i][0]) == 0)
+            unit = (char *)suffix[i][1];
+    return thud_unit_factor(unit, dimension, NULL);
+}
+
+/* What the first column is multiplied by. Of an acceleration the unit must be said. */
+static enum thud_status read_unit(const char *path, int line, const char *head, const struct thud_sweep_axis *axis,
+                                  double *factor, struct thud_error *err)
+{
+    enum thud_dimension dimension = axis->param->dimension;
+    double said = unit_of_head(head, &dimension);
+    *factor = said > 0 ? said : 1;
+    if (said > 0 ? dimension == axis->param->dimension : axis->param->dimension != THUD_ACCELERATION)
+        return THUD_OK;
+    thud_error_set(err, THUD_INPUT,
+                   said > 0 ? "its intensity has a unit of another kind than %s"
+                            : "the unit of its intensity is not said (%s)",
+                   axis->key);
+    thud_error_place(err, path, line, 0);
+    thud_error_allow(err, axis->param->dimension == THUD_ACCELERATION
+                              ? "a first line such as sa_g,annual_rate or sa (cm/s2),annual_rate; g, m/s2, cm/s2, gal"
+                              : "a number without unit: factor,annual_rate");
+    return THUD_INPUT;
+}
+
+static enum thud_status add_point(const char *path, int number, double x, double rate, struct thud_hazard *out,
+                                  struct thud_error *err)
+{
+    if (!(x > 0 && rate > 0 && isfinite(x) && isfinite(rate)))
+        return refuse(path, number, "has a number that is not above 0", err);
+    if (out->n > 0 && !(x > out->x[out->n - 1] && rate <= out->rate[out->n - 1]))
+        return refuse(path, number, "does not go on: intensities rise, rates fall", err);
+    out->x[out->n] = x;
+    out->rate[out->n++] = rate;
+    return THUD_OK;
+}
+
 enum thud_status thud_hazard_read(const char *path, const struct thud_sweep_axis *axis, struct thud_hazard *out,
                                   struct thud_error *err)
 {
@@ -56,6 +101,7 @@ enum thud_status thud_hazard_read(const char *path, const struct thud_sweep_axis
     char *text, *line, *next;
     size_t size, room = 1;
     int number = 0;
+    double x, rate, factor = NAN;
     *out = (struct thud_hazard){0};
     enum thud_status status = thud_file_read(path, BYTES_MAX, &text, &size, err);
     if (status != THUD_OK)
@@ -67,7 +113,6 @@ enum thud_status thud_hazard_read(const char *path, const struct thud_sweep_axis
     if (!out->x || !out->rate)
         status = thud_error_set(err, THUD_MEMORY, "out of memory");
     for (line = text; status == THUD_OK && line; line = next) {
-        double x, rate;
         next = strchr(line, '\n');
         if (next)
             *next++ = '\0';
@@ -75,18 +120,13 @@ enum thud_status thud_hazard_read(const char *path, const struct thud_sweep_axis
         line[strcspn(line, "#")] = '\0';
         if (line[strspn(line, " \t\r")] == '\0')
             continue;
-        if (!two_numbers(line, &x, &rate)) {
-            if (out->n > 0)
-                status = refuse(path, number, "is no line of two numbers", err);
-            continue;
-        }
-        x *= unit_of(axis);
-        if (!(x > 0 && rate > 0 && isfinite(x) && isfinite(rate)))
-            status = refuse(path, number, "has a number that is not above 0", err);
-        else if (out->n > 0 && !(x > out->x[out->n - 1] && rate <= out->rate[out->n - 1]))
-            status = refuse(path, number, "does not go on: intensities rise, rates fall", err);
-        out->x[out->n] = x;
-        out->rate[out->n++] = rate;
+        bool numbers = two_numbers(line, &x, &rate), first = isnan(factor);
+        if (first)
+            status = read_unit(path, number, numbers ? "" : line, axis, &factor, err);
+        if (status == THUD_OK && numbers)
+            status = add_point(path, number, x * factor, rate, out, err);
+        else if (status == THUD_OK && !first)
+            status = refuse(path, number, "is no line of two numbers", err);
     }
     if (status == THUD_OK && out->n < 2)
         status = refuse(path, 0, "has fewer than two points", err);
@@ -142,14 +182,14 @@ static enum thud_status add_lines(struct thud_fragility_study *study, int event,
         struct thud_fragility_line *line = &study->line[study->n];
         struct thud_fragility_ask ask = {&study->event[event], k, axis, {0}, study->samples, study->seed};
         memcpy(ask.at, at, sizeof at);
-        *line = (struct thud_fragility_line){.event = event, .k = k, .axis = axis, .rate = NAN};
+        *line = (struct thud_fragility_line){.event = event, .k = k, .axis = axis, .rate = {NAN, NAN, NAN}};
         memcpy(line->at, at, sizeof at);
         enum thud_status status = thud_fragility_make(study->suite, &ask, &line->fragility, err);
         if (status != THUD_OK)
             return status;
         study->n++;
         if (study->hazard.n > 0 && thud_axis_is_intensity(&plan->axis[axis]))
-            line->rate = thud_hazard_rate(&study->hazard, &line->fragility.curve);
+            line->rate = thud_hazard_rate(&study->hazard, &line->fragility);
     } while (next_setting(plan, axis, at));
     return THUD_OK;
 }
@@ -218,37 +258,98 @@ static bool is_shown(const struct thud_sweep_plan *plan, const struct thud_fragi
     return true;
 }
 
-/* "0.52 (0.45 to 0.6)" */
-static void put_band(double value, double low, double high, double unit, int width, struct thud_text *out)
+/* "0.52 (0.45 to 0.6)"; an end of the band that lies outside the values that were tried has no number. */
+static void put_band(double value, double low, double high, const struct thud_fragility *f, double unit, int width,
+                     struct thud_text *out)
 {
-    char text[80];
+    char text[80], end[2][24];
+    if (!(f && low < f->least))
+        snprintf(end[0], sizeof end[0], "%.3g", low / unit);
+    else
+        snprintf(end[0], sizeof end[0], "below %.3g", f->least / unit);
+    if (!(f && high > f->most))
+        snprintf(end[1], sizeof end[1], "%.3g", high / unit);
+    else
+        snprintf(end[1], sizeof end[1], "above %.3g", f->most / unit);
     if (isnan(low))
         snprintf(text, sizeof text, "%.3g", value / unit);
     else
-        snprintf(text, sizeof text, "%.3g (%.3g to %.3g)", value / unit, low / unit, high / unit);
+        snprintf(text, sizeof text, "%.3g (%s to %s)", value / unit, end[0], end[1]);
     thud_text_append(out, "%-*s", width, text);
 }
 
-static void put_shares(const struct thud_fragility_line *line, struct thud_text *out)
+/* "0 5 3 0 0 of 7 at 5 10 15 20 25": at most five of the values. */
+static void put_counts(const struct thud_fragility *f, double unit, struct thud_text *out)
 {
-    const struct thud_fragility *f = &line->fragility;
-    int motions = 0, count = 0;
-    for (size_t i = 0; i < f->n; i++) {
-        motions += f->stripe[i].n;
-        count += f->stripe[i].count;
-    }
-    thud_text_append(out, count == 0 ? "never" : count == motions ? "always" : "no curve");
+    int most = 0;
+    for (size_t i = 0; i < f->n; i++)
+        most = f->stripe[i].n > most ? f->stripe[i].n : most;
+    thud_text_append(out, "counts");
+    for (size_t i = 0; i < f->n; i++)
+        if (is_spread((int)f->n, (int)i))
+            thud_text_append(out, f->stripe[i].n == most ? " %d" : " %d/%d", f->stripe[i].count, f->stripe[i].n);
+    thud_text_append(out, " of %d at", most);
+    for (size_t i = 0; i < f->n; i++)
+        if (is_spread((int)f->n, (int)i))
+            thud_text_append(out, " %.3g", f->stripe[i].x / unit);
 }
 
-/* Whether the median is where it was looked for. */
-static bool is_near(const struct thud_fragility *f)
+/* The median, or what is known of it. */
+static void put_median(const struct thud_fragility_line *line, double unit, bool hazard, struct thud_text *out)
 {
-    double least = INFINITY, most = 0;
-    for (size_t i = 0; i < f->n; i++) {
-        least = fmin(least, f->stripe[i].x);
-        most = fmax(most, f->stripe[i].x);
+    const struct thud_fragility *f = &line->fragility;
+    char text[80] = "";
+    if (!isnan(f->theta)) {
+        put_band(f->theta, f->theta_low, f->theta_high, f, unit, 29, out);
+        if (hazard) /* beside the rates there is no room for its band */
+            thud_text_append(out, "%-8.3g", f->curve.beta);
+        else
+            put_band(f->curve.beta, f->beta_low, f->beta_high, NULL, 1, 20, out);
+        return;
     }
-    return f->curve.theta >= least / 2 && f->curve.theta <= 2 * most;
+    const char *what = f->curve.fit == THUD_FIT_NEVER ? "never: " : f->curve.fit == THUD_FIT_ALWAYS ? "always: " : "";
+    if (f->above > 0 && isfinite(f->below))
+        snprintf(text, sizeof text, "%.3g to %.3g: refine there", f->above / unit, f->below / unit);
+    else if (f->above > 0)
+        snprintf(text, sizeof text, "%sabove %.3g", what, f->above / unit);
+    else if (isfinite(f->below))
+        snprintf(text, sizeof text, "%sbelow %.3g", what, f->below / unit);
+    else if (*what)
+        snprintf(text, sizeof text, "%.*s", (int)strlen(what) - 2, what);
+    if (*text)
+        thud_text_append(out, hazard ? "%-37s" : "%s", text);
+    else
+        put_counts(f, unit, out);
+}
+
+/* The annual rate and the probability in 50 years, or their bounds. */
+static void put_rate(const struct thud_rate *rate, struct thud_text *out)
+{
+    double least = 100 * thud_hazard_probability(rate->low, years),
+           most = 100 * thud_hazard_probability(rate->high, years);
+    if (isnan(rate->low))
+        return;
+    if (!isnan(rate->value))
+        thud_text_append(out, " %.2e %5.1f %%", rate->value, 100 * thud_hazard_probability(rate->value, years));
+    else if (isinf(rate->high))
+        thud_text_append(out, " from %.1e %.1f %%", rate->low, least);
+    else if (rate->low > 0)
+        thud_text_append(out, " %.1e-%.1e %.1f-%.1f %%", rate->low, rate->high, least, most);
+    else
+        thud_text_append(out, " up to %.1e %.1f %%", rate->high, most);
+}
+
+static void put_few(const struct thud_suite *suite, struct thud_text *out)
+{
+    int n = suite->ndraws;
+    if (n < THUD_SHARES_LEAST)
+        thud_text_append(
+            out, "\n%d independent ground motion%s no likelihood: the counts are all there is, without bands.\n", n,
+            n == 1 ? " gives" : "s give");
+    else if (n < THUD_DRAWS_LEAST)
+        thud_text_append(
+            out, "\n%d independent ground motions are too few for a band of a curve: from %d on there is one.\n", n,
+            THUD_DRAWS_LEAST);
 }
 
 void thud_fragility_table(const struct thud_fragility_study *study, struct thud_text *out)
@@ -257,8 +358,8 @@ void thud_fragility_table(const struct thud_fragility_study *study, struct thud_
     int event = -1, axis = -1;
     for (size_t i = 0; i < study->n; i++) {
         const struct thud_fragility_line *line = &study->line[i];
-        const struct thud_fragility *f = &line->fragility;
         const struct thud_sweep_axis *along = &plan->axis[line->axis];
+        bool hazard = study->hazard.n > 0 && thud_axis_is_intensity(along);
         char at[64];
         if (!is_shown(plan, line))
             continue;
@@ -267,29 +368,20 @@ void thud_fragility_table(const struct thud_fragility_study *study, struct thud_
             thud_text_append(out, "%s%s against %s%s%s%s, %d ground motions\n", event >= 0 ? "\n" : "",
                              study->event[line->event].text, along->param->title, unit && *unit ? " (" : "",
                              unit ? unit : "", unit && *unit ? ")" : "", study->suite->nrecords);
-            thud_text_append(out, "  %-8s %-14s %-24s %-*s%s\n", "case", "at", "50 % (90 % band)",
-                             study->hazard.n > 0 ? 11 : 20, "dispersion",
-                             study->hazard.n > 0 ? "a year    in 50 y" : "");
+            thud_text_append(out, "  %-7s %-10s %-28s %-*s%s\n", "case", "at", "50 % (90 % band)", hazard ? 8 : 10,
+                             "dispersion", hazard ? " a year    in 50 y" : "");
         }
         event = line->event;
         axis = line->axis;
         place(plan, line, at, sizeof at);
-        thud_text_append(out, "  %-8s %-14.14s ", thud_case_name(plan->cases[line->k]), at);
-        if (!f->curve.fitted) {
-            put_shares(line, out);
-        } else if (!is_near(f)) {
-            thud_text_append(out, "%-45s", "not within these values");
-        } else {
-            put_band(f->curve.theta, f->theta_low, f->theta_high, unit_of(along), 25, out);
-            if (isnan(line->rate)) /* beside the rates there is no room for its band */
-                put_band(f->curve.beta, f->beta_low, f->beta_high, 1, 20, out);
-            else
-                thud_text_append(out, "%-11.3g", f->curve.beta);
-        }
-        if (!isnan(line->rate))
-            thud_text_append(out, " %.2e %5.1f %%", line->rate, 100 * thud_hazard_probability(line->rate, years));
+        thud_text_append(out, "  %-7s %-10.10s ", thud_case_name(plan->cases[line->k]), at);
+        put_median(line, unit_of(along), hazard, out);
+        put_rate(&line->rate, out);
+        while (out->size > 0 && out->data[out->size - 1] == ' ')
+            out->data[--out->size] = '\0';
         thud_text_append(out, "\n");
     }
+    put_few(study->suite, out);
 }
 
 /* ---- CSV and JSON ---- */
@@ -334,50 +426,120 @@ static void put_line(const struct thud_fragility_study *study, const struct thud
 
 void thud_fragility_csv(const struct thud_fragility_study *study, struct thud_text *out)
 {
-    put_head(study, "motions,count,probability,low,high", out);
+    put_head(study, "motions,count,share,share_low,share_high,fitted,fitted_low,fitted_high", out);
     for (size_t i = 0; i < study->n; i++) {
         const struct thud_fragility_line *line = &study->line[i];
         const struct thud_fragility *f = &line->fragility;
         for (size_t j = 0; j < f->n; j++) {
+            const struct thud_stripe *s = &f->stripe[j];
+            const double x[] = {s->n > 0 ? (double)s->count / s->n : NAN, f->share_low[j], f->share_high[j],
+                                thud_lognormal_at(&f->curve, s->x),       f->low[j],       f->high[j]};
             put_line(study, line, out);
-            put_place(study->suite->plan, line, f->stripe[j].x, out);
-            thud_text_append(out, ",%d,%d", f->stripe[j].n, f->stripe[j].count);
-            put_number(thud_lognormal_at(&f->curve, f->stripe[j].x), out);
-            put_number(f->low[j], out);
-            put_number(f->high[j], out);
+            put_place(study->suite->plan, line, s->x, out);
+            thud_text_append(out, ",%d,%d", s->n, s->count);
+            for (size_t k = 0; k < sizeof x / sizeof *x; k++)
+                put_number(x[k], out);
             thud_text_append(out, "\n");
         }
     }
 }
 
-void thud_fragility_curves_csv(const struct thud_fragility_study *study, struct thud_text *out)
+/* ---- medians ---- */
+
+enum { MEDIANS = 5, RATES = 6 };
+static const char *const medians[MEDIANS] = {"theta", "theta_low", "theta_high", "median_above", "median_below"};
+static const char *const rates[RATES] = {
+    "annual_rate",          "annual_rate_low",          "annual_rate_high",
+    "probability_50_years", "probability_50_years_low", "probability_50_years_high"};
+
+/* What the name of a quantity in SI ends with: "_m", "_mps2"; empty for a number. */
+static const char *si_suffix(const struct thud_sweep_axis *axis)
 {
-    put_head(study, "theta,theta_low,theta_high,beta,beta_low,beta_high,falling,annual_rate,probability_50_years", out);
-    for (size_t i = 0; i < study->n; i++) {
-        const struct thud_fragility_line *line = &study->line[i];
-        const struct thud_fragility *f = &line->fragility;
-        bool fitted = f->curve.fitted;
-        const double x[] = {fitted ? f->curve.theta : NAN, f->theta_low, f->theta_high,
-                            fitted ? f->curve.beta : NAN,  f->beta_low,  f->beta_high};
-        put_line(study, line, out);
-        put_place(study->suite->plan, line, NAN, out);
-        for (size_t j = 0; j < sizeof x / sizeof *x; j++)
-            put_number(x[j], out);
-        thud_text_append(out, ",%s", !fitted ? "" : f->curve.falling ? "1" : "0");
-        put_number(line->rate, out);
-        put_number(isnan(line->rate) ? NAN : thud_hazard_probability(line->rate, years), out);
-        thud_text_append(out, "\n");
+    static const char *const suffix[THUD_DIMENSIONS] = {
+        [THUD_LENGTH] = "_m",          [THUD_AREA] = "_m2",     [THUD_MASS] = "_kg", [THUD_FORCE] = "_n",
+        [THUD_STIFFNESS] = "_npm",     [THUD_PRESSURE] = "_pa", [THUD_TIME] = "_s",  [THUD_VELOCITY] = "_mps",
+        [THUD_ACCELERATION] = "_mps2", [THUD_BENDING] = "_nm2"};
+    const char *own = suffix[axis->param->dimension];
+    return own ? own : "";
+}
+
+/* The median in the columns of its unit: each unit along which there are curves has its own. Returns how many. */
+static int median_units(const struct thud_fragility_study *study, const char *unit[THUD_VARY_MAX])
+{
+    int n = 0;
+    for (int a = 0; a < study->suite->plan->naxes; a++) {
+        const struct thud_sweep_axis *axis = &study->suite->plan->axis[a];
+        bool there = !is_drawn(axis);
+        for (int i = 0; i < n && !there; i++)
+            there = strcmp(unit[i], si_suffix(axis)) == 0;
+        if (!there)
+            unit[n++] = si_suffix(axis);
+    }
+    return n;
+}
+
+/* NaN for what is not known, lies outside the values that were tried, or has no bound. */
+static void median_values(const struct thud_fragility *f, double value[MEDIANS])
+{
+    bool told = !isnan(f->theta);
+    const double x[MEDIANS] = {f->theta, told && f->theta_low >= f->least ? f->theta_low : NAN,
+                               told && f->theta_high <= f->most ? f->theta_high : NAN, f->above > 0 ? f->above : NAN,
+                               isfinite(f->below) ? f->below : NAN};
+    memcpy(value, x, sizeof x);
+}
+
+static void rate_values(const struct thud_rate *rate, double value[RATES])
+{
+    const double x[] = {rate->value, rate->low, isinf(rate->high) ? NAN : rate->high};
+    for (int i = 0; i < 3; i++) {
+        value[i] = x[i];
+        value[3 + i] = isnan(x[i]) ? NAN : thud_hazard_probability(x[i], years);
     }
 }
 
-static void put_json_array(const char *key, const double *value, size_t n, struct thud_text *out)
+static void dispersion_values(const struct thud_fragility *f, double value[3])
 {
-    thud_text_append(out, ", \"%s\": [", key);
-    for (size_t i = 0; i < n; i++) {
-        thud_text_append(out, i ? ", " : "");
-        thud_json_number(out, value[i]);
+    bool told = !isnan(f->theta); /* a median far outside comes with any dispersion */
+    value[0] = told ? f->curve.beta : NAN;
+    value[1] = told ? f->beta_low : NAN;
+    value[2] = told ? f->beta_high : NAN;
+}
+
+void thud_fragility_curves_csv(const struct thud_fragility_study *study, struct thud_text *out)
+{
+    const char *unit[THUD_VARY_MAX];
+    int units = median_units(study, unit);
+    char head[1024];
+    size_t used = (size_t)snprintf(head, sizeof head, "fit");
+    for (int u = 0; u < units; u++)
+        for (int i = 0; i < MEDIANS; i++)
+            used += (size_t)snprintf(head + used, sizeof head - used, ",%s%s", medians[i], unit[u]);
+    used += (size_t)snprintf(head + used, sizeof head - used, ",beta,beta_low,beta_high,falling,deviance_p");
+    for (int i = 0; i < RATES; i++)
+        used += (size_t)snprintf(head + used, sizeof head - used, ",%s", rates[i]);
+    put_head(study, head, out);
+    for (size_t i = 0; i < study->n; i++) {
+        const struct thud_fragility_line *line = &study->line[i];
+        const struct thud_fragility *f = &line->fragility;
+        double median[MEDIANS], beta[3], rate[RATES];
+        median_values(f, median);
+        dispersion_values(f, beta);
+        rate_values(&line->rate, rate);
+        put_line(study, line, out);
+        put_place(study->suite->plan, line, NAN, out);
+        thud_text_append(out, ",%s", thud_fit_name(f->curve.fit));
+        for (int u = 0; u < units; u++)
+            for (int j = 0; j < MEDIANS; j++)
+                put_number(strcmp(unit[u], si_suffix(&study->suite->plan->axis[line->axis])) == 0 ? median[j] : NAN,
+                           out);
+        for (int j = 0; j < 3; j++)
+            put_number(beta[j], out);
+        thud_text_append(out, ",%s", !thud_is_fitted(&f->curve) ? "" : f->curve.falling ? "1" : "0");
+        put_number(f->curve.p, out);
+        for (int j = 0; j < RATES; j++)
+            put_number(rate[j], out);
+        thud_text_append(out, "\n");
     }
-    thud_text_append(out, "]");
 }
 
 static void put_json_line(const struct thud_fragility_study *study, const struct thud_fragility_line *line,
@@ -385,7 +547,6 @@ static void put_json_line(const struct thud_fragility_study *study, const struct
 {
     const struct thud_sweep_plan *plan = study->suite->plan;
     const struct thud_fragility *f = &line->fragility;
-    const double none = NAN;
     thud_text_append(out, "{\"event\": ");
     thud_json_string(out, study->event[line->event].text);
     thud_text_append(out, ", \"case\": \"%s\", \"against\": ", thud_case_name(plan->cases[line->k]));
@@ -399,16 +560,31 @@ static void put_json_line(const struct thud_fragility_study *study, const struct
         thud_text_append(out, ": ");
         thud_json_string(out, plan->axis[a].text[line->at[a]]);
     }
-    thud_text_append(out, "}, \"falling\": %s, ", f->curve.fitted && f->curve.falling ? "true" : "false");
-    thud_json_field(out, "theta", f->curve.fitted ? f->curve.theta : none);
-    put_json_array("theta_band", (const double[]){f->theta_low, f->theta_high}, 2, out);
+    double median[MEDIANS], beta[3], rate[RATES];
+    static const char *const dispersion[] = {"beta", "beta_low", "beta_high"};
+    median_values(f, median);
+    dispersion_values(f, beta);
+    rate_values(&line->rate, rate);
+    thud_text_append(out, "}, \"fit\": \"%s\", \"falling\": %s", thud_fit_name(f->curve.fit),
+                     !thud_is_fitted(&f->curve) ? "null"
+                     : f->curve.falling         ? "true"
+                                                : "false");
+    for (int i = 0; i < MEDIANS; i++) {
+        char key[64];
+        snprintf(key, sizeof key, "%s%s", medians[i], si_suffix(&plan->axis[line->axis]));
+        thud_text_append(out, ", ");
+        thud_json_field(out, key, median[i]);
+    }
+    for (int i = 0; i < 3; i++) {
+        thud_text_append(out, ", ");
+        thud_json_field(out, dispersion[i], beta[i]);
+    }
     thud_text_append(out, ", ");
-    thud_json_field(out, "beta", f->curve.fitted ? f->curve.beta : none);
-    put_json_array("beta_band", (const double[]){f->beta_low, f->beta_high}, 2, out);
-    thud_text_append(out, ", ");
-    thud_json_field(out, "annual_rate", line->rate);
-    thud_text_append(out, ", ");
-    thud_json_field(out, "probability_50_years", isnan(line->rate) ? none : thud_hazard_probability(line->rate, years));
+    thud_json_field(out, "deviance_p", f->curve.p);
+    for (int i = 0; i < RATES; i++) {
+        thud_text_append(out, ", ");
+        thud_json_field(out, rates[i], rate[i]);
+    }
     thud_text_append(out, ", \"stripes\": [");
     for (size_t j = 0; j < f->n; j++) {
         thud_text_append(out, "%s[", j ? ", " : "");
@@ -422,8 +598,8 @@ void thud_fragility_json(const struct thud_fragility_study *study, struct thud_t
 {
     thud_text_append(out, "{\"preset\": ");
     thud_json_string(out, study->suite->plan->scene.name);
-    thud_text_append(out, ", \"version\": \"%s\", \"motions\": %d, \"curves\": [", THUD_VERSION,
-                     study->suite->nrecords);
+    thud_text_append(out, ", \"version\": \"%s\", \"motions\": %d, \"independent\": %d, \"curves\": [", THUD_VERSION,
+                     study->suite->nrecords, study->suite->ndraws);
     for (size_t i = 0; i < study->n; i++) {
         thud_text_append(out, i ? ",\n  " : "\n  ");
         put_json_line(study, &study->line[i], out);
@@ -539,9 +715,13 @@ static void put_suite_table_row(const struct thud_suite *suite, const int *at, i
         return;
     for (int a = 0; a < plan->naxes && used < sizeof name; a++)
         used += (size_t)snprintf(name + used, sizeof name - used, "%s%s", a ? ", " : "", plan->axis[a].text[at[a]]);
-    thud_text_append(out, "  %-8s %-8.8s %4.0f %4.0f %6.3f %6.3f %6.3f %7.3g %7.3g  %-.17s\n",
-                     thud_case_name(plan->cases[k]), plan->scene.structure[s].name, value[1], value[2], ratio[0],
-                     ratio[1], ratio[2], 1e-6 * force[1], 1e-6 * force[2], name);
+    thud_text_append(out, "  %-8s %-8.8s %4.0f %4.0f", thud_case_name(plan->cases[k]), plan->scene.structure[s].name,
+                     value[1], value[2]);
+    for (int q = 0; q < 3; q++)
+        thud_text_append(out, isnan(ratio[q]) ? "      -" : " %6.3f", ratio[q]);
+    for (int q = 1; q < 3; q++)
+        thud_text_append(out, isnan(force[q]) ? "       -" : " %7.3g", 1e-6 * force[q]);
+    thud_text_append(out, "  %-.17s\n", name);
 }
 
 typedef void put_suite_row(const struct thud_suite *suite, const int *at, int k, int s,

@@ -13,7 +13,7 @@ struct thud_fragility_line {
     int event, k, axis;
     int at[THUD_VARY_MAX]; /* on the other axes; 0 on its own */
     struct thud_fragility fragility;
-    double rate; /* annual; NaN: no hazard curve, or not along an intensity */
+    struct thud_rate rate; /* annual; NaN: no hazard curve, or not along an intensity */
 };
 
 struct thud_fragility_study {
@@ -27,10 +27,9 @@ struct thud_fragility_study {
     struct thud_fragility_line *line; /* (n) by event, case, axis, setting */
 };
 
-/* Whether an axis is an intensity of the ground motion. */
-bool thud_axis_is_intensity(const struct thud_sweep_axis *axis);
-/* A hazard curve from CSV: two columns, intensity (in g for an acceleration, a bare number for a factor) and annual
- * rate of being exceeded; `#` before a comment, a line of words at the top. Errors: THUD_INPUT with line. */
+/* A hazard curve from CSV: two columns, intensity and annual rate of being exceeded; `#` before a comment. A first line
+ * of words may name them; of an acceleration it must, with the unit: `sa_g`, `sa (cm/s2)`. Errors: THUD_INPUT with line.
+ */
 enum thud_status thud_hazard_read(const char *path, const struct thud_sweep_axis *axis, struct thud_hazard *out,
                                   struct thud_error *err);
 

@@ -1,5 +1,6 @@
 #include "app/sweep/gap_report.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -120,9 +121,13 @@ static enum thud_status fractiles(const struct thud_gap_suite *suite, int level,
 
 static void put_suite(const struct thud_fractiles f[THUD_GAP_RULES + 1], struct thud_text *out)
 {
-    static const char *const what[WHATS] = {"16 %", "median", "84 %", "largest", "less than needed, share"};
+    static const double share[] = {0.16, 0.5, 0.84};
     for (int w = 0; w < WHATS; w++) {
-        thud_text_append(out, "%-26s", what[w]);
+        char what[64] = "less than needed, share";
+        if (w < 3) /* as thud_enough counts */
+            snprintf(what, sizeof what, "for %.0f of %zu (%.0f %%)", fmax(1, ceil(share[w] * (double)f[0].n - 1e-9)),
+                     f[0].n, 100 * share[w]);
+        thud_text_append(out, "%-26s", w == 3 ? "largest" : what);
         for (int i = 0; i <= THUD_GAP_RULES; i++) {
             double x = w == 0 ? f[i].p16 : w == 1 ? f[i].median : w == 2 ? f[i].p84 : w == 3 ? f[i].most : f[i].share;
             if (w == 4 && i == 0)
@@ -169,10 +174,11 @@ enum thud_status thud_gap_report(const struct thud_gap_study *study, const struc
     if (status == THUD_OK && suite->nrecords > 1) {
         thud_text_append(out, "\n");
         put_suite(f, out);
-        thud_text_append(out,
-                         "\nA gap of %.2f cm is enough for half of the %d ground motions, %.2f cm for 84 %%\n"
-                         "of them, %.2f cm for all.\n",
-                         100 * f[0].median, suite->nrecords, 100 * f[0].p84, 100 * f[0].most);
+        thud_text_append(out, "\nA gap of %.2f cm is enough for %zu of the %d ground motions", 100 * f[0].median,
+                         f[0].half, suite->nrecords);
+        if (f[0].most84 < f[0].n && f[0].most84 > f[0].half)
+            thud_text_append(out, ", %.2f cm for %zu of them", 100 * f[0].p84, f[0].most84);
+        thud_text_append(out, f[0].half < f[0].n ? ",\n%.2f cm for all.\n" : ".\n", 100 * f[0].most);
     }
     put_bumpers(scene, out);
     thud_text_append(out, "\n");

@@ -9,7 +9,30 @@
 
 enum { FINE = 120, PANELS_MAX = THUD_VARY_MAX, COLUMNS_MAX = 4 };
 
-/* One case: band, curve, counts. */
+/* Wilson's band of each share as an upright line; none where there is none. */
+static void add_bars(struct thud_panel *panel, const struct thud_fragility *f, double unit, int color)
+{
+    double *x = malloc(6 * (f->n + 1) * sizeof *x), *y = x ? x + 3 * (f->n + 1) : NULL;
+    if (!x) {
+        if (panel)
+            panel->figure->failed = true;
+        return;
+    }
+    bool any = false;
+    for (size_t i = 0; i < f->n; i++) {
+        x[3 * i] = x[3 * i + 1] = x[3 * i + 2] = f->stripe[i].x * unit;
+        y[3 * i] = 100 * f->share_low[i];
+        y[3 * i + 1] = 100 * f->share_high[i];
+        y[3 * i + 2] = NAN;
+        any |= !isnan(f->share_low[i]);
+    }
+    if (any)
+        thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = color, .thin = true}, "", 3 * f->n, x,
+                       y);
+    free(x);
+}
+
+/* One case: counts with their bands; the curve with its own where one is told. */
 static void add_curve(struct thud_panel *panel, const struct thud_sweep_plan *plan,
                       const struct thud_fragility_curve *curve)
 {
@@ -34,18 +57,27 @@ static void add_curve(struct thud_panel *panel, const struct thud_sweep_plan *pl
     }
     if (banded)
         thud_panel_fill(panel, (struct thud_style){.color = color, .thin = true}, name, f->n, point, low, high);
-    if (f->curve.fitted) {
-        double from = f->stripe[0].x, to = f->stripe[f->n - 1].x;
+    if (thud_is_fitted(&f->curve)) {
         for (int i = 0; i < FINE; i++) {
-            double at = from + (to - from) * i / (FINE - 1);
+            double at = f->least + (f->most - f->least) * i / (FINE - 1);
             x[i] = at * unit;
             y[i] = 100 * thud_lognormal_at(&f->curve, at);
         }
         thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = color}, name, FINE, x, y);
     }
-    thud_panel_add(panel, (struct thud_style){.kind = THUD_POINTS, .color = color}, f->curve.fitted ? "" : name, f->n,
-                   point, share);
+    add_bars(panel, f, unit, color);
+    thud_panel_add(panel, (struct thud_style){.kind = THUD_POINTS, .color = color},
+                   thud_is_fitted(&f->curve) ? "" : name, f->n, point, share);
     free(point);
+}
+
+const char *thud_fragility_note(int ndraws)
+{
+    return ndraws < THUD_SHARES_LEAST ? " Points: shares; so few motions have no band."
+           : ndraws < THUD_DRAWS_LEAST
+               ? " Points: shares with 90 % bands (Wilson); so few motions have no band of a curve."
+               : " Points: shares with 90 % bands (Wilson). Curves where the counts allow one; shaded: 90 % by "
+                 "bootstrap.";
 }
 
 struct thud_figure *thud_figure_of_fragility(const struct thud_sweep_plan *plan, const char *event,
@@ -77,7 +109,7 @@ struct thud_figure *thud_figure_of_fragility(const struct thud_sweep_plan *plan,
         snprintf(against, sizeof against, "against %s", plan->axis[a].param->title);
         struct thud_panel *panel = thud_figure_panel(figure, 0, panel_of[a], against);
         thud_panel_varied(panel, THUD_X, &plan->axis[a]);
-        thud_panel_axis(panel, THUD_Y, "Probability", "%");
+        thud_panel_axis(panel, THUD_Y, "Share of the ground motions", "%");
         thud_panel_limits(panel, THUD_Y, 0, 100);
         for (int i = 0; i < ncurves; i++)
             if (curve[i].axis == a)

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "study/scene/level.h"
+#include "study/suite/suite.h"
 
 enum { LEVELS_MAX = 256 };
 
@@ -34,7 +35,7 @@ static bool add_levels(struct thud_panel *panel, const struct thud_gap_suite *su
             low[l] = 100 * f.p16;
             high[l] = 100 * f.p84;
         }
-        if (rule == THUD_GAP_EXACT && suite->nrecords > 1)
+        if (rule == THUD_GAP_EXACT && suite->nrecords >= THUD_SHARES_LEAST)
             thud_panel_fill(panel, (struct thud_style){.color = 0, .thin = true}, "needed", (size_t)n, x, low, high);
         thud_panel_add(panel, style, thud_gap_rule_name(rule), (size_t)n, x, y);
     }
@@ -93,7 +94,8 @@ struct thud_figure *thud_figure_of_gaps(const struct thud_gap_suite *suite, cons
         note, sizeof note,
         "%d ground motion%s. needed: exact, from the motion without pounding%s. ASCE 7-16 12.12.3 is SRSS; EN 1998-1 "
         "4.4.2.7 takes 0.7 of it at aligned floors.",
-        suite->nrecords, several ? "s" : "", several ? " (shaded: 16 to 84 %)" : "");
+        suite->nrecords, several ? "s" : "",
+        suite->nrecords >= THUD_SHARES_LEAST ? " (shaded: enough for 16 to 84 %)" : "");
     thud_figure_note(figure, note);
     return figure;
 }

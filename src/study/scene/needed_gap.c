@@ -143,6 +143,78 @@ double thud_needed_gap_widest(const struct thud_needed_gap *gap, int interface, 
     return most;
 }
 
+/* How much of its clearance the level uses up that uses most; INFINITY: a motion uses up a clearance of nothing. */
+static double used_up(const struct thud_scene *scene, const struct thud_needed_gap *gap)
+{
+    double most = 0;
+    for (int i = 0; i < gap->nlevels; i++) {
+        double clearance = thud_interface_clearance(&scene->interface[gap->level[i].interface - 1]);
+        if (gap->level[i].closing_m > 0)
+            most = fmax(most, clearance > 0 ? gap->level[i].closing_m / clearance : INFINITY);
+    }
+    return most;
+}
+
+/* At `factor` times the motion. */
+static enum thud_status used_up_at(const struct thud_scene *scene, const struct thud_record *record, double factor,
+                                   double *out, struct thud_error *err)
+{
+    struct thud_record *scaled;
+    struct thud_needed_gap *gap = NULL;
+    enum thud_status status = thud_record_create(record->a_mps2, record->samples, record->dt_s, &scaled, err);
+    if (status != THUD_OK)
+        return status;
+    thud_record_scale(scaled, factor);
+    status = thud_needed_gap_run(scene, scaled, &gap, err);
+    if (status == THUD_OK)
+        *out = used_up(scene, gap);
+    free(gap);
+    thud_record_free(scaled);
+    return status;
+}
+
+static bool is_linear(const struct thud_scene *scene)
+{
+    for (int s = 0; s < scene->nstructures; s++)
+        if (scene->structure[s].velocity_mps != 0)
+            return false;
+    return !thud_scene_yields(scene);
+}
+
+enum thud_status thud_pounding_factor(const struct thud_scene *scene, const struct thud_record *record,
+                                      const struct thud_needed_gap *gap, double *factor, struct thud_error *err)
+{
+    enum { RUNS = 60 };
+    static const double close = 1e-6, least = 1e-3, most = 1e3, stride = 1.5;
+    double used = used_up(scene, gap), from = 1, to = 1, at_from = used, at_to = used;
+    enum thud_status status = THUD_OK;
+    *factor = used > 0 ? 1 / used : INFINITY;
+    if (is_linear(scene) || !record || isinf(used))
+        return THUD_OK;
+    while (status == THUD_OK && (at_from >= 1) == (at_to >= 1)) { /* outwards from 1, one way */
+        from = to;
+        at_from = at_to;
+        to = used >= 1 ? from / stride : from * stride;
+        if (to < least || to > most) {
+            *factor = used >= 1 ? 0 : INFINITY;
+            return THUD_OK;
+        }
+        status = used_up_at(scene, record, to, &at_to, err);
+    }
+    for (int i = 0; i < RUNS && status == THUD_OK && fabs(to - from) > close * to; i++) {
+        /* the secant, which of a linear answer is the root, kept off the ends; every third time the middle */
+        double middle =
+            from + (to - from) * (i % 3 == 2 ? 0.5 : fmin(0.999999, fmax(1e-6, (1 - at_from) / (at_to - at_from))));
+        double at = NAN;
+        status = used_up_at(scene, record, middle, &at, err);
+        bool beyond = (at >= 1) == (at_to >= 1);
+        *(beyond ? &to : &from) = middle;
+        *(beyond ? &at_to : &at_from) = at;
+    }
+    *factor = at_from >= 1 ? from : to; /* the end that touches */
+    return status;
+}
+
 /* Whether a rule asks for less than is needed. */
 static bool falls_short(const struct thud_needed_gap *gap, int level, int rule)
 {
@@ -163,7 +235,11 @@ enum thud_status thud_gap_suite_fractiles(const struct thud_gap_suite *suite, in
         value[r] = level < 0 ? thud_needed_gap_widest(gap, 0, rule, NULL) : thud_gap_value(&gap->level[level], rule);
         shorter += falls_short(gap, level, rule);
     }
+    size_t count;
     *out = thud_fractiles_of(value, (size_t)suite->nrecords, INFINITY);
+    out->p16 = thud_enough(value, out->n, 0.16, &count);
+    out->median = thud_enough(value, out->n, 0.5, &out->half);
+    out->p84 = thud_enough(value, out->n, 0.84, &out->most84);
     out->share = suite->nrecords > 0 ? (double)shorter / suite->nrecords : NAN;
     free(value);
     return THUD_OK;

@@ -87,7 +87,7 @@ static bool newton(const struct likelihood *l, double step[2])
 }
 
 /* The counts go from none to all (or back) at one place or over one stripe: the likelihood grows without end as beta
- * goes to 0, so the curve is a step. */
+ * goes to 0, so no curve is the most likely one. */
 static bool is_step(const struct thud_stripe *stripe, size_t n, struct thud_lognormal *out)
 {
     double none_least = INFINITY, none_most = 0, all_least = INFINITY, all_most = 0, part = NAN;
@@ -108,12 +108,16 @@ static bool is_step(const struct thud_stripe *stripe, size_t n, struct thud_logn
         }
     }
     bool rising = none_most < all_least, falling = all_most < none_least;
-    if (parts > 1 || all_most == 0 || none_most == 0 || !(rising || falling))
+    if (parts > 1 || (parts == 0 && (all_most == 0 || none_most == 0)) || !(rising || falling))
         return false;
+    if (parts == 1) { /* what is neither lies between the others, where there are any */
+        rising = part > none_most && part < all_least;
+        falling = part > all_most && part < none_least;
+        if (!rising && !falling)
+            return false;
+    }
     double low = rising ? none_most : all_most, high = rising ? all_least : none_least;
-    if (parts == 1 && !(part > low && part < high))
-        return false;
-    *out = (struct thud_lognormal){true, falling, parts ? part : sqrt(low * high), 0};
+    *out = (struct thud_lognormal){THUD_FIT_SEPARATED, !rising, parts ? part : sqrt(low * high), 0, NAN};
     return true;
 }
 
@@ -121,7 +125,7 @@ static struct thud_lognormal fit_from(const struct stripes *s, struct probit *p)
 {
     enum { STEPS = 100 };
     static const double small = 1e-7; /* the step after a step like this is below 1e-14 */
-    struct thud_lognormal curve = {0};
+    struct thud_lognormal curve = {.fit = THUD_FIT_NONE, .theta = NAN, .beta = NAN, .p = NAN};
     double sum = 0, asked = 0, happened = 0, least = INFINITY, most = -INFINITY;
     int used = 0;
     for (size_t i = 0; i < s->n; i++)
@@ -134,6 +138,8 @@ static struct thud_lognormal fit_from(const struct stripes *s, struct probit *p)
             least = fmin(least, t);
             most = fmax(most, t);
         }
+    if (used > 0 && (happened <= 0 || happened >= asked))
+        curve.fit = happened > 0 ? THUD_FIT_ALWAYS : THUD_FIT_NEVER;
     if (used < 2 || happened <= 0 || happened >= asked || !(most > least))
         return curve;
     if (is_step(s->stripe, s->n, &curve))
@@ -157,25 +163,83 @@ static struct thud_lognormal fit_from(const struct stripes *s, struct probit *p)
         if (fabs(step[0]) + fabs(step[1]) < small * (1 + fabs(p->a) + fabs(p->b)))
             break;
     }
-    if (p->b == 0 || !isfinite(p->b))
+    if (p->b == 0 || !isfinite(p->b)) { /* as many at every value: no median */
+        curve.fit = THUD_FIT_REJECTED;
         return curve;
-    return (struct thud_lognormal){true, p->b < 0, exp(p->centre - p->a / p->b), 1 / fabs(p->b)};
+    }
+    return (struct thud_lognormal){THUD_FIT_CURVE, p->b < 0, exp(p->centre - p->a / p->b), 1 / fabs(p->b), NAN};
 }
 
-struct thud_lognormal thud_lognormal_fit(const struct thud_stripe *stripe, size_t n)
+/* Also of counts that separate, whose curve is a step. */
+static double curve_at(const struct thud_lognormal *curve, double x)
 {
-    struct probit p = {NAN, NAN, NAN};
-    return fit_from(&(struct stripes){stripe, NULL, n}, &p);
-}
-
-double thud_lognormal_at(const struct thud_lognormal *curve, double x)
-{
-    if (!curve->fitted)
-        return NAN;
     double side = curve->falling ? -1 : 1, z = log(x / curve->theta);
     if (curve->beta == 0)
         return z == 0 ? 0.5 : side * z > 0 ? 1 : 0;
     return thud_normal_cdf(side * z / curve->beta);
+}
+
+double thud_lognormal_at(const struct thud_lognormal *curve, double x)
+{
+    return thud_is_fitted(curve) ? curve_at(curve, x) : NAN;
+}
+
+/* Deviance D = 2 sum(k ln(k / (n P)) + (n - k) ln((n - k) / (n (1 - P)))), chi-square of as many degrees of freedom as
+ * there are stripes less the two parameters (McCullagh and Nelder, Generalized Linear Models, 1989, 4.4). Stripes that
+ * share their motions deviate together, which makes D smaller, so a curve that is rejected does not hold. */
+static double deviance_p(const struct thud_lognormal *curve, const struct thud_stripe *stripe, size_t n)
+{
+    double sum = 0;
+    int free = -2;
+    for (size_t i = 0; i < n; i++) {
+        const struct thud_stripe *s = &stripe[i];
+        if (!counts(s))
+            continue;
+        struct thud_lognormal other = *curve;
+        other.falling = !curve->falling;
+        double p = curve_at(curve, s->x), q = curve_at(&other, s->x), yes = s->count, no = s->n - s->count;
+        free++;
+        sum += yes > 0 ? 2 * yes * log(yes / (s->n * p)) : 0;
+        sum += no > 0 ? 2 * no * log(no / (s->n * q)) : 0;
+    }
+    return free > 0 ? thud_chi_square_tail(sum, free) : NAN;
+}
+
+struct thud_lognormal thud_lognormal_fit(const struct thud_stripe *stripe, size_t n)
+{
+    static const double rejected = 0.05;
+    struct probit p = {NAN, NAN, NAN};
+    struct thud_lognormal curve = fit_from(&(struct stripes){stripe, NULL, n}, &p);
+    if (thud_is_fitted(&curve)) {
+        curve.p = deviance_p(&curve, stripe, n);
+        curve.fit = curve.p < rejected ? THUD_FIT_REJECTED : THUD_FIT_CURVE;
+    }
+    return curve;
+}
+
+const char *thud_fit_name(enum thud_fit fit)
+{
+    static const char *const name[] = {"none", "counted", "never", "always", "separated", "rejected", "curve"};
+    return name[fit];
+}
+
+/* Bounds of the median of counts that rise or fall: the values with less and with more than half of the motions next to
+ * it. */
+static void median_bounds(const struct thud_stripe *stripe, size_t n, bool falling, double *above, double *below)
+{
+    *above = 0;
+    *below = INFINITY;
+    for (size_t i = 0; i < n; i++) {
+        const struct thud_stripe *s = &stripe[i];
+        if (!counts(s) || 2 * s->count == s->n)
+            continue;
+        if ((2 * s->count > s->n) == falling)
+            *above = fmax(*above, s->x);
+        else
+            *below = fmin(*below, s->x);
+    }
+    if (*above == 0 && isinf(*below))
+        *above = *below = NAN;
 }
 
 /* ---- events ---- */
@@ -224,6 +288,25 @@ enum thud_status thud_event_parse(const char *text, struct thud_event *out, stru
     return refuse_event(text, err);
 }
 
+/* Whether an intensity makes it more likely, or a gap pounding less. Floor accelerations and permanent drifts go up and
+ * down, and so does what a bumper makes of them. */
+static bool is_monotone(enum thud_event_kind kind, const struct thud_sweep_axis *axis)
+{
+    const char *last = strrchr(axis->key, '.');
+    bool gap = strcmp(last ? last + 1 : axis->key, "gap") == 0;
+    return kind != THUD_EVENT_WORSE && kind != THUD_EVENT_ACCELERATION && kind != THUD_EVENT_PERMANENT &&
+           (gap || thud_axis_is_intensity(axis));
+}
+
+bool thud_axis_is_intensity(const struct thud_sweep_axis *axis)
+{
+    static const char *const keys[] = {"record.peak", "record.sa", "record.factor"};
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
+        if (strcmp(axis->key, keys[i]) == 0)
+            return true;
+    return false;
+}
+
 static int happens_in(const struct thud_event *event, const struct thud_suite *suite, int record, long setting, int k)
 {
     static const double equal = 1e-9; /* relative: a ratio this near 1 is 1 */
@@ -250,9 +333,10 @@ static void band(double *value, size_t n, double *low, double *high)
     *high = 2 * m >= n && m > 0 ? thud_quantile(value, m, 0.95, false) : NAN;
 }
 
-/* Draws motions with replacement and fits again. `happens`: (records x n). */
-static enum thud_status bootstrap(const signed char *happens, int nrecords, const struct thud_fragility_ask *ask,
-                                  struct thud_fragility *f, struct thud_error *err)
+/* Draws motions with replacement, both signs of one together, and fits again. `happens`: (records x n). */
+static enum thud_status bootstrap(const signed char *happens, const struct thud_suite *suite,
+                                  const struct thud_fragility_ask *ask, struct thud_fragility *f,
+                                  struct thud_error *err)
 {
     size_t samples = (size_t)ask->samples, n = f->n;
     double *value = malloc((n + 2) * samples * sizeof *value); /* curves at each x, then theta, then beta */
@@ -270,24 +354,32 @@ static enum thud_status bootstrap(const signed char *happens, int nrecords, cons
         logs[i] = log(f->stripe[i].x);
     (void)fit_from(&(struct stripes){f->stripe, logs, n}, &start);
     for (size_t b = 0; b < samples; b++) {
+        int asked = 0, happened = 0;
         for (size_t i = 0; i < n; i++)
             stripe[i] = (struct thud_stripe){f->stripe[i].x, 0, 0};
-        for (int r = 0; r < nrecords; r++) {
-            const signed char *h = happens + thud_random_below(&random, (size_t)nrecords) * n;
-            for (size_t i = 0; i < n; i++) {
-                stripe[i].n += h[i] >= 0;
-                stripe[i].count += h[i] > 0;
+        for (int d = 0; d < suite->ndraws; d++) {
+            int drawn = (int)thud_random_below(&random, (size_t)suite->ndraws);
+            for (int r = suite->first[drawn]; r < suite->first[drawn + 1]; r++) {
+                const signed char *h = happens + (size_t)r * n;
+                for (size_t i = 0; i < n; i++) {
+                    stripe[i].n += h[i] >= 0;
+                    stripe[i].count += h[i] > 0;
+                }
             }
+        }
+        for (size_t i = 0; i < n; i++) {
+            asked += stripe[i].n;
+            happened += stripe[i].count;
         }
         struct probit p = start;
         struct thud_lognormal curve = fit_from(&(struct stripes){stripe, logs, n}, &p);
-        bool ever = false;
+        bool none = isnan(curve.theta), ever = happened > 0;
         for (size_t i = 0; i < n; i++)
-            ever |= stripe[i].count > 0;
-        for (size_t i = 0; i < n; i++) /* where there is no curve nothing ever happened, or everything */
-            value[i * samples + b] = curve.fitted ? thud_lognormal_at(&curve, stripe[i].x) : ever;
-        value[n * samples + b] = curve.fitted ? curve.theta : NAN;
-        value[(n + 1) * samples + b] = curve.fitted ? curve.beta : NAN;
+            value[i * samples + b] =
+                none ? (asked > 0 ? (double)happened / asked : NAN) : curve_at(&curve, stripe[i].x);
+        /* the median of what never happens lies above every intensity, and below every gap */
+        value[n * samples + b] = !none ? curve.theta : ever == f->curve.falling ? INFINITY : 0;
+        value[(n + 1) * samples + b] = curve.beta;
     }
     for (size_t i = 0; i < n; i++)
         band(value + i * samples, samples, &f->low[i], &f->high[i]);
@@ -299,15 +391,46 @@ static enum thud_status bootstrap(const signed char *happens, int nrecords, cons
     return THUD_OK;
 }
 
+/* A fit that may be told, and where the median lies. */
+static void conclude(struct thud_fragility *f, enum thud_event_kind kind, const struct thud_sweep_axis *axis)
+{
+    f->curve = thud_lognormal_fit(f->stripe, f->n);
+    bool falls = !thud_axis_is_intensity(axis), never = f->curve.fit == THUD_FIT_NEVER;
+    bool same = never || f->curve.fit == THUD_FIT_ALWAYS, monotone = is_monotone(kind, axis);
+    bool directed = monotone && (!falls || kind == THUD_EVENT_POUNDING); /* a force may grow with a gap, too */
+    if (f->curve.fit == THUD_FIT_NONE)
+        return;
+    if (!same && !monotone)
+        f->curve.fit = THUD_FIT_COUNTED;
+    else if (!same && directed && f->curve.falling != falls)
+        f->curve.fit = THUD_FIT_REJECTED;
+    if (thud_is_fitted(&f->curve) && f->curve.theta >= f->least && f->curve.theta <= f->most) {
+        f->theta = f->curve.theta;
+    } else if (thud_is_fitted(&f->curve)) {
+        f->above = f->curve.theta > f->most ? f->most : 0;
+        f->below = f->curve.theta > f->most ? INFINITY : f->least;
+    } else if (f->curve.fit == THUD_FIT_SEPARATED || (same && directed)) {
+        median_bounds(f->stripe, f->n, same ? falls : f->curve.falling, &f->above, &f->below);
+    }
+}
+
 enum thud_status thud_fragility_make(const struct thud_suite *suite, const struct thud_fragility_ask *ask,
                                      struct thud_fragility *out, struct thud_error *err)
 {
     const struct thud_sweep_axis *axis = &suite->plan->axis[ask->axis];
     size_t n = (size_t)axis->n;
     int at[THUD_VARY_MAX];
-    *out = (struct thud_fragility){.n = n, .theta_low = NAN, .theta_high = NAN, .beta_low = NAN, .beta_high = NAN};
+    *out = (struct thud_fragility){.n = n,
+                                   .least = INFINITY,
+                                   .theta = NAN,
+                                   .above = NAN,
+                                   .below = NAN,
+                                   .theta_low = NAN,
+                                   .theta_high = NAN,
+                                   .beta_low = NAN,
+                                   .beta_high = NAN};
     out->stripe = calloc(n, sizeof *out->stripe);
-    out->low = malloc(2 * n * sizeof *out->low);
+    out->low = malloc(4 * n * sizeof *out->low);
     signed char *happens = malloc((size_t)suite->nrecords * n);
     if (!out->stripe || !out->low || !happens) {
         free(happens);
@@ -315,23 +438,29 @@ enum thud_status thud_fragility_make(const struct thud_suite *suite, const struc
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
     out->high = out->low + n;
+    out->share_low = out->high + n;
+    out->share_high = out->share_low + n;
     memcpy(at, ask->at, sizeof at);
     for (size_t i = 0; i < n; i++) {
         at[ask->axis] = (int)i;
         long setting = thud_suite_setting(suite->plan, at);
-        out->stripe[i].x = axis->value[i];
+        struct thud_stripe *s = &out->stripe[i];
+        s->x = axis->value[i];
         out->low[i] = out->high[i] = NAN;
         for (int r = 0; r < suite->nrecords; r++) {
             int h = happens_in(ask->event, suite, r, setting, ask->k);
             happens[(size_t)r * n + i] = (signed char)h;
-            out->stripe[i].n += h >= 0;
-            out->stripe[i].count += h > 0;
+            s->n += h >= 0;
+            s->count += h > 0;
         }
+        out->least = s->x > 0 ? fmin(out->least, s->x) : out->least;
+        out->most = fmax(out->most, s->x);
+        thud_suite_share_band(suite, (size_t)s->count, (size_t)s->n, &out->share_low[i], &out->share_high[i]);
     }
-    out->curve = thud_lognormal_fit(out->stripe, n);
+    conclude(out, ask->event->kind, axis);
     enum thud_status status = THUD_OK;
-    if (out->curve.fitted && ask->samples > 0)
-        status = bootstrap(happens, suite->nrecords, ask, out, err);
+    if (thud_is_fitted(&out->curve) && ask->samples > 0 && suite->ndraws >= THUD_DRAWS_LEAST)
+        status = bootstrap(happens, suite, ask, out, err);
     free(happens);
     if (status != THUD_OK)
         thud_fragility_clear(out);
@@ -347,15 +476,79 @@ void thud_fragility_clear(struct thud_fragility *fragility)
 
 /* ---- hazard ---- */
 
-double thud_hazard_rate(const struct thud_hazard *hazard, const struct thud_lognormal *curve)
+/* lambda(x); INFINITY before the first point, where it is not known, and the last rate beyond the last one. */
+static double rate_at(const struct thud_hazard *h, double x)
 {
-    double rate = 0;
-    if (!curve->fitted || curve->falling || hazard->n == 0)
-        return NAN;
-    for (size_t i = 0; i + 1 < hazard->n; i++)
-        rate += thud_lognormal_at(curve, sqrt(hazard->x[i] * hazard->x[i + 1])) *
-                fabs(hazard->rate[i] - hazard->rate[i + 1]);
-    return rate + thud_lognormal_at(curve, hazard->x[hazard->n - 1]) * hazard->rate[hazard->n - 1];
+    if (!(x >= h->x[0]))
+        return INFINITY;
+    for (size_t i = 0; i + 1 < h->n; i++)
+        if (x <= h->x[i + 1])
+            return h->rate[i] * pow(h->rate[i + 1] / h->rate[i], log(x / h->x[i]) / log(h->x[i + 1] / h->x[i]));
+    return h->rate[h->n - 1];
+}
+
+/* int P |d lambda| over lambda = lambda_0 (x / x_0)^-k from x_0 to x_1, by Gauss-Legendre in ln x on pieces over which
+ * neither factor changes much. */
+static double over_interval(const struct thud_lognormal *curve, double x0, double x1, double rate0, double k)
+{
+    enum { POINTS = 5, PIECES_MAX = 100000 };
+    static const double node[POINTS] = {-0.90617984593866399, -0.53846931010568309, 0, 0.53846931010568309,
+                                        0.90617984593866399},
+                        weight[POINTS] = {0.23692688505618909, 0.47862867049936647, 0.56888888888888889,
+                                          0.47862867049936647, 0.23692688505618909};
+    double length = log(x1 / x0), sum = 0;
+    double wanted = ceil(fmax(2 * length / curve->beta, 2 * k * length));
+    int pieces = (int)fmax(1, fmin(PIECES_MAX, wanted));
+    for (int i = 0; i < pieces; i++)
+        for (int j = 0; j < POINTS; j++) {
+            double s = length * (i + 0.5 + 0.5 * node[j]) / pieces;
+            sum += 0.5 * length / pieces * weight[j] * k * rate0 * exp(-k * s) * curve_at(curve, x0 * exp(s));
+        }
+    return sum;
+}
+
+/* Of a rising curve. */
+static struct thud_rate rate_of_curve(const struct thud_hazard *h, const struct thud_lognormal *curve)
+{
+    static const double small = 0.01; /* what bounds may differ by and be told as one number */
+    size_t last = h->n - 1;
+    double inside = 0, k = 0;
+    for (size_t i = 0; i < last; i++) {
+        k = log(h->rate[i] / h->rate[i + 1]) / log(h->x[i + 1] / h->x[i]);
+        inside += k > 0 ? over_interval(curve, h->x[i], h->x[i + 1], h->rate[i], k) : 0;
+    }
+    double end = curve_at(curve, h->x[last]);
+    struct thud_rate out = {inside + end * h->rate[last], NAN, inside + h->rate[last]};
+    /* before the first point the rate goes on as it does from there: it counts where that adds anything to speak of */
+    double first = log(h->rate[0] / h->rate[1]) / log(h->x[1] / h->x[0]);
+    double from = fmin(h->x[0], curve->theta * exp(-40 * curve->beta));
+    double before =
+        from < h->x[0] ? over_interval(curve, from, h->x[0], h->rate[0] * pow(from / h->x[0], -first), first) : 0;
+    out.high = before > small * out.high ? INFINITY : out.high + before;
+    if (isfinite(out.high) && out.high - out.low <= small * out.high)
+        out.value = 0.5 * (out.low + out.high);
+    return out;
+}
+
+struct thud_rate thud_hazard_rate(const struct thud_hazard *hazard, const struct thud_fragility *f)
+{
+    static const struct thud_rate unknown = {NAN, NAN, NAN};
+    if (hazard->n < 2)
+        return unknown;
+    if (thud_is_fitted(&f->curve))
+        return isnan(f->theta) || f->curve.falling ? unknown : rate_of_curve(hazard, &f->curve);
+    if (isnan(f->above) || (f->curve.fit == THUD_FIT_SEPARATED && f->curve.falling))
+        return unknown;
+    /* it begins above `none` and from `all` on it always happens */
+    double none = f->curve.fit == THUD_FIT_NEVER ? f->most : 0,
+           all = f->curve.fit == THUD_FIT_ALWAYS ? f->least : INFINITY;
+    for (size_t i = 0; f->curve.fit == THUD_FIT_SEPARATED && i < f->n; i++) {
+        const struct thud_stripe *s = &f->stripe[i];
+        none = s->n > 0 && s->count == 0 ? fmax(none, s->x) : none;
+        all = s->n > 0 && s->count == s->n ? fmin(all, s->x) : all;
+    }
+    double low = all > hazard->x[hazard->n - 1] ? 0 : all < hazard->x[0] ? hazard->rate[0] : rate_at(hazard, all);
+    return (struct thud_rate){low, NAN, none > 0 ? rate_at(hazard, none) : INFINITY};
 }
 
 double thud_hazard_probability(double rate, double years)

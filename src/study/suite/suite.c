@@ -33,6 +33,17 @@ static bool has_capacity(const struct thud_sweep_plan *plan)
     return has;
 }
 
+/* Whether record r is the one before it turned round, as a suite of both signs names it. */
+static bool is_turned(const struct thud_sweep_plan *plan, int r)
+{
+    static const char turned[] = ":sign=-";
+    if (r == 0 || !plan->record || !plan->record[r] || !plan->record[r - 1])
+        return false;
+    const char *own = plan->record[r]->file, *other = plan->record[r - 1]->file;
+    size_t n = strlen(own), cut = sizeof turned - 1;
+    return n > cut && strcmp(own + n - cut, turned) == 0 && strncmp(own, other, n - cut) == 0;
+}
+
 enum thud_status thud_suite_create(const struct thud_sweep_plan *plan, struct thud_suite **out, struct thud_error *err)
 {
     struct thud_suite *suite = calloc(1, sizeof *suite);
@@ -47,11 +58,16 @@ enum thud_status thud_suite_create(const struct thud_sweep_plan *plan, struct th
         suite->nvalues = OF_RUN + OF_STRUCTURE * suite->nstructures;
         size_t n = (size_t)thud_sweep_points(plan) * (size_t)plan->ncases * (size_t)suite->nvalues;
         suite->value = malloc((n + 1) * sizeof *suite->value);
+        suite->first = malloc(((size_t)suite->nrecords + 1) * sizeof *suite->first);
+        for (int r = 0; suite->first && r <= suite->nrecords; r++)
+            if (r == suite->nrecords || !is_turned(plan, r))
+                suite->first[suite->ndraws++] = r;
+        suite->ndraws--;
         for (size_t i = 0; suite->value && i < n; i++)
             suite->value[i] = NAN;
     }
-    if (!suite || !suite->value) {
-        free(suite);
+    if (!suite || !suite->value || !suite->first) {
+        thud_suite_free(suite);
         return thud_error_set(err, THUD_MEMORY, "out of memory for the runs of the study");
     }
     *out = suite;
@@ -63,6 +79,7 @@ void thud_suite_free(struct thud_suite *suite)
     if (!suite)
         return;
     free(suite->value);
+    free(suite->first);
     free(suite);
 }
 
@@ -161,7 +178,17 @@ struct thud_fractiles thud_suite_fractiles(const struct thud_suite *suite, long 
 {
     for (int r = 0; r < suite->nrecords; r++)
         room[r] = thud_suite_value(suite, r, setting, k, measure, structure);
-    return thud_fractiles_of(room, (size_t)suite->nrecords, limit);
+    struct thud_fractiles f = thud_fractiles_of(room, (size_t)suite->nrecords, limit);
+    if (suite->nrecords > 1 && suite->ndraws < THUD_SHARES_LEAST)
+        f.p16 = f.p84 = NAN;
+    return f;
+}
+
+void thud_suite_share_band(const struct thud_suite *suite, size_t count, size_t n, double *low, double *high)
+{
+    *low = *high = NAN;
+    if (suite->ndraws >= THUD_SHARES_LEAST)
+        thud_share_band(count, n, suite->ndraws / (double)suite->nrecords, low, high);
 }
 
 long thud_suite_setting(const struct thud_sweep_plan *plan, const int *at)
