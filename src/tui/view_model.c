@@ -101,10 +101,10 @@ static int modes(struct thud_tui *tui, const struct thud_pane *pane, int y, int 
 static const struct {
     const char *key, *head;
     int x, w; /* where all of them have room */
-} column[] = {{"mass", "mass t", 6, 7},           {"stiffness", "k MN/m", 13, 8},
-              {"height", "height m", 21, 8},      {"yield", "yield mm", 30, 8},
-              {"yield-shear", "yield MN", 40, 8}, {"hardening", "hardening %", 49, 11},
-              {"column.EI", "col. EI", 61, 8},    {"column.capacity", "cap. kN", 70, 8}};
+} column[] = {
+    {"mass", "mass t", 6, 7},        {"stiffness", "k MN/m", 13, 8},        {"height", "height m", 21, 8},
+    {"yield", "yield mm", 30, 8},    {"yield-shear", "yield MN", 40, 8},    {"hardening", "hardening %", 49, 11},
+    {"column.EI", "col. EI", 61, 8}, {"column.capacity", "cap. kN", 70, 8}, {"slab-depth", "slab cm", 79, 8}};
 enum { COLUMNS = sizeof column / sizeof *column };
 
 /* The first column shown: as far to the left as lets the one with the cursor be seen. */

@@ -434,6 +434,19 @@ START_TEST(fingerprints_tell_plans_apart)
     other->scene = *scene;
     motion->a_mps2[700] += 1e-9;
     ck_assert(thud_sweep_fingerprint(other) != first);
+    static const char *const change[][2] = {{"structures.2.base", "0.2 m"},
+                                            {"structures.1.slab-depth", "20 cm"},
+                                            {"structures.1.column.EI", "90 MN m2"},
+                                            {"structures.2.column.shape", "linear"},
+                                            {"interfaces.1.levels", "aligned"}};
+    for (size_t k = 0; k < sizeof change / sizeof *change; k++) {
+        struct thud_scene before = other->scene;
+        unsigned long long known = thud_sweep_fingerprint(other);
+        ck_assert(thud_scene_set(&other->scene, change[k][0], change[k][1], NULL) == THUD_OK);
+        ck_assert_msg(thud_sweep_fingerprint(other) != known, "%s", change[k][0]);
+        other->scene = before;
+        ck_assert(thud_sweep_fingerprint(other) == known);
+    }
     thud_sweep_plan_clear(other);
     free(other);
 }

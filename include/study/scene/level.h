@@ -10,18 +10,25 @@ int thud_structure_floors(const struct thud_structure *structure);
 /* Of floor `floor` (from 0) of a building or rigid body; NaN for a rigid body without elevation. */
 double thud_structure_elevation(const struct thud_structure *structure, int floor);
 
+/* Depth of its slab: its face covers [z - depth, z]; 0 for a rigid body. */
+double thud_structure_depth(const struct thud_structure *structure, int floor);
+/* Height over which two faces at levels a and b overlap; below 0: the distance between them. */
+double thud_face_overlap(double a, double a_depth, double b, double b_depth);
+
 /* One contact that there may be. */
 struct thud_pairing {
     int left_floor, right_floor; /* from 1, 0 for a wall; of struck columns the floor above them */
     int struck; /* whose columns the other's slab strikes: -1 the left one's, 1 the right one's; 0: floor to floor */
-    double a_m, b_m; /* of the slab over the floor (or ground) below the columns, and under the floor above */
+    double a_m,
+        b_m; /* of the middle of the slab's face over the floor (or ground) below the clear columns, and under the
+                        face of the floor above */
 };
 enum { THUD_PAIRINGS_MAX = 2 * (THUD_STOREYS_MAX + 1) };
 
-/* Of the interface (from 0), left floors from below first: how many, into out (THUD_PAIRINGS_MAX). Floors within 1 cm
- * of each other are at the same level and meet. Any other floor that stands between two floors of the neighbour, or
- * between its ground and its first floor, strikes the columns there. What stands above the neighbour's top floor, below
- * its ground, or within 1 cm of its ground strikes nothing; nothing strikes columns where levels = aligned. */
+/* Of the interface (from 0), from below: how many, into out (THUD_PAIRINGS_MAX). Floors whose faces overlap, or whose
+ * levels are within 1 cm of each other, meet. Any other floor whose face's middle lies in the clear height of a storey
+ * of the neighbour strikes the columns there. What stands above the neighbour's top floor, below its ground, or within
+ * 1 cm of its ground strikes nothing; nothing strikes columns where levels = aligned. */
 int thud_interface_pairings(const struct thud_scene *scene, int interface, struct thud_pairing *out);
 
 /* Of a contact the side of the floor that is no wall's, and of struck columns that of the slab; and that floor. */

@@ -39,6 +39,9 @@ struct thud_structure {
     double base_mass_kg, isolation_stiffness_npm, isolation_damping; /* isolated only */
     double velocity_mps;                                             /* rigid only: at t = 0, to the right */
     double base_m; /* elevation of the ground that a building stands on */
+    /* Of each floor, slab and beam at the face: it covers [z - depth, z] below the floor's level z. A base slab has the
+     * depth of the lowest floor. */
+    double slab_depth_m[THUD_STOREYS_MAX];
     /* The columns of each storey that a neighbour's slab strikes, all of them together; 0: not given. */
     double column_ei_nm2[THUD_STOREYS_MAX];        /* bending stiffness, or */
     double column_stiffness_npm[THUD_STOREYS_MAX]; /* their part of the storey's, 12 EI/L^3 */
@@ -46,6 +49,8 @@ struct thud_structure {
     double column_shape;                           /* enum thud_column_shape */
 };
 
+/* Length of the columns of a storey (from 0) between the floor (or ground) below and the face of the floor above. */
+double thud_clear_height(const struct thud_structure *structure, int storey);
 /* EI of the struck columns of a storey (from 0), from either; NaN: not given. */
 double thud_column_ei(const struct thud_structure *structure, int storey);
 
@@ -135,8 +140,9 @@ void thud_record_choice_replace(struct thud_record_choice *choice, const char *f
 void thud_structure_init(struct thud_structure *structure, enum thud_structure_kind kind);
 /* A law with the defaults of its table (NaN where a value must be given). */
 void thud_law_choice_init(struct thud_law_choice *choice, const struct thud_law *law);
-/* The lists of floors and storeys: masses, stiffnesses, heights, yield drifts, yield shears, hardening. */
-enum { THUD_STRUCTURE_LISTS = 9 };
+/* The lists of floors and storeys: masses, stiffnesses, heights, depths of slabs, yield drifts, yield shears, hardening
+ * ratios, and of columns EI, stiffness and capacity. */
+enum { THUD_STRUCTURE_LISTS = 10 };
 double *thud_structure_list(struct thud_structure *structure, int which);
 /* The drift at which storey i (from 0) yields; INFINITY where it is elastic. */
 double thud_structure_yield(const struct thud_structure *structure, int i);

@@ -5,6 +5,8 @@
 
 /* Floors closer in elevation than this stand at the same level; with what rounding makes of sums of heights. */
 static const double same_level_m = 0.01 * (1 + 1e-9);
+/* Faces that overlap by less only touch: rounding of sums of heights up to 4000 m. */
+static const double rounding_m = 1e-9;
 
 int thud_structure_floors(const struct thud_structure *s)
 {
@@ -31,12 +33,23 @@ double thud_structure_elevation(const struct thud_structure *s, int floor)
     return level;
 }
 
+double thud_structure_depth(const struct thud_structure *s, int floor)
+{
+    int i = s->kind == THUD_ISOLATED && floor > 0 ? floor - 1 : floor;
+    return thud_kind_is_building(s->kind) ? s->slab_depth_m[i] : 0;
+}
+
+double thud_face_overlap(double a, double a_depth, double b, double b_depth)
+{
+    return fmin(a, b) - fmax(a - a_depth, b - b_depth);
+}
+
 /* One side of an interface: elevations of its floors. */
 struct row {
     const struct thud_structure *structure;
     int n;
     bool alone; /* floors meet floors alone */
-    double level_m[THUD_STOREYS_MAX + 1];
+    double level_m[THUD_STOREYS_MAX + 1], depth_m[THUD_STOREYS_MAX + 1];
 };
 
 static void fill(struct row *row, const struct thud_structure *s)
@@ -48,53 +61,54 @@ static void fill(struct row *row, const struct thud_structure *s)
         if (i > 0 || s->kind == THUD_SHEAR)
             level += s->height_m[s->kind == THUD_SHEAR ? i : i - 1];
         row->level_m[i] = thud_kind_is_building(s->kind) ? level : s->height_m[0];
+        row->depth_m[i] = thud_structure_depth(s, i);
     }
 }
 
-static bool same_level(double a, double b)
+/* Whether faces that cover [z - depth, z] overlap; levels within 1 cm are one, also of slabs without depth. */
+static bool faces_meet(double a, double a_depth, double b, double b_depth)
 {
-    return fabs(a - b) <= same_level_m;
+    return fabs(a - b) <= same_level_m || (a - a_depth < b - rounding_m && b - b_depth < a - rounding_m);
 }
 
-/* Index of the building's floor at this elevation; -1. */
-static int floor_at(const struct row *row, double level)
+/* Whether what covers [level - depth, level] strikes columns of the building at its middle, and which: the floor above
+ * them (from 1). The clear column ends under the face of that floor. */
+static bool strikes(const struct row *row, double level, double depth, int *floor, struct thud_pairing *out)
 {
-    for (int i = 0; i < row->n; i++)
-        if (same_level(row->level_m[i], level))
-            return i;
-    return -1;
-}
-
-/* Whether a slab at this elevation strikes columns of the building, and which: the floor above them (from 1). */
-static bool strikes(const struct row *row, double level, int *floor, struct thud_pairing *out)
-{
-    double lower = row->structure->base_m;
-    for (int i = 0; i < row->n && !row->alone; lower = row->level_m[i++])
-        if (level > lower + same_level_m && level < row->level_m[i] - same_level_m) {
+    double lower = row->structure->base_m, middle = level - 0.5 * depth;
+    for (int i = 0; i < row->n && !row->alone; lower = row->level_m[i++]) {
+        double upper = row->level_m[i] - row->depth_m[i];
+        if (middle > lower + same_level_m && middle < upper - same_level_m) {
             *floor = i + 1;
-            out->a_m = level - lower;
-            out->b_m = row->level_m[i] - level;
+            out->a_m = middle - lower;
+            out->b_m = upper - middle;
             return true;
         }
+    }
     return false;
 }
 
-/* Building and wall: floors up to its top. */
+/* Building and wall: floors whose face begins below its top. */
 static int meet_wall(const struct row *row, const struct thud_structure *wall, bool left, struct thud_pairing *out)
 {
     int n = 0;
-    for (int i = 0; i < row->n; i++)
-        if (!(wall->height_m[0] < row->level_m[i] - same_level_m))
+    for (int i = 0; i < row->n; i++) {
+        double top = wall->height_m[0], level = row->level_m[i];
+        if (!(top < level - same_level_m) || top > level - row->depth_m[i] + rounding_m)
             out[n++] = left ? (struct thud_pairing){.left_floor = i + 1} : (struct thud_pairing){.right_floor = i + 1};
+    }
     return n;
 }
 
-/* Building and rigid body: without an elevation it meets the first floor. */
+/* Building and rigid body, which has no depth: without an elevation it meets the first floor. */
 static int meet_body(const struct row *row, double level, bool left, struct thud_pairing *out)
 {
     struct thud_pairing one = {0};
-    int floor = isfinite(level) ? floor_at(row, level) + 1 : 1;
-    if (floor == 0 && !strikes(row, level, &floor, &one))
+    int floor = isfinite(level) ? 0 : 1;
+    for (int i = 0; i < row->n && floor == 0; i++)
+        if (faces_meet(row->level_m[i], row->depth_m[i], level, 0))
+            floor = i + 1;
+    if (floor == 0 && !strikes(row, level, 0, &floor, &one))
         return 0;
     one.struck = one.a_m > 0 ? left ? -1 : 1 : 0;
     one.left_floor = left ? floor : 1;
@@ -103,25 +117,48 @@ static int meet_body(const struct row *row, double level, bool left, struct thud
     return 1;
 }
 
-/* In the order of the slabs' elevations, so that a mirrored scene has the same one. */
+/* Puts a contact behind those that stand no higher. */
+static int insert(struct thud_pairing *out, double *level_m, int n, const struct thud_pairing *one, double level)
+{
+    int at = n;
+    for (; at > 0 && level_m[at - 1] > level + same_level_m; at--) {
+        out[at] = out[at - 1];
+        level_m[at] = level_m[at - 1];
+    }
+    out[at] = *one;
+    level_m[at] = level;
+    return n + 1;
+}
+
+/* Faces that overlap meet, each pair once; a face that overlaps none strikes columns. In the order of the lower slab's
+ * elevation, so that a mirrored scene has the same one. */
 static int meet_building(const struct row *left, const struct row *right, struct thud_pairing *out)
 {
+    double level_m[THUD_PAIRINGS_MAX];
+    bool met[THUD_STOREYS_MAX + 1] = {false}; /* of the right one's floors */
     int n = 0;
-    for (int i = 0, k = 0; i < left->n || k < right->n;) {
-        bool of_left = k == right->n || (i < left->n && left->level_m[i] <= right->level_m[k] + same_level_m);
-        struct thud_pairing one = {0};
-        if (of_left) {
-            one.left_floor = i + 1;
-            one.right_floor = floor_at(right, left->level_m[i++]) + 1;
-            if (one.right_floor == 0 && strikes(right, left->level_m[one.left_floor - 1], &one.right_floor, &one))
-                one.struck = 1;
-        } else if (floor_at(left, right->level_m[k++]) < 0) {
-            one.right_floor = k;
-            if (strikes(left, right->level_m[k - 1], &one.left_floor, &one))
-                one.struck = -1;
+    for (int i = 0, first = 0; i < left->n; i++) {
+        bool meets = false;
+        double level = left->level_m[i];
+        while (first < right->n && right->level_m[first] < level - left->depth_m[i] - same_level_m)
+            first++; /* stands below this face, and the next ones */
+        for (int k = first; k < right->n && right->level_m[k] - right->depth_m[k] <= level + same_level_m; k++) {
+            struct thud_pairing one = {.left_floor = i + 1, .right_floor = k + 1};
+            if (!faces_meet(level, left->depth_m[i], right->level_m[k], right->depth_m[k]))
+                continue;
+            meets = met[k] = true;
+            if (n < THUD_PAIRINGS_MAX)
+                n = insert(out, level_m, n, &one, fmin(level, right->level_m[k]));
         }
-        if (one.left_floor > 0 && one.right_floor > 0)
-            out[n++] = one;
+        struct thud_pairing one = {.left_floor = i + 1, .struck = 1};
+        if (!meets && n < THUD_PAIRINGS_MAX && strikes(right, level, left->depth_m[i], &one.right_floor, &one))
+            n = insert(out, level_m, n, &one, level);
+    }
+    for (int k = 0; k < right->n; k++) {
+        struct thud_pairing one = {.right_floor = k + 1, .struck = -1};
+        if (!met[k] && n < THUD_PAIRINGS_MAX &&
+            strikes(left, right->level_m[k], right->depth_m[k], &one.left_floor, &one))
+            n = insert(out, level_m, n, &one, right->level_m[k]);
     }
     return n;
 }

@@ -129,6 +129,22 @@ static enum thud_status check_columns(const struct thud_scene *scene, int s, str
     return THUD_OK;
 }
 
+/* A storey has columns under its slab. */
+static enum thud_status check_depths(const struct thud_structure *structure, int s, struct thud_error *err)
+{
+    for (int i = 0; i < structure->storeys && thud_kind_is_building(structure->kind); i++) {
+        char key[64], depth[48], height[48];
+        if (structure->slab_depth_m[i] <= 0.5 * structure->height_m[i] + rounding_m)
+            continue;
+        snprintf(key, sizeof key, "structures.%d.slab-depth", s + 1);
+        thud_quantity_format(structure->slab_depth_m[i], "cm", depth, sizeof depth);
+        thud_quantity_format(structure->height_m[i], "m", height, sizeof height);
+        thud_error_set(err, THUD_INPUT, "the slab of floor %d is %s deep in a storey of %s", i + 1, depth, height);
+        return refuse(err, key, "up to half of the storey's height");
+    }
+    return THUD_OK;
+}
+
 static enum thud_status check_structure(const struct thud_scene *scene, int s, struct thud_error *err)
 {
     enum thud_status status = check_group(scene, s, THUD_GROUP_STRUCTURE, "", err);
@@ -138,6 +154,8 @@ static enum thud_status check_structure(const struct thud_scene *scene, int s, s
         status = check_yield(&scene->structure[s], s, err);
     if (status == THUD_OK)
         status = check_columns(scene, s, err);
+    if (status == THUD_OK)
+        status = check_depths(&scene->structure[s], s, err);
     return status == THUD_OK ? check_names(scene, s, err) : status;
 }
 

@@ -8,10 +8,11 @@
 
 double *thud_structure_list(struct thud_structure *structure, int which)
 {
-    double *const list[THUD_STRUCTURE_LISTS] = {
-        structure->mass_kg,       structure->stiffness_npm,        structure->height_m,
-        structure->yield_m,       structure->yield_shear_n,        structure->hardening,
-        structure->column_ei_nm2, structure->column_stiffness_npm, structure->column_capacity_n};
+    double *const list[THUD_STRUCTURE_LISTS] = {structure->mass_kg,           structure->stiffness_npm,
+                                                structure->height_m,          structure->yield_m,
+                                                structure->yield_shear_n,     structure->hardening,
+                                                structure->column_ei_nm2,     structure->column_stiffness_npm,
+                                                structure->column_capacity_n, structure->slab_depth_m};
     return list[which];
 }
 
@@ -57,6 +58,7 @@ void thud_structure_init(struct thud_structure *structure, enum thud_structure_k
     }
     structure->stiffness_npm[0] = NAN;
     structure->height_m[0] = fallback("height", THUD_GROUP_STRUCTURE);
+    structure->slab_depth_m[0] = fallback("slab-depth", THUD_GROUP_STRUCTURE);
     structure->damping = fallback("damping", THUD_GROUP_STRUCTURE);
     if (kind == THUD_ISOLATED) {
         structure->base_mass_kg = NAN;
@@ -127,9 +129,14 @@ bool thud_structure_has_columns(const struct thud_structure *structure)
     return storeys && structure->column_shape != THUD_COLUMN_CLAMPED;
 }
 
+double thud_clear_height(const struct thud_structure *structure, int storey)
+{
+    return structure->height_m[storey] - structure->slab_depth_m[storey];
+}
+
 double thud_column_ei(const struct thud_structure *structure, int storey)
 {
-    double length = structure->height_m[storey], k = structure->column_stiffness_npm[storey],
+    double length = thud_clear_height(structure, storey), k = structure->column_stiffness_npm[storey],
            ei = k > 0 ? k * length * length * length / 12 : structure->column_ei_nm2[storey];
     return ei > 0 ? ei : NAN;
 }

@@ -5,6 +5,7 @@
 
 #include "core/methods/method.h"
 #include "study/scene/answer.h"
+#include "study/scene/level.h"
 #include "study/scene/scene_slot.h"
 
 struct search {
@@ -87,7 +88,7 @@ static bool look_whole_law(struct search *search, const struct thud_law_choice *
 static bool look_columns(struct search *search, const struct thud_structure *s, const char *prefix)
 {
     for (int i = 0; i < s->storeys && thud_structure_has_columns(s); i++) {
-        double length = s->height_m[i], k = 12 * thud_column_ei(s, i) / (length * length * length);
+        double length = thud_clear_height(s, i), k = 12 * thud_column_ei(s, i) / (length * length * length);
         if (!(k > s->stiffness_npm[i] * (1 + 1e-9)) || search->found++ != search->wanted)
             continue;
         char key[96];
@@ -156,6 +157,41 @@ static bool look_levels(struct search *search, const struct thud_scene *scene)
     return false;
 }
 
+/* Faces that overlap so little that what meets is neither two floors nor a slab and columns: the first pair, and how
+ * many there are. */
+static bool look_faces(struct search *search, const struct thud_scene *scene, int i)
+{
+    const struct thud_structure *left = &scene->structure[i], *right = left + 1;
+    struct thud_pairing meeting[THUD_PAIRINGS_MAX];
+    bool buildings = thud_kind_is_building(left->kind) && thud_kind_is_building(right->kind);
+    int n = buildings ? thud_interface_pairings(scene, i, meeting) : 0, few = 0, a = 0, b = 0;
+    double overlap = 0, depth = 0;
+    for (int k = n - 1; k >= 0; k--) {
+        int l = meeting[k].left_floor - 1, r = meeting[k].right_floor - 1;
+        double shallow = fmin(thud_structure_depth(left, l), thud_structure_depth(right, r));
+        double common = thud_face_overlap(thud_structure_elevation(left, l), thud_structure_depth(left, l),
+                                          thud_structure_elevation(right, r), thud_structure_depth(right, r));
+        if (meeting[k].struck != 0 || !(common < 0.25 * shallow))
+            continue;
+        few++;
+        a = l + 1;
+        b = r + 1;
+        overlap = common;
+        depth = shallow;
+    }
+    if (few == 0 || search->found++ != search->wanted)
+        return false;
+    char key[64];
+    snprintf(key, sizeof key, "structures.%d.slab-depth", i + 1);
+    thud_error_set(search->out, THUD_OK,
+                   "floor %d of %.40s and floor %d of %.40s overlap by %.3g cm of %.3g cm (%d such pairs): that is "
+                   "neither a contact of floors nor one of a slab and columns",
+                   a, left->name, b, right->name, 100 * overlap, 100 * depth, few);
+    thud_error_allow(search->out, "usually a quarter of the shallower slab or more; see height and base");
+    thud_error_key(search->out, key);
+    return true;
+}
+
 /* A step in which much of a contact goes by. */
 static bool look_step(struct search *search, const struct thud_scene *scene)
 {
@@ -192,7 +228,7 @@ bool thud_scene_warning(const struct thud_scene *scene, int n, struct thud_error
             return true;
     }
     for (int i = 0; i + 1 < scene->nstructures; i++)
-        if (look_interface(&search, &scene->interface[i], i))
+        if (look_interface(&search, &scene->interface[i], i) || look_faces(&search, scene, i))
             return true;
     return look_group(&search, THUD_GROUP_RECORD, scene, 0, 0, "record") ||
            look_group(&search, THUD_GROUP_ANALYSIS, scene, 0, 0, "analysis") || look_levels(&search, scene) ||

@@ -307,25 +307,10 @@ static unsigned long long hash_choice(unsigned long long h, const struct thud_la
     return choice->law ? hash(h, choice->value, (size_t)choice->law->nparams * sizeof(double)) : h;
 }
 
-static unsigned long long hash_structure(unsigned long long h, const struct thud_structure *s)
-{
-    const double x[] = {s->damping, s->base_mass_kg, s->isolation_stiffness_npm, s->isolation_damping, s->velocity_mps};
-    h = hash_text(h, s->name);
-    h = hash(h, &s->kind, sizeof s->kind);
-    h = hash(h, &s->storeys, sizeof s->storeys);
-    size_t n = (size_t)(s->storeys > 0 ? s->storeys : 1) * sizeof(double);
-    h = hash(h, s->mass_kg, n);
-    h = hash(h, s->stiffness_npm, n);
-    h = hash(h, s->height_m, n);
-    h = hash(h, s->yield_m, n);
-    h = hash(h, s->yield_shear_n, n);
-    h = hash(h, s->hardening, n);
-    return hash_numbers(h, x, sizeof x / sizeof *x);
-}
-
 static unsigned long long hash_interface(unsigned long long h, const struct thud_interface *i)
 {
     h = hash(h, &i->gap_m, sizeof i->gap_m);
+    h = hash(h, &i->levels, sizeof i->levels);
     h = hash_choice(h, &i->contact);
     if (!i->has_bumper)
         return h;
@@ -351,7 +336,7 @@ unsigned long long thud_sweep_fingerprint(const struct thud_sweep_plan *plan)
     if (!isnan(scene->record.period_s)) /* that of record.sa */
         h = hash(h, &scene->record.period_s, sizeof scene->record.period_s);
     for (int s = 0; s < scene->nstructures; s++)
-        h = hash_structure(h, &scene->structure[s]);
+        h = hash(h, &scene->structure[s], sizeof scene->structure[s]); /* zeros where nothing is given */
     for (int i = 0; i + 1 < scene->nstructures; i++)
         h = hash_interface(h, &scene->interface[i]);
     for (int i = 0; i < plan->naxes; i++) {

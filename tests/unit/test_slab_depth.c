@@ -1,0 +1,211 @@
+/* What meets what where slabs have a depth, held against rules written here and against the mirrored scene. */
+#include <check.h>
+#include <math.h>
+#include <string.h>
+
+#include "base/random.h"
+#include "study/scene/level.h"
+#include "suite.h"
+
+static void building(struct thud_structure *s, const char *name, int storeys, double height_m, double depth_m,
+                     double base_m)
+{
+    thud_structure_init(s, THUD_SHEAR);
+    strcpy(s->name, name);
+    s->storeys = storeys;
+    s->base_m = base_m;
+    for (int i = 0; i < storeys; i++) {
+        s->mass_kg[i] = 300e3;
+        s->stiffness_npm[i] = 600e6;
+        s->height_m[i] = height_m;
+        s->slab_depth_m[i] = depth_m;
+    }
+}
+
+/* Two neighbours: 4 storeys on the left, 6 on the right and `offset_m` higher. */
+static void neighbours(struct thud_scene *scene, double offset_m, double depth_m)
+{
+    thud_scene_init(scene);
+    scene->nstructures = 2;
+    building(&scene->structure[0], "A", 4, 3, depth_m, 0);
+    building(&scene->structure[1], "B", 6, 3, depth_m, offset_m);
+    thud_interface_init(&scene->interface[0]);
+}
+
+/* Storeys of 2.4 to 4 m, slabs up to half of them, a ground up to 3 m higher or lower. */
+static void draw(struct thud_scene *scene, struct thud_random *random, bool deep)
+{
+    neighbours(scene, 0, 0);
+    for (int s = 0; s < 2; s++) {
+        struct thud_structure *p = &scene->structure[s];
+        p->base_m = s ? 6 * thud_random_unit(random) - 3 : 0;
+        for (int i = 0; i < p->storeys; i++) {
+            p->height_m[i] = 0.1 * floor(24 + 17 * thud_random_unit(random));
+            p->slab_depth_m[i] = deep ? 0.5 * p->height_m[i] * thud_random_unit(random) : 0;
+        }
+    }
+}
+
+static double level_of(const struct thud_structure *s, int floor) /* from 1; 0: the ground */
+{
+    double z = s->base_m;
+    for (int i = 0; i < floor; i++)
+        z += s->height_m[i];
+    return z;
+}
+
+/* Whether a contact of these floors is among them; `struck` as in thud_pairing. */
+static const struct thud_pairing *among(const struct thud_pairing *pairing, int n, int left, int right, int struck)
+{
+    for (int i = 0; i < n; i++)
+        if (pairing[i].left_floor == left && pairing[i].right_floor == right && pairing[i].struck == struck)
+            return &pairing[i];
+    return NULL;
+}
+
+/* Up to the depth one contact for each pair of floors, beyond it each slab on the other's columns, never both. */
+START_TEST(an_offset_that_grows)
+{
+    static struct thud_scene scene;
+    struct thud_pairing pairing[THUD_PAIRINGS_MAX];
+    neighbours(&scene, 0.01 * _i, 0.3);
+    int n = thud_interface_pairings(&scene, 0, pairing);
+    if (_i < 30) {
+        ck_assert_int_eq(n, 4);
+        for (int f = 1; f <= 4; f++)
+            ck_assert_ptr_nonnull(among(pairing, n, f, f, 0));
+        return;
+    }
+    /* A's floors 1 to 4 strike B's columns (floor 1 those of B's first storey), B's 1 to 3 A's; B's 4 is above A */
+    ck_assert_int_eq(n, 7);
+    for (int f = 1; f <= 4; f++) {
+        const struct thud_pairing *of_a = among(pairing, n, f, f, 1);
+        ck_assert_ptr_nonnull(of_a);
+        ck_assert_double_eq_tol(of_a->a_m, 3 - 0.01 * _i - 0.15, 1e-12);
+        ck_assert_double_eq_tol(of_a->a_m + of_a->b_m, 2.7, 1e-12);
+    }
+    for (int f = 1; f <= 3; f++) {
+        const struct thud_pairing *of_b = among(pairing, n, f + 1, f, -1);
+        ck_assert_ptr_nonnull(of_b);
+        ck_assert_double_eq_tol(of_b->a_m, 0.01 * _i - 0.15, 1e-12);
+        ck_assert_double_eq_tol(of_b->a_m + of_b->b_m, 2.7, 1e-12);
+    }
+}
+END_TEST
+
+/* The rule of slabs without depth: levels within 1 cm meet, any other slab between two floors strikes columns there. */
+START_TEST(without_depth)
+{
+    static struct thud_scene scene;
+    struct thud_pairing pairing[THUD_PAIRINGS_MAX];
+    struct thud_random random = {(uint64_t)_i};
+    draw(&scene, &random, false);
+    int n = thud_interface_pairings(&scene, 0, pairing), expected = 0;
+    for (int side = 0; side < 2; side++) {
+        const struct thud_structure *slab = &scene.structure[side], *other = &scene.structure[!side];
+        for (int f = 1; f <= slab->storeys; f++) {
+            double z = level_of(slab, f);
+            for (int g = 1; g <= other->storeys; g++) {
+                double upper = level_of(other, g), lower = level_of(other, g - 1);
+                bool level = fabs(z - upper)<0.0101, between = z - lower> 0.0101 && upper - z > 0.0101;
+                const struct thud_pairing *one = among(pairing, n, side ? g : f, side ? f : g,
+                                                       level  ? 0
+                                                       : side ? -1
+                                                              : 1);
+                ck_assert_int_eq(one != NULL, level || between);
+                if (between) {
+                    ck_assert_double_eq_tol(one->a_m, z - lower, 1e-12);
+                    ck_assert_double_eq_tol(one->b_m, upper - z, 1e-12);
+                }
+                expected += (level && side == 0) || between;
+            }
+        }
+    }
+    ck_assert_int_eq(n, expected);
+}
+END_TEST
+
+/* Random storeys and depths: no floor both meets a floor and strikes columns, faces that overlap meet, columns are
+ * struck in their clear height; and the mirrored scene has the same contacts in the same order. */
+START_TEST(random_depths_and_the_mirror)
+{
+    static struct thud_scene scene, mirror;
+    struct thud_pairing pairing[THUD_PAIRINGS_MAX], other[THUD_PAIRINGS_MAX];
+    struct thud_random random = {(uint64_t)_i};
+    draw(&scene, &random, true);
+    mirror = scene;
+    mirror.structure[0] = scene.structure[1];
+    mirror.structure[1] = scene.structure[0];
+    int n = thud_interface_pairings(&scene, 0, pairing), floors[2][8] = {{0}}, struck[2][8] = {{0}};
+    ck_assert_int_eq(n, thud_interface_pairings(&mirror, 0, other));
+    for (int i = 0; i < n; i++) {
+        const struct thud_pairing *p = &pairing[i];
+        ck_assert_int_eq(p->left_floor, other[i].right_floor);
+        ck_assert_int_eq(p->right_floor, other[i].left_floor);
+        ck_assert_int_eq(p->struck, -other[i].struck);
+        ck_assert_double_eq(p->a_m, other[i].a_m);
+        if (p->struck == 0) {
+            floors[0][p->left_floor] = floors[1][p->right_floor] = 1;
+            continue;
+        }
+        const struct thud_structure *columns = &scene.structure[p->struck > 0];
+        int floor = p->struck > 0 ? p->right_floor : p->left_floor;
+        struck[p->struck < 0][p->struck > 0 ? p->left_floor : p->right_floor] = 1;
+        ck_assert(p->a_m > 0 && p->b_m > 0);
+        ck_assert_double_eq_tol(p->a_m + p->b_m, thud_clear_height(columns, floor - 1), 1e-12);
+    }
+    for (int s = 0; s < 2; s++)
+        for (int f = 1; f <= scene.structure[s].storeys; f++) {
+            const struct thud_structure *own = &scene.structure[s], *neighbour = &scene.structure[!s];
+            bool overlaps = false;
+            for (int g = 1; g <= neighbour->storeys; g++) {
+                double z = level_of(own, f), y = level_of(neighbour, g);
+                overlaps = overlaps || fabs(z - y) < 0.0101 ||
+                           (y - neighbour->slab_depth_m[g - 1] < z - 1e-6 && z - own->slab_depth_m[f - 1] < y - 1e-6);
+            }
+            ck_assert_int_eq(floors[s][f], overlaps);
+            ck_assert(!(floors[s][f] && struck[s][f]));
+        }
+}
+END_TEST
+
+/* A wall that ends within a slab's face is touched by it, and one that ends below is not; a body, which has no depth,
+ * meets the slab in whose face it stands. */
+START_TEST(walls_and_bodies)
+{
+    static struct thud_scene scene;
+    struct thud_pairing pairing[THUD_PAIRINGS_MAX];
+    neighbours(&scene, 0, 0.3);
+    thud_structure_init(&scene.structure[1], THUD_WALL);
+    const struct {
+        double top_m;
+        int floors;
+    } wall[] = {{2.6, 0}, {2.8, 1}, {3, 1}, {5.6, 1}, {5.8, 2}, {INFINITY, 4}};
+    for (size_t i = 0; i < sizeof wall / sizeof *wall; i++) {
+        scene.structure[1].height_m[0] = wall[i].top_m;
+        ck_assert_int_eq(thud_interface_pairings(&scene, 0, pairing), wall[i].floors);
+    }
+    thud_structure_init(&scene.structure[1], THUD_RIGID);
+    scene.structure[1].height_m[0] = 5.75;
+    ck_assert_int_eq(thud_interface_pairings(&scene, 0, pairing), 1);
+    ck_assert(pairing[0].left_floor == 2 && pairing[0].struck == 0);
+    scene.structure[1].height_m[0] = 5.65;
+    ck_assert_int_eq(thud_interface_pairings(&scene, 0, pairing), 1);
+    ck_assert(pairing[0].left_floor == 2 && pairing[0].struck == -1);
+    ck_assert_double_eq_tol(pairing[0].a_m, 2.65, 1e-12);
+    ck_assert_double_eq_tol(pairing[0].b_m, 0.05, 1e-12);
+}
+END_TEST
+
+Suite *thud_suite(void);
+Suite *thud_suite(void)
+{
+    Suite *suite = suite_create("slab_depth");
+    TCase *tcase = tcase_create("slab_depth");
+    tcase_add_loop_test(tcase, an_offset_that_grows, 0, 61);
+    tcase_add_loop_test(tcase, without_depth, 0, 200);
+    tcase_add_loop_test(tcase, random_depths_and_the_mirror, 0, 200);
+    tcase_add_test(tcase, walls_and_bodies);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}
