@@ -106,10 +106,12 @@ double thud_contact_force(const struct thud_state *state, int c, double d, doubl
     return f < 0 && !(state->model->contact[c].law->flags & THUD_LAW_PULLS) ? 0 : f;
 }
 
-void thud_model_acceleration(const struct thud_model *m, const double *q, const double *qd, double ground, double *out)
+void thud_model_acceleration(const struct thud_model *m, const double *q, const double *qd, double ground,
+                             double *restrict out)
 {
+    const double *omega = m->omega, *zeta = m->zeta, *gamma = m->gamma;
     for (int j = 0; j < m->nmodes; j++)
-        out[j] = -m->omega[j] * (m->omega[j] * q[j] + 2 * m->zeta[j] * qd[j]) - m->gamma[j] * ground;
+        out[j] = -omega[j] * (omega[j] * q[j] + 2 * zeta[j] * qd[j]) - gamma[j] * ground;
     for (int s = 0; s < m->nstructures; s++) {
         const struct thud_model_structure *p = &m->structure[s];
         for (int i = 0; p->damping && i < p->modes; i++)

@@ -160,7 +160,7 @@ static inline double thud_contact_rounding(const struct thud_state *state)
 }
 /* Second rate of the modal coordinates without contact forces, out (nmodes). */
 void thud_model_acceleration(const struct thud_model *model, const double *q, const double *qd, double ground,
-                             double *out);
+                             double *restrict out);
 /* From that to the second rate with these contact forces. */
 void thud_model_apply_contact_forces(const struct thud_model *model, const double *force, double *qdd);
 /* The same of one row of the Jacobian alone, in the modes that it moves. */

@@ -1,42 +1,32 @@
 #include "core/methods/alpha_step.h"
 
-#include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "core/model/modal_operator.h"
-#include "core/numerics/double_pair.h"
 #include "core/numerics/tolerance.h"
 
-enum { NEWTON_MAX = 40, FEW = 8 }; /* contacts for which calling LAPACK costs more than solving */
+enum { NEWTON_MAX = 40 };
 
 struct alpha {
     struct thud_alpha p;
     struct thud_modal_operator *op;
     double h_made;                       /* step that the operator and the responses belong to */
-    struct thud_motion start, end, work; /* accelerations by the equations of motion, also where the scheme's differ */
-    bool differ;                         /* they do: am or af is not 0 */
-    double *a0, *a1;                     /* (nmodes) the scheme's own accelerations, where they differ */
+    struct thud_motion start, end, work; /* q'' by the equations of motion */
+    double *a0, *a1;                     /* (nmodes) the scheme's own accelerations */
     double *rhs;                         /* (nmodes) */
-    double *table;                       /* (4 x nmodes) inverse of the operator, omega^2, 2 zeta omega, gamma */
-    double *by_mode;                     /* (nmodes x stride) the Jacobian of the contacts, mode after mode */
-    int stride;                          /* their number, made a multiple of four */
-    double energy;                       /* sum of omega^2 q^2 + q'^2 at the start; NaN: not known */
-    double room;                         /* as far as the modal coordinates may move before anything can touch */
-    double push;                         /* size of the ground motion's peak in modal coordinates */
-    long left;                           /* steps of this length that are left of the interval */
-    double *response;                    /* (nrows x nmodes): -da1/dF */
-    double *w;                           /* (nrows x nrows): of the indentations' second rates */
-    double *d, *v, *a, *change, *matrix; /* Newton's system, by active contact */
-    double *applied;                     /* (nrows) lagged: force at the end of the step before */
-    int *active;
-    lapack_int *pivot;
-    bool solved;                     /* the contact forces of the step's end are those of the laws */
-    bool goes_on;                    /* the start of the step is the end of the last: no law has changed there */
-    bool fresh;                      /* a0 is to be made anew, by the equations of motion */
-    double a0_step_s;                /* step that a0 comes from */
-    double ground_mps2, before_mps2; /* ground acceleration at the end of the step, and of the one before */
+    double *response;                    /* (nrows x nmodes) -da1/dF */
+    double *w;                           /* (nrows x nrows) -dd''/dF */
+    double *d, *v, *a;                   /* (nrows) d, d', d'' at the step's end without contact forces */
+    double *matrix, *change;             /* Newton's system for the active rows */
+    double *applied;                     /* (nrows) lagged: forces at the end of the step before */
+    int *active, nactive;                /* (nrows) those whose forces are looked for */
+    bool solved;                         /* the contact forces of the step's end are those of the laws */
+    bool goes_on;                        /* the start of the step is the end of the last: no law has changed there */
+    bool fresh;                          /* a0 is to be made anew, by the equations of motion */
+    double a0_step_s;                    /* step that a0 comes from */
+    double ground_mps2, before_mps2;     /* ground acceleration at the end of the step, and of the one before */
     double *block;
 };
 
@@ -44,47 +34,29 @@ enum thud_status thud_alpha_create(const struct thud_state *state, struct thud_a
                                    struct thud_error *err)
 {
     const struct thud_model *m = state->model;
-    size_t n = (size_t)m->nmodes, nc = (size_t)m->nrows;
+    const size_t n = (size_t)m->nmodes, nc = (size_t)m->nrows, size = thud_motion_size(m);
     struct alpha *x = calloc(1, sizeof *x);
     *own = NULL;
     if (!x)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     enum thud_status status = thud_modal_operator_create(m, &x->op, err);
-    x->stride = 4 * ((m->ncontacts + 3) / 4);
-    size_t stride = (size_t)x->stride, doubles = 7 * n + n * stride + nc * n + 2 * nc * nc + 5 * nc + 1;
-    x->block = calloc(3 * thud_motion_size(m) + doubles, sizeof(double));
+    x->block = calloc(3 * size + 3 * n + nc * n + 2 * nc * nc + 5 * nc + 1, sizeof *x->block);
     x->active = calloc(nc + 1, sizeof *x->active);
-    x->pivot = calloc(nc + 1, sizeof *x->pivot);
-    if (status != THUD_OK || !x->block || !x->active || !x->pivot) {
+    if (status != THUD_OK || !x->block || !x->active) {
         thud_alpha_free(x);
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
     double *next = thud_motion_place(&x->start, m, x->block);
     next = thud_motion_place(&x->end, m, next);
     next = thud_motion_place(&x->work, m, next);
-    double **vectors[] = {&x->a0, &x->a1, &x->rhs};
-    for (int i = 0; i < 3; i++, next += n)
-        *vectors[i] = next;
-    double **contacts[] = {&x->d, &x->v, &x->a, &x->change, &x->applied};
-    for (int i = 0; i < 5; i++, next += nc)
-        *contacts[i] = next;
-    x->w = next;
-    x->matrix = x->w + nc * nc;
-    x->response = x->matrix + nc * nc;
-    x->table = x->response + nc * n;
-    x->by_mode = x->table + 4 * n;
-    memcpy(x->table + n, m->spring, n * sizeof *x->table);
-    memcpy(x->table + 2 * n, m->dashpot, n * sizeof *x->table);
-    memcpy(x->table + 3 * n, m->gamma, n * sizeof *x->table);
-    for (int c = 0; c < m->ncontacts; c++)
-        for (int j = 0; j < m->nmodes; j++)
-            x->by_mode[j * x->stride + c] = m->jacobian[c * m->nmodes + j];
-    for (int j = 0; j < m->nmodes; j++)
-        x->push += m->gamma[j] * m->gamma[j];
-    x->push = sqrt(x->push) * state->ground_mps2;
-    x->energy = NAN;
+    const struct {
+        double **array;
+        size_t size;
+    } part[] = {{&x->a0, n}, {&x->a1, n}, {&x->rhs, n},     {&x->response, nc * n}, {&x->w, nc * nc},     {&x->d, nc},
+                {&x->v, nc}, {&x->a, nc}, {&x->change, nc}, {&x->applied, nc},      {&x->matrix, nc * nc}};
+    for (size_t i = 0; i < sizeof part / sizeof *part; next += part[i++].size)
+        *part[i].array = next;
     x->p = parameters;
-    x->differ = parameters.am != 0 || parameters.af != 0;
     x->fresh = true;
     *own = x;
     return THUD_OK;
@@ -98,7 +70,6 @@ void thud_alpha_free(void *own)
     thud_modal_operator_free(x->op);
     free(x->block);
     free(x->active);
-    free(x->pivot);
     free(x);
 }
 
@@ -108,18 +79,23 @@ static void prepare(const struct thud_model *m, struct alpha *x, double h)
     if (fabs(h - x->h_made) <= THUD_TOL_STEP_CHANGE * h)
         return;
     const struct thud_alpha *p = &x->p;
-    double share = 1 - p->af;
+    const double part = 1 - p->af;
     x->h_made = h;
-    thud_modal_operator_set(x->op, m, 1 - p->am, share * p->gamma * h, share * p->beta * h * h);
-    memcpy(x->table, thud_modal_operator_diagonal(x->op), (size_t)m->nmodes * sizeof *x->table);
+    thud_modal_operator_set(x->op, m, 1 - p->am, part * p->gamma * h, part * p->beta * h * h);
     for (int c = 0; c < m->nrows; c++) {
         double *r = x->response + c * m->nmodes;
         thud_modal_operator_apply(x->op, m, m->jacobian + c * m->nmodes, r);
         for (int j = 0; j < m->nmodes; j++)
-            r[j] *= share;
+            r[j] *= part;
         for (int a = 0; a < m->nrows; a++)
             x->w[a * m->nrows + c] = thud_model_gap_sum(m, a, r);
     }
+}
+
+/* Whether the scheme's own acceleration is another than that of the equations of motion. */
+static bool differs(const struct thud_alpha *p)
+{
+    return p->am != 0 || p->af != 0;
 }
 
 /* The scheme's own acceleration belongs to a time this many steps behind the state's. It goes on from step to step, at
@@ -130,14 +106,15 @@ static double offset(const struct thud_alpha *p)
     return p->am - p->af;
 }
 
+/* q, q', q'' and a0 at the start of the step. */
 static void start_step(const struct thud_state *state, struct alpha *x, double h)
 {
     const struct thud_model *m = state->model;
-    size_t bytes = (size_t)m->nmodes * sizeof(double);
-    double ground = thud_step_ground(state, 0), jump = fabs(ground - x->before_mps2),
-           size = fabs(ground) + fabs(x->before_mps2);
+    const size_t bytes = (size_t)m->nmodes * sizeof(double);
+    const double ground = thud_step_ground(state, 0), jump = fabs(ground - x->before_mps2),
+                 size = fabs(ground) + fabs(x->before_mps2);
     if (x->goes_on && jump <= THUD_TOL_GROUND * size) {
-        struct thud_motion last = x->start; /* the end of the last step */
+        const struct thud_motion last = x->start;
         x->start = x->end;
         x->end = last;
     } else {
@@ -153,8 +130,6 @@ static void start_step(const struct thud_state *state, struct alpha *x, double h
         thud_model_acceleration(m, state->q, state->qd, ground, x->start.qdd);
         thud_model_apply_contact_forces(m, x->start.force, x->start.qdd);
     }
-    if (!x->differ)
-        return;
     x->fresh = x->fresh || jump > THUD_TOL_GROUND_JUMP * size;
     if (x->fresh || offset(&x->p) == 0) {
         memcpy(x->a0, x->start.qdd, bytes);
@@ -164,62 +139,22 @@ static void start_step(const struct thud_state *state, struct alpha *x, double h
     }
 }
 
-/* The scheme's own accelerations at the two ends of the step. */
-static double *first(const struct alpha *x)
+/* Newmark's update from the start of the step, without what a1 adds. */
+static void update(int n, double h, double by_q, double by_v, const double *restrict q0, const double *restrict v0,
+                   const double *restrict a0, double *restrict q, double *restrict v)
 {
-    return x->differ ? x->a0 : x->start.qdd;
-}
-
-static double *last(const struct alpha *x)
-{
-    return x->differ ? x->a1 : x->end.qdd;
-}
-
-/* What a step of length h multiplies by. */
-struct factors {
-    double h, q0, q1, v0, v1, share; /* of a0 and a1 in q and q'; 1 - af */
-    const struct thud_alpha *p;
-};
-
-static struct factors factors_of(const struct thud_alpha *p, double h)
-{
-    return (struct factors){h, h * h * (0.5 - p->beta), h * h * p->beta, h * (1 - p->gamma), h * p->gamma, 1 - p->af,
-                            p};
-}
-
-/* The end of the step of modes that nothing couples: q, q', a1. The motions are (3 x n): q, q', q''. */
-static void predict_modes(int n, const struct factors *f, double ground, const double *restrict table,
-                          const double *restrict start, const double *restrict a0, double *restrict end,
-                          double *restrict a1)
-{
-    const double h = f->h, q0 = f->q0, q1 = f->q1, v0 = f->v0, v1 = f->v1, share = f->share, am = f->p->am,
-                 af = f->p->af;
     for (int j = 0; j < n; j++) {
-        double q = start[j] + h * start[n + j] + q0 * a0[j], v = start[n + j] + v0 * a0[j];
-        double r = table[n + j] * q + table[2 * n + j] * v + table[3 * n + j] * ground;
-        double a = table[j] * (af * start[2 * n + j] - am * a0[j] - share * r);
-        a1[j] = a;
-        end[j] = q + q1 * a;
-        end[n + j] = v + v1 * a;
+        q[j] = q0[j] + h * v0[j] + by_q * a0[j];
+        v[j] = v0[j] + by_v * a0[j];
     }
 }
 
-/* The same where damping couples modes; and where events are located, whose order at one moment hangs on rounding. */
-static void predict_coupled(const struct thud_model *m, struct alpha *x, const struct factors *f)
+/* What a1 adds. */
+static void add_end(int n, double by_q, double by_v, const double *restrict a1, double *restrict q, double *restrict v)
 {
-    const double *a0 = first(x);
-    double *a1 = last(x);
-    for (int j = 0; j < m->nmodes; j++) {
-        x->end.q[j] = x->start.q[j] + f->h * x->start.qd[j] + f->q0 * a0[j];
-        x->end.qd[j] = x->start.qd[j] + f->v0 * a0[j];
-    }
-    thud_model_acceleration(m, x->end.q, x->end.qd, x->ground_mps2, x->rhs);
-    for (int j = 0; j < m->nmodes; j++)
-        x->rhs[j] = f->share * x->rhs[j] + x->p.af * x->start.qdd[j] - x->p.am * a0[j];
-    thud_modal_operator_apply(x->op, m, x->rhs, a1);
-    for (int j = 0; j < m->nmodes; j++) {
-        x->end.q[j] += f->q1 * a1[j];
-        x->end.qd[j] += f->v1 * a1[j];
+    for (int j = 0; j < n; j++) {
+        q[j] += by_q * a1[j];
+        v[j] += by_v * a1[j];
     }
 }
 
@@ -227,28 +162,35 @@ static void predict_coupled(const struct thud_model *m, struct alpha *x, const s
 static void predict(const struct thud_state *state, struct alpha *x, double h)
 {
     const struct thud_model *m = state->model;
-    struct factors f = factors_of(&x->p, h);
+    const struct thud_alpha *p = &x->p;
+    const int n = m->nmodes;
+    update(n, h, h * h * (0.5 - p->beta), h * (1 - p->gamma), x->start.q, x->start.qd, x->a0, x->end.q, x->end.qd);
     x->ground_mps2 = thud_step_ground(state, h);
-    if (m->couples || state->locates)
-        predict_coupled(m, x, &f);
-    else
-        predict_modes(m->nmodes, &f, x->ground_mps2, x->table, x->start.q, first(x), x->end.q, last(x));
+    thud_model_acceleration(m, x->end.q, x->end.qd, x->ground_mps2, x->rhs);
+    for (int j = 0; j < n && differs(p); j++)
+        x->rhs[j] = (1 - p->af) * x->rhs[j] + p->af * x->start.qdd[j] - p->am * x->a0[j];
+    thud_modal_operator_apply(x->op, m, x->rhs, x->a1);
+    add_end(n, h * h * p->beta, h * p->gamma, x->a1, x->end.q, x->end.qd);
 }
 
-static bool counts(const struct thud_state *state, int c)
+/* What the forces at the end of the step change there. */
+static void correct(const struct thud_model *m, struct alpha *x, double h)
 {
-    if (state->locates && c >= state->model->ncontacts)
-        return state->contact[c].mode == THUD_CLOSED;
-    if (state->locates)
-        return thud_contact_acts(&state->contact[c]);
-    return !(state->model->contact[c].law->flags & (THUD_LAW_NO_FORCE | THUD_LAW_IMPULSIVE));
+    for (int c = 0; c < m->nrows; c++) {
+        if (x->end.force[c] == 0)
+            continue;
+        for (int j = 0; j < m->nmodes; j++) {
+            x->rhs[j] = -x->response[c * m->nmodes + j] * x->end.force[c];
+            x->a1[j] += x->rhs[j];
+        }
+        add_end(m->nmodes, x->p.beta * h * h, x->p.gamma * h, x->rhs, x->end.q, x->end.qd);
+    }
 }
 
-/* Indentation, its rate and second rate of contact a at the step's end under the forces now tried. */
-static void contact_end(const struct thud_state *state, const struct alpha *x, int a, double h, double *d, double *v,
-                        double *acc)
+/* d, d' and d'' of row a at the step's end under the forces now tried. */
+static void row_end(const struct thud_model *m, const struct alpha *x, int a, double h, double *d, double *v,
+                    double *acc)
 {
-    const struct thud_model *m = state->model;
     double pull = 0;
     for (int c = 0; c < m->nrows; c++)
         pull += x->w[a * m->nrows + c] * x->end.force[c];
@@ -264,9 +206,9 @@ static void swap(double *a, double *b)
     *b = t;
 }
 
-/* x of A x = b into b for a few unknowns, by Gauss with partial pivoting; A (n x n), column-major, is used up. What is
- * singular leaves what is not finite. */
-static void solve_few(int n, double *a, double *b)
+/* x of A x = b into b by Gauss with partial pivoting; A (n x n), column-major, is used up. What is singular leaves what
+ * is not finite. */
+static void solve_linear(int n, double *a, double *b)
 {
     for (int i = 0; i < n; i++) {
         int best = i;
@@ -290,120 +232,45 @@ static void solve_few(int n, double *a, double *b)
     }
 }
 
-/* One Newton step for n active contacts; returns the largest change relative to the forces. */
-static double newton(const struct thud_state *state, struct alpha *x, int n, double h)
+/* One step of Newton's method on F - law(d, d') = 0, or d'' = 0 where a contact is held; returns the largest change
+ * relative to the forces, NaN where the system is singular. */
+static double newton(const struct thud_state *state, struct alpha *x, double h)
 {
-    int nc = state->model->nrows;
+    const int n = x->nactive, nc = state->model->nrows;
+    const double by_d = x->p.beta * h * h, by_v = x->p.gamma * h;
     double largest = 0;
     for (int i = 0; i < n; i++) {
-        int a = x->active[i];
-        double d, v, acc, fd = 0, fv = 0, own = 1;
-        contact_end(state, x, a, h, &d, &v, &acc);
-        double by_d = x->p.beta * h * h, by_v = x->p.gamma * h, by_a = 0;
-        if (state->contact[a].mode == THUD_STICKING && state->locates) { /* held: no second rate */
-            own = 0;
-            by_a = -1;
-            x->change[i] = acc;
-        } else {
-            x->change[i] = x->end.force[a] - thud_step_force(state, a, d, v, &fd, &fv);
-        }
-        double by_slope = by_d > 0 ? fd * by_d : 0; /* the slope may be without bound at d = 0 */
+        const int a = x->active[i];
+        const bool held = state->locates && state->contact[a].mode == THUD_STICKING;
+        double d, v, acc, fd = 0, fv = 0;
+        row_end(state->model, x, a, h, &d, &v, &acc);
+        x->change[i] = held ? acc : x->end.force[a] - thud_step_force(state, a, d, v, &fd, &fv);
+        /* the slope of a law may be without bound at d = 0 */
+        const double slope = held ? -1 : (by_d > 0 ? fd * by_d : 0) + fv * by_v;
         for (int k = 0; k < n; k++)
-            x->matrix[k * n + i] = (by_slope + fv * by_v + by_a) * x->w[a * nc + x->active[k]] + (k == i ? own : 0);
+            x->matrix[k * n + i] = slope * x->w[a * nc + x->active[k]] + (k == i && !held ? 1 : 0);
     }
-    if (n > FEW && LAPACKE_dgesv_work(LAPACK_COL_MAJOR, n, 1, x->matrix, n, x->pivot, x->change, n) != 0)
-        return NAN;
-    if (n <= FEW)
-        solve_few(n, x->matrix, x->change);
-    for (int i = 0; i < n; i++)
+    solve_linear(n, x->matrix, x->change);
+    for (int i = 0; i < n; i++) {
+        double *force = &x->end.force[x->active[i]], before = fabs(*force);
         if (!isfinite(x->change[i]))
             return NAN;
-    for (int i = 0; i < n; i++) {
-        int a = x->active[i];
-        double before = fabs(x->end.force[a]);
-        x->end.force[a] -= x->change[i];
-        double scale = fmax(fmax(before, fabs(x->end.force[a])),
-                            THUD_TOL_LEAST_ACCELERATION_MPS2 * state->model->contact[a].setup.mass_kg);
+        *force -= x->change[i];
+        double scale = fmax(fmax(before, fabs(*force)),
+                            THUD_TOL_LEAST_ACCELERATION_MPS2 * state->model->contact[x->active[i]].setup.mass_kg);
         largest = fmax(largest, fabs(x->change[i]) / scale);
     }
     return largest;
 }
 
-/* How far the modal coordinates (as a vector) may move from here before anything can touch; 0 or below where something is
- * near. */
-static double room_before_contact(const struct thud_state *state, const struct alpha *x, const double *q)
-{
-    const struct thud_model *m = state->model;
-    double least = INFINITY;
-    for (int c = 0; c < m->ncontacts; c += 4) {
-        const double *g = x->by_mode + c;
-        thud_double_pair low = {0, 0}, high = {0, 0};
-        for (int j = 0; j < m->nmodes; j++, g += x->stride) {
-            low += thud_double_pair_at(g) * q[j];
-            high += thud_double_pair_at(g + 2) * q[j];
-        }
-        for (int k = 0; k < 4 && c + k < m->ncontacts; k++) {
-            double gap = thud_state_clearance(state, c + k) - THUD_TOL_PRESSED_M - (k < 2 ? low[k] : high[k - 2]);
-            least = thud_smaller(least, gap / sqrt(m->delassus[(c + k) * (m->nrows + 1)]));
-        }
-    }
-    return least;
-}
-
-/* Nothing located: whether no contact has a force at the start of the step, or without one at its end; then there is
- * none at its end. A step moves the modal coordinates by h times the largest rate in it, or twice that where it is
- * coarse: they are looked at again once they may have come near a contact. */
-static bool stays_open(const struct thud_state *state, struct alpha *x, double h)
-{
-    const struct thud_model *m = state->model;
-    for (int c = 0; c < m->ncontacts && !x->start.apart; c++)
-        if (x->start.force[c] != 0)
-            return false;
-    x->room -= 2 * h * (sqrt(x->energy) + h * x->push);
-    if (x->start.apart && x->room > 0)
-        return true;
-    x->room = room_before_contact(state, x, x->end.q);
-    if (x->room > 0)
-        return true;
-    for (int c = 0; c < m->ncontacts; c++)
-        if (thud_model_gap_sum(m, c, x->end.q) > thud_state_clearance(state, c))
-            return false;
-    return true;
-}
-
-/* Makes row c one of those whose forces are looked for. */
-static void activate(const struct thud_state *state, struct alpha *x, int c, int *n)
-{
-    x->v[c] = thud_model_gap_sum(state->model, c, x->end.qd);
-    x->a[c] = thud_model_gap_sum(state->model, c, last(x));
-    x->active[(*n)++] = c;
-    x->end.force[c] = x->start.force[c];
-}
-
-/* Nothing located: contacts that were left out, and that the forces on the others have closed. Returns their number. */
-static int activate_closed(const struct thud_state *state, struct alpha *x, double h, int *n)
-{
-    const int before = *n;
-    for (int c = 0; c < state->model->ncontacts && !state->locates; c++) {
-        double d, v, acc;
-        bool known = !counts(state, c) || x->d[c] > 0;
-        for (int i = 0; i < before; i++)
-            known = known || x->active[i] == c;
-        if (known)
-            continue;
-        contact_end(state, x, c, h, &d, &v, &acc);
-        if (d > 0)
-            activate(state, x, c, n);
-    }
-    return *n - before;
-}
-
-/* Newton's method on the forces of n rows: whether it ends. */
-static bool iterate(const struct thud_state *state, struct alpha *x, int n, double h)
+/* Newton's method on the forces of the active rows. Stops
+ *   1) solved: the largest change is rounding, or small and no longer falling;
+ *   2) not solved: the system is singular, or NEWTON_MAX steps have been taken. */
+static bool iterate(const struct thud_state *state, struct alpha *x, double h)
 {
     double before = INFINITY;
     for (int i = 0; i < NEWTON_MAX; i++) {
-        double change = newton(state, x, n, h);
+        double change = newton(state, x, h);
         if (!isfinite(change))
             return false;
         if (change <= THUD_TOL_NEWTON || (change < THUD_TOL_NEWTON_STALL && change >= 0.5 * before))
@@ -413,80 +280,92 @@ static bool iterate(const struct thud_state *state, struct alpha *x, int n, doub
     return false;
 }
 
+static void activate(const struct thud_model *m, struct alpha *x, int c)
+{
+    x->v[c] = thud_model_gap_sum(m, c, x->end.qd);
+    x->a[c] = thud_model_gap_sum(m, c, x->a1);
+    x->active[x->nactive++] = c;
+    x->end.force[c] = x->start.force[c];
+}
+
+/* Whether row c can have a force at the step's end. */
+static bool counts(const struct thud_state *state, int c)
+{
+    if (!state->locates)
+        return !(state->model->contact[c].law->flags & (THUD_LAW_NO_FORCE | THUD_LAW_IMPULSIVE));
+    return c >= state->model->ncontacts ? state->contact[c].mode == THUD_CLOSED : thud_contact_acts(&state->contact[c]);
+}
+
+/* Nothing located: contacts that were left out, and that the forces on the others have closed. */
+static bool activate_closed(const struct thud_state *state, struct alpha *x, double h)
+{
+    const int before = x->nactive;
+    for (int c = 0; c < state->model->ncontacts && !state->locates; c++) {
+        double d, v, acc;
+        bool known = !counts(state, c) || x->d[c] > 0;
+        for (int i = 0; i < before; i++)
+            known = known || x->active[i] == c;
+        if (known)
+            continue;
+        row_end(state->model, x, c, h, &d, &v, &acc);
+        if (d > 0)
+            activate(state->model, x, c);
+    }
+    return x->nactive > before;
+}
+
 /* Contact forces of the step's end. Where the law jumps (nothing located) there may be no solution: the last try is
  * taken, as a program does that only sees its iterations run out, and counted as rejected. */
 static void solve_forces(const struct thud_state *state, struct alpha *x, double h)
 {
-    int n = 0;
-    x->solved = true;
-    x->end.apart = !state->locates && state->model->nstoreys == 0 && stays_open(state, x, h);
-    if (x->end.apart)
-        return;
-    for (int c = 0; c < state->model->nrows; c++) {
-        if (!counts(state, c))
+    const struct thud_model *m = state->model;
+    x->nactive = 0;
+    x->end.apart = !state->locates && m->nstoreys == 0;
+    for (int c = 0; c < m->nrows; c++) {
+        x->end.force[c] = 0;
+        if (state->locates && c >= m->ncontacts && state->contact[c].mode == THUD_OPEN)
+            x->end.force[c] = state->contact[c].branch.f0_n; /* the constant force of an elastic storey */
+        if (state->locates && !counts(state, c))
             continue;
-        x->d[c] = thud_model_gap_sum(state->model, c, x->end.q) - thud_state_clearance(state, c);
-        if (state->locates || c >= state->model->ncontacts || x->d[c] > 0 ||
-            (x->p.beta > 0 && x->start.force[c] != 0)) /* where nothing is located, an open one has no force */
-            activate(state, x, c, &n);
+        x->d[c] = thud_model_gap_sum(m, c, x->end.q) - thud_state_clearance(state, c);
+        if (!state->locates && c < m->ncontacts && x->d[c] <= 0 && (x->p.beta == 0 || x->start.force[c] == 0))
+            continue; /* where nothing is located, an open one has no force */
+        x->end.apart = false;
+        if (counts(state, c))
+            activate(m, x, c);
     }
+    x->solved = true;
+    if (x->nactive == 0)
+        return;
     do
-        x->solved = n == 0 || iterate(state, x, n, h);
-    while (x->solved && x->p.beta > 0 && activate_closed(state, x, h, &n) > 0);
+        x->solved = iterate(state, x, h);
+    while (x->solved && x->p.beta > 0 && activate_closed(state, x, h));
     state->work->rejected += !x->solved;
-}
-
-/* What a force at the end of the step changes there: r (nmodes) is -da1/dF. */
-static void push(int n, struct alpha *x, const double *r, double force, double h)
-{
-    double *a1 = last(x), by_q = x->p.beta * h * h, by_v = x->p.gamma * h;
-    for (int j = 0; j < n; j++) {
-        double change = r[j] * force;
-        a1[j] -= change;
-        x->end.q[j] -= by_q * change;
-        x->end.qd[j] -= by_v * change;
-    }
 }
 
 /* From the start to the end of the step with the scheme's a0 as it is. */
 static void cross(const struct thud_state *state, struct alpha *x, double h)
 {
-    const struct thud_model *m = state->model;
     predict(state, x, h);
     x->end.apart = false;
-    if (!x->p.lagged) {
-        memset(x->end.force, 0, (size_t)m->nrows * sizeof *x->end.force);
-        for (int c = m->ncontacts; c < m->nrows && state->locates; c++) /* constant forces of elastic storeys */
-            x->end.force[c] = state->contact[c].mode == THUD_OPEN ? state->contact[c].branch.f0_n : 0;
+    if (!x->p.lagged)
         solve_forces(state, x, h);
-    }
-    for (int c = 0; c < m->nrows && !x->end.apart; c++)
-        if (x->end.force[c] != 0.0)
-            push(m->nmodes, x, x->response + c * m->nmodes, x->end.force[c], h);
-    if (!x->differ && !state->locates) /* the scheme's own acceleration is theirs, but for rounding */
+    if (!x->end.apart)
+        correct(state->model, x, h);
+    if (!state->locates && !differs(&x->p)) { /* a1 solves the equations of motion */
+        memcpy(x->end.qdd, x->a1, (size_t)state->model->nmodes * sizeof *x->a1);
         return;
-    thud_model_acceleration(m, x->end.q, x->end.qd, x->ground_mps2, x->end.qdd);
-    thud_model_apply_contact_forces(m, x->end.force, x->end.qdd);
-}
-
-/* Where nothing is located, all steps of an interval of the ground motion are of one length. */
-static double step_length(const struct thud_state *state, struct alpha *x)
-{
-    if (x->left > 1) {
-        x->left--;
-        return x->h_made;
     }
-    double h = thud_step_length(state);
-    x->left = state->locates ? 0 : lround(thud_step_room(state) / h);
-    return h;
+    thud_model_acceleration(state->model, x->end.q, x->end.qd, x->ground_mps2, x->end.qdd);
+    thud_model_apply_contact_forces(state->model, x->end.force, x->end.qdd);
 }
 
 enum thud_status thud_alpha_step(const struct thud_state *state, void *own, struct thud_segment *seg,
                                  struct thud_error *err)
 {
-    (void)err;
     struct alpha *x = own;
-    double h = step_length(state, x);
+    const double h = thud_step_length(state);
+    (void)err;
     prepare(state->model, x, h);
     start_step(state, x, h);
     cross(state, x, h);
@@ -498,7 +377,6 @@ enum thud_status thud_alpha_step(const struct thud_state *state, void *own, stru
     }
     x->a0_step_s = h;
     thud_step_write(state, seg, h, &x->start, &x->end, &x->work);
-    x->energy = seg->end_energy;
     return THUD_OK;
 }
 

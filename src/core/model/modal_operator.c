@@ -65,16 +65,12 @@ void thud_modal_operator_set(struct thud_modal_operator *op, const struct thud_m
     }
 }
 
-const double *thud_modal_operator_diagonal(const struct thud_modal_operator *op)
+void thud_modal_operator_apply(const struct thud_modal_operator *op, const struct thud_model *model, const double *restrict in,
+                               double *restrict out)
 {
-    return op->diagonal;
-}
-
-void thud_modal_operator_apply(const struct thud_modal_operator *op, const struct thud_model *model, const double *in,
-                               double *out)
-{
+    const double *diagonal = op->diagonal;
     for (int j = 0; j < model->nmodes; j++)
-        out[j] = op->diagonal[j] * in[j];
+        out[j] = diagonal[j] * in[j];
     const double *block = op->dense;
     for (int s = 0; s < model->nstructures; s++) {
         const struct thud_model_structure *p = &model->structure[s];
