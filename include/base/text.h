@@ -25,6 +25,9 @@ const char *thud_text_csv_plain(const char *field);
  * not UTF-8. Returns the length. */
 size_t thud_text_shown(char *text, const char *kept);
 void thud_text_clear(struct thud_text *text);
+/* FNV-1a, 64 bits, of `size` bytes after what `h` is of; of nothing it is THUD_HASH_START. */
+#define THUD_HASH_START 0xcbf29ce484222325ULL
+unsigned long long thud_hash(unsigned long long h, const void *bytes, size_t size);
 
 /* The part of a path after its last slash; all of it where nothing follows one. */
 const char *thud_path_name(const char *path);

@@ -4,22 +4,28 @@
 
 #include "cli/commands.h"
 #include "cli/scene_options.h"
+#include "cli/study_file.h"
 #include "io/file/file.h"
 #include "io/result/opensees.h"
 
-static enum thud_status deliver(const struct thud_args *args, const struct thud_scene *scene, struct thud_text *text,
-                                struct thud_error *err)
+static enum thud_status deliver(const struct thud_args *args, const struct thud_session *session,
+                                const struct thud_scene *scene, struct thud_text *text, struct thud_error *err)
 {
+    static const char *const asked[] = {"case", NULL};
+    struct thud_made_by by;
     const char *folder = thud_args_value(args, "o");
     char name[THUD_NAME_MAX + 16];
     if (!folder)
         return thud_cli_print(text, err);
     snprintf(name, sizeof name, "%s.opensees.py", scene->name[0] ? scene->name : "scene");
-    enum thud_status status = thud_folder_make(folder, err);
+    enum thud_status status = thud_made_by_scene(
+        args, "export", &session->scene, (const struct thud_record *const *)&session->record, 1, asked, &by, err);
+    if (status == THUD_OK)
+        status = thud_made_by_begin(&by, err);
     if (status == THUD_OK)
         status = thud_text_write_in(text, folder, name, err);
     thud_text_clear(text);
-    return status;
+    return status == THUD_OK ? thud_made_by_keep(&by, err) : status;
 }
 
 static enum thud_status opensees(const struct thud_args *args, struct thud_session *session, struct thud_scene *scene,
@@ -45,7 +51,7 @@ static enum thud_status opensees(const struct thud_args *args, struct thud_sessi
         status = thud_scene_answer(scene, session->record, &options, &answer, err);
     if (status == THUD_OK) {
         thud_opensees_script(scene, answer.model, session->record, thud_run_result(answer.run), &text);
-        status = deliver(args, scene, &text, err);
+        status = deliver(args, session, scene, &text, err);
     }
     thud_answer_clear(&answer);
     return status;

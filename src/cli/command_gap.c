@@ -6,16 +6,17 @@
 #include "cli/picture_options.h"
 #include "cli/records_option.h"
 #include "cli/scene_options.h"
+#include "cli/study_file.h"
 #include "io/file/file.h"
 #include "plot/figures/figures_gap.h"
 
 static enum thud_status save(const struct thud_args *args, const struct thud_gap_study *study,
                              const struct thud_scene *scene, const struct thud_record_list *records,
-                             struct thud_picture_choice *picture, struct thud_error *err)
+                             struct thud_picture_choice *picture, const struct thud_made_by *by, struct thud_error *err)
 {
     const char *folder = thud_args_value(args, "o");
     struct thud_text text = {0};
-    enum thud_status status = thud_folder_make(folder, err);
+    enum thud_status status = thud_made_by_begin(by, err);
     if (status == THUD_OK) {
         thud_gap_csv(study, records, &text);
         status = thud_text_write_in(&text, folder, "needed-gaps.csv", err);
@@ -29,7 +30,8 @@ static enum thud_status save(const struct thud_args *args, const struct thud_gap
     if (status != THUD_OK)
         return status;
     const char *title = scene->title[0] ? scene->title : scene->name;
-    return thud_figure_deliver(thud_figure_of_gaps(&study->suite, title), folder, &picture->options, status, err);
+    status = thud_figure_deliver(thud_figure_of_gaps(&study->suite, title), folder, &picture->options, status, err);
+    return thud_made_by_end(by, status, err);
 }
 
 static enum thud_status gap(const struct thud_args *args, struct thud_session *session, struct thud_scene *scene,
@@ -38,11 +40,19 @@ static enum thud_status gap(const struct thud_args *args, struct thud_session *s
     struct thud_record_list records = {0};
     struct thud_gap_study study = {0};
     struct thud_picture_choice picture;
+    struct thud_made_by by;
     struct thud_text text = {0};
     *scene = session->scene;
     enum thud_status status = thud_picture_options_read(args, &picture, err);
     if (status == THUD_OK)
         status = thud_records_option_read(args, session, &records, err);
+    if (status == THUD_OK && thud_args_has(args, "o")) {
+        static const char *const asked[] = {"records", "signs", NULL};
+        status = thud_made_by_scene(args, "study", scene, (const struct thud_record *const *)records.record, records.n,
+                                    asked, &by, err);
+        if (status == THUD_OK)
+            status = thud_made_by_check(&by, err);
+    }
     if (status == THUD_OK)
         status = thud_gap_study_run(scene, &records, thud_interrupt_watch(), &study, err);
     if (status == THUD_OK && thud_args_has(args, "json"))
@@ -52,7 +62,7 @@ static enum thud_status gap(const struct thud_args *args, struct thud_session *s
     else if (status == THUD_OK)
         status = thud_gap_report(&study, scene, &text, err);
     if (status == THUD_OK && thud_args_has(args, "o"))
-        status = save(args, &study, scene, &records, &picture, err);
+        status = save(args, &study, scene, &records, &picture, &by, err);
     if (status == THUD_OK || status == THUD_GNUPLOT) {
         enum thud_status printed = thud_cli_print(&text, status == THUD_OK ? err : NULL);
         status = status == THUD_OK ? printed : status;

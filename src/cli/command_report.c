@@ -10,6 +10,7 @@
 #include "cli/progress.h"
 #include "cli/records_option.h"
 #include "cli/scene_options.h"
+#include "cli/study_file.h"
 
 /* Samples of the uncertain inputs: a share of them is known to about 5 %. */
 enum { SAMPLES = 100 };
@@ -67,6 +68,16 @@ static enum thud_status report(const struct thud_args *args, struct thud_session
         status = thud_records_option_read(args, session, &records, err);
     if (status != THUD_OK)
         return status;
+    static const char *const asked[] = {"records", "signs", "uncertain", "samples", "sampling", "seed", NULL};
+    struct thud_made_by by;
+    status = thud_made_by_scene(args, "report", &session->scene, (const struct thud_record *const *)records.record,
+                                records.n, asked, &by, err);
+    if (status == THUD_OK)
+        status = thud_made_by_check(&by, err);
+    if (status != THUD_OK) {
+        thud_record_list_clear(&records);
+        return status;
+    }
     picture.options.cancel = thud_interrupt_watch();
     put_command(args, &text);
     if (text.failed) {
@@ -74,7 +85,7 @@ static enum thud_status report(const struct thud_args *args, struct thud_session
         thud_record_list_clear(&records);
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
-    struct thud_site_report_options options = {.folder = folder,
+    struct thud_site_report_options options = {.by = &by,
                                                .command = text.data,
                                                .records = &records,
                                                .inputs = &inputs.inputs,

@@ -10,6 +10,7 @@
 #include "cli/interrupt.h"
 #include "cli/picture_options.h"
 #include "cli/scene_options.h"
+#include "cli/study_file.h"
 #include "io/file/file.h"
 #include "study/sweep/remark.h"
 
@@ -179,37 +180,46 @@ static enum thud_status report_failure(const struct thud_args *args, const struc
 /* Files of every case in a folder of its own, figures of all over each other. */
 static enum thud_status write_cases(const struct thud_args *args, struct thud_picture_choice *picture,
                                     const struct thud_session *session, const struct thud_run_cases *cases,
-                                    struct thud_error *err)
+                                    const struct thud_made_by *by, struct thud_error *err)
 {
     const char *folder = thud_args_value(args, "o");
     struct thud_figure_source source[THUD_RUN_CASES_MAX];
-    enum thud_status status = THUD_OK;
+    enum thud_status status = thud_made_by_begin(by, err);
     for (int i = 0; i < cases->n && status == THUD_OK; i++) {
         char path[4096];
         const struct thud_run_case *item = &cases->item[i];
         struct thud_report report = thud_session_report(session, &item->scene, item->which, &item->answer);
         if (snprintf(path, sizeof path, "%s/%s", folder, item->folder) >= (int)sizeof path)
             return thud_error_set(err, THUD_OUTPUT, "the folder's name is too long");
-        status = thud_folder_make(folder, err);
-        if (status == THUD_OK)
-            status = write_folder(&report, path, err);
+        status = write_folder(&report, path, err);
     }
     if (status != THUD_OK)
         return status;
     picture->options.no_data = true;
     picture->options.cancel = thud_interrupt_watch();
-    return thud_run_figures_save(source, thud_run_cases_sources(cases, source), folder, &picture->options, err);
+    status = thud_run_figures_save(source, thud_run_cases_sources(cases, source), folder, &picture->options, err);
+    return thud_made_by_end(by, status, err);
 }
 
-/* What one run and several cases have in common before they begin: the options of pictures and of the run, and the word
- * that it takes long. Errors: those of the options. */
+/* What one run and several cases have in common before they begin: the options of pictures and of the run, whether the
+ * folder is free for the results, and the word that it takes long. Errors: those of the options, of the ground motion and
+ * of thud_made_by_check. */
 static enum thud_status begin(const struct thud_args *args, struct thud_session *session,
                               struct thud_picture_choice *picture, struct thud_run_options *options,
-                              struct thud_error *err)
+                              struct thud_made_by *by, struct thud_error *err)
 {
+    static const char *const asked[] = {"case", "cases", NULL};
     enum thud_status status = thud_picture_options_read(args, picture, err);
     if (status == THUD_OK)
         status = thud_scene_options(&session->scene, options, err);
+    if (status == THUD_OK && thud_args_has(args, "o")) {
+        status = thud_session_read_record(session, err);
+        if (status == THUD_OK)
+            status = thud_made_by_scene(args, "run", &session->scene,
+                                        (const struct thud_record *const *)&session->record, 1, asked, by, err);
+        if (status == THUD_OK)
+            status = thud_made_by_check(by, err);
+    }
     if (status != THUD_OK)
         return status;
     say_effort(args, session);
@@ -224,11 +234,12 @@ static enum thud_status run_cases(const struct thud_args *args, struct thud_sess
     struct thud_run_options options;
     struct thud_run_cases *cases = NULL;
     struct thud_picture_choice picture;
+    struct thud_made_by by;
     struct thud_text text = {0};
     for (size_t i = 0; i < sizeof alone / sizeof *alone; i++)
         if (thud_args_has(args, alone[i]))
             return thud_error_set(err, THUD_USAGE, "--cases and --%s together", alone[i]);
-    enum thud_status status = begin(args, session, &picture, &options, err);
+    enum thud_status status = begin(args, session, &picture, &options, &by, err);
     if (status != THUD_OK)
         return status;
     status = thud_run_cases_make(session, thud_args_value(args, "cases"), &options, &cases, err);
@@ -244,7 +255,7 @@ static enum thud_status run_cases(const struct thud_args *args, struct thud_sess
     thud_run_cases_table(cases, &text);
     status = thud_cli_print(&text, err);
     if (status == THUD_OK && options.keep_history)
-        status = write_cases(args, &picture, session, cases, err);
+        status = write_cases(args, &picture, session, cases, &by, err);
     thud_run_cases_free(cases);
     return status;
 }
@@ -257,18 +268,22 @@ static enum thud_status run(const struct thud_args *args, struct thud_session *s
     struct thud_run_options options;
     struct thud_answer answer = {0};
     struct thud_picture_choice picture;
+    struct thud_made_by by;
     enum thud_case which;
     enum thud_status status = thud_scene_options_case(args, &which, err);
     if (status == THUD_OK)
-        status = begin(args, session, &picture, &options, err);
+        status = begin(args, session, &picture, &options, &by, err);
     if (status != THUD_OK)
         return status;
     status = thud_session_run(session, which, &options, scene, &answer, err);
     if (status == THUD_OK) {
         warn_unusual(args, session, scene, answer.run);
-        status = report_run(args, session, scene, which, &answer, err);
+        if (options.keep_history)
+            status = thud_made_by_begin(&by, err);
+        if (status == THUD_OK)
+            status = report_run(args, session, scene, which, &answer, err);
         if (status == THUD_OK && options.keep_history)
-            status = draw(args, &picture, scene, &answer, err);
+            status = thud_made_by_end(&by, draw(args, &picture, scene, &answer, err), err);
     } else if (status == THUD_DIVERGED) {
         struct thud_error failure = *err;
         enum thud_status printed = report_failure(args, session, scene, which, &answer, &failure, err);

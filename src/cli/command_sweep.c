@@ -23,6 +23,7 @@ struct sweep {
     struct thud_record_list records;
     struct thud_sweep_plan plan;
     struct thud_sweep_study study;
+    struct thud_made_by by;
     struct thud_sweep_outcome outcome;
     struct thud_sweep_output output;
     struct thud_picture_choice pictures;
@@ -152,6 +153,10 @@ static enum thud_status fill_study(struct sweep *s, struct thud_error *err)
         status = thud_picture_options_read(args, &s->pictures, err);
     s->pictures.options.cancel = study->cancel;
     study->pictures = &s->pictures.options;
+    if (status == THUD_OK && study->folder) {
+        status = thud_made_by_study(args, &s->plan, &s->by, err);
+        study->by = &s->by;
+    }
     if (status == THUD_OK)
         status = find_best(s, err);
     study->no_rows = s->fragility;
@@ -184,6 +189,8 @@ static enum thud_status put_best(struct sweep *s, struct thud_text *text, struct
         status = thud_sweep_report_best(&s->plan, &s->outcome.rows.table, s->best, true, &csv, err);
         if (status == THUD_OK)
             status = thud_text_write_in(&csv, s->study.folder, "best.csv", err);
+        if (status == THUD_OK)
+            status = thud_made_by_keep(&s->by, err);
         thud_text_clear(&csv);
     }
     if (status == THUD_OK && s->output.format == THUD_SWEEP_OUTPUT_TABLE)

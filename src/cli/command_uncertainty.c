@@ -13,6 +13,7 @@
 #include "cli/picture_options.h"
 #include "cli/progress.h"
 #include "cli/scene_options.h"
+#include "cli/study_file.h"
 #include "io/file/file.h"
 
 enum { SAMPLES = 200 };
@@ -129,11 +130,11 @@ static bool has_ratios(const struct thud_uncertainty *u)
 }
 
 static enum thud_status save(const struct thud_args *args, const struct thud_uncertainty_study *study,
-                             struct thud_picture_choice *picture, struct thud_error *err)
+                             struct thud_picture_choice *picture, const struct thud_made_by *by, struct thud_error *err)
 {
     const char *folder = thud_args_value(args, "o");
     struct thud_text text = {0};
-    enum thud_status status = thud_folder_make(folder, err);
+    enum thud_status status = thud_made_by_begin(by, err);
     if (status == THUD_OK)
         status = thud_uncertainty_csv(study, &text, err);
     if (status == THUD_OK)
@@ -151,9 +152,9 @@ static enum thud_status save(const struct thud_args *args, const struct thud_unc
     if (status != THUD_OK)
         return status;
     status = thud_figure_deliver(tornado(study), folder, &picture->options, status, err);
-    return study->samples > 0 && has_ratios(study->uncertainty)
-               ? thud_figure_deliver(distribution(study), folder, &picture->options, status, err)
-               : status;
+    if (study->samples > 0 && has_ratios(study->uncertainty))
+        status = thud_figure_deliver(distribution(study), folder, &picture->options, status, err);
+    return thud_made_by_end(by, status, err);
 }
 
 static enum thud_status read_options(const struct thud_args *args, struct thud_uncertainty_study *study,
@@ -194,6 +195,7 @@ static enum thud_status uncertainty(const struct thud_args *args, struct thud_se
     struct thud_uncertainty *u = NULL;
     struct thud_picture_choice picture;
     struct thud_inputs inputs;
+    struct thud_made_by by;
     enum thud_case which;
     *scene = session->scene;
     enum thud_status status = thud_picture_options_read(args, &picture, err);
@@ -203,6 +205,13 @@ static enum thud_status uncertainty(const struct thud_args *args, struct thud_se
         status = read_options(args, &study, &inputs, err);
     if (status == THUD_OK)
         status = thud_session_read_record(session, err);
+    if (status == THUD_OK && thud_args_has(args, "o")) {
+        static const char *const asked[] = {"case", "uncertain", "sampling", "seed", NULL};
+        status = thud_made_by_scene(args, "uncertainty", scene, (const struct thud_record *const *)&session->record, 1,
+                                    asked, &by, err);
+        if (status == THUD_OK)
+            status = thud_made_by_check(&by, err);
+    }
     if (status == THUD_OK)
         status = thud_uncertainty_create(scene, session->record, which, &inputs, &u, err);
     study.uncertainty = u;
@@ -211,7 +220,7 @@ static enum thud_status uncertainty(const struct thud_args *args, struct thud_se
     thud_progress_end();
     enum thud_status drawn = THUD_OK;
     if (status == THUD_OK && thud_args_has(args, "o"))
-        drawn = save(args, &study, &picture, err);
+        drawn = save(args, &study, &picture, &by, err);
     if (status == THUD_OK && (drawn == THUD_OK || drawn == THUD_GNUPLOT))
         status = print(args, &study, drawn == THUD_OK ? err : NULL);
     thud_uncertainty_study_clear(&study);

@@ -62,7 +62,7 @@ static bool said_by_figures(const struct thud_option *option, enum thud_command_
 {
     return (id == THUD_COMMAND_RUN || id == THUD_COMMAND_SWEEP) &&
            (strcmp(option->name, "format") == 0 || strcmp(option->name, "size") == 0 ||
-            strcmp(option->name, "font") == 0);
+            strcmp(option->name, "width") == 0 || strcmp(option->name, "font") == 0);
 }
 
 void thud_help_command(struct thud_text *out, enum thud_command_id id)

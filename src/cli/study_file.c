@@ -1,5 +1,9 @@
 #include "cli/study_file.h"
 
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
 #include "app/run/record_list.h"
 #include "base/version.h"
 #include "io/file/file.h"
@@ -88,6 +92,113 @@ void thud_study_file_json(const struct thud_args *args, const struct thud_sessio
     put_records(plan, out);
     thud_text_append(out, "],\n");
     put_scene(out, &session->scene, NULL);
+}
+
+/* ---- made-by.txt ---- */
+
+static unsigned long long hash_text(unsigned long long h, const char *text)
+{
+    return thud_hash(h, text, strlen(text) + 1);
+}
+
+static unsigned long long hash_options(unsigned long long h, const struct thud_args *args, const char *const *asked)
+{
+    const char *value;
+    for (; *asked; asked++) {
+        h = hash_text(h, thud_args_has(args, *asked) ? *asked : "");
+        for (int i = 0; (value = thud_args_repeated(args, *asked, i)) != NULL; i++)
+            h = hash_text(h, value);
+    }
+    return h;
+}
+
+/* The command, the scene and its ground motion, in words; the rest is added by the caller. */
+static enum thud_status begin(const struct thud_args *args, const char *group, const struct thud_scene *scene,
+                              struct thud_made_by *out, struct thud_error *err)
+{
+    struct thud_text text = {0};
+    *out = (struct thud_made_by){.folder = thud_args_value(args, "o"), .replace = thud_args_has(args, "replace")};
+    snprintf(out->group, sizeof out->group, "%s", group);
+    thud_scene_json(scene, NULL, 0, &text);
+    if (!text.failed)
+        out->scene = out->asked = thud_hash(THUD_HASH_START, text.data, text.size);
+    snprintf(out->what, sizeof out->what, "%s of %.60s", thud_command_at(args->command)->name, scene->name);
+    enum thud_status status = text.failed ? thud_error_set(err, THUD_MEMORY, "out of memory") : THUD_OK;
+    thud_text_clear(&text);
+    return status;
+}
+
+static void add_word(struct thud_made_by *out, const char *fmt, ...) THUD_PRINTF(2, 3);
+static void add_word(struct thud_made_by *out, const char *fmt, ...)
+{
+    va_list args;
+    size_t n = strlen(out->what);
+    va_start(args, fmt);
+    vsnprintf(out->what + n, sizeof out->what - n, fmt, args);
+    va_end(args);
+}
+
+static void end(const struct thud_args *args, struct thud_made_by *out)
+{
+    const char *assignment;
+    for (int i = 0; (assignment = thud_args_repeated(args, "set", i)) != NULL; i++)
+        if (strncmp(assignment, "gap=", 4) != 0)
+            add_word(out, ", %.60s", assignment);
+    for (char *c = out->what; *c; c++)
+        *c = (unsigned char)*c < ' ' ? '?' : *c; /* one line */
+}
+
+enum thud_status thud_made_by_scene(const struct thud_args *args, const char *group, const struct thud_scene *scene,
+                                    const struct thud_record *const *records, int nrecords, const char *const *asked,
+                                    struct thud_made_by *out, struct thud_error *err)
+{
+    enum thud_status status = begin(args, group, scene, out, err);
+    const char *value;
+    out->asked = hash_options(out->asked, args, asked);
+    if (scene->nstructures > 1)
+        add_word(out, ", gap %.6g cm", 100 * scene->interface[0].gap_m);
+    for (; *asked; asked++)
+        if ((value = thud_args_value(args, *asked)) != NULL)
+            add_word(out, ", %s %.60s", *asked, value);
+    for (int i = 0; i < nrecords; i++)
+        if (records[i]) {
+            out->asked = hash_text(out->asked, records[i]->file);
+            out->asked = thud_hash(out->asked, records[i]->a_mps2, records[i]->samples * sizeof *records[i]->a_mps2);
+        }
+    if (nrecords > 1)
+        add_word(out, ", %d ground motions", nrecords);
+    else if (nrecords == 1 && records[0])
+        add_word(out, ", %.60s %.4g g", thud_path_name(records[0]->file), thud_record_peak(records[0]) / THUD_GRAVITY);
+    end(args, out);
+    return status;
+}
+
+enum thud_status thud_made_by_study(const struct thud_args *args, const struct thud_sweep_plan *plan,
+                                    struct thud_made_by *out, struct thud_error *err)
+{
+    static const char *const fragility[] = {"event", "hazard", "samples", "seed", NULL};
+    enum thud_status status = begin(args, "study", &plan->scene, out, err);
+    unsigned long long whole = thud_sweep_fingerprint(plan);
+    out->asked = thud_hash(out->asked, &whole, sizeof whole);
+    if (args->command == THUD_COMMAND_FRAGILITY)
+        out->asked = hash_options(hash_text(out->asked, "fragility"), args, fragility);
+    for (int i = 0; i < plan->naxes; i++) {
+        const struct thud_sweep_axis *axis = &plan->axis[i];
+        if (axis->n > 2)
+            add_word(out, ", %s %s to %s, %d values", axis->key, axis->text[0], axis->text[axis->n - 1], axis->n);
+        else
+            add_word(out, ", %s %s%s%s", axis->key, axis->text[0], axis->n > 1 ? " and " : "",
+                     axis->n > 1 ? axis->text[1] : "");
+    }
+    add_word(out, ", cases");
+    for (int i = 0; i < plan->ncases; i++)
+        add_word(out, "%s%s", i > 0 ? "," : " ", thud_case_name(plan->cases[i]));
+    if (plan->nrecords > 1)
+        add_word(out, ", %d ground motions", plan->nrecords);
+    else if (plan->nrecords == 1 && plan->record[0])
+        add_word(out, ", %.60s", thud_path_name(plan->record[0]->file));
+    end(args, out);
+    return status;
 }
 
 enum thud_status thud_scene_file_write(const struct thud_args *args, const struct thud_scene *scene,

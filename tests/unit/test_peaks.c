@@ -98,7 +98,7 @@ static enum thud_status sample_block(void *own, const struct thud_state *state, 
     return THUD_OK;
 }
 
-static const struct thud_observer sampling = {sample_segment, sample_block};
+static const struct thud_observer sampling = {.segment = sample_segment, .block = sample_block};
 
 /* Whether peak and samples are the same but for what lies between two samples. */
 static void check(const char *what, int place, double peak, double most, double scale)

@@ -169,7 +169,7 @@ START_TEST(works_are_right_to_their_bounds)
         run->ledger.largest_j = thud_state_kinetic(&run->state) + thud_state_strain(&run->state);
         double s = i % 2 ? 1 : 0.3 + 0.7 * rand() / RAND_MAX, input, viscous, want_input, want_viscous;
         thud_segment_state(&run->seg, m->nmodes, s, q, qd);
-        struct thud_observation o = {&run->state, &run->seg, s, q, qd, false};
+        struct thud_observation o = {.state = &run->state, .seg = &run->seg, .s = s, .q = q, .qd = qd};
         many_points(m, &run->seg, s, &want_input, &want_viscous);
         double bounds[THUD_LOBATTO_RULES] = {0}; /* the last rule's: rounding */
         thud_ledger_error_bounds(&run->ledger, &o, bounds);
@@ -276,7 +276,7 @@ START_TEST(work_in_a_contact_is_that_of_its_law)
             scale += force * thud_poly_move(d, run->seg.terms, &slope);
         }
         thud_segment_state(&run->seg, m->nmodes, s, q, qd);
-        struct thud_observation o = {&run->state, &run->seg, s, q, qd, false};
+        struct thud_observation o = {.state = &run->state, .seg = &run->seg, .s = s, .q = q, .qd = qd};
         thud_ledger_add(&run->ledger, &o);
         ck_assert_double_eq_tol(thud_ledger_contact_work(&run->ledger) - before, want, 2e-3 * scale);
         ck_assert_double_gt(scale, 0);

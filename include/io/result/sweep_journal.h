@@ -23,11 +23,11 @@ static inline long thud_sweep_shard_point(struct thud_sweep_shard shard, long i)
 }
 
 /* Begins the journal of a study in `folder` (which exists), or goes on with it: *done points are there already.
- * `preset` is the YAML of plan->scene. Errors: THUD_INPUT (the folder holds another study), THUD_OUTPUT,
- * THUD_MEMORY. Of several programs only the one that holds thud_folder_lock may. */
+ * `preset` is the YAML of plan->scene. With `replace` the beginning of another study goes. Errors: THUD_INPUT (the
+ * folder holds another study), THUD_OUTPUT, THUD_MEMORY. Of several programs only the one that holds thud_folder_lock may. */
 enum thud_status thud_sweep_journal_open(const char *folder, const struct thud_sweep_plan *plan, const char *preset,
-                                         struct thud_sweep_shard shard, struct thud_sweep_journal **out, long *done,
-                                         struct thud_error *err);
+                                         struct thud_sweep_shard shard, bool replace, struct thud_sweep_journal **out,
+                                         long *done, struct thud_error *err);
 /* Adds the next point. On failure the journal is as before. Errors: THUD_OUTPUT, THUD_MEMORY. */
 enum thud_status thud_sweep_journal_add(struct thud_sweep_journal *journal, const struct thud_sweep_point *point,
                                         struct thud_error *err);

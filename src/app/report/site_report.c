@@ -216,10 +216,11 @@ static enum thud_status compute(struct site *site, struct thud_error *err)
 
 static enum thud_status deliver(struct site *site, struct thud_error *err)
 {
-    const char *folder = site->options->folder, *file;
+    const struct thud_made_by *by = site->options->by;
+    const char *folder = by->folder, *file;
     struct thud_text text = {0};
     const struct thud_text *picture;
-    enum thud_status status = thud_folder_make(folder, err);
+    enum thud_status status = thud_made_by_begin(by, err);
     for (int i = 0; status == THUD_OK && (picture = thud_document_picture(&site->document, i, &file)) != NULL; i++) {
         thud_text_bytes(&text, picture->data, picture->size);
         status = thud_text_write_in(&text, folder, file, err);
@@ -232,7 +233,7 @@ static enum thud_status deliver(struct site *site, struct thud_error *err)
         thud_document_html(&site->document, &text);
         status = thud_text_write_in(&text, folder, "report.html", err);
     }
-    return status;
+    return status == THUD_OK ? thud_made_by_keep(by, err) : status;
 }
 
 static void clear(struct site *site)

@@ -6,10 +6,11 @@
 #include "app/run/record_list.h"
 #include "app/run/session.h"
 #include "app/sweep/uncertainty_study.h"
+#include "io/file/made_by.h"
 #include "plot/gnuplot/gnuplot.h"
 
 struct thud_site_report_options {
-    const char *folder;
+    const struct thud_made_by *by;          /* the folder, and whose results its are */
     const char *command;                    /* as typed, to repeat it */
     const struct thud_record_list *records; /* the suite of ground motions; one of them or none: there is no suite */
     const struct thud_inputs *inputs;       /* that are uncertain */

@@ -134,6 +134,8 @@ static const struct thud_option options[] = {
     {"json", NULL, "JSON on standard output", THUD_WORD_NONE, false, STUDY | RECORD | LISTS | VERIFY},
     {"csv", NULL, "CSV on standard output", THUD_WORD_NONE, false, STUDY},
     {"o", "DIR", "folder for CSV, PNG and gnuplot scripts", THUD_WORD_FOLDER, false, FILES | EXPORT | REPORT},
+    {"replace", NULL, "remove another scene's results from that folder", THUD_WORD_NONE, false,
+     RUN | SWEEP | 1 << THUD_COMMAND_GAP | UNCERTAINTY | EXPORT | REPORT},
     {"format", "FORMAT", "of pictures: png, svg or pdf", THUD_WORD_CHOICE, false, FILES},
     {"size", "WIDTHxHEIGHT", "of pictures, in pixels", THUD_WORD_TEXT, false, PICTURES | REPORT},
     {"width", "LENGTH", "of pictures on paper, such as 90mm", THUD_WORD_TEXT, false, FILES | REPORT},

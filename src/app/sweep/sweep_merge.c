@@ -188,12 +188,14 @@ static enum thud_status write_merged(const struct thud_sweep_study *study, struc
                                      struct thud_error *err)
 {
     struct thud_text text = {0};
-    enum thud_status status = THUD_OK;
-    if (common->description) {
+    enum thud_status status = study->by ? thud_made_by_begin(study->by, err) : THUD_OK;
+    if (status == THUD_OK && common->description) {
         thud_text_bytes(&text, common->description, common->size);
         status = thud_text_write_in(&text, study->folder, THUD_SWEEP_STUDY_FILE, err);
     }
-    return status == THUD_OK ? thud_sweep_study_finish(study, journal, nparts, out, err) : status;
+    if (status == THUD_OK)
+        status = thud_sweep_study_finish(study, journal, nparts, out, err);
+    return status == THUD_OK && study->by ? thud_made_by_keep(study->by, err) : status;
 }
 
 enum thud_status thud_sweep_study_merge(const struct thud_sweep_study *study, const char *const *part, int nparts,

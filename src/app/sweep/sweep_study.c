@@ -105,9 +105,11 @@ static enum thud_status make(struct making *m, long done, struct thud_error *err
 static enum thud_status make_in_folder(struct making *m, struct thud_error *err)
 {
     const struct thud_sweep_study *study = m->study;
-    long done;
-    enum thud_status status =
-        thud_sweep_journal_open(study->folder, study->plan, study->preset, study->shard, &m->journal, &done, err);
+    long done = 0;
+    enum thud_status status = study->by ? thud_made_by_begin(study->by, err) : THUD_OK;
+    if (status == THUD_OK)
+        status = thud_sweep_journal_open(study->folder, study->plan, study->preset, study->shard,
+                                         study->by && study->by->replace, &m->journal, &done, err);
     if (status != THUD_OK)
         return status;
     m->out->resumed = done;
@@ -118,6 +120,8 @@ static enum thud_status make_in_folder(struct making *m, struct thud_error *err)
     bool whole = status == THUD_OK && study->shard.count == 1;
     if (whole)
         status = thud_sweep_study_finish(study, &m->journal, 1, m->out, err);
+    if (whole && status == THUD_OK && study->by)
+        status = thud_made_by_keep(study->by, err);
     thud_sweep_journal_close(m->journal, whole && status == THUD_OK);
     return status;
 }

@@ -4,6 +4,7 @@
 
 #include "app/sweep/sweep_jobs.h"
 #include "app/sweep/sweep_table.h"
+#include "io/file/made_by.h"
 #include "io/result/sweep_journal.h"
 #include "plot/gnuplot/gnuplot.h"
 #include "study/suite/suite.h"
@@ -19,6 +20,7 @@ struct thud_sweep_study {
     const char *preset;            /* YAML of plan->scene, for the journal; only with a folder */
     struct thud_text *description; /* study.json, cleared once it is written; NULL or empty: none */
     const char *folder;            /* NULL: nothing is written */
+    const struct thud_made_by *by; /* whose results the folder's are; NULL: nothing is said of that */
     struct thud_sweep_shard shard; /* 1 of 1: everything; a part leaves its journal only */
     int threads;
     bool table;               /* keep what figures, tables and the best value are made of */

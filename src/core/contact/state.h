@@ -36,7 +36,6 @@ struct thud_contact_state {
     double ultimate_m; /* indentation at which the branch changes; INFINITY where there is none */
     double constraint_low_n, constraint_high_n; /* STICKING: interval of the constraint force, N */
     double expected_force_n; /* of this contact, from its closing velocity: scale of the error measure */
-    double largest_force_n;  /* so far: the same */
     double residual_m;
 };
 

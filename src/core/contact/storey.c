@@ -88,11 +88,9 @@ void thud_storeys_start(struct thud_state *state)
     state->nyielding = 0;
     state->nshifted = 0;
     for (int k = 0; k < state->model->nstoreys; k++) {
-        const struct thud_model_storey *p = &state->model->storey[k];
         struct thud_contact_state *row = &state->contact[state->model->ncontacts + k];
         state->storey[k] = (struct thud_storey_state){0};
         *row = (struct thud_contact_state){.phase = THUD_RESTITUTION, .ultimate_m = INFINITY};
-        row->largest_force_n = plastic_stiffness(p) * p->yield_m; /* scale on which its errors count */
         set_constant(state, k);
     }
 }

@@ -53,12 +53,11 @@ static void committed(const struct thud_state *state, void *own, const struct th
                       bool switched)
 {
     bool touched = false;
-    (void)seg;
     if (!own)
         return;
     for (int c = 0; c < state->model->ncontacts && switched; c++)
         touched |= state->contact[c].mode == THUD_CLOSED && state->contact[c].suppressed.indentation > 0;
-    thud_collocation_committed(state, own, tau_s, switched, touched);
+    thud_collocation_committed(state, own, seg, tau_s, switched, touched);
 }
 
 static void release(void *own)

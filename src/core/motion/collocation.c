@@ -48,7 +48,8 @@ struct thud_collocation {
     int nc;
     /* The system: unknowns are the forces of the active contacts at the nodes; values at the points of a contact stand
      * THUD_POINTS apart */
-    int *active; /* (nc) */
+    double *largest_n; /* (nc) force so far: scale on which errors count */
+    int *active;       /* (nc) */
     int nactive, capacity;
     const struct thud_response **response; /* (nactive x nactive) of one to the force of the other */
     double *force, *d0, *v0, *d, *v;       /* (nactive x THUD_POINTS) */
@@ -72,7 +73,7 @@ static void *allocate(size_t count, size_t size)
 static double force_scale(const struct thud_state *state, const struct thud_collocation *x, int a)
 {
     int c = x->active[a];
-    double scale = state->contact[c].largest_force_n;
+    double scale = x->largest_n[c];
     for (int i = 0; i < NODES; i++)
         scale = thud_larger(scale, fabs(x->force[a * THUD_POINTS + i]));
     if (state->contact[c].phase == THUD_APPROACH)
@@ -210,12 +211,16 @@ enum thud_status thud_collocation_create(const struct thud_state *state, struct 
     x->step.coefficient = allocate(THUD_BATCH * nc, sizeof(double));
     x->step.of = allocate(nc, sizeof *x->step.of);
     x->active = allocate(nc, sizeof(int));
-    if (!x->step.coefficient || !x->step.of || !x->active ||
+    x->largest_n = allocate(nc, sizeof *x->largest_n);
+    if (!x->step.coefficient || !x->step.of || !x->active || !x->largest_n ||
         thud_responses_create(m, x->point, lagrange, x->h_top, state->tolerance, &x->responses, err) != THUD_OK) {
         thud_collocation_free(x);
         *out = NULL;
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
+    for (int k = 0; k < m->nstoreys; k++)
+        x->largest_n[m->ncontacts + k] =
+            (1 - m->storey[k].hardening) * m->storey[k].stiffness_npm * m->storey[k].yield_m;
     return THUD_OK;
 }
 
@@ -227,6 +232,7 @@ void thud_collocation_free(struct thud_collocation *x)
     free(x->step.coefficient);
     free(x->step.of);
     free(x->active);
+    free(x->largest_n);
     free(x->response);
     free(x->force);
     free(x->matrix);
@@ -249,9 +255,25 @@ static void forget_switched(const struct thud_state *state, struct thud_collocat
     }
 }
 
-void thud_collocation_committed(const struct thud_state *state, struct thud_collocation *x, double moved_s,
-                                bool switched, bool touched)
+/* Raises the largest forces by those of the piece of a segment that the state has just come through. */
+static void raise_largest(struct thud_collocation *x, const struct thud_model *m, const struct thud_segment *seg,
+                          double s)
 {
+    double p[THUD_SEGMENT_TERMS], where;
+    for (int i = 0; i < seg->rows && seg->loaded > 0; i++) {
+        const int c = seg->row[i];
+        for (int k = 0; k < seg->loaded; k++)
+            p[k] = seg->force[k * m->nrows + c];
+        if (c < m->ncontacts)
+            x->largest_n[c] = thud_poly_peak(p, seg->loaded, s, x->largest_n[c], &where);
+    }
+}
+
+void thud_collocation_committed(const struct thud_state *state, struct thud_collocation *x,
+                                const struct thud_segment *seg, double moved_s, bool switched, bool touched)
+{
+    if (moved_s > 0)
+        raise_largest(x, state->model, seg, moved_s / seg->h_s);
     x->step.done_s += moved_s;
     x->just_touched = touched;
     if (!switched)

@@ -82,12 +82,6 @@ static bool any_above(const double *x, const double *bound, int n)
     return above[0] | above[1];
 }
 
-static void raise_to(struct thud_peak *peak, double value, double time_s)
-{
-    if (fabs(value) > peak->value)
-        *peak = (struct thud_peak){fabs(value), time_s};
-}
-
 /* The floors' peaks. */
 static void raise_floors(struct thud_end_peaks *ends, const struct thud_model *m, int structure, double *most,
                          double time_s, struct thud_result *result)
@@ -159,27 +153,7 @@ static void set_quiet(struct thud_end_peaks *ends, const struct thud_model *m, i
             ends->quiet_energy = thud_smaller(ends->quiet_energy, ends->quiet[s].energy);
 }
 
-/* Raises the peaks of the contacts that are closed. */
-static void add_contacts(const struct thud_observation *o, double time_s, struct thud_result *result,
-                         struct thud_contact_log *log)
-{
-    const struct thud_model *m = o->state->model;
-    const struct thud_motion *x = o->seg->end;
-    if (x->apart && o->state->nindented == 0)
-        return;
-    for (int c = 0; c < m->ncontacts; c++) {
-        if (x->force[c] == 0 && o->state->contact[c].mode == THUD_OPEN)
-            continue;
-        double d = thud_model_gap_sum(m, c, x->q) - thud_state_clearance(o->state, c);
-        log->now[c].indentation_m = fmax(log->now[c].indentation_m, d);
-        log->now[c].force_n = fmax(log->now[c].force_n, fabs(x->force[c]));
-        raise_to(&result->contact[c].indentation, fmax(d, 0), time_s);
-        raise_to(&result->contact[c].force, x->force[c], time_s);
-    }
-}
-
-void thud_end_peaks_add(struct thud_end_peaks *ends, const struct thud_observation *o, struct thud_result *result,
-                        struct thud_contact_log *log)
+void thud_end_peaks_add(struct thud_end_peaks *ends, const struct thud_observation *o, struct thud_result *result)
 {
     const struct thud_model *m = o->state->model;
     const struct thud_motion *x = o->seg->end;
@@ -187,7 +161,6 @@ void thud_end_peaks_add(struct thud_end_peaks *ends, const struct thud_observati
     const int row = THUD_FLOOR_QUANTITIES * ends->stride;
     if (x->apart && o->state->nindented == 0 && o->seg->end_energy < ends->quiet_energy)
         return;
-    add_contacts(o, time_s, result, log);
     for (int s = 0; s < m->nstructures; s++) {
         const struct thud_model_structure *p = &m->structure[s];
         struct thud_end_sizes now = sizes_of(m, p, x, ground), *quiet = &ends->quiet[s];

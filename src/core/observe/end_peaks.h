@@ -3,7 +3,6 @@
 #ifndef THUD_CORE_END_PEAKS_H
 #define THUD_CORE_END_PEAKS_H
 
-#include "core/contact/contact_log.h"
 #include "core/observe/observer.h"
 
 /* Squared sizes of a structure's modal values: omega q, q', and the total accelerations; of quiet ends also the energy sum
@@ -27,8 +26,7 @@ struct thud_end_peaks {
 enum thud_status thud_end_peaks_init(struct thud_end_peaks *ends, const struct thud_model *model, const double *shape,
                                      int stride, const double *per_speed, struct thud_error *err);
 void thud_end_peaks_clear(struct thud_end_peaks *ends);
-/* The end of the step o, whose peaks rise in the result, and in the impacts that go on. */
-void thud_end_peaks_add(struct thud_end_peaks *ends, const struct thud_observation *o, struct thud_result *result,
-                        struct thud_contact_log *log);
+/* The end of the step o, whose floors' peaks rise in the result. */
+void thud_end_peaks_add(struct thud_end_peaks *ends, const struct thud_observation *o, struct thud_result *result);
 
 #endif

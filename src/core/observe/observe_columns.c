@@ -5,6 +5,7 @@
 #include "core/motion/free_vibration.h"
 #include "core/numerics/double_pair.h"
 #include "core/numerics/poly.h"
+#include "core/observe/rest.h"
 
 enum { ENDS = THUD_FREE_VIBRATION_ENDS };
 
@@ -16,11 +17,6 @@ static double least_drift(const struct thud_model_column *p, const struct thud_c
         if (p->per_drift[q] != 0)
             least = fmin(least, r->peak[q].value / fabs(p->per_drift[q]));
     return least;
-}
-
-bool thud_columns_below(const struct thud_model *model, const struct thud_result *result, int column, double drift_m)
-{
-    return drift_m <= least_drift(&model->column[column], &result->column[column]);
 }
 
 /* Coefficients of the storey's drift. */
@@ -168,4 +164,15 @@ static enum thud_status block(void *own, const struct thud_state *state, struct 
     return THUD_OK;
 }
 
-const struct thud_observer thud_observe_columns = {segment, block};
+static bool may_jump(const void *own, const struct thud_rest *rest)
+{
+    const struct thud_result *result = own;
+    for (int i = 0; i < rest->model->ncolumns; i++) {
+        const struct thud_model_column *p = &rest->model->column[i];
+        if (!(thud_rest_drift(rest, p) <= least_drift(p, &result->column[i])))
+            return false;
+    }
+    return true;
+}
+
+const struct thud_observer thud_observe_columns = {.segment = segment, .block = block, .may_jump = may_jump};

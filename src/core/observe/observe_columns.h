@@ -7,7 +7,4 @@
 
 extern const struct thud_observer thud_observe_columns; /* its own: the run's struct thud_result */
 
-/* Whether the storey can drift by so much without raising a peak of untouched columns. */
-bool thud_columns_below(const struct thud_model *model, const struct thud_result *result, int column, double drift_m);
-
 #endif

@@ -3,96 +3,12 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "core/contact/contact.h"
 #include "core/contact/storey.h"
 #include "core/motion/free_vibration.h"
 #include "core/numerics/double_pair.h"
+#include "core/observe/contact_work.h"
 
 enum { LOOKS_APART = 64 }; /* segments and blocks between two looks at the balance */
-
-/* Contacts. */
-
-/* The integral of f g over [0, 1]; coefficients f (orders) and g (terms). */
-static double product_integral(const double *f, int orders, const double *g, int terms)
-{
-    enum { MOST = 2 * THUD_SEGMENT_TERMS };
-    static const double inverse[MOST] = {
-        1.0,      1.0 / 2,  1.0 / 3,  1.0 / 4,  1.0 / 5,  1.0 / 6,  1.0 / 7,  1.0 / 8,  1.0 / 9,  1.0 / 10,
-        1.0 / 11, 1.0 / 12, 1.0 / 13, 1.0 / 14, 1.0 / 15, 1.0 / 16, 1.0 / 17, 1.0 / 18, 1.0 / 19, 1.0 / 20,
-        1.0 / 21, 1.0 / 22, 1.0 / 23, 1.0 / 24, 1.0 / 25, 1.0 / 26, 1.0 / 27, 1.0 / 28, 1.0 / 29, 1.0 / 30,
-        1.0 / 31, 1.0 / 32, 1.0 / 33, 1.0 / 34, 1.0 / 35, 1.0 / 36, 1.0 / 37, 1.0 / 38, 1.0 / 39, 1.0 / 40,
-        1.0 / 41, 1.0 / 42, 1.0 / 43, 1.0 / 44, 1.0 / 45, 1.0 / 46, 1.0 / 47, 1.0 / 48};
-    double sum = 0;
-    for (int i = 0; i < orders; i++)
-        sum += f[i] * thud_dot(terms, g, inverse + i);
-    return sum;
-}
-
-/* What the law's force at points of the piece says beside the polynomial `force` (orders), whose work has been counted:
- * work, per second of the segment, and impulse of the difference. */
-static double law_work(const struct thud_observation *o, int c, const double *force, int orders, double *impulse)
-{
-    /* laws are dear, and of a force polynomial the difference is of the size of the tolerance: two points for it */
-    static const double two[] = {0.21132486540518713, 0.78867513459481287}, half[] = {0.5, 0.5};
-    const int count = orders > 0 ? 2 : THUD_QUADRATURE_POINTS;
-    const double *node = orders > 0 ? two : thud_quadrature_node, *weight = orders > 0 ? half : thud_quadrature_weight;
-    const double *d = o->seg->indentation + c * THUD_SEGMENT_TERMS, rate = 1 / o->seg->h_s;
-    double work = 0;
-    for (int i = 0; i < count; i += 2) {
-        const thud_double_pair s = o->s * thud_double_pair_at(node + i);
-        thud_double_pair x = {0, 0}, v = {0, 0}, f = {0, 0};
-        for (int k = o->seg->terms - 1; k >= 0; k--) {
-            v = v * s + x;
-            x = x * s + d[k];
-        }
-        for (int k = orders - 1; k >= 0; k--)
-            f = f * s + force[k];
-        for (int side = 0; side < 2; side++) {
-            const double more = thud_contact_force(o->state, c, x[side], rate * v[side]) - f[side];
-            work += weight[i + side] * more * rate * v[side];
-            *impulse += weight[i + side] * more;
-        }
-    }
-    return work;
-}
-
-/* Work done on a contact over the segment, per second of it, and its mean force. Of a power series: the work of the force
- * that was applied, and of what the law's differs from it by. */
-static double contact_work(const struct thud_observation *o, int c, double *impulse)
-{
-    const struct thud_segment *seg = o->seg;
-    const bool asks = o->state->contact[c].mode != THUD_STICKING && o->state->locates,
-               applies = !asks || !seg->interpolates;
-    const double *d = seg->indentation + c * THUD_SEGMENT_TERMS, s = o->s;
-    const int orders = !applies ? 0 : asks && seg->loaded < seg->terms ? seg->loaded : seg->terms;
-    double force[THUD_SEGMENT_TERMS], part[THUD_SEGMENT_TERMS], rate[THUD_SEGMENT_TERMS], work = 0, power = 1;
-    static const double one = 1;
-    for (int k = 0; k < orders; k++, power *= s) { /* over [0, s] as over [0, 1] */
-        force[k] = seg->force[k * o->state->model->nrows + c];
-        part[k] = power * force[k];
-    }
-    power = 1;
-    for (int k = 1; k < seg->terms; k++, power *= s)
-        rate[k - 1] = k * power * d[k];
-    if (applies) {
-        work = product_integral(part, orders, rate, seg->terms - 1) / seg->h_s;
-        *impulse = product_integral(&one, 1, part, orders);
-    }
-    return asks ? work + law_work(o, c, force, orders, impulse) : work;
-}
-
-static void book_contact(struct thud_ledger *l, const struct thud_observation *o, int c, double work_j,
-                         double impulse_ns)
-{
-    struct thud_contact_result *r = &l->log->contact[c];
-    l->log->now[c].impulse_ns += impulse_ns;
-    l->log->now[c].dissipated_j += work_j;
-    r->impulse_ns += impulse_ns;
-    r->dissipated_j += work_j;
-    if (thud_contact_acts(&o->state->contact[c]))
-        r->contact_time_s += o->s * o->seg->h_s;
-    thud_impact_count(o->state, l->log, c);
-}
 
 /* Structures. The power of damping and of the ground is integrated by the rule of fewest points whose error is bounded
  * by a small part of the tolerance; the rates at both ends of the piece are known. */
@@ -303,11 +219,11 @@ static void end_works(const struct thud_model *m, const struct thud_motion *a, c
 
 /* A step whose events are not located: mean forces of its two ends times the displacements between them, which is all
  * that it knows. */
-static void add_ends(struct thud_ledger *l, const struct thud_observation *o, bool books)
+static void add_ends(struct thud_ledger *l, const struct thud_observation *o)
 {
     const struct thud_model *m = o->state->model;
     const struct thud_motion *a = o->seg->start, *b = o->seg->end;
-    double s = o->s, drive, viscous;
+    double drive, viscous;
     end_works(m, a, b, &drive, &viscous);
     for (int k = 0; k < m->nstructures && m->couples; k++) {
         const struct thud_model_structure *p = &m->structure[k];
@@ -318,33 +234,18 @@ static void add_ends(struct thud_ledger *l, const struct thud_observation *o, bo
             viscous += mean * (b->q[i] - a->q[i]);
         }
     }
-    l->input_j += s * (o->seg->a0 + 0.5 * o->seg->a1) * drive;
-    l->viscous_j += s * viscous;
-    for (int c = 0; c < m->ncontacts && !(a->apart && b->apart && o->state->nactive == 0); c++) {
-        double force = 0.5 * (a->force[c] + b->force[c]);
-        if (force == 0 && !thud_contact_acts(&o->state->contact[c]))
-            continue;
-        double work = s * force * (thud_model_gap_sum(m, c, b->q) - thud_model_gap_sum(m, c, a->q));
-        l->contact_work_j += work;
-        if (books)
-            book_contact(l, o, c, work, s * force * o->seg->h_s);
-    }
+    l->input_j += o->s * (o->seg->a0 + 0.5 * o->seg->a1) * drive;
+    l->viscous_j += o->s * viscous;
 }
 
-static void add_segment(struct thud_ledger *l, const struct thud_observation *o, bool books)
+static void add_segment(struct thud_ledger *l, const struct thud_observation *o)
 {
-    double dt = o->s * o->seg->h_s, ground_j, damping_j;
+    double ground_j, damping_j;
+    for (int i = 0; i < o->works; i++)
+        l->contact_work_j += o->work[i].work_j;
     if (o->seg->end) {
-        add_ends(l, o, books);
+        add_ends(l, o);
         return;
-    }
-    for (int c = 0; c < o->state->model->ncontacts; c++) {
-        if (!thud_segment_has_force(o->state, o->seg, c))
-            continue;
-        double impulse = 0, work = contact_work(o, c, &impulse);
-        l->contact_work_j += work * dt;
-        if (books)
-            book_contact(l, o, c, work * dt, impulse * dt);
     }
     thud_ledger_structure_work(l, o, rule_for(l, o), &ground_j, &damping_j);
     l->input_j += ground_j;
@@ -353,7 +254,10 @@ static void add_segment(struct thud_ledger *l, const struct thud_observation *o,
 
 void thud_ledger_add(struct thud_ledger *ledger, const struct thud_observation *o)
 {
-    add_segment(ledger, o, false);
+    struct thud_observation here = *o;
+    here.works = thud_contact_works(o, ledger->work);
+    here.work = ledger->work;
+    add_segment(ledger, &here);
 }
 
 double thud_ledger_contact_work(const struct thud_ledger *ledger)
@@ -406,12 +310,6 @@ void thud_ledger_finish(struct thud_ledger *ledger, const struct thud_state *sta
         ledger->balance = balance(ledger, state);
 }
 
-void thud_ledger_close(struct thud_ledger *ledger, const struct thud_state *state)
-{
-    thud_ledger_finish(ledger, state);
-    ledger->closed = true;
-}
-
 /* Looks at the balance now and then, so that an error can say when it was lost. */
 static void watch(struct thud_ledger *l, const struct thud_state *state)
 {
@@ -423,7 +321,7 @@ static enum thud_status segment(void *own, const struct thud_observation *o, str
 {
     (void)err;
     watch(own, o->state);
-    add_segment(own, o, true);
+    add_segment(own, o);
     mark(own, o->state);
     return THUD_OK;
 }
@@ -442,16 +340,32 @@ static enum thud_status block(void *own, const struct thud_state *state, struct 
     return THUD_OK;
 }
 
-const struct thud_observer thud_observe_energy = {segment, block};
+static bool may_jump(const void *own, const struct thud_rest *rest)
+{
+    (void)own, (void)rest;
+    return true;
+}
+
+/* The balance of this moment stands for the end: in what is left out nothing new happens. */
+static void jumped(void *own, const struct thud_state *state)
+{
+    struct thud_ledger *l = own;
+    thud_ledger_finish(l, state);
+    l->closed = true;
+}
+
+const struct thud_observer thud_observe_energy = {
+    .segment = segment, .block = block, .may_jump = may_jump, .jumped = jumped};
 
 enum thud_status thud_ledger_init(struct thud_ledger *ledger, const struct thud_model *model,
-                                  struct thud_contact_log *log, double limit, struct thud_error *err)
+                                  const struct thud_contact_log *log, double limit, struct thud_error *err)
 {
     *ledger = (struct thud_ledger){.log = log, .limit = limit};
     struct thud_rate_powers *power = calloc(THUD_LOBATTO_RULES, sizeof *power);
     ledger->power = power;
     ledger->rates = calloc(THUD_LOBATTO_INNER * (size_t)model->nmodes + 1, sizeof *ledger->rates);
-    if (!power || !ledger->rates) {
+    ledger->work = calloc((size_t)model->ncontacts + 1, sizeof *ledger->work);
+    if (!power || !ledger->rates || !ledger->work) {
         thud_ledger_clear(ledger);
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
@@ -471,8 +385,10 @@ void thud_ledger_clear(struct thud_ledger *ledger)
 {
     free(ledger->power);
     free(ledger->rates);
+    free(ledger->work);
     ledger->power = NULL;
     ledger->rates = NULL;
+    ledger->work = NULL;
 }
 
 void thud_ledger_start(struct thud_ledger *ledger, const struct thud_state *state)

@@ -14,7 +14,7 @@ struct thud_rate_powers {
 };
 
 struct thud_ledger {
-    struct thud_contact_log *log; /* the work on each contact, and what impulses have lost */
+    const struct thud_contact_log *log;                              /* what impulses have lost */
     double initial_j, input_j, viscous_j, contact_work_j, largest_j; /* contact_work_j: without impulses */
     double balanced_s; /* the last moment looked at when no more was unaccounted for than `limit` */
     double limit;      /* part of the largest energy that may be unaccounted for */
@@ -24,21 +24,20 @@ struct thud_ledger {
     double dashpot, influence;      /* largest 2 zeta omega; sqrt(sum of gamma^2) */
     struct thud_rate_powers *power; /* (THUD_LOBATTO_RULES) */
     double *rates;                  /* (THUD_LOBATTO_INNER x nmodes) workspace */
+    struct thud_contact_work *work; /* (ncontacts) the same */
 };
 
 extern const struct thud_observer thud_observe_energy;
 
 /* Errors: THUD_MEMORY. */
 enum thud_status thud_ledger_init(struct thud_ledger *ledger, const struct thud_model *model,
-                                  struct thud_contact_log *log, double limit, struct thud_error *err);
+                                  const struct thud_contact_log *log, double limit, struct thud_error *err);
 void thud_ledger_clear(struct thud_ledger *ledger);
 /* Begins at this state. */
 void thud_ledger_start(struct thud_ledger *ledger, const struct thud_state *state);
 /* The balance at the state, kept in ledger->balance. */
 void thud_ledger_finish(struct thud_ledger *ledger, const struct thud_state *state);
-/* The balance of this moment stands for the end: the run leaves out the rest, in which nothing new happens. */
-void thud_ledger_close(struct thud_ledger *ledger, const struct thud_state *state);
-/* Adds the works over the segment; those of single contacts are not booked. */
+/* Adds the works over the segment, whose o->work is not read. */
 void thud_ledger_add(struct thud_ledger *ledger, const struct thud_observation *o);
 /* Work of the ground and loss in the structures' damping over the segment by one of the rules of quadrature; and bounds
  * of the error of the two together, of all rules but the last (THUD_LOBATTO_RULES - 1), where modes are uncoupled and no

@@ -370,14 +370,14 @@ static enum thud_status rows_in_flight(struct thud_rows *rows, const struct thud
 static enum thud_status segment(void *own, const struct thud_observation *o, struct thud_error *err)
 {
     struct thud_rows *rows = own;
-    bool switched = o->state->work->events != rows->events;
-    rows->events = o->state->work->events;
-    if (rows->row_waits && !switched) /* nothing has switched there: a row like any other of a step */
+    const bool switched_here = rows->switched;
+    rows->switched = false;
+    if (rows->row_waits && !switched_here) /* nothing has switched there: a row like any other of a step */
         rows->history.rows--;
     rows->row_waits = false;
-    if (switched || is_stop(o->state->record, o->seg->start_s)) /* the other side of the jump */
+    if (switched_here || is_stop(o->state->record, o->seg->start_s)) /* the other side of the jump */
         rows->next_row_s = o->seg->start_s;
-    return o->state->nactive > 0 ? rows_in_contact(rows, o, switched, err) : rows_in_flight(rows, o, err);
+    return o->state->nactive > 0 ? rows_in_contact(rows, o, switched_here, err) : rows_in_flight(rows, o, err);
 }
 
 static enum thud_status block(void *own, const struct thud_state *state, struct thud_free_vibration *f, int intervals,
@@ -404,4 +404,11 @@ static enum thud_status block(void *own, const struct thud_state *state, struct 
     return status;
 }
 
-const struct thud_observer thud_observe_history = {segment, block};
+static void switched(void *own, const struct thud_state *state, int row, enum thud_event event)
+{
+    struct thud_rows *rows = own;
+    (void)state, (void)row, (void)event;
+    rows->switched = true;
+}
+
+const struct thud_observer thud_observe_history = {.segment = segment, .block = block, .switched = switched};

@@ -14,7 +14,7 @@ struct thud_rows {
     double next_row_s;
     double close_rows_until_s; /* rows stand closer for a while after a contact */
     bool row_waits;            /* the last row counts only if a contact has switched behind it */
-    long events;               /* of the contacts, up to the last segment */
+    bool switched;             /* a contact or a storey has, since the last segment */
     double *work;              /* (3 x nmodes) */
 };
 

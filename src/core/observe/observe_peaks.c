@@ -9,6 +9,7 @@
 #include "core/numerics/double_pair.h"
 #include "core/numerics/poly.h"
 #include "core/numerics/tolerance.h"
+#include "core/observe/rest.h"
 
 /* What a structure's energy lets its floors come to at most: where that is below the peaks so far, no floor needs to be
  * looked at. With S = sqrt(sum of q'^2 + omega^2 q^2), whatever the damping, dS/dt is at most the size of the forces in
@@ -513,49 +514,6 @@ static void structure_peaks(struct thud_peaks *peaks, const struct thud_observat
     }
 }
 
-/* Raises the largest value of the impact that goes on, and with it that of the contact. */
-static void raise_contact_peak(const struct thud_segment *seg, struct thud_peak *peak, double *of_impact,
-                               const double *p, int terms, double s_end)
-{
-    double where = 0;
-    *of_impact = thud_poly_peak(p, terms, s_end, *of_impact, &where);
-    if (*of_impact > peak->value)
-        *peak = (struct thud_peak){*of_impact, seg->start_s + where * seg->h_s};
-}
-
-static void indentation_peak(struct thud_peaks *peaks, const struct thud_state *state, const struct thud_segment *seg,
-                             struct thud_contact_log *log, int c, double s_end)
-{
-    struct thud_impact *impact = &log->now[c];
-    struct thud_peak *peak = &peaks->result->contact[c].indentation;
-    const double *d = seg->indentation + c * THUD_SEGMENT_TERMS;
-    if (state->locates) {
-        raise_contact_peak(seg, peak, &impact->indentation_m, d, seg->terms, s_end);
-        return;
-    }
-    for (int end = 0; end <= 1; end++) { /* the step may reach far out of contact, to the other side of 0 */
-        double value = thud_poly_value(d, seg->terms, end * s_end);
-        impact->indentation_m = fmax(impact->indentation_m, value);
-        if (value > peak->value)
-            *peak = (struct thud_peak){value, seg->start_s + end * s_end * seg->h_s};
-    }
-}
-
-static void contact_peaks(struct thud_peaks *peaks, const struct thud_state *state, const struct thud_segment *seg,
-                          struct thud_contact_log *log, int c, double s_end)
-{
-    const struct thud_contact_state *s = &state->contact[c];
-    double p[THUD_SEGMENT_TERMS];
-    if (s->mode != THUD_OPEN)
-        indentation_peak(peaks, state, seg, log, c, s_end);
-    if (!thud_segment_has_force(state, seg, c))
-        return;
-    const int terms = seg->interpolates ? seg->terms : seg->loaded; /* a power series has no forces beyond */
-    for (int k = 0; k < terms; k++)
-        p[k] = seg->force[k * state->model->nrows + c];
-    raise_contact_peak(seg, &peaks->result->contact[c].force, &log->now[c].force_n, p, terms, s_end);
-}
-
 /* Peaks of the structures that may have one. */
 static void motion_peaks(struct thud_peaks *peaks, const struct thud_observation *o)
 {
@@ -575,13 +533,10 @@ static enum thud_status segment(void *own, const struct thud_observation *o, str
 {
     struct thud_peaks *peaks = own;
     (void)err;
-    if (o->seg->end) {
-        thud_end_peaks_add(&peaks->of_ends, o, peaks->result, peaks->log);
-        return THUD_OK;
-    }
-    motion_peaks(peaks, o);
-    for (int c = 0; c < o->state->model->ncontacts; c++)
-        contact_peaks(peaks, o->state, o->seg, peaks->log, c, o->s);
+    if (o->seg->end)
+        thud_end_peaks_add(&peaks->of_ends, o, peaks->result);
+    else
+        motion_peaks(peaks, o);
     return THUD_OK;
 }
 
@@ -801,7 +756,22 @@ static enum thud_status block(void *own, const struct thud_state *state, struct 
     return THUD_OK;
 }
 
-const struct thud_observer thud_observe_peaks = {segment, block};
+/* Whether no floor comes above its peaks any more. */
+static bool may_jump(const void *own, const struct thud_rest *rest)
+{
+    const struct thud_peaks *peaks = own;
+    double most[THUD_FLOOR_QUANTITIES];
+    for (int s = 0; s < peaks->result->nstructures; s++)
+        for (int i = 0; i < peaks->result->structure[s].floors; i++) {
+            thud_rest_floor(rest, s, i, most);
+            for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++)
+                if (most[x] > thud_floor_peak(peaks->result, s, i, x)->value)
+                    return false;
+        }
+    return true;
+}
+
+const struct thud_observer thud_observe_peaks = {.segment = segment, .block = block, .may_jump = may_jump};
 
 /* Reads one interval for all values of the structure from `first` on that wait for it. */
 static void settle_interval(struct thud_peaks *peaks, const struct thud_state *state, struct thud_free_vibration *f,
@@ -857,12 +827,12 @@ static void fill_shapes(struct thud_peaks *peaks, const struct thud_model *m)
 }
 
 enum thud_status thud_peaks_init(struct thud_peaks *peaks, const struct thud_state *state, struct thud_result *result,
-                                 struct thud_contact_log *log, struct thud_error *err)
+                                 struct thud_error *err)
 {
     const struct thud_model *m = state->model;
     const size_t n = (size_t)m->nmodes, stride = (size_t)even_size(m), rows = THUD_FLOOR_QUANTITIES * stride,
                  floors = THUD_FLOOR_QUANTITIES * (size_t)m->ndof, structures = (size_t)m->nstructures;
-    *peaks = (struct thud_peaks){.result = result, .log = log, .stride = (int)stride};
+    *peaks = (struct thud_peaks){.result = result, .stride = (int)stride};
     peaks->block = calloc(floors + structures + 2 * n * stride + (MODE_ROWS + FLOOR_ROWS) * stride +
                               THUD_SEGMENT_TERMS * (stride + n) + n + 1,
                           sizeof *peaks->block);

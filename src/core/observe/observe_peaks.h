@@ -7,7 +7,6 @@
 #ifndef THUD_CORE_OBSERVE_PEAKS_H
 #define THUD_CORE_OBSERVE_PEAKS_H
 
-#include "core/contact/contact_log.h"
 #include "core/observe/end_peaks.h"
 #include "core/observe/observer.h"
 
@@ -36,12 +35,11 @@ struct thud_row_push {
 };
 
 struct thud_peaks {
-    struct thud_result *result;   /* whose peaks rise, */
-    struct thud_contact_log *log; /* with those of the impacts that go on */
-    int stride;                   /* floors of the largest structure, an even number */
-    double *per_speed;            /* (quantities x ndof): bound of a floor's value for a structure's S of 1 */
-    double *ground;               /* (nstructures) size of a ground acceleration of 1 in modal coordinates */
-    double *shape;                /* (2 x nmodes x stride) each mode at the floors of its structure, and their drifts */
+    struct thud_result *result; /* whose peaks rise */
+    int stride;                 /* floors of the largest structure, an even number */
+    double *per_speed;          /* (quantities x ndof): bound of a floor's value for a structure's S of 1 */
+    double *ground;             /* (nstructures) size of a ground acceleration of 1 in modal coordinates */
+    double *shape;              /* (2 x nmodes x stride) each mode at the floors of its structure, and their drifts */
     /* A segment, or one structure in it */
     struct thud_row_push *push; /* (pushes) of rows that have a force */
     int pushes;
@@ -66,7 +64,7 @@ extern const struct thud_observer thud_observe_peaks;
 
 /* Errors: THUD_MEMORY; nothing stays allocated then. */
 enum thud_status thud_peaks_init(struct thud_peaks *peaks, const struct thud_state *state, struct thud_result *result,
-                                 struct thud_contact_log *log, struct thud_error *err);
+                                 struct thud_error *err);
 void thud_peaks_clear(struct thud_peaks *peaks);
 /* Reads the intervals of free vibration that have waited. Until then a peak may be that at an end of one. */
 void thud_peaks_settle(struct thud_peaks *peaks, const struct thud_state *state, struct thud_free_vibration *f);

@@ -152,7 +152,7 @@ static enum thud_status block(void *own, const struct thud_state *state, struct 
     return THUD_OK;
 }
 
-const struct thud_observer thud_observe_relative = {segment, block};
+const struct thud_observer thud_observe_relative = {.segment = segment, .block = block};
 
 enum thud_status thud_relative_init(struct thud_relative *relative, const struct thud_model *model,
                                     struct thud_error *err)

@@ -1,28 +1,47 @@
-/* What a run shows to those that read it before it commits: a segment up to where it is taken, or a block of free
- * vibration. An observer has its own state and changes nothing else, so that one may be left out or added (the run
- * holds a list) without touching the motion. */
+/* What a run shows to those that read it: a segment before it is committed, up to where it is taken, or a block of free
+ * vibration; contacts that have switched; and what it leaves out. An observer has its own state and changes nothing
+ * else, and nothing that moves reads what it has found: one may be left out or added (the run holds a list) without
+ * touching the motion. Each function may be NULL. */
 #ifndef THUD_CORE_OBSERVER_H
 #define THUD_CORE_OBSERVER_H
 
+#include "core/contact/event.h"
 #include "core/contact/segment.h"
 
 struct thud_free_vibration;
+struct thud_rest;
+
+struct thud_contact_work {
+    int contact;
+    double work_j, impulse_ns;
+};
 
 /* A segment, read up to s. */
 struct thud_observation {
     const struct thud_state *state; /* at its start */
     const struct thud_segment *seg; /* the indentations of its contacts have been read */
     double s;
-    const double *q, *qd; /* (nmodes) modal state at s */
-    bool switches;        /* a contact will, or may, switch there */
+    const double *q, *qd;                 /* (nmodes) modal state at s */
+    bool switches;                        /* a contact will, or may, switch there */
+    const struct thud_contact_work *work; /* (works) of the contacts with a force */
+    int works;
 };
 
 struct thud_observer {
     /* Errors: THUD_MEMORY. */
     enum thud_status (*segment)(void *own, const struct thud_observation *o, struct thud_error *err);
-    /* The first `intervals` intervals of a block of free vibration that begins at the state. Errors: THUD_MEMORY. */
+    /* The first `intervals` intervals of a block of free vibration that begins at the state. NULL: the intervals are
+     * shown as segments. Errors: THUD_MEMORY. */
     enum thud_status (*block)(void *own, const struct thud_state *state, struct thud_free_vibration *block,
                               int intervals, struct thud_error *err);
+    /* At the state, row (a contact, or behind them a storey that yields) has switched by this event; row -1: where events
+     * are not located, any of them. */
+    void (*switched)(void *own, const struct thud_state *state, int row, enum thud_event event);
+    /* Whether the rest of the motion may be left out: no contact closes in it, and its values have these bounds. NULL: it
+     * may not. */
+    bool (*may_jump)(const void *own, const struct thud_rest *rest);
+    /* It is left out, from this state on. */
+    void (*jumped)(void *own, const struct thud_state *state);
 };
 
 #endif

@@ -8,6 +8,7 @@
 #define THUD_CORE_EARLY_END_H
 
 #include "core/observe/observer.h"
+#include "core/observe/rest.h"
 
 struct thud_early_end;
 
@@ -18,10 +19,10 @@ extern const struct thud_observer thud_observe_early_end;
 /* After the last block: what comes after each block. */
 void thud_early_end_close(struct thud_early_end *early_end);
 
-/* Whether nothing can come before the end of the record in a run with contacts that is at this state, with these
- * results so far. amplitudes: (nmodes) workspace. */
-bool thud_early_end_holds(const struct thud_early_end *early_end, const struct thud_state *state,
-                          struct thud_result *result, double *amplitudes);
+/* Whether no contact can close before the end of the record in a run that is at this state; then what comes, which
+ * reads amplitudes (nmodes), workspace. */
+bool thud_early_end_holds(const struct thud_early_end *early_end, const struct thud_state *state, double *amplitudes,
+                          struct thud_rest *rest);
 /* Puts the state there; returns how many intervals that passes. Only where thud_early_end_holds. */
 long thud_early_end_jump(const struct thud_early_end *early_end, struct thud_state *state);
 

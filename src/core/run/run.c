@@ -1,16 +1,22 @@
-/* The run: propose a segment, locate its first event, observe it up to there, commit, switch the contact or the storey,
- * and so on. */
+/* The run: propose a segment, locate its first event, show it up to there to the observers, commit, switch the contact or
+ * the storey, and so on. */
 #include <math.h>
 #include <string.h>
 
 #include "core/contact/storey.h"
+#include "core/observe/contact_work.h"
 #include "core/run/run_private.h"
 
 static enum thud_status observe(struct thud_run *run, const struct thud_proposal *p, struct thud_error *err)
 {
     size_t n = (size_t)run->state.model->nmodes;
-    struct thud_observation o = {&run->state, &run->seg,    p->s,
-                                 run->end,    run->end + n, p->switched || !run->state.locates};
+    struct thud_observation o = {.state = &run->state,
+                                 .seg = &run->seg,
+                                 .s = p->s,
+                                 .q = run->end,
+                                 .qd = run->end + n,
+                                 .switches = p->switched || !run->state.locates,
+                                 .work = run->contact_work};
     enum thud_status status = THUD_OK;
     if (run->seg.end) {
         o.q = run->seg.end->q;
@@ -18,10 +24,19 @@ static enum thud_status observe(struct thud_run *run, const struct thud_proposal
     } else {
         thud_segment_state(&run->seg, run->state.model->nmodes, p->s, run->end, run->end + n);
     }
+    if (run->observers > 0)
+        o.works = thud_contact_works(&o, run->contact_work);
     for (int i = 0; i < run->observers && status == THUD_OK; i++)
         if (run->observer[i].table->segment)
             status = run->observer[i].table->segment(run->observer[i].own, &o, err);
     return status;
+}
+
+static void show_switched(const struct thud_run *run, int row, enum thud_event event)
+{
+    for (int i = 0; i < run->observers; i++)
+        if (run->observer[i].table->switched)
+            run->observer[i].table->switched(run->observer[i].own, &run->state, row, event);
 }
 
 /* Puts the run where the segment was taken to. */
@@ -41,8 +56,6 @@ static void commit(struct thud_run *run, const struct thud_proposal *p)
     }
     if (!state->inside) /* of such steps nothing is asked but their ends, and no storey yields */
         return;
-    for (int c = 0; c < state->model->ncontacts; c++)
-        state->contact[c].largest_force_n = run->result.contact[c].force.value;
     thud_contact_moved(state);
     thud_storeys_moved(state);
 }
@@ -70,6 +83,8 @@ static enum thud_status segment(struct thud_run *run, struct thud_error *err)
         status = thud_contact_switch(&run->state, &run->log, p.contact, p.event, err);
     if (status == THUD_OK && !run->state.locates)
         status = thud_contact_update(&run->state, &run->log, run->seg.end && run->seg.end->apart, &switched, err);
+    if (switched)
+        show_switched(run, p.contact, p.event);
     if (status == THUD_OK && run->method->committed)
         run->method->committed(&run->state, run->own, &run->seg, p.s * run->seg.h_s, switched || p.passed);
     return status;

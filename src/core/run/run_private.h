@@ -10,7 +10,7 @@
 #include "core/run/early_end.h"
 #include "core/run/run.h"
 
-enum { THUD_OBSERVERS_MAX = 6 };
+enum { THUD_OBSERVERS_MAX = 8 };
 
 /* Events at one moment without end: see run.c. */
 struct thud_progress {
@@ -46,6 +46,7 @@ struct thud_run {
         void *own;
     } observer[THUD_OBSERVERS_MAX]; /* (observers), asked in this order */
     int observers;
+    struct thud_contact_work *contact_work; /* (ncontacts) over the segment at hand */
     struct thud_contact_log log;
     struct thud_peaks peaks;
     struct thud_rows rows;

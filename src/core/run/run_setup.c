@@ -8,6 +8,7 @@
 #include "base/quantity.h"
 #include "core/contact/storey.h"
 #include "core/observe/observe_columns.h"
+#include "core/observe/observe_contacts.h"
 #include "core/run/run_private.h"
 
 void thud_run_options_init(struct thud_run_options *options)
@@ -156,7 +157,8 @@ static enum thud_status prepare(struct thud_run *run, const struct thud_model *m
     if (status == THUD_OK)
         status = thud_segment_init(&run->seg, model, err);
     run->end = status == THUD_OK ? calloc(2 * (size_t)model->nmodes + 1, sizeof *run->end) : NULL;
-    if (status == THUD_OK && !(run->end && allocate_result(run)))
+    run->contact_work = calloc((size_t)model->ncontacts + 1, sizeof *run->contact_work);
+    if (status == THUD_OK && !(run->end && run->contact_work && allocate_result(run)))
         status = thud_error_set(err, THUD_MEMORY, "out of memory");
     if (status == THUD_OK)
         status =
@@ -174,9 +176,10 @@ void thud_run_observe(struct thud_run *run, const struct thud_observer *table, v
 static enum thud_status create_observers(struct thud_run *run, struct thud_error *err)
 {
     const struct thud_model *m = run->state.model;
-    enum thud_status status = thud_peaks_init(&run->peaks, &run->state, &run->result, &run->log, err);
+    enum thud_status status = thud_peaks_init(&run->peaks, &run->state, &run->result, err);
     run->peaks.may_wait = !run->options.keep_history; /* whose rows stand at the peaks */
     thud_run_observe(run, &thud_observe_peaks, &run->peaks);
+    thud_run_observe(run, &thud_observe_contacts, &run->log);
     if (m->ncolumns > 0)
         thud_run_observe(run, &thud_observe_columns, &run->result);
     if (status == THUD_OK && run->options.keep_history) {
@@ -255,6 +258,7 @@ void thud_run_free(struct thud_run *run)
     thud_rows_clear(&run->rows);
     thud_ledger_clear(&run->ledger);
     free(run->end);
+    free(run->contact_work);
     free(run->result_block);
     free(run);
 }
@@ -287,11 +291,20 @@ static void finish_storeys(struct thud_run *run)
     }
 }
 
+static bool observes(const struct thud_run *run, const struct thud_observer *table)
+{
+    for (int i = 0; i < run->observers; i++)
+        if (run->observer[i].table == table)
+            return true;
+    return false;
+}
+
 void thud_run_finish(struct thud_run *run)
 {
     struct thud_result *r = &run->result;
     r->work = run->work;
-    thud_ledger_finish(&run->ledger, &run->state);
+    if (observes(run, &thud_observe_energy))
+        thud_ledger_finish(&run->ledger, &run->state);
     r->energy = run->ledger.balance;
     finish_storeys(run);
     if (run->done && *r->reason && r->reason != no_contact && !has_touched(r))

@@ -86,6 +86,8 @@ int thud_file_replace(const char *name, const char *path)
     int why = rename(name, path) != 0 ? errno : 0;
     if (why)
         unlink(name);
+    else
+        thud_made_by_note(path);
     forget(name);
     return why;
 }

@@ -11,5 +11,7 @@ int thud_file_replace(const char *name, const char *path);
 void thud_file_remove(const char *name);
 /* Removes what ended programs left in a folder under such names. */
 void thud_folder_tidy(const char *folder);
+/* A file has come under its name: for the list of thud_made_by_begin. */
+void thud_made_by_note(const char *path);
 
 #endif

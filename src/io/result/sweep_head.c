@@ -155,15 +155,6 @@ static enum thud_status read_start(struct thud_sweep_journal *journal, struct th
     return check_version(journal, version, err);
 }
 
-/* FNV-1a, 64 bits. */
-static unsigned long long sum_of(const char *text)
-{
-    unsigned long long h = 14695981039346656037ULL;
-    for (; *text; text++)
-        h = (h ^ (unsigned char)*text) * 1099511628211ULL;
-    return h;
-}
-
 /* Takes the body apart in place. */
 static bool split(struct thud_sweep_head *head)
 {
@@ -211,7 +202,7 @@ enum thud_status thud_sweep_head_read(struct thud_sweep_journal *journal, struct
     journal->head_lines = 1;
     for (size_t i = 0; i < size; i++)
         journal->head_lines += head->text[i] == '\n';
-    head->sum = sum_of(head->text);
+    head->sum = thud_hash(THUD_HASH_START, head->text, strlen(head->text));
     return split(head) ? THUD_OK : damaged(journal, err);
 }
 

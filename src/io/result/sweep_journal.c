@@ -100,27 +100,38 @@ static enum thud_status open_journal(struct thud_sweep_journal *journal, const s
     if (status == THUD_OK && (head.fingerprint != thud_sweep_fingerprint(plan) ||
                               head.shard.index != journal->shard.index || head.shard.count != journal->shard.count)) {
         status = failed(journal, THUD_INPUT, "the folder holds the beginning of another study", err);
-        thud_error_allow(err, "the same study, another folder, or this file removed");
+        thud_error_allow(err, "the same study, another folder, or --replace");
     }
     thud_sweep_head_clear(&head);
     return status == THUD_OK ? find_end(journal, err) : status;
 }
 
-enum thud_status thud_sweep_journal_open(const char *folder, const struct thud_sweep_plan *plan, const char *preset,
-                                         struct thud_sweep_shard shard, struct thud_sweep_journal **out, long *done,
-                                         struct thud_error *err)
+/* A journal of this study in `folder`, new or gone on with. */
+static enum thud_status begin(const char *folder, const struct thud_sweep_plan *plan, const char *preset,
+                              struct thud_sweep_shard shard, struct thud_sweep_journal **out, struct thud_error *err)
 {
-    struct thud_sweep_journal *journal = make(folder, "r+", err);
+    *out = make(folder, "r+", err);
+    if (!*out)
+        return THUD_MEMORY;
+    (*out)->shard = shard;
+    enum thud_status status = THUD_OK;
+    if (!(*out)->file && errno != ENOENT)
+        status = failed(*out, THUD_OUTPUT, strerror(errno), err);
+    return status == THUD_OK ? open_journal(*out, plan, folder, preset, err) : status;
+}
+
+enum thud_status thud_sweep_journal_open(const char *folder, const struct thud_sweep_plan *plan, const char *preset,
+                                         struct thud_sweep_shard shard, bool replace, struct thud_sweep_journal **out,
+                                         long *done, struct thud_error *err)
+{
+    struct thud_sweep_journal *journal;
     *out = NULL;
     *done = 0;
-    if (!journal)
-        return THUD_MEMORY;
-    journal->shard = shard;
-    enum thud_status status = THUD_OK;
-    if (!journal->file && errno != ENOENT)
-        status = failed(journal, THUD_OUTPUT, strerror(errno), err);
-    if (status == THUD_OK)
-        status = open_journal(journal, plan, folder, preset, err);
+    enum thud_status status = begin(folder, plan, preset, shard, &journal, err);
+    if (status == THUD_INPUT && replace) { /* another study's, or none that can be read */
+        thud_sweep_journal_close(journal, true);
+        status = begin(folder, plan, preset, shard, &journal, err);
+    }
     if (status != THUD_OK) {
         thud_sweep_journal_close(journal, false);
         return status;

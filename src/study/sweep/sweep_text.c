@@ -8,16 +8,6 @@
 
 #include "study/sweep/sweep_private.h"
 
-/* FNV-1a. */
-static unsigned long long hash(unsigned long long h, const void *data, size_t size)
-{
-    const unsigned char *p = data;
-    for (size_t i = 0; i < size; i++)
-        h = (h ^ p[i]) * 0x100000001b3ULL;
-    return h;
-}
-static const unsigned long long hash_start = 0xcbf29ce484222325ULL;
-
 /* A number as its 64 bits in hexadecimal after an `x`: exact, and many times faster to write and read than the shortest
  * decimal, of which a study of 59,040 runs has some millions. NaN is "-", infinity "inf". */
 enum { NIBBLES = 16 };
@@ -109,7 +99,7 @@ void thud_sweep_point_write(const struct thud_sweep_point *point, struct thud_te
     }
     put_variants(out, point);
     if (!out->failed)
-        thud_text_append(out, "%016llx", hash(hash_start, out->data + start, out->size - start));
+        thud_text_append(out, "%016llx", thud_hash(THUD_HASH_START, out->data + start, out->size - start));
 }
 
 struct reader {
@@ -259,7 +249,7 @@ enum thud_status thud_sweep_point_read(const char *line, struct thud_sweep_point
     char sum[20] = "";
     *out = NULL;
     if (last)
-        snprintf(sum, sizeof sum, "%016llx", hash(hash_start, line, (size_t)(last + 1 - line)));
+        snprintf(sum, sizeof sum, "%016llx", thud_hash(THUD_HASH_START, line, (size_t)(last + 1 - line)));
     if (!last || strcmp(last + 1, sum) != 0)
         return thud_error_set(err, THUD_INPUT, "a line is damaged");
     bool spread = strncmp(line, spread_mark, strlen(spread_mark)) == 0;
@@ -291,52 +281,52 @@ static unsigned long long hash_numbers(unsigned long long h, const double *x, si
     for (size_t i = 0; i < n; i++) {
         unsigned char bytes[sizeof *x];
         memcpy(bytes, &x[i], sizeof bytes);
-        h = hash(h, bytes, sizeof bytes);
+        h = thud_hash(h, bytes, sizeof bytes);
     }
     return h;
 }
 
 static unsigned long long hash_text(unsigned long long h, const char *text)
 {
-    return hash(h, text, strlen(text) + 1);
+    return thud_hash(h, text, strlen(text) + 1);
 }
 
 static unsigned long long hash_choice(unsigned long long h, const struct thud_law_choice *choice)
 {
     h = hash_text(h, choice->law ? choice->law->name : "");
-    return choice->law ? hash(h, choice->value, (size_t)choice->law->nparams * sizeof(double)) : h;
+    return choice->law ? thud_hash(h, choice->value, (size_t)choice->law->nparams * sizeof(double)) : h;
 }
 
 static unsigned long long hash_interface(unsigned long long h, const struct thud_interface *i)
 {
-    h = hash(h, &i->gap_m, sizeof i->gap_m);
-    h = hash(h, &i->levels, sizeof i->levels);
+    h = thud_hash(h, &i->gap_m, sizeof i->gap_m);
+    h = thud_hash(h, &i->levels, sizeof i->levels);
     h = hash_choice(h, &i->contact);
     if (!i->has_bumper)
         return h;
     h = hash_choice(h, &i->bumper);
-    h = hash(h, &i->bumper_thickness_m, sizeof i->bumper_thickness_m);
-    return hash(h, &i->bumper_cavity_m, sizeof i->bumper_cavity_m);
+    h = thud_hash(h, &i->bumper_thickness_m, sizeof i->bumper_thickness_m);
+    return thud_hash(h, &i->bumper_cavity_m, sizeof i->bumper_cavity_m);
 }
 
 static unsigned long long hash_analysis(unsigned long long h, const struct thud_analysis *a)
 {
     const double x[] = {a->tolerance, a->step_s, a->tail_s, a->locate};
     h = hash_numbers(hash_text(h, a->method), x, sizeof x / sizeof *x);
-    return a->modes > 0 ? hash(h, &a->modes, sizeof a->modes) : h;
+    return a->modes > 0 ? thud_hash(h, &a->modes, sizeof a->modes) : h;
 }
 
 unsigned long long thud_sweep_fingerprint(const struct thud_sweep_plan *plan)
 {
     const struct thud_scene *scene = &plan->scene;
-    unsigned long long h = hash_analysis(hash_start, &scene->analysis);
-    h = hash(h, &scene->record.factor,
-             sizeof scene->record.factor); /* the reference of record.factor and record.sign */
-    h = hash(h, &scene->record.sign, sizeof scene->record.sign);
+    unsigned long long h = hash_analysis(THUD_HASH_START, &scene->analysis);
+    h = thud_hash(h, &scene->record.factor,
+                  sizeof scene->record.factor); /* the reference of record.factor and record.sign */
+    h = thud_hash(h, &scene->record.sign, sizeof scene->record.sign);
     if (!isnan(scene->record.period_s)) /* that of record.sa */
-        h = hash(h, &scene->record.period_s, sizeof scene->record.period_s);
+        h = thud_hash(h, &scene->record.period_s, sizeof scene->record.period_s);
     for (int s = 0; s < scene->nstructures; s++)
-        h = hash(h, &scene->structure[s], sizeof scene->structure[s]); /* zeros where nothing is given */
+        h = thud_hash(h, &scene->structure[s], sizeof scene->structure[s]); /* zeros where nothing is given */
     for (int i = 0; i + 1 < scene->nstructures; i++)
         h = hash_interface(h, &scene->interface[i]);
     for (int i = 0; i < plan->naxes; i++) {
@@ -348,10 +338,10 @@ unsigned long long thud_sweep_fingerprint(const struct thud_sweep_plan *plan)
         const struct thud_record *r = plan->record[i];
         h = hash_text(h, r ? r->file : "");
         if (r) {
-            h = hash(h, &r->dt_s, sizeof r->dt_s);
-            h = hash(h, r->a_mps2, r->samples * sizeof *r->a_mps2);
+            h = thud_hash(h, &r->dt_s, sizeof r->dt_s);
+            h = thud_hash(h, r->a_mps2, r->samples * sizeof *r->a_mps2);
         }
     }
-    h = hash(h, plan->cases, (size_t)plan->ncases * sizeof *plan->cases);
-    return plan->sensitivity > 0 ? hash(h, &plan->sensitivity, sizeof plan->sensitivity) : h;
+    h = thud_hash(h, plan->cases, (size_t)plan->ncases * sizeof *plan->cases);
+    return plan->sensitivity > 0 ? thud_hash(h, &plan->sensitivity, sizeof plan->sensitivity) : h;
 }

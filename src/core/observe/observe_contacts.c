@@ -1,0 +1,107 @@
+#include "core/observe/observe_contacts.h"
+
+#include <math.h>
+
+#include "core/contact/contact.h"
+#include "core/numerics/poly.h"
+
+/* Raises the largest value of the impact that goes on, and with it that of the contact. */
+static void raise_both(const struct thud_segment *seg, struct thud_peak *peak, double *of_impact, const double *p,
+                       int terms, double s_end)
+{
+    double where = 0;
+    *of_impact = thud_poly_peak(p, terms, s_end, *of_impact, &where);
+    if (*of_impact > peak->value)
+        *peak = (struct thud_peak){*of_impact, seg->start_s + where * seg->h_s};
+}
+
+static void raise_to(struct thud_peak *peak, double *of_impact, double value, double time_s)
+{
+    *of_impact = fmax(*of_impact, value);
+    if (value > peak->value)
+        *peak = (struct thud_peak){value, time_s};
+}
+
+static void indentation_peak(struct thud_contact_log *log, const struct thud_observation *o, int c)
+{
+    struct thud_impact *impact = &log->now[c];
+    struct thud_peak *peak = &log->contact[c].indentation;
+    const struct thud_segment *seg = o->seg;
+    const double *d = seg->indentation + c * THUD_SEGMENT_TERMS;
+    if (o->state->locates) {
+        raise_both(seg, peak, &impact->indentation_m, d, seg->terms, o->s);
+        return;
+    }
+    for (int end = 0; end <= 1; end++) /* the step may reach far out of contact, to the other side of 0 */
+        raise_to(peak, &impact->indentation_m, thud_poly_value(d, seg->terms, end * o->s),
+                 seg->start_s + end * o->s * seg->h_s);
+}
+
+static void contact_peaks(struct thud_contact_log *log, const struct thud_observation *o, int c)
+{
+    const struct thud_segment *seg = o->seg;
+    double p[THUD_SEGMENT_TERMS];
+    if (o->state->contact[c].mode != THUD_OPEN)
+        indentation_peak(log, o, c);
+    if (!thud_segment_has_force(o->state, seg, c))
+        return;
+    const int terms = seg->interpolates ? seg->terms : seg->loaded; /* a power series has no forces beyond */
+    for (int k = 0; k < terms; k++)
+        p[k] = seg->force[k * o->state->model->nrows + c];
+    raise_both(seg, &log->contact[c].force, &log->now[c].force_n, p, terms, o->s);
+}
+
+/* Of a step whose events are not located: its end is all that it knows. */
+static void end_peaks(struct thud_contact_log *log, const struct thud_observation *o)
+{
+    const struct thud_model *m = o->state->model;
+    const struct thud_motion *x = o->seg->end;
+    const double time_s = o->seg->start_s + o->seg->h_s;
+    if (x->apart && o->state->nindented == 0)
+        return;
+    for (int c = 0; c < m->ncontacts; c++) {
+        if (x->force[c] == 0 && o->state->contact[c].mode == THUD_OPEN)
+            continue;
+        double d = thud_model_gap_sum(m, c, x->q) - thud_state_clearance(o->state, c);
+        raise_to(&log->contact[c].indentation, &log->now[c].indentation_m, d, time_s);
+        raise_to(&log->contact[c].force, &log->now[c].force_n, fabs(x->force[c]), time_s);
+    }
+}
+
+static enum thud_status segment(void *own, const struct thud_observation *o, struct thud_error *err)
+{
+    struct thud_contact_log *log = own;
+    (void)err;
+    if (o->seg->end)
+        end_peaks(log, o);
+    for (int c = 0; c < o->state->model->ncontacts && !o->seg->end; c++)
+        contact_peaks(log, o, c);
+    for (int i = 0; i < o->works; i++) {
+        const struct thud_contact_work *of = &o->work[i];
+        struct thud_contact_result *r = &log->contact[of->contact];
+        log->now[of->contact].impulse_ns += of->impulse_ns;
+        log->now[of->contact].dissipated_j += of->work_j;
+        r->impulse_ns += of->impulse_ns;
+        r->dissipated_j += of->work_j;
+        if (thud_contact_acts(&o->state->contact[of->contact]))
+            r->contact_time_s += o->s * o->seg->h_s;
+        thud_impact_count(o->state, log, of->contact);
+    }
+    return THUD_OK;
+}
+
+/* Nothing is in contact there. */
+static enum thud_status block(void *own, const struct thud_state *state, struct thud_free_vibration *f, int intervals,
+                              struct thud_error *err)
+{
+    (void)own, (void)state, (void)f, (void)intervals, (void)err;
+    return THUD_OK;
+}
+
+static bool may_jump(const void *own, const struct thud_rest *rest)
+{
+    (void)own, (void)rest;
+    return true;
+}
+
+const struct thud_observer thud_observe_contacts = {.segment = segment, .block = block, .may_jump = may_jump};

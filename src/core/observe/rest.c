@@ -1,0 +1,28 @@
+#include "core/observe/rest.h"
+
+#include <math.h>
+
+void thud_rest_floor(const struct thud_rest *rest, int structure, int floor, double most[THUD_FLOOR_QUANTITIES])
+{
+    const struct thud_model *m = rest->model;
+    const struct thud_model_structure *p = &m->structure[structure];
+    const double *row = p->phi + floor * p->modes, *below = floor > 0 ? row - p->modes : NULL;
+    double add[THUD_FLOOR_QUANTITIES] = {0};
+    for (int j = 0; j < p->modes; j++) {
+        double w = m->omega[p->first_mode + j], a = rest->amplitudes[p->first_mode + j], part = fabs(row[j]) * a;
+        add[THUD_FLOOR_DISPLACEMENT] += part;
+        add[THUD_FLOOR_VELOCITY] += part * w;
+        add[THUD_FLOOR_ACCELERATION] += part * w * w * (1 + 2 * m->zeta[p->first_mode + j]);
+        add[THUD_FLOOR_DRIFT] += fabs(row[j] - (below ? below[j] : 0)) * a;
+    }
+    for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++)
+        most[x] = rest->later[x * m->ndof + p->first + floor] + add[x];
+}
+
+double thud_rest_drift(const struct thud_rest *rest, const struct thud_model_column *column)
+{
+    double drift = rest->later[THUD_FLOOR_DRIFT * rest->model->ndof + column->dof];
+    for (int j = 0; j < column->modes; j++)
+        drift += fabs(column->row[j]) * rest->amplitudes[column->first_mode + j];
+    return drift;
+}

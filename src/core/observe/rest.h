@@ -1,0 +1,20 @@
+/* The rest of a run, what comes after a moment, as bounds: the contact-free baseline, whose largest values to come are
+ * known, and a free vibration beside it, whose amplitudes are (run/early_end.h). */
+#ifndef THUD_CORE_REST_H
+#define THUD_CORE_REST_H
+
+#include "core/model/model.h"
+#include "core/model/result.h"
+
+struct thud_rest {
+    const struct thud_model *model;
+    const double *later;      /* (quantities x ndof) of the floors in the baseline */
+    const double *amplitudes; /* (nmodes) of the difference from it */
+};
+
+/* Largest size that a floor's values come to, by quantity. */
+void thud_rest_floor(const struct thud_rest *rest, int structure, int floor, double most[THUD_FLOOR_QUANTITIES]);
+/* Largest drift of a column's storey. */
+double thud_rest_drift(const struct thud_rest *rest, const struct thud_model_column *column);
+
+#endif
