@@ -73,9 +73,12 @@ static enum thud_status fill_plan(struct sweep *s, struct thud_error *err)
     s->plan.record = (const struct thud_record *const *)s->records.record;
     s->plan.nrecords = s->records.n;
     enum thud_status status = THUD_OK;
-    if (own_axes && s->session.scene.study.nvary == 0) {
+    bool suite = !s->fragility && (s->records.n > 1 || thud_args_has(s->args, "records")); /* is a study by itself */
+    if (own_axes && s->session.scene.study.nvary == 0 && !suite) {
         thud_error_set(err, THUD_USAGE, "the preset has no study of its own");
-        thud_error_allow(err, "--vary KEY=FROM:TO:STEP, e.g. --vary gap=5cm:25cm:0.5cm");
+        thud_error_allow(err, s->fragility ? "--vary KEY=FROM:TO:STEP, e.g. --vary record.sa=0.1g:2g:0.1g"
+                                           : "--vary KEY=FROM:TO:STEP, e.g. --vary gap=5cm:25cm:0.5cm, or a suite of "
+                                             "ground motions: --records DIR");
         return THUD_USAGE;
     }
     for (int i = 0; status == THUD_OK && (vary = thud_args_repeated(s->args, "vary", i)) != NULL; i++)
@@ -216,12 +219,12 @@ static enum thud_status conclude(struct sweep *s, struct thud_error *err)
     bool table = s->output.format == THUD_SWEEP_OUTPUT_TABLE, quiet = thud_args_has(s->args, "quiet");
     enum thud_status status = thud_sweep_output_end(&s->output, err);
     warn_watched(s);
+    if (table && status == THUD_OK && s->suite) { /* the answer of a suite, before those of its motions */
+        status = thud_suite_table(s->suite, &text, err);
+        thud_text_append(&text, "\n");
+    }
     if (table)
         thud_sweep_report(&s->plan, &s->outcome, &text);
-    if (table && status == THUD_OK && s->suite) {
-        thud_text_append(&text, "\n");
-        status = thud_suite_table(s->suite, &text, err);
-    }
     if (status == THUD_OK)
         status = put_best(s, &text, err);
     if (!quiet || total->impossible > 0 || total->diverged > 0) {

@@ -63,6 +63,12 @@ refused() { # WHAT PATTERN ARGUMENTS...
 }
 refused "rubber is refused" '^thud: interfaces.1.bumper.law: OpenSees has no material.*--case none' towers
 refused "a law that lets go at zero force" 'contact.law: OpenSees has no linear dashpot that lets go.*kelvin-voigt' towers --case none
+advertised() { sed -n 's/.*`thud export opensees PRESET\( [^`]*\)`.*/\1/p' "$(dirname "$0")/../../README.md"; }
+# shellcheck disable=SC2046 # options
+is "the README's options make it work" gives 0 export opensees towers $(advertised)
+refused "a row of bumpers and contacts" '^thud: interfaces.1.bumper.law: ' three-in-a-row
+# shellcheck disable=SC2046 # options
+is "the message's options do" gives 0 export opensees three-in-a-row $(sed 's/.*(\(--case none --set [^:]*\): .*/\1/' "$tmp/err")
 refused "an impulse" 'OpenSees knows no impulse' rigid-concrete --set contact.law=stereomechanical
 refused "an isolated building" '^thud: structures.2.kind: OpenSees has modal damping' isolated-moat
 refused "a slab that strikes columns" '^thud: interfaces.1: OpenSees has springs between two nodes.*levels: aligned' slab-against-columns --case none

@@ -77,11 +77,12 @@ survives() { # KIND ARGUMENTS...: what goes to standard output
     conclude "thud $*"
 }
 
-# Every file below $tmp/out is as before or as it is to be; a study's journal may stand there besides.
+# Every file below $tmp/out is as before or as it is to be; a study's journal may stand there besides, and the list of files
+# names those that are there.
 whole() {
     find "$tmp/out" -type f | while read -r file; do
         name=${file#"$tmp/out/"}
-        cmp -s "$file" "$tmp/old/$name" || cmp -s "$file" "$tmp/new/$name" || [ "$name" = sweep.journal ] || echo "$name"
+        cmp -s "$file" "$tmp/old/$name" || cmp -s "$file" "$tmp/new/$name" || [ "$name" = sweep.journal ] || [ "$name" = made-by.txt ] || echo "$name"
     done >"$tmp/odd"
     [ ! -s "$tmp/odd" ] || note "$(tr '\n' ' ' <"$tmp/odd") half there"
     if [ "$status" -eq 0 ] && ! diff -r "$tmp/out" "$tmp/new" >/dev/null; then note "status 0 but other files"; fi

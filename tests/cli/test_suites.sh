@@ -247,3 +247,18 @@ is "another way of sampling is wrong usage" gives 2 uncertainty towers --samplin
 is "nothing uncertain is refused" gives 3 uncertainty rigid-concrete --uncertain gap=0 --uncertain stiffness=0 --uncertain damping=0 --uncertain contact-stiffness=1 --uncertain restitution=0
 is "an unknown input is wrong usage" gives 2 uncertainty towers --uncertain weather=5%
 is "a size that is too large too" gives 2 uncertainty towers --uncertain gap=95%
+
+# a scene as it is over a suite; its ratio is that of single runs
+is "takes the scene as it is over the ground motions" gives 0 sweep three-in-a-row --records "$three" --to 12s --quiet -o "$tmp/asis"
+is "tells the suite first" [ "$(head -1 "$tmp/out" | cut -c1-23)" = "over 3 ground motions: " ]
+forces() { for m in $(echo "$three" | tr ',' ' '); do "$THUD" run three-in-a-row --record "$m" --to 12s --json 2>/dev/null | grep -o '"force_n": [0-9.e+]*' | awk '$2 > m { m = $2 } END { print m }'; done | sort -g | sed -n 2p; }
+# shellcheck disable=SC2016
+is "with the median force of single runs" [ "$(awk -F, 'NR == 2 { printf "%.6e", $7 }' "$tmp/asis/suite.csv")" = "$(forces | awk '{ printf "%.6e", $1 }')" ]
+is "one motion is a suite, too" gives 0 sweep rigid-concrete --records kobe-surrogate.csv --quiet
+is "without motions there is nothing to do" gives 2 sweep three-in-a-row
+is "and no fragility" gives 2 fragility three-in-a-row --records "$three"
+# of which point a needed gap over a grid is: thud gap at that point
+is "a grid that changes the motion without pounding" gives 0 sweep towers --to 12s --vary structures.1.stiffness=500MN/m,700MN/m --vary gap=8cm,12cm --cases none --quiet
+needed() { "$THUD" gap towers --to 12s --set "structures.1.stiffness=$1 MN/m" --csv 2>/dev/null | awk -F, 'NR > 1 && $7 > m { m = $7 } END { printf "%.2f", 100 * m }'; }
+is "says where the widest gap is needed" shows "needed gap $(needed 500) cm (floors 4-4) at structures.1.stiffness 500 MN/m;"
+is "and the narrowest" shows "least $(needed 700) cm at structures.1.stiffness 700 MN/m"

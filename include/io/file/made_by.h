@@ -23,6 +23,8 @@ struct thud_made_by {
  * listed, no others. From then on every result that comes into the folder or one below it is remembered. One folder at a
  * time. Errors: THUD_INPUT (refused, both named), THUD_OUTPUT, THUD_MEMORY. */
 enum thud_status thud_made_by_begin(const struct thud_made_by *by, struct thud_error *err);
+/* Likewise in a folder that is there, and locked where others may write too. */
+enum thud_status thud_made_by_enter(const struct thud_made_by *by, struct thud_error *err);
 /* As thud_made_by_begin, but nothing is made, removed or remembered: before long work. */
 enum thud_status thud_made_by_check(const struct thud_made_by *by, struct thud_error *err);
 /* Writes the list, as often as there is more. Errors: THUD_OUTPUT, THUD_MEMORY. */

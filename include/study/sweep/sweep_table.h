@@ -61,8 +61,9 @@ struct thud_sweep_table {
     size_t npoints;
     struct thud_sweep_summary *const *point; /* (npoints): by record, then parameters, the last axis fastest */
     const struct thud_sweep_shares *shares;  /* (npoints x THUD_SWEEP_CASES_MAX) of a suite's runs; else NULL */
-    const struct thud_sweep_need_row
-        *need; /* (nrecords) the one that needs the widest gap; interface 0: there is none */
+    /* (2 x nrecords) the levels that decide the gap: where the study needs the widest one, and after these where the
+     * narrowest; interface 0: there is none */
+    const struct thud_sweep_need_row *need;
 };
 
 /* Bytes of a summary. */

@@ -202,6 +202,7 @@ void thud_site_suite_answer(struct site *site)
 {
     if (!site->suite.runs)
         return;
+    thud_document_paragraph(&site->document, "Over the suite of %d ground motions:", site->suite.runs->nrecords);
     for (int k = 0; k < site->suite.plan.ncases; k++) {
         say_pounding(site, k);
         say_strength(site, k);

@@ -275,8 +275,10 @@ static void answer(struct site *site)
     int levels;
     thud_document_heading(d, "The answer");
     bool pounds = impacts(none->result, &levels) > 0;
+    thud_site_suite_answer(site);
     if (site->record)
-        thud_document_paragraph(d, "Under %s with a peak of %.3g g the buildings %s at the gap as it is.",
+        thud_document_paragraph(d, "%s %s with a peak of %.3g g the buildings %s at the gap as it is.",
+                                site->suite.runs ? "One motion in detail: under" : "Under",
                                 thud_path_name(site->record->file), thud_record_peak(site->record) / THUD_GRAVITY,
                                 pounds ? "pound against each other" : "do not touch");
     for (int i = SITE_NONE; i < site->ncases; i++)
@@ -303,7 +305,6 @@ static void answer(struct site *site)
     say_columns(site);
     say_reversed(site);
     say_gap(site);
-    thud_site_suite_answer(site);
     thud_site_samples_answer(site);
 }
 

@@ -30,7 +30,7 @@ static void put_value(const struct thud_sweep_axis *axis, double value, char *te
 static const char *place(const struct thud_sweep_plan *plan, const double *value, int but, char text[PLACE])
 {
     size_t used = 0;
-    text[0] = '\0';
+    snprintf(text, PLACE, "%s", plan->naxes > 0 ? "" : "as it is");
     for (int a = 0; a < plan->naxes && used < PLACE; a++) {
         char one[THUD_NAME_MAX];
         if (a == but)
@@ -92,19 +92,40 @@ static void put_structure(const struct thud_sweep_plan *plan, const struct thud_
     thud_text_append(out, "  %s\n", place_of(plan, floor.at, at));
 }
 
-static void put_need(const struct thud_sweep_table *table, int record, struct thud_text *out)
+/* The varied keys that change the motion without pounding, and so the needed gap. */
+static const char *place_of_need(const struct thud_sweep_plan *plan, const struct thud_sweep_need_row *need,
+                                 char text[PLACE])
+{
+    size_t used = 0;
+    text[0] = '\0';
+    for (int a = 0; a < plan->nouter && used < PLACE; a++) {
+        char one[THUD_NAME_MAX];
+        put_value(&plan->axis[a], need->value[a], one, sizeof one);
+        used += (size_t)snprintf(text + used, PLACE - used, "%s%s %s", used > 0 ? ", " : "", plan->axis[a].key, one);
+    }
+    return text;
+}
+
+static void put_need(const struct thud_sweep_plan *plan, const struct thud_sweep_table *table, int record,
+                     struct thud_text *out)
 {
     const struct thud_sweep_need_row *worst = table->need ? &table->need[record] : NULL;
     if (!worst || worst->interface == 0)
         return;
-    char interface[24] = "";
+    const struct thud_sweep_need_row *least = worst + table->nrecords;
+    char interface[24] = "", pair[40], at[PLACE];
+    bool varies = thud_sweep_points(plan) > thud_sweep_points_per_group(plan) * table->nrecords;
     if (table->nstructures > 2)
         snprintf(interface, sizeof interface, "interface %d, ", worst->interface);
-    char pair[40];
     thud_pairing_name(worst->left_floor, worst->right_floor, worst->struck, pair, sizeof pair);
-    thud_text_append(out, "  needed gap %.2f cm (%sfloors %s); ABS %.2f, SRSS %.2f, DDC %.2f cm\n",
-                     100 * worst->closing_m, interface, pair, 100 * worst->abs_m, 100 * worst->srss_m,
+    thud_text_append(out, "  needed gap %.2f cm (%sfloors %s)", 100 * worst->closing_m, interface, pair);
+    if (varies)
+        thud_text_append(out, " at %s", place_of_need(plan, worst, at));
+    thud_text_append(out, "; ABS %.2f, SRSS %.2f, DDC %.2f cm\n", 100 * worst->abs_m, 100 * worst->srss_m,
                      100 * worst->ddc_m);
+    if (varies)
+        thud_text_append(out, "    least %.2f cm at %s (needed-gaps.csv of -o has every point's)\n", 100 * least->closing_m,
+                         place_of_need(plan, least, at));
 }
 
 /* Least and largest of a number of the runs of a case, and where the largest is; `structure` -1: of the columns that
@@ -219,7 +240,7 @@ void thud_sweep_report(const struct thud_sweep_plan *plan, const struct thud_swe
         return;
     for (int r = 0; r < table->nrecords; r++) {
         thud_text_append(out, "%s\n", short_name(table->record[r]));
-        put_need(table, r, out);
+        put_need(plan, table, r, out);
         bool head = false;
         for (int k = 0; k < plan->ncases; k++) {
             enum thud_case which = plan->cases[k];

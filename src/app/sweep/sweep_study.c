@@ -106,7 +106,7 @@ static enum thud_status make_in_folder(struct making *m, struct thud_error *err)
 {
     const struct thud_sweep_study *study = m->study;
     long done = 0;
-    enum thud_status status = study->by ? thud_made_by_begin(study->by, err) : THUD_OK;
+    enum thud_status status = study->by ? thud_made_by_enter(study->by, err) : THUD_OK;
     if (status == THUD_OK)
         status = thud_sweep_journal_open(study->folder, study->plan, study->preset, study->shard,
                                          study->by && study->by->replace, &m->journal, &done, err);

@@ -24,7 +24,7 @@ void thud_sweep_collector_init(struct thud_sweep_collector *collector, const str
 static bool reserve(struct thud_sweep_collector *c)
 {
     if (!c->need)
-        c->need = calloc((size_t)c->table.nrecords, sizeof *c->need);
+        c->need = calloc(2 * (size_t)c->table.nrecords, sizeof *c->need);
     if (c->table.npoints < c->room)
         return c->need != NULL;
     size_t room = c->room ? 2 * c->room : 64;
@@ -36,7 +36,7 @@ static bool reserve(struct thud_sweep_collector *c)
     return c->need != NULL;
 }
 
-/* Keeps the level that needs the widest gap of each record. */
+/* Keeps the level that decides the gap of a group of points where it is the widest, or the narrowest, of its record. */
 static enum thud_status add_needs(struct thud_sweep_collector *c, const struct thud_sweep_plan *plan,
                                   const struct thud_sweep_point *point, struct thud_error *err)
 {
@@ -45,10 +45,16 @@ static enum thud_status add_needs(struct thud_sweep_collector *c, const struct t
     if (n > 0 && !row)
         return thud_error_set(err, THUD_MEMORY, "out of memory for the rows of the study");
     n = row ? thud_sweep_need_rows(plan, point, row) : 0;
-    for (int i = 0; i < n; i++) {
-        struct thud_sweep_need_row *most = &c->need[row[i].record];
-        if (most->interface == 0 || row[i].closing_m > most->closing_m)
-            *most = row[i];
+    int decides = 0;
+    for (int i = 1; i < n; i++)
+        if (row[i].closing_m > row[decides].closing_m)
+            decides = i;
+    if (n > 0) {
+        struct thud_sweep_need_row *most = &c->need[row[decides].record], *least = most + c->table.nrecords;
+        if (most->interface == 0 || row[decides].closing_m > most->closing_m)
+            *most = row[decides];
+        if (least->interface == 0 || row[decides].closing_m < least->closing_m)
+            *least = row[decides];
     }
     free(row);
     return THUD_OK;

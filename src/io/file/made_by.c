@@ -176,15 +176,13 @@ static void remove_files(const char *folder, struct thud_text *files)
     }
 }
 
-enum thud_status thud_made_by_begin(const struct thud_made_by *by, struct thud_error *err)
+enum thud_status thud_made_by_enter(const struct thud_made_by *by, struct thud_error *err)
 {
     char *text = NULL, *at;
     struct part part;
     written.folder[0] = '\0';
     thud_text_clear(&written.files);
-    enum thud_status status = thud_folder_make(by->folder, err);
-    if (status == THUD_OK)
-        status = thud_made_by_check(by, err);
+    enum thud_status status = thud_made_by_check(by, err);
     if (status == THUD_OK)
         status = read_list(by->folder, &text, err);
     for (at = text; status == THUD_OK && next_part(by->folder, &at, &part);) {
@@ -198,6 +196,35 @@ enum thud_status thud_made_by_begin(const struct thud_made_by *by, struct thud_e
     if (status == THUD_OK)
         snprintf(written.folder, sizeof written.folder, "%s", by->folder);
     return status;
+}
+
+enum thud_status thud_made_by_begin(const struct thud_made_by *by, struct thud_error *err)
+{
+    enum thud_status status = thud_folder_make(by->folder, err);
+    return status == THUD_OK ? thud_made_by_enter(by, err) : status;
+}
+
+static int compare_lines(const void *a, const void *b)
+{
+    return strcmp(*(const char *const *)a, *(const char *const *)b);
+}
+
+/* The files by name, whatever the order in which a study that was stopped and gone on with wrote them. */
+static void put_sorted(const struct thud_text *files, struct thud_text *out)
+{
+    size_t n = 0;
+    for (const char *c = files->data; c && *c; c++)
+        n += *c == '\n';
+    const char **line = malloc((n + 1) * sizeof *line);
+    const char *at = files->data;
+    out->failed |= !line;
+    for (size_t i = 0; line && i < n; at = strchr(at, '\n') + 1)
+        line[i++] = at;
+    if (line)
+        qsort(line, n, sizeof *line, compare_lines);
+    for (size_t i = 0; line && i < n; i++)
+        thud_text_bytes(out, line[i], strcspn(line[i], "\n") + 1);
+    free(line);
 }
 
 enum thud_status thud_made_by_keep(const struct thud_made_by *by, struct thud_error *err)
@@ -215,8 +242,8 @@ enum thud_status thud_made_by_keep(const struct thud_made_by *by, struct thud_er
         thud_text_clear(&part.files);
     }
     free(text);
-    thud_text_append(&out, "made %s %016llx %016llx %s\n%s", by->group, by->scene, by->asked, by->what,
-                     written.files.data ? written.files.data : "");
+    thud_text_append(&out, "made %s %016llx %016llx %s\n", by->group, by->scene, by->asked, by->what);
+    put_sorted(&written.files, &out);
     out.failed |= written.files.failed;
     if (status == THUD_OK)
         status = thud_text_write_in(&out, by->folder, THUD_MADE_BY_FILE, err);

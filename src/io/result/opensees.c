@@ -39,10 +39,43 @@ static bool has_contact(const struct thud_model_contact *c)
     return !(c->law->flags & THUD_LAW_NO_FORCE);
 }
 
-static enum thud_status check_contact(const struct thud_model_contact *c, struct thud_error *err)
+static bool is_known(const char *law)
 {
     static const char *const known[] = {"none", "linear", "kelvin-voigt", "hertz", "hertz-damp", "jankowski"};
-    static const char choice[] = "none, linear, kelvin-voigt, hertz, hertz-damp, jankowski";
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
+        if (strcmp(law, known[i]) == 0)
+            return true;
+    return false;
+}
+
+/* The options with which all contacts of a scene can be written: the nearest laws that OpenSees has. */
+static void add_options(struct thud_error *err, const struct thud_scene *scene)
+{
+    char text[sizeof err->allowed] = "";
+    size_t n = 0;
+    bool bumper = thud_scene_has_bumper(scene), pulls = false;
+    if (bumper)
+        n = (size_t)snprintf(text, sizeof text, "--case none");
+    for (int i = 0; i + 1 < scene->nstructures && n < sizeof text; i++) {
+        const struct thud_law *law = scene->interface[i].contact.law;
+        char of[24] = "";
+        if (!law || is_known(law->name))
+            continue;
+        if (scene->nstructures > 2)
+            snprintf(of, sizeof of, "interfaces.%d.", i + 1);
+        n += (size_t)snprintf(text + n, sizeof text - n, "%s--set %scontact.law=kelvin-voigt", n > 0 ? " " : "", of);
+        pulls = true;
+    }
+    thud_error_allow(err, "%s%s%s%s", text, bumper ? ": without bumper" : "",
+                     bumper && pulls ? ","
+                     : pulls         ? ":"
+                                     : "",
+                     pulls ? " a contact that pulls at its end" : "");
+}
+
+static enum thud_status check_contact(const struct thud_scene *scene, const struct thud_model_contact *c,
+                                      struct thud_error *err)
+{
     char key[64];
     bool bumper = is_law(c, "rubber");
     if (c->struck != 0) {
@@ -53,21 +86,19 @@ static enum thud_status check_contact(const struct thud_model_contact *c, struct
             "by shares",
             "floors at the same elevations (heights, base), or levels: aligned");
     }
-    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
-        if (is_law(c, known[i]))
-            return THUD_OK;
+    if (is_known(c->law->name))
+        return THUD_OK;
     snprintf(key, sizeof key, "interfaces.%d.%s.law", c->interface, bumper ? "bumper" : "contact");
-    if (bumper)
-        return refuse(err, key, "has no material whose curves of approach and restitution differ as the rubber's do",
-                      "--case none leaves the bumper out");
-    if (c->law->flags & THUD_LAW_IMPULSIVE)
-        return refuse(err, key, "knows no impulse: its time steps need a force", choice);
-    if (is_law(c, "kelvin-voigt-no-tension"))
-        return refuse(err, key,
-                      "has no linear dashpot that lets go when the force reaches 0 (its ViscoelasticGap pulls on, "
-                      "which is kelvin-voigt)",
-                      choice);
-    return refuse(err, key, "has no such law", choice);
+    refuse(err, key,
+           bumper ? "has no material whose curves of approach and restitution differ as the rubber's do"
+           : c->law->flags & THUD_LAW_IMPULSIVE ? "knows no impulse: its time steps need a force"
+           : is_law(c, "kelvin-voigt-no-tension")
+               ? "has no linear dashpot that lets go when the force reaches 0 (its ViscoelasticGap pulls on, which is "
+                 "kelvin-voigt)"
+               : "has no such law",
+           "");
+    add_options(err, scene);
+    return THUD_INPUT;
 }
 
 enum thud_status thud_opensees_check(const struct thud_scene *scene, const struct thud_model *model,
@@ -85,7 +116,7 @@ enum thud_status thud_opensees_check(const struct thud_scene *scene, const struc
     if (model->left_out > 0)
         return refuse(err, "analysis.modes", "integrates every mode", "all modes");
     for (int c = 0; c < model->ncontacts && status == THUD_OK; c++)
-        status = check_contact(&model->contact[c], err);
+        status = check_contact(scene, &model->contact[c], err);
     return status;
 }
 
