@@ -57,6 +57,27 @@ START_TEST(tolerance_keeps_its_promise)
 }
 END_TEST
 
+/* Forces that end with a kink, and forces that rise with the sixth power: the energy adds up to the tolerance wherever in
+ * a step the contacts open, and whatever the force that an impact is expected to reach. */
+START_TEST(energy_adds_up_to_the_tolerance)
+{
+    struct thud_record *record = march_motion(1.5);
+    struct march_law laws[] = {march_law("hertz-damp", "stiffness", 1.7e9, "exponent", 1.0, "restitution", 0.3, NULL),
+                               march_law("rubber", "stiffness", 0.36e3 * pow(1000, 6), "exponent", 6.0, "restitution",
+                                         0.5, "max-strain", 0.8, "post-yield", 2.5e9, "thickness", 0.04, NULL)};
+    for (size_t i = 0; i < sizeof laws / sizeof *laws; i++)
+        for (double gap = 0; gap < 0.06; gap += 0.0015) {
+            struct thud_model *model = march_row(2, towers, false, gap, &laws[i]);
+            struct march m = exact(model, record, 1e-8, 2);
+            ck_assert_msg(m.result->energy.error_ratio < 1e-8, "%s, gap %g: energy %.1e", laws[i].law->name, gap,
+                          m.result->energy.error_ratio);
+            march_free(&m);
+            thud_model_free(model);
+        }
+    thud_record_free(record);
+}
+END_TEST
+
 START_TEST(mirror_image)
 {
     struct thud_record *record = march_motion(1.5), *back = march_motion(-1.5);
@@ -398,6 +419,7 @@ Suite *thud_suite(void)
     TCase *tcase = tcase_create("exact");
     tcase_set_timeout(tcase, 120);
     tcase_add_test(tcase, tolerance_keeps_its_promise);
+    tcase_add_test(tcase, energy_adds_up_to_the_tolerance);
     tcase_add_test(tcase, mirror_image);
     tcase_add_test(tcase, scaling_of_laws_of_degree_one);
     tcase_add_test(tcase, each_contact_alone_ends_free_flight);

@@ -63,16 +63,18 @@ void thud_contact_moved(struct thud_state *state)
 static double expected_force(const struct thud_state *state, int c, double v)
 {
     const struct thud_model_contact *p = &state->model->contact[c];
-    double energy = 0.5 * p->setup.mass_kg * v * v, d = 1e-6;
+    const struct thud_law_memory *memory = &state->contact[c].memory;
+    double energy = 0.5 * p->setup.mass_kg * v * v, d = 1e-6, stored, force;
     if (!p->law->elastic_energy || energy == 0)
         return 0;
-    bool linear = p->law->flags & THUD_LAW_LINEAR;
-    if (linear)
-        d *= sqrt(energy / thud_law_energy(p->law, &p->setup, d));
-    for (int i = 0; i < 8 && !linear; i++) /* energies rise with a power of d from 2 to 4: near enough for a scale */
-        d *= pow(energy / thud_law_energy(p->law, &p->setup, d), 0.3);
-    struct thud_branch b = thud_law_branch_at(p->law, &p->setup, &state->contact[c].memory, THUD_APPROACH, d);
-    return thud_branch_force(&b, d, 0, NULL, NULL);
+    for (int i = 0;; i++) { /* Newton's method for ln U over ln d, of slope F d/U: a power law takes one step */
+        struct thud_branch b = thud_law_branch_at(p->law, &p->setup, memory, THUD_APPROACH, d);
+        stored = thud_law_energy(p->law, &p->setup, d);
+        force = thud_branch_force(&b, d, 0, NULL, NULL);
+        if (i == 6 || !(stored > 0 && force > 0))
+            return force;
+        d *= pow(energy / stored, stored / (force * d));
+    }
 }
 
 /* Rate at which contact c closes; 0 where rounding alone has left one. */

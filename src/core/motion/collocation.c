@@ -108,6 +108,21 @@ static double force_noise(const struct thud_state *state, int c, double fd, doub
     return THUD_TOL_STATE * (fabs(fd) * d + fabs(fv) * v);
 }
 
+/* What the polynomial misses of contact a's force at the start of the step, where the contact opens before the first
+ * point: behind it the law is 0 everywhere, and the polynomial 0 would have no error. */
+static double start_difference(const struct thud_state *state, const struct thud_collocation *x, int a)
+{
+    const int c = x->active[a];
+    const double d = indentation_now(state, c);
+    if (d <= 0 || x->d[a * THUD_POINTS + NODES] > 0)
+        return 0;
+    double force = 0;
+    for (int k = 0; k < NODES; k++)
+        force += x->force[a * THUD_POINTS + k] * x->lagrange[k][0];
+    state->work->force_evaluations++;
+    return fabs(thud_contact_force(state, c, d, thud_contact_rate(state, c)) - force);
+}
+
 /* Largest difference between the polynomial of contact a's force and the law, between the nodes; of one above `small`,
  * what rounding may have made is taken off. */
 static double force_difference(const struct thud_state *state, const struct thud_collocation *x, int a, double h,
@@ -124,6 +139,7 @@ static double force_difference(const struct thud_state *state, const struct thud
             worst = thud_larger(worst, mass * thud_larger(fabs(v[i]) - THUD_TOL_STICKING_M / h, 0) / h);
         return worst;
     }
+    worst = start_difference(state, x, a);
     thud_branch_batch(&state->contact[c].branch, d + LAST, v + LAST, law, law_d, law_v);
     struct thud_batch difference = thud_batch_at(law);
     for (int k = 0; k < NODES; k++)

@@ -674,18 +674,6 @@ const struct thud_segment *thud_free_vibration_series(struct thud_free_vibration
     return &f->seg;
 }
 
-const struct thud_segment *thud_free_vibration_series_at(struct thud_free_vibration *f, const struct thud_state *state,
-                                                         int structure, long grid, const double *q, const double *qd)
-{
-    const struct thud_model_structure *p = &state->model->structure[structure];
-    memcpy(f->now + p->first_mode, q, (size_t)p->modes * sizeof *q);
-    memcpy(f->now_rate + p->first_mode, qd, (size_t)p->modes * sizeof *qd);
-    thud_segment_place(state, &f->seg, grid, 0, f->dt_s);
-    thud_taylor_structure(state->model, &f->seg, structure, f->now, f->now_rate);
-    f->at[structure].piece = -1;
-    return &f->seg;
-}
-
 const struct thud_segment *thud_free_vibration_row_series(struct thud_free_vibration *f, const struct thud_state *state,
                                                           int c, int t, int piece)
 {

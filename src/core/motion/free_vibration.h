@@ -104,10 +104,6 @@ const struct thud_segment *thud_free_vibration_row_series(struct thud_free_vibra
                                                           int c, int t, int piece);
 const struct thud_segment *thud_free_vibration_all_series(struct thud_free_vibration *f, const struct thud_state *state,
                                                           int t, int piece);
-/* Motion of one structure in interval `grid` of the ground motion from its modes q, q' (modes) at its start, in one piece
- * and without constant forces. */
-const struct thud_segment *thud_free_vibration_series_at(struct thud_free_vibration *f, const struct thud_state *state,
-                                                         int structure, long grid, const double *q, const double *qd);
 /* Work of the ground and loss in damping over the first intervals of the block. */
 void thud_free_vibration_work(struct thud_free_vibration *f, const struct thud_model *model, int intervals,
                               double *input_j, double *viscous_j);

@@ -625,9 +625,9 @@ static int row_bounds(const struct thud_model *m, const struct thud_free_vibrati
 {
     const double *x = row->x;
     double most = thud_largest_size(x, intervals + 1);
-    if (most + row->margin <= row->reached)
+    if (most + row->margin <= row->peak->value)
         return 0;
-    double limit = thud_larger(row->reached, most) * (1 - THUD_TOL_PEAK_BOUND), rate[2] = {0};
+    double limit = thud_larger(row->peak->value, most) * (1 - THUD_TOL_PEAK_BOUND), rate[2] = {0};
     int near = intervals_near(x, intervals, limit - row->margin, list), count = 0;
     memset(upper, 0, (size_t)intervals * sizeof *upper);
     for (int i = 0; i < near; i++) {
@@ -641,7 +641,7 @@ static int row_bounds(const struct thud_model *m, const struct thud_free_vibrati
     }
     for (int i = 0; i < near; i++) {
         const int t = list[i];
-        if (upper[t] < limit || upper[t] <= row->reached)
+        if (upper[t] < limit || upper[t] <= row->peak->value)
             upper[t] = 0;
         else
             list[count++] = t;
@@ -661,67 +661,34 @@ static void read_interval(struct thud_peaks *peaks, const struct thud_state *sta
     }
 }
 
-static double *late_state(const struct thud_peaks *peaks, int late)
-{
-    return peaks->late_state + 2 * (size_t)late * (size_t)peaks->stride;
-}
-
-/* Lets interval t, of which `upper` is the bound, wait: its ends count at once, but for what rounding may make them too
- * large by. False where another one waits already
- * that may have the larger value. */
-static bool keep_waiting(struct thud_peaks *peaks, const struct thud_state *state, const struct thud_free_vibration *f,
-                         const struct thud_peak_row *row, double upper, int t)
-{
-    const struct thud_model_structure *p = &state->model->structure[row->structure];
-    const int at = row->quantity * state->model->ndof + p->first + row->floor;
-    struct thud_late_peak *late = &peaks->late[at];
-    const double lower = (upper - 2 * row->cubic_margin) * (1 - 2 * THUD_TOL_PEAK_BOUND);
-    double *q = late_state(peaks, at), *qd = q + peaks->stride;
-    if (late->upper > row->peak->value && late->upper > lower)
-        return false;
-    for (int end = 0; end < 2; end++)
-        raise_to(row->peak, (1 - THUD_TOL_PEAK_BOUND) * row->x[t + end], (double)(state->grid + t + end) * f->dt_s);
-    *late = (struct thud_late_peak){lower, upper, state->grid + t};
-    for (int j = 0; j < p->modes; j++) {
-        q[j] = f->q[(p->first_mode + j) * ENDS + t];
-        qd[j] = f->qd[(p->first_mode + j) * ENDS + t];
-    }
-    return true;
-}
-
-/* What a floor's value has reached. */
-static double reached(const struct thud_peak *peak, const struct thud_late_peak *late)
-{
-    return late->upper > peak->value ? thud_larger(late->lower, peak->value) : peak->value;
-}
-
 /* Rows of one structure that are to be read in some interval, with their bounds; how many. due[t]: one in interval t. */
 static int find_rows(struct thud_peaks *peaks, const struct thud_state *state, struct thud_free_vibration *f,
                      int structure, int intervals, bool *due)
 {
     const struct thud_model *m = state->model;
     const struct thud_model_structure *p = &m->structure[structure];
-    const bool may_wait = peaks->may_wait && f->pieces == 1 && m->nstoreys == 0;
     int rows = 0, list[THUD_FREE_VIBRATION_BLOCK];
     for (int x = 0; x < (p->stiffness_npm ? THUD_FLOOR_QUANTITIES : THUD_FLOOR_DRIFT); x++) {
         const double margin = f->margin[x * m->nstructures + structure];
         reach_of_floors(peaks, m, p, x, peaks->value);
         for (int i = 0; i < p->n; i++) {
             struct thud_peak *peak = thud_floor_peak(peaks->result, structure, i, x);
-            const double so_far = reached(peak, &peaks->late[x * m->ndof + p->first + i]);
-            if (peaks->value[i] + margin <= so_far)
+            if (peaks->value[i] + margin <= peak->value)
                 continue;
             thud_free_vibration_values(f, m, structure, x);
             struct thud_peak_row *row = &peaks->row[rows];
             double *upper = peaks->upper + rows * THUD_FREE_VIBRATION_BLOCK;
-            *row = (struct thud_peak_row){structure, i,      x,      f->value[x] + (size_t)(p->first + i) * ENDS,
-                                          peak,      so_far, margin, f->cubic_margin[x * m->nstructures + structure]};
+            *row = (struct thud_peak_row){structure,
+                                          i,
+                                          x,
+                                          f->value[x] + (size_t)(p->first + i) * ENDS,
+                                          peak,
+                                          margin,
+                                          f->cubic_margin[x * m->nstructures + structure]};
             int count = row_bounds(m, f, row, intervals, upper, list);
-            if (count == 0 || (count == 1 && may_wait && keep_waiting(peaks, state, f, row, upper[list[0]], list[0])))
-                continue;
             for (int k = 0; k < count; k++)
                 due[list[k]] = true;
-            rows++;
+            rows += count > 0;
         }
     }
     return rows;
@@ -773,35 +740,6 @@ static bool may_jump(const void *own, const struct thud_rest *rest)
 
 const struct thud_observer thud_observe_peaks = {.segment = segment, .block = block, .may_jump = may_jump};
 
-/* Reads one interval for all values of the structure from `first` on that wait for it. */
-static void settle_interval(struct thud_peaks *peaks, const struct thud_state *state, struct thud_free_vibration *f,
-                            int structure, int first)
-{
-    const struct thud_model *m = state->model;
-    const struct thud_model_structure *p = &m->structure[structure];
-    const long grid = peaks->late[first].grid;
-    const double *q = late_state(peaks, first);
-    const struct thud_segment *seg = thud_free_vibration_series_at(f, state, structure, grid, q, q + peaks->stride);
-    forget_series(peaks, p);
-    for (int at = first; at < THUD_FLOOR_QUANTITIES * m->ndof; at++) {
-        const int floor = at % m->ndof - p->first;
-        if (floor < 0 || floor >= p->n || peaks->late[at].grid != grid || peaks->late[at].upper == 0)
-            continue;
-        floor_peak(peaks, m, seg, structure, floor, at / m->ndof, 1);
-        peaks->late[at].upper = 0;
-    }
-}
-
-void thud_peaks_settle(struct thud_peaks *peaks, const struct thud_state *state, struct thud_free_vibration *f)
-{
-    const struct thud_model *m = state->model;
-    for (int at = 0; at < THUD_FLOOR_QUANTITIES * m->ndof; at++) {
-        const int s = m->dof_structure[at % m->ndof], floor = at % m->ndof - m->structure[s].first;
-        if (peaks->late[at].upper > thud_floor_peak(peaks->result, s, floor, at / m->ndof)->value)
-            settle_interval(peaks, state, f, s, at);
-    }
-}
-
 /* Floors or modes of the largest structure, an even number. */
 static int even_size(const struct thud_model *m)
 {
@@ -837,14 +775,11 @@ enum thud_status thud_peaks_init(struct thud_peaks *peaks, const struct thud_sta
                               THUD_SEGMENT_TERMS * (stride + n) + n + 1,
                           sizeof *peaks->block);
     peaks->push = calloc((size_t)m->nrows + 1, sizeof *peaks->push);
-    peaks->late = calloc(floors + 1, sizeof *peaks->late);
-    peaks->late_state = calloc(2 * floors * stride + 1, sizeof *peaks->late_state);
     peaks->made = calloc(stride + 1, sizeof *peaks->made);
     peaks->upper = malloc((rows * THUD_FREE_VIBRATION_BLOCK + 1) * sizeof *peaks->upper);
     peaks->row = malloc((rows + 1) * sizeof *peaks->row);
     peaks->due = malloc((rows + 1) * sizeof *peaks->due);
-    if (!peaks->block || !peaks->push || !peaks->late || !peaks->late_state || !peaks->made || !peaks->upper ||
-        !peaks->row || !peaks->due) {
+    if (!peaks->block || !peaks->push || !peaks->made || !peaks->upper || !peaks->row || !peaks->due) {
         thud_peaks_clear(peaks);
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
@@ -865,8 +800,6 @@ void thud_peaks_clear(struct thud_peaks *peaks)
 {
     free(peaks->block);
     free(peaks->push);
-    free(peaks->late);
-    free(peaks->late_state);
     free(peaks->made);
     free(peaks->upper);
     free(peaks->row);

@@ -15,16 +15,8 @@ struct thud_peak_row {
     int structure, floor, quantity;
     const double *x;
     struct thud_peak *peak;
-    double reached;      /* surely: the peak so far, or more where an interval is still to be read */
     double margin;       /* how far it may lie above its ends inside an interval, and */
     double cubic_margin; /* from the cubic through values and rates at them */
-};
-
-/* An interval of free vibration that may have the peak of a floor's value, between these bounds. As long as larger ones
- * follow, it need not be read. */
-struct thud_late_peak {
-    double lower, upper; /* upper not above the peak so far: none */
-    long grid;
 };
 
 /* A contact or a yielding storey in a segment: bounds of its force and of the force's first two rates, and the force at
@@ -51,10 +43,7 @@ struct thud_peaks {
         *acceleration; /* (terms x nmodes, and nmodes more): total modal acceleration of a stepping method's segment */
     struct thud_end_peaks of_ends; /* where the ends of steps alone are read */
     /* A block */
-    bool may_wait;               /* reading them: nobody asks for peaks before thud_peaks_settle */
-    struct thud_late_peak *late; /* (quantities x ndof) */
-    double *late_state;          /* (quantities x ndof x 2 stride) the modes q, q' of the structure at its start */
-    struct thud_peak_row *row;   /* (quantities x floors of one structure) those that may pass in the block */
+    struct thud_peak_row *row; /* (quantities x floors of one structure) those that may pass in the block */
     double *upper; /* (rows x intervals of a block) bound of each inside an interval; 0: it need not be read */
     int *due;      /* (rows) those read in one interval */
     double *block;
@@ -66,8 +55,6 @@ extern const struct thud_observer thud_observe_peaks;
 enum thud_status thud_peaks_init(struct thud_peaks *peaks, const struct thud_state *state, struct thud_result *result,
                                  struct thud_error *err);
 void thud_peaks_clear(struct thud_peaks *peaks);
-/* Reads the intervals of free vibration that have waited. Until then a peak may be that at an end of one. */
-void thud_peaks_settle(struct thud_peaks *peaks, const struct thud_state *state, struct thud_free_vibration *f);
 struct thud_peak *thud_floor_peak(struct thud_result *result, int structure, int floor, int quantity);
 
 /* What a structure can come to: S, and contact force on it (by mass^(1/2)). */

@@ -152,7 +152,6 @@ enum thud_status thud_baseline_create(const struct thud_model *model, const stru
     if (status == THUD_OK) {
         thud_run_observe(baseline->run, &thud_observe_relative, &baseline->relative);
         baseline->shares = baseline->run->method == thud_method_find("exact");
-        baseline->run->peaks.may_wait = false; /* the moments that are kept have them */
         /* a difference from the baseline is no free vibration where storeys yield */
         baseline->early_end = baseline->shares && model->nstoreys == 0 ? thud_early_end_create(&baseline->model) : NULL;
         if (baseline->early_end)

@@ -100,8 +100,6 @@ enum thud_status thud_run_advance(struct thud_run *run, long budget, bool *done,
             status = segment(run, err);
         run->done = run->state.end_s - thud_state_now(&run->state) <= THUD_TOL_TIME * run->state.end_s;
     }
-    if (run->free_vibration && (run->done || status != THUD_OK))
-        thud_peaks_settle(&run->peaks, &run->state, run->free_vibration);
     thud_run_finish(run);
     *done = run->done;
     return status == THUD_OK && run->done ? thud_run_judge(run, err) : status;

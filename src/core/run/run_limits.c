@@ -142,7 +142,7 @@ double thud_run_balance(const struct thud_run *run)
 {
     /* What rounding explains: motion and linear contact are propagated to rounding, and over hundreds of random scenes,
      * the presets and their studies the ledger then stands at 1e-15 to 3e-13. What the tolerance explains: with forces
-     * found to it, the ledger stood at no more than 0.06 of it. And what a coarse but stable step may lose. */
+     * found to it, the ledger stood at no more than 0.12 of it. And what a coarse but stable step may lose. */
     static const double coarse = 0.05;
     const struct thud_model *m = run->state.model;
     bool linear = true;

@@ -177,7 +177,6 @@ static enum thud_status create_observers(struct thud_run *run, struct thud_error
 {
     const struct thud_model *m = run->state.model;
     enum thud_status status = thud_peaks_init(&run->peaks, &run->state, &run->result, err);
-    run->peaks.may_wait = !run->options.keep_history; /* whose rows stand at the peaks */
     thud_run_observe(run, &thud_observe_peaks, &run->peaks);
     thud_run_observe(run, &thud_observe_contacts, &run->log);
     if (m->ncolumns > 0)
