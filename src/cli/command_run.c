@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "app/run/event_list.h"
 #include "app/run/result_table.h"
 #include "app/run/run_cases.h"
 #include "app/run/run_figures.h"
@@ -39,7 +40,13 @@ static enum thud_status deliver(const struct thud_args *args, const struct thud_
     struct thud_text text = {0};
     if (status != THUD_OK)
         return status;
-    if (thud_args_has(args, "json"))
+    if (thud_args_has(args, "events"))
+        thud_event_list(report,
+                        thud_args_has(args, "json")  ? THUD_EVENTS_JSON
+                        : thud_args_has(args, "csv") ? THUD_EVENTS_CSV
+                                                     : THUD_EVENTS_TEXT,
+                        &text);
+    else if (thud_args_has(args, "json"))
         thud_result_json(report, &text);
     else if (thud_args_has(args, "csv"))
         thud_result_csv(report, &text);
@@ -225,12 +232,13 @@ static enum thud_status begin(const struct thud_args *args, struct thud_session 
     say_effort(args, session);
     options->keep_history = thud_args_has(args, "o");
     options->keep_impacts = true;
+    options->keep_events = thud_args_has(args, "events");
     return THUD_OK;
 }
 
 static enum thud_status run_cases(const struct thud_args *args, struct thud_session *session, struct thud_error *err)
 {
-    static const char *const alone[] = {"case", "json", "csv", "sensitivity"};
+    static const char *const alone[] = {"case", "json", "csv", "sensitivity", "events"};
     struct thud_run_options options;
     struct thud_run_cases *cases = NULL;
     struct thud_picture_choice picture;

@@ -81,8 +81,8 @@ void thud_help_command(struct thud_text *out, enum thud_command_id id)
                  thud_option_stands_alone(option) ? "" : " ", option->argument ? option->argument : "");
         thud_text_append(out, "  %-25s %s%s\n", usage, option->help, option->repeatable ? " (repeatable)" : "");
     }
-    if (id == THUD_COMMAND_RUN)
-        name_others(out, id, "\nof `record`", said_by_record);
+    if (id == THUD_COMMAND_RUN) /* no empty line: it fills a screen */
+        name_others(out, id, "of `record`", said_by_record);
     if (id == THUD_COMMAND_RUN)
         name_others(out, id, "of `figures`", said_by_figures);
     if (id == THUD_COMMAND_RECORD)

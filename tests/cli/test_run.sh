@@ -54,6 +54,29 @@ LC_ALL=de_DE.UTF-8 gives 0 run towers --json
 is "json: the same bytes in another locale" cmp -s "$tmp/out" "$tmp/json"
 is "csv" gives 0 run towers --csv
 is "csv: a heading and rows" [ "$(wc -l <"$tmp/out")" -ge 11 ]
+
+# the events: a free body on concrete touches at once, with F = c v, turns where its deepest point is, and is let go at F = 0
+column() { awk -F, -v event="$1" -v column="$2" '$7 == event { print $column; exit }' "$tmp/out"; }
+is "events" gives 0 run rigid-concrete --events --csv
+is "events: force at first touch" near "$(column onset 10)" 3210e3 1e-3
+is "events: release" near "$(column release 1)" 22.850e-3 1e-4
+is "events: it leaves with no force" near "$(column release 10)" 0 1
+is "events: and is open" [ "$(column release 11)" = open ]
+is "events: a bumper" gives 0 run rigid-bumper --events --csv
+is "events: turns at its largest force" near "$(column reversal 10)" 2566.5e3 1e-4
+gives 0 run rigid-bumper --events --csv --set structures.1.velocity=1m/s
+is "events: the ultimate compression" near "$(column branch 10)" 6335e3 1e-4
+events=$(sed -n 's/.*"events": *\([0-9]*\).*/\1/p' "$tmp/json" | head -1)
+is "events: as text" gives 0 run towers --events --quiet
+is "events: as many as the result counts" [ "$(($(wc -l <"$tmp/out") - 1))" -eq "$events" ]
+is "events: as JSON" gives 0 run towers --events --json --quiet
+is "events: so many objects" [ "$(grep -c '"time_s"' "$tmp/out")" -eq "$events" ]
+is "events: of storeys too" gives 0 run towers-yielding --events --csv --quiet
+is "events: a storey yields and unloads in turn" awk -F, '
+    $6 != "" && $7 == "yield" { if (open[$5 $6]++) exit 1; n++ }
+    $6 != "" && $7 == "unload" { if (!open[$5 $6]) exit 1; open[$5 $6] = 0 }
+    END { exit !(n > 10) }' "$tmp/out"
+is "events: not of several cases" gives 2 run towers --cases none,bumper --events
 is "quiet: the answer alone" gives 0 run towers --quiet
 is "quiet: all of it" cmp -s "$tmp/out" "$tmp/table"
 is "quiet: no remark" silent

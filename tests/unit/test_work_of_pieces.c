@@ -236,9 +236,9 @@ START_TEST(no_event_is_passed_over)
         }
         run->seg.terms = THUD_SEGMENT_TERMS;
         thud_taylor_given(m, &run->seg, run->state.q, run->state.qd);
-        int contact, want;
+        int contact, want, order;
         enum thud_event event;
-        double at = thud_event_first(&run->state, &run->seg, 1, &contact, &event),
+        double at = thud_event_first(&run->state, &run->seg, 1, &contact, &event, &order),
                look = first_by_looking(&run->state, &run->seg, &want);
         if (isfinite(look))
             ck_assert_double_eq_tol(at, look, 1.01 / LOOKS);

@@ -62,6 +62,15 @@ static inline bool thud_contact_struck(const struct thud_contact_result *contact
     return contact->impulsive && contact->impacts > 0;
 }
 
+/* An event: a guard of a contact or of a storey passed 0, and its state was switched. */
+struct thud_event_entry {
+    double time_s;
+    int row;                          /* contact; from the number of contacts on, a storey that yields */
+    const char *event, *guard, *then; /* what happened, what the guard watches, the state it went into */
+    int order;      /* lowest coefficients of the guard that were taken as 0, as the last event had just put it there */
+    double force_n; /* just behind it, of a storey beside that of its elastic stiffness */
+};
+
 /* One impact, from first touch to release. */
 struct thud_impact {
     int contact; /* index into contacts, from 0 */

@@ -19,6 +19,7 @@ struct thud_run_options {
     bool locate;           /* fixed-step methods: locate events */
     double tail_s;         /* after the record; the duration where there is none */
     bool keep_impacts;     /* list impacts one by one */
+    bool keep_events;      /* list events one by one */
     bool keep_history;     /* record histories */
     double history_step_s; /* between rows outside contacts; 0: the record's step */
     /* > 0: rows in contact only so far apart beside those of peaks, and energies NaN: a third of the time, for a look. 0:
@@ -45,6 +46,7 @@ double thud_run_end(const struct thud_run *run);
  * interval of the ground motion. */
 const struct thud_result *thud_run_result(const struct thud_run *run);
 const struct thud_impact *thud_run_impacts(const struct thud_run *run, int *count);
+const struct thud_event_entry *thud_run_events(const struct thud_run *run, int *count);
 const struct thud_history *thud_run_history(const struct thud_run *run);
 void thud_run_free(struct thud_run *run);
 

@@ -19,6 +19,8 @@ struct thud_report {
     const struct thud_history *history; /* may be NULL */
     const struct thud_impact *impact;   /* (nimpacts) */
     int nimpacts;
+    const struct thud_event_entry *event; /* (nevents) */
+    int nevents;
     const struct thud_sensitivity *sensitivity; /* NULL: not asked for */
     const struct thud_truncation *truncation;   /* NULL: no mode is left out */
     const struct thud_needed_gap *gap;          /* NULL: not known */

@@ -106,6 +106,7 @@ static const struct thud_option options[] = {
     {"modes", "N", "each building's N lowest alone, and its error", THUD_WORD_TEXT, false, STUDY},
     {"sensitivity", "[=CHANGE]", "peaks when gap, motion or stiffness change by 0.1 %", THUD_WORD_NONE, false,
      RUN | 1 << THUD_COMMAND_SWEEP},
+    {"events", NULL, "every event in place of the peaks", THUD_WORD_NONE, false, RUN},
     {"vary", "KEY=FROM:TO:STEP", "vary a value; several make a grid", THUD_WORD_KEY, true, SWEEP},
     {"records", "FILE,...", "files, a folder or a .list, e.g. a.AT2:peak=0.9g", THUD_WORD_FILE, false,
      SWEEP | 1 << THUD_COMMAND_GAP | FIGURES | REPORT},

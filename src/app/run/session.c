@@ -98,5 +98,6 @@ struct thud_report thud_session_report(const struct thud_session *session, const
                                  .result = thud_run_result(answer->run),
                                  .history = thud_run_history(answer->run)};
     report.impact = thud_run_impacts(answer->run, &report.nimpacts);
+    report.event = thud_run_events(answer->run, &report.nevents);
     return report;
 }

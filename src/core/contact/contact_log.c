@@ -28,9 +28,54 @@ enum thud_status thud_contact_log_add(struct thud_contact_log *log, const struct
     return THUD_OK;
 }
 
+static const char *state_of(const struct thud_state *state, int row)
+{
+    const struct thud_contact_state *s = &state->contact[row];
+    if (row >= state->model->ncontacts) {
+        int direction = state->storey[row - state->model->ncontacts].direction;
+        return direction == 0 ? "elastic" : direction > 0 ? "yields, d rising" : "yields, d falling";
+    }
+    switch (s->mode) {
+    case THUD_OPEN:
+        return "open";
+    case THUD_CLOSED_NO_FORCE:
+        return "closed without force";
+    case THUD_STICKING:
+        return "sticking";
+    case THUD_CLOSED:
+        break;
+    }
+    return s->phase == THUD_APPROACH ? "closed, approach" : "closed, restitution";
+}
+
+enum thud_status thud_contact_log_event(struct thud_contact_log *log, const struct thud_state *state, int row,
+                                        enum thud_event event, int order, struct thud_error *err)
+{
+    if (!log->keep_events)
+        return THUD_OK;
+    if (log->nevents == log->event_capacity) {
+        int more = log->event_capacity ? 2 * log->event_capacity : 256;
+        struct thud_event_entry *p = realloc(log->event, (size_t)more * sizeof *p);
+        if (!p)
+            return thud_error_set(err, THUD_MEMORY, "out of memory for the list of events");
+        log->event = p;
+        log->event_capacity = more;
+    }
+    thud_contact_forces(state, state->force_now);
+    log->event[log->nevents++] = (struct thud_event_entry){.time_s = thud_state_now(state),
+                                                           .row = row,
+                                                           .event = thud_event_name(event),
+                                                           .guard = thud_event_guard(event),
+                                                           .then = state_of(state, row),
+                                                           .order = order,
+                                                           .force_n = state->force_now[row]};
+    return THUD_OK;
+}
+
 void thud_contact_log_clear(struct thud_contact_log *log)
 {
     free(log->impact);
+    free(log->event);
     free(log->now);
     free(log->counted);
     *log = (struct thud_contact_log){0};

@@ -5,15 +5,18 @@
 #include <stdbool.h>
 
 #include "base/status.h"
+#include "core/contact/event.h"
 #include "core/model/result.h"
 
 struct thud_contact_log {
     struct thud_contact_result *contact; /* (ncontacts), of the run's result */
-    bool keep_impacts;
+    bool keep_impacts, keep_events;
     struct thud_impact *now;    /* (ncontacts) impacts that go on, and */
     bool *counted;              /* (ncontacts) whether they are among the impacts of the contact */
     struct thud_impact *impact; /* (count), in the order of their ends */
     int count, capacity;
+    struct thud_event_entry *event; /* (nevents), in the order of time */
+    int nevents, event_capacity;
     double lost_j; /* in impulses so far */
 };
 
@@ -23,6 +26,9 @@ enum thud_status thud_contact_log_init(struct thud_contact_log *log, struct thud
 /* Adds an impact that is over, where impacts are kept. Errors: THUD_MEMORY. */
 enum thud_status thud_contact_log_add(struct thud_contact_log *log, const struct thud_impact *impact,
                                       struct thud_error *err);
+/* Adds an event that the state has just been switched by, where events are kept. Errors: THUD_MEMORY. */
+enum thud_status thud_contact_log_event(struct thud_contact_log *log, const struct thud_state *state, int row,
+                                        enum thud_event event, int order, struct thud_error *err);
 void thud_contact_log_clear(struct thud_contact_log *log);
 
 #endif

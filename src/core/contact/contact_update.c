@@ -61,6 +61,8 @@ enum thud_status thud_contact_update(struct thud_state *state, struct thud_conta
                 break;
             *switched = true;
             status = thud_contact_switch(state, log, c, event, err);
+            if (status == THUD_OK)
+                status = thud_contact_log_event(log, state, c, event, 0, err);
             if (state->contact[c].mode == THUD_OPEN || state->contact[c].mode == THUD_STICKING)
                 break; /* it may touch again only at the end of another step */
         }

@@ -29,6 +29,34 @@ static const struct guard {
     {THUD_STICKING, CONSTRAINT_HIGH, 1, THUD_EVENT_UNSTICK_IN},
 };
 
+static const struct {
+    const char *name, *guard;
+} words[] = {
+    [THUD_EVENT_ONSET] = {"onset", "d rises"},
+    [THUD_EVENT_SEPARATION] = {"separation", "d falls"},
+    [THUD_EVENT_RELEASE] = {"release", "F falls"},
+    [THUD_EVENT_REENGAGE] = {"re-engagement", "F rises"},
+    [THUD_EVENT_REVERSAL] = {"reversal", "d' turns"},
+    [THUD_EVENT_BRANCH] = {"branch", "d - delta_u"},
+    [THUD_EVENT_UNSTICK_IN] = {"unsticks inward", "F - F_high rises"},
+    [THUD_EVENT_UNSTICK_OUT] = {"unsticks outward", "F - F_low falls"},
+    [THUD_EVENT_YIELD_UP] = {"yield", "d - d_p - d_y rises"},
+    [THUD_EVENT_YIELD_DOWN] = {"yield", "d - d_p + d_y falls"},
+    [THUD_EVENT_UNLOAD] = {"unload", "d' turns"},
+};
+
+const char *thud_event_name(enum thud_event event)
+{
+    assert(event >= 0 && (size_t)event < sizeof words / sizeof *words);
+    return words[event].name;
+}
+
+const char *thud_event_guard(enum thud_event event)
+{
+    assert(event >= 0 && (size_t)event < sizeof words / sizeof *words);
+    return words[event].guard;
+}
+
 /* A contact in the segment at hand. */
 struct view {
     const struct thud_state *state;
@@ -188,12 +216,13 @@ static bool stays(const struct view *v, const struct guard *guard, int sign)
 }
 
 /* s in [0, s_end] at which a guard fires. */
-static double guard_fires(const struct view *v, const struct guard *guard, double s_end)
+static double guard_fires(const struct view *v, const struct guard *guard, double s_end, int *order)
 {
     double p[THUD_SEGMENT_TERMS];
     int n, zeros, sign = guard->sign != 0 ? guard->sign : sign_of(&v->state->contact[v->c], guard->watched);
     if (stays(v, guard, sign) || !watched_function(v, guard->watched, p, &n, &zeros))
         return INFINITY;
+    *order = zeros;
     if (guard->watched == FORCE || guard->watched == RATE)
         return crossing(v, p, n, s_end, sign, zeros, guard->watched == RATE);
     double noise = guard->mode == THUD_OPEN ? THUD_TOL_INDENTATION_M : 0;
@@ -266,7 +295,7 @@ static bool may_close(const struct thud_state *state, const struct thud_segment 
 /* Guards of storey k, beside those of contacts: while it is elastic, the distance of its drift from the bound on either
  * side, which must not rise above 0; while it yields, the rate of its drift, which must not turn back. */
 static double storey_fires(const struct thud_state *state, struct thud_segment *seg, int k, double s_end,
-                           enum thud_event *event)
+                           enum thud_event *event, int *order)
 {
     const struct thud_model *m = state->model;
     const struct thud_storey_state *s = &state->storey[k];
@@ -290,6 +319,7 @@ static double storey_fires(const struct thud_state *state, struct thud_segment *
         for (int i = 0; i + 1 < n; i++)
             p[i] = (i + 1) * d[i + 1];
         *event = THUD_EVENT_UNLOAD;
+        *order = s->zeros;
         return thud_poly_first_above(p, n - 1, s_end, -s->direction, s->zeros, 0);
     }
     memcpy(p, d, (size_t)n * sizeof *p);
@@ -299,6 +329,7 @@ static double storey_fires(const struct thud_state *state, struct thud_segment *
         double at = thud_poly_first_above(p, n, fmin(s_end, first), side, zeros, THUD_TOL_INDENTATION_M);
         if (at < first) {
             first = at;
+            *order = zeros;
             *event = side > 0 ? THUD_EVENT_YIELD_UP : THUD_EVENT_YIELD_DOWN;
         }
     }
@@ -306,10 +337,12 @@ static double storey_fires(const struct thud_state *state, struct thud_segment *
 }
 
 double thud_event_first(const struct thud_state *state, struct thud_segment *seg, double s_end, int *contact,
-                        enum thud_event *event)
+                        enum thud_event *event, int *order)
 {
     double first = INFINITY, copy[THUD_SEGMENT_TERMS];
+    int zeros = 0;
     *contact = -1;
+    *order = 0;
     *event = THUD_EVENT_NONE;
     thud_segment_reach(seg, state->model);
     for (int c = 0; c < state->model->ncontacts; c++) {
@@ -320,21 +353,23 @@ double thud_event_first(const struct thud_state *state, struct thud_segment *seg
         v.reach = thud_poly_move(v.d, seg->terms, &v.bend);
         double limit = fmin(s_end, first);
         for (size_t i = 0; i < sizeof guards / sizeof *guards; i++) {
-            double s = guards[i].mode == mode ? guard_fires(&v, &guards[i], limit) : INFINITY;
+            double s = guards[i].mode == mode ? guard_fires(&v, &guards[i], limit, &zeros) : INFINITY;
             if (s < first) {
                 first = s;
                 *contact = c;
                 *event = guards[i].event;
+                *order = zeros;
             }
         }
     }
     for (int k = 0; k < state->model->nstoreys; k++) {
         enum thud_event of_storey = THUD_EVENT_NONE;
-        double s = storey_fires(state, seg, k, fmin(s_end, first), &of_storey);
+        double s = storey_fires(state, seg, k, fmin(s_end, first), &of_storey, &zeros);
         if (s < first) {
             first = s;
             *contact = state->model->ncontacts + k;
             *event = of_storey;
+            *order = zeros;
         }
     }
     return first;

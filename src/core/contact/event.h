@@ -19,10 +19,14 @@ enum thud_event {
     THUD_EVENT_UNLOAD /* a storey that yields turns back */
 };
 
-/* s of the earliest event in [0, s_end] of the segment, with its row (a contact, or a storey that yields) and what it
- * is; INFINITY where there is none.
+/* "onset", "reversal", ...; and what its guard watches: "d rises", ... */
+const char *thud_event_name(enum thud_event event);
+const char *thud_event_guard(enum thud_event event);
+
+/* s of the earliest event in [0, s_end] of the segment, with its row (a contact, or a storey that yields), what it is,
+ * and how many of the lowest coefficients of its guard were suppressed (order); INFINITY where there is none.
  * Reads the indentation of the contacts that may have one into the segment. */
 double thud_event_first(const struct thud_state *state, struct thud_segment *seg, double s_end, int *contact,
-                        enum thud_event *event);
+                        enum thud_event *event, int *order);
 
 #endif

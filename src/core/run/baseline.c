@@ -138,7 +138,7 @@ enum thud_status thud_baseline_create(const struct thud_model *model, const stru
     enum thud_status status = THUD_MEMORY;
     if (baseline && copy_model(baseline, model)) {
         struct thud_run_options quiet = *options;
-        quiet.keep_history = quiet.keep_impacts = false;
+        quiet.keep_history = quiet.keep_impacts = quiet.keep_events = false;
         baseline->ndof = model->ndof;
         baseline->nmodes = model->nmodes;
         baseline->ncontacts = model->ncontacts;

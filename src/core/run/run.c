@@ -81,6 +81,8 @@ static enum thud_status segment(struct thud_run *run, struct thud_error *err)
         thud_storey_switch(&run->state, p.contact, p.event);
     else if (status == THUD_OK && switched)
         status = thud_contact_switch(&run->state, &run->log, p.contact, p.event, err);
+    if (status == THUD_OK && switched)
+        status = thud_contact_log_event(&run->log, &run->state, p.contact, p.event, p.order, err);
     if (status == THUD_OK && !run->state.locates)
         status = thud_contact_update(&run->state, &run->log, run->seg.end && run->seg.end->apart, &switched, err);
     if (switched)

@@ -14,10 +14,10 @@ static const long crowd = 50000;
 static const double crowd_part = 0.01;
 
 /* The first event of the proposed segment, where events are located: its s, else INFINITY. */
-static double next_event(struct thud_run *run, double limit, int *contact, enum thud_event *event)
+static double next_event(struct thud_run *run, struct thud_proposal *p)
 {
     if (run->state.locates)
-        return thud_event_first(&run->state, &run->seg, limit, contact, event);
+        return thud_event_first(&run->state, &run->seg, p->limit, &p->contact, &p->event, &p->order);
     if (!run->state.inside)
         return INFINITY;
     thud_segment_forget(&run->seg, run->state.model->nrows);
@@ -50,7 +50,7 @@ static enum thud_status propose(struct thud_run *run, struct thud_proposal *p, s
         return status;
     double remaining = thud_state_remaining(&run->state);
     p->limit = run->seg.h_s >= remaining * (1 - THUD_TOL_SEGMENT_END) ? thud_smaller(1, remaining / run->seg.h_s) : 1;
-    p->s = next_event(run, p->limit, &p->contact, &p->event);
+    p->s = next_event(run, p);
     p->switched = p->s <= p->limit;
     p->s = p->switched ? p->s : p->limit;
     return THUD_OK;

@@ -163,6 +163,7 @@ static enum thud_status prepare(struct thud_run *run, const struct thud_model *m
     if (status == THUD_OK)
         status =
             thud_contact_log_init(&run->log, run->result.contact, model->ncontacts, run->options.keep_impacts, err);
+    run->log.keep_events = run->options.keep_events;
     return status;
 }
 
@@ -345,6 +346,12 @@ const struct thud_impact *thud_run_impacts(const struct thud_run *run, int *coun
 {
     *count = run->log.count;
     return run->log.impact;
+}
+
+const struct thud_event_entry *thud_run_events(const struct thud_run *run, int *count)
+{
+    *count = run->log.nevents;
+    return run->log.event;
 }
 
 const struct thud_history *thud_run_history(const struct thud_run *run)
