@@ -16,7 +16,8 @@ struct thud_text {
 void thud_text_append(struct thud_text *text, const char *fmt, ...) THUD_PRINTF(2, 3);
 void thud_text_bytes(struct thud_text *text, const char *bytes, size_t size);
 void thud_text_number(struct thud_text *text, double value); /* shortest text that reads back the same */
-/* A text as a field of CSV, in quotation marks where it needs them. A spreadsheet computes what begins with = + - @ and
+/* A text as a field of CSV, in quotation marks where it needs them, and where it has what a terminal would obey or
+ * bytes that are not UTF-8: these are written as they are. A spreadsheet computes what begins with = + - @ and
  * is no number: an apostrophe stands before it. */
 void thud_text_csv(struct thud_text *text, const char *field);
 /* The text that was meant by a field. */
@@ -24,6 +25,8 @@ const char *thud_text_csv_plain(const char *field);
 /* In place: a ? for every character that a terminal would obey, but for those of `kept` ("\n\t"), and for bytes that are
  * not UTF-8. Returns the length. */
 size_t thud_text_shown(char *text, const char *kept);
+/* A line of comment, `# NAME: VALUE`, as thud_text_shown has it: a value with a line end stays one line. */
+void thud_text_comment(struct thud_text *text, const char *name, const char *value);
 void thud_text_clear(struct thud_text *text);
 /* FNV-1a, 64 bits, of `size` bytes after what `h` is of; of nothing it is THUD_HASH_START. */
 #define THUD_HASH_START 0xcbf29ce484222325ULL

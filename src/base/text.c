@@ -91,11 +91,22 @@ const char *thud_text_csv_plain(const char *field)
     return *field == '\'' && is_formula(field) ? field + 1 : field;
 }
 
+/* A terminal would obey it, or it is not UTF-8. */
+static bool has_unshown(const char *field)
+{
+    while (*field) {
+        bool valid = thud_utf8_length(field) > 0;
+        if (thud_utf8_is_control(thud_utf8_next(&field)) || !valid)
+            return true;
+    }
+    return false;
+}
+
 void thud_text_csv(struct thud_text *text, const char *field)
 {
     size_t n = strlen(field);
     bool edged = n > 0 && (is_blank(field[0]) || is_blank(field[n - 1])); /* a reader takes bare blanks off */
-    bool quoted = edged || strpbrk(field, ",\"\r\n");
+    bool quoted = edged || strpbrk(field, ",\"\r\n") || has_unshown(field);
     if (quoted)
         thud_text_bytes(text, "\"", 1);
     if (is_formula(field))
@@ -123,6 +134,16 @@ size_t thud_text_shown(char *text, const char *kept)
     }
     *to = '\0';
     return (size_t)(to - text);
+}
+
+void thud_text_comment(struct thud_text *text, const char *name, const char *value)
+{
+    thud_text_append(text, "# %s: ", name);
+    size_t from = text->size;
+    thud_text_append(text, "%s", value);
+    if (!text->failed)
+        text->size = from + thud_text_shown(text->data + from, "\t");
+    thud_text_append(text, "\n");
 }
 
 void thud_text_clear(struct thud_text *text)

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "app/run/figure_files.h"
-#include "app/run/record_verbs.h"
+#include "app/run/record_list.h"
 #include "app/run/session.h"
 #include "cli/commands.h"
 #include "cli/picture_options.h"
@@ -54,14 +54,10 @@ static void title_of(const struct thud_record *record, char *title, size_t size)
         snprintf(title, size, "%s", name ? name + 1 : record->file);
 }
 
-static enum thud_status info_of(const struct thud_args *args, const char *file,
-                                const struct thud_record_treatment *treatment, struct thud_text *text,
+static enum thud_status info_of(const struct thud_args *args, const struct thud_record *record, struct thud_text *text,
                                 struct thud_error *err)
 {
-    struct thud_record *record;
-    enum thud_status status = thud_record_open(file, treatment, &record, err);
-    if (status)
-        return status;
+    enum thud_status status = THUD_OK;
     struct thud_intensity intensity = thud_intensity_of(record);
     if (thud_args_has(args, "json"))
         thud_record_info_json(record, &intensity, text);
@@ -69,12 +65,11 @@ static enum thud_status info_of(const struct thud_args *args, const char *file,
         thud_record_info_table(record, &intensity, text);
     if (thud_args_has(args, "o")) {
         char stem[128], name[160], title[640];
-        thud_record_file_stem(file, stem, sizeof stem);
+        thud_record_file_stem(record->file, stem, sizeof stem);
         snprintf(name, sizeof name, "%s-motion", stem);
         title_of(record, title, sizeof title);
         status = draw(args, thud_figure_of_motion(record, name, title), err);
     }
-    thud_record_free(record);
     return status;
 }
 
@@ -82,14 +77,20 @@ static enum thud_status info(const struct thud_args *args, struct thud_error *er
 {
     struct thud_record_treatment treatment;
     struct thud_text text = {0};
-    bool json = thud_args_has(args, "json"), list = json && args->noperands > 2;
     enum thud_status status = need_files(args, "info", THUD_OPERANDS_MAX, err);
+    bool json = thud_args_has(args, "json"),
+         list = json && (args->noperands > 2 || (!status && thud_record_is_list(args->operand[1])));
     if (!status)
         status = thud_record_options_read(args, &treatment, err);
-    for (int i = 1; i < args->noperands && !status; i++) {
-        if (list)
-            thud_text_append(&text, i == 1 ? "[" : ",\n ");
-        status = info_of(args, args->operand[i], &treatment, &text, err);
+    for (int i = 1, n = 0; i < args->noperands && !status; i++) {
+        struct thud_record_list motions;
+        status = thud_record_list_open(args->operand[i], &treatment, &motions, err);
+        for (int k = 0; k < motions.n && !status; k++) {
+            if (list)
+                thud_text_append(&text, n++ == 0 ? "[" : ",\n ");
+            status = info_of(args, motions.record[k], &text, err);
+        }
+        thud_record_list_clear(&motions);
     }
     if (json)
         thud_text_append(&text, list ? "]\n" : "\n");
@@ -121,10 +122,9 @@ static enum thud_status marks_of(const struct thud_args *args, struct thud_perio
 
 static enum thud_status spectrum_of(const struct thud_args *args, const struct thud_record *record,
                                     const struct thud_spectrum_choice *choice, struct thud_spectrum_point *point,
-                                    struct thud_error *err)
+                                    struct thud_text *text, struct thud_error *err)
 {
     struct thud_period_mark mark[THUD_STRUCTURES_MAX];
-    struct thud_text text = {0};
     int nmarks;
     size_t count = (size_t)choice->count;
     enum thud_status status = marks_of(args, mark, &nmarks, err);
@@ -132,9 +132,9 @@ static enum thud_status spectrum_of(const struct thud_args *args, const struct t
         return status;
     thud_spectrum_fill(record, choice->damping, choice->from_s, choice->to_s, count, point);
     if (thud_args_has(args, "json"))
-        thud_spectrum_json(record, point, count, choice->damping, &text);
+        thud_spectrum_json(record, point, count, choice->damping, text);
     else
-        thud_spectrum_csv(record, point, count, choice->damping, &text);
+        thud_spectrum_csv(record, point, count, choice->damping, text);
     if (thud_args_has(args, "o")) {
         char stem[128], name[160], title[640];
         thud_record_file_stem(record->file, stem, sizeof stem);
@@ -142,9 +142,6 @@ static enum thud_status spectrum_of(const struct thud_args *args, const struct t
         title_of(record, title, sizeof title);
         status = draw(args, thud_figure_of_spectrum(point, count, choice->damping, mark, nmarks, name, title), err);
     }
-    if (!status)
-        return thud_cli_print(&text, err);
-    thud_text_clear(&text);
     return status;
 }
 
@@ -152,23 +149,33 @@ static enum thud_status spectrum(const struct thud_args *args, struct thud_error
 {
     struct thud_record_treatment treatment;
     struct thud_spectrum_choice choice;
-    struct thud_record *record = NULL;
+    struct thud_record_list motions;
+    struct thud_text text = {0};
     enum thud_status status = need_files(args, "spectrum", 1, err);
     if (!status)
         status = thud_record_options_read(args, &treatment, err);
     if (!status)
         status = thud_spectrum_options_read(args, &choice, err);
     if (!status)
-        status = thud_record_open(args->operand[1], &treatment, &record, err);
+        status = thud_record_list_open(args->operand[1], &treatment, &motions, err);
     if (status)
         return status;
+    bool list = thud_args_has(args, "json") && thud_record_is_list(args->operand[1]);
     struct thud_spectrum_point *point = malloc((size_t)choice.count * sizeof *point);
-    if (point)
-        status = spectrum_of(args, record, &choice, point, err);
-    else
+    if (!point)
         status = thud_error_set(err, THUD_MEMORY, "out of memory");
+    for (int k = 0; k < motions.n && !status; k++) {
+        if (list)
+            thud_text_append(&text, k == 0 ? "[" : ", ");
+        status = spectrum_of(args, motions.record[k], &choice, point, &text, err);
+    }
+    if (list)
+        thud_text_append(&text, "]\n");
     free(point);
-    thud_record_free(record);
+    thud_record_list_clear(&motions);
+    if (!status)
+        return thud_cli_print(&text, err);
+    thud_text_clear(&text);
     return status;
 }
 
@@ -210,9 +217,20 @@ static enum thud_status list(const struct thud_args *args, struct thud_error *er
     thud_paths_find(&paths);
     bool json = thud_args_has(args, "json");
     if (args->noperands > 2)
-        return thud_error_set(err, THUD_USAGE, "thud record list takes one folder");
-    enum thud_status status =
-        thud_record_list(args->noperands > 1 ? args->operand[1] : paths.records, json, &text, err);
+        return thud_error_set(err, THUD_USAGE, "thud record list takes one folder or list");
+    const char *name = args->noperands > 1 ? args->operand[1] : paths.records;
+    struct thud_record_list motions;
+    enum thud_status status;
+    if (!thud_record_is_list(name)) {
+        status = thud_record_list(name, json, &text, err);
+    } else {
+        struct thud_record_treatment treatment;
+        thud_record_treatment_init(&treatment);
+        status = thud_record_list_open(name, &treatment, &motions, err);
+        if (!status)
+            thud_record_rows(name, motions.record, motions.n, json, &text);
+        thud_record_list_clear(&motions);
+    }
     if (status) {
         thud_text_clear(&text);
         return status;

@@ -406,7 +406,10 @@ static bool begins_with_key(const struct thud_tui *tui, const char *text)
 void thud_tui_command(struct thud_tui *tui, const char *text)
 {
     char copy[THUD_LINE_MAX], *word = copy;
-    snprintf(copy, sizeof copy, "%s", text);
+    if (snprintf(copy, sizeof copy, "%s", text) >= (int)sizeof copy) {
+        thud_tui_say(tui, THUD_ROLE_ERROR, "! the line is too long (at most %d bytes)", THUD_LINE_MAX - 1);
+        return;
+    }
     word += strspn(word, " :");
     size_t n = strcspn(word, " !");
     char *rest = word + n, first[32];
@@ -414,8 +417,11 @@ void thud_tui_command(struct thud_tui *tui, const char *text)
     for (size_t end = strlen(rest); end > 0 && rest[end - 1] == ' '; end--)
         rest[end - 1] = '\0';
     snprintf(first, sizeof first, "%.*s", (int)n, word);
-    if (!*first)
+    if (!*first) {
+        if (*word)
+            list_words(tui, word);
         return;
+    }
     for (size_t i = 0; i < sizeof table / sizeof *table; i++)
         if (strcmp(first, table[i].word) == 0 || (*table[i].short_word && strcmp(first, table[i].short_word) == 0)) {
             if (table[i].key)

@@ -56,20 +56,16 @@ static enum thud_status set(struct thud_config *config, const char *word, const 
 enum thud_status thud_config_read(struct thud_config *config, const char *path, struct thud_error *err)
 {
     enum { BYTES_MAX = 1 << 16 };
-    char *text, *next;
-    size_t size;
+    char *text, *rest, *line;
     int number = 0;
     if (!*path || access(path, F_OK) != 0)
         return THUD_OK;
-    enum thud_status status = thud_file_read(path, BYTES_MAX, &text, &size, err);
+    enum thud_status status = thud_text_read(path, BYTES_MAX, &text, err);
     if (status != THUD_OK)
         return status;
-    for (char *line = text; status == THUD_OK && line; line = next) {
-        next = strchr(line, '\n');
-        if (next)
-            *next++ = '\0';
+    for (rest = text; status == THUD_OK && (line = thud_text_line(&rest)) != NULL;) {
         number++;
-        line[strcspn(line, "#\r")] = '\0';
+        line[strcspn(line, "#")] = '\0';
         line += strspn(line, " \t");
         for (size_t n = strlen(line); n > 0 && (line[n - 1] == ' ' || line[n - 1] == '\t'); n--)
             line[n - 1] = '\0';

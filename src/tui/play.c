@@ -36,7 +36,10 @@ static bool play_line(struct thud_tui *tui, const char *line, struct thud_text *
     if (!*line || *line == '#')
         return true;
     memcpy(before, tui->verdict, sizeof before);
+    size_t echo = out->size;
     thud_text_append(out, "> %s\n", line);
+    if (!out->failed)
+        out->size = echo + thud_text_shown(out->data + echo, "\n");
     tui->message[0] = '\0';
     if (strcmp(line, "show") == 0) {
         print_screen(tui, out);
@@ -64,20 +67,15 @@ static bool play_line(struct thud_tui *tui, const char *line, struct thud_text *
 enum thud_status thud_tui_play_lines(struct thud_tui *tui, const char *path, struct thud_text *out,
                                      struct thud_error *err)
 {
-    char *text, *next;
-    size_t size;
+    char *text, *rest, *line;
     int number = 0;
-    enum thud_status status = thud_file_read(path, BYTES_MAX, &text, &size, err);
+    enum thud_status status = thud_text_read(path, BYTES_MAX, &text, err);
     if (status != THUD_OK)
         return status;
     settle(tui);
     if (*tui->verdict)
         thud_text_append(out, "%s\n", tui->verdict);
-    for (char *line = text; status == THUD_OK && line && !tui->quit; line = next) {
-        next = strchr(line, '\n');
-        if (next)
-            *next++ = '\0';
-        line[strcspn(line, "\r")] = '\0';
+    for (rest = text; status == THUD_OK && !tui->quit && (line = thud_text_line(&rest)) != NULL;) {
         number++;
         if (!play_line(tui, line, out, err)) {
             thud_error_place(err, path, number, 0);

@@ -207,7 +207,7 @@ is "takes them" shows '^over 4 ground motions'
 printf '0.1\n0.2\n0.3\n' >"$tmp/folder/c.txt"
 cp "$tmp/folder/c.txt" "$tmp/folder/d.txt"
 is "files of a folder that do not say all" gives 3 gap towers --records "$tmp/folder"
-is "are named together" says "2 of 4 files cannot be read without what is in brackets: c.txt (dt), d.txt (dt)"
+is "are named together" says "2 of 4 files cannot be read: c.txt (needs dt), d.txt (needs dt)"
 is "refused: no number varied" gives 2 fragility towers --records "$three" --vary contact.law=linear,hertz
 is "refused: an unknown event" gives 2 fragility towers --event flood
 is "refused: a hazard curve without an intensity" gives 2 fragility towers --records "$three" --vary gap=5cm,6cm --hazard "$tmp/hazard.csv"

@@ -262,6 +262,27 @@ START_TEST(the_script_by_hand_draws_the_same)
 }
 END_TEST
 
+/* gnuplot 6 moves the cursor home before a picture in sixel: both come out the same, and without it. */
+START_TEST(a_sixel_of_gnuplot_5_and_of_gnuplot_6)
+{
+    static const char *const before[] = {"", "\\033[H"};
+    for (int i = 0; i < 2; i++) {
+        FILE *file = fopen(fake, "w");
+        fprintf(file, "#!/bin/sh\ncat >/dev/null\nprintf '%s\\033Pq#0~-\\033\\\\'\n" DONE, before[i]);
+        fclose(file);
+        ck_assert_int_eq(chmod(fake, 0755), 0);
+        struct thud_picture_options options = {.program = fake, .format = THUD_SIXEL};
+        struct thud_figure *figure = sample("a");
+        struct thud_text picture = {0};
+        struct thud_error err = {0};
+        ck_assert_msg(thud_gnuplot_draw(figure, &options, &picture, &err) == THUD_OK, "%s", err.what);
+        ck_assert_str_eq(picture.data, "\033Pq#0~-\033\\");
+        thud_text_clear(&picture);
+        thud_figure_free(figure);
+    }
+}
+END_TEST
+
 START_TEST(a_missing_gnuplot_is_named)
 {
     struct thud_picture_options options = {.program = "/nowhere/gnuplot"};
@@ -597,6 +618,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, titles_of_strips_have_room);
     tcase_add_loop_test(tcase, names_come_out_literally_and_execute_nothing, 0, 9);
     tcase_add_test(tcase, the_script_by_hand_draws_the_same);
+    tcase_add_test(tcase, a_sixel_of_gnuplot_5_and_of_gnuplot_6);
     tcase_add_test(tcase, a_missing_gnuplot_is_named);
     tcase_add_test(tcase, a_failing_gnuplot_is_quoted);
     tcase_add_test(tcase, a_gnuplot_that_does_not_listen_raises_no_signal);

@@ -151,7 +151,11 @@ START_TEST(csv_fields_are_no_formulas)
                   {" =1", "\" =1\""},
                   {"a\"b", "\"a\"\"b\""},
                   {"", ""},
-                  {"-x", "'-x"}};
+                  {"-x", "'-x"},
+                  {"\x1b[31m", "\"\x1b[31m\""},
+                  {"a\xe2\x80\xae", "\"a\xe2\x80\xae\""},
+                  {"\xc2\x9b", "\"\xc2\x9b\""},
+                  {"\xff", "\"\xff\""}};
     for (size_t i = 0; i < sizeof fields / sizeof *fields; i++) {
         struct thud_text text = {0};
         thud_text_csv(&text, fields[i].text);

@@ -8,9 +8,17 @@
 #include "base/status.h"
 #include "base/text.h"
 
-/* The whole file with a terminating NUL after it (free with free()). Refuses folders, devices that never end and files
- * over `limit` bytes. Errors: THUD_INPUT, THUD_MEMORY. */
+/* The whole file with a terminating NUL after it (free with free()). Refuses folders, devices that never end, pipes
+ * that nobody writes into and files over `limit` bytes. Errors: THUD_INPUT, THUD_MEMORY. */
 enum thud_status thud_file_read(const char *path, size_t limit, char **text, size_t *size, struct thud_error *err);
+
+/* A file of text for thud_text_line, without the byte-order mark that some editors put first (free with free()).
+ * Refuses also what thud_text_check refuses. */
+enum thud_status thud_text_read(const char *path, size_t limit, char **text, struct thud_error *err);
+/* Refuses, with its line and column, a byte 0: whatever follows it would be lost in silence. */
+enum thud_status thud_text_check(const char *text, size_t size, const char *name, struct thud_error *err);
+/* Cuts the next line off *text, without its end (LF or CR LF); NULL behind the last one. */
+char *thud_text_line(char **text);
 
 /* Whether both are there and one file, by whatever names. */
 bool thud_file_is_same(const char *a, const char *b);

@@ -1,5 +1,6 @@
 #include "app/run/record_list.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -44,7 +45,8 @@ static enum thud_status set(struct thud_scene *scene, const char *key, const cha
 
 /* A list in the making. */
 struct reading {
-    const struct thud_session *session;
+    const struct thud_session *session;            /* NULL: each file is opened by the treatment */
+    const struct thud_record_treatment *treatment; /* but for what a line chooses */
     struct thud_record_list *list;
     int room;
     bool both;
@@ -64,11 +66,12 @@ static void refuse(struct refusals *refusals, const char *file, const struct thu
     const char *name = thud_path_name(file);
     if (refusals->n++ == 0)
         refusals->first = *why;
-    if (refusals->named + 1 < refusals->n || strlen(name) + strlen(why->key) + 16 > sizeof refusals->names - used)
+    char reason[100];
+    snprintf(reason, sizeof reason, why->key[0] ? "needs %s" : "%s", why->key[0] ? why->key : why->what);
+    if (refusals->named + 1 < refusals->n || strlen(name) + strlen(reason) + 8 > sizeof refusals->names - used)
         return;
     refusals->named++;
-    snprintf(refusals->names + used, sizeof refusals->names - used, "%s%s (%s)", used ? ", " : "", name,
-             why->key[0] ? why->key : "unreadable");
+    snprintf(refusals->names + used, sizeof refusals->names - used, "%s%s (%s)", used ? ", " : "", name, reason);
 }
 
 /* One that is alone is told in its own words. */
@@ -82,8 +85,8 @@ static enum thud_status tell_refusals(const struct refusals *refusals, const cha
     if (refusals->n == 1 && err)
         *err = refusals->first;
     else
-        thud_error_set(err, THUD_INPUT, "%d of %d files cannot be read without what is in brackets: %s%s", refusals->n,
-                       refusals->files, refusals->names, more);
+        thud_error_set(err, THUD_INPUT, "%d of %d files cannot be read: %s%s", refusals->n, refusals->files,
+                       refusals->names, more);
     if (refusals->n > 1)
         thud_error_place(err, place, 0, 0);
     if (refusals->n > 1 || (err && !err->allowed[0]))
@@ -104,12 +107,32 @@ static enum thud_status choose(struct thud_scene *scene, char *item, struct thud
     }
     snprintf(scene->record.file, sizeof scene->record.file, "%s", item);
     enum thud_status status = THUD_OK;
-    while (key && status == THUD_OK) {
+    const char *given[SETTINGS];
+    for (int n = 0; key && status == THUD_OK; n++) {
         const char *own = value, *next = cut_setting(value, &value);
+        for (int i = 0; i < n; i++)
+            if (given[i] == key) {
+                thud_error_set(err, THUD_USAGE, "%s is given twice for %.200s", key, item);
+                thud_error_key(err, "--records");
+                return THUD_USAGE;
+            }
+        given[n] = key; /* all differ, so that there are never more than SETTINGS */
         status = set(scene, key, own, err);
         key = next;
     }
     return status;
+}
+
+/* Trimmed once, and before what the treatment does: not as it is read and again at the end. */
+static enum thud_status open_treated(const struct reading *r, const struct thud_record_choice *choice,
+                                     struct thud_record **out, struct thud_error *err)
+{
+    struct thud_record_treatment own = *r->treatment;
+    own.choice = *choice;
+    own.choice.from_s = own.choice.to_s = NAN;
+    own.from_s = isnan(choice->from_s) ? own.from_s : choice->from_s;
+    own.to_s = isnan(choice->to_s) ? own.to_s : choice->to_s;
+    return thud_record_open(choice->file, &own, out, err);
 }
 
 static enum thud_status read_one(const struct thud_session *session, const struct thud_scene *scene,
@@ -173,7 +196,8 @@ static enum thud_status add_file(struct reading *r, const struct thud_scene *sce
                                  struct thud_error *err)
 {
     struct thud_record *record = NULL;
-    enum thud_status status = read_one(r->session, scene, &record, err);
+    enum thud_status status =
+        r->session ? read_one(r->session, scene, &record, err) : open_treated(r, &scene->record, &record, err);
     if (status == THUD_OK)
         status = add(r, record, err);
     if (status != THUD_OK)
@@ -220,7 +244,7 @@ static enum thud_status add_line(struct reading *r, const struct thud_scene *bas
                                  struct thud_error *err)
 {
     char own[THUD_TEXT_MAX] = "", name[THUD_TEXT_MAX], *value;
-    char *end = line + strcspn(line, "#\r");
+    char *end = line + strcspn(line, "#");
     const char *slash = strrchr(base->record.file, '/');
     *end = '\0';
     line += strspn(line, " \t");
@@ -249,15 +273,11 @@ static enum thud_status add_list(struct reading *r, const struct thud_scene *bas
 {
     enum { BYTES_MAX = 1 << 20 };
     struct thud_scene *scene = malloc(sizeof *scene);
-    char *text = NULL, *line, *next;
-    size_t size;
+    char *text = NULL, *rest, *line;
     int number = 0, before = r->list->n;
-    enum thud_status status = scene ? thud_file_read(base->record.file, BYTES_MAX, &text, &size, err)
+    enum thud_status status = scene ? thud_text_read(base->record.file, BYTES_MAX, &text, err)
                                     : thud_error_set(err, THUD_MEMORY, "out of memory");
-    for (line = text; status == THUD_OK && line; line = next) {
-        next = strchr(line, '\n');
-        if (next)
-            *next++ = '\0';
+    for (rest = text; status == THUD_OK && (line = thud_text_line(&rest)) != NULL;) {
         number++;
         status = add_line(r, base, scene, line, err);
         if (status == THUD_INPUT || status == THUD_USAGE) {
@@ -278,7 +298,7 @@ static enum thud_status add_list(struct reading *r, const struct thud_scene *bas
     return status;
 }
 
-static bool is_list(const char *file)
+bool thud_record_is_list(const char *file)
 {
     const char *suffix = strrchr(file, '.');
     return suffix && strcmp(suffix, ".list") == 0;
@@ -293,7 +313,7 @@ static void look_beside(const struct thud_session *session, char *file, size_t s
         snprintf(beside, sizeof beside, "%.*s/%s", (int)(slash - session->preset_path), session->preset_path, file) >=
             (int)sizeof beside)
         return;
-    if (thud_path_is_folder(beside) || (is_list(beside) && access(beside, F_OK) == 0))
+    if (thud_path_is_folder(beside) || (thud_record_is_list(beside) && access(beside, F_OK) == 0))
         snprintf(file, size, "%s", beside);
 }
 
@@ -303,7 +323,7 @@ static enum thud_status add_item(struct reading *r, struct thud_scene *scene, co
     look_beside(r->session, scene->record.file, sizeof scene->record.file);
     if (thud_path_is_folder(scene->record.file))
         return add_folder(r, scene, err);
-    return is_list(scene->record.file) ? add_list(r, scene, err) : add_file(r, scene, own, err);
+    return thud_record_is_list(scene->record.file) ? add_list(r, scene, err) : add_file(r, scene, own, err);
 }
 
 enum thud_status thud_record_list_read(const struct thud_session *session, const char *text, const char *(*common)[2],
@@ -355,6 +375,32 @@ enum thud_status thud_record_list_own(struct thud_session *session, bool both, s
     if (!session->scene.record.file[0])
         return THUD_OK;
     enum thud_status status = add_file(&r, &session->scene, "", err);
+    if (status != THUD_OK)
+        thud_record_list_clear(out);
+    return status;
+}
+
+enum thud_status thud_record_list_open(const char *name, const struct thud_record_treatment *treatment,
+                                       struct thud_record_list *out, struct thud_error *err)
+{
+    struct reading r = {.treatment = treatment, .list = out};
+    struct thud_record *record;
+    struct thud_scene *scene;
+    enum thud_status status;
+    *out = (struct thud_record_list){0};
+    if (!thud_record_is_list(name)) {
+        status = thud_record_open(name, treatment, &record, err);
+        return status == THUD_OK ? add(&r, record, err) : status;
+    }
+    if (!(scene = malloc(sizeof *scene)))
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    thud_scene_init(scene);
+    scene->record = treatment->choice;
+    if (snprintf(scene->record.file, sizeof scene->record.file, "%s", name) < (int)sizeof scene->record.file)
+        status = add_list(&r, scene, err);
+    else
+        status = thud_error_set(err, THUD_INPUT, "the name of the list is too long");
+    free(scene);
     if (status != THUD_OK)
         thud_record_list_clear(out);
     return status;

@@ -4,6 +4,7 @@
 
 #include <stdbool.h>
 
+#include "app/run/record_verbs.h"
 #include "app/run/session.h"
 
 enum { THUD_RECORD_SETTINGS_MAX = 16 };
@@ -28,6 +29,12 @@ enum thud_status thud_record_list_read(const struct thud_session *session, const
 /* The session's own record, or none. Errors: as thud_session_read_record. */
 enum thud_status thud_record_list_own(struct thud_session *session, bool both, struct thud_record_list *out,
                                       struct thud_error *err);
+/* By its name, NAME.list. */
+bool thud_record_is_list(const char *file);
+/* The motions of a list, or the one file of that name, each opened as thud_record_open does; the settings of a line go
+ * before those of the treatment. Errors: THUD_INPUT, THUD_MEMORY. */
+enum thud_status thud_record_list_open(const char *name, const struct thud_record_treatment *treatment,
+                                       struct thud_record_list *out, struct thud_error *err);
 void thud_record_list_clear(struct thud_record_list *list);
 
 #endif

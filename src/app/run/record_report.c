@@ -107,7 +107,8 @@ void thud_record_info_json(const struct thud_record *record, const struct thud_i
 void thud_spectrum_csv(const struct thud_record *record, const struct thud_spectrum_point *point, size_t count,
                        double damping, struct thud_text *out)
 {
-    thud_text_append(out, "# record: %s\n# damping: ", record->file);
+    thud_text_comment(out, "record", record->file);
+    thud_text_append(out, "# damping: ");
     thud_text_number(out, damping);
     thud_text_append(out, "\nperiod_s,acceleration_mps2,velocity_mps,displacement_m\n");
     for (size_t i = 0; i < count; i++) {
@@ -193,6 +194,24 @@ static enum thud_status list_file(const char *path, const char *name, int width,
     ++*shown;
     thud_record_free(record);
     return THUD_OK;
+}
+
+void thud_record_rows(const char *name, struct thud_record *const *record, int n, bool json, struct thud_text *out)
+{
+    int width = 20;
+    for (int i = 0; i < n; i++)
+        width = (int)fmax(width, fmin(60, (double)strlen(thud_path_name(record[i]->file))));
+    if (json)
+        thud_text_append(out, "[");
+    else
+        thud_text_append(out, "%s\n", name);
+    for (int i = 0; i < n; i++) {
+        if (json)
+            thud_text_append(out, i > 0 ? ",\n  " : "\n  ");
+        put_entry(record[i]->file, thud_path_name(record[i]->file), record[i], "", "", json ? 0 : width, out);
+    }
+    if (json)
+        thud_text_append(out, "\n]\n");
 }
 
 enum thud_status thud_record_list(const char *folder, bool json, struct thud_text *out, struct thud_error *err)

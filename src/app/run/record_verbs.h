@@ -43,6 +43,8 @@ void thud_spectrum_json(const struct thud_record *record, const struct thud_spec
 /* A row per record found in a folder, in the order of their names; files that are no record are passed over, records
  * that need an option say which. Errors: THUD_INPUT when the folder cannot be read, THUD_MEMORY. */
 enum thud_status thud_record_list(const char *folder, bool json, struct thud_text *out, struct thud_error *err);
+/* The same rows for n motions that were read, under the name of what holds them. */
+void thud_record_rows(const char *name, struct thud_record *const *record, int n, bool json, struct thud_text *out);
 
 /* First periods of the scene's structures, at most `most`, how many in *count. Errors: as thud_scene_assemble. */
 enum thud_status thud_scene_periods(const struct thud_scene *scene, struct thud_period_mark *mark, int most, int *count,

@@ -98,12 +98,12 @@ enum thud_status thud_hazard_read(const char *path, const struct thud_sweep_axis
                                   struct thud_error *err)
 {
     enum { BYTES_MAX = 16 << 20 };
-    char *text, *line, *next;
-    size_t size, room = 1;
+    char *text, *rest, *line;
+    size_t room = 1;
     int number = 0;
     double x, rate, factor = NAN;
     *out = (struct thud_hazard){0};
-    enum thud_status status = thud_file_read(path, BYTES_MAX, &text, &size, err);
+    enum thud_status status = thud_text_read(path, BYTES_MAX, &text, err);
     if (status != THUD_OK)
         return status;
     for (line = text; *line; line++)
@@ -112,10 +112,7 @@ enum thud_status thud_hazard_read(const char *path, const struct thud_sweep_axis
     out->rate = malloc(room * sizeof *out->rate);
     if (!out->x || !out->rate)
         status = thud_error_set(err, THUD_MEMORY, "out of memory");
-    for (line = text; status == THUD_OK && line; line = next) {
-        next = strchr(line, '\n');
-        if (next)
-            *next++ = '\0';
+    for (rest = text; status == THUD_OK && (line = thud_text_line(&rest)) != NULL;) {
         number++;
         line[strcspn(line, "#")] = '\0';
         if (line[strspn(line, " \t\r")] == '\0')

@@ -2,6 +2,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <poll.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,11 +12,20 @@
 
 #include "io/file/file_private.h"
 
+enum { PIPE_PATIENCE_MS = 1000 };
+
 static enum thud_status refuse(struct thud_error *err, enum thud_status status, const char *path, const char *what)
 {
     thud_error_set(err, status, "%s", what);
     thud_error_place(err, path, 0, 0);
     return status;
+}
+
+/* Of a pipe: returns once there is something to read, or its writers have gone. */
+static void wait_for_writer(int fd, int most_ms)
+{
+    struct pollfd wanted = {.fd = fd, .events = POLLIN};
+    poll(&wanted, 1, most_ms);
 }
 
 /* Reads until the end or until `limit` bytes are exceeded (then *size is limit + 1). */
@@ -34,8 +44,10 @@ static enum thud_status read_all(int fd, size_t limit, size_t expected, char **t
             data = more;
         }
         ssize_t n = read(fd, data + *size, capacity - *size - 1);
-        if (n < 0 && errno == EINTR)
+        if (n < 0 && (errno == EINTR || errno == EAGAIN)) {
+            wait_for_writer(fd, -1);
             continue;
+        }
         if (n < 0) {
             int why = errno;
             free(data);
@@ -67,15 +79,67 @@ enum thud_status thud_file_read(const char *path, size_t limit, char **text, siz
         return refuse(err, THUD_INPUT, path, "is a folder, not a file");
     if (!S_ISREG(about.st_mode) && !S_ISFIFO(about.st_mode))
         return refuse(err, THUD_INPUT, path, "is a device, not a file");
-    int fd = open(path, O_RDONLY | O_CLOEXEC);
+    bool is_pipe = S_ISFIFO(about.st_mode);
+    int fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (fd < 0)
         return refuse(err, THUD_INPUT, path, strerror(errno));
+    if (is_pipe) /* a writer may come a little later than the reader, or never */
+        wait_for_writer(fd, PIPE_PATIENCE_MS);
     size_t expected = 4096;
     if (S_ISREG(about.st_mode) && about.st_size > 0)
         expected = (unsigned long long)about.st_size > limit ? limit : (size_t)about.st_size;
     enum thud_status status = read_all(fd, limit, expected, text, size, err, path);
     close(fd);
+    if (status != THUD_OK || !is_pipe || *size > 0)
+        return status;
+    free(*text);
+    *text = NULL;
+    return refuse(err, THUD_INPUT, path, "is a pipe, and nothing was written into it");
+}
+
+enum thud_status thud_text_check(const char *text, size_t size, const char *name, struct thud_error *err)
+{
+    const char *zero = size ? memchr(text, '\0', size) : NULL;
+    if (!zero)
+        return THUD_OK;
+    int line = 1, column = 1;
+    for (const char *p = text; p < zero; p++) {
+        line += *p == '\n';
+        column = *p == '\n' ? 1 : column + 1;
+    }
+    thud_error_set(err, THUD_INPUT, "a byte 0 stands here");
+    thud_error_place(err, name, line, column);
+    thud_error_allow(err, "UTF-8 text");
+    return THUD_INPUT;
+}
+
+enum thud_status thud_text_read(const char *path, size_t limit, char **text, struct thud_error *err)
+{
+    size_t size;
+    enum thud_status status = thud_file_read(path, limit, text, &size, err);
+    if (status != THUD_OK)
+        return status;
+    status = thud_text_check(*text, size, path, err);
+    if (status == THUD_OK && strncmp(*text, "\xef\xbb\xbf", 3) == 0)
+        memmove(*text, *text + 3, size - 2);
+    if (status != THUD_OK) {
+        free(*text);
+        *text = NULL;
+    }
     return status;
+}
+
+char *thud_text_line(char **text)
+{
+    char *line = *text;
+    if (!line || !*line)
+        return NULL;
+    size_t n = strcspn(line, "\n");
+    *text = line + n + (line[n] == '\n');
+    if (n > 0 && line[n - 1] == '\r')
+        line[n - 1] = '\0';
+    line[n] = '\0';
+    return line;
 }
 
 /* 0, or the errno of what went wrong. */

@@ -38,12 +38,9 @@ static enum thud_status refuse_kind(const struct record_source *source, struct t
                     "7zXZ",
                     5))
         return record_refuse(source, 0, 0, err, "the file is compressed: unpack it first");
-    int line = 1;
-    for (size_t i = 0; i < source->size; i++) {
-        line += source->text[i] == '\n';
-        if (source->text[i] == '\0')
-            return record_refuse(source, line, 0, err, "the file is not text");
-    }
+    enum thud_status status = thud_text_check(source->text, source->size, source->name, err);
+    if (status != THUD_OK)
+        return status;
     struct record_cursor cursor = record_start(source);
     struct record_line first;
     if (record_next(&cursor, &first) && (record_begins(&first, "<!DOCTYPE") || record_begins(&first, "<html")))

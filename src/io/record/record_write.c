@@ -16,7 +16,7 @@ static void comment_lines(const char *comment, struct thud_text *text)
 static void known(const char *name, const char *value, struct thud_text *text)
 {
     if (value[0])
-        thud_text_append(text, "# %s: %s\n", name, value);
+        thud_text_comment(text, name, value);
 }
 
 /* Rounded: the reader takes the step from the line `# dt:` when the times agree with it. */

@@ -120,22 +120,6 @@ static enum thud_status read_rows(struct csv_lines *lines, struct thud_expectati
     return status;
 }
 
-/* A byte 0 would end a text before its end. */
-static enum thud_status refuse_zero(const struct record_source *source, struct thud_error *err)
-{
-    const char *zero = memchr(source->text, '\0', source->size);
-    if (!zero)
-        return THUD_OK;
-    int line = 1, at = 1;
-    for (const char *p = source->text; p < zero; p++) {
-        line += *p == '\n';
-        at = *p == '\n' ? 1 : at + 1;
-    }
-    record_refuse(source, line, at, err, "a byte 0 stands here");
-    thud_error_allow(err, "UTF-8 text");
-    return THUD_INPUT;
-}
-
 enum thud_status thud_expectation_parse(const char *text, size_t size, const char *name, struct thud_expectations *out,
                                         struct thud_error *err)
 {
@@ -146,7 +130,7 @@ enum thud_status thud_expectation_parse(const char *text, size_t size, const cha
         source.text += 3;
         source.size -= 3;
     }
-    enum thud_status status = refuse_zero(&source, err);
+    enum thud_status status = thud_text_check(source.text, source.size, name, err);
     if (status == THUD_OK)
         status = csv_lines_open(&lines, record_start(&source), ',', err);
     if (status != THUD_OK)

@@ -151,14 +151,19 @@ enum thud_status thud_sweep_journal_add(struct thud_sweep_journal *journal, cons
     if (line->failed)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     int fd = fileno(journal->file);
-    ssize_t n = pwrite(fd, line->data, line->size, journal->end);
-    if (n != (ssize_t)line->size) {
-        int why = n < 0 ? errno : ENOSPC;
-        if (ftruncate(fd, journal->end) != 0)
-            why = errno;
-        return failed(journal, THUD_OUTPUT, strerror(why), err);
+    for (size_t written = 0; written < line->size;) { /* after a part of it, the rest says why there is no room */
+        ssize_t n = pwrite(fd, line->data + written, line->size - written, journal->end + (off_t)written);
+        if (n < 0 && errno == EINTR)
+            continue;
+        if (n <= 0) {
+            int why = n < 0 ? errno : ENOSPC;
+            if (ftruncate(fd, journal->end) != 0)
+                why = errno;
+            return failed(journal, THUD_OUTPUT, strerror(why), err);
+        }
+        written += (size_t)n;
     }
-    journal->end += n;
+    journal->end += (off_t)line->size;
     journal->done++;
     return THUD_OK;
 }

@@ -311,6 +311,9 @@ static enum thud_status judge(const struct child *child, const struct thud_pictu
         tell_limit(err);
         return THUD_GNUPLOT;
     }
+    thud_picture_mend(options->format, child->picture);
+    if (child->picture->failed)
+        return thud_error_set(err, THUD_MEMORY, "out of memory for a picture");
     return thud_picture_check(options->format, child->picture, err);
 }
 

@@ -1,4 +1,5 @@
 /* Is a picture whole? gnuplot's exit status does not say. */
+#include <stdbool.h>
 #include <string.h>
 
 #include "plot/gnuplot/gnuplot_internal.h"
@@ -19,6 +20,52 @@ static bool png_whole(const struct thud_text *picture)
     static const unsigned char last[12] = {0, 0, 0, 0, 'I', 'E', 'N', 'D', 0xae, 0x42, 0x60, 0x82};
     return picture->size > sizeof signature + sizeof last && !memcmp(picture->data, signature, sizeof signature) &&
            !memcmp(picture->data + picture->size - sizeof last, last, sizeof last);
+}
+
+/* gnuplot 6 moves the cursor home before the picture; where it stands is for whoever shows it. */
+static void drop_home(struct thud_text *picture)
+{
+    static const char home[] = "\033[H";
+    size_t n = sizeof home - 1;
+    if (picture->size > n && !memcmp(picture->data, home, n)) {
+        picture->size -= n;
+        memmove(picture->data, picture->data + n, picture->size + 1);
+    }
+}
+
+/* gnuplot writes a `]]>` of a text as it is, which XML 1.0 (2.4) takes only for the end of a CDATA section. */
+static void escape(struct thud_text *picture)
+{
+    static const char begin[] = "<![CDATA[", end[] = "]]>";
+    struct thud_text out = {0};
+    const char *from = picture->data, *at = from, *stop = from + picture->size;
+    bool section = false;
+    for (; at < stop; at++) {
+        size_t left = (size_t)(stop - at);
+        if (!section && left > sizeof begin && !memcmp(at, begin, sizeof begin - 1)) {
+            section = true;
+        } else if (left > sizeof end && !memcmp(at, end, sizeof end - 1)) {
+            if (!section) {
+                thud_text_bytes(&out, from, (size_t)(at + 2 - from));
+                thud_text_bytes(&out, "&gt;", 4);
+                from = at + 3;
+            }
+            section = false;
+        }
+    }
+    if (from == picture->data)
+        return;
+    thud_text_bytes(&out, from, (size_t)(stop - from));
+    thud_text_clear(picture);
+    *picture = out;
+}
+
+void thud_picture_mend(enum thud_picture_format format, struct thud_text *picture)
+{
+    if (format == THUD_SIXEL)
+        drop_home(picture);
+    else if (format == THUD_SVG && picture->data)
+        escape(picture);
 }
 
 enum thud_status thud_picture_check(enum thud_picture_format format, const struct thud_text *picture,
