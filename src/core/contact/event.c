@@ -10,6 +10,19 @@
 
 #include "core/numerics/poly.h"
 
+/* Glossary, for contact c and a segment of length h with s = (t - t0)/h.
+ *
+ *     d(s), d'(s)    indentation and its rate, polynomials in s; d[k]: coefficient of s^k
+ *     p(s)           what a guard watches: it has the sign of the guard's function, and fires where sign * p rises above 0
+ *     sign           +1: p comes from below; -1: from above; 0 in the table: by the phase or the side of the branch
+ *     zeros          suppressed coefficients: that many of the lowest of p are taken as 0, as the last event has put p
+ *                    there and rounding may not decide which way it goes; `order` of the event that follows
+ *     reach, bend    bounds of |d(s) - d(0)| and |d'(s) - d'(0)| h in the segment
+ *     s_end, limit   how far the segment counts; no later than the first event found so far
+ *
+ * Deactivation: a guard with zeros > 0 whose lowest coefficient that is left points away does not fire before p has come
+ * back. */
+
 enum watched { INDENTATION, FORCE, RATE, BRANCH, CONSTRAINT_LOW, CONSTRAINT_HIGH };
 
 static const struct guard {

@@ -13,12 +13,31 @@
 #include "core/numerics/radau.h"
 #include "core/numerics/tolerance.h"
 
+/* Glossary, for one step of length h from the state at t0; a, b are active contacts, i, j points of the step.
+ *
+ *     s_i            points in [0, 1]: the NODES Radau points first, then the points where the error is measured
+ *     F_b(s_j)       x->force, unknown at the nodes; between them the polynomial of degree NODES - 1 through them
+ *     d0_a, v0_a     x->d0, x->v0: indentation and rate without the forces of the active contacts
+ *     R_ab,ij        x->response: d_a(s_i) by F_b(s_j), below 0 where the force pushes apart; R' of v_a(s_i)
+ *     d_a, v_a       x->d, x->v = d0 + R F, v0 + R' F
+ *     law_a          x->law, at (d_a, v_a); law_d, law_v its derivatives
+ *     level l        h = h_top/2^l, so that R is made once for each size that occurs
+ *     contraction    by which a Gauss-Seidel sweep reduces the change of the forces
+ *     x->h           size asked for next; h_touch: that of the last step that began at an onset
+ *
+ * The equations are F_a(s_i) = law_a(d_a(s_i), v_a(s_i)), and v_a(s_i) = 0 where a sticks. */
 enum { NODES = THUD_NODES, LEVELS = 48 };
 enum { LAST = THUD_POINTS - THUD_BATCH }; /* a batch that ends with the last point begins here */
 enum { NEWTON_MAX = 12, ITERATIONS_MAX = 12 };
 enum { PATIENCE = 16 };                  /* steps of one size before a longer one is tried */
+enum { REPEATS = 2 };                    /* shorter steps with no smaller error: it is rounding */
 static const double longest_angle = 1.8; /* a step times the fastest mode: the series' terms are enough for that */
 static const double slowest_contraction = 0.3; /* of the Gauss-Seidel sweeps; slower ones are left to Newton's method */
+static const double step_part = 0.1;           /* of the run's tolerance, for the error of a step */
+static const double solution_part = 1e-2;      /* of that, for the solution of the equations */
+static const double safety = 0.85, unsolved = 0.25, most_growth = 4, most_shrink = 0.1; /* factors of the step size */
+static const double least_error = 1e-5; /* of the tolerance: below it the error says nothing of the next step */
+static const double same_error = 0.95, near_tolerance = 100;
 
 /* A step: the forces as polynomials over h from the state that it began at, valid across kinks of the ground motion. The
  * run takes it piece by piece, up to one kink or event at a time. */
@@ -669,49 +688,83 @@ static enum thud_status too_short(const struct thud_state *state, const struct t
                           thud_state_now(state));
 }
 
-/* A step accurate to the run's tolerance. */
+/* The first step size of a step: that of the last, no longer than the last that began at an onset where it does so too;
+ * and now and then twice as long, as the error of a longer step may be the smaller one where contacts are stiff. */
+static void choose_size(struct thud_collocation *x)
+{
+    if (x->just_touched && x->h_touch > 0)
+        x->h = fmin(x->h, x->h_touch);
+    if (++x->steady > PATIENCE) {
+        x->h *= 2;
+        x->steady = 0;
+    }
+}
+
+/* The forces of a step of one level: *error is theirs, INFINITY where they could not be found. Errors: THUD_MEMORY. */
+static enum thud_status solve_level(const struct thud_state *state, struct thud_collocation *x, int level,
+                                    double tolerance, double ahead, double *error, struct thud_error *err)
+{
+    const double h = ldexp(x->h_top, -level), least = solution_part * tolerance;
+    *error = INFINITY;
+    enum thud_status status = thud_responses_make(x->responses, level, x->active, x->nactive, x->response, err);
+    if (status != THUD_OK)
+        return status;
+    thud_responses_unforced(x->responses, state, level, ahead, x->active, x->nactive, x->d0, x->v0);
+    guess(state, x, h);
+    if (iterate(state, x, least) || solve(state, x, least)) {
+        keep_step(state, x, h); /* should it be too long, a shorter one begins with these forces */
+        motion_behind(x);
+        *error = error_of_step(state, x, h, tolerance);
+    } else {
+        memset(x->step.of, 0, (size_t)x->nc * sizeof *x->step.of);
+    }
+    return THUD_OK;
+}
+
+/* The size at which the error would be the tolerance: it falls with h^NODES. */
+static double next_size(double h, double error, double tolerance)
+{
+    if (!isfinite(error))
+        return h * unsolved;
+    const double factor = safety * pow(tolerance / thud_larger(error, least_error * tolerance), 1.0 / NODES);
+    return h * fmin(most_growth, thud_larger(most_shrink, factor));
+}
+
+/* What the step that is taken leaves for the next: h its size, `want` the one that was asked for, x->h proposed. */
+static void accept(struct thud_collocation *x, int level, double h, double want)
+{
+    if (level > 0 && 2 * h <= want) /* only short because the end is near */
+        x->h = thud_larger(x->h, want);
+    if (x->just_touched)
+        x->h_touch = x->h;
+    if (x->h >= 2 * h)
+        x->steady = 0;
+}
+
+/* A step accurate to the run's tolerance. Tries sizes until one of these holds:
+ *   1) taken: the error of the step is at most the tolerance;
+ *   2) taken: REPEATS times in a row no shorter step has had less than `same_error` of the error before, and that error
+ *      is near the tolerance: it is rounding, of rates where a contact is stiff. The next step is four times as long;
+ *   3) THUD_DIVERGED: the shortest size of the ladder has been tried;
+ *   4) THUD_MEMORY. */
 static enum thud_status make_step(const struct thud_state *state, struct thud_collocation *x, struct thud_error *err)
 {
     if (!reserve(x, x->nactive))
         return thud_error_set(err, THUD_MEMORY, "out of memory");
-    double tolerance = thud_larger(0.1 * state->tolerance, THUD_TOL_COLLOCATION), ahead = time_ahead(state);
-    bool first = x->just_touched;
-    if (first && x->h_touch > 0)
-        x->h = fmin(x->h, x->h_touch);
-    if (++x->steady > PATIENCE) { /* where contacts are stiff, the error of a longer step may be the smaller one */
-        x->h *= 2;
-        x->steady = 0;
-    }
-    double before = INFINITY;
+    const double tolerance = thud_larger(step_part * state->tolerance, THUD_TOL_COLLOCATION), ahead = time_ahead(state);
+    double before = INFINITY, error;
+    choose_size(x);
     for (int same = 0;;) {
-        int level = level_for(x, x->h, ahead);
-        double want = x->h, h = ldexp(x->h_top, -level), error = INFINITY;
-        enum thud_status status = thud_responses_make(x->responses, level, x->active, x->nactive, x->response, err);
+        const int level = level_for(x, x->h, ahead);
+        const double want = x->h, h = ldexp(x->h_top, -level);
+        enum thud_status status = solve_level(state, x, level, tolerance, ahead, &error, err);
         if (status != THUD_OK)
             return status;
-        thud_responses_unforced(x->responses, state, level, ahead, x->active, x->nactive, x->d0, x->v0);
-        guess(state, x, h);
-        if (iterate(state, x, 1e-2 * tolerance) || solve(state, x, 1e-2 * tolerance)) {
-            keep_step(state, x, h); /* should it be too long, a shorter one begins with these forces */
-            motion_behind(x);
-            error = error_of_step(state, x, h, tolerance);
-        } else {
-            memset(x->step.of, 0, (size_t)x->nc * sizeof *x->step.of);
-        }
-        double factor =
-            isfinite(error) ? 0.85 * pow(tolerance / thud_larger(error, 1e-5 * tolerance), 1.0 / NODES) : 0.25;
-        x->h = h * fmin(4, thud_larger(0.1, factor));
-        same = error > 0.95 * before && error <= 100 * tolerance ? same + 1 : 0;
+        same = error > same_error * before && error <= near_tolerance * tolerance ? same + 1 : 0;
         before = error;
-        if (same >= 2) /* no shorter step would have less of it: rounding, of rates where a contact is stiff */
-            x->h = 4 * h;
-        if (error <= tolerance || same >= 2) {
-            if (level > 0 && 2 * h <= want) /* only short because the end is near */
-                x->h = thud_larger(x->h, want);
-            if (first)
-                x->h_touch = x->h;
-            if (x->h >= 2 * h)
-                x->steady = 0;
+        x->h = same >= REPEATS ? most_growth * h : next_size(h, error, tolerance);
+        if (error <= tolerance || same >= REPEATS) {
+            accept(x, level, h, want);
             return THUD_OK;
         }
         x->h = fmin(x->h, 0.5 * h);
