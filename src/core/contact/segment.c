@@ -6,8 +6,8 @@
 
 #include "base/largest.h"
 #include "core/contact/segment.h"
-#include "core/numerics/double_pair.h"
 #include "core/numerics/tolerance.h"
+#include "core/numerics/vec.h"
 
 enum thud_status thud_segment_init(struct thud_segment *seg, const struct thud_model *model, struct thud_error *err)
 {
@@ -48,10 +48,10 @@ void thud_segment_forget(struct thud_segment *seg, int nrows)
 static void two_reaches(const struct thud_segment *seg, int nmodes, int j, bool single)
 {
     const double *q = seg->q + nmodes + j;
-    thud_double_pair sum = {0, 0};
+    thud_vec2 sum = {0, 0};
     for (int k = 1; k < seg->terms; k++, q += nmodes)
-        sum += thud_double_pair_abs(thud_double_pair_some(q, single));
-    thud_double_pair_put(sum, seg->reach + j, single);
+        sum += thud_vec2_abs(thud_vec2_some(q, single));
+    thud_vec2_put_some(sum, seg->reach + j, single);
 }
 
 void thud_segment_reach(struct thud_segment *seg, const struct thud_model *model)
@@ -175,7 +175,7 @@ static void first_terms(const struct thud_model *m, struct thud_segment *seg, co
 /* clang-format off */
 #define INVERSE(k) {1.0 / (k), 1.0 / (k)}
 /* clang-format on */
-static const thud_aligned_pair inverse[THUD_SEGMENT_TERMS] = {
+static const thud_vec2_aligned inverse[THUD_SEGMENT_TERMS] = {
     {0, 0},      INVERSE(1),  INVERSE(2),  INVERSE(3),  INVERSE(4),  INVERSE(5),  INVERSE(6),  INVERSE(7),
     INVERSE(8),  INVERSE(9),  INVERSE(10), INVERSE(11), INVERSE(12), INVERSE(13), INVERSE(14), INVERSE(15),
     INVERSE(16), INVERSE(17), INVERSE(18), INVERSE(19), INVERSE(20), INVERSE(21), INVERSE(22), INVERSE(23)};
@@ -227,12 +227,10 @@ static void next_order(const struct thud_model *m, struct thud_segment *seg, con
     double *q2 = seg->q + (k + 2) * m->nmodes;
     for (int j = of->mode; j < end; j += 2) {
         const bool single = j + 1 == end;
-        const thud_double_pair spring =
-                                   thud_double_pair_some(m->spring + j, single) * thud_double_pair_some(q + j, single),
-                               dashpot = thud_double_pair_some(m->dashpot + j, single) *
-                                         thud_double_pair_some(q1 + j, single);
-        thud_double_pair_put(by_q * spring + by_q1 * dashpot + ground * thud_double_pair_some(m->gamma + j, single),
-                             q2 + j, single);
+        const thud_vec2 spring = thud_vec2_some(m->spring + j, single) * thud_vec2_some(q + j, single),
+                        dashpot = thud_vec2_some(m->dashpot + j, single) * thud_vec2_some(q1 + j, single);
+        thud_vec2_put_some(by_q * spring + by_q1 * dashpot + ground * thud_vec2_some(m->gamma + j, single), q2 + j,
+                           single);
     }
     for (int s = of->structure; m->couples && s < of->structure + of->structures; s++) {
         const struct thud_model_structure *p = &m->structure[s];
@@ -247,16 +245,16 @@ static void next_order(const struct thud_model *m, struct thud_segment *seg, con
 
 /* Loads of two modes, or one, by order: the ground's, and those of the rows listed. */
 static inline void sum_loads(const struct thud_model *m, const struct thud_segment *seg, int rows, int j, bool single,
-                             thud_double_pair *load)
+                             thud_vec2 *load)
 {
-    const thud_double_pair gamma = thud_double_pair_some(m->gamma + j, single);
-    load[0] = load[1] = (thud_double_pair){0, 0};
+    const thud_vec2 gamma = thud_vec2_some(m->gamma + j, single);
+    load[0] = load[1] = thud_vec2_set(0, 0);
     for (int from = 0; from < seg->loaded && rows > 0; from += BLOCK) {
-        thud_double_pair sum[BLOCK] = {0};
+        thud_vec2 sum[BLOCK] = {0};
         for (int i = 0; i < rows; i++) {
             const double *force = seg->load + seg->listed[i] * THUD_SEGMENT_TERMS + from;
-            const thud_double_pair g =
-                thud_double_pair_some(m->jacobian + (size_t)seg->row[seg->listed[i]] * (size_t)m->nmodes + j, single);
+            const thud_vec2 g =
+                thud_vec2_some(m->jacobian + (size_t)seg->row[seg->listed[i]] * (size_t)m->nmodes + j, single);
             for (int k = 0; k < BLOCK; k++)
                 sum[k] += force[k] * g;
         }
@@ -270,25 +268,25 @@ static inline void sum_loads(const struct thud_model *m, const struct thud_segme
 /* The orders from k on of two modes, or one, out of the two below, x and v; `loaded` of them have loads. By modes and not
  * by orders: on the way up the orders the last two stay in registers. */
 static inline void mode_series(const struct thud_model *m, struct thud_segment *seg, int j, bool single, int loaded,
-                               const thud_double_pair *load)
+                               const thud_vec2 *load)
 {
     const double h = seg->h_s;
-    const thud_double_pair spring = -h * h * thud_double_pair_some(m->spring + j, single),
-                           dashpot = -h * thud_double_pair_some(m->dashpot + j, single);
+    const thud_vec2 spring = -h * h * thud_vec2_some(m->spring + j, single),
+                    dashpot = -h * thud_vec2_some(m->dashpot + j, single);
     const int n = m->nmodes, terms = seg->terms;
     double *q = seg->q + j;
-    thud_double_pair x = thud_double_pair_some(q, single), v = thud_double_pair_some(q + n, single), next;
+    thud_vec2 x = thud_vec2_some(q, single), v = thud_vec2_some(q + n, single), next;
     q += 2 * n;
     int k = 2;
     for (; k < loaded + 2 && k < terms; k++, q += n) {
         next = load[k - 2] + (spring * x * inverse[k - 1] + dashpot * v) * inverse[k];
-        thud_double_pair_put(next, q, single);
+        thud_vec2_put_some(next, q, single);
         x = v;
         v = next;
     }
     for (; k < terms; k++, q += n) {
         next = (spring * x * inverse[k - 1] + dashpot * v) * inverse[k];
-        thud_double_pair_put(next, q, single);
+        thud_vec2_put_some(next, q, single);
         x = v;
         v = next;
     }
@@ -325,7 +323,7 @@ static int list_rows(const struct thud_model *m, struct thud_segment *seg, int s
 
 static void series_by_modes(const struct thud_model *m, struct thud_segment *seg, const struct slice *of)
 {
-    thud_double_pair load[THUD_SEGMENT_TERMS];
+    thud_vec2 load[THUD_SEGMENT_TERMS];
     scale_forces(m, seg);
     for (int s = of->structure; s < of->structure + of->structures; s++) {
         const int first = m->structure[s].first_mode, end = first + m->structure[s].modes, rows = list_rows(m, seg, s),
@@ -465,13 +463,13 @@ void thud_segment_shorten(struct thud_segment *seg, int nmodes, int nrows, doubl
 /* Two modes at s: on their way down the orders they stay in registers. */
 static void two_states(const struct thud_segment *seg, int nmodes, double s, int j, double *q, double *qd)
 {
-    thud_double_pair x = {0, 0}, v = {0, 0};
+    thud_vec2 x = {0, 0}, v = {0, 0};
     for (int k = seg->terms - 1; k >= 0; k--) {
         v = v * s + x;
-        x = x * s + thud_double_pair_at(seg->q + k * nmodes + j);
+        x = x * s + thud_vec2_at(seg->q + k * nmodes + j);
     }
-    *(thud_double_pair *)(q + j) = x;
-    *(thud_double_pair *)(qd + j) = v / seg->h_s;
+    thud_vec2_put(x, q + j);
+    thud_vec2_put(v / seg->h_s, qd + j);
 }
 
 void thud_segment_state(const struct thud_segment *seg, int nmodes, double s, double *q, double *qd)
@@ -507,7 +505,7 @@ static double side_term(const struct thud_model_side *side, const double *modal)
 enum { ABREAST = 4 }; /* orders read at once, of THUD_SEGMENT_TERMS */
 
 struct terms_abreast {
-    thud_double_pair low, high;
+    thud_vec2 low, high;
 };
 
 /* Those of four orders, n apart, each summed as thud_dot does: an indentation's start has the same bits here and by
@@ -515,24 +513,23 @@ struct terms_abreast {
 static inline struct terms_abreast side_terms(const struct thud_model_side *side, const double *modal, int n)
 {
     const double *q = modal + side->first_mode, *row = side->row;
-    thud_double_pair even[ABREAST] = {0}, odd[ABREAST] = {0};
+    thud_vec2 even[ABREAST] = {0}, odd[ABREAST] = {0};
     int j = 0;
     for (; j + 4 <= side->modes; j += 4)
         for (int i = 0; i < ABREAST; i++) {
-            even[i] += thud_double_pair_at(row + j) * thud_double_pair_at(q + i * n + j);
-            odd[i] += thud_double_pair_at(row + j + 2) * thud_double_pair_at(q + i * n + j + 2);
+            even[i] += thud_vec2_at(row + j) * thud_vec2_at(q + i * n + j);
+            odd[i] += thud_vec2_at(row + j + 2) * thud_vec2_at(q + i * n + j + 2);
         }
     for (int i = 0; i < ABREAST && j + 2 <= side->modes; i++)
-        even[i] += thud_double_pair_at(row + j) * thud_double_pair_at(q + i * n + j);
+        even[i] += thud_vec2_at(row + j) * thud_vec2_at(q + i * n + j);
     j = side->modes & ~1;
     for (int i = 0; i < ABREAST; i++)
         even[i] += odd[i];
-    struct terms_abreast sum = {(thud_double_pair){even[0][0], even[1][0]} + (thud_double_pair){even[0][1], even[1][1]},
-                                (thud_double_pair){even[2][0], even[3][0]} +
-                                    (thud_double_pair){even[2][1], even[3][1]}};
+    struct terms_abreast sum = {thud_vec2_set(even[0][0], even[1][0]) + thud_vec2_set(even[0][1], even[1][1]),
+                                thud_vec2_set(even[2][0], even[3][0]) + thud_vec2_set(even[2][1], even[3][1])};
     if (j < side->modes) {
-        sum.low += row[j] * (thud_double_pair){q[j], q[n + j]};
-        sum.high += row[j] * (thud_double_pair){q[2 * n + j], q[3 * n + j]};
+        sum.low += row[j] * thud_vec2_set(q[j], q[n + j]);
+        sum.high += row[j] * thud_vec2_set(q[2 * n + j], q[3 * n + j]);
     }
     return sum;
 }
@@ -569,8 +566,8 @@ int thud_segment_indentation(const struct thud_state *state, const struct thud_s
         for (int k = 0; k < seg->terms; k += ABREAST) {
             const double *modal = seg->q + k * m->nmodes;
             struct terms_abreast left = side_terms(l, modal, m->nmodes), right = side_terms(r, modal, m->nmodes);
-            *(thud_double_pair *)(out + k) = left.low - right.low;
-            *(thud_double_pair *)(out + k + 2) = left.high - right.high;
+            thud_vec2_put(left.low - right.low, out + k);
+            thud_vec2_put(left.high - right.high, out + k + 2);
         }
         out[0] -= thud_state_clearance(state, c);
         return 0;

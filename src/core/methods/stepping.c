@@ -4,8 +4,8 @@
 #include <string.h>
 
 #include "core/contact/storey.h"
-#include "core/numerics/double_pair.h"
 #include "core/numerics/tolerance.h"
+#include "core/numerics/vec.h"
 
 /* Two orders more than the quintic has: the acceleration, read from it by the equations of motion, is a quintic too. */
 enum { TERMS = 8, POINTS = 5 };

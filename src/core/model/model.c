@@ -8,7 +8,7 @@
 #include "base/arena.h"
 #include "base/quantity.h"
 #include "core/model/modes.h"
-#include "core/numerics/double_pair.h"
+#include "core/numerics/vec.h"
 
 /* Modes that stay of n where `modes` are asked for. */
 static int kept_of(int n, int modes)

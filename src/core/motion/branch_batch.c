@@ -4,24 +4,14 @@
 
 #include "core/motion/nodes.h"
 
-typedef unsigned long long bits __attribute__((vector_size(sizeof(thud_double_pair)), may_alias));
+typedef thud_vec2_bits bits;
 
 enum { PAIRS = THUD_BATCH / 2, MANTISSA = 52 };
 
 /* Where x > 0. */
-static inline bits above_zero(thud_double_pair x)
+static inline bits above_zero(thud_vec2 x)
 {
-    return (bits)(x > (thud_double_pair){0, 0});
-}
-
-static inline thud_double_pair only(bits where, thud_double_pair x)
-{
-    return (thud_double_pair)((bits)x & where);
-}
-
-static inline thud_double_pair choose(bits where, thud_double_pair x, thud_double_pair otherwise)
-{
-    return (thud_double_pair)(((bits)x & where) | ((bits)otherwise & ~where));
+    return (bits)(x > thud_vec2_set(0, 0));
 }
 
 /* sum = sum x + c at every step: coefficients from that of the highest power on. */
@@ -29,7 +19,7 @@ static inline struct thud_batch horner(const double *c, int n, const struct thud
 {
     struct thud_batch sum;
     for (int i = 0; i < PAIRS; i++)
-        sum.pair[i] = (thud_double_pair){c[0], c[0]};
+        sum.pair[i] = thud_vec2_set(c[0], c[0]);
     for (int k = 1; k < n; k++)
         for (int i = 0; i < PAIRS; i++)
             sum.pair[i] = sum.pair[i] * x->pair[i] + c[k];
@@ -49,8 +39,8 @@ static struct thud_batch log2_of(const struct thud_batch *x)
     struct thud_batch e, s, square;
     for (int i = 0; i < PAIRS; i++) {
         bits number = (bits)x->pair[i], biased = (number + (one - root_half)) >> MANTISSA;
-        thud_double_pair m = (thud_double_pair)(number - (biased << MANTISSA) + one);
-        e.pair[i] = (thud_double_pair)(biased | two_52) - (0x1p52 + 1023); /* a small integer as a number */
+        thud_vec2 m = (thud_vec2)(number - (biased << MANTISSA) + one);
+        e.pair[i] = (thud_vec2)(biased | two_52) - (0x1p52 + 1023); /* a small integer as a number */
         s.pair[i] = (m - 1) / (m + 1);
         square.pair[i] = s.pair[i] * s.pair[i];
     }
@@ -74,7 +64,7 @@ static struct thud_batch exp2_of(const struct thud_batch *y)
     }
     struct thud_batch sum = horner(inverse_factorial, sizeof inverse_factorial / sizeof *inverse_factorial, &r);
     for (int i = 0; i < PAIRS; i++)
-        sum.pair[i] = (thud_double_pair)((bits)sum.pair[i] + ((bits)n.pair[i] << MANTISSA));
+        sum.pair[i] = (thud_vec2)((bits)sum.pair[i] + ((bits)n.pair[i] << MANTISSA));
     return sum;
 }
 
@@ -83,12 +73,13 @@ static void power_of(const struct thud_batch *d, const struct thud_batch *log2_d
 {
     struct thud_batch y;
     for (int i = 0; i < PAIRS; i++) {
-        const thud_double_pair most = {999, 999}, exponent = p * log2_d->pair[i];
-        y.pair[i] = choose((bits)(exponent > most), most, choose((bits)(exponent < -most), -most, exponent));
+        const thud_vec2 most = {999, 999}, exponent = p * log2_d->pair[i];
+        y.pair[i] = thud_vec2_choose((bits)(exponent > most), most,
+                                     thud_vec2_choose((bits)(exponent < -most), -most, exponent));
     }
     *out = exp2_of(&y);
     for (int i = 0; i < PAIRS; i++)
-        out->pair[i] = only(above_zero(d->pair[i]), out->pair[i]);
+        out->pair[i] = thud_vec2_only(above_zero(d->pair[i]), out->pair[i]);
 }
 
 /* f0 + k d + c v + K d^p + D d^r v */
@@ -97,14 +88,14 @@ static void power_terms(const struct thud_branch *b, const struct thud_batch *d,
 {
     struct thud_batch dp, dr, positive, f, fd, fv;
     for (int i = 0; i < PAIRS; i++)
-        positive.pair[i] = choose(above_zero(d->pair[i]), d->pair[i], (thud_double_pair){1, 1});
+        positive.pair[i] = thud_vec2_choose(above_zero(d->pair[i]), d->pair[i], thud_vec2_set(1, 1));
     const struct thud_batch log2_d = log2_of(&positive);
     power_of(d, &log2_d, b->p, &dp);
     dr = dp;
     if (b->D != 0 && b->r != b->p)
         power_of(d, &log2_d, b->r, &dr);
     for (int i = 0; i < PAIRS; i++) {
-        thud_double_pair elastic = b->K * dp.pair[i], damper = b->D * dr.pair[i];
+        thud_vec2 elastic = b->K * dp.pair[i], damper = b->D * dr.pair[i];
         f.pair[i] = b->f0_n + b->k_npm * d->pair[i] + b->c_nspm * v->pair[i] + (elastic + damper * v->pair[i]);
         fd.pair[i] = b->k_npm + (b->p * elastic + b->r * damper * v->pair[i]) / positive.pair[i];
         fv.pair[i] = b->c_nspm + damper;
@@ -116,13 +107,11 @@ static void power_terms(const struct thud_branch *b, const struct thud_batch *d,
 
 /* One step of Householder's method of third order for x + part = d, part going with x^p, relative to x; Newton's where
  * that would leave the interval. See own_indentation in law.c. */
-static inline thud_double_pair relative_step(thud_double_pair x, thud_double_pair part, thud_double_pair d, double p)
+static inline thud_vec2 relative_step(thud_vec2 x, thud_vec2 part, thud_vec2 d, double p)
 {
-    thud_double_pair rate = p * part, slope = x + rate, newton = (x + part - d) / slope,
-                     second = (p - 1) * rate / slope;
-    thud_double_pair step =
-        newton * (1 - 0.5 * newton * second) / (1 - newton * (second - newton * ((p - 2) / 6 * second)));
-    return choose((bits)(thud_double_pair_abs(step) < (thud_double_pair){1, 1}), step, newton);
+    thud_vec2 rate = p * part, slope = x + rate, newton = (x + part - d) / slope, second = (p - 1) * rate / slope;
+    thud_vec2 step = newton * (1 - 0.5 * newton * second) / (1 - newton * (second - newton * ((p - 2) / 6 * second)));
+    return thud_vec2_choose((bits)(thud_vec2_abs(step) < thud_vec2_set(1, 1)), step, newton);
 }
 
 /* Columns in series with K x^p: x + K/column x^p = d for positive d. Gives x, and the spring's part of d. */
@@ -139,15 +128,15 @@ static void own_indentations(const struct thud_branch *b, const struct thud_batc
     power_of(d, log2_d, p, &power);
     for (int i = 0; i < PAIRS; i++) { /* from above: the larger of the two parts alone would make d */
         bits spring = (bits)(c * power.pair[i] > d->pair[i]);
-        x->pair[i] = choose(spring, root.pair[i], d->pair[i]);
-        part->pair[i] = choose(spring, d->pair[i], c * power.pair[i]);
+        x->pair[i] = thud_vec2_choose(spring, root.pair[i], d->pair[i]);
+        part->pair[i] = thud_vec2_choose(spring, d->pair[i], c * power.pair[i]);
     }
     for (int k = 0; k < MOST; k++) {
         bits left = {0, 0};
         for (int i = 0; i < PAIRS; i++) {
             step.pair[i] = relative_step(x->pair[i], part->pair[i], d->pair[i], p);
             x->pair[i] -= step.pair[i] * x->pair[i];
-            left |= (bits)(thud_double_pair_abs(step.pair[i]) > (thud_double_pair){last_step, last_step});
+            left |= (bits)(thud_vec2_abs(step.pair[i]) > thud_vec2_set(last_step, last_step));
         }
         if (!(left[0] | left[1]))
             break;
@@ -155,18 +144,18 @@ static void own_indentations(const struct thud_branch *b, const struct thud_batc
         power_of(d, part, p, &power);
         for (int i = 0; i < PAIRS; i++) {
             part->pair[i] = c * power.pair[i];
-            step.pair[i] = (thud_double_pair){0, 0};
+            step.pair[i] = thud_vec2_set(0, 0);
         }
     }
     for (int i = 0; i < PAIRS; i++) { /* by the binomial series of (1 - step)^p */
-        const thud_double_pair s = step.pair[i];
+        const thud_vec2 s = step.pair[i];
         part->pair[i] *= 1 - p * s * (1 - (p - 1) / 2 * s * (1 - (p - 2) / 3 * s));
     }
 }
 
 /* The dashpot of columns and K x^p together, and how it changes with d. */
-static inline void damper_of(const struct thud_branch *b, thud_double_pair x, thud_double_pair force,
-                             thud_double_pair slope, thud_double_pair *damper, thud_double_pair *damper_slope)
+static inline void damper_of(const struct thud_branch *b, thud_vec2 x, thud_vec2 force, thud_vec2 slope,
+                             thud_vec2 *damper, thud_vec2 *damper_slope)
 {
     if (b->r == b->p || b->D == 0) {
         *damper = b->D / b->K * force;
@@ -174,8 +163,8 @@ static inline void damper_of(const struct thud_branch *b, thud_double_pair x, th
         return;
     }
     /* r = (p - 1)/2 */
-    thud_double_pair energy = force * (x / (b->p + 1) + 0.5 / b->column_npm * force), root = b->K * (b->p + 1) * energy;
-    root = (thud_double_pair){sqrt(root[0]), sqrt(root[1])};
+    thud_vec2 energy = force * (x / (b->p + 1) + 0.5 / b->column_npm * force), root = b->K * (b->p + 1) * energy;
+    root = thud_vec2_set(sqrt(root[0]), sqrt(root[1]));
     *damper = b->D * force / root;
     *damper_slope = *damper * (slope / force - 0.5 * force / energy);
 }
@@ -185,18 +174,18 @@ static void series_terms(const struct thud_branch *b, const struct thud_batch *d
 {
     struct thud_batch positive, x, part, f, fd, fv;
     for (int i = 0; i < PAIRS; i++)
-        positive.pair[i] = choose(above_zero(d->pair[i]), d->pair[i], (thud_double_pair){1, 1});
+        positive.pair[i] = thud_vec2_choose(above_zero(d->pair[i]), d->pair[i], thud_vec2_set(1, 1));
     const struct thud_batch log2_d = log2_of(&positive);
     own_indentations(b, &positive, &log2_d, &x, &part);
     for (int i = 0; i < PAIRS; i++) {
         const bits in_contact = above_zero(d->pair[i]);
-        thud_double_pair elastic = b->column_npm * part.pair[i], own = b->p * elastic / x.pair[i], damper, damper_slope;
-        thud_double_pair slope = own / (1 + own / b->column_npm);
+        thud_vec2 elastic = b->column_npm * part.pair[i], own = b->p * elastic / x.pair[i], damper, damper_slope;
+        thud_vec2 slope = own / (1 + own / b->column_npm);
         damper_of(b, x.pair[i], elastic, slope, &damper, &damper_slope);
-        f.pair[i] =
-            b->f0_n + b->k_npm * d->pair[i] + b->c_nspm * v->pair[i] + only(in_contact, elastic + damper * v->pair[i]);
-        fd.pair[i] = b->k_npm + only(in_contact, slope + damper_slope * v->pair[i]);
-        fv.pair[i] = b->c_nspm + only(in_contact, damper);
+        f.pair[i] = b->f0_n + b->k_npm * d->pair[i] + b->c_nspm * v->pair[i] +
+                    thud_vec2_only(in_contact, elastic + damper * v->pair[i]);
+        fd.pair[i] = b->k_npm + thud_vec2_only(in_contact, slope + damper_slope * v->pair[i]);
+        fv.pair[i] = b->c_nspm + thud_vec2_only(in_contact, damper);
     }
     thud_batch_put(&f, force);
     thud_batch_put(&fd, df_dd);

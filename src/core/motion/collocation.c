@@ -382,18 +382,17 @@ static void motion_behind(const struct thud_collocation *x)
 {
     for (int a = 0; a < x->nactive; a++) {
         for (int i = THUD_BATCH; i < THUD_POINTS; i += 2) {
-            thud_double_pair d = thud_double_pair_at(x->d0 + a * THUD_POINTS + i),
-                             v = thud_double_pair_at(x->v0 + a * THUD_POINTS + i);
+            thud_vec2 d = thud_vec2_at(x->d0 + a * THUD_POINTS + i), v = thud_vec2_at(x->v0 + a * THUD_POINTS + i);
             for (int b = 0; b < x->nactive; b++) {
                 const struct thud_response *r = x->response[a * x->nactive + b];
                 for (int j = 0; j < NODES; j++) {
                     double force = x->force[b * THUD_POINTS + j];
-                    d += force * thud_double_pair_at(r->indentation + j * THUD_POINTS + i);
-                    v += force * thud_double_pair_at(r->rate + j * THUD_POINTS + i);
+                    d += force * thud_vec2_at(r->indentation + j * THUD_POINTS + i);
+                    v += force * thud_vec2_at(r->rate + j * THUD_POINTS + i);
                 }
             }
-            *(thud_double_pair *)(x->d + a * THUD_POINTS + i) = d;
-            *(thud_double_pair *)(x->v + a * THUD_POINTS + i) = v;
+            thud_vec2_put(d, x->d + a * THUD_POINTS + i);
+            thud_vec2_put(v, x->v + a * THUD_POINTS + i);
         }
     }
 }
@@ -552,7 +551,7 @@ static void extrapolate(const struct thud_collocation *x, int c, double h, doubl
     const double from = last->done_s / last->h, part = h / last->h;
     struct thud_batch f = {0}, at;
     for (int i = 0; i < THUD_BATCH / 2; i++)
-        at.pair[i] = from + part * thud_double_pair_at(x->point + 2 * i);
+        at.pair[i] = from + part * thud_vec2_at(x->point + 2 * i);
     for (int k = NODES - 1; k >= 0; k--)
         for (int i = 0; i < THUD_BATCH / 2; i++)
             f.pair[i] = f.pair[i] * at.pair[i] + coefficient[k];

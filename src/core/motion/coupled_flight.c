@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/numerics/double_pair.h"
 #include "core/numerics/quadrature.h"
+#include "core/numerics/vec.h"
 
 enum { POINTS = THUD_QUADRATURE_POINTS };
 

@@ -5,10 +5,10 @@
 #include <string.h>
 
 #include "base/largest.h"
-#include "core/numerics/double_pair.h"
 #include "core/numerics/poly.h"
 #include "core/numerics/quadrature.h"
 #include "core/numerics/tolerance.h"
+#include "core/numerics/vec.h"
 
 /* PIECES_MOST: of a block of more than one interval, so that a slice of work ends soon where modes are very fast. */
 enum {
@@ -362,14 +362,13 @@ static void march(struct thud_free_vibration *f, const struct thud_state *state,
 /* Sums over intervals of products of a mode's motion (x = q - s) and of the ground's, of which the energies of a block
  * are made; and the largest energy norm squared, q'^2 + omega^2 x^2, at their starts. */
 struct products {
-    thud_double_pair xx, xv, vv, x0, x1, v0, v1;
+    thud_vec2 xx, xv, vv, x0, x1, v0, v1;
     double most[2];
 };
 
-static inline void add_products(struct products *p, thud_double_pair x, thud_double_pair v, thud_double_pair a0,
-                                thud_double_pair a1, double w2)
+static inline void add_products(struct products *p, thud_vec2 x, thud_vec2 v, thud_vec2 a0, thud_vec2 a1, double w2)
 {
-    const thud_double_pair xx = x * x, vv = v * v, energy = vv + w2 * xx;
+    const thud_vec2 xx = x * x, vv = v * v, energy = vv + w2 * xx;
     p->xx += xx;
     p->xv += x * v;
     p->vv += vv;
@@ -389,14 +388,13 @@ static double sum_products(struct thud_free_vibration *f, int j, double omega, i
     struct products p = {0};
     int t = 0;
     for (; t + 2 <= intervals; t += 2)
-        add_products(&p, thud_double_pair_at(q + t) - s, thud_double_pair_at(qd + t), thud_double_pair_at(a0 + t),
-                     thud_double_pair_at(a1 + t), w2);
+        add_products(&p, thud_vec2_at(q + t) - s, thud_vec2_at(qd + t), thud_vec2_at(a0 + t), thud_vec2_at(a1 + t), w2);
     if (t < intervals)
-        add_products(&p, (thud_double_pair){q[t] - s, 0}, (thud_double_pair){qd[t], 0}, (thud_double_pair){a0[t], 0},
-                     (thud_double_pair){a1[t], 0}, w2);
-    const thud_double_pair sum[] = {p.xx, p.xv, p.vv, p.x0, p.x1, p.v0, p.v1};
+        add_products(&p, thud_vec2_set(q[t] - s, 0), thud_vec2_set(qd[t], 0), thud_vec2_set(a0[t], 0),
+                     thud_vec2_set(a1[t], 0), w2);
+    const thud_vec2 sum[] = {p.xx, p.xv, p.vv, p.x0, p.x1, p.v0, p.v1};
     for (int i = 0; i < THUD_FREE_VIBRATION_PRODUCTS; i++)
-        f->product[i][j] = sum[i][0] + sum[i][1];
+        f->product[i][j] = thud_vec2_sum(sum[i]);
     return thud_larger(p.most[0], p.most[1]);
 }
 
@@ -420,15 +418,15 @@ static inline void some_rows(const struct thud_model_structure *p, int i, const 
     const double *row = p->phi + i * p->modes;
     for (int t = 0; t < ends; t += 4) {
         const double *x = from + p->first_mode * ENDS + t;
-        thud_double_pair sum[FLOORS_AT_ONCE][2] = {0};
+        thud_vec2 sum[FLOORS_AT_ONCE][2] = {0};
         for (int j = 0; j < p->modes; j++, x += ENDS)
             for (int k = 0; k < count; k++) {
-                sum[k][0] += row[k * p->modes + j] * thud_double_pair_at(x);
-                sum[k][1] += row[k * p->modes + j] * thud_double_pair_at(x + 2);
+                sum[k][0] += row[k * p->modes + j] * thud_vec2_at(x);
+                sum[k][1] += row[k * p->modes + j] * thud_vec2_at(x + 2);
             }
         for (int k = 0; k < count; k++) {
-            *(thud_double_pair *)(to + k * ENDS + t) = sum[k][0];
-            *(thud_double_pair *)(to + k * ENDS + t + 2) = sum[k][1];
+            thud_vec2_put(sum[k][0], to + k * ENDS + t);
+            thud_vec2_put(sum[k][1], to + k * ENDS + t + 2);
         }
     }
 }

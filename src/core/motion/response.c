@@ -274,7 +274,7 @@ static void find_loads(struct thud_responses *x, const struct thud_state *state,
 
 /* Values and rates at all points. */
 struct motion {
-    thud_double_pair value[THUD_POINTS / 2], rate[THUD_POINTS / 2];
+    thud_vec2 value[THUD_POINTS / 2], rate[THUD_POINTS / 2];
 };
 
 static inline void add_mode(struct motion *sum, double at_start, double rise, double h, const double *impulse,
@@ -282,9 +282,9 @@ static inline void add_mode(struct motion *sum, double at_start, double rise, do
 {
     double start_rate = at_start / h, rise_rate = rise / h;
     for (int i = 0; i < THUD_POINTS / 2; i++) {
-        thud_double_pair x = thud_double_pair_at(constant + 2 * i);
-        sum->value[i] += at_start * x + rise * thud_double_pair_at(ramp + 2 * i);
-        sum->rate[i] += start_rate * thud_double_pair_at(impulse + 2 * i) + rise_rate * x;
+        thud_vec2 x = thud_vec2_at(constant + 2 * i);
+        sum->value[i] += at_start * x + rise * thud_vec2_at(ramp + 2 * i);
+        sum->rate[i] += start_rate * thud_vec2_at(impulse + 2 * i) + rise_rate * x;
     }
 }
 
@@ -300,8 +300,8 @@ static void move_contact(const struct thud_responses *x, const struct thud_state
     double rate = thud_contact_rate(state, c);
     struct motion sum;
     for (int i = 0; i < THUD_POINTS / 2; i++) {
-        sum.value[i] = start + rate * h * thud_double_pair_at(x->point + 2 * i);
-        sum.rate[i] = (thud_double_pair){rate, rate};
+        sum.value[i] = start + rate * h * thud_vec2_at(x->point + 2 * i);
+        sum.rate[i] = thud_vec2_set(rate, rate);
     }
     int structure[2], structures = thud_model_row_structures(m, c, structure);
     for (int i = 0; i < structures; i++) {
@@ -340,17 +340,17 @@ static void add_kink(struct thud_responses *x, int c, double bend, double h, dou
     const double *ramp = x->ramp + c * THUD_SEGMENT_TERMS;
     int terms = ramp_of(x, c);
     for (int i = 0; i < THUD_POINTS; i += 2) {
-        thud_double_pair at = thud_double_pair_at(x->point + i) * h - after_s, value = {0, 0}, rate = {0, 0};
+        thud_vec2 at = thud_vec2_at(x->point + i) * h - after_s, value = {0, 0}, rate = {0, 0};
         if (at[0] <= 0 && at[1] <= 0)
             continue;
-        at = (thud_double_pair){at[0] > 0 ? at[0] : 0, at[1] > 0 ? at[1] : 0} / x->h_top;
+        at = thud_vec2_set(at[0] > 0 ? at[0] : 0, at[1] > 0 ? at[1] : 0) / x->h_top;
         for (int k = terms - 1; k >= RAMP_ORDER; k--) {
             rate = rate * at + value;
             value = value * at + ramp[k];
         }
-        thud_double_pair square = bend * at * at;
-        *(thud_double_pair *)(d + i) += square * at * value;
-        *(thud_double_pair *)(v + i) += square / x->h_top * (RAMP_ORDER * value + at * rate);
+        thud_vec2 square = bend * at * at;
+        thud_vec2_put(thud_vec2_at(d + i) + square * at * value, d + i);
+        thud_vec2_put(thud_vec2_at(v + i) + square / x->h_top * (RAMP_ORDER * value + at * rate), v + i);
     }
 }
 

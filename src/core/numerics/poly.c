@@ -3,16 +3,16 @@
 #include <math.h>
 #include <stdbool.h>
 
-#include "core/numerics/double_pair.h"
 #include "core/numerics/tolerance.h"
+#include "core/numerics/vec.h"
 
 enum { DEPTH_MAX = 48, INTERVALS_MAX = 4096 };
 
 /* The highest even and odd orders, and which even order that is. */
-static inline thud_double_pair top_pair(const double *c, int n, int *k)
+static inline thud_vec2 top_pair(const double *c, int n, int *k)
 {
     *k = (n - 1) & ~1;
-    return n & 1 ? (thud_double_pair){c[n - 1], 0} : thud_double_pair_at(c + n - 2);
+    return n & 1 ? thud_vec2_set(c[n - 1], 0) : thud_vec2_at(c + n - 2);
 }
 
 /* Even and odd orders side by side, each by Horner's scheme in s^2: half as long a way as one scheme in s. */
@@ -20,9 +20,9 @@ double thud_poly_value(const double *c, int n, double s)
 {
     int k;
     double square = s * s;
-    thud_double_pair v = top_pair(c, n, &k);
+    thud_vec2 v = top_pair(c, n, &k);
     for (k -= 2; k >= 0; k -= 2)
-        v = v * square + thud_double_pair_at(c + k);
+        v = v * square + thud_vec2_at(c + k);
     return v[0] + s * v[1];
 }
 
@@ -30,11 +30,11 @@ void thud_poly_value3(const double *c, int n, double s, double out[3])
 {
     int k;
     double square = s * s;
-    thud_double_pair v = top_pair(c, n, &k), d = {0, 0}, dd = {0, 0}; /* d, dd: by s^2, dd halved */
+    thud_vec2 v = top_pair(c, n, &k), d = {0, 0}, dd = {0, 0}; /* d, dd: by s^2, dd halved */
     for (k -= 2; k >= 0; k -= 2) {
         dd = dd * square + d;
         d = d * square + v;
-        v = v * square + thud_double_pair_at(c + k);
+        v = v * square + thud_vec2_at(c + k);
     }
     out[0] = v[0] + s * v[1];
     out[1] = v[1] + 2 * s * (d[0] + s * d[1]);
@@ -44,26 +44,26 @@ void thud_poly_value3(const double *c, int n, double s, double out[3])
 /* Bound of the third derivative on [0, 1]. */
 static double third_bound(const double *c, int n)
 {
-    thud_double_pair sum = {0, 0}, k = {0, 1};
+    thud_vec2 sum = {0, 0}, k = {0, 1};
     int i = 0;
     for (; i + 2 <= n; i += 2, k += 2)
-        sum += k * (k - 1) * (k - 2) * thud_double_pair_abs(thud_double_pair_at(c + i));
+        sum += k * (k - 1) * (k - 2) * thud_vec2_abs(thud_vec2_at(c + i));
     double last = i < n ? (double)(i * (i - 1) * (i - 2)) * fabs(c[i]) : 0;
-    return sum[0] + sum[1] + last;
+    return thud_vec2_sum(sum) + last;
 }
 
 double thud_poly_move(const double *c, int n, double *slope)
 {
-    thud_double_pair move = {0, 0}, by_order = {0, 0}, k = {2, 3};
+    thud_vec2 move = {0, 0}, by_order = {0, 0}, k = {2, 3};
     int i = 2;
     for (; i + 2 <= n; i += 2, k += 2) {
-        thud_double_pair size = thud_double_pair_abs(thud_double_pair_at(c + i));
+        thud_vec2 size = thud_vec2_abs(thud_vec2_at(c + i));
         move += size;
         by_order += k * size;
     }
     double last = i < n ? fabs(c[i]) : 0;
-    *slope = by_order[0] + by_order[1] + (double)i * last;
-    return move[0] + move[1] + last + (n > 1 ? fabs(c[1]) : 0);
+    *slope = thud_vec2_sum(by_order) + (double)i * last;
+    return thud_vec2_sum(move) + last + (n > 1 ? fabs(c[1]) : 0);
 }
 
 struct search {
@@ -210,16 +210,16 @@ static void largest(struct peak *f, double a, double b, double slope_a, double s
 /* Bounds on [0, 1] of how far p'' may be from its value at 0, and of |p'''|. */
 static double bend_bound(const double *c, int n, double *third)
 {
-    thud_double_pair bend = {0, 0}, sum = {0, 0}, k = {3, 4};
+    thud_vec2 bend = {0, 0}, sum = {0, 0}, k = {3, 4};
     int i = 3;
     for (; i + 2 <= n; i += 2, k += 2) {
-        thud_double_pair size = k * (k - 1) * thud_double_pair_abs(thud_double_pair_at(c + i));
+        thud_vec2 size = k * (k - 1) * thud_vec2_abs(thud_vec2_at(c + i));
         bend += size;
         sum += (k - 2) * size;
     }
     double last = i < n ? (double)(i * (i - 1)) * fabs(c[i]) : 0;
-    *third = sum[0] + sum[1] + (double)(i - 2) * last;
-    return bend[0] + bend[1] + last;
+    *third = thud_vec2_sum(sum) + (double)(i - 2) * last;
+    return thud_vec2_sum(bend) + last;
 }
 
 /* An extremum may lie inside. */

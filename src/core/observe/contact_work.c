@@ -1,7 +1,7 @@
 #include "core/observe/contact_work.h"
 
-#include "core/numerics/double_pair.h"
 #include "core/numerics/quadrature.h"
+#include "core/numerics/vec.h"
 
 /* The integral of f g over [0, 1]; coefficients f (orders) and g (terms). */
 static double product_integral(const double *f, int orders, const double *g, int terms)
@@ -30,8 +30,8 @@ static double law_work(const struct thud_observation *o, int c, const double *fo
     const double *d = o->seg->indentation + c * THUD_SEGMENT_TERMS, rate = 1 / o->seg->h_s;
     double work = 0;
     for (int i = 0; i < count; i += 2) {
-        const thud_double_pair s = o->s * thud_double_pair_at(node + i);
-        thud_double_pair x = {0, 0}, v = {0, 0}, f = {0, 0};
+        const thud_vec2 s = o->s * thud_vec2_at(node + i);
+        thud_vec2 x = {0, 0}, v = {0, 0}, f = {0, 0};
         for (int k = o->seg->terms - 1; k >= 0; k--) {
             v = v * s + x;
             x = x * s + d[k];

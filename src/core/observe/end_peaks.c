@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 #include "base/largest.h"
-#include "core/numerics/double_pair.h"
+#include "core/numerics/vec.h"
 #include "core/observe/observe_peaks.h"
 
 /* Floors of a structure, made even. */
@@ -55,31 +55,29 @@ static void floor_values(const struct thud_end_peaks *ends, const struct thud_mo
                  *gamma = m->gamma + p->first_mode;
     for (int i = 0; i < floors; i += 2) {
         const double *at = ends->shape + p->first_mode * stride + i;
-        thud_double_pair u = {0, 0}, v = {0, 0}, a = {0, 0};
+        thud_vec2 u = {0, 0}, v = {0, 0}, a = {0, 0};
         for (int j = 0; j < p->modes; j++, at += stride) {
-            thud_double_pair shape = thud_double_pair_at(at);
+            thud_vec2 shape = thud_vec2_at(at);
             u += shape * q[j];
             v += shape * qd[j];
             a += shape * (qdd[j] + gamma[j] * ground);
         }
-        thud_double_pair_put(u, value + THUD_FLOOR_DISPLACEMENT * stride + i, false);
-        thud_double_pair_put(v, value + THUD_FLOOR_VELOCITY * stride + i, false);
-        thud_double_pair_put(a, value + THUD_FLOOR_ACCELERATION * stride + i, false);
+        thud_vec2_put(u, value + THUD_FLOOR_DISPLACEMENT * stride + i);
+        thud_vec2_put(v, value + THUD_FLOOR_VELOCITY * stride + i);
+        thud_vec2_put(a, value + THUD_FLOOR_ACCELERATION * stride + i);
     }
     value[-1] = 0;
     for (int i = 0; i < floors; i += 2)
-        thud_double_pair_put(thud_double_pair_at(value + i) - thud_double_pair_at(value + i - 1),
-                             value + THUD_FLOOR_DRIFT * stride + i, false);
+        thud_vec2_put(thud_vec2_at(value + i) - thud_vec2_at(value + i - 1), value + THUD_FLOOR_DRIFT * stride + i);
 }
 
 /* Whether any |x| is above its bound; n is even. */
 static bool any_above(const double *x, const double *bound, int n)
 {
-    typedef long long pair_of_bits __attribute__((vector_size(2 * sizeof(double))));
-    pair_of_bits above = {0, 0};
+    thud_vec2_bits above = {0, 0};
     for (int i = 0; i < n; i += 2)
-        above |= thud_double_pair_abs(thud_double_pair_at(x + i)) > thud_double_pair_at(bound + i);
-    return above[0] | above[1];
+        above |= (thud_vec2_bits)(thud_vec2_abs(thud_vec2_at(x + i)) > thud_vec2_at(bound + i));
+    return thud_vec2_any(above);
 }
 
 /* The floors' peaks. */
@@ -107,16 +105,16 @@ static struct thud_end_sizes sizes_of(const struct thud_model *m, const struct t
 {
     const double *q = x->q + p->first_mode, *qd = x->qd + p->first_mode, *qdd = x->qdd + p->first_mode;
     const double *spring = m->spring + p->first_mode, *gamma = m->gamma + p->first_mode;
-    thud_double_pair strain = {0, 0}, kinetic = {0, 0}, push = {0, 0};
+    thud_vec2 strain = {0, 0}, kinetic = {0, 0}, push = {0, 0};
     int j = 0;
     for (; j + 2 <= p->modes; j += 2) {
-        thud_double_pair u = thud_double_pair_at(q + j), v = thud_double_pair_at(qd + j),
-                         a = thud_double_pair_at(qdd + j) + thud_double_pair_at(gamma + j) * ground;
-        strain += thud_double_pair_at(spring + j) * (u * u);
+        thud_vec2 u = thud_vec2_at(q + j), v = thud_vec2_at(qd + j),
+                  a = thud_vec2_at(qdd + j) + thud_vec2_at(gamma + j) * ground;
+        strain += thud_vec2_at(spring + j) * (u * u);
         kinetic += v * v;
         push += a * a;
     }
-    struct thud_end_sizes sum = {strain[0] + strain[1], kinetic[0] + kinetic[1], push[0] + push[1], 0};
+    struct thud_end_sizes sum = {thud_vec2_sum(strain), thud_vec2_sum(kinetic), thud_vec2_sum(push), 0};
     if (j < p->modes) {
         double a = qdd[j] + gamma[j] * ground;
         sum.strain += spring[j] * (q[j] * q[j]);

@@ -3,8 +3,8 @@
 #include <math.h>
 
 #include "core/motion/free_vibration.h"
-#include "core/numerics/double_pair.h"
 #include "core/numerics/poly.h"
+#include "core/numerics/vec.h"
 #include "core/observe/rest.h"
 
 enum { ENDS = THUD_FREE_VIBRATION_ENDS };

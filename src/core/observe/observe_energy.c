@@ -5,7 +5,7 @@
 
 #include "core/contact/storey.h"
 #include "core/motion/free_vibration.h"
-#include "core/numerics/double_pair.h"
+#include "core/numerics/vec.h"
 #include "core/observe/contact_work.h"
 
 enum { LOOKS_APART = 64 }; /* segments and blocks between two looks at the balance */
@@ -27,20 +27,19 @@ static double coupled_power(const struct thud_model *m, const double *rate)
 
 /* Power of the damping, and the ground's per unit of its acceleration, at the points of a quadrature. */
 struct powers {
-    thud_double_pair loss[THUD_LOBATTO_INNER], drive[THUD_LOBATTO_INNER]; /* two parts of each */
+    thud_vec2 loss[THUD_LOBATTO_INNER], drive[THUD_LOBATTO_INNER]; /* two parts of each */
 };
 
 /* Adds those of two modes, or one, in units of the segment's length. */
 static inline void add_modes(const struct thud_model *m, const struct thud_segment *seg, int j, bool single,
                              const struct thud_rate_powers *power, const int points, double *rates, struct powers *sum)
 {
-    const thud_double_pair dashpot = thud_double_pair_some(m->dashpot + j, single),
-                           gamma = thud_double_pair_some(m->gamma + j, single);
+    const thud_vec2 dashpot = thud_vec2_some(m->dashpot + j, single), gamma = thud_vec2_some(m->gamma + j, single);
     const int n = m->nmodes, terms = seg->terms;
     const double *q = seg->q + n + j;
-    thud_double_pair rate[THUD_LOBATTO_INNER] = {0};
+    thud_vec2 rate[THUD_LOBATTO_INNER] = {0};
     for (int k = 1; k < terms; k++, q += n) {
-        const thud_double_pair x = thud_double_pair_some(q, single);
+        const thud_vec2 x = thud_vec2_some(q, single);
         for (int i = 0; i < points; i++)
             rate[i] += x * power->order[k][i];
     }
@@ -48,7 +47,7 @@ static inline void add_modes(const struct thud_model *m, const struct thud_segme
         sum->loss[i] += dashpot * rate[i] * rate[i];
         sum->drive[i] += gamma * rate[i];
         if (m->couples)
-            thud_double_pair_put(rate[i], rates + i * n + j, single);
+            thud_vec2_put_some(rate[i], rates + i * n + j, single);
     }
 }
 
@@ -201,16 +200,16 @@ static int rule_for(const struct thud_ledger *l, const struct thud_observation *
 static void end_works(const struct thud_model *m, const struct thud_motion *a, const struct thud_motion *b,
                       double *drive, double *viscous)
 {
-    thud_double_pair by_ground = {0, 0}, by_rate = {0, 0};
+    thud_vec2 by_ground = {0, 0}, by_rate = {0, 0};
     int j = 0;
     for (; j + 2 <= m->nmodes; j += 2) {
-        thud_double_pair way = thud_double_pair_at(b->q + j) - thud_double_pair_at(a->q + j);
-        thud_double_pair rates = thud_double_pair_at(a->qd + j) + thud_double_pair_at(b->qd + j);
-        by_ground += thud_double_pair_at(m->gamma + j) * way;
-        by_rate += thud_double_pair_at(m->dashpot + j) * rates * way;
+        thud_vec2 way = thud_vec2_at(b->q + j) - thud_vec2_at(a->q + j);
+        thud_vec2 rates = thud_vec2_at(a->qd + j) + thud_vec2_at(b->qd + j);
+        by_ground += thud_vec2_at(m->gamma + j) * way;
+        by_rate += thud_vec2_at(m->dashpot + j) * rates * way;
     }
-    *drive = -(by_ground[0] + by_ground[1]);
-    *viscous = 0.5 * (by_rate[0] + by_rate[1]);
+    *drive = -(thud_vec2_sum(by_ground));
+    *viscous = 0.5 * (thud_vec2_sum(by_rate));
     if (j == m->nmodes)
         return;
     *drive -= m->gamma[j] * (b->q[j] - a->q[j]);
@@ -376,7 +375,7 @@ enum thud_status thud_ledger_init(struct thud_ledger *ledger, const struct thud_
         for (int i = 0; i < thud_lobatto[rule].inner; i++) {
             double x = 1;
             for (int k = 1; k < THUD_SEGMENT_TERMS; k++, x *= thud_lobatto[rule].node[i])
-                power[rule].order[k][i] = (thud_aligned_pair){k * x, k * x};
+                power[rule].order[k][i] = (thud_vec2_aligned){k * x, k * x};
         }
     return THUD_OK;
 }

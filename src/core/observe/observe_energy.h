@@ -4,13 +4,13 @@
 #define THUD_CORE_OBSERVE_ENERGY_H
 
 #include "core/contact/contact_log.h"
-#include "core/numerics/double_pair.h"
 #include "core/numerics/quadrature.h"
+#include "core/numerics/vec.h"
 #include "core/observe/observer.h"
 
 /* k x^(k - 1) at the inner points of a quadrature, twice each, by order. */
 struct thud_rate_powers {
-    thud_aligned_pair order[THUD_SEGMENT_TERMS][THUD_LOBATTO_INNER];
+    thud_vec2_aligned order[THUD_SEGMENT_TERMS][THUD_LOBATTO_INNER];
 };
 
 struct thud_ledger {

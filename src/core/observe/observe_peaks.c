@@ -6,9 +6,9 @@
 
 #include "base/largest.h"
 #include "core/motion/free_vibration.h"
-#include "core/numerics/double_pair.h"
 #include "core/numerics/poly.h"
 #include "core/numerics/tolerance.h"
+#include "core/numerics/vec.h"
 #include "core/observe/rest.h"
 
 /* What a structure's energy lets its floors come to at most: where that is below the peaks so far, no floor needs to be
@@ -163,13 +163,13 @@ static void floor_polynomial(const struct thud_model_structure *p, int floor, co
     const double *row = p->phi + floor * p->modes, *x = modal + p->first_mode;
     int k = 0;
     for (; k + N <= terms; k += N, x += N * nmodes) {
-        thud_double_pair sum[N] = {0};
+        thud_vec2 sum[N] = {0};
         int j = 0;
         for (; j + 2 <= p->modes; j += 2)
             for (int i = 0; i < N; i++)
-                sum[i] += thud_double_pair_at(row + j) * thud_double_pair_at(x + i * nmodes + j);
+                sum[i] += thud_vec2_at(row + j) * thud_vec2_at(x + i * nmodes + j);
         for (int i = 0; i < N; i++)
-            out[k + i] = sum[i][0] + sum[i][1] + (j < p->modes ? row[j] * x[i * nmodes + j] : 0);
+            out[k + i] = thud_vec2_sum(sum[i]) + (j < p->modes ? row[j] * x[i * nmodes + j] : 0);
     }
     for (; k < terms; k++, x += nmodes)
         out[k] = thud_dot(p->modes, row, x);
@@ -417,13 +417,13 @@ static void floor_values(struct thud_peaks *peaks, const struct thud_observation
     const double *from[FLOOR_ROWS] = {o->state->q + at, o->state->qd + at, peaks->modal + MODE_START * stride,
                                       o->q + at,        o->qd + at,        peaks->modal + MODE_END * stride};
     for (int i = 0; i < p->n; i += 2) {
-        thud_double_pair sum[FLOOR_ROWS] = {0};
+        thud_vec2 sum[FLOOR_ROWS] = {0};
         const double *shape = peaks->shape + at * stride + i;
         for (int j = 0; j < p->modes; j++, shape += stride)
             for (int x = 0; x < FLOOR_ROWS; x++)
-                sum[x] += from[x][j] * thud_double_pair_at(shape);
+                sum[x] += from[x][j] * thud_vec2_at(shape);
         for (int x = 0; x < FLOOR_ROWS; x++)
-            *(thud_double_pair *)(peaks->value + x * stride + i) = sum[x];
+            thud_vec2_put(sum[x], peaks->value + x * stride + i);
     }
 }
 
@@ -571,10 +571,10 @@ static void reach_of_floors(const struct thud_peaks *peaks, const struct thud_mo
     const double *shape = peaks->shape + ((drift ? m->nmodes : 0) + p->first_mode) * stride,
                  *modes = peaks->modal + (drift ? THUD_FLOOR_DISPLACEMENT : quantity) * stride;
     for (int i = 0; i < p->n; i += 2) {
-        thud_double_pair sum = {0};
+        thud_vec2 sum = {0};
         for (int j = 0; j < p->modes; j++)
-            sum += modes[j] * thud_double_pair_abs(thud_double_pair_at(shape + j * stride + i));
-        *(thud_double_pair *)(out + i) = sum;
+            sum += modes[j] * thud_vec2_abs(thud_vec2_at(shape + j * stride + i));
+        thud_vec2_put(sum, out + i);
     }
 }
 

@@ -5,8 +5,8 @@
 #include <string.h>
 
 #include "core/motion/free_vibration.h"
-#include "core/numerics/double_pair.h"
 #include "core/numerics/poly.h"
+#include "core/numerics/vec.h"
 
 enum { ENDS = THUD_FREE_VIBRATION_ENDS, BLOCK = THUD_FREE_VIBRATION_BLOCK };
 

@@ -2,7 +2,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "core/numerics/double_pair.h"
+#include "core/numerics/vec.h"
 #include "core/run/run_private.h"
 
 enum thud_status thud_run_check_options(const struct thud_run_options *o, const struct thud_record *record,

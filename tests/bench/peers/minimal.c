@@ -22,7 +22,7 @@
 #include <string.h>
 
 #include "../scene.h"
-#include "core/numerics/double_pair.h"
+#include "core/numerics/vec.h"
 
 enum { MODES = 64, CONTACTS = 16, SHAPES = MODES * (MODES + 4) };
 enum mode { OPEN, APPROACH, RESTITUTION, STICKING };
@@ -68,13 +68,13 @@ static inline void sum_columns(int rows, int n, const double *column, int stride
 {
     for (int i = 0; i < rows; i += 4) {
         const double *a = column + i;
-        thud_double_pair low = {start, start}, high = low;
+        thud_vec2 low = {start, start}, high = low;
         for (int j = 0; j < n; j++, a += stride) {
-            low += thud_double_pair_at(a) * x[j];
-            high += thud_double_pair_at(a + 2) * x[j];
+            low += thud_vec2_at(a) * x[j];
+            high += thud_vec2_at(a + 2) * x[j];
         }
-        thud_double_pair_put(low, out + i, false);
-        thud_double_pair_put(high, out + i + 2, false);
+        thud_vec2_put(low, out + i);
+        thud_vec2_put(high, out + i + 2);
     }
 }
 

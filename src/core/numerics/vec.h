@@ -1,0 +1,130 @@
+/* All vector code of the core: pairs of numbers (vec2) that every processor of the kind works on at once, and batches of
+ * eight. Left to themselves, compilers may not change the order of a sum, and spend more on shuffling short rows than on
+ * summing them. + - * / < > work on vec2 by element; the rest is here. */
+#ifndef THUD_CORE_VEC_H
+#define THUD_CORE_VEC_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+typedef double thud_vec2 __attribute__((vector_size(2 * sizeof(double)), aligned(sizeof(double)), may_alias));
+/* The same where they stand at a multiple of their size: as an operand they need not be loaded first. */
+typedef double thud_vec2_aligned __attribute__((vector_size(2 * sizeof(double)), may_alias));
+/* Its bits; also of a comparison, all 1 where it holds. */
+typedef unsigned long long thud_vec2_bits __attribute__((vector_size(sizeof(thud_vec2)), may_alias));
+
+static inline thud_vec2 thud_vec2_set(double first, double second)
+{
+    return (thud_vec2){first, second};
+}
+
+static inline thud_vec2 thud_vec2_at(const double *x)
+{
+    return *(const thud_vec2 *)x;
+}
+
+static inline void thud_vec2_put(thud_vec2 x, double *out)
+{
+    *(thud_vec2 *)out = x;
+}
+
+/* Only the first of the two where `single`: the end of a row whose length is odd. */
+static inline thud_vec2 thud_vec2_some(const double *x, bool single)
+{
+    return single ? thud_vec2_set(*x, 0) : thud_vec2_at(x);
+}
+
+static inline void thud_vec2_put_some(thud_vec2 x, double *out, bool single)
+{
+    if (single)
+        *out = x[0];
+    else
+        thud_vec2_put(x, out);
+}
+
+static inline thud_vec2 thud_vec2_abs(thud_vec2 x)
+{
+    return (thud_vec2)((thud_vec2_bits)x & (thud_vec2_bits){INT64_MAX, INT64_MAX}); /* all but the sign */
+}
+
+static inline double thud_vec2_sum(thud_vec2 x)
+{
+    return x[0] + x[1];
+}
+
+static inline bool thud_vec2_any(thud_vec2_bits where)
+{
+    return (where[0] | where[1]) != 0;
+}
+
+/* x where the bits are 1, else 0; or else `otherwise`. */
+static inline thud_vec2 thud_vec2_only(thud_vec2_bits where, thud_vec2 x)
+{
+    return (thud_vec2)((thud_vec2_bits)x & where);
+}
+
+static inline thud_vec2 thud_vec2_choose(thud_vec2_bits where, thud_vec2 x, thud_vec2 otherwise)
+{
+    return (thud_vec2)(((thud_vec2_bits)x & where) | ((thud_vec2_bits)otherwise & ~where));
+}
+
+/* a[0] b[0] + ... + a[n - 1] b[n - 1] */
+static inline double thud_dot(int n, const double *a, const double *b)
+{
+    thud_vec2 even = {0, 0}, odd = {0, 0};
+    int j = 0;
+    for (; j + 4 <= n; j += 4) {
+        even += thud_vec2_at(a + j) * thud_vec2_at(b + j);
+        odd += thud_vec2_at(a + j + 2) * thud_vec2_at(b + j + 2);
+    }
+    if (j + 2 <= n) {
+        even += thud_vec2_at(a + j) * thud_vec2_at(b + j);
+        j += 2;
+    }
+    double sum = thud_vec2_sum(even + odd);
+    return j < n ? sum + a[j] * b[j] : sum;
+}
+
+/* Sum of w q^2 + v^2: twice the energy of n modes with w = omega^2. */
+static inline double thud_energy_sum(int n, const double *w, const double *q, const double *v)
+{
+    thud_vec2 strain = {0, 0}, kinetic = {0, 0};
+    int j = 0;
+    for (; j + 2 <= n; j += 2) {
+        thud_vec2 x = thud_vec2_at(q + j), y = thud_vec2_at(v + j);
+        strain += thud_vec2_at(w + j) * (x * x);
+        kinetic += y * y;
+    }
+    double sum = thud_vec2_sum(strain + kinetic);
+    return j < n ? sum + (w[j] * (q[j] * q[j]) + v[j] * v[j]) : sum;
+}
+
+/* A batch: values at all nodes of a step. */
+enum { THUD_BATCH = 8 };
+
+struct thud_batch {
+    thud_vec2 pair[THUD_BATCH / 2];
+};
+
+static inline struct thud_batch thud_batch_at(const double *x)
+{
+    struct thud_batch batch;
+    for (int i = 0; i < THUD_BATCH / 2; i++)
+        batch.pair[i] = thud_vec2_at(x + 2 * i);
+    return batch;
+}
+
+static inline void thud_batch_put(const struct thud_batch *batch, double *x)
+{
+    for (int i = 0; i < THUD_BATCH / 2; i++)
+        thud_vec2_put(batch->pair[i], x + 2 * i);
+}
+
+/* sum += factor x */
+static inline void thud_batch_add(struct thud_batch *sum, double factor, const double *x)
+{
+    for (int i = 0; i < THUD_BATCH / 2; i++)
+        sum->pair[i] += factor * thud_vec2_at(x + 2 * i);
+}
+
+#endif
