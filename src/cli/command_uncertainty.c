@@ -12,6 +12,7 @@
 #include "cli/interrupt.h"
 #include "cli/picture_options.h"
 #include "cli/progress.h"
+#include "cli/records_option.h"
 #include "cli/scene_options.h"
 #include "cli/study_file.h"
 #include "io/file/file.h"
@@ -41,21 +42,29 @@ static bool is_drawn(const struct thud_uncertainty *u, int q)
 static void add_tornado(struct thud_panel *panel, const struct thud_uncertainty_study *study, int q)
 {
     const struct thud_uncertainty *u = study->uncertainty;
-    double nominal = thud_uncertainty_value(study, 0, q), x[2][3 * THUD_INPUTS], y[3 * THUD_INPUTS];
-    for (int i = 0; i < u->ninputs; i++) {
-        thud_panel_tick(panel, THUD_Y, i + 1, thud_input_info(u->input[i])->name);
-        for (int end = 0; end < 2; end++) {
-            x[end][3 * i] = nominal;
-            x[end][3 * i + 1] = thud_uncertainty_value(study, (size_t)(1 + 2 * i + end), q);
-            x[end][3 * i + 2] = NAN;
-        }
-        y[3 * i] = y[3 * i + 1] = y[3 * i + 2] = i + 1;
+    const struct thud_uncertainty_told *t = &study->told[q];
+    size_t n = (size_t)u->ninputs;
+    double *x = malloc(6 * n * sizeof *x), *y = x ? x + 3 * n : NULL;
+    if (!x) {
+        if (panel)
+            panel->figure->failed = true;
+        return;
     }
-    thud_panel_limits(panel, THUD_Y, 0.5, u->ninputs + 0.5);
-    thud_panel_mark(panel, THUD_X, nominal, nominal, "");
-    for (int end = 0; end < 2; end++)
+    for (size_t i = 0; i < n; i++)
+        thud_panel_tick(panel, THUD_Y, (double)i + 1, u->input[i].name);
+    thud_panel_limits(panel, THUD_Y, 0.5, (double)n + 0.5);
+    thud_panel_mark(panel, THUD_X, t->nominal, t->nominal, "");
+    for (int end = 0; end < 2; end++) {
+        for (size_t i = 0; i < n; i++) {
+            x[3 * i] = t->nominal;
+            x[3 * i + 1] = t->of[end ? THUD_INPUT_MOST : THUD_INPUT_LEAST][i];
+            x[3 * i + 2] = NAN;
+            y[3 * i] = y[3 * i + 1] = y[3 * i + 2] = (double)i + 1;
+        }
         thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES_POINTS, .color = end, .wide = true},
-                       end ? "input at its most" : "input at its least", 3 * (size_t)u->ninputs, x[end], y);
+                       end ? "input at its most" : "input at its least", 3 * n, x, y);
+    }
+    free(x);
 }
 
 /* The scene, and what is drawn of it. */
@@ -135,17 +144,17 @@ static enum thud_status save(const struct thud_args *args, const struct thud_unc
     const char *folder = thud_args_value(args, "o");
     struct thud_text text = {0};
     enum thud_status status = thud_made_by_begin(by, err);
-    if (status == THUD_OK)
-        status = thud_uncertainty_csv(study, &text, err);
-    if (status == THUD_OK)
-        status = thud_text_write_in(&text, folder, "uncertainty.csv", err);
-    if (status == THUD_OK)
-        status = thud_uncertainty_json(study, &text, err);
-    if (status == THUD_OK)
-        status = thud_text_write_in(&text, folder, "uncertainty.json", err);
-    if (status == THUD_OK) {
-        thud_uncertainty_samples_csv(study, &text);
-        status = thud_text_write_in(&text, folder, "samples.csv", err);
+    static const struct {
+        const char *name;
+        void (*put)(const struct thud_uncertainty_study *study, struct thud_text *out);
+    } file[] = {{"uncertainty.csv", thud_uncertainty_csv},
+                {"uncertainty.json", thud_uncertainty_json},
+                {"samples.csv", thud_uncertainty_samples_csv},
+                {"indices.csv", thud_uncertainty_indices_csv}};
+    bool indices = study->indices && study->samples > 0;
+    for (size_t i = 0; i < sizeof file / sizeof *file - !indices && status == THUD_OK; i++) {
+        file[i].put(study, &text);
+        status = thud_text_write_in(&text, folder, file[i].name, err);
     }
     thud_text_clear(&text);
     picture->options.cancel = study->cancel;
@@ -179,11 +188,13 @@ static enum thud_status print(const struct thud_args *args, const struct thud_un
                               struct thud_error *err)
 {
     struct thud_text text = {0};
-    enum thud_status status = thud_args_has(args, "json")  ? thud_uncertainty_json(study, &text, err)
-                              : thud_args_has(args, "csv") ? thud_uncertainty_csv(study, &text, err)
-                                                           : thud_uncertainty_table(study, &text, err);
-    if (status == THUD_OK)
-        status = thud_cli_print(&text, err);
+    if (thud_args_has(args, "json"))
+        thud_uncertainty_json(study, &text);
+    else if (thud_args_has(args, "csv"))
+        thud_uncertainty_csv(study, &text);
+    else
+        thud_uncertainty_table(study, &text);
+    enum thud_status status = thud_cli_print(&text, err);
     thud_text_clear(&text);
     return status;
 }
@@ -203,17 +214,24 @@ static enum thud_status uncertainty(const struct thud_args *args, struct thud_se
         status = thud_scene_options_case(args, &which, err);
     if (status == THUD_OK)
         status = read_options(args, &study, &inputs, err);
+    struct thud_record_list records = {0};
     if (status == THUD_OK)
         status = thud_session_read_record(session, err);
+    if (status == THUD_OK && (thud_args_value(args, "records") || thud_args_has(args, "signs")))
+        status = thud_records_option_read(args, session, &records, err);
     if (status == THUD_OK && thud_args_has(args, "o")) {
         static const char *const asked[] = {"case", "uncertain", "sampling", "seed", NULL};
-        status = thud_made_by_scene(args, "uncertainty", scene, (const struct thud_record *const *)&session->record, 1,
-                                    asked, &by, err);
+        bool suite = records.n > 0;
+        status = thud_made_by_scene(args, "uncertainty", scene,
+                                    suite ? (const struct thud_record *const *)records.record
+                                          : (const struct thud_record *const *)&session->record,
+                                    suite ? records.n : 1, asked, &by, err);
         if (status == THUD_OK)
             status = thud_made_by_check(&by, err);
     }
     if (status == THUD_OK)
-        status = thud_uncertainty_create(scene, session->record, which, &inputs, &u, err);
+        status = thud_uncertainty_create(scene, session->record, (const struct thud_record *const *)records.record,
+                                         records.n, which, &inputs, &u, err);
     study.uncertainty = u;
     if (status == THUD_OK)
         status = thud_uncertainty_study_run(&study, err);
@@ -225,6 +243,7 @@ static enum thud_status uncertainty(const struct thud_args *args, struct thud_se
         status = print(args, &study, drawn == THUD_OK ? err : NULL);
     thud_uncertainty_study_clear(&study);
     thud_uncertainty_free(u);
+    thud_record_list_clear(&records);
     return status == THUD_OK ? drawn : status;
 }
 

@@ -27,7 +27,7 @@ json() {
 # general names of columns and keys: those of inputs, varied keys, cases and quantities
 general() {
     sed -E 's/^(record[.]peak|bumper[.]thickness(_m)?)$/KEY/; s/^(force_n|acceleration_mps2|drift_m|drift_angle|acceleration_ratio|drift_ratio|ductility|permanent_m|shear_over_capacity)_(p16|median|p84)$/MEASURE_\2/
-        s/^(gap|stiffness|damping|contact-stiffness|restitution|bumper-stiffness)(_least|_most|_first|_total)?$/INPUT\2/
+        s/^(gap|stiffness.[AB]|damping.[AB]|contact-stiffness|restitution|bumper-stiffness|ground-motion)(_least|_most|_first|_total|_first_low|_first_high|_total_low|_total_high)?$/INPUT\2/
         s/^(theta|theta_low|theta_high|median_above|median_below)_mps2$/\1UNIT/
         s/^(none|bumper)[.].*/QUANTITY/' "$1" | sort -u >"$tmp/written"
 }
@@ -90,7 +90,7 @@ done
 two=kobe-surrogate.csv,northridge-surrogate.csv
 "$THUD" fragility towers --records $two --vary record.peak=0.2g:0.6g:0.2g --to 6s --samples 5 --quiet -o "$tmp/fragility" >/dev/null 2>&1
 "$THUD" gap towers --records $two --to 6s --quiet -o "$tmp/gap" >/dev/null 2>&1
-"$THUD" uncertainty towers --to 6s --samples 3 --indices --quiet -o "$tmp/uncertainty" >/dev/null 2>&1
+"$THUD" uncertainty towers --records $two --to 6s --samples 3 --indices --quiet -o "$tmp/uncertainty" >/dev/null 2>&1
 "$THUD" bench rigid-concrete --cost impacts --patience 0.01s --quiet -o "$tmp/cost" >/dev/null 2>&1
 "$THUD" figures fig8 -o "$tmp/figures" --quiet >/dev/null 2>&1
 "$THUD" verify --published --json >"$tmp/published.json" 2>/dev/null
@@ -102,6 +102,7 @@ csv "gap --csv" "$tmp/gap/needed-gaps.csv"
 json "gap --json" "$tmp/gap/needed-gaps.json"
 general_csv uncertainty.csv "$tmp/uncertainty/uncertainty.csv"
 general_csv samples.csv "$tmp/uncertainty/samples.csv"
+general_csv indices.csv "$tmp/uncertainty/indices.csv"
 general_json uncertainty.json "$tmp/uncertainty/uncertainty.json"
 columns "$tmp/cost/cost-impacts.csv" >"$tmp/written" # whose axis is a column besides
 echo AXIS >>"$tmp/written"

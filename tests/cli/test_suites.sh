@@ -234,14 +234,45 @@ is "a sentence with shares" shows "^The bumper lowers the mean acceleration of A
 for figure in tornado sampled-ratios; do is "$figure is a picture" is_png "$tmp/sure/$figure.png"; done
 one() { "$THUD" uncertainty towers --set gap=12cm --samples 12 --indices -j 1 --csv --quiet | cmp - "$tmp/sure/uncertainty.csv"; }
 is "the same bytes with one thread" one
-strata() { awk -F, 'NR > 1 { if (NR <= 13) for (i = 1; i <= 6; i++) hit[i, int($i * 12)]++; rows++ } END { n = 0; for (k in hit) n++; exit !(rows == 24 && n == 72) }' "$tmp/sure/samples.csv"; }
+strata() { awk -F, 'NR > 1 { if (NR <= 13) for (i = 1; i <= 8; i++) hit[i, int($i * 12)]++; rows++ } END { n = 0; for (k in hit) n++; exit !(rows == 24 && n == 96) }' "$tmp/sure/samples.csv"; }
 is "samples.csv: every stratum once" strata
 # a second way: an input alone at its most is a run with that value
 alone() { "$THUD" run towers --case none --set gap=12cm --set contact.stiffness="5000 kN/mm" --json | grep '"contacts"' -A 12 | tr ',' '\n' | awk '/"force_n"/ { if ($2 + 0 > m) m = $2 + 0 } END { printf "%.6e", m }'; }
 told() { awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "contact-stiffness_most") c = i } $1 == "none.force_n" { printf "%.6e", $c }' "$tmp/sure/uncertainty.csv"; }
 is "an input at its most is a run with it" test "$(alone)" = "$(told)"
+# a third way: the indices from the runs they rest on, by their formulas
+computed() { awk -F, -v q="none.force_n" 'FNR == NR { if (FNR == 1) for (i = 1; i <= NF; i++) h[$i] = i; else if ($1 == q) for (k in h) told[k] = $h[k]; next }
+    FNR == 1 { for (i = 1; i <= NF; i++) if ($i == q) c = i; next }
+    { f[$1, $2, $3] = $c; if ($1 == "A") n++; if ($1 == "AB") input[$2] = 1 }
+    END { for (r = 1; r <= n; r++) m += (f["A", "", r] + f["B", "", r]) / (2 * n)
+        for (r = 1; r <= n; r++) v += ((f["A", "", r] - m) ^ 2 + (f["B", "", r] - m) ^ 2) / (2 * n)
+        for (i in input) { s = t = 0; inputs++
+            for (r = 1; r <= n; r++) { d = f["AB", i, r] - f["A", "", r]; s += (f["B", "", r] - m) * d / n; t += d * d / (2 * n) }
+            if ((s / v - told[i "_first"]) ^ 2 > 1e-16 || (t / v - told[i "_total"]) ^ 2 > 1e-16 || !(told[i "_first_low"] <= told[i "_first_high"])) bad = 1 }
+        exit bad || inputs != 8 || n != 12 }' "$tmp/sure/uncertainty.csv" "$tmp/sure/indices.csv"; }
+is "indices.csv: anybody can compute them again" computed
+is "with their intervals" shows "gap  *-*[0-9.]* (-*[0-9.]* to -*[0-9.]*)  *-*[0-9.]* ("
+# two equal towers never touch when both are stiffer or softer, and do when each is on its own
+sed '/^interfaces:/,$d' presets/towers.yaml | sed 's/storeys: 6/storeys: 4/; s/320 t, 320 t, 320 t, 320 t, 320 t, 250 t/320 t, 320 t, 320 t, 250 t/' >"$tmp/equal.yaml"
+printf 'interfaces:\n  - gap: 3.5 cm\n    contact:\n      law: kelvin-voigt-no-tension\n      stiffness: 2500 kN/mm\n      restitution: 0.6\n' >>"$tmp/equal.yaml"
+"$THUD" uncertainty "$tmp/equal.yaml" --samples 100 --uncertain damping=0 --uncertain stiffness=0 --uncertain stiffness.common=10% --quiet >"$tmp/out" 2>"$tmp/err"
+is "equal towers with what they share never touch" shows "something touches in 0 % of 100 samples"
+"$THUD" uncertainty "$tmp/equal.yaml" --samples 100 --uncertain damping=0 --quiet >"$tmp/out" 2>"$tmp/err"
+apart() { awk '/something touches in/ { share = $5 } END { exit !(share >= 15 && share <= 40) }' "$tmp/out"; }
+is "drawn apart they touch in about a quarter" apart
+# ground motions drawn too: the variance between them, by an analysis of variance of the samples
+is "with a suite each sample draws its motion" gives 0 uncertainty towers --records "$three" --samples 30 -o "$tmp/drawn" --quiet
+anova() { awk -F, -v q="none.B.acceleration_mps2" 'FNR == NR { if (FNR == 1) for (i = 1; i <= NF; i++) h[$i] = i; else if ($1 == q) told = $h["between_motions_share"]; next }
+    FNR == 1 { for (i = 1; i <= NF; i++) { if ($i == q) c = i; if ($i == "ground-motion") g = i } next }
+    { x[++n] = $c; of[n] = $g; sum[$g] += $c; k[$g]++; all += $c }
+    END { for (m in sum) { groups++; ssb += k[m] * (sum[m] / k[m] - all / n) ^ 2; e += k[m] ^ 2 / n }
+        for (i = 1; i <= n; i++) ssw += (x[i] - sum[of[i]] / k[of[i]]) ^ 2
+        w = ssw / (n - groups); b = (ssb / (groups - 1) - w) / ((n - e) / (groups - 1)); exit !(groups == 3 && n == 30 && told > 0 && told < 1 && (told - b / (b + w)) ^ 2 < 1e-16) }' "$tmp/drawn/uncertainty.csv" "$tmp/drawn/samples.csv"; }
+is "between them and within" anova
+is "a building that is not there" gives 3 uncertainty towers --uncertain stiffness.C=5%
+is "is named" says '"stiffness.C" is nothing that this scene has'
 is "Sobol's sequence" gives 0 uncertainty towers --set gap=12cm --samples 16 --sampling sobol -j 2 -o "$tmp/sobol" --quiet
-sixteenths() { awk -F, 'NR > 1 { for (i = 1; i <= 6; i++) hit[i, int($i * 16)]++; rows++ } END { n = 0; for (k in hit) n++; exit !(rows == 16 && n == 96) }' "$tmp/sobol/samples.csv"; }
+sixteenths() { awk -F, 'NR > 1 { for (i = 1; i <= 8; i++) hit[i, int($i * 16)]++; rows++ } END { n = 0; for (k in hit) n++; exit !(rows == 16 && n == 128) }' "$tmp/sobol/samples.csv"; }
 is "fills every sixteenth once" sixteenths
 is "another way of sampling is wrong usage" gives 2 uncertainty towers --sampling dice
 is "nothing uncertain is refused" gives 3 uncertainty rigid-concrete --uncertain gap=0 --uncertain stiffness=0 --uncertain damping=0 --uncertain contact-stiffness=1 --uncertain restitution=0

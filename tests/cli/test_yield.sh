@@ -76,9 +76,9 @@ is "yield and hardening are uncertain" gives 0 uncertainty towers-yielding --set
 cp "$tmp/out" "$tmp/sure"
 most() { awk -F, -v q="$1" -v want="$2" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == want) c = i } $1 == q { printf "%.9g", $c }' "$tmp/sure"; }
 largest() { awk -F, -v want="$1" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == want) c = i; next } $1 == "A" { v = $c < 0 ? -$c : $c; if (v > m) m = v } END { printf "%.9g", m }' "$tmp/run"; }
-for pair in "yield_most structures.%d.yield=16.5mm" "yield_least structures.%d.yield=13.5mm" "hardening_most structures.%d.hardening=7%%" "hardening_least structures.%d.hardening=3%%"; do
+for pair in "yield.A_most structures.%d.yield=16.5mm" "yield.A_least structures.%d.yield=13.5mm" "hardening.A_most structures.%d.hardening=7%%" "hardening.A_least structures.%d.hardening=3%%"; do
     # shellcheck disable=SC2046,SC2059,SC2086 # a format; several words
-    "$THUD" run towers-yielding --set gap=6cm --to 9s --case none --csv --quiet $(printf -- "--set ${pair#* } " 1 2) >"$tmp/run" 2>/dev/null
+    "$THUD" run towers-yielding --set gap=6cm --to 9s --case none --csv --quiet $(printf -- "--set ${pair#* } " 1) >"$tmp/run" 2>/dev/null
     for key in ductility permanent_m; do
         is "${pair%% *}: $key of the run" [ "$(most "none.A.$key" "${pair%% *}")" = "$(largest $key)" ]
     done

@@ -28,12 +28,13 @@ START_TEST(without_contact_only_the_motion_counts)
     struct thud_answer answer;
     struct thud_sensitivity *s = measured(5, &answer, record);
     ck_assert_int_eq(s->nfloors, 10);
-    ck_assert_int_eq(s->runs, 7);
+    ck_assert_int_eq(s->runs, 9);
     for (int i = 0; i < s->nfloors; i++)
         for (int q = 0; q < THUD_FLOOR_SPREADS; q++) {
             ck_assert(s->floor[i][q].by[THUD_CHANGE_GAP] == 0);
             ck_assert_double_eq_tol(s->floor[i][q].by[THUD_CHANGE_SCALE], change, 1e-9);
-            ck_assert(s->floor[i][q].by[THUD_CHANGE_STIFFNESS] > 0);
+            ck_assert((s->floor[i][q].by[THUD_CHANGE_STIFFNESS_ODD] > 0) == (i < 4)); /* of the own building */
+            ck_assert((s->floor[i][q].by[THUD_CHANGE_STIFFNESS_EVEN] > 0) == (i >= 4));
         }
     for (int c = 0; c < s->ncontacts; c++)
         ck_assert(thud_spread_most(&s->contact[c][0]) == 0);
@@ -79,6 +80,28 @@ START_TEST(gap_and_motion_trade_against_each_other)
 }
 END_TEST
 
+/* Equal buildings do not touch, however stiff both are; they do when one is a little stiffer than the other. */
+START_TEST(one_building_against_its_neighbour)
+{
+    static struct thud_scene scene;
+    struct thud_record *record = thud_test_motion(1);
+    struct thud_answer answer;
+    struct thud_sensitivity *s = NULL;
+    thud_test_towers(&scene);
+    scene.structure[1] = scene.structure[0];
+    scene.interface[0].has_bumper = false;
+    scene.interface[0].gap_m = 1e-4;
+    ck_assert_int_eq(thud_scene_answer(&scene, record, NULL, &answer, NULL), THUD_OK);
+    ck_assert_int_eq(thud_sensitivity_run(&scene, record, change, thud_run_result(answer.run), &s, NULL), THUD_OK);
+    const struct thud_spread *top = &s->contact[s->ncontacts - 1][0];
+    ck_assert(top->by[THUD_CHANGE_STIFFNESS_ODD] == 1 && top->by[THUD_CHANGE_STIFFNESS_EVEN] == 1);
+    ck_assert(top->by[THUD_CHANGE_GAP] == 0 && top->by[THUD_CHANGE_SCALE] == 0);
+    thud_sensitivity_free(s);
+    thud_answer_clear(&answer);
+    thud_record_free(record);
+}
+END_TEST
+
 /* The change stays below one unit of the last digit that means anything, whatever the number, and no digit more could
  * be promised. */
 START_TEST(digits_outlast_the_change)
@@ -102,6 +125,7 @@ Suite *thud_suite(void)
     TCase *tcase = tcase_create("sensitivity");
     tcase_add_test(tcase, without_contact_only_the_motion_counts);
     tcase_add_test(tcase, gap_and_motion_trade_against_each_other);
+    tcase_add_test(tcase, one_building_against_its_neighbour);
     tcase_add_test(tcase, digits_outlast_the_change);
     suite_add_tcase(suite, tcase);
     return suite;

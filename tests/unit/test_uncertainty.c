@@ -32,9 +32,11 @@ static double additive(const double *u)
     return 1 * u[0] + 2 * u[1] + 3 * u[2];
 }
 
-static void indices(double (*f)(const double *), size_t n, double first[D], double total[D])
+/* `bounds`: low and high of the first-order indices and then the total ones, (2 x 2 x D); NULL: not wanted. */
+static void indices_of(double (*f)(const double *), size_t n, unsigned seed, double first[D], double total[D],
+                       double *bounds)
 {
-    struct thud_random random = {7};
+    struct thud_random random = {seed};
     double *u = malloc(2 * n * D * sizeof *u), *a = malloc((2 + D) * n * sizeof *a), *b = a + n, *ab = b + n;
     ck_assert_int_eq(thud_latin_hypercube(&random, n, D, u, &error), THUD_OK);
     ck_assert_int_eq(thud_latin_hypercube(&random, n, D, u + n * D, &error), THUD_OK);
@@ -48,9 +50,16 @@ static void indices(double (*f)(const double *), size_t n, double first[D], doub
             ab[(size_t)i * n + r] = f(mixed);
         }
     }
-    thud_sobol_indices(a, b, ab, n, D, first, total);
+    ck_assert_int_eq(thud_sobol_indices(a, b, ab, n, D, first, total, &error), THUD_OK);
+    if (bounds)
+        ck_assert_int_eq(thud_sobol_intervals(a, b, ab, n, D, &random, bounds, bounds + 2 * D, &error), THUD_OK);
     free(u);
     free(a);
+}
+
+static void indices(double (*f)(const double *), size_t n, double first[D], double total[D])
+{
+    indices_of(f, n, 7, first, total, NULL);
 }
 
 /* a = 7, b = 0.1: V1 = (1 + b pi^4/5)^2/2, V2 = a^2/8, V13 = b^2 pi^8 8/225. */
@@ -65,6 +74,31 @@ START_TEST(the_ishigami_function)
     ck_assert_double_eq_tol(total[0], (v1 + v13) / v, 0.02);
     ck_assert_double_eq_tol(total[1], v2 / v, 0.02);
     ck_assert_double_eq_tol(total[2], v13 / v, 0.02);
+}
+END_TEST
+
+/* Over several seeds the 95 % intervals cover the six indices nearly as often as they say, and shrink as 1/sqrt(n). */
+START_TEST(intervals_cover_what_is_known)
+{
+    enum { SEEDS = 12, ROWS = 256 };
+    double p4 = pow(pi, 4), v1 = 0.5 * pow(1 + 0.1 * p4 / 5, 2), v2 = 49 / 8.0, v13 = 0.01 * p4 * p4 * 8 / 225;
+    double v = v1 + v2 + v13, known[2 * D] = {v1 / v, v2 / v, 0, (v1 + v13) / v, v2 / v, v13 / v};
+    double first[D], total[D], bounds[4 * D], wide[4 * D];
+    int covered = 0;
+    for (unsigned seed = 1; seed <= SEEDS; seed++) {
+        indices_of(ishigami, ROWS, seed, first, total, bounds);
+        for (int i = 0; i < 2 * D; i++) {
+            covered += bounds[i] <= known[i] && known[i] <= bounds[2 * D + i];
+            double own = i < D ? first[i] : total[i - D];
+            ck_assert(bounds[i] <= own && own <= bounds[2 * D + i]);
+        }
+    }
+    ck_assert_msg(covered >= 0.9 * 2 * D * SEEDS, "%d of %d", covered, 2 * D * SEEDS);
+    indices_of(ishigami, ROWS / 16, 1, first, total, wide);
+    double ratio = 0;
+    for (int i = 0; i < 2 * D; i++)
+        ratio += (wide[2 * D + i] - wide[i]) / (bounds[2 * D + i] - bounds[i]) / (2 * D);
+    ck_assert_msg(ratio > 2 && ratio < 8, "%g", ratio); /* 4 */
 }
 END_TEST
 
@@ -85,7 +119,7 @@ END_TEST
 START_TEST(nothing_varies_and_missing_rows)
 {
     double a[] = {1, 1, NAN, 1}, b[] = {1, 1, 5, 1}, ab[] = {1, 1, 1, 1}, first, total;
-    thud_sobol_indices(a, b, ab, 4, 1, &first, &total);
+    ck_assert_int_eq(thud_sobol_indices(a, b, ab, 4, 1, &first, &total, &error), THUD_OK);
     ck_assert(isnan(first) && isnan(total));
 }
 END_TEST
@@ -182,43 +216,137 @@ START_TEST(inputs_by_name)
     ck_assert_int_eq(thud_inputs_set(&inputs, "gap=8 %", &error), THUD_OK);
     ck_assert_double_eq_tol(inputs.size[THUD_INPUT_GAP], 0.08, 1e-15);
     ck_assert_int_eq(thud_inputs_set(&inputs, "contact-stiffness=3", &error), THUD_OK);
-    const char *const wrong[] = {
-        "gap",           "gap=",          "gaps=5 %",       "gap=5 cm",   "gap=95 %",   "contact-stiffness=0.5",
-        "restitution=2", "elevation=5 %", "elevation=11 m", "yield=95 %", "hardening=2"};
+    const char *const wrong[] = {"gap",
+                                 "gap=",
+                                 "gaps=5 %",
+                                 "gap=5 cm",
+                                 "gap=95 %",
+                                 "contact-stiffness=0.5",
+                                 "restitution=2",
+                                 "elevation=5 %",
+                                 "elevation=11 m",
+                                 "yield=95 %",
+                                 "hardening=2",
+                                 "stiffness.=5 %",
+                                 "restitution.A=0.1",
+                                 "elevation.common=5 cm",
+                                 "ground-motion=2"};
     ck_assert_int_eq(thud_inputs_set(&inputs, "elevation=5 cm", &error), THUD_OK);
     ck_assert_double_eq_tol(inputs.size[THUD_INPUT_ELEVATION], 0.05, 1e-15);
+    ck_assert_int_eq(thud_inputs_set(&inputs, "stiffness.common=7 %", &error), THUD_OK);
+    ck_assert_double_eq_tol(inputs.common[THUD_INPUT_STIFFNESS], 0.07, 1e-15);
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
         ck_assert_msg(thud_inputs_set(&inputs, wrong[i], &error) == THUD_USAGE, "%s", wrong[i]);
 }
 END_TEST
 
+static double size_of(const struct thud_uncertainty *u, const char *name)
+{
+    for (int i = 0; i < u->ninputs; i++)
+        if (strcmp(u->input[i].name, name) == 0)
+            return u->input[i].size;
+    return 0;
+}
+
+/* Every building has its own, one may have another size, and all may share something besides. */
+START_TEST(inputs_of_each_building)
+{
+    struct thud_inputs inputs;
+    struct thud_uncertainty *u;
+    const char *const said[] = {"stiffness=15 %", "stiffness.B=5 %", "stiffness.common=12 %", "mass.1=3 %",
+                                "damping=0"};
+    thud_inputs_init(&inputs);
+    for (size_t i = 0; i < sizeof said / sizeof *said; i++)
+        ck_assert_int_eq(thud_inputs_set(&inputs, said[i], &error), THUD_OK);
+    ck_assert_int_eq(thud_uncertainty_create(scene, motion, NULL, 0, THUD_CASE_AS_WRITTEN, &inputs, &u, &error),
+                     THUD_OK);
+    ck_assert_double_eq_tol(size_of(u, "stiffness.A"), 0.15, 1e-15);
+    ck_assert_double_eq_tol(size_of(u, "stiffness.B"), 0.05, 1e-15);
+    ck_assert_double_eq_tol(size_of(u, "stiffness.common"), 0.12, 1e-15);
+    ck_assert_double_eq_tol(size_of(u, "mass.A"), 0.03, 1e-15);
+    ck_assert(size_of(u, "mass.B") == 0 && size_of(u, "damping.A") == 0 && size_of(u, "gap") == 0.05);
+    thud_uncertainty_free(u);
+    const char *const absent[] = {"stiffness.C=5 %", "yield.A=5 %", "gap.2=5 %"};
+    for (size_t i = 0; i < sizeof absent / sizeof *absent; i++) {
+        thud_inputs_init(&inputs);
+        ck_assert_int_eq(thud_inputs_set(&inputs, absent[i], &error), THUD_OK);
+        ck_assert_int_eq(thud_uncertainty_create(scene, motion, NULL, 0, THUD_CASE_AS_WRITTEN, &inputs, &u, &error),
+                         THUD_INPUT);
+    }
+}
+END_TEST
+
+/* A suite: the place of the last input chooses the motion, evenly; without a choice it is the scene's own. */
+START_TEST(a_motion_of_a_suite)
+{
+    struct thud_inputs inputs;
+    struct thud_uncertainty *u;
+    struct thud_record *twice;
+    thud_inputs_init(&inputs);
+    ck_assert_int_eq(thud_record_create(motion->a_mps2, motion->samples, motion->dt_s, &twice, &error), THUD_OK);
+    thud_record_scale(twice, 2);
+    const struct thud_record *suite[] = {motion, twice};
+    scene->interface[0].gap_m = 1;
+    ck_assert_int_eq(thud_uncertainty_create(scene, motion, suite, 2, THUD_CASE_AS_WRITTEN, &inputs, &u, &error),
+                     THUD_OK);
+    ck_assert_str_eq(u->input[u->ninputs - 1].name, "ground-motion");
+    ck_assert(thud_uncertainty_record(u, 0.49) == motion && thud_uncertainty_record(u, 0.51) == twice);
+    ck_assert(thud_uncertainty_record(u, 1) == twice && thud_uncertainty_record(u, NAN) == motion);
+    double *x = malloc(2 * (size_t)u->nquantities * sizeof *x), *y = x + u->nquantities, place[THUD_DRAWN_MAX];
+    for (int i = 0; i < u->ninputs; i++)
+        place[i] = 0.5;
+    place[u->ninputs - 1] = NAN;
+    ck_assert_int_eq(thud_uncertainty_evaluate(u, place, x, &error), THUD_OK);
+    place[u->ninputs - 1] = 0.75;
+    ck_assert_int_eq(thud_uncertainty_evaluate(u, place, y, &error), THUD_OK);
+    for (int q = 0; q < u->nquantities; q++)
+        if (x[q] > 0 && !u->quantity[q].ratio)
+            ck_assert_double_eq_tol(y[q] / x[q], 2, 1e-9);
+    free(x);
+    thud_uncertainty_free(u);
+    thud_record_free(twice);
+}
+END_TEST
+
+/* Of one input: of the structure or interface `of`, or of all of them. */
+static void change(struct thud_scene *to, enum thud_input input, int of, double size, double u, double *factor)
+{
+    struct thud_drawn_input drawn = {.input = input, .of = of, .size = size};
+    thud_input_change(to, &drawn, u, factor);
+}
+
 START_TEST(changes_of_a_scene)
 {
     double factor = 1;
     scene[1] = scene[0];
-    thud_input_change(scene, THUD_INPUT_STIFFNESS, 0.1, 1, &factor);
+    change(scene, THUD_INPUT_STIFFNESS, -1, 0.1, 1, &factor);
     ck_assert_double_eq_tol(scene->structure[1].stiffness_npm[3], 1.1 * scene[1].structure[1].stiffness_npm[3], 1);
-    thud_input_change(scene, THUD_INPUT_DAMPING, 0.2, 0, &factor);
+    scene->structure[1] = scene[1].structure[1];
+    change(scene, THUD_INPUT_STIFFNESS, 0, 0.1, 0.5, &factor);
+    change(scene, THUD_INPUT_STIFFNESS, 1, 0.1, 0, &factor);
+    ck_assert_double_eq_tol(scene->structure[0].stiffness_npm[1], 1.1 * scene[1].structure[0].stiffness_npm[1], 1);
+    ck_assert_double_eq_tol(scene->structure[1].stiffness_npm[3], 0.9 * scene[1].structure[1].stiffness_npm[3], 1);
+    change(scene, THUD_INPUT_DAMPING, -1, 0.2, 0, &factor);
     ck_assert_double_eq_tol(scene->structure[0].damping, 0.8 * scene[1].structure[0].damping, 1e-15);
-    thud_input_change(scene, THUD_INPUT_MASS, 0.05, 0, &factor);
+    change(scene, THUD_INPUT_MASS, -1, 0.05, 0, &factor);
     ck_assert_double_eq_tol(scene->structure[0].mass_kg[0], 0.95 * scene[1].structure[0].mass_kg[0], 1e-6);
     scene->structure[0].yield_m[1] = scene[1].structure[0].yield_m[1] = 0.01;
     scene->structure[0].hardening[1] = scene[1].structure[0].hardening[1] = 0.05;
     scene->structure[1].yield_shear_n[0] = scene[1].structure[1].yield_shear_n[0] = 1e6;
     scene->structure[1].column_ei_nm2[2] = scene[1].structure[1].column_ei_nm2[2] = 1e8;
-    thud_input_change(scene, THUD_INPUT_YIELD, 0.1, 1, &factor);
+    change(scene, THUD_INPUT_YIELD, -1, 0.1, 1, &factor);
     ck_assert_double_eq_tol(scene->structure[0].yield_m[1], 0.011, 1e-15);
     ck_assert_double_eq_tol(scene->structure[1].yield_shear_n[0], 1.1e6, 1e-7);
     ck_assert(scene->structure[0].yield_m[0] == 0 && scene->structure[1].yield_shear_n[1] == 0);
-    thud_input_change(scene, THUD_INPUT_HARDENING, 0.1, 0, &factor);
+    change(scene, THUD_INPUT_HARDENING, -1, 0.1, 0, &factor);
     ck_assert(scene->structure[0].hardening[1] == 0);                                  /* no less */
     ck_assert(scene->structure[0].hardening[0] == scene[1].structure[0].hardening[0]); /* elastic */
-    thud_input_change(scene, THUD_INPUT_COLUMNS, 0.2, 0, &factor);
+    change(scene, THUD_INPUT_COLUMNS, -1, 0.2, 0, &factor);
     ck_assert_double_eq_tol(scene->structure[1].column_ei_nm2[2], 0.8e8, 1);
-    thud_input_change(scene, THUD_INPUT_ELEVATION, 0.05, 1, &factor);
+    change(scene, THUD_INPUT_ELEVATION, 1, 0.05, 1, &factor);
     ck_assert(scene->structure[0].base_m == 0);
     ck_assert_double_eq_tol(scene->structure[1].base_m, 0.05, 1e-15);
-    thud_input_change(scene, THUD_INPUT_GAP, 0.5, 0, &factor);
+    change(scene, THUD_INPUT_GAP, -1, 0.5, 0, &factor);
     ck_assert_double_eq_tol(scene->interface[0].gap_m,
                             fmax(0.5 * scene[1].interface[0].gap_m,
                                  scene[1].interface[0].has_bumper ? scene[1].interface[0].bumper_thickness_m : 0),
@@ -226,12 +354,12 @@ START_TEST(changes_of_a_scene)
     for (int i = 0; i < THUD_INPUTS; i++) { /* the middle is as it is */
         struct thud_scene *same = malloc(sizeof *same);
         *same = scene[1];
-        thud_input_change(same, (enum thud_input)i, 2, 0.5, &factor);
+        change(same, (enum thud_input)i, i == THUD_INPUT_ELEVATION ? 0 : -1, 2, 0.5, &factor);
         ck_assert_msg(memcmp(same, &scene[1], sizeof *same) == 0, "%s", thud_input_info((enum thud_input)i)->name);
         free(same);
     }
     ck_assert(factor == 1);
-    thud_input_change(scene, THUD_INPUT_MOTION, 0.3, 1, &factor);
+    change(scene, THUD_INPUT_MOTION, -1, 0.3, 1, &factor);
     ck_assert_double_eq_tol(factor, 1.3, 1e-15);
 }
 END_TEST
@@ -239,14 +367,15 @@ END_TEST
 /* A sample is a run of the changed scene; without contact the response is linear in the motion. */
 START_TEST(samples_are_runs)
 {
-    struct thud_inputs inputs = {{0}};
+    struct thud_inputs inputs = {.size = {0}};
     struct thud_uncertainty *u;
     double half = 0.5, most = 1, *x, *y;
     inputs.size[THUD_INPUT_CONTACT_STIFFNESS] = 1;
     inputs.size[THUD_INPUT_MOTION] = 0.5;
     scene->interface[0].gap_m = 1;
     snprintf(scene->record.file, sizeof scene->record.file, "motion");
-    ck_assert_int_eq(thud_uncertainty_create(scene, motion, THUD_CASE_AS_WRITTEN, &inputs, &u, &error), THUD_OK);
+    ck_assert_int_eq(thud_uncertainty_create(scene, motion, NULL, 0, THUD_CASE_AS_WRITTEN, &inputs, &u, &error),
+                     THUD_OK);
     ck_assert_int_eq(u->ninputs, 1);
     x = malloc(2 * (size_t)u->nquantities * sizeof *x);
     y = x + u->nquantities;
@@ -267,7 +396,8 @@ START_TEST(samples_are_runs)
     free(x);
     thud_uncertainty_free(u);
     inputs.size[THUD_INPUT_MOTION] = 0;
-    ck_assert_int_eq(thud_uncertainty_create(scene, motion, THUD_CASE_AS_WRITTEN, &inputs, &u, &error), THUD_INPUT);
+    ck_assert_int_eq(thud_uncertainty_create(scene, motion, NULL, 0, THUD_CASE_AS_WRITTEN, &inputs, &u, &error),
+                     THUD_INPUT);
 }
 END_TEST
 
@@ -279,12 +409,15 @@ Suite *thud_suite(void)
     tcase_set_timeout(tcase, 60);
     tcase_add_checked_fixture(tcase, set_up, study_tear_down);
     tcase_add_test(tcase, the_ishigami_function);
+    tcase_add_test(tcase, intervals_cover_what_is_known);
     tcase_add_test(tcase, additivity);
     tcase_add_test(tcase, nothing_varies_and_missing_rows);
     tcase_add_test(tcase, every_stratum_once);
     tcase_add_test(tcase, sobol_points_fill_their_intervals);
     tcase_add_test(tcase, sobol_converges_faster_than_chance);
     tcase_add_test(tcase, inputs_by_name);
+    tcase_add_test(tcase, inputs_of_each_building);
+    tcase_add_test(tcase, a_motion_of_a_suite);
     tcase_add_test(tcase, changes_of_a_scene);
     tcase_add_test(tcase, samples_are_runs);
     suite_add_tcase(suite, tcase);

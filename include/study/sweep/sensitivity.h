@@ -5,8 +5,16 @@
 
 #include "study/scene/answer.h"
 
-enum thud_change { THUD_CHANGE_GAP, THUD_CHANGE_SCALE, THUD_CHANGE_STIFFNESS, THUD_CHANGES };
-const char *thud_change_name(enum thud_change change); /* "gap", "scale", "stiffness" */
+/* Stiffnesses of every second structure at a time: a change of all of them together moves no building against its
+ * neighbour, which is what makes them pound. */
+enum thud_change {
+    THUD_CHANGE_GAP,
+    THUD_CHANGE_SCALE,
+    THUD_CHANGE_STIFFNESS_ODD, /* of the first, third, ... structure from the left */
+    THUD_CHANGE_STIFFNESS_EVEN,
+    THUD_CHANGES
+};
+const char *thud_change_name(enum thud_change change); /* "gap", "scale", "stiffness_odd", "stiffness_even" */
 
 /* Largest relative change of a peak, by what was changed; 0 where the peak is 0 in all runs. */
 struct thud_spread {
@@ -17,8 +25,8 @@ double thud_spread_most(const struct thud_spread *spread);
  * the last of them, whatever the number; at most 15. */
 int thud_spread_digits(double spread);
 
-/* Changes gaps or stiffnesses of a case's scene: every interface's gap, but never less than a bumper takes; every
- * storey's and isolator's stiffness. The scale is the ground motion's, which no scene holds. */
+/* Changes gaps or stiffnesses of a case's scene: every interface's gap, but never less than a bumper takes; the
+ * stiffness of every storey and isolator of every second structure. The scale is the ground motion's, which no scene holds. */
 void thud_change_scene(struct thud_scene *scene, enum thud_change change, double factor);
 
 /* The relative change that the scene's study asks for, else 0.1 %. */

@@ -25,8 +25,14 @@ void thud_sobol_sequence(struct thud_random *random, size_t n, size_t d, double 
  *     S_i  = mean(f(B) (f(AB_i) - f(A))) / V          Saltelli et al., Computer Physics Communications 181 (2010) 259
  *     ST_i = mean((f(A) - f(AB_i))^2) / (2 V)         Jansen, Computer Physics Communications 117 (1999) 35
  *
- * `ab` is (d x n). Rows where any value is NaN are left out. Both are NaN where nothing varies. */
-void thud_sobol_indices(const double *a, const double *b, const double *ab, size_t n, size_t d, double *first,
-                        double *total);
+ * `ab` is (d x n). Rows where any value is NaN are left out. Both are NaN where nothing varies. Errors: THUD_MEMORY. */
+enum thud_status thud_sobol_indices(const double *a, const double *b, const double *ab, size_t n, size_t d,
+                                    double *first, double *total, struct thud_error *err);
+
+/* 95 % intervals of both: percentiles of a bootstrap over the rows (Archer, Saltelli and Sobol, Journal of Statistical
+ * Computation and Simulation 58 (1997) 99). `low` and `high`: (2 x d), of the first-order indices and then the total
+ * ones; NaN with fewer than two whole rows. Errors: THUD_MEMORY. */
+enum thud_status thud_sobol_intervals(const double *a, const double *b, const double *ab, size_t n, size_t d,
+                                      struct thud_random *random, double *low, double *high, struct thud_error *err);
 
 #endif

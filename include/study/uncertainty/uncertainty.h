@@ -1,5 +1,7 @@
-/* How sure an answer is: the inputs that are not known in practice, each with a size; changed one at a time (tornado) and
- * all together, drawn at random. */
+/* Propagation of input uncertainty: the inputs that are not known in practice, each with a size; changed one at a time
+ * (tornado) and all together, drawn at random. Stiffness, mass, damping, yield, columns and elevation of every building
+ * are inputs of their own, and so is the gap of every interface: it is the difference of two buildings' periods that
+ * makes them pound, which a common factor hides. */
 #ifndef THUD_STUDY_UNCERTAINTY_H
 #define THUD_STUDY_UNCERTAINTY_H
 
@@ -19,32 +21,55 @@ enum thud_input {
     THUD_INPUT_YIELD,           /* drift or shear at which storeys yield */
     THUD_INPUT_HARDENING,       /* of those storeys, 0 to 1 */
     THUD_INPUT_COLUMNS,         /* stiffness of the columns that slabs strike */
-    THUD_INPUT_ELEVATION,       /* ground of every second structure from the left */
+    THUD_INPUT_ELEVATION,       /* of a building's ground */
+    THUD_INPUT_RECORD,          /* which ground motion of a suite */
     THUD_INPUTS
 };
+/* Which of them there are several of. */
+enum thud_input_each { THUD_INPUT_ALL, THUD_INPUT_EACH_STRUCTURE, THUD_INPUT_EACH_INTERFACE };
 enum thud_input_way {
     THUD_INPUT_RELATIVE, /* from x (1 - size) to x (1 + size) */
     THUD_INPUT_FACTOR,   /* from x / size to x size, evenly in the logarithm */
     THUD_INPUT_ABSOLUTE, /* from x - size to x + size, within what is allowed */
-    THUD_INPUT_LENGTH    /* the same in m */
+    THUD_INPUT_LENGTH,   /* the same in m */
+    THUD_INPUT_CHOICE    /* one of several, each as likely */
 };
 struct thud_input_info {
     const char *name; /* the word on the command line */
     enum thud_input_way way;
-    double size; /* by itself; 0 (or a factor of 1): not changed */
+    enum thud_input_each each;
+    double size; /* default; 0 (or a factor of 1): not changed */
 };
 const struct thud_input_info *thud_input_info(enum thud_input input);
 
-/* Size of each input. */
+/* Sizes as they were asked for. */
+enum { THUD_INPUTS_OWN_MAX = 64 };
 struct thud_inputs {
-    double size[THUD_INPUTS];
+    double size[THUD_INPUTS];   /* of each building, or interface, on its own */
+    double common[THUD_INPUTS]; /* of what all of them share besides */
+    int nown;
+    struct thud_input_own {
+        enum thud_input input;
+        char of[THUD_NAME_MAX]; /* a building's name or number, an interface's number */
+        double size;
+    } own[THUD_INPUTS_OWN_MAX];
 };
 void thud_inputs_init(struct thud_inputs *inputs);
-/* "gap=5 %", "contact-stiffness=2", "restitution=0.1", "elevation=5 cm". Errors: THUD_USAGE. */
+/* "gap=5 %", "contact-stiffness=2", "restitution=0.1", "elevation=5 cm", "stiffness.A=5 %", "stiffness.common=10 %".
+ * Errors: THUD_USAGE. */
 enum thud_status thud_inputs_set(struct thud_inputs *inputs, const char *text, struct thud_error *err);
+
+/* An input of a scene. */
+struct thud_drawn_input {
+    enum thud_input input;
+    int of; /* structure or interface, from 0; -1: all of them together */
+    double size;
+    char name[96]; /* "gap", "gap.2", "stiffness.A", "stiffness.common" */
+};
+enum { THUD_DRAWN_MAX = 9 * THUD_STRUCTURES_MAX + 2 * THUD_INPUTS };
 /* Changes an input to place u (0 to 1; 0.5 is as it is) of its range. The motion's factor goes into *motion. No gap is
  * less than its bumper takes. */
-void thud_input_change(struct thud_scene *scene, enum thud_input input, double size, double u, double *motion);
+void thud_input_change(struct thud_scene *scene, const struct thud_drawn_input *input, double u, double *motion);
 
 /* ---- what is asked of every sample ---- */
 
@@ -62,22 +87,27 @@ struct thud_quantity_of_run {
 struct thud_uncertainty {
     struct thud_scene scene;          /* before its case */
     const struct thud_record *record; /* NULL: no ground motion */
+    int nsuite;                       /* ground motions that are drawn from; 0: none */
+    const struct thud_record *const *suite;
     int ncases;
     enum thud_case which[THUD_CASES + 1]; /* none first where there is a bumper */
-    struct thud_inputs inputs;
     int ninputs;
-    enum thud_input input[THUD_INPUTS];
-    bool columns; /* slabs strike some in the scene as it is */
+    struct thud_drawn_input input[THUD_DRAWN_MAX]; /* the choice of a ground motion is the last one */
+    bool columns;                                  /* slabs strike some in the scene as it is */
     int nquantities;
     struct thud_quantity_of_run *quantity; /* (nquantities) */
 };
 
 /* `which`: THUD_CASE_AS_WRITTEN and a scene without bumper: that alone; with one: none and bumper; else none and `which`.
- * Errors: THUD_INPUT (nothing is uncertain), THUD_MEMORY. */
+ * `suite` (nsuite) must outlive it; of more than one ground motion each sample draws one. Errors: THUD_INPUT (nothing is
+ * uncertain; a size of what is not there), THUD_MEMORY. */
 enum thud_status thud_uncertainty_create(const struct thud_scene *scene, const struct thud_record *record,
-                                         enum thud_case which, const struct thud_inputs *inputs,
-                                         struct thud_uncertainty **out, struct thud_error *err);
+                                         const struct thud_record *const *suite, int nsuite, enum thud_case which,
+                                         const struct thud_inputs *inputs, struct thud_uncertainty **out,
+                                         struct thud_error *err);
 void thud_uncertainty_free(struct thud_uncertainty *uncertainty);
+/* The ground motion at place u of the choice; NaN: the scene's own. */
+const struct thud_record *thud_uncertainty_record(const struct thud_uncertainty *uncertainty, double u);
 /* The quantities at place u (ninputs) into value (nquantities); NaN where a run has no answer. Several threads may ask at
  * once. Errors: THUD_MEMORY, THUD_INPUT. */
 enum thud_status thud_uncertainty_evaluate(const struct thud_uncertainty *uncertainty, const double *u, double *value,

@@ -166,8 +166,8 @@ static enum thud_status draw_samples(struct site *site, struct thud_error *err)
     if (options->samples == 0)
         return THUD_OK;
     tell(site, "samples of the uncertain inputs");
-    enum thud_status status = thud_uncertainty_create(site->scene, site->record, THUD_CASE_AS_WRITTEN, options->inputs,
-                                                      &site->uncertainty, &refused);
+    enum thud_status status = thud_uncertainty_create(site->scene, site->record, NULL, 0, THUD_CASE_AS_WRITTEN,
+                                                      options->inputs, &site->uncertainty, &refused);
     site->samples = (struct thud_uncertainty_study){.uncertainty = site->uncertainty,
                                                     .samples = options->samples,
                                                     .sampling = options->sampling,

@@ -34,7 +34,11 @@ static void sensitivity(struct site *site)
     thud_document_cell(d, "value");
     thud_document_cell(d, "gap");
     thud_document_cell(d, "ground motion");
-    thud_document_cell(d, "storey stiffness");
+    for (int first = 0; first < 2; first++) /* with two buildings, of each */
+        thud_document_cell(d, "storey stiffness of %s",
+                           r->nstructures == 2 ? thud_site_name(site, first)
+                           : first             ? "every even building"
+                                               : "every odd building");
     thud_document_row(d);
     for (int k = 0, row = 0; k < r->nstructures; row += r->structure[k].floors, k++) {
         int a = 0, b = 0;
@@ -71,13 +75,13 @@ static double unit_of(const struct thud_quantity_of_run *q)
     return q->ratio ? 1 : unit[q->kind];
 }
 
-static void add_sampled_row(struct site *site, int q, double *room)
+static void add_sampled_row(struct site *site, int q)
 {
     struct thud_document *d = &site->document;
     const struct thud_uncertainty_study *study = &site->samples;
     const struct thud_quantity_of_run *quantity = &study->uncertainty->quantity[q];
-    struct thud_uncertainty_told t = thud_uncertainty_tell(study, q, room);
-    const double value[] = {t.nominal, t.low, t.median, t.high};
+    const struct thud_uncertainty_told *t = &study->told[q];
+    const double value[] = {t->nominal, t->low, t->median, t->high};
     double unit = unit_of(quantity);
     thud_document_cell(d, "%s%s", quantity->name,
                        unit == THUD_GRAVITY ? ", g"
@@ -86,8 +90,7 @@ static void add_sampled_row(struct site *site, int q, double *room)
                                             : "");
     for (size_t i = 0; i < sizeof value / sizeof *value; i++)
         thud_document_cell(d, "%s", isnan(value[i]) ? "-" : thud_site_number(value[i] / unit, 3).text);
-    thud_document_cell(d, "%s",
-                       thud_input_info(study->uncertainty->input[thud_uncertainty_strongest(study, &t)])->name);
+    thud_document_cell(d, "%s", study->uncertainty->input[thud_uncertainty_strongest(study, t)].name);
     thud_document_row(d);
 }
 
@@ -96,15 +99,9 @@ static void samples(struct site *site)
     static const char *const head[] = {"peak", "as written", "5 %", "median", "95 %", "moved most by"};
     struct thud_document *d = &site->document;
     const struct thud_uncertainty *u = site->uncertainty;
-    double *room;
     char caption[120];
     if (!u)
         return;
-    room = malloc((site->samples.rows + 1) * sizeof *room);
-    if (!room) {
-        d->failed = true;
-        return;
-    }
     snprintf(caption, sizeof caption, "All uncertain inputs drawn together: %zu samples",
              thud_uncertainty_samples(&site->samples));
     thud_document_table(d, caption);
@@ -112,10 +109,10 @@ static void samples(struct site *site)
         thud_document_cell(d, "%s", head[i]);
     thud_document_row(d);
     for (int q = 0; q < u->nquantities; q++)
-        add_sampled_row(site, q, room);
+        add_sampled_row(site, q);
     struct thud_text inputs = {0};
     for (int i = 0; i < u->ninputs; i++) {
-        char input[80];
+        char input[160];
         thud_uncertainty_input_text(u, i, input, sizeof input);
         thud_text_append(&inputs, "%s%s", i ? ", " : "", input);
     }
@@ -126,27 +123,24 @@ static void samples(struct site *site)
         site->samples.seed, inputs.data ? inputs.data : "");
     d->failed = d->failed || inputs.failed;
     thud_text_clear(&inputs);
-    free(room);
 }
 
 void thud_site_samples_answer(struct site *site)
 {
     const struct thud_uncertainty *u = site->uncertainty;
-    double *room = u ? malloc((site->samples.rows + 1) * sizeof *room) : NULL;
-    site->document.failed = site->document.failed || (u && !room);
-    for (int q = 0; room && q < u->nquantities; q++) {
-        struct thud_uncertainty_told t = thud_uncertainty_tell(&site->samples, q, room);
+    for (int q = 0; u && q < u->nquantities; q++) {
+        const struct thud_uncertainty_told *t = &site->samples.told[q];
         const struct thud_quantity_of_run *quantity = &u->quantity[q];
-        if (!quantity->ratio || isnan(t.median))
+        if (!quantity->ratio || isnan(t->median))
             continue;
         thud_document_item(&site->document,
                            "With the inputs as uncertain as said below, the bumper lowers the mean %s of %s in %.0f %% "
                            "of %.0f samples "
                            "(ratio %.2f in the median, %.2f to %.2f from 5 to 95 %%).",
                            quantity->kind == THUD_OF_ACCELERATION ? "acceleration" : "drift",
-                           thud_site_name(site, quantity->structure), 100 * t.below, t.count, t.median, t.low, t.high);
+                           thud_site_name(site, quantity->structure), 100 * t->below, t->count, t->median, t->low,
+                           t->high);
     }
-    free(room);
 }
 
 /* ---- the contact's stiffness ---- */

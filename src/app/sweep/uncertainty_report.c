@@ -1,41 +1,10 @@
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "app/sweep/uncertainty_study.h"
-#include "base/statistics.h"
 #include "base/version.h"
 #include "io/file/json.h"
-#include "study/uncertainty/sobol.h"
-
-struct thud_uncertainty_told thud_uncertainty_tell(const struct thud_uncertainty_study *study, int q, double *room)
-{
-    struct thud_uncertainty_told t = {.low = NAN, .median = NAN, .high = NAN, .below = NAN};
-    size_t d = (size_t)study->uncertainty->ninputs, first = thud_uncertainty_first_sample(study);
-    size_t n = thud_uncertainty_samples(study), whole, below = 0;
-    t.nominal = thud_uncertainty_value(study, 0, q);
-    for (size_t i = 0; i < d; i++) {
-        t.least[i] = thud_uncertainty_value(study, 1 + 2 * i, q);
-        t.most[i] = thud_uncertainty_value(study, 2 + 2 * i, q);
-        t.first[i] = t.total[i] = NAN;
-    }
-    for (size_t r = 0; first + r < study->rows; r++)
-        room[r] = thud_uncertainty_value(study, first + r, q);
-    if (study->indices && study->samples > 0)
-        thud_sobol_indices(room, room + study->samples, room + n, study->samples, d, t.first, t.total);
-    whole = thud_sort_numbers(room, n);
-    if (whole == 0)
-        return t;
-    while (below < whole && room[below] < 1)
-        below++;
-    t.low = thud_quantile(room, whole, 0.05, false);
-    t.median = thud_quantile(room, whole, 0.5, false);
-    t.high = thud_quantile(room, whole, 0.95, false);
-    t.below = (double)below / (double)whole;
-    t.count = (double)whole;
-    return t;
-}
 
 /* Shown units: m/s2, cm, MN, ratios and numbers as they are. */
 static double shown(const struct thud_quantity_of_run *q, double value)
@@ -67,22 +36,24 @@ static void put_piece(struct thud_text *out, const char *piece, bool last, int i
 
 void thud_uncertainty_input_text(const struct thud_uncertainty *u, int i, char *text, size_t size)
 {
-    const struct thud_input_info *info = thud_input_info(u->input[i]);
-    double by = u->inputs.size[u->input[i]];
-    if (info->way == THUD_INPUT_RELATIVE)
-        snprintf(text, size, "%s +-%g %%", info->name, 100 * by);
-    else if (info->way == THUD_INPUT_FACTOR)
-        snprintf(text, size, "%s by a factor of %g", info->name, by);
-    else if (info->way == THUD_INPUT_LENGTH)
-        snprintf(text, size, "%s +-%g cm", info->name, 100 * by);
+    const struct thud_drawn_input *drawn = &u->input[i];
+    enum thud_input_way way = thud_input_info(drawn->input)->way;
+    if (way == THUD_INPUT_RELATIVE)
+        snprintf(text, size, "%s +-%g %%", drawn->name, 100 * drawn->size);
+    else if (way == THUD_INPUT_FACTOR)
+        snprintf(text, size, "%s by a factor of %g", drawn->name, drawn->size);
+    else if (way == THUD_INPUT_LENGTH)
+        snprintf(text, size, "%s +-%g cm", drawn->name, 100 * drawn->size);
+    else if (way == THUD_INPUT_CHOICE)
+        snprintf(text, size, "%s, one of %g", drawn->name, drawn->size);
     else
-        snprintf(text, size, "%s +-%g", info->name, by);
+        snprintf(text, size, "%s +-%g", drawn->name, drawn->size);
 }
 
 static void put_inputs(const struct thud_uncertainty *u, struct thud_text *out)
 {
     static const char head[] = "uncertain:";
-    char text[80];
+    char text[160];
     int indent = (int)sizeof head - 1, column = indent;
     thud_text_append(out, "%s", head);
     for (int i = 0; i < u->ninputs; i++) {
@@ -92,11 +63,16 @@ static void put_inputs(const struct thud_uncertainty *u, struct thud_text *out)
     thud_text_append(out, "\n");
 }
 
+static double range_of(const struct thud_uncertainty_told *told, int i)
+{
+    return fabs(told->of[THUD_INPUT_MOST][i] - told->of[THUD_INPUT_LEAST][i]);
+}
+
 int thud_uncertainty_strongest(const struct thud_uncertainty_study *study, const struct thud_uncertainty_told *told)
 {
     int most = 0;
     for (int i = 1; i < study->uncertainty->ninputs; i++)
-        if (fabs(told->most[i] - told->least[i]) > fabs(told->most[most] - told->least[most]))
+        if (range_of(told, i) > range_of(told, most))
             most = i;
     return most;
 }
@@ -127,9 +103,9 @@ static void put_most(const struct thud_uncertainty_study *study, int q, const st
     int most = thud_uncertainty_strongest(study, t);
     char name[112];
     name_with_unit(quantity, name);
-    thud_text_append(out, "%-40.40s %-17s %.4g to %.4g\n", name, thud_input_info(u->input[most])->name,
-                     shown(quantity, fmin(t->least[most], t->most[most])),
-                     shown(quantity, fmax(t->least[most], t->most[most])));
+    double least = t->of[THUD_INPUT_LEAST][most], greatest = t->of[THUD_INPUT_MOST][most];
+    thud_text_append(out, "%-40.40s %-17s %.4g to %.4g\n", name, u->input[most].name,
+                     shown(quantity, fmin(least, greatest)), shown(quantity, fmax(least, greatest)));
 }
 
 static void put_sentence(const struct thud_uncertainty *u, int q, const struct thud_uncertainty_told *t,
@@ -145,54 +121,75 @@ static void put_sentence(const struct thud_uncertainty *u, int q, const struct t
                      t->high);
 }
 
+/* Whether anything touches, as the largest force tells it. */
+static void put_touches(const struct thud_uncertainty *u, int q, const struct thud_uncertainty_told *t,
+                        struct thud_text *out)
+{
+    const struct thud_quantity_of_run *quantity = &u->quantity[q];
+    if (quantity->kind == THUD_OF_FORCE && quantity->structure < 0 && strstr(quantity->column, ".force_n"))
+        thud_text_append(out, "%s: something touches in %.0f %% of %.0f samples.\n", thud_case_name(quantity->which),
+                         100 * t->touches, t->count);
+}
+
 static void put_indices(const struct thud_uncertainty *u, int q, const struct thud_uncertainty_told *t,
                         struct thud_text *out)
 {
-    char text[80];
-    int column = 1;
-    thud_text_append(out, "%s\n ", u->quantity[q].name);
-    for (int i = 0; i < u->ninputs; i++) {
-        snprintf(text, sizeof text, "%s %.2f/%.2f", thud_input_info(u->input[i])->name, t->first[i], t->total[i]);
-        put_piece(out, text, i + 1 == u->ninputs, 1, &column);
-    }
+    thud_text_append(out, "%s\n", u->quantity[q].name);
+    for (int i = 0; i < u->ninputs; i++)
+        thud_text_append(out, "  %-24s %6.2f (%.2f to %.2f) %8.2f (%.2f to %.2f)\n", u->input[i].name,
+                         t->of[THUD_INPUT_FIRST][i], t->of[THUD_INPUT_FIRST_LOW][i], t->of[THUD_INPUT_FIRST_HIGH][i],
+                         t->of[THUD_INPUT_TOTAL][i], t->of[THUD_INPUT_TOTAL_LOW][i], t->of[THUD_INPUT_TOTAL_HIGH][i]);
 }
 
-enum thud_status thud_uncertainty_table(const struct thud_uncertainty_study *study, struct thud_text *out,
-                                        struct thud_error *err)
+/* Of the ratios, or where there are none of the largest peaks. */
+static bool has_indices(const struct thud_uncertainty *u, int q)
+{
+    for (int i = 0; i < u->nquantities; i++)
+        if (u->quantity[i].ratio)
+            return u->quantity[q].ratio;
+    return !u->quantity[q].mean;
+}
+
+static void put_between(const struct thud_uncertainty *u, int q, const struct thud_uncertainty_told *t,
+                        struct thud_text *out)
+{
+    char name[112];
+    if (isnan(t->between))
+        return;
+    name_with_unit(&u->quantity[q], name);
+    thud_text_append(out, "%-40.40s %5.0f %% %5.0f %%\n", name, 100 * t->between, 100 * (1 - t->between));
+}
+
+void thud_uncertainty_table(const struct thud_uncertainty_study *study, struct thud_text *out)
 {
     const struct thud_uncertainty *u = study->uncertainty;
-    double *room = malloc((study->rows + 1) * sizeof *room);
-    bool any = false;
-    if (!room)
-        return thud_error_set(err, THUD_MEMORY, "out of memory");
     put_inputs(u, out);
     thud_text_append(out, "%-40s %8s%s\n", "", "as it is", study->samples > 0 ? "      5 %   median     95 %" : "");
-    for (int q = 0; q < u->nquantities; q++) {
-        struct thud_uncertainty_told t = thud_uncertainty_tell(study, q, room);
-        put_row(u, q, &t, out);
-    }
+    for (int q = 0; q < u->nquantities; q++)
+        put_row(u, q, &study->told[q], out);
     thud_text_append(out, "\n%-40s %s\n", "one input at a time", "moved most by");
+    for (int q = 0; q < u->nquantities; q++)
+        put_most(study, q, &study->told[q], out);
+    if (u->nsuite > 1 && study->samples > 0)
+        thud_text_append(out, "\n%-40s between  within\n", "variance, by ground motion");
+    for (int q = 0; q < u->nquantities; q++)
+        put_between(u, q, &study->told[q], out);
+    if (study->samples > 0)
+        thud_text_append(out, "\n");
+    for (int q = 0; q < u->nquantities && study->samples > 0; q++)
+        put_touches(u, q, &study->told[q], out);
     for (int q = 0; q < u->nquantities; q++) {
-        struct thud_uncertainty_told t = thud_uncertainty_tell(study, q, room);
-        put_most(study, q, &t, out);
-    }
-    for (int q = 0; q < u->nquantities; q++) {
-        struct thud_uncertainty_told t = thud_uncertainty_tell(study, q, room);
-        if (!u->quantity[q].ratio || isnan(t.median))
+        if (!u->quantity[q].ratio || isnan(study->told[q].median))
             continue;
-        thud_text_append(out, any ? "" : "\n");
-        any = true;
-        put_sentence(u, q, &t, out);
+        put_sentence(u, q, &study->told[q], out);
     }
-    if (study->indices && study->samples > 0)
-        thud_text_append(out, "\nSobol indices, first/total\n");
-    for (int q = 0; q < u->nquantities && study->indices && study->samples > 0; q++) {
-        struct thud_uncertainty_told t = thud_uncertainty_tell(study, q, room);
-        if (u->quantity[q].ratio)
-            put_indices(u, q, &t, out);
-    }
-    free(room);
-    return THUD_OK;
+    if (!study->indices || study->samples == 0)
+        return;
+    thud_text_append(out, "\nSobol indices (95 %% interval by bootstrap over %zu rows)\n  %-24s %6s %24s\n",
+                     study->samples, "", "first", "total");
+    for (int q = 0; q < u->nquantities; q++)
+        if (has_indices(u, q))
+            put_indices(u, q, &study->told[q], out);
 }
 
 static void put_number(double value, struct thud_text *out)
@@ -202,33 +199,53 @@ static void put_number(double value, struct thud_text *out)
         thud_text_number(out, value);
 }
 
-enum thud_status thud_uncertainty_csv(const struct thud_uncertainty_study *study, struct thud_text *out,
-                                      struct thud_error *err)
+static const char *const each[THUD_OF_INPUTS] = {
+    [THUD_INPUT_LEAST] = "least",           [THUD_INPUT_MOST] = "most",
+    [THUD_INPUT_FIRST] = "first",           [THUD_INPUT_FIRST_LOW] = "first_low",
+    [THUD_INPUT_FIRST_HIGH] = "first_high", [THUD_INPUT_TOTAL] = "total",
+    [THUD_INPUT_TOTAL_LOW] = "total_low",   [THUD_INPUT_TOTAL_HIGH] = "total_high"};
+
+enum { HEADS = 6 };
+static const char *const heads[HEADS] = {"nominal", "p5", "median", "p95", "below_1_share", "between_motions_share"};
+
+static void head_values(const struct thud_uncertainty *u, int q, const struct thud_uncertainty_told *t,
+                        double value[HEADS])
 {
-    static const char *const each[] = {"least", "most", "first", "total"};
+    const double x[HEADS] = {t->nominal, t->low, t->median, t->high, u->quantity[q].ratio ? t->below : NAN, t->between};
+    memcpy(value, x, sizeof x);
+}
+
+/* The last column is there where a suite is drawn from. */
+static int heads_of(const struct thud_uncertainty *u)
+{
+    return u->nsuite > 1 ? HEADS : HEADS - 1;
+}
+
+void thud_uncertainty_csv(const struct thud_uncertainty_study *study, struct thud_text *out)
+{
     const struct thud_uncertainty *u = study->uncertainty;
-    double *room = malloc((study->rows + 1) * sizeof *room);
-    if (!room)
-        return thud_error_set(err, THUD_MEMORY, "out of memory");
-    thud_text_append(out, "quantity,nominal,p5,median,p95,below_1_share");
-    for (int e = 0; e < 4; e++)
-        for (int i = 0; i < u->ninputs; i++)
-            thud_text_append(out, ",%s_%s", thud_input_info(u->input[i])->name, each[e]);
+    double head[HEADS];
+    thud_text_append(out, "quantity");
+    for (int i = 0; i < heads_of(u); i++)
+        thud_text_append(out, ",%s", heads[i]);
+    for (int e = 0; e < THUD_OF_INPUTS; e++)
+        for (int i = 0; i < u->ninputs; i++) {
+            char name[128];
+            snprintf(name, sizeof name, "%s_%s", u->input[i].name, each[e]);
+            thud_text_append(out, ",");
+            thud_text_csv(out, name);
+        }
     thud_text_append(out, "\n");
     for (int q = 0; q < u->nquantities; q++) {
-        struct thud_uncertainty_told t = thud_uncertainty_tell(study, q, room);
-        const double *of[] = {t.least, t.most, t.first, t.total};
-        const double head[] = {t.nominal, t.low, t.median, t.high, u->quantity[q].ratio ? t.below : NAN};
         thud_text_csv(out, u->quantity[q].column);
-        for (size_t i = 0; i < sizeof head / sizeof *head; i++)
+        head_values(u, q, &study->told[q], head);
+        for (int i = 0; i < heads_of(u); i++)
             put_number(head[i], out);
-        for (int e = 0; e < 4; e++)
+        for (int e = 0; e < THUD_OF_INPUTS; e++)
             for (int i = 0; i < u->ninputs; i++)
-                put_number(of[e][i], out);
+                put_number(study->told[q].of[e][i], out);
         thud_text_append(out, "\n");
     }
-    free(room);
-    return THUD_OK;
 }
 
 static void put_json_inputs(const char *key, const struct thud_uncertainty *u, const double *value,
@@ -237,67 +254,89 @@ static void put_json_inputs(const char *key, const struct thud_uncertainty *u, c
     thud_text_append(out, ", \"%s\": {", key);
     for (int i = 0; i < u->ninputs; i++) {
         thud_text_append(out, i ? ", " : "");
-        thud_json_field(out, thud_input_info(u->input[i])->name, value[i]);
+        thud_json_string(out, u->input[i].name);
+        thud_text_append(out, ": ");
+        thud_json_number(out, value[i]);
     }
     thud_text_append(out, "}");
 }
 
-enum thud_status thud_uncertainty_json(const struct thud_uncertainty_study *study, struct thud_text *out,
-                                       struct thud_error *err)
+void thud_uncertainty_json(const struct thud_uncertainty_study *study, struct thud_text *out)
 {
     const struct thud_uncertainty *u = study->uncertainty;
-    double *room = malloc((study->rows + 1) * sizeof *room), size[THUD_INPUTS];
-    if (!room)
-        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    double size[THUD_DRAWN_MAX], head[HEADS];
     thud_text_append(out, "{\"preset\": ");
     thud_json_string(out, u->scene.name);
     thud_text_append(out, ", \"version\": \"%s\", \"samples\": %zu, \"sampling\": \"%s\", \"seed\": %llu", THUD_VERSION,
                      thud_uncertainty_samples(study), thud_sampling_name(study->sampling), study->seed);
     for (int i = 0; i < u->ninputs; i++)
-        size[i] = u->inputs.size[u->input[i]];
+        size[i] = u->input[i].size;
     put_json_inputs("sizes", u, size, out);
     thud_text_append(out, ", \"quantities\": [");
     for (int q = 0; q < u->nquantities; q++) {
-        struct thud_uncertainty_told t = thud_uncertainty_tell(study, q, room);
-        const double value[] = {t.nominal, t.low, t.median, t.high, u->quantity[q].ratio ? t.below : NAN};
-        static const char *const key[] = {"nominal", "p5", "median", "p95", "below_1_share"};
         thud_text_append(out, "%s\n  {\"name\": ", q ? "," : "");
         thud_json_string(out, u->quantity[q].column);
-        for (size_t i = 0; i < sizeof value / sizeof *value; i++) {
+        head_values(u, q, &study->told[q], head);
+        for (int i = 0; i < heads_of(u); i++) {
             thud_text_append(out, ", ");
-            thud_json_field(out, key[i], value[i]);
+            thud_json_field(out, heads[i], head[i]);
         }
-        put_json_inputs("least", u, t.least, out);
-        put_json_inputs("most", u, t.most, out);
-        if (study->indices) {
-            put_json_inputs("first", u, t.first, out);
-            put_json_inputs("total", u, t.total, out);
-        }
+        for (int e = 0; e < (study->indices ? (int)THUD_OF_INPUTS : (int)THUD_INPUT_FIRST); e++)
+            put_json_inputs(each[e], u, study->told[q].of[e], out);
         thud_text_append(out, "}");
     }
     thud_text_append(out, "\n]}\n");
-    free(room);
-    return THUD_OK;
 }
 
-void thud_uncertainty_samples_csv(const struct thud_uncertainty_study *study, struct thud_text *out)
+static void put_run_head(const struct thud_uncertainty *u, struct thud_text *out)
 {
-    const struct thud_uncertainty *u = study->uncertainty;
-    size_t first = thud_uncertainty_first_sample(study), n = thud_uncertainty_samples(study);
-    for (int i = 0; i < u->ninputs; i++)
-        thud_text_append(out, "%s%s", i ? "," : "", thud_input_info(u->input[i])->name);
+    for (int i = 0; i < u->ninputs; i++) {
+        thud_text_append(out, i ? "," : "");
+        thud_text_csv(out, u->input[i].name);
+    }
     for (int q = 0; q < u->nquantities; q++) {
         thud_text_append(out, ",");
         thud_text_csv(out, u->quantity[q].column);
     }
     thud_text_append(out, "\n");
-    for (size_t r = first; r < first + n; r++) {
-        for (int i = 0; i < u->ninputs; i++) {
-            thud_text_append(out, i ? "," : "");
-            thud_text_number(out, study->place[r * (size_t)u->ninputs + (size_t)i]);
-        }
-        for (int q = 0; q < u->nquantities; q++)
-            put_number(thud_uncertainty_value(study, r, q), out);
-        thud_text_append(out, "\n");
+}
+
+static void put_run(const struct thud_uncertainty_study *study, size_t row, struct thud_text *out)
+{
+    const struct thud_uncertainty *u = study->uncertainty;
+    for (int i = 0; i < u->ninputs; i++) {
+        double place = study->place[row * (size_t)u->ninputs + (size_t)i];
+        thud_text_append(out, i ? "," : "");
+        if (u->input[i].input == THUD_INPUT_RECORD)
+            thud_text_csv(out, thud_uncertainty_record(u, place)->file);
+        else
+            thud_text_number(out, place);
+    }
+    for (int q = 0; q < u->nquantities; q++)
+        put_number(thud_uncertainty_value(study, row, q), out);
+    thud_text_append(out, "\n");
+}
+
+void thud_uncertainty_samples_csv(const struct thud_uncertainty_study *study, struct thud_text *out)
+{
+    size_t first = thud_uncertainty_first_sample(study), n = thud_uncertainty_samples(study);
+    put_run_head(study->uncertainty, out);
+    for (size_t r = first; r < first + n; r++)
+        put_run(study, r, out);
+}
+
+void thud_uncertainty_indices_csv(const struct thud_uncertainty_study *study, struct thud_text *out)
+{
+    const struct thud_uncertainty *u = study->uncertainty;
+    size_t first = thud_uncertainty_first_sample(study), n = study->samples;
+    thud_text_append(out, "design,from_b,row,");
+    put_run_head(u, out);
+    for (size_t r = first; r < study->rows; r++) {
+        size_t block = (r - first) / n;
+        thud_text_append(out, "%s,", block == 0 ? "A" : block == 1 ? "B" : "AB");
+        if (block > 1)
+            thud_text_csv(out, u->input[block - 2].name);
+        thud_text_append(out, ",%zu,", (r - first) % n + 1);
+        put_run(study, r, out);
     }
 }

@@ -6,6 +6,7 @@
 #include <time.h>
 
 #include "app/run/threads.h"
+#include "base/statistics.h"
 #include "study/uncertainty/sobol.h"
 
 enum { THREADS_MAX = 256, SHOW_MS = 200 };
@@ -21,7 +22,9 @@ struct work {
 
 size_t thud_uncertainty_first_sample(const struct thud_uncertainty_study *study)
 {
-    return 1 + 2 * (size_t)study->uncertainty->ninputs;
+    const struct thud_uncertainty *u = study->uncertainty;
+    size_t motions = u->nsuite > 1 ? (size_t)u->nsuite : 0;
+    return 1 + 2 * ((size_t)u->ninputs - (motions > 0)) + motions;
 }
 
 size_t thud_uncertainty_samples(const struct thud_uncertainty_study *study)
@@ -49,6 +52,13 @@ static enum thud_status draw(const struct thud_uncertainty_study *study, double 
         enum thud_status status = thud_latin_hypercube(&random, n, d, a, err);
         return status == THUD_OK && study->indices ? thud_latin_hypercube(&random, n, d, b, err) : status;
     }
+    if (both > THUD_SOBOL_DIMENSIONS) {
+        thud_error_set(err, THUD_USAGE, "Sobol's sequence has %d dimensions, %zu are needed", THUD_SOBOL_DIMENSIONS,
+                       both);
+        thud_error_key(err, "--sampling");
+        thud_error_allow(err, "latin-hypercube, or fewer inputs: --uncertain damping=0");
+        return THUD_USAGE;
+    }
     double *u = malloc(n * both * sizeof *u);
     if (!u)
         return thud_error_set(err, THUD_MEMORY, "out of memory for the samples");
@@ -65,13 +75,17 @@ static enum thud_status draw(const struct thud_uncertainty_study *study, double 
 /* Places of all rows. */
 static enum thud_status fill(struct thud_uncertainty_study *study, struct thud_error *err)
 {
-    size_t d = (size_t)study->uncertainty->ninputs, n = study->samples, first = thud_uncertainty_first_sample(study);
+    const struct thud_uncertainty *u = study->uncertainty;
+    size_t d = (size_t)u->ninputs, n = study->samples, first = thud_uncertainty_first_sample(study), row = 1;
+    size_t motions = u->nsuite > 1 ? (size_t)u->nsuite : 0;
     for (size_t i = 0; i < first * d; i++)
-        study->place[i] = 0.5;
-    for (size_t i = 0; i < d; i++) {
-        study->place[(1 + 2 * i) * d + i] = 0;
-        study->place[(2 + 2 * i) * d + i] = 1;
+        study->place[i] = motions && i % d + 1 == d ? NAN : 0.5; /* the motion as it is: the scene's own */
+    for (size_t i = 0; i + (motions > 0) < d; i++) {
+        study->place[row++ * d + i] = 0;
+        study->place[row++ * d + i] = 1;
     }
+    for (size_t m = 0; m < motions; m++)
+        study->place[(row + m) * d + d - 1] = ((double)m + 0.5) / (double)motions;
     double *a = study->place + first * d, *b = a + n * d, *mixed = b + n * d;
     enum thud_status status = n > 0 ? draw(study, a, b, err) : THUD_OK;
     for (size_t i = 0; i < d && study->indices && n > 0 && status == THUD_OK; i++, mixed += n * d) {
@@ -81,7 +95,6 @@ static enum thud_status fill(struct thud_uncertainty_study *study, struct thud_e
     }
     return status;
 }
-_Static_assert(2 * THUD_INPUTS <= THUD_SOBOL_DIMENSIONS, "a sequence for both designs");
 
 static void *worker(void *context)
 {
@@ -158,6 +171,115 @@ static enum thud_status make(struct thud_uncertainty_study *study, struct thud_e
                                 study->rows);
 }
 
+/* Share of the variance of the samples that lies between the means of the ground motions, the rest within (one-way analysis
+ * of variance: what the means would differ by if the motion played no part is taken off). `x`: (n) */
+static double between_motions(const struct thud_uncertainty_study *study, const double *x, size_t n, double *sum,
+                              double *square, double *count)
+{
+    const struct thud_uncertainty *u = study->uncertainty;
+    size_t groups = (size_t)u->nsuite, d = (size_t)u->ninputs, used = 0;
+    const double *place = study->place + thud_uncertainty_first_sample(study) * d;
+    double all = 0, whole = 0, within = 0, between = 0, effective = 0;
+    for (size_t g = 0; g < groups; g++)
+        sum[g] = square[g] = count[g] = 0;
+    for (size_t r = 0; r < n; r++) {
+        size_t g = (size_t)(place[r * d + d - 1] * (double)groups);
+        if (isnan(x[r]))
+            continue;
+        count[g]++;
+        sum[g] += x[r];
+        all += x[r];
+        whole++;
+    }
+    for (size_t r = 0; r < n; r++) {
+        size_t g = (size_t)(place[r * d + d - 1] * (double)groups);
+        if (!isnan(x[r]))
+            square[g] += pow(x[r] - sum[g] / count[g], 2);
+    }
+    for (size_t g = 0; g < groups; g++) {
+        if (count[g] == 0)
+            continue;
+        used++;
+        within += square[g];
+        between += count[g] * pow(sum[g] / count[g] - all / whole, 2);
+        effective += count[g] * count[g] / whole;
+    }
+    if (used < 2 || whole <= (double)used)
+        return NAN;
+    double inside = within / (whole - (double)used);
+    double a = (whole - effective) / ((double)used - 1); /* samples of a motion */
+    double outside = fmax(0, (between / ((double)used - 1) - inside) / a);
+    return outside + inside > 0 ? outside / (outside + inside) : NAN;
+}
+
+static enum thud_status tell(const struct thud_uncertainty_study *study, int q, double *room,
+                             struct thud_uncertainty_told *t, struct thud_error *err)
+{
+    const struct thud_uncertainty *u = study->uncertainty;
+    size_t d = (size_t)u->ninputs, first = thud_uncertainty_first_sample(study), n = thud_uncertainty_samples(study);
+    size_t motions = u->nsuite > 1 ? (size_t)u->nsuite : 0, below = 0, still = 0;
+    t->low = t->median = t->high = t->below = t->touches = t->between = NAN;
+    t->nominal = thud_uncertainty_value(study, 0, q);
+    for (size_t i = 0; i < d; i++) {
+        bool motion = motions && i + 1 == d;
+        t->of[THUD_INPUT_LEAST][i] = thud_uncertainty_value(study, 1 + 2 * i, q);
+        t->of[THUD_INPUT_MOST][i] = thud_uncertainty_value(study, motion ? 1 + 2 * i : 2 + 2 * i, q);
+        for (size_t m = 1; motion && m < motions; m++) {
+            double x = thud_uncertainty_value(study, 1 + 2 * i + m, q);
+            t->of[THUD_INPUT_LEAST][i] = fmin(t->of[THUD_INPUT_LEAST][i], x);
+            t->of[THUD_INPUT_MOST][i] = fmax(t->of[THUD_INPUT_MOST][i], x);
+        }
+        for (int k = THUD_INPUT_FIRST; k < THUD_OF_INPUTS; k++)
+            t->of[k][i] = NAN;
+    }
+    for (size_t r = 0; first + r < study->rows; r++)
+        room[r] = thud_uncertainty_value(study, first + r, q);
+    double *scratch = room + study->rows; /* (2 x 2 x d, or 3 x motions) */
+    if (motions && n > 0)
+        t->between = between_motions(study, room, n, scratch, scratch + motions, scratch + 2 * motions);
+    if (study->indices && study->samples > 0) {
+        size_t rows = study->samples;
+        struct thud_random random = {study->seed};
+        enum thud_status status = thud_sobol_indices(room, room + rows, room + n, rows, d, t->of[THUD_INPUT_FIRST],
+                                                     t->of[THUD_INPUT_TOTAL], err);
+        if (status == THUD_OK)
+            status = thud_sobol_intervals(room, room + rows, room + n, rows, d, &random, scratch, scratch + 2 * d, err);
+        if (status != THUD_OK)
+            return status;
+        memcpy(t->of[THUD_INPUT_FIRST_LOW], scratch, d * sizeof *scratch);
+        memcpy(t->of[THUD_INPUT_TOTAL_LOW], scratch + d, d * sizeof *scratch);
+        memcpy(t->of[THUD_INPUT_FIRST_HIGH], scratch + 2 * d, d * sizeof *scratch);
+        memcpy(t->of[THUD_INPUT_TOTAL_HIGH], scratch + 3 * d, d * sizeof *scratch);
+    }
+    size_t whole = thud_sort_numbers(room, n);
+    t->count = (double)whole;
+    if (whole == 0)
+        return THUD_OK;
+    while (below < whole && room[below] < 1)
+        below++;
+    while (still < whole && room[still] <= 0)
+        still++;
+    t->low = thud_quantile(room, whole, 0.05, false);
+    t->median = thud_quantile(room, whole, 0.5, false);
+    t->high = thud_quantile(room, whole, 0.95, false);
+    t->below = (double)below / (double)whole;
+    t->touches = 1 - (double)still / (double)whole;
+    return THUD_OK;
+}
+
+static enum thud_status tell_all(struct thud_uncertainty_study *study, struct thud_error *err)
+{
+    const struct thud_uncertainty *u = study->uncertainty;
+    size_t scratch = 4 * (size_t)u->ninputs + 3 * (size_t)u->nsuite;
+    double *room = malloc((study->rows + scratch + 1) * sizeof *room);
+    study->told = calloc((size_t)u->nquantities, sizeof *study->told);
+    enum thud_status status = room && study->told ? THUD_OK : thud_error_set(err, THUD_MEMORY, "out of memory");
+    for (int q = 0; q < u->nquantities && status == THUD_OK; q++)
+        status = tell(study, q, room, &study->told[q], err);
+    free(room);
+    return status;
+}
+
 enum thud_status thud_uncertainty_study_run(struct thud_uncertainty_study *study, struct thud_error *err)
 {
     size_t d = (size_t)study->uncertainty->ninputs, q = (size_t)study->uncertainty->nquantities;
@@ -170,12 +292,16 @@ enum thud_status thud_uncertainty_study_run(struct thud_uncertainty_study *study
     for (size_t i = 0; i < study->rows * q; i++)
         study->value[i] = NAN;
     enum thud_status status = fill(study, err);
-    return status == THUD_OK ? make(study, err) : status;
+    if (status == THUD_OK)
+        status = make(study, err);
+    return status == THUD_OK ? tell_all(study, err) : status;
 }
 
 void thud_uncertainty_study_clear(struct thud_uncertainty_study *study)
 {
     free(study->place);
     free(study->value);
+    free(study->told);
     study->place = study->value = NULL;
+    study->told = NULL;
 }

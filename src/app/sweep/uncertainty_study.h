@@ -8,8 +8,9 @@
 #include "base/text.h"
 #include "study/uncertainty/uncertainty.h"
 
-/* Rows of places (ninputs each) and of values (nquantities each), one after the other: as it is; each input least and most,
- * alone; n samples; and for the indices n more, and for each input the first n with it from the second. */
+/* Rows of places (ninputs each) and of values (nquantities each), one after the other: as it is; each input least and
+ * most, alone; each ground motion of the suite, alone; n samples; and for the indices n more, and for each input the
+ * first n with it from the second. */
 enum thud_sampling { THUD_SAMPLING_LATIN_HYPERCUBE, THUD_SAMPLING_SOBOL, THUD_SAMPLINGS };
 const char *thud_sampling_name(enum thud_sampling sampling); /* as --sampling takes it */
 
@@ -24,7 +25,8 @@ struct thud_uncertainty_study {
     void (*progress)(void *context, long done, long count, double elapsed_s); /* may be NULL */
     void *context;
     size_t rows;
-    double *place, *value; /* (rows x ninputs), (rows x nquantities) */
+    double *place, *value;              /* (rows x ninputs), (rows x nquantities) */
+    struct thud_uncertainty_told *told; /* (nquantities) */
 };
 /* Errors: THUD_CANCELLED, THUD_MEMORY, THUD_INPUT. */
 enum thud_status thud_uncertainty_study_run(struct thud_uncertainty_study *study, struct thud_error *err);
@@ -35,31 +37,39 @@ size_t thud_uncertainty_first_sample(const struct thud_uncertainty_study *study)
 size_t thud_uncertainty_samples(const struct thud_uncertainty_study *study);
 double thud_uncertainty_value(const struct thud_uncertainty_study *study, size_t row, int quantity);
 
+/* What is told of each input, by quantity. */
+enum thud_of_input {
+    THUD_INPUT_LEAST, /* with the input alone at the ends of its range; of ground motions the least of all */
+    THUD_INPUT_MOST,
+    THUD_INPUT_FIRST, /* Sobol indices, with 95 % intervals */
+    THUD_INPUT_FIRST_LOW,
+    THUD_INPUT_FIRST_HIGH,
+    THUD_INPUT_TOTAL,
+    THUD_INPUT_TOTAL_LOW,
+    THUD_INPUT_TOTAL_HIGH,
+    THUD_OF_INPUTS
+};
 /* What is told of a quantity; NaN where there are no samples or indices. */
 struct thud_uncertainty_told {
     double nominal, low, median, high; /* as it is; 5, 50 and 95 % of the samples */
     double below, count;               /* share of the samples below 1 (of ratios), and how many have an answer */
-    double least[THUD_INPUTS], most[THUD_INPUTS];  /* with each input alone at the ends of its range */
-    double first[THUD_INPUTS], total[THUD_INPUTS]; /* Sobol indices */
+    double touches;                    /* share of the samples that are above 0 */
+    double between;                    /* share of the variance that lies between the ground motions' means */
+    double of[THUD_OF_INPUTS][THUD_DRAWN_MAX];
 };
-/* `room`: (study->rows). */
-struct thud_uncertainty_told thud_uncertainty_tell(const struct thud_uncertainty_study *study, int quantity,
-                                                   double *room);
 /* The input that moves a quantity most when changed alone. */
 int thud_uncertainty_strongest(const struct thud_uncertainty_study *study, const struct thud_uncertainty_told *told);
 /* "gap +-5 %", "contact-stiffness by a factor of 2": the i-th input in words. */
 void thud_uncertainty_input_text(const struct thud_uncertainty *uncertainty, int i, char *text, size_t size);
 
-/* Errors of all: THUD_MEMORY. */
-enum thud_status thud_uncertainty_table(const struct thud_uncertainty_study *study, struct thud_text *out,
-                                        struct thud_error *err);
-/* A row per quantity: nominal, 5, 50, 95 %, share below 1 (ratios); then least and most alone, first and total index of
- * every input. */
-enum thud_status thud_uncertainty_csv(const struct thud_uncertainty_study *study, struct thud_text *out,
-                                      struct thud_error *err);
-enum thud_status thud_uncertainty_json(const struct thud_uncertainty_study *study, struct thud_text *out,
-                                       struct thud_error *err);
-/* A row per sample: place of every input (0 to 1), every quantity. */
+void thud_uncertainty_table(const struct thud_uncertainty_study *study, struct thud_text *out);
+/* A row per quantity: nominal, 5, 50, 95 %, share below 1 (ratios), of the variance between the motions; then what is told
+ * of every input. */
+void thud_uncertainty_csv(const struct thud_uncertainty_study *study, struct thud_text *out);
+void thud_uncertainty_json(const struct thud_uncertainty_study *study, struct thud_text *out);
+/* A row per sample: place of every input (0 to 1; the ground motion by name), every quantity. */
 void thud_uncertainty_samples_csv(const struct thud_uncertainty_study *study, struct thud_text *out);
+/* The runs that the indices rest on: design (A, B, AB), the input that AB takes from B, row, and as above. */
+void thud_uncertainty_indices_csv(const struct thud_uncertainty_study *study, struct thud_text *out);
 
 #endif

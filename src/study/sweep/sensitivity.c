@@ -5,7 +5,7 @@
 
 const char *thud_change_name(enum thud_change change)
 {
-    static const char *const names[THUD_CHANGES] = {"gap", "scale", "stiffness"};
+    static const char *const names[THUD_CHANGES] = {"gap", "scale", "stiffness_odd", "stiffness_even"};
     return names[change];
 }
 
@@ -69,9 +69,9 @@ static void change_gaps(struct thud_scene *scene, double factor)
     }
 }
 
-static void change_stiffness(struct thud_scene *scene, double factor)
+static void change_stiffness(struct thud_scene *scene, int first, double factor)
 {
-    for (int k = 0; k < scene->nstructures; k++) {
+    for (int k = first; k < scene->nstructures; k += 2) {
         scene->structure[k].isolation_stiffness_npm *= factor;
         for (int i = 0; i < scene->structure[k].storeys; i++)
             scene->structure[k].stiffness_npm[i] *= factor;
@@ -82,8 +82,8 @@ void thud_change_scene(struct thud_scene *scene, enum thud_change change, double
 {
     if (change == THUD_CHANGE_GAP)
         change_gaps(scene, factor);
-    if (change == THUD_CHANGE_STIFFNESS)
-        change_stiffness(scene, factor);
+    if (change == THUD_CHANGE_STIFFNESS_ODD || change == THUD_CHANGE_STIFFNESS_EVEN)
+        change_stiffness(scene, change == THUD_CHANGE_STIFFNESS_EVEN, factor);
 }
 
 static void widen(struct thud_spread *spread, enum thud_change change, struct thud_peak before, struct thud_peak after)

@@ -4,6 +4,8 @@
 #include <stdbool.h>
 #include <stdlib.h>
 
+#include "base/statistics.h"
+
 enum thud_status thud_latin_hypercube(struct thud_random *random, size_t n, size_t d, double *u, struct thud_error *err)
 {
     size_t *order = malloc((n + 1) * sizeof *order);
@@ -98,30 +100,74 @@ static bool is_whole(const double *a, const double *b, const double *ab, size_t 
     return whole;
 }
 
-void thud_sobol_indices(const double *a, const double *b, const double *ab, size_t n, size_t d, double *first,
-                        double *total)
+/* Which rows are whole, into row (n); returns how many. */
+static size_t whole_rows(const double *a, const double *b, const double *ab, size_t n, size_t d, size_t *row)
 {
-    double mean = 0, variance = 0;
     size_t rows = 0;
     for (size_t r = 0; r < n; r++)
-        if (is_whole(a, b, ab, n, d, r)) {
-            mean += a[r] + b[r];
-            rows++;
-        }
-    mean /= rows > 0 ? 2 * (double)rows : 1;
-    for (size_t r = 0; r < n; r++)
         if (is_whole(a, b, ab, n, d, r))
-            variance += (a[r] - mean) * (a[r] - mean) + (b[r] - mean) * (b[r] - mean);
+            row[rows++] = r;
+    return rows;
+}
+
+static void indices_of(const double *a, const double *b, const double *ab, size_t n, size_t d, const size_t *row,
+                       size_t rows, double *first, double *total)
+{
+    double mean = 0, variance = 0;
+    for (size_t k = 0; k < rows; k++)
+        mean += a[row[k]] + b[row[k]];
+    mean /= rows > 0 ? 2 * (double)rows : 1;
+    for (size_t k = 0; k < rows; k++)
+        variance += (a[row[k]] - mean) * (a[row[k]] - mean) + (b[row[k]] - mean) * (b[row[k]] - mean);
     for (size_t i = 0; i < d; i++) {
         double one = 0, all = 0;
-        for (size_t r = 0; r < n; r++) {
-            if (!is_whole(a, b, ab, n, d, r))
-                continue;
-            double change = ab[i * n + r] - a[r];
-            one += (b[r] - mean) * change;
+        for (size_t k = 0; k < rows; k++) {
+            double change = ab[i * n + row[k]] - a[row[k]];
+            one += (b[row[k]] - mean) * change;
             all += change * change;
         }
         first[i] = variance > 0 ? 2 * one / variance : NAN;
         total[i] = variance > 0 ? all / variance : NAN;
     }
+}
+
+enum thud_status thud_sobol_indices(const double *a, const double *b, const double *ab, size_t n, size_t d,
+                                    double *first, double *total, struct thud_error *err)
+{
+    size_t *row = malloc((n + 1) * sizeof *row);
+    if (!row)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    indices_of(a, b, ab, n, d, row, whole_rows(a, b, ab, n, d, row), first, total);
+    free(row);
+    return THUD_OK;
+}
+
+enum thud_status thud_sobol_intervals(const double *a, const double *b, const double *ab, size_t n, size_t d,
+                                      struct thud_random *random, double *low, double *high, struct thud_error *err)
+{
+    enum { SAMPLES = 1000 };
+    size_t *row = malloc(2 * (n + 1) * sizeof *row), *drawn = row ? row + n + 1 : NULL;
+    double *value = malloc((2 * d * SAMPLES + 2 * d + 1) * sizeof *value),
+           *one = value ? value + 2 * d * SAMPLES : NULL;
+    if (!row || !value) {
+        free(row);
+        free(value);
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    }
+    size_t rows = whole_rows(a, b, ab, n, d, row);
+    for (size_t s = 0; s < SAMPLES; s++) {
+        for (size_t k = 0; k < rows; k++)
+            drawn[k] = row[thud_random_below(random, rows)];
+        indices_of(a, b, ab, n, d, drawn, rows, one, one + d);
+        for (size_t i = 0; i < 2 * d; i++)
+            value[i * SAMPLES + s] = one[i];
+    }
+    for (size_t i = 0; i < 2 * d; i++) { /* a sample of equal rows has no index */
+        size_t m = thud_sort_numbers(value + i * SAMPLES, SAMPLES);
+        low[i] = rows > 1 ? thud_quantile(value + i * SAMPLES, m, 0.025, false) : NAN;
+        high[i] = rows > 1 ? thud_quantile(value + i * SAMPLES, m, 0.975, false) : NAN;
+    }
+    free(row);
+    free(value);
+    return THUD_OK;
 }

@@ -13,19 +13,20 @@
 #include "study/sweep/remark.h"
 
 static const struct thud_input_info infos[THUD_INPUTS] = {
-    [THUD_INPUT_GAP] = {"gap", THUD_INPUT_RELATIVE, 0.05},
-    [THUD_INPUT_MOTION] = {"motion", THUD_INPUT_RELATIVE, 0},
-    [THUD_INPUT_STIFFNESS] = {"stiffness", THUD_INPUT_RELATIVE, 0.1},
-    [THUD_INPUT_DAMPING] = {"damping", THUD_INPUT_RELATIVE, 0.2},
-    [THUD_INPUT_MASS] = {"mass", THUD_INPUT_RELATIVE, 0},
-    [THUD_INPUT_CONTACT_STIFFNESS] = {"contact-stiffness", THUD_INPUT_FACTOR, 2},
-    [THUD_INPUT_RESTITUTION] = {"restitution", THUD_INPUT_ABSOLUTE, 0.1},
-    [THUD_INPUT_BUMPER_STIFFNESS] = {"bumper-stiffness", THUD_INPUT_RELATIVE, 0.2},
-    [THUD_INPUT_BUMPER_EXPONENT] = {"bumper-exponent", THUD_INPUT_ABSOLUTE, 0},
-    [THUD_INPUT_YIELD] = {"yield", THUD_INPUT_RELATIVE, 0.1},
-    [THUD_INPUT_HARDENING] = {"hardening", THUD_INPUT_ABSOLUTE, 0.02},
-    [THUD_INPUT_COLUMNS] = {"column-stiffness", THUD_INPUT_RELATIVE, 0.2},
-    [THUD_INPUT_ELEVATION] = {"elevation", THUD_INPUT_LENGTH, 0},
+    [THUD_INPUT_GAP] = {"gap", THUD_INPUT_RELATIVE, THUD_INPUT_EACH_INTERFACE, 0.05},
+    [THUD_INPUT_MOTION] = {"motion", THUD_INPUT_RELATIVE, THUD_INPUT_ALL, 0},
+    [THUD_INPUT_STIFFNESS] = {"stiffness", THUD_INPUT_RELATIVE, THUD_INPUT_EACH_STRUCTURE, 0.1},
+    [THUD_INPUT_DAMPING] = {"damping", THUD_INPUT_RELATIVE, THUD_INPUT_EACH_STRUCTURE, 0.2},
+    [THUD_INPUT_MASS] = {"mass", THUD_INPUT_RELATIVE, THUD_INPUT_EACH_STRUCTURE, 0},
+    [THUD_INPUT_CONTACT_STIFFNESS] = {"contact-stiffness", THUD_INPUT_FACTOR, THUD_INPUT_ALL, 2},
+    [THUD_INPUT_RESTITUTION] = {"restitution", THUD_INPUT_ABSOLUTE, THUD_INPUT_ALL, 0.1},
+    [THUD_INPUT_BUMPER_STIFFNESS] = {"bumper-stiffness", THUD_INPUT_RELATIVE, THUD_INPUT_ALL, 0.2},
+    [THUD_INPUT_BUMPER_EXPONENT] = {"bumper-exponent", THUD_INPUT_ABSOLUTE, THUD_INPUT_ALL, 0},
+    [THUD_INPUT_YIELD] = {"yield", THUD_INPUT_RELATIVE, THUD_INPUT_EACH_STRUCTURE, 0.1},
+    [THUD_INPUT_HARDENING] = {"hardening", THUD_INPUT_ABSOLUTE, THUD_INPUT_EACH_STRUCTURE, 0.02},
+    [THUD_INPUT_COLUMNS] = {"column-stiffness", THUD_INPUT_RELATIVE, THUD_INPUT_EACH_STRUCTURE, 0.2},
+    [THUD_INPUT_ELEVATION] = {"elevation", THUD_INPUT_LENGTH, THUD_INPUT_EACH_STRUCTURE, 0},
+    [THUD_INPUT_RECORD] = {"ground-motion", THUD_INPUT_CHOICE, THUD_INPUT_ALL, 0},
 };
 
 const struct thud_input_info *thud_input_info(enum thud_input input)
@@ -35,35 +36,62 @@ const struct thud_input_info *thud_input_info(enum thud_input input)
 
 void thud_inputs_init(struct thud_inputs *inputs)
 {
+    *inputs = (struct thud_inputs){0};
     for (int i = 0; i < THUD_INPUTS; i++)
         inputs->size[i] = infos[i].size;
 }
 
+/* The size of an input into the place of what its name goes on with: nothing, `.common` or `.NAME`. */
+static enum thud_status put_size(struct thud_inputs *inputs, enum thud_input input, const char *of, size_t n,
+                                 double size, struct thud_error *err)
+{
+    if (n == 0) {
+        inputs->size[input] = size;
+        for (int i = 0; i < inputs->nown; i++) /* later ones hold */
+            if (inputs->own[i].input == input)
+                inputs->own[i].size = size;
+    } else if (n == strlen("common") && strncmp(of, "common", n) == 0) {
+        inputs->common[input] = size;
+    } else {
+        if (inputs->nown == THUD_INPUTS_OWN_MAX)
+            return thud_error_set(err, THUD_USAGE, "more than %d inputs with a size of their own", THUD_INPUTS_OWN_MAX);
+        struct thud_input_own *own = &inputs->own[inputs->nown++];
+        *own = (struct thud_input_own){.input = input, .size = size};
+        snprintf(own->of, sizeof own->of, "%.*s", (int)n, of);
+    }
+    return THUD_OK;
+}
+
 enum thud_status thud_inputs_set(struct thud_inputs *inputs, const char *text, struct thud_error *err)
 {
-    size_t word = strcspn(text, "=");
+    static const double most[] = {
+        [THUD_INPUT_RELATIVE] = 0.9, [THUD_INPUT_FACTOR] = 100, [THUD_INPUT_ABSOLUTE] = 1, [THUD_INPUT_LENGTH] = 10};
+    size_t word = strcspn(text, ".=");
+    const char *sign = strrchr(text, '='), *of = text + word + 1;
     struct thud_quantity q;
-    for (int i = 0; i < THUD_INPUTS && text[word]; i++) {
+    for (int i = 0; i < THUD_INPUT_RECORD && sign; i++) {
         if (strlen(infos[i].name) != word || strncmp(text, infos[i].name, word) != 0)
             continue;
-        static const double most[] = {[THUD_INPUT_RELATIVE] = 0.9,
-                                      [THUD_INPUT_FACTOR] = 100,
-                                      [THUD_INPUT_ABSOLUTE] = 1,
-                                      [THUD_INPUT_LENGTH] = 10};
+        size_t n = text[word] == '.' ? (size_t)(sign - of) : 0;
         enum thud_input_way way = infos[i].way;
         enum thud_dimension dimension = way == THUD_INPUT_LENGTH ? THUD_LENGTH : THUD_RATIO;
-        if (thud_quantity_parse(text + word + 1, dimension, NULL, &q, NULL) != THUD_OK ||
+        bool common = n == strlen("common") && strncmp(of, "common", n) == 0;
+        if (text[word] == '.' && (n == 0 || n >= THUD_NAME_MAX || infos[i].each == THUD_INPUT_ALL))
+            break;
+        if (common && i == THUD_INPUT_ELEVATION) /* which would change nothing */
+            break;
+        if (thud_quantity_parse(sign + 1, dimension, NULL, &q, NULL) != THUD_OK ||
             !(q.value >= (way == THUD_INPUT_FACTOR ? 1 : 0) && q.value <= most[way]))
             break;
-        inputs->size[i] = q.value;
-        return THUD_OK;
+        return put_size(inputs, (enum thud_input)i, of, n, q.value, err);
     }
     thud_error_set(err, THUD_USAGE, "\"%.60s\" is no input with its size", text);
     thud_error_key(err, "--uncertain");
     thud_error_allow(
         err, "gap, motion, stiffness, damping, mass, bumper-stiffness, yield, column-stiffness: 5 %%, up to "
              "90 %%; contact-stiffness: a factor from 1; restitution, bumper-exponent, hardening: 0.1, up to 1; "
-             "elevation: 5 cm, up to 10 m");
+             "elevation: 5 cm, up to 10 m; of one building stiffness.A=5 %%, of all of them besides "
+             "stiffness.common=10 %%");
     return THUD_USAGE;
 }
 
@@ -101,23 +129,20 @@ static void change_law(struct thud_law_choice *choice, const char *name, enum th
     *value = x;
 }
 
-static void change_structures(struct thud_scene *scene, enum thud_input input, double size, double u)
+static void change_structure(struct thud_structure *p, enum thud_input input, double size, double u)
 {
-    for (int s = 0; s < scene->nstructures; s++) {
-        struct thud_structure *p = &scene->structure[s];
-        int n = p->kind == THUD_RIGID ? 1 : p->kind == THUD_WALL ? 0 : p->storeys;
-        if (input == THUD_INPUT_DAMPING) {
-            p->damping = changed(input, p->damping, size, u);
-            p->isolation_damping = changed(input, p->isolation_damping, size, u);
-        } else if (input == THUD_INPUT_STIFFNESS) {
-            p->isolation_stiffness_npm = changed(input, p->isolation_stiffness_npm, size, u);
-        } else {
-            p->base_mass_kg = changed(input, p->base_mass_kg, size, u);
-        }
-        for (int i = 0; i < n; i++) {
-            double *x = input == THUD_INPUT_STIFFNESS ? &p->stiffness_npm[i] : &p->mass_kg[i];
-            *x = input == THUD_INPUT_DAMPING ? *x : changed(input, *x, size, u);
-        }
+    int n = p->kind == THUD_RIGID ? 1 : p->kind == THUD_WALL ? 0 : p->storeys;
+    if (input == THUD_INPUT_DAMPING) {
+        p->damping = changed(input, p->damping, size, u);
+        p->isolation_damping = changed(input, p->isolation_damping, size, u);
+    } else if (input == THUD_INPUT_STIFFNESS) {
+        p->isolation_stiffness_npm = changed(input, p->isolation_stiffness_npm, size, u);
+    } else {
+        p->base_mass_kg = changed(input, p->base_mass_kg, size, u);
+    }
+    for (int i = 0; i < n; i++) {
+        double *x = input == THUD_INPUT_STIFFNESS ? &p->stiffness_npm[i] : &p->mass_kg[i];
+        *x = input == THUD_INPUT_DAMPING ? *x : changed(input, *x, size, u);
     }
 }
 
@@ -136,28 +161,27 @@ static void change_storeys(struct thud_structure *p, enum thud_input input, doub
     }
 }
 
-static void change_buildings(struct thud_scene *scene, enum thud_input input, double size, double u)
+static void change_building(struct thud_structure *p, enum thud_input input, double size, double u)
 {
-    for (int s = 0; s < scene->nstructures; s++) {
-        struct thud_structure *p = &scene->structure[s];
-        if (!thud_kind_is_building(p->kind))
-            continue;
-        if (input == THUD_INPUT_ELEVATION)
-            p->base_m = s % 2 ? changed(input, p->base_m, size, u) : p->base_m;
-        else if (input == THUD_INPUT_COLUMNS)
-            for (int i = 0; i < p->storeys; i++) {
-                p->column_ei_nm2[i] = changed(input, p->column_ei_nm2[i], size, u);
-                p->column_stiffness_npm[i] = changed(input, p->column_stiffness_npm[i], size, u);
-            }
-        else
-            change_storeys(p, input, size, u);
-    }
+    if (!thud_kind_is_building(p->kind))
+        return;
+    if (input == THUD_INPUT_ELEVATION)
+        p->base_m = changed(input, p->base_m, size, u);
+    else if (input == THUD_INPUT_COLUMNS)
+        for (int i = 0; i < p->storeys; i++) {
+            p->column_ei_nm2[i] = changed(input, p->column_ei_nm2[i], size, u);
+            p->column_stiffness_npm[i] = changed(input, p->column_stiffness_npm[i], size, u);
+        }
+    else
+        change_storeys(p, input, size, u);
 }
 
-static void change_interfaces(struct thud_scene *scene, enum thud_input input, double size, double u)
+static void change_interfaces(struct thud_scene *scene, enum thud_input input, int of, double size, double u)
 {
     for (int i = 0; i + 1 < scene->nstructures; i++) {
         struct thud_interface *f = &scene->interface[i];
+        if (of >= 0 && of != i)
+            continue;
         if (input == THUD_INPUT_GAP) {
             f->gap_m = changed(input, f->gap_m, size, u);
             if (f->has_bumper)
@@ -178,61 +202,158 @@ static void change_interfaces(struct thud_scene *scene, enum thud_input input, d
     }
 }
 
-void thud_input_change(struct thud_scene *scene, enum thud_input input, double size, double u, double *motion)
+void thud_input_change(struct thud_scene *scene, const struct thud_drawn_input *drawn, double u, double *motion)
 {
+    enum thud_input input = drawn->input;
+    if (input == THUD_INPUT_RECORD)
+        return;
     if (input == THUD_INPUT_MOTION)
-        *motion = changed(input, *motion, size, u);
-    else if (input == THUD_INPUT_STIFFNESS || input == THUD_INPUT_DAMPING || input == THUD_INPUT_MASS)
-        change_structures(scene, input, size, u);
-    else if (input >= THUD_INPUT_YIELD && input <= THUD_INPUT_ELEVATION)
-        change_buildings(scene, input, size, u);
-    else
-        change_interfaces(scene, input, size, u);
+        *motion = changed(input, *motion, drawn->size, u);
+    else if (infos[input].each != THUD_INPUT_EACH_STRUCTURE)
+        change_interfaces(scene, input, drawn->of, drawn->size, u);
+    for (int s = 0; infos[input].each == THUD_INPUT_EACH_STRUCTURE && s < scene->nstructures; s++) {
+        if (drawn->of >= 0 && drawn->of != s)
+            continue;
+        if (input >= THUD_INPUT_YIELD && input <= THUD_INPUT_ELEVATION)
+            change_building(&scene->structure[s], input, drawn->size, u);
+        else
+            change_structure(&scene->structure[s], input, drawn->size, u);
+    }
 }
 
-/* Whether a slab strikes columns somewhere, and with `given` columns whose stiffness is. */
-static bool has_struck(const struct thud_scene *scene, bool given)
+/* Whether a slab strikes columns of a structure (-1: of any), and with `given` columns whose stiffness is. */
+static bool has_struck(const struct thud_scene *scene, int structure, bool given)
 {
     struct thud_pairing *meeting = malloc(THUD_PAIRINGS_MAX * sizeof *meeting);
     bool found = false;
     for (int i = 0; meeting && i + 1 < scene->nstructures && !found; i++)
         for (int k = thud_interface_pairings(scene, i, meeting) - 1; k >= 0 && !found; k--) {
-            const struct thud_structure *s = &scene->structure[meeting[k].struck > 0 ? i + 1 : i];
+            int own = meeting[k].struck > 0 ? i + 1 : i;
+            const struct thud_structure *s = &scene->structure[own];
             int floor = meeting[k].struck > 0 ? meeting[k].right_floor : meeting[k].left_floor;
-            found =
-                meeting[k].struck != 0 && (!given || !isnan(thud_column_ei(s, floor - 1 - (s->kind == THUD_ISOLATED))));
+            found = meeting[k].struck != 0 && (structure < 0 || structure == own) &&
+                    (!given || !isnan(thud_column_ei(s, floor - 1 - (s->kind == THUD_ISOLATED))));
         }
     free(meeting);
     return found;
 }
 
-/* Whether two neighbours are buildings, of which one is moved. */
-static bool has_elevation(const struct thud_scene *scene)
+static bool yields(const struct thud_structure *s)
 {
-    for (int i = 0; i + 1 < scene->nstructures; i++)
-        if (thud_kind_is_building(scene->structure[i | 1].kind))
+    for (int i = 0; thud_kind_is_building(s->kind) && i < s->storeys; i++)
+        if (isfinite(thud_structure_yield(s, i)))
             return true;
     return false;
 }
 
-static int active_inputs(const struct thud_inputs *inputs, const struct thud_scene *scene,
-                         enum thud_input input[THUD_INPUTS])
+static bool is_building(const struct thud_scene *scene, int s)
 {
-    int n = 0;
-    bool bumper = thud_scene_has_bumper(scene), interfaces = scene->nstructures > 1;
-    for (int i = 0; i < THUD_INPUTS; i++) {
-        bool none = inputs->size[i] == (infos[i].way == THUD_INPUT_FACTOR ? 1 : 0);
-        bool there = i == THUD_INPUT_MOTION                                                ? scene->record.file[0]
-                     : i == THUD_INPUT_BUMPER_STIFFNESS || i == THUD_INPUT_BUMPER_EXPONENT ? bumper
-                     : i == THUD_INPUT_YIELD || i == THUD_INPUT_HARDENING                  ? thud_scene_yields(scene)
-                     : i == THUD_INPUT_COLUMNS                                             ? has_struck(scene, true)
-                     : i == THUD_INPUT_ELEVATION                                           ? has_elevation(scene)
-                     : i == THUD_INPUT_STIFFNESS || i == THUD_INPUT_DAMPING || i == THUD_INPUT_MASS ? true
-                                                                                                    : interfaces;
-        if (!none && there)
-            input[n++] = (enum thud_input)i;
+    return s >= 0 && s < scene->nstructures && thud_kind_is_building(scene->structure[s].kind);
+}
+
+/* Whether a structure or interface, or the scene, has such an input. */
+static bool is_there(const struct thud_scene *scene, enum thud_input input, int of)
+{
+    const struct thud_structure *own = of >= 0 ? &scene->structure[of] : NULL;
+    switch (input) {
+    case THUD_INPUT_MOTION:
+        return scene->record.file[0];
+    case THUD_INPUT_STIFFNESS:
+    case THUD_INPUT_DAMPING:
+        return is_building(scene, of);
+    case THUD_INPUT_MASS:
+        return own && own->kind != THUD_WALL;
+    case THUD_INPUT_YIELD:
+    case THUD_INPUT_HARDENING:
+        return own && yields(own);
+    case THUD_INPUT_COLUMNS:
+        return has_struck(scene, of, true);
+    case THUD_INPUT_ELEVATION: /* against a neighbour */
+        return is_building(scene, of) && (is_building(scene, of - 1) || is_building(scene, of + 1));
+    case THUD_INPUT_BUMPER_STIFFNESS:
+    case THUD_INPUT_BUMPER_EXPONENT:
+        return thud_scene_has_bumper(scene);
+    default:
+        return scene->nstructures > 1;
     }
-    return n;
+}
+
+/* The size that was asked for one of several, else that of each. `used`: (inputs->nown) */
+static double size_of(const struct thud_inputs *inputs, const struct thud_scene *scene, enum thud_input input, int of,
+                      bool *used)
+{
+    double size = inputs->size[input];
+    char number[16];
+    snprintf(number, sizeof number, "%d", of + 1);
+    for (int i = 0; i < inputs->nown; i++) {
+        const struct thud_input_own *own = &inputs->own[i];
+        bool named = infos[input].each == THUD_INPUT_EACH_STRUCTURE && strcmp(own->of, scene->structure[of].name) == 0;
+        if (own->input != input || !(named || strcmp(own->of, number) == 0))
+            continue;
+        size = own->size;
+        used[i] = true;
+    }
+    return size;
+}
+
+static void add_input(struct thud_uncertainty *u, enum thud_input input, int of, double size, const char *suffix)
+{
+    struct thud_drawn_input *drawn = &u->input[u->ninputs];
+    if (size == (infos[input].way == THUD_INPUT_FACTOR ? 1 : 0))
+        return;
+    *drawn = (struct thud_drawn_input){.input = input, .of = of, .size = size};
+    snprintf(drawn->name, sizeof drawn->name, "%s%s%s", infos[input].name, *suffix ? "." : "", suffix);
+    u->ninputs++;
+}
+
+static void add_each(struct thud_uncertainty *u, const struct thud_inputs *inputs, enum thud_input input, bool *used)
+{
+    bool structures = infos[input].each == THUD_INPUT_EACH_STRUCTURE;
+    int n = structures ? u->scene.nstructures : u->scene.nstructures - 1;
+    for (int of = 0; of < n; of++) {
+        char number[16] = "";
+        if (n > 1)
+            snprintf(number, sizeof number, "%d", of + 1);
+        if (is_there(&u->scene, input, of))
+            add_input(u, input, of, size_of(inputs, &u->scene, input, of, used),
+                      structures ? u->scene.structure[of].name : number);
+    }
+    bool any = false;
+    for (int of = 0; of < n && !any; of++)
+        any = is_there(&u->scene, input, of);
+    if (any)
+        add_input(u, input, -1, inputs->common[input], "common");
+}
+
+static enum thud_status find_inputs(struct thud_uncertainty *u, const struct thud_inputs *inputs,
+                                    struct thud_error *err)
+{
+    bool used[THUD_INPUTS_OWN_MAX] = {0};
+    for (int i = 0; i < THUD_INPUT_RECORD; i++) {
+        if (infos[i].each != THUD_INPUT_ALL)
+            add_each(u, inputs, (enum thud_input)i, used);
+        else if (is_there(&u->scene, (enum thud_input)i, -1) || (i == THUD_INPUT_MOTION && u->nsuite > 0))
+            add_input(u, (enum thud_input)i, -1, inputs->size[i], "");
+    }
+    if (u->nsuite > 1)
+        add_input(u, THUD_INPUT_RECORD, -1, u->nsuite, "");
+    for (int i = 0; i < inputs->nown; i++)
+        if (!used[i]) {
+            thud_error_set(err, THUD_INPUT, "\"%s.%s\" is nothing that this scene has",
+                           infos[inputs->own[i].input].name, inputs->own[i].of);
+            thud_error_key(err, "--uncertain");
+            thud_error_allow(err, "the name or number of a building that has such a thing, the number of an interface");
+            return THUD_INPUT;
+        }
+    return u->ninputs > 0 ? THUD_OK : thud_error_set(err, THUD_INPUT, "no input is uncertain");
+}
+
+const struct thud_record *thud_uncertainty_record(const struct thud_uncertainty *u, double place)
+{
+    if (u->nsuite < 2 || isnan(place))
+        return u->record;
+    int i = (int)(place * u->nsuite);
+    return u->suite[i < u->nsuite ? i : u->nsuite - 1];
 }
 
 /* ---- quantities ---- */
@@ -266,14 +387,6 @@ static void add(struct thud_uncertainty *u, enum thud_case which, int structure,
         snprintf(q->column, sizeof q->column, "%s%s%.40s.%s", thud_case_name(which), *name ? "." : "", name,
                  asked[i].column);
     }
-}
-
-static bool yields(const struct thud_structure *s)
-{
-    for (int i = 0; thud_kind_is_building(s->kind) && i < s->storeys; i++)
-        if (isfinite(thud_structure_yield(s, i)))
-            return true;
-    return false;
 }
 
 /* How many of the peaks there are. */
@@ -310,8 +423,9 @@ static void add_quantities(struct thud_uncertainty *u)
 }
 
 enum thud_status thud_uncertainty_create(const struct thud_scene *scene, const struct thud_record *record,
-                                         enum thud_case which, const struct thud_inputs *inputs,
-                                         struct thud_uncertainty **out, struct thud_error *err)
+                                         const struct thud_record *const *suite, int nsuite, enum thud_case which,
+                                         const struct thud_inputs *inputs, struct thud_uncertainty **out,
+                                         struct thud_error *err)
 {
     struct thud_uncertainty *u = calloc(1, sizeof *u);
     bool bumper = thud_scene_has_bumper(scene);
@@ -319,20 +433,18 @@ enum thud_status thud_uncertainty_create(const struct thud_scene *scene, const s
     if (!u)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     u->scene = *scene;
-    u->record = record;
-    u->inputs = *inputs;
-    u->columns = has_struck(scene, false);
+    u->suite = suite;
+    u->nsuite = nsuite;
+    u->record = !record && nsuite > 0 ? suite[0] : record;
+    u->columns = has_struck(scene, -1, false);
     if (bumper)
         u->which[u->ncases++] = THUD_CASE_NONE;
     if (!bumper || which != THUD_CASE_NONE)
         u->which[u->ncases++] = bumper && which == THUD_CASE_AS_WRITTEN ? THUD_CASE_BUMPER : which;
-    u->ninputs = active_inputs(inputs, scene, u->input);
+    enum thud_status status = find_inputs(u, inputs, err);
     u->quantity = calloc((size_t)u->ncases * ((size_t)scene->nstructures * 8 + 2), sizeof *u->quantity);
-    enum thud_status status = THUD_OK;
     if (!u->quantity)
         status = thud_error_set(err, THUD_MEMORY, "out of memory");
-    else if (u->ninputs == 0)
-        status = thud_error_set(err, THUD_INPUT, "no input is uncertain");
     if (status != THUD_OK) {
         thud_uncertainty_free(u);
         return status;
@@ -415,9 +527,10 @@ enum thud_status thud_uncertainty_evaluate(const struct thud_uncertainty *u, con
         value[q] = NAN;
     *scene = u->scene;
     for (int i = 0; i < u->ninputs; i++)
-        thud_input_change(scene, u->input[i], u->inputs.size[u->input[i]], place[i], &motion);
-    if (u->record && motion != 1) {
-        status = thud_record_create(u->record->a_mps2, u->record->samples, u->record->dt_s, &scaled, err);
+        thud_input_change(scene, &u->input[i], place[i], &motion);
+    const struct thud_record *record = thud_uncertainty_record(u, place[u->ninputs - 1]);
+    if (record && motion != 1) {
+        status = thud_record_create(record->a_mps2, record->samples, record->dt_s, &scaled, err);
         if (status == THUD_OK)
             thud_record_scale(scaled, motion);
     }
@@ -427,7 +540,7 @@ enum thud_status thud_uncertainty_evaluate(const struct thud_uncertainty *u, con
         if (status == THUD_OK)
             status = thud_scene_check(scene + 1, err);
         if (status == THUD_OK)
-            status = thud_scene_answer(scene + 1, scaled ? scaled : u->record, NULL, &answer, err);
+            status = thud_scene_answer(scene + 1, scaled ? scaled : record, NULL, &answer, err);
         if (status == THUD_OK)
             to = put_case(u, k, thud_run_result(answer.run), first, to);
         thud_answer_clear(&answer);
