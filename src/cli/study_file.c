@@ -2,6 +2,7 @@
 
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "app/run/record_list.h"
@@ -119,7 +120,13 @@ static enum thud_status begin(const struct thud_args *args, const char *group, c
     struct thud_text text = {0};
     *out = (struct thud_made_by){.folder = thud_args_value(args, "o"), .replace = thud_args_has(args, "replace")};
     snprintf(out->group, sizeof out->group, "%s", group);
-    thud_scene_json(scene, NULL, 0, &text);
+    struct thud_scene *untitled = malloc(sizeof *untitled); /* what it is called changes no result */
+    if (!untitled)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    *untitled = *scene;
+    untitled->title[0] = '\0';
+    thud_scene_json(untitled, NULL, 0, &text);
+    free(untitled);
     if (!text.failed)
         out->scene = out->asked = thud_hash(THUD_HASH_START, text.data, text.size);
     snprintf(out->what, sizeof out->what, "%s of %.60s", thud_command_at(args->command)->name, scene->name);

@@ -12,6 +12,8 @@ enum thud_status thud_figure_paper2(struct thud_figure **out, struct thud_error 
 /* Fig. 6: the two buildings with theirs. Fig. 9: the bumper on the wall and in a cavity. */
 enum thud_status thud_figure_paper6(struct thud_figure **out, struct thud_error *err);
 enum thud_status thud_figure_paper9(struct thud_figure **out, struct thud_error *err);
+/* The paper names neither the three restitutions of Fig. 3 nor its speed; these go well past the ultimate strain. */
+static const double thud_paper_fig3_restitution[] = {0.3, 0.5, 0.7}, thud_paper_fig3_mps = 1.2;
 /* Fig. 3: the rubber bumper pushed past its ultimate strain, force against time and against indentation, for three
  * restitutions. */
 enum thud_status thud_figure_paper3(struct thud_figure **out, struct thud_error *err);

@@ -90,13 +90,17 @@ static enum thud_status write_report(const struct thud_paper_study *study, const
                                      const struct thud_picture_options *options, struct thud_error *err)
 {
     struct thud_paper_pair pair[THUD_PAPER_PAIRS];
+    struct thud_paper_collision collision[THUD_PAPER_COLLISIONS];
     assert(study);
     struct thud_paper_study whole = *study;
     struct thud_text text = {0};
     enum thud_status status = thud_paper_pairs(pair, err);
+    if (status == THUD_OK)
+        status = thud_paper_collisions(collision, err);
     if (status != THUD_OK)
         return status;
     whole.pair = pair;
+    whole.collision = collision;
     whole.suffix = thud_picture_suffix(options->format);
     thud_paper_study_json(&whole, &text);
     status = thud_text_write_in(&text, folder, "study.json", err);

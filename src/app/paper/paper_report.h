@@ -2,6 +2,7 @@
 #ifndef THUD_APP_PAPER_REPORT_H
 #define THUD_APP_PAPER_REPORT_H
 
+#include "app/paper/paper_runs.h"
 #include "base/text.h"
 #include "plot/figures/figures_paper.h"
 #include "study/scene/scene.h"
@@ -20,9 +21,11 @@ struct thud_paper_study {
     const struct thud_sweep_table *table;   /* cases none, bumper, cavity over the gap */
     const struct thud_sweep_table *turned;  /* the same with every motion turned round */
     const struct thud_paper_record *record; /* (table->nrecords) */
+    const struct thud_paper_runs *runs;     /* (2) beside it, as given and turned round; NULL: no report is made */
     const struct thud_paper_pair *pair;     /* (THUD_PAPER_PAIRS) */
-    int unanswered;                         /* runs whose integration failed */
-    const char *suffix;                     /* of the pictures: "png" */
+    const struct thud_paper_collision *collision; /* (THUD_PAPER_COLLISIONS) */
+    int unanswered;                               /* runs whose integration failed */
+    const char *suffix;                           /* of the pictures: "png" */
 };
 
 /* study.json: the motions, the scene, what was varied. */

@@ -22,6 +22,7 @@ struct thud_paper_work {
     struct thud_sweep_plan plan;
     bool planned;
     struct thud_sweep_collector collector, turned;
+    struct thud_paper_runs runs[2]; /* beside it, for the report */
     int nrecords, unanswered;
     struct thud_record *record[RECORDS_MAX], *back[RECORDS_MAX]; /* as given, and turned round */
     const char *name[RECORDS_MAX];
@@ -211,6 +212,10 @@ static enum thud_status run(struct thud_paper_work *work, const struct thud_pape
         status = turn_round(work, err);
     if (status == THUD_OK && request->both_signs)
         status = run_half(work, request, true, err);
+    for (int i = 0; i < 2 && status == THUD_OK && request->both_signs; i++)
+        status = thud_paper_runs_make(
+            &work->plan.scene, (const struct thud_record *const *)(i ? work->back : work->record), work->name[0],
+            &(struct thud_sweep_jobs){.threads = request->threads, .cancel = request->cancel}, &work->runs[i], err);
     return status;
 }
 
@@ -231,6 +236,7 @@ enum thud_status thud_paper_work_make(const struct thud_paper_request *request, 
     *study = (struct thud_paper_study){.scene = &work->plan.scene,
                                        .table = &work->collector.table,
                                        .turned = request->both_signs ? &work->turned.table : NULL,
+                                       .runs = request->both_signs ? work->runs : NULL,
                                        .record = work->about,
                                        .unanswered = work->unanswered};
     *out = work;
@@ -243,6 +249,8 @@ void thud_paper_work_free(struct thud_paper_work *work)
         return;
     thud_sweep_collector_clear(&work->collector);
     thud_sweep_collector_clear(&work->turned);
+    for (int i = 0; i < 2; i++)
+        thud_paper_runs_clear(&work->runs[i]);
     if (work->planned)
         thud_sweep_plan_clear(&work->plan);
     for (int i = 0; i < work->nrecords; i++) {

@@ -6,9 +6,6 @@
 
 static const double step_s = 5e-4;
 
-/* The paper names neither the three restitutions nor the speed; these go well past the ultimate strain. */
-static const double fig3_restitution[] = {0.3, 0.5, 0.7}, fig3_closing_mps = 1.2;
-
 static const struct {
     const char *name;
     bool rubber;
@@ -228,12 +225,12 @@ enum thud_status thud_figure_paper3(struct thud_figure **out, struct thud_error 
         struct thud_answer answer;
         char name[32];
         thud_pair_rubber(&pair);
-        thud_pair_set(&pair, "restitution", fig3_restitution[i]);
-        pair.closing_mps = fig3_closing_mps;
+        thud_pair_set(&pair, "restitution", thud_paper_fig3_restitution[i]);
+        pair.closing_mps = thud_paper_fig3_mps;
         status = thud_pair_run(&pair, step_s, &answer, err);
         if (status != THUD_OK)
             break;
-        snprintf(name, sizeof name, "COR %g", fig3_restitution[i]);
+        snprintf(name, sizeof name, "COR %g", thud_paper_fig3_restitution[i]);
         for (int p = 0; p < 2; p++)
             line(panel[p], &answer, on_x[p], FORCE, (struct thud_style){.color = i}, name);
         thud_answer_clear(&answer);
