@@ -32,19 +32,19 @@ static void add_choices(const struct thud_param *p, struct thud_text *out)
  * stiffness is of no matter but to the rubber, which has no default: there it is the paper's. */
 static double obtained(const struct thud_law *law, int choice, int which, double nominal)
 {
-    struct thud_law_setup setup;
+    struct thud_law_setup setup = {0};
     int e = thud_law_param(law, "restitution"), k = thud_law_param(law, "stiffness");
     thud_law_defaults(law, &setup);
     setup.mass_kg = 160e3;
     setup.thickness_m = 0.05;
-    if (e < 0 || !law->restitution)
+    if (e < 0)
         return NAN;
     setup.value[e] = nominal;
     if (choice >= 0)
         setup.value[choice] = which;
     if (k >= 0 && isnan(setup.value[k]))
         setup.value[k] = 0.36e3 * pow(1000, law->params[thud_law_param(law, "exponent")].fallback);
-    return law->prepare && law->prepare(&setup, NULL) != THUD_OK ? NAN : law->restitution(&setup, 0.5);
+    return thud_law_prepare(law, &setup, NULL) != THUD_OK ? NAN : thud_law_restitution(law, &setup, 0.5);
 }
 
 /* A line for each way to get the damping from the restitution. */

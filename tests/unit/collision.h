@@ -158,8 +158,8 @@ static void set(const char *name, struct thud_law_setup *setup, const char *para
 static double restitution(const char *name, struct thud_law_setup *setup, double v)
 {
     const struct thud_law *law = thud_law_find(name);
-    ck_assert_int_eq(law->prepare(setup, NULL), THUD_OK);
-    return law->restitution(setup, v);
+    ck_assert_int_eq(thud_law_prepare(law, setup, NULL), THUD_OK);
+    return thud_law_restitution(law, setup, v);
 }
 
 #define CLOSE(actual, expected, tolerance) ck_assert_double_eq_tol((actual) / (expected), 1, tolerance)

@@ -13,14 +13,14 @@ static double part(const char *name, const char *choice, int index, double e, do
     const struct thud_law *law = thud_law_find(name);
     struct thud_law_setup setup = {.mass_kg = 160e3, .thickness_m = 0.05};
     thud_law_defaults(law, &setup);
-    if (law->ultimate)
+    if (law == thud_law_find("rubber"))
         setup.value[thud_law_param(law, "stiffness")] = 0.36e3 * pow(1000, 2.65);
     if (choice)
         setup.value[thud_law_param(law, choice)] = index;
     setup.value[thud_law_param(law, "restitution")] = e;
-    ck_assert_int_eq(law->prepare(&setup, NULL), THUD_OK);
-    ck_assert_double_eq(law->nominal(&setup), e);
-    return law->restitution(&setup, v);
+    ck_assert_int_eq(thud_law_prepare(law, &setup, NULL), THUD_OK);
+    ck_assert_double_eq(thud_law_nominal(law, &setup), e);
+    return thud_law_restitution(law, &setup, v);
 }
 
 /* What bodies part with when e is asked for. */

@@ -118,8 +118,8 @@ static void check_jankowski_force(struct thud_law_setup *setup, const struct equ
 {
     const struct thud_law *law = thud_law_find("jankowski");
     struct thud_law_memory memory;
-    ck_assert_int_eq(law->prepare(setup, NULL), THUD_OK);
-    law->onset(setup, 0.4, &memory);
+    ck_assert_int_eq(thud_law_prepare(law, setup, NULL), THUD_OK);
+    thud_law_onset(law, setup, 0.4, &memory);
     for (int phase = 0; phase < 2; phase++)
         for (double d = 1e-6; d < 0.1; d *= 3) {
             struct thud_branch b = law->branch(setup, &memory, (enum thud_phase)phase, false);

@@ -1,9 +1,34 @@
-/* Impact laws. A law is one const table in its own file, registered by one word in src/core/law_list.h.
+/* Impact laws: all that a law has to say, and all that it is asked.
  *
- * Every law of the field is, between two switches, of the form
- *     F = f0 + k d + c v + K d^p + D d^r v           (d indentation > 0, v = d' , v > 0 approaching)
- * which is called a branch here. So a law only says which branch holds; force, derivatives, integration and energy are
- * written once. Public functions take SI units. */
+ * A law is one const table in a file of its own, src/core/laws/law_WORD.c, and one line in src/core/laws/law_list.h. Run, methods,
+ * ledger, screens, `thud laws` and the manual know it by its table alone. Public functions take SI units.
+ *
+ * Force. With d the indentation and v = d' (> 0 approaching), the force between two switches is that of a branch,
+ *     F = f0 + k d + c v + K d^p + D d^r v .
+ * A law says which branch holds; the force, its derivatives, the integration, the events and the energies are written
+ * once, elsewhere. A force below 0 is cut at 0, but for laws that pull.
+ *
+ * Switches, and what the law is asked at each, in this order:
+ *     onset        d = 0, closing: onset; the phase is THUD_APPROACH, d lies below the ultimate compression
+ *     reversal     d' = 0, only with THUD_LAW_REVERSES: reversal sets the memory for the phase that begins, then
+ *                  ultimate and branch are asked for it. Where the force at rest of approach is above that of
+ *                  restitution and either would turn the motion back at once, the contact sticks (d' = 0) with a force
+ *                  between the two; when it comes loose, reversal is told of the phase that begins, even if it is the
+ *                  one before
+ *     ultimate     d passes the ultimate compression of the phase: branch is asked for the other side
+ *     release      F reaches 0 on any branch: with keeps_residual, d is added to the clearance and the contact is open;
+ *                  else no force acts until the same branch would push again. Reversals meanwhile are not told
+ *     separation   d = 0: the contact is open
+ *
+ * Memory is the law's own: eight numbers that nobody else reads. All are 0 before the first contact; they last from
+ * contact to contact, and onset and reversal alone change them, only where the run commits: a trial writes to a copy.
+ *
+ * What cannot be integrated right is refused by thud_law_prepare, with a sentence (law_check.c). A branch is one of
+ *     f0 + k d + c v                    THUD_LAW_LINEAR: every branch is one of these
+ *     (f0 + k d)(1 + s v)               as c = s f0, D = s k, p = r = 1
+ *     K d^p (1 + s v)                   as D = s K, r = p
+ *     f0 + k d + K d^p                  f0, k, K not negative
+ *     ... + c v + D d^r v               the same with dashpots, in approach and not negative */
 #ifndef THUD_CORE_LAW_H
 #define THUD_CORE_LAW_H
 
@@ -14,6 +39,7 @@
 
 #define THUD_LAW_PARAMS_MAX    16
 #define THUD_LAW_CONSTANTS_MAX 8
+#define THUD_LAW_MEMORY_MAX    8
 
 struct thud_branch {
     double f0_n, k_npm, c_nspm;
@@ -33,15 +59,13 @@ struct thud_law_setup {
     double constant[THUD_LAW_CONSTANTS_MAX]; /* filled by the law's prepare */
 };
 
-/* What one contact remembers from its onset on. Only the run writes it. */
 struct thud_law_memory {
-    double v_imp_mps; /* closing velocity at contact onset, as it was */
-    double damp;      /* the law's own damping factor for this contact, set by onset or reversal */
+    double own[THUD_LAW_MEMORY_MAX];
 };
 
 enum {
-    THUD_LAW_LINEAR = 1,     /* every branch is linear: contact is propagated exactly */
-    THUD_LAW_REVERSES = 2,   /* approach and restitution have different branches */
+    THUD_LAW_LINEAR = 1,     /* every branch is a straight line: contact is propagated exactly */
+    THUD_LAW_REVERSES = 2,   /* approach and restitution have different branches, or memory changes at reversals */
     THUD_LAW_PULLS = 4,      /* force may be negative; the contact ends at d = 0 */
     THUD_LAW_IMPULSIVE = 8,  /* no force: an impulse at contact onset (stereomechanical) */
     THUD_LAW_NO_FORCE = 16,  /* no contact at all (none) */
@@ -56,31 +80,41 @@ struct thud_law {
     const struct thud_param *params;
     int nparams;
 
+    /* Of the functions only branch and elastic_energy are needed, and no function by a law without force. */
+
     /* Checks values against each other and fills setup->constant. Errors: THUD_INPUT with key. */
     enum thud_status (*prepare)(struct thud_law_setup *setup, struct thud_error *err);
-    /* At contact onset with closing velocity v (>= 0); fills the memory. */
+    /* At contact onset with closing velocity v (>= 0), and at velocity reversals at indentation d, of the law alone, to
+     * the phase that begins: change the memory. */
     void (*onset)(const struct thud_law_setup *setup, double v_mps, struct thud_law_memory *memory);
-    /* At each velocity reversal from approach to restitution at indentation d, of the law alone; NULL where nothing changes. */
-    void (*reversal)(const struct thud_law_setup *setup, double d_m, struct thud_law_memory *memory);
+    void (*reversal)(const struct thud_law_setup *setup, enum thud_phase phase, double d_m,
+                     struct thud_law_memory *memory);
     /* The branch that holds in a phase on one side of the ultimate compression. */
     struct thud_branch (*branch)(const struct thud_law_setup *setup, const struct thud_law_memory *memory,
                                  enum thud_phase phase, bool past_ultimate);
-    /* Indentation at which the branch changes (the bumper's delta_u); NULL where there is none. */
-    double (*ultimate)(const struct thud_law_setup *setup);
-    /* Energy stored under the elastic curve at indentation d, J. */
-    double (*elastic_energy)(const struct thud_law_setup *setup, double d_m);
-    /* Nominal restitution as asked for, and the one two free bodies really part with at closing velocity v. */
+    /* Indentation > 0 at which the branch of a phase changes (the bumper's delta_u); INFINITY where it does not. */
+    double (*ultimate)(const struct thud_law_setup *setup, const struct thud_law_memory *memory, enum thud_phase phase);
+    /* Energy that the law would give back from indentation d if nothing were lost on the way, J. */
+    double (*elastic_energy)(const struct thud_law_setup *setup, const struct thud_law_memory *memory, double d_m);
+    /* Restitution as asked for (NULL: the parameter of this name, where there is one), and the one that two free bodies
+     * really part with at their first contact with closing velocity v. NaN: not known. */
     double (*nominal)(const struct thud_law_setup *setup);
     double (*restitution)(const struct thud_law_setup *setup, double v_mps);
-    /* true where the indentation left at release stays as residual (the paper's concrete with residual = keep); NULL:
-     * never. */
+    /* true where the indentation left at release stays as residual (the paper's concrete with residual = keep). */
     bool (*keeps_residual)(const struct thud_law_setup *setup);
     /* The n-th (from 0) thing that is unusual about the values together, as a message with the parameter as key; false
-     * when there are no more. NULL: there is none. */
+     * when there are no more. */
     bool (*unusual)(const struct thud_law_setup *setup, int n, struct thud_error *out);
 };
 
-/* The list. */
+/* Contact is propagated exactly, and never sticks. */
+static inline bool thud_law_is_linear(const struct thud_law *law)
+{
+    return law->flags & THUD_LAW_NO_FORCE || (law->flags & (THUD_LAW_LINEAR | THUD_LAW_REVERSES)) == THUD_LAW_LINEAR;
+}
+
+/* The list, NULL at its end: a program that links the library may define one of its own instead. */
+extern const struct thud_law *const thud_laws[];
 int thud_law_count(void);
 const struct thud_law *thud_law_at(int index);
 const struct thud_law *thud_law_find(const char *name);           /* NULL when unknown */
@@ -100,22 +134,28 @@ double thud_branch_force(const struct thud_branch *branch, double d_m, double v_
  * F_A/column_npm) at the indentation d of the two together. Damping is what the law makes of that curve, so that two
  * free bodies part with the restitution asked for as they do without columns: a linear law is the same law with the
  * stiffness k column/(k + column); F_A (1 + s v) keeps its s; the dashpot of jankowski is 2 z F_A/sqrt(2 U/m), U the
- * energy of law and columns together. Without columns all of these are the law's own functions. */
+ * energy of law and columns together. Without columns all of these are the law's own functions, or what stands for
+ * those that it leaves out. */
 
-/* Checks values against each other, puts the columns into a linear law's stiffness, and fills setup->constant. Errors:
- * THUD_INPUT with key. */
+/* Checks values against each other, puts the columns into a linear law's stiffness, fills setup->constant, and refuses
+ * what the page above does not allow. Errors: THUD_INPUT with key. */
 enum thud_status thud_law_prepare(const struct thud_law *law, struct thud_law_setup *setup, struct thud_error *err);
-void thud_law_reversal(const struct thud_law *law, const struct thud_law_setup *setup, double d_m,
-                       struct thud_law_memory *memory);
+void thud_law_onset(const struct thud_law *law, const struct thud_law_setup *setup, double v_mps,
+                    struct thud_law_memory *memory);
+void thud_law_reversal(const struct thud_law *law, const struct thud_law_setup *setup, enum thud_phase phase,
+                       double d_m, struct thud_law_memory *memory);
 struct thud_branch thud_law_branch(const struct thud_law *law, const struct thud_law_setup *setup,
                                    const struct thud_law_memory *memory, enum thud_phase phase, bool past_ultimate);
-/* Indentation at which the branch changes; INFINITY where there is none. */
-double thud_law_ultimate(const struct thud_law *law, const struct thud_law_setup *setup);
-/* Energy stored at indentation d, J. */
-double thud_law_energy(const struct thud_law *law, const struct thud_law_setup *setup, double d_m);
-
-/* Branch at (d, phase) without a run: picks the side of the ultimate compression. */
+/* The same at indentation d: picks the side of the ultimate compression. */
 struct thud_branch thud_law_branch_at(const struct thud_law *law, const struct thud_law_setup *setup,
                                       const struct thud_law_memory *memory, enum thud_phase phase, double d_m);
+/* Indentation at which the branch changes; INFINITY where there is none. */
+double thud_law_ultimate(const struct thud_law *law, const struct thud_law_setup *setup,
+                         const struct thud_law_memory *memory, enum thud_phase phase);
+/* Energy stored at indentation d, J; 0 for laws without force. */
+double thud_law_energy(const struct thud_law *law, const struct thud_law_setup *setup,
+                       const struct thud_law_memory *memory, enum thud_phase phase, double d_m);
+double thud_law_nominal(const struct thud_law *law, const struct thud_law_setup *setup);
+double thud_law_restitution(const struct thud_law *law, const struct thud_law_setup *setup, double v_mps);
 
 #endif

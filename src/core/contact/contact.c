@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/laws/law_check.h"
 #include "core/numerics/lcp.h"
 #include "core/numerics/tolerance.h"
 
@@ -19,11 +20,15 @@ static const struct thud_law *law_of(const struct thud_state *state, int c)
     return state->model->contact[c].law;
 }
 
-static void renew_branch(struct thud_state *state, int c)
+static const struct thud_law_setup *setup_of(const struct thud_state *state, int c)
 {
-    struct thud_contact_state *s = &state->contact[c];
-    s->branch =
-        thud_law_branch(law_of(state, c), &state->model->contact[c].setup, &s->memory, s->phase, s->past_ultimate);
+    return &state->model->contact[c].setup;
+}
+
+static void renew_branch(const struct thud_state *state, int c, struct thud_contact_state *s)
+{
+    s->branch = thud_law_branch(law_of(state, c), setup_of(state, c), &s->memory, s->phase, s->past_ultimate);
+    assert(!thud_branch_fault(law_of(state, c), &s->branch, s->phase));
 }
 
 /* Changes the mode and keeps the counts of contacts. */
@@ -43,7 +48,7 @@ void thud_contact_start(struct thud_state *state)
         struct thud_contact_state *s = &state->contact[c];
         const struct thud_law *law = law_of(state, c);
         memset(s, 0, sizeof *s);
-        s->ultimate_m = thud_law_ultimate(law, &state->model->contact[c].setup);
+        s->ultimate_m = thud_law_ultimate(law, setup_of(state, c), &s->memory, THUD_APPROACH);
         s->suppressed.indentation = fabs(thud_contact_indentation(state, c)) <= THUD_TOL_INDENTATION_M;
     }
 }
@@ -62,14 +67,15 @@ void thud_contact_moved(struct thud_state *state)
  * count. */
 static double expected_force(const struct thud_state *state, int c, double v)
 {
-    const struct thud_model_contact *p = &state->model->contact[c];
+    const struct thud_law *law = law_of(state, c);
+    const struct thud_law_setup *setup = setup_of(state, c);
     const struct thud_law_memory *memory = &state->contact[c].memory;
-    double energy = 0.5 * p->setup.mass_kg * v * v, d = 1e-6, stored, force;
-    if (!p->law->elastic_energy || energy == 0)
+    double energy = 0.5 * setup->mass_kg * v * v, d = 1e-6, stored, force;
+    if (!law->elastic_energy || energy == 0)
         return 0;
     for (int i = 0;; i++) { /* Newton's method for ln U over ln d, of slope F d/U: a power law takes one step */
-        struct thud_branch b = thud_law_branch_at(p->law, &p->setup, memory, THUD_APPROACH, d);
-        stored = thud_law_energy(p->law, &p->setup, d);
+        struct thud_branch b = thud_law_branch_at(law, setup, memory, THUD_APPROACH, d);
+        stored = thud_law_energy(law, setup, memory, THUD_APPROACH, d);
         force = thud_branch_force(&b, d, 0, NULL, NULL);
         if (i == 6 || !(stored > 0 && force > 0))
             return force;
@@ -120,17 +126,17 @@ static void onset(struct thud_state *state, struct thud_contact_log *log, int c)
 {
     struct thud_contact_state *s = &state->contact[c];
     const struct thud_law *law = law_of(state, c);
-    double v = closing_rate(state, c);
-    memset(&s->memory, 0, sizeof s->memory);
-    law->onset(&state->model->contact[c].setup, v, &s->memory);
+    double v = s->onset_mps = closing_rate(state, c);
+    thud_law_onset(law, setup_of(state, c), v, &s->memory);
+    s->ultimate_m = thud_law_ultimate(law, setup_of(state, c), &s->memory, THUD_APPROACH);
     s->phase = THUD_APPROACH;
     s->past_ultimate = false;
     thud_contact_set_mode(state, c, THUD_CLOSED);
     bool pressed =
         thud_contact_indentation(state, c) > THUD_TOL_PRESSED_M; /* from the start: the clearance is negative */
-    renew_branch(state, c);
+    renew_branch(state, c, s);
     /* k d + c d' begins at 0 with d'; what is asked of d^p (K + D d') is K + D d', which does not */
-    bool from_zero = v == 0 && !pressed && s->branch.K == 0 && s->branch.D == 0;
+    bool from_zero = v == 0 && !pressed && s->branch.f0_n == 0 && s->branch.K == 0 && s->branch.D == 0;
     s->suppressed = (struct thud_suppressed){.indentation = !pressed, .rate = v == 0, .force = from_zero};
     s->expected_force_n = expected_force(state, c, v);
     log->now[c] =
@@ -167,7 +173,7 @@ static int force_zeros(const struct thud_state *state, int c, double sign)
     const struct thud_branch *b = &state->contact[c].branch;
     double d = thud_contact_indentation(state, c), v = thud_contact_rate(state, c);
     double force = thud_branch_force(b, d, v, NULL, NULL), elastic = thud_branch_force(b, d, 0, NULL, NULL);
-    return sign * force > THUD_TOL_FORCE * elastic ? 0 : 1;
+    return sign * force > THUD_TOL_FORCE * (elastic - 2 * fmin(b->f0_n, 0)) ? 0 : 1; /* of |f0| + k d + K d^p */
 }
 
 static enum thud_status release(struct thud_state *state, struct thud_contact_log *log, int c, struct thud_error *err)
@@ -175,7 +181,7 @@ static enum thud_status release(struct thud_state *state, struct thud_contact_lo
     struct thud_contact_state *s = &state->contact[c];
     const struct thud_law *law = law_of(state, c);
     note_release(state, log, c);
-    if (law->keeps_residual && law->keeps_residual(&state->model->contact[c].setup)) {
+    if (law->keeps_residual && law->keeps_residual(setup_of(state, c))) {
         s->residual_m += fmax(thud_contact_indentation(state, c), 0);
         log->contact[c].residual_m = s->residual_m;
         return open_contact(state, log, c, 1, err);
@@ -185,35 +191,42 @@ static enum thud_status release(struct thud_state *state, struct thud_contact_lo
     return THUD_OK;
 }
 
-/* Force of the contact at rest (d' = 0) on one of its branches. */
-static double rest_force(const struct thud_state *state, int c, enum thud_phase phase, double d)
+/* The contact as it is in a phase that begins at indentation d: its memory, and what follows from that. */
+static struct thud_contact_state in_phase(const struct thud_state *state, int c, enum thud_phase phase, double d)
 {
-    const struct thud_contact_state *s = &state->contact[c];
-    struct thud_branch b =
-        thud_law_branch(law_of(state, c), &state->model->contact[c].setup, &s->memory, phase, s->past_ultimate);
-    return thud_branch_force(&b, d, 0, NULL, NULL);
+    struct thud_contact_state s = state->contact[c];
+    const double before = s.ultimate_m;
+    thud_law_reversal(law_of(state, c), setup_of(state, c), phase, d, &s.memory);
+    s.phase = phase;
+    s.ultimate_m = thud_law_ultimate(law_of(state, c), setup_of(state, c), &s.memory, phase);
+    if (s.ultimate_m != before)
+        s.past_ultimate = d > s.ultimate_m;
+    renew_branch(state, c, &s);
+    return s;
 }
 
 static void go_on(struct thud_state *state, int c, enum thud_phase phase, int rate_zeros)
 {
-    struct thud_contact_state *s = &state->contact[c];
+    const double d = thud_contact_indentation(state, c);
     thud_contact_set_mode(state, c, THUD_CLOSED);
-    if (phase == THUD_RESTITUTION)
-        thud_law_reversal(law_of(state, c), &state->model->contact[c].setup, thud_contact_indentation(state, c),
-                          &s->memory);
-    s->phase = phase;
-    s->suppressed = (struct thud_suppressed){.rate = rate_zeros};
-    renew_branch(state, c);
+    struct thud_contact_state *s = &state->contact[c];
+    *s = in_phase(state, c, phase, d);
+    bool there = fabs(d - s->ultimate_m) <= THUD_TOL_INDENTATION_M; /* the law remembers this indentation */
+    s->suppressed = (struct thud_suppressed){.rate = rate_zeros, .branch = there ? 1 + rate_zeros : 0};
 }
 
-/* At d' = 0. Where the branches meet, the other phase begins. Where they do not (rubber past delta_u, unloading as
- * printed) and each would turn the motion back to the other, the contact sticks (Filippov's sliding mode). */
+/* At d' = 0. Where the branch of the phase that begins meets the present one, that phase begins. Where it does not
+ * (rubber past delta_u, unloading as printed) and each would turn the motion back to the other, the contact sticks
+ * (Filippov's sliding mode). */
 static void reversal(struct thud_state *state, int c)
 {
     struct thud_contact_state *s = &state->contact[c];
     enum thud_phase next = s->phase == THUD_APPROACH ? THUD_RESTITUTION : THUD_APPROACH;
     double d = thud_contact_indentation(state, c);
-    double approach = rest_force(state, c, THUD_APPROACH, d), restitution = rest_force(state, c, THUD_RESTITUTION, d);
+    const struct thud_contact_state begins = in_phase(state, c, next, d);
+    double rest = thud_branch_force(&s->branch, d, 0, NULL, NULL),
+           other = thud_branch_force(&begins.branch, d, 0, NULL, NULL);
+    double approach = next == THUD_RESTITUTION ? rest : other, restitution = next == THUD_RESTITUTION ? other : rest;
     if (state->locates && approach - restitution > THUD_TOL_BRANCH_GAP * approach) {
         double *force = state->force_now;
         thud_contact_forces_given(state, c, next == THUD_RESTITUTION ? restitution : approach, force);
@@ -253,7 +266,7 @@ static void change_branch(struct thud_state *state, int c)
     struct thud_contact_state *s = &state->contact[c];
     s->past_ultimate = !s->past_ultimate;
     s->suppressed.branch = 1;
-    renew_branch(state, c);
+    renew_branch(state, c, s);
 }
 
 static enum thud_status unstick(struct thud_state *state, struct thud_contact_log *log, int c, enum thud_event event,
@@ -352,7 +365,7 @@ static enum thud_status impulses(const struct thud_state *state, struct collisio
     for (int i = 0; i < x->n; i++) {
         int c = x->set[i];
         double v = x->speed[i] = thud_contact_rate(state, c);
-        double e = m->contact[c].law->nominal(&m->contact[c].setup);
+        double e = thud_law_nominal(m->contact[c].law, &m->contact[c].setup);
         bool held =
             state->contact[c].mode == THUD_STICKING; /* what rate it has is the error of the force that holds it */
         if (held || !(e * v > rest_speed(state)))    /* or the force would have to bring it to rest at once */

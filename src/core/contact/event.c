@@ -87,8 +87,8 @@ static bool force_function(const struct thud_branch *b, const double *d, int ter
     bool power = b->K != 0;
     assert(terms > 0);
     if (!power && b->D == 0) {
-        if (b->c_nspm == 0)
-            return false;
+        if (b->c_nspm == 0 && b->f0_n == 0)
+            return false; /* k d: with the indentation, as separation */
         for (int k = 0; k < terms; k++)
             out[k] = b->k_npm * d[k] + (k + 1 < terms ? b->c_nspm * (k + 1) / h * d[k + 1] : 0);
         out[0] += b->f0_n;

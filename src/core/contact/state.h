@@ -32,6 +32,7 @@ struct thud_contact_state {
     bool past_ultimate;
     struct thud_branch branch;
     struct thud_law_memory memory;
+    double onset_mps; /* closing velocity at contact onset */
     struct thud_suppressed suppressed;
     double ultimate_m; /* indentation at which the branch changes; INFINITY where there is none */
     double constraint_low_n, constraint_high_n; /* STICKING: interval of the constraint force, N */

@@ -3,31 +3,26 @@
 #include <math.h>
 #include <string.h>
 
-#define THUD_LAW(word) extern const struct thud_law thud_law_##word;
-#include "core/laws/law_list.h"
-#undef THUD_LAW
-
-static const struct thud_law *const laws[] = {
-#define THUD_LAW(word) &thud_law_##word,
-#include "core/laws/law_list.h"
-#undef THUD_LAW
-};
+#include "core/laws/law_check.h"
 
 int thud_law_count(void)
 {
-    return (int)(sizeof laws / sizeof laws[0]);
+    int n = 0;
+    while (thud_laws[n])
+        n++;
+    return n;
 }
 
 const struct thud_law *thud_law_at(int index)
 {
-    return laws[index];
+    return thud_laws[index];
 }
 
 const struct thud_law *thud_law_find(const char *name)
 {
-    for (int i = 0; i < thud_law_count(); i++)
-        if (strcmp(laws[i]->name, name) == 0)
-            return laws[i];
+    for (int i = 0; thud_laws[i]; i++)
+        if (strcmp(thud_laws[i]->name, name) == 0)
+            return thud_laws[i];
     return NULL;
 }
 
@@ -151,40 +146,65 @@ double thud_branch_force(const struct thud_branch *branch, double d_m, double v_
     return force;
 }
 
+double thud_law_nominal(const struct thud_law *law, const struct thud_law_setup *setup)
+{
+    int i = thud_law_param(law, "restitution");
+    return law->nominal ? law->nominal(setup) : i >= 0 ? setup->value[i] : NAN;
+}
+
+double thud_law_restitution(const struct thud_law *law, const struct thud_law_setup *setup, double v_mps)
+{
+    return law->restitution ? law->restitution(setup, v_mps) : NAN;
+}
+
+void thud_law_onset(const struct thud_law *law, const struct thud_law_setup *setup, double v_mps,
+                    struct thud_law_memory *memory)
+{
+    if (law->onset)
+        law->onset(setup, v_mps, memory);
+}
+
 struct thud_branch thud_law_branch_at(const struct thud_law *law, const struct thud_law_setup *setup,
                                       const struct thud_law_memory *memory, enum thud_phase phase, double d_m)
 {
-    return thud_law_branch(law, setup, memory, phase, d_m > thud_law_ultimate(law, setup));
+    return thud_law_branch(law, setup, memory, phase, d_m > thud_law_ultimate(law, setup, memory, phase));
 }
 
 /* ---- a law and the columns that are struck ---- */
 
+/* Which parameter is the whole stiffness of the law, in which the columns are part of it from the start; -1: none. */
+static int spring_of(const struct thud_law *law)
+{
+    bool one_line = law->flags & THUD_LAW_LINEAR && !(law->flags & THUD_LAW_REVERSES) && !law->ultimate;
+    return one_line ? thud_law_param(law, "stiffness") : -1;
+}
+
 static bool gives(const struct thud_law *law, const struct thud_law_setup *setup)
 {
-    return setup->column_npm > 0 && !(law->flags & THUD_LAW_LINEAR);
+    return setup->column_npm > 0 && spring_of(law) < 0;
 }
 
 enum thud_status thud_law_prepare(const struct thud_law *law, struct thud_law_setup *setup, struct thud_error *err)
 {
+    int spring = spring_of(law);
     if (setup->column_npm > 0 && law->flags & THUD_LAW_IMPULSIVE) {
         thud_error_set(err, THUD_INPUT, "columns that give need a contact force, and %s has impulses", law->name);
         thud_error_key(err, "law");
         thud_error_allow(err, "another law, or columns without EI and stiffness");
         return THUD_INPUT;
     }
-    if (setup->column_npm > 0 && law->flags & THUD_LAW_LINEAR) {
-        double *k = &setup->value[thud_law_param(law, "stiffness")];
-        *k *= setup->column_npm / (*k + setup->column_npm);
-    }
-    return law->prepare ? law->prepare(setup, err) : THUD_OK;
+    if (setup->column_npm > 0 && spring >= 0)
+        setup->value[spring] *= setup->column_npm / (setup->value[spring] + setup->column_npm);
+    enum thud_status status = law->prepare ? law->prepare(setup, err) : THUD_OK;
+    return status == THUD_OK ? thud_law_check(law, setup, err) : status;
 }
 
 /* Straight lines in series with a spring are straight lines: all of a line f0 + k d that damping only multiplies, and
- * K d with its dashpot, which goes with the root of the stiffness. */
+ * a dashpot of its own, which goes with the root of the stiffness. */
 static void fold_line(struct thud_branch *b, double column)
 {
     double part = column / ((b->K != 0 ? b->K : b->k_npm) + column);
-    b->c_nspm *= b->K != 0 ? sqrt(part) : part;
+    b->c_nspm *= b->K != 0 || b->D == 0 ? sqrt(part) : part;
     b->f0_n *= part;
     b->k_npm *= part;
     b->K *= part;
@@ -194,6 +214,8 @@ static void fold_line(struct thud_branch *b, double column)
 struct thud_branch thud_law_branch(const struct thud_law *law, const struct thud_law_setup *setup,
                                    const struct thud_law_memory *memory, enum thud_phase phase, bool past_ultimate)
 {
+    if (!law->branch)
+        return (struct thud_branch){0};
     struct thud_branch b = law->branch(setup, memory, phase, past_ultimate);
     if (!gives(law, setup))
         return b;
@@ -204,41 +226,38 @@ struct thud_branch thud_law_branch(const struct thud_law *law, const struct thud
     return b;
 }
 
-static double own_ultimate(const struct thud_law *law, const struct thud_law_setup *setup)
+double thud_law_ultimate(const struct thud_law *law, const struct thud_law_setup *setup,
+                         const struct thud_law_memory *memory, enum thud_phase phase)
 {
-    return law->ultimate ? law->ultimate(setup) : INFINITY;
-}
-
-double thud_law_ultimate(const struct thud_law *law, const struct thud_law_setup *setup)
-{
-    const struct thud_law_memory memory = {0};
-    double d = own_ultimate(law, setup);
+    double d = law->ultimate ? law->ultimate(setup, memory, phase) : INFINITY;
     if (!gives(law, setup) || d == INFINITY)
         return d;
-    struct thud_branch b = law->branch(setup, &memory, THUD_APPROACH, false);
+    struct thud_branch b = law->branch(setup, memory, phase, false);
     return d + thud_branch_force(&b, d, 0, NULL, NULL) / setup->column_npm;
 }
 
-/* Force of the elastic curve of law and columns together. */
-static double elastic_force(const struct thud_law *law, const struct thud_law_setup *setup, double d)
+/* How far the columns give at rest. */
+static double column_part(const struct thud_law *law, const struct thud_law_setup *setup,
+                          const struct thud_law_memory *memory, enum thud_phase phase, double d)
 {
-    const struct thud_law_memory memory = {0};
-    struct thud_branch b = thud_law_branch_at(law, setup, &memory, THUD_APPROACH, d);
-    return thud_branch_force(&b, d, 0, NULL, NULL);
+    struct thud_branch b = thud_law_branch_at(law, setup, memory, phase, d);
+    return thud_branch_force(&b, d, 0, NULL, NULL) / setup->column_npm;
 }
 
-double thud_law_energy(const struct thud_law *law, const struct thud_law_setup *setup, double d_m)
+double thud_law_energy(const struct thud_law *law, const struct thud_law_setup *setup,
+                       const struct thud_law_memory *memory, enum thud_phase phase, double d_m)
 {
-    if (!gives(law, setup) || !(d_m > 0))
-        return law->elastic_energy(setup, d_m);
-    double force = elastic_force(law, setup, d_m), column = force / setup->column_npm;
-    return law->elastic_energy(setup, d_m - column) + 0.5 * force * column;
+    if (!law->elastic_energy || !(d_m > 0))
+        return 0;
+    double column = gives(law, setup) ? column_part(law, setup, memory, phase, d_m) : 0;
+    return law->elastic_energy(setup, memory, d_m - column) + 0.5 * setup->column_npm * column * column;
 }
 
-void thud_law_reversal(const struct thud_law *law, const struct thud_law_setup *setup, double d_m,
-                       struct thud_law_memory *memory)
+void thud_law_reversal(const struct thud_law *law, const struct thud_law_setup *setup, enum thud_phase phase,
+                       double d_m, struct thud_law_memory *memory)
 {
+    enum thud_phase before = phase == THUD_APPROACH ? THUD_RESTITUTION : THUD_APPROACH;
     if (law->reversal)
-        law->reversal(setup, gives(law, setup) ? d_m - elastic_force(law, setup, d_m) / setup->column_npm : d_m,
+        law->reversal(setup, phase, gives(law, setup) ? d_m - column_part(law, setup, memory, before, d_m) : d_m,
                       memory);
 }

@@ -1,7 +1,6 @@
 #include "core/laws/law_common.h"
 
 const char *const thud_damping_choices[] = {"paper", "exact", NULL};
-const struct thud_branch thud_branch_none = {0};
 
 enum thud_status thud_law_check_hertz_stiffness(double stiffness, double exponent, struct thud_error *err)
 {
@@ -11,19 +10,6 @@ enum thud_status thud_law_check_hertz_stiffness(double stiffness, double exponen
     thud_error_key(err, "stiffness");
     thud_error_allow(err, "a number of kN/mm^%g", exponent);
     return THUD_INPUT;
-}
-
-enum thud_status thud_law_prepare_nothing(struct thud_law_setup *setup, struct thud_error *err)
-{
-    (void)setup;
-    (void)err;
-    return THUD_OK;
-}
-
-void thud_law_onset_plain(const struct thud_law_setup *setup, double v_mps, struct thud_law_memory *memory)
-{
-    (void)setup;
-    *memory = (struct thud_law_memory){.v_imp_mps = v_mps};
 }
 
 double thud_law_nominal_one(const struct thud_law_setup *setup)
@@ -37,23 +23,6 @@ double thud_law_restitution_one(const struct thud_law_setup *setup, double v_mps
     (void)setup;
     (void)v_mps;
     return 1;
-}
-
-struct thud_branch thud_law_branch_none(const struct thud_law_setup *setup, const struct thud_law_memory *memory,
-                                        enum thud_phase phase, bool past_ultimate)
-{
-    (void)setup;
-    (void)memory;
-    (void)phase;
-    (void)past_ultimate;
-    return thud_branch_none;
-}
-
-double thud_law_energy_none(const struct thud_law_setup *setup, double d_m)
-{
-    (void)setup;
-    (void)d_m;
-    return 0;
 }
 
 double thud_law_power_energy(double K, double p, double d_m)

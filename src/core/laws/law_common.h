@@ -1,4 +1,4 @@
-/* What several laws share: described parameters and the functions of laws that have nothing to prepare or remember. */
+/* What several laws share: described parameters, and restitution and energy of plain curves. */
 #ifndef THUD_CORE_LAW_COMMON_H
 #define THUD_CORE_LAW_COMMON_H
 
@@ -56,24 +56,12 @@
 enum { THUD_DAMPING_PAPER, THUD_DAMPING_EXACT };
 extern const char *const thud_damping_choices[];
 
-/* The branch of no force at all. */
-extern const struct thud_branch thud_branch_none;
-
 /* THUD_INPUT where the exponent is not the 1.5 that the default of THUD_PARAM_HERTZ_STIFFNESS is for, and no other
  * value was given. */
 enum thud_status thud_law_check_hertz_stiffness(double stiffness, double exponent, struct thud_error *err);
-/* prepare of a law whose values need no second look: never an error. */
-enum thud_status thud_law_prepare_nothing(struct thud_law_setup *setup, struct thud_error *err);
-/* Onset of a law that remembers no damping of its own. */
-void thud_law_onset_plain(const struct thud_law_setup *setup, double v_mps, struct thud_law_memory *memory);
 /* nominal and restitution of a law that loses nothing. */
 double thud_law_nominal_one(const struct thud_law_setup *setup);
 double thud_law_restitution_one(const struct thud_law_setup *setup, double v_mps);
-/* branch of a law without force. */
-struct thud_branch thud_law_branch_none(const struct thud_law_setup *setup, const struct thud_law_memory *memory,
-                                        enum thud_phase phase, bool past_ultimate);
-double thud_law_energy_none(const struct thud_law_setup *setup, double d_m);
-
 /* Energy under K d^p. */
 double thud_law_power_energy(double K, double p, double d_m);
 

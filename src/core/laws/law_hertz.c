@@ -15,8 +15,9 @@ static struct thud_branch branch(const struct thud_law_setup *setup, const struc
     return (struct thud_branch){.K = setup->value[STIFFNESS], .p = exponent};
 }
 
-static double elastic_energy(const struct thud_law_setup *setup, double d_m)
+static double elastic_energy(const struct thud_law_setup *setup, const struct thud_law_memory *memory, double d_m)
 {
+    (void)memory;
     return thud_law_power_energy(setup->value[STIFFNESS], exponent, d_m);
 }
 
@@ -29,8 +30,6 @@ const struct thud_law thud_law_hertz = {
     .summary = "F = k d^1.5",
     .params = params,
     .nparams = sizeof params / sizeof params[0],
-    .prepare = thud_law_prepare_nothing,
-    .onset = thud_law_onset_plain,
     .branch = branch,
     .elastic_energy = elastic_energy,
     .nominal = thud_law_nominal_one,

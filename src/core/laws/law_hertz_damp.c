@@ -6,6 +6,7 @@
 
 enum { STIFFNESS, EXPONENT, RESTITUTION, FORMULA, SPEED_FLOOR };
 enum { S };
+enum { DAMP }; /* in the memory: s over the closing velocity */
 enum { MUTHUKUMAR, HUNT_CROSSLEY, YE_FLORES, EXACT };
 
 static const char *const formula_choices[] = {"muthukumar", "hunt-crossley", "ye-flores", "exact", NULL};
@@ -52,7 +53,7 @@ static enum thud_status prepare(struct thud_law_setup *setup, struct thud_error 
 static void onset(const struct thud_law_setup *setup, double v_mps, struct thud_law_memory *memory)
 {
     double v = fmax(v_mps, setup->value[SPEED_FLOOR]);
-    *memory = (struct thud_law_memory){.v_imp_mps = v_mps, .damp = setup->constant[S] / v};
+    memory->own[DAMP] = setup->constant[S] / v;
 }
 
 static struct thud_branch branch(const struct thud_law_setup *setup, const struct thud_law_memory *memory,
@@ -61,24 +62,20 @@ static struct thud_branch branch(const struct thud_law_setup *setup, const struc
     (void)phase;
     (void)past_ultimate;
     double k = setup->value[STIFFNESS], n = setup->value[EXPONENT];
-    return (struct thud_branch){.K = k, .p = n, .D = k * memory->damp, .r = n};
+    return (struct thud_branch){.K = k, .p = n, .D = k * memory->own[DAMP], .r = n};
 }
 
-static double elastic_energy(const struct thud_law_setup *setup, double d_m)
+static double elastic_energy(const struct thud_law_setup *setup, const struct thud_law_memory *memory, double d_m)
 {
+    (void)memory;
     return thud_law_power_energy(setup->value[STIFFNESS], setup->value[EXPONENT], d_m);
-}
-
-static double nominal(const struct thud_law_setup *setup)
-{
-    return setup->value[RESTITUTION];
 }
 
 static double restitution(const struct thud_law_setup *setup, double v_mps)
 {
     struct thud_law_memory memory;
     onset(setup, v_mps, &memory);
-    return thud_hertz_damp_restitution(memory.damp * v_mps);
+    return thud_hertz_damp_restitution(memory.own[DAMP] * v_mps);
 }
 
 const struct thud_law thud_law_hertz_damp = {
@@ -97,6 +94,5 @@ const struct thud_law thud_law_hertz_damp = {
     .onset = onset,
     .branch = branch,
     .elastic_energy = elastic_energy,
-    .nominal = nominal,
     .restitution = restitution,
 };

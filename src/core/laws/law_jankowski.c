@@ -47,14 +47,10 @@ static struct thud_branch branch(const struct thud_law_setup *setup, const struc
     return out;
 }
 
-static double elastic_energy(const struct thud_law_setup *setup, double d_m)
+static double elastic_energy(const struct thud_law_setup *setup, const struct thud_law_memory *memory, double d_m)
 {
+    (void)memory;
     return thud_law_power_energy(setup->value[STIFFNESS], setup->value[EXPONENT], d_m);
-}
-
-static double nominal(const struct thud_law_setup *setup)
-{
-    return setup->value[RESTITUTION];
 }
 
 static double restitution(const struct thud_law_setup *setup, double v_mps)
@@ -73,9 +69,7 @@ const struct thud_law thud_law_jankowski = {
     .params = params,
     .nparams = sizeof params / sizeof params[0],
     .prepare = prepare,
-    .onset = thud_law_onset_plain,
     .branch = branch,
     .elastic_energy = elastic_energy,
-    .nominal = nominal,
     .restitution = restitution,
 };

@@ -46,14 +46,10 @@ static struct thud_branch branch(const struct thud_law_setup *setup, const struc
     return (struct thud_branch){.k_npm = setup->value[STIFFNESS], .c_nspm = setup->constant[C]};
 }
 
-static double elastic_energy(const struct thud_law_setup *setup, double d_m)
+static double elastic_energy(const struct thud_law_setup *setup, const struct thud_law_memory *memory, double d_m)
 {
+    (void)memory;
     return thud_law_power_energy(setup->value[STIFFNESS], 1, d_m);
-}
-
-static double nominal(const struct thud_law_setup *setup)
-{
-    return setup->value[RESTITUTION];
 }
 
 static double restitution(const struct thud_law_setup *setup, double v_mps)
@@ -78,10 +74,8 @@ const struct thud_law thud_law_kelvin_voigt_no_tension = {
     .params = params,
     .nparams = sizeof params / sizeof params[0],
     .prepare = prepare,
-    .onset = thud_law_onset_plain,
     .branch = branch,
     .elastic_energy = elastic_energy,
-    .nominal = nominal,
     .restitution = restitution,
     .keeps_residual = keeps_residual,
 };

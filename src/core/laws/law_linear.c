@@ -14,8 +14,9 @@ static struct thud_branch branch(const struct thud_law_setup *setup, const struc
     return (struct thud_branch){.k_npm = setup->value[STIFFNESS]};
 }
 
-static double elastic_energy(const struct thud_law_setup *setup, double d_m)
+static double elastic_energy(const struct thud_law_setup *setup, const struct thud_law_memory *memory, double d_m)
 {
+    (void)memory;
     return thud_law_power_energy(setup->value[STIFFNESS], 1, d_m);
 }
 
@@ -27,8 +28,6 @@ const struct thud_law thud_law_linear = {
     .flags = THUD_LAW_LINEAR | THUD_LAW_DEGREE_ONE,
     .params = params,
     .nparams = sizeof params / sizeof params[0],
-    .prepare = thud_law_prepare_nothing,
-    .onset = thud_law_onset_plain,
     .branch = branch,
     .elastic_energy = elastic_energy,
     .nominal = thud_law_nominal_one,

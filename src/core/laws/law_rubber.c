@@ -18,6 +18,7 @@ enum {
     MATERIAL_STIFFNESS
 };
 enum { K, ULTIMATE, F0, CV }; /* F0: the line's force at d = 0; CV: C times the speed, for damping = exact */
+enum { DAMP };                /* in the memory: C */
 enum { UNLOADING_PAPER, UNLOADING_CONTINUOUS };
 enum { SPEED_TOUCH, SPEED_ENERGY };
 
@@ -140,12 +141,12 @@ static double damping(const struct thud_law_setup *setup, double v_mps)
 
 static void onset(const struct thud_law_setup *setup, double v_mps, struct thud_law_memory *memory)
 {
-    memory->v_imp_mps = v_mps;
-    memory->damp = damping(setup, fmax(v_mps, setup->value[SPEED_FLOOR]));
+    memory->own[DAMP] = damping(setup, fmax(v_mps, setup->value[SPEED_FLOOR]));
 }
 
-static double elastic_energy(const struct thud_law_setup *setup, double d_m)
+static double elastic_energy(const struct thud_law_setup *setup, const struct thud_law_memory *memory, double d_m)
 {
+    (void)memory;
     struct thud_rubber_curve curve = curve_of(setup);
     return thud_rubber_curve_energy(&curve, d_m);
 }
@@ -159,10 +160,11 @@ static double energy_speed(const struct thud_law_setup *setup, double d_m)
     return fmax(sqrt(2 * energy / setup->mass_kg), least_energy_speed);
 }
 
-static void reversal(const struct thud_law_setup *setup, double d_m, struct thud_law_memory *memory)
+static void reversal(const struct thud_law_setup *setup, enum thud_phase phase, double d_m,
+                     struct thud_law_memory *memory)
 {
-    if (setup->value[IMPACT_SPEED] == SPEED_ENERGY)
-        memory->damp = damping(setup, energy_speed(setup, d_m));
+    if (phase == THUD_RESTITUTION && setup->value[IMPACT_SPEED] == SPEED_ENERGY)
+        memory->own[DAMP] = damping(setup, energy_speed(setup, d_m));
 }
 
 static struct thud_branch branch(const struct thud_law_setup *setup, const struct thud_law_memory *memory,
@@ -170,21 +172,18 @@ static struct thud_branch branch(const struct thud_law_setup *setup, const struc
 {
     double k = setup->constant[K], n = setup->value[EXPONENT];
     bool line = past_ultimate && (phase == THUD_APPROACH || setup->value[UNLOADING] == UNLOADING_CONTINUOUS);
-    double C = phase == THUD_RESTITUTION ? memory->damp : 0;
+    double C = phase == THUD_RESTITUTION ? memory->own[DAMP] : 0;
     if (!line)
         return (struct thud_branch){.K = k, .p = n, .D = k * C, .r = n};
     double f0 = setup->constant[F0], post_yield = setup->value[POST_YIELD];
     return (struct thud_branch){.f0_n = f0, .k_npm = post_yield, .c_nspm = f0 * C, .D = post_yield * C, .p = 1, .r = 1};
 }
 
-static double ultimate(const struct thud_law_setup *setup)
+static double ultimate(const struct thud_law_setup *setup, const struct thud_law_memory *memory, enum thud_phase phase)
 {
+    (void)memory;
+    (void)phase;
     return setup->constant[ULTIMATE];
-}
-
-static double nominal(const struct thud_law_setup *setup)
-{
-    return setup->value[RESTITUTION];
 }
 
 /* All of m v^2/2 is stored at the velocity reversal; restitution starts with what lies under its own curve. */
@@ -199,8 +198,8 @@ static double restitution(const struct thud_law_setup *setup, double v_mps)
         ratio = thud_law_power_energy(curve.k, curve.n, d) / energy;
     struct thud_law_memory memory;
     onset(setup, v_mps, &memory);
-    reversal(setup, d, &memory);
-    return thud_rubber_restitution(memory.damp * v_mps, ratio);
+    reversal(setup, THUD_RESTITUTION, d, &memory);
+    return thud_rubber_restitution(memory.own[DAMP] * v_mps, ratio);
 }
 
 /* A force at the largest strain that no bumper has, and a line that is softer than the curve before it. */
@@ -243,7 +242,6 @@ const struct thud_law thud_law_rubber = {
     .branch = branch,
     .ultimate = ultimate,
     .elastic_energy = elastic_energy,
-    .nominal = nominal,
     .restitution = restitution,
     .unusual = unusual,
 };

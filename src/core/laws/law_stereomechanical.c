@@ -17,11 +17,6 @@ static const struct thud_param params[] = {
      .soft_least = 0.3,
      .soft_most = 0.95}};
 
-static double nominal(const struct thud_law_setup *setup)
-{
-    return setup->value[RESTITUTION];
-}
-
 static double restitution(const struct thud_law_setup *setup, double v_mps)
 {
     (void)v_mps;
@@ -37,10 +32,5 @@ const struct thud_law thud_law_stereomechanical = {
     .flags = THUD_LAW_IMPULSIVE | THUD_LAW_DEGREE_ONE,
     .params = params,
     .nparams = sizeof params / sizeof params[0],
-    .prepare = thud_law_prepare_nothing,
-    .onset = thud_law_onset_plain,
-    .branch = thud_law_branch_none,
-    .elastic_energy = thud_law_energy_none,
-    .nominal = nominal,
     .restitution = restitution,
 };

@@ -6,15 +6,15 @@
 #include "core/motion/collocation.h"
 #include "core/numerics/tolerance.h"
 
-/* Only laws that are not linear need collocation: the others never stick either. */
+/* Collocation is needed by laws that are not linear, and by those that reverse: they may stick. */
 static enum thud_status create(const struct thud_state *state, void **own, struct thud_error *err)
 {
     struct thud_collocation *collocation = NULL;
     enum thud_status status = THUD_OK;
-    bool linear = true;
+    bool needed = false;
     for (int c = 0; c < state->model->ncontacts; c++)
-        linear = linear && state->model->contact[c].law->flags & (THUD_LAW_LINEAR | THUD_LAW_NO_FORCE);
-    if (!linear)
+        needed = needed || !thud_law_is_linear(state->model->contact[c].law);
+    if (needed)
         status = thud_collocation_create(state, &collocation, err);
     *own = collocation;
     return status;

@@ -44,11 +44,11 @@ static double unlocated_force(const struct thud_state *state, int c, double d, d
     *df_dd = *df_dv = 0;
     if (d <= 0 || p->law->flags & (THUD_LAW_NO_FORCE | THUD_LAW_IMPULSIVE))
         return 0;
-    if (s->mode == THUD_OPEN) {
-        memset(&memory, 0, sizeof memory);
-        p->law->onset(&p->setup, fmax(v, 0), &memory);
-    }
+    if (s->mode == THUD_OPEN)
+        thud_law_onset(p->law, &p->setup, fmax(v, 0), &memory);
     enum thud_phase phase = p->law->flags & THUD_LAW_REVERSES && v < 0 ? THUD_RESTITUTION : THUD_APPROACH;
+    if (phase != (s->mode == THUD_OPEN ? THUD_APPROACH : s->phase))
+        thud_law_reversal(p->law, &p->setup, phase, d, &memory);
     struct thud_branch branch = thud_law_branch_at(p->law, &p->setup, &memory, phase, d);
     double force = thud_branch_force(&branch, d, v, df_dd, df_dv);
     if (force >= 0 || p->law->flags & THUD_LAW_PULLS)

@@ -500,13 +500,14 @@ double thud_model_gap_sum(const struct thud_model *model, int c, const double *m
 double thud_model_contact_period(const struct thud_model_contact *p)
 {
     double v = 1, energy = 0.5 * p->setup.mass_kg * v * v, low = 0, high = 1e-9;
-    if (!p->law->elastic_energy || p->law->flags & (THUD_LAW_NO_FORCE | THUD_LAW_IMPULSIVE))
+    const struct thud_law_memory untouched = {0};
+    if (!p->law->elastic_energy)
         return INFINITY;
-    while (high < 1e3 && thud_law_energy(p->law, &p->setup, high) < energy)
+    while (high < 1e3 && thud_law_energy(p->law, &p->setup, &untouched, THUD_APPROACH, high) < energy)
         high *= 2;
     for (int i = 0; i < 60; i++) {
         double d = 0.5 * (low + high);
-        if (thud_law_energy(p->law, &p->setup, d) < energy)
+        if (thud_law_energy(p->law, &p->setup, &untouched, THUD_APPROACH, d) < energy)
             low = d;
         else
             high = d;

@@ -186,7 +186,7 @@ static double contact_error(const struct thud_state *state, const struct thud_co
     double error = thud_larger(difference / scale - THUD_TOL_POLYNOMIAL, 0);
     if (s->mode == THUD_CLOSED && s->phase == THUD_APPROACH && has_just_begun(state, x, a)) {
         double ground = state->fastest_radps > 0 ? state->ground_mps2 / state->fastest_radps : 0;
-        double speed = s->memory.v_imp_mps < 1e-7 * ground ? ground : s->memory.v_imp_mps; /* pushed, or thrown */
+        double speed = s->onset_mps < 1e-7 * ground ? ground : s->onset_mps; /* pushed, or thrown */
         if (speed > 0)
             error = fmin(error, 10 * difference * h / (mass * speed));
     }

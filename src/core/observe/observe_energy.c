@@ -280,8 +280,9 @@ static double stored_energy(const struct thud_state *state)
     double stored = 0;
     for (int c = 0; c < state->model->ncontacts; c++) {
         const struct thud_model_contact *p = &state->model->contact[c];
-        if (thud_contact_acts(&state->contact[c]) && p->law->elastic_energy)
-            stored += thud_law_energy(p->law, &p->setup, fmax(thud_contact_indentation(state, c), 0));
+        const struct thud_contact_state *s = &state->contact[c];
+        if (thud_contact_acts(s))
+            stored += thud_law_energy(p->law, &p->setup, &s->memory, s->phase, thud_contact_indentation(state, c));
     }
     return stored;
 }

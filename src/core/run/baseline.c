@@ -32,15 +32,8 @@ struct thud_baseline_motion {
     long apart, next; /* intervals between kept moments, and the next one to keep */
 };
 
-static struct thud_branch no_force(const struct thud_law_setup *setup, const struct thud_law_memory *memory,
-                                   enum thud_phase phase, bool past_ultimate)
-{
-    (void)setup, (void)memory, (void)phase, (void)past_ultimate;
-    return (struct thud_branch){0};
-}
-
 static const struct thud_law no_law = {
-    .name = "none", .title = "no contact", .flags = THUD_LAW_NO_FORCE, .branch = no_force};
+    .name = "none", .title = "no contact", .flags = THUD_LAW_NO_FORCE};
 
 static void drop(struct moment *moment)
 {

@@ -91,8 +91,7 @@ void thud_run_set_bound(struct thud_run *run)
     for (int c = 0; c < m->ncontacts; c++) {
         const struct thud_model_contact *p = &m->contact[c];
         double d = thud_contact_indentation(&run->state, c);
-        if (d > 0 && p->law->elastic_energy)
-            energy += thud_law_energy(p->law, &p->setup, d);
+        energy += thud_law_energy(p->law, &p->setup, &run->state.contact[c].memory, THUD_APPROACH, d);
     }
     run->speed_bound = sqrt(2 * energy) + sqrt(mass) * fmax(run->ground.impulse_mps, 1e-3);
 }
@@ -147,7 +146,7 @@ double thud_run_balance(const struct thud_run *run)
     const struct thud_model *m = run->state.model;
     bool linear = true;
     for (int c = 0; c < m->ncontacts; c++)
-        linear = linear && m->contact[c].law->flags & (THUD_LAW_LINEAR | THUD_LAW_NO_FORCE);
+        linear = linear && thud_law_is_linear(m->contact[c].law);
     if (run->method->order > 0)
         return coarse;
     return linear ? THUD_TOL_BALANCE : fmin(THUD_TOL_BALANCE + run->options.tolerance, coarse);

@@ -75,7 +75,7 @@ static bool allocate_result(struct thud_run *run)
         r->contact[c].column = p->column;
         r->contact[c].eta = p->eta;
         r->contact[c].restitution = NAN;
-        r->contact[c].nominal_restitution = p->law->nominal ? p->law->nominal(&p->setup) : NAN;
+        r->contact[c].nominal_restitution = thud_law_nominal(p->law, &p->setup);
         r->contact[c].impulsive = (p->law->flags & THUD_LAW_IMPULSIVE) != 0;
     }
     for (int i = 0; i < m->ncolumns; i++) {

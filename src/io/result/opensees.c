@@ -241,9 +241,9 @@ static void damping(struct thud_text *out, const struct thud_model *model)
 
 static void material(struct thud_text *out, const struct thud_model_contact *c, int tag)
 {
-    struct thud_law_memory memory;
-    c->law->onset(&c->setup, 1, &memory);
-    struct thud_branch b = c->law->branch(&c->setup, &memory, THUD_APPROACH, false);
+    struct thud_law_memory memory = {0};
+    thud_law_onset(c->law, &c->setup, 1, &memory);
+    struct thud_branch b = thud_law_branch(c->law, &c->setup, &memory, THUD_APPROACH, false);
     double gap = -fmax(c->clearance_m, least_gap_m);
     double value[5];
     int n = 0;

@@ -315,10 +315,10 @@ static enum thud_status run_restitution(struct thud_stability_restitution *r, st
     pair.duration_s = 2; /* slow bumpers take long */
     pair.setup.mass_kg = pair.mass_kg[0] / 2;
     struct thud_law_setup setup = pair.setup;
-    enum thud_status status = r->law->prepare(&setup, err);
+    enum thud_status status = thud_law_prepare(r->law, &setup, err);
     if (status != THUD_OK)
         return status;
-    r->expected = r->law->restitution(&setup, r->closing_mps);
+    r->expected = thud_law_restitution(r->law, &setup, r->closing_mps);
     return thud_pair_restitution(&pair, r->how, &r->obtained, err);
 }
 

@@ -41,7 +41,8 @@ static double rebound(const struct thud_answer *answer)
     const struct thud_model_contact *p = &answer->model->contact[0];
     const struct thud_history *h = thud_run_history(answer->run);
     double d = thud_run_result(answer->run)->contact[0].indentation.value;
-    double v = sqrt(2 * p->law->elastic_energy(&p->setup, d) / p->setup.mass_kg);
+    double v =
+        sqrt(2 * thud_law_energy(p->law, &p->setup, &(struct thud_law_memory){0}, THUD_APPROACH, d) / p->setup.mass_kg);
     return -last_value(answer, thud_history_velocity(h, 0)) / v;
 }
 

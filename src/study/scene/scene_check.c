@@ -182,7 +182,7 @@ static enum thud_status check_law(const struct thud_law_choice *choice, double t
     struct thud_law_setup setup = {.mass_kg = 1, .thickness_m = thickness_m};
     struct thud_error why = {0};
     memcpy(setup.value, choice->value, sizeof setup.value);
-    enum thud_status status = choice->law->prepare ? choice->law->prepare(&setup, &why) : THUD_OK;
+    enum thud_status status = thud_law_prepare(choice->law, &setup, &why);
     if (status == THUD_OK)
         return THUD_OK;
     snprintf(key, sizeof key, "interfaces.%d.%s.%.60s", interface + 1, part, why.key[0] ? why.key : "law");

@@ -70,7 +70,7 @@ static bool look_whole_law(struct search *search, const struct thud_law_choice *
     if (!law || !law->unusual)
         return false;
     memcpy(setup.value, choice->value, sizeof setup.value);
-    if (law->prepare && law->prepare(&setup, NULL) != THUD_OK)
+    if (thud_law_prepare(law, &setup, NULL) != THUD_OK)
         return false;
     for (int i = 0; law->unusual(&setup, i, &one); i++) {
         if (search->found++ != search->wanted)

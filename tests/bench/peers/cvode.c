@@ -86,7 +86,7 @@ static int roots(double t, N_Vector state, double *out, void *data)
         r[0] = d;
         r[1] = closed ? v : 1;
         r[2] = closed ? f : 1;
-        r[3] = closed && k->law->ultimate ? d - thud_law_ultimate(k->law, &k->setup) : 1;
+        r[3] = closed && k->law->ultimate ? d - thud_law_ultimate(k->law, &k->setup, &s->memory, s->phase) : 1;
     }
     return 0;
 }
@@ -99,15 +99,14 @@ static void switch_contacts(struct problem *p, const double *y, const int *found
         double d, v;
         force(p, c, y, &d, &v);
         if (found[ROOTS * c] > 0 && !s->closed) {
-            *s = (struct contact){.phase = THUD_APPROACH, .closed = true};
-            k->law->onset(&k->setup, v, &s->memory);
+            *s = (struct contact){.phase = THUD_APPROACH, .closed = true, .memory = s->memory};
+            thud_law_onset(k->law, &k->setup, v, &s->memory);
         } else if (found[ROOTS * c] < 0) {
             s->closed = false;
         }
         if (s->closed && found[ROOTS * c + 1] != 0) {
             s->phase = found[ROOTS * c + 1] < 0 ? THUD_RESTITUTION : THUD_APPROACH;
-            if (k->law->reversal && s->phase == THUD_RESTITUTION)
-                k->law->reversal(&k->setup, d, &s->memory);
+            thud_law_reversal(k->law, &k->setup, s->phase, d, &s->memory);
         }
         if (s->closed && found[ROOTS * c + 3] != 0)
             s->past = found[ROOTS * c + 3] > 0;
