@@ -22,28 +22,36 @@ enum {
     THUD_FREE_VIBRATION_PRODUCTS = 7
 };
 
-struct thud_free_vibration {
-    const struct thud_model *model;
-    int n; /* modes */
-    int nstructures;
-    int pieces; /* series needed for one interval */
-    double dt_s;
+/* Of one interval of the ground motion, the same for all of them. */
+struct thud_free_vibration_tables {
     double *e[4], *p[4]; /* (n) the recurrence */
     /* Damping loss over one interval, a quadratic form in (q, q', a0, a1): by mode, of q q, q q', q' q', q a0, q a1,
      * q' a0, q' a1; the ground's own terms (a0 a0, a0 a1, a1 a1) summed over the modes */
     double *viscous[THUD_FREE_VIBRATION_PRODUCTS], viscous_ground[3];
     /* Work of the ground: a0 (r[0] q + r[1] q') + a1 (r[2] q + r[3] q') and the ground's own terms */
     double *work[4], work_ground[3];
+};
 
-    struct thud_coupled_flight *coupled; /* (nstructures) of those whose damping couples modes; size 0: another */
-    double *bound;                       /* (7 x n) workspace: bounds of the modes' derivatives in a block, by order */
-
-    /* Series, of each structure one piece of one interval. */
+/* The power series made last, of each structure one piece of one interval. */
+struct thud_free_vibration_series {
     struct thud_segment seg;
     double *now, *now_rate; /* (n) modal state at its start */
     struct thud_free_vibration_place {
         int t, piece; /* piece -1: none */
     } * at;           /* (nstructures) */
+};
+
+struct thud_free_vibration {
+    const struct thud_model *model;
+    int n; /* modes */
+    int nstructures;
+    int pieces; /* series needed for one interval */
+    double dt_s;
+    struct thud_free_vibration_tables tables;
+    struct thud_coupled_flight *coupled; /* (nstructures) of those whose damping couples modes; size 0: another */
+    double *bound;                       /* (7 x n) workspace: bounds of the modes' derivatives in a block, by order */
+
+    struct thud_free_vibration_series series;
 
     /* A block of intervals, by row and then by end (so that loops over time vectorize) */
     double *shift;                                 /* (n) s */

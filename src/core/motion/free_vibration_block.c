@@ -1,0 +1,313 @@
+/* A block of intervals: the recurrence
+ *
+ *     q(t + dt)  = e0 q + e1 q' + p0 a(t) + p1 a(t + dt),   q'(t + dt) = e2 q + e3 q' + p2 a(t) + p3 a(t + dt)
+ *
+ * over all of them, the floors' values at their ends, and the energies as sums of products. */
+#include "core/motion/free_vibration_parts.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/largest.h"
+#include "core/numerics/vec.h"
+
+enum { FLOORS_AT_ONCE = 4 };
+
+/* The recurrence of `count` modes at once: one mode alone is a chain in which each interval depends on the one before. */
+static inline void batched_recurrence(struct thud_free_vibration *f, int j, const int count, int intervals,
+                                      bool shifted)
+{
+    enum { N = THUD_FREE_VIBRATION_BATCH };
+    double *q = f->q + j * ENDS, *qd = f->qd + j * ENDS, x[N], v[N], e[4][N], p[4][N], by_shift[2][N];
+    for (int i = 0; i < count; i++) {
+        x[i] = q[i * ENDS];
+        v[i] = qd[i * ENDS];
+        for (int k = 0; k < 4; k++) {
+            e[k][i] = f->tables.e[k][j + i];
+            p[k][i] = f->tables.p[k][j + i];
+        }
+        by_shift[0][i] = (1 - e[0][i]) * f->shift[j + i];
+        by_shift[1][i] = -e[2][i] * f->shift[j + i];
+    }
+    for (int t = 0; t < intervals; t++) {
+        double a0 = f->ground[t], a1 = f->after[t], next[N];
+        for (int i = 0; i < count; i++)
+            next[i] = (e[0][i] * x[i] + e[1][i] * v[i]) + (p[0][i] * a0 + p[1][i] * a1);
+        for (int i = 0; i < count; i++)
+            v[i] = (e[2][i] * x[i] + e[3][i] * v[i]) + (p[2][i] * a0 + p[3][i] * a1);
+        for (int i = 0; i < count && shifted; i++) {
+            next[i] += by_shift[0][i];
+            v[i] += by_shift[1][i];
+        }
+        for (int i = 0; i < count; i++) {
+            q[i * ENDS + t + 1] = x[i] = next[i];
+            qd[i * ENDS + t + 1] = v[i];
+        }
+    }
+}
+
+/* All modes; the last batch may be half empty. */
+static inline void recurrence(struct thud_free_vibration *f, int intervals, bool shifted)
+{
+    enum { N = THUD_FREE_VIBRATION_BATCH };
+    int j = 0;
+    for (; j + N / 2 < f->n; j += N)
+        batched_recurrence(f, j, N, intervals, shifted);
+    if (j < f->n)
+        batched_recurrence(f, j, N / 2, intervals, shifted);
+}
+
+/* Where the modes would rest under the constant forces: s = -g F/omega^2. */
+static void shift_modes(struct thud_free_vibration *f, const struct thud_state *state)
+{
+    const struct thud_model *m = state->model;
+    if (!f->shifted && state->nshifted == 0)
+        return;
+    f->shifted = state->nshifted > 0;
+    memset(f->shift, 0, (size_t)f->n * sizeof *f->shift);
+    for (int c = m->ncontacts; c < m->nrows; c++)
+        for (int j = 0; j < f->n && f->shifted; j++)
+            f->shift[j] -= m->jacobian[c * f->n + j] * state->contact[c].branch.f0_n;
+    for (int j = 0; j < f->n; j++)
+        f->shift[j] = m->spring[j] > 0 ? f->shift[j] / m->spring[j] : 0; /* no force acts on a free body */
+    for (int s = 0; s < m->nstructures; s++)
+        if (f->coupled[s].size > 0)
+            thud_coupled_flight_shift(&f->coupled[s], f->shift + m->structure[s].first_mode);
+}
+
+void thud_free_vibration_fill(struct thud_free_vibration *f, const struct thud_state *state, int intervals)
+{
+    shift_modes(f, state);
+    for (int t = 0; t < intervals; t++)
+        thud_state_ground(state, state->grid + t, &f->ground[t], &f->after[t]);
+    f->ground_most = thud_larger(thud_largest_size(f->ground, intervals), thud_largest_size(f->after, intervals));
+    for (int j = 0; j < f->n; j++) {
+        f->q[j * ENDS] = state->q[j];
+        f->qd[j * ENDS] = state->qd[j];
+    }
+    if (f->shifted)
+        recurrence(f, intervals, true);
+    else
+        recurrence(f, intervals, false);
+    for (int s = 0; s < state->model->nstructures; s++) {
+        const int row = state->model->structure[s].first_mode * ENDS;
+        if (f->coupled[s].size > 0)
+            thud_coupled_flight_march(&f->coupled[s], f->q + row, f->qd + row, ENDS, f->ground, f->after, intervals);
+    }
+    memset(f->valued, 0, THUD_FLOOR_QUANTITIES * (size_t)state->model->nstructures * sizeof *f->valued);
+    for (int i = 0; i < state->model->nstructures; i++)
+        f->series.at[i].piece = -1;
+    thud_segment_begin(state, &f->series.seg, f->dt_s / f->pieces); /* the forces, constant in the block */
+    f->ends = intervals + 1;
+}
+
+/* Sums over intervals of products of a mode's motion (x = q - s) and of the ground's, of which the energies of a block
+ * are made; and the largest energy norm squared, q'^2 + omega^2 x^2, at their starts. */
+struct products {
+    thud_vec2 xx, xv, vv, x0, x1, v0, v1;
+    double most[2];
+};
+
+static inline void add_products(struct products *p, thud_vec2 x, thud_vec2 v, thud_vec2 a0, thud_vec2 a1, double w2)
+{
+    const thud_vec2 xx = x * x, vv = v * v, energy = vv + w2 * xx;
+    p->xx += xx;
+    p->xv += x * v;
+    p->vv += vv;
+    p->x0 += x * a0;
+    p->x1 += x * a1;
+    p->v0 += v * a0;
+    p->v1 += v * a1;
+    p->most[0] = energy[0] > p->most[0] ? energy[0] : p->most[0];
+    p->most[1] = energy[1] > p->most[1] ? energy[1] : p->most[1];
+}
+
+/* Of mode j over the first intervals of the block, its sums into f->product; returns the largest norm squared. */
+static double sum_products(struct thud_free_vibration *f, int j, double omega, int intervals)
+{
+    const double *q = f->q + j * ENDS, *qd = f->qd + j * ENDS, *a0 = f->ground, *a1 = f->after;
+    const double w2 = omega * omega, s = f->shift[j];
+    struct products p = {0};
+    int t = 0;
+    for (; t + 2 <= intervals; t += 2)
+        add_products(&p, thud_vec2_at(q + t) - s, thud_vec2_at(qd + t), thud_vec2_at(a0 + t), thud_vec2_at(a1 + t), w2);
+    if (t < intervals)
+        add_products(&p, thud_vec2_set(q[t] - s, 0), thud_vec2_set(qd[t], 0), thud_vec2_set(a0[t], 0),
+                     thud_vec2_set(a1[t], 0), w2);
+    const thud_vec2 sum[] = {p.xx, p.xv, p.vv, p.x0, p.x1, p.v0, p.v1};
+    for (int i = 0; i < THUD_FREE_VIBRATION_PRODUCTS; i++)
+        f->product[i][j] = thud_vec2_sum(sum[i]);
+    return thud_larger(p.most[0], p.most[1]);
+}
+
+/* Sums of the modes and their largest speeds in the block. */
+void thud_free_vibration_sum(struct thud_free_vibration *f, const struct thud_model *m, int intervals)
+{
+    for (int j = 0; j < f->n; j++) {
+        const double w2 = m->omega[j] * m->omega[j], x = f->q[j * ENDS + intervals] - f->shift[j],
+                     v = f->qd[j * ENDS + intervals];
+        const double most = thud_larger(sum_products(f, j, m->omega[j], intervals), v * v + w2 * x * x);
+        f->speed[j] = sqrt(most);
+    }
+    f->summed = intervals;
+}
+
+/* Values at the ends of `count` floors from those of their modes, by four ends at a time (rows are long enough): the
+ * more floors at once, the fewer loads for each product. */
+static inline void some_rows(const struct thud_model_structure *p, int i, const int count, const double *from, int ends,
+                             double *to)
+{
+    const double *row = p->phi + i * p->modes;
+    for (int t = 0; t < ends; t += 4) {
+        const double *x = from + p->first_mode * ENDS + t;
+        thud_vec2 sum[FLOORS_AT_ONCE][2] = {0};
+        for (int j = 0; j < p->modes; j++, x += ENDS)
+            for (int k = 0; k < count; k++) {
+                sum[k][0] += row[k * p->modes + j] * thud_vec2_at(x);
+                sum[k][1] += row[k * p->modes + j] * thud_vec2_at(x + 2);
+            }
+        for (int k = 0; k < count; k++) {
+            thud_vec2_put(sum[k][0], to + k * ENDS + t);
+            thud_vec2_put(sum[k][1], to + k * ENDS + t + 2);
+        }
+    }
+}
+
+static void floor_rows(struct thud_free_vibration *f, const struct thud_model_structure *p, int quantity,
+                       const double *from, int ends)
+{
+    double *to = f->value[quantity] + (size_t)p->first * ENDS;
+    int i = 0;
+    for (; i + FLOORS_AT_ONCE <= p->n; i += FLOORS_AT_ONCE)
+        some_rows(p, i, FLOORS_AT_ONCE, from, ends, to + (size_t)i * ENDS);
+    for (; i + FLOORS_AT_ONCE / 2 <= p->n; i += FLOORS_AT_ONCE / 2)
+        some_rows(p, i, FLOORS_AT_ONCE / 2, from, ends, to + (size_t)i * ENDS);
+    for (; i < p->n; i++)
+        some_rows(p, i, 1, from, ends, to + (size_t)i * ENDS);
+}
+
+/* Fills f->spring of one structure. */
+static void spring_rows(struct thud_free_vibration *f, const struct thud_model *m, const struct thud_model_structure *p)
+{
+    for (int j = p->first_mode; j < p->first_mode + p->modes; j++) {
+        const double *q = f->q + j * ENDS, *qd = f->qd + j * ENDS;
+        double *a = f->spring + j * ENDS, s = f->shift[j];
+        for (int t = 0; t < f->ends; t++)
+            a[t] = -(m->spring[j] * (q[t] - s) + m->dashpot[j] * qd[t]);
+        for (int k = 0; p->damping && k < p->modes; k++) {
+            const double d = p->damping[(j - p->first_mode) * p->modes + k], *rate = f->qd + (p->first_mode + k) * ENDS;
+            for (int t = 0; t < f->ends; t++)
+                a[t] -= d * rate[t];
+        }
+    }
+}
+
+static void drift_rows(struct thud_free_vibration *f, const struct thud_model_structure *p)
+{
+    for (int i = 0; i < p->n; i++) {
+        const double *u = f->value[THUD_FLOOR_DISPLACEMENT] + (size_t)(p->first + i) * ENDS;
+        double *drift = f->value[THUD_FLOOR_DRIFT] + (size_t)(p->first + i) * ENDS;
+        for (int t = 0; t < f->ends; t++)
+            drift[t] = !p->stiffness_npm ? 0 : i > 0 ? u[t] - (u - ENDS)[t] : u[t];
+    }
+}
+
+void thud_free_vibration_values(struct thud_free_vibration *f, const struct thud_model *m, int structure, int quantity)
+{
+    const struct thud_model_structure *p = &m->structure[structure];
+    bool *valued = &f->valued[quantity * m->nstructures + structure];
+    if (*valued)
+        return;
+    *valued = true;
+    if (quantity == THUD_FLOOR_DRIFT) {
+        thud_free_vibration_values(f, m, structure, THUD_FLOOR_DISPLACEMENT);
+        drift_rows(f, p);
+        return;
+    }
+    if (quantity == THUD_FLOOR_ACCELERATION)
+        spring_rows(f, m, p);
+    floor_rows(f, p, quantity,
+               quantity == THUD_FLOOR_DISPLACEMENT ? f->q
+               : quantity == THUD_FLOOR_VELOCITY   ? f->qd
+                                                   : f->spring,
+               f->ends);
+}
+
+/* Acceleration of mode j of a structure without the ground's, at end t. */
+static double spring_at(const struct thud_free_vibration *f, const struct thud_model *m,
+                        const struct thud_model_structure *p, int j, int t)
+{
+    const int k = p->first_mode + j;
+    double sum = m->spring[k] * (f->q[k * ENDS + t] - f->shift[k]) + m->dashpot[k] * f->qd[k * ENDS + t];
+    for (int i = 0; p->damping && i < p->modes; i++)
+        sum += p->damping[j * p->modes + i] * f->qd[(p->first_mode + i) * ENDS + t];
+    return -sum;
+}
+
+/* Third derivative of a floor's displacement. */
+static double jerk(const struct thud_free_vibration *f, const struct thud_model *m, int structure, int floor, int t,
+                   double ground)
+{
+    const struct thud_model_structure *p = &m->structure[structure];
+    const double *row = p->phi + floor * p->modes, *damped = f->coupled[structure].by_floor;
+    double sum = 0;
+    for (int j = 0; j < p->modes; j++) {
+        const int k = p->first_mode + j;
+        double second = spring_at(f, m, p, j, t) - m->gamma[k] * ground;
+        sum -= row[j] * (m->spring[k] * f->qd[k * ENDS + t] + m->dashpot[k] * second);
+        if (damped)
+            sum -= damped[floor * p->modes + j] * second;
+    }
+    return sum;
+}
+
+double thud_free_vibration_rate(const struct thud_free_vibration *f, const struct thud_model *m, int structure,
+                                int floor, int quantity, int t, double ground)
+{
+    const struct thud_model_structure *p = &m->structure[structure];
+    const double *row = p->phi + floor * p->modes,
+                 *below = quantity == THUD_FLOOR_DRIFT && floor > 0 ? row - p->modes : NULL;
+    double sum = 0;
+    if (quantity == THUD_FLOOR_ACCELERATION)
+        return jerk(f, m, structure, floor, t, ground);
+    for (int j = 0; j < p->modes; j++)
+        sum += quantity == THUD_FLOOR_VELOCITY
+                   ? row[j] * (spring_at(f, m, p, j, t) - m->gamma[p->first_mode + j] * ground)
+                   : (row[j] - (below ? below[j] : 0)) * f->qd[(p->first_mode + j) * ENDS + t];
+    return sum;
+}
+
+/* The two quadratic forms, in the sums of their products over the intervals. */
+void thud_free_vibration_work(struct thud_free_vibration *f, const struct thud_model *model, int intervals,
+                              double *input_j, double *viscous_j)
+{
+    const double *a0 = f->ground, *a1 = f->after;
+    double ground[3] = {0}, input = 0, viscous = 0;
+    for (int t = 0; t < intervals; t++) {
+        ground[0] += a0[t] * a0[t];
+        ground[1] += a0[t] * a1[t];
+        ground[2] += a1[t] * a1[t];
+    }
+    for (int i = 0; i < 3; i++) {
+        viscous += f->tables.viscous_ground[i] * ground[i];
+        input += f->tables.work_ground[i] * ground[i];
+    }
+    for (int j = 0; j < f->n; j++) {
+        if (f->summed != intervals)
+            sum_products(f, j, model->omega[j], intervals);
+        for (int i = 0; i < THUD_FREE_VIBRATION_PRODUCTS; i++)
+            viscous += f->tables.viscous[i][j] * f->product[i][j];
+        input += f->tables.work[0][j] * f->product[3][j] + f->tables.work[1][j] * f->product[5][j] +
+                 f->tables.work[2][j] * f->product[4][j] + f->tables.work[3][j] * f->product[6][j];
+    }
+    f->summed = intervals;
+    for (int s = 0; s < f->nstructures; s++) {
+        const struct thud_coupled_flight *c = &f->coupled[s];
+        const int row = c->first_mode * ENDS;
+        for (int t = 0; t < intervals && c->size > 0; t++)
+            thud_coupled_flight_work(c, f->q + row, f->qd + row, ENDS, f->shift + c->first_mode, a0[t], a1[t], t,
+                                     &input, &viscous);
+    }
+    *input_j = input;
+    *viscous_j = viscous;
+}

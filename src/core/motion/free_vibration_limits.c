@@ -1,0 +1,287 @@
+/* How far a value inside an interval may lie above those at its ends, and with that the first interval in which a contact
+ * closes or a storey yields: for |f''| <= B, |f - chord| <= B dt^2/8 (thud-methods(7), eqs. 4 and 5). */
+#include "core/motion/free_vibration_parts.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/largest.h"
+#include "core/numerics/poly.h"
+#include "core/numerics/tolerance.h"
+
+enum { BOUNDS = THUD_FREE_VIBRATION_BOUNDS };
+
+/* Bounds of a mode's derivatives in the block, by order from 2 on. */
+static void mode_bounds(const struct thud_free_vibration *f, const struct thud_model *m, int j, double slope,
+                        double bound[BOUNDS])
+{
+    double w2 = m->spring[j], z = m->dashpot[j], gamma = fabs(m->gamma[j]);
+    double speed = f->speed[j] + f->dt_s * gamma * f->ground_most;
+    bound[2] = (m->omega[j] + z) * speed + gamma * f->ground_most;
+    bound[3] = w2 * speed + z * bound[2] + gamma * slope;
+    for (int k = 4; k < BOUNDS; k++)
+        bound[k] = w2 * bound[k - 2] + z * bound[k - 1];
+}
+
+/* Size of the forces by which damping couples mode i of the structure, for rates of these sizes. */
+static double coupling(const struct thud_model_structure *p, int i, const double *rate)
+{
+    double sum = 0;
+    for (int k = 0; k < p->modes; k++)
+        sum += fabs(p->damping[i * p->modes + k]) * rate[k];
+    return sum;
+}
+
+/* The same where damping couples the modes: f->bound. The energy norm S of all modes together grows at most by the
+ * ground's part, damping or not; a mode's own speed also by what couples it, for which S is a first bound of every
+ * other's. */
+static void coupled_bounds(struct thud_free_vibration *f, const struct thud_model *m,
+                           const struct thud_model_structure *p, double slope)
+{
+    enum { TIMES = 3 };
+    const int n = p->modes, first = p->first_mode;
+    const double dt = f->dt_s, ground = f->ground_most;
+    double energy = 0, influence = 0;
+    double *row[BOUNDS];
+    for (int k = 0; k < BOUNDS; k++)
+        row[k] = f->bound + k * f->n + first;
+    for (int j = first; j < first + n; j++) {
+        energy += f->speed[j] * f->speed[j];
+        influence += m->gamma[j] * m->gamma[j];
+    }
+    const double all = sqrt(energy) + dt * sqrt(influence) * ground;
+    for (int i = 0; i < n; i++)
+        row[1][i] = all;
+    for (int time = 0; time < TIMES; time++) {
+        for (int i = 0; i < n; i++) {
+            double own = f->speed[first + i] + dt * (fabs(m->gamma[first + i]) * ground + coupling(p, i, row[1]));
+            row[0][i] = own < all ? own : all;
+        }
+        memcpy(row[1], row[0], (size_t)n * sizeof(double));
+    }
+    for (int k = 2; k < BOUNDS; k++)
+        for (int i = 0; i < n; i++) {
+            const double w = m->omega[first + i], gamma = fabs(m->gamma[first + i]);
+            row[k][i] = (k == 2   ? w * row[1][i]
+                         : k == 3 ? w * w * row[1][i]
+                                  : w * w * row[k - 2][i]) +
+                        coupling(p, i, row[k - 1]) +
+                        (k == 2   ? gamma * ground
+                         : k == 3 ? gamma * slope
+                                  : 0);
+        }
+}
+
+/* Bounds of the derivatives of the modes of one structure in the block, summed into margins: dt^2/8 times the second
+ * derivative of a value bounds how far it may lie above its ends, and dt^4/384 times the fourth how far from the cubic
+ * through values and rates at them. An acceleration is omega^2 q + 2 zeta omega q' (or + D q'): its derivatives have the
+ * bounds of two orders more. */
+static void structure_margins(struct thud_free_vibration *f, const struct thud_model *m, int s, double slope)
+{
+    const struct thud_model_structure *p = &m->structure[s];
+    double dt = f->dt_s, sum[THUD_FLOOR_QUANTITIES] = {0}, cubic[THUD_FLOOR_QUANTITIES] = {0}, bound[BOUNDS];
+    if (p->damping)
+        coupled_bounds(f, m, p, slope);
+    for (int j = p->first_mode; j < p->first_mode + p->modes; j++) {
+        double most = m->mode_max[j], drift = m->mode_max[f->n + j];
+        if (p->damping)
+            for (int k = 2; k < BOUNDS; k++)
+                bound[k] = f->bound[k * f->n + j];
+        else
+            mode_bounds(f, m, j, slope, bound);
+        sum[THUD_FLOOR_DISPLACEMENT] += most * bound[2];
+        sum[THUD_FLOOR_VELOCITY] += most * bound[3];
+        sum[THUD_FLOOR_ACCELERATION] += most * bound[4];
+        sum[THUD_FLOOR_DRIFT] += drift * bound[2];
+        cubic[THUD_FLOOR_DISPLACEMENT] += most * bound[4];
+        cubic[THUD_FLOOR_VELOCITY] += most * bound[5];
+        cubic[THUD_FLOOR_ACCELERATION] += most * bound[6];
+        cubic[THUD_FLOOR_DRIFT] += drift * bound[4];
+    }
+    for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++) {
+        f->margin[x * m->nstructures + s] = sum[x] * dt * dt / 8;
+        f->cubic_margin[x * m->nstructures + s] = cubic[x] * dt * dt * dt * dt / 384;
+    }
+}
+
+void thud_free_vibration_margins(struct thud_free_vibration *f, const struct thud_model *m, int intervals)
+{
+    double slope = 0;
+    for (int t = 0; t < intervals; t++)
+        slope = thud_larger(slope, fabs(f->after[t] - f->ground[t]));
+    for (int s = 0; s < m->nstructures; s++)
+        structure_margins(f, m, s, slope / f->dt_s);
+}
+
+static bool closes_in_piece(const struct thud_state *state, const struct thud_segment *seg, int c, bool first)
+{
+    double d[THUD_SEGMENT_TERMS];
+    int zeros = thud_segment_indentation(state, seg, c, d), least = state->contact[c].suppressed.indentation;
+    if (!first || least == 0)
+        zeros = 0;
+    else if (zeros < least)
+        zeros = least;
+    return zeros < seg->terms && thud_poly_first_above(d, seg->terms, 1, 1, zeros, THUD_TOL_INDENTATION_M) <= 1;
+}
+
+/* Whether one of the contacts that are near it closes in interval t. */
+static bool closes(struct thud_free_vibration *f, const struct thud_state *state, int t)
+{
+    for (int piece = 0; piece < f->pieces; piece++)
+        for (int c = 0; c < state->model->ncontacts; c++)
+            if (f->near[c] &&
+                closes_in_piece(state, thud_free_vibration_row_series(f, state, c, t, piece), c, t == 0 && piece == 0))
+                return true;
+    return false;
+}
+
+/* Of one side of a contact, from the floors' displacements at one end, rows ENDS apart. */
+static double side_value(const struct thud_model_side *side, const double *u)
+{
+    double value = side->dof < 0 ? 0 : side->share * u[(size_t)side->dof * ENDS];
+    return value + (side->below < 0 ? 0 : (1 - side->share) * u[(size_t)side->below * ENDS]);
+}
+
+double thud_free_vibration_side(struct thud_free_vibration *f, const struct thud_model *model,
+                                const struct thud_model_side *side, int ends, double *margin)
+{
+    thud_free_vibration_values(f, model, side->structure, THUD_FLOOR_DISPLACEMENT);
+    const double *u = f->value[THUD_FLOOR_DISPLACEMENT];
+    *margin = f->margin[side->structure];
+    for (int t = 0; t < ends; t++)
+        f->gap[t] = fabs(side_value(side, u + t));
+    return thud_largest(f->gap, ends);
+}
+
+/* How far the displacement of one side less that of the other, also of what lies between two floors, may lie above its
+ * values at the ends. */
+static double gap_margin(const struct thud_free_vibration *f, const struct thud_model_contact *p)
+{
+    return (p->left_dof < 0 ? 0 : f->margin[p->left.structure]) +
+           (p->right_dof < 0 ? 0 : f->margin[p->right.structure]);
+}
+
+double thud_free_vibration_gap(struct thud_free_vibration *f, const struct thud_model *model, int c, int ends,
+                               double *margin)
+{
+    const struct thud_model_contact *p = &model->contact[c];
+    const double *u = f->value[THUD_FLOOR_DISPLACEMENT];
+    const double *left = p->left_dof < 0 ? NULL : u + (size_t)p->left_dof * ENDS;
+    const double *right = p->right_dof < 0 ? NULL : u + (size_t)p->right_dof * ENDS;
+    *margin = gap_margin(f, p);
+    if (left)
+        thud_free_vibration_values(f, model, p->left.structure, THUD_FLOOR_DISPLACEMENT);
+    if (right)
+        thud_free_vibration_values(f, model, p->right.structure, THUD_FLOOR_DISPLACEMENT);
+    if (p->struck != 0) {
+        for (int t = 0; t < ends; t++)
+            f->gap[t] = side_value(&p->left, u + t) - side_value(&p->right, u + t);
+        return thud_largest(f->gap, ends);
+    }
+    for (int t = 0; t < ends; t++)
+        f->gap[t] = (left ? left[t] : 0) - (right ? right[t] : 0);
+    return thud_largest(f->gap, ends);
+}
+
+/* What the modes of the block can bring the sides of contact c together by, each at its largest speed; no number where
+ * one of them is a free body's. */
+static double gap_bound(const struct thud_free_vibration *f, const struct thud_model *m, int c)
+{
+    const double *g = m->jacobian + c * f->n;
+    double sum = 0;
+    for (int j = 0; j < f->n; j++)
+        sum += fabs(g[j]) * f->speed[j] / m->omega[j] + g[j] * f->shift[j];
+    return sum;
+}
+
+/* Gaps above which the contacts may close in an interval; whether any comes so far in the block. */
+static bool set_limits(struct thud_free_vibration *f, const struct thud_state *state, int intervals)
+{
+    bool any = false;
+    for (int c = 0; c < state->model->ncontacts; c++) {
+        const struct thud_model_contact *p = &state->model->contact[c];
+        const double limit = thud_state_clearance(state, c) - gap_margin(f, p);
+        double margin;
+        f->limit[c] = INFINITY;
+        if (p->law->flags & THUD_LAW_NO_FORCE || gap_bound(f, state->model, c) <= limit)
+            continue;
+        if (thud_free_vibration_gap(f, state->model, c, intervals + 1, &margin) <= limit)
+            continue;
+        f->limit[c] = limit;
+        any = true;
+    }
+    return any;
+}
+
+/* Marks the contacts that may close in interval t; whether there are any. */
+static bool find_near(struct thud_free_vibration *f, const struct thud_state *state, int t)
+{
+    const struct thud_model *m = state->model;
+    const double *u = f->value[THUD_FLOOR_DISPLACEMENT] + t;
+    bool any = false;
+    for (int c = 0; c < m->ncontacts; c++) {
+        f->near[c] = false;
+        if (f->limit[c] == INFINITY) /* where its displacements may not have been made */
+            continue;
+        const struct thud_model_side *left = &m->contact[c].left, *right = &m->contact[c].right;
+        double start = side_value(left, u) - side_value(right, u),
+               end = side_value(left, u + 1) - side_value(right, u + 1);
+        f->near[c] = start > f->limit[c] || end > f->limit[c];
+        any |= f->near[c];
+    }
+    return any;
+}
+
+/* Intervals until a contact closes, at most `intervals`. */
+int thud_free_vibration_until_contact(struct thud_free_vibration *f, const struct thud_state *state, int intervals)
+{
+    if (!set_limits(f, state, intervals))
+        return intervals;
+    for (int t = 0; t < intervals; t++)
+        if (find_near(f, state, t) && closes(f, state, t))
+            return t;
+    return intervals;
+}
+
+/* Whether storey k comes to its bound in interval t. */
+static bool yields(struct thud_free_vibration *f, const struct thud_state *state, int k, int t)
+{
+    const struct thud_storey_state *s = &state->storey[k];
+    double d[THUD_SEGMENT_TERMS];
+    for (int piece = 0; piece < f->pieces; piece++) {
+        const int row = state->model->ncontacts + k;
+        const struct thud_segment *seg = thud_free_vibration_row_series(f, state, row, t, piece);
+        thud_segment_indentation(state, seg, row, d);
+        double drift = d[0];
+        for (int side = -1; side <= 1; side += 2) {
+            int zeros = t == 0 && piece == 0 && s->zero_side == side ? s->zeros : 0;
+            d[0] = drift - s->plastic_m - side * state->model->storey[k].yield_m;
+            if (thud_poly_first_above(d, seg->terms, 1, side, zeros, THUD_TOL_INDENTATION_M) <= 1)
+                return true;
+        }
+    }
+    return false;
+}
+
+/* Intervals until a storey yields, at most `intervals`. */
+int thud_free_vibration_until_yield(struct thud_free_vibration *f, const struct thud_state *state, int intervals)
+{
+    const struct thud_model *m = state->model;
+    const double *u = f->value[THUD_FLOOR_DISPLACEMENT];
+    for (int k = 0; k < m->nstoreys; k++) {
+        const struct thud_model_contact *row = &m->contact[m->ncontacts + k];
+        const double *above = u + row->left_dof * ENDS, *below = row->right_dof < 0 ? NULL : u + row->right_dof * ENDS;
+        const double plastic = state->storey[k].plastic_m,
+                     limit =
+                         m->storey[k].yield_m - f->margin[THUD_FLOOR_DRIFT * m->nstructures + m->storey[k].structure];
+        thud_free_vibration_values(f, m, m->storey[k].structure, THUD_FLOOR_DISPLACEMENT);
+        for (int t = 0; t <= intervals; t++)
+            f->gap[t] = above[t] - (below ? below[t] : 0) - plastic;
+        if (thud_largest_size(f->gap, intervals + 1) <= limit && state->storey[k].zeros == 0)
+            continue;
+        for (int t = 0; t < intervals; t++)
+            if ((fabs(f->gap[t]) > limit || fabs(f->gap[t + 1]) > limit) && yields(f, state, k, t))
+                intervals = t;
+    }
+    return intervals;
+}

@@ -1,0 +1,32 @@
+/* Free vibration from inside: what its tables, its block, its series and its limits give each other. */
+#ifndef THUD_CORE_FREE_VIBRATION_PARTS_H
+#define THUD_CORE_FREE_VIBRATION_PARTS_H
+
+#include "core/motion/free_vibration.h"
+
+enum {
+    ENDS = THUD_FREE_VIBRATION_ENDS,
+    THUD_FREE_VIBRATION_BOUNDS = 7 /* of derivatives up to the sixth */
+};
+
+/* free_vibration_tables.c. Errors: THUD_MEMORY. */
+enum thud_status thud_free_vibration_make_tables(const struct thud_state *state, struct thud_free_vibration *f,
+                                                 struct thud_error *err);
+/* Whether the tables of `like` are those of f, to the last bit: no modes are coupled, and no contact is closed, whose
+ * rate would give the series more terms. */
+bool thud_free_vibration_has_tables(const struct thud_free_vibration *like, const struct thud_free_vibration *f,
+                                    const struct thud_state *state);
+void thud_free_vibration_copy_tables(struct thud_free_vibration *f, const struct thud_free_vibration *like);
+
+/* free_vibration_block.c: the modal states at the ends of the intervals from the state on; the sums of their products,
+ * and the modes' largest speeds. */
+void thud_free_vibration_fill(struct thud_free_vibration *f, const struct thud_state *state, int intervals);
+void thud_free_vibration_sum(struct thud_free_vibration *f, const struct thud_model *m, int intervals);
+
+/* free_vibration_limits.c: fills f->margin and f->cubic_margin; intervals until a contact closes, or a storey yields, at
+ * most `intervals`. */
+void thud_free_vibration_margins(struct thud_free_vibration *f, const struct thud_model *m, int intervals);
+int thud_free_vibration_until_contact(struct thud_free_vibration *f, const struct thud_state *state, int intervals);
+int thud_free_vibration_until_yield(struct thud_free_vibration *f, const struct thud_state *state, int intervals);
+
+#endif
