@@ -13,6 +13,13 @@ sh $tools/check-headers.sh .
 sh $tools/check-tree.sh .
 sh $tools/check-unused.sh "$BUILD"
 
+# thud-methods(7) says in which file each section is
+sed -n '/^\.Sh WHERE IT IS/,/^\.Ed/p' man/thud-methods.7 | grep -o '[a-z]*/[a-z_]*\.[ch]' >"$tmp/files"
+lost=$(while read -r file; do [ -f "src/core/$file" ] || echo "$file"; done <"$tmp/files")
+if [ -s "$tmp/files" ] && [ -z "$lost" ]; then echo "ok - the files that thud-methods(7) names are there"; else
+    echo "not ok - thud-methods(7) names files that are not there: $lost"
+fi
+
 finds() { # WHAT PATTERN COMMAND...: the command fails and its output shows the pattern
     what=$1
     pattern=$2
