@@ -83,7 +83,9 @@ is "three motions have no band of a curve" shows "^3 independent ground motions 
 is "what a bumper makes worse is counted" shows "bumper .* counts [0-9 ]* of 3 at 5 9 13 17 21"
 shares() { awk -F, 'NR > 1 { rows++; if ($6 != 3 || ($8 - $7 / 3) ^ 2 > 1e-20 || !($9 <= $8 + 1e-12 && $8 <= $10 + 1e-12 && $10 - $9 > 0.4) || ($1 == "worse" && $11 != "") || $12 != "") bad = 1 } END { exit rows < 40 || bad }' "$tmp/fragility/fragility.csv"; }
 is "fragility.csv: shares with Wilson's bands, and no curve of what is counted" shares
-medians() { awk -F, 'NR > 1 { rows++; if ($6 == "curve" ? 0 : $7 != "" || $12 != "") bad = 1; if ($1 == "worse" && $6 !~ /counted|never|always/) bad = 1 } END { exit rows < 20 || bad }' "$tmp/fragility/fragility-curves.csv"; }
+medians() { awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) c[$i] = i; next }
+    { rows++; if ($c["fit"] != "curve" && $c["theta"] $c["theta_m"] $c["beta"] != "") bad = 1; if ($1 == "worse" && $c["fit"] !~ /counted|never|always/) bad = 1 }
+    END { exit rows < 20 || bad }' "$tmp/fragility/fragility-curves.csv"; }
 is "fragility-curves.csv: medians of curves only" medians
 for figure in fragility-pounding fragility-worse ida-none ida-bumper; do is "$figure is a picture" is_png "$tmp/fragility/$figure.png"; done
 # a second way: without bumper a motion pounds where the needed gap times the factor is wider than the gap
@@ -92,6 +94,14 @@ counted() { awk -F, 'NR == FNR { if (FNR > 1 && $7 > m[$1]) m[$1] = $7; next }
     FNR > 1 && $1 == "pounding" && $2 == "none" { rows++; n = 0; for (r in m) n += m[r] * $4 > $5; if (n != $7 || $6 != 3) bad = 1 }
     END { exit rows != 2 * 15 || bad }' "$tmp/needed.csv" "$tmp/fragility/fragility.csv"; }
 is "counts are those of the needed gaps" counted
+# and each motion's own factor, or gap, is known without a fit: the second of three
+exactly() { awk -F, 'NR == FNR { if (FNR > 1 && $7 > m[$1]) m[$1] = $7; next }
+    FNR == 1 { for (i = 1; i <= NF; i++) c[$i] = i; next }
+    $1 == "pounding" && $2 == "none" { rows++; n = 0; gap = $3 == "gap"; for (r in m) x[++n] = gap ? m[r] * $4 : $5 / m[r]
+        if (x[1] > x[2]) { t = x[1]; x[1] = x[2]; x[2] = t } if (x[2] > x[3]) { t = x[2]; x[2] = x[3]; x[3] = t } if (x[1] > x[2]) { t = x[1]; x[1] = x[2]; x[2] = t }
+        told = gap ? $c["exact_median_m"] : $c["exact_median"]; if ((told / x[2] - 1) ^ 2 > 1e-12) bad = 1 }
+    END { exit rows != 8 || bad }' "$tmp/needed.csv" "$tmp/fragility/fragility-curves.csv"; }
+is "pounding needs no fit: exact medians" exactly
 rates() { awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) c[$i] = i; next }
     $1 == "pounding" && $3 == "record.factor" { rows++; for (e = 0; e < 3; e++) { end = e == 0 ? "" : e == 1 ? "_low" : "_high"; r = $c["annual_rate" end]; p = $c["probability_50_years" end]
         d = p - (1 - exp(-50 * r)); if ((r == "") != (p == "") || d * d > 1e-20) bad = 1 }

@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "study/suite/fragility.h"
 #include "base/random.h"
+#include "study/suite/fragility.h"
 #include "study_setup.h"
 
 /* Two stripes and two parameters: the curve goes through both shares, in closed form. */
@@ -190,6 +190,23 @@ START_TEST(hazard_that_ends_too_soon)
 }
 END_TEST
 
+/* Each motion's own value: the mean of the rates at which they are exceeded. */
+START_TEST(hazard_of_exact_values)
+{
+    double x[] = {0.1, 0.4, 0.9, 1.6}, rate[] = {0.1, 0.02, 0.005, 0.001}, own[] = {0.4, 0.6, 0.9}, beyond[] = {0.4, 2};
+    struct thud_hazard hazard = {4, x, rate};
+    struct thud_fragility f = {.exact = own, .nexact = 3};
+    struct thud_rate r = thud_hazard_rate(&hazard, &f);
+    ck_assert_double_eq_tol(r.value, (0.02 + 0.01 + 0.005) / 3, 1e-15);
+    f.exact = beyond;
+    f.nexact = 2;
+    r = thud_hazard_rate(&hazard, &f);
+    ck_assert(isnan(r.value));
+    ck_assert_double_eq_tol(r.low, 0.01, 1e-15);
+    ck_assert_double_eq_tol(r.high, 0.0105, 1e-15);
+}
+END_TEST
+
 /* Counts that separate begin between two values: the rate is that of one of them, on logarithmic axes. */
 START_TEST(hazard_of_a_step)
 {
@@ -238,7 +255,9 @@ static struct thud_suite *made_up(const double *needed, int n, bool turned)
         for (long i = 0; i < suite->settings; i++)
             for (int v = 0; v < suite->nvalues; v++)
                 suite->value[((size_t)r * (size_t)suite->settings + (size_t)i) * (size_t)suite->nvalues + (size_t)v] =
-                    v == THUD_SUITE_IMPACTS ? plan->axis[0].value[i] < needed[r] : 1;
+                    v == THUD_SUITE_IMPACTS ? plan->axis[0].value[i] < needed[r]
+                    : v == THUD_SUITE_SHORT ? needed[r] - plan->axis[0].value[i]
+                                            : 1;
     return suite;
 }
 
@@ -270,6 +289,12 @@ START_TEST(counts_and_band_of_a_suite)
         thud_share_band((size_t)count, 7, 1, &low, &high);
         ck_assert(f.share_low[i] == low && f.share_high[i] == high);
     }
+    /* of pounding each motion's own gap is known: no fit */
+    ck_assert_int_eq(f.nexact, 7);
+    ck_assert_double_eq_tol(f.exact50, 0.115, 1e-12);
+    ck_assert_double_eq_tol(f.exact16, 0.085, 1e-12);
+    ck_assert_double_eq_tol(f.exact84, 0.145, 1e-12);
+    ck_assert(f.exact_low >= 0.075 && f.exact_low < f.exact50 && f.exact50 < f.exact_high && f.exact_high <= 0.165);
     ck_assert(f.curve.falling && f.theta == f.curve.theta && f.theta > 0.085 && f.theta < 0.145);
     ck_assert(f.theta_low < f.theta && f.theta < f.theta_high && f.theta_low > 0.07);
     thud_fragility_clear(&f);
@@ -422,6 +447,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, hazard_in_closed_form);
     tcase_add_test(tcase, hazard_that_ends_too_soon);
     tcase_add_test(tcase, hazard_of_a_step);
+    tcase_add_test(tcase, hazard_of_exact_values);
     tcase_add_test(tcase, counts_and_band_of_a_suite);
     tcase_add_test(tcase, both_signs_are_one_draw);
     tcase_add_test(tcase, equal_motions_and_few);

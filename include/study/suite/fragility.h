@@ -95,6 +95,12 @@ struct thud_fragility {
      * 0 and INFINITY where there are none, both NaN where the counts do not say. */
     double theta, above, below;
     double theta_low, theta_high, beta_low, beta_high; /* 5 and 95 % of the bootstrap; NaN without */
+    /* Of pounding, which needs no fit: the value from which on each motion makes something touch (along a gap: no longer
+     * does), sorted; NULL: not known. From which on at least 16, 50 and 84 % of them do, and 5 and 95 % of the bootstrap of
+     * the middle one. */
+    int nexact;
+    double *exact; /* (nexact) */
+    double exact16, exact50, exact84, exact_low, exact_high;
 };
 /* Free with thud_fragility_clear. Errors: THUD_MEMORY. */
 enum thud_status thud_fragility_make(const struct thud_suite *suite, const struct thud_fragility_ask *ask,
@@ -110,7 +116,7 @@ struct thud_hazard {
 struct thud_rate {
     double low, value, high; /* value: NaN where there are only bounds; high: INFINITY where there is none */
 };
-/* int P |d lambda| of a curve whose median lies within the values that were tried, of counts that separate, and of
+/* Of pounding the mean of the rates of each motion's exact value. Else int P |d lambda| of a curve whose median lies within the values that were tried, of counts that separate, and of
  * events that never or always happen. Where the hazard curve ends below, or begins above, where P has its weight, bounds:
  * beyond its last point P lies between what it is there and 1; before its first point its rate is not known. All NaN
  * where neither is known, or the event becomes rarer with the intensity. */

@@ -6,9 +6,11 @@
 #include "base/statistics.h"
 #include "study/sweep/sweep.h"
 
-/* Of a run; all but the first two by structure. */
+/* Of a run; from the accelerations on by structure. */
 enum thud_suite_measure {
     THUD_SUITE_IMPACTS,            /* all contacts */
+    THUD_SUITE_USED,               /* largest closing without pounding over clearance, of all levels */
+    THUD_SUITE_SHORT,              /* largest closing less clearance, m */
     THUD_SUITE_FORCE,              /* largest of all contacts, N; 0: nothing touched */
     THUD_SUITE_ACCELERATION,       /* largest of the floors, m/s2 */
     THUD_SUITE_DRIFT,              /* largest of the storeys, m */
@@ -30,6 +32,7 @@ struct thud_suite {
     const struct thud_sweep_plan *plan;
     int nrecords, nstructures, nvalues; /* nvalues: of a run */
     bool yields;                        /* some storey may: it has ductilities and permanent drifts */
+    bool linear;                        /* without pounding, displacements are linear in the ground motion */
     bool columns;                       /* a capacity is given: it has shears over it */
     long settings;
     int ndraws;    /* independent motions: one and the same turned round is one */

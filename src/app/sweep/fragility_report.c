@@ -296,6 +296,17 @@ static void put_median(const struct thud_fragility_line *line, double unit, bool
 {
     const struct thud_fragility *f = &line->fragility;
     char text[80] = "";
+    if (!isnan(f->exact50)) { /* of pounding: exact, without a fit */
+        if (isinf(f->exact50))
+            snprintf(text, sizeof text, "never");
+        else if (!isnan(f->exact_low))
+            snprintf(text, sizeof text, "%.3g (%.3g to %.3g)", f->exact50 / unit, f->exact_low / unit,
+                     f->exact_high / unit);
+        else
+            snprintf(text, sizeof text, "%.3g", f->exact50 / unit);
+        thud_text_append(out, "%-29s%-8s", text, "exact");
+        return;
+    }
     if (!isnan(f->theta)) {
         put_band(f->theta, f->theta_low, f->theta_high, f, unit, 29, out);
         if (hazard) /* beside the rates there is no room for its band */
@@ -443,8 +454,10 @@ void thud_fragility_csv(const struct thud_fragility_study *study, struct thud_te
 
 /* ---- medians ---- */
 
-enum { MEDIANS = 5, RATES = 6 };
-static const char *const medians[MEDIANS] = {"theta", "theta_low", "theta_high", "median_above", "median_below"};
+enum { MEDIANS = 10, RATES = 6 };
+static const char *const medians[MEDIANS] = {
+    "theta",     "theta_low",    "theta_high", "median_above",     "median_below",
+    "exact_p16", "exact_median", "exact_p84",  "exact_median_low", "exact_median_high"};
 static const char *const rates[RATES] = {
     "annual_rate",          "annual_rate_low",          "annual_rate_high",
     "probability_50_years", "probability_50_years_low", "probability_50_years_high"};
@@ -479,9 +492,16 @@ static int median_units(const struct thud_fragility_study *study, const char *un
 static void median_values(const struct thud_fragility *f, double value[MEDIANS])
 {
     bool told = !isnan(f->theta);
-    const double x[MEDIANS] = {f->theta, told && f->theta_low >= f->least ? f->theta_low : NAN,
-                               told && f->theta_high <= f->most ? f->theta_high : NAN, f->above > 0 ? f->above : NAN,
-                               isfinite(f->below) ? f->below : NAN};
+    const double x[MEDIANS] = {f->theta,
+                               told && f->theta_low >= f->least ? f->theta_low : NAN,
+                               told && f->theta_high <= f->most ? f->theta_high : NAN,
+                               f->above > 0 ? f->above : NAN,
+                               isfinite(f->below) ? f->below : NAN,
+                               isinf(f->exact16) ? NAN : f->exact16,
+                               isinf(f->exact50) ? NAN : f->exact50,
+                               isinf(f->exact84) ? NAN : f->exact84,
+                               isinf(f->exact_low) ? NAN : f->exact_low,
+                               isinf(f->exact_high) ? NAN : f->exact_high};
     memcpy(value, x, sizeof x);
 }
 
@@ -506,7 +526,7 @@ void thud_fragility_curves_csv(const struct thud_fragility_study *study, struct 
 {
     const char *unit[THUD_VARY_MAX];
     int units = median_units(study, unit);
-    char head[1024];
+    char head[2048];
     size_t used = (size_t)snprintf(head, sizeof head, "fit");
     for (int u = 0; u < units; u++)
         for (int i = 0; i < MEDIANS; i++)

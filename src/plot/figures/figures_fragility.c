@@ -32,7 +32,35 @@ static void add_bars(struct thud_panel *panel, const struct thud_fragility *f, d
     free(x);
 }
 
-/* One case: counts with their bands; the curve with its own where one is told. */
+/* The share of the motions by the value from which on each does, or no longer does, as steps. */
+static void add_steps(struct thud_panel *panel, const struct thud_sweep_axis *axis, const struct thud_fragility *f,
+                      const char *name, int color)
+{
+    bool rising = thud_axis_is_intensity(axis);
+    double unit = thud_varied_factor(axis), *x = malloc(2 * ((size_t)f->nexact + 2) * sizeof *x);
+    double *y = x ? x + f->nexact + 2 : NULL;
+    size_t n = 1, before = 0;
+    if (!x) {
+        if (panel)
+            panel->figure->failed = true;
+        return;
+    }
+    for (int r = 0; r < f->nexact; r++) {
+        before += f->exact[r] <= f->least;
+        if (f->exact[r] <= f->least || f->exact[r] >= f->most)
+            continue;
+        x[n] = f->exact[r] * unit;
+        y[n++] = 100.0 * (rising ? r + 1 : f->nexact - r - 1) / f->nexact;
+    }
+    x[0] = f->least * unit;
+    y[0] = 100.0 * (rising ? (double)before : f->nexact - (double)before) / f->nexact;
+    x[n] = f->most * unit;
+    y[n] = y[n - 1];
+    thud_panel_add(panel, (struct thud_style){.kind = THUD_STEPS, .color = color}, name, n + 1, x, y);
+    free(x);
+}
+
+/* One case: counts with their bands; the curve with its own where one is told, or what is exact in its place. */
 static void add_curve(struct thud_panel *panel, const struct thud_sweep_plan *plan,
                       const struct thud_fragility_curve *curve)
 {
@@ -47,17 +75,19 @@ static void add_curve(struct thud_panel *panel, const struct thud_sweep_plan *pl
             panel->figure->failed = true;
         return;
     }
-    bool banded = false;
+    bool banded = false, exact = f->nexact > 0, fitted = !exact && thud_is_fitted(&f->curve);
     for (size_t i = 0; i < f->n; i++) {
         point[i] = f->stripe[i].x * unit;
         share[i] = f->stripe[i].n > 0 ? 100.0 * f->stripe[i].count / f->stripe[i].n : NAN;
         low[i] = 100 * f->low[i];
         high[i] = 100 * f->high[i];
-        banded |= !isnan(f->low[i]);
+        banded |= fitted && !isnan(f->low[i]);
     }
     if (banded)
         thud_panel_fill(panel, (struct thud_style){.color = color, .thin = true}, name, f->n, point, low, high);
-    if (thud_is_fitted(&f->curve)) {
+    if (exact)
+        add_steps(panel, &plan->axis[curve->axis], f, name, color);
+    if (fitted) {
         for (int i = 0; i < FINE; i++) {
             double at = f->least + (f->most - f->least) * i / (FINE - 1);
             x[i] = at * unit;
@@ -66,17 +96,18 @@ static void add_curve(struct thud_panel *panel, const struct thud_sweep_plan *pl
         thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = color}, name, FINE, x, y);
     }
     add_bars(panel, f, unit, color);
-    thud_panel_add(panel, (struct thud_style){.kind = THUD_POINTS, .color = color},
-                   thud_is_fitted(&f->curve) ? "" : name, f->n, point, share);
+    thud_panel_add(panel, (struct thud_style){.kind = THUD_POINTS, .color = color}, exact || fitted ? "" : name, f->n,
+                   point, share);
     free(point);
 }
 
 const char *thud_fragility_note(int ndraws)
 {
-    return ndraws < THUD_SHARES_LEAST ? " Points: shares; so few motions have no band."
+    return ndraws < THUD_SHARES_LEAST ? " Points: shares, of so few motions without bands; steps: exact."
            : ndraws < THUD_DRAWS_LEAST
-               ? " Points: shares with 90 % bands (Wilson); so few motions have no band of a curve."
-               : " Points: shares with 90 % bands (Wilson). Curves where the counts allow one; shaded: 90 % by "
+               ? " Points: shares with 90 % bands (Wilson); steps: exact; curves without bands, of so few motions."
+               : " Points: shares with 90 % bands (Wilson); steps: exact; curves where the counts allow one; shaded: "
+                 "90 % by "
                  "bootstrap.";
 }
 

@@ -414,6 +414,75 @@ static void conclude(struct thud_fragility *f, enum thud_event_kind kind, const 
     }
 }
 
+/* The value from which on each motion makes something touch: displacements without pounding are linear in an intensity,
+ * and a gap does not change them. */
+static double threshold(const struct thud_suite *suite, const struct thud_fragility_ask *ask, int record)
+{
+    const struct thud_sweep_axis *axis = &suite->plan->axis[ask->axis];
+    int at[THUD_VARY_MAX];
+    memcpy(at, ask->at, sizeof at);
+    for (int i = 0; i < axis->n; i++) {
+        at[ask->axis] = i;
+        long setting = thud_suite_setting(suite->plan, at);
+        double used = thud_suite_value(suite, record, setting, ask->k, THUD_SUITE_USED, -1);
+        if (isnan(used) || !(axis->value[i] > 0))
+            continue;
+        if (thud_axis_is_intensity(axis))
+            return used > 0 ? axis->value[i] / used : INFINITY;
+        return axis->value[i] + thud_suite_value(suite, record, setting, ask->k, THUD_SUITE_SHORT, -1);
+    }
+    return NAN;
+}
+
+static int by_number(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static enum thud_status find_exact(const struct thud_suite *suite, const struct thud_fragility_ask *ask,
+                                   struct thud_fragility *f, struct thud_error *err)
+{
+    const struct thud_sweep_axis *axis = &suite->plan->axis[ask->axis];
+    bool intensity = thud_axis_is_intensity(axis), gap = is_monotone(THUD_EVENT_POUNDING, axis) && !intensity;
+    size_t n = (size_t)suite->nrecords, count, samples = suite->ndraws >= THUD_DRAWS_LEAST ? (size_t)ask->samples : 0;
+    f->exact16 = f->exact50 = f->exact84 = f->exact_low = f->exact_high = NAN;
+    if (ask->event->kind != THUD_EVENT_POUNDING || !(intensity ? suite->linear : gap && suite->nstructures == 2))
+        return THUD_OK;
+    double *own = malloc((2 * n + samples + 1) * sizeof *own), *drawn = own + n, *median = drawn + n;
+    struct thud_random random = {ask->seed};
+    if (!own)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    for (size_t r = 0; r < n; r++) {
+        own[r] = threshold(suite, ask, (int)r);
+        if (isnan(own[r])) {
+            free(own);
+            return THUD_OK;
+        }
+    }
+    for (size_t b = 0; b < samples; b++) {
+        size_t m = 0;
+        for (int d = 0; d < suite->ndraws; d++) {
+            int g = (int)thud_random_below(&random, (size_t)suite->ndraws);
+            for (int r = suite->first[g]; r < suite->first[g + 1] && m < n; r++)
+                drawn[m++] = own[r];
+        }
+        qsort(drawn, m, sizeof *drawn, by_number);
+        median[b] = thud_enough(drawn, m, 0.5, &count);
+    }
+    if (samples > 0)
+        band(median, samples, &f->exact_low, &f->exact_high);
+    qsort(own, n, sizeof *own, by_number);
+    f->exact = own;
+    f->nexact = suite->nrecords;
+    f->exact50 = thud_enough(own, n, 0.5, &count);
+    if (suite->ndraws >= THUD_SHARES_LEAST) {
+        f->exact16 = thud_enough(own, n, 0.16, &count);
+        f->exact84 = thud_enough(own, n, 0.84, &count);
+    }
+    return THUD_OK;
+}
+
 enum thud_status thud_fragility_make(const struct thud_suite *suite, const struct thud_fragility_ask *ask,
                                      struct thud_fragility *out, struct thud_error *err)
 {
@@ -461,6 +530,8 @@ enum thud_status thud_fragility_make(const struct thud_suite *suite, const struc
     enum thud_status status = THUD_OK;
     if (thud_is_fitted(&out->curve) && ask->samples > 0 && suite->ndraws >= THUD_DRAWS_LEAST)
         status = bootstrap(happens, suite, ask, out, err);
+    if (status == THUD_OK)
+        status = find_exact(suite, ask, out, err);
     free(happens);
     if (status != THUD_OK)
         thud_fragility_clear(out);
@@ -471,6 +542,7 @@ void thud_fragility_clear(struct thud_fragility *fragility)
 {
     free(fragility->stripe);
     free(fragility->low);
+    free(fragility->exact);
     *fragility = (struct thud_fragility){0};
 }
 
@@ -507,10 +579,12 @@ static double over_interval(const struct thud_lognormal *curve, double x0, doubl
     return sum;
 }
 
+/* What bounds may differ by, of the upper one, and be told as one number. */
+static const double told_as_one = 0.01;
+
 /* Of a rising curve. */
 static struct thud_rate rate_of_curve(const struct thud_hazard *h, const struct thud_lognormal *curve)
 {
-    static const double small = 0.01; /* what bounds may differ by and be told as one number */
     size_t last = h->n - 1;
     double inside = 0, k = 0;
     for (size_t i = 0; i < last; i++) {
@@ -524,8 +598,22 @@ static struct thud_rate rate_of_curve(const struct thud_hazard *h, const struct 
     double from = fmin(h->x[0], curve->theta * exp(-40 * curve->beta));
     double before =
         from < h->x[0] ? over_interval(curve, from, h->x[0], h->rate[0] * pow(from / h->x[0], -first), first) : 0;
-    out.high = before > small * out.high ? INFINITY : out.high + before;
-    if (isfinite(out.high) && out.high - out.low <= small * out.high)
+    out.high = before > told_as_one * out.high ? INFINITY : out.high + before;
+    if (isfinite(out.high) && out.high - out.low <= told_as_one * out.high)
+        out.value = 0.5 * (out.low + out.high);
+    return out;
+}
+
+/* Each motion is as likely: the mean of the rates at which their values are exceeded. */
+static struct thud_rate rate_of_exact(const struct thud_hazard *h, const struct thud_fragility *f)
+{
+    struct thud_rate out = {0, NAN, 0};
+    for (int r = 0; r < f->nexact; r++) {
+        double x = f->exact[r], most = rate_at(h, x);
+        out.high += most / f->nexact;
+        out.low += (x > h->x[h->n - 1] ? 0 : x < h->x[0] ? h->rate[0] : most) / f->nexact;
+    }
+    if (isfinite(out.high) && out.high - out.low <= told_as_one * out.high)
         out.value = 0.5 * (out.low + out.high);
     return out;
 }
@@ -535,6 +623,8 @@ struct thud_rate thud_hazard_rate(const struct thud_hazard *hazard, const struct
     static const struct thud_rate unknown = {NAN, NAN, NAN};
     if (hazard->n < 2)
         return unknown;
+    if (f->nexact > 0)
+        return rate_of_exact(hazard, f);
     if (thud_is_fitted(&f->curve))
         return isnan(f->theta) || f->curve.falling ? unknown : rate_of_curve(hazard, &f->curve);
     if (isnan(f->above) || (f->curve.fit == THUD_FIT_SEPARATED && f->curve.falling))

@@ -10,9 +10,9 @@ enum { OF_RUN = THUD_SUITE_ACCELERATION, OF_STRUCTURE = THUD_SUITE_MEASURES - OF
 
 const char *thud_suite_column(enum thud_suite_measure measure)
 {
-    static const char *const column[] = {
-        "impacts",   "force_n",     "acceleration_mps2",  "drift_m", "drift_angle", "acceleration_ratio", "drift_ratio",
-        "ductility", "permanent_m", "shear_over_capacity"};
+    static const char *const column[] = {"impacts",           "used_up",   "short_m",     "force_n",
+                                         "acceleration_mps2", "drift_m",   "drift_angle", "acceleration_ratio",
+                                         "drift_ratio",       "ductility", "permanent_m", "shear_over_capacity"};
     return column[measure];
 }
 
@@ -54,6 +54,9 @@ enum thud_status thud_suite_create(const struct thud_sweep_plan *plan, struct th
         suite->settings = thud_sweep_points(plan) / suite->nrecords;
         suite->nstructures = plan->scene.nstructures;
         suite->yields = thud_sweep_yields(plan);
+        suite->linear = !suite->yields;
+        for (int i = 0; i < plan->scene.nstructures; i++)
+            suite->linear &= plan->scene.structure[i].velocity_mps == 0;
         suite->columns = has_capacity(plan);
         suite->nvalues = OF_RUN + OF_STRUCTURE * suite->nstructures;
         size_t n = (size_t)thud_sweep_points(plan) * (size_t)plan->ncases * (size_t)suite->nvalues;
@@ -119,23 +122,39 @@ static void put_peaks(const struct thud_scene *scene, const struct thud_sweep_po
     }
 }
 
+/* What the motion without pounding asks of the clearances of a case. */
+static void put_clearances(const struct thud_scene *cased, const struct thud_sweep_point *point, double *value)
+{
+    value[THUD_SUITE_USED] = 0;
+    value[THUD_SUITE_SHORT] = -INFINITY;
+    for (int c = 0; c < point->ncontacts; c++) {
+        double closing = point->level[c].closing_m;
+        double clearance = thud_interface_clearance(&cased->interface[point->level[c].interface - 1]);
+        if (closing > 0)
+            value[THUD_SUITE_USED] = fmax(value[THUD_SUITE_USED], clearance > 0 ? closing / clearance : INFINITY);
+        value[THUD_SUITE_SHORT] = fmax(value[THUD_SUITE_SHORT], closing - clearance);
+    }
+}
+
 enum thud_status thud_suite_add(struct thud_suite *suite, const struct thud_sweep_point *point, struct thud_error *err)
 {
     int n = thud_sweep_rows(suite->plan, point, NULL);
     struct thud_sweep_row *row = malloc(((size_t)n + 1) * sizeof *row);
-    struct thud_scene *own = suite->plan->naxes > 0 && row ? malloc(sizeof *own) : NULL; /* its heights may be varied */
-    if (!row || (suite->plan->naxes > 0 && !own)) {
+    struct thud_scene *scene = row ? malloc(2 * sizeof *scene) : NULL, *cased = scene + 1;
+    if (!row || !scene) {
         free(row);
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
-    enum thud_status status = own ? thud_sweep_scene(suite->plan, point->index, own, err) : THUD_OK;
-    const struct thud_scene *scene = own ? own : &suite->plan->scene;
+    enum thud_status status = thud_sweep_scene(suite->plan, point->index, scene, err);
     thud_sweep_rows(suite->plan, point, row);
     for (int k = 0; k < suite->plan->ncases && k < point->ncases && status == THUD_OK; k++) {
         double *value = run_at(suite, point->index, k);
         if (point->effort[k].status != THUD_OK)
             continue;
         put_peaks(scene, point, k, value);
+        status = thud_scene_case(scene, suite->plan->cases[k], cased, err);
+        if (status == THUD_OK)
+            put_clearances(cased, point, value);
         value[THUD_SUITE_IMPACTS] = value[THUD_SUITE_FORCE] = 0;
         for (int c = 0; c < point->ncontacts; c++) {
             const struct thud_sweep_contact *x = &point->contact[(ptrdiff_t)k * point->ncontacts + c];
@@ -155,7 +174,7 @@ enum thud_status thud_suite_add(struct thud_suite *suite, const struct thud_swee
             }
     }
     free(row);
-    free(own);
+    free(scene);
     return status;
 }
 
