@@ -30,6 +30,8 @@ is "has 3 (1 - 0.36)/4" shows '^ops.uniaxialMaterial("Hertzdamp", 3, [0-9.e+]*, 
 is "Jankowski's contact at no gap at all" gives 0 export opensees rigid-concrete --set contact.law=jankowski
 # (9 sqrt5/2)(1 - e^2)/(e (e (9 pi - 16) + 16)) at e 0.6: 0.45937
 is "has its published damping and its mass" shows '^ops.uniaxialMaterial("JankowskiImpact", 3, [0-9.e+]*, 0.4593[0-9]*, 160000, -1e-12, 1.5)$'
+is "the bilinear contact" gives 0 export opensees rigid-concrete --set contact.law=impact-material --set gap=1mm --set contact.initial-stiffness="300 kN/mm" --set contact.secondary-stiffness="100 kN/mm" --set contact.yield-indentation=2mm
+is "has its two slopes, yield displacement and gap, both negative" shows '^ops.uniaxialMaterial("ImpactMaterial", 3, 300000000, 100000000, -0.002, -0.001)$'
 
 is "storeys that yield" gives 0 export opensees towers-yielding --case none --set contact.law=linear --set structures.2.yield.2=none --set structures.2.hardening.1=3% --to 9s
 cp "$tmp/out" "$tmp/yielding.py"

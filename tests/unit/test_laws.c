@@ -51,10 +51,18 @@ static const struct thud_law *ready(const char *name, double v, struct thud_law_
 
 START_TEST(list)
 {
-    static const char *const names[] = {
-        "none",           "linear", "kelvin-voigt",     "kelvin-voigt-no-tension", "hertz", "hertz-damp",
-        "jankowski",      "rubber", "stereomechanical", "permanent-indentation", /* and the examples */
-        "remembered-path"};
+    static const char *const names[] = {"none",
+                                        "linear",
+                                        "kelvin-voigt",
+                                        "kelvin-voigt-no-tension",
+                                        "hertz",
+                                        "hertz-damp",
+                                        "jankowski",
+                                        "rubber",
+                                        "impact-material",
+                                        "stereomechanical",
+                                        "permanent-indentation", /* and the examples */
+                                        "remembered-path"};
     enum { NAMES = sizeof names / sizeof *names };
     ck_assert_int_eq(thud_law_count(), NAMES);
     for (int i = 0; i < NAMES; i++) {
@@ -191,6 +199,11 @@ static double printed(const char *name, enum thud_phase phase, double d, double 
         return (phase == THUD_APPROACH ? 1 : 0.36) * k * d;
     if (strcmp(name, "permanent-indentation") == 0)
         return phase == THUD_APPROACH && d > 1e-3 ? k * 1e-3 + 0.1 * k * (d - 1e-3) : k * d;
+    if (strcmp(name, "impact-material") == 0) {
+        double keff = kh * sqrt(0.01), lost = kh * pow(0.01, 2.5) * (1 - 0.36) / 2.5;
+        double k1 = keff + lost / (0.1 * 0.01 * 0.01), k2 = keff - lost / (0.9 * 0.01 * 0.01);
+        return phase == THUD_APPROACH && d > 1e-3 ? k1 * 1e-3 + k2 * (d - 1e-3) : k1 * d;
+    }
     if (strcmp(name, "rubber") != 0)
         return 0;
     double kr = 0.36e3 * pow(1000, 2.65), cor = 0.5;
@@ -309,7 +322,7 @@ static void check_returned_energy(const struct thud_law *law, const struct thud_
 
 START_TEST(elastic_energy)
 {
-    static const char *const keeps[] = {"permanent-indentation", "remembered-path"};
+    static const char *const keeps[] = {"impact-material", "permanent-indentation", "remembered-path"};
     for (int i = 0; i < thud_law_count(); i++) {
         struct thud_law_setup setup;
         struct thud_law_memory memory;

@@ -188,7 +188,10 @@ static void add_contact(const struct thud_contact_result *c, int force_places, i
         thud_text_append(out, "%6.4f", c->restitution);
     else
         thud_text_append(out, "     -");
-    thud_text_append(out, " %5.3g\n", c->nominal_restitution);
+    if (!isnan(c->nominal_restitution))
+        thud_text_append(out, " %5.3g\n", c->nominal_restitution);
+    else
+        thud_text_append(out, "     -\n");
     if (blow)
         thud_text_append(out, "            impulse %.5g kN s in all\n", 1e-3 * c->impulse_ns);
 }

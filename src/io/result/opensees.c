@@ -3,6 +3,7 @@
  *     ViscoelasticGap K C gap           F = K d + C v                            linear, kelvin-voigt
  *     Hertzdamp K x gap n               F = (K + x K v/v_imp) d^n                hertz, hertz-damp
  *     JankowskiImpact K xi m gap n      F = K d^n + 2 xi sqrt(K d^(n-1) m) v     jankowski (approach; then K d^n)
+ *     ImpactMaterial K1 K2 -d_y -gap    bilinear flag                            impact-material
  *     Steel01 V_y k r                   bilinear, kinematic hardening            storeys that yield, V_y = k d_y
  * No contact lets go when the force reaches 0 while there is indentation, none has the rubber's two curves, and a step knows
  * no impulse. The constants are read from the law's own branch. */
@@ -41,7 +42,8 @@ static bool has_contact(const struct thud_model_contact *c)
 
 static bool is_known(const char *law)
 {
-    static const char *const known[] = {"none", "linear", "kelvin-voigt", "hertz", "hertz-damp", "jankowski"};
+    static const char *const known[] = {"none",       "linear",    "kelvin-voigt",   "hertz",
+                                        "hertz-damp", "jankowski", "impact-material"};
     for (size_t i = 0; i < sizeof known / sizeof *known; i++)
         if (strcmp(law, known[i]) == 0)
             return true;
@@ -248,7 +250,13 @@ static void material(struct thud_text *out, const struct thud_model_contact *c, 
     double value[5];
     int n = 0;
     const char *name;
-    if (c->law->flags & THUD_LAW_LINEAR) {
+    if (is_law(c, "impact-material")) {
+        name = "ImpactMaterial";
+        value[n++] = b.k_npm;
+        value[n++] = thud_law_branch(c->law, &c->setup, &memory, THUD_APPROACH, true).k_npm;
+        value[n++] = -thud_law_ultimate(c->law, &c->setup, &memory, THUD_APPROACH);
+        value[n++] = gap;
+    } else if (c->law->flags & THUD_LAW_LINEAR) {
         name = "ViscoelasticGap";
         value[n++] = b.k_npm;
         value[n++] = b.c_nspm;
