@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "core/run/baseline.h"
+#include "core/run/run_private.h"
 #include "march.h"
 
 /* Peaks and their times of building `of` in `row` against building 0 of `alone`. */
@@ -97,6 +98,69 @@ START_TEST(touch_begins_where_the_largest_relative_displacement_ends)
 }
 END_TEST
 
+/* Of a segment's structures, which of them are at the start of a piece of this interval; the others have no number. */
+static void check_place(const struct thud_free_vibration *f, const struct thud_model *m, const struct thud_segment *seg,
+                        int t, unsigned has)
+{
+    for (int s = 0; s < m->nstructures; s++)
+        for (int j = m->structure[s].first_mode; j < m->structure[s].first_mode + m->structure[s].modes; j++)
+            for (int k = 0; k < seg->terms; k++) {
+                if (!(has >> s & 1))
+                    ck_assert(isnan(seg->q[k * m->nmodes + j]));
+                else if (k == 0)
+                    ck_assert_double_eq(seg->q[j], f->q[j * THUD_FREE_VIBRATION_ENDS + t]);
+            }
+}
+
+static enum thud_status look_around(void *own, const struct thud_state *state, struct thud_free_vibration *f,
+                                    int intervals, struct thud_error *err)
+{
+    int *looks = own;
+    const struct thud_model *m = state->model;
+    const int last = f->pieces - 1;
+    (void)err;
+    if (intervals < 6)
+        return THUD_OK;
+    ++*looks;
+    check_place(f, m, thud_free_vibration_all_series(f, state, 1, 0), 1, 7);
+    check_place(f, m, thud_free_vibration_series(f, state, 0, 3, 0), 3, 1);
+    check_place(f, m, thud_free_vibration_series(f, state, 2, 5, 0), 5, 4);
+    check_place(f, m, thud_free_vibration_series(f, state, 1, 5, 0), 5, 6);
+    check_place(f, m, thud_free_vibration_series(f, state, 1, 3, 0), 3, 2);
+    double q[2][MARCH_FLOORS_MAX], qd[MARCH_FLOORS_MAX]; /* the last piece ends where the interval does */
+    thud_segment_state(thud_free_vibration_all_series(f, state, 3, last), m->nmodes, 1, q[0], qd);
+    thud_free_vibration_series(f, state, 1, 2, last);
+    thud_segment_state(thud_free_vibration_series(f, state, 0, 3, last), m->nmodes, 1, q[1], qd);
+    for (int j = 0; j < m->structure[0].modes; j++) {
+        ck_assert_double_eq(q[0][j], q[1][j]);
+        ck_assert_double_eq_tol(q[0][j], f->q[j * THUD_FREE_VIBRATION_ENDS + 4], 1e-9);
+    }
+    return THUD_OK;
+}
+
+/* Whatever is asked for in whatever order, a segment never has structures at different times. */
+START_TEST(a_series_is_of_one_time)
+{
+    static const struct thud_observer looking = {.block = look_around};
+    const int storeys[] = {5, 8, 3};
+    struct march_law law = march_law("linear", "stiffness", 2.5e9, NULL);
+    struct thud_record *record = march_motion(1);
+    struct thud_model *model = march_row(3, storeys, _i, 5, &law);
+    struct thud_run_options options;
+    struct thud_run *run;
+    int looks = 0;
+    thud_run_options_init(&options);
+    ck_assert_int_eq(thud_run_create(model, record, &options, &run, NULL), THUD_OK);
+    thud_run_observe(run, &looking, &looks);
+    for (bool done = false; !done;)
+        ck_assert_int_eq(thud_run_advance(run, 1000, &done, NULL), THUD_OK);
+    ck_assert_int_gt(looks, 2);
+    thud_run_free(run);
+    thud_model_free(model);
+    thud_record_free(record);
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -105,6 +169,7 @@ Suite *thud_suite(void)
     tcase_set_timeout(tcase, 60);
     tcase_add_loop_test(tcase, a_row_that_does_not_touch, 0, 2); /* 1: isolated, which couples modes */
     tcase_add_loop_test(tcase, touch_begins_where_the_largest_relative_displacement_ends, 0, 2);
+    tcase_add_loop_test(tcase, a_series_is_of_one_time, 0, 2);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -267,11 +267,10 @@ START_TEST(work_in_a_contact_is_that_of_its_law)
         thud_taylor_given(m, &run->seg, run->state.q, run->state.qd);
         double s = i % 2 ? 1 : 0.3 + 0.7 * rand() / RAND_MAX, want = 0, scale = 0, slope;
         double before = thud_ledger_contact_work(&run->ledger);
-        thud_segment_forget(&run->seg, m->nrows);
         for (int c = 0; c < 2; c++) {
-            const double *d = run->seg.indentation + c * THUD_SEGMENT_TERMS;
             run->state.contact[c].branch = (struct thud_branch){.f0_n = force};
             thud_segment_contact(&run->state, &run->seg, c);
+            const double *d = thud_segment_read(&run->seg, c);
             want += force * (thud_poly_value(d, run->seg.terms, s) - d[0]);
             scale += force * thud_poly_move(d, run->seg.terms, &slope);
         }

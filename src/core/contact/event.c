@@ -260,11 +260,11 @@ static int larger(int a, int b)
 }
 
 /* The contact as its guards see it, but for its bounds. `copy` (terms) may take its indentation. */
-static struct view view_of(const struct thud_state *state, struct thud_segment *seg, int c, double *copy)
+static struct view view_of(const struct thud_state *state, const struct thud_segment *seg, int c, double *copy)
 {
     const struct thud_contact_state *s = &state->contact[c];
     int still = thud_segment_contact(state, seg, c);
-    struct view v = {state, seg, c, seg->indentation + c * THUD_SEGMENT_TERMS, 0, 0, s->suppressed};
+    struct view v = {state, seg, c, thud_segment_read(seg, c), 0, 0, s->suppressed};
     if (s->suppressed.indentation == 0 || (s->mode != THUD_OPEN && s->mode != THUD_CLOSED))
         return v; /* only where the contact has just begun or ended */
     if (s->mode == THUD_CLOSED) {
@@ -291,8 +291,8 @@ static bool may_close(const struct thud_state *state, const struct thud_segment 
         return true;
     const struct thud_model_contact *p = &m->contact[c];
     double most = thud_contact_indentation(state, c);
-    if (most + (p->left.modes > 0 ? seg->floors[p->left.structure] : 0) +
-            (p->right.modes > 0 ? seg->floors[p->right.structure] : 0) <=
+    if (most + (p->left.modes > 0 ? seg->notes->floors[p->left.structure] : 0) +
+            (p->right.modes > 0 ? seg->notes->floors[p->right.structure] : 0) <=
         0)
         return false; /* whatever floors they are */
     const double *g = m->jacobian + (size_t)c * (size_t)m->nmodes;
@@ -300,14 +300,14 @@ static bool may_close(const struct thud_state *state, const struct thud_segment 
     for (int i = 0; i < n; i++) {
         const struct thud_model_structure *s = &m->structure[structure[i]];
         for (int j = s->first_mode; j < s->first_mode + s->modes; j++)
-            most += fabs(g[j]) * seg->reach[j];
+            most += fabs(g[j]) * seg->notes->bound[j];
     }
     return most > 0;
 }
 
 /* Guards of storey k, beside those of contacts: while it is elastic, the distance of its drift from the bound on either
  * side, which must not rise above 0; while it yields, the rate of its drift, which must not turn back. */
-static double storey_fires(const struct thud_state *state, struct thud_segment *seg, int k, double s_end,
+static double storey_fires(const struct thud_state *state, const struct thud_segment *seg, int k, double s_end,
                            enum thud_event *event, int *order)
 {
     const struct thud_model *m = state->model;
@@ -317,17 +317,17 @@ static double storey_fires(const struct thud_state *state, struct thud_segment *
     double p[THUD_SEGMENT_TERMS], first = INFINITY;
     if (s->direction == 0 && s->zeros == 0) { /* by what its modes can do at most */
         double now = fabs(thud_contact_indentation(state, row) - s->plastic_m), most = 0;
-        if (now + seg->drifts[m->storey[k].structure] <= bound)
+        if (now + seg->notes->drifts[m->storey[k].structure] <= bound)
             return INFINITY;
         const struct thud_model_structure *of = &m->structure[m->storey[k].structure];
         const double *g = m->jacobian + row * m->nmodes;
         for (int j = of->first_mode; j < of->first_mode + of->modes; j++)
-            most += fabs(g[j]) * seg->reach[j];
+            most += fabs(g[j]) * seg->notes->bound[j];
         if (now + most <= bound)
             return INFINITY;
     }
     thud_segment_contact(state, seg, row);
-    const double *d = seg->indentation + row * THUD_SEGMENT_TERMS;
+    const double *d = thud_segment_read(seg, row);
     if (s->direction != 0) {
         for (int i = 0; i + 1 < n; i++)
             p[i] = (i + 1) * d[i + 1];
@@ -349,7 +349,7 @@ static double storey_fires(const struct thud_state *state, struct thud_segment *
     return first;
 }
 
-double thud_event_first(const struct thud_state *state, struct thud_segment *seg, double s_end, int *contact,
+double thud_event_first(const struct thud_state *state, const struct thud_segment *seg, double s_end, int *contact,
                         enum thud_event *event, int *order)
 {
     double first = INFINITY, copy[THUD_SEGMENT_TERMS];
@@ -357,7 +357,7 @@ double thud_event_first(const struct thud_state *state, struct thud_segment *seg
     *contact = -1;
     *order = 0;
     *event = THUD_EVENT_NONE;
-    thud_segment_reach(seg, state->model);
+    thud_segment_bounds(seg, state->model);
     for (int c = 0; c < state->model->ncontacts; c++) {
         enum thud_contact_mode mode = state->contact[c].mode;
         if (mode == THUD_OPEN && !may_close(state, seg, c))

@@ -25,8 +25,8 @@ const char *thud_event_guard(enum thud_event event);
 
 /* s of the earliest event in [0, s_end] of the segment, with its row (a contact, or a storey that yields), what it is,
  * and how many of the lowest coefficients of its guard were suppressed (order); INFINITY where there is none.
- * Reads the indentation of the contacts that may have one into the segment. */
-double thud_event_first(const struct thud_state *state, struct thud_segment *seg, double s_end, int *contact,
+ * Reads the indentation of the contacts that may have one, for its notes. */
+double thud_event_first(const struct thud_state *state, const struct thud_segment *seg, double s_end, int *contact,
                         enum thud_event *event, int *order);
 
 #endif

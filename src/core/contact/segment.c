@@ -15,56 +15,60 @@ enum thud_status thud_segment_init(struct thud_segment *seg, const struct thud_m
            terms = THUD_SEGMENT_TERMS;
     *seg = (struct thud_segment){0};
     seg->block = calloc((terms + 1) * n + 3 * terms * nc + 2 * ns + 1, sizeof *seg->block);
-    seg->known = calloc(3 * nc + 1, sizeof *seg->known);
-    if (!seg->block || !seg->known) {
+    seg->row = calloc(3 * nc + 1, sizeof *seg->row);
+    struct thud_segment_notes *notes = seg->notes = calloc(1, sizeof *notes);
+    if (!seg->block || !seg->row || !notes) {
         thud_segment_clear(seg);
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
-    seg->row = seg->known + nc;
-    seg->listed = seg->row + nc;
+    notes->known = seg->row + nc;
+    notes->listed = notes->known + nc;
     seg->q = seg->block;
-    seg->reach = seg->q + terms * n;
-    seg->force = seg->reach + n;
-    seg->indentation = seg->force + terms * nc;
-    seg->load = seg->indentation + terms * nc;
-    seg->floors = seg->load + terms * nc;
-    seg->drifts = seg->floors + ns;
+    notes->bound = seg->q + terms * n;
+    seg->force = notes->bound + n;
+    notes->indentation = seg->force + terms * nc;
+    notes->load = notes->indentation + terms * nc;
+    notes->floors = notes->load + terms * nc;
+    notes->drifts = notes->floors + ns;
     return THUD_OK;
 }
 
 void thud_segment_clear(struct thud_segment *seg)
 {
     free(seg->block);
-    free(seg->known);
+    free(seg->row);
+    free(seg->notes);
     *seg = (struct thud_segment){0};
 }
 
-void thud_segment_forget(struct thud_segment *seg, int nrows)
+/* No indentation has been read yet. */
+static void forget(const struct thud_segment *seg, int nrows)
 {
     for (int c = 0; c < nrows; c++)
-        seg->known[c] = -1;
+        seg->notes->known[c] = -1;
 }
 
-static void two_reaches(const struct thud_segment *seg, int nmodes, int j, bool single)
+static void two_bounds(const struct thud_segment *seg, int nmodes, int j, bool single)
 {
     const double *q = seg->q + nmodes + j;
     thud_vec2 sum = {0, 0};
     for (int k = 1; k < seg->terms; k++, q += nmodes)
         sum += thud_vec2_abs(thud_vec2_some(q, single));
-    thud_vec2_put_some(sum, seg->reach + j, single);
+    thud_vec2_put_some(sum, seg->notes->bound + j, single);
 }
 
-void thud_segment_reach(struct thud_segment *seg, const struct thud_model *model)
+void thud_segment_bounds(const struct thud_segment *seg, const struct thud_model *model)
 {
     const int n = model->nmodes;
     for (int j = 0; j + 2 <= n; j += 2)
-        two_reaches(seg, n, j, false);
+        two_bounds(seg, n, j, false);
     if (n % 2)
-        two_reaches(seg, n, n - 1, true);
+        two_bounds(seg, n, n - 1, true);
     for (int s = 0; s < model->nstructures; s++) {
         const struct thud_model_structure *p = &model->structure[s];
-        seg->floors[s] = thud_dot(p->modes, model->mode_max + p->first_mode, seg->reach + p->first_mode);
-        seg->drifts[s] = thud_dot(p->modes, model->mode_max + n + p->first_mode, seg->reach + p->first_mode);
+        const double *bound = seg->notes->bound + p->first_mode;
+        seg->notes->floors[s] = thud_dot(p->modes, model->mode_max + p->first_mode, bound);
+        seg->notes->drifts[s] = thud_dot(p->modes, model->mode_max + n + p->first_mode, bound);
     }
 }
 
@@ -146,7 +150,7 @@ void thud_segment_begin(const struct thud_state *state, struct thud_segment *seg
     seg->interpolates = false;
     seg->start = seg->end = NULL;
     constant_forces(state, seg);
-    thud_segment_forget(seg, state->model->nrows);
+    forget(seg, state->model->nrows);
 }
 
 enum { BLOCK = 8 }; /* orders of loads summed at once: the collocation's forces have 7 */
@@ -252,9 +256,9 @@ static inline void sum_loads(const struct thud_model *m, const struct thud_segme
     for (int from = 0; from < seg->loaded && rows > 0; from += BLOCK) {
         thud_vec2 sum[BLOCK] = {0};
         for (int i = 0; i < rows; i++) {
-            const double *force = seg->load + seg->listed[i] * THUD_SEGMENT_TERMS + from;
+            const double *force = seg->notes->load + seg->notes->listed[i] * THUD_SEGMENT_TERMS + from;
             const thud_vec2 g =
-                thud_vec2_some(m->jacobian + (size_t)seg->row[seg->listed[i]] * (size_t)m->nmodes + j, single);
+                thud_vec2_some(m->jacobian + (size_t)seg->row[seg->notes->listed[i]] * (size_t)m->nmodes + j, single);
             for (int k = 0; k < BLOCK; k++)
                 sum[k] += force[k] * g;
         }
@@ -301,7 +305,7 @@ static void scale_forces(const struct thud_model *m, struct thud_segment *seg)
         factor[k] = load_factor(seg, k);
     for (int i = 0; i < seg->rows; i++) {
         const double *force = seg->force + seg->row[i];
-        double *load = seg->load + i * THUD_SEGMENT_TERMS;
+        double *load = seg->notes->load + i * THUD_SEGMENT_TERMS;
         for (int k = 0; k < orders; k++)
             load[k] = factor[k] * force[k * m->nrows];
         for (int k = orders; k < seg->loaded || k % BLOCK != 0; k++)
@@ -316,7 +320,7 @@ static int list_rows(const struct thud_model *m, struct thud_segment *seg, int s
     for (int i = 0; i < seg->rows && seg->loaded > 0; i++) {
         const struct thud_model_contact *p = &m->contact[seg->row[i]];
         if (p->left.structure == structure || p->right.structure == structure)
-            seg->listed[n++] = i;
+            seg->notes->listed[n++] = i;
     }
     return n;
 }
@@ -409,7 +413,7 @@ static void linear_forces(const struct thud_state *state, struct thud_segment *s
         const int c = seg->row[i];
         const struct thud_contact_state *s = &state->contact[c];
         const bool touched = k == 0 && s->suppressed.indentation > 0; /* the motion says so only to rounding */
-        double *d = seg->indentation + c * THUD_SEGMENT_TERMS, d1 = 0, f = 0;
+        double *d = seg->notes->indentation + c * THUD_SEGMENT_TERMS, d1 = 0, f = 0;
         if (s->mode != THUD_CLOSED)
             continue;
         if (k == 0) {
@@ -442,7 +446,7 @@ double thud_taylor_linear(const struct thud_state *state, struct thud_segment *s
     }
     for (int c = 0; c < m->nrows; c++)
         if (state->contact[c].mode == THUD_CLOSED && state->contact[c].suppressed.indentation == 0)
-            seg->known[c] = 0;
+            seg->notes->known[c] = 0;
     /* fewer terms than there may be are enough by the bound of the fastest rate */
     return seg->terms < THUD_SEGMENT_TERMS ? 0 : thud_segment_tail(seg, m);
 }
@@ -458,6 +462,7 @@ void thud_segment_shorten(struct thud_segment *seg, int nmodes, int nrows, doubl
     }
     seg->h_s *= factor;
     seg->a1 *= factor;
+    forget(seg, nrows);
 }
 
 /* Two modes at s: on their way down the orders they stay in registers. */
@@ -585,9 +590,10 @@ int thud_segment_indentation(const struct thud_state *state, const struct thud_s
     return zeros;
 }
 
-int thud_segment_contact(const struct thud_state *state, struct thud_segment *seg, int c)
+int thud_segment_contact(const struct thud_state *state, const struct thud_segment *seg, int c)
 {
-    if (seg->known[c] < 0)
-        seg->known[c] = thud_segment_indentation(state, seg, c, seg->indentation + c * THUD_SEGMENT_TERMS);
-    return seg->known[c];
+    struct thud_segment_notes *notes = seg->notes;
+    if (notes->known[c] < 0)
+        notes->known[c] = thud_segment_indentation(state, seg, c, notes->indentation + c * THUD_SEGMENT_TERMS);
+    return notes->known[c];
 }

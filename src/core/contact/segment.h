@@ -3,6 +3,8 @@
 #ifndef THUD_CORE_SEGMENT_H
 #define THUD_CORE_SEGMENT_H
 
+#include <assert.h>
+
 #include "core/contact/state.h"
 
 enum { THUD_SEGMENT_TERMS = 24, THUD_SEGMENT_TERMS_LEAST = 10 }; /* coefficients of a polynomial */
@@ -14,6 +16,17 @@ struct thud_motion {
     bool apart;           /* no contact is indented here; false where that is not known */
 };
 
+/* What has been read of a segment, kept beside it, and workspace of its making. */
+struct thud_segment_notes {
+    double *indentation;     /* (nrows x THUD_SEGMENT_TERMS): where it has been read */
+    int *known;              /* (nrows) its lowest orders that are no motion; -1 where it has not been read */
+    double *bound;           /* (nmodes) largest displacement of each mode in it: thud_segment_bounds */
+    double *floors, *drifts; /* (nstructures) and so of any floor, and the largest change of any storey's drift */
+    double *load;            /* (nrows x THUD_SEGMENT_TERMS) and */
+    int *listed;             /* (nrows) workspace of segment.c */
+};
+
+/* A value, of one time: who makes it, from thud_segment_begin on, changes it; once proposed it stays as it is. */
 struct thud_segment {
     double start_s, h_s;
     int terms;     /* coefficients in use */
@@ -26,13 +39,8 @@ struct thud_segment {
     double end_energy; /* where they are known: sum of omega^2 q^2 + q'^2 at its end */
     bool interpolates; /* the states of a stepping method at its two ends; else a power series */
 
-    double *indentation;     /* (nrows x THUD_SEGMENT_TERMS): where it has been read */
-    double *load;            /* (nrows x THUD_SEGMENT_TERMS) and */
-    int *listed;             /* (nrows) workspace of segment.c */
-    int rows, *row;          /* (rows) those that may have a force, but for a stepping method: set where it begins */
-    int *known;              /* (nrows) its lowest orders that are no motion; -1 where it has not been read */
-    double *reach;           /* (nmodes) how far each mode may move in it: thud_segment_reach */
-    double *floors, *drifts; /* (nstructures) and so any floor, and the drift of any storey */
+    int rows, *row; /* (rows) those that may have a force, but for a stepping method: set where it begins */
+    struct thud_segment_notes *notes;
     double *block;
 };
 
@@ -68,13 +76,17 @@ double thud_segment_tail(const struct thud_segment *seg, const struct thud_model
 /* Shortens the segment to factor * h by scaling its coefficients. */
 void thud_segment_shorten(struct thud_segment *seg, int nmodes, int nrows, double factor);
 
-/* Reads the indentation of contact c into seg->indentation, once; returns how many of its lowest orders are no motion
- * (see thud_segment_indentation). */
-int thud_segment_contact(const struct thud_state *state, struct thud_segment *seg, int c);
-/* The segment has changed: no indentation of it has been read yet. */
-void thud_segment_forget(struct thud_segment *seg, int nrows);
-/* Fills seg->reach, seg->floors and seg->drifts. */
-void thud_segment_reach(struct thud_segment *seg, const struct thud_model *model);
+/* Reads the indentation of contact c, once, into its notes; returns how many of its lowest orders are no motion (see
+ * thud_segment_indentation). */
+int thud_segment_contact(const struct thud_state *state, const struct thud_segment *seg, int c);
+/* That indentation's coefficients, where it has been read. */
+static inline const double *thud_segment_read(const struct thud_segment *seg, int c)
+{
+    assert(seg->notes->known[c] >= 0);
+    return seg->notes->indentation + c * THUD_SEGMENT_TERMS;
+}
+/* Fills the bounds of the notes. */
+void thud_segment_bounds(const struct thud_segment *seg, const struct thud_model *model);
 /* Whether the segment holds a force of contact c. */
 bool thud_segment_has_force(const struct thud_state *state, const struct thud_segment *seg, int c);
 

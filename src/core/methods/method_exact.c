@@ -42,7 +42,6 @@ static enum thud_status step(const struct thud_state *state, void *own, struct t
     while (tail > THUD_TOL_SERIES_TAIL) {
         double factor = 0.9 * pow(0.5 * THUD_TOL_SERIES_TAIL / tail, 1.0 / (THUD_SEGMENT_TERMS - 4));
         thud_segment_shorten(seg, m->nmodes, m->nrows, factor);
-        thud_segment_forget(seg, m->nrows);
         tail = thud_segment_tail(seg, m);
     }
     state->work->force_evaluations += state->nactive;

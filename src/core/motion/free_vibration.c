@@ -39,9 +39,9 @@ static bool allocate(struct thud_free_vibration *f, const struct thud_model *m)
                    2 * THUD_FLOOR_QUANTITIES * ns + (size_t)m->ncontacts + (m->couples ? BOUNDS * n : 0),
                sizeof *next);
     f->valued = calloc(THUD_FLOOR_QUANTITIES * ns + (size_t)m->ncontacts + 1, sizeof *f->valued);
-    f->series.at = calloc(ns + 1, sizeof *f->series.at);
+    f->series.has = calloc(ns + 1, sizeof *f->series.has);
     f->coupled = calloc(ns + 1, sizeof *f->coupled);
-    if (!next || !f->valued || !f->series.at || !f->coupled)
+    if (!next || !f->valued || !f->series.has || !f->coupled)
         return false;
     for (size_t i = 0; i < count; i++, next += rows)
         *by_mode[i] = next;
@@ -137,7 +137,7 @@ void thud_free_vibration_free(struct thud_free_vibration *f)
         thud_coupled_flight_clear(&f->coupled[s]);
     free(f->coupled);
     free(f->valued);
-    free(f->series.at);
+    free(f->series.has);
     free(f->block);
     free(f);
 }

@@ -32,13 +32,12 @@ struct thud_free_vibration_tables {
     double *work[4], work_ground[3];
 };
 
-/* The power series made last, of each structure one piece of one interval. */
+/* The power series of one piece of one interval, and the structures whose it has. */
 struct thud_free_vibration_series {
     struct thud_segment seg;
     double *now, *now_rate; /* (n) modal state at its start */
-    struct thud_free_vibration_place {
-        int t, piece; /* piece -1: none */
-    } * at;           /* (nstructures) */
+    int t, piece;           /* piece -1: none */
+    bool *has;              /* (nstructures) */
 };
 
 struct thud_free_vibration {
@@ -103,8 +102,8 @@ double thud_free_vibration_side(struct thud_free_vibration *f, const struct thud
 /* Rate of a floor's value at end t of an interval whose ground acceleration there is `ground`. */
 double thud_free_vibration_rate(const struct thud_free_vibration *f, const struct thud_model *model, int structure,
                                 int floor, int quantity, int t, double ground);
-/* Motion of one structure in a piece (0 ... f->pieces - 1) of interval t, until the next call: the coefficients of the
- * other structures' modes may be those of other pieces. */
+/* Motion of one structure in a piece (0 ... f->pieces - 1) of interval t, until the next call: of the other structures it
+ * has the same piece, or no number. */
 const struct thud_segment *thud_free_vibration_series(struct thud_free_vibration *f, const struct thud_state *state,
                                                       int structure, int t, int piece);
 /* The same of the structures that row c touches (a contact, a storey), and of all. */

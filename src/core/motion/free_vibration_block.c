@@ -95,8 +95,8 @@ void thud_free_vibration_fill(struct thud_free_vibration *f, const struct thud_s
             thud_coupled_flight_march(&f->coupled[s], f->q + row, f->qd + row, ENDS, f->ground, f->after, intervals);
     }
     memset(f->valued, 0, THUD_FLOOR_QUANTITIES * (size_t)state->model->nstructures * sizeof *f->valued);
-    for (int i = 0; i < state->model->nstructures; i++)
-        f->series.at[i].piece = -1;
+    memset(f->series.has, 0, (size_t)state->model->nstructures * sizeof *f->series.has);
+    f->series.piece = -1;
     thud_segment_begin(state, &f->series.seg, f->dt_s / f->pieces); /* the forces, constant in the block */
     f->ends = intervals + 1;
 }

@@ -1,8 +1,9 @@
-/* Motion inside an interval as power series, of one structure and one piece at a time, made only where it is asked
- * for. */
+/* Motion inside an interval as power series, of one structure at a time, made only where it is asked for; all that the
+ * segment has are of one piece. */
 #include "core/motion/free_vibration_parts.h"
 
-#include <string.h>
+#include <assert.h>
+#include <math.h>
 
 /* Modal state of a structure at the start of a piece: that of the block, or of the piece before it at its end. */
 static void start_piece(struct thud_free_vibration *f, const struct thud_model_structure *p, int t, int piece)
@@ -22,20 +23,56 @@ static void start_piece(struct thud_free_vibration *f, const struct thud_model_s
         qd[j] *= rate;
 }
 
+/* The coefficients of a structure's modes at the segment's time, out of its state at the start of the piece. */
+static void make_series(struct thud_free_vibration *f, const struct thud_model *m, int structure)
+{
+    thud_taylor_structure(m, &f->series.seg, structure, f->series.now, f->series.now_rate);
+    f->made++;
+}
+
+/* Of structures that have not been made at the segment's time it has no number. */
+static void forget_series(struct thud_free_vibration *f, const struct thud_model_structure *p)
+{
+    for (int k = 0; k < f->series.seg.terms; k++)
+        for (int j = p->first_mode; j < p->first_mode + p->modes; j++)
+            f->series.seg.q[k * f->n + j] = NAN;
+}
+
+/* Takes the segment to another piece; to the next one of the same interval with the structures that it has. */
+static void place_series(struct thud_free_vibration *f, const struct thud_state *state, int t, int piece)
+{
+    struct thud_free_vibration_series *series = &f->series;
+    const struct thud_model *m = state->model;
+    const double h = f->dt_s / f->pieces;
+    if (series->t == t && series->piece == piece)
+        return;
+    const bool goes_on = series->t == t && series->piece >= 0 && piece == series->piece + 1;
+    thud_segment_place(state, &series->seg, state->grid + t, piece * h, h);
+    series->t = t;
+    series->piece = piece;
+    for (int s = 0; s < m->nstructures; s++) {
+        if (series->has[s] && goes_on) {
+            start_piece(f, &m->structure[s], t, piece);
+            make_series(f, m, s);
+        } else if (series->has[s]) {
+            forget_series(f, &m->structure[s]);
+            series->has[s] = false;
+        }
+    }
+}
+
 const struct thud_segment *thud_free_vibration_series(struct thud_free_vibration *f, const struct thud_state *state,
                                                       int structure, int t, int piece)
 {
-    struct thud_free_vibration_place *at = &f->series.at[structure];
     const double h = f->dt_s / f->pieces;
-    if (at->t != t || at->piece > piece)
-        *at = (struct thud_free_vibration_place){t, -1};
-    while (at->piece < piece) {
-        start_piece(f, &state->model->structure[structure], t, ++at->piece);
-        thud_segment_place(state, &f->series.seg, state->grid + t, at->piece * h, h);
-        thud_taylor_structure(state->model, &f->series.seg, structure, f->series.now, f->series.now_rate);
-        f->made++;
+    assert(t >= 0 && t + 1 < f->ends && piece >= 0 && piece < f->pieces);
+    place_series(f, state, t, piece);
+    for (int i = 0; i <= piece && !f->series.has[structure]; i++) {
+        start_piece(f, &state->model->structure[structure], t, i);
+        thud_segment_place(state, &f->series.seg, state->grid + t, i * h, h);
+        make_series(f, state->model, structure);
     }
-    thud_segment_place(state, &f->series.seg, state->grid + t, piece * h, h); /* it may be another structure's */
+    f->series.has[structure] = true;
     return &f->series.seg;
 }
 

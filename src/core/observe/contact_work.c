@@ -27,7 +27,7 @@ static double law_work(const struct thud_observation *o, int c, const double *fo
     static const double two[] = {0.21132486540518713, 0.78867513459481287}, half[] = {0.5, 0.5};
     const int count = orders > 0 ? 2 : THUD_QUADRATURE_POINTS;
     const double *node = orders > 0 ? two : thud_quadrature_node, *weight = orders > 0 ? half : thud_quadrature_weight;
-    const double *d = o->seg->indentation + c * THUD_SEGMENT_TERMS, rate = 1 / o->seg->h_s;
+    const double *d = thud_segment_read(o->seg, c), rate = 1 / o->seg->h_s;
     double work = 0;
     for (int i = 0; i < count; i += 2) {
         const thud_vec2 s = o->s * thud_vec2_at(node + i);
@@ -54,7 +54,7 @@ static double contact_work(const struct thud_observation *o, int c, double *impu
     const struct thud_segment *seg = o->seg;
     const bool asks = o->state->contact[c].mode != THUD_STICKING && o->state->locates,
                applies = !asks || !seg->interpolates;
-    const double *d = seg->indentation + c * THUD_SEGMENT_TERMS, s = o->s;
+    const double *d = thud_segment_read(seg, c), s = o->s;
     const int orders = !applies ? 0 : asks && seg->loaded < seg->terms ? seg->loaded : seg->terms;
     double force[THUD_SEGMENT_TERMS], part[THUD_SEGMENT_TERMS], rate[THUD_SEGMENT_TERMS], work = 0, power = 1;
     static const double one = 1;

@@ -27,7 +27,7 @@ static void indentation_peak(struct thud_contact_log *log, const struct thud_obs
     struct thud_impact *impact = &log->now[c];
     struct thud_peak *peak = &log->contact[c].indentation;
     const struct thud_segment *seg = o->seg;
-    const double *d = seg->indentation + c * THUD_SEGMENT_TERMS;
+    const double *d = thud_segment_read(seg, c);
     if (o->state->locates) {
         raise_both(seg, peak, &impact->indentation_m, d, seg->terms, o->s);
         return;

@@ -20,7 +20,6 @@ static double next_event(struct thud_run *run, struct thud_proposal *p)
         return thud_event_first(&run->state, &run->seg, p->limit, &p->contact, &p->event, &p->order);
     if (!run->state.inside)
         return INFINITY;
-    thud_segment_forget(&run->seg, run->state.model->nrows);
     for (int c = 0; c < run->state.model->ncontacts; c++)
         thud_segment_contact(&run->state, &run->seg, c);
     return INFINITY;
