@@ -1,5 +1,6 @@
 /* Motion of the model as power series in time: exact to rounding for constant or polynomial forces, and for linear
  * contact. */
+#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -145,6 +146,7 @@ static void clear_forces(const struct thud_state *state, struct thud_segment *se
 
 void thud_segment_begin(const struct thud_state *state, struct thud_segment *seg, double h_s)
 {
+    assert(h_s > 0 && isfinite(h_s));
     clear_forces(state, seg);
     thud_segment_place(state, seg, state->grid, state->offset_s, h_s);
     seg->interpolates = false;
@@ -396,6 +398,7 @@ void thud_taylor_load(const struct thud_model *model, struct thud_segment *seg, 
 {
     int n = model->nmodes;
     const struct slice all = all_of(model);
+    assert(order >= 0 && order + 2 < seg->terms && seg->a0 == 0 && seg->a1 == 0 && seg->loaded == 0);
     memset(seg->q, 0, (size_t)seg->terms * (size_t)n * sizeof(double));
     for (int k = order; k + 2 < seg->terms; k++) {
         next_order(model, seg, &all, k);
@@ -454,6 +457,7 @@ double thud_taylor_linear(const struct thud_state *state, struct thud_segment *s
 void thud_segment_shorten(struct thud_segment *seg, int nmodes, int nrows, double factor)
 {
     double scale = 1;
+    assert(factor > 0 && factor < 1);
     for (int k = 0; k < seg->terms; k++, scale *= factor) {
         for (int j = 0; j < nmodes; j++)
             seg->q[k * nmodes + j] *= scale;
@@ -593,6 +597,7 @@ int thud_segment_indentation(const struct thud_state *state, const struct thud_s
 int thud_segment_contact(const struct thud_state *state, const struct thud_segment *seg, int c)
 {
     struct thud_segment_notes *notes = seg->notes;
+    assert(c >= 0 && c < state->model->nrows);
     if (notes->known[c] < 0)
         notes->known[c] = thud_segment_indentation(state, seg, c, notes->indentation + c * THUD_SEGMENT_TERMS);
     return notes->known[c];

@@ -1,6 +1,7 @@
 /* Energies of the structures, and indentations, rates, forces and accelerations of the contacts, at a state. */
 #include "core/contact/state.h"
 
+#include <assert.h>
 #include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>
@@ -184,6 +185,7 @@ void thud_contact_forces(const struct thud_state *state, double *force)
 void thud_contact_forces_given(const struct thud_state *state, int given, double given_n, double *force)
 {
     bool sticking = false;
+    assert(given < state->model->ncontacts && (given < 0 || state->contact[given].mode != THUD_STICKING));
     for (int c = 0; c < state->model->ncontacts; c++) {
         force[c] = c == given ? given_n : 0;
         sticking |= state->contact[c].mode == THUD_STICKING;

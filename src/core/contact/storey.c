@@ -1,5 +1,6 @@
 #include "core/contact/storey.h"
 
+#include <assert.h>
 #include <math.h>
 #include <string.h>
 
@@ -18,6 +19,7 @@ static double plastic_stiffness(const struct thud_model_storey *p)
 
 double thud_storey_plastic(const struct thud_state *state, int k, double drift_m)
 {
+    assert(k >= 0 && k < state->model->nstoreys);
     const double bound = state->model->storey[k].yield_m, before = state->storey[k].plastic_m;
     if (drift_m - before > bound)
         return drift_m - bound;
@@ -171,6 +173,8 @@ void thud_storey_switch(struct thud_state *state, int row, enum thud_event event
 {
     int k = row - state->model->ncontacts;
     struct thud_storey_state *s = &state->storey[k];
+    assert(k >= 0 && k < state->model->nstoreys);
+    assert((event == THUD_EVENT_UNLOAD) == (s->direction != 0));
     state->work->events++;
     state->nyielding += event == THUD_EVENT_UNLOAD ? -1 : 1;
     const double rate = thud_model_gap_sum(state->model, row, state->qd),

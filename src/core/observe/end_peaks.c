@@ -1,5 +1,6 @@
 #include "core/observe/end_peaks.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -155,6 +156,7 @@ void thud_end_peaks_add(struct thud_end_peaks *ends, const struct thud_observati
 {
     const struct thud_model *m = o->state->model;
     const struct thud_motion *x = o->seg->end;
+    assert(x && o->s == 1);
     double time_s = o->seg->start_s + o->seg->h_s, ground = o->seg->a0 + o->seg->a1;
     const int row = THUD_FLOOR_QUANTITIES * ends->stride;
     if (x->apart && o->state->nindented == 0 && o->seg->end_energy < ends->quiet_energy)

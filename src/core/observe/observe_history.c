@@ -1,5 +1,6 @@
 #include "core/observe/observe_history.h"
 
+#include <assert.h>
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
@@ -18,26 +19,32 @@ int thud_history_ground(void)
 int thud_history_displacement(const struct thud_history *h, int dof)
 {
     (void)h;
+    assert(dof >= 0 && dof < h->ndof);
     return 1 + dof;
 }
 int thud_history_velocity(const struct thud_history *h, int dof)
 {
+    assert(dof >= 0 && dof < h->ndof);
     return 1 + h->ndof + dof;
 }
 int thud_history_acceleration(const struct thud_history *h, int dof)
 {
+    assert(dof >= 0 && dof < h->ndof);
     return 1 + 2 * h->ndof + dof;
 }
 int thud_history_force(const struct thud_history *h, int contact)
 {
+    assert(contact >= 0 && contact < h->ncontacts);
     return 1 + 3 * h->ndof + contact;
 }
 int thud_history_indentation(const struct thud_history *h, int contact)
 {
+    assert(contact >= 0 && contact < h->ncontacts);
     return 1 + 3 * h->ndof + h->ncontacts + contact;
 }
 int thud_history_energy(const struct thud_history *h, int which)
 {
+    assert(which >= 0 && which < THUD_HISTORY_ENERGIES);
     return 1 + 3 * h->ndof + 2 * h->ncontacts + which;
 }
 
@@ -47,14 +54,17 @@ int thud_history_hysteretic(const struct thud_history *h)
 }
 int thud_history_storey_drift(const struct thud_history *h, int storey)
 {
+    assert(storey >= 0 && storey < h->nstoreys);
     return thud_history_hysteretic(h) + 1 + storey;
 }
 int thud_history_storey_shear(const struct thud_history *h, int storey)
 {
+    assert(storey >= 0 && storey < h->nstoreys);
     return thud_history_hysteretic(h) + 1 + h->nstoreys + storey;
 }
 int thud_history_storey_plastic(const struct thud_history *h, int storey)
 {
+    assert(storey >= 0 && storey < h->nstoreys);
     return thud_history_hysteretic(h) + 1 + 2 * h->nstoreys + storey;
 }
 static int thud_history_column(const struct thud_history *h, int column, enum thud_column_quantity shear)

@@ -1,11 +1,13 @@
 #include "core/observe/rest.h"
 
+#include <assert.h>
 #include <math.h>
 
 void thud_rest_floor(const struct thud_rest *rest, int structure, int floor, double most[THUD_FLOOR_QUANTITIES])
 {
     const struct thud_model *m = rest->model;
     const struct thud_model_structure *p = &m->structure[structure];
+    assert(structure >= 0 && structure < m->nstructures && floor >= 0 && floor < p->n);
     const double *row = p->phi + floor * p->modes, *below = floor > 0 ? row - p->modes : NULL;
     double add[THUD_FLOOR_QUANTITIES] = {0};
     for (int j = 0; j < p->modes; j++) {

@@ -183,11 +183,13 @@ bool thud_baseline_shares(const struct thud_baseline_motion *baseline)
 
 double thud_baseline_relative_displacement(const struct thud_baseline_motion *baseline, int c)
 {
+    assert(c >= 0 && c < baseline->ncontacts);
     return baseline->relative.largest_m[c];
 }
 
 double thud_baseline_struck_displacement(const struct thud_baseline_motion *baseline, int c)
 {
+    assert(c >= 0 && c < baseline->ncontacts);
     return baseline->relative.largest_m[baseline->ncontacts + c];
 }
 

@@ -1,5 +1,6 @@
 #include "core/run/early_end.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -150,6 +151,7 @@ bool thud_early_end_holds(const struct thud_early_end *h, const struct thud_stat
 long thud_early_end_jump(const struct thud_early_end *h, struct thud_state *state)
 {
     const struct thud_model *m = state->model;
+    assert(h->closed && state->offset_s == 0 && state->grid % STRIDE == 0 && state->grid < h->end_grid);
     const double *start = h->block + state->grid / STRIDE * h->row;
     long intervals = h->end_grid - state->grid;
     double time = (double)intervals * state->grid_dt_s;

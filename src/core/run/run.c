@@ -1,5 +1,6 @@
 /* The run: propose a segment, locate its first event, show it up to there to the observers, commit, switch the contact or
  * the storey, and so on. */
+#include <assert.h>
 #include <math.h>
 #include <string.h>
 
@@ -95,6 +96,7 @@ static enum thud_status segment(struct thud_run *run, struct thud_error *err)
 enum thud_status thud_run_advance(struct thud_run *run, long budget, bool *done, struct thud_error *err)
 {
     enum thud_status status = THUD_OK;
+    assert(budget > 0);
     while (budget-- > 0 && !run->done && status == THUD_OK) {
         bool passed = false;
         status = thud_run_fly(run, &budget, &passed, err);

@@ -219,6 +219,7 @@ enum thud_status thud_run_create_like(const struct thud_model *model, const stru
                                       const struct thud_run_options *options, const struct thud_run *like,
                                       struct thud_run **out, struct thud_error *err)
 {
+    assert(model && options && out && (!record || (record->samples > 0 && record->dt_s > 0)));
     *out = NULL;
     enum thud_status status = thud_run_check_options(options, record, err);
     if (status != THUD_OK)
