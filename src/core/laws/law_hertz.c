@@ -1,4 +1,6 @@
-/* Hertz: the force between two elastic spheres; nothing is lost. */
+/* Hertz's contact of two elastic spheres (Hertz 1882; Jing and Young 1991; Chau and Wei 2001).
+ *     F = k d^1.5
+ * Assumes quasi-static elastic contact: nothing is lost. */
 #include "core/laws/law_common.h"
 
 enum { STIFFNESS };

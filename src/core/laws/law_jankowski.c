@@ -1,4 +1,8 @@
-/* Jankowski's nonlinear viscoelastic contact: damping in approach only, with the indentation's own stiffness. */
+/* Jankowski's nonlinear viscoelastic contact: damping in approach only, with the indentation's own stiffness
+ * (Jankowski 2005, 2006).
+ *     approach       F = k d^n + 2 xi sqrt(k d^(n-1) m) v
+ *     restitution    F = k d^n
+ * xi follows from e by the published formula, for n = 1.5 alone, or exactly. Assumes that all is lost on the way in. */
 #include "core/laws/law_closed_form.h"
 #include "core/laws/law_common.h"
 

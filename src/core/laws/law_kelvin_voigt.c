@@ -1,4 +1,7 @@
-/* The classical Kelvin-Voigt contact: spring and dashpot until the indentation is gone, so it pulls at the end. */
+/* The classical Kelvin-Voigt contact: spring and dashpot until the indentation is gone (Anagnostopoulos 1988).
+ *     F = k d + c v,    c = 2 xi sqrt(k m),    xi = -ln e/sqrt(pi^2 + ln^2 e)
+ * m is the effective mass. The relation of xi and e is exact for two free bodies. The force begins with a jump, c v, and
+ * pulls before the bodies part: not for forces at the end of a contact. */
 #include "core/laws/law_closed_form.h"
 #include "core/laws/law_common.h"
 

@@ -1,5 +1,8 @@
-/* The paper's concrete, eqs. (1)-(3): spring and dashpot until the force is gone; what indentation is left then may
- * stay. */
+/* Concrete on concrete as in Polycarpou and Komodromos 2011, eqs. (1)-(3): Kelvin-Voigt without the pull.
+ *     F = k d + c v while that is above 0, then the contact is over;    c = 2 xi sqrt(k m)
+ * xi is that of the classical law (damping paper: bodies part faster than e says) or solved for e (exact). The
+ * indentation left at release is plastic and widens the clearance (residual keep), or goes back (recover). The force
+ * begins with a jump, c v. */
 #include "core/laws/law_closed_form.h"
 #include "core/laws/law_common.h"
 

@@ -1,4 +1,6 @@
-/* A linear spring: nothing is lost. */
+/* A linear spring (Maison and Kasai 1990).
+ *     F = k d
+ * Assumes that nothing is lost: two free bodies part as fast as they met. Not for damped contact. */
 #include "core/laws/law_common.h"
 
 enum { STIFFNESS };

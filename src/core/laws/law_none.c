@@ -1,4 +1,5 @@
-/* No pounding: the bodies pass through each other. */
+/* No contact: the bodies pass through each other, for comparison.
+ *     F = 0 */
 #include "core/laws/law.h"
 
 const struct thud_law thud_law_none = {

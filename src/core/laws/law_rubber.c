@@ -1,5 +1,11 @@
-/* The paper's bumper, eqs. (4)-(7): a power curve up to the ultimate compression delta_u = max-strain thickness, a stiff line beyond,
- * and damping in restitution only, C set by the closing speed. */
+/* The rubber bumper of Polycarpou and Komodromos 2011, eqs. (4)-(7): a power curve up to the ultimate compression
+ * delta_u = max-strain thickness, a stiff line beyond, and damping in restitution only.
+ *     approach       F_A = k d^n up to delta_u, then k delta_u^n + k_py (d - delta_u)
+ *     restitution    F_R = k d^n (1 + C v)      unloading paper, for every d
+ *                    F_R = F_A (1 + C v)        unloading continuous
+ * C follows from e and a speed: that of contact onset, or that of the energy stored at the reversal. Eq. (7) for C is a
+ * fit in kg and m/s; damping exact solves for C. Past delta_u unloading paper drops to another curve: more is lost than e
+ * says, and a contact that is pushed sticks. Assumes that rubber keeps no set. */
 #include "core/laws/law_closed_form.h"
 #include "core/laws/law_common.h"
 
