@@ -1,4 +1,4 @@
-#include "core/observe/observe_peaks.h"
+#include "core/observe/observe_peaks_parts.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -10,130 +10,6 @@
 #include "core/numerics/tolerance.h"
 #include "core/numerics/vec.h"
 #include "core/observe/rest.h"
-
-/* What a structure's energy lets its floors come to at most: where that is below the peaks so far, no floor needs to be
- * looked at. With S = sqrt(sum of q'^2 + omega^2 q^2), whatever the damping, dS/dt is at most the size of the forces in
- * modal coordinates; and by Cauchy and Schwarz a floor's value is at most S times a number of its own. */
-
-/* Largest factor by which damping may raise the sum of spring and damping forces over that of the springs. */
-static double damping_factor(const struct thud_model *m, const struct thud_model_structure *p, int j)
-{
-    double ratio = 2 * m->zeta[p->first_mode + j], sum = 0;
-    for (int i = 0; p->damping && i < p->modes; i++)
-        for (int k = 0; k < p->modes; k++)
-            sum += p->damping[i * p->modes + k] * p->damping[i * p->modes + k];
-    return sqrt(1 + ratio * ratio) + (sum > 0 ? sqrt(sum) / m->omega[p->first_mode + j] : 0);
-}
-
-/* Fills peaks->per_speed. */
-static void fill_response_bounds(struct thud_peaks *peaks, const struct thud_state *state)
-{
-    const struct thud_model *m = state->model;
-    for (int s = 0; s < m->nstructures; s++) {
-        const struct thud_model_structure *p = &m->structure[s];
-        for (int i = 0; i < p->n; i++) {
-            double sum[THUD_FLOOR_QUANTITIES] = {0};
-            for (int j = 0; j < p->modes; j++) {
-                double a = p->phi[i * p->modes + j], below = i > 0 ? p->phi[(i - 1) * p->modes + j] : 0;
-                double w = m->omega[p->first_mode + j], f = damping_factor(m, p, j) * w;
-                sum[THUD_FLOOR_DISPLACEMENT] += a * a / (w * w);
-                sum[THUD_FLOOR_VELOCITY] += a * a;
-                sum[THUD_FLOOR_ACCELERATION] += a * a * f * f;
-                sum[THUD_FLOOR_DRIFT] += p->stiffness_npm ? (a - below) * (a - below) / (w * w) : 0;
-            }
-            for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++)
-                peaks->per_speed[x * m->ndof + p->first + i] = sqrt(sum[x]);
-        }
-    }
-}
-
-/* Whether a floor, and whether any floor of the structure, may then pass a peak. */
-static bool may_pass(struct thud_peaks *peaks, const struct thud_model *model, int structure, int floor,
-                     const struct thud_response_bound *reach)
-{
-    const struct thud_model *m = model;
-    const struct thud_floor_result *r = &peaks->result->structure[structure].floor[floor];
-    const double *most = peaks->per_speed + m->structure[structure].first + floor;
-    double push = most[THUD_FLOOR_VELOCITY * m->ndof] * reach->force;
-    bool below = most[THUD_FLOOR_DISPLACEMENT * m->ndof] * reach->speed <= r->displacement.value &&
-                 most[THUD_FLOOR_VELOCITY * m->ndof] * reach->speed <= r->velocity.value &&
-                 most[THUD_FLOOR_ACCELERATION * m->ndof] * reach->speed + push <= r->acceleration.value &&
-                 most[THUD_FLOOR_DRIFT * m->ndof] * reach->speed <= r->drift.value;
-    return !below; /* NaN: a rigid body, whose place no energy bounds */
-}
-
-bool thud_response_bound_structure(struct thud_peaks *peaks, const struct thud_model *model, int structure,
-                                   const struct thud_response_bound *reach)
-{
-    for (int i = 0; i < model->structure[structure].n; i++)
-        if (may_pass(peaks, model, structure, i, reach))
-            return true;
-    return false;
-}
-
-/* Of one row: coefficients `stride` apart. */
-static struct thud_row_push row_push(const struct thud_segment *seg, int row, int stride, double s)
-{
-    struct thud_row_push push = {.row = row};
-    const double rate = 1 / seg->h_s, *f = seg->force + (seg->loaded - 1) * stride + row;
-    for (double k = seg->loaded - 1; k >= 0; k -= 1, f -= stride) {
-        double size = fabs(*f), by_order = k * size;
-        push.end = push.end * s + *f;
-        push.most += size;
-        push.rate += by_order;
-        push.bend += (k - 1) * by_order;
-    }
-    push.rate *= rate;
-    push.bend *= rate * rate;
-    return push;
-}
-
-/* Fills peaks->push. */
-static void row_forces(struct thud_peaks *peaks, const struct thud_state *state, const struct thud_segment *seg,
-                       double s)
-{
-    const struct thud_model *m = state->model;
-    peaks->pushes = 0;
-    for (int c = 0; c < m->nrows; c++)
-        if (c >= m->ncontacts || thud_contact_acts(&state->contact[c])) {
-            peaks->push[peaks->pushes] = row_push(seg, c, m->nrows, s);
-            peaks->pushes += peaks->push[peaks->pushes].most != 0;
-        }
-}
-
-/* Size of the forces of all rows on the structure in modal coordinates, at most: a force on a floor of mass m is
- * force/sqrt(m) there. */
-static double largest_force(const struct thud_peaks *peaks, const struct thud_model *m,
-                            const struct thud_model_structure *p)
-{
-    const double *per_speed = peaks->per_speed + THUD_FLOOR_VELOCITY * m->ndof;
-    double total = 0;
-    for (int i = 0; i < peaks->pushes; i++)
-        for (int side = 0; side < 2; side++) {
-            const struct thud_model_contact *row = &m->contact[peaks->push[i].row];
-            const struct thud_model_side *at = side == 0 ? &row->left : &row->right;
-            if (at->dof < p->first || at->dof >= p->first + p->n)
-                continue;
-            total += at->share * per_speed[at->dof] * peaks->push[i].most;
-            total += at->below < 0 ? 0 : (1 - at->share) * per_speed[at->below] * peaks->push[i].most;
-        }
-    return total;
-}
-
-/* In the segment up to s; without bound for methods whose steps do not keep to the equations of motion. */
-static struct thud_response_bound bound_of_segment(const struct thud_peaks *peaks, const struct thud_state *state,
-                                                   const struct thud_segment *seg, int structure, double s)
-{
-    const struct thud_model *m = state->model;
-    const struct thud_model_structure *p = &m->structure[structure];
-    if (seg->interpolates)
-        return (struct thud_response_bound){INFINITY, INFINITY};
-    double energy = 0, force = largest_force(peaks, m, p);
-    for (int j = p->first_mode; j < p->first_mode + p->modes; j++)
-        energy += state->qd[j] * state->qd[j] + m->spring[j] * state->q[j] * state->q[j];
-    double ground = thud_larger(fabs(seg->a0), fabs(seg->a0 + seg->a1)) * peaks->ground[structure];
-    return (struct thud_response_bound){sqrt(energy) + s * seg->h_s * (ground + force), force};
-}
 
 /* Peaks of the continuous history, read from the polynomials of a segment. */
 
@@ -215,8 +91,8 @@ static int value_series(struct thud_peaks *peaks, const struct thud_model *m, co
     return n;
 }
 
-static void floor_peak(struct thud_peaks *peaks, const struct thud_model *m, const struct thud_segment *seg,
-                       int structure, int floor, int quantity, double s_end)
+void thud_peaks_read_floor(struct thud_peaks *peaks, const struct thud_model *m, const struct thud_segment *seg,
+                           int structure, int floor, int quantity, double s_end)
 {
     double x[THUD_SEGMENT_TERMS];
     int n = value_series(peaks, m, seg, &m->structure[structure], floor, quantity, x);
@@ -224,7 +100,7 @@ static void floor_peak(struct thud_peaks *peaks, const struct thud_model *m, con
 }
 
 /* No floor's series has been made of this segment yet. */
-static void forget_series(struct thud_peaks *peaks, const struct thud_model_structure *p)
+void thud_peaks_forget_series(struct thud_peaks *peaks, const struct thud_model_structure *p)
 {
     memset(peaks->made, 0, (size_t)p->n * sizeof *peaks->made);
 }
@@ -480,7 +356,7 @@ static void floor_peaks(struct thud_peaks *peaks, const struct thud_observation 
             raise_to(peak, ends.value[0][x], seg->start_s);
             raise_to(peak, ends.value[1][x], seg->start_s + o->s * seg->h_s);
         } else {
-            floor_peak(peaks, m, seg, index, floor, x, o->s);
+            thud_peaks_read_floor(peaks, m, seg, index, floor, x, o->s);
         }
     }
 }
@@ -494,7 +370,7 @@ static void structure_peaks(struct thud_peaks *peaks, const struct thud_observat
     const bool drifts = p->stiffness_npm != NULL;
     structure_modes(peaks, o, p, reach);
     floor_values(peaks, o, p);
-    forget_series(peaks, p);
+    thud_peaks_forget_series(peaks, p);
     const struct margins margin = structure_margins(peaks, m, p, o->s * o->seg->h_s);
     double below[2] = {0, 0};
     for (int i = 0; i < p->n; i++) {
@@ -521,9 +397,9 @@ static void motion_peaks(struct thud_peaks *peaks, const struct thud_observation
     if (o->seg->interpolates)
         acceleration_by_forces(peaks, state, o->seg);
     else
-        row_forces(peaks, state, o->seg, o->s);
+        thud_peaks_row_forces(peaks, state, o->seg, o->s);
     for (int i = 0; i < state->model->nstructures; i++) {
-        struct thud_response_bound reach = bound_of_segment(peaks, state, o->seg, i, o->s);
+        struct thud_response_bound reach = thud_response_bound_segment(peaks, state, o->seg, i, o->s);
         if (thud_response_bound_structure(peaks, state->model, i, &reach))
             structure_peaks(peaks, o, i, &reach);
     }
@@ -537,189 +413,6 @@ static enum thud_status segment(void *own, const struct thud_observation *o, str
         thud_end_peaks_add(&peaks->of_ends, o, peaks->result);
     else
         motion_peaks(peaks, o);
-    return THUD_OK;
-}
-
-/* Peaks of free vibration: bounds show in which intervals of a block the peak of a floor's value can lie; of those the
- * series is made. */
-
-enum { ENDS = THUD_FREE_VIBRATION_ENDS };
-
-/* What each mode of a structure can come to at the ends of a block by its largest speed there: displacement, velocity
- * and acceleration, rows of peaks->modal. */
-static void reach_of_modes(struct thud_peaks *peaks, const struct thud_model *m, const struct thud_free_vibration *f,
-                           const struct thud_model_structure *p)
-{
-    const double *speed = f->speed + p->first_mode;
-    for (int j = 0; j < p->modes; j++) {
-        const double w = m->omega[p->first_mode + j], z = m->dashpot[p->first_mode + j];
-        double coupled = 0, *out = peaks->modal + j;
-        for (int i = 0; p->damping && i < p->modes; i++)
-            coupled += fabs(p->damping[j * p->modes + i]) * speed[i];
-        out[THUD_FLOOR_DISPLACEMENT * peaks->stride] = speed[j] / w + fabs(f->shift[p->first_mode + j]);
-        out[THUD_FLOOR_VELOCITY * peaks->stride] = speed[j];
-        out[THUD_FLOOR_ACCELERATION * peaks->stride] = sqrt(w * w + z * z) * speed[j] + coupled;
-    }
-}
-
-/* The same of one quantity of the floors, out (stride), two at a time. */
-static void reach_of_floors(const struct thud_peaks *peaks, const struct thud_model *m,
-                            const struct thud_model_structure *p, int quantity, double *out)
-{
-    const bool drift = quantity == THUD_FLOOR_DRIFT;
-    const int stride = peaks->stride;
-    const double *shape = peaks->shape + ((drift ? m->nmodes : 0) + p->first_mode) * stride,
-                 *modes = peaks->modal + (drift ? THUD_FLOOR_DISPLACEMENT : quantity) * stride;
-    for (int i = 0; i < p->n; i += 2) {
-        thud_vec2 sum = {0};
-        for (int j = 0; j < p->modes; j++)
-            sum += modes[j] * thud_vec2_abs(thud_vec2_at(shape + j * stride + i));
-        thud_vec2_put(sum, out + i);
-    }
-}
-
-/* Largest |p| on [0, 1] of the cubic with values x0, x1 and rates (by s) r0, r1 at the ends. */
-static double cubic_peak(double x0, double x1, double r0, double r1)
-{
-    double c2 = 3 * (x1 - x0) - 2 * r0 - r1, c3 = 2 * (x0 - x1) + r0 + r1;
-    double most = thud_larger(fabs(x0), fabs(x1)), root = c2 * c2 - 3 * c3 * r0;
-    if (root < 0)
-        return most;
-    root = sqrt(root);
-    double u = -(c2 + (c2 < 0 ? -root : root)); /* 3 c3 s^2 + 2 c2 s + r0 = 0, without cancellation */
-    double s[2] = {u / (3 * c3), r0 / u};
-    for (int i = 0; i < 2; i++)
-        if (s[i] > 0 && s[i] < 1)
-            most = thud_larger(most, fabs(x0 + s[i] * (r0 + s[i] * (c2 + s[i] * c3))));
-    return most;
-}
-
-/* Intervals with an end at `near` or above, in order; how many. They are few. */
-static int intervals_near(const double *x, int intervals, double near, int *list)
-{
-    enum { GROUP = 16 };
-    int count = 0;
-    for (int first = 0; first < intervals; first += GROUP) {
-        const int end = first + GROUP < intervals ? first + GROUP : intervals;
-        if (thud_largest_size(x + first, end - first + 1) < near)
-            continue;
-        for (int t = first; t < end; t++) {
-            list[count] = t;
-            count += (fabs(x[t]) >= near) | (fabs(x[t + 1]) >= near);
-        }
-    }
-    return count;
-}
-
-/* Rate of a row's value at end t of an interval whose ground acceleration there is `ground`. */
-static double rate_at(const struct thud_model *m, const struct thud_free_vibration *f, const struct thud_peak_row *row,
-                      int t, double ground)
-{
-    return thud_free_vibration_rate(f, m, row->structure, row->floor, row->quantity, t, ground);
-}
-
-/* Bounds of the row inside the intervals in which it may pass both what it has reached and what it surely reaches in the
- * block, by interval into upper (0 elsewhere); these intervals into list, and how many. */
-static int row_bounds(const struct thud_model *m, const struct thud_free_vibration *f, const struct thud_peak_row *row,
-                      int intervals, double *upper, int *list)
-{
-    const double *x = row->x;
-    double most = thud_largest_size(x, intervals + 1);
-    if (most + row->margin <= row->peak->value)
-        return 0;
-    double limit = thud_larger(row->peak->value, most) * (1 - THUD_TOL_PEAK_BOUND), rate[2] = {0};
-    int near = intervals_near(x, intervals, limit - row->margin, list), count = 0;
-    memset(upper, 0, (size_t)intervals * sizeof *upper);
-    for (int i = 0; i < near; i++) {
-        const int t = list[i];
-        const bool follows = i > 0 && list[i - 1] == t - 1 && f->after[t - 1] == f->ground[t]; /* a record may jump */
-        rate[0] = follows ? rate[1] : rate_at(m, f, row, t, f->ground[t]);
-        rate[1] = rate_at(m, f, row, t + 1, f->after[t]);
-        double cubic = cubic_peak(x[t], x[t + 1], f->dt_s * rate[0], f->dt_s * rate[1]);
-        upper[t] = (cubic + row->cubic_margin) * (1 + THUD_TOL_PEAK_BOUND);
-        limit = thud_larger(limit, (cubic - row->cubic_margin) * (1 - THUD_TOL_PEAK_BOUND));
-    }
-    for (int i = 0; i < near; i++) {
-        const int t = list[i];
-        if (upper[t] < limit || upper[t] <= row->peak->value)
-            upper[t] = 0;
-        else
-            list[count++] = t;
-    }
-    return count;
-}
-
-/* Peaks of the rows of one structure that are due in interval t. */
-static void read_interval(struct thud_peaks *peaks, const struct thud_state *state, struct thud_free_vibration *f,
-                          int structure, const int *due, int count, int t)
-{
-    for (int piece = 0; piece < f->pieces; piece++) {
-        const struct thud_segment *seg = thud_free_vibration_series(f, state, structure, t, piece);
-        forget_series(peaks, &state->model->structure[structure]);
-        for (int i = 0; i < count; i++)
-            floor_peak(peaks, state->model, seg, structure, peaks->row[due[i]].floor, peaks->row[due[i]].quantity, 1);
-    }
-}
-
-/* Rows of one structure that are to be read in some interval, with their bounds; how many. due[t]: one in interval t. */
-static int find_rows(struct thud_peaks *peaks, const struct thud_state *state, struct thud_free_vibration *f,
-                     int structure, int intervals, bool *due)
-{
-    const struct thud_model *m = state->model;
-    const struct thud_model_structure *p = &m->structure[structure];
-    int rows = 0, list[THUD_FREE_VIBRATION_BLOCK];
-    for (int x = 0; x < (p->stiffness_npm ? THUD_FLOOR_QUANTITIES : THUD_FLOOR_DRIFT); x++) {
-        const double margin = f->margin[x * m->nstructures + structure];
-        reach_of_floors(peaks, m, p, x, peaks->value);
-        for (int i = 0; i < p->n; i++) {
-            struct thud_peak *peak = thud_floor_peak(peaks->result, structure, i, x);
-            if (peaks->value[i] + margin <= peak->value)
-                continue;
-            thud_free_vibration_values(f, m, structure, x);
-            struct thud_peak_row *row = &peaks->row[rows];
-            double *upper = peaks->upper + rows * THUD_FREE_VIBRATION_BLOCK;
-            *row = (struct thud_peak_row){structure,
-                                          i,
-                                          x,
-                                          f->value[x] + (size_t)(p->first + i) * ENDS,
-                                          peak,
-                                          margin,
-                                          f->cubic_margin[x * m->nstructures + structure]};
-            int count = row_bounds(m, f, row, intervals, upper, list);
-            for (int k = 0; k < count; k++)
-                due[list[k]] = true;
-            rows += count > 0;
-        }
-    }
-    return rows;
-}
-
-/* Interval by interval, so that one series serves all rows of the structure. */
-static void structure_rows(struct thud_peaks *peaks, const struct thud_state *state, struct thud_free_vibration *f,
-                           int structure, int intervals)
-{
-    bool due[THUD_FREE_VIBRATION_BLOCK] = {false};
-    const int rows = find_rows(peaks, state, f, structure, intervals, due);
-    for (int t = 0; t < intervals && rows > 0; t++) {
-        int count = 0;
-        for (int i = 0; i < rows && due[t]; i++)
-            if (peaks->upper[i * THUD_FREE_VIBRATION_BLOCK + t] > peaks->row[i].peak->value)
-                peaks->due[count++] = i;
-        if (count > 0)
-            read_interval(peaks, state, f, structure, peaks->due, count, t);
-    }
-}
-
-static enum thud_status block(void *own, const struct thud_state *state, struct thud_free_vibration *f, int intervals,
-                              struct thud_error *err)
-{
-    struct thud_peaks *peaks = own;
-    const struct thud_model *m = state->model;
-    (void)err;
-    for (int s = 0; s < m->nstructures; s++) {
-        reach_of_modes(peaks, m, f, &m->structure[s]);
-        structure_rows(peaks, state, f, s, intervals);
-    }
     return THUD_OK;
 }
 
@@ -738,7 +431,7 @@ static bool may_jump(const void *own, const struct thud_rest *rest)
     return true;
 }
 
-const struct thud_observer thud_observe_peaks = {.segment = segment, .block = block, .may_jump = may_jump};
+const struct thud_observer thud_observe_peaks = {.segment = segment, .block = thud_peaks_block, .may_jump = may_jump};
 
 /* Floors or modes of the largest structure, an even number. */
 static int even_size(const struct thud_model *m)
@@ -791,7 +484,7 @@ enum thud_status thud_peaks_init(struct thud_peaks *peaks, const struct thud_sta
     peaks->series = peaks->value + FLOOR_ROWS * stride;
     peaks->acceleration = peaks->series + THUD_SEGMENT_TERMS * stride;
     fill_shapes(peaks, m);
-    fill_response_bounds(peaks, state);
+    thud_response_bound_fill(peaks, state);
     return state->locates ? THUD_OK
                           : thud_end_peaks_init(&peaks->of_ends, m, peaks->shape, peaks->stride, peaks->per_speed, err);
 }

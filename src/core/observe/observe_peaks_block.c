@@ -1,0 +1,199 @@
+/* Peaks of a block of free vibration. Bounds show in which intervals the peak of a floor's value x can lie: inside one,
+ *
+ *     |x| <= max(|x_0|, |x_1|) + margin           by a bound of its second derivative,
+ *     |x| <= max |cubic| + cubic_margin           by a bound of its fourth: the cubic through values and rates at both ends
+ *
+ * Of the intervals that are left the power series is made, and the peak read from it.
+ *
+ *     row       one quantity of one floor: its values at the ends of the intervals
+ *     upper     bound of a row inside an interval; 0: it need not be read
+ *     due       rows to be read in the interval at hand */
+#include <math.h>
+#include <string.h>
+
+#include "base/largest.h"
+#include "core/motion/free_vibration.h"
+#include "core/numerics/tolerance.h"
+#include "core/numerics/vec.h"
+#include "core/observe/observe_peaks_parts.h"
+
+enum { ENDS = THUD_FREE_VIBRATION_ENDS };
+
+/* What each mode of a structure can come to at the ends of a block by its largest speed there: displacement, velocity
+ * and acceleration, rows of peaks->modal. */
+static void reach_of_modes(struct thud_peaks *peaks, const struct thud_model *m, const struct thud_free_vibration *f,
+                           const struct thud_model_structure *p)
+{
+    const double *speed = f->speed + p->first_mode;
+    for (int j = 0; j < p->modes; j++) {
+        const double w = m->omega[p->first_mode + j], z = m->dashpot[p->first_mode + j];
+        double coupled = 0, *out = peaks->modal + j;
+        for (int i = 0; p->damping && i < p->modes; i++)
+            coupled += fabs(p->damping[j * p->modes + i]) * speed[i];
+        out[THUD_FLOOR_DISPLACEMENT * peaks->stride] = speed[j] / w + fabs(f->shift[p->first_mode + j]);
+        out[THUD_FLOOR_VELOCITY * peaks->stride] = speed[j];
+        out[THUD_FLOOR_ACCELERATION * peaks->stride] = sqrt(w * w + z * z) * speed[j] + coupled;
+    }
+}
+
+/* The same of one quantity of the floors, out (stride), two at a time. */
+static void reach_of_floors(const struct thud_peaks *peaks, const struct thud_model *m,
+                            const struct thud_model_structure *p, int quantity, double *out)
+{
+    const bool drift = quantity == THUD_FLOOR_DRIFT;
+    const int stride = peaks->stride;
+    const double *shape = peaks->shape + ((drift ? m->nmodes : 0) + p->first_mode) * stride,
+                 *modes = peaks->modal + (drift ? THUD_FLOOR_DISPLACEMENT : quantity) * stride;
+    for (int i = 0; i < p->n; i += 2) {
+        thud_vec2 sum = {0};
+        for (int j = 0; j < p->modes; j++)
+            sum += modes[j] * thud_vec2_abs(thud_vec2_at(shape + j * stride + i));
+        thud_vec2_put(sum, out + i);
+    }
+}
+
+/* Largest |p| on [0, 1] of the cubic with values x0, x1 and rates (by s) r0, r1 at the ends. */
+static double cubic_peak(double x0, double x1, double r0, double r1)
+{
+    double c2 = 3 * (x1 - x0) - 2 * r0 - r1, c3 = 2 * (x0 - x1) + r0 + r1;
+    double most = thud_larger(fabs(x0), fabs(x1)), root = c2 * c2 - 3 * c3 * r0;
+    if (root < 0)
+        return most;
+    root = sqrt(root);
+    double u = -(c2 + (c2 < 0 ? -root : root)); /* 3 c3 s^2 + 2 c2 s + r0 = 0, without cancellation */
+    double s[2] = {u / (3 * c3), r0 / u};
+    for (int i = 0; i < 2; i++)
+        if (s[i] > 0 && s[i] < 1)
+            most = thud_larger(most, fabs(x0 + s[i] * (r0 + s[i] * (c2 + s[i] * c3))));
+    return most;
+}
+
+/* Intervals with an end at `near` or above, in order; how many. They are few. */
+static int intervals_near(const double *x, int intervals, double near, int *list)
+{
+    enum { GROUP = 16 };
+    int count = 0;
+    for (int first = 0; first < intervals; first += GROUP) {
+        const int end = first + GROUP < intervals ? first + GROUP : intervals;
+        if (thud_largest_size(x + first, end - first + 1) < near)
+            continue;
+        for (int t = first; t < end; t++) {
+            list[count] = t;
+            count += (fabs(x[t]) >= near) | (fabs(x[t + 1]) >= near);
+        }
+    }
+    return count;
+}
+
+/* Rate of a row's value at end t of an interval whose ground acceleration there is `ground`. */
+static double rate_at(const struct thud_model *m, const struct thud_free_vibration *f, const struct thud_peak_row *row,
+                      int t, double ground)
+{
+    return thud_free_vibration_rate(f, m, row->structure, row->floor, row->quantity, t, ground);
+}
+
+/* Bounds of the row inside the intervals in which it may pass both what it has reached and what it surely reaches in the
+ * block, by interval into upper (0 elsewhere); these intervals into list, and how many. */
+static int row_bounds(const struct thud_model *m, const struct thud_free_vibration *f, const struct thud_peak_row *row,
+                      int intervals, double *upper, int *list)
+{
+    const double *x = row->x;
+    double most = thud_largest_size(x, intervals + 1);
+    if (most + row->margin <= row->peak->value)
+        return 0;
+    double limit = thud_larger(row->peak->value, most) * (1 - THUD_TOL_PEAK_BOUND), rate[2] = {0};
+    int near = intervals_near(x, intervals, limit - row->margin, list), count = 0;
+    memset(upper, 0, (size_t)intervals * sizeof *upper);
+    for (int i = 0; i < near; i++) {
+        const int t = list[i];
+        const bool follows = i > 0 && list[i - 1] == t - 1 && f->after[t - 1] == f->ground[t]; /* a record may jump */
+        rate[0] = follows ? rate[1] : rate_at(m, f, row, t, f->ground[t]);
+        rate[1] = rate_at(m, f, row, t + 1, f->after[t]);
+        double cubic = cubic_peak(x[t], x[t + 1], f->dt_s * rate[0], f->dt_s * rate[1]);
+        upper[t] = (cubic + row->cubic_margin) * (1 + THUD_TOL_PEAK_BOUND);
+        limit = thud_larger(limit, (cubic - row->cubic_margin) * (1 - THUD_TOL_PEAK_BOUND));
+    }
+    for (int i = 0; i < near; i++) {
+        const int t = list[i];
+        if (upper[t] < limit || upper[t] <= row->peak->value)
+            upper[t] = 0;
+        else
+            list[count++] = t;
+    }
+    return count;
+}
+
+/* Peaks of the rows of one structure that are due in interval t. */
+static void read_interval(struct thud_peaks *peaks, const struct thud_state *state, struct thud_free_vibration *f,
+                          int structure, const int *due, int count, int t)
+{
+    for (int piece = 0; piece < f->pieces; piece++) {
+        const struct thud_segment *seg = thud_free_vibration_series(f, state, structure, t, piece);
+        thud_peaks_forget_series(peaks, &state->model->structure[structure]);
+        for (int i = 0; i < count; i++)
+            thud_peaks_read_floor(peaks, state->model, seg, structure, peaks->row[due[i]].floor,
+                                  peaks->row[due[i]].quantity, 1);
+    }
+}
+
+/* Rows of one structure that are to be read in some interval, with their bounds; how many. due[t]: one in interval t. */
+static int find_rows(struct thud_peaks *peaks, const struct thud_state *state, struct thud_free_vibration *f,
+                     int structure, int intervals, bool *due)
+{
+    const struct thud_model *m = state->model;
+    const struct thud_model_structure *p = &m->structure[structure];
+    int rows = 0, list[THUD_FREE_VIBRATION_BLOCK];
+    for (int x = 0; x < (p->stiffness_npm ? THUD_FLOOR_QUANTITIES : THUD_FLOOR_DRIFT); x++) {
+        const double margin = f->margin[x * m->nstructures + structure];
+        reach_of_floors(peaks, m, p, x, peaks->value);
+        for (int i = 0; i < p->n; i++) {
+            struct thud_peak *peak = thud_floor_peak(peaks->result, structure, i, x);
+            if (peaks->value[i] + margin <= peak->value)
+                continue;
+            thud_free_vibration_values(f, m, structure, x);
+            struct thud_peak_row *row = &peaks->row[rows];
+            double *upper = peaks->upper + rows * THUD_FREE_VIBRATION_BLOCK;
+            *row = (struct thud_peak_row){structure,
+                                          i,
+                                          x,
+                                          f->value[x] + (size_t)(p->first + i) * ENDS,
+                                          peak,
+                                          margin,
+                                          f->cubic_margin[x * m->nstructures + structure]};
+            int count = row_bounds(m, f, row, intervals, upper, list);
+            for (int k = 0; k < count; k++)
+                due[list[k]] = true;
+            rows += count > 0;
+        }
+    }
+    return rows;
+}
+
+/* Interval by interval, so that one series serves all rows of the structure. */
+static void structure_rows(struct thud_peaks *peaks, const struct thud_state *state, struct thud_free_vibration *f,
+                           int structure, int intervals)
+{
+    bool due[THUD_FREE_VIBRATION_BLOCK] = {false};
+    const int rows = find_rows(peaks, state, f, structure, intervals, due);
+    for (int t = 0; t < intervals && rows > 0; t++) {
+        int count = 0;
+        for (int i = 0; i < rows && due[t]; i++)
+            if (peaks->upper[i * THUD_FREE_VIBRATION_BLOCK + t] > peaks->row[i].peak->value)
+                peaks->due[count++] = i;
+        if (count > 0)
+            read_interval(peaks, state, f, structure, peaks->due, count, t);
+    }
+}
+
+enum thud_status thud_peaks_block(void *own, const struct thud_state *state, struct thud_free_vibration *f,
+                                  int intervals, struct thud_error *err)
+{
+    struct thud_peaks *peaks = own;
+    const struct thud_model *m = state->model;
+    (void)err;
+    for (int s = 0; s < m->nstructures; s++) {
+        reach_of_modes(peaks, m, f, &m->structure[s]);
+        structure_rows(peaks, state, f, s, intervals);
+    }
+    return THUD_OK;
+}

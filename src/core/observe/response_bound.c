@@ -1,0 +1,129 @@
+/* What the energy of a structure lets its floors come to: observe_peaks.h has the equation. */
+#include <math.h>
+
+#include "base/largest.h"
+#include "core/observe/observe_peaks_parts.h"
+
+/* What a structure's energy lets its floors come to at most: where that is below the peaks so far, no floor needs to be
+ * looked at. With S = sqrt(sum of q'^2 + omega^2 q^2), whatever the damping, dS/dt is at most the size of the forces in
+ * modal coordinates; and by Cauchy and Schwarz a floor's value is at most S times a number of its own. */
+
+/* Largest factor by which damping may raise the sum of spring and damping forces over that of the springs. */
+static double damping_factor(const struct thud_model *m, const struct thud_model_structure *p, int j)
+{
+    double ratio = 2 * m->zeta[p->first_mode + j], sum = 0;
+    for (int i = 0; p->damping && i < p->modes; i++)
+        for (int k = 0; k < p->modes; k++)
+            sum += p->damping[i * p->modes + k] * p->damping[i * p->modes + k];
+    return sqrt(1 + ratio * ratio) + (sum > 0 ? sqrt(sum) / m->omega[p->first_mode + j] : 0);
+}
+
+/* Fills peaks->per_speed. */
+void thud_response_bound_fill(struct thud_peaks *peaks, const struct thud_state *state)
+{
+    const struct thud_model *m = state->model;
+    for (int s = 0; s < m->nstructures; s++) {
+        const struct thud_model_structure *p = &m->structure[s];
+        for (int i = 0; i < p->n; i++) {
+            double sum[THUD_FLOOR_QUANTITIES] = {0};
+            for (int j = 0; j < p->modes; j++) {
+                double a = p->phi[i * p->modes + j], below = i > 0 ? p->phi[(i - 1) * p->modes + j] : 0;
+                double w = m->omega[p->first_mode + j], f = damping_factor(m, p, j) * w;
+                sum[THUD_FLOOR_DISPLACEMENT] += a * a / (w * w);
+                sum[THUD_FLOOR_VELOCITY] += a * a;
+                sum[THUD_FLOOR_ACCELERATION] += a * a * f * f;
+                sum[THUD_FLOOR_DRIFT] += p->stiffness_npm ? (a - below) * (a - below) / (w * w) : 0;
+            }
+            for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++)
+                peaks->per_speed[x * m->ndof + p->first + i] = sqrt(sum[x]);
+        }
+    }
+}
+
+/* Whether a floor, and whether any floor of the structure, may then pass a peak. */
+static bool may_pass(struct thud_peaks *peaks, const struct thud_model *model, int structure, int floor,
+                     const struct thud_response_bound *reach)
+{
+    const struct thud_model *m = model;
+    const struct thud_floor_result *r = &peaks->result->structure[structure].floor[floor];
+    const double *most = peaks->per_speed + m->structure[structure].first + floor;
+    double push = most[THUD_FLOOR_VELOCITY * m->ndof] * reach->force;
+    bool below = most[THUD_FLOOR_DISPLACEMENT * m->ndof] * reach->speed <= r->displacement.value &&
+                 most[THUD_FLOOR_VELOCITY * m->ndof] * reach->speed <= r->velocity.value &&
+                 most[THUD_FLOOR_ACCELERATION * m->ndof] * reach->speed + push <= r->acceleration.value &&
+                 most[THUD_FLOOR_DRIFT * m->ndof] * reach->speed <= r->drift.value;
+    return !below; /* NaN: a rigid body, whose place no energy bounds */
+}
+
+bool thud_response_bound_structure(struct thud_peaks *peaks, const struct thud_model *model, int structure,
+                                   const struct thud_response_bound *reach)
+{
+    for (int i = 0; i < model->structure[structure].n; i++)
+        if (may_pass(peaks, model, structure, i, reach))
+            return true;
+    return false;
+}
+
+/* Of one row: coefficients `stride` apart. */
+static struct thud_row_push row_push(const struct thud_segment *seg, int row, int stride, double s)
+{
+    struct thud_row_push push = {.row = row};
+    const double rate = 1 / seg->h_s, *f = seg->force + (seg->loaded - 1) * stride + row;
+    for (double k = seg->loaded - 1; k >= 0; k -= 1, f -= stride) {
+        double size = fabs(*f), by_order = k * size;
+        push.end = push.end * s + *f;
+        push.most += size;
+        push.rate += by_order;
+        push.bend += (k - 1) * by_order;
+    }
+    push.rate *= rate;
+    push.bend *= rate * rate;
+    return push;
+}
+
+/* Fills peaks->push. */
+void thud_peaks_row_forces(struct thud_peaks *peaks, const struct thud_state *state, const struct thud_segment *seg,
+                           double s)
+{
+    const struct thud_model *m = state->model;
+    peaks->pushes = 0;
+    for (int c = 0; c < m->nrows; c++)
+        if (c >= m->ncontacts || thud_contact_acts(&state->contact[c])) {
+            peaks->push[peaks->pushes] = row_push(seg, c, m->nrows, s);
+            peaks->pushes += peaks->push[peaks->pushes].most != 0;
+        }
+}
+
+/* Size of the forces of all rows on the structure in modal coordinates, at most: a force on a floor of mass m is
+ * force/sqrt(m) there. */
+static double largest_force(const struct thud_peaks *peaks, const struct thud_model *m,
+                            const struct thud_model_structure *p)
+{
+    const double *per_speed = peaks->per_speed + THUD_FLOOR_VELOCITY * m->ndof;
+    double total = 0;
+    for (int i = 0; i < peaks->pushes; i++)
+        for (int side = 0; side < 2; side++) {
+            const struct thud_model_contact *row = &m->contact[peaks->push[i].row];
+            const struct thud_model_side *at = side == 0 ? &row->left : &row->right;
+            if (at->dof < p->first || at->dof >= p->first + p->n)
+                continue;
+            total += at->share * per_speed[at->dof] * peaks->push[i].most;
+            total += at->below < 0 ? 0 : (1 - at->share) * per_speed[at->below] * peaks->push[i].most;
+        }
+    return total;
+}
+
+/* In the segment up to s; without bound for methods whose steps do not keep to the equations of motion. */
+struct thud_response_bound thud_response_bound_segment(const struct thud_peaks *peaks, const struct thud_state *state,
+                                                       const struct thud_segment *seg, int structure, double s)
+{
+    const struct thud_model *m = state->model;
+    const struct thud_model_structure *p = &m->structure[structure];
+    if (seg->interpolates)
+        return (struct thud_response_bound){INFINITY, INFINITY};
+    double energy = 0, force = largest_force(peaks, m, p);
+    for (int j = p->first_mode; j < p->first_mode + p->modes; j++)
+        energy += state->qd[j] * state->qd[j] + m->spring[j] * state->q[j] * state->q[j];
+    double ground = thud_larger(fabs(seg->a0), fabs(seg->a0 + seg->a1)) * peaks->ground[structure];
+    return (struct thud_response_bound){sqrt(energy) + s * seg->h_s * (ground + force), force};
+}
