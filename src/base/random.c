@@ -44,11 +44,16 @@ double thud_normal_quantile(double p)
 
 double thud_chi_square_tail(double x, int free)
 {
-    /* Abramowitz and Stegun 26.4.4 and 26.4.5: Q(x | n + 2) = Q(x | n) + (x / 2)^(n / 2) exp(-x / 2) / Gamma(n / 2 + 1) */
+    /* Abramowitz and Stegun 26.4.4 and 26.4.5: Q(x | n + 2) = Q(x | n) + (x / 2)^(n / 2) exp(-x / 2) / Gamma(n / 2 + 1);
+     * the logarithm of the term goes from n to n + 2, for lgamma writes a global */
     if (!(x > 0))
         return 1;
+    static const double four_over_pi = 1.27323954473516268615; /* 1 / Gamma(3 / 2)^2 */
     double half = 0.5 * x, tail = free % 2 ? erfc(sqrt(half)) : 0;
-    for (int n = free % 2; n < free; n += 2)
-        tail += exp(0.5 * n * log(half) - half - lgamma(0.5 * n + 1));
+    double term = free % 2 ? 0.5 * log(four_over_pi * half) - half : -half;
+    for (int n = free % 2; n < free; n += 2) {
+        tail += exp(term);
+        term += log(half / (0.5 * n + 1));
+    }
     return fmin(1, tail);
 }

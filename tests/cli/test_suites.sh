@@ -292,6 +292,7 @@ is "a size that is too large too" gives 2 uncertainty towers --uncertain gap=95%
 # a scene as it is over a suite; its ratio is that of single runs
 is "takes the scene as it is over the ground motions" gives 0 sweep three-in-a-row --records "$three" --to 12s --quiet -o "$tmp/asis"
 is "tells the suite first" [ "$(head -1 "$tmp/out" | cut -c1-23)" = "over 3 ground motions: " ]
+is "and names no point" [ "$(sed -n 4p "$tmp/out" | tail -c 9)" = "as it is" ]
 forces() { for m in $(echo "$three" | tr ',' ' '); do "$THUD" run three-in-a-row --record "$m" --to 12s --json 2>/dev/null | grep -o '"force_n": [0-9.e+]*' | awk '$2 > m { m = $2 } END { print m }'; done | sort -g | sed -n 2p; }
 # shellcheck disable=SC2016
 is "with the median force of single runs" [ "$(awk -F, 'NR == 2 { printf "%.6e", $7 }' "$tmp/asis/suite.csv")" = "$(forces | awk '{ printf "%.6e", $1 }')" ]

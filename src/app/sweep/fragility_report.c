@@ -726,10 +726,11 @@ static void put_suite_table_row(const struct thud_suite *suite, const int *at, i
     const struct thud_sweep_plan *plan = suite->plan;
     const double *ratio = value + 3 + 3 * (THUD_SUITE_ACCELERATION_RATIO - SUITE_FIRST);
     const double *force = value + 3 + 3 * (THUD_SUITE_FORCE - SUITE_FIRST);
-    char name[160] = "";
+    char name[160];
     size_t used = 0;
     if (!is_shown_setting(plan, at))
         return;
+    snprintf(name, sizeof name, "%s", plan->naxes > 0 ? "" : "as it is");
     for (int a = 0; a < plan->naxes && used < sizeof name; a++)
         used += (size_t)snprintf(name + used, sizeof name - used, "%s%s", a ? ", " : "", plan->axis[a].text[at[a]]);
     thud_text_append(out, "  %-8s %-8.8s %4.0f %4.0f", thud_case_name(plan->cases[k]), plan->scene.structure[s].name,
