@@ -12,6 +12,7 @@ is "and over them" shows "^largest  *19.73"
 is "in a sentence" shows "^A gap of 14.21 cm is enough for 2 of the 3 ground motions,$"
 is "of two motions the narrower gap is enough for one" gives 0 gap towers --records records/kobe-surrogate.csv,records/northridge-surrogate.csv
 is "and the wider one for both" shows "^A gap of 14.21 cm is enough for 1 of the 2 ground motions,$"
+is "two are few" shows "^2 independent ground motions are few: "
 is "that is what 84 % of them need" shows "^for 2 of 2 (84 %)  *19.73"
 is "the figure is a picture" is_png "$tmp/gap/needed-gap.png"
 rules() { awk -F, 'NR > 1 { rows++; s = sqrt($5 * $5 + $6 * $6); near(s, $9); near(0.7 * s, $11); near(s, $12); near($5 + $6, $8); if ($7 > $8) bad = 1 }
@@ -179,6 +180,7 @@ rows_of() { awk -F, 'NR > 1 { for (i = 2; i <= NF; i++) if (i != 3) print $i }' 
 agree() { numbers_of >"$tmp/j"; rows_of >"$tmp/c"; [ -s "$tmp/j" ] && cmp "$tmp/j" "$tmp/c"; }
 is "statistics in --json are those of suite.csv" agree
 is "a table of them" gives 0 sweep towers --records "$three" --vary gap=5cm,9cm --cases none,bumper --quiet
+is "of three motions, which are few" shows '^3 independent ground motions are few: '
 is "with what pounds" shows '^over 3 ground motions: how many pound'
 line() { awk -F, '$1 == "bumper" && $2 == 0.09 && $3 == "B" { printf "  bumper   B        %4d %4d %6.3f %6.3f %6.3f", $5, $6, $19, $20, $21 }' "$tmp/sweep/suite.csv"; }
 is "the same numbers" grep -q -F -e "$(line)" "$tmp/out"

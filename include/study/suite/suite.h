@@ -24,6 +24,9 @@ enum thud_suite_measure {
 };
 const char *thud_suite_column(enum thud_suite_measure measure); /* "force_n", "drift_m", ... */
 
+/* Whether a ground motion is `other` turned round, by their names as a suite of both signs has them. */
+bool thud_motion_is_turned(const char *own, const char *other);
+
 /* Fewer independent motions than the first have no bootstrapped band, fewer than the second not even one of a share. */
 enum { THUD_DRAWS_LEAST = 7, THUD_SHARES_LEAST = 3 };
 

@@ -190,12 +190,15 @@ static void say_bumper(struct site *site, int s, bool drift)
     int helps = 0;
     for (size_t i = 0; i < f.n; i++) /* sorted by the fractiles */
         helps += suite->room[i] < 1 - equal;
+    char spread[64] = "";
+    if (!isnan(f.p16))
+        snprintf(spread, sizeof spread, " and %.2f to %.2f from 16 to 84 %%", f.p16, f.p84);
     if (f.n > 0)
         thud_document_item(&site->document,
                            "The bumper lowers the mean %s of %s under %d of %zu motions and raises it under %.0f: its "
-                           "ratio to no bumper is %.2f in the median and %.2f to %.2f from 16 to 84 %%.",
+                           "ratio to no bumper is %.2f in the median%s.",
                            drift ? "drift" : "acceleration", thud_site_name(site, s), helps, f.n, f.share * (double)f.n,
-                           f.median, f.p16, f.p84);
+                           f.median, spread);
 }
 
 void thud_site_suite_answer(struct site *site)

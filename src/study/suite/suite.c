@@ -33,15 +33,18 @@ static bool has_capacity(const struct thud_sweep_plan *plan)
     return has;
 }
 
-/* Whether record r is the one before it turned round, as a suite of both signs names it. */
-static bool is_turned(const struct thud_sweep_plan *plan, int r)
+bool thud_motion_is_turned(const char *own, const char *other)
 {
     static const char turned[] = ":sign=-";
-    if (r == 0 || !plan->record || !plan->record[r] || !plan->record[r - 1])
-        return false;
-    const char *own = plan->record[r]->file, *other = plan->record[r - 1]->file;
     size_t n = strlen(own), cut = sizeof turned - 1;
     return n > cut && strcmp(own + n - cut, turned) == 0 && strncmp(own, other, n - cut) == 0;
+}
+
+static bool is_turned(const struct thud_sweep_plan *plan, int r)
+{
+    if (r == 0 || !plan->record || !plan->record[r] || !plan->record[r - 1])
+        return false;
+    return thud_motion_is_turned(plan->record[r]->file, plan->record[r - 1]->file);
 }
 
 enum thud_status thud_suite_create(const struct thud_sweep_plan *plan, struct thud_suite **out, struct thud_error *err)
