@@ -50,8 +50,10 @@ const char *thud_dimension_name(enum thud_dimension dimension); /* "a length" */
 /* Locale-free numbers (the program keeps LC_NUMERIC at "C"). `end` gets the first character not read; returns 0 on
  * success, -1 on no number, -2 when out of range. Hexadecimal, `inf` and `nan` are no numbers. */
 int thud_number_parse(const char *text, const char **end, double *out);
-/* Shortest decimal text that reads back as the same double. */
+/* Shortest decimal text that reads back as the same double; of -0 it is 0. */
 void thud_number_format(double value, char *text, size_t size);
+/* The value, or 0 where no digit of it shows at so many decimal places: printf would write -0. */
+double thud_shown(double value, int places);
 
 #define THUD_GRAVITY 9.80665 /* m/s2, standard gravity */
 #define THUD_PI      3.14159265358979323846

@@ -154,3 +154,8 @@ void thud_number_format(double value, char *text, size_t size)
             return;
     }
 }
+
+double thud_shown(double value, int places)
+{
+    return fabs(value) * pow(10, places) <= 0.5 ? 0 : value;
+}

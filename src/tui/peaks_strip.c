@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/quantity.h"
 #include "tui/dots.h"
 #include "tui/field.h"
 #include "tui/peaks_strip.h"
@@ -75,7 +76,7 @@ static void peak_row(struct thud_tui *tui, const struct strip *strip, const stru
             snprintf(text, sizeof text, "%s→%s", old, number);
         if (moved && strip->percent && before > 0.0)
             thud_pane_print(pane, strip->percent, y, thud_look(THUD_ROLE_MUTED, 0), "%+.1f %%",
-                            100.0 * (value[i] / before - 1.0));
+                            thud_shown(100.0 * (value[i] / before - 1.0), 1));
         thud_pane_put(pane, column_x[i], y,
                       thud_look(failed                                                  ? THUD_ROLE_ERROR
                                 : thud_live_is_old(&tui->live, (enum thud_live_which)i) ? THUD_ROLE_MUTED

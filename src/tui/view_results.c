@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/quantity.h"
 #include "base/scan.h"
 #include "io/result/result_file.h"
 #include "study/scene/level.h"
@@ -85,7 +86,8 @@ static void pinned_quantity(struct thud_tui *tui, const struct thud_live *pinned
     }
     double change = thud_live_floor(&tui->live, last, s, floor, kind) / thud_live_floor(pinned, last, s, floor, kind);
     if (isfinite(change))
-        thud_pane_print(pane, x + 21, y, thud_look(THUD_ROLE_MUTED, 0), "%+.0f %%", 100.0 * (change - 1.0));
+        thud_pane_print(pane, x + 21, y, thud_look(THUD_ROLE_MUTED, 0), "%+.0f %%",
+                        thud_shown(100.0 * (change - 1.0), 0));
 }
 
 static int floor_count(const struct thud_structure *structure)

@@ -68,6 +68,40 @@ rm bad.yaml && mkdir bad.yaml
 refused "folder" ""
 rmdir bad.yaml
 
+# a scene in which nothing moves has no answer, whatever is asked of it; bodies that move need no ground motion
+sed '/^record:/,/^  sign:/d' good.yaml >still.yaml
+for command in run 'run --case none' gap sweep 'sweep --vary gap=8cm:9cm:1cm' fragility 'uncertainty --samples 8' stiffness \
+    bench stability 'export opensees' 'report -o out'; do
+    # shellcheck disable=SC2086 # words
+    "$THUD" $command still.yaml >out.txt 2>err.txt
+    status=$?
+    if [ $status -eq 3 ] && [ ! -s out.txt ] && [ ! -e out ] && grep -q '^thud: record.file: nothing moves: there is no ground motion.*--record FILE' err.txt; then
+        echo "ok - $command: without a ground motion nothing is answered"
+    else
+        echo "not ok - $command: without a ground motion nothing is answered (status $status)"
+        sed 's/^/# /' err.txt out.txt | head -5
+    fi
+done
+printf '0\n0\n0\n0\n' >zero.csv
+if "$THUD" run still.yaml --record zero.csv --dt 0.02s --unit g >out.txt 2>err.txt || ! grep -q 'nothing moves: the ground motion is 0 throughout' err.txt; then
+    echo "not ok - a ground motion of zeros is none"
+    sed 's/^/# /' err.txt out.txt | head -5
+else
+    echo "ok - a ground motion of zeros is none"
+fi
+if "$THUD" run still.yaml --record kobe-surrogate.csv --json >out.txt 2>err.txt; then
+    echo "ok - a motion of the command line moves it"
+else
+    echo "not ok - a motion of the command line moves it"
+    sed 's/^/# /' err.txt
+fi
+if "$THUD" run rigid-bumper --set structures.1.velocity=-0.5m/s --quiet >out.txt 2>err.txt && ! grep -E '(^|[^0-9A-Za-z.-])-0(\.0*)?([^0-9.e]|$)' out.txt; then
+    echo "ok - bodies that part need nothing, and no answer shows -0"
+else
+    echo "not ok - bodies that part need nothing, and no answer shows -0"
+    sed 's/^/# /' err.txt out.txt | head -8
+fi
+
 # what is unusual but right
 { printf '\357\273\277' && sed 's/$/\r/' good.yaml; } >dressed.yaml
 if "$THUD" run dressed.yaml --json 2>err.txt | sed 's/"dressed"/"good"/' >a.json && "$THUD" run good.yaml --json >b.json 2>>err.txt && cmp -s a.json b.json; then

@@ -137,6 +137,17 @@ START_TEST(nothing_has_no_sign)
 {
     ck_assert(!signbit(si("-0 cm", THUD_LENGTH)) && !signbit(si("-0.00e5", THUD_NUMBER)));
     ck_assert(si("-1e-300 cm", THUD_LENGTH) < 0);
+    char text[32];
+    thud_number_format(-0.0, text, sizeof text);
+    ck_assert_str_eq(text, "0");
+    const double value[] = {-0.0, -0.4, -0.5, -0.51, 0.4, -3};
+    const char *const shown[] = {"+0", "+0", "+0", "-1", "+0", "-3"};
+    for (size_t i = 0; i < sizeof value / sizeof *value; i++) {
+        snprintf(text, sizeof text, "%+.0f", thud_shown(value[i], 0));
+        ck_assert_str_eq(text, shown[i]);
+    }
+    snprintf(text, sizeof text, "%.2f", thud_shown(-0.005001, 2));
+    ck_assert_str_eq(text, "-0.01");
 }
 END_TEST
 

@@ -32,4 +32,9 @@ enum thud_status thud_scene_answer(const struct thud_scene *scene, const struct 
                                    struct thud_error *err);
 void thud_answer_clear(struct thud_answer *answer);
 
+/* Whether anything moves a valid scene: a ground motion (NULL: none) that is not 0 throughout, or a body's velocity.
+ * Errors: THUD_INPUT with key. */
+enum thud_status thud_scene_check_motion(const struct thud_scene *scene, const struct thud_record *record,
+                                         struct thud_error *err);
+
 #endif

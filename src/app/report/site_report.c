@@ -260,11 +260,10 @@ enum thud_status thud_site_report(struct thud_session *session, const struct thu
     site->session = session;
     site->scene = &session->scene;
     enum thud_status status = thud_scene_check(site->scene, err);
-    if (status == THUD_OK)
+    const bool by_suite = !session->scene.record.file[0] && options->records && options->records->n > 0;
+    if (status == THUD_OK && !by_suite)
         status = thud_session_read_record(session, err);
-    site->record = session->record;
-    if (!site->record && options->records && options->records->n > 0)
-        site->record = options->records->record[0];
+    site->record = by_suite ? options->records->record[0] : session->record;
     if (status == THUD_OK)
         status = compute(site, err);
     if (status == THUD_OK)

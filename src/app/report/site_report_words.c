@@ -79,9 +79,11 @@ void thud_site_figure(struct site *site, struct thud_figure *figure, double shar
 
 struct thud_site_shown thud_site_number(double value, int digits)
 {
-    struct thud_site_shown out;
-    int places = value != 0 && fabs(value) < 1e7 ? digits - 1 - (int)floor(log10(fabs(value)) + 1e-9) : 0;
-    if (value != 0 && fabs(value) < 1e-4)
+    struct thud_site_shown out = {"0"};
+    if (value == 0)
+        return out;
+    int places = fabs(value) < 1e7 ? digits - 1 - (int)floor(log10(fabs(value)) + 1e-9) : 0;
+    if (fabs(value) < 1e-4)
         snprintf(out.text, sizeof out.text, "%.*g", digits, value);
     else
         snprintf(out.text, sizeof out.text, "%.*f", places > 0 ? places : 0, value);

@@ -4,9 +4,11 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/quantity.h"
+
 double thud_answer_gap_cm(double gap_m)
 {
-    return 0.1 * ceil(1e3 * gap_m - 1e-6);
+    return 0.1 * thud_shown(ceil(1e3 * gap_m - 1e-6), 0);
 }
 
 /* Adds a part where it fits. Everything here is ASCII. */
@@ -25,7 +27,7 @@ static void bumper_words(const struct thud_answer_line *line, char *part, size_t
     if (line->bumper_impacts == 0)
         snprintf(part, size, "bumper: no contact");
     else if (line->force_n > 0)
-        snprintf(part, size, "bumper: force %+.0f %%", 100 * (line->bumper_force_n / line->force_n - 1));
+        snprintf(part, size, "bumper: force %+.0f %%", thud_shown(100 * (line->bumper_force_n / line->force_n - 1), 0));
     else
         snprintf(part, size, "bumper: %d impact%s", line->bumper_impacts, line->bumper_impacts == 1 ? "" : "s");
 }

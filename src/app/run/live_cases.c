@@ -145,6 +145,8 @@ static enum thud_status case_start(struct thud_live_case *c, const struct thud_s
     struct thud_run_options options;
     enum thud_status status = thud_scene_options(scene, &options, &c->error);
     if (status == THUD_OK)
+        status = thud_scene_check_motion(scene, record, &c->error);
+    if (status == THUD_OK)
         status = thud_scene_assemble(scene, &c->model, &c->error);
     if (status != THUD_OK)
         return status;

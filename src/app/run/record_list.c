@@ -372,8 +372,11 @@ enum thud_status thud_record_list_own(struct thud_session *session, bool both, s
 {
     struct reading r = {.session = session, .list = out, .both = both};
     *out = (struct thud_record_list){0};
+    for (int s = 0; s < session->scene.nstructures && !session->scene.record.file[0]; s++)
+        if (session->scene.structure[s].kind == THUD_RIGID) /* its velocity may be what a study varies */
+            return THUD_OK;
     if (!session->scene.record.file[0])
-        return THUD_OK;
+        return thud_scene_check_motion(&session->scene, NULL, err);
     enum thud_status status = add_file(&r, &session->scene, "", err);
     if (status != THUD_OK)
         thud_record_list_clear(out);

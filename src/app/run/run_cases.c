@@ -239,7 +239,8 @@ static void say_contacts(const struct thud_run_cases *cases, int i, struct thud_
     int none = without(cases);
     const struct thud_contact_result *bare = none && none != i ? hardest(result_of(cases, none), &before) : NULL;
     if (bare && bare->force.value > 0)
-        thud_text_append(out, " (%+.0f %% of the force without)", 100 * (most->force.value / bare->force.value - 1));
+        thud_text_append(out, " (%+.0f %% of the force without)",
+                         thud_shown(100 * (most->force.value / bare->force.value - 1), 0));
     thud_text_append(out, ".\n");
 }
 

@@ -55,7 +55,7 @@ enum thud_status thud_session_read_record(struct thud_session *session, struct t
     thud_record_free(session->record);
     session->record = NULL;
     if (!choice->file[0])
-        return THUD_OK;
+        return thud_scene_check_motion(&session->scene, NULL, err);
     enum thud_status status =
         thud_paths_record(&session->paths, session->preset_path, choice->file, path, sizeof path, err);
     if (status != THUD_OK && strcmp(choice->file, thud_preset_scene(session->preset)->record.file) == 0)
@@ -64,9 +64,14 @@ enum thud_status thud_session_read_record(struct thud_session *session, struct t
         status = thud_record_choice_resolve(&session->scene, &resolved, err);
     if (status == THUD_OK)
         status = thud_record_file_read(path, &resolved, &session->record, err);
+    if (status == THUD_OK)
+        status = thud_scene_check_motion(&session->scene, session->record, err);
     if (status == THUD_OK) {
         snprintf(session->record->file, sizeof session->record->file, "%s", choice->file); /* as given, not as found */
         session->record_read = *choice;
+    } else {
+        thud_record_free(session->record);
+        session->record = NULL;
     }
     return status;
 }

@@ -258,8 +258,8 @@ static void axis(const struct sheet *sheet, const struct thud_panel *panel, enum
     if (panel->strip && side == THUD_Y && !a->log)
         most = range.least + (range.most - range.least) / (1.0 - strip_headroom(sheet, box, &range));
     double hair = a->log ? 1e-7 : 0.0; /* gnuplot drops a tick that its logarithm puts outside by the last bit */
-    thud_text_append(out, "set %crange [%.10g:%.10g]\n%s logscale %c\n", name, range.least * (1.0 - hair),
-                     most * (1.0 + hair), a->log ? "set" : "unset", name);
+    thud_text_append(out, "set %crange [%.10g:%.10g]\n%s logscale %c\n", name, range.least * (1.0 - hair) + 0.0,
+                     most * (1.0 + hair) + 0.0, /* + 0.0: no -0 */ a->log ? "set" : "unset", name);
     bool last = !panel->strip || number > (sheet->rows - 1) * sheet->columns;
     if (panel->strip ? last && side == THUD_X : true)
         axis_label(sheet, a, side, number, box);

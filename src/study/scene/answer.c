@@ -91,3 +91,19 @@ enum thud_status thud_record_choice_resolve(const struct thud_scene *scene, stru
     choice->period_s = period;
     return THUD_OK;
 }
+
+enum thud_status thud_scene_check_motion(const struct thud_scene *scene, const struct thud_record *record,
+                                         struct thud_error *err)
+{
+    bool moves = record && thud_record_peak(record) > 0;
+    for (int s = 0; s < scene->nstructures; s++)
+        moves = moves || scene->structure[s].velocity_mps != 0;
+    if (moves)
+        return THUD_OK;
+    thud_error_set(err, THUD_INPUT, "nothing moves: %s, and no body has a velocity",
+                   record ? "the ground motion is 0 throughout" : "there is no ground motion");
+    thud_error_key(err, "record.file");
+    thud_error_allow(err,
+                     "--record FILE, or `record: {file: ...}` in the preset; `thud record list` shows those at hand");
+    return THUD_INPUT;
+}
