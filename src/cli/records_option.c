@@ -2,13 +2,25 @@
 
 #include <string.h>
 
+enum thud_status thud_records_named(const struct thud_args *args, const struct thud_session *session, const char *text,
+                                    bool both, struct thud_record_list *out, struct thud_error *err)
+{
+    const char *common[THUD_RECORD_SETTINGS_MAX][2], *setting;
+    int n = 0;
+    for (int i = 0; (setting = thud_record_setting(i)) != NULL; i++) {
+        common[n][0] = setting;
+        common[n][1] = thud_args_value(args, setting);
+        n += common[n][1] != NULL;
+    }
+    return thud_record_list_read(session, text, common, n, both, out, err);
+}
+
 enum thud_status thud_records_option_read(const struct thud_args *args, struct thud_session *session,
                                           struct thud_record_list *out, struct thud_error *err)
 {
     const struct thud_study_choice *study = &session->scene.study;
-    const char *common[THUD_RECORD_SETTINGS_MAX][2], *text = thud_args_value(args, "records"), *setting;
+    const char *text = thud_args_value(args, "records");
     bool both = thud_args_has(args, "signs") || study->both_signs;
-    int n = 0;
     if (thud_args_has(args, "signs") && strcmp(thud_args_value(args, "signs"), "both") != 0) {
         thud_error_set(err, THUD_USAGE, "\"%.40s\" is not understood", thud_args_value(args, "signs"));
         thud_error_key(err, "--signs");
@@ -21,10 +33,5 @@ enum thud_status thud_records_option_read(const struct thud_args *args, struct t
         return thud_record_list_own(session, both, out, err);
     if (thud_args_value(args, "record") && thud_args_value(args, "records"))
         return thud_error_set(err, THUD_USAGE, "--record and --records together");
-    for (int i = 0; (setting = thud_record_setting(i)) != NULL; i++) {
-        common[n][0] = setting;
-        common[n][1] = thud_args_value(args, setting);
-        n += common[n][1] != NULL;
-    }
-    return thud_record_list_read(session, text, common, n, both, out, err);
+    return thud_records_named(args, session, text, both, out, err);
 }

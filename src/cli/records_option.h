@@ -11,4 +11,9 @@
 enum thud_status thud_records_option_read(const struct thud_args *args, struct thud_session *session,
                                           struct thud_record_list *out, struct thud_error *err);
 
+/* Ground motions named in a text, as --records names them, with what the other options say of all. Errors: as
+ * thud_record_list_read. */
+enum thud_status thud_records_named(const struct thud_args *args, const struct thud_session *session, const char *text,
+                                    bool both, struct thud_record_list *out, struct thud_error *err);
+
 #endif

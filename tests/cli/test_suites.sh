@@ -306,3 +306,33 @@ is "a grid that changes the motion without pounding" gives 0 sweep towers --to 1
 needed() { "$THUD" gap towers --to 12s --set "structures.1.stiffness=$1 MN/m" --csv 2>/dev/null | awk -F, 'NR > 1 && $7 > m { m = $7 } END { printf "%.2f", 100 * m }'; }
 is "says where the widest gap is needed" shows "needed gap $(needed 500) cm (floors 4-4) at structures.1.stiffness 500 MN/m;"
 is "and the narrowest" shows "least $(needed 700) cm at structures.1.stiffness 700 MN/m"
+# selected and scaled to a design spectrum
+mkdir "$tmp/motions"
+for name in kobe northridge san-fernando; do cp records/$name-surrogate.csv "$tmp/motions"; done
+is "thud suite: a table" gives 0 suite "$tmp/motions"
+is "of every motion" shows "^san-fernando-surrogate.csv  *0.01 "
+is "three are few" shows "! 3 motions are few"
+is "scaled to EN 1998-1" gives 0 suite "$tmp/motions" --preset towers --target en1998:0.3g,B -o "$tmp/suite"
+is "the mean is nowhere below 90 %" sh -c "sed -n 's/^mean *at least \([0-9.]*\) of the target.*/\1/p' '$tmp/out' | awk '{ exit !(\$1 >= 0.8999) }'"
+is "the figure is a picture" is_png "$tmp/suite/suite.png"
+is "the list holds the factors" test "$(grep -c ':factor=' "$tmp/suite/suite.list")" -eq 3
+is "what --records takes" gives 0 gap towers --records "$tmp/suite/suite.list" --csv
+is "read back, nothing is left to scale" gives 0 suite "$tmp/suite/suite.list" --preset towers --target en1998:0.3g,B --scale common --json
+# shellcheck disable=SC2016 # of awk
+is "but for rounding" sh -c "sed -n 's/.*\"common_factor\": \([0-9.]*\),.*/\1/p' '$tmp/out' | awk '{ d = \$1 - 1; exit !(d < 1e-9 && d > -1e-9) }'"
+is "a list beside the motions" sh -c "cd '$tmp' && \"\$THUD\" suite motions --target en1998:0.2g,C --count 1 -o mine.list >/dev/null && [ \$(grep -c '^motions/' mine.list) -eq 1 ]"
+is "more than there are: said" gives 0 suite "$tmp/motions" --target en1998:0.3g,B --count 7
+is "with their number" shows "^chosen  *3, fewer than the 7 asked for"
+printf 'period_s,sa_g\n0.05,0.4\n0.5,0.9\n2,0.2\n' >"$tmp/target.csv"
+is "a target from a file" gives 0 suite "$tmp/motions" --target "$tmp/target.csv" --range 0.1s:3s
+is "its ends are the range's, and it is said" shows "periods 0.1 to 2 s in place of 0.1 to 3 s"
+printf 'period_s,sa\n0.05,0.4\n0.5,0.9\n' >"$tmp/target.csv"
+is "a target without a unit" gives 3 suite "$tmp/motions" --target "$tmp/target.csv"
+is "is told with its line" says "target.csv:1:1: .*does not say the unit"
+is "a ground that is none" gives 3 suite "$tmp/motions" --target en1998:0.3g,K
+is "with those there are" says "target: \"K\" is no ground type (A, B, C, D or E)"
+is "an acceleration without a unit" gives 3 suite "$tmp/motions" --target en1998:0.3,B
+is "a count without a target" gives 2 suite "$tmp/motions" --count 3
+is "no motions" gives 2 suite
+is "a single motion by record.target" gives 0 run towers --set record.peak= --set record.target=en1998:0.3g,B --case none
+is "not beside a peak" gives 3 run towers --set record.target=en1998:0.3g,B

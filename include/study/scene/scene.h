@@ -73,19 +73,21 @@ struct thud_interface {
 };
 
 struct thud_record_choice {
-    char file[THUD_TEXT_MAX]; /* empty: no ground motion */
-    double peak_mps2;         /* scale to this peak; NaN: as recorded */
-    double sa_mps2;           /* scale to this spectral acceleration; NaN: not */
-    double period_s;          /* of sa; NaN: the mean of the buildings' fundamental periods */
-    double factor;            /* 1 unless given */
-    int sign;                 /* +1 or -1 */
-    double from_s, to_s;      /* the part that is used, in the file's own time; NaN: from its beginning, to its end */
-    double dt_s;              /* for files that do not say; NaN: not given */
-    double resample_s;        /* for times in unequal steps, straight between the samples; NaN: not given */
-    char unit[16];            /* for files that do not say; empty: not given */
-    char channel[32];         /* file with several; empty: not given */
-    int column;               /* from 1; 0: not given; -1 (`all`): the values of every line one after another */
-    int skip;                 /* lines; -1: not given */
+    char file[THUD_TEXT_MAX];          /* empty: no ground motion */
+    double peak_mps2;                  /* scale to this peak; NaN: as recorded */
+    double sa_mps2;                    /* scale to this spectral acceleration; NaN: not */
+    double period_s;                   /* of sa; NaN: the mean of the buildings' fundamental periods */
+    char target[128];                  /* scale to this design spectrum (ground/target.h); empty: not */
+    double target_from_s, target_to_s; /* over these periods; NaN: 0.2 to 2 of the buildings' */
+    double factor;                     /* 1 unless given */
+    int sign;                          /* +1 or -1 */
+    double from_s, to_s; /* the part that is used, in the file's own time; NaN: from its beginning, to its end */
+    double dt_s;         /* for files that do not say; NaN: not given */
+    double resample_s;   /* for times in unequal steps, straight between the samples; NaN: not given */
+    char unit[16];       /* for files that do not say; empty: not given */
+    char channel[32];    /* file with several; empty: not given */
+    int column;          /* from 1; 0: not given; -1 (`all`): the values of every line one after another */
+    int skip;            /* lines; -1: not given */
 };
 
 struct thud_analysis {

@@ -151,24 +151,47 @@ static enum thud_status read_one(const struct thud_session *session, const struc
     return status;
 }
 
-static enum thud_status add(struct reading *r, struct thud_record *record, struct thud_error *err)
+/* How a file is read, but for what scales it: as settings of a list. */
+static char *reading_of(const struct thud_scene *scene)
 {
-    if (r->list->n == r->room) {
-        int room = r->room > 0 ? 2 * r->room : 16;
-        struct thud_record **more = realloc(r->list->record, (size_t)room * sizeof *more);
-        if (!more) {
-            thud_record_free(record);
-            return thud_error_set(err, THUD_MEMORY, "out of memory");
-        }
-        r->list->record = more;
-        r->room = room;
+    static const char *const keys[] = {"from", "to", "dt", "unit", "channel", "column", "skip"};
+    char text[THUD_TEXT_MAX] = "", key[32], value[64];
+    size_t used = 0;
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
+        snprintf(key, sizeof key, "record.%s", keys[i]);
+        if (thud_scene_get(scene, key, value, sizeof value, NULL) == THUD_OK && value[0] && used < sizeof text)
+            used += (size_t)snprintf(text + used, sizeof text - used, "%s%s=%s", used ? ":" : "", keys[i], value);
     }
-    r->list->record[r->list->n++] = record;
+    return strdup(text);
+}
+
+static enum thud_status add(struct reading *r, struct thud_record *record, const struct thud_scene *scene,
+                            struct thud_error *err)
+{
+    struct thud_record_list *list = r->list;
+    char *own = reading_of(scene);
+    bool ok = own != NULL;
+    if (ok && list->n == r->room) {
+        int room = r->room > 0 ? 2 * r->room : 16;
+        struct thud_record **records = realloc(list->record, (size_t)room * sizeof *records);
+        char **owns = realloc(list->own, (size_t)room * sizeof *owns);
+        list->record = records ? records : list->record;
+        list->own = owns ? owns : list->own;
+        ok = records && owns;
+        r->room = ok ? room : r->room;
+    }
+    if (!ok) {
+        free(own);
+        thud_record_free(record);
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    }
+    list->own[list->n] = own;
+    list->record[list->n++] = record;
     return THUD_OK;
 }
 
 /* The motion the other way round, too. */
-static enum thud_status add_turned(struct reading *r, struct thud_error *err)
+static enum thud_status add_turned(struct reading *r, const struct thud_scene *scene, struct thud_error *err)
 {
     const struct thud_record *record = r->list->record[r->list->n - 1];
     struct thud_record *turned;
@@ -177,7 +200,7 @@ static enum thud_status add_turned(struct reading *r, struct thud_error *err)
         return status;
     thud_record_scale(turned, -1);
     snprintf(turned->file, sizeof turned->file, "%.500s:sign=-", record->file);
-    return add(r, turned, err);
+    return add(r, turned, scene, err);
 }
 
 /* A motion of a file that is there already is told apart by its settings, `own`. */
@@ -199,11 +222,11 @@ static enum thud_status add_file(struct reading *r, const struct thud_scene *sce
     enum thud_status status =
         r->session ? read_one(r->session, scene, &record, err) : open_treated(r, &scene->record, &record, err);
     if (status == THUD_OK)
-        status = add(r, record, err);
+        status = add(r, record, scene, err);
     if (status != THUD_OK)
         return status;
     name_apart(r->list, own);
-    return r->both ? add_turned(r, err) : THUD_OK;
+    return r->both ? add_turned(r, scene, err) : THUD_OK;
 }
 
 static enum thud_status add_folder(struct reading *r, struct thud_scene *scene, struct thud_error *err)
@@ -391,15 +414,14 @@ enum thud_status thud_record_list_open(const char *name, const struct thud_recor
     struct thud_scene *scene;
     enum thud_status status;
     *out = (struct thud_record_list){0};
-    if (!thud_record_is_list(name)) {
-        status = thud_record_open(name, treatment, &record, err);
-        return status == THUD_OK ? add(&r, record, err) : status;
-    }
     if (!(scene = malloc(sizeof *scene)))
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     thud_scene_init(scene);
     scene->record = treatment->choice;
-    if (snprintf(scene->record.file, sizeof scene->record.file, "%s", name) < (int)sizeof scene->record.file)
+    if (!thud_record_is_list(name)) {
+        status = thud_record_open(name, treatment, &record, err);
+        status = status == THUD_OK ? add(&r, record, scene, err) : status;
+    } else if (snprintf(scene->record.file, sizeof scene->record.file, "%s", name) < (int)sizeof scene->record.file)
         status = add_list(&r, scene, err);
     else
         status = thud_error_set(err, THUD_INPUT, "the name of the list is too long");
@@ -413,6 +435,9 @@ void thud_record_list_clear(struct thud_record_list *list)
 {
     for (int i = 0; list->record && i < list->n; i++)
         thud_record_free(list->record[i]);
+    for (int i = 0; list->own && i < list->n; i++)
+        free(list->own[i]);
+    free(list->own);
     free(list->record);
     *list = (struct thud_record_list){0};
 }

@@ -15,6 +15,7 @@ const char *thud_record_setting(int i);
 struct thud_record_list {
     int n;
     struct thud_record **record; /* (n) each named in `file` as it was typed */
+    char **own; /* (n) how it was read, as a list says it, without what scales it: "dt=0.005 s:unit=g", or "" */
 };
 
 /* A suite: `NAME,NAME,...`, each a file, a folder (all files in it but hidden ones, .md and .list, in the order of

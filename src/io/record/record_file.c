@@ -13,6 +13,7 @@
 #include "io/record/record_formats.h"
 #include "io/record/record_gzip.h"
 #include "io/record/record_unit.h"
+#include "io/record/target_file.h"
 
 #define ENTRY(name) &record_format_##name,
 static const struct record_format *const formats[] = {RECORD_FORMATS(ENTRY)};
@@ -123,6 +124,34 @@ static void convert(struct record_raw *raw)
         raw->value[i] = (raw->value[i] - mean) * raw->factor;
 }
 
+/* The factor that brings the motion's spectrum nearest to a target's. */
+static enum thud_status scale_to_target(const struct thud_record *record, const struct thud_record_choice *choice,
+                                        double *factor, struct thud_error *err)
+{
+    enum { PERIODS = 40 };
+    double period[PERIODS], wanted[PERIODS], has[PERIODS], misfit, from = choice->target_from_s;
+    struct thud_target target;
+    enum thud_status status = thud_target_read(choice->target, &target, err);
+    if (status == THUD_OK && !(choice->target_to_s > from))
+        status = thud_error_set(err, THUD_INPUT, "a target spectrum needs buildings, whose periods say its range");
+    if (status == THUD_OK && !(thud_record_peak(record) > 0))
+        status = thud_error_set(err, THUD_INPUT, "a record of nothing but zeros cannot be scaled to a spectrum");
+    if (status == THUD_OK) {
+        from = fmin(fmax(from, 4 * record->dt_s), 0.5 * choice->target_to_s); /* four samples a period */
+        thud_target_periods(from, choice->target_to_s, PERIODS, period);
+        thud_target_motion(record, target.damping, period, PERIODS, has);
+        for (int i = 0; i < PERIODS; i++)
+            wanted[i] = thud_target_sa(&target, period[i]);
+        *factor *= thud_target_factor(wanted, has, PERIODS, &misfit);
+        if (!(*factor == *factor))
+            status = thud_error_set(err, THUD_INPUT, "the target has no values from %.3g to %.3g s", from,
+                                    period[PERIODS - 1]);
+    }
+    if (status != THUD_OK)
+        thud_error_key(err, "target");
+    return status;
+}
+
 /* The factor that makes the motion's peak or spectral acceleration what is asked for. */
 static enum thud_status scale_to(const struct thud_record *record, const struct thud_record_choice *choice,
                                  double *factor, struct thud_error *err)
@@ -130,9 +159,13 @@ static enum thud_status scale_to(const struct thud_record *record, const struct 
     bool sa = choice->sa_mps2 > 0, peak = !isnan(choice->peak_mps2);
     const char *key = sa ? "sa" : "peak", *what = NULL;
     double has = NAN;
+    if (choice->target[0] && !sa && !peak)
+        return scale_to_target(record, choice, factor, err);
     if (!sa && !peak)
         return THUD_OK;
-    if (sa && peak)
+    if (choice->target[0])
+        what = "a peak or spectral acceleration and a target are asked for together";
+    else if (sa && peak)
         what = "a peak and a spectral acceleration are asked for together";
     else if (sa && !(choice->period_s > 0))
         what = "a spectral acceleration needs a period";

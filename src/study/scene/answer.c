@@ -54,11 +54,13 @@ void thud_answer_clear(struct thud_answer *answer)
     *answer = (struct thud_answer){0};
 }
 
-/* Mean of the fundamental periods of a model's buildings; 0: none has any. */
-static double mean_period(const struct thud_model *model)
+/* Mean of the fundamental periods of a model's buildings, the shortest and the longest; 0: none has any. */
+static double mean_period(const struct thud_model *model, double *shortest, double *longest)
 {
     double sum = 0;
     int n = 0;
+    *shortest = INFINITY;
+    *longest = 0;
     for (int s = 0; s < model->nstructures; s++) {
         const struct thud_model_structure *p = &model->structure[s];
         double lowest = INFINITY;
@@ -67,6 +69,8 @@ static double mean_period(const struct thud_model *model)
         if (!(lowest > 0) || isinf(lowest))
             continue;
         sum += 2 * THUD_PI / lowest;
+        *shortest = fmin(*shortest, 2 * THUD_PI / lowest);
+        *longest = fmax(*longest, 2 * THUD_PI / lowest);
         n++;
     }
     return n > 0 ? sum / n : 0;
@@ -76,19 +80,27 @@ enum thud_status thud_record_choice_resolve(const struct thud_scene *scene, stru
                                             struct thud_error *err)
 {
     struct thud_model *model;
-    if (!(choice->sa_mps2 > 0) || choice->period_s > 0)
+    bool sa = choice->sa_mps2 > 0 && !(choice->period_s > 0),
+         target = choice->target[0] && isnan(choice->target_from_s);
+    double shortest, longest;
+    if (!sa && !target)
         return THUD_OK;
     enum thud_status status = thud_scene_assemble(scene, &model, err);
     if (status != THUD_OK)
         return status;
-    double period = mean_period(model);
+    double period = mean_period(model, &shortest, &longest);
     thud_model_free(model);
     if (!(period > 0)) {
         thud_error_set(err, THUD_INPUT, "no building has a period to take the spectral acceleration at");
-        thud_error_key(err, "record.period");
+        thud_error_key(err, sa ? "record.period" : "record.target");
         return THUD_INPUT;
     }
-    choice->period_s = period;
+    if (sa)
+        choice->period_s = period;
+    if (target) {
+        choice->target_from_s = 0.2 * shortest;
+        choice->target_to_s = 2 * longest;
+    }
     return THUD_OK;
 }
 

@@ -261,7 +261,7 @@ enum thud_status thud_law_set(struct thud_scene *scene, const struct thud_slot *
 void thud_record_choice_init(struct thud_record_choice *choice)
 {
     memset(choice, 0, sizeof *choice);
-    choice->peak_mps2 = choice->sa_mps2 = choice->period_s = NAN;
+    choice->peak_mps2 = choice->sa_mps2 = choice->period_s = choice->target_from_s = choice->target_to_s = NAN;
     choice->factor = 1;
     choice->sign = 1;
     choice->from_s = choice->to_s = NAN;

@@ -1,0 +1,19 @@
+/* What a ground motion's own words say of it: its direction, and whether two motions are of one event or station. */
+#ifndef THUD_GROUND_IDENTITY_H
+#define THUD_GROUND_IDENTITY_H
+
+#include <stdbool.h>
+
+#include "ground/record.h"
+
+/* A vertical component, by its own words or those of its file's name: UP, U-D, UD, VERT, a channel code such as HNZ, and
+ * components 3 and 6 of KiK-net. */
+bool thud_record_is_vertical(const struct thud_record *record);
+/* Of one event, or of one station in it, as both say; false where one does not say. */
+bool thud_record_same_event(const struct thud_record *a, const struct thud_record *b);
+bool thud_record_same_station(const struct thud_record *a, const struct thud_record *b);
+/* The same motion but for a factor: equal steps after resampling, and samples that differ by less than 1 % of the peak
+ * once both have a peak of 1. */
+bool thud_record_same_motion(const struct thud_record *a, const struct thud_record *b);
+
+#endif

@@ -1,0 +1,57 @@
+/* Ground motions selected and scaled to a design spectrum. */
+#ifndef THUD_STUDY_SCALING_H
+#define THUD_STUDY_SCALING_H
+
+#include <stdbool.h>
+
+#include "base/text.h"
+#include "ground/target.h"
+
+enum { THUD_SCALING_PERIODS = 40 };
+
+struct thud_scaling {
+    bool common;         /* all by one factor; else each to its least misfit, then all by one factor up to the rule */
+    int count;           /* motions wanted; 0: all */
+    double factor_most;  /* of a motion's own factor, and 1/factor_most below; 4 unless said */
+    int per_event;       /* at most so many of an event; 2 unless said. One component of a station */
+    bool vertical;       /* vertical components may be selected */
+    double from_s, to_s; /* the periods that count */
+};
+
+struct thud_scaled_motion {
+    double misfit; /* root mean square of the logarithms, once scaled by itself */
+    double factor; /* of the motion as it was read */
+    bool chosen;
+    char why[96];                                    /* not chosen: why */
+    double peak_mps2, sa_mps2[THUD_SCALING_PERIODS]; /* before scaling */
+};
+
+struct thud_scaled_suite {
+    int n, chosen;
+    struct thud_scaled_motion *motion; /* (n) */
+    bool narrowed; /* fewer periods count than were asked for: the motions' steps, the target's ends */
+    double common; /* the last factor, a part of all of them */
+    double period_s[THUD_SCALING_PERIODS], target_mps2[THUD_SCALING_PERIODS], mean_mps2[THUD_SCALING_PERIODS];
+    double ratio, ratio_s;            /* least mean over target, and its period */
+    double mean_peak_mps2, zero_mps2; /* mean peak of the scaled motions, and the target's at T = 0 */
+};
+
+void thud_scaling_init(struct thud_scaling *scaling);
+
+/* EN 1998-1 3.2.3.1.2(4): the mean of the scaled spectra nowhere below 90 % of the target over the periods, and the mean
+ * at T = 0 not below a_g S (of a target of points that has no T = 0: not asked). `target` NULL: no scaling, all chosen
+ * with factor 1, spectra of 5 % alone. Of `count` the motions that fit best; fewer where no more may be chosen, and
+ * `out->motion[].why` says why not. Of the periods those count that the motions resolve (four samples) and the target has;
+ * out->narrowed where that is fewer. Errors: THUD_INPUT (no such period, nothing to choose from), THUD_MEMORY. */
+enum thud_status thud_suite_scale(const struct thud_record *const *record, int n, const struct thud_target *target,
+                                  const struct thud_scaling *scaling, struct thud_scaled_suite *out,
+                                  struct thud_error *err);
+void thud_scaled_suite_clear(struct thud_scaled_suite *suite);
+
+/* The n-th (from 0) remark on the motions of a suite and their factors (NULL: those that the records were read with):
+ * a factor above 4 or below 1/4, a vertical component, two components of one station, one motion twice, all of one
+ * event, fewer than 7 or than 3. False when there are no more. */
+bool thud_suite_remark(const struct thud_record *const *record, const double *factor, int count, int n,
+                       struct thud_error *out);
+
+#endif

@@ -1,0 +1,219 @@
+/* thud suite: ground motions looked at, selected and scaled to a design spectrum. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "app/run/figure_files.h"
+#include "app/run/record_verbs.h"
+#include "app/sweep/suite_study.h"
+#include "base/quantity.h"
+#include "cli/commands.h"
+#include "cli/interrupt.h"
+#include "cli/picture_options.h"
+#include "cli/records_option.h"
+#include "io/file/file.h"
+#include "io/record/target_file.h"
+
+static enum thud_status refuse(const char *option, const char *allowed, enum thud_status status, struct thud_error *err)
+{
+    thud_args_key(option, err);
+    thud_error_allow(err, "%s", allowed);
+    if (err)
+        err->status = status;
+    return status;
+}
+
+/* "FROM:TO", two times. */
+static enum thud_status read_range(const char *text, struct thud_scaling *scaling, struct thud_error *err)
+{
+    char from[64];
+    struct thud_quantity q[2];
+    const char *colon = strchr(text, ':');
+    if (!colon || (size_t)(colon - text) >= sizeof from) {
+        thud_error_set(err, THUD_USAGE, "\"%.60s\" is no range", text);
+        return refuse("range", "FROM:TO, such as 0.1s:2s", THUD_USAGE, err);
+    }
+    snprintf(from, sizeof from, "%.*s", (int)(colon - text), text);
+    enum thud_status status = thud_quantity_parse(from, THUD_TIME, NULL, &q[0], err);
+    if (status == THUD_OK)
+        status = thud_quantity_parse(colon + 1, THUD_TIME, NULL, &q[1], err);
+    if (status != THUD_OK)
+        return refuse("range", "FROM:TO, such as 0.1s:2s", THUD_USAGE, err);
+    scaling->from_s = q[0].value;
+    scaling->to_s = q[1].value;
+    return THUD_OK;
+}
+
+/* The range of the buildings: 0.2 of the least to twice the largest first period. */
+static void range_of_buildings(struct thud_suite_study *study)
+{
+    double least = study->mark[0].period_s, most = least;
+    for (int i = 1; i < study->nmarks; i++) {
+        least = study->mark[i].period_s < least ? study->mark[i].period_s : least;
+        most = study->mark[i].period_s > most ? study->mark[i].period_s : most;
+    }
+    study->scaling.from_s = 0.2 * least;
+    study->scaling.to_s = 2 * most;
+}
+
+static enum thud_status read_options(const struct thud_args *args, struct thud_suite_study *study,
+                                     struct thud_error *err)
+{
+    const char *target = thud_args_value(args, "target"), *scale = thud_args_value(args, "scale"),
+               *range = thud_args_value(args, "range"), *most = thud_args_value(args, "factor-most");
+    enum thud_status status = target ? thud_target_read(target, &study->target, err) : THUD_OK;
+    if (status != THUD_OK) {
+        thud_args_key("target", err);
+        return status;
+    }
+    study->has_target = target != NULL;
+    if (scale && strcmp(scale, "each") != 0 && strcmp(scale, "common") != 0) {
+        thud_error_set(err, THUD_USAGE, "\"%.40s\" is no way to scale", scale);
+        return refuse("scale", "each or common", THUD_USAGE, err);
+    }
+    study->scaling.common = scale && strcmp(scale, "common") == 0;
+    study->scaling.vertical = thud_args_has(args, "vertical");
+    status = thud_args_integer(args, "count", 1, 1000, 0, &study->scaling.count, err);
+    if (status == THUD_OK)
+        status =
+            thud_args_integer(args, "per-event", 1, 1000, study->scaling.per_event, &study->scaling.per_event, err);
+    if (status == THUD_OK && most) {
+        struct thud_quantity q;
+        status = thud_quantity_parse(most, THUD_NUMBER, NULL, &q, err);
+        if (status != THUD_OK || !(q.value >= 1)) {
+            thud_error_set(err, THUD_USAGE, "\"%.40s\" is no largest factor", most);
+            return refuse("factor-most", "a number of 1 or more", THUD_USAGE, err);
+        }
+        study->scaling.factor_most = q.value;
+    }
+    if (status == THUD_OK && range)
+        status = read_range(range, &study->scaling, err);
+    if (status == THUD_OK && !target && (scale || study->scaling.count > 0)) {
+        thud_error_set(err, THUD_USAGE, "there is no target to select and scale by");
+        return refuse("target", "en1998:0.3g,B, asce7:SDS=1.0g,SD1=0.6g,TL=8s, or a CSV", THUD_USAGE, err);
+    }
+    return status;
+}
+
+/* What stands before names of files in a list at `path`. */
+static void from_list(const char *path, char *from, size_t size)
+{
+    from[0] = '\0';
+    char folder[4096];
+    if (strchr(path, '/') && realpath(".", folder) && strlen(folder) + 2 < size)
+        snprintf(from, size, "%s/", folder);
+}
+
+static enum thud_status save_list(const struct thud_suite_study *study, const char *path, struct thud_error *err)
+{
+    char from[4100], folder[1024] = ".";
+    const char *name = thud_path_name(path);
+    struct thud_text text = {0};
+    if (name > path)
+        snprintf(folder, sizeof folder, "%.*s", (int)(name - path > 1 ? name - path - 1 : 1), path);
+    from_list(path, from, sizeof from);
+    thud_suite_list_text(study, from, &text);
+    enum thud_status status = thud_text_write_in(&text, folder, name, err);
+    thud_text_clear(&text);
+    return status;
+}
+
+static enum thud_status save(const struct thud_suite_study *study, const char *where,
+                             struct thud_picture_choice *picture, struct thud_error *err)
+{
+    const char *suffix = strrchr(where, '.');
+    char list[1024];
+    struct thud_text text = {0};
+    if (suffix && strcmp(suffix, ".list") == 0)
+        return save_list(study, where, err);
+    snprintf(list, sizeof list, "%.1000s/suite.list", where);
+    enum thud_status status = thud_folder_make(where, err);
+    if (status == THUD_OK)
+        status = save_list(study, list, err);
+    if (status == THUD_OK) {
+        thud_suite_motions_csv(study, &text);
+        status = thud_text_write_in(&text, where, "motions.csv", err);
+        thud_text_clear(&text);
+    }
+    picture->options.cancel = thud_interrupt_watch();
+    if (status != THUD_OK)
+        return status;
+    return thud_figure_deliver(
+        thud_figure_of_suite(&study->scaled, study->has_target ? study->target.text : "", study->mark, study->nmarks),
+        where, &picture->options, status, err);
+}
+
+/* The session of --preset, or one without a scene. */
+static enum thud_status open_session(const struct thud_args *args, struct thud_session *session,
+                                     struct thud_suite_study *study, struct thud_error *err)
+{
+    const char *preset = thud_args_value(args, "preset");
+    if (!preset) {
+        memset(session, 0, sizeof *session);
+        thud_scene_init(&session->scene);
+        thud_paths_find(&session->paths);
+        return THUD_OK;
+    }
+    enum thud_status status = thud_session_open(session, preset, err);
+    if (status == THUD_OK)
+        status = thud_scene_periods(&session->scene, study->mark, THUD_STRUCTURES_MAX, &study->nmarks, err);
+    if (status == THUD_OK && study->nmarks > 0)
+        range_of_buildings(study);
+    return status;
+}
+
+static enum thud_status work(const struct thud_args *args, struct thud_session *session, struct thud_suite_study *study,
+                             struct thud_error *err)
+{
+    struct thud_record_list records = {0};
+    struct thud_picture_choice picture;
+    struct thud_text text = {0};
+    enum thud_status status = thud_picture_options_read(args, &picture, err);
+    if (status == THUD_OK)
+        status = open_session(args, session, study, err);
+    if (status == THUD_OK)
+        status = read_options(args, study, err);
+    if (status == THUD_OK)
+        status = thud_records_named(args, session, args->operand[0], false, &records, err);
+    study->records = &records;
+    if (status == THUD_OK)
+        status = thud_suite_study_run(study, err);
+    if (status == THUD_OK && thud_args_has(args, "json"))
+        thud_suite_motions_json(study, &text);
+    else if (status == THUD_OK && thud_args_has(args, "csv"))
+        thud_suite_motions_csv(study, &text);
+    else if (status == THUD_OK)
+        thud_suite_motions_table(study, &text);
+    if (status == THUD_OK && thud_args_has(args, "o"))
+        status = save(study, thud_args_value(args, "o"), &picture, err);
+    if (status == THUD_OK || status == THUD_GNUPLOT) {
+        enum thud_status printed = thud_cli_print(&text, status == THUD_OK ? err : NULL);
+        status = status == THUD_OK ? printed : status;
+    }
+    thud_text_clear(&text);
+    thud_suite_study_clear(study);
+    thud_record_list_clear(&records);
+    return status;
+}
+
+enum thud_status thud_command_suite(const struct thud_args *args, struct thud_error *err)
+{
+    if (args->noperands != 1) {
+        thud_error_set(err, THUD_USAGE, "thud suite needs ground motions");
+        thud_error_allow(err, "FOLDER, NAME.list, or FILE,FILE,...");
+        return THUD_USAGE;
+    }
+    struct thud_session *session = calloc(1, sizeof *session);
+    struct thud_suite_study *study = calloc(1, sizeof *study);
+    enum thud_status status = THUD_MEMORY;
+    if (session && study) {
+        thud_scaling_init(&study->scaling);
+        status = work(args, session, study, err);
+        thud_session_close(session);
+    } else {
+        thud_error_set(err, THUD_MEMORY, "out of memory");
+    }
+    free(study);
+    free(session);
+    return status;
+}

@@ -1,0 +1,87 @@
+#include "ground/identity.h"
+
+#include <math.h>
+#include <string.h>
+
+static bool is_letter(char c)
+{
+    return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+}
+
+static char upper(char c)
+{
+    return c >= 'a' && c <= 'z' ? (char)(c - 'a' + 'A') : c;
+}
+
+/* Whether one of the words of letters in a text (U-D is one) stands for a vertical direction. */
+static bool says_vertical(const char *text)
+{
+    static const char *const word[] = {"UP", "UD", "U-D", "VER", "VERT", "VERTICAL", "DWN", "DOWN", "V", "Z"};
+    while (*text) {
+        char found[12] = "";
+        size_t n = 0, length = 0;
+        while (is_letter(text[n]) || (text[n] == '-' && n == 1 && is_letter(text[n + 1]) && !is_letter(text[n + 2])))
+            n++;
+        for (; length < n && length + 1 < sizeof found; length++)
+            found[length] = upper(text[length]);
+        for (size_t i = 0; n == length && i < sizeof word / sizeof *word; i++)
+            if (strcmp(found, word[i]) == 0)
+                return true;
+        if (n == 3 && found[2] == 'Z' && strchr("HBEFS", found[0]) && strchr("NLGH", found[1])) /* SEED channel codes */
+            return true;
+        text += n > 0 ? n : 1;
+    }
+    return false;
+}
+
+bool thud_record_is_vertical(const struct thud_record *record)
+{
+    const char *slash = strrchr(record->file, '/'), *name = slash ? slash + 1 : record->file, *dot = strrchr(name, '.');
+    const char *dash = strrchr(name, '-'), *line = strrchr(name, '_');
+    const char *last = dash > line ? dash : line; /* "rsn6-elc-up.at2" */
+    if (says_vertical(record->component))
+        return true;
+    if (strstr(record->format, "K-NET") || strstr(record->format, "KiK"))
+        return strcmp(record->component, "3") == 0 || strcmp(record->component, "6") == 0;
+    char tail[8] = "";
+    if (last && dot && dot > last && (size_t)(dot - last) < sizeof tail)
+        memcpy(tail, last + 1, (size_t)(dot - last - 1));
+    bool letters = strlen(tail) > 1;
+    for (const char *c = tail; *c; c++)
+        letters = letters && is_letter(*c);
+    return (letters && says_vertical(tail)) || (dot && strlen(dot) > 2 && says_vertical(dot + 1));
+}
+
+bool thud_record_same_event(const struct thud_record *a, const struct thud_record *b)
+{
+    return a->event[0] && strcmp(a->event, b->event) == 0;
+}
+
+bool thud_record_same_station(const struct thud_record *a, const struct thud_record *b)
+{
+    return thud_record_same_event(a, b) && a->station[0] && strcmp(a->station, b->station) == 0;
+}
+
+static double at(const struct thud_record *record, double time_s)
+{
+    double x = time_s / record->dt_s;
+    size_t i = (size_t)x;
+    if (i + 1 >= record->samples)
+        return i < record->samples ? record->a_mps2[i] : 0;
+    return record->a_mps2[i] + (x - (double)i) * (record->a_mps2[i + 1] - record->a_mps2[i]);
+}
+
+bool thud_record_same_motion(const struct thud_record *a, const struct thud_record *b)
+{
+    double of_a = thud_record_peak(a), of_b = thud_record_peak(b), dt = fmax(a->dt_s, b->dt_s);
+    double end = fmin((double)(a->samples - 1) * a->dt_s, (double)(b->samples - 1) * b->dt_s), same = 0, turned = 0;
+    if (!(of_a > 0 && of_b > 0))
+        return false;
+    for (double t = 0; t <= end && (same < 0.01 || turned < 0.01); t += dt) {
+        double x = at(a, t) / of_a, y = at(b, t) / of_b;
+        same = fmax(same, fabs(x - y));
+        turned = fmax(turned, fabs(x + y));
+    }
+    return (same < 0.01 || turned < 0.01) && end > 0.5 * (double)(a->samples - 1) * a->dt_s &&
+           end > 0.5 * (double)(b->samples - 1) * b->dt_s;
+}

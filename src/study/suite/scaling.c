@@ -1,0 +1,252 @@
+/* Selection and scaling of ground motions to a target spectrum.
+ *
+ * Each motion gets the factor of least squares of ln(target/Sa) over the periods (thud_target_factor); those with the
+ * least rest are taken, one component of a station and so many of an event. One more factor, of all of them, lifts the
+ * mean of their spectra to 90 % of the target where it is least (EN 1998-1 3.2.3.1.2(4)b) and their mean peak to the
+ * target's value at T = 0 (4(a)); scaled in common there is that factor alone, which may be below 1. */
+#include "study/suite/scaling.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/quantity.h"
+#include "ground/identity.h"
+
+static const double least_share = 0.9; /* of the target, by the code */
+/* A period is resolved where a motion has a sample in each quarter of it. */
+static const double samples_per_period = 4;
+
+void thud_scaling_init(struct thud_scaling *scaling)
+{
+    *scaling = (struct thud_scaling){.factor_most = 4, .per_event = 2, .from_s = 0.1, .to_s = 2};
+}
+
+void thud_scaled_suite_clear(struct thud_scaled_suite *suite)
+{
+    free(suite->motion);
+    *suite = (struct thud_scaled_suite){0};
+}
+
+/* The periods that count: those asked for that the target has and the motions resolve. */
+static enum thud_status set_range(const struct thud_record *const *record, int n, const struct thud_target *target,
+                                  const struct thud_scaling *s, struct thud_scaled_suite *suite, struct thud_error *err)
+{
+    double from = s->from_s, to = s->to_s;
+    for (int i = 0; i < n; i++)
+        from = fmax(from, samples_per_period * record[i]->dt_s);
+    if (target && target->n > 0) {
+        from = fmax(from, target->period_s[0]);
+        to = fmin(to, target->period_s[target->n - 1]);
+    }
+    if (!(from > 0) || !(to > from)) {
+        thud_error_set(err, THUD_INPUT, "no period from %.4g to %.4g s is resolved by the motions and in the target",
+                       s->from_s, s->to_s);
+        thud_error_allow(err, "a range that begins at four samples or more, from < to");
+        return THUD_INPUT;
+    }
+    suite->narrowed = from > s->from_s || to < s->to_s;
+    thud_target_periods(from, to, THUD_SCALING_PERIODS, suite->period_s);
+    return THUD_OK;
+}
+
+/* Why a motion may not be taken beside those that are; NULL: it may. */
+static const char *objection(const struct thud_record *const *record, const struct thud_scaled_suite *suite, int i,
+                             const struct thud_scaling *s, char *text, size_t size)
+{
+    const struct thud_scaled_motion *m = &suite->motion[i];
+    int of_event = 0;
+    if (!(m->peak_mps2 > 0))
+        return "it is all zeros";
+    if (!s->vertical && thud_record_is_vertical(record[i]))
+        return "a vertical component";
+    if (!s->common && (m->factor > s->factor_most || m->factor < 1 / s->factor_most)) {
+        snprintf(text, size, "its factor would be %.3g", m->factor);
+        return text;
+    }
+    for (int k = 0; k < suite->n; k++) {
+        if (!suite->motion[k].chosen)
+            continue;
+        of_event += thud_record_same_event(record[i], record[k]);
+        if (thud_record_same_station(record[i], record[k]))
+            return "another component of its station";
+        if (thud_record_same_motion(record[i], record[k]))
+            return "the same motion as another";
+    }
+    if (of_event < s->per_event)
+        return NULL;
+    snprintf(text, size, "%d others of its event", of_event);
+    return text;
+}
+
+/* The best of those not yet judged; -1 when all are. */
+static int next_best(const struct thud_scaled_suite *suite)
+{
+    int best = -1;
+    for (int i = 0; i < suite->n; i++)
+        if (!suite->motion[i].chosen && !suite->motion[i].why[0] &&
+            (best < 0 || suite->motion[i].misfit < suite->motion[best].misfit))
+            best = i;
+    return best;
+}
+
+static void choose(const struct thud_record *const *record, struct thud_scaled_suite *suite,
+                   const struct thud_scaling *s)
+{
+    int wanted = s->count > 0 ? s->count : suite->n;
+    for (int i; (i = next_best(suite)) >= 0;) {
+        struct thud_scaled_motion *m = &suite->motion[i];
+        char text[64];
+        const char *why = suite->chosen < wanted ? objection(record, suite, i, s, text, sizeof text) : "fits less well";
+        m->chosen = why == NULL;
+        suite->chosen += m->chosen;
+        if (why)
+            snprintf(m->why, sizeof m->why, "%s", why);
+    }
+}
+
+/* The factor of all, and the mean that comes of it. */
+static void scale_all(struct thud_scaled_suite *suite, const struct thud_target *target, bool common)
+{
+    double count = suite->chosen, peak = 0, need = 0;
+    for (int p = 0; p < THUD_SCALING_PERIODS; p++)
+        suite->mean_mps2[p] = 0;
+    for (int i = 0; i < suite->n; i++) {
+        struct thud_scaled_motion *m = &suite->motion[i];
+        m->factor = common ? 1 : m->factor;
+        for (int p = 0; m->chosen && p < THUD_SCALING_PERIODS; p++)
+            suite->mean_mps2[p] += m->factor * m->sa_mps2[p] / count;
+        peak += m->chosen ? m->factor * m->peak_mps2 / count : 0;
+    }
+    for (int p = 0; p < THUD_SCALING_PERIODS && target; p++)
+        need = fmax(need, least_share * suite->target_mps2[p] / suite->mean_mps2[p]);
+    suite->zero_mps2 = target ? thud_target_sa(target, 0) : NAN;
+    if (target && suite->zero_mps2 > 0)
+        need = fmax(need, suite->zero_mps2 / peak);
+    suite->common = !target ? 1 : common ? need : fmax(1, need);
+    suite->mean_peak_mps2 = suite->common * peak;
+    suite->ratio = INFINITY;
+    for (int p = 0; p < THUD_SCALING_PERIODS; p++) {
+        suite->mean_mps2[p] *= suite->common;
+        double ratio = target ? suite->mean_mps2[p] / suite->target_mps2[p] : NAN;
+        if (ratio < suite->ratio) {
+            suite->ratio = ratio;
+            suite->ratio_s = suite->period_s[p];
+        }
+    }
+    for (int i = 0; i < suite->n; i++)
+        suite->motion[i].factor *= suite->common;
+}
+
+enum thud_status thud_suite_scale(const struct thud_record *const *record, int n, const struct thud_target *target,
+                                  const struct thud_scaling *scaling, struct thud_scaled_suite *out,
+                                  struct thud_error *err)
+{
+    *out = (struct thud_scaled_suite){.n = n, .motion = calloc((size_t)(n > 0 ? n : 1), sizeof *out->motion)};
+    if (!out->motion)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    enum thud_status status = set_range(record, n, target, scaling, out, err);
+    for (int p = 0; p < THUD_SCALING_PERIODS; p++)
+        out->target_mps2[p] = target ? thud_target_sa(target, out->period_s[p]) : NAN;
+    for (int i = 0; i < n && status == THUD_OK; i++) {
+        struct thud_scaled_motion *m = &out->motion[i];
+        m->peak_mps2 = thud_record_peak(record[i]);
+        m->factor = 1;
+        thud_target_motion(record[i], target ? target->damping : 0.05, out->period_s, THUD_SCALING_PERIODS, m->sa_mps2);
+        if (target && m->peak_mps2 > 0)
+            m->factor = thud_target_factor(out->target_mps2, m->sa_mps2, THUD_SCALING_PERIODS, &m->misfit);
+        m->chosen = !target;
+    }
+    out->chosen = target ? 0 : n;
+    if (status == THUD_OK && target)
+        choose(record, out, scaling);
+    if (status == THUD_OK && out->chosen == 0)
+        status =
+            thud_error_set(err, THUD_INPUT, "no motion can be taken: %s", n > 0 ? out->motion[0].why : "there is none");
+    if (status == THUD_OK)
+        scale_all(out, target, scaling->common);
+    else
+        thud_scaled_suite_clear(out);
+    return status;
+}
+
+/* ---- remarks ---- */
+
+/* The other way round of one that stands before it ("FILE:sign=-"). */
+static bool is_turned(const struct thud_record *const *record, int i)
+{
+    size_t n = i > 0 ? strlen(record[i - 1]->file) : 0;
+    return i > 0 && strncmp(record[i]->file, record[i - 1]->file, n) == 0 &&
+           strcmp(record[i]->file + n, ":sign=-") == 0;
+}
+
+static void name_of(const struct thud_record *record, char *text, size_t size)
+{
+    const char *slash = strrchr(record->file, '/');
+    snprintf(text, size, "%.100s", slash ? slash + 1 : record->file);
+}
+
+/* What is wrong with motion i; `kind` counts the questions. */
+static bool motion_remark(const struct thud_record *const *record, int count, int i, int kind, double factor,
+                          struct thud_error *out)
+{
+    char name[104], other[104];
+    name_of(record[i], name, sizeof name);
+    if (kind == 0 && !(factor <= 4 && factor >= 0.25)) {
+        thud_error_set(out, THUD_OK, "%s is scaled by %.3g", name, factor);
+        thud_error_allow(out, "usually 1/4 to 4: beyond, it is no longer a motion of such a size");
+        return true;
+    }
+    if (kind == 1 && thud_record_is_vertical(record[i])) {
+        thud_error_set(out, THUD_OK, "%s is a vertical component", name);
+        thud_error_allow(out, "buildings pound by horizontal motion");
+        return true;
+    }
+    for (int k = 0; k < i && k < count && kind == 2 && !is_turned(record, i); k++) {
+        bool same = thud_record_same_motion(record[i], record[k]);
+        name_of(record[k], other, sizeof other);
+        if (!same && !thud_record_same_station(record[i], record[k]))
+            continue;
+        thud_error_set(out, THUD_OK, same ? "%s and %s are one motion" : "%s and %s are two components of one station",
+                       other, name);
+        thud_error_allow(out, "motions that are independent of each other");
+        return true;
+    }
+    return false;
+}
+
+static bool suite_remark(const struct thud_record *const *record, int count, int kind, struct thud_error *out)
+{
+    bool one_event = count > 1;
+    for (int i = 1, all = count; i < all; i++) {
+        one_event = one_event && thud_record_same_event(record[0], record[i]);
+        count -= is_turned(record, i);
+    }
+    if (kind == 0 && one_event && count > 1) {
+        thud_error_set(out, THUD_OK, "all motions are of one event, %.90s", record[0]->event);
+        thud_error_allow(out, "motions of several events");
+        return true;
+    }
+    if (kind == 1 && count > 1 && count < 7) {
+        thud_error_set(out, THUD_OK, "%d motions are %s", count,
+                       count < 3 ? "fewer than codes accept"
+                                 : "few: codes then ask for the largest answer, not the mean");
+        thud_error_allow(out, "7 or more (EN 1998-1 4.3.3.4.3(3)); at least 3");
+        return true;
+    }
+    return false;
+}
+
+bool thud_suite_remark(const struct thud_record *const *record, const double *factor, int count, int n,
+                       struct thud_error *out)
+{
+    for (int kind = 0; kind < 2; kind++)
+        if (suite_remark(record, count, kind, out) && n-- == 0)
+            return true;
+    for (int i = 0; i < count; i++)
+        for (int kind = 0; kind < 3; kind++)
+            if (motion_remark(record, count, i, kind, factor ? factor[i] : fabs(record[i]->scale), out) && n-- == 0)
+                return true;
+    return false;
+}
