@@ -71,6 +71,14 @@ static void step(const struct thud_oscillator *o, int parts, double a0, double a
     }
 }
 
+/* Within an interval the response is a straight line and an oscillation that decays: at equal phases of its cycles a
+ * convex sequence where the oscillation adds to the line. So its largest value lies in the first period or in the last,
+ * and those between are passed in closed form. */
+static double damped_period(double omega, double damping)
+{
+    return 2 * THUD_PI / (omega * sqrt(1 - damping * damping));
+}
+
 struct thud_spectrum_point thud_spectrum_at(const struct thud_record *record, double period, double damping)
 {
     assert(period >= 0 && isfinite(period) && damping >= 0 && damping < 1);
@@ -79,13 +87,22 @@ struct thud_spectrum_point thud_spectrum_at(const struct thud_record *record, do
         point.acceleration_mps2 = thud_record_peak(record);
         return point;
     }
-    double omega = 2 * THUD_PI / period;
-    int parts = (int)fmin(ceil(omega * record->dt_s / 0.2), 1e6); /* a part is short enough for the polynomial */
-    struct thud_oscillator o;
-    thud_oscillator_init(&o, omega, damping, record->dt_s / parts);
+    const double omega = 2 * THUD_PI / period, dt = record->dt_s, ends = damped_period(omega, damping);
+    const bool skips = 2 * ends < dt;
+    const int parts = (int)ceil(omega * (skips ? ends : dt) / 0.2); /* a part is short enough for the polynomial */
+    struct thud_oscillator o, middle;
+    thud_oscillator_init(&o, omega, damping, (skips ? ends : dt) / parts);
+    thud_oscillator_init(&middle, omega, damping, skips ? dt - 2 * ends : dt);
     double x = 0, v = 0, peak[3] = {0, 0, 0};
-    for (size_t i = 0; i + 1 < record->samples; i++)
-        step(&o, parts, record->a_mps2[i], record->a_mps2[i + 1], &x, &v, peak);
+    for (size_t i = 0; i + 1 < record->samples; i++) {
+        const double a0 = record->a_mps2[i], a1 = record->a_mps2[i + 1];
+        const double after = a0 + (a1 - a0) * (ends / dt), before = a1 - (a1 - a0) * (ends / dt);
+        step(&o, parts, a0, skips ? after : a1, &x, &v, peak);
+        if (skips) {
+            thud_oscillator_step(&middle, after, before, &x, &v);
+            step(&o, parts, before, a1, &x, &v, peak);
+        }
+    }
     /* left alone, it turns back within one more period */
     thud_oscillator_init(&o, omega, damping, period / 50);
     step(&o, 50, 0, 0, &x, &v, peak);
