@@ -294,6 +294,29 @@ START_TEST(steps_are_checked_and_chosen)
 }
 END_TEST
 
+/* What is promised of a tolerance: light floors on stiff storeys, undamped, whose fast modes hold hardly any energy. */
+START_TEST(dormand_prince_keeps_its_tolerance)
+{
+    double mass[] = {2.3e3, 1.6e3, 358e3}, k[] = {932e6, 932e6, 932e6};
+    struct thud_structure_input s = {.n = 3, .mass_kg = mass, .stiffness_npm = k};
+    struct thud_model *model = NULL;
+    struct thud_record *record = march_motion(1);
+    ck_assert_int_eq(thud_model_create(&(struct thud_model_input){1, &s, 0, NULL, 0}, &model, NULL), THUD_OK);
+    struct march exact = march_run(model, record, "exact", 0, 1e-6, true, 2);
+    for (double tolerance = 1e-2; tolerance > 1e-8; tolerance /= 100) {
+        struct march m = march_run(model, record, "dormand-prince", 0, tolerance, true, 2);
+        ck_assert_int_eq(m.status, THUD_OK);
+        ck_assert_double_le(march_peaks_apart(m.result, exact.result, 0), 10 * tolerance);
+        ck_assert_double_le(thud_run_balance(m.run), 11 * tolerance); /* and the ledger follows it */
+        ck_assert_double_le(m.result->energy.error_ratio, tolerance);
+        march_free(&m);
+    }
+    march_free(&exact);
+    thud_record_free(record);
+    thud_model_free(model);
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -304,6 +327,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, energy_after_fifty_seconds_of_impacts);
     tcase_add_test(tcase, a_lagged_force_throws_back_faster);
     tcase_add_test(tcase, dormand_prince_on_towers);
+    tcase_add_test(tcase, dormand_prince_keeps_its_tolerance);
     tcase_add_test(tcase, fixed_steps_on_towers);
     tcase_add_test(tcase, coarse_located_steps_on_towers);
     tcase_add_test(tcase, what_does_not_locate_comes_near);

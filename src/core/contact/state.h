@@ -130,6 +130,13 @@ static inline bool thud_contact_acts(const struct thud_contact_state *s)
     return s->mode == THUD_CLOSED || s->mode == THUD_STICKING;
 }
 
+/* Least scale of the errors of a contact's force, N. */
+static inline double thud_contact_least_force(const struct thud_state *state, int c)
+{
+    return state->model->contact[c].setup.mass_kg *
+           thud_larger(THUD_TOL_GROUND_FORCE * state->ground_mps2, THUD_TOL_LEAST_ACCELERATION_MPS2);
+}
+
 /* Kinetic energy of the structures, and what their storeys would give back, J. */
 double thud_state_kinetic(const struct thud_state *state);
 double thud_state_strain(const struct thud_state *state);

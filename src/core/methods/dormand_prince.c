@@ -23,18 +23,31 @@ static const double difference[7] = {71.0 / 57600,      0,          -71.0 / 1669
 
 struct dormand_prince {
     struct thud_rk rk;
-    double h;     /* to try next */
-    double speed; /* modal speed in which errors are measured */
+    double h;                 /* to try next */
+    double speed;             /* modal speed in which errors are measured, and */
+    double *scale_mps2;       /* (nstructures) largest total accelerations so far */
+    double *scale_n;          /* (nrows) largest forces so far */
+    struct thud_motion error; /* of the step at its end */
+    double *block;
 };
 
 enum thud_status thud_dormand_prince_create(const struct thud_state *state, void **own, struct thud_error *err)
 {
     struct dormand_prince *x = *own = calloc(1, sizeof *x);
-    if (!x || thud_rk_init(&x->rk, state, &tableau, err) != THUD_OK) {
+    const size_t structures = (size_t)state->model->nstructures;
+    double *block =
+        x ? x->block = calloc(thud_motion_size(state->model) + structures + (size_t)state->model->nrows, sizeof *block)
+          : NULL;
+    if (!block || thud_rk_init(&x->rk, state, &tableau, err) != THUD_OK) {
+        free(block);
         free(x);
         *own = NULL;
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
+    x->scale_mps2 = thud_motion_place(&x->error, state->model, block);
+    x->scale_n = x->scale_mps2 + structures;
+    for (size_t s = 0; s < structures; s++)
+        x->scale_mps2[s] = state->ground_mps2;
     double mass = 0;
     for (int j = 0; j < state->model->nmodes; j++)
         mass += state->model->gamma[j] * state->model->gamma[j];
@@ -50,15 +63,53 @@ void thud_dormand_prince_free(void *own)
     if (!x)
         return;
     thud_rk_clear(&x->rk);
+    free(x->block);
     free(x);
 }
 
-/* Error of the step in energy terms, sqrt(sum of (error of q')^2 + omega^2 (error of q)^2), over the absolute scale:
- * the speed of all floors moving with the ground at its fastest, and that of the initial motion. A free body's
- * displacement counts at 1 rad/s. */
-static double error_of(const struct thud_state *state, const struct dormand_prince *x, double h)
+/* The largest total acceleration of a structure's floors at a motion. */
+static double largest_acceleration(const struct thud_model *m, const struct thud_model_structure *p, const double *qdd,
+                                   double ground)
+{
+    double largest = 0;
+    for (int i = p->first; i < p->first + p->n; i++)
+        largest = fmax(largest, fabs(thud_model_floor(m, i, qdd) + m->ground_influence[i] * ground));
+    return largest;
+}
+
+/* Scales of the accelerations at the start of a step: what they are, and what a contact that has just begun will make of
+ * them. */
+static void raise_scales(const struct thud_state *state, struct dormand_prince *x)
 {
     const struct thud_model *m = state->model;
+    const double ground = thud_step_ground(state, 0);
+    for (int s = 0; s < m->nstructures; s++)
+        x->scale_mps2[s] =
+            fmax(x->scale_mps2[s], largest_acceleration(m, &m->structure[s], x->rk.stage[0].qdd, ground));
+    for (int c = 0; c < m->nrows; c++)
+        x->scale_n[c] = fmax(x->scale_n[c], fabs(x->rk.stage[0].force[c]));
+    for (int c = 0; c < m->ncontacts; c++) {
+        const int dof[] = {m->contact[c].left_dof, m->contact[c].right_dof};
+        if (state->contact[c].mode != THUD_CLOSED || state->contact[c].suppressed.indentation == 0)
+            continue;
+        for (int i = 0; i < 2; i++)
+            if (dof[i] >= 0)
+                x->scale_mps2[m->dof_structure[dof[i]]] = fmax(x->scale_mps2[m->dof_structure[dof[i]]],
+                                                               state->contact[c].expected_force_n / m->mass_kg[dof[i]]);
+    }
+}
+
+/* Error of the step, the largest of three parts:
+ * - in energy terms, sqrt(sum of (error of q')^2 + omega^2 (error of q)^2), over the speed of all floors moving with the
+ *   ground at its fastest, and that of the initial motion; a free body's displacement counts at 1 rad/s;
+ * - what that makes of the floors' total accelerations, over the largest of the structure so far or now, and no less
+ *   than the peak of the ground's: fast modes and light floors, whose energy is small, count here;
+ * - and of the rows' forces, over what is expected of them. */
+static double error_of(const struct thud_state *state, struct dormand_prince *x, double h)
+{
+    const struct thud_model *m = state->model;
+    const struct thud_motion *end = &x->rk.stage[tableau.stages - 1];
+    const double ground = thud_step_ground(state, h);
     double sum = 0;
     for (int j = 0; j < m->nmodes; j++) {
         double q = 0, qd = 0, w = fmax(m->omega[j], 1);
@@ -66,22 +117,40 @@ static double error_of(const struct thud_state *state, const struct dormand_prin
             q += difference[i] * x->rk.stage[i].qd[j];
             qd += difference[i] * x->rk.stage[i].qdd[j];
         }
+        x->error.q[j] = h * q;
+        x->error.qd[j] = h * qd;
         sum += qd * qd + w * w * q * q;
     }
-    return h * sqrt(sum) / fmax(x->speed, 1e-9);
+    double error = h * sqrt(sum) / fmax(x->speed, 1e-9);
+    thud_step_motion_change(state, end, &x->error);
+    for (int s = 0; s < m->nstructures; s++) {
+        const struct thud_model_structure *p = &m->structure[s];
+        double scale = fmax(x->scale_mps2[s], largest_acceleration(m, p, end->qdd, ground));
+        error =
+            fmax(error, largest_acceleration(m, p, x->error.qdd, 0) / fmax(scale, THUD_TOL_LEAST_ACCELERATION_MPS2));
+    }
+    for (int c = 0; c < m->nrows; c++) {
+        const struct thud_contact_state *s = &state->contact[c];
+        double scale = fmax(fmax(x->scale_n[c], s->expected_force_n), fabs(end->force[c]));
+        error = fmax(error, fabs(x->error.force[c]) / fmax(scale, thud_contact_least_force(state, c)));
+    }
+    return isfinite(sum) ? error : INFINITY;
 }
 
 enum thud_status thud_dormand_prince_step(const struct thud_state *state, void *own, struct thud_segment *seg,
                                           struct thud_error *err)
 {
-    static const double share = 1e-2; /* of the tolerance, for one step: errors add up, and impacts make them grow */
+    /* of the tolerance, for one step: errors add up, and impacts make them grow; and for the steps of a whole run */
+    static const double step_share = 1e-2, run_share = 500, least_share = 1e-3;
     struct dormand_prince *x = own;
-    double tolerance = share * state->tolerance, remaining = thud_step_room(state);
+    double remaining = thud_step_room(state);
     thud_rk_start(state, &x->rk);
+    raise_scales(state, x);
     for (;;) {
         double h = remaining / fmax(1, ceil(remaining / x->h * (1 - THUD_TOL_STEP_COUNT)));
         thud_rk_stages(state, &x->rk, h);
         double error = error_of(state, x, h);
+        double tolerance = thud_smaller(step_share, fmax(least_share, run_share * h / state->end_s)) * state->tolerance;
         double factor = isfinite(error) ? 0.9 * pow(tolerance / fmax(error, 1e-10 * tolerance), 0.2) : 0.1;
         factor = fmin(5, fmax(0.1, factor));
         if (error <= tolerance) {

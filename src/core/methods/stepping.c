@@ -111,6 +111,31 @@ void thud_step_motion(const struct thud_state *state, struct thud_motion *x, dou
     thud_model_apply_contact_forces(m, x->force, x->qdd);
 }
 
+void thud_step_motion_change(const struct thud_state *state, const struct thud_motion *x, struct thud_motion *change)
+{
+    const struct thud_model *m = state->model;
+    bool sticking = false;
+    thud_model_acceleration(m, change->q, change->qd, 0, change->qdd);
+    memset(change->force, 0, (size_t)m->nrows * sizeof *change->force);
+    for (int c = 0; c < m->nrows; c++) {
+        const bool contact = !thud_model_row_storey(m, c);
+        double d = thud_model_gap_sum(m, c, x->q) - (contact ? thud_state_clearance(state, c) : 0), left, right, by_d,
+               by_v, more_d = thud_model_gap_sum(m, c, change->q), more_v = thud_model_gap_sum(m, c, change->qd);
+        sticking |= state->contact[c].mode == THUD_STICKING;
+        if (contact && (state->locates ? state->contact[c].mode != THUD_CLOSED : d <= 0))
+            continue;
+        thud_model_sides(m, c, x->qd, &left, &right);
+        thud_step_force(state, c, d, left - right, &by_d, &by_v);
+        if (fabs(more_d) > THUD_TOL_INDENTATION_M)
+            change->force[c] += by_d * more_d;
+        if (fabs(more_v) > THUD_TOL_RATE * (fabs(left) + fabs(right)))
+            change->force[c] += by_v * more_v;
+    }
+    if (sticking)
+        thud_contact_constraint_forces(state, change->qdd, change->force);
+    thud_model_apply_contact_forces(m, change->force, change->qdd);
+}
+
 static void write_motion(const struct thud_state *state, struct thud_segment *seg, const struct thud_motion *start,
                          const struct thud_motion *end)
 {
@@ -119,7 +144,10 @@ static void write_motion(const struct thud_state *state, struct thud_segment *se
     memset(c + 6 * n, 0, (TERMS - 6) * (size_t)n * sizeof *c);
     for (int j = 0; j < n; j++) {
         double d = end->q[j] - start->q[j], v0 = h * start->qd[j], v1 = h * end->qd[j];
-        double a0 = h * h * start->qdd[j], a1 = h * h * end->qdd[j];
+        double a0 = h * h * start->qdd[j], a1 = h * h * end->qdd[j], by_rates = 0.5 * (v0 + v1) + (a0 - a1) / 12;
+        /* in a short step the difference of positions is rounding, and would be one of rates, larger by 1/h */
+        if (fabs(d - by_rates) <= THUD_TOL_STATE * (fabs(start->q[j]) + fabs(end->q[j])))
+            d = by_rates;
         c[j] = start->q[j];
         c[n + j] = v0;
         c[2 * n + j] = 0.5 * a0;

@@ -33,6 +33,10 @@ double thud_step_force(const struct thud_state *state, int c, double d, double v
 /* Forces of all contacts and the acceleration, from motion->q, qd, `after` seconds from now. */
 void thud_step_motion(const struct thud_state *state, struct thud_motion *motion, double after);
 
+/* What small changes of q and q' in change->q, qd make of the forces and accelerations at x, into change->force, qdd.
+ * Changes of an indentation and its rate that rounding may have left make no force. */
+void thud_step_motion_change(const struct thud_state *state, const struct thud_motion *x, struct thud_motion *change);
+
 /* The segment of length h with the quintic of every mode through q, q', q'' of both ends (so that at s = 1 the state is
  * the method's own), and the contact forces: located, the law's along that motion; else straight from end to end, which
  * is all that such a step knows. Not located, observers read the two ends alone (seg->start, seg->end), and the

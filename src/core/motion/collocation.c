@@ -97,9 +97,7 @@ static double force_scale(const struct thud_state *state, const struct thud_coll
         scale = thud_larger(scale, fabs(x->force[a * THUD_POINTS + i]));
     if (state->contact[c].phase == THUD_APPROACH)
         scale = thud_larger(scale, state->contact[c].expected_force_n);
-    return thud_larger(scale,
-                       state->model->contact[c].setup.mass_kg *
-                           thud_larger(THUD_TOL_GROUND_FORCE * state->ground_mps2, THUD_TOL_LEAST_ACCELERATION_MPS2));
+    return thud_larger(scale, thud_contact_least_force(state, c));
 }
 
 /* Indentation at the state, as the step takes it: what has just touched has not moved yet. */
