@@ -8,7 +8,7 @@ VERSION  := $(or $(shell sed -n 's/.*THUD_VERSION "\(.*\)".*/\1/p' include/base/
 
 # Flags.  CFLAGS, CPPFLAGS and LDFLAGS stay the user's; they come last.  gcc's analyzer sees leaks where a block is kept in a list; the address
 # sanitizer and the failing-memory tests look for real ones.
-release  := -O3 -DNDEBUG
+release  := -O3 -DNDEBUG -fPIE -fstack-protector-strong $(if $(findstring _FORTIFY_SOURCE,$(CPPFLAGS) $(CFLAGS)),,-U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2)
 check    := -O2
 debug    := -O0 -g3
 asan     := -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
@@ -24,7 +24,8 @@ PKG_L    := $(shell pkg-config --libs $(PKG) 2>/dev/null)
 LAPACK   := $(or $(shell pkg-config --libs lapacke lapack 2>/dev/null),-llapacke)
 COMPILE  := $(CC) -Iinclude -Isrc -D_XOPEN_SOURCE=700 $(PKG_I) -std=c17 -pthread -ffp-contract=off -fno-math-errno \
             $(WARN) $($(VARIANT)) $(CPPFLAGS) $(CFLAGS)
-LINK     := $(CC) -pthread $($(VARIANT)) $(CFLAGS) $(LDFLAGS)
+HARDENED := $(if $(filter Darwin,$(shell uname -s)),,-pie -Wl,-z,relro,-z,now)
+LINK     := $(CC) -pthread $($(VARIANT)) $(if $(filter release,$(VARIANT)),$(HARDENED)) $(CFLAGS) $(LDFLAGS)
 LDLIBS   += -lcsv $(PKG_L) $(LAPACK) -lm
 
 # One short line for each file made; V=1 shows the commands themselves.

@@ -1,5 +1,5 @@
 /* thud bench: speed against accuracy, every method; and what a run costs as its scene grows. */
-#include <signal.h>
+#include <stdatomic.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -23,7 +23,7 @@ static void show_progress(void *context, const char *what, int done, int count)
 /* With -o `csv` as NAME.csv and the figure; then the table on standard output, whose reader may be gone before its end.
  * All three are used up. */
 static enum thud_status deliver(const struct thud_args *args, struct thud_text *table, struct thud_text *csv,
-                                struct thud_figure *figure, const volatile sig_atomic_t *cancel, struct thud_error *err)
+                                struct thud_figure *figure, const atomic_int *cancel, struct thud_error *err)
 {
     struct thud_picture_choice picture;
     const char *folder = thud_args_value(args, "o");

@@ -1,5 +1,5 @@
 /* thud stability: where methods fail. */
-#include <signal.h>
+#include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -32,8 +32,8 @@ static enum thud_status save(const struct thud_stability *stability, const char 
     return thud_figure_deliver(thud_stability_energies(stability), folder, options, status, err);
 }
 
-static enum thud_status work(const struct thud_args *args, struct thud_stability *stability,
-                             const volatile sig_atomic_t *cancel, struct thud_error *err)
+static enum thud_status work(const struct thud_args *args, struct thud_stability *stability, const atomic_int *cancel,
+                             struct thud_error *err)
 {
     thud_progress_start(args);
     enum thud_status status = THUD_OK;
@@ -56,7 +56,7 @@ static enum thud_status stability(const struct thud_args *args, struct thud_sess
     struct thud_picture_choice picture;
     struct thud_text text = {0};
     const char *folder = thud_args_value(args, "o");
-    const volatile sig_atomic_t *cancel = thud_interrupt_watch();
+    const atomic_int *cancel = thud_interrupt_watch();
     enum thud_status status = thud_picture_options_read(args, &picture, err);
     if (status == THUD_OK)
         status = thud_scene_options_of_case(args, session, scene, err);

@@ -1,11 +1,14 @@
 #include "cli/interrupt.h"
 
+#include <signal.h>
 #include <stdbool.h>
 #include <stddef.h>
 
 #include "io/file/file.h"
 
-static volatile sig_atomic_t caught, watched;
+/* Threads read what the handler sets; C17 (7.14.1.1) lets a handler refer to atomic objects that have no lock. */
+_Static_assert(ATOMIC_INT_LOCK_FREE == 2, "a signal handler sets them");
+static atomic_int caught, watched;
 
 /* Where nobody looks at the flag, or has not come to it yet, the program ends here, and leaves no file half written. */
 static void note(int number)
@@ -35,7 +38,7 @@ void thud_interrupt_start(void)
     signal(SIGXFSZ, SIG_IGN); /* a write beyond the limit fails, which is said */
 }
 
-const volatile sig_atomic_t *thud_interrupt_watch(void)
+const atomic_int *thud_interrupt_watch(void)
 {
     watched = 1;
     handle(SIGINT, true);

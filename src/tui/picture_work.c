@@ -1,7 +1,7 @@
 #include "tui/picture_work.h"
 
 #include <fcntl.h>
-#include <signal.h>
+#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -12,7 +12,7 @@
 struct thud_picture_work {
     pthread_t thread;
     int wake[2];
-    volatile sig_atomic_t cancel; /* set by one thread and read by the other: atomic accesses only */
+    atomic_int cancel; /* set by one thread and read by the other */
     struct thud_picture_options options;
     char folder[512];
     struct thud_picture_screen screen;
@@ -53,7 +53,7 @@ static void *write_all(void *context)
     int done = 0;
     for (int i = 0; i < work->count && (work->status == THUD_OK || work->status == THUD_GNUPLOT); i++) {
         struct thud_figure *figure = work->figure[i];
-        if (__atomic_load_n(&work->cancel, __ATOMIC_RELAXED)) {
+        if (work->cancel) {
             work->status = thud_error_set(&work->error, THUD_CANCELLED, "stopped");
             break;
         }
@@ -139,7 +139,7 @@ bool thud_picture_work_look(struct thud_picture_work *work, int *done, int *coun
 
 void thud_picture_work_stop(struct thud_picture_work *work)
 {
-    __atomic_store_n(&work->cancel, 1, __ATOMIC_RELAXED);
+    work->cancel = 1;
 }
 
 enum thud_status thud_picture_work_finish(struct thud_picture_work *work, int *done, struct thud_text *picture,

@@ -131,3 +131,13 @@ else
     echo "not ok - the core library links by itself"
     sed 's/^/# /' "$tmp/out"
 fi
+
+# the shipped program is hardened: a position-independent one, its tables read-only once it runs, its stack and its copies checked
+if ! command -v readelf >/dev/null 2>&1 || [ "$BUILD" != build/release ]; then
+    echo "ok - the program is hardened # SKIP no readelf, or another build"
+else
+    readelf -hdlsW "$BUILD/thud" >"$tmp/out" 2>&1
+    for sign in 'Type: *DYN' 'GNU_RELRO' 'Flags: .*NOW.* PIE' '__stack_chk_fail' '__[a-z]*printf_chk'; do
+        if grep -q -e "$sign" "$tmp/out"; then echo "ok - the program is hardened: $sign"; else echo "not ok - the program is hardened: $sign"; fi
+    done
+fi

@@ -6,8 +6,9 @@ THUD=${THUD:-$PWD/thud}
 tmp=$(mktemp -d) || exit 1
 trap 'rm -rf "$tmp"' EXIT
 n=0
-if ! command -v script >/dev/null 2>&1; then
-    echo "ok 1 - progress on a terminal # SKIP no script(1)"
+why=$(sh tests/tools/no-terminal.sh script)
+if [ -n "$why" ]; then
+    echo "ok 1 - progress on a terminal # SKIP $why"
     exit 0
 fi
 check() { # WHAT CONDITION...

@@ -71,3 +71,14 @@ else
     echo "not ok - a unit test that asserts nothing has failed"
     sed 's/^/# /' "$tmp/out"
 fi
+
+# where no terminal can be made, what needs one is skipped with that reason
+for t in cli/test_progress screens/test_terminal; do
+    PTMX=/nowhere sh "tests/$t.sh" >"$tmp/out" 2>&1
+    if [ "$(wc -l <"$tmp/out")" -eq 1 ] && grep -q '^ok 1 - .* # SKIP no \(/dev/pts\|script\|tmux\)' "$tmp/out"; then
+        echo "ok - without terminals $t is skipped"
+    else
+        echo "not ok - without terminals $t is skipped"
+        sed 's/^/# /' "$tmp/out" | head -20
+    fi
+done

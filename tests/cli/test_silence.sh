@@ -1,5 +1,6 @@
 #!/bin/sh
 # What a reader might lose in silence is refused, with its line: a byte 0, a setting given twice, a pipe that nobody writes into.  TAP.
+# shellcheck disable=SC2016 # expanded by the inner shells
 # shellcheck source=tests/cli/program.sh
 . "$(dirname "$0")/program.sh"
 cp records/kobe-surrogate.csv "$tmp/a.csv"
@@ -61,7 +62,6 @@ is "a line that begins with !" gives 3 towers --play bang.play
 is "is no command" says '^bang.play:2: "! x" is no command'
 printf '\033[31mset gap 5 cm\n' >escape.play
 is "a line with an escape" gives 3 towers --play escape.play
-# shellcheck disable=SC2016
 is "is not sent to the terminal" sh -c '! LC_ALL=C grep -q "$(printf "\033")" "$1" && grep -q "^> ?\[31mset" "$1"' sh out
 { printf 'records ' && awk 'BEGIN { for (i = 0; i < 200; i++) printf "a.csv:peak=0.%03dg,", i; print "b.csv" }'; } >long.play
 is "a line that is longer than there is room for" gives 3 towers --play long.play
@@ -120,6 +120,5 @@ is "figures of a name that ends a section of XML" gives 0 run cdata.yaml --to 2s
 is "end none" sh -c 'grep -q "]]&gt;" cdata/force.svg && ! grep -q "]]>" cdata/*.svg'
 
 # a file that may not grow is no full disk
-# shellcheck disable=SC2016
 is "a study whose journal reaches the limit of a file's size" sh -c 'ulimit -f 8; "$THUD" sweep towers --vary gap=5cm:15cm:0.5cm --cases none,bumper --to 3s --quiet -o limited >out 2>err; [ $? -eq 6 ]'
 is "names the limit" says '^limited/sweep.journal: File too large'

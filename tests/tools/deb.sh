@@ -10,6 +10,7 @@ root=$stage/thud
 umask 022
 
 tests/tools/install.sh install "$root/usr"
+rm "$root/usr/share/thud/folders" # dpkg knows its own
 strip --remove-section=.comment --remove-section=.note "$root/usr/bin/thud"
 strip --strip-debug "$root"/usr/lib/*.a
 mv "$root/usr/share/zsh/site-functions" "$root/usr/share/zsh/vendor-completions"

@@ -6,9 +6,26 @@ prefix=$2
 thud=${THUD:-./thud}
 build=${BUILD:-build/release}
 
+# The folders that installing made, the deepest last, so that uninstalling takes away these and no other: those below the prefix by their names
+# there, the prefix and what is above it as . and .. (which is as many levels up as there are dots, less one).
+folders=share/thud/folders
+folder() { # NAME
+    [ -d "$prefix/$1" ] || { folder "$(dirname "$1")" && mkdir "$prefix/$1" && echo "$1" >>"$new"; }
+}
+above() { # FOLDER DOTS
+    [ -d "$1" ] || { above "$(dirname "$1")" ".$2" && mkdir "$1" && echo "$2" >>"$new"; }
+}
+new=$(mktemp)
+if [ "$what" = install ]; then
+    above "$prefix" .
+elif [ -f "$prefix/$folders" ]; then
+    cat "$prefix/$folders" >"$new"
+    rm -f "$prefix/$folders"
+fi
+
 file() { # MODE FROM TO
     if [ "$what" = install ]; then
-        mkdir -p "$(dirname "$prefix/$3")"
+        folder "$(dirname "$3")"
         install -m "$1" "$2" "$prefix/$3"
     else
         rm -f "$prefix/$3"
@@ -20,7 +37,7 @@ completion() { # SHELL TO: made by the program from its own tables
     file 644 "$made" "$2"
 }
 made=$(mktemp)
-trap 'rm -f "$made"' EXIT
+trap 'rm -f "$made" "$new"' EXIT
 
 file 755 "$thud" bin/thud
 completion bash share/bash-completion/completions/thud
@@ -43,11 +60,17 @@ for layer in base ground core study io; do # each includes only itself and those
     done
 done
 file 644 tests/example/peaks.c share/doc/thud/peaks.c
-if [ "$what" = uninstall ]; then
-    for d in share/thud/presets/published share/thud/presets share/thud/records share/thud share/doc/thud share/man/man1 share/man/man5 share/man/man7 \
-        share/bash-completion/completions share/bash-completion share/zsh/site-functions share/zsh \
-        share/fish/vendor_completions.d share/fish lib/pkgconfig; do
-        rmdir "$prefix/$d" 2>/dev/null || true # a folder with files of others stays
+if [ "$what" = install ]; then
+    if [ -s "$new" ]; then cat "$new" >>"$prefix/$folders" && chmod 644 "$prefix/$folders"; fi
+else # the deepest first; one with files of others stays
+    sed -n '1!G; h; $p' "$new" | while read -r f; do
+        case $f in
+        *[!.]*) rmdir "$prefix/$f" 2>/dev/null || true ;;
+        *)
+            d=$prefix
+            while [ "$f" != . ]; do d=$(dirname "$d") f=${f#.}; done
+            rmdir "$d" 2>/dev/null || true
+            ;;
+        esac
     done
-    find "$prefix/include/thud" -depth -type d -exec rmdir {} \; 2>/dev/null || true
 fi

@@ -175,7 +175,7 @@ START_TEST(fits_find_what_was_put_in)
 END_TEST
 
 struct stopper {
-    volatile sig_atomic_t flag;
+    atomic_int flag;
     int at;
 };
 

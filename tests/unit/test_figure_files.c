@@ -127,7 +127,7 @@ END_TEST
 
 START_TEST(a_stopped_figure_leaves_no_file)
 {
-    volatile sig_atomic_t stop = 1;
+    atomic_int stop = 1;
     struct thud_picture_options options = {.cancel = &stop};
     ck_assert_int_eq(thud_figure_deliver(sample(10), folder, &options, THUD_OK, NULL), THUD_CANCELLED);
     ck_assert_int_eq(files(), 0);

@@ -2,7 +2,10 @@
 #include <check.h>
 #include <dirent.h>
 #include <fcntl.h>
+#include <pthread.h>
+#include <sched.h>
 #include <signal.h>
+#include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -168,6 +171,35 @@ static _Noreturn void interrupted(bool watched, int signals)
     _exit(thud_interrupt_signal() == SIGINT ? 9 : 2);
 }
 
+static void *wait_for(void *flag)
+{
+    const atomic_int *caught = flag;
+    while (!*caught)
+        sched_yield();
+    return NULL;
+}
+
+/* Workers read what the handler sets: an atomic object without a lock. */
+START_TEST(a_thread_sees_the_interrupt)
+{
+    _Static_assert(_Generic(thud_interrupt_watch(), const atomic_int * : 1, default : 0), "an atomic object");
+    pid_t child = fork();
+    if (child == 0) {
+        pthread_t worker;
+        const atomic_int *caught = thud_interrupt_watch();
+        if (!atomic_is_lock_free(caught) || pthread_create(&worker, NULL, wait_for, (void *)caught) != 0)
+            _exit(1);
+        raise(SIGINT);
+        pthread_join(worker, NULL);
+        _exit(*caught == SIGINT ? 0 : 2);
+    }
+    int status;
+    ck_assert_int_eq(waitpid(child, &status, 0), child);
+    ck_assert(WIFEXITED(status));
+    ck_assert_int_eq(WEXITSTATUS(status), 0);
+}
+END_TEST
+
 START_TEST(an_interrupt_leaves_nothing_half_written)
 {
     static const struct {
@@ -196,6 +228,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, a_living_part_of_another_host_stays);
     tcase_add_test(tcase, a_folder_is_had_by_one);
     tcase_add_test(tcase, results_are_not_written_through_links);
+    tcase_add_test(tcase, a_thread_sees_the_interrupt);
     tcase_add_loop_test(tcase, an_interrupt_leaves_nothing_half_written, 0, 3);
     suite_add_tcase(suite, tcase);
     return suite;

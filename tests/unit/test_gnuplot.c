@@ -427,7 +427,7 @@ END_TEST
 
 START_TEST(a_wish_to_stop_ends_it)
 {
-    static volatile sig_atomic_t stop = 1;
+    static atomic_int stop = 1;
     struct thud_picture_options options = {.cancel = &stop};
     struct thud_figure *figure = sample("a");
     struct thud_text picture = {0};

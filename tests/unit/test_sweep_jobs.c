@@ -18,7 +18,7 @@ static void set_up(void)
 struct taken {
     struct thud_text text;
     long next, step, stop_at;
-    volatile sig_atomic_t cancel;
+    atomic_int cancel;
     long shown;
     bool answers; /* alone, not what they cost */
     struct thud_sweep_total total;

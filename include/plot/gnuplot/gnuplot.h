@@ -3,7 +3,7 @@
 #ifndef THUD_PLOT_GNUPLOT_H
 #define THUD_PLOT_GNUPLOT_H
 
-#include <signal.h>
+#include <stdatomic.h>
 #include <stdbool.h>
 
 #include "base/status.h"
@@ -21,14 +21,14 @@ enum thud_picture_format {
 /* Zeros mean: chosen for the figure. */
 struct thud_picture_options {
     enum thud_picture_format format;
-    int width_px, height_px; /* PDF: 200 to the inch */
-    double width_mm;         /* on paper: type of 8 points and lines of half a point there; before width_px */
-    const char *font;        /* NULL: DejaVu Sans */
-    double font_px;          /* height of an em */
-    const char *program;     /* NULL: `gnuplot` from PATH */
-    double deadline_s;       /* 0: 20 */
-    const volatile sig_atomic_t *cancel; /* not NULL: drawing stops when it becomes other than 0 */
-    bool no_data;                        /* where a figure is saved: no CSV of it, its data stand in another file */
+    int width_px, height_px;  /* PDF: 200 to the inch */
+    double width_mm;          /* on paper: type of 8 points and lines of half a point there; before width_px */
+    const char *font;         /* NULL: DejaVu Sans */
+    double font_px;           /* height of an em */
+    const char *program;      /* NULL: `gnuplot` from PATH */
+    double deadline_s;        /* 0: 20 */
+    const atomic_int *cancel; /* not NULL: drawing stops when it becomes other than 0 */
+    bool no_data;             /* where a figure is saved: no CSV of it, its data stand in another file */
 };
 
 const char *thud_picture_suffix(enum thud_picture_format format); /* "png" */

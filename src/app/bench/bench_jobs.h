@@ -2,17 +2,17 @@
 #ifndef THUD_APP_BENCH_JOBS_H
 #define THUD_APP_BENCH_JOBS_H
 
-#include <signal.h>
+#include <stdatomic.h>
 
 #include "base/text.h"
 #include "plot/figure/figure.h"
 #include "study/methods/bench.h"
 
 struct thud_bench_jobs {
-    int repeats;                         /* timings of each point after one to warm up; fewer where one takes long */
-    double patience_s;                   /* a point expected to take longer is skipped and says so; 0: none is */
-    double budget_s;                     /* once so much was spent the rest is skipped; 0: none is */
-    const volatile sig_atomic_t *cancel; /* not NULL: stops when it becomes other than 0 */
+    int repeats;              /* timings of each point after one to warm up; fewer where one takes long */
+    double patience_s;        /* a point expected to take longer is skipped and says so; 0: none is */
+    double budget_s;          /* once so much was spent the rest is skipped; 0: none is */
+    const atomic_int *cancel; /* not NULL: stops when it becomes other than 0 */
     void *context;
     void (*progress)(void *context, const char *what, int done, int count); /* may be NULL */
     double (*now_s)(void *context); /* a clock, s from any start; NULL: the machine's own */

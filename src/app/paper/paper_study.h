@@ -2,7 +2,7 @@
 #ifndef THUD_APP_PAPER_STUDY_H
 #define THUD_APP_PAPER_STUDY_H
 
-#include <signal.h>
+#include <stdatomic.h>
 
 #include "app/paper/paper_report.h"
 
@@ -12,7 +12,7 @@ struct thud_paper_request {
     const char *peak, *dt, *unit; /* for all of them; may be NULL */
     bool both_signs;              /* every motion turned round too, for the report */
     int threads;                  /* 0: the processors that are online */
-    const volatile sig_atomic_t *cancel;
+    const atomic_int *cancel;
     void *context;
     void (*progress)(void *context, long done, long count, double elapsed_s); /* may be NULL */
 };

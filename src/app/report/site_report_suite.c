@@ -80,7 +80,7 @@ static enum thud_status find_factors(struct site *site, struct thud_error *err)
 enum thud_status thud_site_suite_run(struct site *site, struct thud_error *err)
 {
     struct site_suite *suite = &site->suite;
-    const volatile sig_atomic_t *cancel = site->options->pictures ? site->options->pictures->cancel : NULL;
+    const atomic_int *cancel = site->options->pictures ? site->options->pictures->cancel : NULL;
     if (!site->options->records || site->options->records->n < 2 || !site->gap || site->gap->nlevels == 0)
         return THUD_OK;
     enum thud_status status = make_plan(site, err);

@@ -22,7 +22,7 @@ double thud_timing_processor_s(void)
     return read_s(CLOCK_THREAD_CPUTIME_ID);
 }
 
-enum thud_status thud_timing_advance(struct thud_run *run, const volatile sig_atomic_t *cancel, struct thud_error *err)
+enum thud_status thud_timing_advance(struct thud_run *run, const atomic_int *cancel, struct thud_error *err)
 {
     enum thud_status status = THUD_OK;
     for (bool done = false; !done && status == THUD_OK;) {

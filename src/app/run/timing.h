@@ -2,7 +2,7 @@
 #ifndef THUD_APP_TIMING_H
 #define THUD_APP_TIMING_H
 
-#include <signal.h>
+#include <stdatomic.h>
 
 #include "core/run/run.h"
 
@@ -11,7 +11,7 @@ double thud_timing_now_s(void);
 double thud_timing_processor_s(void);
 /* Advances to the end, or until `cancel` (may be NULL) becomes other than 0. Errors: THUD_CANCELLED, those of
  * thud_run_advance. */
-enum thud_status thud_timing_advance(struct thud_run *run, const volatile sig_atomic_t *cancel, struct thud_error *err);
+enum thud_status thud_timing_advance(struct thud_run *run, const atomic_int *cancel, struct thud_error *err);
 /* Sorts `seconds` (n >= 1); the median, and half the range of the middle half. */
 double thud_timing_median(double *seconds, int n, double *spread);
 

@@ -11,8 +11,7 @@
 #include "study/suite/suite.h"
 
 enum thud_status thud_gap_study_run(const struct thud_scene *scene, const struct thud_record_list *records,
-                                    const volatile sig_atomic_t *cancel, struct thud_gap_study *out,
-                                    struct thud_error *err)
+                                    const atomic_int *cancel, struct thud_gap_study *out, struct thud_error *err)
 {
     int n = records->n > 0 ? records->n : 1;
     enum thud_status status = THUD_OK;

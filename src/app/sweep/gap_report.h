@@ -2,7 +2,7 @@
 #ifndef THUD_APP_GAP_REPORT_H
 #define THUD_APP_GAP_REPORT_H
 
-#include <signal.h>
+#include <stdatomic.h>
 
 #include "app/run/record_list.h"
 #include "base/text.h"
@@ -17,8 +17,7 @@ struct thud_gap_study {
 /* One run without contact for each ground motion (one without, where the scene has none). Errors: those of
  * thud_needed_gap_run; THUD_INPUT where nothing can touch; THUD_CANCELLED. */
 enum thud_status thud_gap_study_run(const struct thud_scene *scene, const struct thud_record_list *records,
-                                    const volatile sig_atomic_t *cancel, struct thud_gap_study *out,
-                                    struct thud_error *err);
+                                    const atomic_int *cancel, struct thud_gap_study *out, struct thud_error *err);
 void thud_gap_study_clear(struct thud_gap_study *study);
 
 /* 80 columns. Errors: THUD_MEMORY. */

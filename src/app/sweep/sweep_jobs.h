@@ -3,15 +3,15 @@
 #ifndef THUD_APP_SWEEP_JOBS_H
 #define THUD_APP_SWEEP_JOBS_H
 
-#include <signal.h>
+#include <stdatomic.h>
 
 #include "study/sweep/sweep.h"
 
 struct thud_sweep_jobs {
     const struct thud_sweep_plan *plan;
-    long first, step, count;             /* points first, first + step, ... count of them */
-    int threads;                         /* 0: the processors that are online */
-    const volatile sig_atomic_t *cancel; /* not NULL: the work stops when it becomes other than 0 */
+    long first, step, count;  /* points first, first + step, ... count of them */
+    int threads;              /* 0: the processors that are online */
+    const atomic_int *cancel; /* not NULL: the work stops when it becomes other than 0 */
     /* For thud_sweep_jobs_run alone: */
     void *context;
     /* Takes a finished point and frees it. Called from the calling thread. */

@@ -28,7 +28,7 @@ struct thud_sweep_study {
     bool no_rows;             /* leave sweep.csv, contacts.csv and needed-gaps.csv out */
     struct thud_suite *suite; /* not NULL: every point is added to it */
     const struct thud_picture_options *pictures;
-    const volatile sig_atomic_t *cancel;
+    const atomic_int *cancel;
     void *context;
     void (*progress)(void *context, long done, long count, double elapsed_s); /* may be NULL */
     /* With a folder: once its files are there and before the journal goes, so that what is stopped here is made again by

@@ -2,7 +2,7 @@
 #ifndef THUD_APP_UNCERTAINTY_STUDY_H
 #define THUD_APP_UNCERTAINTY_STUDY_H
 
-#include <signal.h>
+#include <stdatomic.h>
 #include <stdbool.h>
 
 #include "base/text.h"
@@ -21,7 +21,7 @@ struct thud_uncertainty_study {
     enum thud_sampling sampling;
     unsigned long long seed;
     int threads;                                                              /* 0: the processors that are online */
-    const volatile sig_atomic_t *cancel;                                      /* may be NULL */
+    const atomic_int *cancel;                                                 /* may be NULL */
     void (*progress)(void *context, long done, long count, double elapsed_s); /* may be NULL */
     void *context;
     size_t rows;

@@ -8,6 +8,7 @@
 #include <math.h>
 #include <poll.h>
 #include <pthread.h>
+#include <signal.h>
 #include <spawn.h>
 #include <stdlib.h>
 #include <string.h>
@@ -34,7 +35,7 @@ struct child {
     double left_s; /* until the deadline, of the time in which this process ran */
     double seen_s; /* on the monotonic clock, when left_s was last counted down */
     struct thud_text *picture, messages;
-    const volatile sig_atomic_t *cancel;
+    const atomic_int *cancel;
     enum { RUNNING, ENDED, LATE, CANCELLED } state;
     int status; /* from waitpid, once reaped */
     bool reaped;
@@ -178,7 +179,7 @@ static bool out_of_time(struct child *child)
     double now = now_s();
     child->left_s -= fmin(now - child->seen_s, longest_turn_s);
     child->seen_s = now;
-    if (child->cancel && __atomic_load_n(child->cancel, __ATOMIC_RELAXED)) /* another thread may set it */
+    if (child->cancel && *child->cancel)
         child->state = CANCELLED;
     else if (child->left_s <= 0.0)
         child->state = LATE;
