@@ -145,3 +145,23 @@ is "in HTML too" in_html '</html>'
 : >"$tmp/file"
 is "a folder that is a file" gives 6 report "$tmp/own.yaml" -o "$tmp/file"
 is "a scene that cannot be" gives 3 report "$tmp/own.yaml" --set gap=2cm -o "$tmp/r"
+
+# what is said around the peaks: no rule is short by rounding, a turned motion that changes nothing, spectra with the
+# damping of the mode, isolators that are no storey
+"$THUD" report isolated-moat --samples 0 -o "$tmp/moat" >/dev/null 2>&1
+if ! grep -q 'asks for' "$tmp/moat/report.md" && grep -q 'gives the same largest force without bumper, 38.0 MN' "$tmp/moat/report.md" &&
+    grep -q '^| isolators |' "$tmp/moat/report.md" &&
+    grep -q '^| isolated | 2.224 | 14.5 |.*| 67.3 |' "$tmp/moat/report.md"; then
+    echo "ok - isolated-moat: rounding, isolators and their damping are told as they are"
+else
+    echo "not ok - isolated-moat: rounding, isolators and their damping are told as they are"
+    grep -n 'asks for\|same largest\|isolators\|^| isolated' "$tmp/moat/report.md" | sed 's/^/# /'
+fi
+"$THUD" report slab-against-columns --samples 0 -o "$tmp/columns" >/dev/null 2>&1
+if sed -n '/^## The answer/,/^- /p' "$tmp/columns/report.md" | grep -q 'struck columns fail.*times what they can, at .* has no meaning' &&
+    sed -n '/^## Cautions/,/^- /p' "$tmp/columns/report.md" | grep -q 'struck columns fail'; then
+    echo "ok - columns above their capacity stand first in answer and cautions"
+else
+    echo "not ok - columns above their capacity stand first in answer and cautions"
+    grep -n 'columns fail' "$tmp/columns/report.md" | sed 's/^/# /'
+fi

@@ -126,6 +126,33 @@ START_TEST(rules_in_their_order)
 }
 END_TEST
 
+/* 3 storeys of 3 m beside 2 of 4.5 m: the tops meet, the floors below do not, so the reduction of EN 1998-1 4.4.2.7(3)
+ * holds nowhere; nor is a sum that misses what is needed by rounding too little. */
+START_TEST(the_reduction_is_for_equal_elevations)
+{
+    const double three[] = {3, 3, 3}, two[] = {4.5, 4.5};
+    bool aligned[THUD_STRUCTURES_MAX];
+    scene->structure[0].storeys = 3;
+    scene->structure[1].storeys = 2;
+    memcpy(scene->structure[0].height_m, three, sizeof three);
+    memcpy(scene->structure[1].height_m, two, sizeof two);
+    thud_gap_aligned(scene, aligned);
+    ck_assert(!aligned[0]);
+    struct thud_needed_gap *gap = gap_of(motion);
+    ck_assert_int_gt(gap->nlevels, 0);
+    for (int i = 0; i < gap->nlevels; i++)
+        ck_assert_double_eq(thud_gap_value(&gap->level[i], THUD_GAP_EN1998),
+                            thud_gap_value(&gap->level[i], THUD_GAP_SRSS));
+    free(gap);
+    scene->structure[1].storeys = 5;
+    for (int f = 0; f < 5; f++)
+        scene->structure[1].height_m[f] = 3;
+    thud_gap_aligned(scene, aligned);
+    ck_assert(aligned[0]);
+    ck_assert(!thud_gap_falls_short(0.657 * (1 - 1e-13), 0.657) && thud_gap_falls_short(0.656, 0.657));
+}
+END_TEST
+
 START_TEST(a_suite_of_one_motion_has_no_spread)
 {
     struct thud_needed_gap *gap = gap_of(motion), *all[3] = {gap, gap, gap};
@@ -194,6 +221,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, neither_gap_nor_bumper_matters);
     tcase_add_test(tcase, equal_buildings_need_none);
     tcase_add_test(tcase, rules_in_their_order);
+    tcase_add_test(tcase, the_reduction_is_for_equal_elevations);
     tcase_add_test(tcase, a_suite_of_one_motion_has_no_spread);
     tcase_add_loop_test(tcase, factor_from_which_on_they_pound, 0, 2);
     suite_add_tcase(suite, tcase);

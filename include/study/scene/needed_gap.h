@@ -12,6 +12,7 @@
 struct thud_gap_level {
     int interface, left_floor, right_floor; /* from 1; floor 0: a wall */
     int struck;                             /* as thud_model_contact.struck */
+    bool aligned;                           /* the floor elevations of the two buildings are the same, all of them */
     double left_m, right_m;                 /* largest displacement of each side: floor, or struck place */
     double closing_m;                       /* largest u_left - u_right: a clearance this wide is never used up */
     double correlation;                     /* of DDC, from the first periods and damping ratios */
@@ -40,7 +41,7 @@ double thud_gap_value(const struct thud_gap_level *level, int rule);
 /* Levels of a finished run without contact, (model->ncontacts). */
 double thud_gap_side(const struct thud_model *model, const struct thud_baseline_motion *baseline, int contact,
                      bool right); /* left_m, right_m */
-void thud_gap_levels(const struct thud_model *model, const struct thud_baseline_motion *baseline,
+void thud_gap_levels(const bool *aligned, const struct thud_model *model, const struct thud_baseline_motion *baseline,
                      struct thud_gap_level *level);
 
 /* One ground motion. */
@@ -73,5 +74,13 @@ struct thud_gap_suite {
  * the rule asks for less than is needed there. Errors: THUD_MEMORY. */
 enum thud_status thud_gap_suite_fractiles(const struct thud_gap_suite *suite, int level, int rule,
                                           struct thud_fractiles *out, struct thud_error *err);
+
+/* Damping ratio of a structure's first mode; 0: it has none. */
+double thud_gap_damping(const struct thud_model *model, int structure);
+/* Whether a rule asks for less than is needed, by more than rounding. */
+bool thud_gap_falls_short(double asked_m, double needed_m);
+
+/* Of each interface (from 0): whether the floor elevations of its two buildings are the same, all of them. */
+void thud_gap_aligned(const struct thud_scene *scene, bool aligned[THUD_STRUCTURES_MAX]);
 
 #endif

@@ -122,7 +122,8 @@ static int list_floors(const struct site *site, int table, enum side side, struc
     for (int s = 0; s < site->scene->nstructures; s++) {
         int floors = site->own->result->structure[s].floors, begun = -1;
         bool any = false;
-        for (int i = 0; i <= floors; i++) {
+        const int slab = floor_table[table].storeys && site->scene->structure[s].kind == THUD_ISOLATED;
+        for (int i = slab; i <= floors; i++) { /* without the isolators */
             double ratio = i < floors ? ratio_of(site, s, i, table) : NAN;
             bool inside = side_of(ratio) == side;
             if (inside && begun < 0)
@@ -131,9 +132,9 @@ static int list_floors(const struct site *site, int table, enum side side, struc
                 *furthest = ratio;
             if (inside || begun < 0)
                 continue;
-            thud_text_append(out, "%s%d", any ? ", " : n > 0 ? "; " : "", begun + 1);
+            thud_text_append(out, "%s%d", any ? ", " : n > 0 ? "; " : "", begun + 1 - slab);
             if (i - 1 > begun)
-                thud_text_append(out, "-%d", i);
+                thud_text_append(out, "-%d", i - slab);
             n += i - begun;
             begun = -1;
             any = true;
@@ -237,10 +238,15 @@ static void say_reversed(struct site *site)
     double force = most ? most->force.value : 0;
     if (!site->record || (force == 0 && site->reversed.force_n == 0))
         return;
-    thud_document_item(&site->document,
-                       "The same motion turned round gives a largest force of %s MN %s, in place of %s MN.",
-                       thud_site_number(1e-6 * site->reversed.force_n, 3).text, site->own->words,
-                       thud_site_number(1e-6 * force, 3).text);
+    struct thud_site_shown turned = thud_site_number(1e-6 * site->reversed.force_n, 3),
+                           own = thud_site_number(1e-6 * force, 3);
+    if (strcmp(turned.text, own.text) == 0)
+        thud_document_item(&site->document, "The same motion turned round gives the same largest force %s, %s MN.",
+                           site->own->words, own.text);
+    else
+        thud_document_item(&site->document,
+                           "The same motion turned round gives a largest force of %s MN %s, in place of %s MN.",
+                           turned.text, site->own->words, own.text);
 }
 
 static void say_gap(struct site *site)
@@ -268,12 +274,45 @@ static void say_gap(struct site *site)
     }
 }
 
+/* What fails, first of all: columns that bear more than they can are taken as whole. Returns how many are told of. */
+static int say_failure(struct site *site, const struct site_case *one)
+{
+    const struct thud_column_result *worst = NULL;
+    char name[THUD_NAME_MAX + 32];
+    int above = 0;
+    for (int k = 0; k < one->result->ncolumns; k++) {
+        const struct thud_column_result *r = &one->result->column[k];
+        above += r->ratio > 1;
+        if (r->ratio > 1 && (!worst || r->ratio > worst->ratio))
+            worst = r;
+    }
+    if (!worst)
+        return 0;
+    const struct thud_peak *low = &worst->peak[THUD_COLUMN_SHEAR_LOWER], *up = &worst->peak[THUD_COLUMN_SHEAR_UPPER];
+    thud_document_item(&site->document,
+                       "%c%s struck columns fail, in %d storey%s: those below %s would have to bear %s times what they "
+                       "can, at %.3f s. All that follows takes them as whole: it has no meaning from there on.",
+                       one->words[0] - 'a' + 'A', one->words + 1, above, plural(above),
+                       columns_name(site, worst, name, sizeof name), thud_site_number(worst->ratio, 3).text,
+                       low->value > up->value ? low->time_s : up->time_s);
+    return 1;
+}
+
+static int say_failures(struct site *site)
+{
+    int n = 0;
+    for (int i = SITE_NONE; i < site->ncases; i++)
+        n += say_failure(site, &site->cases[i]);
+    return n;
+}
+
 static void answer(struct site *site)
 {
     struct thud_document *d = &site->document;
     const struct site_case *free_case = &site->cases[SITE_FREE], *none = &site->cases[SITE_NONE];
     int levels;
     thud_document_heading(d, "The answer");
+    say_failures(site);
     bool pounds = impacts(none->result, &levels) > 0;
     thud_site_suite_answer(site);
     if (site->record)
@@ -436,7 +475,7 @@ static void motion(struct site *site)
         const struct thud_structure_result *r = &site->own->result->structure[s];
         if (!thud_site_is_building(site, s))
             continue;
-        double zeta = site->scene->structure[s].damping;
+        double zeta = thud_gap_damping(site->own->answer.model, s);
         struct thud_spectrum_point p = thud_spectrum_at(site->record, r->period_s[0], zeta);
         thud_document_cell(d, "%s", thud_site_name(site, s));
         thud_document_cell(d, "%.3f", r->period_s[0]);
@@ -490,7 +529,11 @@ static void add_case_table(struct site *site, int s, const struct floor_table *t
     thud_document_row(d);
     for (int f = site->cases[0].result->structure[s].floors - 1; f >= 0; f--) {
         double value[SITE_CASES];
-        thud_document_cell(d, "%d", f + 1);
+        const int slab = table->storeys && site->scene->structure[s].kind == THUD_ISOLATED;
+        if (f < slab)
+            thud_document_cell(d, "isolators");
+        else
+            thud_document_cell(d, "%d", f + 1 - slab);
         for (int i = 0; i < site->ncases; i++) {
             value[i] = table->value(&site->cases[i].result->structure[s], f);
             thud_document_cell(d, "%s", isnan(value[i]) ? "-" : thud_site_number(value[i] / table->unit, 4).text);
@@ -666,16 +709,18 @@ static void gap(struct site *site)
     for (int rule = 0; rule < (int)THUD_GAP_RULES; rule++) {
         double needed = thud_needed_gap_widest(site->gap, 0, THUD_GAP_EXACT, NULL);
         double ruled = thud_needed_gap_widest(site->gap, 0, rule, NULL);
-        if (ruled < needed)
+        if (thud_gap_falls_short(ruled, needed))
             thud_document_item(d, "%s asks for %s cm, less than the %s cm that this motion needs.",
                                thud_gap_rule_name(rule), thud_site_number(100 * ruled, 3).text,
                                thud_site_number(100 * needed, 3).text);
     }
-    thud_document_paragraph(d,
-                            "ABS: sum. SRSS: root of the sum of squares. DDC: double difference combination (Jeng, "
-                            "Kasai and Maison 1992). EN 1998: EN 1998-1, 4.4.2.7, SRSS and 0.7 of it where floors are "
-                            "aligned. ASCE 7: ASCE/SEI 7-16, 12.12.3, SRSS. The codes take design displacements; here "
-                            "they are those of this one motion.");
+    thud_document_paragraph(
+        d, "ABS: sum. SRSS: root of the sum of squares. DDC: double difference combination (Jeng, "
+           "Kasai and Maison 1992). EN 1998: EN 1998-1, 4.4.2.7(2)(b), SRSS, and 0.7 of it, (3), where "
+           "all floor elevations of the two buildings are the same. Buildings that do not belong to "
+           "one owner keep each its own displacement from the property line, 4.4.2.7(2)(a): the gap "
+           "is then the sum, ABS. ASCE 7: ASCE/SEI 7-16, 12.12.3, SRSS. The codes take design displacements; here "
+           "they are those of this one motion.");
 }
 
 /* ---- cautions ---- */
@@ -785,6 +830,7 @@ static void cautions(struct site *site)
 {
     int n = 0;
     thud_document_heading(&site->document, "Cautions");
+    n += say_failures(site);
     n += caution_drifts(site);
     n += caution_bumpers(site);
     n += caution_digits(site);

@@ -5,6 +5,7 @@
 
 #include "core/run/baseline.h"
 #include "study/scene/answer.h"
+#include "study/scene/level.h"
 #include "study/scene/spacing.h"
 
 static const struct {
@@ -26,7 +27,6 @@ double thud_gap_value(const struct thud_gap_level *level, int rule)
 {
     static const double aligned = 0.7; /* EN 1998-1:2004, 4.4.2.7(3) */
     double a = level->left_m, b = level->right_m;
-    bool meet = level->left_floor > 0 && level->right_floor > 0 && level->struck == 0;
     switch (rule) {
     case THUD_GAP_ABS:
         return thud_spacing_abs(a, b);
@@ -36,14 +36,13 @@ double thud_gap_value(const struct thud_gap_level *level, int rule)
     case THUD_GAP_DDC:
         return thud_spacing_ddc(a, b, level->correlation);
     case THUD_GAP_EN1998:
-        return (meet ? aligned : 1) * thud_spacing_srss(a, b);
+        return (level->aligned ? aligned : 1) * thud_spacing_srss(a, b);
     default:
         return level->closing_m;
     }
 }
 
-/* Damping ratio of a structure's first mode. */
-static double first_damping(const struct thud_model *model, int s)
+double thud_gap_damping(const struct thud_model *model, int s)
 {
     const struct thud_model_structure *p = &model->structure[s];
     if (p->n == 0)
@@ -71,7 +70,39 @@ static double first_period(const struct thud_result *result, int s)
     return result->structure[s].floors > 0 ? result->structure[s].period_s[0] : INFINITY;
 }
 
-void thud_gap_levels(const struct thud_model *model, const struct thud_baseline_motion *baseline,
+/* Whether every floor of either building, up to the top of the lower one, has one of the other at its elevation (within
+ * 1 cm). What has no elevation stands wherever its neighbour does; a wall has no floors. */
+static bool same_elevations(const struct thud_scene *scene, int interface)
+{
+    const struct thud_structure *side[2] = {&scene->structure[interface - 1], &scene->structure[interface]};
+    double top = INFINITY;
+    for (int i = 0; i < 2; i++) {
+        if (side[i]->kind == THUD_WALL)
+            return false;
+        double z = thud_structure_elevation(side[i], thud_structure_floors(side[i]) - 1);
+        if (isnan(z))
+            return true;
+        top = fmin(top, z);
+    }
+    for (int i = 0; i < 2; i++)
+        for (int f = 0; f < thud_structure_floors(side[i]); f++) {
+            const double z = thud_structure_elevation(side[i], f);
+            bool met = z > top + 0.01;
+            for (int g = 0; g < thud_structure_floors(side[1 - i]); g++)
+                met = met || fabs(thud_structure_elevation(side[1 - i], g) - z) <= 0.01 + 1e-12;
+            if (!met)
+                return false;
+        }
+    return true;
+}
+
+void thud_gap_aligned(const struct thud_scene *scene, bool aligned[THUD_STRUCTURES_MAX])
+{
+    for (int i = 1; i < scene->nstructures; i++)
+        aligned[i - 1] = same_elevations(scene, i);
+}
+
+void thud_gap_levels(const bool *aligned, const struct thud_model *model, const struct thud_baseline_motion *baseline,
                      struct thud_gap_level *level)
 {
     const struct thud_result *result = thud_baseline_result(baseline);
@@ -83,11 +114,12 @@ void thud_gap_levels(const struct thud_model *model, const struct thud_baseline_
             .left_floor = p->left_floor,
             .right_floor = p->right_floor,
             .struck = p->struck,
+            .aligned = aligned[p->interface - 1],
             .left_m = thud_gap_side(model, baseline, c, false),
             .right_m = thud_gap_side(model, baseline, c, true),
             .closing_m = thud_baseline_relative_displacement(baseline, c),
-            .correlation = thud_spacing_correlation(first_period(result, left), first_damping(model, left),
-                                                    first_period(result, right), first_damping(model, right))};
+            .correlation = thud_spacing_correlation(first_period(result, left), thud_gap_damping(model, left),
+                                                    first_period(result, right), thud_gap_damping(model, right))};
     }
 }
 
@@ -117,7 +149,9 @@ enum thud_status thud_needed_gap_run(const struct thud_scene *scene, const struc
         struct thud_needed_gap *gap = malloc(sizeof *gap + (size_t)model->ncontacts * sizeof *gap->level);
         if (gap) {
             gap->nlevels = model->ncontacts;
-            thud_gap_levels(model, baseline, gap->level);
+            bool aligned[THUD_STRUCTURES_MAX];
+            thud_gap_aligned(bare, aligned);
+            thud_gap_levels(aligned, model, baseline, gap->level);
         } else {
             status = thud_error_set(err, THUD_MEMORY, "out of memory");
         }
@@ -215,12 +249,19 @@ enum thud_status thud_pounding_factor(const struct thud_scene *scene, const stru
     return status;
 }
 
+bool thud_gap_falls_short(double asked_m, double needed_m)
+{
+    static const double rounding = 1e-9; /* the two come by different sums */
+    return asked_m < needed_m * (1 - rounding);
+}
+
 /* Whether a rule asks for less than is needed. */
 static bool falls_short(const struct thud_needed_gap *gap, int level, int rule)
 {
     if (level < 0)
-        return thud_needed_gap_widest(gap, 0, rule, NULL) < thud_needed_gap_widest(gap, 0, THUD_GAP_EXACT, NULL);
-    return thud_gap_value(&gap->level[level], rule) < gap->level[level].closing_m;
+        return thud_gap_falls_short(thud_needed_gap_widest(gap, 0, rule, NULL),
+                                    thud_needed_gap_widest(gap, 0, THUD_GAP_EXACT, NULL));
+    return thud_gap_falls_short(thud_gap_value(&gap->level[level], rule), gap->level[level].closing_m);
 }
 
 enum thud_status thud_gap_suite_fractiles(const struct thud_gap_suite *suite, int level, int rule,

@@ -111,6 +111,8 @@ static enum thud_status build(struct thud_sweep_group *group, struct thud_scene 
     long point = group->index * thud_sweep_points_per_group(group->plan);
     int record = thud_sweep_place(group->plan, point, at);
     enum thud_status status = thud_sweep_scene(group->plan, point, scene, err);
+    if (status == THUD_OK)
+        thud_gap_aligned(scene, group->aligned);
     for (int g = 0; g < group->nbaselines && status == THUD_OK; g++)
         status = build_baseline(group, g, record, scene, cased, err);
     if (status == THUD_OK &&
@@ -159,7 +161,7 @@ enum thud_status thud_sweep_group_advance(struct thud_sweep_group *group, long b
         return THUD_OK;
     enum thud_status status = thud_sweep_same_advance(group, budget, done, err);
     if (status == THUD_OK && *done)
-        thud_gap_levels(group->baseline[0].model, group->baseline[0].baseline, group->level);
+        thud_gap_levels(group->aligned, group->baseline[0].model, group->baseline[0].baseline, group->level);
     return status;
 }
 
