@@ -105,13 +105,13 @@ find "$prefix" -type f >"$tmp/out"
 ok "what it did not install stays, and nothing else" $?
 
 # of the folders, those that it made go, and those that were there stay
-mkdir -p "$tmp/there/usr/lib" "$tmp/there/usr/share/man"
-tests/tools/install.sh install "$tmp/there/usr/local" >"$tmp/out" 2>&1 && tests/tools/install.sh install "$tmp/there/usr" >>"$tmp/out" 2>&1 &&
-    tests/tools/install.sh install "$tmp/there/usr" >>"$tmp/out" 2>&1 && tests/tools/install.sh uninstall "$tmp/there/usr" >>"$tmp/out" 2>&1 &&
-    tests/tools/install.sh uninstall "$tmp/there/usr/local" >>"$tmp/out" 2>&1
+mkdir -p "$tmp/kept/usr/lib" "$tmp/kept/usr/share/man"
+tests/tools/install.sh install "$tmp/kept/usr/local" >"$tmp/out" 2>&1 && tests/tools/install.sh install "$tmp/kept/usr" >>"$tmp/out" 2>&1 &&
+    tests/tools/install.sh install "$tmp/kept/usr" >>"$tmp/out" 2>&1 && tests/tools/install.sh uninstall "$tmp/kept/usr" >>"$tmp/out" 2>&1 &&
+    tests/tools/install.sh uninstall "$tmp/kept/usr/local" >>"$tmp/out" 2>&1
 ok "it installs and uninstalls twice" $?
-find "$tmp/there" | sed "s|^$tmp/||" | LC_ALL=C sort | tr '\n' ' ' >"$tmp/out"
-[ "$(cat "$tmp/out")" = "there there/usr there/usr/lib there/usr/share there/usr/share/man " ]
+find "$tmp/kept" | sed "s|^$tmp/||" | LC_ALL=C sort | tr '\n' ' ' >"$tmp/out"
+[ "$(cat "$tmp/out")" = "kept kept/usr kept/usr/lib kept/usr/share kept/usr/share/man " ]
 ok "no folder is left that it made, and every one that was there" $?
 tests/tools/install.sh install "$tmp/new/usr/local" >"$tmp/out" 2>&1 && tests/tools/install.sh uninstall "$tmp/new/usr/local" >>"$tmp/out" 2>&1 && [ ! -e "$tmp/new" ]
 ok "nor one above the prefix" $?
