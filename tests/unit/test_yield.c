@@ -163,6 +163,21 @@ START_TEST(loops_by_their_turns)
 }
 END_TEST
 
+/* Stopped on its first excursion, far out: on the way back it yields the other way before it carries no force, where
+ * r k d = (1 - r) k d_y. */
+START_TEST(no_force_behind_the_other_bound)
+{
+    const double d_y = 0.02, r = 0.6;
+    struct thud_model *model = one_storey(8, 0, d_y, r, 5);
+    struct march x = run(model, NULL, 1e-6, 0.1);
+    const struct thud_storey_result *got = &x.result->structure[0].storey[0];
+    ck_assert_double_gt(r * got->plastic_m, d_y);
+    ck_assert_double_eq_tol(got->permanent_m, (1 - r) * d_y / r, 1e-15);
+    march_free(&x);
+    thud_model_free(model);
+}
+END_TEST
+
 /* ---- limits: what is elastic all the same ---- */
 
 static void assert_same_bits(const struct thud_result *a, const struct thud_result *b, double tolerance)
@@ -624,6 +639,7 @@ Suite *thud_suite(void)
     TCase *tcase = tcase_create("yield");
     tcase_add_test(tcase, thrown_beyond_yield);
     tcase_add_test(tcase, loops_by_their_turns);
+    tcase_add_test(tcase, no_force_behind_the_other_bound);
     tcase_add_test(tcase, elastic_all_the_same);
     tcase_add_test(tcase, energy_balances);
     tcase_add_test(tcase, mirror_image);
