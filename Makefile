@@ -120,9 +120,10 @@ $(B)/peer-%: $(B)/tests/bench/peers/%.o $(B)/tests/bench/scene.o $(LIBS) | $(B)/
 
 deps: ## install what building needs (says what; sudo only when needed)
 	@tests/tools/install-deps.sh build
-demo: deps ## install what is missing, build, run the paper's towers, write the figures into ./demo
+demo: deps ## install what is missing, build, run two towers on a real earthquake and a surrogate, write the figures into ./demo
 	@$(MAKE) --no-print-directory $(PARALLEL) VARIANT=release all
-	@./thud run towers -o demo && echo "The histories and figures are in $(CURDIR)/demo"
+	@./thud run towers-kaikoura --replace -o demo && ./thud run towers --replace --quiet -o demo/surrogate >/dev/null && \
+	    echo "The histories and figures are in $(CURDIR)/demo: Kaikoura 2016 as recorded; in demo/surrogate: the surrogate for Kobe 1995"
 
 test: ## install what the tests need, build, run every test
 	@tests/tools/install-deps.sh test

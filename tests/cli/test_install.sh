@@ -26,6 +26,12 @@ cmp "$tmp/here" "$tmp/there" >"$tmp/out" 2>&1
 ok "it gives the same answer as in the tree" $?
 (cd "$tmp" && "$prefix/bin/thud" run towers --quiet) >"$tmp/out" 2>&1
 ok "it finds the towers' ground motion" $?
+(cd "$tmp" && "$prefix/bin/thud" run towers-kaikoura --quiet) >"$tmp/out" 2>&1 && grep -q '^ground motion  kaikoura-wtmc.csv, peak 0.9925 g' "$tmp/out" &&
+    grep -q 'CC BY 3.0 NZ' "$prefix/share/thud/records/README.md"
+ok "and the one of a real earthquake, with its licence beside it" $?
+MAKEFLAGS='' make -n -o all -o deps demo >"$tmp/out" 2>&1
+grep -q 'thud run towers-kaikoura .*-o demo ' "$tmp/out"
+ok "which make demo draws first" $?
 
 for f in man/*.[1-8]; do
     [ -f "$prefix/share/man/man${f##*.}/${f##*/}" ] || echo "$f"

@@ -28,6 +28,8 @@ printf 'thud (%s) stable; urgency=low\n\n  * See changelog.gz.\n\n -- %s  %s\n' 
     printf 'Format: https://www.debian.org/doc/packaging-manuals/copyright-format/1.0/\nUpstream-Name: thud\n\n'
     printf 'Files: *\nCopyright: 2026 The authors of thud\nLicense: Expat\n'
     sed -n '/^Permission/,$ { s/^$/./; s/^/ /; p }' "$stage/LICENSE"
+    printf '\nFiles: records/kaikoura-wtmc.csv\nCopyright: 2016 GNS Science and the Earthquake Commission (GeoNet)\nLicense: CC-BY-3.0-NZ\n'
+    printf ' https://creativecommons.org/licenses/by/3.0/nz/ ; what was changed stands in the file and in records/README.md.\n'
 } >"$doc/copyright"
 
 mkdir -p "$root/usr/share/lintian/overrides"

@@ -1,11 +1,12 @@
-/* The shipped surrogates are what their own comment lines say: made again from those lines they give the same bytes.
- * Their peaks are those of the motions they stand in for, and they read without an option. */
+/* The shipped ground motions. The surrogates are what their own comment lines say: made again from those lines they give
+ * the same bytes. Their peaks are those of the motions they stand in for, and they read without an option. */
 #include <check.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/quantity.h"
+#include "ground/intensity.h"
 #include "io/file/file.h"
 #include "io/record/record_file.h"
 #include "io/record/record_write.h"
@@ -69,12 +70,40 @@ START_TEST(reads_without_an_option)
 }
 END_TEST
 
+/* The recorded motion: peaks of the file it was cut from, as GeoNet's own header has them (its velocity and displacement
+ * are GeoNet's integrals of the whole record), and attribution, licence and changes in the file itself. */
+START_TEST(the_recorded_one_is_geonets)
+{
+    static const char path[] = "records/kaikoura-wtmc.csv";
+    struct thud_record_choice choice;
+    thud_record_choice_init(&choice);
+    struct thud_record *record;
+    struct thud_error err = {0};
+    ck_assert_int_eq(thud_record_file_read(path, &choice, &record, &err), THUD_OK);
+    ck_assert_double_eq_tol(thud_record_peak(record), 9.7331, 1e-9);
+    ck_assert_double_eq(record->dt_s, 0.02);
+    ck_assert_uint_eq(record->samples, 2501);
+    ck_assert_str_eq(record->station, "WTMC");
+    ck_assert_str_eq(record->component, "N28W");
+    struct thud_intensity intensity = thud_intensity_of(record);
+    ck_assert_double_eq_tol(intensity.pgv_mps, 1.01655, 0.01 * 1.01655);
+    ck_assert_double_eq_tol(intensity.pgd_m, 0.234852, 0.01 * 0.234852);
+    thud_record_free(record);
+    char *text;
+    size_t size;
+    ck_assert_int_eq(thud_file_read(path, 1 << 20, &text, &size, &err), THUD_OK);
+    ck_assert(strstr(text, "GeoNet") && strstr(text, "CC BY 3.0 NZ") && strstr(text, "Changed:") && size < 40000);
+    free(text);
+}
+END_TEST
+
 Suite *thud_suite(void)
 {
     Suite *suite = suite_create("record surrogates");
     TCase *all = tcase_create("all");
     tcase_add_loop_test(all, made_again_from_its_comments, 0, 3);
     tcase_add_loop_test(all, reads_without_an_option, 0, 3);
+    tcase_add_test(all, the_recorded_one_is_geonets);
     suite_add_tcase(suite, all);
     return suite;
 }
