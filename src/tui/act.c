@@ -53,6 +53,7 @@ static bool steps(const struct thud_tui *tui)
 const char *thud_tui_cannot(struct thud_tui *tui, enum thud_action action)
 {
     const struct thud_view *view = thud_view_of(tui->screen);
+    const char *own = view->cannot ? view->cannot(tui, action) : NULL;
     switch (action) {
     case THUD_DO_UNDO:
         return tui->doc.undo.at > 0 ? NULL : "Nothing to undo";
@@ -77,17 +78,17 @@ const char *thud_tui_cannot(struct thud_tui *tui, enum thud_action action)
     case THUD_DO_PICTURE:
         if (tui->writing)
             return "Figures are being written; Esc stops that";
-        return view->figure && view->figure(tui) ? NULL : "There is no figure on this screen now";
+        return view->figure && view->figure(tui) ? own : "There is no figure on this screen now";
     case THUD_DO_EXPORT:
-        if (view->export_csv && !view->figure)
-            return view->cannot(tui, action);
-        return view->figure && view->figure(tui) ? NULL : "There is no figure on this screen now";
+        return (view->export_csv && !view->figure) || (view->figure && view->figure(tui))
+                   ? own
+                   : "There is no figure on this screen now";
     case THUD_DO_PICTURES:
         if (tui->writing)
             return "Figures are being written; Esc stops that";
-        return tui->live.running || tui->ran_revision != tui->doc.revision ? "There are no results yet: r runs" : NULL;
+        return tui->live.running || tui->ran_revision != tui->doc.revision ? "There are no results yet: r runs" : own;
     default:
-        return view->cannot ? view->cannot(tui, action) : NULL;
+        return own;
     }
 }
 

@@ -21,7 +21,8 @@ struct thud_sweep_state {
     size_t shown_rows;
     bool shown_complete;
     int shown_figure;
-    int typed; /* the line being typed */
+    unsigned long begun, shown_of; /* studies begun so far; the one of them that `shown` was made of */
+    int typed;                     /* the line being typed */
 };
 
 /* NULL when out of memory. The words follow the scene's study, also when that is undone. */

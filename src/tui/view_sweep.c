@@ -29,8 +29,8 @@ static void refresh(struct thud_tui *tui)
     static const double patience_s = 0.4;
     struct thud_sweep_state *s = thud_sweep_state(tui);
     size_t rows = s ? s->data.rows.table.nrows : 0;
-    if (!s ||
-        (s->shown && s->shown_rows == rows && s->shown_figure == s->figure && s->shown_complete == s->data.complete))
+    if (!s || (s->shown && s->shown_of == s->begun && s->shown_rows == rows && s->shown_figure == s->figure &&
+               s->shown_complete == s->data.complete))
         return;
     bool wait = s->data.running && s->by_itself && tui->backend->now(tui->backend) - s->begun_s < patience_s;
     if (s->shown && (wait || (rows == 0 && s->data.running)))
@@ -41,6 +41,7 @@ static void refresh(struct thud_tui *tui)
     if (count == 0)
         return;
     s->shown = thud_sweep_data_figure(&s->data, s->figure % count);
+    s->shown_of = s->begun;
     s->shown_rows = rows;
     s->shown_figure = s->figure;
     s->shown_complete = s->data.complete;
@@ -48,6 +49,12 @@ static void refresh(struct thud_tui *tui)
         thud_figure_free(s->shown);
         s->shown = NULL;
     }
+}
+
+/* Whether the figure on show is of a study before this one, or of the scene or the words before edits. */
+static bool is_old(struct thud_tui *tui, struct thud_sweep_state *s)
+{
+    return s->shown && (s->shown_of != s->begun || !thud_sweep_current(tui, s));
 }
 
 /* The first varied key, which the figures of the study have along x, where it is a number and such a figure is shown;
@@ -85,9 +92,19 @@ static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
     refresh(tui);
     int count = thud_sweep_data_figures(&s->data);
     if (s->shown && count > 0)
-        snprintf(text, size, "%d/%d %.100s", s->figure % count + 1, count, s->shown->title);
+        snprintf(text, size, "%d/%d %s%.100s", s->figure % count + 1, count, is_old(tui, s) ? "before edits: " : "",
+                 s->shown->title);
+    else if (s->shown)
+        snprintf(text, size, "before edits: %.100s", s->shown->title);
     else
         snprintf(text, size, "Amplification");
+}
+
+static void dim(const struct thud_pane *pane)
+{
+    for (int y = pane->y; y < pane->y + pane->h; y++)
+        for (int x = pane->x; x < pane->x + pane->w; x++)
+            pane->canvas->cell[y * pane->canvas->width + x].style = thud_look(THUD_ROLE_MUTED, 0);
 }
 
 static int draw(struct thud_tui *tui, int index, struct thud_pane *pane)
@@ -101,6 +118,8 @@ static int draw(struct thud_tui *tui, int index, struct thud_pane *pane)
         chart.here = here(tui, s);
         chart.has_here = !isnan(chart.here);
         thud_chart_figure(pane, s->shown, s->panel, &chart);
+        if (is_old(tui, s))
+            dim(pane);
     } else {
         thud_field_note(pane, 0, s->data.points ? "nothing to show yet" : "r runs the study");
     }
@@ -147,6 +166,7 @@ static void begin(struct thud_tui *tui, bool by_itself)
     s->current = true;
     s->revision = tui->doc.revision;
     s->ran = s->words;
+    s->begun++;
     s->by_itself = by_itself;
     tui->dirty = true;
     s->begun_s = tui->backend->now(tui->backend);
@@ -234,19 +254,24 @@ static bool act(struct thud_tui *tui, enum thud_action action)
     }
 }
 
+static const struct thud_figure *figure(struct thud_tui *tui)
+{
+    refresh(tui);
+    return tui->sweep ? tui->sweep->shown : NULL;
+}
+
 static const char *cannot(struct thud_tui *tui, enum thud_action action)
 {
+    bool written = action == THUD_DO_PICTURE || action == THUD_DO_PICTURES || action == THUD_DO_EXPORT;
+    if (written && figure(tui) && is_old(tui, tui->sweep))
+        return tui->live.running || tui->sweep->data.running
+                   ? "The study is being made anew for what was edited: its figure is written once it is there"
+                   : "This study is of before the edits, and is not written: r runs it again";
     bool of_figure = action == THUD_DO_QUANTITY || action == THUD_DO_NEXT_CONTACT || action == THUD_DO_PREVIOUS_CONTACT;
     if (!of_figure)
         return NULL;
     refresh(tui);
     return tui->sweep && tui->sweep->shown ? NULL : "There is no figure yet: r runs the study";
-}
-
-static const struct thud_figure *figure(struct thud_tui *tui)
-{
-    refresh(tui);
-    return tui->sweep ? tui->sweep->shown : NULL;
 }
 
 static const struct thud_panel *read_panel(struct thud_tui *tui)

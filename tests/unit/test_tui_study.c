@@ -236,6 +236,41 @@ START_TEST(the_study_fills_by_itself)
 }
 END_TEST
 
+/* The figure that would be written is of the study as it is, also where it has as many rows as the one before. */
+START_TEST(the_figure_is_of_the_study_as_it_is)
+{
+    char *text[2];
+    fixture_keys(&f, "<A-6><Enter><C-u>gap=1 cm:3 cm:1 cm<Enter>");
+    for (int i = 0; i < 2; i++) {
+        if (i == 1)
+            fixture_keys(&f, ":set contact.stiffness 1000 kN/mm<Enter>");
+        struct thud_figure *anew = thud_sweep_data_figure(&f.tui->sweep->data, 0);
+        struct thud_text shown = {0}, right = {0};
+        thud_figure_csv(thud_view_of(THUD_SCREEN_SWEEP)->figure(f.tui), &shown);
+        thud_figure_csv(anew, &right);
+        ck_assert_str_eq(shown.data, right.data);
+        thud_text_clear(&right);
+        thud_figure_free(anew);
+        text[i] = shown.data;
+    }
+    ck_assert_str_ne(text[0], text[1]);
+    free(text[0]);
+    free(text[1]);
+    fixture_expect_not(&f, "before edits");
+    fixture_keys(&f, ":live off<Enter>:set contact.stiffness 2000 kN/mm<Enter>");
+    fixture_expect(&f, "before edits: ");
+    static const char *const keys[] = {"p", "e"};
+    for (int i = 0; i < 2; i++) {
+        fixture_keys(&f, keys[i]);
+        fixture_expect(&f, "is of before the edits, and is not written");
+        char *csv = fixture_file(&f, i ? "towers-sweep.csv" : "towers-sweep-force.csv");
+        ck_assert_ptr_null(csv);
+    }
+    fixture_keys(&f, "u");
+    fixture_expect_not(&f, "before edits: ");
+}
+END_TEST
+
 /* One that takes long waits for r, and its words stay to be read. */
 START_TEST(a_long_study_waits)
 {
@@ -336,6 +371,7 @@ Suite *thud_suite(void)
     tcase_add_test(words, a_list_too_long_is_run_but_not_kept);
     tcase_add_test(words, edits_make_a_study_old);
     tcase_add_test(words, the_study_fills_by_itself);
+    tcase_add_test(words, the_figure_is_of_the_study_as_it_is);
     tcase_add_test(words, a_long_study_waits);
     tcase_add_test(words, the_cursor_sets_the_gap);
     tcase_add_test(words, a_suite_has_its_statistics);
