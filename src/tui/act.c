@@ -75,6 +75,8 @@ const char *thud_tui_cannot(struct thud_tui *tui, enum thud_action action)
         return steps(tui) ? NULL : "The cursor is on no number";
     case THUD_DO_SAVE:
         return thud_doc_unsaved(&tui->doc) ? NULL : "Nothing to save: the file has all of this";
+    case THUD_DO_REMARKS:
+        return thud_tui_cannot_list_remarks(tui);
     case THUD_DO_PICTURE:
         if (tui->writing)
             return "Figures are being written; Esc stops that";
@@ -260,6 +262,9 @@ static void rest(struct thud_tui *tui, enum thud_action action)
         thud_tui_log(tui, "exchange");
         thud_tui_exchange(tui);
         break;
+    case THUD_DO_REMARKS:
+        thud_tui_list_remarks(tui);
+        break;
     case THUD_DO_FIND:
         thud_tui_list_fields(tui);
         break;
@@ -309,9 +314,12 @@ void thud_tui_act(struct thud_tui *tui, enum thud_action action)
         thud_tui_say(tui, THUD_ROLE_WARN, "%s", why);
         return;
     }
-    if ((view->act && view->act(tui, action)) || move(tui, action) || values(tui, action) || files(tui, action))
+    if ((view->act && view->act(tui, action)) || move(tui, action) || files(tui, action))
         return;
-    rest(tui, action);
+    if (values(tui, action))
+        tui->form.loose[tui->screen] = false; /* the field is seen */
+    else
+        rest(tui, action);
 }
 
 /* The cursor of a chart goes to a column of it; false: there is no chart at that place. */

@@ -53,11 +53,13 @@ bool thud_form_focused(const struct thud_form *form, int pane, const char *path)
 void thud_form_focus_on(struct thud_form *form, int screen, const char *path)
 {
     snprintf(form->focus[screen], THUD_PATH_MAX, "%s", path);
+    form->loose[screen] = false;
     form->pane[screen] = -1; /* found at the next drawing */
 }
 
 static void focus_field(struct thud_form *form, const struct thud_field *field)
 {
+    form->loose[form->screen] = false;
     snprintf(form->focus[form->screen], THUD_PATH_MAX, "%s", field->path);
     form->pane[form->screen] = field->pane;
 }
@@ -78,6 +80,10 @@ static void settle_focus(struct thud_form *form, int panes)
         for (int i = 0; i < form->n && *pane < 0; i++)
             if (strcmp(form->field[i].path, form->focus[form->screen]) == 0)
                 *pane = form->field[i].pane;
+        size_t n = strlen(form->focus[form->screen]);
+        for (int i = 0; i < form->n && *pane < 0 && n > 0; i++) /* a group's first */
+            if (strncmp(form->field[i].path, form->focus[form->screen], n) == 0 && form->field[i].path[n] == '.')
+                focus_field(form, &form->field[i]);
         if (*pane < 0)
             *pane = 0;
     }
@@ -100,7 +106,7 @@ bool thud_form_end(struct thud_form *form, int panes)
     const struct thud_field *focus = thud_form_focus(form);
     for (int i = 0; i < panes && i < THUD_FORM_PANES; i++) {
         int *scroll = &form->scroll[form->screen][i], most = form->used[i] - form->height[i], old = *scroll;
-        if (focus && focus->pane == i && form->height[i] > 0) {
+        if (focus && focus->pane == i && form->height[i] > 0 && !form->loose[form->screen]) {
             if (focus->y < *scroll)
                 *scroll = focus->y;
             if (focus->y >= *scroll + form->height[i])
@@ -152,8 +158,16 @@ void thud_form_move(struct thud_form *form, int dx, int dy)
         return;
     }
     const struct thud_field *to = neighbour(form, from, dx, dy);
-    if (to)
+    int *scroll = &form->scroll[form->screen][pane];
+    bool hidden = form->loose[form->screen] && from->y < *scroll;
+    if (dy < 0 && hidden)
+        --*scroll;
+    else if (to)
         focus_field(form, to);
+    else if (dy > 0) {
+        form->loose[form->screen] = true;
+        ++*scroll; /* as far as there is anything: thud_form_end */
+    }
 }
 
 void thud_form_page(struct thud_form *form, int pages)
@@ -177,9 +191,12 @@ void thud_form_edge(struct thud_form *form, bool last)
     for (int i = 0; i < form->n; i++)
         if (form->field[i].pane == pane && (!best || last))
             best = &form->field[i];
-    if (best)
+    if (best) {
         focus_field(form, best);
-    else if (pane >= 0 && pane < THUD_FORM_PANES)
+        form->loose[form->screen] = last;
+        if (last)
+            form->scroll[form->screen][pane] = form->used[pane];
+    } else if (pane >= 0 && pane < THUD_FORM_PANES)
         form->scroll[form->screen][pane] = last ? form->used[pane] : 0;
 }
 

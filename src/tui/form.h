@@ -27,6 +27,8 @@ struct thud_form {
     char focus[THUD_FORM_SCREENS][THUD_PATH_MAX]; /* the field the cursor is on, by screen */
     int pane[THUD_FORM_SCREENS];                  /* the pane with the cursor */
     int scroll[THUD_FORM_SCREENS][THUD_FORM_PANES];
+    bool loose
+        [THUD_FORM_SCREENS]; /* the pane with the cursor is scrolled on by lines, also where that hides the field */
     int used[THUD_FORM_PANES], height[THUD_FORM_PANES];
 };
 
@@ -43,7 +45,7 @@ const struct thud_field *thud_form_focus(const struct thud_form *form); /* NULL:
 bool thud_form_focused(const struct thud_form *form, int pane, const char *path);
 void thud_form_focus_on(struct thud_form *form, int screen, const char *path);
 
-/* Moves the cursor; where a pane has no fields it scrolls. */
+/* Moves the cursor; where a pane has no fields, or none further down, it scrolls by lines. */
 void thud_form_move(struct thud_form *form, int dx, int dy);
 void thud_form_page(struct thud_form *form, int pages);
 void thud_form_edge(struct thud_form *form, bool last);

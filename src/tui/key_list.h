@@ -74,6 +74,8 @@ THUD_KEY(GENERAL, COPY, 'y', 0, "y", "",
 THUD_KEY(GENERAL, SAVE, 'w', 0, "w", "save", "save the preset, comments kept")
 THUD_KEY(GENERAL, SAVE_AS, 'W', 0, "W", "", "save the preset under another name")
 THUD_KEY(GENERAL, OPEN, 'o', 0, "o", "open", "open another preset")
+THUD_KEY(GENERAL, REMARKS, '!', 0, "!", "",
+         "the remarks counted above, energy, tolerance and sign: a list that leads to their fields")
 THUD_KEY(GENERAL, FIND, '/', 0, "/", "find", "find a field by a part of its name, on any screen")
 THUD_KEY(GENERAL, COMMAND, ':', 0, ":", "", "a command line: set KEY VALUE, case, record, run, open, w, q, ...")
 THUD_KEY(GENERAL, HELP, '?', THUD_KEY_F1, "?", "help", "the keys, and the model in short")

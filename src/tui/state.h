@@ -258,6 +258,11 @@ void thud_tui_fill_fields(struct thud_tui *tui); /* the lines of that list, with
 /* act.c: the chart of the screen shown, with the cursor that reads it. */
 struct thud_chart thud_tui_reading(struct thud_tui *tui);
 
+/* remarks.c: on the scene as written; a list with what the result rests on, each line of which leads to its field. */
+int thud_tui_count_remarks(const struct thud_tui *tui);
+void thud_tui_list_remarks(struct thud_tui *tui);
+const char *thud_tui_cannot_list_remarks(const struct thud_tui *tui); /* NULL: it can be shown */
+
 /* view_plots.c */
 void thud_tui_show_impact(struct thud_tui *tui, enum thud_live_which which, int contact, double time_s);
 void thud_tui_show_time(struct thud_tui *tui, double time_s);

@@ -1,6 +1,7 @@
 #include "tui/verdict.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "app/run/answer_line.h"
@@ -34,10 +35,15 @@ void thud_verdict_draw(struct thud_tui *tui, const struct thud_pane *row)
 {
     char words[sizeof tui->verdict];
     bool pounds, running = tui->live.running;
-    verdict_words(tui, row->w - 2, words, sizeof words, &pounds);
+    int remarks = thud_tui_count_remarks(tui);
+    char count[32] = "";
+    if (remarks > 0)
+        snprintf(count, sizeof count, "! %d ", remarks);
+    verdict_words(tui, row->w - 2 - (*count ? (int)strlen(count) + 1 : 0), words, sizeof words, &pounds);
     if (!running) {
         memcpy(tui->verdict, words, sizeof words);
         tui->verdict_role = pounds ? THUD_ROLE_WARN : THUD_ROLE_GOOD;
     }
     thud_pane_put(row, 1, 0, thud_look(running ? THUD_ROLE_MUTED : tui->verdict_role, THUD_BOLD), tui->verdict);
+    thud_pane_right(row, row->w, 0, thud_look(THUD_ROLE_WARN, THUD_BOLD), count);
 }

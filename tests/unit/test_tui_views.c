@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "ground/spectrum.h"
+#include "study/sweep/remark.h"
 #include "tui/sweep_screen.h"
 #include "tui_fixture.h"
 
@@ -360,6 +361,62 @@ START_TEST(the_loop_of_a_storey_holds_what_it_lost)
 }
 END_TEST
 
+/* What stands below the last field of a pane is reached by lines too: the energies and the remarks. */
+START_TEST(a_pane_scrolls_behind_its_last_field)
+{
+    fixture_keys(&f, "4<Tab><Tab>");
+    fixture_expect_not(&f, "energy error");
+    fixture_keys(&f, "<End>");
+    fixture_expect(&f, "pressed by");
+    fixture_expect_not(&f, "title   ");
+    int lines = f.tui->form.scroll[THUD_SCREEN_RESULTS][2];
+    fixture_keys(&f, "<Home>");
+    fixture_expect(&f, "title   ");
+    for (int i = 0; i < 100; i++)
+        fixture_keys(&f, "<Down>");
+    ck_assert_int_eq(f.tui->form.scroll[THUD_SCREEN_RESULTS][2], lines);
+    fixture_keys(&f, "<Up>");
+    ck_assert_int_eq(f.tui->form.scroll[THUD_SCREEN_RESULTS][2], lines - 1);
+    fixture_keys(&f, "<F2>"); /* what is edited is seen */
+    ck_assert_int_lt(f.tui->form.scroll[THUD_SCREEN_RESULTS][2], lines - 1);
+    fixture_keys(&f, "<Esc>");
+}
+END_TEST
+
+START_TEST(remarks_are_counted_and_lead_to_their_fields)
+{
+    struct thud_error remark;
+    int count, n = 0;
+    const struct thud_impact *impact = thud_run_impacts(f.tui->live.which[THUD_LIVE_BUMPER].run, &count);
+    while (thud_result_remark(&f.tui->doc.scene, thud_live_result(&f.tui->live, THUD_LIVE_BUMPER), impact, count, n,
+                              &remark))
+        n++;
+    char text[32];
+    ck_assert_int_ge(n, 2);
+    snprintf(text, sizeof text, " ! %d\n", n);
+    fixture_expect(&f, text);
+    fixture_keys(&f, "!");
+    fixture_expect(&f, "! the bumper of 10 mm is pressed by");
+    fixture_expect(&f, "elastic (buildings yield");
+    fixture_expect(&f, "unaccounted for");
+    fixture_expect(&f, "tolerance: ");
+    fixture_expect(&f, "sign: +");
+    fixture_keys(&f, "<Enter>");
+    ck_assert_int_eq(f.tui->screen, THUD_SCREEN_CONTACT);
+    ck_assert_ptr_eq(strstr(f.tui->form.focus[THUD_SCREEN_CONTACT], "interfaces.1.bumper."),
+                     f.tui->form.focus[THUD_SCREEN_CONTACT]);
+    fixture_keys(&f, "!elastic<Enter>");
+    ck_assert_int_eq(f.tui->screen, THUD_SCREEN_MODEL);
+    ck_assert_int_eq(strncmp(f.tui->form.focus[THUD_SCREEN_MODEL], remark.key, strlen("structures.1")), 0);
+    fixture_keys(&f, "!sign<Enter>");
+    ck_assert_str_eq(f.tui->form.focus[THUD_SCREEN_RECORD], "record.sign");
+    fixture_keys(&f, "!tolerance<Enter>");
+    ck_assert_str_eq(f.tui->form.focus[THUD_SCREEN_RESULTS], "analysis.tolerance");
+    fixture_keys(&f, ":live off<Enter>:set gap 3 cm<Enter>!");
+    fixture_expect(&f, "There are no results yet");
+}
+END_TEST
+
 static int cells_of(int role)
 {
     int n = 0;
@@ -468,6 +525,8 @@ Suite *thud_suite(void)
     tcase_add_test(views, the_cursor_leads_to_every_column_of_floors);
     tcase_add_test(views, buildings_stand_at_their_elevations);
     tcase_add_test(views, the_loop_of_a_storey_holds_what_it_lost);
+    tcase_add_test(views, a_pane_scrolls_behind_its_last_field);
+    tcase_add_test(views, remarks_are_counted_and_lead_to_their_fields);
     tcase_add_test(views, yielded_storeys_are_drawn_with_hinges);
     tcase_add_test(views, struck_columns_are_named_and_drawn_at_the_slab);
     tcase_add_test(views, a_law_is_laid_beside);
