@@ -1,6 +1,9 @@
 #include "cli/records_option.h"
 
+#include <stdio.h>
 #include <string.h>
+
+#include "study/suite/scaling.h"
 
 enum thud_status thud_records_named(const struct thud_args *args, const struct thud_session *session, const char *text,
                                     bool both, struct thud_record_list *out, struct thud_error *err)
@@ -13,6 +16,17 @@ enum thud_status thud_records_named(const struct thud_args *args, const struct t
         n += common[n][1] != NULL;
     }
     return thud_record_list_read(session, text, common, n, both, out, err);
+}
+
+/* What is wrong with a suite, once for whichever study uses it. */
+static void warn_of(const struct thud_args *args, const struct thud_record_list *records)
+{
+    struct thud_error what;
+    char line[1400];
+    int from = 0;
+    while (!thud_args_has(args, "quiet") &&
+           thud_suite_remark((const struct thud_record *const *)records->record, NULL, records->n, &from, &what))
+        fprintf(stderr, "thud: warning: %s\n", thud_error_text(&what, line, sizeof line));
 }
 
 enum thud_status thud_records_option_read(const struct thud_args *args, struct thud_session *session,
@@ -33,5 +47,8 @@ enum thud_status thud_records_option_read(const struct thud_args *args, struct t
         return thud_record_list_own(session, both, out, err);
     if (thud_args_value(args, "record") && thud_args_value(args, "records"))
         return thud_error_set(err, THUD_USAGE, "--record and --records together");
-    return thud_records_named(args, session, text, both, out, err);
+    enum thud_status status = thud_records_named(args, session, text, both, out, err);
+    if (status == THUD_OK)
+        warn_of(args, out);
+    return status;
 }

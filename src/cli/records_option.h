@@ -6,8 +6,8 @@
 #include "cli/args.h"
 
 /* Those of --records, or of the preset's study, with what --peak, --dt, ... say of all of them; else the session's own
- * one (--record), or none. Errors:
- * THUD_USAGE, THUD_INPUT, THUD_MEMORY. */
+ * one (--record), or none. What is wrong with a suite is told on standard error, not with --quiet. Errors: THUD_USAGE,
+ * THUD_INPUT, THUD_MEMORY. */
 enum thud_status thud_records_option_read(const struct thud_args *args, struct thud_session *session,
                                           struct thud_record_list *out, struct thud_error *err);
 

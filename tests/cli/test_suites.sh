@@ -12,7 +12,7 @@ is "and over them" shows "^largest  *19.73"
 is "in a sentence" shows "^A gap of 14.21 cm is enough for 2 of the 3 ground motions,$"
 is "of two motions the narrower gap is enough for one" gives 0 gap towers --records records/kobe-surrogate.csv,records/northridge-surrogate.csv
 is "and the wider one for both" shows "^A gap of 14.21 cm is enough for 1 of the 2 ground motions,$"
-is "two are few" shows "^2 independent ground motions are few: "
+is "two are few" says "^thud: warning: 2 motions are fewer than codes accept (7 or more"
 is "that is what 84 % of them need" shows "^for 2 of 2 (84 %)  *19.73"
 is "the figure is a picture" is_png "$tmp/gap/needed-gap.png"
 rules() { awk -F, 'NR > 1 { rows++; s = sqrt($5 * $5 + $6 * $6); near(s, $9); near(0.7 * s, $11); near(s, $12); near($5 + $6, $8); if ($7 > $8) bad = 1 }
@@ -180,7 +180,6 @@ rows_of() { awk -F, 'NR > 1 { for (i = 2; i <= NF; i++) if (i != 3) print $i }' 
 agree() { numbers_of >"$tmp/j"; rows_of >"$tmp/c"; [ -s "$tmp/j" ] && cmp "$tmp/j" "$tmp/c"; }
 is "statistics in --json are those of suite.csv" agree
 is "a table of them" gives 0 sweep towers --records "$three" --vary gap=5cm,9cm --cases none,bumper --quiet
-is "of three motions, which are few" shows '^3 independent ground motions are few: '
 is "with what pounds" shows '^over 3 ground motions: how many pound'
 line() { awk -F, '$1 == "bumper" && $2 == 0.09 && $3 == "B" { printf "  bumper   B        %4d %4d %6.3f %6.3f %6.3f", $5, $6, $19, $20, $21 }' "$tmp/sweep/suite.csv"; }
 is "the same numbers" grep -q -F -e "$(line)" "$tmp/out"
@@ -336,3 +335,26 @@ is "a count without a target" gives 2 suite "$tmp/motions" --count 3
 is "no motions" gives 2 suite
 is "a single motion by record.target" gives 0 run towers --set record.peak= --set record.target=en1998:0.3g,B --case none
 is "not beside a peak" gives 3 run towers --set record.target=en1998:0.3g,B
+
+# what is wrong with a suite, wherever one is used, each once
+mkdir "$tmp/wrong"
+like() { sed '/^# \(event\|station\|component\)/d' "records/$1-surrogate.csv" | sed "1i# event: E\n# station: $2\n# component: $3" >"$tmp/wrong/$4"; }
+like kobe S1 N28W a.csv
+like northridge S1 S62W b.csv
+like san-fernando S2 Up c.csv
+cp "$tmp/wrong/a.csv" "$tmp/wrong/d.csv"
+printf 'a.csv\nb.csv\nc.csv:factor=5\nd.csv\n' >"$tmp/wrong/all.list"
+tells_each_once() { for words in "all motions are of one event, E " "4 motions are few" "c.csv is scaled by 5 " "c.csv is a vertical component" \
+    "a.csv and b.csv are two components of one station" "a.csv and d.csv are one motion"; do
+    [ "$(grep -c -F "thud: warning: $words" "$tmp/err")" -eq 1 ] || return 1
+done; }
+for command in gap 'sweep --vary gap=5cm,9cm --cases none' 'fragility --vary gap=5cm,9cm --cases none' 'uncertainty --samples 2 --uncertain gap=5% --uncertain mass=0 --uncertain stiffness=0 --uncertain damping=0'; do
+    # shellcheck disable=SC2086 # words
+    is "thud ${command%% *} of a suite with faults" gives 0 $command towers --to 7s --records "$tmp/wrong/all.list"
+    is "tells each once" tells_each_once
+done
+is "a report of it" gives 0 report rigid-bumper --samples 0 --to 7s --records "$tmp/wrong/all.list" -o "$tmp/wrong/report"
+is "tells each once" tells_each_once
+is "in the document, too" grep -q 'a.csv and d.csv are one motion (motions that are independent' "$tmp/wrong/report/report.md"
+is "not with --quiet" gives 0 gap towers --to 7s --records "$tmp/wrong/all.list" --quiet
+is "at all" test ! -s "$tmp/err"

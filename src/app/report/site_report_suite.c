@@ -9,6 +9,7 @@
 #include "app/sweep/sweep_jobs.h"
 #include "plot/figures/figures_fragility.h"
 #include "plot/figures/figures_gap.h"
+#include "study/suite/scaling.h"
 
 /* The motions are run at these multiples of what was given, so that a fragility curve has points on both sides. */
 static const char scales[] = "record.factor=0.25,0.5,0.75,1,1.25,1.5,2";
@@ -335,9 +336,12 @@ void thud_site_suite_section(struct site *site)
                             "16 %%, median and 84 %% are quantiles of the logarithms where every value is positive. "
                             "The motions are taken as independent and as equally likely%s.",
                             runs->ndraws < runs->nrecords ? ", but the two signs of one are one draw" : "");
+    struct thud_error remark;
+    int from = 0;
+    while (thud_suite_remark(site->suite.plan.record, NULL, site->suite.plan.nrecords, &from, &remark))
+        thud_document_item(d, "%s (%s).", remark.what, remark.allowed);
     if (runs->ndraws < THUD_DRAWS_LEAST)
-        thud_document_paragraph(d, "%d independent ground motions are few: %s.", runs->ndraws,
-                                runs->ndraws < THUD_SHARES_LEAST ? "no band is given of anything"
-                                                                 : "a band of a curve needs at least seven");
+        thud_document_paragraph(d, "There is no band of %s from so few.",
+                                runs->ndraws < THUD_SHARES_LEAST ? "anything" : "a curve");
     add_figures(site);
 }

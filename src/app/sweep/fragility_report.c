@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "app/sweep/gap_report.h"
 #include "base/version.h"
 #include "io/file/file.h"
 #include "io/file/json.h"
@@ -804,7 +803,5 @@ enum thud_status thud_suite_table(const struct thud_suite *suite, struct thud_te
                      suite->nrecords);
     thud_text_append(out, "                              mean acc. ratio      force (MN)\n"
                           "  case     of      pound grow   16 %% median   84 %%  median    84 %%  at\n");
-    enum thud_status status = put_suite(suite, put_suite_table_row, out, err);
-    thud_few_motions(suite->ndraws, out);
-    return status;
+    return put_suite(suite, put_suite_table_row, out, err);
 }

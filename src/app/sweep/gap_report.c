@@ -8,7 +8,6 @@
 #include "base/version.h"
 #include "io/file/json.h"
 #include "study/scene/level.h"
-#include "study/suite/suite.h"
 
 enum thud_status thud_gap_study_run(const struct thud_scene *scene, const struct thud_record_list *records,
                                     const atomic_int *cancel, struct thud_gap_study *out, struct thud_error *err)
@@ -164,23 +163,6 @@ static void put_bumpers(const struct thud_scene *scene, struct thud_text *out)
     }
 }
 
-void thud_few_motions(int n, struct thud_text *out)
-{
-    if (n < THUD_DRAWS_LEAST)
-        thud_text_append(out,
-                         "%d independent ground motion%s few: one more may change every number here\n"
-                         "(EN 1998-1 4.3.3.4.3 takes means of seven or more).\n",
-                         n, n == 1 ? " is" : "s are");
-}
-
-static int independent(const struct thud_gap_suite *suite)
-{
-    int n = 0;
-    for (int r = 0; r < suite->nrecords; r++)
-        n += r == 0 || !thud_motion_is_turned(suite->record[r], suite->record[r - 1]);
-    return n;
-}
-
 enum thud_status thud_gap_report(const struct thud_gap_study *study, const struct thud_scene *scene,
                                  struct thud_text *out, struct thud_error *err)
 {
@@ -196,7 +178,6 @@ enum thud_status thud_gap_report(const struct thud_gap_study *study, const struc
         if (f[0].most84 < f[0].n && f[0].most84 > f[0].half)
             thud_text_append(out, ", %.2f cm for %zu of them", 100 * f[0].p84, f[0].most84);
         thud_text_append(out, f[0].half < f[0].n ? ",\n%.2f cm for all.\n" : ".\n", 100 * f[0].most);
-        thud_few_motions(independent(suite), out);
     }
     put_bumpers(scene, out);
     thud_text_append(out, "\n");

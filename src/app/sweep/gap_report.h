@@ -23,8 +23,6 @@ void thud_gap_study_clear(struct thud_gap_study *study);
 /* 80 columns. Errors: THUD_MEMORY. */
 enum thud_status thud_gap_report(const struct thud_gap_study *study, const struct thud_scene *scene,
                                  struct thud_text *out, struct thud_error *err);
-/* A sentence where so many independent ground motions are few. */
-void thud_few_motions(int n, struct thud_text *out);
 /* A row per ground motion and level: record,interface,left_floor,right_floor,left_displacement_m,
  * right_displacement_m,closing_m,abs_m,srss_m,ddc_m,en1998_m,asce7_m,correlation */
 void thud_gap_csv(const struct thud_gap_study *study, const struct thud_record_list *records, struct thud_text *out);

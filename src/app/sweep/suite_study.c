@@ -91,14 +91,14 @@ static void put_remarks(const struct thud_suite_study *study, struct thud_text *
     const struct thud_record **chosen = calloc((size_t)study->records->n, sizeof(struct thud_record *));
     double *factor = calloc((size_t)study->records->n, sizeof *factor);
     struct thud_error remark = {0};
-    int n = 0;
+    int n = 0, from = 0;
     for (int i = 0; chosen && factor && i < study->records->n; i++)
         if (study->scaled.motion[i].chosen) {
             chosen[n] = study->records->record[i];
             factor[n++] = fabs(study->factor[i]);
         }
-    for (int k = 0; chosen && factor && thud_suite_remark(chosen, factor, n, k, &remark); k++)
-        thud_text_append(out, "%s  ! %s (%s)\n", k ? "" : "\n", remark.what, remark.allowed);
+    for (bool first = true; chosen && factor && thud_suite_remark(chosen, factor, n, &from, &remark); first = false)
+        thud_text_append(out, "%s  ! %s (%s)\n", first ? "\n" : "", remark.what, remark.allowed);
     free(chosen);
     free(factor);
 }

@@ -13,6 +13,7 @@
 
 #include "base/quantity.h"
 #include "ground/identity.h"
+#include "study/suite/suite.h"
 
 static const double least_share = 0.9; /* of the target, by the code */
 /* A period is resolved where a motion has a sample in each quarter of it. */
@@ -173,12 +174,9 @@ enum thud_status thud_suite_scale(const struct thud_record *const *record, int n
 
 /* ---- remarks ---- */
 
-/* The other way round of one that stands before it ("FILE:sign=-"). */
 static bool is_turned(const struct thud_record *const *record, int i)
 {
-    size_t n = i > 0 ? strlen(record[i - 1]->file) : 0;
-    return i > 0 && strncmp(record[i]->file, record[i - 1]->file, n) == 0 &&
-           strcmp(record[i]->file + n, ":sign=-") == 0;
+    return i > 0 && thud_motion_is_turned(record[i]->file, record[i - 1]->file);
 }
 
 static void name_of(const struct thud_record *record, char *text, size_t size)
@@ -238,15 +236,15 @@ static bool suite_remark(const struct thud_record *const *record, int count, int
     return false;
 }
 
-bool thud_suite_remark(const struct thud_record *const *record, const double *factor, int count, int n,
+bool thud_suite_remark(const struct thud_record *const *record, const double *factor, int count, int *from,
                        struct thud_error *out)
 {
-    for (int kind = 0; kind < 2; kind++)
-        if (suite_remark(record, count, kind, out) && n-- == 0)
+    while (*from < 2 + 3 * count) {
+        int question = (*from)++, i = (question - 2) / 3;
+        if (question < 2
+                ? suite_remark(record, count, question, out)
+                : motion_remark(record, count, i, (question - 2) % 3, factor ? factor[i] : fabs(record[i]->scale), out))
             return true;
-    for (int i = 0; i < count; i++)
-        for (int kind = 0; kind < 3; kind++)
-            if (motion_remark(record, count, i, kind, factor ? factor[i] : fabs(record[i]->scale), out) && n-- == 0)
-                return true;
+    }
     return false;
 }
