@@ -12,7 +12,6 @@ enum { SAMPLES = 200, SAMPLES_MAX = 100000, SEED_MAX = 2147483647 };
 enum thud_status thud_fragility_options_read(const struct thud_args *args, const struct thud_sweep_plan *plan,
                                              struct thud_fragility_study *out, struct thud_error *err)
 {
-    static const char *const usual[] = {"pounding", "worse"};
     const char *event, *hazard = thud_args_value(args, "hazard");
     int seed = 1;
     enum thud_status status = THUD_OK;
@@ -22,8 +21,8 @@ enum thud_status thud_fragility_options_read(const struct thud_args *args, const
             return thud_error_set(err, THUD_USAGE, "more than %d events", THUD_EVENTS_MAX);
         status = thud_event_parse(event, &out->event[out->nevents++], err);
     }
-    for (size_t i = 0; status == THUD_OK && !thud_args_has(args, "event") && i < sizeof usual / sizeof *usual; i++)
-        status = thud_event_parse(usual[i], &out->event[out->nevents++], err);
+    if (!thud_args_has(args, "event"))
+        status = thud_events_parse(plan->scene.study.events, out->event, &out->nevents, err);
     if (status == THUD_OK)
         status = thud_args_integer(args, "samples", 0, SAMPLES_MAX, SAMPLES, &out->samples, err);
     if (status == THUD_OK)

@@ -189,6 +189,8 @@ enum thud_status thud_made_by_study(const struct thud_args *args, const struct t
     out->asked = thud_hash(out->asked, &whole, sizeof whole);
     if (args->command == THUD_COMMAND_FRAGILITY)
         out->asked = hash_options(hash_text(out->asked, "fragility"), args, fragility);
+    if (args->command == THUD_COMMAND_FRAGILITY && plan->scene.study.events[0])
+        out->asked = hash_text(out->asked, plan->scene.study.events);
     for (int i = 0; i < plan->naxes; i++) {
         const struct thud_sweep_axis *axis = &plan->axis[i];
         if (axis->n > 2)

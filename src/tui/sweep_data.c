@@ -53,23 +53,11 @@ void thud_sweep_data_clear(struct thud_sweep_data *data)
     memset(data, 0, sizeof *data);
 }
 
-/* "a.csv , b.csv" without the blanks at the commas. */
-static void close_commas(const char *from, char *to, size_t size)
-{
-    size_t n = 0;
-    for (const char *at = from + strspn(from, " "); *at && n + 1 < size; at++) {
-        if (*at == ' ' && (n == 0 || to[n - 1] == ',' || at[strspn(at, " ")] == ',' || !at[strspn(at, " ")]))
-            continue;
-        to[n++] = *at;
-    }
-    to[n] = '\0';
-}
-
 static enum thud_status read_records(struct thud_sweep_data *data, const struct thud_doc *doc,
                                      const struct thud_study_words *words, struct thud_error *err)
 {
     struct thud_session *session = calloc(1, sizeof *session);
-    char list[sizeof words->records];
+    const char *list = words->records;
     bool both = strcmp(words->signs, "both") == 0;
     enum thud_status status = THUD_OK;
     clear_records(data);
@@ -79,7 +67,6 @@ static enum thud_status read_records(struct thud_sweep_data *data, const struct 
     snprintf(session->preset_path, sizeof session->preset_path, "%s", doc->path);
     session->preset = doc->preset;
     session->scene = doc->scene;
-    close_commas(words->records, list, sizeof list);
     if (*words->signs && !both)
         status = thud_error_set(err, THUD_USAGE, "signs: \"%.20s\" is not understood; both, or nothing", words->signs);
     else if (*list)
@@ -128,22 +115,13 @@ static enum thud_status make_plan(struct thud_sweep_data *data, const struct thu
     return status;
 }
 
-/* What is asked of every run: events with commas between. */
+/* What is asked of every run. */
 static enum thud_status read_events(struct thud_sweep_data *data, const struct thud_study_words *words,
                                     struct thud_error *err)
 {
-    char list[sizeof words->events], *rest = list;
-    enum thud_status status = THUD_OK;
-    snprintf(list, sizeof list, "%s", *words->events ? words->events : "pounding,worse");
-    for (char *word; status == THUD_OK && (word = strtok_r(rest, ",", &rest)) != NULL;) {
-        word += strspn(word, " ");
-        if (data->fragility.nevents == THUD_EVENTS_MAX)
-            return thud_error_set(err, THUD_USAGE, "more than %d events", THUD_EVENTS_MAX);
-        status = thud_event_parse(word, &data->fragility.event[data->fragility.nevents++], err);
-    }
     data->fragility.samples = SAMPLES;
     data->fragility.seed = 1;
-    return status;
+    return thud_events_parse(words->events, data->fragility.event, &data->fragility.nevents, err);
 }
 
 enum thud_status thud_sweep_data_prepare(struct thud_sweep_data *data, const struct thud_doc *doc,

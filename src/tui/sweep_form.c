@@ -69,21 +69,16 @@ static void close_up(struct thud_study_words *words)
     }
 }
 
-/* Words that no preset keeps, of signs and events. */
 static enum thud_status check(const struct thud_study_words *words, struct thud_error *err)
 {
-    struct thud_event event;
-    char list[sizeof words->events], *rest = list;
-    enum thud_status status = THUD_OK;
+    struct thud_event event[THUD_EVENTS_MAX];
+    int n;
     if (*words->signs && strcmp(words->signs, "both") != 0)
         return thud_error_set(err, THUD_USAGE, "signs: both, or nothing");
-    snprintf(list, sizeof list, "%s", words->events);
-    for (char *word; status == THUD_OK && (word = strtok_r(rest, ",", &rest)) != NULL;)
-        status = thud_event_parse(word + strspn(word, " "), &event, err);
-    return status;
+    return thud_events_parse(words->events, event, &n, err);
 }
 
-/* Refused words stay in the prompt. Those that a preset can say become its study, to be saved with it. */
+/* Refused words stay in the prompt. The others become the preset's study, to be saved with it. */
 void thud_tui_sweep_typed(struct thud_tui *tui, const char *text)
 {
     struct thud_sweep_state *s = thud_sweep_state(tui);
@@ -95,12 +90,16 @@ void thud_tui_sweep_typed(struct thud_tui *tui, const char *text)
     struct thud_error err = {0};
     char *word = word_of(&words, s->typed, &size), what[200];
     bool kept = true;
-    snprintf(word, size, "%s", text);
+    if (s->typed == RECORDS || s->typed == EVENTS)
+        thud_study_close_commas(text, word, size);
+    else
+        snprintf(word, size, "%s", text);
     close_up(&words);
     snprintf(what, sizeof what, "study: %s %.120s", word_name(s->typed), *text ? text : "(none)");
-    bool of_scene = s->typed < RECORDS || s->typed == SENSITIVITY; /* the rest no preset says */
-    enum thud_status status = of_scene ? thud_study_words_keep(&words, &next, &kept, &err) : check(&words, &err);
-    if (status == THUD_OK && of_scene)
+    enum thud_status status = check(&words, &err);
+    if (status == THUD_OK)
+        status = thud_study_words_keep(&words, &next, &kept, &err);
+    if (status == THUD_OK)
         status = thud_doc_change(&tui->doc, &next, what, &err);
     if (status != THUD_OK) {
         thud_tui_say_error(tui, &err);

@@ -8,11 +8,35 @@
 
 enum { FROM, TO, STEP, PARTS, VARY = PARTS, VALUES, KEYS, LIST = THUD_VARY_MAX * THUD_VARY_VALUES };
 
+void thud_study_close_commas(const char *from, char *to, size_t size)
+{
+    size_t n = 0;
+    for (const char *at = from + strspn(from, " "); *at && n + 1 < size; at++) {
+        if (*at == ' ' && (n == 0 || to[n - 1] == ',' || at[strspn(at, " ")] == ',' || !at[strspn(at, " ")]))
+            continue;
+        to[n++] = *at;
+    }
+    to[n] = '\0';
+}
+
+/* A list of a preset without its brackets. */
+static void without_brackets(const char *from, char *to, size_t size)
+{
+    size_t n = strlen(from);
+    bool brackets = n > 1 && *from == '[' && from[n - 1] == ']';
+    char text[THUD_VARY_TEXT];
+    snprintf(text, sizeof text, "%.*s", (int)(n - 2 * brackets), from + brackets);
+    thud_study_close_commas(text, to, size);
+}
+
 void thud_study_words_of(const struct thud_scene *scene, struct thud_study_words *words)
 {
     const struct thud_study_choice *study = &scene->study;
     memset(words->vary, 0, sizeof words->vary);
     words->cases[0] = words->sensitivity[0] = '\0';
+    without_brackets(study->records, words->records, sizeof words->records);
+    without_brackets(study->events, words->events, sizeof words->events);
+    snprintf(words->signs, sizeof words->signs, "%s", study->both_signs ? "both" : "");
     if (study->sensitivity > 0)
         thud_quantity_format(study->sensitivity, "%", words->sensitivity, sizeof words->sensitivity);
     for (int i = 0; i < study->nvary; i++)
@@ -124,6 +148,17 @@ static bool write_lists(const struct thud_study_words *words, const struct thud_
     return room;
 }
 
+/* A list in brackets that says the same stays as it is written. */
+static void keep_list(const char *words, char kept[THUD_VARY_TEXT])
+{
+    char now[THUD_VARY_TEXT];
+    without_brackets(kept, now, sizeof now);
+    if (strcmp(now, words) == 0)
+        return;
+    memset(kept, 0, THUD_VARY_TEXT); /* scenes are compared as bytes */
+    snprintf(kept, THUD_VARY_TEXT, "%s", words);
+}
+
 static enum thud_status set_study(struct thud_scene *scene, const struct thud_study_words *words, char list[KEYS][LIST],
                                   struct thud_error *err)
 {
@@ -141,6 +176,9 @@ static enum thud_status set_study(struct thud_scene *scene, const struct thud_st
             status = thud_scene_set(scene, key[order[i]], list[order[i]], err);
     if (status == THUD_OK && *cases)
         status = thud_scene_set(scene, "study.cases", cases, err);
+    scene->study.both_signs = *words->signs != '\0';
+    keep_list(words->records, scene->study.records);
+    keep_list(words->events, scene->study.events);
     return status == THUD_OK ? thud_scene_set(scene, "study.sensitivity", words->sensitivity, err) : status;
 }
 

@@ -9,14 +9,16 @@
 struct thud_study_words {
     char vary[THUD_VARY_MAX][THUD_VARY_TEXT]; /* "gap=5 cm:25 cm:0.5 cm"; empty: no more */
     char cases[96];                           /* "none,bumper"; empty: as written */
-    char records[512];                        /* files, folders, lists, with commas; empty: the scene's own */
+    char records[THUD_VARY_TEXT];             /* files, folders, lists, with commas; empty: the scene's own */
     char signs[16];                           /* "both": each motion also the other way round; empty: as it is */
-    char events[160];                         /* of the fragility, with commas; empty: pounding,worse */
+    char events[THUD_VARY_TEXT];              /* of the fragility, with commas; empty: pounding,worse */
     char sensitivity[32];                     /* "0.1 %"; empty: no spread */
 };
 
-/* What the preset's study says, else the paper's. What is of the ground motions stays as it is. */
+/* What the preset's study says, else the paper's. */
 void thud_study_words_of(const struct thud_scene *scene, struct thud_study_words *words);
+/* "a.csv , b.csv" without the blanks at the commas; `to` may be as long as `from`. */
+void thud_study_close_commas(const char *from, char *to, size_t size);
 
 /* Makes the words the scene's study, after trying every value they name; a range beside a list becomes a list. Lists
  * longer than a preset has room for are only tried, and *kept is false. Errors: THUD_USAGE, THUD_INPUT, THUD_MEMORY;

@@ -132,7 +132,7 @@ is "words of every list${wrong:+:$wrong}" [ -z "$wrong" ]
 wrong=""
 while read -r key; do
     case $key in # whatever the key, a value that is none is refused for its own sake, not because the key is unknown
-    record.file | title | *.name | study.vary | study.records) continue ;; # any text will do, or it is a list of keys itself
+    record.file | title | *.name | study.vary | study.records | study.events) continue ;; # any text will do, or it is a list of keys itself
     esac
     gives 3 run towers --set "$key=@" && ! says "unknown key" || wrong="$wrong $key"
 done <"$tmp/keys"

@@ -220,6 +220,11 @@ cp "$tmp/folder/c.txt" "$tmp/folder/d.txt"
 is "files of a folder that do not say all" gives 3 gap towers --records "$tmp/folder"
 is "are named together" says "2 of 4 files cannot be read: c.txt (needs dt), d.txt (needs dt)"
 is "refused: no number varied" gives 2 fragility towers --records "$three" --vary contact.law=linear,hertz
+printf 'study:\n  vary: gap\n  values: [5 cm, 9 cm]\n  cases: [none]\n  events: ["drift:1 %%", pounding]\n' >"$tmp/study"
+sed '/^study:/,$d' presets/towers.yaml | cat - "$tmp/study" >"$tmp/events.yaml"
+is "a preset names its events" gives 0 fragility "$tmp/events.yaml" --records "$three" --csv --quiet
+is "which are counted, and no others" test "$(cut -d, -f1 "$tmp/out" | sed 1d | uniq | tr '\n' ' ')" = "drift:1 % pounding "
+is "refused: an unknown event of a preset" gives 2 fragility "$tmp/events.yaml" --records "$three" --set study.events=flood
 is "refused: an unknown event" gives 2 fragility towers --event flood
 is "refused: a hazard curve without an intensity" gives 2 fragility towers --records "$three" --vary gap=5cm,6cm --hazard "$tmp/hazard.csv"
 sa() { "$THUD" fragility towers --records "$three" --vary record.sa=0.3g:1.5g:0.3g --set gap=9cm --cases none --event pounding --hazard "$tmp/$1" --json --quiet >"$tmp/out" 2>"$tmp/err"; }

@@ -340,6 +340,63 @@ START_TEST(a_suite_has_its_statistics)
 }
 END_TEST
 
+/* Ground motions, signs and events are the preset's own too: unsaved is said, undone, saved, and found on opening. */
+START_TEST(motions_signs_and_events_are_kept)
+{
+    fixture_keys(&f, "<A-6><Enter><C-u>gap=1 cm:2 cm:1 cm<Enter>w");
+    fixture_expect_not(&f, "towers [+]");
+    fixture_keys(&f, ":records pulse.csv:peak=0.2 g , pulse.csv:peak=0.6 g<Enter>");
+    fixture_expect(&f, "towers [+]");
+    fixture_keys(&f, ":signs both<Enter>:events pounding, drift:2 cm<Enter>");
+    ck_assert_str_eq(study()->records, "pulse.csv:peak=0.2 g,pulse.csv:peak=0.6 g");
+    ck_assert(study()->both_signs);
+    fixture_keys(&f, "u");
+    ck_assert_str_eq(study()->events, "");
+    fixture_keys(&f, "<C-r>w");
+    fixture_expect(&f, "Saved");
+    fixture_keys(&f, ":signs<Enter>:events<Enter>:records<Enter>");
+    ck_assert_str_eq(study()->records, "");
+    ck_assert(!study()->both_signs);
+    char open[200];
+    snprintf(open, sizeof open, ":open %s/bodies.yaml<Enter>y<A-6>", f.folder);
+    fixture_keys(&f, open);
+    fixture_expect_not(&f, "both");
+    snprintf(open, sizeof open, ":open %s/towers.yaml<Enter>", f.folder);
+    fixture_keys(&f, open);
+    ck_assert_str_eq(study()->records, "pulse.csv:peak=0.2 g,pulse.csv:peak=0.6 g");
+    fixture_expect(&f, "signs    both");
+    fixture_expect(&f, "events   pounding,drift:2 cm");
+    fixture_keys(&f, "r");
+    fixture_expect(&f, "4 ground motions");
+    ck_assert_int_eq(f.tui->sweep->data.fragility.nevents, 2);
+    ck_assert_str_eq(f.tui->sweep->data.fragility.event[1].text, "drift:2 cm");
+}
+END_TEST
+
+/* Lists in brackets are taken, and stay so in the file. */
+START_TEST(lists_in_brackets_are_shown_without_them)
+{
+    static char text[8192];
+    snprintf(text, sizeof text,
+             "%sstudy:\n  vary: gap\n  values: [1 cm, 2 cm]\n"
+             "  records: [pulse.csv, \"pulse.csv:peak=0.2 g\"]\n  events: [worse, \"force:5 MN\"]\n",
+             fixture_towers);
+    fixture_write(&f, "listed.yaml", text);
+    snprintf(text, sizeof text, ":open %s/listed.yaml<Enter><A-6>", f.folder);
+    fixture_keys(&f, text);
+    ck_assert_str_eq(f.tui->sweep->words.records, "pulse.csv,pulse.csv:peak=0.2 g");
+    ck_assert_str_eq(f.tui->sweep->words.events, "worse,force:5 MN");
+    fixture_expect(&f, "4 of 4 points");
+    fixture_keys(&f, ":signs both<Enter>w");
+    fixture_expect(&f, "Saved");
+    char *file = fixture_file(&f, "listed.yaml");
+    ck_assert_ptr_nonnull(strstr(file, "records: [pulse.csv, \"pulse.csv:peak=0.2 g\"]"));
+    ck_assert_ptr_nonnull(strstr(file, "events: [worse, \"force:5 MN\"]"));
+    ck_assert_ptr_nonnull(strstr(file, "signs: both"));
+    free(file);
+}
+END_TEST
+
 /* What is there already and was not written here is not written over. */
 START_TEST(tables_of_others_stay)
 {
@@ -375,6 +432,8 @@ Suite *thud_suite(void)
     tcase_add_test(words, a_long_study_waits);
     tcase_add_test(words, the_cursor_sets_the_gap);
     tcase_add_test(words, a_suite_has_its_statistics);
+    tcase_add_test(words, motions_signs_and_events_are_kept);
+    tcase_add_test(words, lists_in_brackets_are_shown_without_them);
     tcase_add_test(words, tables_of_others_stay);
     suite_add_tcase(suite, words);
     return suite;

@@ -65,6 +65,7 @@ enum thud_event_kind {
     THUD_EVENT_PERMANENT,    /* their permanent drift, m */
     THUD_EVENT_COLUMN        /* shear of columns that slabs strike over their capacity */
 };
+enum { THUD_EVENTS_MAX = 16 }; /* of a study */
 struct thud_event {
     enum thud_event_kind kind;
     double limit;
@@ -73,6 +74,8 @@ struct thud_event {
 /* "pounding", "worse", "force:5 MN", "acceleration:1 g", "drift:3 cm", "drift:1 %", "ductility:2",
  * "permanent:1 cm", "column:1". Errors: THUD_USAGE. */
 enum thud_status thud_event_parse(const char *text, struct thud_event *out, struct thud_error *err);
+/* Several with commas between, also in brackets as a preset has them; empty: pounding and worse. `out` has room for THUD_EVENTS_MAX. Errors: THUD_USAGE. */
+enum thud_status thud_events_parse(const char *list, struct thud_event *out, int *n, struct thud_error *err);
 /* Whether an intensity of the ground motion is varied. */
 bool thud_axis_is_intensity(const struct thud_sweep_axis *axis);
 /* One event and case along one axis, at one setting of the others. */

@@ -7,8 +7,6 @@
 #include "plot/figure/figure.h"
 #include "study/suite/fragility.h"
 
-enum { THUD_EVENTS_MAX = 16 };
-
 struct thud_fragility_line {
     int event, k, axis;
     int at[THUD_VARY_MAX]; /* on the other axes; 0 on its own */

@@ -200,6 +200,7 @@ static const struct thud_param study_params[] = {
             THUD_RATIO, "%", 0), FROM(0), UP_TO(0.1), USUAL(0, 0.02)},
     WORD("records", "ground motions", "As --records takes them: files with their settings, a folder, a .list; one or several in brackets."),
     CHOICE("signs", "signs", "both: every ground motion also the other way round.", one_or_both, 0),
+    WORD("events", "events", "Of `thud fragility`, as --event takes them: pounding, worse, \"force:5 MN\", ...; else pounding, worse."),
 };
 static const struct thud_place study_places[] = {
     {.store = THUD_STORE_STUDY}, {.store = THUD_STORE_STUDY}, {.store = THUD_STORE_STUDY},
@@ -207,6 +208,7 @@ static const struct thud_place study_places[] = {
     {.store = THUD_STORE_NUMBER, .offset = offsetof(struct thud_scene, study.sensitivity)},
     {.store = THUD_STORE_TEXT, .offset = offsetof(struct thud_scene, study.records), .size = THUD_VARY_TEXT},
     {.store = THUD_STORE_SWITCH, .offset = offsetof(struct thud_scene, study.both_signs)},
+    {.store = THUD_STORE_TEXT, .offset = offsetof(struct thud_scene, study.events), .size = THUD_VARY_TEXT},
 };
 /* clang-format on */
 

@@ -288,6 +288,23 @@ enum thud_status thud_event_parse(const char *text, struct thud_event *out, stru
     return refuse_event(text, err);
 }
 
+enum thud_status thud_events_parse(const char *list, struct thud_event *out, int *n, struct thud_error *err)
+{
+    char text[THUD_VARY_TEXT], *rest = text;
+    enum thud_status status = THUD_OK;
+    snprintf(text, sizeof text, "%s", *list ? list : "pounding,worse");
+    *n = 0;
+    for (char *word; status == THUD_OK && (word = strtok_r(rest, ",[]", &rest)) != NULL;) {
+        word += strspn(word, " ");
+        for (size_t end = strlen(word); end > 0 && word[end - 1] == ' ';)
+            word[--end] = '\0';
+        if (*n == THUD_EVENTS_MAX)
+            return thud_error_set(err, THUD_USAGE, "more than %d events", THUD_EVENTS_MAX);
+        status = thud_event_parse(word, &out[(*n)++], err);
+    }
+    return status;
+}
+
 /* Whether an intensity makes it more likely, or a gap pounding less. Floor accelerations and permanent drifts go up and
  * down, and so does what a bumper makes of them. */
 static bool is_monotone(enum thud_event_kind kind, const struct thud_sweep_axis *axis)
