@@ -215,9 +215,11 @@ static enum thud_status uncertainty(const struct thud_args *args, struct thud_se
     if (status == THUD_OK)
         status = read_options(args, &study, &inputs, err);
     struct thud_record_list records = {0};
-    if (status == THUD_OK)
+    bool own = scene->record.file[0], several = thud_args_value(args, "records") || thud_args_has(args, "signs") ||
+                                                (!own && scene->study.records[0]);
+    if (status == THUD_OK && (own || !several))
         status = thud_session_read_record(session, err);
-    if (status == THUD_OK && (thud_args_value(args, "records") || thud_args_has(args, "signs")))
+    if (status == THUD_OK && several)
         status = thud_records_option_read(args, session, &records, err);
     if (status == THUD_OK && thud_args_has(args, "o")) {
         static const char *const asked[] = {"case", "uncertain", "sampling", "seed", NULL};

@@ -29,7 +29,7 @@ general() {
     sed -E 's/^(record[.]peak|bumper[.]thickness(_m)?)$/KEY/; s/^(force_n|acceleration_mps2|drift_m|drift_angle|acceleration_ratio|drift_ratio|ductility|permanent_m|shear_over_capacity)_(p16|median|p84)$/MEASURE_\2/
         s/^(gap|stiffness.[AB]|damping.[AB]|contact-stiffness|restitution|bumper-stiffness|ground-motion)(_least|_most|_first|_total|_first_low|_first_high|_total_low|_total_high)?$/INPUT\2/
         s/^(theta|theta_low|theta_high|median_above|median_below|exact_p16|exact_median|exact_p84|exact_median_low|exact_median_high)_mps2$/\1UNIT/
-        s/^(none|bumper)[.].*/QUANTITY/' "$1" | sort -u >"$tmp/written"
+        s/^((none|bumper)[.].*|needed_gap_m$)/QUANTITY/' "$1" | sort -u >"$tmp/written"
 }
 general_csv() { # SECTION FILE
     columns "$2" >"$tmp/named"

@@ -7,6 +7,7 @@
 
 #include "base/quantity.h"
 #include "study/scene/answer.h"
+#include "study/scene/needed_gap.h"
 #include "study/uncertainty/sobol.h"
 #include "study/uncertainty/uncertainty.h"
 #include "study_setup.h"
@@ -388,8 +389,13 @@ START_TEST(samples_are_runs)
     double largest = 0;
     for (int i = 0; i < s->floors; i++)
         largest = fmax(largest, s->floor[i].acceleration.value);
-    ck_assert(x[0] == largest);
+    ck_assert(u->quantity[1].kind == THUD_OF_ACCELERATION && x[1] == largest);
     thud_answer_clear(&answer);
+    struct thud_needed_gap *gap; /* whatever the gap of the scene is */
+    ck_assert_int_eq(thud_needed_gap_run(scene, motion, &gap, &error), THUD_OK);
+    ck_assert(u->quantity[0].kind == THUD_OF_GAP && x[0] > 0);
+    ck_assert_double_eq(x[0], thud_needed_gap_widest(gap, 0, THUD_GAP_EXACT, NULL));
+    free(gap);
     for (int q = 0; q < u->nquantities; q++)
         if (x[q] > 0)
             ck_assert_double_eq_tol(y[q] / x[q], u->quantity[q].ratio ? 1 : 1.5, 1e-9);

@@ -73,7 +73,8 @@ void thud_input_change(struct thud_scene *scene, const struct thud_drawn_input *
 
 /* ---- what is asked of every sample ---- */
 
-enum thud_quantity_kind { THUD_OF_ACCELERATION, THUD_OF_DRIFT, THUD_OF_FORCE, THUD_OF_NUMBER };
+/* THUD_OF_GAP: the gap that is enough at every level, without what a bumper needs besides. */
+enum thud_quantity_kind { THUD_OF_ACCELERATION, THUD_OF_DRIFT, THUD_OF_FORCE, THUD_OF_NUMBER, THUD_OF_GAP };
 struct thud_quantity_of_run {
     char name[96];   /* "bumper: mean acceleration of A over no bumper" */
     char column[96]; /* in CSV: "bumper.A.acceleration_ratio" */
@@ -95,7 +96,7 @@ struct thud_uncertainty {
     struct thud_drawn_input input[THUD_DRAWN_MAX]; /* the choice of a ground motion is the last one */
     bool columns;                                  /* slabs strike some in the scene as it is */
     int nquantities;
-    struct thud_quantity_of_run *quantity; /* (nquantities) */
+    struct thud_quantity_of_run *quantity; /* (nquantities) the needed gap first, where neighbours could touch */
 };
 
 /* `which`: THUD_CASE_AS_WRITTEN and a scene without bumper: that alone; with one: none and bumper; else none and `which`.

@@ -70,8 +70,11 @@ static void sensitivity(struct site *site)
 /* Shown in g, mm and MN; a ratio as it is. */
 static double unit_of(const struct thud_quantity_of_run *q)
 {
-    static const double unit[] = {
-        [THUD_OF_ACCELERATION] = THUD_GRAVITY, [THUD_OF_DRIFT] = 1e-3, [THUD_OF_FORCE] = 1e6, [THUD_OF_NUMBER] = 1};
+    static const double unit[] = {[THUD_OF_ACCELERATION] = THUD_GRAVITY,
+                                  [THUD_OF_DRIFT] = 1e-3,
+                                  [THUD_OF_FORCE] = 1e6,
+                                  [THUD_OF_NUMBER] = 1,
+                                  [THUD_OF_GAP] = 1e-3};
     return q->ratio ? 1 : unit[q->kind];
 }
 

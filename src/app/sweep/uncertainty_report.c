@@ -9,15 +9,21 @@
 /* Shown units: m/s2, cm, MN, ratios and numbers as they are. */
 static double shown(const struct thud_quantity_of_run *q, double value)
 {
-    static const double factor[] = {
-        [THUD_OF_ACCELERATION] = 1, [THUD_OF_DRIFT] = 100, [THUD_OF_FORCE] = 1e-6, [THUD_OF_NUMBER] = 1};
+    static const double factor[] = {[THUD_OF_ACCELERATION] = 1,
+                                    [THUD_OF_DRIFT] = 100,
+                                    [THUD_OF_FORCE] = 1e-6,
+                                    [THUD_OF_NUMBER] = 1,
+                                    [THUD_OF_GAP] = 100};
     return q->ratio ? value : factor[q->kind] * value;
 }
 
 static const char *unit(const struct thud_quantity_of_run *q)
 {
-    static const char *const name[] = {
-        [THUD_OF_ACCELERATION] = " m/s2", [THUD_OF_DRIFT] = " cm", [THUD_OF_FORCE] = " MN", [THUD_OF_NUMBER] = ""};
+    static const char *const name[] = {[THUD_OF_ACCELERATION] = " m/s2",
+                                       [THUD_OF_DRIFT] = " cm",
+                                       [THUD_OF_FORCE] = " MN",
+                                       [THUD_OF_NUMBER] = "",
+                                       [THUD_OF_GAP] = " cm"};
     return q->ratio ? "" : name[q->kind];
 }
 
@@ -121,6 +127,18 @@ static void put_sentence(const struct thud_uncertainty *u, int q, const struct t
                      t->high);
 }
 
+static void put_gap(const struct thud_uncertainty *u, int q, const struct thud_uncertainty_told *t,
+                    struct thud_text *out)
+{
+    if (u->quantity[q].kind != THUD_OF_GAP || isnan(t->median))
+        return;
+    thud_text_append(out, "The needed gap is %.1f cm in the median, in 90 %% of %.0f samples %.1f to %.1f cm",
+                     100 * t->median, t->count, 100 * t->low, 100 * t->high);
+    if (!isnan(t->between))
+        thud_text_append(out, ";\n  %.0f %% of its variance is between ground motions", 100 * t->between);
+    thud_text_append(out, ".\n");
+}
+
 /* Whether anything touches, as the largest force tells it. */
 static void put_touches(const struct thud_uncertainty *u, int q, const struct thud_uncertainty_told *t,
                         struct thud_text *out)
@@ -141,9 +159,11 @@ static void put_indices(const struct thud_uncertainty *u, int q, const struct th
                          t->of[THUD_INPUT_TOTAL][i], t->of[THUD_INPUT_TOTAL_LOW][i], t->of[THUD_INPUT_TOTAL_HIGH][i]);
 }
 
-/* Of the ratios, or where there are none of the largest peaks. */
+/* Of the needed gap and the ratios, or where there are none of the largest peaks. */
 static bool has_indices(const struct thud_uncertainty *u, int q)
 {
+    if (u->quantity[q].kind == THUD_OF_GAP)
+        return true;
     for (int i = 0; i < u->nquantities; i++)
         if (u->quantity[i].ratio)
             return u->quantity[q].ratio;
@@ -178,6 +198,8 @@ void thud_uncertainty_table(const struct thud_uncertainty_study *study, struct t
         thud_text_append(out, "\n");
     for (int q = 0; q < u->nquantities && study->samples > 0; q++)
         put_touches(u, q, &study->told[q], out);
+    for (int q = 0; q < u->nquantities; q++)
+        put_gap(u, q, &study->told[q], out);
     for (int q = 0; q < u->nquantities; q++) {
         if (!u->quantity[q].ratio || isnan(study->told[q].median))
             continue;

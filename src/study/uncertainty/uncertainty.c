@@ -10,6 +10,7 @@
 #include "base/statistics.h"
 #include "study/scene/answer.h"
 #include "study/scene/level.h"
+#include "study/scene/needed_gap.h"
 #include "study/sweep/remark.h"
 
 static const struct thud_input_info infos[THUD_INPUTS] = {
@@ -395,6 +396,24 @@ static int asked_of(const struct thud_structure *structure)
     return yields(structure) ? OF_STRUCTURE : DUCTILITY;
 }
 
+/* Whether a gap can be asked for: some floors of neighbours stand where they could touch, and none goes on for ever. */
+static bool has_gap(const struct thud_scene *scene)
+{
+    struct thud_pairing *meeting = malloc(THUD_PAIRINGS_MAX * sizeof *meeting);
+    bool found = false;
+    for (int i = 0; meeting && i + 1 < scene->nstructures; i++)
+        found = found || thud_interface_pairings(scene, i, meeting) > 0;
+    for (int i = 0; i < scene->nstructures; i++)
+        found = found && scene->structure[i].kind != THUD_RIGID;
+    free(meeting);
+    return found;
+}
+
+static bool asks_gap(const struct thud_uncertainty *u)
+{
+    return u->nquantities > 0 && u->quantity[0].kind == THUD_OF_GAP;
+}
+
 static void add_quantities(struct thud_uncertainty *u)
 {
     static const struct asked peaks[] = {
@@ -409,6 +428,9 @@ static void add_quantities(struct thud_uncertainty *u)
         {"mean drift ratio", "drift_ratio", THUD_OF_DRIFT, true, true}};
     static const struct asked contacts[] = {{"largest force", "force_n", THUD_OF_FORCE, false, false},
                                             {"largest column shear", "shear_n", THUD_OF_FORCE, false, false}};
+    if (has_gap(&u->scene))
+        u->quantity[u->nquantities++] = (struct thud_quantity_of_run){
+            .name = "needed gap", .column = "needed_gap_m", .kind = THUD_OF_GAP, .structure = -1};
     for (int k = 0; k < u->ncases; k++) {
         enum thud_case which = u->which[k];
         for (int s = 0; s < u->scene.nstructures; s++) {
@@ -442,7 +464,7 @@ enum thud_status thud_uncertainty_create(const struct thud_scene *scene, const s
     if (!bumper || which != THUD_CASE_NONE)
         u->which[u->ncases++] = bumper && which == THUD_CASE_AS_WRITTEN ? THUD_CASE_BUMPER : which;
     enum thud_status status = find_inputs(u, inputs, err);
-    u->quantity = calloc((size_t)u->ncases * ((size_t)scene->nstructures * 8 + 2), sizeof *u->quantity);
+    u->quantity = calloc(1 + (size_t)u->ncases * ((size_t)scene->nstructures * 8 + 2), sizeof *u->quantity);
     if (!u->quantity)
         status = thud_error_set(err, THUD_MEMORY, "out of memory");
     if (status != THUD_OK) {
@@ -534,6 +556,14 @@ enum thud_status thud_uncertainty_evaluate(const struct thud_uncertainty *u, con
         if (status == THUD_OK)
             thud_record_scale(scaled, motion);
     }
+    if (asks_gap(u) && status == THUD_OK) {
+        struct thud_needed_gap *gap = NULL;
+        status = thud_needed_gap_run(scene, scaled ? scaled : record, &gap, err);
+        if (status == THUD_OK && gap->nlevels > 0)
+            *to = thud_needed_gap_widest(gap, 0, THUD_GAP_EXACT, NULL);
+        to++;
+        free(gap);
+    }
     for (int k = 0; k < u->ncases && status == THUD_OK; k++) {
         struct thud_answer answer = {0};
         status = thud_scene_case(scene, u->which[k], scene + 1, err);
@@ -544,11 +574,9 @@ enum thud_status thud_uncertainty_evaluate(const struct thud_uncertainty *u, con
         if (status == THUD_OK)
             to = put_case(u, k, thud_run_result(answer.run), first, to);
         thud_answer_clear(&answer);
-        if (status == THUD_DIVERGED) { /* a sample without an answer, as the rest of it */
-            status = THUD_OK;
-            break;
-        }
     }
+    if (status == THUD_DIVERGED) /* a sample without an answer from there on */
+        status = THUD_OK;
     thud_record_free(scaled);
     free(scene);
     return status;
