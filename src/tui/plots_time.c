@@ -72,7 +72,8 @@ static void to_impact(struct thud_tui *tui, struct thud_plots_state *p, int dire
         return;
     }
     p->sight.contact = impact[best].contact;
-    p->time_s = largest ? impact[best].start_s + 0.5 * impact[best].duration_s : impact[best].start_s;
+    const struct thud_peak *force = &thud_run_result(c->run)->contact[impact[best].contact].force;
+    p->time_s = largest && force->value > 0 ? force->time_s : impact[best].start_s;
     p->fresh = false;
     if (!(impact[best].force_n > 0.0)) {
         thud_tui_say(tui, THUD_ROLE_PLAIN, "Impulse at %.4f s: floor %d, %.3g m/s, %.3g kN s", impact[best].start_s,

@@ -122,6 +122,27 @@ START_TEST(an_impact_is_opened)
 }
 END_TEST
 
+/* The cursor stands at the peak itself, of every case: the movement shows the force and the figure's cursor its time. */
+START_TEST(the_largest_impact_is_at_the_largest_force)
+{
+    fixture_keys(&f, "<A-5>");
+    for (int i = 0; i < 2; i++) {
+        fixture_keys(&f, "L");
+        const struct thud_plots_state *p = f.tui->plots;
+        const struct thud_result *result = thud_live_result(&f.tui->live, p->sight.which);
+        const struct thud_peak *most = &result->contact[0].force;
+        for (int c = 1; c < result->ncontacts; c++)
+            if (result->contact[c].force.value > most->value)
+                most = &result->contact[c].force;
+        char text[32];
+        ck_assert_double_eq_tol(p->time_s, most->time_s, 1e-9);
+        snprintf(text, sizeof text, " %.3g MN", 1e-6 * most->value);
+        fixture_expect(&f, text);
+        fixture_keys(&f, "bb"); /* the other case with contacts */
+    }
+}
+END_TEST
+
 START_TEST(the_movement_plays_and_ends)
 {
     fixture_keys(&f, "<A-5>");
@@ -432,6 +453,7 @@ Suite *thud_suite(void)
     tcase_add_test(screens, a_digit_goes_to_its_screen);
     tcase_add_test(screens, records_are_listed_filtered_and_chosen);
     tcase_add_test(screens, an_impact_is_opened);
+    tcase_add_test(screens, the_largest_impact_is_at_the_largest_force);
     tcase_add_test(screens, the_movement_plays_and_ends);
     tcase_add_test(screens, every_figure_is_drawn);
     tcase_add_test(screens, values_are_edited_beside_the_figure);
