@@ -153,9 +153,6 @@ static void save_path(const char *typed, char *path, size_t size)
 static void saved(struct thud_tui *tui)
 {
     char next[sizeof tui->open_next];
-    if (*tui->recovered)
-        remove(tui->recovered);
-    tui->recovered[0] = '\0';
     thud_tui_log(tui, "write %s", tui->doc.path);
     if (!tui->pin.own)
         thud_pin_take(&tui->pin, &tui->doc, false);
@@ -239,20 +236,11 @@ void thud_tui_quit(struct thud_tui *tui, bool sure)
     tui->quit = true;
 }
 
-/* Where unsaved edits of this preset may lie that a signal once kept; false: nowhere. */
-static bool find_recovered(const struct thud_tui *tui, char *path, size_t size)
-{
-    if (!thud_doc_is_shipped(&tui->doc, tui->doc.path))
-        snprintf(path, size, "%.490s.recovered", tui->doc.path);
-    else
-        snprintf(path, size, "%.200s.yaml.recovered", tui->doc.scene.name);
-    return exists(path);
-}
-
 void thud_tui_offer_recovery(struct thud_tui *tui)
 {
     char path[sizeof tui->target];
-    if (!find_recovered(tui, path, sizeof path))
+    thud_doc_recovery_path(&tui->doc, path, sizeof path);
+    if (!exists(path))
         return;
     snprintf(tui->target, sizeof tui->target, "%s", path);
     ask(tui, THUD_ASK_RECOVER, "Unsaved changes were kept in %s. Take them?", path);
@@ -277,7 +265,7 @@ static void recover(struct thud_tui *tui, const char *path)
         thud_tui_say_error(tui, &err);
         return;
     }
-    snprintf(tui->recovered, sizeof tui->recovered, "%s", path);
+    snprintf(tui->doc.kept, sizeof tui->doc.kept, "%s", path);
     thud_tui_say(tui, THUD_ROLE_GOOD, "Recovered: w saves, u undoes");
     thud_tui_changed(tui);
 }

@@ -40,6 +40,7 @@ static void take(struct thud_doc *doc, struct thud_preset *preset, const char *p
     snprintf(doc->path, sizeof doc->path, "%s", path);
     doc->stamp = stamp_of(path);
     doc->saved = *thud_preset_scene(preset);
+    thud_doc_forget_kept(doc);
 }
 
 static void begin(struct thud_doc *doc, struct thud_preset *preset, const char *path)
@@ -49,6 +50,7 @@ static void begin(struct thud_doc *doc, struct thud_preset *preset, const char *
     thud_undo_clear(&doc->undo);
     forget_record(doc);
     doc->revision++;
+    doc->edits++;
 }
 
 enum thud_status thud_doc_open(struct thud_doc *doc, const char *name, struct thud_error *err)
@@ -124,19 +126,37 @@ enum thud_status thud_doc_save(struct thud_doc *doc, const char *path, struct th
     return THUD_OK;
 }
 
-enum thud_status thud_doc_recover(struct thud_doc *doc, char *path, struct thud_error *err)
+void thud_doc_recovery_path(const struct thud_doc *doc, char *path, size_t size)
 {
     if (thud_doc_is_shipped(doc, doc->path))
-        snprintf(path, 512, "%.200s.yaml.recovered", doc->scene.name); /* in the working folder */
+        snprintf(path, size, "%.200s.yaml.recovered", doc->scene.name); /* in the working folder */
     else
-        snprintf(path, 512, "%.500s.recovered", doc->path);
-    enum thud_status status = thud_preset_save(doc->preset, &doc->scene, path, err);
-    if (status != THUD_OUTPUT)
-        return status;
-    const char *folder = getenv("TMPDIR");
-    snprintf(path, 512, "%.300s/%.100s-%ld.recovered", folder && *folder ? folder : "/tmp", doc->scene.name,
-             (long)getpid());
-    return thud_preset_save(doc->preset, &doc->scene, path, err);
+        snprintf(path, size, "%.490s.recovered", doc->path);
+}
+
+enum thud_status thud_doc_recover(struct thud_doc *doc, struct thud_error *err)
+{
+    char path[sizeof doc->kept];
+    thud_doc_recovery_path(doc, path, sizeof path);
+    enum thud_status status = THUD_OUTPUT;
+    if (strcmp(path, doc->kept) == 0 || access(path, F_OK) != 0)
+        status = thud_preset_save(doc->preset, &doc->scene, path, err);
+    if (status == THUD_OUTPUT) {
+        const char *folder = getenv("TMPDIR");
+        snprintf(path, sizeof path, "%.300s/%.100s-%ld.recovered", folder && *folder ? folder : "/tmp", doc->scene.name,
+                 (long)getpid());
+        status = thud_preset_save(doc->preset, &doc->scene, path, err);
+    }
+    if (status == THUD_OK)
+        snprintf(doc->kept, sizeof doc->kept, "%s", path);
+    return status;
+}
+
+void thud_doc_forget_kept(struct thud_doc *doc)
+{
+    if (*doc->kept)
+        remove(doc->kept);
+    doc->kept[0] = '\0';
 }
 
 bool thud_doc_runs_alike(const struct thud_scene *a, const struct thud_scene *b)
@@ -155,6 +175,7 @@ enum thud_status thud_doc_change(struct thud_doc *doc, const struct thud_scene *
         return status;
     doc->revision += !thud_doc_runs_alike(&doc->scene, next);
     doc->scene = *next;
+    doc->edits++;
     return THUD_OK;
 }
 
@@ -178,6 +199,7 @@ static const char *step(struct thud_doc *doc, const char *go(struct thud_undo *u
     struct thud_scene before = doc->scene;
     const char *what = go(&doc->undo, &doc->scene);
     doc->revision += !thud_doc_runs_alike(&before, &doc->scene);
+    doc->edits++;
     return what;
 }
 

@@ -20,6 +20,8 @@ struct thud_doc {
     struct thud_undo undo;
     struct thud_stamp stamp;
     unsigned long revision;                  /* grows with every change that changes a run */
+    unsigned long edits;                     /* grows with every change */
+    char kept[512];                          /* the file that has the unsaved changes; empty: none */
     struct thud_record *record;              /* NULL: none */
     struct thud_record *whole;               /* scaled alike, where only a part is used; NULL: all of it is */
     struct thud_record_choice record_choice; /* what `record` was read with */
@@ -43,8 +45,13 @@ bool thud_doc_disk_changed(const struct thud_doc *doc);
 /* Writes to `path` (NULL: where it came from), comments kept, and reads the result as the new base. Errors:
  * THUD_OUTPUT, THUD_INPUT. */
 enum thud_status thud_doc_save(struct thud_doc *doc, const char *path, struct thud_error *err);
-/* Beside the preset, `NAME.recovered`, or in TMPDIR where that cannot be written; `path` (512) says where. */
-enum thud_status thud_doc_recover(struct thud_doc *doc, char *path, struct thud_error *err);
+/* Where unsaved changes are kept: `NAME.recovered` beside the preset, of one that comes with thud in the working folder.
+ */
+void thud_doc_recovery_path(const struct thud_doc *doc, char *path, size_t size);
+/* Keeps them there, or in TMPDIR where that cannot be written or is another session's; `kept` says where. Errors:
+ * THUD_OUTPUT, THUD_MEMORY. */
+enum thud_status thud_doc_recover(struct thud_doc *doc, struct thud_error *err);
+void thud_doc_forget_kept(struct thud_doc *doc); /* removes that file: they are saved, or given up */
 
 /* Checks `next`, notes the step back and puts it in place. Errors: THUD_INPUT (the scene is as it was), THUD_MEMORY. */
 enum thud_status thud_doc_change(struct thud_doc *doc, const struct thud_scene *next, const char *what,

@@ -131,7 +131,8 @@ struct thud_tui {
     char wrote[8192];                  /* names of the files written so far, one a line */
     bool quit_next, new_next;          /* once it is saved */
     char open_next[512];               /* likewise; empty: nothing */
-    char recovered[512];               /* the file whose changes were taken, gone once they are saved; empty: none */
+    bool keeps, keeping_failed;        /* unsaved edits are kept in a file after each; that it failed was said */
+    unsigned long kept_edits;          /* those of the document when they were last kept */
     struct thud_picture_work *writing; /* figures being written; NULL: none */
     int writing_done, writing_count;   /* as last looked at */
     enum thud_screen writing_screen;   /* on which that was asked for */

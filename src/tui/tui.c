@@ -241,6 +241,24 @@ static void work(struct thud_tui *tui)
     tui->dirty = tui->dirty || tui->draw_now || now - tui->drawn_s >= redraw_s;
 }
 
+/* A crash, a signal or a closed terminal loses nothing then. */
+static void keep_edits(struct thud_tui *tui)
+{
+    struct thud_error err;
+    tui->kept_edits = tui->doc.edits;
+    if (!thud_doc_unsaved(&tui->doc)) {
+        thud_doc_forget_kept(&tui->doc);
+        return;
+    }
+    bool failed = thud_doc_recover(&tui->doc, &err) != THUD_OK;
+    if (failed && !tui->keeping_failed) {
+        char text[600];
+        thud_tui_say(tui, THUD_ROLE_WARN, "! Unsaved changes cannot be kept, and a crash would lose them: %s",
+                     thud_error_text(&err, text, sizeof text));
+    }
+    tui->keeping_failed = failed;
+}
+
 bool thud_tui_turn(struct thud_tui *tui, bool wait)
 {
     const struct thud_view *view = thud_view_of(tui->screen);
@@ -250,28 +268,36 @@ bool thud_tui_turn(struct thud_tui *tui, bool wait)
     double pause = view->pause ? view->pause(tui) : -1.0;
     if (tui->dirty && (!busy || tui->draw_now || tui->backend->now(tui->backend) - tui->drawn_s >= redraw_s))
         thud_tui_draw(tui);
-    int timeout = busy || !wait ? 0 : pause >= 0.0 ? (int)(1e3 * pause) + 1 : -1;
+    bool keep = tui->keeps && tui->kept_edits != tui->doc.edits;
+    int timeout = busy || keep || !wait ? 0 : pause >= 0.0 ? (int)(1e3 * pause) + 1 : -1;
     int key = tui->backend->key(tui->backend, timeout);
     if (tui->writing)
         thud_tui_writing_look(tui);
     if (key != THUD_KEY_NONE)
         thud_tui_key(tui, key);
+    else if (keep)
+        keep_edits(tui);
     else if (busy)
         work(tui);
     else if (pause >= 0.0 && view->tick)
         view->tick(tui);
-    return key != THUD_KEY_NONE || busy;
+    return key != THUD_KEY_NONE || keep || busy;
 }
 
 /* Ended by a signal or a lost terminal: what was not saved goes to a file beside the preset. */
 static void rescue(struct thud_tui *tui)
 {
-    char path[512];
     struct thud_error err;
+    char text[600];
     if (!thud_doc_unsaved(&tui->doc))
         return;
-    if (thud_doc_recover(&tui->doc, path, &err) == THUD_OK)
-        fprintf(stderr, "thud: unsaved changes are kept in %s\n", path);
+    if (thud_doc_recover(&tui->doc, &err) == THUD_OK)
+        fprintf(stderr, "thud: unsaved changes are kept in %s\n", tui->doc.kept);
+    else if (*tui->doc.kept) /* an edit before */
+        fprintf(stderr, "thud: the last unsaved change is lost (%s); those before it are kept in %s\n",
+                thud_error_text(&err, text, sizeof text), tui->doc.kept);
+    else
+        fprintf(stderr, "thud: unsaved changes are lost: %s\n", thud_error_text(&err, text, sizeof text));
 }
 
 /* On a terminal a session is played and then goes on by hand. */
@@ -321,6 +347,7 @@ enum thud_status thud_tui_main(const struct thud_tui_options *options, struct th
         thud_term_close(&backend);
         return status;
     }
+    tui->keeps = true;
     tui->mouse = config.mouse;
     backend.mouse(&backend, tui->mouse);
     int number = 0;
@@ -337,6 +364,8 @@ enum thud_status thud_tui_main(const struct thud_tui_options *options, struct th
     thud_term_close(&backend);
     if (number && !tui->interrupted)
         rescue(tui);
+    else
+        thud_doc_forget_kept(&tui->doc);
     thud_tui_free(tui);
     if (number) {
         signal(number, SIG_DFL);

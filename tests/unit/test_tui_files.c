@@ -144,9 +144,8 @@ END_TEST
 START_TEST(unsaved_edits_can_be_recovered)
 {
     struct thud_error err;
-    char path[512];
     fixture_keys(&f, "<A-2><Enter>7<Enter>");
-    ck_assert_int_eq(thud_doc_recover(&f.tui->doc, path, &err), THUD_OK);
+    ck_assert_int_eq(thud_doc_recover(&f.tui->doc, &err), THUD_OK);
     char *text = fixture_file(&f, "towers.yaml.recovered"), *old = fixture_file(&f, "towers.yaml");
     ck_assert_ptr_nonnull(strstr(text, "- gap: 7 cm   # concrete to concrete"));
     ck_assert_str_eq(old, fixture_towers);
@@ -154,10 +153,11 @@ START_TEST(unsaved_edits_can_be_recovered)
     free(old);
     /* where the preset's folder cannot be written, in that for temporary files */
     ck_assert_int_eq(setenv("TMPDIR", f.folder, 1), 0);
+    f.tui->doc.kept[0] = '\0';
     snprintf(f.tui->doc.path, sizeof f.tui->doc.path, "%s/towers.yaml/towers.yaml", f.folder);
-    ck_assert_int_eq(thud_doc_recover(&f.tui->doc, path, &err), THUD_OK);
-    ck_assert_ptr_eq(strstr(path, f.folder), path);
-    text = fixture_file(&f, strrchr(path, '/') + 1);
+    ck_assert_int_eq(thud_doc_recover(&f.tui->doc, &err), THUD_OK);
+    ck_assert_ptr_eq(strstr(f.tui->doc.kept, f.folder), f.tui->doc.kept);
+    text = fixture_file(&f, strrchr(f.tui->doc.kept, '/') + 1);
     ck_assert_ptr_nonnull(strstr(text, "- gap: 7 cm   # concrete to concrete"));
     free(text);
     unsetenv("TMPDIR");
@@ -246,12 +246,46 @@ START_TEST(unsaved_changes_can_be_saved_on_the_way_out)
 }
 END_TEST
 
+/* After every edit, so that a crash loses none; the file goes when they are saved or undone. */
+START_TEST(edits_are_kept_as_they_are_made)
+{
+    static const char kept[] = "towers.yaml.recovered";
+    f.tui->keeps = true;
+    fixture_keys(&f, "");
+    ck_assert_ptr_null(fixture_file(&f, kept));
+    for (int i = 0; i < 3; i++) {
+        fixture_keys(&f, ":set gap 7 cm<Enter>");
+        char *text = fixture_file(&f, kept);
+        ck_assert_ptr_nonnull(strstr(text, "gap: 7 cm   # concrete"));
+        free(text);
+        fixture_keys(&f, i == 0 ? "u" : i == 1 ? ":set gap 2 cm<Enter>" : "w");
+        ck_assert_ptr_null(fixture_file(&f, kept));
+    }
+    fixture_write(&f, kept, "of another session\n"); /* stays */
+    ck_assert_int_eq(setenv("TMPDIR", f.folder, 1), 0);
+    fixture_keys(&f, ":set gap 8 cm<Enter>");
+    char *text = fixture_file(&f, kept);
+    ck_assert_str_eq(text, "of another session\n");
+    free(text);
+    ck_assert_ptr_nonnull(strstr(f.tui->doc.kept, "/towers-"));
+    text = fixture_file(&f, strrchr(f.tui->doc.kept, '/') + 1);
+    ck_assert_ptr_nonnull(strstr(text, "gap: 8 cm"));
+    free(text);
+    /* where nothing can be written that is said */
+    thud_doc_forget_kept(&f.tui->doc);
+    ck_assert_int_eq(setenv("TMPDIR", "/nowhere", 1), 0);
+    fixture_keys(&f, ":set gap 9 cm<Enter>");
+    fixture_expect(&f, "Unsaved changes cannot be kept");
+    unsetenv("TMPDIR");
+}
+END_TEST
+
 START_TEST(kept_changes_are_offered_at_the_start)
 {
     struct thud_error err;
-    char path[512], name[128];
+    char name[128];
     fixture_keys(&f, ":set gap 7 cm<Enter>");
-    ck_assert_int_eq(thud_doc_recover(&f.tui->doc, path, &err), THUD_OK);
+    ck_assert_int_eq(thud_doc_recover(&f.tui->doc, &err), THUD_OK);
     thud_tui_free(f.tui);
     snprintf(name, sizeof name, "%s/towers.yaml", f.folder);
     struct thud_tui_options options = {.preset = name, .paths = &f.paths, .output = f.folder};
@@ -565,6 +599,7 @@ Suite *thud_suite(void)
     tcase_add_test(files, results_as_csv);
     tcase_add_test(files, quitting_asks_only_when_unsaved);
     tcase_add_test(files, unsaved_edits_can_be_recovered);
+    tcase_add_test(files, edits_are_kept_as_they_are_made);
     tcase_add_test(files, opening_another_preset);
     tcase_add_test(files, a_pipe_is_no_ground_motion);
     tcase_add_test(files, shipped_presets_stay_as_they_are);

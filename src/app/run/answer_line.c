@@ -19,7 +19,7 @@ static void add(char *text, size_t size, int columns, const char *part)
         snprintf(text + n, size - n, "%s%s", n ? "   " : "", part);
 }
 
-static void bumper_words(const struct thud_answer_line *line, char *part, size_t size)
+static void bumper_words(const struct thud_answer_line *line, bool brief, char *part, size_t size)
 {
     *part = '\0';
     if (!line->compared || (isnan(line->bumper_force_n) && line->bumper_impacts == 0))
@@ -27,7 +27,8 @@ static void bumper_words(const struct thud_answer_line *line, char *part, size_t
     if (line->bumper_impacts == 0)
         snprintf(part, size, "bumper: no contact");
     else if (line->force_n > 0)
-        snprintf(part, size, "bumper: force %+.0f %%", thud_shown(100 * (line->bumper_force_n / line->force_n - 1), 0));
+        snprintf(part, size, "bumper: %s%+.0f %%", brief ? "" : "force ",
+                 thud_shown(100 * (line->bumper_force_n / line->force_n - 1), 0));
     else
         snprintf(part, size, "bumper: %d impact%s", line->bumper_impacts, line->bumper_impacts == 1 ? "" : "s");
 }
@@ -40,7 +41,7 @@ void thud_answer_line(const struct thud_answer_line *line, int columns, char *te
     if (isnan(line->force_n) && line->impacts == 0)
         return;
     snprintf(gap, sizeof gap, "%.4g cm", 100 * line->gap_m);
-    bumper_words(line, bumper, sizeof bumper);
+    bumper_words(line, false, bumper, sizeof bumper);
     if (isnan(line->force_n))
         snprintf(part, sizeof part, "POUNDS at %s: %d impulse%s, %.3g kN s in all", gap, line->impacts,
                  line->impacts == 1 ? "" : "s", 1e-3 * line->impulse_ns);
@@ -64,6 +65,8 @@ void thud_answer_line(const struct thud_answer_line *line, int columns, char *te
             snprintf(part, sizeof part, "needs %.1f cm", thud_answer_gap_cm(line->need_m));
         add(text, size, columns, part);
     }
+    if ((int)(strlen(text) + 3 + strlen(bumper)) > columns)
+        bumper_words(line, true, bumper, sizeof bumper);
     if (*bumper)
         add(text, size, columns, bumper);
 }
