@@ -221,6 +221,8 @@ static enum thud_status conclude(struct sweep *s, struct thud_error *err)
     warn_watched(s);
     if (table && status == THUD_OK && s->suite) { /* the answer of a suite, before those of its motions */
         status = thud_suite_table(s->suite, &text, err);
+        if (status == THUD_OK)
+            status = thud_suite_lowered(s->suite, &text, err);
         thud_text_append(&text, "\n");
     }
     if (table)

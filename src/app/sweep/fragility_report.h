@@ -46,6 +46,9 @@ void thud_fragility_json(const struct thud_fragility_study *study, struct thud_t
 enum thud_status thud_suite_csv(const struct thud_suite *suite, struct thud_text *out, struct thud_error *err);
 enum thud_status thud_suite_json(const struct thud_suite *suite, struct thud_text *out, struct thud_error *err);
 enum thud_status thud_suite_table(const struct thud_suite *suite, struct thud_text *out, struct thud_error *err);
+/* By response, what each case is over case none, and under how many ground motions it is lower: at up to three settings.
+ * Nothing without case none. Errors: THUD_MEMORY. */
+enum thud_status thud_suite_lowered(const struct thud_suite *suite, struct thud_text *out, struct thud_error *err);
 
 /* Its figures, counted from 0: each event's curves, then the incremental dynamic analysis of each case along each
  * intensity. Ask thud_figure_check. */

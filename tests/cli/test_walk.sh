@@ -1,0 +1,44 @@
+#!/bin/sh
+# The walk of thud-suites(7), word by word: its commands end well, and what it shows appears.  TAP.
+# shellcheck source=tests/cli/program.sh
+. "$(dirname "$0")/program.sh"
+
+page=$PWD/man/thud-suites.7
+mkdir "$tmp/bin" "$tmp/walk" && ln -s "$THUD" "$tmp/bin/thud" && PATH=$tmp/bin:$PATH
+cd "$tmp/walk" || exit 1
+# what the page displays: the preset; of each command its lines, and those that it shows below them
+sed -n '/^\.Bd -literal/,/^\.Ed/p' "$page" >"$tmp/displays"
+sed -n '/^title:/,/^\.Ed/{/^\.Ed/!p;}' "$tmp/displays" >mine.yaml
+awk -v to="$tmp/step" '/^\$ / { n++; more = 1; sub(/^\$ /, "") } /^\.Ed/ { more = 0 } !n || /^\.(Bd|Ed)/ { next }
+    more { more = /\\e$/; sub(/\\e$/, "\\"); print >(to n ".sh"); next } { sub(/^  /, ""); print >(to n ".shown") }' "$tmp/displays"
+set -- "$tmp"/step*.sh
+is "the page has its commands" [ $# -eq 7 ]
+for n in 1 2 3 4 5 6 7; do
+    code=0
+    sh "$tmp/step$n.sh" >"$tmp/out" 2>"$tmp/err" || code=$?
+    is "step $n ends well: $(head -1 "$tmp/step$n.sh" | cut -c 1-40)" [ "$code" -eq 0 ]
+    is "it shows something" test -s "$tmp/step$n.shown"
+    while IFS= read -r line; do
+        is "it shows: $line" grep -q -F -e "$line" "$tmp/out"
+    done <"$tmp/step$n.shown"
+done
+# the shares and medians of the second step again, from the runs themselves
+is "the same runs in a folder" gives 0 sweep mine.yaml --records mine.list --signs both --cases none,bumper --quiet -o runs
+again() { # COLUMN STRUCTURE mean|largest: median ratio, and how many are lower
+    awk -F, -v column="$1" -v of="$2" -v how="$3" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == column) c = i; next }
+        $4 != of || (how == "mean") != ($5 == 0) { next }
+        $c > most[$1, $2] { most[$1, $2] = $c } { motion[$1] } END { for (m in motion) print most[m, "bumper"] / most[m, "none"] }' runs/sweep.csv |
+        sort -g | awk '{ x[NR] = $1; lower += $1 < 1 - 1e-9 } END { printf "%.3f %d of %d\n", sqrt(x[NR / 2] * x[NR / 2 + 1]), lower, NR }'
+}
+for s in A B; do
+    is "mean acceleration of $s" shows "^mean acceleration of $s  *$(again acceleration_mps2 $s mean)$"
+    is "largest acceleration of $s" shows "^largest acceleration of $s  *$(again acceleration_mps2 $s largest)$"
+    is "mean drift of $s" shows "^mean drift of $s  *$(again drift_m $s mean)$"
+    is "largest drift of $s" shows "^largest drift of $s  *$(again drift_m $s largest)$"
+done
+is "a response from nothing is not lowered" gives 0 sweep mine.yaml --records mine.list --signs both --vary gap=6cm,22cm --cases none,bumper --quiet
+is "and has no ratio" shows "^largest force  *1.020 3 of 8  *from 0 0 of 1$"
+is "three settings at most in 80 columns" gives 0 sweep mine.yaml --records mine.list --vary gap=6cm:22cm:4cm --cases none,bumper --quiet
+is "the first, the middle and the last" sh -c "awk '/^bumper over none/ { getline; print \$1, \$3, \$5, NF; exit }' '$tmp/out' | grep -q '^6 14 22 6$'"
+is "without case none there is none" gives 0 sweep mine.yaml --records mine.list --cases bumper --quiet
+is "of them" test "$(grep -c 'over none' "$tmp/out")" -eq 0
