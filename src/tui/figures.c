@@ -57,15 +57,16 @@ static const struct thud_history *history_of(const struct thud_live *live, int w
     return c->state == THUD_LIVE_DONE && live->history ? thud_run_history(c->run) : NULL;
 }
 
-/* A case as it is, or dashed and `pinned`, of the state to compare with. */
+/* A case as it is, or dashed and with the name `pinned`, of the state to compare with. */
 struct shown {
     const struct thud_live *live;
-    bool pinned;
+    const char *pinned;
 };
 
 static const char *shown_name(const struct shown *of, int which, char text[48])
 {
-    snprintf(text, 48, "%s%s", thud_live_name((enum thud_live_which)which), of->pinned ? ", pinned" : "");
+    snprintf(text, 48, "%s%s%s", thud_live_name((enum thud_live_which)which), of->pinned ? ", " : "",
+             of->pinned ? of->pinned : "");
     return text;
 }
 
@@ -172,9 +173,9 @@ static struct thud_figure *histories(const struct thud_live *live, const struct 
     thud_panel_axis(panel, THUD_X, "Time", "s");
     thud_panel_axis(panel, THUD_Y, axis[plot].label, axis[plot].unit);
     for (int which = THUD_LIVE_NONE; pinned && which < THUD_LIVE_CASES; which++)
-        add_case(panel, &(struct shown){pinned, true}, which, plot, sight);
+        add_case(panel, &(struct shown){pinned, sight->pinned}, which, plot, sight);
     for (int which = 0; which < THUD_LIVE_CASES; which++)
-        add_case(panel, &(struct shown){live, false}, which, plot, sight);
+        add_case(panel, &(struct shown){live, NULL}, which, plot, sight);
     return figure;
 }
 
@@ -210,7 +211,7 @@ static struct thud_figure *loops(const struct thud_live *live, const struct thud
     thud_panel_axis(panel, THUD_Y, "Force", "MN");
     for (int i = pinned ? 0 : 1; i < 2; i++)
         for (int which = THUD_LIVE_NONE; which < THUD_LIVE_CASES; which++)
-            add_loop(panel, &(struct shown){i ? live : pinned, !i}, which, sight->contact);
+            add_loop(panel, &(struct shown){i ? live : pinned, i ? NULL : sight->pinned}, which, sight->contact);
     return figure;
 }
 
@@ -248,7 +249,7 @@ static struct thud_figure *hysteresis(const struct thud_live *live, const struct
     thud_panel_axis(panel, THUD_Y, "Shear", "MN");
     for (int i = pinned ? 0 : 1; i < 2; i++)
         for (int which = 0; which < THUD_LIVE_CASES; which++)
-            add_hysteresis(panel, &(struct shown){i ? live : pinned, !i}, which, sight->dof);
+            add_hysteresis(panel, &(struct shown){i ? live : pinned, i ? NULL : sight->pinned}, which, sight->dof);
     return figure;
 }
 
@@ -270,7 +271,8 @@ static void add_envelope(struct thud_panel *panel, const struct shown *of, int w
 
 /* One panel a structure (at most four), floor numbers upward. */
 static struct thud_figure *envelopes(const struct thud_live *live, const struct thud_live *pinned,
-                                     const struct thud_scene *scene, enum thud_plot plot)
+                                     const struct thud_scene *scene, enum thud_plot plot,
+                                     const struct thud_sight *sight)
 {
     bool drift = plot == THUD_PLOT_ENVELOPE_DRIFT;
     int n = scene->nstructures < 4 ? scene->nstructures : 4;
@@ -280,9 +282,9 @@ static struct thud_figure *envelopes(const struct thud_live *live, const struct 
         thud_panel_axis(panel, THUD_X, drift ? "Drift" : "Acceleration", drift ? "mm" : "m/s2");
         thud_panel_axis(panel, THUD_Y, "Floor", "");
         for (int which = THUD_LIVE_NONE; pinned && which < THUD_LIVE_CASES; which++)
-            add_envelope(panel, &(struct shown){pinned, true}, which, s, drift);
+            add_envelope(panel, &(struct shown){pinned, sight->pinned}, which, s, drift);
         for (int which = 0; which < THUD_LIVE_CASES; which++)
-            add_envelope(panel, &(struct shown){live, false}, which, s, drift);
+            add_envelope(panel, &(struct shown){live, NULL}, which, s, drift);
     }
     return figure;
 }
@@ -330,7 +332,7 @@ struct thud_figure *thud_plot_make(const struct thud_live *live, const struct th
         return NULL;
     }
     if (envelope)
-        figure = envelopes(live, pinned, scene, plot);
+        figure = envelopes(live, pinned, scene, plot, sight);
     else if (plot == THUD_PLOT_LOOP)
         figure = loops(live, pinned, sight, why);
     else if (plot == THUD_PLOT_HYSTERESIS)

@@ -20,6 +20,7 @@ int thud_plot_count(const struct thud_scene *scene);
 struct thud_sight {
     int contact, dof;
     enum thud_live_which which; /* for figures of one case */
+    const char *pinned;         /* what the state whose curves stand behind is called */
 };
 
 /* NULL when there is nothing to show (`why` says it), or no memory. `pinned`: cases whose curves stand behind, dashed;

@@ -15,8 +15,9 @@ char *thud_tui_number(double value, char text[24])
         return strcpy(text, "·");
     if (isinf(value))
         return strcpy(text, value > 0.0 ? "inf" : "-inf");
+    const double nothing = 1e-12; /* in any unit that is shown: rounding of a speed of 0, say */
     double size = fabs(value);
-    if (size == 0.0)
+    if (size < nothing)
         return strcpy(text, "0");
     if (size >= 1e6 || size < 1e-3)
         snprintf(text, 24, "%.2e", value);
@@ -74,7 +75,8 @@ static int run_status(struct thud_tui *tui, const struct thud_pane *row)
     return row->w - thud_utf8_columns(text);
 }
 
-static void record_words(const struct thud_tui *tui, char *text, size_t size)
+/* The name gives way where there is less room, the numbers do not. */
+static void record_words(const struct thud_tui *tui, int columns, char *text, size_t size)
 {
     const struct thud_record_choice *choice = &tui->doc.scene.record;
     const char *slash = strrchr(choice->file, '/');
@@ -90,8 +92,11 @@ static void record_words(const struct thud_tui *tui, char *text, size_t size)
     double scale = tui->doc.record ? fabs(tui->doc.record->scale) : 1.0;
     if (fabs(scale - 1.0) > 5e-4)
         snprintf(scaled, sizeof scaled, " scaled x%s", thud_tui_number(scale, number));
-    snprintf(text, size, "%s%s%s %c%s", slash ? slash + 1 : choice->file, peak, scaled, choice->sign < 0 ? '-' : '+',
-             part ? " part" : "");
+    char rest[160], name[300];
+    snprintf(rest, sizeof rest, "%s%s %c%s", peak, scaled, choice->sign < 0 ? '-' : '+', part ? " part" : "");
+    int room = columns - thud_utf8_columns(rest);
+    thud_utf8_fit(slash ? slash + 1 : choice->file, room < 4 ? 4 : room, name, sizeof name);
+    snprintf(text, size, "%s%s", name, rest);
 }
 
 /* Draws the screens' names, or finds the one at a column: -1 where there is none. */
@@ -129,8 +134,8 @@ static void top_lines(struct thud_tui *tui, const struct thud_pane *page)
     int at = 1 + thud_pane_put(&row, 1, 0, thud_look(THUD_ROLE_TITLE, THUD_BOLD), "thud");
     at += 2 + thud_pane_print(&row, at + 2, 0, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), "%s%s", tui->doc.scene.name,
                               thud_doc_unsaved(&tui->doc) ? " [+]" : "");
-    record_words(tui, text, sizeof text);
     struct thud_pane middle = thud_pane_inside(&row, 0, 0, run_status(tui, &row) - 1, 1);
+    record_words(tui, middle.w - at - 3, text, sizeof text);
     thud_pane_put(&middle, at + 3, 0, thud_look(THUD_ROLE_PLAIN, 0), text);
     row = thud_pane_inside(page, 0, 1, page->w, 1);
     tabs(tui, &row, -1);
@@ -220,6 +225,14 @@ static void bottom_lines(struct thud_tui *tui, const struct thud_pane *page, int
     field_words(tui, words, sizeof words);
     struct thud_look said = thud_look((int)tui->message_role, THUD_BOLD), muted = thud_look(THUD_ROLE_PLAIN, 0);
     struct thud_pane upper = thud_pane_inside(&lines, 0, 0, lines.w, rows - 1);
+    struct thud_pane nowhere = thud_pane_inside(&lines, 0, 0, lines.w, 0);
+    int needed = thud_pane_wrap(&nowhere, 1, 0, lines.w - 2, said, tui->message);
+    if (needed > upper.h && needed < page->h / 2) { /* over the panes, as long as it is said */
+        upper = thud_pane_inside(page, 0, page->h - 1 - needed, page->w, needed);
+        for (int y = 0; y < upper.h; y++)
+            for (int x = 0; x < upper.w; x++)
+                thud_pane_glyph(&upper, x, y, muted, ' ');
+    }
     if (tui->mode == THUD_MODE_TYPING && tui->typing != THUD_TYPE_FIELD) {
         int at = 1 + thud_pane_put(&upper, 1, upper.h - 1, thud_look(THUD_ROLE_KEY, THUD_BOLD), prompt_words(tui));
         if (*tui->message && upper.h > 1)

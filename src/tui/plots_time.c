@@ -75,16 +75,18 @@ static void to_impact(struct thud_tui *tui, struct thud_plots_state *p, int dire
     const struct thud_peak *force = &thud_run_result(c->run)->contact[impact[best].contact].force;
     p->time_s = largest && force->value > 0 ? force->time_s : impact[best].start_s;
     p->fresh = false;
+    char speed[24];
     if (!(impact[best].force_n > 0.0)) {
-        thud_tui_say(tui, THUD_ROLE_PLAIN, "Impulse at %.4f s: floor %d, %.3g m/s, %.3g kN s", impact[best].start_s,
-                     floor_of(&thud_run_result(c->run)->contact[impact[best].contact]), impact[best].approach_mps,
-                     1e-3 * impact[best].impulse_ns);
+        thud_tui_say(tui, THUD_ROLE_PLAIN, "Impulse at %.4f s: floor %d, %s m/s, %.3g kN s", impact[best].start_s,
+                     floor_of(&thud_run_result(c->run)->contact[impact[best].contact]),
+                     thud_tui_number(impact[best].approach_mps, speed), 1e-3 * impact[best].impulse_ns);
         return;
     }
-    thud_tui_say(tui, THUD_ROLE_PLAIN, "Impact at %.4f s for %.1f ms: floor %d, %.3g m/s, %.3g MN, %.3g mm",
+    thud_tui_say(tui, THUD_ROLE_PLAIN, "Impact at %.4f s for %.1f ms: floor %d, %s m/s, %.3g MN, %.3g mm",
                  impact[best].start_s, 1e3 * impact[best].duration_s,
-                 floor_of(&thud_run_result(c->run)->contact[impact[best].contact]), impact[best].approach_mps,
-                 1e-6 * impact[best].force_n, 1e3 * impact[best].indentation_m);
+                 floor_of(&thud_run_result(c->run)->contact[impact[best].contact]),
+                 thud_tui_number(impact[best].approach_mps, speed), 1e-6 * impact[best].force_n,
+                 1e3 * impact[best].indentation_m);
 }
 
 static void zoom(struct thud_tui *tui, struct thud_plots_state *p, double factor)

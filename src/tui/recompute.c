@@ -1,5 +1,6 @@
 /* Running the three cases whenever what they depend on changed. */
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "study/scene/answer.h"
@@ -73,6 +74,19 @@ const struct thud_live *thud_tui_pinned(const struct thud_tui *tui)
     return thud_pin_live(&tui->pin, &tui->doc);
 }
 
+const char *thud_tui_pin_name(const struct thud_tui *tui)
+{
+    return tui->pin.own ? "pinned" : "saved";
+}
+
+bool thud_tui_shows_old(const struct thud_tui *tui)
+{
+    bool old = false;
+    for (int i = 0; i < THUD_LIVE_CASES; i++)
+        old = old || thud_live_is_old(&tui->live, (enum thud_live_which)i);
+    return old;
+}
+
 void thud_tui_pin(struct thud_tui *tui)
 {
     thud_pin_take(&tui->pin, &tui->doc, true);
@@ -89,7 +103,10 @@ void thud_tui_exchange(struct thud_tui *tui)
     next.study = tui->doc.scene.study;
     struct thud_pin before = {0};
     thud_pin_take(&before, &tui->doc, true);
-    if (thud_doc_change(&tui->doc, &next, "exchanged with the pinned state", &err) != THUD_OK) {
+    char what[64];
+    const char *name = thud_tui_pin_name(tui);
+    snprintf(what, sizeof what, "exchanged with the %s state", name);
+    if (thud_doc_change(&tui->doc, &next, what, &err) != THUD_OK) {
         thud_pin_clear(&before);
         thud_tui_say_error(tui, &err);
         return;
@@ -98,7 +115,7 @@ void thud_tui_exchange(struct thud_tui *tui)
     tui->pin = before;
     if (tui->pair > next.nstructures - 2)
         tui->pair = next.nstructures > 1 ? next.nstructures - 2 : 0;
-    thud_tui_say(tui, THUD_ROLE_GOOD, "This is the state that was pinned; V goes back (u undoes)");
+    thud_tui_say(tui, THUD_ROLE_GOOD, "This is the state that was %s; V goes back (u undoes)", name);
     thud_tui_changed(tui);
 }
 

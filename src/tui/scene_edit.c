@@ -75,6 +75,24 @@ static void new_name(const struct thud_scene *scene, char *name)
     }
 }
 
+/* With more than one interface, keys of the study that stood for the only one have to say so. True: some had to. */
+static bool rename_varied(struct thud_scene *scene)
+{
+    static const char only[] = "interfaces.1.";
+    bool renamed = false;
+    for (int i = 0; i < scene->study.nvary; i++) {
+        char *key = scene->study.vary[i].key, whole[THUD_VARY_KEY + sizeof only] = "";
+        int floor;
+        snprintf(whole, sizeof whole, "%s%s", only, key);
+        if (thud_scene_param(scene, key, &floor) || !thud_scene_param(scene, whole, &floor) ||
+            strlen(whole) >= THUD_VARY_KEY)
+            continue;
+        snprintf(key, THUD_VARY_KEY, "%s", whole);
+        renamed = true;
+    }
+    return renamed;
+}
+
 void thud_tui_add_structure(struct thud_tui *tui, int s)
 {
     struct thud_scene next = tui->doc.scene;
@@ -86,7 +104,8 @@ void thud_tui_add_structure(struct thud_tui *tui, int s)
         memmove(&next.interface[from + 1], &next.interface[from], (size_t)(n - 1 - from) * sizeof *next.interface);
     memcpy(next.structure[s + 1].name, name, sizeof name);
     next.nstructures++;
-    snprintf(what, sizeof what, "%s added to the right of %s, like it", name, next.structure[s].name);
+    snprintf(what, sizeof what, "%s added to the right of %s, like it%s", name, next.structure[s].name,
+             rename_varied(&next) ? "; the study varies interfaces.1" : "");
     char command[64];
     snprintf(command, sizeof command, "structure add %d", s + 1);
     change(tui, &next, what, command);

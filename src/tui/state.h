@@ -202,6 +202,9 @@ void thud_tui_run(struct thud_tui *tui);
 const struct thud_model *thud_tui_model(struct thud_tui *tui);
 /* The cases to compare with; NULL: none, or not there yet. */
 const struct thud_live *thud_tui_pinned(const struct thud_tui *tui);
+const char *thud_tui_pin_name(const struct thud_tui *tui); /* "pinned", or "saved" as long as nothing was */
+/* Whether some number of the live cases is still that of before the last change. */
+bool thud_tui_shows_old(const struct thud_tui *tui);
 enum thud_live_history thud_tui_wants_history(const struct thud_tui *tui);
 void thud_tui_pin(struct thud_tui *tui);      /* the present state is the one to compare with */
 void thud_tui_exchange(struct thud_tui *tui); /* the scene becomes the pinned one, which becomes that of before */

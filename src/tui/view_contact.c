@@ -115,7 +115,7 @@ static void refresh(struct thud_tui *tui)
     if (tui->law_revision == tui->doc.revision && tui->law_pair == tui->pair)
         return;
     struct thud_scene with;
-    struct thud_law_behind behind = {.name = "pinned", .meeting = tui->beside_meeting};
+    struct thud_law_behind behind = {.name = thud_tui_pin_name(tui), .meeting = tui->beside_meeting};
     thud_figure_free(tui->law_figure);
     tui->law_error = (struct thud_error){0};
     for (int i = 0; i < THUD_MEETINGS; i++)
@@ -141,7 +141,7 @@ static int draw_both(struct thud_tui *tui, const struct thud_pane *pane, int y)
     const struct thud_law *law = thud_beside_of(&tui->doc.scene, tui->pair);
     char name[2][64], a[24], b[24], c[24], d[24], e[24];
     thud_utf8_fit(law ? law->name : "", 13, name[0], sizeof name[0]);
-    thud_utf8_fit(*tui->beside.law ? tui->beside.law : "pinned", 13, name[1], sizeof name[1]);
+    thud_utf8_fit(*tui->beside.law ? tui->beside.law : thud_tui_pin_name(tui), 13, name[1], sizeof name[1]);
     thud_pane_put(pane, 1, y, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), "m/s");
     thud_pane_put(pane, 8, y, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), name[0]);
     thud_pane_put(pane, 23, y++, thud_look(THUD_ROLE_MUTED, THUD_BOLD), name[1]);

@@ -75,6 +75,7 @@ static void refresh(struct thud_tui *tui)
     if ((int)p->plot >= thud_plot_count(&tui->doc.scene))
         p->plot = THUD_PLOT_FORCE; /* no storey yields any more */
     choose_sight(tui);
+    p->sight.pinned = thud_tui_pin_name(tui);
     thud_figure_free(p->figure);
     p->figure = thud_plot_make(&tui->live, p->pinned ? thud_tui_pinned(tui) : NULL, &tui->doc.scene, p->plot, &p->sight,
                                &p->why);

@@ -44,7 +44,8 @@ static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
 {
     static const char *const sort[] = {"by time", "by force", "by floor"};
     if (index == PEAKS)
-        snprintf(text, size, "Peaks: no pounding / no bumper / bumper, ratio bumper : no bumper");
+        snprintf(text, size, "Peaks%s: no pounding / no bumper / bumper, ratio bumper : no bumper",
+                 thud_tui_shows_old(tui) ? " before the edit" : "");
     else if (index == IMPACTS)
         snprintf(text, size, "Impacts, %s, %s", thud_live_name(shown(tui)), sort[tui->results_sort]);
     else
@@ -128,7 +129,7 @@ static int draw_peaks(struct thud_tui *tui, const struct thud_pane *pane)
     for (int s = 0; s < tui->doc.scene.nstructures; s++)
         for (int floor = floor_count(&tui->doc.scene.structure[s]) - 1; floor >= 0; floor--, y++) {
             if (pinned)
-                thud_pane_put(pane, 3, y + 1, thud_look(THUD_ROLE_MUTED, 0), "pinned");
+                thud_pane_put(pane, 3, y + 1, thud_look(THUD_ROLE_MUTED, 0), thud_tui_pin_name(tui));
             for (int c = 0; pinned && c < columns; c++)
                 pinned_quantity(tui, pinned, pane, left + 29 * c, y + 1, s, floor, column[(first + c) % all].kind,
                                 column[(first + c) % all].factor);

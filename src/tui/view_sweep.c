@@ -121,7 +121,7 @@ static int draw(struct thud_tui *tui, int index, struct thud_pane *pane)
         if (is_old(tui, s))
             dim(pane);
     } else {
-        thud_field_note(pane, 0, s->data.points ? "nothing to show yet" : "r runs the study");
+        thud_field_note(pane, 0, s->data.points || *s->why ? "nothing to show yet" : "r runs the study");
     }
     return pane->h;
 }
@@ -152,9 +152,9 @@ static void begin(struct thud_tui *tui, bool by_itself)
         snprintf(s->why, sizeof s->why, "%ld runs, about %.0f s: r runs them", runs_of(&s->data), expected_s);
     else if (status == THUD_OK)
         status = thud_sweep_data_start(&s->data, &err);
-    if (status != THUD_OK && by_itself)
+    if (status != THUD_OK)
         thud_error_text(&err, s->why, sizeof s->why);
-    else if (status != THUD_OK)
+    if (status != THUD_OK && !by_itself)
         thud_tui_say_error(tui, &err);
     if (!s->base)
         s->base = malloc(sizeof *s->base);

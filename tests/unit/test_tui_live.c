@@ -290,6 +290,44 @@ START_TEST(the_answer_in_one_line)
 }
 END_TEST
 
+/* While a run goes on, numbers of before the edit are said to be that, not by their colour alone. */
+START_TEST(old_numbers_are_named)
+{
+    f.tui->live.threads = -1; /* a turn computes for a moment */
+    for (int screen = 1; screen <= 4; screen += 3) {
+        fixture_keys(&f, screen == 1 ? "1" : "4");
+        fixture_expect_not(&f, "efore the edit");
+        f.script.at = screen == 1 ? ":set gap 3 cm<Enter>" : ":set gap 4 cm<Enter>";
+        while (*f.script.at)
+            thud_tui_turn(f.tui, false);
+        ck_assert(f.tui->live.running);
+        thud_tui_draw(f.tui);
+        fixture_expect(&f, "efore the edit");
+        fixture_keys(&f, "");
+        fixture_expect_not(&f, "efore the edit");
+    }
+}
+END_TEST
+
+/* Nothing is no number of rounding. */
+START_TEST(rounding_is_shown_as_nothing)
+{
+    char text[24];
+    ck_assert_str_eq(thud_tui_number(-1.11e-16, text), "0");
+    ck_assert_str_eq(thud_tui_number(-1.11e-9, text), "-1.11e-09");
+    struct thud_figure *figure = thud_figure_create("velocity", "Velocity", 1, 1);
+    struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "");
+    thud_panel_axis(panel, THUD_X, "Time", "s");
+    thud_panel_axis(panel, THUD_Y, "Velocity", "m/s");
+    const double x[] = {0, 1}, y[] = {-1.11e-16, 2};
+    char words[200];
+    ck_assert_ptr_nonnull(thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES}, "floor 1", 2, x, y));
+    thud_chart_words(panel, 0, words, sizeof words);
+    ck_assert_str_eq(words, "Time 0 s:  floor 1 0 m/s");
+    thud_figure_free(figure);
+}
+END_TEST
+
 /* Changes are told against the saved state, whatever came between, and against another once it is pinned. */
 START_TEST(changes_are_told_against_the_pin)
 {
@@ -301,13 +339,17 @@ START_TEST(changes_are_told_against_the_pin)
     const struct thud_live *pinned = thud_tui_pinned(f.tui);
     ck_assert_ptr_nonnull(pinned);
     ck_assert(thud_live_force(pinned, THUD_LIVE_BUMPER, 0, &impacts) == saved);
-    fixture_keys(&f, "<A-4>");
-    fixture_expect(&f, "pinned");
+    fixture_keys(&f, "<A-4>"); /* nothing is pinned */
+    fixture_expect(&f, "saved");
+    fixture_expect_not(&f, "pinned");
+    fixture_keys(&f, "5");
+    fixture_expect(&f, "bumper, saved");
     now = thud_live_force(&f.tui->live, THUD_LIVE_BUMPER, 0, &impacts);
     ck_assert(now != saved);
     fixture_keys(&f, "v");
     ck_assert_ptr_null(thud_tui_pinned(f.tui));
-    fixture_keys(&f, ":set gap 2 cm<Enter>"); /* as it was saved */
+    fixture_keys(&f, "4:set gap 2 cm<Enter>"); /* as it was saved */
+    fixture_expect(&f, "pinned");
     pinned = thud_tui_pinned(f.tui);
     ck_assert_ptr_nonnull(pinned);
     ck_assert(thud_live_force(pinned, THUD_LIVE_BUMPER, 0, &impacts) == now);
@@ -332,6 +374,8 @@ Suite *thud_suite(void)
     tcase_set_timeout(live, 60.0);
     tcase_add_checked_fixture(live, setup, teardown);
     tcase_add_test(live, the_numbers_are_the_answers);
+    tcase_add_test(live, old_numbers_are_named);
+    tcase_add_test(live, rounding_is_shown_as_nothing);
     tcase_add_test(live, changes_are_told_against_the_pin);
     tcase_add_test(live, the_answer_in_one_line);
     tcase_add_test(live, no_old_number_after_a_failure);

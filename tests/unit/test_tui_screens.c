@@ -110,6 +110,28 @@ START_TEST(records_are_listed_filtered_and_chosen)
 }
 END_TEST
 
+/* In the first line a long name gives way, and not the peak; a long message is shown whole, over the panes. */
+START_TEST(what_is_said_is_not_cut)
+{
+    fixture_write_pulse(&f);
+    char from[200], to[200], text[400];
+    snprintf(from, sizeof from, "%s/pulse.csv", f.folder);
+    snprintf(to, sizeof to, "%s/a-ground-motion-with-a-name-that-is-longer-than-the-line.csv", f.folder);
+    ck_assert_int_eq(rename(from, to), 0);
+    fixture_keys(&f, ":record a-ground-motion-with-a-name-that-is-longer-than-the-line.csv<Enter>:peak 1.22 g<Enter>");
+    fixture_expect(&f, " 1.22 g scaled x1.22 + ");
+    for (size_t i = 0; i < sizeof text - 20; i++)
+        text[i] = i % 8 == 7 ? ' ' : (char)('a' + i / 8 % 26);
+    snprintf(text + sizeof text - 20, 20, "and this at the end");
+    thud_tui_say(f.tui, THUD_ROLE_ERROR, "%s", text);
+    thud_tui_draw(f.tui);
+    fixture_expect(&f, "at the end");
+    fixture_expect(&f, "aaaaaaa");
+    fixture_keys(&f, "<Esc>");
+    fixture_expect_not(&f, "aaaaaaa");
+}
+END_TEST
+
 START_TEST(an_impact_is_opened)
 {
     fixture_keys(&f, "<A-4><Tab><Down><Enter>");
@@ -452,6 +474,7 @@ Suite *thud_suite(void)
     tcase_add_test(screens, finding_a_field);
     tcase_add_test(screens, a_digit_goes_to_its_screen);
     tcase_add_test(screens, records_are_listed_filtered_and_chosen);
+    tcase_add_test(screens, what_is_said_is_not_cut);
     tcase_add_test(screens, an_impact_is_opened);
     tcase_add_test(screens, the_largest_impact_is_at_the_largest_force);
     tcase_add_test(screens, the_movement_plays_and_ends);

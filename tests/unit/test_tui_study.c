@@ -397,6 +397,31 @@ START_TEST(lists_in_brackets_are_shown_without_them)
 }
 END_TEST
 
+/* A third structure: the study's gap is one of two, and says which. */
+START_TEST(a_structure_more_names_the_studys_interface)
+{
+    fixture_keys(&f, "<A-6><Enter><C-u>gap=1 cm:2 cm:1 cm<Enter>1A");
+    fixture_expect(&f, "the study varies interfaces.1");
+    ck_assert_int_eq(f.tui->doc.scene.nstructures, 3);
+    ck_assert_str_eq(study()->vary[0].key, "interfaces.1.gap");
+    fixture_keys(&f, "6");
+    fixture_expect(&f, "2 of 2 points");
+    fixture_keys(&f, "u");
+    ck_assert_str_eq(study()->vary[0].key, "gap");
+}
+END_TEST
+
+/* Why it cannot run stays on the screen, and not that it does. */
+START_TEST(a_study_that_cannot_begin_says_why)
+{
+    fixture_keys(&f, "<A-6>:live off<Enter>:records nowhere.csv<Enter>r");
+    fixture_keys(&f, "<Down><Up>");
+    fixture_expect(&f, "nowhere.csv");
+    fixture_expect_not(&f, "r runs the study");
+    fixture_expect(&f, "nothing to show yet");
+}
+END_TEST
+
 /* What is there already and was not written here is not written over. */
 START_TEST(tables_of_others_stay)
 {
@@ -434,6 +459,8 @@ Suite *thud_suite(void)
     tcase_add_test(words, a_suite_has_its_statistics);
     tcase_add_test(words, motions_signs_and_events_are_kept);
     tcase_add_test(words, lists_in_brackets_are_shown_without_them);
+    tcase_add_test(words, a_structure_more_names_the_studys_interface);
+    tcase_add_test(words, a_study_that_cannot_begin_says_why);
     tcase_add_test(words, tables_of_others_stay);
     suite_add_tcase(suite, words);
     return suite;
