@@ -21,6 +21,10 @@ static enum thud_status save(const struct thud_args *args, const struct thud_gap
         thud_gap_csv(study, records, &text);
         status = thud_text_write_in(&text, folder, "needed-gaps.csv", err);
     }
+    if (status == THUD_OK) {
+        thud_gap_rules_csv(study, &text);
+        status = thud_text_write_in(&text, folder, "gap-rules.csv", err);
+    }
     if (status == THUD_OK)
         status = thud_gap_json(study, scene, records, &text, err);
     if (status == THUD_OK)
@@ -42,19 +46,26 @@ static enum thud_status gap(const struct thud_args *args, struct thud_session *s
     struct thud_picture_choice picture;
     struct thud_made_by by;
     struct thud_text text = {0};
+    struct thud_gap_code code;
+    const char *said;
     *scene = session->scene;
     enum thud_status status = thud_picture_options_read(args, &picture, err);
+    thud_gap_code_init(&code);
+    for (int i = 0; status == THUD_OK && (said = thud_args_repeated(args, "code", i)) != NULL; i++)
+        status = thud_gap_code_set(&code, said, err);
     if (status == THUD_OK)
         status = thud_records_option_read(args, session, &records, err);
     if (status == THUD_OK && thud_args_has(args, "o")) {
-        static const char *const asked[] = {"records", "signs", NULL};
+        static const char *const asked[] = {"records", "signs", "code", NULL};
         status = thud_made_by_scene(args, "study", scene, (const struct thud_record *const *)records.record, records.n,
                                     asked, &by, err);
         if (status == THUD_OK)
             status = thud_made_by_check(&by, err);
     }
     if (status == THUD_OK)
-        status = thud_gap_study_run(scene, &records, thud_interrupt_watch(), &study, err);
+        status = thud_gap_study_run(scene, &records, &code, thud_interrupt_watch(), &study, err);
+    if (status == THUD_OK && !(thud_args_has(args, "csv") && !thud_args_has(args, "o")))
+        status = thud_gap_study_rules(scene, &records, thud_interrupt_watch(), &study, err);
     if (status == THUD_OK && thud_args_has(args, "json"))
         status = thud_gap_json(&study, scene, &records, &text, err);
     else if (status == THUD_OK && thud_args_has(args, "csv"))

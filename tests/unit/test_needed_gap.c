@@ -67,7 +67,7 @@ START_TEST(linear_in_the_ground_motion)
     thud_record_scale(motion, 2.5);
     struct thud_needed_gap *more = gap_of(motion);
     for (int i = 0; i < one->nlevels; i++)
-        for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_RULES; rule++) {
+        for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_TBDY; rule++) { /* those that follow have least widths */
             double x = thud_gap_value(&one->level[i], rule);
             ck_assert_double_eq_tol(thud_gap_value(&more->level[i], rule), 2.5 * x, 1e-12 * x);
         }
@@ -120,7 +120,7 @@ START_TEST(rules_in_their_order)
         ck_assert_double_eq_tol(thud_gap_value(l, THUD_GAP_EN1998), 0.7 * srss, 1e-15);
         ck_assert_double_lt(thud_gap_value(l, THUD_GAP_DDC), srss);
     }
-    struct thud_gap_level wall = {.left_floor = 3, .left_m = 0.1};
+    struct thud_gap_level wall = {.left_floor = 3, .left_m = 0.1, .code = {.q = 1}};
     ck_assert_double_eq_tol(thud_gap_value(&wall, THUD_GAP_EN1998), 0.1, 1e-15); /* no aligned floors before a wall */
     free(gap);
 }
@@ -164,6 +164,10 @@ START_TEST(a_suite_of_one_motion_has_no_spread)
             ck_assert_int_eq(thud_gap_suite_fractiles(&suite, level, rule, &f, &error), THUD_OK);
             double x =
                 level < 0 ? thud_needed_gap_widest(gap, 0, rule, NULL) : thud_gap_value(&gap->level[level], rule);
+            if (rule == THUD_GAP_GB50011) { /* no intensity */
+                ck_assert(isnan(x) && f.n == 0 && isnan(f.median) && isnan(f.share));
+                continue;
+            }
             ck_assert(f.n == 3 && f.p16 == x && f.median == x && f.p84 == x && f.most == x);
             ck_assert(f.share == 0 || f.share == 1);
         }

@@ -6,39 +6,10 @@
 #include "base/statistics.h"
 #include "core/run/baseline.h"
 #include "ground/record.h"
+#include "study/scene/gap_rule.h"
 #include "study/scene/scene.h"
 
-/* A pair of floors that could touch, or a floor and the columns that it could strike. */
-struct thud_gap_level {
-    int interface, left_floor, right_floor; /* from 1; floor 0: a wall */
-    int struck;                             /* as thud_model_contact.struck */
-    bool aligned;                           /* the floor elevations of the two buildings are the same, all of them */
-    double left_m, right_m;                 /* largest displacement of each side: floor, or struck place */
-    double closing_m;                       /* largest u_left - u_right: a clearance this wide is never used up */
-    double correlation;                     /* of DDC, from the first periods and damping ratios */
-};
-
-/* ABS      u_a + u_b
- * SRSS     sqrt(u_a^2 + u_b^2)
- * DDC      sqrt(u_a^2 + u_b^2 - 2 rho u_a u_b), Jeng, Kasai and Maison (1992)
- * EN 1998  EN 1998-1:2004, 4.4.2.7(2) and (3): SRSS; times 0.7 where floors stand at the same elevations; before a wall
- *          the displacement itself
- * ASCE 7   ASCE/SEI 7-16, 12.12.3: SRSS of the displacements (here those of the ground motion; the code takes Cd times
- *          the elastic ones over the importance factor) */
-enum thud_gap_rule {
-    THUD_GAP_ABS,
-    THUD_GAP_SRSS,
-    THUD_GAP_DDC,
-    THUD_GAP_EN1998,
-    THUD_GAP_ASCE7,
-    THUD_GAP_RULES,
-    THUD_GAP_EXACT = -1 /* closing_m */
-};
-const char *thud_gap_rule_name(int rule);   /* "needed", "ABS", "EN 1998", ... */
-const char *thud_gap_rule_column(int rule); /* in CSV and JSON: "closing_m", "abs_m", "en1998_m", ... */
-double thud_gap_value(const struct thud_gap_level *level, int rule);
-
-/* Levels of a finished run without contact, (model->ncontacts). */
+/* Levels of a finished run without contact, (model->ncontacts); their heights are not known. */
 double thud_gap_side(const struct thud_model *model, const struct thud_baseline_motion *baseline, int contact,
                      bool right); /* left_m, right_m */
 void thud_gap_levels(const bool *aligned, const struct thud_model *model, const struct thud_baseline_motion *baseline,
@@ -53,7 +24,8 @@ struct thud_needed_gap {
  * with free(). Errors: those of thud_scene_assemble; THUD_DIVERGED. */
 enum thud_status thud_needed_gap_run(const struct thud_scene *scene, const struct thud_record *record,
                                      struct thud_needed_gap **out, struct thud_error *err);
-/* The widest over the levels of an interface (0: of all); -1 where there are none. *level where not NULL. */
+/* The widest over the levels of an interface (0: of all); -1 where there are none, NaN where the rule has no value at
+ * one. *level where not NULL. */
 double thud_needed_gap_widest(const struct thud_needed_gap *gap, int interface, int rule, int *level);
 
 /* The factor on a ground motion from which on something touches at the clearances of `scene` (that of a case); INFINITY:
@@ -71,7 +43,7 @@ struct thud_gap_suite {
 };
 /* Over the ground motions at a level (from 0; -1: the widest over all levels): 16, 50 and 84 % are the narrowest gaps
  * that are enough for at least so many of them, order statistics. `share`: of the ground motions for which
- * the rule asks for less than is needed there. Errors: THUD_MEMORY. */
+ * the rule asks for less than is needed there, of those for which it has a value. Errors: THUD_MEMORY. */
 enum thud_status thud_gap_suite_fractiles(const struct thud_gap_suite *suite, int level, int rule,
                                           struct thud_fractiles *out, struct thud_error *err);
 

@@ -100,7 +100,7 @@ enum thud_status thud_site_suite_run(struct site *site, struct thud_error *err)
                                    .take = take};
     status = thud_sweep_jobs_run(&jobs, err);
     if (status == THUD_OK)
-        status = thud_gap_study_run(site->scene, site->options->records, cancel, &suite->gaps, err);
+        status = thud_gap_study_run(site->scene, site->options->records, NULL, cancel, &suite->gaps, err);
     if (status == THUD_OK)
         status = find_factors(site, err);
     return status == THUD_OK ? make_fragility(suite, site->options->seed, err) : status;

@@ -679,6 +679,54 @@ static void cases(struct site *site)
 
 /* ---- the gap that is enough ---- */
 
+/* A length in other units, with so many decimals; -: there is none. */
+static void add_gap_cell(struct thud_document *d, int decimals, double value)
+{
+    if (isnan(value))
+        thud_document_cell(d, "-");
+    else
+        thud_document_cell(d, "%.*f", decimals, value);
+}
+
+/* What every rule asks for at the level where it asks for most. */
+static void gap_rules(struct site *site)
+{
+    struct thud_document *d = &site->document;
+    double needed = thud_needed_gap_widest(site->gap, 0, THUD_GAP_EXACT, NULL);
+    thud_document_table(d, "Gap by rule, mm");
+    for (int i = 0; i < 4; i++)
+        thud_document_cell(d, "%s", ((const char *const[]){"rule", "clause", "formula", "mm"})[i]);
+    thud_document_row(d);
+    for (int rule = 0; rule < (int)THUD_GAP_RULES; rule++) {
+        const struct thud_gap_rule *r = thud_gap_rule_at(rule);
+        int level = 0;
+        struct thud_text numbers = {0};
+        double widest = thud_needed_gap_widest(site->gap, 0, rule, &level);
+        thud_document_cell(d, "%s", r->name);
+        thud_document_cell(d, "%s%s%s%s%s%s%s", r->edition, *r->edition ? ", " : "", r->clause, *r->clause ? ": " : "",
+                           r->title, *r->source ? "; " : "", r->source);
+        thud_gap_numbers(&site->gap->level[level], rule, &numbers);
+        thud_document_cell(d, "%s%s%s", r->formula, isnan(widest) ? ": " : " = ",
+                           isnan(widest)  ? r->lacks
+                           : numbers.data ? numbers.data
+                                          : "");
+        add_gap_cell(d, 1, 1e3 * widest);
+        thud_document_row(d);
+        thud_text_clear(&numbers);
+    }
+    for (int rule = 0; rule < (int)THUD_GAP_RULES; rule++) {
+        double ruled = thud_needed_gap_widest(site->gap, 0, rule, NULL);
+        if (thud_gap_falls_short(ruled, needed))
+            thud_document_item(d, "%s asks for %s cm, less than the %s cm that this motion needs.",
+                               thud_gap_rule_at(rule)->name, thud_site_number(100 * ruled, 3).text,
+                               thud_site_number(100 * needed, 3).text);
+    }
+    thud_document_paragraph(
+        d, "EN (2)(a) and ASCE line are of buildings that do not belong to one owner: each keeps its own "
+           "displacement from the property line, so that the gap is the sum. The codes take design "
+           "displacements; here they are those of this one motion.");
+}
+
 static void gap(struct site *site)
 {
     struct thud_document *d = &site->document;
@@ -694,33 +742,19 @@ static void gap(struct site *site)
     thud_document_cell(d, "floors");
     thud_document_cell(d, "left moves");
     thud_document_cell(d, "right moves");
-    for (int rule = THUD_GAP_EXACT; rule < (int)THUD_GAP_RULES; rule++)
-        thud_document_cell(d, "%s", thud_gap_rule_name(rule));
+    for (int rule = THUD_GAP_EXACT; rule < (int)THUD_GAP_SHORT; rule++)
+        thud_document_cell(d, "%s", thud_gap_rule_at(rule)->name);
     thud_document_row(d);
     for (int i = site->gap->nlevels - 1; i >= 0; i--) {
         const struct thud_gap_level *l = &site->gap->level[i];
         add_level_cell(site, l->interface, l->left_floor, l->right_floor, l->struck);
         thud_document_cell(d, "%.2f", 100 * l->left_m);
         thud_document_cell(d, "%.2f", 100 * l->right_m);
-        for (int rule = THUD_GAP_EXACT; rule < (int)THUD_GAP_RULES; rule++)
-            thud_document_cell(d, "%.2f", 100 * thud_gap_value(l, rule));
+        for (int rule = THUD_GAP_EXACT; rule < (int)THUD_GAP_SHORT; rule++)
+            add_gap_cell(d, 2, 100 * thud_gap_value(l, rule));
         thud_document_row(d);
     }
-    for (int rule = 0; rule < (int)THUD_GAP_RULES; rule++) {
-        double needed = thud_needed_gap_widest(site->gap, 0, THUD_GAP_EXACT, NULL);
-        double ruled = thud_needed_gap_widest(site->gap, 0, rule, NULL);
-        if (thud_gap_falls_short(ruled, needed))
-            thud_document_item(d, "%s asks for %s cm, less than the %s cm that this motion needs.",
-                               thud_gap_rule_name(rule), thud_site_number(100 * ruled, 3).text,
-                               thud_site_number(100 * needed, 3).text);
-    }
-    thud_document_paragraph(
-        d, "ABS: sum. SRSS: root of the sum of squares. DDC: double difference combination (Jeng, "
-           "Kasai and Maison 1992). EN 1998: EN 1998-1, 4.4.2.7(2)(b), SRSS, and 0.7 of it, (3), where "
-           "all floor elevations of the two buildings are the same. Buildings that do not belong to "
-           "one owner keep each its own displacement from the property line, 4.4.2.7(2)(a): the gap "
-           "is then the sum, ABS. ASCE 7: ASCE/SEI 7-16, 12.12.3, SRSS. The codes take design displacements; here "
-           "they are those of this one motion.");
+    gap_rules(site);
 }
 
 /* ---- cautions ---- */

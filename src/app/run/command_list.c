@@ -116,6 +116,8 @@ static const struct thud_option options[] = {
     {"records", "FILE,...", "files, a folder or a .list, e.g. a.AT2:peak=0.9g", THUD_WORD_FILE, false,
      SWEEP | GAP | FIGURES | REPORT},
     {"signs", "both", "every ground motion both ways round", THUD_WORD_CHOICE, false, SWEEP | GAP | REPORT},
+    {"code", "KEY=NUMBER,...", "q=1.5, cd=4, r=8, intensity=8: of the codes' rules", THUD_WORD_TEXT, true,
+     1 << THUD_COMMAND_GAP},
     {"cases", "CASE,CASE", "run each of these cases", THUD_WORD_CASE, false, RUN | SWEEP},
     {"event", "EVENT", "pounding, worse, drift:1%, ductility:2", THUD_WORD_TEXT, true, FRAGILITY},
     {"hazard", "FILE", "intensity and annual rate, as CSV", THUD_WORD_FILE, false, FRAGILITY},

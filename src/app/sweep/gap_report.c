@@ -8,9 +8,58 @@
 #include "base/version.h"
 #include "io/file/json.h"
 #include "study/scene/level.h"
+#include "study/suite/suite.h"
+
+/* Whether an earlier rule asks for the same gaps: then its runs are taken. */
+static bool take_same(struct thud_gap_study *study, int rule)
+{
+    struct thud_gap_ruled *own = &study->ruled[(rule + 1) * study->interfaces];
+    for (int other = 0; other <= rule; other++) {
+        const struct thud_gap_ruled *from = &study->ruled[other * study->interfaces];
+        int same = 0;
+        for (int i = 0; i < study->interfaces; i++)
+            same += from[i].gap_m == own[i].gap_m;
+        for (int i = 0; i < study->interfaces && same == study->interfaces; i++) {
+            own[i].pounding = from[i].pounding;
+            own[i].force_n = from[i].force_n;
+            own[i].worst = from[i].worst;
+        }
+        if (same == study->interfaces)
+            return true;
+    }
+    return false;
+}
+
+enum thud_status thud_gap_study_rules(const struct thud_scene *scene, const struct thud_record_list *records,
+                                      const atomic_int *cancel, struct thud_gap_study *study, struct thud_error *err)
+{
+    enum thud_status status = THUD_OK;
+    int n = scene->nstructures - 1;
+    study->interfaces = n;
+    study->ruled = calloc((size_t)(n * (THUD_GAP_RULES + 1)), sizeof *study->ruled);
+    if (!study->ruled)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_RULES; rule++) {
+        struct thud_gap_ruled *ruled = &study->ruled[(rule + 1) * n];
+        bool valued = false;
+        thud_gap_suite_rule(&study->suite, rule, n, ruled);
+        for (int i = 0; i < n; i++)
+            valued = valued || !isnan(ruled[i].gap_m);
+        if (!valued || take_same(study, rule))
+            continue;
+        for (int r = 0; r < study->suite.nrecords && status == THUD_OK; r++)
+            if (cancel && *cancel)
+                status = thud_error_set(err, THUD_CANCELLED, "stopped");
+            else
+                status =
+                    thud_gap_pound(scene, r < records->n ? records->record[r] : NULL, &study->suite, r, ruled, err);
+    }
+    return status;
+}
 
 enum thud_status thud_gap_study_run(const struct thud_scene *scene, const struct thud_record_list *records,
-                                    const atomic_int *cancel, struct thud_gap_study *out, struct thud_error *err)
+                                    const struct thud_gap_code *code, const atomic_int *cancel,
+                                    struct thud_gap_study *out, struct thud_error *err)
 {
     int n = records->n > 0 ? records->n : 1;
     enum thud_status status = THUD_OK;
@@ -25,6 +74,8 @@ enum thud_status thud_gap_study_run(const struct thud_scene *scene, const struct
             status = thud_error_set(err, THUD_CANCELLED, "stopped");
         else
             status = thud_needed_gap_run(scene, record, &out->gap[i], err);
+        for (int l = 0; status == THUD_OK && code && l < out->gap[i]->nlevels; l++)
+            out->gap[i]->level[l].code = *code;
         out->name[i] = record ? thud_path_name(record->file) : "no ground motion";
         out->suite.nrecords += status == THUD_OK;
     }
@@ -43,6 +94,7 @@ void thud_gap_study_clear(struct thud_gap_study *study)
         free(study->gap[i]);
     free(study->gap);
     free(study->name);
+    free(study->ruled);
     *study = (struct thud_gap_study){0};
 }
 
@@ -56,8 +108,8 @@ static const char *floors(const struct thud_gap_level *level, char text[24])
 static void put_head(const char *first, const char *last, struct thud_text *out)
 {
     thud_text_append(out, "%-26s", first);
-    for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_RULES; rule++)
-        thud_text_append(out, " %7s", thud_gap_rule_name(rule));
+    for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_SHORT; rule++)
+        thud_text_append(out, " %7s", thud_gap_rule_at(rule)->name);
     thud_text_append(out, "%s%s\n", *last ? "  " : "", last);
 }
 
@@ -91,6 +143,14 @@ static void put_name(const struct thud_gap_suite *suite, int record, struct thud
     thud_text_append(out, "%-26s", text);
 }
 
+static void put_gap(struct thud_text *out, double gap_m)
+{
+    if (isnan(gap_m))
+        thud_text_append(out, " %7s", "-");
+    else
+        thud_text_append(out, " %7.2f", 100 * gap_m);
+}
+
 static void put_records(const struct thud_gap_suite *suite, struct thud_text *out)
 {
     char text[24];
@@ -98,10 +158,10 @@ static void put_records(const struct thud_gap_suite *suite, struct thud_text *ou
     for (int r = 0; r < suite->nrecords; r++) {
         int level = 0;
         put_name(suite, r, out);
-        for (int rule = THUD_GAP_RULES - 1; rule >= THUD_GAP_EXACT; rule--)
+        for (int rule = THUD_GAP_SHORT - 1; rule >= THUD_GAP_EXACT; rule--)
             thud_needed_gap_widest(suite->gap[r], 0, rule, &level);
-        for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_RULES; rule++)
-            thud_text_append(out, " %7.2f", 100 * thud_needed_gap_widest(suite->gap[r], 0, rule, NULL));
+        for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_SHORT; rule++)
+            put_gap(out, thud_needed_gap_widest(suite->gap[r], 0, rule, NULL));
         thud_text_append(out, "  %s\n", floors(&suite->gap[r]->level[level], text));
     }
 }
@@ -127,14 +187,14 @@ static void put_suite(const struct thud_fractiles f[THUD_GAP_RULES + 1], struct 
             snprintf(what, sizeof what, "for %.0f of %zu (%.0f %%)", fmax(1, ceil(share[w] * (double)f[0].n - 1e-9)),
                      f[0].n, 100 * share[w]);
         thud_text_append(out, "%-26s", w == 3 ? "largest" : what);
-        for (int i = 0; i <= THUD_GAP_RULES; i++) {
+        for (int i = 0; i <= THUD_GAP_SHORT; i++) {
             double x = w == 0 ? f[i].p16 : w == 1 ? f[i].median : w == 2 ? f[i].p84 : w == 3 ? f[i].most : f[i].share;
             if (w == 4 && i == 0)
                 thud_text_append(out, " %7s", "");
-            else if (w == 4)
+            else if (w == 4 && !isnan(x))
                 thud_text_append(out, " %5.0f %%", 100 * x);
             else
-                thud_text_append(out, " %7.2f", 100 * x);
+                put_gap(out, x);
         }
         thud_text_append(out, "\n");
     }
@@ -147,8 +207,8 @@ static void put_levels(const struct thud_gap_suite *suite, const struct thud_fra
     char text[24], name[48];
     snprintf(name, sizeof name, "interface %d, floors %s", l->interface, floors(l, text));
     thud_text_append(out, "%-26s", name);
-    for (int i = 0; i <= THUD_GAP_RULES; i++)
-        thud_text_append(out, " %7.2f", 100 * f[i].median);
+    for (int i = 0; i <= THUD_GAP_SHORT; i++)
+        put_gap(out, f[i].median);
     thud_text_append(out, "\n");
 }
 
@@ -161,6 +221,65 @@ static void put_bumpers(const struct thud_scene *scene, struct thud_text *out)
             thud_text_append(out, "The bumper of interface %d sticks out %.2f cm, which it needs besides.\n", i + 1,
                              100 * (f->bumper_thickness_m - f->bumper_cavity_m));
     }
+}
+
+/* ---- by rule ---- */
+
+enum { WIDTH = 80, INDENT = 10 };
+
+static void put_rule(const struct thud_gap_study *study, int rule, int interface, struct thud_text *out)
+{
+    const struct thud_gap_rule *r = thud_gap_rule_at(rule);
+    const struct thud_gap_ruled *x = &study->ruled[(rule + 1) * study->interfaces + interface];
+    struct thud_text numbers = {0};
+    char title[128], count[32];
+    snprintf(title, sizeof title, "%s%s%s%s%s", r->edition, *r->edition ? ", " : "", r->clause, *r->clause ? ": " : "",
+             r->title);
+    thud_text_append(out, "%-9s %-42s", r->name, title);
+    if (isnan(x->gap_m)) {
+        thud_text_append(out, " %8s\n%*s%s\n", "-", INDENT, "", r->lacks);
+        return;
+    }
+    snprintf(count, sizeof count, "%d of %d", x->pounding, study->suite.nrecords);
+    thud_text_append(out, " %8.1f %9s", 1e3 * x->gap_m, count);
+    if (x->pounding > 0)
+        thud_text_append(out, " %7.3g", 1e-6 * x->force_n);
+    thud_text_append(out, "\n");
+    if (rule == THUD_GAP_EXACT)
+        return;
+    thud_gap_numbers(&x->level, rule, &numbers);
+    bool fits = numbers.data && INDENT + strlen(r->formula) + 3 + strlen(numbers.data) <= WIDTH;
+    thud_text_append(out, "%*s%s%s", INDENT, "", r->formula, fits ? " " : "\n");
+    thud_text_append(out, "%*s= %s\n", fits ? 0 : INDENT, "", numbers.data ? numbers.data : "");
+    thud_text_clear(&numbers);
+}
+
+static void put_rules(const struct thud_gap_study *study, struct thud_text *out)
+{
+    const char *before = "";
+    int n = study->suite.nrecords, independent = thud_gap_suite_independent(&study->suite);
+    for (int i = 0; i < study->interfaces; i++) {
+        char head[64] = "by rule";
+        if (study->ruled[i].gap_m < 0)
+            continue;
+        if (study->interfaces > 1)
+            snprintf(head, sizeof head, "by rule, interface %d", i + 1);
+        thud_text_append(out, "\n%-52s %8s %9s %7s\n", head, "mm", "pounds in", "MN");
+        for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_RULES; rule++)
+            put_rule(study, rule, i, out);
+    }
+    if (n > 1)
+        thud_text_append(out, "\nuL and uR: %s of the %d ground motions.\n",
+                         independent >= THUD_DRAWS_LEAST ? "means" : "largest", n);
+    else
+        thud_text_append(out, "\nuL and uR: largest displacements of the two sides.\n");
+    thud_text_append(out, "Pounds in, MN: motions with contact at that gap without bumper, largest force.\n");
+    for (int rule = 0; rule < THUD_GAP_RULES; rule++)
+        if (*thud_gap_rule_at(rule)->source) {
+            thud_text_append(out, "%s%s", before, thud_gap_rule_at(rule)->name);
+            before = ", ";
+        }
+    thud_text_append(out, ": second-hand; read the clause.\n");
 }
 
 enum thud_status thud_gap_report(const struct thud_gap_study *study, const struct thud_scene *scene,
@@ -187,15 +306,29 @@ enum thud_status thud_gap_report(const struct thud_gap_study *study, const struc
         if (status == THUD_OK)
             put_levels(suite, f, l, out);
     }
+    put_rules(study, out);
     return status;
+}
+
+static void put_values(const struct thud_gap_level *level, int from, int to, struct thud_text *out)
+{
+    for (int rule = from; rule < to; rule++) {
+        double x = thud_gap_value(level, rule);
+        thud_text_append(out, ",");
+        if (!isnan(x))
+            thud_text_number(out, x);
+    }
 }
 
 void thud_gap_csv(const struct thud_gap_study *study, const struct thud_record_list *records, struct thud_text *out)
 {
     thud_text_append(out, "record,interface,left_floor,right_floor,left_displacement_m,right_displacement_m");
-    for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_RULES; rule++)
-        thud_text_append(out, ",%s", thud_gap_rule_column(rule));
-    thud_text_append(out, ",correlation,struck_columns\n");
+    for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_SHORT; rule++)
+        thud_text_append(out, ",%s", thud_gap_rule_at(rule)->column);
+    thud_text_append(out, ",correlation,struck_columns");
+    for (int rule = THUD_GAP_SHORT; rule < THUD_GAP_RULES; rule++)
+        thud_text_append(out, ",%s", thud_gap_rule_at(rule)->column);
+    thud_text_append(out, "\n");
     for (int r = 0; r < study->suite.nrecords; r++)
         for (int i = 0; i < study->gap[r]->nlevels; i++) {
             const struct thud_gap_level *l = &study->gap[r]->level[i];
@@ -205,13 +338,41 @@ void thud_gap_csv(const struct thud_gap_study *study, const struct thud_record_l
             thud_text_number(out, l->left_m);
             thud_text_append(out, ",");
             thud_text_number(out, l->right_m);
-            for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_RULES; rule++) {
-                thud_text_append(out, ",");
-                thud_text_number(out, thud_gap_value(l, rule));
-            }
+            put_values(l, THUD_GAP_EXACT, THUD_GAP_SHORT, out);
             thud_text_append(out, ",");
-            thud_text_number(out, l->correlation);
-            thud_text_append(out, ",%s\n", thud_struck_name(l->struck));
+            if (!isnan(l->correlation))
+                thud_text_number(out, l->correlation);
+            thud_text_append(out, ",%s", thud_struck_name(l->struck));
+            put_values(l, THUD_GAP_SHORT, THUD_GAP_RULES, out);
+            thud_text_append(out, "\n");
+        }
+}
+
+void thud_gap_rules_csv(const struct thud_gap_study *study, struct thud_text *out)
+{
+    thud_text_append(out, "interface,rule,edition,clause,source,formula,numbers,left_floor,right_floor,gap_m,pounding,"
+                          "motions,force_n\n");
+    for (int i = 0; i < study->interfaces; i++)
+        for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_RULES; rule++) {
+            const struct thud_gap_rule *r = thud_gap_rule_at(rule);
+            const struct thud_gap_ruled *x = &study->ruled[(rule + 1) * study->interfaces + i];
+            struct thud_text numbers = {0};
+            if (!(x->gap_m >= 0))
+                continue;
+            thud_gap_numbers(&x->level, rule, &numbers);
+            const char *const field[] = {r->name,   r->edition, r->clause,
+                                         r->source, r->formula, numbers.data ? numbers.data : ""};
+            thud_text_append(out, "%d", i + 1);
+            for (size_t k = 0; k < sizeof field / sizeof *field; k++) {
+                thud_text_append(out, ",");
+                thud_text_csv(out, field[k]);
+            }
+            thud_text_append(out, ",%d,%d,", x->level.left_floor, x->level.right_floor);
+            thud_text_number(out, x->gap_m);
+            thud_text_append(out, ",%d,%d,", x->pounding, study->suite.nrecords);
+            thud_text_number(out, x->force_n);
+            thud_text_append(out, "\n");
+            thud_text_clear(&numbers);
         }
 }
 
@@ -222,15 +383,42 @@ static void put_json_level(const struct thud_gap_level *l, struct thud_text *out
     thud_json_field(out, "left_displacement_m", l->left_m);
     thud_text_append(out, ", ");
     thud_json_field(out, "right_displacement_m", l->right_m);
-    for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_RULES; rule++) {
+    for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_SHORT; rule++) {
         thud_text_append(out, ", ");
-        thud_json_field(out, thud_gap_rule_column(rule), thud_gap_value(l, rule));
+        thud_json_field(out, thud_gap_rule_at(rule)->column, thud_gap_value(l, rule));
     }
     thud_text_append(out, ", ");
     thud_json_field(out, "correlation", l->correlation);
     if (l->struck != 0)
         thud_text_append(out, ", \"struck_columns\": \"%s\"", thud_struck_name(l->struck));
+    for (int rule = THUD_GAP_SHORT; rule < THUD_GAP_RULES; rule++) {
+        thud_text_append(out, ", ");
+        thud_json_field(out, thud_gap_rule_at(rule)->column, thud_gap_value(l, rule));
+    }
     thud_text_append(out, "}");
+}
+
+static void put_json_rule(const struct thud_gap_study *study, int rule, int interface, struct thud_text *out)
+{
+    const struct thud_gap_rule *r = thud_gap_rule_at(rule);
+    const struct thud_gap_ruled *x = &study->ruled[(rule + 1) * study->interfaces + interface];
+    struct thud_text numbers = {0};
+    thud_gap_numbers(&x->level, rule, &numbers);
+    const char *const field[][2] = {{"rule", r->name},       {"column", r->column},
+                                    {"edition", r->edition}, {"clause", r->clause},
+                                    {"title", r->title},     {"source", r->source},
+                                    {"formula", r->formula}, {"numbers", numbers.data ? numbers.data : ""}};
+    thud_text_append(out, "{\"interface\": %d", interface + 1);
+    for (size_t k = 0; k < sizeof field / sizeof *field; k++) {
+        thud_text_append(out, ", \"%s\": ", field[k][0]);
+        thud_json_string(out, field[k][1]);
+    }
+    thud_text_append(out, ", \"left_floor\": %d, \"right_floor\": %d, ", x->level.left_floor, x->level.right_floor);
+    thud_json_field(out, "gap_m", x->gap_m);
+    thud_text_append(out, ", \"pounding\": %d, \"motions\": %d, ", x->pounding, study->suite.nrecords);
+    thud_json_field(out, "force_n", x->force_n);
+    thud_text_append(out, "}");
+    thud_text_clear(&numbers);
 }
 
 static void put_json_fractiles(const struct thud_fractiles *f, const char *column, bool exact, struct thud_text *out)
@@ -279,10 +467,19 @@ enum thud_status thud_gap_json(const struct thud_gap_study *study, const struct 
             thud_text_append(out, "%d", l + 1);
         for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_RULES; rule++) {
             thud_text_append(out, ",\n   ");
-            put_json_fractiles(&f[rule + 1], thud_gap_rule_column(rule), rule == THUD_GAP_EXACT, out);
+            put_json_fractiles(&f[rule + 1], thud_gap_rule_at(rule)->column, rule == THUD_GAP_EXACT, out);
         }
         thud_text_append(out, "}");
     }
+    const char *before = "";
+    thud_text_append(out, "],\n \"rules\": [");
+    for (int i = 0; i < study->interfaces; i++)
+        for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_RULES; rule++)
+            if (study->ruled[(rule + 1) * study->interfaces + i].gap_m >= 0) {
+                thud_text_append(out, "%s\n  ", before);
+                put_json_rule(study, rule, i, out);
+                before = ",";
+            }
     thud_text_append(out, "]}\n");
     return status;
 }

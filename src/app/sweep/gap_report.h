@@ -6,26 +6,35 @@
 
 #include "app/run/record_list.h"
 #include "base/text.h"
-#include "study/scene/needed_gap.h"
+#include "study/suite/gap_suite.h"
 
 struct thud_gap_study {
     struct thud_gap_suite suite;
     const char **name;            /* (suite.nrecords) last parts of the files' names */
     struct thud_needed_gap **gap; /* (suite.nrecords) */
+    int interfaces;
+    struct thud_gap_ruled *ruled; /* (THUD_GAP_RULES + 1 x interfaces), what is needed first; NULL: not asked for */
 };
 
-/* One run without contact for each ground motion (one without, where the scene has none). Errors: those of
- * thud_needed_gap_run; THUD_INPUT where nothing can touch; THUD_CANCELLED. */
+/* One run without contact for each ground motion (one without, where the scene has none). `code`: NULL for its defaults.
+ * Errors: those of thud_needed_gap_run; THUD_INPUT where nothing can touch; THUD_CANCELLED. */
 enum thud_status thud_gap_study_run(const struct thud_scene *scene, const struct thud_record_list *records,
-                                    const atomic_int *cancel, struct thud_gap_study *out, struct thud_error *err);
+                                    const struct thud_gap_code *code, const atomic_int *cancel,
+                                    struct thud_gap_study *out, struct thud_error *err);
+/* What every rule asks for over the suite, and what happens there: a run with contact for each ground motion that
+ * touches at the gap, once for rules that ask for the same. Errors: those of thud_gap_pound; THUD_CANCELLED. */
+enum thud_status thud_gap_study_rules(const struct thud_scene *scene, const struct thud_record_list *records,
+                                      const atomic_int *cancel, struct thud_gap_study *study, struct thud_error *err);
 void thud_gap_study_clear(struct thud_gap_study *study);
 
-/* 80 columns. Errors: THUD_MEMORY. */
+/* 80 columns, after thud_gap_study_rules. Errors: THUD_MEMORY. */
 enum thud_status thud_gap_report(const struct thud_gap_study *study, const struct thud_scene *scene,
                                  struct thud_text *out, struct thud_error *err);
 /* A row per ground motion and level: record,interface,left_floor,right_floor,left_displacement_m,
- * right_displacement_m,closing_m,abs_m,srss_m,ddc_m,en1998_m,asce7_m,correlation */
+ * right_displacement_m, what is needed and the rules of narrow tables, correlation,struck_columns, the other rules */
 void thud_gap_csv(const struct thud_gap_study *study, const struct thud_record_list *records, struct thud_text *out);
+/* A row per interface and rule that has a value there. */
+void thud_gap_rules_csv(const struct thud_gap_study *study, struct thud_text *out);
 /* Errors: THUD_MEMORY. */
 enum thud_status thud_gap_json(const struct thud_gap_study *study, const struct thud_scene *scene,
                                const struct thud_record_list *records, struct thud_text *out, struct thud_error *err);

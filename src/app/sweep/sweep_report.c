@@ -121,11 +121,13 @@ static void put_need(const struct thud_sweep_plan *plan, const struct thud_sweep
     thud_text_append(out, "  needed gap %.2f cm (%sfloors %s)", 100 * worst->closing_m, interface, pair);
     if (varies)
         thud_text_append(out, " at %s", place_of_need(plan, worst, at));
-    thud_text_append(out, "; ABS %.2f, SRSS %.2f, DDC %.2f cm\n", 100 * worst->abs_m, 100 * worst->srss_m,
-                     100 * worst->ddc_m);
+    thud_text_append(out, "; ABS %.2f, SRSS %.2f", 100 * worst->abs_m, 100 * worst->srss_m);
+    if (!isnan(worst->ddc_m)) /* where storeys yield it has no value */
+        thud_text_append(out, ", DDC %.2f", 100 * worst->ddc_m);
+    thud_text_append(out, " cm\n");
     if (varies)
-        thud_text_append(out, "    least %.2f cm at %s (needed-gaps.csv of -o has every point's)\n", 100 * least->closing_m,
-                         place_of_need(plan, least, at));
+        thud_text_append(out, "    least %.2f cm at %s (needed-gaps.csv of -o has every point's)\n",
+                         100 * least->closing_m, place_of_need(plan, least, at));
 }
 
 /* Least and largest of a number of the runs of a case, and where the largest is; `structure` -1: of the columns that

@@ -35,9 +35,11 @@ static bool add_levels(struct thud_panel *panel, const struct thud_gap_suite *su
             low[l] = 100 * f.p16;
             high[l] = 100 * f.p84;
         }
+        if (isnan(y[0])) /* the rule has no value here */
+            continue;
         if (rule == THUD_GAP_EXACT && suite->nrecords >= THUD_SHARES_LEAST)
             thud_panel_fill(panel, (struct thud_style){.color = 0, .thin = true}, "needed", (size_t)n, x, low, high);
-        thud_panel_add(panel, style, thud_gap_rule_name(rule), (size_t)n, x, y);
+        thud_panel_add(panel, style, thud_gap_rule_at(rule)->name, (size_t)n, x, y);
     }
     return true;
 }
@@ -61,14 +63,19 @@ static bool add_shares(struct thud_panel *panel, const struct thud_gap_suite *su
                    : most;
     for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_ASCE7; rule++) {
         struct thud_style style = {.kind = THUD_STEPS, .color = rule + 1, .wide = rule == THUD_GAP_EXACT};
+        bool missing = false;
         x[0] = 0;
-        for (size_t r = 0; r < n; r++)
+        for (size_t r = 0; r < n; r++) {
             x[r + 1] = 100 * thud_needed_gap_widest(suite->gap[r], 0, rule, NULL);
+            missing = missing || isnan(x[r + 1]);
+        }
+        if (missing) /* the rule has no value for every motion */
+            continue;
         x[n + 1] = 100 * most * 1.02;
         qsort(x + 1, n, sizeof *x, by_value);
         for (size_t i = 0; i < n + 2; i++)
             y[i] = 100.0 * (double)(i < n ? i : n) / (double)n;
-        thud_panel_add(panel, style, thud_gap_rule_name(rule), n + 2, x, y);
+        thud_panel_add(panel, style, thud_gap_rule_at(rule)->name, n + 2, x, y);
     }
     free(x);
     return true;
@@ -93,7 +100,7 @@ struct thud_figure *thud_figure_of_gaps(const struct thud_gap_suite *suite, cons
     snprintf(
         note, sizeof note,
         "%d ground motion%s. needed: exact, from the motion without pounding%s. ASCE 7-16 12.12.3 is SRSS; EN 1998-1 "
-        "4.4.2.7 takes 0.7 of it at aligned floors.",
+        "4.4.2.7(3) takes 0.7 of it where all floor elevations are the same.",
         suite->nrecords, several ? "s" : "",
         suite->nrecords >= THUD_SHARES_LEAST ? " (shaded: enough for 16 to 84 %)" : "");
     thud_figure_note(figure, note);

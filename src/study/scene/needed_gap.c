@@ -8,40 +8,6 @@
 #include "study/scene/level.h"
 #include "study/scene/spacing.h"
 
-static const struct {
-    const char *name, *column;
-} rules[] = {{"needed", "closing_m"}, {"ABS", "abs_m"},        {"SRSS", "srss_m"},
-             {"DDC", "ddc_m"},        {"EN 1998", "en1998_m"}, {"ASCE 7", "asce7_m"}};
-
-const char *thud_gap_rule_name(int rule)
-{
-    return rules[rule + 1].name;
-}
-
-const char *thud_gap_rule_column(int rule)
-{
-    return rules[rule + 1].column;
-}
-
-double thud_gap_value(const struct thud_gap_level *level, int rule)
-{
-    static const double aligned = 0.7; /* EN 1998-1:2004, 4.4.2.7(3) */
-    double a = level->left_m, b = level->right_m;
-    switch (rule) {
-    case THUD_GAP_ABS:
-        return thud_spacing_abs(a, b);
-    case THUD_GAP_SRSS:
-    case THUD_GAP_ASCE7:
-        return thud_spacing_srss(a, b);
-    case THUD_GAP_DDC:
-        return thud_spacing_ddc(a, b, level->correlation);
-    case THUD_GAP_EN1998:
-        return (level->aligned ? aligned : 1) * thud_spacing_srss(a, b);
-    default:
-        return level->closing_m;
-    }
-}
-
 double thud_gap_damping(const struct thud_model *model, int s)
 {
     const struct thud_model_structure *p = &model->structure[s];
@@ -102,6 +68,15 @@ void thud_gap_aligned(const struct thud_scene *scene, bool aligned[THUD_STRUCTUR
         aligned[i - 1] = same_elevations(scene, i);
 }
 
+static bool has_yielded(const struct thud_result *result, int s)
+{
+    const struct thud_structure_result *p = &result->structure[s];
+    for (int i = 0; p->storey && i < p->floors; i++)
+        if (p->storey[i].yields && p->storey[i].ductility > 1)
+            return true;
+    return false;
+}
+
 void thud_gap_levels(const bool *aligned, const struct thud_model *model, const struct thud_baseline_motion *baseline,
                      struct thud_gap_level *level)
 {
@@ -118,8 +93,36 @@ void thud_gap_levels(const bool *aligned, const struct thud_model *model, const 
             .left_m = thud_gap_side(model, baseline, c, false),
             .right_m = thud_gap_side(model, baseline, c, true),
             .closing_m = thud_baseline_relative_displacement(baseline, c),
-            .correlation = thud_spacing_correlation(first_period(result, left), thud_gap_damping(model, left),
-                                                    first_period(result, right), thud_gap_damping(model, right))};
+            .correlation = has_yielded(result, left) || has_yielded(result, right)
+                               ? NAN
+                               : thud_spacing_correlation(first_period(result, left), thud_gap_damping(model, left),
+                                                          first_period(result, right), thud_gap_damping(model, right)),
+            .height_m = NAN,
+            .lower_m = NAN};
+        thud_gap_code_init(&level[c].code);
+    }
+}
+
+/* Of a floor (from 1) above the ground of its own structure; NaN: a wall's, or that of a body without elevation. */
+static double height_above_ground(const struct thud_structure *p, int floor)
+{
+    if (floor == 0 || p->kind == THUD_WALL)
+        return NAN;
+    return thud_structure_elevation(p, floor - 1) - (thud_kind_is_building(p->kind) ? p->base_m : 0);
+}
+
+static void set_heights(const struct thud_scene *scene, struct thud_needed_gap *gap)
+{
+    for (int i = 0; i < gap->nlevels; i++) {
+        struct thud_gap_level *l = &gap->level[i];
+        const struct thud_structure *left = &scene->structure[l->interface - 1], *right = left + 1;
+        /* of two floors the higher one above its ground; of struck columns the slab that strikes them */
+        l->height_m = l->struck == 0
+                          ? fmax(height_above_ground(left, l->left_floor), height_above_ground(right, l->right_floor))
+                      : thud_slab_is_left(l->left_floor, l->struck) ? height_above_ground(left, l->left_floor)
+                                                                    : height_above_ground(right, l->right_floor);
+        l->lower_m = fmin(height_above_ground(left, thud_structure_floors(left)),
+                          height_above_ground(right, thud_structure_floors(right)));
     }
 }
 
@@ -152,6 +155,7 @@ enum thud_status thud_needed_gap_run(const struct thud_scene *scene, const struc
             bool aligned[THUD_STRUCTURES_MAX];
             thud_gap_aligned(bare, aligned);
             thud_gap_levels(aligned, model, baseline, gap->level);
+            set_heights(bare, gap);
         } else {
             status = thud_error_set(err, THUD_MEMORY, "out of memory");
         }
@@ -168,7 +172,7 @@ double thud_needed_gap_widest(const struct thud_needed_gap *gap, int interface, 
     double most = -1;
     for (int i = 0; i < gap->nlevels; i++) {
         double x = thud_gap_value(&gap->level[i], rule);
-        if ((interface != 0 && gap->level[i].interface != interface) || x <= most)
+        if ((interface != 0 && gap->level[i].interface != interface) || x <= most || isnan(most))
             continue;
         most = x;
         if (level)
@@ -281,7 +285,7 @@ enum thud_status thud_gap_suite_fractiles(const struct thud_gap_suite *suite, in
     out->p16 = thud_enough(value, out->n, 0.16, &count);
     out->median = thud_enough(value, out->n, 0.5, &out->half);
     out->p84 = thud_enough(value, out->n, 0.84, &out->most84);
-    out->share = suite->nrecords > 0 ? (double)shorter / suite->nrecords : NAN;
+    out->share = out->n > 0 ? (double)shorter / (double)out->n : NAN;
     free(value);
     return THUD_OK;
 }

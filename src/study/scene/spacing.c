@@ -15,7 +15,7 @@ double thud_spacing_srss(double left_m, double right_m)
 double thud_spacing_ddc(double left_m, double right_m, double correlation)
 {
     double square = left_m * left_m + right_m * right_m - 2 * correlation * left_m * right_m;
-    return square > 0 ? sqrt(square) : 0;
+    return square <= 0 ? 0 : sqrt(square); /* NaN stays */
 }
 
 double thud_spacing_correlation(double left_period_s, double left_damping, double right_period_s, double right_damping)

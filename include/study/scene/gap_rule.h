@@ -1,0 +1,72 @@
+/* Rules for the gap between neighbours: one table, in which a code's clause is a row. */
+#ifndef THUD_STUDY_GAP_RULE_H
+#define THUD_STUDY_GAP_RULE_H
+
+#include <stdbool.h>
+
+#include "base/param.h"
+#include "base/text.h"
+
+/* What the codes take besides displacements and heights. The displacements are those of the ground motion as it is
+ * given; where it was reduced for the design, as many times smaller, q, cd or r gives that back. */
+struct thud_gap_code {
+    double q;         /* displacement behaviour factor of EN 1998-1 4.3.4 */
+    double cd;        /* Cd/Ie of ASCE 7 */
+    double r;         /* R/I of TBDY 2018 */
+    double intensity; /* of GB 50011, in degrees; NaN: not given */
+};
+enum { THUD_GAP_CODE_PARAMS = 4 };
+extern const struct thud_param thud_gap_code_params[THUD_GAP_CODE_PARAMS]; /* in the order of the fields */
+void thud_gap_code_init(struct thud_gap_code *code);
+/* "q=1.5,intensity=8". Errors: THUD_USAGE with what is allowed. */
+enum thud_status thud_gap_code_set(struct thud_gap_code *code, const char *text, struct thud_error *err);
+
+/* A pair of floors that could touch, or a floor and the columns that it could strike. */
+struct thud_gap_level {
+    int interface, left_floor, right_floor; /* from 1; floor 0: a wall */
+    int struck;                             /* as thud_model_contact.struck */
+    bool aligned;                           /* the floor elevations of the two buildings are the same, all of them */
+    double left_m, right_m;                 /* largest displacement of each side: floor, or struck place */
+    double closing_m;                       /* largest u_left - u_right: a clearance this wide is never used up */
+    double correlation; /* of DDC, from the first periods and damping ratios; NaN where a storey yielded: they are no
+                           longer those that it moves with */
+    double height_m;    /* of the level above the ground of its building; NaN: not known */
+    double lower_m;     /* height of the lower one of the two buildings; NaN: not known */
+    struct thud_gap_code code;
+};
+
+enum thud_gap_rule_id {
+    THUD_GAP_ABS,
+    THUD_GAP_SRSS,
+    THUD_GAP_DDC,
+    THUD_GAP_EN1998,                         /* 4.4.2.7(3), and (2)(b) where that does not reduce it */
+    THUD_GAP_ASCE7,                          /* between buildings */
+    THUD_GAP_SHORT,                          /* those before are the columns of narrow tables */
+    THUD_GAP_EN1998_OWNERS = THUD_GAP_SHORT, /* 4.4.2.7(2)(a) */
+    THUD_GAP_EN1998_UNITS,                   /* 4.4.2.7(2)(b) */
+    THUD_GAP_ASCE7_LINE,                     /* each from the property line */
+    THUD_GAP_TBDY,
+    THUD_GAP_GB50011,
+    THUD_GAP_E030,
+    THUD_GAP_RULES,
+    THUD_GAP_EXACT = -1 /* closing_m */
+};
+
+struct thud_gap_rule {
+    const char *name;    /* "ABS", "EN 1998", ... */
+    const char *column;  /* in CSV and JSON: "abs_m", ... */
+    const char *clause;  /* or the reference */
+    const char *edition; /* of the code; "" for a rule of combination */
+    const char *title;   /* a few words */
+    const char *source;  /* what the row was written from, where that was not the text itself; else "" */
+    const char *formula; /* uL, uR: largest displacements; h: height of the level, H: of the lower building */
+    const char *numbers; /* the same in cm, with $ before what stands for a number (gap_rule.c) */
+    const char *lacks;   /* why there is no value, where there is none */
+    double (*value)(const struct thud_gap_level *level); /* m; NaN: it does not apply */
+};
+const struct thud_gap_rule *thud_gap_rule_at(int rule);
+double thud_gap_value(const struct thud_gap_level *level, int rule);
+/* The rule's formula with the level's numbers. */
+void thud_gap_numbers(const struct thud_gap_level *level, int rule, struct thud_text *out);
+
+#endif

@@ -1,0 +1,29 @@
+/* The rules for the gap over a suite of ground motions, beside what happens to the buildings at the gap that they ask
+ * for. */
+#ifndef THUD_STUDY_GAP_SUITE_H
+#define THUD_STUDY_GAP_SUITE_H
+
+#include "study/scene/needed_gap.h"
+
+/* What a rule makes of a suite at an interface, and what becomes of buildings at that gap. */
+struct thud_gap_ruled {
+    struct thud_gap_level level; /* that asks for most, with the design displacements */
+    double gap_m;                /* NaN: the rule has no value; -1: nothing could touch there */
+    int pounding;                /* ground motions in which something touches at that gap, without bumper */
+    double force_n;              /* the largest of any of them */
+    int worst;                   /* the ground motion of it; -1 */
+};
+/* Which ground motions count once: one that is another one turned round does not. */
+int thud_gap_suite_independent(const struct thud_gap_suite *suite);
+/* A rule at every interface (from 0, nstructures - 1 of them), from the means of the displacements over the ground
+ * motions, or the largest ones where fewer than seven are independent (EN 1998-1:2004, 4.3.3.4.3(3)); what is needed:
+ * the largest of all. Nothing pounds yet. */
+void thud_gap_suite_rule(const struct thud_gap_suite *suite, int rule, int interfaces, struct thud_gap_ruled *out);
+/* Adds a ground motion to what becomes of the buildings at the gaps of a rule, all interfaces at once; where it has no
+ * value, at the scene's own gap: a run without bumpers, and none where nothing touches. Errors: those of
+ * thud_scene_answer. */
+enum thud_status thud_gap_pound(const struct thud_scene *scene, const struct thud_record *record,
+                                const struct thud_gap_suite *suite, int motion, struct thud_gap_ruled *ruled,
+                                struct thud_error *err);
+
+#endif

@@ -1,0 +1,95 @@
+#include "study/suite/gap_suite.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "study/scene/answer.h"
+#include "study/suite/suite.h"
+
+int thud_gap_suite_independent(const struct thud_gap_suite *suite)
+{
+    int n = 0;
+    for (int r = 0; r < suite->nrecords; r++)
+        n += r == 0 || !thud_motion_is_turned(suite->record[r], suite->record[r - 1]);
+    return n;
+}
+
+/* A level with the displacements that a code designs for. */
+static struct thud_gap_level design_level(const struct thud_gap_suite *suite, int level, bool means)
+{
+    struct thud_gap_level out = suite->gap[0]->level[level];
+    double left = 0, right = 0;
+    for (int r = 0; r < suite->nrecords; r++) {
+        const struct thud_gap_level *l = &suite->gap[r]->level[level];
+        left += l->left_m / suite->nrecords;
+        right += l->right_m / suite->nrecords;
+        out.left_m = fmax(out.left_m, l->left_m);
+        out.right_m = fmax(out.right_m, l->right_m);
+        out.closing_m = fmax(out.closing_m, l->closing_m);
+        out.correlation = isnan(l->correlation) ? NAN : out.correlation;
+    }
+    if (means) {
+        out.left_m = left;
+        out.right_m = right;
+    }
+    return out;
+}
+
+void thud_gap_suite_rule(const struct thud_gap_suite *suite, int rule, int interfaces, struct thud_gap_ruled *out)
+{
+    bool means = thud_gap_suite_independent(suite) >= THUD_DRAWS_LEAST;
+    for (int i = 0; i < interfaces; i++)
+        out[i] = (struct thud_gap_ruled){.gap_m = -1, .worst = -1};
+    for (int l = 0; l < suite->gap[0]->nlevels; l++) {
+        struct thud_gap_level level = design_level(suite, l, means);
+        struct thud_gap_ruled *ruled = &out[level.interface - 1];
+        double x = thud_gap_value(&level, rule);
+        if (x <= ruled->gap_m || isnan(ruled->gap_m))
+            continue;
+        ruled->gap_m = x;
+        ruled->level = level;
+    }
+}
+
+/* Of an interface (from 0): what the rule asks for, or the scene's own gap. */
+static double gap_at(const struct thud_scene *scene, const struct thud_gap_ruled *ruled, int interface)
+{
+    double gap = ruled[interface].gap_m;
+    return gap >= 0 ? gap : scene->interface[interface].gap_m;
+}
+
+enum thud_status thud_gap_pound(const struct thud_scene *scene, const struct thud_record *record,
+                                const struct thud_gap_suite *suite, int motion, struct thud_gap_ruled *ruled,
+                                struct thud_error *err)
+{
+    const struct thud_needed_gap *gap = suite->gap[motion];
+    bool touches = false, touched[THUD_STRUCTURES_MAX] = {false};
+    for (int l = 0; l < gap->nlevels; l++)
+        touches =
+            touches || thud_gap_falls_short(gap_at(scene, ruled, gap->level[l].interface - 1), gap->level[l].closing_m);
+    if (!touches)
+        return THUD_OK;
+    struct thud_answer answer = {0};
+    struct thud_scene *at = malloc(sizeof *at);
+    if (!at)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    enum thud_status status = thud_scene_case(scene, THUD_CASE_NONE, at, err);
+    for (int i = 0; i + 1 < scene->nstructures; i++)
+        at->interface[i].gap_m = gap_at(scene, ruled, i);
+    if (status == THUD_OK)
+        status = thud_scene_answer(at, record, NULL, &answer, err);
+    for (int c = 0; status == THUD_OK && c < answer.model->ncontacts; c++) {
+        const struct thud_contact_result *p = &thud_run_result(answer.run)->contact[c];
+        struct thud_gap_ruled *one = &ruled[p->interface - 1];
+        touched[p->interface - 1] = touched[p->interface - 1] || p->impacts > 0;
+        if (p->impacts > 0 && (one->worst < 0 || p->force.value > one->force_n)) {
+            one->force_n = p->force.value;
+            one->worst = motion;
+        }
+    }
+    for (int i = 0; i + 1 < scene->nstructures; i++)
+        ruled[i].pounding += touched[i];
+    thud_answer_clear(&answer);
+    free(at);
+    return status;
+}
