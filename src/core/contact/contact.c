@@ -437,14 +437,52 @@ static void stick_or_separate(struct thud_state *state, struct thud_contact_log 
     log->counted[c] = false;
 }
 
+/* A held contact that has taken no impulse of a collision of its bodies: they may have been parted, and a contact that
+ * is held on would pull. */
+static enum thud_status ask_held(struct thud_state *state, struct thud_contact_log *log, int c, struct thud_error *err)
+{
+    const bool parts = thud_contact_rate(state, c) < -rest_speed(state);
+    thud_contact_set_mode(state, c, THUD_OPEN);
+    thud_contact_forces(state, state->force_now);
+    const bool pulls = thud_contact_acceleration(state, c, state->force_now) <= -thud_contact_rounding(state);
+    thud_contact_set_mode(state, c, THUD_STICKING);
+    if (!parts && !pulls)
+        return THUD_OK;
+    note_release(state, log, c);
+    return open_contact(state, log, c, parts ? 1 : 2, err);
+}
+
+/* Impulses store nothing: together they give no energy but for rounding. */
+static enum thud_status check_energy(const struct thud_state *state, const struct collision *x, struct thud_error *err)
+{
+    double lost = 0, size = 0;
+    for (int i = 0; i < x->n; i++) {
+        const double after = thud_contact_rate(state, x->set[i]), p = 0.5 * x->impulse[i];
+        lost += p * (x->speed[i] + after);
+        size += p * (fabs(x->speed[i]) + fabs(after));
+    }
+    if (lost >= -THUD_TOL_IMPULSE_ENERGY * size)
+        return THUD_OK;
+    return thud_error_set(err, THUD_DIVERGED, "the impulses at t = %.6g s give %.3g J, which nothing stored",
+                          thud_state_now(state), -lost);
+}
+
+/* What the impulses change in the closing speed of contact c. */
+static double change_of_rate(const struct thud_state *state, const struct collision *x, int c)
+{
+    const struct thud_model *m = state->model;
+    double change = 0;
+    for (int i = 0; i < x->n; i++)
+        change -= m->delassus[c * m->nrows + x->set[i]] * x->impulse[i];
+    return change;
+}
+
 /* What the impulses do to the rates of the contacts that have forces. */
 static void send_impulses(struct thud_state *state, const struct collision *x)
 {
     const struct thud_model *m = state->model;
     for (int c = 0; c < m->ncontacts; c++) {
-        double change = 0;
-        for (int i = 0; i < x->n; i++)
-            change -= m->delassus[c * m->nrows + x->set[i]] * x->impulse[i];
+        const double change = change_of_rate(state, x, c);
         if (change != 0 && !(m->contact[c].law->flags & THUD_LAW_IMPULSIVE))
             thud_contact_impulse_received(state, c, change);
     }
@@ -460,12 +498,17 @@ static enum thud_status thud_contact_impulse(struct thud_state *state, struct th
     if (status != THUD_OK)
         return status;
     apply(state, &x);
+    status = check_energy(state, &x, err);
     for (int i = 0; i < n && status == THUD_OK; i++)
         if (x.impulse[i] > 0)
             status = note(state, log, set[i], x.speed[i], x.impulse[i], err);
     for (int i = 0; i < n; i++)
         if (x.impulse[i] > 0 || set[i] == contact)
             stick_or_separate(state, log, set[i]);
+    for (int i = 0; i < n && status == THUD_OK; i++)
+        if (!(x.impulse[i] > 0) && state->contact[set[i]].mode == THUD_STICKING && set[i] != contact &&
+            change_of_rate(state, &x, set[i]) != 0)
+            status = ask_held(state, log, set[i], err);
     send_impulses(state, &x);
     return status;
 }

@@ -51,6 +51,7 @@ struct step {
         enum thud_phase phase;
         bool past_ultimate;
     } * of;
+    double ahead_s; /* from its start to where no step goes on: the end of the ground motion, which may be a jump */
 };
 
 struct thud_collocation {
@@ -762,6 +763,7 @@ static enum thud_status make_step(const struct thud_state *state, struct thud_co
         x->h = same >= REPEATS ? most_growth * h : next_size(h, error, tolerance);
         if (error <= tolerance || same >= REPEATS) {
             accept(x, level, h, want);
+            x->step.ahead_s = ahead;
             return THUD_OK;
         }
         x->h = fmin(x->h, 0.5 * h);
@@ -776,6 +778,8 @@ static bool goes_on(const struct thud_state *state, const struct step *step)
 {
     double left = step->h - step->done_s, remaining = thud_state_remaining(state);
     bool at_kink = state->offset_s == 0;
+    if (step->done_s >= step->ahead_s * (1 - THUD_TOL_SEGMENT_END))
+        return false;
     return step->goes_on && left > (at_kink ? remaining * (1 - THUD_TOL_SEGMENT_END) : THUD_TOL_TIME * step->h);
 }
 

@@ -43,6 +43,9 @@
 #define THUD_TOL_REVERSAL 1e-12
 /* Part of the change of a rate by an impulse below which the rate after it is 0. */
 #define THUD_TOL_IMPULSE_RATE 1e-9
+/* Part of the work of impulses, each taken by its size, by which they may seem to give energy: the rates they are solved
+ * from are right to 1e-12, and a contact that is held has a rate of rounding. */
+#define THUD_TOL_IMPULSE_ENERGY 1e-6
 /* Part of the acceleration scale of the run (ground + speed times fastest rate) that rounding leaves of the second rate
  * of an indentation that is 0. */
 #define THUD_TOL_ACCELERATION 1e-12
