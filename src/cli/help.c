@@ -27,7 +27,7 @@ static bool said_by_record(const struct thud_option *option, enum thud_command_i
 static bool of_every_motion(const struct thud_option *option, enum thud_command_id id)
 {
     bool spectral = strcmp(option->name, "sa") == 0 || strcmp(option->name, "period") == 0;
-    return id == THUD_COMMAND_RECORD && option->argument && option->name[1] &&
+    return (id == THUD_COMMAND_RECORD || id == THUD_COMMAND_SUITE) && option->argument && option->name[1] &&
            thud_option_belongs(option, THUD_COMMAND_RUN) &&
            (spectral || thud_option_belongs(option, THUD_COMMAND_BENCH)) && strcmp(option->name, "format") != 0;
 }
@@ -85,7 +85,7 @@ void thud_help_command(struct thud_text *out, enum thud_command_id id)
         name_others(out, id, "of `record`", said_by_record);
     if (id == THUD_COMMAND_RUN)
         name_others(out, id, "of `figures`", said_by_figures);
-    if (id == THUD_COMMAND_RECORD)
+    if (id == THUD_COMMAND_RECORD || id == THUD_COMMAND_SUITE)
         name_others(out, id, "\nof `run`", of_every_motion);
     if (is_study(id))
         thud_text_append(out, "and what `thud run --help` says of the scene, its ground motion and its method\n");

@@ -290,12 +290,16 @@ enum thud_status thud_event_parse(const char *text, struct thud_event *out, stru
 
 enum thud_status thud_events_parse(const char *list, struct thud_event *out, int *n, struct thud_error *err)
 {
-    char text[THUD_VARY_TEXT], *rest = text;
+    static const char between[] = ",[]";
     enum thud_status status = THUD_OK;
-    snprintf(text, sizeof text, "%s", *list ? list : "pounding,worse");
+    const char *at = *list ? list : "pounding,worse";
     *n = 0;
-    for (char *word; status == THUD_OK && (word = strtok_r(rest, ",[]", &rest)) != NULL;) {
-        word += strspn(word, " ");
+    for (at += strspn(at, between); status == THUD_OK && *at; at += strspn(at, between)) {
+        char word[THUD_VARY_TEXT];
+        size_t length = strcspn(at, between), blanks = strspn(at, " ");
+        blanks = blanks < length ? blanks : length;
+        snprintf(word, sizeof word, "%.*s", (int)(length - blanks), at + blanks);
+        at += length;
         for (size_t end = strlen(word); end > 0 && word[end - 1] == ' ';)
             word[--end] = '\0';
         if (*n == THUD_EVENTS_MAX)
