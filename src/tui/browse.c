@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "base/ascii.h"
 #include "base/quantity.h"
@@ -63,6 +64,15 @@ static struct thud_browse_item *add(struct thud_browse *browse, const char *name
     return item;
 }
 
+/* Numbers of a figure have the script that draws it beside them. */
+static bool is_of_figure(const char *path)
+{
+    char script[1100];
+    const char *suffix = strrchr(path, '.');
+    snprintf(script, sizeof script, "%.*s.gp", suffix ? (int)(suffix - path) : 0, path);
+    return access(script, F_OK) == 0;
+}
+
 /* What is in `folder`, asked for with `before` in front. A shipped preset goes by its name without `.yaml`. */
 static void add_folder(struct thud_browse *browse, const char *folder, const char *before, bool shipped)
 {
@@ -80,7 +90,7 @@ static void add_folder(struct thud_browse *browse, const char *folder, const cha
             continue;
         if (shipped && preset)
             name[strlen(name) - 5] = '\0';
-        struct thud_browse_item *item = add(browse, name);
+        struct thud_browse_item *item = !preset && !is_folder && is_of_figure(path) ? NULL : add(browse, name);
         if (!item)
             continue;
         memcpy(item->path, path, sizeof path);

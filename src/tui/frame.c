@@ -148,6 +148,10 @@ static void field_words(struct thud_tui *tui, char *text, size_t size)
     int floor;
     *text = '\0';
     const struct thud_view *view = thud_view_of(tui->screen);
+    if (tui->mode == THUD_MODE_NEW) /* a form of its own stands over the screen */
+        return;
+    if (field && field->kind == THUD_FIELD_ROW && view->hint)
+        snprintf(text, size, "%s", view->hint(field));
     const struct thud_panel *panel = !field && view->read ? view->read(tui) : NULL;
     if (!field && view->words)
         view->words(tui, text, size);

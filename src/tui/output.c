@@ -1,6 +1,8 @@
 /* Pictures and tables of what is shown. */
 #include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 
 #include "app/run/run_figures.h"
@@ -29,6 +31,27 @@ static void plain(char *text)
     *to = '\0';
 }
 
+static const char *const suffixes[] = {".png",       ".gp",           ".csv", "-contacts.csv", "-needed-gaps.csv",
+                                       "-suite.csv", "-fragility.csv"};
+enum { SUFFIXES = sizeof suffixes / sizeof *suffixes };
+
+/* Whether something else changed a file since thud wrote it: it is much younger than the script beside it. */
+static bool is_changed(const char *stem)
+{
+    const time_t drawn_s = 60; /* gnuplot takes less */
+    struct stat script, info;
+    char path[700];
+    snprintf(path, sizeof path, "%s.gp", stem);
+    if (stat(path, &script) != 0)
+        return false;
+    for (int i = 0; i < SUFFIXES; i++) {
+        snprintf(path, sizeof path, "%s%s", stem, suffixes[i]);
+        if (stat(path, &info) == 0 && info.st_mtime > script.st_mtime + drawn_s)
+            return true;
+    }
+    return false;
+}
+
 /* A script that thud wrote says so at its beginning: the files beside it may be written again. */
 static bool is_ours(const char *stem)
 {
@@ -45,11 +68,9 @@ static bool is_ours(const char *stem)
 
 static bool is_taken(const char *stem)
 {
-    static const char *const suffix[] = {".png",       ".gp",           ".csv", "-contacts.csv", "-needed-gaps.csv",
-                                         "-suite.csv", "-fragility.csv"};
     char path[700];
-    for (size_t i = 0; i < sizeof suffix / sizeof *suffix; i++) {
-        snprintf(path, sizeof path, "%s%s", stem, suffix[i]);
+    for (int i = 0; i < SUFFIXES; i++) {
+        snprintf(path, sizeof path, "%s%s", stem, suffixes[i]);
         if (access(path, F_OK) == 0)
             return true;
     }
@@ -76,7 +97,7 @@ void thud_tui_file_name(struct thud_tui *tui, const char *what, const char *of_c
     snprintf(name, size, "%s", base);
     for (int i = 2; i < 10000; i++) {
         snprintf(stem, sizeof stem, "%.400s/%.200s", thud_tui_folder(tui), name);
-        if (!is_taken(stem) || is_ours(stem) || wrote(tui, name))
+        if (!is_taken(stem) || (!is_changed(stem) && (is_ours(stem) || wrote(tui, name))))
             break;
         snprintf(name, size, "%.180s-%d", base, i);
     }

@@ -65,6 +65,8 @@ struct thud_view {
     const char *(*cannot)(struct thud_tui *tui, enum thud_action action);
     /* Enter on a line that can be chosen. May be NULL. */
     void (*row)(struct thud_tui *tui, const struct thud_field *field);
+    /* What the lower lines say of that line; NULL: nothing. May be NULL. */
+    const char *(*hint)(const struct thud_field *field);
     /* The figure on show, for PNG and CSV; NULL where there is none. May be NULL. */
     const struct thud_figure *(*figure)(struct thud_tui *tui);
     /* The panel of it in which a cursor reads values; NULL where there is none now. May be NULL. */

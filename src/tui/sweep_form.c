@@ -231,6 +231,17 @@ int thud_sweep_form_draw(struct thud_tui *tui, int index, const struct thud_pane
     return s ? draw_progress(tui, s, pane, y + 1) : y;
 }
 
+const char *thud_sweep_form_hint(const struct thud_field *field)
+{
+    return field->index == 0             ? "KEY=FROM:TO:STEP or KEY=V1,V2,...: gap=5 cm:25 cm:1 cm"
+           : field->index < CASES        ? "one more key, for a grid; empty: none"
+           : field->index == RECORDS     ? "files, folders, lists with commas, :peak=0.5g behind; empty: own"
+           : field->index == SIGNS       ? "both: each motion also in reversed polarity; empty: as it is"
+           : field->index == EVENTS      ? "pounding, worse, force:5 MN, acceleration:1 g, drift:1 %"
+           : field->index == SENSITIVITY ? "spread when gap, motion, stiffness change by this: 0.1 %; empty: none"
+                                         : "of none, bumper, cavity, as-written, with commas";
+}
+
 void thud_sweep_form_row(struct thud_tui *tui, const struct thud_field *field)
 {
     struct thud_sweep_state *s = thud_sweep_state(tui);
@@ -239,13 +250,6 @@ void thud_sweep_form_row(struct thud_tui *tui, const struct thud_field *field)
         return;
     s->typed = field->index;
     snprintf(tui->target, sizeof tui->target, "%s: ", word_name(field->index));
-    thud_tui_say(tui, THUD_ROLE_PLAIN, "%s",
-                 field->index == 0             ? "KEY=FROM:TO:STEP or KEY=V1,V2,...: gap=5 cm:25 cm:1 cm"
-                 : field->index < CASES        ? "one more key, for a grid; empty: none"
-                 : field->index == RECORDS     ? "files, folders, lists with commas, :peak=0.5g behind; empty: own"
-                 : field->index == SIGNS       ? "both: each motion also the other way round; empty: as it is"
-                 : field->index == EVENTS      ? "pounding, worse, force:5 MN, acceleration:1 g, drift:1 %"
-                 : field->index == SENSITIVITY ? "spread when gap, motion, stiffness change by this: 0.1 %; empty: none"
-                                               : "of none, bumper, cavity, as-written, with commas");
+    thud_tui_say(tui, THUD_ROLE_PLAIN, "%s", thud_sweep_form_hint(field));
     thud_tui_prompt(tui, THUD_TYPE_STUDY, word_of(&s->words, field->index, &size));
 }

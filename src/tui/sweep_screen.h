@@ -31,6 +31,8 @@ struct thud_sweep_state *thud_sweep_state(struct thud_tui *tui);
 bool thud_sweep_current(struct thud_tui *tui, struct thud_sweep_state *s);
 /* Draws the form in pane `index`; returns the rows it would need. */
 int thud_sweep_form_draw(struct thud_tui *tui, int index, const struct thud_pane *pane);
+/* What is typed on a line of it. */
+const char *thud_sweep_form_hint(const struct thud_field *field);
 /* Enter on a line of it. */
 void thud_sweep_form_row(struct thud_tui *tui, const struct thud_field *field);
 

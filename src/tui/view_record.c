@@ -14,6 +14,7 @@ struct thud_record_state {
     struct thud_browse files;
     char folder[256]; /* with a slash; empty: the working folder, the preset's and the shipped motions */
     char filter[96];
+    char shown[sizeof((struct thud_record_choice *)0)->file]; /* the file in use, as the list last showed it */
     enum thud_record_curve curve;
     struct thud_figure *figure;
     const struct thud_record *of; /* what the figure was made from */
@@ -28,16 +29,25 @@ static struct thud_record_state *state(struct thud_tui *tui)
 {
     if (!tui->record) {
         tui->record = calloc(1, sizeof *tui->record);
-        if (tui->record) { /* the cursor starts on the record in use */
-            const char *now = tui->doc.scene.record.file, *slash = strrchr(now, '/');
-            char path[THUD_PATH_MAX];
+        if (tui->record) {
             thud_browse_list(&tui->record->files, THUD_BROWSE_RECORDS, tui->doc.paths, tui->doc.path, "");
-            snprintf(path, sizeof path, "record %.100s", *now ? slash ? slash + 1 : now : "none");
-            if (!*tui->form.focus[THUD_SCREEN_RECORD]) /* else somebody was led to a field here */
-                thud_form_focus_on(&tui->form, THUD_SCREEN_RECORD, path);
+            snprintf(tui->record->shown, sizeof tui->record->shown, "?");
         }
     }
     return tui->record;
+}
+
+/* The cursor is on the record in use, also when that becomes another one. */
+static void follow(struct thud_tui *tui, struct thud_record_state *r)
+{
+    const char *now = tui->doc.scene.record.file, *focus = tui->form.focus[THUD_SCREEN_RECORD];
+    char path[THUD_PATH_MAX];
+    if (strcmp(r->shown, now) == 0)
+        return;
+    snprintf(r->shown, sizeof r->shown, "%s", now);
+    snprintf(path, sizeof path, "record %.100s", *now ? thud_path_name(now) : "none");
+    if (!*focus || strncmp(focus, "record ", 7) == 0) /* else the cursor is on a field of another pane */
+        thud_form_focus_on(&tui->form, THUD_SCREEN_RECORD, path);
 }
 
 void thud_tui_filter_records(struct thud_tui *tui, const char *text)
@@ -73,6 +83,8 @@ static int draw_list(struct thud_tui *tui, const struct thud_pane *pane)
 {
     struct thud_record_state *r = state(tui);
     int y = 0;
+    if (r)
+        follow(tui, r);
     thud_field_line(tui, LIST, pane, y++, -1, "record none",
                     *tui->doc.scene.record.file ? "  (no ground motion)" : "* (no ground motion)");
     for (int i = 0; r && i < r->files.n; i++) {

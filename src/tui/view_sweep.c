@@ -343,5 +343,5 @@ static void release(struct thud_tui *tui)
 }
 
 THUD_VIEW(sweep, "Sweep", SWEEP, .verdict = true, .act = act, .cannot = cannot, .row = thud_sweep_form_row,
-          .figure = figure, .read = read_panel, .take = take, .live = live, .busy = busy, .work = work,
-          .progress = progress, .pictures = pictures, .export_csv = export_csv, .free = release);
+          .hint = thud_sweep_form_hint, .figure = figure, .read = read_panel, .take = take, .live = live, .busy = busy,
+          .work = work, .progress = progress, .pictures = pictures, .export_csv = export_csv, .free = release);

@@ -1,11 +1,13 @@
 /* Pictures from the screens: written beside the work, stopped without a trace of the one in hand, failures said. */
 #include <check.h>
 #include <dirent.h>
+#include <fcntl.h>
 #include <poll.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 
 #include "tui_fixture.h"
@@ -55,6 +57,33 @@ START_TEST(the_figure_shown)
     ck_assert_int_eq(count_files(".png"), 1);
     ck_assert_int_eq(count_files(".gp"), 1);
     ck_assert_int_eq(count_files(".csv"), 2); /* and the ground motion */
+}
+END_TEST
+
+/* A picture that something else changed since stays; as it was written it is written again. */
+START_TEST(a_changed_picture_stays)
+{
+    char path[200];
+    fixture_keys(&f, "<A-2>p");
+    fixture_keys(&f, "p");
+    ck_assert_int_eq(count_files(".png"), 1);
+    DIR *folder = opendir(f.folder);
+    for (struct dirent *entry; (entry = readdir(folder)) != NULL;)
+        if (strstr(entry->d_name, ".png"))
+            snprintf(path, sizeof path, "%s/%.100s", f.folder, entry->d_name);
+    closedir(folder);
+    struct timespec later[2] = {{.tv_sec = time(NULL) + 3600}, {.tv_sec = time(NULL) + 3600}};
+    FILE *file = fopen(path, "w");
+    fputs("mine", file);
+    fclose(file);
+    ck_assert_int_eq(utimensat(AT_FDCWD, path, later, 0), 0);
+    fixture_keys(&f, "p");
+    ck_assert_int_eq(count_files(".png"), 2);
+    char text[8] = "";
+    file = fopen(path, "r");
+    ck_assert_ptr_nonnull(fgets(text, sizeof text, file));
+    fclose(file);
+    ck_assert_str_eq(text, "mine");
 }
 END_TEST
 
@@ -171,6 +200,7 @@ Suite *thud_suite(void)
     tcase_set_timeout(pictures, 120.0);
     tcase_add_checked_fixture(pictures, setup, teardown);
     tcase_add_test(pictures, the_figure_shown);
+    tcase_add_test(pictures, a_changed_picture_stays);
     tcase_add_test(pictures, whole_histories_for_files);
     tcase_add_test(pictures, all_figures);
     tcase_add_test(pictures, stopping);

@@ -110,6 +110,36 @@ START_TEST(records_are_listed_filtered_and_chosen)
 }
 END_TEST
 
+/* The list's cursor goes with the record in use; numbers of a figure are no motion. */
+START_TEST(the_list_of_records_follows)
+{
+    fixture_write(&f, "quake.csv", "time_s,acceleration_g\n0,0.1\n0.01,-0.1\n0.02,0\n");
+    fixture_write(&f, "towers-impact-force.csv", "Time (s),Force (MN)\n0,0\n1,1\n");
+    fixture_write(&f, "towers-impact-force.gp", "# thud\n");
+    fixture_keys(&f, "3");
+    ck_assert_str_eq(f.tui->form.focus[THUD_SCREEN_RECORD], "record pulse.csv");
+    fixture_expect(&f, "quake.csv");
+    fixture_expect_not(&f, "towers-impact-force");
+    fixture_keys(&f, ":record quake.csv<Enter>");
+    ck_assert_str_eq(f.tui->form.focus[THUD_SCREEN_RECORD], "record quake.csv");
+    fixture_keys(&f, "u");
+    ck_assert_str_eq(f.tui->form.focus[THUD_SCREEN_RECORD], "record pulse.csv");
+}
+END_TEST
+
+/* Lines of Sweep say what is typed there, and the form of a new scene nothing of the field behind it. */
+START_TEST(fields_say_what_they_are)
+{
+    fixture_keys(&f, "6<Home>");
+    fixture_expect(&f, "KEY=FROM:TO:STEP");
+    fixture_keys(&f, "1");
+    fixture_expect(&f, "moves with the ground. Default shear");
+    fixture_keys(&f, "n");
+    fixture_expect_not(&f, "moves with the ground. Default shear");
+    fixture_keys(&f, "<Esc>");
+}
+END_TEST
+
 /* In the first line a long name gives way, and not the peak; a long message is shown whole, over the panes. */
 START_TEST(what_is_said_is_not_cut)
 {
@@ -474,6 +504,8 @@ Suite *thud_suite(void)
     tcase_add_test(screens, finding_a_field);
     tcase_add_test(screens, a_digit_goes_to_its_screen);
     tcase_add_test(screens, records_are_listed_filtered_and_chosen);
+    tcase_add_test(screens, the_list_of_records_follows);
+    tcase_add_test(screens, fields_say_what_they_are);
     tcase_add_test(screens, what_is_said_is_not_cut);
     tcase_add_test(screens, an_impact_is_opened);
     tcase_add_test(screens, the_largest_impact_is_at_the_largest_force);
