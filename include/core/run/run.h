@@ -8,6 +8,7 @@
 #include "core/methods/method.h"
 #include "core/model/model.h"
 #include "core/model/result.h"
+#include "core/run/floor_spectra.h"
 #include "ground/record.h"
 
 struct thud_run;
@@ -25,6 +26,8 @@ struct thud_run_options {
     /* > 0: rows in contact only so far apart beside those of peaks, and energies NaN: a third of the time, for a look. 0:
      * as close as the impulse of the forces asks for. */
     double history_look_s;
+    /* Oscillators on floors; NULL: none. Read by thud_run_create alone. Only for the exact method. */
+    const struct thud_floor_spectra_choice *floor_spectra;
     bool unjudged; /* energy unaccounted for does not end the run: for studies of how methods fail */
 };
 void thud_run_options_init(struct thud_run_options *options);
@@ -48,6 +51,8 @@ const struct thud_result *thud_run_result(const struct thud_run *run);
 const struct thud_impact *thud_run_impacts(const struct thud_run *run, int *count);
 const struct thud_event_entry *thud_run_events(const struct thud_run *run, int *count);
 const struct thud_history *thud_run_history(const struct thud_run *run);
+/* Pseudo-acceleration so far, m/s2, by index of the floor and of the period in options.floor_spectra, which there was. */
+double thud_run_floor_spectrum(const struct thud_run *run, int floor, int period);
 void thud_run_free(struct thud_run *run);
 
 #endif

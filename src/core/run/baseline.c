@@ -132,6 +132,7 @@ enum thud_status thud_baseline_create(const struct thud_model *model, const stru
     if (baseline && copy_model(baseline, model)) {
         struct thud_run_options quiet = *options;
         quiet.keep_history = quiet.keep_impacts = quiet.keep_events = false;
+        quiet.floor_spectra = NULL;
         baseline->ndof = model->ndof;
         baseline->nmodes = model->nmodes;
         baseline->ncontacts = model->ncontacts;

@@ -5,6 +5,7 @@
 #include "core/contact/contact.h"
 #include "core/motion/free_vibration.h"
 #include "core/numerics/tolerance.h"
+#include "core/observe/observe_floors.h"
 #include "core/observe/observe_history.h"
 #include "core/observe/observe_peaks.h"
 #include "core/run/early_end.h"
@@ -51,6 +52,7 @@ struct thud_run {
     struct thud_peaks peaks;
     struct thud_rows rows;
     struct thud_ledger ledger;
+    struct thud_floor_oscillators floors;
 
     struct thud_work work;
     struct thud_result result;

@@ -190,12 +190,23 @@ static enum thud_status create_observers(struct thud_run *run, struct thud_error
     if (status == THUD_OK)
         status = thud_ledger_init(&run->ledger, m, &run->log, thud_run_balance(run), err);
     thud_run_observe(run, &thud_observe_energy, &run->ledger);
+    if (status == THUD_OK && run->options.floor_spectra) {
+        status = thud_floor_oscillators_init(&run->floors, m, run->options.floor_spectra, err);
+        thud_run_observe(run, &thud_observe_floors, &run->floors);
+    }
     return status;
 }
 
 static enum thud_status start(struct thud_run *run, const struct thud_run *like, struct thud_error *err)
 {
     pick_method(run);
+    if (run->options.floor_spectra && run->method->order != 0) {
+        thud_error_set(err, THUD_INPUT, "floor spectra follow the motion between steps, which %s does not compute",
+                       run->method->name);
+        thud_error_key(err, "method");
+        thud_error_allow(err, "exact, or auto");
+        return THUD_INPUT;
+    }
     set_times(run);
     run->state.tolerance = run->options.tolerance;
     thud_run_set_scales(run, like);
@@ -258,6 +269,7 @@ void thud_run_free(struct thud_run *run)
     thud_peaks_clear(&run->peaks);
     thud_rows_clear(&run->rows);
     thud_ledger_clear(&run->ledger);
+    thud_floor_oscillators_clear(&run->floors);
     free(run->end);
     free(run->contact_work);
     free(run->result_block);
@@ -343,6 +355,11 @@ double thud_run_end(const struct thud_run *run)
 const struct thud_result *thud_run_result(const struct thud_run *run)
 {
     return &run->result;
+}
+
+double thud_run_floor_spectrum(const struct thud_run *run, int floor, int period)
+{
+    return thud_floor_oscillators_peak(&run->floors, floor, period);
 }
 
 const struct thud_impact *thud_run_impacts(const struct thud_run *run, int *count)
