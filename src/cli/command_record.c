@@ -148,14 +148,14 @@ static enum thud_status spectrum_of(const struct thud_args *args, const struct t
 static enum thud_status spectrum(const struct thud_args *args, struct thud_error *err)
 {
     struct thud_record_treatment treatment;
-    struct thud_spectrum_choice choice;
+    struct thud_spectrum_choice choice = {.damping = 0.05, .from_s = 0.02, .to_s = 10, .count = 200};
     struct thud_record_list motions;
     struct thud_text text = {0};
     enum thud_status status = need_files(args, "spectrum", 1, err);
     if (!status)
         status = thud_record_options_read(args, &treatment, err);
     if (!status)
-        status = thud_spectrum_options_read(args, &choice, err);
+        status = thud_spectrum_options_read(args, "damping", &choice, err);
     if (!status)
         status = thud_record_list_open(args->operand[1], &treatment, &motions, err);
     if (status)

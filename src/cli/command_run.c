@@ -8,6 +8,7 @@
 #include "app/run/run_cases.h"
 #include "app/run/run_figures.h"
 #include "cli/commands.h"
+#include "cli/floor_spectra.h"
 #include "cli/interrupt.h"
 #include "cli/picture_options.h"
 #include "cli/scene_options.h"
@@ -271,6 +272,8 @@ static enum thud_status run_cases(const struct thud_args *args, struct thud_sess
 static enum thud_status run(const struct thud_args *args, struct thud_session *session, struct thud_scene *scene,
                             struct thud_error *err)
 {
+    if (thud_args_has(args, "floor-spectra"))
+        return thud_cli_floor_spectra(args, session, err);
     if (thud_args_has(args, "cases"))
         return run_cases(args, session, err);
     struct thud_run_options options;
@@ -303,5 +306,6 @@ static enum thud_status run(const struct thud_args *args, struct thud_session *s
 
 enum thud_status thud_command_run(const struct thud_args *args, struct thud_error *err)
 {
-    return thud_scene_options_with(args, run, err);
+    enum thud_status status = thud_args_has(args, "floor-spectra") ? THUD_OK : thud_cli_no_floor_spectra(args, err);
+    return status == THUD_OK ? thud_scene_options_with(args, run, err) : status;
 }

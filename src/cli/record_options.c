@@ -165,14 +165,13 @@ static enum thud_status periods(const char *text, struct thud_spectrum_choice *c
     return THUD_OK;
 }
 
-enum thud_status thud_spectrum_options_read(const struct thud_args *args, struct thud_spectrum_choice *choice,
-                                            struct thud_error *err)
+enum thud_status thud_spectrum_options_read(const struct thud_args *args, const char *damping,
+                                            struct thud_spectrum_choice *choice, struct thud_error *err)
 {
-    *choice = (struct thud_spectrum_choice){.damping = 0.05, .from_s = 0.02, .to_s = 10, .count = 200};
     const char *text = thud_args_value(args, "periods");
-    enum thud_status status = quantity(args, "damping", THUD_RATIO, &choice->damping, err);
+    enum thud_status status = quantity(args, damping, THUD_RATIO, &choice->damping, err);
     if (!status && !(choice->damping >= 0 && choice->damping < 1))
-        return refuse("damping", thud_args_value(args, "damping"), "from 0 up to, not including, 1", err);
+        return refuse(damping, thud_args_value(args, damping), "from 0 up to, not including, 1", err);
     return !status && text ? periods(text, choice, err) : status;
 }
 

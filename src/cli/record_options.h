@@ -12,13 +12,13 @@ enum { THUD_PERIODS_MAX = 10000 };
 enum thud_status thud_record_options_read(const struct thud_args *args, struct thud_record_treatment *treatment,
                                           struct thud_error *err);
 
-/* --damping and --periods. Errors: THUD_USAGE. */
+/* The ratio in the option `damping`, and --periods; what is not given stays. Errors: THUD_USAGE. */
 struct thud_spectrum_choice {
     double damping, from_s, to_s;
     int count;
 };
-enum thud_status thud_spectrum_options_read(const struct thud_args *args, struct thud_spectrum_choice *choice,
-                                            struct thud_error *err);
+enum thud_status thud_spectrum_options_read(const struct thud_args *args, const char *damping,
+                                            struct thud_spectrum_choice *choice, struct thud_error *err);
 
 /* The values of a surrogate from --set KEY=VALUE (the parameters' names, and `event`, a text), --peak and --dt. *event
  * stays NULL when it is not given. Errors: THUD_USAGE. */

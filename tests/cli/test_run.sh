@@ -55,6 +55,33 @@ is "json: the same bytes in another locale" cmp -s "$tmp/out" "$tmp/json"
 is "csv" gives 0 run towers --csv
 is "csv: a heading and rows" [ "$(wc -l <"$tmp/out")" -ge 11 ]
 
+# floor spectra: long before its floors' periods an oscillator follows them, so that it feels their largest acceleration
+is "floor spectra: JSON" gives 0 run towers --floor-spectra 5% --floor A.2 --periods 2ms:1s:5 --json
+is "floor spectra: of each case" [ "$(grep -o '"case": "[a-z-]*"' "$tmp/out" | tr -d '\n')" = '"case": "no-pounding""case": "none""case": "bumper"' ]
+is "floor spectra: of the floor asked for" [ "$(grep -c '"structure"' "$tmp/out")" -eq 1 ]
+is "floor spectra: the floor's largest acceleration" near \
+    "$(sed -n 's/.*"none".*pseudo_acceleration_mps2": \[\([0-9.]*\).*/\1/p' "$tmp/out")" \
+    "$(sed -n 's/.*"none", "acceleration_mps2": \([0-9.]*\).*/\1/p' "$tmp/out")" 2e-3
+cp "$tmp/out" "$tmp/floors"
+gives 0 run towers --json --case none
+is "floor spectra: which is that of the run" near "$(sed -n 's/.*"none", "acceleration_mps2": \([0-9.]*\).*/\1/p' "$tmp/floors")" \
+    "$(grep -o '"acceleration_mps2": [0-9.]*' "$tmp/out" | sed -n '2s/.* //p')" 1e-9
+is "floor spectra: files" gives 0 run towers --floor-spectra 5% --floor A.4 --floor B.4 --periods 0.1s:1s:5 -o "$tmp/floors.d"
+is "floor spectra: a row for each floor and period" [ "$(wc -l <"$tmp/floors.d/floor-spectra.csv")" -eq 11 ]
+is "floor spectra: a picture" is_png "$tmp/floors.d/floor-spectra.png"
+is "floor spectra: of a row of bodies, as a table" gives 0 run rigid-concrete --floor-spectra 5%
+is "floor spectra: two of them" [ "$(grep -c '\.1 ' "$tmp/out")" -eq 2 ]
+gives 2 run towers --floor-spectra 0%
+is "floor spectra: without damping" says "above 0"
+gives 2 run towers --floor-spectra 5% --floor C.1
+is "floor spectra: no such structure" says "no floor is called"
+run run towers --floor-spectra 5% --floor A.9
+is "floor spectra: no such floor" says "A has 4 floors"
+gives 2 run towers --floor A.1
+is "floor spectra: not asked for" says "without --floor-spectra"
+run run towers --floor-spectra 5% --method newmark
+is "floor spectra: of steps" says "newmark"
+
 # the events: a free body on concrete touches at once, with F = c v, turns where its deepest point is, and is let go at F = 0
 column() { awk -F, -v event="$1" -v column="$2" '$7 == event { print $column; exit }' "$tmp/out"; }
 is "events" gives 0 run rigid-concrete --events --csv

@@ -13,8 +13,8 @@ enum { PERIODS = 11 };
 static const double damping = 0.05;
 static const double period[PERIODS] = {0.013, 0.031, 0.05, 0.08, 0.13, 0.2, 0.33, 0.5, 0.9, 1.7, 3.1};
 
-static struct thud_run *run_with(const struct thud_model *model, const struct thud_record *record, const int *dof,
-                                 int n, bool history)
+static struct thud_run *create(const struct thud_model *model, const struct thud_record *record, const int *dof, int n,
+                               bool history)
 {
     struct thud_floor_spectra_choice choice = {n, PERIODS, dof, period, damping};
     struct thud_run_options options;
@@ -25,8 +25,21 @@ static struct thud_run *run_with(const struct thud_model *model, const struct th
     options.history_step_s = 5e-4;
     options.floor_spectra = n > 0 ? &choice : NULL;
     ck_assert_msg(thud_run_create(model, record, &options, &run, &err) == THUD_OK, "%s", err.what);
+    return run;
+}
+
+static void finish(struct thud_run *run)
+{
+    struct thud_error err = {0};
     for (bool done = false; !done;)
         ck_assert_msg(thud_run_advance(run, 1000, &done, &err) == THUD_OK, "%s", err.what);
+}
+
+static struct thud_run *run_with(const struct thud_model *model, const struct thud_record *record, const int *dof,
+                                 int n, bool history)
+{
+    struct thud_run *run = create(model, record, dof, n, history);
+    finish(run);
     return run;
 }
 
@@ -50,10 +63,10 @@ static double from_ground(double omega, const struct thud_record *record)
 START_TEST(a_stiff_building_gives_the_spectrum_of_the_ground)
 {
     struct thud_record *record = march_motion(1);
-    double stiff = from_ground(4e3, record), stiffer = from_ground(6.4e4, record);
-    ck_assert_double_lt(stiff, 0.05);
-    ck_assert_double_lt(stiffer, 3e-5);
-    ck_assert_double_lt(stiffer, stiff / 8);
+    double stiff = from_ground(1e3, record), stiffer = from_ground(8e3, record);
+    ck_assert_double_lt(stiff, 1e-3);
+    ck_assert_double_lt(stiffer, 1e-5);
+    ck_assert_double_lt(stiffer, stiff / 30);
     thud_record_free(record);
 }
 END_TEST
@@ -80,13 +93,14 @@ END_TEST
 static double integrated(const struct thud_history *h, int dof, double period_s)
 {
     const int column = thud_history_acceleration(h, dof);
-    double y = 0, v = 0, peak = 0;
+    double y = 0, v = 0, peak = 0, made = 0;
+    struct thud_oscillator o = {0};
     for (size_t i = 1; i < h->rows; i++) {
         double dt = h->time_s[i] - h->time_s[i - 1];
-        struct thud_oscillator o;
         if (dt <= 0)
             continue;
-        thud_oscillator_init(&o, 2 * THUD_PI / period_s, damping, dt);
+        if (fabs(dt - made) > 1e-9 * dt)
+            thud_oscillator_init(&o, 2 * THUD_PI / period_s, damping, made = dt);
         thud_oscillator_step(&o, h->value[(i - 1) * (size_t)h->columns + (size_t)column],
                              h->value[i * (size_t)h->columns + (size_t)column], &y, &v);
         peak = fmax(peak, fabs(y));
@@ -94,7 +108,7 @@ static double integrated(const struct thud_history *h, int dof, double period_s)
     return pow(2 * THUD_PI / period_s, 2) * peak;
 }
 
-static const char *const laws[] = {"none", "kelvin-voigt", "kelvin-voigt-no-tension", "hertz-damp", "jankowski"};
+static const char *const laws[] = {"none", "kelvin-voigt-no-tension", "hertz-damp", "jankowski"};
 static const int towers[] = {2, 3}, floors[] = {0, 1, 2, 3, 4};
 
 static struct thud_model *pounding(const char *name, double gap)
@@ -109,12 +123,35 @@ START_TEST(a_history_integrated_in_small_steps_gives_the_same)
     struct thud_model *model = pounding(laws[_i], 0.02);
     struct thud_run *run = run_with(model, record, floors, 5, true);
     ck_assert(_i == 0 || thud_run_result(run)->contact[1].impacts > 0);
-    for (int f = 0; f < 5; f++)
+    for (int f = 1; f < 5; f += 3)
         for (int k = 0; k < PERIODS; k++)
             ck_assert_double_eq_tol(integrated(thud_run_history(run), floors[f], period[k]) /
                                         thud_run_floor_spectrum(run, f, k),
                                     1, k < 2 ? 5e-3 : 1e-3);
     thud_run_free(run);
+    thud_model_free(model);
+    thud_record_free(record);
+}
+END_TEST
+
+/* What is left out of a floor's acceleration changes nothing by more than 1e-6 of it. */
+START_TEST(shortened_polynomials_keep_their_bound)
+{
+    struct thud_record *record = march_motion(1);
+    struct thud_model *model = pounding("hertz-damp", 0.02);
+    struct thud_run *run = run_with(model, record, floors, 5, false), *whole = create(model, record, floors, 5, false);
+    double worst = 0;
+    ck_assert_double_gt(run->floors.left_out, 0);
+    whole->floors.left_out = 0;
+    finish(whole);
+    for (int f = 0; f < 5; f++)
+        for (int k = 0; k < PERIODS; k++)
+            worst = fmax(worst, fabs(thud_run_floor_spectrum(run, f, k) - thud_run_floor_spectrum(whole, f, k)) /
+                                    run->floors.largest[f]);
+    ck_assert_double_gt(worst, 0);
+    ck_assert_double_lt(worst, 1e-6);
+    thud_run_free(run);
+    thud_run_free(whole);
     thud_model_free(model);
     thud_record_free(record);
 }
@@ -181,6 +218,7 @@ Suite *thud_suite(void)
     tcase_add_test(t, a_stiff_building_gives_the_spectrum_of_the_ground);
     tcase_add_test(t, an_impulse_moves_oscillators_in_closed_form);
     tcase_add_loop_test(t, a_history_integrated_in_small_steps_gives_the_same, 0, sizeof laws / sizeof *laws);
+    tcase_add_test(t, shortened_polynomials_keep_their_bound);
     tcase_add_test(t, it_grows_with_the_motion);
     tcase_add_test(t, the_motion_is_the_same_with_and_without);
     tcase_add_loop_test(t, stepping_methods_are_refused, 0, 3);

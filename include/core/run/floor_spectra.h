@@ -3,8 +3,6 @@
 #ifndef THUD_CORE_FLOOR_SPECTRA_H
 #define THUD_CORE_FLOOR_SPECTRA_H
 
-enum { THUD_FLOOR_PERIODS_MAX = 1000 };
-
 struct thud_floor_spectra_choice {
     int nfloors, nperiods;
     const int *dof;         /* (nfloors) floors, of the model's */

@@ -186,9 +186,28 @@ static enum thud_status draw_samples(struct site *site, struct thud_error *err)
     return status;
 }
 
+/* Of both floors of the strongest contact without bumper. */
+static enum thud_status run_floors(struct site *site, struct thud_error *err)
+{
+    const struct thud_contact_result *most = thud_site_strongest(site->cases[SITE_NONE].result);
+    struct thud_floor_place floor[2];
+    struct thud_floor_spectra_ask ask = {0.05, 0.02, 4, 100, 0, floor};
+    const char *method = site->scene->analysis.method;
+    if (!most || (strcmp(method, "auto") != 0 && strcmp(method, "exact") != 0)) /* no other follows the floors */
+        return THUD_OK;
+    if (most->left_floor > 0)
+        floor[ask.nfloors++] = (struct thud_floor_place){most->interface - 1, most->left_floor - 1};
+    if (most->right_floor > 0)
+        floor[ask.nfloors++] = (struct thud_floor_place){most->interface, most->right_floor - 1};
+    tell(site, "floor spectra");
+    return thud_floor_spectra_run(site->scene, site->record, &ask, &site->floors, err);
+}
+
 static enum thud_status compute(struct site *site, struct thud_error *err)
 {
     enum thud_status status = run_cases(site, err);
+    if (status == THUD_OK)
+        status = run_floors(site, err);
     if (status == THUD_OK && site->record)
         status = thud_needed_gap_run(site->scene, site->record, &site->gap, err);
     if (status == THUD_OK) {
@@ -243,6 +262,7 @@ static void clear(struct site *site)
         free(site->cases[i].scene);
     }
     free(site->gap);
+    thud_floor_spectra_free(site->floors);
     thud_sensitivity_free(site->sensitivity);
     thud_uncertainty_study_clear(&site->samples);
     thud_uncertainty_free(site->uncertainty);

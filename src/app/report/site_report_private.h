@@ -9,6 +9,7 @@
 #include "app/sweep/uncertainty_study.h"
 #include "plot/figure/figure.h"
 #include "study/methods/verify.h"
+#include "study/scene/floor_spectra.h"
 #include "study/scene/needed_gap.h"
 #include "study/scene/stiffness.h"
 #include "study/suite/fragility.h"
@@ -46,6 +47,7 @@ struct site {
     struct site_case cases[SITE_CASES];
     const struct site_case *own; /* the scene as written: with the bumper where it has one */
     struct thud_needed_gap *gap;
+    struct thud_floor_spectra *floors; /* of the floors struck hardest; NULL: nothing is struck */
     struct thud_sensitivity *sensitivity;
     enum thud_stiffness varied;
     int nrows;

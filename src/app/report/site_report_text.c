@@ -11,6 +11,7 @@
 #include "base/version.h"
 #include "ground/intensity.h"
 #include "ground/spectrum.h"
+#include "plot/figures/figures_floor.h"
 #include "plot/figures/figures_record.h"
 #include "plot/figures/figures_run.h"
 #include "study/scene/level.h"
@@ -652,6 +653,31 @@ static struct thud_figure_source source_of(const struct site_case *one)
     return thud_run_source(one->name, one->scene, one->answer.run);
 }
 
+static void floors(struct site *site)
+{
+    struct thud_document *d = &site->document;
+    const struct thud_floor_spectra *s = site->floors;
+    int k;
+    if (!s)
+        return;
+    thud_document_table(d, "What equipment on the floors struck hardest feels: largest pseudo-acceleration of "
+                           "oscillators with 5 % damping, g, and its period");
+    thud_document_cell(d, "floor");
+    for (int i = 0; i < s->ncases; i++)
+        thud_document_cell(d, "%s", thud_floor_case_title(i));
+    thud_document_row(d);
+    for (int f = 0; f < s->nfloors; f++) {
+        thud_document_cell(d, "%s, floor %d", thud_site_name(site, s->floor[f].structure), s->floor[f].floor + 1);
+        for (int i = 0; i < s->ncases; i++) {
+            const double *sa = thud_floor_spectrum(s, i, f, &k);
+            thud_document_cell(d, "%.3g at %.3g s", sa[k] / THUD_GRAVITY, s->period_s[k]);
+        }
+        thud_document_row(d);
+    }
+    thud_site_figure(site, thud_figure_of_floors(site->scene, s), 0.4 * s->nfloors,
+                     "Floor spectra of the floors struck hardest, 5 % damping.");
+}
+
 static void cases(struct site *site)
 {
     struct thud_document *d = &site->document;
@@ -675,6 +701,7 @@ static void cases(struct site *site)
     if (thud_run_figure_has(THUD_FIGURE_COLUMNS, &source[SITE_NONE], site->ncases - 1))
         thud_site_figure(site, thud_run_figure(THUD_FIGURE_COLUMNS, &source[SITE_NONE], site->ncases - 1), 0.62,
                          "Largest shear of the columns that slabs strike, over the height.");
+    floors(site);
 }
 
 /* ---- the gap that is enough ---- */

@@ -15,7 +15,7 @@ enum { LANES = THUD_FLOOR_LANES, TERMS = THUD_FLOOR_TERMS, PAIRS = LANES / 2 };
 static const double accuracy = 1e-6; /* of a floor's largest acceleration, in every pseudo-acceleration */
 /* Angle that an oscillator turns by in a piece at most: so that series converge at once and a bound says where it turns
  * back. */
-static const double piece_most_rad = 1;
+static const double piece_most_rad = 1.6;
 
 /* ---- the floor's acceleration ---- */
 
@@ -26,7 +26,7 @@ static void shorten(const struct thud_floor_oscillators *p, struct thud_floor_lo
     double *b = load->b;
     while (load->terms > 1) {
         int m = load->terms - 1;
-        double change = ldexp(fabs(b[m]), 1 - 2 * m);
+        double change = p->size[m] * fabs(b[m]);
         if (change > allowed)
             break;
         allowed -= change;
@@ -61,23 +61,23 @@ static void read_floor(struct thud_floor_oscillators *p, const struct thud_obser
         power *= o->s;
     }
     p->largest[f] = fmax(p->largest[f], fabs(load->b[0]));
-    shorten(p, load, 0.5 * p->part * p->largest[f]);
+    shorten(p, load, 0.5 * p->left_out * p->largest[f]);
 }
 
 /* The part of it between j/parts and (j + 1)/parts. */
-static struct thud_floor_load part_of(const struct thud_floor_oscillators *p, int f, int j, int parts)
+static void make_part(struct thud_floor_oscillators *p, int f, int j, int parts)
 {
-    struct thud_floor_load part = p->load[f];
+    struct thud_floor_load *part = &p->part[f];
     double power = 1, at = (double)j / parts;
-    for (int i = 0; i + 1 < part.terms; i++) /* Taylor coefficients at j/parts, by repeated division */
-        for (int k = part.terms - 2; k >= i; k--)
-            part.b[k] += at * part.b[k + 1];
-    for (int k = 0; k < part.terms; k++) {
-        part.b[k] *= power;
+    *part = p->load[f];
+    for (int i = 0; i + 1 < part->terms; i++) /* Taylor coefficients at j/parts, by repeated division */
+        for (int k = part->terms - 2; k >= i; k--)
+            part->b[k] += at * part->b[k + 1];
+    for (int k = 0; k < part->terms; k++) {
+        part->b[k] *= power;
         power /= parts;
     }
-    shorten(p, &part, 0.5 * p->part * p->largest[f]);
-    return part;
+    shorten(p, part, 0.5 * p->left_out * p->largest[f]);
 }
 
 /* ---- the oscillators ---- */
@@ -165,6 +165,14 @@ static void advance(const struct thud_floor_oscillators *p, const struct thud_fl
     }
 }
 
+static int parts_of(const struct thud_floor_block *t, double length_s)
+{
+    int parts = 1;
+    while (t->omega[0] * length_s > piece_most_rad * parts)
+        parts *= 2;
+    return parts;
+}
+
 static enum thud_status segment(void *own, const struct thud_observation *o, struct thud_error *err)
 {
     struct thud_floor_oscillators *p = own;
@@ -176,20 +184,19 @@ static enum thud_status segment(void *own, const struct thud_observation *o, str
         read_floor(p, o, f);
         terms = p->load[f].terms > terms ? p->load[f].terms : terms;
     }
-    for (int b = 0; b < p->nblocks; b++) {
-        struct thud_floor_lanes *lanes = p->lanes + b * p->nfloors;
-        int parts = 1;
-        while (p->table[b].omega[0] * length > piece_most_rad * parts)
-            parts *= 2;
-        make_table(p, &p->table[b], length / parts, terms);
-        for (int f = 0; f < p->nfloors; f++)
-            for (int j = 0; j < parts; j++) {
-                if (parts == 1) {
-                    advance(p, &p->table[b], &p->load[f], &lanes[f]);
-                } else {
-                    struct thud_floor_load part = part_of(p, f, j, parts);
-                    advance(p, &p->table[b], &part, &lanes[f]);
+    for (int b = 0, next; b < p->nblocks; b = next) {
+        const int parts = parts_of(&p->table[b], length);
+        for (next = b; next < p->nblocks && parts_of(&p->table[next], length) == parts; next++)
+            make_table(p, &p->table[next], length / parts, terms);
+        for (int j = 0; j < parts; j++)
+            for (int f = 0; f < p->nfloors; f++) {
+                const struct thud_floor_load *load = &p->load[f];
+                if (parts > 1) {
+                    make_part(p, f, j, parts);
+                    load = &p->part[f];
                 }
+                for (int k = b; k < next; k++)
+                    advance(p, &p->table[k], load, &p->lanes[k * p->nfloors + f]);
             }
     }
     memcpy(p->rates, o->qd, (size_t)p->nmodes * sizeof *p->rates);
@@ -221,6 +228,7 @@ static void make_monic(struct thud_floor_oscillators *p)
     for (int m = 1; m < TERMS; m++) {
         for (int k = 0; k <= m; k++)
             p->monic[m][k] = now[k] / now[m];
+        p->size[m] = 1 / now[m];
         for (int k = 0; k < TERMS; k++) /* T_(m+1) = 2 (2 s - 1) T_m - T_(m-1) */
             next[k] = (k > 0 ? 4 * now[k - 1] : 0) - 2 * now[k] - last[k];
         memcpy(last, now, sizeof last);
@@ -231,7 +239,7 @@ static void make_monic(struct thud_floor_oscillators *p)
 enum thud_status thud_floor_oscillators_init(struct thud_floor_oscillators *p, const struct thud_model *model,
                                              const struct thud_floor_spectra_choice *choice, struct thud_error *err)
 {
-    assert(choice->nfloors > 0 && choice->nperiods > 0 && choice->nperiods <= THUD_FLOOR_PERIODS_MAX);
+    assert(choice->nfloors > 0 && choice->nperiods > 0);
     assert(choice->damping > 0 && choice->damping < 1);
     struct thud_arena arena;
     const size_t nf = (size_t)choice->nfloors, nm = (size_t)model->nmodes,
@@ -242,9 +250,9 @@ enum thud_status thud_floor_oscillators_init(struct thud_floor_oscillators *p, c
                                          .nmodes = model->nmodes,
                                          .damping = choice->damping,
                                          .root = sqrt(1 - choice->damping * choice->damping)};
-    p->part = accuracy * tanh(0.5 * THUD_PI * p->damping / p->root);
+    p->left_out = accuracy * tanh(0.5 * THUD_PI * p->damping / p->root);
     if (!thud_arena_open(&arena, thud_arena_room(nf, sizeof *p->dof) + 2 * thud_arena_room(nf, sizeof(double)) +
-                                     thud_arena_room(nm, sizeof(double)) + thud_arena_room(nf, sizeof *p->load) +
+                                     thud_arena_room(nm, sizeof(double)) + 2 * thud_arena_room(nf, sizeof *p->load) +
                                      thud_arena_room(nb, sizeof *p->table) +
                                      thud_arena_room(nb * nf, sizeof *p->lanes)))
         return thud_error_set(err, THUD_MEMORY, "out of memory");
@@ -254,6 +262,7 @@ enum thud_status thud_floor_oscillators_init(struct thud_floor_oscillators *p, c
     p->largest = thud_arena_take(&arena, nf, sizeof(double));
     p->rates = thud_arena_take(&arena, nm, sizeof(double));
     p->load = thud_arena_take(&arena, nf, sizeof *p->load);
+    p->part = thud_arena_take(&arena, nf, sizeof *p->part);
     p->table = thud_arena_take(&arena, nb, sizeof *p->table);
     p->lanes = thud_arena_take(&arena, nb * nf, sizeof *p->lanes);
     for (int f = 0; f < p->nfloors; f++) {

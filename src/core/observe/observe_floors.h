@@ -48,13 +48,14 @@ struct thud_floor_load {
 struct thud_floor_oscillators {
     int nfloors, nperiods, nblocks, nmodes;
     double damping, root;                             /* sqrt(1 - damping^2) */
-    double part;                                      /* of a floor's largest acceleration that may be left out */
+    double left_out;                                  /* of a floor's largest acceleration that may be left out */
     int *dof;                                         /* (nfloors) */
     double *influence;                                /* (nfloors) part of the ground's acceleration in the floor's */
     double *largest;                                  /* (nfloors) its acceleration so far */
     double *rates;                                    /* (nmodes) modal velocities at the end of the last segment */
     double monic[THUD_FLOOR_TERMS][THUD_FLOOR_TERMS]; /* Chebyshev polynomials on [0, 1] with the highest factor 1 */
-    struct thud_floor_load *load;                     /* (nfloors) in the segment */
+    double size[THUD_FLOOR_TERMS];                    /* and their largest value there */
+    struct thud_floor_load *load, *part;              /* (nfloors) in the segment, and in a part of it */
     struct thud_floor_block *table;                   /* (nblocks) */
     struct thud_floor_lanes *lanes;                   /* (nblocks x nfloors) */
     void *memory;

@@ -1,0 +1,14 @@
+/* Floor spectra as CSV and JSON, base SI units. */
+#ifndef THUD_IO_FLOOR_SPECTRA_FILE_H
+#define THUD_IO_FLOOR_SPECTRA_FILE_H
+
+#include "base/text.h"
+#include "study/scene/floor_spectra.h"
+
+/* One row per structure, floor and period. */
+void thud_floor_spectra_csv(const struct thud_scene *scene, const struct thud_floor_spectra *spectra,
+                            struct thud_text *out);
+void thud_floor_spectra_json(const struct thud_scene *scene, const struct thud_floor_spectra *spectra,
+                             struct thud_text *out);
+
+#endif

@@ -1,0 +1,12 @@
+/* Floor spectra. */
+#ifndef THUD_PLOT_FIGURES_FLOOR_H
+#define THUD_PLOT_FIGURES_FLOOR_H
+
+#include "plot/figure/figure.h"
+#include "study/scene/floor_spectra.h"
+
+/* Of up to four floors a panel each, with a curve for each case; of more a panel for each structure and case, with a
+ * curve for each floor. Ask thud_figure_check. */
+struct thud_figure *thud_figure_of_floors(const struct thud_scene *scene, const struct thud_floor_spectra *spectra);
+
+#endif

@@ -1,0 +1,82 @@
+#include "plot/figures/figures_floor.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "base/quantity.h"
+
+enum { APART = 4 }; /* floors that have a panel of their own */
+
+static struct thud_panel *panel_of(struct thud_figure *figure, int row, int column, const char *title,
+                                   const struct thud_floor_spectra *s)
+{
+    struct thud_panel *panel = thud_figure_panel(figure, row, column, title);
+    double most = 0;
+    int k;
+    for (int i = 0; i < s->ncases; i++)
+        for (int f = 0; f < s->nfloors; f++)
+            most = fmax(most, thud_floor_spectrum(s, i, f, &k)[k]);
+    thud_panel_axis(panel, THUD_X, "Period", "s");
+    thud_panel_axis(panel, THUD_Y, "Sa (pseudo)", "g");
+    thud_panel_log(panel, THUD_X);
+    thud_panel_limits(panel, THUD_X, s->period_s[0], s->period_s[s->nperiods - 1]);
+    thud_panel_limits(panel, THUD_Y, 0, most > 0 ? 1.05 * most / THUD_GRAVITY : NAN);
+    return panel;
+}
+
+static void curve(struct thud_panel *panel, const struct thud_floor_spectra *s, int which, int floor, int color,
+                  const char *name)
+{
+    int largest;
+    const double *sa = thud_floor_spectrum(s, which, floor, &largest);
+    struct thud_style style = {.kind = THUD_LINES, .color = color, .dashed = which == 0 && s->nfloors <= APART};
+    struct thud_series *series = thud_panel_add(panel, style, name, (size_t)s->nperiods, s->period_s, sa);
+    for (int k = 0; series && k < s->nperiods; k++)
+        series->y[k] /= THUD_GRAVITY;
+}
+
+/* The structures that have floors here, in rows; returns how many. */
+static int rows_of(const struct thud_floor_spectra *s, int row[THUD_STRUCTURES_MAX])
+{
+    int rows = 0;
+    for (int k = 0; k < THUD_STRUCTURES_MAX; k++) {
+        row[k] = -1;
+        for (int f = 0; f < s->nfloors && row[k] < 0; f++)
+            if (s->floor[f].structure == k)
+                row[k] = rows++;
+    }
+    return rows;
+}
+
+struct thud_figure *thud_figure_of_floors(const struct thud_scene *scene, const struct thud_floor_spectra *s)
+{
+    char title[THUD_NAME_MAX + 80];
+    int row[THUD_STRUCTURES_MAX];
+    const bool apart = s->nfloors <= APART;
+    struct thud_figure *figure = thud_figure_create("floor-spectra", "Floor spectra",
+                                                    apart ? s->nfloors : rows_of(s, row), apart ? 1 : s->ncases);
+    for (int f = 0; apart && f < s->nfloors; f++) {
+        const struct thud_floor_place at = s->floor[f];
+        snprintf(title, sizeof title, "%s, floor %d", scene->structure[at.structure].name, at.floor + 1);
+        struct thud_panel *panel = panel_of(figure, f, 0, title, s);
+        for (int i = 0; i < s->ncases; i++)
+            curve(panel, s, i, f, i, thud_floor_case_title(i));
+    }
+    for (int i = 0; !apart && i < s->ncases; i++) {
+        struct thud_panel *panel = NULL;
+        for (int f = 0; f < s->nfloors; f++) {
+            const struct thud_floor_place at = s->floor[f];
+            if (f == 0 || at.structure != s->floor[f - 1].structure) {
+                snprintf(title, sizeof title, "%s, %s", scene->structure[at.structure].name, thud_floor_case_title(i));
+                panel = panel_of(figure, row[at.structure], i, title, s);
+            }
+            char name[32];
+            snprintf(name, sizeof name, "floor %d", at.floor + 1);
+            curve(panel, s, i, f, at.floor % THUD_COLORS_ALL, name);
+        }
+    }
+    snprintf(title, sizeof title, "Oscillators of %.3g %% damping on the floors. Pseudo spectral acceleration.",
+             100 * s->damping);
+    thud_figure_note(figure, title);
+    return figure;
+}
