@@ -65,9 +65,10 @@ is "it says what it does not cover" in_text 'One ground motion proves nothing ab
 is "how it was made" in_text "    thud report '\\{0,1\\}$tmp/own.yaml'\\{0,1\\} -o '\\{0,1\\}$tmp/r'\\{0,1\\} " # quoted where TMPDIR has a blank
 is "and of what" in_text 'stiffness: \[420 MN/m, 400 MN/m'
 
-is "four figures" [ "$(grep -c '<figure><img alt="[A-Z][^"]*" src="data:image/svg+xml;base64,' "$tmp/r/report.html")" -eq 4 ]
+is "five figures" [ "$(grep -c '<figure><img alt="[A-Z][^"]*" src="data:image/svg+xml;base64,' "$tmp/r/report.html")" -eq 5 ]
 is "each whole" [ "$(sed -n 's/.*base64,\([^"]*\)".*/\1/p' "$tmp/r/report.html" | head -1 | base64 -d | grep -c -x '</svg>')" -eq 1 ]
-is "as in the files of the Markdown" [ "$(sed -n 's/.*](\(.*\.svg\))$/\1/p' "$tmp/r/report.md" | while read -r f; do cat "$tmp/r/$f"; done | grep -c -x '</svg>')" -eq 4 ]
+is "as in the files of the Markdown" [ "$(sed -n 's/.*](\(.*\.svg\))$/\1/p' "$tmp/r/report.md" | while read -r f; do cat "$tmp/r/$f"; done | grep -c -x '</svg>')" -eq 5 ]
+is "floor spectra of the two floors struck hardest" [ "$(grep -c "^| [^|]*, floor [0-9]* |.* at .* s |.* at .* s |" "$tmp/r/report.md")" -eq 2 ]
 is "nothing is loaded from elsewhere" [ "$(sed 's/base64,[^"]*//' "$tmp/r/report.html" | grep -c -E 'https?:|<script|<link|<iframe|@import|url\(')" -eq 0 ]
 is "the title is a text" in_html '<h1>Pounding report: Offices &lt;b&gt;5 &amp; 7&lt;/b&gt; &quot;storeys&quot; | two</h1>'
 is "names are too" in_html '<th scope="row">Nr &lt;12&gt;</th>'

@@ -6,9 +6,9 @@
 
 #include "base/status.h"
 #include "core/methods/method.h"
+#include "core/model/floor_spectra.h"
 #include "core/model/model.h"
 #include "core/model/result.h"
-#include "core/run/floor_spectra.h"
 #include "ground/record.h"
 
 struct thud_run;

@@ -3,7 +3,7 @@
 #define THUD_IO_FLOOR_SPECTRA_FILE_H
 
 #include "base/text.h"
-#include "study/scene/floor_spectra.h"
+#include "study/sweep/floor_spectra.h"
 
 /* One row per structure, floor and period. */
 void thud_floor_spectra_csv(const struct thud_scene *scene, const struct thud_floor_spectra *spectra,

@@ -3,7 +3,7 @@
 #define THUD_PLOT_FIGURES_FLOOR_H
 
 #include "plot/figure/figure.h"
-#include "study/scene/floor_spectra.h"
+#include "study/sweep/floor_spectra.h"
 
 /* Of up to four floors a panel each, with a curve for each case; of more a panel for each structure and case, with a
  * curve for each floor. Ask thud_figure_check. */

@@ -9,10 +9,10 @@
 #include "app/sweep/uncertainty_study.h"
 #include "plot/figure/figure.h"
 #include "study/methods/verify.h"
-#include "study/scene/floor_spectra.h"
 #include "study/scene/needed_gap.h"
 #include "study/scene/stiffness.h"
 #include "study/suite/fragility.h"
+#include "study/sweep/floor_spectra.h"
 
 /* Cases in this order; a scene without a bumper has no last one. */
 enum { SITE_FREE, SITE_NONE, SITE_BUMPER, SITE_CASES };

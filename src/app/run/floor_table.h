@@ -3,7 +3,7 @@
 #define THUD_APP_FLOOR_TABLE_H
 
 #include "base/text.h"
-#include "study/scene/floor_spectra.h"
+#include "study/sweep/floor_spectra.h"
 
 void thud_floor_table(const struct thud_scene *scene, const struct thud_floor_spectra *spectra, struct thud_text *out);
 

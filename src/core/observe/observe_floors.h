@@ -13,8 +13,8 @@
 #ifndef THUD_CORE_OBSERVE_FLOORS_H
 #define THUD_CORE_OBSERVE_FLOORS_H
 
+#include "core/model/floor_spectra.h"
 #include "core/observe/observer.h"
-#include "core/run/floor_spectra.h"
 
 enum {
     THUD_FLOOR_LANES = 8, /* oscillators that go on together */

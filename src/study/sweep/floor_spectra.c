@@ -1,4 +1,4 @@
-#include "study/scene/floor_spectra.h"
+#include "study/sweep/floor_spectra.h"
 
 #include <assert.h>
 #include <math.h>
