@@ -6,6 +6,15 @@
 
 #include "ground/record.h"
 
+/* Its peak and how its samples stand to those of its file: "peak 0.821 g as recorded", "... scaled by 1.2", "... reversed",
+ * "... scaled by 1.2, reversed"; of a synthetic one "as synthesized" for the first. */
+void thud_record_peak_text(const struct thud_record *record, char *text, size_t size);
+/* " (synthetic)", or "". */
+const char *thud_record_synthetic_mark(const struct thud_record *record);
+/* "synthetic motion" or "3 of 8 motions synthetic"; "" where none is. */
+void thud_synthetic_text(int synthetic, int of, char *text, size_t size);
+int thud_records_synthetic(const struct thud_record *const *record, int n);
+
 /* A vertical component, by its own words or those of its file's name: UP, U-D, UD, VERT, a channel code such as HNZ, and
  * components 3 and 6 of KiK-net. */
 bool thud_record_is_vertical(const struct thud_record *record);

@@ -3,9 +3,12 @@
 #ifndef THUD_CORE_RECORD_H
 #define THUD_CORE_RECORD_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "base/status.h"
+
+#define THUD_RECORD_COMPUTED "computed, not recorded"
 
 struct thud_record {
     char file[512];  /* as given by the user */
@@ -18,6 +21,7 @@ struct thud_record {
     size_t samples;
     double *a_mps2; /* (samples), already scaled and signed */
     double scale;   /* what the file's samples were multiplied by, with the sign; 1: as recorded */
+    bool synthetic; /* computed, not recorded: a comment of its file says so in THUD_RECORD_COMPUTED's words */
 };
 
 /* Copies `samples` values. Errors: THUD_INPUT when dt is not positive or a value is not finite, THUD_MEMORY. */

@@ -31,6 +31,7 @@ static enum thud_status save(const struct thud_args *args, const struct thud_gap
         status = thud_text_write_in(&text, folder, "needed-gaps.json", err);
     thud_text_clear(&text);
     picture->options.cancel = thud_interrupt_watch();
+    thud_picture_options_motions(picture, (const struct thud_record *const *)records->record, records->n);
     if (status != THUD_OK)
         return status;
     const char *title = scene->title[0] ? scene->title : scene->name;

@@ -30,7 +30,8 @@ static enum thud_status need_files(const struct thud_args *args, const char *ver
     return THUD_USAGE;
 }
 
-static enum thud_status draw(const struct thud_args *args, struct thud_figure *figure, struct thud_error *err)
+static enum thud_status draw(const struct thud_args *args, const struct thud_record *record, struct thud_figure *figure,
+                             struct thud_error *err)
 {
     struct thud_picture_choice picture;
     enum thud_status status = thud_picture_options_read(args, &picture, err);
@@ -38,6 +39,7 @@ static enum thud_status draw(const struct thud_args *args, struct thud_figure *f
         thud_figure_free(figure);
         return status;
     }
+    thud_picture_options_motions(&picture, &record, 1);
     return thud_figure_deliver(figure, thud_args_value(args, "o"), &picture.options, THUD_OK, err);
 }
 
@@ -68,7 +70,7 @@ static enum thud_status info_of(const struct thud_args *args, const struct thud_
         thud_record_file_stem(record->file, stem, sizeof stem);
         snprintf(name, sizeof name, "%s-motion", stem);
         title_of(record, title, sizeof title);
-        status = draw(args, thud_figure_of_motion(record, name, title), err);
+        status = draw(args, record, thud_figure_of_motion(record, name, title), err);
     }
     return status;
 }
@@ -140,7 +142,8 @@ static enum thud_status spectrum_of(const struct thud_args *args, const struct t
         thud_record_file_stem(record->file, stem, sizeof stem);
         snprintf(name, sizeof name, "%s-spectrum", stem);
         title_of(record, title, sizeof title);
-        status = draw(args, thud_figure_of_spectrum(point, count, choice->damping, mark, nmarks, name, title), err);
+        status =
+            draw(args, record, thud_figure_of_spectrum(point, count, choice->damping, mark, nmarks, name, title), err);
     }
     return status;
 }

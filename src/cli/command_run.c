@@ -11,6 +11,7 @@
 #include "cli/floor_spectra.h"
 #include "cli/interrupt.h"
 #include "cli/picture_options.h"
+#include "cli/records_option.h"
 #include "cli/scene_options.h"
 #include "cli/study_file.h"
 #include "io/file/file.h"
@@ -231,6 +232,9 @@ static enum thud_status begin(const struct thud_args *args, struct thud_session 
     if (status != THUD_OK)
         return status;
     say_effort(args, session);
+    if (session->record)
+        thud_records_warn(args, (const struct thud_record *const *)&session->record, 1);
+    thud_picture_options_motions(picture, (const struct thud_record *const *)&session->record, 1);
     options->keep_history = thud_args_has(args, "o");
     options->keep_impacts = true;
     options->keep_events = thud_args_has(args, "events");

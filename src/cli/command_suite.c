@@ -11,6 +11,7 @@
 #include "cli/interrupt.h"
 #include "cli/picture_options.h"
 #include "cli/records_option.h"
+#include "ground/identity.h"
 #include "io/file/file.h"
 #include "io/record/target_file.h"
 
@@ -136,6 +137,10 @@ static enum thud_status save(const struct thud_suite_study *study, const char *w
         thud_text_clear(&text);
     }
     picture->options.cancel = thud_interrupt_watch();
+    int synthetic = 0;
+    for (int i = 0; i < study->records->n; i++)
+        synthetic += study->scaled.motion[i].chosen && study->records->record[i]->synthetic;
+    thud_synthetic_text(synthetic, study->scaled.chosen, picture->options.motions, sizeof picture->options.motions);
     if (status != THUD_OK)
         return status;
     return thud_figure_deliver(

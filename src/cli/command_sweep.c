@@ -155,6 +155,7 @@ static enum thud_status fill_study(struct sweep *s, struct thud_error *err)
     if (status == THUD_OK)
         status = thud_picture_options_read(args, &s->pictures, err);
     s->pictures.options.cancel = study->cancel;
+    thud_picture_options_motions(&s->pictures, s->plan.record, s->plan.nrecords);
     study->pictures = &s->pictures.options;
     if (status == THUD_OK && study->folder) {
         status = thud_made_by_study(args, &s->plan, &s->by, err);

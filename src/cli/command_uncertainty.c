@@ -239,8 +239,13 @@ static enum thud_status uncertainty(const struct thud_args *args, struct thud_se
         status = thud_uncertainty_study_run(&study, err);
     thud_progress_end();
     enum thud_status drawn = THUD_OK;
-    if (status == THUD_OK && thud_args_has(args, "o"))
+    if (status == THUD_OK && thud_args_has(args, "o")) {
+        bool suite = records.n > 0;
+        thud_picture_options_motions(&picture,
+                                     (const struct thud_record *const *)(suite ? records.record : &session->record),
+                                     suite ? records.n : 1);
         drawn = save(args, &study, &picture, &by, err);
+    }
     if (status == THUD_OK && (drawn == THUD_OK || drawn == THUD_GNUPLOT))
         status = print(args, &study, drawn == THUD_OK ? err : NULL);
     thud_uncertainty_study_clear(&study);

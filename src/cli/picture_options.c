@@ -3,6 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "ground/identity.h"
+
 enum thud_status thud_picture_options_read(const struct thud_args *args, struct thud_picture_choice *choice,
                                            struct thud_error *err)
 {
@@ -27,4 +29,9 @@ enum thud_status thud_picture_options_read(const struct thud_args *args, struct 
     if (program && program[0])
         options->program = program;
     return status;
+}
+
+void thud_picture_options_motions(struct thud_picture_choice *choice, const struct thud_record *const *record, int n)
+{
+    thud_synthetic_text(thud_records_synthetic(record, n), n, choice->options.motions, sizeof choice->options.motions);
 }

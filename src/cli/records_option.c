@@ -18,14 +18,12 @@ enum thud_status thud_records_named(const struct thud_args *args, const struct t
     return thud_record_list_read(session, text, common, n, both, out, err);
 }
 
-/* What is wrong with a suite, once for whichever study uses it. */
-static void warn_of(const struct thud_args *args, const struct thud_record_list *records)
+void thud_records_warn(const struct thud_args *args, const struct thud_record *const *record, int n)
 {
     struct thud_error what;
     char line[1400];
     int from = 0;
-    while (!thud_args_has(args, "quiet") &&
-           thud_suite_remark((const struct thud_record *const *)records->record, NULL, records->n, &from, &what))
+    while (!thud_args_has(args, "quiet") && thud_suite_remark(record, NULL, n, &from, &what))
         fprintf(stderr, "thud: warning: %s\n", thud_error_text(&what, line, sizeof line));
 }
 
@@ -43,12 +41,17 @@ enum thud_status thud_records_option_read(const struct thud_args *args, struct t
     }
     if (!text && study->records[0] && !thud_args_value(args, "record"))
         text = study->records;
-    if (!text)
-        return thud_record_list_own(session, both, out, err);
+    enum thud_status status = THUD_OK;
+    if (!text) {
+        status = thud_record_list_own(session, both, out, err);
+        if (status == THUD_OK) /* not of its other sign as well */
+            thud_records_warn(args, (const struct thud_record *const *)out->record, out->n > 0);
+        return status;
+    }
     if (thud_args_value(args, "record") && thud_args_value(args, "records"))
         return thud_error_set(err, THUD_USAGE, "--record and --records together");
-    enum thud_status status = thud_records_named(args, session, text, both, out, err);
+    status = thud_records_named(args, session, text, both, out, err);
     if (status == THUD_OK)
-        warn_of(args, out);
+        thud_records_warn(args, (const struct thud_record *const *)out->record, out->n);
     return status;
 }

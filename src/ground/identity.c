@@ -1,7 +1,47 @@
 #include "ground/identity.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
+
+#include "base/quantity.h"
+
+void thud_record_peak_text(const struct thud_record *record, char *text, size_t size)
+{
+    static const double rounding = 5e-4; /* of a peak that is given by three or four digits */
+    double factor = fabs(record->scale), peak_g = thud_record_peak(record) / THUD_GRAVITY;
+    const char *reversed = record->scale < 0 ? "reversed" : "";
+    if (fabs(factor - 1) > rounding)
+        snprintf(text, size, "peak %.4g g scaled by %.4g%s%s", peak_g, factor, *reversed ? ", " : "", reversed);
+    else
+        snprintf(text, size, "peak %.4g g %s", peak_g,
+                 *reversed           ? reversed
+                 : record->synthetic ? "as synthesized"
+                                     : "as recorded");
+}
+
+const char *thud_record_synthetic_mark(const struct thud_record *record)
+{
+    return record->synthetic ? " (synthetic)" : "";
+}
+
+void thud_synthetic_text(int synthetic, int of, char *text, size_t size)
+{
+    if (synthetic == 0)
+        snprintf(text, size, "%s", "");
+    else if (of == 1)
+        snprintf(text, size, "synthetic motion");
+    else
+        snprintf(text, size, "%d of %d motions synthetic", synthetic, of);
+}
+
+int thud_records_synthetic(const struct thud_record *const *record, int n)
+{
+    int synthetic = 0;
+    for (int i = 0; i < n; i++)
+        synthetic += record[i] && record[i]->synthetic;
+    return synthetic;
+}
 
 static bool is_letter(char c)
 {

@@ -200,6 +200,8 @@ enum thud_status thud_synthesis_run(const struct thud_synthesis *s, struct thud_
     for (size_t i = 0; i < samples; i++)
         noise[i] = rint((pulses[i] + scale * noise[i]) * 1e8) / 1e8;
     status = thud_record_create(noise, samples, s->dt_s, out, err);
+    if (status == THUD_OK)
+        (*out)->synthetic = true;
     free(noise);
     return status;
 }

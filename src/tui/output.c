@@ -7,6 +7,7 @@
 
 #include "app/run/run_figures.h"
 #include "base/ascii.h"
+#include "ground/identity.h"
 #include "io/file/file.h"
 #include "tui/state.h"
 
@@ -110,12 +111,17 @@ void thud_tui_file_name(struct thud_tui *tui, const char *what, const char *of_c
 static void begin(struct thud_tui *tui, struct thud_figure *const *figure, int count)
 {
     struct thud_error err;
-    char name[200], first[200];
+    char name[200], first[200], motions[64];
+    const bool moved =
+        tui->screen == THUD_SCREEN_RECORD || tui->screen == THUD_SCREEN_RESULTS || tui->screen == THUD_SCREEN_PLOTS;
+    const struct thud_record *record = moved ? tui->doc.record : NULL; /* a study's figures have their motions' words */
+    thud_synthetic_text(thud_records_synthetic(&record, 1), 1, motions, sizeof motions);
     for (int i = 0; i < count; i++) {
         if (!figure[i])
             continue;
         thud_tui_file_name(tui, figure[i]->name, "", name, sizeof name);
         thud_figure_rename(figure[i], name);
+        thud_figure_title_add(figure[i], motions);
     }
     snprintf(first, sizeof first, "%s", count > 0 && figure[0] ? figure[0]->name : ""); /* the writer frees it */
     struct thud_picture_screen screen = {.format = THUD_PNG};

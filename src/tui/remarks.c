@@ -2,6 +2,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "study/suite/scaling.h"
 #include "study/sweep/remark.h"
 #include "tui/state.h"
 
@@ -25,7 +26,17 @@ static bool remark(const struct thud_tui *tui, int n, struct thud_error *out)
     if (!result)
         return false;
     const struct thud_impact *impact = thud_run_impacts(tui->live.which[as_written(tui)].run, &count);
-    return thud_result_remark(&tui->doc.scene, result, impact, count, n, out);
+    for (int i = 0; thud_result_remark(&tui->doc.scene, result, impact, count, i, out); i++)
+        if (n-- == 0)
+            return true;
+    const struct thud_record *record = tui->doc.record;
+    int from = 0;
+    while (record && thud_suite_remark(&record, NULL, 1, &from, out))
+        if (n-- == 0) {
+            thud_error_key(out, "record.file");
+            return true;
+        }
+    return false;
 }
 
 int thud_tui_count_remarks(const struct thud_tui *tui)
@@ -84,6 +95,8 @@ void thud_tui_list_remarks(struct thud_tui *tui)
     snprintf(text, sizeof text, "tolerance: %s, method %s, %ld steps, %ld events", tolerance,
              result->method ? result->method : "?", result->work.steps, result->work.events);
     add(tui, "analysis.tolerance", text);
+    if (tui->doc.record && tui->doc.record->synthetic)
+        add(tui, "record.file", "synthetic: the ground motion is " THUD_RECORD_COMPUTED);
     if (*tui->doc.scene.record.file)
         add(tui, "record.sign",
             tui->doc.scene.record.sign < 0

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "ground/identity.h"
 #include "io/file/file.h"
 #include "io/file/output.h"
 #include "plot/figures/figures_gap.h"
@@ -242,7 +243,7 @@ int thud_sweep_data_figures(struct thud_sweep_data *data)
     return n;
 }
 
-struct thud_figure *thud_sweep_data_figure(struct thud_sweep_data *data, int index)
+static struct thud_figure *make_figure(struct thud_sweep_data *data, int index)
 {
     int own = own_figures(data);
     if (index < own)
@@ -255,6 +256,16 @@ struct thud_figure *thud_sweep_data_figure(struct thud_sweep_data *data, int ind
         return thud_figure_of_gaps(&suite, scene->title[0] ? scene->title : scene->name);
     }
     return data->fragility.n > 0 ? thud_fragility_figure(&data->fragility, index) : NULL;
+}
+
+struct thud_figure *thud_sweep_data_figure(struct thud_sweep_data *data, int index)
+{
+    char motions[64];
+    struct thud_figure *figure = make_figure(data, index);
+    thud_synthetic_text(thud_records_synthetic(data->plan.record, data->records.n), data->records.n, motions,
+                        sizeof motions);
+    thud_figure_title_add(figure, motions);
+    return figure;
 }
 
 static enum thud_status export_rows(const struct thud_sweep_data *data, enum thud_sweep_csv which,

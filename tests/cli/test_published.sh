@@ -19,7 +19,7 @@ is "with the difference of each" [ "$(grep -c '"difference": [-0-9]' "$tmp/out")
 is "with presets it makes no sense" gives 2 verify --published towers
 is "nor does a record without it" gives 2 verify towers --record records/kobe-surrogate.csv
 is "another ground motion than El Centro differs" gives 1 verify --published --record records/kobe-surrogate.csv
-is "and is described" shows 'kobe-surrogate.csv, peak 0.8210 g, 4001 samples'
+is "and is described" shows 'kobe-surrogate.csv (synthetic), peak 0.821 g as synthesized, 4001 samples'
 is "a record that is not there is bad input" gives 3 verify --published --record nowhere.AT2
 
 # a tree of its own, in which one number of a scene is off by a few percent

@@ -48,6 +48,8 @@ count() { "$THUD" run "$tmp/own.yaml" --json "$@" 2>/dev/null | sed -n 's/.*"imp
 is "a report" report 0 "$tmp/own.yaml"
 is "names its files" [ "$(cat "$tmp/out")" = "$tmp/r/report.html
 $tmp/r/report.md" ]
+is "the factor beside the peak, and that it is synthetic" in_text "Under kobe-surrogate.csv (synthetic), peak 0.4 g scaled by 0.4872, "
+is "which is the first caution" in_text "## Cautions *- The ground motion kobe-surrogate.csv is synthetic: computed, not recorded"
 cp -r "$tmp/r" "$tmp/first"
 is "it says how often they touch without bumper, and how hard" in_text "Without bumper they touch $(count --case none) times, .* The largest force is $(force --case none) MN"
 is "with the bumper" in_text "With the bumper they touch $(count) times, .* The largest force is $(force) MN"
@@ -105,7 +107,7 @@ is "a report on a suite" report 0 "$tmp/own.yaml" --records "$three" --factor 0.
 pounding() { awk -F, -v c="$1" 'NR > 1 && $7 > m[$1] { m[$1] = $7 } END { for (r in m) n += m[r] > c; print n + 0 }' "$tmp/needs.csv"; }
 is "how many motions pound" in_text "Of the suite of 3 ground motions, $(pounding 0.08) make the buildings pound without bumper"
 is "and touch the bumper" in_text "Of the suite of 3 ground motions, $(pounding 0.03) make the buildings touch the bumper"
-is "the suite leads, one motion follows" in_text '## The answer *Over the suite of 3 ground motions: .*So that nothing touches.*One motion in detail: under [^ ]* with a peak of [0-9.]* g the buildings .*Without bumper they touch'
+is "the suite leads, one motion follows" in_text '## The answer *Over the suite of 3 ground motions: .*So that nothing touches.*One motion in detail: under [^ ]* (synthetic), peak [0-9.]* g [^,]*, the buildings .*Without bumper they touch'
 widths=$("$THUD" gap "$tmp/own.yaml" --records "$three" --factor 0.4 2>/dev/null | sed -n 's/^A gap of \([0-9.]*\) cm .*/\1/p')
 is "what half of them need" in_text "2 of them need a gap of up to $(awk -v w="$widths" 'BEGIN { printf "%.1f", w }') cm"
 begins() { awk -F, 'NR > 1 && $7 > m[$1] { m[$1] = $7 } END { for (r in m) print '"$1"' / m[r] }' "$tmp/needs.csv" | sort -g | awk -v k="$2" 'NR == k { printf "%.2f", $1 }'; }

@@ -82,6 +82,63 @@ is "floor spectra: not asked for" says "without --floor-spectra"
 run run towers --floor-spectra 5% --method newmark
 is "floor spectra: of steps" says "newmark"
 
+# what storeys bear: W d/(V h) by hand, W = g times the mass above, from the peaks that the run prints
+numbers_of() { # KEY: all numbers of that name in the JSON on out
+    tr -s ',{}[]' '\n' <"$tmp/out" | sed -n "s/^ *\"$1\": *//p"
+}
+theta() { # MASS_T DRIFT_M SHEAR_N HEIGHT_M
+    awk -v m="$1" -v d="$2" -v v="$3" -v h="$4" 'BEGIN { printf "%.12g", 9.80665 * 1e3 * m * d / (v * h) }'
+}
+gives 0 run towers --set structures.1.stiffness=30MN/m --set gap=2m --json
+by_hand=$(theta 1210 "$(number drift_m)" "$(number base_shear_n)" 3)
+is "stability coefficient of an elastic storey" near "$(number stability_coefficient)" "$by_hand" 1e-9
+is "above 0.1, a remark" says "structures.1: the stability coefficient of storey 1 of A is $(printf %.3g "$by_hand"): the weight"
+gives 0 run towers --set structures.1.stiffness=10MN/m --set gap=3m --json
+is "above 0.3, a caution" says "caution: the stability coefficient of storey 1 of A is $(printf %.3g "$(theta 1210 "$(number drift_m)" "$(number base_shear_n)" 3)"); 3 storeys"
+gives 0 run towers --set structures.1.stiffness=45MN/m --set gap=2m
+is "below 0.1, none" silent_but "drifts by"
+gives 0 run towers-yielding --factor 3 --set structures.1.yield=4mm --set gap=5m --json
+by_hand=$(theta 1210 "$(number drift_m)" "$(number shear_n)" 3)
+is "of a storey that yields, by its own shear" near "$(number stability_coefficient)" "$by_hand" 1e-9
+is "which is told" says "structures.1: the stability coefficient of storey 1 of A is $(printf %.3g "$by_hand")"
+is "so is its ductility, drift over yield drift" says "storey 1 of A yields to a ductility of $(awk -v d="$(number drift_m)" 'BEGIN { printf "%.3g", d / 0.004 }') and drifts"
+gives 0 run towers-yielding --factor 0.5 --json
+most=$(numbers_of ductility | sort -g | tail -1)
+is "a ductility of $most is no remark" silent
+is "it is below 6" awk -v d="$most" 'BEGIN { exit !(d < 6) }'
+
+# the motion: its factor beside its peak, a factor or a direction that is unusual, and that it is synthetic
+pga() { # RECORD: of the file, by another command
+    "$THUD" record info "$1" --json | tr ',' '\n' | sed -n 's/^ *"pga_mps2": *//p'
+}
+gives 0 run towers --peak 0.9852g
+factor=$(awk -v a="$(pga kobe-surrogate.csv)" 'BEGIN { printf "%.4g", 0.9852 * 9.80665 / a }')
+is "a peak with its factor" shows "^ground motion  kobe-surrogate.csv (synthetic), peak 0.9852 g scaled by $factor, "
+is "1.2 is usual" silent_but "drifts by\|is pressed by"
+gives 0 run towers-kaikoura --quiet
+is "as recorded" shows "^ground motion  kaikoura-wtmc.csv, peak 0.9925 g as recorded, "
+gives 0 run towers-kaikoura --quiet --sign - --cases none
+is "reversed" shows "^ground motion kaikoura-wtmc.csv, peak 0.9925 g reversed$"
+gives 0 run towers --factor 4.1
+is "a factor above 4" says "kobe-surrogate.csv is scaled by 4.1 (usually 1/4 to 4"
+is "once" [ "$(grep -c "is scaled by" "$tmp/err")" -eq 1 ]
+gives 0 gap towers --factor 0.24 --signs both
+is "below 1/4, of the preset's own motion, once for both signs" [ "$(grep -c "is scaled by 0.24" "$tmp/err")" -eq 1 ]
+"$THUD" record convert kobe-surrogate.csv --from 5s --to 9s --factor 2 -o "$tmp/part-up.csv"
+gives 0 run towers --record "$tmp/part-up.csv" --peak 0.5g
+is "a vertical component" says "part-up.csv is a vertical component"
+is "what is made of a synthetic motion is one" shows "part-up.csv (synthetic), peak 0.5 g scaled by"
+sed '/computed, not recorded/d' "$tmp/part-up.csv" >"$tmp/plain.csv"
+gives 0 run towers --record "$tmp/plain.csv" --peak 0.5g
+is "without the words it is none" shows "plain.csv, peak 0.5 g scaled by"
+titles() { THUD_GNUPLOT=/none "$THUD" "$@" --quiet -o "$tmp/titles" --replace >"$tmp/out" 2>&1; } # scripts alone
+titles run towers
+is "every title says synthetic" [ "$(grep -l '(synthetic motion)' "$tmp"/titles/*.gp | wc -l)" -eq "$(find "$tmp/titles" -name '*.gp' | wc -l)" ]
+titles run towers-kaikoura
+is "of a recorded one none" [ "$(grep -l 'synthetic' "$tmp"/titles/*.gp | wc -l)" -eq 0 ]
+titles gap towers --records kobe-surrogate.csv,kaikoura-wtmc.csv
+is "of several how many" grep -q '(1 of 2 motions synthetic)' "$tmp/titles/needed-gap.gp"
+
 # the events: a free body on concrete touches at once, with F = c v, turns where its deepest point is, and is let go at F = 0
 column() { awk -F, -v event="$1" -v column="$2" '$7 == event { print $column; exit }' "$tmp/out"; }
 is "events" gives 0 run rigid-concrete --events --csv
@@ -327,7 +384,7 @@ past=$(awk -F, 'NR > 1 { n++; p += $9 > 0.04 } END { print p " of " n }' "$tmp/p
 is "as often as its impacts say" says "past 40 mm in $past impacts"
 is "drift beyond 1 %" says "storey 2 of B drifts by .* mm, 2 % of its height"
 gives 0 run towers --set gap=40cm --peak 0.1g
-is "none of a small motion" silent
+is "none of a small motion but its factor" silent_but "is scaled by"
 is "an exponent alone is refused" gives 3 run towers --set bumper.exponent=2
 is "with the stiffness it is of" says "bumper.exponent: the stiffness of 0.36 kN/mm^2.65 has the exponent 2.65 in its unit, not 2 .*stiffness"
 is "and taken with its own" gives 0 run towers --set bumper.exponent=2 --set "bumper.stiffness=4 kN/mm^2"

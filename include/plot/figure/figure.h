@@ -119,6 +119,9 @@ void thud_figure_rename(struct thud_figure *figure, const char *name);
 enum thud_status thud_figure_check(const struct thud_figure *figure, struct thud_error *err);
 void thud_figure_note(struct thud_figure *figure, const char *text);
 
+/* Words in brackets behind the title; "": none. NULL for the figure: nothing is done. */
+void thud_figure_title_add(struct thud_figure *figure, const char *text);
+
 /* Row and column from 0, from the top left. */
 struct thud_panel *thud_figure_panel(struct thud_figure *figure, int row, int column, const char *title);
 void thud_panel_note(struct thud_panel *panel, const char *text);

@@ -7,7 +7,16 @@
 #include "study/scene/scene.h"
 #include "study/sweep/sweep.h"
 
-/* The n-th (from 0) remark on a finished run: a bumper pressed past its largest strain or beyond its thickness, and in
+/* theta = W d/(V h) of a storey (from 0) by a run's own peaks: weight of all above it, peak drift, peak shear, height.
+ * EN 1998-1 4.4.2.2(2): second-order effects may be left out up to 0.1, and 0.3 is never to be passed. NaN: it did not
+ * drift, or there is no such storey. */
+double thud_stability_coefficient(const struct thud_structure *structure, const struct thud_structure_result *result,
+                                  int storey);
+/* The n-th (from 0) remark on what storeys bear: those that yield beyond a ductility of 6 or a drift of 2 %, and
+ * stability coefficients above 0.1 and 0.3. False when there are no more. */
+bool thud_storey_remark(const struct thud_scene *scene, const struct thud_result *result, int n,
+                        struct thud_error *out);
+/* The n-th (from 0) remark on a finished run: those of thud_storey_remark, a bumper pressed past its largest strain or beyond its thickness, and in
  * how many of its impacts; storeys whose drift no building bears elastically. False when there are no more. */
 bool thud_result_remark(const struct thud_scene *scene, const struct thud_result *result,
                         const struct thud_impact *impact, int nimpacts, int n, struct thud_error *out);

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "app/run/session.h"
-#include "base/quantity.h"
+#include "ground/identity.h"
 #include "io/file/json.h"
 
 static enum thud_status compute(enum thud_published which, const struct thud_record_choice *record,
@@ -28,9 +28,12 @@ static enum thud_status compute(enum thud_published which, const struct thud_rec
     if (!out->skipped)
         status = thud_session_read_record(session, err);
     if (status == THUD_OK && !out->skipped) {
-        if (info->needs_record)
-            snprintf(out->motion, sizeof out->motion, "%s, peak %.4f g, %zu samples", session->record->file,
-                     thud_record_peak(session->record) / THUD_GRAVITY, session->record->samples);
+        char peak[96];
+        if (info->needs_record) {
+            thud_record_peak_text(session->record, peak, sizeof peak);
+            snprintf(out->motion, sizeof out->motion, "%s%s, %s, %zu samples", session->record->file,
+                     thud_record_synthetic_mark(session->record), peak, session->record->samples);
+        }
         status = thud_published_compute(which, &session->scene, session->record, out->row, &out->n, err);
     }
     thud_session_close(session);

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "app/run/figure_files.h"
+#include "ground/identity.h"
 #include "io/file/file.h"
 #include "plot/figures/figures_sweep.h"
 
@@ -123,6 +124,11 @@ enum thud_status thud_paper_figures_save(unsigned which, const struct thud_paper
         if (made != THUD_OK) {
             thud_figure_free(figure);
             return made;
+        }
+        if (1u << i & NEED_STUDY) {
+            char motions[64];
+            thud_synthetic_text(thud_paper_synthetic(study), study->table->nrecords, motions, sizeof motions);
+            thud_figure_title_add(figure, motions);
         }
         status = thud_figure_deliver(figure, folder, options, status, err);
     }

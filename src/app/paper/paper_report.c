@@ -199,11 +199,17 @@ static void needs(const struct thud_paper_study *study, struct thud_text *out)
     }
 }
 
+int thud_paper_synthetic(const struct thud_paper_study *study)
+{
+    int synthetic = 0;
+    for (int r = 0; r < study->table->nrecords; r++)
+        synthetic += study->record[r].surrogate;
+    return synthetic;
+}
+
 static void record_difference(const struct thud_paper_study *study, struct thud_text *out)
 {
-    int surrogates = 0;
-    for (int r = 0; r < study->table->nrecords; r++)
-        surrogates += study->record[r].surrogate;
+    int surrogates = thud_paper_synthetic(study);
     if (surrogates > 0)
         thud_text_append(
             out,

@@ -13,7 +13,7 @@ struct thud_paper_record {
     double peak_mps2, dt_s;
     size_t samples;
     double scale;   /* what the file's samples were multiplied by, with the sign */
-    bool surrogate; /* a synthetic motion shipped with the program */
+    bool surrogate; /* computed, not recorded */
 };
 
 struct thud_paper_study {
@@ -28,6 +28,8 @@ struct thud_paper_study {
     const char *suffix;                           /* of the pictures: "png" */
 };
 
+/* Motions of it that are synthetic. */
+int thud_paper_synthetic(const struct thud_paper_study *study);
 /* study.json: the motions, the scene, what was varied. */
 void thud_paper_study_json(const struct thud_paper_study *study, struct thud_text *out);
 /* Look at out->failed. */

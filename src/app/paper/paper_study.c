@@ -124,9 +124,8 @@ static void describe(struct thud_paper_work *work, int i, bool given)
     if (dot && dot != work->text[i])
         *dot = '\0';
     work->name[i] = work->text[i];
-    work->about[i] =
-        (struct thud_paper_record){work->text[i],   file,          thud_record_peak(record),           record->dt_s,
-                                   record->samples, record->scale, !given || strstr(file, "surrogate")};
+    work->about[i] = (struct thud_paper_record){work->text[i],   file,          thud_record_peak(record), record->dt_s,
+                                                record->samples, record->scale, record->synthetic};
 }
 
 static enum thud_status read_records(struct thud_paper_work *work, const struct thud_paper_request *request,

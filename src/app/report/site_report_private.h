@@ -36,6 +36,7 @@ struct site_suite {
     double *factor[SITE_CASES -
                    SITE_NONE]; /* (nrecords) of each case, from which on each motion makes something touch, sorted */
     double *room;              /* (nrecords) scratch */
+    bool drawing;              /* figures are of the suite, not of one motion */
 };
 
 struct site {

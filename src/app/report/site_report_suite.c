@@ -233,6 +233,7 @@ static void add_motions(struct site *site)
                                : "Every ground motion as it was given");
     thud_document_cell(d, "ground motion");
     thud_document_cell(d, "peak g");
+    thud_document_cell(d, "factor");
     thud_document_cell(d, "needed gap cm");
     for (int k = 0; k < ncases; k++)
         thud_document_cell(d, "%s: force MN", site->cases[SITE_NONE + k].name);
@@ -243,6 +244,7 @@ static void add_motions(struct site *site)
     for (int r = 0; r < suite->runs->nrecords; r++) {
         thud_document_cell(d, "%s", suite->gaps.name[r]);
         thud_document_cell(d, "%.3f", thud_record_peak(suite->plan.record[r]) / THUD_GRAVITY);
+        thud_document_cell(d, "%.4g", suite->plan.record[r]->scale);
         thud_document_cell(d, "%.1f", 100 * thud_needed_gap_widest(suite->gaps.gap[r], 0, THUD_GAP_EXACT, NULL));
         for (int k = 0; k < ncases; k++)
             thud_document_cell(
@@ -329,6 +331,7 @@ void thud_site_suite_section(struct site *site)
         return;
     snprintf(heading, sizeof heading, "Over %d ground motions", site->suite.runs->nrecords);
     thud_document_heading(d, heading);
+    site->suite.drawing = true;
     add_motions(site);
     add_statistics(site);
     const struct thud_suite *runs = site->suite.runs;

@@ -9,12 +9,15 @@
 #include "app/run/answer_line.h"
 #include "app/run/run_figures.h"
 #include "base/version.h"
+#include "ground/identity.h"
 #include "ground/intensity.h"
 #include "ground/spectrum.h"
 #include "plot/figures/figures_floor.h"
 #include "plot/figures/figures_record.h"
 #include "plot/figures/figures_run.h"
 #include "study/scene/level.h"
+#include "study/suite/scaling.h"
+#include "study/sweep/remark.h"
 
 /* A ratio this near to 1 is told as no difference. */
 static const double same_within = 0.02;
@@ -312,14 +315,17 @@ static void answer(struct site *site)
     struct thud_document *d = &site->document;
     const struct site_case *free_case = &site->cases[SITE_FREE], *none = &site->cases[SITE_NONE];
     int levels;
+    char peak[96] = "";
+    if (site->record)
+        thud_record_peak_text(site->record, peak, sizeof peak);
     thud_document_heading(d, "The answer");
     say_failures(site);
     bool pounds = impacts(none->result, &levels) > 0;
     thud_site_suite_answer(site);
     if (site->record)
-        thud_document_paragraph(d, "%s %s with a peak of %.3g g the buildings %s at the gap as it is.",
+        thud_document_paragraph(d, "%s %s%s, %s, the buildings %s at the gap as it is.",
                                 site->suite.runs ? "One motion in detail: under" : "Under",
-                                thud_path_name(site->record->file), thud_record_peak(site->record) / THUD_GRAVITY,
+                                thud_path_name(site->record->file), thud_record_synthetic_mark(site->record), peak,
                                 pounds ? "pound against each other" : "do not touch");
     for (int i = SITE_NONE; i < site->ncases; i++)
         say_case(site, &site->cases[i]);
@@ -457,14 +463,16 @@ static void motion(struct site *site)
     static const double damping = 0.05;
     if (!site->record)
         return;
+    char peak[96];
+    thud_record_peak_text(site->record, peak, sizeof peak);
     struct thud_intensity m = thud_intensity_of(site->record);
     thud_document_heading(d, "The ground motion");
     thud_document_paragraph(d,
-                            "%s (%s): %zu samples every %.4g s, %.4g s long; peak %.4g g at %.4g s, peak velocity %.3g "
-                            "m/s, Arias intensity %.3g m/s, significant duration (5 to 95 %%) %.3g s.",
-                            thud_path_name(site->record->file), site->record->format, site->record->samples,
-                            site->record->dt_s, m.duration_s, m.pga_mps2 / THUD_GRAVITY, m.pga_time_s, m.pgv_mps,
-                            m.arias_mps, m.d5_95_s);
+                            "%s (%s)%s: %zu samples every %.4g s, %.4g s long; %s at %.4g s, peak velocity %.3g m/s, "
+                            "Arias intensity %.3g m/s, significant duration (5 to 95 %%) %.3g s.",
+                            thud_path_name(site->record->file), site->record->format,
+                            site->record->synthetic ? ", synthetic: " THUD_RECORD_COMPUTED : "", site->record->samples,
+                            site->record->dt_s, m.duration_s, peak, m.pga_time_s, m.pgv_mps, m.arias_mps, m.d5_95_s);
     thud_document_table(d, "Spectral acceleration at the fundamental periods, with the damping of each building");
     thud_document_cell(d, "structure");
     thud_document_cell(d, "T1 s");
@@ -827,6 +835,47 @@ static int caution_drifts(struct site *site)
     return n;
 }
 
+/* A factor beyond 4 or 1/4, a vertical component. Of a suite its section tells them. */
+static int caution_motion(struct site *site)
+{
+    struct thud_error remark;
+    int n = 0, from = 0;
+    for (; site->record && !site->suite.runs && thud_suite_remark(&site->record, NULL, 1, &from, &remark); n++)
+        thud_document_item(&site->document, "%s (%s).", remark.what, remark.allowed);
+    return n;
+}
+
+static int caution_synthetic(struct site *site)
+{
+    if (!site->record || !site->record->synthetic)
+        return 0;
+    thud_document_item(&site->document,
+                       "The ground motion %s is synthetic: " THUD_RECORD_COMPUTED
+                       ". No earthquake was like this; a design needs recorded motions.",
+                       thud_path_name(site->record->file));
+    return 1;
+}
+
+/* What a case says that the one before it does not: without yielding, stability coefficients are the same in all. */
+static int caution_storeys(struct site *site)
+{
+    struct thud_error remark, before;
+    int n = 0;
+    for (int i = SITE_NONE; i < site->ncases; i++)
+        for (int k = 0; thud_storey_remark(site->scene, site->cases[i].result, k, &remark); k++) {
+            bool told = false;
+            for (int j = 0;
+                 i > SITE_NONE && !told && thud_storey_remark(site->scene, site->cases[i - 1].result, j, &before); j++)
+                told = strcmp(before.what, remark.what) == 0;
+            if (told)
+                continue;
+            thud_document_item(&site->document, "%c%s: %s (%s).", site->cases[i].words[0] - 'a' + 'A',
+                               site->cases[i].words + 1, remark.what, remark.allowed);
+            n++;
+        }
+    return n;
+}
+
 static int caution_bumpers(struct site *site)
 {
     int n = 0;
@@ -892,6 +941,9 @@ static void cautions(struct site *site)
     int n = 0;
     thud_document_heading(&site->document, "Cautions");
     n += say_failures(site);
+    n += caution_synthetic(site);
+    n += caution_motion(site);
+    n += caution_storeys(site);
     n += caution_drifts(site);
     n += caution_bumpers(site);
     n += caution_digits(site);

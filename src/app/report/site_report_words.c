@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "app/report/site_report_private.h"
+#include "ground/identity.h"
 
 /* Picture width and letters, px: 190 mm on paper gives letters of 9 pt. */
 enum { WIDTH_PX = 1080 };
@@ -61,6 +62,10 @@ void thud_site_figure(struct site *site, struct thud_figure *figure, double shar
     }
     if (options.font_px == 0)
         options.font_px = letters_px;
+    const struct thud_record *const *record = site->suite.drawing ? site->suite.plan.record : &site->record;
+    int nrecords = site->suite.drawing ? site->suite.plan.nrecords : 1;
+    thud_synthetic_text(thud_records_synthetic(record, nrecords), nrecords, options.motions, sizeof options.motions);
+    thud_figure_title_add(figure, options.motions);
     enum thud_status status = thud_figure_check(figure, &err);
     if (status == THUD_OK && site->pictures == THUD_OK)
         status = thud_gnuplot_draw(figure, &options, &svg, &err);

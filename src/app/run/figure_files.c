@@ -94,6 +94,8 @@ enum thud_status thud_figure_deliver(struct thud_figure *figure, const char *fol
 {
     bool go_on = before == THUD_OK || before == THUD_GNUPLOT;
     struct thud_error now = {0};
+    if (options)
+        thud_figure_title_add(figure, options->motions);
     enum thud_status status = go_on ? save(figure, folder, options, before == THUD_OK, &now) : before;
     thud_figure_free(figure);
     if (!go_on || status == THUD_OK)

@@ -198,6 +198,8 @@ static enum thud_status add_turned(struct reading *r, const struct thud_scene *s
     enum thud_status status = thud_record_create(record->a_mps2, record->samples, record->dt_s, &turned, err);
     if (status != THUD_OK)
         return status;
+    turned->scale = record->scale;
+    turned->synthetic = record->synthetic;
     thud_record_scale(turned, -1);
     snprintf(turned->file, sizeof turned->file, "%.500s:sign=-", record->file);
     return add(r, turned, scene, err);

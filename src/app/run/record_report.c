@@ -39,6 +39,8 @@ void thud_record_info_table(const struct thud_record *record, const struct thud_
     thud_text_append(out, "%s\n", record->file);
     row(out, "format", "%s%s%s%s", record->format, record->note[0] ? " (" : "", record->note,
         record->note[0] ? ")" : "");
+    if (record->synthetic)
+        row(out, "synthetic", THUD_RECORD_COMPUTED);
     row(out, "event", "%s", record->event);
     row(out, "station", "%s", record->station);
     row(out, "component", "%s", record->component);
@@ -81,6 +83,7 @@ void thud_record_info_json(const struct thud_record *record, const struct thud_i
     text_field(out, "file", record->file);
     text_field(out, "format", record->format);
     text_field(out, "note", record->note);
+    thud_text_append(out, "\"synthetic\": %s, ", record->synthetic ? "true" : "false");
     text_field(out, "event", record->event);
     text_field(out, "station", record->station);
     text_field(out, "component", record->component);

@@ -8,6 +8,7 @@
 #include "app/run/sensitivity_table.h"
 #include "base/largest.h"
 #include "base/statistics.h"
+#include "ground/identity.h"
 #include "study/scene/level.h"
 #include "study/sweep/remark.h"
 
@@ -15,11 +16,13 @@ static void add_head(const struct thud_report *report, struct thud_text *out)
 {
     const struct thud_scene *scene = report->scene;
     thud_text_append(out, "%s, case %s: %s\n", scene->name, report->which, scene->title);
-    if (report->record)
-        thud_text_append(out, "ground motion  %s, peak %.4g g, %zu samples every %.4g s\n", report->record->file,
-                         thud_record_peak(report->record) / THUD_GRAVITY, report->record->samples,
+    char peak[96];
+    if (report->record) {
+        thud_record_peak_text(report->record, peak, sizeof peak);
+        thud_text_append(out, "ground motion  %s%s, %s, %zu samples every %.4g s\n", report->record->file,
+                         thud_record_synthetic_mark(report->record), peak, report->record->samples,
                          report->record->dt_s);
-    else
+    } else
         thud_text_append(out, "ground motion  none\n");
     for (int i = 0; i + 1 < scene->nstructures; i++) {
         const struct thud_interface *f = &scene->interface[i];

@@ -6,8 +6,8 @@
 #include <string.h>
 
 #include "app/run/run_figures.h"
-#include "base/quantity.h"
 #include "core/run/baseline.h"
+#include "ground/identity.h"
 #include "study/scene/level.h"
 #include "study/sweep/remark.h"
 #include "study/sweep/sweep.h"
@@ -100,7 +100,7 @@ enum thud_status thud_run_cases_make(struct thud_session *session, const char *t
                                   err);
     if (status == THUD_OK)
         status = find_needs(cases, session->record, options, err);
-    cases->peak_mps2 = session->record ? thud_record_peak(session->record) : NAN;
+    cases->record = session->record;
     if (status != THUD_OK) {
         thud_run_cases_free(cases);
         return status;
@@ -292,8 +292,12 @@ void thud_run_cases_table(const struct thud_run_cases *cases, struct thud_text *
     const struct thud_scene *scene = &cases->item[0].scene;
     int none = without(cases);
     thud_text_append(out, "%s: %s\n", scene->name, scene->title);
-    if (scene->record.file[0])
-        thud_text_append(out, "ground motion %s, peak %.4g g\n", scene->record.file, cases->peak_mps2 / THUD_GRAVITY);
+    char peak[96];
+    if (cases->record) {
+        thud_record_peak_text(cases->record, peak, sizeof peak);
+        thud_text_append(out, "ground motion %s%s, %s\n", scene->record.file, thud_record_synthetic_mark(cases->record),
+                         peak);
+    }
     for (int s = 0; s < scene->nstructures; s++)
         for (int drift = 0; drift < 2; drift++)
             put_structure(cases, s, drift == 1, out);

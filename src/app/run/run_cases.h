@@ -16,8 +16,8 @@ struct thud_run_case {
 
 /* Freed by thud_run_cases_free. */
 struct thud_run_cases {
-    double peak_mps2; /* of the ground motion; NaN: there is none */
-    int n;            /* no pounding, then the cases asked for */
+    const struct thud_record *record; /* the session's; NULL: there is none */
+    int n;                            /* no pounding, then the cases asked for */
     struct thud_run_case item[THUD_RUN_CASES_MAX];
     /* of each interface: the gap from which on nothing touches without bumper, and the floors that need it; 0: there are
      * no two floors at one level */

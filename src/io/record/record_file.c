@@ -225,6 +225,7 @@ static enum thud_status build(const struct record_source *source, const struct r
     memcpy(record->component, raw->component, sizeof record->component);
     memcpy(record->event, raw->event, sizeof record->event);
     memcpy(record->note, raw->note, sizeof record->note);
+    record->synthetic = raw->synthetic;
     status = thud_record_choice_apply(record, choice, err);
     if (status) {
         thud_record_free(record);

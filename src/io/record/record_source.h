@@ -58,6 +58,7 @@ struct record_raw {
     char component[64];
     char event[96];
     char note[160]; /* how the samples were found, for a person to see */
+    bool synthetic;
 };
 
 enum thud_status record_add(struct record_raw *raw, double value, struct thud_error *err);

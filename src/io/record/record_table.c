@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/ascii.h"
+#include "ground/record.h"
 
 void record_table_clear(struct record_table *table)
 {
@@ -84,6 +85,7 @@ static void keep(const struct record_line *line, const char *word, char *to, siz
 void record_table_prose(struct record_table *table, const struct record_line *line, struct record_raw *raw)
 {
     record_prose_read(&table->prose, line);
+    raw->synthetic = raw->synthetic || record_find(line, THUD_RECORD_COMPUTED);
     keep(line, "station", raw->station, sizeof raw->station);
     keep(line, "component", raw->component, sizeof raw->component);
     keep(line, "event", raw->event, sizeof raw->event);

@@ -35,6 +35,8 @@ static void time_text(double t, struct thud_text *text)
 void thud_record_csv(const struct thud_record *record, const char *comment, struct thud_text *text)
 {
     comment_lines(comment, text);
+    if (record->synthetic && (!comment || !strstr(comment, THUD_RECORD_COMPUTED)))
+        comment_lines(THUD_RECORD_COMPUTED, text);
     known("event", record->event, text);
     known("station", record->station, text);
     known("component", record->component, text);
@@ -61,7 +63,7 @@ enum thud_status thud_surrogate_csv(const struct thud_synthesis *synthesis, cons
         return status;
     snprintf(record->event, sizeof record->event, "%s", title);
     struct thud_text comment = {0};
-    thud_text_append(&comment, "A surrogate made by `thud record synthesize`: computed, not recorded.\n");
+    thud_text_append(&comment, "A surrogate made by `thud record synthesize`: " THUD_RECORD_COMPUTED ".\n");
     thud_synthesis_describe(synthesis, "", &comment);
     if (comment.failed)
         text->failed = 1;

@@ -20,6 +20,8 @@ void thud_record_json(const struct thud_record *record, struct thud_text *out)
     thud_text_append(out, ", ");
     thud_json_field(out, "peak_mps2", thud_record_peak(record));
     thud_text_append(out, ", ");
+    thud_json_field(out, "scale", record->scale);
+    thud_text_append(out, ", \"synthetic\": %s, ", record->synthetic ? "true" : "false");
     thud_json_field(out, "dt_s", record->dt_s);
     thud_text_append(out, ", \"samples\": %zu}", record->samples);
 }
@@ -69,7 +71,7 @@ static void add_storey(const struct thud_storey_result *s, struct thud_text *out
 }
 
 static void add_floor(int floor, const struct thud_floor_result *f, const struct thud_storey_result *storey,
-                      bool struck, struct thud_text *out)
+                      double stability, bool struck, struct thud_text *out)
 {
     const struct {
         const char *value, *time;
@@ -85,6 +87,8 @@ static void add_floor(int floor, const struct thud_floor_result *f, const struct
         thud_text_append(out, ", ");
         thud_json_field(out, field[i].time, struck && i == 0 ? NAN : field[i].peak.time_s);
     }
+    thud_text_append(out, ", ");
+    thud_json_field(out, "stability_coefficient", stability);
     if (storey && storey->yields)
         add_storey(storey, out);
     thud_text_append(out, "}");
@@ -92,6 +96,7 @@ static void add_floor(int floor, const struct thud_floor_result *f, const struct
 
 static void add_structure(const struct thud_report *report, int s, struct thud_text *out)
 {
+    const struct thud_structure *p = &report->scene->structure[s];
     const struct thud_structure_result *r = &report->result->structure[s];
     thud_text_append(out, "    {\"name\": ");
     thud_json_string(out, report->scene->structure[s].name);
@@ -107,7 +112,9 @@ static void add_structure(const struct thud_report *report, int s, struct thud_t
     thud_text_append(out, ", \"floors\": [");
     for (int i = 0; i < r->floors; i++) {
         thud_text_append(out, "%s\n", i > 0 ? "," : "");
-        add_floor(i + 1, &r->floor[i], r->storey ? &r->storey[i] : NULL, thud_floor_struck(report->result, s, i), out);
+        add_floor(i + 1, &r->floor[i], r->storey ? &r->storey[i] : NULL,
+                  thud_stability_coefficient(p, r, i - (p->kind == THUD_ISOLATED)),
+                  thud_floor_struck(report->result, s, i), out);
     }
     thud_text_append(out, "]}");
 }

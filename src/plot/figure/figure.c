@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdalign.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -89,6 +90,16 @@ struct thud_figure *thud_figure_create(const char *name, const char *title, int 
             panel->axis[side] = (struct thud_axis){.label = "", .unit = "", .least = NAN, .most = NAN};
     }
     return figure;
+}
+
+void thud_figure_title_add(struct thud_figure *figure, const char *text)
+{
+    size_t room = figure && *text ? strlen(figure->title) + strlen(text) + 4 : 0;
+    char *title = room > 0 ? keep(figure, room, 1) : NULL;
+    if (!title)
+        return;
+    snprintf(title, room, "%s%s(%s)", figure->title, *figure->title ? " " : "", text);
+    figure->title = title;
 }
 
 void thud_figure_free(struct thud_figure *figure)

@@ -5,12 +5,18 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/quantity.h"
 #include "base/scan.h"
 #include "study/scene/answer.h"
 #include "study/scene/level.h"
 
 /* Elastic storeys are not for more: codes let buildings drift by 0.5 to 2.5 % where they yield. */
 static const double drift_most = 0.01;
+/* Bilinear storeys that keep their strength are not for more: ASCE 7-16 allows drifts of 2 % of ordinary buildings, and
+ * systems of high ductility reduce forces by about 6. */
+static const double ductility_most = 6, yielding_drift_most = 0.02;
+/* EN 1998-1 4.4.2.2(2) and (4) */
+static const double theta_small = 0.1, theta_most = 0.3;
 
 bool thud_floor_struck(const struct thud_result *result, int structure, int floor)
 {
@@ -119,6 +125,90 @@ static bool look_drift(const struct thud_structure *s, const struct thud_structu
     return true;
 }
 
+double thud_stability_coefficient(const struct thud_structure *structure, const struct thud_structure_result *result,
+                                  int storey)
+{
+    int floor = storey + (structure->kind == THUD_ISOLATED);
+    bool building = structure->kind == THUD_SHEAR || structure->kind == THUD_ISOLATED;
+    if (!building || storey < 0 || storey >= structure->storeys)
+        return NAN;
+    double drift = result->floor[floor].drift.value, weight = 0;
+    bool yields = result->storey && result->storey[floor].yields;
+    double shear = yields ? result->storey[floor].shear.value : structure->stiffness_npm[storey] * drift;
+    for (int i = storey; i < structure->storeys; i++)
+        weight += THUD_GRAVITY * structure->mass_kg[i];
+    return shear > 0 ? weight * drift / (shear * structure->height_m[storey]) : NAN;
+}
+
+static bool look_theta(const struct thud_structure *s, const struct thud_structure_result *r, int index,
+                       struct thud_error *out)
+{
+    double worst = 0;
+    int storey = 0, above = 0;
+    for (int i = 0; i < s->storeys; i++) {
+        double theta = thud_stability_coefficient(s, r, i);
+        above += theta > theta_small;
+        if (theta > worst) {
+            worst = theta;
+            storey = i;
+        }
+    }
+    if (!(worst > theta_small))
+        return false;
+    char key[64], others[48] = "";
+    if (above > 1)
+        snprintf(others, sizeof others, "; %d storeys are above %g", above, theta_small);
+    snprintf(key, sizeof key, "structures.%d", index + 1);
+    thud_error_set(out, THUD_OK, "%sthe stability coefficient of storey %d of %.40s is %.3g%s: %s",
+                   worst > theta_most ? "caution: " : "", storey + 1, s->name, worst, others,
+                   worst > theta_most ? "it may not stand under its own weight, which the run leaves out"
+                                      : "the weight on the drift, which the run leaves out, adds to the response");
+    thud_error_allow(out, "W d/(V h) up to %g, never above %g: EN 1998-1 4.4.2.2", theta_small, theta_most);
+    thud_error_key(out, key);
+    return true;
+}
+
+/* The storey that yields furthest beyond what a bilinear one stands for. */
+static bool look_yielding(const struct thud_structure *s, const struct thud_structure_result *r, int index,
+                          struct thud_error *out)
+{
+    int slab = s->kind == THUD_ISOLATED, storey = -1;
+    double worst = 0;
+    for (int f = slab; r->storey && f < r->floors; f++) {
+        double drift = r->floor[f].drift.value / s->height_m[f - slab];
+        double beyond = fmax(r->storey[f].ductility / ductility_most, drift / yielding_drift_most);
+        if (r->storey[f].yields && r->storey[f].ductility > 1 && beyond > worst) {
+            worst = beyond;
+            storey = f - slab;
+        }
+    }
+    if (!(worst >= 1))
+        return false;
+    char key[64];
+    double drift_m = r->floor[storey + slab].drift.value;
+    snprintf(key, sizeof key, "structures.%d.yield", index + 1);
+    thud_error_set(out, THUD_OK,
+                   "storey %d of %.40s yields to a ductility of %.3g and drifts by %.3g mm, %.2g %% of its height, and "
+                   "keeps its strength",
+                   storey + 1, s->name, r->storey[storey + slab].ductility, 1e3 * drift_m,
+                   100 * drift_m / s->height_m[storey]);
+    thud_error_allow(out, "below a ductility of %g and %g %%: real storeys degrade beyond", ductility_most,
+                     100 * yielding_drift_most);
+    thud_error_key(out, key);
+    return true;
+}
+
+bool thud_storey_remark(const struct thud_scene *scene, const struct thud_result *result, int n, struct thud_error *out)
+{
+    for (int s = 0; s < scene->nstructures; s++) {
+        if (look_yielding(&scene->structure[s], &result->structure[s], s, out) && n-- == 0)
+            return true;
+        if (look_theta(&scene->structure[s], &result->structure[s], s, out) && n-- == 0)
+            return true;
+    }
+    return false;
+}
+
 /* The columns that a slab's force takes furthest above their capacity. */
 static bool look_columns(const struct thud_scene *scene, const struct thud_result *result, int structure,
                          struct thud_error *out)
@@ -162,7 +252,7 @@ bool thud_result_remark(const struct thud_scene *scene, const struct thud_result
     for (int s = 0; s < scene->nstructures; s++)
         if (look_columns(scene, result, s, out) && n-- == 0)
             return true;
-    return false;
+    return thud_storey_remark(scene, result, n, out);
 }
 
 static int floors_of(const struct thud_structure *s)
