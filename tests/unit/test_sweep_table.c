@@ -46,7 +46,14 @@ static void set_up(void)
                                                          .shear_lower_n = i % 3 ? number() : (double)NAN,
                                                          .shear_upper_n = number(), .capacity_ratio = NAN};
     for (int c = 0; c < CONTACTS; c++)
-        levels[c] = (struct thud_gap_level){1, c + 1, c + 1, 0, true, number(), number(), number(), 0.5};
+        levels[c] = (struct thud_gap_level){.interface = 1,
+                                            .left_floor = c + 1,
+                                            .right_floor = c + 1,
+                                            .aligned = true,
+                                            .left_m = number(),
+                                            .right_m = number(),
+                                            .closing_m = number(),
+                                            .correlation = 0.5};
     point = (struct thud_sweep_point){.index = 11, /* second record, second damping, third gap */
                                       .gap_m = 0.07,
                                       .nstructures = 3,
