@@ -457,6 +457,8 @@ static enum thud_status check_energy(const struct thud_state *state, const struc
 {
     double lost = 0, size = 0;
     for (int i = 0; i < x->n; i++) {
+        size +=
+            state->model->contact[x->set[i]].setup.mass_kg * pow(rest_speed(state), 2); /* of what is taken as rest */
         const double after = thud_contact_rate(state, x->set[i]), p = 0.5 * x->impulse[i];
         lost += p * (x->speed[i] + after);
         size += p * (fabs(x->speed[i]) + fabs(after));
