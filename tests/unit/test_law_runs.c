@@ -3,8 +3,10 @@
 #include <check.h>
 #include <math.h>
 
+#include "base/quantity.h"
 #include "core/run/run.h"
 #include "law_examples.h"
+#include "march.h"
 
 static const double speeds[] = {0.002, 0.3, 1.3}; /* about the floor, usual, past the bumper's knee */
 
@@ -78,6 +80,59 @@ START_TEST(with_other_choices)
 }
 END_TEST
 
+/* A contact lasts while it pushes. Two free bodies by F = k d + c v, cut at 0 or not: until
+ * t = 2 acos(xi)/(omega sqrt(1 - xi^2)), where F is 0; the classical law pulls on until pi/(omega sqrt(1 - xi^2)). */
+START_TEST(time_in_contact)
+{
+    static const struct {
+        const char *name, *method;
+        double step_s, tolerance, within;
+    } all[] = {{"kelvin-voigt", "exact", 0, 0, 1e-9},
+               {"kelvin-voigt-no-tension", "exact", 0, 0, 1e-9},
+               {"kelvin-voigt", "dormand-prince", 0, 1e-9, 1e-6},
+               {"kelvin-voigt-no-tension", "dormand-prince", 0, 1e-9, 1e-6},
+               {"kelvin-voigt", "rk4", 1e-4, 0, 1e-4},
+               {"kelvin-voigt", "lagged", 1e-5, 0, 2e-3}};
+    struct march_law law = march_law(all[_i].name, "stiffness", 2.5e9, "restitution", 0.3, NULL);
+    struct thud_model *model = march_two_bodies(320e3, 250e3, 0.5, 0.001, &law);
+    double mass = 320e3 * 250e3 / 570e3, xi = -log(0.3) / sqrt(THUD_PI * THUD_PI + log(0.3) * log(0.3));
+    struct march m = march_run(model, NULL, all[_i].method, all[_i].step_s, all[_i].tolerance, true, 0.5);
+    ck_assert_int_eq(m.status, THUD_OK);
+    ck_assert_int_eq(m.result->contact[0].impacts, 1);
+    ck_assert_double_eq_tol(m.result->contact[0].contact_time_s * sqrt(2.5e9 / mass) * sqrt(1 - xi * xi) /
+                                (2 * acos(xi)),
+                            1, all[_i].within);
+    march_free(&m);
+    thud_model_free(model);
+}
+END_TEST
+
+/* Two bodies that touch and go on together but for rounding, which each method has another share of: what their
+ * contact passes on counts neither as an impact nor as time in contact. A thousand times faster it does. */
+START_TEST(touches_without_force_take_no_time)
+{
+    const bool counts = _i >= 2;
+    double mass = 320e3;
+    struct march_law law = march_law("linear", "stiffness", 2.5e9, NULL);
+    struct thud_structure_input bodies[2] = {
+        {.n = 1, .mass_kg = &mass, .velocity_mps = 0.5 * (1 + (counts ? 2e-9 : 2e-12))},
+        {.n = 1, .mass_kg = &mass, .velocity_mps = 0.5}};
+    struct thud_contact_input contact = {
+        .interface = 1, .left_floor = 1, .right_floor = 1, .right_structure = 1, .law = law.law, .setup = law.setup};
+    struct thud_model_input input = {.nstructures = 2, .structure = bodies, .ncontacts = 1, .contact = &contact};
+    struct thud_model *model;
+    ck_assert_int_eq(thud_model_create(&input, &model, NULL), THUD_OK);
+    struct march m = march_run(model, NULL, _i % 2 ? "dormand-prince" : "exact", 0, 1e-9, true, 0.5);
+    ck_assert_int_eq(m.status, THUD_OK);
+    const struct thud_contact_result *p = &m.result->contact[0];
+    ck_assert_double_gt(p->impulse_ns, 0);
+    ck_assert_int_eq(p->impacts, counts);
+    ck_assert_double_eq_tol(p->contact_time_s, counts ? THUD_PI / sqrt(2.5e9 / (mass / 2)) : 0, 1e-5);
+    march_free(&m);
+    thud_model_free(model);
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -86,6 +141,8 @@ Suite *thud_suite(void)
     tcase_set_timeout(tests, 0);
     tcase_add_test(tests, as_the_law_says);
     tcase_add_test(tests, with_other_choices);
+    tcase_add_loop_test(tests, time_in_contact, 0, 6);
+    tcase_add_loop_test(tests, touches_without_force_take_no_time, 0, 4);
     suite_add_tcase(suite, tests);
     return suite;
 }

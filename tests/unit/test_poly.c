@@ -215,6 +215,25 @@ START_TEST(peak_met_in_one_step)
 }
 END_TEST
 
+/* Between its roots, and from a root at 0 on. */
+START_TEST(part_above_zero)
+{
+    static const double root[] = {0.125, 0.25, 0.5, 0.625}, from_zero[] = {0, 0.75};
+    double c[5];
+    from_roots(1, root, 4, c);
+    ck_assert_double_eq_tol(thud_poly_above(c, 5, 1), 0.125 + 0.25 + 0.375, 1e-12);
+    ck_assert_double_eq_tol(thud_poly_above(c, 5, 0.3), 0.125 + 0.05, 1e-12);
+    from_roots(-1, root, 4, c);
+    ck_assert_double_eq_tol(thud_poly_above(c, 5, 1), 0.125 + 0.125, 1e-12);
+    from_roots(-1, from_zero, 2, c);
+    ck_assert_double_eq_tol(thud_poly_above(c, 3, 1), 0.75, 1e-12);
+    from_roots(1, from_zero, 2, c);
+    ck_assert_double_eq_tol(thud_poly_above(c, 3, 1), 0.25, 1e-12);
+    ck_assert_double_eq(thud_poly_above((double[]){1, 0}, 2, 0.7), 0.7);
+    ck_assert_double_eq(thud_poly_above((double[]){0, 0}, 2, 0.7), 0);
+}
+END_TEST
+
 Suite *thud_suite(void)
 {
     Suite *suite = suite_create("poly");
@@ -231,6 +250,7 @@ Suite *thud_suite(void)
     tcase_add_test(tc, peaks_lie_where_the_slope_is_0);
     tcase_add_test(tc, peaks_of_series_against_a_grid);
     tcase_add_test(tc, peak_met_in_one_step);
+    tcase_add_test(tc, part_above_zero);
     suite_add_tcase(suite, tc);
     return suite;
 }

@@ -92,9 +92,7 @@ static double closing_rate(const struct thud_state *state, int c)
     return rate > THUD_TOL_RATE * (fabs(left) + fabs(right)) ? rate : 0;
 }
 
-/* The rule for all methods and laws: an impact counts when its impulse is above THUD_TOL_IMPACT of what would stop the
- * effective mass from the velocity scale of the run. */
-static bool thud_impact_counts(const struct thud_state *state, int c, double impulse_ns)
+bool thud_impact_counts(const struct thud_state *state, int c, double impulse_ns)
 {
     return impulse_ns > THUD_TOL_IMPACT * state->model->contact[c].setup.mass_kg * state->speed_mps;
 }
@@ -142,6 +140,7 @@ static void onset(struct thud_state *state, struct thud_contact_log *log, int c)
     log->now[c] =
         (struct thud_impact){.contact = c, .start_s = thud_state_now(state), .approach_mps = v, .restitution = NAN};
     log->counted[c] = false;
+    log->waiting_s[c] = 0;
 }
 
 /* The force has come to its end. */
@@ -435,6 +434,7 @@ static void stick_or_separate(struct thud_state *state, struct thud_contact_log 
     s->suppressed = (struct thud_suppressed){.force = 1};
     log->now[c] = (struct thud_impact){.contact = c, .start_s = thud_state_now(state), .restitution = NAN};
     log->counted[c] = false;
+    log->waiting_s[c] = 0;
 }
 
 /* A held contact that has taken no impulse of a collision of its bodies: they may have been parted, and a contact that

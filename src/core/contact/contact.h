@@ -20,6 +20,10 @@ enum thud_status thud_contact_switch(struct thud_state *state, struct thud_conta
 enum thud_status thud_contact_update(struct thud_state *state, struct thud_contact_log *log, bool apart, bool *switched,
                                      struct thud_error *err);
 
+/* The rule for all methods and laws: an impact counts, and its time, when its impulse is above THUD_TOL_IMPACT of what
+ * would stop the effective mass from the velocity scale of the run. */
+bool thud_impact_counts(const struct thud_state *state, int c, double impulse_ns);
+
 /* Counts the impact of contact c that goes on, once, as soon as its impulse is large enough; those of impulsive laws are
  * counted as they happen. */
 void thud_impact_count(const struct thud_state *state, struct thud_contact_log *log, int c);

@@ -8,7 +8,8 @@ enum thud_status thud_contact_log_init(struct thud_contact_log *log, struct thud
     *log = (struct thud_contact_log){.contact = contact, .keep_impacts = keep_impacts};
     log->now = calloc((size_t)ncontacts + 1, sizeof *log->now);
     log->counted = calloc((size_t)ncontacts + 1, sizeof *log->counted);
-    return log->now && log->counted ? THUD_OK : thud_error_set(err, THUD_MEMORY, "out of memory");
+    log->waiting_s = calloc((size_t)ncontacts + 1, sizeof *log->waiting_s);
+    return log->now && log->counted && log->waiting_s ? THUD_OK : thud_error_set(err, THUD_MEMORY, "out of memory");
 }
 
 enum thud_status thud_contact_log_add(struct thud_contact_log *log, const struct thud_impact *impact,
@@ -77,6 +78,7 @@ void thud_contact_log_clear(struct thud_contact_log *log)
     free(log->impact);
     free(log->event);
     free(log->now);
+    free(log->waiting_s);
     free(log->counted);
     *log = (struct thud_contact_log){0};
 }

@@ -13,6 +13,7 @@ struct thud_contact_log {
     bool keep_impacts, keep_events;
     struct thud_impact *now;    /* (ncontacts) impacts that go on, and */
     bool *counted;              /* (ncontacts) whether they are among the impacts of the contact */
+    double *waiting_s;          /* (ncontacts) time in which they have pushed, until they count */
     struct thud_impact *impact; /* (count), in the order of their ends */
     int count, capacity;
     struct thud_event_entry *event; /* (nevents), in the order of time */

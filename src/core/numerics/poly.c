@@ -1,12 +1,14 @@
 #include "core/numerics/poly.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdbool.h>
+#include <string.h>
 
 #include "core/numerics/tolerance.h"
 #include "core/numerics/vec.h"
 
-enum { DEPTH_MAX = 48, INTERVALS_MAX = 4096 };
+enum { DEPTH_MAX = 48, INTERVALS_MAX = 4096, TERMS_MAX = 32 };
 
 /* The highest even and odd orders, and which even order that is. */
 static inline thud_vec2 top_pair(const double *c, int n, int *k)
@@ -139,6 +141,30 @@ double thud_poly_first_above(const double *c, int n, double s_end, double sign, 
         return INFINITY;
     struct search f = {c, n, sign, noise, third_bound(c, n), 0};
     return first_above(&f, 0, s_end, 0);
+}
+
+/* Coefficients of p(s + by) in place of those of p(s). */
+static void shift(double *c, int n, double by)
+{
+    for (int i = 0; i + 1 < n; i++)
+        for (int k = n - 2; k >= i; k--)
+            c[k] += by * c[k + 1];
+}
+
+double thud_poly_above(const double *c, int n, double s_end)
+{
+    double rest[TERMS_MAX], at = 0, above = 0, sign = 1;
+    int zeros = 0;
+    assert(n <= TERMS_MAX);
+    memcpy(rest, c, (size_t)n * sizeof *c);
+    for (int i = 0; i <= 2 * n && at < s_end; i++, sign = -sign) { /* it changes its sign n - 1 times at most */
+        double length = fmin(thud_poly_first_above(rest, n, s_end - at, sign, zeros, 0), s_end - at);
+        above += sign < 0 ? length : 0; /* it was above until here */
+        at += length;
+        shift(rest, n, length);
+        zeros = zeros || length > 0;
+    }
+    return above;
 }
 
 /* The largest |p|, and what the coefficients say of it. */

@@ -16,6 +16,9 @@ double thud_poly_move(const double *c, int n, double *slope);
  * below `noise` are not above 0. */
 double thud_poly_first_above(const double *c, int n, double s_end, double sign, int zeros, double noise);
 
+/* Part of [0, s_end] in which p is above 0, as a length. */
+double thud_poly_above(const double *c, int n, double s_end);
+
 /* Largest |p| on [0, s_end] if it is above `least`, else `least`; *where (left alone in that case) gets its s. */
 double thud_poly_peak(const double *c, int n, double s_end, double least, double *where);
 

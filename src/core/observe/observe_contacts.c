@@ -37,6 +37,12 @@ static void indentation_peak(struct thud_contact_log *log, const struct thud_obs
                  seg->start_s + end * o->s * seg->h_s);
 }
 
+/* A power series has no forces beyond. */
+static int force_terms(const struct thud_segment *seg)
+{
+    return seg->interpolates ? seg->terms : seg->loaded;
+}
+
 static void contact_peaks(struct thud_contact_log *log, const struct thud_observation *o, int c)
 {
     const struct thud_segment *seg = o->seg;
@@ -45,7 +51,7 @@ static void contact_peaks(struct thud_contact_log *log, const struct thud_observ
         indentation_peak(log, o, c);
     if (!thud_segment_has_force(o->state, seg, c))
         return;
-    const int terms = seg->interpolates ? seg->terms : seg->loaded; /* a power series has no forces beyond */
+    const int terms = force_terms(seg);
     for (int k = 0; k < terms; k++)
         p[k] = seg->force[k * o->state->model->nrows + c];
     raise_both(seg, &log->contact[c].force, &log->now[c].force_n, p, terms, o->s);
@@ -68,6 +74,22 @@ static void end_peaks(struct thud_contact_log *log, const struct thud_observatio
     }
 }
 
+/* Of the segment, the time in which a contact that acts pushes: a law that pulls does not do so to its end. */
+static double pushing_s(const struct thud_observation *o, const struct thud_contact_work *of)
+{
+    const struct thud_segment *seg = o->seg;
+    const struct thud_state *state = o->state;
+    double p[THUD_SEGMENT_TERMS];
+    if (!(state->model->contact[of->contact].law->flags & THUD_LAW_PULLS))
+        return o->s * seg->h_s;
+    if (seg->end)
+        return of->impulse_ns > 0 ? o->s * seg->h_s : 0;
+    const int terms = force_terms(seg);
+    for (int k = 0; k < terms; k++)
+        p[k] = seg->force[k * state->model->nrows + of->contact];
+    return thud_poly_above(p, terms, o->s) * seg->h_s;
+}
+
 static enum thud_status segment(void *own, const struct thud_observation *o, struct thud_error *err)
 {
     struct thud_contact_log *log = own;
@@ -84,7 +106,11 @@ static enum thud_status segment(void *own, const struct thud_observation *o, str
         r->impulse_ns += of->impulse_ns;
         r->dissipated_j += of->work_j;
         if (thud_contact_acts(&o->state->contact[of->contact]))
-            r->contact_time_s += o->s * o->seg->h_s;
+            log->waiting_s[of->contact] += pushing_s(o, of);
+        if (thud_impact_counts(o->state, of->contact, log->now[of->contact].impulse_ns)) {
+            r->contact_time_s += log->waiting_s[of->contact];
+            log->waiting_s[of->contact] = 0;
+        }
         thud_impact_count(o->state, log, of->contact);
     }
     return THUD_OK;

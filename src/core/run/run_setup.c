@@ -280,7 +280,7 @@ void thud_run_free(struct thud_run *run)
 static bool has_touched(const struct thud_result *r)
 {
     for (int c = 0; c < r->ncontacts; c++)
-        if (r->contact[c].impacts > 0 || r->contact[c].contact_time_s > 0)
+        if (r->contact[c].impacts > 0 || r->contact[c].impulse_ns != 0)
             return true;
     return r->work.force_evaluations > 0;
 }
