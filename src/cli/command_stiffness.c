@@ -124,6 +124,13 @@ static enum thud_status stiffness(const struct thud_args *args, struct thud_sess
     bool moved = false;
     if (status == THUD_OK)
         status = add_pad(args, &text, err);
+    const struct thud_error *lacks = thud_preset_unfinished(session->preset);
+    if (status == THUD_OK && lacks) { /* which the values above may be for */
+        char line[1600];
+        thud_text_append(&text, "\nThe bumper of this scene is unfinished, so it is not run:\n%s\n",
+                         thud_error_text(lacks, line, sizeof line));
+        return thud_cli_print(&text, err);
+    }
     if (status == THUD_OK)
         status = thud_scene_options_of_case(args, session, scene, err);
     if (status == THUD_OK)

@@ -136,6 +136,15 @@ static enum thud_status apply(const struct thud_args *args, struct thud_session 
     return status == THUD_OK ? refuse_idle(args, session, err) : status;
 }
 
+/* Whether the command, as given, asks for no bumper. */
+static bool is_bare(const struct thud_args *args)
+{
+    const char *which = thud_args_value(args, "case"), *cases = thud_args_value(args, "cases"),
+               *none = thud_case_name(THUD_CASE_NONE);
+    return args->command == THUD_COMMAND_GAP || thud_args_has(args, "pad") || (which && strcmp(which, none) == 0) ||
+           (cases && strcmp(cases, none) == 0);
+}
+
 enum thud_status thud_scene_options_open(const struct thud_args *args, struct thud_session *session,
                                          struct thud_error *err)
 {
@@ -149,9 +158,11 @@ enum thud_status thud_scene_options_open(const struct thud_args *args, struct th
         thud_error_allow(err, "a name such as towers, or a file");
         return THUD_USAGE;
     }
-    enum thud_status status = thud_session_open(session, preset, err);
+    enum thud_status status = (is_bare(args) ? thud_session_open_unfinished : thud_session_open)(session, preset, err);
     if (status == THUD_OK)
         status = apply(args, session, err);
+    if (status == THUD_OK && thud_preset_unfinished(session->preset))
+        status = thud_scene_case(&session->scene, THUD_CASE_NONE, &session->scene, err);
     if (status != THUD_OK)
         thud_session_close(session);
     return status;

@@ -18,6 +18,14 @@ is "meets its like" shows 'k = 3000 kN/mm'
 is "a bumper by eq. (6)" gives 0 stiffness rigid-bumper --pad 0.5m2,5MPa,5cm
 # 2.25 x 0.5e6 mm2 x 5e-3 kN/mm2 / 50^2.65 = 5625/31784.6
 is "over the range of alpha" shows '^bumper .* = 2.25 x 0.5 m2 x 5 MPa / (50 mm)^2.65 = 0.177 kN/mm^2.65$'
+sed '/stiffness: 0.36 kN/d' presets/towers.yaml > "$tmp/unfinished.yaml"
+is "a bumper without a stiffness" gives 3 run "$tmp/unfinished.yaml"
+is "is refused by its place" says 'interfaces.1.bumper.stiffness: .* is not given'
+is "what it may be is told" gives 0 stiffness "$tmp/unfinished.yaml" --pad 0.5m2,5MPa,5cm
+is "with what is missing" shows 'interfaces.1.bumper.stiffness: .* is not given'
+is "without bumpers it runs" gives 0 run "$tmp/unfinished.yaml" --case none
+is "as the scene whose bumper is finished" [ "$(grep '^answer' "$tmp/out")" = "$("$THUD" run towers --case none 2> /dev/null | grep '^answer')" ]
+is "so does its gap" gives 0 gap "$tmp/unfinished.yaml"
 is "three slabs" gives 2 stiffness towers --slab 3m2,15m,30GPa --slab 3m2,15m,30GPa --slab 3m2,15m,30GPa
 is "a slab without a modulus" gives 2 stiffness towers --slab 3m2,15m
 is "says what it takes" says '^thud: --slab: takes 3 values (AREA,LENGTH,MODULUS'

@@ -18,6 +18,38 @@ static struct thud_preset *parse(const char *text, size_t size)
     return preset;
 }
 
+/* The paper's law, its values and a remark that says so, until another is chosen. */
+START_TEST(contact_without_a_law)
+{
+    char *text = strdup(preset_text), *at = strstr(text, "    contact: {law: linear, stiffness: 1 MN/mm} # flow\n");
+    struct thud_error remark = {0};
+    ck_assert_ptr_nonnull(at);
+    memset(at, ' ', strcspn(at, "\n"));
+    struct thud_preset *preset = parse(text, strlen(text));
+    struct thud_scene *scene = malloc(sizeof *scene);
+    *scene = *thud_preset_scene(preset);
+    ck_assert_str_eq(scene->interface[1].contact.law->name, "kelvin-voigt-no-tension");
+    ck_assert_double_eq(scene->interface[1].contact.value[0], 2.5e9);
+    ck_assert_double_eq(scene->interface[1].contact.value[1], 0.6);
+    int said = 0;
+    for (int i = 0; thud_scene_warning(scene, i, &remark); i++)
+        said += strcmp(remark.key, "interfaces.2.contact.law") == 0 && strstr(remark.what, "no impact law is given");
+    ck_assert_int_eq(said, 1);
+    ck_assert_int_eq(thud_scene_set(scene, "interfaces.2.contact.law", "hertz", NULL), THUD_OK);
+    ck_assert(!scene->interface[1].contact.assumed);
+    char *saved; /* what was not there is added */
+    unsigned long n;
+    ck_assert_int_eq(thud_preset_text(preset, scene, &saved, &n, NULL), THUD_OK);
+    struct thud_preset *again = parse(saved, n);
+    ck_assert_str_eq(thud_preset_scene(again)->interface[1].contact.law->name, "hertz");
+    free(saved);
+    free(scene);
+    free(text);
+    thud_preset_free(again);
+    thud_preset_free(preset);
+}
+END_TEST
+
 START_TEST(every_value_arrives)
 {
     struct thud_preset *preset = parse(preset_text, sizeof preset_text - 1);
@@ -133,8 +165,6 @@ static const struct {
     {"exponent: 2.65", "exponent: 2.7",
      "p:31:18: interfaces.1.bumper.stiffness: the unit of \"0.36 kN/mm^2.65\" has the exponent 2.65, the law's "
      "exponent is 2.7"},
-    {"    contact: {law: linear, stiffness: 1 MN/mm} # flow\n", "",
-     "p:35:5: interfaces.2.contact: the contact is not given"},
     {"  - gap: 3 in\n    contact: {law: linear, stiffness: 1 MN/mm} # flow\n", "",
      "p:24:3: interfaces: 3 structures stand in a row, so 2 interfaces are wanted, not 1"},
     {"interfaces:\n", "interface:\n", "p:23:1: interface: unknown key; did you mean \"interfaces\"?"},
@@ -272,6 +302,7 @@ Suite *thud_suite(void)
     Suite *suite = suite_create("preset");
     TCase *tests = tcase_create("preset");
     tcase_add_test(tests, every_value_arrives);
+    tcase_add_test(tests, contact_without_a_law);
     tcase_add_loop_test(tests, what_is_wrong_is_said_with_its_place, 0, sizeof wrong / sizeof *wrong);
     tcase_add_test(tests, whole_files_that_are_none);
     tcase_add_test(tests, marks_and_carriage_returns_are_taken);

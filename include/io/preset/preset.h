@@ -13,6 +13,10 @@ struct thud_preset;
 enum thud_status thud_preset_read(const char *path, struct thud_preset **out, struct thud_error *err);
 enum thud_status thud_preset_parse(const char *text, unsigned long size, const char *name, struct thud_preset **out,
                                    struct thud_error *err);
+/* The same for who asks for no bumper: a preset whose bumpers alone are unfinished is taken, and what they lack is in
+ * thud_preset_unfinished (NULL: nothing). */
+enum thud_status thud_preset_read_unfinished(const char *path, struct thud_preset **out, struct thud_error *err);
+const struct thud_error *thud_preset_unfinished(const struct thud_preset *preset);
 const struct thud_scene *thud_preset_scene(const struct thud_preset *preset);
 
 /* The file's bytes with the values of `scene` in place of those that differ (comments and layout kept; free with

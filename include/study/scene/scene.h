@@ -58,6 +58,7 @@ double thud_column_ei(const struct thud_structure *structure, int storey);
 struct thud_law_choice {
     const struct thud_law *law;
     double value[THUD_LAW_PARAMS_MAX];
+    bool assumed; /* a preset names no law: it is the paper's */
 };
 
 /* What meets at an interface: floors at the same level and slabs against columns, or the former alone. */

@@ -6,17 +6,29 @@
 
 #include "io/record/record_file.h"
 
-enum thud_status thud_session_open(struct thud_session *session, const char *preset, struct thud_error *err)
+static enum thud_status open_session(struct thud_session *session, const char *preset, bool unfinished,
+                                     struct thud_error *err)
 {
     memset(session, 0, sizeof *session);
     thud_paths_find(&session->paths);
     enum thud_status status =
         thud_paths_preset(&session->paths, preset, session->preset_path, sizeof session->preset_path, err);
     if (status == THUD_OK)
-        status = thud_preset_read(session->preset_path, &session->preset, err);
+        status =
+            (unfinished ? thud_preset_read_unfinished : thud_preset_read)(session->preset_path, &session->preset, err);
     if (status == THUD_OK)
         session->scene = *thud_preset_scene(session->preset);
     return status;
+}
+
+enum thud_status thud_session_open(struct thud_session *session, const char *preset, struct thud_error *err)
+{
+    return open_session(session, preset, false, err);
+}
+
+enum thud_status thud_session_open_unfinished(struct thud_session *session, const char *preset, struct thud_error *err)
+{
+    return open_session(session, preset, true, err);
 }
 
 void thud_session_close(struct thud_session *session)

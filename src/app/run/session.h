@@ -20,6 +20,8 @@ struct thud_session {
 
 /* Opens a preset by name or path. Errors: THUD_INPUT with place, THUD_MEMORY. */
 enum thud_status thud_session_open(struct thud_session *session, const char *preset, struct thud_error *err);
+/* The same for who asks for no bumper: see thud_preset_read_unfinished. */
+enum thud_status thud_session_open_unfinished(struct thud_session *session, const char *preset, struct thud_error *err);
 void thud_session_close(struct thud_session *session);
 
 /* KEY=VALUE. Errors: THUD_USAGE without a `=`, THUD_INPUT with key and what is allowed. */

@@ -25,7 +25,7 @@ static void name_scene(struct thud_scene *scene, const char *path)
 }
 
 /* Takes `text` over, also on failure. */
-static enum thud_status make(char *text, size_t size, const char *name, struct thud_preset **out,
+static enum thud_status make(char *text, size_t size, const char *name, bool unfinished, struct thud_preset **out,
                              struct thud_error *err)
 {
     struct thud_preset *preset = calloc(1, sizeof *preset);
@@ -42,6 +42,11 @@ static enum thud_status make(char *text, size_t size, const char *name, struct t
         thud_scene_init(&preset->scene);
         name_scene(&preset->scene, name);
         status = thud_preset_walk(preset, err);
+    }
+    if (status == THUD_OK && !unfinished && thud_preset_unfinished(preset)) {
+        status = preset->unfinished.status;
+        if (err)
+            *err = preset->unfinished;
     }
     if (status != THUD_OK)
         thud_preset_free(preset);
@@ -66,16 +71,31 @@ enum thud_status thud_preset_parse(const char *text, unsigned long size, const c
     if (size)
         memcpy(copy, text, size);
     copy[size] = '\0';
-    return make(copy, size, name, out, err);
+    return make(copy, size, name, false, out, err);
 }
 
-enum thud_status thud_preset_read(const char *path, struct thud_preset **out, struct thud_error *err)
+static enum thud_status read_file(const char *path, bool unfinished, struct thud_preset **out, struct thud_error *err)
 {
     char *text;
     size_t size;
     *out = NULL;
     enum thud_status status = thud_file_read(path, THUD_PRESET_BYTES_MAX, &text, &size, err);
-    return status == THUD_OK ? make(text, size, path, out, err) : status;
+    return status == THUD_OK ? make(text, size, path, unfinished, out, err) : status;
+}
+
+enum thud_status thud_preset_read(const char *path, struct thud_preset **out, struct thud_error *err)
+{
+    return read_file(path, false, out, err);
+}
+
+enum thud_status thud_preset_read_unfinished(const char *path, struct thud_preset **out, struct thud_error *err)
+{
+    return read_file(path, true, out, err);
+}
+
+const struct thud_error *thud_preset_unfinished(const struct thud_preset *preset)
+{
+    return preset->unfinished.what[0] ? &preset->unfinished : NULL;
 }
 
 const struct thud_scene *thud_preset_scene(const struct thud_preset *preset)

@@ -393,13 +393,18 @@ static void save_interface(struct saving *s, int i, int node)
     int key = -1, contact = thud_yaml_find(&s->preset->tree, node, "contact", NULL);
     int bumper = thud_yaml_find(&s->preset->tree, node, "bumper", &key);
     bool now = s->now->interface[i].has_bumper;
-    if (node_at(s, node)->flow && (bumper >= 0) != now) {
+    const struct thud_law_choice *was = &s->preset->scene.interface[i].contact, *is = &s->now->interface[i].contact;
+    bool changed = contact < 0 && memcmp(was, is, sizeof *was) != 0; /* no law was given */
+    if (node_at(s, node)->flow && ((bumper >= 0) != now || changed)) {
         rewrite_flow(s, section, node);
         return;
     }
     if (!save_section(s, section, node))
         return;
-    save_section(s, (struct thud_section){THUD_GROUP_CONTACT, i}, contact);
+    if (contact >= 0)
+        save_section(s, (struct thud_section){THUD_GROUP_CONTACT, i}, contact);
+    else if (changed)
+        append_nested(s, THUD_GROUP_CONTACT, i, node);
     if (bumper >= 0 && now)
         save_section(s, (struct thud_section){THUD_GROUP_BUMPER, i}, bumper);
     else if (bumper >= 0)

@@ -13,6 +13,7 @@ struct thud_preset {
     char name[512]; /* as in messages */
     struct thud_yaml tree;
     struct thud_scene scene;
+    struct thud_error unfinished; /* what a bumper lacks; what: "" where none does */
 };
 
 /* The scene of a tree. Errors: THUD_INPUT with place and key. */

@@ -331,7 +331,8 @@ static bool power(const struct thud_preset *preset, const char *path, const char
     return strcmp(key, "law") != 0 && is_power(preset, path);
 }
 
-/* The law gets its own defaults, whatever stood there before. */
+/* The law gets its own defaults, whatever stood there before. A contact without one keeps that of thud_interface_init,
+ * the paper's. */
 static enum thud_status walk_law(struct thud_preset *preset, struct thud_interface *interface, bool bumper,
                                  const char *path, int node, struct thud_error *err)
 {
@@ -342,12 +343,20 @@ static enum thud_status walk_law(struct thud_preset *preset, struct thud_interfa
     if (status != THUD_OK)
         return status;
     int law = thud_yaml_find(&preset->tree, node, "law", NULL);
-    if (law < 0)
-        return refuse(preset, node, full, "the impact law is not given", "one of `thud laws`", err);
-    status = set_value(preset, full, law, err);
-    if (status != THUD_OK)
-        return status;
-    thud_law_choice_init(choice, choice->law);
+    if (law < 0 && bumper) { /* what its other keys are called depends on it */
+        interface->has_bumper = true;
+        interface->bumper_thickness_m = NAN;
+        if (!preset->unfinished.what[0])
+            refuse(preset, node, full, "the impact law is not given", "one of `thud laws`", &preset->unfinished);
+        return THUD_OK;
+    }
+    choice->assumed = law < 0;
+    if (law >= 0) {
+        status = set_value(preset, full, law, err);
+        if (status != THUD_OK)
+            return status;
+        thud_law_choice_init(choice, choice->law);
+    }
     if (bumper) {
         interface->bumper_thickness_m = NAN;
         interface->bumper_cavity_m = 0;
@@ -378,10 +387,8 @@ static enum thud_status walk_interface(struct thud_preset *preset, int i, int no
     if (status == THUD_OK && levels >= 0)
         status = set_value(preset, full, levels, err);
     snprintf(full, sizeof full, "%s.contact", path);
-    if (status == THUD_OK && contact < 0)
-        status =
-            refuse(preset, node, full, "the contact is not given", "law and its parameters, see thud-preset(5)", err);
-    if (status == THUD_OK)
+    interface->contact.assumed = true;
+    if (status == THUD_OK && contact >= 0)
         status = walk_law(preset, interface, false, full, contact, err);
     if (status != THUD_OK || bumper < 0)
         return status;
@@ -430,6 +437,29 @@ static enum thud_status walk_group(struct thud_preset *preset, int root, const c
     return status == THUD_OK ? set_keys(preset, node, name, not_vary, err) : status;
 }
 
+/* What only a bumper lacks is kept for who asks for none. */
+static enum thud_status check_scene(struct thud_preset *preset, struct thud_error *err)
+{
+    struct thud_error why = {0};
+    bool had[THUD_STRUCTURES_MAX - 1];
+    enum thud_status status = thud_scene_check(&preset->scene, &why);
+    if (status == THUD_OK)
+        return THUD_OK;
+    at(preset, thud_preset_node(preset, why.key), status, &why);
+    for (int i = 0; i < THUD_STRUCTURES_MAX - 1; i++) {
+        had[i] = preset->scene.interface[i].has_bumper;
+        preset->scene.interface[i].has_bumper = false;
+    }
+    bool bare = thud_scene_check(&preset->scene, NULL) == THUD_OK;
+    for (int i = 0; i < THUD_STRUCTURES_MAX - 1; i++)
+        preset->scene.interface[i].has_bumper = had[i];
+    if (bare && !preset->unfinished.what[0])
+        preset->unfinished = why;
+    else if (!bare && err)
+        *err = why;
+    return bare ? THUD_OK : status;
+}
+
 enum thud_status thud_preset_walk(struct thud_preset *preset, struct thud_error *err)
 {
     static const char *const known[] = {"title", "record", "structures", "interfaces", "analysis", "study"};
@@ -449,14 +479,7 @@ enum thud_status thud_preset_walk(struct thud_preset *preset, struct thud_error 
         status = walk_group(preset, 0, "study", err);
     if (status != THUD_OK)
         return status;
-    struct thud_error why = {0};
-    status = thud_scene_check(&preset->scene, &why);
-    if (status != THUD_OK) {
-        at(preset, thud_preset_node(preset, why.key), status, &why);
-        if (err)
-            *err = why;
-    }
-    return status;
+    return check_scene(preset, err);
 }
 
 int thud_preset_node(const struct thud_preset *preset, const char *path)

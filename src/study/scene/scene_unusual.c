@@ -120,9 +120,26 @@ static bool look_cavity(struct search *search, const struct thud_interface *at, 
     return true;
 }
 
+/* A contact whose law nobody has chosen. */
+static bool look_assumed(struct search *search, const struct thud_law_choice *choice, int i)
+{
+    char key[64];
+    if (!choice->assumed || search->found++ != search->wanted)
+        return false;
+    snprintf(key, sizeof key, "interfaces.%d.contact.law", i + 1);
+    thud_error_set(search->out, THUD_OK,
+                   "no impact law is given: %s is taken, with its usual values where none are given",
+                   choice->law->name);
+    thud_error_allow(search->out, "the law of Polycarpou and Komodromos (2011); others: `thud laws`");
+    thud_error_key(search->out, key);
+    return true;
+}
+
 static bool look_interface(struct search *search, const struct thud_interface *at, int i)
 {
     char key[64];
+    if (look_assumed(search, &at->contact, i))
+        return true;
     if (at->has_bumper) {
         snprintf(key, sizeof key, "interfaces.%d.bumper", i + 1);
         return look_group(search, THUD_GROUP_BUMPER, at, 0, 0, key) || look_law(search, &at->bumper, key) ||
