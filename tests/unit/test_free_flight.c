@@ -68,7 +68,7 @@ START_TEST(touch_begins_where_the_largest_relative_displacement_ends)
             struct march m = march_run(model, record, "exact", 0, 0, true, 3);
             bool touches = false;
             for (int c = 0; c < m.result->ncontacts; c++)
-                touches = touches || m.result->contact[c].contact_time_s > 0;
+                touches = touches || m.result->contact[c].indentation.value > 0;
             gap[!touches] = middle;
             march_free(&m);
             thud_model_free(model);

@@ -242,7 +242,9 @@ static void put_rule(const struct thud_gap_study *study, int rule, int interface
     }
     snprintf(count, sizeof count, "%d of %d", x->pounding, study->suite.nrecords);
     thud_text_append(out, " %8.1f %9s", 1e3 * x->gap_m, count);
-    if (x->pounding > 0)
+    if (x->pounding > 0 && isnan(x->force_n))
+        thud_text_append(out, " %7s", "-");
+    else if (x->pounding > 0)
         thud_text_append(out, " %7.3g", 1e-6 * x->force_n);
     thud_text_append(out, "\n");
     if (rule == THUD_GAP_EXACT)
@@ -370,7 +372,8 @@ void thud_gap_rules_csv(const struct thud_gap_study *study, struct thud_text *ou
             thud_text_append(out, ",%d,%d,", x->level.left_floor, x->level.right_floor);
             thud_text_number(out, x->gap_m);
             thud_text_append(out, ",%d,%d,", x->pounding, study->suite.nrecords);
-            thud_text_number(out, x->force_n);
+            if (!isnan(x->force_n))
+                thud_text_number(out, x->force_n);
             thud_text_append(out, "\n");
             thud_text_clear(&numbers);
         }

@@ -439,9 +439,10 @@ static void stick_or_separate(struct thud_state *state, struct thud_contact_log 
 
 /* A held contact that has taken no impulse of a collision of its bodies: they may have been parted, and a contact that
  * is held on would pull. */
-static enum thud_status ask_held(struct thud_state *state, struct thud_contact_log *log, int c, struct thud_error *err)
+static enum thud_status ask_held(struct thud_state *state, struct thud_contact_log *log, int c, double change,
+                                 struct thud_error *err)
 {
-    const bool parts = thud_contact_rate(state, c) < -rest_speed(state);
+    const bool parts = change < -rest_speed(state); /* what rate it has besides is the error of what holds it */
     thud_contact_set_mode(state, c, THUD_OPEN);
     thud_contact_forces(state, state->force_now);
     const bool pulls = thud_contact_acceleration(state, c, state->force_now) <= -thud_contact_rounding(state);
@@ -507,10 +508,11 @@ static enum thud_status thud_contact_impulse(struct thud_state *state, struct th
     for (int i = 0; i < n; i++)
         if (x.impulse[i] > 0 || set[i] == contact)
             stick_or_separate(state, log, set[i]);
-    for (int i = 0; i < n && status == THUD_OK; i++)
-        if (!(x.impulse[i] > 0) && state->contact[set[i]].mode == THUD_STICKING && set[i] != contact &&
-            change_of_rate(state, &x, set[i]) != 0)
-            status = ask_held(state, log, set[i], err);
+    for (int i = 0; i < n && status == THUD_OK; i++) {
+        const double change = change_of_rate(state, &x, set[i]);
+        if (!(x.impulse[i] > 0) && state->contact[set[i]].mode == THUD_STICKING && set[i] != contact && change != 0)
+            status = ask_held(state, log, set[i], change, err);
+    }
     send_impulses(state, &x);
     return status;
 }

@@ -146,7 +146,7 @@ static void write_motion(const struct thud_state *state, struct thud_segment *se
         double d = end->q[j] - start->q[j], v0 = h * start->qd[j], v1 = h * end->qd[j];
         double a0 = h * h * start->qdd[j], a1 = h * h * end->qdd[j], by_rates = 0.5 * (v0 + v1) + (a0 - a1) / 12;
         /* in a short step the difference of positions is rounding, and would be one of rates, larger by 1/h */
-        if (fabs(d - by_rates) <= THUD_TOL_STATE * (fabs(start->q[j]) + fabs(end->q[j])))
+        if (fabs(d - by_rates) <= THUD_TOL_POSITION * (fabs(start->q[j]) + fabs(end->q[j])))
             d = by_rates;
         c[j] = start->q[j];
         c[n + j] = v0;

@@ -92,6 +92,8 @@
 #define THUD_TOL_BRANCH_GAP 1e-12
 /* Part of the displacements and rates that an indentation and its rate are differences of: what rounding leaves. */
 #define THUD_TOL_STATE 2e-15
+/* Part of two positions that their rounding makes of the difference: two units in the last place of each. */
+#define THUD_TOL_POSITION 4.4e-16
 /* m. The same for the motion of a sticking contact in one step. */
 #define THUD_TOL_STICKING_M 1e-15
 /* Part of the force scale: floor of the error estimate of a polynomial through seven points. Without it the step never

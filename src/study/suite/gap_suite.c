@@ -76,9 +76,14 @@ enum thud_status thud_gap_pound(const struct thud_scene *scene, const struct thu
     enum thud_status status = thud_scene_case(scene, THUD_CASE_NONE, at, err);
     for (int i = 0; i + 1 < scene->nstructures; i++)
         at->interface[i].gap_m = gap_at(scene, ruled, i);
-    if (status == THUD_OK)
+    const bool refused = status == THUD_OK && thud_scene_check(at, NULL) == THUD_INPUT; /* a law without force, say */
+    if (status == THUD_OK && !refused)
         status = thud_scene_answer(at, record, NULL, &answer, err);
-    for (int c = 0; status == THUD_OK && c < answer.model->ncontacts; c++) {
+    for (int l = 0; refused && l < gap->nlevels; l++) {
+        const int i = gap->level[l].interface - 1;
+        touched[i] = touched[i] || thud_gap_falls_short(gap_at(scene, ruled, i), gap->level[l].closing_m);
+    }
+    for (int c = 0; status == THUD_OK && !refused && c < answer.model->ncontacts; c++) {
         const struct thud_contact_result *p = &thud_run_result(answer.run)->contact[c];
         struct thud_gap_ruled *one = &ruled[p->interface - 1];
         touched[p->interface - 1] = touched[p->interface - 1] || p->impacts > 0;
@@ -87,8 +92,11 @@ enum thud_status thud_gap_pound(const struct thud_scene *scene, const struct thu
             one->worst = motion;
         }
     }
-    for (int i = 0; i + 1 < scene->nstructures; i++)
+    for (int i = 0; i + 1 < scene->nstructures; i++) {
         ruled[i].pounding += touched[i];
+        if (refused && touched[i] && ruled[i].worst < 0)
+            ruled[i].force_n = NAN; /* not known */
+    }
     thud_answer_clear(&answer);
     free(at);
     return status;
