@@ -65,6 +65,7 @@ refused() { # WHAT PATTERN ARGUMENTS...
 }
 refused "rubber is refused" '^thud: interfaces.1.bumper.law: OpenSees has no material.*--case none' towers
 refused "a law that lets go at zero force" 'contact.law: OpenSees has no linear dashpot that lets go.*kelvin-voigt' towers --case none
+# shellcheck disable=SC2016 # of sed
 advertised() { sed -n 's/.*`thud export opensees PRESET\( [^`]*\)`.*/\1/p' "$(dirname "$0")/../../README.md"; }
 # shellcheck disable=SC2046 # options
 is "the README's options make it work" gives 0 export opensees towers $(advertised)

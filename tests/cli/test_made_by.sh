@@ -6,10 +6,12 @@
 study="--vary gap=8cm,12cm --cases none,bumper --to 9s --quiet"
 list() { (cd "$1" && find . -type f | sort | xargs cksum); }
 kept() { list "$tmp/o" | cmp -s - "$tmp/before"; }
+# shellcheck disable=SC2086 # several words
 is "a study" gives 0 sweep towers $study -o "$tmp/o"
 list "$tmp/o" >"$tmp/before"
 listed() { sed -n 's/^file //p' "$tmp/o/made-by.txt" | sort >"$tmp/names" && (cd "$tmp/o" && find . -type f ! -name made-by.txt | sed 's/^..//' | sort) | cmp -s - "$tmp/names"; }
 is "made-by.txt lists every file of it" listed
+# shellcheck disable=SC2086 # several words
 is "the same once more is no other" gives 0 sweep towers $study -o "$tmp/o"
 is "and gives the same bytes" kept
 # From here on a gnuplot that draws one and the same picture at once.
@@ -25,6 +27,7 @@ for other in "towers-northridge $study" "towers --vary gap=8cm,14cm --cases none
     is "both are named" says "holds the results of another scene or study: sweep of towers, gap 8 cm and 12 cm, .*; this is sweep of towers"
     is "and nothing is touched" kept
 done
+# shellcheck disable=SC2086 # several words
 is "fragility writes files of the same names" gives 3 fragility towers $study --event pounding -o "$tmp/o"
 is "and so does gap" gives 3 gap towers --to 9s -o "$tmp/o"
 is "a run of another scene" gives 3 run towers --set gap=9cm --to 9s --quiet -o "$tmp/o"

@@ -156,6 +156,7 @@ is "events: as many as the result counts" [ "$(($(wc -l <"$tmp/out") - 1))" -eq 
 is "events: as JSON" gives 0 run towers --events --json --quiet
 is "events: so many objects" [ "$(grep -c '"time_s"' "$tmp/out")" -eq "$events" ]
 is "events: of storeys too" gives 0 run towers-yielding --events --csv --quiet
+# shellcheck disable=SC2016 # of awk
 is "events: a storey yields and unloads in turn" awk -F, '
     $6 != "" && $7 == "yield" { if (open[$5 $6]++) exit 1; n++ }
     $6 != "" && $7 == "unload" { if (!open[$5 $6]) exit 1; open[$5 $6] = 0 }

@@ -37,7 +37,7 @@ is "what is second-hand says so" shows "^TBDY, GB 50011, E.030: second-hand; rea
 at_srss() { awk -F, '$2 == "SRSS" { print $(NF - 3), $(NF - 2), $(NF - 1), $NF }' "$tmp/own/gap-rules.csv"; }
 same_force() {
     at_srss >"$tmp/srss" && read -r gap pounding of force <"$tmp/srss" && [ "$pounding $of" = "1 1" ] &&
-        "$THUD" run towers --case none --set "gap=$gap m" --json 2>/dev/null | grep -q "\"force_n\": $force[,}]"
+        "$THUD" run towers --case none --set "gap=$gap m" --json 2>/dev/null | grep -q "\"force_n\": ${force}[,}]"
 }
 is "a gap by SRSS pounds, as hard as a run there" same_force
 is "no run without a rule that falls short" shows "^ABS  *sum of the displacements  *253.9  *0 of 1$"
@@ -193,10 +193,10 @@ is "a killed one has its runs" test -s "$tmp/killed/sweep.journal"
 again -o "$tmp/killed"
 is "and goes on to the same bytes" same "$tmp/killed"
 is "a sweep of several motions writes suite.csv" gives 0 sweep towers --records "$three" --vary gap=5cm,9cm --cases none,bumper -o "$tmp/sweep" --quiet
-medians() { awk -F, 'NR == FNR { if ($2 == "bumper" && $3 == 0.09 && $4 == "B" && $5 == 0) x[++n] = $9; next }
+middle() { awk -F, 'NR == FNR { if ($2 == "bumper" && $3 == 0.09 && $4 == "B" && $5 == 0) x[++n] = $9; next }
     $1 == "bumper" && $2 == 0.09 && $3 == "B" { m = $20 } END { if (x[1] > x[2]) { t = x[1]; x[1] = x[2]; x[2] = t } if (x[2] > x[3]) { t = x[2]; x[2] = x[3]; x[3] = t }
     if (x[1] > x[2]) { t = x[1]; x[1] = x[2]; x[2] = t } exit !(n == 3 && m == x[2]) }' "$tmp/sweep/sweep.csv" "$tmp/sweep/suite.csv"; }
-is "its median is the middle one" medians
+is "its median is the middle one" middle
 "$THUD" sweep towers --records "$three" --vary gap=5cm,9cm --cases none,bumper --json --quiet >"$tmp/json" 2>"$tmp/err"
 # every number of suite.csv stands in the JSON, in its order
 numbers_of() { awk 'on { print } /"statistics"/ { on = 1 }' "$tmp/json" | tr ',' '\n' | sed -n 's/^ *"[a-z0-9_]*": \([-0-9.e+]*\)}*$/\1/p'; }
@@ -315,10 +315,10 @@ nothing="--uncertain gap=0 --uncertain stiffness=0 --uncertain damping=0 --uncer
 is "the needed gap over a suite" gives 0 uncertainty towers $nothing --records "$three" --samples 9 --quiet -o "$tmp/needed"
 is "in a sentence" shows "^The needed gap is 1[0-9.]* cm in the median, in 90 % of 9 samples [0-9.]* to 19.7 cm;"
 is "all of it between motions" shows "100 % of its variance is between ground motions"
-needs() { "$THUD" gap towers --records "$three" --csv 2>/dev/null | awk -F, 'FNR == NR { if (FNR > 1 && $7 > most[$1]) most[$1] = $7; next }
+needed_by_motion() { "$THUD" gap towers --records "$three" --csv 2>/dev/null | awk -F, 'FNR == NR { if (FNR > 1 && $7 > most[$1]) most[$1] = $7; next }
     FNR == 1 { for (i = 1; i <= NF; i++) { if ($i == "needed_gap_m") g = i; if ($i == "ground-motion") r = i }; next }
     { n++; d = $g - most[$r]; if (d > 1e-9 || d < -1e-9) bad = 1 } END { exit bad || n != 9 || length(most) != 3 }' - "$tmp/needed/samples.csv"; }
-is "is what thud gap says of each sample's motion" needs
+is "is what thud gap says of each sample's motion" needed_by_motion
 sed '/^record:/,/^structures:/{/^structures:/!d;}' presets/towers.yaml >"$tmp/motionless.yaml"
 is "a scene without a motion of its own takes the suite's" gives 0 uncertainty "$tmp/motionless.yaml" --records "$three" --samples 2 --to 5s --quiet
 is "a building that is not there" gives 3 uncertainty towers --uncertain stiffness.C=5%

@@ -8,8 +8,8 @@
 #include "../unit/towers.h"
 #include "app/sweep/sweep_study_private.h"
 #include "fault.h"
-#include "study/sweep/sweep.h"
 #include "study/methods/truncation.h"
+#include "study/sweep/sweep.h"
 
 enum { SAMPLES = 120, ROWS = 24 };
 

@@ -7,8 +7,8 @@
 #include <string.h>
 
 #include "base/quantity.h"
-#include "march.h"
 #include "law_examples.h"
+#include "march.h"
 
 /* A free oscillation of 3000 steps of `angle` each: whether it stays bounded. If not, the run must say so. */
 static bool bounded(const char *method, double angle)

@@ -3,9 +3,9 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "core/motion/response.h"
 #include "core/numerics/poly.h"
 #include "core/numerics/radau.h"
-#include "core/motion/response.h"
 #include "core/run/run_private.h"
 #include "march.h"
 

@@ -65,8 +65,8 @@ void thud_modal_operator_set(struct thud_modal_operator *op, const struct thud_m
     }
 }
 
-void thud_modal_operator_apply(const struct thud_modal_operator *op, const struct thud_model *model, const double *restrict in,
-                               double *restrict out)
+void thud_modal_operator_apply(const struct thud_modal_operator *op, const struct thud_model *model,
+                               const double *restrict in, double *restrict out)
 {
     const double *diagonal = op->diagonal;
     for (int j = 0; j < model->nmodes; j++)

@@ -16,8 +16,8 @@ void thud_modal_operator_free(struct thud_modal_operator *op);
 void thud_modal_operator_set(struct thud_modal_operator *op, const struct thud_model *model, double x, double y,
                              double z);
 /* out (nmodes), which must not be in. */
-void thud_modal_operator_apply(const struct thud_modal_operator *op, const struct thud_model *model, const double *restrict in,
-                               double *restrict out);
+void thud_modal_operator_apply(const struct thud_modal_operator *op, const struct thud_model *model,
+                               const double *restrict in, double *restrict out);
 /* The operator itself, not its inverse: out = x in + y D in + z Omega^2 in. */
 void thud_modal_forward(const struct thud_model *model, double x, double y, double z, const double *in, double *out);
 

@@ -32,8 +32,7 @@ struct thud_baseline_motion {
     long apart, next; /* intervals between kept moments, and the next one to keep */
 };
 
-static const struct thud_law no_law = {
-    .name = "none", .title = "no contact", .flags = THUD_LAW_NO_FORCE};
+static const struct thud_law no_law = {.name = "none", .title = "no contact", .flags = THUD_LAW_NO_FORCE};
 
 static void drop(struct moment *moment)
 {

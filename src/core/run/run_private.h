@@ -64,7 +64,7 @@ struct thud_proposal {
     double s, limit; /* of the event or, without one, the limit; and that of the next kink or the end */
     int contact;     /* row of the event: contact or storey; -1 where there is none */
     enum thud_event event;
-    int order; /* suppressed coefficients of its guard */
+    int order;             /* suppressed coefficients of its guard */
     bool switched, passed; /* ends with the event; or at a moment whose events have no end */
 };
 
