@@ -87,7 +87,7 @@ static bool rename_varied(struct thud_scene *scene)
         if (thud_scene_param(scene, key, &floor) || !thud_scene_param(scene, whole, &floor) ||
             strlen(whole) >= THUD_VARY_KEY)
             continue;
-        snprintf(key, THUD_VARY_KEY, "%s", whole);
+        memcpy(key, whole, strlen(whole) + 1);
         renamed = true;
     }
     return renamed;
