@@ -369,6 +369,9 @@ is "its ends are the range's, and it is said" shows "periods 0.1 to 2 s in place
 printf 'period_s,sa\n0.05,0.4\n0.5,0.9\n' >"$tmp/target.csv"
 is "a target without a unit" gives 3 suite "$tmp/motions" --target "$tmp/target.csv"
 is "is told with its line" says "target.csv:1:1: .*does not say the unit"
+printf 'period_s,sa_g\n0.05,0.4\n0.5,0.9\n\0002,0.2\n' >"$tmp/target.csv"
+is "a byte 0 in a target" gives 3 suite "$tmp/motions" --target "$tmp/target.csv"
+is "is told with its line" says "target.csv:4:1: "
 is "a ground that is none" gives 3 suite "$tmp/motions" --target en1998:0.3g,K
 is "with those there are" says "target: \"K\" is no ground type (A, B, C, D or E)"
 is "an acceleration without a unit" gives 3 suite "$tmp/motions" --target en1998:0.3,B

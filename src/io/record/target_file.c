@@ -69,14 +69,11 @@ static enum thud_status read_file(const char *path, struct thud_target *out, str
     double factor[2] = {1, 1};
     *out = (struct thud_target){.kind = THUD_TARGET_POINTS, .damping = 0.05};
     snprintf(out->text, sizeof out->text, "%.150s", path);
-    enum thud_status status = thud_file_read(path, BYTES_MAX, &text, &source.size, err);
+    enum thud_status status = thud_text_read(path, BYTES_MAX, &text, err);
     if (status != THUD_OK)
         return status;
     source.text = text;
-    if (source.size >= 3 && memcmp(text, "\xEF\xBB\xBF", 3) == 0) { /* the mark some editors put first */
-        source.text += 3;
-        source.size -= 3;
-    }
+    source.size = strlen(text);
     status = csv_lines_open(&lines, record_start(&source), ',', err);
     for (bool head = true; status == THUD_OK && what != CSV_END;) {
         status = csv_lines_next(&lines, &what, &line, err);
