@@ -279,6 +279,9 @@ static int draw_how(struct thud_tui *tui, const struct thud_pane *pane)
     if (result->reason && *result->reason)
         y += thud_pane_wrap(pane, 1, y, pane->w - 2, thud_look(THUD_ROLE_MUTED, 0), result->reason);
     y = draw_energy(result, pane, y);
+    if (tui->ran_revision !=
+        tui->doc.revision) /* the scene has changed since: nothing is said of it from these numbers */
+        return y;
     const struct thud_live_case *c = &tui->live.which[shown(tui)];
     struct thud_error remark;
     int nimpacts;

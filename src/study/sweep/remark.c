@@ -1,5 +1,6 @@
 #include "study/sweep/remark.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -240,9 +241,16 @@ static bool look_columns(const struct thud_scene *scene, const struct thud_resul
     return true;
 }
 
+static int floors_of(const struct thud_structure *s)
+{
+    return s->storeys + (s->kind == THUD_ISOLATED);
+}
+
 bool thud_result_remark(const struct thud_scene *scene, const struct thud_result *result,
                         const struct thud_impact *impact, int nimpacts, int n, struct thud_error *out)
 {
+    for (int s = 0; s < scene->nstructures; s++)
+        assert(result->structure[s].floors == floors_of(&scene->structure[s]));
     for (int i = 0; i + 1 < scene->nstructures; i++)
         if (look_bumper(scene, i, result, impact, nimpacts, out) && n-- == 0)
             return true;
@@ -253,11 +261,6 @@ bool thud_result_remark(const struct thud_scene *scene, const struct thud_result
         if (look_columns(scene, result, s, out) && n-- == 0)
             return true;
     return thud_storey_remark(scene, result, n, out);
-}
-
-static int floors_of(const struct thud_structure *s)
-{
-    return s->storeys + (s->kind == THUD_ISOLATED);
 }
 
 static double fastest_mode(const struct thud_scene *scene)
