@@ -10,8 +10,8 @@
 
 #include "app/run/record_list.h"
 #include "app/sweep/fragility_report.h"
-#include "tui/loop.h"
-#include "tui/play.h"
+#include "tui/loop/loop.h"
+#include "tui/loop/play.h"
 
 int LLVMFuzzerInitialize(int *argc, char ***argv);
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);

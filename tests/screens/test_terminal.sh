@@ -347,7 +347,7 @@ keys q
 at_shell "NO_COLOR: quit"
 if LC_ALL=C grep -q "$(printf '\033')\[[0-9;]*3[0-7]m" "$tmp/raw"; then bad "NO_COLOR: no colour is written"; else ok "NO_COLOR: no colour is written"; fi
 
-# Colours: every role has one, and none is black, white, or one that cannot be read on both (src/tui/roles.c).
+# Colours: every role has one, and none is black, white, or one that cannot be read on both (src/tui/terminal/roles.c).
 colors_of() { # the colour of every part of the screen, one a line; `none` where text has the terminal's own
     mux capture-pane -e -p -t s | tr '\033' '\n' | sed -n 's/^\[\([0-9;]*\)m.*/\1/p' |
         sed 's/\([34]8\);5;\([0-9]*\)/\1:\2/g' | tr ';' '\n' | grep -e '^3[0-7]$' -e '^4[0-8]' -e '^9[0-7]$' -e '^10[0-7]$' -e '^38:' | sort -u

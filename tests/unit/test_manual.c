@@ -7,7 +7,7 @@
 
 #include "app/run/command.h"
 #include "cli/manual.h"
-#include "tui/tui.h"
+#include "tui/loop/tui.h"
 
 static char page[256 * 1024];
 

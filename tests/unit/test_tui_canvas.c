@@ -4,11 +4,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "tui/chooser.h"
-#include "tui/dots.h"
-#include "tui/keys.h"
-#include "tui/roles.h"
-#include "tui/undo.h"
+#include "tui/document/keys.h"
+#include "tui/document/undo.h"
+#include "tui/terminal/roles.h"
+#include "tui/widgets/chooser.h"
+#include "tui/widgets/dots.h"
 
 static const struct thud_look plain = {0, 0};
 

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "tui/chart.h"
+#include "tui/widgets/chart.h"
 
 static const struct thud_chart bare = {.cursor = NAN};
 

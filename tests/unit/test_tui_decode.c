@@ -4,8 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "tui/backend.h"
-#include "tui/decode.h"
+#include "tui/terminal/backend.h"
+#include "tui/terminal/decode.h"
 
 static struct thud_decode decode;
 

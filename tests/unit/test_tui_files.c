@@ -6,8 +6,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "tui/config.h"
-#include "tui/play.h"
+#include "tui/loop/play.h"
+#include "tui/terminal/config.h"
 #include "tui_fixture.h"
 
 static struct fixture f;

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "tui/plots.h"
+#include "tui/screens/plots.h"
 #include "tui_fixture.h"
 
 static struct fixture f;

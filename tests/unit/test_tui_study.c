@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "study/sweep/sweep.h"
-#include "tui/sweep_screen.h"
+#include "tui/screens/sweep_screen.h"
 #include "tui_fixture.h"
 
 static struct fixture f;

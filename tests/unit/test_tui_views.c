@@ -8,7 +8,7 @@
 
 #include "ground/spectrum.h"
 #include "study/sweep/remark.h"
-#include "tui/sweep_screen.h"
+#include "tui/screens/sweep_screen.h"
 #include "tui_fixture.h"
 
 static struct fixture f;

@@ -2,7 +2,7 @@
 #ifndef TUI_FIXTURE_H
 #define TUI_FIXTURE_H
 
-#include "tui/loop.h"
+#include "tui/loop/loop.h"
 
 struct fixture {
     struct thud_tui *tui;

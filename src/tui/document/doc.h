@@ -1,0 +1,73 @@
+/* The preset that is open: the scene, what can be undone, the file it came from, the ground motion it names. */
+#ifndef THUD_TUI_DOC_H
+#define THUD_TUI_DOC_H
+
+#include "ground/record.h"
+#include "io/file/paths.h"
+#include "io/preset/preset.h"
+#include "study/scene/scene.h"
+#include "tui/document/undo.h"
+
+struct thud_stamp {
+    long long seconds, nanoseconds, size, number; /* of a file when it was read or written; all 0: there was none */
+};
+
+struct thud_doc {
+    const struct thud_paths *paths;
+    char path[512];
+    struct thud_preset *preset;
+    struct thud_scene scene, saved;
+    struct thud_undo undo;
+    struct thud_stamp stamp;
+    unsigned long revision;                  /* grows with every change that changes a run */
+    unsigned long edits;                     /* grows with every change */
+    char kept[512];                          /* the file that has the unsaved changes; empty: none */
+    struct thud_record *record;              /* NULL: none */
+    struct thud_record *whole;               /* scaled alike, where only a part is used; NULL: all of it is */
+    struct thud_record_choice record_choice; /* what `record` was read with */
+    bool record_tried;
+    struct thud_error record_error; /* status THUD_OK: it was read */
+};
+
+/* Reads a preset by name or path in place of what is open, which stays on failure. Errors: THUD_INPUT, THUD_MEMORY. */
+enum thud_status thud_doc_open(struct thud_doc *doc, const char *name, struct thud_error *err);
+/* A preset that is nowhere yet in place of what is open, which stays on failure; saving writes it to `path`. Errors:
+ * THUD_INPUT, THUD_MEMORY. */
+enum thud_status thud_doc_new(struct thud_doc *doc, const char *text, size_t size, const char *path,
+                              struct thud_error *err);
+void thud_doc_free(struct thud_doc *doc);
+
+bool thud_doc_unsaved(const struct thud_doc *doc);
+/* Whether a path lies in the folder of the presets that come with thud, which are not written to. */
+bool thud_doc_is_shipped(const struct thud_doc *doc, const char *path);
+/* How many words of the file a save would change is not known before; this says whether the file is another one now. */
+bool thud_doc_disk_changed(const struct thud_doc *doc);
+/* Writes to `path` (NULL: where it came from), comments kept, and reads the result as the new base. Errors:
+ * THUD_OUTPUT, THUD_INPUT. */
+enum thud_status thud_doc_save(struct thud_doc *doc, const char *path, struct thud_error *err);
+/* Where unsaved changes are kept: `NAME.recovered` beside the preset, of one that comes with thud in the working folder.
+ */
+void thud_doc_recovery_path(const struct thud_doc *doc, char *path, size_t size);
+/* Keeps them there, or in TMPDIR where that cannot be written or is another session's; `kept` says where. Errors:
+ * THUD_OUTPUT, THUD_MEMORY. */
+enum thud_status thud_doc_recover(struct thud_doc *doc, struct thud_error *err);
+void thud_doc_forget_kept(struct thud_doc *doc); /* removes that file: they are saved, or given up */
+
+/* Checks `next`, notes the step back and puts it in place. Errors: THUD_INPUT (the scene is as it was), THUD_MEMORY. */
+enum thud_status thud_doc_change(struct thud_doc *doc, const struct thud_scene *next, const char *what,
+                                 struct thud_error *err);
+/* Name, title and study change no run: what is known of the one scene holds for the other. */
+bool thud_doc_runs_alike(const struct thud_scene *a, const struct thud_scene *b);
+/* thud_scene_set as a change, with "key old -> new" as what. */
+enum thud_status thud_doc_set(struct thud_doc *doc, const char *key, const char *text, struct thud_error *err);
+/* One step; what it was, NULL when there is none. */
+const char *thud_doc_undo(struct thud_doc *doc);
+const char *thud_doc_redo(struct thud_doc *doc);
+
+/* Whether the part that is used holds a time of the file. NaN bounds hold everything. */
+bool thud_doc_uses(const struct thud_doc *doc, double time_s);
+/* The ground motion as the scene names it now, read again only where the choice changed. NULL with THUD_OK: none is
+ * named. */
+enum thud_status thud_doc_record(struct thud_doc *doc, const struct thud_record **out, struct thud_error *err);
+
+#endif

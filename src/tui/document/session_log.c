@@ -1,0 +1,57 @@
+#include "tui/document/session_log.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "io/file/file.h"
+
+static const char head[] = "# A session of thud: `thud --play FILE` does it again";
+
+void thud_tui_log(struct thud_tui *tui, const char *fmt, ...)
+{
+    char line[2 * THUD_LINE_MAX];
+    va_list args;
+    va_start(args, fmt);
+    vsnprintf(line, sizeof line, fmt, args);
+    va_end(args);
+    line[strcspn(line, "\r\n")] = '\0';
+    thud_text_append(&tui->log, "%s\n", line);
+}
+
+void thud_tui_show_log(struct thud_tui *tui)
+{
+    thud_tui_choose(tui, THUD_CHOOSE_NOTHING, "What was done (:log FILE saves it, thud --play FILE plays it)");
+    for (const char *line = tui->log.data; line && *line;) {
+        int n = (int)strcspn(line, "\n");
+        thud_chooser_add(&tui->chooser, "", "%.*s", n, line);
+        line += n + (line[n] == '\n');
+    }
+    tui->chooser.at = tui->chooser.n > 0 ? tui->chooser.n - 1 : 0;
+}
+
+static bool is_log_or_nothing(const char *path)
+{
+    char first[sizeof head] = "";
+    FILE *file = fopen(path, "r");
+    if (!file)
+        return true;
+    bool same = fgets(first, sizeof first, file) && strcmp(first, head) == 0;
+    fclose(file);
+    return same;
+}
+
+void thud_tui_save_log(struct thud_tui *tui, const char *path)
+{
+    struct thud_text text = {0};
+    struct thud_error err;
+    if (!is_log_or_nothing(path)) {
+        thud_tui_say(tui, THUD_ROLE_ERROR, "! %s exists and is no session: another name", path);
+        return;
+    }
+    thud_text_append(&text, "%s\n%s", head, tui->log.data ? tui->log.data : "");
+    if (thud_text_write(&text, path, &err) != THUD_OK)
+        thud_tui_say_error(tui, &err);
+    else
+        thud_tui_say(tui, THUD_ROLE_GOOD, "Written %s: thud --play %s does it again", path, path);
+}

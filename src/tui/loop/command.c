@@ -1,0 +1,445 @@
+/* The command line within: the same words as outside. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/ascii.h"
+#include "base/nearest.h"
+#include "base/scan.h"
+#include "tui/document/session_log.h"
+#include "tui/screens/new_scene.h"
+#include "tui/screens/scene_edit.h"
+
+struct command {
+    const char *word, *short_word, *usage;
+    void (*run)(struct thud_tui *tui, char *rest);
+    const char *key;         /* what is said is its value; NULL: `run` takes it */
+    enum thud_action action; /* without `run` and `key`: what a key does */
+};
+
+/* "gap 5 cm", "gap=5cm" and "gap = 5 cm" are the same. */
+static void run_set(struct thud_tui *tui, char *rest)
+{
+    char *key = rest;
+    size_t n = strcspn(rest, " =");
+    if (n == 0 || !rest[n]) {
+        thud_tui_say(tui, THUD_ROLE_WARN, "set KEY VALUE: for example  set gap 5 cm");
+        return;
+    }
+    char *value = rest + n + strspn(rest + n, " =");
+    rest[n] = '\0';
+    thud_tui_set(tui, key, value);
+}
+
+/* The scene becomes that of a case, as `run --case` takes it. */
+static void run_case(struct thud_tui *tui, char *rest)
+{
+    struct thud_scene next;
+    struct thud_error err;
+    enum thud_case which;
+    char what[64];
+    snprintf(what, sizeof what, "case %.50s", rest);
+    if (thud_case_find(rest, &which, &err) != THUD_OK ||
+        thud_scene_case(&tui->doc.scene, which, &next, &err) != THUD_OK ||
+        thud_doc_change(&tui->doc, &next, what, &err) != THUD_OK)
+        thud_tui_say_error(tui, &err);
+    else {
+        thud_tui_log(tui, "case %s", rest);
+        thud_tui_say(tui, THUD_ROLE_PLAIN, "The scene is now that of case %s (u undoes)", rest);
+    }
+    thud_tui_changed(tui);
+}
+
+static void run_run(struct thud_tui *tui, char *rest)
+{
+    (void)rest;
+    thud_tui_run(tui);
+}
+
+static void run_open(struct thud_tui *tui, char *rest)
+{
+    if (*rest)
+        thud_tui_open(tui, rest, tui->playing);
+    else
+        thud_tui_list_presets(tui);
+}
+
+static void run_write(struct thud_tui *tui, char *rest)
+{
+    thud_tui_save(tui, *rest ? rest : NULL, false);
+}
+
+/* The screen of a name, or of a number. */
+static bool go_to(struct thud_tui *tui, const char *name)
+{
+    for (int i = 0; i < THUD_SCREENS; i++) {
+        const char *title = thud_view_of((enum thud_screen)i)->title;
+        if (thud_ascii_same(title, name) || (name[0] == '1' + i && !name[1])) {
+            thud_tui_go(tui, (enum thud_screen)i);
+            return true;
+        }
+    }
+    thud_tui_say(tui, THUD_ROLE_ERROR, "! there is no screen \"%.40s\"", name);
+    return false;
+}
+
+static void run_figures(struct thud_tui *tui, char *rest)
+{
+    if (*rest && !go_to(tui, rest))
+        return;
+    thud_tui_act(tui, THUD_DO_PICTURES);
+}
+
+/* "picture Plots impact-force": the figure of a screen by its name; alone the one on show. */
+static void write_one(struct thud_tui *tui, char *rest, enum thud_action action)
+{
+    char *name = rest + strcspn(rest, " ");
+    if (*name)
+        *name++ = '\0';
+    if (*rest && !go_to(tui, rest))
+        return;
+    if (*name && !thud_tui_show_figure(tui, name))
+        thud_tui_say(tui, THUD_ROLE_ERROR, "! %s has no figure %.60s now", rest, name);
+    else
+        thud_tui_act(tui, action);
+}
+
+static void run_picture(struct thud_tui *tui, char *rest)
+{
+    write_one(tui, rest, THUD_DO_PICTURE);
+}
+
+static void run_table(struct thud_tui *tui, char *rest)
+{
+    write_one(tui, rest, THUD_DO_EXPORT);
+}
+
+static void run_screen(struct thud_tui *tui, char *rest)
+{
+    go_to(tui, rest);
+}
+
+static void run_new(struct thud_tui *tui, char *rest)
+{
+    if (*rest && !tui->playing && thud_doc_unsaved(&tui->doc))
+        thud_tui_say(tui, THUD_ROLE_ERROR, "! %s has unsaved changes: w saves them first", tui->doc.scene.name);
+    else if (*rest)
+        thud_new_scene_command(tui, rest);
+    else
+        thud_tui_new(tui, false);
+}
+
+static void run_log(struct thud_tui *tui, char *rest)
+{
+    if (*rest)
+        thud_tui_save_log(tui, rest);
+    else
+        thud_tui_show_log(tui);
+}
+
+/* "storey add 1 3", "structure remove 2", "swap 1", "bumper 1": structures, floors and interfaces from 1. */
+static void edit_scene(struct thud_tui *tui, const char *word, const char *rest)
+{
+    const struct thud_scene *scene = &tui->doc.scene;
+    int number[2] = {0, 0}, n = scene->nstructures;
+    bool add = strncmp(rest, "add ", 4) == 0,
+         other = strncmp(rest, "delete ", 7) == 0 || strncmp(rest, "remove ", 7) == 0;
+    const char *at = rest + (add ? 4 : other ? 7 : 0);
+    if (thud_scan_count(&at, &number[0]) && *at == ' ') {
+        at++;
+        thud_scan_count(&at, &number[1]);
+    }
+    const struct thud_structure *s = number[0] >= 1 && number[0] <= n ? &scene->structure[number[0] - 1] : NULL;
+    bool storeys = s && thud_kind_is_building(s->kind);
+    if (strcmp(word, "storey") == 0 && storeys && add && s->storeys < THUD_STOREYS_MAX)
+        thud_tui_add_storey(tui, number[0] - 1, number[1]);
+    else if (strcmp(word, "storey") == 0 && storeys && other && number[1] >= 1 && number[1] <= s->storeys &&
+             s->storeys > 1)
+        thud_tui_delete_storey(tui, number[0] - 1, number[1]);
+    else if (strcmp(word, "structure") == 0 && s && add && n < THUD_STRUCTURES_MAX)
+        thud_tui_add_structure(tui, number[0] - 1);
+    else if (strcmp(word, "structure") == 0 && s && other && n > 2)
+        thud_tui_remove_structure(tui, number[0] - 1);
+    else if (strcmp(word, "swap") == 0 && s && number[0] < n)
+        thud_tui_swap(tui, number[0] - 1);
+    else if (strcmp(word, "bumper") == 0 && s && number[0] < n)
+        thud_tui_toggle_bumper(tui, number[0] - 1);
+    else
+        thud_tui_say(tui, THUD_ROLE_ERROR, "! %s %.40s: there is no such thing to do here", word, rest);
+}
+
+static void run_storey(struct thud_tui *tui, char *rest)
+{
+    edit_scene(tui, "storey", rest);
+}
+
+static void run_structure(struct thud_tui *tui, char *rest)
+{
+    edit_scene(tui, "structure", rest);
+}
+
+static void run_swap(struct thud_tui *tui, char *rest)
+{
+    edit_scene(tui, "swap", rest);
+}
+
+static void run_bumper(struct thud_tui *tui, char *rest)
+{
+    edit_scene(tui, "bumper", *rest ? rest : "1");
+}
+
+static void run_keep_force(struct thud_tui *tui, char *rest)
+{
+    (void)rest;
+    if (isfinite(tui->kept_before_n))
+        thud_tui_keep_force(tui);
+    else
+        thud_tui_say(tui, THUD_ROLE_ERROR, "! no exponent was changed: there is no force to keep");
+}
+
+static void run_paste(struct thud_tui *tui, char *rest)
+{
+    char *text = rest + strcspn(rest, " ");
+    if (*text)
+        *text++ = '\0';
+    thud_tui_go_to_field(tui, rest);
+    thud_tui_paste_line(tui, text);
+}
+
+/* Where figures and tables go; alone it says so. */
+static void run_beside(struct thud_tui *tui, char *rest)
+{
+    thud_tui_beside(tui, rest);
+}
+
+static void run_folder(struct thud_tui *tui, char *rest)
+{
+    if (*rest) {
+        snprintf(tui->folder, sizeof tui->folder, "%s", rest);
+        thud_tui_log(tui, "folder %s", rest);
+    }
+    thud_tui_say(tui, THUD_ROLE_PLAIN, "Figures and tables go into %s", thud_tui_folder(tui));
+}
+
+static void run_live(struct thud_tui *tui, char *rest)
+{
+    tui->live_on = strcmp(rest, "off") != 0;
+    thud_tui_say(tui, THUD_ROLE_PLAIN, tui->live_on ? "Live: every edit runs at once" : "Live is off: r runs");
+    thud_tui_changed(tui);
+}
+
+static void run_quit(struct thud_tui *tui, char *rest)
+{
+    thud_tui_quit(tui, *rest == '!');
+}
+
+/* A line of the study, as `thud sweep` takes it, on its screen; `sweep` alone runs what stands there. */
+static void run_vary(struct thud_tui *tui, char *rest)
+{
+    thud_tui_go(tui, THUD_SCREEN_SWEEP);
+    thud_tui_sweep_word(tui, "vary", rest);
+}
+
+static void run_vary2(struct thud_tui *tui, char *rest)
+{
+    thud_tui_go(tui, THUD_SCREEN_SWEEP);
+    thud_tui_sweep_word(tui, "vary2", rest);
+}
+
+static void run_vary3(struct thud_tui *tui, char *rest)
+{
+    thud_tui_go(tui, THUD_SCREEN_SWEEP);
+    thud_tui_sweep_word(tui, "vary3", rest);
+}
+
+static void run_vary4(struct thud_tui *tui, char *rest)
+{
+    thud_tui_go(tui, THUD_SCREEN_SWEEP);
+    thud_tui_sweep_word(tui, "vary4", rest);
+}
+
+static void run_sensitivity(struct thud_tui *tui, char *rest)
+{
+    thud_tui_go(tui, THUD_SCREEN_SWEEP);
+    thud_tui_sweep_word(tui, "sensitivity", rest);
+}
+
+static void run_cases(struct thud_tui *tui, char *rest)
+{
+    thud_tui_go(tui, THUD_SCREEN_SWEEP);
+    thud_tui_sweep_word(tui, "cases", rest);
+}
+
+static void run_records(struct thud_tui *tui, char *rest)
+{
+    thud_tui_go(tui, THUD_SCREEN_SWEEP);
+    thud_tui_sweep_word(tui, "records", rest);
+}
+
+static void run_signs(struct thud_tui *tui, char *rest)
+{
+    thud_tui_go(tui, THUD_SCREEN_SWEEP);
+    thud_tui_sweep_word(tui, "signs", rest);
+}
+
+static void run_events(struct thud_tui *tui, char *rest)
+{
+    thud_tui_go(tui, THUD_SCREEN_SWEEP);
+    thud_tui_sweep_word(tui, "events", rest);
+}
+
+static void run_sweep(struct thud_tui *tui, char *rest)
+{
+    (void)rest;
+    thud_tui_go(tui, THUD_SCREEN_SWEEP);
+    thud_tui_act(tui, THUD_DO_RUN);
+}
+
+static void run_bench(struct thud_tui *tui, char *rest)
+{
+    (void)rest;
+    thud_tui_go(tui, THUD_SCREEN_BENCH);
+    thud_tui_act(tui, THUD_DO_RUN);
+}
+
+/* clang-format off */
+#define KEY(name, arguments, key) {name, "", arguments, NULL, key, THUD_DO_NOTHING}
+#define RUN(name, arguments) {#name, "", arguments, run_##name, NULL, THUD_DO_NOTHING}
+#define ACT(name, action) {name, "", "", NULL, NULL, action}
+/* clang-format on */
+static const struct command table[] = {
+    RUN(set, "KEY VALUE"),
+    RUN(case, "none|bumper|cavity"),
+    KEY("title", "TEXT", "title"),
+    KEY("record", "FILE", "record.file"),
+    KEY("peak", "\"0.821 g\"", "record.peak"),
+    KEY("sa", "ACCELERATION", "record.sa"),
+    KEY("period", "TIME", "record.period"),
+    KEY("factor", "NUMBER", "record.factor"),
+    KEY("sign", "+|-", "record.sign"),
+    KEY("from", "TIME", "record.from"),
+    KEY("to", "TIME", "record.to"),
+    KEY("dt", "TIME", "record.dt"),
+    KEY("unit", "UNIT", "record.unit"),
+    KEY("channel", "NAME", "record.channel"),
+    KEY("column", "N", "record.column"),
+    KEY("skip", "N", "record.skip"),
+    KEY("method", "NAME", "analysis.method"),
+    KEY("step", "TIME", "analysis.step"),
+    KEY("tolerance", "NUMBER", "analysis.tolerance"),
+    RUN(run, ""),
+    RUN(vary, "KEY=FROM:TO:STEP"),
+    RUN(vary2, "KEY=FROM:TO:STEP"),
+    RUN(vary3, "KEY=FROM:TO:STEP"),
+    RUN(vary4, "KEY=FROM:TO:STEP"),
+    RUN(sensitivity, "CHANGE"),
+    RUN(cases, "CASE,CASE"),
+    RUN(records, "FILE,DIR,NAME.list"),
+    RUN(signs, "[both]"),
+    RUN(events, "EVENT,EVENT"),
+    RUN(sweep, ""),
+    RUN(bench, ""),
+    RUN(screen, "NAME"),
+    RUN(figures, "[SCREEN]"),
+    RUN(picture, "[SCREEN [FIGURE]]"),
+    RUN(table, "[SCREEN [FIGURE]]"),
+    ACT("undo", THUD_DO_UNDO),
+    ACT("redo", THUD_DO_REDO),
+    ACT("pin", THUD_DO_PIN),
+    ACT("exchange", THUD_DO_EXCHANGE),
+    RUN(bumper, "[INTERFACE]"),
+    {"keep-force", "", "", run_keep_force, NULL, THUD_DO_NOTHING},
+    RUN(beside, "none|LAW|NAME VALUE"),
+    RUN(storey, "add|delete STRUCTURE FLOOR"),
+    RUN(structure, "add|remove STRUCTURE"),
+    RUN(swap, "STRUCTURE"),
+    RUN(paste, "KEY VALUES"),
+    RUN(log, "[FILE]"),
+    RUN(new, "[storeys: 5, 7; gap: 8 cm; ...]"),
+    RUN(folder, "[DIR]"),
+    {"open", "o", "PRESET", run_open, NULL, THUD_DO_NOTHING},
+    {"write", "w", "[FILE]", run_write, NULL, THUD_DO_NOTHING},
+    RUN(live, "[off]"),
+    {"quit", "q", "[!]", run_quit, NULL, THUD_DO_NOTHING},
+    {"help", "h", "", NULL, NULL, THUD_DO_HELP},
+};
+#undef KEY
+#undef ACT
+#undef RUN
+
+/* Quotes that a shell would have taken away. */
+static char *unquoted(char *text)
+{
+    size_t n = strlen(text);
+    if (n < 2 || text[0] != '"' || text[n - 1] != '"')
+        return text;
+    text[n - 1] = '\0';
+    return text + 1;
+}
+
+static void list_words(struct thud_tui *tui, const char *word)
+{
+    enum { COMMANDS = sizeof table / sizeof *table };
+    const char *words[COMMANDS], *near;
+    char text[700] = "";
+    for (int i = 0; i < COMMANDS; i++) {
+        size_t n = strlen(text);
+        words[i] = table[i].word;
+        snprintf(text + n, sizeof text - n, "%s%s", i ? ", " : "", words[i]);
+    }
+    near = thud_nearest(word, words, COMMANDS);
+    if (near)
+        thud_tui_say(tui, THUD_ROLE_ERROR, "! \"%.40s\" is no command; did you mean :%s?", word, near);
+    else
+        thud_tui_say(tui, THUD_ROLE_ERROR, "! \"%.40s\" is no command: %s", word, text);
+}
+
+/* A key of the scene, as `set` takes it. */
+static bool begins_with_key(const struct thud_tui *tui, const char *text)
+{
+    char key[THUD_VARY_KEY];
+    int floor;
+    snprintf(key, sizeof key, "%.*s", (int)strcspn(text, " ="), text);
+    return thud_scene_param(&tui->doc.scene, key, &floor) != NULL;
+}
+
+void thud_tui_command(struct thud_tui *tui, const char *text)
+{
+    char copy[THUD_LINE_MAX], *word = copy;
+    if (snprintf(copy, sizeof copy, "%s", text) >= (int)sizeof copy) {
+        thud_tui_say(tui, THUD_ROLE_ERROR, "! the line is too long (at most %d bytes)", THUD_LINE_MAX - 1);
+        return;
+    }
+    word += strspn(word, " :");
+    size_t n = strcspn(word, " !");
+    char *rest = word + n, first[32];
+    rest += strspn(rest, " ");
+    for (size_t end = strlen(rest); end > 0 && rest[end - 1] == ' '; end--)
+        rest[end - 1] = '\0';
+    snprintf(first, sizeof first, "%.*s", (int)n, word);
+    if (!*first) {
+        if (*word)
+            list_words(tui, word);
+        return;
+    }
+    for (size_t i = 0; i < sizeof table / sizeof *table; i++)
+        if (strcmp(first, table[i].word) == 0 || (*table[i].short_word && strcmp(first, table[i].short_word) == 0)) {
+            if (table[i].key)
+                thud_tui_set(tui, table[i].key, unquoted(rest));
+            else if (table[i].run)
+                table[i].run(tui, rest);
+            else
+                thud_tui_act(tui, table[i].action);
+            return;
+        }
+    if (begins_with_key(tui, word))
+        run_set(tui, word);
+    else
+        list_words(tui, first);
+}
+
+void thud_tui_commands_text(struct thud_text *out)
+{
+    for (size_t i = 0; i < sizeof table / sizeof *table; i++)
+        thud_text_append(out, ":%s %s\n", table[i].word, table[i].usage);
+}

@@ -1,0 +1,371 @@
+/* What every screen has around it: the top lines, the panes' frames, the lines at the bottom. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "tui/loop/verdict.h"
+#include "tui/screens/help_text.h"
+#include "tui/screens/new_scene.h"
+
+enum { LEAST_WIDTH = 40, LEAST_HEIGHT = 10, DESIGN_WIDTH = 80, DESIGN_HEIGHT = 24 };
+
+char *thud_tui_number(double value, char text[24])
+{
+    if (isnan(value))
+        return strcpy(text, "·");
+    if (isinf(value))
+        return strcpy(text, value > 0.0 ? "inf" : "-inf");
+    const double nothing = 1e-12; /* in any unit that is shown: rounding of a speed of 0, say */
+    double size = fabs(value);
+    if (size < nothing)
+        return strcpy(text, "0");
+    if (size >= 1e6 || size < 1e-3)
+        snprintf(text, 24, "%.2e", value);
+    else if (size >= 99.95)
+        snprintf(text, 24, "%.0f", value);
+    else
+        snprintf(text, 24, "%.*f",
+                 size >= 9.995      ? 1
+                 : size >= 0.9995   ? 2
+                 : size >= 0.09995  ? 3
+                 : size >= 0.009995 ? 4
+                                    : 5,
+                 value);
+    return text;
+}
+
+static bool any_failed(const struct thud_tui *tui)
+{
+    for (int i = 0; i < THUD_LIVE_CASES; i++)
+        if (tui->live.which[i].state == THUD_LIVE_FAILED)
+            return true;
+    return false;
+}
+
+/* Returns the column it starts at. */
+static int run_status(struct thud_tui *tui, const struct thud_pane *row)
+{
+    char text[64];
+    int role = THUD_ROLE_MUTED;
+    double own = -1.0;
+    for (int i = 0; i < THUD_SCREENS && own < 0.0; i++)
+        if (thud_view_of((enum thud_screen)i)->progress)
+            own = thud_view_of((enum thud_screen)i)->progress(tui);
+    if (tui->writing) {
+        snprintf(text, sizeof text, "figures %d/%d  Esc stops ", tui->writing_done, tui->writing_count);
+        role = THUD_ROLE_WARN;
+    } else if (tui->live.running || own >= 0.0) {
+        int tenths = (int)(10.0 * (tui->live.running ? thud_live_progress(&tui->live) : own));
+        char bar[16] = "..........";
+        memset(bar, '#', (size_t)(tenths < 0 ? 0 : tenths > 10 ? 10 : tenths));
+        snprintf(text, sizeof text, "[%s] Esc stops ", bar);
+        role = THUD_ROLE_WARN;
+    } else if (tui->ran_revision != tui->doc.revision) {
+        snprintf(text, sizeof text, "not run: r runs ");
+        role = THUD_ROLE_WARN;
+    } else if (any_failed(tui)) {
+        snprintf(text, sizeof text, "FAILED ");
+        role = THUD_ROLE_ERROR;
+    } else {
+        char number[24];
+        snprintf(text, sizeof text, "run %s ms  ok ", thud_tui_number(1e3 * tui->elapsed_s, number));
+        role = THUD_ROLE_GOOD;
+    }
+    thud_pane_right(row, row->w, 0, thud_look(role, THUD_BOLD), text);
+    return row->w - thud_utf8_columns(text);
+}
+
+/* The name gives way where there is less room, the numbers do not. */
+static void record_words(const struct thud_tui *tui, int columns, char *text, size_t size)
+{
+    const struct thud_record_choice *choice = &tui->doc.scene.record;
+    const char *slash = strrchr(choice->file, '/');
+    if (!*choice->file) {
+        snprintf(text, size, "no ground motion");
+        return;
+    }
+    char peak[32] = "", number[24];
+    if (tui->doc.record)
+        snprintf(peak, sizeof peak, " %s g", thud_tui_number(thud_record_peak(tui->doc.record) / THUD_GRAVITY, number));
+    bool part = !isnan(choice->from_s) || !isnan(choice->to_s);
+    char scaled[48] = "";
+    double scale = tui->doc.record ? fabs(tui->doc.record->scale) : 1.0;
+    if (fabs(scale - 1.0) > 5e-4)
+        snprintf(scaled, sizeof scaled, " scaled x%s", thud_tui_number(scale, number));
+    char rest[160], name[300];
+    snprintf(rest, sizeof rest, "%s%s %c%s", peak, scaled, choice->sign < 0 ? '-' : '+', part ? " part" : "");
+    int room = columns - thud_utf8_columns(rest);
+    thud_utf8_fit(slash ? slash + 1 : choice->file, room < 4 ? 4 : room, name, sizeof name);
+    snprintf(text, size, "%s%s", name, rest);
+}
+
+/* Draws the screens' names, or finds the one at a column: -1 where there is none. */
+static int tabs(struct thud_tui *tui, const struct thud_pane *row, int column)
+{
+    int at = 0;
+    for (int i = 0; i < THUD_SCREENS; i++) {
+        bool here = i == (int)tui->screen, named = here || row->w >= DESIGN_WIDTH - 8;
+        char text[64];
+        if (named)
+            snprintf(text, sizeof text, "%c%d %s%c", here ? '[' : ' ', i + 1, thud_view_of((enum thud_screen)i)->title,
+                     here ? ']' : ' ');
+        else
+            snprintf(text, sizeof text, " %d ", i + 1);
+        int role = here ? THUD_ROLE_TITLE : named ? THUD_ROLE_PLAIN : THUD_ROLE_MUTED, from = at;
+        if (column < 0)
+            thud_pane_put(row, at, 0, thud_look(role, here ? THUD_BOLD | THUD_REVERSE : 0), text);
+        at += thud_utf8_columns(text);
+        if (column >= from && column < at)
+            return i;
+    }
+    return -1;
+}
+
+int thud_tui_tab_at(struct thud_tui *tui, int column)
+{
+    struct thud_pane page = thud_canvas_pane(&tui->canvas);
+    return tabs(tui, &page, column);
+}
+
+static void top_lines(struct thud_tui *tui, const struct thud_pane *page)
+{
+    struct thud_pane row = thud_pane_inside(page, 0, 0, page->w, 1);
+    char text[512];
+    int at = 1 + thud_pane_put(&row, 1, 0, thud_look(THUD_ROLE_TITLE, THUD_BOLD), "thud");
+    at += 2 + thud_pane_print(&row, at + 2, 0, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), "%s%s", tui->doc.scene.name,
+                              thud_doc_unsaved(&tui->doc) ? " [+]" : "");
+    struct thud_pane middle = thud_pane_inside(&row, 0, 0, run_status(tui, &row) - 1, 1);
+    record_words(tui, middle.w - at - 3, text, sizeof text);
+    thud_pane_put(&middle, at + 3, 0, thud_look(THUD_ROLE_PLAIN, 0), text);
+    row = thud_pane_inside(page, 0, 1, page->w, 1);
+    tabs(tui, &row, -1);
+}
+
+/* Meaning, unit, bounds and default of the field under the cursor. */
+static void field_words(struct thud_tui *tui, char *text, size_t size)
+{
+    const struct thud_field *field = thud_form_focus(&tui->form);
+    int floor;
+    *text = '\0';
+    const struct thud_view *view = thud_view_of(tui->screen);
+    if (tui->mode == THUD_MODE_NEW) /* a form of its own stands over the screen */
+        return;
+    if (field && field->kind == THUD_FIELD_ROW && view->hint)
+        snprintf(text, size, "%s", view->hint(field));
+    const struct thud_panel *panel = !field && view->read ? view->read(tui) : NULL;
+    if (!field && view->words)
+        view->words(tui, text, size);
+    else if (panel && isnan(tui->reading[tui->screen]))
+        snprintf(text, size, "Left and Right read values off the chart%s", view->take ? ", Enter takes one" : "");
+    else if (panel) {
+        thud_chart_words(panel, tui->reading[tui->screen], text, size);
+        size_t n = strlen(text);
+        snprintf(text + n, size - n, "%s", view->take ? ". Enter: the scene takes it" : "");
+    }
+    if (!field || field->kind != THUD_FIELD_VALUE)
+        return;
+    const struct thud_param *param = thud_scene_param(&tui->doc.scene, field->path, &floor);
+    if (!param)
+        return;
+    thud_param_words(param, text, size);
+}
+
+static void bottom_keys(struct thud_tui *tui, const struct thud_pane *row)
+{
+    int where = thud_tui_where(tui);
+    bool normal = tui->mode == THUD_MODE_NORMAL;
+    const char *always = normal ? "? help  q quit " : "";
+    int at = 1, room = row->w - thud_utf8_columns(always);
+    if (tui->mode == THUD_MODE_ASKING)
+        at += thud_pane_put(row, at, 0, thud_look(THUD_ROLE_KEY, 0),
+                            thud_tui_asks_to_save(tui) ? "s save  y lose  Esc stay" : "y yes   n no   Esc cancel");
+    for (int i = 0; i < thud_key_count() && tui->mode != THUD_MODE_ASKING; i++) {
+        const struct thud_key_entry *key = thud_key_at(i);
+        if (!(key->where & where) || !*key->label || key->action == THUD_DO_HELP || key->action == THUD_DO_QUIT ||
+            thud_key_action(where, key->key) != key->action || (normal && thud_tui_cannot(tui, key->action)))
+            continue;
+        bool between_fields = key->action == THUD_DO_ACCEPT_NEXT || key->action == THUD_DO_ACCEPT_DOWN;
+        if (between_fields && tui->typing != THUD_TYPE_FIELD)
+            continue;
+        bool alone = *key->label == '~';
+        char text[64];
+        snprintf(text, sizeof text, "%s%s%s", alone ? "" : key->written, alone ? "" : " ", key->label + alone);
+        int width = thud_utf8_columns(text);
+        if (at + width + 2 > room)
+            continue;
+        thud_pane_put(row, at, 0, thud_look(THUD_ROLE_KEY, 0), text);
+        at += width + 2;
+    }
+    thud_pane_right(row, row->w, 0, thud_look(THUD_ROLE_KEY, 0), always);
+}
+
+/* The prompt of what is typed outside a field. */
+static const char *prompt_words(const struct thud_tui *tui)
+{
+    static const char *const words[] = {"", ":", "save as: ", "file name contains: ", "", "search: "};
+    if (tui->typing == THUD_TYPE_STUDY)
+        return tui->target;
+    return words[tui->typing];
+}
+
+/* Leaves off sentences at the end until the rest fits into so many rows. */
+static void fit_words(const struct thud_pane *lines, int rows, char *words)
+{
+    struct thud_pane nowhere = thud_pane_inside(lines, 0, 0, lines->w, 0);
+    while (thud_pane_wrap(&nowhere, 1, 0, lines->w - 2, thud_look(THUD_ROLE_PLAIN, 0), words) > rows) {
+        char *end = NULL;
+        for (char *at = words; (at = strstr(at, ". ")) != NULL; at++)
+            end = at + 1;
+        if (!end)
+            return;
+        *end = '\0';
+    }
+}
+
+static void bottom_lines(struct thud_tui *tui, const struct thud_pane *page, int rows)
+{
+    struct thud_pane lines = thud_pane_inside(page, 0, page->h - rows, page->w, rows);
+    char words[1024];
+    field_words(tui, words, sizeof words);
+    struct thud_look said = thud_look((int)tui->message_role, THUD_BOLD), muted = thud_look(THUD_ROLE_PLAIN, 0);
+    struct thud_pane upper = thud_pane_inside(&lines, 0, 0, lines.w, rows - 1);
+    struct thud_pane nowhere = thud_pane_inside(&lines, 0, 0, lines.w, 0);
+    int needed = thud_pane_wrap(&nowhere, 1, 0, lines.w - 2, said, tui->message);
+    if (needed > upper.h && needed < page->h / 2) { /* over the panes, as long as it is said */
+        upper = thud_pane_inside(page, 0, page->h - 1 - needed, page->w, needed);
+        for (int y = 0; y < upper.h; y++)
+            for (int x = 0; x < upper.w; x++)
+                thud_pane_glyph(&upper, x, y, muted, ' ');
+    }
+    if (tui->mode == THUD_MODE_TYPING && tui->typing != THUD_TYPE_FIELD) {
+        int at = 1 + thud_pane_put(&upper, 1, upper.h - 1, thud_look(THUD_ROLE_KEY, THUD_BOLD), prompt_words(tui));
+        if (*tui->message && upper.h > 1)
+            thud_pane_put(&upper, 1, 0, said, tui->message);
+        thud_line_draw(&tui->line, &upper, at, upper.h - 1, upper.w - at, thud_look(THUD_ROLE_VALUE, THUD_UNDERLINE));
+    } else {
+        int used = *tui->message ? thud_pane_wrap(&upper, 1, 0, upper.w - 2, said, tui->message) : 0;
+        if (used == 0 && upper.h > 1 && thud_utf8_columns(words) <= upper.w - 2)
+            used = 1;
+        fit_words(&upper, upper.h - used, words);
+        if (used < upper.h)
+            thud_pane_wrap(&upper, 1, used, upper.w - 2, muted, words);
+    }
+    struct thud_pane keys = thud_pane_inside(&lines, 0, rows - 1, lines.w, 1);
+    bottom_keys(tui, &keys);
+}
+
+static void draw_pane(struct thud_tui *tui, const struct thud_view *view, const struct thud_pane *page, int index,
+                      struct thud_rect at)
+{
+    struct thud_form *form = &tui->form;
+    char title[128] = "";
+    view->pane_title(tui, index, title, sizeof title);
+    struct thud_pane outer = thud_pane_inside(page, at.x, at.y, at.w, at.h);
+    struct thud_pane in = thud_pane_frame(&outer, title, form->pane[tui->screen] == index);
+    in.scroll = form->scroll[tui->screen][index];
+    form->height[index] = in.h;
+    form->used[index] = view->draw(tui, index, &in);
+    int more = form->used[index] - in.scroll - in.h;
+    char text[32];
+    if (more > 0 && outer.w > 16 && in.h > 0) {
+        snprintf(text, sizeof text, " %d more ↓ ", more);
+        thud_pane_right(&outer, outer.w - 1, outer.h - 1, thud_look(THUD_ROLE_MUTED, 0), text);
+    }
+    if (in.scroll > 0 && outer.w > 16 && in.h > 0) {
+        snprintf(text, sizeof text, " %d above ↑ ", in.scroll);
+        thud_pane_right(&outer, outer.w - 1, 0, thud_look(THUD_ROLE_MUTED, 0), text);
+    }
+}
+
+static int bottom_rows(const struct thud_canvas *canvas)
+{
+    return canvas->height < 16 ? 2 : 3;
+}
+
+struct thud_rect thud_tui_area(const struct thud_tui *tui)
+{
+    int top = thud_view_of(tui->screen)->verdict && tui->canvas.height >= 12 ? 3 : 2;
+    return (struct thud_rect){0, top, tui->canvas.width, tui->canvas.height - top - bottom_rows(&tui->canvas)};
+}
+
+bool thud_tui_one_pane(const struct thud_tui *tui)
+{
+    return tui->canvas.width < DESIGN_WIDTH || tui->canvas.height < DESIGN_HEIGHT;
+}
+
+/* All panes; returns how many there are. Where the terminal is small the one with the cursor takes all the room. */
+static int draw_panes(struct thud_tui *tui, const struct thud_pane *page, struct thud_rect area)
+{
+    const struct thud_view *view = thud_view_of(tui->screen);
+    struct thud_rect rect[THUD_PANES_MAX];
+    int n = view->layout(tui, area, rect);
+    bool small = thud_tui_one_pane(tui);
+    int here = tui->form.pane[tui->screen];
+    if (here < 0 || here >= n)
+        here = 0;
+    thud_form_begin(&tui->form, (int)tui->screen);
+    tui->chart.plot.w = tui->chart.plot.h = 0;
+    for (int i = 0; i < n; i++) {
+        struct thud_rect hidden = {0, 0, 0, 0};
+        draw_pane(tui, view, page, i, !small ? rect[i] : i == here ? area : hidden);
+    }
+    return n;
+}
+
+bool thud_tui_too_small(struct thud_tui *tui)
+{
+    int width, height;
+    tui->backend->size(tui->backend, &width, &height);
+    return width < LEAST_WIDTH || height < LEAST_HEIGHT;
+}
+
+static void say_too_small(const struct thud_tui *tui, const struct thud_pane *page)
+{
+    char text[80];
+    snprintf(text, sizeof text, "thud needs %dx%d, here %dx%d", LEAST_WIDTH, LEAST_HEIGHT, page->w, page->h);
+    int y = thud_pane_wrap(page, 0, 0, page->w, thud_look(THUD_ROLE_PLAIN, 0), text);
+    if (tui->mode == THUD_MODE_ASKING)
+        thud_pane_wrap(page, 0, y, page->w, thud_look(THUD_ROLE_WARN, THUD_BOLD), tui->message);
+}
+
+void thud_tui_draw(struct thud_tui *tui)
+{
+    int width, height;
+    if (tui->picture != THUD_IMAGE_NONE)
+        return;
+    tui->backend->size(tui->backend, &width, &height);
+    if ((width != tui->canvas.width || height != tui->canvas.height) &&
+        thud_canvas_resize(&tui->canvas, width, height, NULL) != THUD_OK)
+        return;
+    for (int pass = 0; pass < 3; pass++) {
+        thud_canvas_clear(&tui->canvas);
+        struct thud_pane page = thud_canvas_pane(&tui->canvas);
+        if (page.w < LEAST_WIDTH || page.h < LEAST_HEIGHT) {
+            say_too_small(tui, &page);
+            break;
+        }
+        int rows = bottom_rows(&tui->canvas);
+        struct thud_rect area = thud_tui_area(tui);
+        int panes = draw_panes(tui, &page, area);
+        bool again = thud_form_end(&tui->form, panes);
+        top_lines(tui, &page);
+        if (area.y > 2) {
+            struct thud_pane verdict = thud_pane_inside(&page, 0, 2, page.w, 1);
+            thud_verdict_draw(tui, &verdict);
+        }
+        if (tui->mode == THUD_MODE_CHOOSING) {
+            struct thud_pane over = thud_pane_inside(&page, 0, area.y, area.w, area.h);
+            thud_chooser_draw(&tui->chooser, &over);
+        }
+        if (tui->mode == THUD_MODE_NEW) {
+            struct thud_pane over = thud_pane_inside(&page, 0, 2, page.w, page.h - 2 - rows);
+            thud_new_scene_draw(tui, &over);
+        }
+        bottom_lines(tui, &page, rows);
+        if (!again)
+            break;
+    }
+    tui->backend->show(tui->backend, &tui->canvas);
+    tui->drawn_s = tui->backend->now(tui->backend);
+    tui->dirty = tui->draw_now = false;
+}

@@ -1,0 +1,186 @@
+/* Pasted text: into the line being typed, or into the cells from the cursor on, as one change. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "tui/document/session_log.h"
+#include "tui/screens/new_scene.h"
+
+/* The next row of a paste, without the end of its line; false at its end. Terminals send a line's end as CR. */
+static bool next_row(const char **text, char *row, size_t size)
+{
+    if (!**text)
+        return false;
+    size_t n = strcspn(*text, "\r\n");
+    snprintf(row, size, "%.*s", (int)n, *text);
+    *text += n;
+    if (**text == '\r')
+        (*text)++;
+    if (**text == '\n')
+        (*text)++;
+    return true;
+}
+
+/* True where a row is several bare numbers with blanks between them. */
+static bool bare_numbers(const char *row)
+{
+    int n = 0;
+    for (const char *at = row + strspn(row, " "); *at; n++) {
+        const char *end;
+        double number;
+        if (thud_number_parse(at, &end, &number) != 0 || (*end && *end != ' '))
+            return false;
+        at = end + strspn(end, " ");
+    }
+    return n > 1;
+}
+
+/* Cuts the next cell off a row: at a tab or semicolon, or at blanks between bare numbers. NULL at its end. */
+static char *next_cell(char **row, bool blanks)
+{
+    char *cell = *row;
+    if (!cell)
+        return NULL;
+    cell += strspn(cell, " ");
+    size_t n = strcspn(cell, blanks ? " \t;" : "\t;");
+    char *rest = cell + n;
+    bool more = *rest != '\0';
+    if (more)
+        *rest++ = '\0';
+    if (blanks)
+        rest += strspn(rest, " ");
+    *row = more && (!blanks || *rest) ? rest : NULL;
+    return cell;
+}
+
+/* The nearest field to the right in the same row of its pane, or below in the same column; NULL: there is none. */
+static const struct thud_field *beside(const struct thud_form *form, const struct thud_field *from, bool below)
+{
+    const struct thud_field *best = NULL;
+    for (int i = 0; i < form->n; i++) {
+        const struct thud_field *f = &form->field[i];
+        if (f->pane != from->pane || f->kind != THUD_FIELD_VALUE ||
+            (below ? f->x != from->x || f->y <= from->y : f->y != from->y || f->x <= from->x))
+            continue;
+        if (!best || (below ? f->y < best->y : f->x < best->x))
+            best = f;
+    }
+    return best;
+}
+
+/* Sets one cell of the scene that is being made. */
+static enum thud_status put(struct thud_tui *tui, struct thud_scene *next, const struct thud_field *field,
+                            const char *cell, struct thud_error *err)
+{
+    char text[THUD_LINE_MAX + 64];
+    thud_tui_with_unit(tui, field->path, cell, text, sizeof text);
+    if (!thud_tui_typable(tui, field))
+        return thud_error_set(err, THUD_INPUT, "%s is chosen from a list: nothing can be pasted there", field->path);
+    return thud_scene_set(next, field->path, text, err);
+}
+
+/* Fills cells from `first` on; nothing changes where one of them is refused. */
+static enum thud_status fill(struct thud_tui *tui, const char *text, const struct thud_field *first,
+                             struct thud_scene *next, int *cells, struct thud_error *err)
+{
+    char row[THUD_LINE_MAX];
+    const struct thud_field *start = first;
+    enum thud_status status = THUD_OK;
+    *cells = 0;
+    while (status == THUD_OK && next_row(&text, row, sizeof row)) {
+        char *rest = row, *cell;
+        bool blanks = bare_numbers(row);
+        if (!row[strspn(row, " \t")])
+            continue;
+        if (!start)
+            return thud_error_set(err, THUD_INPUT, "there are only %d rows from here on, and more in what was pasted",
+                                  *cells);
+        for (const struct thud_field *field = start; status == THUD_OK && (cell = next_cell(&rest, blanks)) != NULL;
+             field = beside(&tui->form, field, false)) {
+            status = put(tui, next, field, cell, err);
+            *cells += status == THUD_OK;
+            if (rest && status == THUD_OK && !beside(&tui->form, field, false))
+                return thud_error_set(err, THUD_INPUT, "a row of what was pasted has more values than there are cells");
+        }
+        start = beside(&tui->form, start, true);
+    }
+    return status;
+}
+
+/* In one line: rows end with `;;`, which a row of cells has nowhere, and tabs are semicolons. */
+static void escape(const char *text, char *line, size_t size)
+{
+    size_t n = 0;
+    for (; *text && n + 3 < size; text++) {
+        if (*text == '\r')
+            continue;
+        line[n++] = *text == '\n' || *text == '\t' ? ';' : *text;
+        if (*text == '\n')
+            line[n++] = ';';
+    }
+    line[n] = '\0';
+}
+
+void thud_tui_paste_line(struct thud_tui *tui, const char *line)
+{
+    char text[THUD_LINE_MAX];
+    size_t n = 0;
+    for (; *line && n + 1 < sizeof text; line++) {
+        bool row = line[0] == ';' && line[1] == ';';
+        text[n++] = row ? '\n' : *line;
+        line += row;
+    }
+    text[n] = '\0';
+    thud_tui_paste(tui, text);
+}
+
+void thud_tui_paste(struct thud_tui *tui, const char *text)
+{
+    const struct thud_field *field = thud_form_focus(&tui->form);
+    bool typing = tui->mode == THUD_MODE_TYPING, cells = text && strpbrk(text, "\r\n\t;") != NULL;
+    if (!text || !*text || tui->mode == THUD_MODE_ASKING)
+        return;
+    if (tui->mode == THUD_MODE_NEW) {
+        thud_line_type(&tui->new_scene->line, text);
+        return;
+    }
+    if (tui->mode == THUD_MODE_CHOOSING) {
+        thud_line_type(&tui->chooser.filter, text);
+        thud_chooser_key(&tui->chooser, THUD_KEY_NONE);
+        return;
+    }
+    if (typing && (tui->typing != THUD_TYPE_FIELD || !cells)) {
+        thud_line_type(&tui->line, text);
+        return;
+    }
+    if (!field || field->kind != THUD_FIELD_VALUE) {
+        thud_tui_say(tui, THUD_ROLE_WARN, "Pasted text goes into fields, and the cursor is on none");
+        return;
+    }
+    struct thud_scene *next = malloc(sizeof *next);
+    struct thud_error err = {0};
+    int n = 0;
+    char what[80];
+    enum thud_status status = next ? THUD_OK : thud_error_set(&err, THUD_MEMORY, "no memory for what was pasted");
+    if (status == THUD_OK) {
+        *next = tui->doc.scene;
+        status = fill(tui, text, field, next, &n, &err);
+    }
+    snprintf(what, sizeof what, "%d pasted value%s", n, n == 1 ? "" : "s");
+    if (status == THUD_OK && n > 0)
+        status = thud_doc_change(&tui->doc, next, what, &err);
+    free(next);
+    tui->mode = THUD_MODE_NORMAL;
+    if (status != THUD_OK) {
+        char words[600];
+        thud_tui_say(tui, THUD_ROLE_ERROR, "! nothing was changed: %s", thud_error_text(&err, words, sizeof words));
+        return;
+    }
+    if (n > 0) {
+        char line[THUD_LINE_MAX];
+        escape(text, line, sizeof line);
+        thud_tui_log(tui, "paste %s %s", field->path, line);
+        thud_tui_say(tui, THUD_ROLE_PLAIN, "%s taken (u undoes)", what);
+        thud_tui_changed(tui);
+    }
+}

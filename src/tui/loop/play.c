@@ -1,0 +1,108 @@
+/* A session played without a terminal: every command is carried out to its end, and what came of it is printed. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "io/file/file.h"
+#include "tui/loop/loop.h"
+#include "tui/loop/play.h"
+#include "tui/loop/verdict.h"
+
+enum { WIDTH = 100, HEIGHT = 40, BYTES_MAX = 1 << 20 };
+
+/* Works until nothing is left to do. */
+static void settle(struct thud_tui *tui)
+{
+    while (thud_tui_turn(tui, false) || tui->writing)
+        if (tui->writing)
+            thud_tui_turn(tui, true);
+    thud_tui_draw(tui);
+}
+
+static void print_screen(struct thud_tui *tui, struct thud_text *out)
+{
+    char *text = thud_canvas_text(&tui->canvas);
+    if (text)
+        thud_text_append(out, "%s", text);
+    out->failed |= !text;
+    free(text);
+}
+
+/* One line; false where it was refused, and `err` says why. */
+static bool play_line(struct thud_tui *tui, const char *line, struct thud_text *out, struct thud_error *err)
+{
+    char before[sizeof tui->verdict];
+    line += strspn(line, " \t:");
+    if (!*line || *line == '#')
+        return true;
+    memcpy(before, tui->verdict, sizeof before);
+    size_t echo = out->size;
+    thud_text_append(out, "> %s\n", line);
+    if (!out->failed)
+        out->size = echo + thud_text_shown(out->data + echo, "\n");
+    tui->message[0] = '\0';
+    if (strcmp(line, "show") == 0) {
+        print_screen(tui, out);
+        return true;
+    }
+    tui->playing = true;
+    thud_tui_command(tui, line);
+    settle(tui);
+    tui->playing = false;
+    if (tui->message_role == THUD_ROLE_ERROR && *tui->message) {
+        thud_error_set(err, THUD_INPUT, "%s", tui->message + 2 * (strncmp(tui->message, "! ", 2) == 0));
+        return false;
+    }
+    if (tui->mode != THUD_MODE_NORMAL && !tui->quit) {
+        thud_error_set(err, THUD_INPUT, "waits for an answer%s%s", *tui->message ? ": " : "", tui->message);
+        return false;
+    }
+    if (*tui->message)
+        thud_text_append(out, "%s\n", tui->message);
+    if (*tui->verdict && strcmp(before, tui->verdict) != 0)
+        thud_text_append(out, "%s\n", tui->verdict);
+    return true;
+}
+
+enum thud_status thud_tui_play_lines(struct thud_tui *tui, const char *path, struct thud_text *out,
+                                     struct thud_error *err)
+{
+    char *text, *rest, *line;
+    int number = 0;
+    enum thud_status status = thud_text_read(path, BYTES_MAX, &text, err);
+    if (status != THUD_OK)
+        return status;
+    settle(tui);
+    if (*tui->verdict)
+        thud_text_append(out, "%s\n", tui->verdict);
+    for (rest = text; status == THUD_OK && !tui->quit && (line = thud_text_line(&rest)) != NULL;) {
+        number++;
+        if (!play_line(tui, line, out, err)) {
+            thud_error_place(err, path, number, 0);
+            status = THUD_INPUT;
+        }
+    }
+    free(text);
+    return status;
+}
+
+enum thud_status thud_tui_play(const struct thud_tui_options *options, struct thud_error *err)
+{
+    struct thud_backend backend;
+    struct thud_script script;
+    struct thud_tui *tui;
+    struct thud_text out = {0};
+    thud_script_open(&backend, &script, WIDTH, HEIGHT, !options->ascii);
+    enum thud_status status = thud_tui_create(options, &backend, &tui, err);
+    if (status != THUD_OK)
+        return status;
+    tui->mode = THUD_MODE_NORMAL; /* neither a form nor a question */
+    status = thud_tui_play_lines(tui, options->play, &out, err);
+    if (out.failed && status == THUD_OK)
+        status = thud_error_set(err, THUD_MEMORY, "no memory for what is printed");
+    if (out.data && (fputs(out.data, stdout) == EOF || fflush(stdout) == EOF) && status == THUD_OK)
+        status = thud_error_set(err, THUD_OUTPUT, "standard output cannot be written");
+    thud_text_clear(&out);
+    thud_tui_free(tui);
+    return status;
+}

@@ -1,0 +1,14 @@
+/* Sessions played without a terminal. */
+#ifndef THUD_TUI_PLAY_H
+#define THUD_TUI_PLAY_H
+
+#include "tui/document/state.h"
+
+/* Carries out the commands of options->play, and prints each with what came of it: messages, and the answer where it is
+ * another one. Errors: THUD_INPUT with file and line where a command was refused, THUD_OUTPUT, THUD_MEMORY. */
+enum thud_status thud_tui_play(const struct thud_tui_options *options, struct thud_error *err);
+/* The same on screens that are there; what would be printed goes to `out`. */
+enum thud_status thud_tui_play_lines(struct thud_tui *tui, const char *path, struct thud_text *out,
+                                     struct thud_error *err);
+
+#endif

@@ -1,0 +1,146 @@
+/* Keys of a prompt beside those of a line: the lines typed before, and completion. */
+#include <dirent.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "tui/document/state.h"
+
+/* Candidates for the word at the end of the line, and what they have in common. */
+struct completion {
+    const char *word;
+    char common[256], list[300];
+    int n;
+};
+
+static void offer(struct completion *c, const char *candidate, const char *end)
+{
+    size_t n = strlen(c->word), same = 0;
+    char whole[256];
+    snprintf(whole, sizeof whole, "%s%s", candidate, end);
+    if (strncmp(whole, c->word, n) != 0)
+        return;
+    if (c->n++ == 0)
+        snprintf(c->common, sizeof c->common, "%s", whole);
+    while (c->common[same] && c->common[same] == whole[same])
+        same++;
+    c->common[same] = '\0';
+    size_t used = strlen(c->list);
+    snprintf(c->list + used, sizeof c->list - used, "%s%s", used ? "  " : "", candidate);
+}
+
+/* Files and folders that begin like the word: from the working folder, or the folder in it. */
+static void offer_files(struct completion *c)
+{
+    char folder[256], whole[600];
+    const char *slash = strrchr(c->word, '/');
+    int n = slash ? (int)(slash - c->word) + 1 : 0;
+    snprintf(folder, sizeof folder, "%.*s", n, c->word);
+    DIR *dir = opendir(n ? folder : ".");
+    for (struct dirent *entry; dir && (entry = readdir(dir)) != NULL;) {
+        struct stat info;
+        if (*entry->d_name == '.')
+            continue;
+        snprintf(whole, sizeof whole, "%s%s", folder, entry->d_name);
+        if (stat(whole, &info) == 0)
+            offer(c, whole, S_ISDIR(info.st_mode) ? "/" : "");
+    }
+    if (dir)
+        closedir(dir);
+}
+
+/* Names in one of thud's own folders. */
+static void offer_shipped(struct completion *c, const char *folder, const char *ending)
+{
+    DIR *dir = opendir(folder);
+    for (struct dirent *entry; dir && (entry = readdir(dir)) != NULL;) {
+        size_t n = strlen(entry->d_name), m = strlen(ending);
+        char name[256];
+        if (*entry->d_name == '.' || n <= m || n >= sizeof name || strcmp(entry->d_name + n - m, ending) != 0)
+            continue;
+        snprintf(name, sizeof name, "%.*s", (int)(n - m), entry->d_name);
+        offer(c, name, "");
+    }
+    if (dir)
+        closedir(dir);
+}
+
+static void offer_words(struct thud_tui *tui, struct completion *c, const char *command, size_t n)
+{
+    if (n == 0) {
+        struct thud_text words = {0};
+        thud_tui_commands_text(&words);
+        char *rest = words.data;
+        for (char *line; rest && (line = strtok_r(rest, "\n", &rest)) != NULL;) {
+            line[strcspn(line, " ")] = '\0';
+            offer(c, line + 1, " ");
+        }
+        thud_text_clear(&words);
+    } else if (strncmp(command, "set", n) == 0 || strncmp(command, "vary", n) == 0) {
+        thud_tui_fill_fields(tui);
+        for (int i = 0; i < tui->chooser.n; i++)
+            offer(c, tui->chooser.choice[i].value, *command == 's' ? " " : "=");
+        offer(c, "gap", *command == 's' ? " " : "=");
+    } else {
+        if (strncmp(command, "record", n) == 0)
+            offer_shipped(c, tui->doc.paths->records, "");
+        if (strncmp(command, "open", n) == 0)
+            offer_shipped(c, tui->doc.paths->presets, ".yaml");
+        offer_files(c);
+    }
+}
+
+static void complete(struct thud_tui *tui)
+{
+    struct completion c = {0};
+    char *text = tui->line.text, *last = strrchr(text, ' ');
+    char word[256];
+    if (tui->line.cursor != (int)strlen(text))
+        return;
+    if (tui->typing == THUD_TYPE_SAVE_AS)
+        last = NULL;
+    snprintf(word, sizeof word, "%.255s", last ? last + 1 : text);
+    c.word = word;
+    if (tui->typing == THUD_TYPE_COMMAND)
+        offer_words(tui, &c, text, last ? strcspn(text, " ") : 0);
+    else
+        offer_files(&c);
+    if (c.n == 0) {
+        thud_tui_say(tui, THUD_ROLE_WARN, "nothing begins with \"%s\"", word);
+        return;
+    }
+    char whole[THUD_LINE_MAX];
+    snprintf(whole, sizeof whole, "%.*s%s", last ? (int)(last + 1 - text) : 0, text, c.common);
+    thud_line_set(&tui->line, whole);
+    tui->message[0] = '\0';
+    if (c.n > 1)
+        thud_tui_say(tui, THUD_ROLE_PLAIN, "%s", c.list);
+}
+
+void thud_tui_remember(struct thud_tui *tui, const char *text)
+{
+    if (!*text || (tui->nhistory > 0 && strcmp(tui->history[tui->nhistory - 1], text) == 0))
+        return;
+    if (tui->nhistory == THUD_HISTORY)
+        memmove(tui->history[0], tui->history[1], sizeof tui->history - sizeof *tui->history);
+    else
+        tui->nhistory++;
+    snprintf(tui->history[tui->nhistory - 1], sizeof *tui->history, "%s", text);
+}
+
+bool thud_tui_prompt_key(struct thud_tui *tui, int key)
+{
+    bool files = tui->typing == THUD_TYPE_COMMAND || tui->typing == THUD_TYPE_SAVE_AS;
+    if (key == THUD_KEY_TAB && files) {
+        complete(tui);
+        return true;
+    }
+    if (tui->typing != THUD_TYPE_COMMAND || (key != THUD_KEY_UP && key != THUD_KEY_DOWN))
+        return false;
+    int at = tui->history_at + (key == THUD_KEY_UP ? -1 : 1);
+    if (at >= 0 && at <= tui->nhistory) {
+        tui->history_at = at;
+        thud_line_set(&tui->line, at < tui->nhistory ? tui->history[at] : "");
+    }
+    return true;
+}

@@ -1,0 +1,376 @@
+#include <math.h>
+#include <signal.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "tui/document/session_log.h"
+#include "tui/loop/loop.h"
+#include "tui/loop/play.h"
+#include "tui/screens/new_scene.h"
+#include "tui/terminal/config.h"
+
+static const double slice_s = 0.012, redraw_s = 0.05, live_limit_s = 1.0, history_limit_s = 4.0;
+
+void thud_tui_say(struct thud_tui *tui, enum thud_role role, const char *fmt, ...)
+{
+    va_list args;
+    va_start(args, fmt);
+    vsnprintf(tui->message, sizeof tui->message, fmt, args);
+    va_end(args);
+    tui->message_role = role;
+    tui->dirty = true;
+}
+
+void thud_tui_say_error(struct thud_tui *tui, const struct thud_error *err)
+{
+    char text[600];
+    thud_tui_say(tui, THUD_ROLE_ERROR, "! %s", thud_error_text(err, text, sizeof text));
+}
+
+enum thud_status thud_tui_create(const struct thud_tui_options *options, struct thud_backend *backend,
+                                 struct thud_tui **out, struct thud_error *err)
+{
+    struct thud_tui *tui = calloc(1, sizeof *tui);
+    if (!tui)
+        return thud_error_set(err, THUD_MEMORY, "no memory for the screens");
+    tui->backend = backend;
+    tui->doc.paths = options->paths;
+    tui->canvas.ascii = !backend->utf8;
+    tui->canvas.color = backend->color;
+    tui->live_on = tui->live_wanted = tui->dirty = tui->mouse = true;
+    for (int i = 0; i < THUD_SCREENS; i++)
+        tui->reading[i] = NAN;
+    tui->options = *options;
+    tui->live_wanted = !options->live_off;
+    enum thud_status status = thud_doc_open(&tui->doc, options->preset ? options->preset : "towers", err);
+    if (status == THUD_OK && options->scene)
+        status = thud_doc_change(&tui->doc, options->scene, "the options given at the start", err);
+    if (status == THUD_OK)
+        status = thud_canvas_resize(&tui->canvas, 1, 1, err);
+    if (status != THUD_OK) {
+        thud_tui_free(tui);
+        return status;
+    }
+    thud_tui_opened(tui);
+    thud_tui_log(tui, "open %s", options->preset ? options->preset : "towers");
+    thud_tui_offer_recovery(tui);
+    if (options->fresh && tui->mode == THUD_MODE_NORMAL)
+        thud_new_scene_begin(tui);
+    *out = tui;
+    return THUD_OK;
+}
+
+void thud_tui_free(struct thud_tui *tui)
+{
+    if (!tui)
+        return;
+    thud_tui_writing_end(tui);
+    thud_live_clear(&tui->live);
+    for (int i = 0; i < THUD_SCREENS; i++)
+        if (thud_view_of((enum thud_screen)i)->free)
+            thud_view_of((enum thud_screen)i)->free(tui);
+    thud_pin_clear(&tui->pin);
+    thud_text_clear(&tui->log);
+    thud_new_scene_free(tui);
+    thud_model_free(tui->own_model);
+    thud_doc_free(&tui->doc);
+    thud_form_free(&tui->form);
+    thud_chooser_free(&tui->chooser);
+    thud_canvas_free(&tui->canvas);
+    free(tui);
+}
+
+static void typing_key(struct thud_tui *tui, int key)
+{
+    enum thud_action action = thud_key_action(thud_tui_where(tui), key);
+    bool field = tui->typing == THUD_TYPE_FIELD;
+    if (action == THUD_DO_CANCEL) {
+        tui->mode = THUD_MODE_NORMAL;
+        tui->message[0] = '\0';
+        tui->quit_next = false; /* nothing was saved */
+        tui->open_next[0] = '\0';
+    } else if (!field && thud_tui_prompt_key(tui, key)) {
+        return;
+    } else if (action == THUD_DO_ACCEPT && !field) {
+        thud_tui_prompt_done(tui);
+    } else if (action == THUD_DO_ACCEPT) {
+        thud_tui_accept(tui);
+    } else if (action == THUD_DO_ACCEPT_NEXT || action == THUD_DO_ACCEPT_PREVIOUS || action == THUD_DO_ACCEPT_DOWN ||
+               action == THUD_DO_ACCEPT_UP) {
+        if (field)
+            thud_tui_accept_and_go(tui, action);
+    } else {
+        thud_line_key(&tui->line, key);
+    }
+}
+
+static void choosing_key(struct thud_tui *tui, int key)
+{
+    enum thud_action action = thud_key_action(thud_tui_where(tui), key);
+    if (action == THUD_DO_CANCEL)
+        tui->mode = THUD_MODE_NORMAL;
+    else if (action == THUD_DO_ACCEPT)
+        thud_tui_chosen(tui);
+    else
+        thud_chooser_key(&tui->chooser, key);
+}
+
+/* A digit goes to its screen, always (also after g, or with Alt); the rest are actions. */
+static void normal_key(struct thud_tui *tui, int key)
+{
+    int digit = key >= '1' && key <= '9'                                ? key - '1'
+                : key > THUD_KEY_ALT + '0' && key <= THUD_KEY_ALT + '9' ? key - THUD_KEY_ALT - '1'
+                                                                        : -1;
+    if (digit >= 0) {
+        if (digit < THUD_SCREENS)
+            thud_tui_go(tui, (enum thud_screen)digit);
+        else
+            thud_tui_say(tui, THUD_ROLE_WARN, "There is no screen %d: 1 to %d", digit + 1, THUD_SCREENS);
+        return;
+    }
+    enum thud_action action = thud_key_action(thud_tui_where(tui), key);
+    if (action != THUD_DO_NOTHING)
+        thud_tui_act(tui, action);
+}
+
+/* On a terminal too small to show anything only what leads out is heard. */
+static bool heard(struct thud_tui *tui, int key)
+{
+    return !thud_tui_too_small(tui) || tui->mode == THUD_MODE_ASKING || key == THUD_KEY_HANGUP ||
+           key == THUD_CTRL('c') || (key == 'q' && tui->mode == THUD_MODE_NORMAL);
+}
+
+/* Ctrl-C ends as the signal would, but asks first where something is unsaved. */
+static void interrupt(struct thud_tui *tui)
+{
+    if (tui->mode != THUD_MODE_ASKING)
+        tui->mode = THUD_MODE_NORMAL;
+    else if (tui->asking == THUD_ASK_QUIT)
+        return;
+    thud_tui_quit(tui, false);
+    tui->interrupted = tui->quit;
+}
+
+void thud_tui_key(struct thud_tui *tui, int key)
+{
+    tui->dirty = true;
+    if (tui->picture != THUD_IMAGE_NONE) {
+        thud_tui_leave_picture(tui);
+        if (key != THUD_CTRL('c') && key != THUD_KEY_HANGUP)
+            return;
+    }
+    if (key == THUD_KEY_RESIZE || !heard(tui, key))
+        return;
+    if (key == THUD_KEY_HANGUP) {
+        tui->hangup = tui->quit = true;
+    } else if (key == THUD_CTRL('c')) {
+        interrupt(tui);
+    } else if (key == THUD_KEY_CLICK) {
+        thud_tui_click(tui);
+    } else if (key == THUD_KEY_WHEEL_UP || key == THUD_KEY_WHEEL_DOWN) {
+        thud_tui_wheel(tui, key == THUD_KEY_WHEEL_UP ? -1 : 1);
+    } else if (key == THUD_KEY_PASTE) {
+        thud_tui_paste(tui, tui->backend->paste);
+    } else if (tui->mode == THUD_MODE_TYPING) {
+        typing_key(tui, key);
+    } else if (tui->mode == THUD_MODE_CHOOSING) {
+        choosing_key(tui, key);
+    } else if (tui->mode == THUD_MODE_ASKING) {
+        thud_tui_answered(tui, key);
+    } else if (tui->mode == THUD_MODE_NEW) {
+        thud_new_scene_key(tui, key);
+    } else {
+        normal_key(tui, key);
+    }
+}
+
+/* A screen with work of its own, shown or not; NULL: none has any. */
+static const struct thud_view *busy_view(struct thud_tui *tui)
+{
+    for (int i = 0; i < THUD_SCREENS; i++) {
+        const struct thud_view *view = thud_view_of((enum thud_screen)i);
+        if (view->busy && view->busy(tui))
+            return view;
+    }
+    return NULL;
+}
+
+/* Whether the state to compare with is still to be run, or to be run with its histories. */
+static bool comparing(const struct thud_tui *tui)
+{
+    return tui->live_on && tui->ran_revision == tui->doc.revision &&
+           thud_pin_busy(&tui->pin, &tui->doc, thud_tui_wants_history(tui));
+}
+
+/* Works for one slice; what takes long says so. */
+static void work(struct thud_tui *tui)
+{
+    double start = tui->backend->now(tui->backend), now = start;
+    const struct thud_view *view = busy_view(tui);
+    unsigned long ended = tui->live.ended;
+    for (int i = 0; i < 64 && now - start < slice_s; i++) {
+        if (tui->live.running) {
+            thud_live_advance(&tui->live);
+            now = tui->backend->now(tui->backend);
+            break; /* keys are looked for in between */
+        } else if (comparing(tui)) {
+            tui->dirty |= !thud_pin_advance(&tui->pin, &tui->doc, thud_tui_wants_history(tui));
+        } else if (!view || !view->work(tui)) {
+            break;
+        }
+        now = tui->backend->now(tui->backend);
+    }
+    double limit_s = tui->live.history ? history_limit_s : live_limit_s;
+    if (tui->live.running && tui->live_on && now - tui->started_s > limit_s) {
+        tui->live_on = false;
+        thud_tui_say(tui, THUD_ROLE_WARN, "A run takes over %g s: after an edit, r runs (:live turns this back)",
+                     limit_s);
+    }
+    if (!tui->live.running && tui->was_running) {
+        tui->elapsed_s = now - tui->started_s;
+        if (!tui->live.history)
+            tui->plain_s = tui->elapsed_s;
+        thud_tui_ran(tui);
+        tui->dirty = true;
+    }
+    tui->was_running = tui->live.running;
+    tui->draw_now |= tui->live.ended != ended;
+    tui->dirty = tui->dirty || tui->draw_now || now - tui->drawn_s >= redraw_s;
+}
+
+/* A crash, a signal or a closed terminal loses nothing then. */
+static void keep_edits(struct thud_tui *tui)
+{
+    struct thud_error err;
+    tui->kept_edits = tui->doc.edits;
+    if (!thud_doc_unsaved(&tui->doc)) {
+        thud_doc_forget_kept(&tui->doc);
+        return;
+    }
+    bool failed = thud_doc_recover(&tui->doc, &err) != THUD_OK;
+    if (failed && !tui->keeping_failed) {
+        char text[600];
+        thud_tui_say(tui, THUD_ROLE_WARN, "! Unsaved changes cannot be kept, and a crash would lose them: %s",
+                     thud_error_text(&err, text, sizeof text));
+    }
+    tui->keeping_failed = failed;
+}
+
+bool thud_tui_turn(struct thud_tui *tui, bool wait)
+{
+    const struct thud_view *view = thud_view_of(tui->screen);
+    if (view->live && tui->live_on && !tui->live.running && !tui->was_running && !tui->quit)
+        view->live(tui);
+    bool busy = tui->live.running || tui->was_running || busy_view(tui) != NULL || comparing(tui);
+    double pause = view->pause ? view->pause(tui) : -1.0;
+    if (tui->dirty && (!busy || tui->draw_now || tui->backend->now(tui->backend) - tui->drawn_s >= redraw_s))
+        thud_tui_draw(tui);
+    bool keep = tui->keeps && tui->kept_edits != tui->doc.edits;
+    int timeout = busy || keep || !wait ? 0 : pause >= 0.0 ? (int)(1e3 * pause) + 1 : -1;
+    int key = tui->backend->key(tui->backend, timeout);
+    if (tui->writing)
+        thud_tui_writing_look(tui);
+    if (key != THUD_KEY_NONE)
+        thud_tui_key(tui, key);
+    else if (keep)
+        keep_edits(tui);
+    else if (busy)
+        work(tui);
+    else if (pause >= 0.0 && view->tick)
+        view->tick(tui);
+    return key != THUD_KEY_NONE || keep || busy;
+}
+
+/* Ended by a signal or a lost terminal: what was not saved goes to a file beside the preset. */
+static void rescue(struct thud_tui *tui)
+{
+    struct thud_error err;
+    char text[600];
+    if (!thud_doc_unsaved(&tui->doc))
+        return;
+    if (thud_doc_recover(&tui->doc, &err) == THUD_OK)
+        fprintf(stderr, "thud: unsaved changes are kept in %s\n", tui->doc.kept);
+    else if (*tui->doc.kept) /* an edit before */
+        fprintf(stderr, "thud: the last unsaved change is lost (%s); those before it are kept in %s\n",
+                thud_error_text(&err, text, sizeof text), tui->doc.kept);
+    else
+        fprintf(stderr, "thud: unsaved changes are lost: %s\n", thud_error_text(&err, text, sizeof text));
+}
+
+/* On a terminal a session is played and then goes on by hand. */
+static void play_first(struct thud_tui *tui)
+{
+    struct thud_text out = {0};
+    struct thud_error err = {0};
+    tui->mode = THUD_MODE_NORMAL;
+    if (thud_tui_play_lines(tui, tui->options.play, &out, &err) != THUD_OK)
+        thud_tui_say_error(tui, &err);
+    thud_text_clear(&out);
+}
+
+enum thud_status thud_tui_main(const struct thud_tui_options *options, struct thud_error *err)
+{
+    struct thud_backend backend;
+    struct thud_tui *tui;
+    struct thud_paths paths;
+    struct thud_tui_options all = *options;
+    if (!all.paths) {
+        thud_paths_find(&paths);
+        all.paths = &paths;
+    }
+    struct thud_config config;
+    char config_path[512];
+    thud_config_init(&config);
+    thud_config_path(config_path, sizeof config_path);
+    enum thud_status status = thud_config_read(&config, config_path, err);
+    if (status != THUD_OK)
+        return status;
+    all.ascii |= config.ascii;
+    all.color &= config.color;
+    config.ascii = all.ascii;
+    config.color = all.color;
+    all.live_off = !config.live;
+    if (*config.folder && !all.output)
+        all.output = config.folder;
+    if (options->play && !(isatty(STDIN_FILENO) && isatty(STDOUT_FILENO)))
+        return thud_tui_play(&all, err);
+    status = thud_term_open(&backend, &config, err);
+    if (status != THUD_OK)
+        return status;
+    status = thud_tui_create(&all, &backend, &tui, err);
+    if (status == THUD_OK && options->play)
+        play_first(tui);
+    if (status != THUD_OK) {
+        thud_term_close(&backend);
+        return status;
+    }
+    tui->keeps = true;
+    tui->mouse = config.mouse;
+    backend.mouse(&backend, tui->mouse);
+    int number = 0;
+    while (!tui->quit && (number = backend.signal(&backend)) == 0)
+        thud_tui_turn(tui, true);
+    if (!number)
+        number = tui->hangup ? SIGHUP : tui->interrupted ? SIGINT : 0;
+    sigset_t fatal, before; /* a second one, as a closing terminal sends, must not cut off the rescue */
+    sigemptyset(&fatal);
+    sigaddset(&fatal, SIGHUP);
+    sigaddset(&fatal, SIGINT);
+    sigaddset(&fatal, SIGTERM);
+    pthread_sigmask(SIG_BLOCK, &fatal, &before);
+    thud_term_close(&backend);
+    if (number && !tui->interrupted)
+        rescue(tui);
+    else
+        thud_doc_forget_kept(&tui->doc);
+    thud_tui_free(tui);
+    if (number) {
+        signal(number, SIG_DFL);
+        raise(number);
+    }
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
+    return THUD_OK;
+}

@@ -1,0 +1,249 @@
+/* Contact: one interface, its laws as forms fed by their tables, and what they do. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "tui/screens/scene_edit.h"
+#include "tui/widgets/chart.h"
+#include "tui/widgets/field.h"
+
+enum { FORM, CURVE, CHECK };
+
+static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect *pane)
+{
+    (void)tui;
+    int half = area.w / 2 < 62 ? area.w / 2 : 62, check = area.h >= 18 ? 7 : area.h / 3;
+    pane[FORM] = (struct thud_rect){area.x, area.y, half, area.h};
+    pane[CURVE] = (struct thud_rect){area.x + half, area.y, area.w - half, area.h - check};
+    pane[CHECK] = (struct thud_rect){area.x + half, area.y + area.h - check, area.w - half, check};
+    return 3;
+}
+
+static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
+{
+    const struct thud_scene *scene = &tui->doc.scene;
+    int i = tui->pair;
+    if (index == FORM && i + 1 < scene->nstructures)
+        snprintf(text, size, "Between %s and %s (%d of %d)", scene->structure[i].name, scene->structure[i + 1].name,
+                 i + 1, scene->nstructures - 1);
+    else
+        snprintf(text, size, "%s",
+                 index == FORM                              ? "No interface"
+                 : index == CURVE                           ? "Force against indentation"
+                 : !isnan(tui->beside_meeting[0].speed_mps) ? "What both give: F MN, e"
+                                                            : "What it gives");
+}
+
+static int law_rows(struct thud_tui *tui, const struct thud_pane *pane, int y, const char *part,
+                    const struct thud_law *law)
+{
+    char key[THUD_PATH_MAX];
+    snprintf(key, sizeof key, "interfaces.%d.%s.law", tui->pair + 1, part);
+    thud_field_row(tui, FORM, pane, y++, "law", key);
+    for (int i = 0; law && i < law->nparams; i++) {
+        snprintf(key, sizeof key, "interfaces.%d.%s.%s", tui->pair + 1, part, law->params[i].name);
+        thud_field_row(tui, FORM, pane, y++, law->params[i].name, key);
+    }
+    return y;
+}
+
+static void heading(const struct thud_pane *pane, int y, const char *text)
+{
+    int at = 1 + thud_pane_put(pane, 1, y, thud_look(THUD_ROLE_TITLE, THUD_BOLD), text);
+    for (int x = at + 1; x < pane->w - 1; x++)
+        thud_pane_glyph(pane, x, y, thud_look(THUD_ROLE_BORDER, 0), 0x2500);
+}
+
+/* The law that lies beside, and its values: lines, as it is no part of the scene. */
+static int beside_rows(struct thud_tui *tui, const struct thud_pane *pane, int y)
+{
+    const struct thud_law *law = *tui->beside.law ? thud_law_find(tui->beside.law) : NULL;
+    struct thud_scene with;
+    char text[200], key[THUD_PATH_MAX], value[96];
+    heading(pane, y++, "Beside it, dashed (c)");
+    snprintf(text, sizeof text, "%-19s%s", "law", law ? law->name : "none");
+    thud_field_line(tui, FORM, pane, y++, -1, "beside", text);
+    if (!law || thud_beside_scene(&tui->beside, &tui->doc.scene, tui->pair, &with, NULL) != THUD_OK)
+        return y;
+    for (int i = 0; i < law->nparams; i++) {
+        snprintf(key, sizeof key, "interfaces.%d.%s.%s", tui->pair + 1, thud_beside_part(&with, tui->pair),
+                 law->params[i].name);
+        if (thud_scene_get(&with, key, value, sizeof value, NULL) != THUD_OK)
+            continue;
+        snprintf(text, sizeof text, "%-19s%s", law->params[i].name, *value ? value : "-");
+        snprintf(key, sizeof key, "beside %s %s", law->params[i].name, value);
+        thud_field_line(tui, FORM, pane, y++, i, key, text);
+    }
+    return y;
+}
+
+/* Enter on one of those lines. */
+static void row(struct thud_tui *tui, const struct thud_field *field)
+{
+    if (strcmp(field->path, "beside") == 0)
+        thud_tui_choose_beside(tui);
+    else
+        thud_tui_prompt(tui, THUD_TYPE_COMMAND, field->path);
+}
+
+static int draw_form(struct thud_tui *tui, const struct thud_pane *pane)
+{
+    const struct thud_interface *at = &tui->doc.scene.interface[tui->pair];
+    char key[THUD_PATH_MAX], number[24];
+    int y = 0;
+    snprintf(key, sizeof key, "interfaces.%d.gap", tui->pair + 1);
+    thud_field_row(tui, FORM, pane, y++, "gap", key);
+    snprintf(key, sizeof key, "interfaces.%d.levels", tui->pair + 1);
+    thud_field_row(tui, FORM, pane, y++, "levels", key);
+    thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_MUTED, 0), "clearance          %s cm",
+                    thud_tui_number(100.0 * thud_interface_clearance(at), number));
+    heading(pane, y++, "Bare contact");
+    y = law_rows(tui, pane, y, "contact", at->contact.law);
+    heading(pane, y++, at->has_bumper ? "Bumper [x] on (B)" : "Bumper [ ] off (B)");
+    if (!at->has_bumper)
+        return beside_rows(tui, pane, y);
+    snprintf(key, sizeof key, "interfaces.%d.bumper.thickness", tui->pair + 1);
+    thud_field_row(tui, FORM, pane, y++, "thickness", key);
+    snprintf(key, sizeof key, "interfaces.%d.bumper.cavity", tui->pair + 1);
+    thud_field_row(tui, FORM, pane, y++, "cavity", key);
+    return beside_rows(tui, pane, law_rows(tui, pane, y, "bumper", at->bumper.law));
+}
+
+/* The loops, made anew where the scene or the pair changed. */
+static void refresh(struct thud_tui *tui)
+{
+    if (tui->law_revision == tui->doc.revision && tui->law_pair == tui->pair)
+        return;
+    struct thud_scene with;
+    struct thud_law_behind behind = {.name = thud_tui_pin_name(tui), .meeting = tui->beside_meeting};
+    thud_figure_free(tui->law_figure);
+    tui->law_error = (struct thud_error){0};
+    for (int i = 0; i < THUD_MEETINGS; i++)
+        tui->beside_meeting[i] = (struct thud_meeting){NAN, NAN, NAN, NAN};
+    if (*tui->beside.law &&
+        thud_beside_scene(&tui->beside, &tui->doc.scene, tui->pair, &with, &tui->law_error) == THUD_OK)
+        behind = (struct thud_law_behind){&with, tui->beside.law, tui->beside_meeting};
+    else if (tui->pin.scene.nstructures > 1)
+        behind.scene = &tui->pin.scene;
+    tui->law_figure = thud_tui_law_figure(&tui->doc.scene, &behind, tui->pair, tui->meeting, &tui->law_error);
+    tui->law_revision = tui->doc.revision;
+    tui->law_pair = tui->pair;
+}
+
+static const char *restitution(const struct thud_meeting *m, char text[24])
+{
+    return isnan(m->restitution) ? strcpy(text, "-") : thud_tui_number(m->restitution, text);
+}
+
+/* F and e of this law and of the one behind it, beside each other. */
+static int draw_both(struct thud_tui *tui, const struct thud_pane *pane, int y)
+{
+    const struct thud_law *law = thud_beside_of(&tui->doc.scene, tui->pair);
+    char name[2][64], a[24], b[24], c[24], d[24], e[24];
+    thud_utf8_fit(law ? law->name : "", 13, name[0], sizeof name[0]);
+    thud_utf8_fit(*tui->beside.law ? tui->beside.law : thud_tui_pin_name(tui), 13, name[1], sizeof name[1]);
+    thud_pane_put(pane, 1, y, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), "m/s");
+    thud_pane_put(pane, 8, y, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), name[0]);
+    thud_pane_put(pane, 23, y++, thud_look(THUD_ROLE_MUTED, THUD_BOLD), name[1]);
+    for (int i = 0; i < THUD_MEETINGS; i++, y++) {
+        const struct thud_meeting *m = &tui->meeting[i], *other = &tui->beside_meeting[i];
+        thud_pane_print(pane, 1, y, thud_look(THUD_ROLE_VALUE, 0), "%-6s %-6s %-7s", thud_tui_number(m->speed_mps, a),
+                        thud_tui_number(1e-6 * m->force_n, b), restitution(m, d));
+        thud_pane_print(pane, 23, y, thud_look(THUD_ROLE_MUTED, 0), "%-6s %s",
+                        thud_tui_number(1e-6 * other->force_n, c), restitution(other, e));
+    }
+    return y;
+}
+
+static int draw_check(struct thud_tui *tui, const struct thud_pane *pane)
+{
+    const struct thud_scene *scene = &tui->doc.scene;
+    double m1 = thud_tui_pair_mass(scene, tui->pair), m2 = thud_tui_pair_mass(scene, tui->pair + 1);
+    double mass = isinf(m1)   ? m2
+                  : isinf(m2) ? m1
+                              : m1 * m2 / (m1 + m2),
+           force = thud_tui_force_at_knee(scene, tui->pair);
+    char a[24], b[24], c[24], d[24];
+    int y = 0;
+    int x = 1 + thud_pane_print(pane, 1, y, thud_look(THUD_ROLE_MUTED, 0), "eff. mass %s t",
+                                thud_tui_number(1e-3 * mass, a));
+    if (isfinite(force))
+        thud_pane_print(pane, x, y, thud_look(THUD_ROLE_MUTED, 0), "  F(delta_u) %s MN",
+                        thud_tui_number(1e-6 * force, a));
+    y++;
+    if (!tui->law_figure)
+        return y;
+    if (!isnan(tui->beside_meeting[0].speed_mps))
+        return draw_both(tui, pane, y);
+    thud_pane_put(pane, 1, y++, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), "m/s      F MN    d mm    e");
+    for (int i = 0; i < THUD_MEETINGS; i++) {
+        const struct thud_meeting *m = &tui->meeting[i];
+        thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_VALUE, 0), "%-8s %-7s %-7s %s",
+                        thud_tui_number(m->speed_mps, a), thud_tui_number(1e-6 * m->force_n, b),
+                        thud_tui_number(1e3 * m->indentation_m, c),
+                        isnan(m->restitution) ? "-" : thud_tui_number(m->restitution, d));
+    }
+    return y;
+}
+
+static int draw(struct thud_tui *tui, int index, struct thud_pane *pane)
+{
+    if (tui->pair + 1 >= tui->doc.scene.nstructures)
+        return 0;
+    if (index == FORM)
+        return draw_form(tui, pane);
+    refresh(tui);
+    if (index == CHECK)
+        return draw_check(tui, pane);
+    struct thud_chart chart = thud_tui_reading(tui);
+    char text[600];
+    if (tui->law_figure)
+        thud_chart_draw(pane, &tui->law_figure->panel[0], &chart);
+    else
+        thud_pane_wrap(pane, 1, 0, pane->w - 2, thud_look(THUD_ROLE_ERROR, 0),
+                       thud_error_text(&tui->law_error, text, sizeof text));
+    return pane->h;
+}
+
+static bool act(struct thud_tui *tui, enum thud_action action)
+{
+    if (action == THUD_DO_BESIDE)
+        thud_tui_choose_beside(tui);
+    else if (action == THUD_DO_KEEP_FORCE)
+        thud_tui_keep_force(tui);
+    else if (action == THUD_DO_TOGGLE_BUMPER)
+        thud_tui_toggle_bumper(tui, tui->pair);
+    else
+        return thud_tui_change_pair(tui, action);
+    return true;
+}
+
+static const char *cannot(struct thud_tui *tui, enum thud_action action)
+{
+    if (action == THUD_DO_KEEP_FORCE)
+        return isnan(tui->kept_before_n) ? "There was no change of the exponent just now" : NULL;
+    if (action == THUD_DO_TOGGLE_BUMPER || action == THUD_DO_BESIDE)
+        return tui->pair + 1 < tui->doc.scene.nstructures ? NULL : "There is no interface";
+    return thud_tui_cannot_change_pair(tui, action);
+}
+
+static const struct thud_figure *figure(struct thud_tui *tui)
+{
+    if (tui->pair + 1 < tui->doc.scene.nstructures)
+        refresh(tui);
+    return tui->law_figure;
+}
+
+static const struct thud_panel *read_panel(struct thud_tui *tui)
+{
+    return tui->form.pane[THUD_SCREEN_CONTACT] == CURVE && figure(tui) ? &tui->law_figure->panel[0] : NULL;
+}
+
+static void release(struct thud_tui *tui)
+{
+    thud_figure_free(tui->law_figure);
+    tui->law_figure = NULL;
+}
+
+THUD_VIEW(contact, "Contact", CONTACT, .act = act, .cannot = cannot, .row = row, .figure = figure, .read = read_panel,
+          .free = release);

@@ -1,0 +1,289 @@
+#include "tui/screens/help_text.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/ascii.h"
+#include "core/methods/method.h"
+
+enum { KEY_COLUMN = 3, HELP_COLUMN = 10, NAME_COLUMN = 3, FIELD_COLUMN = 7 };
+
+static const char *const model[] = {
+    "A scene is a ground motion and a row of structures, with an interface between each two neighbours. Displacements "
+    "are relative to the ground, positive to the right.",
+    "Shear building: a mass for each floor, a spring for each storey, the same damping ratio in every mode. Isolated "
+    "building: the same on a slab on an isolator. Rigid body: one free mass with a velocity at the start. Wall: moves "
+    "with the ground. Floors at the same height can meet.",
+    "Bare contact, linear viscoelastic without tension: F = k d + c d' while that is positive; c = 2 xi sqrt(k m), m = "
+    "m1 m2/(m1 + m2), xi from the coefficient of restitution. damping paper: the classical formula, which parts "
+    "faster than the coefficient says; damping exact: the bodies really part with it.",
+    "Rubber bumper: F = k d^n on approach, past the ultimate strain a line of stiffness post-yield; on restitution F "
+    "= k d^n (1 + C d').",
+    "clearance = gap - (thickness - cavity).",
+    "Three cases are run after every edit: no pounding (no contact at all), no bumper (bare contact at the same gap), "
+    "and the bumper as written. ratio = bumper : no bumper; below 1 the bumper helps. Every peak is that of the "
+    "continuous history, not of printed samples.",
+    "Sweep follows every edit in the same way, and what it varies may have any value in the scene meanwhile; studies "
+    "that would take more than some seconds wait for r. Of several ground motions (records: a folder, a list, files) "
+    "it "
+    "shows medians and bands first, and after them the gap that is enough and the fragility of the events. Bench shows "
+    "what is quick by itself, each run once; r runs and times everything as thud bench does.",
+    "Values take units and convert: 50 mm, 5cm, 0.05 m, 320 t, 600 MN/m, 2500 kN/mm, 0.36 kN/mm^2.65, 0.821 g, 5 %. "
+    "The decimal sign is a point. Without a unit the one shown is meant. All digits typed are kept.",
+};
+
+static struct thud_help_line *add(struct thud_help_text *text, enum thud_help_kind kind)
+{
+    if (text->n == text->capacity) {
+        int capacity = text->capacity ? 2 * text->capacity : 256;
+        struct thud_help_line *line = realloc(text->line, (size_t)capacity * sizeof *line);
+        if (!line)
+            return NULL;
+        text->line = line;
+        text->capacity = capacity;
+    }
+    struct thud_help_line *line = &text->line[text->n++];
+    *line = (struct thud_help_line){.kind = kind};
+    return line;
+}
+
+/* Words from column `indent` on; the first line may have a key before them. */
+static void wrap(struct thud_help_text *text, int columns, const char *key, int key_column, int indent,
+                 const char *words)
+{
+    bool first = true;
+    if (columns > THUD_HELP_COLUMNS)
+        columns = THUD_HELP_COLUMNS;
+    if (*key && key_column + thud_utf8_columns(key) + 1 > indent) { /* a long name has a line of its own */
+        wrap(text, columns, key, key_column, key_column + thud_utf8_columns(key) + 1, "");
+        key = "";
+    }
+    do {
+        struct thud_help_line *line = add(text, *key ? THUD_HELP_ITEM : THUD_HELP_PLAIN);
+        if (!line)
+            return;
+        char start[THUD_HELP_COLUMNS + 1];
+        snprintf(start, sizeof start, "%*s%s", key_column, "", first ? key : "");
+        line->key = first && *key ? thud_utf8_columns(start) : 0;
+        int n = snprintf(line->text, sizeof line->text, "%-*s", indent, start), at = indent;
+        while (*words) {
+            size_t length = strcspn(words, " ");
+            char word[256];
+            snprintf(word, sizeof word, "%.*s", (int)length, words);
+            int width = thud_utf8_columns(word);
+            bool begun = at > indent;
+            if (begun && at + 1 + width > columns)
+                break;
+            n += snprintf(line->text + n, sizeof line->text - (size_t)n, "%s%s", begun ? " " : "", word);
+            at += begun + width;
+            words += length + strspn(words + length, " ");
+        }
+        first = false;
+        key = "";
+    } while (*words);
+}
+
+static void head(struct thud_help_text *text, const char *words)
+{
+    if (text->n > 0)
+        add(text, THUD_HELP_PLAIN);
+    struct thud_help_line *line = add(text, THUD_HELP_HEAD);
+    if (line)
+        snprintf(line->text, sizeof line->text, " %.90s", words);
+}
+
+static void keys(struct thud_help_text *text, int columns, int where, bool general, const char *title)
+{
+    bool any = false;
+    for (int i = 0; i < thud_key_count(); i++) {
+        const struct thud_key_entry *key = thud_key_at(i);
+        bool is_general = key->where == THUD_AT_GENERAL || key->where == THUD_AT_FORMS;
+        if (!(key->where & where) || is_general != general || thud_key_action(where, key->key) != key->action)
+            continue;
+        if (!any)
+            head(text, title);
+        any = true;
+        wrap(text, columns, key->written, KEY_COLUMN, HELP_COLUMN, key->help);
+    }
+}
+
+/* Whether the help explains each of the choices by its word already. */
+static bool says_choices(const struct thud_param *param)
+{
+    for (int i = 0; param->kind == THUD_PARAM_CHOICE && param->choices[i]; i++) {
+        char word[40];
+        snprintf(word, sizeof word, "%.36s:", param->choices[i]);
+        if (!param->help || !strstr(param->help, word))
+            return false;
+    }
+    return param->kind == THUD_PARAM_CHOICE;
+}
+
+void thud_param_words(const struct thud_param *param, char *words, size_t size)
+{
+    char number[64] = "", range[160];
+    size_t n = (size_t)snprintf(words, size, "%s", param->help && *param->help ? param->help : param->title);
+    bool ended = n > 0 && n < size && strchr(".!?", words[n - 1]);
+    if (n < size && !ended)
+        n += (size_t)snprintf(words + n, size - n, ".");
+    if (n < size && param->kind == THUD_PARAM_QUANTITY && param->dimension >= THUD_LENGTH)
+        n += (size_t)snprintf(words + n, size - n, " Units %s.", thud_dimension_units(param->dimension));
+    thud_param_allowed(param, range, sizeof range);
+    if (n < size && *range && !says_choices(param))
+        n += (size_t)snprintf(words + n, size - n, " Allowed: %s.", range);
+    if (param->kind == THUD_PARAM_QUANTITY && !isnan(param->fallback) && param->dimension != THUD_POWER_STIFFNESS)
+        thud_quantity_format(param->fallback, param->unit ? param->unit : "", number, sizeof number);
+    else if (param->kind == THUD_PARAM_CHOICE && !isnan(param->fallback) && param->choices)
+        snprintf(number, sizeof number, "%s", param->choices[(int)param->fallback]);
+    if (n < size && *number)
+        n += (size_t)snprintf(words + n, size - n, " Default %s.", number);
+    bool numeric = param->kind == THUD_PARAM_QUANTITY || param->kind == THUD_PARAM_INTEGER;
+    if (n < size && numeric && param->dimension != THUD_POWER_STIFFNESS &&
+        (thud_param_unusual(param, INFINITY, range, sizeof range) ||
+         thud_param_unusual(param, -INFINITY, range, sizeof range)))
+        snprintf(words + n, size - n, " Usual: %s.", range);
+}
+
+static void params(struct thud_help_text *text, int columns, const struct thud_param *param, int count)
+{
+    for (int i = 0; i < count; i++) {
+        char name[100], words[700];
+        bool said = strcmp(param[i].name, param[i].title) == 0;
+        snprintf(name, sizeof name, "%.40s%s%.40s", param[i].name, said ? "" : ": ", said ? "" : param[i].title);
+        thud_param_words(&param[i], words, sizeof words);
+        wrap(text, columns, name, NAME_COLUMN, FIELD_COLUMN, words);
+    }
+}
+
+/* The fields of a screen, or (`others`) those of all the rest. */
+static void fields(struct thud_help_text *text, int columns, enum thud_screen screen, bool others)
+{
+    static const struct {
+        enum thud_group group;
+        enum thud_screen screen;
+        const char *title;
+    } part[] = {{THUD_GROUP_STRUCTURE, THUD_SCREEN_MODEL, "Fields of a structure"},
+                {THUD_GROUP_COLUMN, THUD_SCREEN_MODEL, "Fields of the columns that a slab strikes"},
+                {THUD_GROUP_INTERFACE, THUD_SCREEN_CONTACT, "Fields of an interface"},
+                {THUD_GROUP_CONTACT, THUD_SCREEN_CONTACT, "Fields of the bare contact"},
+                {THUD_GROUP_BUMPER, THUD_SCREEN_CONTACT, "Fields of the bumper"},
+                {THUD_GROUP_RECORD, THUD_SCREEN_RECORD, "Fields of the ground motion"},
+                {THUD_GROUP_ANALYSIS, THUD_SCREEN_RESULTS, "Fields of the analysis"},
+                {THUD_GROUP_STUDY, THUD_SCREEN_SWEEP, "Fields of the study"}};
+    for (size_t i = 0; i < sizeof part / sizeof *part; i++) {
+        int count;
+        if ((part[i].screen == screen) == others)
+            continue;
+        const struct thud_param *param = thud_group_params(part[i].group, &count);
+        head(text, part[i].title);
+        params(text, columns, param, count);
+    }
+}
+
+static bool in_use(const struct thud_scene *scene, const struct thud_law *law)
+{
+    for (int i = 0; i + 1 < scene->nstructures; i++)
+        if (scene->interface[i].contact.law == law ||
+            (scene->interface[i].has_bumper && scene->interface[i].bumper.law == law))
+            return true;
+    return false;
+}
+
+static void laws(struct thud_help_text *text, int columns, const struct thud_scene *scene, bool used)
+{
+    for (int i = 0; i < thud_law_count(); i++) {
+        const struct thud_law *law = thud_law_at(i);
+        char title[100];
+        if (in_use(scene, law) != used)
+            continue;
+        snprintf(title, sizeof title, "Law %.30s%s", law->name, used ? " (in use)" : "");
+        head(text, title);
+        wrap(text, columns, "", 0, NAME_COLUMN, law->title);
+        wrap(text, columns, "", 0, NAME_COLUMN, law->summary);
+        wrap(text, columns, "", 0, NAME_COLUMN, law->reference);
+        params(text, columns, law->params, law->nparams);
+    }
+}
+
+static void methods(struct thud_help_text *text, int columns)
+{
+    head(text, "Methods (analysis.method)");
+    for (int i = 0; i < thud_method_count(); i++) {
+        const struct thud_method *method = thud_method_at(i);
+        wrap(text, columns, method->name, NAME_COLUMN, FIELD_COLUMN, method->summary);
+        wrap(text, columns, "", 0, FIELD_COLUMN, method->limits);
+    }
+}
+
+static void commands(struct thud_help_text *text, int columns)
+{
+    struct thud_text words = {0};
+    thud_tui_commands_text(&words);
+    head(text, "Commands after :");
+    for (const char *line = words.data; line && *line;) {
+        char one[200];
+        size_t n = strcspn(line, "\n");
+        snprintf(one, sizeof one, "%.*s", (int)n, line);
+        wrap(text, columns, "", 0, KEY_COLUMN, one);
+        line += n + (line[n] == '\n');
+    }
+    thud_text_clear(&words);
+}
+
+void thud_help_text_make(struct thud_help_text *text, const struct thud_scene *scene, enum thud_screen screen,
+                         int columns)
+{
+    const struct thud_view *view = thud_view_of(screen);
+    char title[64];
+    text->n = 0;
+    if (columns < 30)
+        columns = 30;
+    snprintf(title, sizeof title, "Keys of %s", view->title);
+    keys(text, columns, view->where, false, title);
+    if (screen == THUD_SCREEN_PLOTS)
+        keys(text, columns, THUD_AT_SIDE, false, "On the fields beside the figure (a wide terminal; Tab goes there)");
+    keys(text, columns, view->where, true, "General keys");
+    keys(text, columns, THUD_AT_TYPING, false, "While typing (every other key is text)");
+    fields(text, columns, screen, false);
+    if (screen == THUD_SCREEN_CONTACT)
+        laws(text, columns, scene, true);
+    head(text, "The model in short");
+    for (size_t i = 0; i < sizeof model / sizeof *model; i++)
+        wrap(text, columns, "", 0, KEY_COLUMN, model[i]);
+    commands(text, columns);
+    fields(text, columns, screen, true);
+    if (screen != THUD_SCREEN_CONTACT)
+        laws(text, columns, scene, true);
+    laws(text, columns, scene, false);
+    methods(text, columns);
+}
+
+void thud_help_text_clear(struct thud_help_text *text)
+{
+    free(text->line);
+    *text = (struct thud_help_text){0};
+}
+
+int thud_help_line_find(const struct thud_help_line *line, const char *word, int from)
+{
+    for (size_t at = (size_t)from; line->text[at]; at++) {
+        size_t i = 0;
+        while (word[i] && thud_ascii_lower(line->text[at + i]) == thud_ascii_lower(word[i]))
+            i++;
+        if (!word[i] && i > 0)
+            return (int)at;
+    }
+    return -1;
+}
+
+int thud_help_text_find(const struct thud_help_text *text, const char *word, int from, int step)
+{
+    for (int i = 0; i < text->n; i++) {
+        int at = ((from + i * step) % text->n + text->n) % text->n;
+        if (thud_help_line_find(&text->line[at], word, 0) >= 0)
+            return at;
+    }
+    return -1;
+}

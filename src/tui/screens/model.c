@@ -1,0 +1,380 @@
+/* Model: two neighbouring structures, and the peaks below them. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/quantity.h"
+#include "base/scan.h"
+#include "core/model/model.h"
+#include "study/scene/level.h"
+#include "tui/screens/peaks_strip.h"
+#include "tui/screens/scene_edit.h"
+#include "tui/widgets/dots.h"
+#include "tui/widgets/field.h"
+
+enum { PEAKS = 2, PEAK_ROWS = 7 };
+
+static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect *pane)
+{
+    (void)tui;
+    int strip = area.h >= 17 ? PEAK_ROWS + 1 : area.h / 3, half = area.w / 2;
+    pane[0] = (struct thud_rect){area.x, area.y, half, area.h - strip};
+    pane[1] = (struct thud_rect){area.x + half, area.y, area.w - half, area.h - strip};
+    pane[PEAKS] = (struct thud_rect){area.x, area.y + area.h - strip, area.w, strip};
+    return 3;
+}
+
+/* " T1 0.398 s", where it is known. */
+static const char *first_period(struct thud_tui *tui, int s, char text[32])
+{
+    const struct thud_model *model = thud_tui_model(tui);
+    char number[24];
+    *text = '\0';
+    if (!model || s >= model->nstructures || model->structure[s].n == 0)
+        return text;
+    double omega = model->structure[s].omega[0];
+    if (omega > 0.0)
+        snprintf(text, 32, " T1 %s s", thud_tui_number(2.0 * THUD_PI / omega, number));
+    return text;
+}
+
+static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
+{
+    const struct thud_scene *scene = &tui->doc.scene;
+    if (index == PEAKS) {
+        thud_peaks_strip_title(tui, tui->canvas.width - 2, text, size);
+        return;
+    }
+    int s = tui->pair + index;
+    char period[32], name[THUD_NAME_MAX + 4];
+    int w = tui->canvas.width, room = (w < 80 || tui->canvas.height < 24 ? w : w / 2) - 30;
+    if (s < scene->nstructures)
+        snprintf(text, size, "%s: %s (%d of %d)%s", index ? "Right" : "Left",
+                 thud_utf8_fit(scene->structure[s].name, room > 6 ? room : 6, name, sizeof name), s + 1,
+                 scene->nstructures, first_period(tui, s, period));
+    else
+        snprintf(text, size, "no structure");
+}
+
+/* Periods and effective masses. */
+static int modes(struct thud_tui *tui, const struct thud_pane *pane, int y, int s)
+{
+    const struct thud_model *model = thud_tui_model(tui);
+    if (!model || s >= model->nstructures || model->structure[s].n == 0)
+        return y;
+    const struct thud_model_structure *structure = &model->structure[s];
+    double total = 0.0;
+    char periods[160] = " T", masses[160] = " M*", number[24];
+    for (int i = 0; i < structure->n; i++)
+        total += model->mass_kg[structure->first + i];
+    for (int j = 0; j < structure->modes && j < (pane->w - 6) / 8; j++) {
+        double omega = model->omega[structure->first_mode + j], gamma = model->gamma[structure->first_mode + j];
+        if (!(omega > 0.0))
+            continue;
+        size_t n = strlen(periods), m = strlen(masses);
+        snprintf(periods + n, sizeof periods - n, "%8s", thud_tui_number(2.0 * THUD_PI / omega, number));
+        snprintf(masses + m, sizeof masses - m, "%*.1f", m == 3 ? 7 : 8, 100.0 * gamma * gamma / total);
+    }
+    if (strlen(periods) < 4)
+        return y;
+    strncat(periods, " s", sizeof periods - strlen(periods) - 1);
+    strncat(masses, " %", sizeof masses - strlen(masses) - 1);
+    if (y + 1 == pane->h && structure->modes > 1) { /* one row is left: as many modes as have room in it */
+        int at = 1;
+        for (int j = 0; j < structure->modes; j++) {
+            double omega = model->omega[structure->first_mode + j], gamma = model->gamma[structure->first_mode + j];
+            char text[64];
+            snprintf(text, sizeof text, "T%d %s s %.1f %%", j + 1, thud_tui_number(2.0 * acos(-1.0) / omega, number),
+                     100.0 * gamma * gamma / total);
+            if (!(omega > 0.0) || at + thud_utf8_columns(text) > pane->w)
+                break;
+            at += 2 + thud_pane_put(pane, at, y, thud_look(THUD_ROLE_MUTED, 0), text);
+        }
+        return y + 1;
+    }
+    thud_pane_put(pane, 0, y, thud_look(THUD_ROLE_MUTED, 0), periods);
+    thud_pane_put(pane, 0, y + 1, thud_look(THUD_ROLE_MUTED, 0), masses);
+    return y + 2;
+}
+
+/* The table of floors: what stands in its columns. */
+static const struct {
+    const char *key, *head;
+    int x, w; /* where all of them have room */
+} column[] = {
+    {"mass", "mass t", 6, 7},        {"stiffness", "k MN/m", 13, 8},        {"height", "height m", 21, 8},
+    {"yield", "yield mm", 30, 8},    {"yield-shear", "yield MN", 40, 8},    {"hardening", "hardening %", 49, 11},
+    {"column.EI", "col. EI", 61, 8}, {"column.capacity", "cap. kN", 70, 8}, {"slab-depth", "slab cm", 79, 8}};
+enum { COLUMNS = sizeof column / sizeof *column };
+
+/* The first column shown: as far to the left as lets the one with the cursor be seen. */
+static int first_column(const struct thud_tui *tui, int index, int w, int s)
+{
+    const char *focus = tui->form.focus[THUD_SCREEN_MODEL];
+    int number, first = 0;
+    if (tui->form.pane[THUD_SCREEN_MODEL] != index && tui->form.pane[THUD_SCREEN_MODEL] >= 0)
+        return 0;
+    if (!thud_scan_word(&focus, "structures.") || !thud_scan_count(&focus, &number) || number != s + 1 ||
+        !thud_scan_word(&focus, "."))
+        return 0;
+    for (int c = 0; c < COLUMNS; c++) {
+        size_t n = strlen(column[c].key);
+        if (strncmp(focus, column[c].key, n) == 0 && focus[n] == '.')
+            while (column[c].x - column[first].x + column[0].x + column[c].w > w && first < c)
+                first++;
+    }
+    return first;
+}
+
+static int floors(struct thud_tui *tui, int index, const struct thud_pane *pane, int y, int s)
+{
+    const struct thud_structure *structure = &tui->doc.scene.structure[s];
+    int first = first_column(tui, index, pane->w, s), shift = column[first].x - column[0].x, last = first;
+    while (last + 1 < COLUMNS && column[last + 1].x - shift + column[last + 1].w <= pane->w)
+        last++;
+    thud_pane_put(pane, 0, y, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), "floor");
+    for (int c = first; c <= last; c++)
+        thud_pane_put(pane, column[c].x - shift, y, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), column[c].head);
+    if (first > 0)
+        thud_pane_glyph(pane, 5, y, thud_look(THUD_ROLE_KEY, THUD_BOLD), 0x2190);
+    if (last + 1 < COLUMNS) /* the cursor leads on */
+        thud_pane_glyph(pane, pane->w - 1, y + 1, thud_look(THUD_ROLE_KEY, THUD_BOLD), 0x2192);
+    y++;
+    for (int i = structure->storeys; i >= 1; i--, y++) {
+        thud_pane_print(pane, 0, y, thud_look(THUD_ROLE_PLAIN, 0), "%4d", i);
+        for (int c = 0; c < COLUMNS; c++) {
+            char key[THUD_PATH_MAX];
+            snprintf(key, sizeof key, "structures.%d.%s.%d", s + 1, column[c].key, i);
+            if (c >= first && c <= last)
+                thud_field_value(tui, index, pane, column[c].x - shift, y, column[c].w, key, false);
+            else
+                thud_form_add_beside(&tui->form, index, column[c].x - shift, y, column[c].w, key);
+        }
+    }
+    return y;
+}
+
+/* The values that are not by floor, two in a row where they are short. */
+static int head_rows(struct thud_tui *tui, int index, const struct thud_pane *pane, int s)
+{
+    enum { SHEAR = 1 << THUD_SHEAR, RIGID = 1 << THUD_RIGID, ISOLATED = 1 << THUD_ISOLATED, WALL = 1 << THUD_WALL };
+    static const struct {
+        const char *key, *label;
+        int kinds, y, x, value;
+    } field[] = {
+        {"kind", "kind", SHEAR | RIGID | ISOLATED | WALL, 0, 1, 9},
+        {"name", "name", SHEAR | RIGID | ISOLATED | WALL, 0, 20, 28},
+        {"storeys", "storeys", SHEAR | ISOLATED, 1, 1, 9},
+        {"damping", "damping", SHEAR | ISOLATED, 1, 20, 28},
+        {"base", "base", SHEAR | ISOLATED, 2, 1, 9},
+        {"base-mass", "base mass", ISOLATED, 3, 1, 18},
+        {"isolation-stiffness", "isolator k", ISOLATED, 4, 1, 18},
+        {"isolation-damping", "isolator damping", ISOLATED, 5, 1, 18},
+        {"mass", "mass", RIGID, 1, 1, 18},
+        {"height", "height", RIGID | WALL, 2, 1, 18},
+        {"velocity", "velocity at 0", RIGID, 3, 1, 18},
+    };
+    int rows = 0;
+    for (size_t i = 0; i < sizeof field / sizeof *field; i++) {
+        if (!(field[i].kinds & 1 << tui->doc.scene.structure[s].kind))
+            continue;
+        char key[THUD_PATH_MAX];
+        int room = field[i].x == 1 && field[i].value == 9 ? 9 : pane->w - field[i].value - 1;
+        snprintf(key, sizeof key, "structures.%d.%s", s + 1, field[i].key);
+        thud_pane_put(pane, field[i].x, field[i].y, thud_look(THUD_ROLE_PLAIN, 0), field[i].label);
+        thud_field_value(tui, index, pane, field[i].value, field[i].y, room > 4 ? room : 4, key, true);
+        rows = field[i].y + 1 > rows ? field[i].y + 1 : rows;
+    }
+    return rows;
+}
+
+enum { SHAPE = 13, BUILDING = 14, LEAST_ROWS = 6 };
+
+/* What both buildings of the pair are drawn to: the rows below the longer table, and the elevations from the lower base
+ * to the higher roof, so that floors at one level stand in one row. */
+struct elevation {
+    int rows;
+    double low_m, high_m;
+};
+
+static struct elevation elevation_of(const struct thud_tui *tui, int pane_rows)
+{
+    struct elevation e = {pane_rows, INFINITY, -INFINITY};
+    for (int s = tui->pair; s < tui->pair + 2 && s < tui->doc.scene.nstructures; s++) {
+        const struct thud_structure *structure = &tui->doc.scene.structure[s];
+        if (!thud_kind_is_building(structure->kind))
+            continue;
+        int table = (structure->kind == THUD_SHEAR ? 3 : 6) + 1 + structure->storeys + 2, rows = pane_rows - table - 2;
+        e.rows = rows < e.rows ? rows : e.rows;
+        e.low_m = fmin(e.low_m, structure->base_m);
+        e.high_m = fmax(e.high_m, thud_structure_elevation(structure, thud_structure_floors(structure) - 1));
+    }
+    return e;
+}
+
+/* Row of an elevation, dots. */
+static double row_of(const struct thud_dots *dots, const struct elevation *e, double level_m)
+{
+    return (dots->height - 1.0) * (e->high_m - level_m) / (e->high_m - e->low_m);
+}
+
+static void draw_building(struct thud_dots *dots, const struct elevation *e, const struct thud_structure *structure,
+                          struct thud_look look)
+{
+    double base = row_of(dots, e, structure->base_m), left = 1.0 * dots->across,
+           right = (BUILDING - 5.0) * dots->across;
+    int n = thud_structure_floors(structure);
+    double top = row_of(dots, e, thud_structure_elevation(structure, n - 1));
+    thud_dots_line(dots, 0.0, base, right + left, base, 1, thud_look(THUD_ROLE_MUTED, 0));
+    thud_dots_line(dots, left, base, left, top, 1, look);
+    thud_dots_line(dots, right, base, right, top, 1, look);
+    for (int i = 0; i < n; i++) {
+        double y = row_of(dots, e, thud_structure_elevation(structure, i));
+        thud_dots_line(dots, left, y, right, y, 1, look);
+    }
+}
+
+/* The shape of mode j (from 0), as wide as SHAPE. */
+static void draw_shape(struct thud_dots *dots, const struct elevation *e, const struct thud_structure *structure,
+                       const struct thud_model_structure *m, int j, struct thud_look look)
+{
+    double middle = (BUILDING + (j + 0.45) * SHAPE) * dots->across, most = 0.0, x0 = middle,
+           y0 = row_of(dots, e, structure->base_m);
+    for (int i = 0; i < m->n; i++)
+        most = fmax(most, fabs(m->phi[i * m->modes + j]));
+    thud_dots_line(dots, middle, y0, middle, row_of(dots, e, thud_structure_elevation(structure, m->n - 1)), 3,
+                   thud_look(THUD_ROLE_MUTED, 0));
+    for (int i = 0; i < m->n && most > 0.0; i++) {
+        double x = middle + 0.42 * SHAPE * dots->across * m->phi[i * m->modes + j] / most,
+               y = row_of(dots, e, thud_structure_elevation(structure, i));
+        thud_dots_line(dots, x0, y0, x, y, 1, look);
+        x0 = x;
+        y0 = y;
+    }
+}
+
+/* The building at its elevation, and the shapes of its lowest modes, where there is room below the numbers. */
+static void draw_shapes(struct thud_tui *tui, const struct thud_pane *pane, int s)
+{
+    const struct thud_structure *structure = &tui->doc.scene.structure[s];
+    const struct thud_model *model = thud_tui_model(tui);
+    const struct thud_model_structure *m = model && s < model->nstructures ? &model->structure[s] : NULL;
+    struct elevation e = elevation_of(tui, pane->h);
+    struct thud_dots dots;
+    if (!m || !thud_kind_is_building(structure->kind) || m->n != thud_structure_floors(structure) || !m->phi ||
+        e.rows < LEAST_ROWS || !(e.high_m > e.low_m) || !isfinite(e.high_m - e.low_m) || pane->scroll > 0)
+        return;
+    struct thud_pane area = thud_pane_inside(pane, 1, pane->h - 1 - e.rows, pane->w - 2, e.rows);
+    if (thud_dots_init(&dots, &area, NULL) != THUD_OK)
+        return;
+    struct thud_look look = thud_look(THUD_ROLE_SERIES + (s - tui->pair), 0), faint = thud_look(THUD_ROLE_MUTED, 0);
+    draw_building(&dots, &e, structure, look);
+    for (int j = 0; j < m->modes && BUILDING + (j + 1) * SHAPE <= area.w; j++) {
+        char text[32], number[24];
+        draw_shape(&dots, &e, structure, m, j, look);
+        snprintf(text, sizeof text, "%d: %s s", j + 1, thud_tui_number(2.0 * THUD_PI / m->omega[j], number));
+        thud_pane_put(pane, 1 + BUILDING + j * SHAPE, pane->h - 1, faint, text);
+    }
+    thud_dots_put(&dots);
+    thud_dots_clear(&dots);
+    double top = thud_structure_elevation(structure, m->n - 1);
+    if (structure->base_m != 0.0)
+        thud_pane_print(pane, 1, pane->h - 1, faint, "%.3g to %.3g m", structure->base_m, top);
+    else
+        thud_pane_print(pane, 1, pane->h - 1, faint, "%.4g m", top);
+}
+
+static int draw_structure(struct thud_tui *tui, int index, const struct thud_pane *pane, int s)
+{
+    enum thud_structure_kind kind = tui->doc.scene.structure[s].kind;
+    int y = head_rows(tui, index, pane, s);
+    if (thud_kind_is_building(kind))
+        y = modes(tui, pane, floors(tui, index, pane, y, s), s);
+    draw_shapes(tui, pane, s);
+    return y;
+}
+
+static int draw(struct thud_tui *tui, int index, struct thud_pane *pane)
+{
+    if (index == PEAKS)
+        return thud_peaks_strip_draw(tui, pane);
+    if (tui->pair + index >= tui->doc.scene.nstructures) {
+        thud_field_note(pane, 0, "A adds one");
+        return 1;
+    }
+    return draw_structure(tui, index, pane, tui->pair + index);
+}
+
+/* The structure the cursor is in. */
+static int current(const struct thud_tui *tui)
+{
+    int pane = tui->form.pane[THUD_SCREEN_MODEL], s = tui->pair + (pane == 1);
+    return s < tui->doc.scene.nstructures ? s : tui->doc.scene.nstructures - 1;
+}
+
+/* The floor the cursor is on, from 1; 0: none. */
+static int current_floor(const struct thud_tui *tui)
+{
+    const struct thud_field *field = thud_form_focus(&tui->form);
+    int structure, floor = 0;
+    const char *at = field ? field->path : "";
+    if (!thud_scan_word(&at, "structures.") || !thud_scan_count(&at, &structure) || !thud_scan_word(&at, "."))
+        return 0;
+    at += strspn(at, "abcdefghijklmnopqrstuvwxyz");
+    return thud_scan_word(&at, ".") && thud_scan_count(&at, &floor) ? floor : 0;
+}
+
+static bool act(struct thud_tui *tui, enum thud_action action)
+{
+    switch (action) {
+    case THUD_DO_ALL_FLOORS:
+        thud_tui_all_floors(tui);
+        return true;
+    case THUD_DO_ADD_STOREY:
+        thud_tui_add_storey(tui, current(tui), current_floor(tui));
+        return true;
+    case THUD_DO_DELETE_STOREY:
+        thud_tui_delete_storey(tui, current(tui), current_floor(tui));
+        return true;
+    case THUD_DO_ADD_STRUCTURE:
+        thud_tui_add_structure(tui, current(tui));
+        return true;
+    case THUD_DO_REMOVE_STRUCTURE:
+        thud_tui_remove_structure(tui, current(tui));
+        return true;
+    case THUD_DO_SWAP:
+        thud_tui_swap(tui, tui->pair);
+        return true;
+    default:
+        return thud_tui_change_pair(tui, action);
+    }
+}
+
+static const char *cannot(struct thud_tui *tui, enum thud_action action)
+{
+    const struct thud_scene *scene = &tui->doc.scene;
+    int s = current(tui);
+    bool storeys = s >= 0 && thud_kind_is_building(scene->structure[s].kind);
+    switch (action) {
+    case THUD_DO_ALL_FLOORS:
+        return current_floor(tui) ? NULL : "The cursor is on no floor's value";
+    case THUD_DO_ADD_STOREY:
+        return !storeys                                          ? "Only a building has storeys"
+               : scene->structure[s].storeys >= THUD_STOREYS_MAX ? "There are 200 storeys already"
+                                                                 : NULL;
+    case THUD_DO_DELETE_STOREY:
+        return !current_floor(tui)               ? "The cursor is on no floor"
+               : scene->structure[s].storeys < 2 ? "The last storey stays"
+                                                 : NULL;
+    case THUD_DO_ADD_STRUCTURE:
+        return scene->nstructures >= THUD_STRUCTURES_MAX ? "There are 20 structures already" : NULL;
+    case THUD_DO_REMOVE_STRUCTURE:
+        return scene->nstructures > 2 ? NULL : "Two structures have to stay";
+    case THUD_DO_SWAP:
+        return tui->pair + 1 < scene->nstructures ? NULL : "There is only one structure";
+    default:
+        return thud_tui_cannot_change_pair(tui, action);
+    }
+}
+
+THUD_VIEW(model, "Model", MODEL, .verdict = true, .act = act, .cannot = cannot);

@@ -1,0 +1,452 @@
+/* The stiffness of a uniform shear building with n storeys of mass m and stiffness k from its first period T:
+ *
+ *     omega_1 = 2 sqrt(k/m) sin(pi / (2 (2 n + 1)))        T = 2 pi / omega_1
+ *
+ * (Blevins, Formulas for Natural Frequency and Mode Shape, 1979). */
+#include "tui/screens/new_scene.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "base/ascii.h"
+#include "tui/document/session_log.h"
+
+enum { NAME, KIND, STOREYS, MASS, STIFFNESS, HEIGHT, DAMPING, GAP, RECORD };
+enum { LABEL = 22, VALUE = 24, LIST_ROWS = 6 };
+
+static const char *const label[THUD_NEW_ROWS] = {
+    "name", "kind", "storeys", "floor mass", "stiffness or period", "storey height", "damping", "gap", "ground motion"};
+static const char *const unit[THUD_NEW_ROWS] = {"", "", "", "t", "MN/m", "m", "%", "cm", ""};
+static const char *const kind[] = {"shear", "isolated", "rigid", "wall"};
+enum { KINDS = sizeof kind / sizeof *kind };
+
+/* As commands have them. */
+static const char *const word[THUD_NEW_ROWS] = {"name",   "kind",    "storeys", "mass",  "stiffness",
+                                                "height", "damping", "gap",     "record"};
+
+/* What can be typed there, for the line above the keys. */
+static const char *const words[THUD_NEW_ROWS] = {
+    "The file's name without .yaml, and what stands above figures and reports",
+    "Space: shear, isolated, rigid, wall",
+    "Floors above the ground, 1 to 200",
+    "Of every floor; t, kg, Mg. Each floor's own can be typed on Model",
+    "Of every storey (MN/m, kN/mm, N/m), or the first period (s): the stiffness follows from it",
+    "m, ft",
+    "Of every mode, %",
+    "Between the two at rest; cm, mm, m, in",
+    "Typing narrows the list, Tab takes its first; empty: no ground motion"};
+
+static bool single(int row)
+{
+    return row == NAME || row == GAP || row == RECORD;
+}
+
+/* Whether structures of a kind have the value. */
+static bool applies(const struct thud_new_scene *f, int row, int side)
+{
+    const char *k = f->text[KIND][side];
+    bool building = strcmp(k, "shear") == 0 || strcmp(k, "isolated") == 0;
+    if (single(row))
+        return side == 0;
+    return row == KIND || building || (row == MASS && strcmp(k, "rigid") == 0);
+}
+
+static bool exists(const char *name)
+{
+    char path[THUD_NEW_TEXT + 8];
+    snprintf(path, sizeof path, "%.240s.yaml", name);
+    return access(path, F_OK) == 0;
+}
+
+/* The first name that no file here has. */
+static void free_name(char *name, size_t size)
+{
+    snprintf(name, size, "buildings");
+    for (int i = 2; i < 1000 && exists(name); i++)
+        snprintf(name, size, "buildings-%d", i);
+}
+
+static void focus(struct thud_new_scene *f, int row, int side)
+{
+    f->row = row;
+    f->side = side;
+    thud_line_select(&f->line, f->text[row][side]);
+}
+
+void thud_new_scene_begin(struct thud_tui *tui)
+{
+    static const char *const usual[THUD_NEW_ROWS] = {"", "shear", "4", "320 t", "600 MN/m", "3 m", "5 %", "5 cm", ""};
+    struct thud_new_scene *f = tui->new_scene;
+    if (!f && !(f = tui->new_scene = calloc(1, sizeof *f))) {
+        thud_tui_say(tui, THUD_ROLE_ERROR, "! no memory for the form");
+        return;
+    }
+    for (int i = 0; i < THUD_NEW_ROWS; i++)
+        for (int side = 0; side < 2; side++)
+            snprintf(f->text[i][side], sizeof f->text[i][side], "%s", usual[i]);
+    memset(f->own, 0, sizeof f->own);
+    free_name(f->text[NAME][0], sizeof f->text[NAME][0]);
+    snprintf(f->text[STOREYS][1], sizeof f->text[STOREYS][1], "6");
+    f->own[STOREYS] = true;
+    thud_browse_list(&f->files, THUD_BROWSE_RECORDS, tui->doc.paths, "", "");
+    tui->mode = THUD_MODE_NEW;
+    tui->message[0] = '\0';
+    focus(f, STOREYS, 0);
+}
+
+void thud_new_scene_free(struct thud_tui *tui)
+{
+    if (tui->new_scene)
+        thud_browse_clear(&tui->new_scene->files);
+    free(tui->new_scene);
+    tui->new_scene = NULL;
+}
+
+static void keep(struct thud_new_scene *f)
+{
+    char *text = f->text[f->row][f->side];
+    bool changed = strcmp(text, f->line.text) != 0;
+    snprintf(text, sizeof f->text[0][0], "%.250s", f->line.text);
+    if (f->side == 1 && changed)
+        f->own[f->row] = true;
+    if (f->side == 0 && !single(f->row) && !f->own[f->row])
+        memcpy(f->text[f->row][1], text, sizeof f->text[0][0]);
+}
+
+/* The next value in a direction that the kinds have. */
+static void go(struct thud_new_scene *f, int rows, int sides)
+{
+    int at = f->row * 2 + f->side;
+    keep(f);
+    for (int i = 0; i < 2 * THUD_NEW_ROWS; i++) {
+        at = (at + 2 * rows + sides + 2 * THUD_NEW_ROWS) % (2 * THUD_NEW_ROWS);
+        int row = at / 2, side = at % 2;
+        if (rows != 0 && single(row))
+            side = 0;
+        if (applies(f, row, side)) {
+            focus(f, row, side);
+            return;
+        }
+    }
+}
+
+/* A bare number gets the shown unit. */
+static void with_unit(const char *typed, const char *bare, char *text, size_t size)
+{
+    const char *end;
+    double number;
+    typed += strspn(typed, " ");
+    bool plain = thud_number_parse(typed, &end, &number) == 0 && !end[strspn(end, " ")];
+    snprintf(text, size, "%s%s%s", typed, plain && *bare ? " " : "", plain ? bare : "");
+}
+
+/* The stiffness as it stands in the preset; from a period where one was typed. */
+static bool stiffness(const struct thud_new_scene *f, int side, char *text, size_t size, struct thud_error *err)
+{
+    struct thud_quantity period, mass;
+    char m[THUD_NEW_TEXT];
+    const char *typed = f->text[STIFFNESS][side], *end;
+    double n;
+    with_unit(typed, unit[STIFFNESS], text, size);
+    if (thud_quantity_parse(typed, THUD_TIME, NULL, &period, NULL) != THUD_OK)
+        return true;
+    with_unit(f->text[MASS][side], unit[MASS], m, sizeof m);
+    if (thud_quantity_parse(m, THUD_MASS, NULL, &mass, err) != THUD_OK)
+        return false;
+    if (!(period.value > 0) || thud_number_parse(f->text[STOREYS][side], &end, &n) != 0 || !(n >= 1)) {
+        thud_error_set(err, THUD_INPUT, "a first period of more than 0 s, and at least one storey, give a stiffness");
+        return false;
+    }
+    double half = 2 * THUD_PI / period.value / (2 * sin(THUD_PI / (2 * (2 * n + 1))));
+    thud_quantity_format(mass.value * half * half, "MN/m", text, size);
+    return true;
+}
+
+static bool structure(const struct thud_new_scene *f, int side, struct thud_text *out, struct thud_error *err)
+{
+    const char *k = f->text[KIND][side];
+    char text[THUD_NEW_TEXT + 16];
+    thud_text_append(out, "  - name: %s\n    kind: %s\n", side ? "B" : "A", k);
+    if (strcmp(k, "wall") == 0)
+        return true;
+    with_unit(f->text[MASS][side], unit[MASS], text, sizeof text);
+    if (strcmp(k, "rigid") == 0) {
+        thud_text_append(out, "    mass: %s\n    height: 3 m\n", text);
+        return true;
+    }
+    thud_text_append(out, "    storeys: %s\n    mass: %s\n", f->text[STOREYS][side], text);
+    if (!stiffness(f, side, text, sizeof text, err))
+        return false;
+    thud_text_append(out, "    stiffness: %s\n", text);
+    with_unit(f->text[HEIGHT][side], unit[HEIGHT], text, sizeof text);
+    thud_text_append(out, "    height: %s\n", text);
+    with_unit(f->text[DAMPING][side], unit[DAMPING], text, sizeof text);
+    thud_text_append(out, "    damping: %s\n", text);
+    if (strcmp(k, "isolated") == 0) {
+        with_unit(f->text[MASS][side], unit[MASS], text, sizeof text);
+        thud_text_append(out, "    base-mass: %s\n    isolation-stiffness: 12.5 MN/m\n    isolation-damping: 15 %%\n",
+                         text);
+    }
+    return true;
+}
+
+/* "5-storey building" */
+static void called(const struct thud_new_scene *f, int side, char *text, size_t size)
+{
+    const char *k = f->text[KIND][side];
+    if (applies(f, STOREYS, side))
+        snprintf(text, size, "%.20s-storey %s", f->text[STOREYS][side], k[0] == 's' ? "building" : "isolated building");
+    else
+        snprintf(text, size, "%s", k[0] == 'w' ? "wall" : "rigid body");
+}
+
+/* The preset that the values make; false where a stiffness is asked for by a period that is none (`err` says so). */
+static bool preset_text(const struct thud_new_scene *f, struct thud_text *out, struct thud_error *err)
+{
+    char left[64], right[64], gap[THUD_NEW_TEXT + 16];
+    called(f, 0, left, sizeof left);
+    called(f, 1, right, sizeof right);
+    thud_text_append(out, "title: \"%s: %s and %s\"\n", f->text[NAME][0], left, right);
+    if (*f->text[RECORD][0])
+        thud_text_append(out, "record:\n  file: \"%s\"\n", f->text[RECORD][0]);
+    thud_text_append(out, "structures:\n");
+    if (!structure(f, 0, out, err) || !structure(f, 1, out, err))
+        return false;
+    with_unit(f->text[GAP][0], unit[GAP], gap, sizeof gap);
+    thud_text_append(out,
+                     "interfaces:\n  - gap: %s\n    contact:\n      law: kelvin-voigt-no-tension\n"
+                     "      stiffness: 2500 kN/mm\n      restitution: 0.6\n",
+                     gap);
+    return !out->failed;
+}
+
+static bool contains(const char *text, const char *part)
+{
+    size_t n = strlen(part), i;
+    for (; *text; text++) {
+        for (i = 0; i < n && thud_ascii_lower(text[i]) == thud_ascii_lower(part[i]);)
+            i++;
+        if (i == n)
+            return true;
+    }
+    return n == 0;
+}
+
+/* The i-th file whose name holds what was typed; -1: there are no more. Folders only once they were typed. */
+static int matching(const struct thud_new_scene *f, int i)
+{
+    const char *typed = f->row == RECORD && f->line.selected ? "" : f->line.text, *slash = strrchr(typed, '/');
+    for (int k = 0; k < f->files.n; k++) {
+        const struct thud_browse_item *item = &f->files.item[k];
+        if (contains(thud_path_name(item->name), slash ? slash + 1 : typed) && i-- == 0)
+            return k;
+    }
+    return -1;
+}
+
+/* The list follows the folder that is typed. */
+static void list_again(struct thud_tui *tui)
+{
+    struct thud_new_scene *f = tui->new_scene;
+    const char *slash = strrchr(f->line.text, '/');
+    char folder[THUD_NEW_TEXT];
+    snprintf(folder, sizeof folder, "%.*s", slash ? (int)(slash - f->line.text) + 1 : 0, f->line.text);
+    thud_browse_list(&f->files, THUD_BROWSE_RECORDS, tui->doc.paths, "", folder);
+}
+
+/* Tab on the ground motion: the first that fits what was typed; a folder is gone into. False: it is one already. */
+static bool take_file(struct thud_tui *tui)
+{
+    struct thud_new_scene *f = tui->new_scene;
+    int k = *f->line.text ? matching(f, 0) : -1;
+    if (k < 0 || strcmp(f->files.item[k].name, f->line.text) == 0)
+        return false;
+    thud_line_set(&f->line, f->files.item[k].name);
+    list_again(tui);
+    return true;
+}
+
+static void log_values(struct thud_tui *tui, const struct thud_new_scene *f)
+{
+    char line[THUD_LINE_MAX] = "";
+    for (int row = 0; row < THUD_NEW_ROWS; row++) {
+        size_t n = strlen(line);
+        if (row == RECORD && !*f->text[RECORD][0])
+            continue;
+        snprintf(line + n, sizeof line - n, "%s%s: %s%s%s", row ? "; " : "", word[row], f->text[row][0],
+                 single(row) ? "" : ", ", single(row) ? "" : f->text[row][1]);
+    }
+    thud_tui_log(tui, "new %s", line);
+}
+
+static void make(struct thud_tui *tui)
+{
+    struct thud_new_scene *f = tui->new_scene;
+    struct thud_text text = {0};
+    struct thud_error err = {0};
+    char path[THUD_NEW_TEXT + 16], found[512];
+    if (f->row == RECORD)
+        take_file(tui);
+    keep(f);
+    snprintf(path, sizeof path, "%.240s.yaml", f->text[NAME][0]);
+    enum thud_status status = THUD_OK;
+    if (!*f->text[NAME][0] || exists(f->text[NAME][0]))
+        status = thud_error_set(&err, THUD_INPUT, "%s: a name that no file here has", path);
+    if (status == THUD_OK && *f->text[RECORD][0])
+        status = thud_paths_record(tui->doc.paths, path, f->text[RECORD][0], found, sizeof found, &err);
+    if (status == THUD_OK && !preset_text(f, &text, &err))
+        status = err.status != THUD_OK ? err.status : thud_error_set(&err, THUD_MEMORY, "no memory for the scene");
+    thud_live_clear(&tui->live); /* its runs look at the record, which goes with the preset */
+    tui->ran_revision = 0;
+    if (status == THUD_OK)
+        status = thud_doc_new(&tui->doc, text.data, text.size, path, &err);
+    thud_text_clear(&text);
+    if (status != THUD_OK) {
+        err.line = err.column = 0; /* of a file that nobody sees */
+        err.file[0] = '\0';
+        thud_tui_say_error(tui, &err);
+        thud_tui_changed(tui);
+        focus(f, f->row, f->side);
+        return;
+    }
+    tui->mode = THUD_MODE_NORMAL;
+    log_values(tui, f);
+    thud_tui_opened(tui);
+    thud_tui_go(tui, THUD_SCREEN_MODEL);
+    thud_tui_say(tui, THUD_ROLE_GOOD, "%s: each value can be changed here now; w saves", path);
+}
+
+static void cycle(struct thud_new_scene *f, int step)
+{
+    int now = 0;
+    for (int i = 0; i < KINDS; i++)
+        now = strcmp(f->line.text, kind[i]) == 0 ? i : now;
+    thud_line_select(&f->line, kind[(now + step + KINDS) % KINDS]);
+    keep(f);
+}
+
+void thud_new_scene_key(struct thud_tui *tui, int key)
+{
+    struct thud_new_scene *f = tui->new_scene;
+    bool of_kind = f->row == KIND;
+    if (key == THUD_KEY_ESC) {
+        tui->mode = THUD_MODE_NORMAL;
+        tui->message[0] = '\0';
+    } else if (key == THUD_KEY_ENTER) {
+        make(tui);
+    } else if (key == THUD_KEY_TAB && f->row == RECORD && take_file(tui)) {
+        tui->message[0] = '\0';
+    } else if (key == THUD_KEY_TAB || key == THUD_KEY_BACKTAB) {
+        go(f, 0, key == THUD_KEY_TAB ? 1 : -1);
+    } else if (key == THUD_KEY_DOWN || key == THUD_KEY_UP) {
+        go(f, key == THUD_KEY_DOWN ? 1 : -1, 0);
+    } else if (of_kind) {
+        if (key == ' ' || key == THUD_KEY_RIGHT || key == THUD_KEY_LEFT)
+            cycle(f, key == THUD_KEY_LEFT ? -1 : 1);
+    } else if (thud_line_key(&f->line, key)) {
+        tui->message[0] = '\0';
+        if (f->row == RECORD)
+            list_again(tui);
+    }
+}
+
+static void draw_files(struct thud_new_scene *f, const struct thud_pane *in, int y)
+{
+    for (int i = 0, k; y < in->h && (k = matching(f, i)) >= 0; i++, y++) {
+        char name[300];
+        const char *about = thud_browse_about(&f->files, k);
+        thud_pane_put(in, 3, y,
+                      thud_look(i == 0 && *f->line.text && !f->line.selected ? THUD_ROLE_VALUE : THUD_ROLE_PLAIN, 0),
+                      thud_utf8_fit(f->files.item[k].name, in->w - 24, name, sizeof name));
+        thud_pane_put(in, in->w - 19, y, thud_look(THUD_ROLE_MUTED, 0), about);
+    }
+}
+
+void thud_new_scene_draw(struct thud_tui *tui, const struct thud_pane *area)
+{
+    struct thud_new_scene *f = tui->new_scene;
+    int w = area->w < 78 ? area->w : 78,
+        h = area->h < THUD_NEW_ROWS + LIST_ROWS + 3 ? area->h : THUD_NEW_ROWS + LIST_ROWS + 3;
+    struct thud_pane box = thud_pane_inside(area, (area->w - w) / 2, (area->h - h) / 2, w, h);
+    for (int y = 0; y < box.h; y++)
+        for (int x = 0; x < box.w; x++)
+            thud_pane_glyph(&box, x, y, thud_look(THUD_ROLE_PLAIN, 0), ' ');
+    struct thud_pane in = thud_pane_frame(&box, "New scene: two neighbours", true);
+    int scroll = f->row >= in.h ? f->row - in.h + 1 : 0;
+    for (int row = 0; row < THUD_NEW_ROWS; row++) {
+        int y = row - scroll;
+        if (y < 0 || y >= in.h)
+            continue;
+        thud_pane_put(&in, 1, y, thud_look(THUD_ROLE_PLAIN, 0), label[row]);
+        for (int side = 0; side < (single(row) ? 1 : 2); side++) {
+            int x = LABEL + side * VALUE, room = row == NAME || row == RECORD ? in.w - x - 1 : VALUE - 2;
+            if (x + room > in.w)
+                room = in.w - x;
+            bool here = row == f->row && side == f->side;
+            if (here)
+                thud_pane_glyph(&in, x - 1, y, thud_look(THUD_ROLE_KEY, THUD_BOLD), 0x25b8);
+            if (here && row != KIND)
+                thud_line_draw(&f->line, &in, x, y, room, thud_look(THUD_ROLE_VALUE, THUD_UNDERLINE));
+            else
+                thud_pane_put(
+                    &in, x, y,
+                    thud_look(applies(f, row, side) ? THUD_ROLE_VALUE : THUD_ROLE_MUTED, here ? THUD_REVERSE : 0),
+                    !applies(f, row, side) ? "-"
+                    : *f->text[row][side]  ? f->text[row][side]
+                                           : "(none)");
+        }
+    }
+    if (f->row == RECORD)
+        draw_files(f, &in, THUD_NEW_ROWS - scroll);
+    else
+        thud_pane_wrap(&in, 1, THUD_NEW_ROWS + 1 - scroll, in.w - 2, thud_look(THUD_ROLE_MUTED, 0), words[f->row]);
+}
+
+/* Cuts blanks off both ends. */
+static char *trimmed(char *text)
+{
+    text += strspn(text, " ");
+    for (size_t n = strlen(text); n > 0 && text[n - 1] == ' '; n--)
+        text[n - 1] = '\0';
+    return text;
+}
+
+void thud_new_scene_command(struct thud_tui *tui, const char *text)
+{
+    char copy[THUD_LINE_MAX], *rest = copy;
+    snprintf(copy, sizeof copy, "%s", text);
+    thud_new_scene_begin(tui);
+    struct thud_new_scene *f = tui->new_scene;
+    if (!f || !*text)
+        return;
+    f->files.n = 0; /* names are meant as they are */
+    for (char *part; (part = strtok_r(rest, ";", &rest)) != NULL;) {
+        char *value = strchr(part, ':');
+        int row = 0;
+        if (value)
+            *value++ = '\0';
+        part = trimmed(part);
+        while (row < THUD_NEW_ROWS && strcmp(part, word[row]) != 0)
+            row++;
+        if (!value || row == THUD_NEW_ROWS) {
+            tui->mode = THUD_MODE_NORMAL;
+            thud_tui_say(tui, THUD_ROLE_ERROR,
+                         "! new: \"%.40s\" is none of name, kind, storeys, mass, stiffness, height, "
+                         "damping, gap, record",
+                         part);
+            return;
+        }
+        char *comma = single(row) ? NULL : strchr(value, ',');
+        if (comma)
+            *comma++ = '\0';
+        snprintf(f->text[row][0], sizeof f->text[row][0], "%s", trimmed(value));
+        snprintf(f->text[row][1], sizeof f->text[row][1], "%s", trimmed(comma ? comma : value));
+    }
+    focus(f, STOREYS, 0);
+    make(tui);
+    if (tui->mode == THUD_MODE_NEW)
+        tui->mode = THUD_MODE_NORMAL;
+}

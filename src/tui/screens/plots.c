@@ -1,0 +1,311 @@
+/* Plots: one figure of many, and the buildings moving at the time of its cursor. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "tui/screens/movement.h"
+#include "tui/screens/plots.h"
+#include "tui/screens/scene_edit.h"
+#include "tui/widgets/chart.h"
+#include "tui/widgets/field.h"
+
+enum { CHART, MOVE, SETUP };
+
+/* The storey that lost most energy in yielding, where no floor was chosen. */
+static void choose_storey(struct thud_tui *tui)
+{
+    struct thud_plots_state *p = thud_plots(tui);
+    const struct thud_live_case *c = thud_plots_case(tui);
+    double most = 0.0;
+    if (p->plot != THUD_PLOT_HYSTERESIS || p->floor_chosen || !c)
+        return;
+    for (int i = 0; i < c->model->nstoreys; i++) {
+        const struct thud_model_storey *storey = &c->model->storey[i];
+        double lost = thud_run_result(c->run)->structure[storey->structure].storey[storey->floor].hysteretic_j;
+        if (lost > most) {
+            most = lost;
+            p->sight.dof = c->model->structure[storey->structure].first + storey->floor;
+        }
+    }
+}
+
+/* The contact with the largest force, where none was chosen; its left floor with it. */
+static void choose_sight(struct thud_tui *tui)
+{
+    struct thud_plots_state *p = thud_plots(tui);
+    const struct thud_live_case *c = thud_plots_case(tui);
+    if (!c)
+        return;
+    const struct thud_result *result = thud_run_result(c->run);
+    if (p->sight.contact >= result->ncontacts)
+        p->sight.contact = -1;
+    if (p->sight.dof >= c->model->ndof)
+        p->sight.dof = -1;
+    if (p->sight.contact < 0) {
+        for (int i = 0; i < result->ncontacts; i++)
+            if (p->sight.contact < 0 || result->contact[i].force.value > result->contact[p->sight.contact].force.value)
+                p->sight.contact = i;
+        if (p->sight.contact >= 0)
+            p->time_s = result->contact[p->sight.contact].force.time_s;
+    }
+    if (p->sight.dof < 0 && p->sight.contact >= 0)
+        p->sight.dof = c->model->contact[p->sight.contact].left_dof >= 0
+                           ? c->model->contact[p->sight.contact].left_dof
+                           : c->model->contact[p->sight.contact].right_dof;
+    if (p->sight.dof < 0 && c->model->ndof > 0)
+        p->sight.dof = 0;
+    choose_storey(tui);
+}
+
+static bool over_time(enum thud_plot plot)
+{
+    return plot != THUD_PLOT_LOOP && plot != THUD_PLOT_HYSTERESIS && plot != THUD_PLOT_ENVELOPE_ACCELERATION &&
+           plot != THUD_PLOT_ENVELOPE_DRIFT;
+}
+
+static void refresh(struct thud_tui *tui)
+{
+    struct thud_plots_state *p = thud_plots(tui);
+    const struct thud_live *pinned = thud_tui_pinned(tui);
+    bool with_pin = pinned && pinned->history;
+    if (p->fresh && p->revision == tui->doc.revision && !tui->live.running && p->figure && p->pinned == with_pin)
+        return;
+    p->pinned = with_pin;
+    if ((int)p->plot >= thud_plot_count(&tui->doc.scene))
+        p->plot = THUD_PLOT_FORCE; /* no storey yields any more */
+    choose_sight(tui);
+    p->sight.pinned = thud_tui_pin_name(tui);
+    thud_figure_free(p->figure);
+    p->figure = thud_plot_make(&tui->live, p->pinned ? thud_tui_pinned(tui) : NULL, &tui->doc.scene, p->plot, &p->sight,
+                               &p->why);
+    p->revision = tui->doc.revision;
+    p->fresh = true;
+}
+
+static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect *pane)
+{
+    (void)tui;
+    if (area.w >= 110) {
+        int left = 40, upper = area.h * 3 / 5;
+        pane[CHART] = (struct thud_rect){area.x + left, area.y, area.w - left, upper};
+        pane[MOVE] = (struct thud_rect){area.x + left, area.y + upper, area.w - left, area.h - upper};
+        pane[SETUP] = (struct thud_rect){area.x, area.y, left, area.h};
+        return 3;
+    }
+    int right = area.w * 3 / 8;
+    pane[CHART] = (struct thud_rect){area.x, area.y, area.w - right, area.h};
+    pane[MOVE] = (struct thud_rect){area.x + area.w - right, area.y, right, area.h};
+    return 2;
+}
+
+static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
+{
+    struct thud_plots_state *p = thud_plots(tui);
+    if (!p)
+        return;
+    refresh(tui);
+    if (index == CHART)
+        snprintf(text, size, "%d/%d %s%s", (int)p->plot + 1, thud_plot_count(&tui->doc.scene),
+                 p->figure ? p->figure->title : thud_plot_title(p->plot),
+                 p->span_s > 0.0 && over_time(p->plot) ? ", zoom" : "");
+    else if (index == MOVE)
+        snprintf(text, size, "t=%.3f s x%g%s", p->time_s, p->speed, p->playing ? "" : " paused");
+    else
+        snprintf(text, size, "Parameters and changes");
+}
+
+/* While the movement plays the scale stands still: it holds all of the history. Else it fits what is shown. */
+static struct thud_range still_range(const struct thud_panel *panel, bool still)
+{
+    struct thud_panel whole = *panel;
+    const struct thud_range fits = {NAN, NAN, 0.0};
+    thud_panel_limits(&whole, THUD_X, NAN, NAN);
+    thud_panel_limits(&whole, THUD_Y, NAN, NAN);
+    return still ? thud_panel_range(&whole, THUD_Y) : fits;
+}
+
+/* The curves' values at the cursor. */
+static void words(struct thud_tui *tui, char *text, size_t size)
+{
+    struct thud_plots_state *p = thud_plots(tui);
+    refresh(tui);
+    if (!p->figure || !over_time(p->plot))
+        return;
+    thud_chart_words(&p->figure->panel[0], p->time_s, text, size);
+}
+
+static int draw_chart(struct thud_tui *tui, const struct thud_pane *pane)
+{
+    struct thud_plots_state *p = thud_plots(tui);
+    if (!p)
+        return 0;
+    refresh(tui);
+    if (!p->figure) {
+        return thud_pane_wrap(pane, 1, 0, pane->w - 2, thud_look(THUD_ROLE_MUTED, 0), p->why);
+    }
+    struct thud_chart chart = {.cursor = over_time(p->plot) ? p->time_s : NAN,
+                               .drawn = over_time(p->plot) ? &tui->chart : NULL};
+    double end = thud_plots_end(tui), from = fmax(0.0, fmin(p->time_s - 0.5 * p->span_s, end - p->span_s));
+    for (int i = 0; i < p->figure->columns; i++) {
+        struct thud_pane part =
+            thud_pane_inside(pane, i * pane->w / p->figure->columns, 0, pane->w / p->figure->columns, pane->h);
+        if (over_time(p->plot))
+            thud_panel_limits(&p->figure->panel[i], THUD_X, p->span_s > 0.0 ? from : 0.0,
+                              p->span_s > 0.0 ? from + p->span_s : end);
+        if (over_time(p->plot)) {
+            struct thud_range whole = still_range(&p->figure->panel[i], p->playing);
+            thud_panel_limits(&p->figure->panel[i], THUD_Y, whole.least, whole.most);
+        }
+        thud_chart_draw(&part, &p->figure->panel[i], &chart);
+    }
+    return pane->h;
+}
+
+static int draw_movement(struct thud_tui *tui, const struct thud_pane *pane)
+{
+    const struct thud_live_case *c = thud_plots(tui) ? thud_plots_case(tui) : NULL;
+    if (!c) {
+        thud_field_note(pane, 0, "no histories to move by");
+        return 1;
+    }
+    thud_pane_put(pane, 0, 0, thud_look(THUD_ROLE_MUTED, 0), thud_live_name(thud_plots(tui)->sight.which));
+    thud_movement_draw(pane, &tui->doc.scene, c->model, c->run, thud_plots(tui)->sight.which == THUD_LIVE_BUMPER,
+                       thud_plots(tui)->time_s);
+    return pane->h;
+}
+
+static int draw(struct thud_tui *tui, int index, struct thud_pane *pane)
+{
+    return index == CHART  ? draw_chart(tui, pane)
+           : index == MOVE ? draw_movement(tui, pane)
+                           : thud_plots_side_draw(tui, SETUP, pane);
+}
+
+static void other_plot(struct thud_tui *tui, int step)
+{
+    struct thud_plots_state *p = thud_plots(tui);
+    int n = thud_plot_count(&tui->doc.scene);
+    p->plot = (enum thud_plot)(((int)p->plot + step + n) % n);
+    p->fresh = false;
+    thud_tui_changed(tui); /* energies are not kept for the others */
+}
+
+static void other_sight(struct thud_tui *tui, int step)
+{
+    struct thud_plots_state *p = thud_plots(tui);
+    const struct thud_live_case *c = thud_plots_case(tui);
+    bool of_contact = p->plot == THUD_PLOT_FORCE || p->plot == THUD_PLOT_CLOSING || p->plot == THUD_PLOT_LOOP;
+    int n = of_contact ? thud_run_result(c->run)->ncontacts : c->model->ndof,
+        *at = of_contact ? &p->sight.contact : &p->sight.dof;
+    for (int i = 0; i < n; i++) {
+        *at = (*at + step + n) % n;
+        if (p->plot != THUD_PLOT_HYSTERESIS || thud_model_yielding(c->model, *at) >= 0)
+            break; /* others have no loop */
+    }
+    p->floor_chosen |= !of_contact;
+    p->fresh = false;
+}
+
+/* The wide layout has fields, on which the keys are those of a form. */
+static int place(const struct thud_tui *tui)
+{
+    return tui->form.pane[THUD_SCREEN_PLOTS] == SETUP ? THUD_AT_SIDE : THUD_AT_PLOTS;
+}
+
+static bool act(struct thud_tui *tui, enum thud_action action)
+{
+    struct thud_plots_state *p = thud_plots(tui);
+    if (action == THUD_DO_TOGGLE_BUMPER)
+        thud_tui_toggle_bumper(tui, tui->pair);
+    if (action == THUD_DO_TOGGLE_BUMPER || place(tui) == THUD_AT_SIDE)
+        return action == THUD_DO_TOGGLE_BUMPER;
+    if (!p || thud_plots_act_on_time(tui, action))
+        return p != NULL;
+    switch (action) {
+    case THUD_DO_FIRST:
+    case THUD_DO_LAST:
+        thud_plots_set_time(tui, action == THUD_DO_FIRST ? 0.0 : thud_plots_end(tui));
+        return true;
+    case THUD_DO_NEXT_FIGURE:
+    case THUD_DO_PREVIOUS_FIGURE:
+        other_plot(tui, action == THUD_DO_NEXT_FIGURE ? 1 : -1);
+        return true;
+    case THUD_DO_NEXT_CONTACT:
+    case THUD_DO_PREVIOUS_CONTACT:
+        other_sight(tui, action == THUD_DO_NEXT_CONTACT ? 1 : -1);
+        return true;
+    case THUD_DO_CASE:
+        p->sight.which = (enum thud_live_which)(((int)p->sight.which + 1) % THUD_LIVE_CASES);
+        p->fresh = false;
+        return true;
+    default:
+        return false;
+    }
+}
+
+static const char *cannot(struct thud_tui *tui, enum thud_action action)
+{
+    if (action == THUD_DO_TOGGLE_BUMPER)
+        return tui->pair + 1 < tui->doc.scene.nstructures ? NULL : "There is no interface";
+    bool of_time = action == THUD_DO_PLAY || action == THUD_DO_SCRUB_BACK || action == THUD_DO_SCRUB_FORWARD ||
+                   action == THUD_DO_NEXT_IMPACT || action == THUD_DO_PREVIOUS_IMPACT ||
+                   action == THUD_DO_LARGEST_IMPACT || action == THUD_DO_ZOOM || action == THUD_DO_UNZOOM ||
+                   action == THUD_DO_NEXT_CONTACT || action == THUD_DO_PREVIOUS_CONTACT;
+    return of_time && (!thud_plots(tui) || !thud_plots_case(tui))
+               ? "There are no histories of this case: r runs, b is another case"
+               : NULL;
+}
+
+static const struct thud_figure *figure(struct thud_tui *tui)
+{
+    struct thud_plots_state *p = thud_plots(tui);
+    if (!p)
+        return NULL;
+    refresh(tui);
+    return p->figure;
+}
+
+static void release(struct thud_tui *tui)
+{
+    if (tui->plots)
+        thud_figure_free(tui->plots->figure);
+    free(tui->plots);
+    tui->plots = NULL;
+}
+
+void thud_tui_show_impact(struct thud_tui *tui, enum thud_live_which which, int contact, double time_s)
+{
+    struct thud_plots_state *p = thud_plots(tui);
+    if (!p)
+        return;
+    p->plot = THUD_PLOT_FORCE;
+    p->sight.which = which;
+    p->sight.contact = contact;
+    p->time_s = time_s;
+    p->span_s = 0.5;
+    p->fresh = false;
+    thud_tui_go(tui, THUD_SCREEN_PLOTS);
+}
+
+void thud_tui_show_time(struct thud_tui *tui, double time_s)
+{
+    thud_plots_set_time(tui, time_s);
+}
+
+void thud_tui_show_floor(struct thud_tui *tui, int structure, int floor)
+{
+    struct thud_plots_state *p = thud_plots(tui);
+    const struct thud_live_case *c = &tui->live.which[THUD_LIVE_NONE];
+    if (!p || c->state != THUD_LIVE_DONE)
+        return;
+    p->plot = THUD_PLOT_ACCELERATION;
+    p->sight.dof = c->model->structure[structure].first + floor;
+    p->floor_chosen = true;
+    p->span_s = 0.0;
+    p->fresh = false;
+    thud_tui_go(tui, THUD_SCREEN_PLOTS);
+}
+
+THUD_VIEW(plots, "Plots", PLOTS, .place = place, .act = act, .cannot = cannot, .figure = figure, .words = words,
+          .pause = thud_plots_pause, .tick = thud_plots_tick, .free = release);

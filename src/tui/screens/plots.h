@@ -1,0 +1,39 @@
+/* The Plots screen in its parts: what it shows, its cursor in time, the pane at its side. */
+#ifndef THUD_TUI_PLOTS_H
+#define THUD_TUI_PLOTS_H
+
+#include "tui/document/state.h"
+#include "tui/screens/figures.h"
+
+struct thud_plots_state {
+    enum thud_plot plot;
+    struct thud_sight sight;
+    bool floor_chosen;     /* and not the program's own choice */
+    double time_s, span_s; /* cursor, and how much time is shown; span 0: all */
+    bool playing;
+    double speed, last_s;
+    struct thud_figure *figure;
+    const char *why;
+    unsigned long revision;
+    bool pinned; /* the pinned state's curves stand behind */
+    bool fresh;  /* `figure` belongs to what is above */
+};
+
+/* NULL when out of memory. */
+struct thud_plots_state *thud_plots(struct thud_tui *tui);
+bool thud_plots_energies(const struct thud_tui *tui); /* they are shown: histories have to be whole */
+/* The case that is shown; NULL where it has no histories. */
+const struct thud_live_case *thud_plots_case(struct thud_tui *tui);
+double thud_plots_end(struct thud_tui *tui); /* of its histories, s; 0: there are none */
+
+/* plots_time.c: playing, scrubbing, impacts, zoom. False where the action is another. */
+void thud_plots_set_time(struct thud_tui *tui, double t); /* within what there is */
+bool thud_plots_act_on_time(struct thud_tui *tui, enum thud_action action);
+double thud_plots_pause(struct thud_tui *tui);
+void thud_plots_tick(struct thud_tui *tui);
+
+/* plots_side.c: the values most studies turn on, to be edited with the figure in sight, and the changes so far. Returns
+ * the rows it would need. */
+int thud_plots_side_draw(struct thud_tui *tui, int index, const struct thud_pane *pane);
+
+#endif

@@ -1,0 +1,79 @@
+#include <math.h>
+#include <stdio.h>
+
+#include "tui/screens/plots.h"
+#include "tui/widgets/field.h"
+
+struct labelled {
+    const char *label, *key;
+};
+/* Keys of the interface, of its bumper, and of the scene; what a law has not is left out. */
+static const struct labelled interface_key[] = {
+    {"gap", "gap"}, {"bare stiffness", "contact.stiffness"}, {"bare restitution", "contact.restitution"}};
+static const struct labelled bumper_key[] = {{"  thickness", "bumper.thickness"},
+                                             {"  cavity", "bumper.cavity"},
+                                             {"  stiffness", "bumper.stiffness"},
+                                             {"  restitution", "bumper.restitution"}};
+static const struct labelled scene_key[] = {{"record", "record.file"},
+                                            {"peak", "record.peak"},
+                                            {"sign", "record.sign"},
+                                            {"method", "analysis.method"},
+                                            {"tolerance", "analysis.tolerance"}};
+
+static int fields(struct thud_tui *tui, int index, const struct thud_pane *pane, int y, const struct labelled *row,
+                  size_t n)
+{
+    for (size_t i = 0; i < n; i++) {
+        char path[THUD_PATH_MAX];
+        snprintf(path, sizeof path, "interfaces.%d.%s", tui->pair + 1, row[i].key);
+        if (thud_scene_param(&tui->doc.scene, path, &(int){0}))
+            thud_field_row(tui, index, pane, y++, row[i].label, path);
+    }
+    return y;
+}
+
+static int impacts(const struct thud_tui *tui, const struct thud_pane *pane, int y)
+{
+    static const char *const label[] = {[THUD_LIVE_NONE] = "impacts, bare", [THUD_LIVE_BUMPER] = "impacts, bumper"};
+    for (int i = THUD_LIVE_NONE; i < THUD_LIVE_CASES; i++) {
+        int count;
+        char number[24];
+        double force = thud_live_force(&tui->live, (enum thud_live_which)i, 0, &count);
+        if (!isnan(force))
+            thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_PLAIN, 0), "%-18s %d, up to %s MN", label[i], count,
+                            thud_tui_number(1e-6 * force, number));
+    }
+    return y;
+}
+
+static int changes(const struct thud_tui *tui, const struct thud_pane *pane, int y)
+{
+    const char *what;
+    thud_pane_put(pane, 1, y++, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), "Changes (u undoes)");
+    for (int i = 0; (what = thud_undo_what(&tui->doc.undo, i)) != NULL && i < 100; i++)
+        y += thud_pane_wrap(pane, 1, y, pane->w - 2, thud_look(THUD_ROLE_MUTED, 0), what);
+    if (tui->doc.undo.at == 0)
+        thud_field_note(pane, y++, "none yet");
+    return y;
+}
+
+int thud_plots_side_draw(struct thud_tui *tui, int index, const struct thud_pane *pane)
+{
+    const struct thud_scene *scene = &tui->doc.scene;
+    int y = 0;
+    if (tui->pair + 1 < scene->nstructures) {
+        const struct thud_interface *at = &scene->interface[tui->pair];
+        char number[24];
+        y = fields(tui, index, pane, y, interface_key, sizeof interface_key / sizeof *interface_key);
+        thud_pane_put(pane, 1, y++, thud_look(THUD_ROLE_PLAIN, 0),
+                      at->has_bumper ? "bumper             [x] on (B)" : "bumper             [ ] off (B)");
+        if (at->has_bumper)
+            y = fields(tui, index, pane, y, bumper_key, sizeof bumper_key / sizeof *bumper_key);
+        thud_field_note(pane, y++, "%-18s %s cm", "clearance",
+                        thud_tui_number(100.0 * thud_interface_clearance(at), number));
+    }
+    for (size_t i = 0; i < sizeof scene_key / sizeof *scene_key; i++)
+        thud_field_row(tui, index, pane, y++, scene_key[i].label, scene_key[i].key);
+    y = impacts(tui, pane, y);
+    return changes(tui, pane, y + 1);
+}

@@ -1,0 +1,237 @@
+/* Record: the ground motions at hand, the one chosen, and what it is like. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "tui/screens/record_figure.h"
+#include "tui/widgets/chart.h"
+#include "tui/widgets/field.h"
+
+enum { LIST, CURVE, DATA };
+
+struct thud_record_state {
+    struct thud_browse files;
+    char folder[256]; /* with a slash; empty: the working folder, the preset's and the shipped motions */
+    char filter[96];
+    char shown[sizeof((struct thud_record_choice *)0)->file]; /* the file in use, as the list last showed it */
+    enum thud_record_curve curve;
+    struct thud_figure *figure;
+    const struct thud_record *of; /* what the figure was made from */
+    unsigned long revision;
+    enum thud_record_curve made;
+    struct thud_intensity intensity;
+    unsigned long measured_revision;
+    const struct thud_record *measured; /* what the intensities are of */
+};
+
+static struct thud_record_state *state(struct thud_tui *tui)
+{
+    if (!tui->record) {
+        tui->record = calloc(1, sizeof *tui->record);
+        if (tui->record) {
+            thud_browse_list(&tui->record->files, THUD_BROWSE_RECORDS, tui->doc.paths, tui->doc.path, "");
+            snprintf(tui->record->shown, sizeof tui->record->shown, "?");
+        }
+    }
+    return tui->record;
+}
+
+/* The cursor is on the record in use, also when that becomes another one. */
+static void follow(struct thud_tui *tui, struct thud_record_state *r)
+{
+    const char *now = tui->doc.scene.record.file, *focus = tui->form.focus[THUD_SCREEN_RECORD];
+    char path[THUD_PATH_MAX];
+    if (strcmp(r->shown, now) == 0)
+        return;
+    snprintf(r->shown, sizeof r->shown, "%s", now);
+    snprintf(path, sizeof path, "record %.100s", *now ? thud_path_name(now) : "none");
+    if (!*focus || strncmp(focus, "record ", 7) == 0) /* else the cursor is on a field of another pane */
+        thud_form_focus_on(&tui->form, THUD_SCREEN_RECORD, path);
+}
+
+void thud_tui_filter_records(struct thud_tui *tui, const char *text)
+{
+    if (state(tui))
+        snprintf(tui->record->filter, sizeof tui->record->filter, "%.90s", text);
+}
+
+static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect *pane)
+{
+    (void)tui;
+    int left = area.w * 9 / 20 < 60 ? area.w * 9 / 20 : 60, data = area.h >= 30 ? 17 : area.h >= 18 ? 10 : area.h / 2;
+    pane[LIST] = (struct thud_rect){area.x, area.y, left, area.h};
+    pane[CURVE] = (struct thud_rect){area.x + left, area.y, area.w - left, area.h - data};
+    pane[DATA] = (struct thud_rect){area.x + left, area.y + area.h - data, area.w - left, data};
+    return 3;
+}
+
+static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
+{
+    struct thud_record_state *r = state(tui);
+    const struct thud_record *record = tui->doc.record;
+    if (index == LIST)
+        snprintf(text, size, "Records%s%.40s%s%.40s", r && *r->folder ? " of " : "", r ? r->folder : "",
+                 r && *r->filter ? " with " : "", r ? r->filter : "");
+    else if (index == CURVE)
+        snprintf(text, size, "%s", r ? thud_record_curve_title(r->curve) : "");
+    else
+        snprintf(text, size, "%.60s", record && *record->station ? record->station : "Ground motion");
+}
+
+static int draw_list(struct thud_tui *tui, const struct thud_pane *pane)
+{
+    struct thud_record_state *r = state(tui);
+    int y = 0;
+    if (r)
+        follow(tui, r);
+    thud_field_line(tui, LIST, pane, y++, -1, "record none",
+                    *tui->doc.scene.record.file ? "  (no ground motion)" : "* (no ground motion)");
+    for (int i = 0; r && i < r->files.n; i++) {
+        char path[THUD_PATH_MAX], text[THUD_TEXT_MAX + 80], name[THUD_TEXT_MAX];
+        const char *file = r->files.item[i].name, *now = tui->doc.scene.record.file;
+        if (*r->filter && !strstr(file, r->filter))
+            continue;
+        bool seen = y >= pane->scroll && y < pane->scroll + pane->h; /* the others are not read yet */
+        const char *about = seen ? thud_browse_about(&r->files, i) : "";
+        int room = pane->w - 4 - (*about ? thud_utf8_columns(about) + 1 : 0);
+        snprintf(path, sizeof path, "record %.100s", thud_path_name(file));
+        thud_utf8_fit(file, room, name, sizeof name);
+        snprintf(text, sizeof text, "%s %s%*s%s", strcmp(now, file) == 0 ? "*" : " ", name,
+                 room + 1 - thud_utf8_columns(name), "", about);
+        thud_field_line(tui, LIST, pane, y++, i, path, text);
+    }
+    if (y == 1)
+        thud_field_note(pane, y++, "no other file here");
+    return y;
+}
+
+static void refresh(struct thud_tui *tui)
+{
+    struct thud_record_state *r = state(tui);
+    if (!r || (r->of == tui->doc.record && r->revision == tui->doc.revision && r->made == r->curve && r->figure))
+        return;
+    thud_figure_free(r->figure);
+    r->figure = tui->doc.record ? thud_record_figure(&tui->doc, thud_tui_model(tui), r->curve) : NULL;
+    r->of = tui->doc.record;
+    r->revision = tui->doc.revision;
+    r->made = r->curve;
+}
+
+static int draw_curve(struct thud_tui *tui, const struct thud_pane *pane)
+{
+    struct thud_chart chart = thud_tui_reading(tui);
+    char text[600];
+    refresh(tui);
+    if (tui->record && tui->record->figure)
+        thud_chart_draw(pane, &tui->record->figure->panel[0], &chart);
+    else if (tui->doc.record_error.status != THUD_OK)
+        thud_pane_wrap(pane, 1, 0, pane->w - 2, thud_look(THUD_ROLE_ERROR, 0),
+                       thud_error_text(&tui->doc.record_error, text, sizeof text));
+    else
+        thud_field_note(pane, 0, "no ground motion");
+    return pane->h;
+}
+
+/* All the table has; those that studies turn on come first, as there may be few rows. */
+static int draw_keys(struct thud_tui *tui, const struct thud_pane *pane, int y)
+{
+    static const char *const first[] = {"peak", "sign", "from", "to"};
+    enum { FIRST = sizeof first / sizeof *first };
+    int count;
+    const struct thud_param *param = thud_group_params(THUD_GROUP_RECORD, &count);
+    for (int i = 0; i < FIRST + count; i++) {
+        const char *key = i < FIRST ? first[i] : param[i - FIRST].name;
+        char path[THUD_PATH_MAX];
+        bool before = false;
+        for (int k = 0; k < FIRST && i >= FIRST; k++)
+            before = before || strcmp(key, first[k]) == 0;
+        snprintf(path, sizeof path, "record.%s", key);
+        if (!before)
+            thud_field_row(tui, DATA, pane, y++, key, path);
+    }
+    return y;
+}
+
+static int draw_data(struct thud_tui *tui, const struct thud_pane *pane)
+{
+    struct thud_record_state *r = state(tui);
+    const struct thud_record *record = tui->doc.record;
+    int y = 0;
+    if (r && record && (r->measured != record || r->measured_revision != tui->doc.revision)) {
+        r->intensity = thud_intensity_of(record);
+        r->measured = record;
+        r->measured_revision = tui->doc.revision;
+    }
+    if (r && record)
+        y = thud_record_measures(&r->intensity, record, pane, 0);
+    return draw_keys(tui, pane, y);
+}
+
+static int draw(struct thud_tui *tui, int index, struct thud_pane *pane)
+{
+    return index == LIST ? draw_list(tui, pane) : index == CURVE ? draw_curve(tui, pane) : draw_data(tui, pane);
+}
+
+static bool act(struct thud_tui *tui, enum thud_action action)
+{
+    switch (action) {
+    case THUD_DO_FILTER:
+        thud_tui_prompt(tui, THUD_TYPE_FILTER, tui->record ? tui->record->filter : "");
+        return true;
+    case THUD_DO_SIGN:
+        thud_tui_set(tui, "record.sign", tui->doc.scene.record.sign < 0 ? "+" : "-");
+        return true;
+    case THUD_DO_QUANTITY:
+        if (state(tui))
+            tui->record->curve = (enum thud_record_curve)(((int)tui->record->curve + 1) % THUD_RECORD_CURVES);
+        return true;
+    default:
+        return false;
+    }
+}
+
+static const char *cannot(struct thud_tui *tui, enum thud_action action)
+{
+    if (action == THUD_DO_SIGN || action == THUD_DO_QUANTITY)
+        return tui->doc.record ? NULL : "There is no ground motion";
+    return NULL;
+}
+
+static void row(struct thud_tui *tui, const struct thud_field *field)
+{
+    struct thud_record_state *r = state(tui);
+    if (!r || field->index >= r->files.n)
+        return;
+    if (field->index < 0 || !r->files.item[field->index].folder) {
+        thud_tui_choose_record(tui, field->index < 0 ? "" : r->files.item[field->index].name);
+        return;
+    }
+    snprintf(r->folder, sizeof r->folder, "%s", r->files.item[field->index].name);
+    thud_browse_list(&r->files, THUD_BROWSE_RECORDS, tui->doc.paths, tui->doc.path, r->folder);
+    thud_form_focus_on(&tui->form, THUD_SCREEN_RECORD, "record none");
+}
+
+static const struct thud_figure *figure(struct thud_tui *tui)
+{
+    refresh(tui);
+    return tui->record ? tui->record->figure : NULL;
+}
+
+static const struct thud_panel *read_panel(struct thud_tui *tui)
+{
+    return tui->form.pane[THUD_SCREEN_RECORD] == CURVE && figure(tui) ? &tui->record->figure->panel[0] : NULL;
+}
+
+static void release(struct thud_tui *tui)
+{
+    if (!tui->record)
+        return;
+    thud_figure_free(tui->record->figure);
+    thud_browse_clear(&tui->record->files);
+    free(tui->record);
+    tui->record = NULL;
+}
+
+THUD_VIEW(record, "Record", RECORD, .act = act, .cannot = cannot, .row = row, .figure = figure, .read = read_panel,
+          .free = release);

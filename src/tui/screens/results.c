@@ -1,0 +1,356 @@
+/* Results: peaks by floor and case, impacts, energies, how it was computed. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/quantity.h"
+#include "base/scan.h"
+#include "io/result/result_file.h"
+#include "study/scene/level.h"
+#include "study/sweep/remark.h"
+#include "tui/screens/peaks_strip.h"
+#include "tui/widgets/field.h"
+
+enum { PEAKS, IMPACTS, HOW };
+enum { IMPACTS_MAX = 2000 };
+enum { SORTS = 3, QUANTITIES = 6, ELASTIC_QUANTITIES = 4 };
+
+/* Ductility and permanent drift only where a storey yields. */
+static int quantities(const struct thud_tui *tui)
+{
+    return thud_scene_yields(&tui->doc.scene) ? QUANTITIES : ELASTIC_QUANTITIES;
+}
+
+static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect *pane)
+{
+    (void)tui;
+    int lower = area.h >= 17 ? 9 : area.h / 2, left = area.w - 38;
+    if (area.h >= 29)
+        lower = 15;
+    pane[PEAKS] = (struct thud_rect){area.x, area.y, area.w, area.h - lower};
+    pane[IMPACTS] = (struct thud_rect){area.x, area.y + area.h - lower, left, lower};
+    pane[HOW] = (struct thud_rect){area.x + left, area.y + area.h - lower, area.w - left, lower};
+    return 3;
+}
+
+static enum thud_live_which shown(const struct thud_tui *tui)
+{
+    enum thud_live_which which = (enum thud_live_which)tui->results_case;
+    return tui->live.which[which].state == THUD_LIVE_ABSENT ? THUD_LIVE_NONE : which;
+}
+
+static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
+{
+    static const char *const sort[] = {"by time", "by force", "by floor"};
+    if (index == PEAKS)
+        snprintf(text, size, "Peaks%s: no pounding / no bumper / bumper, ratio bumper : no bumper",
+                 thud_tui_shows_old(tui) ? " before the edit" : "");
+    else if (index == IMPACTS)
+        snprintf(text, size, "Impacts, %s, %s", thud_live_name(shown(tui)), sort[tui->results_sort]);
+    else
+        snprintf(text, size, "How, and energy (%s)", thud_live_name(shown(tui)));
+}
+
+/* Four numbers of one quantity in 24 columns. */
+static void quantity(struct thud_tui *tui, const struct thud_pane *pane, int x, int y, int s, int floor,
+                     enum thud_peak_kind kind, double factor)
+{
+    double value[THUD_LIVE_CASES];
+    for (int i = 0; i < THUD_LIVE_CASES; i++) {
+        char number[24];
+        value[i] = factor * thud_live_floor(&tui->live, (enum thud_live_which)i, s, floor, kind);
+        bool failed = tui->live.which[i].state == THUD_LIVE_FAILED,
+             absent = tui->live.which[i].state == THUD_LIVE_ABSENT;
+        thud_pane_put(pane, x + 7 * i, y,
+                      thud_look(failed                                                  ? THUD_ROLE_ERROR
+                                : thud_live_is_old(&tui->live, (enum thud_live_which)i) ? THUD_ROLE_MUTED
+                                                                                        : THUD_ROLE_VALUE,
+                                0),
+                      failed   ? "FAIL"
+                      : absent ? "–"
+                               : thud_tui_number(value[i], number));
+    }
+    thud_ratio_draw(&tui->live, pane, x + 21, y, value);
+}
+
+/* The same of the pinned state, and what became of it: of the bumper's number, else of that without. */
+static void pinned_quantity(struct thud_tui *tui, const struct thud_live *pinned, const struct thud_pane *pane, int x,
+                            int y, int s, int floor, enum thud_peak_kind kind, double factor)
+{
+    enum thud_live_which last =
+        tui->live.which[THUD_LIVE_BUMPER].state == THUD_LIVE_ABSENT ? THUD_LIVE_NONE : THUD_LIVE_BUMPER;
+    for (int i = 0; i < THUD_LIVE_CASES; i++) {
+        char number[24];
+        double value = factor * thud_live_floor(pinned, (enum thud_live_which)i, s, floor, kind);
+        thud_pane_put(pane, x + 7 * i, y, thud_look(THUD_ROLE_MUTED, 0), thud_tui_number(value, number));
+    }
+    double change = thud_live_floor(&tui->live, last, s, floor, kind) / thud_live_floor(pinned, last, s, floor, kind);
+    if (isfinite(change))
+        thud_pane_print(pane, x + 21, y, thud_look(THUD_ROLE_MUTED, 0), "%+.0f %%",
+                        thud_shown(100.0 * (change - 1.0), 0));
+}
+
+static int floor_count(const struct thud_structure *structure)
+{
+    return structure->kind == THUD_WALL    ? 0
+           : structure->kind == THUD_RIGID ? 1
+                                           : structure->storeys + (structure->kind == THUD_ISOLATED);
+}
+
+static int draw_peaks(struct thud_tui *tui, const struct thud_pane *pane)
+{
+    static const struct {
+        const char *head;
+        enum thud_peak_kind kind;
+        double factor;
+    } column[QUANTITIES] = {{"acceleration m/s²", THUD_PEAK_ACCELERATION, 1.0},
+                            {"drift mm", THUD_PEAK_DRIFT, 1e3},
+                            {"displacement mm", THUD_PEAK_DISPLACEMENT, 1e3},
+                            {"velocity m/s", THUD_PEAK_VELOCITY, 1.0},
+                            {"ductility", THUD_PEAK_DUCTILITY, 1.0},
+                            {"permanent drift mm", THUD_PEAK_PERMANENT, 1e3}};
+    const int all = quantities(tui);
+    const struct thud_live *pinned = thud_tui_pinned(tui);
+    int name = 1, y = 1;
+    for (int s = 0; s < tui->doc.scene.nstructures; s++) {
+        int n = thud_utf8_columns(tui->doc.scene.structure[s].name);
+        name = n > name ? n : name;
+    }
+    int spare = (pane->w - 12) % 29, most = 7 + (pane->w > 41 ? spare : 0); /* of a name; the numbers stay */
+    name = pane->w < 41 ? 4 : name < most ? name : most;
+    int left = name > 7 ? name + 5 : pane->w < 41 ? 10 : 12, columns = (pane->w - left) / 29;
+    columns = columns < 1 ? 1 : columns > all ? all : columns; /* the least terminal has room for one */
+    int first = columns == all ? 0 : tui->results_quantity % all;
+    for (int c = 0; c < columns; c++)
+        thud_pane_put(pane, left + 29 * c, 0, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), column[(first + c) % all].head);
+    if (columns < all)
+        thud_pane_put(pane, 1, 0, thud_look(THUD_ROLE_KEY, 0), "c others");
+    for (int s = 0; s < tui->doc.scene.nstructures; s++)
+        for (int floor = floor_count(&tui->doc.scene.structure[s]) - 1; floor >= 0; floor--, y++) {
+            if (pinned)
+                thud_pane_put(pane, 3, y + 1, thud_look(THUD_ROLE_MUTED, 0), thud_tui_pin_name(tui));
+            for (int c = 0; pinned && c < columns; c++)
+                pinned_quantity(tui, pinned, pane, left + 29 * c, y + 1, s, floor, column[(first + c) % all].kind,
+                                column[(first + c) % all].factor);
+            char key[THUD_PATH_MAX], text[200], fitted[THUD_NAME_MAX + 4];
+            snprintf(key, sizeof key, "floor %d %d", s, floor);
+            snprintf(text, sizeof text, "%s %d",
+                     thud_utf8_fit(tui->doc.scene.structure[s].name, name, fitted, sizeof fitted), floor + 1);
+            thud_field_line(tui, PEAKS, pane, y, s * 1000 + floor, key, text);
+            for (int c = 0; c < columns; c++)
+                quantity(tui, pane, left + 29 * c, y, s, floor, column[(first + c) % all].kind,
+                         column[(first + c) % all].factor);
+            y += pinned != NULL;
+        }
+    return y;
+}
+
+struct row {
+    struct thud_impact impact;
+    int interface, floor; /* from 1 */
+};
+
+static int by_time(const void *a, const void *b)
+{
+    double x = ((const struct row *)a)->impact.start_s, y = ((const struct row *)b)->impact.start_s;
+    return (x > y) - (x < y);
+}
+
+static int by_force(const void *a, const void *b)
+{
+    double x = ((const struct row *)a)->impact.force_n, y = ((const struct row *)b)->impact.force_n;
+    return (x < y) - (x > y);
+}
+
+static int by_floor(const void *a, const void *b)
+{
+    const struct row *x = a, *y = b;
+    if (x->impact.contact != y->impact.contact)
+        return x->impact.contact - y->impact.contact;
+    return (x->impact.start_s > y->impact.start_s) - (x->impact.start_s < y->impact.start_s);
+}
+
+/* What there is room for on a wide terminal. */
+static void impact_rest(const struct thud_impact *impact, char *text, size_t size)
+{
+    char d[24], ms[24], e[24], lost[24];
+    size_t n = strlen(text);
+    snprintf(text + n, size - n, " %-8s %-8s %-7s %s", thud_tui_number(1e3 * impact->indentation_m, d),
+             thud_tui_number(1e3 * impact->duration_s, ms),
+             isnan(impact->restitution) ? "-" : thud_tui_number(impact->restitution, e),
+             thud_tui_number(1e-3 * impact->dissipated_j, lost));
+}
+
+static int draw_impacts(struct thud_tui *tui, const struct thud_pane *pane)
+{
+    const struct thud_live_case *c = &tui->live.which[shown(tui)];
+    if (c->state != THUD_LIVE_DONE) {
+        thud_field_note(pane, 0, "%s",
+                        c->state == THUD_LIVE_ABSENT   ? "there is no bumper"
+                        : c->state == THUD_LIVE_FAILED ? "FAILED"
+                                                       : "no results yet");
+        return 1;
+    }
+    int count;
+    const struct thud_impact *impact = thud_run_impacts(c->run, &count);
+    const struct thud_result *result = thud_run_result(c->run);
+    struct row *row = malloc((size_t)(count > 0 ? count : 1) * sizeof *row);
+    if (!row)
+        return 0;
+    for (int i = 0; i < count; i++) {
+        const struct thud_contact_result *contact = &result->contact[impact[i].contact];
+        row[i] = (struct row){impact[i], contact->interface,
+                              thud_slab_floor(contact->left_floor, contact->right_floor, contact->struck)};
+    }
+    int (*const order[SORTS])(const void *, const void *) = {by_time, by_force, by_floor};
+    if (count > 1)
+        qsort(row, (size_t)count, sizeof *row, order[tui->results_sort]);
+    bool wide = pane->w >= 66;
+    thud_pane_print(pane, 1, 0, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), "t s       fl.  v m/s    F MN     %s",
+                    wide ? "d mm     ms       e       kJ lost" : "");
+    int n = count < IMPACTS_MAX ? count : IMPACTS_MAX;
+    for (int i = 0; i < n; i++) {
+        char key[48], text[160], v[24], f[24], place[24];
+        bool several = tui->doc.scene.nstructures > 2;
+        if (several)
+            snprintf(place, sizeof place, "%d:%d", row[i].interface, row[i].floor);
+        else
+            snprintf(place, sizeof place, "%d", row[i].floor);
+        snprintf(key, sizeof key, "impact %.9g %d", row[i].impact.start_s, row[i].impact.contact);
+        snprintf(text, sizeof text, "%-9.3f %-4s %-8s %-8s", row[i].impact.start_s, place,
+                 thud_tui_number(row[i].impact.approach_mps, v),
+                 row[i].impact.force_n > 0.0 ? thud_tui_number(1e-6 * row[i].impact.force_n, f) : "-");
+        if (wide)
+            impact_rest(&row[i].impact, text, sizeof text);
+        thud_field_line(tui, IMPACTS, pane, i + 1, i, key, text);
+    }
+    if (count == 0)
+        thud_field_note(pane, 1, "none: the structures do not meet");
+    if (n < count)
+        thud_field_note(pane, n + 1, "and %d more (:run -o DIR writes them all)", count - n);
+    free(row);
+    return n + 1 + (n < count || count == 0);
+}
+
+static int draw_energy(const struct thud_result *result, const struct thud_pane *pane, int y)
+{
+    const struct thud_energy *e = &result->energy;
+    const struct {
+        const char *name;
+        double value;
+    } row[] = {{"input", e->input_j + e->initial_j},
+               {"viscous", e->viscous_j},
+               {"contacts", e->contact_j},
+               {"kinetic", e->kinetic_j},
+               {"strain", e->strain_j + e->stored_j}};
+    char a[24];
+    for (size_t i = 0; i < sizeof row / sizeof *row; i++)
+        thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_PLAIN, 0), "%-18s %s kJ", row[i].name,
+                        thud_tui_number(1e-3 * row[i].value, a));
+    if (e->hysteretic_j > 0)
+        thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_PLAIN, 0), "%-18s %s kJ", "lost in yielding",
+                        thud_tui_number(1e-3 * e->hysteretic_j, a));
+    thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_PLAIN, 0), "%-18s %.1e", "energy error", e->error_ratio);
+    return y;
+}
+
+static int draw_how(struct thud_tui *tui, const struct thud_pane *pane)
+{
+    int y = 0, count;
+    thud_field_row(tui, HOW, pane, y++, "title", "title");
+    const struct thud_param *param = thud_group_params(THUD_GROUP_ANALYSIS, &count);
+    for (int i = 0; i < count; i++) {
+        char path[THUD_PATH_MAX];
+        snprintf(path, sizeof path, "analysis.%s", param[i].name);
+        thud_field_row(tui, HOW, pane, y++, param[i].name, path);
+    }
+    const struct thud_result *result = thud_live_result(&tui->live, shown(tui));
+    if (!result)
+        return y;
+    if (tui->doc.scene.analysis.modes > 0)
+        y += thud_pane_wrap(pane, 1, y, pane->w - 2, thud_look(THUD_ROLE_WARN, THUD_BOLD),
+                            "! lowest modes alone: thud run tells what that changes");
+    thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_MUTED, 0), "used %s", result->method ? result->method : "?");
+    thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_MUTED, 0), "%ld steps, %ld events", result->work.steps,
+                    result->work.events);
+    if (isfinite(result->step_s) && result->method)
+        thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_MUTED, 0), "of %.4g s", result->step_s);
+    if (result->reason && *result->reason)
+        y += thud_pane_wrap(pane, 1, y, pane->w - 2, thud_look(THUD_ROLE_MUTED, 0), result->reason);
+    y = draw_energy(result, pane, y);
+    if (tui->ran_revision !=
+        tui->doc.revision) /* the scene has changed since: nothing is said of it from these numbers */
+        return y;
+    const struct thud_live_case *c = &tui->live.which[shown(tui)];
+    struct thud_error remark;
+    int nimpacts;
+    const struct thud_impact *impact = thud_run_impacts(c->run, &nimpacts);
+    for (int i = 0; thud_result_remark(&tui->doc.scene, result, impact, nimpacts, i, &remark); i++)
+        if (shown(tui) == THUD_LIVE_BUMPER || strncmp(remark.key, "structures", 10) == 0) /* others have no bumper */
+            y += thud_pane_wrap(pane, 1, y, pane->w - 2, thud_look(THUD_ROLE_WARN, 0), remark.what);
+    return y;
+}
+
+static int draw(struct thud_tui *tui, int index, struct thud_pane *pane)
+{
+    return index == PEAKS ? draw_peaks(tui, pane) : index == IMPACTS ? draw_impacts(tui, pane) : draw_how(tui, pane);
+}
+
+static bool act(struct thud_tui *tui, enum thud_action action)
+{
+    if (action == THUD_DO_SORT) {
+        tui->results_sort = (tui->results_sort + 1) % SORTS;
+        if (tui->form.pane[THUD_SCREEN_RESULTS] == IMPACTS) /* the first of the new order */
+            tui->form.focus[THUD_SCREEN_RESULTS][0] = '\0';
+    } else if (action == THUD_DO_QUANTITY)
+        tui->results_quantity = (tui->results_quantity + 2) % quantities(tui);
+    else if (action == THUD_DO_CASE)
+        tui->results_case = ((int)shown(tui) + 1) % THUD_LIVE_CASES;
+    else
+        return false;
+    return true;
+}
+
+/* Enter on an impact shows it in the plots; on a floor, that floor. */
+static void row(struct thud_tui *tui, const struct thud_field *field)
+{
+    double time = NAN;
+    int contact = 0, s, floor;
+    const char *at = field->path;
+    if (thud_scan_word(&at, "impact ")) {
+        if (thud_number_parse(at, &at, &time) == 0 && thud_scan_word(&at, " ") && thud_scan_count(&at, &contact))
+            thud_tui_show_impact(tui, shown(tui), contact, time);
+    } else if (thud_scan_word(&at, "floor ") && thud_scan_count(&at, &s) && thud_scan_word(&at, " ") &&
+               thud_scan_count(&at, &floor))
+        thud_tui_show_floor(tui, s, floor);
+}
+
+static const char *cannot(struct thud_tui *tui, enum thud_action action)
+{
+    if (action == THUD_DO_EXPORT)
+        return thud_live_result(&tui->live, shown(tui)) ? NULL : "There are no results yet: r runs";
+    return NULL;
+}
+
+/* What `thud run --csv` and `-o` write, of the case whose impacts are shown. */
+static void export_csv(struct thud_tui *tui)
+{
+    const struct thud_live_case *c = &tui->live.which[shown(tui)];
+    struct thud_report report = {.scene = &tui->doc.scene, .result = thud_run_result(c->run)};
+    struct thud_text peaks = {0}, impacts = {0};
+    report.impact = thud_run_impacts(c->run, &report.nimpacts);
+    thud_result_csv(&report, &peaks);
+    thud_impacts_csv(&report, &impacts);
+    char peaks_name[200], impacts_name[200], file[2][210];
+    thud_tui_file_name(tui, "peaks", thud_live_name(shown(tui)), peaks_name, sizeof peaks_name);
+    thud_tui_file_name(tui, "impacts", thud_live_name(shown(tui)), impacts_name, sizeof impacts_name);
+    snprintf(file[0], sizeof file[0], "%s.csv", peaks_name);
+    snprintf(file[1], sizeof file[1], "%s.csv", impacts_name);
+    if (thud_tui_write(tui, &peaks, file[0]) && thud_tui_write(tui, &impacts, file[1]))
+        thud_tui_say(tui, THUD_ROLE_GOOD, "Written %s and %s into %s", file[0], file[1], thud_tui_folder(tui));
+    thud_text_clear(&impacts);
+}
+
+THUD_VIEW(results, "Results", RESULTS, .verdict = true, .act = act, .cannot = cannot, .row = row,
+          .export_csv = export_csv);

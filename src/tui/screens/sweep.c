@@ -1,0 +1,347 @@
+/* Sweep: one or two parameters, records, cases; the figures fill as the study runs. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "io/file/file.h"
+#include "plot/figures/figures_sweep.h"
+#include "tui/document/session_log.h"
+#include "tui/screens/sweep_screen.h"
+#include "tui/widgets/chart.h"
+#include "tui/widgets/field.h"
+
+enum { FORM, CHART };
+
+static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect *pane)
+{
+    (void)tui;
+    int left = area.w >= 110 ? 40 : area.w * 2 / 5;
+    pane[FORM] = (struct thud_rect){area.x, area.y, left, area.h};
+    pane[CHART] = (struct thud_rect){area.x + left, area.y, area.w - left, area.h};
+    return 2;
+}
+
+/* The figure on show. One that an edit began anew appears whole, if that does not take long: until then the one before
+ * stays. */
+static void refresh(struct thud_tui *tui)
+{
+    static const double patience_s = 0.4;
+    struct thud_sweep_state *s = thud_sweep_state(tui);
+    size_t rows = s ? s->data.rows.table.nrows : 0;
+    if (!s || (s->shown && s->shown_of == s->begun && s->shown_rows == rows && s->shown_figure == s->figure &&
+               s->shown_complete == s->data.complete))
+        return;
+    bool wait = s->data.running && s->by_itself && tui->backend->now(tui->backend) - s->begun_s < patience_s;
+    if (s->shown && (wait || (rows == 0 && s->data.running)))
+        return;
+    thud_figure_free(s->shown);
+    s->shown = NULL;
+    int count = thud_sweep_data_figures(&s->data);
+    if (count == 0)
+        return;
+    s->shown = thud_sweep_data_figure(&s->data, s->figure % count);
+    s->shown_of = s->begun;
+    s->shown_rows = rows;
+    s->shown_figure = s->figure;
+    s->shown_complete = s->data.complete;
+    if (thud_figure_check(s->shown, NULL) != THUD_OK) {
+        thud_figure_free(s->shown);
+        s->shown = NULL;
+    }
+}
+
+/* Whether the figure on show is of a study before this one, or of the scene or the words before edits. */
+static bool is_old(struct thud_tui *tui, struct thud_sweep_state *s)
+{
+    return s->shown && (s->shown_of != s->begun || !thud_sweep_current(tui, s));
+}
+
+/* The first varied key, which the figures of the study have along x, where it is a number and such a figure is shown;
+ * NULL: not now. */
+static const struct thud_sweep_axis *along_x(const struct thud_sweep_state *s)
+{
+    const struct thud_sweep_table *table = &s->data.rows.table;
+    if (!s->shown || table->nrows == 0 || s->data.plan.naxes == 0 || s->data.plan.axis[0].words)
+        return NULL;
+    int own = thud_sweep_figure_count(table);
+    return s->data.complete && s->shown_figure % thud_sweep_data_figures((struct thud_sweep_data *)&s->data) >= own
+               ? NULL
+               : &s->data.plan.axis[0];
+}
+
+/* The value of that key in the scene, as the figure's x; NaN where there is none. */
+static double here(const struct thud_tui *tui, const struct thud_sweep_state *s)
+{
+    const struct thud_sweep_axis *axis = along_x(s);
+    char text[96];
+    struct thud_quantity value;
+    if (!axis || thud_scene_get(&tui->doc.scene, axis->key, text, sizeof text, NULL) != THUD_OK ||
+        thud_quantity_parse(text, axis->param->dimension, axis->param->unit, &value, NULL) != THUD_OK)
+        return NAN;
+    return value.value * thud_varied_factor(axis);
+}
+
+static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
+{
+    struct thud_sweep_state *s = thud_sweep_state(tui);
+    if (index == FORM || !s) {
+        snprintf(text, size, "Study");
+        return;
+    }
+    refresh(tui);
+    int count = thud_sweep_data_figures(&s->data);
+    if (s->shown && count > 0)
+        snprintf(text, size, "%d/%d %s%.100s", s->figure % count + 1, count, is_old(tui, s) ? "before edits: " : "",
+                 s->shown->title);
+    else if (s->shown)
+        snprintf(text, size, "before edits: %.100s", s->shown->title);
+    else
+        snprintf(text, size, "Amplification");
+}
+
+static void dim(const struct thud_pane *pane)
+{
+    for (int y = pane->y; y < pane->y + pane->h; y++)
+        for (int x = pane->x; x < pane->x + pane->w; x++)
+            pane->canvas->cell[y * pane->canvas->width + x].style = thud_look(THUD_ROLE_MUTED, 0);
+}
+
+static int draw(struct thud_tui *tui, int index, struct thud_pane *pane)
+{
+    struct thud_sweep_state *s = thud_sweep_state(tui);
+    if (index == FORM || !s)
+        return thud_sweep_form_draw(tui, FORM, pane);
+    refresh(tui);
+    if (s->shown) {
+        struct thud_chart chart = thud_tui_reading(tui);
+        chart.here = here(tui, s);
+        chart.has_here = !isnan(chart.here);
+        thud_chart_figure(pane, s->shown, s->panel, &chart);
+        if (is_old(tui, s))
+            dim(pane);
+    } else {
+        thud_field_note(pane, 0, s->data.points || *s->why ? "nothing to show yet" : "r runs the study");
+    }
+    return pane->h;
+}
+
+/* Runs of the plan, as far as the words say them. */
+static long runs_of(const struct thud_sweep_data *data)
+{
+    return thud_sweep_points(&data->plan) * (data->plan.ncases > 0 ? data->plan.ncases : 1);
+}
+
+static void begin(struct thud_tui *tui, bool by_itself)
+{
+    static const double wait_s = 5;
+    struct thud_sweep_state *s = thud_sweep_state(tui);
+    struct thud_error err = {0};
+    if (!s)
+        return;
+    if (!by_itself) { /* what was read is read again */
+        thud_sweep_data_clear(&s->data);
+        thud_figure_free(s->shown);
+        s->shown = NULL;
+    }
+    s->why[0] = '\0';
+    enum thud_status status = thud_sweep_data_prepare(&s->data, &tui->doc, &s->words, &err);
+    /* two of the live cases have contacts, and the runs of a study share much: a tenth was measured on the towers */
+    double expected_s = 0.2 * tui->plain_s * (double)runs_of(&s->data);
+    if (status == THUD_OK && by_itself && expected_s > wait_s)
+        snprintf(s->why, sizeof s->why, "%ld runs, about %.0f s: r runs them", runs_of(&s->data), expected_s);
+    else if (status == THUD_OK)
+        status = thud_sweep_data_start(&s->data, &err);
+    if (status != THUD_OK)
+        thud_error_text(&err, s->why, sizeof s->why);
+    if (status != THUD_OK && !by_itself)
+        thud_tui_say_error(tui, &err);
+    if (!s->base)
+        s->base = malloc(sizeof *s->base);
+    if (s->base) {
+        *s->base = tui->doc.scene;
+        for (int i = 0; i < s->data.plan.naxes; i++)
+            thud_scene_set(s->base, s->data.plan.axis[i].key, s->data.plan.axis[i].text[0], NULL);
+    }
+    s->current = true;
+    s->revision = tui->doc.revision;
+    s->ran = s->words;
+    s->begun++;
+    s->by_itself = by_itself;
+    tui->dirty = true;
+    s->begun_s = tui->backend->now(tui->backend);
+}
+
+/* After an edit the study is made again, once the live cases are. */
+static void live(struct thud_tui *tui)
+{
+    struct thud_sweep_state *s = thud_sweep_state(tui);
+    if (s && !thud_sweep_current(tui, s))
+        begin(tui, true);
+}
+
+/* The cursor goes from one value of the varied key to the next. */
+static bool read_on(struct thud_tui *tui, const struct thud_sweep_state *s, int step)
+{
+    const struct thud_sweep_axis *axis = along_x(s);
+    double *at = &tui->reading[THUD_SCREEN_SWEEP], from = isnan(*at) ? here(tui, s) : *at;
+    if (!axis || thud_form_focus(&tui->form))
+        return false;
+    int next = -1;
+    for (int i = 0; i < axis->n; i++) {
+        double x = axis->value[i] * thud_varied_factor(axis), much = 1e-9 * fabs(x);
+        if (step > 0 ? x > from + much && (next < 0 || axis->value[i] < axis->value[next])
+                     : x < from - much && (next < 0 || axis->value[i] > axis->value[next]))
+            next = i;
+    }
+    if (next < 0 && isnan(from))
+        next = 0;
+    if (next >= 0)
+        *at = axis->value[next] * thud_varied_factor(axis);
+    return true;
+}
+
+/* The scene gets the value that the cursor reads. */
+static bool take(struct thud_tui *tui)
+{
+    const struct thud_sweep_state *s = thud_sweep_state(tui);
+    const struct thud_sweep_axis *axis = s ? along_x(s) : NULL;
+    double at = tui->reading[THUD_SCREEN_SWEEP];
+    char text[64];
+    if (!axis || isnan(at))
+        return false;
+    thud_quantity_format(at / thud_varied_factor(axis), axis->param->unit, text, sizeof text);
+    for (int i = 0; i < axis->n; i++)
+        if (fabs(axis->value[i] * thud_varied_factor(axis) - at) <= 1e-9 * fabs(at))
+            snprintf(text, sizeof text, "%.60s", axis->text[i]);
+    if (thud_tui_set(tui, axis->key, text))
+        thud_tui_say(tui, THUD_ROLE_GOOD, "%s is %s now (u undoes)", axis->key, text);
+    return true;
+}
+
+static bool act(struct thud_tui *tui, enum thud_action action)
+{
+    struct thud_sweep_state *s = thud_sweep_state(tui);
+    int panels = s && s->shown ? s->shown->rows * s->shown->columns : 0;
+    if (!s)
+        return false;
+    switch (action) {
+    case THUD_DO_RUN:
+        thud_tui_log(tui, "sweep");
+        begin(tui, false);
+        return true;
+    case THUD_DO_LEFT:
+    case THUD_DO_RIGHT:
+        return s->shown && read_on(tui, s, action == THUD_DO_LEFT ? -1 : 1);
+    case THUD_DO_BACK:
+        if (!s->data.running)
+            return false;
+        thud_sweep_data_stop(&s->data);
+        thud_tui_say(tui, THUD_ROLE_WARN, "Stopped; what is done stays");
+        return true;
+    case THUD_DO_QUANTITY:
+        s->figure++;
+        s->panel = -1;
+        return true;
+    case THUD_DO_NEXT_CONTACT:
+        s->panel = s->panel + 1 < panels ? s->panel + 1 : -1;
+        return true;
+    case THUD_DO_PREVIOUS_CONTACT:
+        s->panel = s->panel < 0 ? panels - 1 : s->panel - 1;
+        return true;
+    default:
+        return false;
+    }
+}
+
+static const struct thud_figure *figure(struct thud_tui *tui)
+{
+    refresh(tui);
+    return tui->sweep ? tui->sweep->shown : NULL;
+}
+
+static const char *cannot(struct thud_tui *tui, enum thud_action action)
+{
+    bool written = action == THUD_DO_PICTURE || action == THUD_DO_PICTURES || action == THUD_DO_EXPORT;
+    if (written && figure(tui) && is_old(tui, tui->sweep))
+        return tui->live.running || tui->sweep->data.running
+                   ? "The study is being made anew for what was edited: its figure is written once it is there"
+                   : "This study is of before the edits, and is not written: r runs it again";
+    bool of_figure = action == THUD_DO_QUANTITY || action == THUD_DO_NEXT_CONTACT || action == THUD_DO_PREVIOUS_CONTACT;
+    if (!of_figure)
+        return NULL;
+    refresh(tui);
+    return tui->sweep && tui->sweep->shown ? NULL : "There is no figure yet: r runs the study";
+}
+
+static const struct thud_panel *read_panel(struct thud_tui *tui)
+{
+    if (tui->form.pane[THUD_SCREEN_SWEEP] != CHART || !figure(tui))
+        return NULL;
+    const struct thud_figure *shown = tui->sweep->shown;
+    int panel = tui->sweep->panel < 0 ? 0 : tui->sweep->panel;
+    return panel < shown->rows * shown->columns && shown->panel[panel].used ? &shown->panel[panel] : NULL;
+}
+
+static bool busy(struct thud_tui *tui)
+{
+    return tui->sweep && tui->sweep->data.running;
+}
+
+static bool work(struct thud_tui *tui)
+{
+    struct thud_error err = {0};
+    if (thud_sweep_data_advance(&tui->sweep->data, &err) != THUD_OK)
+        thud_tui_say_error(tui, &err);
+    tui->dirty = tui->dirty || !tui->sweep->data.running;
+    return tui->sweep->data.running;
+}
+
+static double progress(struct thud_tui *tui)
+{
+    const struct thud_sweep_data *d = tui->sweep ? &tui->sweep->data : NULL;
+    return d && d->running && d->points > 0 ? (double)d->next / (double)d->points : -1.0;
+}
+
+static struct thud_figure *study_figure(const void *from, int index)
+{
+    return thud_sweep_data_figure((struct thud_sweep_data *)from, index);
+}
+
+static void pictures(struct thud_tui *tui)
+{
+    if (!tui->sweep || tui->sweep->data.rows.table.nrows == 0)
+        thud_tui_say(tui, THUD_ROLE_WARN, "There is no study yet: r runs it");
+    else
+        thud_tui_figures(tui, thud_sweep_data_figures(&tui->sweep->data), study_figure, &tui->sweep->data);
+}
+
+static void export_csv(struct thud_tui *tui)
+{
+    struct thud_error err;
+    char stem[200];
+    thud_tui_file_name(tui, "sweep", "", stem, sizeof stem);
+    enum thud_status status = thud_folder_make(thud_tui_folder(tui), &err);
+    if (status == THUD_OK)
+        status = thud_sweep_data_export(&tui->sweep->data, thud_tui_folder(tui), stem, &err);
+    if (status != THUD_OK)
+        thud_tui_say_error(tui, &err);
+    else
+        thud_tui_say(tui, THUD_ROLE_GOOD, "Written %s.csv, -contacts.csv, -needed-gaps.csv%s into %s", stem,
+                     tui->sweep->data.suite ? ", -suite.csv" : "", thud_tui_folder(tui));
+}
+
+static void release(struct thud_tui *tui)
+{
+    if (!tui->sweep)
+        return;
+    thud_sweep_data_clear(&tui->sweep->data);
+    thud_figure_free(tui->sweep->shown);
+    free(tui->sweep->base);
+    free(tui->sweep);
+    tui->sweep = NULL;
+}
+
+THUD_VIEW(sweep, "Sweep", SWEEP, .verdict = true, .act = act, .cannot = cannot, .row = thud_sweep_form_row,
+          .hint = thud_sweep_form_hint, .figure = figure, .read = read_panel, .take = take, .live = live, .busy = busy,
+          .work = work, .progress = progress, .pictures = pictures, .export_csv = export_csv, .free = release);

@@ -1,0 +1,321 @@
+#include "tui/screens/sweep_data.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "ground/identity.h"
+#include "io/file/file.h"
+#include "io/file/output.h"
+#include "plot/figures/figures_gap.h"
+#include "plot/figures/figures_sweep.h"
+
+enum { CHUNK = 1 << 16, SAMPLES = 200, POINTS_A_SLICE = 64 };
+static const double wait_s = 0.004;
+
+void thud_sweep_data_stop(struct thud_sweep_data *data)
+{
+    thud_sweep_work_end(data->work);
+    data->work = NULL;
+    data->running = false;
+}
+
+/* All but the motions and the words they were read by. */
+static void clear_points(struct thud_sweep_data *data)
+{
+    thud_sweep_data_stop(data);
+    thud_fragility_study_clear(&data->fragility);
+    data->fragility = (struct thud_fragility_study){0};
+    free(data->gap); /* its gaps stand in the points */
+    data->gap = NULL;
+    data->told = data->complete = false;
+    thud_suite_free(data->suite);
+    data->suite = NULL;
+    for (long i = 0; i < data->next; i++)
+        free(data->done[i]);
+    free(data->done);
+    data->done = NULL;
+    data->next = data->points = data->room = 0;
+    thud_sweep_collector_clear(&data->rows);
+    thud_sweep_plan_clear(&data->plan);
+}
+
+static void clear_records(struct thud_sweep_data *data)
+{
+    thud_record_list_clear(&data->records);
+    free(data->names);
+    data->names = NULL;
+}
+
+void thud_sweep_data_clear(struct thud_sweep_data *data)
+{
+    clear_points(data);
+    clear_records(data);
+    memset(data, 0, sizeof *data);
+}
+
+static enum thud_status read_records(struct thud_sweep_data *data, const struct thud_doc *doc,
+                                     const struct thud_study_words *words, struct thud_error *err)
+{
+    struct thud_session *session = calloc(1, sizeof *session);
+    const char *list = words->records;
+    bool both = strcmp(words->signs, "both") == 0;
+    enum thud_status status = THUD_OK;
+    clear_records(data);
+    if (!session)
+        return thud_error_set(err, THUD_MEMORY, "no memory for the motions");
+    session->paths = *doc->paths;
+    snprintf(session->preset_path, sizeof session->preset_path, "%s", doc->path);
+    session->preset = doc->preset;
+    session->scene = doc->scene;
+    if (*words->signs && !both)
+        status = thud_error_set(err, THUD_USAGE, "signs: \"%.20s\" is not understood; both, or nothing", words->signs);
+    else if (*list)
+        status = thud_record_list_read(session, list, NULL, 0, both, &data->records, err);
+    else
+        status = thud_record_list_own(session, both, &data->records, err);
+    free(session);
+    int n = data->records.n > 0 ? data->records.n : 1;
+    if (status == THUD_OK && !(data->names = calloc((size_t)n, sizeof *data->names)))
+        status = thud_error_set(err, THUD_MEMORY, "no memory for the motions");
+    if (status != THUD_OK) {
+        clear_records(data);
+        return status;
+    }
+    data->names[0] = "";
+    for (int i = 0; i < data->records.n; i++)
+        data->names[i] = thud_path_name(data->records.record[i]->file);
+    data->records_of = doc->scene.record;
+    memcpy(data->records_words, words->records, sizeof data->records_words);
+    memcpy(data->signs, words->signs, sizeof data->signs);
+    return status;
+}
+
+/* Folders are not looked into again at every edit; `r` does, by way of thud_sweep_data_clear. */
+static bool has_records(const struct thud_sweep_data *data, const struct thud_doc *doc,
+                        const struct thud_study_words *words)
+{
+    return data->names && strcmp(data->records_words, words->records) == 0 && strcmp(data->signs, words->signs) == 0 &&
+           (*words->records || memcmp(&data->records_of, &doc->scene.record, sizeof data->records_of) == 0);
+}
+
+static enum thud_status make_plan(struct thud_sweep_data *data, const struct thud_study_words *words,
+                                  struct thud_error *err)
+{
+    enum thud_status status = THUD_OK;
+    for (int i = 0; i < THUD_VARY_MAX && status == THUD_OK; i++)
+        if (*words->vary[i])
+            status = thud_sweep_vary(&data->plan, words->vary[i], err);
+    if (status == THUD_OK && *words->cases)
+        status = thud_sweep_cases(&data->plan, words->cases, err);
+    if (status == THUD_OK && *words->sensitivity)
+        status = thud_scene_set(&data->plan.scene, "study.sensitivity", words->sensitivity, err);
+    data->plan.sensitivity = *words->sensitivity ? data->plan.scene.study.sensitivity : 0;
+    data->plan.nrecords = data->records.n;
+    data->plan.record = data->records.n ? (const struct thud_record *const *)data->records.record : NULL;
+    return status;
+}
+
+/* What is asked of every run. */
+static enum thud_status read_events(struct thud_sweep_data *data, const struct thud_study_words *words,
+                                    struct thud_error *err)
+{
+    data->fragility.samples = SAMPLES;
+    data->fragility.seed = 1;
+    return thud_events_parse(words->events, data->fragility.event, &data->fragility.nevents, err);
+}
+
+enum thud_status thud_sweep_data_prepare(struct thud_sweep_data *data, const struct thud_doc *doc,
+                                         const struct thud_study_words *words, struct thud_error *err)
+{
+    clear_points(data);
+    thud_sweep_total_init(&data->total);
+    thud_sweep_plan_init(&data->plan, &doc->scene);
+    enum thud_status status = has_records(data, doc, words) ? THUD_OK : read_records(data, doc, words, err);
+    if (status == THUD_OK)
+        status = make_plan(data, words, err);
+    if (status == THUD_OK)
+        status = read_events(data, words, err);
+    if (status == THUD_OK && data->plan.nrecords > 1)
+        status = thud_suite_create(&data->plan, &data->suite, err);
+    data->fragility.suite = data->suite;
+    if (status != THUD_OK) {
+        clear_points(data);
+        return status;
+    }
+    thud_sweep_collector_init(&data->rows, &data->plan, data->names);
+    data->points = thud_sweep_points(&data->plan);
+    return THUD_OK;
+}
+
+enum thud_status thud_sweep_data_start(struct thud_sweep_data *data, struct thud_error *err)
+{
+    struct thud_sweep_jobs jobs = {.plan = &data->plan, .step = 1, .count = data->points};
+    enum thud_status status = thud_sweep_work_start(&jobs, &data->work, err);
+    data->running = status == THUD_OK;
+    return status;
+}
+
+/* Takes a finished point, for figures and files. */
+static enum thud_status keep_point(struct thud_sweep_data *data, struct thud_sweep_point *point, struct thud_error *err)
+{
+    enum thud_status status = THUD_OK;
+    if (data->next == data->room) {
+        long room = data->room ? 2 * data->room : 64;
+        struct thud_sweep_point **larger = realloc(data->done, (size_t)room * sizeof *larger);
+        if (larger) {
+            data->done = larger;
+            data->room = room;
+        } else {
+            status = thud_error_set(err, THUD_MEMORY, "no memory for a point");
+        }
+    }
+    if (status == THUD_OK)
+        status = thud_sweep_collector_add(&data->rows, &data->plan, point, err);
+    if (status == THUD_OK && data->suite)
+        status = thud_suite_add(data->suite, point, err);
+    if (status != THUD_OK) {
+        free(point);
+        return status;
+    }
+    thud_sweep_total_add(&data->total, point);
+    data->done[data->next++] = point;
+    return THUD_OK;
+}
+
+enum thud_status thud_sweep_data_advance(struct thud_sweep_data *data, struct thud_error *err)
+{
+    enum thud_status status = THUD_OK;
+    bool done = false;
+    for (int i = 0; i < POINTS_A_SLICE && status == THUD_OK && !done; i++) {
+        struct thud_sweep_point *point;
+        status = thud_sweep_work_take(data->work, i == 0 ? wait_s : 0, &point, &done, err);
+        if (status == THUD_OK && point)
+            status = keep_point(data, point, err);
+        else if (!point)
+            break;
+    }
+    data->complete = status == THUD_OK && done;
+    if (status != THUD_OK || done)
+        thud_sweep_data_stop(data);
+    return status;
+}
+
+/* The gaps of each motion, from its first point. */
+static void find_gaps(struct thud_sweep_data *data)
+{
+    int levels = data->next > 0 ? data->done[0]->ncontacts : 0, n = data->records.n;
+    long settings = n > 0 ? data->points / n : 0;
+    size_t each = sizeof(struct thud_needed_gap) + (size_t)levels * sizeof(struct thud_gap_level);
+    if (levels == 0 || n < 2)
+        return;
+    data->gap = malloc((size_t)n * (sizeof(struct thud_needed_gap *) + each));
+    for (int i = 0; data->gap && i < n; i++) {
+        const struct thud_sweep_point *point = data->done[i * settings];
+        data->gap[i] = (void *)((char *)(data->gap + n) + (size_t)i * each);
+        data->gap[i]->nlevels = levels;
+        memcpy(data->gap[i]->level, point->level, (size_t)levels * sizeof *point->level);
+    }
+}
+
+/* Fragility needs a number that is varied; without one there is none. */
+static void tell(struct thud_sweep_data *data)
+{
+    if (data->told || !data->complete || !data->suite)
+        return;
+    data->told = true;
+    find_gaps(data);
+    if (data->plan.naxes > 0 && thud_fragility_study_make(&data->fragility, NULL) != THUD_OK)
+        thud_fragility_study_clear(&data->fragility);
+}
+
+static int own_figures(const struct thud_sweep_data *data)
+{
+    return data->rows.table.nrows > 0 ? thud_sweep_figure_count(&data->rows.table) : 0;
+}
+
+int thud_sweep_data_figures(struct thud_sweep_data *data)
+{
+    int n = own_figures(data);
+    tell(data);
+    if (n > 0 && data->told)
+        n += (data->gap != NULL) + (data->fragility.n > 0 ? thud_fragility_figure_count(&data->fragility) : 0);
+    return n;
+}
+
+static struct thud_figure *make_figure(struct thud_sweep_data *data, int index)
+{
+    int own = own_figures(data);
+    if (index < own)
+        return thud_sweep_figure(&data->rows.table, index);
+    tell(data);
+    index -= own;
+    if (data->gap && index-- == 0) {
+        struct thud_gap_suite suite = {data->records.n, data->names, data->gap};
+        const struct thud_scene *scene = &data->plan.scene;
+        return thud_figure_of_gaps(&suite, scene->title[0] ? scene->title : scene->name);
+    }
+    return data->fragility.n > 0 ? thud_fragility_figure(&data->fragility, index) : NULL;
+}
+
+struct thud_figure *thud_sweep_data_figure(struct thud_sweep_data *data, int index)
+{
+    char motions[64];
+    struct thud_figure *figure = make_figure(data, index);
+    thud_synthetic_text(thud_records_synthetic(data->plan.record, data->records.n), data->records.n, motions,
+                        sizeof motions);
+    thud_figure_title_add(figure, motions);
+    return figure;
+}
+
+static enum thud_status export_rows(const struct thud_sweep_data *data, enum thud_sweep_csv which,
+                                    struct thud_output *file, struct thud_text *text, struct thud_error *err)
+{
+    enum thud_status status = THUD_OK;
+    thud_sweep_csv_header(&data->plan, which, text);
+    for (long i = 0; i < data->next && status == THUD_OK; i++) {
+        status = thud_sweep_csv_rows(&data->plan, which, data->done[i], text, err);
+        if (status == THUD_OK)
+            status = thud_output_drain(file, text, CHUNK, err);
+    }
+    if (status == THUD_OK)
+        status = thud_output_drain(file, text, 0, err);
+    return status == THUD_OK ? thud_output_commit(file, err) : status;
+}
+
+static enum thud_status export_suite(const struct thud_sweep_data *data, const char *folder, const char *stem,
+                                     struct thud_error *err)
+{
+    struct thud_text text = {0};
+    char name[300];
+    snprintf(name, sizeof name, "%.200s-suite.csv", stem);
+    enum thud_status status = thud_suite_csv(data->suite, &text, err);
+    if (status == THUD_OK)
+        status = thud_text_write_in(&text, folder, name, err);
+    if (status == THUD_OK && data->told && data->fragility.n > 0) {
+        snprintf(name, sizeof name, "%.200s-fragility.csv", stem);
+        thud_fragility_curves_csv(&data->fragility, &text);
+        status = thud_text_write_in(&text, folder, name, err);
+    }
+    thud_text_clear(&text);
+    return status;
+}
+
+enum thud_status thud_sweep_data_export(const struct thud_sweep_data *data, const char *folder, const char *stem,
+                                        struct thud_error *err)
+{
+    static const char *const ending[THUD_SWEEP_CSVS] = {".csv", "-contacts.csv", "-needed-gaps.csv"};
+    enum thud_status status = THUD_OK;
+    for (int i = 0; i < THUD_SWEEP_CSVS && status == THUD_OK; i++) {
+        char path[4096];
+        struct thud_output file = {.fd = -1};
+        struct thud_text text = {0};
+        snprintf(path, sizeof path, "%s/%s%s", folder, stem, ending[i]);
+        status = thud_output_open(path, &file, err);
+        if (status == THUD_OK)
+            status = export_rows(data, (enum thud_sweep_csv)i, &file, &text, err);
+        thud_output_abandon(&file);
+        thud_text_clear(&text);
+    }
+    return status == THUD_OK && data->suite ? export_suite(data, folder, stem, err) : status;
+}

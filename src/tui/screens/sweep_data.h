@@ -1,0 +1,53 @@
+/* A study as the Sweep screen has it: its motions, its plan, and what of it is done. The points are made by the runner
+ * of app (app/sweep_jobs.h). */
+#ifndef THUD_TUI_SWEEP_DATA_H
+#define THUD_TUI_SWEEP_DATA_H
+
+#include "app/run/record_list.h"
+#include "app/sweep/fragility_report.h"
+#include "app/sweep/sweep_jobs.h"
+#include "app/sweep/sweep_table.h"
+#include "io/result/sweep_csv.h"
+#include "tui/document/doc.h"
+#include "tui/screens/sweep_words.h"
+
+struct thud_sweep_data {
+    bool running, complete;
+    struct thud_sweep_plan plan;
+    struct thud_record_list records;
+    struct thud_record_choice records_of; /* the scene's choice and the words the motions were read by */
+    char records_words[sizeof((struct thud_study_words *)0)->records], signs[16];
+    const char **names;               /* (records.n, at least 1) last parts of the motions' names */
+    struct thud_sweep_work *work;     /* NULL: nothing is running */
+    struct thud_sweep_collector rows; /* of what is done */
+    struct thud_sweep_point **done;   /* (next, room for `room`) */
+    long next, points, room;
+    struct thud_sweep_total total;
+    struct thud_suite *suite; /* of several motions; NULL: of one */
+    /* Of a suite that is complete, once a figure of it was asked for: */
+    bool told;                             /* fragility and gaps were looked for */
+    struct thud_fragility_study fragility; /* n = 0: there is none */
+    struct thud_needed_gap **gap;          /* (records.n) at the first values of the varied keys; NULL: none */
+};
+
+/* Begins anew: reads the motions (again only where they are others) and makes the plan. Errors: THUD_USAGE, THUD_INPUT,
+ * THUD_MEMORY; there is no study then. */
+enum thud_status thud_sweep_data_prepare(struct thud_sweep_data *data, const struct thud_doc *doc,
+                                         const struct thud_study_words *words, struct thud_error *err);
+/* Starts the threads. Errors: THUD_MEMORY. */
+enum thud_status thud_sweep_data_start(struct thud_sweep_data *data, struct thud_error *err);
+/* Takes the points that are finished, waiting a few milliseconds for one; `running` goes false at the end. Errors end
+ * the study, what is done stays. */
+enum thud_status thud_sweep_data_advance(struct thud_sweep_data *data, struct thud_error *err);
+/* Figures of what is done, counted from 0: the study's own; over several motions, once all are done, the gap that is
+ * enough, fragility and incremental dynamic analysis. thud_sweep_data_figure: NULL, or ask thud_figure_check. */
+int thud_sweep_data_figures(struct thud_sweep_data *data);
+struct thud_figure *thud_sweep_data_figure(struct thud_sweep_data *data, int index);
+/* STEM-sweep.csv, -contacts.csv and -needed-gaps.csv of what is done into a folder that is there; of a suite its
+ * statistics and fragility besides. Errors: THUD_OUTPUT, THUD_MEMORY. */
+enum thud_status thud_sweep_data_export(const struct thud_sweep_data *data, const char *folder, const char *stem,
+                                        struct thud_error *err);
+void thud_sweep_data_stop(struct thud_sweep_data *data); /* keeps what is done */
+void thud_sweep_data_clear(struct thud_sweep_data *data);
+
+#endif

@@ -1,0 +1,39 @@
+/* The Sweep screen in its parts: what it shows, and its form. */
+#ifndef THUD_TUI_SWEEP_SCREEN_H
+#define THUD_TUI_SWEEP_SCREEN_H
+
+#include "tui/document/state.h"
+#include "tui/screens/sweep_data.h"
+
+struct thud_sweep_state {
+    struct thud_study_words words;  /* as shown and run */
+    struct thud_study_choice study; /* the scene's, when the words were taken from it */
+    struct thud_study_words ran;    /* what the study on show was made with */
+    struct thud_sweep_data data;
+    struct thud_scene *base; /* of the study, its varied keys at their first values; NULL: none was made */
+    bool current;            /* the study on show is that of the words and the scene of `revision` */
+    unsigned long revision;  /* at which `current` was last found */
+    bool by_itself;          /* it was begun by an edit, and not by `r` */
+    char why[320];           /* why it could not be begun, or was not; empty: nothing */
+    double begun_s;
+    int figure, panel; /* which is shown; panel -1: all */
+    struct thud_figure *shown;
+    size_t shown_rows;
+    bool shown_complete;
+    int shown_figure;
+    unsigned long begun, shown_of; /* studies begun so far; the one of them that `shown` was made of */
+    int typed;                     /* the line being typed */
+};
+
+/* NULL when out of memory. The words follow the scene's study, also when that is undone. */
+struct thud_sweep_state *thud_sweep_state(struct thud_tui *tui);
+/* Whether the study on show is that of the scene and the words as they are: what is varied may have any value. */
+bool thud_sweep_current(struct thud_tui *tui, struct thud_sweep_state *s);
+/* Draws the form in pane `index`; returns the rows it would need. */
+int thud_sweep_form_draw(struct thud_tui *tui, int index, const struct thud_pane *pane);
+/* What is typed on a line of it. */
+const char *thud_sweep_form_hint(const struct thud_field *field);
+/* Enter on a line of it. */
+void thud_sweep_form_row(struct thud_tui *tui, const struct thud_field *field);
+
+#endif

@@ -1,0 +1,147 @@
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/ascii.h"
+#include "tui/widgets/chooser.h"
+
+void thud_chooser_begin(struct thud_chooser *chooser, const char *title)
+{
+    chooser->n = chooser->at = chooser->top = 0;
+    snprintf(chooser->title, sizeof chooser->title, "%s", title);
+    thud_line_set(&chooser->filter, "");
+}
+
+void thud_chooser_add(struct thud_chooser *chooser, const char *value, const char *fmt, ...)
+{
+    if (chooser->n == chooser->capacity) {
+        int capacity = chooser->capacity ? 2 * chooser->capacity : 64;
+        struct thud_choice *choice = realloc(chooser->choice, (size_t)capacity * sizeof *choice);
+        if (!choice)
+            return;
+        chooser->choice = choice;
+        chooser->capacity = capacity;
+    }
+    struct thud_choice *choice = &chooser->choice[chooser->n++];
+    snprintf(choice->value, sizeof choice->value, "%s", value);
+    va_list args;
+    va_start(args, fmt);
+    vsnprintf(choice->text, sizeof choice->text, fmt, args);
+    va_end(args);
+}
+
+static bool contains(const char *text, const char *part)
+{
+    size_t n = strlen(part);
+    for (; *text; text++) {
+        size_t i = 0;
+        while (i < n && text[i] && thud_ascii_lower(text[i]) == thud_ascii_lower(part[i]))
+            i++;
+        if (i == n)
+            return true;
+    }
+    return n == 0;
+}
+
+/* Every word typed has to be in the line. */
+static bool fits(const struct thud_chooser *chooser, int index)
+{
+    char words[THUD_LINE_MAX], *rest = words;
+    snprintf(words, sizeof words, "%s", chooser->filter.text);
+    for (char *word; (word = strtok_r(rest, " ", &rest)) != NULL;)
+        if (!contains(chooser->choice[index].text, word))
+            return false;
+    return true;
+}
+
+static int count_fitting(const struct thud_chooser *chooser)
+{
+    int n = 0;
+    for (int i = 0; i < chooser->n; i++)
+        n += fits(chooser, i);
+    return n;
+}
+
+void thud_chooser_mark(struct thud_chooser *chooser, const char *value)
+{
+    for (int i = 0; i < chooser->n; i++)
+        if (strcmp(chooser->choice[i].value, value) == 0)
+            chooser->at = i;
+}
+
+const struct thud_choice *thud_chooser_marked(const struct thud_chooser *chooser)
+{
+    int n = 0;
+    for (int i = 0; i < chooser->n; i++)
+        if (fits(chooser, i) && n++ == chooser->at)
+            return &chooser->choice[i];
+    return NULL;
+}
+
+void thud_chooser_key(struct thud_chooser *chooser, int key)
+{
+    int step = key == THUD_KEY_UP          ? -1
+               : key == THUD_KEY_DOWN      ? 1
+               : key == THUD_KEY_PAGE_UP   ? -8
+               : key == THUD_KEY_PAGE_DOWN ? 8
+                                           : 0;
+    if (step)
+        chooser->at += step;
+    else if (thud_line_key(&chooser->filter, key))
+        chooser->at = 0;
+    int n = count_fitting(chooser);
+    if (chooser->at >= n)
+        chooser->at = n - 1;
+    if (chooser->at < 0)
+        chooser->at = 0;
+}
+
+bool thud_chooser_click(struct thud_chooser *chooser, int x, int y)
+{
+    const struct thud_pane *lines = &chooser->drawn;
+    int row = y - lines->y, before = chooser->at;
+    if (x < lines->x || x >= lines->x + lines->w || row < 0 || row >= lines->h ||
+        chooser->top + row >= count_fitting(chooser))
+        return false;
+    chooser->at = chooser->top + row;
+    return chooser->at == before;
+}
+
+void thud_chooser_draw(struct thud_chooser *chooser, const struct thud_pane *area)
+{
+    int w = area->w < 76 ? area->w : 76, h = chooser->n + 4 < area->h ? chooser->n + 4 : area->h;
+    struct thud_pane box = thud_pane_inside(area, (area->w - w) / 2, (area->h - h) / 2, w, h);
+    for (int y = 0; y < box.h; y++)
+        for (int x = 0; x < box.w; x++)
+            thud_pane_glyph(&box, x, y, thud_look(THUD_ROLE_PLAIN, 0), ' ');
+    struct thud_pane in = thud_pane_frame(&box, chooser->title, true);
+    int at = thud_pane_put(&in, 1, 0, thud_look(THUD_ROLE_MUTED, 0), "only: ");
+    int rows = in.h - 1;
+    chooser->drawn = thud_pane_inside(&in, 0, 1, in.w, rows);
+    if (chooser->at < chooser->top)
+        chooser->top = chooser->at;
+    if (rows > 0 && chooser->at >= chooser->top + rows)
+        chooser->top = chooser->at - rows + 1;
+    for (int i = 0, n = 0; i < chooser->n; i++) {
+        if (!fits(chooser, i))
+            continue;
+        int row = n - chooser->top + 1;
+        bool marked = n++ == chooser->at;
+        if (row < 1)
+            continue;
+        struct thud_look look = thud_look(THUD_ROLE_PLAIN, marked ? THUD_REVERSE : 0);
+        thud_pane_glyph(&in, 0, row, look, marked ? 0x25b8 : ' ');
+        thud_pane_put(&in, 1, row, look, chooser->choice[i].text);
+    }
+    if (count_fitting(chooser) == 0)
+        thud_pane_put(&in, 1, 1, thud_look(THUD_ROLE_MUTED, 0), "nothing fits what was typed");
+    thud_line_draw(&chooser->filter, &in, 1 + at, 0, in.w - 2 - at, thud_look(THUD_ROLE_VALUE, THUD_UNDERLINE));
+}
+
+void thud_chooser_free(struct thud_chooser *chooser)
+{
+    free(chooser->choice);
+    chooser->choice = NULL;
+    chooser->n = chooser->capacity = 0;
+}

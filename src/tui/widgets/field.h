@@ -1,0 +1,19 @@
+/* Drawing the fields of a screen; each registers itself for the cursor. */
+#ifndef THUD_TUI_FIELD_H
+#define THUD_TUI_FIELD_H
+
+#include "tui/document/state.h"
+
+/* The value of a key of the scene in `w` columns; `unit` false leaves the table's unit out (a heading has it). */
+void thud_field_value(struct thud_tui *tui, int index, const struct thud_pane *pane, int x, int y, int w,
+                      const char *key, bool unit);
+/* A label and the value of a key behind it in one row. */
+void thud_field_row(struct thud_tui *tui, int index, const struct thud_pane *pane, int y, const char *label,
+                    const char *key);
+/* A line that Enter chooses. */
+void thud_field_line(struct thud_tui *tui, int index, const struct thud_pane *pane, int y, int number, const char *path,
+                     const char *text);
+/* "title" in muted letters. */
+void thud_field_note(const struct thud_pane *pane, int y, const char *fmt, ...) THUD_PRINTF(3, 4);
+
+#endif
