@@ -66,7 +66,8 @@ struct thud_model *march_mass_and_wall(double mass, double omega, double zeta, d
     struct thud_contact_input c;
     if (law)
         c = contact(1, 1, 0, gap, law);
-    return create(&(struct thud_model_input){law ? 2 : 1, s, law ? 1 : 0, &c, 0});
+    return create(&(struct thud_model_input){
+        .nstructures = law ? 2 : 1, .structure = s, .ncontacts = law ? 1 : 0, .contact = &c});
 }
 
 struct thud_model *march_two_bodies(double left_mass, double right_mass, double v, double gap,
@@ -75,7 +76,7 @@ struct thud_model *march_two_bodies(double left_mass, double right_mass, double 
     struct thud_structure_input s[2] = {{.n = 1, .mass_kg = &left_mass, .velocity_mps = v},
                                         {.n = 1, .mass_kg = &right_mass}};
     struct thud_contact_input c = contact(1, 1, 1, gap, law);
-    return create(&(struct thud_model_input){2, s, 1, &c, 0});
+    return create(&(struct thud_model_input){.nstructures = 2, .structure = s, .ncontacts = 1, .contact = &c});
 }
 
 struct thud_model *march_row(int n, const int *storeys, bool isolated, double gap, const struct march_law *law)
@@ -104,7 +105,7 @@ struct thud_model *march_row(int n, const int *storeys, bool isolated, double ga
         for (int f = 1; i > 0 && f <= floors && f <= s[i - 1].n; f++)
             c[contacts++] = contact(i, f, f, gap, law);
     }
-    return create(&(struct thud_model_input){n, s, contacts, c, 0});
+    return create(&(struct thud_model_input){.nstructures = n, .structure = s, .ncontacts = contacts, .contact = c});
 }
 
 struct thud_record *march_motion(double factor)

@@ -59,7 +59,8 @@ static struct thud_model *make_model(double clearance, bool isolated)
         contact[c].setup.value[thud_law_param(law, "stiffness")] = 2.5e9;
         contact[c].setup.value[thud_law_param(law, "restitution")] = 0.6;
     }
-    struct thud_model_input input = {2, structure, CONTACTS, contact, 0};
+    struct thud_model_input input = {
+        .nstructures = 2, .structure = structure, .ncontacts = CONTACTS, .contact = contact};
     struct thud_model *model;
     struct thud_error error;
     ck_assert_msg(thud_model_create(&input, &model, &error) == THUD_OK, "%s", error.what);
@@ -228,7 +229,7 @@ START_TEST(free_bodies_without_a_ground_motion)
                                          .clearance_m = 10,
                                          .law = thud_law_find("linear")};
     thud_law_defaults(contact.law, &contact.setup);
-    struct thud_model_input input = {2, structure, 1, &contact, 0};
+    struct thud_model_input input = {.nstructures = 2, .structure = structure, .ncontacts = 1, .contact = &contact};
     struct thud_model *model;
     struct thud_baseline_motion *baseline;
     struct thud_run_options o = options();

@@ -62,7 +62,8 @@ static struct thud_model *model_of(const struct setting *x, int contact, bool mi
         c.struck = (struct thud_struck_input){mirrored ? -1 : 1, x->a_m, x->b_m, x->hinged, x->ei_nm2, x->capacity_n};
     struct thud_model *model = NULL;
     struct thud_error err = {0};
-    enum thud_status status = thud_model_create(&(struct thud_model_input){2, s, 1, &c, 0}, &model, &err);
+    enum thud_status status = thud_model_create(
+        &(struct thud_model_input){.nstructures = 2, .structure = s, .ncontacts = 1, .contact = &c}, &model, &err);
     ck_assert_msg(status == THUD_OK, "%s", err.what);
     return model;
 }

@@ -23,7 +23,10 @@ static struct march beside_a_wall(const char *law_name, const char *method, doub
                                            .right_structure = 1,
                                            .law = law.law,
                                            .setup = law.setup};
-    ck_assert_int_eq(thud_model_create(&(struct thud_model_input){2, s, 4, c, 0}, model, NULL), THUD_OK);
+    ck_assert_int_eq(
+        thud_model_create(&(struct thud_model_input){.nstructures = 2, .structure = s, .ncontacts = 4, .contact = c},
+                          model, NULL),
+        THUD_OK);
     struct thud_record *record = march_motion(mirrored ? -1 : 1);
     struct march run = march_run(*model, record, method, 0, tolerance, true, 1);
     thud_record_free(record);
@@ -73,7 +76,10 @@ static void row_of_five(const char *law_name, double restitution, struct thud_co
                                            .right_structure = i + 1,
                                            .law = law.law,
                                            .setup = law.setup};
-    ck_assert_int_eq(thud_model_create(&(struct thud_model_input){5, s, 4, c, 0}, &model, NULL), THUD_OK);
+    ck_assert_int_eq(
+        thud_model_create(&(struct thud_model_input){.nstructures = 5, .structure = s, .ncontacts = 4, .contact = c},
+                          &model, NULL),
+        THUD_OK);
     struct march m = march_run(model, NULL, "exact", 0, 0, true, 1);
     ck_assert_int_eq(m.status, THUD_OK);
     for (int i = 0; i < 4; i++)

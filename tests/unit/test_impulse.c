@@ -44,7 +44,8 @@ static struct thud_model *row(int n, const double *mass, const double *speed, bo
                                                  .clearance_m = gap};
         contact[i].law = newton(e, &contact[i].setup);
     }
-    struct thud_model_input input = {n + wall, body, contacts, contact, 0};
+    struct thud_model_input input = {
+        .nstructures = n + wall, .structure = body, .ncontacts = contacts, .contact = contact};
     struct thud_model *model = NULL;
     ck_assert_int_eq(thud_model_create(&input, &model, NULL), THUD_OK);
     return model;
@@ -232,7 +233,7 @@ START_TEST(blow_on_a_contact_with_a_force)
     struct thud_contact_input contact[] = {
         {.interface = 1, .left_floor = 1, .right_floor = 1, .right_structure = 1, .clearance_m = gap[_i]},
         {.interface = 2, .left_floor = 1, .left_structure = 1, .right_structure = 2}};
-    struct thud_model_input input = {3, body, 2, contact, 0};
+    struct thud_model_input input = {.nstructures = 3, .structure = body, .ncontacts = 2, .contact = contact};
     struct thud_model *model = NULL;
     contact[0].law = newton(0.5, &contact[0].setup);
     contact[1].law = no_tension(1e6, 0.05, &contact[1].setup);
@@ -261,7 +262,7 @@ START_TEST(a_pull_of_rounding_lets_nothing_go)
     struct thud_contact_input contact[] = {
         {.interface = 1, .left_floor = 1, .right_floor = 1, .right_structure = 1},
         {.interface = 2, .left_floor = 1, .left_structure = 1, .right_structure = 2}};
-    struct thud_model_input input = {3, body, 2, contact, 0};
+    struct thud_model_input input = {.nstructures = 3, .structure = body, .ncontacts = 2, .contact = contact};
     struct thud_model *model = NULL;
     struct thud_run_options options;
     contact[0].law = no_tension(3e10, 0.55, &contact[0].setup);

@@ -301,7 +301,8 @@ START_TEST(dormand_prince_keeps_its_tolerance)
     struct thud_structure_input s = {.n = 3, .mass_kg = mass, .stiffness_npm = k};
     struct thud_model *model = NULL;
     struct thud_record *record = march_motion(1);
-    ck_assert_int_eq(thud_model_create(&(struct thud_model_input){1, &s, 0, NULL, 0}, &model, NULL), THUD_OK);
+    ck_assert_int_eq(thud_model_create(&(struct thud_model_input){.nstructures = 1, .structure = &s}, &model, NULL),
+                     THUD_OK);
     struct march exact = march_run(model, record, "exact", 0, 1e-6, true, 2);
     for (double tolerance = 1e-2; tolerance > 1e-8; tolerance /= 100) {
         struct march m = march_run(model, record, "dormand-prince", 0, tolerance, true, 2);

@@ -27,7 +27,8 @@ static struct thud_model *one_storey(double omega, double zeta, double yield_m, 
                                      .yield_m = &yield_m,
                                      .hardening = &hardening};
     struct thud_model *model = NULL;
-    ck_assert_int_eq(thud_model_create(&(struct thud_model_input){1, &s, 0, NULL, 0}, &model, NULL), THUD_OK);
+    ck_assert_int_eq(thud_model_create(&(struct thud_model_input){.nstructures = 1, .structure = &s}, &model, NULL),
+                     THUD_OK);
     return model;
 }
 
@@ -68,7 +69,10 @@ static struct thud_model *two_towers(const struct yard *y)
                                            .law = y->law->law,
                                            .setup = y->law->setup};
     struct thud_model *model = NULL;
-    ck_assert_int_eq(thud_model_create(&(struct thud_model_input){2, s, n, c, 0}, &model, NULL), THUD_OK);
+    ck_assert_int_eq(
+        thud_model_create(&(struct thud_model_input){.nstructures = 2, .structure = s, .ncontacts = n, .contact = c},
+                          &model, NULL),
+        THUD_OK);
     return model;
 }
 
@@ -346,7 +350,8 @@ START_TEST(an_integrator_of_its_own)
     struct thud_structure_input s = {
         .n = N, .mass_kg = m, .stiffness_npm = k, .yield_m = d_y, .hardening = r, .damping = 0};
     struct thud_model *model = NULL;
-    ck_assert_int_eq(thud_model_create(&(struct thud_model_input){1, &s, 0, NULL, 0}, &model, NULL), THUD_OK);
+    ck_assert_int_eq(thud_model_create(&(struct thud_model_input){.nstructures = 1, .structure = &s}, &model, NULL),
+                     THUD_OK);
     struct march x = run(model, record, 1e-6, 2);
     double u[N] = {0}, v[N] = {0}, p[N] = {0}, drift[N] = {0}, h = 1e-5;
     long steps = lround((record->dt_s * (double)(record->samples - 1) + 2) / h);
@@ -586,7 +591,8 @@ START_TEST(yielding_without_end_is_said)
     struct thud_model *model = NULL;
     struct thud_record *record = NULL;
     ck_assert_int_eq(thud_record_create(a_mps2, SAMPLES, 0.1, &record, NULL), THUD_OK);
-    ck_assert_int_eq(thud_model_create(&(struct thud_model_input){2, s, 0, NULL, 0}, &model, NULL), THUD_OK);
+    ck_assert_int_eq(thud_model_create(&(struct thud_model_input){.nstructures = 2, .structure = s}, &model, NULL),
+                     THUD_OK);
     struct march m = march_run(model, record, "exact", 0, 1e-6, true, 4e5);
     ck_assert_int_eq(m.status, THUD_DIVERGED);
     ck_assert_ptr_nonnull(strstr(m.err.what, "storeys yield and unload 50000 times from t = 0 s"));
@@ -615,7 +621,8 @@ START_TEST(textbooks)
     double mass[] = {5000, 2500}, k[] = {394784, 197392}, d_y[] = {0.05, 0.05}, r[] = {0, 0};
     struct thud_structure_input s = {
         .n = 2, .mass_kg = mass, .stiffness_npm = k, .damping = 0.02, .yield_m = d_y, .hardening = r};
-    ck_assert_int_eq(thud_model_create(&(struct thud_model_input){1, &s, 0, NULL, 0}, &model, NULL), THUD_OK);
+    ck_assert_int_eq(thud_model_create(&(struct thud_model_input){.nstructures = 1, .structure = &s}, &model, NULL),
+                     THUD_OK);
     m = run(model, el_centro, 1e-6, 5);
     const struct thud_structure_result *p = &m.result->structure[0];
     ck_assert_double_eq_tol(p->floor[1].displacement.value / 0.1483, 1, 2e-3);

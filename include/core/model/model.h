@@ -10,6 +10,10 @@
  * where g_c is the row of contact c. A structure whose damping couples its modes (isolated building) has a dense block
  * D instead of 2 zeta omega.
  *
+ * Linear links (spring and dashpot) tie neighbours: those that they join are one system, whose modes are those of all
+ * its structures and links together, and whose damping couples them. Each structure of a system has all of its modes.
+ * One-sided links are contacts behind those of the neighbours' floors.
+ *
  * Storeys that yield (bilinear, kinematic hardening) have a row each behind those of the contacts, g = e_i - e_(i-1),
  * and a force beyond that of their elastic stiffness k: V = k d + F with F = -(1 - r) k d_p. Everything that reads
  * rows and forces (motion, accelerations, Delassus matrix) takes them like those of the contacts. */
@@ -28,7 +32,19 @@ struct thud_model_structure {
     const double *phi;           /* (n x modes), floor-major: phi[i * modes + j] floor i, mode j */
     const double *damping;       /* (modes x modes) modal damping matrix where it couples modes, else NULL */
     const double *stiffness_npm; /* (n) storeys; NULL for a rigid body */
-    const double *omega;         /* (n) natural frequencies, also of modes that are left out, rad/s */
+    const double *omega;         /* (n) its own natural frequencies, also of modes that are left out, rad/s */
+    int system;                  /* index of the system that it belongs to */
+    int first_shape;             /* modes of the structures before it, counted for each of them */
+};
+
+/* A link, d = u_left - u_right (> 0: its ends have come closer): it always acts with k d + c d', or is a contact. */
+struct thud_model_link {
+    int left_dof, right_dof;            /* -1: the ground */
+    int contact;                        /* index of the contact that it is; -1: it always acts */
+    double sign;                        /* of that contact's force: -1 where it acts in tension */
+    double stiffness_npm, damping_nspm; /* of one that always acts */
+    const double *row;                  /* (modes) d by the system's modal values */
+    int structure, first_mode, modes;   /* one of the structures that it ties */
 };
 
 /* One side of a contact: a floor, a wall, or the place at which a slab strikes the columns between two floors,
@@ -76,8 +92,12 @@ struct thud_model_column {
 
 struct thud_model {
     int nstructures, ndof, nmodes, ncontacts, ncolumns;
+    int npairs;                             /* contacts of neighbours' floors; behind them those that are links */
     int nstoreys, nrows;                    /* storeys that yield; rows: contacts, and these storeys behind them */
+    int nlinks, nsystems, nshapes;          /* nshapes: modes of all structures, common ones counted for each */
     struct thud_model_structure *structure; /* (nstructures) */
+    int *system;                            /* (nsystems) first structure of each: all its modes, and its damping */
+    struct thud_model_link *link;           /* (nlinks) */
     struct thud_model_contact *contact;     /* (nrows) */
     struct thud_model_storey *storey;       /* (nstoreys) */
     struct thud_model_column *column;       /* (ncolumns) */
@@ -125,6 +145,15 @@ struct thud_model_input {
         } struck;
     } * contact;
     int modes; /* each structure's lowest ones, the others are left out; 0: all */
+    int nlinks;
+    const struct thud_link_input {
+        int left_structure, left_floor, right_structure, right_floor; /* floors from 1; 0: the ground */
+        double stiffness_npm, damping_nspm;
+        const struct thud_law *law; /* one-sided: a contact with this law beyond the clearance; NULL: it always acts */
+        bool tension;               /* one-sided: it acts where its ends move apart */
+        struct thud_law_setup setup;
+        double clearance_m;
+    } * link;
 };
 
 /* Errors: THUD_INPUT (a law's parameters), THUD_MEMORY. */
@@ -139,20 +168,21 @@ static inline const struct thud_model_storey *thud_model_row_storey(const struct
     return row < model->ncontacts ? NULL : &model->storey[row - model->ncontacts];
 }
 
-/* The structures whose modes a row of the Jacobian moves, from the left: one for a storey or beside a wall, else two.
- * Returns how many. */
+/* Structures whose modes a row of the Jacobian moves, one of each system, from the left: one for a storey, beside a wall
+ * or where both are tied, else two. Returns how many. */
 static inline int thud_model_row_structures(const struct thud_model *model, int row, int structure[2])
 {
     const int dof[] = {model->contact[row].left_dof, model->contact[row].right_dof};
     int n = 0;
     for (int i = 0; i < 2; i++)
-        if (dof[i] >= 0 && (n == 0 || structure[0] != model->dof_structure[dof[i]]))
+        if (dof[i] >= 0 &&
+            (n == 0 || model->structure[structure[0]].system != model->structure[model->dof_structure[dof[i]]].system))
             structure[n++] = model->dof_structure[dof[i]];
     return n;
 }
 
 /* A bound of the rates of free motion of one structure, rad/s: its largest omega, or the rate of coupled damping. */
-double thud_model_fastest(const struct thud_model_structure *structure);
+double thud_model_fastest(const struct thud_model *model, int structure);
 
 /* Which of the storeys that yield is the one below this floor; -1: that is elastic, or there is none. */
 int thud_model_yielding(const struct thud_model *model, int dof);
@@ -163,6 +193,9 @@ double thud_model_floor(const struct thud_model *model, int dof, const double *m
 void thud_model_sides(const struct thud_model *model, int c, const double *modal, double *left, double *right);
 /* Left side's value minus the right side's, from modal values. */
 double thud_model_gap_sum(const struct thud_model *model, int c, const double *modal);
+
+/* d of a link, or its rate, from modal values. */
+double thud_model_link(const struct thud_model *model, int link, const double *modal);
 
 /* Four times what it takes from touch at 1 m/s to the largest indentation of a spring with the law's elastic energy
  * there, s: 2 pi sqrt(m/k) of a linear one. INFINITY for laws without a force. */

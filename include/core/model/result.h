@@ -35,6 +35,14 @@ struct thud_contact_result {
     bool impulsive;                      /* its law passes impulses */
 };
 
+/* A link between two floors, of neighbours or of one and the ground. */
+struct thud_link_result {
+    struct thud_peak force;  /* N */
+    struct thud_peak stroke; /* change of the distance of its ends; of a one-sided one beyond its slack, m */
+    double lost_j;           /* in its dashpot, or by its law */
+    int engaged;             /* times a one-sided one came to act */
+};
+
 /* What a slab does to the columns of a storey that it strikes, positive to the right: shears just above their lower
  * and just below their upper end, and the bending moments there. A shear is the force by which what is above pushes
  * what is below; a moment at the lower end is positive, one at the upper end negative, where the storey drifts to the
@@ -115,10 +123,11 @@ struct thud_work {
 };
 
 struct thud_result {
-    int nstructures, ncontacts, ncolumns;
-    struct thud_structure_result *structure; /* (nstructures) */
-    struct thud_contact_result *contact;     /* (ncontacts) */
-    struct thud_column_result *column;       /* (ncolumns) */
+    int nstructures, ncontacts, ncolumns, nlinks; /* contacts: of neighbours' floors */
+    struct thud_structure_result *structure;      /* (nstructures) */
+    struct thud_contact_result *contact;          /* (ncontacts) */
+    struct thud_column_result *column;            /* (ncolumns) */
+    struct thud_link_result *link;                /* (nlinks) */
     struct thud_energy energy;
     struct thud_work work;
     double end_s;       /* where the run ended */
@@ -130,9 +139,10 @@ struct thud_result {
 /* Sampled histories, one row per time; at jumps the time appears twice. Columns: a_g, then per floor u, v, a_total
  * (ndof each), then per contact force and indentation, then energies input, kinetic, strain, viscous, contact; where
  * storeys yield, then the energy lost in them, and for each of those (nstoreys) drift, shear and plastic drift; then per
- * struck columns (nstruck) the shears at their lower and upper end. */
+ * struck columns (nstruck) the shears at their lower and upper end, and per link its force (> 0: it pushes its ends
+ * apart) and by how much they have come closer. */
 struct thud_history {
-    int ndof, ncontacts, nstoreys, nstruck, columns;
+    int ndof, ncontacts, nstoreys, nstruck, nlinks, columns;
     size_t rows, capacity;
     double *time_s; /* (rows) */
     double *value;  /* (rows x columns), row-major */
@@ -150,5 +160,7 @@ int thud_history_hysteretic(const struct thud_history *h);
 int thud_history_storey_drift(const struct thud_history *h, int storey);
 int thud_history_storey_shear(const struct thud_history *h, int storey);
 int thud_history_storey_plastic(const struct thud_history *h, int storey);
+int thud_history_link_force(const struct thud_history *h, int link);
+int thud_history_link_stroke(const struct thud_history *h, int link);
 
 #endif

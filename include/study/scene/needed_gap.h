@@ -9,7 +9,7 @@
 #include "study/scene/gap_rule.h"
 #include "study/scene/scene.h"
 
-/* Levels of a finished run without contact, (model->ncontacts); their heights are not known. */
+/* Levels of a finished run without contact, (model->npairs); their heights are not known. */
 double thud_gap_side(const struct thud_model *model, const struct thud_baseline_motion *baseline, int contact,
                      bool right); /* left_m, right_m */
 void thud_gap_levels(const bool *aligned, const struct thud_model *model, const struct thud_baseline_motion *baseline,

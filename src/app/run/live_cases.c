@@ -116,7 +116,7 @@ static void need_start(struct thud_live *live, const struct thud_scene *scene, c
 
 static void need_finish(struct thud_live *live)
 {
-    for (int c = 0; c < live->apart->ncontacts; c++) {
+    for (int c = 0; c < live->apart->npairs; c++) {
         const struct thud_model_contact *p = &live->apart->contact[c];
         struct thud_live_need *need = &live->need[p->interface - 1];
         double left = thud_gap_side(live->apart, live->baseline, c, false),
@@ -132,7 +132,7 @@ static void need_finish(struct thud_live *live)
 /* Rows no closer than the memory set aside allows. */
 static double history_step(const struct thud_model *model, const struct thud_record *record, double tail_s)
 {
-    double columns = 1.0 + 3.0 * model->ndof + 2.0 * model->ncontacts + THUD_HISTORY_ENERGIES + 1.0;
+    double columns = 1.0 + 3.0 * model->ndof + 2.0 * model->npairs + THUD_HISTORY_ENERGIES + 1.0;
     double rows = HISTORY_BYTES / (8.0 * columns);
     double span = tail_s + (record ? record->dt_s * (double)record->samples : 0.0);
     double least = record ? record->dt_s : 1e-3;

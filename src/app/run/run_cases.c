@@ -70,7 +70,7 @@ static enum thud_status find_needs(struct thud_run_cases *cases, const struct th
     enum thud_status status = thud_baseline_create(model, record, &plain, &baseline, err);
     while (status == THUD_OK && !done)
         status = thud_baseline_advance(baseline, 100000, &done, err);
-    for (int c = 0; status == THUD_OK && c < model->ncontacts; c++) {
+    for (int c = 0; status == THUD_OK && c < model->npairs; c++) {
         const struct thud_model_contact *p = &model->contact[c];
         double closing = thud_baseline_relative_displacement(baseline, c);
         if (closing < cases->need_m[p->interface - 1])

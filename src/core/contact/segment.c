@@ -157,15 +157,15 @@ void thud_segment_begin(const struct thud_state *state, struct thud_segment *seg
 
 enum { BLOCK = 8 }; /* orders of loads summed at once: the collocation's forces have 7 */
 
-/* Modes of some structures that stand one after the other: of one, or of all. */
+/* Modes of some systems that stand one after the other: of one, or of all. */
 struct slice {
-    int structure, structures;
+    int system, systems;
     int mode, modes;
 };
 
 static struct slice all_of(const struct thud_model *m)
 {
-    return (struct slice){0, m->nstructures, 0, m->nmodes};
+    return (struct slice){0, m->nsystems, 0, m->nmodes};
 }
 
 static void first_terms(const struct thud_model *m, struct thud_segment *seg, const struct slice *of, const double *q,
@@ -215,7 +215,7 @@ static void push_rows(const struct thud_model *m, const struct thud_segment *seg
         const int c = seg->row[i];
         if (force[c] == 0.0)
             continue;
-        if (of->structures == m->nstructures)
+        if (of->systems == m->nsystems)
             thud_model_apply_contact_force(m, c, -load_factor(seg, k) * force[c], q2);
         else
             push(of->modes, m->jacobian + (size_t)c * (size_t)m->nmodes + of->mode, -load_factor(seg, k) * force[c],
@@ -238,8 +238,8 @@ static void next_order(const struct thud_model *m, struct thud_segment *seg, con
         thud_vec2_put_some(by_q * spring + by_q1 * dashpot + ground * thud_vec2_some(m->gamma + j, single), q2 + j,
                            single);
     }
-    for (int s = of->structure; m->couples && s < of->structure + of->structures; s++) {
-        const struct thud_model_structure *p = &m->structure[s];
+    for (int s = of->system; m->couples && s < of->system + of->systems; s++) {
+        const struct thud_model_structure *p = &m->structure[m->system[s]];
         for (int i = 0; p->damping && i < p->modes; i++)
             q2[p->first_mode + i] += by_q1 * thud_dot(p->modes, p->damping + i * p->modes, q1 + p->first_mode);
     }
@@ -315,13 +315,18 @@ static void scale_forces(const struct thud_model *m, struct thud_segment *seg)
     }
 }
 
-/* Lists the rows whose forces move a structure; how many. */
-static int list_rows(const struct thud_model *m, struct thud_segment *seg, int structure)
+static bool is_of(const struct thud_model *m, const struct thud_model_side *side, int system)
+{
+    return side->structure >= 0 && m->structure[side->structure].system == system;
+}
+
+/* Lists the rows whose forces move a system; how many. */
+static int list_rows(const struct thud_model *m, struct thud_segment *seg, int system)
 {
     int n = 0;
     for (int i = 0; i < seg->rows && seg->loaded > 0; i++) {
         const struct thud_model_contact *p = &m->contact[seg->row[i]];
-        if (p->left.structure == structure || p->right.structure == structure)
+        if (is_of(m, &p->left, system) || is_of(m, &p->right, system))
             seg->notes->listed[n++] = i;
     }
     return n;
@@ -331,8 +336,9 @@ static void series_by_modes(const struct thud_model *m, struct thud_segment *seg
 {
     thud_vec2 load[THUD_SEGMENT_TERMS];
     scale_forces(m, seg);
-    for (int s = of->structure; s < of->structure + of->structures; s++) {
-        const int first = m->structure[s].first_mode, end = first + m->structure[s].modes, rows = list_rows(m, seg, s),
+    for (int s = of->system; s < of->system + of->systems; s++) {
+        const struct thud_model_structure *p = &m->structure[m->system[s]];
+        const int first = p->first_mode, end = first + p->modes, rows = list_rows(m, seg, s),
                   loaded = rows > 0 && seg->loaded > 2 ? seg->loaded : 2;
         int j = first;
         for (; j + 2 <= end; j += 2) {
@@ -390,7 +396,7 @@ void thud_taylor_structure(const struct thud_model *model, struct thud_segment *
                            const double *qd)
 {
     const struct thud_model_structure *p = &model->structure[structure];
-    const struct slice of = {structure, 1, p->first_mode, p->modes};
+    const struct slice of = {p->system, 1, p->first_mode, p->modes};
     series_of(model, seg, &of, q, qd);
 }
 

@@ -62,7 +62,7 @@ void thud_segment_place(const struct thud_state *state, struct thud_segment *seg
 /* Taylor coefficients of the motion from (q, qd) under seg->a0, a1 and the forces in seg->force. Exact to rounding
  * where omega h is about 1.5 or less. */
 void thud_taylor_given(const struct thud_model *model, struct thud_segment *seg, const double *q, const double *qd);
-/* The same of one structure's modes alone; q and qd are of all. */
+/* The same of the modes of one structure, and of what it is tied to, alone; q and qd are of all. */
 void thud_taylor_structure(const struct thud_model *model, struct thud_segment *seg, int structure, const double *q,
                            const double *qd);
 /* Motion from rest under the modal load load[j] s^order alone (seg->a0, a1 and seg->force must be 0). */

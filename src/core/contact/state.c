@@ -113,8 +113,8 @@ void thud_model_acceleration(const struct thud_model *m, const double *q, const 
     const double *omega = m->omega, *zeta = m->zeta, *gamma = m->gamma;
     for (int j = 0; j < m->nmodes; j++)
         out[j] = -omega[j] * (omega[j] * q[j] + 2 * zeta[j] * qd[j]) - gamma[j] * ground;
-    for (int s = 0; s < m->nstructures; s++) {
-        const struct thud_model_structure *p = &m->structure[s];
+    for (int s = 0; s < m->nsystems; s++) {
+        const struct thud_model_structure *p = &m->structure[m->system[s]];
         for (int i = 0; p->damping && i < p->modes; i++)
             for (int j = 0; j < p->modes; j++)
                 out[p->first_mode + i] -= p->damping[i * p->modes + j] * qd[p->first_mode + j];

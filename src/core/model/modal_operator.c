@@ -5,7 +5,7 @@
 
 struct thud_modal_operator {
     double *diagonal; /* (nmodes) the inverse */
-    double *dense;    /* the inverse blocks of the coupled structures, one after the other, column-major */
+    double *dense;    /* the inverse blocks of the coupled systems, one after the other, column-major */
     double *work;
     lapack_int *pivot;
 };
@@ -14,9 +14,11 @@ enum thud_status thud_modal_operator_create(const struct thud_model *model, stru
                                             struct thud_error *err)
 {
     size_t n = (size_t)model->nmodes, dense = 0;
-    for (int s = 0; s < model->nstructures; s++)
-        if (model->structure[s].damping)
-            dense += (size_t)model->structure[s].n * (size_t)model->structure[s].n;
+    for (int i = 0; i < model->nsystems; i++) {
+        const struct thud_model_structure *p = &model->structure[model->system[i]];
+        if (p->damping)
+            dense += (size_t)p->modes * (size_t)p->modes;
+    }
     struct thud_modal_operator *op = *out = calloc(1, sizeof *op);
     if (op) {
         op->diagonal = calloc(2 * n + dense + 1, sizeof(double));
@@ -49,8 +51,8 @@ void thud_modal_operator_set(struct thud_modal_operator *op, const struct thud_m
         op->diagonal[j] = 1 / (x + w * (2 * y * model->zeta[j] + z * w));
     }
     double *block = op->dense;
-    for (int s = 0; s < model->nstructures; s++) {
-        const struct thud_model_structure *p = &model->structure[s];
+    for (int s = 0; s < model->nsystems; s++) {
+        const struct thud_model_structure *p = &model->structure[model->system[s]];
         if (!p->damping)
             continue;
         for (int j = 0; j < p->modes; j++) {
@@ -72,8 +74,8 @@ void thud_modal_operator_apply(const struct thud_modal_operator *op, const struc
     for (int j = 0; j < model->nmodes; j++)
         out[j] = diagonal[j] * in[j];
     const double *block = op->dense;
-    for (int s = 0; s < model->nstructures; s++) {
-        const struct thud_model_structure *p = &model->structure[s];
+    for (int s = 0; s < model->nsystems; s++) {
+        const struct thud_model_structure *p = &model->structure[model->system[s]];
         if (!p->damping)
             continue;
         for (int i = 0; i < p->modes; i++) {
@@ -92,8 +94,8 @@ void thud_modal_forward(const struct thud_model *model, double x, double y, doub
         double w = model->omega[j];
         out[j] = (x + w * (2 * y * model->zeta[j] + z * w)) * in[j];
     }
-    for (int s = 0; s < model->nstructures; s++) {
-        const struct thud_model_structure *p = &model->structure[s];
+    for (int s = 0; s < model->nsystems; s++) {
+        const struct thud_model_structure *p = &model->structure[model->system[s]];
         for (int i = 0; p->damping && i < p->modes; i++)
             for (int j = 0; j < p->modes; j++)
                 out[p->first_mode + i] += y * p->damping[i * p->modes + j] * in[p->first_mode + j];

@@ -8,6 +8,7 @@
 #include "base/arena.h"
 #include "base/quantity.h"
 #include "core/model/modes.h"
+#include "core/model/tie.h"
 #include "core/numerics/vec.h"
 
 /* Modes that stay of n where `modes` are asked for. */
@@ -16,11 +17,13 @@ static int kept_of(int n, int modes)
     return modes > 0 && modes < n ? modes : n;
 }
 
-/* Modes of the structure whose columns are struck. */
+/* Modes of the structure whose columns are struck, and of those that it may be tied to. */
 static int struck_modes(const struct thud_model_input *in, const struct thud_contact_input *contact)
 {
-    int s = contact->struck.side < 0 ? contact->left_structure : contact->right_structure;
-    return kept_of(in->structure[s].n, in->modes);
+    int struck = contact->struck.side < 0 ? contact->left_structure : contact->right_structure, modes = 0;
+    for (int s = 0; s < in->nstructures; s++)
+        modes += s == struck || in->nlinks > 0 ? kept_of(in->structure[s].n, in->modes) : 0;
+    return modes;
 }
 
 /* Whether storey i of a structure yields: one whose stiffness stays the same beyond its yield drift is elastic. */
@@ -38,9 +41,19 @@ static int yielding_storeys(const struct thud_model_input *in)
     return count;
 }
 
+/* Links that are contacts. */
+static int one_sided_links(const struct thud_model_input *in)
+{
+    int count = 0;
+    for (int i = 0; i < in->nlinks; i++)
+        count += in->link[i].law != NULL;
+    return count;
+}
+
 static size_t model_bytes(const struct thud_model_input *in, size_t ndof, size_t nmodes, size_t nstoreys)
 {
-    size_t nc = (size_t)in->ncontacts + nstoreys, bytes = thud_arena_room(1, sizeof(struct thud_model));
+    size_t nc = (size_t)(in->ncontacts + one_sided_links(in)) + nstoreys,
+           bytes = thud_arena_room(1, sizeof(struct thud_model));
     bytes += thud_arena_room((size_t)in->nstructures, sizeof(struct thud_model_structure));
     bytes += thud_arena_room(nstoreys, sizeof(struct thud_model_storey));
     bytes += thud_arena_room(nc, sizeof(struct thud_model_contact)) + thud_arena_room(ndof, sizeof(int));
@@ -152,9 +165,10 @@ static void fill_floor(struct thud_model *m, int s, const struct thud_structure_
 /* A bound of the rates of free motion q'' + D q' + Omega^2 q = 0: the norm of its first-order system in (Omega q, q')
  * is at most (d + sqrt(d^2 + 4 omega^2))/2, where d is the norm of D. A dashpot on a light mass makes d, and with it
  * the rate of the motion, far larger than any omega. Modes that D does not couple have |rates| of omega (zeta < 1). */
-double thud_model_fastest(const struct thud_model_structure *p)
+double thud_model_fastest(const struct thud_model *m, int structure)
 {
-    double omega = p->modes > 0 ? p->omega[p->modes - 1] : 0, squares = 0, row = 0;
+    const struct thud_model_structure *p = &m->structure[structure];
+    double omega = p->modes > 0 ? m->omega[p->first_mode + p->modes - 1] : 0, squares = 0, row = 0;
     for (int i = 0; p->damping && i < p->modes; i++) {
         double sum = 0;
         for (int j = 0; j < p->modes; j++) {
@@ -182,9 +196,6 @@ static enum thud_status fill_structure(struct thud_model *m, struct thud_arena *
         fill_mode(m, to, in, j);
     for (int i = 0; i < to->n && status == THUD_OK; i++)
         fill_floor(m, s, in, i);
-    m->couples = m->couples || to->damping;
-    if (status == THUD_OK)
-        m->fastest_radps = fmax(m->fastest_radps, thud_model_fastest(to));
     m->left_out += to->n - to->modes;
     return status;
 }
@@ -377,7 +388,9 @@ static double shared_part(const struct thud_model *m, int a, int b)
     double sum = 0;
     for (int i = 0; i < na; i++) {
         const struct thud_model_structure *s = &m->structure[of_a[i]];
-        bool both = (nb > 0 && of_b[0] == of_a[i]) || (nb > 1 && of_b[1] == of_a[i]);
+        bool both = false;
+        for (int k = 0; k < nb; k++)
+            both = both || m->structure[of_b[k]].system == s->system;
         for (int j = s->first_mode; both && j < s->first_mode + s->modes; j++)
             sum += ga[j] * gb[j];
     }
@@ -392,25 +405,31 @@ static void fill_delassus(struct thud_model *m)
 }
 
 /* The block and its arrays, with each structure's slices. */
-static struct thud_model *lay_out(const struct thud_model_input *input, struct thud_arena *arena)
+static struct thud_model *lay_out(const struct thud_model_input *input, const int *system, const bool *tied,
+                                  struct thud_arena *arena)
 {
     int ndof = 0, nmodes = 0;
     for (int s = 0; s < input->nstructures; s++) {
         ndof += input->structure[s].n;
         nmodes += kept_of(input->structure[s].n, input->modes);
     }
-    const int nstoreys = yielding_storeys(input);
-    size_t floors = (size_t)ndof, modes = (size_t)nmodes, nc = (size_t)(input->ncontacts + nstoreys);
-    if (!thud_arena_open(arena, model_bytes(input, floors, modes, (size_t)nstoreys)))
+    const int nstoreys = yielding_storeys(input), ncontacts = input->ncontacts + one_sided_links(input);
+    size_t floors = (size_t)ndof, modes = (size_t)nmodes, nc = (size_t)(ncontacts + nstoreys);
+    if (!thud_arena_open(arena,
+                         model_bytes(input, floors, modes, (size_t)nstoreys) + thud_tie_bytes(input, system, tied)))
         return NULL;
     struct thud_model *m = thud_arena_take(arena, 1, sizeof *m);
     m->nstructures = input->nstructures;
     m->ndof = ndof;
     m->nmodes = nmodes;
-    m->ncontacts = input->ncontacts;
+    m->npairs = input->ncontacts;
+    m->ncontacts = ncontacts;
+    m->nlinks = input->nlinks;
     m->nstoreys = nstoreys;
     m->nrows = m->ncontacts + nstoreys;
     m->structure = thud_arena_take(arena, (size_t)input->nstructures, sizeof *m->structure);
+    m->system = thud_arena_take(arena, (size_t)input->nstructures, sizeof *m->system);
+    m->link = thud_arena_take(arena, (size_t)input->nlinks, sizeof *m->link);
     m->contact = thud_arena_take(arena, nc, sizeof *m->contact);
     m->storey = thud_arena_take(arena, (size_t)nstoreys, sizeof *m->storey);
     m->column = thud_arena_take(arena, nc, sizeof *m->column);
@@ -427,34 +446,128 @@ static struct thud_model *lay_out(const struct thud_model_input *input, struct t
     for (int s = 0; s < m->nstructures; s++) {
         next.n = input->structure[s].n;
         next.modes = kept_of(next.n, input->modes);
+        next.system = system[s];
         m->structure[s] = next;
         next.first += next.n;
         next.first_mode += next.modes;
+        if (s == 0 || system[s] != system[s - 1])
+            m->system[m->nsystems++] = s;
     }
     return m;
+}
+
+/* d of a link by modal values: those of its ends' systems, which are one where it always acts. */
+static void fill_link_row(struct thud_model *m, struct thud_arena *arena, struct thud_model_link *to)
+{
+    const struct thud_model_side left = floor_side(m, to->left_dof), right = floor_side(m, to->right_dof);
+    const struct thud_model_side *first = left.dof >= 0 ? &left : &right, *last = right.dof >= 0 ? &right : &left;
+    if (last->first_mode < first->first_mode) {
+        const struct thud_model_side *swap = first;
+        first = last;
+        last = swap;
+    }
+    to->structure = first->structure;
+    to->first_mode = first->first_mode;
+    to->modes = last->first_mode + last->modes - first->first_mode;
+    double *row = thud_arena_take(arena, (size_t)to->modes, sizeof *row);
+    to->row = row;
+    for (int j = 0; j < left.modes; j++)
+        row[left.first_mode - to->first_mode + j] += left.row[j];
+    for (int j = 0; j < right.modes; j++)
+        row[right.first_mode - to->first_mode + j] -= right.row[j];
+}
+
+/* A one-sided link is a contact; in tension its ends are swapped. */
+static struct thud_contact_input link_contact(const struct thud_link_input *in)
+{
+    return (struct thud_contact_input){.left_floor = in->tension ? in->right_floor : in->left_floor,
+                                       .right_floor = in->tension ? in->left_floor : in->right_floor,
+                                       .left_structure = in->tension ? in->right_structure : in->left_structure,
+                                       .right_structure = in->tension ? in->left_structure : in->right_structure,
+                                       .clearance_m = in->clearance_m,
+                                       .law = in->law,
+                                       .setup = in->setup};
+}
+
+static enum thud_status fill_links(struct thud_model *m, struct thud_arena *arena, const struct thud_model_input *input,
+                                   struct thud_error *err)
+{
+    enum thud_status status = THUD_OK;
+    int contact = m->npairs;
+    for (int i = 0; i < m->nlinks && status == THUD_OK; i++) {
+        const struct thud_link_input *in = &input->link[i];
+        struct thud_model_link *to = &m->link[i];
+        const struct thud_contact_input one_sided = link_contact(in);
+        *to = (struct thud_model_link){.left_dof = contact_dof(m, in->left_structure, in->left_floor),
+                                       .right_dof = contact_dof(m, in->right_structure, in->right_floor),
+                                       .contact = in->law ? contact : -1,
+                                       .sign = in->tension ? -1 : 1,
+                                       .stiffness_npm = in->stiffness_npm,
+                                       .damping_nspm = in->damping_nspm};
+        fill_link_row(m, arena, to);
+        if (in->law)
+            status = fill_contact(m, arena, contact++, &one_sided, err);
+    }
+    return status;
+}
+
+/* Where links tie structures, the common modes in place of their own. */
+static enum thud_status tie_structures(struct thud_model *m, struct thud_arena *arena,
+                                       const struct thud_model_input *input, const bool *tied, struct thud_error *err)
+{
+    enum thud_status status = THUD_OK;
+    for (int i = 0; i < m->nsystems && status == THUD_OK; i++)
+        if (tied[m->system[i]])
+            status = thud_tie_system(m, arena, input, i, err);
+    for (int s = 0, shapes = 0; s < m->nstructures && status == THUD_OK; shapes += m->structure[s++].modes) {
+        m->structure[s].first_shape = shapes;
+        m->nshapes = shapes + m->structure[s].modes;
+        m->couples = m->couples || m->structure[s].damping;
+        m->fastest_radps = fmax(m->fastest_radps, thud_model_fastest(m, s));
+    }
+    return status;
+}
+
+static enum thud_status fill(struct thud_model *m, struct thud_arena *arena, const struct thud_model_input *input,
+                             const bool *tied, struct thud_error *err)
+{
+    enum thud_status status = THUD_OK;
+    for (int s = 0; s < input->nstructures && status == THUD_OK; s++)
+        status = fill_structure(m, arena, s, &input->structure[s], err);
+    if (status == THUD_OK)
+        status = tie_structures(m, arena, input, tied, err);
+    for (int c = 0; c < input->ncontacts && status == THUD_OK; c++)
+        status = fill_contact(m, arena, c, &input->contact[c], err);
+    if (status == THUD_OK)
+        status = fill_links(m, arena, input, err);
+    if (status != THUD_OK)
+        return status;
+    fill_storeys(m, input);
+    fill_delassus(m);
+    return THUD_OK;
 }
 
 enum thud_status thud_model_create(const struct thud_model_input *input, struct thud_model **out,
                                    struct thud_error *err)
 {
     struct thud_arena arena = {0};
-    enum thud_status status = THUD_OK;
+    const size_t structures = (size_t)input->nstructures;
     *out = NULL;
-    struct thud_model *m = lay_out(input, &arena);
-    if (!m)
-        return thud_error_set(err, THUD_MEMORY, "out of memory");
-    for (int s = 0; s < input->nstructures && status == THUD_OK; s++)
-        status = fill_structure(m, &arena, s, &input->structure[s], err);
-    for (int c = 0; c < input->ncontacts && status == THUD_OK; c++)
-        status = fill_contact(m, &arena, c, &input->contact[c], err);
-    if (status != THUD_OK) {
-        free(m);
-        return status;
+    int *system = calloc(structures + 1, sizeof *system);
+    bool *tied = calloc(structures + 1, sizeof *tied);
+    struct thud_model *m = NULL;
+    if (system && tied) {
+        thud_tie_systems(input, system, tied);
+        m = lay_out(input, system, tied, &arena);
     }
-    fill_storeys(m, input);
-    fill_delassus(m);
-    *out = m;
-    return THUD_OK;
+    enum thud_status status = m ? fill(m, &arena, input, tied, err) : thud_error_set(err, THUD_MEMORY, "out of memory");
+    free(system);
+    free(tied);
+    if (status != THUD_OK)
+        free(m);
+    else
+        *out = m;
+    return status;
 }
 
 void thud_model_free(struct thud_model *model)
@@ -495,6 +608,12 @@ double thud_model_gap_sum(const struct thud_model *model, int c, const double *m
     double left, right;
     thud_model_sides(model, c, modal, &left, &right);
     return left - right;
+}
+
+double thud_model_link(const struct thud_model *model, int link, const double *modal)
+{
+    const struct thud_model_link *p = &model->link[link];
+    return thud_dot(p->modes, p->row, modal + p->first_mode);
 }
 
 double thud_model_contact_period(const struct thud_model_contact *p)

@@ -34,25 +34,46 @@ struct part {
     double *block;
 };
 
+/* Floors of the structures whose modes are common with the first one's. */
+static int floors_of(const struct thud_model *m, const struct thud_model_structure *first)
+{
+    int floors = 0;
+    for (int s = m->system[first->system]; s < m->nstructures && m->structure[s].system == first->system; s++)
+        floors += m->structure[s].n;
+    return floors;
+}
+
+static bool dashpot_acts(const struct thud_model *m, int link, int system)
+{
+    const struct thud_model_link *p = &m->link[link];
+    return p->contact < 0 && p->damping_nspm != 0 && m->structure[p->structure].system == system;
+}
+
 static enum thud_status allocate(struct thud_coupled_flight *c, struct part *part, const struct thud_model *m,
                                  const struct thud_model_structure *p, struct thud_error *err)
 {
     size_t n = (size_t)p->modes, size = 2 * n + 2;
     *c = (struct thud_coupled_flight){.n = p->modes, .size = (int)size, .first_mode = p->first_mode};
-    c->block = calloc(2 * n * size + size * size + 4 * size + (size_t)p->n * n + 2 * n, sizeof *c->block);
+    c->link = calloc((size_t)m->nlinks + 1, sizeof *c->link);
+    for (int i = 0; c->link && i < m->nlinks; i++)
+        if (dashpot_acts(m, i, p->system))
+            c->link[c->links++] = i;
+    c->block =
+        calloc(2 * n * size + (size_t)(1 + c->links) * size * size + 4 * size + (size_t)floors_of(m, p) * n + 2 * n,
+               sizeof *c->block);
     part->block = calloc(2 * size * size + POINTS * n * size + 2 * (size_t)m->nmodes, sizeof *part->block);
-    if (!c->block || !part->block) {
+    if (!c->link || !c->block || !part->block) {
         free(part->block);
         thud_coupled_flight_clear(c);
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
     c->step = c->block;
     c->loss = c->step + 2 * n * size;
-    c->work[0] = c->loss + size * size;
+    c->work[0] = c->loss + (size_t)(1 + c->links) * size * size;
     c->work[1] = c->work[0] + size;
     c->now = c->work[1] + size;
     c->by_floor = c->now + 2 * size;
-    c->shift = c->by_floor + (size_t)p->n * n;
+    c->shift = c->by_floor + (size_t)floors_of(m, p) * n;
     part->flow = part->block;
     part->temp = part->flow + size * size;
     part->rates = part->temp + size * size;
@@ -89,16 +110,24 @@ static void unit_motions(const struct thud_coupled_flight *c, struct part *part,
     part->flow[2 * n * size + 2 * n + 1] = part->h_s / part->dt_s;
 }
 
-/* L and W of the part, by quadrature. */
-static void add_forms(struct thud_coupled_flight *c, struct part *part, const struct thud_model_structure *p,
-                      const double *gamma)
+/* L, of it the links' parts, and W of the part, by quadrature. */
+static void add_forms(struct thud_coupled_flight *c, struct part *part, const struct thud_model *m,
+                      const struct thud_model_structure *p)
 {
     const int n = c->n, size = c->size;
+    const double *gamma = m->gamma + p->first_mode;
     for (int i = 0; i < POINTS; i++) {
         const double *rate = part->rates + i * n * size, weight = thud_quadrature_weight[i] * part->h_s;
         memset(part->temp, 0, (size_t)n * (size_t)size * sizeof *part->temp);
         add_product(n, n, size, weight, p->damping, false, rate, part->temp);
         add_product(size, n, size, 1, rate, true, part->temp, c->loss);
+        for (int l = 0; l < c->links; l++) {
+            const struct thud_model_link *link = &m->link[c->link[l]];
+            memset(part->temp, 0, (size_t)size * sizeof *part->temp);
+            add_product(1, n, size, 1, link->row, false, rate, part->temp);
+            add_product(size, 1, size, weight * link->damping_nspm, part->temp, false, part->temp,
+                        c->loss + (l + 1) * size * size);
+        }
         add_product(1, n, size, -weight, gamma, false, rate, c->work[0]);
         add_product(1, n, size, -weight * thud_quadrature_node[i] * part->h_s / part->dt_s, gamma, false, rate,
                     c->work[1]);
@@ -110,9 +139,12 @@ static void double_part(struct thud_coupled_flight *c, struct part *part)
     const int size = c->size;
     const size_t bytes = (size_t)size * (size_t)size * sizeof(double);
     double *flow = part->flow, *temp = part->temp, *row = c->now;
-    memset(temp, 0, bytes);
-    add_product(size, size, size, 1, c->loss, false, flow, temp);
-    add_product(size, size, size, 1, flow, true, temp, c->loss);
+    for (int l = 0; l <= c->links; l++) {
+        double *loss = c->loss + l * size * size;
+        memset(temp, 0, bytes);
+        add_product(size, size, size, 1, loss, false, flow, temp);
+        add_product(size, size, size, 1, flow, true, temp, loss);
+    }
     /* in the second half the ground acceleration is (a + b h/dt) + b t/dt */
     memset(row, 0, 2 * (size_t)size * sizeof *row);
     add_product(2, size, size, 1, c->work[0], false, flow, row);
@@ -126,10 +158,23 @@ static void double_part(struct thud_coupled_flight *c, struct part *part)
     part->h_s *= 2;
 }
 
+/* The links' forms, of which half is read then. */
+static void double_upper_part(struct thud_coupled_flight *c)
+{
+    const int size = c->size;
+    for (int l = 1; l <= c->links; l++)
+        for (int i = 0; i < size; i++)
+            for (int j = i + 1; j < size; j++) {
+                double *loss = c->loss + l * size * size;
+                loss[i * size + j] += loss[j * size + i];
+            }
+}
+
 enum thud_status thud_coupled_flight_init(struct thud_coupled_flight *flight, const struct thud_state *state,
-                                          int structure, struct thud_segment *seg, struct thud_error *err)
+                                          int system, struct thud_segment *seg, struct thud_error *err)
 {
     const struct thud_model *m = state->model;
+    const int structure = m->system[system];
     const struct thud_model_structure *p = &m->structure[structure];
     struct part part = {.dt_s = state->grid_dt_s};
     enum thud_status status = allocate(flight, &part, m, p, err);
@@ -140,12 +185,13 @@ enum thud_status thud_coupled_flight_init(struct thud_coupled_flight *flight, co
         doublings++;
     part.h_s = ldexp(part.dt_s, -doublings);
     unit_motions(flight, &part, state, structure, seg);
-    add_forms(flight, &part, p, m->gamma + p->first_mode);
+    add_forms(flight, &part, m, p);
     for (int i = 0; i < doublings; i++)
         double_part(flight, &part);
     memcpy(flight->step, part.flow, 2 * (size_t)flight->n * (size_t)flight->size * sizeof(double));
     memset(flight->now, 0, 2 * (size_t)flight->size * sizeof(double));
-    add_product(p->n, p->modes, p->modes, 1, p->phi, false, p->damping, flight->by_floor);
+    add_product(floors_of(m, p), p->modes, p->modes, 1, p->phi, false, p->damping, flight->by_floor);
+    double_upper_part(flight);
     free(part.block);
     return THUD_OK;
 }
@@ -153,6 +199,7 @@ enum thud_status thud_coupled_flight_init(struct thud_coupled_flight *flight, co
 void thud_coupled_flight_clear(struct thud_coupled_flight *flight)
 {
     free(flight->block);
+    free(flight->link);
     *flight = (struct thud_coupled_flight){0};
 }
 
@@ -183,17 +230,42 @@ void thud_coupled_flight_march(struct thud_coupled_flight *c, double *q, double 
     }
 }
 
-void thud_coupled_flight_work(const struct thud_coupled_flight *c, const double *q, const double *qd, int apart,
-                              const double *s, double ground, double after, int t, double *input_j, double *viscous_j)
+/* x at the start of interval t into c->now. */
+static const double *start_of(const struct thud_coupled_flight *c, const double *q, const double *qd, int apart,
+                              const double *s, double ground, double after, int t)
 {
-    const int n = c->n, size = c->size;
-    double *x = c->now, b = after - ground;
+    const int n = c->n;
+    double *x = c->now;
     for (int j = 0; j < n; j++) {
         x[j] = q[j * apart + t] - s[j];
         x[n + j] = qd[j * apart + t];
     }
     x[2 * n] = ground;
-    x[2 * n + 1] = b;
+    x[2 * n + 1] = after - ground;
+    return x;
+}
+
+double thud_coupled_flight_link_loss(const struct thud_coupled_flight *c, int link, const double *q, const double *qd,
+                                     int apart, const double *s, double ground, double after, int t)
+{
+    const int size = c->size;
+    int l = 0;
+    while (l < c->links && c->link[l] != link)
+        l++;
+    if (l == c->links)
+        return 0;
+    const double *x = start_of(c, q, qd, apart, s, ground, after, t), *loss = c->loss + (l + 1) * size * size;
+    double sum = 0;
+    for (int i = 0; i < size; i++)
+        sum += x[i] * thud_dot(size - i, loss + i * size + i, x + i);
+    return sum;
+}
+
+void thud_coupled_flight_work(const struct thud_coupled_flight *c, const double *q, const double *qd, int apart,
+                              const double *s, double ground, double after, int t, double *input_j, double *viscous_j)
+{
+    const int size = c->size;
+    const double *x = start_of(c, q, qd, apart, s, ground, after, t), b = after - ground;
     for (int i = 0; i < size; i++)
         *viscous_j += x[i] * thud_dot(size, c->loss + i * size, x);
     *input_j += ground * thud_dot(size, c->work[0], x) + b * thud_dot(size, c->work[1], x);

@@ -1,4 +1,4 @@
-/* Free vibration of a structure whose damping couples its modes (an isolated building), over whole intervals of the
+/* Free vibration of a system whose damping couples its modes (an isolated building, linked neighbours), over whole intervals of the
  * ground motion, by the exact propagator of one interval. With x = (q, q', a, b) and the ground acceleration a + b t/dt
  * in it,
  *
@@ -21,17 +21,18 @@ struct thud_coupled_flight {
     int n, size; /* modes, and of x: 2 n + 2 */
     int first_mode;
     double *step;     /* (2 n x size) to q and q' an interval later */
-    double *loss;     /* (size x size) L */
+    double *loss;     /* ((1 + links) x size x size) L, and the upper part of x^T L_l x of links with a dashpot */
+    int links, *link; /* (links) these links in the model */
     double *work[2];  /* (size) W_a, W_b */
-    double *by_floor; /* (floors x n) floors' rows of Phi times D */
+    double *by_floor; /* (floors x n) all floors' rows of Phi times D */
     double *shift;    /* (2 n) added by constant forces, which shift the place that the modes swing about */
     double *now;      /* (2 x size) */
     double *block;
 };
 
-/* `seg` is a workspace. Errors: THUD_MEMORY; nothing stays allocated then. */
+/* Of the structures of one system. `seg` is a workspace. Errors: THUD_MEMORY; nothing stays allocated then. */
 enum thud_status thud_coupled_flight_init(struct thud_coupled_flight *flight, const struct thud_state *state,
-                                          int structure, struct thud_segment *seg, struct thud_error *err);
+                                          int system, struct thud_segment *seg, struct thud_error *err);
 void thud_coupled_flight_clear(struct thud_coupled_flight *flight);
 
 /* Sets `shift` for modes that rest at s (n) under the constant forces. */
@@ -40,6 +41,9 @@ void thud_coupled_flight_shift(struct thud_coupled_flight *flight, const double 
  * and at the end of each interval. */
 void thud_coupled_flight_march(struct thud_coupled_flight *flight, double *q, double *qd, int apart,
                                const double *ground, const double *after, int intervals);
+/* Loss in the dashpot of the link whose index in the model is this, in interval t; 0 where it has none. */
+double thud_coupled_flight_link_loss(const struct thud_coupled_flight *flight, int link, const double *q,
+                                     const double *qd, int apart, const double *s, double ground, double after, int t);
 /* Work of the ground and loss in damping in interval t of the same rows, where the modes rest at s. */
 void thud_coupled_flight_work(const struct thud_coupled_flight *flight, const double *q, const double *qd, int apart,
                               const double *s, double ground, double after, int t, double *input_j, double *viscous_j);

@@ -65,8 +65,8 @@ static bool suits(const struct thud_state *state)
     const struct thud_model *m = state->model;
     if (m->nmodes == 0 || (m->couples && state->fastest_radps * state->grid_dt_s > coupled_most_rad))
         return false;
-    for (int s = 0; s < m->nstructures; s++) {
-        const struct thud_model_structure *p = &m->structure[s];
+    for (int s = 0; s < m->nsystems; s++) {
+        const struct thud_model_structure *p = &m->structure[m->system[s]];
         for (int i = 0; p->damping && i < p->modes; i++) {
             double row = 0;
             for (int j = 0; j < p->modes; j++)
@@ -78,12 +78,12 @@ static bool suits(const struct thud_state *state)
     return true;
 }
 
-/* The propagators of structures whose modes are coupled, in place of the recurrence. */
+/* The propagators of systems whose modes are coupled, in place of the recurrence. */
 static enum thud_status couple(struct thud_free_vibration *f, const struct thud_state *state, struct thud_error *err)
 {
     enum thud_status status = THUD_OK;
-    for (int s = 0; s < state->model->nstructures && status == THUD_OK; s++) {
-        const struct thud_model_structure *p = &state->model->structure[s];
+    for (int s = 0; s < state->model->nsystems && status == THUD_OK; s++) {
+        const struct thud_model_structure *p = &state->model->structure[state->model->system[s]];
         if (!p->damping)
             continue;
         status = thud_coupled_flight_init(&f->coupled[s], state, s, &f->series.seg, err);
@@ -112,7 +112,7 @@ enum thud_status thud_free_vibration_create(const struct thud_state *state, cons
         f->dt_s = state->grid_dt_s;
         f->pieces = 1 + (int)(state->fastest_radps * f->dt_s / 1.8);
         f->size = THUD_FREE_VIBRATION_BLOCK;
-        f->nstructures = m->nstructures;
+        f->nsystems = m->nsystems;
         if (like && thud_free_vibration_has_tables(like, f, state))
             thud_free_vibration_copy_tables(f, like);
         else
@@ -133,7 +133,7 @@ void thud_free_vibration_free(struct thud_free_vibration *f)
     if (!f)
         return;
     thud_segment_clear(&f->series.seg);
-    for (int s = 0; s < f->nstructures; s++)
+    for (int s = 0; s < f->nsystems; s++)
         thud_coupled_flight_clear(&f->coupled[s]);
     free(f->coupled);
     free(f->valued);

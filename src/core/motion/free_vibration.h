@@ -32,22 +32,22 @@ struct thud_free_vibration_tables {
     double *work[4], work_ground[3];
 };
 
-/* The power series of one piece of one interval, and the structures whose it has. */
+/* The power series of one piece of one interval, and the systems whose it has. */
 struct thud_free_vibration_series {
     struct thud_segment seg;
     double *now, *now_rate; /* (n) modal state at its start */
     int t, piece;           /* piece -1: none */
-    bool *has;              /* (nstructures) */
+    bool *has;              /* (nsystems) */
 };
 
 struct thud_free_vibration {
     const struct thud_model *model;
     int n; /* modes */
-    int nstructures;
+    int nsystems;
     int pieces; /* series needed for one interval */
     double dt_s;
     struct thud_free_vibration_tables tables;
-    struct thud_coupled_flight *coupled; /* (nstructures) of those whose damping couples modes; size 0: another */
+    struct thud_coupled_flight *coupled; /* (nsystems) of those whose damping couples modes; size 0: another */
     double *bound;                       /* (7 x n) workspace: bounds of the modes' derivatives in a block, by order */
 
     struct thud_free_vibration_series series;
@@ -102,8 +102,8 @@ double thud_free_vibration_side(struct thud_free_vibration *f, const struct thud
 /* Rate of a floor's value at end t of an interval whose ground acceleration there is `ground`. */
 double thud_free_vibration_rate(const struct thud_free_vibration *f, const struct thud_model *model, int structure,
                                 int floor, int quantity, int t, double ground);
-/* Motion of one structure in a piece (0 ... f->pieces - 1) of interval t, until the next call: of the other structures it
- * has the same piece, or no number. */
+/* Motion of one structure in a piece (0 ... f->pieces - 1) of interval t, until the next call: of structures of other
+ * systems it has the same piece, or no number. */
 const struct thud_segment *thud_free_vibration_series(struct thud_free_vibration *f, const struct thud_state *state,
                                                       int structure, int t, int piece);
 /* The same of the structures that row c touches (a contact, a storey), and of all. */
@@ -111,6 +111,9 @@ const struct thud_segment *thud_free_vibration_row_series(struct thud_free_vibra
                                                           int c, int t, int piece);
 const struct thud_segment *thud_free_vibration_all_series(struct thud_free_vibration *f, const struct thud_state *state,
                                                           int t, int piece);
+/* Loss in the dashpot of a link over the first intervals of the block. */
+double thud_free_vibration_link_loss(const struct thud_free_vibration *f, const struct thud_model *model, int link,
+                                     int intervals);
 /* Work of the ground and loss in damping over the first intervals of the block. */
 void thud_free_vibration_work(struct thud_free_vibration *f, const struct thud_model *model, int intervals,
                               double *input_j, double *viscous_j);

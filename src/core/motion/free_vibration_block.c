@@ -70,9 +70,9 @@ static void shift_modes(struct thud_free_vibration *f, const struct thud_state *
             f->shift[j] -= m->jacobian[c * f->n + j] * state->contact[c].branch.f0_n;
     for (int j = 0; j < f->n; j++)
         f->shift[j] = m->spring[j] > 0 ? f->shift[j] / m->spring[j] : 0; /* no force acts on a free body */
-    for (int s = 0; s < m->nstructures; s++)
+    for (int s = 0; s < m->nsystems; s++)
         if (f->coupled[s].size > 0)
-            thud_coupled_flight_shift(&f->coupled[s], f->shift + m->structure[s].first_mode);
+            thud_coupled_flight_shift(&f->coupled[s], f->shift + f->coupled[s].first_mode);
 }
 
 void thud_free_vibration_fill(struct thud_free_vibration *f, const struct thud_state *state, int intervals)
@@ -89,13 +89,13 @@ void thud_free_vibration_fill(struct thud_free_vibration *f, const struct thud_s
         recurrence(f, intervals, true);
     else
         recurrence(f, intervals, false);
-    for (int s = 0; s < state->model->nstructures; s++) {
-        const int row = state->model->structure[s].first_mode * ENDS;
+    for (int s = 0; s < f->nsystems; s++) {
+        const int row = f->coupled[s].first_mode * ENDS;
         if (f->coupled[s].size > 0)
             thud_coupled_flight_march(&f->coupled[s], f->q + row, f->qd + row, ENDS, f->ground, f->after, intervals);
     }
     memset(f->valued, 0, THUD_FLOOR_QUANTITIES * (size_t)state->model->nstructures * sizeof *f->valued);
-    memset(f->series.has, 0, (size_t)state->model->nstructures * sizeof *f->series.has);
+    memset(f->series.has, 0, (size_t)f->nsystems * sizeof *f->series.has);
     f->series.piece = -1;
     thud_segment_begin(state, &f->series.seg, f->dt_s / f->pieces); /* the forces, constant in the block */
     f->ends = intervals + 1;
@@ -249,14 +249,15 @@ static double jerk(const struct thud_free_vibration *f, const struct thud_model 
                    double ground)
 {
     const struct thud_model_structure *p = &m->structure[structure];
-    const double *row = p->phi + floor * p->modes, *damped = f->coupled[structure].by_floor;
+    const double *row = p->phi + floor * p->modes, *damped = f->coupled[p->system].by_floor;
+    const int in_system = floor + p->first - m->structure[m->system[p->system]].first;
     double sum = 0;
     for (int j = 0; j < p->modes; j++) {
         const int k = p->first_mode + j;
         double second = spring_at(f, m, p, j, t) - m->gamma[k] * ground;
         sum -= row[j] * (m->spring[k] * f->qd[k * ENDS + t] + m->dashpot[k] * second);
         if (damped)
-            sum -= damped[floor * p->modes + j] * second;
+            sum -= damped[in_system * p->modes + j] * second;
     }
     return sum;
 }
@@ -301,7 +302,7 @@ void thud_free_vibration_work(struct thud_free_vibration *f, const struct thud_m
                  f->tables.work[2][j] * f->product[4][j] + f->tables.work[3][j] * f->product[6][j];
     }
     f->summed = intervals;
-    for (int s = 0; s < f->nstructures; s++) {
+    for (int s = 0; s < f->nsystems; s++) {
         const struct thud_coupled_flight *c = &f->coupled[s];
         const int row = c->first_mode * ENDS;
         for (int t = 0; t < intervals && c->size > 0; t++)
@@ -310,4 +311,16 @@ void thud_free_vibration_work(struct thud_free_vibration *f, const struct thud_m
     }
     *input_j = input;
     *viscous_j = viscous;
+}
+
+double thud_free_vibration_link_loss(const struct thud_free_vibration *f, const struct thud_model *model, int link,
+                                     int intervals)
+{
+    const struct thud_coupled_flight *c = &f->coupled[model->structure[model->link[link].structure].system];
+    const int row = c->first_mode * ENDS;
+    double sum = 0;
+    for (int t = 0; t < intervals && c->links > 0; t++)
+        sum += thud_coupled_flight_link_loss(c, link, f->q + row, f->qd + row, ENDS, f->shift + c->first_mode,
+                                             f->ground[t], f->after[t], t);
+    return sum;
 }

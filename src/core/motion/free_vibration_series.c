@@ -1,11 +1,11 @@
-/* Motion inside an interval as power series, of one structure at a time, made only where it is asked for; all that the
+/* Motion inside an interval as power series, of one system at a time, made only where it is asked for; all that the
  * segment has are of one piece. */
 #include "core/motion/free_vibration_parts.h"
 
 #include <assert.h>
 #include <math.h>
 
-/* Modal state of a structure at the start of a piece: that of the block, or of the piece before it at its end. */
+/* Modal state of a system at the start of a piece: that of the block, or of the piece before it at its end. */
 static void start_piece(struct thud_free_vibration *f, const struct thud_model_structure *p, int t, int piece)
 {
     double *q = f->series.now, *qd = f->series.now_rate, rate = 1 / f->series.seg.h_s;
@@ -23,14 +23,14 @@ static void start_piece(struct thud_free_vibration *f, const struct thud_model_s
         qd[j] *= rate;
 }
 
-/* The coefficients of a structure's modes at the segment's time, out of its state at the start of the piece. */
+/* The coefficients of a system's modes at the segment's time, out of its state at the start of the piece. */
 static void make_series(struct thud_free_vibration *f, const struct thud_model *m, int structure)
 {
     thud_taylor_structure(m, &f->series.seg, structure, f->series.now, f->series.now_rate);
     f->made++;
 }
 
-/* Of structures that have not been made at the segment's time it has no number. */
+/* Of systems that have not been made at the segment's time it has no number. */
 static void forget_series(struct thud_free_vibration *f, const struct thud_model_structure *p)
 {
     for (int k = 0; k < f->series.seg.terms; k++)
@@ -38,7 +38,7 @@ static void forget_series(struct thud_free_vibration *f, const struct thud_model
             f->series.seg.q[k * f->n + j] = NAN;
 }
 
-/* Takes the segment to another piece; to the next one of the same interval with the structures that it has. */
+/* Takes the segment to another piece; to the next one of the same interval with the systems that it has. */
 static void place_series(struct thud_free_vibration *f, const struct thud_state *state, int t, int piece)
 {
     struct thud_free_vibration_series *series = &f->series;
@@ -50,12 +50,12 @@ static void place_series(struct thud_free_vibration *f, const struct thud_state 
     thud_segment_place(state, &series->seg, state->grid + t, piece * h, h);
     series->t = t;
     series->piece = piece;
-    for (int s = 0; s < m->nstructures; s++) {
+    for (int s = 0; s < m->nsystems; s++) {
         if (series->has[s] && goes_on) {
-            start_piece(f, &m->structure[s], t, piece);
-            make_series(f, m, s);
+            start_piece(f, &m->structure[m->system[s]], t, piece);
+            make_series(f, m, m->system[s]);
         } else if (series->has[s]) {
-            forget_series(f, &m->structure[s]);
+            forget_series(f, &m->structure[m->system[s]]);
             series->has[s] = false;
         }
     }
@@ -65,14 +65,15 @@ const struct thud_segment *thud_free_vibration_series(struct thud_free_vibration
                                                       int structure, int t, int piece)
 {
     const double h = f->dt_s / f->pieces;
+    bool *has = &f->series.has[state->model->structure[structure].system];
     assert(t >= 0 && t + 1 < f->ends && piece >= 0 && piece < f->pieces);
     place_series(f, state, t, piece);
-    for (int i = 0; i <= piece && !f->series.has[structure]; i++) {
+    for (int i = 0; i <= piece && !*has; i++) {
         start_piece(f, &state->model->structure[structure], t, i);
         thud_segment_place(state, &f->series.seg, state->grid + t, i * h, h);
         make_series(f, state->model, structure);
     }
-    f->series.has[structure] = true;
+    *has = true;
     return &f->series.seg;
 }
 
@@ -88,8 +89,9 @@ const struct thud_segment *thud_free_vibration_row_series(struct thud_free_vibra
 const struct thud_segment *thud_free_vibration_all_series(struct thud_free_vibration *f, const struct thud_state *state,
                                                           int t, int piece)
 {
-    for (int s = 0; s < state->model->nstructures; s++)
-        if (state->model->structure[s].modes > 0)
-            thud_free_vibration_series(f, state, s, t, piece);
+    const struct thud_model *m = state->model;
+    for (int s = 0; s < m->nsystems; s++)
+        if (m->structure[m->system[s]].modes > 0)
+            thud_free_vibration_series(f, state, m->system[s], t, piece);
     return &f->series.seg;
 }

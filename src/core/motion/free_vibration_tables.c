@@ -80,9 +80,9 @@ enum thud_status thud_free_vibration_make_tables(const struct thud_state *state,
             for (int u = 0; u < UNITS; u++)
                 rate[u] = qd[u] + n + (size_t)i * n;
             double ds = 1.0 / f->pieces, s = (piece + thud_quadrature_node[i]) * ds;
-            for (int k = 0; k < m->nstructures; k++)
-                if (!m->structure[k].damping)
-                    add_point(f, m, &m->structure[k], thud_quadrature_weight[i] * ds * f->dt_s, s, rate);
+            for (int k = 0; k < m->nsystems; k++)
+                if (!m->structure[m->system[k]].damping)
+                    add_point(f, m, &m->structure[m->system[k]], thud_quadrature_weight[i] * ds * f->dt_s, s, rate);
         }
     }
     for (int u = 0; u < UNITS; u++) {

@@ -143,8 +143,8 @@ static void step_down(const struct thud_responses *x, double h, int p, const dou
         add_to(-scale * h * h * m->spring[j], xp + j * THUD_POINTS, to);
         add_to(-scale * h * p * m->dashpot[j], below + j * THUD_POINTS, to);
     }
-    for (int i = 0; i < m->nstructures; i++) {
-        const struct thud_model_structure *t = &m->structure[i];
+    for (int i = 0; i < m->nsystems; i++) {
+        const struct thud_model_structure *t = &m->structure[m->system[i]];
         for (int j = 0; t->damping && j < t->modes; j++)
             for (int k = 0; k < t->modes; k++)
                 add_to(-scale * h * p * t->damping[j * t->modes + k], below + (t->first_mode + k) * THUD_POINTS,

@@ -55,7 +55,7 @@ static void floor_values(const struct thud_end_peaks *ends, const struct thud_mo
     const double *q = x->q + p->first_mode, *qd = x->qd + p->first_mode, *qdd = x->qdd + p->first_mode,
                  *gamma = m->gamma + p->first_mode;
     for (int i = 0; i < floors; i += 2) {
-        const double *at = ends->shape + p->first_mode * stride + i;
+        const double *at = ends->shape + p->first_shape * stride + i;
         thud_vec2 u = {0, 0}, v = {0, 0}, a = {0, 0};
         for (int j = 0; j < p->modes; j++, at += stride) {
             thud_vec2 shape = thud_vec2_at(at);

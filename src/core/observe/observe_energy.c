@@ -17,8 +17,8 @@ enum { LOOKS_APART = 64 }; /* segments and blocks between two looks at the balan
 static double coupled_power(const struct thud_model *m, const double *rate)
 {
     double sum = 0;
-    for (int s = 0; s < m->nstructures; s++) {
-        const struct thud_model_structure *p = &m->structure[s];
+    for (int s = 0; s < m->nsystems; s++) {
+        const struct thud_model_structure *p = &m->structure[m->system[s]];
         for (int i = 0; p->damping && i < p->modes; i++)
             sum += rate[p->first_mode + i] * thud_dot(p->modes, p->damping + i * p->modes, rate + p->first_mode);
     }
@@ -224,8 +224,8 @@ static void add_ends(struct thud_ledger *l, const struct thud_observation *o)
     const struct thud_motion *a = o->seg->start, *b = o->seg->end;
     double drive, viscous;
     end_works(m, a, b, &drive, &viscous);
-    for (int k = 0; k < m->nstructures && m->couples; k++) {
-        const struct thud_model_structure *p = &m->structure[k];
+    for (int k = 0; k < m->nsystems && m->couples; k++) {
+        const struct thud_model_structure *p = &m->structure[m->system[k]];
         for (int i = p->first_mode; p->damping && i < p->first_mode + p->modes; i++) {
             const double *row = p->damping + (i - p->first_mode) * p->modes;
             double mean =

@@ -73,17 +73,30 @@ static int thud_history_column(const struct thud_history *h, int column, enum th
     return thud_history_hysteretic(h) + storeys + SHEARS * column + (int)shear;
 }
 
+int thud_history_link_force(const struct thud_history *h, int link)
+{
+    assert(link >= 0 && link < h->nlinks);
+    return thud_history_column(h, h->nstruck, 0) + link;
+}
+int thud_history_link_stroke(const struct thud_history *h, int link)
+{
+    assert(link >= 0 && link < h->nlinks);
+    return thud_history_column(h, h->nstruck, 0) + h->nlinks + link;
+}
+
 enum thud_status thud_rows_init(struct thud_rows *rows, const struct thud_model *model,
                                 const struct thud_result *result, const struct thud_ledger *ledger, double step_s,
                                 double look_s, struct thud_error *err)
 {
     *rows = (struct thud_rows){.result = result, .ledger = ledger, .step_s = step_s, .look_s = look_s};
     rows->history.ndof = model->ndof;
-    rows->history.ncontacts = model->ncontacts;
+    rows->history.ncontacts = model->npairs;
     rows->history.nstoreys = model->nstoreys;
     rows->history.nstruck = model->ncolumns;
-    rows->history.columns = 1 + 3 * model->ndof + 2 * model->ncontacts + THUD_HISTORY_ENERGIES +
-                            (model->nstoreys > 0 ? 1 + 3 * model->nstoreys : 0) + SHEARS * model->ncolumns;
+    rows->history.nlinks = model->nlinks;
+    rows->history.columns = 1 + 3 * model->ndof + 2 * model->npairs + THUD_HISTORY_ENERGIES +
+                            (model->nstoreys > 0 ? 1 + 3 * model->nstoreys : 0) + SHEARS * model->ncolumns +
+                            2 * model->nlinks;
     rows->work = calloc(3 * (size_t)model->nmodes + (size_t)model->nrows + 1, sizeof *rows->work);
     return rows->work ? THUD_OK : thud_error_set(err, THUD_MEMORY, "out of memory");
 }
@@ -143,7 +156,7 @@ static void fill_storeys(const struct thud_history *h, const struct thud_state *
     if (h->nstoreys > 0)
         row[thud_history_hysteretic(h)] = thud_storeys_hysteretic(state, q);
     for (int k = 0; k < h->nstoreys; k++) {
-        double drift = thud_model_gap_sum(state->model, h->ncontacts + k, q);
+        double drift = thud_model_gap_sum(state->model, state->model->ncontacts + k, q);
         row[thud_history_storey_drift(h, k)] = drift;
         row[thud_history_storey_shear(h, k)] = thud_storey_shear(state, k, drift);
         row[thud_history_storey_plastic(h, k)] = thud_storey_plastic(state, k, drift);
@@ -180,6 +193,19 @@ static void fill_columns(const struct thud_history *h, const struct thud_model *
                     value += m->contact[c].per_force[q] * force[c];
             row[thud_history_column(h, i, (enum thud_column_quantity)q)] = value;
         }
+    }
+}
+
+static void fill_links(const struct thud_history *h, const struct thud_model *m, const double *force, const double *q,
+                       const double *qd, double *row)
+{
+    for (int i = 0; i < m->nlinks; i++) {
+        const struct thud_model_link *p = &m->link[i];
+        const double d = thud_model_link(m, i, q);
+        row[thud_history_link_stroke(h, i)] = d;
+        row[thud_history_link_force(h, i)] = p->contact >= 0
+                                                 ? p->sign * force[p->contact]
+                                                 : p->stiffness_npm * d + p->damping_nspm * thud_model_link(m, i, qd);
     }
 }
 
@@ -224,10 +250,11 @@ static enum thud_status row_at(struct thud_rows *rows, const struct thud_observa
         force[c] = 0;
         for (int k = seg->terms - 1; k >= 0; k--)
             force[c] = force[c] * s + seg->force[k * m->nrows + c];
-        if (c < m->ncontacts)
+        if (c < m->npairs)
             row[thud_history_force(h, c)] = force[c];
     }
     fill_columns(h, m, force, row);
+    fill_links(h, m, force, q, qd, row);
     accelerations(m, seg, s, row, force, q, qd, a);
     for (int i = 0; i < m->ndof; i++)
         row[thud_history_acceleration(h, i)] = thud_model_floor(m, i, a);
@@ -298,6 +325,10 @@ static double next_peak(const struct thud_rows *rows, double after)
     for (int c = 0; c < r->ncontacts; c++) {
         best = sooner(best, r->contact[c].force, after);
         best = sooner(best, r->contact[c].indentation, after);
+    }
+    for (int i = 0; i < r->nlinks; i++) {
+        best = sooner(best, r->link[i].force, after);
+        best = sooner(best, r->link[i].stroke, after);
     }
     for (int i = 0; i < r->ncolumns; i++)
         for (int q = 0; q < SHEARS; q++)

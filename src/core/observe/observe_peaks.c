@@ -294,7 +294,7 @@ static void floor_values(struct thud_peaks *peaks, const struct thud_observation
                                       o->q + at,        o->qd + at,        peaks->modal + MODE_END * stride};
     for (int i = 0; i < p->n; i += 2) {
         thud_vec2 sum[FLOOR_ROWS] = {0};
-        const double *shape = peaks->shape + at * stride + i;
+        const double *shape = peaks->shape + p->first_shape * stride + i;
         for (int j = 0; j < p->modes; j++, shape += stride)
             for (int x = 0; x < FLOOR_ROWS; x++)
                 sum[x] += from[x][j] * thud_vec2_at(shape);
@@ -437,8 +437,11 @@ const struct thud_observer thud_observe_peaks = {.segment = segment, .block = th
 static int even_size(const struct thud_model *m)
 {
     int most = 0;
-    for (int s = 0; s < m->nstructures; s++) /* there are no more modes than floors */
-        most = m->structure[s].n > most ? m->structure[s].n : most;
+    for (int s = 0; s < m->nstructures; s++) {
+        const struct thud_model_structure *p = &m->structure[s];
+        const int size = p->n > p->modes ? p->n : p->modes;
+        most = size > most ? size : most;
+    }
     return most + most % 2;
 }
 
@@ -449,9 +452,9 @@ static void fill_shapes(struct thud_peaks *peaks, const struct thud_model *m)
         const struct thud_model_structure *p = &m->structure[s];
         for (int i = 0; i < p->n; i++)
             for (int j = 0; j < p->modes; j++) {
-                double *shape = peaks->shape + (p->first_mode + j) * peaks->stride + i;
+                double *shape = peaks->shape + (p->first_shape + j) * peaks->stride + i;
                 shape[0] = p->phi[i * p->modes + j];
-                shape[m->nmodes * peaks->stride] = shape[0] - (i > 0 ? p->phi[(i - 1) * p->modes + j] : 0);
+                shape[m->nshapes * peaks->stride] = shape[0] - (i > 0 ? p->phi[(i - 1) * p->modes + j] : 0);
             }
         peaks->ground[s] = sqrt(thud_dot(p->modes, m->gamma + p->first_mode, m->gamma + p->first_mode));
     }
@@ -462,9 +465,10 @@ enum thud_status thud_peaks_init(struct thud_peaks *peaks, const struct thud_sta
 {
     const struct thud_model *m = state->model;
     const size_t n = (size_t)m->nmodes, stride = (size_t)even_size(m), rows = THUD_FLOOR_QUANTITIES * stride,
-                 floors = THUD_FLOOR_QUANTITIES * (size_t)m->ndof, structures = (size_t)m->nstructures;
+                 floors = THUD_FLOOR_QUANTITIES * (size_t)m->ndof, structures = (size_t)m->nstructures,
+                 shapes = (size_t)m->nshapes;
     *peaks = (struct thud_peaks){.result = result, .stride = (int)stride};
-    peaks->block = calloc(floors + structures + 2 * n * stride + (MODE_ROWS + FLOOR_ROWS) * stride +
+    peaks->block = calloc(floors + structures + 2 * shapes * stride + (MODE_ROWS + FLOOR_ROWS) * stride +
                               THUD_SEGMENT_TERMS * (stride + n) + n + 1,
                           sizeof *peaks->block);
     peaks->push = calloc((size_t)m->nrows + 1, sizeof *peaks->push);
@@ -479,7 +483,7 @@ enum thud_status thud_peaks_init(struct thud_peaks *peaks, const struct thud_sta
     peaks->per_speed = peaks->block;
     peaks->ground = peaks->per_speed + floors;
     peaks->shape = peaks->ground + structures;
-    peaks->modal = peaks->shape + 2 * n * stride;
+    peaks->modal = peaks->shape + 2 * shapes * stride;
     peaks->value = peaks->modal + MODE_ROWS * stride;
     peaks->series = peaks->value + FLOOR_ROWS * stride;
     peaks->acceleration = peaks->series + THUD_SEGMENT_TERMS * stride;

@@ -42,7 +42,7 @@ static void reach_of_floors(const struct thud_peaks *peaks, const struct thud_mo
 {
     const bool drift = quantity == THUD_FLOOR_DRIFT;
     const int stride = peaks->stride;
-    const double *shape = peaks->shape + ((drift ? m->nmodes : 0) + p->first_mode) * stride,
+    const double *shape = peaks->shape + ((drift ? m->nshapes : 0) + p->first_shape) * stride,
                  *modes = peaks->modal + (drift ? THUD_FLOOR_DISPLACEMENT : quantity) * stride;
     for (int i = 0; i < p->n; i += 2) {
         thud_vec2 sum = {0};

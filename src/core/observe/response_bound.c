@@ -94,7 +94,7 @@ void thud_peaks_row_forces(struct thud_peaks *peaks, const struct thud_state *st
         }
 }
 
-/* Size of the forces of all rows on the structure in modal coordinates, at most: a force on a floor of mass m is
+/* Size of the forces of all rows on the structure, and on what it is tied to, in modal coordinates, at most: a force on a floor of mass m is
  * force/sqrt(m) there. */
 static double largest_force(const struct thud_peaks *peaks, const struct thud_model *m,
                             const struct thud_model_structure *p)
@@ -105,7 +105,7 @@ static double largest_force(const struct thud_peaks *peaks, const struct thud_mo
         for (int side = 0; side < 2; side++) {
             const struct thud_model_contact *row = &m->contact[peaks->push[i].row];
             const struct thud_model_side *at = side == 0 ? &row->left : &row->right;
-            if (at->dof < p->first || at->dof >= p->first + p->n)
+            if (at->dof < 0 || m->structure[at->structure].system != p->system)
                 continue;
             total += at->share * per_speed[at->dof] * peaks->push[i].most;
             total += at->below < 0 ? 0 : (1 - at->share) * per_speed[at->below] * peaks->push[i].most;

@@ -18,6 +18,7 @@ struct moment {
     struct thud_floor_result *floor;   /* (ndof) peaks so far */
     struct thud_storey_state *storey;  /* (nstoreys), none of which yields */
     struct thud_column_result *column; /* (ncolumns) peaks so far */
+    struct thud_link_result *link;     /* (nlinks) */
 };
 
 struct thud_baseline_motion {
@@ -40,6 +41,7 @@ static void drop(struct moment *moment)
     free(moment->floor);
     free(moment->storey);
     free(moment->column);
+    free(moment->link);
 }
 
 /* Every second one goes when there is no more room. */
@@ -62,10 +64,20 @@ static void copy_floors(const struct thud_result *result, struct thud_floor_resu
         memcpy(to, result->structure[s].floor, (size_t)result->structure[s].floors * sizeof *to);
 }
 
+/* Links that are contacts act in the baseline too; from where one has, no run starts. */
+static bool is_held(const struct thud_run *run)
+{
+    const struct thud_model *m = run->state.model;
+    for (int c = m->npairs; c < m->ncontacts; c++)
+        if (run->state.contact[c].mode != THUD_OPEN || run->result.contact[c].impulse_ns != 0)
+            return true;
+    return false;
+}
+
 static enum thud_status keep(struct thud_baseline_motion *baseline, struct thud_error *err)
 {
     const struct thud_run *run = baseline->run;
-    if (run->state.offset_s != 0 || run->state.grid < baseline->next || run->state.nyielding > 0)
+    if (run->state.offset_s != 0 || run->state.grid < baseline->next || run->state.nyielding > 0 || is_held(run))
         return THUD_OK;
     if (baseline->nkept == KEPT_MAX)
         thin(baseline);
@@ -76,7 +88,8 @@ static enum thud_status keep(struct thud_baseline_motion *baseline, struct thud_
     moment->floor = malloc(((size_t)baseline->ndof + 1) * sizeof(struct thud_floor_result));
     moment->storey = malloc(((size_t)run->state.model->nstoreys + 1) * sizeof *moment->storey);
     moment->column = malloc(((size_t)run->result.ncolumns + 1) * sizeof *moment->column);
-    if (!moment->state || !moment->floor || !moment->storey || !moment->column) {
+    moment->link = malloc(((size_t)run->result.nlinks + 1) * sizeof *moment->link);
+    if (!moment->state || !moment->floor || !moment->storey || !moment->column || !moment->link) {
         drop(moment);
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
@@ -86,6 +99,7 @@ static enum thud_status keep(struct thud_baseline_motion *baseline, struct thud_
     memcpy(moment->state + 2 * n, baseline->relative.largest_m, nc * sizeof(double));
     copy_floors(&run->result, moment->floor);
     memcpy(moment->column, run->result.column, (size_t)run->result.ncolumns * sizeof *moment->column);
+    memcpy(moment->link, run->result.link, (size_t)run->result.nlinks * sizeof *moment->link);
     memcpy(moment->storey, run->state.storey, (size_t)run->state.model->nstoreys * sizeof *moment->storey);
     baseline->next = run->state.grid + baseline->apart;
     return THUD_OK;
@@ -105,7 +119,7 @@ enum thud_status thud_baseline_advance(struct thud_baseline_motion *baseline, lo
     return status;
 }
 
-/* A copy of the model whose contacts have no force. */
+/* A copy of the model whose contacts have no force, but for those that are links. */
 static bool copy_model(struct thud_baseline_motion *baseline, const struct thud_model *model)
 {
     baseline->model = *model;
@@ -114,7 +128,7 @@ static bool copy_model(struct thud_baseline_motion *baseline, const struct thud_
         return false;
     for (int c = 0; c < model->nrows; c++)
         baseline->model.contact[c] = model->contact[c];
-    for (int c = 0; c < model->ncontacts; c++) {
+    for (int c = 0; c < model->npairs; c++) {
         baseline->model.contact[c].clearance_m = 0;
         baseline->model.contact[c].law = &no_law;
     }
@@ -214,6 +228,7 @@ static void start_at(struct thud_run *run, const struct moment *moment)
     for (int s = 0; s < run->result.nstructures; from += run->result.structure[s].floors, s++)
         memcpy(run->result.structure[s].floor, from, (size_t)run->result.structure[s].floors * sizeof *from);
     memcpy(run->result.column, moment->column, (size_t)run->result.ncolumns * sizeof *moment->column);
+    memcpy(run->result.link, moment->link, (size_t)run->result.nlinks * sizeof *moment->link);
     thud_contact_moved(&run->state);
     thud_storeys_resume(&run->state, moment->storey);
     thud_ledger_start(&run->ledger, &run->state);

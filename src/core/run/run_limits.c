@@ -44,7 +44,7 @@ enum thud_status thud_run_check_rates(const struct thud_run *run, struct thud_er
         return THUD_OK;
     int worst = 0;
     for (int s = 1; s < m->nstructures; s++)
-        if (thud_model_fastest(&m->structure[s]) > thud_model_fastest(&m->structure[worst]))
+        if (thud_model_fastest(m, s) > thud_model_fastest(m, worst))
             worst = s;
     char key[32];
     snprintf(key, sizeof key, "structures.%d", worst + 1);

@@ -11,7 +11,7 @@
 #include "core/run/early_end.h"
 #include "core/run/run.h"
 
-enum { THUD_OBSERVERS_MAX = 8 };
+enum { THUD_OBSERVERS_MAX = 9 };
 
 /* Events at one moment without end: see run.c. */
 struct thud_progress {

@@ -9,6 +9,7 @@
 #include "core/contact/storey.h"
 #include "core/observe/observe_columns.h"
 #include "core/observe/observe_contacts.h"
+#include "core/observe/observe_links.h"
 #include "core/run/run_private.h"
 
 void thud_run_options_init(struct thud_run_options *options)
@@ -35,10 +36,11 @@ static bool allocate_result(struct thud_run *run)
     struct thud_result *r = &run->result;
     struct thud_arena arena;
     size_t ns = (size_t)m->nstructures, nc = (size_t)m->ncontacts, columns = (size_t)m->ncolumns,
-           storeys = m->nstoreys > 0 ? (size_t)m->ndof : 0;
+           links = (size_t)m->nlinks, storeys = m->nstoreys > 0 ? (size_t)m->ndof : 0;
     size_t bytes = thud_arena_room(ns, sizeof *r->structure) + thud_arena_room(nc, sizeof *r->contact) +
                    thud_arena_room(columns, sizeof *r->column) +
-                   thud_arena_room(storeys, sizeof(struct thud_storey_result));
+                   thud_arena_room(storeys, sizeof(struct thud_storey_result)) +
+                   thud_arena_room(links, sizeof *r->link);
     for (int s = 0; s < m->nstructures; s++)
         bytes += thud_arena_room((size_t)m->structure[s].n, sizeof(struct thud_floor_result)) +
                  thud_arena_room((size_t)m->structure[s].n, sizeof(double));
@@ -46,11 +48,13 @@ static bool allocate_result(struct thud_run *run)
         return false;
     run->result_block = arena.next;
     r->nstructures = m->nstructures;
-    r->ncontacts = m->ncontacts;
+    r->ncontacts = m->npairs;
+    r->nlinks = m->nlinks;
     r->ncolumns = m->ncolumns;
     r->structure = thud_arena_take(&arena, ns, sizeof *r->structure);
     r->contact = thud_arena_take(&arena, nc, sizeof *r->contact);
     r->column = thud_arena_take(&arena, columns, sizeof *r->column);
+    r->link = thud_arena_take(&arena, links, sizeof *r->link);
     struct thud_storey_result *storey = thud_arena_take(&arena, storeys, sizeof *storey);
     for (int s = 0; s < m->nstructures; s++) {
         const struct thud_model_structure *p = &m->structure[s];
@@ -131,8 +135,8 @@ static void pick_method(struct thud_run *run)
     bool may_choose = run->method->flags & THUD_METHOD_FIXED_STEP;
     run->state.locates = run->method->flags & THUD_METHOD_CAN_LOCATE && (run->options.locate || !may_choose);
     run->state.inside = run->state.locates || run->method->order == 0 || run->options.keep_history ||
-                        run->state.model->nstoreys > 0 ||
-                        run->state.model->ncolumns > 0; /* their peaks are read there */
+                        run->state.model->nstoreys > 0 || run->state.model->ncolumns > 0 ||
+                        run->state.model->nlinks > 0; /* their peaks are read there */
 }
 
 static void set_step(struct thud_run *run)
@@ -182,6 +186,8 @@ static enum thud_status create_observers(struct thud_run *run, struct thud_error
     thud_run_observe(run, &thud_observe_contacts, &run->log);
     if (m->ncolumns > 0)
         thud_run_observe(run, &thud_observe_columns, &run->result);
+    if (m->nlinks > 0)
+        thud_run_observe(run, &thud_observe_links, &run->result);
     if (status == THUD_OK && run->options.keep_history) {
         status = thud_rows_init(&run->rows, m, &run->result, &run->ledger, run->options.history_step_s,
                                 run->options.history_look_s, err);
@@ -277,9 +283,9 @@ void thud_run_free(struct thud_run *run)
 }
 
 /* Whether anything has touched so far. */
-static bool has_touched(const struct thud_result *r)
+static bool has_touched(const struct thud_model *m, const struct thud_result *r)
 {
-    for (int c = 0; c < r->ncontacts; c++)
+    for (int c = 0; c < m->ncontacts; c++)
         if (r->contact[c].impacts > 0 || r->contact[c].impulse_ns != 0)
             return true;
     return r->work.force_evaluations > 0;
@@ -322,7 +328,8 @@ void thud_run_finish(struct thud_run *run)
         thud_ledger_finish(&run->ledger, &run->state);
     r->energy = run->ledger.balance;
     finish_storeys(run);
-    if (run->done && *r->reason && r->reason != no_contact && !has_touched(r))
+    thud_links_finish(run->state.model, r);
+    if (run->done && *r->reason && r->reason != no_contact && !has_touched(run->state.model, r))
         r->reason = run->state.model->nstoreys > 0 ? "nothing touched: closed form between events of storeys that yield"
                                                    : "nothing touched: modes alone, in closed form";
     r->end_s = thud_state_now(&run->state);

@@ -123,7 +123,7 @@ enum thud_status thud_scene_assemble(const struct thud_scene *scene, struct thud
     enum thud_status status = THUD_MEMORY;
     if (ok) {
         struct thud_model_input input = {scene->nstructures, a->structure, a->ncontacts, a->contact,
-                                         scene->analysis.modes};
+                                         scene->analysis.modes, 0, NULL};
         status = thud_model_create(&input, out, err);
     } else {
         thud_error_set(err, THUD_MEMORY, "out of memory");

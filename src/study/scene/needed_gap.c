@@ -81,7 +81,7 @@ void thud_gap_levels(const bool *aligned, const struct thud_model *model, const 
                      struct thud_gap_level *level)
 {
     const struct thud_result *result = thud_baseline_result(baseline);
-    for (int c = 0; c < model->ncontacts; c++) {
+    for (int c = 0; c < model->npairs; c++) {
         const struct thud_model_contact *p = &model->contact[c];
         int left = p->interface - 1, right = p->interface;
         level[c] = (struct thud_gap_level){
@@ -149,9 +149,9 @@ enum thud_status thud_needed_gap_run(const struct thud_scene *scene, const struc
     while (status == THUD_OK && !done)
         status = thud_baseline_advance(baseline, 1L << 20, &done, err);
     if (status == THUD_OK) {
-        struct thud_needed_gap *gap = malloc(sizeof *gap + (size_t)model->ncontacts * sizeof *gap->level);
+        struct thud_needed_gap *gap = malloc(sizeof *gap + (size_t)model->npairs * sizeof *gap->level);
         if (gap) {
-            gap->nlevels = model->ncontacts;
+            gap->nlevels = model->npairs;
             bool aligned[THUD_STRUCTURES_MAX];
             thud_gap_aligned(bare, aligned);
             thud_gap_levels(aligned, model, baseline, gap->level);

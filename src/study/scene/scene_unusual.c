@@ -156,7 +156,7 @@ static bool look_levels(struct search *search, const struct thud_scene *scene)
     int contacts[THUD_STRUCTURES_MAX + 1] = {0};
     if (thud_scene_assemble(scene, &model, NULL) != THUD_OK)
         return false;
-    for (int c = 0; c < model->ncontacts; c++)
+    for (int c = 0; c < model->npairs; c++)
         contacts[model->contact[c].interface]++;
     thud_model_free(model);
     for (int i = 0; i + 1 < scene->nstructures; i++) {
@@ -218,7 +218,7 @@ static bool look_step(struct search *search, const struct thud_scene *scene)
     if (!method || !(method->flags & THUD_METHOD_FIXED_STEP) || isnan(step_s) ||
         thud_scene_assemble(scene, &model, NULL) != THUD_OK)
         return false;
-    for (int c = 0; c < model->ncontacts; c++)
+    for (int c = 0; c < model->npairs; c++)
         shortest = fmin(shortest, thud_model_contact_period(&model->contact[c]));
     thud_model_free(model);
     if (step_s <= shortest / 20 * (1 + 1e-9) || search->found++ != search->wanted)

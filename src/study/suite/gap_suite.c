@@ -83,7 +83,7 @@ enum thud_status thud_gap_pound(const struct thud_scene *scene, const struct thu
         const int i = gap->level[l].interface - 1;
         touched[i] = touched[i] || thud_gap_falls_short(gap_at(scene, ruled, i), gap->level[l].closing_m);
     }
-    for (int c = 0; status == THUD_OK && !refused && c < answer.model->ncontacts; c++) {
+    for (int c = 0; status == THUD_OK && !refused && c < answer.model->npairs; c++) {
         const struct thud_contact_result *p = &thud_run_result(answer.run)->contact[c];
         struct thud_gap_ruled *one = &ruled[p->interface - 1];
         touched[p->interface - 1] = touched[p->interface - 1] || p->impacts > 0;

@@ -116,7 +116,7 @@ static enum thud_status build(struct thud_sweep_group *group, struct thud_scene 
     for (int g = 0; g < group->nbaselines && status == THUD_OK; g++)
         status = build_baseline(group, g, record, scene, cased, err);
     if (status == THUD_OK &&
-        !(group->level = calloc((size_t)group->baseline[0].model->ncontacts + 1, sizeof *group->level)))
+        !(group->level = calloc((size_t)group->baseline[0].model->npairs + 1, sizeof *group->level)))
         status = thud_error_set(err, THUD_MEMORY, "out of memory");
     return status;
 }

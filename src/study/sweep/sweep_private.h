@@ -22,7 +22,7 @@ struct thud_sweep_group {
     long index;
     int nbaselines, ndone; /* nbaselines: 1, or THUD_SWEEP_BASELINES */
     struct thud_sweep_baseline baseline[THUD_SWEEP_BASELINES];
-    struct thud_gap_level *level;      /* (model->ncontacts); once done */
+    struct thud_gap_level *level;      /* (model->npairs); once done */
     bool aligned[THUD_STRUCTURES_MAX]; /* by interface: thud_gap_aligned */
     struct thud_sweep_same *same;
 };

@@ -183,7 +183,7 @@ enum thud_status thud_sweep_same_advance(struct thud_sweep_group *group, long bu
         const struct thud_model *model = group->baseline[0].model;
         int nvariants = group->plan->sensitivity > 0 ? THUD_SWEEP_VARIANTS : 1;
         *done = true;
-        status = match(same, size_of(nvariants, model->ndof, model->ncontacts), err);
+        status = match(same, size_of(nvariants, model->ndof, model->npairs), err);
     }
     return status;
 }

@@ -98,7 +98,7 @@ enum thud_status thud_sweep_task_create(const struct thud_sweep_plan *plan, cons
         enum thud_case which[THUD_SWEEP_CASES_MAX + 1];
         int ncases = thud_sweep_point_cases(plan, task->scene, which);
         struct thud_sweep_point *point = task->point = thud_sweep_point_create(
-            ncases, model->ndof, model->ncontacts, plan->sensitivity > 0 ? THUD_SWEEP_VARIANTS : 1);
+            ncases, model->ndof, model->npairs, plan->sensitivity > 0 ? THUD_SWEEP_VARIANTS : 1);
         status = point ? THUD_OK : THUD_MEMORY;
         for (int i = 0; point && i < ncases; i++) {
             point->which[i] = which[i];
@@ -141,14 +141,19 @@ static int leave_out(struct thud_sweep_task *task, bool drop, int *left)
     struct thud_model *m = task->model;
     int group[THUD_STRUCTURES_MAX] = {0}, dropped = 0;
     bool closes[THUD_STRUCTURES_MAX] = {false}, open[THUD_STRUCTURES_MAX] = {false};
-    for (int c = 0; c < m->ncontacts; c++)
+    for (int c = 0; c < m->npairs; c++)
         open[m->contact[c].interface] |= !(m->contact[c].law->flags & THUD_LAW_NO_FORCE);
+    for (int i = 0; i < m->nlinks; i++) { /* what links join is one group; ends stand in neighbours */
+        const struct thud_model_link *link = &m->link[i];
+        if (link->left_dof >= 0 && link->right_dof >= 0)
+            open[m->dof_structure[link->left_dof > link->right_dof ? link->left_dof : link->right_dof]] = true;
+    }
     for (int i = 1; i < m->nstructures; i++) /* interface i joins structures i - 1 and i */
         group[i] = group[i - 1] + (i > 1 && (m->structure[i - 1].n == 0 || !open[i]));
-    for (int c = 0; c < m->ncontacts; c++)
+    for (int c = 0; c < m->npairs; c++)
         closes[group[m->contact[c].interface]] |= !never_closes(task, c);
     *left = 0;
-    for (int c = 0; c < m->ncontacts; c++) {
+    for (int c = 0; c < m->npairs; c++) {
         if (m->contact[c].law->flags & THUD_LAW_NO_FORCE)
             continue;
         if (closes[group[m->contact[c].interface]]) {

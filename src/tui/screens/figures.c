@@ -109,7 +109,7 @@ static void add_case(struct thud_panel *panel, const struct shown *of, int which
     const struct thud_history *h = history_of(of->live, which);
     const struct thud_model *model = of->live->which[which].model;
     bool of_contact = plot == THUD_PLOT_FORCE || plot == THUD_PLOT_CLOSING;
-    if (!h || (of_contact ? sight->contact >= model->ncontacts : sight->dof >= model->ndof))
+    if (!h || (of_contact ? sight->contact >= model->npairs : sight->dof >= model->ndof))
         return; /* another scene may have fewer */
     int minus = -1;
     if (plot == THUD_PLOT_FORCE) {

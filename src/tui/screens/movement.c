@@ -152,7 +152,7 @@ static void set_shifts(struct stage *stage)
     for (int i = 0; i < stage->model->ndof; i++)
         stage->shift[i] =
             stage->scale * value_at(stage->history, thud_history_displacement(stage->history, i), stage->t);
-    for (int i = 0; i < stage->model->ncontacts; i++) {
+    for (int i = 0; i < stage->model->npairs; i++) {
         const struct thud_model_contact *c = &stage->model->contact[i];
         double over = overlap(stage, c);
         if (!(over > 0.0) || c->struck)
@@ -234,7 +234,7 @@ static const struct thud_model_contact *pressing(const struct stage *stage, int 
 {
     const struct thud_model_contact *found = NULL;
     double most = 0.0;
-    for (int i = 0; i < stage->model->ncontacts; i++) {
+    for (int i = 0; i < stage->model->npairs; i++) {
         const struct thud_model_contact *c = &stage->model->contact[i];
         bool mine = right_side ? c->struck < 0 && c->interface - 1 == s && c->left_floor == storey + 1
                                : c->struck > 0 && c->interface == s && c->right_floor == storey + 1;
@@ -330,7 +330,7 @@ static void draw_contact(struct stage *stage, int index, int *worst, double *for
 
 static void flashes(struct stage *stage)
 {
-    for (int i = 0; i < stage->model->ncontacts; i++) {
+    for (int i = 0; i < stage->model->npairs; i++) {
         const struct thud_model_contact *contact = &stage->model->contact[i];
         if (!(force_at(stage->history, i, stage->t) > touch_n))
             continue;
@@ -375,7 +375,7 @@ void thud_movement_draw(const struct thud_pane *pane, const struct thud_scene *s
         set_shifts(&stage);
         for (int s = 0; s < scene->nstructures; s++)
             draw_building(&stage, s);
-        for (int i = 0; i < model->ncontacts; i++)
+        for (int i = 0; i < model->npairs; i++)
             draw_contact(&stage, i, &worst, &force);
         struct thud_look ground = thud_look(THUD_ROLE_BORDER, 0);
         thud_dots_line(&stage.dots, 0.0, stage.ground + 1.0, stage.dots.width - 1.0, stage.ground + 1.0, 1, ground);

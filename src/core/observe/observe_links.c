@@ -1,0 +1,182 @@
+/* A link that always acts: with d = g . q of its ends,
+ *
+ *     F = k d + c d',   stroke = d,   loss = int c d'^2 dt.
+ */
+#include "core/observe/observe_links.h"
+
+#include <math.h>
+
+#include "core/motion/free_vibration.h"
+#include "core/numerics/poly.h"
+#include "core/numerics/quadrature.h"
+#include "core/numerics/vec.h"
+#include "core/observe/rest.h"
+
+enum { ENDS = THUD_FREE_VIBRATION_ENDS };
+
+static void raise_to(struct thud_peak *peak, double value, double time_s)
+{
+    if (fabs(value) > peak->value)
+        *peak = (struct thud_peak){fabs(value), time_s};
+}
+
+static void raise(const struct thud_segment *seg, struct thud_peak *peak, const double *p, int terms, double s)
+{
+    double where, bound = 0, value;
+    for (int k = 0; k < terms; k++)
+        bound += fabs(p[k]);
+    if (bound <= peak->value)
+        return;
+    value = thud_poly_peak(p, terms, s, peak->value, &where);
+    if (value > peak->value)
+        *peak = (struct thud_peak){value, seg->start_s + where * seg->h_s};
+}
+
+/* Coefficients of d, and of F. */
+static void series(const struct thud_model_link *p, const struct thud_segment *seg, int nmodes, double *d,
+                   double *force)
+{
+    const double rate = 1 / seg->h_s;
+    for (int k = 0; k < seg->terms; k++)
+        d[k] = thud_dot(p->modes, p->row, seg->q + k * nmodes + p->first_mode);
+    for (int k = 0; k < seg->terms; k++)
+        force[k] = p->stiffness_npm * d[k] + (k + 1 < seg->terms ? p->damping_nspm * (k + 1) * rate * d[k + 1] : 0);
+}
+
+static void look(const struct thud_model *m, const struct thud_segment *seg, int link, struct thud_link_result *r,
+                 double s)
+{
+    double d[THUD_SEGMENT_TERMS], force[THUD_SEGMENT_TERMS];
+    series(&m->link[link], seg, m->nmodes, d, force);
+    raise(seg, &r->stroke, d, seg->terms, s);
+    raise(seg, &r->force, force, seg->terms, s);
+}
+
+/* Loss up to s. */
+static double loss(const struct thud_model *m, const struct thud_segment *seg, int link, double s)
+{
+    const struct thud_model_link *p = &m->link[link];
+    double d[THUD_SEGMENT_TERMS], force[THUD_SEGMENT_TERMS], sum = 0;
+    if (p->damping_nspm == 0)
+        return 0;
+    series(p, seg, m->nmodes, d, force);
+    for (int i = 0; i < THUD_QUADRATURE_POINTS; i++) {
+        double rate = 0, at = s * thud_quadrature_node[i];
+        for (int k = seg->terms - 1; k > 0; k--)
+            rate = rate * at + k * d[k];
+        sum += thud_quadrature_weight[i] * rate * rate;
+    }
+    return p->damping_nspm * s / seg->h_s * sum;
+}
+
+/* Of a step whose events are not located: its two ends are all that it knows. */
+static void ends(const struct thud_observation *o, int link, struct thud_link_result *r)
+{
+    const struct thud_model *m = o->state->model;
+    const struct thud_model_link *p = &m->link[link];
+    const struct thud_motion *a = o->seg->start, *b = o->seg->end;
+    const double time_s = o->seg->start_s + o->seg->h_s, d = thud_model_link(m, link, b->q),
+                 v = thud_model_link(m, link, b->qd), v0 = thud_model_link(m, link, a->qd);
+    raise_to(&r->stroke, d, time_s);
+    raise_to(&r->force, p->stiffness_npm * d + p->damping_nspm * v, time_s);
+    r->lost_j += 0.5 * p->damping_nspm * (v0 + v) * (d - thud_model_link(m, link, a->q));
+}
+
+static enum thud_status segment(void *own, const struct thud_observation *o, struct thud_error *err)
+{
+    struct thud_result *result = own;
+    const struct thud_model *m = o->state->model;
+    (void)err;
+    for (int i = 0; i < m->nlinks; i++) {
+        if (m->link[i].contact >= 0)
+            continue;
+        if (o->seg->end) {
+            ends(o, i, &result->link[i]);
+            continue;
+        }
+        look(m, o->seg, i, &result->link[i], o->s);
+        result->link[i].lost_j += loss(m, o->seg, i, o->s);
+    }
+    return THUD_OK;
+}
+
+/* d and F at the ends into d and f->gap; sizes of the largest, how far one inside an interval may lie above them. */
+struct largest {
+    double stroke, force, stroke_margin, force_margin;
+};
+
+static struct largest values(struct thud_free_vibration *f, const struct thud_model *m, const struct thud_model_link *p,
+                             int ends, double *d)
+{
+    const int dof[] = {p->left_dof, p->right_dof};
+    struct largest most = {0};
+    for (int t = 0; t < ends; t++)
+        d[t] = f->gap[t] = 0;
+    for (int side = 0; side < 2; side++) {
+        if (dof[side] < 0)
+            continue;
+        const int s = m->dof_structure[dof[side]];
+        thud_free_vibration_values(f, m, s, THUD_FLOOR_DISPLACEMENT);
+        thud_free_vibration_values(f, m, s, THUD_FLOOR_VELOCITY);
+        const double *u = f->value[THUD_FLOOR_DISPLACEMENT] + (size_t)dof[side] * ENDS,
+                     *v = f->value[THUD_FLOOR_VELOCITY] + (size_t)dof[side] * ENDS, sign = side == 0 ? 1 : -1;
+        for (int t = 0; t < ends; t++) {
+            d[t] += sign * u[t];
+            f->gap[t] += sign * (p->stiffness_npm * u[t] + p->damping_nspm * v[t]);
+        }
+        most.stroke_margin += f->margin[THUD_FLOOR_DISPLACEMENT * m->nstructures + s];
+        most.force_margin += p->stiffness_npm * f->margin[THUD_FLOOR_DISPLACEMENT * m->nstructures + s] +
+                             p->damping_nspm * f->margin[THUD_FLOOR_VELOCITY * m->nstructures + s];
+    }
+    for (int t = 0; t < ends; t++) {
+        most.stroke = fmax(most.stroke, fabs(d[t]));
+        most.force = fmax(most.force, fabs(f->gap[t]));
+    }
+    return most;
+}
+
+static enum thud_status block(void *own, const struct thud_state *state, struct thud_free_vibration *f, int intervals,
+                              struct thud_error *err)
+{
+    struct thud_result *result = own;
+    const struct thud_model *m = state->model;
+    double d[ENDS];
+    (void)err;
+    for (int i = 0; i < m->nlinks; i++) {
+        const struct thud_model_link *p = &m->link[i];
+        struct thud_link_result *r = &result->link[i];
+        if (p->contact >= 0)
+            continue;
+        const struct largest most = values(f, m, p, intervals + 1, d);
+        const double force = fmax(r->force.value, most.force) - most.force_margin,
+                     stroke = fmax(r->stroke.value, most.stroke) - most.stroke_margin;
+        for (int t = 0; t < intervals; t++)
+            if (fmax(fabs(f->gap[t]), fabs(f->gap[t + 1])) >= force || fmax(fabs(d[t]), fabs(d[t + 1])) >= stroke)
+                for (int piece = 0; piece < f->pieces; piece++)
+                    look(m, thud_free_vibration_series(f, state, p->structure, t, piece), i, r, 1);
+        r->lost_j += thud_free_vibration_link_loss(f, m, i, intervals);
+    }
+    return THUD_OK;
+}
+
+/* Nothing bounds the rest of a motion in links that always act; those that are contacts stay open in it. */
+static bool may_jump(const void *own, const struct thud_rest *rest)
+{
+    (void)own;
+    for (int i = 0; i < rest->model->nlinks; i++)
+        if (rest->model->link[i].contact < 0)
+            return false;
+    return true;
+}
+
+const struct thud_observer thud_observe_links = {.segment = segment, .block = block, .may_jump = may_jump};
+
+void thud_links_finish(const struct thud_model *m, struct thud_result *result)
+{
+    for (int i = 0; i < m->nlinks; i++) {
+        const struct thud_contact_result *from = &result->contact[m->link[i].contact < 0 ? 0 : m->link[i].contact];
+        if (m->link[i].contact >= 0)
+            result->link[i] =
+                (struct thud_link_result){from->force, from->indentation, from->dissipated_j, from->impacts};
+    }
+}

@@ -1,0 +1,13 @@
+/* Force, stroke and loss of the links. Those that are contacts have theirs from the contacts' log at the end. */
+#ifndef THUD_CORE_OBSERVE_LINKS_H
+#define THUD_CORE_OBSERVE_LINKS_H
+
+#include "core/observe/observer.h"
+
+/* Its own state is the result. */
+extern const struct thud_observer thud_observe_links;
+
+/* At the end of a run: the links that are contacts. */
+void thud_links_finish(const struct thud_model *model, struct thud_result *result);
+
+#endif
