@@ -6,6 +6,7 @@
 
 #include "base/param.h"
 #include "core/laws/law.h"
+#include "io/result/schemas.h"
 #include "study/scene/scene.h"
 
 enum { COLUMNS = 76 };
@@ -160,6 +161,19 @@ static void laws(struct thud_text *out)
     }
 }
 
+/* A part of thud-output(5). */
+static void put_schema(struct thud_text *out, const struct thud_schema *schema)
+{
+    thud_text_append(out, ".Ss %s\n%s.Bl -tag -width Ds -compact\n", schema->name, schema->about);
+    for (int i = 0; i < schema->n; i++) {
+        if (!schema->field[i].name[0])
+            continue;
+        thud_text_append(out, ".It Va %s\n", schema->field[i].name);
+        fill(out, schema->field[i].help);
+    }
+    thud_text_append(out, ".El\n");
+}
+
 static const struct {
     const char *name;
     void (*write)(struct thud_text *out);
@@ -174,10 +188,17 @@ bool thud_manual_part(struct thud_text *out, const char *name)
             return true;
         }
     }
+    const struct thud_schema *schema;
+    for (int i = 0; (schema = thud_schema_at(i)) != NULL; i++)
+        if (strcmp(schema->name, name) == 0) {
+            put_schema(out, schema);
+            return true;
+        }
     return false;
 }
 
 const char *thud_manual_part_name(int index)
 {
-    return index < PARTS ? parts[index].name : NULL;
+    const struct thud_schema *schema = index < PARTS ? NULL : thud_schema_at(index - PARTS);
+    return index < PARTS ? parts[index].name : schema ? schema->name : NULL;
 }

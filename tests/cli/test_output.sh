@@ -7,7 +7,9 @@ chmod +x "$tmp/gnuplot"
 THUD_GNUPLOT=$tmp/gnuplot
 export THUD_GNUPLOT
 
-page() { awk -v s="$1" '/^\.S[sh] / { on = $0 == ".Ss " s } on && /^\.It Va / { print $3 }' man/thud-output.5 | sort -u; }
+# a part, and those that it refers to
+page() { awk -v s="$1" 'NR == FNR { if (/^\.S[sh] /) on = $0 == ".Ss " s; if (on && /^\.Sx /) { sub(/^\.Sx /, ""); sub(/ [.,;]$/, ""); other[$0] } next }
+    /^\.S[sh] / { on = $0 == ".Ss " s || substr($0, 5) in other } on && /^\.It Va / { print $3 }' man/thud-output.5 man/thud-output.5 | sort -u; }
 columns() { grep -v '^#' "$1" | head -1 | tr , '\n' | tr -d '"' | sed -E 's/^(A|B)\.[0-9]+\./NAME.FLOOR./; s/^(A|B)\.storey\.[0-9]+\./NAME.storey.FLOOR./; s/^contact\.[0-9]+\.(c?[0-9]+-c?[0-9]+)\./contact.I.L-R./; s/^column\.[0-9]+\.(A|B)\.[0-9]+\./column.I.NAME.F./; s/^bumper\.thickness(_m)?$/KEY/' | sort -u; }
 keys() { # FILE...: but those of a scene, which is a preset
     for file in "$@"; do sed '/^  "scene": /,$d' "$file"; done | grep -o '"[^"]*": ' | tr -d '": ' | sort -u

@@ -1,16 +1,18 @@
 #!/bin/sh
-# Puts the parts that come from the program's tables into man/thud-preset.5.  THUD: the program.  usage: manual.sh
+# Puts the parts that come from the program's tables into thud-preset(5) and thud-output(5).  THUD: the program.
+# usage: manual.sh
 set -eu
 thud=${THUD:-./thud}
-page=man/thud-preset.5
-part=$(mktemp)
-trap 'rm -f "$part" "$page.tmp"' EXIT
-# shellcheck disable=SC2013 # one word a line
-for name in $(sed -n 's/^\.\\" begin //p' "$page"); do
-    "$thud" help --mdoc "$name" >"$part"
-    awk -v name="$name" -v part="$part" '
-        $0 == ".\\\" end " name { inside = 0 }
-        !inside
-        $0 == ".\\\" begin " name { inside = 1; while ((getline line <part) > 0) print line }' "$page" >"$page.tmp"
-    mv "$page.tmp" "$page"
+part=$(mktemp) names=$(mktemp)
+trap 'rm -f "$part" "$names" man/*.tmp' EXIT
+for page in man/thud-preset.5 man/thud-output.5; do
+    sed -n 's/^\.\\" begin //p' "$page" >"$names"
+    while IFS= read -r name; do
+        "$thud" help --mdoc "$name" >"$part"
+        awk -v name="$name" -v part="$part" '
+            $0 == ".\\\" end " name { inside = 0 }
+            !inside
+            $0 == ".\\\" begin " name { inside = 1; while ((getline line <part) > 0) print line }' "$page" >"$page.tmp"
+        mv "$page.tmp" "$page"
+    done <"$names"
 done

@@ -2,15 +2,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "io/result/result_file.h"
-#include "study/sweep/remark.h"
-
-static void add_number(struct thud_text *out, double value)
-{
-    thud_text_bytes(out, ",", 1);
-    if (isfinite(value))
-        thud_text_number(out, value);
-}
+#include "io/result/result_rows.h"
 
 /* As many digits as a run can be right to: a history has millions of numbers, and all seventeen of a double take five
  * times as long to write. */
@@ -22,39 +14,26 @@ static void add_sample(struct thud_text *out, double value)
         thud_text_bytes(out, text, (size_t)snprintf(text, sizeof text, "%.12g", value + 0.0));
 }
 
-/* Nothing for an elastic storey. */
-static void add_storey(const struct thud_structure_result *r, int i, struct thud_text *out)
-{
-    static const struct thud_storey_result elastic;
-    const struct thud_storey_result *p = r->storey ? &r->storey[i] : &elastic;
-    const double value[] = {p->yield_m,      p->ductility,   p->permanent_m, p->excursions,
-                            p->hysteretic_j, p->shear.value, p->shear.time_s};
-    for (size_t k = 0; k < sizeof value / sizeof *value; k++)
-        add_number(out, p->yields ? value[k] : NAN);
-}
-
 void thud_result_csv(const struct thud_report *report, struct thud_text *out)
 {
     const bool yields = thud_scene_yields(report->scene);
-    thud_text_append(out,
-                     "structure,floor,acceleration_mps2,acceleration_time_s,displacement_m,displacement_time_s,"
-                     "velocity_mps,velocity_time_s,drift_m,drift_time_s%s\n",
-                     yields ? ",yield_m,ductility,permanent_m,excursions,hysteretic_j,shear_n,shear_time_s" : "");
-    for (int s = 0; s < report->result->nstructures; s++)
-        for (int i = 0; i < report->result->structure[s].floors; i++) {
-            const struct thud_floor_result *f = &report->result->structure[s].floor[i];
-            const struct thud_peak peak[] = {f->acceleration, f->displacement, f->velocity, f->drift};
-            thud_text_csv(out, report->scene->structure[s].name);
-            thud_text_append(out, ",%d", i + 1);
-            for (size_t k = 0; k < sizeof peak / sizeof *peak; k++) {
-                bool none = k == 0 && thud_floor_struck(report->result, s, i);
-                add_number(out, none ? NAN : peak[k].value);
-                add_number(out, none ? NAN : peak[k].time_s);
-            }
-            if (yields)
-                add_storey(&report->result->structure[s], i, out);
-            thud_text_append(out, "\n");
+    const struct thud_floors all = {report, -1};
+    const struct thud_rows rows = thud_floor_rows(&all);
+    for (int i = -1; i < rows.n; i++) {
+        struct thud_floor_row row;
+        if (i < 0) {
+            thud_csv_names(&thud_floor_schema, 0, out);
+        } else {
+            rows.make(&all, i, &row);
+            thud_csv_values(&thud_floor_schema, 0, &row, out);
         }
+        thud_text_append(out, yields ? "," : "");
+        if (yields && i < 0)
+            thud_csv_names(&thud_storey_schema, 0, out);
+        else if (yields)
+            thud_csv_values(&thud_storey_schema, 0, &row, out);
+        thud_text_append(out, "\n");
+    }
 }
 
 /* Column name such as A.3.displacement_m. */
@@ -134,23 +113,6 @@ void thud_history_csv(const struct thud_report *report, struct thud_text *out)
 
 void thud_impacts_csv(const struct thud_report *report, struct thud_text *out)
 {
-    thud_text_append(out, "interface,left_floor,right_floor,start_s,duration_s,approach_mps,separation_mps,force_n,"
-                          "indentation_m,impulse_ns,energy_lost_j\n");
-    for (int i = 0; i < report->nimpacts; i++) {
-        const struct thud_impact *p = &report->impact[i];
-        const struct thud_contact_result *c = &report->result->contact[p->contact];
-        bool struck = thud_contact_struck(c);
-        const double value[] = {p->start_s,
-                                p->duration_s,
-                                p->approach_mps,
-                                p->separation_mps,
-                                struck ? NAN : p->force_n,
-                                struck ? NAN : p->indentation_m,
-                                p->impulse_ns,
-                                p->dissipated_j};
-        thud_text_append(out, "%d,%d,%d", c->interface, c->left_floor, c->right_floor);
-        for (size_t k = 0; k < sizeof value / sizeof *value; k++)
-            add_number(out, value[k]);
-        thud_text_append(out, "\n");
-    }
+    const struct thud_rows rows = thud_impact_rows(report);
+    thud_rows_csv(&rows, out);
 }

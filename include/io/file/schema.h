@@ -1,0 +1,102 @@
+/* What a kind of row is made of: a table of its fields, from which CSV, JSON, the tables of a terminal, thud-output(5)
+ * and the description of a set of tables (datapackage.json) are written. A new quantity of a result is the place that
+ * computes it and one line of such a table. */
+#ifndef THUD_IO_SCHEMA_H
+#define THUD_IO_SCHEMA_H
+
+#include <limits.h>
+#include <stddef.h>
+
+#include "base/param.h"
+#include "base/text.h"
+
+/* By the type of the member. */
+enum thud_field_kind {
+    THUD_FIELD_NUMBER, /* double; no value where it is not finite */
+    THUD_FIELD_COUNT,  /* int; no value at THUD_NO_COUNT */
+    THUD_FIELD_LONG,   /* long */
+    THUD_FIELD_SIZE,   /* size_t */
+    THUD_FIELD_YES,    /* bool: 1 and 0 in CSV */
+    THUD_FIELD_TEXT    /* const char *; NULL: no value */
+};
+#define THUD_NO_COUNT INT_MIN
+
+/* How a number is printed in a table of a terminal. */
+enum thud_digits {
+    THUD_DIGITS_NONE,   /* the field is in none */
+    THUD_DIGITS_PLACES, /* places after the point alike in a column, so that its largest has `digits` */
+    THUD_DIGITS_FIXED,  /* `digits` places after the point */
+    THUD_DIGITS_FREE,   /* `digits` in all; large numbers without exponent */
+    THUD_DIGITS_WORD    /* a text, or a whole number; of a text no more than `digits` bytes where that is above 0 */
+};
+
+/* Right-aligned in `width` columns, negative: left-aligned after a blank; 0: a text that ends its row. */
+struct thud_shown {
+    const char *head, *unit; /* lines of the heading; the second where a field has one */
+    double factor;           /* shown = value x factor; 0: 1 */
+    int width, digits;
+    enum thud_digits how;
+};
+
+struct thud_field {
+    const char *name; /* in CSV and JSON; its end is the unit */
+    const char *help; /* a sentence of thud-output(5) */
+    enum thud_field_kind kind;
+    size_t at;
+    unsigned only; /* of rows that have one of these marks; 0: of all */
+    struct thud_shown shown;
+};
+/* Marks set by the writers themselves. */
+enum { THUD_ONLY_CSV = 1 << 30, THUD_ONLY_JSON = 1 << 29, THUD_ONLY_TEXT = 1 << 28 };
+
+#define THUD_FIELD_KIND(type, member)                                                                                  \
+    _Generic(((type *)0)->member,                                                                                      \
+        double: THUD_FIELD_NUMBER,                                                                                     \
+        int: THUD_FIELD_COUNT,                                                                                         \
+        long: THUD_FIELD_LONG,                                                                                         \
+        size_t: THUD_FIELD_SIZE,                                                                                       \
+        bool: THUD_FIELD_YES,                                                                                          \
+        const char *: THUD_FIELD_TEXT)
+/* The first members of a field, in braces with what else there is: {THUD_FIELD(...), .only = ...}. */
+#define THUD_FIELD(type, member, key, text)                                                                            \
+    .name = key, .help = text, .kind = THUD_FIELD_KIND(type, member), .at = offsetof(type, member)
+
+struct thud_schema {
+    const char *name;  /* "contacts.csv" */
+    const char *about; /* sentences before its fields in thud-output(5), as mdoc */
+    const struct thud_field *field;
+    int n;
+};
+#define THUD_SCHEMA(name, about, field)                                                                                \
+    {                                                                                                                  \
+        name, about, field, (int)(sizeof field / sizeof *field)                                                        \
+    }
+
+/* Names and values separated by commas; no end of line. `row` NULL: no values. */
+void thud_csv_names(const struct thud_schema *schema, unsigned marks, struct thud_text *out);
+void thud_csv_values(const struct thud_schema *schema, unsigned marks, const void *row, struct thud_text *out);
+/* "name": value, ... without braces. */
+void thud_json_members(const struct thud_schema *schema, unsigned marks, const void *row, struct thud_text *out);
+/* "format": 1, "preset": ..., "version": ...; the first members of every answer in JSON. */
+void thud_json_head(struct thud_text *out, const char *preset);
+
+/* Rows of one kind, made one at a time: `make` fills the i-th of them into `row`, of at most THUD_ROW_MAX bytes. */
+enum { THUD_ROW_MAX = 2048 };
+struct thud_row_room {
+    _Alignas(max_align_t) char bytes[THUD_ROW_MAX];
+};
+struct thud_rows {
+    const struct thud_schema *schema;
+    unsigned marks;
+    int n;
+    void (*make)(const void *of, int i, void *row);
+    const void *of;
+};
+void thud_rows_csv(const struct thud_rows *rows, struct thud_text *out);   /* heading and rows */
+void thud_rows_json(const struct thud_rows *rows, struct thud_text *out);  /* [ {...}, ... ], an object a line */
+void thud_rows_table(const struct thud_rows *rows, struct thud_text *out); /* as a table of a terminal */
+
+/* The end of a name by its unit: "_m", "_mps2", ""; of what is varied or sampled. */
+const char *thud_si_suffix(const struct thud_param *param);
+
+#endif

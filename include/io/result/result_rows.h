@@ -1,0 +1,46 @@
+/* What a run answers, as rows: the tables of their fields, and what fills them from a report. */
+#ifndef THUD_IO_RESULT_ROWS_H
+#define THUD_IO_RESULT_ROWS_H
+
+#include "io/file/schema.h"
+#include "io/result/result_file.h"
+
+extern const struct thud_schema thud_record_schema, thud_method_schema, thud_floor_schema, thud_storey_schema,
+    thud_contact_schema, thud_column_schema, thud_impact_schema, thud_event_schema, thud_energy_schema,
+    thud_truncation_schema;
+
+/* Marks of rows that have more fields. */
+enum {
+    THUD_ROW_YIELDS = 1,  /* storeys of the scene yield */
+    THUD_ROW_COLUMNS = 2, /* a slab strikes columns */
+    THUD_ROW_CONTACT = 4, /* an event of a contact */
+    THUD_ROW_STOREY = 8,  /* an event of a storey */
+    THUD_ROW_CAPACITY = 16
+};
+
+struct thud_floor_row {
+    const char *structure;
+    int floor;
+    struct thud_floor_result peak;
+    double stability;
+    struct thud_storey_result storey; /* without values where it stays elastic */
+    bool yields;
+    const char *note; /* of a table: "base", or NULL */
+};
+/* `of`: the report; the floors of all structures, or of one from the top down. */
+struct thud_floors {
+    const struct thud_report *report;
+    int structure; /* -1: all of them, upwards */
+};
+struct thud_rows thud_floor_rows(const struct thud_floors *floors);
+struct thud_rows thud_storey_rows(const struct thud_floors *floors); /* only of structures that yield */
+struct thud_rows thud_contact_rows(const struct thud_report *report);
+struct thud_rows thud_column_rows(const struct thud_report *report);
+struct thud_rows thud_impact_rows(const struct thud_report *report);
+struct thud_rows thud_event_rows(const struct thud_report *report);
+/* The method and its work, as members of an object. */
+void thud_method_json(const struct thud_report *report, struct thud_text *out);
+/* Marks of the i-th event. */
+unsigned thud_event_marks(const struct thud_report *report, int i);
+
+#endif

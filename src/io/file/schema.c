@@ -1,0 +1,257 @@
+#include "io/file/schema.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/version.h"
+#include "io/file/json.h"
+
+static bool has(const struct thud_field *field, unsigned marks)
+{
+    return field->only == 0 || (field->only & marks) != 0;
+}
+
+/* A value of a row, by its kind. */
+struct value {
+    bool known;
+    double number;
+    const char *text; /* NULL: it is a number */
+};
+
+static struct value value_of(const struct thud_field *field, const void *row)
+{
+    const char *at = row ? (const char *)row + field->at : NULL;
+    struct value v = {0};
+    if (!at)
+        return v;
+    v.known = true;
+    switch (field->kind) {
+    case THUD_FIELD_NUMBER:
+        v.number = *(const double *)(const void *)at;
+        v.known = isfinite(v.number);
+        break;
+    case THUD_FIELD_COUNT:
+        v.number = *(const int *)(const void *)at;
+        v.known = *(const int *)(const void *)at != THUD_NO_COUNT;
+        break;
+    case THUD_FIELD_LONG:
+        v.number = (double)*(const long *)(const void *)at;
+        break;
+    case THUD_FIELD_SIZE:
+        v.number = (double)*(const size_t *)(const void *)at;
+        break;
+    case THUD_FIELD_YES:
+        v.number = *(const bool *)(const void *)at;
+        break;
+    case THUD_FIELD_TEXT:
+        v.text = *(const char *const *)(const void *)at;
+        v.known = v.text != NULL;
+        break;
+    }
+    return v;
+}
+
+void thud_csv_names(const struct thud_schema *schema, unsigned marks, struct thud_text *out)
+{
+    for (int i = 0, n = 0; i < schema->n; i++) {
+        if (!has(&schema->field[i], marks | THUD_ONLY_CSV))
+            continue;
+        thud_text_bytes(out, ",", n++ > 0);
+        thud_text_csv(out, schema->field[i].name);
+    }
+}
+
+void thud_csv_values(const struct thud_schema *schema, unsigned marks, const void *row, struct thud_text *out)
+{
+    for (int i = 0, n = 0; i < schema->n; i++) {
+        if (!has(&schema->field[i], marks | THUD_ONLY_CSV))
+            continue;
+        struct value v = value_of(&schema->field[i], row);
+        thud_text_bytes(out, ",", n++ > 0);
+        if (v.text)
+            thud_text_csv(out, v.text);
+        else if (v.known)
+            thud_text_number(out, v.number);
+    }
+}
+
+void thud_json_members(const struct thud_schema *schema, unsigned marks, const void *row, struct thud_text *out)
+{
+    for (int i = 0, n = 0; i < schema->n; i++) {
+        const struct thud_field *field = &schema->field[i];
+        if (!has(field, marks | THUD_ONLY_JSON))
+            continue;
+        struct value v = value_of(field, row);
+        thud_text_append(out, n++ > 0 ? ", " : "");
+        thud_json_string(out, field->name);
+        thud_text_append(out, ": ");
+        if (v.text)
+            thud_json_string(out, v.text);
+        else if (v.known && field->kind == THUD_FIELD_YES)
+            thud_text_append(out, v.number != 0 ? "true" : "false");
+        else
+            thud_json_number(out, v.known ? v.number : NAN);
+    }
+}
+
+void thud_json_head(struct thud_text *out, const char *preset)
+{
+    thud_text_append(out, "\"format\": 1, \"preset\": ");
+    thud_json_string(out, preset);
+    thud_text_append(out, ", \"version\": \"%s\"", THUD_VERSION);
+}
+
+void thud_rows_csv(const struct thud_rows *rows, struct thud_text *out)
+{
+    struct thud_row_room row;
+    thud_csv_names(rows->schema, rows->marks, out);
+    thud_text_bytes(out, "\n", 1);
+    for (int i = 0; i < rows->n; i++) {
+        rows->make(rows->of, i, row.bytes);
+        thud_csv_values(rows->schema, rows->marks, row.bytes, out);
+        thud_text_bytes(out, "\n", 1);
+    }
+}
+
+void thud_rows_json(const struct thud_rows *rows, struct thud_text *out)
+{
+    struct thud_row_room row;
+    thud_text_append(out, "[");
+    for (int i = 0; i < rows->n; i++) {
+        rows->make(rows->of, i, row.bytes);
+        thud_text_append(out, i > 0 ? ",\n    {" : "\n    {");
+        thud_json_members(rows->schema, rows->marks, row.bytes, out);
+        thud_text_append(out, "}");
+    }
+    thud_text_append(out, "]");
+}
+
+/* ---- tables of a terminal ---- */
+
+static bool is_shown(const struct thud_field *field, unsigned marks)
+{
+    return field->shown.how != THUD_DIGITS_NONE && has(field, marks | THUD_ONLY_TEXT);
+}
+
+/* Every word ends where its column does; one that is wider than its column ends as soon as it can. */
+static void put_heading(const struct thud_rows *rows, bool units, struct thud_text *out)
+{
+    int column = 0, end = 0;
+    for (int i = 0; i < rows->schema->n; i++) {
+        const struct thud_shown *s = &rows->schema->field[i].shown;
+        if (!is_shown(&rows->schema->field[i], rows->marks))
+            continue;
+        const char *word = (units ? s->unit : s->head) ? (units ? s->unit : s->head) : "";
+        int length = (int)strlen(word),
+            from = s->width > 0 ? end + s->width - length : end + (end > 0) + (s->width == 0);
+        end += s->width < 0 ? -s->width : s->width;
+        if (length == 0)
+            continue;
+        from = from <= column && column > 0 ? column + 1 : from > 0 ? from : 0;
+        thud_text_append(out, "%*s%s", from - column, "", word);
+        column = from + length;
+    }
+    thud_text_append(out, "\n");
+}
+
+static double shown_value(const struct thud_field *field, const struct value *v)
+{
+    return (field->shown.factor != 0 ? field->shown.factor : 1) * v->number + 0.0; /* no -0 */
+}
+
+/* Places after the point that give the largest of a column `digits` significant digits: points stand below each other,
+ * and no number has more than the largest can bear. -1: none of them is of a size to be written so. */
+static int places_of(const struct thud_rows *rows, const struct thud_field *field)
+{
+    struct thud_row_room row;
+    double largest = 0;
+    for (int i = 0; i < rows->n; i++) {
+        rows->make(rows->of, i, row.bytes);
+        struct value v = value_of(field, row.bytes);
+        if (v.known)
+            largest = fmax(largest, fabs(shown_value(field, &v)));
+    }
+    if (!(largest >= 1e-4) || largest >= 1e7)
+        return -1;
+    int places = field->shown.digits - 1 - (int)floor(log10(largest) + 1e-9);
+    return places > 0 ? places : 0;
+}
+
+static void put_shown(const struct thud_field *field, int places, const struct value *v, struct thud_text *out)
+{
+    const struct thud_shown *s = &field->shown;
+    const double x = shown_value(field, v);
+    if (s->how == THUD_DIGITS_WORD && v->text && s->digits > 0)
+        thud_text_append(out, "%*.*s", s->width, s->digits, v->text);
+    else if (v->text)
+        thud_text_append(out, "%*s", s->width, v->text);
+    else if (!v->known)
+        thud_text_append(out, "%*s", s->width, "-");
+    else if (s->how == THUD_DIGITS_WORD)
+        thud_text_append(out, "%*.0f", s->width, x);
+    else if (s->how == THUD_DIGITS_FIXED)
+        thud_text_append(out, "%*.*f", s->width, s->digits, x);
+    else if (s->how == THUD_DIGITS_PLACES && places >= 0 && fabs(x) < 1e9)
+        thud_text_append(out, "%*.*f", s->width, places, x);
+    else if (s->how == THUD_DIGITS_PLACES)
+        thud_text_append(out, "%*.5g", s->width, x);
+    else if (fabs(x) < pow(10, s->digits))
+        thud_text_append(out, "%*.*g", s->width, s->digits, x);
+    else
+        thud_text_append(out, "%*.0f", s->width, x);
+}
+
+static void put_shown_row(const struct thud_rows *rows, const int *places, const void *row, struct thud_text *out)
+{
+    bool first = true;
+    for (int i = 0; i < rows->schema->n; i++) {
+        struct thud_field field = rows->schema->field[i];
+        struct value v = value_of(&field, row);
+        if (!is_shown(&field, rows->marks))
+            continue;
+        if (field.shown.width == 0 && v.text && *v.text) {
+            thud_text_append(out, *v.text == '\n' ? "%s" : "  %s", v.text);
+            break;
+        }
+        if (field.shown.width == 0)
+            continue;
+        if (field.shown.width < 0 && !first) { /* after a blank */
+            thud_text_append(out, " ");
+            field.shown.width++;
+        }
+        put_shown(&field, places[i], &v, out);
+        first = false;
+    }
+    thud_text_append(out, "\n");
+}
+
+void thud_rows_table(const struct thud_rows *rows, struct thud_text *out)
+{
+    enum { FIELDS_MAX = 64 };
+    int places[FIELDS_MAX];
+    struct thud_row_room row;
+    bool units = false;
+    for (int i = 0; i < rows->schema->n; i++) {
+        const struct thud_field *field = &rows->schema->field[i];
+        units = units || (is_shown(field, rows->marks) && field->shown.unit);
+        places[i] = field->shown.how == THUD_DIGITS_PLACES ? places_of(rows, field) : 0;
+    }
+    put_heading(rows, false, out);
+    if (units)
+        put_heading(rows, true, out);
+    for (int i = 0; i < rows->n; i++) {
+        rows->make(rows->of, i, row.bytes);
+        put_shown_row(rows, places, row.bytes, out);
+    }
+}
+
+const char *thud_si_suffix(const struct thud_param *param)
+{
+    static const char *const suffix[THUD_DIMENSIONS] = {
+        [THUD_LENGTH] = "_m",          [THUD_AREA] = "_m2",     [THUD_MASS] = "_kg", [THUD_FORCE] = "_n",
+        [THUD_STIFFNESS] = "_npm",     [THUD_PRESSURE] = "_pa", [THUD_TIME] = "_s",  [THUD_VELOCITY] = "_mps",
+        [THUD_ACCELERATION] = "_mps2", [THUD_BENDING] = "_nm2"};
+    const char *own = param->kind == THUD_PARAM_QUANTITY ? suffix[param->dimension] : NULL;
+    return own ? own : "";
+}

@@ -1,0 +1,460 @@
+#include "io/result/result_rows.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "study/scene/level.h"
+#include "study/sweep/remark.h"
+
+static const struct thud_peak no_peak = {NAN, NAN};
+
+/* ---- floors and their storeys ---- */
+
+#define FLOOR(member, key, text) THUD_FIELD(struct thud_floor_row, member, key, text)
+
+static const struct thud_field floors[] = {
+    {FLOOR(structure, "structure", "Name of the structure."), .only = THUD_ONLY_CSV},
+    {FLOOR(floor, "floor", "Floor, from 1."), .shown = {"floor", NULL, 0, 5, 0, THUD_DIGITS_WORD}},
+    {FLOOR(peak.acceleration.value, "acceleration_mps2",
+           "Total acceleration, m/s2; no value on a floor struck by impulses."),
+     .shown = {"acceleration", "m/s2", 1, 14, 5, THUD_DIGITS_PLACES}},
+    {FLOOR(peak.acceleration.time_s, "acceleration_time_s", "Its time, s."),
+     .shown = {"at", "s", 1, 9, 3, THUD_DIGITS_FIXED}},
+    {FLOOR(peak.displacement.value, "displacement_m", "Relative to the ground, m."),
+     .shown = {"displacement", "mm", 1e3, 14, 5, THUD_DIGITS_PLACES}},
+    {FLOOR(peak.displacement.time_s, "displacement_time_s", "Its time, s."),
+     .shown = {"at", "s", 1, 9, 3, THUD_DIGITS_FIXED}},
+    {FLOOR(peak.velocity.value, "velocity_mps", "Relative to the ground, m/s."),
+     .shown = {"velocity", "m/s", 1, 10, 4, THUD_DIGITS_PLACES}},
+    {FLOOR(peak.velocity.time_s, "velocity_time_s", "Its time, s.")},
+    {FLOOR(peak.drift.value, "drift_m", "Relative to the floor below, m."),
+     .shown = {"drift", "mm", 1e3, 10, 4, THUD_DIGITS_PLACES}},
+    {FLOOR(peak.drift.time_s, "drift_time_s", "Its time, s."), .shown = {"at", "s", 1, 9, 3, THUD_DIGITS_FIXED}},
+    {FLOOR(stability, "stability_coefficient",
+           "Theta = W d/(V h) of the storey below the floor, see thud-model(7); no value where there is none.")},
+    {FLOOR(note, "", ""), .only = THUD_ONLY_TEXT, .shown = {NULL, NULL, 0, 0, 0, THUD_DIGITS_WORD}}};
+const struct thud_schema thud_floor_schema = THUD_SCHEMA(
+    "run --csv",
+    "A row for each floor, with its peaks over the continuous history and their times;\nwhere storeys of the "
+    "scene yield, with the columns of\n.Sx storey .\nIn JSON a list of each structure, without its name.\n",
+    floors);
+
+static const struct thud_field storeys[] = {
+    {FLOOR(floor, "", ""), .only = THUD_ONLY_TEXT, .shown = {"storey", NULL, 0, 6, 0, THUD_DIGITS_WORD}},
+    {FLOOR(note, "", ""), .only = THUD_ONLY_TEXT, .shown = {NULL, NULL, 0, 0, 0, THUD_DIGITS_WORD}},
+    {FLOOR(storey.yield_m, "yield_m",
+           "Drift at which the storey below the floor yields, m; of an elastic one this and the following have no "
+           "value."),
+     .shown = {"yields at", "mm", 1e3, 11, 4, THUD_DIGITS_FREE}},
+    {FLOOR(storey.hardening, "hardening", "Stiffness beyond yield over the elastic one.")},
+    {FLOOR(storey.ductility, "ductility", "Peak drift over yield drift."),
+     .shown = {"ductility", NULL, 1, 11, 3, THUD_DIGITS_FIXED}},
+    {FLOOR(storey.permanent_m, "permanent_m", "Drift at the end at which it carries no force, m."),
+     .shown = {"permanent drift", "mm", 1e3, 17, 4, THUD_DIGITS_PLACES}},
+    {FLOOR(storey.plastic_m, "plastic_m", "Plastic drift d_p at the end, m; permanent_m over 1 - hardening.")},
+    {FLOOR(storey.excursions, "excursions", "How many times it yielded."),
+     .shown = {"excursions", NULL, 0, 12, 0, THUD_DIGITS_WORD}},
+    {FLOOR(storey.hysteretic_j, "hysteretic_j", "Energy lost in it, J."),
+     .shown = {"lost", "kJ", 1e-3, 8, 4, THUD_DIGITS_PLACES}},
+    {FLOOR(storey.shear.value, "shear_n", "Its largest shear, N."),
+     .shown = {"shear", "MN", 1e-6, 12, 5, THUD_DIGITS_PLACES}},
+    {FLOOR(storey.shear.time_s, "shear_time_s", "Time of that, s."), .shown = {"at", "s", 1, 9, 3, THUD_DIGITS_FIXED}}};
+const struct thud_schema thud_storey_schema = THUD_SCHEMA(
+    "storey",
+    "Where storeys of the scene yield: in CSV behind the columns of each floor, in JSON\nan object of each floor "
+    "whose storey yields.\n",
+    storeys);
+
+static void make_floor(const void *of, int i, void *out)
+{
+    const struct thud_floors *asked = of;
+    const struct thud_result *r = asked->report->result;
+    int s = asked->structure;
+    if (s >= 0)
+        i = r->structure[s].floors - 1 - i;
+    else
+        for (s = 0; i >= r->structure[s].floors; s++)
+            i -= r->structure[s].floors;
+    const struct thud_structure *p = &asked->report->scene->structure[s];
+    const struct thud_structure_result *own = &r->structure[s];
+    struct thud_floor_row *row = out;
+    *row = (struct thud_floor_row){
+        .structure = p->name,
+        .floor = i + 1,
+        .peak = own->floor[i],
+        .stability = thud_stability_coefficient(p, own, i - (p->kind == THUD_ISOLATED)),
+        .storey = {false, NAN, NAN, NAN, NAN, NAN, THUD_NO_COUNT, NAN, no_peak},
+        .note = p->kind == THUD_ISOLATED && i == 0 ? "base" : NULL,
+    };
+    if (thud_floor_struck(r, s, i)) /* an impulse has no finite one */
+        row->peak.acceleration = no_peak;
+    row->yields = own->storey && own->storey[i].yields;
+    if (row->yields)
+        row->storey = own->storey[i];
+}
+
+static void make_storey(const void *of, int i, void *out)
+{
+    struct thud_floor_row *row = out;
+    make_floor(of, i, row);
+    row->note = row->yields ? NULL : "  elastic";
+}
+
+static int count_floors(const struct thud_floors *asked)
+{
+    const struct thud_result *r = asked->report->result;
+    int n = asked->structure < 0 ? 0 : r->structure[asked->structure].floors;
+    for (int s = 0; s < r->nstructures && asked->structure < 0; s++)
+        n += r->structure[s].floors;
+    return n;
+}
+
+struct thud_rows thud_floor_rows(const struct thud_floors *asked)
+{
+    return (struct thud_rows){&thud_floor_schema, 0, count_floors(asked), make_floor, asked};
+}
+
+struct thud_rows thud_storey_rows(const struct thud_floors *asked)
+{
+    return (struct thud_rows){&thud_storey_schema, 0, count_floors(asked), make_storey, asked};
+}
+
+/* ---- contacts ---- */
+
+struct contact_row {
+    struct thud_contact_result peak;
+    const char *columns, *idle, *blow;
+    char pair_text[40], blow_text[64];
+    const char *pair;
+};
+#define CONTACT(member, key, text) THUD_FIELD(struct contact_row, member, key, text)
+
+static const struct thud_field contacts[] = {
+    {CONTACT(peak.interface, "interface", "From the left."), .shown = {"contact", NULL, 0, 3, 0, THUD_DIGITS_WORD}},
+    {CONTACT(pair, "", ""), .only = THUD_ONLY_TEXT, .shown = {NULL, NULL, 0, -8, 0, THUD_DIGITS_WORD}},
+    {CONTACT(peak.left_floor, "left_floor", "Floor on its left.")},
+    {CONTACT(peak.right_floor, "right_floor", "Floor on its right.")},
+    {CONTACT(peak.impacts, "impacts", "How many."), .shown = {"impacts", NULL, 0, 8, 0, THUD_DIGITS_WORD}},
+    {CONTACT(idle, "", ""), .only = THUD_ONLY_TEXT, .shown = {NULL, NULL, 0, 0, 0, THUD_DIGITS_WORD}},
+    {CONTACT(columns, "struck_columns",
+             "Where a slab strikes columns, whose they are, left or right: the floor on that side is the one above "
+             "them."),
+     .only = THUD_ROW_COLUMNS},
+    {CONTACT(peak.eta, "eta", "Height of the struck place in its storey over that of the storey."),
+     .only = THUD_ROW_COLUMNS},
+    {CONTACT(peak.force.value, "force_n",
+             "Largest force, N; no value where impulses have none, as have its time and the indentation."),
+     .shown = {"force", "MN", 1e-6, 10, 5, THUD_DIGITS_PLACES}},
+    {CONTACT(peak.force.time_s, "force_time_s", "Its time, s."), .shown = {"at", "s", 1, 9, 3, THUD_DIGITS_FIXED}},
+    {CONTACT(peak.indentation.value, "indentation_m", "Largest indentation, m."),
+     .shown = {"indentation", "mm", 1e3, 12, 4, THUD_DIGITS_PLACES}},
+    {CONTACT(peak.indentation.time_s, "indentation_time_s", "Its time, s.")},
+    {CONTACT(peak.impulse_ns, "impulse_ns", "Impulse of all impacts, N s.")},
+    {CONTACT(peak.contact_time_s, "contact_time_s",
+             "Time in which the contact pushes, F > 0, s: the pull at the end of kelvin-voigt is not in it, nor is a "
+             "touch whose impulse does not count as an impact. Of touches that hardly have a force, this time and "
+             "their number depend on the method and its tolerance; force and impulse do not."),
+     .shown = {"touching", "ms", 1e3, 10, 4, THUD_DIGITS_FREE}},
+    {CONTACT(peak.residual_m, "residual_m", "Indentation left by plastic deformation, m."),
+     .shown = {"residual", "mm", 1e3, 9, 3, THUD_DIGITS_FREE}},
+    {CONTACT(peak.dissipated_j, "dissipated_j", "Energy dissipated, J.")},
+    {CONTACT(peak.approach_mps, "approach_mps", "Speed before the last impact, m/s.")},
+    {CONTACT(peak.separation_mps, "separation_mps", "Speed after it, m/s.")},
+    {CONTACT(peak.restitution, "restitution",
+             "Speed after the last impact over that before it; no value where that says nothing."),
+     .shown = {"last e", "real", 1, 7, 4, THUD_DIGITS_FIXED}},
+    {CONTACT(peak.nominal_restitution, "nominal_restitution", "Coefficient that was asked for."),
+     .shown = {"", "nominal", 1, 8, 3, THUD_DIGITS_FREE}},
+    {CONTACT(blow, "", ""), .only = THUD_ONLY_TEXT, .shown = {NULL, NULL, 0, 0, 0, THUD_DIGITS_WORD}}};
+const struct thud_schema thud_contact_schema = THUD_SCHEMA(
+    "contacts", "In the list\n.Va contacts\nof\n.Pa result.json :\nevery pair of floors at one height.\n", contacts);
+
+static void make_contact(const void *of, int i, void *out)
+{
+    const struct thud_report *report = of;
+    const struct thud_contact_result *c = &report->result->contact[i];
+    struct contact_row *row = out;
+    bool struck = thud_contact_struck(c);
+    *row = (struct contact_row){.peak = *c, .columns = thud_struck_name(c->struck), .pair = row->pair_text};
+    thud_pairing_name(c->left_floor, c->right_floor, c->struck, row->pair_text, sizeof row->pair_text);
+    if (c->impacts == 0 && c->contact_time_s == 0 && c->impulse_ns == 0)
+        row->idle = "no contact";
+    if (!struck)
+        return;
+    row->peak.force = row->peak.indentation = no_peak;
+    snprintf(row->blow_text, sizeof row->blow_text, "\n            impulse %.5g kN s in all", 1e-3 * c->impulse_ns);
+    row->blow = row->blow_text;
+}
+
+struct thud_rows thud_contact_rows(const struct thud_report *report)
+{
+    return (struct thud_rows){&thud_contact_schema, 0, report->result->ncontacts, make_contact, report};
+}
+
+/* ---- columns that slabs strike ---- */
+
+struct column_row {
+    const char *structure;
+    struct thud_column_result own;
+};
+#define COLUMN(member, key, text) THUD_FIELD(struct column_row, member, key, text)
+#define COLUMN_PEAK(quantity, key, text, head, unit)                                                                   \
+    {                                                                                                                  \
+        COLUMN(own.peak[quantity].value, key, text), .shown = { head, unit, 1e-3, 11, 5, THUD_DIGITS_PLACES }          \
+    }
+#define COLUMN_TIME(quantity, key)                                                                                     \
+    {                                                                                                                  \
+        COLUMN(own.peak[quantity].time_s, key, "Its time, s."), .shown = { "at", "s", 1, 9, 3, THUD_DIGITS_FIXED }     \
+    }
+
+static const struct thud_field columns[] = {
+    {COLUMN(own.interface, "interface", "From the left."), .shown = {"columns", NULL, 0, 3, 0, THUD_DIGITS_WORD}},
+    {COLUMN(structure, "structure", "Name of the structure whose columns they are."),
+     .shown = {NULL, NULL, 0, -7, 6, THUD_DIGITS_WORD}},
+    {COLUMN(own.storey, "below_floor", "The floor above them."), .shown = {"below", NULL, 0, 3, 0, THUD_DIGITS_WORD}},
+    {COLUMN(own.drifts, "with_drift", "Whether their stiffness is given, so that the drift of the storey counts.")},
+    COLUMN_PEAK(THUD_COLUMN_SHEAR_LOWER, "shear_lower_n", "Largest shear at the lower end, N.", "shear low", "kN"),
+    COLUMN_TIME(THUD_COLUMN_SHEAR_LOWER, "shear_lower_time_s"),
+    COLUMN_PEAK(THUD_COLUMN_SHEAR_UPPER, "shear_upper_n", "Largest shear at the upper end, N.", "up", "kN"),
+    COLUMN_TIME(THUD_COLUMN_SHEAR_UPPER, "shear_upper_time_s"),
+    COLUMN_PEAK(THUD_COLUMN_MOMENT_LOWER, "moment_lower_nm", "Largest bending moment at the lower end, N m.",
+                "moment low", "kN m"),
+    COLUMN_TIME(THUD_COLUMN_MOMENT_LOWER, "moment_lower_time_s"),
+    COLUMN_PEAK(THUD_COLUMN_MOMENT_UPPER, "moment_upper_nm", "Largest bending moment at the upper end, N m.", "up",
+                "kN m"),
+    COLUMN_TIME(THUD_COLUMN_MOMENT_UPPER, "moment_upper_time_s"),
+    {COLUMN(own.capacity_n, "capacity_n", "Shear that they can bear, N.")},
+    {COLUMN(own.ratio, "shear_over_capacity", "The larger shear over it."),
+     .only = THUD_ONLY_CSV | THUD_ONLY_JSON | THUD_ROW_CAPACITY,
+     .shown = {"shear/", "capacity", 1, 9, 4, THUD_DIGITS_FREE}}};
+const struct thud_schema thud_column_schema = THUD_SCHEMA(
+    "columns",
+    "In the list\n.Va columns\nof\n.Pa result.json ,\nwhere slabs strike columns: each storey that is struck.\n",
+    columns);
+
+static void make_column(const void *of, int i, void *out)
+{
+    const struct thud_report *report = of;
+    const struct thud_column_result *c = &report->result->column[i];
+    *(struct column_row *)out = (struct column_row){report->scene->structure[c->structure].name, *c};
+}
+
+struct thud_rows thud_column_rows(const struct thud_report *report)
+{
+    unsigned marks = 0;
+    for (int i = 0; i < report->result->ncolumns; i++)
+        marks |= isfinite(report->result->column[i].ratio) ? THUD_ROW_CAPACITY : 0;
+    return (struct thud_rows){&thud_column_schema, marks, report->result->ncolumns, make_column, report};
+}
+
+/* ---- impacts ---- */
+
+struct impact_row {
+    int interface, left_floor, right_floor;
+    struct thud_impact own;
+};
+#define IMPACT(member, key, text) THUD_FIELD(struct impact_row, member, key, text)
+
+static const struct thud_field impacts[] = {
+    {IMPACT(interface, "interface", "Number of the interface, from the left.")},
+    {IMPACT(left_floor, "left_floor", "Floor on its left.")},
+    {IMPACT(right_floor, "right_floor", "Floor on its right.")},
+    {IMPACT(own.start_s, "start_s", "Begin of the contact, s.")},
+    {IMPACT(own.duration_s, "duration_s", "How long it lasts, s.")},
+    {IMPACT(own.approach_mps, "approach_mps", "Speed before it, m/s.")},
+    {IMPACT(own.separation_mps, "separation_mps", "Speed after it, m/s.")},
+    {IMPACT(own.force_n, "force_n", "Largest force, N; empty where impulses have none.")},
+    {IMPACT(own.indentation_m, "indentation_m", "Largest indentation, m; empty like the force.")},
+    {IMPACT(own.impulse_ns, "impulse_ns", "Integral of the force, N s.")},
+    {IMPACT(own.dissipated_j, "energy_lost_j", "Energy dissipated, J.")}};
+const struct thud_schema thud_impact_schema =
+    THUD_SCHEMA("impacts.csv", "Written by\n.Cm run Fl o :\na row for each impact.\n", impacts);
+
+static void make_impact(const void *of, int i, void *out)
+{
+    const struct thud_report *report = of;
+    const struct thud_contact_result *c = &report->result->contact[report->impact[i].contact];
+    struct impact_row *row = out;
+    *row = (struct impact_row){c->interface, c->left_floor, c->right_floor, report->impact[i]};
+    if (thud_contact_struck(c))
+        row->own.force_n = row->own.indentation_m = NAN;
+}
+
+struct thud_rows thud_impact_rows(const struct thud_report *report)
+{
+    return (struct thud_rows){&thud_impact_schema, 0, report->nimpacts, make_impact, report};
+}
+
+/* ---- events ---- */
+
+/* Of a contact two floors of an interface, or a storey of a structure. */
+struct event_row {
+    struct thud_event_entry own;
+    int interface, left_floor, right_floor, storey;
+    const char *structure, *where;
+    char text[80];
+};
+#define EVENT(member, key, text) THUD_FIELD(struct event_row, member, key, text)
+
+static const struct thud_field events[] = {
+    {EVENT(own.time_s, "time_s", "Its time, s."), .shown = {"time (s)", NULL, 1, 14, 9, THUD_DIGITS_FIXED}},
+    {EVENT(where, "", ""), .only = THUD_ONLY_TEXT, .shown = {" where", NULL, 0, -18, 0, THUD_DIGITS_WORD}},
+    {EVENT(interface, "interface", "Number of the interface, from the left."), .only = THUD_ROW_CONTACT},
+    {EVENT(left_floor, "left_floor", "Floor on its left."), .only = THUD_ROW_CONTACT},
+    {EVENT(right_floor, "right_floor", "Floor on its right."), .only = THUD_ROW_CONTACT},
+    {EVENT(structure, "structure", "Name of the structure whose storey yields or unloads."), .only = THUD_ROW_STOREY},
+    {EVENT(storey, "storey", "Number of that storey, from 1."), .only = THUD_ROW_STOREY},
+    {EVENT(own.event, "event",
+           "onset, separation, release, re-engagement, reversal, branch, unsticks inward, unsticks outward, yield or "
+           "unload; thud-methods(7) has the guard of each."),
+     .shown = {"event", NULL, 0, -17, 0, THUD_DIGITS_WORD}},
+    {EVENT(own.guard, "guard", "What passed 0, and which way: d is the indentation or drift, F the force."),
+     .shown = {"guard", NULL, 0, -20, 0, THUD_DIGITS_WORD}},
+    {EVENT(own.order, "order",
+           "How many of the lowest coefficients of that guard were taken as 0, because the event before had just put "
+           "it there; 0 as a rule."),
+     .shown = {"order", NULL, 0, 6, 0, THUD_DIGITS_WORD}},
+    {EVENT(own.force_n, "force_n", "Force just behind the event, N; of a storey the one beside its elastic stiffness."),
+     .shown = {"force (kN)", NULL, 1e-3, 12, 4, THUD_DIGITS_FIXED}},
+    {EVENT(own.then, "then",
+           "The state that it led to: open, closed (approach or restitution), closed without force, sticking; of a "
+           "storey elastic or yields."),
+     .shown = {"then", NULL, 0, 0, 0, THUD_DIGITS_WORD}}};
+const struct thud_schema thud_event_schema =
+    THUD_SCHEMA("run --events",
+                "A row for each event, as text, with\n.Fl -csv\nas CSV, with\n.Fl -json\nas objects with these members "
+                "in the list\n.Va events .\nOf a contact the structure and the storey are left out, of a storey the\n"
+                "interface and its floors.\n",
+                events);
+
+unsigned thud_event_marks(const struct thud_report *report, int i)
+{
+    return report->event[i].row < report->result->ncontacts ? THUD_ROW_CONTACT : THUD_ROW_STOREY;
+}
+
+/* The storeys that yield have the rows behind the contacts, in the order of the structures and their floors. */
+static void make_event(const void *of, int i, void *out)
+{
+    const struct thud_report *report = of;
+    const struct thud_result *r = report->result;
+    struct event_row *row = out;
+    *row = (struct event_row){report->event[i], THUD_NO_COUNT, THUD_NO_COUNT,
+                              THUD_NO_COUNT,    THUD_NO_COUNT, .where = row->text};
+    int at = report->event[i].row;
+    if (at < r->ncontacts) {
+        row->interface = r->contact[at].interface;
+        row->left_floor = r->contact[at].left_floor;
+        row->right_floor = r->contact[at].right_floor;
+        snprintf(row->text, sizeof row->text, " %d: %d-%d", row->interface, row->left_floor, row->right_floor);
+        return;
+    }
+    at -= r->ncontacts;
+    for (int s = 0; s < r->nstructures; s++)
+        for (int k = 0; r->structure[s].storey && k < r->structure[s].floors; k++)
+            if (r->structure[s].storey[k].yields && at-- == 0) {
+                row->structure = report->scene->structure[s].name;
+                row->storey = k + 1;
+                snprintf(row->text, sizeof row->text, " %.40s, storey %d", row->structure, row->storey);
+            }
+}
+
+struct thud_rows thud_event_rows(const struct thud_report *report)
+{
+    return (struct thud_rows){&thud_event_schema, THUD_ROW_CONTACT | THUD_ROW_STOREY, report->nevents, make_event,
+                              report};
+}
+
+/* ---- what a run has once ---- */
+
+#define ENERGY(member, key, text)                                                                                      \
+    {                                                                                                                  \
+        THUD_FIELD(struct thud_energy, member, key, text)                                                              \
+    }
+static const struct thud_field energies[] = {
+    ENERGY(initial_j, "initial_j", "At the beginning, J."),
+    ENERGY(input_j, "input_j", "Work of the ground, J."),
+    ENERGY(kinetic_j, "kinetic_j", "At the end, J."),
+    ENERGY(strain_j, "strain_j", "At the end, J."),
+    ENERGY(viscous_j, "viscous_j", "Dissipated by damping, J."),
+    ENERGY(contact_j, "contact_j", "Dissipated by contacts, J."),
+    ENERGY(stored_j, "stored_j", "Stored in contacts at the end, J."),
+    ENERGY(error_ratio, "error_ratio", "What is unaccounted for, over the largest of these."),
+    {THUD_FIELD(struct thud_energy, hysteretic_j, "hysteretic_j",
+                "Lost in storeys that yield, J; where there are any."),
+     .only = THUD_ROW_YIELDS}};
+const struct thud_schema thud_energy_schema =
+    THUD_SCHEMA("energy", "In\n.Pa result.json :\nthe ledger of the run.\n", energies);
+
+#define TRUNCATION(member, text)                                                                                       \
+    {                                                                                                                  \
+        THUD_FIELD(struct thud_truncation, member, #member, text)                                                      \
+    }
+static const struct thud_field truncations[] = {
+    TRUNCATION(modes, "Modes of each structure that were kept."), TRUNCATION(left_out, "How many were left out."),
+    TRUNCATION(acceleration, "Relative error."), TRUNCATION(drift, "Likewise."), TRUNCATION(force, "Likewise.")};
+const struct thud_schema thud_truncation_schema = THUD_SCHEMA(
+    "truncation", "In\n.Pa result.json ,\nwith\n.Fl -modes :\nthe error of leaving modes out.\n", truncations);
+
+struct record_row {
+    const char *file, *event, *station, *component;
+    double peak_mps2, scale, dt_s;
+    bool synthetic;
+    size_t samples;
+};
+#define RECORD(member, text)                                                                                           \
+    {                                                                                                                  \
+        THUD_FIELD(struct record_row, member, #member, text)                                                           \
+    }
+static const struct thud_field record_fields[] = {
+    RECORD(file, "Where it was read."),
+    RECORD(peak_mps2, "Largest acceleration as it was used, m/s2."),
+    RECORD(scale, "What the samples of its file were multiplied by for that, with the sign; 1: as recorded."),
+    RECORD(synthetic,
+           "Whether it is computed, not recorded: a comment line of its file says so in these words, as in what record "
+           "synthesize writes and what is made of that."),
+    RECORD(dt_s, "Its step, s."),
+    RECORD(samples, "How many."),
+    RECORD(event, "As its file says."),
+    RECORD(station, "As its file says."),
+    RECORD(component, "As its file says.")};
+const struct thud_schema thud_record_schema =
+    THUD_SCHEMA("record", "A ground motion wherever JSON has one.\n", record_fields);
+
+void thud_record_json(const struct thud_record *r, struct thud_text *out)
+{
+    const struct record_row row = {r->file,  r->event, r->station,   r->component, thud_record_peak(r),
+                                   r->scale, r->dt_s,  r->synthetic, r->samples};
+    thud_text_append(out, "{");
+    thud_json_members(&thud_record_schema, 0, &row, out);
+    thud_text_append(out, "}");
+}
+
+struct method_row {
+    const char *name, *reason;
+    double tolerance, step_s;
+    struct thud_work work;
+};
+#define METHOD(member, key, text)                                                                                      \
+    {                                                                                                                  \
+        THUD_FIELD(struct method_row, member, key, text)                                                               \
+    }
+static const struct thud_field method_fields[] = {
+    METHOD(name, "name", "Of the method."),
+    METHOD(reason, "reason", "Why the exact method was chosen or what it means."),
+    METHOD(tolerance, "tolerance", "Tolerance."),
+    METHOD(step_s, "step_s", "Step of a fixed-step method, s."),
+    METHOD(work.steps, "steps", "Steps."),
+    METHOD(work.force_evaluations, "force_evaluations", "Evaluations of contact forces."),
+    METHOD(work.events, "events", "Events."),
+    METHOD(work.rejected, "rejected", "Steps rejected."),
+    METHOD(work.samples_fast, "samples_in_free_flight", "Samples passed in closed form.")};
+const struct thud_schema thud_method_schema =
+    THUD_SCHEMA("method", "In\n.Pa result.json :\nthe method and its work.\n", method_fields);
+
+void thud_method_json(const struct thud_report *report, struct thud_text *out)
+{
+    const struct thud_result *r = report->result;
+    const struct method_row row = {r->method, r->reason, report->scene->analysis.tolerance, r->step_s, r->work};
+    thud_json_members(&thud_method_schema, 0, &row, out);
+}
