@@ -5,7 +5,7 @@
 
 #include "base/status.h"
 #include "cli/cli.h"
-#include "tui/loop/tui.h"
+#include "tui/tui.h"
 
 /* Whether no option says anything of a scene. */
 static bool only_looks(const struct thud_args *args)

@@ -127,7 +127,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         backend.click_x = key * 7 % 200;
         backend.click_y = (int)(end - at) % 60;
         thud_tui_key(tui, key);
-        tui->quit = tui->hangup = tui->interrupted = false;
+        tui->end.quit = tui->end.hangup = tui->end.interrupted = false;
         for (int i = 0; i < 2; i++)
             thud_tui_turn(tui, false);
         thud_tui_draw(tui);

@@ -50,7 +50,7 @@ for layer in base ground core study io plot app cli tui main; do
 done
 
 includes=$(find src include -name '*.[ch]' 2>/dev/null | while read -r f; do sed -n "s|^[ \t]*#[ \t]*include[ \t]*\"\([^\"]*\)\".*|$f \1|p" "$f"; done)
-for layer in core study io plot app; do
+for layer in core study io plot app tui; do
     arrows=$(printf '%s\n' "$includes" | awk -v layer="$layer" '
         { n = split($1, from, "/"); m = split($2, to, "/") }
         from[2] == layer && to[1] == layer && n == 4 && m == 3 && from[3] != to[2] { print from[3], to[2] }' | sort -u)
@@ -63,6 +63,14 @@ for layer in core study io plot app; do
         status=1
     fi
 done
+writers=$(grep -lE '(dialog\.mode|redraw\.(wanted|now)) (=|\|=) |n?printf\((tui->)?said\.text|said\.(text\[0\]|role) = ' src/tui/*/*.c 2>/dev/null | grep -v '/document/ask\.c$')
+if [ -z "$writers" ]; then
+    echo "ok - one file of the terminal changes what is said, what is asked, and whether it is drawn"
+else
+    echo "not ok - one file of the terminal changes what is said, what is asked, and whether it is drawn"
+    printf '%s\n' "$writers" | sed 's/^/# /'
+    status=1
+fi
 private=$(printf '%s\n' "$includes" | awk '
     { split($1, from, "/"); split($2, to, "/") }
     from[2] != to[1] { read[$2] = 1 }

@@ -7,7 +7,7 @@
 
 #include "app/run/command.h"
 #include "cli/manual.h"
-#include "tui/loop/tui.h"
+#include "tui/tui.h"
 
 static char page[256 * 1024];
 

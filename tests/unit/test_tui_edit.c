@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "tui/document/scene_edit.h"
 #include "tui_fixture.h"
 
 static struct fixture f;
@@ -47,7 +48,7 @@ START_TEST(a_building_is_typed_cell_by_cell)
         snprintf(keys + strlen(keys), sizeof keys - strlen(keys), "%g<Tab>%g<Tab>%g<Tab>%g%s", mass_t[i],
                  stiffness_mnpm[i], height_m[i], yield_mm[i], i ? "<Tab>" : "<Enter>");
     fixture_keys(&f, keys);
-    ck_assert_int_eq((int)f.tui->mode, THUD_MODE_NORMAL);
+    ck_assert_int_eq((int)f.tui->dialog.mode, THUD_MODE_NORMAL);
     const struct thud_structure *b = &scene()->structure[1];
     for (int i = 0; i < 3; i++) {
         ck_assert_double_eq_tol(b->mass_kg[i], 1e3 * mass_t[i], 1e-6);
@@ -58,10 +59,10 @@ START_TEST(a_building_is_typed_cell_by_cell)
     fixture_keys(&f, "/structures.1.mass<Enter><Up><Enter>261<Down>262<Down>");
     ck_assert_double_eq_tol(scene()->structure[0].mass_kg[1], 261e3, 1e-6);
     ck_assert_double_eq_tol(scene()->structure[0].mass_kg[0], 262e3, 1e-6);
-    ck_assert_int_eq((int)f.tui->mode, THUD_MODE_NORMAL); /* there is none below */
+    ck_assert_int_eq((int)f.tui->dialog.mode, THUD_MODE_NORMAL); /* there is none below */
     fixture_keys(&f, "<Enter>3 kN<Tab>");                 /* refused: it stays there */
-    ck_assert_int_eq((int)f.tui->mode, THUD_MODE_TYPING);
-    ck_assert_str_eq(f.tui->target, "structures.1.mass.1");
+    ck_assert_int_eq((int)f.tui->dialog.mode, THUD_MODE_TYPING);
+    ck_assert_str_eq(f.tui->dialog.target, "structures.1.mass.1");
 }
 END_TEST
 
@@ -98,7 +99,7 @@ START_TEST(a_pasted_column_fills_cells)
     fixture_expect(&f, "the cursor is on none");
     paste("<A-2>", "dear reader,\rq");
     ck_assert_mem_eq(scene(), &first, sizeof first);
-    ck_assert(!f.tui->quit);
+    ck_assert(!f.tui->end.quit);
     ck_assert_int_eq((int)f.tui->screen, THUD_SCREEN_CONTACT);
     paste("<Enter>", "4.5 cm"); /* into the line that is typed, in place of what is selected */
     fixture_keys(&f, "<Enter>");
@@ -180,7 +181,7 @@ START_TEST(wrong_input_is_refused)
         fixture_keys(&f, "<Enter>");
         fixture_keys(&f, keys[i]);
         fixture_keys(&f, "<Enter>");
-        ck_assert_msg(f.tui->mode == THUD_MODE_TYPING, "%s was taken", keys[i]);
+        ck_assert_msg(f.tui->dialog.mode == THUD_MODE_TYPING, "%s was taken", keys[i]);
         ck_assert_double_eq(scene()->interface[0].gap_m, 0.02);
         fixture_expect(&f, keys[i]);
         fixture_expect(&f, " ! ");
@@ -275,13 +276,13 @@ END_TEST
 START_TEST(exponent_trap)
 {
     double k = scene()->interface[0].bumper.value[thud_law_param(scene()->interface[0].bumper.law, "stiffness")];
-    double before = thud_tui_force_at_knee(scene(), 0);
+    double before = thud_scene_force_at_knee(scene(), 0);
     fixture_keys(&f, "/bumper.exponent<Enter><Enter>2.7<Enter>");
     fixture_expect(&f, "keeps the number");
     fixture_expect(&f, "0.36 kN/mm^2.7");
-    ck_assert_double_eq_tol(thud_tui_force_at_knee(scene(), 0) / before, pow(8.0, 0.05), 1e-9); /* delta_u is 8 mm */
+    ck_assert_double_eq_tol(thud_scene_force_at_knee(scene(), 0) / before, pow(8.0, 0.05), 1e-9); /* delta_u is 8 mm */
     fixture_keys(&f, "f");
-    ck_assert_double_eq_tol(thud_tui_force_at_knee(scene(), 0) / before, 1.0, 1e-12);
+    ck_assert_double_eq_tol(thud_scene_force_at_knee(scene(), 0) / before, 1.0, 1e-12);
     fixture_keys(&f, "uu");
     ck_assert_double_eq(
         scene()->interface[0].bumper.value[thud_law_param(scene()->interface[0].bumper.law, "stiffness")], k);
@@ -302,8 +303,13 @@ END_TEST
 START_TEST(esc_never_quits)
 {
     fixture_keys(&f, "<Esc><Esc><A-6><Esc><Esc><A-2><Enter><Esc><Esc>:<Esc>/<Esc>");
-    ck_assert(!f.tui->quit);
+    ck_assert(!f.tui->end.quit);
     ck_assert_int_eq((int)f.tui->screen, THUD_SCREEN_CONTACT);
+    fixture_keys(&f, "4<Esc>"); /* chosen by mistake */
+    ck_assert_int_eq(f.tui->screen, THUD_SCREEN_CONTACT);
+    fixture_keys(&f, "4c<Esc>");
+    ck_assert_int_eq(f.tui->screen, THUD_SCREEN_RESULTS);
+    ck_assert(!f.tui->end.quit);
 }
 END_TEST
 
@@ -338,7 +344,7 @@ START_TEST(the_command_line)
     fixture_keys(&f, ":set nokey 3<Enter>");
     fixture_expect(&f, " ! ");
     fixture_keys(&f, ":q!<Enter>");
-    ck_assert(f.tui->quit);
+    ck_assert(f.tui->end.quit);
 }
 END_TEST
 

@@ -95,7 +95,7 @@ START_TEST(results_as_csv)
 {
     fixture_keys(&f, "<A-4>e");
     fixture_expect(&f, "Written towers-peaks-bumper-gap-20mm.csv");
-    const struct thud_result *result = thud_live_result(&f.tui->live, THUD_LIVE_BUMPER);
+    const struct thud_result *result = thud_live_result(&f.tui->run.live, THUD_LIVE_BUMPER);
     char *peaks = fixture_file(&f, "towers-peaks-bumper-gap-20mm.csv"),
          *impacts = fixture_file(&f, "towers-impacts-bumper-gap-20mm.csv");
     double acceleration = 0.0;
@@ -106,7 +106,7 @@ START_TEST(results_as_csv)
     ck_assert_double_eq(acceleration, result->structure[0].floor[0].acceleration.value);
     for (const char *at = impacts; (at = strchr(at, '\n')) != NULL; at++)
         lines++;
-    thud_run_impacts(f.tui->live.which[THUD_LIVE_BUMPER].run, &count);
+    thud_run_impacts(f.tui->run.live.which[THUD_LIVE_BUMPER].run, &count);
     ck_assert_int_eq(lines, count + 1);
     free(peaks);
     free(impacts);
@@ -134,10 +134,10 @@ END_TEST
 START_TEST(quitting_asks_only_when_unsaved)
 {
     fixture_keys(&f, "<A-2><Enter>4<Enter>q");
-    ck_assert(!f.tui->quit);
+    ck_assert(!f.tui->end.quit);
     fixture_expect(&f, "unsaved changes");
     fixture_keys(&f, "nuq");
-    ck_assert(f.tui->quit);
+    ck_assert(f.tui->end.quit);
 }
 END_TEST
 
@@ -237,9 +237,9 @@ START_TEST(unsaved_changes_can_be_saved_on_the_way_out)
     fixture_keys(&f, keys);
     fixture_expect(&f, "s save  y lose  Esc stay");
     fixture_keys(&f, "<Esc>");
-    ck_assert(!f.tui->quit);
+    ck_assert(!f.tui->end.quit);
     fixture_keys(&f, "qs");
-    ck_assert(f.tui->quit);
+    ck_assert(f.tui->end.quit);
     text = fixture_file(&f, "towers.yaml");
     ck_assert_ptr_nonnull(strstr(text, "- gap: 5 cm"));
     free(text);
@@ -250,7 +250,7 @@ END_TEST
 START_TEST(edits_are_kept_as_they_are_made)
 {
     static const char kept[] = "towers.yaml.recovered";
-    f.tui->keeps = true;
+    f.tui->end.keeps = true;
     fixture_keys(&f, "");
     ck_assert_ptr_null(fixture_file(&f, kept));
     for (int i = 0; i < 3; i++) {
@@ -306,21 +306,21 @@ START_TEST(commands_are_completed_and_remembered)
 {
     fixture_keys(&f, ":rec<Tab>");
     fixture_expect(&f, "record  records");
-    ck_assert_str_eq(f.tui->line.text, "record");
+    ck_assert_str_eq(f.tui->dialog.line.text, "record");
     fixture_keys(&f, "<Esc>:set structures.2.na<Tab>");
-    ck_assert_str_eq(f.tui->line.text, "set structures.2.name ");
+    ck_assert_str_eq(f.tui->dialog.line.text, "set structures.2.name ");
     fixture_keys(&f, "North<Enter>");
     ck_assert_str_eq(scene()->structure[1].name, "North");
     fixture_keys(&f, "<Esc>:record pul<Tab>");
-    ck_assert_str_eq(f.tui->line.text, "record pulse.csv");
+    ck_assert_str_eq(f.tui->dialog.line.text, "record pulse.csv");
     fixture_keys(&f, "<Esc>:zz<Tab>");
     fixture_expect(&f, "nothing begins with");
     fixture_keys(&f, "<Esc>:title Five and seven<Enter>:<Up><Up>");
-    ck_assert_str_eq(f.tui->line.text, "set structures.2.name North");
+    ck_assert_str_eq(f.tui->dialog.line.text, "set structures.2.name North");
     fixture_keys(&f, "<Down>");
-    ck_assert_str_eq(f.tui->line.text, "title Five and seven");
+    ck_assert_str_eq(f.tui->dialog.line.text, "title Five and seven");
     fixture_keys(&f, "<Down>");
-    ck_assert_str_eq(f.tui->line.text, "");
+    ck_assert_str_eq(f.tui->dialog.line.text, "");
     ck_assert_str_eq(scene()->title, "Five and seven");
     fixture_keys(&f, "<Esc>4");
     fixture_expect(&f, "Five and seven");
@@ -341,7 +341,7 @@ START_TEST(a_scene_from_nothing)
     fixture_expect(&f, "pulse.csv");
     fixture_expect(&f, "1.000g 0.01s 3s");
     fixture_keys(&f, "<Enter>");
-    ck_assert_int_eq(f.tui->mode, THUD_MODE_NORMAL);
+    ck_assert_int_eq(f.tui->dialog.mode, THUD_MODE_NORMAL);
     ck_assert_int_eq((int)f.tui->screen, THUD_SCREEN_MODEL);
     ck_assert_int_eq(scene->structure[0].storeys, 5);
     ck_assert_int_eq(scene->structure[1].storeys, 7);
@@ -356,7 +356,7 @@ START_TEST(a_scene_from_nothing)
     fixture_keys(&f, "n"); /* what is unsaved is asked about */
     fixture_expect(&f, "has unsaved changes");
     fixture_keys(&f, "<Esc>");
-    ck_assert_int_eq(f.tui->mode, THUD_MODE_NORMAL);
+    ck_assert_int_eq(f.tui->dialog.mode, THUD_MODE_NORMAL);
 }
 END_TEST
 
@@ -365,12 +365,12 @@ START_TEST(a_new_scene_is_refused)
 {
     fixture_keys(&f, "n300<Enter>");
     fixture_expect(&f, "storeys");
-    ck_assert_int_eq(f.tui->mode, THUD_MODE_NEW);
+    ck_assert_int_eq(f.tui->dialog.mode, THUD_MODE_OVER);
     fixture_keys(&f, "5<Tab>7<Tab>3 kN<Enter>");
     fixture_expect(&f, "is a force");
     fixture_keys(&f, "<C-u>3 t<Down><Down><Down><Down><Down>nowhere.csv<Enter>");
     fixture_expect(&f, "nowhere.csv");
-    ck_assert_int_eq(f.tui->mode, THUD_MODE_NEW);
+    ck_assert_int_eq(f.tui->dialog.mode, THUD_MODE_OVER);
     fixture_keys(&f, "<Esc>");
     ck_assert_str_eq(f.tui->doc.scene.name, "towers");
     fixture_expect(&f, "POUNDS at 2 cm");
@@ -381,7 +381,7 @@ END_TEST
 START_TEST(other_kinds_from_nothing)
 {
     fixture_keys(&f, "n<Up><Right><Right><Tab><Right><Tab>");
-    ck_assert_int_eq(f.tui->mode, THUD_MODE_NEW);
+    ck_assert_int_eq(f.tui->dialog.mode, THUD_MODE_OVER);
     fixture_keys(&f, "40<Enter>");
     ck_assert_int_eq(f.tui->doc.scene.structure[0].kind, THUD_RIGID);
     ck_assert_int_eq(f.tui->doc.scene.structure[1].kind, THUD_WALL);
@@ -451,7 +451,7 @@ START_TEST(a_session_is_played_again)
     fixture_expect(&f, "What was done");
     fixture_expect(&f, "title Tried");
     fixture_keys(&f, "<Enter>");
-    ck_assert_int_eq(f.tui->mode, THUD_MODE_NORMAL);
+    ck_assert_int_eq(f.tui->dialog.mode, THUD_MODE_NORMAL);
 }
 END_TEST
 
@@ -525,7 +525,7 @@ START_TEST(the_walk_of_an_engineer)
     ck_assert_mem_eq(&now->structure, &made.structure, sizeof made.structure);
     ck_assert_mem_eq(&now->interface, &made.interface, sizeof made.interface);
     ck_assert_str_eq(now->record.file, "pulse.csv");
-    ck_assert_ptr_nonnull(strstr(f.tui->wrote, "\nbuildings-")); /* figures, by the scene's name */
+    ck_assert_ptr_nonnull(strstr(f.tui->files.wrote, "\nbuildings-")); /* figures, by the scene's name */
     printf("# the walk takes %d keys\n", keys);
     ck_assert_int_le(keys, 178 / 2);
 }

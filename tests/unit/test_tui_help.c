@@ -30,7 +30,7 @@ START_TEST(help_names_every_key)
         }
     fixture_keys(&f, "q");
     ck_assert_int_eq((int)f.tui->screen, THUD_SCREEN_MODEL);
-    ck_assert(!f.tui->quit);
+    ck_assert(!f.tui->end.quit);
 }
 END_TEST
 

@@ -185,9 +185,9 @@ START_TEST(ending_from_a_picture)
     f.script.image = THUD_IMAGE_KITTY;
     fixture_keys(&f, "<A-2>p<C-c>");
     fixture_keys(&f, "");
-    if (!f.tui->quit)
+    if (!f.tui->end.quit)
         fixture_keys(&f, "<C-c>");
-    ck_assert(f.tui->quit);
+    ck_assert(f.tui->end.quit);
 }
 END_TEST
 

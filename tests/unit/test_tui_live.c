@@ -111,7 +111,7 @@ START_TEST(a_long_run_is_seen_and_stopped)
 {
     char old[24];
     thud_tui_number(answer_peak(THUD_CASE_NONE, 0, false), old);
-    f.tui->live.threads = -1; /* no faster than the script's clock */
+    f.tui->run.live.threads = -1; /* no faster than the script's clock */
     f.script.tick = 0.3;
     thud_tui_key(f.tui, 'r');
     thud_tui_draw(f.tui);
@@ -142,14 +142,14 @@ static void peak_at(const char *gap, char number[24])
 START_TEST(no_ratio_of_old_and_new)
 {
     char ratio[24];
-    f.tui->live.threads = -1;
+    f.tui->run.live.threads = -1;
     thud_tui_key(f.tui, 'r');
-    while (f.tui->live.which[THUD_LIVE_BUMPER].state == THUD_LIVE_RUNNING)
-        thud_live_advance(&f.tui->live);
-    ck_assert(thud_live_is_old(&f.tui->live, THUD_LIVE_NONE));
+    while (f.tui->run.live.which[THUD_LIVE_BUMPER].state == THUD_LIVE_RUNNING)
+        thud_live_advance(&f.tui->run.live);
+    ck_assert(thud_live_is_old(&f.tui->run.live, THUD_LIVE_NONE));
     snprintf(ratio, sizeof ratio, "%.3f",
-             thud_live_peak(&f.tui->live, THUD_LIVE_BUMPER, 0, THUD_PEAK_DRIFT) /
-                 thud_live_peak(&f.tui->live, THUD_LIVE_NONE, 0, THUD_PEAK_DRIFT));
+             thud_live_peak(&f.tui->run.live, THUD_LIVE_BUMPER, 0, THUD_PEAK_DRIFT) /
+                 thud_live_peak(&f.tui->run.live, THUD_LIVE_NONE, 0, THUD_PEAK_DRIFT));
     thud_tui_draw(f.tui);
     fixture_expect_not(&f, ratio);
     fixture_keys(&f, "");
@@ -165,7 +165,7 @@ static void watch(struct thud_backend *backend, const struct thud_canvas *canvas
 {
     char *text = sure_text(canvas);
     (void)backend;
-    drawn_running += f.tui->live.running;
+    drawn_running += f.tui->run.live.running;
     for (int i = 0; i < 2; i++)
         for (const char *at = text; *forbidden[i] && (at = strstr(at, forbidden[i])) != NULL; at++)
             ck_assert_msg(strncmp(at + strlen(forbidden[i]), "→", strlen("→")) == 0, "%s is shown:\n%s", forbidden[i],
@@ -183,7 +183,7 @@ START_TEST(the_newest_edit_wins)
     peak_at("1.3 cm", third);
     ck_assert(strcmp(first, second) != 0 && strcmp(second, third) != 0 && strcmp(first, third) != 0);
     fixture_expect(&f, first);
-    f.tui->live.threads = -1; /* a slice of work is one look at the clock */
+    f.tui->run.live.threads = -1; /* a slice of work is one look at the clock */
     void (*show)(struct thud_backend * backend, const struct thud_canvas *canvas) = f.backend.show;
     f.backend.show = watch;
     f.script.tick = 0.013;
@@ -194,8 +194,8 @@ START_TEST(the_newest_edit_wins)
     snprintf(forbidden[0], sizeof forbidden[0], "%s", first);
     for (int i = 0; i < 2; i++)
         thud_tui_turn(f.tui, false);
-    ck_assert_int_eq((int)f.tui->live.which[THUD_LIVE_FREE].state, THUD_LIVE_RUNNING);
-    const struct thud_run *given_up = f.tui->live.which[THUD_LIVE_BUMPER].run; /* which is begun first */
+    ck_assert_int_eq((int)f.tui->run.live.which[THUD_LIVE_FREE].state, THUD_LIVE_RUNNING);
+    const struct thud_run *given_up = f.tui->run.live.which[THUD_LIVE_BUMPER].run; /* which is begun first */
     double came = thud_run_time(given_up);
     ck_assert(came > 0.0);
     f.script.at = ":set gap 1.3 cm\r";
@@ -203,7 +203,7 @@ START_TEST(the_newest_edit_wins)
         thud_tui_turn(f.tui, false);
     snprintf(forbidden[1], sizeof forbidden[1], "%s", second);
     ck_assert_double_eq_tol(f.tui->doc.scene.interface[0].gap_m, 0.013, 1e-15);
-    ck_assert(thud_run_time(f.tui->live.which[THUD_LIVE_BUMPER].run) < came); /* begun anew */
+    ck_assert(thud_run_time(f.tui->run.live.which[THUD_LIVE_BUMPER].run) < came); /* begun anew */
     f.script.tick = 0.004;
     fixture_keys(&f, "");
     ck_assert_int_ge(drawn_running, 2);
@@ -215,11 +215,11 @@ END_TEST
 
 START_TEST(live_turns_itself_off_when_slow)
 {
-    f.tui->live.threads = -1;
+    f.tui->run.live.threads = -1;
     f.script.tick = 0.6;
     fixture_keys(&f, "r");
     fixture_expect(&f, "r runs");
-    ck_assert(!f.tui->live_on);
+    ck_assert(!f.tui->run.on);
     f.script.tick = 0.0;
     fixture_keys(&f, "<A-2><Enter>3<Enter>");
     fixture_expect(&f, "not run");
@@ -268,24 +268,24 @@ START_TEST(the_answer_in_one_line)
 {
     int impacts;
     char words[200], number[24], keys[100];
-    double force = thud_live_force(&f.tui->live, THUD_LIVE_NONE, 1, &impacts);
+    double force = thud_live_force(&f.tui->run.live, THUD_LIVE_NONE, 1, &impacts);
     snprintf(words, sizeof words, "POUNDS at 2 cm: %d impacts, %s MN", impacts, thud_tui_number(1e-6 * force, number));
     fixture_expect(&f, words);
-    double bumper = thud_live_force(&f.tui->live, THUD_LIVE_BUMPER, 1, &impacts);
+    double bumper = thud_live_force(&f.tui->run.live, THUD_LIVE_BUMPER, 1, &impacts);
     snprintf(words, sizeof words, "bumper: force %+.0f %%", 100.0 * (bumper / force - 1.0));
     fixture_expect(&f, words);
     fixture_keys(&f, "4<Size 130x40>");
     fixture_expect(&f, words);
     fixture_expect(&f, "SRSS");
-    double need = f.tui->live.need[0].closing_m;
+    double need = f.tui->run.live.need[0].closing_m;
     ck_assert_double_gt(need, 0.02);
-    ck_assert_double_ge(f.tui->live.need[0].abs_m, f.tui->live.need[0].srss_m);
-    ck_assert_double_ge(f.tui->live.need[0].abs_m, need);
+    ck_assert_double_ge(f.tui->run.live.need[0].abs_m, f.tui->run.live.need[0].srss_m);
+    ck_assert_double_ge(f.tui->run.live.need[0].abs_m, need);
     for (int enough = 0; enough < 2; enough++) {
         snprintf(keys, sizeof keys, "B<Esc>:case none<Enter>:set gap %.9g m<Enter>", need * (enough ? 1.001 : 0.999));
         fixture_keys(&f, keys);
         fixture_expect(&f, enough ? "NO CONTACT at " : "POUNDS at ");
-        ck_assert_double_eq_tol(f.tui->live.need[0].closing_m, need, 1e-12); /* it is that of no contact */
+        ck_assert_double_eq_tol(f.tui->run.live.need[0].closing_m, need, 1e-12); /* it is that of no contact */
     }
 }
 END_TEST
@@ -293,14 +293,14 @@ END_TEST
 /* While a run goes on, numbers of before the edit are said to be that, not by their colour alone. */
 START_TEST(old_numbers_are_named)
 {
-    f.tui->live.threads = -1; /* a turn computes for a moment */
+    f.tui->run.live.threads = -1; /* a turn computes for a moment */
     for (int screen = 1; screen <= 4; screen += 3) {
         fixture_keys(&f, screen == 1 ? "1" : "4");
         fixture_expect_not(&f, "efore the edit");
         f.script.at = screen == 1 ? ":set gap 3 cm<Enter>" : ":set gap 4 cm<Enter>";
         while (*f.script.at)
             thud_tui_turn(f.tui, false);
-        ck_assert(f.tui->live.running);
+        ck_assert(f.tui->run.live.running);
         thud_tui_draw(f.tui);
         fixture_expect(&f, "efore the edit");
         fixture_keys(&f, "");
@@ -333,7 +333,7 @@ START_TEST(changes_are_told_against_the_pin)
 {
     double saved, now;
     int impacts;
-    saved = thud_live_force(&f.tui->live, THUD_LIVE_BUMPER, 0, &impacts);
+    saved = thud_live_force(&f.tui->run.live, THUD_LIVE_BUMPER, 0, &impacts);
     ck_assert_ptr_null(thud_tui_pinned(f.tui)); /* the same state */
     fixture_keys(&f, ":set gap 3 cm<Enter>:set gap 4 cm<Enter>");
     const struct thud_live *pinned = thud_tui_pinned(f.tui);
@@ -344,7 +344,7 @@ START_TEST(changes_are_told_against_the_pin)
     fixture_expect_not(&f, "pinned");
     fixture_keys(&f, "5");
     fixture_expect(&f, "bumper, saved");
-    now = thud_live_force(&f.tui->live, THUD_LIVE_BUMPER, 0, &impacts);
+    now = thud_live_force(&f.tui->run.live, THUD_LIVE_BUMPER, 0, &impacts);
     ck_assert(now != saved);
     fixture_keys(&f, "v");
     ck_assert_ptr_null(thud_tui_pinned(f.tui));
@@ -353,12 +353,12 @@ START_TEST(changes_are_told_against_the_pin)
     pinned = thud_tui_pinned(f.tui);
     ck_assert_ptr_nonnull(pinned);
     ck_assert(thud_live_force(pinned, THUD_LIVE_BUMPER, 0, &impacts) == now);
-    ck_assert(thud_live_force(&f.tui->live, THUD_LIVE_BUMPER, 0, &impacts) == saved);
+    ck_assert(thud_live_force(&f.tui->run.live, THUD_LIVE_BUMPER, 0, &impacts) == saved);
     fixture_keys(&f, "V");
     ck_assert_double_eq_tol(f.tui->doc.scene.interface[0].gap_m, 0.04, 1e-15);
-    ck_assert(thud_live_force(&f.tui->live, THUD_LIVE_BUMPER, 0, &impacts) == now);
+    ck_assert(thud_live_force(&f.tui->run.live, THUD_LIVE_BUMPER, 0, &impacts) == now);
     fixture_keys(&f, "V");
-    ck_assert(thud_live_force(&f.tui->live, THUD_LIVE_BUMPER, 0, &impacts) == saved);
+    ck_assert(thud_live_force(&f.tui->run.live, THUD_LIVE_BUMPER, 0, &impacts) == saved);
     fixture_keys(&f, ":set record.factor 0.5<Enter>"); /* the pin keeps its own motion */
     ck_assert(thud_live_force(thud_tui_pinned(f.tui), THUD_LIVE_BUMPER, 0, &impacts) == now);
     fixture_keys(&f, "<A-5>");

@@ -91,21 +91,21 @@ END_TEST
 START_TEST(whole_histories_for_files)
 {
     fixture_keys(&f, "5");
-    ck_assert_int_eq((int)f.tui->live.history, (int)THUD_LIVE_LOOK);
+    ck_assert_int_eq((int)f.tui->run.live.history, (int)THUD_LIVE_LOOK);
     fixture_keys(&f, "p");
     fixture_expect(&f, "Written");
-    ck_assert_int_eq((int)f.tui->live.history, (int)THUD_LIVE_WHOLE);
+    ck_assert_int_eq((int)f.tui->run.live.history, (int)THUD_LIVE_WHOLE);
     ck_assert_int_eq(count_files(".png"), 1);
     fixture_keys(&f, ":set gap 1.5 cm<Enter>");
-    ck_assert_int_eq((int)f.tui->live.history, (int)THUD_LIVE_LOOK);
+    ck_assert_int_eq((int)f.tui->run.live.history, (int)THUD_LIVE_LOOK);
     fixture_keys(&f, "e");
     fixture_expect(&f, "Written");
-    ck_assert_int_eq((int)f.tui->live.history, (int)THUD_LIVE_WHOLE);
+    ck_assert_int_eq((int)f.tui->run.live.history, (int)THUD_LIVE_WHOLE);
     fixture_keys(&f, ":set gap 1.4 cm<Enter>");
     for (int i = 0; i < 8; i++)
         fixture_keys(&f, "<Down>");
     fixture_expect(&f, "Energies");
-    ck_assert_int_eq((int)f.tui->live.history, (int)THUD_LIVE_WHOLE);
+    ck_assert_int_eq((int)f.tui->run.live.history, (int)THUD_LIVE_WHOLE);
     fixture_expect(&f, "viscous");
 }
 END_TEST
@@ -113,7 +113,7 @@ END_TEST
 /* From a screen whose run kept no histories, too. */
 START_TEST(all_figures)
 {
-    ck_assert(!f.tui->live.history);
+    ck_assert(!f.tui->run.live.history);
     fixture_keys(&f, "P");
     fixture_expect(&f, "Written 8 figures");
     ck_assert_int_eq(count_files(".png"), 8);
@@ -126,7 +126,7 @@ START_TEST(stopping)
 {
     use_gnuplot("if [ ! -e $folder/one ]; then : >$folder/one; exec gnuplot \"$@\"; fi\nexec sleep 1000");
     thud_tui_key(f.tui, 'P');
-    while (f.tui->writing_done < 1)
+    while (f.tui->files.done < 1)
         thud_tui_turn(f.tui, true);
     thud_tui_draw(f.tui);
     fixture_expect(&f, "figures 1/8");
@@ -138,10 +138,10 @@ START_TEST(stopping)
     thud_tui_key(f.tui, '3');
     thud_tui_key(f.tui, THUD_KEY_ENTER);
     ck_assert_double_eq_tol(f.tui->doc.scene.interface[0].gap_m, 0.03, 1e-15);
-    ck_assert_ptr_nonnull(f.tui->writing);
+    ck_assert_ptr_nonnull(f.tui->files.work);
     fixture_keys(&f, "<Esc>");
     fixture_expect(&f, "Stopped: 1 of 8");
-    ck_assert_ptr_null(f.tui->writing);
+    ck_assert_ptr_null(f.tui->files.work);
     ck_assert_int_eq(count_files(".png"), 1);
     ck_assert_int_eq(count_files(".part"), 0);
 }
@@ -153,15 +153,15 @@ START_TEST(a_drawing_leaves_the_end_to_be_seen)
 {
     use_gnuplot("exit 3");
     thud_tui_key(f.tui, 'P');
-    while (!f.tui->writing)
+    while (!f.tui->files.work)
         thud_tui_turn(f.tui, false);
-    struct pollfd ended = {thud_picture_work_fd(f.tui->writing), POLLIN, 0};
+    struct pollfd ended = {thud_picture_work_fd(f.tui->files.work), POLLIN, 0};
     ck_assert_int_eq(poll(&ended, 1, -1), 1);
     thud_tui_draw(f.tui);
     fixture_expect(&f, "figures 0/8");
     ck_assert_int_eq(poll(&ended, 1, 0), 1);
-    thud_picture_work_stop(f.tui->writing);
-    while (f.tui->writing)
+    thud_picture_work_stop(f.tui->files.work);
+    while (f.tui->files.work)
         thud_tui_turn(f.tui, true);
 }
 END_TEST
@@ -170,7 +170,7 @@ START_TEST(quitting_stops_it)
 {
     use_gnuplot("exec sleep 1000");
     thud_tui_key(f.tui, 'P');
-    while (!f.tui->writing)
+    while (!f.tui->files.work)
         thud_tui_turn(f.tui, false);
     thud_tui_free(f.tui); /* waits for the child to be gone */
     f.tui = NULL;

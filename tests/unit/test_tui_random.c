@@ -46,7 +46,7 @@ static int random_key(struct fixture *f, uint64_t *seed)
 /* Pictures start a child and files are written: left to other tests. */
 static bool left_out(const struct fixture *f, int key)
 {
-    return f->tui->mode == THUD_MODE_NORMAL && (key == 'p' || key == 'P' || key == 'e' || key == 'w' || key == 'W');
+    return f->tui->dialog.mode == THUD_MODE_NORMAL && (key == 'p' || key == 'P' || key == 'e' || key == 'w' || key == 'W');
 }
 
 static void check_cells(const struct fixture *f)
@@ -72,7 +72,7 @@ static void walk(const char *preset, uint64_t seed, int keys, bool utf8)
         if (left_out(&f, key))
             continue;
         thud_tui_key(f.tui, key);
-        f.tui->quit = f.tui->hangup = false;
+        f.tui->end.quit = f.tui->end.hangup = false;
         if (pick(&seed, 4) == 0)
             for (int turn = 0; turn < 10 && thud_tui_turn(f.tui, false); turn++)
                 ;

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "tui/document/field.h"
 #include "tui/screens/plots.h"
 #include "tui_fixture.h"
 
@@ -50,7 +51,7 @@ START_TEST(small_terminals)
     fixture_keys(&f, "<A-4>"); /* numbers also in the least room */
     char number[24];
     fixture_expect(
-        &f, thud_tui_number(thud_live_floor(&f.tui->live, THUD_LIVE_BUMPER, 0, 1, THUD_PEAK_ACCELERATION), number));
+        &f, thud_tui_number(thud_live_floor(&f.tui->run.live, THUD_LIVE_BUMPER, 0, 1, THUD_PEAK_ACCELERATION), number));
     fixture_keys(&f, "<A-1><Size 39x10>");
     fixture_expect(&f, "40x10");
     fixture_keys(&f, "<Size 80x24>");
@@ -89,7 +90,7 @@ START_TEST(a_digit_goes_to_its_screen)
         }
     fixture_keys(&f, "2<Enter>5"); /* while a value is typed it is text */
     ck_assert_int_eq((int)f.tui->screen, THUD_SCREEN_CONTACT);
-    ck_assert_str_eq(f.tui->line.text, "5");
+    ck_assert_str_eq(f.tui->dialog.line.text, "5");
     fixture_keys(&f, "<Esc>9");
     fixture_expect(&f, "There is no screen 9");
 }
@@ -180,8 +181,8 @@ START_TEST(the_largest_impact_is_at_the_largest_force)
     fixture_keys(&f, "<A-5>");
     for (int i = 0; i < 2; i++) {
         fixture_keys(&f, "L");
-        const struct thud_plots_state *p = f.tui->plots;
-        const struct thud_result *result = thud_live_result(&f.tui->live, p->sight.which);
+        const struct thud_plots_state *p = thud_plots(f.tui);
+        const struct thud_result *result = thud_live_result(&f.tui->run.live, p->sight.which);
         const struct thud_peak *most = &result->contact[0].force;
         for (int c = 1; c < result->ncontacts; c++)
             if (result->contact[c].force.value > most->value)
@@ -328,22 +329,22 @@ START_TEST(the_largest_force_is_said_at_its_moment)
     char force[24], expected[48];
     int impacts;
     fixture_keys(&f, "<A-5>L");
-    const struct thud_result *result = thud_live_result(&f.tui->live, THUD_LIVE_BUMPER);
+    const struct thud_result *result = thud_live_result(&f.tui->run.live, THUD_LIVE_BUMPER);
     ck_assert_ptr_nonnull(result);
     int worst = 0;
     for (int i = 1; i < result->ncontacts; i++)
         if (result->contact[i].force.value > result->contact[worst].force.value)
             worst = i;
-    snprintf(force, sizeof force, "%.3g", 1e-6 * thud_live_force(&f.tui->live, THUD_LIVE_BUMPER, 0, &impacts));
+    snprintf(force, sizeof force, "%.3g", 1e-6 * thud_live_force(&f.tui->run.live, THUD_LIVE_BUMPER, 0, &impacts));
     snprintf(expected, sizeof expected, "*%d %s MN", result->contact[worst].left_floor, force);
     fixture_keys(&f, "<A-1><A-5>");
     fixture_expect(&f, "t=");
-    f.tui->plots->time_s = result->contact[worst].force.time_s;
+    thud_plots(f.tui)->time_s = result->contact[worst].force.time_s;
     fixture_keys(&f, "");
     fixture_expect(&f, expected);
     char number[24]; /* and below, with the other case at that time */
     int all;
-    double most = thud_live_force(&f.tui->live, THUD_LIVE_BUMPER, 0, &all);
+    double most = thud_live_force(&f.tui->run.live, THUD_LIVE_BUMPER, 0, &all);
     snprintf(expected, sizeof expected, "bumper %s MN", thud_tui_number(1e-6 * most, number));
     fixture_expect(&f, expected);
 }
@@ -370,7 +371,7 @@ START_TEST(the_scale_stands_still_while_it_plays)
     fixture_keys(&f, " ");
     double first = scale();
     ck_assert_double_gt(first, fits);
-    f.tui->plots->time_s = 2.0;
+    thud_plots(f.tui)->time_s = 2.0;
     fixture_keys(&f, "");
     ck_assert_double_eq(scale(), first);
     fixture_keys(&f, " <Home>");
@@ -473,14 +474,14 @@ END_TEST
 /* While a run goes on, the numbers before it stay. */
 START_TEST(old_numbers_stay_until_the_new_are_there)
 {
-    double old = thud_live_peak(&f.tui->live, THUD_LIVE_NONE, 0, THUD_PEAK_ACCELERATION);
+    double old = thud_live_peak(&f.tui->run.live, THUD_LIVE_NONE, 0, THUD_PEAK_ACCELERATION);
     fixture_keys(&f, "2<Enter>1.5");
     thud_tui_key(f.tui, THUD_KEY_ENTER);
-    ck_assert(f.tui->live.running && thud_live_is_old(&f.tui->live, THUD_LIVE_NONE));
-    ck_assert_double_eq(thud_live_peak(&f.tui->live, THUD_LIVE_NONE, 0, THUD_PEAK_ACCELERATION), old);
+    ck_assert(f.tui->run.live.running && thud_live_is_old(&f.tui->run.live, THUD_LIVE_NONE));
+    ck_assert_double_eq(thud_live_peak(&f.tui->run.live, THUD_LIVE_NONE, 0, THUD_PEAK_ACCELERATION), old);
     fixture_keys(&f, "");
-    ck_assert(!thud_live_is_old(&f.tui->live, THUD_LIVE_NONE));
-    ck_assert_double_ne(thud_live_peak(&f.tui->live, THUD_LIVE_NONE, 0, THUD_PEAK_ACCELERATION), old);
+    ck_assert(!thud_live_is_old(&f.tui->run.live, THUD_LIVE_NONE));
+    ck_assert_double_ne(thud_live_peak(&f.tui->run.live, THUD_LIVE_NONE, 0, THUD_PEAK_ACCELERATION), old);
 }
 END_TEST
 
@@ -489,6 +490,75 @@ START_TEST(periods_stay_with_live_off)
     fixture_keys(&f, ":live off<Enter>:set structures.1.stiffness 150 MN/m<Enter>1");
     fixture_expect(&f, "T1 0.431 s"); /* half the frequency of 600 MN/m */
     fixture_expect(&f, "not run");
+}
+END_TEST
+
+/* A screen of this test's own: a field, and how often it was asked for the next figure. */
+struct counter {
+    int next, begun;
+};
+
+static struct counter *counter(const struct thud_tui *tui)
+{
+    return tui->own[THUD_SCREENS];
+}
+
+static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect *pane)
+{
+    (void)tui;
+    pane[0] = area;
+    return 1;
+}
+
+static int draw(struct thud_tui *tui, int index, struct thud_pane *pane)
+{
+    thud_field_row(tui, index, pane, 0, "the gap", "interfaces.1.gap");
+    thud_field_note(pane, 1, "asked %d times", counter(tui)->next);
+    return 2;
+}
+
+static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
+{
+    (void)tui;
+    snprintf(text, size, "Pane %d of a test", index);
+}
+
+static void begin(struct thud_tui *tui)
+{
+    counter(tui)->begun = 7;
+}
+
+static enum thud_reaction act(struct thud_tui *tui, enum thud_action action)
+{
+    counter(tui)->next += action == THUD_DO_RUN;
+    return action == THUD_DO_RUN ? THUD_DONE : action == THUD_DO_COPY ? THUD_LEAVE : THUD_NOT_MINE;
+}
+
+THUD_VIEW(test, "Test", OTHER, .keys = "interfaces.1.gap", .size = sizeof(struct counter), .begin = begin, .act = act);
+
+START_TEST(a_screen_of_its_own)
+{
+    struct thud_error err;
+    char path[128];
+    snprintf(path, sizeof path, "%s/towers.yaml", f.folder);
+    struct thud_tui_options options = {.preset = path, .paths = &f.paths, .output = f.folder, .view = &thud_view_test};
+    thud_tui_free(f.tui);
+    ck_assert_int_eq(thud_tui_create(&options, &f.backend, &f.tui, &err), THUD_OK);
+    fixture_keys(&f, "9");
+    fixture_expect(&f, "Pane 0 of a test");
+    ck_assert_int_eq(counter(f.tui)->begun, 7);
+    fixture_keys(&f, "rr<Down><Enter>3 cm<Enter>"); /* its own action; the loop's on its field */
+    fixture_expect(&f, "asked 2 times");
+    fixture_expect(&f, "3 cm");
+    ck_assert_double_eq_tol(f.tui->doc.scene.interface[0].gap_m, 0.03, 1e-15);
+    ck_assert_uint_eq(f.tui->run.revision, f.tui->doc.revision); /* and it was run again */
+    fixture_keys(&f, "4/interfaces.1.gap<Enter>");               /* the field is found on it */
+    ck_assert_int_eq(f.tui->screen, THUD_SCREENS);
+    fixture_keys(&f, "59y"); /* it is left for the screen before */
+    ck_assert_int_eq(f.tui->screen, THUD_SCREEN_PLOTS);
+    fixture_keys(&f, "<lt>:open bodies<Enter>y9"); /* and begins anew with every preset */
+    fixture_expect(&f, "asked 0 times");
+    ck_assert_int_eq(counter(f.tui)->begun, 7);
 }
 END_TEST
 
@@ -520,6 +590,7 @@ Suite *thud_suite(void)
     tcase_add_test(screens, charts_are_read);
     tcase_add_test(screens, old_numbers_stay_until_the_new_are_there);
     tcase_add_test(screens, periods_stay_with_live_off);
+    tcase_add_test(screens, a_screen_of_its_own);
     tcase_add_test(screens, the_whole_screen_of_two_bodies);
     tcase_add_test(screens, the_whole_plots_of_two_bodies);
     suite_add_tcase(suite, screens);

@@ -155,7 +155,7 @@ START_TEST(wrong_words_are_refused)
         fixture_keys(&f, "<Enter><C-u>");
         fixture_keys(&f, words[i]);
         fixture_keys(&f, "<Enter>");
-        ck_assert_msg(f.tui->mode == THUD_MODE_TYPING, "%s was taken", words[i]);
+        ck_assert_msg(f.tui->dialog.mode == THUD_MODE_TYPING, "%s was taken", words[i]);
         fixture_expect(&f, " ! ");
         fixture_expect(&f, words[i]); /* stays in the prompt */
         fixture_keys(&f, "<Esc>");
@@ -222,17 +222,17 @@ START_TEST(the_study_fills_by_itself)
     fixture_keys(&f, "<A-6><Enter><C-u>gap=1 cm:3 cm:1 cm<Enter>");
     fixture_expect(&f, "3 of 3 points");
     fixture_expect_not(&f, "before edits");
-    struct thud_sweep_point **made = f.tui->sweep->data.done;
+    struct thud_sweep_point **made = thud_sweep_state(f.tui)->data.done;
     double force = made[0]->contact[0].force_n;
     fixture_keys(&f, ":set gap 2.5 cm<Enter>:title Other<Enter>"); /* neither changes the study */
-    ck_assert_ptr_eq(f.tui->sweep->data.done, made);
-    ck_assert(f.tui->sweep->data.done[0]->contact[0].force_n == force);
+    ck_assert_ptr_eq(thud_sweep_state(f.tui)->data.done, made);
+    ck_assert(thud_sweep_state(f.tui)->data.done[0]->contact[0].force_n == force);
     fixture_keys(&f, ":set contact.stiffness 1000 kN/mm<Enter>");
     fixture_expect(&f, "3 of 3 points");
     fixture_expect_not(&f, "before edits");
-    ck_assert(f.tui->sweep->data.done[0]->contact[0].force_n < 0.9 * force);
+    ck_assert(thud_sweep_state(f.tui)->data.done[0]->contact[0].force_n < 0.9 * force);
     fixture_keys(&f, "u");
-    ck_assert(f.tui->sweep->data.done[0]->contact[0].force_n == force);
+    ck_assert(thud_sweep_state(f.tui)->data.done[0]->contact[0].force_n == force);
 }
 END_TEST
 
@@ -244,9 +244,9 @@ START_TEST(the_figure_is_of_the_study_as_it_is)
     for (int i = 0; i < 2; i++) {
         if (i == 1)
             fixture_keys(&f, ":set contact.stiffness 1000 kN/mm<Enter>");
-        struct thud_figure *anew = thud_sweep_data_figure(&f.tui->sweep->data, 0);
+        struct thud_figure *anew = thud_sweep_data_figure(&thud_sweep_state(f.tui)->data, 0);
         struct thud_text shown = {0}, right = {0};
-        thud_figure_csv(thud_view_of(THUD_SCREEN_SWEEP)->figure(f.tui), &shown);
+        thud_figure_csv(thud_views[THUD_SCREEN_SWEEP]->figure(f.tui), &shown);
         thud_figure_csv(anew, &right);
         ck_assert_str_eq(shown.data, right.data);
         thud_text_clear(&right);
@@ -274,13 +274,13 @@ END_TEST
 /* One that takes long waits for r, and its words stay to be read. */
 START_TEST(a_long_study_waits)
 {
-    f.tui->plain_s = 1;
+    f.tui->run.plain_s = 1;
     fixture_keys(&f, "<A-6><Enter><C-u>gap=1 cm:3 cm:0.1 cm<Enter>");
     fixture_expect(&f, "gap=1 cm:3 cm:0.1 cm");
     fixture_expect(&f, "runs, about");
     fixture_expect_not(&f, "stopped");
-    f.tui->plain_s = 0.02; /* what histories took for Plots is nothing to a study */
-    f.tui->elapsed_s = 1e3;
+    f.tui->run.plain_s = 0.02; /* what histories took for Plots is nothing to a study */
+    f.tui->run.elapsed_s = 1e3;
     fixture_keys(&f, "<Home><Enter><C-u>gap=1 cm:3 cm:0.2 cm<Enter>");
     fixture_expect_not(&f, "runs, about");
     fixture_expect(&f, "11 of 11 points");
@@ -316,9 +316,9 @@ START_TEST(a_suite_has_its_statistics)
     fixture_expect(&f, "20 of 20 points");
     fixture_expect(&f, "4 ground motions");
     fixture_expect(&f, "means ove");
-    int n = thud_sweep_data_figures(&f.tui->sweep->data), gap = -1, fragility = 0;
+    int n = thud_sweep_data_figures(&thud_sweep_state(f.tui)->data), gap = -1, fragility = 0;
     for (int i = 0; i < n; i++) {
-        struct thud_figure *figure = thud_sweep_data_figure(&f.tui->sweep->data, i);
+        struct thud_figure *figure = thud_sweep_data_figure(&thud_sweep_state(f.tui)->data, i);
         ck_assert_int_eq(thud_figure_check(figure, NULL), THUD_OK);
         gap = strcmp(figure->name, "needed-gap") == 0 ? i : gap;
         fragility += strncmp(figure->name, "fragility", 9) == 0;
@@ -327,7 +327,7 @@ START_TEST(a_suite_has_its_statistics)
     ck_assert_int_ge(gap, 1);
     ck_assert_int_eq(fragility, 2);
     /* the needed gap of a motion is what the fragility against the gap turns on */
-    const struct thud_needed_gap *weak = f.tui->sweep->data.gap[0], *strong = f.tui->sweep->data.gap[2];
+    const struct thud_needed_gap *weak = thud_sweep_state(f.tui)->data.gap[0], *strong = thud_sweep_state(f.tui)->data.gap[2];
     ck_assert_double_eq_tol(thud_needed_gap_widest(strong, 0, THUD_GAP_EXACT, NULL),
                             3 * thud_needed_gap_widest(weak, 0, THUD_GAP_EXACT, NULL), 1e-9);
     fixture_keys(&f, "e");
@@ -368,8 +368,8 @@ START_TEST(motions_signs_and_events_are_kept)
     fixture_expect(&f, "events   pounding,drift:2 cm");
     fixture_keys(&f, "r");
     fixture_expect(&f, "4 ground motions");
-    ck_assert_int_eq(f.tui->sweep->data.fragility.nevents, 2);
-    ck_assert_str_eq(f.tui->sweep->data.fragility.event[1].text, "drift:2 cm");
+    ck_assert_int_eq(thud_sweep_state(f.tui)->data.fragility.nevents, 2);
+    ck_assert_str_eq(thud_sweep_state(f.tui)->data.fragility.event[1].text, "drift:2 cm");
 }
 END_TEST
 
@@ -384,8 +384,8 @@ START_TEST(lists_in_brackets_are_shown_without_them)
     fixture_write(&f, "listed.yaml", text);
     snprintf(text, sizeof text, ":open %s/listed.yaml<Enter><A-6>", f.folder);
     fixture_keys(&f, text);
-    ck_assert_str_eq(f.tui->sweep->words.records, "pulse.csv,pulse.csv:peak=0.2 g");
-    ck_assert_str_eq(f.tui->sweep->words.events, "worse,force:5 MN");
+    ck_assert_str_eq(thud_sweep_state(f.tui)->words.records, "pulse.csv,pulse.csv:peak=0.2 g");
+    ck_assert_str_eq(thud_sweep_state(f.tui)->words.events, "worse,force:5 MN");
     fixture_expect(&f, "4 of 4 points");
     fixture_keys(&f, ":signs both<Enter>w");
     fixture_expect(&f, "Saved");

@@ -8,6 +8,7 @@
 
 #include "ground/spectrum.h"
 #include "study/sweep/remark.h"
+#include "tui/screens/beside.h"
 #include "tui/screens/sweep_screen.h"
 #include "tui_fixture.h"
 
@@ -27,7 +28,7 @@ static void teardown(void)
 static int impacts_shown(const struct thud_impact *shown[], int most)
 {
     int count, n = 0;
-    const struct thud_impact *impact = thud_run_impacts(f.tui->live.which[f.tui->results_case].run, &count);
+    const struct thud_impact *impact = thud_run_impacts(f.tui->run.live.which[THUD_LIVE_BUMPER].run, &count);
     for (int i = 0; i < f.tui->form.n && n < most; i++) {
         double start;
         int contact;
@@ -51,7 +52,7 @@ START_TEST(storeys_that_yield_have_two_quantities_more)
     fixture_keys(&f, "cc:set structures.1.yield 15 mm<Enter><A-4>cc");
     fixture_expect(&f, "ductility");
     fixture_expect(&f, "permanent drift mm");
-    const struct thud_result *r = thud_run_result(f.tui->live.which[THUD_LIVE_NONE].run);
+    const struct thud_result *r = thud_run_result(f.tui->run.live.which[THUD_LIVE_NONE].run);
     char ductility[24];
     thud_tui_number(r->structure[0].storey[0].ductility, ductility);
     ck_assert_int_gt(r->structure[0].storey[0].excursions, 0);
@@ -87,7 +88,7 @@ START_TEST(a_run_that_fails_says_which_case_and_when)
 {
     fixture_keys(&f, ":set contact.stiffness 1e15 kN/mm<Enter>:method central-difference<Enter>:step 1e-3 s<Enter>");
     fixture_expect(&f, "! FAILED (no bumper) at t = ");
-    ck_assert_int_eq((int)f.tui->live.which[THUD_LIVE_FREE].state, THUD_LIVE_DONE);
+    ck_assert_int_eq((int)f.tui->run.live.which[THUD_LIVE_FREE].state, THUD_LIVE_DONE);
     fixture_keys(&f, "<A-4>");
     fixture_expect(&f, "FAIL");
 }
@@ -205,7 +206,7 @@ START_TEST(a_study_has_figures_and_panels)
     fixture_expect(&f, "There is no figure yet: r runs the study");
     fixture_keys(&f, "<Enter><C-u>gap=1 cm:2 cm:1 cm<Enter>");
     fixture_keys(&f, "r");
-    const struct thud_sweep_state *s = f.tui->sweep;
+    const struct thud_sweep_state *s = thud_sweep_state(f.tui);
     fixture_expect(&f, "1/4 ");
     fixture_keys(&f, "c");
     fixture_expect(&f, "2/4 ");
@@ -268,9 +269,9 @@ START_TEST(commands_of_the_command_line)
     fixture_keys(&f, "o");
     fixture_expect(&f, "! the presets' folder /nowhere cannot be read");
     fixture_keys(&f, "<Esc>:set gap 4 cm<Enter>:q<Enter>n");
-    ck_assert(!f.tui->quit);
+    ck_assert(!f.tui->end.quit);
     fixture_keys(&f, ":q<Enter>y");
-    ck_assert(f.tui->quit);
+    ck_assert(f.tui->end.quit);
 }
 END_TEST
 
@@ -342,12 +343,12 @@ START_TEST(the_loop_of_a_storey_holds_what_it_lost)
     fixture_expect(&f, "1/9 ");
     fixture_keys(&f, ":set structures.1.yield.1 4 mm<Enter>:set structures.1.hardening.1 5 %<Enter><Up>");
     fixture_expect(&f, "10/10 Storey shear against drift, A, s");
-    const struct thud_figure *figure = thud_view_of(THUD_SCREEN_PLOTS)->figure(f.tui);
+    const struct thud_figure *figure = thud_views[THUD_SCREEN_PLOTS]->figure(f.tui);
     ck_assert_ptr_nonnull(figure);
     ck_assert_int_eq(figure->panel[0].nseries, THUD_LIVE_CASES);
     for (int i = 0; i < THUD_LIVE_CASES; i++) {
         const struct thud_series *s = figure->panel[0].series[i];
-        const struct thud_result *result = thud_live_result(&f.tui->live, (enum thud_live_which)i);
+        const struct thud_result *result = thud_live_result(&f.tui->run.live, (enum thud_live_which)i);
         double work_j = 0.0, lost_j = result->structure[0].storey[0].hysteretic_j;
         for (size_t k = 1; k < s->n; k++) /* MN and mm */
             work_j += 1e3 * 0.5 * (s->y[k] + s->y[k - 1]) * (s->x[k] - s->x[k - 1]);
@@ -387,8 +388,8 @@ START_TEST(remarks_are_counted_and_lead_to_their_fields)
 {
     struct thud_error remark;
     int count, n = 0;
-    const struct thud_impact *impact = thud_run_impacts(f.tui->live.which[THUD_LIVE_BUMPER].run, &count);
-    while (thud_result_remark(&f.tui->doc.scene, thud_live_result(&f.tui->live, THUD_LIVE_BUMPER), impact, count, n,
+    const struct thud_impact *impact = thud_run_impacts(f.tui->run.live.which[THUD_LIVE_BUMPER].run, &count);
+    while (thud_result_remark(&f.tui->doc.scene, thud_live_result(&f.tui->run.live, THUD_LIVE_BUMPER), impact, count, n,
                               &remark))
         n++;
     char text[32];
@@ -469,27 +470,27 @@ START_TEST(a_law_is_laid_beside)
     double k = 87e3 * pow(1e3, 1.5), energy = 0.5 * 160e3 * 0.25, force = k * pow(pow(2.5 * energy / k, 0.4), 1.5);
     fixture_keys(&f, "2:bumper<Enter>");
     fixture_expect(&f, "Beside it, dashed (c)");
-    double own = f.tui->meeting[1].force_n;
+    double own = thud_contact_state(f.tui)->meeting[1].force_n;
     fixture_keys(&f, "u"); /* nothing of what follows is a change */
     ck_assert(!thud_doc_unsaved(&f.tui->doc));
     fixture_keys(&f, "<C-r>cHERTZ<Enter>");
-    if (!*f.tui->beside.law)
+    if (!*thud_contact_state(f.tui)->beside.law)
         fixture_keys(&f, "<Esc>:beside hertz<Enter>");
-    ck_assert_str_eq(f.tui->beside.law, "hertz");
+    ck_assert_str_eq(thud_contact_state(f.tui)->beside.law, "hertz");
     fixture_keys(&f, "<Size 130x40>");
     fixture_expect(&f, "87 kN/mm^1.5");
     fixture_expect(&f, "0.5 m/s, hertz");
     fixture_expect(&f, "What both give");
-    ck_assert_double_eq_tol(f.tui->beside_meeting[1].force_n, force, 1e-4 * force);
-    ck_assert_double_eq_tol(f.tui->beside_meeting[1].restitution, 1.0, 1e-6);
-    ck_assert_double_eq_tol(f.tui->meeting[1].force_n, own, 1e-9 * own);
+    ck_assert_double_eq_tol(thud_contact_state(f.tui)->beside_meeting[1].force_n, force, 1e-4 * force);
+    ck_assert_double_eq_tol(thud_contact_state(f.tui)->beside_meeting[1].restitution, 1.0, 1e-6);
+    ck_assert_double_eq_tol(thud_contact_state(f.tui)->meeting[1].force_n, own, 1e-9 * own);
     fixture_expect(&f, thud_tui_number(1e-6 * force, number));
-    const struct thud_panel *panel = &thud_view_of(THUD_SCREEN_CONTACT)->figure(f.tui)->panel[0];
+    const struct thud_panel *panel = &thud_views[THUD_SCREEN_CONTACT]->figure(f.tui)->panel[0];
     ck_assert_int_eq(panel->nseries, 2 * THUD_MEETINGS);
     for (int i = 0; i < 2 * THUD_MEETINGS; i++)
         ck_assert_int_eq(panel->series[i]->style.dashed, i < THUD_MEETINGS);
     fixture_keys(&f, ":beside stiffness 174 kN/mm^1.5<Enter>");
-    ck_assert_double_eq_tol(f.tui->beside_meeting[1].force_n, force * pow(2.0, 0.4), 1e-4 * force);
+    ck_assert_double_eq_tol(thud_contact_state(f.tui)->beside_meeting[1].force_n, force * pow(2.0, 0.4), 1e-4 * force);
     fixture_keys(&f, ":beside restitution 0.4<Enter>");
     fixture_expect(&f, "no such parameter");
     fixture_keys(&f, ":beside kelvin-voigt<Enter>");
@@ -498,9 +499,9 @@ START_TEST(a_law_is_laid_beside)
     fixture_expect(&f, "! ");
     fixture_keys(&f, ":beside nothing-known<Enter>");
     fixture_expect(&f, "unknown law");
-    ck_assert_str_eq(f.tui->beside.law, "kelvin-voigt");
+    ck_assert_str_eq(thud_contact_state(f.tui)->beside.law, "kelvin-voigt");
     fixture_keys(&f, ":beside none<Enter>:log<Enter>");
-    ck_assert_str_eq(f.tui->beside.law, "");
+    ck_assert_str_eq(thud_contact_state(f.tui)->beside.law, "");
     ck_assert_ptr_nonnull(strstr(f.tui->log.data, "beside hertz"));
 }
 END_TEST

@@ -50,8 +50,8 @@ static void other_size(void)
 static void leave(void)
 {
     fixture_keys(&f, "<Size 80x24><Esc><Esc>"); /* below the least size only q and Ctrl-C are heard */
-    ck_assert_int_eq((int)f.tui->mode, THUD_MODE_NORMAL);
-    f.tui->quit = false;
+    ck_assert_int_eq((int)f.tui->dialog.mode, THUD_MODE_NORMAL);
+    f.tui->end.quit = false;
 }
 
 static void go(int screen, const char *size)
@@ -73,7 +73,7 @@ START_TEST(every_key_of_every_screen)
     for (int screen = 0; screen < THUD_SCREENS; screen++)
         for (int k = 0; k < thud_key_count(); k++) {
             const struct thud_key_entry *key = thud_key_at(k);
-            if (!(key->where & thud_view_of((enum thud_screen)screen)->where) || draws(key))
+            if (!(key->where & thud_views[screen]->where) || draws(key))
                 continue;
             for (int other = 0; other < 2; other++) {
                 int code = other ? key->other : key->key;
@@ -136,17 +136,17 @@ static void try_field(const char *path)
         if (!thud_form_focus(&f.tui->form) || strcmp(thud_form_focus(&f.tui->form)->path, path) != 0)
             return; /* another kind of structure has it no more */
         fixture_keys(&f, "<Enter>");
-        if (f.tui->mode == THUD_MODE_CHOOSING) {
+        if (f.tui->dialog.mode == THUD_MODE_CHOOSING) {
             fixture_keys(&f, inputs[i]);
             fixture_keys(&f, "<Enter>");
         } else {
             fixture_keys(&f, "<C-u>");
             fixture_keys(&f, inputs[i]);
             fixture_keys(&f, "<Enter>");
-            bool refused = f.tui->mode == THUD_MODE_TYPING;
+            bool refused = f.tui->dialog.mode == THUD_MODE_TYPING;
             ck_assert_msg(!refused || memcmp(&before, &f.tui->doc.scene, sizeof before) == 0,
                           "%s: \"%s\" was refused, and taken", path, inputs[i]);
-            ck_assert_msg(!refused || f.tui->message_role == THUD_ROLE_ERROR, "%s: \"%s\" was refused without a word",
+            ck_assert_msg(!refused || f.tui->said.role == THUD_ROLE_ERROR, "%s: \"%s\" was refused without a word",
                           path, inputs[i]);
         }
         if (i % 4 == 0)
@@ -164,7 +164,7 @@ START_TEST(every_field_with_every_input)
 {
     static struct thud_scene first;
     first = f.tui->doc.scene;
-    f.tui->live_on = false; /* two hundred storeys are for other tests */
+    f.tui->run.on = false; /* two hundred storeys are for other tests */
     for (int screen = 0; screen < THUD_SCREENS; screen++) {
         static char path[400][THUD_PATH_MAX];
         int n = 0;
@@ -177,7 +177,7 @@ START_TEST(every_field_with_every_input)
         for (int i = 0; f.tui->doc.undo.at > 0 && i < 100000; i++)
             fixture_keys(&f, "u");
         ck_assert_mem_eq(&f.tui->doc.scene, &first, sizeof first);
-        f.tui->live_on = false;
+        f.tui->run.on = false;
         if (screen < THUD_SCREEN_RESULTS)
             ck_assert_int_gt(n, 5);
     }
@@ -199,7 +199,7 @@ START_TEST(every_row_and_every_command)
             go(screen, "<Size 80x24>");
         }
     }
-    thud_tui_commands_text(&words);
+    thud_commands_text(&words);
     char *rest = words.data;
     for (char *line; (line = strtok_r(rest, "\n", &rest)) != NULL;) {
         char word[40], keys[100];

@@ -140,10 +140,10 @@ void fixture_close(struct fixture *f)
 void fixture_keys(struct fixture *f, const char *keys)
 {
     f->script.at = keys;
-    for (int i = 0; i < 1000000 && (*f->script.at || thud_tui_turn(f->tui, false)) && !f->tui->quit; i++)
+    for (int i = 0; i < 1000000 && (*f->script.at || thud_tui_turn(f->tui, false)) && !f->tui->end.quit; i++)
         if (*f->script.at)
             thud_tui_turn(f->tui, false);
-    while (f->tui->writing)
+    while (f->tui->files.work)
         thud_tui_turn(f->tui, true);
     thud_tui_draw(f->tui);
 }

@@ -80,7 +80,8 @@ THUD_KEY(GENERAL, FIND, '/', 0, "/", "find", "find a field by a part of its name
 THUD_KEY(GENERAL, COMMAND, ':', 0, ":", "", "a command line: set KEY VALUE, case, record, run, open, w, q, ...")
 THUD_KEY(GENERAL, HELP, '?', THUD_KEY_F1, "?", "help", "the keys, and the model in short")
 THUD_KEY(GENERAL, QUIT, 'q', 0, "q", "quit", "back one level; at the top, quit (asks when something is unsaved)")
-THUD_KEY(GENERAL, BACK, THUD_KEY_ESC, 0, "Esc", "", "cancel what runs, or back one level; never quits")
+THUD_KEY(GENERAL, BACK, THUD_KEY_ESC, 0, "Esc", "",
+         "cancel what runs, or back one level, also from a screen chosen by mistake; never quits")
 THUD_KEY(GENERAL, NEXT_PANE, THUD_KEY_TAB, 0, "Tab", "pane", "the next pane")
 THUD_KEY(GENERAL, PREVIOUS_PANE, THUD_KEY_BACKTAB, 0, "S-Tab", "", "the pane before")
 THUD_KEY(GENERAL, NEXT_SCREEN, '>', 0, ">", "", "the next screen (1 to 8: that screen)")

@@ -1,7 +1,7 @@
 #include <stddef.h>
 
 #include "tui/document/keys.h"
-#include "tui/loop/tui.h"
+#include "tui/tui.h"
 
 static const struct thud_key_entry table[] = {
 #define THUD_KEY(where, action, key, other, written, label, help)                                                      \
@@ -47,4 +47,17 @@ void thud_tui_keys_text(struct thud_text *out)
             if (set ? table[i].where == places[place].where : table[i].where & places[place].where && place > 1)
                 thud_text_append(out, "%s\t%s\t%s\n", places[place].name, table[i].written, table[i].help);
         }
+}
+
+void thud_commands_text(struct thud_text *out)
+{
+#define THUD_RUN(word, short_word, usage, name) thud_text_append(out, ":%s %s\n", word, usage);
+#define THUD_SET(word, usage, key)              thud_text_append(out, ":%s %s\n", word, usage);
+#define THUD_ACT(word, short_word, action)      thud_text_append(out, ":%s \n", word);
+#define THUD_OF(word, usage, screen)            thud_text_append(out, ":%s %s\n", word, usage);
+#include "tui/document/command_list.h"
+#undef THUD_RUN
+#undef THUD_SET
+#undef THUD_ACT
+#undef THUD_OF
 }

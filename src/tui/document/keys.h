@@ -2,6 +2,7 @@
 #ifndef THUD_TUI_KEYS_H
 #define THUD_TUI_KEYS_H
 
+#include "base/text.h"
 #include "tui/terminal/backend.h"
 
 /* Where a key holds: a set of screens or modes. */
@@ -19,10 +20,11 @@ enum {
     THUD_AT_MODEL_CONTACT = THUD_AT_MODEL | THUD_AT_CONTACT,
     THUD_AT_SIDE = 1024, /* the fields at the side of Plots on a wide terminal */
     THUD_AT_PLOTS_SIDE = THUD_AT_PLOTS | THUD_AT_SIDE,
+    THUD_AT_OTHER = 4096, /* a screen without keys of its own */
     THUD_AT_FORMS = THUD_AT_MODEL | THUD_AT_CONTACT | THUD_AT_RECORD | THUD_AT_RESULTS | THUD_AT_SWEEP | THUD_AT_BENCH |
-                    THUD_AT_SIDE,
+                    THUD_AT_SIDE | THUD_AT_OTHER,
     THUD_AT_NEW = 2048, /* the form of a new scene */
-    THUD_AT_GENERAL = 255 | THUD_AT_SIDE
+    THUD_AT_GENERAL = 255 | THUD_AT_SIDE | THUD_AT_OTHER
 };
 
 enum thud_action {
@@ -46,5 +48,7 @@ int thud_key_count(void);
 const struct thud_key_entry *thud_key_at(int index);
 /* What `key` does at `where` (one bit). */
 enum thud_action thud_key_action(int where, int key);
+
+void thud_commands_text(struct thud_text *out); /* ":word arguments" a line */
 
 #endif

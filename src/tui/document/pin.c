@@ -6,7 +6,7 @@ void thud_pin_clear(struct thud_pin *pin)
 {
     thud_live_clear(&pin->live);
     thud_record_free(pin->record);
-    memset(pin, 0, sizeof *pin);
+    *pin = (struct thud_pin){.number = pin->number + 1};
 }
 
 void thud_pin_take(struct thud_pin *pin, struct thud_doc *doc, bool own)

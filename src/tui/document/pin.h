@@ -11,7 +11,8 @@ struct thud_pin {
     struct thud_scene scene;
     struct thud_record *record; /* its own copy; NULL: none */
     struct thud_live live;
-    bool begun; /* `live` was run, or is */
+    unsigned long number; /* counts the states taken */
+    bool begun;           /* `live` was run, or is */
 };
 
 /* The present state of a document is the one to compare with. Without memory there is none. */

@@ -21,13 +21,13 @@ void thud_tui_log(struct thud_tui *tui, const char *fmt, ...)
 
 void thud_tui_show_log(struct thud_tui *tui)
 {
-    thud_tui_choose(tui, THUD_CHOOSE_NOTHING, "What was done (:log FILE saves it, thud --play FILE plays it)");
+    thud_tui_choose(tui, NULL, "What was done (:log FILE saves it, thud --play FILE plays it)");
     for (const char *line = tui->log.data; line && *line;) {
         int n = (int)strcspn(line, "\n");
-        thud_chooser_add(&tui->chooser, "", "%.*s", n, line);
+        thud_chooser_add(&tui->dialog.chooser, "", "%.*s", n, line);
         line += n + (line[n] == '\n');
     }
-    tui->chooser.at = tui->chooser.n > 0 ? tui->chooser.n - 1 : 0;
+    tui->dialog.chooser.at = tui->dialog.chooser.n > 0 ? tui->dialog.chooser.n - 1 : 0;
 }
 
 static bool is_log_or_nothing(const char *path)

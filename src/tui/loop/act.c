@@ -4,96 +4,12 @@
 #include <string.h>
 
 #include "tui/document/session_log.h"
-#include "tui/screens/new_scene.h"
+#include "tui/loop/loop.h"
 
 static int pane_count(struct thud_tui *tui)
 {
     struct thud_rect rect[THUD_PANES_MAX], area = thud_tui_area(tui);
-    return thud_view_of(tui->screen)->layout(tui, area, rect);
-}
-
-int thud_tui_where(const struct thud_tui *tui)
-{
-    if (tui->mode == THUD_MODE_TYPING)
-        return THUD_AT_TYPING;
-    if (tui->mode == THUD_MODE_CHOOSING)
-        return THUD_AT_CHOOSING;
-    if (tui->mode == THUD_MODE_NEW)
-        return THUD_AT_NEW;
-    const struct thud_view *view = thud_view_of(tui->screen);
-    return view->place ? view->place(tui) : view->where;
-}
-
-void thud_tui_go(struct thud_tui *tui, enum thud_screen screen)
-{
-    if (screen == THUD_SCREEN_HELP && tui->screen != THUD_SCREEN_HELP)
-        tui->before_help = tui->screen;
-    tui->screen = screen;
-    tui->message[0] = '\0';
-    tui->form.screen = (int)screen;
-    thud_tui_draw(tui); /* the fields have to be known before the next key */
-    thud_tui_changed(tui);
-}
-
-static bool on_value(const struct thud_tui *tui)
-{
-    const struct thud_field *field = thud_form_focus(&tui->form);
-    return field && field->kind == THUD_FIELD_VALUE;
-}
-
-static bool steps(const struct thud_tui *tui)
-{
-    const struct thud_field *field = thud_form_focus(&tui->form);
-    const struct thud_param *param =
-        field && field->kind == THUD_FIELD_VALUE ? thud_scene_param(&tui->doc.scene, field->path, &(int){0}) : NULL;
-    return param && param->kind != THUD_PARAM_TEXT;
-}
-
-/* Why an action cannot be done now, in words; NULL: it can. */
-const char *thud_tui_cannot(struct thud_tui *tui, enum thud_action action)
-{
-    const struct thud_view *view = thud_view_of(tui->screen);
-    const char *own = view->cannot ? view->cannot(tui, action) : NULL;
-    switch (action) {
-    case THUD_DO_UNDO:
-        return tui->doc.undo.at > 0 ? NULL : "Nothing to undo";
-    case THUD_DO_EXCHANGE:
-        return thud_pin_differs(&tui->pin, &tui->doc) ? NULL
-               : tui->pin.own                         ? "This is the pinned state"
-                                                      : "This is the saved state, and none is pinned";
-    case THUD_DO_REDO:
-        return tui->doc.undo.at < tui->doc.undo.count ? NULL : "Nothing to do again";
-    case THUD_DO_EDIT:
-        if (!thud_form_focus(&tui->form) && view->take && view->read(tui))
-            return isnan(tui->reading[tui->screen]) ? "Left and Right read a value first, Enter takes it" : NULL;
-        return thud_form_focus(&tui->form) ? NULL : "There is nothing to edit in this pane";
-    case THUD_DO_EDIT_OLD:
-    case THUD_DO_TOGGLE:
-        return on_value(tui) ? NULL : "The cursor is on no value";
-    case THUD_DO_STEP_UP:
-    case THUD_DO_STEP_DOWN:
-    case THUD_DO_LEAP_UP:
-    case THUD_DO_LEAP_DOWN:
-        return steps(tui) ? NULL : "The cursor is on no number";
-    case THUD_DO_SAVE:
-        return thud_doc_unsaved(&tui->doc) ? NULL : "Nothing to save: the file has all of this";
-    case THUD_DO_REMARKS:
-        return thud_tui_cannot_list_remarks(tui);
-    case THUD_DO_PICTURE:
-        if (tui->writing)
-            return "Figures are being written; Esc stops that";
-        return view->figure && view->figure(tui) ? own : "There is no figure on this screen now";
-    case THUD_DO_EXPORT:
-        return (view->export_csv && !view->figure) || (view->figure && view->figure(tui))
-                   ? own
-                   : "There is no figure on this screen now";
-    case THUD_DO_PICTURES:
-        if (tui->writing)
-            return "Figures are being written; Esc stops that";
-        return tui->live.running || tui->ran_revision != tui->doc.revision ? "There are no results yet: r runs" : own;
-    default:
-        return own;
-    }
+    return thud_tui_view(tui)->layout(tui, area, rect);
 }
 
 static void undo(struct thud_tui *tui, bool back)
@@ -103,33 +19,25 @@ static void undo(struct thud_tui *tui, bool back)
         return;
     thud_tui_log(tui, back ? "undo" : "redo");
     thud_tui_say(tui, THUD_ROLE_PLAIN, "%s: %s", back ? "Undone" : "Done again", what);
-    if (tui->pair > tui->doc.scene.nstructures - 2)
-        tui->pair = tui->doc.scene.nstructures > 1 ? tui->doc.scene.nstructures - 2 : 0;
-    thud_tui_changed(tui);
 }
 
 static void back(struct thud_tui *tui)
 {
-    if (tui->writing) { /* it lasts longest */
-        thud_picture_work_stop(tui->writing);
+    if (tui->files.work) { /* it lasts longest */
+        thud_picture_work_stop(tui->files.work);
         return;
     }
     if (thud_tui_cancel(tui))
         return;
-    if (tui->screen == THUD_SCREEN_HELP)
-        thud_tui_go(tui, tui->before_help);
-    tui->message[0] = '\0';
-}
-
-struct thud_chart thud_tui_reading(struct thud_tui *tui)
-{
-    return (struct thud_chart){.cursor = tui->reading[tui->screen], .drawn = &tui->chart};
+    if (!*tui->said.text)
+        thud_tui_go(tui, tui->before); /* from a screen chosen by mistake */
+    thud_tui_hush(tui);
 }
 
 /* Moves the cursor that reads the chart in focus, by a hundredth of what is shown; false where there is no chart. */
 static bool read_on(struct thud_tui *tui, enum thud_action action)
 {
-    const struct thud_view *view = thud_view_of(tui->screen);
+    const struct thud_view *view = thud_tui_view(tui);
     const struct thud_panel *panel = !thud_form_focus(&tui->form) && view->read ? view->read(tui) : NULL;
     if (!panel || (action != THUD_DO_LEFT && action != THUD_DO_RIGHT))
         return false;
@@ -180,8 +88,8 @@ static bool values(struct thud_tui *tui, enum thud_action action)
 {
     switch (action) {
     case THUD_DO_EDIT:
-        if (!thud_form_focus(&tui->form) && thud_view_of(tui->screen)->take)
-            return thud_view_of(tui->screen)->take(tui);
+        if (!thud_form_focus(&tui->form) && thud_tui_view(tui)->take)
+            return thud_tui_view(tui)->take(tui);
         thud_tui_edit(tui, true);
         return true;
     case THUD_DO_EDIT_OLD:
@@ -210,7 +118,7 @@ static bool values(struct thud_tui *tui, enum thud_action action)
 /* "picture plots impact-force": the screen, and of one figure its name. */
 static void log_output(struct thud_tui *tui, const char *word, bool one)
 {
-    const struct thud_view *view = thud_view_of(tui->screen);
+    const struct thud_view *view = thud_tui_view(tui);
     const struct thud_figure *figure = one && view->figure ? view->figure(tui) : NULL;
     thud_tui_log(tui, "%s %s%s%s", word, view->title, figure ? " " : "", figure ? figure->name : "");
 }
@@ -222,7 +130,7 @@ static bool files(struct thud_tui *tui, enum thud_action action)
         thud_tui_save(tui, NULL, false);
         return true;
     case THUD_DO_SAVE_AS:
-        thud_tui_prompt(tui, THUD_TYPE_SAVE_AS, tui->doc.path);
+        thud_tui_save_as(tui);
         return true;
     case THUD_DO_OPEN:
         thud_tui_list_presets(tui);
@@ -239,7 +147,7 @@ static bool files(struct thud_tui *tui, enum thud_action action)
         thud_tui_copy(tui);
         return true;
     case THUD_DO_EXPORT:
-        log_output(tui, "table", thud_view_of(tui->screen)->figure && !thud_view_of(tui->screen)->export_csv);
+        log_output(tui, "table", thud_tui_view(tui)->figure && !thud_tui_view(tui)->export_csv);
         thud_tui_export(tui);
         return true;
     default:
@@ -247,21 +155,27 @@ static bool files(struct thud_tui *tui, enum thud_action action)
     }
 }
 
+static void typed_command(struct thud_tui *tui, const char *text)
+{
+    thud_tui_remember(tui, text);
+    thud_tui_command(tui, text);
+}
+
 static void rest(struct thud_tui *tui, enum thud_action action)
 {
+    static const struct thud_prompt command_line = {
+        .words = ":", .commands = true, .files = true, .done = typed_command};
     switch (action) {
     case THUD_DO_RUN:
         thud_tui_run(tui);
         break;
     case THUD_DO_NEW:
-        thud_tui_new(tui, false);
+        thud_tui_new(tui);
         break;
     case THUD_DO_PIN:
-        thud_tui_log(tui, "pin");
         thud_tui_pin(tui);
         break;
     case THUD_DO_EXCHANGE:
-        thud_tui_log(tui, "exchange");
         thud_tui_exchange(tui);
         break;
     case THUD_DO_REMARKS:
@@ -271,28 +185,25 @@ static void rest(struct thud_tui *tui, enum thud_action action)
         thud_tui_list_fields(tui);
         break;
     case THUD_DO_COMMAND:
-        thud_tui_prompt(tui, THUD_TYPE_COMMAND, "");
+        thud_tui_prompt(tui, &command_line, "");
         break;
     case THUD_DO_HELP:
         thud_tui_go(tui, THUD_SCREEN_HELP);
         break;
     case THUD_DO_QUIT:
-        if (tui->screen == THUD_SCREEN_HELP)
-            thud_tui_go(tui, tui->before_help);
-        else
-            thud_tui_quit(tui, false);
+        thud_tui_quit(tui, false);
         break;
     case THUD_DO_BACK:
         back(tui);
         break;
     case THUD_DO_NEXT_SCREEN:
-        thud_tui_go(tui, (enum thud_screen)(((int)tui->screen + 1) % THUD_SCREENS));
+        thud_tui_go(tui, (tui->screen + 1) % tui->screens);
         break;
     case THUD_DO_PREVIOUS_SCREEN:
-        thud_tui_go(tui, (enum thud_screen)(((int)tui->screen + THUD_SCREENS - 1) % THUD_SCREENS));
+        thud_tui_go(tui, (tui->screen + tui->screens - 1) % tui->screens);
         break;
     case THUD_DO_GO:
-        thud_tui_say(tui, THUD_ROLE_PLAIN, "the number of a screen, 1 to %d", THUD_SCREENS);
+        thud_tui_say(tui, THUD_ROLE_PLAIN, "the number of a screen, 1 to %d", tui->screens);
         break;
     case THUD_DO_MOUSE:
         tui->mouse = !tui->mouse;
@@ -309,14 +220,20 @@ static void rest(struct thud_tui *tui, enum thud_action action)
 
 void thud_tui_act(struct thud_tui *tui, enum thud_action action)
 {
-    const struct thud_view *view = thud_view_of(tui->screen);
+    const struct thud_view *view = thud_tui_view(tui);
     const char *why = thud_tui_cannot(tui, action);
-    tui->message[0] = '\0';
+    thud_tui_hush(tui);
     if (why) {
         thud_tui_say(tui, THUD_ROLE_WARN, "%s", why);
         return;
     }
-    if ((view->act && view->act(tui, action)) || move(tui, action) || files(tui, action))
+    int before = tui->before;
+    if (action != THUD_DO_BACK && tui->screen != THUD_SCREEN_HELP)
+        tui->before = tui->screen; /* it was not chosen by mistake */
+    enum thud_reaction reaction = view->act ? view->act(tui, action) : THUD_NOT_MINE;
+    if (reaction == THUD_LEAVE)
+        thud_tui_go(tui, before);
+    if (reaction != THUD_NOT_MINE || move(tui, action) || files(tui, action))
         return;
     if (values(tui, action))
         tui->form.loose[tui->screen] = false; /* the field is seen */
@@ -334,8 +251,8 @@ static bool click_chart(struct thud_tui *tui, int x, int y)
     double at =
         f->x_log ? f->x.least * pow(f->x.most / f->x.least, along) : f->x.least + along * (f->x.most - f->x.least);
     tui->reading[tui->screen] = at;
-    if (tui->screen == THUD_SCREEN_PLOTS)
-        thud_tui_show_time(tui, at);
+    if (thud_tui_view(tui)->read_at)
+        thud_tui_view(tui)->read_at(tui, at);
     return true;
 }
 
@@ -343,17 +260,17 @@ static bool click_chart(struct thud_tui *tui, int x, int y)
 void thud_tui_click(struct thud_tui *tui)
 {
     struct thud_rect rect[THUD_PANES_MAX], area = thud_tui_area(tui);
-    int n = thud_view_of(tui->screen)->layout(tui, area, rect), x = tui->backend->click_x, y = tui->backend->click_y;
+    int n = thud_tui_view(tui)->layout(tui, area, rect), x = tui->backend->click_x, y = tui->backend->click_y;
     bool small = thud_tui_one_pane(tui);
-    if (tui->mode == THUD_MODE_CHOOSING) {
-        if (thud_chooser_click(&tui->chooser, x, y))
+    if (tui->dialog.mode == THUD_MODE_CHOOSING) {
+        if (thud_chooser_click(&tui->dialog.chooser, x, y))
             thud_tui_chosen(tui);
         return;
     }
-    if (tui->mode != THUD_MODE_NORMAL)
+    if (tui->dialog.mode != THUD_MODE_NORMAL)
         return;
     if (y == 1 && thud_tui_tab_at(tui, x) >= 0) {
-        thud_tui_go(tui, (enum thud_screen)thud_tui_tab_at(tui, x));
+        thud_tui_go(tui, thud_tui_tab_at(tui, x));
         return;
     }
     for (int i = 0; i < n; i++) {
@@ -367,7 +284,7 @@ void thud_tui_click(struct thud_tui *tui)
         if (again)
             thud_tui_act(tui, THUD_DO_EDIT);
         else if (field)
-            thud_form_focus_on(&tui->form, (int)tui->screen, field->path);
+            thud_form_focus_on(&tui->form, tui->screen, field->path);
         else
             click_chart(tui, x, y);
         return;
@@ -376,8 +293,8 @@ void thud_tui_click(struct thud_tui *tui)
 
 void thud_tui_wheel(struct thud_tui *tui, int step)
 {
-    if (tui->mode == THUD_MODE_CHOOSING)
-        thud_chooser_key(&tui->chooser, step < 0 ? THUD_KEY_UP : THUD_KEY_DOWN);
-    else if (tui->mode == THUD_MODE_NORMAL)
+    if (tui->dialog.mode == THUD_MODE_CHOOSING)
+        thud_chooser_key(&tui->dialog.chooser, step < 0 ? THUD_KEY_UP : THUD_KEY_DOWN);
+    else if (tui->dialog.mode == THUD_MODE_NORMAL)
         thud_tui_act(tui, step < 0 ? THUD_DO_UP : THUD_DO_DOWN);
 }

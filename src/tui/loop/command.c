@@ -6,15 +6,17 @@
 #include "base/ascii.h"
 #include "base/nearest.h"
 #include "base/scan.h"
+#include "tui/document/scene_edit.h"
 #include "tui/document/session_log.h"
-#include "tui/screens/new_scene.h"
-#include "tui/screens/scene_edit.h"
+#include "tui/loop/loop.h"
+#include "tui/loop/new_scene.h"
 
 struct command {
-    const char *word, *short_word, *usage;
+    const char *word, *short_word;
     void (*run)(struct thud_tui *tui, char *rest);
-    const char *key;         /* what is said is its value; NULL: `run` takes it */
-    enum thud_action action; /* without `run` and `key`: what a key does */
+    const char *key;         /* what is said is its value; NULL: the rest holds */
+    enum thud_action action; /* what a key does */
+    int screen;              /* whose command it is; -1: none */
 };
 
 /* "gap 5 cm", "gap=5cm" and "gap = 5 cm" are the same. */
@@ -47,7 +49,6 @@ static void run_case(struct thud_tui *tui, char *rest)
         thud_tui_log(tui, "case %s", rest);
         thud_tui_say(tui, THUD_ROLE_PLAIN, "The scene is now that of case %s (u undoes)", rest);
     }
-    thud_tui_changed(tui);
 }
 
 static void run_run(struct thud_tui *tui, char *rest)
@@ -59,7 +60,7 @@ static void run_run(struct thud_tui *tui, char *rest)
 static void run_open(struct thud_tui *tui, char *rest)
 {
     if (*rest)
-        thud_tui_open(tui, rest, tui->playing);
+        thud_tui_open(tui, rest, tui->end.playing);
     else
         thud_tui_list_presets(tui);
 }
@@ -72,10 +73,9 @@ static void run_write(struct thud_tui *tui, char *rest)
 /* The screen of a name, or of a number. */
 static bool go_to(struct thud_tui *tui, const char *name)
 {
-    for (int i = 0; i < THUD_SCREENS; i++) {
-        const char *title = thud_view_of((enum thud_screen)i)->title;
-        if (thud_ascii_same(title, name) || (name[0] == '1' + i && !name[1])) {
-            thud_tui_go(tui, (enum thud_screen)i);
+    for (int i = 0; i < tui->screens; i++) {
+        if (thud_ascii_same(tui->view[i]->title, name) || (name[0] == '1' + i && !name[1])) {
+            thud_tui_go(tui, i);
             return true;
         }
     }
@@ -121,12 +121,12 @@ static void run_screen(struct thud_tui *tui, char *rest)
 
 static void run_new(struct thud_tui *tui, char *rest)
 {
-    if (*rest && !tui->playing && thud_doc_unsaved(&tui->doc))
+    if (*rest && !tui->end.playing && thud_doc_unsaved(&tui->doc))
         thud_tui_say(tui, THUD_ROLE_ERROR, "! %s has unsaved changes: w saves them first", tui->doc.scene.name);
     else if (*rest)
         thud_new_scene_command(tui, rest);
     else
-        thud_tui_new(tui, false);
+        thud_tui_new(tui);
 }
 
 static void run_log(struct thud_tui *tui, char *rest)
@@ -191,7 +191,7 @@ static void run_bumper(struct thud_tui *tui, char *rest)
 static void run_keep_force(struct thud_tui *tui, char *rest)
 {
     (void)rest;
-    if (isfinite(tui->kept_before_n))
+    if (isfinite(tui->kept.before_n))
         thud_tui_keep_force(tui);
     else
         thud_tui_say(tui, THUD_ROLE_ERROR, "! no exponent was changed: there is no force to keep");
@@ -203,19 +203,15 @@ static void run_paste(struct thud_tui *tui, char *rest)
     if (*text)
         *text++ = '\0';
     thud_tui_go_to_field(tui, rest);
+    thud_tui_draw(tui);
     thud_tui_paste_line(tui, text);
 }
 
 /* Where figures and tables go; alone it says so. */
-static void run_beside(struct thud_tui *tui, char *rest)
-{
-    thud_tui_beside(tui, rest);
-}
-
 static void run_folder(struct thud_tui *tui, char *rest)
 {
     if (*rest) {
-        snprintf(tui->folder, sizeof tui->folder, "%s", rest);
+        snprintf(tui->files.folder, sizeof tui->files.folder, "%s", rest);
         thud_tui_log(tui, "folder %s", rest);
     }
     thud_tui_say(tui, THUD_ROLE_PLAIN, "Figures and tables go into %s", thud_tui_folder(tui));
@@ -223,69 +219,13 @@ static void run_folder(struct thud_tui *tui, char *rest)
 
 static void run_live(struct thud_tui *tui, char *rest)
 {
-    tui->live_on = strcmp(rest, "off") != 0;
-    thud_tui_say(tui, THUD_ROLE_PLAIN, tui->live_on ? "Live: every edit runs at once" : "Live is off: r runs");
-    thud_tui_changed(tui);
+    tui->run.on = strcmp(rest, "off") != 0;
+    thud_tui_say(tui, THUD_ROLE_PLAIN, tui->run.on ? "Live: every edit runs at once" : "Live is off: r runs");
 }
 
 static void run_quit(struct thud_tui *tui, char *rest)
 {
     thud_tui_quit(tui, *rest == '!');
-}
-
-/* A line of the study, as `thud sweep` takes it, on its screen; `sweep` alone runs what stands there. */
-static void run_vary(struct thud_tui *tui, char *rest)
-{
-    thud_tui_go(tui, THUD_SCREEN_SWEEP);
-    thud_tui_sweep_word(tui, "vary", rest);
-}
-
-static void run_vary2(struct thud_tui *tui, char *rest)
-{
-    thud_tui_go(tui, THUD_SCREEN_SWEEP);
-    thud_tui_sweep_word(tui, "vary2", rest);
-}
-
-static void run_vary3(struct thud_tui *tui, char *rest)
-{
-    thud_tui_go(tui, THUD_SCREEN_SWEEP);
-    thud_tui_sweep_word(tui, "vary3", rest);
-}
-
-static void run_vary4(struct thud_tui *tui, char *rest)
-{
-    thud_tui_go(tui, THUD_SCREEN_SWEEP);
-    thud_tui_sweep_word(tui, "vary4", rest);
-}
-
-static void run_sensitivity(struct thud_tui *tui, char *rest)
-{
-    thud_tui_go(tui, THUD_SCREEN_SWEEP);
-    thud_tui_sweep_word(tui, "sensitivity", rest);
-}
-
-static void run_cases(struct thud_tui *tui, char *rest)
-{
-    thud_tui_go(tui, THUD_SCREEN_SWEEP);
-    thud_tui_sweep_word(tui, "cases", rest);
-}
-
-static void run_records(struct thud_tui *tui, char *rest)
-{
-    thud_tui_go(tui, THUD_SCREEN_SWEEP);
-    thud_tui_sweep_word(tui, "records", rest);
-}
-
-static void run_signs(struct thud_tui *tui, char *rest)
-{
-    thud_tui_go(tui, THUD_SCREEN_SWEEP);
-    thud_tui_sweep_word(tui, "signs", rest);
-}
-
-static void run_events(struct thud_tui *tui, char *rest)
-{
-    thud_tui_go(tui, THUD_SCREEN_SWEEP);
-    thud_tui_sweep_word(tui, "events", rest);
 }
 
 static void run_sweep(struct thud_tui *tui, char *rest)
@@ -302,70 +242,17 @@ static void run_bench(struct thud_tui *tui, char *rest)
     thud_tui_act(tui, THUD_DO_RUN);
 }
 
-/* clang-format off */
-#define KEY(name, arguments, key) {name, "", arguments, NULL, key, THUD_DO_NOTHING}
-#define RUN(name, arguments) {#name, "", arguments, run_##name, NULL, THUD_DO_NOTHING}
-#define ACT(name, action) {name, "", "", NULL, NULL, action}
-/* clang-format on */
 static const struct command table[] = {
-    RUN(set, "KEY VALUE"),
-    RUN(case, "none|bumper|cavity"),
-    KEY("title", "TEXT", "title"),
-    KEY("record", "FILE", "record.file"),
-    KEY("peak", "\"0.821 g\"", "record.peak"),
-    KEY("sa", "ACCELERATION", "record.sa"),
-    KEY("period", "TIME", "record.period"),
-    KEY("factor", "NUMBER", "record.factor"),
-    KEY("sign", "+|-", "record.sign"),
-    KEY("from", "TIME", "record.from"),
-    KEY("to", "TIME", "record.to"),
-    KEY("dt", "TIME", "record.dt"),
-    KEY("unit", "UNIT", "record.unit"),
-    KEY("channel", "NAME", "record.channel"),
-    KEY("column", "N", "record.column"),
-    KEY("skip", "N", "record.skip"),
-    KEY("method", "NAME", "analysis.method"),
-    KEY("step", "TIME", "analysis.step"),
-    KEY("tolerance", "NUMBER", "analysis.tolerance"),
-    RUN(run, ""),
-    RUN(vary, "KEY=FROM:TO:STEP"),
-    RUN(vary2, "KEY=FROM:TO:STEP"),
-    RUN(vary3, "KEY=FROM:TO:STEP"),
-    RUN(vary4, "KEY=FROM:TO:STEP"),
-    RUN(sensitivity, "CHANGE"),
-    RUN(cases, "CASE,CASE"),
-    RUN(records, "FILE,DIR,NAME.list"),
-    RUN(signs, "[both]"),
-    RUN(events, "EVENT,EVENT"),
-    RUN(sweep, ""),
-    RUN(bench, ""),
-    RUN(screen, "NAME"),
-    RUN(figures, "[SCREEN]"),
-    RUN(picture, "[SCREEN [FIGURE]]"),
-    RUN(table, "[SCREEN [FIGURE]]"),
-    ACT("undo", THUD_DO_UNDO),
-    ACT("redo", THUD_DO_REDO),
-    ACT("pin", THUD_DO_PIN),
-    ACT("exchange", THUD_DO_EXCHANGE),
-    RUN(bumper, "[INTERFACE]"),
-    {"keep-force", "", "", run_keep_force, NULL, THUD_DO_NOTHING},
-    RUN(beside, "none|LAW|NAME VALUE"),
-    RUN(storey, "add|delete STRUCTURE FLOOR"),
-    RUN(structure, "add|remove STRUCTURE"),
-    RUN(swap, "STRUCTURE"),
-    RUN(paste, "KEY VALUES"),
-    RUN(log, "[FILE]"),
-    RUN(new, "[storeys: 5, 7; gap: 8 cm; ...]"),
-    RUN(folder, "[DIR]"),
-    {"open", "o", "PRESET", run_open, NULL, THUD_DO_NOTHING},
-    {"write", "w", "[FILE]", run_write, NULL, THUD_DO_NOTHING},
-    RUN(live, "[off]"),
-    {"quit", "q", "[!]", run_quit, NULL, THUD_DO_NOTHING},
-    {"help", "h", "", NULL, NULL, THUD_DO_HELP},
+#define THUD_RUN(word, short_word, usage, name) {word, short_word, run_##name, NULL, THUD_DO_NOTHING, -1},
+#define THUD_SET(word, usage, key)              {word, "", NULL, key, THUD_DO_NOTHING, -1},
+#define THUD_ACT(word, short_word, action)      {word, short_word, NULL, NULL, THUD_DO_##action, -1},
+#define THUD_OF(word, usage, screen)            {word, "", NULL, NULL, THUD_DO_NOTHING, THUD_SCREEN_##screen},
+#include "tui/document/command_list.h"
+#undef THUD_RUN
+#undef THUD_SET
+#undef THUD_ACT
+#undef THUD_OF
 };
-#undef KEY
-#undef ACT
-#undef RUN
 
 /* Quotes that a shell would have taken away. */
 static char *unquoted(char *text)
@@ -428,7 +315,10 @@ void thud_tui_command(struct thud_tui *tui, const char *text)
                 thud_tui_set(tui, table[i].key, unquoted(rest));
             else if (table[i].run)
                 table[i].run(tui, rest);
-            else
+            else if (table[i].screen >= 0) {
+                thud_tui_go(tui, table[i].screen);
+                thud_tui_view(tui)->command(tui, first, rest);
+            } else
                 thud_tui_act(tui, table[i].action);
             return;
         }
@@ -436,10 +326,4 @@ void thud_tui_command(struct thud_tui *tui, const char *text)
         run_set(tui, word);
     else
         list_words(tui, first);
-}
-
-void thud_tui_commands_text(struct thud_text *out)
-{
-    for (size_t i = 0; i < sizeof table / sizeof *table; i++)
-        thud_text_append(out, ":%s %s\n", table[i].word, table[i].usage);
 }

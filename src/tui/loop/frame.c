@@ -3,41 +3,14 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "tui/document/field.h"
+#include "tui/loop/loop.h"
 #include "tui/loop/verdict.h"
-#include "tui/screens/help_text.h"
-#include "tui/screens/new_scene.h"
-
-enum { LEAST_WIDTH = 40, LEAST_HEIGHT = 10, DESIGN_WIDTH = 80, DESIGN_HEIGHT = 24 };
-
-char *thud_tui_number(double value, char text[24])
-{
-    if (isnan(value))
-        return strcpy(text, "·");
-    if (isinf(value))
-        return strcpy(text, value > 0.0 ? "inf" : "-inf");
-    const double nothing = 1e-12; /* in any unit that is shown: rounding of a speed of 0, say */
-    double size = fabs(value);
-    if (size < nothing)
-        return strcpy(text, "0");
-    if (size >= 1e6 || size < 1e-3)
-        snprintf(text, 24, "%.2e", value);
-    else if (size >= 99.95)
-        snprintf(text, 24, "%.0f", value);
-    else
-        snprintf(text, 24, "%.*f",
-                 size >= 9.995      ? 1
-                 : size >= 0.9995   ? 2
-                 : size >= 0.09995  ? 3
-                 : size >= 0.009995 ? 4
-                                    : 5,
-                 value);
-    return text;
-}
 
 static bool any_failed(const struct thud_tui *tui)
 {
     for (int i = 0; i < THUD_LIVE_CASES; i++)
-        if (tui->live.which[i].state == THUD_LIVE_FAILED)
+        if (tui->run.live.which[i].state == THUD_LIVE_FAILED)
             return true;
     return false;
 }
@@ -48,19 +21,19 @@ static int run_status(struct thud_tui *tui, const struct thud_pane *row)
     char text[64];
     int role = THUD_ROLE_MUTED;
     double own = -1.0;
-    for (int i = 0; i < THUD_SCREENS && own < 0.0; i++)
-        if (thud_view_of((enum thud_screen)i)->progress)
-            own = thud_view_of((enum thud_screen)i)->progress(tui);
-    if (tui->writing) {
-        snprintf(text, sizeof text, "figures %d/%d  Esc stops ", tui->writing_done, tui->writing_count);
+    for (int i = 0; i < tui->screens && own < 0.0; i++)
+        if (tui->view[i]->progress)
+            own = tui->view[i]->progress(tui);
+    if (tui->files.work) {
+        snprintf(text, sizeof text, "figures %d/%d  Esc stops ", tui->files.done, tui->files.count);
         role = THUD_ROLE_WARN;
-    } else if (tui->live.running || own >= 0.0) {
-        int tenths = (int)(10.0 * (tui->live.running ? thud_live_progress(&tui->live) : own));
+    } else if (tui->run.live.running || own >= 0.0) {
+        int tenths = (int)(10.0 * (tui->run.live.running ? thud_live_progress(&tui->run.live) : own));
         char bar[16] = "..........";
         memset(bar, '#', (size_t)(tenths < 0 ? 0 : tenths > 10 ? 10 : tenths));
         snprintf(text, sizeof text, "[%s] Esc stops ", bar);
         role = THUD_ROLE_WARN;
-    } else if (tui->ran_revision != tui->doc.revision) {
+    } else if (tui->run.revision != tui->doc.revision) {
         snprintf(text, sizeof text, "not run: r runs ");
         role = THUD_ROLE_WARN;
     } else if (any_failed(tui)) {
@@ -68,7 +41,7 @@ static int run_status(struct thud_tui *tui, const struct thud_pane *row)
         role = THUD_ROLE_ERROR;
     } else {
         char number[24];
-        snprintf(text, sizeof text, "run %s ms  ok ", thud_tui_number(1e3 * tui->elapsed_s, number));
+        snprintf(text, sizeof text, "run %s ms  ok ", thud_tui_number(1e3 * tui->run.elapsed_s, number));
         role = THUD_ROLE_GOOD;
     }
     thud_pane_right(row, row->w, 0, thud_look(role, THUD_BOLD), text);
@@ -103,12 +76,11 @@ static void record_words(const struct thud_tui *tui, int columns, char *text, si
 static int tabs(struct thud_tui *tui, const struct thud_pane *row, int column)
 {
     int at = 0;
-    for (int i = 0; i < THUD_SCREENS; i++) {
-        bool here = i == (int)tui->screen, named = here || row->w >= DESIGN_WIDTH - 8;
+    for (int i = 0; i < tui->screens; i++) {
+        bool here = i == tui->screen, named = here || row->w >= THUD_DESIGN_WIDTH - 8;
         char text[64];
         if (named)
-            snprintf(text, sizeof text, "%c%d %s%c", here ? '[' : ' ', i + 1, thud_view_of((enum thud_screen)i)->title,
-                     here ? ']' : ' ');
+            snprintf(text, sizeof text, "%c%d %s%c", here ? '[' : ' ', i + 1, tui->view[i]->title, here ? ']' : ' ');
         else
             snprintf(text, sizeof text, " %d ", i + 1);
         int role = here ? THUD_ROLE_TITLE : named ? THUD_ROLE_PLAIN : THUD_ROLE_MUTED, from = at;
@@ -147,8 +119,8 @@ static void field_words(struct thud_tui *tui, char *text, size_t size)
     const struct thud_field *field = thud_form_focus(&tui->form);
     int floor;
     *text = '\0';
-    const struct thud_view *view = thud_view_of(tui->screen);
-    if (tui->mode == THUD_MODE_NEW) /* a form of its own stands over the screen */
+    const struct thud_view *view = thud_tui_view(tui);
+    if (tui->dialog.mode == THUD_MODE_OVER) /* a form of its own stands over the screen */
         return;
     if (field && field->kind == THUD_FIELD_ROW && view->hint)
         snprintf(text, size, "%s", view->hint(field));
@@ -173,19 +145,19 @@ static void field_words(struct thud_tui *tui, char *text, size_t size)
 static void bottom_keys(struct thud_tui *tui, const struct thud_pane *row)
 {
     int where = thud_tui_where(tui);
-    bool normal = tui->mode == THUD_MODE_NORMAL;
+    bool normal = tui->dialog.mode == THUD_MODE_NORMAL;
     const char *always = normal ? "? help  q quit " : "";
     int at = 1, room = row->w - thud_utf8_columns(always);
-    if (tui->mode == THUD_MODE_ASKING)
+    if (tui->dialog.mode == THUD_MODE_ASKING)
         at += thud_pane_put(row, at, 0, thud_look(THUD_ROLE_KEY, 0),
-                            thud_tui_asks_to_save(tui) ? "s save  y lose  Esc stay" : "y yes   n no   Esc cancel");
-    for (int i = 0; i < thud_key_count() && tui->mode != THUD_MODE_ASKING; i++) {
+                            tui->dialog.question->unsaved ? "s save  y lose  Esc stay" : "y yes   n no   Esc cancel");
+    for (int i = 0; i < thud_key_count() && tui->dialog.mode != THUD_MODE_ASKING; i++) {
         const struct thud_key_entry *key = thud_key_at(i);
         if (!(key->where & where) || !*key->label || key->action == THUD_DO_HELP || key->action == THUD_DO_QUIT ||
             thud_key_action(where, key->key) != key->action || (normal && thud_tui_cannot(tui, key->action)))
             continue;
         bool between_fields = key->action == THUD_DO_ACCEPT_NEXT || key->action == THUD_DO_ACCEPT_DOWN;
-        if (between_fields && tui->typing != THUD_TYPE_FIELD)
+        if (between_fields && tui->dialog.mode == THUD_MODE_TYPING && tui->dialog.prompt)
             continue;
         bool alone = *key->label == '~';
         char text[64];
@@ -197,15 +169,6 @@ static void bottom_keys(struct thud_tui *tui, const struct thud_pane *row)
         at += width + 2;
     }
     thud_pane_right(row, row->w, 0, thud_look(THUD_ROLE_KEY, 0), always);
-}
-
-/* The prompt of what is typed outside a field. */
-static const char *prompt_words(const struct thud_tui *tui)
-{
-    static const char *const words[] = {"", ":", "save as: ", "file name contains: ", "", "search: "};
-    if (tui->typing == THUD_TYPE_STUDY)
-        return tui->target;
-    return words[tui->typing];
 }
 
 /* Leaves off sentences at the end until the rest fits into so many rows. */
@@ -227,23 +190,25 @@ static void bottom_lines(struct thud_tui *tui, const struct thud_pane *page, int
     struct thud_pane lines = thud_pane_inside(page, 0, page->h - rows, page->w, rows);
     char words[1024];
     field_words(tui, words, sizeof words);
-    struct thud_look said = thud_look((int)tui->message_role, THUD_BOLD), muted = thud_look(THUD_ROLE_PLAIN, 0);
+    struct thud_look said = thud_look((int)tui->said.role, THUD_BOLD), muted = thud_look(THUD_ROLE_PLAIN, 0);
     struct thud_pane upper = thud_pane_inside(&lines, 0, 0, lines.w, rows - 1);
     struct thud_pane nowhere = thud_pane_inside(&lines, 0, 0, lines.w, 0);
-    int needed = thud_pane_wrap(&nowhere, 1, 0, lines.w - 2, said, tui->message);
+    int needed = thud_pane_wrap(&nowhere, 1, 0, lines.w - 2, said, tui->said.text);
     if (needed > upper.h && needed < page->h / 2) { /* over the panes, as long as it is said */
         upper = thud_pane_inside(page, 0, page->h - 1 - needed, page->w, needed);
         for (int y = 0; y < upper.h; y++)
             for (int x = 0; x < upper.w; x++)
                 thud_pane_glyph(&upper, x, y, muted, ' ');
     }
-    if (tui->mode == THUD_MODE_TYPING && tui->typing != THUD_TYPE_FIELD) {
-        int at = 1 + thud_pane_put(&upper, 1, upper.h - 1, thud_look(THUD_ROLE_KEY, THUD_BOLD), prompt_words(tui));
-        if (*tui->message && upper.h > 1)
-            thud_pane_put(&upper, 1, 0, said, tui->message);
-        thud_line_draw(&tui->line, &upper, at, upper.h - 1, upper.w - at, thud_look(THUD_ROLE_VALUE, THUD_UNDERLINE));
+    if (tui->dialog.mode == THUD_MODE_TYPING && tui->dialog.prompt) {
+        const char *before = tui->dialog.prompt->words ? tui->dialog.prompt->words : tui->dialog.target;
+        int at = 1 + thud_pane_put(&upper, 1, upper.h - 1, thud_look(THUD_ROLE_KEY, THUD_BOLD), before);
+        if (*tui->said.text && upper.h > 1)
+            thud_pane_put(&upper, 1, 0, said, tui->said.text);
+        thud_line_draw(&tui->dialog.line, &upper, at, upper.h - 1, upper.w - at,
+                       thud_look(THUD_ROLE_VALUE, THUD_UNDERLINE));
     } else {
-        int used = *tui->message ? thud_pane_wrap(&upper, 1, 0, upper.w - 2, said, tui->message) : 0;
+        int used = *tui->said.text ? thud_pane_wrap(&upper, 1, 0, upper.w - 2, said, tui->said.text) : 0;
         if (used == 0 && upper.h > 1 && thud_utf8_columns(words) <= upper.w - 2)
             used = 1;
         fit_words(&upper, upper.h - used, words);
@@ -277,33 +242,17 @@ static void draw_pane(struct thud_tui *tui, const struct thud_view *view, const 
     }
 }
 
-static int bottom_rows(const struct thud_canvas *canvas)
-{
-    return canvas->height < 16 ? 2 : 3;
-}
-
-struct thud_rect thud_tui_area(const struct thud_tui *tui)
-{
-    int top = thud_view_of(tui->screen)->verdict && tui->canvas.height >= 12 ? 3 : 2;
-    return (struct thud_rect){0, top, tui->canvas.width, tui->canvas.height - top - bottom_rows(&tui->canvas)};
-}
-
-bool thud_tui_one_pane(const struct thud_tui *tui)
-{
-    return tui->canvas.width < DESIGN_WIDTH || tui->canvas.height < DESIGN_HEIGHT;
-}
-
 /* All panes; returns how many there are. Where the terminal is small the one with the cursor takes all the room. */
 static int draw_panes(struct thud_tui *tui, const struct thud_pane *page, struct thud_rect area)
 {
-    const struct thud_view *view = thud_view_of(tui->screen);
+    const struct thud_view *view = thud_tui_view(tui);
     struct thud_rect rect[THUD_PANES_MAX];
     int n = view->layout(tui, area, rect);
     bool small = thud_tui_one_pane(tui);
     int here = tui->form.pane[tui->screen];
     if (here < 0 || here >= n)
         here = 0;
-    thud_form_begin(&tui->form, (int)tui->screen);
+    thud_form_begin(&tui->form, tui->screen);
     tui->chart.plot.w = tui->chart.plot.h = 0;
     for (int i = 0; i < n; i++) {
         struct thud_rect hidden = {0, 0, 0, 0};
@@ -312,26 +261,19 @@ static int draw_panes(struct thud_tui *tui, const struct thud_pane *page, struct
     return n;
 }
 
-bool thud_tui_too_small(struct thud_tui *tui)
-{
-    int width, height;
-    tui->backend->size(tui->backend, &width, &height);
-    return width < LEAST_WIDTH || height < LEAST_HEIGHT;
-}
-
 static void say_too_small(const struct thud_tui *tui, const struct thud_pane *page)
 {
     char text[80];
-    snprintf(text, sizeof text, "thud needs %dx%d, here %dx%d", LEAST_WIDTH, LEAST_HEIGHT, page->w, page->h);
+    snprintf(text, sizeof text, "thud needs %dx%d, here %dx%d", THUD_LEAST_WIDTH, THUD_LEAST_HEIGHT, page->w, page->h);
     int y = thud_pane_wrap(page, 0, 0, page->w, thud_look(THUD_ROLE_PLAIN, 0), text);
-    if (tui->mode == THUD_MODE_ASKING)
-        thud_pane_wrap(page, 0, y, page->w, thud_look(THUD_ROLE_WARN, THUD_BOLD), tui->message);
+    if (tui->dialog.mode == THUD_MODE_ASKING)
+        thud_pane_wrap(page, 0, y, page->w, thud_look(THUD_ROLE_WARN, THUD_BOLD), tui->said.text);
 }
 
 void thud_tui_draw(struct thud_tui *tui)
 {
     int width, height;
-    if (tui->picture != THUD_IMAGE_NONE)
+    if (tui->files.picture != THUD_IMAGE_NONE)
         return;
     tui->backend->size(tui->backend, &width, &height);
     if ((width != tui->canvas.width || height != tui->canvas.height) &&
@@ -340,12 +282,12 @@ void thud_tui_draw(struct thud_tui *tui)
     for (int pass = 0; pass < 3; pass++) {
         thud_canvas_clear(&tui->canvas);
         struct thud_pane page = thud_canvas_pane(&tui->canvas);
-        if (page.w < LEAST_WIDTH || page.h < LEAST_HEIGHT) {
+        if (page.w < THUD_LEAST_WIDTH || page.h < THUD_LEAST_HEIGHT) {
             say_too_small(tui, &page);
             break;
         }
-        int rows = bottom_rows(&tui->canvas);
         struct thud_rect area = thud_tui_area(tui);
+        int rows = page.h - area.y - area.h;
         int panes = draw_panes(tui, &page, area);
         bool again = thud_form_end(&tui->form, panes);
         top_lines(tui, &page);
@@ -353,19 +295,18 @@ void thud_tui_draw(struct thud_tui *tui)
             struct thud_pane verdict = thud_pane_inside(&page, 0, 2, page.w, 1);
             thud_verdict_draw(tui, &verdict);
         }
-        if (tui->mode == THUD_MODE_CHOOSING) {
+        if (tui->dialog.mode == THUD_MODE_CHOOSING) {
             struct thud_pane over = thud_pane_inside(&page, 0, area.y, area.w, area.h);
-            thud_chooser_draw(&tui->chooser, &over);
+            thud_chooser_draw(&tui->dialog.chooser, &over);
         }
-        if (tui->mode == THUD_MODE_NEW) {
+        if (tui->dialog.mode == THUD_MODE_OVER) {
             struct thud_pane over = thud_pane_inside(&page, 0, 2, page.w, page.h - 2 - rows);
-            thud_new_scene_draw(tui, &over);
+            tui->dialog.over->draw(tui, &over);
         }
         bottom_lines(tui, &page, rows);
         if (!again)
             break;
     }
     tui->backend->show(tui->backend, &tui->canvas);
-    tui->drawn_s = tui->backend->now(tui->backend);
-    tui->dirty = tui->draw_now = false;
+    thud_tui_drawn(tui);
 }

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "tui/document/session_log.h"
-#include "tui/screens/new_scene.h"
+#include "tui/loop/loop.h"
 
 /* The next row of a paste, without the end of its line; false at its end. Terminals send a line's end as CR. */
 static bool next_row(const char **text, char *row, size_t size)
@@ -137,20 +137,20 @@ void thud_tui_paste_line(struct thud_tui *tui, const char *line)
 void thud_tui_paste(struct thud_tui *tui, const char *text)
 {
     const struct thud_field *field = thud_form_focus(&tui->form);
-    bool typing = tui->mode == THUD_MODE_TYPING, cells = text && strpbrk(text, "\r\n\t;") != NULL;
-    if (!text || !*text || tui->mode == THUD_MODE_ASKING)
+    bool typing = tui->dialog.mode == THUD_MODE_TYPING, cells = text && strpbrk(text, "\r\n\t;") != NULL;
+    if (!text || !*text || tui->dialog.mode == THUD_MODE_ASKING)
         return;
-    if (tui->mode == THUD_MODE_NEW) {
-        thud_line_type(&tui->new_scene->line, text);
-        return;
-    }
-    if (tui->mode == THUD_MODE_CHOOSING) {
-        thud_line_type(&tui->chooser.filter, text);
-        thud_chooser_key(&tui->chooser, THUD_KEY_NONE);
+    if (tui->dialog.mode == THUD_MODE_OVER) {
+        thud_line_type(tui->dialog.over->line(tui), text);
         return;
     }
-    if (typing && (tui->typing != THUD_TYPE_FIELD || !cells)) {
-        thud_line_type(&tui->line, text);
+    if (tui->dialog.mode == THUD_MODE_CHOOSING) {
+        thud_line_type(&tui->dialog.chooser.filter, text);
+        thud_chooser_key(&tui->dialog.chooser, THUD_KEY_NONE);
+        return;
+    }
+    if (typing && (tui->dialog.prompt || !cells)) {
+        thud_line_type(&tui->dialog.line, text);
         return;
     }
     if (!field || field->kind != THUD_FIELD_VALUE) {
@@ -170,7 +170,7 @@ void thud_tui_paste(struct thud_tui *tui, const char *text)
     if (status == THUD_OK && n > 0)
         status = thud_doc_change(&tui->doc, next, what, &err);
     free(next);
-    tui->mode = THUD_MODE_NORMAL;
+    thud_tui_normal(tui);
     if (status != THUD_OK) {
         char words[600];
         thud_tui_say(tui, THUD_ROLE_ERROR, "! nothing was changed: %s", thud_error_text(&err, words, sizeof words));
@@ -181,6 +181,5 @@ void thud_tui_paste(struct thud_tui *tui, const char *text)
         escape(text, line, sizeof line);
         thud_tui_log(tui, "paste %s %s", field->path, line);
         thud_tui_say(tui, THUD_ROLE_PLAIN, "%s taken (u undoes)", what);
-        thud_tui_changed(tui);
     }
 }

@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "io/file/file.h"
-#include "tui/loop/loop.h"
 #include "tui/loop/play.h"
 #include "tui/loop/verdict.h"
 
@@ -13,8 +12,8 @@ enum { WIDTH = 100, HEIGHT = 40, BYTES_MAX = 1 << 20 };
 /* Works until nothing is left to do. */
 static void settle(struct thud_tui *tui)
 {
-    while (thud_tui_turn(tui, false) || tui->writing)
-        if (tui->writing)
+    while (thud_tui_turn(tui, false) || tui->files.work)
+        if (tui->files.work)
             thud_tui_turn(tui, true);
     thud_tui_draw(tui);
 }
@@ -31,36 +30,36 @@ static void print_screen(struct thud_tui *tui, struct thud_text *out)
 /* One line; false where it was refused, and `err` says why. */
 static bool play_line(struct thud_tui *tui, const char *line, struct thud_text *out, struct thud_error *err)
 {
-    char before[sizeof tui->verdict];
+    char before[sizeof tui->verdict.text];
     line += strspn(line, " \t:");
     if (!*line || *line == '#')
         return true;
-    memcpy(before, tui->verdict, sizeof before);
+    memcpy(before, tui->verdict.text, sizeof before);
     size_t echo = out->size;
     thud_text_append(out, "> %s\n", line);
     if (!out->failed)
         out->size = echo + thud_text_shown(out->data + echo, "\n");
-    tui->message[0] = '\0';
+    thud_tui_hush(tui);
     if (strcmp(line, "show") == 0) {
         print_screen(tui, out);
         return true;
     }
-    tui->playing = true;
+    tui->end.playing = true;
     thud_tui_command(tui, line);
     settle(tui);
-    tui->playing = false;
-    if (tui->message_role == THUD_ROLE_ERROR && *tui->message) {
-        thud_error_set(err, THUD_INPUT, "%s", tui->message + 2 * (strncmp(tui->message, "! ", 2) == 0));
+    tui->end.playing = false;
+    if (tui->said.role == THUD_ROLE_ERROR && *tui->said.text) {
+        thud_error_set(err, THUD_INPUT, "%s", tui->said.text + 2 * (strncmp(tui->said.text, "! ", 2) == 0));
         return false;
     }
-    if (tui->mode != THUD_MODE_NORMAL && !tui->quit) {
-        thud_error_set(err, THUD_INPUT, "waits for an answer%s%s", *tui->message ? ": " : "", tui->message);
+    if (tui->dialog.mode != THUD_MODE_NORMAL && !tui->end.quit) {
+        thud_error_set(err, THUD_INPUT, "waits for an answer%s%s", *tui->said.text ? ": " : "", tui->said.text);
         return false;
     }
-    if (*tui->message)
-        thud_text_append(out, "%s\n", tui->message);
-    if (*tui->verdict && strcmp(before, tui->verdict) != 0)
-        thud_text_append(out, "%s\n", tui->verdict);
+    if (*tui->said.text)
+        thud_text_append(out, "%s\n", tui->said.text);
+    if (*tui->verdict.text && strcmp(before, tui->verdict.text) != 0)
+        thud_text_append(out, "%s\n", tui->verdict.text);
     return true;
 }
 
@@ -73,9 +72,9 @@ enum thud_status thud_tui_play_lines(struct thud_tui *tui, const char *path, str
     if (status != THUD_OK)
         return status;
     settle(tui);
-    if (*tui->verdict)
-        thud_text_append(out, "%s\n", tui->verdict);
-    for (rest = text; status == THUD_OK && !tui->quit && (line = thud_text_line(&rest)) != NULL;) {
+    if (*tui->verdict.text)
+        thud_text_append(out, "%s\n", tui->verdict.text);
+    for (rest = text; status == THUD_OK && !tui->end.quit && (line = thud_text_line(&rest)) != NULL;) {
         number++;
         if (!play_line(tui, line, out, err)) {
             thud_error_place(err, path, number, 0);
@@ -96,7 +95,7 @@ enum thud_status thud_tui_play(const struct thud_tui_options *options, struct th
     enum thud_status status = thud_tui_create(options, &backend, &tui, err);
     if (status != THUD_OK)
         return status;
-    tui->mode = THUD_MODE_NORMAL; /* neither a form nor a question */
+    thud_tui_normal(tui); /* neither a form nor a question */
     status = thud_tui_play_lines(tui, options->play, &out, err);
     if (out.failed && status == THUD_OK)
         status = thud_error_set(err, THUD_MEMORY, "no memory for what is printed");

@@ -2,7 +2,7 @@
 #ifndef THUD_TUI_PLAY_H
 #define THUD_TUI_PLAY_H
 
-#include "tui/document/state.h"
+#include "tui/loop/loop.h"
 
 /* Carries out the commands of options->play, and prints each with what came of it: messages, and the answer where it is
  * another one. Errors: THUD_INPUT with file and line where a command was refused, THUD_OUTPUT, THUD_MEMORY. */

@@ -4,7 +4,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#include "tui/document/state.h"
+#include "tui/loop/loop.h"
 
 /* Candidates for the word at the end of the line, and what they have in common. */
 struct completion {
@@ -69,7 +69,7 @@ static void offer_words(struct thud_tui *tui, struct completion *c, const char *
 {
     if (n == 0) {
         struct thud_text words = {0};
-        thud_tui_commands_text(&words);
+        thud_commands_text(&words);
         char *rest = words.data;
         for (char *line; rest && (line = strtok_r(rest, "\n", &rest)) != NULL;) {
             line[strcspn(line, " ")] = '\0';
@@ -78,8 +78,8 @@ static void offer_words(struct thud_tui *tui, struct completion *c, const char *
         thud_text_clear(&words);
     } else if (strncmp(command, "set", n) == 0 || strncmp(command, "vary", n) == 0) {
         thud_tui_fill_fields(tui);
-        for (int i = 0; i < tui->chooser.n; i++)
-            offer(c, tui->chooser.choice[i].value, *command == 's' ? " " : "=");
+        for (int i = 0; i < tui->dialog.chooser.n; i++)
+            offer(c, tui->dialog.chooser.choice[i].value, *command == 's' ? " " : "=");
         offer(c, "gap", *command == 's' ? " " : "=");
     } else {
         if (strncmp(command, "record", n) == 0)
@@ -93,15 +93,15 @@ static void offer_words(struct thud_tui *tui, struct completion *c, const char *
 static void complete(struct thud_tui *tui)
 {
     struct completion c = {0};
-    char *text = tui->line.text, *last = strrchr(text, ' ');
+    char *text = tui->dialog.line.text, *last = strrchr(text, ' ');
     char word[256];
-    if (tui->line.cursor != (int)strlen(text))
+    if (tui->dialog.line.cursor != (int)strlen(text))
         return;
-    if (tui->typing == THUD_TYPE_SAVE_AS)
+    if (!tui->dialog.prompt->commands)
         last = NULL;
     snprintf(word, sizeof word, "%.255s", last ? last + 1 : text);
     c.word = word;
-    if (tui->typing == THUD_TYPE_COMMAND)
+    if (tui->dialog.prompt->commands)
         offer_words(tui, &c, text, last ? strcspn(text, " ") : 0);
     else
         offer_files(&c);
@@ -111,36 +111,37 @@ static void complete(struct thud_tui *tui)
     }
     char whole[THUD_LINE_MAX];
     snprintf(whole, sizeof whole, "%.*s%s", last ? (int)(last + 1 - text) : 0, text, c.common);
-    thud_line_set(&tui->line, whole);
-    tui->message[0] = '\0';
+    thud_line_set(&tui->dialog.line, whole);
+    thud_tui_hush(tui);
     if (c.n > 1)
         thud_tui_say(tui, THUD_ROLE_PLAIN, "%s", c.list);
 }
 
 void thud_tui_remember(struct thud_tui *tui, const char *text)
 {
-    if (!*text || (tui->nhistory > 0 && strcmp(tui->history[tui->nhistory - 1], text) == 0))
+    if (!*text || (tui->dialog.ncommands > 0 && strcmp(tui->dialog.command[tui->dialog.ncommands - 1], text) == 0))
         return;
-    if (tui->nhistory == THUD_HISTORY)
-        memmove(tui->history[0], tui->history[1], sizeof tui->history - sizeof *tui->history);
+    if (tui->dialog.ncommands == THUD_HISTORY)
+        memmove(tui->dialog.command[0], tui->dialog.command[1],
+                sizeof tui->dialog.command - sizeof *tui->dialog.command);
     else
-        tui->nhistory++;
-    snprintf(tui->history[tui->nhistory - 1], sizeof *tui->history, "%s", text);
+        tui->dialog.ncommands++;
+    snprintf(tui->dialog.command[tui->dialog.ncommands - 1], sizeof *tui->dialog.command, "%s", text);
 }
 
 bool thud_tui_prompt_key(struct thud_tui *tui, int key)
 {
-    bool files = tui->typing == THUD_TYPE_COMMAND || tui->typing == THUD_TYPE_SAVE_AS;
-    if (key == THUD_KEY_TAB && files) {
+    const struct thud_prompt *prompt = tui->dialog.prompt;
+    if (key == THUD_KEY_TAB && prompt->files) {
         complete(tui);
         return true;
     }
-    if (tui->typing != THUD_TYPE_COMMAND || (key != THUD_KEY_UP && key != THUD_KEY_DOWN))
+    if (!prompt->commands || (key != THUD_KEY_UP && key != THUD_KEY_DOWN))
         return false;
-    int at = tui->history_at + (key == THUD_KEY_UP ? -1 : 1);
-    if (at >= 0 && at <= tui->nhistory) {
-        tui->history_at = at;
-        thud_line_set(&tui->line, at < tui->nhistory ? tui->history[at] : "");
+    int at = tui->dialog.at + (key == THUD_KEY_UP ? -1 : 1);
+    if (at >= 0 && at <= tui->dialog.ncommands) {
+        tui->dialog.at = at;
+        thud_line_set(&tui->dialog.line, at < tui->dialog.ncommands ? tui->dialog.command[at] : "");
     }
     return true;
 }

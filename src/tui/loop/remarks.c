@@ -4,18 +4,18 @@
 
 #include "study/suite/scaling.h"
 #include "study/sweep/remark.h"
-#include "tui/document/state.h"
+#include "tui/loop/loop.h"
 
 /* Of the case as written. */
 static enum thud_live_which as_written(const struct thud_tui *tui)
 {
-    return tui->live.which[THUD_LIVE_BUMPER].state == THUD_LIVE_ABSENT ? THUD_LIVE_NONE : THUD_LIVE_BUMPER;
+    return tui->run.live.which[THUD_LIVE_BUMPER].state == THUD_LIVE_ABSENT ? THUD_LIVE_NONE : THUD_LIVE_BUMPER;
 }
 
 static const struct thud_result *own_result(const struct thud_tui *tui)
 {
-    bool current = !tui->live.running && tui->ran_revision == tui->doc.revision;
-    return current ? thud_live_result(&tui->live, as_written(tui)) : NULL;
+    bool current = !tui->run.live.running && tui->run.revision == tui->doc.revision;
+    return current ? thud_live_result(&tui->run.live, as_written(tui)) : NULL;
 }
 
 /* The n-th (from 0); false when there are no more. */
@@ -25,7 +25,7 @@ static bool remark(const struct thud_tui *tui, int n, struct thud_error *out)
     const struct thud_result *result = own_result(tui);
     if (!result)
         return false;
-    const struct thud_impact *impact = thud_run_impacts(tui->live.which[as_written(tui)].run, &count);
+    const struct thud_impact *impact = thud_run_impacts(tui->run.live.which[as_written(tui)].run, &count);
     for (int i = 0; thud_result_remark(&tui->doc.scene, result, impact, count, i, out); i++)
         if (n-- == 0)
             return true;
@@ -57,7 +57,7 @@ static void add(struct thud_tui *tui, const char *key, const char *text)
         if (n > room)
             for (n = room; n > 1 && text[n] != ' ';)
                 n--;
-        thud_chooser_add(&tui->chooser, key, "%s%.*s", line > 0 ? "  " : "", (int)n, text);
+        thud_chooser_add(&tui->dialog.chooser, key, "%s%.*s", line > 0 ? "  " : "", (int)n, text);
         text += n;
         text += strspn(text, " ");
     }
@@ -78,7 +78,7 @@ void thud_tui_list_remarks(struct thud_tui *tui)
     int n = thud_tui_count_remarks(tui);
     snprintf(title, sizeof title, "%d remark%s, %s; Enter goes to the field", n, n == 1 ? "" : "s",
              thud_live_name(as_written(tui)));
-    thud_tui_choose(tui, THUD_CHOOSE_FIELD, title);
+    thud_tui_choose(tui, thud_tui_go_to_field, title);
     for (int i = 0; remark(tui, i, &out); i++) {
         snprintf(text, sizeof text, "! %s%s%s%s", out.what, *out.allowed ? " (" : "", out.allowed,
                  *out.allowed ? ")" : "");

@@ -8,26 +8,26 @@
 
 #include "tui/document/session_log.h"
 #include "tui/loop/loop.h"
+#include "tui/loop/new_scene.h"
 #include "tui/loop/play.h"
-#include "tui/screens/new_scene.h"
 #include "tui/terminal/config.h"
 
 static const double slice_s = 0.012, redraw_s = 0.05, live_limit_s = 1.0, history_limit_s = 4.0;
 
-void thud_tui_say(struct thud_tui *tui, enum thud_role role, const char *fmt, ...)
+/* Those of the list, and one more. */
+static enum thud_status take_screens(struct thud_tui *tui, struct thud_error *err)
 {
-    va_list args;
-    va_start(args, fmt);
-    vsnprintf(tui->message, sizeof tui->message, fmt, args);
-    va_end(args);
-    tui->message_role = role;
-    tui->dirty = true;
-}
-
-void thud_tui_say_error(struct thud_tui *tui, const struct thud_error *err)
-{
-    char text[600];
-    thud_tui_say(tui, THUD_ROLE_ERROR, "! %s", thud_error_text(err, text, sizeof text));
+    for (int i = 0; i <= THUD_SCREENS; i++) {
+        const struct thud_view *view = i < THUD_SCREENS ? thud_views[i] : tui->options.view;
+        if (!view)
+            break;
+        tui->own[i] = calloc(1, view->size > 0 ? view->size : 1);
+        if (!tui->own[i])
+            return thud_error_set(err, THUD_MEMORY, "no memory for the screens");
+        tui->view[i] = view;
+        tui->screens = i + 1;
+    }
+    return THUD_OK;
 }
 
 enum thud_status thud_tui_create(const struct thud_tui_options *options, struct thud_backend *backend,
@@ -40,12 +40,15 @@ enum thud_status thud_tui_create(const struct thud_tui_options *options, struct 
     tui->doc.paths = options->paths;
     tui->canvas.ascii = !backend->utf8;
     tui->canvas.color = backend->color;
-    tui->live_on = tui->live_wanted = tui->dirty = tui->mouse = true;
-    for (int i = 0; i < THUD_SCREENS; i++)
+    tui->mouse = true;
+    thud_tui_redraw(tui, true);
+    for (int i = 0; i <= THUD_SCREENS; i++)
         tui->reading[i] = NAN;
     tui->options = *options;
-    tui->live_wanted = !options->live_off;
-    enum thud_status status = thud_doc_open(&tui->doc, options->preset ? options->preset : "towers", err);
+    tui->run.usual = !options->live_off;
+    enum thud_status status = take_screens(tui, err);
+    if (status == THUD_OK)
+        status = thud_doc_open(&tui->doc, options->preset ? options->preset : "towers", err);
     if (status == THUD_OK && options->scene)
         status = thud_doc_change(&tui->doc, options->scene, "the options given at the start", err);
     if (status == THUD_OK)
@@ -57,7 +60,7 @@ enum thud_status thud_tui_create(const struct thud_tui_options *options, struct 
     thud_tui_opened(tui);
     thud_tui_log(tui, "open %s", options->preset ? options->preset : "towers");
     thud_tui_offer_recovery(tui);
-    if (options->fresh && tui->mode == THUD_MODE_NORMAL)
+    if (options->fresh && tui->dialog.mode == THUD_MODE_NORMAL)
         thud_new_scene_begin(tui);
     *out = tui;
     return THUD_OK;
@@ -68,34 +71,45 @@ void thud_tui_free(struct thud_tui *tui)
     if (!tui)
         return;
     thud_tui_writing_end(tui);
-    thud_live_clear(&tui->live);
-    for (int i = 0; i < THUD_SCREENS; i++)
-        if (thud_view_of((enum thud_screen)i)->free)
-            thud_view_of((enum thud_screen)i)->free(tui);
+    thud_live_clear(&tui->run.live);
+    for (int i = 0; i < tui->screens; i++) {
+        if (tui->view[i]->free)
+            tui->view[i]->free(tui);
+        free(tui->own[i]);
+    }
+    if (tui->dialog.over)
+        tui->dialog.over->free(tui);
     thud_pin_clear(&tui->pin);
     thud_text_clear(&tui->log);
-    thud_new_scene_free(tui);
-    thud_model_free(tui->own_model);
+    thud_model_free(tui->run.model);
     thud_doc_free(&tui->doc);
     thud_form_free(&tui->form);
-    thud_chooser_free(&tui->chooser);
+    thud_chooser_free(&tui->dialog.chooser);
     thud_canvas_free(&tui->canvas);
     free(tui);
+}
+
+static void prompt_done(struct thud_tui *tui)
+{
+    char text[THUD_LINE_MAX];
+    memcpy(text, tui->dialog.line.text, sizeof text);
+    thud_tui_normal(tui);
+    thud_tui_hush(tui);
+    tui->dialog.prompt->done(tui, text);
 }
 
 static void typing_key(struct thud_tui *tui, int key)
 {
     enum thud_action action = thud_key_action(thud_tui_where(tui), key);
-    bool field = tui->typing == THUD_TYPE_FIELD;
+    bool field = thud_tui_types_field(tui);
     if (action == THUD_DO_CANCEL) {
-        tui->mode = THUD_MODE_NORMAL;
-        tui->message[0] = '\0';
-        tui->quit_next = false; /* nothing was saved */
-        tui->open_next[0] = '\0';
+        thud_tui_normal(tui);
+        thud_tui_hush(tui);
+        tui->dialog.after_save = NULL; /* nothing was saved */
     } else if (!field && thud_tui_prompt_key(tui, key)) {
         return;
     } else if (action == THUD_DO_ACCEPT && !field) {
-        thud_tui_prompt_done(tui);
+        prompt_done(tui);
     } else if (action == THUD_DO_ACCEPT) {
         thud_tui_accept(tui);
     } else if (action == THUD_DO_ACCEPT_NEXT || action == THUD_DO_ACCEPT_PREVIOUS || action == THUD_DO_ACCEPT_DOWN ||
@@ -103,7 +117,7 @@ static void typing_key(struct thud_tui *tui, int key)
         if (field)
             thud_tui_accept_and_go(tui, action);
     } else {
-        thud_line_key(&tui->line, key);
+        thud_line_key(&tui->dialog.line, key);
     }
 }
 
@@ -111,11 +125,30 @@ static void choosing_key(struct thud_tui *tui, int key)
 {
     enum thud_action action = thud_key_action(thud_tui_where(tui), key);
     if (action == THUD_DO_CANCEL)
-        tui->mode = THUD_MODE_NORMAL;
+        thud_tui_normal(tui);
     else if (action == THUD_DO_ACCEPT)
         thud_tui_chosen(tui);
     else
-        thud_chooser_key(&tui->chooser, key);
+        thud_chooser_key(&tui->dialog.chooser, key);
+}
+
+static void answered(struct thud_tui *tui, int key)
+{
+    const struct thud_question *question = tui->dialog.question;
+    bool yes = key == 'y' || key == 'Y', no = key == 'n' || key == 'N' || key == THUD_KEY_ESC;
+    bool save = question->unsaved && (key == 's' || key == 'S');
+    char target[sizeof tui->dialog.target];
+    if (!yes && !no && !save)
+        return;
+    memcpy(target, tui->dialog.target, sizeof target);
+    thud_tui_normal(tui);
+    thud_tui_hush(tui);
+    if (save) {
+        tui->dialog.after_save = question;
+        memcpy(tui->dialog.after_target, target, sizeof target);
+        thud_tui_save(tui, NULL, false);
+    } else if (yes)
+        question->yes(tui, target);
 }
 
 /* A digit goes to its screen, always (also after g, or with Alt); the rest are actions. */
@@ -125,10 +158,10 @@ static void normal_key(struct thud_tui *tui, int key)
                 : key > THUD_KEY_ALT + '0' && key <= THUD_KEY_ALT + '9' ? key - THUD_KEY_ALT - '1'
                                                                         : -1;
     if (digit >= 0) {
-        if (digit < THUD_SCREENS)
-            thud_tui_go(tui, (enum thud_screen)digit);
+        if (digit < tui->screens)
+            thud_tui_go(tui, digit);
         else
-            thud_tui_say(tui, THUD_ROLE_WARN, "There is no screen %d: 1 to %d", digit + 1, THUD_SCREENS);
+            thud_tui_say(tui, THUD_ROLE_WARN, "There is no screen %d: 1 to %d", digit + 1, tui->screens);
         return;
     }
     enum thud_action action = thud_key_action(thud_tui_where(tui), key);
@@ -139,25 +172,43 @@ static void normal_key(struct thud_tui *tui, int key)
 /* On a terminal too small to show anything only what leads out is heard. */
 static bool heard(struct thud_tui *tui, int key)
 {
-    return !thud_tui_too_small(tui) || tui->mode == THUD_MODE_ASKING || key == THUD_KEY_HANGUP ||
-           key == THUD_CTRL('c') || (key == 'q' && tui->mode == THUD_MODE_NORMAL);
+    return !thud_tui_too_small(tui) || tui->dialog.mode == THUD_MODE_ASKING || key == THUD_KEY_HANGUP ||
+           key == THUD_CTRL('c') || (key == 'q' && tui->dialog.mode == THUD_MODE_NORMAL);
 }
 
 /* Ctrl-C ends as the signal would, but asks first where something is unsaved. */
 static void interrupt(struct thud_tui *tui)
 {
-    if (tui->mode != THUD_MODE_ASKING)
-        tui->mode = THUD_MODE_NORMAL;
-    else if (tui->asking == THUD_ASK_QUIT)
-        return;
+    if (tui->dialog.mode != THUD_MODE_ASKING)
+        thud_tui_normal(tui);
     thud_tui_quit(tui, false);
-    tui->interrupted = tui->quit;
+    tui->end.interrupted = tui->end.quit;
 }
 
-void thud_tui_key(struct thud_tui *tui, int key)
+static void key_of_mode(struct thud_tui *tui, int key)
 {
-    tui->dirty = true;
-    if (tui->picture != THUD_IMAGE_NONE) {
+    switch (tui->dialog.mode) {
+    case THUD_MODE_TYPING:
+        typing_key(tui, key);
+        break;
+    case THUD_MODE_CHOOSING:
+        choosing_key(tui, key);
+        break;
+    case THUD_MODE_ASKING:
+        answered(tui, key);
+        break;
+    case THUD_MODE_OVER:
+        tui->dialog.over->key(tui, key);
+        break;
+    case THUD_MODE_NORMAL:
+        normal_key(tui, key);
+        break;
+    }
+}
+
+static void take_key(struct thud_tui *tui, int key)
+{
+    if (tui->files.picture != THUD_IMAGE_NONE) {
         thud_tui_leave_picture(tui);
         if (key != THUD_CTRL('c') && key != THUD_KEY_HANGUP)
             return;
@@ -165,7 +216,7 @@ void thud_tui_key(struct thud_tui *tui, int key)
     if (key == THUD_KEY_RESIZE || !heard(tui, key))
         return;
     if (key == THUD_KEY_HANGUP) {
-        tui->hangup = tui->quit = true;
+        tui->end.hangup = tui->end.quit = true;
     } else if (key == THUD_CTRL('c')) {
         interrupt(tui);
     } else if (key == THUD_KEY_CLICK) {
@@ -174,35 +225,59 @@ void thud_tui_key(struct thud_tui *tui, int key)
         thud_tui_wheel(tui, key == THUD_KEY_WHEEL_UP ? -1 : 1);
     } else if (key == THUD_KEY_PASTE) {
         thud_tui_paste(tui, tui->backend->paste);
-    } else if (tui->mode == THUD_MODE_TYPING) {
-        typing_key(tui, key);
-    } else if (tui->mode == THUD_MODE_CHOOSING) {
-        choosing_key(tui, key);
-    } else if (tui->mode == THUD_MODE_ASKING) {
-        thud_tui_answered(tui, key);
-    } else if (tui->mode == THUD_MODE_NEW) {
-        thud_new_scene_key(tui, key);
     } else {
-        normal_key(tui, key);
+        key_of_mode(tui, key);
     }
+}
+
+/* What the key changed is followed, and the fields it led to are known, before the next one. */
+void thud_tui_key(struct thud_tui *tui, int key)
+{
+    thud_tui_redraw(tui, false);
+    take_key(tui, key);
+    thud_tui_follow(tui);
+    if (tui->redraw.edits != tui->doc.edits || tui->redraw.screen != tui->screen)
+        thud_tui_draw(tui);
 }
 
 /* A screen with work of its own, shown or not; NULL: none has any. */
 static const struct thud_view *busy_view(struct thud_tui *tui)
 {
-    for (int i = 0; i < THUD_SCREENS; i++) {
-        const struct thud_view *view = thud_view_of((enum thud_screen)i);
-        if (view->busy && view->busy(tui))
-            return view;
-    }
+    for (int i = 0; i < tui->screens; i++)
+        if (tui->view[i]->busy && tui->view[i]->busy(tui))
+            return tui->view[i];
     return NULL;
 }
 
 /* Whether the state to compare with is still to be run, or to be run with its histories. */
 static bool comparing(const struct thud_tui *tui)
 {
-    return tui->live_on && tui->ran_revision == tui->doc.revision &&
+    return tui->run.on && tui->run.revision == tui->doc.revision &&
            thud_pin_busy(&tui->pin, &tui->doc, thud_tui_wants_history(tui));
+}
+
+/* The live run has ended: what waited for it is done, and a failure is told. */
+static void ran(struct thud_tui *tui)
+{
+    enum thud_action action = tui->files.whole_wanted;
+    tui->files.whole_wanted = THUD_DO_NOTHING;
+    if (tui->files.pictures_wanted)
+        thud_tui_run_pictures(tui);
+    if (action != THUD_DO_NOTHING && !thud_tui_cannot(tui, action))
+        thud_tui_act(tui, action);
+    for (int i = 0; i < THUD_LIVE_CASES; i++) {
+        const struct thud_live_case *c = &tui->run.live.which[i];
+        if (c->state != THUD_LIVE_FAILED)
+            continue;
+        char text[600];
+        thud_error_text(&c->error, text, sizeof text);
+        if (c->run)
+            thud_tui_say(tui, THUD_ROLE_ERROR, "! FAILED (%s) at t = %.4g s: %s",
+                         thud_live_name((enum thud_live_which)i), c->failed_s, text);
+        else
+            thud_tui_say(tui, THUD_ROLE_ERROR, "! FAILED (%s): %s", thud_live_name((enum thud_live_which)i), text);
+        return;
+    }
 }
 
 /* Works for one slice; what takes long says so. */
@@ -210,68 +285,73 @@ static void work(struct thud_tui *tui)
 {
     double start = tui->backend->now(tui->backend), now = start;
     const struct thud_view *view = busy_view(tui);
-    unsigned long ended = tui->live.ended;
+    unsigned long ended = tui->run.live.ended;
     for (int i = 0; i < 64 && now - start < slice_s; i++) {
-        if (tui->live.running) {
-            thud_live_advance(&tui->live);
+        if (tui->run.live.running) {
+            thud_live_advance(&tui->run.live);
             now = tui->backend->now(tui->backend);
             break; /* keys are looked for in between */
         } else if (comparing(tui)) {
-            tui->dirty |= !thud_pin_advance(&tui->pin, &tui->doc, thud_tui_wants_history(tui));
+            if (!thud_pin_advance(&tui->pin, &tui->doc, thud_tui_wants_history(tui)))
+                thud_tui_redraw(tui, false);
         } else if (!view || !view->work(tui)) {
+            if (view)
+                thud_tui_redraw(tui, false);
             break;
         }
         now = tui->backend->now(tui->backend);
     }
-    double limit_s = tui->live.history ? history_limit_s : live_limit_s;
-    if (tui->live.running && tui->live_on && now - tui->started_s > limit_s) {
-        tui->live_on = false;
+    double limit_s = tui->run.live.history ? history_limit_s : live_limit_s;
+    if (tui->run.live.running && tui->run.on && now - tui->run.started_s > limit_s) {
+        tui->run.on = false;
         thud_tui_say(tui, THUD_ROLE_WARN, "A run takes over %g s: after an edit, r runs (:live turns this back)",
                      limit_s);
     }
-    if (!tui->live.running && tui->was_running) {
-        tui->elapsed_s = now - tui->started_s;
-        if (!tui->live.history)
-            tui->plain_s = tui->elapsed_s;
-        thud_tui_ran(tui);
-        tui->dirty = true;
+    if (!tui->run.live.running && tui->run.was_running) {
+        tui->run.elapsed_s = now - tui->run.started_s;
+        if (!tui->run.live.history)
+            tui->run.plain_s = tui->run.elapsed_s;
+        ran(tui);
+        thud_tui_redraw(tui, false);
     }
-    tui->was_running = tui->live.running;
-    tui->draw_now |= tui->live.ended != ended;
-    tui->dirty = tui->dirty || tui->draw_now || now - tui->drawn_s >= redraw_s;
+    tui->run.was_running = tui->run.live.running;
+    if (tui->run.live.ended != ended || now - tui->redraw.drawn_s >= redraw_s)
+        thud_tui_redraw(tui, tui->run.live.ended != ended);
 }
 
 /* A crash, a signal or a closed terminal loses nothing then. */
 static void keep_edits(struct thud_tui *tui)
 {
     struct thud_error err;
-    tui->kept_edits = tui->doc.edits;
+    tui->end.kept_edits = tui->doc.edits;
     if (!thud_doc_unsaved(&tui->doc)) {
         thud_doc_forget_kept(&tui->doc);
         return;
     }
     bool failed = thud_doc_recover(&tui->doc, &err) != THUD_OK;
-    if (failed && !tui->keeping_failed) {
+    if (failed && !tui->end.keeping_failed) {
         char text[600];
         thud_tui_say(tui, THUD_ROLE_WARN, "! Unsaved changes cannot be kept, and a crash would lose them: %s",
                      thud_error_text(&err, text, sizeof text));
     }
-    tui->keeping_failed = failed;
+    tui->end.keeping_failed = failed;
 }
 
 bool thud_tui_turn(struct thud_tui *tui, bool wait)
 {
-    const struct thud_view *view = thud_view_of(tui->screen);
-    if (view->live && tui->live_on && !tui->live.running && !tui->was_running && !tui->quit)
+    thud_tui_follow(tui);
+    const struct thud_view *view = thud_tui_view(tui);
+    if (view->live && tui->run.on && !tui->run.live.running && !tui->run.was_running && !tui->end.quit)
         view->live(tui);
-    bool busy = tui->live.running || tui->was_running || busy_view(tui) != NULL || comparing(tui);
+    bool busy = tui->run.live.running || tui->run.was_running || busy_view(tui) != NULL || comparing(tui);
     double pause = view->pause ? view->pause(tui) : -1.0;
-    if (tui->dirty && (!busy || tui->draw_now || tui->backend->now(tui->backend) - tui->drawn_s >= redraw_s))
+    if (tui->redraw.wanted &&
+        (!busy || tui->redraw.now || tui->backend->now(tui->backend) - tui->redraw.drawn_s >= redraw_s))
         thud_tui_draw(tui);
-    bool keep = tui->keeps && tui->kept_edits != tui->doc.edits;
+    bool keep = tui->end.keeps && tui->end.kept_edits != tui->doc.edits;
     int timeout = busy || keep || !wait ? 0 : pause >= 0.0 ? (int)(1e3 * pause) + 1 : -1;
     int key = tui->backend->key(tui->backend, timeout);
-    if (tui->writing)
+    if (tui->files.work)
         thud_tui_writing_look(tui);
     if (key != THUD_KEY_NONE)
         thud_tui_key(tui, key);
@@ -279,8 +359,10 @@ bool thud_tui_turn(struct thud_tui *tui, bool wait)
         keep_edits(tui);
     else if (busy)
         work(tui);
-    else if (pause >= 0.0 && view->tick)
+    else if (pause >= 0.0 && view->tick) {
         view->tick(tui);
+        thud_tui_redraw(tui, false);
+    }
     return key != THUD_KEY_NONE || keep || busy;
 }
 
@@ -305,7 +387,7 @@ static void play_first(struct thud_tui *tui)
 {
     struct thud_text out = {0};
     struct thud_error err = {0};
-    tui->mode = THUD_MODE_NORMAL;
+    thud_tui_normal(tui);
     if (thud_tui_play_lines(tui, tui->options.play, &out, &err) != THUD_OK)
         thud_tui_say_error(tui, &err);
     thud_text_clear(&out);
@@ -347,14 +429,14 @@ enum thud_status thud_tui_main(const struct thud_tui_options *options, struct th
         thud_term_close(&backend);
         return status;
     }
-    tui->keeps = true;
+    tui->end.keeps = true;
     tui->mouse = config.mouse;
     backend.mouse(&backend, tui->mouse);
     int number = 0;
-    while (!tui->quit && (number = backend.signal(&backend)) == 0)
+    while (!tui->end.quit && (number = backend.signal(&backend)) == 0)
         thud_tui_turn(tui, true);
     if (!number)
-        number = tui->hangup ? SIGHUP : tui->interrupted ? SIGINT : 0;
+        number = tui->end.hangup ? SIGHUP : tui->end.interrupted ? SIGINT : 0;
     sigset_t fatal, before; /* a second one, as a closing terminal sends, must not cut off the rescue */
     sigemptyset(&fatal);
     sigaddset(&fatal, SIGHUP);
@@ -362,7 +444,7 @@ enum thud_status thud_tui_main(const struct thud_tui_options *options, struct th
     sigaddset(&fatal, SIGTERM);
     pthread_sigmask(SIG_BLOCK, &fatal, &before);
     thud_term_close(&backend);
-    if (number && !tui->interrupted)
+    if (number && !tui->end.interrupted)
         rescue(tui);
     else
         thud_doc_forget_kept(&tui->doc);

@@ -1,4 +1,5 @@
 #include "tui/loop/verdict.h"
+#include "tui/loop/loop.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -10,11 +11,11 @@
 static void verdict_words(const struct thud_tui *tui, int columns, char *text, size_t size, bool *pounds)
 {
     const struct thud_scene *scene = &tui->doc.scene;
-    const struct thud_live_need *need = &tui->live.need[tui->pair];
+    const struct thud_live_need *need = &tui->run.live.need[tui->pair];
     struct thud_answer_line line = {.need_m = NAN};
     *text = '\0';
-    line.force_n = thud_live_force(&tui->live, THUD_LIVE_NONE, tui->pair + 1, &line.impacts);
-    line.impulse_ns = thud_live_impulse(&tui->live, THUD_LIVE_NONE, tui->pair + 1);
+    line.force_n = thud_live_force(&tui->run.live, THUD_LIVE_NONE, tui->pair + 1, &line.impacts);
+    line.impulse_ns = thud_live_impulse(&tui->run.live, THUD_LIVE_NONE, tui->pair + 1);
     *pounds = line.impacts > 0;
     if (tui->pair + 1 >= scene->nstructures)
         return;
@@ -27,23 +28,23 @@ static void verdict_words(const struct thud_tui *tui, int columns, char *text, s
         line.srss_m = need->srss_m;
     }
     line.compared = true;
-    line.bumper_force_n = thud_live_force(&tui->live, THUD_LIVE_BUMPER, tui->pair + 1, &line.bumper_impacts);
+    line.bumper_force_n = thud_live_force(&tui->run.live, THUD_LIVE_BUMPER, tui->pair + 1, &line.bumper_impacts);
     thud_answer_line(&line, columns, text, size);
 }
 
 void thud_verdict_draw(struct thud_tui *tui, const struct thud_pane *row)
 {
-    char words[sizeof tui->verdict];
-    bool pounds, running = tui->live.running;
+    char words[sizeof tui->verdict.text];
+    bool pounds, running = tui->run.live.running;
     int remarks = thud_tui_count_remarks(tui);
     char count[32] = "";
     if (remarks > 0)
         snprintf(count, sizeof count, "! %d ", remarks);
     verdict_words(tui, row->w - 2 - (*count ? (int)strlen(count) + 1 : 0), words, sizeof words, &pounds);
     if (!running) {
-        memcpy(tui->verdict, words, sizeof words);
-        tui->verdict_role = pounds ? THUD_ROLE_WARN : THUD_ROLE_GOOD;
+        memcpy(tui->verdict.text, words, sizeof words);
+        tui->verdict.role = pounds ? THUD_ROLE_WARN : THUD_ROLE_GOOD;
     }
-    thud_pane_put(row, 1, 0, thud_look(running ? THUD_ROLE_MUTED : tui->verdict_role, THUD_BOLD), tui->verdict);
+    thud_pane_put(row, 1, 0, thud_look(running ? THUD_ROLE_MUTED : tui->verdict.role, THUD_BOLD), tui->verdict.text);
     thud_pane_right(row, row->w, 0, thud_look(THUD_ROLE_WARN, THUD_BOLD), count);
 }

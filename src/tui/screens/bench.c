@@ -7,9 +7,9 @@
 
 #include "app/bench/bench_jobs.h"
 #include "io/file/file.h"
+#include "tui/document/field.h"
 #include "tui/document/session_log.h"
 #include "tui/widgets/chart.h"
-#include "tui/widgets/field.h"
 
 enum { TABLE, CHART };
 
@@ -30,11 +30,9 @@ struct thud_bench_screen {
     int shown_done, panel;
 };
 
-static struct thud_bench_screen *state(struct thud_tui *tui)
+static struct thud_bench_screen *state(const struct thud_tui *tui)
 {
-    if (!tui->bench)
-        tui->bench = calloc(1, sizeof *tui->bench);
-    return tui->bench;
+    return tui->own[THUD_SCREEN_BENCH];
 }
 
 static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect *pane)
@@ -49,7 +47,7 @@ static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect 
 static void refresh(struct thud_tui *tui)
 {
     struct thud_bench_screen *s = state(tui);
-    if (!s || !s->bench || (s->shown && (s->shown_done == s->work.at || s->work.at == 0)))
+    if (!s->bench || (s->shown && (s->shown_done == s->work.at || s->work.at == 0)))
         return;
     thud_figure_free(s->shown);
     s->shown = NULL;
@@ -66,7 +64,7 @@ static void refresh(struct thud_tui *tui)
 static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
 {
     const struct thud_bench_screen *s = state(tui);
-    if (index == TABLE && s && s->bench)
+    if (index == TABLE && s->bench)
         snprintf(text, size, "%d of %d points", s->work.at, thud_bench_count(s->bench));
     else
         snprintf(text, size, index == TABLE ? "Methods" : "Speed against accuracy");
@@ -93,8 +91,8 @@ static int draw_table(struct thud_tui *tui, const struct thud_pane *pane)
 {
     struct thud_bench_screen *s = state(tui);
     int y = 0;
-    if (!s || !s->bench) {
-        if (s && *s->why)
+    if (!s->bench) {
+        if (*s->why)
             y += thud_pane_wrap(pane, 1, y, pane->w - 2, thud_look(THUD_ROLE_WARN, THUD_BOLD), s->why);
         thud_field_note(pane, y++, "r runs every method");
         return y;
@@ -130,7 +128,7 @@ static int draw(struct thud_tui *tui, int index, struct thud_pane *pane)
 {
     struct thud_bench_screen *s = state(tui);
     struct thud_chart chart = {.cursor = NAN};
-    if (index == TABLE || !s)
+    if (index == TABLE)
         return draw_table(tui, pane);
     refresh(tui);
     if (s->shown)
@@ -177,8 +175,6 @@ static void begin(struct thud_tui *tui, bool quick)
 {
     struct thud_bench_screen *s = state(tui);
     struct thud_error err = {0};
-    if (!s)
-        return;
     clear(s);
     if (!quick) {
         thud_figure_free(s->shown);
@@ -208,33 +204,36 @@ static void begin(struct thud_tui *tui, bool quick)
 static void live(struct thud_tui *tui)
 {
     struct thud_bench_screen *s = state(tui);
-    if (s && s->revision != tui->doc.revision && (!s->bench || s->quick))
+    if (s->revision != tui->doc.revision && (!s->bench || s->quick))
         begin(tui, true);
 }
 
-static bool act(struct thud_tui *tui, enum thud_action action)
+static void next_figure(struct thud_tui *tui)
+{
+    state(tui)->panel++;
+}
+
+static enum thud_reaction act(struct thud_tui *tui, enum thud_action action)
 {
     struct thud_bench_screen *s = state(tui);
-    if (!s)
-        return false;
     if (action == THUD_DO_RUN) {
         thud_tui_log(tui, "bench");
         begin(tui, false);
     } else if (action == THUD_DO_QUANTITY) {
-        s->panel++;
+        next_figure(tui);
     } else if (action == THUD_DO_BACK && s->running) {
         stop(s);
         thud_tui_say(tui, THUD_ROLE_WARN, "Stopped; what is done stays");
     } else {
-        return false;
+        return THUD_NOT_MINE;
     }
-    return true;
+    return THUD_DONE;
 }
 
 static const struct thud_figure *figure(struct thud_tui *tui)
 {
     refresh(tui);
-    return tui->bench ? tui->bench->shown : NULL;
+    return state(tui)->shown;
 }
 
 static const char *cannot(struct thud_tui *tui, enum thud_action action)
@@ -246,7 +245,7 @@ static const char *cannot(struct thud_tui *tui, enum thud_action action)
 static void row(struct thud_tui *tui, const struct thud_field *field)
 {
     struct thud_bench_screen *s = state(tui);
-    if (!s || !s->bench || field->index >= thud_bench_count(s->bench))
+    if (!s->bench || field->index >= thud_bench_count(s->bench))
         return;
     const struct thud_bench_point *point = thud_bench_point(s->bench, field->index);
     char name[64];
@@ -263,12 +262,12 @@ static void row(struct thud_tui *tui, const struct thud_field *field)
 
 static bool busy(struct thud_tui *tui)
 {
-    return tui->bench && tui->bench->running;
+    return state(tui)->running;
 }
 
 static bool work(struct thud_tui *tui)
 {
-    struct thud_bench_screen *s = tui->bench;
+    struct thud_bench_screen *s = state(tui);
     struct thud_error err = {0};
     bool done = false;
     enum thud_status status = thud_bench_work_advance(&s->work, SEGMENTS, &done, &err);
@@ -276,14 +275,13 @@ static bool work(struct thud_tui *tui)
         thud_tui_say_error(tui, &err);
     s->running = status == THUD_OK && !done;
     s->complete = status == THUD_OK && done;
-    tui->dirty = tui->dirty || !s->running;
     return s->running;
 }
 
 static double progress(struct thud_tui *tui)
 {
-    const struct thud_bench_screen *s = tui->bench;
-    return s && s->running ? (double)s->work.at / (thud_bench_count(s->bench) + 1) : -1.0;
+    const struct thud_bench_screen *s = state(tui);
+    return s->running ? (double)s->work.at / (thud_bench_count(s->bench) + 1) : -1.0;
 }
 
 static void export_csv(struct thud_tui *tui)
@@ -292,27 +290,24 @@ static void export_csv(struct thud_tui *tui)
     char name[200], file[210];
     thud_tui_file_name(tui, "bench", "", name, sizeof name);
     snprintf(file, sizeof file, "%s.csv", name);
-    thud_bench_csv(tui->bench->bench, &csv);
+    thud_bench_csv(state(tui)->bench, &csv);
     thud_tui_write(tui, &csv, file);
 }
 
 static void pictures(struct thud_tui *tui)
 {
     if (figure(tui))
-        thud_tui_picture(tui);
+        thud_tui_picture_of(tui, figure(tui));
     else
         thud_tui_say(tui, THUD_ROLE_WARN, "There is no figure yet: r runs every method");
 }
 
 static void release(struct thud_tui *tui)
 {
-    if (!tui->bench)
-        return;
-    clear(tui->bench);
-    thud_figure_free(tui->bench->shown);
-    free(tui->bench);
-    tui->bench = NULL;
+    clear(state(tui));
+    thud_figure_free(state(tui)->shown);
 }
 
-THUD_VIEW(bench, "Bench", BENCH, .act = act, .cannot = cannot, .row = row, .figure = figure, .live = live, .busy = busy,
-          .work = work, .progress = progress, .pictures = pictures, .export_csv = export_csv, .free = release);
+THUD_VIEW(bench, "Bench", BENCH, .size = sizeof(struct thud_bench_screen), .free = release, .act = act,
+          .cannot = cannot, .row = row, .figure = figure, .next_figure = next_figure, .live = live, .busy = busy,
+          .work = work, .progress = progress, .pictures = pictures, .export_csv = export_csv);

@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "tui/document/session_log.h"
-#include "tui/document/state.h"
 
 const char *thud_beside_part(const struct thud_scene *scene, int pair)
 {
@@ -53,7 +52,7 @@ static bool note(struct thud_beside *beside, const char *name, const char *value
 
 void thud_tui_beside(struct thud_tui *tui, const char *words)
 {
-    struct thud_beside next = tui->beside;
+    struct thud_beside next = thud_contact_state(tui)->beside;
     struct thud_scene with;
     struct thud_error err;
     char name[40];
@@ -80,8 +79,8 @@ void thud_tui_beside(struct thud_tui *tui, const char *words)
         thud_tui_say_error(tui, &err);
         return;
     }
-    tui->beside = next;
-    tui->law_revision = 0;
+    thud_contact_state(tui)->beside = next;
+    thud_contact_state(tui)->revision = 0;
     thud_tui_log(tui, "beside %s", words);
     if (*next.law)
         thud_tui_say(tui, THUD_ROLE_GOOD, "%s lies beside, dashed; its values stand below the form", next.law);
@@ -91,12 +90,13 @@ void thud_tui_beside(struct thud_tui *tui, const char *words)
 
 void thud_tui_choose_beside(struct thud_tui *tui)
 {
-    thud_tui_choose(tui, THUD_CHOOSE_BESIDE, "A law to lay beside");
-    thud_chooser_add(&tui->chooser, "none", "%-28s", "none");
+    thud_tui_choose(tui, thud_tui_beside, "A law to lay beside");
+    thud_chooser_add(&tui->dialog.chooser, "none", "%-28s", "none");
     for (int i = 0; i < thud_law_count(); i++) {
         const struct thud_law *law = thud_law_at(i);
         if (!(law->flags & (THUD_LAW_NO_FORCE | THUD_LAW_IMPULSIVE)))
-            thud_chooser_add(&tui->chooser, law->name, "%-28s %s", law->name, law->title);
+            thud_chooser_add(&tui->dialog.chooser, law->name, "%-28s %s", law->name, law->title);
     }
-    thud_chooser_mark(&tui->chooser, *tui->beside.law ? tui->beside.law : "none");
+    thud_chooser_mark(&tui->dialog.chooser,
+                      *thud_contact_state(tui)->beside.law ? thud_contact_state(tui)->beside.law : "none");
 }

@@ -3,9 +3,8 @@
 #ifndef THUD_TUI_BESIDE_H
 #define THUD_TUI_BESIDE_H
 
-#include "study/scene/scene.h"
-
-struct thud_tui;
+#include "tui/document/state.h"
+#include "tui/screens/law_figure.h"
 
 struct thud_beside {
     char law[40]; /* empty: none */
@@ -21,6 +20,20 @@ const struct thud_law *thud_beside_of(const struct thud_scene *scene, int pair);
 /* The scene with the other law. Errors: as thud_scene_set. */
 enum thud_status thud_beside_scene(const struct thud_beside *beside, const struct thud_scene *scene, int pair,
                                    struct thud_scene *out, struct thud_error *err);
+
+/* The Contact screen. */
+struct thud_contact_state {
+    struct thud_beside beside;  /* a law to compare with */
+    struct thud_figure *figure; /* force-indentation loops of the interface shown */
+    struct thud_meeting meeting[THUD_MEETINGS], beside_meeting[THUD_MEETINGS];
+    struct thud_error error;
+    unsigned long revision, pin; /* what they belong to; 0: nothing */
+    int pair;
+};
+static inline struct thud_contact_state *thud_contact_state(const struct thud_tui *tui)
+{
+    return tui->own[THUD_SCREEN_CONTACT];
+}
 
 /* "hertz", "none" or "restitution 0.4": a law, or a value of the one there is. */
 void thud_tui_beside(struct thud_tui *tui, const char *words);

@@ -3,11 +3,17 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "tui/screens/scene_edit.h"
+#include "tui/document/field.h"
+#include "tui/document/scene_edit.h"
+#include "tui/screens/beside.h"
 #include "tui/widgets/chart.h"
-#include "tui/widgets/field.h"
 
 enum { FORM, CURVE, CHECK };
+
+static struct thud_contact_state *state(const struct thud_tui *tui)
+{
+    return thud_contact_state(tui);
+}
 
 static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect *pane)
 {
@@ -28,10 +34,10 @@ static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
                  i + 1, scene->nstructures - 1);
     else
         snprintf(text, size, "%s",
-                 index == FORM                              ? "No interface"
-                 : index == CURVE                           ? "Force against indentation"
-                 : !isnan(tui->beside_meeting[0].speed_mps) ? "What both give: F MN, e"
-                                                            : "What it gives");
+                 index == FORM                                     ? "No interface"
+                 : index == CURVE                                  ? "Force against indentation"
+                 : !isnan(state(tui)->beside_meeting[0].speed_mps) ? "What both give: F MN, e"
+                                                                   : "What it gives");
 }
 
 static int law_rows(struct thud_tui *tui, const struct thud_pane *pane, int y, const char *part,
@@ -57,13 +63,13 @@ static void heading(const struct thud_pane *pane, int y, const char *text)
 /* The law that lies beside, and its values: lines, as it is no part of the scene. */
 static int beside_rows(struct thud_tui *tui, const struct thud_pane *pane, int y)
 {
-    const struct thud_law *law = *tui->beside.law ? thud_law_find(tui->beside.law) : NULL;
+    const struct thud_law *law = *state(tui)->beside.law ? thud_law_find(state(tui)->beside.law) : NULL;
     struct thud_scene with;
     char text[200], key[THUD_PATH_MAX], value[96];
     heading(pane, y++, "Beside it, dashed (c)");
     snprintf(text, sizeof text, "%-19s%s", "law", law ? law->name : "none");
     thud_field_line(tui, FORM, pane, y++, -1, "beside", text);
-    if (!law || thud_beside_scene(&tui->beside, &tui->doc.scene, tui->pair, &with, NULL) != THUD_OK)
+    if (!law || thud_beside_scene(&state(tui)->beside, &tui->doc.scene, tui->pair, &with, NULL) != THUD_OK)
         return y;
     for (int i = 0; i < law->nparams; i++) {
         snprintf(key, sizeof key, "interfaces.%d.%s.%s", tui->pair + 1, thud_beside_part(&with, tui->pair),
@@ -80,10 +86,11 @@ static int beside_rows(struct thud_tui *tui, const struct thud_pane *pane, int y
 /* Enter on one of those lines. */
 static void row(struct thud_tui *tui, const struct thud_field *field)
 {
+    static const struct thud_prompt prompt = {.words = "beside: ", .done = thud_tui_beside};
     if (strcmp(field->path, "beside") == 0)
         thud_tui_choose_beside(tui);
     else
-        thud_tui_prompt(tui, THUD_TYPE_COMMAND, field->path);
+        thud_tui_prompt(tui, &prompt, field->path + strlen("beside "));
 }
 
 static int draw_form(struct thud_tui *tui, const struct thud_pane *pane)
@@ -112,22 +119,25 @@ static int draw_form(struct thud_tui *tui, const struct thud_pane *pane)
 /* The loops, made anew where the scene or the pair changed. */
 static void refresh(struct thud_tui *tui)
 {
-    if (tui->law_revision == tui->doc.revision && tui->law_pair == tui->pair)
+    if (state(tui)->revision == tui->doc.revision && state(tui)->pair == tui->pair &&
+        state(tui)->pin == tui->pin.number)
         return;
     struct thud_scene with;
-    struct thud_law_behind behind = {.name = thud_tui_pin_name(tui), .meeting = tui->beside_meeting};
-    thud_figure_free(tui->law_figure);
-    tui->law_error = (struct thud_error){0};
+    struct thud_law_behind behind = {.name = thud_tui_pin_name(tui), .meeting = state(tui)->beside_meeting};
+    thud_figure_free(state(tui)->figure);
+    state(tui)->error = (struct thud_error){0};
     for (int i = 0; i < THUD_MEETINGS; i++)
-        tui->beside_meeting[i] = (struct thud_meeting){NAN, NAN, NAN, NAN};
-    if (*tui->beside.law &&
-        thud_beside_scene(&tui->beside, &tui->doc.scene, tui->pair, &with, &tui->law_error) == THUD_OK)
-        behind = (struct thud_law_behind){&with, tui->beside.law, tui->beside_meeting};
+        state(tui)->beside_meeting[i] = (struct thud_meeting){NAN, NAN, NAN, NAN};
+    if (*state(tui)->beside.law &&
+        thud_beside_scene(&state(tui)->beside, &tui->doc.scene, tui->pair, &with, &state(tui)->error) == THUD_OK)
+        behind = (struct thud_law_behind){&with, state(tui)->beside.law, state(tui)->beside_meeting};
     else if (tui->pin.scene.nstructures > 1)
         behind.scene = &tui->pin.scene;
-    tui->law_figure = thud_tui_law_figure(&tui->doc.scene, &behind, tui->pair, tui->meeting, &tui->law_error);
-    tui->law_revision = tui->doc.revision;
-    tui->law_pair = tui->pair;
+    state(tui)->figure =
+        thud_tui_law_figure(&tui->doc.scene, &behind, tui->pair, state(tui)->meeting, &state(tui)->error);
+    state(tui)->revision = tui->doc.revision;
+    state(tui)->pair = tui->pair;
+    state(tui)->pin = tui->pin.number;
 }
 
 static const char *restitution(const struct thud_meeting *m, char text[24])
@@ -141,12 +151,13 @@ static int draw_both(struct thud_tui *tui, const struct thud_pane *pane, int y)
     const struct thud_law *law = thud_beside_of(&tui->doc.scene, tui->pair);
     char name[2][64], a[24], b[24], c[24], d[24], e[24];
     thud_utf8_fit(law ? law->name : "", 13, name[0], sizeof name[0]);
-    thud_utf8_fit(*tui->beside.law ? tui->beside.law : thud_tui_pin_name(tui), 13, name[1], sizeof name[1]);
+    thud_utf8_fit(*state(tui)->beside.law ? state(tui)->beside.law : thud_tui_pin_name(tui), 13, name[1],
+                  sizeof name[1]);
     thud_pane_put(pane, 1, y, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), "m/s");
     thud_pane_put(pane, 8, y, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), name[0]);
     thud_pane_put(pane, 23, y++, thud_look(THUD_ROLE_MUTED, THUD_BOLD), name[1]);
     for (int i = 0; i < THUD_MEETINGS; i++, y++) {
-        const struct thud_meeting *m = &tui->meeting[i], *other = &tui->beside_meeting[i];
+        const struct thud_meeting *m = &state(tui)->meeting[i], *other = &state(tui)->beside_meeting[i];
         thud_pane_print(pane, 1, y, thud_look(THUD_ROLE_VALUE, 0), "%-6s %-6s %-7s", thud_tui_number(m->speed_mps, a),
                         thud_tui_number(1e-6 * m->force_n, b), restitution(m, d));
         thud_pane_print(pane, 23, y, thud_look(THUD_ROLE_MUTED, 0), "%-6s %s",
@@ -162,7 +173,7 @@ static int draw_check(struct thud_tui *tui, const struct thud_pane *pane)
     double mass = isinf(m1)   ? m2
                   : isinf(m2) ? m1
                               : m1 * m2 / (m1 + m2),
-           force = thud_tui_force_at_knee(scene, tui->pair);
+           force = thud_scene_force_at_knee(scene, tui->pair);
     char a[24], b[24], c[24], d[24];
     int y = 0;
     int x = 1 + thud_pane_print(pane, 1, y, thud_look(THUD_ROLE_MUTED, 0), "eff. mass %s t",
@@ -171,13 +182,13 @@ static int draw_check(struct thud_tui *tui, const struct thud_pane *pane)
         thud_pane_print(pane, x, y, thud_look(THUD_ROLE_MUTED, 0), "  F(delta_u) %s MN",
                         thud_tui_number(1e-6 * force, a));
     y++;
-    if (!tui->law_figure)
+    if (!state(tui)->figure)
         return y;
-    if (!isnan(tui->beside_meeting[0].speed_mps))
+    if (!isnan(state(tui)->beside_meeting[0].speed_mps))
         return draw_both(tui, pane, y);
     thud_pane_put(pane, 1, y++, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), "m/s      F MN    d mm    e");
     for (int i = 0; i < THUD_MEETINGS; i++) {
-        const struct thud_meeting *m = &tui->meeting[i];
+        const struct thud_meeting *m = &state(tui)->meeting[i];
         thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_VALUE, 0), "%-8s %-7s %-7s %s",
                         thud_tui_number(m->speed_mps, a), thud_tui_number(1e-6 * m->force_n, b),
                         thud_tui_number(1e3 * m->indentation_m, c),
@@ -197,15 +208,15 @@ static int draw(struct thud_tui *tui, int index, struct thud_pane *pane)
         return draw_check(tui, pane);
     struct thud_chart chart = thud_tui_reading(tui);
     char text[600];
-    if (tui->law_figure)
-        thud_chart_draw(pane, &tui->law_figure->panel[0], &chart);
+    if (state(tui)->figure)
+        thud_chart_draw(pane, &state(tui)->figure->panel[0], &chart);
     else
         thud_pane_wrap(pane, 1, 0, pane->w - 2, thud_look(THUD_ROLE_ERROR, 0),
-                       thud_error_text(&tui->law_error, text, sizeof text));
+                       thud_error_text(&state(tui)->error, text, sizeof text));
     return pane->h;
 }
 
-static bool act(struct thud_tui *tui, enum thud_action action)
+static enum thud_reaction act(struct thud_tui *tui, enum thud_action action)
 {
     if (action == THUD_DO_BESIDE)
         thud_tui_choose_beside(tui);
@@ -214,14 +225,20 @@ static bool act(struct thud_tui *tui, enum thud_action action)
     else if (action == THUD_DO_TOGGLE_BUMPER)
         thud_tui_toggle_bumper(tui, tui->pair);
     else
-        return thud_tui_change_pair(tui, action);
-    return true;
+        return thud_tui_change_pair(tui, action) ? THUD_DONE : THUD_NOT_MINE;
+    return THUD_DONE;
+}
+
+static void command(struct thud_tui *tui, const char *word, const char *rest)
+{
+    (void)word;
+    thud_tui_beside(tui, rest);
 }
 
 static const char *cannot(struct thud_tui *tui, enum thud_action action)
 {
     if (action == THUD_DO_KEEP_FORCE)
-        return isnan(tui->kept_before_n) ? "There was no change of the exponent just now" : NULL;
+        return isnan(tui->kept.before_n) ? "There was no change of the exponent just now" : NULL;
     if (action == THUD_DO_TOGGLE_BUMPER || action == THUD_DO_BESIDE)
         return tui->pair + 1 < tui->doc.scene.nstructures ? NULL : "There is no interface";
     return thud_tui_cannot_change_pair(tui, action);
@@ -231,19 +248,19 @@ static const struct thud_figure *figure(struct thud_tui *tui)
 {
     if (tui->pair + 1 < tui->doc.scene.nstructures)
         refresh(tui);
-    return tui->law_figure;
+    return state(tui)->figure;
 }
 
 static const struct thud_panel *read_panel(struct thud_tui *tui)
 {
-    return tui->form.pane[THUD_SCREEN_CONTACT] == CURVE && figure(tui) ? &tui->law_figure->panel[0] : NULL;
+    return tui->form.pane[THUD_SCREEN_CONTACT] == CURVE && figure(tui) ? &state(tui)->figure->panel[0] : NULL;
 }
 
 static void release(struct thud_tui *tui)
 {
-    thud_figure_free(tui->law_figure);
-    tui->law_figure = NULL;
+    thud_figure_free(state(tui)->figure);
 }
 
-THUD_VIEW(contact, "Contact", CONTACT, .act = act, .cannot = cannot, .row = row, .figure = figure, .read = read_panel,
-          .free = release);
+THUD_VIEW(contact, "Contact", CONTACT, .keys = "interfaces.", .size = sizeof(struct thud_contact_state),
+          .free = release, .act = act, .cannot = cannot, .command = command, .row = row, .figure = figure,
+          .read = read_panel);

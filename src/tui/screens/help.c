@@ -7,20 +7,20 @@
 
 struct thud_help_state {
     struct thud_help_text text;
-    enum thud_screen of; /* what the text was made for */
+    int of; /* what the text was made for */
     int columns;
     char word[96]; /* what is searched for; empty: nothing */
     int at;        /* the line of the last match; -1: none */
 };
 
-static struct thud_help_state *state(struct thud_tui *tui)
+static struct thud_help_state *state(const struct thud_tui *tui)
 {
-    if (!tui->help) {
-        tui->help = calloc(1, sizeof *tui->help);
-        if (tui->help)
-            tui->help->at = -1;
-    }
-    return tui->help;
+    return tui->own[THUD_SCREEN_HELP];
+}
+
+static void begin(struct thud_tui *tui)
+{
+    state(tui)->at = -1;
 }
 
 static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect *pane)
@@ -34,8 +34,8 @@ static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
 {
     const struct thud_help_state *help = state(tui);
     (void)index;
-    int n = snprintf(text, size, "Help for %s", thud_view_of(tui->before_help)->title);
-    if (help && *help->word && n > 0 && (size_t)n < size)
+    int n = snprintf(text, size, "Help for %s", tui->view[tui->before]->title);
+    if (*help->word && n > 0 && (size_t)n < size)
         snprintf(text + n, size - (size_t)n, ", \"%.40s\"%s", help->word, help->at < 0 ? " not found" : "");
 }
 
@@ -68,11 +68,9 @@ static int draw(struct thud_tui *tui, int index, struct thud_pane *pane)
 {
     struct thud_help_state *help = state(tui);
     (void)index;
-    if (!help)
-        return 0;
-    if (help->text.n == 0 || help->of != tui->before_help || help->columns != pane->w) {
-        thud_help_text_make(&help->text, &tui->doc.scene, tui->before_help, pane->w - 1);
-        help->of = tui->before_help;
+    if (help->text.n == 0 || help->of != tui->before || help->columns != pane->w) {
+        thud_help_text_make(&help->text, tui, tui->before, pane->w - 1);
+        help->of = tui->before;
         help->columns = pane->w;
         help->at = *help->word ? thud_help_text_find(&help->text, help->word, 0, 1) : -1;
     }
@@ -85,16 +83,14 @@ static int draw(struct thud_tui *tui, int index, struct thud_pane *pane)
 static void go_to(struct thud_tui *tui, int line)
 {
     int *scroll = &tui->form.scroll[THUD_SCREEN_HELP][0], height = tui->form.height[0];
-    tui->help->at = line;
+    state(tui)->at = line;
     if (line < *scroll || line >= *scroll + height)
         *scroll = line - (height > 6 ? 2 : 0);
 }
 
-void thud_tui_help_typed(struct thud_tui *tui, const char *text)
+static void typed(struct thud_tui *tui, const char *text)
 {
     struct thud_help_state *help = state(tui);
-    if (!help)
-        return;
     snprintf(help->word, sizeof help->word, "%.90s", text);
     help->at = -1;
     int line = *text ? thud_help_text_find(&help->text, help->word, tui->form.scroll[THUD_SCREEN_HELP][0], 1) : -1;
@@ -104,38 +100,38 @@ void thud_tui_help_typed(struct thud_tui *tui, const char *text)
         thud_tui_say(tui, THUD_ROLE_WARN, "\"%s\" is nowhere in the help", help->word);
 }
 
-static bool act(struct thud_tui *tui, enum thud_action action)
+static enum thud_reaction act(struct thud_tui *tui, enum thud_action action)
 {
+    static const struct thud_prompt prompt = {.words = "search: ", .done = typed};
     struct thud_help_state *help = state(tui);
     int step = action == THUD_DO_NEXT_MATCH ? 1 : -1;
-    if (!help)
-        return false;
     switch (action) {
     case THUD_DO_SEARCH:
-        thud_tui_prompt(tui, THUD_TYPE_SEARCH, "");
-        return true;
+        thud_tui_prompt(tui, &prompt, "");
+        return THUD_DONE;
     case THUD_DO_NEXT_MATCH:
     case THUD_DO_PREVIOUS_MATCH:
         go_to(tui, thud_help_text_find(&help->text, help->word, help->at + step, step));
-        return true;
+        return THUD_DONE;
+    case THUD_DO_QUIT:
+    case THUD_DO_BACK:
+        return *tui->said.text && action == THUD_DO_BACK ? THUD_NOT_MINE : THUD_LEAVE;
     default:
-        return false;
+        return THUD_NOT_MINE;
     }
 }
 
 static const char *cannot(struct thud_tui *tui, enum thud_action action)
 {
     if (action == THUD_DO_NEXT_MATCH || action == THUD_DO_PREVIOUS_MATCH)
-        return tui->help && tui->help->at >= 0 ? NULL : "Nothing is searched for: / asks";
+        return state(tui)->at >= 0 ? NULL : "Nothing is searched for: / asks";
     return NULL;
 }
 
 static void release(struct thud_tui *tui)
 {
-    if (tui->help)
-        thud_help_text_clear(&tui->help->text);
-    free(tui->help);
-    tui->help = NULL;
+    thud_help_text_clear(&state(tui)->text);
 }
 
-THUD_VIEW(help, "Help", HELP, .act = act, .cannot = cannot, .free = release);
+THUD_VIEW(help, "Help", HELP, .size = sizeof(struct thud_help_state), .begin = begin, .free = release, .act = act,
+          .cannot = cannot);

@@ -1,4 +1,5 @@
 #include "tui/screens/help_text.h"
+#include "tui/document/field.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -7,6 +8,7 @@
 
 #include "base/ascii.h"
 #include "core/methods/method.h"
+#include "tui/document/field.h"
 
 enum { KEY_COLUMN = 3, HELP_COLUMN = 10, NAME_COLUMN = 3, FIELD_COLUMN = 7 };
 
@@ -109,43 +111,6 @@ static void keys(struct thud_help_text *text, int columns, int where, bool gener
     }
 }
 
-/* Whether the help explains each of the choices by its word already. */
-static bool says_choices(const struct thud_param *param)
-{
-    for (int i = 0; param->kind == THUD_PARAM_CHOICE && param->choices[i]; i++) {
-        char word[40];
-        snprintf(word, sizeof word, "%.36s:", param->choices[i]);
-        if (!param->help || !strstr(param->help, word))
-            return false;
-    }
-    return param->kind == THUD_PARAM_CHOICE;
-}
-
-void thud_param_words(const struct thud_param *param, char *words, size_t size)
-{
-    char number[64] = "", range[160];
-    size_t n = (size_t)snprintf(words, size, "%s", param->help && *param->help ? param->help : param->title);
-    bool ended = n > 0 && n < size && strchr(".!?", words[n - 1]);
-    if (n < size && !ended)
-        n += (size_t)snprintf(words + n, size - n, ".");
-    if (n < size && param->kind == THUD_PARAM_QUANTITY && param->dimension >= THUD_LENGTH)
-        n += (size_t)snprintf(words + n, size - n, " Units %s.", thud_dimension_units(param->dimension));
-    thud_param_allowed(param, range, sizeof range);
-    if (n < size && *range && !says_choices(param))
-        n += (size_t)snprintf(words + n, size - n, " Allowed: %s.", range);
-    if (param->kind == THUD_PARAM_QUANTITY && !isnan(param->fallback) && param->dimension != THUD_POWER_STIFFNESS)
-        thud_quantity_format(param->fallback, param->unit ? param->unit : "", number, sizeof number);
-    else if (param->kind == THUD_PARAM_CHOICE && !isnan(param->fallback) && param->choices)
-        snprintf(number, sizeof number, "%s", param->choices[(int)param->fallback]);
-    if (n < size && *number)
-        n += (size_t)snprintf(words + n, size - n, " Default %s.", number);
-    bool numeric = param->kind == THUD_PARAM_QUANTITY || param->kind == THUD_PARAM_INTEGER;
-    if (n < size && numeric && param->dimension != THUD_POWER_STIFFNESS &&
-        (thud_param_unusual(param, INFINITY, range, sizeof range) ||
-         thud_param_unusual(param, -INFINITY, range, sizeof range)))
-        snprintf(words + n, size - n, " Usual: %s.", range);
-}
-
 static void params(struct thud_help_text *text, int columns, const struct thud_param *param, int count)
 {
     for (int i = 0; i < count; i++) {
@@ -158,11 +123,11 @@ static void params(struct thud_help_text *text, int columns, const struct thud_p
 }
 
 /* The fields of a screen, or (`others`) those of all the rest. */
-static void fields(struct thud_help_text *text, int columns, enum thud_screen screen, bool others)
+static void fields(struct thud_help_text *text, int columns, int screen, bool others)
 {
     static const struct {
         enum thud_group group;
-        enum thud_screen screen;
+        int screen;
         const char *title;
     } part[] = {{THUD_GROUP_STRUCTURE, THUD_SCREEN_MODEL, "Fields of a structure"},
                 {THUD_GROUP_COLUMN, THUD_SCREEN_MODEL, "Fields of the columns that a slab strikes"},
@@ -220,7 +185,7 @@ static void methods(struct thud_help_text *text, int columns)
 static void commands(struct thud_help_text *text, int columns)
 {
     struct thud_text words = {0};
-    thud_tui_commands_text(&words);
+    thud_commands_text(&words);
     head(text, "Commands after :");
     for (const char *line = words.data; line && *line;) {
         char one[200];
@@ -232,10 +197,10 @@ static void commands(struct thud_help_text *text, int columns)
     thud_text_clear(&words);
 }
 
-void thud_help_text_make(struct thud_help_text *text, const struct thud_scene *scene, enum thud_screen screen,
-                         int columns)
+void thud_help_text_make(struct thud_help_text *text, const struct thud_tui *tui, int screen, int columns)
 {
-    const struct thud_view *view = thud_view_of(screen);
+    const struct thud_view *view = tui->view[screen];
+    const struct thud_scene *scene = &tui->doc.scene;
     char title[64];
     text->n = 0;
     if (columns < 30)

@@ -18,16 +18,12 @@ struct thud_help_text {
 };
 
 /* For a screen, in so many columns. Out of memory what could not be kept is left out. */
-void thud_help_text_make(struct thud_help_text *text, const struct thud_scene *scene, enum thud_screen screen,
-                         int columns);
+void thud_help_text_make(struct thud_help_text *text, const struct thud_tui *tui, int screen, int columns);
 void thud_help_text_clear(struct thud_help_text *text);
 /* The next line from `from` on in steps of `step` (1 or -1, around the ends) that holds `word`, upper and lower case
  * alike; -1: none does. */
 int thud_help_text_find(const struct thud_help_text *text, const char *word, int from, int step);
 /* Where `word` stands in a line, from byte `from` on; -1: not there. */
 int thud_help_line_find(const struct thud_help_line *line, const char *word, int from);
-
-/* What a parameter is: meaning, units, what is allowed, what is usual, its default. */
-void thud_param_words(const struct thud_param *param, char *words, size_t size);
 
 #endif

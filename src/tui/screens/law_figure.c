@@ -6,21 +6,6 @@
 #include "study/scene/pair.h"
 #include "tui/screens/law_figure.h"
 
-static double law_value(const struct thud_law_choice *choice, const char *name)
-{
-    int i = choice->law ? thud_law_param(choice->law, name) : -1;
-    return i < 0 ? NAN : choice->value[i];
-}
-
-double thud_tui_force_at_knee(const struct thud_scene *scene, int interface)
-{
-    if (interface < 0 || interface + 1 >= scene->nstructures || !scene->interface[interface].has_bumper)
-        return NAN;
-    const struct thud_interface *at = &scene->interface[interface];
-    double n = law_value(&at->bumper, "exponent"), part = law_value(&at->bumper, "max-strain");
-    return law_value(&at->bumper, "stiffness") * pow(part * at->bumper_thickness_m, n);
-}
-
 double thud_tui_pair_mass(const struct thud_scene *scene, int s)
 {
     const struct thud_structure *structure = &scene->structure[s];

@@ -5,8 +5,6 @@
 #include "plot/figure/figure.h"
 #include "study/scene/scene.h"
 
-/* Force at the bumper's delta_u, N; NaN where there is no such thing. */
-double thud_tui_force_at_knee(const struct thud_scene *scene, int interface);
 /* Mass of the lowest floor of structure `s`, kg; infinite for a wall. */
 double thud_tui_pair_mass(const struct thud_scene *scene, int s);
 

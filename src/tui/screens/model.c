@@ -7,10 +7,10 @@
 #include "base/scan.h"
 #include "core/model/model.h"
 #include "study/scene/level.h"
+#include "tui/document/field.h"
+#include "tui/document/scene_edit.h"
 #include "tui/screens/peaks_strip.h"
-#include "tui/screens/scene_edit.h"
 #include "tui/widgets/dots.h"
-#include "tui/widgets/field.h"
 
 enum { PEAKS = 2, PEAK_ROWS = 7 };
 
@@ -324,29 +324,29 @@ static int current_floor(const struct thud_tui *tui)
     return thud_scan_word(&at, ".") && thud_scan_count(&at, &floor) ? floor : 0;
 }
 
-static bool act(struct thud_tui *tui, enum thud_action action)
+static enum thud_reaction act(struct thud_tui *tui, enum thud_action action)
 {
     switch (action) {
     case THUD_DO_ALL_FLOORS:
         thud_tui_all_floors(tui);
-        return true;
+        return THUD_DONE;
     case THUD_DO_ADD_STOREY:
         thud_tui_add_storey(tui, current(tui), current_floor(tui));
-        return true;
+        return THUD_DONE;
     case THUD_DO_DELETE_STOREY:
         thud_tui_delete_storey(tui, current(tui), current_floor(tui));
-        return true;
+        return THUD_DONE;
     case THUD_DO_ADD_STRUCTURE:
         thud_tui_add_structure(tui, current(tui));
-        return true;
+        return THUD_DONE;
     case THUD_DO_REMOVE_STRUCTURE:
         thud_tui_remove_structure(tui, current(tui));
-        return true;
+        return THUD_DONE;
     case THUD_DO_SWAP:
         thud_tui_swap(tui, tui->pair);
-        return true;
+        return THUD_DONE;
     default:
-        return thud_tui_change_pair(tui, action);
+        return thud_tui_change_pair(tui, action) ? THUD_DONE : THUD_NOT_MINE;
     }
 }
 
@@ -377,4 +377,4 @@ static const char *cannot(struct thud_tui *tui, enum thud_action action)
     }
 }
 
-THUD_VIEW(model, "Model", MODEL, .verdict = true, .act = act, .cannot = cannot);
+THUD_VIEW(model, "Model", MODEL, .verdict = true, .keys = "structures.", .act = act, .cannot = cannot);

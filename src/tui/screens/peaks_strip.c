@@ -4,9 +4,9 @@
 #include <string.h>
 
 #include "base/quantity.h"
+#include "tui/document/field.h"
 #include "tui/screens/peaks_strip.h"
 #include "tui/widgets/dots.h"
-#include "tui/widgets/field.h"
 
 /* Columns of the cases, the ratio and the impacts, behind the names of the two structures shown. */
 struct strip {
@@ -64,11 +64,11 @@ static void peak_row(struct thud_tui *tui, const struct strip *strip, const stru
     thud_pane_put(pane, 1, y, thud_look(THUD_ROLE_PLAIN, 0), label);
     thud_pane_put(pane, column_x[0] - 6, y, thud_look(THUD_ROLE_MUTED, 0), unit);
     enum thud_live_which last =
-        tui->live.which[THUD_LIVE_BUMPER].state == THUD_LIVE_ABSENT ? THUD_LIVE_NONE : THUD_LIVE_BUMPER;
+        tui->run.live.which[THUD_LIVE_BUMPER].state == THUD_LIVE_ABSENT ? THUD_LIVE_NONE : THUD_LIVE_BUMPER;
     for (int i = 0; i < THUD_LIVE_CASES; i++) {
         char number[24], old[24], text[64];
-        bool absent = tui->live.which[i].state == THUD_LIVE_ABSENT,
-             failed = tui->live.which[i].state == THUD_LIVE_FAILED;
+        bool absent = tui->run.live.which[i].state == THUD_LIVE_ABSENT,
+             failed = tui->run.live.which[i].state == THUD_LIVE_FAILED;
         thud_tui_number(value[i], number);
         snprintf(text, sizeof text, "%s", absent ? "–" : failed ? "FAILED" : number);
         bool moved =
@@ -79,21 +79,21 @@ static void peak_row(struct thud_tui *tui, const struct strip *strip, const stru
             thud_pane_print(pane, strip->percent, y, thud_look(THUD_ROLE_MUTED, 0), "%+.1f %%",
                             thud_shown(100.0 * (value[i] / before - 1.0), 1));
         thud_pane_put(pane, column_x[i], y,
-                      thud_look(failed                                                  ? THUD_ROLE_ERROR
-                                : thud_live_is_old(&tui->live, (enum thud_live_which)i) ? THUD_ROLE_MUTED
-                                                                                        : THUD_ROLE_VALUE,
+                      thud_look(failed                                                      ? THUD_ROLE_ERROR
+                                : thud_live_is_old(&tui->run.live, (enum thud_live_which)i) ? THUD_ROLE_MUTED
+                                                                                            : THUD_ROLE_VALUE,
                                 moved ? THUD_BOLD : 0),
                       text);
     }
-    thud_ratio_draw(&tui->live, pane, column_x[3], y, value);
+    thud_ratio_draw(&tui->run.live, pane, column_x[3], y, value);
 }
 
 /* The impacts of the last case as upright lines, over the time of the run. */
 static void impact_strip(struct thud_tui *tui, const struct thud_pane *pane)
 {
     enum thud_live_which which =
-        tui->live.which[THUD_LIVE_BUMPER].state == THUD_LIVE_DONE ? THUD_LIVE_BUMPER : THUD_LIVE_NONE;
-    const struct thud_live_case *c = &tui->live.which[which];
+        tui->run.live.which[THUD_LIVE_BUMPER].state == THUD_LIVE_DONE ? THUD_LIVE_BUMPER : THUD_LIVE_NONE;
+    const struct thud_live_case *c = &tui->run.live.which[which];
     if (c->state != THUD_LIVE_DONE || pane->w < 8 || pane->h < 3)
         return;
     int count;
@@ -134,7 +134,7 @@ int thud_peaks_strip_draw(struct thud_tui *tui, const struct thud_pane *pane)
     int y = 0, impacts[THUD_LIVE_CASES];
     const struct thud_live *pinned = thud_tui_pinned(tui);
     enum thud_live_which last =
-        tui->live.which[THUD_LIVE_BUMPER].state == THUD_LIVE_ABSENT ? THUD_LIVE_NONE : THUD_LIVE_BUMPER;
+        tui->run.live.which[THUD_LIVE_BUMPER].state == THUD_LIVE_ABSENT ? THUD_LIVE_NONE : THUD_LIVE_BUMPER;
     int unused;
     for (int kind = 0; kind < 2; kind++)
         for (int s = 0; s < 2 && tui->pair + s < tui->doc.scene.nstructures; s++, y++) {
@@ -149,7 +149,7 @@ int thud_peaks_strip_draw(struct thud_tui *tui, const struct thud_pane *pane)
             thud_utf8_fit(tui->doc.scene.structure[tui->pair + s].name, layout.name, name, sizeof name);
             snprintf(label, sizeof label, "%s %s", name, kind ? "drift" : "accel");
             for (int i = 0; i < THUD_LIVE_CASES; i++)
-                value[i] = (kind ? 1e3 : 1.0) * thud_live_peak(&tui->live, (enum thud_live_which)i, tui->pair + s,
+                value[i] = (kind ? 1e3 : 1.0) * thud_live_peak(&tui->run.live, (enum thud_live_which)i, tui->pair + s,
                                                                kind ? THUD_PEAK_DRIFT : THUD_PEAK_ACCELERATION);
             double before =
                 pinned ? thud_live_peak(pinned, last, tui->pair + s, kind ? THUD_PEAK_DRIFT : THUD_PEAK_ACCELERATION)
@@ -157,11 +157,11 @@ int thud_peaks_strip_draw(struct thud_tui *tui, const struct thud_pane *pane)
             peak_row(tui, &layout, pane, y, label, kind ? "mm" : "m/s²", value, (kind ? 1e3 : 1.0) * before);
         }
     for (int i = 0; i < THUD_LIVE_CASES; i++)
-        value[i] = 1e-6 * thud_live_force(&tui->live, (enum thud_live_which)i, tui->pair + 1, &impacts[i]);
+        value[i] = 1e-6 * thud_live_force(&tui->run.live, (enum thud_live_which)i, tui->pair + 1, &impacts[i]);
     peak_row(tui, &layout, pane, y, "force", "MN", value,
              pinned ? 1e-6 * thud_live_force(pinned, last, tui->pair + 1, &unused) : NAN);
     for (int i = THUD_LIVE_NONE; i < THUD_LIVE_CASES; i++)
-        if (tui->live.which[i].state == THUD_LIVE_DONE)
+        if (tui->run.live.which[i].state == THUD_LIVE_DONE)
             thud_pane_print(pane, column_x[i], y + 1, thud_look(THUD_ROLE_MUTED, 0), "%d impact%s", impacts[i],
                             impacts[i] == 1 ? "" : "s");
     if (tui->pair + 1 < tui->doc.scene.nstructures) {

@@ -4,11 +4,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "tui/document/field.h"
+#include "tui/document/scene_edit.h"
 #include "tui/screens/movement.h"
 #include "tui/screens/plots.h"
-#include "tui/screens/scene_edit.h"
 #include "tui/widgets/chart.h"
-#include "tui/widgets/field.h"
 
 enum { CHART, MOVE, SETUP };
 
@@ -64,12 +64,34 @@ static bool over_time(enum thud_plot plot)
            plot != THUD_PLOT_ENVELOPE_DRIFT;
 }
 
+/* What another screen asked for: an impact around its beginning, or a floor over the whole time. */
+static void look_at(struct thud_tui *tui)
+{
+    struct thud_plots_state *p = thud_plots(tui);
+    const struct thud_look_at *at = &tui->look_at;
+    const struct thud_live_case *c = &tui->run.live.which[THUD_LIVE_NONE];
+    if (!at->wanted || (!at->impact && c->state != THUD_LIVE_DONE))
+        return;
+    p->plot = at->impact ? THUD_PLOT_FORCE : THUD_PLOT_ACCELERATION;
+    p->span_s = at->impact ? 0.5 : 0.0;
+    p->fresh = tui->look_at.wanted = false;
+    if (at->impact) {
+        p->sight.which = at->which;
+        p->sight.contact = at->contact;
+        p->time_s = at->time_s;
+    } else {
+        p->sight.dof = c->model->structure[at->structure].first + at->floor;
+        p->floor_chosen = true;
+    }
+}
+
 static void refresh(struct thud_tui *tui)
 {
     struct thud_plots_state *p = thud_plots(tui);
+    look_at(tui);
     const struct thud_live *pinned = thud_tui_pinned(tui);
     bool with_pin = pinned && pinned->history;
-    if (p->fresh && p->revision == tui->doc.revision && !tui->live.running && p->figure && p->pinned == with_pin)
+    if (p->fresh && p->revision == tui->doc.revision && !tui->run.live.running && p->figure && p->pinned == with_pin)
         return;
     p->pinned = with_pin;
     if ((int)p->plot >= thud_plot_count(&tui->doc.scene))
@@ -77,8 +99,8 @@ static void refresh(struct thud_tui *tui)
     choose_sight(tui);
     p->sight.pinned = thud_tui_pin_name(tui);
     thud_figure_free(p->figure);
-    p->figure = thud_plot_make(&tui->live, p->pinned ? thud_tui_pinned(tui) : NULL, &tui->doc.scene, p->plot, &p->sight,
-                               &p->why);
+    p->figure = thud_plot_make(&tui->run.live, p->pinned ? thud_tui_pinned(tui) : NULL, &tui->doc.scene, p->plot,
+                               &p->sight, &p->why);
     p->revision = tui->doc.revision;
     p->fresh = true;
 }
@@ -102,8 +124,6 @@ static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect 
 static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
 {
     struct thud_plots_state *p = thud_plots(tui);
-    if (!p)
-        return;
     refresh(tui);
     if (index == CHART)
         snprintf(text, size, "%d/%d %s%s", (int)p->plot + 1, thud_plot_count(&tui->doc.scene),
@@ -138,8 +158,6 @@ static void words(struct thud_tui *tui, char *text, size_t size)
 static int draw_chart(struct thud_tui *tui, const struct thud_pane *pane)
 {
     struct thud_plots_state *p = thud_plots(tui);
-    if (!p)
-        return 0;
     refresh(tui);
     if (!p->figure) {
         return thud_pane_wrap(pane, 1, 0, pane->w - 2, thud_look(THUD_ROLE_MUTED, 0), p->why);
@@ -164,7 +182,7 @@ static int draw_chart(struct thud_tui *tui, const struct thud_pane *pane)
 
 static int draw_movement(struct thud_tui *tui, const struct thud_pane *pane)
 {
-    const struct thud_live_case *c = thud_plots(tui) ? thud_plots_case(tui) : NULL;
+    const struct thud_live_case *c = thud_plots_case(tui);
     if (!c) {
         thud_field_note(pane, 0, "no histories to move by");
         return 1;
@@ -188,7 +206,17 @@ static void other_plot(struct thud_tui *tui, int step)
     int n = thud_plot_count(&tui->doc.scene);
     p->plot = (enum thud_plot)(((int)p->plot + step + n) % n);
     p->fresh = false;
-    thud_tui_changed(tui); /* energies are not kept for the others */
+}
+
+static void next_figure(struct thud_tui *tui)
+{
+    other_plot(tui, 1);
+}
+
+/* Energies are kept for their own figure alone. */
+static enum thud_live_history history(const struct thud_tui *tui)
+{
+    return thud_plots(tui)->plot == THUD_PLOT_ENERGY ? THUD_LIVE_WHOLE : THUD_LIVE_LOOK;
 }
 
 static void other_sight(struct thud_tui *tui, int step)
@@ -213,34 +241,34 @@ static int place(const struct thud_tui *tui)
     return tui->form.pane[THUD_SCREEN_PLOTS] == SETUP ? THUD_AT_SIDE : THUD_AT_PLOTS;
 }
 
-static bool act(struct thud_tui *tui, enum thud_action action)
+static enum thud_reaction act(struct thud_tui *tui, enum thud_action action)
 {
     struct thud_plots_state *p = thud_plots(tui);
     if (action == THUD_DO_TOGGLE_BUMPER)
         thud_tui_toggle_bumper(tui, tui->pair);
     if (action == THUD_DO_TOGGLE_BUMPER || place(tui) == THUD_AT_SIDE)
-        return action == THUD_DO_TOGGLE_BUMPER;
-    if (!p || thud_plots_act_on_time(tui, action))
-        return p != NULL;
+        return action == THUD_DO_TOGGLE_BUMPER ? THUD_DONE : THUD_NOT_MINE;
+    if (thud_plots_act_on_time(tui, action))
+        return THUD_DONE;
     switch (action) {
     case THUD_DO_FIRST:
     case THUD_DO_LAST:
         thud_plots_set_time(tui, action == THUD_DO_FIRST ? 0.0 : thud_plots_end(tui));
-        return true;
+        return THUD_DONE;
     case THUD_DO_NEXT_FIGURE:
     case THUD_DO_PREVIOUS_FIGURE:
         other_plot(tui, action == THUD_DO_NEXT_FIGURE ? 1 : -1);
-        return true;
+        return THUD_DONE;
     case THUD_DO_NEXT_CONTACT:
     case THUD_DO_PREVIOUS_CONTACT:
         other_sight(tui, action == THUD_DO_NEXT_CONTACT ? 1 : -1);
-        return true;
+        return THUD_DONE;
     case THUD_DO_CASE:
         p->sight.which = (enum thud_live_which)(((int)p->sight.which + 1) % THUD_LIVE_CASES);
         p->fresh = false;
-        return true;
+        return THUD_DONE;
     default:
-        return false;
+        return THUD_NOT_MINE;
     }
 }
 
@@ -252,60 +280,26 @@ static const char *cannot(struct thud_tui *tui, enum thud_action action)
                    action == THUD_DO_NEXT_IMPACT || action == THUD_DO_PREVIOUS_IMPACT ||
                    action == THUD_DO_LARGEST_IMPACT || action == THUD_DO_ZOOM || action == THUD_DO_UNZOOM ||
                    action == THUD_DO_NEXT_CONTACT || action == THUD_DO_PREVIOUS_CONTACT;
-    return of_time && (!thud_plots(tui) || !thud_plots_case(tui))
-               ? "There are no histories of this case: r runs, b is another case"
-               : NULL;
+    return of_time && (!thud_plots_case(tui)) ? "There are no histories of this case: r runs, b is another case" : NULL;
 }
 
 static const struct thud_figure *figure(struct thud_tui *tui)
 {
-    struct thud_plots_state *p = thud_plots(tui);
-    if (!p)
-        return NULL;
     refresh(tui);
-    return p->figure;
+    return thud_plots(tui)->figure;
+}
+
+static void begin(struct thud_tui *tui)
+{
+    *thud_plots(tui) = (struct thud_plots_state){.sight = {-1, -1, THUD_LIVE_BUMPER, ""}, .speed = 0.25};
 }
 
 static void release(struct thud_tui *tui)
 {
-    if (tui->plots)
-        thud_figure_free(tui->plots->figure);
-    free(tui->plots);
-    tui->plots = NULL;
+    thud_figure_free(thud_plots(tui)->figure);
 }
 
-void thud_tui_show_impact(struct thud_tui *tui, enum thud_live_which which, int contact, double time_s)
-{
-    struct thud_plots_state *p = thud_plots(tui);
-    if (!p)
-        return;
-    p->plot = THUD_PLOT_FORCE;
-    p->sight.which = which;
-    p->sight.contact = contact;
-    p->time_s = time_s;
-    p->span_s = 0.5;
-    p->fresh = false;
-    thud_tui_go(tui, THUD_SCREEN_PLOTS);
-}
-
-void thud_tui_show_time(struct thud_tui *tui, double time_s)
-{
-    thud_plots_set_time(tui, time_s);
-}
-
-void thud_tui_show_floor(struct thud_tui *tui, int structure, int floor)
-{
-    struct thud_plots_state *p = thud_plots(tui);
-    const struct thud_live_case *c = &tui->live.which[THUD_LIVE_NONE];
-    if (!p || c->state != THUD_LIVE_DONE)
-        return;
-    p->plot = THUD_PLOT_ACCELERATION;
-    p->sight.dof = c->model->structure[structure].first + floor;
-    p->floor_chosen = true;
-    p->span_s = 0.0;
-    p->fresh = false;
-    thud_tui_go(tui, THUD_SCREEN_PLOTS);
-}
-
-THUD_VIEW(plots, "Plots", PLOTS, .place = place, .act = act, .cannot = cannot, .figure = figure, .words = words,
-          .pause = thud_plots_pause, .tick = thud_plots_tick, .free = release);
+THUD_VIEW(plots, "Plots", PLOTS, .moved = true, .size = sizeof(struct thud_plots_state), .begin = begin,
+          .free = release, .place = place, .act = act, .cannot = cannot, .figure = figure, .next_figure = next_figure,
+          .read_at = thud_plots_set_time, .history = history, .words = words, .pause = thud_plots_pause,
+          .tick = thud_plots_tick);

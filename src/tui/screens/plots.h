@@ -19,9 +19,7 @@ struct thud_plots_state {
     bool fresh;  /* `figure` belongs to what is above */
 };
 
-/* NULL when out of memory. */
-struct thud_plots_state *thud_plots(struct thud_tui *tui);
-bool thud_plots_energies(const struct thud_tui *tui); /* they are shown: histories have to be whole */
+struct thud_plots_state *thud_plots(const struct thud_tui *tui);
 /* The case that is shown; NULL where it has no histories. */
 const struct thud_live_case *thud_plots_case(struct thud_tui *tui);
 double thud_plots_end(struct thud_tui *tui); /* of its histories, s; 0: there are none */

@@ -1,8 +1,8 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "tui/document/field.h"
 #include "tui/screens/plots.h"
-#include "tui/widgets/field.h"
 
 struct labelled {
     const char *label, *key;
@@ -38,7 +38,7 @@ static int impacts(const struct thud_tui *tui, const struct thud_pane *pane, int
     for (int i = THUD_LIVE_NONE; i < THUD_LIVE_CASES; i++) {
         int count;
         char number[24];
-        double force = thud_live_force(&tui->live, (enum thud_live_which)i, 0, &count);
+        double force = thud_live_force(&tui->run.live, (enum thud_live_which)i, 0, &count);
         if (!isnan(force))
             thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_PLAIN, 0), "%-18s %d, up to %s MN", label[i], count,
                             thud_tui_number(1e-6 * force, number));

@@ -7,31 +7,19 @@
 
 static const double frame_s = 0.05;
 
-struct thud_plots_state *thud_plots(struct thud_tui *tui)
+struct thud_plots_state *thud_plots(const struct thud_tui *tui)
 {
-    if (!tui->plots) {
-        tui->plots = calloc(1, sizeof *tui->plots);
-        if (tui->plots)
-            *tui->plots = (struct thud_plots_state){.sight = {-1, -1, THUD_LIVE_BUMPER}, .speed = 0.25};
-    }
-    return tui->plots;
-}
-
-bool thud_plots_energies(const struct thud_tui *tui)
-{
-    return tui->plots && tui->plots->plot == THUD_PLOT_ENERGY;
+    return tui->own[THUD_SCREEN_PLOTS];
 }
 
 const struct thud_live_case *thud_plots_case(struct thud_tui *tui)
 {
     struct thud_plots_state *p = thud_plots(tui);
-    if (!p)
-        return NULL;
-    const struct thud_live_case *c = &tui->live.which[p->sight.which];
+    const struct thud_live_case *c = &tui->run.live.which[p->sight.which];
     if (c->state == THUD_LIVE_ABSENT)
         p->sight.which = THUD_LIVE_NONE;
-    c = &tui->live.which[p->sight.which];
-    return c->state == THUD_LIVE_DONE && tui->live.history ? c : NULL;
+    c = &tui->run.live.which[p->sight.which];
+    return c->state == THUD_LIVE_DONE && tui->run.live.history ? c : NULL;
 }
 
 double thud_plots_end(struct thud_tui *tui)
@@ -43,8 +31,7 @@ double thud_plots_end(struct thud_tui *tui)
 void thud_plots_set_time(struct thud_tui *tui, double t)
 {
     struct thud_plots_state *p = thud_plots(tui);
-    if (p)
-        p->time_s = fmax(0.0, fmin(thud_plots_end(tui), t));
+    p->time_s = fmax(0.0, fmin(thud_plots_end(tui), t));
 }
 
 /* The floor of a contact that is no wall's and strikes. */
@@ -98,8 +85,6 @@ static void zoom(struct thud_tui *tui, struct thud_plots_state *p, double factor
 bool thud_plots_act_on_time(struct thud_tui *tui, enum thud_action action)
 {
     struct thud_plots_state *p = thud_plots(tui);
-    if (!p)
-        return false;
     double step = (p->span_s > 0.0 ? p->span_s : thud_plots_end(tui)) / 100.0;
     switch (action) {
     case THUD_DO_PLAY:
@@ -135,16 +120,15 @@ bool thud_plots_act_on_time(struct thud_tui *tui, enum thud_action action)
 
 double thud_plots_pause(struct thud_tui *tui)
 {
-    return tui->plots && tui->plots->playing ? frame_s : -1.0;
+    return thud_plots(tui)->playing ? frame_s : -1.0;
 }
 
 void thud_plots_tick(struct thud_tui *tui)
 {
-    struct thud_plots_state *p = tui->plots;
+    struct thud_plots_state *p = thud_plots(tui);
     double now = tui->backend->now(tui->backend);
     thud_plots_set_time(tui, p->time_s + p->speed * fmin(now - p->last_s, 4.0 * frame_s));
     p->last_s = now;
     if (p->time_s >= thud_plots_end(tui))
         p->playing = false;
-    tui->dirty = true;
 }

@@ -4,14 +4,15 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "tui/document/field.h"
 #include "tui/screens/record_figure.h"
 #include "tui/widgets/chart.h"
-#include "tui/widgets/field.h"
 
 enum { LIST, CURVE, DATA };
 
 struct thud_record_state {
     struct thud_browse files;
+    bool listed;
     char folder[256]; /* with a slash; empty: the working folder, the preset's and the shipped motions */
     char filter[96];
     char shown[sizeof((struct thud_record_choice *)0)->file]; /* the file in use, as the list last showed it */
@@ -25,16 +26,9 @@ struct thud_record_state {
     const struct thud_record *measured; /* what the intensities are of */
 };
 
-static struct thud_record_state *state(struct thud_tui *tui)
+static struct thud_record_state *state(const struct thud_tui *tui)
 {
-    if (!tui->record) {
-        tui->record = calloc(1, sizeof *tui->record);
-        if (tui->record) {
-            thud_browse_list(&tui->record->files, THUD_BROWSE_RECORDS, tui->doc.paths, tui->doc.path, "");
-            snprintf(tui->record->shown, sizeof tui->record->shown, "?");
-        }
-    }
-    return tui->record;
+    return tui->own[THUD_SCREEN_RECORD];
 }
 
 /* The cursor is on the record in use, also when that becomes another one. */
@@ -42,7 +36,11 @@ static void follow(struct thud_tui *tui, struct thud_record_state *r)
 {
     const char *now = tui->doc.scene.record.file, *focus = tui->form.focus[THUD_SCREEN_RECORD];
     char path[THUD_PATH_MAX];
-    if (strcmp(r->shown, now) == 0)
+    bool first = !r->listed;
+    if (first)
+        thud_browse_list(&r->files, THUD_BROWSE_RECORDS, tui->doc.paths, tui->doc.path, "");
+    r->listed = true;
+    if (strcmp(r->shown, now) == 0 && !first)
         return;
     snprintf(r->shown, sizeof r->shown, "%s", now);
     snprintf(path, sizeof path, "record %.100s", *now ? thud_path_name(now) : "none");
@@ -50,10 +48,9 @@ static void follow(struct thud_tui *tui, struct thud_record_state *r)
         thud_form_focus_on(&tui->form, THUD_SCREEN_RECORD, path);
 }
 
-void thud_tui_filter_records(struct thud_tui *tui, const char *text)
+static void filter(struct thud_tui *tui, const char *text)
 {
-    if (state(tui))
-        snprintf(tui->record->filter, sizeof tui->record->filter, "%.90s", text);
+    snprintf(state(tui)->filter, sizeof state(tui)->filter, "%.90s", text);
 }
 
 static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect *pane)
@@ -71,10 +68,10 @@ static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
     struct thud_record_state *r = state(tui);
     const struct thud_record *record = tui->doc.record;
     if (index == LIST)
-        snprintf(text, size, "Records%s%.40s%s%.40s", r && *r->folder ? " of " : "", r ? r->folder : "",
-                 r && *r->filter ? " with " : "", r ? r->filter : "");
+        snprintf(text, size, "Records%s%.40s%s%.40s", *r->folder ? " of " : "", r->folder, *r->filter ? " with " : "",
+                 r->filter);
     else if (index == CURVE)
-        snprintf(text, size, "%s", r ? thud_record_curve_title(r->curve) : "");
+        snprintf(text, size, "%s", thud_record_curve_title(r->curve));
     else
         snprintf(text, size, "%.60s", record && *record->station ? record->station : "Ground motion");
 }
@@ -83,11 +80,10 @@ static int draw_list(struct thud_tui *tui, const struct thud_pane *pane)
 {
     struct thud_record_state *r = state(tui);
     int y = 0;
-    if (r)
-        follow(tui, r);
+    follow(tui, r);
     thud_field_line(tui, LIST, pane, y++, -1, "record none",
                     *tui->doc.scene.record.file ? "  (no ground motion)" : "* (no ground motion)");
-    for (int i = 0; r && i < r->files.n; i++) {
+    for (int i = 0; i < r->files.n; i++) {
         char path[THUD_PATH_MAX], text[THUD_TEXT_MAX + 80], name[THUD_TEXT_MAX];
         const char *file = r->files.item[i].name, *now = tui->doc.scene.record.file;
         if (*r->filter && !strstr(file, r->filter))
@@ -109,7 +105,7 @@ static int draw_list(struct thud_tui *tui, const struct thud_pane *pane)
 static void refresh(struct thud_tui *tui)
 {
     struct thud_record_state *r = state(tui);
-    if (!r || (r->of == tui->doc.record && r->revision == tui->doc.revision && r->made == r->curve && r->figure))
+    if (r->of == tui->doc.record && r->revision == tui->doc.revision && r->made == r->curve && r->figure)
         return;
     thud_figure_free(r->figure);
     r->figure = tui->doc.record ? thud_record_figure(&tui->doc, thud_tui_model(tui), r->curve) : NULL;
@@ -123,8 +119,8 @@ static int draw_curve(struct thud_tui *tui, const struct thud_pane *pane)
     struct thud_chart chart = thud_tui_reading(tui);
     char text[600];
     refresh(tui);
-    if (tui->record && tui->record->figure)
-        thud_chart_draw(pane, &tui->record->figure->panel[0], &chart);
+    if (state(tui)->figure)
+        thud_chart_draw(pane, &state(tui)->figure->panel[0], &chart);
     else if (tui->doc.record_error.status != THUD_OK)
         thud_pane_wrap(pane, 1, 0, pane->w - 2, thud_look(THUD_ROLE_ERROR, 0),
                        thud_error_text(&tui->doc.record_error, text, sizeof text));
@@ -158,12 +154,12 @@ static int draw_data(struct thud_tui *tui, const struct thud_pane *pane)
     struct thud_record_state *r = state(tui);
     const struct thud_record *record = tui->doc.record;
     int y = 0;
-    if (r && record && (r->measured != record || r->measured_revision != tui->doc.revision)) {
+    if (record && (r->measured != record || r->measured_revision != tui->doc.revision)) {
         r->intensity = thud_intensity_of(record);
         r->measured = record;
         r->measured_revision = tui->doc.revision;
     }
-    if (r && record)
+    if (record)
         y = thud_record_measures(&r->intensity, record, pane, 0);
     return draw_keys(tui, pane, y);
 }
@@ -173,21 +169,26 @@ static int draw(struct thud_tui *tui, int index, struct thud_pane *pane)
     return index == LIST ? draw_list(tui, pane) : index == CURVE ? draw_curve(tui, pane) : draw_data(tui, pane);
 }
 
-static bool act(struct thud_tui *tui, enum thud_action action)
+static void next_figure(struct thud_tui *tui)
 {
+    state(tui)->curve = (enum thud_record_curve)(((int)state(tui)->curve + 1) % THUD_RECORD_CURVES);
+}
+
+static enum thud_reaction act(struct thud_tui *tui, enum thud_action action)
+{
+    static const struct thud_prompt prompt = {.words = "file name contains: ", .done = filter};
     switch (action) {
     case THUD_DO_FILTER:
-        thud_tui_prompt(tui, THUD_TYPE_FILTER, tui->record ? tui->record->filter : "");
-        return true;
+        thud_tui_prompt(tui, &prompt, state(tui)->filter);
+        return THUD_DONE;
     case THUD_DO_SIGN:
         thud_tui_set(tui, "record.sign", tui->doc.scene.record.sign < 0 ? "+" : "-");
-        return true;
+        return THUD_DONE;
     case THUD_DO_QUANTITY:
-        if (state(tui))
-            tui->record->curve = (enum thud_record_curve)(((int)tui->record->curve + 1) % THUD_RECORD_CURVES);
-        return true;
+        next_figure(tui);
+        return THUD_DONE;
     default:
-        return false;
+        return THUD_NOT_MINE;
     }
 }
 
@@ -201,7 +202,7 @@ static const char *cannot(struct thud_tui *tui, enum thud_action action)
 static void row(struct thud_tui *tui, const struct thud_field *field)
 {
     struct thud_record_state *r = state(tui);
-    if (!r || field->index >= r->files.n)
+    if (field->index >= r->files.n)
         return;
     if (field->index < 0 || !r->files.item[field->index].folder) {
         thud_tui_choose_record(tui, field->index < 0 ? "" : r->files.item[field->index].name);
@@ -215,23 +216,20 @@ static void row(struct thud_tui *tui, const struct thud_field *field)
 static const struct thud_figure *figure(struct thud_tui *tui)
 {
     refresh(tui);
-    return tui->record ? tui->record->figure : NULL;
+    return state(tui)->figure;
 }
 
 static const struct thud_panel *read_panel(struct thud_tui *tui)
 {
-    return tui->form.pane[THUD_SCREEN_RECORD] == CURVE && figure(tui) ? &tui->record->figure->panel[0] : NULL;
+    return tui->form.pane[THUD_SCREEN_RECORD] == CURVE && figure(tui) ? &state(tui)->figure->panel[0] : NULL;
 }
 
 static void release(struct thud_tui *tui)
 {
-    if (!tui->record)
-        return;
-    thud_figure_free(tui->record->figure);
-    thud_browse_clear(&tui->record->files);
-    free(tui->record);
-    tui->record = NULL;
+    thud_figure_free(state(tui)->figure);
+    thud_browse_clear(&state(tui)->files);
 }
 
-THUD_VIEW(record, "Record", RECORD, .act = act, .cannot = cannot, .row = row, .figure = figure, .read = read_panel,
-          .free = release);
+THUD_VIEW(record, "Record", RECORD, .keys = "record.", .moved = true, .size = sizeof(struct thud_record_state),
+          .free = release, .act = act, .cannot = cannot, .row = row, .figure = figure, .next_figure = next_figure,
+          .read = read_panel);

@@ -9,12 +9,26 @@
 #include "io/result/result_file.h"
 #include "study/scene/level.h"
 #include "study/sweep/remark.h"
+#include "tui/document/field.h"
 #include "tui/screens/peaks_strip.h"
-#include "tui/widgets/field.h"
 
 enum { PEAKS, IMPACTS, HOW };
 enum { IMPACTS_MAX = 2000 };
 enum { SORTS = 3, QUANTITIES = 6, ELASTIC_QUANTITIES = 4 };
+
+struct results_state {
+    int which, sort, quantity; /* the case whose impacts and energies are shown, their order, the first quantity */
+};
+
+static struct results_state *state(const struct thud_tui *tui)
+{
+    return tui->own[THUD_SCREEN_RESULTS];
+}
+
+static void begin(struct thud_tui *tui)
+{
+    state(tui)->which = THUD_LIVE_BUMPER;
+}
 
 /* Ductility and permanent drift only where a storey yields. */
 static int quantities(const struct thud_tui *tui)
@@ -36,8 +50,8 @@ static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect 
 
 static enum thud_live_which shown(const struct thud_tui *tui)
 {
-    enum thud_live_which which = (enum thud_live_which)tui->results_case;
-    return tui->live.which[which].state == THUD_LIVE_ABSENT ? THUD_LIVE_NONE : which;
+    enum thud_live_which which = (enum thud_live_which)state(tui)->which;
+    return tui->run.live.which[which].state == THUD_LIVE_ABSENT ? THUD_LIVE_NONE : which;
 }
 
 static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
@@ -47,7 +61,7 @@ static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
         snprintf(text, size, "Peaks%s: no pounding / no bumper / bumper, ratio bumper : no bumper",
                  thud_tui_shows_old(tui) ? " before the edit" : "");
     else if (index == IMPACTS)
-        snprintf(text, size, "Impacts, %s, %s", thud_live_name(shown(tui)), sort[tui->results_sort]);
+        snprintf(text, size, "Impacts, %s, %s", thud_live_name(shown(tui)), sort[state(tui)->sort]);
     else
         snprintf(text, size, "How, and energy (%s)", thud_live_name(shown(tui)));
 }
@@ -59,19 +73,19 @@ static void quantity(struct thud_tui *tui, const struct thud_pane *pane, int x, 
     double value[THUD_LIVE_CASES];
     for (int i = 0; i < THUD_LIVE_CASES; i++) {
         char number[24];
-        value[i] = factor * thud_live_floor(&tui->live, (enum thud_live_which)i, s, floor, kind);
-        bool failed = tui->live.which[i].state == THUD_LIVE_FAILED,
-             absent = tui->live.which[i].state == THUD_LIVE_ABSENT;
+        value[i] = factor * thud_live_floor(&tui->run.live, (enum thud_live_which)i, s, floor, kind);
+        bool failed = tui->run.live.which[i].state == THUD_LIVE_FAILED,
+             absent = tui->run.live.which[i].state == THUD_LIVE_ABSENT;
         thud_pane_put(pane, x + 7 * i, y,
-                      thud_look(failed                                                  ? THUD_ROLE_ERROR
-                                : thud_live_is_old(&tui->live, (enum thud_live_which)i) ? THUD_ROLE_MUTED
-                                                                                        : THUD_ROLE_VALUE,
+                      thud_look(failed                                                      ? THUD_ROLE_ERROR
+                                : thud_live_is_old(&tui->run.live, (enum thud_live_which)i) ? THUD_ROLE_MUTED
+                                                                                            : THUD_ROLE_VALUE,
                                 0),
                       failed   ? "FAIL"
                       : absent ? "–"
                                : thud_tui_number(value[i], number));
     }
-    thud_ratio_draw(&tui->live, pane, x + 21, y, value);
+    thud_ratio_draw(&tui->run.live, pane, x + 21, y, value);
 }
 
 /* The same of the pinned state, and what became of it: of the bumper's number, else of that without. */
@@ -79,13 +93,14 @@ static void pinned_quantity(struct thud_tui *tui, const struct thud_live *pinned
                             int y, int s, int floor, enum thud_peak_kind kind, double factor)
 {
     enum thud_live_which last =
-        tui->live.which[THUD_LIVE_BUMPER].state == THUD_LIVE_ABSENT ? THUD_LIVE_NONE : THUD_LIVE_BUMPER;
+        tui->run.live.which[THUD_LIVE_BUMPER].state == THUD_LIVE_ABSENT ? THUD_LIVE_NONE : THUD_LIVE_BUMPER;
     for (int i = 0; i < THUD_LIVE_CASES; i++) {
         char number[24];
         double value = factor * thud_live_floor(pinned, (enum thud_live_which)i, s, floor, kind);
         thud_pane_put(pane, x + 7 * i, y, thud_look(THUD_ROLE_MUTED, 0), thud_tui_number(value, number));
     }
-    double change = thud_live_floor(&tui->live, last, s, floor, kind) / thud_live_floor(pinned, last, s, floor, kind);
+    double change =
+        thud_live_floor(&tui->run.live, last, s, floor, kind) / thud_live_floor(pinned, last, s, floor, kind);
     if (isfinite(change))
         thud_pane_print(pane, x + 21, y, thud_look(THUD_ROLE_MUTED, 0), "%+.0f %%",
                         thud_shown(100.0 * (change - 1.0), 0));
@@ -121,7 +136,7 @@ static int draw_peaks(struct thud_tui *tui, const struct thud_pane *pane)
     name = pane->w < 41 ? 4 : name < most ? name : most;
     int left = name > 7 ? name + 5 : pane->w < 41 ? 10 : 12, columns = (pane->w - left) / 29;
     columns = columns < 1 ? 1 : columns > all ? all : columns; /* the least terminal has room for one */
-    int first = columns == all ? 0 : tui->results_quantity % all;
+    int first = columns == all ? 0 : state(tui)->quantity % all;
     for (int c = 0; c < columns; c++)
         thud_pane_put(pane, left + 29 * c, 0, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), column[(first + c) % all].head);
     if (columns < all)
@@ -184,7 +199,7 @@ static void impact_rest(const struct thud_impact *impact, char *text, size_t siz
 
 static int draw_impacts(struct thud_tui *tui, const struct thud_pane *pane)
 {
-    const struct thud_live_case *c = &tui->live.which[shown(tui)];
+    const struct thud_live_case *c = &tui->run.live.which[shown(tui)];
     if (c->state != THUD_LIVE_DONE) {
         thud_field_note(pane, 0, "%s",
                         c->state == THUD_LIVE_ABSENT   ? "there is no bumper"
@@ -205,7 +220,7 @@ static int draw_impacts(struct thud_tui *tui, const struct thud_pane *pane)
     }
     int (*const order[SORTS])(const void *, const void *) = {by_time, by_force, by_floor};
     if (count > 1)
-        qsort(row, (size_t)count, sizeof *row, order[tui->results_sort]);
+        qsort(row, (size_t)count, sizeof *row, order[state(tui)->sort]);
     bool wide = pane->w >= 66;
     thud_pane_print(pane, 1, 0, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), "t s       fl.  v m/s    F MN     %s",
                     wide ? "d mm     ms       e       kJ lost" : "");
@@ -265,7 +280,7 @@ static int draw_how(struct thud_tui *tui, const struct thud_pane *pane)
         snprintf(path, sizeof path, "analysis.%s", param[i].name);
         thud_field_row(tui, HOW, pane, y++, param[i].name, path);
     }
-    const struct thud_result *result = thud_live_result(&tui->live, shown(tui));
+    const struct thud_result *result = thud_live_result(&tui->run.live, shown(tui));
     if (!result)
         return y;
     if (tui->doc.scene.analysis.modes > 0)
@@ -279,10 +294,10 @@ static int draw_how(struct thud_tui *tui, const struct thud_pane *pane)
     if (result->reason && *result->reason)
         y += thud_pane_wrap(pane, 1, y, pane->w - 2, thud_look(THUD_ROLE_MUTED, 0), result->reason);
     y = draw_energy(result, pane, y);
-    if (tui->ran_revision !=
+    if (tui->run.revision !=
         tui->doc.revision) /* the scene has changed since: nothing is said of it from these numbers */
         return y;
-    const struct thud_live_case *c = &tui->live.which[shown(tui)];
+    const struct thud_live_case *c = &tui->run.live.which[shown(tui)];
     struct thud_error remark;
     int nimpacts;
     const struct thud_impact *impact = thud_run_impacts(c->run, &nimpacts);
@@ -297,46 +312,47 @@ static int draw(struct thud_tui *tui, int index, struct thud_pane *pane)
     return index == PEAKS ? draw_peaks(tui, pane) : index == IMPACTS ? draw_impacts(tui, pane) : draw_how(tui, pane);
 }
 
-static bool act(struct thud_tui *tui, enum thud_action action)
+static enum thud_reaction act(struct thud_tui *tui, enum thud_action action)
 {
     if (action == THUD_DO_SORT) {
-        tui->results_sort = (tui->results_sort + 1) % SORTS;
+        state(tui)->sort = (state(tui)->sort + 1) % SORTS;
         if (tui->form.pane[THUD_SCREEN_RESULTS] == IMPACTS) /* the first of the new order */
             tui->form.focus[THUD_SCREEN_RESULTS][0] = '\0';
     } else if (action == THUD_DO_QUANTITY)
-        tui->results_quantity = (tui->results_quantity + 2) % quantities(tui);
+        state(tui)->quantity = (state(tui)->quantity + 2) % quantities(tui);
     else if (action == THUD_DO_CASE)
-        tui->results_case = ((int)shown(tui) + 1) % THUD_LIVE_CASES;
+        state(tui)->which = ((int)shown(tui) + 1) % THUD_LIVE_CASES;
     else
-        return false;
-    return true;
+        return THUD_NOT_MINE;
+    return THUD_DONE;
 }
 
 /* Enter on an impact shows it in the plots; on a floor, that floor. */
 static void row(struct thud_tui *tui, const struct thud_field *field)
 {
-    double time = NAN;
-    int contact = 0, s, floor;
+    struct thud_look_at look = {.wanted = true, .which = shown(tui)};
     const char *at = field->path;
-    if (thud_scan_word(&at, "impact ")) {
-        if (thud_number_parse(at, &at, &time) == 0 && thud_scan_word(&at, " ") && thud_scan_count(&at, &contact))
-            thud_tui_show_impact(tui, shown(tui), contact, time);
-    } else if (thud_scan_word(&at, "floor ") && thud_scan_count(&at, &s) && thud_scan_word(&at, " ") &&
-               thud_scan_count(&at, &floor))
-        thud_tui_show_floor(tui, s, floor);
+    look.impact = thud_scan_word(&at, "impact ");
+    if (look.impact ? thud_number_parse(at, &at, &look.time_s) == 0 && thud_scan_word(&at, " ") &&
+                          thud_scan_count(&at, &look.contact)
+                    : thud_scan_word(&at, "floor ") && thud_scan_count(&at, &look.structure) &&
+                          thud_scan_word(&at, " ") && thud_scan_count(&at, &look.floor)) {
+        tui->look_at = look;
+        thud_tui_go(tui, THUD_SCREEN_PLOTS);
+    }
 }
 
 static const char *cannot(struct thud_tui *tui, enum thud_action action)
 {
     if (action == THUD_DO_EXPORT)
-        return thud_live_result(&tui->live, shown(tui)) ? NULL : "There are no results yet: r runs";
+        return thud_live_result(&tui->run.live, shown(tui)) ? NULL : "There are no results yet: r runs";
     return NULL;
 }
 
 /* What `thud run --csv` and `-o` write, of the case whose impacts are shown. */
 static void export_csv(struct thud_tui *tui)
 {
-    const struct thud_live_case *c = &tui->live.which[shown(tui)];
+    const struct thud_live_case *c = &tui->run.live.which[shown(tui)];
     struct thud_report report = {.scene = &tui->doc.scene, .result = thud_run_result(c->run)};
     struct thud_text peaks = {0}, impacts = {0};
     report.impact = thud_run_impacts(c->run, &report.nimpacts);
@@ -352,5 +368,5 @@ static void export_csv(struct thud_tui *tui)
     thud_text_clear(&impacts);
 }
 
-THUD_VIEW(results, "Results", RESULTS, .verdict = true, .act = act, .cannot = cannot, .row = row,
-          .export_csv = export_csv);
+THUD_VIEW(results, "Results", RESULTS, .verdict = true, .keys = "", .moved = true, .size = sizeof(struct results_state),
+          .begin = begin, .act = act, .cannot = cannot, .row = row, .export_csv = export_csv);

@@ -6,10 +6,10 @@
 
 #include "io/file/file.h"
 #include "plot/figures/figures_sweep.h"
+#include "tui/document/field.h"
 #include "tui/document/session_log.h"
 #include "tui/screens/sweep_screen.h"
 #include "tui/widgets/chart.h"
-#include "tui/widgets/field.h"
 
 enum { FORM, CHART };
 
@@ -28,9 +28,9 @@ static void refresh(struct thud_tui *tui)
 {
     static const double patience_s = 0.4;
     struct thud_sweep_state *s = thud_sweep_state(tui);
-    size_t rows = s ? s->data.rows.table.nrows : 0;
-    if (!s || (s->shown && s->shown_of == s->begun && s->shown_rows == rows && s->shown_figure == s->figure &&
-               s->shown_complete == s->data.complete))
+    size_t rows = s->data.rows.table.nrows;
+    if (s->shown && s->shown_of == s->begun && s->shown_rows == rows && s->shown_figure == s->figure &&
+        s->shown_complete == s->data.complete)
         return;
     bool wait = s->data.running && s->by_itself && tui->backend->now(tui->backend) - s->begun_s < patience_s;
     if (s->shown && (wait || (rows == 0 && s->data.running)))
@@ -85,7 +85,7 @@ static double here(const struct thud_tui *tui, const struct thud_sweep_state *s)
 static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
 {
     struct thud_sweep_state *s = thud_sweep_state(tui);
-    if (index == FORM || !s) {
+    if (index == FORM) {
         snprintf(text, size, "Study");
         return;
     }
@@ -110,7 +110,7 @@ static void dim(const struct thud_pane *pane)
 static int draw(struct thud_tui *tui, int index, struct thud_pane *pane)
 {
     struct thud_sweep_state *s = thud_sweep_state(tui);
-    if (index == FORM || !s)
+    if (index == FORM)
         return thud_sweep_form_draw(tui, FORM, pane);
     refresh(tui);
     if (s->shown) {
@@ -137,8 +137,6 @@ static void begin(struct thud_tui *tui, bool by_itself)
     static const double wait_s = 5;
     struct thud_sweep_state *s = thud_sweep_state(tui);
     struct thud_error err = {0};
-    if (!s)
-        return;
     if (!by_itself) { /* what was read is read again */
         thud_sweep_data_clear(&s->data);
         thud_figure_free(s->shown);
@@ -147,7 +145,7 @@ static void begin(struct thud_tui *tui, bool by_itself)
     s->why[0] = '\0';
     enum thud_status status = thud_sweep_data_prepare(&s->data, &tui->doc, &s->words, &err);
     /* two of the live cases have contacts, and the runs of a study share much: a tenth was measured on the towers */
-    double expected_s = 0.2 * tui->plain_s * (double)runs_of(&s->data);
+    double expected_s = 0.2 * tui->run.plain_s * (double)runs_of(&s->data);
     if (status == THUD_OK && by_itself && expected_s > wait_s)
         snprintf(s->why, sizeof s->why, "%ld runs, about %.0f s: r runs them", runs_of(&s->data), expected_s);
     else if (status == THUD_OK)
@@ -168,7 +166,6 @@ static void begin(struct thud_tui *tui, bool by_itself)
     s->ran = s->words;
     s->begun++;
     s->by_itself = by_itself;
-    tui->dirty = true;
     s->begun_s = tui->backend->now(tui->backend);
 }
 
@@ -176,7 +173,7 @@ static void begin(struct thud_tui *tui, bool by_itself)
 static void live(struct thud_tui *tui)
 {
     struct thud_sweep_state *s = thud_sweep_state(tui);
-    if (s && !thud_sweep_current(tui, s))
+    if (!thud_sweep_current(tui, s))
         begin(tui, true);
 }
 
@@ -205,7 +202,7 @@ static bool read_on(struct thud_tui *tui, const struct thud_sweep_state *s, int 
 static bool take(struct thud_tui *tui)
 {
     const struct thud_sweep_state *s = thud_sweep_state(tui);
-    const struct thud_sweep_axis *axis = s ? along_x(s) : NULL;
+    const struct thud_sweep_axis *axis = along_x(s);
     double at = tui->reading[THUD_SCREEN_SWEEP];
     char text[64];
     if (!axis || isnan(at))
@@ -219,88 +216,91 @@ static bool take(struct thud_tui *tui)
     return true;
 }
 
-static bool act(struct thud_tui *tui, enum thud_action action)
+static void next_figure(struct thud_tui *tui)
 {
     struct thud_sweep_state *s = thud_sweep_state(tui);
-    int panels = s && s->shown ? s->shown->rows * s->shown->columns : 0;
-    if (!s)
-        return false;
+    s->figure++;
+    s->panel = -1;
+}
+
+static enum thud_reaction act(struct thud_tui *tui, enum thud_action action)
+{
+    struct thud_sweep_state *s = thud_sweep_state(tui);
+    int panels = s->shown ? s->shown->rows * s->shown->columns : 0;
     switch (action) {
     case THUD_DO_RUN:
         thud_tui_log(tui, "sweep");
         begin(tui, false);
-        return true;
+        return THUD_DONE;
     case THUD_DO_LEFT:
     case THUD_DO_RIGHT:
-        return s->shown && read_on(tui, s, action == THUD_DO_LEFT ? -1 : 1);
+        return s->shown && read_on(tui, s, action == THUD_DO_LEFT ? -1 : 1) ? THUD_DONE : THUD_NOT_MINE;
     case THUD_DO_BACK:
         if (!s->data.running)
-            return false;
+            return THUD_NOT_MINE;
         thud_sweep_data_stop(&s->data);
         thud_tui_say(tui, THUD_ROLE_WARN, "Stopped; what is done stays");
-        return true;
+        return THUD_DONE;
     case THUD_DO_QUANTITY:
-        s->figure++;
-        s->panel = -1;
-        return true;
+        next_figure(tui);
+        return THUD_DONE;
     case THUD_DO_NEXT_CONTACT:
         s->panel = s->panel + 1 < panels ? s->panel + 1 : -1;
-        return true;
+        return THUD_DONE;
     case THUD_DO_PREVIOUS_CONTACT:
         s->panel = s->panel < 0 ? panels - 1 : s->panel - 1;
-        return true;
+        return THUD_DONE;
     default:
-        return false;
+        return THUD_NOT_MINE;
     }
 }
 
 static const struct thud_figure *figure(struct thud_tui *tui)
 {
     refresh(tui);
-    return tui->sweep ? tui->sweep->shown : NULL;
+    return thud_sweep_state(tui)->shown;
 }
 
 static const char *cannot(struct thud_tui *tui, enum thud_action action)
 {
     bool written = action == THUD_DO_PICTURE || action == THUD_DO_PICTURES || action == THUD_DO_EXPORT;
-    if (written && figure(tui) && is_old(tui, tui->sweep))
-        return tui->live.running || tui->sweep->data.running
+    if (written && figure(tui) && is_old(tui, thud_sweep_state(tui)))
+        return tui->run.live.running || thud_sweep_state(tui)->data.running
                    ? "The study is being made anew for what was edited: its figure is written once it is there"
                    : "This study is of before the edits, and is not written: r runs it again";
     bool of_figure = action == THUD_DO_QUANTITY || action == THUD_DO_NEXT_CONTACT || action == THUD_DO_PREVIOUS_CONTACT;
     if (!of_figure)
         return NULL;
     refresh(tui);
-    return tui->sweep && tui->sweep->shown ? NULL : "There is no figure yet: r runs the study";
+    return thud_sweep_state(tui)->shown ? NULL : "There is no figure yet: r runs the study";
 }
 
 static const struct thud_panel *read_panel(struct thud_tui *tui)
 {
     if (tui->form.pane[THUD_SCREEN_SWEEP] != CHART || !figure(tui))
         return NULL;
-    const struct thud_figure *shown = tui->sweep->shown;
-    int panel = tui->sweep->panel < 0 ? 0 : tui->sweep->panel;
+    const struct thud_figure *shown = thud_sweep_state(tui)->shown;
+    int panel = thud_sweep_state(tui)->panel < 0 ? 0 : thud_sweep_state(tui)->panel;
     return panel < shown->rows * shown->columns && shown->panel[panel].used ? &shown->panel[panel] : NULL;
 }
 
 static bool busy(struct thud_tui *tui)
 {
-    return tui->sweep && tui->sweep->data.running;
+    return thud_sweep_state(tui)->data.running;
 }
 
 static bool work(struct thud_tui *tui)
 {
     struct thud_error err = {0};
-    if (thud_sweep_data_advance(&tui->sweep->data, &err) != THUD_OK)
+    if (thud_sweep_data_advance(&thud_sweep_state(tui)->data, &err) != THUD_OK)
         thud_tui_say_error(tui, &err);
-    tui->dirty = tui->dirty || !tui->sweep->data.running;
-    return tui->sweep->data.running;
+    return thud_sweep_state(tui)->data.running;
 }
 
 static double progress(struct thud_tui *tui)
 {
-    const struct thud_sweep_data *d = tui->sweep ? &tui->sweep->data : NULL;
-    return d && d->running && d->points > 0 ? (double)d->next / (double)d->points : -1.0;
+    const struct thud_sweep_data *d = &thud_sweep_state(tui)->data;
+    return d->running && d->points > 0 ? (double)d->next / (double)d->points : -1.0;
 }
 
 static struct thud_figure *study_figure(const void *from, int index)
@@ -310,10 +310,11 @@ static struct thud_figure *study_figure(const void *from, int index)
 
 static void pictures(struct thud_tui *tui)
 {
-    if (!tui->sweep || tui->sweep->data.rows.table.nrows == 0)
+    if (thud_sweep_state(tui)->data.rows.table.nrows == 0)
         thud_tui_say(tui, THUD_ROLE_WARN, "There is no study yet: r runs it");
     else
-        thud_tui_figures(tui, thud_sweep_data_figures(&tui->sweep->data), study_figure, &tui->sweep->data);
+        thud_tui_figures(tui, thud_sweep_data_figures(&thud_sweep_state(tui)->data), study_figure,
+                         &thud_sweep_state(tui)->data);
 }
 
 static void export_csv(struct thud_tui *tui)
@@ -323,25 +324,32 @@ static void export_csv(struct thud_tui *tui)
     thud_tui_file_name(tui, "sweep", "", stem, sizeof stem);
     enum thud_status status = thud_folder_make(thud_tui_folder(tui), &err);
     if (status == THUD_OK)
-        status = thud_sweep_data_export(&tui->sweep->data, thud_tui_folder(tui), stem, &err);
+        status = thud_sweep_data_export(&thud_sweep_state(tui)->data, thud_tui_folder(tui), stem, &err);
     if (status != THUD_OK)
         thud_tui_say_error(tui, &err);
     else
         thud_tui_say(tui, THUD_ROLE_GOOD, "Written %s.csv, -contacts.csv, -needed-gaps.csv%s into %s", stem,
-                     tui->sweep->data.suite ? ", -suite.csv" : "", thud_tui_folder(tui));
+                     thud_sweep_state(tui)->data.suite ? ", -suite.csv" : "", thud_tui_folder(tui));
+}
+
+static void begin_screen(struct thud_tui *tui)
+{
+    struct thud_sweep_state *s = tui->own[THUD_SCREEN_SWEEP];
+    s->panel = -1;
+    s->study = tui->doc.scene.study;
+    thud_study_words_of(&tui->doc.scene, &s->words);
 }
 
 static void release(struct thud_tui *tui)
 {
-    if (!tui->sweep)
-        return;
-    thud_sweep_data_clear(&tui->sweep->data);
-    thud_figure_free(tui->sweep->shown);
-    free(tui->sweep->base);
-    free(tui->sweep);
-    tui->sweep = NULL;
+    struct thud_sweep_state *s = tui->own[THUD_SCREEN_SWEEP];
+    thud_sweep_data_clear(&s->data);
+    thud_figure_free(s->shown);
+    free(s->base);
 }
 
-THUD_VIEW(sweep, "Sweep", SWEEP, .verdict = true, .act = act, .cannot = cannot, .row = thud_sweep_form_row,
-          .hint = thud_sweep_form_hint, .figure = figure, .read = read_panel, .take = take, .live = live, .busy = busy,
-          .work = work, .progress = progress, .pictures = pictures, .export_csv = export_csv, .free = release);
+THUD_VIEW(sweep, "Sweep", SWEEP, .verdict = true, .many = true, .size = sizeof(struct thud_sweep_state),
+          .begin = begin_screen, .free = release, .act = act, .cannot = cannot, .command = thud_sweep_command,
+          .row = thud_sweep_form_row, .hint = thud_sweep_form_hint, .figure = figure, .next_figure = next_figure,
+          .read = read_panel, .take = take, .live = live, .busy = busy, .work = work, .progress = progress,
+          .pictures = pictures, .export_csv = export_csv);

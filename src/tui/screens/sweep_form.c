@@ -3,9 +3,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "tui/document/field.h"
 #include "tui/document/session_log.h"
 #include "tui/screens/sweep_screen.h"
-#include "tui/widgets/field.h"
 
 enum { CASES = THUD_VARY_MAX, RECORDS, SIGNS, EVENTS, SENSITIVITY, WORDS };
 
@@ -40,19 +40,15 @@ static char *word_of(struct thud_study_words *words, int index, size_t *size)
 }
 
 /* The words follow the scene's study, also when that is undone. */
-struct thud_sweep_state *thud_sweep_state(struct thud_tui *tui)
+struct thud_sweep_state *thud_sweep_state(const struct thud_tui *tui)
 {
+    struct thud_sweep_state *s = tui->own[THUD_SCREEN_SWEEP];
     const struct thud_study_choice *study = &tui->doc.scene.study;
-    bool first = !tui->sweep;
-    if (first)
-        tui->sweep = calloc(1, sizeof *tui->sweep);
-    if (tui->sweep && (first || memcmp(&tui->sweep->study, study, sizeof *study) != 0)) {
-        tui->sweep->study = *study;
-        thud_study_words_of(&tui->doc.scene, &tui->sweep->words);
+    if (memcmp(&s->study, study, sizeof *study) != 0) {
+        s->study = *study;
+        thud_study_words_of(&tui->doc.scene, &s->words);
     }
-    if (tui->sweep && first)
-        tui->sweep->panel = -1;
-    return tui->sweep;
+    return s;
 }
 
 /* Axes behind one that was emptied move up. */
@@ -78,13 +74,14 @@ static enum thud_status check(const struct thud_study_words *words, struct thud_
     return thud_events_parse(words->events, event, &n, err);
 }
 
+static void typed(struct thud_tui *tui, const char *text);
+static const struct thud_prompt prompt = {.done = typed};
+
 /* Refused words stay in the prompt. The others become the preset's study, to be saved with it. */
-void thud_tui_sweep_typed(struct thud_tui *tui, const char *text)
+static void typed(struct thud_tui *tui, const char *text)
 {
     struct thud_sweep_state *s = thud_sweep_state(tui);
     size_t size;
-    if (!s)
-        return;
     struct thud_study_words words = s->words;
     struct thud_scene next = tui->doc.scene;
     struct thud_error err = {0};
@@ -103,7 +100,7 @@ void thud_tui_sweep_typed(struct thud_tui *tui, const char *text)
         status = thud_doc_change(&tui->doc, &next, what, &err);
     if (status != THUD_OK) {
         thud_tui_say_error(tui, &err);
-        thud_tui_prompt(tui, THUD_TYPE_STUDY, text);
+        thud_tui_prompt(tui, &prompt, text);
         return;
     }
     s->words = words;
@@ -116,15 +113,14 @@ void thud_tui_sweep_typed(struct thud_tui *tui, const char *text)
         thud_tui_say(tui, THUD_ROLE_WARN, "r runs it; a preset has no room for so many values: w does not save this");
 }
 
-void thud_tui_sweep_word(struct thud_tui *tui, const char *word, const char *text)
+void thud_sweep_command(struct thud_tui *tui, const char *word, const char *rest)
 {
-    struct thud_sweep_state *s = thud_sweep_state(tui);
-    for (int i = 0; s && i < WORDS; i++)
+    for (int i = 0; i < WORDS; i++)
         if (i > 0 && i < CASES ? strncmp(word, "vary", 4) == 0 && word[4] == '1' + i
                                : strcmp(word_name(i), word) == 0) {
-            s->typed = i;
-            snprintf(tui->target, sizeof tui->target, "%s: ", word);
-            thud_tui_sweep_typed(tui, text);
+            thud_sweep_state(tui)->typed = i;
+            snprintf(tui->dialog.target, sizeof tui->dialog.target, "%s: ", word);
+            typed(tui, rest);
             return;
         }
 }
@@ -210,7 +206,7 @@ int thud_sweep_form_draw(struct thud_tui *tui, int index, const struct thud_pane
 {
     struct thud_sweep_state *s = thud_sweep_state(tui);
     int y = 0;
-    for (int i = 0; s && i < WORDS; i++) {
+    for (int i = 0; i < WORDS; i++) {
         char key[32], text[THUD_VARY_TEXT + 32];
         size_t size;
         const char *word = word_of(&s->words, i, &size), *none = i == RECORDS  ? "(the scene's own)"
@@ -228,7 +224,7 @@ int thud_sweep_form_draw(struct thud_tui *tui, int index, const struct thud_pane
         }
         thud_field_line(tui, index, pane, y++, i, key, text);
     }
-    return s ? draw_progress(tui, s, pane, y + 1) : y;
+    return draw_progress(tui, s, pane, y + 1);
 }
 
 const char *thud_sweep_form_hint(const struct thud_field *field)
@@ -246,10 +242,8 @@ void thud_sweep_form_row(struct thud_tui *tui, const struct thud_field *field)
 {
     struct thud_sweep_state *s = thud_sweep_state(tui);
     size_t size;
-    if (!s)
-        return;
     s->typed = field->index;
-    snprintf(tui->target, sizeof tui->target, "%s: ", word_name(field->index));
+    snprintf(tui->dialog.target, sizeof tui->dialog.target, "%s: ", word_name(field->index));
     thud_tui_say(tui, THUD_ROLE_PLAIN, "%s", thud_sweep_form_hint(field));
-    thud_tui_prompt(tui, THUD_TYPE_STUDY, word_of(&s->words, field->index, &size));
+    thud_tui_prompt(tui, &prompt, word_of(&s->words, field->index, &size));
 }

@@ -25,14 +25,16 @@ struct thud_sweep_state {
     int typed;                     /* the line being typed */
 };
 
-/* NULL when out of memory. The words follow the scene's study, also when that is undone. */
-struct thud_sweep_state *thud_sweep_state(struct thud_tui *tui);
+/* The words follow the scene's study, also when that is undone. */
+struct thud_sweep_state *thud_sweep_state(const struct thud_tui *tui);
 /* Whether the study on show is that of the scene and the words as they are: what is varied may have any value. */
 bool thud_sweep_current(struct thud_tui *tui, struct thud_sweep_state *s);
 /* Draws the form in pane `index`; returns the rows it would need. */
 int thud_sweep_form_draw(struct thud_tui *tui, int index, const struct thud_pane *pane);
 /* What is typed on a line of it. */
 const char *thud_sweep_form_hint(const struct thud_field *field);
+/* "vary", "records", ...: a line of it. */
+void thud_sweep_command(struct thud_tui *tui, const char *word, const char *rest);
 /* Enter on a line of it. */
 void thud_sweep_form_row(struct thud_tui *tui, const struct thud_field *field);
 

@@ -1,8 +1,9 @@
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "tui/widgets/field.h"
+#include "tui/document/field.h"
 
 enum { LABEL = 19 };
 
@@ -11,8 +12,8 @@ void thud_field_value(struct thud_tui *tui, int index, const struct thud_pane *p
 {
     thud_form_add(&tui->form, THUD_FIELD_VALUE, index, x, y, w, 0, key);
     bool focus = thud_form_focused(&tui->form, index, key);
-    if (focus && tui->mode == THUD_MODE_TYPING && tui->typing == THUD_TYPE_FIELD && strcmp(tui->target, key) == 0) {
-        thud_line_draw(&tui->line, pane, x, y, w, thud_look(THUD_ROLE_VALUE, THUD_UNDERLINE));
+    if (focus && thud_tui_types_field(tui) && strcmp(tui->dialog.target, key) == 0) {
+        thud_line_draw(&tui->dialog.line, pane, x, y, w, thud_look(THUD_ROLE_VALUE, THUD_UNDERLINE));
         return;
     }
     char text[160];
@@ -56,4 +57,41 @@ void thud_field_note(const struct thud_pane *pane, int y, const char *fmt, ...)
     vsnprintf(text, sizeof text, fmt, args);
     va_end(args);
     thud_pane_put(pane, 1, y, thud_look(THUD_ROLE_MUTED, 0), text);
+}
+
+/* Whether the help explains each of the choices by its word already. */
+static bool says_choices(const struct thud_param *param)
+{
+    for (int i = 0; param->kind == THUD_PARAM_CHOICE && param->choices[i]; i++) {
+        char word[40];
+        snprintf(word, sizeof word, "%.36s:", param->choices[i]);
+        if (!param->help || !strstr(param->help, word))
+            return false;
+    }
+    return param->kind == THUD_PARAM_CHOICE;
+}
+
+void thud_param_words(const struct thud_param *param, char *words, size_t size)
+{
+    char number[64] = "", range[160];
+    size_t n = (size_t)snprintf(words, size, "%s", param->help && *param->help ? param->help : param->title);
+    bool ended = n > 0 && n < size && strchr(".!?", words[n - 1]);
+    if (n < size && !ended)
+        n += (size_t)snprintf(words + n, size - n, ".");
+    if (n < size && param->kind == THUD_PARAM_QUANTITY && param->dimension >= THUD_LENGTH)
+        n += (size_t)snprintf(words + n, size - n, " Units %s.", thud_dimension_units(param->dimension));
+    thud_param_allowed(param, range, sizeof range);
+    if (n < size && *range && !says_choices(param))
+        n += (size_t)snprintf(words + n, size - n, " Allowed: %s.", range);
+    if (param->kind == THUD_PARAM_QUANTITY && !isnan(param->fallback) && param->dimension != THUD_POWER_STIFFNESS)
+        thud_quantity_format(param->fallback, param->unit ? param->unit : "", number, sizeof number);
+    else if (param->kind == THUD_PARAM_CHOICE && !isnan(param->fallback) && param->choices)
+        snprintf(number, sizeof number, "%s", param->choices[(int)param->fallback]);
+    if (n < size && *number)
+        n += (size_t)snprintf(words + n, size - n, " Default %s.", number);
+    bool numeric = param->kind == THUD_PARAM_QUANTITY || param->kind == THUD_PARAM_INTEGER;
+    if (n < size && numeric && param->dimension != THUD_POWER_STIFFNESS &&
+        (thud_param_unusual(param, INFINITY, range, sizeof range) ||
+         thud_param_unusual(param, -INFINITY, range, sizeof range)))
+        snprintf(words + n, size - n, " Usual: %s.", range);
 }

@@ -9,6 +9,8 @@
 #include "io/file/paths.h"
 #include "study/scene/scene.h"
 
+struct thud_view;
+
 struct thud_tui_options {
     const char *preset;             /* name or path; NULL: the first one shipped, `towers` */
     bool fresh;                     /* nobody named a preset: the form of a new scene stands over it */
@@ -20,6 +22,7 @@ struct thud_tui_options {
     bool ascii;                     /* no glyph beyond ASCII, also where the terminal has them */
     bool live_off;                  /* edits do not run at once */
     bool color;                     /* false: none (--no-color, NO_COLOR) */
+    const struct thud_view *view;   /* one more screen behind those of the list; NULL: none */
 };
 
 /* Runs until the user quits; the terminal is then as it was. A signal that ends it is raised again after that. Errors:

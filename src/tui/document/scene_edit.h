@@ -4,6 +4,10 @@
 
 #include "tui/document/state.h"
 
+/* Force at the bumper's delta_u, N; NaN where there is no such thing. */
+double thud_scene_force_at_knee(const struct thud_scene *scene, int interface);
+/* The value under the cursor, for every floor of its structure. */
+void thud_tui_all_floors(struct thud_tui *tui);
 void thud_tui_add_storey(struct thud_tui *tui, int s, int floor);    /* above `floor` (from 1; 0: on top) */
 void thud_tui_delete_storey(struct thud_tui *tui, int s, int floor); /* from 1 */
 void thud_tui_add_structure(struct thud_tui *tui, int s);            /* a copy of s, to its right */

@@ -16,4 +16,7 @@ void thud_field_line(struct thud_tui *tui, int index, const struct thud_pane *pa
 /* "title" in muted letters. */
 void thud_field_note(const struct thud_pane *pane, int y, const char *fmt, ...) THUD_PRINTF(3, 4);
 
+/* What a parameter is: meaning, units, what is allowed, what is usual, its default. */
+void thud_param_words(const struct thud_param *param, char *words, size_t size);
+
 #endif

@@ -37,25 +37,25 @@ void thud_tui_show_picture(struct thud_tui *tui, const struct thud_text *picture
     thud_image_draw(image, picture->data, picture->size, columns, rows - ROWS_BELOW, &out);
     struct thud_pane page = thud_canvas_pane(&tui->canvas);
     const char *how = "any key goes back ";
-    char fitted[sizeof tui->written];
-    thud_utf8_fit(tui->written, columns - thud_utf8_columns(how) - 3, fitted, sizeof fitted);
+    char fitted[sizeof tui->files.written];
+    thud_utf8_fit(tui->files.written, columns - thud_utf8_columns(how) - 3, fitted, sizeof fitted);
     thud_pane_put(&page, 1, rows - 1, thud_look(THUD_ROLE_PLAIN, 0), fitted);
     thud_pane_right(&page, columns, rows - 1, thud_look(THUD_ROLE_KEY, THUD_BOLD), how);
     tui->backend->repaint(tui->backend);
     tui->backend->show(tui->backend, &tui->canvas);
     if (!out.failed) {
         tui->backend->raw(tui->backend, out.data, out.size);
-        tui->picture = image;
+        tui->files.picture = image;
     }
     thud_text_clear(&out);
 }
 
 void thud_tui_leave_picture(struct thud_tui *tui)
 {
-    const char *clear = thud_image_clear(tui->picture);
-    tui->picture = THUD_IMAGE_NONE;
+    const char *clear = thud_image_clear(tui->files.picture);
+    tui->files.picture = THUD_IMAGE_NONE;
     if (*clear)
         tui->backend->raw(tui->backend, clear, strlen(clear));
     tui->backend->repaint(tui->backend);
-    tui->dirty = true;
+    thud_tui_redraw(tui, false);
 }

@@ -1,4 +1,4 @@
-#include "tui/loop/picture_work.h"
+#include "tui/document/picture_work.h"
 
 #include <fcntl.h>
 #include <stdatomic.h>

@@ -3,7 +3,7 @@
  *     omega_1 = 2 sqrt(k/m) sin(pi / (2 (2 n + 1)))        T = 2 pi / omega_1
  *
  * (Blevins, Formulas for Natural Frequency and Mode Shape, 1979). */
-#include "tui/screens/new_scene.h"
+#include "tui/loop/new_scene.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -13,6 +13,16 @@
 
 #include "base/ascii.h"
 #include "tui/document/session_log.h"
+
+enum { THUD_NEW_ROWS = 9, THUD_NEW_TEXT = 256 };
+
+struct thud_new_scene {
+    char text[THUD_NEW_ROWS][2][THUD_NEW_TEXT]; /* as typed, left and right; rows of one value have it on the left */
+    bool own[THUD_NEW_ROWS];                    /* the right value was typed; else it goes with the left one */
+    int row, side;                              /* the value being typed */
+    struct thud_line line;
+    struct thud_browse files; /* ground motions to choose from */
+};
 
 enum { NAME, KIND, STOREYS, MASS, STIFFNESS, HEIGHT, DAMPING, GAP, RECORD };
 enum { LABEL = 22, VALUE = 24, LIST_ROWS = 6 };
@@ -76,11 +86,14 @@ static void focus(struct thud_new_scene *f, int row, int side)
     thud_line_select(&f->line, f->text[row][side]);
 }
 
+static const struct thud_over over;
+
 void thud_new_scene_begin(struct thud_tui *tui)
 {
     static const char *const usual[THUD_NEW_ROWS] = {"", "shear", "4", "320 t", "600 MN/m", "3 m", "5 %", "5 cm", ""};
-    struct thud_new_scene *f = tui->new_scene;
-    if (!f && !(f = tui->new_scene = calloc(1, sizeof *f))) {
+    struct thud_new_scene *f = tui->dialog.own ? tui->dialog.own : calloc(1, sizeof *f);
+    tui->dialog.own = f;
+    if (!f) {
         thud_tui_say(tui, THUD_ROLE_ERROR, "! no memory for the form");
         return;
     }
@@ -92,17 +105,8 @@ void thud_new_scene_begin(struct thud_tui *tui)
     snprintf(f->text[STOREYS][1], sizeof f->text[STOREYS][1], "6");
     f->own[STOREYS] = true;
     thud_browse_list(&f->files, THUD_BROWSE_RECORDS, tui->doc.paths, "", "");
-    tui->mode = THUD_MODE_NEW;
-    tui->message[0] = '\0';
+    thud_tui_over(tui, &over);
     focus(f, STOREYS, 0);
-}
-
-void thud_new_scene_free(struct thud_tui *tui)
-{
-    if (tui->new_scene)
-        thud_browse_clear(&tui->new_scene->files);
-    free(tui->new_scene);
-    tui->new_scene = NULL;
 }
 
 static void keep(struct thud_new_scene *f)
@@ -250,7 +254,7 @@ static int matching(const struct thud_new_scene *f, int i)
 /* The list follows the folder that is typed. */
 static void list_again(struct thud_tui *tui)
 {
-    struct thud_new_scene *f = tui->new_scene;
+    struct thud_new_scene *f = tui->dialog.own;
     const char *slash = strrchr(f->line.text, '/');
     char folder[THUD_NEW_TEXT];
     snprintf(folder, sizeof folder, "%.*s", slash ? (int)(slash - f->line.text) + 1 : 0, f->line.text);
@@ -260,7 +264,7 @@ static void list_again(struct thud_tui *tui)
 /* Tab on the ground motion: the first that fits what was typed; a folder is gone into. False: it is one already. */
 static bool take_file(struct thud_tui *tui)
 {
-    struct thud_new_scene *f = tui->new_scene;
+    struct thud_new_scene *f = tui->dialog.own;
     int k = *f->line.text ? matching(f, 0) : -1;
     if (k < 0 || strcmp(f->files.item[k].name, f->line.text) == 0)
         return false;
@@ -284,7 +288,7 @@ static void log_values(struct thud_tui *tui, const struct thud_new_scene *f)
 
 static void make(struct thud_tui *tui)
 {
-    struct thud_new_scene *f = tui->new_scene;
+    struct thud_new_scene *f = tui->dialog.own;
     struct thud_text text = {0};
     struct thud_error err = {0};
     char path[THUD_NEW_TEXT + 16], found[512];
@@ -299,8 +303,7 @@ static void make(struct thud_tui *tui)
         status = thud_paths_record(tui->doc.paths, path, f->text[RECORD][0], found, sizeof found, &err);
     if (status == THUD_OK && !preset_text(f, &text, &err))
         status = err.status != THUD_OK ? err.status : thud_error_set(&err, THUD_MEMORY, "no memory for the scene");
-    thud_live_clear(&tui->live); /* its runs look at the record, which goes with the preset */
-    tui->ran_revision = 0;
+    thud_tui_forget_run(tui);
     if (status == THUD_OK)
         status = thud_doc_new(&tui->doc, text.data, text.size, path, &err);
     thud_text_clear(&text);
@@ -308,11 +311,11 @@ static void make(struct thud_tui *tui)
         err.line = err.column = 0; /* of a file that nobody sees */
         err.file[0] = '\0';
         thud_tui_say_error(tui, &err);
-        thud_tui_changed(tui);
+        tui->run.seen = 0;
         focus(f, f->row, f->side);
         return;
     }
-    tui->mode = THUD_MODE_NORMAL;
+    thud_tui_normal(tui);
     log_values(tui, f);
     thud_tui_opened(tui);
     thud_tui_go(tui, THUD_SCREEN_MODEL);
@@ -328,17 +331,17 @@ static void cycle(struct thud_new_scene *f, int step)
     keep(f);
 }
 
-void thud_new_scene_key(struct thud_tui *tui, int key)
+static void take_key(struct thud_tui *tui, int key)
 {
-    struct thud_new_scene *f = tui->new_scene;
+    struct thud_new_scene *f = tui->dialog.own;
     bool of_kind = f->row == KIND;
     if (key == THUD_KEY_ESC) {
-        tui->mode = THUD_MODE_NORMAL;
-        tui->message[0] = '\0';
+        thud_tui_normal(tui);
+        thud_tui_hush(tui);
     } else if (key == THUD_KEY_ENTER) {
         make(tui);
     } else if (key == THUD_KEY_TAB && f->row == RECORD && take_file(tui)) {
-        tui->message[0] = '\0';
+        thud_tui_hush(tui);
     } else if (key == THUD_KEY_TAB || key == THUD_KEY_BACKTAB) {
         go(f, 0, key == THUD_KEY_TAB ? 1 : -1);
     } else if (key == THUD_KEY_DOWN || key == THUD_KEY_UP) {
@@ -347,7 +350,7 @@ void thud_new_scene_key(struct thud_tui *tui, int key)
         if (key == ' ' || key == THUD_KEY_RIGHT || key == THUD_KEY_LEFT)
             cycle(f, key == THUD_KEY_LEFT ? -1 : 1);
     } else if (thud_line_key(&f->line, key)) {
-        tui->message[0] = '\0';
+        thud_tui_hush(tui);
         if (f->row == RECORD)
             list_again(tui);
     }
@@ -365,9 +368,9 @@ static void draw_files(struct thud_new_scene *f, const struct thud_pane *in, int
     }
 }
 
-void thud_new_scene_draw(struct thud_tui *tui, const struct thud_pane *area)
+static void draw(struct thud_tui *tui, const struct thud_pane *area)
 {
-    struct thud_new_scene *f = tui->new_scene;
+    struct thud_new_scene *f = tui->dialog.own;
     int w = area->w < 78 ? area->w : 78,
         h = area->h < THUD_NEW_ROWS + LIST_ROWS + 3 ? area->h : THUD_NEW_ROWS + LIST_ROWS + 3;
     struct thud_pane box = thud_pane_inside(area, (area->w - w) / 2, (area->h - h) / 2, w, h);
@@ -405,6 +408,23 @@ void thud_new_scene_draw(struct thud_tui *tui, const struct thud_pane *area)
         thud_pane_wrap(&in, 1, THUD_NEW_ROWS + 1 - scroll, in.w - 2, thud_look(THUD_ROLE_MUTED, 0), words[f->row]);
 }
 
+static struct thud_line *line(struct thud_tui *tui)
+{
+    struct thud_new_scene *f = tui->dialog.own;
+    return &f->line;
+}
+
+static void release(struct thud_tui *tui)
+{
+    struct thud_new_scene *f = tui->dialog.own;
+    thud_browse_clear(&f->files);
+    free(f);
+    tui->dialog.own = NULL;
+}
+
+static const struct thud_over over = {
+    .where = THUD_AT_NEW, .key = take_key, .draw = draw, .line = line, .free = release};
+
 /* Cuts blanks off both ends. */
 static char *trimmed(char *text)
 {
@@ -419,7 +439,7 @@ void thud_new_scene_command(struct thud_tui *tui, const char *text)
     char copy[THUD_LINE_MAX], *rest = copy;
     snprintf(copy, sizeof copy, "%s", text);
     thud_new_scene_begin(tui);
-    struct thud_new_scene *f = tui->new_scene;
+    struct thud_new_scene *f = tui->dialog.own;
     if (!f || !*text)
         return;
     f->files.n = 0; /* names are meant as they are */
@@ -432,7 +452,7 @@ void thud_new_scene_command(struct thud_tui *tui, const char *text)
         while (row < THUD_NEW_ROWS && strcmp(part, word[row]) != 0)
             row++;
         if (!value || row == THUD_NEW_ROWS) {
-            tui->mode = THUD_MODE_NORMAL;
+            thud_tui_normal(tui);
             thud_tui_say(tui, THUD_ROLE_ERROR,
                          "! new: \"%.40s\" is none of name, kind, storeys, mass, stiffness, height, "
                          "damping, gap, record",
@@ -447,6 +467,6 @@ void thud_new_scene_command(struct thud_tui *tui, const char *text)
     }
     focus(f, STOREYS, 0);
     make(tui);
-    if (tui->mode == THUD_MODE_NEW)
-        tui->mode = THUD_MODE_NORMAL;
+    if (tui->dialog.mode == THUD_MODE_OVER)
+        thud_tui_normal(tui);
 }

@@ -1,0 +1,199 @@
+/* What is said, what is asked over the screen, and where the cursor is: asked for by screens, carried out by the loop. */
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/scan.h"
+#include "tui/document/state.h"
+
+void thud_tui_say(struct thud_tui *tui, enum thud_role role, const char *fmt, ...)
+{
+    va_list args;
+    va_start(args, fmt);
+    vsnprintf(tui->said.text, sizeof tui->said.text, fmt, args);
+    va_end(args);
+    tui->said.role = role;
+    tui->redraw.wanted = true;
+}
+
+void thud_tui_say_error(struct thud_tui *tui, const struct thud_error *err)
+{
+    char text[600];
+    thud_tui_say(tui, THUD_ROLE_ERROR, "! %s", thud_error_text(err, text, sizeof text));
+}
+
+void thud_tui_hush(struct thud_tui *tui)
+{
+    tui->said.text[0] = '\0';
+}
+
+void thud_tui_redraw(struct thud_tui *tui, bool now)
+{
+    tui->redraw.wanted = true;
+    tui->redraw.now |= now;
+}
+
+void thud_tui_drawn(struct thud_tui *tui)
+{
+    tui->redraw.drawn_s = tui->backend->now(tui->backend);
+    tui->redraw.wanted = tui->redraw.now = false;
+    tui->redraw.edits = tui->doc.edits;
+    tui->redraw.screen = tui->screen;
+}
+
+void thud_tui_normal(struct thud_tui *tui)
+{
+    tui->dialog.mode = THUD_MODE_NORMAL;
+}
+
+void thud_tui_prompt(struct thud_tui *tui, const struct thud_prompt *prompt, const char *text)
+{
+    tui->dialog.mode = THUD_MODE_TYPING;
+    tui->dialog.prompt = prompt;
+    tui->dialog.at = tui->dialog.ncommands;
+    thud_line_set(&tui->dialog.line, text);
+}
+
+void thud_tui_type(struct thud_tui *tui, const char *key, const char *text, bool select)
+{
+    snprintf(tui->dialog.target, sizeof tui->dialog.target, "%s", key);
+    thud_tui_prompt(tui, NULL, text);
+    if (select)
+        thud_line_select(&tui->dialog.line, text);
+    thud_tui_hush(tui);
+}
+
+bool thud_tui_types_field(const struct thud_tui *tui)
+{
+    return tui->dialog.mode == THUD_MODE_TYPING && !tui->dialog.prompt;
+}
+
+void thud_tui_choose(struct thud_tui *tui, thud_chosen_fn *chosen, const char *title)
+{
+    tui->dialog.mode = THUD_MODE_CHOOSING;
+    tui->dialog.chosen = chosen;
+    thud_chooser_begin(&tui->dialog.chooser, title);
+}
+
+void thud_tui_chosen(struct thud_tui *tui)
+{
+    const struct thud_choice *choice = thud_chooser_marked(&tui->dialog.chooser);
+    char value[sizeof choice->value];
+    if (!choice)
+        return;
+    thud_tui_normal(tui);
+    memcpy(value, choice->value, sizeof value);
+    if (tui->dialog.chosen)
+        tui->dialog.chosen(tui, value);
+}
+
+void thud_tui_ask(struct thud_tui *tui, const struct thud_question *question, const char *target, const char *fmt, ...)
+{
+    va_list args;
+    va_start(args, fmt);
+    vsnprintf(tui->said.text, sizeof tui->said.text, fmt, args);
+    va_end(args);
+    tui->said.role = THUD_ROLE_WARN;
+    snprintf(tui->dialog.target, sizeof tui->dialog.target, "%s", target);
+    tui->dialog.mode = THUD_MODE_ASKING;
+    tui->dialog.question = question;
+}
+
+void thud_tui_over(struct thud_tui *tui, const struct thud_over *over)
+{
+    tui->dialog.mode = THUD_MODE_OVER;
+    tui->dialog.over = over;
+    thud_tui_hush(tui);
+}
+
+void thud_tui_go(struct thud_tui *tui, int screen)
+{
+    if (screen != tui->screen && tui->screen != THUD_SCREEN_HELP)
+        tui->before = tui->screen;
+    tui->screen = screen;
+    tui->form.screen = screen;
+    thud_tui_hush(tui);
+}
+
+/* The screen whose fields begin like this key; the longest beginning holds. */
+static int screen_of(const struct thud_tui *tui, const char *key)
+{
+    int best = -1;
+    size_t most = 0;
+    for (int i = 0; i < tui->screens; i++) {
+        const char *begin = tui->view[i]->keys;
+        size_t n = begin ? strlen(begin) : 0;
+        if (begin && strncmp(key, begin, n) == 0 && (best < 0 || n > most)) {
+            best = i;
+            most = n;
+        }
+    }
+    return best;
+}
+
+void thud_tui_go_to_field(struct thud_tui *tui, const char *key)
+{
+    int number = 0, last = tui->doc.scene.nstructures - 2, screen = screen_of(tui, key);
+    const char *at = key;
+    if (thud_scan_word(&at, "structures.") && thud_scan_count(&at, &number)) {
+        if (number - 1 < tui->pair || number - 1 > tui->pair + 1)
+            tui->pair = number - 1 > last ? last : number - 1;
+    } else if (thud_scan_word(&at, "interfaces.") && thud_scan_count(&at, &number)) {
+        tui->pair = number - 1;
+    }
+    if (tui->pair < 0)
+        tui->pair = 0;
+    if (screen < 0)
+        return;
+    thud_form_focus_on(&tui->form, screen, key);
+    thud_tui_go(tui, screen);
+}
+
+struct thud_rect thud_tui_area(const struct thud_tui *tui)
+{
+    int top = thud_tui_view(tui)->verdict && tui->canvas.height >= 12 ? 3 : 2, bottom = tui->canvas.height < 16 ? 2 : 3;
+    return (struct thud_rect){0, top, tui->canvas.width, tui->canvas.height - top - bottom};
+}
+
+bool thud_tui_one_pane(const struct thud_tui *tui)
+{
+    return tui->canvas.width < THUD_DESIGN_WIDTH || tui->canvas.height < THUD_DESIGN_HEIGHT;
+}
+
+bool thud_tui_too_small(struct thud_tui *tui)
+{
+    int width, height;
+    tui->backend->size(tui->backend, &width, &height);
+    return width < THUD_LEAST_WIDTH || height < THUD_LEAST_HEIGHT;
+}
+
+struct thud_chart thud_tui_reading(struct thud_tui *tui)
+{
+    return (struct thud_chart){.cursor = tui->reading[tui->screen], .drawn = &tui->chart};
+}
+
+char *thud_tui_number(double value, char text[24])
+{
+    if (isnan(value))
+        return strcpy(text, "·");
+    if (isinf(value))
+        return strcpy(text, value > 0.0 ? "inf" : "-inf");
+    const double nothing = 1e-12; /* in any unit that is shown: rounding of a speed of 0, say */
+    double size = fabs(value);
+    if (size < nothing)
+        return strcpy(text, "0");
+    if (size >= 1e6 || size < 1e-3)
+        snprintf(text, 24, "%.2e", value);
+    else if (size >= 99.95)
+        snprintf(text, 24, "%.0f", value);
+    else
+        snprintf(text, 24, "%.*f",
+                 size >= 9.995      ? 1
+                 : size >= 0.9995   ? 2
+                 : size >= 0.09995  ? 3
+                 : size >= 0.009995 ? 4
+                                    : 5,
+                 value);
+    return text;
+}

@@ -1,0 +1,160 @@
+/* Running the three cases whenever what they depend on changed. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "study/scene/answer.h"
+#include "tui/document/session_log.h"
+#include "tui/document/state.h"
+
+enum thud_live_history thud_tui_wants_history(const struct thud_tui *tui)
+{
+    const struct thud_view *view = thud_tui_view(tui);
+    if (tui->files.pictures_wanted || tui->files.whole_wanted != THUD_DO_NOTHING)
+        return THUD_LIVE_WHOLE;
+    return view->history ? view->history(tui) : THUD_LIVE_NO_HISTORY;
+}
+
+void thud_tui_run(struct thud_tui *tui)
+{
+    const struct thud_record *record;
+    struct thud_error err;
+    tui->run.revision = tui->run.seen = tui->doc.revision;
+    tui->run.seen_history = thud_tui_wants_history(tui);
+    tui->run.started_s = tui->backend->now(tui->backend);
+    tui->run.was_running = true;
+    thud_tui_redraw(tui, false);
+    thud_live_stop(&tui->run.live); /* its runs look at the record */
+    if (thud_doc_record(&tui->doc, &record, &err) != THUD_OK) {
+        thud_live_fail(&tui->run.live, &err);
+        thud_tui_say_error(tui, &err);
+        return;
+    }
+    thud_live_start(&tui->run.live, &tui->doc.scene, record, thud_tui_wants_history(tui));
+}
+
+void thud_tui_opened(struct thud_tui *tui)
+{
+    for (int i = 0; i < tui->screens; i++) { /* what the screens keep belongs to the preset before */
+        const struct thud_view *view = tui->view[i];
+        if (view->free)
+            view->free(tui);
+        if (view->size > 0)
+            memset(tui->own[i], 0, view->size);
+        if (view->begin)
+            view->begin(tui);
+    }
+    tui->pair = 0;
+    tui->look_at.wanted = false;
+    thud_pin_take(&tui->pin, &tui->doc, false);
+    tui->kept.before_n = NAN;
+    tui->run.on = tui->run.usual;
+    thud_tui_run(tui);
+}
+
+void thud_tui_forget_run(struct thud_tui *tui)
+{
+    thud_live_clear(&tui->run.live);
+    tui->run.was_running = false;
+    tui->run.revision = 0;
+}
+
+void thud_tui_follow(struct thud_tui *tui)
+{
+    enum thud_live_history wanted = thud_tui_wants_history(tui);
+    const int last = tui->doc.scene.nstructures - 2;
+    bool changed = tui->run.seen != tui->doc.revision;
+    if (tui->pair > last)
+        tui->pair = last > 0 ? last : 0;
+    if (!changed && wanted <= tui->run.seen_history)
+        return;
+    bool same = tui->run.revision == tui->doc.revision; /* the same answer, with its histories */
+    tui->run.seen = tui->doc.revision;
+    tui->run.seen_history = wanted;
+    if (same ? wanted > tui->run.live.history : tui->run.on) {
+        thud_tui_run(tui);
+    } else if (!same) {
+        const struct thud_record *record;
+        struct thud_error err;
+        thud_tui_forget_run(tui);
+        thud_doc_record(&tui->doc, &record, &err);
+        thud_tui_redraw(tui, false);
+    }
+}
+
+const struct thud_live *thud_tui_pinned(const struct thud_tui *tui)
+{
+    for (int i = 0; i < THUD_LIVE_CASES; i++)
+        if (tui->run.live.which[i].state == THUD_LIVE_FAILED)
+            return NULL; /* nothing to compare: a number beside it would be taken for its own */
+    return thud_pin_live(&tui->pin, &tui->doc);
+}
+
+const char *thud_tui_pin_name(const struct thud_tui *tui)
+{
+    return tui->pin.own ? "pinned" : "saved";
+}
+
+bool thud_tui_shows_old(const struct thud_tui *tui)
+{
+    bool old = false;
+    for (int i = 0; i < THUD_LIVE_CASES; i++)
+        old = old || thud_live_is_old(&tui->run.live, (enum thud_live_which)i);
+    return old;
+}
+
+void thud_tui_pin(struct thud_tui *tui)
+{
+    thud_tui_log(tui, "pin");
+    thud_pin_take(&tui->pin, &tui->doc, true);
+    thud_tui_say(tui, THUD_ROLE_GOOD, "Pinned: changes are told against this state now; V goes back to it");
+}
+
+void thud_tui_exchange(struct thud_tui *tui)
+{
+    struct thud_error err;
+    struct thud_scene next = tui->pin.scene;
+    memcpy(next.name, tui->doc.scene.name, sizeof next.name);
+    memcpy(next.title, tui->doc.scene.title, sizeof next.title);
+    next.study = tui->doc.scene.study;
+    struct thud_pin before = {0};
+    thud_pin_take(&before, &tui->doc, true);
+    char what[64];
+    const char *name = thud_tui_pin_name(tui);
+    snprintf(what, sizeof what, "exchanged with the %s state", name);
+    if (thud_doc_change(&tui->doc, &next, what, &err) != THUD_OK) {
+        thud_pin_clear(&before);
+        thud_tui_say_error(tui, &err);
+        return;
+    }
+    thud_pin_clear(&tui->pin);
+    tui->pin = before;
+    thud_tui_log(tui, "exchange");
+    thud_tui_say(tui, THUD_ROLE_GOOD, "This is the state that was %s; V goes back (u undoes)", name);
+}
+
+const struct thud_model *thud_tui_model(struct thud_tui *tui)
+{
+    const struct thud_model *model = tui->run.live.which[THUD_LIVE_FREE].model;
+    if (model && tui->run.revision == tui->doc.revision)
+        return model;
+    if (tui->run.model_of != tui->doc.revision) {
+        thud_model_free(tui->run.model);
+        tui->run.model = NULL;
+        tui->run.model_of = tui->doc.revision;
+        if (thud_scene_assemble(&tui->doc.scene, &tui->run.model, NULL) != THUD_OK)
+            tui->run.model = NULL;
+    }
+    return tui->run.model;
+}
+
+bool thud_tui_cancel(struct thud_tui *tui)
+{
+    if (!tui->run.live.running)
+        return false;
+    tui->files.pictures_wanted = false;
+    tui->files.whole_wanted = THUD_DO_NOTHING;
+    thud_tui_forget_run(tui);
+    thud_tui_say(tui, THUD_ROLE_WARN, "Stopped; nothing is shown of a run that was cut off. r runs again");
+    return true;
+}

@@ -1,0 +1,219 @@
+/* Figures and tables of what is shown, written while the screens go on. */
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "base/ascii.h"
+#include "ground/identity.h"
+#include "io/file/file.h"
+#include "tui/document/state.h"
+
+const char *thud_tui_folder(const struct thud_tui *tui)
+{
+    return *tui->files.folder ? tui->files.folder : tui->options.output ? tui->options.output : ".";
+}
+
+/* Letters, digits and hyphens of a text, as file names have them. */
+static void plain(char *text)
+{
+    char *to = text;
+    for (const char *at = text; *at; at++) {
+        int c = (unsigned char)thud_ascii_lower(*at);
+        if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'))
+            *to++ = (char)c;
+        else if (to > text && to[-1] != '-')
+            *to++ = '-';
+    }
+    while (to > text && to[-1] == '-')
+        to--;
+    *to = '\0';
+}
+
+static const char *const suffixes[] = {".png",       ".gp",           ".csv", "-contacts.csv", "-needed-gaps.csv",
+                                       "-suite.csv", "-fragility.csv"};
+enum { SUFFIXES = sizeof suffixes / sizeof *suffixes };
+
+/* Whether something else changed a file since thud wrote it: it is much younger than the script beside it. */
+static bool is_changed(const char *stem)
+{
+    const time_t drawn_s = 60; /* gnuplot takes less */
+    struct stat script, info;
+    char path[700];
+    snprintf(path, sizeof path, "%s.gp", stem);
+    if (stat(path, &script) != 0)
+        return false;
+    for (int i = 0; i < SUFFIXES; i++) {
+        snprintf(path, sizeof path, "%s%s", stem, suffixes[i]);
+        if (stat(path, &info) == 0 && info.st_mtime > script.st_mtime + drawn_s)
+            return true;
+    }
+    return false;
+}
+
+/* A script that thud wrote says so at its beginning: the files beside it may be written again. */
+static bool is_ours(const char *stem)
+{
+    char path[700], head[200];
+    snprintf(path, sizeof path, "%s.gp", stem);
+    FILE *file = fopen(path, "r");
+    if (!file)
+        return false;
+    size_t n = fread(head, 1, sizeof head - 1, file);
+    fclose(file);
+    head[n] = '\0';
+    return strstr(head, "thud") != NULL;
+}
+
+static bool is_taken(const char *stem)
+{
+    char path[700];
+    for (int i = 0; i < SUFFIXES; i++) {
+        snprintf(path, sizeof path, "%s%s", stem, suffixes[i]);
+        if (access(path, F_OK) == 0)
+            return true;
+    }
+    return false;
+}
+
+/* Whether this name was given before. */
+static bool wrote(const struct thud_tui *tui, const char *name)
+{
+    char line[240];
+    snprintf(line, sizeof line, "\n%s\n", name);
+    return strstr(tui->files.wrote, line) != NULL;
+}
+
+/* "towers-impact-force-gap-80mm", with the case where it is of one; a number behind it where another has those files. */
+void thud_tui_file_name(struct thud_tui *tui, const char *what, const char *of_case, char *name, size_t size)
+{
+    const struct thud_scene *scene = &tui->doc.scene;
+    char gap[40] = "", stem[640], base[200];
+    if (tui->pair + 1 < scene->nstructures && !thud_tui_view(tui)->many) /* a study has many */
+        snprintf(gap, sizeof gap, " gap %.6gmm", 1e3 * scene->interface[tui->pair].gap_m);
+    snprintf(base, sizeof base, "%.60s %.60s %.20s%s", scene->name, what, of_case, gap);
+    plain(base);
+    snprintf(name, size, "%s", base);
+    for (int i = 2; i < 10000; i++) {
+        snprintf(stem, sizeof stem, "%.400s/%.200s", thud_tui_folder(tui), name);
+        if (!is_taken(stem) || (!is_changed(stem) && (is_ours(stem) || wrote(tui, name))))
+            break;
+        snprintf(name, size, "%.180s-%d", base, i);
+    }
+    size_t n = strlen(tui->files.wrote);
+    if (!wrote(tui, name))
+        snprintf(tui->files.wrote + n, sizeof tui->files.wrote - n, "\n%s\n", name);
+}
+
+/* Takes the figures over. */
+static void begin(struct thud_tui *tui, struct thud_figure *const *figure, int count)
+{
+    struct thud_error err;
+    char name[200], first[200], motions[64];
+    /* a study's figures have their motions' words */
+    const struct thud_record *record = thud_tui_view(tui)->moved ? tui->doc.record : NULL;
+    thud_synthetic_text(thud_records_synthetic(&record, 1), 1, motions, sizeof motions);
+    for (int i = 0; i < count; i++) {
+        if (!figure[i])
+            continue;
+        thud_tui_file_name(tui, figure[i]->name, "", name, sizeof name);
+        thud_figure_rename(figure[i], name);
+        thud_figure_title_add(figure[i], motions);
+    }
+    snprintf(first, sizeof first, "%s", count > 0 && figure[0] ? figure[0]->name : ""); /* the writer frees it */
+    struct thud_picture_screen screen = {.format = THUD_PNG};
+    if (count == 1)
+        screen = thud_tui_picture_screen(tui);
+    tui->files.screen = tui->screen;
+    if (thud_picture_work_start(figure, count, thud_tui_folder(tui), tui->options.gnuplot, &screen, &tui->files.work,
+                                &err) != THUD_OK) {
+        thud_tui_say_error(tui, &err);
+        return;
+    }
+    tui->backend->also = thud_picture_work_fd(tui->files.work);
+    tui->files.done = 0;
+    tui->files.count = count;
+    if (count == 1)
+        snprintf(tui->files.written, sizeof tui->files.written, "%s/%.100s.png, .gp (draws it again) and .csv",
+                 thud_tui_folder(tui), first);
+    else
+        snprintf(tui->files.written, sizeof tui->files.written, "%d figures into %s: .png, .gp and .csv of each", count,
+                 thud_tui_folder(tui));
+    thud_tui_say(tui, THUD_ROLE_PLAIN, "Writing %s", tui->files.written);
+}
+
+void thud_tui_figures(struct thud_tui *tui, int count, thud_tui_figure_fn *make, const void *from)
+{
+    struct thud_figure *figure[THUD_PICTURES_MAX];
+    if (count > THUD_PICTURES_MAX)
+        count = THUD_PICTURES_MAX;
+    for (int i = 0; i < count; i++)
+        figure[i] = make(from, i);
+    begin(tui, figure, count);
+}
+
+void thud_tui_picture_of(struct thud_tui *tui, const struct thud_figure *figure)
+{
+    struct thud_figure *copy = thud_figure_copy(figure);
+    if (copy)
+        begin(tui, &copy, 1);
+    else
+        thud_tui_say(tui, THUD_ROLE_ERROR, "! no memory for the figure");
+}
+
+void thud_tui_writing_look(struct thud_tui *tui)
+{
+    int done, count;
+    struct thud_error err = {0};
+    bool going = thud_picture_work_look(tui->files.work, &done, &count);
+    if (done != tui->files.done || !going)
+        thud_tui_redraw(tui, false);
+    tui->files.done = done;
+    if (going)
+        return;
+    struct thud_text picture = {0};
+    enum thud_status status = thud_picture_work_finish(tui->files.work, &done, &picture, &err);
+    tui->files.work = NULL;
+    tui->backend->also = -1;
+    if (status == THUD_OK && picture.size > 0 && tui->dialog.mode == THUD_MODE_NORMAL &&
+        tui->files.screen == tui->screen)
+        thud_tui_show_picture(tui, &picture);
+    thud_text_clear(&picture);
+    if (status == THUD_OK)
+        thud_tui_say(tui, THUD_ROLE_GOOD, "Written %s", tui->files.written);
+    else if (status == THUD_CANCELLED)
+        thud_tui_say(tui, THUD_ROLE_WARN, "Stopped: %d of %d figures are written, nothing is half written", done,
+                     count);
+    else
+        thud_tui_say_error(tui, &err);
+}
+
+void thud_tui_writing_end(struct thud_tui *tui)
+{
+    int done;
+    struct thud_error err;
+    if (!tui->files.work)
+        return;
+    thud_picture_work_stop(tui->files.work);
+    thud_picture_work_finish(tui->files.work, &done, NULL, &err);
+    tui->files.work = NULL;
+    tui->backend->also = -1;
+}
+
+bool thud_tui_write(struct thud_tui *tui, struct thud_text *text, const char *name)
+{
+    struct thud_error err;
+    char path[600];
+    snprintf(path, sizeof path, "%s/%s", thud_tui_folder(tui), name);
+    enum thud_status status = thud_folder_make(thud_tui_folder(tui), &err);
+    if (status == THUD_OK)
+        status = thud_text_write(text, path, &err);
+    else
+        thud_text_clear(text);
+    if (status != THUD_OK)
+        thud_tui_say_error(tui, &err);
+    else
+        thud_tui_say(tui, THUD_ROLE_GOOD, "Written %s", path);
+    return status == THUD_OK;
+}
