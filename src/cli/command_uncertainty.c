@@ -39,32 +39,64 @@ static bool is_drawn(const struct thud_uncertainty *u, int q)
     return x->kind == THUD_OF_ACCELERATION && !x->mean;
 }
 
+/* How far an input moves a quantity. */
+static double swing(const struct thud_uncertainty_told *t, int i)
+{
+    return fmax(fabs(t->of[THUD_INPUT_MOST][i] - t->nominal), fabs(t->of[THUD_INPUT_LEAST][i] - t->nominal));
+}
+
+/* Inputs from the one that moves a quantity least: it stands lowest. */
+static void order_inputs(const struct thud_uncertainty_told *t, int n, int *order)
+{
+    for (int i = 0; i < n; i++) {
+        int at = i;
+        for (; at > 0 && swing(t, order[at - 1]) > swing(t, i); at--)
+            order[at] = order[at - 1];
+        order[at] = i;
+    }
+}
+
+/* "gap ±5 %", "contact-stiffness ×÷2". */
+static void shorten(char *text)
+{
+    static const struct {
+        const char *from, *to;
+    } word[] = {{"+-", "±"}, {"by a factor of ", "×÷"}};
+    for (size_t i = 0; i < sizeof word / sizeof *word; i++) {
+        char *at = strstr(text, word[i].from);
+        size_t n = strlen(word[i].to), past = strlen(word[i].from);
+        if (at) {
+            memcpy(at, word[i].to, n);
+            memmove(at + n, at + past, strlen(at + past) + 1);
+        }
+    }
+}
+
 static void add_tornado(struct thud_panel *panel, const struct thud_uncertainty_study *study, int q)
 {
     const struct thud_uncertainty *u = study->uncertainty;
     const struct thud_uncertainty_told *t = &study->told[q];
-    size_t n = (size_t)u->ninputs;
-    double *x = malloc(6 * n * sizeof *x), *y = x ? x + 3 * n : NULL;
-    if (!x) {
-        if (panel)
-            panel->figure->failed = true;
-        return;
+    int n = u->ninputs, order[THUD_DRAWN_MAX];
+    double x[3 * THUD_DRAWN_MAX], y[3 * THUD_DRAWN_MAX];
+    order_inputs(t, n, order);
+    for (int i = 0; i < n; i++) {
+        char text[128];
+        thud_uncertainty_input_text(u, order[i], text, sizeof text);
+        shorten(text);
+        thud_panel_tick(panel, THUD_Y, i + 1, text);
     }
-    for (size_t i = 0; i < n; i++)
-        thud_panel_tick(panel, THUD_Y, (double)i + 1, u->input[i].name);
-    thud_panel_limits(panel, THUD_Y, 0.5, (double)n + 0.5);
-    thud_panel_mark(panel, THUD_X, t->nominal, t->nominal, "");
+    thud_panel_limits(panel, THUD_Y, 0.5, n + 0.5);
+    thud_panel_mark(panel, THUD_X, t->nominal, t->nominal, "as it is");
     for (int end = 0; end < 2; end++) {
-        for (size_t i = 0; i < n; i++) {
+        for (int i = 0; i < n; i++) {
             x[3 * i] = t->nominal;
-            x[3 * i + 1] = t->of[end ? THUD_INPUT_MOST : THUD_INPUT_LEAST][i];
+            x[3 * i + 1] = t->of[end ? THUD_INPUT_MOST : THUD_INPUT_LEAST][order[i]];
             x[3 * i + 2] = NAN;
-            y[3 * i] = y[3 * i + 1] = y[3 * i + 2] = (double)i + 1;
+            y[3 * i] = y[3 * i + 1] = y[3 * i + 2] = i + 1;
         }
         thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES_POINTS, .color = end, .wide = true},
-                       end ? "input at its most" : "input at its least", 3 * n, x, y);
+                       end ? "input at its most" : "input at its least", 3 * (size_t)n, x, y);
     }
-    free(x);
 }
 
 /* The scene, and what is drawn of it. */
@@ -74,6 +106,19 @@ static struct thud_figure *begin(const struct thud_uncertainty *u, const char *n
     char title[400];
     snprintf(title, sizeof title, "%s: %s", u->scene.title[0] ? u->scene.title : u->scene.name, what);
     return thud_figure_create(name, title, rows, columns);
+}
+
+/* What moves one quantity much moves another little: that is seen on one scale. */
+static void same_scale(struct thud_figure *figure, int panels)
+{
+    double least = INFINITY, most = -INFINITY;
+    for (int i = 0; figure && i < panels; i++) {
+        struct thud_range range = thud_panel_range(&figure->panel[i], THUD_X);
+        least = fmin(least, range.least);
+        most = fmax(most, range.most);
+    }
+    for (int i = 0; figure && i < panels; i++)
+        thud_panel_limits(&figure->panel[i], THUD_X, least, most);
 }
 
 static struct thud_figure *tornado(const struct thud_uncertainty_study *study)
@@ -96,8 +141,10 @@ static struct thud_figure *tornado(const struct thud_uncertainty_study *study)
         thud_panel_axis(panel, THUD_X, quantity->ratio ? "Ratio to no bumper" : "Largest acceleration",
                         quantity->ratio ? "" : "m/s²");
         thud_panel_axis(panel, THUD_Y, "", "");
+        thud_panel_answers_on_x(panel);
         add_tornado(panel, study, drawn[i]);
     }
+    same_scale(figure, n);
     return figure;
 }
 
@@ -109,6 +156,7 @@ static struct thud_figure *distribution(const struct thud_uncertainty_study *stu
     struct thud_figure *figure = begin(u, "sampled-ratios", "all inputs sampled together", 1, 1);
     struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "");
     thud_panel_axis(panel, THUD_X, "Ratio to no bumper", "");
+    thud_panel_answers_on_x(panel);
     thud_panel_axis(panel, THUD_Y, "Share of the samples below", "%");
     thud_panel_limits(panel, THUD_Y, 0, 100);
     thud_panel_mark(panel, THUD_X, 1, 1, "");

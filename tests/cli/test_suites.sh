@@ -272,6 +272,10 @@ is "by its line" says "hazard.csv:2: "
 is "thud uncertainty: table, files and figures" gives 0 uncertainty towers --set gap=12cm --samples 12 --indices -j 2 -o "$tmp/sure" --quiet
 is "a sentence with shares" shows "^The bumper lowers the mean acceleration of A in [0-9]* % of 24 samples"
 for figure in tornado sampled-ratios; do is "$figure is a picture" is_png "$tmp/sure/$figure.png"; done
+# the input that moves a quantity most stands highest
+sorted() { awk -F, 'NR > 1 && $3 != "" { if (!($1 in first)) { first[$1] = $3; next } d = $3 - first[$1]; if (d < 0) d = -d; if (d > w[$1, $4]) w[$1, $4] = d; if ($4 > n) n = $4 }
+    END { for (p in first) for (i = 2; i <= n; i++) { if (w[p, i] < w[p, i - 1]) bad++; seen++ } exit !(seen >= 20 && !bad) }' "$tmp/sure/tornado.csv"; }
+is "the tornado is sorted in each of its panels" sorted
 one() { "$THUD" uncertainty towers --set gap=12cm --samples 12 --indices -j 1 --csv --quiet | cmp - "$tmp/sure/uncertainty.csv"; }
 is "the same bytes with one thread" one
 strata() { awk -F, 'NR > 1 { if (NR <= 13) for (i = 1; i <= 8; i++) hit[i, int($i * 12)]++; rows++ } END { n = 0; for (k in hit) n++; exit !(rows == 24 && n == 96) }' "$tmp/sure/samples.csv"; }

@@ -30,6 +30,24 @@ START_TEST(limits_are_round_and_hold_the_data)
 }
 END_TEST
 
+START_TEST(no_answer_lies_on_the_frame)
+{
+    struct thud_figure *figure = thud_figure_create("f", "", 1, 1);
+    struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "");
+    const double x[] = {-60.0, 2.0, 60.0}, y[] = {3.0, 6.0, 9.0};
+    thud_panel_add(panel, line, "a", 3, x, y);
+    struct thud_range range = thud_panel_range(panel, THUD_X); /* as asked for, such as gaps: from end to end */
+    ck_assert(range.least == -60.0 && range.most == 60.0);
+    thud_panel_answers_on_x(panel);
+    range = thud_panel_range(panel, THUD_X);
+    ck_assert(range.least < -61.0 && range.most > 61.0 && range.most < 80.0);
+    thud_panel_limits(panel, THUD_X, 0.0, NAN); /* what begins at nothing begins at the frame */
+    range = thud_panel_range(panel, THUD_X);
+    ck_assert(range.least == 0.0 && range.most > 61.0);
+    thud_figure_free(figure);
+}
+END_TEST
+
 START_TEST(limits_of_nothing_and_of_one_value)
 {
     struct thud_figure *figure = thud_figure_create("f", "", 1, 1);
@@ -309,6 +327,7 @@ Suite *thud_suite(void)
     Suite *suite = suite_create("figure");
     TCase *tcase = tcase_create("figure");
     tcase_add_test(tcase, limits_are_round_and_hold_the_data);
+    tcase_add_test(tcase, no_answer_lies_on_the_frame);
     tcase_add_test(tcase, limits_of_nothing_and_of_one_value);
     tcase_add_test(tcase, logarithmic_limits_are_whole_decades);
     tcase_add_test(tcase, colours_differ);

@@ -166,6 +166,12 @@ void thud_panel_limits(struct thud_panel *panel, enum thud_side side, double lea
     panel->axis[side].most = most;
 }
 
+void thud_panel_answers_on_x(struct thud_panel *panel)
+{
+    if (panel)
+        panel->axis[THUD_X].answers = true;
+}
+
 void thud_panel_log(struct thud_panel *panel, enum thud_side side)
 {
     if (panel)

@@ -76,8 +76,9 @@ static struct thud_range round_linear(struct thud_range range, const struct thud
     range.step = round_step(width, side == THUD_X ? 7 : 6);
     if (tight)
         return range;
-    /* along x a fifth of a step is round enough; along y a curve shall not lie on the frame, except at 0 */
-    double unit = side == THUD_X ? 0.2 * range.step : range.step, hair = side == THUD_X ? 0.0 : 0.02 * width;
+    /* along x a fifth of a step is round enough; no answer shall lie on the frame, except at 0 */
+    double unit = side == THUD_X ? 0.2 * range.step : range.step,
+           hair = side == THUD_Y || axis->answers ? 0.02 * width : 0.0;
     double bottom = range.least >= 0.0 ? 0.0 : -INFINITY; /* what is never negative needs no room there */
     if (isnan(axis->least))
         range.least = fmax(bottom, unit * floor((range.least - (range.least == 0.0 ? 0.0 : hair)) / unit + 1e-9));

@@ -52,18 +52,30 @@ static void add_shears(struct thud_panel *panel, const struct thud_figure_source
     }
 }
 
+/* Where a slab strikes: its elevation, at the larger of the two shears. */
+static void add_strikes(struct thud_panel *panel, const struct thud_figure_source *source, int structure, int interface,
+                        const char *name, int color)
+{
+    const struct thud_result *result = source->result;
+    struct thud_style style = {.kind = THUD_POINTS, .color = color, .wide = true};
+    struct thud_series *series = thud_panel_add(panel, style, name, (size_t)result->ncolumns, NULL, NULL);
+    for (int i = 0; series && i < result->ncolumns; i++) {
+        const struct thud_column_result *c = &result->column[i];
+        double low, high;
+        ends_of(&source->scene->structure[c->structure], c, &low, &high);
+        series->x[i] = is_shown(c, structure, interface) ? 1e-3 * fmax(c->peak[0].value, c->peak[1].value) : NAN;
+        series->y[i] = struck_at(result, i, low, high);
+    }
+}
+
 static void add_capacities(struct thud_panel *panel, const struct thud_figure_source *source, int structure,
                            int interface)
 {
     const struct thud_result *result = source->result;
     struct thud_style style = {.kind = THUD_LINES, .color = THUD_COLOR_GREY, .wide = true, .dashed = true};
     bool any = false;
-    double most = 0;
     for (int i = 0; i < result->ncolumns; i++)
-        if (is_shown(&result->column[i], structure, interface) && isfinite(result->column[i].capacity_n)) {
-            any = true;
-            most = fmax(most, 1e-3 * result->column[i].capacity_n);
-        }
+        any |= is_shown(&result->column[i], structure, interface) && isfinite(result->column[i].capacity_n);
     struct thud_series *series =
         any ? thud_panel_add(panel, style, "capacity", 3 * (size_t)result->ncolumns, NULL, NULL) : NULL;
     for (int i = 0; series && i < result->ncolumns; i++) {
@@ -76,9 +88,6 @@ static void add_capacities(struct thud_panel *panel, const struct thud_figure_so
             series->y[3 * i + k] = y[k];
         }
     }
-    struct thud_range range = thud_panel_range(panel, THUD_X);
-    if (any && !(most < range.most)) /* not along the frame */
-        thud_panel_limits(panel, THUD_X, 0.0, most + range.step);
 }
 
 /* The next structure and interface with struck columns after these; false where there is none. */
@@ -109,10 +118,13 @@ struct thud_figure *thud_figure_columns(const struct thud_figure_source *source,
         snprintf(text, sizeof text, "%.60s, struck by %.60s", own->name, other->name);
         struct thud_panel *panel = thud_figure_panel(figure, 0, p, text);
         thud_panel_axis(panel, THUD_X, "Largest shear", "kN");
+        thud_panel_answers_on_x(panel);
         thud_panel_axis(panel, THUD_Y, "Height", "m");
         thud_panel_limits(panel, THUD_X, 0.0, NAN);
         for (int k = 0; k < nsources; k++)
             add_shears(panel, &source[k], s, i, nsources > 1 ? source[k].name : "shear", k);
+        for (int k = 0; k < nsources; k++)
+            add_strikes(panel, &source[k], s, i, nsources > 1 ? "" : "where the slab strikes", nsources > 1 ? k : 1);
         add_capacities(panel, source, s, i);
     }
     thud_figure_note(figure, "Above and below the slab that strikes, each at its own time.");

@@ -110,8 +110,8 @@ enum thud_status thud_figure_paper2(struct thud_figure **out, struct thud_error 
         const struct thud_history *h = thud_run_history(answer.run);
         struct thud_style style[2] = {{.color = 0}, {.color = 1}};
         struct thud_series *way[2] = {
-            thud_panel_add(panel, style[0], "approach: F = k d^n", h->rows, NULL, NULL),
-            thud_panel_add(panel, style[1], "restitution: F = k d^n (1 + C d')", h->rows + 1, NULL, NULL)};
+            thud_panel_add(panel, style[0], "approach: F = k δⁿ", h->rows, NULL, NULL),
+            thud_panel_add(panel, style[1], "restitution: F = k δⁿ (1 + C dδ/dt)", h->rows + 1, NULL, NULL)};
         size_t n[2] = {0};
         double last = 0, foot = 0;
         for (size_t i = 0; i < h->rows && way[0] && way[1]; i++) {
@@ -130,10 +130,9 @@ enum thud_status thud_figure_paper2(struct thud_figure **out, struct thud_error 
         for (int k = 0; k < 2 && way[k]; k++)
             way[k]->n = n[k];
     }
-    thud_panel_mark(panel, THUD_X, 40.0, 40.0, "largest strain, 0.8 of 5 cm");
-    thud_figure_note(figure,
-                     "k = 0.36 kN/mm^2.65, n = 2.65, C by Eq. (7) for a coefficient of restitution of 0.5; past "
-                     "the largest strain 2500 kN/mm. Two bodies of 320 t closing at 0.6 m/s.");
+    thud_panel_mark(panel, THUD_X, 40.0, 40.0, "ultimate strain, 0.8 of 5 cm");
+    thud_figure_note(figure, "k = 0.36 kN/mm²·⁶⁵, n = 2.65, C by Eq. (7) for a coefficient of restitution of 0.5; past "
+                             "the ultimate strain 2500 kN/mm. Two bodies of 320 t closing at 0.6 m/s.");
     thud_answer_clear(&answer);
     return finish(figure, status, out, err);
 }

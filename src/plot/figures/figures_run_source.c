@@ -109,8 +109,8 @@ void thud_source_contact_name(const struct thud_figure_source *source, int conta
     else if (level)
         snprintf(text, size, "%s–%s, floor %d", left->name, right->name, floor);
     else
-        snprintf(text, size, "%s %s%d–%s %s%d", left->name, c->struck < 0 ? "c" : "", c->left_floor, right->name,
-                 c->struck > 0 ? "c" : "", c->right_floor);
+        snprintf(text, size, "%s, %s %d – %s, %s %d", left->name, c->struck < 0 ? "columns" : "floor", c->left_floor,
+                 right->name, c->struck > 0 ? "columns" : "floor", c->right_floor);
 }
 
 int thud_pick_largest(const double *value, int n, int most, int *index)
