@@ -8,7 +8,7 @@ VERSION  := $(or $(shell sed -n 's/.*THUD_VERSION "\(.*\)".*/\1/p' include/base/
 
 # Flags.  CFLAGS, CPPFLAGS and LDFLAGS stay the user's; they come last.  gcc's analyzer sees leaks where a block is kept in a list; the address
 # sanitizer and the failing-memory tests look for real ones.
-release  := -O3 -DNDEBUG -fPIE -fstack-protector-strong $(if $(findstring _FORTIFY_SOURCE,$(CPPFLAGS) $(CFLAGS)),,-U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2)
+release  := -O3 -DNDEBUG -fstack-protector-strong $(if $(findstring _FORTIFY_SOURCE,$(CPPFLAGS) $(CFLAGS)),,-U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2)
 check    := -O2
 debug    := -O0 -g3
 asan     := -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
@@ -22,7 +22,7 @@ PKG      := yaml-0.1 ncursesw zlib
 PKG_I    := $(shell pkg-config --cflags-only-I $(PKG) 2>/dev/null)
 PKG_L    := $(shell pkg-config --libs $(PKG) 2>/dev/null)
 LAPACK   := $(or $(shell pkg-config --libs lapacke lapack 2>/dev/null),-llapacke)
-COMPILE  := $(CC) -Iinclude -Isrc -D_XOPEN_SOURCE=700 $(PKG_I) -std=c17 -pthread -ffp-contract=off -fno-math-errno \
+COMPILE  := $(CC) -Iinclude -Isrc -D_XOPEN_SOURCE=700 $(PKG_I) -std=c17 -pthread -fPIC -fvisibility=hidden -ffp-contract=off -fno-math-errno \
             $(WARN) $($(VARIANT)) $(CPPFLAGS) $(CFLAGS)
 HARDENED := $(if $(filter Darwin,$(shell uname -s)),,-pie -Wl,-z,relro,-z,now)
 LINK     := $(CC) -pthread $($(VARIANT)) $(if $(filter release,$(VARIANT)),$(HARDENED)) $(CFLAGS) $(LDFLAGS)
@@ -31,13 +31,17 @@ LDLIBS   += -lcsv $(PKG_L) $(LAPACK) -lm
 # One short line for each file made; V=1 shows the commands themselves.
 say       = $(if $(V),,@printf '  %-5s %s\n' '$(1)' '$(2)';)
 
-# Three libraries: libthud.a computes and touches nothing outside itself, libthud-io.a reads and writes files, libthud-program.a is the program around
-# them.  The first two are installed.
+# Three archives: libthud-core.a computes and touches nothing outside itself, libthud-io.a reads and writes files, libthud-program.a is the program
+# around them.  What is installed is libthud, static and shared: of all of these what include/thud.h needs, and no other name than those in it.
 objects   = $(patsubst %.c,$(B)/%.o,$(sort $(wildcard $(1))))
 room      = src/$(1)/*.c src/$(1)/*/*.c # of a layer: its own files and those of its rooms
 CORE     := $(call objects,$(foreach layer,base ground core study,$(call room,$(layer))))
 IO       := $(call objects,$(call room,io))
-PROGRAM  := $(call objects,$(foreach layer,plot app cli tui,$(call room,$(layer))))
+PROGRAM  := $(call objects,$(foreach layer,plot app cli tui door,$(call room,$(layer))))
+DOOR     := $(call objects,src/door/*.c)
+SONAME   := libthud.so.$(firstword $(subst ., ,$(VERSION)))
+DOORLIBS  = $(filter-out -lncurses% -ltinfo%,$(LDLIBS))
+OBJCOPY  ?= objcopy
 # The shipped program is built without assertions; the unit tests and all they call, with them.
 UNITS    := build/$(if $(filter release,$(VARIANT)),check,$(VARIANT))
 PARALLEL  = $(if $(filter -j%,$(MAKEFLAGS)),,-j$(or $(shell nproc 2>/dev/null),2))
@@ -50,14 +54,14 @@ HAVE_CVODE = $(shell printf '\043include <cvode/cvode.h>\n' | $(CC) -x c -fsynta
 PEERS     = $(B)/peer-exact $(B)/peer-export $(B)/peer-minimal $(if $(HAVE_CVODE),$(B)/peer-cvode)
 SUNDIALS := $(patsubst %,-lsundials_%,cvode nvecserial sunmatrixdense sunlinsoldense sunnonlinsolfixedpoint)
 FUZZERS  := $(patsubst tests/fuzz/%.c,$(B)/fuzz/%,$(wildcard tests/fuzz/fuzz_*.c))
-LIBS     := $(B)/libthud-program.a $(B)/libthud-io.a $(B)/libthud.a
+LIBS     := $(B)/libthud-program.a $(B)/libthud-io.a $(B)/libthud-core.a
 THUD     := $(if $(filter release,$(VARIANT)),thud,$(B)/thud)
 
 # What the environment calls by these names is not what the scripts are to get.
 unexport THUD UNITS
 
 .PHONY: all help deps demo test units debug asan tsan valgrind coverage lint mutants objects fuzz fuzzers soak bench bench-peers install uninstall dist deb clean FORCE
-all: $(THUD) $(LIBS) $(B)/thud.pc ## build ./thud (VARIANT=debug, asan, coverage build into build/VARIANT)
+all: $(THUD) $(B)/libthud.a $(B)/libthud.so $(B)/thud.pc ## build ./thud (VARIANT=debug, asan, coverage build into build/VARIANT)
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1\t\2/p' Makefile | expand -t 18
@@ -71,10 +75,9 @@ $(B)/files: FORCE
 	$(call keep,$(CORE) $(IO) $(PROGRAM) $(HELPERS))
 $(B)/commit: FORCE
 	$(call keep,$(or $(shell git describe --always --dirty --exclude '*' 2>/dev/null),unknown))
-# For programs that link the libraries; they are static, so what they need in turn stands in Libs.
 $(B)/thud.pc: FORCE
 	$(call keep,prefix=$${pcfiledir}/../..' 'Name: thud' 'Description: earthquake pounding of neighbouring buildings' 'Version: $(VERSION)' \
-	    'Cflags: -I$${prefix}/include/thud' 'Libs: -L$${prefix}/lib -lthud-io -lthud $(filter-out -lncurses% -ltinfo%,$(LDLIBS)))
+	    'Cflags: -I$${prefix}/include' 'Libs: -L$${prefix}/lib -lthud' 'Libs.private: $(DOORLIBS) -pthread)
 $(B)/headers: $(B)/flags
 	@tests/tools/need.sh $(CC) && touch $@
 
@@ -84,10 +87,16 @@ $(B)/thud: $(B)/src/main.o $(LIBS) | $(B)/presets $(B)/records
 	$(call say,LINK,$@)$(LINK) -o $@ $^ $(LDLIBS)
 $(B)/presets $(B)/records:
 	@mkdir -p $(B) && ln -sfn ../../$(@F) $@
-$(B)/libthud.a: $(CORE)
+$(B)/libthud-core.a: $(CORE)
 $(B)/libthud-io.a: $(IO)
 $(B)/libthud-program.a: $(PROGRAM)
 $(B)/libtests.a: $(HELPERS)
+# one object, in which only what thud.h declares can be seen from outside
+$(B)/libthud.a: $(DOOR) $(LIBS)
+	$(call say,AR,$@)$(CC) -r -nostdlib -o $(B)/libthud.o $^ && $(OBJCOPY) --localize-hidden $(B)/libthud.o && rm -f $@ && $(AR) rcs $@ $(B)/libthud.o
+$(B)/libthud.so: $(DOOR) $(LIBS) | $(B)/presets $(B)/records
+	$(call say,LINK,$@)$(filter-out -pie,$(LINK)) -shared -Wl,-soname,$(SONAME) -o $@.$(VERSION) $^ $(DOORLIBS)
+	@ln -sf libthud.so.$(VERSION) $(B)/$(SONAME) && ln -sf $(SONAME) $@
 $(B)/lib%.a: $(B)/files
 	@rm -f $@ && $(AR) rcs $@ $(filter %.o,$^)
 $(B)/%.o: %.c $(B)/flags | $(B)/headers

@@ -8,7 +8,7 @@ tmp=$(mktemp -d) || exit 1
 trap 'rm -rf "$tmp"' EXIT
 
 sh $tools/check-includes.sh .
-sh $tools/check-pure.sh "$BUILD/libthud.a"
+sh $tools/check-pure.sh "$BUILD/libthud-core.a"
 sh $tools/check-headers.sh .
 sh $tools/check-tree.sh .
 sh $tools/check-unused.sh "$BUILD"
@@ -122,10 +122,10 @@ else
 fi
 
 # the core library links by itself: no part of it leans on the layers to its right
-if nm "$BUILD/libthud.a" 2>/dev/null | grep -q -E '__(asan|gcov|ubsan|sanitizer)_'; then
+if nm "$BUILD/libthud-core.a" 2>/dev/null | grep -q -E '__(asan|gcov|ubsan|sanitizer)_'; then
     echo "ok - the core library links by itself # SKIP built with instruments"
 elif echo 'int main(void) { return 0; }' >"$tmp/main.c" &&
-    $CC -o "$tmp/main" "$tmp/main.c" -Wl,--whole-archive "$BUILD/libthud.a" -Wl,--no-whole-archive -llapacke -lm >"$tmp/out" 2>&1; then
+    $CC -o "$tmp/main" "$tmp/main.c" -Wl,--whole-archive "$BUILD/libthud-core.a" -Wl,--no-whole-archive -llapacke -lm >"$tmp/out" 2>&1; then
     echo "ok - the core library links by itself"
 else
     echo "not ok - the core library links by itself"

@@ -1,7 +1,7 @@
 #!/bin/sh
-# Direction of the layers: base <- ground <- core <- study <- {io, plot} <- app <- {cli, tui} <- main.  TAP.
+# Direction of the layers: base <- ground <- core <- study <- {io, plot} <- app <- {cli, tui, door} <- main.  TAP.
 # A file includes only its own layer and those to its left, names the layer, and takes of another layer only public headers (of app, which is never
-# installed, any).  The rooms of a layer (its sub-folders) form no circle, and a header in include/ has a reader outside its layer.
+# installed, any).  thud.h, which is installed, is for base, which has its errors from there, and for door, which is behind it.  The rooms of a layer (its sub-folders) form no circle, and a header in include/ has a reader outside its layer.
 # usage: check-includes.sh [TREE]
 set -u
 cd "${1:-.}" || exit 2
@@ -14,13 +14,13 @@ may_include() { # LAYER: the layers it may include
     study) echo base ground core study ;;
     io | plot) echo base ground core study "$1" ;;
     app) echo base ground core study io plot app ;;
-    cli | tui) echo base ground core study io plot app "$1" ;;
-    main) echo base ground core study io plot app cli tui ;;
+    cli | tui | door) echo base ground core study io plot app "$1" ;;
+    main) echo base ground core study io plot app cli tui ;; # which do without the door
     esac
 }
 
 status=0
-for layer in base ground core study io plot app cli tui main; do
+for layer in base ground core study io plot app cli tui door main; do
     allowed=" $(may_include "$layer") "
     if [ "$layer" = main ]; then files=src/main.c; else files=$(find "src/$layer" "include/$layer" -name '*.[ch]' 2>/dev/null); fi
     wrong=""
@@ -29,6 +29,7 @@ for layer in base ground core study io plot app cli tui main; do
         # shellcheck disable=SC2013 # a header's name has no blanks
         for header in $(sed -n 's/^[ \t]*#[ \t]*include[ \t]*"\([^"]*\)".*/\1/p' "$f"); do
             to=${header%%/*}
+            case $layer/$header in base/thud.h | door/thud.h) continue ;; esac
             if [ "$to" = "$header" ]; then
                 wrong="$wrong
 # $f: \"$header\" does not name its layer"

@@ -52,14 +52,16 @@ done
 for f in README.md CHANGELOG.md LICENSE; do
     if [ -f "$f" ]; then file 644 "$f" "share/doc/thud/$f"; fi
 done
-for f in libthud.a libthud-io.a; do file 644 "$build/$f" "lib/$f"; done
-file 644 "$build/thud.pc" lib/pkgconfig/thud.pc
-for layer in base ground core study io; do # each includes only itself and those before it
-    for f in include/"$layer"/*.h include/"$layer"/*/*.h; do
-        if [ -f "$f" ]; then file 644 "$f" "include/thud/${f#include/}"; fi
-    done
+file 644 "$build/libthud.a" lib/libthud.a
+so=$(basename "$(readlink "$build/libthud.so")")         # libthud.so.0
+whole=$(basename "$(readlink "$build/$so")")              # libthud.so.0.1.0
+file 755 "$build/$whole" "lib/$whole"
+for f in "$so" libthud.so; do
+    if [ "$what" = install ]; then ln -sf "$whole" "$prefix/lib/$f"; else rm -f "$prefix/lib/$f"; fi
 done
-file 644 tests/example/peaks.c share/doc/thud/peaks.c
+file 644 "$build/thud.pc" lib/pkgconfig/thud.pc
+file 644 include/thud.h include/thud.h
+for f in peaks.c thud.py; do file 644 "tests/door/$f" "share/doc/thud/examples/$f"; done
 if [ "$what" = install ]; then
     if [ -s "$new" ]; then cat "$new" >>"$prefix/$folders" && chmod 644 "$prefix/$folders"; fi
 else # the deepest first; one with files of others stays

@@ -26,7 +26,7 @@ lint() { # CHECK TOOL FILES: by_CHECK reads file names, one a line, and fails wh
 }
 by_house() { # layers, purity, what must not stand in the tree, what nothing uses
     "$make" --no-print-directory -s all || return 1
-    tests/tools/check-includes.sh . && tests/tools/check-headers.sh . && tests/tools/check-pure.sh build/release/libthud.a && tests/tools/check-tree.sh . &&
+    tests/tools/check-includes.sh . && tests/tools/check-headers.sh . && tests/tools/check-pure.sh build/release/libthud-core.a && tests/tools/check-tree.sh . &&
         tests/tools/check-unused.sh build/release
 }
 by_shellcheck() { xargs shellcheck -x; }

@@ -52,10 +52,11 @@ enum thud_phase { THUD_APPROACH, THUD_RESTITUTION };
 
 /* What is fixed for one contact. */
 struct thud_law_setup {
-    double mass_kg;                    /* effective mass m1 m2/(m1 + m2) */
-    double thickness_m;                /* of the bumper; 0 where there is none */
-    double column_npm;                 /* stiffness of the columns that are struck, in series with the law; 0: none */
-    double value[THUD_LAW_PARAMS_MAX]; /* parameters in SI, in the order of the law's table */
+    const struct thud_law *law; /* set by thud_law_prepare: a table that is part of something larger finds that */
+    double mass_kg;             /* effective mass m1 m2/(m1 + m2) */
+    double thickness_m;         /* of the bumper; 0 where there is none */
+    double column_npm;          /* stiffness of the columns that are struck, in series with the law; 0: none */
+    double value[THUD_LAW_PARAMS_MAX];       /* parameters in SI, in the order of the law's table */
     double constant[THUD_LAW_CONSTANTS_MAX]; /* filled by the law's prepare */
 };
 

@@ -25,7 +25,11 @@ struct thud_answer {
     struct thud_model *model;
     struct thud_run *run;
 };
-/* Assembles, creates and advances to the end. `options` NULL: from the scene. On THUD_DIVERGED the answer is kept for
+/* Assembles and creates the run. `options` NULL: from the scene. */
+enum thud_status thud_scene_start(const struct thud_scene *scene, const struct thud_record *record,
+                                  const struct thud_run_options *options, struct thud_answer *out,
+                                  struct thud_error *err);
+/* The same, and advances to the end. `options` NULL: from the scene. On THUD_DIVERGED the answer is kept for
  * what came before. */
 enum thud_status thud_scene_answer(const struct thud_scene *scene, const struct thud_record *record,
                                    const struct thud_run_options *options, struct thud_answer *out,

@@ -31,12 +31,25 @@ enum thud_status thud_session_open_unfinished(struct thud_session *session, cons
     return open_session(session, preset, true, err);
 }
 
+enum thud_status thud_session_parse(struct thud_session *session, const char *text, size_t size, const char *name,
+                                    struct thud_error *err)
+{
+    memset(session, 0, sizeof *session);
+    thud_paths_find(&session->paths);
+    snprintf(session->preset_path, sizeof session->preset_path, "%s", name);
+    enum thud_status status = thud_preset_parse(text, size, name, &session->preset, err);
+    if (status == THUD_OK)
+        session->scene = *thud_preset_scene(session->preset);
+    return status;
+}
+
 void thud_session_close(struct thud_session *session)
 {
     thud_preset_free(session->preset);
     thud_record_free(session->record);
+    thud_record_free(session->given);
     session->preset = NULL;
-    session->record = NULL;
+    session->record = session->given = NULL;
 }
 
 enum thud_status thud_session_assign(struct thud_session *session, const char *assignment, struct thud_error *err)
@@ -57,35 +70,62 @@ void thud_session_choose_record(struct thud_session *session, const char *file)
     thud_record_choice_replace(&session->scene.record, file);
 }
 
+/* The file of the ground motion; empty for the one that was given. */
+static enum thud_status find_record(const struct thud_session *session, char *path, size_t size, struct thud_error *err)
+{
+    const char *file = session->scene.record.file;
+    path[0] = '\0';
+    if (session->given && strcmp(file, session->given->file) == 0)
+        return THUD_OK;
+    enum thud_status status = thud_paths_record(&session->paths, session->preset_path, file, path, size, err);
+    if (status != THUD_OK && strcmp(file, thud_preset_scene(session->preset)->record.file) == 0)
+        thud_preset_place(session->preset, "record.file", err); /* the preset says so, no option */
+    return status;
+}
+
+static enum thud_status copy_given(const struct thud_record *given, const struct thud_record_choice *choice,
+                                   struct thud_record **out, struct thud_error *err)
+{
+    enum thud_status status = thud_record_create(given->a_mps2, given->samples, given->dt_s, out, err);
+    return status == THUD_OK ? thud_record_choice_apply(*out, choice, err) : status;
+}
+
 enum thud_status thud_session_read_record(struct thud_session *session, struct thud_error *err)
 {
-    const struct thud_record_choice *choice = &session->scene.record;
-    struct thud_record_choice resolved = *choice;
+    struct thud_record_choice choice = session->scene.record;
     char path[1024];
-    if (session->record && memcmp(choice, &session->record_read, sizeof *choice) == 0)
+    enum thud_status status = choice.file[0] ? find_record(session, path, sizeof path, err) : THUD_OK;
+    if (status == THUD_OK)
+        status = thud_record_choice_resolve(&session->scene, &choice, err);
+    if (status == THUD_OK && session->record && memcmp(&choice, &session->record_read, sizeof choice) == 0)
         return THUD_OK;
     thud_record_free(session->record);
     session->record = NULL;
-    if (!choice->file[0])
-        return thud_scene_check_motion(&session->scene, NULL, err);
-    enum thud_status status =
-        thud_paths_record(&session->paths, session->preset_path, choice->file, path, sizeof path, err);
-    if (status != THUD_OK && strcmp(choice->file, thud_preset_scene(session->preset)->record.file) == 0)
-        thud_preset_place(session->preset, "record.file", err); /* the preset says so, no option */
-    if (status == THUD_OK)
-        status = thud_record_choice_resolve(&session->scene, &resolved, err);
-    if (status == THUD_OK)
-        status = thud_record_file_read(path, &resolved, &session->record, err);
+    if (status == THUD_OK && choice.file[0])
+        status = path[0] ? thud_record_file_read(path, &choice, &session->record, err)
+                         : copy_given(session->given, &choice, &session->record, err);
     if (status == THUD_OK)
         status = thud_scene_check_motion(&session->scene, session->record, err);
-    if (status == THUD_OK) {
-        snprintf(session->record->file, sizeof session->record->file, "%s", choice->file); /* as given, not as found */
-        session->record_read = *choice;
-    } else {
+    if (status != THUD_OK) {
         thud_record_free(session->record);
         session->record = NULL;
+    } else if (session->record) {
+        snprintf(session->record->file, sizeof session->record->file, "%s", choice.file); /* as given, not as found */
+        session->record_read = choice;
     }
     return status;
+}
+
+enum thud_status thud_session_case(struct thud_session *session, enum thud_case which, struct thud_scene *scene,
+                                   struct thud_error *err)
+{
+    *scene = session->scene;
+    enum thud_status status = THUD_OK;
+    if (which != THUD_CASE_AS_WRITTEN)
+        status = thud_scene_case(&session->scene, which, scene, err);
+    if (status == THUD_OK)
+        status = thud_scene_check(scene, err);
+    return status == THUD_OK ? thud_session_read_record(session, err) : status;
 }
 
 enum thud_status thud_session_run(struct thud_session *session, enum thud_case which,
@@ -93,14 +133,7 @@ enum thud_status thud_session_run(struct thud_session *session, enum thud_case w
                                   struct thud_answer *answer, struct thud_error *err)
 {
     *answer = (struct thud_answer){0};
-    *scene = session->scene;
-    enum thud_status status = THUD_OK;
-    if (which != THUD_CASE_AS_WRITTEN)
-        status = thud_scene_case(&session->scene, which, scene, err);
-    if (status == THUD_OK)
-        status = thud_scene_check(scene, err);
-    if (status == THUD_OK)
-        status = thud_session_read_record(session, err);
+    enum thud_status status = thud_session_case(session, which, scene, err);
     if (status == THUD_OK)
         status = thud_scene_answer(scene, session->record, options, answer, err);
     return status;

@@ -15,13 +15,17 @@ struct thud_session {
     struct thud_preset *preset;            /* as read */
     struct thud_scene scene;               /* with the changes made since */
     struct thud_record *record;            /* of scene.record; NULL: none, or not read yet */
-    struct thud_record_choice record_read; /* the choice that `record` was read with */
+    struct thud_record_choice record_read; /* what `record` was read with, the periods filled in */
+    struct thud_record *given;             /* stands for the file of its name, which is not looked for; NULL: none */
 };
 
 /* Opens a preset by name or path. Errors: THUD_INPUT with place, THUD_MEMORY. */
 enum thud_status thud_session_open(struct thud_session *session, const char *preset, struct thud_error *err);
 /* The same for who asks for no bumper: see thud_preset_read_unfinished. */
 enum thud_status thud_session_open_unfinished(struct thud_session *session, const char *preset, struct thud_error *err);
+/* The text of a preset; `name` stands for its path. Errors: as thud_session_open. */
+enum thud_status thud_session_parse(struct thud_session *session, const char *text, size_t size, const char *name,
+                                    struct thud_error *err);
 void thud_session_close(struct thud_session *session);
 
 /* KEY=VALUE. Errors: THUD_USAGE without a `=`, THUD_INPUT with key and what is allowed. */
@@ -33,6 +37,10 @@ void thud_session_choose_record(struct thud_session *session, const char *file);
 /* Reads the scene's ground motion where it is not the one in hand. Errors: THUD_INPUT, THUD_MEMORY. */
 enum thud_status thud_session_read_record(struct thud_session *session, struct thud_error *err);
 
+/* A case of the session's scene, ready to run: *scene gets it, and the session reads its ground motion. Errors: as
+ * thud_scene_case, thud_scene_check and thud_session_read_record. */
+enum thud_status thud_session_case(struct thud_session *session, enum thud_case which, struct thud_scene *scene,
+                                   struct thud_error *err);
 /* Runs a case of the session's scene. `options` NULL: from the scene. *scene gets the case's scene. On
  * THUD_DIVERGED the answer is kept for what came before. Errors: as thud_scene_case and thud_scene_answer. */
 enum thud_status thud_session_run(struct thud_session *session, enum thud_case which,

@@ -36,3 +36,15 @@ void thud_threads_wait(pthread_cond_t *cond, pthread_mutex_t *lock, double secon
     until.tv_nsec %= 1000000000L;
     pthread_cond_timedwait(cond, lock, &until);
 }
+
+locale_t thud_threads_numbers(void)
+{
+    return uselocale(newlocale(LC_ALL_MASK, "C", (locale_t)0));
+}
+
+void thud_threads_numbers_back(locale_t before)
+{
+    locale_t own = uselocale(before);
+    if (own != before)
+        freelocale(own);
+}

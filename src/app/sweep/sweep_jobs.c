@@ -200,6 +200,7 @@ static void *worker(void *context)
     struct thud_sweep_work *w = context;
     const struct thud_sweep_jobs *jobs = &w->jobs;
     long per_group = thud_sweep_points_per_group(jobs->plan);
+    locale_t before = thud_threads_numbers();
     pthread_mutex_lock(&w->lock);
     for (;;) {
         while (!w->stop && w->next < jobs->count && w->next >= w->taken + w->window)
@@ -224,6 +225,7 @@ static void *worker(void *context)
             pthread_cond_signal(&w->ready);
     }
     pthread_mutex_unlock(&w->lock);
+    thud_threads_numbers_back(before);
     return NULL;
 }
 

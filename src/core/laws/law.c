@@ -187,6 +187,7 @@ static bool gives(const struct thud_law *law, const struct thud_law_setup *setup
 enum thud_status thud_law_prepare(const struct thud_law *law, struct thud_law_setup *setup, struct thud_error *err)
 {
     int spring = spring_of(law);
+    setup->law = law;
     if (setup->column_npm > 0 && law->flags & THUD_LAW_IMPULSIVE) {
         thud_error_set(err, THUD_INPUT, "columns that give need a contact force, and %s has impulses", law->name);
         thud_error_key(err, "law");

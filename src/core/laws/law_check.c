@@ -99,6 +99,6 @@ enum thud_status thud_law_check(const struct thud_law *law, const struct thud_la
         return THUD_OK;
     thud_error_set(err, THUD_INPUT, "the law %s cannot be used: %s", law->name, fault);
     thud_error_key(err, "law");
-    thud_error_allow(err, "what core/law.h says of laws");
+    thud_error_allow(err, "what thud(3) says of a law of one's own");
     return THUD_INPUT;
 }

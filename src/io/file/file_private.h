@@ -14,4 +14,7 @@ void thud_folder_tidy(const char *folder);
 /* A file has come under its name: for the list of thud_made_by_begin. */
 void thud_made_by_note(const char *path);
 
+/* What is wrong with the file `path`; gives `status`. */
+enum thud_status thud_file_refuse(struct thud_error *err, enum thud_status status, const char *path, const char *what);
+
 #endif

@@ -1,6 +1,8 @@
+#define _GNU_SOURCE /* dladdr, which POSIX has since 2024 */
 #include "io/file/paths.h"
 
 #include <dirent.h>
+#include <dlfcn.h>
 #include <errno.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -14,6 +16,8 @@
 #ifndef THUD_DATADIR
 #define THUD_DATADIR "/usr/local/share/thud"
 #endif
+
+static const char own_address = 0; /* an address in this library */
 
 static bool is_folder(const char *path)
 {
@@ -37,22 +41,36 @@ static bool cut(char *path)
     return slash != NULL;
 }
 
-/* The folder that holds presets/ and records/: beside the program, under its prefix (its folder's parent), or as
+/* The folder of data beside a file, or under the parent of its folder. */
+static bool find_beside(char *file, char *folder, size_t size)
+{
+    static const char *const beside[] = {"", "/share/thud"};
+    char presets[512];
+    for (size_t i = 0; i < sizeof beside / sizeof *beside && cut(file); i++) {
+        snprintf(presets, sizeof presets, "%s%s/presets", file, beside[i]);
+        if (is_folder(presets)) {
+            snprintf(folder, size, "%s%s", file, beside[i]);
+            return true;
+        }
+    }
+    return false;
+}
+
+/* The folder that holds presets/ and records/: of the shared library that this is part of, else of the program, else as
  * built. */
 static void find_data(char *folder, size_t size)
 {
-    static const char *const beside[] = {"", "/share/thud"};
-    char program[400], presets[512];
-    ssize_t n = readlink("/proc/self/exe", program, sizeof program - 1);
-    program[n > 0 ? n : 0] = '\0';
-    for (size_t i = 0; i < sizeof beside / sizeof *beside && cut(program); i++) {
-        snprintf(presets, sizeof presets, "%s%s/presets", program, beside[i]);
-        if (is_folder(presets)) {
-            snprintf(folder, size, "%s%s", program, beside[i]);
+    char file[400];
+    Dl_info here;
+    if (dladdr(&own_address, &here) && here.dli_fname && strstr(here.dli_fname, ".so")) {
+        snprintf(file, sizeof file, "%s", here.dli_fname);
+        if (find_beside(file, folder, size))
             return;
-        }
     }
-    snprintf(folder, size, "%s", THUD_DATADIR);
+    ssize_t n = readlink("/proc/self/exe", file, sizeof file - 1);
+    file[n > 0 ? n : 0] = '\0';
+    if (!find_beside(file, folder, size))
+        snprintf(folder, size, "%s", THUD_DATADIR);
 }
 
 void thud_paths_find(struct thud_paths *paths)

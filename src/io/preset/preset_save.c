@@ -3,7 +3,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "io/file/file.h"
 #include "io/preset/preset_diff.h"
 #include "io/preset/preset_emit.h"
 
@@ -99,17 +98,4 @@ enum thud_status thud_preset_text(const struct thud_preset *preset, const struct
     *text = out.data;
     *size = out.size;
     return THUD_OK;
-}
-
-enum thud_status thud_preset_save(const struct thud_preset *preset, const struct thud_scene *scene, const char *path,
-                                  struct thud_error *err)
-{
-    char *text;
-    unsigned long size;
-    enum thud_status status = thud_preset_text(preset, scene, &text, &size, err);
-    if (status != THUD_OK)
-        return status;
-    status = thud_file_write(path, text, size, err);
-    free(text);
-    return status;
 }

@@ -25,9 +25,9 @@ enum thud_status thud_scene_options(const struct thud_scene *scene, struct thud_
     return THUD_INPUT;
 }
 
-enum thud_status thud_scene_answer(const struct thud_scene *scene, const struct thud_record *record,
-                                   const struct thud_run_options *options, struct thud_answer *out,
-                                   struct thud_error *err)
+enum thud_status thud_scene_start(const struct thud_scene *scene, const struct thud_record *record,
+                                  const struct thud_run_options *options, struct thud_answer *out,
+                                  struct thud_error *err)
 {
     struct thud_run_options own;
     *out = (struct thud_answer){0};
@@ -40,6 +40,16 @@ enum thud_status thud_scene_answer(const struct thud_scene *scene, const struct 
         status = thud_scene_assemble(scene, &out->model, err);
     if (status == THUD_OK)
         status = thud_run_create(out->model, record, options, &out->run, err);
+    if (status != THUD_OK)
+        thud_answer_clear(out);
+    return status;
+}
+
+enum thud_status thud_scene_answer(const struct thud_scene *scene, const struct thud_record *record,
+                                   const struct thud_run_options *options, struct thud_answer *out,
+                                   struct thud_error *err)
+{
+    enum thud_status status = thud_scene_start(scene, record, options, out, err);
     for (bool done = false; status == THUD_OK && !done;)
         status = thud_run_advance(out->run, 1000, &done, err);
     if (status != THUD_OK && status != THUD_DIVERGED)

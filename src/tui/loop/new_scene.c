@@ -1,67 +1,32 @@
-/* The stiffness of a uniform shear building with n storeys of mass m and stiffness k from its first period T:
- *
- *     omega_1 = 2 sqrt(k/m) sin(pi / (2 (2 n + 1)))        T = 2 pi / omega_1
- *
- * (Blevins, Formulas for Natural Frequency and Mode Shape, 1979). */
 #include "tui/loop/new_scene.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
+#include "app/run/new_preset.h"
 #include "base/ascii.h"
 #include "tui/document/session_log.h"
 
-enum { THUD_NEW_ROWS = 9, THUD_NEW_TEXT = 256 };
-
 struct thud_new_scene {
-    char text[THUD_NEW_ROWS][2][THUD_NEW_TEXT]; /* as typed, left and right; rows of one value have it on the left */
-    bool own[THUD_NEW_ROWS];                    /* the right value was typed; else it goes with the left one */
-    int row, side;                              /* the value being typed */
+    struct thud_new_preset preset;
+    bool own[THUD_NEW_ROWS]; /* the right value was typed; else it goes with the left one */
+    int row, side;           /* the value being typed */
     struct thud_line line;
     struct thud_browse files; /* ground motions to choose from */
 };
 
-enum { NAME, KIND, STOREYS, MASS, STIFFNESS, HEIGHT, DAMPING, GAP, RECORD };
 enum { LABEL = 22, VALUE = 24, LIST_ROWS = 6 };
-
-static const char *const label[THUD_NEW_ROWS] = {
-    "name", "kind", "storeys", "floor mass", "stiffness or period", "storey height", "damping", "gap", "ground motion"};
-static const char *const unit[THUD_NEW_ROWS] = {"", "", "", "t", "MN/m", "m", "%", "cm", ""};
-static const char *const kind[] = {"shear", "isolated", "rigid", "wall"};
-enum { KINDS = sizeof kind / sizeof *kind };
-
-/* As commands have them. */
-static const char *const word[THUD_NEW_ROWS] = {"name",   "kind",    "storeys", "mass",  "stiffness",
-                                                "height", "damping", "gap",     "record"};
-
-/* What can be typed there, for the line above the keys. */
-static const char *const words[THUD_NEW_ROWS] = {
-    "The file's name without .yaml, and what stands above figures and reports",
-    "Space: shear, isolated, rigid, wall",
-    "Floors above the ground, 1 to 200",
-    "Of every floor; t, kg, Mg. Each floor's own can be typed on Model",
-    "Of every storey (MN/m, kN/mm, N/m), or the first period (s): the stiffness follows from it",
-    "m, ft",
-    "Of every mode, %",
-    "Between the two at rest; cm, mm, m, in",
-    "Typing narrows the list, Tab takes its first; empty: no ground motion"};
 
 static bool single(int row)
 {
-    return row == NAME || row == GAP || row == RECORD;
+    return thud_new_about((enum thud_new_row)row)->single;
 }
 
-/* Whether structures of a kind have the value. */
 static bool applies(const struct thud_new_scene *f, int row, int side)
 {
-    const char *k = f->text[KIND][side];
-    bool building = strcmp(k, "shear") == 0 || strcmp(k, "isolated") == 0;
-    if (single(row))
-        return side == 0;
-    return row == KIND || building || (row == MASS && strcmp(k, "rigid") == 0);
+    return thud_new_applies(&f->preset, (enum thud_new_row)row, side);
 }
 
 static bool exists(const char *name)
@@ -83,41 +48,38 @@ static void focus(struct thud_new_scene *f, int row, int side)
 {
     f->row = row;
     f->side = side;
-    thud_line_select(&f->line, f->text[row][side]);
+    thud_line_select(&f->line, f->preset.text[row][side]);
 }
 
 static const struct thud_over over;
 
 void thud_new_scene_begin(struct thud_tui *tui)
 {
-    static const char *const usual[THUD_NEW_ROWS] = {"", "shear", "4", "320 t", "600 MN/m", "3 m", "5 %", "5 cm", ""};
     struct thud_new_scene *f = tui->dialog.own ? tui->dialog.own : calloc(1, sizeof *f);
     tui->dialog.own = f;
     if (!f) {
         thud_tui_say(tui, THUD_ROLE_ERROR, "! no memory for the form");
         return;
     }
-    for (int i = 0; i < THUD_NEW_ROWS; i++)
-        for (int side = 0; side < 2; side++)
-            snprintf(f->text[i][side], sizeof f->text[i][side], "%s", usual[i]);
+    thud_new_preset_init(&f->preset);
+    f->preset.text[THUD_NEW_RECORD][0][0] = '\0'; /* is chosen from the list */
     memset(f->own, 0, sizeof f->own);
-    free_name(f->text[NAME][0], sizeof f->text[NAME][0]);
-    snprintf(f->text[STOREYS][1], sizeof f->text[STOREYS][1], "6");
-    f->own[STOREYS] = true;
+    free_name(f->preset.text[THUD_NEW_NAME][0], sizeof f->preset.text[THUD_NEW_NAME][0]);
+    f->own[THUD_NEW_STOREYS] = true;
     thud_browse_list(&f->files, THUD_BROWSE_RECORDS, tui->doc.paths, "", "");
     thud_tui_over(tui, &over);
-    focus(f, STOREYS, 0);
+    focus(f, THUD_NEW_STOREYS, 0);
 }
 
 static void keep(struct thud_new_scene *f)
 {
-    char *text = f->text[f->row][f->side];
+    char *text = f->preset.text[f->row][f->side];
     bool changed = strcmp(text, f->line.text) != 0;
-    snprintf(text, sizeof f->text[0][0], "%.250s", f->line.text);
+    snprintf(text, sizeof f->preset.text[0][0], "%.250s", f->line.text);
     if (f->side == 1 && changed)
         f->own[f->row] = true;
     if (f->side == 0 && !single(f->row) && !f->own[f->row])
-        memcpy(f->text[f->row][1], text, sizeof f->text[0][0]);
+        memcpy(f->preset.text[f->row][1], text, sizeof f->preset.text[0][0]);
 }
 
 /* The next value in a direction that the kinds have. */
@@ -137,96 +99,6 @@ static void go(struct thud_new_scene *f, int rows, int sides)
     }
 }
 
-/* A bare number gets the shown unit. */
-static void with_unit(const char *typed, const char *bare, char *text, size_t size)
-{
-    const char *end;
-    double number;
-    typed += strspn(typed, " ");
-    bool plain = thud_number_parse(typed, &end, &number) == 0 && !end[strspn(end, " ")];
-    snprintf(text, size, "%s%s%s", typed, plain && *bare ? " " : "", plain ? bare : "");
-}
-
-/* The stiffness as it stands in the preset; from a period where one was typed. */
-static bool stiffness(const struct thud_new_scene *f, int side, char *text, size_t size, struct thud_error *err)
-{
-    struct thud_quantity period, mass;
-    char m[THUD_NEW_TEXT];
-    const char *typed = f->text[STIFFNESS][side], *end;
-    double n;
-    with_unit(typed, unit[STIFFNESS], text, size);
-    if (thud_quantity_parse(typed, THUD_TIME, NULL, &period, NULL) != THUD_OK)
-        return true;
-    with_unit(f->text[MASS][side], unit[MASS], m, sizeof m);
-    if (thud_quantity_parse(m, THUD_MASS, NULL, &mass, err) != THUD_OK)
-        return false;
-    if (!(period.value > 0) || thud_number_parse(f->text[STOREYS][side], &end, &n) != 0 || !(n >= 1)) {
-        thud_error_set(err, THUD_INPUT, "a first period of more than 0 s, and at least one storey, give a stiffness");
-        return false;
-    }
-    double half = 2 * THUD_PI / period.value / (2 * sin(THUD_PI / (2 * (2 * n + 1))));
-    thud_quantity_format(mass.value * half * half, "MN/m", text, size);
-    return true;
-}
-
-static bool structure(const struct thud_new_scene *f, int side, struct thud_text *out, struct thud_error *err)
-{
-    const char *k = f->text[KIND][side];
-    char text[THUD_NEW_TEXT + 16];
-    thud_text_append(out, "  - name: %s\n    kind: %s\n", side ? "B" : "A", k);
-    if (strcmp(k, "wall") == 0)
-        return true;
-    with_unit(f->text[MASS][side], unit[MASS], text, sizeof text);
-    if (strcmp(k, "rigid") == 0) {
-        thud_text_append(out, "    mass: %s\n    height: 3 m\n", text);
-        return true;
-    }
-    thud_text_append(out, "    storeys: %s\n    mass: %s\n", f->text[STOREYS][side], text);
-    if (!stiffness(f, side, text, sizeof text, err))
-        return false;
-    thud_text_append(out, "    stiffness: %s\n", text);
-    with_unit(f->text[HEIGHT][side], unit[HEIGHT], text, sizeof text);
-    thud_text_append(out, "    height: %s\n", text);
-    with_unit(f->text[DAMPING][side], unit[DAMPING], text, sizeof text);
-    thud_text_append(out, "    damping: %s\n", text);
-    if (strcmp(k, "isolated") == 0) {
-        with_unit(f->text[MASS][side], unit[MASS], text, sizeof text);
-        thud_text_append(out, "    base-mass: %s\n    isolation-stiffness: 12.5 MN/m\n    isolation-damping: 15 %%\n",
-                         text);
-    }
-    return true;
-}
-
-/* "5-storey building" */
-static void called(const struct thud_new_scene *f, int side, char *text, size_t size)
-{
-    const char *k = f->text[KIND][side];
-    if (applies(f, STOREYS, side))
-        snprintf(text, size, "%.20s-storey %s", f->text[STOREYS][side], k[0] == 's' ? "building" : "isolated building");
-    else
-        snprintf(text, size, "%s", k[0] == 'w' ? "wall" : "rigid body");
-}
-
-/* The preset that the values make; false where a stiffness is asked for by a period that is none (`err` says so). */
-static bool preset_text(const struct thud_new_scene *f, struct thud_text *out, struct thud_error *err)
-{
-    char left[64], right[64], gap[THUD_NEW_TEXT + 16];
-    called(f, 0, left, sizeof left);
-    called(f, 1, right, sizeof right);
-    thud_text_append(out, "title: \"%s: %s and %s\"\n", f->text[NAME][0], left, right);
-    if (*f->text[RECORD][0])
-        thud_text_append(out, "record:\n  file: \"%s\"\n", f->text[RECORD][0]);
-    thud_text_append(out, "structures:\n");
-    if (!structure(f, 0, out, err) || !structure(f, 1, out, err))
-        return false;
-    with_unit(f->text[GAP][0], unit[GAP], gap, sizeof gap);
-    thud_text_append(out,
-                     "interfaces:\n  - gap: %s\n    contact:\n      law: kelvin-voigt-no-tension\n"
-                     "      stiffness: 2500 kN/mm\n      restitution: 0.6\n",
-                     gap);
-    return !out->failed;
-}
-
 static bool contains(const char *text, const char *part)
 {
     size_t n = strlen(part), i;
@@ -242,7 +114,7 @@ static bool contains(const char *text, const char *part)
 /* The i-th file whose name holds what was typed; -1: there are no more. Folders only once they were typed. */
 static int matching(const struct thud_new_scene *f, int i)
 {
-    const char *typed = f->row == RECORD && f->line.selected ? "" : f->line.text, *slash = strrchr(typed, '/');
+    const char *typed = f->row == THUD_NEW_RECORD && f->line.selected ? "" : f->line.text, *slash = strrchr(typed, '/');
     for (int k = 0; k < f->files.n; k++) {
         const struct thud_browse_item *item = &f->files.item[k];
         if (contains(thud_path_name(item->name), slash ? slash + 1 : typed) && i-- == 0)
@@ -278,10 +150,11 @@ static void log_values(struct thud_tui *tui, const struct thud_new_scene *f)
     char line[THUD_LINE_MAX] = "";
     for (int row = 0; row < THUD_NEW_ROWS; row++) {
         size_t n = strlen(line);
-        if (row == RECORD && !*f->text[RECORD][0])
+        if (row == THUD_NEW_RECORD && !*f->preset.text[THUD_NEW_RECORD][0])
             continue;
-        snprintf(line + n, sizeof line - n, "%s%s: %s%s%s", row ? "; " : "", word[row], f->text[row][0],
-                 single(row) ? "" : ", ", single(row) ? "" : f->text[row][1]);
+        snprintf(line + n, sizeof line - n, "%s%s: %s%s%s", row ? "; " : "",
+                 thud_new_about((enum thud_new_row)row)->word, f->preset.text[row][0], single(row) ? "" : ", ",
+                 single(row) ? "" : f->preset.text[row][1]);
     }
     thud_tui_log(tui, "new %s", line);
 }
@@ -292,17 +165,17 @@ static void make(struct thud_tui *tui)
     struct thud_text text = {0};
     struct thud_error err = {0};
     char path[THUD_NEW_TEXT + 16], found[512];
-    if (f->row == RECORD)
+    if (f->row == THUD_NEW_RECORD)
         take_file(tui);
     keep(f);
-    snprintf(path, sizeof path, "%.240s.yaml", f->text[NAME][0]);
+    snprintf(path, sizeof path, "%.240s.yaml", f->preset.text[THUD_NEW_NAME][0]);
     enum thud_status status = THUD_OK;
-    if (!*f->text[NAME][0] || exists(f->text[NAME][0]))
+    if (!*f->preset.text[THUD_NEW_NAME][0] || exists(f->preset.text[THUD_NEW_NAME][0]))
         status = thud_error_set(&err, THUD_INPUT, "%s: a name that no file here has", path);
-    if (status == THUD_OK && *f->text[RECORD][0])
-        status = thud_paths_record(tui->doc.paths, path, f->text[RECORD][0], found, sizeof found, &err);
-    if (status == THUD_OK && !preset_text(f, &text, &err))
-        status = err.status != THUD_OK ? err.status : thud_error_set(&err, THUD_MEMORY, "no memory for the scene");
+    if (status == THUD_OK && *f->preset.text[THUD_NEW_RECORD][0])
+        status = thud_paths_record(tui->doc.paths, path, f->preset.text[THUD_NEW_RECORD][0], found, sizeof found, &err);
+    if (status == THUD_OK)
+        status = thud_new_preset_text(&f->preset, &text, &err);
     thud_tui_forget_run(tui);
     if (status == THUD_OK)
         status = thud_doc_new(&tui->doc, text.data, text.size, path, &err);
@@ -324,23 +197,23 @@ static void make(struct thud_tui *tui)
 
 static void cycle(struct thud_new_scene *f, int step)
 {
-    int now = 0;
-    for (int i = 0; i < KINDS; i++)
-        now = strcmp(f->line.text, kind[i]) == 0 ? i : now;
-    thud_line_select(&f->line, kind[(now + step + KINDS) % KINDS]);
+    int now = 0, kinds = 0;
+    for (; thud_new_kind(kinds); kinds++)
+        now = strcmp(f->line.text, thud_new_kind(kinds)) == 0 ? kinds : now;
+    thud_line_select(&f->line, thud_new_kind((now + step + kinds) % kinds));
     keep(f);
 }
 
 static void take_key(struct thud_tui *tui, int key)
 {
     struct thud_new_scene *f = tui->dialog.own;
-    bool of_kind = f->row == KIND;
+    bool of_kind = f->row == THUD_NEW_KIND;
     if (key == THUD_KEY_ESC) {
         thud_tui_normal(tui);
         thud_tui_hush(tui);
     } else if (key == THUD_KEY_ENTER) {
         make(tui);
-    } else if (key == THUD_KEY_TAB && f->row == RECORD && take_file(tui)) {
+    } else if (key == THUD_KEY_TAB && f->row == THUD_NEW_RECORD && take_file(tui)) {
         thud_tui_hush(tui);
     } else if (key == THUD_KEY_TAB || key == THUD_KEY_BACKTAB) {
         go(f, 0, key == THUD_KEY_TAB ? 1 : -1);
@@ -351,7 +224,7 @@ static void take_key(struct thud_tui *tui, int key)
             cycle(f, key == THUD_KEY_LEFT ? -1 : 1);
     } else if (thud_line_key(&f->line, key)) {
         thud_tui_hush(tui);
-        if (f->row == RECORD)
+        if (f->row == THUD_NEW_RECORD)
             list_again(tui);
     }
 }
@@ -383,29 +256,31 @@ static void draw(struct thud_tui *tui, const struct thud_pane *area)
         int y = row - scroll;
         if (y < 0 || y >= in.h)
             continue;
-        thud_pane_put(&in, 1, y, thud_look(THUD_ROLE_PLAIN, 0), label[row]);
+        thud_pane_put(&in, 1, y, thud_look(THUD_ROLE_PLAIN, 0), thud_new_about((enum thud_new_row)row)->label);
         for (int side = 0; side < (single(row) ? 1 : 2); side++) {
-            int x = LABEL + side * VALUE, room = row == NAME || row == RECORD ? in.w - x - 1 : VALUE - 2;
+            int x = LABEL + side * VALUE,
+                room = row == THUD_NEW_NAME || row == THUD_NEW_RECORD ? in.w - x - 1 : VALUE - 2;
             if (x + room > in.w)
                 room = in.w - x;
             bool here = row == f->row && side == f->side;
             if (here)
                 thud_pane_glyph(&in, x - 1, y, thud_look(THUD_ROLE_KEY, THUD_BOLD), 0x25b8);
-            if (here && row != KIND)
+            if (here && row != THUD_NEW_KIND)
                 thud_line_draw(&f->line, &in, x, y, room, thud_look(THUD_ROLE_VALUE, THUD_UNDERLINE));
             else
                 thud_pane_put(
                     &in, x, y,
                     thud_look(applies(f, row, side) ? THUD_ROLE_VALUE : THUD_ROLE_MUTED, here ? THUD_REVERSE : 0),
-                    !applies(f, row, side) ? "-"
-                    : *f->text[row][side]  ? f->text[row][side]
-                                           : "(none)");
+                    !applies(f, row, side)       ? "-"
+                    : *f->preset.text[row][side] ? f->preset.text[row][side]
+                                                 : "(none)");
         }
     }
-    if (f->row == RECORD)
+    if (f->row == THUD_NEW_RECORD)
         draw_files(f, &in, THUD_NEW_ROWS - scroll);
     else
-        thud_pane_wrap(&in, 1, THUD_NEW_ROWS + 1 - scroll, in.w - 2, thud_look(THUD_ROLE_MUTED, 0), words[f->row]);
+        thud_pane_wrap(&in, 1, THUD_NEW_ROWS + 1 - scroll, in.w - 2, thud_look(THUD_ROLE_MUTED, 0),
+                       thud_new_about((enum thud_new_row)f->row)->help);
 }
 
 static struct thud_line *line(struct thud_tui *tui)
@@ -449,7 +324,7 @@ void thud_new_scene_command(struct thud_tui *tui, const char *text)
         if (value)
             *value++ = '\0';
         part = trimmed(part);
-        while (row < THUD_NEW_ROWS && strcmp(part, word[row]) != 0)
+        while (row < THUD_NEW_ROWS && strcmp(part, thud_new_about((enum thud_new_row)row)->word) != 0)
             row++;
         if (!value || row == THUD_NEW_ROWS) {
             thud_tui_normal(tui);
@@ -459,13 +334,9 @@ void thud_new_scene_command(struct thud_tui *tui, const char *text)
                          part);
             return;
         }
-        char *comma = single(row) ? NULL : strchr(value, ',');
-        if (comma)
-            *comma++ = '\0';
-        snprintf(f->text[row][0], sizeof f->text[row][0], "%s", trimmed(value));
-        snprintf(f->text[row][1], sizeof f->text[row][1], "%s", trimmed(comma ? comma : value));
+        thud_new_preset_put(&f->preset, (enum thud_new_row)row, value);
     }
-    focus(f, STOREYS, 0);
+    focus(f, THUD_NEW_STOREYS, 0);
     make(tui);
     if (tui->dialog.mode == THUD_MODE_OVER)
         thud_tui_normal(tui);

@@ -1,0 +1,161 @@
+/* thud: earthquake pounding of neighbouring buildings. This is the whole interface of the library; thud(3) describes
+ * each function. SI units; floors, storeys and interfaces are counted from 1, buildings run from left to right.
+ *
+ * A function that can fail returns an enum thud_status and takes, last, where to put the message (NULL: nowhere); it
+ * leaves its results as they were or NULL. Nothing is printed, no signal is handled, there is no global state. A struct
+ * thud is used by one thread at a time, different ones at the same time; results are not changed once they are there. */
+#ifndef THUD_H
+#define THUD_H
+
+#include <stddef.h>
+
+#if defined(__GNUC__)
+#define THUD_API __attribute__((visibility("default")))
+#else
+#define THUD_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The first seven are the program's exit statuses. */
+enum thud_status {
+    THUD_OK = 0,
+    THUD_CHECK = 1,    /* a check did not hold */
+    THUD_USAGE = 2,    /* wrong usage, or no terminal */
+    THUD_INPUT = 3,    /* bad input */
+    THUD_DIVERGED = 4, /* the integration failed */
+    THUD_GNUPLOT = 5,  /* gnuplot is missing or failed */
+    THUD_OUTPUT = 6,   /* output could not be written */
+    THUD_MEMORY = 7,   /* out of memory */
+    THUD_CANCELLED = 8 /* stopped on request; what was done is kept */
+};
+
+/* One message: FILE:LINE:COLUMN: KEY: what is wrong (what is allowed). Unused parts are empty or 0. */
+struct thud_error {
+    enum thud_status status;
+    char file[512];
+    int line;   /* from 1; 0 unknown */
+    int column; /* from 1; 0 unknown */
+    char key[128];
+    char what[512];
+    char allowed[256];
+};
+
+/* The whole message in one line without a newline; returns `text`. Control characters are shown as `?`. */
+THUD_API char *thud_error_text(const struct thud_error *err, char *text, unsigned long size);
+/* "0.1.0" */
+THUD_API const char *thud_version(void);
+
+/* ---- a scene: buildings side by side, what is between them, their ground motion ---- */
+
+struct thud;
+
+/* From a preset by its name or its file (NULL: two neighbours to start from); from a preset's text, with `name` for
+ * messages and for what is found beside it. */
+THUD_API enum thud_status thud_open(const char *preset, struct thud **out, struct thud_error *err);
+THUD_API enum thud_status thud_parse(const char *text, size_t size, const char *name, struct thud **out,
+                                     struct thud_error *err);
+THUD_API void thud_close(struct thud *scene); /* NULL is allowed */
+
+/* A value by its key of thud-preset(5), "gap" or "structures.1.mass.2", as text with its unit; and as a number in SI
+ * (NaN: not given). Setting record.file takes another ground motion, as recorded. */
+THUD_API enum thud_status thud_set(struct thud *scene, const char *key, const char *text, struct thud_error *err);
+THUD_API enum thud_status thud_get(const struct thud *scene, const char *key, char *text, size_t size,
+                                   struct thud_error *err);
+THUD_API enum thud_status thud_set_number(struct thud *scene, const char *key, double value, struct thud_error *err);
+THUD_API enum thud_status thud_get_number(const struct thud *scene, const char *key, double *value,
+                                          struct thud_error *err);
+/* The n-th (from 0) value that is unusual, as a message with its key; 0 when there are no more. */
+THUD_API int thud_unusual(const struct thud *scene, int n, struct thud_error *out);
+/* The scene as a preset's text, the comments of its own kept; NULL on errors. Valid until the next call. */
+THUD_API const char *thud_yaml(struct thud *scene, struct thud_error *err);
+
+/* The ground's acceleration, (samples) m/s2 every dt_s; it is copied. Keys of `record` (peak, sign, ...) hold for it
+ * when set afterwards. */
+THUD_API enum thud_status thud_set_motion(struct thud *scene, const double *a_mps2, size_t samples, double dt_s,
+                                          struct thud_error *err);
+/* The motion as a run takes it. Valid until the scene is changed or closed. */
+THUD_API enum thud_status thud_motion(struct thud *scene, const double **a_mps2, size_t *samples, double *dt_s,
+                                      struct thud_error *err);
+
+/* The force between two events of a contact, d its indentation and v = d' (> 0 approaching):
+ *     F = f0 + k d + c v + K d^p + D d^r v
+ * in N, m and s. thud(3) says which of these go together. */
+struct thud_force {
+    double f0_n, k_npm, c_nspm;
+    double K, p;
+    double D, r;
+};
+enum { THUD_CONTACT_MEMORY = 8 };
+/* A contact law of the caller's own. `memory` holds THUD_CONTACT_MEMORY numbers, all 0 before the first contact, which
+ * onset and reversal alone change; mass_kg is the effective mass m1 m2/(m1 + m2). Sweeps call from several threads. */
+struct thud_contact_law {
+    size_t size; /* sizeof (struct thud_contact_law) */
+    const char *name;
+    void *context;
+    int pulls; /* the force may be negative: the contact ends at d = 0 */
+    /* The force in approach (restitution 0) or restitution (1). */
+    void (*force)(void *context, double mass_kg, const double *memory, int restitution, struct thud_force *out);
+    /* Energy that it would give back from indentation d if nothing were lost on the way, J. */
+    double (*energy)(void *context, double mass_kg, const double *memory, double d_m);
+    /* Contact begins with closing velocity v; may be NULL. */
+    void (*onset)(void *context, double mass_kg, double v_mps, double *memory);
+    /* Where approach and restitution differ: the velocity reverses at indentation d. NULL: they are the same. */
+    void (*reversal)(void *context, double mass_kg, int restitution, double d_m, double *memory);
+};
+/* Of an interface, in place of contact.law; `context` has to stay until the scene is closed. */
+THUD_API enum thud_status thud_set_law(struct thud *scene, int interface_from_1, const struct thud_contact_law *law,
+                                       struct thud_error *err);
+
+/* ---- runs and sweeps ---- */
+
+struct thud_results;
+
+/* How it is done; NULL stands for all of these 0. */
+struct thud_control {
+    size_t size;       /* sizeof (struct thud_control): later versions add fields at the end */
+    const char *which; /* the case: "none", "bumper", "cavity"; NULL: as written. Of a sweep several, "none,bumper" */
+    int histories;     /* other than 0: keep histories and impacts of a run */
+    int threads;       /* of a sweep; 0: one a processor. The results do not depend on it */
+    /* Now and then with the part that is done, 0 to 1, from the calling thread; other than 0 stops (THUD_CANCELLED). */
+    int (*progress)(void *context, double part);
+    void *context;
+};
+
+THUD_API enum thud_status thud_run(struct thud *scene, const struct thud_control *control, struct thud_results **out,
+                                   struct thud_error *err);
+/* `vary`: "gap=5cm:25cm:1cm" and others that make a grid, NULL at the end; NULL: the scene's own study. */
+THUD_API enum thud_status thud_sweep(struct thud *scene, const char *const *vary, const struct thud_control *control,
+                                     struct thud_results **out, struct thud_error *err);
+THUD_API void thud_free(struct thud_results *results); /* NULL is allowed */
+
+/* What `thud run --json` prints; of a sweep NULL. */
+THUD_API const char *thud_json(const struct thud_results *results);
+
+/* A table of results: `floors`, `contacts`, and of a run with histories `impacts` and `histories`; of a sweep `sweep`,
+ * `contacts` and `needed-gaps`. Columns are those of thud-output(5); what is no number or is not known is NaN. All
+ * pointers are valid until the results are freed. */
+struct thud_table {
+    size_t columns, rows;
+    const char *const *name; /* (columns) */
+    const double *value;     /* (columns x rows): the rows of a column stand together */
+};
+/* Name of the i-th table (from 0); NULL past the last. */
+THUD_API const char *thud_table_name(const struct thud_results *results, int i);
+THUD_API enum thud_status thud_table(const struct thud_results *results, const char *name, struct thud_table *out,
+                                     struct thud_error *err);
+/* (rows) values of one column. */
+THUD_API enum thud_status thud_column(const struct thud_results *results, const char *table, const char *column,
+                                      const double **value, size_t *rows, struct thud_error *err);
+/* The text of a cell, by row and column from 0; NULL where there is none, as in histories. */
+THUD_API const char *thud_cell(const struct thud_results *results, const char *table, size_t row, size_t column);
+/* The table as the program's CSV; NULL for a table that there is not, and for histories. */
+THUD_API const char *thud_csv(const struct thud_results *results, const char *table);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,191 @@
+/* The stiffness of a uniform shear building with n storeys of mass m and stiffness k from its first period T:
+ *
+ *     omega_1 = 2 sqrt(k/m) sin(pi / (2 (2 n + 1)))        T = 2 pi / omega_1
+ *
+ * (Blevins, Formulas for Natural Frequency and Mode Shape, 1979). */
+#include "app/run/new_preset.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/quantity.h"
+#include "io/file/json.h"
+
+static const struct thud_new_about about[THUD_NEW_ROWS] = {
+    [THUD_NEW_NAME] = {"name", "name", "", "The file's name without .yaml, and what stands above figures and reports",
+                       true},
+    [THUD_NEW_KIND] = {"kind", "kind", "", "Space: shear, isolated, rigid, wall", false},
+    [THUD_NEW_STOREYS] = {"storeys", "storeys", "", "Floors above the ground, 1 to 200", false},
+    [THUD_NEW_MASS] = {"mass", "floor mass", "t", "Of every floor; t, kg, Mg. Each floor's own can be typed on Model",
+                       false},
+    [THUD_NEW_STIFFNESS] =
+        {"stiffness", "stiffness or period", "MN/m",
+         "Of every storey (MN/m, kN/mm, N/m), or the first period (s): the stiffness follows from it", false},
+    [THUD_NEW_HEIGHT] = {"height", "storey height", "m", "m, ft", false},
+    [THUD_NEW_DAMPING] = {"damping", "damping", "%", "Of every mode, %", false},
+    [THUD_NEW_GAP] = {"gap", "gap", "cm", "Between the two at rest; cm, mm, m, in", true},
+    [THUD_NEW_RECORD] = {"record", "ground motion", "",
+                         "Typing narrows the list, Tab takes its first; empty: no ground motion", true}};
+static const char *const kinds[] = {"shear", "isolated", "rigid", "wall", NULL};
+
+const struct thud_new_about *thud_new_about(enum thud_new_row row)
+{
+    return &about[row];
+}
+
+const char *thud_new_kind(int i)
+{
+    return kinds[i];
+}
+
+void thud_new_preset_init(struct thud_new_preset *preset)
+{
+    static const char *const usual[THUD_NEW_ROWS] = {
+        "buildings", "shear", "4, 6", "320 t", "600 MN/m", "3 m", "5 %", "5 cm", "kobe-surrogate.csv"};
+    memset(preset, 0, sizeof *preset);
+    for (int row = 0; row < THUD_NEW_ROWS; row++)
+        thud_new_preset_put(preset, (enum thud_new_row)row, usual[row]);
+}
+
+/* Without blanks at both ends. */
+static void put(const char *text, size_t length, char *to)
+{
+    while (length > 0 && *text == ' ')
+        text++, length--;
+    while (length > 0 && text[length - 1] == ' ')
+        length--;
+    snprintf(to, THUD_NEW_TEXT, "%.*s", (int)length, text);
+}
+
+void thud_new_preset_put(struct thud_new_preset *preset, enum thud_new_row row, const char *text)
+{
+    const char *comma = about[row].single ? NULL : strchr(text, ','), *right = comma ? comma + 1 : text;
+    put(text, comma ? (size_t)(comma - text) : strlen(text), preset->text[row][0]);
+    put(right, strlen(right), preset->text[row][1]);
+}
+
+bool thud_new_applies(const struct thud_new_preset *preset, enum thud_new_row row, int side)
+{
+    const char *k = preset->text[THUD_NEW_KIND][side];
+    bool building = strcmp(k, "shear") == 0 || strcmp(k, "isolated") == 0;
+    if (about[row].single)
+        return side == 0;
+    return row == THUD_NEW_KIND || building || (row == THUD_NEW_MASS && strcmp(k, "rigid") == 0);
+}
+
+/* The value; a bare number gets the shown unit. */
+static void value_of(const struct thud_new_preset *preset, enum thud_new_row row, int side, char *text, size_t size)
+{
+    const char *end, *typed = preset->text[row][side], *bare = about[row].unit;
+    double number;
+    typed += strspn(typed, " ");
+    bool plain = thud_number_parse(typed, &end, &number) == 0 && !end[strspn(end, " ")];
+    snprintf(text, size, "%s%s%s", typed, plain && *bare ? " " : "", plain ? bare : "");
+}
+
+/* The stiffness as it stands in the preset; from a period where one was typed. */
+static enum thud_status stiffness(const struct thud_new_preset *preset, int side, char *text, size_t size,
+                                  struct thud_error *err)
+{
+    struct thud_quantity period, mass;
+    const char *end;
+    double n;
+    value_of(preset, THUD_NEW_STIFFNESS, side, text, size);
+    if (thud_quantity_parse(text, THUD_TIME, NULL, &period, NULL) != THUD_OK)
+        return THUD_OK;
+    value_of(preset, THUD_NEW_MASS, side, text, size);
+    enum thud_status status = thud_quantity_parse(text, THUD_MASS, NULL, &mass, err);
+    if (status != THUD_OK)
+        return status;
+    if (!(period.value > 0) || thud_number_parse(preset->text[THUD_NEW_STOREYS][side], &end, &n) != 0 || !(n >= 1))
+        return thud_error_set(err, THUD_INPUT,
+                              "a first period of more than 0 s, and at least one storey, give a stiffness");
+    double half = 2 * THUD_PI / period.value / (2 * sin(THUD_PI / (2 * (2 * n + 1))));
+    thud_quantity_format(mass.value * half * half, "MN/m", text, size);
+    return THUD_OK;
+}
+
+/* KEY: VALUE, and what is to be said of it. */
+static void line(struct thud_text *out, const char *key, const char *value, const char *comment)
+{
+    char text[THUD_NEW_TEXT + 64];
+    snprintf(text, sizeof text, "%s: %s", key, value);
+    if (comment)
+        thud_text_append(out, "    %-30s # %s\n", text, comment);
+    else
+        thud_text_append(out, "    %s\n", text);
+}
+
+static enum thud_status structure(const struct thud_new_preset *preset, int side, struct thud_text *out,
+                                  struct thud_error *err)
+{
+    const char *k = preset->text[THUD_NEW_KIND][side];
+    char mass[THUD_NEW_TEXT + 16], text[THUD_NEW_TEXT + 16];
+    thud_text_append(out, "  - name: %s\n", side ? "B" : "A");
+    line(out, "kind", k, side ? NULL : "shear | isolated | rigid | wall");
+    if (strcmp(k, "wall") == 0)
+        return THUD_OK;
+    value_of(preset, THUD_NEW_MASS, side, mass, sizeof mass);
+    if (strcmp(k, "rigid") == 0) {
+        line(out, "mass", mass, NULL);
+        line(out, "height", "3 m", "its elevation");
+        return THUD_OK;
+    }
+    line(out, "storeys", preset->text[THUD_NEW_STOREYS][side], NULL);
+    line(out, "mass", mass, side ? NULL : "of every floor, or a list from the lowest up: [320 t, 250 t]");
+    enum thud_status status = stiffness(preset, side, text, sizeof text, err);
+    if (status != THUD_OK)
+        return status;
+    line(out, "stiffness", text, side ? NULL : "of every storey, or a list");
+    value_of(preset, THUD_NEW_HEIGHT, side, text, sizeof text);
+    line(out, "height", text, side ? NULL : "of every storey, or a list");
+    value_of(preset, THUD_NEW_DAMPING, side, text, sizeof text);
+    line(out, "damping", text, side ? NULL : "of every mode");
+    if (strcmp(k, "isolated") == 0) {
+        line(out, "base-mass", mass, NULL);
+        line(out, "isolation-stiffness", "12.5 MN/m", NULL);
+        line(out, "isolation-damping", "15 %", NULL);
+    }
+    return THUD_OK;
+}
+
+/* "5-storey building" */
+static void called(const struct thud_new_preset *preset, int side, char *text, size_t size)
+{
+    const char *k = preset->text[THUD_NEW_KIND][side];
+    if (thud_new_applies(preset, THUD_NEW_STOREYS, side))
+        snprintf(text, size, "%.20s-storey %s", preset->text[THUD_NEW_STOREYS][side],
+                 k[0] == 's' ? "building" : "isolated building");
+    else
+        snprintf(text, size, "%s", k[0] == 'w' ? "wall" : "rigid body");
+}
+
+enum thud_status thud_new_preset_text(const struct thud_new_preset *preset, struct thud_text *out,
+                                      struct thud_error *err)
+{
+    char left[64], right[64], text[THUD_NEW_TEXT + 160];
+    called(preset, 0, left, sizeof left);
+    called(preset, 1, right, sizeof right);
+    snprintf(text, sizeof text, "%s: %s and %s", preset->text[THUD_NEW_NAME][0], left, right);
+    thud_text_append(out, "# Every key is described in thud-preset(5); numbers have units.\ntitle: ");
+    thud_json_string(out, text);
+    if (*preset->text[THUD_NEW_RECORD][0]) {
+        thud_text_append(out, "\nrecord:\n  file: ");
+        thud_json_string(out, preset->text[THUD_NEW_RECORD][0]);
+        thud_text_append(out, " # also: peak: 0.3 g, to scale it");
+    }
+    thud_text_append(out, "\nstructures: # from left to right\n");
+    enum thud_status status = structure(preset, 0, out, err);
+    if (status == THUD_OK)
+        status = structure(preset, 1, out, err);
+    if (status != THUD_OK)
+        return status;
+    value_of(preset, THUD_NEW_GAP, 0, text, sizeof text);
+    thud_text_append(out,
+                     "interfaces:\n  - gap: %s # at rest\n    contact:\n"
+                     "      law: kelvin-voigt-no-tension # one of `thud laws`\n"
+                     "      stiffness: 2500 kN/mm\n      restitution: 0.6\n",
+                     text);
+    return out->failed ? thud_error_set(err, THUD_MEMORY, "out of memory") : THUD_OK;
+}

@@ -1,0 +1,288 @@
+/* Runs and sweeps of a scene of the library. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "app/run/record_list.h"
+#include "app/run/threads.h"
+#include "app/sweep/sweep_jobs.h"
+#include "door/door.h"
+#include "io/result/sweep_csv.h"
+#include "study/methods/truncation.h"
+
+/* Segments of a run between two looks at the caller's wish to stop. */
+enum { SLICE = 20 };
+
+/* What the caller said, with zeros for what a program built against an earlier version does not know. */
+static enum thud_status read_control(const struct thud_control *given, struct thud_control *out, struct thud_error *err)
+{
+    *out = (struct thud_control){.size = sizeof *out};
+    if (!given)
+        return THUD_OK;
+    if (given->size == 0 || given->size > sizeof *out)
+        return thud_error_set(err, THUD_INPUT, "the size of struct thud_control is not one of this version's");
+    memcpy(out, given, given->size);
+    return THUD_OK;
+}
+
+static enum thud_status stopped(struct thud_error *err)
+{
+    return thud_error_set(err, THUD_CANCELLED, "stopped");
+}
+
+static enum thud_status advance(struct thud_run *run, const struct thud_control *control, struct thud_error *err)
+{
+    enum thud_status status = THUD_OK;
+    for (bool done = false; status == THUD_OK && !done;) {
+        status = thud_run_advance(run, SLICE, &done, err);
+        double part = done ? 1 : thud_run_time(run) / thud_run_end(run);
+        if (status == THUD_OK && control->progress && control->progress(control->context, part) && !done)
+            status = stopped(err);
+    }
+    return status;
+}
+
+/* Errors: THUD_MEMORY. */
+static enum thud_status put_histories(const struct thud_report *report, struct thud_results *results,
+                                      struct thud_error *err)
+{
+    struct thud_text text = {0};
+    struct thud_history header = *report->history;
+    struct thud_report no_rows = *report;
+    thud_impacts_csv(report, &text);
+    enum thud_status status = thud_door_csv(results, "impacts", &text, err);
+    if (status != THUD_OK)
+        return status;
+    header.rows = 0;
+    no_rows.history = &header;
+    thud_history_csv(&no_rows, &text);
+    return thud_door_matrix(results, "histories", &text, report->history->time_s, report->history->value,
+                            report->history->rows, err);
+}
+
+static void contacts_csv(const struct thud_result *result, struct thud_text *out)
+{
+    thud_text_append(out, "interface,left_floor,right_floor,impacts,force_n,force_time_s,indentation_m,impulse_ns,"
+                          "contact_time_s,residual_m,approach_mps,separation_mps\n");
+    for (int i = 0; i < result->ncontacts; i++) {
+        const struct thud_contact_result *c = &result->contact[i];
+        bool struck = thud_contact_struck(c);
+        const double value[] = {struck ? NAN : c->force.value,
+                                struck ? NAN : c->force.time_s,
+                                struck ? NAN : c->indentation.value,
+                                c->impulse_ns,
+                                c->contact_time_s,
+                                c->residual_m,
+                                c->approach_mps,
+                                c->separation_mps};
+        thud_text_append(out, "%d,%d,%d,%d", c->interface, c->left_floor, c->right_floor, c->impacts);
+        for (size_t k = 0; k < sizeof value / sizeof *value; k++) {
+            thud_text_append(out, ",");
+            if (isfinite(value[k]))
+                thud_text_number(out, value[k]);
+        }
+        thud_text_append(out, "\n");
+    }
+}
+
+static enum thud_status put_run(const struct thud_report *report, bool histories, struct thud_results *results,
+                                struct thud_error *err)
+{
+    struct thud_text text = {0};
+    thud_result_json(report, &text);
+    if (text.failed) {
+        thud_text_clear(&text);
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    }
+    results->json = text.data;
+    text = (struct thud_text){0};
+    thud_result_csv(report, &text);
+    enum thud_status status = thud_door_csv(results, "floors", &text, err);
+    if (status != THUD_OK)
+        return status;
+    contacts_csv(report->result, &text);
+    status = thud_door_csv(results, "contacts", &text, err);
+    return status == THUD_OK && histories ? put_histories(report, results, err) : status;
+}
+
+/* As `thud run --json` has it: with the error of modes that are left out. */
+static enum thud_status run_case(struct thud *scene, const struct thud_control *control, enum thud_case which,
+                                 struct thud_scene *cased, struct thud_results *results, struct thud_error *err)
+{
+    struct thud_run_options options;
+    struct thud_answer answer = {0};
+    struct thud_truncation truncation;
+    enum thud_status status = thud_session_case(&scene->session, which, cased, err);
+    if (status == THUD_OK)
+        status = thud_scene_options(cased, &options, err);
+    if (status != THUD_OK)
+        return status;
+    options.keep_history = options.keep_impacts = control->histories != 0;
+    status = thud_scene_start(cased, scene->session.record, &options, &answer, err);
+    if (status == THUD_OK)
+        status = advance(answer.run, control, err);
+    if (status == THUD_OK) {
+        struct thud_report report = thud_session_report(&scene->session, cased, which, &answer);
+        if (answer.model->left_out > 0) {
+            status = thud_truncation_measure(cased, scene->session.record, &answer, &truncation, err);
+            report.truncation = &truncation;
+        }
+        if (status == THUD_OK)
+            status = put_run(&report, control->histories != 0, results, err);
+    }
+    thud_answer_clear(&answer);
+    return status;
+}
+
+/* Hands the results over, or frees them. */
+static enum thud_status conclude(struct thud_results *results, enum thud_status status, struct thud_results **out)
+{
+    if (status == THUD_OK)
+        *out = results;
+    else
+        thud_free(results);
+    return status;
+}
+
+enum thud_status thud_run(struct thud *scene, const struct thud_control *control, struct thud_results **out,
+                          struct thud_error *err)
+{
+    struct thud_control own;
+    enum thud_case which = THUD_CASE_AS_WRITTEN;
+    *out = NULL;
+    enum thud_status status = read_control(control, &own, err);
+    if (status == THUD_OK && own.which)
+        status = thud_case_find(own.which, &which, err);
+    if (status != THUD_OK)
+        return status;
+    locale_t before = thud_threads_numbers();
+    struct thud_results *results = calloc(1, sizeof *results);
+    struct thud_scene *cased = malloc(sizeof *cased);
+    status = results && cased ? run_case(scene, &own, which, cased, results, err)
+                              : thud_error_set(err, THUD_MEMORY, "out of memory");
+    free(cased);
+    thud_threads_numbers_back(before);
+    return conclude(results, status, out);
+}
+
+/* ---- sweeps ---- */
+
+struct sweep {
+    struct thud_sweep_plan plan;
+    struct thud_record_list records; /* where the scene's own is not an array */
+    struct thud_text text[THUD_SWEEP_CSVS];
+    const struct thud_control *control;
+    atomic_int stop;
+};
+
+static enum thud_status take(void *context, struct thud_sweep_point *point, struct thud_error *err)
+{
+    struct sweep *s = context;
+    enum thud_status status = THUD_OK;
+    for (int i = 0; i < THUD_SWEEP_CSVS && status == THUD_OK; i++)
+        status = thud_sweep_csv_rows(&s->plan, (enum thud_sweep_csv)i, point, &s->text[i], err);
+    free(point);
+    return status;
+}
+
+static void progress(void *context, long done, long count, double elapsed_s)
+{
+    struct sweep *s = context;
+    (void)elapsed_s;
+    if (s->control->progress && s->control->progress(s->control->context, (double)done / (double)count))
+        s->stop = 1;
+}
+
+/* The study's ground motions, else the scene's own one. */
+static enum thud_status read_records(struct sweep *s, struct thud_session *session, struct thud_error *err)
+{
+    const struct thud_study_choice *study = &session->scene.study;
+    enum thud_status status;
+    if (session->given && strcmp(session->scene.record.file, session->given->file) == 0) {
+        status = thud_session_read_record(session, err);
+        s->plan.record = (const struct thud_record *const *)&session->record;
+        s->plan.nrecords = 1;
+        return status;
+    }
+    if (study->records[0])
+        status = thud_record_list_read(session, study->records, NULL, 0, study->both_signs, &s->records, err);
+    else
+        status = thud_record_list_own(session, study->both_signs, &s->records, err);
+    s->plan.record = (const struct thud_record *const *)s->records.record;
+    s->plan.nrecords = s->records.n;
+    return status;
+}
+
+static enum thud_status plan_sweep(struct sweep *s, const char *const *vary, struct thud_error *err)
+{
+    enum thud_status status = THUD_OK;
+    if (!vary && s->plan.scene.study.nvary == 0 && s->plan.nrecords < 2) {
+        thud_error_set(err, THUD_USAGE, "the scene has no study of its own");
+        thud_error_allow(err, "what is varied, such as gap=5cm:25cm:0.5cm");
+        return THUD_USAGE;
+    }
+    for (int i = 0; vary && vary[i] && status == THUD_OK; i++)
+        status = thud_sweep_vary(&s->plan, vary[i], err);
+    if (status == THUD_OK)
+        status = thud_sweep_study(&s->plan, !vary, !s->control->which, err);
+    if (status == THUD_OK && s->control->which)
+        status = thud_sweep_cases(&s->plan, s->control->which, err);
+    for (int i = 0; i < THUD_SWEEP_CSVS && status == THUD_OK; i++)
+        thud_sweep_csv_header(&s->plan, (enum thud_sweep_csv)i, &s->text[i]);
+    return status;
+}
+
+static enum thud_status make_points(struct sweep *s, struct thud_results *results, struct thud_error *err)
+{
+    static const char *const names[] = {"sweep", "contacts", "needed-gaps"};
+    const struct thud_sweep_jobs jobs = {.plan = &s->plan,
+                                         .step = 1,
+                                         .count = thud_sweep_points(&s->plan),
+                                         .threads = s->control->threads,
+                                         .cancel = &s->stop,
+                                         .context = s,
+                                         .take = take,
+                                         .progress = progress};
+    enum thud_status status = thud_sweep_jobs_run(&jobs, err);
+    for (int i = 0; i < THUD_SWEEP_CSVS && status == THUD_OK; i++)
+        status = thud_door_csv(results, names[i], &s->text[i], err);
+    return status;
+}
+
+static enum thud_status sweep(struct sweep *s, struct thud_session *session, const char *const *vary,
+                              struct thud_results *results, struct thud_error *err)
+{
+    thud_sweep_plan_init(&s->plan, &session->scene);
+    enum thud_status status = read_records(s, session, err);
+    if (status == THUD_OK)
+        status = plan_sweep(s, vary, err);
+    if (status == THUD_OK)
+        status = make_points(s, results, err);
+    for (int i = 0; i < THUD_SWEEP_CSVS; i++)
+        thud_text_clear(&s->text[i]);
+    thud_sweep_plan_clear(&s->plan);
+    thud_record_list_clear(&s->records);
+    return status;
+}
+
+enum thud_status thud_sweep(struct thud *scene, const char *const *vary, const struct thud_control *control,
+                            struct thud_results **out, struct thud_error *err)
+{
+    struct thud_control own;
+    *out = NULL;
+    enum thud_status status = read_control(control, &own, err);
+    if (status != THUD_OK)
+        return status;
+    locale_t before = thud_threads_numbers();
+    struct thud_results *results = calloc(1, sizeof *results);
+    struct sweep *s = calloc(1, sizeof *s);
+    if (results && s) {
+        s->control = &own;
+        status = sweep(s, &scene->session, vary, results, err);
+    } else {
+        status = thud_error_set(err, THUD_MEMORY, "out of memory");
+    }
+    free(s);
+    thud_threads_numbers_back(before);
+    return conclude(results, status, out);
+}

@@ -1,0 +1,210 @@
+/* A scene of the library: opened, changed, read. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "app/run/new_preset.h"
+#include "app/run/threads.h"
+#include "base/version.h"
+#include "door/door.h"
+
+/* Stands for the file of a ground motion that came as an array. */
+static const char array[] = "array";
+enum { VALUE = 64 * 1024 }; /* bytes of the longest value, a list of 200 numbers with all their digits and units */
+
+const char *thud_version(void)
+{
+    return THUD_VERSION;
+}
+
+/* Opens a preset, or reads the text of one. */
+static enum thud_status make(const char *text, size_t size, const char *name, struct thud **out, struct thud_error *err)
+{
+    struct thud *scene = calloc(1, sizeof *scene);
+    *out = NULL;
+    if (!scene)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    locale_t before = thud_threads_numbers();
+    enum thud_status status = text ? thud_session_parse(&scene->session, text, size, name, err)
+                                   : thud_session_open(&scene->session, name, err);
+    thud_threads_numbers_back(before);
+    if (status == THUD_OK)
+        *out = scene;
+    else
+        thud_close(scene);
+    return status;
+}
+
+enum thud_status thud_parse(const char *text, size_t size, const char *name, struct thud **out, struct thud_error *err)
+{
+    return make(text, size, name, out, err);
+}
+
+enum thud_status thud_open(const char *preset, struct thud **out, struct thud_error *err)
+{
+    struct thud_new_preset usual;
+    struct thud_text text = {0};
+    if (preset)
+        return make(NULL, 0, preset, out, err);
+    *out = NULL;
+    thud_new_preset_init(&usual);
+    enum thud_status status = thud_new_preset_text(&usual, &text, err);
+    if (status == THUD_OK)
+        status = make(text.data, text.size, "buildings.yaml", out, err);
+    thud_text_clear(&text);
+    return status;
+}
+
+void thud_close(struct thud *scene)
+{
+    if (!scene)
+        return;
+    thud_session_close(&scene->session);
+    for (size_t i = 0; i < sizeof scene->law / sizeof *scene->law; i++)
+        free(scene->law[i]);
+    free(scene->yaml);
+    free(scene);
+}
+
+enum thud_status thud_set(struct thud *scene, const char *key, const char *text, struct thud_error *err)
+{
+    if (strcmp(key, "record.file") == 0 && strcmp(text, scene->session.scene.record.file) != 0)
+        thud_session_choose_record(&scene->session, text);
+    locale_t before = thud_threads_numbers();
+    enum thud_status status = thud_scene_set(&scene->session.scene, key, text, err);
+    thud_threads_numbers_back(before);
+    return status;
+}
+
+enum thud_status thud_get(const struct thud *scene, const char *key, char *text, size_t size, struct thud_error *err)
+{
+    locale_t before = thud_threads_numbers();
+    enum thud_status status = thud_scene_get(&scene->session.scene, key, text, size, err);
+    thud_threads_numbers_back(before);
+    return status;
+}
+
+/* The one number behind a key. Errors: THUD_INPUT. */
+static enum thud_status find_number(const struct thud *scene, const char *key, const struct thud_param **out,
+                                    struct thud_error *err)
+{
+    int floor;
+    char text[2];
+    enum thud_status status = thud_scene_get(&scene->session.scene, key, text, sizeof text, err);
+    *out = status == THUD_OK ? thud_scene_param(&scene->session.scene, key, &floor) : NULL;
+    if (status != THUD_OK || (*out && ((*out)->kind == THUD_PARAM_QUANTITY || (*out)->kind == THUD_PARAM_INTEGER)))
+        return status;
+    thud_error_set(err, THUD_INPUT, "its value is a word, not a number");
+    thud_error_key(err, key);
+    return THUD_INPUT;
+}
+
+static enum thud_status set_number(struct thud *scene, const char *key, double value, struct thud_error *err)
+{
+    const struct thud_param *param;
+    char text[128] = "", shown[128], unit[64] = "";
+    enum thud_status status = find_number(scene, key, &param, err);
+    if (status != THUD_OK)
+        return status;
+    if (param->unit && strchr(param->unit, '^') && /* the exponent is the law's */
+        thud_scene_get(&scene->session.scene, key, shown, sizeof shown, NULL) == THUD_OK && strchr(shown, ' '))
+        snprintf(unit, sizeof unit, "%.60s", strchr(shown, ' ') + 1);
+    else if (param->kind == THUD_PARAM_QUANTITY && param->unit)
+        snprintf(unit, sizeof unit, "%.60s", param->unit);
+    if (isinf(value))
+        snprintf(text, sizeof text, "%g", value); /* which no key takes: its message says what is allowed */
+    else if (!isnan(value))
+        thud_quantity_format(value, unit, text, sizeof text);
+    return thud_scene_set(&scene->session.scene, key, text, err);
+}
+
+enum thud_status thud_set_number(struct thud *scene, const char *key, double value, struct thud_error *err)
+{
+    locale_t before = thud_threads_numbers();
+    enum thud_status status = set_number(scene, key, value, err);
+    thud_threads_numbers_back(before);
+    return status;
+}
+
+static enum thud_status get_number(const struct thud *scene, const char *key, double *value, struct thud_error *err)
+{
+    const struct thud_param *param;
+    enum thud_status status = find_number(scene, key, &param, err);
+    char *text = status == THUD_OK ? malloc(VALUE) : NULL;
+    if (status != THUD_OK)
+        return status;
+    if (!text)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    thud_scene_get(&scene->session.scene, key, text, VALUE, NULL);
+    struct thud_quantity quantity = {.value = NAN};
+    if (text[0] == '[') {
+        status = thud_error_set(err, THUD_INPUT, "it has a value for each floor");
+        thud_error_allow(err, "%.100s.1 for the lowest", key);
+    } else if (text[0]) {
+        status = thud_quantity_parse(text, param->kind == THUD_PARAM_QUANTITY ? param->dimension : THUD_NUMBER, NULL,
+                                     &quantity, err);
+    }
+    if (status == THUD_OK)
+        *value = quantity.value;
+    else
+        thud_error_key(err, key);
+    free(text);
+    return status;
+}
+
+enum thud_status thud_get_number(const struct thud *scene, const char *key, double *value, struct thud_error *err)
+{
+    locale_t before = thud_threads_numbers();
+    enum thud_status status = get_number(scene, key, value, err);
+    thud_threads_numbers_back(before);
+    return status;
+}
+
+int thud_unusual(const struct thud *scene, int n, struct thud_error *out)
+{
+    locale_t before = thud_threads_numbers();
+    bool is = thud_scene_warning(&scene->session.scene, n, out);
+    thud_threads_numbers_back(before);
+    return is;
+}
+
+const char *thud_yaml(struct thud *scene, struct thud_error *err)
+{
+    unsigned long size;
+    locale_t before = thud_threads_numbers();
+    free(scene->yaml);
+    scene->yaml = NULL;
+    enum thud_status status = thud_preset_text(scene->session.preset, &scene->session.scene, &scene->yaml, &size, err);
+    thud_threads_numbers_back(before);
+    return status == THUD_OK ? scene->yaml : NULL;
+}
+
+enum thud_status thud_set_motion(struct thud *scene, const double *a_mps2, size_t samples, double dt_s,
+                                 struct thud_error *err)
+{
+    struct thud_record *record = NULL;
+    enum thud_status status = thud_record_create(a_mps2, samples, dt_s, &record, err);
+    if (status != THUD_OK)
+        return status;
+    snprintf(record->file, sizeof record->file, "%s", array);
+    thud_record_free(scene->session.given);
+    thud_record_free(scene->session.record);
+    scene->session.given = record;
+    scene->session.record = NULL;
+    thud_session_choose_record(&scene->session, array);
+    return THUD_OK;
+}
+
+enum thud_status thud_motion(struct thud *scene, const double **a_mps2, size_t *samples, double *dt_s,
+                             struct thud_error *err)
+{
+    locale_t before = thud_threads_numbers();
+    enum thud_status status = thud_session_read_record(&scene->session, err);
+    thud_threads_numbers_back(before);
+    const struct thud_record *record = scene->session.record;
+    *a_mps2 = status == THUD_OK && record ? record->a_mps2 : NULL;
+    *samples = *a_mps2 ? record->samples : 0;
+    *dt_s = *a_mps2 ? record->dt_s : NAN;
+    return status;
+}

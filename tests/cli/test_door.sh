@@ -1,0 +1,110 @@
+#!/bin/sh
+# The library: what it shows, what it leaves alone, and that it gives the bytes that the program gives, from C and from Python.  TAP.
+# DOOR_SCENES: how many scenes from Python.
+set -u
+BUILD=${BUILD:-build/release}
+CC=${CC:-cc}
+tmp=$(mktemp -d) || exit 1
+trap 'rm -rf "$tmp"' EXIT
+LC_ALL=C
+export LC_ALL
+
+ok() { # WHAT STATUS
+    if [ "$2" -eq 0 ]; then echo "ok - $1"; else
+        echo "not ok - $1"
+        head -20 "$tmp/out" | sed 's/^/# /'
+    fi
+}
+
+# the header alone, as the first of a file, in C and in C++
+mkdir "$tmp/include" && cp include/thud.h "$tmp/include"
+echo '#include <thud.h>' >"$tmp/first.c"
+for std in c99 c17; do
+    $CC -std=$std -Wall -Wextra -Wpedantic -Werror -I"$tmp/include" -fsyntax-only "$tmp/first.c" >"$tmp/out" 2>&1
+    ok "thud.h is whole by itself in $std" $?
+done
+if command -v c++ >/dev/null 2>&1; then
+    printf '#include <thud.h>\nint main() { struct thud *scene; return thud_open("", &scene, 0) + thud_version()[0]; }\n' >"$tmp/first.cc"
+    c++ -x c++ -std=c++11 -Wall -Wextra -Wpedantic -Werror -I"$tmp/include" -fsyntax-only "$tmp/first.cc" >"$tmp/out" 2>&1
+    ok "thud.h is C++ too" $?
+else
+    echo "ok - thud.h is C++ too # SKIP no c++"
+fi
+
+# the names of the manual, of the header and of both libraries are the same ones
+grep -o 'thud_[a-z_]*(' include/thud.h | tr -d '(' | grep -v -x thud_close_ | sort -u >"$tmp/declared"
+sed -n 's/^THUD_API .*[ *]\(thud_[a-z_]*\)(.*/\1/p' include/thud.h | sort >"$tmp/exported"
+sed -n 's/^\.Fn \(thud_[a-z_]*\).*/\1/p; s/^\.Fo \(thud_[a-z_]*\).*/\1/p' man/thud.3 | sort -u >"$tmp/described"
+diff "$tmp/exported" "$tmp/described" >"$tmp/out" 2>&1
+ok "thud(3) describes every function and no other" $?
+if nm "$BUILD/libthud.a" 2>/dev/null | grep -q -E '__(asan|tsan|gcov|ubsan|sanitizer)_'; then
+    echo "ok - the libraries and their examples # SKIP built with instruments"
+    exit 0
+fi
+nm -D -f posix "$BUILD/libthud.so" | awk '$2 == "T" || $2 == "D" || $2 == "B" || $2 == "R" { print $1 }' | sort | diff "$tmp/exported" - >"$tmp/out" 2>&1
+ok "the shared library shows the functions of thud.h alone" $?
+nm -g -f posix "$BUILD/libthud.a" 2>/dev/null | awk '$2 ~ /[TDBRVW]/ { print $1 }' | sort | diff "$tmp/exported" - >"$tmp/out" 2>&1
+ok "and so does the static one" $?
+nm -D -u -f posix "$BUILD/libthud.so" | sed 's/[@ ].*//' |
+    grep -x -E 'f?puts|f?putc|putchar|v?f?printf|__v?f?printf_chk|fwrite|perror|stdout|stderr|stdin|exit|_exit|abort|signal|sigaction|setlocale|getenv|rand|srand|strtok' >"$tmp/out"
+[ ! -s "$tmp/out" ]
+ok "it prints nothing, ends nothing, handles no signal, looks at no environment" $?
+nm -f sysv "$BUILD/libthud.a" 2>/dev/null | awk -F'|' '{ gsub(/ /, "", $7) } $7 ~ /^(\.data|\.bss|\.tdata|\.tbss|\*COM\*)/ && $7 !~ /^\.data\.rel\.ro/' >"$tmp/out"
+[ ! -s "$tmp/out" ]
+ok "it holds no writable data" $?
+
+# the example, against either library
+root=$PWD
+libs=$(sed -n 's/^Libs.private: //p' "$BUILD/thud.pc")
+# shellcheck disable=SC2086 # several words
+{
+    $CC -std=c17 -Wall -Wextra -Werror -I"$tmp/include" tests/door/peaks.c -L"$BUILD" -Wl,-rpath,"$root/$BUILD" -lthud -o "$tmp/shared" &&
+        $CC -std=c17 -Wall -Wextra -Werror -I"$tmp/include" tests/door/peaks.c "$BUILD/libthud.a" $libs -o "$tmp/static"
+} >"$tmp/out" 2>&1
+ok "the example is built against both" $?
+n=0
+while read -r scene; do
+    options=
+    for word in $scene; do options="$options${options:+ --set }$word"; done
+    # shellcheck disable=SC2086
+    (cd records && "$THUD" run $options --json --quiet) >"$tmp/program" 2>"$tmp/out"
+    for kind in shared static; do
+        preset=${scene%% *}
+        # shellcheck disable=SC2086
+        (cd records && "$tmp/$kind" --json "$root/presets/$preset.yaml" ${scene#"$preset"}) >"$tmp/library" 2>>"$tmp/out"
+        cmp "$tmp/program" "$tmp/library" >>"$tmp/out" 2>&1 && n=$((n + 1))
+    done
+done <<END
+towers
+towers gap=12cm bumper.thickness=4cm
+towers-yielding
+rigid-bumper
+three-in-a-row
+slab-against-columns
+towers analysis.modes=2 analysis.method=newmark
+END
+[ $n -eq 14 ]
+ok "it gives the bytes of run --json ($n of 14)" $?
+(cd records && "$tmp/shared" "$root/presets/towers.yaml" gap=12) >"$tmp/out" 2>&1
+[ $? -eq 3 ] && grep -q '^peaks: gap: "12" has no unit; give a length' "$tmp/out"
+ok "its errors are those of the program" $?
+
+# Python
+if ! command -v python3 >/dev/null 2>&1; then
+    echo "ok - Python # SKIP no python3"
+    exit 0
+fi
+[ "$(wc -l <tests/door/thud.py)" -le 200 ]
+ok "the Python file has at most 200 lines" $?
+PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=tests/door THUD_LIBRARY=$root/$BUILD/libthud.so THUD=$THUD SCENES=${DOOR_SCENES:-25} python3 tests/door/scenes.py >"$tmp/python" 2>"$tmp/out"
+status=$?
+cat "$tmp/python"
+[ $status -eq 0 ] || ok "Python" 1
+localedef --no-archive -i de_DE -f UTF-8 "$tmp/de_DE.UTF-8" >/dev/null 2>&1
+if LOCPATH=$tmp LC_ALL=de_DE.UTF-8 python3 -c 'import locale; locale.setlocale(locale.LC_ALL, ""); assert locale.localeconv()["decimal_point"] == ","' 2>/dev/null; then
+    PYTHONDONTWRITEBYTECODE=1 LOCPATH=$tmp LC_ALL=de_DE.UTF-8 PYTHONPATH=tests/door THUD_LIBRARY=$root/$BUILD/libthud.so THUD=$THUD SCENES=3 \
+        python3 tests/door/scenes.py >"$tmp/out" 2>&1 && ! grep -q '^not ok' "$tmp/out"
+    ok "it writes a point where the program around it writes a comma" $?
+else
+    echo "ok - it writes a point where the program around it writes a comma # SKIP no such locale can be made"
+fi

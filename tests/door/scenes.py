@@ -1,0 +1,68 @@
+"""Random scenes and a sweep from Python against the program, byte by byte; what thud.py promises of its arrays. TAP."""
+import gc
+import locale
+import os
+import random
+import subprocess
+
+import thud
+
+locale.setlocale(locale.LC_ALL, "")
+PROGRAM = os.environ["THUD"]
+
+
+def ok(what, holds):
+    print(("ok - " if holds else "not ok - ") + what)
+
+
+def program(*words):
+    return subprocess.run([PROGRAM, *words], capture_output=True, check=False).stdout.decode()
+
+
+def scene(draw):
+    """Preset, case and values of a random scene."""
+    which = draw.choice(["none", "bumper", "cavity"])
+    values = {"gap": f"{draw.uniform(6, 20):.3f} cm", "structures.1.stiffness": f"{draw.uniform(300, 900):.1f} MN/m",
+              "structures.2.damping": f"{draw.uniform(2, 8):.2f} %", "record.peak": f"{draw.uniform(0.2, 1.2):.3f} g",
+              "record.sign": draw.choice("+-")}
+    return draw.choice(["towers", "towers-northridge"]), which, values
+
+
+draw, same, count = random.Random(1), 0, int(os.environ["SCENES"])
+for _ in range(count):
+    preset, which, values = scene(draw)
+    words = [word for key, value in values.items() for word in ("--set", f"{key}={value}")]
+    same += thud.run(preset, which=which, set=values).json == program("run", preset, "--case", which, "--json", "--quiet", *words)
+ok(f"{same} of {count} scenes give the bytes of the program", same == count)
+
+results = thud.Scene("towers").sweep({"gap": "6cm:12cm:2cm"}, which="none,bumper", threads=2)
+rows = program("sweep", "towers", "--vary", "gap=6cm:12cm:2cm", "--cases", "none,bumper", "--csv", "--quiet")
+ok("a sweep gives the rows of the program", results.csv("sweep") == rows)
+table = results.sweep
+ok("its columns are as long as each other", len({len(column) for column in table.values()}) == 1 and len(table["gap_m"]) == 96)
+
+floors = thud.run("towers", gap="12 cm").floors["A"]
+acceleration = floors.acceleration
+gc.collect()  # the results are held by the arrays alone
+again = thud.run("towers", gap=0.12).floors
+ok("a number in SI is the quantity", list(acceleration) == list(again.acceleration)[:4])
+ok("a structure's rows are its own", list(floors["floor"]) == [1, 2, 3, 4] and set(floors["structure"]) == {"A"})
+view = memoryview(acceleration)
+ok("an array is a buffer of doubles", view.format == "d" and view.contiguous and view.nbytes == 32)
+
+try:
+    thud.run("towers", gap="12")
+    ok("an error is raised", False)
+except thud.Error as error:
+    ok("an error is raised", error.status == 3 and error.key == "gap" and "no unit" in error.what)
+seen = []
+try:
+    thud.run("towers", progress=lambda part: seen.append(part) or part > 0.1)
+    ok("a function stops a run", False)
+except thud.Error as error:
+    ok("a function stops a run", error.status == 8 and 0.1 < seen[-1] < 1)
+
+bodies = thud.Scene("rigid-concrete")
+bodies.law("spring", lambda mass, restitution: {"k_npm": 2.5e9}, lambda mass, d: 1.25e9 * d * d)
+contact = bodies.run().contacts
+ok("a law of one's own loses nothing", abs(contact["separation_mps"][0] / contact["approach_mps"][0] - 1) < 1e-12)
