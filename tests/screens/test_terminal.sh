@@ -369,7 +369,7 @@ colors() {
     keys q
     at_shell "$1: quit"
 }
-colors tmux-256color '38:(31|243|29|166|160|130|32|136|68|169|132)'
+colors tmux-256color '38:(31|243|29|166|160|30|32|136|68|169|132)'
 infocmp xterm-256color | sed -e 's/^xterm-256color|[^,]*/sixteen|a terminal of sixteen colours/' -e 's/colors#[0-9a-fx]*/colors#16/' -e 's/pairs#[0-9a-fx]*/pairs#256/' >"$tmp/sixteen.ti"
 tic -o "$tmp/terminfo" "$tmp/sixteen.ti"
 colors "sixteen TERMINFO=\$PWD/terminfo" '31|35|94'

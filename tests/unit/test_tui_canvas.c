@@ -288,11 +288,47 @@ START_TEST(the_key_table_is_sound)
 }
 END_TEST
 
+/* What can be edited is not what was computed, and a key not a warning: by hue, where there are colours for it. */
+START_TEST(roles_are_told_apart)
+{
+    for (int theme = THUD_THEME_AUTO; theme <= THUD_THEME_LIGHT; theme++) {
+        int key = thud_role_color((enum thud_theme)theme, THUD_ROLE_KEY, 256) - 16;
+        ck_assert_int_ne(thud_role_color((enum thud_theme)theme, THUD_ROLE_VALUE, 256),
+                         thud_role_color((enum thud_theme)theme, THUD_ROLE_RESULT, 256));
+        ck_assert_int_ge(key % 6, key / 36); /* of the cube: no more red than blue, as warnings have */
+    }
+}
+END_TEST
+
+/* Of two lines in the same cells none hides the other. */
+START_TEST(equal_lines_take_turns)
+{
+    struct thud_canvas canvas = {0};
+    struct thud_dots dots;
+    int cells[2] = {0, 0};
+    ck_assert_int_eq(thud_canvas_resize(&canvas, 20, 4, NULL), THUD_OK);
+    struct thud_pane page = thud_canvas_pane(&canvas);
+    ck_assert_int_eq(thud_dots_init(&dots, &page, NULL), THUD_OK);
+    for (int series = 0; series < 2; series++)
+        thud_dots_line(&dots, 0.0, 0.0, 39.0, 15.0, 1, thud_look(THUD_ROLE_SERIES + series, 0));
+    thud_dots_put(&dots);
+    for (int i = 0; i < 80; i++)
+        if (canvas.cell[i].style.role >= THUD_ROLE_SERIES)
+            cells[canvas.cell[i].style.role - THUD_ROLE_SERIES]++;
+    ck_assert_int_ge(cells[0], 5);
+    ck_assert_int_ge(cells[1], 5);
+    thud_dots_clear(&dots);
+    thud_canvas_free(&canvas);
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
     Suite *suite = suite_create("tui canvas");
     TCase *canvas = tcase_create("canvas");
+    tcase_add_test(canvas, roles_are_told_apart);
+    tcase_add_test(canvas, equal_lines_take_turns);
     tcase_add_test(canvas, text_is_cut_at_the_edges);
     tcase_add_test(canvas, a_pane_keeps_to_itself_and_scrolls);
     tcase_add_test(canvas, wide_and_strange_signs_keep_their_columns);

@@ -60,7 +60,7 @@ START_TEST(a_building_is_typed_cell_by_cell)
     ck_assert_double_eq_tol(scene()->structure[0].mass_kg[1], 261e3, 1e-6);
     ck_assert_double_eq_tol(scene()->structure[0].mass_kg[0], 262e3, 1e-6);
     ck_assert_int_eq((int)f.tui->dialog.mode, THUD_MODE_NORMAL); /* there is none below */
-    fixture_keys(&f, "<Enter>3 kN<Tab>");                 /* refused: it stays there */
+    fixture_keys(&f, "<Enter>3 kN<Tab>");                        /* refused: it stays there */
     ck_assert_int_eq((int)f.tui->dialog.mode, THUD_MODE_TYPING);
     ck_assert_str_eq(f.tui->dialog.target, "structures.1.mass.1");
 }

@@ -46,7 +46,8 @@ static int random_key(struct fixture *f, uint64_t *seed)
 /* Pictures start a child and files are written: left to other tests. */
 static bool left_out(const struct fixture *f, int key)
 {
-    return f->tui->dialog.mode == THUD_MODE_NORMAL && (key == 'p' || key == 'P' || key == 'e' || key == 'w' || key == 'W');
+    return f->tui->dialog.mode == THUD_MODE_NORMAL &&
+           (key == 'p' || key == 'P' || key == 'e' || key == 'w' || key == 'W');
 }
 
 static void check_cells(const struct fixture *f)

@@ -562,6 +562,25 @@ START_TEST(a_screen_of_its_own)
 }
 END_TEST
 
+START_TEST(keys_and_numbers_are_where_they_are_looked_for)
+{
+    fixture_keys(&f, "$"); /* no key is silent */
+    fixture_expect(&f, "$ does nothing here");
+    fixture_expect_not(&f, "v pin");
+    fixture_keys(&f, "<Size 200x40>"); /* there is room for more keys */
+    fixture_expect(&f, "v pin");
+    fixture_expect(&f, "A structure");
+    fixture_keys(&f, "<Size 80x24>4"); /* decimals of a column end at one place */
+    int ends = 0;
+    for (int y = 5; y < 10; y++) {
+        const struct thud_cell *row = &f.tui->canvas.cell[y * 80];
+        if (row[18].glyph != ' ' && row[19].glyph == ' ')
+            ends++;
+    }
+    ck_assert_int_eq(ends, 5); /* A has two floors, B three */
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -590,6 +609,7 @@ Suite *thud_suite(void)
     tcase_add_test(screens, charts_are_read);
     tcase_add_test(screens, old_numbers_stay_until_the_new_are_there);
     tcase_add_test(screens, periods_stay_with_live_off);
+    tcase_add_test(screens, keys_and_numbers_are_where_they_are_looked_for);
     tcase_add_test(screens, a_screen_of_its_own);
     tcase_add_test(screens, the_whole_screen_of_two_bodies);
     tcase_add_test(screens, the_whole_plots_of_two_bodies);

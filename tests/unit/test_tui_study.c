@@ -3,6 +3,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "study/sweep/sweep.h"
 #include "tui/screens/sweep_screen.h"
@@ -327,7 +329,8 @@ START_TEST(a_suite_has_its_statistics)
     ck_assert_int_ge(gap, 1);
     ck_assert_int_eq(fragility, 2);
     /* the needed gap of a motion is what the fragility against the gap turns on */
-    const struct thud_needed_gap *weak = thud_sweep_state(f.tui)->data.gap[0], *strong = thud_sweep_state(f.tui)->data.gap[2];
+    const struct thud_needed_gap *weak = thud_sweep_state(f.tui)->data.gap[0],
+                                 *strong = thud_sweep_state(f.tui)->data.gap[2];
     ck_assert_double_eq_tol(thud_needed_gap_widest(strong, 0, THUD_GAP_EXACT, NULL),
                             3 * thud_needed_gap_widest(weak, 0, THUD_GAP_EXACT, NULL), 1e-9);
     fixture_keys(&f, "e");
@@ -422,6 +425,34 @@ START_TEST(a_study_that_cannot_begin_says_why)
 }
 END_TEST
 
+/* Two of five files cannot be read: one question, and the others are run. */
+START_TEST(unreadable_motions_are_skipped)
+{
+    char keys[200], path[100];
+    snprintf(path, sizeof path, "%s/suite", f.folder);
+    ck_assert_int_eq(mkdir(path, 0777), 0);
+    for (int i = 0; i < 5; i++) {
+        char name[32];
+        snprintf(name, sizeof name, "suite/%d.csv", i);
+        fixture_write(&f, name, i % 2 ? "no numbers here\n" : "time_s,acceleration_g\n0,0\n0.1,0.3\n0.2,0\n");
+    }
+    snprintf(keys, sizeof keys, "<A-6>:vary gap=1 cm,3 cm<Enter>:records %s<Enter>r", path);
+    fixture_keys(&f, keys);
+    fixture_expect(&f, "2 of 5 files cannot be read");
+    fixture_expect(&f, "Skip");
+    fixture_keys(&f, "y");
+    fixture_expect(&f, "3 ground motions");
+    fixture_expect(&f, "2 files skipped");
+    ck_assert_int_eq(thud_sweep_state(f.tui)->data.records.n, 3);
+    ck_assert(thud_sweep_state(f.tui)->data.complete);
+    for (int i = 0; i < 5; i++) {
+        snprintf(keys, sizeof keys, "%s/%d.csv", path, i);
+        remove(keys);
+    }
+    ck_assert_int_eq(rmdir(path), 0);
+}
+END_TEST
+
 /* What is there already and was not written here is not written over. */
 START_TEST(tables_of_others_stay)
 {
@@ -461,6 +492,7 @@ Suite *thud_suite(void)
     tcase_add_test(words, lists_in_brackets_are_shown_without_them);
     tcase_add_test(words, a_structure_more_names_the_studys_interface);
     tcase_add_test(words, a_study_that_cannot_begin_says_why);
+    tcase_add_test(words, unreadable_motions_are_skipped);
     tcase_add_test(words, tables_of_others_stay);
     suite_add_tcase(suite, words);
     return suite;

@@ -50,6 +50,7 @@ struct reading {
     struct thud_record_list *list;
     int room;
     bool both;
+    bool skip; /* what cannot be read is left out */
 };
 
 /* Files of a folder or list that cannot be read as they are: all are named in one message. */
@@ -246,7 +247,9 @@ static enum thud_status add_folder(struct reading *r, struct thud_scene *scene, 
             status = thud_error_set(&why, THUD_INPUT, "the name is too long");
         else
             status = add_file(r, scene, "", &why);
-        if (status == THUD_INPUT)
+        if (status == THUD_INPUT && r->skip)
+            r->list->skipped++;
+        else if (status == THUD_INPUT)
             refuse(&refusals, scene->record.file, &why);
         else if (status != THUD_OK && err)
             *err = why;
@@ -305,6 +308,10 @@ static enum thud_status add_list(struct reading *r, const struct thud_scene *bas
     for (rest = text; status == THUD_OK && (line = thud_text_line(&rest)) != NULL;) {
         number++;
         status = add_line(r, base, scene, line, err);
+        if (status == THUD_INPUT && r->skip) {
+            r->list->skipped++;
+            status = THUD_OK;
+        }
         if (status == THUD_INPUT || status == THUD_USAGE) {
             if (err && !err->file[0])
                 thud_error_place(err, base->record.file, number, 0);
@@ -342,6 +349,17 @@ static void look_beside(const struct thud_session *session, char *file, size_t s
         snprintf(file, size, "%s", beside);
 }
 
+/* Takes `:unreadable=skip` off a name; true where it was there. */
+static bool cut_skip(char *item)
+{
+    static const char word[] = ":unreadable=skip";
+    char *at = strstr(item, word);
+    if (!at)
+        return false;
+    memmove(at, at + strlen(word), strlen(at + strlen(word)) + 1);
+    return true;
+}
+
 /* A file, a folder or a list. */
 static enum thud_status add_item(struct reading *r, struct thud_scene *scene, const char *own, struct thud_error *err)
 {
@@ -375,6 +393,7 @@ enum thud_status thud_record_list_read(const struct thud_session *session, const
         if (end)
             *end++ = '\0';
         item += bracketed ? strspn(item, " ") : 0;
+        r.skip = cut_skip(item);
         size_t whole = strlen(item);
         char *said = strdup(item);
         *scene = scene[1];
@@ -385,6 +404,8 @@ enum thud_status thud_record_list_read(const struct thud_session *session, const
         if (status == THUD_OK)
             status = add_item(&r, scene, own, err);
     }
+    if (status == THUD_OK && out->skipped > 0 && out->n == 0)
+        status = thud_error_set(err, THUD_INPUT, "none of the %d files can be read", out->skipped);
     free(scene);
     free(copy);
     if (status != THUD_OK)

@@ -13,7 +13,7 @@ enum { THUD_RECORD_SETTINGS_MAX = 16 };
 const char *thud_record_setting(int i);
 
 struct thud_record_list {
-    int n;
+    int n, skipped;              /* the second: files that could not be read, and were to be left out */
     struct thud_record **record; /* (n) each named in `file` as it was typed */
     char **own; /* (n) how it was read, as a list says it, without what scales it: "dt=0.005 s:unit=g", or "" */
 };
@@ -21,7 +21,8 @@ struct thud_record_list {
 /* A suite: `NAME,NAME,...`, each a file, a folder (all files in it but hidden ones, .md and .list, in the order of
  * their names) or a list NAME.list: a file a line, from the list's own folder, `#` before a comment. The settings of a
  * file follow it after colons, `a.AT2:peak=0.9 g:dt=0.005 s:unit=g`: keys of the preset's record; those of a folder or
- * list hold for all its files that do not say otherwise, and `common` (n pairs key, value) for everything. `both`: each
+ * list hold for all its files that do not say otherwise; `:unreadable=skip` leaves out those of them that cannot be
+ * read; and `common` (n pairs key, value) for everything. `both`: each
  * motion also the other way round, named FILE:sign=-. Motions of one file are told apart by their settings. Files are
  * looked for as the session's own record is, folders and lists from the working folder. Errors: THUD_USAGE, THUD_INPUT,
  * THUD_MEMORY. */

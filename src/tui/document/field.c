@@ -27,7 +27,8 @@ void thud_field_value(struct thud_tui *tui, int index, const struct thud_pane *p
     thud_utf8_fit(*text ? text : "-", w, fitted, sizeof fitted);
     if (focus)
         thud_pane_glyph(pane, x - 1, y, thud_look(THUD_ROLE_KEY, THUD_BOLD), 0x25b8);
-    thud_pane_put(pane, x, y, thud_look(THUD_ROLE_VALUE, focus ? THUD_REVERSE : 0), fitted);
+    thud_pane_put(pane, unit ? x : x + w - thud_utf8_columns(fitted), y,
+                  thud_look(THUD_ROLE_VALUE, focus ? THUD_REVERSE : 0), fitted);
 }
 
 void thud_field_row(struct thud_tui *tui, int index, const struct thud_pane *pane, int y, const char *label,

@@ -1,13 +1,13 @@
 /* Every key there is: THUD_KEY(where, action, first key, second key, how it is written, label in the bottom line, what
  * it does). THUD_KEY_AGAIN is one more key for an action already in the list. From this one list come the actions, the
  * dispatch, the bottom line, the help screen and the manual. A label of "" keeps a key out of the bottom line, one that
- * starts with ~ stands there without the key before it. The same key may stand for different actions on different
+ * starts with ~ stands there without the key before it, one that starts with + behind all others, where there is room. The same key may stand for different actions on different
  * screens; a screen's own come before the general ones. */
 THUD_KEY(MODEL, ALL_FLOORS, '=', 0, "=", "all floors", "copy this floor's value to every floor of the structure")
 THUD_KEY(MODEL, ADD_STOREY, 'a', 0, "a", "add", "add a storey above this one")
 THUD_KEY(MODEL, DELETE_STOREY, 'd', 0, "d", "delete", "delete this storey")
-THUD_KEY(MODEL, ADD_STRUCTURE, 'A', 0, "A", "", "add a structure to the right of this one")
-THUD_KEY(MODEL, REMOVE_STRUCTURE, 'D', 0, "D", "", "remove this structure")
+THUD_KEY(MODEL, ADD_STRUCTURE, 'A', 0, "A", "+structure", "add a structure to the right of this one")
+THUD_KEY(MODEL, REMOVE_STRUCTURE, 'D', 0, "D", "+remove", "remove this structure")
 THUD_KEY(MODEL, SWAP, 'x', 0, "x", "swap", "swap the two structures shown, left and right")
 THUD_KEY(CONTACT, KEEP_FORCE, 'f', 0, "f", "keep F",
          "after a change of the exponent: choose the stiffness so that F(delta_u) is as before")
@@ -32,7 +32,7 @@ THUD_KEY(PLOTS, NEXT_IMPACT, 'n', 0, "n", "~n/N impact", "go to the next impact"
 THUD_KEY(PLOTS, PREVIOUS_IMPACT, 'N', 0, "N", "", "go to the impact before")
 THUD_KEY(PLOTS, LARGEST_IMPACT, 'L', 0, "L", "largest", "go to the impact with the largest force")
 THUD_KEY(PLOTS, ZOOM, 'z', 0, "z", "zoom", "show a shorter time around the cursor")
-THUD_KEY(PLOTS, UNZOOM, 'Z', 0, "Z", "", "show a longer time")
+THUD_KEY(PLOTS, UNZOOM, 'Z', 0, "Z", "+wider", "show a longer time")
 THUD_KEY_AGAIN(PLOTS, CASE, 'b', 0, "b", "case", "the case that moves")
 THUD_KEY(PLOTS, NEXT_FIGURE, THUD_KEY_DOWN, 'j', "Down", "~Up/Down figure", "the next figure")
 THUD_KEY(PLOTS, PREVIOUS_FIGURE, THUD_KEY_UP, 'k', "Up", "", "the figure before")
@@ -62,22 +62,23 @@ THUD_KEY(FORMS, LEAP_DOWN, '{', 0, "{", "", "ten steps down")
 THUD_KEY(FORMS, NEW, 'n', 0, "n", "new", "a new scene: two neighbours, their gap and a ground motion from nothing")
 THUD_KEY(GENERAL, RUN, 'r', 0, "r", "run", "run the three cases now (on Sweep the study, on Bench every method, timed)")
 THUD_KEY(GENERAL, UNDO, 'u', 0, "u", "undo", "undo the last change")
-THUD_KEY(GENERAL, REDO, THUD_CTRL('r'), 0, "^R", "", "do again what was undone")
-THUD_KEY(GENERAL, PIN, 'v', 0, "v", "",
+THUD_KEY(GENERAL, REDO, THUD_CTRL('r'), 0, "^R", "+redo", "do again what was undone")
+THUD_KEY(GENERAL, PIN, 'v', 0, "v", "+pin",
          "pin this state: its numbers stand beside those that come, its curves behind theirs")
-THUD_KEY(GENERAL, EXCHANGE, 'V', 0, "V", "", "exchange this state with the pinned one (at first the saved one)")
+THUD_KEY(GENERAL, EXCHANGE, 'V', 0, "V", "+exchange",
+         "exchange this state with the pinned one (at first the saved one)")
 THUD_KEY(GENERAL, PICTURE, 'p', 0, "p", "PNG", "write the figure shown as PNG")
-THUD_KEY(GENERAL, PICTURES, 'P', 0, "P", "", "write all figures as PNG")
+THUD_KEY(GENERAL, PICTURES, 'P', 0, "P", "+all PNG", "write all figures as PNG")
 THUD_KEY(GENERAL, EXPORT, 'e', 0, "e", "CSV", "write the numbers shown as CSV")
-THUD_KEY(GENERAL, COPY, 'y', 0, "y", "",
+THUD_KEY(GENERAL, COPY, 'y', 0, "y", "+copy",
          "copy the numbers of this pane, of a chart its data, to the clipboard (OSC 52)")
 THUD_KEY(GENERAL, SAVE, 'w', 0, "w", "save", "save the preset, comments kept")
-THUD_KEY(GENERAL, SAVE_AS, 'W', 0, "W", "", "save the preset under another name")
+THUD_KEY(GENERAL, SAVE_AS, 'W', 0, "W", "+save as", "save the preset under another name")
 THUD_KEY(GENERAL, OPEN, 'o', 0, "o", "open", "open another preset")
-THUD_KEY(GENERAL, REMARKS, '!', 0, "!", "",
+THUD_KEY(GENERAL, REMARKS, '!', 0, "!", "+remarks",
          "the remarks counted above, energy, tolerance and sign: a list that leads to their fields")
 THUD_KEY(GENERAL, FIND, '/', 0, "/", "find", "find a field by a part of its name, on any screen")
-THUD_KEY(GENERAL, COMMAND, ':', 0, ":", "", "a command line: set KEY VALUE, case, record, run, open, w, q, ...")
+THUD_KEY(GENERAL, COMMAND, ':', 0, ":", "+command", "a command line: set KEY VALUE, case, record, run, open, w, q, ...")
 THUD_KEY(GENERAL, HELP, '?', THUD_KEY_F1, "?", "help", "the keys, and the model in short")
 THUD_KEY(GENERAL, QUIT, 'q', 0, "q", "quit", "back one level; at the top, quit (asks when something is unsaved)")
 THUD_KEY(GENERAL, BACK, THUD_KEY_ESC, 0, "Esc", "",
@@ -95,7 +96,7 @@ THUD_KEY(GENERAL, PAGE_UP, THUD_KEY_PAGE_UP, 0, "PgUp", "", "a page up")
 THUD_KEY(GENERAL, PAGE_DOWN, THUD_KEY_PAGE_DOWN, 0, "PgDn", "", "a page down")
 THUD_KEY(GENERAL, FIRST, THUD_KEY_HOME, 0, "Home", "", "the first")
 THUD_KEY(GENERAL, LAST, THUD_KEY_END, 0, "End", "", "the last")
-THUD_KEY(GENERAL, MOUSE, 'm', 0, "m", "", "mouse on or off (off: the terminal's own selection works)")
+THUD_KEY(GENERAL, MOUSE, 'm', 0, "m", "+mouse", "mouse on or off (off: the terminal's own selection works)")
 THUD_KEY(GENERAL, REPAINT, THUD_CTRL('l'), 0, "^L", "", "draw the screen anew")
 THUD_KEY(TYPING, ACCEPT, THUD_KEY_ENTER, 0, "Enter", "accept", "take what was typed")
 THUD_KEY(TYPING, CANCEL, THUD_KEY_ESC, 0, "Esc", "end", "leave this field as it was")

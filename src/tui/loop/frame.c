@@ -151,17 +151,20 @@ static void bottom_keys(struct thud_tui *tui, const struct thud_pane *row)
     if (tui->dialog.mode == THUD_MODE_ASKING)
         at += thud_pane_put(row, at, 0, thud_look(THUD_ROLE_KEY, 0),
                             tui->dialog.question->unsaved ? "s save  y lose  Esc stay" : "y yes   n no   Esc cancel");
-    for (int i = 0; i < thud_key_count() && tui->dialog.mode != THUD_MODE_ASKING; i++) {
-        const struct thud_key_entry *key = thud_key_at(i);
-        if (!(key->where & where) || !*key->label || key->action == THUD_DO_HELP || key->action == THUD_DO_QUIT ||
-            thud_key_action(where, key->key) != key->action || (normal && thud_tui_cannot(tui, key->action)))
+    int keys = tui->dialog.mode == THUD_MODE_ASKING ? 0 : thud_key_count();
+    for (int i = 0; i < 2 * keys; i++) { /* those that stand only where there is room come behind */
+        const struct thud_key_entry *key = thud_key_at(i % keys);
+        const char *label = key->label + (*key->label == '+');
+        if (!(key->where & where) || !*label || (label > key->label) != (i >= keys) || key->action == THUD_DO_HELP ||
+            key->action == THUD_DO_QUIT || thud_key_action(where, key->key) != key->action ||
+            (normal && thud_tui_cannot(tui, key->action)))
             continue;
         bool between_fields = key->action == THUD_DO_ACCEPT_NEXT || key->action == THUD_DO_ACCEPT_DOWN;
         if (between_fields && tui->dialog.mode == THUD_MODE_TYPING && tui->dialog.prompt)
             continue;
-        bool alone = *key->label == '~';
+        bool alone = *label == '~';
         char text[64];
-        snprintf(text, sizeof text, "%s%s%s", alone ? "" : key->written, alone ? "" : " ", key->label + alone);
+        snprintf(text, sizeof text, "%s%s%s", alone ? "" : key->written, alone ? "" : " ", label + alone);
         int width = thud_utf8_columns(text);
         if (at + width + 2 > room)
             continue;

@@ -165,8 +165,13 @@ static void normal_key(struct thud_tui *tui, int key)
         return;
     }
     enum thud_action action = thud_key_action(thud_tui_where(tui), key);
-    if (action != THUD_DO_NOTHING)
+    char glyph[5];
+    if (action != THUD_DO_NOTHING) {
         thud_tui_act(tui, action);
+    } else if (key > ' ' && key < THUD_KEY_FIRST && key != THUD_KEY_BACKSPACE) {
+        glyph[thud_utf8_put((uint32_t)key, glyph)] = '\0';
+        thud_tui_say(tui, THUD_ROLE_PLAIN, "%s does nothing here; ? lists the keys", glyph);
+    }
 }
 
 /* On a terminal too small to show anything only what leads out is heard. */

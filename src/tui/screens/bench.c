@@ -111,15 +111,26 @@ static int draw_table(struct thud_tui *tui, const struct thud_pane *pane)
     if (isfinite(trust))
         thud_field_note(pane, y++, "reference good to %.1e", trust);
     thud_pane_put(pane, 3, y++, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), "setting  error       ms");
-    for (int i = 0; i < thud_bench_count(s->bench); i++) {
+    for (int i = 0, skipped = 0, skipped_at = 0, n = thud_bench_count(s->bench); i < n; i++) {
         struct thud_bench_point *point = thud_bench_point(s->bench, i);
+        bool last = i + 1 == n || thud_bench_point(s->bench, i + 1)->curve != point->curve;
         char name[64], line[160], text[64], key[32];
         thud_bench_curve_name(point, name, sizeof name);
         if (i == 0 || thud_bench_point(s->bench, i - 1)->curve != point->curve)
             thud_pane_put(pane, 1, y++, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), name);
-        snprintf(line, sizeof line, "  %.0e    %s", point->setting, verdict(point, text));
-        snprintf(key, sizeof key, "point %d", i);
-        thud_field_line(tui, TABLE, pane, y++, i, key, line);
+        skipped += point->state == THUD_BENCH_SKIPPED;
+        skipped_at = point->state == THUD_BENCH_SKIPPED ? i : skipped_at;
+        if (point->state != THUD_BENCH_SKIPPED) {
+            snprintf(line, sizeof line, "  %.0e    %s", point->setting, verdict(point, text));
+            snprintf(key, sizeof key, "point %d", i);
+            thud_field_line(tui, TABLE, pane, y++, i, key, line);
+        }
+        if (last && skipped > 0) { /* one line a method, however slow the machine is */
+            snprintf(line, sizeof line, "  %d skipped%s", skipped, s->quick ? ": r runs all" : "");
+            snprintf(key, sizeof key, "skipped %d", i);
+            thud_field_line(tui, TABLE, pane, y++, skipped_at, key, line);
+        }
+        skipped = last ? 0 : skipped;
     }
     return y;
 }

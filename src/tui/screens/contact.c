@@ -158,7 +158,7 @@ static int draw_both(struct thud_tui *tui, const struct thud_pane *pane, int y)
     thud_pane_put(pane, 23, y++, thud_look(THUD_ROLE_MUTED, THUD_BOLD), name[1]);
     for (int i = 0; i < THUD_MEETINGS; i++, y++) {
         const struct thud_meeting *m = &state(tui)->meeting[i], *other = &state(tui)->beside_meeting[i];
-        thud_pane_print(pane, 1, y, thud_look(THUD_ROLE_VALUE, 0), "%-6s %-6s %-7s", thud_tui_number(m->speed_mps, a),
+        thud_pane_print(pane, 1, y, thud_look(THUD_ROLE_RESULT, 0), "%-6s %-6s %-7s", thud_tui_number(m->speed_mps, a),
                         thud_tui_number(1e-6 * m->force_n, b), restitution(m, d));
         thud_pane_print(pane, 23, y, thud_look(THUD_ROLE_MUTED, 0), "%-6s %s",
                         thud_tui_number(1e-6 * other->force_n, c), restitution(other, e));
@@ -189,7 +189,7 @@ static int draw_check(struct thud_tui *tui, const struct thud_pane *pane)
     thud_pane_put(pane, 1, y++, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), "m/s      F MN    d mm    e");
     for (int i = 0; i < THUD_MEETINGS; i++) {
         const struct thud_meeting *m = &state(tui)->meeting[i];
-        thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_VALUE, 0), "%-8s %-7s %-7s %s",
+        thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_RESULT, 0), "%-8s %-7s %-7s %s",
                         thud_tui_number(m->speed_mps, a), thud_tui_number(1e-6 * m->force_n, b),
                         thud_tui_number(1e3 * m->indentation_m, c),
                         isnan(m->restitution) ? "-" : thud_tui_number(m->restitution, d));

@@ -102,8 +102,8 @@ static const struct {
     const char *key, *head;
     int x, w; /* where all of them have room */
 } column[] = {
-    {"mass", "mass t", 6, 7},        {"stiffness", "k MN/m", 13, 8},        {"height", "height m", 21, 8},
-    {"yield", "yield mm", 30, 8},    {"yield-shear", "yield MN", 40, 8},    {"hardening", "hardening %", 49, 11},
+    {"mass", "mass t", 6, 7},        {"stiffness", "k MN/m", 13, 7},        {"height", "h m", 21, 7},
+    {"yield", "yield mm", 29, 8},    {"yield-shear", "yield MN", 40, 8},    {"hardening", "hardening %", 49, 11},
     {"column.EI", "col. EI", 61, 8}, {"column.capacity", "cap. kN", 70, 8}, {"slab-depth", "slab cm", 79, 8}};
 enum { COLUMNS = sizeof column / sizeof *column };
 
@@ -134,7 +134,8 @@ static int floors(struct thud_tui *tui, int index, const struct thud_pane *pane,
         last++;
     thud_pane_put(pane, 0, y, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), "floor");
     for (int c = first; c <= last; c++)
-        thud_pane_put(pane, column[c].x - shift, y, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), column[c].head);
+        thud_pane_right(pane, column[c].x - shift + column[c].w, y, thud_look(THUD_ROLE_PLAIN, THUD_BOLD),
+                        column[c].head);
     if (first > 0)
         thud_pane_glyph(pane, 5, y, thud_look(THUD_ROLE_KEY, THUD_BOLD), 0x2190);
     if (last + 1 < COLUMNS) /* the cursor leads on */

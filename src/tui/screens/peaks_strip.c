@@ -81,7 +81,7 @@ static void peak_row(struct thud_tui *tui, const struct strip *strip, const stru
         thud_pane_put(pane, column_x[i], y,
                       thud_look(failed                                                      ? THUD_ROLE_ERROR
                                 : thud_live_is_old(&tui->run.live, (enum thud_live_which)i) ? THUD_ROLE_MUTED
-                                                                                            : THUD_ROLE_VALUE,
+                                                                                            : THUD_ROLE_RESULT,
                                 moved ? THUD_BOLD : 0),
                       text);
     }

@@ -76,14 +76,14 @@ static void quantity(struct thud_tui *tui, const struct thud_pane *pane, int x, 
         value[i] = factor * thud_live_floor(&tui->run.live, (enum thud_live_which)i, s, floor, kind);
         bool failed = tui->run.live.which[i].state == THUD_LIVE_FAILED,
              absent = tui->run.live.which[i].state == THUD_LIVE_ABSENT;
-        thud_pane_put(pane, x + 7 * i, y,
-                      thud_look(failed                                                      ? THUD_ROLE_ERROR
-                                : thud_live_is_old(&tui->run.live, (enum thud_live_which)i) ? THUD_ROLE_MUTED
-                                                                                            : THUD_ROLE_VALUE,
-                                0),
-                      failed   ? "FAIL"
-                      : absent ? "–"
-                               : thud_tui_number(value[i], number));
+        thud_pane_right(pane, x + 7 * i + 6, y,
+                        thud_look(failed                                                      ? THUD_ROLE_ERROR
+                                  : thud_live_is_old(&tui->run.live, (enum thud_live_which)i) ? THUD_ROLE_MUTED
+                                                                                              : THUD_ROLE_RESULT,
+                                  0),
+                        failed   ? "FAIL"
+                        : absent ? "–"
+                                 : thud_tui_number(value[i], number));
     }
     thud_ratio_draw(&tui->run.live, pane, x + 21, y, value);
 }
@@ -97,7 +97,7 @@ static void pinned_quantity(struct thud_tui *tui, const struct thud_live *pinned
     for (int i = 0; i < THUD_LIVE_CASES; i++) {
         char number[24];
         double value = factor * thud_live_floor(pinned, (enum thud_live_which)i, s, floor, kind);
-        thud_pane_put(pane, x + 7 * i, y, thud_look(THUD_ROLE_MUTED, 0), thud_tui_number(value, number));
+        thud_pane_right(pane, x + 7 * i + 6, y, thud_look(THUD_ROLE_MUTED, 0), thud_tui_number(value, number));
     }
     double change =
         thud_live_floor(&tui->run.live, last, s, floor, kind) / thud_live_floor(pinned, last, s, floor, kind);
@@ -191,7 +191,7 @@ static void impact_rest(const struct thud_impact *impact, char *text, size_t siz
 {
     char d[24], ms[24], e[24], lost[24];
     size_t n = strlen(text);
-    snprintf(text + n, size - n, " %-8s %-8s %-7s %s", thud_tui_number(1e3 * impact->indentation_m, d),
+    snprintf(text + n, size - n, " %8s %8s %7s %9s", thud_tui_number(1e3 * impact->indentation_m, d),
              thud_tui_number(1e3 * impact->duration_s, ms),
              isnan(impact->restitution) ? "-" : thud_tui_number(impact->restitution, e),
              thud_tui_number(1e-3 * impact->dissipated_j, lost));
@@ -222,8 +222,8 @@ static int draw_impacts(struct thud_tui *tui, const struct thud_pane *pane)
     if (count > 1)
         qsort(row, (size_t)count, sizeof *row, order[state(tui)->sort]);
     bool wide = pane->w >= 66;
-    thud_pane_print(pane, 1, 0, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), "t s       fl.  v m/s    F MN     %s",
-                    wide ? "d mm     ms       e       kJ lost" : "");
+    thud_pane_print(pane, 1, 0, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), "      t s  fl.    v m/s     F MN%s",
+                    wide ? "     d mm       ms       e   kJ lost" : "");
     int n = count < IMPACTS_MAX ? count : IMPACTS_MAX;
     for (int i = 0; i < n; i++) {
         char key[48], text[160], v[24], f[24], place[24];
@@ -233,7 +233,7 @@ static int draw_impacts(struct thud_tui *tui, const struct thud_pane *pane)
         else
             snprintf(place, sizeof place, "%d", row[i].floor);
         snprintf(key, sizeof key, "impact %.9g %d", row[i].impact.start_s, row[i].impact.contact);
-        snprintf(text, sizeof text, "%-9.3f %-4s %-8s %-8s", row[i].impact.start_s, place,
+        snprintf(text, sizeof text, "%9.3f %4s %8s %8s", row[i].impact.start_s, place,
                  thud_tui_number(row[i].impact.approach_mps, v),
                  row[i].impact.force_n > 0.0 ? thud_tui_number(1e-6 * row[i].impact.force_n, f) : "-");
         if (wide)

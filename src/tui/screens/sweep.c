@@ -132,6 +132,38 @@ static long runs_of(const struct thud_sweep_data *data)
     return thud_sweep_points(&data->plan) * (data->plan.ncases > 0 ? data->plan.ncases : 1);
 }
 
+static void begin(struct thud_tui *tui, bool by_itself);
+static const char skipped[] = ":unreadable=skip";
+
+/* The motions without those that cannot be read. */
+static void skip(struct thud_tui *tui, const char *records)
+{
+    char text[THUD_VARY_TEXT] = "";
+    size_t n = 0;
+    for (const char *at = records; n < sizeof text; at += strcspn(at, ",") + 1) {
+        int length = (int)strcspn(at, ",");
+        n += (size_t)snprintf(text + n, sizeof text - n, "%s%.*s%s", at > records ? "," : "", length, at, skipped);
+        if (!at[length])
+            break;
+    }
+    if (n >= sizeof text) {
+        thud_tui_say(tui, THUD_ROLE_ERROR, "! there is no room for that in the preset: a NAME.list names the others");
+        return;
+    }
+    thud_sweep_command(tui, "records", text);
+    begin(tui, false);
+}
+
+static const struct thud_question ask_skip = {.yes = skip};
+
+/* Whether records name more than one file. */
+static bool several(const char *records)
+{
+    char name[THUD_VARY_TEXT];
+    snprintf(name, sizeof name, "%.*s", (int)strcspn(records, ":"), records);
+    return strchr(records, ',') || thud_record_is_list(name) || thud_path_is_folder(name);
+}
+
 static void begin(struct thud_tui *tui, bool by_itself)
 {
     static const double wait_s = 5;
@@ -152,7 +184,13 @@ static void begin(struct thud_tui *tui, bool by_itself)
         status = thud_sweep_data_start(&s->data, &err);
     if (status != THUD_OK)
         thud_error_text(&err, s->why, sizeof s->why);
-    if (status != THUD_OK && !by_itself)
+    bool unread =
+        status == THUD_INPUT && several(s->words.records) && !s->data.names && !strstr(s->words.records, skipped);
+    if (unread && !by_itself)
+        thud_tui_ask(tui, &ask_skip, s->words.records,
+                     "%.300s. Skip what cannot be read? (DIR:dt=0.01 s:unit=g in records says for all what is missing)",
+                     s->why);
+    else if (status != THUD_OK && !by_itself)
         thud_tui_say_error(tui, &err);
     if (!s->base)
         s->base = malloc(sizeof *s->base);

@@ -174,6 +174,8 @@ static int draw_progress(struct thud_tui *tui, struct thud_sweep_state *s, const
     thud_field_note(pane, y++, "%ld of %ld points", data->next, data->points);
     if (data->records.n > 1)
         thud_field_note(pane, y++, "%d ground motions", data->records.n);
+    if (data->records.skipped > 0)
+        thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_WARN, 0), "%d files skipped", data->records.skipped);
     thud_field_note(pane, y++, "%ld runs made, %ld answered", data->total.made, data->total.free);
     thud_field_note(pane, y++, "  without one (no contact)");
     if (data->total.reused)

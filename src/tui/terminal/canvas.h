@@ -15,7 +15,8 @@ enum thud_role {
     THUD_ROLE_TITLE,
     THUD_ROLE_BORDER,
     THUD_ROLE_MUTED,
-    THUD_ROLE_VALUE,
+    THUD_ROLE_VALUE,  /* to be edited */
+    THUD_ROLE_RESULT, /* computed */
     THUD_ROLE_GOOD,
     THUD_ROLE_WARN,
     THUD_ROLE_ERROR,

@@ -37,8 +37,10 @@ static void set_dot(struct thud_dots *dots, int x, int y, struct thud_look look)
     int cell = y / dots->down * dots->pane.w + x / dots->across;
     int row = y % dots->down, column = x % dots->across;
     unsigned bit = dots->down == 4 ? braille[row][column] : 1U << row;
+    bool first = dots->mask[cell] == 0;
     dots->mask[cell] = (unsigned char)(dots->mask[cell] | bit);
-    dots->look[cell] = look;
+    if (first || (cell % dots->pane.w + cell / dots->pane.w) % 2 == 0) /* lines in the same cells take turns */
+        dots->look[cell] = look;
 }
 
 /* Cuts one end of the stretch [*t0, *t1] of a line where p + t d leaves [low, high]; false when nothing is left. */
