@@ -127,8 +127,11 @@ static void warn_unusual(const struct thud_args *args, const struct thud_session
     }
     for (int i = 0; thud_scene_change_remark(thud_preset_scene(session->preset), scene, i, &unusual); i++)
         say(&unusual);
+    struct thud_error fall = {0}; /* which ends the run, and is said at the end */
+    thud_collapse_remark(scene, thud_run_result(run), &fall);
     for (int i = 0; thud_result_remark(scene, thud_run_result(run), impact, nimpacts, i, &unusual); i++)
-        say(&unusual);
+        if (strcmp(unusual.what, fall.what) != 0)
+            say(&unusual);
     if (thud_args_has(args, "step") && method && !(method->flags & THUD_METHOD_FIXED_STEP))
         fprintf(stderr, "thud: warning: --step: %s takes steps of its own\n", used);
 }
@@ -269,6 +272,9 @@ static enum thud_status run_cases(const struct thud_args *args, struct thud_sess
     status = thud_cli_print(&text, err);
     if (status == THUD_OK && options.keep_history)
         status = write_cases(args, &picture, session, cases, &by, err);
+    for (int i = 0; i < cases->n && status == THUD_OK; i++)
+        if (thud_collapse_remark(&cases->item[i].scene, thud_run_result(cases->item[i].answer.run), err))
+            status = err->status = THUD_DIVERGED;
     thud_run_cases_free(cases);
     return status;
 }
@@ -299,6 +305,8 @@ static enum thud_status run(const struct thud_args *args, struct thud_session *s
             status = report_run(args, session, scene, which, &answer, err);
         if (status == THUD_OK && options.keep_history)
             status = thud_made_by_end(&by, draw(args, &picture, scene, &answer, err), err);
+        if (status == THUD_OK && thud_collapse_remark(scene, thud_run_result(answer.run), err))
+            status = err->status = THUD_DIVERGED;
     } else if (status == THUD_DIVERGED) {
         struct thud_error failure = *err;
         enum thud_status printed = report_failure(args, session, scene, which, &answer, &failure, err);

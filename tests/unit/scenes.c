@@ -140,6 +140,20 @@ static void draw_structure(struct thud_structure *s, int index, double mass, boo
         widen(s);
 }
 
+/* Weights that take up to a third off the stiffness of the weakest storey. */
+static void draw_weights(struct thud_scene *scene)
+{
+    scene->p_delta = true;
+    for (int s = 0; s < scene->nstructures; s++) {
+        struct thud_structure *p = &scene->structure[s];
+        double least = INFINITY, part = between_log(0.01, 0.35);
+        for (int i = 0; i < p->storeys && thud_kind_is_building(p->kind); i++)
+            least = fmin(least, p->stiffness_npm[i] * p->height_m[i]);
+        for (int i = 0; i < p->storeys && thud_kind_is_building(p->kind); i++)
+            p->gravity_n[i] = part * least / p->storeys;
+    }
+}
+
 /* ---- ground motion ---- */
 
 static void draw_record(struct scenes_one *one)
@@ -267,6 +281,7 @@ static bool look_without_contact(struct scenes_one *one, double *closing)
         *most = fmax(*most, thud_baseline_relative_displacement(baseline, c));
     }
     one->peak_m = 0;
+    ok = ok && !thud_baseline_result(baseline)->collapse.happened;
     for (int s = 0; ok && s < model->nstructures; s++)
         for (int i = 0; i < model->structure[s].n; i++)
             one->peak_m = fmax(one->peak_m, thud_baseline_result(baseline)->structure[s].floor[i].displacement.value);
@@ -302,8 +317,9 @@ static bool draw_yields(struct scenes_one *one, double *closing)
 static bool draw(struct scenes_one *one)
 {
     struct thud_scene *scene = &one->scene;
-    bool columns = one->seed >= SCENES_COLUMNS, wide = one->seed >= SCENES_WIDE && one->seed < SCENES_YIELDING;
-    bool yields = one->seed >= SCENES_YIELDING && (!columns || one->seed % 3 == 0);
+    bool weights = one->seed >= SCENES_P_DELTA, columns = one->seed >= SCENES_COLUMNS && !weights,
+         wide = one->seed >= SCENES_WIDE && one->seed < SCENES_YIELDING;
+    bool yields = one->seed >= SCENES_YIELDING && (weights ? one->seed % 2 == 0 : !columns || one->seed % 3 == 0);
     double closing[THUD_STRUCTURES_MAX] = {0},
            mass = wide ? between_log(lightest_kg, heaviest_kg) : between_log(1e4, 1e6);
     bool extreme = chance(0.15);
@@ -320,6 +336,8 @@ static bool draw(struct scenes_one *one)
             draw_columns(&scene->structure[s]);
         scene->structure[s].name[0] = (char)('A' + s);
     }
+    if (weights)
+        draw_weights(scene);
     if (chance(0.9))
         draw_record(one);
     else
@@ -472,6 +490,7 @@ bool scenes_heavier(struct scenes_one *one, double factor)
             p->mass_kg[f] *= factor;
             p->stiffness_npm[f] *= factor;
             p->yield_shear_n[f] *= factor;
+            p->gravity_n[f] *= factor;
             p->column_ei_nm2[f] *= factor;
             p->column_stiffness_npm[f] *= factor;
         }
@@ -491,6 +510,8 @@ bool scenes_heavier(struct scenes_one *one, double factor)
 bool scenes_longer(struct scenes_one *one, double factor)
 {
     struct thud_scene *s = &one->scene;
+    if (s->p_delta) /* heights are lengths too */
+        return false;
     for (int i = 0; i < s->nstructures; i++)
         if (s->structure[i].kind == THUD_RIGID)
             s->structure[i].velocity_mps *= factor;

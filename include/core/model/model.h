@@ -16,7 +16,14 @@
  *
  * Storeys that yield (bilinear, kinematic hardening) have a row each behind those of the contacts, g = e_i - e_(i-1),
  * and a force beyond that of their elastic stiffness k: V = k d + F with F = -(1 - r) k d_p. Everything that reads
- * rows and forces (motion, accelerations, Delassus matrix) takes them like those of the contacts. */
+ * rows and forces (motion, accelerations, Delassus matrix) takes them like those of the contacts.
+ *
+ * P-Delta: the weight W above a storey of height h pushes it on by W d/h, a negative stiffness. The modes are those of
+ *
+ *     K - K_G,   storeys of k - W/h
+ *
+ * and a storey that yields keeps its row's force: the weight acts on the whole drift, and beyond yield the slope is
+ * r k - W/h, which may be negative. k, V and the strain energy stay those of the storey itself. */
 #ifndef THUD_CORE_MODEL_H
 #define THUD_CORE_MODEL_H
 
@@ -35,6 +42,9 @@ struct thud_model_structure {
     const double *omega;         /* (n) its own natural frequencies, also of modes that are left out, rad/s */
     int system;                  /* index of the system that it belongs to */
     int first_shape;             /* modes of the structures before it, counted for each of them */
+    const double *geometric_npm; /* (n) W/h that the weight takes off each storey's stiffness; NULL: no P-Delta */
+    const double *collapse_m;    /* (n) drift at which a storey has collapsed, INFINITY: never; NULL with the other */
+    double collapse_least_m;     /* the least of them */
 };
 
 /* A link, d = u_left - u_right (> 0: its ends have come closer): it always acts with k d + c d', or is a contact. */
@@ -75,6 +85,7 @@ struct thud_model_storey {
     double stiffness_npm; /* k */
     double yield_m;       /* d_y */
     double hardening;     /* r, 0 <= r < 1 */
+    double geometric_npm; /* W/h; 0 without P-Delta */
 };
 
 /* The columns of one storey that slabs of one neighbour strike. */
@@ -101,6 +112,7 @@ struct thud_model {
     struct thud_model_contact *contact;     /* (nrows) */
     struct thud_model_storey *storey;       /* (nstoreys) */
     struct thud_model_column *column;       /* (ncolumns) */
+    bool collapses;                         /* a structure may: P-Delta */
     bool couples;                           /* the damping of a structure couples its modes */
     int *dof_structure;                     /* (ndof) */
     double *mass_kg;                        /* (ndof) */
@@ -128,6 +140,9 @@ struct thud_model_input {
         double velocity_mps;         /* of every floor at t = 0 */
         const double *yield_m;   /* (n) drift at which a storey yields, INFINITY where it is elastic; NULL: all are */
         const double *hardening; /* (n) tangent over elastic stiffness beyond it */
+        /* P-Delta: W/h of each storey, less than its stiffness, and the drift at which it has collapsed; both (n), or
+         * both NULL */
+        const double *geometric_npm, *collapse_m;
     } * structure;
     int ncontacts;
     const struct thud_contact_input {

@@ -73,7 +73,8 @@ static inline bool thud_contact_struck(const struct thud_contact_result *contact
 /* An event: a guard of a contact or of a storey passed 0, and its state was switched. */
 struct thud_event_entry {
     double time_s;
-    int row;                          /* contact; from the number of contacts on, a storey that yields */
+    int row; /* contact; from the number of contacts on, a storey that yields; from that of rows on, a floor above a
+                collapse */
     const char *event, *guard, *then; /* what happened, what the guard watches, the state it went into */
     int order;      /* lowest coefficients of the guard that were taken as 0, as the last event had just put it there */
     double force_n; /* just behind it, of a storey beside that of its elastic stiffness */
@@ -92,6 +93,7 @@ struct thud_energy {
     double initial_j; /* kinetic at the start */
     double stored_j;  /* elastic energy in contacts still closed */
     double hysteretic_j; /* lost in storeys that yield */
+    double gravity_j;    /* work of the weight on drifting storeys: P-Delta */
     double error_ratio;  /* |initial + input - all the others| over the largest energy seen */
 };
 
@@ -115,6 +117,13 @@ struct thud_structure_result {
     double *period_s;                  /* (floors), longest first; INFINITY for a free rigid body */
 };
 
+/* P-Delta: a storey's drift has come to a tenth of its height, which ends the run. */
+struct thud_collapse {
+    bool happened;
+    int structure, floor; /* from 0: the storey below that floor */
+    double time_s, drift_m;
+};
+
 struct thud_work {
     long steps, force_evaluations, events;
     long rejected;       /* steps taken again */
@@ -129,6 +138,7 @@ struct thud_result {
     struct thud_column_result *column;            /* (ncolumns) */
     struct thud_link_result *link;                /* (nlinks) */
     struct thud_energy energy;
+    struct thud_collapse collapse;
     struct thud_work work;
     double end_s;       /* where the run ended */
     double step_s;      /* a fixed-step method's, from one sample of the ground motion to the next; else NaN */
@@ -140,9 +150,10 @@ struct thud_result {
  * (ndof each), then per contact force and indentation, then energies input, kinetic, strain, viscous, contact; where
  * storeys yield, then the energy lost in them, and for each of those (nstoreys) drift, shear and plastic drift; then per
  * struck columns (nstruck) the shears at their lower and upper end, and per link its force (> 0: it pushes its ends
- * apart) and by how much they have come closer. */
+ * apart) and by how much they have come closer; with P-Delta last the work of the weight. */
 struct thud_history {
     int ndof, ncontacts, nstoreys, nstruck, nlinks, columns;
+    bool weighs; /* P-Delta */
     size_t rows, capacity;
     double *time_s; /* (rows) */
     double *value;  /* (rows x columns), row-major */
@@ -157,6 +168,7 @@ int thud_history_force(const struct thud_history *h, int contact);
 int thud_history_indentation(const struct thud_history *h, int contact);
 int thud_history_energy(const struct thud_history *h, int which); /* 0 input ... 4 contact */
 int thud_history_hysteretic(const struct thud_history *h);
+int thud_history_gravity(const struct thud_history *h);
 int thud_history_storey_drift(const struct thud_history *h, int storey);
 int thud_history_storey_shear(const struct thud_history *h, int storey);
 int thud_history_storey_plastic(const struct thud_history *h, int storey);

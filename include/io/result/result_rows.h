@@ -15,7 +15,8 @@ enum {
     THUD_ROW_COLUMNS = 2, /* a slab strikes columns */
     THUD_ROW_CONTACT = 4, /* an event of a contact */
     THUD_ROW_STOREY = 8,  /* an event of a storey */
-    THUD_ROW_CAPACITY = 16
+    THUD_ROW_CAPACITY = 16,
+    THUD_ROW_WEIGHS = 32 /* P-Delta */
 };
 
 struct thud_floor_row {

@@ -47,6 +47,7 @@ struct thud_structure {
     double column_stiffness_npm[THUD_STOREYS_MAX]; /* their part of the storey's, 12 EI/L^3 */
     double column_capacity_n[THUD_STOREYS_MAX];    /* against shear */
     double column_shape;                           /* enum thud_column_shape */
+    double gravity_n[THUD_STOREYS_MAX];            /* of each floor, weight that P-Delta counts; 0: of its mass */
 };
 
 /* Length of the columns of a storey (from 0) between the floor (or ground) below and the face of the floor above. */
@@ -123,6 +124,7 @@ struct thud_study_choice {
 struct thud_scene {
     char name[THUD_NAME_MAX]; /* the preset's name, from its file name */
     char title[THUD_TEXT_MAX];
+    bool p_delta; /* the weight on drifting storeys counts */
     struct thud_record_choice record;
     int nstructures;
     struct thud_structure structure[THUD_STRUCTURES_MAX];
@@ -145,11 +147,15 @@ void thud_structure_init(struct thud_structure *structure, enum thud_structure_k
 /* A law with the defaults of its table (NaN where a value must be given). */
 void thud_law_choice_init(struct thud_law_choice *choice, const struct thud_law *law);
 /* The lists of floors and storeys: masses, stiffnesses, heights, depths of slabs, yield drifts, yield shears, hardening
- * ratios, and of columns EI, stiffness and capacity. */
-enum { THUD_STRUCTURE_LISTS = 10 };
+ * ratios, of columns EI, stiffness and capacity, and weights. */
+enum { THUD_STRUCTURE_LISTS = 11 };
 double *thud_structure_list(struct thud_structure *structure, int which);
 /* The drift at which storey i (from 0) yields; INFINITY where it is elastic. */
 double thud_structure_yield(const struct thud_structure *structure, int i);
+/* Weight above storey i (from 0) of a building. */
+double thud_structure_weight(const struct thud_structure *structure, int i);
+/* With P-Delta a storey has collapsed where it drifts by this part of its height. */
+#define THUD_COLLAPSE_DRIFT 0.1
 /* Whether a storey of the scene yields. */
 bool thud_scene_yields(const struct thud_scene *scene);
 /* The paper's interface (Table 1), without bumper at a gap of 10 cm; and its bumper, no thicker than the gap. */

@@ -12,7 +12,9 @@
  * drift, or there is no such storey. */
 double thud_stability_coefficient(const struct thud_structure *structure, const struct thud_structure_result *result,
                                   int storey);
-/* The n-th (from 0) remark on what storeys bear: those that yield beyond a ductility of 6 or a drift of 2 %, and
+/* P-Delta: which storey collapsed, when and how far it had drifted; false where none has. */
+bool thud_collapse_remark(const struct thud_scene *scene, const struct thud_result *result, struct thud_error *out);
+/* The n-th (from 0) remark on what storeys bear: a collapse, those that yield beyond a ductility of 6 or a drift of 2 %, and
  * stability coefficients above 0.1 and 0.3. False when there are no more. */
 bool thud_storey_remark(const struct thud_scene *scene, const struct thud_result *result, int n,
                         struct thud_error *out);
@@ -38,10 +40,12 @@ bool thud_scene_change_remark(const struct thud_scene *before, const struct thud
 /* The same of a study's varied keys. */
 bool thud_sweep_remark(const struct thud_sweep_plan *plan, int n, struct thud_error *out);
 
-/* Over the runs of a study: how many drift by more than buildings bear elastically, and how many press a bumper past its
+/* Over the runs of a study: how many collapse, how many drift by more than buildings bear elastically, and how many press a bumper past its
  * largest strain, or by more than there is of it; and where that is worst. Zeros at first. */
 struct thud_sweep_watch {
-    long runs, drifting, with_bumper, pressed, beyond;
+    long runs, drifting, with_bumper, pressed, beyond, collapsed;
+    long fall_point; /* the first that collapsed, and its case */
+    enum thud_case fall_which;
     struct {
         double value; /* drift over height; compression over thickness */
         long point;

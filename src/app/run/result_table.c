@@ -40,6 +40,9 @@ static void add_head(const struct thud_report *report, struct thud_text *out)
 static void add_answers(const struct thud_report *report, struct thud_text *out)
 {
     enum { COLUMNS = 65 };
+    struct thud_error fall;
+    if (thud_collapse_remark(report->scene, report->result, &fall))
+        thud_text_append(out, "COLLAPSE       %s;\n               the peaks below are those before it\n", fall.what);
     const struct thud_scene *scene = report->scene;
     const struct thud_result *r = report->result;
     for (int i = 1; i < scene->nstructures; i++) {
@@ -125,6 +128,8 @@ static void add_foot(const struct thud_report *report, struct thud_text *out)
                      1e-3 * e->viscous_j, 1e-3 * e->contact_j, 1e-3 * e->stored_j);
     if (thud_scene_yields(report->scene))
         thud_text_append(out, "\n               lost in storeys that yield %.5g;", 1e-3 * e->hysteretic_j);
+    if (report->scene->p_delta)
+        thud_text_append(out, "\n               work of the weight %.5g;", 1e-3 * e->gravity_j);
     thud_text_append(out, " unaccounted %.1e\n", e->error_ratio);
     thud_text_append(out, "method         %s", r->method);
     if (r->reason[0])

@@ -221,6 +221,9 @@ static void say_contacts(const struct thud_run_cases *cases, int i, struct thud_
     const char *how = cases->item[i].which == THUD_CASE_NONE     ? "Without bumper"
                       : cases->item[i].which == THUD_CASE_BUMPER ? "With the bumper"
                                                                  : "With the bumper in a cavity";
+    struct thud_error fall;
+    if (thud_collapse_remark(&cases->item[i].scene, result_of(cases, i), &fall))
+        thud_text_append(out, "%s %s.\n", how, fall.what);
     if (!most) {
         thud_text_append(out, "%s nothing touches.\n", how);
         return;

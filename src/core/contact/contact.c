@@ -319,6 +319,7 @@ enum thud_status thud_contact_switch(struct thud_state *state, struct thud_conta
     case THUD_EVENT_YIELD_UP: /* of storeys: thud_storey_switch */
     case THUD_EVENT_YIELD_DOWN:
     case THUD_EVENT_UNLOAD:
+    case THUD_EVENT_COLLAPSE:
         return THUD_OK;
     case THUD_EVENT_UNSTICK_IN:
     case THUD_EVENT_UNSTICK_OUT:

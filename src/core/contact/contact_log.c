@@ -62,14 +62,15 @@ enum thud_status thud_contact_log_event(struct thud_contact_log *log, const stru
         log->event = p;
         log->event_capacity = more;
     }
+    const bool falls = event == THUD_EVENT_COLLAPSE;
     thud_contact_forces(state, state->force_now);
     log->event[log->nevents++] = (struct thud_event_entry){.time_s = thud_state_now(state),
                                                            .row = row,
                                                            .event = thud_event_name(event),
                                                            .guard = thud_event_guard(event),
-                                                           .then = state_of(state, row),
+                                                           .then = falls ? "collapsed" : state_of(state, row),
                                                            .order = order,
-                                                           .force_n = state->force_now[row]};
+                                                           .force_n = falls ? 0 : state->force_now[row]};
     return THUD_OK;
 }
 

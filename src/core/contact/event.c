@@ -56,6 +56,7 @@ static const struct {
     [THUD_EVENT_YIELD_UP] = {"yield", "d - d_p - d_y rises"},
     [THUD_EVENT_YIELD_DOWN] = {"yield", "d - d_p + d_y falls"},
     [THUD_EVENT_UNLOAD] = {"unload", "d' turns"},
+    [THUD_EVENT_COLLAPSE] = {"collapse", "|d| - h/10 rises"},
 };
 
 const char *thud_event_name(enum thud_event event)
@@ -305,6 +306,46 @@ static bool may_close(const struct thud_state *state, const struct thud_segment 
     return most > 0;
 }
 
+/* When the drift of the storey below a floor comes to where it has collapsed, on either side. */
+static double storey_collapses(const struct thud_model *m, const struct thud_segment *seg, int structure, int floor,
+                               double s_end)
+{
+    const struct thud_model_structure *of = &m->structure[structure];
+    double p[THUD_SEGMENT_TERMS], first = INFINITY;
+    for (int k = 0; k < seg->terms; k++) {
+        const double *q = seg->q + k * m->nmodes;
+        p[k] =
+            thud_model_floor(m, of->first + floor, q) - (floor > 0 ? thud_model_floor(m, of->first + floor - 1, q) : 0);
+    }
+    const double start = p[0];
+    for (int side = -1; side <= 1; side += 2) {
+        p[0] = start - side * of->collapse_m[floor];
+        first = fmin(first, thud_poly_first_above(p, seg->terms, fmin(s_end, first), side, 0, 0));
+    }
+    return first;
+}
+
+/* The first collapse of any storey, and the floor above it; bounds of the modes show that as a rule there is none. */
+static double collapses(const struct thud_model *m, const struct thud_segment *seg, double s_end, int *dof)
+{
+    double first = INFINITY;
+    for (int s = 0; s < m->nstructures; s++) {
+        const struct thud_model_structure *of = &m->structure[s];
+        const double *drift = m->mode_max + m->nmodes;
+        double most = 0;
+        for (int j = of->first_mode; of->collapse_m && j < of->first_mode + of->modes; j++)
+            most += drift[j] * (fabs(seg->q[j]) + seg->notes->bound[j]);
+        for (int i = 0; most > of->collapse_least_m && i < of->n; i++) {
+            const double at = storey_collapses(m, seg, s, i, fmin(s_end, first));
+            if (at < first) {
+                first = at;
+                *dof = of->first + i;
+            }
+        }
+    }
+    return first;
+}
+
 /* Guards of storey k, beside those of contacts: while it is elastic, the distance of its drift from the bound on either
  * side, which must not rise above 0; while it yields, the rate of its drift, which must not turn back. */
 static double storey_fires(const struct thud_state *state, const struct thud_segment *seg, int k, double s_end,
@@ -384,6 +425,14 @@ double thud_event_first(const struct thud_state *state, const struct thud_segmen
             *event = of_storey;
             *order = zeros;
         }
+    }
+    int dof = -1;
+    const double fall = state->model->collapses ? collapses(state->model, seg, fmin(s_end, first), &dof) : INFINITY;
+    if (fall < first) {
+        first = fall;
+        *contact = state->model->nrows + dof;
+        *event = THUD_EVENT_COLLAPSE;
+        *order = 0;
     }
     return first;
 }

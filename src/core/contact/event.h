@@ -16,14 +16,16 @@ enum thud_event {
     THUD_EVENT_UNSTICK_OUT,
     THUD_EVENT_YIELD_UP, /* of a storey: its drift reaches the bound |d - d_p| = d_y */
     THUD_EVENT_YIELD_DOWN,
-    THUD_EVENT_UNLOAD /* a storey that yields turns back */
+    THUD_EVENT_UNLOAD,  /* a storey that yields turns back */
+    THUD_EVENT_COLLAPSE /* the drift of a storey comes to what it can stand: the run ends */
 };
 
 /* "onset", "reversal", ...; and what its guard watches: "d rises", ... */
 const char *thud_event_name(enum thud_event event);
 const char *thud_event_guard(enum thud_event event);
 
-/* s of the earliest event in [0, s_end] of the segment, with its row (a contact, or a storey that yields), what it is,
+/* s of the earliest event in [0, s_end] of the segment, with its row (a contact, or a storey that yields; of a collapse the number of
+ * rows and the floor above the storey), what it is,
  * and how many of the lowest coefficients of its guard were suppressed (order); INFINITY where there is none.
  * Reads the indentation of the contacts that may have one, for its notes. */
 double thud_event_first(const struct thud_state *state, const struct thud_segment *seg, double s_end, int *contact,

@@ -71,6 +71,21 @@ double thud_state_strain(const struct thud_state *state)
     return 0.5 * sum + thud_storeys_strain(state, state->q);
 }
 
+double thud_model_gravity_work(const struct thud_model *model, const double *q)
+{
+    double sum = 0;
+    for (int s = 0; s < model->nstructures && model->collapses; s++) {
+        const struct thud_model_structure *p = &model->structure[s];
+        double below = 0;
+        for (int i = 0; p->geometric_npm && i < p->n; i++) {
+            double here = thud_model_floor(model, p->first + i, q), drift = here - below;
+            sum += 0.5 * p->geometric_npm[i] * drift * drift;
+            below = here;
+        }
+    }
+    return sum;
+}
+
 double thud_state_default_step(const struct thud_state *state)
 {
     double shortest = state->fastest_radps > 0 ? 2 * acos(-1) / state->fastest_radps : INFINITY;

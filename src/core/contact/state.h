@@ -140,6 +140,9 @@ static inline double thud_contact_least_force(const struct thud_state *state, in
 /* Kinetic energy of the structures, and what their storeys would give back, J. */
 double thud_state_kinetic(const struct thud_state *state);
 double thud_state_strain(const struct thud_state *state);
+/* Work of the weight by modal coordinates q, J: the sum of W d^2/(2 h). Strain is what the storeys give back less this.
+ */
+double thud_model_gravity_work(const struct thud_model *model, const double *q);
 
 /* The step of a fixed-step method that was given none: a twentieth of the shortest period, of a mode or of a contact at
  * a closing velocity of 1 m/s, and not above the record's step. */

@@ -67,7 +67,7 @@ static size_t model_bytes(const struct thud_model_input *in, size_t ndof, size_t
     for (int s = 0; s < in->nstructures; s++) {
         size_t n = (size_t)in->structure[s].n, kept = (size_t)kept_of(in->structure[s].n, in->modes);
         bytes += thud_arena_room(n * kept, sizeof(double)) + thud_arena_room(kept * kept, sizeof(double)) +
-                 2 * thud_arena_room(n, sizeof(double));
+                 4 * thud_arena_room(n, sizeof(double));
     }
     return bytes;
 }
@@ -80,17 +80,38 @@ static void keep_columns(const double *from, int rows, int n, int kept, double *
 }
 
 static enum thud_status fill_isolated(struct thud_arena *arena, struct thud_model_structure *to,
-                                      const struct thud_structure_input *in, const double *phi, double *all,
-                                      struct thud_error *err)
+                                      const struct thud_structure_input *in, const double *stiffness_npm,
+                                      const double *phi, double *all, struct thud_error *err)
 {
     size_t kept = (size_t)to->modes;
     double *damping = thud_arena_take(arena, kept * kept, sizeof(double));
     to->damping = damping;
-    enum thud_status status = thud_modes_isolated_damping(in->n, in->mass_kg, in->stiffness_npm, in->damping,
+    enum thud_status status = thud_modes_isolated_damping(in->n, in->mass_kg, stiffness_npm, in->damping,
                                                           in->isolation_damping, phi, all, err);
     if (status == THUD_OK)
         keep_columns(all, to->modes, in->n, to->modes, damping); /* a mode that is left out slows no other */
     return status;
+}
+
+/* What the weight takes off the stiffness of each storey: net = k - W/h. */
+static void fill_weight(struct thud_arena *arena, struct thud_model_structure *to,
+                        const struct thud_structure_input *in, double *net)
+{
+    size_t n = (size_t)in->n;
+    memcpy(net, in->stiffness_npm, n * sizeof *net);
+    if (!in->geometric_npm)
+        return;
+    double *geometric = thud_arena_take(arena, n, sizeof(double)),
+           *collapse = thud_arena_take(arena, n, sizeof(double));
+    memcpy(geometric, in->geometric_npm, n * sizeof *geometric);
+    memcpy(collapse, in->collapse_m, n * sizeof *collapse);
+    for (size_t i = 0; i < n; i++)
+        net[i] -= geometric[i];
+    to->collapse_least_m = collapse[0];
+    for (size_t i = 1; i < n; i++)
+        to->collapse_least_m = fmin(to->collapse_least_m, collapse[i]);
+    to->geometric_npm = geometric;
+    to->collapse_m = collapse;
 }
 
 static enum thud_status fill_shear(struct thud_arena *arena, struct thud_model_structure *to,
@@ -103,15 +124,16 @@ static enum thud_status fill_shear(struct thud_arena *arena, struct thud_model_s
     to->phi = phi;
     to->stiffness_npm = k;
     to->omega = omega;
-    double *all = malloc((3 * n + 3 * square) * sizeof *all);
+    double *all = malloc((4 * n + 3 * square) * sizeof *all);
     if (!all)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
-    double *damping = all + square, *work = damping + square;
-    enum thud_status status = thud_modes_shear(in->n, in->mass_kg, k, omega, all, work, err);
+    double *net = all, *modes = net + n, *damping = modes + square, *work = damping + square;
+    fill_weight(arena, to, in, net);
+    enum thud_status status = thud_modes_shear(in->n, in->mass_kg, net, omega, modes, work, err);
     if (status == THUD_OK)
-        keep_columns(all, in->n, in->n, to->modes, phi);
+        keep_columns(modes, in->n, in->n, to->modes, phi);
     if (status == THUD_OK && in->isolated && (in->damping > 0 || in->isolation_damping > 0))
-        status = fill_isolated(arena, to, in, all, damping, err);
+        status = fill_isolated(arena, to, in, net, modes, damping, err);
     free(all);
     return status;
 }
@@ -196,6 +218,7 @@ static enum thud_status fill_structure(struct thud_model *m, struct thud_arena *
         fill_mode(m, to, in, j);
     for (int i = 0; i < to->n && status == THUD_OK; i++)
         fill_floor(m, s, in, i);
+    m->collapses = m->collapses || to->collapse_m;
     m->left_out += to->n - to->modes;
     return status;
 }
@@ -366,7 +389,12 @@ static void fill_storeys(struct thud_model *m, const struct thud_model_input *in
             const struct thud_structure_input *in = &input->structure[s];
             if (!yields(in, i))
                 continue;
-            m->storey[k] = (struct thud_model_storey){s, i, in->stiffness_npm[i], in->yield_m[i], in->hardening[i]};
+            m->storey[k] = (struct thud_model_storey){.structure = s,
+                                                      .floor = i,
+                                                      .stiffness_npm = in->stiffness_npm[i],
+                                                      .yield_m = in->yield_m[i],
+                                                      .hardening = in->hardening[i],
+                                                      .geometric_npm = in->geometric_npm ? in->geometric_npm[i] : 0};
             fill_storey(m, k++);
         }
     for (int i = 0; i < m->ncolumns; i++)

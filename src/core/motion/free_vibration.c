@@ -176,6 +176,7 @@ int thud_free_vibration_march(struct thud_free_vibration *f, const struct thud_s
     thud_free_vibration_sum(f, m, tried);
     thud_free_vibration_margins(f, m, tried);
     int intervals = thud_free_vibration_until_yield(f, state, thud_free_vibration_until_contact(f, state, tried));
+    intervals = thud_free_vibration_until_collapse(f, state, intervals);
     f->size = intervals < tried                         ? SHORT_BLOCK
               : 2 * f->size < THUD_FREE_VIBRATION_BLOCK ? 2 * f->size
                                                         : THUD_FREE_VIBRATION_BLOCK;

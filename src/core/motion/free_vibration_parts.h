@@ -23,10 +23,11 @@ void thud_free_vibration_copy_tables(struct thud_free_vibration *f, const struct
 void thud_free_vibration_fill(struct thud_free_vibration *f, const struct thud_state *state, int intervals);
 void thud_free_vibration_sum(struct thud_free_vibration *f, const struct thud_model *m, int intervals);
 
-/* free_vibration_limits.c: fills f->margin and f->cubic_margin; intervals until a contact closes, or a storey yields, at
+/* free_vibration_limits.c: fills f->margin and f->cubic_margin; intervals until a contact closes, or a storey yields or may collapse, at
  * most `intervals`. */
 void thud_free_vibration_margins(struct thud_free_vibration *f, const struct thud_model *m, int intervals);
 int thud_free_vibration_until_contact(struct thud_free_vibration *f, const struct thud_state *state, int intervals);
 int thud_free_vibration_until_yield(struct thud_free_vibration *f, const struct thud_state *state, int intervals);
+int thud_free_vibration_until_collapse(struct thud_free_vibration *f, const struct thud_state *state, int intervals);
 
 #endif

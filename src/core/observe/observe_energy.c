@@ -289,17 +289,19 @@ static double stored_energy(const struct thud_state *state)
 
 static struct thud_energy balance(const struct thud_ledger *l, const struct thud_state *state)
 {
-    double stored = stored_energy(state), work = thud_ledger_contact_work(l);
+    double stored = stored_energy(state), work = thud_ledger_contact_work(l),
+           gravity = thud_model_gravity_work(state->model, state->q);
     struct thud_energy e = {.input_j = l->input_j,
                             .kinetic_j = thud_state_kinetic(state),
-                            .strain_j = thud_state_strain(state),
+                            .strain_j = thud_state_strain(state) + gravity,
                             .viscous_j = l->viscous_j,
                             .contact_j = work - stored,
                             .initial_j = l->initial_j,
                             .stored_j = stored,
-                            .hysteretic_j = thud_storeys_hysteretic(state, state->q)};
-    double left = e.initial_j + e.input_j - e.kinetic_j - e.strain_j - e.viscous_j - work - e.hysteretic_j;
-    double largest = fmax(l->largest_j, fmax(e.kinetic_j + e.strain_j, fabs(e.input_j)));
+                            .hysteretic_j = thud_storeys_hysteretic(state, state->q),
+                            .gravity_j = gravity};
+    double left = e.initial_j + e.input_j + gravity - e.kinetic_j - e.strain_j - e.viscous_j - work - e.hysteretic_j;
+    double largest = fmax(l->largest_j, fmax(e.kinetic_j + e.strain_j - gravity, fabs(e.input_j)));
     e.error_ratio = largest > 0 ? fabs(left) / largest : 0;
     return e;
 }

@@ -52,6 +52,11 @@ int thud_history_hysteretic(const struct thud_history *h)
 {
     return 1 + 3 * h->ndof + 2 * h->ncontacts + THUD_HISTORY_ENERGIES;
 }
+int thud_history_gravity(const struct thud_history *h)
+{
+    assert(h->weighs);
+    return h->columns - 1;
+}
 int thud_history_storey_drift(const struct thud_history *h, int storey)
 {
     assert(storey >= 0 && storey < h->nstoreys);
@@ -94,9 +99,10 @@ enum thud_status thud_rows_init(struct thud_rows *rows, const struct thud_model 
     rows->history.nstoreys = model->nstoreys;
     rows->history.nstruck = model->ncolumns;
     rows->history.nlinks = model->nlinks;
+    rows->history.weighs = model->collapses;
     rows->history.columns = 1 + 3 * model->ndof + 2 * model->npairs + THUD_HISTORY_ENERGIES +
                             (model->nstoreys > 0 ? 1 + 3 * model->nstoreys : 0) + SHEARS * model->ncolumns +
-                            2 * model->nlinks;
+                            2 * model->nlinks + model->collapses;
     rows->work = calloc(3 * (size_t)model->nmodes + (size_t)model->nrows + 1, sizeof *rows->work);
     return rows->work ? THUD_OK : thud_error_set(err, THUD_MEMORY, "out of memory");
 }
@@ -148,7 +154,10 @@ static void fill_motion(const struct thud_history *h, const struct thud_state *s
         strain += 0.5 * m->spring[j] * q[j] * q[j];
     }
     row[thud_history_energy(h, 1)] = kinetic;
-    row[thud_history_energy(h, 2)] = strain + thud_storeys_strain(state, q);
+    const double gravity = thud_model_gravity_work(m, q);
+    row[thud_history_energy(h, 2)] = strain + thud_storeys_strain(state, q) + gravity;
+    if (h->weighs)
+        row[thud_history_gravity(h)] = gravity;
 }
 
 static void fill_storeys(const struct thud_history *h, const struct thud_state *state, double *row, const double *q)

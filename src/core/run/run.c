@@ -73,12 +73,15 @@ static enum thud_status segment(struct thud_run *run, struct thud_error *err)
         status = observe(run, &p, err);
     if (status != THUD_OK)
         return status;
+    const bool falls = p.switched && p.event == THUD_EVENT_COLLAPSE;
     bool switched = p.switched;
     if (p.s > 0)
         commit(run, &p);
     if (!run->seg.end) /* else it has been looked at as a proposal */
         status = thud_run_check_state(run, run->state.q, run->state.qd, err);
-    if (status == THUD_OK && switched && thud_model_row_storey(run->state.model, p.contact))
+    if (status == THUD_OK && falls)
+        thud_run_collapse(run, p.contact - run->state.model->nrows);
+    else if (status == THUD_OK && switched && thud_model_row_storey(run->state.model, p.contact))
         thud_storey_switch(&run->state, p.contact, p.event);
     else if (status == THUD_OK && switched)
         status = thud_contact_switch(&run->state, &run->log, p.contact, p.event, err);
@@ -86,7 +89,7 @@ static enum thud_status segment(struct thud_run *run, struct thud_error *err)
         status = thud_contact_log_event(&run->log, &run->state, p.contact, p.event, p.order, err);
     if (status == THUD_OK && !run->state.locates)
         status = thud_contact_update(&run->state, &run->log, run->seg.end && run->seg.end->apart, &switched, err);
-    if (switched)
+    if (switched && !falls)
         show_switched(run, p.contact, p.event);
     if (status == THUD_OK && run->method->committed)
         run->method->committed(&run->state, run->own, &run->seg, p.s * run->seg.h_s, switched || p.passed);
@@ -102,7 +105,9 @@ enum thud_status thud_run_advance(struct thud_run *run, long budget, bool *done,
         status = thud_run_fly(run, &budget, &passed, err);
         if (!passed && status == THUD_OK)
             status = segment(run, err);
-        run->done = run->state.end_s - thud_state_now(&run->state) <= THUD_TOL_TIME * run->state.end_s;
+        thud_run_watch_collapse(run);
+        run->done = run->result.collapse.happened ||
+                    run->state.end_s - thud_state_now(&run->state) <= THUD_TOL_TIME * run->state.end_s;
     }
     thud_run_finish(run);
     *done = run->done;

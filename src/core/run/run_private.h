@@ -98,6 +98,11 @@ bool thud_run_is_bounded(const struct thud_run *run, double energy_sum);
 /* THUD_DIVERGED when this state (q, qd) holds far more energy than can ever have come in. */
 enum thud_status thud_run_check_state(struct thud_run *run, const double *q, const double *qd, struct thud_error *err);
 
+/* run_collapse.c: notes that the storey below a floor has collapsed, which ends the run; and looks for one by the peaks
+ * of methods that do not locate events. */
+void thud_run_collapse(struct thud_run *run, int dof);
+void thud_run_watch_collapse(struct thud_run *run);
+
 /* run_fly.c: free vibration over a block of intervals, or early to the end; *passed: whether anything was. Errors: those
  * of the observers. Takes the series that were made from *budget: one is as much work as a segment. */
 enum thud_status thud_run_fly(struct thud_run *run, long *budget, bool *passed, struct thud_error *err);

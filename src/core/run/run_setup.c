@@ -301,9 +301,12 @@ static void finish_storeys(struct thud_run *run)
         struct thud_peak drift = structure->floor[p->floor].drift;
         to->ductility = drift.value / p->yield_m;
         to->plastic_m = s->plastic_m;
-        /* where r |d_p| > d_y it yields the other way before its force is 0, at (1 - r) d_y/r */
+        /* of k d - W d/h; where r |d_p| > d_y it yields the other way before its force is 0, at (1 - r) d_y/r */
+        double hardening = p->hardening;
+        if (p->geometric_npm > 0)
+            hardening = (hardening * p->stiffness_npm - p->geometric_npm) / (p->stiffness_npm - p->geometric_npm);
         to->permanent_m =
-            (1 - p->hardening) * copysign(fmin(fabs(s->plastic_m), p->yield_m / p->hardening), s->plastic_m);
+            (1 - hardening) * copysign(fmin(fabs(s->plastic_m), p->yield_m / fabs(hardening)), s->plastic_m);
         to->excursions = s->excursions;
         to->hysteretic_j = s->hysteretic_j;
         to->shear = s->shear; /* once it has yielded, no elastic motion comes to a larger one */

@@ -246,7 +246,7 @@ static int save_present(struct saving *s, struct thud_section section, int node,
         bool nested =
             (section.group == THUD_GROUP_INTERFACE && strcmp(name, "gap") != 0 && strcmp(name, "levels") != 0) ||
             (section.group == THUD_GROUP_STRUCTURE && strcmp(name, columns) == 0) ||
-            (section.group == THUD_GROUP_SCENE && strcmp(name, "title") != 0);
+            (section.group == THUD_GROUP_SCENE && strcmp(name, "title") != 0 && strcmp(name, "p-delta") != 0);
         if (nested) {
             stay++;
         } else if (!texts(s, path) || !*s->after) {

@@ -462,11 +462,12 @@ static enum thud_status check_scene(struct thud_preset *preset, struct thud_erro
 
 enum thud_status thud_preset_walk(struct thud_preset *preset, struct thud_error *err)
 {
-    static const char *const known[] = {"title", "record", "structures", "interfaces", "analysis", "study"};
-    int title = thud_yaml_find(&preset->tree, 0, "title", NULL);
+    static const char *const known[] = {"title", "p-delta", "record", "structures", "interfaces", "analysis", "study"};
     enum thud_status status = check_keys(preset, 0, "", known, sizeof known / sizeof *known, err);
-    if (status == THUD_OK && title >= 0)
-        status = set_value(preset, "title", title, err);
+    for (int i = 0; i < 2 && status == THUD_OK; i++) { /* those of the scene itself */
+        int value = thud_yaml_find(&preset->tree, 0, known[i], NULL);
+        status = value >= 0 ? set_value(preset, known[i], value, err) : THUD_OK;
+    }
     if (status == THUD_OK)
         status = walk_group(preset, 0, "record", err);
     if (status == THUD_OK)

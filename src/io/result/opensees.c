@@ -5,6 +5,7 @@
  *     JankowskiImpact K xi m gap n      F = K d^n + 2 xi sqrt(K d^(n-1) m) v     jankowski (approach; then K d^n)
  *     ImpactMaterial K1 K2 -d_y -gap    bilinear flag                            impact-material
  *     Steel01 V_y k r                   bilinear, kinematic hardening            storeys that yield, V_y = k d_y
+ *     Elastic -W/h                      beside the storey's spring               P-Delta, as a leaning column's
  * No contact lets go when the force reaches 0 while there is indentation, none has the rubber's two curves, and a step knows
  * no impulse. The constants are read from the law's own branch. */
 #include "io/result/opensees.h"
@@ -169,8 +170,9 @@ static void head(struct thud_text *out, const struct thud_scene *scene, const st
     }
 }
 
-/* Nodes: a floor's is its number from 1 over all structures, a structure's ground is 1001, 1002, ... */
-enum { GROUND = 1000 };
+/* Nodes: a floor's is its number from 1 over all structures, a structure's ground is 1001, 1002, ... A weight's element
+ * has the number of the floor above it and 100000. */
+enum { GROUND = 1000, WEIGHT = 100000 };
 
 /* A storey's spring, with the number of the floor above it. */
 static void spring(struct thud_text *out, double stiffness_npm, const struct thud_model_storey *storey, int node,
@@ -188,6 +190,15 @@ static void spring(struct thud_text *out, double stiffness_npm, const struct thu
     }
     thud_text_append(out, ")\nops.element(\"zeroLength\", %d, %d, %d, \"-mat\", %d, \"-dir\", 1)\n", node, below, node,
                      node);
+}
+
+/* P-Delta: a leaning column of so much weight on a storey of so much height, beside its spring. */
+static void weight(struct thud_text *out, double geometric_npm, int node, int below)
+{
+    thud_text_append(out, "ops.uniaxialMaterial(\"Elastic\", %d, ", WEIGHT + node);
+    number(out, -geometric_npm);
+    thud_text_append(out, ")  # P-Delta: -W/h\nops.element(\"zeroLength\", %d, %d, %d, \"-mat\", %d, \"-dir\", 1)\n",
+                     WEIGHT + node, below, node, WEIGHT + node);
 }
 
 static void nodes(struct thud_text *out, const struct thud_scene *scene, const struct thud_model *model)
@@ -209,6 +220,8 @@ static void nodes(struct thud_text *out, const struct thud_scene *scene, const s
             if (m->stiffness_npm)
                 spring(out, m->stiffness_npm[i], yielding < 0 ? NULL : &model->storey[yielding], node,
                        i == 0 ? GROUND + s + 1 : node - 1);
+            if (m->geometric_npm)
+                weight(out, m->geometric_npm[i], node, i == 0 ? GROUND + s + 1 : node - 1);
         }
     }
 }

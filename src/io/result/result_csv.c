@@ -102,7 +102,7 @@ void thud_history_csv(const struct thud_report *report, struct thud_text *out)
     add_storey_columns(report, "shear_n", out);
     add_storey_columns(report, "plastic_m", out);
     add_struck_columns(report, out);
-    thud_text_append(out, "\n");
+    thud_text_append(out, "%s\n", h->weighs ? ",energy.gravity_j" : "");
     for (size_t i = 0; i < h->rows; i++) {
         thud_text_number(out, h->time_s[i]);
         for (int k = 0; k < h->columns; k++)

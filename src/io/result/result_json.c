@@ -1,6 +1,7 @@
 #include "io/file/json.h"
 #include "io/result/result_rows.h"
 #include "io/result/scene_json.h"
+#include "study/sweep/remark.h"
 
 static const char *kind_name(enum thud_structure_kind kind)
 {
@@ -102,13 +103,26 @@ static void add_sensitivity(const struct thud_report *report, struct thud_text *
 
 static void add_status(const struct thud_report *report, struct thud_text *out)
 {
-    thud_text_append(out, "  \"status\": \"%s\"", report->failure ? "diverged" : "done");
-    if (report->failure) {
-        char why[1400];
+    const struct thud_collapse *collapse = &report->result->collapse;
+    struct thud_error fall = {0};
+    const struct thud_error *why = thud_collapse_remark(report->scene, report->result, &fall) ? &fall : report->failure;
+    thud_text_append(out, "  \"status\": \"%s\"", collapse->happened ? "collapsed" : why ? "diverged" : "done");
+    if (why) {
+        char text[1400];
         thud_text_append(out, ", \"message\": ");
-        thud_json_string(out, thud_error_text(report->failure, why, sizeof why));
+        thud_json_string(out, thud_error_text(why, text, sizeof text));
         thud_text_append(out, ", ");
         thud_json_field(out, "end_s", report->result->end_s);
+    }
+    if (collapse->happened) {
+        const struct thud_structure *s = &report->scene->structure[collapse->structure];
+        thud_text_append(out, ", \"collapse\": {\"structure\": ");
+        thud_json_string(out, s->name);
+        thud_text_append(out, ", \"storey\": %d, ", collapse->floor + 1 - (s->kind == THUD_ISOLATED));
+        thud_json_field(out, "time_s", collapse->time_s);
+        thud_text_append(out, ", ");
+        thud_json_field(out, "drift_m", collapse->drift_m);
+        thud_text_append(out, "}");
     }
     thud_text_append(out, ",\n");
 }
@@ -148,7 +162,9 @@ void thud_result_json(const struct thud_report *report, struct thud_text *out)
     if (!report->failure)
         add_peaks(report, out);
     thud_text_append(out, "  \"energy\": {");
-    thud_json_members(&thud_energy_schema, thud_scene_yields(report->scene) ? THUD_ROW_YIELDS : 0,
+    thud_json_members(&thud_energy_schema,
+                      (thud_scene_yields(report->scene) ? THUD_ROW_YIELDS : 0u) |
+                          (report->scene->p_delta ? THUD_ROW_WEIGHS : 0u),
                       &report->result->energy, out);
     thud_text_append(out, "}");
     if (report->truncation) {

@@ -303,11 +303,12 @@ static const struct thud_field events[] = {
     {EVENT(interface, "interface", "Number of the interface, from the left."), .only = THUD_ROW_CONTACT},
     {EVENT(left_floor, "left_floor", "Floor on its left."), .only = THUD_ROW_CONTACT},
     {EVENT(right_floor, "right_floor", "Floor on its right."), .only = THUD_ROW_CONTACT},
-    {EVENT(structure, "structure", "Name of the structure whose storey yields or unloads."), .only = THUD_ROW_STOREY},
+    {EVENT(structure, "structure", "Name of the structure whose storey yields, unloads or collapses."),
+     .only = THUD_ROW_STOREY},
     {EVENT(storey, "storey", "Number of that storey, from 1."), .only = THUD_ROW_STOREY},
     {EVENT(own.event, "event",
-           "onset, separation, release, re-engagement, reversal, branch, unsticks inward, unsticks outward, yield or "
-           "unload; thud-methods(7) has the guard of each."),
+           "onset, separation, release, re-engagement, reversal, branch, unsticks inward, unsticks outward, yield, "
+           "unload or collapse; thud-methods(7) has the guard of each."),
      .shown = {"event", NULL, 0, -17, 0, THUD_DIGITS_WORD}},
     {EVENT(own.guard, "guard", "What passed 0, and which way: d is the indentation or drift, F the force."),
      .shown = {"guard", NULL, 0, -20, 0, THUD_DIGITS_WORD}},
@@ -319,7 +320,7 @@ static const struct thud_field events[] = {
      .shown = {"force (kN)", NULL, 1e-3, 12, 4, THUD_DIGITS_FIXED}},
     {EVENT(own.then, "then",
            "The state that it led to: open, closed (approach or restitution), closed without force, sticking; of a "
-           "storey elastic or yields."),
+           "storey elastic, yields or collapsed."),
      .shown = {"then", NULL, 0, 0, 0, THUD_DIGITS_WORD}}};
 const struct thud_schema thud_event_schema =
     THUD_SCHEMA("run --events",
@@ -331,6 +332,13 @@ const struct thud_schema thud_event_schema =
 unsigned thud_event_marks(const struct thud_report *report, int i)
 {
     return report->event[i].row < report->result->ncontacts ? THUD_ROW_CONTACT : THUD_ROW_STOREY;
+}
+
+static void name_storey(struct event_row *row, const struct thud_report *report, int structure, int floor)
+{
+    row->structure = report->scene->structure[structure].name;
+    row->storey = floor + 1;
+    snprintf(row->text, sizeof row->text, " %.40s, storey %d", row->structure, row->storey);
 }
 
 /* The storeys that yield have the rows behind the contacts, in the order of the structures and their floors. */
@@ -349,14 +357,15 @@ static void make_event(const void *of, int i, void *out)
         snprintf(row->text, sizeof row->text, " %d: %d-%d", row->interface, row->left_floor, row->right_floor);
         return;
     }
+    if (r->collapse.happened && i + 1 == report->nevents) { /* which ends the run */
+        name_storey(row, report, r->collapse.structure, r->collapse.floor);
+        return;
+    }
     at -= r->ncontacts;
     for (int s = 0; s < r->nstructures; s++)
         for (int k = 0; r->structure[s].storey && k < r->structure[s].floors; k++)
-            if (r->structure[s].storey[k].yields && at-- == 0) {
-                row->structure = report->scene->structure[s].name;
-                row->storey = k + 1;
-                snprintf(row->text, sizeof row->text, " %.40s, storey %d", row->structure, row->storey);
-            }
+            if (r->structure[s].storey[k].yields && at-- == 0)
+                name_storey(row, report, s, k);
 }
 
 struct thud_rows thud_event_rows(const struct thud_report *report)
@@ -382,7 +391,9 @@ static const struct thud_field energies[] = {
     ENERGY(error_ratio, "error_ratio", "What is unaccounted for, over the largest of these."),
     {THUD_FIELD(struct thud_energy, hysteretic_j, "hysteretic_j",
                 "Lost in storeys that yield, J; where there are any."),
-     .only = THUD_ROW_YIELDS}};
+     .only = THUD_ROW_YIELDS},
+    {THUD_FIELD(struct thud_energy, gravity_j, "gravity_j", "Work of the weight on drifting storeys, J; with P-Delta."),
+     .only = THUD_ROW_WEIGHS}};
 const struct thud_schema thud_energy_schema =
     THUD_SCHEMA("energy", "In\n.Pa result.json :\nthe ledger of the run.\n", energies);
 

@@ -13,12 +13,29 @@ struct assembly {
     double stiffness_npm[THUD_STRUCTURES_MAX][THUD_STOREYS_MAX + 1];
     double yield_m[THUD_STRUCTURES_MAX][THUD_STOREYS_MAX + 1];
     double hardening[THUD_STRUCTURES_MAX][THUD_STOREYS_MAX + 1];
+    double geometric_npm[THUD_STRUCTURES_MAX][THUD_STOREYS_MAX + 1];
+    double collapse_m[THUD_STRUCTURES_MAX][THUD_STOREYS_MAX + 1];
     struct thud_pairing meeting[THUD_PAIRINGS_MAX];
     struct thud_contact_input *contact;
     int ncontacts, capacity;
 };
 
-static void fill_structure(struct assembly *a, int index, const struct thud_structure *s)
+/* W/h of each storey, and the drift at which it has collapsed; isolators stand on their own height. */
+static void fill_weights(struct assembly *a, int index, const struct thud_structure *s)
+{
+    double *geometric = a->geometric_npm[index], *collapse = a->collapse_m[index];
+    int base = s->kind == THUD_ISOLATED;
+    geometric[0] = 0;
+    collapse[0] = INFINITY;
+    for (int i = 0; i < s->storeys; i++) {
+        geometric[i + base] = thud_structure_weight(s, i) / s->height_m[i];
+        collapse[i + base] = THUD_COLLAPSE_DRIFT * s->height_m[i];
+    }
+    a->structure[index].geometric_npm = geometric;
+    a->structure[index].collapse_m = collapse;
+}
+
+static void fill_structure(struct assembly *a, int index, const struct thud_structure *s, bool p_delta)
 {
     int n = thud_structure_floors(s), base = s->kind == THUD_ISOLATED;
     double *mass = a->mass_kg[index], *stiffness = a->stiffness_npm[index];
@@ -48,6 +65,8 @@ static void fill_structure(struct assembly *a, int index, const struct thud_stru
     to->damping = s->damping;
     to->isolated = base;
     to->isolation_damping = s->isolation_damping;
+    if (p_delta && n > 0)
+        fill_weights(a, index, s);
 }
 
 void thud_interface_contact(const struct thud_interface *interface, struct thud_contact_input *to)
@@ -117,13 +136,13 @@ enum thud_status thud_scene_assemble(const struct thud_scene *scene, struct thud
         a->ncontacts = a->capacity = 0;
     }
     for (int s = 0; ok && s < scene->nstructures; s++)
-        fill_structure(a, s, &scene->structure[s]);
+        fill_structure(a, s, &scene->structure[s], scene->p_delta);
     for (int s = 0; ok && s + 1 < scene->nstructures; s++)
         ok = join(a, scene, s);
     enum thud_status status = THUD_MEMORY;
     if (ok) {
-        struct thud_model_input input = {scene->nstructures, a->structure, a->ncontacts, a->contact,
-                                         scene->analysis.modes, 0, NULL};
+        struct thud_model_input input = {
+            scene->nstructures, a->structure, a->ncontacts, a->contact, scene->analysis.modes, 0, NULL};
         status = thud_model_create(&input, out, err);
     } else {
         thud_error_set(err, THUD_MEMORY, "out of memory");

@@ -145,6 +145,26 @@ static enum thud_status check_depths(const struct thud_structure *structure, int
     return THUD_OK;
 }
 
+/* A storey whose weight takes off all of its stiffness falls by itself. */
+static enum thud_status check_weight(const struct thud_scene *scene, int s, struct thud_error *err)
+{
+    const struct thud_structure *structure = &scene->structure[s];
+    for (int i = 0; i < structure->storeys && scene->p_delta && thud_kind_is_building(structure->kind); i++) {
+        char key[64];
+        double weight = thud_structure_weight(structure, i), geometric = weight / structure->height_m[i];
+        if (structure->stiffness_npm[i] > geometric)
+            continue;
+        snprintf(key, sizeof key, "structures.%d.stiffness.%d", s + 1, i + 1);
+        thud_error_set(err, THUD_INPUT,
+                       "storey %d of %.40s falls under its own weight: %.4g MN above it on a height of %.4g m take off "
+                       "%.4g MN/m",
+                       i + 1, structure->name, 1e-6 * weight, structure->height_m[i], 1e-6 * geometric);
+        thud_error_allow(err, "with p-delta > %.4g MN/m, and some times that", 1e-6 * geometric);
+        return refuse(err, key, NULL);
+    }
+    return THUD_OK;
+}
+
 static enum thud_status check_structure(const struct thud_scene *scene, int s, struct thud_error *err)
 {
     enum thud_status status = check_group(scene, s, THUD_GROUP_STRUCTURE, "", err);
@@ -156,6 +176,8 @@ static enum thud_status check_structure(const struct thud_scene *scene, int s, s
         status = check_columns(scene, s, err);
     if (status == THUD_OK)
         status = check_depths(&scene->structure[s], s, err);
+    if (status == THUD_OK)
+        status = check_weight(scene, s, err);
     return status == THUD_OK ? check_names(scene, s, err) : status;
 }
 

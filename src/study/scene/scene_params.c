@@ -30,14 +30,17 @@ static const char *const signs[] = {"+", "-", NULL};
 static const char *const one_or_both[] = {"one", "both", NULL};
 static const char *const columns[] = {"all", NULL};
 static const char *const switches[] = {"off", "on", NULL};
+static const char *const no_or_yes[] = {"no", "yes", NULL};
 static const char *const levels[] = {"all", "aligned", NULL};
 static const char *const shapes[] = {"clamped", "linear", NULL};
 
 static const struct thud_param scene_params[] = {
     WORD("title", "title", "What the scene is, for headings of tables and figures."),
+    CHOICE("p-delta", "P-Delta", "yes: the weight on drifting storeys counts, and a storey that drifts by a tenth of its height has collapsed.", no_or_yes, 0),
 };
 static const struct thud_place scene_places[] = {
     {.store = THUD_STORE_TEXT, .offset = offsetof(struct thud_scene, title), .size = THUD_TEXT_MAX},
+    {.store = THUD_STORE_SWITCH, .offset = offsetof(struct thud_scene, p_delta)},
 };
 
 static const struct thud_param record_params[] = {
@@ -100,6 +103,7 @@ static const struct thud_param structure_params[] = {
      .least = 1e-6, .least_open = true, UP_TO(10), ANY_USUAL},
     {NUMBER("yield-shear", "yield shear", "The same as the shear of the storey, in place of yield.", THUD_FORCE, "MN", NAN), POSITIVE, UP_TO(1e12), ANY_USUAL},
     {NUMBER("hardening", "hardening ratio", "Stiffness beyond yield over the elastic one; 0: none, 1: elastic.", THUD_RATIO, "%", 0), FROM(0), UP_TO(1), .soft_least = NAN, .soft_most = 0.2},
+    {NUMBER("gravity", "weight", "Of each floor, for P-Delta, where more hangs on it than shakes; else that of its mass.", THUD_FORCE, "kN", NAN), POSITIVE, UP_TO(1e12), ANY_USUAL},
     {NUMBER("damping", "damping ratio", "The same in every mode.", THUD_RATIO, "%", 0.05), FROM(0), BELOW(1), USUAL(0.01, 0.2)},
     {NUMBER("base-mass", "mass of the base slab", "Of the isolated slab below the first storey.", THUD_MASS, "t", NAN), POSITIVE, UP_TO(1e9), USUAL(1e4, 5e6)},
     {NUMBER("isolation-stiffness", "isolation stiffness", "Of all isolators together.", THUD_STIFFNESS, "MN/m", NAN), POSITIVE, UP_TO(1e12), ANY_USUAL},
@@ -121,6 +125,7 @@ static const struct thud_place structure_places[] = {
     {.store = THUD_STORE_FLOORS, .offset = AT(yield_m), .kinds = STOREYS, .optional = true},
     {.store = THUD_STORE_FLOORS, .offset = AT(yield_shear_n), .kinds = STOREYS, .optional = true},
     {.store = THUD_STORE_FLOORS, .offset = AT(hardening), .kinds = STOREYS, .optional = true},
+    {.store = THUD_STORE_FLOORS, .offset = AT(gravity_n), .kinds = STOREYS, .optional = true},
     {.store = THUD_STORE_NUMBER, .offset = AT(damping), .kinds = STOREYS},
     {.store = THUD_STORE_NUMBER, .offset = AT(base_mass_kg), .kinds = ISOLATED},
     {.store = THUD_STORE_NUMBER, .offset = AT(isolation_stiffness_npm), .kinds = ISOLATED},

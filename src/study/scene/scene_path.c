@@ -102,7 +102,9 @@ static enum thud_status find_structure(const struct thud_scene *scene, char **pa
     if (of_storeys >= 0 && (column || thud_group_places(group)[of_storeys].optional)) {
         thud_error_set(err, THUD_INPUT, "%s has no %s",
                        scene->structure[s - 1].kind == THUD_WALL ? "a wall" : "a rigid body",
-                       column ? "columns" : "storeys that could yield");
+                       column                               ? "columns"
+                       : strcmp(part[keys], "gravity") == 0 ? "storeys"
+                                                            : "storeys that could yield");
         thud_error_allow(err, "%.40s is of shear and isolated structures", part[keys]);
         return THUD_INPUT;
     }
@@ -203,8 +205,9 @@ static enum thud_status find_short(const struct thud_scene *scene, struct path *
 
 static enum thud_status unknown_top(const char *key, struct thud_error *err)
 {
-    static const struct thud_words words = {
-        {"title", "record", "structures", "interfaces", "analysis", "study", "gap", "levels", "contact", "bumper"}, 10};
+    static const struct thud_words words = {{"title", "p-delta", "record", "structures", "interfaces", "analysis",
+                                             "study", "gap", "levels", "contact", "bumper"},
+                                            11};
     return thud_words_unknown(&words, "key", key, err);
 }
 

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/quantity.h"
 #include "study/scene/scene_slot.h"
 #include "study/scene/scene_words.h"
 
@@ -12,7 +13,8 @@ double *thud_structure_list(struct thud_structure *structure, int which)
                                                 structure->height_m,          structure->yield_m,
                                                 structure->yield_shear_n,     structure->hardening,
                                                 structure->column_ei_nm2,     structure->column_stiffness_npm,
-                                                structure->column_capacity_n, structure->slab_depth_m};
+                                                structure->column_capacity_n, structure->slab_depth_m,
+                                                structure->gravity_n};
     return list[which];
 }
 
@@ -21,6 +23,14 @@ double thud_structure_yield(const struct thud_structure *structure, int i)
     if (structure->yield_m[i] > 0)
         return structure->yield_m[i];
     return structure->yield_shear_n[i] > 0 ? structure->yield_shear_n[i] / structure->stiffness_npm[i] : INFINITY;
+}
+
+double thud_structure_weight(const struct thud_structure *structure, int i)
+{
+    double weight = 0;
+    for (; i < structure->storeys; i++)
+        weight += structure->gravity_n[i] > 0 ? structure->gravity_n[i] : THUD_GRAVITY * structure->mass_kg[i];
+    return weight;
 }
 
 bool thud_scene_yields(const struct thud_scene *scene)

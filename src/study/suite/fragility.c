@@ -250,7 +250,7 @@ static enum thud_status refuse_event(const char *text, struct thud_error *err)
     thud_error_key(err, "--event");
     thud_error_allow(err,
                      "pounding, worse, force:5MN, acceleration:1g, drift:3cm, drift:1%%, ductility:2, permanent:1cm, "
-                     "column:1");
+                     "column:1, collapse");
     return THUD_USAGE;
 }
 
@@ -269,7 +269,8 @@ enum thud_status thud_event_parse(const char *text, struct thud_event *out, stru
                   {"drift", THUD_EVENT_DRIFT_ANGLE, true, THUD_RATIO},
                   {"ductility", THUD_EVENT_DUCTILITY, true, THUD_NUMBER},
                   {"permanent", THUD_EVENT_PERMANENT, true, THUD_LENGTH},
-                  {"column", THUD_EVENT_COLUMN, true, THUD_NUMBER}};
+                  {"column", THUD_EVENT_COLUMN, true, THUD_NUMBER},
+                  {"collapse", THUD_EVENT_FALLS, false, THUD_NUMBER}};
     size_t word = strcspn(text, ":");
     for (size_t i = 0; i < sizeof events / sizeof *events; i++) {
         struct thud_quantity q;
@@ -282,6 +283,8 @@ enum thud_status thud_event_parse(const char *text, struct thud_event *out, stru
             (thud_quantity_parse(text + word + 1, events[i].dimension, NULL, &q, NULL) != THUD_OK || !(q.value > 0)))
             continue;
         *out = (struct thud_event){.kind = events[i].kind, .limit = limit ? q.value : 0};
+        if (out->kind == THUD_EVENT_FALLS) /* where its run ends, but for rounding */
+            out->limit = THUD_COLLAPSE_DRIFT * (1 - 1e-9);
         snprintf(out->text, sizeof out->text, "%s", text);
         return THUD_OK;
     }
@@ -336,7 +339,7 @@ static int happens_in(const struct thud_event *event, const struct thud_suite *s
         [THUD_EVENT_FORCE] = THUD_SUITE_FORCE,         [THUD_EVENT_ACCELERATION] = THUD_SUITE_ACCELERATION,
         [THUD_EVENT_DRIFT] = THUD_SUITE_DRIFT,         [THUD_EVENT_DRIFT_ANGLE] = THUD_SUITE_DRIFT_ANGLE,
         [THUD_EVENT_DUCTILITY] = THUD_SUITE_DUCTILITY, [THUD_EVENT_PERMANENT] = THUD_SUITE_PERMANENT,
-        [THUD_EVENT_COLUMN] = THUD_SUITE_COLUMNS};
+        [THUD_EVENT_COLUMN] = THUD_SUITE_COLUMNS,      [THUD_EVENT_FALLS] = THUD_SUITE_DRIFT_ANGLE};
     double value = thud_suite_value(suite, record, setting, k, measure[event->kind], -1);
     double limit = event->kind == THUD_EVENT_WORSE ? 1 + equal : event->limit;
     if (isnan(value)) /* a ratio is missing where there is nothing to compare, an answer where a run has none */

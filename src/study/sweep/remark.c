@@ -133,12 +133,10 @@ double thud_stability_coefficient(const struct thud_structure *structure, const 
     bool building = structure->kind == THUD_SHEAR || structure->kind == THUD_ISOLATED;
     if (!building || storey < 0 || storey >= structure->storeys)
         return NAN;
-    double drift = result->floor[floor].drift.value, weight = 0;
+    double drift = result->floor[floor].drift.value;
     bool yields = result->storey && result->storey[floor].yields;
     double shear = yields ? result->storey[floor].shear.value : structure->stiffness_npm[storey] * drift;
-    for (int i = storey; i < structure->storeys; i++)
-        weight += THUD_GRAVITY * structure->mass_kg[i];
-    return shear > 0 ? weight * drift / (shear * structure->height_m[storey]) : NAN;
+    return shear > 0 ? thud_structure_weight(structure, storey) * drift / (shear * structure->height_m[storey]) : NAN;
 }
 
 static bool look_theta(const struct thud_structure *s, const struct thud_structure_result *r, int index,
@@ -199,12 +197,32 @@ static bool look_yielding(const struct thud_structure *s, const struct thud_stru
     return true;
 }
 
+bool thud_collapse_remark(const struct thud_scene *scene, const struct thud_result *result, struct thud_error *out)
+{
+    const struct thud_collapse *c = &result->collapse;
+    if (!c->happened)
+        return false;
+    const struct thud_structure *s = &scene->structure[c->structure];
+    const int base = s->kind == THUD_ISOLATED;
+    char key[64];
+    snprintf(key, sizeof key, "structures.%d", c->structure + 1);
+    thud_error_set(out, THUD_OK,
+                   "storey %d of %.40s collapses at %.3f s: its drift comes to %.4g mm, %.3g %% of its height, and the "
+                   "run ends there",
+                   c->floor + 1 - base, s->name, c->time_s, 1e3 * c->drift_m,
+                   100 * c->drift_m / s->height_m[c->floor - base]);
+    thud_error_key(out, key);
+    return true;
+}
+
 bool thud_storey_remark(const struct thud_scene *scene, const struct thud_result *result, int n, struct thud_error *out)
 {
+    if (thud_collapse_remark(scene, result, out) && n-- == 0)
+        return true;
     for (int s = 0; s < scene->nstructures; s++) {
         if (look_yielding(&scene->structure[s], &result->structure[s], s, out) && n-- == 0)
             return true;
-        if (look_theta(&scene->structure[s], &result->structure[s], s, out) && n-- == 0)
+        if (!scene->p_delta && look_theta(&scene->structure[s], &result->structure[s], s, out) && n-- == 0)
             return true;
     }
     return false;
@@ -402,7 +420,7 @@ static void watch_case(struct thud_sweep_watch *w, const struct thud_scene *scen
 {
     const struct thud_sweep_floor *floor = point->floor + (ptrdiff_t)k * point->nfloors;
     const struct thud_sweep_contact *contact = point->contact + (ptrdiff_t)k * point->ncontacts;
-    bool drifts = false, bumper = false, pressed = false, beyond = false;
+    bool drifts = false, bumper = false, pressed = false, beyond = false, falls = false;
     for (int s = 0; s < point->nstructures; floor += point->floors[s], s++) {
         double drift_m[THUD_STOREYS_MAX + 1];
         int storey;
@@ -412,6 +430,8 @@ static void watch_case(struct thud_sweep_watch *w, const struct thud_scene *scen
             bool yields =
                 f >= slab && f - slab < structure->storeys && isfinite(thud_structure_yield(structure, f - slab));
             drift_m[f] = yields ? 0 : floor[f].drift_m;
+            falls = falls || (scene->p_delta && f >= slab && thud_kind_is_building(structure->kind) &&
+                              floor[f].drift_m > THUD_COLLAPSE_DRIFT * (1 - 1e-9) * structure->height_m[f - slab]);
         }
         double ratio = worst_drift(structure, point->floors[s], drift_m, &storey);
         drifts = drifts || ratio > drift_most;
@@ -440,6 +460,10 @@ static void watch_case(struct thud_sweep_watch *w, const struct thud_scene *scen
             w->press_m = contact[c].indentation_m;
             w->thickness_m = thickness;
         }
+    }
+    if (falls && w->collapsed++ == 0) {
+        w->fall_point = point->index;
+        w->fall_which = point->which[k];
     }
     w->runs++;
     w->drifting += drifts;
@@ -481,6 +505,12 @@ bool thud_sweep_watch_remark(const struct thud_sweep_watch *w, const struct thud
                              struct thud_error *out)
 {
     char where[400], beyond[64] = "";
+    if (w->collapsed > 0 && n-- == 0) {
+        where_text(plan, w->fall_point, w->fall_which, where, sizeof where);
+        thud_error_set(out, THUD_OK, "%ld of %ld runs collapse, and have the peaks before that (the first: %s)",
+                       w->collapsed, w->runs, where);
+        return true;
+    }
     if (w->pressed > 0 && n-- == 0) {
         where_text(plan, w->press.point, w->press.which, where, sizeof where);
         if (w->beyond > 0)

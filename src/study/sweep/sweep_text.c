@@ -323,6 +323,8 @@ unsigned long long thud_sweep_fingerprint(const struct thud_sweep_plan *plan)
     h = thud_hash(h, &scene->record.factor,
                   sizeof scene->record.factor); /* the reference of record.factor and record.sign */
     h = thud_hash(h, &scene->record.sign, sizeof scene->record.sign);
+    if (scene->p_delta)
+        h = thud_hash(h, &scene->p_delta, sizeof scene->p_delta);
     if (!isnan(scene->record.period_s)) /* that of record.sa */
         h = thud_hash(h, &scene->record.period_s, sizeof scene->record.period_s);
     for (int s = 0; s < scene->nstructures; s++)

@@ -7,6 +7,17 @@
 
 #include "app/run/answer_line.h"
 
+/* With P-Delta: that a case ends in a collapse. */
+static void say_collapse(const struct thud_tui *tui, enum thud_live_which which, char *text, size_t size)
+{
+    const struct thud_result *result = thud_live_result(&tui->run.live, which);
+    if (!result || !result->collapse.happened)
+        return;
+    const struct thud_structure *s = &tui->doc.scene.structure[result->collapse.structure];
+    snprintf(text, size, "%sCOLLAPSES at %.2f s: storey %d of %.20s", which == THUD_LIVE_BUMPER ? "bumper: " : "",
+             result->collapse.time_s, result->collapse.floor + 1 - (s->kind == THUD_ISOLATED), s->name);
+}
+
 /* In at most `columns`; empty where there is nothing to say. *pounds: whether there is contact without a bumper. */
 static void verdict_words(const struct thud_tui *tui, int columns, char *text, size_t size, bool *pounds)
 {
@@ -29,7 +40,16 @@ static void verdict_words(const struct thud_tui *tui, int columns, char *text, s
     }
     line.compared = true;
     line.bumper_force_n = thud_live_force(&tui->run.live, THUD_LIVE_BUMPER, tui->pair + 1, &line.bumper_impacts);
-    thud_answer_line(&line, columns, text, size);
+    say_collapse(tui, THUD_LIVE_NONE, text, size);
+    if (!*text)
+        say_collapse(tui, THUD_LIVE_BUMPER, text, size);
+    *pounds = *pounds || *text;
+    const size_t said = strlen(text), room = *text ? 3 : 0;
+    if (columns < (int)(said + room + 16))
+        return;
+    if (*text)
+        snprintf(text + said, size - said, "   ");
+    thud_answer_line(&line, columns - (int)(said + room), text + said + room, size - said - room);
 }
 
 void thud_verdict_draw(struct thud_tui *tui, const struct thud_pane *row)

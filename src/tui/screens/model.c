@@ -101,10 +101,11 @@ static int modes(struct thud_tui *tui, const struct thud_pane *pane, int y, int 
 static const struct {
     const char *key, *head;
     int x, w; /* where all of them have room */
-} column[] = {
-    {"mass", "mass t", 6, 7},        {"stiffness", "k MN/m", 13, 7},        {"height", "h m", 21, 7},
-    {"yield", "yield mm", 29, 8},    {"yield-shear", "yield MN", 40, 8},    {"hardening", "hardening %", 49, 11},
-    {"column.EI", "col. EI", 61, 8}, {"column.capacity", "cap. kN", 70, 8}, {"slab-depth", "slab cm", 79, 8}};
+} column[] = {{"mass", "mass t", 6, 7},           {"stiffness", "k MN/m", 13, 7},
+              {"height", "h m", 21, 7},           {"yield", "yield mm", 29, 8},
+              {"yield-shear", "yield MN", 40, 8}, {"hardening", "hardening %", 49, 11},
+              {"column.EI", "col. EI", 61, 8},    {"column.capacity", "cap. kN", 70, 8},
+              {"slab-depth", "slab cm", 79, 8},   {"gravity", "weight kN", 88, 9}};
 enum { COLUMNS = sizeof column / sizeof *column };
 
 /* The first column shown: as far to the left as lets the one with the cursor be seen. */
@@ -168,6 +169,7 @@ static int head_rows(struct thud_tui *tui, int index, const struct thud_pane *pa
         {"storeys", "storeys", SHEAR | ISOLATED, 1, 1, 9},
         {"damping", "damping", SHEAR | ISOLATED, 1, 20, 28},
         {"base", "base", SHEAR | ISOLATED, 2, 1, 9},
+        {"p-delta", "P-Delta", SHEAR | ISOLATED, 2, 20, 28}, /* of the scene */
         {"base-mass", "base mass", ISOLATED, 3, 1, 18},
         {"isolation-stiffness", "isolator k", ISOLATED, 4, 1, 18},
         {"isolation-damping", "isolator damping", ISOLATED, 5, 1, 18},
@@ -182,6 +184,8 @@ static int head_rows(struct thud_tui *tui, int index, const struct thud_pane *pa
         char key[THUD_PATH_MAX];
         int room = field[i].x == 1 && field[i].value == 9 ? 9 : pane->w - field[i].value - 1;
         snprintf(key, sizeof key, "structures.%d.%s", s + 1, field[i].key);
+        if (strcmp(field[i].key, "p-delta") == 0)
+            snprintf(key, sizeof key, "%s", field[i].key);
         thud_pane_put(pane, field[i].x, field[i].y, thud_look(THUD_ROLE_PLAIN, 0), field[i].label);
         thud_field_value(tui, index, pane, field[i].value, field[i].y, room > 4 ? room : 4, key, true);
         rows = field[i].y + 1 > rows ? field[i].y + 1 : rows;

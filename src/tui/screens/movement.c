@@ -251,6 +251,9 @@ static void draw_storey(struct stage *stage, int s, int storey, struct storey at
 {
     int yielding = thud_model_yielding(stage->model, stage->model->structure[s].first + storey);
     double plastic = 0.0, drift = 0.0, yield = 0.0, body = stage->body - 1.0;
+    const struct thud_collapse *fall = &stage->result->collapse;
+    if (fall->happened && fall->structure == s && fall->floor == storey && stage->t >= fall->time_s)
+        look = thud_look(THUD_ROLE_ERROR, THUD_BOLD);
     if (yielding >= 0) {
         plastic = value_at(stage->history, thud_history_storey_plastic(stage->history, yielding), stage->t);
         drift = value_at(stage->history, thud_history_storey_drift(stage->history, yielding), stage->t);

@@ -121,6 +121,13 @@ static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect 
     return 2;
 }
 
+/* Whether the movement shows a storey that has collapsed. */
+static bool has_fallen(struct thud_tui *tui, const struct thud_plots_state *p)
+{
+    const struct thud_live_case *c = thud_plots_case(tui);
+    return c && thud_run_result(c->run)->collapse.happened && p->time_s >= thud_run_result(c->run)->end_s;
+}
+
 static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
 {
     struct thud_plots_state *p = thud_plots(tui);
@@ -130,7 +137,10 @@ static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
                  p->figure ? p->figure->title : thud_plot_title(p->plot),
                  p->span_s > 0.0 && over_time(p->plot) ? ", zoom" : "");
     else if (index == MOVE)
-        snprintf(text, size, "t=%.3f s x%g%s", p->time_s, p->speed, p->playing ? "" : " paused");
+        snprintf(text, size, "t=%.3f s x%g%s", p->time_s, p->speed,
+                 has_fallen(tui, p) ? " COLLAPSED"
+                 : p->playing       ? ""
+                                    : " paused");
     else
         snprintf(text, size, "Parameters and changes");
 }

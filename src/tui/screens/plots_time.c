@@ -25,6 +25,8 @@ const struct thud_live_case *thud_plots_case(struct thud_tui *tui)
 double thud_plots_end(struct thud_tui *tui)
 {
     const struct thud_live_case *c = thud_plots_case(tui);
+    if (c && thud_run_result(c->run)->collapse.happened)
+        return thud_run_result(c->run)->end_s;
     return c ? thud_run_end(c->run) : 0.0;
 }
 

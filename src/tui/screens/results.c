@@ -266,6 +266,9 @@ static int draw_energy(const struct thud_result *result, const struct thud_pane 
     if (e->hysteretic_j > 0)
         thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_PLAIN, 0), "%-18s %s kJ", "lost in yielding",
                         thud_tui_number(1e-3 * e->hysteretic_j, a));
+    if (e->gravity_j > 0)
+        thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_PLAIN, 0), "%-18s %s kJ", "work of the weight",
+                        thud_tui_number(1e-3 * e->gravity_j, a));
     thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_PLAIN, 0), "%-18s %.1e", "energy error", e->error_ratio);
     return y;
 }
