@@ -166,10 +166,10 @@ static void put_schema(struct thud_text *out, const struct thud_schema *schema)
 {
     thud_text_append(out, ".Ss %s\n%s.Bl -tag -width Ds -compact\n", schema->name, schema->about);
     for (int i = 0; i < schema->n; i++) {
-        if (!schema->field[i].name[0])
+        if (!schema->column[i].name[0])
             continue;
-        thud_text_append(out, ".It Va %s\n", schema->field[i].name);
-        fill(out, schema->field[i].help);
+        thud_text_append(out, ".It Va %s\n", schema->column[i].name);
+        fill(out, schema->column[i].help);
     }
     thud_text_append(out, ".El\n");
 }

@@ -28,7 +28,7 @@ json() {
 
 # general names of columns and keys: those of inputs, varied keys, cases and quantities
 general() {
-    sed -E 's/^(record[.]peak|bumper[.]thickness(_m)?)$/KEY/; s/^(force_n|acceleration_mps2|drift_m|drift_angle|acceleration_ratio|drift_ratio|ductility|permanent_m|shear_over_capacity)_(p16|median|p84)$/MEASURE_\2/
+    sed -E 's/^(record[.]peak|bumper[.]thickness)(_m|_mps2)?$/KEY/; s/^(force_n|acceleration_mps2|drift_m|drift_angle|acceleration_ratio|drift_ratio|ductility|permanent_m|shear_over_capacity)_(p16|median|p84)$/MEASURE_\2/
         s/^(gap|stiffness.[AB]|damping.[AB]|contact-stiffness|restitution|bumper-stiffness|ground-motion)(_least|_most|_first|_total|_first_low|_first_high|_total_low|_total_high)?$/INPUT\2/
         s/^(theta|theta_low|theta_high|median_above|median_below|exact_p16|exact_median|exact_p84|exact_median_low|exact_median_high)_mps2$/\1UNIT/
         s/^((none|bumper)[.].*|needed_gap_m$)/QUANTITY/' "$1" | sort -u >"$tmp/written"
@@ -56,8 +56,8 @@ two=records/kobe-surrogate.csv,records/northridge-surrogate.csv
 csv histories.csv "$tmp/run/histories.csv"
 csv impacts.csv "$tmp/run/impacts.csv"
 csv "run --csv" "$tmp/run.csv"
-for name in sweep.csv contacts.csv needed-gaps.csv; do csv $name "$tmp/sweep/$name"; done
-columns "$tmp/sweep/best.csv" >"$tmp/written" && agree best.csv
+for name in sweep.csv contacts.csv; do csv $name "$tmp/sweep/$name"; done
+columns "$tmp/sweep/best.csv" | sed -E 's/^gap_m$/KEY/; s/^(best|flat_from|flat_to)_m$/\1UNIT/' | sort -u >"$tmp/written" && agree best.csv
 csv bench.csv "$tmp/bench/bench.csv"
 for name in verdicts.csv energies.csv restitutions.csv exhibits.csv; do csv $name "$tmp/stability/$name"; done
 csv "record spectrum" "$tmp/spectrum.csv"
@@ -99,8 +99,13 @@ two=kobe-surrogate.csv,northridge-surrogate.csv
 general_csv suite.csv "$tmp/fragility/suite.csv"
 general_csv fragility.csv "$tmp/fragility/fragility.csv"
 general_csv fragility-curves.csv "$tmp/fragility/fragility-curves.csv"
-general_json fragility.json "$tmp/fragility/fragility.json"
-csv "gap --csv" "$tmp/gap/needed-gaps.csv"
+keys "$tmp/fragility/fragility.json" >"$tmp/named"
+echo KEY >>"$tmp/named" # a column of the files alone
+general "$tmp/named"
+agree fragility.json
+{ columns "$tmp/sweep/needed-gaps.csv" && columns "$tmp/gap/needed-gaps.csv"; } | sort -u >"$tmp/written" && agree needed-gaps.csv
+order() { head -1 "$tmp/$1/needed-gaps.csv" | cut -d, -f1-14; }
+is "in one order" [ "$(order sweep)" = "$(order gap)" ]
 general_csv gap-rules.csv "$tmp/gap/gap-rules.csv"
 json "gap --json" "$tmp/gap/needed-gaps.json"
 general_csv uncertainty.csv "$tmp/uncertainty/uncertainty.csv"

@@ -11,13 +11,13 @@
 #include "base/text.h"
 
 /* By the type of the member. */
-enum thud_field_kind {
-    THUD_FIELD_NUMBER, /* double; no value where it is not finite */
-    THUD_FIELD_COUNT,  /* int; no value at THUD_NO_COUNT */
-    THUD_FIELD_LONG,   /* long */
-    THUD_FIELD_SIZE,   /* size_t */
-    THUD_FIELD_YES,    /* bool: 1 and 0 in CSV */
-    THUD_FIELD_TEXT    /* const char *; NULL: no value */
+enum thud_column_kind {
+    THUD_COLUMN_NUMBER, /* double; no value where it is not finite */
+    THUD_COLUMN_COUNT,  /* int; no value at THUD_NO_COUNT */
+    THUD_COLUMN_LONG,   /* long */
+    THUD_COLUMN_SIZE,   /* size_t */
+    THUD_COLUMN_YES,    /* bool: 1 and 0 in CSV */
+    THUD_COLUMN_TEXT    /* const char *; NULL: no value */
 };
 #define THUD_NO_COUNT INT_MIN
 
@@ -38,33 +38,38 @@ struct thud_shown {
     enum thud_digits how;
 };
 
-struct thud_field {
+struct thud_column {
     const char *name; /* in CSV and JSON; its end is the unit */
     const char *help; /* a sentence of thud-output(5) */
-    enum thud_field_kind kind;
+    enum thud_column_kind kind;
     size_t at;
     unsigned only; /* of rows that have one of these marks; 0: of all */
     struct thud_shown shown;
 };
 /* Marks set by the writers themselves. */
-enum { THUD_ONLY_CSV = 1 << 30, THUD_ONLY_JSON = 1 << 29, THUD_ONLY_TEXT = 1 << 28 };
+enum { THUD_ONLY_CSV = 1 << 30, THUD_ONLY_JSON = 1 << 29, THUD_ONLY_TEXT = 1 << 28, THUD_ONLY_MANUAL = 1 << 27 };
+/* What stands for columns that are named by what is asked for: KEY, INPUT. */
+#define THUD_STANDS_FOR(key, text)                                                                                     \
+    {                                                                                                                  \
+        .name = key, .help = text, .only = THUD_ONLY_MANUAL                                                            \
+    }
 
-#define THUD_FIELD_KIND(type, member)                                                                                  \
+#define THUD_COLUMN_KIND(type, member)                                                                                 \
     _Generic(((type *)0)->member,                                                                                      \
-        double: THUD_FIELD_NUMBER,                                                                                     \
-        int: THUD_FIELD_COUNT,                                                                                         \
-        long: THUD_FIELD_LONG,                                                                                         \
-        size_t: THUD_FIELD_SIZE,                                                                                       \
-        bool: THUD_FIELD_YES,                                                                                          \
-        const char *: THUD_FIELD_TEXT)
-/* The first members of a field, in braces with what else there is: {THUD_FIELD(...), .only = ...}. */
-#define THUD_FIELD(type, member, key, text)                                                                            \
-    .name = key, .help = text, .kind = THUD_FIELD_KIND(type, member), .at = offsetof(type, member)
+        double: THUD_COLUMN_NUMBER,                                                                                     \
+        int: THUD_COLUMN_COUNT,                                                                                         \
+        long: THUD_COLUMN_LONG,                                                                                         \
+        size_t: THUD_COLUMN_SIZE,                                                                                       \
+        bool: THUD_COLUMN_YES,                                                                                          \
+        const char *: THUD_COLUMN_TEXT)
+/* The first members of a field, in braces with what else there is: {THUD_COLUMN(...), .only = ...}. */
+#define THUD_COLUMN(type, member, key, text)                                                                           \
+    .name = key, .help = text, .kind = THUD_COLUMN_KIND(type, member), .at = offsetof(type, member)
 
 struct thud_schema {
     const char *name;  /* "contacts.csv" */
     const char *about; /* sentences before its fields in thud-output(5), as mdoc */
-    const struct thud_field *field;
+    const struct thud_column *column;
     int n;
 };
 #define THUD_SCHEMA(name, about, field)                                                                                \
@@ -77,6 +82,16 @@ void thud_csv_names(const struct thud_schema *schema, unsigned marks, struct thu
 void thud_csv_values(const struct thud_schema *schema, unsigned marks, const void *row, struct thud_text *out);
 /* "name": value, ... without braces. */
 void thud_json_members(const struct thud_schema *schema, unsigned marks, const void *row, struct thud_text *out);
+/* A row that is put together: its values of several tables, one behind the other. */
+struct thud_part {
+    const struct thud_schema *schema;
+    unsigned marks;
+    const void *row;
+};
+/* Lines of CSV, with their ends; members of an object. Parts without columns are passed over. */
+void thud_parts_names(const struct thud_part *part, int n, struct thud_text *out);
+void thud_parts_csv(const struct thud_part *part, int n, struct thud_text *out);
+void thud_parts_json(const struct thud_part *part, int n, struct thud_text *out);
 /* "format": 1, "preset": ..., "version": ...; the first members of every answer in JSON. */
 void thud_json_head(struct thud_text *out, const char *preset);
 

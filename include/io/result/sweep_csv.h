@@ -1,10 +1,40 @@
-/* Rows of a study as CSV (RFC 4180, lines end with a newline). SI units, a point as decimal mark, all digits; no number
- * is an empty field. */
+/* Rows of a study, as CSV (RFC 4180, lines end with a newline) and as JSON. SI units, a point as decimal mark, all digits;
+ * no number is an empty field, or null. */
 #ifndef THUD_IO_SWEEP_CSV_H
 #define THUD_IO_SWEEP_CSV_H
 
-#include "base/text.h"
+#include "io/file/schema.h"
+#include "study/scene/gap_rule.h"
 #include "study/sweep/sweep.h"
+
+extern const struct thud_schema thud_sweep_floor_schema, thud_sweep_storey_schema, thud_sweep_contact_schema,
+    thud_need_schema;
+
+/* The varied keys as fields, named with their units: KEY_m. */
+struct thud_axis_columns {
+    struct thud_schema schema;
+    struct thud_column field[THUD_VARY_MAX];
+    char name[THUD_VARY_MAX][112];
+    union thud_axis_value {
+        double number;
+        const char *text;
+    } value[THUD_VARY_MAX]; /* the row */
+};
+/* Of the axes that `shown` says (NULL: all of them), in their order. */
+void thud_axis_columns_make(const struct thud_sweep_plan *plan, const bool *shown, struct thud_axis_columns *out);
+/* The place of a row: on axis a the at[a]-th value. */
+void thud_axis_columns_put(const struct thud_sweep_plan *plan, const bool *shown, const int *at,
+                           struct thud_axis_columns *out);
+
+/* What a level needs under a ground motion, beside what rules ask for. */
+struct thud_need_fields {
+    const char *record;
+    int interface, left_floor, right_floor;
+    const char *struck;
+    double left_m, right_m, correlation;
+    double rule[THUD_GAP_RULES + 1]; /* from THUD_GAP_EXACT on */
+};
+enum { THUD_NEED_RECORD = 1, THUD_NEED_CODES = 2 }; /* marks: with the ground motion, with the rules of every code */
 
 enum thud_sweep_csv { THUD_SWEEP_CSV_FLOORS, THUD_SWEEP_CSV_CONTACTS, THUD_SWEEP_CSV_NEEDS, THUD_SWEEP_CSVS };
 
@@ -15,5 +45,8 @@ void thud_sweep_csv_header(const struct thud_sweep_plan *plan, enum thud_sweep_c
 enum thud_status thud_sweep_csv_rows(const struct thud_sweep_plan *plan, enum thud_sweep_csv which,
                                      const struct thud_sweep_point *point, struct thud_text *out,
                                      struct thud_error *err);
+/* The floors of one point as objects; *any: one was written before, and is set. Errors: THUD_MEMORY. */
+enum thud_status thud_sweep_json_rows(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point,
+                                      bool *any, struct thud_text *out, struct thud_error *err);
 
 #endif

@@ -5,9 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/version.h"
 #include "io/file/file.h"
 #include "io/file/json.h"
+#include "io/result/study_rows.h"
+#include "io/result/sweep_csv.h"
 
 static const double years = 50;
 
@@ -394,84 +395,56 @@ void thud_fragility_table(const struct thud_fragility_study *study, struct thud_
 
 /* ---- CSV and JSON ---- */
 
-static void put_number(double value, struct thud_text *out)
+static struct thud_curve_key key_of(const struct thud_fragility_study *study, const struct thud_fragility_line *line)
 {
-    thud_text_append(out, ",");
-    if (!isnan(value))
-        thud_text_number(out, value);
+    const struct thud_sweep_plan *plan = study->suite->plan;
+    return (struct thud_curve_key){study->event[line->event].text, thud_case_name(plan->cases[line->k]),
+                                   plan->axis[line->axis].key};
 }
 
 /* Where a line is on every axis; `own`: the value on its own one, NaN for none. */
 static void put_place(const struct thud_sweep_plan *plan, const struct thud_fragility_line *line, double own,
-                      struct thud_text *out)
+                      struct thud_axis_columns *axes)
 {
-    for (int a = 0; a < plan->naxes; a++) {
-        if (plan->axis[a].words) {
-            thud_text_append(out, ",");
-            thud_text_csv(out, plan->axis[a].text[line->at[a]]);
-        } else {
-            put_number(a == line->axis ? own : plan->axis[a].value[line->at[a]], out);
-        }
-    }
-}
-
-static void put_head(const struct thud_fragility_study *study, const char *rest, struct thud_text *out)
-{
-    const struct thud_sweep_plan *plan = study->suite->plan;
-    thud_text_append(out, "event,case,against");
-    for (int a = 0; a < plan->naxes; a++)
-        thud_text_append(out, ",%s", plan->axis[a].key);
-    thud_text_append(out, ",%s\n", rest);
-}
-
-static void put_line(const struct thud_fragility_study *study, const struct thud_fragility_line *line,
-                     struct thud_text *out)
-{
-    thud_text_csv(out, study->event[line->event].text);
-    thud_text_append(out, ",%s,%s", thud_case_name(study->suite->plan->cases[line->k]),
-                     study->suite->plan->axis[line->axis].key);
+    thud_axis_columns_put(plan, NULL, line->at, axes);
+    axes->value[line->axis].number = own; /* a number: no other is drawn against */
 }
 
 void thud_fragility_csv(const struct thud_fragility_study *study, struct thud_text *out)
 {
-    put_head(study, "motions,count,share,share_low,share_high,fitted,fitted_low,fitted_high", out);
+    struct thud_axis_columns axes;
+    thud_axis_columns_make(study->suite->plan, NULL, &axes);
+    struct thud_part part[] = {
+        {&thud_curve_key_schema, 0, NULL}, {&axes.schema, 0, axes.value}, {&thud_stripe_schema, 0, NULL}};
+    thud_parts_names(part, 3, out);
     for (size_t i = 0; i < study->n; i++) {
         const struct thud_fragility_line *line = &study->line[i];
         const struct thud_fragility *f = &line->fragility;
+        const struct thud_curve_key key = key_of(study, line);
         for (size_t j = 0; j < f->n; j++) {
             const struct thud_stripe *s = &f->stripe[j];
-            const double x[] = {s->n > 0 ? (double)s->count / s->n : NAN, f->share_low[j], f->share_high[j],
-                                thud_lognormal_at(&f->curve, s->x),       f->low[j],       f->high[j]};
-            put_line(study, line, out);
-            put_place(study->suite->plan, line, s->x, out);
-            thud_text_append(out, ",%d,%d", s->n, s->count);
-            for (size_t k = 0; k < sizeof x / sizeof *x; k++)
-                put_number(x[k], out);
-            thud_text_append(out, "\n");
+            const struct thud_stripe_row row = {s->n,
+                                                s->count,
+                                                s->n > 0 ? (double)s->count / s->n : NAN,
+                                                f->share_low[j],
+                                                f->share_high[j],
+                                                thud_lognormal_at(&f->curve, s->x),
+                                                f->low[j],
+                                                f->high[j]};
+            put_place(study->suite->plan, line, s->x, &axes);
+            part[0].row = &key;
+            part[2].row = &row;
+            thud_parts_csv(part, 3, out);
         }
     }
 }
 
 /* ---- medians ---- */
 
-enum { MEDIANS = 10, RATES = 6 };
+enum { MEDIANS = 10 };
 static const char *const medians[MEDIANS] = {
     "theta",     "theta_low",    "theta_high", "median_above",     "median_below",
     "exact_p16", "exact_median", "exact_p84",  "exact_median_low", "exact_median_high"};
-static const char *const rates[RATES] = {
-    "annual_rate",          "annual_rate_low",          "annual_rate_high",
-    "probability_50_years", "probability_50_years_low", "probability_50_years_high"};
-
-/* What the name of a quantity in SI ends with: "_m", "_mps2"; empty for a number. */
-static const char *si_suffix(const struct thud_sweep_axis *axis)
-{
-    static const char *const suffix[THUD_DIMENSIONS] = {
-        [THUD_LENGTH] = "_m",          [THUD_AREA] = "_m2",     [THUD_MASS] = "_kg", [THUD_FORCE] = "_n",
-        [THUD_STIFFNESS] = "_npm",     [THUD_PRESSURE] = "_pa", [THUD_TIME] = "_s",  [THUD_VELOCITY] = "_mps",
-        [THUD_ACCELERATION] = "_mps2", [THUD_BENDING] = "_nm2"};
-    const char *own = suffix[axis->param->dimension];
-    return own ? own : "";
-}
 
 /* The median in the columns of its unit: each unit along which there are curves has its own. Returns how many. */
 static int median_units(const struct thud_fragility_study *study, const char *unit[THUD_VARY_MAX])
@@ -481,9 +454,9 @@ static int median_units(const struct thud_fragility_study *study, const char *un
         const struct thud_sweep_axis *axis = &study->suite->plan->axis[a];
         bool there = !is_drawn(axis);
         for (int i = 0; i < n && !there; i++)
-            there = strcmp(unit[i], si_suffix(axis)) == 0;
+            there = strcmp(unit[i], thud_si_suffix(axis->param)) == 0;
         if (!there)
-            unit[n++] = si_suffix(axis);
+            unit[n++] = thud_si_suffix(axis->param);
     }
     return n;
 }
@@ -505,57 +478,74 @@ static void median_values(const struct thud_fragility *f, double value[MEDIANS])
     memcpy(value, x, sizeof x);
 }
 
-static void rate_values(const struct thud_rate *rate, double value[RATES])
+static struct thud_curve_row curve_of(const struct thud_fragility_line *line)
 {
-    const double x[] = {rate->value, rate->low, isinf(rate->high) ? NAN : rate->high};
+    const struct thud_fragility *f = &line->fragility;
+    const double rate[] = {line->rate.value, line->rate.low, isinf(line->rate.high) ? NAN : line->rate.high};
+    bool told = !isnan(f->theta); /* a median far outside comes with any dispersion */
+    struct thud_curve_row row = {.beta = told ? f->curve.beta : NAN,
+                                 .beta_low = told ? f->beta_low : NAN,
+                                 .beta_high = told ? f->beta_high : NAN,
+                                 .falling = thud_is_fitted(&f->curve) ? f->curve.falling : THUD_NO_COUNT,
+                                 .deviance_p = f->curve.p};
     for (int i = 0; i < 3; i++) {
-        value[i] = x[i];
-        value[3 + i] = isnan(x[i]) ? NAN : thud_hazard_probability(x[i], years);
+        row.rate[i] = rate[i];
+        row.rate[3 + i] = isnan(rate[i]) ? NAN : thud_hazard_probability(rate[i], years);
     }
+    return row;
 }
 
-static void dispersion_values(const struct thud_fragility *f, double value[3])
+/* How a curve was fitted, and its medians in the columns of their units. */
+struct median_columns {
+    struct thud_schema schema;
+    struct thud_column column[1 + MEDIANS * THUD_VARY_MAX];
+    char name[MEDIANS * THUD_VARY_MAX][40];
+    struct {
+        const char *fit;
+        double value[MEDIANS * THUD_VARY_MAX];
+    } row;
+};
+
+static void name_medians(const char *const *unit, int units, struct median_columns *out)
 {
-    bool told = !isnan(f->theta); /* a median far outside comes with any dispersion */
-    value[0] = told ? f->curve.beta : NAN;
-    value[1] = told ? f->beta_low : NAN;
-    value[2] = told ? f->beta_high : NAN;
+    *out = (struct median_columns){.schema = {"", "", out->column, 1 + MEDIANS * units}};
+    out->column[0] = (struct thud_column){.name = "fit", .kind = THUD_COLUMN_TEXT};
+    for (int i = 0; i < MEDIANS * units; i++) {
+        snprintf(out->name[i], sizeof out->name[i], "%s%s", medians[i % MEDIANS], unit[i / MEDIANS]);
+        out->column[1 + i] = (struct thud_column){
+            .name = out->name[i], .at = (size_t)((const char *)&out->row.value[i] - (const char *)&out->row)};
+    }
 }
 
 void thud_fragility_curves_csv(const struct thud_fragility_study *study, struct thud_text *out)
 {
     const char *unit[THUD_VARY_MAX];
+    struct thud_axis_columns axes;
+    struct median_columns median;
     int units = median_units(study, unit);
-    char head[2048];
-    size_t used = (size_t)snprintf(head, sizeof head, "fit");
-    for (int u = 0; u < units; u++)
-        for (int i = 0; i < MEDIANS; i++)
-            used += (size_t)snprintf(head + used, sizeof head - used, ",%s%s", medians[i], unit[u]);
-    used += (size_t)snprintf(head + used, sizeof head - used, ",beta,beta_low,beta_high,falling,deviance_p");
-    for (int i = 0; i < RATES; i++)
-        used += (size_t)snprintf(head + used, sizeof head - used, ",%s", rates[i]);
-    put_head(study, head, out);
+    thud_axis_columns_make(study->suite->plan, NULL, &axes);
+    name_medians(unit, units, &median);
+    struct thud_part part[] = {{&thud_curve_key_schema, 0, NULL},
+                               {&axes.schema, 0, axes.value},
+                               {&median.schema, 0, &median.row},
+                               {&thud_curve_schema, 0, NULL}};
+    thud_parts_names(part, 4, out);
     for (size_t i = 0; i < study->n; i++) {
         const struct thud_fragility_line *line = &study->line[i];
-        const struct thud_fragility *f = &line->fragility;
-        double median[MEDIANS], beta[3], rate[RATES];
-        median_values(f, median);
-        dispersion_values(f, beta);
-        rate_values(&line->rate, rate);
-        put_line(study, line, out);
-        put_place(study->suite->plan, line, NAN, out);
-        thud_text_append(out, ",%s", thud_fit_name(f->curve.fit));
-        for (int u = 0; u < units; u++)
-            for (int j = 0; j < MEDIANS; j++)
-                put_number(strcmp(unit[u], si_suffix(&study->suite->plan->axis[line->axis])) == 0 ? median[j] : NAN,
-                           out);
-        for (int j = 0; j < 3; j++)
-            put_number(beta[j], out);
-        thud_text_append(out, ",%s", !thud_is_fitted(&f->curve) ? "" : f->curve.falling ? "1" : "0");
-        put_number(f->curve.p, out);
-        for (int j = 0; j < RATES; j++)
-            put_number(rate[j], out);
-        thud_text_append(out, "\n");
+        const struct thud_curve_key key = key_of(study, line);
+        const struct thud_curve_row row = curve_of(line);
+        const char *own = thud_si_suffix(study->suite->plan->axis[line->axis].param);
+        put_place(study->suite->plan, line, NAN, &axes);
+        median.row.fit = thud_fit_name(line->fragility.curve.fit);
+        for (int u = 0; u < units; u++) {
+            double *value = &median.row.value[u * MEDIANS];
+            median_values(&line->fragility, value);
+            for (int j = 0; j < MEDIANS && strcmp(unit[u], own) != 0; j++)
+                value[j] = NAN;
+        }
+        part[0].row = &key;
+        part[3].row = &row;
+        thud_parts_csv(part, 4, out);
     }
 }
 
@@ -564,10 +554,9 @@ static void put_json_line(const struct thud_fragility_study *study, const struct
 {
     const struct thud_sweep_plan *plan = study->suite->plan;
     const struct thud_fragility *f = &line->fragility;
-    thud_text_append(out, "{\"event\": ");
-    thud_json_string(out, study->event[line->event].text);
-    thud_text_append(out, ", \"case\": \"%s\", \"against\": ", thud_case_name(plan->cases[line->k]));
-    thud_json_string(out, plan->axis[line->axis].key);
+    const struct thud_curve_key key = key_of(study, line);
+    thud_text_append(out, "{");
+    thud_json_members(&thud_curve_key_schema, 0, &key, out);
     thud_text_append(out, ", \"at\": {");
     for (int a = 0, any = 0; a < plan->naxes; a++) {
         if (a == line->axis)
@@ -577,31 +566,18 @@ static void put_json_line(const struct thud_fragility_study *study, const struct
         thud_text_append(out, ": ");
         thud_json_string(out, plan->axis[a].text[line->at[a]]);
     }
-    double median[MEDIANS], beta[3], rate[RATES];
-    static const char *const dispersion[] = {"beta", "beta_low", "beta_high"};
-    median_values(f, median);
-    dispersion_values(f, beta);
-    rate_values(&line->rate, rate);
-    thud_text_append(out, "}, \"fit\": \"%s\", \"falling\": %s", thud_fit_name(f->curve.fit),
+    const struct thud_curve_row row = curve_of(line);
+    const char *unit = thud_si_suffix(plan->axis[line->axis].param);
+    struct median_columns median;
+    name_medians(&unit, 1, &median);
+    median.row.fit = thud_fit_name(f->curve.fit);
+    median_values(f, median.row.value);
+    thud_text_append(out, "}, \"falling\": %s, ",
                      !thud_is_fitted(&f->curve) ? "null"
                      : f->curve.falling         ? "true"
                                                 : "false");
-    for (int i = 0; i < MEDIANS; i++) {
-        char key[64];
-        snprintf(key, sizeof key, "%s%s", medians[i], si_suffix(&plan->axis[line->axis]));
-        thud_text_append(out, ", ");
-        thud_json_field(out, key, median[i]);
-    }
-    for (int i = 0; i < 3; i++) {
-        thud_text_append(out, ", ");
-        thud_json_field(out, dispersion[i], beta[i]);
-    }
-    thud_text_append(out, ", ");
-    thud_json_field(out, "deviance_p", f->curve.p);
-    for (int i = 0; i < RATES; i++) {
-        thud_text_append(out, ", ");
-        thud_json_field(out, rates[i], rate[i]);
-    }
+    const struct thud_part part[] = {{&median.schema, 0, &median.row}, {&thud_curve_schema, 0, &row}};
+    thud_parts_json(part, 2, out);
     thud_text_append(out, ", \"stripes\": [");
     for (size_t j = 0; j < f->n; j++) {
         thud_text_append(out, "%s[", j ? ", " : "");
@@ -613,10 +589,10 @@ static void put_json_line(const struct thud_fragility_study *study, const struct
 
 void thud_fragility_json(const struct thud_fragility_study *study, struct thud_text *out)
 {
-    thud_text_append(out, "{\"preset\": ");
-    thud_json_string(out, study->suite->plan->scene.name);
-    thud_text_append(out, ", \"version\": \"%s\", \"motions\": %d, \"independent\": %d, \"curves\": [", THUD_VERSION,
-                     study->suite->nrecords, study->suite->ndraws);
+    thud_text_append(out, "{");
+    thud_json_head(out, study->suite->plan->scene.name);
+    thud_text_append(out, ", \"motions\": %d, \"independent\": %d, \"curves\": [", study->suite->nrecords,
+                     study->suite->ndraws);
     for (size_t i = 0; i < study->n; i++) {
         thud_text_append(out, i ? ",\n  " : "\n  ");
         put_json_line(study, &study->line[i], out);
@@ -663,52 +639,65 @@ static void suite_column(int column, char name[48])
                  end[column % 3]);
 }
 
+/* A row of statistics: case, varied keys, structure, and what there is of the measures. */
+struct suite_columns {
+    struct thud_axis_columns axes;
+    struct thud_schema which, structure, values;
+    struct thud_column column[SUITE_COLUMNS];
+    char name[SUITE_COLUMNS][48];
+};
+static const struct thud_column text_column[] = {{.name = "case", .kind = THUD_COLUMN_TEXT},
+                                                 {.name = "structure", .kind = THUD_COLUMN_TEXT}};
+
+static void name_suite(const struct thud_suite *suite, struct suite_columns *out)
+{
+    *out = (struct suite_columns){.which = {"", "", text_column, 1},
+                                  .structure = {"", "", text_column + 1, 1},
+                                  .values = {"", "", out->column, 0}};
+    thud_axis_columns_make(suite->plan, NULL, &out->axes);
+    for (int c = 0; c < SUITE_COLUMNS; c++) {
+        if (!has_column(suite, c))
+            continue;
+        suite_column(c, out->name[c]);
+        out->column[out->values.n++] = (struct thud_column){.name = out->name[c], .at = (size_t)c * sizeof(double)};
+    }
+}
+
+static void put_suite_data(const struct thud_suite *suite, const int *at, int k, int s,
+                           const double value[SUITE_COLUMNS], bool json, struct thud_text *out)
+{
+    const char *which = k < 0 ? NULL : thud_case_name(suite->plan->cases[k]);
+    const char *structure = k < 0 ? NULL : suite->plan->scene.structure[s].name;
+    struct suite_columns columns;
+    name_suite(suite, &columns);
+    const struct thud_part part[] = {{&columns.which, 0, &which},
+                                     {&columns.axes.schema, 0, columns.axes.value},
+                                     {&columns.structure, 0, &structure},
+                                     {&columns.values, 0, value}};
+    if (k < 0) {
+        thud_parts_names(part, 4, out);
+        return;
+    }
+    thud_axis_columns_put(suite->plan, NULL, at, &columns.axes);
+    if (!json) {
+        thud_parts_csv(part, 4, out);
+        return;
+    }
+    thud_text_append(out, "%s{", out->size > 0 ? ",\n  " : "");
+    thud_parts_json(part, 4, out);
+    thud_text_append(out, "}");
+}
+
 static void put_suite_csv_row(const struct thud_suite *suite, const int *at, int k, int s,
                               const double value[SUITE_COLUMNS], struct thud_text *out)
 {
-    const struct thud_sweep_plan *plan = suite->plan;
-    thud_text_append(out, "%s", thud_case_name(plan->cases[k]));
-    for (int a = 0; a < plan->naxes; a++) {
-        if (plan->axis[a].words) {
-            thud_text_append(out, ",");
-            thud_text_csv(out, plan->axis[a].text[at[a]]);
-        } else {
-            put_number(plan->axis[a].value[at[a]], out);
-        }
-    }
-    thud_text_append(out, ",");
-    thud_text_csv(out, plan->scene.structure[s].name);
-    for (int c = 0; c < SUITE_COLUMNS; c++)
-        if (has_column(suite, c))
-            put_number(value[c], out);
-    thud_text_append(out, "\n");
+    put_suite_data(suite, at, k, s, value, false, out);
 }
 
 static void put_suite_json_row(const struct thud_suite *suite, const int *at, int k, int s,
                                const double value[SUITE_COLUMNS], struct thud_text *out)
 {
-    const struct thud_sweep_plan *plan = suite->plan;
-    char name[48];
-    thud_text_append(out, "%s{\"case\": \"%s\"", out->size > 0 ? ",\n  " : "", thud_case_name(plan->cases[k]));
-    for (int a = 0; a < plan->naxes; a++) {
-        thud_text_append(out, ", ");
-        thud_json_string(out, plan->axis[a].key);
-        thud_text_append(out, ": ");
-        if (plan->axis[a].words)
-            thud_json_string(out, plan->axis[a].text[at[a]]);
-        else
-            thud_json_number(out, plan->axis[a].value[at[a]]);
-    }
-    thud_text_append(out, ", \"structure\": ");
-    thud_json_string(out, plan->scene.structure[s].name);
-    for (int c = 0; c < SUITE_COLUMNS; c++) {
-        if (!has_column(suite, c))
-            continue;
-        suite_column(c, name);
-        thud_text_append(out, ", ");
-        thud_json_field(out, name, value[c]);
-    }
-    thud_text_append(out, "}");
+    put_suite_data(suite, at, k, s, value, true, out);
 }
 
 /* At most five settings, evenly spread, are shown of a key. */
@@ -769,18 +758,7 @@ static enum thud_status put_suite(const struct thud_suite *suite, put_suite_row 
 
 enum thud_status thud_suite_csv(const struct thud_suite *suite, struct thud_text *out, struct thud_error *err)
 {
-    char name[48];
-    thud_text_append(out, "case");
-    for (int a = 0; a < suite->plan->naxes; a++)
-        thud_text_append(out, ",%s", suite->plan->axis[a].key);
-    thud_text_append(out, ",structure");
-    for (int c = 0; c < SUITE_COLUMNS; c++) {
-        if (!has_column(suite, c))
-            continue;
-        suite_column(c, name);
-        thud_text_append(out, ",%s", name);
-    }
-    thud_text_append(out, "\n");
+    put_suite_data(suite, NULL, -1, 0, NULL, false, out);
     return put_suite(suite, put_suite_csv_row, out, err);
 }
 

@@ -5,8 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/version.h"
 #include "io/file/json.h"
+#include "io/result/result_file.h"
+#include "io/result/study_rows.h"
+#include "io/result/sweep_csv.h"
 #include "study/scene/level.h"
 #include "study/suite/suite.h"
 
@@ -312,48 +314,41 @@ enum thud_status thud_gap_report(const struct thud_gap_study *study, const struc
     return status;
 }
 
-static void put_values(const struct thud_gap_level *level, int from, int to, struct thud_text *out)
+static struct thud_need_fields need_of(const struct thud_gap_level *l, const char *record)
 {
-    for (int rule = from; rule < to; rule++) {
-        double x = thud_gap_value(level, rule);
-        thud_text_append(out, ",");
-        if (!isnan(x))
-            thud_text_number(out, x);
-    }
+    struct thud_need_fields row = {.record = record,
+                                   .interface = l->interface,
+                                   .left_floor = l->left_floor,
+                                   .right_floor = l->right_floor,
+                                   .struck = thud_struck_name(l->struck),
+                                   .left_m = l->left_m,
+                                   .right_m = l->right_m,
+                                   .correlation = l->correlation};
+    for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_RULES; rule++)
+        row.rule[rule + 1] = thud_gap_value(l, rule);
+    return row;
 }
 
 void thud_gap_csv(const struct thud_gap_study *study, const struct thud_record_list *records, struct thud_text *out)
 {
-    thud_text_append(out, "record,interface,left_floor,right_floor,left_displacement_m,right_displacement_m");
-    for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_SHORT; rule++)
-        thud_text_append(out, ",%s", thud_gap_rule_at(rule)->column);
-    thud_text_append(out, ",correlation,struck_columns");
-    for (int rule = THUD_GAP_SHORT; rule < THUD_GAP_RULES; rule++)
-        thud_text_append(out, ",%s", thud_gap_rule_at(rule)->column);
-    thud_text_append(out, "\n");
+    struct thud_part part = {&thud_need_schema, THUD_NEED_RECORD | THUD_NEED_CODES, NULL};
+    thud_parts_names(&part, 1, out);
     for (int r = 0; r < study->suite.nrecords; r++)
         for (int i = 0; i < study->gap[r]->nlevels; i++) {
-            const struct thud_gap_level *l = &study->gap[r]->level[i];
-            if (r < records->n)
-                thud_text_csv(out, records->record[r]->file);
-            thud_text_append(out, ",%d,%d,%d,", l->interface, l->left_floor, l->right_floor);
-            thud_text_number(out, l->left_m);
-            thud_text_append(out, ",");
-            thud_text_number(out, l->right_m);
-            put_values(l, THUD_GAP_EXACT, THUD_GAP_SHORT, out);
-            thud_text_append(out, ",");
-            if (!isnan(l->correlation))
-                thud_text_number(out, l->correlation);
-            thud_text_append(out, ",%s", thud_struck_name(l->struck));
-            put_values(l, THUD_GAP_SHORT, THUD_GAP_RULES, out);
-            thud_text_append(out, "\n");
+            const struct thud_need_fields row =
+                need_of(&study->gap[r]->level[i], r < records->n ? records->record[r]->file : "");
+            part.row = &row;
+            thud_parts_csv(&part, 1, out);
         }
 }
 
-void thud_gap_rules_csv(const struct thud_gap_study *study, struct thud_text *out)
+/* As CSV, or as objects of a list. */
+static void put_rules_data(const struct thud_gap_study *study, bool json, struct thud_text *out)
 {
-    thud_text_append(out, "interface,rule,edition,clause,source,formula,numbers,left_floor,right_floor,gap_m,pounding,"
-                          "motions,force_n\n");
+    struct thud_part part = {&thud_gap_rule_schema, 0, NULL};
+    const char *before = "";
+    if (!json)
+        thud_parts_names(&part, 1, out);
     for (int i = 0; i < study->interfaces; i++)
         for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_RULES; rule++) {
             const struct thud_gap_rule *r = thud_gap_rule_at(rule);
@@ -362,66 +357,37 @@ void thud_gap_rules_csv(const struct thud_gap_study *study, struct thud_text *ou
             if (!(x->gap_m >= 0))
                 continue;
             thud_gap_numbers(&x->level, rule, &numbers);
-            const char *const field[] = {r->name,   r->edition, r->clause,
-                                         r->source, r->formula, numbers.data ? numbers.data : ""};
-            thud_text_append(out, "%d", i + 1);
-            for (size_t k = 0; k < sizeof field / sizeof *field; k++) {
-                thud_text_append(out, ",");
-                thud_text_csv(out, field[k]);
+            const struct thud_gap_rule_row row = {i + 1,
+                                                  r->name,
+                                                  r->column,
+                                                  r->edition,
+                                                  r->clause,
+                                                  r->title,
+                                                  r->source,
+                                                  r->formula,
+                                                  numbers.data ? numbers.data : "",
+                                                  x->level.left_floor,
+                                                  x->level.right_floor,
+                                                  x->gap_m,
+                                                  x->pounding,
+                                                  study->suite.nrecords,
+                                                  x->force_n};
+            part.row = &row;
+            if (json) {
+                thud_text_append(out, "%s\n  {", before);
+                thud_parts_json(&part, 1, out);
+                thud_text_append(out, "}");
+            } else {
+                thud_parts_csv(&part, 1, out);
             }
-            thud_text_append(out, ",%d,%d,", x->level.left_floor, x->level.right_floor);
-            thud_text_number(out, x->gap_m);
-            thud_text_append(out, ",%d,%d,", x->pounding, study->suite.nrecords);
-            if (!isnan(x->force_n))
-                thud_text_number(out, x->force_n);
-            thud_text_append(out, "\n");
+            before = ",";
             thud_text_clear(&numbers);
         }
 }
 
-static void put_json_level(const struct thud_gap_level *l, struct thud_text *out)
+void thud_gap_rules_csv(const struct thud_gap_study *study, struct thud_text *out)
 {
-    thud_text_append(out, "{\"interface\": %d, \"left_floor\": %d, \"right_floor\": %d, ", l->interface, l->left_floor,
-                     l->right_floor);
-    thud_json_field(out, "left_displacement_m", l->left_m);
-    thud_text_append(out, ", ");
-    thud_json_field(out, "right_displacement_m", l->right_m);
-    for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_SHORT; rule++) {
-        thud_text_append(out, ", ");
-        thud_json_field(out, thud_gap_rule_at(rule)->column, thud_gap_value(l, rule));
-    }
-    thud_text_append(out, ", ");
-    thud_json_field(out, "correlation", l->correlation);
-    if (l->struck != 0)
-        thud_text_append(out, ", \"struck_columns\": \"%s\"", thud_struck_name(l->struck));
-    for (int rule = THUD_GAP_SHORT; rule < THUD_GAP_RULES; rule++) {
-        thud_text_append(out, ", ");
-        thud_json_field(out, thud_gap_rule_at(rule)->column, thud_gap_value(l, rule));
-    }
-    thud_text_append(out, "}");
-}
-
-static void put_json_rule(const struct thud_gap_study *study, int rule, int interface, struct thud_text *out)
-{
-    const struct thud_gap_rule *r = thud_gap_rule_at(rule);
-    const struct thud_gap_ruled *x = &study->ruled[(rule + 1) * study->interfaces + interface];
-    struct thud_text numbers = {0};
-    thud_gap_numbers(&x->level, rule, &numbers);
-    const char *const field[][2] = {{"rule", r->name},       {"column", r->column},
-                                    {"edition", r->edition}, {"clause", r->clause},
-                                    {"title", r->title},     {"source", r->source},
-                                    {"formula", r->formula}, {"numbers", numbers.data ? numbers.data : ""}};
-    thud_text_append(out, "{\"interface\": %d", interface + 1);
-    for (size_t k = 0; k < sizeof field / sizeof *field; k++) {
-        thud_text_append(out, ", \"%s\": ", field[k][0]);
-        thud_json_string(out, field[k][1]);
-    }
-    thud_text_append(out, ", \"left_floor\": %d, \"right_floor\": %d, ", x->level.left_floor, x->level.right_floor);
-    thud_json_field(out, "gap_m", x->gap_m);
-    thud_text_append(out, ", \"pounding\": %d, \"motions\": %d, ", x->pounding, study->suite.nrecords);
-    thud_json_field(out, "force_n", x->force_n);
-    thud_text_append(out, "}");
-    thud_text_clear(&numbers);
+    put_rules_data(study, false, out);
 }
 
 static void put_json_fractiles(const struct thud_fractiles *f, const char *column, bool exact, struct thud_text *out)
@@ -442,9 +408,9 @@ enum thud_status thud_gap_json(const struct thud_gap_study *study, const struct 
     const struct thud_gap_suite *suite = &study->suite;
     struct thud_fractiles f[THUD_GAP_RULES + 1];
     enum thud_status status = THUD_OK;
-    thud_text_append(out, "{\"preset\": ");
-    thud_json_string(out, scene->name);
-    thud_text_append(out, ", \"version\": \"%s\",\n \"records\": [", THUD_VERSION);
+    thud_text_append(out, "{");
+    thud_json_head(out, scene->name);
+    thud_text_append(out, ",\n \"records\": [");
     for (int r = 0; r < suite->nrecords; r++) {
         thud_text_append(out, "%s\n  {\"record\": ", r ? "," : "");
         if (r < records->n)
@@ -453,8 +419,10 @@ enum thud_status thud_gap_json(const struct thud_gap_study *study, const struct 
             thud_text_append(out, "null");
         thud_text_append(out, ", \"levels\": [");
         for (int i = 0; i < suite->gap[r]->nlevels; i++) {
-            thud_text_append(out, "%s\n    ", i ? "," : "");
-            put_json_level(&suite->gap[r]->level[i], out);
+            const struct thud_need_fields row = need_of(&suite->gap[r]->level[i], NULL);
+            thud_text_append(out, "%s\n    {", i ? "," : "");
+            thud_json_members(&thud_need_schema, THUD_NEED_CODES, &row, out);
+            thud_text_append(out, "}");
         }
         thud_text_append(out, "]}");
     }
@@ -474,15 +442,8 @@ enum thud_status thud_gap_json(const struct thud_gap_study *study, const struct 
         }
         thud_text_append(out, "}");
     }
-    const char *before = "";
     thud_text_append(out, "],\n \"rules\": [");
-    for (int i = 0; i < study->interfaces; i++)
-        for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_RULES; rule++)
-            if (study->ruled[(rule + 1) * study->interfaces + i].gap_m >= 0) {
-                thud_text_append(out, "%s\n  ", before);
-                put_json_rule(study, rule, i, out);
-                before = ",";
-            }
+    put_rules_data(study, true, out);
     thud_text_append(out, "]}\n");
     return status;
 }

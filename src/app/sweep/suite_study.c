@@ -8,6 +8,7 @@
 #include "base/quantity.h"
 #include "ground/spectrum.h"
 #include "io/file/json.h"
+#include "io/result/study_rows.h"
 
 enum thud_status thud_suite_study_run(struct thud_suite_study *study, struct thud_error *err)
 {
@@ -35,37 +36,27 @@ void thud_suite_study_clear(struct thud_suite_study *study)
     study->intensity = NULL;
 }
 
-/* ---- one description of a motion's row, for people, CSV and JSON ---- */
+/* ---- a motion's row ---- */
 
-enum { COLUMNS = 13 };
-
-struct row {
-    const char *text[4]; /* file, event, station, component */
-    double value[COLUMNS];
-};
-
-static const struct column {
-    const char *name, *head;
-    double factor; /* shown = SI x factor */
-    int width, digits;
-} columns[] = {{"dt_s", "step s", 1, 7, 4},
-               {"duration_s", "length s", 1, 10, 4},
-               {"pga_mps2", "PGA g", 1 / THUD_GRAVITY, 9, 3},
-               {"pgv_mps", "PGV m/s", 1, 9, 3},
-               {"arias_mps", "Arias m/s", 1, 11, 3},
-               {"misfit", "misfit", 1, 8, 2},
-               {"factor", "factor", 1, 10, 3}};
-enum { SHOWN = sizeof columns / sizeof *columns };
-
-static struct row row_of(const struct thud_suite_study *study, int i)
+static struct thud_motion_row row_of(const struct thud_suite_study *study, int i)
 {
     const struct thud_record *r = study->records->record[i];
+    const struct thud_scaled_motion *own = &study->scaled.motion[i];
     struct thud_intensity m = study->intensity[i];
-    double as_read = fabs(study->scaled.motion[i].factor);
-    return (struct row){.text = {r->file, r->event, r->station, r->component},
-                        .value = {r->dt_s, m.duration_s, m.pga_mps2 * as_read, m.pgv_mps * as_read,
-                                  m.arias_mps * as_read * as_read,
-                                  study->has_target ? study->scaled.motion[i].misfit : NAN, study->factor[i]}};
+    double as_read = fabs(own->factor);
+    return (struct thud_motion_row){r->file,
+                                    r->event,
+                                    r->station,
+                                    r->component,
+                                    r->dt_s,
+                                    m.duration_s,
+                                    m.pga_mps2 * as_read,
+                                    m.pgv_mps * as_read,
+                                    m.arias_mps * as_read * as_read,
+                                    study->has_target ? own->misfit : NAN,
+                                    study->factor[i],
+                                    own->chosen,
+                                    own->why};
 }
 
 static double sa_at(const struct thud_suite_study *study, int i, int mark)
@@ -128,74 +119,97 @@ static void put_result(const struct thud_suite_study *study, struct thud_text *o
         thud_text_append(out, "chosen    %d of %d\n", s->chosen, s->n);
 }
 
+/* A motion as it is shown: its name, values and what stands behind them, with columns for the marked periods. */
+struct shown_row {
+    struct thud_motion_row own;
+    const char *name, *tail;
+    double sa[THUD_STRUCTURES_MAX];
+    char text[400];
+};
+enum { SHOWN_MAX = 16 + THUD_STRUCTURES_MAX };
+
+static void make_shown(const void *of, int i, void *out)
+{
+    const struct thud_suite_study *study = of;
+    struct shown_row *row = out;
+    *row = (struct shown_row){.own = row_of(study, i), .tail = row->text};
+    const struct thud_motion_row *own = &row->own;
+    row->name = thud_path_name(own->file);
+    for (int k = 0; k < study->nmarks; k++)
+        row->sa[k] = sa_at(study, i, k) / THUD_GRAVITY;
+    int n = own->chosen ? 0 : snprintf(row->text, sizeof row->text, "not taken: %.200s", own->why);
+    if (own->event[0] || own->station[0])
+        snprintf(row->text + n, sizeof row->text - (size_t)n, "\n%*s%.60s%s%.60s %.40s", 4, "", own->event,
+                 own->station[0] ? ", " : "", own->station, own->component);
+}
+
 void thud_suite_motions_table(const struct thud_suite_study *study, struct thud_text *out)
 {
-    int width = widest_name(study);
-    thud_text_append(out, "%-*s", width, "motion");
-    for (int c = 0; c < SHOWN; c++)
-        if (study->has_target || strcmp(columns[c].name, "misfit") != 0)
-            thud_text_append(out, "%*s", columns[c].width, columns[c].head);
-    for (int k = 0; k < study->nmarks; k++)
-        thud_text_append(out, "  Sa(%.3g s) g", study->mark[k].period_s);
-    thud_text_append(out, "\n");
-    for (int i = 0; i < study->records->n; i++) {
-        struct row row = row_of(study, i);
-        thud_text_append(out, "%-*.*s", width, width, thud_path_name(row.text[0]));
-        for (int c = 0; c < SHOWN; c++)
-            if (!isnan(row.value[c]))
-                thud_text_append(out, "%*.*g", columns[c].width, columns[c].digits, row.value[c] * columns[c].factor);
-        for (int k = 0; k < study->nmarks; k++)
-            thud_text_append(out, "%13.3g", sa_at(study, i, k) / THUD_GRAVITY);
-        if (!study->scaled.motion[i].chosen)
-            thud_text_append(out, "  not taken: %s", study->scaled.motion[i].why);
-        thud_text_append(out, "\n");
-        if (row.text[1][0] || row.text[2][0])
-            thud_text_append(out, "%*s%.60s%s%.60s %.40s\n", 4, "", row.text[1], row.text[2][0] ? ", " : "",
-                             row.text[2], row.text[3]);
+    const int width = widest_name(study);
+    struct thud_column column[SHOWN_MAX];
+    char head[THUD_STRUCTURES_MAX][32];
+    int n = 0;
+    column[n++] = (struct thud_column){THUD_COLUMN(struct shown_row, name, "", ""),
+                                       .shown = {"motion", NULL, 0, -width, width, THUD_DIGITS_WORD}};
+    for (int c = 0; c < thud_motion_schema.n; c++) /* the motion's row begins the shown one */
+        if (study->has_target || strcmp(thud_motion_schema.column[c].name, "misfit") != 0)
+            column[n++] = thud_motion_schema.column[c];
+    for (int k = 0; k < study->nmarks; k++) {
+        snprintf(head[k], sizeof head[k], "Sa(%.3g s) g", study->mark[k].period_s);
+        column[n++] = (struct thud_column){THUD_COLUMN(struct shown_row, sa[k], "", ""),
+                                           .shown = {head[k], NULL, 1, 13, 3, THUD_DIGITS_FREE}};
     }
+    column[n++] = (struct thud_column){THUD_COLUMN(struct shown_row, tail, "", ""),
+                                       .shown = {NULL, NULL, 0, 0, 0, THUD_DIGITS_WORD}};
+    const struct thud_schema schema = {"", "", column, n};
+    thud_rows_table(&(struct thud_rows){&schema, 0, study->records->n, make_shown, study}, out);
     if (study->has_target)
         put_result(study, out);
     put_remarks(study, out);
 }
 
-static const char *const words[] = {"file", "event", "station", "component"};
+/* sa_1_mps2, period_1_s and so on: two numbers of each marked period. */
+struct mark_columns {
+    struct thud_schema schema;
+    struct thud_column column[2 * THUD_STRUCTURES_MAX];
+    char name[2 * THUD_STRUCTURES_MAX][24];
+    double value[2 * THUD_STRUCTURES_MAX];
+};
+
+static void name_marks(const struct thud_suite_study *study, struct mark_columns *out)
+{
+    *out = (struct mark_columns){.schema = {"", "", out->column, 2 * study->nmarks}};
+    for (int k = 0; k < 2 * study->nmarks; k++) {
+        snprintf(out->name[k], sizeof out->name[k], k % 2 ? "period_%d_s" : "sa_%d_mps2", k / 2 + 1);
+        out->column[k] = (struct thud_column){.name = out->name[k], .at = (size_t)k * sizeof *out->value};
+    }
+}
 
 void thud_suite_motions_csv(const struct thud_suite_study *study, struct thud_text *out)
 {
-    for (int k = 0; k < 4; k++)
-        thud_text_append(out, "%s,", words[k]);
-    for (int c = 0; c < SHOWN; c++)
-        thud_text_append(out, "%s,", columns[c].name);
-    for (int k = 0; k < study->nmarks; k++)
-        thud_text_append(out, "sa_%d_mps2,period_%d_s,", k + 1, k + 1);
-    thud_text_append(out, "chosen,why\n");
+    struct thud_schema first = thud_motion_schema, last = thud_motion_schema;
+    struct mark_columns marks;
+    first.n -= THUD_MOTION_LAST;
+    last.column += first.n;
+    last.n = THUD_MOTION_LAST;
+    name_marks(study, &marks);
+    struct thud_part part[] = {{&first, 0, NULL}, {&marks.schema, 0, marks.value}, {&last, 0, NULL}};
+    thud_parts_names(part, 3, out);
     for (int i = 0; i < study->records->n; i++) {
-        struct row row = row_of(study, i);
-        for (int k = 0; k < 4; k++) {
-            thud_text_csv(out, row.text[k]);
-            thud_text_append(out, ",");
-        }
-        for (int c = 0; c < SHOWN; c++) {
-            if (!isnan(row.value[c]))
-                thud_text_number(out, row.value[c]);
-            thud_text_append(out, ",");
-        }
+        const struct thud_motion_row row = row_of(study, i);
+        part[0].row = part[2].row = &row;
         for (int k = 0; k < study->nmarks; k++) {
-            thud_text_number(out, sa_at(study, i, k));
-            thud_text_append(out, ",");
-            thud_text_number(out, study->mark[k].period_s);
-            thud_text_append(out, ",");
+            marks.value[2 * k] = sa_at(study, i, k);
+            marks.value[2 * k + 1] = study->mark[k].period_s;
         }
-        thud_text_append(out, "%d,", study->scaled.motion[i].chosen);
-        thud_text_csv(out, study->scaled.motion[i].why);
-        thud_text_append(out, "\n");
+        thud_parts_csv(part, 3, out);
     }
 }
 
 void thud_suite_motions_json(const struct thud_suite_study *study, struct thud_text *out)
 {
     const struct thud_scaled_suite *s = &study->scaled;
-    thud_text_append(out, "{\"target\": ");
+    thud_text_append(out, "{\"format\": 1, \"target\": ");
     thud_json_string(out, study->has_target ? study->target.text : "");
     thud_text_append(out, ", \"scale\": \"%s\", \"chosen\": %d, ", study->scaling.common ? "common" : "each",
                      s->chosen);
@@ -216,18 +230,10 @@ void thud_suite_motions_json(const struct thud_suite_study *study, struct thud_t
     }
     thud_text_append(out, "\"motions\": [");
     for (int i = 0; i < study->records->n; i++) {
-        struct row row = row_of(study, i);
+        const struct thud_motion_row row = row_of(study, i);
         thud_text_append(out, "%s\n  {", i ? "," : "");
-        for (int k = 0; k < 4; k++) {
-            thud_text_append(out, "\"%s\": ", words[k]);
-            thud_json_string(out, row.text[k]);
-            thud_text_append(out, ", ");
-        }
-        for (int c = 0; c < SHOWN; c++) {
-            thud_json_field(out, columns[c].name, row.value[c]);
-            thud_text_append(out, ", ");
-        }
-        thud_text_append(out, "\"sa\": [");
+        thud_json_members(&thud_motion_schema, 0, &row, out);
+        thud_text_append(out, ", \"sa\": [");
         for (int k = 0; k < study->nmarks; k++) {
             thud_text_append(out, "%s{", k ? ", " : "");
             thud_json_field(out, "period_s", study->mark[k].period_s);
@@ -235,9 +241,7 @@ void thud_suite_motions_json(const struct thud_suite_study *study, struct thud_t
             thud_json_field(out, "sa_mps2", sa_at(study, i, k));
             thud_text_append(out, "}");
         }
-        thud_text_append(out, "], \"chosen\": %s, \"why\": ", s->motion[i].chosen ? "true" : "false");
-        thud_json_string(out, s->motion[i].why);
-        thud_text_append(out, "}");
+        thud_text_append(out, "]}");
     }
     thud_text_append(out, "\n]}\n");
 }

@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "io/result/study_rows.h"
+#include "io/result/sweep_csv.h"
 #include "study/scene/level.h"
 #include "study/sweep/sweep_best.h"
 
@@ -359,45 +361,80 @@ static void put_best(const struct thud_sweep_plan *plan, const struct thud_sweep
                      remark);
 }
 
-static void put_csv_number(double value, struct thud_text *out)
-{
-    thud_text_append(out, ",");
-    if (!isnan(value))
-        thud_text_number(out, value);
-}
+/* Columns of best.csv between those of its own: the other keys, and three values of the varied one, as a number or a
+ * word, named with its unit. */
+enum { BEST, FLAT_FROM, FLAT_TO, BEST_VALUES };
+struct best_columns {
+    bool other[THUD_VARY_MAX];
+    struct thud_axis_columns axes;
+    struct thud_schema names, best, ratios, flat, last;
+    struct thud_column column[BEST_VALUES];
+    char name[BEST_VALUES][40], text[BEST_VALUES][THUD_NAME_MAX];
+    union thud_axis_value value[BEST_VALUES];
+};
 
-/* A value of an axis: its number, or its word. */
-static void put_csv_value(const struct thud_sweep_axis *axis, double value, struct thud_text *out)
+static void name_best(const struct thud_sweep_plan *plan, int axis, struct best_columns *out)
 {
-    char text[THUD_NAME_MAX];
-    if (!axis->words) {
-        put_csv_number(value, out);
-        return;
+    static const char *const name[] = {"best", "flat_from", "flat_to"};
+    const struct thud_column *own = thud_best_schema.column;
+    const struct thud_sweep_axis *along = &plan->axis[axis];
+    *out = (struct best_columns){.names = {"", "", own, 2},
+                                 .best = {"", "", out->column, 1},
+                                 .ratios = {"", "", own + 4, 2},
+                                 .flat = {"", "", out->column + FLAT_FROM, 2},
+                                 .last = {"", "", own + 8, 2}};
+    for (int a = 0; a < plan->naxes; a++)
+        out->other[a] = a != axis;
+    thud_axis_columns_make(plan, out->other, &out->axes);
+    for (int i = 0; i < BEST_VALUES; i++) {
+        snprintf(out->name[i], sizeof out->name[i], "%s%s", name[i], along->words ? "" : thud_si_suffix(along->param));
+        out->column[i] = (struct thud_column){.name = out->name[i],
+                                              .kind = along->words ? THUD_COLUMN_TEXT : THUD_COLUMN_NUMBER,
+                                              .at = (size_t)i * sizeof *out->value};
     }
-    put_value(axis, value, text, sizeof text);
-    thud_text_append(out, ",");
-    thud_text_csv(out, text);
 }
 
+/* A value of an axis: its number, or its word, which stands in `text`. */
+static union thud_axis_value value_on(const struct thud_sweep_axis *axis, double value, char text[THUD_NAME_MAX])
+{
+    if (!axis->words)
+        return (union thud_axis_value){.number = value};
+    put_value(axis, value, text, THUD_NAME_MAX);
+    return (union thud_axis_value){.text = text};
+}
+
+/* NULL: the names. */
 static void put_best_csv(const struct thud_sweep_plan *plan, int axis, const struct thud_sweep_best *best,
                          struct thud_text *out)
 {
-    const double ratios[] = {best->ratio, best->drift_ratio}, flat[] = {best->flat_least, best->flat_most};
-    if (best->record < 0)
-        thud_text_append(out, "worst of all");
-    else if (best->record < plan->nrecords && plan->record[best->record])
-        thud_text_csv(out, plan->record[best->record]->file);
-    thud_text_append(out, ",%s", thud_case_name(best->which));
-    for (int a = 0; a < plan->naxes; a++)
+    struct best_columns c;
+    struct thud_best_row row = {0};
+    char text[THUD_VARY_MAX][THUD_NAME_MAX];
+    name_best(plan, axis, &c);
+    const struct thud_part part[] = {{&c.names, 0, &row},   {&c.axes.schema, 0, c.axes.value},
+                                     {&c.best, 0, c.value}, {&c.ratios, 0, &row},
+                                     {&c.flat, 0, c.value}, {&c.last, 0, &row}};
+    enum { PARTS = sizeof part / sizeof *part };
+    if (!best) {
+        thud_parts_names(part, PARTS, out);
+        return;
+    }
+    bool known = best->record >= 0 && best->record < plan->nrecords && plan->record[best->record];
+    row = (struct thud_best_row){best->record < 0 ? "worst of all"
+                                 : known          ? plan->record[best->record]->file
+                                                  : "",
+                                 thud_case_name(best->which),
+                                 best->ratio,
+                                 best->drift_ratio,
+                                 best->worst_ratio,
+                                 best->idle ? "touches nothing or hardly" : best_remark(best)};
+    for (int a = 0, n = 0; a < plan->naxes; a++)
         if (a != axis)
-            put_csv_value(&plan->axis[a], best->other[a], out);
-    put_csv_value(&plan->axis[axis], best->best, out);
-    for (int i = 0; i < 2; i++)
-        put_csv_number(ratios[i], out);
-    for (int i = 0; i < 2; i++)
-        put_csv_value(&plan->axis[axis], flat[i], out);
-    put_csv_number(best->worst_ratio, out);
-    thud_text_append(out, ",%s\n", best->idle ? "touches nothing or hardly" : best_remark(best));
+            c.axes.value[n++] = value_on(&plan->axis[a], best->other[a], text[a]);
+    c.value[BEST] = value_on(&plan->axis[axis], best->best, c.text[BEST]);
+    c.value[FLAT_FROM] = value_on(&plan->axis[axis], best->flat_least, c.text[FLAT_FROM]);
+    c.value[FLAT_TO] = value_on(&plan->axis[axis], best->flat_most, c.text[FLAT_TO]);
+    thud_parts_csv(part, PARTS, out);
 }
 
 enum thud_status thud_sweep_report_best(const struct thud_sweep_plan *plan, const struct thud_sweep_table *table,
@@ -409,12 +446,7 @@ enum thud_status thud_sweep_report_best(const struct thud_sweep_plan *plan, cons
     if (n < 0)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     if (csv) {
-        thud_text_append(out, "record,case");
-        for (int a = 0; a < plan->naxes; a++)
-            if (a != axis)
-                thud_text_append(out, ",%s", plan->axis[a].key);
-        thud_text_append(out,
-                         ",best,acceleration_ratio,drift_ratio,flat_from,flat_to,worst_acceleration_ratio,remark\n");
+        put_best_csv(plan, axis, NULL, out);
     } else {
         thud_text_append(out, "\nbest %s (least of the larger mean acceleration ratio; flat: within %d %% of it)\n",
                          plan->axis[axis].key, THUD_SWEEP_BEST_PER_CENT);

@@ -7,7 +7,7 @@
 #include "base/version.h"
 #include "io/file/json.h"
 
-static bool has(const struct thud_field *field, unsigned marks)
+static bool has(const struct thud_column *field, unsigned marks)
 {
     return field->only == 0 || (field->only & marks) != 0;
 }
@@ -19,7 +19,7 @@ struct value {
     const char *text; /* NULL: it is a number */
 };
 
-static struct value value_of(const struct thud_field *field, const void *row)
+static struct value value_of(const struct thud_column *field, const void *row)
 {
     const char *at = row ? (const char *)row + field->at : NULL;
     struct value v = {0};
@@ -27,24 +27,24 @@ static struct value value_of(const struct thud_field *field, const void *row)
         return v;
     v.known = true;
     switch (field->kind) {
-    case THUD_FIELD_NUMBER:
+    case THUD_COLUMN_NUMBER:
         v.number = *(const double *)(const void *)at;
         v.known = isfinite(v.number);
         break;
-    case THUD_FIELD_COUNT:
+    case THUD_COLUMN_COUNT:
         v.number = *(const int *)(const void *)at;
         v.known = *(const int *)(const void *)at != THUD_NO_COUNT;
         break;
-    case THUD_FIELD_LONG:
+    case THUD_COLUMN_LONG:
         v.number = (double)*(const long *)(const void *)at;
         break;
-    case THUD_FIELD_SIZE:
+    case THUD_COLUMN_SIZE:
         v.number = (double)*(const size_t *)(const void *)at;
         break;
-    case THUD_FIELD_YES:
+    case THUD_COLUMN_YES:
         v.number = *(const bool *)(const void *)at;
         break;
-    case THUD_FIELD_TEXT:
+    case THUD_COLUMN_TEXT:
         v.text = *(const char *const *)(const void *)at;
         v.known = v.text != NULL;
         break;
@@ -55,19 +55,19 @@ static struct value value_of(const struct thud_field *field, const void *row)
 void thud_csv_names(const struct thud_schema *schema, unsigned marks, struct thud_text *out)
 {
     for (int i = 0, n = 0; i < schema->n; i++) {
-        if (!has(&schema->field[i], marks | THUD_ONLY_CSV))
+        if (!has(&schema->column[i], marks | THUD_ONLY_CSV))
             continue;
         thud_text_bytes(out, ",", n++ > 0);
-        thud_text_csv(out, schema->field[i].name);
+        thud_text_csv(out, schema->column[i].name);
     }
 }
 
 void thud_csv_values(const struct thud_schema *schema, unsigned marks, const void *row, struct thud_text *out)
 {
     for (int i = 0, n = 0; i < schema->n; i++) {
-        if (!has(&schema->field[i], marks | THUD_ONLY_CSV))
+        if (!has(&schema->column[i], marks | THUD_ONLY_CSV))
             continue;
-        struct value v = value_of(&schema->field[i], row);
+        struct value v = value_of(&schema->column[i], row);
         thud_text_bytes(out, ",", n++ > 0);
         if (v.text)
             thud_text_csv(out, v.text);
@@ -79,7 +79,7 @@ void thud_csv_values(const struct thud_schema *schema, unsigned marks, const voi
 void thud_json_members(const struct thud_schema *schema, unsigned marks, const void *row, struct thud_text *out)
 {
     for (int i = 0, n = 0; i < schema->n; i++) {
-        const struct thud_field *field = &schema->field[i];
+        const struct thud_column *field = &schema->column[i];
         if (!has(field, marks | THUD_ONLY_JSON))
             continue;
         struct value v = value_of(field, row);
@@ -88,11 +88,46 @@ void thud_json_members(const struct thud_schema *schema, unsigned marks, const v
         thud_text_append(out, ": ");
         if (v.text)
             thud_json_string(out, v.text);
-        else if (v.known && field->kind == THUD_FIELD_YES)
+        else if (v.known && field->kind == THUD_COLUMN_YES)
             thud_text_append(out, v.number != 0 ? "true" : "false");
         else
             thud_json_number(out, v.known ? v.number : NAN);
     }
+}
+
+enum form { NAMES, VALUES, MEMBERS };
+
+static void put_parts(const struct thud_part *part, int n, enum form form, struct thud_text *out)
+{
+    bool any = false;
+    for (int i = 0; i < n; i++) {
+        if (part[i].schema->n == 0)
+            continue;
+        thud_text_append(out, !any ? "" : form == MEMBERS ? ", " : ",");
+        any = true;
+        if (form == NAMES)
+            thud_csv_names(part[i].schema, part[i].marks, out);
+        else if (form == VALUES)
+            thud_csv_values(part[i].schema, part[i].marks, part[i].row, out);
+        else
+            thud_json_members(part[i].schema, part[i].marks, part[i].row, out);
+    }
+    thud_text_append(out, form == MEMBERS ? "" : "\n");
+}
+
+void thud_parts_names(const struct thud_part *part, int n, struct thud_text *out)
+{
+    put_parts(part, n, NAMES, out);
+}
+
+void thud_parts_csv(const struct thud_part *part, int n, struct thud_text *out)
+{
+    put_parts(part, n, VALUES, out);
+}
+
+void thud_parts_json(const struct thud_part *part, int n, struct thud_text *out)
+{
+    put_parts(part, n, MEMBERS, out);
 }
 
 void thud_json_head(struct thud_text *out, const char *preset)
@@ -129,7 +164,7 @@ void thud_rows_json(const struct thud_rows *rows, struct thud_text *out)
 
 /* ---- tables of a terminal ---- */
 
-static bool is_shown(const struct thud_field *field, unsigned marks)
+static bool is_shown(const struct thud_column *field, unsigned marks)
 {
     return field->shown.how != THUD_DIGITS_NONE && has(field, marks | THUD_ONLY_TEXT);
 }
@@ -139,8 +174,8 @@ static void put_heading(const struct thud_rows *rows, bool units, struct thud_te
 {
     int column = 0, end = 0;
     for (int i = 0; i < rows->schema->n; i++) {
-        const struct thud_shown *s = &rows->schema->field[i].shown;
-        if (!is_shown(&rows->schema->field[i], rows->marks))
+        const struct thud_shown *s = &rows->schema->column[i].shown;
+        if (!is_shown(&rows->schema->column[i], rows->marks))
             continue;
         const char *word = (units ? s->unit : s->head) ? (units ? s->unit : s->head) : "";
         int length = (int)strlen(word),
@@ -155,14 +190,14 @@ static void put_heading(const struct thud_rows *rows, bool units, struct thud_te
     thud_text_append(out, "\n");
 }
 
-static double shown_value(const struct thud_field *field, const struct value *v)
+static double shown_value(const struct thud_column *field, const struct value *v)
 {
     return (field->shown.factor != 0 ? field->shown.factor : 1) * v->number + 0.0; /* no -0 */
 }
 
 /* Places after the point that give the largest of a column `digits` significant digits: points stand below each other,
  * and no number has more than the largest can bear. -1: none of them is of a size to be written so. */
-static int places_of(const struct thud_rows *rows, const struct thud_field *field)
+static int places_of(const struct thud_rows *rows, const struct thud_column *field)
 {
     struct thud_row_room row;
     double largest = 0;
@@ -178,7 +213,7 @@ static int places_of(const struct thud_rows *rows, const struct thud_field *fiel
     return places > 0 ? places : 0;
 }
 
-static void put_shown(const struct thud_field *field, int places, const struct value *v, struct thud_text *out)
+static void put_shown(const struct thud_column *field, int places, const struct value *v, struct thud_text *out)
 {
     const struct thud_shown *s = &field->shown;
     const double x = shown_value(field, v);
@@ -206,7 +241,7 @@ static void put_shown_row(const struct thud_rows *rows, const int *places, const
 {
     bool first = true;
     for (int i = 0; i < rows->schema->n; i++) {
-        struct thud_field field = rows->schema->field[i];
+        struct thud_column field = rows->schema->column[i];
         struct value v = value_of(&field, row);
         if (!is_shown(&field, rows->marks))
             continue;
@@ -233,7 +268,7 @@ void thud_rows_table(const struct thud_rows *rows, struct thud_text *out)
     struct thud_row_room row;
     bool units = false;
     for (int i = 0; i < rows->schema->n; i++) {
-        const struct thud_field *field = &rows->schema->field[i];
+        const struct thud_column *field = &rows->schema->column[i];
         units = units || (is_shown(field, rows->marks) && field->shown.unit);
         places[i] = field->shown.how == THUD_DIGITS_PLACES ? places_of(rows, field) : 0;
     }

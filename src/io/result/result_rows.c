@@ -11,9 +11,9 @@ static const struct thud_peak no_peak = {NAN, NAN};
 
 /* ---- floors and their storeys ---- */
 
-#define FLOOR(member, key, text) THUD_FIELD(struct thud_floor_row, member, key, text)
+#define FLOOR(member, key, text) THUD_COLUMN(struct thud_floor_row, member, key, text)
 
-static const struct thud_field floors[] = {
+static const struct thud_column floors[] = {
     {FLOOR(structure, "structure", "Name of the structure."), .only = THUD_ONLY_CSV},
     {FLOOR(floor, "floor", "Floor, from 1."), .shown = {"floor", NULL, 0, 5, 0, THUD_DIGITS_WORD}},
     {FLOOR(peak.acceleration.value, "acceleration_mps2",
@@ -36,11 +36,11 @@ static const struct thud_field floors[] = {
     {FLOOR(note, "", ""), .only = THUD_ONLY_TEXT, .shown = {NULL, NULL, 0, 0, 0, THUD_DIGITS_WORD}}};
 const struct thud_schema thud_floor_schema = THUD_SCHEMA(
     "run --csv",
-    "A row for each floor, with its peaks over the continuous history and their times;\nwhere storeys of the "
+    "A row for each floor, with its peaks over the continuous history and their\ntimes; where storeys of the "
     "scene yield, with the columns of\n.Sx storey .\nIn JSON a list of each structure, without its name.\n",
     floors);
 
-static const struct thud_field storeys[] = {
+static const struct thud_column storeys[] = {
     {FLOOR(floor, "", ""), .only = THUD_ONLY_TEXT, .shown = {"storey", NULL, 0, 6, 0, THUD_DIGITS_WORD}},
     {FLOOR(note, "", ""), .only = THUD_ONLY_TEXT, .shown = {NULL, NULL, 0, 0, 0, THUD_DIGITS_WORD}},
     {FLOOR(storey.yield_m, "yield_m",
@@ -62,7 +62,7 @@ static const struct thud_field storeys[] = {
     {FLOOR(storey.shear.time_s, "shear_time_s", "Time of that, s."), .shown = {"at", "s", 1, 9, 3, THUD_DIGITS_FIXED}}};
 const struct thud_schema thud_storey_schema = THUD_SCHEMA(
     "storey",
-    "Where storeys of the scene yield: in CSV behind the columns of each floor, in JSON\nan object of each floor "
+    "Where storeys of the scene yield: in CSV behind the columns of each floor, in\nJSON an object of each floor "
     "whose storey yields.\n",
     storeys);
 
@@ -128,9 +128,9 @@ struct contact_row {
     char pair_text[40], blow_text[64];
     const char *pair;
 };
-#define CONTACT(member, key, text) THUD_FIELD(struct contact_row, member, key, text)
+#define CONTACT(member, key, text) THUD_COLUMN(struct contact_row, member, key, text)
 
-static const struct thud_field contacts[] = {
+static const struct thud_column contacts[] = {
     {CONTACT(peak.interface, "interface", "From the left."), .shown = {"contact", NULL, 0, 3, 0, THUD_DIGITS_WORD}},
     {CONTACT(pair, "", ""), .only = THUD_ONLY_TEXT, .shown = {NULL, NULL, 0, -8, 0, THUD_DIGITS_WORD}},
     {CONTACT(peak.left_floor, "left_floor", "Floor on its left.")},
@@ -198,7 +198,7 @@ struct column_row {
     const char *structure;
     struct thud_column_result own;
 };
-#define COLUMN(member, key, text) THUD_FIELD(struct column_row, member, key, text)
+#define COLUMN(member, key, text) THUD_COLUMN(struct column_row, member, key, text)
 #define COLUMN_PEAK(quantity, key, text, head, unit)                                                                   \
     {                                                                                                                  \
         COLUMN(own.peak[quantity].value, key, text), .shown = { head, unit, 1e-3, 11, 5, THUD_DIGITS_PLACES }          \
@@ -208,7 +208,7 @@ struct column_row {
         COLUMN(own.peak[quantity].time_s, key, "Its time, s."), .shown = { "at", "s", 1, 9, 3, THUD_DIGITS_FIXED }     \
     }
 
-static const struct thud_field columns[] = {
+static const struct thud_column columns[] = {
     {COLUMN(own.interface, "interface", "From the left."), .shown = {"columns", NULL, 0, 3, 0, THUD_DIGITS_WORD}},
     {COLUMN(structure, "structure", "Name of the structure whose columns they are."),
      .shown = {NULL, NULL, 0, -7, 6, THUD_DIGITS_WORD}},
@@ -254,9 +254,9 @@ struct impact_row {
     int interface, left_floor, right_floor;
     struct thud_impact own;
 };
-#define IMPACT(member, key, text) THUD_FIELD(struct impact_row, member, key, text)
+#define IMPACT(member, key, text) THUD_COLUMN(struct impact_row, member, key, text)
 
-static const struct thud_field impacts[] = {
+static const struct thud_column impacts[] = {
     {IMPACT(interface, "interface", "Number of the interface, from the left.")},
     {IMPACT(left_floor, "left_floor", "Floor on its left.")},
     {IMPACT(right_floor, "right_floor", "Floor on its right.")},
@@ -295,9 +295,9 @@ struct event_row {
     const char *structure, *where;
     char text[80];
 };
-#define EVENT(member, key, text) THUD_FIELD(struct event_row, member, key, text)
+#define EVENT(member, key, text) THUD_COLUMN(struct event_row, member, key, text)
 
-static const struct thud_field events[] = {
+static const struct thud_column events[] = {
     {EVENT(own.time_s, "time_s", "Its time, s."), .shown = {"time (s)", NULL, 1, 14, 9, THUD_DIGITS_FIXED}},
     {EVENT(where, "", ""), .only = THUD_ONLY_TEXT, .shown = {" where", NULL, 0, -18, 0, THUD_DIGITS_WORD}},
     {EVENT(interface, "interface", "Number of the interface, from the left."), .only = THUD_ROW_CONTACT},
@@ -378,9 +378,9 @@ struct thud_rows thud_event_rows(const struct thud_report *report)
 
 #define ENERGY(member, key, text)                                                                                      \
     {                                                                                                                  \
-        THUD_FIELD(struct thud_energy, member, key, text)                                                              \
+        THUD_COLUMN(struct thud_energy, member, key, text)                                                             \
     }
-static const struct thud_field energies[] = {
+static const struct thud_column energies[] = {
     ENERGY(initial_j, "initial_j", "At the beginning, J."),
     ENERGY(input_j, "input_j", "Work of the ground, J."),
     ENERGY(kinetic_j, "kinetic_j", "At the end, J."),
@@ -389,19 +389,20 @@ static const struct thud_field energies[] = {
     ENERGY(contact_j, "contact_j", "Dissipated by contacts, J."),
     ENERGY(stored_j, "stored_j", "Stored in contacts at the end, J."),
     ENERGY(error_ratio, "error_ratio", "What is unaccounted for, over the largest of these."),
-    {THUD_FIELD(struct thud_energy, hysteretic_j, "hysteretic_j",
-                "Lost in storeys that yield, J; where there are any."),
+    {THUD_COLUMN(struct thud_energy, hysteretic_j, "hysteretic_j",
+                 "Lost in storeys that yield, J; where there are any."),
      .only = THUD_ROW_YIELDS},
-    {THUD_FIELD(struct thud_energy, gravity_j, "gravity_j", "Work of the weight on drifting storeys, J; with P-Delta."),
+    {THUD_COLUMN(struct thud_energy, gravity_j, "gravity_j",
+                 "Work of the weight on drifting storeys, J; with P-Delta."),
      .only = THUD_ROW_WEIGHS}};
 const struct thud_schema thud_energy_schema =
     THUD_SCHEMA("energy", "In\n.Pa result.json :\nthe ledger of the run.\n", energies);
 
 #define TRUNCATION(member, text)                                                                                       \
     {                                                                                                                  \
-        THUD_FIELD(struct thud_truncation, member, #member, text)                                                      \
+        THUD_COLUMN(struct thud_truncation, member, #member, text)                                                     \
     }
-static const struct thud_field truncations[] = {
+static const struct thud_column truncations[] = {
     TRUNCATION(modes, "Modes of each structure that were kept."), TRUNCATION(left_out, "How many were left out."),
     TRUNCATION(acceleration, "Relative error."), TRUNCATION(drift, "Likewise."), TRUNCATION(force, "Likewise.")};
 const struct thud_schema thud_truncation_schema = THUD_SCHEMA(
@@ -415,9 +416,9 @@ struct record_row {
 };
 #define RECORD(member, text)                                                                                           \
     {                                                                                                                  \
-        THUD_FIELD(struct record_row, member, #member, text)                                                           \
+        THUD_COLUMN(struct record_row, member, #member, text)                                                          \
     }
-static const struct thud_field record_fields[] = {
+static const struct thud_column record_fields[] = {
     RECORD(file, "Where it was read."),
     RECORD(peak_mps2, "Largest acceleration as it was used, m/s2."),
     RECORD(scale, "What the samples of its file were multiplied by for that, with the sign; 1: as recorded."),
@@ -448,9 +449,9 @@ struct method_row {
 };
 #define METHOD(member, key, text)                                                                                      \
     {                                                                                                                  \
-        THUD_FIELD(struct method_row, member, key, text)                                                               \
+        THUD_COLUMN(struct method_row, member, key, text)                                                              \
     }
-static const struct thud_field method_fields[] = {
+static const struct thud_column method_fields[] = {
     METHOD(name, "name", "Of the method."),
     METHOD(reason, "reason", "Why the exact method was chosen or what it means."),
     METHOD(tolerance, "tolerance", "Tolerance."),

@@ -1,10 +1,10 @@
 #include "io/result/sweep_csv.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "io/record/csv_lines.h"
 #include "study/scene/level.h"
 
 const char *thud_sweep_csv_name(enum thud_sweep_csv which)
@@ -13,212 +13,333 @@ const char *thud_sweep_csv_name(enum thud_sweep_csv which)
     return name[which];
 }
 
-/* Suffix of a column by what it holds. */
-static const char *suffix(const struct thud_param *param)
-{
-    static const char *const by_dimension[THUD_DIMENSIONS] = {
-        [THUD_LENGTH] = "_m", [THUD_AREA] = "_m2",       [THUD_MASS] = "_kg",
-        [THUD_FORCE] = "_n",  [THUD_STIFFNESS] = "_npm", [THUD_PRESSURE] = "_pa",
-        [THUD_TIME] = "_s",   [THUD_VELOCITY] = "_mps",  [THUD_ACCELERATION] = "_mps2"};
-    const char *s = param->kind == THUD_PARAM_QUANTITY ? by_dimension[param->dimension] : NULL;
-    return s ? s : "";
-}
+/* ---- varied keys ---- */
 
 static bool is_gap(const char *key)
 {
     return strcmp(key, "gap") == 0 || strcmp(key, "interfaces.1.gap") == 0;
 }
 
-/* Varied keys that no other column shows. `outer`: only those that change the motion without pounding. */
-static bool shown(const struct thud_sweep_plan *plan, int axis, bool outer)
+void thud_axis_columns_make(const struct thud_sweep_plan *plan, const bool *shown, struct thud_axis_columns *out)
 {
-    return outer ? axis < plan->nouter : !is_gap(plan->axis[axis].key);
-}
-
-static void put_number(struct thud_text *out, double value)
-{
-    thud_text_bytes(out, ",", 1);
-    if (!isnan(value))
-        thud_text_number(out, value);
-}
-
-static void put_numbers(struct thud_text *out, const double *value, size_t n)
-{
-    for (size_t i = 0; i < n; i++)
-        put_number(out, value[i]);
-}
-
-static void put_axes(const struct thud_sweep_plan *plan, long point, bool outer, struct thud_text *out)
-{
-    int at[THUD_VARY_MAX];
-    thud_sweep_place(plan, point, at);
-    for (int i = 0; i < plan->naxes; i++) {
-        const struct thud_sweep_axis *axis = &plan->axis[i];
-        if (!shown(plan, i, outer))
+    *out = (struct thud_axis_columns){.schema = {"", "", out->field, 0}};
+    for (int a = 0; a < plan->naxes; a++) {
+        const struct thud_sweep_axis *axis = &plan->axis[a];
+        int n = out->schema.n;
+        if (shown && !shown[a])
             continue;
-        if (!axis->words) {
-            put_number(out, axis->value[at[i]]);
-        } else {
-            thud_text_append(out, ",");
-            thud_text_csv(out, axis->text[at[i]]);
-        }
+        snprintf(out->name[n], sizeof out->name[n], "%s%s", axis->key, axis->words ? "" : thud_si_suffix(axis->param));
+        out->field[n] = (struct thud_column){.name = out->name[n],
+                                             .kind = axis->words ? THUD_COLUMN_TEXT : THUD_COLUMN_NUMBER,
+                                             .at = (size_t)n * sizeof *out->value};
+        out->schema.n++;
     }
 }
 
-static void put_record(const struct thud_sweep_plan *plan, int record, struct thud_text *out)
+void thud_axis_columns_put(const struct thud_sweep_plan *plan, const bool *shown, const int *at,
+                           struct thud_axis_columns *out)
 {
-    if (record < plan->nrecords && plan->record[record])
-        thud_text_csv(out, plan->record[record]->file);
+    for (int a = 0, n = 0; a < plan->naxes; a++) {
+        const struct thud_sweep_axis *axis = &plan->axis[a];
+        if (shown && !shown[a])
+            continue;
+        if (axis->words)
+            out->value[n++].text = axis->text[at[a]];
+        else
+            out->value[n++].number = axis->value[at[a]];
+    }
 }
 
-/* Name and unit of every measure. */
-static const char *const measures[THUD_SWEEP_MEASURES][2] = {
-    [THUD_SWEEP_ACCELERATION] = {"acceleration", "_mps2"},
-    [THUD_SWEEP_DRIFT] = {"drift", "_m"},
-    [THUD_SWEEP_DISPLACEMENT] = {"displacement", "_m"},
-    [THUD_SWEEP_ACCELERATION_RATIO] = {"acceleration_ratio", ""},
-    [THUD_SWEEP_DRIFT_RATIO] = {"drift_ratio", ""},
-    [THUD_SWEEP_DISPLACEMENT_RATIO] = {"displacement_ratio", ""},
-    [THUD_SWEEP_ACCELERATION_FREE_RATIO] = {"acceleration_free_ratio", ""},
-    [THUD_SWEEP_DRIFT_FREE_RATIO] = {"drift_free_ratio", ""},
-    [THUD_SWEEP_DISPLACEMENT_FREE_RATIO] = {"displacement_free_ratio", ""},
-    [THUD_SWEEP_DUCTILITY] = {"ductility", ""},
-    [THUD_SWEEP_PERMANENT] = {"permanent", "_m"},
-    [THUD_SWEEP_EXCURSIONS] = {"excursions", ""},
-    [THUD_SWEEP_HYSTERETIC] = {"hysteretic", "_j"},
+/* ---- floors ---- */
+
+struct floor_row {
+    const char *record, *which, *structure;
+    struct thud_sweep_row own;
 };
-/* From here on they are of storeys that yield, and stand at the end of a line where there are any. */
-enum { YIELDING = THUD_SWEEP_DUCTILITY };
+enum { SPREAD = 1 };
 
-static void put_ends_header(int from, int to, struct thud_text *out)
+#define FLOOR(member, key, text) THUD_COLUMN(struct floor_row, member, key, text)
+#define ENDS(measure, key, unit, of)                                                                                   \
+    {FLOOR(own.low[measure], key "_low" unit, "With --sensitivity: smallest within the spread" of "."),                \
+     .only = SPREAD},                                                                                                  \
+    {                                                                                                                  \
+        FLOOR(own.high[measure], key "_high" unit, "With --sensitivity: largest within the spread" of "."),            \
+            .only = SPREAD                                                                                             \
+    }
+
+static const struct thud_column floors[] = {
+    {FLOOR(record, "record", "Ground motion, as it was given; empty for none.")},
+    {FLOOR(which, "case", "none, bumper, cavity or as-written.")},
+    {FLOOR(own.gap_m, "gap_m", "Gap of the first interface, m.")},
+    {FLOOR(structure, "structure", "Name of the structure.")},
+    {FLOOR(own.floor, "floor", "Floor from 1; 0 for the mean over the floors.")},
+    {FLOOR(own.acceleration_mps2, "acceleration_mps2",
+           "Peak of the total acceleration, m/s2; empty on a floor struck by impulses, and so is the mean over its "
+           "structure.")},
+    {FLOOR(own.drift_m, "drift_m", "Peak of the drift, m.")},
+    {FLOOR(own.displacement_m, "displacement_m", "Peak of the displacement relative to the ground, m.")},
+    {FLOOR(own.acceleration_ratio, "acceleration_ratio", "Over that of case none at the same values.")},
+    {FLOOR(own.drift_ratio, "drift_ratio", "Likewise.")},
+    {FLOOR(own.displacement_ratio, "displacement_ratio", "Likewise.")},
+    {FLOOR(own.acceleration_free_ratio, "acceleration_free_ratio",
+           "Over that without pounding, the structures being alone.")},
+    {FLOOR(own.drift_free_ratio, "drift_free_ratio", "Likewise.")},
+    {FLOOR(own.displacement_free_ratio, "displacement_free_ratio", "Likewise.")},
+    ENDS(THUD_SWEEP_ACCELERATION, "acceleration", "_mps2", ", m/s2"),
+    ENDS(THUD_SWEEP_DRIFT, "drift", "_m", ", m"),
+    ENDS(THUD_SWEEP_DISPLACEMENT, "displacement", "_m", ", m"),
+    ENDS(THUD_SWEEP_ACCELERATION_RATIO, "acceleration_ratio", "", ""),
+    ENDS(THUD_SWEEP_DRIFT_RATIO, "drift_ratio", "", ""),
+    ENDS(THUD_SWEEP_DISPLACEMENT_RATIO, "displacement_ratio", "", ""),
+    ENDS(THUD_SWEEP_ACCELERATION_FREE_RATIO, "acceleration_free_ratio", "", ""),
+    ENDS(THUD_SWEEP_DRIFT_FREE_RATIO, "drift_free_ratio", "", ""),
+    ENDS(THUD_SWEEP_DISPLACEMENT_FREE_RATIO, "displacement_free_ratio", "", ""),
+    THUD_STANDS_FOR("KEY", "A varied key other than the gap, with its unit as in bumper.thickness_m, in SI units.")};
+const struct thud_schema thud_sweep_floor_schema =
+    THUD_SCHEMA("sweep.csv",
+                "Written by\n.Cm sweep ,\nalso to standard output with\n.Fl -csv\nor, as objects,\n.Fl -json :\n"
+                "a row for each run and floor; where storeys of the scene yield, with\n.Sx sweep.csv of storeys .\n",
+                floors);
+
+static const struct thud_column storeys[] = {
+    {FLOOR(
+        own.ductility, "ductility",
+        "Peak drift of the storey below the floor over that at which it yields; this and the following are empty for "
+        "an elastic storey, and for floor 0 means over the storeys that yield. Its ratio to another run of the same "
+        "storey is that of the drifts.")},
+    {FLOOR(own.permanent_m, "permanent_m",
+           "Drift at the end at which it carries no force, m; for floor 0 the mean of the sizes.")},
+    {FLOOR(own.excursions, "excursions", "How many times it yielded.")},
+    {FLOOR(own.hysteretic_j, "hysteretic_j", "Energy lost in it, J.")},
+    ENDS(THUD_SWEEP_DUCTILITY, "ductility", "", ""),
+    ENDS(THUD_SWEEP_PERMANENT, "permanent", "_m", ", m"),
+    ENDS(THUD_SWEEP_EXCURSIONS, "excursions", "", ""),
+    ENDS(THUD_SWEEP_HYSTERETIC, "hysteretic", "_j", ", J")};
+const struct thud_schema thud_sweep_storey_schema =
+    THUD_SCHEMA("sweep.csv of storeys", "At the end of each row, where storeys of the scene yield.\n", storeys);
+
+/* ---- contacts ---- */
+
+struct contact_row {
+    const char *record, *which, *struck;
+    struct thud_sweep_contact_row own;
+};
+#define CONTACT(member, key, text) THUD_COLUMN(struct contact_row, member, key, text)
+
+static const struct thud_column contacts[] = {
+    {CONTACT(record, "record", "Ground motion, as it was given.")},
+    {CONTACT(which, "case", "Case.")},
+    {CONTACT(own.gap_m, "gap_m", "Gap of the first interface, m.")},
+    {CONTACT(own.interface, "interface", "Number of the interface.")},
+    {CONTACT(own.left_floor, "left_floor", "Floor on its left.")},
+    {CONTACT(own.right_floor, "right_floor", "Floor on its right.")},
+    {CONTACT(own.impacts, "impacts", "How many.")},
+    {CONTACT(own.force_n, "force_n", "Largest force, N; empty where impulses have none.")},
+    {CONTACT(own.indentation_m, "indentation_m", "Largest indentation, m; empty like the force.")},
+    {CONTACT(own.impulse_ns, "impulse_ns", "Impulse of all impacts, N s.")},
+    {CONTACT(own.contact_time_s, "contact_time_s",
+             "Time in which the contact pushes, s, as in the contacts of a run.")},
+    {CONTACT(own.residual_m, "residual_m", "Indentation left by plastic deformation, m.")},
+    {CONTACT(own.residual_gap_m, "residual_gap_m", "Clearance and residual indentation at the end, m.")},
+    {CONTACT(struck, "struck_columns",
+             "left or right where a slab strikes that structure's columns, below the floor named; else empty.")},
+    {CONTACT(own.shear_lower_n, "shear_lower_n", "Largest shear at the lower end of those columns, N.")},
+    {CONTACT(own.shear_upper_n, "shear_upper_n", "At their upper end, N.")},
+    {CONTACT(own.capacity_ratio, "shear_over_capacity", "The larger one over what they can bear.")},
+    {CONTACT(own.force_low_n, "force_low_n", "With --sensitivity: smallest force within the spread, N."),
+     .only = SPREAD},
+    {CONTACT(own.force_high_n, "force_high_n", "Largest, N."), .only = SPREAD},
+    {CONTACT(own.indentation_low_m, "indentation_low_m", "With --sensitivity: smallest indentation, m."),
+     .only = SPREAD},
+    {CONTACT(own.indentation_high_m, "indentation_high_m", "Largest, m."), .only = SPREAD},
+    THUD_STANDS_FOR("KEY", "A varied key other than the gap, in SI units."),
+    {CONTACT(own.moment_lower_nm, "moment_lower_nm",
+             "Largest bending moment at the lower end of struck columns, N m; empty where floors meet.")},
+    {CONTACT(own.moment_upper_nm, "moment_upper_nm", "At their upper end, N m.")}};
+const struct thud_schema thud_sweep_contact_schema =
+    THUD_SCHEMA("contacts.csv", "Written by\n.Cm sweep Fl o :\na row for each run and contact.\n", contacts);
+enum { MOMENTS = 2 }; /* behind the varied keys */
+
+/* ---- needed gaps ---- */
+
+#define NEED(member, key, text) THUD_COLUMN(struct thud_need_fields, member, key, text)
+#define RULE(id, key, text)     THUD_COLUMN(struct thud_need_fields, rule[(id) + 1], key, text)
+
+static const struct thud_column needs[] = {
+    {NEED(record, "record", "Ground motion, as it was given."), .only = THUD_NEED_RECORD},
+    {NEED(interface, "interface", "Number of the interface.")},
+    {NEED(left_floor, "left_floor", "Floor on its left.")},
+    {NEED(right_floor, "right_floor", "Floor on its right.")},
+    {NEED(left_m, "left_displacement_m", "Peak of the left floor alone, m.")},
+    {NEED(right_m, "right_displacement_m", "Peak of the right floor alone, m.")},
+    {RULE(THUD_GAP_EXACT, "closing_m", "Gap that is needed: how far the two close, m.")},
+    {RULE(THUD_GAP_ABS, "abs_m", "Sum of both peaks, m.")},
+    {RULE(THUD_GAP_SRSS, "srss_m", "Root of the sum of their squares, m.")},
+    {RULE(THUD_GAP_DDC, "ddc_m", "Double difference combination, m; no value where storeys yield.")},
+    {RULE(THUD_GAP_EN1998, "en1998_m", "What EN 1998-1 4.4.2.7 asks for, m.")},
+    {RULE(THUD_GAP_ASCE7, "asce7_m", "What ASCE 7-16 12.12.3 asks for, m.")},
+    {NEED(correlation, "correlation", "Coefficient of DDC; no value where storeys yield.")},
+    {NEED(struck, "struck_columns",
+          "left or right where a slab faces that structure's columns, whose place between the floors counts; else "
+          "empty.")},
+    {RULE(THUD_GAP_EN1998_OWNERS, "en1998_2a_m", "EN 1998-1 4.4.2.7(2)(a): of two owners, m; by thud gap alone."),
+     .only = THUD_NEED_CODES},
+    {RULE(THUD_GAP_EN1998_UNITS, "en1998_2b_m", "EN 1998-1 4.4.2.7(2)(b): of one owner, m; likewise."),
+     .only = THUD_NEED_CODES},
+    {RULE(THUD_GAP_ASCE7_LINE, "asce7_line_m", "ASCE 7 12.12.3: each from the property line, together, m; likewise."),
+     .only = THUD_NEED_CODES},
+    {RULE(THUD_GAP_TBDY, "tbdy2018_m", "TBDY 2018 4.9.3, m; likewise."), .only = THUD_NEED_CODES},
+    {RULE(THUD_GAP_GB50011, "gb50011_m", "GB 50011 6.1.4, m; likewise; no value without its intensity."),
+     .only = THUD_NEED_CODES},
+    {RULE(THUD_GAP_E030, "e030_m", "E.030, m; likewise."), .only = THUD_NEED_CODES}};
+const struct thud_schema thud_need_schema = THUD_SCHEMA(
+    "needed-gaps.csv",
+    "Written by\n.Cm sweep Fl o\nand\n.Cm gap Fl o ,\nthe latter also with\n.Fl -csv :\nthe gap at which two "
+    "floors just do not touch, and what rules of combination\nmake of it: a row for each ground motion and "
+    "pair of floors.\nOf a sweep varied keys that change the motion without pounding follow.\n",
+    needs);
+
+/* ---- of a plan ---- */
+
+/* What the rows of a plan have besides their own values. */
+struct form {
+    const struct thud_sweep_plan *plan;
+    enum thud_sweep_csv which;
+    unsigned marks;
+    bool shown[THUD_VARY_MAX]; /* varied keys that no other column shows; of needs only those that change the motion */
+    struct thud_axis_columns axes;
+    struct thud_schema first, last; /* before and behind the varied keys; last.n 0: nothing */
+};
+
+static void make_form(const struct thud_sweep_plan *plan, enum thud_sweep_csv which, struct form *out)
 {
-    for (int q = from; q < to; q++)
-        thud_text_append(out, ",%s_low%s,%s_high%s", measures[q][0], measures[q][1], measures[q][0], measures[q][1]);
+    *out = (struct form){.plan = plan, .which = which, .marks = plan->sensitivity > 0 ? SPREAD : 0};
+    for (int a = 0; a < plan->naxes; a++)
+        out->shown[a] = which == THUD_SWEEP_CSV_NEEDS ? a < plan->nouter : !is_gap(plan->axis[a].key);
+    thud_axis_columns_make(plan, out->shown, &out->axes);
+    if (which == THUD_SWEEP_CSV_FLOORS) {
+        out->first = thud_sweep_floor_schema;
+        if (thud_sweep_yields(plan))
+            out->last = thud_sweep_storey_schema;
+    } else if (which == THUD_SWEEP_CSV_CONTACTS) {
+        out->first = out->last = thud_sweep_contact_schema;
+        out->first.n -= MOMENTS;
+        out->last.column += out->first.n;
+        out->last.n = MOMENTS;
+    } else {
+        out->first = thud_need_schema;
+        out->marks = THUD_NEED_RECORD;
+    }
 }
 
-static void put_ends(const struct thud_sweep_row *row, int from, int to, struct thud_text *out)
+static void parts_of(const struct form *form, const void *row, struct thud_part part[3])
 {
-    for (int q = from; q < to; q++)
-        put_numbers(out, (const double[]){row->low[q], row->high[q]}, 2);
+    part[0] = (struct thud_part){&form->first, form->marks, row};
+    part[1] = (struct thud_part){&form->axes.schema, 0, form->axes.value};
+    part[2] = (struct thud_part){&form->last, form->marks, row};
 }
 
 void thud_sweep_csv_header(const struct thud_sweep_plan *plan, enum thud_sweep_csv which, struct thud_text *out)
 {
-    static const char *const columns[] = {
-        "record,case,gap_m,structure,floor,acceleration_mps2,drift_m,displacement_m,acceleration_ratio,drift_ratio,"
-        "displacement_ratio,acceleration_free_ratio,drift_free_ratio,displacement_free_ratio",
-        "record,case,gap_m,interface,left_floor,right_floor,impacts,force_n,indentation_m,impulse_ns,contact_time_s,"
-        "residual_m,residual_gap_m,struck_columns,shear_lower_n,shear_upper_n,shear_over_capacity",
-        "record,interface,left_floor,right_floor,left_displacement_m,right_displacement_m,closing_m,abs_m,srss_m,ddc_m,"
-        "correlation,en1998_m,asce7_m,struck_columns"};
-    thud_text_append(out, "%s", columns[which]);
-    if (plan->sensitivity > 0 && which == THUD_SWEEP_CSV_FLOORS)
-        put_ends_header(0, YIELDING, out);
-    if (plan->sensitivity > 0 && which == THUD_SWEEP_CSV_CONTACTS)
-        thud_text_append(out, ",force_low_n,force_high_n,indentation_low_m,indentation_high_m");
-    for (int i = 0; i < plan->naxes; i++)
-        if (shown(plan, i, which == THUD_SWEEP_CSV_NEEDS))
-            thud_text_append(out, ",%s%s", plan->axis[i].key, suffix(plan->axis[i].param));
-    if (which == THUD_SWEEP_CSV_FLOORS && thud_sweep_yields(plan)) {
-        for (int q = YIELDING; q < THUD_SWEEP_MEASURES; q++)
-            thud_text_append(out, ",%s%s", measures[q][0], measures[q][1]);
-        if (plan->sensitivity > 0)
-            put_ends_header(YIELDING, THUD_SWEEP_MEASURES, out);
+    struct form form;
+    struct thud_part part[3];
+    make_form(plan, which, &form);
+    parts_of(&form, NULL, part);
+    thud_parts_names(part, 3, out);
+}
+
+/* "" without ground motion. */
+static const char *record_of(const struct thud_sweep_plan *plan, int record)
+{
+    return record < plan->nrecords && plan->record[record] ? plan->record[record]->file : "";
+}
+
+/* The rows of a point, and one of them with its texts. */
+union rows {
+    void *any;
+    struct thud_sweep_row *floor;
+    struct thud_sweep_contact_row *contact;
+    struct thud_sweep_need_row *need;
+};
+
+static int take_rows(const struct form *form, const struct thud_sweep_point *point, union rows rows)
+{
+    if (form->which == THUD_SWEEP_CSV_FLOORS)
+        return thud_sweep_rows(form->plan, point, rows.floor);
+    if (form->which == THUD_SWEEP_CSV_CONTACTS)
+        return thud_sweep_contact_rows(form->plan, point, rows.contact);
+    return thud_sweep_need_rows(form->plan, point, rows.need);
+}
+
+static void row_of(const struct form *form, union rows rows, int i, struct thud_row_room *out)
+{
+    if (form->which == THUD_SWEEP_CSV_FLOORS) {
+        const struct thud_sweep_row *r = &rows.floor[i];
+        *(struct floor_row *)(void *)out->bytes =
+            (struct floor_row){record_of(form->plan, r->record), thud_case_name(r->which),
+                               form->plan->scene.structure[r->structure].name, *r};
+    } else if (form->which == THUD_SWEEP_CSV_CONTACTS) {
+        const struct thud_sweep_contact_row *r = &rows.contact[i];
+        *(struct contact_row *)(void *)out->bytes = (struct contact_row){
+            record_of(form->plan, r->record), thud_case_name(r->which), thud_struck_name(r->struck), *r};
+    } else {
+        const struct thud_sweep_need_row *r = &rows.need[i];
+        *(struct thud_need_fields *)(void *)out->bytes =
+            (struct thud_need_fields){record_of(form->plan, r->record),
+                                      r->interface,
+                                      r->left_floor,
+                                      r->right_floor,
+                                      thud_struck_name(r->struck),
+                                      r->left_m,
+                                      r->right_m,
+                                      r->correlation,
+                                      {r->closing_m, r->abs_m, r->srss_m, r->ddc_m, r->en1998_m, r->asce7_m}};
     }
-    if (which == THUD_SWEEP_CSV_CONTACTS)
-        thud_text_append(out, ",moment_lower_nm,moment_upper_nm");
-    thud_text_append(out, "\n");
 }
 
-static void put_floor(const struct thud_sweep_plan *plan, long point, const struct thud_sweep_row *row,
-                      struct thud_text *out)
+static enum thud_status put_rows(struct form *form, const struct thud_sweep_point *point, bool json, bool *any,
+                                 struct thud_text *out, struct thud_error *err)
 {
-    put_record(plan, row->record, out);
-    thud_text_append(out, ",%s", thud_case_name(row->which));
-    put_number(out, row->gap_m);
-    thud_text_append(out, ",");
-    thud_text_csv(out, plan->scene.structure[row->structure].name);
-    thud_text_append(out, ",%d", row->floor);
-    const double x[] = {row->acceleration_mps2,       row->drift_m,          row->displacement_m,
-                        row->acceleration_ratio,      row->drift_ratio,      row->displacement_ratio,
-                        row->acceleration_free_ratio, row->drift_free_ratio, row->displacement_free_ratio};
-    put_numbers(out, x, sizeof x / sizeof *x);
-    if (plan->sensitivity > 0)
-        put_ends(row, 0, YIELDING, out);
-    put_axes(plan, point, false, out);
-    if (thud_sweep_yields(plan)) {
-        const double y[] = {row->ductility, row->permanent_m, row->excursions, row->hysteretic_j};
-        put_numbers(out, y, sizeof y / sizeof *y);
-        if (plan->sensitivity > 0)
-            put_ends(row, YIELDING, THUD_SWEEP_MEASURES, out);
+    static const size_t size[] = {sizeof(struct thud_sweep_row), sizeof(struct thud_sweep_contact_row),
+                                  sizeof(struct thud_sweep_need_row)};
+    int n = take_rows(form, point, (union rows){NULL}), at[THUD_VARY_MAX];
+    union rows rows = {malloc(((size_t)n + 1) * size[form->which])};
+    if (!rows.any)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    take_rows(form, point, rows);
+    thud_sweep_place(form->plan, point->index, at);
+    thud_axis_columns_put(form->plan, form->shown, at, &form->axes);
+    for (int i = 0; i < n; i++) {
+        struct thud_row_room row;
+        struct thud_part part[3];
+        row_of(form, rows, i, &row);
+        parts_of(form, row.bytes, part);
+        if (!json) {
+            thud_parts_csv(part, 3, out);
+            continue;
+        }
+        thud_text_append(out, *any ? ",\n  {" : "\n  {");
+        thud_parts_json(part, 3, out);
+        thud_text_append(out, "}");
+        *any = true;
     }
-    thud_text_append(out, "\n");
-}
-
-static void put_contact(const struct thud_sweep_plan *plan, long point, const struct thud_sweep_contact_row *row,
-                        struct thud_text *out)
-{
-    put_record(plan, row->record, out);
-    thud_text_append(out, ",%s", thud_case_name(row->which));
-    put_number(out, row->gap_m);
-    thud_text_append(out, ",%d,%d,%d,%d", row->interface, row->left_floor, row->right_floor, row->impacts);
-    const double x[] = {row->force_n,        row->indentation_m, row->impulse_ns,
-                        row->contact_time_s, row->residual_m,    row->residual_gap_m};
-    const double spread[] = {row->force_low_n, row->force_high_n, row->indentation_low_m, row->indentation_high_m};
-    const double columns[] = {row->shear_lower_n, row->shear_upper_n, row->capacity_ratio};
-    put_numbers(out, x, sizeof x / sizeof *x);
-    thud_text_append(out, ",%s", thud_struck_name(row->struck));
-    put_numbers(out, columns, sizeof columns / sizeof *columns);
-    if (plan->sensitivity > 0)
-        put_numbers(out, spread, sizeof spread / sizeof *spread);
-    put_axes(plan, point, false, out);
-    put_numbers(out, (const double[]){row->moment_lower_nm, row->moment_upper_nm}, 2);
-    thud_text_append(out, "\n");
-}
-
-static void put_need(const struct thud_sweep_plan *plan, long point, const struct thud_sweep_need_row *row,
-                     struct thud_text *out)
-{
-    put_record(plan, row->record, out);
-    thud_text_append(out, ",%d,%d,%d", row->interface, row->left_floor, row->right_floor);
-    const double x[] = {row->left_m, row->right_m,     row->closing_m, row->abs_m,  row->srss_m,
-                        row->ddc_m,  row->correlation, row->en1998_m,  row->asce7_m};
-    put_numbers(out, x, sizeof x / sizeof *x);
-    thud_text_append(out, ",%s", thud_struck_name(row->struck));
-    put_axes(plan, point, true, out);
-    thud_text_append(out, "\n");
+    free(rows.any);
+    return THUD_OK;
 }
 
 enum thud_status thud_sweep_csv_rows(const struct thud_sweep_plan *plan, enum thud_sweep_csv which,
                                      const struct thud_sweep_point *point, struct thud_text *out,
                                      struct thud_error *err)
 {
-    size_t count;
-    void *rows;
-    if (which == THUD_SWEEP_CSV_FLOORS) {
-        count = (size_t)thud_sweep_rows(plan, point, NULL);
-        struct thud_sweep_row *row = rows = malloc((count + 1) * sizeof *row);
-        if (row)
-            thud_sweep_rows(plan, point, row);
-        for (size_t i = 0; row && i < count; i++)
-            put_floor(plan, point->index, &row[i], out);
-    } else if (which == THUD_SWEEP_CSV_CONTACTS) {
-        count = (size_t)thud_sweep_contact_rows(plan, point, NULL);
-        struct thud_sweep_contact_row *row = rows = malloc((count + 1) * sizeof *row);
-        if (row)
-            thud_sweep_contact_rows(plan, point, row);
-        for (size_t i = 0; row && i < count; i++)
-            put_contact(plan, point->index, &row[i], out);
-    } else {
-        count = (size_t)thud_sweep_need_rows(plan, point, NULL);
-        struct thud_sweep_need_row *row = rows = malloc((count + 1) * sizeof *row);
-        if (row)
-            thud_sweep_need_rows(plan, point, row);
-        for (size_t i = 0; row && i < count; i++)
-            put_need(plan, point->index, &row[i], out);
-    }
-    if (!rows)
-        return thud_error_set(err, THUD_MEMORY, "out of memory");
-    free(rows);
-    return THUD_OK;
+    struct form form;
+    make_form(plan, which, &form);
+    return put_rows(&form, point, false, NULL, out, err);
+}
+
+enum thud_status thud_sweep_json_rows(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point,
+                                      bool *any, struct thud_text *out, struct thud_error *err)
+{
+    struct form form;
+    make_form(plan, THUD_SWEEP_CSV_FLOORS, &form);
+    return put_rows(&form, point, true, any, out, err);
 }

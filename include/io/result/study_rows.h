@@ -1,0 +1,49 @@
+/* What studies answer, as rows: gap rules, ground motions of a suite, fragilities. */
+#ifndef THUD_IO_STUDY_ROWS_H
+#define THUD_IO_STUDY_ROWS_H
+
+#include "io/file/schema.h"
+
+extern const struct thud_schema thud_gap_rule_schema, thud_motion_schema, thud_curve_key_schema, thud_stripe_schema,
+    thud_curve_schema, thud_best_schema;
+
+struct thud_gap_rule_row {
+    int interface;
+    const char *rule, *column, *edition, *clause, *title, *source, *formula, *numbers;
+    int left_floor, right_floor;
+    double gap_m;
+    int pounding, motions;
+    double force_n;
+};
+
+struct thud_motion_row {
+    const char *file, *event, *station, *component;
+    double dt_s, duration_s, pga_mps2, pgv_mps, arias_mps, misfit, factor;
+    bool chosen;
+    const char *why;
+};
+enum { THUD_MOTION_LAST = 2 }; /* columns behind those of the marked periods */
+
+/* Which fragility a row is of. */
+struct thud_curve_key {
+    const char *event, *which, *against;
+};
+struct thud_stripe_row {
+    int motions, count;
+    double share, share_low, share_high, fitted, fitted_low, fitted_high;
+};
+enum { THUD_RATES = 6 };
+struct thud_curve_row {
+    double beta, beta_low, beta_high;
+    int falling; /* 0, 1 */
+    double deviance_p, rate[THUD_RATES];
+};
+
+/* The best value of a key; the other keys stand behind the case, its own as texts or numbers. */
+struct thud_best_row {
+    const char *record, *which;
+    double ratio, drift_ratio, worst_ratio;
+    const char *remark;
+};
+
+#endif

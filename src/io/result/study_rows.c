@@ -1,0 +1,134 @@
+#include "io/result/study_rows.h"
+
+#define RULE(member, text)                                                                                             \
+    {                                                                                                                  \
+        THUD_COLUMN(struct thud_gap_rule_row, member, #member, text)                                                   \
+    }
+static const struct thud_column rules[] = {
+    RULE(interface, "Interface."),
+    RULE(rule, "Its name."),
+    RULE(column, "Its name in needed-gaps.csv."),
+    RULE(edition, "Of the code; empty: a rule of no code."),
+    RULE(clause, "Of the code, or the reference."),
+    RULE(title, "In a few words."),
+    RULE(source, "Where the rule was written from, if not from the text itself."),
+    RULE(formula, "In letters: uL and uR displacements, h height of the level, H of the lower building."),
+    RULE(numbers, "The same in numbers, cm."),
+    RULE(left_floor, "Floor of the left structure where the rule asks for most."),
+    RULE(right_floor, "Floor of the right structure."),
+    RULE(gap_m, "What it asks for, m."),
+    RULE(pounding, "Ground motions in which the interface is touched at that gap without bumper."),
+    RULE(motions, "Of how many."),
+    RULE(force_n, "Largest force of those runs, N.")};
+const struct thud_schema thud_gap_rule_schema =
+    THUD_SCHEMA("gap-rules.csv",
+                "Written by\n.Cm gap Fl o :\na row for each interface and rule that has a value there, what is needed "
+                "first.\n",
+                rules);
+
+#define MOTION(member, text, ...)                                                                                      \
+    {                                                                                                                  \
+        THUD_COLUMN(struct thud_motion_row, member, #member, text), .shown = { __VA_ARGS__ }                           \
+    }
+#define GENERAL THUD_DIGITS_FREE
+static const struct thud_column motions[] = {
+    MOTION(file, "Where it was read.", NULL),
+    MOTION(event, "As the file says.", NULL),
+    MOTION(station, "As the file says.", NULL),
+    MOTION(component, "As the file says.", NULL),
+    MOTION(dt_s, "Step, s.", "step s", NULL, 1, 7, 4, GENERAL),
+    MOTION(duration_s, "Length, s.", "length s", NULL, 1, 10, 4, GENERAL),
+    MOTION(pga_mps2, "Peak acceleration once scaled, m/s2.", "PGA g", NULL, 1 / THUD_GRAVITY, 9, 3, GENERAL),
+    MOTION(pgv_mps, "Peak velocity once scaled, m/s.", "PGV m/s", NULL, 1, 9, 3, GENERAL),
+    MOTION(arias_mps, "Arias intensity once scaled, m/s.", "Arias m/s", NULL, 1, 11, 3, GENERAL),
+    MOTION(misfit, "Root mean square of ln(target/Sa) once the motion is scaled by itself.", "misfit", NULL, 1, 8, 2,
+           GENERAL),
+    MOTION(factor, "What the samples of the file are multiplied by in all.", "factor", NULL, 1, 10, 3, GENERAL),
+    THUD_STANDS_FOR("sa_N_mps2", "For each building of --preset its spectral acceleration once scaled, m/s2."),
+    THUD_STANDS_FOR("period_N_s", "At this period, s."),
+    MOTION(chosen, "Whether it is.", NULL),
+    MOTION(why, "Why not.", NULL)};
+const struct thud_schema thud_motion_schema = THUD_SCHEMA(
+    "motions.csv",
+    "Of\n.Cm thud suite :\na row for each ground motion.\nWith\n.Fl -json\nthe same, the marked periods as the "
+    "list\n.Va sa ,\nwith the target, the common factor, the range of periods, the least ratio of\nmean and "
+    "target with its period, the mean peak, and the target at T = 0.\n",
+    motions);
+
+#define KEY(member, name, text)                                                                                        \
+    {                                                                                                                  \
+        THUD_COLUMN(struct thud_curve_key, member, name, text)                                                         \
+    }
+static const struct thud_column keys[] = {
+    KEY(event, "event", "Event, as asked for."), KEY(which, "case", "Case."),
+    KEY(against, "against", "The key that it is drawn against."),
+    THUD_STANDS_FOR(
+        "KEY",
+        "In the files: value of each varied key, with its unit as in record.sa_mps2; of a curve empty for its own.")};
+const struct thud_schema thud_curve_key_schema =
+    THUD_SCHEMA("fragility",
+                "First columns of\n.Pa fragility.csv\nand\n.Pa fragility-curves.csv ,\nand members of each curve in\n"
+                ".Pa fragility.json .\n",
+                keys);
+
+#define STRIPE(member, text)                                                                                           \
+    {                                                                                                                  \
+        THUD_COLUMN(struct thud_stripe_row, member, #member, text)                                                     \
+    }
+static const struct thud_column stripes[] = {
+    STRIPE(motions, "Ground motions with an answer."),
+    STRIPE(count, "Of those, how many show the event."),
+    STRIPE(share, "Share that they are."),
+    STRIPE(share_low,
+           "Lower end of its 90 % band (Wilson; both signs of a motion count as one); empty: fewer than three "
+           "independent motions."),
+    STRIPE(share_high, "Its upper end."),
+    STRIPE(fitted, "Probability by the fitted curve; empty: none is told."),
+    STRIPE(fitted_low,
+           "Lower end of its bootstrapped 90 % band; empty: none, as with fewer than seven independent motions."),
+    STRIPE(fitted_high, "Its upper end.")};
+const struct thud_schema thud_stripe_schema =
+    THUD_SCHEMA("fragility.csv",
+                "Written by\n.Cm fragility Fl o :\na row for each event, case and setting, behind the columns of\n"
+                ".Sx fragility .\n",
+                stripes);
+
+#define CURVE(member, key, text)                                                                                       \
+    {                                                                                                                  \
+        THUD_COLUMN(struct thud_curve_row, member, key, text)                                                          \
+    }
+static const struct thud_column curves[] = {
+    CURVE(beta, "beta", "Standard deviation of the logarithm."),
+    CURVE(beta_low, "beta_low", "Lower end of its band."),
+    CURVE(beta_high, "beta_high", "Its upper end."),
+    {THUD_COLUMN(struct thud_curve_row, falling, "falling", "1 where the event gets rarer as the key grows."),
+     .only = THUD_ONLY_CSV},
+    CURVE(deviance_p, "deviance_p", "How likely a deviance as large would be if the curve held."),
+    CURVE(rate[0], "annual_rate",
+          "Of the event, a year, with --hazard; empty: there are bounds only, or nothing is known."),
+    CURVE(rate[1], "annual_rate_low", "At least."),
+    CURVE(rate[2], "annual_rate_high", "At most; empty: no bound."),
+    CURVE(rate[3], "probability_50_years", "Of at least one in 50 years."),
+    CURVE(rate[4], "probability_50_years_low", "At least."),
+    CURVE(rate[5], "probability_50_years_high", "At most.")};
+const struct thud_schema thud_curve_schema =
+    THUD_SCHEMA("fragility-curves.csv of each curve",
+                "Behind the medians in\n.Pa fragility-curves.csv ,\nand in\n.Pa fragility.json .\n", curves);
+
+#define BEST(member, key, text)                                                                                        \
+    {                                                                                                                  \
+        THUD_COLUMN(struct thud_best_row, member, key, text)                                                           \
+    }
+static const struct thud_column bests[] = {
+    BEST(record, "record", "Ground motion, as it was given; worst of all for the largest over them."),
+    BEST(which, "case", "Case."),
+    THUD_STANDS_FOR("KEY", "Value of each other varied key, with its unit."),
+    THUD_STANDS_FOR("bestUNIT", "Value with the smallest ratio, with the unit of its key."),
+    BEST(ratio, "acceleration_ratio", "The larger of the structures' mean acceleration ratios there."),
+    BEST(drift_ratio, "drift_ratio", "Largest over the structures of the ratio of the mean deflections, there."),
+    THUD_STANDS_FOR("flat_fromUNIT", "Smallest value within 5 % of it."),
+    THUD_STANDS_FOR("flat_toUNIT", "Largest one."),
+    BEST(worst_ratio, "worst_acceleration_ratio", "Ratio at the worst value of the key."),
+    BEST(remark, "remark", "What to beware of: an end of the range, a bumper that hardly touches; empty: nothing.")};
+const struct thud_schema thud_best_schema = THUD_SCHEMA(
+    "best.csv", "Written by\n.Cm sweep Fl -best Fl o :\na row for each setting of the other keys.\n", bests);
