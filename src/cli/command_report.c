@@ -87,6 +87,10 @@ static enum thud_status report(const struct thud_args *args, struct thud_session
     }
     struct thud_site_report_options options = {.by = &by,
                                                .command = text.data,
+                                               .project = thud_args_value(args, "project"),
+                                               .author = thud_args_value(args, "author"),
+                                               .checker = thud_args_value(args, "checker"),
+                                               .date = thud_args_value(args, "date"),
                                                .records = &records,
                                                .inputs = &inputs.inputs,
                                                .samples = inputs.samples,

@@ -61,9 +61,23 @@ needed=$(sed -n 's/.*from a gap of \([0-9.]*\) cm on.*/\1/p' "$tmp/r/report.md")
 is "the gap from which nothing touches" [ -n "$needed" ]
 is "is enough" [ "$(count --case none --set "gap=$(awk -v g="$needed" 'BEGIN { print g + 0.1 }')cm")" -eq 0 ]
 is "and no more than that" [ "$(count --case none --set "gap=$(awk -v g="$needed" 'BEGIN { print g - 0.1 }')cm")" -gt 0 ]
+is "the verdict on the gap is the same number" in_text "| gap between [^|]* | [0-9.]* cm given; $needed cm needed between bare faces"
+is "the force of the verdict is the run's" in_text "| pounding without bumper | [0-9]* impacts; at most $(force --case none) MN"
+given() { # every key of the preset that holds a number stands in a table of inputs, with its value
+    awk -F': *' '/^ *[a-z-]+: *[^ ]*[0-9]/ && !/^(title|study|analysis)/ { sub(/^[ -]*/, "", $1); sub(/ *#.*/, "", $2); print $1 "\t" $2 }' "$tmp/own.yaml" |
+        while IFS='	' read -r key value; do
+            case $key in file | from | to | step | vary) continue ;; esac
+            sed 's|[\\]||g' "$tmp/r/report.md" | grep -qF "| $key | $value |" || echo "$key $value"
+        done
+}
+is "every input stands in a table" [ -z "$(given)" ]
+counted() { awk -v w="$1" '{ if (match($0, "^([*][*])?" w " [0-9]+[.] ")) { split(substr($0, 1, RLENGTH), p, /[ .]+/); n++; if (p[2] + 0 != n) bad++ } } END { exit !(n > 3 && !bad) }' "$tmp/r/report.md"; }
+is "tables are numbered" counted Table
+is "and figures" counted Figure
 is "a second method confirms it" in_text 'once more by dormand-prince.*largest relative difference is [0-9.]*e-\(0[6-9]\|1[0-9]\) '
 is "with equal impact counts" in_text 'all impact counts are equal'
 is "it says what it does not cover" in_text 'One ground motion proves nothing about a gap'
+is "no title block unless it is asked for" sh -c "! grep -q '^- Author' '$tmp/r/report.md'"
 is "how it was made" in_text "    thud report '\\{0,1\\}$tmp/own.yaml'\\{0,1\\} -o '\\{0,1\\}$tmp/r'\\{0,1\\} " # quoted where TMPDIR has a blank
 is "and of what" in_text 'stiffness: \[420 MN/m, 400 MN/m'
 
@@ -116,7 +130,7 @@ is "and touch the bumper" in_text "under 2 of the 3 from $(begins 0.03 2) times,
 share=$("$THUD" uncertainty "$tmp/own.yaml" --samples 20 --uncertain gap=10% --quiet 2>/dev/null | sed -n 's/^The bumper lowers the mean drift of Nr 14 in \([0-9]*\) % of 20 samples.*/\1/p')
 is "in which share of the samples the bumper helps" in_text "the bumper lowers the mean drift of Nr 14 in $share % of 20 samples"
 is "their sizes are said" in_text 'gap +-10 %, stiffness.Nr .*12.* +-10 %, stiffness.Nr 14 +-10 %'
-is "every motion has its line" [ "$(grep -c -e '^| .*-surrogate.csv |' "$tmp/r/report.md")" -eq 3 ]
+is "every motion has its line" [ "$(grep -c -e '^| [^|]*-surrogate.csv |' "$tmp/r/report.md")" -eq 3 ]
 for figure in needed-gap fragility-pounding fragility-worse ida-none ida-bumper; do
     is "$figure is drawn" test -s "$tmp/r/$figure.svg"
 done

@@ -61,14 +61,15 @@ START_TEST(lists_and_tables_open_and_close)
     thud_document_heading(&document, "Next");
     thud_document_item(&document, "- three");
     write_both();
-    ck_assert(has(&html,
-                  "<ul>\n<li>one</li>\n<li>two</li>\n</ul>\n<table>\n<caption>Peaks</caption>\n"
-                  "<thead><tr><th scope=\"col\">0|</th><th scope=\"col\">1|</th></tr></thead>\n<tbody>\n"
-                  "<tr><th scope=\"row\">2|</th><td>3|</td></tr>\n"
-                  "<tr><th scope=\"row\">4|</th><td>5|</td></tr>\n</tbody></table>\n"
-                  "<table>\n<caption>Empty</caption>\n</table>\n<h2>Next</h2>\n<ul>\n<li>- three</li>\n</ul>\n"));
-    ck_assert_str_eq(markdown.data, "- one\n- two\n\n**Peaks**\n\n| 0\\| | 1\\| |\n|---|---:|\n| 2\\| | 3\\| |\n"
-                                    "| 4\\| | 5\\| |\n\n**Empty**\n\n\n## Next\n\n- \\- three\n");
+    ck_assert(has(&html, "<ul>\n<li>one</li>\n<li>two</li>\n</ul>\n<div><table>\n<caption>Table 1. Peaks</caption>\n"
+                         "<thead><tr><th scope=\"col\">0|</th><th scope=\"col\">1|</th></tr></thead>\n<tbody>\n"
+                         "<tr><th scope=\"row\">2|</th><td>3|</td></tr>\n"
+                         "<tr><th scope=\"row\">4|</th><td>5|</td></tr>\n</tbody></table></div>\n"
+                         "<div><table>\n<caption>Table 2. Empty</caption>\n</table></div>\n<h2>Next</h2>\n<ul>\n<li>- "
+                         "three</li>\n</ul>\n"));
+    ck_assert_str_eq(markdown.data,
+                     "- one\n- two\n\n**Table 1. Peaks**\n\n| 0\\| | 1\\| |\n|---|---:|\n| 2\\| | 3\\| |\n"
+                     "| 4\\| | 5\\| |\n\n**Table 2. Empty**\n\n\n## Next\n\n- \\- three\n");
 }
 END_TEST
 
@@ -92,7 +93,29 @@ START_TEST(figures_are_inside_and_beside)
     }
     ck_assert_ptr_null(thud_document_picture(&document, 3, &file));
     ck_assert(has(&html, "<img alt=\"What &quot;is&quot; seen\" src=\"data:image/svg+xml;base64,"));
-    ck_assert(has(&markdown, "![What \"is\" seen](a.svg)\n"));
+    ck_assert(has(&markdown, "![What \"is\" seen](a.svg)\n\nFigure 1. What \"is\" seen\n"));
+    ck_assert(has(&html, "<figcaption>Figure 3. What"));
+}
+END_TEST
+
+/* Sentences in a column stand at its left, in both; what is cut is gone from both. */
+START_TEST(sentences_in_tables_and_what_is_cut)
+{
+    thud_document_table(&document, "Verdicts");
+    static const char *const cell[] = {"question", "answer", "n", "enough", "a sentence with several words", "3"};
+    for (int i = 0; i < 6; i++) {
+        thud_document_cell(&document, "%s", cell[i]);
+        if (i % 3 == 2)
+            thud_document_row(&document);
+    }
+    size_t n = document.n;
+    thud_document_item(&document, "not for the first page");
+    thud_document_cut(&document, n);
+    ck_assert(document.n == n);
+    write_both();
+    ck_assert(has(&html, "<td class=\"prose\">a sentence with several words</td><td>3</td>"));
+    ck_assert(has(&markdown, "\n|---|---|---:|\n"));
+    ck_assert(!has(&html, "first page") && !has(&markdown, "first page"));
 }
 END_TEST
 
@@ -114,6 +137,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, what_was_typed_stays_a_text);
     tcase_add_test(tcase, lists_and_tables_open_and_close);
     tcase_add_test(tcase, figures_are_inside_and_beside);
+    tcase_add_test(tcase, sentences_in_tables_and_what_is_cut);
     tcase_add_test(tcase, lines_stay_as_they_are);
     suite_add_tcase(suite, tcase);
     return suite;

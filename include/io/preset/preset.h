@@ -24,6 +24,10 @@ const struct thud_scene *thud_preset_scene(const struct thud_preset *preset);
  * Errors: THUD_INPUT (text that YAML cannot hold), THUD_MEMORY. */
 enum thud_status thud_preset_text(const struct thud_preset *preset, const struct thud_scene *scene, char **text,
                                   unsigned long *size, struct thud_error *err);
+/* Every key that a scene has but those of its study, in the order of presets, with its value as they write it: section
+ * "structures.1.column" (the first letters of a path, empty for the scene's own), key "capacity". Errors: THUD_MEMORY. */
+enum thud_status thud_preset_each(const struct thud_scene *scene, void *context,
+                                  void (*each)(void *context, const char *section, const char *key, const char *value));
 /* Writes a temporary beside `path`, syncs and renames. Errors: THUD_OUTPUT, those of thud_preset_text. */
 enum thud_status thud_preset_save(const struct thud_preset *preset, const struct thud_scene *scene, const char *path,
                                   struct thud_error *err);

@@ -106,20 +106,41 @@ const struct thud_text *thud_document_picture(const struct thud_document *docume
     return NULL;
 }
 
-void thud_document_clear(struct thud_document *document)
+void thud_document_cut(struct thud_document *document, size_t n)
 {
-    for (size_t i = 0; i < document->n; i++) {
+    for (size_t i = n; i < document->n; i++) {
         thud_text_clear(&document->piece[i].text);
         thud_text_clear(&document->piece[i].file);
         thud_text_clear(&document->piece[i].svg);
     }
+    document->n = n < document->n ? n : document->n;
+}
+
+void thud_document_clear(struct thud_document *document)
+{
+    thud_document_cut(document, 0);
     free(document->piece);
     *document = (struct thud_document){0};
+}
+
+/* "Table 3. ", "Figure 1. ": tables and figures are counted each on their own. */
+static void put_number(const struct thud_document *document, size_t i, struct thud_text *out)
+{
+    int number = 0;
+    for (size_t k = 0; k <= i; k++)
+        number += document->piece[k].kind == document->piece[i].kind;
+    thud_text_append(out, "%s %d. ", document->piece[i].kind == TABLE ? "Table" : "Figure", number);
 }
 
 static const char *text_of(const struct thud_document_piece *piece)
 {
     return piece->text.data ? piece->text.data : "";
+}
+
+/* Sentences begin at the left of their column, numbers end at its right. */
+static bool is_prose(const char *text)
+{
+    return strlen(text) > 24 && strchr(text, ' ');
 }
 
 /* ---- HTML ---- */
@@ -169,16 +190,19 @@ static void base64(struct thud_text *out, const struct thud_text *bytes)
 
 /* A4: 210 mm less 10 mm on both sides is what a figure of 190 mm takes. */
 static const char style[] =
-    "@page { size: A4; margin: 12mm 10mm 14mm 10mm }\n"
+    "@page { size: A4; margin: 12mm 10mm 16mm 10mm; @bottom-right { content: counter(page) ' of ' counter(pages); "
+    "font-size: 8pt } }\n"
     "html { font: 10.5pt/1.45 'DejaVu Sans', Verdana, sans-serif; color: #111; background: #fff }\n"
     "body { max-width: 190mm; margin: 8mm auto; padding: 0 4mm }\n"
     "h1 { font-size: 1.6em; line-height: 1.2; margin: 0 0 .6em }\n"
     "h2 { font-size: 1.2em; margin: 1.6em 0 .4em; border-bottom: 1px solid #888; break-after: avoid }\n"
+    "main > div { overflow-x: auto } tbody th { max-width: 22em; overflow-wrap: anywhere }\n"
     "p, li { margin: .4em 0 } ul { padding-left: 1.4em }\n"
     "table { border-collapse: collapse; margin: .8em 0; font-size: .9em; width: 100% }\n"
     "caption { text-align: left; font-weight: bold; margin-bottom: .3em }\n"
     "th, td { padding: .15em .5em; text-align: right; border-bottom: 1px solid #ccc; font-variant-numeric: "
     "tabular-nums }\n"
+    "td.prose { text-align: left }\n"
     "thead th { border-bottom: 1px solid #333; vertical-align: bottom }\n"
     "th[scope=row], thead th:first-child { text-align: left; font-weight: normal }\n"
     "thead th:first-child { font-weight: bold } table, tr { break-inside: avoid } table.long { break-inside: auto } "
@@ -202,7 +226,7 @@ static void html_leave(struct thud_text *out, struct place *place, enum kind nex
         place->list = false;
     }
     if (place->table && next != CELL && next != ROW) {
-        thud_text_append(out, "%s</table>\n", place->body ? "</tbody>" : "");
+        thud_text_append(out, "%s</table></div>\n", place->body ? "</tbody>" : "");
         place->table = false;
     }
 }
@@ -223,7 +247,7 @@ static void html_cell(struct thud_text *out, struct place *place, const char *te
     else if (place->column == 1)
         html_element(out, "<th scope=\"row\">", text, "</th>");
     else
-        html_element(out, "<td>", text, "</td>");
+        html_element(out, is_prose(text) ? "<td class=\"prose\">" : "<td>", text, "</td>");
 }
 
 /* A table of more rows may go over a page's end: kept together it would leave half a page empty. */
@@ -261,8 +285,10 @@ static void html_piece(struct thud_text *out, struct place *place, const struct 
         html_element(out, "<pre>", text_of(piece), "</pre>\n");
         break;
     case TABLE:
-        html_element(out, is_long(document, i) ? "<table class=\"long\">\n<caption>" : "<table>\n<caption>",
-                     text_of(piece), "</caption>\n");
+        thud_text_append(out,
+                         is_long(document, i) ? "<div><table class=\"long\">\n<caption>" : "<div><table>\n<caption>");
+        put_number(document, i, out);
+        html_element(out, "", text_of(piece), "</caption>\n");
         *place = (struct place){.table = true};
         break;
     case CELL:
@@ -276,7 +302,9 @@ static void html_piece(struct thud_text *out, struct place *place, const struct 
     case FIGURE:
         html_element(out, "<figure><img alt=\"", text_of(piece), "\" src=\"data:image/svg+xml;base64,");
         base64(out, &piece->svg);
-        html_element(out, "\"><figcaption>", text_of(piece), "</figcaption></figure>\n");
+        thud_text_append(out, "\"><figcaption>");
+        put_number(document, i, out);
+        html_element(out, "", text_of(piece), "</figcaption></figure>\n");
         break;
     }
 }
@@ -317,8 +345,16 @@ static void escape_markdown(struct thud_text *out, const char *text)
     }
 }
 
-static void markdown_piece(struct thud_text *out, struct place *place, const struct thud_document_piece *piece)
+/* Of column k of the row that begins with piece `from`: the first of a table's body. */
+static bool column_is_prose(const struct thud_document *document, size_t from, int k)
 {
+    size_t i = from + (size_t)k;
+    return i < document->n && document->piece[i].kind == CELL && is_prose(text_of(&document->piece[i]));
+}
+
+static void markdown_piece(struct thud_text *out, struct place *place, const struct thud_document *document, size_t i)
+{
+    const struct thud_document_piece *piece = &document->piece[i];
     const char *text = text_of(piece);
     bool goes_on =
         (place->list && piece->kind == ITEM) || (place->table && (piece->kind == CELL || piece->kind == ROW));
@@ -343,6 +379,7 @@ static void markdown_piece(struct thud_text *out, struct place *place, const str
         return;
     case TABLE:
         thud_text_append(out, "**");
+        put_number(document, i, out);
         escape_markdown(out, text);
         thud_text_append(out, "**\n\n");
         return;
@@ -353,8 +390,8 @@ static void markdown_piece(struct thud_text *out, struct place *place, const str
         return;
     case ROW:
         thud_text_append(out, "\n");
-        for (int i = 0; !place->body && i < place->column; i++)
-            thud_text_append(out, "%s", i == 0 ? "|---|" : "---:|");
+        for (int k = 0; !place->body && k < place->column; k++)
+            thud_text_append(out, "%s", k == 0 ? "|---|" : column_is_prose(document, i + 1, k) ? "---|" : "---:|");
         thud_text_append(out, place->body ? "" : "\n");
         place->body = true;
         place->column = 0;
@@ -362,8 +399,9 @@ static void markdown_piece(struct thud_text *out, struct place *place, const str
     case FIGURE:
         thud_text_append(out, "![");
         escape_markdown(out, text);
-        thud_text_append(out, "](%s)\n", piece->file.data ? piece->file.data : "");
-        return;
+        thud_text_append(out, "](%s)\n\n", piece->file.data ? piece->file.data : "");
+        put_number(document, i, out);
+        break;
     case PARAGRAPH:
         break;
     }
@@ -375,5 +413,5 @@ void thud_document_markdown(const struct thud_document *document, struct thud_te
 {
     struct place place = {0};
     for (size_t i = 0; i < document->n; i++)
-        markdown_piece(out, &place, &document->piece[i]);
+        markdown_piece(out, &place, document, i);
 }

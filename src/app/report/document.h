@@ -19,6 +19,8 @@ void thud_document_heading(struct thud_document *document, const char *text);
 void thud_document_paragraph(struct thud_document *document, const char *fmt, ...) THUD_PRINTF(2, 3);
 /* Items that follow each other are one list. */
 void thud_document_item(struct thud_document *document, const char *fmt, ...) THUD_PRINTF(2, 3);
+/* Takes out the pieces from the n-th (from 0) on; document->n counts them. */
+void thud_document_cut(struct thud_document *document, size_t n);
 /* Lines as they are, in letters of one width. */
 void thud_document_lines(struct thud_document *document, const char *text);
 /* A table: its caption, cells from left to right, thud_document_row after each row. The first row is the head, the

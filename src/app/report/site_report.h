@@ -10,8 +10,9 @@
 #include "plot/gnuplot/gnuplot.h"
 
 struct thud_site_report_options {
-    const struct thud_made_by *by;          /* the folder, and whose results its are */
-    const char *command;                    /* as typed, to repeat it */
+    const struct thud_made_by *by;                 /* the folder, and whose results its are */
+    const char *project, *author, *checker, *date; /* of the title block; NULL: not given */
+    const char *command;                           /* as typed, to repeat it */
     const struct thud_record_list *records; /* the suite of ground motions; one of them or none: there is no suite */
     const struct thud_inputs *inputs;       /* that are uncertain */
     size_t samples;                         /* of them; 0: none are drawn */

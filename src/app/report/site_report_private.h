@@ -70,6 +70,20 @@ struct site {
 /* All sections, in the order of the document. Errors: THUD_MEMORY, THUD_CANCELLED; see also site->pictures. */
 enum thud_status thud_site_write(struct site *site, struct thud_error *err);
 
+/* ---- the first page, and every input ---- */
+
+/* Project, author, checker and date, where they are given. */
+void thud_site_title_block(struct site *site);
+/* A row for each thing that is decided. */
+void thud_site_verdicts(struct site *site);
+/* A table for each building, contact and bumper: every number that the runs use, by its key in a preset. */
+void thud_site_inputs(struct site *site);
+
+/* Impacts of a run, and at how many levels. */
+int thud_site_impacts(const struct thud_result *result, int *levels);
+/* How many floors (storeys, for drifts) the bumper lowers, leaves as they are and raises. */
+void thud_site_effect(const struct site *site, bool drifts, int count[3]);
+
 /* ---- the suite ---- */
 
 /* Runs it; nothing where there is one motion or none. Errors: those of the studies. */

@@ -26,7 +26,7 @@ static const double drift_limit = 0.01;
 
 /* ---- the answer ---- */
 
-static int impacts(const struct thud_result *r, int *levels)
+int thud_site_impacts(const struct thud_result *r, int *levels)
 {
     int n = 0;
     *levels = 0;
@@ -52,7 +52,7 @@ static const char *plural(int n)
 
 static void say_case(struct site *site, const struct site_case *one)
 {
-    int levels, n = impacts(one->result, &levels);
+    int levels, n = thud_site_impacts(one->result, &levels);
     const struct thud_contact_result *most = thud_site_strongest(one->result);
     char between[320];
     if (n == 0 || !most) {
@@ -147,6 +147,16 @@ static int list_floors(const struct site *site, int table, enum side side, struc
             thud_text_append(out, " of %s", thud_site_name(site, s));
     }
     return n;
+}
+
+void thud_site_effect(const struct site *site, bool drifts, int count[3])
+{
+    for (int side = LOWER; side <= (int)HIGHER; side++) {
+        struct thud_text floors = {0};
+        double furthest;
+        count[side] = list_floors(site, drifts ? FLOOR_DRIFT : FLOOR_ACCELERATION, (enum side)side, &floors, &furthest);
+        thud_text_clear(&floors);
+    }
 }
 
 static void say_effect(struct site *site, int table)
@@ -320,7 +330,7 @@ static void answer(struct site *site)
         thud_record_peak_text(site->record, peak, sizeof peak);
     thud_document_heading(d, "The answer");
     say_failures(site);
-    bool pounds = impacts(none->result, &levels) > 0;
+    bool pounds = thud_site_impacts(none->result, &levels) > 0;
     thud_site_suite_answer(site);
     if (site->record)
         thud_document_paragraph(d, "%s %s%s, %s, the buildings %s at the gap as it is.",
@@ -413,25 +423,9 @@ static void add_floor_rows(struct site *site, int s)
     }
 }
 
-/* "stiffness 2500 kN/mm, restitution 0.6": what the law is given. */
-static void law_text(const struct thud_scene *scene, int interface, bool bumper, char *text, size_t size)
-{
-    const struct thud_law_choice *choice =
-        bumper ? &scene->interface[interface].bumper : &scene->interface[interface].contact;
-    size_t n = (size_t)snprintf(text, size, "%s", choice->law->name);
-    for (int i = 0; i < choice->law->nparams && n < size; i++) {
-        char path[96], value[96];
-        snprintf(path, sizeof path, "interfaces.%d.%s.%s", interface + 1, bumper ? "bumper" : "contact",
-                 choice->law->params[i].name);
-        if (thud_scene_get(scene, path, value, sizeof value, NULL) == THUD_OK && value[0])
-            n += (size_t)snprintf(text + n, size - n, ", %s %s", choice->law->params[i].name, value);
-    }
-}
-
 static void scene(struct site *site)
 {
     struct thud_document *d = &site->document;
-    char law[900];
     thud_document_heading(d, "The buildings and the gap");
     add_structure_rows(site);
     for (int s = 0; s < site->scene->nstructures; s++)
@@ -439,15 +433,12 @@ static void scene(struct site *site)
             add_floor_rows(site, s);
     for (int i = 0; i + 1 < site->scene->nstructures; i++) {
         const struct thud_interface *f = &site->scene->interface[i];
-        law_text(site->scene, i, false, law, sizeof law);
-        thud_document_item(d, "Between %s and %s: a gap of %.4g cm. Concrete on concrete: %s.", thud_site_name(site, i),
-                           thud_site_name(site, i + 1), 100 * f->gap_m, law);
-        if (!f->has_bumper)
-            continue;
-        law_text(site->scene, i, true, law, sizeof law);
-        thud_document_item(
-            d, "Its bumper: %.4g cm thick in a cavity of %.4g cm, which leaves a clearance of %.4g cm: %s.",
-            100 * f->bumper_thickness_m, 100 * f->bumper_cavity_m, 100 * thud_interface_clearance(f), law);
+        thud_document_item(d, "Between %s and %s: a gap of %.4g cm.", thud_site_name(site, i),
+                           thud_site_name(site, i + 1), 100 * f->gap_m);
+        if (f->has_bumper)
+            thud_document_item(
+                d, "Its bumper: %.4g cm thick in a cavity of %.4g cm, which leaves a clearance of %.4g cm.",
+                100 * f->bumper_thickness_m, 100 * f->bumper_cavity_m, 100 * thud_interface_clearance(f));
     }
 }
 
@@ -936,19 +927,39 @@ static int caution_digits(struct site *site)
     return n;
 }
 
+/* What matters most comes first. */
+static int all_cautions(struct site *site)
+{
+    typedef int caution(struct site * site);
+    static caution *const each[] = {say_failures,   caution_synthetic, caution_motion, caution_storeys,
+                                    caution_drifts, caution_bumpers,   caution_digits, caution_values};
+    int n = 0;
+    for (size_t i = 0; i < sizeof each / sizeof *each; i++)
+        n += each[i](site);
+    return n;
+}
+
+enum { FOREMOST = 3 };
+
+/* What a reader has to know before the numbers. */
+static void foremost(struct site *site)
+{
+    struct thud_document *d = &site->document;
+    thud_document_heading(d, "What to know first");
+    size_t from = d->n;
+    int n = all_cautions(site);
+    if (n > FOREMOST) {
+        thud_document_cut(d, from + FOREMOST);
+        thud_document_paragraph(d, "%d more under Cautions.", n - FOREMOST);
+    } else if (n == 0) {
+        thud_document_paragraph(d, "No caution: see Cautions for what was looked at.");
+    }
+}
+
 static void cautions(struct site *site)
 {
-    int n = 0;
     thud_document_heading(&site->document, "Cautions");
-    n += say_failures(site);
-    n += caution_synthetic(site);
-    n += caution_motion(site);
-    n += caution_storeys(site);
-    n += caution_drifts(site);
-    n += caution_bumpers(site);
-    n += caution_digits(site);
-    n += caution_values(site);
-    if (n == 0)
+    if (all_cautions(site) == 0)
         thud_document_paragraph(&site->document,
                                 "None of the checks has anything to remark: drifts, compression of the "
                                 "bumper, values, energy, sensitivity of the force.");
@@ -959,7 +970,7 @@ static void cautions(struct site *site)
 static void second(struct site *site)
 {
     struct thud_document *d = &site->document;
-    thud_document_heading(d, "Verification by a second method");
+    thud_document_heading(d, "Checks made: a second method");
     if (site->second.values == 0) {
         thud_document_paragraph(
             d,
@@ -987,7 +998,7 @@ static void second(struct site *site)
 static void limits(struct site *site)
 {
     struct thud_document *d = &site->document;
-    thud_document_heading(d, "What this answer does not cover");
+    thud_document_heading(d, "Checks not made");
     if (site->suite.runs)
         thud_document_item(d,
                            "%d ground motions, scaled as they were given: whether they stand for what this site has to "
@@ -1035,8 +1046,8 @@ static void provenance(struct site *site)
 
 typedef void section(struct site *site);
 static section *const sections[] = {
-    answer,   scene,  motion, cases,     gap, thud_site_suite_section, thud_site_sure_section,
-    cautions, second, limits, provenance};
+    thud_site_verdicts,     foremost, answer, scene,  thud_site_inputs, motion, cases, gap, thud_site_suite_section,
+    thud_site_sure_section, cautions, second, limits, provenance};
 
 enum thud_status thud_site_write(struct site *site, struct thud_error *err)
 {
@@ -1044,6 +1055,7 @@ enum thud_status thud_site_write(struct site *site, struct thud_error *err)
     const char *name = site->scene->title[0] ? site->scene->title : site->scene->name;
     snprintf(title, sizeof title, "Pounding report: %s", name);
     thud_document_title(&site->document, title);
+    thud_site_title_block(site);
     for (size_t i = 0; i < sizeof sections / sizeof *sections; i++)
         sections[i](site);
     if (site->pictures == THUD_CANCELLED) {

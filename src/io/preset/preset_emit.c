@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/utf8.h"
+#include "io/preset/preset.h"
 
 void thud_section_path(struct thud_section section, char *path, size_t size)
 {
@@ -210,4 +211,43 @@ void thud_emit_scene(struct thud_emit *emit, const struct thud_scene *scene)
     }
     emit_group(emit, scene, THUD_GROUP_ANALYSIS);
     emit_group(emit, scene, THUD_GROUP_STUDY);
+}
+
+/* ---- every key ---- */
+
+static void each_key(const struct thud_scene *scene, struct thud_section section, char *value, void *context,
+                     void (*each)(void *context, const char *section, const char *key, const char *value))
+{
+    const char *key[THUD_SECTION_KEYS_MAX];
+    char prefix[THUD_SECTION_PATH], path[128];
+    int n = thud_section_keys(scene, section, key);
+    thud_section_path(section, prefix, sizeof prefix);
+    for (int i = 0; i < n; i++) {
+        snprintf(path, sizeof path, "%s%s%s", prefix, *prefix ? "." : "", key[i]);
+        if (thud_scene_get(scene, path, value, THUD_VALUE_MAX, NULL) == THUD_OK && *value)
+            each(context, prefix, key[i], value);
+    }
+}
+
+enum thud_status thud_preset_each(const struct thud_scene *scene, void *context,
+                                  void (*each)(void *context, const char *section, const char *key, const char *value))
+{
+    char *value = malloc(THUD_VALUE_MAX);
+    if (!value)
+        return THUD_MEMORY;
+    each_key(scene, (struct thud_section){THUD_GROUP_RECORD, 0}, value, context, each);
+    for (int s = 0; s < scene->nstructures; s++) {
+        each_key(scene, (struct thud_section){THUD_GROUP_STRUCTURE, s}, value, context, each);
+        if (thud_structure_has_columns(&scene->structure[s]))
+            each_key(scene, (struct thud_section){THUD_GROUP_COLUMN, s}, value, context, each);
+    }
+    for (int i = 0; i + 1 < scene->nstructures; i++) {
+        each_key(scene, (struct thud_section){THUD_GROUP_INTERFACE, i}, value, context, each);
+        each_key(scene, (struct thud_section){THUD_GROUP_CONTACT, i}, value, context, each);
+        if (scene->interface[i].has_bumper)
+            each_key(scene, (struct thud_section){THUD_GROUP_BUMPER, i}, value, context, each);
+    }
+    each_key(scene, (struct thud_section){THUD_GROUP_ANALYSIS, 0}, value, context, each);
+    free(value);
+    return THUD_OK;
 }

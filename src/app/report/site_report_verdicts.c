@@ -1,0 +1,239 @@
+/* The first page of a report, for who decides: what was asked and what came out, a row each; and every input by its key. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "app/report/site_report_private.h"
+#include "app/run/answer_line.h"
+#include "ground/identity.h"
+#include "io/preset/preset.h"
+
+static void row(struct site *site, const char *what, const char *found)
+{
+    thud_document_cell(&site->document, "%s", what);
+    thud_document_cell(&site->document, "%s", found);
+    thud_document_row(&site->document);
+}
+
+void thud_site_title_block(struct site *site)
+{
+    const struct thud_site_report_options *o = site->options;
+    const struct {
+        const char *what, *value;
+    } line[] = {{"Project", o->project}, {"Author", o->author}, {"Checker", o->checker}, {"Date", o->date}};
+    for (size_t i = 0; i < sizeof line / sizeof *line; i++)
+        if (line[i].value)
+            thud_document_item(&site->document, "%s: %s", line[i].what, line[i].value);
+}
+
+/* The gap that is there, and the one that is needed, of an interface (from 1). */
+static void gap_rows(struct site *site, int i)
+{
+    const struct thud_interface *f = &site->scene->interface[i - 1];
+    char what[200], text[400];
+    int level;
+    const double needed = site->gap ? thud_needed_gap_widest(site->gap, i, THUD_GAP_EXACT, &level) : NAN;
+    const double stands_out = f->gap_m - thud_interface_clearance(f);
+    snprintf(what, sizeof what, "gap between %.60s and %.60s", thud_site_name(site, i - 1), thud_site_name(site, i));
+    if (!(needed >= 0)) {
+        snprintf(text, sizeof text, "%.1f cm given", 100 * f->gap_m);
+        row(site, what, text);
+        return;
+    }
+    size_t n = (size_t)snprintf(text, sizeof text, "%.1f cm given; %.1f cm needed between bare faces under this motion",
+                                100 * f->gap_m, thud_answer_gap_cm(needed));
+    if (stands_out > 0)
+        n += (size_t)snprintf(text + n, sizeof text - n, ", %.1f cm with the bumper between them",
+                              thud_answer_gap_cm(needed + stands_out));
+    snprintf(text + n, sizeof text - n, ": %s",
+             f->gap_m < needed                ? "not enough"
+             : f->gap_m < needed + stands_out ? "enough without the bumper, not with it"
+                                              : "enough");
+    row(site, what, text);
+}
+
+static void pounding_row(struct site *site, const struct site_case *one)
+{
+    const struct thud_contact_result *most = thud_site_strongest(one->result);
+    char what[64], text[400], between[320];
+    int levels, n = thud_site_impacts(one->result, &levels);
+    snprintf(what, sizeof what, "pounding %s", one->words);
+    if (n == 0 || !most) {
+        snprintf(text, sizeof text, n == 0 ? "none" : "%d impacts, by a law without force", n);
+    } else {
+        thud_site_sides(site, most->interface, most->left_floor, most->right_floor, most->struck, between,
+                        sizeof between);
+        snprintf(text, sizeof text, "%d impact%s; at most %s MN, between %s at %.2f s", n, n == 1 ? "" : "s",
+                 thud_site_number(1e-6 * most->force.value, 3).text, between, most->force.time_s);
+    }
+    row(site, what, text);
+}
+
+static void bumper_row(struct site *site)
+{
+    enum { LOWER, SAME, HIGHER };
+    int a[3], d[3], levels;
+    char text[300];
+    if (site->ncases <= SITE_BUMPER) {
+        row(site, "bumper worth it", "there is none");
+        return;
+    }
+    if (thud_site_impacts(site->cases[SITE_NONE].result, &levels) == 0) {
+        bool touches = thud_site_impacts(site->cases[SITE_BUMPER].result, &levels) > 0;
+        row(site, "bumper worth it",
+            touches ? "no: nothing touches without it, and it is touched" : "no: nothing touches without it");
+        return;
+    }
+    thud_site_effect(site, false, a);
+    thud_site_effect(site, true, d);
+    const int lower = a[LOWER] + d[LOWER], higher = a[HIGHER] + d[HIGHER];
+    size_t n = (size_t)snprintf(
+        text, sizeof text,
+        "%s: it lowers %d accelerations and %d drifts by more than 2 %%, raises %d and %d, leaves %d and %d",
+        higher == 0 && lower > 0   ? "yes"
+        : lower == 0 && higher > 0 ? "no"
+        : lower == 0               ? "it changes nothing"
+        : lower > higher           ? "in part, more lower than higher"
+                                   : "in part, not more lower than higher",
+        a[LOWER], d[LOWER], a[HIGHER], d[HIGHER], a[SAME], d[SAME]);
+    const struct thud_contact_result *without = thud_site_strongest(site->cases[SITE_NONE].result),
+                                     *with = thud_site_strongest(site->cases[SITE_BUMPER].result);
+    if (without && with)
+        snprintf(text + n, sizeof text - n, "; the largest force goes from %s MN to %s MN",
+                 thud_site_number(1e-6 * without->force.value, 3).text,
+                 thud_site_number(1e-6 * with->force.value, 3).text);
+    row(site, "bumper worth it", text);
+}
+
+/* The floor with the largest acceleration and the storey with the largest drift of the scene as written. */
+static void governing_rows(struct site *site)
+{
+    const struct thud_result *r = site->own->result;
+    double most = 0, drift = 0;
+    int at[2] = {0, 0}, under[2] = {0, 0};
+    char text[300];
+    for (int s = 0; s < r->nstructures; s++) {
+        const struct thud_structure *p = &site->scene->structure[s];
+        const int slab = p->kind == THUD_ISOLATED;
+        for (int f = 0; f < r->structure[s].floors; f++) {
+            const struct thud_floor_result *floor = &r->structure[s].floor[f];
+            if (floor->acceleration.value > most) {
+                most = floor->acceleration.value;
+                at[0] = s, at[1] = f;
+            }
+            double ratio = thud_site_is_building(site, s) && f >= slab ? floor->drift.value / p->height_m[f - slab] : 0;
+            if (ratio > drift) {
+                drift = ratio;
+                under[0] = s, under[1] = f;
+            }
+        }
+    }
+    if (most > 0) {
+        snprintf(text, sizeof text, "%s g, floor %d of %s", thud_site_number(most / THUD_GRAVITY, 3).text, at[1] + 1,
+                 thud_site_name(site, at[0]));
+        row(site, "largest acceleration", text);
+    }
+    if (drift > 0) {
+        const struct thud_structure_result *b = &r->structure[under[0]];
+        const int slab = site->scene->structure[under[0]].kind == THUD_ISOLATED;
+        const bool yields = b->storey && b->storey[under[1]].yields;
+        int n = snprintf(text, sizeof text, "%s mm, %s %% of the height, storey %d of %s",
+                         thud_site_number(1e3 * b->floor[under[1]].drift.value, 3).text,
+                         thud_site_number(100 * drift, 2).text, under[1] + 1 - slab, thud_site_name(site, under[0]));
+        if (yields)
+            snprintf(text + n, sizeof text - (size_t)n, "; ductility %s",
+                     thud_site_number(b->storey[under[1]].ductility, 3).text);
+        row(site, "largest drift", text);
+    }
+}
+
+/* What is past its strength in the scene as written. */
+static void failing_row(struct site *site)
+{
+    const struct thud_result *r = site->own->result;
+    int yielding = 0, storeys = 0, failing = 0, known = 0;
+    char text[300];
+    for (int s = 0; s < r->nstructures; s++)
+        for (int f = 0; r->structure[s].storey && f < r->structure[s].floors; f++) {
+            storeys += r->structure[s].storey[f].yields;
+            yielding += r->structure[s].storey[f].yields && r->structure[s].storey[f].ductility > 1;
+        }
+    for (int k = 0; k < r->ncolumns; k++) {
+        known += isfinite(r->column[k].ratio);
+        failing += r->column[k].ratio > 1;
+    }
+    size_t n = storeys > 0 ? (size_t)snprintf(text, sizeof text, "%d of %d storeys yield", yielding, storeys)
+                           : (size_t)snprintf(text, sizeof text, "yielding is not looked at: the storeys are elastic");
+    if (r->ncolumns > 0 && known > 0)
+        snprintf(text + n, sizeof text - n, "; struck columns bear more than they can in %d of %d storeys", failing,
+                 known);
+    else if (r->ncolumns > 0)
+        snprintf(text + n, sizeof text - n, "; struck columns have no capacity to compare with");
+    row(site, "storeys and columns that fail", text);
+}
+
+void thud_site_verdicts(struct site *site)
+{
+    char text[400], peak[96];
+    thud_document_heading(&site->document, "Verdicts");
+    thud_document_table(&site->document, "What was asked, and what came out");
+    row(site, "question", "answer");
+    for (int i = 1; i < site->scene->nstructures; i++)
+        gap_rows(site, i);
+    for (int i = SITE_NONE; i < site->ncases; i++)
+        pounding_row(site, &site->cases[i]);
+    bumper_row(site);
+    governing_rows(site);
+    failing_row(site);
+    if (site->record) {
+        thud_record_peak_text(site->record, peak, sizeof peak);
+        snprintf(text, sizeof text, "%.200s%s, %s%s", thud_path_name(site->record->file),
+                 thud_record_synthetic_mark(site->record), peak,
+                 site->suite.runs ? ": the rows above are of this one; the suite has its own section" : "");
+        row(site, "ground motion", text);
+    }
+}
+
+/* ---- every input ---- */
+
+struct inputs {
+    struct site *site;
+    char section[64]; /* "structures.1.column": the table that is open */
+};
+
+/* "structures.2" as "B", "interfaces.1.bumper" as "A and B: bumper", "record" as "ground motion". */
+static void section_name(const struct site *site, const char *section, char *text, size_t size)
+{
+    int i = 0, used = 0;
+    if (sscanf(section, "structures.%d%n", &i, &used) == 1 && i >= 1 && i <= site->scene->nstructures)
+        snprintf(text, size, "%.60s%s%s", thud_site_name(site, i - 1), section[used] ? ": " : "",
+                 section[used] ? section + used + 1 : "");
+    else if (sscanf(section, "interfaces.%d%n", &i, &used) == 1 && i >= 1 && i < site->scene->nstructures)
+        snprintf(text, size, "%.60s and %.60s%s%s", thud_site_name(site, i - 1), thud_site_name(site, i),
+                 section[used] ? ": " : "", section[used] ? section + used + 1 : "");
+    else
+        snprintf(text, size, "%s", section);
+}
+
+static void put_input(void *context, const char *section, const char *key, const char *value)
+{
+    struct inputs *inputs = context;
+    struct thud_document *d = &inputs->site->document;
+    char name[160], caption[200];
+    if (strcmp(section, inputs->section) != 0) {
+        snprintf(inputs->section, sizeof inputs->section, "%s", section);
+        section_name(inputs->site, section, name, sizeof name);
+        snprintf(caption, sizeof caption, "Inputs of %s", name);
+        thud_document_table(d, caption);
+        row(inputs->site, "key in the preset", "value");
+    }
+    row(inputs->site, key, value);
+}
+
+void thud_site_inputs(struct site *site)
+{
+    struct inputs inputs = {.site = site};
+    thud_document_heading(&site->document, "Every input");
+    if (thud_preset_each(site->scene, &inputs, put_input) != THUD_OK)
+        site->document.failed = true;
+}
