@@ -7,7 +7,9 @@
 #include <string.h>
 
 #include "base/quantity.h"
+#include "core/contact/storey.h"
 #include "core/run/baseline.h"
+#include "core/run/run_private.h"
 #include "io/record/record_file.h"
 #include "march.h"
 #include "suite.h"
@@ -339,6 +341,42 @@ START_TEST(twins_yield_together)
 }
 END_TEST
 
+/* Rows know whose they are: behind those of the contacts each is a storey's, whose force by its branch is the one by the
+ * return to its bound. */
+START_TEST(rows_know_whose_they_are)
+{
+    struct thud_record *record = march_motion(1.5);
+    struct march_law law = concrete();
+    struct yard y = {.yield_m = 0.012, .hardening = 0.1, .gap_m = 0.02, .scale = 1, .law = &law};
+    struct thud_model *model = two_towers(&y);
+    int yielding = 0, shifted = 0;
+    for (size_t i = 1; i <= 20; i++) {
+        struct thud_record begins = *record;
+        begins.samples = 50 + 5 * i;
+        struct march m = run(model, &begins, 1e-6, 0);
+        const struct thud_state *state = &m.run->state;
+        for (int c = 0; c < model->ncontacts; c++)
+            ck_assert_ptr_eq(thud_row_contact(state, c), &state->contact[c]);
+        for (int k = 0; k < model->nstoreys; k++) {
+            const int row = model->ncontacts + k;
+            const double drift = thud_contact_indentation(state, row);
+            double slope;
+            ck_assert_ptr_null(thud_row_contact(state, row));
+            ck_assert_double_eq_tol(thud_branch_force(thud_row_branch(state, row), drift, 0, NULL, NULL),
+                                    thud_storey_force(state, k, drift, &slope), 1e-9 * stiffness_npm * y.yield_m);
+            ck_assert(thud_row_acts(state, row) == (state->storey[k].direction != 0));
+            yielding += thud_row_acts(state, row);
+            shifted += !thud_row_acts(state, row) && state->storey[k].plastic_m != 0;
+        }
+        march_free(&m);
+    }
+    ck_assert_int_gt(yielding, 0);
+    ck_assert_int_gt(shifted, 0);
+    thud_model_free(model);
+    thud_record_free(record);
+}
+END_TEST
+
 /* ---- other ways to the same answer ---- */
 
 /* Two storeys by the trapezoids of their own equations of motion in tiny steps. */
@@ -652,6 +690,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, mirror_image);
     tcase_add_test(tcase, lengths_scaled);
     tcase_add_test(tcase, twins_yield_together);
+    tcase_add_test(tcase, rows_know_whose_they_are);
     tcase_add_test(tcase, an_integrator_of_its_own);
     tcase_add_test(tcase, dormand_prince_agrees);
     tcase_add_test(tcase, every_method_converges);

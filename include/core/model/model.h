@@ -109,7 +109,7 @@ struct thud_model {
     struct thud_model_structure *structure; /* (nstructures) */
     int *system;                            /* (nsystems) first structure of each: all its modes, and its damping */
     struct thud_model_link *link;           /* (nlinks) */
-    struct thud_model_contact *contact;     /* (nrows) */
+    struct thud_model_contact *contact;     /* (nrows) behind the contacts the sides of each storey, without a law */
     struct thud_model_storey *storey;       /* (nstoreys) */
     struct thud_model_column *column;       /* (ncolumns) */
     bool collapses;                         /* a structure may: P-Delta */

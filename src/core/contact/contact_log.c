@@ -31,8 +31,8 @@ enum thud_status thud_contact_log_add(struct thud_contact_log *log, const struct
 
 static const char *state_of(const struct thud_state *state, int row)
 {
-    const struct thud_contact_state *s = &state->contact[row];
-    if (row >= state->model->ncontacts) {
+    const struct thud_contact_state *s = thud_row_contact(state, row);
+    if (!s) {
         int direction = state->storey[row - state->model->ncontacts].direction;
         return direction == 0 ? "elastic" : direction > 0 ? "yields, d rising" : "yields, d falling";
     }

@@ -75,8 +75,8 @@ void thud_segment_bounds(const struct thud_segment *seg, const struct thud_model
 
 bool thud_segment_has_force(const struct thud_state *state, const struct thud_segment *seg, int c)
 {
-    if (state->locates || thud_contact_acts(&state->contact[c]))
-        return thud_contact_acts(&state->contact[c]);
+    if (state->locates || thud_row_acts(state, c))
+        return thud_row_acts(state, c);
     const double *force = seg->force + c;
     for (int k = 0; k < seg->terms; k++)
         if (force[k * state->model->nrows] != 0)
@@ -98,9 +98,9 @@ double thud_segment_rate(const struct thud_state *state)
     const struct thud_model *m = state->model;
     double square = state->fastest_radps * state->fastest_radps, rate = 0;
     for (int c = 0; c < m->nrows && !thud_state_is_free(state); c++)
-        if (state->contact[c].mode == THUD_CLOSED) {
-            square += fabs(state->contact[c].branch.k_npm) * m->delassus[c * m->nrows + c];
-            rate += fabs(state->contact[c].branch.c_nspm) * m->delassus[c * m->nrows + c];
+        if (thud_row_by_branch(state, c)) {
+            square += fabs(thud_row_branch(state, c)->k_npm) * m->delassus[c * m->nrows + c];
+            rate += fabs(thud_row_branch(state, c)->c_nspm) * m->delassus[c * m->nrows + c];
         }
     return sqrt(square) + rate;
 }
@@ -111,7 +111,7 @@ static void constant_forces(const struct thud_state *state, struct thud_segment 
     const struct thud_model *m = state->model;
     for (int k = 0; k < m->nstoreys && state->nshifted > 0; k++)
         if (state->storey[k].direction == 0 || !state->locates)
-            seg->force[m->ncontacts + k] = state->contact[m->ncontacts + k].branch.f0_n;
+            seg->force[m->ncontacts + k] = state->storey[k].branch.f0_n;
     seg->loaded = state->nshifted > 0;
 }
 
@@ -140,7 +140,7 @@ static void clear_forces(const struct thud_state *state, struct thud_segment *se
     seg->loaded = 0;
     seg->rows = 0;
     for (int c = 0; c < m->nrows; c++)
-        if (thud_contact_acts(&state->contact[c]) || state->contact[c].branch.f0_n != 0)
+        if (thud_row_acts(state, c) || thud_row_branch(state, c)->f0_n != 0)
             seg->row[seg->rows++] = c;
 }
 
@@ -420,21 +420,22 @@ static void linear_forces(const struct thud_state *state, struct thud_segment *s
     const struct thud_model *m = state->model;
     for (int i = 0; i < seg->rows; i++) {
         const int c = seg->row[i];
-        const struct thud_contact_state *s = &state->contact[c];
-        const bool touched = k == 0 && s->suppressed.indentation > 0; /* the motion says so only to rounding */
+        const struct thud_branch *branch = thud_row_branch(state, c);
+        const bool touched = k == 0 && thud_row_starts_at_zero(state, c); /* the motion says so only to rounding */
         double *d = seg->notes->indentation + c * THUD_SEGMENT_TERMS, d1 = 0, f = 0;
-        if (s->mode != THUD_CLOSED)
+        if (!thud_row_by_branch(state, c))
             continue;
         if (k == 0) {
             d[0] = thud_model_gap_sum(m, c, seg->q) - thud_state_clearance(state, c);
-            f = s->branch.f0_n;
+            f = branch->f0_n;
             if (touched)
                 d[0] = 0; /* a stiff contact would feel the rounding, and a dashpot that of a rate */
         }
         if (k + 1 < seg->terms)
-            d1 = d[k + 1] =
-                touched && s->suppressed.rate > 0 ? 0 : thud_model_gap_sum(m, c, seg->q + (k + 1) * m->nmodes);
-        seg->force[k * m->nrows + c] = f + s->branch.k_npm * d[k] + s->branch.c_nspm * (k + 1) / seg->h_s * d1;
+            d1 = d[k + 1] = touched && state->contact[c].suppressed.rate > 0
+                                ? 0
+                                : thud_model_gap_sum(m, c, seg->q + (k + 1) * m->nmodes);
+        seg->force[k * m->nrows + c] = f + branch->k_npm * d[k] + branch->c_nspm * (k + 1) / seg->h_s * d1;
     }
 }
 
@@ -454,7 +455,7 @@ double thud_taylor_linear(const struct thud_state *state, struct thud_segment *s
         }
     }
     for (int c = 0; c < m->nrows; c++)
-        if (state->contact[c].mode == THUD_CLOSED && state->contact[c].suppressed.indentation == 0)
+        if (thud_row_by_branch(state, c) && !thud_row_starts_at_zero(state, c))
             seg->notes->known[c] = 0;
     /* fewer terms than there may be are enough by the bound of the fastest rate */
     return seg->terms < THUD_SEGMENT_TERMS ? 0 : thud_segment_tail(seg, m);
@@ -577,7 +578,7 @@ int thud_segment_indentation(const struct thud_state *state, const struct thud_s
     const struct thud_model_side *l = &m->contact[c].left, *r = &m->contact[c].right;
     double size[THUD_SEGMENT_TERMS], largest = 0;
     int zeros = 0;
-    if (state->contact[c].suppressed.indentation == 0) { /* nothing of it is known to be 0 */
+    if (!thud_row_starts_at_zero(state, c)) {
         for (int k = 0; k < seg->terms; k += ABREAST) {
             const double *modal = seg->q + k * m->nmodes;
             struct terms_abreast left = side_terms(l, modal, m->nmodes), right = side_terms(r, modal, m->nmodes);

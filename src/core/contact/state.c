@@ -28,7 +28,7 @@ enum thud_status thud_state_init(struct thud_state *state, const struct thud_mod
         bytes += thud_arena_room(length[i], sizeof(double));
     const bool room = thud_arena_open(&arena, bytes);
     state->block = arena.next;
-    state->contact = calloc(nc + 1, sizeof *state->contact);
+    state->contact = calloc((size_t)model->ncontacts + 1, sizeof *state->contact);
     state->storey = calloc((size_t)model->nstoreys + 1, sizeof *state->storey);
     state->set_now = calloc(nc + 1, sizeof *state->set_now);
     if (!room || !state->contact || !state->storey || !state->set_now) {
@@ -113,13 +113,13 @@ double thud_contact_rate(const struct thud_state *state, int c)
     return thud_model_gap_sum(state->model, c, state->qd);
 }
 
-double thud_contact_force(const struct thud_state *state, int c, double d, double v)
+double thud_row_force(const struct thud_state *state, int row, double d, double v)
 {
-    const struct thud_contact_state *s = &state->contact[c];
-    if (s->mode != THUD_CLOSED)
+    if (!thud_row_by_branch(state, row))
         return 0;
-    double f = thud_branch_force(&s->branch, d, v, NULL, NULL);
-    return f < 0 && !(state->model->contact[c].law->flags & THUD_LAW_PULLS) ? 0 : f;
+    const bool pulls = !thud_row_contact(state, row) || (state->model->contact[row].law->flags & THUD_LAW_PULLS) != 0;
+    double f = thud_branch_force(thud_row_branch(state, row), d, v, NULL, NULL);
+    return f < 0 && !pulls ? 0 : f;
 }
 
 void thud_model_acceleration(const struct thud_model *m, const double *q, const double *qd, double ground,
@@ -205,7 +205,7 @@ void thud_contact_forces_given(const struct thud_state *state, int given, double
         force[c] = c == given ? given_n : 0;
         sticking |= state->contact[c].mode == THUD_STICKING;
         if (state->contact[c].mode == THUD_CLOSED && c != given)
-            force[c] = thud_contact_force(state, c, thud_contact_indentation(state, c), thud_contact_rate(state, c));
+            force[c] = thud_row_force(state, c, thud_contact_indentation(state, c), thud_contact_rate(state, c));
     }
     for (int k = 0; k < state->model->nstoreys; k++) {
         int row = state->model->ncontacts + k;

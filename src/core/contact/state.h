@@ -40,10 +40,11 @@ struct thud_contact_state {
     double residual_m;
 };
 
-/* A storey that yields: core/storey.h. */
+/* A storey that yields: core/contact/storey.h. */
 struct thud_storey_state {
-    int direction;       /* +1, -1: it yields, and which way; 0: elastic */
-    double plastic_m;    /* d_p */
+    struct thud_branch branch; /* force of its row: constant; linear while it yields and events are located */
+    int direction;             /* +1, -1: it yields, and which way; 0: elastic */
+    double plastic_m;          /* d_p */
     int zeros;           /* suppressed coefficients: yielding, of the drift's rate; elastic, of the distance from the */
     int zero_side;       /* bound on this side */
     double moved_m;      /* plastic drift of the excursion that goes on */
@@ -61,7 +62,7 @@ struct thud_state {
     double grid_dt_s, offset_s, end_s;
     long grid;
     double *q, *qd;                     /* (nmodes) */
-    struct thud_contact_state *contact; /* (nrows) those of contacts, and of storeys that yield */
+    struct thud_contact_state *contact; /* (ncontacts) */
     struct thud_storey_state *storey;   /* (nstoreys) */
     int nactive;                        /* contacts CLOSED or STICKING */
     int nindented;                      /* contacts that are not OPEN */
@@ -113,10 +114,49 @@ static inline void thud_state_ground(const struct thud_state *state, long i, dou
     *a1 = inside ? r->a_mps2[i + 1] : 0;
 }
 
-/* Clearance of contact c with what impacts have added to it. */
-static inline double thud_state_clearance(const struct thud_state *state, int c)
+/* Rows: the contacts, and behind them the storeys that yield. Whose row it is: that contact's state, or NULL. */
+static inline const struct thud_contact_state *thud_row_contact(const struct thud_state *state, int row)
 {
-    return state->model->contact[c].clearance_m + state->contact[c].residual_m;
+    return row < state->model->ncontacts ? &state->contact[row] : NULL;
+}
+
+/* What the row's force follows, and whether it does so now: the contact is CLOSED, the storey yields. */
+static inline const struct thud_branch *thud_row_branch(const struct thud_state *state, int row)
+{
+    const struct thud_contact_state *contact = thud_row_contact(state, row);
+    return contact ? &contact->branch : &state->storey[row - state->model->ncontacts].branch;
+}
+static inline bool thud_row_by_branch(const struct thud_state *state, int row)
+{
+    const struct thud_contact_state *contact = thud_row_contact(state, row);
+    return contact ? contact->mode == THUD_CLOSED
+                   : state->locates && state->storey[row - state->model->ncontacts].direction != 0;
+}
+
+static inline bool thud_row_sticks(const struct thud_state *state, int row)
+{
+    const struct thud_contact_state *contact = thud_row_contact(state, row);
+    return contact && contact->mode == THUD_STICKING;
+}
+
+/* The row's force depends on the motion, or is a constraint force. */
+static inline bool thud_row_acts(const struct thud_state *state, int row)
+{
+    return thud_row_by_branch(state, row) || thud_row_sticks(state, row);
+}
+
+/* An event has just put the row's indentation to 0, from where it starts. */
+static inline bool thud_row_starts_at_zero(const struct thud_state *state, int row)
+{
+    const struct thud_contact_state *contact = thud_row_contact(state, row);
+    return contact && contact->suppressed.indentation > 0;
+}
+
+/* Clearance of a row's contact with what impacts have added to it; 0 of a storey. */
+static inline double thud_state_clearance(const struct thud_state *state, int row)
+{
+    const struct thud_contact_state *contact = thud_row_contact(state, row);
+    return contact ? state->model->contact[row].clearance_m + contact->residual_m : 0;
 }
 
 /* No force depends on the motion but those of the elastic structures. */
@@ -154,9 +194,9 @@ enum thud_status thud_state_too_few_modes(const struct thud_state *state, struct
 /* Indentation of contact c, and its rate. */
 double thud_contact_indentation(const struct thud_state *state, int c);
 double thud_contact_rate(const struct thud_state *state, int c);
-/* Force of contact c (cut at 0 where the law does not pull) at indentation d and rate v, by its present branch; 0 where
- * it is not CLOSED. */
-double thud_contact_force(const struct thud_state *state, int c, double d, double v);
+/* Force of a row (of a contact cut at 0 where the law does not pull) at indentation d and rate v, by its present branch;
+ * 0 where it does not follow that. */
+double thud_row_force(const struct thud_state *state, int row, double d, double v);
 /* Forces of all rows into force (nrows); that of STICKING contacts from the condition d'' = 0. */
 void thud_contact_forces(const struct thud_state *state, double *force);
 /* The same if the force of one contact that does not stick were this. */

@@ -70,18 +70,14 @@ double thud_storeys_hysteretic(const struct thud_state *state, const double *q)
 /* The elastic row's force is constant. */
 static void set_constant(struct thud_state *state, int k)
 {
-    struct thud_contact_state *row = &state->contact[state->model->ncontacts + k];
-    row->mode = THUD_OPEN;
-    row->branch =
+    state->storey[k].branch =
         (struct thud_branch){.f0_n = -plastic_stiffness(&state->model->storey[k]) * state->storey[k].plastic_m};
 }
 
 static void set_yielding(struct thud_state *state, int k, int direction)
 {
     const struct thud_model_storey *p = &state->model->storey[k];
-    struct thud_contact_state *row = &state->contact[state->model->ncontacts + k];
-    row->mode = THUD_CLOSED;
-    row->branch =
+    state->storey[k].branch =
         (struct thud_branch){.f0_n = direction * plastic_stiffness(p) * p->yield_m, .k_npm = -plastic_stiffness(p)};
 }
 
@@ -90,9 +86,7 @@ void thud_storeys_start(struct thud_state *state)
     state->nyielding = 0;
     state->nshifted = 0;
     for (int k = 0; k < state->model->nstoreys; k++) {
-        struct thud_contact_state *row = &state->contact[state->model->ncontacts + k];
         state->storey[k] = (struct thud_storey_state){0};
-        *row = (struct thud_contact_state){.phase = THUD_RESTITUTION, .ultimate_m = INFINITY};
         set_constant(state, k);
     }
 }

@@ -8,8 +8,8 @@
  *     F = -(1 - r) k d_p:  elastic   constant
  *                          yielding  f0 + kappa d,  kappa = -(1 - r) k,  f0 = +-(1 - r) k d_y
  *
- * so that the storey is propagated as a linear contact is. Its automaton has two modes, elastic (THUD_OPEN: the row's
- * force is constant) and yielding (THUD_CLOSED: by its branch); the guards are in core/event.c. A method that does not
+ * so that the storey is propagated as a linear contact is. It is elastic (direction 0: the row's force is constant) or
+ * yields one way (by its branch); the guards are in core/contact/event.c. A method that does not
  * locate events reads F from the drift alone, by the return to the bound, and d_p follows at the ends of its steps. */
 #ifndef THUD_CORE_STOREY_H
 #define THUD_CORE_STOREY_H

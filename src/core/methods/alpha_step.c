@@ -241,7 +241,7 @@ static double newton(const struct thud_state *state, struct alpha *x, double h)
     double largest = 0;
     for (int i = 0; i < n; i++) {
         const int a = x->active[i];
-        const bool held = state->locates && state->contact[a].mode == THUD_STICKING;
+        const bool held = state->locates && thud_row_sticks(state, a);
         double d, v, acc, fd = 0, fv = 0;
         row_end(state->model, x, a, h, &d, &v, &acc);
         x->change[i] = held ? acc : x->end.force[a] - thud_step_force(state, a, d, v, &fd, &fv);
@@ -292,8 +292,9 @@ static void activate(const struct thud_model *m, struct alpha *x, int c)
 static bool counts(const struct thud_state *state, int c)
 {
     if (!state->locates)
-        return !(state->model->contact[c].law->flags & (THUD_LAW_NO_FORCE | THUD_LAW_IMPULSIVE));
-    return c >= state->model->ncontacts ? state->contact[c].mode == THUD_CLOSED : thud_contact_acts(&state->contact[c]);
+        return !thud_row_contact(state, c) ||
+               !(state->model->contact[c].law->flags & (THUD_LAW_NO_FORCE | THUD_LAW_IMPULSIVE));
+    return thud_row_acts(state, c);
 }
 
 /* Nothing located: contacts that were left out, and that the forces on the others have closed. */
@@ -323,8 +324,8 @@ static void solve_forces(const struct thud_state *state, struct alpha *x, double
     x->end.apart = !state->locates && m->nstoreys == 0;
     for (int c = 0; c < m->nrows; c++) {
         x->end.force[c] = 0;
-        if (state->locates && c >= m->ncontacts && state->contact[c].mode == THUD_OPEN)
-            x->end.force[c] = state->contact[c].branch.f0_n; /* the constant force of an elastic storey */
+        if (state->locates && !thud_row_contact(state, c) && !thud_row_acts(state, c))
+            x->end.force[c] = thud_row_branch(state, c)->f0_n; /* the constant force of an elastic storey */
         if (state->locates && !counts(state, c))
             continue;
         x->d[c] = thud_model_gap_sum(m, c, x->end.q) - thud_state_clearance(state, c);

@@ -130,8 +130,8 @@ static double error_of(const struct thud_state *state, struct dormand_prince *x,
             fmax(error, largest_acceleration(m, p, x->error.qdd, 0) / fmax(scale, THUD_TOL_LEAST_ACCELERATION_MPS2));
     }
     for (int c = 0; c < m->nrows; c++) {
-        const struct thud_contact_state *s = &state->contact[c];
-        double scale = fmax(fmax(x->scale_n[c], s->expected_force_n), fabs(end->force[c]));
+        const struct thud_contact_state *contact = thud_row_contact(state, c);
+        double scale = fmax(fmax(x->scale_n[c], contact ? contact->expected_force_n : 0), fabs(end->force[c]));
         error = fmax(error, fabs(x->error.force[c]) / fmax(scale, thud_contact_least_force(state, c)));
     }
     return isfinite(sum) ? error : INFINITY;

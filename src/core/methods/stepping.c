@@ -60,7 +60,7 @@ static double unlocated_force(const struct thud_state *state, int c, double d, d
 /* A storey that yields: located, by its branch; else by the return to the bound. */
 static double storey_force(const struct thud_state *state, int c, double d, double *df_dd, double *df_dv)
 {
-    const struct thud_branch *b = &state->contact[c].branch;
+    const struct thud_branch *b = thud_row_branch(state, c);
     *df_dv = 0;
     if (!state->locates)
         return thud_storey_force(state, c - state->model->ncontacts, d, df_dd);
@@ -118,11 +118,11 @@ void thud_step_motion_change(const struct thud_state *state, const struct thud_m
     thud_model_acceleration(m, change->q, change->qd, 0, change->qdd);
     memset(change->force, 0, (size_t)m->nrows * sizeof *change->force);
     for (int c = 0; c < m->nrows; c++) {
-        const bool contact = !thud_model_row_storey(m, c);
-        double d = thud_model_gap_sum(m, c, x->q) - (contact ? thud_state_clearance(state, c) : 0), left, right, by_d,
-               by_v, more_d = thud_model_gap_sum(m, c, change->q), more_v = thud_model_gap_sum(m, c, change->qd);
-        sticking |= state->contact[c].mode == THUD_STICKING;
-        if (contact && (state->locates ? state->contact[c].mode != THUD_CLOSED : d <= 0))
+        const struct thud_contact_state *contact = thud_row_contact(state, c);
+        double d = thud_model_gap_sum(m, c, x->q) - thud_state_clearance(state, c), left, right, by_d, by_v,
+               more_d = thud_model_gap_sum(m, c, change->q), more_v = thud_model_gap_sum(m, c, change->qd);
+        sticking |= thud_row_sticks(state, c);
+        if (contact && (state->locates ? contact->mode != THUD_CLOSED : d <= 0))
             continue;
         thud_model_sides(m, c, x->qd, &left, &right);
         thud_step_force(state, c, d, left - right, &by_d, &by_v);

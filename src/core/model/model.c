@@ -355,11 +355,7 @@ static enum thud_status fill_contact(struct thud_model *m, struct thud_arena *ar
     return thud_law_prepare(in->law, &to->setup, err);
 }
 
-/* Of the rows of storeys: linear, and it may pull. It is in no list and has no parameters. */
-static const struct thud_law storey_law = {
-    .name = "storey", .title = "storey that yields", .flags = THUD_LAW_LINEAR | THUD_LAW_PULLS};
-
-/* The row of storey k. */
+/* The sides of the row of storey k; it has no law. */
 static void fill_storey(struct thud_model *m, int k)
 {
     const struct thud_model_storey *storey = &m->storey[k];
@@ -368,8 +364,7 @@ static void fill_storey(struct thud_model *m, int k)
     *to = (struct thud_model_contact){.left_floor = storey->floor + 1,
                                       .right_floor = storey->floor,
                                       .left_dof = dof,
-                                      .right_dof = storey->floor > 0 ? dof - 1 : -1,
-                                      .law = &storey_law};
+                                      .right_dof = storey->floor > 0 ? dof - 1 : -1};
     to->column = -1;
     to->eta = 1;
     to->left = floor_side(m, to->left_dof);

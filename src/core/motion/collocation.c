@@ -88,6 +88,12 @@ static void *allocate(size_t count, size_t size)
 
 /* How far the force polynomials of a step are from the laws. */
 
+/* A closed contact (NULL: a storey) on its way in. */
+static bool is_approach(const struct thud_contact_state *contact)
+{
+    return contact && contact->mode == THUD_CLOSED && contact->phase == THUD_APPROACH;
+}
+
 /* Scale on which an error of contact a's force counts: the largest force it has had, has now, or will have by its
  * closing velocity. */
 static double force_scale(const struct thud_state *state, const struct thud_collocation *x, int a)
@@ -96,15 +102,16 @@ static double force_scale(const struct thud_state *state, const struct thud_coll
     double scale = x->largest_n[c];
     for (int i = 0; i < NODES; i++)
         scale = thud_larger(scale, fabs(x->force[a * THUD_POINTS + i]));
-    if (state->contact[c].phase == THUD_APPROACH)
-        scale = thud_larger(scale, state->contact[c].expected_force_n);
+    const struct thud_contact_state *contact = thud_row_contact(state, c);
+    if (contact && contact->phase == THUD_APPROACH)
+        scale = thud_larger(scale, contact->expected_force_n);
     return thud_larger(scale, thud_contact_least_force(state, c));
 }
 
 /* Indentation at the state, as the step takes it: what has just touched has not moved yet. */
 static double indentation_now(const struct thud_state *state, int c)
 {
-    return state->contact[c].suppressed.indentation > 0 ? 0 : thud_contact_indentation(state, c);
+    return thud_row_starts_at_zero(state, c) ? 0 : thud_contact_indentation(state, c);
 }
 
 /* Whether a contact is so young that its force has no smooth past: most of the indentation at the end of the step is
@@ -138,7 +145,7 @@ static double start_difference(const struct thud_state *state, const struct thud
     for (int k = 0; k < NODES; k++)
         force += x->force[a * THUD_POINTS + k] * x->lagrange[k][0];
     state->work->force_evaluations++;
-    return fabs(thud_contact_force(state, c, d, thud_contact_rate(state, c)) - force);
+    return fabs(thud_row_force(state, c, d, thud_contact_rate(state, c)) - force);
 }
 
 /* Largest difference between the polynomial of contact a's force and the law, between the nodes; of one above `small`,
@@ -151,14 +158,13 @@ static double force_difference(const struct thud_state *state, const struct thud
     const double *d = x->d + a * THUD_POINTS, *v = x->v + a * THUD_POINTS;
     const double *force = x->force + a * THUD_POINTS;
     double law[THUD_BATCH], law_d[THUD_BATCH], law_v[THUD_BATCH];
-    if (state->contact[c].mode ==
-        THUD_STICKING) { /* the force that would undo the rate in one step, but for rounding */
+    if (thud_row_sticks(state, c)) { /* the force that would undo the rate in one step, but for rounding */
         for (int i = NODES; i < THUD_POINTS; i++)
             worst = thud_larger(worst, mass * thud_larger(fabs(v[i]) - THUD_TOL_STICKING_M / h, 0) / h);
         return worst;
     }
     worst = start_difference(state, x, a);
-    thud_branch_batch(&state->contact[c].branch, d + LAST, v + LAST, law, law_d, law_v);
+    thud_branch_batch(thud_row_branch(state, c), d + LAST, v + LAST, law, law_d, law_v);
     struct thud_batch difference = thud_batch_at(law);
     for (int k = 0; k < NODES; k++)
         thud_batch_add(&difference, -force[k], x->last[k]);
@@ -179,11 +185,11 @@ static double contact_error(const struct thud_state *state, const struct thud_co
                             double tolerance)
 {
     int c = x->active[a];
-    const struct thud_contact_state *s = &state->contact[c];
+    const struct thud_contact_state *s = thud_row_contact(state, c);
     double mass = state->model->contact[c].setup.mass_kg, scale = force_scale(state, x, a),
            difference = force_difference(state, x, a, h, 1e-2 * tolerance * scale);
     double error = thud_larger(difference / scale - THUD_TOL_POLYNOMIAL, 0);
-    if (s->mode == THUD_CLOSED && s->phase == THUD_APPROACH && has_just_begun(state, x, a)) {
+    if (is_approach(s) && has_just_begun(state, x, a)) {
         double ground = state->fastest_radps > 0 ? state->ground_mps2 / state->fastest_radps : 0;
         double speed = s->onset_mps < 1e-7 * ground ? ground : s->onset_mps; /* pushed, or thrown */
         if (speed > 0)
@@ -274,16 +280,19 @@ void thud_collocation_free(struct thud_collocation *x)
     free(x);
 }
 
-static struct branch_name name_of(const struct thud_contact_state *s)
+static struct branch_name name_of(const struct thud_state *state, int row)
 {
-    return (struct branch_name){thud_contact_acts(s), s->mode, s->phase, s->past_ultimate};
+    const struct thud_contact_state *s = thud_row_contact(state, row);
+    const bool acts = thud_row_acts(state, row);
+    return s ? (struct branch_name){acts, s->mode, s->phase, s->past_ultimate}
+             : (struct branch_name){.known = acts, .mode = acts ? THUD_CLOSED : THUD_OPEN};
 }
 
 /* Forces of contacts that have switched say nothing about those that follow. */
 static void forget_switched(const struct thud_state *state, struct thud_collocation *x)
 {
     for (int c = 0; c < x->nc; c++) {
-        struct branch_name *was = &x->step.of[c], is = name_of(&state->contact[c]);
+        struct branch_name *was = &x->step.of[c], is = name_of(state, c);
         was->known = was->known && is.known && was->mode == is.mode && was->phase == is.phase &&
                      was->past_ultimate == is.past_ultimate;
     }
@@ -400,10 +409,11 @@ static void motion_behind(const struct thud_collocation *x)
 static void evaluate_laws(const struct thud_state *state, struct thud_collocation *x)
 {
     for (int a = 0; a < x->nactive; a++) {
-        const struct thud_contact_state *s = &state->contact[x->active[a]];
+        const int c = x->active[a];
         int at = a * THUD_BATCH, point = a * THUD_POINTS;
-        if (s->mode != THUD_STICKING)
-            thud_branch_batch(&s->branch, x->d + point, x->v + point, x->law + at, x->law_d + at, x->law_v + at);
+        if (!thud_row_sticks(state, c))
+            thud_branch_batch(thud_row_branch(state, c), x->d + point, x->v + point, x->law + at, x->law_d + at,
+                              x->law_v + at);
     }
     state->work->force_evaluations += x->nactive * NODES;
 }
@@ -414,7 +424,7 @@ static void linearize(const struct thud_state *state, struct thud_collocation *x
     int n = x->nactive * NODES;
     evaluate_laws(state, x);
     for (int a = 0; a < x->nactive; a++) {
-        bool sticks = state->contact[x->active[a]].mode == THUD_STICKING;
+        bool sticks = thud_row_sticks(state, x->active[a]);
         for (int i = 0; i < NODES; i++) {
             int row = a * NODES + i, at = a * THUD_POINTS + i, in_batch = a * THUD_BATCH + i;
             double fd = sticks ? 0 : x->law_d[in_batch], fv = sticks ? -1 : x->law_v[in_batch];
@@ -491,7 +501,7 @@ static bool iterate(const struct thud_state *state, struct thud_collocation *x, 
 {
     double before = 0;
     for (int a = 0; a < x->nactive; a++) {
-        if (state->contact[x->active[a]].mode == THUD_STICKING)
+        if (thud_row_sticks(state, x->active[a]))
             return false;
         x->scale[a] = 1 / force_scale(state, x, a);
     }
@@ -562,21 +572,20 @@ static void extrapolate(const struct thud_collocation *x, int c, double h, doubl
 static void begin_force(const struct thud_state *state, const struct thud_collocation *x, int c, double h,
                         double *force)
 {
-    const struct thud_contact_state *s = &state->contact[c];
     double now, d[THUD_BATCH], v[THUD_BATCH], fd[THUD_BATCH], fv[THUD_BATCH];
     double place = thud_contact_indentation(state, c), rate = thud_contact_rate(state, c);
-    if (s->mode == THUD_STICKING) {
+    if (thud_row_sticks(state, c)) {
         thud_contact_forces(state, state->force_now);
         now = state->force_now[c];
     } else {
-        now = thud_contact_force(state, c, place, rate);
+        now = thud_row_force(state, c, place, rate);
     }
-    if (s->mode == THUD_CLOSED && s->phase == THUD_APPROACH) {
+    if (is_approach(thud_row_contact(state, c))) {
         for (int i = 0; i < THUD_BATCH; i++) {
             d[i] = place + 0.5 * rate * h * x->point[i];
             v[i] = rate;
         }
-        thud_branch_batch(&s->branch, d, v, force, fd, fv);
+        thud_branch_batch(thud_row_branch(state, c), d, v, force, fd, fv);
         for (int i = 0; i < THUD_BATCH; i++)
             force[i] = thud_larger(now, 0.5 * force[i]);
     } else {
@@ -604,7 +613,7 @@ static void guess(const struct thud_state *state, struct thud_collocation *x, do
 static void keep_step(const struct thud_state *state, struct thud_collocation *x, double h)
 {
     for (int c = 0; c < x->nc; c++)
-        x->step.of[c] = name_of(&state->contact[c]);
+        x->step.of[c] = name_of(state, c);
     for (int a = 0; a < x->nactive; a++) {
         struct thud_batch f = {0};
         for (int k = 0; k < NODES; k++)
@@ -650,7 +659,7 @@ static void find_active(const struct thud_state *state, struct thud_collocation 
 {
     x->nactive = 0;
     for (int c = 0; c < x->nc; c++)
-        if (thud_contact_acts(&state->contact[c]))
+        if (thud_row_acts(state, c))
             x->active[x->nactive++] = c;
 }
 
@@ -679,7 +688,7 @@ static enum thud_status too_short(const struct thud_state *state, const struct t
 {
     int sticking = 0;
     for (int a = 0; a < x->nactive; a++)
-        sticking += state->contact[x->active[a]].mode == THUD_STICKING;
+        sticking += thud_row_sticks(state, x->active[a]);
     if (sticking > 1 && state->model->left_out > 0) /* all modes tell any floors apart */
         return thud_state_too_few_modes(state, err);
     return thud_error_set(err, THUD_DIVERGED, "no step is short enough for the contact forces at t = %.6g s",

@@ -67,7 +67,7 @@ static void shift_modes(struct thud_free_vibration *f, const struct thud_state *
     memset(f->shift, 0, (size_t)f->n * sizeof *f->shift);
     for (int c = m->ncontacts; c < m->nrows; c++)
         for (int j = 0; j < f->n && f->shifted; j++)
-            f->shift[j] -= m->jacobian[c * f->n + j] * state->contact[c].branch.f0_n;
+            f->shift[j] -= m->jacobian[c * f->n + j] * thud_row_branch(state, c)->f0_n;
     for (int j = 0; j < f->n; j++)
         f->shift[j] = m->spring[j] > 0 ? f->shift[j] / m->spring[j] : 0; /* no force acts on a free body */
     for (int s = 0; s < m->nsystems; s++)

@@ -296,7 +296,7 @@ static void move_contact(const struct thud_responses *x, const struct thud_state
     const int size = m->nmodes * THUD_POINTS;
     const double *g = m->jacobian + c * m->nmodes, *table = table_of(x, level, c);
     /* what has just touched has not moved yet, whatever rounding says */
-    double start = state->contact[c].suppressed.indentation > 0 ? 0 : thud_contact_indentation(state, c);
+    double start = thud_row_starts_at_zero(state, c) ? 0 : thud_contact_indentation(state, c);
     double rate = thud_contact_rate(state, c);
     struct motion sum;
     for (int i = 0; i < THUD_POINTS / 2; i++) {

@@ -39,7 +39,7 @@ static double law_work(const struct thud_observation *o, int c, const double *fo
         for (int k = orders - 1; k >= 0; k--)
             f = f * s + force[k];
         for (int side = 0; side < 2; side++) {
-            const double more = thud_contact_force(o->state, c, x[side], rate * v[side]) - f[side];
+            const double more = thud_row_force(o->state, c, x[side], rate * v[side]) - f[side];
             work += weight[i + side] * more * rate * v[side];
             *impulse += weight[i + side] * more;
         }

@@ -138,7 +138,7 @@ static double plastic_drift(const struct thud_state *state, const struct thud_mo
 {
     if (p->yielding < 0)
         return 0;
-    return fabs(state->contact[p->yielding].branch.f0_n * p->per_yield[0] / p->per_drift[0]);
+    return fabs(thud_row_branch(state, p->yielding)->f0_n * p->per_yield[0] / p->per_drift[0]);
 }
 
 static enum thud_status block(void *own, const struct thud_state *state, struct thud_free_vibration *f, int intervals,

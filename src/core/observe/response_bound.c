@@ -88,7 +88,7 @@ void thud_peaks_row_forces(struct thud_peaks *peaks, const struct thud_state *st
     const struct thud_model *m = state->model;
     peaks->pushes = 0;
     for (int c = 0; c < m->nrows; c++)
-        if (c >= m->ncontacts || thud_contact_acts(&state->contact[c])) {
+        if (!thud_row_contact(state, c) || thud_row_acts(state, c)) {
             peaks->push[peaks->pushes] = row_push(seg, c, m->nrows, s);
             peaks->pushes += peaks->push[peaks->pushes].most != 0;
         }
